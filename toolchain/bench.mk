@@ -18,6 +18,12 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 PLAY_MODELS = assets/walker.glb@walk assets/walker.glb@jump \
 	assets/face.glb@cycle $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb)
+# Models whose pictures show what drawing costs; others can be given. Those of
+# user_models.py have no clip.
+DRAW_MODELS = assets/walker.glb@walk assets/face.glb@cycle assets/arm.glb@- \
+	$(addprefix $(SAMPLES)/models/,CesiumMan.glb RiggedFigure.glb \
+	BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb x/anim_test.x) \
+	$(addsuffix @-,$(BENCH_MODELS))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -69,6 +75,14 @@ bench-arm11-record: $(BENCH_ARM) $(BENCH_MODELS) build/arm1136/model.so
 bench-arm11-table:
 	$(Q)python3 -B tests/bench/arm11_table.py $(BENCH_FIGURES) \
 		app/anim/kernel/arm11_cost.c
+
+# Fits what drawing costs to pictures, and writes the table.
+.PHONY: bench-draw-fit
+bench-draw-fit: build/host/limber build/arm/bench/play_cost \
+		build/arm1136/model.so $(BENCH_MODELS)
+	$(Q)python3 -B tests/bench/draw_fit.py build/host/limber \
+		build/arm/bench/play_cost build/arm1136/model.so build/sysroot \
+		app/compare/cost/board_cost_draw.c $(DRAW_MODELS)
 
 bench_suites = $(call suite,bench/arm11,$(BENCH) --short --check \
 	$(BENCH_FIGURES)) \

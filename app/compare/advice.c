@@ -51,7 +51,8 @@ static void find_front(struct comparison *comparison)
 
 /*
  * Whether row a is the better choice: memory is the hardest limit, since
- * without it nothing runs, then the error, then the time.
+ * without it nothing runs, then the error, then the time. Where no row keeps the
+ * time, because drawing alone takes longer, prices decide as they do otherwise.
  */
 static bool is_better(const struct comparison *comparison, int a, int b)
 {
@@ -75,10 +76,6 @@ static bool is_better(const struct comparison *comparison, int a, int b)
 	if (advice_fits_time(comparison, a) != advice_fits_time(comparison, b)) {
 		return advice_fits_time(comparison, a);
 	}
-	if (!advice_fits_time(comparison, a)) {
-		return advice_row_us(comparison, a) <
-			advice_row_us(comparison, b);
-	}
 	return advice_row_price(comparison, a) <
 		advice_row_price(comparison, b) - worth_choosing;
 }
@@ -87,9 +84,8 @@ static void set_limits(struct comparison *comparison)
 {
 	const struct comparison_request *request = &comparison->request;
 	const struct board_profile *board = request->board;
-	double frame_ms = request->frame_ms > 0.0
-		? request->frame_ms
-		: board->frame_ms - board->drawing_ms;
+	double frame_ms =
+		request->frame_ms > 0.0 ? request->frame_ms : board->frame_ms;
 
 	comparison->memory_limit_bytes = request->memory_bytes > 0
 		? request->memory_bytes

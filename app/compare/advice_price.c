@@ -4,13 +4,14 @@
 static const double instructions_per_us = 300.0;
 
 static double time_us(const struct comparison *comparison, double frame_us,
-	double instructions, const struct board_cost *board)
+	double instructions, const struct board_cost *board,
+	const struct board_cost *draw)
 {
 	switch (comparison->cost) {
 	case COMPARISON_COST_INSTRUCTIONS:
-		return instructions / instructions_per_us;
+		return instructions / instructions_per_us + board_cost_us(draw);
 	case COMPARISON_COST_TIME:
-		return frame_us;
+		return frame_us + board_cost_us(draw);
 	default:
 		return board_cost_us(board);
 	}
@@ -21,7 +22,7 @@ double advice_row_us(const struct comparison *comparison, int row)
 	const struct comparison_total *total = &comparison->row[row].total;
 
 	return time_us(comparison, total->frame_us, total->instructions,
-		&total->board);
+		&total->board, &total->draw);
 }
 
 double advice_cell_us(const struct comparison *comparison, int row, int clip)
@@ -30,7 +31,7 @@ double advice_cell_us(const struct comparison *comparison, int row, int clip)
 	struct board_cost board = board_frame_sum(&cell->board);
 
 	return time_us(comparison, cell->time.frame_us, cell->time.instructions,
-		&board);
+		&board, &cell->board.draw);
 }
 
 bool advice_fits_memory(const struct comparison *comparison, int row)

@@ -8,7 +8,10 @@
 
 #include "app/compare/comparison.h"
 
-/* The time of a frame in microseconds, from the figure that cost selects. */
+/*
+ * The time of a whole frame in microseconds, from the figure that cost selects;
+ * drawing is always predicted.
+ */
 double advice_row_us(const struct comparison *comparison, int row);
 double advice_cell_us(const struct comparison *comparison, int row, int clip);
 

@@ -9,8 +9,6 @@ static const struct board_profile profiles[] = {
 		.ram_bytes = 128u << 20,
 		.taken_bytes = 48u << 20,
 		.frame_ms = 1000.0 / 30.0,
-		.drawing_ms =
-			20.0, /* the walker's demo, app/compare/figures.md */
 		.bytes_per_percent = 256u << 10,
 	},
 };

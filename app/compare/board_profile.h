@@ -12,7 +12,6 @@ struct board_profile {
 	size_t ram_bytes;   /* of the whole board */
 	size_t taken_bytes; /* of these, by the system and by limber itself */
 	double frame_ms;    /* from picture to picture */
-	double drawing_ms;  /* of these, what drawing takes */
 	/*
 	 * The rule of the advice: memory that is worth one hundredth of the
 	 * frame's time. A technique that needs this much more memory must be

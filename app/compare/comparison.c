@@ -2,6 +2,7 @@
 
 #include "app/compare/advice.h"
 #include "app/compare/comparison_cell.h"
+#include "app/compare/comparison_draw.h"
 #include "app/compare/comparison_rows.h"
 
 #include <errno.h>
@@ -127,6 +128,9 @@ static int measure_all(struct comparison *comparison, const struct log *log)
 		find_box(comparison);
 		error = jobs_run(comparison->row_count * clips, jobs,
 			measure_cell, &run);
+	}
+	if (!error) {
+		error = comparison_draw_predict(comparison, log);
 	}
 	return error;
 }

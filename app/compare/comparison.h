@@ -40,7 +40,7 @@ struct comparison_request {
 	float bound_px; /* the largest error to accept */
 	const struct board_profile *board;
 	size_t memory_bytes; /* the most memory to accept; 0: the board's */
-	double frame_ms;     /* the most time to accept; 0: the board's */
+	double frame_ms;     /* the longest frame to accept; 0: the board's */
 	int width, height;   /* of the screen, in pixels */
 	int jobs;            /* threads */
 	const struct kernel *kernel;
@@ -64,7 +64,7 @@ struct comparison_total {
 	int peak_clip;       /* the clip with the largest error, of clip[] */
 	double frame_us;     /* here; the mean of all clips, as all below */
 	double instructions; /* negative: there is no counter */
-	struct board_cost board;
+	struct board_cost board, draw; /* the whole frame; of it, drawing */
 	size_t memory_bytes, file_bytes;
 	int key_count;
 };

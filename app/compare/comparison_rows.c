@@ -188,6 +188,10 @@ static void sum_up(
 		board.cycles *= (double)share;
 		board.instructions *= (double)share;
 		board_cost_add(&total->board, &board);
+		board = cell->board.draw;
+		board.cycles *= (double)share;
+		board.instructions *= (double)share;
+		board_cost_add(&total->draw, &board);
 		if (c == 0) {
 			total->memory_bytes = cell->bytes.shared;
 			total->file_bytes = cell->bytes.shared_file;

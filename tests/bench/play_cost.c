@@ -2,26 +2,109 @@
  * Plays a clip of a model as the viewer does, for the timing model
  * (tests/arm1136): region 1 samples the clip, region 2 poses the vertices.
  *
- *	play_cost MODEL CLIP RATE [INFLUENCES]
+ *	play_cost MODEL CLIP RATE [INFLUENCES [WIDTH HEIGHT [MOMENTS]]]
  *
- * Plays RATE frames a second from the clip's start to its end, but at most 300.
- * Each frame finds its data in memory, as after a whole picture is drawn, and
- * the code in L1. Prints "frames N". play_check.py compares the cycles with
- * those that limber compare predicts.
+ * Plays RATE frames a second from the clip's start to its end, but at most 300;
+ * CLIP "-" shows the rest pose once. Each frame finds its data in memory, as
+ * after a whole picture is drawn, and the code in L1. With a size, region 3
+ *draws 6 or so many moments of the clip without labels; with MOMENTS, the last
+ *line prints what these pictures consist of, in the order of struct gl_counts.
+ *Prints "frames N". play_check.py compares the cycles with those that limber
+ *compare predicts.
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <jansson.h>
 
 #include "app/anim/clip.h"
-#include "app/scene/instance/instance.h"
+#include "app/compare/cost/drawing.h"
+#include "app/model/levels/levels_file.h"
 #include "tests/arm1136/marker.h"
 
 enum {
 	FRAMES_MAX = 300,
+	MOMENTS = 6,
 	WARM_FRAMES = 2 /* before the first: they load the code */
 };
+
+/* The box of a clip and of the rest pose, as limber compare frames them. */
+static int begin_drawing(struct instance *instance, int clip, char **size,
+	const struct log *log, struct drawing **out)
+{
+	struct bounds box = bounds_of_clip(instance, -1), moving;
+
+	if (clip >= 0) {
+		moving = bounds_of_clip(instance, clip);
+		bounds_join(&box, &moving);
+	}
+	return drawing_create(
+		instance->model, &box, atoi(size[0]), atoi(size[1]), log, out);
+}
+
+static void pose(struct instance *instance, const struct model_clip *clip,
+	struct clip_cursor *cursor, double share)
+{
+	if (clip) {
+		clip_pose(clip, clip->duration_s * (float)share, CLIP_AUTO,
+			cursor, &instance->pose);
+	}
+	instance_update(instance);
+}
+
+static void print_counts(const struct gl_counts *counts)
+{
+	printf("counts %.0f %.0f %.0f %.0f %.0f", counts->calls, counts->listed,
+		counts->vertices, counts->shaded, counts->hidden);
+	for (int i = 0; i < GL_WORK_KINDS; i++) {
+		printf(" %.0f %.0f %.0f", counts->work[i].triangles,
+			counts->work[i].rows, counts->work[i].pixels);
+	}
+	printf("\n");
+}
+
+static void count(struct instance *instance, const struct model_clip *clip,
+	struct clip_cursor *cursor, struct drawing *drawing, int moments)
+{
+	struct gl_counts counts = {0};
+	float extent = drawing_extent(instance);
+
+	drawing_count(drawing, &counts);
+	for (int i = 0; i < moments; i++) {
+		pose(instance, clip, cursor, (i + 0.5) / moments);
+		drawing_draw(drawing, instance, extent);
+	}
+	print_counts(&counts);
+}
+
+static int draw(struct instance *instance, int clip, struct clip_cursor *cursor,
+	char **size, const struct log *log)
+{
+	const struct model_clip *played =
+		clip < 0 ? NULL : &instance->model->clip[clip];
+	int moments = size[2] ? atoi(size[2]) : MOMENTS;
+	struct drawing *drawing;
+	float extent;
+
+	if (begin_drawing(instance, clip, size, log, &drawing) != 0) {
+		return -1;
+	}
+	extent = drawing_extent(instance);
+	pose(instance, played, cursor, 0.0);
+	drawing_draw(drawing, instance, extent); /* loads the code */
+	for (int i = 0; i < moments; i++) {
+		pose(instance, played, cursor, (i + 0.5) / moments);
+		MARKER_BEGIN(3);
+		drawing_draw(drawing, instance, extent);
+		MARKER_END(3);
+	}
+	if (size[2]) {
+		count(instance, played, cursor, drawing, moments);
+	}
+	drawing_destroy(drawing);
+	return 0;
+}
 
 static int play(struct instance *instance, const struct model_clip *clip,
 	struct clip_cursor *cursor, double rate_hz)
@@ -57,17 +140,22 @@ int main(int argc, char **argv)
 	struct clip_cursor cursor;
 	struct instance *instance;
 	struct model *model;
+	bool rests;
 	int clip;
 
 	/* With a random seed, addresses would differ from run to run. */
 	json_object_seed(1);
 	if (argc < 4 || model_load(argv[1], &log, &model) != 0) {
 		fprintf(stderr,
-			"usage: play_cost MODEL CLIP RATE [INFLUENCES]\n");
+			"usage: play_cost MODEL CLIP RATE [INFLUENCES [WIDTH HEIGHT [MOMENTS]]]\n");
 		return 2;
 	}
-	clip = model_find_clip(model, argv[2]);
-	if (clip < 0 ||
+	if (argc > 6) {
+		levels_prepare(model, &log);
+	}
+	rests = strcmp(argv[2], "-") == 0;
+	clip = rests ? -1 : model_find_clip(model, argv[2]);
+	if ((clip < 0 && !rests) ||
 		instance_create(model, kernel_find(NULL), &log, &instance) != 0) {
 		fprintf(stderr, "%s: no clip %s\n", argv[1], argv[2]);
 		return EXIT_FAILURE;
@@ -77,8 +165,14 @@ int main(int argc, char **argv)
 	if (clip_cursor_init(&cursor, model, &instance->arena) != 0) {
 		return EXIT_FAILURE;
 	}
-	printf("frames %d\n",
-		play(instance, &model->clip[clip], &cursor, atof(argv[3])));
+	if (!rests) {
+		printf("frames %d\n",
+			play(instance, &model->clip[clip], &cursor,
+				atof(argv[3])));
+	}
+	if (argc > 6 && draw(instance, clip, &cursor, argv + 5, &log) != 0) {
+		return EXIT_FAILURE;
+	}
 	instance_destroy(instance);
 	model_destroy(model);
 	return EXIT_SUCCESS;

@@ -32,6 +32,10 @@ for name, row in host.items():
           there)
     check(f"{name}: off by as many pixels, {row['peak_px']:.3f}",
           abs(there.get("peak_px", 1e9) - row["peak_px"]) < 0.001, there)
+    there_us = there.get("arm11_predicted", {}).get("us_per_frame", 0)
+    told_us = row["arm11_predicted"]["us_per_frame"]
+    check(f"{name}: predicted as {told_us:.0f} us, within 0.1%",
+          abs(there_us - told_us) < 0.001 * told_us, there)
     check(f"{name}: a frame takes {there.get('us_per_frame', 0):.0f} us there",
           there.get("us_per_frame", 0) > 0, there)
 done()

@@ -318,7 +318,7 @@ const struct option_entry option_entries[] = {
 		"accept up to this much memory, such as 512k; the board sets the default",
 		"a number of bytes such as 200000, 512k or 2m", PARSED(set_ram)},
 	{0, "ms", "N", FOR_COMPARE,
-		"accept up to N ms a frame for animation; the board sets the default",
+		"accept frames of up to N ms, with drawing; the board sets the default",
 		"a number from 0.001 to 1000", FLOAT(compare.ms, 0.001, 1000)},
 	{0, "board", "NAME", FOR_COMPARE,
 		"take the limits of this board: imx31-pdk",

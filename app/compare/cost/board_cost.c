@@ -64,6 +64,14 @@ void board_cost_add(struct board_cost *cost, const struct board_cost *more)
 
 struct board_cost board_frame_sum(const struct board_frame *frame)
 {
+	struct board_cost sum = board_frame_posing(frame);
+
+	board_cost_add(&sum, &frame->draw);
+	return sum;
+}
+
+struct board_cost board_frame_posing(const struct board_frame *frame)
+{
 	struct board_cost sum = frame->sample;
 
 	board_cost_add(&sum, &frame->matrices);

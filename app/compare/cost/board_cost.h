@@ -4,25 +4,28 @@
  * The cost is the number of vertices, joints, nodes and channels times the
  * cycles that the timing model of the board's core counted
  * (app/anim/kernel/arm11_cost.h and board_cost.c), with the data of each frame
- * in memory. Nothing was measured on hardware. The result is the same on every
- * machine. It is within 10% of what the model counts when it plays the files
- * (tests/bench/play_check.py), for all that comes before drawing.
+ * in memory; and what a picture consists of (cost/drawing.h) times its cycles
+ * (board_cost_draw.c). Nothing was measured on hardware. The result is the same
+ * on every machine. It is within 10% of what the model counts when it plays the
+ * files (tests/bench/play_check.py).
  */
 #ifndef APP_COMPARE_COST_BOARD_COST_H
 #define APP_COMPARE_COST_BOARD_COST_H
 
 #include "app/anim/clip.h"
 #include "app/scene/instance/instance.h"
+#include "platform/gl/gl_counts.h"
 
 struct board_cost {
 	double cycles, instructions; /* a frame */
 };
 
-/* The steps of a frame before it is drawn. */
+/* The steps of a frame. */
 struct board_frame {
 	struct board_cost sample;   /* the clip's values at a time */
 	struct board_cost matrices; /* of nodes, and palettes of skins */
 	struct board_cost vertices; /* the loops, and converting palettes */
+	struct board_cost draw;     /* without labels */
 };
 
 /* Converts cycles to microseconds at the board's clock rate. */
@@ -31,8 +34,9 @@ double board_cost_us(const struct board_cost *cost);
 /* Adds more to *cost. */
 void board_cost_add(struct board_cost *cost, const struct board_cost *more);
 
-/* All steps together. */
+/* All steps together; and those before the frame is drawn. */
 struct board_cost board_frame_sum(const struct board_frame *frame);
+struct board_cost board_frame_posing(const struct board_frame *frame);
 
 /* The cost of sampling a clip whose values are written to so many nodes. */
 struct board_cost board_cost_sample(
@@ -55,6 +59,9 @@ struct board_cost board_cost_skin(
 
 /* The cost of interpolating vertices between two key frames. */
 struct board_cost board_cost_keys(int vertex_count, bool normals);
+
+/* The cost of drawing what is counted, in a picture of so many pixels. */
+struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels);
 
 /* Vertices of weighted targets in an average frame, over all attributes. */
 struct board_targets {

@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -52,6 +53,29 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	}
 	candidate_destroy(&candidate);
 	reference_destroy(reference);
+	return error;
+}
+
+int export_load_rigid(const struct comparison *comparison,
+	const struct log *log, struct model **out)
+{
+	const char *path = comparison->model->path;
+	struct glb glb;
+	uint8_t *data;
+	size_t size;
+	int error;
+
+	glb_begin(&glb);
+	error = bake_rigid(&glb, comparison, log);
+	if (error) {
+		glb_discard(&glb);
+		return error;
+	}
+	error = glb_write_memory(&glb, path, log, &data, &size);
+	if (!error) {
+		error = model_load_memory(data, size, path, log, out);
+		free(data);
+	}
 	return error;
 }
 

@@ -7,10 +7,17 @@
 #include "app/compare/comparison.h"
 
 /*
- * Creates the folder if it does not exist. Returns 0, or -errno after logging an
- * error.
+ * Creates the folder if it does not exist. Returns 0, or -errno after logging
+ * an error.
  */
 int export_make_folder(const char *folder, const struct log *log);
+
+/*
+ * Loads the model that rigid.glb holds, without writing a file. The caller
+ * releases *out with model_destroy(). Returns 0, or -errno after logging an error.
+ */
+int export_load_rigid(const struct comparison *comparison,
+	const struct log *log, struct model **out);
 
 /*
  * Writes a file for each listed row but the model itself: FOLDER/morph-N.glb

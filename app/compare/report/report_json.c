@@ -71,10 +71,11 @@ static json_t *cell_json(const struct comparison_cell *cell)
 		board = board_frame_sum(&cell->board);
 		set_cost(json, cell->time.instructions, &board);
 		json_object_set_new(json, "arm11_split",
-			json_pack("{s:o, s:o, s:o}", "sample",
+			json_pack("{s:o, s:o, s:o, s:o}", "sample",
 				cost_json(&cell->board.sample), "matrices",
 				cost_json(&cell->board.matrices), "vertices",
-				cost_json(&cell->board.vertices)));
+				cost_json(&cell->board.vertices), "draw",
+				cost_json(&cell->board.draw)));
 	}
 	if (json && cell->keys.count > 0) {
 		json_object_set_new(json, "key_times_s",
@@ -110,6 +111,8 @@ static json_t *row_json(const struct comparison *comparison, int index)
 		rating->coding, "clips", cells);
 	if (json) {
 		set_cost(json, total->instructions, &total->board);
+		json_object_set_new(
+			json, "arm11_drawing", cost_json(&total->draw));
 	}
 	return json;
 }

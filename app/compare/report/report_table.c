@@ -10,6 +10,7 @@ static const char *const columns[] = {
 	"instructions_per_frame",
 	"arm11_us_predicted",
 	"arm11_instructions_predicted",
+	"arm11_drawing_us_predicted",
 	"ram_bytes",
 	"file_bytes",
 	"peak_px",
@@ -34,9 +35,10 @@ static void print_cells(const struct comparison *comparison, int index,
 	if (total->instructions >= 0.0) {
 		fprintf(out, "%.0f", total->instructions);
 	}
-	fprintf(out, "%s%.2f%s%.0f%s%zu%s%zu%s%.4f%s%.4f", separator,
+	fprintf(out, "%s%.2f%s%.0f%s%.2f%s%zu%s%zu%s%.4f%s%.4f", separator,
 		board_cost_us(&total->board), separator,
-		total->board.instructions, separator, total->memory_bytes,
+		total->board.instructions, separator,
+		board_cost_us(&total->draw), separator, total->memory_bytes,
 		separator, total->file_bytes, separator, (double)total->peak_px,
 		separator, (double)total->mean_px);
 	fprintf(out, "%s%.4f%s%.3f%s%.2f%s%s%s%s", separator,

@@ -54,8 +54,9 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		comparison->model->node_count == 1 ? "node" : "nodes");
 	fprintf(out,
 		"Errors are in pixels of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
-		"\"here\": measured on this machine, kernel %s. \"ARM11\": predicted for an ARM1136 at %d MHz\n"
-		"by the timing model, not measured. Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
+		"\"here\": posing, measured on this machine, kernel %s. \"ARM11\": the whole frame without labels, which is\n"
+		"posing and drawing, predicted for an ARM1136 at %d MHz by the timing model, not measured.\n"
+		"Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
 		request->width, request->height, request->kernel->name,
 		ARM11_MHZ, board->name, board->summary,
 		kilobytes(comparison->memory_limit_bytes),
@@ -75,10 +76,12 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 {
 	const struct comparison_row *row = &comparison->row[index];
 	const struct comparison_total *total = &row->total;
+	double us = board_cost_us(&total->board);
+	double draw_us = board_cost_us(&total->draw);
 
-	fprintf(out, "%c%c%-26s %8.1f %8.1f ",
+	fprintf(out, "%c%c%-26s %8.0f %8.1f %8.0f %8.1f ",
 		index == comparison->advised ? '>' : ' ', row->front ? '*' : ' ',
-		row->name, board_cost_us(&total->board), total->frame_us);
+		row->name, us, us - draw_us, draw_us, total->frame_us);
 	print_instructions(total->instructions, out);
 	fprintf(out, " %9.1f %9.1f %8.3f %8.3f %8.3f %7.2f %6.1f\n",
 		kilobytes(total->memory_bytes), kilobytes(total->file_bytes),
@@ -125,7 +128,7 @@ static void print_clips(const struct comparison *comparison, FILE *out)
 
 		fprintf(out, "  %2d ", comparison->clip[c].clip);
 		printable_put(clip->name, out);
-		fprintf(out, "%*s %8.2f %8.1f %8.3f  %s\n",
+		fprintf(out, "%*s %8.2f %8.0f %8.3f  %s\n",
 			length < width ? width - length : 0, "",
 			(double)clip->duration_s, board_cost_us(&board),
 			(double)cell->error.peak_px, row->name);
@@ -150,7 +153,7 @@ static void print_ratings(const struct comparison *comparison, FILE *out)
 static void print_steps(const struct comparison *comparison, FILE *out)
 {
 	const struct comparison_row *row = &comparison->row[comparison->advised];
-	double us[3] = {0.0, 0.0, 0.0};
+	double us[4] = {0.0, 0.0, 0.0, 0.0};
 
 	for (int c = 0; c < comparison->clip_count; c++) {
 		const struct board_frame *frame = &row->cell[c].board;
@@ -158,14 +161,15 @@ static void print_steps(const struct comparison *comparison, FILE *out)
 		us[0] += board_cost_us(&frame->sample);
 		us[1] += board_cost_us(&frame->matrices);
 		us[2] += board_cost_us(&frame->vertices);
+		us[3] += board_cost_us(&frame->draw);
 	}
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 4; i++) {
 		us[i] /= (double)comparison->clip_count;
 	}
 	fprintf(out,
-		"On the ARM1136 its frame takes %.0f us to sample the clip, %.0f us for matrices and %.0f us for vertices,\n"
-		"before it is drawn.\n",
-		us[0], us[1], us[2]);
+		"On the ARM1136 its frame takes %.0f us to sample the clip, %.0f us for matrices, %.0f us for vertices\n"
+		"and %.0f us to draw it.\n",
+		us[0], us[1], us[2], us[3]);
 }
 
 static void print_advice(const struct comparison *comparison, FILE *out)
@@ -191,9 +195,10 @@ static void print_advice(const struct comparison *comparison, FILE *out)
 int report_print_text(const struct comparison *comparison, FILE *out)
 {
 	print_head(comparison, out);
-	fprintf(out, "  %-26s %8s %8s %9s %9s %9s %8s %8s %8s %7s %6s\n",
-		"a frame takes", "ARM11 us", "us here", "k instr.", "KiB RAM",
-		"KiB file", "peak px", "mean px", "outline", "normal", "shade");
+	fprintf(out, "  %-26s %8s %8s %8s %8s %9s %9s %9s %8s %8s %8s %7s %6s\n",
+		"a frame takes", "ARM11 us", "posing", "drawing", "us here",
+		"k instr.", "KiB RAM", "KiB file", "peak px", "mean px",
+		"outline", "normal", "shade");
 	for (int i = 0; i < comparison->row_count; i++) {
 		if (comparison->row[i].listed) {
 			print_row(comparison, i, out);

@@ -1,0 +1,164 @@
+#include "app/compare/comparison_draw.h"
+
+#include "app/compare/cost/drawing.h"
+#include "app/compare/export/export.h"
+#include "app/model/levels/levels.h"
+#include "app/model/levels/levels_file.h"
+
+#include <cglm/cglm.h>
+
+enum {
+	DRAWN_FRAMES = 6 /* of each clip, at even distances */
+};
+
+struct painter {
+	struct comparison *comparison;
+	const struct log *log;
+	bool rigid; /* the model consists of the rigid parts */
+	struct model *model;
+	struct instance *instance;
+	struct clip_cursor cursor;
+	struct drawing *drawing;
+	float extent;
+};
+
+/* The clip of the drawn model; NULL: it has none. Exports begin at 0. */
+static const struct model_clip *find_clip(
+	const struct painter *painter, int index)
+{
+	int clip =
+		painter->rigid ? index : painter->comparison->clip[index].clip;
+
+	return clip < painter->model->clip_count ? &painter->model->clip[clip]
+						 : NULL;
+}
+
+static void count_clip(
+	struct painter *painter, int index, struct gl_counts *counts)
+{
+	struct instance *instance = painter->instance;
+	const struct model_clip *clip = find_clip(painter, index);
+
+	*counts = (struct gl_counts){0};
+	drawing_count(painter->drawing, counts);
+	for (int i = 0; i < DRAWN_FRAMES; i++) {
+		if (clip) {
+			clip_pose(clip,
+				clip->duration_s * ((float)i + 0.5f) /
+					(float)DRAWN_FRAMES,
+				CLIP_AUTO, &painter->cursor, &instance->pose);
+		}
+		instance_update(instance);
+		drawing_draw(painter->drawing, instance, painter->extent);
+	}
+	drawing_count(painter->drawing, NULL);
+	gl_counts_scale(counts, 1.0 / DRAWN_FRAMES);
+}
+
+static void predict(struct painter *painter)
+{
+	struct comparison *comparison = painter->comparison;
+	const struct comparison_request *request = &comparison->request;
+	double pixels = (double)request->width * (double)request->height;
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		struct gl_counts counts;
+		struct board_cost cost;
+
+		count_clip(painter, c, &counts);
+		cost = board_cost_draw(&counts, pixels);
+		for (int r = 0; r < comparison->row_count; r++) {
+			struct comparison_row *row = &comparison->row[r];
+
+			if ((row->kind == COMPARISON_RIGID) == painter->rigid) {
+				row->cell[c].board.draw = cost;
+			}
+		}
+	}
+}
+
+static int begin_drawing(struct painter *painter)
+{
+	const struct comparison *comparison = painter->comparison;
+	const struct comparison_request *request = &comparison->request;
+	float unit = painter->instance->unit_scale;
+	struct bounds box = comparison->box;
+
+	glm_vec3_scale(box.low, unit, box.low);
+	glm_vec3_scale(box.high, unit, box.high);
+	painter->instance->normal_mapping = false;
+	painter->extent = drawing_extent(painter->instance);
+	return drawing_create(painter->model, &box, request->width,
+		request->height, painter->log, &painter->drawing);
+}
+
+static int draw_model(struct painter *painter)
+{
+	struct model *model = painter->model;
+	int error = instance_create(
+		model, kernel_find("fixed"), painter->log, &painter->instance);
+
+	if (error) {
+		return error;
+	}
+	error = clip_cursor_init(
+		&painter->cursor, model, &painter->instance->arena);
+	if (error) {
+		error = memory_budget_fail(
+			model->budget, model->path, painter->log);
+	}
+	if (!error) {
+		error = begin_drawing(painter);
+	}
+	if (!error) {
+		predict(painter);
+		drawing_destroy(painter->drawing);
+	}
+	instance_destroy(painter->instance);
+	return error;
+}
+
+static int draw(struct comparison *comparison, bool rigid, const struct log *log)
+{
+	struct painter painter = {
+		.comparison = comparison, .log = log, .rigid = rigid};
+	const char *path = comparison->model->path;
+	int error = rigid ? export_load_rigid(comparison, log, &painter.model)
+			  : model_load(path, log, &painter.model);
+
+	if (error) {
+		return error;
+	}
+	if (rigid) {
+		levels_make(painter.model);
+	} else {
+		levels_prepare(painter.model, log);
+	}
+	error = draw_model(&painter);
+	model_destroy(painter.model);
+	return error;
+}
+
+static bool has_rigid(const struct comparison *comparison)
+{
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (comparison->row[i].kind == COMPARISON_RIGID) {
+			return true;
+		}
+	}
+	return false;
+}
+
+int comparison_draw_predict(struct comparison *comparison, const struct log *log)
+{
+	/* The model's warnings have been shown when it was loaded. */
+	struct log errors = *log;
+	int error;
+
+	errors.threshold = LOG_ERROR;
+	error = draw(comparison, false, &errors);
+	if (!error && has_rigid(comparison)) {
+		error = draw(comparison, true, &errors);
+	}
+	return error;
+}

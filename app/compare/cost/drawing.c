@@ -1,0 +1,124 @@
+#include "app/compare/cost/drawing.h"
+
+#include "app/compare/measure/screen_view.h"
+#include "app/scene/draw/draw.h"
+#include "app/scene/draw/texture.h"
+#include "app/scene/instance/lod.h"
+#include "app/scene/stage/stage.h"
+#include "platform/gl/gl_context.h"
+
+#include <errno.h>
+#include <stdlib.h>
+
+struct drawing {
+	struct gl_context *context;
+	struct pixels pixels;
+	struct texture_set textures;
+	struct stage stage;
+};
+
+static int open_picture(
+	struct drawing *drawing, int width, int height, const struct log *log)
+{
+	const struct gl_request request = {.format = PIXELS_RGB565, .log = log};
+	int error = pixels_alloc(
+		&drawing->pixels, width, height, PIXELS_RGB565, log);
+
+	return error ? error : gl_open("soft", &request, &drawing->context);
+}
+
+static int prepare(struct drawing *drawing, const struct model *model,
+	const struct bounds *box, const struct log *log)
+{
+	const struct gl *gl = &drawing->context->gl;
+	struct camera_framing framing = screen_view_framing;
+	int error = texture_set_create(
+		&drawing->textures, model, gl, PIXELS_RGB565, log);
+
+	if (error) {
+		return error;
+	}
+	framing.aspect =
+		(float)drawing->pixels.width / (float)drawing->pixels.height;
+	error = stage_init(
+		&drawing->stage, gl, box, &framing, PIXELS_RGB565, log);
+	if (error) {
+		texture_set_destroy(&drawing->textures, gl);
+	}
+	return error;
+}
+
+int drawing_create(const struct model *model, const struct bounds *box,
+	int width, int height, const struct log *log, struct drawing **out)
+{
+	struct drawing *drawing = calloc(1, sizeof(*drawing));
+	int error;
+
+	if (!drawing) {
+		log_error(log, "%s: there is not enough memory to draw it",
+			model->path);
+		return -ENOMEM;
+	}
+	error = open_picture(drawing, width, height, log);
+	if (error) {
+		goto fail_picture;
+	}
+	error = prepare(drawing, model, box, log);
+	if (error) {
+		goto fail_context;
+	}
+	*out = drawing;
+	return 0;
+fail_context:
+	drawing->context->driver->destroy(drawing->context);
+fail_picture:
+	free(drawing->pixels.data);
+	free(drawing);
+	return error;
+}
+
+void drawing_destroy(struct drawing *drawing)
+{
+	if (!drawing) {
+		return;
+	}
+	stage_finish(&drawing->stage, &drawing->context->gl);
+	texture_set_destroy(&drawing->textures, &drawing->context->gl);
+	drawing->context->driver->destroy(drawing->context);
+	free(drawing->pixels.data);
+	free(drawing);
+}
+
+float drawing_extent(struct instance *instance)
+{
+	struct bounds rest = bounds_of_clip(instance, -1);
+
+	return bounds_extent(&rest);
+}
+
+void drawing_draw(
+	struct drawing *drawing, struct instance *instance, float extent)
+{
+	static const struct lod automatic = {.kind = LOD_AUTO};
+	struct gl_context *context = drawing->context;
+	const struct stage *stage = &drawing->stage;
+	const struct gl *gl = &context->gl;
+	int width = drawing->pixels.width, height = drawing->pixels.height;
+
+	lod_choose(instance, &automatic,
+		lod_px_per_unit(instance, &stage->camera, extent, height));
+	if (context->driver->begin_frame(context, &drawing->pixels) != 0) {
+		return;
+	}
+	stage_begin(stage, gl, width, height);
+	stage_shadow_begin(stage, gl);
+	draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
+	stage_shadow_end(stage, gl);
+	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
+	context->driver->end_frame(context);
+}
+
+void drawing_count(struct drawing *drawing, struct gl_counts *counts)
+{
+	drawing->context->driver->count(drawing->context, counts);
+}

@@ -50,7 +50,7 @@ build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stam
 
 # Models as users have them.
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
-	colors cards layers)
+	colors cards layers banner glass leaves)
 $(BENCH_MODELS) &: tests/bench/user_models.py
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B $< build/bench-models

@@ -5,7 +5,8 @@
 
 box is 12 triangles with a texture, duck 4,000 with one, duck-two-sided the same
 without culling, colors has a colour at each vertex besides, cards are quads in
-all alpha modes, and layers are six blended quads behind each other.
+all alpha modes, and layers are six blended quads behind each other. banner has
+long strips in perspective, glass a blended sphere, leaves one with an alpha test.
 """
 
 import json
@@ -207,6 +208,33 @@ def make_layers(model):
         model.mesh(material, quad(0.75, 1), at=(0, 0, k * 0.1))
 
 
+def strips(count):
+    positions, normals, texcoords, indices = [], [], [], []
+    for i in range(count + 1):
+        for j in range(2):
+            positions.append([i / count, 2 * j, 0.2 * math.sin(7 * i / count) - i / count])
+            normals.append((0, 0, 1))
+            texcoords.append((i / count, 1 - j))
+    for k in range(0, 2 * count, 2):
+        indices += [k, k + 2, k + 1, k + 1, k + 2, k + 3]
+    return positions, normals, texcoords, indices
+
+
+def make_banner(model):
+    texture = model.texture(png(256, checks(256), 3))
+    model.mesh(model.material(texture, doubleSided=True), strips(16))
+
+
+def make_glass(model):
+    material = model.material(color=(0.3, 0.6, 0.9, 0.5), alphaMode="BLEND")
+    model.mesh(material, blob(24, 12))
+
+
+def make_leaves(model):
+    texture = model.texture(png(256, discs(256), 4))
+    model.mesh(model.material(texture, alphaMode="MASK", doubleSided=True), blob(32, 16))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -214,6 +242,9 @@ MODELS = {
     "colors": make_colors,
     "cards": make_cards,
     "layers": make_layers,
+    "banner": make_banner,
+    "glass": make_glass,
+    "leaves": make_leaves,
 }
 
 

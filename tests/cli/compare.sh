@@ -48,7 +48,7 @@ expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
 check 'the plot has a point for each technique' \
     test "$(grep -c '<circle' "$scratch/plot.svg")" -ge 4
 check 'the plot names its second axis' grep -qE \
-    'against (us a frame before drawing, on an ARM1136 \(predicted\)|instructions a frame|us a frame)<' \
+    'against (us of posing on an ARM1136 \(predicted\)|instructions a frame|us a frame)<' \
     "$scratch/plot.svg"
 check 'the plot is well formed' python3 -c \
     'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' \

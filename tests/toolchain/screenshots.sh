@@ -10,7 +10,7 @@ page=app/compare/example.md
 # of times measured on this machine.
 steady() {
     sed -n '/^      a frame takes/,/^      \.\.\.$/p' "$1" |
-        sed -E 's/^(.{41}).{19}/\1/'
+        sed -E 's/^(.{59}).{19}/\1/'
 }
 
 for time in once again; do

@@ -17,40 +17,40 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{2.444e+04, 1.992e+04}, /* frame */
-	{1.013, 1.243},         /* pixel */
-	{1.705e+04, 8086},      /* call */
-	{169, 131.4},           /* listed */
+	{2.529e+04, 2.218e+04}, /* frame */
+	{0.9446, 0.9984},       /* pixel */
+	{1.751e+04, 8221},      /* call */
+	{207.5, 123.2},         /* listed */
 	{0, 0},                 /* vertex */
-	{902.2, 129.4},         /* shaded */
-	{0.8123, 0},            /* hidden */
-	{404.9, 0},             /* flat triangle */
-	{1.844, 0},             /* flat row */
-	{16.11, 26.33},         /* flat pixel */
-	{762.6, 531.9},         /* plain triangle */
-	{0, 15.53},             /* plain row */
-	{18.09, 0.9767},        /* plain pixel */
-	{1269, 646.1},          /* textured triangle */
-	{167.4, 66.66},         /* textured row */
-	{93.11, 70.33},         /* textured pixel */
-	{5.746e+04, 4.133e+04}, /* ground triangle */
-	{152.6, 0},             /* ground row */
-	{6.649, 2.74},          /* ground pixel */
-	{1801, 342.5},          /* spans triangle */
-	{166.1, 107.8},         /* spans row */
-	{26.86, 14.72},         /* spans pixel */
-	{4188, 2400},           /* spans textured triangle */
-	{408.8, 173.9},         /* spans textured row */
-	{71.27, 46.48},         /* spans textured pixel */
-	{3136, 2881},           /* spans divided triangle */
-	{1947, 1221},           /* spans divided row */
-	{101.2, 57.94},         /* spans divided pixel */
-	{968.4, 766.9},         /* mixed triangle */
-	{163.6, 28.86},         /* mixed row */
-	{129.2, 78.8},          /* mixed pixel */
-	{1973, 814.1},          /* mixed textured triangle */
-	{1313, 860.4},          /* mixed textured row */
-	{138, 89.9},            /* mixed textured pixel */
+	{896.6, 130.4},         /* shaded */
+	{4.735, 0},             /* hidden */
+	{285, 0},               /* flat triangle */
+	{7.904, 0},             /* flat row */
+	{10.8, 23.51},          /* flat pixel */
+	{698, 549},             /* plain triangle */
+	{0, 16.41},             /* plain row */
+	{18.85, 1.294},         /* plain pixel */
+	{1236, 663.7},          /* textured triangle */
+	{158, 68.99},           /* textured row */
+	{92.39, 69.02},         /* textured pixel */
+	{6.231e+04, 4.182e+04}, /* ground triangle */
+	{108.5, 0},             /* ground row */
+	{6.728, 2.936},         /* ground pixel */
+	{1279, 482.5},          /* spans triangle */
+	{166.5, 106.7},         /* spans row */
+	{28.19, 15.47},         /* spans pixel */
+	{4298, 2928},           /* spans textured triangle */
+	{335.3, 111.1},         /* spans textured row */
+	{86.69, 54.79},         /* spans textured pixel */
+	{4322, 4743},           /* spans divided triangle */
+	{908.1, 535},           /* spans divided row */
+	{115.3, 67.18},         /* spans divided pixel */
+	{2221, 1969},           /* mixed triangle */
+	{157, 20.23},           /* mixed row */
+	{64.95, 42.29},         /* mixed pixel */
+	{374, 0},               /* mixed textured triangle */
+	{908.1, 582.6},         /* mixed textured row */
+	{141.7, 92.07},         /* mixed textured pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

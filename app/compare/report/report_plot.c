@@ -25,7 +25,7 @@ static const double min_px = 0.01;
 
 static const char *const cost_titles[COMPARISON_COSTS] = {
 	[COMPARISON_COST_PREDICTED] =
-		"against us a frame before drawing, on an ARM1136 (predicted)",
+		"against us of posing on an ARM1136 (predicted)",
 	[COMPARISON_COST_INSTRUCTIONS] =
 		"peak error in pixels against us a frame, by instructions",
 	[COMPARISON_COST_TIME] = "peak error in pixels against us a frame",

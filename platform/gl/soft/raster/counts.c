@@ -113,14 +113,16 @@ static double count_changed(const struct draw *draw, const struct clip_box *box,
 
 /*
  * Draws the triangle, and returns how many of its pixels are behind others.
- * That is less than 0 where its rows cover more than its area.
+ * That is less than 0 where its rows cover more than its area. Where depths do
+ * not tell, because alpha is tested too, it is 0.
  */
 static double draw_and_find_hidden(
 	struct draw *draw, struct setup *setup, double pixels)
 {
 	const struct clip_box box = box_of(draw, setup);
-	bool tested = (draw->key.bits & KEY_DEPTH_LESS) != 0 &&
-		box.left < box.right && box.top < box.bottom;
+	uint32_t bits = draw->key.bits & (KEY_DEPTH_LESS | KEY_ALPHA_TEST);
+	bool tested = bits == KEY_DEPTH_LESS && box.left < box.right &&
+		box.top < box.bottom;
 	uint16_t *before = tested ? copy_depth(draw, &box) : NULL;
 	double hidden = 0.0;
 

@@ -169,7 +169,8 @@ struct model_channel {
 	enum model_interpolation interpolation;
 	bool constant;       /* no value differs from the first one by more than
 				2e-6 of the clip's largest on this path; never
-				true for MODEL_CUBICSPLINE */
+				true for MODEL_CUBICSPLINE; of a glTF file it
+				has one key in memory */
 	bool unit;           /* rotation keys are of unit length to 1e-6; never
 				true for MODEL_CUBICSPLINE */
 	int width;           /* floats of a value */

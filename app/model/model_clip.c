@@ -2,6 +2,7 @@
 
 #include "platform/base/scalar.h"
 
+#include <errno.h>
 #include <string.h>
 
 /*
@@ -63,6 +64,37 @@ static void find_constant(struct model_clip *clip)
 			channel->interpolation != MODEL_CUBICSPLINE &&
 			holds_still(channel, tolerance[channel->path]);
 	}
+}
+
+/* The numbers of all keys. */
+static size_t number_count(const struct model_channel *channel)
+{
+	return (size_t)channel->key_count * (size_t)channel->width *
+		(channel->interpolation == MODEL_CUBICSPLINE ? 3 : 1);
+}
+
+int model_keep_clips(struct model *model)
+{
+	for (int c = 0; c < model->clip_count; c++) {
+		struct model_clip *clip = &model->clip[c];
+
+		find_constant(clip);
+		for (int i = 0; i < clip->channel_count; i++) {
+			struct model_channel *channel = &clip->channel[i];
+			float *value;
+
+			channel->key_count =
+				channel->constant ? 1 : channel->key_count;
+			value = ARENA_ARRAY(
+				&model->arena, float, number_count(channel));
+			if (!value) {
+				return -ENOMEM;
+			}
+			channel->value = memcpy(value, channel->value,
+				number_count(channel) * sizeof(*value));
+		}
+	}
+	return 0;
 }
 
 static bool is_unit(const struct model_channel *channel)

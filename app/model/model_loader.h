@@ -44,6 +44,12 @@ void model_normalize_influences(struct model_primitive *primitive);
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
+ * Copies the keys of all channels, which are in scratch memory, into the
+ * model's arena: only the first key of a constant channel. 0 or -ENOMEM.
+ */
+int model_keep_clips(struct model *model);
+
+/*
  * Called once for each loaded model: sets constant and unit of all channels,
  * and makes successive channels with equal key times share one array.
  */

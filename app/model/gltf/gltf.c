@@ -188,6 +188,10 @@ int gltf_load(const struct model_source *source, const struct log *log,
 	struct gltf gltf;
 	int error = gltf_read(&gltf, source, log);
 
+	if (!error && model_keep_clips(gltf.model) != 0) {
+		error = gltf_no_memory(&gltf.root);
+		discard(&gltf);
+	}
 	*out = gltf.model;
 	gltf_release(&gltf);
 	return error;

@@ -142,7 +142,7 @@ static int read_values(const struct gltf_at *sampler,
 			"has %lld numbers, but %d keys need %lld",
 			(long long)floats, out->key_count, (long long)expected);
 	}
-	value = GLTF_KEEP(&at, float, floats);
+	value = GLTF_SCRATCH(&at, float, floats);
 	if (!value) {
 		return -ENOMEM;
 	}

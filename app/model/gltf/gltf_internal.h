@@ -153,7 +153,8 @@ struct gltf {
 
 /*
  * Reads the source into gltf->model, which is NULL after an error. The caller
- * calls gltf_release() in either case, and owns the model.
+ * calls gltf_release() in either case, and owns the model. The keys of clips are
+ * in scratch memory, which gltf_release() frees, until model_keep_clips().
  */
 int gltf_read(struct gltf *gltf, const struct model_source *source,
 	const struct log *log);

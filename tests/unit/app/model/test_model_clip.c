@@ -260,6 +260,32 @@ static void test_marks_constant_channels(void **state)
 	}
 }
 
+static void test_keeps_one_key_of_constant_channels(void **state)
+{
+	static const float time_s[3] = {0, 1, 2};
+	static const float still[9] = {1, 2, 3, 1, 2, 3, 1, 2.000001f, 3};
+	static const float moved[9] = {1, 2, 3, 1, 2, 3, 1, 2.1f, 3};
+	struct model_channel channel[2] = {
+		{.width = 3, .key_count = 3, .time_s = time_s, .value = still},
+		{.width = 3, .key_count = 3, .time_s = time_s, .value = moved},
+	};
+	struct model_clip clip = {.channel_count = 2, .channel = channel};
+	struct model model = {.clip_count = 1, .clip = &clip};
+
+	(void)state;
+	model.arena = arena_empty();
+	for (int i = 0; i < 2; i++) {
+		channel[i].interpolation = MODEL_LINEAR;
+	}
+	assert_int_equal(model_keep_clips(&model), 0);
+	assert_int_equal(channel[0].key_count, 1);
+	assert_ptr_not_equal(channel[0].value, still);
+	assert_all_near(channel[0].value, still, 3, 0);
+	assert_int_equal(channel[1].key_count, 3);
+	assert_all_near(channel[1].value, moved, 9, 0);
+	arena_release(&model.arena);
+}
+
 static void test_marks_rotations_of_unit_length(void **state)
 {
 	static const float time_s[2] = {0, 1};
@@ -304,6 +330,7 @@ int main(void)
 		cmocka_unit_test(test_finds_clips_by_name_or_number),
 		cmocka_unit_test(test_prefers_a_clip_named_like_a_number),
 		cmocka_unit_test(test_marks_constant_channels),
+		cmocka_unit_test(test_keeps_one_key_of_constant_channels),
 		cmocka_unit_test(test_marks_rotations_of_unit_length),
 	};
 

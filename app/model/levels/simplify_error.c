@@ -8,7 +8,7 @@
  * What a unit of an attribute looks as bad as, in fractions of the longest
  * side; of weights, what bending a limb moves a vertex by.
  */
-static const float normal_distance = 0.005f;
+static const float normal_distance = 0.009f;
 static const float color_distance = 0.05f; /* from black to white */
 static const float weight_distance = 0.05f;
 static const float texture_factor = 1.0f;

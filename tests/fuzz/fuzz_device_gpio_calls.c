@@ -32,7 +32,8 @@ int gpio_chip_open(const char *path, struct gpio_chip **out)
 {
 	int number = atoi(path + strlen("/dev/gpiochip"));
 	int error = number < 3 ? fuzz_device_fault() : ENOENT;
-	struct gpio_chip *chip = error ? NULL : fuzz_device_object(sizeof(*chip));
+	struct gpio_chip *chip =
+		error ? NULL : fuzz_device_object(sizeof(*chip));
 
 	if (!chip) {
 		return error ? -error : -ENOMEM;
@@ -97,7 +98,8 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	struct gpio_line **out)
 {
 	int error = fuzz_device_fault();
-	struct gpio_line *line = error ? NULL : fuzz_device_object(sizeof(*line));
+	struct gpio_line *line =
+		error ? NULL : fuzz_device_object(sizeof(*line));
 
 	(void)chip;
 	(void)offset;

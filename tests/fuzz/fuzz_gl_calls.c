@@ -85,14 +85,11 @@ void fuzz_gl_light(struct scene *scene)
 	}
 }
 
-void fuzz_gl_fragment(struct scene *scene)
+/* Tests, blending, fog and faces: way is below 7. */
+static void set_tests(const struct gl *gl, struct reader *from,
+	unsigned int way, const GLfixed v[4])
 {
-	const struct gl *gl = scene->gl;
-	struct reader *from = scene->from;
-	GLfixed v[4];
-
-	values(from, v, 4);
-	switch (byte(from) % 14) {
+	switch (way) {
 	case 0:
 		gl->AlphaFuncx(comparison(from), v[0]);
 		break;
@@ -124,10 +121,18 @@ void fuzz_gl_fragment(struct scene *scene)
 			v[0]);
 		gl->Fogxv(GL_FOG_COLOR, v);
 		break;
-	case 6:
+	default:
 		gl->CullFace(PICK(from, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK));
 		gl->FrontFace(PICK(from, GL_CW, GL_CCW));
 		break;
+	}
+}
+
+/* Shading, the viewport and what is written: way is 7 to 13. */
+static void set_output(const struct gl *gl, struct reader *from,
+	unsigned int way, const GLfixed v[4])
+{
+	switch (way) {
 	case 7:
 		gl->ShadeModel(PICK(from, GL_FLAT, GL_SMOOTH));
 		break;
@@ -151,6 +156,20 @@ void fuzz_gl_fragment(struct scene *scene)
 	default:
 		gl->Color4x(v[0], v[1], v[2], v[3]);
 		break;
+	}
+}
+
+void fuzz_gl_fragment(struct scene *scene)
+{
+	unsigned int way;
+	GLfixed v[4];
+
+	values(scene->from, v, 4);
+	way = byte(scene->from) % 14;
+	if (way < 7) {
+		set_tests(scene->gl, scene->from, way, v);
+	} else {
+		set_output(scene->gl, scene->from, way, v);
 	}
 }
 

@@ -1,6 +1,7 @@
 #include "platform/base/file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,6 +17,48 @@ bool file_exists(const char *path)
 	struct stat status;
 
 	return stat(path, &status) == 0;
+}
+
+enum {
+	NONE_YET = 256 /* above any byte, and EOF is below */
+};
+
+/* The first byte, EOF where no program writes, or NONE_YET. */
+static int first_of_pipe(int fd)
+{
+	unsigned char byte;
+	ssize_t count = read(fd, &byte, 1);
+
+	return count > 0 ? byte : count == 0 ? EOF : NONE_YET;
+}
+
+FILE *file_open(const char *path)
+{
+	int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+	struct stat status;
+	FILE *file = NULL;
+	int first = NONE_YET;
+
+	if (fd < 0) {
+		return NULL;
+	}
+	if (fstat(fd, &status) == 0 && S_ISFIFO(status.st_mode)) {
+		first = first_of_pipe(fd);
+	}
+	if (first == EOF) {
+		errno = EPIPE;
+	} else if (fcntl(fd, F_SETFL, 0) == 0) {
+		file = fdopen(fd, "r");
+	}
+	if (!file) {
+		int error = errno;
+
+		close(fd);
+		errno = error;
+	} else if (first != NONE_YET) {
+		ungetc(first, file);
+	}
+	return file;
 }
 
 /* FNV-1a, with the lowest bit set so that it is never 0. */

@@ -1,5 +1,5 @@
 /*
- * Looking for files, and finding those that come with the program.
+ * Looking for files, opening them, and finding those that come with the program.
  */
 #ifndef PLATFORM_BASE_FILE_H
 #define PLATFORM_BASE_FILE_H
@@ -7,11 +7,19 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "platform/base/log.h"
 
 /* Whether anything exists at that path: a file, a folder, a device. */
 bool file_exists(const char *path);
+
+/*
+ * Opens a file for reading, as fopen() does, but never waits for another
+ * program to open a named pipe: one that no program writes to is refused.
+ * Returns NULL with errno set; EPIPE for such a pipe. The caller closes it.
+ */
+FILE *file_open(const char *path);
 
 /*
  * A number that changes when the file is written or replaced: a hash of its

@@ -61,7 +61,7 @@ static void say_why(const char *path, int error, const struct log *log)
 int watchdog_open(struct watchdog *out, const char *path,
 	const struct device_calls *calls, const struct log *log)
 {
-	int fd = calls->open(path, O_WRONLY | O_CLOEXEC);
+	int fd = calls->open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
 	int timeout_s = 0;
 
 	*out = watchdog_none();

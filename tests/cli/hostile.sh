@@ -51,6 +51,27 @@ for option in --config --script; do
     expect_refusal 1 '/dev/zero'
 done
 
+# Named pipes that no program writes to: nothing waits for one.
+mkfifo "$scratch/pipe" "$scratch/arm.character"
+cp assets/arm.glb "$scratch"
+for option in --config --script --character --failsafe '--buttons script:'; do
+    case $option in
+    *:) set -- "$option$scratch/pipe" ;;
+    *) set -- "$option $scratch/pipe" ;;
+    esac
+    # shellcheck disable=SC2086 # an option and its value
+    RUN_SECONDS=10 limber play --demo arm --display null --frames 2 ${1}
+    case $option in
+    --failsafe) expect_status 0 ;;
+    *) expect_refusal 1 "$scratch/pipe: cannot be read" ;;
+    esac
+done
+RUN_SECONDS=10 limber play --demo arm --display null --frames 2 \
+    --watchdog "$scratch/pipe"
+expect_status 0
+RUN_SECONDS=10 limber play "$scratch/arm.glb" --display null --frames 2
+expect_refusal 1 'arm.character: cannot be read'
+
 # A signal ends whatever limber does within a second, and disables the watchdog.
 : >"$scratch/watchdog"
 # shellcheck disable=SC2086 # a command and its arguments

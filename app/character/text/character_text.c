@@ -1,6 +1,7 @@
 #include "app/character/text/character_text.h"
 
 #include "app/character/text/character_split.h"
+#include "platform/base/file.h"
 
 #include <errno.h>
 #include <ini.h>
@@ -274,7 +275,7 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 static int load_file(
 	struct character_text *text, const char *path, const struct log *log)
 {
-	FILE *file = fopen(path, "r");
+	FILE *file = file_open(path);
 	int error;
 
 	if (!file) {

@@ -342,7 +342,7 @@ int config_read(struct config *config, FILE *file, const char *path,
 int config_load(struct config *config, const char *path,
 	enum command_bit command, struct options *options, const struct log *log)
 {
-	FILE *file = fopen(path, "r");
+	FILE *file = file_open(path);
 	int error;
 
 	if (!file) {

@@ -1,6 +1,7 @@
 #include "app/cmd/show/failsafe.h"
 
 #include "app/demo/demo.h"
+#include "platform/base/file.h"
 #include "platform/base/output_file.h"
 #include "platform/base/printable.h"
 
@@ -36,7 +37,7 @@ static void describe(const char *model, const char *demo, char *out)
 static int read_count(const char *path, const char *described)
 {
 	char line[sizeof(mark) + 2 + LINE_BYTES] = "";
-	FILE *file = fopen(path, "re");
+	FILE *file = file_open(path);
 	int count;
 
 	if (!file) {

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/base/file.h"
 #include "platform/buttons/buttons.h"
 
 enum {
@@ -186,7 +187,7 @@ static int script_create(
 			"--buttons script: the file is missing: give script:FILE");
 		return -EINVAL;
 	}
-	file = fopen(argument, "r");
+	file = file_open(argument);
 	if (!file) {
 		error = -errno;
 		log_error(log, "%s: cannot be read: %s", argument,

@@ -407,8 +407,10 @@ class Machine:
         """Runs a command in the console's shell; returns status and output."""
         self.asked += 1
         end = f"done-{self.asked}-"
+        # In one line, so that no input is echoed among the output.
+        then = "" if command.endswith("&") else ";"
         self.mark()
-        self.console.type(f"{command}\necho do''ne-{self.asked}-$?-\n")
+        self.console.type(f"{command}{then} echo do''ne-{self.asked}-$?-\n")
         found = self.wait(end + r"(\d+)-", seconds)
         said = self.log()[self.seen:][:found.start()]
         return int(found.group(1)), said
@@ -451,6 +453,16 @@ class Machine:
         """The time from the reset to the panel's first drawn picture, or None.
         The board's time runs on while nobody looks, so it is the IPU's."""
         return self.ipu("first-us") / 1e6 or None
+
+    def watch_panel(self):
+        """Begins to look for a change of the panel's picture."""
+        self.monitor.run("qom-set", path="/machine/ipu", property="changed-us",
+                         value=0)
+
+    def changed_s(self):
+        """The time from the reset to the first row of the panel that has changed
+        since watch_panel(), or None."""
+        return self.ipu("changed-us") / 1e6 or None
 
     def clear(self):
         """Clears the screen and what it is drawn from to black."""

@@ -230,6 +230,18 @@ def first_picture_s(machine, seconds=10):
     return wait_until(machine, lambda: is_drawn(machine.frame()), seconds)
 
 
+def shown_after_s(machine, press, seconds=2):
+    """Calls press() while the board stands still; the board's time from then
+    until its panel shows a change, or infinity. A busy host changes nothing."""
+    machine.monitor.run("stop")
+    machine.watch_panel()
+    begun_s = machine.time_s()
+    press()
+    machine.monitor.run("cont")
+    wait_until(machine, machine.changed_s, seconds)
+    return (machine.changed_s() or float("inf")) - begun_s
+
+
 def pause(machine, seconds):
     """Lets time pass on the board."""
     until = machine.time_s() + seconds

@@ -1,30 +1,33 @@
 """Buttons pressed at the emulated GPIO controller's pins.
 
 Each press must change the picture within 100 ms of the board's time, which
-limber measures from the kernel's time stamp of the edge. The new picture must
+limber measures from the kernel's time stamp of the edge, and where all of the
+screen is still, the panel from the edge itself (F9 alone acts when it is
+released). The new picture must
 be nearer to the host's picture for this button than to that of any other, and
 limber's record of the buttons must name it.
 """
 import re
 
 from harness import (BY_HAND, FOLDER, booted, check, difference, done,
-                     host_picture, note, pause, region, save, start_limber,
-                     stop_limber, wait_until)
+                     host_picture, machines, note, pause, region, save,
+                     shown_after_s, start_limber, stop_limber, wait_until)
 
 LATENCY_MS, FRAME_MS = 100, 100
 # A press may wait for the current frame, and its own frame follows: twice the
 # time of a frame, which is up to 50 ms for the arm, and a reserve.
 HOLD_S = 0.4
+# What the panel shows then was begun about this long before.
+SHOWN_LATER_S = 0.06
+SCREEN = (0, 0, 480, 640)
 # A demo, the buttons to press, the buttons to compare them with, and the region
 # of the screen that is still until a button is pressed: all of the arm's
 # screen, and of the walker's the line at the bottom that names a feature.
 DEMOS = (
-    ("arm", ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"), ("F8",),
-     (0, 0, 480, 640)),
+    ("arm", ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"), ("F8",), SCREEN),
     ("walker", ("F6", "F8"), (), (0, 580, 200, 60)),
     # It begins as F8 does.
-    ("arm", ("F9",), ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"),
-     (0, 0, 480, 640)),
+    ("arm", ("F9",), ("UP", "DOWN", "LEFT", "RIGHT", "ENTER"), SCREEN),
 )
 
 
@@ -32,10 +35,10 @@ def expected(demo, button):
     script = FOLDER / "press.txt"
     script.write_text(f"1000 {button} down\n")
     return host_picture("--demo", demo, "--script", str(script), "--time",
-                        f"{1 + HOLD_S}")
+                        f"{1 + HOLD_S - SHOWN_LATER_S}")
 
 
-def press_and_look(machine, demo, button, area):
+def press_and_look(machine, demo, button, area, tries=5):
     """Returns whether the picture changed, how long that took, and the picture
     after HOLD_S. The buttons are wired as in the image's limber.conf."""
     start_limber(machine, f"--demo {demo} --stats /run/stats "
@@ -43,11 +46,17 @@ def press_and_look(machine, demo, button, area):
     pause(machine, 0.5)
     before = region(machine.frame(), *area)
     pressed_s = machine.time_s()
-    machine.wires.level(button, True)
+    after_s = None
+    if machine.kind is machines.Pdk and area == SCREEN and button != "F9":
+        after_s = shown_after_s(
+            machine, lambda: machine.wires.level(button, True))
+    else:
+        machine.wires.level(button, True)
     changed_s = wait_until(
         machine, lambda: region(machine.frame(), *area) != before, 2, 0)
     pause(machine, max(0, pressed_s + HOLD_S - machine.time_s()))
     after = machine.frame()
+    late_s = machine.time_s() - pressed_s - HOLD_S
     machine.wires.level(button, False)
     save(after, f"{button}.png")
     # The frame of the release must be drawn before anything else runs.
@@ -57,7 +66,10 @@ def press_and_look(machine, demo, button, area):
     took = re.search(r'"presses": [1-9].*"latency_ms_max": ([\d.]+)', stats)
     down = re.findall(r"^\d+ (\w+) down", machine.shell("cat /run/record")[1],
                       re.M)
-    return changed_s, float(took[1]) if took else None, after, down
+    # The board runs on while a busy machine does not look at it.
+    if after_s is not None and late_s > FRAME_MS / 1000 and tries > 1:
+        return press_and_look(machine, demo, button, area, tries - 1)
+    return changed_s, after_s, float(took[1]) if took else None, after, down
 
 
 def bounce(machine, button, times):
@@ -96,12 +108,12 @@ def presses_seen(machine, press):
 
 
 machine = booted(BY_HAND)
-slowest = 0.0
+slowest = slowest_panel = 0.0
 for demo, buttons, others, area in DEMOS:
     pictures = {button: region(expected(demo, button), *area)
                 for button in buttons + others}
     for button in buttons:
-        changed_s, took_ms, frame, down = press_and_look(
+        changed_s, after_s, took_ms, frame, down = press_and_look(
             machine, demo, button, area)
         seen = region(frame, *area)
         apart = {name: difference(seen, picture)
@@ -109,11 +121,16 @@ for demo, buttons, others, area in DEMOS:
         check(f"{button} changes the picture", changed_s is not None)
         check(f"{button} does so within {LATENCY_MS} ms",
               took_ms is not None and took_ms <= LATENCY_MS, took_ms)
+        if after_s is not None:
+            check(f"{button} shows on the panel within {LATENCY_MS} ms",
+                  after_s * 1000 <= LATENCY_MS, after_s)
+            slowest_panel = max(slowest_panel, after_s * 1000)
         check(f"{button} does what {button} does",
               min(apart, key=apart.get) == button and down == [button],
               f"{apart}, written down: {down}")
         slowest = max(slowest, took_ms or 0)
-note(f"the slowest button took {slowest:.0f} ms to show")
+note(f"the slowest button took {slowest:.0f} ms to be drawn, and "
+     f"{slowest_panel:.0f} ms to show on the panel")
 
 
 start_limber(machine, "--demo walker --stats /run/stats")

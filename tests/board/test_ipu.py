@@ -190,8 +190,8 @@ status, said = machine.shell(
     "limber play --demo walker --gl soft --clock fixed:25 --frames 60 "
     "--stats /run/stats >/dev/null; cat /run/stats", 300)
 stats = json.loads(re.search(r"\{.*\}", said, re.S)[0])
-check("the walker reaches 30 frames a second on the panel",
-      stats["fps"] >= 30, stats)
+check("the walker reaches 40 frames a second on the panel",
+      stats["fps"] >= 40, stats)
 check("no picture of it is torn after its first two",
       ipu("torn") - torn <= 2,
       f"{ipu('torn') - torn} of {ipu('frames') - begun} are torn")

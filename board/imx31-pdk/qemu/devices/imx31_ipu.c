@@ -110,7 +110,9 @@ struct IMX31IPUState {
     uint64_t frames;
     uint64_t torn;
     int64_t reset_ns;
-    uint64_t first_us; /* from the reset to the first picture, 0 before */
+    /* Times from the reset; 0 before. */
+    uint64_t first_us; /* the first picture */
+    uint64_t changed_us; /* the first changed row since this was 0 */
     const char *fault; /* the last one that was reported */
 };
 
@@ -245,6 +247,11 @@ static void convert_row(const struct scan *scan, const uint8_t *bytes,
     }
 }
 
+static uint64_t time_us(const IMX31IPUState *s)
+{
+    return (qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) - s->reset_ns) / SCALE_US;
+}
+
 static void fetch_line(IMX31IPUState *s, uint32_t line)
 {
     uint8_t bytes[ROW_MAX * 4];
@@ -260,7 +267,10 @@ static void fetch_line(IMX31IPUState *s, uint32_t line)
         memset(bytes, 0, count * s->scan.bytes);
     }
     convert_row(&s->scan, bytes, pixels, count);
-    l4f00242t03_show(s->panel, left, top + (int)line, pixels, count);
+    if (l4f00242t03_show(s->panel, left, top + (int)line, pixels, count) &&
+        !s->changed_us) {
+        s->changed_us = time_us(s);
+    }
 }
 
 /* Watches the part of memory that the frame is fetched from. */
@@ -337,8 +347,7 @@ static void end_frame(IMX31IPUState *s)
     s->frames++;
     s->torn += was_written(s);
     if (!s->first_us && !s->fault && l4f00242t03_is_drawn(s->panel)) {
-        s->first_us = (qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) - s->reset_ns) /
-                      SCALE_US;
+        s->first_us = time_us(s);
     }
     s->regs[current ? CHA_BUF1_RDY : CHA_BUF0_RDY] &= ~CHANNEL_BIT;
     if (s->regs[CHA_DB_MODE_SEL] & CHANNEL_BIT &&
@@ -458,7 +467,7 @@ static void imx31_ipu_reset(DeviceState *dev)
     memset(s->pictures, 0, sizeof(s->pictures));
     s->is_active = s->is_started = false;
     s->line = 0;
-    s->frames = s->torn = s->first_us = 0;
+    s->frames = s->torn = s->first_us = s->changed_us = 0;
     s->reset_ns = qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL);
     s->fault = NULL;
     timer_mod(&s->timer, qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) + IDLE_NS);
@@ -485,6 +494,8 @@ static void imx31_ipu_init(Object *obj)
     object_property_add_uint64_ptr(obj, "torn", &s->torn, OBJ_PROP_FLAG_READ);
     object_property_add_uint64_ptr(obj, "first-us", &s->first_us,
                                    OBJ_PROP_FLAG_READ);
+    object_property_add_uint64_ptr(obj, "changed-us", &s->changed_us,
+                                   OBJ_PROP_FLAG_READWRITE);
 }
 
 static int imx31_ipu_post_load(void *opaque, int version)
@@ -514,6 +525,7 @@ static const VMStateDescription vmstate_imx31_ipu = {
         VMSTATE_UINT64(torn, IMX31IPUState),
         VMSTATE_INT64(reset_ns, IMX31IPUState),
         VMSTATE_UINT64(first_us, IMX31IPUState),
+        VMSTATE_UINT64(changed_us, IMX31IPUState),
         VMSTATE_END_OF_LIST()
     },
 };

@@ -119,9 +119,9 @@ const char *l4f00242t03_fault(L4F00242T03State *panel);
 
 /*
  * Shows a row of pixels, from the panel's pixel (x, y) on; those outside of the
- * panel are left out.
+ * panel are left out. Returns whether any has changed.
  */
-void l4f00242t03_show(L4F00242T03State *panel, int x, int y,
+bool l4f00242t03_show(L4F00242T03State *panel, int x, int y,
                       const uint16_t *pixels, int count);
 
 /* Whether it shows more colours than a console does. */

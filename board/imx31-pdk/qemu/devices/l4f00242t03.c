@@ -128,18 +128,25 @@ const char *l4f00242t03_fault(L4F00242T03State *s)
     return s->is_on ? NULL : "the panel's display is off (command 0x29)";
 }
 
-void l4f00242t03_show(L4F00242T03State *s, int x, int y,
+bool l4f00242t03_show(L4F00242T03State *s, int x, int y,
                       const uint16_t *pixels, int count)
 {
     int skip = x < 0 ? -x : 0;
     int stop = MIN(count, L4F_WIDTH - x);
+    uint16_t *glass;
+    size_t bytes;
 
     if (y < 0 || y >= L4F_HEIGHT || skip >= stop) {
-        return;
+        return false;
     }
-    memcpy(s->pixels + y * L4F_WIDTH + x + skip, pixels + skip,
-           (stop - skip) * sizeof(*pixels));
+    glass = s->pixels + y * L4F_WIDTH + x + skip;
+    bytes = (stop - skip) * sizeof(*pixels);
+    if (!memcmp(glass, pixels + skip, bytes)) {
+        return false;
+    }
+    memcpy(glass, pixels + skip, bytes);
     s->is_changed = true;
+    return true;
 }
 
 bool l4f00242t03_is_drawn(const L4F00242T03State *s)

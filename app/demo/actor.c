@@ -101,12 +101,12 @@ static int free_regions(const struct actor_framing *framing, int width,
 }
 
 /* The region in which the box appears larger. */
-static struct camera_region choose_region(const struct actor_framing *framing,
-	int width, int height, const struct bounds *bounds)
+struct camera_region actor_region(const struct actor_framing *framing,
+	const struct bounds *bounds, int width, int height)
 {
 	struct camera_framing tried = framing->camera;
-	struct camera_region region[2];
-	int count = free_regions(framing, width, height, region), best = 0;
+	struct camera_region region[2], best = {0.0f, 0.0f, 0.0f, 0.0f};
+	int count = free_regions(framing, width, height, region);
 	float least = 0.0f;
 
 	tried.aspect = (float)width / (float)height;
@@ -117,58 +117,54 @@ static struct camera_region choose_region(const struct actor_framing *framing,
 		camera_frame(&camera, bounds, &tried);
 		if (i == 0 || camera.distance < least) {
 			least = camera.distance;
-			best = i;
+			best = region[i];
 		}
 	}
-	return region[best];
+	if (framing->labels_right) {
+		best = (struct camera_region){
+			-best.right, -best.left, best.bottom, best.top};
+	}
+	return best;
 }
 
-int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
-	const struct actor_framing *framing, struct stage *stage)
+int actor_init_stage(struct demo_base *base, const struct demo_env *env,
+	const struct bounds *bounds, const struct actor_framing *framing,
+	struct stage *stage)
 {
-	struct actor_framing wanted = *framing;
+	struct camera_framing camera = framing->camera;
 
-	wanted.label_rows = env->no_labels ? 0 : framing->label_rows;
-	wanted.camera.aspect = (float)env->width / (float)env->height;
-	wanted.camera.region =
-		choose_region(&wanted, env->width, env->height, bounds);
+	base->framing = *framing;
+	if (env->no_labels) {
+		base->framing =
+			(struct actor_framing){.camera = framing->camera};
+	}
+	camera.aspect = (float)base->width / (float)base->height;
+	camera.region =
+		actor_region(&base->framing, bounds, base->width, base->height);
 	return stage_init(
-		stage, env->gl, bounds, &wanted.camera, env->target, env->log);
+		stage, env->gl, bounds, &camera, env->target, env->log);
 }
 
-/* An edge that leaves least_side of the picture, else the other one's margin. */
-static float edge_or_margin(float edge, float opposite)
+void actor_resize_stage(struct demo_base *base, int width, int height)
 {
-	return edge < 1.0f - least_side ? edge : -opposite;
-}
+	struct camera *camera = &base->stage.camera;
+	struct camera_region region;
+	struct bounds bounds;
 
-/*
- * Labels beside the figures have a column that the picture's width decides;
- * above them they have so many lines of text.
- */
-void actor_resize_stage(struct stage *stage, int old_width, int old_height,
-	int width, int height)
-{
-	struct camera_region region = stage->camera.fit.region;
-	struct hud_group_extent old =
-		hud_group_extent_of(old_width, old_height, 0, 0);
-	struct hud_group_extent new = hud_group_extent_of(width, height, 0, 0);
-	float old_column = 2.0f * (float)old.column / (float)old_width - 1.0f;
-	float column = 2.0f * (float)new.column / (float)width - 1.0f;
-	float lines = (float)(new.line *old_height) / (float)(old.line * height);
-	float margin = 1.0f - region.right;
-
-	if (!stage->camera.fit.on) {
+	base->width = width;
+	base->height = height;
+	if (!camera->fit.on) {
 		return;
 	}
-	region.left = region.left >= old_column
-		? edge_or_margin(column + margin, region.right)
-		: -region.right;
-	region.bottom = (region.bottom + 1.0f) * lines - 1.0f;
-	region.top = -edge_or_margin(
-		(1.0f - region.top) * lines * 1.05f - 1.0f, -region.bottom);
-	camera_set_region(
-		&stage->camera, &region, 1.0f, (float)width / (float)height);
+	for (int axis = 0; axis < 3; axis++) {
+		bounds.low[axis] = camera->target[axis] - camera->fit.half[axis];
+		bounds.high[axis] =
+			camera->target[axis] + camera->fit.half[axis];
+	}
+	region = actor_region(&base->framing, &bounds, width, height);
+	base->overlay_room = 0.0f;
+	camera_set_region(camera, &region, base->framing.camera.margin,
+		(float)width / (float)height);
 }
 
 void actor_draw(const struct actor *actor, const struct stage *stage,

@@ -32,6 +32,7 @@ struct actor_framing {
 	struct camera_framing camera;
 	/* In the top left corner, beside a title, and how many have bars. */
 	int label_rows, label_bars; /* 0: there are no labels */
+	bool labels_right;          /* the labels are in the top right corner */
 	int lines_above, lines_below; /* of text along an edge */
 };
 
@@ -44,6 +45,7 @@ struct demo_base {
 	struct demo_reduction reduction;
 	float frames_per_s; /* 0 if unknown */
 	int width, height;  /* of the pictures that the camera frames */
+	struct actor_framing framing;
 
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
@@ -60,19 +62,26 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * Makes a stage that frames the box beside or below the labels in the top left
- * corner, wherever it is larger. The framing's aspect and region are taken from
- * env. Returns 0, or -errno after logging an error.
+ * The part of a picture of this size that labels leave free, beside or below
+ * them, in which the box appears larger.
  */
-int actor_init_stage(const struct demo_env *env, const struct bounds *bounds,
-	const struct actor_framing *framing, struct stage *stage);
+struct camera_region actor_region(const struct actor_framing *framing,
+	const struct bounds *bounds, int width, int height);
 
 /*
- * Frames the same figures in a picture of another size, beside or below labels
- * whose text has the size for it. Cameras that do not follow stay as they are.
+ * Makes a stage that frames the box in actor_region() of a picture of the
+ * base's size, and keeps the framing. Its camera's aspect and region are
+ * ignored. Returns 0, or -errno after logging an error.
  */
-void actor_resize_stage(struct stage *stage, int old_width, int old_height,
-	int width, int height);
+int actor_init_stage(struct demo_base *base, const struct demo_env *env,
+	const struct bounds *bounds, const struct actor_framing *framing,
+	struct stage *stage);
+
+/*
+ * Frames the same figures in pictures of another size. Cameras that do not
+ * follow stay as they are.
+ */
+void actor_resize_stage(struct demo_base *base, int width, int height);
 
 /* Draws a whole frame: the stage, the actor's flat shadow and the actor. */
 void actor_draw(const struct actor *actor, const struct stage *stage,

@@ -122,10 +122,7 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 
 	follow_model(driver, demo);
 	if (width != base->width || height != base->height) {
-		actor_resize_stage(
-			&base->stage, base->width, base->height, width, height);
-		base->width = width;
-		base->height = height;
+		actor_resize_stage(base, width, height);
 	}
 	make_room(base, width, height);
 	if (!base->overlay || !base->overlay->kinds) {

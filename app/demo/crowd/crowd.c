@@ -175,7 +175,8 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	/* The floor is made for the largest crowd. */
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
-	error = actor_init_stage(env, &bounds, &framing, &demo->base.stage);
+	error = actor_init_stage(
+		&demo->base, env, &bounds, &framing, &demo->base.stage);
 	demo->region = demo->base.stage.camera.fit.region;
 	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;
@@ -197,6 +198,9 @@ static void move_camera(struct demo *demo, float step_s)
 
 	camera->distance += (goal.distance - camera->distance) * fraction;
 	camera->radius += (goal.radius - camera->radius) * fraction;
+	camera->shift_x = goal.shift_x;
+	camera->shift_y = goal.shift_y;
+	camera->fit = goal.fit;
 	camera_orbit(
 		camera, (demo->turn * turn_rad_per_s + drift) * step_s, 0.0f);
 }
@@ -331,12 +335,25 @@ static void draw_shadow(const struct demo *demo, const struct walker *walker)
 	}
 }
 
+/* Labels of a picture of another size leave another region free. */
+static void find_region(struct demo *demo, int width, int height)
+{
+	float aspect = (float)width / (float)height;
+	struct bounds bounds = bounds_of_crowd(demo, CROWD_MAX);
+
+	if (height != demo->height || aspect != demo->aspect) {
+		demo->height = height;
+		demo->aspect = aspect;
+		demo->region = actor_region(
+			&demo->base.framing, &bounds, width, height);
+	}
+}
+
 static void crowd_draw(struct demo *demo, int width, int height)
 {
 	const struct gl *gl = demo->base.gl;
 
-	demo->height = height;
-	demo->aspect = (float)width / (float)height;
+	find_region(demo, width, height);
 	stage_begin(&demo->base.stage, gl, width, height);
 	stage_shadow_begin(&demo->base.stage, gl);
 	for (int i = 0; i < demo->count; i++) {

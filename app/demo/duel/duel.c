@@ -150,7 +150,8 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 		return error;
 	}
 	bounds = bounds_of_row(demo);
-	error = actor_init_stage(env, &bounds, &framing, &demo->base.stage);
+	error = actor_init_stage(
+		&demo->base, env, &bounds, &framing, &demo->base.stage);
 	return error;
 }
 

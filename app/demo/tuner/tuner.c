@@ -41,7 +41,6 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.3f,
 struct demo {
 	struct demo_base base;
 	const struct log *log;
-	int height; /* of the picture */
 	struct preset_file file;
 	int chosen; /* the preset's index */
 	int row;
@@ -139,7 +138,6 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	int error = preset_file_read(&demo->file, env->log);
 
 	demo->log = env->log;
-	demo->height = env->height;
 	demo->autoplay = env->unattended;
 	demo->painted = demo->shaking = true;
 	demo->may_save = env->may_save;
@@ -167,7 +165,8 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
 	vertex_tint_switch(&demo->tint, demo->painted);
-	return actor_init_stage(env, &bounds, &framing, &demo->base.stage);
+	return actor_init_stage(
+		&demo->base, env, &bounds, &framing, &demo->base.stage);
 }
 
 static void change(struct demo *demo, int steps)
@@ -230,12 +229,11 @@ static void tuner_update(struct demo *demo, double time_s)
 		procedural_apply(
 			&demo->swing[i], time_s, &actor->instance->pose);
 	}
-	actor_update(actor, &demo->base.stage.camera, demo->height);
+	actor_update(actor, &demo->base.stage.camera, demo->base.height);
 }
 
 static void tuner_draw(struct demo *demo, int width, int height)
 {
-	demo->height = height;
 	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
 		height);
 }

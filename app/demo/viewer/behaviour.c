@@ -192,30 +192,22 @@ uint64_t behaviour_stamp(
 }
 
 int behaviour_init_stage(const struct behaviour *behaviour,
-	const struct demo_env *env, struct stage *stage)
+	struct demo_base *base, const struct demo_env *env, struct stage *stage)
 {
 	const struct character_scene *scene = &behaviour->character->scene;
 	struct actor_framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
 						.pitch_rad = scene->pitch_rad,
 						.margin = scene->margin,
-						.follow = true}};
-	int error;
+						.follow = true},
+		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
 
 	behaviour_count_labels(behaviour->character, &framing);
-	error = actor_init_stage(env, &behaviour->bounds.all, &framing, stage);
-	if (!error && scene->labels == CHARACTER_LABELS_RIGHT) {
-		struct camera_region left = stage->camera.fit.region;
-
-		camera_set_region(&stage->camera,
-			&(struct camera_region){
-				-left.right, -left.left, left.bottom, left.top},
-			1.0f, (float)env->width / (float)env->height);
-	}
-	return error;
+	return actor_init_stage(
+		base, env, &behaviour->bounds.all, &framing, stage);
 }
 
 void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
-	double time_s, int height)
+	double time_s)
 {
 	struct character *character = behaviour->character;
 	struct camera *camera = &base->stage.camera;
@@ -248,7 +240,7 @@ void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
 	floor_scroll(&base->stage.floor, character->motion.scroll[0] * scale,
 		character->motion.scroll[1] * scale);
 	base->actor.instance->normal_mapping = *character->scene.relief > 0.0f;
-	actor_update(&base->actor, camera, height);
+	actor_update(&base->actor, camera, base->height);
 	character_bend(character);
 	behaviour_scene_update(&behaviour->scene, base);
 }

@@ -55,11 +55,11 @@ uint64_t behaviour_stamp(
 
 /* The stage that the character asks for. */
 int behaviour_init_stage(const struct behaviour *behaviour,
-	const struct demo_env *env, struct stage *stage);
+	struct demo_base *base, const struct demo_env *env, struct stage *stage);
 
 /* Moves on, moves the camera, and updates the actor for a picture's height. */
-void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
-	double time_s, int height);
+void behaviour_update(
+	struct behaviour *behaviour, struct demo_base *base, double time_s);
 
 /* The period of the tour, or of the clip that plays. */
 double behaviour_period_s(const struct behaviour *behaviour);

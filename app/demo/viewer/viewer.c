@@ -23,7 +23,6 @@ struct file_watch {
 struct demo {
 	struct demo_base base;
 	struct behaviour *behaviour;
-	int height; /* of the picture */
 	double now_s;
 	struct file_watch watch;
 };
@@ -40,16 +39,15 @@ static uint64_t stamp_files(const struct demo *demo)
 
 static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
-	int error =
-		behaviour_create(env, &demo->base.actor, &demo->behaviour);
+	int error = behaviour_create(env, &demo->base.actor, &demo->behaviour);
 
 	if (error) {
 		return error;
 	}
-	demo->height = env->height;
 	demo->watch.env = *env;
 	demo->watch.shown = demo->watch.last = stamp_files(demo);
-	return behaviour_init_stage(demo->behaviour, env, &demo->base.stage);
+	return behaviour_init_stage(
+		demo->behaviour, &demo->base, env, &demo->base.stage);
 }
 
 static void viewer_finish(struct demo *demo)
@@ -67,7 +65,8 @@ static void reframe(struct demo *demo, float old_extent)
 	if (ratio > 0.8f && ratio < 1.25f) {
 		return;
 	}
-	if (behaviour_init_stage(demo->behaviour, &demo->watch.env, &fresh) == 0) {
+	if (behaviour_init_stage(demo->behaviour, &demo->base, &demo->watch.env,
+		    &fresh) == 0) {
 		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
@@ -131,15 +130,13 @@ static void viewer_update(struct demo *demo, double time_s)
 {
 	demo->now_s = time_s;
 	check_file(demo);
-	behaviour_update(demo->behaviour, &demo->base, time_s, demo->height);
+	behaviour_update(demo->behaviour, &demo->base, time_s);
 }
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
-	demo->height = height;
-	behaviour_scene_draw(&demo->behaviour->scene,
-		demo->behaviour->character, &demo->behaviour->bounds,
-		&demo->base, width, height);
+	behaviour_scene_draw(&demo->behaviour->scene, demo->behaviour->character,
+		&demo->behaviour->bounds, &demo->base, width, height);
 }
 
 static double viewer_period_s(const struct demo *demo)
@@ -177,13 +174,12 @@ static void viewer_print_buttons(const struct demo *demo, FILE *out)
 }
 
 /* The members that are the same for a model and for demos that are data. */
-#define VIEWER_FUNCTIONS                                              \
-	.size = sizeof(struct demo), .prepare = viewer_prepare,       \
-	.finish = viewer_finish,                                      \
-	.press = viewer_press, .print_buttons = viewer_print_buttons, \
-	.update = viewer_update, .draw = viewer_draw,                 \
-	.period_s = viewer_period_s, .label = viewer_label,           \
-	.get_motion = viewer_get_motion
+#define VIEWER_FUNCTIONS                                                \
+	.size = sizeof(struct demo), .prepare = viewer_prepare,         \
+	.finish = viewer_finish, .press = viewer_press,                 \
+	.print_buttons = viewer_print_buttons, .update = viewer_update, \
+	.draw = viewer_draw, .period_s = viewer_period_s,               \
+	.label = viewer_label, .get_motion = viewer_get_motion
 
 const struct demo_driver demo_driver_viewer = {
 	.name = "viewer",

@@ -334,6 +334,29 @@ static void test_a_picture_of_another_size_is_framed_anew(void **state)
 	}
 }
 
+/* The crowd's camera keeps its distance, and shifts the picture. */
+static void test_a_crowd_is_framed_anew_in_another_size(void **state)
+{
+	(void)state;
+	for (size_t to = 0; to < sizeof(sizes) / sizeof(sizes[0]); to++) {
+		struct shown resized, fresh;
+		const struct camera *a, *b;
+
+		begin(&resized, "crowd", sizes[0], false);
+		demo_draw(resized.driver, resized.demo, sizes[to][0],
+			sizes[to][1]);
+		resized.driver->update(resized.demo, 20.0);
+		begin(&fresh, "crowd", sizes[to], false);
+		a = &((const struct demo_base *)resized.demo)->stage.camera;
+		b = &((const struct demo_base *)fresh.demo)->stage.camera;
+		assert_near(a->distance, b->distance, 0.01);
+		assert_near(a->shift_x, b->shift_x, 1e-4);
+		assert_near(a->shift_y, b->shift_y, 1e-4);
+		end(&fresh);
+		end(&resized);
+	}
+}
+
 static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
 {
 	(void)state;
@@ -402,6 +425,7 @@ int main(void)
 			test_parts_that_buttons_turn_stay_in_the_picture),
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
+		cmocka_unit_test(test_a_crowd_is_framed_anew_in_another_size),
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
 		cmocka_unit_test(test_a_target_that_moves_stays_in_the_picture),

@@ -36,6 +36,24 @@
 #define TURN_LAST   #20
 #define TURN_SIZE   #24
 
+	/* s0 = a . b */
+	.macro	dot a0, a1, a2, a3, b0, b1, b2, b3
+	vmul.f32	s0, \a0, \b0
+	vmla.f32	s0, \a1, \b1
+	vmla.f32	s0, \a2, \b2
+	vmla.f32	s0, \a3, \b3
+	.endm
+
+	/* The vector out = a * from + b * to; `to` changes its sign if FROM,
+	   which is the bits of a . b, is negative. */
+	.macro	interpolate out, a, from, b, to, between:vararg
+	cmp	FROM, #0x80000000
+	vneghi.f32	\to, \to
+	\between
+	vmul.f32	\out, \a, \from
+	vmla.f32	\out, \b, \to
+	.endm
+
 	.macro	turns mix
 	push	{r4-r11, lr}
 	sub	sp, sp, #4
@@ -84,10 +102,7 @@
 	vmul.f32	s7, s5, s7
 4:	add	AT, VALUES, KEY, lsl #4
 	vldmia	AT, {s8-s15}
-	vmul.f32	s0, s8, s12
-	vmla.f32	s0, s9, s13
-	vmla.f32	s0, s10, s14
-	vmla.f32	s0, s11, s15
+	dot	s8, s9, s10, s11, s12, s13, s14, s15
 	vmov	FROM, s0
 	vabs.f32	s1, s0
 	vsub.f32	s1, s1, s21		/* x */
@@ -99,29 +114,16 @@
 	bhs	8f
 	vmla.f32	s2, s7, s0
 	vmla.f32	s3, s6, s0
-7:	cmp	FROM, #0x80000000
-	vneghi.f32	s3, s3
-	add	AT, LOCAL, OFFSET
-	vmul.f32	s16, s8, s2
-	vmla.f32	s16, s12, s3
+7:	interpolate	s16, s8, s2, s12, s3, add AT, LOCAL, OFFSET
 	.if	\mix
 	vldmia	AT, {s24-s27}
 	vldr	s2, [TURN, TURN_WEIGHT]
-	vmul.f32	s0, s16, s24
-	vmla.f32	s0, s17, s25
-	vmla.f32	s0, s18, s26
-	vmla.f32	s0, s19, s27
+	dot	s16, s17, s18, s19, s24, s25, s26, s27
 	vmul.f32	s2, s2, s23
 	vsub.f32	s3, s21, s2
 	vmov	FROM, s0
-	cmp	FROM, #0x80000000
-	vneghi.f32	s2, s2
-	vmul.f32	s24, s24, s3
-	vmla.f32	s24, s16, s2
-	vmul.f32	s0, s24, s24
-	vmla.f32	s0, s25, s25
-	vmla.f32	s0, s26, s26
-	vmla.f32	s0, s27, s27
+	interpolate	s24, s24, s3, s16, s2
+	dot	s24, s25, s26, s27, s24, s25, s26, s27
 	vadd.f32	s0, s0, s28
 	vsqrt.f32	s0, s0
 	vdiv.f32	s0, s21, s0

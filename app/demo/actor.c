@@ -1,6 +1,7 @@
 #include "app/demo/actor.h"
 
 #include "app/model/levels/levels_file.h"
+#include "app/model/model_keys.h"
 #include "app/scene/draw/draw.h"
 
 #include <stdio.h>
@@ -21,6 +22,9 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 		return error;
 	}
 	levels_prepare(actor->model, env->log);
+	if (env->kernel->fixed) {
+		model_keys_round(actor->model);
+	}
 	error = instance_create(
 		actor->model, env->kernel, env->log, &actor->instance);
 	if (error) {

@@ -36,6 +36,7 @@ struct model *model_create(const struct model_source *source,
 		model->format = arena_strdup(&arena, format);
 		model->budget = budget;
 		model->arena = arena;
+		model->targets = arena_within(budget);
 		if (model->path && model->format) {
 			return model;
 		}
@@ -50,6 +51,7 @@ void model_destroy(struct model *model)
 	if (model) {
 		struct arena arena = model->arena;
 
+		arena_release(&model->targets);
 		arena_release(&arena);
 	}
 }

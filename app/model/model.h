@@ -237,6 +237,7 @@ struct model_camera {
 
 struct model {
 	struct arena arena;
+	struct arena targets; /* displacements in floats */
 	/*
 	 * Limits the memory of the model and of all its instances. The arena
 	 * owns it. NULL means no limit, in a model that no loader made.

@@ -21,14 +21,23 @@ bool model_has_key_frames(const struct model *model, int node);
 
 /*
  * Stores a primitive's targets as key frames (struct model_keys), which its
- * targets refer to from then on, with the same displacements to the bit. It is
- * done only if the file has integers, as files with KHR_mesh_quantization have,
- * and 16 bits hold all of them: positions of one unit and directions in bytes.
- * Else the primitive stays as it is. Tangents are needed for normal maps only.
- * 0 or -ENOMEM.
+ * targets refer to from then on. Unless rounded is set, their displacements
+ * stay the same to the bit; the file must have integers for that, as files with
+ * KHR_mesh_quantization have, and 16 bits must hold all of them: positions of
+ * one unit and directions in bytes. With rounded, numbers are rounded to 15
+ * bits of the box around all key frames. The primitive stays as it is if this
+ * cannot be. Tangents are needed for normal maps only. 0 or -ENOMEM.
  */
 int model_keys_store(struct model_primitive *primitive, int target_count,
-	bool tangents, struct arena *arena);
+	bool tangents, bool rounded, struct arena *arena);
+
+/*
+ * Stores key frames that the file has as floats in 16 bits too, each number
+ * rounded to 15 bits of the box around all of them, and releases the floats:
+ * for a player whose loops have 16 bits anyway. Skinned meshes and those with
+ * other weights stay as they are, and so does everything if memory is short.
+ */
+void model_keys_round(struct model *model);
 
 /* The memory of the keys. */
 size_t model_keys_bytes(const struct model_keys *keys, int target_count);

@@ -24,6 +24,7 @@ struct store {
 	struct model_primitive *primitive;
 	int target_count, stride;
 	bool tangents; /* whether to store them */
+	bool rounded;  /* whether keys may differ from the file's numbers */
 	struct key_format format[ATTRIBUTES];
 	int16_t (*key[ATTRIBUTES])[3];
 };
@@ -75,15 +76,49 @@ static bool are_integers(const struct store *store, int attribute, float *one)
 	return true;
 }
 
+/* Directions are of unit length only approximately, as their sums are. */
+static void make_short(float v[3])
+{
+	float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+	for (int k = 0; k < 3 && square > 1.0f; k++) {
+		v[k] /= scalar_sqrt(square);
+	}
+}
+
+/* What a target shows, in the numbers of keys but for the centre. */
+static void round_vertex(const struct store *store, int attribute, int target,
+	int vertex, float one, float number[3])
+{
+	const float *base = base_of(store, attribute, vertex);
+	float at[3];
+
+	model_deltas_get(deltas_of(store, target, attribute), vertex, at);
+	for (int k = 0; k < 3; k++) {
+		at[k] += base[k];
+	}
+	if (attribute > 0) {
+		make_short(at);
+	}
+	for (int k = 0; k < 3; k++) {
+		number[k] += rintf(at[k] * one) - rintf(base[k] * one);
+	}
+}
+
 /* Adds a target's displacement to the numbers of key 0. */
 static void add_displacement(const struct store *store, int attribute,
-	int target, int vertex, float factor, float number[3])
+	int target, int vertex, const struct key_format *format, float number[3])
 {
 	int moved[3];
 
+	if (store->rounded) {
+		round_vertex(
+			store, attribute, target, vertex, format->one, number);
+		return;
+	}
 	model_deltas_numbers(deltas_of(store, target, attribute), vertex, moved);
 	for (int k = 0; k < 3; k++) {
-		number[k] += factor * (float)moved[k];
+		number[k] += (float)format->factor * (float)moved[k];
 	}
 }
 
@@ -102,13 +137,31 @@ static void find_box(
 			at[k] = store->primitive->position[v][k] * one;
 		}
 		if (key > 0) {
-			add_displacement(store, 0, key - 1, v, 1.0f, at);
+			float moved[3];
+
+			model_deltas_get(deltas_of(store, key - 1, 0), v, moved);
+			for (int k = 0; k < 3; k++) {
+				at[k] += moved[k] * one;
+			}
 		}
 		for (int k = 0; k < 3; k++) {
 			low[k] = fminf(low[k], at[k]);
 			high[k] = fmaxf(high[k], at[k]);
 		}
 	}
+}
+
+/* Lets the box fill 15 bits; 0 if its sides have no sensible size. */
+static float unit_of_floats(const struct store *store)
+{
+	float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
+	float half = 1e-12f;
+
+	find_box(store, 1.0f, low, high);
+	for (int k = 0; k < 3; k++) {
+		half = fmaxf(half, 0.5f * (high[k] - low[k]));
+	}
+	return half < 1e9f ? (KEY_MAX - 1) / half : 0.0f;
 }
 
 /*
@@ -121,7 +174,12 @@ static bool choose_position_format(struct store *store)
 	float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
 	float half = 0.0f;
 
-	if (!are_integers(store, 0, &format->one) || format->one == 0.0f) {
+	if (store->rounded) {
+		format->one = unit_of_floats(store);
+	} else if (!are_integers(store, 0, &format->one)) {
+		return false;
+	}
+	if (format->one == 0.0f) {
 		return false;
 	}
 	find_box(store, format->one, low, high);
@@ -138,7 +196,7 @@ static bool choose_position_format(struct store *store)
 		return false;
 	}
 	format->factor = 1;
-	while (format->factor < 8192 &&
+	while (!store->rounded && format->factor < 8192 &&
 		(half + 0.5f) * (float)format->factor * 2.0f <= KEY_MAX) {
 		format->factor *= 2;
 	}
@@ -150,6 +208,10 @@ static bool choose_direction_format(struct store *store, int attribute)
 	struct key_format *format = &store->format[attribute];
 	float one;
 
+	if (store->rounded) {
+		*format = (struct key_format){.one = KEY_MAX, .factor = 1};
+		return true;
+	}
 	*format = (struct key_format){.one = BYTE_ONE, .factor = KEY_OF_BYTE};
 	return are_integers(store, attribute, &one) &&
 		(one == 0.0f || one == (float)BYTE_ONE);
@@ -176,7 +238,7 @@ static bool make_vertex(
 	}
 	if (key > 0) {
 		add_displacement(
-			store, attribute, key - 1, vertex, factor, number);
+			store, attribute, key - 1, vertex, format, number);
 	}
 	for (int k = 0; k < 3; k++) {
 		if (!(scalar_abs(number[k]) <= KEY_MAX)) {
@@ -267,9 +329,10 @@ static bool choose_formats(struct store *store)
 }
 
 int model_keys_store(struct model_primitive *primitive, int target_count,
-	bool tangents, struct arena *arena)
+	bool tangents, bool rounded, struct arena *arena)
 {
 	struct store store = {
+		.rounded = rounded,
 		.primitive = primitive,
 		.target_count = target_count,
 		.stride = primitive->vertex_count + primitive->vertex_count % 2,

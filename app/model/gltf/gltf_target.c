@@ -19,7 +19,8 @@ static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
 		is_short          ? MODEL_INT16
 			: is_byte ? MODEL_INT8
 				  : MODEL_FLOAT,
-		one, is_integer ? &at->gltf->scratch : &at->gltf->model->arena);
+		one,
+		is_integer ? &at->gltf->scratch : &at->gltf->model->targets);
 
 	return error ? gltf_no_memory(at) : 0;
 }
@@ -114,9 +115,9 @@ static int keep_targets(struct model *model, struct model_primitive *primitive,
 {
 	struct arena *arena = &model->arena;
 	bool tangents = model->material[primitive->material].normal_texture >= 0;
-	int error = as_keys
-		? model_keys_store(primitive, target_count, tangents, arena)
-		: 0;
+	int error = as_keys ? model_keys_store(primitive, target_count,
+				      tangents, false, arena)
+			    : 0;
 
 	for (int t = 0; t < target_count && !error; t++) {
 		struct model_target *target = &primitive->target[t];

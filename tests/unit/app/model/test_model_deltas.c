@@ -133,7 +133,7 @@ static void set_up(struct morphed *m, float one, int most)
 	}
 	for (int t = 0; t < TARGETS; t++) {
 		move(m->delta[t][0], t == 2, one, most / (t + 2));
-		move(m->delta[t][1], t == 1, byte_one, 40);
+		move(m->delta[t][1], t == 1, byte_one, 30);
 		assert_int_equal(model_deltas_pack(&m->target[t].position,
 					 (const float(*)[3])m->delta[t][0],
 					 VERTICES, MODEL_INT16, one, &m->arena),
@@ -191,8 +191,8 @@ static void test_key_frames_keep_the_displacements_to_the_bit(void **state)
 				m.position[v][1] = 0.01f * (float)v / 77.0f;
 			}
 		}
-		assert_int_equal(
-			model_keys_store(&m.primitive, TARGETS, false, &m.arena),
+		assert_int_equal(model_keys_store(&m.primitive, TARGETS, false,
+					 false, &m.arena),
 			0);
 		assert_non_null(m.primitive.keys);
 		for (int t = 0; t < TARGETS; t++) {
@@ -210,10 +210,98 @@ static void test_key_frames_keep_the_displacements_to_the_bit(void **state)
 	}
 }
 
+static void assert_deltas_near(const struct model_deltas *deltas,
+	const float (*expected)[3], float tolerance)
+{
+	for (int v = 0; v < VERTICES; v++) {
+		float got[3];
+
+		model_deltas_get(deltas, v, got);
+		assert_all_near(got, expected[v], 3, tolerance);
+	}
+}
+
+static void test_floats_are_rounded_to_15_bits(void **state)
+{
+	static struct morphed m;
+
+	(void)state;
+	set_up(&m, 1000.0f, 2500);
+	for (int t = 0; t < TARGETS; t++) {
+		m.target[t].position = model_deltas_view(
+			(const float(*)[3])m.delta[t][0], VERTICES);
+		m.target[t].normal = model_deltas_view(
+			(const float(*)[3])m.delta[t][1], VERTICES);
+	}
+	assert_int_equal(
+		model_keys_store(&m.primitive, TARGETS, false, true, &m.arena),
+		0);
+	assert_non_null(m.primitive.keys);
+	assert_true(m.primitive.keys->scale < 5.0f / 16000.0f);
+	for (int t = 0; t < TARGETS; t++) {
+		assert_deltas_near(&m.target[t].position,
+			(const float(*)[3])m.delta[t][0],
+			1.01f * m.primitive.keys->scale);
+		assert_deltas_near(&m.target[t].normal,
+			(const float(*)[3])m.delta[t][1], 1.01f / 16383.0f);
+		assert_played(&m, t);
+	}
+	arena_release(&m.arena);
+}
+
+static void test_rounding_releases_the_floats(void **state)
+{
+	static struct morphed m;
+	float weight[2][TARGETS] = {{1.0f}, {0, 1.0f}};
+	const float time_s[2] = {0.0f, 1.0f};
+	struct model_channel channel = {.path = MODEL_WEIGHTS,
+		.interpolation = MODEL_LINEAR,
+		.width = TARGETS,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = &weight[0][0]};
+	struct model_clip clip = {.channel_count = 1, .channel = &channel};
+	struct model_material material = model_plain_material;
+	struct model_node node = {.skin = -1};
+	struct model_mesh mesh = {.primitive_count = 1, .target_count = TARGETS};
+	struct model model = {.node_count = 1,
+		.node = &node,
+		.mesh_count = 1,
+		.mesh = &mesh,
+		.material_count = 1,
+		.material = &material,
+		.clip_count = 1,
+		.clip = &clip};
+
+	(void)state;
+	set_up(&m, 1000.0f, 2500);
+	mesh.primitive = &m.primitive;
+	for (int skin = 0; skin >= -1; skin--) {
+		node.skin = skin;
+		for (int t = 0; t < TARGETS; t++) {
+			assert_int_equal(
+				model_deltas_pack(&m.target[t].position,
+					(const float(*)[3])m.delta[t][0],
+					VERTICES, MODEL_FLOAT, 1.0f,
+					&model.targets),
+				0);
+		}
+		model_keys_round(&model);
+		assert_int_equal(!m.primitive.keys, skin == 0);
+		assert_int_equal(!model.targets.newest, skin == -1);
+	}
+	assert_deltas_near(&m.target[2].position,
+		(const float(*)[3])m.delta[2][0],
+		1.01f * m.primitive.keys->scale);
+	arena_release(&model.arena);
+	arena_release(&m.arena);
+}
+
 static void assert_not_stored(struct morphed *m)
 {
-	assert_int_equal(
-		model_keys_store(&m->primitive, TARGETS, false, &m->arena), 0);
+	assert_int_equal(model_keys_store(&m->primitive, TARGETS, false, false,
+				 &m->arena),
+		0);
 	assert_null(m->primitive.keys);
 	arena_release(&m->arena);
 }
@@ -251,6 +339,8 @@ int main(void)
 		cmocka_unit_test(test_no_deltas_are_zeros),
 		cmocka_unit_test(
 			test_key_frames_keep_the_displacements_to_the_bit),
+		cmocka_unit_test(test_floats_are_rounded_to_15_bits),
+		cmocka_unit_test(test_rounding_releases_the_floats),
 		cmocka_unit_test(test_what_16_bits_cannot_hold_stays_as_it_is),
 	};
 

@@ -6,10 +6,16 @@
 #include "platform/gl/soft/vertex/number.h"
 #include "tests/support/soft/reference.h"
 
+/* How a coordinate leads into a level: clamped to low..high, then masked. */
+struct wrap {
+	int32_t low, high;
+	uint32_t mask;
+};
+
 /* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
 struct along {
 	int32_t at, step;
-	struct soft_wrap wrap;
+	struct wrap wrap;
 };
 
 static struct along find_along(const struct span *span, int name, int log2,
@@ -30,14 +36,19 @@ static struct along find_along(const struct span *span, int name, int log2,
 	};
 }
 
+static uint32_t wrap_at(int32_t at, const struct wrap *wrap)
+{
+	at = at < wrap->low ? wrap->low : at;
+	at = at > wrap->high ? wrap->high : at;
+	return (uint32_t)at & wrap->mask;
+}
+
 /* The texel so many further. */
 static uint32_t read_texel(const struct level *level, const struct along *s,
 	const struct along *t, int right, int down)
 {
-	uint32_t x = soft_wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right,
-		s->wrap.low, s->wrap.high, s->wrap.mask);
-	uint32_t y = soft_wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down,
-		t->wrap.low, t->wrap.high, t->wrap.mask);
+	uint32_t x = wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right, &s->wrap);
+	uint32_t y = wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down, &t->wrap);
 	size_t at = ((size_t)y << level->width_log2) + x;
 
 	return soft_load_texel(level->format,

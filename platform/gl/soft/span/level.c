@@ -17,8 +17,7 @@ static void choose_level(struct draw *draw, int number, bool small)
 	spans->small = small;
 	spans->view = soft_find_view(input, number, linear);
 	soft_set_functions(spans, small ? spans->min : spans->mag);
-	soft_use_view(&spans->view, spans->function, &spans->run,
-		&spans->view.window);
+	soft_use_view(&spans->view, &spans->run);
 	spans->window = spans->view.window;
 }
 
@@ -72,10 +71,10 @@ static bool find_window_part(
 	const struct soft_view *view = &spans->view;
 	const struct soft_window *whole = &view->window;
 	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
-	const struct part s = find_part(raster->texel_range[0], view->s_shift,
-		view->s_half, spare);
-	const struct part t = find_part(raster->texel_range[1], view->t_shift,
-		view->t_half, spare);
+	const struct part s = find_part(
+		raster->texel_range[0], view->s_shift, view->s_half, spare);
+	const struct part t = find_part(
+		raster->texel_range[1], view->t_shift, view->t_half, spare);
 	const uint32_t s_first = s.low & whole->s_mask;
 	const uint32_t t_first = t.low & whole->t_mask;
 
@@ -150,25 +149,55 @@ static uint32_t count_steps(uint32_t distance, uint32_t step)
 	return count;
 }
 
-/*
- * How many pixels from here on lie on the same side of the window's edges as
- * the first one, whose coordinate is at; *inside says which side.
- */
-static uint32_t count_alike(
-	uint32_t at, int32_t right, uint32_t room, uint32_t mask, bool *inside)
-{
-	uint32_t step = right < 0 ? 0u - (uint32_t)right : (uint32_t)right;
-	bool below = (int32_t)at < 0; /* clamped ones alone */
+/* Pixels side by side whose texels lie inside of the window, or do not. */
+struct stretch {
+	uint32_t count;
+	int32_t at, right; /* as the pixels are to be drawn */
+	bool inside;
+};
 
+/*
+ * From a coordinate on that does not repeat: what lies beyond the first or the
+ * last texel stays there.
+ */
+static NEVER_INLINE struct stretch find_clamped(
+	int32_t at, int32_t right, uint32_t step, uint32_t room, uint32_t last)
+{
+	bool below = at < 0;
+	uint32_t beyond = below ? ~(uint32_t)at : (uint32_t)at - room;
+	bool returns = below ? right > 0 : right < 0;
+
+	return (struct stretch){
+		returns ? count_steps(beyond, step) + 1 : SOFT_RUN_PIXELS,
+		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
+}
+
+/* Whether what repeats is worth being cut where it does. */
+static bool is_far(int32_t right, uint32_t room, uint32_t mask)
+{
+	return mask == UINT32_MAX || raster_size(right) <= room / 32;
+}
+
+/* From a coordinate on, up to an edge; where close, only what is clamped. */
+static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
+	uint32_t room, uint32_t mask, uint32_t last, bool close)
+{
+	uint32_t at = (uint32_t)given & mask, step = raster_size(right);
+
+	if (close && mask != UINT32_MAX) {
+		return (struct stretch){SOFT_RUN_PIXELS, given, right, false};
+	}
 	if (at < room) {
-		return count_steps(right < 0 ? at : room - 1 - at, step) + 1;
+		return (struct stretch){
+			count_steps(right < 0 ? at : room - 1 - at, step) + 1,
+			(int32_t)at, right, true};
 	}
-	*inside = false;
-	if (below ? right > 0 : right < 0) {
-		return count_steps(below ? ~at : at - room, step) + 1;
+	if (mask == UINT32_MAX) {
+		return find_clamped(given, right, step, room, last);
 	}
-	return mask == UINT32_MAX ? SOFT_RUN_PIXELS
-				  : count_steps(mask - at, step) + 1;
+	return (struct stretch){
+		count_steps(right < 0 ? at - room : mask - at, step) + 1,
+		(int32_t)at, right, false};
 }
 
 static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
@@ -183,39 +212,62 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
 }
 
-/* Whether the pieces that edges cut a run into are long enough to pay. */
-static bool is_cut(const struct soft_spans *spans)
+static void set_coordinates(
+	struct soft_run *run, const struct stretch *s, const struct stretch *t)
 {
-	const struct soft_run *run = &spans->run;
-	const struct soft_window *window = &spans->window;
+	run->s = s->at;
+	run->t = t->at;
+	run->s_right = s->right;
+	run->t_right = t->right;
+	run->row.texel_right = ((uint32_t)t->right << 16) + (uint32_t)s->right;
+}
 
-	return raster_size(run->s_right) * 8 < window->s_room &&
-		raster_size(run->t_right) * 8 < window->t_room;
+void soft_cut_run(struct soft_run *run, const struct soft_view *view,
+	const soft_span_function function[2], int pixel_log2)
+{
+	const struct soft_window *window = &view->window;
+	/* Of texels that count, which may be the last ones. */
+	const struct soft_window all = {.s_mask = UINT32_MAX,
+		.t_mask = UINT32_MAX,
+		.s_room = INT32_MAX,
+		.t_room = INT32_MAX,
+		.large = window->large};
+	const uint8_t *first_texel = run->first_texel;
+	const bool close =
+		!is_far(run->s_right, window->s_room, window->s_mask) ||
+		!is_far(run->t_right, window->t_room, window->t_mask);
+
+	run->first_texel = run->texels;
+	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
+		const struct stretch s = find_stretch(run->s, run->s_right,
+			window->s_room, window->s_mask, view->s_last, close);
+		const struct stretch t = find_stretch(run->t, run->t_right,
+			window->t_room, window->t_mask, view->t_last, close);
+		const struct stretch s_own = {.at = run->s,
+					     .right = run->s_right},
+				     t_own = {.at = run->t,
+					     .right = run->t_right};
+
+		run->row.count = s.count < t.count ? s.count : t.count;
+		run->row.count = run->row.count < left ? run->row.count : left;
+		set_coordinates(run, &s, &t);
+		function[s.inside && t.inside &&
+			soft_find_window(&all, view->texel_log2, run)](run);
+		set_coordinates(run, &s_own, &t_own);
+		advance(run, run->row.count, pixel_log2);
+	}
+	run->first_texel = first_texel;
 }
 
 void soft_draw_across(struct soft_spans *spans)
 {
-	const struct soft_window *window = &spans->window;
-	struct soft_run *run = &spans->run;
+	const soft_span_function function[2] = {
+		spans->draw_anywhere, spans->draw};
 
-	if (run->row.count == 1 || !is_cut(spans)) {
-		spans->draw_anywhere(run);
-		return;
-	}
-	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
-		bool inside = true;
-		uint32_t s = count_alike(
-			((uint32_t)run->s - window->s_first) & window->s_mask,
-			run->s_right, window->s_room, window->s_mask, &inside);
-		uint32_t t = count_alike(
-			((uint32_t)run->t - window->t_first) & window->t_mask,
-			run->t_right, window->t_room, window->t_mask, &inside);
-
-		run->row.count = s < t ? s : t;
-		run->row.count = run->row.count < left ? run->row.count : left;
-		(inside && soft_find_window(window, spans->view.texel_log2, run)
-				? spans->draw
-				: spans->draw_anywhere)(run);
-		advance(run, run->row.count, spans->pixel_log2);
+	if (spans->made) {
+		spans->draw(&spans->run);
+	} else {
+		soft_cut_run(
+			&spans->run, &spans->view, function, spans->pixel_log2);
 	}
 }

@@ -30,12 +30,6 @@ enum {
 	SOFT_RUN_TEXELS = 128,
 };
 
-/* How a coordinate leads into a level: clamped to low..high, then masked. */
-struct soft_wrap {
-	int32_t low, high;
-	uint32_t mask;
-};
-
 /*
  * What all fragments of a draw call go through after their texture, where a
  * span function has no constants for it.
@@ -78,7 +72,7 @@ struct soft_run {
 	/* Elsewhere */
 	const uint8_t *texels;
 	int32_t s, t, s_right, t_right;
-	struct soft_wrap wrap_s, wrap_t;
+	uint32_t s_last, t_last; /* texels, and masks of coordinates */
 	uint32_t stride_log2; /* of the level, in bytes */
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */

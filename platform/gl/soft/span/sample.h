@@ -254,13 +254,4 @@ static ALWAYS_INLINE int32_t soft_texel_start(
 		shift;
 }
 
-/* A coordinate in a level, by its way of wrapping. */
-static ALWAYS_INLINE uint32_t soft_wrap_at(
-	int32_t at, int32_t low, int32_t high, uint32_t mask)
-{
-	at = at < low ? low : at;
-	at = at > high ? high : at;
-	return (uint32_t)at & mask;
-}
-
 #endif

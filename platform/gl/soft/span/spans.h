@@ -42,7 +42,7 @@ struct soft_view {
 	int texel_log2;
 	int s_shift, t_shift; /* from 16.16 of the base's texels to 23.9 */
 	int32_t s_half, t_half;
-	struct soft_wrap wrap_s, wrap_t;
+	uint32_t s_last, t_last; /* texels */
 	struct soft_window window; /* as large as it can be */
 };
 

@@ -171,15 +171,13 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	}
 }
 
+/* As coordinates repeat. */
 static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 	struct soft_kind kind, int32_t s, int32_t t, struct soft_texel *out)
 {
 	int bytes_log2 = soft_texel_bytes_log2(kind.format);
-	const struct soft_wrap *ws = &run->wrap_s, *wt = &run->wrap_t;
-	uint32_t x = soft_wrap_at(
-		s >> SOFT_TEXEL_FRACTION, ws->low, ws->high, ws->mask);
-	uint32_t y = soft_wrap_at(
-		t >> SOFT_TEXEL_FRACTION, wt->low, wt->high, wt->mask);
+	uint32_t x = (uint32_t)s >> SOFT_TEXEL_FRACTION & run->s_last;
+	uint32_t y = (uint32_t)t >> SOFT_TEXEL_FRACTION & run->t_last;
 	const uint8_t *above = run->texels + (y << run->stride_log2);
 	const uint8_t *below = above;
 	uint32_t next = x, a[2], b[2];
@@ -190,10 +188,8 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 			out);
 		return;
 	}
-	next = soft_wrap_at(
-		(s >> SOFT_TEXEL_FRACTION) + 1, ws->low, ws->high, ws->mask);
-	y = soft_wrap_at(
-		(t >> SOFT_TEXEL_FRACTION) + 1, wt->low, wt->high, wt->mask);
+	next = (x + 1) & run->s_last;
+	y = (y + 1) & run->t_last;
 	below = run->texels + (y << run->stride_log2);
 	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
 	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));

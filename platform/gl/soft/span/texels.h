@@ -19,6 +19,13 @@ struct texels {
  */
 void soft_draw_across(struct soft_spans *spans);
 
+/*
+ * Draws a run of which any texels may lie outside of the level by functions for
+ * what repeats, and for what lies inside. The run is used up, but for its steps.
+ */
+void soft_cut_run(struct soft_run *run, const struct soft_view *view,
+	const soft_span_function function[2], int pixel_log2);
+
 /* Sets a run's steps in the level, each the nearest. */
 static ALWAYS_INLINE void soft_set_texel_steps(
 	struct soft_spans *spans, struct texels step)

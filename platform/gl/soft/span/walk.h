@@ -24,12 +24,10 @@ void soft_walk_small(struct draw *draw, const struct setup *setup, bool moving);
 /* level.c: the level and filter for a level of detail. */
 void soft_set_level(struct draw *draw, int lod);
 
-/* view.c: a level by a filter, and a run that reads it. */
+/* view.c: a level by a filter, which soft_use_view() gives a run to read. */
 struct soft_view soft_find_view(
 	const struct texture_input *input, int number, bool linear);
-void soft_use_view(const struct soft_view *view,
-	const soft_span_function function[2], struct soft_run *run,
-	struct soft_window *window);
+void soft_use_view(const struct soft_view *view, struct soft_run *run);
 
 /* level.c: a window of few texels, if the triangle has few; else the level's. */
 void soft_set_window(struct draw *draw);

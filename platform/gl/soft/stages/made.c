@@ -64,10 +64,12 @@ static void sample_level(const struct soft_made_levels *levels,
 	const struct soft_view *view, const struct soft_made_at *at,
 	uint32_t count, uint32_t *out)
 {
-	struct soft_window window;
-	struct soft_run run = {.row = {.pixel = (uint8_t *)out, .count = count}};
+	/* The depths are not read. */
+	struct soft_run run = {.row = {.depth = (uint16_t *)out,
+				       .pixel = (uint8_t *)out,
+				       .count = count}};
 
-	soft_use_view(view, levels->sampler, &run, &window);
+	soft_use_view(view, &run);
 	run.s_right = soft_texel_step(at->s_step, view->s_shift);
 	run.t_right = soft_texel_step(at->t_step, view->t_shift);
 	run.row.texel_right =
@@ -76,7 +78,11 @@ static void sample_level(const struct soft_made_levels *levels,
 		view->s_shift, view->s_half);
 	run.t = soft_find_start(at->t, at->t_step, count >> 1, run.t_right,
 		view->t_shift, view->t_half);
-	levels->sampler[soft_find_window(&window, view->texel_log2, &run)](&run);
+	if (soft_find_window(&view->window, view->texel_log2, &run)) {
+		levels->sampler[1](&run);
+	} else {
+		soft_cut_run(&run, view, levels->sampler, 2);
+	}
 }
 
 /* From one to the other of four bytes by 0..255 of 256. */

@@ -340,7 +340,8 @@ static void define_level(struct soft *soft, struct level *level,
 	const struct transfer *transfer, GLsizei width, GLsizei height,
 	const void *pixels)
 {
-	size_t size = (size_t)width * (size_t)height *
+	/* A row and a texel more: they are read, with weights of 0. */
+	size_t size = ((size_t)width * (size_t)height + (size_t)width + 1) *
 		(size_t)kept_bytes(transfer->kept);
 	const struct rectangle all = {0, 0, width, height};
 

@@ -1,0 +1,143 @@
+/* Runs across the edges of a level. */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/span/texels.h"
+
+/* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
+static uint32_t count_steps(uint32_t distance, uint32_t step)
+{
+	uint32_t count = 0;
+
+	if (distance / SOFT_RUN_PIXELS >= step) {
+		return SOFT_RUN_PIXELS - 1;
+	}
+	for (uint32_t part = SOFT_RUN_PIXELS / 2; part > 0; part /= 2) {
+		if (distance >= step * part) {
+			distance -= step * part;
+			count += part;
+		}
+	}
+	return count;
+}
+
+/* Pixels side by side whose texels lie inside of the window, or do not. */
+struct stretch {
+	uint32_t count;
+	int32_t at, right; /* as the pixels are to be drawn */
+	bool inside;
+};
+
+/*
+ * From a coordinate on that does not repeat: what lies beyond the first or the
+ * last texel stays there.
+ */
+static NEVER_INLINE struct stretch find_clamped(
+	int32_t at, int32_t right, uint32_t step, uint32_t room, uint32_t last)
+{
+	bool below = at < 0;
+	uint32_t beyond = below ? ~(uint32_t)at : (uint32_t)at - room;
+	bool returns = below ? right > 0 : right < 0;
+
+	return (struct stretch){
+		returns ? count_steps(beyond, step) + 1 : SOFT_RUN_PIXELS,
+		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
+}
+
+/* Whether what repeats is worth being cut where it does. */
+static bool is_far(int32_t right, uint32_t room, uint32_t mask)
+{
+	return mask == UINT32_MAX || raster_size(right) <= room / 32;
+}
+
+/* From a coordinate on, up to an edge; where close, only what is clamped. */
+static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
+	uint32_t room, uint32_t mask, uint32_t last, bool close)
+{
+	uint32_t at = (uint32_t)given & mask, step = raster_size(right);
+
+	if (close && mask != UINT32_MAX) {
+		return (struct stretch){SOFT_RUN_PIXELS, given, right, false};
+	}
+	if (at < room) {
+		return (struct stretch){
+			count_steps(right < 0 ? at : room - 1 - at, step) + 1,
+			(int32_t)at, right, true};
+	}
+	if (mask == UINT32_MAX) {
+		return find_clamped(given, right, step, room, last);
+	}
+	return (struct stretch){
+		count_steps(right < 0 ? at - room : mask - at, step) + 1,
+		(int32_t)at, right, false};
+}
+
+static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
+{
+	run->row.depth += count;
+	run->row.pixel += count << pixel_log2;
+	run->row.z += run->z_right * count;
+	run->row.red_blue += run->red_blue_right * count;
+	run->row.green_alpha += run->green_alpha_right * count;
+	run->row.fog += run->fog_right * count;
+	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
+	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
+}
+
+static void set_coordinates(
+	struct soft_run *run, const struct stretch *s, const struct stretch *t)
+{
+	run->s = s->at;
+	run->t = t->at;
+	run->s_right = s->right;
+	run->t_right = t->right;
+	run->row.texel_right = ((uint32_t)t->right << 16) + (uint32_t)s->right;
+}
+
+void soft_cut_run(struct soft_run *run, const struct soft_view *view,
+	const soft_span_function function[2], int pixel_log2)
+{
+	const struct soft_window *window = &view->window;
+	/* Of texels that count, which may be the last ones. */
+	const struct soft_window all = {.s_mask = UINT32_MAX,
+		.t_mask = UINT32_MAX,
+		.s_room = INT32_MAX,
+		.t_room = INT32_MAX,
+		.large = window->large};
+	const uint8_t *first_texel = run->first_texel;
+	const bool close =
+		!is_far(run->s_right, window->s_room, window->s_mask) ||
+		!is_far(run->t_right, window->t_room, window->t_mask);
+
+	run->first_texel = run->texels;
+	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
+		const struct stretch s = find_stretch(run->s, run->s_right,
+			window->s_room, window->s_mask, view->s_last, close);
+		const struct stretch t = find_stretch(run->t, run->t_right,
+			window->t_room, window->t_mask, view->t_last, close);
+		const struct stretch s_own = {.at = run->s,
+					     .right = run->s_right},
+				     t_own = {.at = run->t,
+					     .right = run->t_right};
+
+		run->row.count = s.count < t.count ? s.count : t.count;
+		run->row.count = run->row.count < left ? run->row.count : left;
+		set_coordinates(run, &s, &t);
+		function[s.inside && t.inside &&
+			soft_find_window(&all, view->texel_log2, run)](run);
+		set_coordinates(run, &s_own, &t_own);
+		advance(run, run->row.count, pixel_log2);
+	}
+	run->first_texel = first_texel;
+}
+
+void soft_draw_across(struct soft_spans *spans)
+{
+	const soft_span_function function[2] = {
+		spans->draw_anywhere, spans->draw};
+
+	if (spans->made) {
+		spans->draw(&spans->run);
+	} else {
+		soft_cut_run(
+			&spans->run, &spans->view, function, spans->pixel_log2);
+	}
+}

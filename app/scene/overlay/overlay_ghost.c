@@ -4,6 +4,10 @@
 
 #include <errno.h>
 
+enum {
+	LEVELS_COARSER = 2
+};
+
 static int init_glass(struct overlay_ghost *ghost)
 {
 	const struct model *model = ghost->figure->model;
@@ -58,6 +62,15 @@ void overlay_ghost_finish(struct overlay_ghost *ghost)
 	*ghost = (struct overlay_ghost){0};
 }
 
+/* Coarser than the figure by some levels: the ghosts show it several times. */
+static int ghost_lod(const struct drawable *figure)
+{
+	int coarsest = figure->batch_count > 0 ? figure->batch[0].lod_count : 0;
+	int lod = figure->lod + LEVELS_COARSER;
+
+	return lod < coarsest ? lod : coarsest;
+}
+
 void overlay_ghost_draw(struct overlay_ghost *ghost, const struct gl *gl,
 	const struct texture_set *textures, const float color[4])
 {
@@ -66,7 +79,7 @@ void overlay_ghost_draw(struct overlay_ghost *ghost, const struct gl *gl,
 	for (int d = 0; d < instance->drawable_count; d++) {
 		struct drawable *drawable = &instance->drawable[d];
 
-		drawable->lod = ghost->figure->drawable[d].lod;
+		drawable->lod = ghost_lod(&ghost->figure->drawable[d]);
 		for (int i = 0; i < 4; i++) {
 			drawable->color[i] = fx16_from_float(color[i]);
 		}

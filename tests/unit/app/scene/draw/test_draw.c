@@ -41,6 +41,23 @@ static void test_a_mirrored_node_turns_the_front_face(void **state)
 	model_destroy(model);
 }
 
+static void test_an_edge_of_two_triangles_is_drawn_once(void **state)
+{
+	/* 8 x 8 squares: 2 x 8 x 9 sides and 64 diagonals. */
+	struct model *model = small_model_grid(8, 8, 1.0f, true);
+	struct instance *instance = small_model_instance(model);
+	struct gl gl = gl_recorder_begin();
+	struct texture_set no_textures = {0};
+
+	(void)state;
+	instance_update(instance);
+	draw_instance(&gl, instance, &no_textures, DRAW_EDGES);
+	assert_int_equal(gl_recorder_result()->draw_count, 1);
+	assert_int_equal(gl_recorder_result()->draw[0].count, 2 * (144 + 64));
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_hidden_drawables_cost_no_call(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
@@ -141,6 +158,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_rigid_mesh_is_placed_by_its_node),
 		cmocka_unit_test(test_a_mirrored_node_turns_the_front_face),
+		cmocka_unit_test(test_an_edge_of_two_triangles_is_drawn_once),
 		cmocka_unit_test(test_hidden_drawables_cost_no_call),
 		cmocka_unit_test(test_blended_surfaces_come_after_opaque_ones),
 		cmocka_unit_test(

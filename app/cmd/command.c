@@ -1,6 +1,7 @@
 #include "app/cmd/command.h"
 
 #include "app/cmd/options/config.h"
+#include "app/cmd/options/options_files.h"
 #include "app/cmd/version.h"
 #include "platform/base/file.h"
 #include "platform/base/output_file.h"
@@ -156,7 +157,9 @@ static int run(const struct command *command, struct options *options, int argc,
 	int status = EXIT_FAILED;
 
 	if (configure(command, argc, argv, &config, options, &log) == 0) {
-		status = command->run(options, &log);
+		status = options_check_files(options, command->bit, &log) == 0
+			? command->run(options, &log)
+			: EXIT_USAGE;
 	}
 	config_release(&config);
 	return status;

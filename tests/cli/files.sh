@@ -55,6 +55,32 @@ expect_refusal 1 'dance'
 limber render "$slider" --clip 7 -o "$out.png"
 expect_refusal 1 '7'
 
+# No file is written that the command reads, or that it writes twice.
+cp "$slider" "$scratch/kept.gltf"
+echo '0 UP down' >"$scratch/kept.txt"
+: >"$scratch/kept.character"
+ln -s kept.gltf "$scratch/link"
+for wrong in "pose $scratch/kept.gltf -o $scratch/../${scratch##*/}/kept.gltf" \
+    "export $scratch/kept.gltf --c $scratch/link" \
+    "character $scratch/link -o $scratch/kept.gltf" \
+    "play $scratch/kept.gltf --stats $scratch/link" \
+    "play $scratch/kept.gltf --watchdog $scratch/kept.gltf" \
+    "play --script $scratch/kept.txt --record-buttons $scratch/kept.txt" \
+    "render --demo arm -o $scratch/new.png --stats $scratch/./new.png" \
+    "play --demo arm --record $scratch/new.gif --stats $scratch/new.gif"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $wrong
+    expect_refusal 2 'names the same file'
+done
+check 'the files are as they were' cmp "$slider" "$scratch/kept.gltf"
+check 'no other is written' sh -c "! ls $scratch/new*"
+limber play --demo arm --display null --frames 2 --stats /dev/null \
+    --record-buttons /dev/null
+expect_status 0
+limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
+limber optimize "$scratch/same.glb" -o "$scratch/same.glb"
+expect_status 0
+
 # Folders that do not exist.
 limber pose "$slider" -o "$scratch/nowhere/out.obj"
 expect_refusal 1 'nowhere/out\.obj: .*[Nn]o such'

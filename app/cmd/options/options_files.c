@@ -1,0 +1,100 @@
+#include "app/cmd/options/options_files.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "platform/base/compiler.h"
+
+struct named_file {
+	const char *option;
+	const char *path; /* NULL when the option was not given */
+	bool written;
+};
+
+static bool is_same(const struct stat *a, const struct stat *b)
+{
+	return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* Splits off the name; the folder is "." where the path has none. */
+static const char *split(const char *path, char folder[PATH_MAX + 1])
+{
+	const char *slash = strrchr(path, '/');
+	size_t length = slash ? (size_t)(slash - path) + 1 : 0;
+
+	if (length >= PATH_MAX) {
+		length = 0;
+	}
+	memcpy(folder, path, length);
+	strcpy(folder + length, ".");
+	return slash ? slash + 1 : path;
+}
+
+/* Whether two files that do not exist yet would be one. */
+static bool is_same_place(const char *a, const char *b)
+{
+	char folder_a[PATH_MAX + 1], folder_b[PATH_MAX + 1];
+	const char *name_a = split(a, folder_a), *name_b = split(b, folder_b);
+	struct stat status_a, status_b;
+
+	return strcmp(name_a, name_b) == 0 && stat(folder_a, &status_a) == 0 &&
+		stat(folder_b, &status_b) == 0 && is_same(&status_a, &status_b);
+}
+
+static bool is_same_file(const char *a, const char *b)
+{
+	struct stat status_a, status_b;
+	bool exists = stat(a, &status_a) == 0;
+
+	if (exists != (stat(b, &status_b) == 0)) {
+		return false;
+	}
+	return exists
+		? S_ISREG(status_a.st_mode) && is_same(&status_a, &status_b)
+		: is_same_place(a, b);
+}
+
+/* Compares a written file with those before it. */
+static int check_file(const struct named_file *file,
+	const struct named_file *first, const struct log *log)
+{
+	for (; first < file; first++) {
+		if (first->path && is_same_file(file->path, first->path)) {
+			log_error(log,
+				"%s %s: %s names the same file: give another name",
+				file->option, file->path, first->option);
+			return -EINVAL;
+		}
+	}
+	return 0;
+}
+
+int options_check_files(const struct options *options, enum command_bit command,
+	const struct log *log)
+{
+	const bool in_place = command == FOR_OPTIMIZE || command == FOR_LEVELS;
+	const struct named_file files[] = {
+		{"MODEL", in_place ? NULL : options->model_path, false},
+		{"--config", options->common.config, false},
+		{"--character", options->show.character, false},
+		{"--script", options->input.script, false},
+		{"--output", options->screen.output, true},
+		{"--c", options->export.c, true},
+		{"--plot", options->compare.plot, true},
+		{"--record", options->show.record, true},
+		{"--record-buttons", options->input.record_buttons, true},
+		{"--stats", options->show.stats, true},
+		{"--failsafe", options->show.failsafe, true},
+		{"--watchdog", options->show.watchdog, true},
+	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(files); i++) {
+		if (files[i].written && files[i].path &&
+			check_file(&files[i], files, log) != 0) {
+			return -EINVAL;
+		}
+	}
+	return 0;
+}

@@ -5,6 +5,8 @@ CC_coverage := gcc
 # Without optimization GCC cannot tell what is initialized.
 CFLAGS_coverage := -O0 -g --coverage -fprofile-update=atomic \
 	-Wno-maybe-uninitialized
+# The span template takes GCC minutes and gigabytes without optimization.
+build/coverage/obj/platform/gl/soft/span/%: CFLAGS_coverage += -O1
 SETS_coverage := host font coverage
 PACKAGES_coverage := $(PACKAGES_host)
 LIBS_coverage := -lgif -lm -ldl --coverage -Wl,-u,__gcov_dump

@@ -6,8 +6,8 @@
 
 /* Only the program for the board has this kernel. */
 static const char board_kernel[] = "armv6";
-/* The model itself comes first; others must be cheaper by more than this. */
-static const double worth_choosing = 0.1;
+/* A lower price by this much makes it worth converting the model. */
+static const double worth_converting = 0.3;
 
 static enum comparison_cost choose_cost(const struct comparison *comparison)
 {
@@ -76,8 +76,8 @@ static bool is_better(const struct comparison *comparison, int a, int b)
 	if (advice_fits_time(comparison, a) != advice_fits_time(comparison, b)) {
 		return advice_fits_time(comparison, a);
 	}
-	return advice_row_price(comparison, a) <
-		advice_row_price(comparison, b) - worth_choosing;
+	return advice_row_price(comparison, a) < advice_row_price(comparison, b) -
+		(b == 0 ? worth_converting : 0.0); /* the model is row 0 */
 }
 
 static void set_limits(struct comparison *comparison)

@@ -20,7 +20,7 @@ static int percent_digits(double percent)
 	return percent < 0.1 ? 2 : 1;
 }
 
-static int kilobyte_digits(double figure)
+static int figure_digits(double figure)
 {
 	return figure < 10.0 ? 1 : 0;
 }
@@ -55,9 +55,9 @@ static void weigh_faster(
 	if (advice_row_price(comparison, other) <=
 		advice_row_price(comparison, advised)) {
 		snprintf(text, size,
-			"\"%s\" would save %.1f us, which is %.2f%% of a frame of %.1f ms and too little to convert the model for",
-			comparison->row[other].name, saved_us, share,
-			board->frame_ms);
+			"\"%s\" would save %.*f us, which is %.2f%% of a frame of %.1f ms and too little to convert the model for",
+			comparison->row[other].name, figure_digits(saved_us),
+			saved_us, share, board->frame_ms);
 		return;
 	}
 	snprintf(text, size,
@@ -108,7 +108,7 @@ static void write_fitting(
 			(double)comparison->request.bound_px,
 			comparison->row[fastest].name,
 			advice_row_us(comparison, fastest),
-			kilobyte_digits(other_kib), other_kib);
+			figure_digits(other_kib), other_kib);
 	} else {
 		snprintf(text, size,
 			"nothing else keeps within %g px, %.0f KiB and %.3g ms",
@@ -173,6 +173,6 @@ void advice_reason_write(struct comparison *comparison)
 	}
 	snprintf(comparison->reason, sizeof(comparison->reason),
 		"it takes %.0f us and %.*f KiB; %s",
-		advice_row_us(comparison, advised), kilobyte_digits(memory),
+		advice_row_us(comparison, advised), figure_digits(memory),
 		memory, why);
 }

@@ -85,6 +85,8 @@ for advised in "walk skin" "idle skin . morph"; do
 done
 limber compare "$here/../../assets/face.glb" --clip talk
 expect_out '^Take "morph targets": '
+limber compare "$samples/RiggedFigure.glb"
+expect_out '^Take "skin": .* and too little to convert the model for\.$'
 
 # All clips are compared at once; what they share is counted once.
 limber compare "$here/../../assets/walker.glb" --format json

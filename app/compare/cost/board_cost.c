@@ -2,6 +2,7 @@
 
 #include "app/anim/kernel/arm11_cost.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -16,14 +17,15 @@ static const struct board_cost palette_joint = {270.0, 250.0};
  * play_cost.c counts for models and exports of many kinds, divided among what
  * they have by least squares (figures.md).
  */
-static const struct board_cost sample_frame = {1570.0, 294.0};
-static const struct board_cost sample_node = {190.0, 10.0};
-static const struct board_cost sample_turn = {180.0, 29.0};    /* struct turn */
-static const struct board_cost turn_times = {90.0, 18.0};      /* of its own */
-static const struct board_cost sample_channel = {278.0, 53.0}; /* that moves */
-static const struct board_cost sample_times = {133.0, 14.0};   /* of its own */
-static const struct board_cost sample_weight = {55.0, 7.8};
-static const struct board_cost matrix_node = {850.0, 131.0};
+static const struct board_cost sample_frame = {1315.0, 120.0};
+static const struct board_cost sample_node = {75.0, 7.1};
+static const struct board_cost sample_turn = {344.0, 35.4}; /* struct turn */
+static const struct board_cost wide_turn = {1245.0, 203.0};
+static const struct board_cost turn_times = {121.0, 12.4};     /* of its own */
+static const struct board_cost sample_channel = {653.0, 82.0}; /* that moves */
+static const struct board_cost sample_times = {60.0, 9.2};     /* of its own */
+static const struct board_cost sample_weight = {72.0, 5.8};
+static const struct board_cost matrix_node = {775.0, 131.0};
 static const struct board_cost palette_row = {330.0, 12.0}; /* of a joint */
 static const struct board_cost keys_drawable = {1700.0, 245.0};
 static const struct board_cost keys_vertex = {20.0, 11.1};
@@ -89,6 +91,7 @@ static void add_times(
 /* What of a clip costs time. */
 struct sampled {
 	int nodes, turns, turn_times, channels, times, weights;
+	double wide_turns;
 };
 
 static struct board_cost sample_of(const struct sampled *of)
@@ -98,6 +101,7 @@ static struct board_cost sample_of(const struct sampled *of)
 	add_times(&sum, &sample_node, of->nodes);
 	add_times(&sum, &sample_turn, of->turns);
 	add_times(&sum, &turn_times, of->turn_times);
+	add_times(&sum, &wide_turn, of->wide_turns);
 	add_times(&sum, &sample_channel, of->channels);
 	add_times(&sum, &sample_times, of->times);
 	add_times(&sum, &sample_weight, of->weights);
@@ -117,6 +121,27 @@ static bool has_own_times(
 	return true;
 }
 
+/*
+ * The share of the channel's time in which it turns between keys that are so
+ * far apart that quat_slerp_weights() needs sines: more than 36 degrees.
+ */
+static double find_wide_share(const struct model_channel *channel)
+{
+	const float *value = channel->value, *time_s = channel->time_s;
+	int last = channel->key_count - 1;
+	double wide_s = 0.0;
+
+	for (int i = 0; i < last; i++, value += 4) {
+		float cosine = value[0] * value[4] + value[1] * value[5] +
+			value[2] * value[6] + value[3] * value[7];
+
+		if (fabsf(cosine) - 1.0f <= -0.05f) {
+			wide_s += (double)(time_s[i + 1] - time_s[i]);
+		}
+	}
+	return last > 0 ? wide_s / (double)(time_s[last] - time_s[0]) : 0.0;
+}
+
 struct board_cost board_cost_sample(
 	const struct model_clip *clip, int node_count)
 {
@@ -131,6 +156,7 @@ struct board_cost board_cost_sample(
 		}
 		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
 			sum.turns++;
+			sum.wide_turns += find_wide_share(channel);
 			sum.turn_times += own;
 		} else {
 			sum.channels++;

@@ -14,7 +14,7 @@ enum {
 };
 
 /* A skinned drawable's own costs beside its vertices, and of each run. */
-static const struct board_cost skin_drawable = {900.0, 130.0};
+static const struct board_cost skin_drawable = {1900.0, 250.0};
 static const struct board_cost skin_run = {200.0, 87.0};
 static const struct board_cost skin_run_1 = {60.0, 75.0}; /* one influence */
 /*

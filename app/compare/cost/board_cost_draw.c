@@ -17,40 +17,40 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{2.529e+04, 2.218e+04}, /* frame */
-	{0.9446, 0.9984},       /* pixel */
-	{1.751e+04, 8221},      /* call */
-	{207.5, 123.2},         /* listed */
+	{2.55e+04, 2.214e+04},  /* frame */
+	{0.9813, 0.9773},       /* pixel */
+	{1.78e+04, 8232},       /* call */
+	{208.4, 125.3},         /* listed */
 	{0, 0},                 /* vertex */
-	{896.6, 130.4},         /* shaded */
-	{4.735, 0},             /* hidden */
-	{285, 0},               /* flat triangle */
-	{7.904, 0},             /* flat row */
-	{10.8, 23.51},          /* flat pixel */
-	{698, 549},             /* plain triangle */
-	{0, 16.41},             /* plain row */
-	{18.85, 1.294},         /* plain pixel */
-	{1236, 663.7},          /* textured triangle */
-	{158, 68.99},           /* textured row */
-	{92.39, 69.02},         /* textured pixel */
-	{6.231e+04, 4.182e+04}, /* ground triangle */
-	{108.5, 0},             /* ground row */
-	{6.728, 2.936},         /* ground pixel */
-	{1279, 482.5},          /* spans triangle */
-	{166.5, 106.7},         /* spans row */
-	{28.19, 15.47},         /* spans pixel */
-	{4298, 2928},           /* spans textured triangle */
-	{335.3, 111.1},         /* spans textured row */
-	{86.69, 54.79},         /* spans textured pixel */
-	{4322, 4743},           /* spans divided triangle */
-	{908.1, 535},           /* spans divided row */
-	{115.3, 67.18},         /* spans divided pixel */
-	{2221, 1969},           /* mixed triangle */
-	{157, 20.23},           /* mixed row */
-	{64.95, 42.29},         /* mixed pixel */
-	{374, 0},               /* mixed textured triangle */
-	{908.1, 582.6},         /* mixed textured row */
-	{141.7, 92.07},         /* mixed textured pixel */
+	{862.4, 141.7},         /* shaded */
+	{7.582, 0},             /* hidden */
+	{269, 9.863},           /* flat triangle */
+	{0, 0},                 /* flat row */
+	{9.586, 25.55},         /* flat pixel */
+	{754.6, 582.7},         /* plain triangle */
+	{0, 7.375},             /* plain row */
+	{17.98, 2.346},         /* plain pixel */
+	{1241, 638.2},          /* textured triangle */
+	{155.6, 78.09},         /* textured row */
+	{100.9, 66.78},         /* textured pixel */
+	{6.401e+04, 4.141e+04}, /* ground triangle */
+	{127.2, 0},             /* ground row */
+	{6.708, 2.963},         /* ground pixel */
+	{1401, 451.7},          /* spans triangle */
+	{158.8, 105.2},         /* spans row */
+	{28.77, 14.95},         /* spans pixel */
+	{4667, 2964},           /* spans textured triangle */
+	{326.1, 86.97},         /* spans textured row */
+	{79.72, 52.28},         /* spans textured pixel */
+	{4387, 4660},           /* spans divided triangle */
+	{955, 543.1},           /* spans divided row */
+	{115.1, 66.52},         /* spans divided pixel */
+	{2313, 1831},           /* mixed triangle */
+	{137.5, 34.89},         /* mixed row */
+	{66.29, 40.65},         /* mixed pixel */
+	{1327, 0},              /* mixed textured triangle */
+	{594.5, 420.4},         /* mixed textured row */
+	{146.9, 92.95},         /* mixed textured pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -11,7 +11,7 @@ build/arm/obj/app/anim/%.o build/arm/obj/app/scene/instance/%.o \
 	CFLAGS_arm += -fno-stack-protector
 
 BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
-	gl_scenes gl_states demo_frames character_cost)
+	gl_scenes gl_states gl_costs demo_frames character_cost)
 # Models whose rows of limber compare are played, with their clips.
 PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
@@ -43,7 +43,7 @@ build/host/bench/%: build/host/obj/tests/bench/%.o \
 	$(Q)$(CC_host) $(CFLAGS_host) -o $@ $^ @build/host/libs $(LIBS_host)
 
 # This plugin counts instructions alone, several times as fast as the model.
-build/arm1136/insn_count.so: tests/bench/insn_count.c | build/host/packages.stamp
+build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
 	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -fPIC -shared -o $@ $<
@@ -58,6 +58,10 @@ $(BENCH_MODELS) &: tests/bench/user_models.py
 .PHONY: bench-gl
 bench-gl: build/host/bench/gl_states build/host/bench/demo_frames $(BENCH_MODELS)
 	$(Q)tests/bench/gl_host.py build/host/bench build/bench-models
+
+.PHONY: bench-costs
+bench-costs: build/arm/bench/gl_costs build/arm1136/insn_count.so
+	$(Q)tests/bench/gl_costs.py build/sysroot build/arm1136/insn_count.so $<
 
 .PHONY: bench bench-arm11 bench-arm11-record bench-arm11-table
 bench: build/host/limber

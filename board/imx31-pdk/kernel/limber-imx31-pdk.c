@@ -4,10 +4,10 @@
  *
  * mx3fb and the IPU's driver support platform data only, and the kernel has no
  * pin controller driver for the i.MX31. So on "fsl,imx31-pdk" this file routes
- * the pins, registers the two devices with the Epson panel's timing, and enables
- * what the device tree disables for the emulated i.MX31. That one has no IPU and
- * keeps its simple framebuffer. Addresses, pins and timing are those of
- * Freescale's board support (mach-mx31_3ds.c, up to Linux 5.9).
+ * the pins of the device tree, registers the two devices with the Epson panel's
+ * timing, and enables what the device tree disables for the emulated i.MX31. That
+ * one has no IPU and keeps its simple framebuffer. Addresses, pins and timing are
+ * those of Freescale's board support (mach-mx31_3ds.c, up to Linux 5.9).
  */
 #include <linux/clk.h>
 #include <linux/dma-mapping.h>
@@ -22,39 +22,16 @@
 #include <linux/string.h>
 
 #define IPU_INT_CTRL_1 0x28
-#define IOMUX_BASE     0x43fac000
-#define IOMUX_SIZE     0x1000
 #define IOMUX_MUX      0x00c
 #define IOMUX_PAD      0x154
 
-enum pin_mode {
-	PIN_GPIO = 0x01,
-	PIN_FUNCTION = 0x12,
-	PIN_ALTERNATE_1 = 0x24,
-};
-
-/* A 100 kOhm pull-down and a Schmitt trigger. */
-#define PAD_BUTTON ((1 << 8) | (1 << 7) | (1 << 4))
-
-/* Pins by their number in the multiplexer. */
-struct pin_range {
-	u16 first, last;
-	enum pin_mode mode;
-};
-
-static const struct pin_range pins[] __initconst = {
-	{22, 23, PIN_FUNCTION},      /* CONTRAST, VSYNC3 */
-	{27, 28, PIN_GPIO},          /* SER_RS, LCS1: panel's enable, reset */
-	{34, 35, PIN_FUNCTION},      /* FPSHIFT, HSYNC */
-	{37, 54, PIN_FUNCTION},      /* LD17 to LD0 */
-	{84, 87, PIN_GPIO},          /* KEY_COL7 to KEY_COL4: buttons */
-	{88, 91, PIN_FUNCTION},      /* KEY_COL3 to KEY_COL0: keypad */
-	{92, 95, PIN_GPIO},          /* KEY_ROW7 to KEY_ROW4: buttons */
-	{97, 99, PIN_FUNCTION},      /* KEY_ROW2 to KEY_ROW0: keypad */
-	{111, 112, PIN_ALTERNATE_1}, /* RI_DCE1, DSR_DCE1: CSPI1 */
-	{118, 120, PIN_FUNCTION},    /* CSPI2_SPI_RDY, SCLK, SS2 */
-	{122, 124, PIN_FUNCTION},    /* CSPI2_SS0, MISO, MOSI */
-	{320, 320, PIN_GPIO},        /* GPIO1_3: the power chip's interrupt */
+/* The cells of a range of pins in the device tree. */
+enum {
+	PIN_FIRST,
+	PIN_LAST,
+	PIN_MODE,
+	PIN_PAD, /* 0: as it is */
+	PIN_CELLS
 };
 
 static const struct fb_videomode panel_mode = {
@@ -91,22 +68,37 @@ static void __init set_pad(void __iomem *iomux, unsigned int pin, u32 config)
 	writel((readl(reg) & ~(0x1ffu << shift)) | config << shift, reg);
 }
 
+static void __init route_range(void __iomem *iomux, const u32 *range)
+{
+	u32 pin;
+
+	for (pin = range[PIN_FIRST]; pin <= range[PIN_LAST]; pin++) {
+		route_pin(iomux, pin, range[PIN_MODE]);
+		if (range[PIN_PAD])
+			set_pad(iomux, pin, range[PIN_PAD]);
+	}
+}
+
 static int __init route_pins(void)
 {
-	void __iomem *iomux = ioremap(IOMUX_BASE, IOMUX_SIZE);
-	unsigned int i, pin;
+	struct device_node *node =
+		of_find_compatible_node(NULL, NULL, "limber,imx31-pins");
+	void __iomem *iomux = of_iomap(node, 0);
+	int count = of_property_count_elems_of_size(
+		node, "limber,pins", PIN_CELLS * sizeof(u32));
+	u32 range[PIN_CELLS];
+	int i, error = iomux ? 0 : -ENOMEM;
 
-	if (!iomux)
-		return -ENOMEM;
-	for (i = 0; i < ARRAY_SIZE(pins); i++) {
-		for (pin = pins[i].first; pin <= pins[i].last; pin++) {
-			route_pin(iomux, pin, pins[i].mode);
-			if (pins[i].mode == PIN_GPIO && pin >= 84 && pin <= 95)
-				set_pad(iomux, pin, PAD_BUTTON);
-		}
+	for (i = 0; i < count * PIN_CELLS && !error; i++) {
+		error = of_property_read_u32_index(
+			node, "limber,pins", i, &range[i % PIN_CELLS]);
+		if (!error && i % PIN_CELLS == PIN_CELLS - 1)
+			route_range(iomux, range);
 	}
-	iounmap(iomux);
-	return 0;
+	if (iomux)
+		iounmap(iomux);
+	of_node_put(node);
+	return error ? error : count < 0 ? count : 0;
 }
 
 /* limber_ipu on the command line assumes an IPU, to test the code below. */

@@ -140,11 +140,14 @@ void inertia_begin(struct inertia *inertia, const struct pose *fresh,
 	inertia->curve = curve;
 	inertia->duration_s = duration_s;
 	inertia->elapsed_s = 0;
+	inertia->scales = false;
 	for (int n = 0; n < fresh->node_count; n++) {
 		begin_turn(inertia, n, fresh, &inertia->turn[n]);
 		begin_shift(inertia, n, fresh, &inertia->shift[n]);
 		vec_subtract(last->local[n].scale, fresh->local[n].scale,
 			inertia->scale[n]);
+		inertia->scales = inertia->scales ||
+			vec_dot(inertia->scale[n], inertia->scale[n]) > 0;
 	}
 	for (int i = 0; i < fresh->weight_count; i++) {
 		inertia->weight[i] = last->weight[i] - fresh->weight[i];
@@ -175,10 +178,14 @@ static void apply_node(
 	struct transform *local = &pose->local[node];
 
 	if (turn->size > 0) {
+		float sine = scalar_sin(0.5f * size_at(inertia, turn, left));
 		float rotation[4];
 
-		quat_from_axis_angle(turn->direction,
-			size_at(inertia, turn, left), rotation);
+		for (int i = 0; i < 3; i++) {
+			rotation[i] = turn->direction[i] * sine;
+		}
+		/* Half of an angle up to pi has a cosine of at least 0. */
+		rotation[3] = scalar_sqrt(1 - sine * sine);
 		quat_multiply(rotation, local->rotation, local->rotation);
 		pose->animated[node] = true;
 	}
@@ -187,7 +194,10 @@ static void apply_node(
 			size_at(inertia, shift, left), local->translation);
 		pose->animated[node] = true;
 	}
-	vec_add_scaled(local->scale, inertia->scale[node], left, local->scale);
+	if (inertia->scales) {
+		vec_add_scaled(
+			local->scale, inertia->scale[node], left, local->scale);
+	}
 }
 
 void inertia_apply(struct inertia *inertia, float step_s, struct pose *pose)

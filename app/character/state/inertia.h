@@ -37,6 +37,7 @@ struct inertia {
 	bool running;
 	struct inertia_offset *turn, *shift; /* [node_count] */
 	float (*scale)[3];                   /* [node_count], differences */
+	bool scales;                         /* whether one is not 0 */
 	float *weight;                       /* [weight_count] */
 };
 

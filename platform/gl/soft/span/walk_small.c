@@ -48,6 +48,7 @@ struct list {
 	struct value z, red_blue, green, alpha, fog;
 	struct coordinate s, t;
 	bool rare; /* alpha or fog moves */
+	bool alpha_moves;
 	int most;  /* pixels of a run */
 	int pixel_log2;
 	int width, stride_bytes;
@@ -175,17 +176,10 @@ static NEVER_INLINE void draw_outside(struct list *list,
 }
 
 /* Alpha is exact, so that alpha tests are. */
-static NEVER_INLINE void set_rare(
+static NEVER_INLINE void add_alpha(
 	const struct list *list, struct soft_row *row, uint32_t x, uint32_t y)
 {
-	const struct soft_spans *spans = &list->draw->spans;
-
-	if (spans->fog_moves) {
-		row->fog = find_there(&list->fog, x, y);
-	}
-	if (spans->alpha_moves) {
-		row->green_alpha += find_there(&list->alpha, x, y) >> 9 << 16;
-	}
+	row->green_alpha += find_there(&list->alpha, x, y) >> 9 << 16;
 }
 
 /* False where the run is drawn already. */
@@ -218,7 +212,10 @@ static ALWAYS_INLINE bool set_run(struct list *list,
 	row->green_alpha = find_there(&list->green, x, y);
 	row->fog = list->fog.start;
 	if (list->rare) {
-		set_rare(list, row, x, y);
+		row->fog = find_there(&list->fog, x, y);
+		if (list->alpha_moves) {
+			add_alpha(list, row, x, y);
+		}
 	}
 	return !kind.textured || set_texel(list, kind, row, x, y);
 }
@@ -343,7 +340,9 @@ static void begin_rare(struct list *list)
 	const struct plane *p = &draw->raster.plane[ALPHA];
 	struct soft_run *run = &list->draw->spans.run;
 
-	if (draw->spans.alpha_moves) {
+	list->fog.right = list->fog.down = 0;
+	list->alpha_moves = draw->spans.alpha_moves;
+	if (list->alpha_moves) {
 		list->alpha = (struct value){
 			p->start, (uint32_t)p->dx, (uint32_t)p->dy};
 		run->green_alpha_right += (uint32_t)soft_alpha_step(p->dx)

@@ -11,10 +11,18 @@ enum {
 	DRAWN_FRAMES = 6 /* of each clip, at even distances */
 };
 
+/* What is drawn for a row. */
+enum drawn {
+	DRAWN_MODEL,
+	DRAWN_EXPORT, /* it has not the levels of detail of the model's file */
+	DRAWN_RIGID,
+	DRAWN_KINDS
+};
+
 struct painter {
 	struct comparison *comparison;
 	const struct log *log;
-	bool rigid; /* the model consists of the rigid parts */
+	enum drawn drawn;
 	struct model *model;
 	struct instance *instance;
 	struct clip_cursor cursor;
@@ -26,8 +34,9 @@ struct painter {
 static const struct model_clip *find_clip(
 	const struct painter *painter, int index)
 {
-	int clip =
-		painter->rigid ? index : painter->comparison->clip[index].clip;
+	int clip = painter->drawn == DRAWN_MODEL
+		? painter->comparison->clip[index].clip
+		: index;
 
 	return clip < painter->model->clip_count ? &painter->model->clip[clip]
 						 : NULL;
@@ -55,6 +64,13 @@ static void count_clip(
 	gl_counts_scale(counts, 1.0 / DRAWN_FRAMES);
 }
 
+static enum drawn drawn_of(const struct comparison *comparison, int row)
+{
+	return row == 0                                         ? DRAWN_MODEL
+		: comparison->row[row].kind == COMPARISON_RIGID ? DRAWN_RIGID
+								: DRAWN_EXPORT;
+}
+
 static void predict(struct painter *painter)
 {
 	struct comparison *comparison = painter->comparison;
@@ -70,7 +86,7 @@ static void predict(struct painter *painter)
 		for (int r = 0; r < comparison->row_count; r++) {
 			struct comparison_row *row = &comparison->row[r];
 
-			if ((row->kind == COMPARISON_RIGID) == painter->rigid) {
+			if (drawn_of(comparison, r) == painter->drawn) {
 				row->cell[c].board.draw = cost;
 			}
 		}
@@ -118,31 +134,34 @@ static int draw_model(struct painter *painter)
 	return error;
 }
 
-static int draw(struct comparison *comparison, bool rigid, const struct log *log)
+static int draw(
+	struct comparison *comparison, enum drawn drawn, const struct log *log)
 {
 	struct painter painter = {
-		.comparison = comparison, .log = log, .rigid = rigid};
+		.comparison = comparison, .log = log, .drawn = drawn};
 	const char *path = comparison->model->path;
-	int error = rigid ? export_load_rigid(comparison, log, &painter.model)
-			  : model_load(path, log, &painter.model);
+	int error = drawn == DRAWN_MODEL
+		? model_load(path, log, &painter.model)
+		: export_load(comparison, drawn == DRAWN_RIGID, log,
+			  &painter.model);
 
 	if (error) {
 		return error;
 	}
-	if (rigid) {
-		levels_make(painter.model);
-	} else {
+	if (drawn == DRAWN_MODEL) {
 		levels_prepare(painter.model, log);
+	} else {
+		levels_make(painter.model);
 	}
 	error = draw_model(&painter);
 	model_destroy(painter.model);
 	return error;
 }
 
-static bool has_rigid(const struct comparison *comparison)
+static bool is_drawn(const struct comparison *comparison, enum drawn drawn)
 {
 	for (int i = 0; i < comparison->row_count; i++) {
-		if (comparison->row[i].kind == COMPARISON_RIGID) {
+		if (drawn_of(comparison, i) == drawn) {
 			return true;
 		}
 	}
@@ -153,12 +172,13 @@ int comparison_draw_predict(struct comparison *comparison, const struct log *log
 {
 	/* The model's warnings have been shown when it was loaded. */
 	struct log errors = *log;
-	int error;
+	int error = 0;
 
 	errors.threshold = LOG_ERROR;
-	error = draw(comparison, false, &errors);
-	if (!error && has_rigid(comparison)) {
-		error = draw(comparison, true, &errors);
+	for (int i = 0; i < DRAWN_KINDS && !error; i++) {
+		if (is_drawn(comparison, (enum drawn)i)) {
+			error = draw(comparison, (enum drawn)i, &errors);
+		}
 	}
 	return error;
 }

@@ -56,17 +56,21 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	return error;
 }
 
-int export_load_rigid(const struct comparison *comparison,
+int export_load(const struct comparison *comparison, bool rigid,
 	const struct log *log, struct model **out)
 {
 	const char *path = comparison->model->path;
 	struct glb glb;
 	uint8_t *data;
 	size_t size;
-	int error;
+	int error = 0;
 
 	glb_begin(&glb);
-	error = bake_rigid(&glb, comparison, log);
+	if (rigid) {
+		error = bake_rigid(&glb, comparison, log);
+	} else {
+		export_skin(&glb, comparison, 0, true);
+	}
 	if (error) {
 		glb_discard(&glb);
 		return error;

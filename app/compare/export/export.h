@@ -13,10 +13,11 @@
 int export_make_folder(const char *folder, const struct log *log);
 
 /*
- * Loads the model that rigid.glb holds, without writing a file. The caller
- * releases *out with model_destroy(). Returns 0, or -errno after logging an error.
+ * Loads what exports show, without writing a file: the rigid parts, or the
+ * model itself without the levels of detail of its file. The caller releases
+ * *out with model_destroy(). Returns 0, or -errno after logging an error.
  */
-int export_load_rigid(const struct comparison *comparison,
+int export_load(const struct comparison *comparison, bool rigid,
 	const struct log *log, struct model **out);
 
 /*

@@ -298,12 +298,16 @@ int model_deltas_floats(const struct model_deltas *deltas, struct arena *arena,
 
 int model_deltas_count(const struct model_deltas *deltas)
 {
-	const struct model_span *last = deltas->span + deltas->span_count - 1;
+	const struct model_span *last;
 
 	if (!deltas->span) {
 		return deltas->vertex_count;
 	}
-	return deltas->span_count > 0 ? last->at + last->count : 0;
+	if (deltas->span_count == 0) {
+		return 0;
+	}
+	last = &deltas->span[deltas->span_count - 1];
+	return last->at + last->count;
 }
 
 size_t model_deltas_bytes(const struct model_deltas *deltas)

@@ -11,18 +11,10 @@ enum {
 	DRAWN_FRAMES = 6 /* of each clip, at even distances */
 };
 
-/* What is drawn for a row. */
-enum drawn {
-	DRAWN_MODEL,
-	DRAWN_EXPORT, /* it has not the levels of detail of the model's file */
-	DRAWN_RIGID,
-	DRAWN_KINDS
-};
-
 struct painter {
 	struct comparison *comparison;
 	const struct log *log;
-	enum drawn drawn;
+	int row; /* whose file is drawn; 0 is the model itself */
 	struct model *model;
 	struct instance *instance;
 	struct clip_cursor cursor;
@@ -34,9 +26,8 @@ struct painter {
 static const struct model_clip *find_clip(
 	const struct painter *painter, int index)
 {
-	int clip = painter->drawn == DRAWN_MODEL
-		? painter->comparison->clip[index].clip
-		: index;
+	int clip = painter->row == 0 ? painter->comparison->clip[index].clip
+				     : index;
 
 	return clip < painter->model->clip_count ? &painter->model->clip[clip]
 						 : NULL;
@@ -64,11 +55,25 @@ static void count_clip(
 	gl_counts_scale(counts, 1.0 / DRAWN_FRAMES);
 }
 
-static enum drawn drawn_of(const struct comparison *comparison, int row)
+/* Key frames show the same triangles, whatever their number is. */
+static bool is_morph(const struct comparison_row *row)
 {
-	return row == 0                                         ? DRAWN_MODEL
-		: comparison->row[row].kind == COMPARISON_RIGID ? DRAWN_RIGID
-								: DRAWN_EXPORT;
+	return row->kind == COMPARISON_MORPH ||
+		row->kind == COMPARISON_MORPH_EVEN;
+}
+
+static bool draw_alike(const struct comparison *comparison, int a, int b)
+{
+	const struct comparison_row *one = &comparison->row[a];
+	const struct comparison_row *other = &comparison->row[b];
+
+	if (a == 0 || b == 0) {
+		return a == b;
+	}
+	return is_morph(one) ? is_morph(other)
+			     : one->kind == other->kind &&
+			one->max_influences == other->max_influences &&
+			one->targets == other->targets;
 }
 
 static void predict(struct painter *painter)
@@ -86,7 +91,7 @@ static void predict(struct painter *painter)
 		for (int r = 0; r < comparison->row_count; r++) {
 			struct comparison_row *row = &comparison->row[r];
 
-			if (drawn_of(comparison, r) == painter->drawn) {
+			if (draw_alike(comparison, r, painter->row)) {
 				row->cell[c].board.draw = cost;
 			}
 		}
@@ -134,21 +139,20 @@ static int draw_model(struct painter *painter)
 	return error;
 }
 
-static int draw(
-	struct comparison *comparison, enum drawn drawn, const struct log *log)
+static int draw_row(
+	struct comparison *comparison, int row, const struct log *log)
 {
 	struct painter painter = {
-		.comparison = comparison, .log = log, .drawn = drawn};
-	const char *path = comparison->model->path;
-	int error = drawn == DRAWN_MODEL
-		? model_load(path, log, &painter.model)
-		: export_load(comparison, drawn == DRAWN_RIGID, log,
+		.comparison = comparison, .log = log, .row = row};
+	int error = row == 0
+		? model_load(comparison->model->path, log, &painter.model)
+		: export_load(comparison, &comparison->row[row], log,
 			  &painter.model);
 
 	if (error) {
 		return error;
 	}
-	if (drawn == DRAWN_MODEL) {
+	if (row == 0) {
 		levels_prepare(painter.model, log);
 	} else {
 		levels_make(painter.model);
@@ -158,10 +162,10 @@ static int draw(
 	return error;
 }
 
-static bool is_drawn(const struct comparison *comparison, enum drawn drawn)
+static bool is_drawn_before(const struct comparison *comparison, int row)
 {
-	for (int i = 0; i < comparison->row_count; i++) {
-		if (drawn_of(comparison, i) == drawn) {
+	for (int i = 0; i < row; i++) {
+		if (draw_alike(comparison, i, row)) {
 			return true;
 		}
 	}
@@ -175,9 +179,9 @@ int comparison_draw_predict(struct comparison *comparison, const struct log *log
 	int error = 0;
 
 	errors.threshold = LOG_ERROR;
-	for (int i = 0; i < DRAWN_KINDS && !error; i++) {
-		if (is_drawn(comparison, (enum drawn)i)) {
-			error = draw(comparison, (enum drawn)i, &errors);
+	for (int i = 0; i < comparison->row_count && !error; i++) {
+		if (!is_drawn_before(comparison, i)) {
+			error = draw_row(comparison, i, &errors);
 		}
 	}
 	return error;

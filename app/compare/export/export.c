@@ -56,20 +56,23 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	return error;
 }
 
-int export_load(const struct comparison *comparison, bool rigid,
-	const struct log *log, struct model **out)
+int export_load(const struct comparison *comparison,
+	const struct comparison_row *row, const struct log *log,
+	struct model **out)
 {
+	bool original = row->kind == COMPARISON_ORIGINAL;
 	const char *path = comparison->model->path;
 	struct glb glb;
 	uint8_t *data;
 	size_t size;
 	int error = 0;
 
-	glb_begin(&glb);
-	if (rigid) {
+	glb_begin_memory(&glb);
+	if (row->kind == COMPARISON_RIGID) {
 		error = bake_rigid(&glb, comparison, log);
 	} else {
-		export_skin(&glb, comparison, 0, true);
+		export_skin(&glb, comparison, original ? row->max_influences : 0,
+			original ? row->targets : true);
 	}
 	if (error) {
 		glb_discard(&glb);

@@ -13,12 +13,14 @@
 int export_make_folder(const char *folder, const struct log *log);
 
 /*
- * Loads what exports show, without writing a file: the rigid parts, or the
- * model itself without the levels of detail of its file. The caller releases
- * *out with model_destroy(). Returns 0, or -errno after logging an error.
+ * Loads what a row's export shows, without writing a file; for key frames this is
+ * the model in the export's form. Exports have not the levels of detail of the
+ * model's file. The caller releases *out with model_destroy(). Returns 0, or
+ * -errno after logging an error.
  */
-int export_load(const struct comparison *comparison, bool rigid,
-	const struct log *log, struct model **out);
+int export_load(const struct comparison *comparison,
+	const struct comparison_row *row, const struct log *log,
+	struct model **out);
 
 /*
  * Writes a file for each listed row but the model itself: FOLDER/morph-N.glb

@@ -17,19 +17,29 @@ enum {
 	CHUNK_HEADER_BYTES = 8
 };
 
-void glb_begin(struct glb *glb)
+static void begin(struct glb *glb, FILE *data)
 {
+	glb->data = data;
+	glb->error = data ? 0 : -errno;
 	json_memory_begin();
-	*glb = (struct glb){.root = json_object(),
-		.accessors = json_array(),
-		.views = json_array(),
-		.data = output_file_scratch()};
-	if (!glb->data) {
-		glb->error = -errno;
-	}
+	glb->root = json_object();
+	glb->accessors = json_array();
+	glb->views = json_array();
 	glb_set(glb, "asset",
 		json_pack("{s:s, s:s}", "version", "2.0", "generator",
 			"limber compare"));
+}
+
+void glb_begin(struct glb *glb)
+{
+	*glb = (struct glb){0};
+	begin(glb, output_file_scratch());
+}
+
+void glb_begin_memory(struct glb *glb)
+{
+	*glb = (struct glb){0};
+	begin(glb, open_memstream(&glb->memory, &glb->memory_size));
 }
 
 json_t *glb_floats(const float *value, int count)
@@ -317,18 +327,19 @@ static void put_json(FILE *file, const char *text, size_t length)
 	}
 }
 
-/* Returns 0, or -errno when the temporary file cannot be read. */
-static int put_binary(const struct glb *glb, FILE *file)
+/* Copies the binary data. Returns 0, or -errno when they cannot be read. */
+static int put_data(const struct glb *glb, FILE *file)
 {
 	uint8_t buffer[16384];
 	size_t left = glb->size;
 
-	if (left == 0) {
+	if (fflush(glb->data) != 0) {
+		return -errno;
+	}
+	if (glb->memory) {
+		fwrite(glb->memory, 1, glb->size, file);
 		return 0;
 	}
-	put_u32(buffer, left);
-	put_u32(buffer + 4, CHUNK_BINARY);
-	fwrite(buffer, CHUNK_HEADER_BYTES, 1, file);
 	if (fseek(glb->data, 0, SEEK_SET) != 0) {
 		return -errno;
 	}
@@ -343,6 +354,19 @@ static int put_binary(const struct glb *glb, FILE *file)
 		left -= size;
 	}
 	return 0;
+}
+
+static int put_binary(const struct glb *glb, FILE *file)
+{
+	uint8_t header[CHUNK_HEADER_BYTES];
+
+	if (glb->size == 0) {
+		return 0;
+	}
+	put_u32(header, glb->size);
+	put_u32(header + 4, CHUNK_BINARY);
+	fwrite(header, sizeof(header), 1, file);
+	return put_data(glb, file);
 }
 
 static int put_file(const struct glb *glb, const char *text, FILE *file)
@@ -415,6 +439,7 @@ void glb_discard(struct glb *glb)
 	if (glb->data) {
 		fclose(glb->data);
 	}
+	free(glb->memory);
 	json_decref(glb->accessors);
 	json_decref(glb->views);
 	json_decref(glb->root);

@@ -20,7 +20,9 @@ struct glb {
 	int error; /* 0 or -errno */
 	json_t *root;
 	json_t *accessors, *views;
-	FILE *data; /* the binary chunk, in a temporary file */
+	FILE *data;   /* the binary chunk, in a temporary file or in memory */
+	char *memory; /* NULL, or where data is */
+	size_t memory_size;
 	size_t size;
 	bool quantized; /* KHR_mesh_quantization is needed */
 };
@@ -35,7 +37,11 @@ enum glb_component {
 	GLB_FLOAT = 5126,
 };
 
+/* Begins a file whose binary chunk is kept in a temporary file. */
 void glb_begin(struct glb *glb);
+
+/* Begins a small file, kept in memory. glb must not move before it is written. */
+void glb_begin_memory(struct glb *glb);
 
 /* The bytes of a component. */
 size_t glb_component_bytes(enum glb_component component);

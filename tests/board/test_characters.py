@@ -66,6 +66,8 @@ def on_board(machine, model, buttons):
             pause(machine, HOLD_S if down else APART_S)
     pause(machine, LAST_S)
     machine.shell("kill $limber; wait $limber; cat /run/said")
+    # Any command reads what the outputs did until now.
+    machine.wires.level(buttons.split()[0], False)
     pages, said = machine.pages(), machine.log()[begun:]
     stats = machine.shell("cat /run/stats")[1]
     return (pages, said, machine.shell("cat /run/record")[1],

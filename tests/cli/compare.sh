@@ -85,8 +85,15 @@ for advised in "walk skin . morph" "idle skin . morph"; do
 done
 limber compare "$here/../../assets/face.glb" --clip talk
 expect_out '^Take "morph targets": '
-limber compare "$samples/RiggedFigure.glb"
-expect_out '^Take "skin": .* and too little to convert the model for\.$'
+# A predicted time is the same everywhere; a measured one differs in each run.
+limber compare "$samples/RiggedFigure.glb" --format json
+check 'too little is saved to convert a model for' python3 -c '
+import json, sys
+report = json.load(open(sys.argv[1]))
+assert report["advice"] == "skin"
+assert (report["advised_by"] != "arm11_predicted" or
+        "too little to convert the model for" in report["reason"]), report["reason"]
+' "$out_file"
 
 # All clips are compared at once; what they share is counted once.
 limber compare "$here/../../assets/walker.glb" --format json

@@ -70,10 +70,12 @@ static bool draw_alike(const struct comparison *comparison, int a, int b)
 	if (a == 0 || b == 0) {
 		return a == b;
 	}
-	return is_morph(one) ? is_morph(other)
-			     : one->kind == other->kind &&
-			one->max_influences == other->max_influences &&
-			one->targets == other->targets;
+	if (is_morph(one)) {
+		return is_morph(other);
+	}
+	return one->kind == other->kind &&
+		one->max_influences == other->max_influences &&
+		one->targets == other->targets;
 }
 
 static void predict(struct painter *painter)

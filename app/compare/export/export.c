@@ -56,24 +56,40 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	return error;
 }
 
+/*
+ * Adds what a row's file holds. Key frames are replaced by the model in the
+ * form of an export if they only need to look the same.
+ */
+static int bake_row(struct glb *glb, const struct comparison *comparison,
+	const struct comparison_row *row, bool keys, const struct log *log)
+{
+	switch (row->kind) {
+	case COMPARISON_ORIGINAL:
+		export_skin(glb, comparison, row->max_influences, row->targets);
+		return 0;
+	case COMPARISON_RIGID:
+		return bake_rigid(glb, comparison, log);
+	default:
+		if (keys) {
+			return export_morph(glb, comparison, row, log);
+		}
+		export_skin(glb, comparison, 0, true);
+		return 0;
+	}
+}
+
 int export_load(const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log,
 	struct model **out)
 {
-	bool original = row->kind == COMPARISON_ORIGINAL;
 	const char *path = comparison->model->path;
 	struct glb glb;
 	uint8_t *data;
 	size_t size;
-	int error = 0;
+	int error;
 
 	glb_begin_memory(&glb);
-	if (row->kind == COMPARISON_RIGID) {
-		error = bake_rigid(&glb, comparison, log);
-	} else {
-		export_skin(&glb, comparison, original ? row->max_influences : 0,
-			original ? row->targets : true);
-	}
+	error = bake_row(&glb, comparison, row, false, log);
 	if (error) {
 		glb_discard(&glb);
 		return error;
@@ -91,16 +107,10 @@ static int export_row(const struct comparison *comparison,
 	const struct log *log)
 {
 	struct glb glb;
-	int error = 0;
+	int error;
 
 	glb_begin(&glb);
-	if (row->kind == COMPARISON_ORIGINAL) {
-		export_skin(&glb, comparison, row->max_influences, row->targets);
-	} else if (row->kind == COMPARISON_RIGID) {
-		error = bake_rigid(&glb, comparison, log);
-	} else {
-		error = export_morph(&glb, comparison, row, log);
-	}
+	error = bake_row(&glb, comparison, row, true, log);
 	if (error) {
 		glb_discard(&glb);
 		return error;

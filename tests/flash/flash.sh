@@ -7,8 +7,9 @@ flash=board/imx31-pdk/flash.sh
 images=$scratch/images
 served=$scratch/served
 received=$scratch/received
+chips=$scratch/chips
 loader_pid=
-mkdir "$images" "$served"
+mkdir "$images" "$served" "$chips"
 
 # Images of odd sizes, and one of whole pages.
 head -c 300001 /dev/urandom >"$images/zImage-dtb"
@@ -22,8 +23,8 @@ board() {
     rm -f "$scratch/line"
     board_loader=$1
     shift
-    python3 "$(dirname "$0")/boot_console.py" "$board_loader" "$served" \
-        "$received" "$@" >"$scratch/line" 2>"$scratch/board-errors" &
+    TMPDIR=$chips python3 "$(dirname "$0")/boot_console.py" "$board_loader" \
+        "$served" "$received" "$@" >"$scratch/line" 2>"$scratch/board-errors" &
     loader_pid=$!
     while [ ! -s "$scratch/line" ] && kill -0 "$loader_pid" 2>/dev/null; do
         sleep 0.05
@@ -241,5 +242,8 @@ rm "$images/rootfs.ubi"
 flash 'no image' write --dry-run --loader uboot
 expect_status 1
 expect_err 'rootfs.ubi: this file is missing: run make image'
+
+board_end
+check 'no board leaves its chip behind' [ -z "$(ls -A "$chips")" ]
 
 tap_done

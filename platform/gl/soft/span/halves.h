@@ -23,6 +23,15 @@
 	__smlawt((int32_t)(word), (int32_t)(half), sum)
 /* a + b of both halves, unsigned, 65535 at most */
 #define HALVES_ADD_LIMITED(a, b) ((uint32_t)__uqadd16(a, b))
+/* The upper half of a, and that of b below it */
+static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
+{
+	uint32_t halves;
+
+	__asm__("pkhtb %0, %1, %2, asr #16" : "=r"(halves) : "r"(a), "r"(b));
+	return halves;
+}
+#define UPPER_HALVES(a, b) soft_upper_halves(a, b)
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
 {
@@ -43,6 +52,8 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 		(low > 0xFFFF ? 0xFFFF : low);
 }
 
+#define UPPER_HALVES(a, b) \
+	(((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
 #define HALVES_ADD_LIMITED(a, b)        soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)                soft_halves_sum(a, b)
 #define HALVES_SUM_ADD(a, b, sum)       (soft_halves_sum(a, b) + (sum))

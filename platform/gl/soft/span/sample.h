@@ -133,6 +133,13 @@ static ALWAYS_INLINE struct soft_weights soft_weigh(uint32_t s, uint32_t t)
 	return (struct soft_weights){(across << 8) - below, below};
 }
 
+static ALWAYS_INLINE uint32_t soft_mix_masked(uint32_t above, uint32_t below,
+	uint32_t mask, struct soft_weights weights)
+{
+	return HALVES_SUM_ADD(below & mask, weights.below,
+		HALVES_SUM(above & mask, weights.above));
+}
+
 /* 8192 times a channel, of two pairs. */
 static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
 	enum soft_channel channel, uint32_t above, uint32_t below,
@@ -141,8 +148,8 @@ static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
 	struct soft_field field = soft_field(format, channel);
 	uint32_t mask = ((1u << field.bits) - 1) * 0x10001;
 
-	return HALVES_SUM_ADD(below >> field.shift & mask, weights.below,
-		HALVES_SUM(above >> field.shift & mask, weights.above));
+	return soft_mix_masked(
+		above >> field.shift, below >> field.shift, mask, weights);
 }
 
 struct soft_lanes {

@@ -75,11 +75,23 @@ static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
 	return kind.linear && kind.format != TEXEL_8888;
 }
 
+/*
+ * RGB565 in a picture of RGB565: channels are mixed where they lie, or moved so
+ * that each has 16 bits of fraction after it is multiplied with the colour.
+ */
+static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
+{
+	return kind.linear && kind.format == TEXEL_565 && !kind.wide;
+}
+
 static ALWAYS_INLINE int soft_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {
 	int bits = kind.wide ? 8 : channel == SOFT_GREEN ? 6 : 5;
 
+	if (soft_is_aligned(kind)) {
+		return 16;
+	}
 	if (!soft_has_color(kind)) {
 		/* Green leaves room for a step, see soft_draw_run(). */
 		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
@@ -115,6 +127,19 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 	struct soft_weights weights = soft_weigh(s, t);
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
+	if (soft_is_aligned(kind)) {
+		uint32_t green = 0x07E007E0;
+
+		OPAQUE(green); /* else it is loaded twice */
+		*out = (struct soft_texel){
+			.channel = {soft_mix_masked(above >> 6, below >> 6,
+					    0x03E003E0, weights),
+				soft_mix_masked(above, below, green, weights),
+				soft_mix_masked(above << 5, below << 5,
+					0x03E003E0, weights)},
+			.alpha = 255};
+		return;
+	}
 	out->channel[0] =
 		soft_mix_channel(kind.format, SOFT_RED, above, below, weights);
 	out->channel[1] = soft_mix_channel(
@@ -155,7 +180,11 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		(texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 			((SOFT_RUN_TEXELS - 1u) << bytes_log2));
 	const uint8_t *above = run->first_texel + at;
-	const uint8_t *below = above + (1u << run->stride_log2);
+	const uint32_t stride = 1u << run->stride_log2;
+	/* The form that leaves GCC the most registers for ARM's loops */
+	const uint8_t *below = kind.format == TEXEL_8888
+		? above + stride
+		: run->first_texel + stride + at;
 
 	if (!kind.linear) {
 		soft_split_texel(kind, soft_load_texel(kind.format, above), out);

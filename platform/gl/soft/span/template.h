@@ -111,10 +111,16 @@ static ALWAYS_INLINE uint32_t soft_whole(
 static ALWAYS_INLINE void soft_store_565(
 	struct soft_kind kind, const struct soft_color *color, uint16_t *pixel)
 {
+	const int32_t *c = color->channel;
 	uint32_t r = soft_whole(kind, color, 0), g = soft_whole(kind, color, 1);
 	uint32_t b = soft_whole(kind, color, 2);
 	uint32_t mask = WIDE_MASK, to = *pixel;
 
+	if (!soft_is_blended(kind) && soft_is_aligned(kind)) {
+		to = UPPER_HALVES(c[0], c[2]);
+		*pixel = (uint16_t)(to | to >> 5 | g << 5);
+		return;
+	}
 	if (!soft_is_blended(kind)) {
 		*pixel = (uint16_t)((r << 6 | g) << 5 | b);
 		return;

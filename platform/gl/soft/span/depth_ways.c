@@ -70,7 +70,10 @@ static void write_depths(const struct draw *draw)
 	}
 }
 
-/* LESS, but not written, or with colours that are blended last. */
+/*
+ * LESS, but not written, or with colours that are blended last: where the
+ * function changes a depth, it draws.
+ */
 static void draw_less(
 	struct soft_spans *spans, soft_span_function function, bool writes)
 {
@@ -80,23 +83,14 @@ static void draw_less(
 	uint32_t own[SOFT_RUN_PIXELS];
 
 	memcpy(aside, depth, run->row.count * 2);
-	run->row.depth = aside;
-	if (!spans->blended_last) {
-		function(run);
-		run->row.depth = depth;
-		return;
-	}
-	run->row.pixel = (uint8_t *)own;
+	run->row.depth = writes ? depth : aside;
+	run->row.pixel = spans->blended_last ? (uint8_t *)own : pixel;
 	function(run);
 	run->row.depth = depth;
 	run->row.pixel = pixel;
-	for (uint32_t i = 0; i < run->row.count; i++) {
-		uint16_t old = depth[i], z = aside[i];
-
-		depth[i] = writes ? z : old;
-		aside[i] = z != old;
+	if (spans->blended_last) {
+		soft_blend_row(run, own, aside, depth);
 	}
-	soft_blend_row(run, own, aside);
 }
 
 /*
@@ -112,7 +106,9 @@ static void test_drawn(struct draw *draw)
 	for (uint32_t i = 0; i < spans->run.row.count; i++, one.place++) {
 		if (spans->aside[i] == 1) {
 			spans->aside[i] =
-				soft_test(draw->soft, &one, &spans->aside[i]);
+				soft_test(draw->soft, &one, &spans->aside[i])
+				? 1
+				: UINT16_MAX;
 		}
 		one.z += one.z_right;
 	}
@@ -140,6 +136,7 @@ static void draw_tested(
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
 	uint32_t own[SOFT_RUN_PIXELS];
+	uint16_t before[SOFT_RUN_PIXELS];
 	uint8_t *at = (uint8_t *)own;
 
 	if (tests_last) {
@@ -149,13 +146,16 @@ static void draw_tested(
 	} else if (!test_aside(draw)) {
 		return;
 	}
+	if (spans->blended_last) {
+		memcpy(before, spans->aside, run->row.count * 2);
+	}
 	draw_aside(spans, function,
 		tests_last || spans->blended_last ? at : run->row.pixel);
 	if (tests_last) {
 		test_drawn(draw);
 	}
 	if (spans->blended_last) {
-		soft_blend_row(run, own, spans->aside);
+		soft_blend_row(run, own, before, spans->aside);
 	} else if (tests_last) {
 		copy_drawn(spans, at);
 	}

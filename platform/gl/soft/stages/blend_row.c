@@ -8,31 +8,6 @@ enum {
 	SRC_ALPHA_SATURATE = 0x0308,
 };
 
-/* RGB565 has no alpha: it reads as 255. */
-static ALWAYS_INLINE uint32_t widen_pixel(uint32_t p)
-{
-	uint32_t r = p >> 11, g = p >> 5 & 63, b = p & 31;
-
-	return r << 3 | r >> 2 | (g << 2 | g >> 4) << 8 |
-		(b << 3 | b >> 2) << 16 | 0xFF000000;
-}
-
-static ALWAYS_INLINE uint32_t load(bool wide, const uint8_t *pixel)
-{
-	return wide ? load_32(pixel) : widen_pixel(load_16(pixel));
-}
-
-static ALWAYS_INLINE void store(bool wide, uint8_t *pixel, uint32_t color)
-{
-	if (wide) {
-		memcpy(pixel, &color, sizeof(color));
-	} else {
-		store_16(pixel,
-			pack_565((int)(color & 255), (int)(color >> 8 & 255),
-				(int)(color >> 16 & 255)));
-	}
-}
-
 /* All four bytes times one. */
 static ALWAYS_INLINE uint32_t scale(uint32_t color, uint32_t by)
 {
@@ -79,52 +54,173 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 	}
 }
 
+static ALWAYS_INLINE void blend_8888(
+	uint8_t *pixel, uint32_t from, GLenum source, GLenum destination)
+{
+	uint32_t to = load_32(pixel);
+	uint32_t more = scale_by_factor(source, from, from, to);
+
+	to = scale_by_factor(destination, to, from, to);
+	to = BYTES_ADD_LIMITED(more, to);
+	memcpy(pixel, &to, sizeof(to));
+}
+
+/* Red, and blue in the upper half; green. */
+struct lanes {
+	uint32_t red_blue, green;
+};
+
+/* Bytes times 0 to 256. */
+static ALWAYS_INLINE struct lanes multiply(struct lanes a, struct lanes b)
+{
+	return (struct lanes){(uint32_t)HALVES_BB(a.red_blue, b.red_blue, 0) |
+			(uint32_t)HALVES_TT(a.red_blue, b.red_blue, 0) << 16,
+		a.green * b.green};
+}
+
+static ALWAYS_INLINE struct lanes multiply_by(struct lanes a, uint32_t by)
+{
+	return (struct lanes){a.red_blue * by, a.green * by};
+}
+
+/* 0 to 256 from bytes, and what 256 is more. */
+static ALWAYS_INLINE struct lanes find_shares(struct lanes bytes)
+{
+	return (struct lanes){
+		bytes.red_blue + (bytes.red_blue >> 7 & 0x00010001),
+		bytes.green + (bytes.green >> 7)};
+}
+
+static ALWAYS_INLINE struct lanes find_rest(struct lanes bytes)
+{
+	struct lanes share = find_shares(bytes);
+
+	return (struct lanes){0x01000100 - share.red_blue, 256 - share.green};
+}
+
+/* 256 times a colour's bytes times their factor; alpha is 0 to 256. */
+static ALWAYS_INLINE struct lanes scale_lanes(GLenum factor, struct lanes color,
+	struct lanes from, uint32_t alpha, struct lanes to)
+{
+	switch (factor) {
+	case GL_ZERO:
+		return (struct lanes){0, 0};
+	case GL_SRC_COLOR:
+		return multiply(color, find_shares(from));
+	case GL_ONE_MINUS_SRC_COLOR:
+		return multiply(color, find_rest(from));
+	case GL_DST_COLOR:
+		return multiply(color, find_shares(to));
+	case GL_ONE_MINUS_DST_COLOR:
+		return multiply(color, find_rest(to));
+	case GL_SRC_ALPHA:
+		return multiply_by(color, alpha);
+	case GL_ONE_MINUS_SRC_ALPHA:
+		return multiply_by(color, 256 - alpha);
+	default:
+		return multiply_by(color, 256);
+	}
+}
+
+/*
+ * Sums have RGB565's fields in the upper bits of 16: 31 is 31 * 2048 there, and
+ * 255 * 256 of a fragment's bytes becomes that.
+ */
+static ALWAYS_INLINE void blend_565(
+	uint8_t *pixel, uint32_t color, GLenum source, GLenum destination)
+{
+	const uint32_t old = load_16(pixel), alpha = color >> 24;
+	const uint32_t share = alpha + (alpha >> 7);
+	const struct lanes from = {BYTES_AS_HALVES(color), color >> 8 & 255};
+	const struct lanes to = {
+		((old & 0xF800) | old << 27) >> 8, (old & 0x07E0) >> 3};
+	const struct lanes to_byte = {
+		to.red_blue | (to.red_blue >> 5 & 0x00070007),
+		to.green | to.green >> 6};
+	struct lanes more = scale_lanes(source, from, from, share, to_byte);
+	struct lanes sum = scale_lanes(destination, to, from, share, to_byte);
+
+	more.red_blue -= more.red_blue >> 5 & 0x07FF07FF;
+	more.green -= more.green >> 6;
+	sum.red_blue = HALVES_ADD_LIMITED(sum.red_blue, more.red_blue);
+	sum.red_blue = HALVES_ADD_LIMITED(sum.red_blue, 0x04000400);
+	sum.green = HALVES_ADD_LIMITED(sum.green, more.green);
+	sum.green = HALVES_ADD_LIMITED(sum.green, 0x0200);
+	store_16(pixel,
+		(uint16_t)((sum.red_blue & 0xF800) | sum.red_blue >> 27 |
+			sum.green >> 10 << 5));
+}
+
 /* The loop for two factors: a function of its own where they are constants. */
 static ALWAYS_INLINE void blend(const struct soft_run *run,
-	const uint32_t *color, const uint16_t *drawn, GLenum source,
-	GLenum destination, bool wide)
+	const uint32_t *color, const uint16_t *before, const uint16_t *after,
+	GLenum source, GLenum destination, bool wide)
 {
 	const uint32_t *end = color + run->row.count;
 	uint8_t *pixel = run->row.pixel;
 
-	for (; color != end; color++, drawn++, pixel += wide ? 4 : 2) {
-		if (*drawn == 1) {
-			uint32_t from = *color, to = load(wide, pixel);
-			uint32_t more = scale_by_factor(source, from, from, to);
-
-			to = scale_by_factor(destination, to, from, to);
-			store(wide, pixel, BYTES_ADD_LIMITED(more, to));
+	for (; color != end; color++, pixel += wide ? 4 : 2) {
+		if (*before++ == *after++) {
+			continue;
+		}
+		if (wide) {
+			blend_8888(pixel, *color, source, destination);
+		} else {
+			blend_565(pixel, *color, source, destination);
 		}
 	}
 }
 
+/* RGB565 has no alpha: it reads as 1. */
+static GLenum find_opaque_factor(GLenum factor)
+{
+	switch (factor) {
+	case GL_DST_ALPHA:
+		return GL_ONE;
+	case GL_ONE_MINUS_DST_ALPHA:
+	case SRC_ALPHA_SATURATE:
+		return GL_ZERO;
+	default:
+		return factor;
+	}
+}
+
 static ALWAYS_INLINE void blend_by_factors(const struct soft_run *run,
-	const uint32_t *color, const uint16_t *drawn, bool wide)
+	const uint32_t *color, const uint16_t *before, const uint16_t *after,
+	GLenum source, GLenum destination, bool wide)
+{
+	if (source == GL_DST_COLOR && destination == GL_ZERO) {
+		source = GL_ZERO;
+		destination = GL_SRC_COLOR;
+	}
+#define PAIR(s, d)                                                \
+	if (source == (s) && destination == (d)) {                \
+		blend(run, color, before, after, (s), (d), wide); \
+		return;                                           \
+	}
+	PAIR(GL_SRC_ALPHA, GL_ONE)
+	PAIR(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+	PAIR(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
+	PAIR(GL_ONE, GL_ONE)
+	PAIR(GL_ZERO, GL_SRC_COLOR)
+	PAIR(GL_ONE, GL_ONE_MINUS_SRC_COLOR)
+	PAIR(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA)
+#undef PAIR
+	blend(run, color, before, after, source, destination, wide);
+}
+
+void soft_blend_row(const struct soft_run *run, const uint32_t *color,
+	const uint16_t *before, const uint16_t *after)
 {
 	GLenum source = run->stages->blend_source;
 	GLenum destination = run->stages->blend_destination;
 
-	if (source == GL_SRC_ALPHA && destination == GL_ONE) {
-		blend(run, color, drawn, GL_SRC_ALPHA, GL_ONE, wide);
-	} else if (source == GL_SRC_ALPHA &&
-		destination == GL_ONE_MINUS_SRC_ALPHA) {
-		blend(run, color, drawn, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-			wide);
-	} else if (source == GL_ONE && destination == GL_ONE_MINUS_SRC_ALPHA) {
-		blend(run, color, drawn, GL_ONE, GL_ONE_MINUS_SRC_ALPHA, wide);
-	} else if (source == GL_ONE && destination == GL_ONE) {
-		blend(run, color, drawn, GL_ONE, GL_ONE, wide);
-	} else {
-		blend(run, color, drawn, source, destination, wide);
-	}
-}
-
-void soft_blend_row(const struct soft_run *run, const uint32_t *color,
-	const uint16_t *drawn)
-{
 	if (run->draw->soft->format == PIXELS_RGBA8888) {
-		blend_by_factors(run, color, drawn, true);
+		blend_by_factors(
+			run, color, before, after, source, destination, true);
 	} else {
-		blend_by_factors(run, color, drawn, false);
+		blend_by_factors(run, color, before, after,
+			find_opaque_factor(source),
+			find_opaque_factor(destination), false);
 	}
 }

@@ -7,8 +7,11 @@
 
 #include "platform/gl/soft/span/run.h"
 
-/* Colours are RGBA8888; those whose drawn is 1 are blended. */
+/*
+ * Colours are RGBA8888. Those are blended whose depth before differs from that
+ * after the run was drawn beside the picture.
+ */
 void soft_blend_row(const struct soft_run *run, const uint32_t *color,
-	const uint16_t *drawn);
+	const uint16_t *before, const uint16_t *after);
 
 #endif

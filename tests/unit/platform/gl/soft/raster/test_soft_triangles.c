@@ -82,6 +82,35 @@ static void test_each_pixel_is_covered_once(void **state)
 	}
 }
 
+/* A line is a quad, half of which may lie beside the picture. */
+static void test_a_line_along_the_edge_covers_the_first_column(void **state)
+{
+	const float width = GL_CANVAS_WIDTH / 2.0f,
+		    height = GL_CANVAS_HEIGHT / 2.0f;
+
+	(void)state;
+	for (int part = 1; part < 16; part++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+		struct gl *gl = canvas.gl;
+		float x = (float)part / 16.0f / width - 1.0f;
+		const float end[2][2] = {
+			{x, 1.0f - 2.0f / height}, {x, 1.0f - 10.0f / height}};
+
+		gl->Color4x(ONE, 0, 0, ONE);
+		gl->Enable(GL_DEPTH_TEST);
+		gl->EnableClientState(GL_VERTEX_ARRAY);
+		gl->VertexPointer(2, GL_FLOAT, 0, end);
+		gl->DrawArrays(GL_LINES, 0, 2);
+		gl_canvas_end_frame(&canvas);
+		for (int y = 3; y < 9; y++) {
+			gl_canvas_expect(&canvas, 0, y, 255, 0, 0, 0);
+			gl_canvas_expect(&canvas, 1, y, 0, 0, 0, 0);
+		}
+		gl_canvas_close(&canvas);
+	}
+}
+
 /* A picture in the middle of a larger one that must not change. */
 struct framed {
 	struct gl_context *context;
@@ -319,6 +348,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_pixel_is_covered_once),
+		cmocka_unit_test(
+			test_a_line_along_the_edge_covers_the_first_column),
 		cmocka_unit_test(test_nothing_is_written_outside_the_picture),
 		cmocka_unit_test(test_every_plane_cuts),
 		cmocka_unit_test(test_the_same_depth_loses_to_less),

@@ -1,9 +1,25 @@
 #include "app/character/run/ground.h"
 
 #include "app/character/run/feet.h"
+#include "app/character/state/entry.h"
 #include "app/character/state/machine.h"
 
 #include <string.h>
+
+/* Seconds of the clip a second: it may have ended, or run backwards. */
+static float clip_rate(const struct character_state *state,
+	const struct character_entry *entry, float step_s)
+{
+	float duration_s = character_entry_duration_s(entry);
+	double before_s = entry->time_s - (double)(step_s * *state->rate);
+
+	if (state->repeat == CLIP_LOOP || step_s <= 0) {
+		return *state->rate;
+	}
+	return (clip_time(entry->time_s, duration_s, state->repeat) -
+		       clip_time(before_s, duration_s, state->repeat)) /
+		step_s;
+}
 
 /* The speed that the clips themselves have, by their weights. */
 static void blend_speeds(const struct character *character, float out[2])
@@ -16,7 +32,8 @@ static void blend_speeds(const struct character *character, float out[2])
 		const struct character_entry *entry = &state->entry[i];
 
 		for (int axis = 0; axis < 2; axis++) {
-			out[axis] += entry->weight * *state->rate *
+			out[axis] += entry->weight *
+				clip_rate(state, entry, character->step_s) *
 				entry->of->ground_m_per_s[axis];
 		}
 	}

@@ -7,9 +7,12 @@ CFLAGS_coverage := -O0 -g --coverage -fprofile-update=atomic \
 	-Wno-maybe-uninitialized
 # The span template takes GCC minutes and gigabytes without optimization.
 build/coverage/obj/platform/gl/soft/span/%: CFLAGS_coverage += -O1
+# A confined program may write its counters, too.
+build/coverage/obj/platform/process/confine_files.o: \
+	CFLAGS_coverage += -DCOUNTERS='"$(CURDIR)/build/coverage/obj/counters"'
 SETS_coverage := host font coverage
 PACKAGES_coverage := $(PACKAGES_host)
-LIBS_coverage := -lgif -lm -ldl --coverage -Wl,-u,__gcov_dump
+LIBS_coverage := -lgif -lm -ldl --coverage
 RUN_coverage :=
 GL_DRIVERS_coverage := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_coverage := $(DISPLAY_DRIVERS_host)
@@ -48,4 +51,4 @@ coverage: | build
 	-$(Q)BEGAN=$$(cat build/coverage-began) $(CHECK_ENVIRONMENT) \
 		tests/support/tally/tally.sh build/coverage-suites \
 		$(CHECK)/coverage $(processors)
-	$(Q)toolchain/coverage.sh $(COVERAGE)
+	$(Q)python3 -B toolchain/coverage.py $(COVERAGE)

@@ -86,6 +86,18 @@ limber play --demo arm --display null --frames 1 \
 expect_status 1
 expect_err 'x.txt: cannot be written'
 
+# Limits of a file and of its lists.
+awk 'BEGIN { for (i = 0; i <= 100000; i++) print "; a line" }' >"$conf"
+limber play --config "$conf"
+expect_refusal 1 'limber.conf: it has more than 100000 lines'
+given '[buttons]' "UP = gpio gpiochip0 $(printf '%0200d' 7)"
+limber play --config "$conf"
+expect_refusal 1 'limber.conf:2: this line has more than 198 characters'
+awk 'BEGIN { print "[buttons]"
+    for (i = 0; i < 400; i++) print "UP = key KEY_W, key KEY_A" }' >"$conf"
+limber play --config "$conf"
+expect_refusal 1 'UP: there are too many buttons: remove some'
+
 # A run that fails keeps an older record and an older film.
 echo old >"$scratch/kept.txt"
 echo old >"$scratch/kept.gif"

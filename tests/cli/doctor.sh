@@ -25,6 +25,11 @@ check 'a sound model in JSON' python3 -c '
 import json, sys
 assert json.load(open(sys.argv[1]))["findings"] == []' "$out_file"
 
+latin=$scratch/$(printf 'l\351.gltf')
+cp "$scratch/sound.gltf" "$latin"
+limber doctor "$latin" --json
+expect_refusal 1 'this name is not UTF-8'
+
 # Without a desktop, and with a window that SDL only simulates.
 unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER
 limber doctor

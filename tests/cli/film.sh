@@ -70,4 +70,16 @@ done
 check 'holding F9 shows the graph' \
     sh -c '! cmp -s "$1" "$2"' sh "$scratch/hold.png" "$scratch/tap.png"
 check 'holding F9 again hides it' cmp "$scratch/twice.png" "$scratch/tap.png"
+
+# No frame takes a second.
+budget() {
+    limber play "$slider" --display null --size 320x240 --clock fixed:10 \
+        --frames 2 --gl soft "$@"
+    expect_status 0
+}
+budget --hud --budget-ms 1000
+budget --no-labels --budget-ms 1000 --record "$scratch/plain.y4m"
+budget --no-labels --record "$scratch/without.y4m"
+check 'a budget that is kept changes nothing' \
+    cmp "$scratch/plain.y4m" "$scratch/without.y4m"
 tap_done

@@ -88,6 +88,7 @@ refused 'one model' info "$slider" "$slider"
 for demo in walker arm face; do
     refused 'a model of its own' render "$slider" --demo "$demo" -o "$out"
 done
+refused 'chooses its own clips' render --demo walker --clip walk -o "$out"
 for option in -o --size --time --clip --frames --gl --script --clock --format; do
     refused 'missing' render "$slider" "$option"
 done

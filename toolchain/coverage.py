@@ -23,7 +23,10 @@ STATED = re.compile(r"Not counted: ((?:[^*]|\*(?!/))*?)\s*\*/")
 FAILURE = re.compile(
     r"(return( \(?-E\w+\)?| -?errno| -?\w*(error|result|status)| NULL| false| -1)?"
     r"|goto \w+|break|else"
-    r"|(int )?\*?[\w.>-]*(error|result)\w* = -?(E\w+|errno|error)"
+    r"|(int )?\*?[\w.>-]*(error|result)\w* = -?(E\w+|errno|error|last_error\(\))"
+    r"|[\w>-]+->error = [\w>-]+->error \? [\w>-]+->error : -ENOMEM"
+    r"|((return )?(error )?\? |return |[\w.>-]*error = )"
+    r"(\w*fail_memory|memory_budget_fail|last_error)\(.*\)( : \w+)?"
     r"|(\(void\))?\w*(free|close|release|destroy|unlink|unmap|munmap)\w*\(.*\)"
     r"|\*?[\w.>-]+ = (NULL|0|false|-1)"
     r"|log_error\(.*(memory|strerror).*\))")

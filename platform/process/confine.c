@@ -17,6 +17,7 @@ struct confinement confine_process(
 		held.calls = confine_calls(request->connects) == 0;
 	}
 	if (!held.calls || !held.files) {
+		/* Not counted: a kernel without one of them. */
 		log_note(log, "confinement: this kernel has no %s%s%s",
 			held.calls ? "" : "seccomp",
 			held.calls || held.files ? "" : " and no ",

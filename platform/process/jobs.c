@@ -83,6 +83,7 @@ int jobs_processors(void)
 	long count = sysconf(_SC_NPROCESSORS_ONLN);
 
 	if (count > JOBS_THREADS_MAX) {
+		/* Not counted: a machine with so many processors. */
 		return JOBS_THREADS_MAX;
 	}
 	return count > 1 ? (int)count : 1;

@@ -15,6 +15,7 @@ static int open_device(const char *path)
 	return fd < 0 ? -errno : fd;
 }
 
+/* Not counted: the keyboards of tests/board/test_keys.py come here. */
 static int describe(int fd, struct evdev_description *out)
 {
 	int clock = CLOCK_MONOTONIC;

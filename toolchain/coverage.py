@@ -26,7 +26,7 @@ FAILURE = re.compile(
     r"|(int )?\*?[\w.>-]*(error|result)\w* = -?(E\w+|errno|error|last_error\(\))"
     r"|[\w>-]+->error = [\w>-]+->error \? [\w>-]+->error : -ENOMEM"
     r"|((return )?(error )?\? |return |[\w.>-]*error = )"
-    r"(\w*fail_memory|memory_budget_fail|last_error)\(.*\)( : \w+)?"
+    r"(\w*(fail|no)_memory|memory_budget_fail|last_error)\(.*\)( : \w+)?"
     r"|(\(void\))?\w*(free|close|release|destroy|unlink|unmap|munmap)\w*\(.*\)"
     r"|\*?[\w.>-]+ = (NULL|0|false|-1)"
     r"|log_error\(.*(memory|strerror).*\))")

@@ -35,6 +35,7 @@ struct clip_cursor {
 	const struct model_clip *clip; /* theirs; NULL: none, the rest pose */
 	struct pose still;             /* rest pose and constant channels */
 	int turn_count, moving_count, part_count;
+	int float_turn_count;       /* of turn; packed ones follow */
 	struct turn *turn;          /* [channel_count], rotations by slerp */
 	struct clip_moving *moving; /* [channel_count], all others */
 	struct clip_part *part;     /* [node_count], without these rotations */
@@ -75,7 +76,7 @@ void clip_sample_as(const struct model_clip *clip, float time_s,
  * Writes the whole pose: the rest values where the clip has no channel, and the
  * first key of channels that never change (model_channel.constant). The result
  * is that of pose_rest() and clip_sample_as(), but for rounding in constant
- * channels, and takes less time.
+ * channels and the lengths of packed rotations (turns.h), and takes less time.
  */
 void clip_pose(const struct model_clip *clip, float time_s,
 	enum clip_interpolation interpolation, struct clip_cursor *cursor,

@@ -83,10 +83,16 @@ struct clip_moment clip_moment_search(
 	return moment;
 }
 
-static const float *key_value(const struct model_channel *channel, int key)
+/* A channel's value at a key. Those of packed keys are unpacked into room. */
+static const float *key_value(
+	const struct model_channel *channel, int key, float room[4])
 {
 	size_t width = (size_t)channel->width;
 
+	if (channel->packed) {
+		model_channel_key(channel, key, room);
+		return room;
+	}
 	if (channel->interpolation == MODEL_CUBICSPLINE) {
 		return channel->value + (3 * (size_t)key + 1) * width;
 	}
@@ -119,8 +125,8 @@ static void sample_tangents(
 	float interval_s = channel->time_s[key + 1] - channel->time_s[key];
 	struct hermite h = hermite_at(u, interval_s);
 	int width = channel->width;
-	const float *from = key_value(channel, key);
-	const float *to = key_value(channel, key + 1);
+	const float *from = key_value(channel, key, NULL);
+	const float *to = key_value(channel, key + 1, NULL);
 	const float *out_tangent = from + width;
 	const float *in_tangent = to - width;
 
@@ -151,10 +157,11 @@ static void sample_catmull_rom(
 	int after = key + 2 < channel->key_count ? key + 2 : key + 1;
 	const float *time_s = channel->time_s;
 	struct hermite h = hermite_at(u, time_s[key + 1] - time_s[key]);
-	const float *p0 = key_value(channel, before);
-	const float *p1 = key_value(channel, key);
-	const float *p2 = key_value(channel, key + 1);
-	const float *p3 = key_value(channel, after);
+	float room[4][4];
+	const float *p0 = key_value(channel, before, room[0]);
+	const float *p1 = key_value(channel, key, room[1]);
+	const float *p2 = key_value(channel, key + 1, room[2]);
+	const float *p3 = key_value(channel, after, room[3]);
 	float side0 = side_of(channel, p0, p1);
 	float side2 = side_of(channel, p2, p1);
 	float side3 = side_of(channel, p3, p2) * side2;
@@ -173,8 +180,9 @@ static void sample_catmull_rom(
 static void sample_linear(
 	const struct model_channel *channel, int key, float u, float *out)
 {
-	const float *from = key_value(channel, key);
-	const float *to = key_value(channel, key + 1);
+	float room[2][4];
+	const float *from = key_value(channel, key, room[0]);
+	const float *to = key_value(channel, key + 1, room[1]);
 
 	if (channel->path == MODEL_ROTATION) {
 		quat_slerp(from, to, u, out);
@@ -187,7 +195,9 @@ static void sample_linear(
 
 static void sample_key(const struct model_channel *channel, int key, float *out)
 {
-	memcpy(out, key_value(channel, key),
+	float room[4];
+
+	memcpy(out, key_value(channel, key, room),
 		(size_t)channel->width * sizeof(*out));
 }
 

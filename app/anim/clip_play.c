@@ -55,13 +55,19 @@ static void add_turn(
 {
 	const float *only = cursor->only;
 
-	cursor->turn[cursor->turn_count++] = (struct turn){
+	struct turn *turn = &cursor->turn[cursor->turn_count++];
+
+	*turn = (struct turn){
 		.time_s = channel->time_s,
-		.value = channel->value,
 		.offset = (int)clip_channel_offset(channel),
 		.weight = only ? only[channel->node] : 1,
 		.last = channel->key_count - 1,
 	};
+	if (channel->packed) {
+		turn->packed = channel->packed;
+	} else {
+		turn->value = channel->value;
+	}
 }
 
 static void add_moving(struct clip_cursor *cursor,
@@ -77,7 +83,14 @@ static void add_moving(struct clip_cursor *cursor,
 	};
 }
 
-/* Separates constant channels from those that change. */
+static bool is_still(
+	const struct clip_cursor *cursor, const struct model_channel *channel)
+{
+	return channel->constant ||
+		(cursor->only && cursor->only[channel->node] == 0);
+}
+
+/* Writes constant channels into cursor->still, and lists what moves. */
 static void divide_channels(struct clip_cursor *cursor,
 	const struct model_clip *clip, const struct model *model)
 {
@@ -86,13 +99,10 @@ static void divide_channels(struct clip_cursor *cursor,
 		float *out = clip_channel_target(channel, &cursor->still);
 		int key = 0;
 
-		if (channel->constant ||
-			(cursor->only && cursor->only[channel->node] == 0)) {
+		if (is_still(cursor, channel)) {
 			clip_sample_channel(channel, channel->time_s[0],
 				CLIP_AUTO, &key, out);
-		} else if (is_turn(channel)) {
-			add_turn(cursor, channel);
-		} else {
+		} else if (!is_turn(channel)) {
 			add_moving(cursor, channel, model);
 		}
 	}
@@ -104,6 +114,23 @@ static int compare_turns(const void *a, const void *b)
 	const struct turn *left = a, *right = b;
 
 	return (left->time_s > right->time_s) - (left->time_s < right->time_s);
+}
+
+static void add_turns(
+	struct clip_cursor *cursor, const struct model_clip *clip, bool packed)
+{
+	int first = cursor->turn_count;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (!is_still(cursor, channel) && is_turn(channel) &&
+			!channel->packed == !packed) {
+			add_turn(cursor, channel);
+		}
+	}
+	qsort(cursor->turn + first, (size_t)(cursor->turn_count - first),
+		sizeof(*cursor->turn), compare_turns);
 }
 
 static bool is_turned(const struct clip_cursor *cursor, int node)
@@ -149,12 +176,14 @@ static void begin_clip(struct clip_cursor *cursor,
 {
 	cursor->begun = true;
 	cursor->clip = clip;
-	cursor->turn_count = cursor->moving_count = cursor->part_count = 0;
+	cursor->turn_count = cursor->float_turn_count = 0;
+	cursor->moving_count = cursor->part_count = 0;
 	pose_rest(&cursor->still, model);
 	if (clip) {
 		divide_channels(cursor, clip, model);
-		qsort(cursor->turn, (size_t)cursor->turn_count,
-			sizeof(*cursor->turn), compare_turns);
+		add_turns(cursor, clip, false);
+		cursor->float_turn_count = cursor->turn_count;
+		add_turns(cursor, clip, true);
 	}
 	list_parts(cursor, model);
 }
@@ -192,6 +221,8 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	enum clip_interpolation interpolation, struct clip_cursor *cursor,
 	struct pose *pose)
 {
+	int floats;
+
 	/* With a given interpolation, a constant channel may round otherwise. */
 	if (interpolation != CLIP_AUTO || !cursor->moving ||
 		clip->channel_count > cursor->channel_count) {
@@ -202,9 +233,17 @@ void clip_pose(const struct model_clip *clip, float time_s,
 	if (!cursor->begun || cursor->clip != clip) {
 		begin_clip(cursor, clip, pose->model);
 	}
+	floats = cursor->float_turn_count;
 	pose_copy(pose, &cursor->still);
-	turns_set(cursor->turn, cursor->turn_count, turn_time_s(time_s),
-		pose->local);
+	if (floats > 0) {
+		turns_set(
+			cursor->turn, floats, turn_time_s(time_s), pose->local);
+	}
+	if (cursor->turn_count > floats) {
+		turns_set_packed(cursor->turn + floats,
+			cursor->turn_count - floats, turn_time_s(time_s),
+			pose->local);
+	}
 	sample_moving(cursor, time_s, pose);
 }
 
@@ -243,7 +282,23 @@ static void mix_part(struct pose *pose, const struct pose *other,
 	pose->animated[part->node] |= part->animated;
 }
 
-/* turns_mix() with rotations that are in another pose. */
+static void mix_turns(const struct clip_cursor *cursor, float time_s,
+	float amount, struct pose *pose)
+{
+	int floats = cursor->float_turn_count;
+
+	if (floats > 0) {
+		turns_mix(cursor->turn, floats, turn_time_s(time_s),
+			pose->local, amount);
+	}
+	if (cursor->turn_count > floats) {
+		turns_mix_packed(cursor->turn + floats,
+			cursor->turn_count - floats, turn_time_s(time_s),
+			pose->local, amount);
+	}
+}
+
+/* The same with rotations that are in another pose. */
 static void mix_turned(
 	const struct clip_cursor *cursor, float amount, struct pose *pose)
 {
@@ -273,8 +328,7 @@ void clip_mix(const struct model_clip *clip, float time_s,
 		mix_turned(cursor, amount, pose);
 	} else {
 		sample_moving(cursor, time_s, &cursor->still);
-		turns_mix(cursor->turn, cursor->turn_count, turn_time_s(time_s),
-			pose->local, amount);
+		mix_turns(cursor, time_s, amount, pose);
 	}
 	end = cursor->part + cursor->part_count;
 	for (const struct clip_part *part = cursor->part; part < end; part++) {

@@ -14,11 +14,14 @@
 struct turn {
 	const float *time_s; /* [last + 1], strictly increasing, the first one
 				at least 0 and not -0 */
-	const float *value;  /* [last + 1][4], x y z w */
-	int offset;          /* bytes from the transforms to the rotation */
-	float weight;        /* 0..1, multiplies amount of turns_mix() */
-	int key;  /* of the last call; at first any one, 0..last - 1 */
-	int last; /* of the keys; at least 1 */
+	union {
+		const float *value;         /* [last + 1][4], x y z w */
+		const int16_t (*packed)[4]; /* see struct model_channel */
+	};
+	int offset;   /* bytes from the transforms to the rotation */
+	float weight; /* 0..1, multiplies amount of turns_mix() */
+	int key;      /* of the last call; at first any one, 0..last - 1 */
+	int last;     /* of the keys; at least 1 */
 };
 
 /*
@@ -35,6 +38,17 @@ void turns_set(
  * t), with the sign of rotation that lies in local's half of the sphere.
  */
 void turns_mix(struct turn *turn, int count, float time_s,
+	struct transform *local, float amount);
+
+/*
+ * The same for turns of which packed is set. The rotations are as long as the
+ * keys, which is 1 to 4e-5, and otherwise right to 4e-6. Weights and products
+ * are integers: a key times a weight of 2^38 / 32767 is a number of 2^22 to 1,
+ * the last bits of a float between 2 and 4.
+ */
+void turns_set_packed(
+	struct turn *turn, int count, float time_s, struct transform *local);
+void turns_mix_packed(struct turn *turn, int count, float time_s,
 	struct transform *local, float amount);
 
 #endif

@@ -67,7 +67,8 @@ static int pose_instance(struct instance *instance,
 		return error;
 	}
 	if (clip >= 0) {
-		clip_pose(&instance->model->clip[clip],
+		/* More exact than clip_pose() where a file packs rotations. */
+		clip_sample_as(&instance->model->clip[clip],
 			(float)options->motion.time_s,
 			options->motion.interpolation, &cursor, &instance->pose);
 	}

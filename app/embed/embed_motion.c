@@ -96,6 +96,22 @@ static void print_channels(struct embed *embed)
 	fprintf(embed->out, "%s\n};\n", embed->channels ? "" : "\n\t{0},");
 }
 
+static void print_values(
+	struct embed *embed, const struct model_channel *channel)
+{
+	if (!channel->packed) {
+		embed_put_floats(
+			embed, channel->value, embed_channel_values(channel));
+		return;
+	}
+	for (int k = 0; k < channel->key_count; k++) {
+		float rotation[4];
+
+		model_channel_key(channel, k, rotation);
+		embed_put_floats(embed, rotation, 4);
+	}
+}
+
 void embed_print_clip(struct embed *embed)
 {
 	embed_begin_table(embed, "float", "time", "", embed->times, 4);
@@ -106,8 +122,7 @@ void embed_print_clip(struct embed *embed)
 	embed_end_table(embed, embed->times);
 	embed_begin_table(embed, "float", "value", "", embed->values, 4);
 	for (int c = 0; c < embed->channels; c++) {
-		embed_put_floats(embed, embed->clip->channel[c].value,
-			embed_channel_values(&embed->clip->channel[c]));
+		print_values(embed, &embed->clip->channel[c]);
 	}
 	embed_end_table(embed, embed->values);
 	print_channels(embed);

@@ -176,7 +176,19 @@ struct model_channel {
 	int width;           /* floats of a value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */
-	const float *value;  /* [key_count * width], times 3 if cubic */
+	const float *value;  /* [key_count * width], times 3 if cubic; NULL if
+				packed is not */
+	/*
+	 * NULL, or the keys of a linear rotation as the file stores them, in
+	 * shorts of which MODEL_PACKED_UNIT stand for 1: [key_count][4]. Their
+	 * length is 1 to 4e-5. Consecutive keys lie in the same half of the
+	 * sphere.
+	 */
+	const int16_t (*packed)[4];
+};
+
+enum {
+	MODEL_PACKED_UNIT = 32767
 };
 
 struct model_clip {
@@ -319,6 +331,12 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count);
  * number. -1 when there is none.
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
+
+/*
+ * Writes the value of a key of a channel that is not cubic: channel->width
+ * floats. Rotations that are packed become unit length.
+ */
+void model_channel_key(const struct model_channel *channel, int key, float *out);
 
 /* The first node whose mesh has morph targets, or -1. */
 int model_find_morphed(const struct model *model);

@@ -3,6 +3,7 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
 /*
@@ -20,7 +21,14 @@ static float largest_value(const struct model_clip *clip, enum model_path path)
 		size_t count =
 			(size_t)channel->key_count * (size_t)channel->width;
 
-		for (size_t i = 0; channel->path == path && i < count; i++) {
+		if (channel->path != path) {
+			continue;
+		}
+		if (!channel->value) {
+			largest = largest > 1 ? largest : 1;
+			continue;
+		}
+		for (size_t i = 0; i < count; i++) {
 			float size = scalar_abs(channel->value[i]);
 
 			largest = size > largest ? size : largest;
@@ -60,7 +68,7 @@ static void find_constant(struct model_clip *clip)
 	for (int c = 0; c < clip->channel_count; c++) {
 		struct model_channel *channel = &clip->channel[c];
 
-		channel->constant =
+		channel->constant = channel->value &&
 			channel->interpolation != MODEL_CUBICSPLINE &&
 			holds_still(channel, tolerance[channel->path]);
 	}
@@ -73,32 +81,108 @@ static size_t number_count(const struct model_channel *channel)
 		(channel->interpolation == MODEL_CUBICSPLINE ? 3 : 1);
 }
 
+static int keep_floats(struct model_channel *channel, struct arena *arena)
+{
+	size_t count = number_count(channel);
+	float *value = ARENA_ARRAY(arena, float, count);
+
+	if (!value) {
+		return -ENOMEM;
+	}
+	channel->value = memcpy(value, channel->value, count * sizeof(*value));
+	channel->packed = NULL;
+	return 0;
+}
+
+static int64_t packed_dot(const int16_t a[4], const int16_t b[4])
+{
+	return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] +
+		(int64_t)a[2] * b[2] + (int64_t)a[3] * b[3];
+}
+
+/* Whether the loops over packed keys reproduce them; see turns.h. */
+static bool can_pack(const struct model_channel *channel)
+{
+	const float one = (float)MODEL_PACKED_UNIT * (float)MODEL_PACKED_UNIT;
+
+	for (int k = 0; k < channel->key_count; k++) {
+		const int16_t *q = channel->packed[k];
+		float length2 = (float)packed_dot(q, q);
+
+		if (!(scalar_abs(length2 - one) <= 8e-5f * one)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static int keep_packed(struct model_channel *channel, struct arena *arena)
+{
+	size_t count = (size_t)channel->key_count;
+	int16_t(*packed)[4] = arena_alloc(arena, count, sizeof(*packed));
+
+	if (!packed) {
+		return -ENOMEM;
+	}
+	memcpy(packed, channel->packed, count * sizeof(*packed));
+	for (size_t k = 1; k < count; k++) {
+		if (packed_dot(packed[k - 1], packed[k]) < 0) {
+			for (int i = 0; i < 4; i++) {
+				packed[k][i] = (int16_t)-packed[k][i];
+			}
+		}
+	}
+	channel->packed = (const int16_t(*)[4])packed;
+	channel->value = NULL;
+	return 0;
+}
+
 int model_keep_clips(struct model *model)
 {
+	int error = 0;
+
 	for (int c = 0; c < model->clip_count; c++) {
 		struct model_clip *clip = &model->clip[c];
 
 		find_constant(clip);
-		for (int i = 0; i < clip->channel_count; i++) {
+		for (int i = 0; !error && i < clip->channel_count; i++) {
 			struct model_channel *channel = &clip->channel[i];
-			float *value;
+			bool packs = !channel->constant && channel->packed &&
+				can_pack(channel);
 
 			channel->key_count =
 				channel->constant ? 1 : channel->key_count;
-			value = ARENA_ARRAY(
-				&model->arena, float, number_count(channel));
-			if (!value) {
-				return -ENOMEM;
-			}
-			channel->value = memcpy(value, channel->value,
-				number_count(channel) * sizeof(*value));
+			error = packs ? keep_packed(channel, &model->arena)
+				      : keep_floats(channel, &model->arena);
 		}
 	}
-	return 0;
+	return error;
+}
+
+void model_channel_key(const struct model_channel *channel, int key, float *out)
+{
+	size_t width = (size_t)channel->width;
+	double length2 = 0;
+
+	if (!channel->packed) {
+		memcpy(out, channel->value + (size_t)key * width,
+			width * sizeof(*out));
+		return;
+	}
+	for (size_t i = 0; i < width; i++) {
+		out[i] = (float)channel->packed[key][i] / MODEL_PACKED_UNIT;
+		length2 += (double)out[i] * out[i];
+	}
+	for (size_t i = 0; i < width; i++) {
+		out[i] = (float)(out[i] / sqrt(length2));
+	}
 }
 
 static bool is_unit(const struct model_channel *channel)
 {
+	if (channel->packed) {
+		return true;
+	}
 	if (channel->path != MODEL_ROTATION ||
 		channel->interpolation == MODEL_CUBICSPLINE) {
 		return false;

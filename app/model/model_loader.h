@@ -45,7 +45,8 @@ int model_max_joint(const struct model_primitive *primitive);
 
 /*
  * Copies the keys of all channels, which are in scratch memory, into the
- * model's arena: only the first key of a constant channel. 0 or -ENOMEM.
+ * model's arena: only the first key of a constant channel. Channels whose
+ * packed is set, beside value, keep one of both. 0 or -ENOMEM.
  */
 int model_keep_clips(struct model *model);
 

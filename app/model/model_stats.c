@@ -149,7 +149,10 @@ void model_stats_add_clip(
 		}
 		stats->channel_count++;
 		stats->key_count += channel->key_count;
-		stats->clip_bytes += keys * (width + 1) * sizeof(float);
+		stats->clip_bytes += keys * sizeof(*channel->time_s) +
+			keys * width *
+				(channel->packed ? sizeof(int16_t)
+						 : sizeof(float));
 	}
 }
 

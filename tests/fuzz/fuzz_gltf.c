@@ -59,6 +59,21 @@ static void check_nodes(const struct model *model, const int *joint_of_mesh)
 	}
 }
 
+static void check_key(const struct model_channel *channel, int key)
+{
+	float rotation[4], length2 = 0;
+
+	if (!channel->packed) {
+		fuzz_expect(isfinite(channel->value[key * channel->width]));
+		return;
+	}
+	model_channel_key(channel, key, rotation);
+	for (int i = 0; i < 4; i++) {
+		length2 += rotation[i] * rotation[i];
+	}
+	fuzz_expect(fabsf(length2 - 1) < 1e-5f);
+}
+
 static void check_clips(const struct model *model)
 {
 	int i, k;
@@ -72,7 +87,8 @@ static void check_clips(const struct model *model)
 				channel->node < model->node_count);
 			fuzz_expect(
 				channel->key_count > 0 && channel->width > 0);
-			fuzz_expect(isfinite(channel->value[0]));
+			check_key(channel, 0);
+			check_key(channel, channel->key_count - 1);
 			fuzz_expect(channel->time_s[channel->key_count - 1] <=
 					model->clip[i].duration_s ||
 				channel->time_s[0] < 0);

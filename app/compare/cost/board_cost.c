@@ -127,13 +127,16 @@ static bool has_own_times(
  */
 static double find_wide_share(const struct model_channel *channel)
 {
-	const float *value = channel->value, *time_s = channel->time_s;
+	const float *time_s = channel->time_s;
 	int last = channel->key_count - 1;
 	double wide_s = 0.0;
 
-	for (int i = 0; i < last; i++, value += 4) {
-		float cosine = value[0] * value[4] + value[1] * value[5] +
-			value[2] * value[6] + value[3] * value[7];
+	for (int i = 0; i < last; i++) {
+		float a[4], b[4], cosine;
+
+		model_channel_key(channel, i, a);
+		model_channel_key(channel, i + 1, b);
+		cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 
 		if (fabsf(cosine) - 1.0f <= -0.05f) {
 			wide_s += (double)(time_s[i + 1] - time_s[i]);

@@ -101,9 +101,12 @@ static json_t *sampler_json(struct glb *glb,
 				1, GLB_FLOAT)};
 	}
 	return json_pack("{s:i, s:i, s:s}", "input", last->accessor, "output",
-		glb_add_array(glb, channel->value,
-			scalars ? values * channel->width : values, width,
-			GLB_FLOAT),
+		channel->packed
+			? glb_add_array(glb, channel->packed, values, width,
+				  GLB_SHORT)
+			: glb_add_array(glb, channel->value,
+				  scalars ? values * channel->width : values,
+				  width, GLB_FLOAT),
 		"interpolation", interpolation[channel->interpolation]);
 }
 

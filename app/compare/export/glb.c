@@ -153,6 +153,9 @@ int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	if (accessor && component == GLB_FLOAT && (width == 1 || width == 3)) {
 		set_bounds(accessor, data, count, width);
 	}
+	if (accessor && component == GLB_SHORT) {
+		json_object_set_new(accessor, "normalized", json_true());
+	}
 	return add_accessor(glb, accessor);
 }
 

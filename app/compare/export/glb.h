@@ -52,7 +52,7 @@ int glb_add_view(struct glb *glb, const void *data, size_t size);
 /*
  * Appends count elements of width components each (1 to 4, or 16). Returns the
  * accessor's number or -1. Floats of width 1 and 3 get the bounds that glTF
- * demands of times and positions.
+ * demands of times and positions. Shorts stand for -1 to 1 (glTF's normalized).
  */
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);

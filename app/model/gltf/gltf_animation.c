@@ -1,6 +1,7 @@
 #include "app/model/gltf/gltf_internal.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
 struct sampler {
@@ -125,6 +126,30 @@ static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	return error;
 }
 
+/* Whether the file's numbers are those of model_channel.packed. */
+static bool is_packed(
+	const struct gltf_accessor *output, const struct model_channel *channel)
+{
+	return channel->path == MODEL_ROTATION &&
+		channel->interpolation == MODEL_LINEAR &&
+		output->base.component == GLTF_I16 && output->normalized;
+}
+
+static int keep_packed(
+	const struct gltf_at *at, const float *value, struct model_channel *out)
+{
+	size_t count = (size_t)out->key_count;
+	int16_t(*packed)[4] =
+		gltf_alloc(at, &at->gltf->scratch, count, sizeof(*packed));
+
+	for (size_t i = 0; packed && i < 4 * count; i++) {
+		packed[i / 4][i % 4] =
+			(int16_t)lrintf(value[i] * MODEL_PACKED_UNIT);
+	}
+	out->packed = (const int16_t(*)[4])packed;
+	return packed ? 0 : -ENOMEM;
+}
+
 static int read_values(const struct gltf_at *sampler,
 	const struct gltf_accessor *output, struct model_channel *out)
 {
@@ -147,6 +172,9 @@ static int read_values(const struct gltf_at *sampler,
 		return -ENOMEM;
 	}
 	error = gltf_unpack_floats(&at, output, value);
+	if (!error && is_packed(output, out)) {
+		error = keep_packed(&at, value, out);
+	}
 	if (!error) {
 		error = normalize_keys(
 			&at, output->base.component == GLTF_F32, value, out);

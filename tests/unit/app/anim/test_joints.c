@@ -16,6 +16,22 @@
 #include <stddef.h>
 #include <string.h>
 
+/* The portable loops under other names, which the board's must equal. */
+#define turns_set        portable_set
+#define turns_mix        portable_mix
+#define turns_set_packed portable_set_packed
+#define turns_mix_packed portable_mix_packed
+static void turns_set(struct turn *, int, float, struct transform *);
+static void turns_mix(struct turn *, int, float, struct transform *, float);
+static void turns_set_packed(struct turn *, int, float, struct transform *);
+static void turns_mix_packed(
+	struct turn *, int, float, struct transform *, float);
+#include "app/anim/portable/turns.c"
+#undef turns_set
+#undef turns_mix
+#undef turns_set_packed
+#undef turns_mix_packed
+
 enum {
 	JOINTS = 40
 };
@@ -234,6 +250,153 @@ static void test_mixes_turns_as_the_single_function_does(void **state)
 	}
 }
 
+/* The same rotations in shorts, of which consecutive ones are on one side. */
+struct packed_turning {
+	struct turning floats;
+	int16_t key[JOINTS][KEYS][4];
+	struct turn turn[JOINTS];
+};
+
+static void pack_turning(struct packed_turning *all, float angle)
+{
+	fill_turning(&all->floats, angle);
+	for (int j = 0; j < JOINTS; j++) {
+		for (int k = 0; k < KEYS; k++) {
+			const float *q = all->floats.value[j][k];
+			int16_t *key = all->key[j][k];
+			int32_t cosine = 0;
+
+			for (int i = 0; i < 4; i++) {
+				key[i] = (int16_t)lrintf(
+					q[i] * MODEL_PACKED_UNIT);
+				cosine += k > 0 ? key[i] * all->key[j][k - 1][i]
+						: 0;
+			}
+			for (int i = 0; cosine < 0 && i < 4; i++) {
+				key[i] = (int16_t)-key[i];
+			}
+		}
+		all->turn[j] = all->floats.turn[j];
+		all->turn[j].packed = (const int16_t(*)[4])all->key[j];
+	}
+}
+
+/* How far two rotations are apart, whatever their signs and lengths. */
+static float apart(const float a[4], const float b[4])
+{
+	float unit[2][4], sum = 0, difference = 0;
+
+	memcpy(unit[0], a, sizeof(unit[0]));
+	memcpy(unit[1], b, sizeof(unit[1]));
+	quat_normalize(unit[0]);
+	quat_normalize(unit[1]);
+	for (int i = 0; i < 4; i++) {
+		sum += fabsf(unit[0][i] + unit[1][i]);
+		difference += fabsf(unit[0][i] - unit[1][i]);
+	}
+	return sum < difference ? sum : difference;
+}
+
+static float length_of(const float q[4])
+{
+	return sqrtf(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+}
+
+static const float PACKED_ANGLES[] = {0.01f, 0.1f, 0.3f, 0.6f, 1, 4};
+
+/*
+ * The unit of a key is 3e-5, so four half units and one of weights are apart
+ * from the rotation between the floats.
+ */
+static void test_packed_turns_are_as_right_as_their_keys(void **state)
+{
+	static struct packed_turning all;
+	struct transform local[JOINTS];
+
+	(void)state;
+	for (size_t a = 0; a < ARRAY_COUNT(PACKED_ANGLES); a++) {
+		pack_turning(&all, PACKED_ANGLES[a]);
+		for (int step = 0; step < 200; step++) {
+			float time_s = turn_time_s(step);
+
+			fill(local);
+			turns_set_packed(all.turn, JOINTS, time_s, local);
+			for (int j = 0; j < JOINTS; j++) {
+				const float *got = local[j].rotation;
+				float want[4];
+
+				want_turn(&all.floats.turn[j], time_s, want);
+				assert_true(apart(got, want) < 9e-5f);
+				assert_near(length_of(got), 1, 4e-5);
+			}
+		}
+	}
+}
+
+/* Between keys that packing does not round, only the weights are rounded. */
+static void test_packed_turns_have_exact_weights(void **state)
+{
+	static const int16_t exact[2][4] = {
+		{0, 0, 0, MODEL_PACKED_UNIT}, {0, 0, 19660, 26214}};
+	static const float time_s[2] = {0, 1};
+	struct transform local = transform_identity();
+	struct turn turn = {.time_s = time_s,
+		.packed = exact,
+		.offset = offsetof(struct transform, rotation),
+		.last = 1};
+
+	(void)state;
+	for (int i = 0; i <= 64; i++) {
+		float u = (float)i / 64;
+		double angle = (double)u * atan2(0.6, 0.8);
+
+		turns_set_packed(&turn, 1, u, &local);
+		assert_near(local.rotation[2], sin(angle), 2e-5);
+		assert_near(local.rotation[3], cos(angle), 2e-5);
+		assert_near(local.rotation[0], 0, 0);
+	}
+}
+
+static void assert_equal_loops(struct packed_turning *all,
+	struct packed_turning *other, float time_s, float amount)
+{
+	struct transform local[JOINTS], want[JOINTS];
+
+	fill(local);
+	fill(want);
+	turns_set_packed(all->turn, JOINTS, time_s, local);
+	portable_set_packed(other->turn, JOINTS, time_s, want);
+	assert_memory_equal(local, want, sizeof(local));
+	turns_set(all->floats.turn, JOINTS, time_s, local);
+	portable_set(other->floats.turn, JOINTS, time_s, want);
+	assert_memory_equal(local, want, sizeof(local));
+	fill(local);
+	fill(want);
+	turns_mix_packed(all->turn, JOINTS, time_s, local, amount);
+	portable_mix_packed(other->turn, JOINTS, time_s, want, amount);
+	assert_memory_equal(local, want, sizeof(local));
+	turns_mix(all->floats.turn, JOINTS, time_s, local, amount);
+	portable_mix(other->floats.turn, JOINTS, time_s, want, amount);
+	assert_memory_equal(local, want, sizeof(local));
+	turns_set_packed(all->turn, 0, 0, local);
+	assert_memory_equal(local, want, sizeof(local));
+}
+
+static void test_turns_equal_the_portable_ones(void **state)
+{
+	static struct packed_turning all, other;
+
+	(void)state;
+	for (size_t a = 0; a < ARRAY_COUNT(PACKED_ANGLES); a++) {
+		pack_turning(&all, PACKED_ANGLES[a]);
+		pack_turning(&other, PACKED_ANGLES[a]);
+		for (int step = 0; step < 200; step++) {
+			assert_equal_loops(&all, &other, turn_time_s(step),
+				(float)(step % 5) * 0.25f);
+		}
+	}
+}
+
 /* The compiler's code needs vector length 1 in FPSCR. */
 static void test_leaves_the_processors_mode_alone(void **state)
 {
@@ -242,12 +405,16 @@ static void test_leaves_the_processors_mode_alone(void **state)
 	volatile float a = 2, b = 3;
 	struct transform local = transform_identity();
 	static struct turning all;
+	static struct packed_turning packed;
 
 	(void)state;
 	joints_to_matrices(&local, 1, one);
 	fill_turning(&all, 4);
 	turns_mix(all.turn, 1, 0.15f, &local, 1);
 	turns_set(all.turn, 1, 0.25f, &local);
+	pack_turning(&packed, 4);
+	turns_mix_packed(packed.turn, 1, 0.15f, &local, 1);
+	turns_set_packed(packed.turn, 1, 0.25f, &local);
 	joints_multiply((const mat4 *)one, index, sizeof(*index),
 		(const mat4 *)one, out, 1);
 	assert_true(a * b + a == 8);
@@ -262,6 +429,9 @@ int main(void)
 		cmocka_unit_test(test_walks_down_a_tree_in_place),
 		cmocka_unit_test(test_turns_as_the_single_function_does),
 		cmocka_unit_test(test_mixes_turns_as_the_single_function_does),
+		cmocka_unit_test(test_packed_turns_are_as_right_as_their_keys),
+		cmocka_unit_test(test_packed_turns_have_exact_weights),
+		cmocka_unit_test(test_turns_equal_the_portable_ones),
 		cmocka_unit_test(test_leaves_the_processors_mode_alone),
 	};
 

@@ -1,5 +1,6 @@
 /* glTF animations: interpolations, number formats, durations. */
 #include "app/model/model_loader.h"
+#include "app/model/model_stats.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
@@ -53,7 +54,77 @@ static void test_converts_signed_integer_rotations(void **state)
 
 	(void)state;
 	assert_all_near(channel_of(model, 0, 0)->value, bytes, 8, 0);
-	assert_all_near(channel_of(model, 0, 1)->value, shorts, 8, 0);
+	for (int k = 0; k < 2; k++) {
+		float key[4];
+
+		model_channel_key(channel_of(model, 0, 1), k, key);
+		assert_all_near(key, shorts + 4 * k, 4, 0);
+	}
+	model_destroy(model);
+}
+
+/* Two keys as shorts, a quarter of a turn about z apart, and their interpolation. */
+#define TURNING(keys, interpolation)                                        \
+	"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{'uri':"        \
+	"'data:;base64,AAAAAAAAgD8" keys "','byteLength':24}],"             \
+	"'bufferViews':[{'buffer':0,'byteLength':24}],'accessors':[{"       \
+	"'bufferView':0,'componentType':5126,'count':2,'type':'SCALAR',"    \
+	"'min':[0],'max':[1]},{'bufferView':0,'byteOffset':8,"              \
+	"'componentType':5122,'normalized':true,'count':2,'type':'VEC4'}]," \
+	"'animations':[{'samplers':[{'input':0,'output':1,"                 \
+	"'interpolation':'" interpolation "'}],'channels':[{'sampler':0,"   \
+	"'target':{'node':0,'path':'rotation'}}]}]}"
+
+static struct model *load_turning(const char *text)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	assert_int_equal(model_from_text(text, &logged, &model), 0);
+	return model;
+}
+
+/* (0, 0, 0, 1) and (0, 0, -r, -r), where r is the root of one half. */
+static void test_keeps_linear_rotations_as_shorts(void **state)
+{
+	static const int16_t packed[2][4] = {
+		{0, 0, 0, 32767}, {0, 0, 23170, 23170}};
+	static const float second[4] = {0, 0, 0.70710678f, 0.70710678f};
+	static const char keys[] = TURNING("AAAAAAAD/fwAAAAB+pX6l", "LINEAR");
+	struct model *model = load_turning(keys);
+	const struct model_channel *channel = channel_of(model, 0, 0);
+	struct model_stats stats;
+	float key[4];
+
+	(void)state;
+	assert_null(channel->value);
+	assert_true(channel->unit);
+	assert_false(channel->constant);
+	assert_memory_equal(channel->packed, packed, sizeof(packed));
+	model_channel_key(channel, 1, key);
+	assert_all_near(key, second, 4, 1e-7);
+	model_measure(model, &stats);
+	assert_int_equal(stats.clip_bytes, 2 * 4 + 2 * 8);
+	model_destroy(model);
+}
+
+/* Only the loops over linear rotations of unit length know shorts. */
+static void test_makes_floats_of_other_rotations_in_shorts(void **state)
+{
+	static const float second[4] = {0, 0, -0.70710678f, -0.70710678f};
+	static const float longer[4] = {0, 0, 0.70710678f, 0.70710678f};
+	/* (0, 0, 0, 1) and (0, 0, 0.5, 0.5) */
+	static const char unlike[] = TURNING("AAAAAAAD/fwAAAAAAQABA", "LINEAR");
+	struct model *model =
+		load_turning(TURNING("AAAAAAAD/fwAAAAB+pX6l", "STEP"));
+
+	(void)state;
+	assert_null(channel_of(model, 0, 0)->packed);
+	assert_all_near(channel_of(model, 0, 0)->value + 4, second, 4, 1e-7);
+	model_destroy(model);
+	model = load_turning(unlike);
+	assert_null(channel_of(model, 0, 0)->packed);
+	assert_all_near(channel_of(model, 0, 0)->value + 4, longer, 4, 1e-7);
 	model_destroy(model);
 }
 
@@ -318,6 +389,8 @@ int main(void)
 		cmocka_unit_test(test_keeps_the_layout_of_cubic_weights),
 		cmocka_unit_test(test_leaves_cubic_rotations_as_they_are),
 		cmocka_unit_test(test_converts_signed_integer_rotations),
+		cmocka_unit_test(test_keeps_linear_rotations_as_shorts),
+		cmocka_unit_test(test_makes_floats_of_other_rotations_in_shorts),
 		cmocka_unit_test(test_converts_unsigned_integer_weights),
 		cmocka_unit_test(test_normalises_integer_rotations),
 		cmocka_unit_test(

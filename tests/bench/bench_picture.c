@@ -4,6 +4,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/base/fixed.h"
+
+void bench_picture_project(const struct gl *gl)
+{
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Frustumx(-FX16_ONE * 3 / 8, FX16_ONE * 3 / 8, -FX16_ONE / 2,
+		FX16_ONE / 2, FX16_ONE, 10 * FX16_ONE);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->LoadIdentity();
+}
+
 static void write_pixel(FILE *file, const struct pixels *pixels, int i)
 {
 	uint16_t p;

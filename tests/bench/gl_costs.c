@@ -324,12 +324,7 @@ static void give_arrays(const struct cost *c, const struct vertex *v)
 
 static void set_defaults(const struct gl *gl)
 {
-	gl->MatrixMode(GL_PROJECTION);
-	gl->LoadIdentity();
-	gl->Frustumx(-FX16_ONE * 3 / 8, FX16_ONE * 3 / 8, -FX16_ONE / 2,
-		FX16_ONE / 2, FX16_ONE, 10 * FX16_ONE);
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->LoadIdentity();
+	bench_picture_project(gl);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(GL_LESS);
 	gl->Disable(GL_DITHER);

@@ -230,12 +230,7 @@ static void set_up(const struct gl *gl, const struct scene *scene,
 	/* (1, 1, 2) / sqrt 6 */
 	static const GLfixed towards[4] = {26755, 26755, 53510, 0};
 
-	gl->MatrixMode(GL_PROJECTION);
-	gl->LoadIdentity();
-	gl->Frustumx(-FX16_ONE * 3 / 8, FX16_ONE * 3 / 8, -FX16_ONE / 2,
-		FX16_ONE / 2, FX16_ONE, 10 * FX16_ONE);
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->LoadIdentity();
+	bench_picture_project(gl);
 	if (scene->state & TEXTURED) {
 		make_texture(gl, scene->state, scene->side);
 	}

@@ -53,14 +53,6 @@ static int measure(const struct image_codec *codec,
 	return error ? error : check_size(input, *width, *height);
 }
 
-int image_measure(const uint8_t *data, size_t size, const char *where,
-	const struct log *log, int *width, int *height)
-{
-	struct image_input input = {data, size, where, log, NULL};
-
-	return measure(find_codec(data, size), &input, width, height);
-}
-
 static bool is_opaque(const struct model_image *image)
 {
 	size_t total = (size_t)image->width * (size_t)image->height;

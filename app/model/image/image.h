@@ -24,11 +24,4 @@ enum {
 int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, struct arena *arena, struct model_image *out);
 
-/*
- * Reads the size of an image, with the same errors. image_decode() allocates
- * width * height * 4 bytes for it.
- */
-int image_measure(const uint8_t *data, size_t size, const char *where,
-	const struct log *log, int *width, int *height);
-
 #endif

@@ -385,30 +385,6 @@ static void test_refuses_sizes_above_the_limit(void **state)
 	expect_refusal(&jpeg, -EFBIG, "has 8x65500 pixels");
 }
 
-static void test_measures_without_decoding(void **state)
-{
-	static const uint8_t rows[6] = {1, 2, 3, 4, 5, 6};
-	const struct kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 8};
-	struct bytes png = make_png(2, 1, &kind, rows, 6);
-	struct bytes jpeg = make_jpeg(24, 5, false, 10);
-	struct log_capture logged;
-	struct log log = log_capture_begin(&logged);
-	int width, height;
-
-	(void)state;
-	assert_int_equal(image_measure(png.data, png.size - 20, "HERE", &log,
-				 &width, &height),
-		0);
-	assert_int_equal(width, 2);
-	assert_int_equal(height, 1);
-	assert_int_equal(image_measure(jpeg.data, jpeg.size, "HERE", &log,
-				 &width, &height),
-		0);
-	assert_int_equal(width, 24);
-	assert_int_equal(height, 5);
-	assert_int_equal(logged.count, 0);
-}
-
 /* Repeats the last scan of an image, from its marker to the end. */
 static void repeat_scan(struct bytes *bytes, int times)
 {
@@ -480,7 +456,6 @@ int main(void)
 		cmocka_unit_test(test_refuses_a_broken_jpeg_header),
 		cmocka_unit_test(test_decodes_a_damaged_jpeg_with_a_warning),
 		cmocka_unit_test(test_refuses_sizes_above_the_limit),
-		cmocka_unit_test(test_measures_without_decoding),
 		cmocka_unit_test(test_refuses_a_jpeg_with_too_many_scans),
 		cmocka_unit_test(test_refuses_a_png_without_pixels),
 	};

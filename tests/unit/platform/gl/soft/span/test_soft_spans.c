@@ -156,14 +156,16 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
 
 	if (by_chance(seed, 3)) {
+		GLenum from = one_of(seed, source, 10);
+
 		gl->Enable(GL_BLEND);
-		gl->BlendFunc(one_of(seed, source, 10),
-			one_of(seed, destination, 10));
+		gl->BlendFunc(from, one_of(seed, destination, 10));
 	}
 	if (by_chance(seed, 3)) {
+		GLenum function = one_of(seed, functions, 7);
+
 		gl->Enable(GL_ALPHA_TEST);
-		gl->AlphaFuncx(one_of(seed, functions, 7),
-			random_between(seed, 0, 65536));
+		gl->AlphaFuncx(function, random_between(seed, 0, 65536));
 	}
 	if (by_chance(seed, 4)) {
 		static const GLfixed color[] = {20000, 50000, 9000, 65536};
@@ -181,8 +183,10 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		gl->DepthMask(!by_chance(seed, 4));
 	}
 	if (by_chance(seed, 8)) {
-		gl->ColorMask(by_chance(seed, 2), by_chance(seed, 2),
-			by_chance(seed, 2), by_chance(seed, 2));
+		int mask = random_between(seed, 0, 15);
+
+		gl->ColorMask(
+			mask & 1, mask >> 1 & 1, mask >> 2 & 1, mask >> 3 & 1);
 	}
 	if (by_chance(seed, 8)) {
 		gl->Enable(GL_STENCIL_TEST);

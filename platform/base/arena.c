@@ -9,6 +9,7 @@
 enum {
 	ALIGNMENT = 16,
 	BLOCK_BYTES = 64 * 1024,
+	LARGE_BYTES = 8 * 1024,
 };
 
 struct arena_block {
@@ -35,24 +36,38 @@ static size_t block_bytes(size_t capacity)
 		~(size_t)(ALIGNMENT - 1);
 }
 
-bool arena_set_budget(struct arena *arena, struct memory_budget *budget)
+static size_t all_bytes(const struct arena *arena)
 {
-	const struct arena_block *block = arena->newest;
 	size_t bytes = 0;
 
-	for (; block; block = block->older) {
+	for (const struct arena_block *block = arena->newest; block;
+		block = block->older) {
 		bytes += block_bytes(block->capacity);
 	}
-	if (!memory_budget_take(budget, bytes)) {
+	return bytes;
+}
+
+bool arena_set_budget(struct arena *arena, struct memory_budget *budget)
+{
+	if (!memory_budget_take(budget, all_bytes(arena))) {
 		return false;
 	}
 	arena->budget = budget;
 	return true;
 }
 
+static size_t room(const struct arena_block *block)
+{
+	return block ? block->capacity - block->used : 0;
+}
+
+/*
+ * Adds a block with room for the bytes: one of its own for a large allocation,
+ * and then smaller ones go on in the newest block if more is left there.
+ */
 static struct arena_block *grow(struct arena *arena, size_t bytes)
 {
-	size_t capacity = bytes > BLOCK_BYTES ? bytes : BLOCK_BYTES;
+	size_t capacity = bytes >= LARGE_BYTES ? bytes : BLOCK_BYTES;
 	size_t total = block_bytes(capacity);
 	struct arena_block *block;
 
@@ -66,8 +81,13 @@ static struct arena_block *grow(struct arena *arena, size_t bytes)
 	}
 	memset(block, 0, total);
 	block->capacity = capacity;
-	block->older = arena->newest;
-	arena->newest = block;
+	if (room(arena->newest) > capacity - bytes) {
+		block->older = arena->newest->older;
+		arena->newest->older = block;
+	} else {
+		block->older = arena->newest;
+		arena->newest = block;
+	}
 	return block;
 }
 
@@ -82,7 +102,7 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 		return NULL;
 	}
 	bytes = (count * size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
-	if (!block || block->capacity - block->used < bytes) {
+	if (!block || room(block) < bytes) {
 		block = grow(arena, bytes);
 		if (!block) {
 			return NULL;
@@ -107,13 +127,12 @@ char *arena_strdup(struct arena *arena, const char *text)
 
 void arena_release(struct arena *arena)
 {
+	/* Before any block is freed: one may hold the budget (model.c). */
+	memory_budget_give_back(arena->budget, all_bytes(arena));
 	while (arena->newest) {
 		struct arena_block *block = arena->newest;
 
 		arena->newest = block->older;
-		/* The oldest block may hold the budget itself (model.c). */
-		memory_budget_give_back(
-			arena->budget, block_bytes(block->capacity));
 		free(block);
 	}
 	arena->used_bytes = 0;

@@ -132,6 +132,7 @@ void gltf_release(struct gltf *gltf)
 	json_decref(gltf->json);
 	gltf->json = NULL;
 	arena_release(&gltf->scratch);
+	arena_release(&gltf->brief);
 	if (gltf->model) {
 		gltf_give_back(gltf, gltf->taken_bytes);
 	}
@@ -161,6 +162,7 @@ int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 		return -ENOMEM;
 	}
 	gltf->scratch = arena_within(gltf->model->budget);
+	gltf->brief = arena_within(gltf->model->budget);
 	error = run_steps(gltf, document_steps, ARRAY_COUNT(document_steps));
 	if (error) {
 		discard(gltf);

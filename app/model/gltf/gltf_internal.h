@@ -115,6 +115,7 @@ struct gltf {
 	const struct model_source *source;
 	const struct log *log;
 	struct arena scratch;
+	struct arena brief; /* see gltf_end_brief() */
 	struct model *model;
 	json_t *json;
 	struct gltf_at root;
@@ -262,6 +263,17 @@ int gltf_no_memory(const struct gltf_at *at);
 #define GLTF_SCRATCH(at, type, count) \
 	((type *)gltf_alloc(          \
 		(at), &(at)->gltf->scratch, (size_t)(count), sizeof(type)))
+
+/* An array that lasts until gltf_end_brief(). */
+#define GLTF_BRIEF(at, type, count) \
+	((type *)gltf_alloc(        \
+		(at), &(at)->gltf->brief, (size_t)(count), sizeof(type)))
+
+/*
+ * Frees the arrays of GLTF_BRIEF(), which one attribute of a mesh needed while
+ * it was read. Those of all attributes together would be as large as the model.
+ */
+void gltf_end_brief(struct gltf *gltf);
 
 /* gltf_container.c */
 

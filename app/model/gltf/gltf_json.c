@@ -372,6 +372,11 @@ void gltf_give_back(struct gltf *gltf, size_t bytes)
 	gltf->taken_bytes -= bytes;
 }
 
+void gltf_end_brief(struct gltf *gltf)
+{
+	arena_release(&gltf->brief);
+}
+
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size)
 {

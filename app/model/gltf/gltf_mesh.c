@@ -106,7 +106,7 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 	}
 	normalized = *accessor;
 	normalized.normalized = true;
-	value = GLTF_SCRATCH(&member, float,
+	value = GLTF_BRIEF(&member, float,
 		(size_t)accessor->count *(size_t)accessor->width);
 	out->color = gltf_alloc(&member, &at->gltf->model->arena,
 		(size_t)accessor->count, sizeof(*out->color));
@@ -123,6 +123,7 @@ static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 		out->color[i][3] =
 			normalized.width == 4 ? color_to_byte(from[3]) : 255;
 	}
+	gltf_end_brief(at->gltf);
 	return error;
 }
 

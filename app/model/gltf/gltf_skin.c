@@ -27,14 +27,14 @@ static int read_joint_numbers(const struct gltf_at *at,
 		return gltf_fail(
 			at, -EINVAL, "does not hold unsigned bytes or shorts");
 	}
-	joint = GLTF_SCRATCH(at, uint32_t, (size_t)accessor->count * SET_WIDTH);
+	joint = GLTF_BRIEF(at, uint32_t, (size_t)accessor->count * SET_WIDTH);
 	if (!joint) {
 		return -ENOMEM;
 	}
 	gltf_unpack_uints(accessor, joint);
 	for (v = 0; v < out->vertex_count; v++) {
-		uint16_t *to = out->joint + (size_t)v * (size_t)out->influences +
-			set * SET_WIDTH;
+		uint16_t *to = out->joint +
+			(size_t)v * (size_t)out->influences + set * SET_WIDTH;
 
 		for (k = 0; k < SET_WIDTH; k++) {
 			to[k] = (uint16_t)joint[(size_t)v * SET_WIDTH + (size_t)k];
@@ -59,7 +59,7 @@ static int read_set(
 	error = gltf_maybe_accessor(attributes, joints_key, "VEC4", &joints);
 	if (!error) {
 		error = gltf_read_attribute(attributes, weights_key, "VEC4",
-			out->vertex_count, &attributes->gltf->scratch, &weights);
+			out->vertex_count, &attributes->gltf->brief, &weights);
 	}
 	if (!error) {
 		error = read_joint_numbers(&member, joints, set, out);
@@ -72,6 +72,7 @@ static int read_set(
 			to[k] = weights.value[(size_t)v * SET_WIDTH + (size_t)k];
 		}
 	}
+	gltf_end_brief(attributes->gltf);
 	return error;
 }
 

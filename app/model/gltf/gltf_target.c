@@ -28,12 +28,11 @@ static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
 static int read_delta(const struct gltf_at *at, const char *key,
 	int vertex_count, struct model_deltas *out)
 {
-	struct arena arena = arena_within(at->gltf->model->budget);
 	struct gltf_at member = gltf_member(at, key);
 	const struct gltf_accessor *accessor;
 	struct gltf_values values;
 	int error = gltf_read_attribute(
-		at, key, "VEC3", vertex_count, &arena, &values);
+		at, key, "VEC3", vertex_count, &at->gltf->brief, &values);
 
 	if (!error && values.value) {
 		error = gltf_maybe_accessor(at, key, "VEC3", &accessor);
@@ -41,7 +40,7 @@ static int read_delta(const struct gltf_at *at, const char *key,
 	if (!error && values.value) {
 		error = pack(&member, accessor, &values, out);
 	}
-	arena_release(&arena);
+	gltf_end_brief(at->gltf);
 	return error;
 }
 

@@ -128,13 +128,16 @@ int gltf_read_triangles(const struct gltf_at *at, int vertex_count,
 			"accessor %d does not hold unsigned integers",
 			(int)(accessor - at->gltf->accessor));
 	}
-	list = GLTF_SCRATCH(&member, uint32_t, accessor->count);
+	list = GLTF_BRIEF(&member, uint32_t, accessor->count);
 	if (!list) {
 		return -ENOMEM;
 	}
 	gltf_unpack_uints(accessor, list);
 	error = check_indices(&member, list, accessor->count, vertex_count);
-	return error ? error
-		     : build_triangles(&member, mode, list, accessor->count,
-			       index, index_count);
+	if (!error) {
+		error = build_triangles(&member, mode, list, accessor->count,
+			index, index_count);
+	}
+	gltf_end_brief(at->gltf);
+	return error;
 }

@@ -1,4 +1,5 @@
 #include "platform/base/arena.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
 #include <string.h>
@@ -62,6 +63,49 @@ static void test_allocations_larger_than_a_block_work(void **state)
 	arena_release(&arena);
 }
 
+/* 100 small allocations and 20 large ones in between need hardly more. */
+static void test_large_allocations_waste_no_room(void **state)
+{
+	enum {
+		LARGE = 50000
+	};
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	struct arena arena = arena_within(&budget);
+	char *memory[120];
+
+	(void)state;
+	for (int i = 0; i < 120; i++) {
+		size_t bytes = i % 6 == 3 ? LARGE : 500;
+
+		memory[i] = arena_alloc(&arena, bytes, 1);
+		memory[i][0] = (char)i;
+		memory[i][bytes - 1] = (char)i;
+	}
+	for (int i = 0; i < 120; i++) {
+		assert_int_equal(memory[i][0], i);
+		assert_int_equal(memory[i][i % 6 == 3 ? LARGE - 1 : 499], i);
+	}
+	assert_true(budget.used_bytes < 20 * LARGE + 2 * 70000);
+	arena_release(&arena);
+	assert_int_equal(budget.used_bytes, 0);
+}
+
+/* The first large block lies behind the block with the budget. */
+static void test_releases_a_budget_in_its_own_memory(void **state)
+{
+	struct arena arena = arena_empty();
+	struct memory_budget *budget = ARENA_NEW(&arena, struct memory_budget);
+
+	(void)state;
+	budget->limit_bytes = 1000000;
+	assert_true(arena_set_budget(&arena, budget));
+	assert_non_null(arena_alloc(&arena, 100000, 1));
+	assert_non_null(arena_alloc(&arena, 10, 1));
+	assert_null(arena_alloc(&arena, 1000000, 1));
+	arena_release(&arena);
+	assert_null(arena.newest);
+}
+
 static void test_overflowing_sizes_give_null(void **state)
 {
 	struct arena arena = arena_empty();
@@ -118,6 +162,8 @@ int main(void)
 		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
 		cmocka_unit_test(test_allocations_do_not_overlap),
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),
+		cmocka_unit_test(test_large_allocations_waste_no_room),
+		cmocka_unit_test(test_releases_a_budget_in_its_own_memory),
 		cmocka_unit_test(test_overflowing_sizes_give_null),
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),

@@ -3,6 +3,7 @@
 #include "app/cmd/options/config.h"
 #include "app/cmd/options/options_files.h"
 #include "app/cmd/version.h"
+#include "app/model/levels/levels_file.h"
 #include "platform/base/file.h"
 #include "platform/base/output_file.h"
 #include "platform/process/confine.h"
@@ -53,6 +54,9 @@ int command_run_with_model(const struct command *command,
 	command_confine(options, log);
 	error = model_load_within(
 		options->model_path, options->common.memory_bytes, log, &model);
+	if (!error && command->wants_levels) {
+		levels_prepare(model, log);
+	}
 	if (!error) {
 		error = run(model, options, log);
 		model_destroy(model);

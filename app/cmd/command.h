@@ -23,6 +23,7 @@ struct command {
 	const char *summary; /* one line */
 	const char *detail;  /* paragraphs and examples for --help */
 	bool reads_config;   /* run() reads limber.conf itself */
+	bool wants_levels;   /* its model gets levels of detail, as played */
 	/* Returns one of enum exit_code; every failure has logged an error. */
 	int (*run)(const struct options *options, const struct log *log);
 };
@@ -55,8 +56,8 @@ int command_dispatch(
 int command_exit_code(int error);
 
 /*
- * Confines the process (confine.h): from here on only the files that the options
- * name can be written. A command calls this before it reads a model.
+ * Confines the process (confine.h): from here on only the files that the
+ * options name can be written. A command calls this before it reads a model.
  */
 void command_confine(const struct options *options, const struct log *log);
 

@@ -124,6 +124,7 @@ static int run(const struct options *options, const struct log *log)
 const struct command command_compare = {
 	.name = "compare",
 	.bit = FOR_COMPARE,
+	.wants_levels = true,
 	.usage = "MODEL",
 	.summary = "compare the animation techniques on a model",
 	.detail =

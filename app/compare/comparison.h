@@ -113,7 +113,8 @@ struct comparison {
 };
 
 /*
- * Bakes and measures. The model must outlive the comparison, which
+ * Bakes and measures. The model has its levels of detail (app/model/levels), which
+ * exports have, too, and must outlive the comparison, which
  * comparison_destroy() releases. Returns 0, or -errno after logging an error.
  */
 int comparison_create(const struct model *model,

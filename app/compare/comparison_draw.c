@@ -3,7 +3,6 @@
 #include "app/compare/cost/drawing.h"
 #include "app/compare/export/export.h"
 #include "app/model/levels/levels.h"
-#include "app/model/levels/levels_file.h"
 
 #include <cglm/cglm.h>
 
@@ -14,8 +13,8 @@ enum {
 struct painter {
 	struct comparison *comparison;
 	const struct log *log;
-	int row; /* whose file is drawn; 0 is the model itself */
-	struct model *model;
+	int row; /* whose drawing it is; 0 is the model itself */
+	const struct model *model;
 	struct instance *instance;
 	struct clip_cursor cursor;
 	struct drawing *drawing;
@@ -26,8 +25,10 @@ struct painter {
 static const struct model_clip *find_clip(
 	const struct painter *painter, int index)
 {
-	int clip = painter->row == 0 ? painter->comparison->clip[index].clip
-				     : index;
+	const struct comparison *comparison = painter->comparison;
+	int clip = painter->model == comparison->model
+		? comparison->clip[index].clip
+		: index;
 
 	return clip < painter->model->clip_count ? &painter->model->clip[clip]
 						 : NULL;
@@ -117,7 +118,7 @@ static int begin_drawing(struct painter *painter)
 
 static int draw_model(struct painter *painter)
 {
-	struct model *model = painter->model;
+	const struct model *model = painter->model;
 	int error = instance_create(
 		model, kernel_find("fixed"), painter->log, &painter->instance);
 
@@ -133,6 +134,9 @@ static int draw_model(struct painter *painter)
 	if (!error) {
 		error = begin_drawing(painter);
 	}
+	if (!error && is_morph(&painter->comparison->row[painter->row])) {
+		drawing_show_keys(painter->drawing);
+	}
 	if (!error) {
 		predict(painter);
 		drawing_destroy(painter->drawing);
@@ -141,26 +145,29 @@ static int draw_model(struct painter *painter)
 	return error;
 }
 
+/* Key frames look like the model, which draws them without being baked. */
 static int draw_row(
 	struct comparison *comparison, int row, const struct log *log)
 {
 	struct painter painter = {
 		.comparison = comparison, .log = log, .row = row};
-	int error = row == 0
-		? model_load(comparison->model->path, log, &painter.model)
-		: export_load(comparison, &comparison->row[row], log,
-			  &painter.model);
+	struct model *exported = NULL;
+	int error = 0;
 
-	if (error) {
-		return error;
-	}
-	if (row == 0) {
-		levels_prepare(painter.model, log);
-	} else {
-		levels_make(painter.model);
+	painter.model = comparison->model;
+	if (row > 0 && !is_morph(&comparison->row[row])) {
+		error = export_load(
+			comparison, &comparison->row[row], log, &exported);
+		if (error) {
+			return error;
+		}
+		levels_make(exported);
+		painter.model = exported;
 	}
 	error = draw_model(&painter);
-	model_destroy(painter.model);
+	if (exported) {
+		model_destroy(exported);
+	}
 	return error;
 }
 

@@ -51,15 +51,18 @@ class Glb:
                 for i in range(accessor["count"])]
 
     def moving_bytes(self):
-        """The bytes of vertices, targets and clips: file_bytes of a baked model."""
-        total = 0
+        """The bytes of vertices, targets and clips: file_bytes of a baked model.
+
+        Levels of detail have the accessors of the full mesh.
+        """
+        used = set()
         for mesh in self.json["meshes"]:
             for primitive in mesh["primitives"]:
-                for name, index in primitive["attributes"].items():
-                    if name in ("POSITION", "NORMAL"):
-                        total += self.accessor_bytes(index)
+                used |= {index for name, index in primitive["attributes"].items()
+                         if name in ("POSITION", "NORMAL")}
                 for target in primitive.get("targets", []):
-                    total += sum(map(self.accessor_bytes, target.values()))
+                    used |= set(target.values())
+        total = sum(map(self.accessor_bytes, used))
         for clip in self.json["animations"]:
             for sampler in clip["samplers"]:
                 total += self.accessor_bytes(sampler["input"])

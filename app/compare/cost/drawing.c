@@ -15,6 +15,7 @@ struct drawing {
 	struct pixels pixels;
 	struct texture_set textures;
 	struct stage stage;
+	bool keys;
 };
 
 static int open_picture(
@@ -96,6 +97,21 @@ float drawing_extent(struct instance *instance)
 	return bounds_extent(&rest);
 }
 
+void drawing_show_keys(struct drawing *drawing)
+{
+	drawing->keys = true;
+}
+
+static float px_per_unit(const struct drawing *drawing,
+	const struct instance *instance, float extent)
+{
+	const struct camera *camera = &drawing->stage.camera;
+	int height = drawing->pixels.height;
+
+	return drawing->keys ? lod_px_per_unit_solid(camera, extent, height)
+			     : lod_px_per_unit(instance, camera, extent, height);
+}
+
 void drawing_draw(
 	struct drawing *drawing, struct instance *instance, float extent)
 {
@@ -105,8 +121,7 @@ void drawing_draw(
 	const struct gl *gl = &context->gl;
 	int width = drawing->pixels.width, height = drawing->pixels.height;
 
-	lod_choose(instance, &automatic,
-		lod_px_per_unit(instance, &stage->camera, extent, height));
+	lod_choose(instance, &automatic, px_per_unit(drawing, instance, extent));
 	if (context->driver->begin_frame(context, &drawing->pixels) != 0) {
 		return;
 	}

@@ -30,6 +30,12 @@ void drawing_destroy(struct drawing *drawing);
 void drawing_draw(
 	struct drawing *drawing, struct instance *instance, float extent);
 
+/*
+ * From now on instances stand for their key frames, which have no joints:
+ * levels of detail are chosen as the player chooses them for these.
+ */
+void drawing_show_keys(struct drawing *drawing);
+
 /* The longest side of the rest pose in scene units, in which it is left. */
 float drawing_extent(struct instance *instance);
 

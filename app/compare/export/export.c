@@ -56,12 +56,9 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	return error;
 }
 
-/*
- * Adds what a row's file holds. Key frames are replaced by the model in the
- * form of an export if they only need to look the same.
- */
+/* Adds what a row's file holds. */
 static int bake_row(struct glb *glb, const struct comparison *comparison,
-	const struct comparison_row *row, bool keys, const struct log *log)
+	const struct comparison_row *row, const struct log *log)
 {
 	switch (row->kind) {
 	case COMPARISON_ORIGINAL:
@@ -70,11 +67,7 @@ static int bake_row(struct glb *glb, const struct comparison *comparison,
 	case COMPARISON_RIGID:
 		return bake_rigid(glb, comparison, log);
 	default:
-		if (keys) {
-			return export_morph(glb, comparison, row, log);
-		}
-		export_skin(glb, comparison, 0, true);
-		return 0;
+		return export_morph(glb, comparison, row, log);
 	}
 }
 
@@ -89,7 +82,7 @@ int export_load(const struct comparison *comparison,
 	int error;
 
 	glb_begin_memory(&glb);
-	error = bake_row(&glb, comparison, row, false, log);
+	error = bake_row(&glb, comparison, row, log);
 	if (error) {
 		glb_discard(&glb);
 		return error;
@@ -110,7 +103,7 @@ static int export_row(const struct comparison *comparison,
 	int error;
 
 	glb_begin(&glb);
-	error = bake_row(&glb, comparison, row, true, log);
+	error = bake_row(&glb, comparison, row, log);
 	if (error) {
 		glb_discard(&glb);
 		return error;

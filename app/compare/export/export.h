@@ -13,10 +13,8 @@
 int export_make_folder(const char *folder, const struct log *log);
 
 /*
- * Loads what a row's export shows, without writing a file; for key frames this is
- * the model in the export's form. Exports have not the levels of detail of the
- * model's file. The caller releases *out with model_destroy(). Returns 0, or
- * -errno after logging an error.
+ * Loads what a row's file holds, without writing it. The caller releases *out
+ * with model_destroy(). Returns 0, or -errno after logging an error.
  */
 int export_load(const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log,

@@ -32,10 +32,11 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 
 /*
  * Adds the model's nodes. mesh[node] is the number of the node's mesh, or -1;
- * with skins, nodes keep theirs. Adds the scene's roots.
+ * with skins, nodes keep theirs. Adds the scene's roots, and the nodes of
+ * levels (export_levels.h); the meshes are in the file.
  */
 void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
-	bool skins);
+	bool skins, const json_t *levels);
 
 /* Adds the comparison's clips; weights of targets only if targets is true. */
 void export_clips(

@@ -111,18 +111,15 @@ static void export_textures(struct glb *glb, const struct model *model)
 void export_materials(struct glb *glb, const struct model *model)
 {
 	json_t *materials = json_array();
-	bool unlit = false;
 
 	for (int i = 0; i < model->material_count; i++) {
-		unlit = unlit || model->material[i].unlit;
+		if (model->material[i].unlit) {
+			glb_use_extension(glb, "KHR_materials_unlit");
+		}
 		json_array_append_new(
 			materials, material_json(&model->material[i]));
 	}
 	glb_set(glb, "materials", materials);
-	if (unlit) {
-		glb_set(glb, "extensionsUsed",
-			json_pack("[s]", "KHR_materials_unlit"));
-	}
 	if (model->texture_count > 0) {
 		export_textures(glb, model);
 	}

@@ -1,7 +1,10 @@
 #include "app/compare/export/export_bake.h"
 
 #include "app/compare/candidate/candidate_morph.h"
+#include "app/compare/export/export_levels.h"
 #include "app/scene/draw/matrix_gl.h"
+
+#include <cglm/cglm.h>
 
 #include <errno.h>
 #include <stdlib.h>
@@ -19,7 +22,8 @@ struct exporter {
 	int8_t (*base_normal)[3];
 	int16_t (*delta)[3];
 	int8_t (*delta_normal)[3];
-	json_t *primitives; /* each with an array "targets" */
+	json_t *primitives;         /* each with an array "targets" */
+	struct export_lists *lists; /* of each primitive */
 };
 
 static int allocate(struct exporter *exporter)
@@ -30,8 +34,11 @@ static int allocate(struct exporter *exporter)
 	exporter->base_normal = malloc(count * sizeof(*exporter->base_normal));
 	exporter->delta = malloc(count * sizeof(*exporter->delta));
 	exporter->delta_normal = malloc(count * sizeof(*exporter->delta_normal));
-	return exporter->base && exporter->base_normal && exporter->delta &&
-			exporter->delta_normal
+	exporter->lists = malloc((size_t)exporter->reference->part_count *
+			sizeof(*exporter->lists) +
+		1);
+	return exporter->lists && exporter->base && exporter->base_normal &&
+			exporter->delta && exporter->delta_normal
 		? 0
 		: -ENOMEM;
 }
@@ -104,34 +111,41 @@ static bool is_mirrored(
 	return matrix_gl_mirrors((const vec4 *)matrix) != 0;
 }
 
-/* Positions are those in the world, where a mirrored node turns triangles round. */
-static int add_indices(
-	const struct exporter *exporter, const struct reference_part *part)
+/* What a unit of the drawable's positions is at most, in the file's. */
+static float unit_of(
+	const struct exporter *exporter, const struct drawable *drawable)
 {
 	const struct instance *instance = exporter->reference->instance;
-	const struct drawable *drawable = &instance->drawable[part->drawable];
-	const struct model_primitive *primitive = drawable->primitive;
-	size_t count = (size_t)primitive->index_count;
-	uint32_t *index;
-	int accessor;
+	float most = 0.0f;
+	mat4 matrix;
 
-	if (!is_mirrored(instance, drawable)) {
-		return export_indices(exporter->glb, primitive->index,
-			primitive->index_count);
+	if (drawable->skin >= 0) {
+		glm_mat4_copy(instance->palette[drawable->skin][0], matrix);
+		glm_mat4_scale(matrix, 1.0f / instance->unit_scale);
+	} else {
+		glm_mat4_copy(instance->world[drawable->node], matrix);
 	}
-	index = malloc(count * sizeof(*index) + 1);
-	if (!index) {
-		exporter->glb->error = -ENOMEM;
-		return -1;
+	for (int column = 0; column < 3; column++) {
+		float length = glm_vec3_norm(matrix[column]);
+
+		most = length > most ? length : most;
 	}
-	for (size_t i = 0; i + 2 < count; i += 3) {
-		index[i] = primitive->index[i];
-		index[i + 1] = primitive->index[i + 2];
-		index[i + 2] = primitive->index[i + 1];
-	}
-	accessor = export_indices(exporter->glb, index, primitive->index_count);
-	free(index);
-	return accessor;
+	return most / exporter->placement.scale;
+}
+
+/* Positions are those in the world, where a mirrored node turns triangles round. */
+static struct export_lists lists_of(
+	const struct exporter *exporter, const struct drawable *drawable)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+
+	return (struct export_lists){
+		.index_count = primitive->index_count,
+		.lod_count = primitive->lod_count,
+		.lod = primitive->lod,
+		.scale = unit_of(exporter, drawable),
+		.mirrored = is_mirrored(exporter->reference->instance, drawable),
+	};
 }
 
 static void add_primitives(struct exporter *exporter)
@@ -140,9 +154,13 @@ static void add_primitives(struct exporter *exporter)
 
 	for (int i = 0; i < reference->part_count; i++) {
 		const struct reference_part *part = &reference->part[i];
-		const struct model_primitive *primitive =
-			reference->instance->drawable[part->drawable].primitive;
+		const struct drawable *drawable =
+			&reference->instance->drawable[part->drawable];
+		const struct model_primitive *primitive = drawable->primitive;
 		json_t *attributes = json_object();
+		struct export_lists *lists = &exporter->lists[i];
+
+		*lists = lists_of(exporter, drawable);
 
 		add_vectors(exporter, attributes, part,
 			(const int16_t(*)[3])exporter->base,
@@ -152,8 +170,9 @@ static void add_primitives(struct exporter *exporter)
 		json_array_append_new(exporter->primitives,
 			json_pack("{s:o, s:i, s:i, s:[]}", "attributes",
 				attributes, "indices",
-				add_indices(exporter, part), "material",
-				primitive->material, "targets"));
+				export_triangles(exporter->glb, primitive->index,
+					primitive->index_count, lists->mirrored),
+				"material", primitive->material, "targets"));
 	}
 }
 
@@ -244,17 +263,28 @@ static void add_clips(struct exporter *exporter)
 	glb_set(exporter->glb, "animations", animations);
 }
 
+static void add_meshes(struct exporter *exporter, json_t *levels)
+{
+	json_t *meshes =
+		json_pack("[{s:O}]", "primitives", exporter->primitives);
+
+	export_level_meshes(exporter->glb, meshes, 0, exporter->lists, levels);
+	glb_set(exporter->glb, "meshes", meshes);
+}
+
 /* The node's scale and translation turn the numbers into the model's units. */
-static void add_node(struct exporter *exporter)
+static void add_nodes(struct exporter *exporter, const json_t *levels)
 {
 	const struct fixed_placement *placement = &exporter->placement;
 	double scale = (double)placement->scale;
 	struct glb *glb = exporter->glb;
+	json_t *nodes = json_pack("[{s:i, s:o, s:[f, f, f]}]", "mesh", 0,
+		"translation", glb_floats(placement->offset, 3), "scale", scale,
+		scale, scale);
 
-	glb_set(glb, "nodes",
-		json_pack("[{s:i, s:o, s:[f, f, f]}]", "mesh", 0, "translation",
-			glb_floats(placement->offset, 3), "scale", scale, scale,
-			scale));
+	export_level_nodes(
+		glb, nodes, json_object_get(glb->root, "meshes"), levels);
+	glb_set(glb, "nodes", nodes);
 	glb_set(glb, "scenes", json_pack("[{s:[i]}]", "nodes", 0));
 	glb_set(glb, "scene", json_integer(0));
 }
@@ -270,6 +300,7 @@ int export_morph(struct glb *glb, const struct comparison *comparison,
 		.placement = candidate_morph_placement(&comparison->box),
 		.primitives = json_array(),
 	};
+	json_t *levels = json_array();
 	int error = 0;
 
 	for (int c = 0; !error && c < comparison->clip_count; c++) {
@@ -277,15 +308,16 @@ int export_morph(struct glb *glb, const struct comparison *comparison,
 	}
 	if (!error) {
 		export_materials(glb, comparison->model);
-		glb_set(glb, "meshes",
-			json_pack("[{s:O}]", "primitives", exporter.primitives));
-		add_node(&exporter);
+		add_meshes(&exporter, levels);
+		add_nodes(&exporter, levels);
 		add_clips(&exporter);
 	}
+	json_decref(levels);
 	json_decref(exporter.primitives);
 	free(exporter.base);
 	free(exporter.base_normal);
 	free(exporter.delta);
 	free(exporter.delta_normal);
+	free(exporter.lists);
 	return error;
 }

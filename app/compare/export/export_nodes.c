@@ -1,5 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
+#include "app/compare/export/export_levels.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,8 +44,8 @@ static void add_child(json_t *nodes, int parent, int child)
 	json_array_append_new(children, json_integer(child));
 }
 
-void export_nodes(
-	struct glb *glb, const struct model *model, const int *mesh, bool skins)
+void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
+	bool skins, const json_t *levels)
 {
 	json_t *nodes = json_array(), *roots = json_array();
 
@@ -57,6 +59,8 @@ void export_nodes(
 			json_array_append_new(roots, json_integer(i));
 		}
 	}
+	export_level_nodes(
+		glb, nodes, json_object_get(glb->root, "meshes"), levels);
 	glb_set(glb, "nodes", nodes);
 	glb_set(glb, "scenes", json_pack("[{s:o}]", "nodes", roots));
 	glb_set(glb, "scene", json_integer(0));

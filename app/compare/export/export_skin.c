@@ -1,6 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
 #include "app/compare/candidate/capped_influences.h"
+#include "app/compare/export/export_levels.h"
 #include "app/model/model_deltas.h"
 
 #include <errno.h>
@@ -114,7 +115,24 @@ static json_t *primitive_json(struct glb *glb,
 	return json;
 }
 
-static void add_meshes(
+/* The lists of all levels of a mesh; NULL after setting an error. */
+static struct export_lists *lists_of(
+	struct glb *glb, const struct model_mesh *mesh)
+{
+	struct export_lists *lists =
+		malloc((size_t)mesh->primitive_count * sizeof(*lists) + 1);
+
+	for (int p = 0; lists && p < mesh->primitive_count; p++) {
+		const struct model_primitive *primitive = &mesh->primitive[p];
+
+		lists[p] = (struct export_lists){primitive->index_count,
+			primitive->lod_count, primitive->lod, 1.0f, false};
+	}
+	glb->error = lists ? glb->error : -ENOMEM;
+	return lists;
+}
+
+static json_t *meshes_json(
 	struct glb *glb, const struct model *model, int max, bool targets)
 {
 	json_t *meshes = json_array();
@@ -132,7 +150,23 @@ static void add_meshes(
 			json_pack("{s:s, s:o}", "name", mesh->name,
 				"primitives", primitives));
 	}
-	glb_set(glb, "meshes", meshes);
+	return meshes;
+}
+
+static json_t *levels_json(
+	struct glb *glb, const struct model *model, json_t *meshes)
+{
+	json_t *levels = json_array();
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		struct export_lists *lists = lists_of(glb, &model->mesh[m]);
+
+		if (lists) {
+			export_level_meshes(glb, meshes, m, lists, levels);
+		}
+		free(lists);
+	}
+	return levels;
 }
 
 static void add_skins(struct glb *glb, const struct model *model)
@@ -165,6 +199,7 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 {
 	const struct model *model = comparison->model;
 	int *mesh = malloc((size_t)model->node_count * sizeof(*mesh));
+	json_t *meshes, *levels;
 
 	if (!mesh) {
 		glb->error = -ENOMEM;
@@ -174,9 +209,12 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 		mesh[i] = model->node[i].mesh;
 	}
 	export_materials(glb, model);
-	add_meshes(glb, model, max_influences, targets);
+	meshes = meshes_json(glb, model, max_influences, targets);
+	levels = levels_json(glb, model, meshes);
+	glb_set(glb, "meshes", meshes);
 	add_skins(glb, model);
-	export_nodes(glb, model, mesh, true);
+	export_nodes(glb, model, mesh, true, levels);
+	json_decref(levels);
 	export_clips(glb, comparison, targets);
 	free(mesh);
 }

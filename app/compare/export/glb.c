@@ -50,6 +50,25 @@ void glb_set(struct glb *glb, const char *name, json_t *value)
 	}
 }
 
+void glb_use_extension(struct glb *glb, const char *name)
+{
+	json_t *used = json_object_get(glb->root, "extensionsUsed");
+	size_t i;
+	json_t *known;
+
+	if (!used) {
+		used = json_array();
+		glb_set(glb, "extensionsUsed", used);
+	}
+	json_array_foreach(used, i, known)
+	{
+		if (strcmp(json_string_value(known), name) == 0) {
+			return;
+		}
+	}
+	json_array_append_new(used, json_string(name));
+}
+
 size_t glb_component_bytes(enum glb_component component)
 {
 	switch (component) {

@@ -78,6 +78,9 @@ json_t *glb_floats(const float *value, int count);
 /* Sets a member of the root object and takes ownership of value. */
 void glb_set(struct glb *glb, const char *name, json_t *value);
 
+/* Lists an extension among those that the file uses, once. */
+void glb_use_extension(struct glb *glb, const char *name);
+
 /*
  * Writes the file (platform/base/output_file.h) and releases everything.
  * Returns 0, or -errno after logging an error.

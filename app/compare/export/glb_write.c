@@ -115,18 +115,11 @@ static int write_file(const struct glb *glb, const char *text, const char *path,
 
 static void set_extensions(struct glb *glb)
 {
-	json_t *used = json_object_get(glb->root, "extensionsUsed");
-
-	if (!glb->quantized) {
-		return;
+	if (glb->quantized) {
+		glb_use_extension(glb, "KHR_mesh_quantization");
+		glb_set(glb, "extensionsRequired",
+			json_pack("[s]", "KHR_mesh_quantization"));
 	}
-	if (!used) {
-		used = json_array();
-		json_object_set_new(glb->root, "extensionsUsed", used);
-	}
-	json_array_append_new(used, json_string("KHR_mesh_quantization"));
-	glb_set(glb, "extensionsRequired",
-		json_pack("[s]", "KHR_mesh_quantization"));
 }
 
 static void report_error(

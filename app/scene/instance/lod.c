@@ -83,25 +83,48 @@ static float nearest_joint(const struct instance *instance, const float eye[3],
 	return nearest;
 }
 
+static bool is_skinned(const struct instance *instance)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		if (instance->drawable[i].skin < 0) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static float px_per_unit_at(
+	const struct camera *camera, float depth, int picture_height)
+{
+	float least = 0.05f * camera->distance;
+
+	return 0.5f * (float)picture_height /
+		(camera_tan_half(camera->yfov_rad) *
+			(depth > least ? depth : least));
+}
+
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height)
 {
 	float distance = camera->distance, nearest, eye[3], forward[3];
-	bool skinned = true;
 
-	for (int i = 0; i < instance->drawable_count; i++) {
-		skinned = skinned && instance->drawable[i].skin >= 0;
+	if (!is_skinned(instance)) {
+		return lod_px_per_unit_solid(camera, extent, picture_height);
 	}
 	camera_eye(camera, eye);
 	for (int axis = 0; axis < 3; axis++) {
 		forward[axis] = (camera->target[axis] - eye[axis]) / distance;
 	}
-	nearest = skinned ? nearest_joint(instance, eye, forward, distance) -
-			joint_margin * extent
-			  : distance - 0.5f * extent;
-	nearest = nearest > 0.05f * distance ? nearest : 0.05f * distance;
-	return 0.5f * (float)picture_height /
-		(camera_tan_half(camera->yfov_rad) * nearest);
+	nearest = nearest_joint(instance, eye, forward, distance);
+	return px_per_unit_at(
+		camera, nearest - joint_margin * extent, picture_height);
+}
+
+float lod_px_per_unit_solid(
+	const struct camera *camera, float extent, int picture_height)
+{
+	return px_per_unit_at(
+		camera, camera->distance - 0.5f * extent, picture_height);
 }
 
 /* The matrix's greatest scale along an axis. */

@@ -55,6 +55,10 @@ struct lod lod_relax(const struct lod *lod, float min_px);
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height);
 
+/* The same for an instance without joints, which may fill its extent. */
+float lod_px_per_unit_solid(
+	const struct camera *camera, float extent, int picture_height);
+
 /*
  * Chooses the triangle lists that draw the instance from now on. To avoid
  * flicker, a choice is kept while px_per_unit changes by less than a tenth.

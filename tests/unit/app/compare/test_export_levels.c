@@ -1,0 +1,198 @@
+/* Tests which levels of detail an exported mesh gets. */
+#include <stdlib.h>
+
+#include "app/compare/export/export_levels.h"
+#include "tests/support/test.h"
+
+enum {
+	TRIANGLES_MAX = 1000,
+	LODS_MAX = 14,
+};
+
+struct levels_test {
+	struct glb glb;
+	json_t *meshes, *levels;
+	uint32_t index[3 * TRIANGLES_MAX];
+	struct model_lod lod[2][LODS_MAX];
+	struct export_lists lists[2];
+};
+
+static void begin(struct levels_test *test, int primitive_count)
+{
+	static const float corner[2][3] = {{0, 0, 0}, {2, 1, 1}};
+	json_t *primitives = json_array();
+	int position;
+
+	*test = (struct levels_test){.levels = json_array()};
+	for (uint32_t i = 0; i < 3 * TRIANGLES_MAX; i++) {
+		test->index[i] = i % 100;
+	}
+	glb_begin_memory(&test->glb);
+	position = glb_add_array(&test->glb, corner, 2, 3, GLB_FLOAT);
+	for (int p = 0; p < primitive_count; p++) {
+		json_array_append_new(primitives,
+			json_pack("{s:{s:i}, s:i}", "attributes", "POSITION",
+				position, "indices", 1000 + p));
+		test->lists[p] = (struct export_lists){
+			.index_count = 3 * TRIANGLES_MAX,
+			.lod = test->lod[p],
+			.scale = 1.0f,
+		};
+	}
+	test->meshes = json_pack("[{s:o}]", "primitives", primitives);
+}
+
+static void add_lod(struct levels_test *test, int primitive, float error,
+	int triangles, bool shadow)
+{
+	struct export_lists *lists = &test->lists[primitive];
+
+	test->lod[primitive][lists->lod_count++] =
+		(struct model_lod){error, shadow, 3 * triangles, test->index};
+}
+
+static void make(struct levels_test *test)
+{
+	export_level_meshes(
+		&test->glb, test->meshes, 0, test->lists, test->levels);
+	assert_int_equal(test->glb.error, 0);
+}
+
+static void end(struct levels_test *test)
+{
+	json_decref(test->meshes);
+	json_decref(test->levels);
+	glb_discard(&test->glb);
+}
+
+static const json_t *extras_of(const struct levels_test *test, size_t level)
+{
+	return json_object_get(json_array_get(test->levels, level), "extras");
+}
+
+static double error_of(const struct levels_test *test, size_t level)
+{
+	return json_real_value(
+		json_object_get(extras_of(test, level), "error_m"));
+}
+
+/* The accessor of a primitive's indices in a level; 1000 + p is the full list. */
+static int indices_of(const struct levels_test *test, size_t level, size_t p)
+{
+	const json_t *primitives = json_object_get(
+		json_array_get(test->meshes, level + 1), "primitives");
+
+	return (int)json_integer_value(
+		json_object_get(json_array_get(primitives, p), "indices"));
+}
+
+static void test_primitives_share_the_errors_of_a_mesh(void **state)
+{
+	struct levels_test test;
+
+	(void)state;
+	begin(&test, 2);
+	add_lod(&test, 0, 1.0f, 400, false);
+	add_lod(&test, 1, 2.0f, 500, false);
+	add_lod(&test, 0, 3.0f, 200, true);
+	make(&test);
+	assert_int_equal(json_array_size(test.levels), 3);
+	assert_float_equal(error_of(&test, 0), 1.0, 1e-6);
+	assert_int_not_equal(indices_of(&test, 0, 0), 1000);
+	assert_int_equal(indices_of(&test, 0, 1), 1001);
+	assert_float_equal(error_of(&test, 1), 2.0, 1e-6);
+	assert_int_equal(indices_of(&test, 1, 0), indices_of(&test, 0, 0));
+	assert_int_not_equal(indices_of(&test, 1, 1), 1001);
+	assert_true(json_is_true(json_object_get(extras_of(&test, 2), "shape")));
+	assert_int_equal(indices_of(&test, 2, 1), 1001);
+	end(&test);
+}
+
+static void test_levels_that_save_little_are_left_out(void **state)
+{
+	struct levels_test test;
+
+	(void)state;
+	begin(&test, 1);
+	add_lod(&test, 0, 1.0f, 900, false);
+	add_lod(&test, 0, 2.0f, 700, false);
+	add_lod(&test, 0, 3.0f, 600, false);
+	add_lod(&test, 0, 4.0f, 0, false);
+	make(&test);
+	assert_int_equal(json_array_size(test.levels), 1);
+	assert_float_equal(error_of(&test, 0), 2.0, 1e-6);
+	end(&test);
+}
+
+static void test_there_are_no_more_levels_than_the_loader_reads(void **state)
+{
+	struct levels_test test;
+
+	(void)state;
+	begin(&test, 2);
+	for (int i = 0; i < 12; i++) {
+		add_lod(&test, 0, (float)i + 1.0f, 800 >> i, false);
+		add_lod(&test, 1, (float)i + 1.5f, 800 >> i, false);
+	}
+	make(&test);
+	assert_in_range(json_array_size(test.levels), 5, 10);
+	for (size_t i = 1; i < json_array_size(test.levels); i++) {
+		assert_true(error_of(&test, i) > error_of(&test, i - 1));
+	}
+	end(&test);
+}
+
+static void test_errors_are_in_the_unit_of_the_file(void **state)
+{
+	struct levels_test test;
+	const json_t *node;
+	json_t *nodes;
+
+	(void)state;
+	begin(&test, 1);
+	test.lists[0].scale = 0.5f;
+	add_lod(&test, 0, 1.0f, 400, false);
+	make(&test);
+	assert_float_equal(error_of(&test, 0), 0.5, 1e-6);
+	nodes = json_pack("[{s:i, s:s, s:[i]}, {s:s}]", "mesh", 0, "name",
+		"body", "children", 1, "name", "hand");
+	export_level_nodes(&test.glb, nodes, test.meshes, test.levels);
+	assert_int_equal(json_array_size(nodes), 3);
+	node = json_array_get(nodes, 2);
+	assert_string_equal(
+		json_string_value(json_object_get(node, "name")), "body.lod1");
+	assert_null(json_object_get(node, "children"));
+	assert_int_equal(json_integer_value(json_object_get(node, "mesh")), 1);
+	json_decref(nodes);
+	end(&test);
+}
+
+static void test_mirrored_triangles_are_turned_round(void **state)
+{
+	static const uint32_t index[] = {0, 1, 2};
+	static const uint16_t turned[] = {0, 2, 1};
+	struct glb glb;
+	size_t before;
+
+	(void)state;
+	glb_begin_memory(&glb);
+	before = glb.size;
+	assert_int_equal(export_triangles(&glb, index, 3, true), 0);
+	assert_int_equal(fflush(glb.data), 0);
+	assert_memory_equal(glb.memory + before, turned, sizeof(turned));
+	glb_discard(&glb);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_primitives_share_the_errors_of_a_mesh),
+		cmocka_unit_test(test_levels_that_save_little_are_left_out),
+		cmocka_unit_test(
+			test_there_are_no_more_levels_than_the_loader_reads),
+		cmocka_unit_test(test_errors_are_in_the_unit_of_the_file),
+		cmocka_unit_test(test_mirrored_triangles_are_turned_round),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -75,13 +75,12 @@ static int distance(int a, int b)
 	return abs(a - b);
 }
 
-/* In steps of what the picture has five bits of. */
-static bool is_near(
-	const struct span_scene *a, const struct span_scene *b, int i)
+bool span_scene_is_near(
+	const struct span_scene *a, int i, const struct span_scene *b, int k)
 {
 	if (a->soft->format == PIXELS_RGBA8888) {
-		for (int k = 0; k < 4; k++) {
-			if (distance(a->bytes[4 * i + k], b->bytes[4 * i + k]) >
+		for (int n = 0; n < 4; n++) {
+			if (distance(a->bytes[4 * i + n], b->bytes[4 * k + n]) >
 				8) {
 				return false;
 			}
@@ -89,7 +88,7 @@ static bool is_near(
 		return true;
 	}
 	int p = a->bytes[2 * i] | a->bytes[2 * i + 1] << 8;
-	int q = b->bytes[2 * i] | b->bytes[2 * i + 1] << 8;
+	int q = b->bytes[2 * k] | b->bytes[2 * k + 1] << 8;
 
 	return distance(p >> 11, q >> 11) <= 1 &&
 		distance(p >> 5 & 63, q >> 5 & 63) <= 2 &&
@@ -105,7 +104,7 @@ int span_scene_compare(
 	assert_memory_equal(x->depth, y->depth, SPAN_PIXELS * 2);
 	assert_memory_equal(x->stencil, y->stencil, SPAN_PIXELS);
 	for (int i = 0; i < SPAN_PIXELS; i++) {
-		if (!is_near(a, b, i)) {
+		if (!span_scene_is_near(a, i, b, i)) {
 			const uint8_t *p = a->bytes, *q = b->bytes;
 			int at = i * pixel_bytes(a->soft->format);
 

@@ -39,6 +39,10 @@ struct span_scene *span_scene_begin(enum pixel_format format, bool reference);
 void span_scene_draw(
 	const struct gl *gl, const struct span_corner *corner, int count);
 
+/* Whether pixel i of a differs from pixel k of b by at most a step of five bits. */
+bool span_scene_is_near(
+	const struct span_scene *a, int i, const struct span_scene *b, int k);
+
 /*
  * Fails the test, naming the seed, unless depth and stencil agree, and colours
  * within a step of RGB565. Returns how many pixels were drawn.

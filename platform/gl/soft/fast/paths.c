@@ -107,7 +107,7 @@ const struct soft_path *soft_choose_path(struct draw *draw)
 	const struct soft_path *chosen = path;
 
 	draw->key = soft_find_key(draw);
-	if (draw->soft->fill || draw->smooth) {
+	if (draw->soft->fill || draw->smooth || draw->thin_line) {
 		return last;
 	}
 	while ((draw->key.bits & chosen->mask) != chosen->bits) {

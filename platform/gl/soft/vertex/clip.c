@@ -134,8 +134,6 @@ void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b)
 	struct vertex *end[2] = {a, b};
 	int used = 0;
 
-	soft_shade(draw, a);
-	soft_shade(draw, b);
 	for (int plane = 0; plane < 6; plane++) {
 		bool in[2] = {distance(end[0], plane) >= 0,
 			distance(end[1], plane) >= 0};

@@ -74,13 +74,23 @@ static void draw_unindexed(struct draw *draw, const struct source *source)
 static void draw_line(
 	struct draw *draw, const struct source *source, uint32_t a, uint32_t b)
 {
-	const uint32_t at[2] = {a, b};
 	struct vertex *v[2];
 
-	soft_find_vertices(draw, source, at, 2, v);
-	if (!(v[0]->outcode & v[1]->outcode)) {
-		draw->provoking = v[1];
+	v[0] = find_vertex(draw, source, a);
+	v[1] = find_vertex(draw, source, b);
+	if (v[0] == v[1]) {
+		soft_find_vertices(draw, source, (uint32_t[]){a, b}, 2, v);
+	}
+	if (v[0]->outcode & v[1]->outcode) {
+		return;
+	}
+	draw->provoking = v[1];
+	soft_shade(draw, v[0]);
+	soft_shade(draw, v[1]);
+	if (v[0]->outcode | v[1]->outcode) {
 		soft_clip_line(draw, v[0], v[1]);
+	} else {
+		soft_draw_line(draw, v[0], v[1]);
 	}
 }
 

@@ -18,6 +18,7 @@
 
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/textured.h"
+#include "platform/gl/soft/raster/thin_line.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/key.h"
@@ -283,6 +284,7 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
 	fill_function fill;
+	soft_thin_line_function thin_line; /* NULL: two triangles a line */
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
 	struct soft_pipeline_key key;
@@ -401,6 +403,7 @@ bool soft_light_by_dir_lights(
 
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
+/* Ends are shaded. */
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
 
 /*

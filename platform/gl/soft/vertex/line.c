@@ -1,4 +1,7 @@
-/* Points and lines: rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4. */
+/*
+ * Points and lines: rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4.
+ * raster/thin_line.c draws most lines of one pixel.
+ */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -123,7 +126,9 @@ void soft_draw_line(
 	if (a->x == b->x && a->y == b->y) {
 		return;
 	}
-	if (draw->smooth) {
+	if (draw->thin_line) {
+		soft_draw_thin_line(draw, a, b);
+	} else if (draw->smooth) {
 		draw_smooth(draw, a, b, width);
 	} else {
 		draw_sharp(draw, a, b, width);

@@ -1,0 +1,395 @@
+#include "platform/gl/soft/raster/thin_line.h"
+
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/points.h"
+#include "platform/gl/soft/span/template.h"
+#include "platform/gl/soft/span/tests.h"
+#include "platform/gl/soft/span/walk.h"
+
+enum {
+	WIDTH_TWO_Q16 = 0x18000, /* the least width that is rounded to two */
+	DIVIDED_STEP = 2, /* pixels of a run whose ends are divided exactly */
+};
+
+/* The line's pixels and its values, which raster->plane has by pixel along it. */
+struct walk {
+	struct soft_thin_line line;
+	int x, y;                /* of the next pixel */
+	int along[2], across[2]; /* steps in x and y */
+	int skipped, count;      /* pixels before the box, and inside of it */
+	int32_t length;          /* along, in sixteenths */
+	int32_t off;             /* from the line's start to a centre, too */
+	int32_t inverse;         /* 2^inverse_q / length */
+	int inverse_q;
+};
+
+static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
+	const struct soft_run *run, int count, const struct soft_kind kind)
+{
+	struct soft_thin_line line = *given;
+	/* No pixel lies in it, which the compiler cannot know. */
+	const struct soft_run own = {.z_right = run->z_right,
+		.red_blue_right = run->red_blue_right,
+		.green_alpha_right = run->green_alpha_right,
+		.fog_right = run->fog_right,
+		.stages = run->stages};
+	const struct soft_constants constants = soft_find_constants(&own, kind);
+	struct soft_pixel at = {.z = run->row.z,
+		.red_blue = run->row.red_blue,
+		.green_alpha = run->row.green_alpha,
+		.fog = run->row.fog};
+	uint16_t unwritten;
+
+	for (; count > 0; count--) {
+		if (soft_compares(line.compares, at.z >> 16, *line.depth)) {
+			soft_shade_pixel(&own, kind, &constants, &at,
+				line.writes_depth ? line.depth : &unwritten,
+				line.pixel);
+		}
+		soft_step_pixel(&own, kind, 0, &at);
+		if (soft_counts_by_green(kind)) {
+			at.green_alpha += own.green_alpha_right;
+		}
+		line.depth += line.depth_along;
+		line.pixel += line.pixel_along;
+		line.error += line.add;
+		if (line.error >= line.full) {
+			line.error -= line.full;
+			line.depth += line.depth_across;
+			line.pixel += line.pixel_across;
+		}
+	}
+	given->depth = line.depth;
+	given->pixel = line.pixel;
+	given->error = line.error;
+}
+
+#define LINE_FUNCTION(name, its_finish, is_wide)                         \
+	static void name(struct soft_thin_line *line,                    \
+		const struct soft_run *run, int count)                   \
+	{                                                                \
+		draw_pixels(line, run, count,                            \
+			(struct soft_kind){                              \
+				.finish = its_finish, .wide = is_wide}); \
+	}
+
+#define LINE_FUNCTIONS(name, is_wide)                                \
+	LINE_FUNCTION(name##_opaque, SOFT_OPAQUE, is_wide)           \
+	LINE_FUNCTION(name##_tested, SOFT_TESTED, is_wide)           \
+	LINE_FUNCTION(name##_blended, SOFT_BLENDED, is_wide)         \
+	LINE_FUNCTION(name##_opaque_fog, SOFT_OPAQUE_FOG, is_wide)   \
+	LINE_FUNCTION(name##_tested_fog, SOFT_TESTED_FOG, is_wide)   \
+	LINE_FUNCTION(name##_blended_fog, SOFT_BLENDED_FOG, is_wide) \
+	static const soft_thin_line_function name[SOFT_FINISHES] = { \
+		[SOFT_OPAQUE] = name##_opaque,                       \
+		[SOFT_TESTED] = name##_tested,                       \
+		[SOFT_BLENDED] = name##_blended,                     \
+		[SOFT_OPAQUE_FOG] = name##_opaque_fog,               \
+		[SOFT_TESTED_FOG] = name##_tested_fog,               \
+		[SOFT_BLENDED_FOG] = name##_blended_fog,             \
+	};
+
+LINE_FUNCTIONS(line_565, false)
+LINE_FUNCTIONS(line_8888, true)
+
+soft_thin_line_function soft_choose_thin_line(
+	const struct draw *draw, GLenum mode)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct soft *soft = draw->soft;
+	bool is_line = mode == GL_LINES || mode == GL_LINE_STRIP ||
+		mode == GL_LINE_LOOP;
+
+	if (!is_line || draw->smooth || draw->texture[0].used ||
+		draw->texture[1].used || spans->stenciled ||
+		spans->blended_last || spans->color_mask != UINT32_MAX ||
+		soft->fragment.line_width >= WIDTH_TWO_Q16 || soft->fill ||
+		soft->counts) {
+		return NULL;
+	}
+	return (spans->pixel_log2 == 1 ? line_565 : line_8888)[spans->finish];
+}
+
+static bool is_in_box(const struct clip_box *box, int x, int y)
+{
+	return x >= box->left && x < box->right && y >= box->top &&
+		y < box->bottom;
+}
+
+static void step(struct walk *walk)
+{
+	struct soft_thin_line *line = &walk->line;
+	bool across = line->error + line->add >= line->full;
+
+	line->error += line->add - (across ? line->full : 0);
+	walk->x += walk->along[0] + (across ? walk->across[0] : 0);
+	walk->y += walk->along[1] + (across ? walk->across[1] : 0);
+}
+
+/* Leaves the pixels that the box shows, which follow each other. */
+static void cut(const struct clip_box *box, struct walk *walk)
+{
+	struct walk end;
+
+	while (walk->count > 0 && !is_in_box(box, walk->x, walk->y)) {
+		step(walk);
+		walk->skipped++;
+		walk->count--;
+	}
+	end = *walk;
+	for (walk->count = 0;
+		walk->count < end.count && is_in_box(box, end.x, end.y);
+		walk->count++) {
+		step(&end);
+	}
+}
+
+/* A coordinate of both ends. */
+struct ends {
+	int32_t from, to;
+};
+
+/* Whether no pixel of the line can lie before low, or at high and beyond. */
+static bool lie_between(struct ends at, int low, int high)
+{
+	int32_t least = at.from < at.to ? at.from : at.to;
+	int32_t most = at.from < at.to ? at.to : at.from;
+
+	return least >> 4 > low && most >> 4 < high - 1;
+}
+
+/*
+ * Finds the pixels: along u those whose centres lie from the first end on and
+ * before the second; of v the pixel where the line meets their centres, of
+ * borders between pixels the one to the left or below, as GL has it.
+ */
+static void find_pixels(
+	struct walk *walk, struct ends u, struct ends v, bool flat)
+{
+	bool back = u.to < u.from, up = v.to < v.from;
+	int32_t length = back ? u.from - u.to : u.to - u.from;
+	int32_t dv = v.to - v.from, full = 16 * length, error;
+	int first = back ? (u.from - 8) >> 4 : raster_centre(u.from);
+	int end = back ? (u.to - 8) >> 4 : raster_centre(u.to);
+	int pixel = v.from >> 4, off = 16 * first + 8 - u.from;
+
+	walk->count = back ? first - end : end - first;
+	walk->length = length;
+	walk->off = back ? -off : off;
+	error = (v.from & 15) * length + dv * walk->off + (flat ? length : 0) -
+		1;
+	if (error < 0 || error >= full) {
+		pixel += error < 0 ? -1 : 1;
+		error += error < 0 ? full : -full;
+	}
+	walk->line.error = (uint32_t)(up ? full - 1 - error : error);
+	walk->line.add = 16 * (uint32_t)(up ? -dv : dv);
+	walk->line.full = (uint32_t)full;
+	walk->skipped = 0;
+	walk->x = flat ? first : pixel;
+	walk->y = flat ? pixel : first;
+	walk->along[!flat] = back ? -1 : 1;
+	walk->along[flat] = 0;
+	walk->across[flat] = up ? -1 : 1;
+	walk->across[!flat] = 0;
+}
+
+static void place_line(const struct draw *draw, struct walk *walk)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const int width = buffers->width, bytes = 1 << draw->spans.pixel_log2;
+	const int stride_bytes = buffers->target.stride_bytes;
+	struct soft_thin_line *line = &walk->line;
+
+	line->depth = buffers->depth + (ptrdiff_t)walk->y * width + walk->x;
+	line->pixel = pixel_at(&buffers->target, walk->x, walk->y);
+	line->depth_along = walk->along[0] + walk->along[1] * width;
+	line->depth_across = walk->across[0] + walk->across[1] * width;
+	line->pixel_along =
+		walk->along[0] * bytes + walk->along[1] * stride_bytes;
+	line->pixel_across =
+		walk->across[0] * bytes + walk->across[1] * stride_bytes;
+	line->compares = state->depth_test ? state->depth_function : GL_ALWAYS;
+	line->writes_depth = state->depth_test && state->depth_mask;
+}
+
+static void find_inverse(struct walk *walk)
+{
+	int zeros = LEADING_ZEROS_32((uint32_t)walk->length);
+
+	walk->inverse = reciprocal((uint32_t)walk->length << zeros);
+	walk->inverse_q = 62 - zeros;
+}
+
+/* As set_plane() in raster.c has it, of pixels along the line. */
+static void set_plane(const struct walk *walk, int32_t from, int32_t to,
+	int scale, struct plane *plane)
+{
+	/* Both are below 2^31. */
+	int64_t product = (int64_t)(to - from) * walk->inverse;
+
+	plane->dx = (int32_t)(product >> (walk->inverse_q - scale));
+	plane->dy = 0;
+	plane->start = ((uint32_t)from << (scale - 4)) +
+		(uint32_t)(plane->dx >> 4) * (uint32_t)walk->off;
+}
+
+/* 1 / w of both ends in a common scale, below 2^29. */
+static struct ends find_inverse_w(const struct vertex *a, const struct vertex *b)
+{
+	int most = a->w_zeros > b->w_zeros ? a->w_zeros : b->w_zeros;
+	int32_t from = shift_by(a->inverse_w_q30, a->w_zeros - most - 2);
+	int32_t to = shift_by(b->inverse_w_q30, b->w_zeros - most - 2);
+
+	return (struct ends){from > 0 ? from : 1, to > 0 ? to : 1};
+}
+
+/* Whether colours that change by so much have to be divided by 1 / w. */
+static bool is_divided(const struct draw *draw, const struct vertex *a,
+	const struct vertex *b, uint32_t most)
+{
+	int32_t from = a->clip[3], to = b->clip[3];
+	const struct perspective perspective = {
+		.w_spread = raster_size(to - from),
+		.w_least = (uint32_t)(from < to ? from : to),
+	};
+
+	return draw->perspective &&
+		raster_bends(&perspective, most, rows_color_tolerance(draw));
+}
+
+/*
+ * Lists the attributes that differ between the ends, all others are the span's.
+ * Returns the most that one differs by.
+ */
+static uint32_t gather_colors(struct draw *draw, const struct vertex *a,
+	const struct vertex *b, struct ends color[])
+{
+	struct raster *raster = &draw->raster;
+	uint32_t most = 0;
+
+	raster->moving_count = 0;
+	raster->moving_bits = 0;
+	for (int i = 0; i < draw->attribute_count; i++) {
+		int name = draw->attribute[i];
+		bool flat = draw->soft->fragment.flat && name != FOG;
+		const struct vertex *from = flat ? draw->provoking : a;
+		const struct vertex *to = flat ? draw->provoking : b;
+		struct ends at = {from->attribute[name], to->attribute[name]};
+
+		if (draw->spans.white_bits >> name & 1) {
+			continue;
+		}
+		if (at.from == at.to) {
+			raster->span.value[name] = (uint32_t)at.from << 8;
+			raster->span.step[name] = 0;
+			continue;
+		}
+		most = larger(most, raster_size(at.to - at.from));
+		color[raster->moving_count] = at;
+		raster->moving[raster->moving_count++] = name;
+		raster->moving_bits |= 1u << name;
+	}
+	return most;
+}
+
+static int32_t scale_by(int32_t value, int32_t inverse_w)
+{
+	return (int32_t)((int64_t)value * inverse_w >> 16);
+}
+
+/* Colours and fog as planes; divided by 1 / w, these are of their products. */
+static void set_color_planes(struct draw *draw, const struct walk *walk,
+	const struct vertex *a, const struct vertex *b)
+{
+	struct raster *raster = &draw->raster;
+	struct ends color[ATTRIBUTES], q = {0, 0};
+	uint32_t most = gather_colors(draw, a, b, color);
+
+	raster->colors_divided = most > 0 && is_divided(draw, a, b, most);
+	if (raster->colors_divided) {
+		q = find_inverse_w(a, b);
+		set_plane(walk, q.from, q.to, 4, &raster->plane[INVERSE_W]);
+	}
+	for (int i = 0; i < raster->moving_count; i++) {
+		struct plane *plane = &raster->plane[raster->moving[i]];
+
+		if (raster->colors_divided) {
+			set_plane(walk, scale_by(color[i].from, q.from),
+				scale_by(color[i].to, q.to), 4, plane);
+		} else {
+			set_plane(walk, color[i].from, color[i].to, 12, plane);
+		}
+	}
+}
+
+static void place_divided_colors(const struct line *values, int x, int count)
+{
+	const struct walk_kind kind = {.colored = true, .colors_divided = true};
+	const struct row_point from = find_point(values, kind, x);
+	const struct row_point to = find_point(values, kind, x + count - 1);
+	struct soft_spans *spans = &values->draw->spans;
+
+	set_steps(values, kind, &from, &to, count - 1);
+	set_colors(spans, from.colors.red, from.colors.green, from.colors.blue);
+	set_more_colors(spans, &from.colors);
+}
+
+/* Draws runs of pixels whose values change linearly. */
+static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
+{
+	const struct line values = {.draw = draw};
+	const bool divided = draw->raster.colors_divided;
+	const int end = walk->skipped + walk->count;
+	const int most = !moving ? walk->count
+		: divided        ? DIVIDED_STEP
+				 : draw->spans.plain_pixels;
+	struct soft_run *run = &draw->spans.run;
+
+	for (int x = walk->skipped; x < end; x += most) {
+		int count = end - x < most ? end - x : most;
+
+		if (divided) {
+			place_divided_colors(&values, x, count);
+		} else if (moving) {
+			place_colors(&values, x, count);
+		}
+		run->row.z = (uint32_t)find_value(&values, DEPTH, x) << 6;
+		draw->thin_line(&walk->line, run, count);
+	}
+}
+
+void soft_draw_thin_line(
+	struct draw *draw, const struct vertex *a, const struct vertex *b)
+{
+	const struct clip_box *box = &draw->box;
+	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
+	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
+	struct raster *raster = &draw->raster;
+	struct walk walk;
+	uint32_t moving;
+
+	find_pixels(&walk, flat ? x : y, flat ? y : x, flat);
+	if (!lie_between(x, box->left, box->right) ||
+		!lie_between(y, box->top, box->bottom)) {
+		cut(box, &walk);
+	}
+	if (walk.count <= 0) {
+		return;
+	}
+	place_line(draw, &walk);
+	find_inverse(&walk);
+	raster->perspective = false;
+	raster->bent = false;
+	raster->colors_bent = false;
+	raster->basis = (struct basis){0};
+	if (draw->soft->fragment.depth_test) {
+		set_plane(&walk, a->z, b->z, 12, &raster->plane[DEPTH]);
+	}
+	set_color_planes(draw, &walk, a, b);
+	moving = soft_begin_walk(draw);
+	soft_begin_steps(draw, moving);
+	draw_runs(draw, &walk, moving != 0);
+}

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Not counted: another user cannot write the counters of make coverage. */
 static int refuse(const char *name, int error, const struct log *log)
 {
 	log_error(log, "--user %s: %s", name,
@@ -32,12 +31,14 @@ int user_become(const char *name, const struct log *log)
 	if (user->pw_uid == getuid() && user->pw_uid == geteuid()) {
 		return 0;
 	}
-	/* Not counted: see refuse(). */
 	if (initgroups(name, user->pw_gid) != 0 || setgid(user->pw_gid) != 0 ||
 		setuid(user->pw_uid) != 0) {
 		return refuse(name, errno, log);
 	}
-	/* It would be the way back of a process that was not quite root. */
+	/*
+	 * It would be the way back of a process that was not quite root.
+	 * Not counted: another user cannot write the counters of make coverage.
+	 */
 	if (user->pw_uid != 0 && setuid(0) == 0) {
 		return refuse(name, EPERM, log);
 	}

@@ -76,6 +76,26 @@ static void test_the_user_of_the_process_stays(void **state)
 	assert_int_equal(getuid(), geteuid());
 }
 
+static void test_others_than_root_are_refused(void **state)
+{
+	const struct passwd *user = getpwnam(other);
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	int result;
+
+	(void)state;
+	if (getuid() != 0 || !user) {
+		skip_because("only root can act as another user");
+	}
+	assert_int_equal(seteuid(user->pw_uid), 0);
+	result = user_become("root", &log);
+	assert_int_equal(seteuid(0), 0);
+	assert_int_equal(result, -EPERM);
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0],
+		"--user root: only root can become another user");
+}
+
 static void test_an_unknown_user_is_refused(void **state)
 {
 	struct log_capture capture;
@@ -93,6 +113,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_root_becomes_another_user_for_good),
 		cmocka_unit_test(test_the_user_of_the_process_stays),
+		cmocka_unit_test(test_others_than_root_are_refused),
 		cmocka_unit_test(test_an_unknown_user_is_refused),
 	};
 

@@ -54,11 +54,12 @@ static void give_state(const struct gl *gl, uint32_t *seed)
 		gl->DepthMask(!by_chance(seed, 3));
 	}
 	if (by_chance(seed, 4)) {
+		int x = random_between(seed, -20, 60);
+		int y = random_between(seed, -20, 50);
+		int width = random_between(seed, 0, 90);
+
 		gl->Enable(GL_SCISSOR_TEST);
-		gl->Scissor(random_between(seed, -20, 60),
-			random_between(seed, -20, 50),
-			random_between(seed, 0, 90),
-			random_between(seed, 0, 70));
+		gl->Scissor(x, y, width, random_between(seed, 0, 70));
 	}
 	gl->ShadeModel(by_chance(seed, 4) ? GL_FLAT : GL_SMOOTH);
 }

@@ -23,6 +23,7 @@ import zlib
 TOP = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "board/imx31-pdk"))
 import emulation  # noqa: E402
+import links  # noqa: E402
 import machines  # noqa: E402
 import nand  # noqa: E402
 

@@ -7,7 +7,7 @@ import re
 import subprocess
 
 from harness import (BY_HAND, FOLDER, HOST, TOP, booted, check, difference,
-                     done, emulation, frame_of_png, is_drawn, note, pause,
+                     done, frame_of_png, is_drawn, links, note, pause,
                      save, wait_until)
 
 MODELS = pathlib.Path(os.environ.get("SAMPLES", TOP.parent / "shared")) / "models"
@@ -40,7 +40,7 @@ then = line "faster than 1.2"
 
 def wires(buttons):
     return "gpiod:" + ",".join(
-        f"{name}=53fd0000.gpio/{emulation.BUTTONS[name]}"
+        f"{name}=53fd0000.gpio/{links.BUTTONS[name]}"
         for name in buttons.split())
 
 

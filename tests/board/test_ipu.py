@@ -7,8 +7,8 @@ import re
 import struct
 
 from harness import (BY_HAND, Error, booted, check, difference, done,
-                     emulation, guest_tool, host_picture, needs_pdk, note, pause,
-                     save, start_limber, stop_limber, wait_until)
+                     emulation, guest_tool, host_picture, links, needs_pdk,
+                     note, pause, save, start_limber, stop_limber, wait_until)
 
 SHOWS = "the panel shows the picture"
 # The shell may be there before the panel is awake.
@@ -44,7 +44,7 @@ def by_screendump(machine):
 
 def by_vnc(machine):
     """One whole picture (RFC 6143)."""
-    link = emulation.connect(machine.folder, "vnc.sock")
+    link = links.connect(machine.folder, "vnc.sock")
     file = link.makefile("rb")
 
     def unpack(form):

@@ -4,7 +4,7 @@ import os
 import random
 import re
 
-from harness import (BY_HAND, aim, booted, check, done, emulation,
+from harness import (BY_HAND, aim, booted, check, done, links,
                      limber_memory_kib, note, pause, save, start_limber,
                      stop_limber)
 
@@ -27,7 +27,7 @@ def press_at_random(machine, chance, until_s):
     down = set()
     changes = 0
     while machine.time_s() < until_s:
-        button = chance.choice(list(emulation.BUTTONS))
+        button = chance.choice(list(links.BUTTONS))
         if any({button} | down >= pair for pair in LEFT_OUT):
             continue
         machine.wires.level(button, button not in down)

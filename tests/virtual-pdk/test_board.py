@@ -18,11 +18,11 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(TOP / "board/imx31-pdk/virtual"))
 import board  # noqa: E402
 import pages  # noqa: E402
-from overlay import emulation  # noqa: E402
+from overlay import emulation, links  # noqa: E402
 
 TOLD_S = 10
 # How long a test waits, and after how long the server gives a QEMU up.
-emulation.ANSWER_S, emulation.END_S = 1, 1
+links.ANSWER_S, emulation.END_S = 1, 1
 
 _count = _failed = 0
 
@@ -138,7 +138,7 @@ async def test_hanging(virtual):
     kill(virtual, signal.SIGSTOP)
     await virtual.reset()
     await check_told("QEMU hangs in a reset", virtual, "does not answer")
-    emulation.ANSWER_S = 60
+    links.ANSWER_S = 60
     await virtual.power(False)
     check("it starts with patience", await is_running(virtual), virtual.why)
     kill(virtual, signal.SIGSTOP)

@@ -11,7 +11,7 @@ import pathlib
 import time
 
 import overlay
-from overlay import LINES, emulation
+from overlay import LINES, emulation, links
 
 ROW_BYTES = emulation.WIDTH * 2
 # The time between two readings of the screen, while it changes and at rest.
@@ -138,9 +138,9 @@ class Board:
 
     async def open_lines(self):
         console, self.console_line = await asyncio.open_unix_connection(
-            sock=emulation.connect(self.folder, "console.sock"))
+            sock=links.connect(self.folder, "console.sock"))
         camera, self.camera_line = await asyncio.open_unix_connection(
-            sock=emulation.connect(self.folder, "camera.sock"))
+            sock=links.connect(self.folder, "camera.sock"))
         self.tasks += [asyncio.create_task(self.read_console(console)),
                        asyncio.create_task(self.read_camera(camera))]
 

@@ -14,9 +14,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 BOARD = HERE.parent
 sys.path.insert(0, str(BOARD))
 import emulation  # noqa: E402
+import links  # noqa: E402
 
 # The line after those of limber.conf.
-LINES = {**emulation.BUTTONS, "F10": 26}
+LINES = {**links.BUTTONS, "F10": 26}
 
 SETTINGS = f"""
 [camera]

@@ -16,8 +16,6 @@
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
 #include "qemu/osdep.h"
-#include "exec/address-spaces.h"
-#include "exec/ram_addr.h"
 #include "hw/irq.h"
 #include "hw/qdev-properties.h"
 #include "imx31_pdk.h"
@@ -65,7 +63,6 @@ enum {
 #define PANEL_TOP 10
 
 #define SLICE_LINES 40
-#define ROW_MAX 4096
 #define IDLE_NS 16000000
 
 static const struct imx31_pins panel_pins[] = {
@@ -75,18 +72,6 @@ static const struct imx31_pins panel_pins[] = {
 };
 
 static const uint32_t rgb666_map[3] = { 0x0005000f, 0x000b000f, 0x0011000f };
-
-/* How the channel's memory is laid out, latched at VSYNC. */
-struct scan {
-    uint32_t address;
-    uint32_t width;
-    uint32_t height;
-    uint32_t stride;
-    uint32_t bytes; /* a pixel; 0 for a format that the model does not have */
-    bool is_565;
-    uint8_t offset[3]; /* of red, green and blue from the pixel's first bit */
-    uint8_t bits[3];
-};
 
 struct IMX31IPUState {
     SysBusDevice parent_obj;
@@ -101,7 +86,7 @@ struct IMX31IPUState {
     uint32_t regs[REGISTERS];
     uint32_t cpm[CPM_WORDS];
 
-    struct scan scan;
+    struct imx31_scan scan; /* latched at VSYNC */
     uint32_t pictures[2]; /* the addresses of the last two that differ */
     bool is_active; /* the current frame is fetched */
     bool is_started; /* a buffer has been ready since the channel's start */
@@ -149,31 +134,13 @@ static uint32_t first_line(const IMX31IPUState *s)
 
 static void latch(IMX31IPUState *s)
 {
-    const uint32_t *words = s->cpm + 16 * CHANNEL;
     unsigned current = s->regs[CHA_CUR_BUF] >> CHANNEL & 1;
-    uint32_t format = words[10], fields = words[11];
-    static const uint8_t bytes_of_bpp[8] = { 4, 3, 2, 0, 0, 0, 0, 0 };
-    bool is_rgb = extract32(format, 17, 3) == 4;
 
-    s->scan = (struct scan) {
-        .address = words[8 + current],
-        .width = extract32(words[3], 12, 12) + 1,
-        .height = (extract32(words[3], 24, 8) |
-                   extract32(words[4], 0, 4) << 8) + 1,
-        .stride = extract32(format, 3, 14) + 1,
-        .bytes = is_rgb ? bytes_of_bpp[format & 7] : 0,
-        .offset = { extract32(fields, 3, 5), extract32(fields, 8, 5),
-                    extract32(fields, 13, 5) },
-        .bits = { extract32(fields, 23, 3) + 1, extract32(fields, 26, 3) + 1,
-                  extract32(fields, 29, 3) + 1 },
-    };
+    s->scan = imx31_scan_of(s->cpm + 16 * CHANNEL, current);
     if (s->scan.address != s->pictures[0]) {
         s->pictures[1] = s->pictures[0];
         s->pictures[0] = s->scan.address;
     }
-    s->scan.is_565 = s->scan.bytes == 2 && s->scan.offset[0] == 0 &&
-        s->scan.offset[1] == 5 && s->scan.offset[2] == 11 &&
-        s->scan.bits[0] == 5 && s->scan.bits[1] == 6 && s->scan.bits[2] == 5;
 }
 
 /* What keeps the IPU from sending the picture, or NULL. */
@@ -219,34 +186,6 @@ static void report_fault(IMX31IPUState *s, const char *fault)
     s->fault = fault;
 }
 
-/* Scales a channel of the pixel to so many bits. */
-static unsigned channel_of(const struct scan *scan, uint32_t pixel, unsigned i,
-                           unsigned bits)
-{
-    unsigned shift = scan->bytes * 8 - scan->offset[i] - scan->bits[i];
-    uint32_t value = shift < 32 ? extract32(pixel, shift, scan->bits[i]) : 0;
-
-    return scan->bits[i] > bits ? value >> (scan->bits[i] - bits)
-                                : value << (bits - scan->bits[i]);
-}
-
-static void convert_row(const struct scan *scan, const uint8_t *bytes,
-                        uint16_t *out, unsigned count)
-{
-    for (unsigned i = 0; i < count; i++) {
-        const uint8_t *p = bytes + i * scan->bytes;
-        uint32_t pixel = scan->bytes == 4 ? ldl_le_p(p) : lduw_le_p(p);
-
-        if (scan->bytes == 3) {
-            pixel |= p[2] << 16;
-        }
-        out[i] = scan->is_565 ? pixel
-                              : channel_of(scan, pixel, 0, 5) << 11 |
-                                channel_of(scan, pixel, 1, 6) << 5 |
-                                channel_of(scan, pixel, 2, 5);
-    }
-}
-
 static uint64_t time_us(const IMX31IPUState *s)
 {
     return (qemu_clock_get_ns(QEMU_CLOCK_VIRTUAL) - s->reset_ns) / SCALE_US;
@@ -254,73 +193,15 @@ static uint64_t time_us(const IMX31IPUState *s)
 
 static void fetch_line(IMX31IPUState *s, uint32_t line)
 {
-    uint8_t bytes[ROW_MAX * 4];
-    uint16_t pixels[ROW_MAX];
-    unsigned count = MIN(s->scan.width, ROW_MAX);
+    uint16_t pixels[IMX31_SCAN_MAX];
+    unsigned count = imx31_scan_read(&s->scan, line, pixels);
     int left = (int)extract32(s->regs[SDC_BG_POS], 16, 10) - PANEL_LEFT;
     int top = (int)first_line(s) - PANEL_TOP;
 
-    if (address_space_read(&address_space_memory,
-                           s->scan.address + line * s->scan.stride,
-                           MEMTXATTRS_UNSPECIFIED, bytes,
-                           count * s->scan.bytes) != MEMTX_OK) {
-        memset(bytes, 0, count * s->scan.bytes);
-    }
-    convert_row(&s->scan, bytes, pixels, count);
     if (l4f00242t03_show(s->panel, left, top + (int)line, pixels, count) &&
         !s->changed_us) {
         s->changed_us = time_us(s);
     }
-}
-
-/* Watches the part of memory that the frame is fetched from. */
-static MemoryRegionSection watched(IMX31IPUState *s)
-{
-    return memory_region_find(get_system_memory(), s->scan.address,
-                              (uint64_t)s->scan.stride * s->scan.height);
-}
-
-static void watch(IMX31IPUState *s)
-{
-    MemoryRegionSection section = watched(s);
-
-    if (!section.mr) {
-        return;
-    }
-    if (memory_region_is_ram(section.mr)) {
-        if (!(memory_region_get_dirty_log_mask(section.mr) &
-              1 << DIRTY_MEMORY_VGA)) {
-            memory_region_set_log(section.mr, true, DIRTY_MEMORY_VGA);
-        }
-        memory_region_reset_dirty(section.mr, section.offset_within_region,
-                                  int128_get64(section.size),
-                                  DIRTY_MEMORY_VGA);
-    }
-    memory_region_unref(section.mr);
-}
-
-/* Whether the processor has written there since watch(). */
-static bool was_written(IMX31IPUState *s)
-{
-    MemoryRegionSection section = watched(s);
-    bool written = false;
-
-    if (!section.mr) {
-        return false;
-    }
-    if (memory_region_is_ram(section.mr)) {
-        DirtyBitmapSnapshot *snapshot =
-            memory_region_snapshot_and_clear_dirty(
-                section.mr, section.offset_within_region,
-                int128_get64(section.size), DIRTY_MEMORY_VGA);
-
-        written = memory_region_snapshot_get_dirty(
-            section.mr, snapshot, section.offset_within_region,
-            int128_get64(section.size));
-        g_free(snapshot);
-    }
-    memory_region_unref(section.mr);
-    return written;
 }
 
 static void begin_frame(IMX31IPUState *s)
@@ -330,7 +211,7 @@ static void begin_frame(IMX31IPUState *s)
     s->is_active = is_on(s);
     if (s->is_active) {
         latch(s);
-        watch(s);
+        imx31_scan_watch(&s->scan);
         s->regs[INT_STAT_3] |= VSYNC_BIT;
     }
     report_fault(s, s->is_active || s->is_started ? find_fault(s) : NULL);
@@ -345,7 +226,7 @@ static void end_frame(IMX31IPUState *s)
     unsigned current = s->regs[CHA_CUR_BUF] >> CHANNEL & 1;
 
     s->frames++;
-    s->torn += was_written(s);
+    s->torn += imx31_scan_was_written(&s->scan);
     if (!s->first_us && !s->fault && l4f00242t03_is_drawn(s->panel)) {
         s->first_us = time_us(s);
     }

@@ -90,6 +90,33 @@ bool imx31_iomux_routes(const IMX31IomuxState *iomux, unsigned pin,
 int imx31_iomux_missing(const IMX31IomuxState *iomux,
                         const struct imx31_pins *pins, unsigned count);
 
+/* How the IPU reads a picture from memory. */
+struct imx31_scan {
+    uint32_t address;
+    uint32_t width;
+    uint32_t height;
+    uint32_t stride;
+    uint32_t bytes; /* a pixel; 0 for a format that the model does not have */
+    bool is_565;
+    uint8_t offset[3]; /* of red, green and blue from the pixel's first bit */
+    uint8_t bits[3];
+};
+
+enum {
+    IMX31_SCAN_MAX = 4096, /* pixels of a row that are read */
+};
+
+/* As 16 words of the channel parameter memory say it, from buffer 0 or 1. */
+struct imx31_scan imx31_scan_of(const uint32_t *words, unsigned buffer);
+
+/* Reads a line as RGB565; returns how many pixels, up to IMX31_SCAN_MAX. */
+unsigned imx31_scan_read(const struct imx31_scan *scan, uint32_t line,
+                         uint16_t *pixels);
+
+/* Watches its memory; whether the processor has written there since then. */
+void imx31_scan_watch(const struct imx31_scan *scan);
+bool imx31_scan_was_written(const struct imx31_scan *scan);
+
 /* The power chip's regulators that the board uses for its panel. */
 enum mc13783_regulator {
     MC13783_VGEN,

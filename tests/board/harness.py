@@ -56,20 +56,6 @@ def check(name, good, why=""):
     return good
 
 
-def aim(name, value, wanted, worst):
-    """Checks that a value is at most wanted. A value up to worst is reported as
-    a goal that is not reached yet; a larger one fails."""
-    global _count
-    if value is None or value > worst:
-        return check(f"{name} {worst}, if not {wanted}", False, value)
-    if value <= wanted:
-        return check(f"{name} {wanted}", True)
-    _count += 1
-    print(f"not ok {_count} - {name} {wanted} # TODO {value:.0f} so far",
-          flush=True)
-    return False
-
-
 def note(text):
     print(f"# {text}", flush=True)
 

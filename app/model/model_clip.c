@@ -137,24 +137,19 @@ static int keep_packed(struct model_channel *channel, struct arena *arena)
 	return 0;
 }
 
-int model_keep_clips(struct model *model)
+int model_keep_clip(struct model_clip *clip, struct arena *arena)
 {
 	int error = 0;
 
-	for (int c = 0; c < model->clip_count; c++) {
-		struct model_clip *clip = &model->clip[c];
+	find_constant(clip);
+	for (int i = 0; !error && i < clip->channel_count; i++) {
+		struct model_channel *channel = &clip->channel[i];
+		bool packs = !channel->constant && channel->packed &&
+			can_pack(channel);
 
-		find_constant(clip);
-		for (int i = 0; !error && i < clip->channel_count; i++) {
-			struct model_channel *channel = &clip->channel[i];
-			bool packs = !channel->constant && channel->packed &&
-				can_pack(channel);
-
-			channel->key_count =
-				channel->constant ? 1 : channel->key_count;
-			error = packs ? keep_packed(channel, &model->arena)
-				      : keep_floats(channel, &model->arena);
-		}
+		channel->key_count = channel->constant ? 1 : channel->key_count;
+		error = packs ? keep_packed(channel, arena)
+			      : keep_floats(channel, arena);
 	}
 	return error;
 }

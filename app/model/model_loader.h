@@ -44,11 +44,11 @@ void model_normalize_influences(struct model_primitive *primitive);
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
- * Copies the keys of all channels, which are in scratch memory, into the
- * model's arena: only the first key of a constant channel. Channels whose
+ * Copies the keys of a clip's channels, which are in scratch memory, into an
+ * arena: only the first key of a constant channel. Channels whose
  * packed is set, beside value, keep one of both. 0 or -ENOMEM.
  */
-int model_keep_clips(struct model *model);
+int model_keep_clip(struct model_clip *clip, struct arena *arena);
 
 /*
  * Called once for each loaded model: sets constant and unit of all channels,

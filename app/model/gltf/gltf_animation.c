@@ -126,6 +126,11 @@ static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	return error;
 }
 
+static struct arena *keys_arena(struct gltf *gltf)
+{
+	return gltf->all_keys ? &gltf->scratch : &gltf->brief;
+}
+
 /* Whether the file's numbers are those of model_channel.packed. */
 static bool is_packed(
 	const struct gltf_accessor *output, const struct model_channel *channel)
@@ -140,7 +145,7 @@ static int keep_packed(
 {
 	size_t count = (size_t)out->key_count;
 	int16_t(*packed)[4] =
-		gltf_alloc(at, &at->gltf->scratch, count, sizeof(*packed));
+		gltf_alloc(at, keys_arena(at->gltf), count, sizeof(*packed));
 
 	for (size_t i = 0; packed && i < 4 * count; i++) {
 		packed[i / 4][i % 4] =
@@ -167,7 +172,8 @@ static int read_values(const struct gltf_at *sampler,
 			"has %lld numbers, but %d keys need %lld",
 			(long long)floats, out->key_count, (long long)expected);
 	}
-	value = GLTF_SCRATCH(&at, float, floats);
+	value = gltf_alloc(
+		&at, keys_arena(at.gltf), (size_t)floats, sizeof(*value));
 	if (!value) {
 		return -ENOMEM;
 	}
@@ -359,6 +365,14 @@ static int read_animation(const struct gltf_at *at,
 	return error;
 }
 
+static int keep_clip(const struct gltf_at *at, struct model_clip *clip)
+{
+	int error = model_keep_clip(clip, &at->gltf->model->arena);
+
+	gltf_end_brief(at->gltf);
+	return error ? gltf_no_memory(at) : 0;
+}
+
 int gltf_read_animations(struct gltf *gltf)
 {
 	struct model *model = gltf->model;
@@ -382,6 +396,9 @@ int gltf_read_animations(struct gltf *gltf)
 		error = gltf_item(&array, i, &item);
 		if (!error) {
 			error = read_animation(&item, &reader, &model->clip[i]);
+		}
+		if (!error && !gltf->all_keys) {
+			error = keep_clip(&item, &model->clip[i]);
 		}
 	}
 	return error;

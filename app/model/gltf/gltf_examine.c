@@ -162,7 +162,7 @@ int gltf_examine(const struct model_source *source,
 {
 	struct model *model = NULL;
 	struct gltf gltf;
-	int error = gltf_read(&gltf, source, log);
+	int error = gltf_read(&gltf, source, true, log);
 
 	if (!error) {
 		const struct examination at = {&gltf, examiner};

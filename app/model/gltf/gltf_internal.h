@@ -116,6 +116,7 @@ struct gltf {
 	const struct log *log;
 	struct arena scratch;
 	struct arena brief; /* see gltf_end_brief() */
+	bool all_keys;      /* see gltf_read() */
 	struct model *model;
 	json_t *json;
 	struct gltf_at root;
@@ -154,11 +155,12 @@ struct gltf {
 
 /*
  * Reads the source into gltf->model, which is NULL after an error. The caller
- * calls gltf_release() in either case, and owns the model. The keys of clips are
- * in scratch memory, which gltf_release() frees, until model_keep_clips().
+ * calls gltf_release() in either case, and owns the model. all_keys keeps all
+ * keys of constant channels, as an examination needs them; the keys of all clips
+ * are in scratch memory then, which gltf_release() frees.
  */
 int gltf_read(struct gltf *gltf, const struct model_source *source,
-	const struct log *log);
+	bool all_keys, const struct log *log);
 void gltf_release(struct gltf *gltf);
 
 /* The same up to the accessors; the model stays empty. */
@@ -270,8 +272,8 @@ int gltf_no_memory(const struct gltf_at *at);
 		(at), &(at)->gltf->brief, (size_t)(count), sizeof(type)))
 
 /*
- * Frees the arrays of GLTF_BRIEF(), which one attribute of a mesh needed while
- * it was read. Those of all attributes together would be as large as the model.
+ * Frees the arrays of GLTF_BRIEF(), which one attribute of a mesh or one clip
+ * needed while it was read. All of them together would be as large as the model.
  */
 void gltf_end_brief(struct gltf *gltf);
 

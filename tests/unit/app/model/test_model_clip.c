@@ -341,20 +341,19 @@ static void test_keeps_one_key_of_constant_channels(void **state)
 		{.width = 3, .key_count = 3, .time_s = time_s, .value = moved},
 	};
 	struct model_clip clip = {.channel_count = 2, .channel = channel};
-	struct model model = {.clip_count = 1, .clip = &clip};
+	struct arena arena = arena_empty();
 
 	(void)state;
-	model.arena = arena_empty();
 	for (int i = 0; i < 2; i++) {
 		channel[i].interpolation = MODEL_LINEAR;
 	}
-	assert_int_equal(model_keep_clips(&model), 0);
+	assert_int_equal(model_keep_clip(&clip, &arena), 0);
 	assert_int_equal(channel[0].key_count, 1);
 	assert_ptr_not_equal(channel[0].value, still);
 	assert_all_near(channel[0].value, still, 3, 0);
 	assert_int_equal(channel[1].key_count, 3);
 	assert_all_near(channel[1].value, moved, 9, 0);
-	arena_release(&model.arena);
+	arena_release(&arena);
 }
 
 static void test_marks_rotations_of_unit_length(void **state)

@@ -127,8 +127,10 @@ char *arena_strdup(struct arena *arena, const char *text)
 
 void arena_release(struct arena *arena)
 {
-	/* Before any block is freed: one may hold the budget (model.c). */
-	memory_budget_give_back(arena->budget, all_bytes(arena));
+	/* The budget may lie in a block (model.c), or be gone when none is left. */
+	if (arena->newest) {
+		memory_budget_give_back(arena->budget, all_bytes(arena));
+	}
 	while (arena->newest) {
 		struct arena_block *block = arena->newest;
 

@@ -51,7 +51,7 @@ int base64_decode(const char *text, size_t length, uint8_t *out, size_t *size)
 		if (value < 0) {
 			return -EINVAL;
 		}
-		bits = bits << 6 | (uint32_t)value;
+		bits = (bits & 63) << 6 | (uint32_t)value;
 		if (i % 4 == 1) {
 			out[done++] = (uint8_t)(bits >> 4);
 		} else if (i % 4 == 2) {

@@ -327,25 +327,37 @@ static bool find_switched(const struct character *character,
 	return true;
 }
 
-/* What the buttons do now that do not always do the same. */
+/* The next button from this one on that does not always do the same. */
+static const struct character_binding *find_changing(
+	const struct character_binding *one)
+{
+	while (one &&
+		(!one->when || one->unlabelled || !character_button_acts(one) ||
+			one->gesture != CHARACTER_PRESS)) {
+		one = one->next;
+	}
+	return one;
+}
+
+/* What these buttons do now. */
 static void label_changing(const struct character *character, struct hud *hud)
 {
+	const struct character_binding *first = find_changing(character->binding);
+	const struct character_binding *one;
 	struct hud_group group;
-	bool begun = false;
+	char name[48];
 
-	for (const struct character_binding *one = character->binding; one;
-		one = one->next) {
-		char name[48];
+	if (!first) {
+		return;
+	}
+	group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	for (one = first; one; one = find_changing(one->next)) {
+		character_button_text(one, name, sizeof(name));
+		hud_group_widen(&group, name, one->label);
+	}
+	for (one = first; one; one = find_changing(one->next)) {
 		bool on;
 
-		if (!one->when || one->unlabelled || !character_button_acts(one) ||
-			one->gesture != CHARACTER_PRESS) {
-			continue;
-		}
-		if (!begun) {
-			group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
-			begun = true;
-		}
 		character_button_text(one, name, sizeof(name));
 		if (find_switched(character, one->action, &on)) {
 			hud_group_switch(
@@ -354,9 +366,7 @@ static void label_changing(const struct character *character, struct hud *hud)
 			hud_group_key(&group, name, one->label);
 		}
 	}
-	if (begun) {
-		hud_group_end(&group);
-	}
+	hud_group_end(&group);
 }
 
 /* What the buttons do now. */

@@ -258,15 +258,32 @@ void hud_group_weight(struct hud_group *group, const char *label, float weight,
 	hud_group_bar(group, label, value, weight, color);
 }
 
+static int cap_width(const struct hud *hud, const char *key)
+{
+	int min = eighths(hud, CAP_WIDTH_MIN);
+	int width = hud_text_width(hud, key) + 2 * eighths(hud, CAP_PADDING_X);
+
+	return width < min ? min : width;
+}
+
+void hud_group_widen(struct hud_group *group, const char *key, const char *what)
+{
+	const struct hud *hud = group->hud;
+	int standard = group_width(hud) - 2 * eighths(hud, PADDING_X);
+	int wanted = cap_width(hud, key) + hud_text_width(hud, what) +
+		eighths(hud, SWITCH_WIDTH) + 2 * eighths(hud, COLUMN_GAP);
+
+	wanted = wanted < standard * 5 / 4 ? wanted : standard * 5 / 4;
+	group->width = wanted > group->width ? wanted : group->width;
+}
+
 /* Draws a key's cap and returns the x where the text after it begins. */
 static int add_cap(const struct hud_group *group, const char *key)
 {
 	struct hud *hud = group->hud;
 	int text = hud_text_width(hud, key);
-	int min = eighths(hud, CAP_WIDTH_MIN);
-	int width = text + 2 * eighths(hud, CAP_PADDING_X);
+	int width = cap_width(hud, key);
 
-	width = width < min ? min : width;
 	hud_panel(hud, group->left, group->y, width, hud_line_height(hud),
 		eighths(hud, CAP_RADIUS), cap_color);
 	hud_text(hud, group->left + (width - text) / 2, group->y,

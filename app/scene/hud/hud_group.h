@@ -71,6 +71,12 @@ struct hud_group hud_group_begin(
 struct hud_group hud_group_begin_wide(
 	struct hud *hud, enum hud_corner corner, const char *title);
 
+/*
+ * Makes a group in a left corner at most a quarter wider, so that the row of a
+ * switch is not cut. Call it for all such rows before any is added.
+ */
+void hud_group_widen(struct hud_group *group, const char *key, const char *what);
+
 /* Leaves out rows with which the group and its margins would be higher. */
 void hud_group_limit(struct hud_group *group, int height);
 

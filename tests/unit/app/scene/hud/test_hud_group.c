@@ -319,6 +319,23 @@ static void test_switches_show_on_and_off(void **state)
 	hud_group_end(&group);
 }
 
+static void test_a_group_widens_for_the_text_of_a_switch(void **state)
+{
+	struct hud *hud = hud_of_size(320, 240);
+	struct hud_group group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	int standard = group.width, first = hud->quad_count;
+
+	(void)state;
+	hud_group_widen(&group, "F8", "cape");
+	assert_int_equal(group.width, standard);
+	hud_group_widen(&group, "F8", "arm shake");
+	hud_group_switch(&group, "F8", "arm shake", true, hud_color_rose);
+	assert_contains(text_of(hud, first), "armshake");
+	hud_group_widen(&group, "F8", "what nobody reads to its end");
+	assert_int_equal(group.width, standard * 5 / 4);
+	hud_group_end(&group);
+}
+
 static void test_groups_that_do_not_fit_are_harmless(void **state)
 {
 	(void)state;
@@ -368,6 +385,7 @@ int main(void)
 		cmocka_unit_test(test_weights_show_percent),
 		cmocka_unit_test(test_a_long_label_gives_way_to_its_value),
 		cmocka_unit_test(test_switches_show_on_and_off),
+		cmocka_unit_test(test_a_group_widens_for_the_text_of_a_switch),
 		cmocka_unit_test(test_groups_that_do_not_fit_are_harmless),
 		cmocka_unit_test(test_drawing_takes_nothing_from_the_heap),
 	};

@@ -98,11 +98,12 @@ def build_head():
     hair += [(head.make_tail(), rig.tail_weights),
              (head.make_tie(), rig.tail_weights)]
     face = expression.make_face() + both(head.make_ear())
-    face = [(piece, rig.head_weights) for piece in face]
+    face = [(piece, rig.eye_weights if piece.region[0] == "eyewhite"
+             else rig.head_weights) for piece in face]
     for piece, _ in hair + face:
         piece.move(rig.place_head)
     # pieces that move with the head and hide parts of it; the ponytail swings
-    solid = [p for p, weigh in hair + face if weigh == rig.head_weights]
+    solid = [p for p, weigh in hair + face if weigh != rig.tail_weights]
     hidden = hidden_behind(solid + [head.make_neck()])
     return trimmed(hair, hidden), trimmed(face, hidden)
 

@@ -181,20 +181,27 @@ class Skin:
 # --- parts on the skin or behind it -------------------------------------------
 
 
+EYE_COLUMNS = 12
+
+
 def make_eye():
-    """The left eye: white, iris and pupil on the eyeball."""
+    """The left eye: white, iris and pupil on the eyeball.
+
+    The white reaches behind the lids, so far that these also cover its edge
+    while the eye looks aside.
+    """
     piece = Piece()
-    u, _, sign = features.lid_columns()
-    x, z = features.lid_edge()
-    a = 2 * np.pi * np.arange(features.LID_COLUMNS) / features.LID_COLUMNS
+    a = 2 * np.pi * np.arange(EYE_COLUMNS) / EYE_COLUMNS
+    c, s = np.cos(a), np.sin(a)
+    white = (np.where(c > 0, 1.20, 1.36) * features.EYE_WIDTH,
+             np.where(s > 0, 1.44 * features.EYE_TOP,
+                      1.36 * features.EYE_BOTTOM))
     rings = []
-    for radius, back in ((None, 0.0016), (0.0122, 0.0), (0.0062, 0.0)):
-        if radius is None:
-            px = EYE[0] + (x - EYE[0]) * 1.14
-            pz = EYE[2] + (z - EYE[2]) * np.where(sign > 0, 1.30, 1.18)
-        else:
-            px = EYE[0] + 0.0006 + radius * np.cos(a)
-            pz = EYE[2] + radius * np.sin(a)
+    for (width, height), aside, back in ((white, 0.0, 0.0016),
+                                         ((0.0122, 0.0122), 0.0006, 0.0),
+                                         ((0.0062, 0.0062), 0.0006, 0.0)):
+        px = EYE[0] + aside + width * c
+        pz = EYE[2] + height * s
         py = features.dome(px, pz, 0.0) + back
         rings.append(piece.vertices(np.stack([px, py, pz], axis=1)))
     piece.bridge(rings[0], rings[1], "eyewhite")

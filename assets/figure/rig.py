@@ -75,13 +75,21 @@ LEFT = [
 ]
 
 
+def left_bones():
+    """The bones of the left side, with the eye, whose place features.py computes."""
+    from .features import BALL as EYEBALL, BALL_FRONT  # features needs this file
+
+    return LEFT + [("eye", "head", place_head(EYEBALL), place_head(BALL_FRONT))]
+
+
 def bone_table():
     """All bones as (name, parent, head, tail), parents first."""
+    left = left_bones()
     bones = [(n, p, np.array(h, float), np.array(t, float))
              for n, p, h, t in CENTRE]
-    both = {n for n, *_ in LEFT}
+    both = {n for n, *_ in left}
     for suffix, sign in ((".L", 1), (".R", -1)):
-        for name, parent, head, tail in LEFT:
+        for name, parent, head, tail in left:
             parent = parent + suffix if parent in both else parent
             flip = np.array([sign, 1, 1])
             bones.append((name + suffix, parent, np.array(head) * flip,
@@ -101,7 +109,8 @@ def make_armature():
         bone.head, bone.tail = Vector(head), Vector(tail)
         if parent:
             bone.parent = data.edit_bones[parent]
-        if not name.startswith(("hips", "spine", "chest", "neck", "head")):
+        if not name.startswith(("hips", "spine", "chest", "neck", "head",
+                                "eye")):
             bone.align_roll(Vector((0, -1, 0)))
     bpy.ops.object.mode_set(mode="OBJECT")
     return obj
@@ -191,6 +200,10 @@ def neck_weights(co, marks):
 
 def head_weights(co, marks):
     return {"head": 1}
+
+
+def eye_weights(co, marks):
+    return {"eye" + side_of(co): 1}
 
 
 def tail_weights(co, marks):

@@ -270,7 +270,7 @@ static float turn_of(const struct acting *acting, const char *name)
 	return quat_angle(turn);
 }
 
-/* The head stands for eyes here: what has the larger rate leads. */
+/* What has the larger rate leads. */
 static void test_a_bone_with_a_larger_rate_looks_first(void **state)
 {
 	struct acting acting;
@@ -293,6 +293,43 @@ static void test_a_bone_with_a_larger_rate_looks_first(void **state)
 	assert_true(early[0] < 0.4f * late[0]);
 	/* While the neck follows, the head gives back what it was ahead. */
 	assert_true(early[1] > late[1]);
+	acting_end(&acting);
+}
+
+/*
+ * An iris moves on a sphere of 44 mm, so that a degree of its bone stands for
+ * 1 / 0.3 degrees of a real eye.
+ */
+static float gaze_of(const struct acting *acting, const char *eye)
+{
+	return turn_of(acting, eye) / 0.3f;
+}
+
+static void test_the_eyes_turn_earlier_and_further_than_the_head(void **state)
+{
+	static const char *const eyes[] = {"eye.L", "eye.R"};
+	struct acting acting;
+	float head, most = 0;
+
+	(void)state;
+	begin(&acting);
+	/* The ball is far aside. */
+	go_on(&acting, 150);
+	set_on(&acting, "look at", true);
+	set_on(&acting, "eyes", true);
+	go_on(&acting, 3);
+	head = turn_of(&acting, "head") + turn_of(&acting, "neck");
+	assert_true(head < 0.2f);
+	for (int i = 0; i < 2; i++) {
+		assert_true(gaze_of(&acting, eyes[i]) > 2 * head);
+	}
+	go_on(&acting, 3);
+	most = gaze_of(&acting, "eye.L");
+	/* While the head follows, the eyes give back what they were ahead. */
+	go_on(&acting, 24);
+	head = turn_of(&acting, "head") + turn_of(&acting, "neck");
+	assert_true(head > 0.2f);
+	assert_true(gaze_of(&acting, "eye.L") < 0.7f * most);
 	acting_end(&acting);
 }
 
@@ -355,6 +392,8 @@ int main(void)
 		cmocka_unit_test(test_the_fingers_close_around_the_ball),
 		cmocka_unit_test(test_the_head_turns_towards_the_ball),
 		cmocka_unit_test(test_a_bone_with_a_larger_rate_looks_first),
+		cmocka_unit_test(
+			test_the_eyes_turn_earlier_and_further_than_the_head),
 		cmocka_unit_test(test_the_cape_stays_on_and_moves),
 		cmocka_unit_test(test_the_floor_stands_while_the_walker_does),
 	};

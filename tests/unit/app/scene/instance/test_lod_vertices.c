@@ -142,7 +142,7 @@ static void test_each_level_has_the_vertices_that_it_draws(void **state)
 		assert_true(count_spoilt(&few) >= spared);
 		spared = count_spoilt(&few);
 	}
-	/* The coarsest level needs less than a third of 5,021 vertices. */
+	/* The coarsest level needs less than a third of 5,001 vertices. */
 	assert_true(spared > 3400);
 	end(&all);
 	end(&few);

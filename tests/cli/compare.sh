@@ -191,6 +191,21 @@ index = struct.unpack_from("<3H", data, at)
 assert index in ((0, 2, 1), (2, 1, 0), (1, 0, 2)), index
 ' "$scratch/mirrored"
 
+# Joints need not be in the scene, but the rigid parts that they move are shown.
+sed 's/"nodes": \[/"scene": 0, "scenes": [{"nodes": [0]}], &/' \
+    "$here/../fixtures/gltf/skin/and_morph.gltf" >"$scratch/joints.gltf"
+limber compare "$scratch/joints.gltf" --export "$scratch/joints"
+expect_status 0
+# shellcheck disable=SC2016 # Python
+check 'the nodes of rigid parts are in the scene' python3 -c '
+import json, struct, sys
+data = open(sys.argv[1], "rb").read()
+size, = struct.unpack_from("<I", data, 12)
+gltf = json.loads(data[20:20 + size])
+shown = gltf["scenes"][0]["nodes"]
+assert any("mesh" in gltf["nodes"][i] for i in shown), gltf["nodes"]
+' "$scratch/joints/rigid.glb"
+
 limber compare
 expect_refusal 2 'no model'
 limber compare "$slider" --format xml

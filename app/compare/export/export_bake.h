@@ -33,7 +33,8 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 /*
  * Adds the model's nodes. mesh[node] is the number of the node's mesh, or -1;
  * with skins, nodes keep theirs. Adds the scene's roots, and the nodes of
- * levels (export_levels.h); the meshes are in the file.
+ * levels (export_levels.h); the meshes are in the file. Without skins all roots
+ * are in the scene, because joints show meshes then, which need not be in it.
  */
 void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
 	bool skins, const json_t *levels);

@@ -55,7 +55,7 @@ void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
 		json_array_append_new(nodes, node_json(node, mesh[i], skins));
 		if (node->parent >= 0) {
 			add_child(nodes, node->parent, i);
-		} else if (node->in_scene) {
+		} else if (node->in_scene || !skins) {
 			json_array_append_new(roots, json_integer(i));
 		}
 	}

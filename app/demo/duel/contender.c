@@ -1,6 +1,8 @@
 #include "app/demo/duel/contender.h"
 
 #include "app/compare/candidate/candidate_morph.h"
+#include "app/compare/candidate/candidate_rigid.h"
+#include "app/compare/export/export.h"
 #include "app/demo/actor.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_heat.h"
@@ -45,26 +47,26 @@ static int init_morph(struct contender *contender,
 			       env->log, &contender->shown);
 }
 
+/* Shows what `limber compare --export` writes of the rigid parts. */
 static int init_rigid(struct contender *contender, const struct demo_env *env)
 {
 	struct reference *reference = contender->reference;
-	struct arena arena = arena_empty();
+	struct comparison_clip clip = {.clip = reference->clip_index};
+	const struct comparison comparison = {
+		.model = reference->model, .clip_count = 1, .clip = &clip};
+	const struct comparison_row row = {.kind = COMPARISON_RIGID};
 	int error = candidate_rigid(&contender->candidate, reference, env->log);
 
+	if (!error) {
+		error = export_load(
+			&comparison, &row, env->log, &contender->parts);
+	}
 	if (error) {
 		return error;
 	}
-	error = duel_rigid_init(&contender->rigid,
-		candidate_rigid_bake(&contender->candidate), &arena);
-	contender->rigid.model.arena = arena;
-	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory for the rigid parts",
-			env->model_path);
-		return error;
-	}
-	return instance_create(&contender->rigid.model, env->kernel, env->log,
-		&contender->shown);
+	contender->clip = &contender->parts->clip[0];
+	return instance_create(
+		contender->parts, env->kernel, env->log, &contender->shown);
 }
 
 static int init_technique(struct contender *contender,
@@ -147,6 +149,7 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 			? "Skeletal"
 			: actor_technique(reference->instance),
 		.reference = reference,
+		.clip = reference->clip,
 		.now_ns = env->now_ns,
 		.ms = -1.0f};
 	error = init_technique(contender, screen, grid, bound_px, env);
@@ -174,7 +177,7 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 void contender_finish(struct contender *contender)
 {
 	instance_destroy(contender->shown);
-	arena_release(&contender->rigid.model.arena);
+	model_destroy(contender->parts);
 	candidate_destroy(&contender->candidate);
 }
 
@@ -186,8 +189,8 @@ static void run(struct contender *contender, float time_s)
 		candidate_pose(&contender->candidate, time_s);
 		return;
 	}
-	clip_pose(contender->reference->clip, time_s, CLIP_AUTO,
-		&contender->cursor, &shown->pose);
+	clip_pose(contender->clip, time_s, CLIP_AUTO, &contender->cursor,
+		&shown->pose);
 	instance_update(shown);
 }
 
@@ -248,20 +251,39 @@ void contender_pose(struct contender *contender, float time_s)
 	}
 }
 
-static int source_of(const struct contender *contender, int drawable, int vertex)
+/* Which vertices of the reference a drawable shows. */
+struct sources {
+	int first;
+	const int *vertex; /* of those from first on; NULL: in their order */
+};
+
+/* The parts that a node moves are its mesh's primitives. */
+static struct sources rigid_sources(
+	const struct contender *contender, const struct drawable *drawable)
+{
+	const struct rigid_bake *rigid =
+		candidate_rigid_bake(&contender->candidate);
+	int part = 0, before = drawable->primitive_index;
+
+	while (rigid->part[part].node != drawable->node || before-- > 0) {
+		part++;
+	}
+	return (struct sources){rigid->part[part].first_vertex, rigid->source};
+}
+
+static struct sources sources_of(const struct contender *contender, int drawable)
 {
 	const struct reference *reference = contender->reference;
+	int part = 0;
 
 	if (contender->kind == CONTENDER_RIGID) {
-		return duel_rigid_source(&contender->rigid,
-			&contender->shown->drawable[drawable], vertex);
+		return rigid_sources(
+			contender, &contender->shown->drawable[drawable]);
 	}
-	for (int i = 0; i < reference->part_count; i++) {
-		if (reference->part[i].drawable == drawable) {
-			return reference->part[i].first_vertex + vertex;
-		}
+	while (reference->part[part].drawable != drawable) {
+		part++;
 	}
-	return vertex;
+	return (struct sources){reference->part[part].first_vertex, NULL};
 }
 
 void contender_measure_error(struct contender *contender,
@@ -275,14 +297,17 @@ void contender_measure_error(struct contender *contender,
 	contender->peak_px = 0.0f;
 	for (int d = 0; d < shown->drawable_count; d++) {
 		const struct drawable *drawable = &shown->drawable[d];
+		struct sources from = sources_of(contender, d);
 
 		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			int source = from.first + v;
 			uint8_t rgb[3];
 			float at[3], px;
 
 			instance_world_vertex(shown, drawable, v, at);
 			px = screen_view_distance_px(screen, at,
-				reference->position[source_of(contender, d, v)]);
+				reference->position[from.vertex ? from.vertex[source]
+								: source]);
 			if (px > contender->peak_px) {
 				contender->peak_px = px;
 			}

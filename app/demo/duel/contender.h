@@ -8,7 +8,6 @@
 #include "app/compare/candidate/candidate.h"
 #include "app/compare/measure/time_grid.h"
 #include "app/demo/demo.h"
-#include "app/demo/duel/duel_rigid.h"
 #include "app/demo/vertex_tint.h"
 
 enum contender_kind {
@@ -24,8 +23,9 @@ struct contender {
 	struct reference *reference;
 	struct candidate candidate; /* counts bytes; also poses the morph */
 	int key_count;              /* of the morph, else 0 */
-	struct duel_rigid rigid;    /* CONTENDER_RIGID only */
+	struct model *parts;        /* CONTENDER_RIGID only */
 	struct instance *shown;
+	const struct model_clip *clip; /* of the shown model */
 	struct clip_cursor cursor;
 	struct vertex_tint heat;
 	float (*position)[3]; /* the morph's last pose; else NULL */

@@ -200,10 +200,12 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 						.margin = scene->margin,
 						.follow = true},
 		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
+	struct bounds box = behaviour->bounds.all;
 
 	behaviour_count_labels(behaviour->character, &framing);
-	return actor_init_stage(
-		base, env, &behaviour->bounds.all, &framing, stage);
+	box.low[1] = behaviour_bounds_ground(&behaviour->bounds,
+		behaviour->character->instance->model->clip_count);
+	return actor_init_stage(base, env, &box, &framing, stage);
 }
 
 void behaviour_update(struct behaviour *behaviour, struct demo_base *base,

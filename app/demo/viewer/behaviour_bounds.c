@@ -1,6 +1,12 @@
 #include "app/demo/viewer/behaviour_bounds.h"
 
+#include "platform/base/scalar.h"
+
 #include <errno.h>
+
+/* Parts of the model's extent. */
+static const float near_part = 0.03f; /* clips that stand equally high */
+static const float sunk_part = 0.15f; /* that a clip may be below the ground */
 
 void behaviour_range(const struct character *character, const float *value,
 	float *low, float *high)
@@ -218,6 +224,51 @@ int behaviour_bounds_init(
 	add_shifts(bounds, character);
 	add_balls(bounds, character);
 	return character->part_count > 0 ? find_outermost(bounds, instance) : 0;
+}
+
+static float clip_low(const struct behaviour_bounds *bounds, int clip)
+{
+	return bounds->clip[clip].low[1];
+}
+
+/* How many clips stand about as high; the rest pose counts half. */
+static float count_standing(
+	const struct behaviour_bounds *bounds, int clip_count, float y)
+{
+	float near = near_part * bounds->extent;
+	float count = scalar_abs(bounds->rest.low[1] - y) <= near ? 0.5f : 0.0f;
+
+	for (int i = 0; i < clip_count; i++) {
+		count += scalar_abs(clip_low(bounds, i) - y) <= near;
+	}
+	return count;
+}
+
+float behaviour_bounds_ground(
+	const struct behaviour_bounds *bounds, int clip_count)
+{
+	float lowest, ground, most = 0.0f;
+
+	if (clip_count == 0) {
+		return bounds->all.low[1];
+	}
+	lowest = clip_low(bounds, 0);
+	for (int i = 1; i < clip_count; i++) {
+		lowest = clip_low(bounds, i) < lowest ? clip_low(bounds, i)
+						      : lowest;
+	}
+	ground = lowest;
+	for (int i = 0; i < clip_count; i++) {
+		float y = clip_low(bounds, i);
+		float count = count_standing(bounds, clip_count, y);
+
+		if (y <= lowest + sunk_part * bounds->extent &&
+			(count > most || (count == most && y < ground))) {
+			most = count;
+			ground = y;
+		}
+	}
+	return ground;
 }
 
 static void add_entry(const struct behaviour_bounds *bounds,

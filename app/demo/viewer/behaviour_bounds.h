@@ -27,8 +27,8 @@ struct behaviour_bounds {
 };
 
 /*
- * Leaves out what goes so far that the model would be less than half as large in
- * the picture. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
+ * Leaves out what goes so far that the model would be less than half as large
+ * in the picture. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
  */
 int behaviour_bounds_init(
 	struct behaviour_bounds *bounds, const struct character *character);
@@ -41,9 +41,17 @@ struct bounds behaviour_bounds_now(
 	struct behaviour_bounds *bounds, const struct character *character);
 
 /*
+ * The height of the ground: that on which most clips stand. Those that sink a
+ * little, such as a figure that falls, do not let the others hover; but the
+ * ground hides no clip that goes deeper.
+ */
+float behaviour_bounds_ground(
+	const struct behaviour_bounds *bounds, int clip_count);
+
+/*
  * Adds where a drawable's outermost vertices are now, after y has moved them by
- * so much along x and z for each unit of height above it. slope may be 0 0. Only
- * for a character with parts.
+ * so much along x and z for each unit of height above it. slope may be 0 0.
+ * Only for a character with parts.
  */
 void behaviour_bounds_add(const struct behaviour_bounds *bounds,
 	const struct instance *instance, int drawable, float y,

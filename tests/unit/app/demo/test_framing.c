@@ -2,6 +2,7 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
+#include "app/demo/viewer/behaviour_bounds.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
@@ -357,6 +358,33 @@ static void test_a_crowd_is_framed_anew_in_another_size(void **state)
 	}
 }
 
+static float ground_of(float rest, const float *low, int count)
+{
+	struct bounds clip[4];
+	struct behaviour_bounds bounds = {.clip = clip, .extent = 2.0f};
+
+	bounds.rest = bounds.all =
+		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
+	for (int i = 0; i < count; i++) {
+		clip[i] = bounds.rest;
+		clip[i].low[1] = low[i];
+	}
+	return behaviour_bounds_ground(&bounds, count);
+}
+
+static void test_the_ground_is_where_most_clips_stand(void **state)
+{
+	(void)state;
+	/* One of them falls, and sinks a little. */
+	assert_near(ground_of(0, (float[]){0, 0.01f, -0.2f}, 3), 0, 0);
+	assert_near(ground_of(0, (float[]){-0.2f, 0.01f}, 2), 0.01, 1e-6);
+	/* One leaps, and none is on the ground at rest. */
+	assert_near(ground_of(-1, (float[]){0.3f, 0, 0}, 3), 0, 0);
+	/* A bird lands far below. */
+	assert_near(ground_of(1.6f, (float[]){1.6f, 0.1f}, 2), 0.1, 1e-6);
+	assert_near(ground_of(0.5f, NULL, 0), 0.5, 0);
+}
+
 static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
 {
 	(void)state;
@@ -426,6 +454,7 @@ int main(void)
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
 		cmocka_unit_test(test_a_crowd_is_framed_anew_in_another_size),
+		cmocka_unit_test(test_the_ground_is_where_most_clips_stand),
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
 		cmocka_unit_test(test_a_target_that_moves_stays_in_the_picture),

@@ -82,16 +82,12 @@ static int free_regions(const struct actor_framing *framing, int width,
 
 	float left = 2.0f * (float)labels.column / (float)width - 1.0f;
 	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
-	float above = 1.0f -
-		2.0f * (float)(framing->lines_above * labels.line) /
-			(float)height;
 	int count = 0;
 
-	if (bottom > above - least_side) {
+	if (bottom > 1.0f - least_side) {
 		bottom = -1.0f; /* the labels are larger than the picture */
-		above = 1.0f;
 	}
-	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, above};
+	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
 	if (framing->label_rows == 0) {
 		return 1;
 	}

@@ -33,7 +33,7 @@ struct actor_framing {
 	/* In the top left corner, beside a title, and how many have bars. */
 	int label_rows, label_bars; /* 0: there are no labels */
 	bool labels_right;          /* the labels are in the top right corner */
-	int lines_above, lines_below; /* of text along an edge */
+	int lines_below;            /* of text along the lower edge */
 };
 
 /* Every demo's struct begins with this one. */

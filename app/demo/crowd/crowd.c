@@ -33,13 +33,21 @@ enum {
 };
 
 static const float coarse_error_px = 2.0f, far_error_px = 4.0f;
+static const float first_yaw_rad = 0.45f;
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
 static const float ease_per_s = 3.0f; /* of the camera to its goal */
 static const double period_s = 8.0;
 
+/*
+ * A box whose diagonal is across the picture is as wide and as deep as the
+ * circle around it, which fits the picture from all sides.
+ */
 static const struct actor_framing framing = {
-	.camera = {.yaw_rad = 0.45f, .pitch_rad = 0.42f, .margin = 1.0f},
+	.camera = {.yaw_rad = 0.25f * SCALAR_PI,
+		.pitch_rad = 0.42f,
+		.margin = 1.04f,
+		.follow = true},
 	.label_rows = 2,
 	.label_bars = 2};
 
@@ -133,8 +141,7 @@ static void change_count(struct demo *demo, int by)
 
 static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 {
-	/* camera_frame() turns the box: inscribed in the circle it fits. */
-	float r = 0.7f * crowd_radius_m(count) + demo->figure.beyond_m;
+	float r = 0.7071f * (crowd_radius_m(count) + demo->figure.beyond_m);
 
 	return (struct bounds){
 		.low = {-r, 0.0f, -r},
@@ -142,7 +149,7 @@ static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 	};
 }
 
-/* The camera's final position for this number of walkers. */
+/* The camera that shows this number of walkers, from any side. */
 static struct camera camera_for(const struct demo *demo, int count)
 {
 	struct bounds bounds = bounds_of_crowd(demo, count);
@@ -152,7 +159,23 @@ static struct camera camera_for(const struct demo *demo, int count)
 	wanted.aspect = demo->aspect;
 	wanted.region = demo->region;
 	camera_frame(&camera, &bounds, &wanted);
+	camera.fit.on = false;
+	camera.yaw_rad = first_yaw_rad;
 	return camera;
+}
+
+/* Labels of a picture of another size leave another region free. */
+static void find_region(struct demo *demo, int width, int height)
+{
+	float aspect = (float)width / (float)height;
+	struct bounds bounds = bounds_of_crowd(demo, CROWD_MAX);
+
+	if (height != demo->height || aspect != demo->aspect) {
+		demo->height = height;
+		demo->aspect = aspect;
+		demo->region = actor_region(
+			&demo->base.framing, &bounds, width, height);
+	}
 }
 
 static int crowd_prepare(struct demo *demo, const struct demo_env *env)
@@ -163,8 +186,6 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 
 	demo->log = env->log;
 	demo->kernel = env->kernel;
-	demo->aspect = (float)env->width / (float)env->height;
-	demo->height = env->height;
 	demo->drifting = env->unattended;
 	demo->reducing = true;
 	while (!error && demo->count < wanted && demo->count < CROWD_MAX) {
@@ -177,7 +198,7 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
 	error = actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
-	demo->region = demo->base.stage.camera.fit.region;
+	find_region(demo, env->width, env->height);
 	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;
 }
@@ -332,20 +353,6 @@ static void draw_shadow(const struct demo *demo, const struct walker *walker)
 		draw_instance(gl, walker->instance, &demo->base.actor.textures,
 			DRAW_SHADOW);
 		gl->PopMatrix();
-	}
-}
-
-/* Labels of a picture of another size leave another region free. */
-static void find_region(struct demo *demo, int width, int height)
-{
-	float aspect = (float)width / (float)height;
-	struct bounds bounds = bounds_of_crowd(demo, CROWD_MAX);
-
-	if (height != demo->height || aspect != demo->aspect) {
-		demo->height = height;
-		demo->aspect = aspect;
-		demo->region = actor_region(
-			&demo->base.framing, &bounds, width, height);
 	}
 }
 

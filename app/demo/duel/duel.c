@@ -28,7 +28,6 @@ static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
 						     .pitch_rad = 0.14f,
 						     .margin = 1.04f,
 						     .follow = true},
-	.lines_above = 2,
 	.lines_below = 6};
 
 enum {

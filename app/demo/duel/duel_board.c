@@ -46,25 +46,34 @@ static void write_centered(struct hud *hud, int left, int width, int y,
 		width, color, text);
 }
 
+/* What the technique plays the clip with. */
+static void write_means(
+	const struct contender *contender, char *text, size_t size)
+{
+	if (contender->key_count > 0) {
+		snprintf(text, size, "%d keys", contender->key_count);
+	} else {
+		snprintf(text, size, "%s",
+			contender->kind == CONTENDER_RIGID ? "rigid parts"
+				: contender->reference->model->skin_count
+				? "skin"
+				: "the file's own");
+	}
+}
+
 static void show_column(const struct contender *contender, int kind, int left,
-	int width, int y, struct hud *hud)
+	int width, int y, bool means, struct hud *hud)
 {
 	int line = hud_line_height(hud);
-	int key_count = contender[kind].key_count;
 	char text[32];
 
 	write_centered(
 		hud, left, width, y, hud_color_text, contender[kind].title);
-	if (key_count > 0) {
-		snprintf(text, sizeof(text), "%d keys", key_count);
-	} else {
-		snprintf(text, sizeof(text), "%s",
-			kind == CONTENDER_RIGID ? "rigid parts"
-				: contender[kind].reference->model->skin_count
-				? "skin"
-				: "the file's own");
+	y += line;
+	if (means) {
+		write_means(&contender[kind], text, sizeof(text));
+		write_centered(hud, left, width, y, hud_color_dim, text);
 	}
-	write_centered(hud, left, width, y += line, hud_color_dim, text);
 	for (int row = 0; row < ROWS; row++) {
 		float value = figure(&contender[kind], row);
 
@@ -78,18 +87,14 @@ static void show_column(const struct contender *contender, int kind, int left,
 	}
 }
 
-/* Shows the colour scale of the errors. */
-static void show_ramp(float full_px, struct hud *hud)
+/* Shows the colour scale of the errors in a line of the panel. */
+static void show_ramp(float full_px, int y, struct hud *hud)
 {
 	int em = hud_em(hud), line = hud_line_height(hud);
-	int left = em, width = hud->width - 2 * em, y = em;
-	int bar = width / 3;
+	int bar = (hud->width - 2 * em) / 3;
 	char text[32];
-	int x;
+	int x = hud_text(hud, em, y, hud_color_dim, "off by 0 ") + em / 4;
 
-	hud_panel(hud, left - em / 2, y - em / 4, width + em, line + em / 2,
-		em / 3, hud_color_panel);
-	x = hud_text(hud, left, y, hud_color_dim, "off by 0 ") + em / 4;
 	for (int i = 0; i < RAMP_STEPS; i++) {
 		int from = x + bar * i / RAMP_STEPS;
 		int to = x + bar * (i + 1) / RAMP_STEPS;
@@ -116,11 +121,11 @@ void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 	hud_panel(hud, left, y, width, height, em / 3, hud_color_panel);
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		show_column(contender, i, left + i * column, column, y + em / 2,
-			hud);
+			full_px <= 0.0f, hud);
+	}
+	if (full_px > 0.0f) {
+		show_ramp(full_px, y + em / 2 + line, hud);
 	}
 	hud->stacked_px[HUD_BOTTOM_LEFT] += height + em / 2;
 	hud->stacked_px[HUD_BOTTOM_RIGHT] += height + em / 2;
-	if (full_px > 0.0f) {
-		show_ramp(full_px, hud);
-	}
 }

@@ -8,7 +8,8 @@
 
 /*
  * Adds the time, memory and error of each contender; the best of a row is green.
- * full_px is the error that is painted red; with 0 no colour scale is shown.
+ * If full_px is above 0, a colour scale up to this error takes the place of what
+ * the techniques play with.
  */
 void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 	float full_px, struct hud *hud);

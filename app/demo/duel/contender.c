@@ -164,7 +164,8 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 			&contender->cursor, shown->model, &shown->arena);
 	}
 	if (!error) {
-		error = vertex_tint_init(&contender->heat, shown);
+		error = overlay_heat_init(
+			&contender->heat, shown, &shown->arena);
 	}
 	if (error) {
 		log_error(env->log,
@@ -286,36 +287,43 @@ static struct sources sources_of(const struct contender *contender, int drawable
 	return (struct sources){reference->part[part].first_vertex, NULL};
 }
 
+/* What painting the errors needs. */
+struct measurement {
+	struct contender *contender;
+	const struct screen_view *screen;
+	float full_px;
+	int drawable; /* the last one; -1: none */
+	struct sources from;
+};
+
+static void measure_vertex(void *user, int drawable, int vertex, uint8_t rgb[3])
+{
+	struct measurement *measurement = user;
+	struct contender *contender = measurement->contender;
+	const struct instance *shown = contender->shown;
+	const struct sources *from = &measurement->from;
+	int source;
+	float at[3], px;
+
+	if (measurement->drawable != drawable) {
+		measurement->drawable = drawable;
+		measurement->from = sources_of(contender, drawable);
+	}
+	source = from->first + vertex;
+	source = from->vertex ? from->vertex[source] : source;
+	instance_world_vertex(shown, &shown->drawable[drawable], vertex, at);
+	px = screen_view_distance_px(measurement->screen, at,
+		contender->reference->position[source]);
+	contender->peak_px = px > contender->peak_px ? px : contender->peak_px;
+	overlay_heat_ramp(px / measurement->full_px, rgb);
+}
+
 void contender_measure_error(struct contender *contender,
 	const struct screen_view *screen, float full_px)
 {
-	const struct reference *reference = contender->reference;
-	const struct instance *shown = contender->shown;
-	float sum_px = 0.0f;
-	int count = 0;
+	struct measurement measurement = {
+		contender, screen, full_px, -1, {0, NULL}};
 
 	contender->peak_px = 0.0f;
-	for (int d = 0; d < shown->drawable_count; d++) {
-		const struct drawable *drawable = &shown->drawable[d];
-		struct sources from = sources_of(contender, d);
-
-		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
-			int source = from.first + v;
-			uint8_t rgb[3];
-			float at[3], px;
-
-			instance_world_vertex(shown, drawable, v, at);
-			px = screen_view_distance_px(screen, at,
-				reference->position[from.vertex ? from.vertex[source]
-								: source]);
-			if (px > contender->peak_px) {
-				contender->peak_px = px;
-			}
-			sum_px += px;
-			overlay_heat_ramp(px / full_px, rgb);
-			vertex_tint_set(&contender->heat, d, v, rgb);
-		}
-		count += drawable->primitive->vertex_count;
-	}
-	contender->mean_px = count > 0 ? sum_px / (float)count : 0.0f;
+	overlay_heat_paint(&contender->heat, measure_vertex, &measurement);
 }

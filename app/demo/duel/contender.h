@@ -8,7 +8,7 @@
 #include "app/compare/candidate/candidate.h"
 #include "app/compare/measure/time_grid.h"
 #include "app/demo/demo.h"
-#include "app/demo/vertex_tint.h"
+#include "app/scene/overlay/overlay_heat.h"
 
 enum contender_kind {
 	CONTENDER_SKIN, /* the model as it is; most have a skin */
@@ -27,7 +27,7 @@ struct contender {
 	struct instance *shown;
 	const struct model_clip *clip; /* of the shown model */
 	struct clip_cursor cursor;
-	struct vertex_tint heat;
+	struct overlay_heat heat;
 	float (*position)[3]; /* the morph's last pose; else NULL */
 	float (*normal)[3];
 	int64_t (*now_ns)(void); /* NULL: not timed */
@@ -35,7 +35,7 @@ struct contender {
 	float ms; /* mean time of a frame; negative if unknown */
 	float sum_ms;
 	int sum_frames;
-	float peak_px, mean_px; /* errors of the current pose */
+	float peak_px; /* the largest error of the current pose */
 };
 
 /*

@@ -167,7 +167,7 @@ static void show_heat(struct demo *demo, bool on)
 {
 	demo->heat_shown = on;
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		vertex_tint_switch(&demo->contender[i].heat, on);
+		overlay_heat_switch(&demo->contender[i].heat, on);
 	}
 }
 

@@ -10,7 +10,6 @@
 #include "app/demo/demo.h"
 #include "app/demo/preset_file.h"
 #include "app/demo/tuner/tuner_bones.h"
-#include "app/demo/vertex_tint.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "platform/base/scalar.h"
 
@@ -47,7 +46,7 @@ struct demo {
 	struct tuner_bones bones;
 	struct procedural swing[MOTION_BONES_MAX]; /* [bones.count] */
 	float unit_factor;                         /* of the presets' lengths */
-	struct vertex_tint tint;
+	struct overlay_heat heat;
 	bool painted, autoplay, shaking, may_save;
 	int clip;
 	double now_s;
@@ -62,34 +61,39 @@ static struct procedural_preset *preset_of(struct demo *demo)
 	return &demo->file.preset[demo->chosen];
 }
 
+/* The colours of the levels of bones. */
+struct palette {
+	const struct tuner_bones *bones;
+	uint8_t rgb[TUNER_LEVELS_MAX + 1][3];
+};
+
+static void color_vertex(void *user, int drawable, int vertex, uint8_t rgb[3])
+{
+	const struct palette *palette = user;
+	const struct tuner_bones *bones = palette->bones;
+	int level = bones->level[bones->joint[drawable][vertex]];
+
+	memcpy(rgb,
+		level == TUNER_OFF_CHAIN ? off_chain_rgb : palette->rgb[level],
+		3);
+}
+
 static void paint(struct demo *demo)
 {
-	const struct instance *instance = demo->base.actor.instance;
 	const struct procedural_preset *preset = preset_of(demo);
-	const struct tuner_bones *bones = &demo->bones;
-	uint8_t rgb[TUNER_LEVELS_MAX + 1][3];
+	struct palette palette = {.bones = &demo->bones};
 	float max = 0.001f;
 
-	for (int level = 0; level <= bones->deepest; level++) {
+	for (int level = 0; level <= demo->bones.deepest; level++) {
 		float modifier = procedural_modifier(preset, level);
 
 		max = modifier > max ? modifier : max;
 	}
 	for (int level = 0; level <= TUNER_LEVELS_MAX; level++) {
-		overlay_heat_ramp(
-			procedural_modifier(preset, level) / max, rgb[level]);
+		overlay_heat_ramp(procedural_modifier(preset, level) / max,
+			palette.rgb[level]);
 	}
-	for (int d = 0; d < instance->drawable_count; d++) {
-		int count = instance->drawable[d].primitive->vertex_count;
-
-		for (int v = 0; v < count; v++) {
-			int level = bones->level[bones->joint[d][v]];
-
-			vertex_tint_set(&demo->tint, d, v,
-				level == TUNER_OFF_CHAIN ? off_chain_rgb
-							 : rgb[level]);
-		}
-	}
+	overlay_heat_paint(&demo->heat, color_vertex, &palette);
 }
 
 /* Call this after any change of the preset. */
@@ -151,7 +155,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	}
 	demo->clip = motions.role[MOTION_STAND].clip;
 	demo->unit_factor = unit_factor(&demo->base.actor);
-	error = vertex_tint_init(&demo->tint, instance);
+	error = overlay_heat_init(&demo->heat, instance, &instance->arena);
 	if (!error) {
 		error = tuner_bones_init(&demo->bones, instance, &motions);
 	}
@@ -164,7 +168,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	begin_swings(demo);
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
-	vertex_tint_switch(&demo->tint, demo->painted);
+	overlay_heat_switch(&demo->heat, demo->painted);
 	return actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
 }
@@ -347,7 +351,7 @@ static void toggle_paint(struct demo *demo, int amount)
 {
 	(void)amount;
 	demo->painted = !demo->painted;
-	vertex_tint_switch(&demo->tint, demo->painted);
+	overlay_heat_switch(&demo->heat, demo->painted);
 }
 
 static void read_again(struct demo *demo, int amount)

@@ -63,16 +63,12 @@ void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion,
 	} else if (overlay->painting) {
 		paint_mask(overlay, mask);
 	}
-	if (overlay->painting) {
-		overlay_heat_begin(&overlay->heat);
-	}
+	overlay_heat_switch(&overlay->heat, overlay->painting);
 }
 
 void overlay_end(struct overlay *overlay)
 {
-	if (overlay->painting) {
-		overlay_heat_end(&overlay->heat);
-	}
+	overlay_heat_switch(&overlay->heat, false);
 	overlay->painting = false;
 }
 

@@ -79,8 +79,28 @@ static int vertex_of(
 		: at;
 }
 
+void overlay_heat_paint(
+	struct overlay_heat *heat, overlay_heat_color_fn color, void *user)
+{
+	uint8_t(**rgb)[4] = heat->color;
+
+	for (int d = 0; d < heat->instance->drawable_count; d++) {
+		const struct drawable *drawable = &heat->instance->drawable[d];
+
+		for (int b = 0; b < drawable->batch_count; b++, rgb++) {
+			const struct batch *batch = &drawable->batch[b];
+
+			for (int i = 0; i < batch->vertex_count; i++) {
+				color(user, d, vertex_of(drawable, batch, i),
+					(*rgb)[i]);
+			}
+		}
+	}
+}
+
 /* What a heat map shows: the values of nodes or, without, a morph target. */
 struct subject {
+	const struct instance *instance;
 	const float *node_value;
 	int target;
 	float farthest; /* that the target moves a vertex; above 0 */
@@ -97,9 +117,8 @@ static float distance_of(const struct drawable *drawable, int target, int vertex
 	return vec_length(moved);
 }
 
-static float value_of(const struct overlay_heat *heat,
-	const struct subject *subject, const struct drawable *drawable,
-	int vertex)
+static float value_of(const struct subject *subject,
+	const struct drawable *drawable, int vertex)
 {
 	struct skin_influence influence[SKIN_INFLUENCES_MAX];
 	const struct model_skin *skin;
@@ -113,7 +132,7 @@ static float value_of(const struct overlay_heat *heat,
 	if (drawable->skin < 0) {
 		return subject->node_value[drawable->node];
 	}
-	skin = &heat->plain.skin[drawable->skin];
+	skin = &subject->instance->model->skin[drawable->skin];
 	count = skin_gather_influences(
 		drawable->primitive, (uint32_t)vertex, influence);
 	for (int i = 0; i < count; i++) {
@@ -123,35 +142,27 @@ static float value_of(const struct overlay_heat *heat,
 	return value;
 }
 
-static void paint(struct overlay_heat *heat, const struct subject *subject)
+static void color_subject(void *user, int drawable, int vertex, uint8_t rgb[3])
 {
-	uint8_t(**color)[4] = heat->color;
+	const struct subject *subject = user;
 
-	for (int d = 0; d < heat->instance->drawable_count; d++) {
-		const struct drawable *drawable = &heat->instance->drawable[d];
-
-		for (int b = 0; b < drawable->batch_count; b++, color++) {
-			const struct batch *batch = &drawable->batch[b];
-
-			for (int i = 0; i < batch->vertex_count; i++) {
-				int vertex = vertex_of(drawable, batch, i);
-
-				overlay_heat_ramp(value_of(heat, subject,
-							  drawable, vertex),
-					(*color)[i]);
-			}
-		}
-	}
+	overlay_heat_ramp(
+		value_of(subject, &subject->instance->drawable[drawable], vertex),
+		rgb);
 }
 
 void overlay_heat_paint_nodes(struct overlay_heat *heat, const float *value)
 {
-	paint(heat, &(struct subject){.node_value = value});
+	struct subject subject = {
+		.instance = heat->instance, .node_value = value};
+
+	overlay_heat_paint(heat, color_subject, &subject);
 }
 
 void overlay_heat_paint_target(struct overlay_heat *heat, int target)
 {
-	struct subject subject = {.target = target, .farthest = 1e-9f};
+	struct subject subject = {
+		.instance = heat->instance, .target = target, .farthest = 1e-9f};
 
 	for (int d = 0; d < heat->instance->drawable_count; d++) {
 		const struct drawable *drawable = &heat->instance->drawable[d];
@@ -167,7 +178,7 @@ void overlay_heat_paint_target(struct overlay_heat *heat, int target)
 			}
 		}
 	}
-	paint(heat, &subject);
+	overlay_heat_paint(heat, color_subject, &subject);
 }
 
 /* Exchanges the batches' colours with those of the other array. */
@@ -191,22 +202,21 @@ static void set_colors(struct overlay_heat *heat, bool painted)
 	}
 }
 
-void overlay_heat_begin(struct overlay_heat *heat)
+void overlay_heat_switch(struct overlay_heat *heat, bool on)
 {
 	struct instance *instance = heat->instance;
 
-	heat->model = instance->model;
-	heat->normal_mapping = instance->normal_mapping;
-	instance->model = &heat->plain;
-	instance->normal_mapping = false;
-	set_colors(heat, true);
-}
-
-void overlay_heat_end(struct overlay_heat *heat)
-{
-	heat->instance->model = heat->model;
-	heat->instance->normal_mapping = heat->normal_mapping;
-	set_colors(heat, false);
+	if (on == (heat->model != NULL)) {
+		return;
+	}
+	if (on) {
+		heat->model = instance->model;
+		heat->normal_mapping = instance->normal_mapping;
+	}
+	instance->model = on ? &heat->plain : heat->model;
+	instance->normal_mapping = !on && heat->normal_mapping;
+	heat->model = on ? heat->model : NULL;
+	set_colors(heat, on);
 }
 
 void overlay_heat_ramp(float fraction, uint8_t rgb[3])

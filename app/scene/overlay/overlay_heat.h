@@ -2,8 +2,9 @@
  * Paints the vertices of an instance as a heat map in place of its materials.
  *
  * The instance stays lit and is drawn by the functions that always draw it:
- * between overlay_heat_begin() and overlay_heat_end() its batches have the
- * heat map's colours and its materials are white.
+ * while the heat map is switched on, its batches have the heat map's colours
+ * and its materials are white. Of several heat maps of an instance the one that
+ * was switched on last is switched off first.
  */
 #ifndef APP_SCENE_OVERLAY_OVERLAY_HEAT_H
 #define APP_SCENE_OVERLAY_OVERLAY_HEAT_H
@@ -16,15 +17,15 @@ struct overlay_heat {
 	int batch_count;           /* of all drawables together */
 	uint8_t (**color)[4];      /* [batch_count][vertex_count] */
 
-	/* While painted: what the instance had before. */
+	/* While switched on: what the instance had before; else NULL. */
 	const struct model *model;
 	const uint8_t (**kept)[4]; /* [batch_count] */
 	bool normal_mapping;
 };
 
 /*
- * Prepares a heat map that is blue everywhere. Returns 0 or -ENOMEM; the arena
- * owns the memory.
+ * Prepares a heat map that is blue everywhere, switched off. Returns 0 or
+ * -ENOMEM; the arena owns the memory.
  */
 int overlay_heat_init(struct overlay_heat *heat, struct instance *instance,
 	struct arena *arena);
@@ -42,8 +43,16 @@ void overlay_heat_paint_nodes(struct overlay_heat *heat, const float *value);
  */
 void overlay_heat_paint_target(struct overlay_heat *heat, int target);
 
-void overlay_heat_begin(struct overlay_heat *heat);
-void overlay_heat_end(struct overlay_heat *heat);
+/* Writes the colour of a vertex of a drawable's primitive. */
+typedef void (*overlay_heat_color_fn)(
+	void *user, int drawable, int vertex, uint8_t rgb[3]);
+
+/* Paints all vertices that are drawn; some of them may be drawn several times. */
+void overlay_heat_paint(
+	struct overlay_heat *heat, overlay_heat_color_fn color, void *user);
+
+/* Shows the heat map or the materials. */
+void overlay_heat_switch(struct overlay_heat *heat, bool on);
 
 /*
  * Returns the heat map's colour: from blue at 0 over green and yellow to red at

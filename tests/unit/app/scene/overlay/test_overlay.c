@@ -120,7 +120,7 @@ static void test_heat_is_the_weight_of_the_joint(void **state)
 	value[joint] = 1.0f;
 	assert_int_equal(overlay_heat_init(&heat, instance, &arena), 0);
 	overlay_heat_paint_nodes(&heat, value);
-	overlay_heat_begin(&heat);
+	overlay_heat_switch(&heat, true);
 	for (int d = 0; d < instance->drawable_count; d++) {
 		const struct drawable *drawable = &instance->drawable[d];
 		const struct batch *batch = &drawable->batch[0];
@@ -151,7 +151,7 @@ static void test_heat_is_the_weight_of_the_joint(void **state)
 			}
 		}
 	}
-	overlay_heat_end(&heat);
+	overlay_heat_switch(&heat, false);
 	assert_true(hot > 20);
 	arena_release(&arena);
 	demo_run_end(&run);

@@ -343,10 +343,9 @@ static void push_position(const struct demo *demo, const struct walker *walker,
 static void draw_shadow(const struct demo *demo, const struct walker *walker)
 {
 	const struct gl *gl = demo->base.gl;
-	bool plain = demo->plain_shadows ||
-		(demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX);
+	bool small = demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX;
 
-	if (plain) {
+	if (demo->figure.shadow.fits && (demo->plain_shadows || small)) {
 		crowd_shadow_draw(&demo->figure.shadow, &walker->position, gl);
 	} else {
 		push_position(demo, walker, gl);

@@ -11,6 +11,7 @@
 
 /* The outline: that of a person 1.72 m high, or an ellipse on the ground. */
 struct crowd_shadow {
+	bool fits; /* else only the figure's own shadow does */
 	bool is_person;
 	float half_width_m, height_m; /* of the ellipse */
 };

@@ -4,11 +4,46 @@
 
 static const float not_given = 1e30f;
 
+/* A part's freedom or another parameter, which the parameter follows. */
+static int read_other(
+	struct character_words *words, struct character_parameter *parameter)
+{
+	struct character *character = words->build->character;
+	int part = 0, index;
+
+	parameter->source = CHARACTER_SOURCE_PARAMETER;
+	if (character_take(words, "part")) {
+		index = character_read_freedom(words, &part);
+		parameter->other = index < 0
+			? NULL
+			: &character->part[part].freedom[index].value;
+	} else {
+		index = character_name_section(words, "parameter");
+		parameter->other =
+			index < 0 ? NULL : &character->parameter[index].value;
+	}
+	return parameter->other ? 0 : -EINVAL;
+}
+
+static int read_sine(struct character_words *words,
+	const struct character_key *key, struct character_parameter *parameter)
+{
+	parameter->source = CHARACTER_SOURCE_SINE;
+	if (!character_take_number(words, &parameter->scale) ||
+		parameter->scale < 0.01f) {
+		return character_fail(words,
+			"sine needs a period in seconds, at least 0.01: give %s",
+			key->right);
+	}
+	character_take_number(words, &parameter->offset);
+	return 0;
+}
+
 static int read_source(struct character_words *words,
 	const struct character_key *key, void *member)
 {
 	struct character_parameter *parameter = member;
-	struct character *character = words->build->character;
+	int error = 0;
 
 	parameter->scale = 1;
 	if (character_take(words, "buttons")) {
@@ -19,39 +54,19 @@ static int read_source(struct character_words *words,
 		parameter->source = CHARACTER_SOURCE_MOTION;
 		return 0;
 	}
+	if (character_take(words, "sine")) {
+		return read_sine(words, key, parameter);
+	}
 	if (character_take(words, "time")) {
 		parameter->source = CHARACTER_SOURCE_TIME;
-	} else if (character_take(words, "sine")) {
-		parameter->source = CHARACTER_SOURCE_SINE;
-		if (!character_take_number(words, &parameter->scale) ||
-			parameter->scale < 0.01f) {
-			return character_fail(words,
-				"sine needs a period in seconds, at least 0.01: give %s",
-				key->right);
-		}
-		character_take_number(words, &parameter->offset);
-		return 0;
-	} else if (character_take(words, "part")) {
-		int part = 0;
-		int freedom = character_read_freedom(words, &part);
-
-		if (freedom < 0) {
-			return -EINVAL;
-		}
-		parameter->source = CHARACTER_SOURCE_PARAMETER;
-		parameter->other = &character->part[part].freedom[freedom].value;
 	} else {
-		int other = character_name_section(words, "parameter");
-
-		if (other < 0) {
-			return -EINVAL;
-		}
-		parameter->source = CHARACTER_SOURCE_PARAMETER;
-		parameter->other = &character->parameter[other].value;
+		error = read_other(words, parameter);
 	}
-	character_take_number(words, &parameter->scale);
-	character_take_number(words, &parameter->offset);
-	return 0;
+	if (!error) {
+		character_take_number(words, &parameter->scale);
+		character_take_number(words, &parameter->offset);
+	}
+	return error;
 }
 
 /* choices = NAME NAME ...: the values 0, 1 and so on. */

@@ -56,38 +56,14 @@ static struct character_section *find_section(const struct character_text *text,
 }
 
 /* Begins the section "[KIND NAME OTHER]", or goes on with it. */
-static int begin_section(struct reader *reader, const char *line)
+/* Appends a section; word is its kind and two names, which may be empty. */
+static int add_section(struct reader *reader, const char *heading,
+	const struct character_word word[3])
 {
 	struct character_text *text = reader->text;
-	struct character_word word[CHARACTER_WORDS_MAX];
-	size_t length = strcspn(line + 1, "]");
-	struct character_section *section;
-	char heading[HEADING_BYTES];
-	int count;
+	struct character_section *section =
+		ARENA_NEW(text->arena, struct character_section);
 
-	if (length >= HEADING_BYTES) {
-		return fail(reader,
-			"the name of this section has more than 49 characters: make it shorter");
-	}
-	memcpy(heading, line + 1, length);
-	heading[length] = '\0';
-	count = character_split(heading, text->arena, word);
-	if (count == -ENOMEM) {
-		return fail_memory(reader);
-	}
-	if (count < 1 || count > 3) {
-		return fail(reader,
-			"this is no section: write [KIND], [KIND NAME] or [KIND NAME OTHER], with names of several words in quotes");
-	}
-	for (int i = count; i < 3; i++) {
-		word[i].text = "";
-	}
-	reader->section =
-		find_section(text, word[0].text, word[1].text, word[2].text);
-	if (reader->section) {
-		return 0;
-	}
-	section = ARENA_NEW(text->arena, struct character_section);
 	if (!section) {
 		return fail_memory(reader);
 	}
@@ -111,6 +87,36 @@ static int begin_section(struct reader *reader, const char *line)
 	return 0;
 }
 
+static int begin_section(struct reader *reader, const char *line)
+{
+	struct character_text *text = reader->text;
+	struct character_word word[CHARACTER_WORDS_MAX];
+	size_t length = strcspn(line + 1, "]");
+	char heading[HEADING_BYTES];
+	int count;
+
+	if (length >= HEADING_BYTES) {
+		return fail(reader,
+			"the name of this section has more than 49 characters: make it shorter");
+	}
+	memcpy(heading, line + 1, length);
+	heading[length] = '\0';
+	count = character_split(heading, text->arena, word);
+	if (count == -ENOMEM) {
+		return fail_memory(reader);
+	}
+	if (count < 1 || count > 3) {
+		return fail(reader,
+			"this is no section: write [KIND], [KIND NAME] or [KIND NAME OTHER], with names of several words in quotes");
+	}
+	for (int i = count; i < 3; i++) {
+		word[i].text = "";
+	}
+	reader->section =
+		find_section(text, word[0].text, word[1].text, word[2].text);
+	return reader->section ? 0 : add_section(reader, heading, word);
+}
+
 /* Includes a file that lies in the folder of the one that names it. */
 static int include(struct reader *reader, const char *name)
 {
@@ -127,10 +133,41 @@ static int include(struct reader *reader, const char *name)
 	return load_file(reader->text, path, reader->log);
 }
 
-static int add_line(struct reader *reader, const char *key, const char *value)
+/* Appends a line to the section. */
+static int append_line(struct reader *reader, const char *key,
+	const struct character_word *word, int count)
+{
+	struct arena *arena = reader->text->arena;
+	struct character_section *section = reader->section;
+	struct character_line *line = ARENA_NEW(arena, struct character_line);
+
+	if (!line) {
+		return fail_memory(reader);
+	}
+	*line = (struct character_line){
+		.file = reader->path,
+		.number = reader->line,
+		.section = section->heading,
+		.key = arena_strdup(arena, key),
+		.word_count = count,
+		.word = ARENA_ARRAY(arena, struct character_word, (size_t)count),
+	};
+	if (!line->key || !line->word) {
+		return fail_memory(reader);
+	}
+	memcpy(line->word, word, (size_t)count * sizeof(*word));
+	if (section->last) {
+		section->last->next = line;
+	} else {
+		section->first = line;
+	}
+	section->last = line;
+	return 0;
+}
+
+static int read_line(struct reader *reader, const char *key, const char *value)
 {
 	struct character_text *text = reader->text;
-	struct character_line *line;
 	struct character_word word[CHARACTER_WORDS_MAX];
 	int count = character_split(value, text->arena, word);
 
@@ -154,30 +191,7 @@ static int add_line(struct reader *reader, const char *key, const char *value)
 	if (++text->line_count > CHARACTER_LINES_MAX) {
 		return fail(reader, "the character has more than 4000 lines");
 	}
-	line = ARENA_NEW(text->arena, struct character_line);
-	if (!line) {
-		return fail_memory(reader);
-	}
-	*line = (struct character_line){
-		.file = reader->path,
-		.number = reader->line,
-		.section = reader->section->heading,
-		.key = arena_strdup(text->arena, key),
-		.word_count = count,
-		.word = ARENA_ARRAY(
-			text->arena, struct character_word, (size_t)count),
-	};
-	if (!line->key || !line->word) {
-		return fail_memory(reader);
-	}
-	memcpy(line->word, word, (size_t)count * sizeof(*word));
-	if (reader->section->last) {
-		reader->section->last->next = line;
-	} else {
-		reader->section->first = line;
-	}
-	reader->section->last = line;
-	return 0;
+	return append_line(reader, key, word, count);
 }
 
 static int take(
@@ -187,7 +201,7 @@ static int take(
 
 	(void)section; /* next_line() knows it, also when it has no lines */
 	if (!reader->error) {
-		reader->error = add_line(reader, key, value);
+		reader->error = read_line(reader, key, value);
 	}
 	return !reader->error;
 }

@@ -125,6 +125,17 @@ static bool has_waves(const struct character *character)
 	return low != 0.0f || high != 0.0f;
 }
 
+static int load_character(
+	const struct demo_env *env, struct actor *actor, struct behaviour *to)
+{
+	if (behaviour_find_file(env, to->path, sizeof(to->path))) {
+		return character_load(
+			to->path, actor->instance, env->log, &to->character);
+	}
+	to->path[0] = '\0';
+	return read_sketch(env, actor, &to->character);
+}
+
 int behaviour_create(
 	const struct demo_env *env, struct actor *actor, struct behaviour **out)
 {
@@ -138,13 +149,7 @@ int behaviour_create(
 			env->model_path);
 		return -ENOMEM;
 	}
-	if (behaviour_find_file(env, behaviour->path, sizeof(behaviour->path))) {
-		error = character_load(behaviour->path, actor->instance,
-			env->log, &behaviour->character);
-	} else {
-		behaviour->path[0] = '\0';
-		error = read_sketch(env, actor, &behaviour->character);
-	}
+	error = load_character(env, actor, behaviour);
 	character = behaviour->character;
 	if (!error) {
 		error = behaviour_bounds_init(&behaviour->bounds, character);
@@ -208,8 +213,8 @@ int behaviour_init_stage(const struct behaviour *behaviour,
 	return actor_init_stage(base, env, &box, &framing, stage);
 }
 
-void behaviour_update(struct behaviour *behaviour, struct demo_base *base,
-	double time_s)
+void behaviour_update(
+	struct behaviour *behaviour, struct demo_base *base, double time_s)
 {
 	struct character *character = behaviour->character;
 	struct camera *camera = &base->stage.camera;
@@ -286,6 +291,21 @@ static void add_clips(
 	}
 }
 
+static void describe_morph(const struct character_morph *morph, double now_s,
+	struct overlay_motion *out)
+{
+	const struct character_curve *curve = &morph->curve[morph->chosen];
+
+	out->morphing = true;
+	out->node = morph->node;
+	out->from = morph->before - 1;
+	out->to = morph->destiny - 1;
+	out->omega = character_morph_omega(morph, now_s);
+	out->wave = curve->kind == CHARACTER_CURVE_SINE ? graph_wave : 0.0f;
+	out->shape = character_morph_curve;
+	out->shape_user = curve;
+}
+
 void behaviour_get_motion(const struct behaviour *behaviour,
 	const struct model *model, struct overlay_motion *out)
 {
@@ -296,18 +316,7 @@ void behaviour_get_motion(const struct behaviour *behaviour,
 	out->clip = entry->of->clip ? (int)(entry->of->clip - model->clip) : -1;
 	out->time_s = entry->shown_s;
 	if (character->morph_count > 0 && character->morph[0].plain_keys) {
-		const struct character_morph *morph = &character->morph[0];
-		bool sine = morph->curve[morph->chosen].kind ==
-			CHARACTER_CURVE_SINE;
-
-		out->morphing = true;
-		out->node = morph->node;
-		out->from = morph->before - 1;
-		out->to = morph->destiny - 1;
-		out->omega = character_morph_omega(morph, character->now_s);
-		out->wave = sine ? graph_wave : 0.0f;
-		out->shape = character_morph_curve;
-		out->shape_user = &morph->curve[morph->chosen];
+		describe_morph(&character->morph[0], character->now_s, out);
 	}
 	add_clips(character, out);
 	for (int i = 0; i < character->layer_count; i++) {

@@ -36,7 +36,8 @@ enum {
 };
 
 enum {
-	CHARACTER_GUARDS_MAX = 4
+	CHARACTER_GUARDS_MAX = 4,
+	CHARACTER_TOPS_MAX = 4
 };
 
 /* A capsule in a part's frame that keeps away from others and the ground. */
@@ -56,10 +57,11 @@ struct character_part {
 	int guard_count;
 	struct character_guard guard[CHARACTER_GUARDS_MAX];
 	/*
-	 * A level surface that other parts' shadows fall on, in the part's
-	 * frame: y, then x and z of two corners. Without one all are 0.
+	 * Level surfaces that other parts' shadows fall on, in the part's
+	 * frame: y, then x and z of two corners.
 	 */
-	float top[5];
+	int top_count;
+	float top[CHARACTER_TOPS_MAX][5];
 
 	/* Changes: */
 	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */

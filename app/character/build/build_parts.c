@@ -126,8 +126,14 @@ static int read_guard(struct character_words *words,
 static int read_top(struct character_words *words,
 	const struct character_key *key, void *member)
 {
-	float *top = ((struct character_part *)member)->top;
+	struct character_part *part = member;
+	float *top = part->top[part->top_count];
 
+	if (part->top_count == CHARACTER_TOPS_MAX) {
+		return character_fail(words, "a part has at most %d tops",
+			CHARACTER_TOPS_MAX);
+	}
+	part->top_count++;
 	for (int i = 0; i < 5; i++) {
 		if (!character_take_number(words, &top[i])) {
 			return character_fail_value(words, key);
@@ -135,8 +141,8 @@ static int read_top(struct character_words *words,
 	}
 	return top[1] < top[3] && top[2] < top[4]
 		? 0
-		: character_fail(words,
-			  "the second corner has the larger x and z");
+		: character_fail(
+			  words, "the second corner has the larger x and z");
 }
 
 static const char *const firsts[] = {"translate", "rotate", NULL};
@@ -356,8 +362,8 @@ static int read_sequence(struct character_build *build,
 	const struct character_section *section, void *one)
 {
 	struct character_sequence *sequence = one;
-	int error = character_read_section(
-		build, section, sequence_keys, sequence);
+	int error =
+		character_read_section(build, section, sequence_keys, sequence);
 
 	sequence->name = section->name;
 	if (!error && sequence->start) {

@@ -66,7 +66,7 @@ static bool may_repeat(const struct character_key *key)
 {
 	static const char *const names[] = {"body", "bone", "curve",
 		"direction", "else", "enter", "event", "guard", "key", "leave",
-		"mask", "step", "targets", "then", "tour", "when"};
+		"mask", "step", "targets", "then", "top", "tour", "when"};
 
 	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
 		if (strcmp(names[i], key->name) == 0) {

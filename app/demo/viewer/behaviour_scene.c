@@ -158,11 +158,10 @@ static void draw_shadows(const struct behaviour_scene *scene,
 	draw_ball_shadows(character, base);
 }
 
-/* The corners of a part's top and their box; false if it is not level. */
-static bool find_top(const struct character_part *part,
+/* The corners of a node's top and their box; false if it is not level. */
+static bool find_top(const float top[5], int node,
 	const struct instance *instance, float corner[4][3], struct bounds *box)
 {
-	const float *top = part->top;
 	const float local[4][3] = {{top[1], top[0], top[2]},
 		{top[3], top[0], top[2]}, {top[3], top[0], top[4]},
 		{top[1], top[0], top[4]}};
@@ -170,7 +169,7 @@ static bool find_top(const struct character_part *part,
 
 	*box = bounds_empty();
 	for (int i = 0; i < 4; i++) {
-		matrix_apply(instance->world[part->node], local[i], corner[i]);
+		matrix_apply(instance->world[node], local[i], corner[i]);
 		for (int axis = 0; axis < 3; axis++) {
 			corner[i][axis] *= instance->unit_scale;
 		}
@@ -195,23 +194,23 @@ static bool casts_on(const struct behaviour_bounds *bounds,
 		shadow.low[2] < top->high[2] && shadow.high[2] > top->low[2];
 }
 
-/* Draws the shadows of other parts on a part's top. */
-static void draw_top_shadow(const struct character_part *part,
+/* Draws the shadows of other nodes on a node's top. */
+static void draw_top_shadow(const float top[5], int node,
 	const struct behaviour_bounds *bounds, const struct demo_base *base)
 {
 	struct instance *instance = base->actor.instance;
 	float corner[4][3];
-	struct bounds top;
+	struct bounds box;
 	bool begun = false;
 
-	if (!find_top(part, instance, corner, &top)) {
+	if (!find_top(top, node, instance, corner, &box)) {
 		return;
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
-		if (drawable->hidden || drawable->node == part->node ||
-			!casts_on(bounds, instance, i, &top)) {
+		if (drawable->hidden || drawable->node == node ||
+			!casts_on(bounds, instance, i, &box)) {
 			continue;
 		}
 		if (!begun) {
@@ -229,12 +228,14 @@ static void draw_top_shadow(const struct character_part *part,
 static void draw_top_shadows(const struct character *character,
 	const struct behaviour_bounds *bounds, const struct demo_base *base)
 {
+	if (!base->stage.has_stencil || *character->scene.shadow <= 0.0f) {
+		return;
+	}
 	for (int i = 0; i < character->part_count; i++) {
 		const struct character_part *part = &character->part[i];
 
-		if (part->top[1] < part->top[3] && base->stage.has_stencil &&
-			*character->scene.shadow > 0.0f) {
-			draw_top_shadow(part, bounds, base);
+		for (int k = 0; k < part->top_count; k++) {
+			draw_top_shadow(part->top[k], part->node, bounds, base);
 		}
 	}
 }

@@ -342,6 +342,10 @@ static const struct statement arm[] = {
 	{"[part Arm]\ntop = 0.1 -0.2 -0.3 0.2 0.3\n",
 		"[part Arm]\ntop = 0.1 0.2 -0.3 -0.2 0.3\n",
 		"the larger x and z"},
+	{"[part Arm]\ntop = 0 0 0 1 1\ntop = 1 0 0 1 1\n",
+		"[part Arm]\ntop = 0 0 0 1 1\ntop = 1 0 0 1 1\ntop = 2 0 0 1 1\n"
+		"top = 3 0 0 1 1\ntop = 4 0 0 1 1\n",
+		"at most 4 tops"},
 	{"[part Arm]\nguard = 0.05 0 0.1 0 0 0.5 0\nguard = 0.1\n",
 		"[part Arm]\nguard = 0.05 0 0.1\n", "a word is missing"},
 	{"[part Arm]\npitch = 0 -20 20\n[sequence a]\nstep = up 1, Arm pitch 20\n",

@@ -32,6 +32,15 @@ static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
 	return halves;
 }
 #define UPPER_HALVES(a, b) soft_upper_halves(a, b)
+/* Found where it is wanted, not kept in a register from before */
+static inline uint32_t soft_upper_half(uint32_t word)
+{
+	uint32_t half;
+
+	__asm__("lsr %0, %1, #16" : "=r"(half) : "r"(word));
+	return half;
+}
+#define UPPER_HALF(word) soft_upper_half(word)
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
 {
@@ -52,6 +61,7 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 		(low > 0xFFFF ? 0xFFFF : low);
 }
 
+#define UPPER_HALF(word) ((word) >> 16)
 #define UPPER_HALVES(a, b) \
 	(((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
 #define HALVES_ADD_LIMITED(a, b)        soft_halves_add_limited(a, b)

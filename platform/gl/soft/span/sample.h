@@ -158,7 +158,8 @@ struct soft_lanes {
 
 static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
 {
-	return (struct soft_lanes){texel & 0x00FF00FF, texel >> 8 & 0x00FF00FF};
+	return (struct soft_lanes){
+		BYTES_AS_HALVES(texel), ODD_BYTES_AS_HALVES(texel)};
 }
 
 /* Four texels of four bytes, and their weights: 256 in all. */
@@ -178,29 +179,34 @@ static ALWAYS_INLINE struct soft_four soft_weigh_8888(const uint32_t above[2],
 	};
 }
 
+static ALWAYS_INLINE uint32_t soft_get_half(uint32_t texel, bool odd)
+{
+	return odd ? ODD_BYTES_AS_HALVES(texel) : BYTES_AS_HALVES(texel);
+}
+
 /*
- * Bytes 0 and 2 of the mixture, or 1 and 3 by a shift of 8: rounded down, but
- * to the nearest where the picture has bytes, which would show it.
+ * Bytes 0 and 2 of the mixture, or 1 and 3, the odd ones: rounded down, but to
+ * the nearest where the picture has bytes, which would show it.
  */
 static ALWAYS_INLINE uint32_t soft_mix_half(
-	const struct soft_four *four, int shift, bool wide)
+	const struct soft_four *four, bool odd, bool wide)
 {
-	const uint32_t mask = 0x00FF00FF;
 	const uint32_t *texel = four->texel, *weight = four->weight;
-	uint32_t sum = (texel[0] >> shift & mask) * weight[0];
+	uint32_t sum = soft_get_half(texel[0], odd) * weight[0];
 
 	sum += wide ? 0x00800080 : 0;
-	sum += (texel[1] >> shift & mask) * weight[1];
-	sum += (texel[2] >> shift & mask) * weight[2];
-	sum += (texel[3] >> shift & mask) * weight[3];
-	return sum >> 8 & mask;
+	sum += soft_get_half(texel[1], odd) * weight[1];
+	sum += soft_get_half(texel[2], odd) * weight[2];
+	sum += soft_get_half(texel[3], odd) * weight[3];
+	return ODD_BYTES_AS_HALVES(sum);
 }
 
 static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
 	const struct soft_four *four, bool wide)
 {
 	return (struct soft_lanes){
-		soft_mix_half(four, 0, wide), soft_mix_half(four, 8, wide)};
+		soft_mix_half(four, false, wide),
+		soft_mix_half(four, true, wide)};
 }
 
 /* 255 times a channel of so many bits, of one texel. */

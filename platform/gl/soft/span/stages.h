@@ -167,7 +167,7 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	out->lanes.red_blue = (uint32_t)mixed;
 	out->lanes.green_alpha = (uint32_t)(mixed >> 32);
 #else
-	out->lanes.green_alpha = soft_mix_half(&out->four, 8, kind.wide);
+	out->lanes.green_alpha = soft_mix_half(&out->four, true, kind.wide);
 #endif
 	out->alpha = out->lanes.green_alpha >> 16;
 }
@@ -242,7 +242,7 @@ static ALWAYS_INLINE void soft_finish_texel(
 #else
 	if (kind.format == TEXEL_8888 && kind.linear) {
 		texel->lanes.red_blue =
-			soft_mix_half(&texel->four, 0, kind.wide);
+			soft_mix_half(&texel->four, false, kind.wide);
 	}
 #endif
 }

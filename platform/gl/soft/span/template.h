@@ -222,7 +222,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 {
 	struct soft_texel texel = {.alpha = 255};
 	struct soft_color color;
-	uint32_t alpha = 255, z = at->z;
+	uint32_t alpha = 255;
 
 	if (kind.textured && kind.inside) {
 		soft_sample_inside(run, kind, at->texel, &texel);
@@ -238,11 +238,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		((alpha - constants->alpha_low) & 255) > constants->alpha_range) {
 		return;
 	}
-	if (soft_is_tested(kind)) {
-		/* else all of the rest is done before it is known */
-		OPAQUE(z);
-	}
-	*depth = (uint16_t)(z >> 16);
+	*depth = (uint16_t)(kind.textured ? UPPER_HALF(at->z) : at->z >> 16);
 	if (soft_is_blended(kind) && alpha == 0) {
 		return;
 	}

@@ -98,14 +98,13 @@ soft_thin_line_function soft_choose_thin_line(
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft *soft = draw->soft;
-	bool is_line = mode == GL_LINES || mode == GL_LINE_STRIP ||
-		mode == GL_LINE_LOOP;
+	GLfixed size = mode == GL_POINTS ? soft->fragment.point_size
+					 : soft->fragment.line_width;
 
-	if (!is_line || draw->smooth || draw->texture[0].used ||
+	if (mode > GL_LINE_STRIP || draw->smooth || draw->texture[0].used ||
 		draw->texture[1].used || spans->stenciled ||
 		spans->blended_last || spans->color_mask != UINT32_MAX ||
-		soft->fragment.line_width >= WIDTH_TWO_Q16 || soft->fill ||
-		soft->counts) {
+		size >= WIDTH_TWO_Q16 || soft->fill || soft->counts) {
 		return NULL;
 	}
 	return (spans->pixel_log2 == 1 ? line_565 : line_8888)[spans->finish];
@@ -361,35 +360,55 @@ static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 	}
 }
 
+/* Of pixels that are found. */
+static void draw_walk(struct draw *draw, struct walk *walk,
+	const struct vertex *a, const struct vertex *b)
+{
+	struct raster *raster = &draw->raster;
+	uint32_t moving;
+
+	place_line(draw, walk);
+	find_inverse(walk);
+	raster->perspective = false;
+	raster->bent = false;
+	raster->colors_bent = false;
+	raster->basis = (struct basis){0};
+	if (draw->soft->fragment.depth_test) {
+		set_plane(walk, a->z, b->z, 12, &raster->plane[DEPTH]);
+	}
+	set_color_planes(draw, walk, a, b);
+	moving = soft_begin_walk(draw);
+	soft_begin_steps(draw, moving);
+	draw_runs(draw, walk, moving != 0);
+}
+
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
 	const struct clip_box *box = &draw->box;
 	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
 	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
-	struct raster *raster = &draw->raster;
 	struct walk walk;
-	uint32_t moving;
 
 	find_pixels(&walk, flat ? x : y, flat ? y : x, flat);
 	if (!lie_between(x, box->left, box->right) ||
 		!lie_between(y, box->top, box->bottom)) {
 		cut(box, &walk);
 	}
-	if (walk.count <= 0) {
-		return;
+	if (walk.count > 0) {
+		draw_walk(draw, &walk, a, b);
 	}
-	place_line(draw, &walk);
-	find_inverse(&walk);
-	raster->perspective = false;
-	raster->bent = false;
-	raster->colors_bent = false;
-	raster->basis = (struct basis){0};
-	if (draw->soft->fragment.depth_test) {
-		set_plane(&walk, a->z, b->z, 12, &raster->plane[DEPTH]);
+}
+
+void soft_draw_thin_point(struct draw *draw, const struct vertex *v)
+{
+	/* GL's y runs upwards: one on a border is that of the pixel below. */
+	struct walk walk = {.x = v->x >> 4,
+		.y = ((v->y + 15) >> 4) - 1,
+		.count = 1,
+		.length = 1};
+
+	if (is_in_box(&draw->box, walk.x, walk.y)) {
+		draw_walk(draw, &walk, v, v);
 	}
-	set_color_planes(draw, &walk, a, b);
-	moving = soft_begin_walk(draw);
-	soft_begin_steps(draw, moving);
-	draw_runs(draw, &walk, moving != 0);
 }

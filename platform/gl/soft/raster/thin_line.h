@@ -1,7 +1,8 @@
 /*
  * Lines that are one pixel wide, without a texture: a pixel for each column, or
- * for each row of steep lines, as GL ES 1.1 section 3.4.1 has it. In states
- * that no function here draws, line.c makes two triangles of the line.
+ * for each row of steep lines, as GL ES 1.1 section 3.4.1 has it; and points of
+ * one pixel. In states that no function here draws, line.c makes two triangles
+ * of each.
  */
 #ifndef PLATFORM_GL_SOFT_RASTER_THIN_LINE_H
 #define PLATFORM_GL_SOFT_RASTER_THIN_LINE_H
@@ -33,8 +34,8 @@ typedef void (*soft_thin_line_function)(
 	struct soft_thin_line *line, const struct soft_run *run, int count);
 
 /*
- * The function that draws the lines of a draw call whose spans are prepared;
- * NULL for other primitives, and for lines that are made of triangles.
+ * The function that draws the lines or points of a draw call whose spans are
+ * prepared; NULL for triangles, and for what is made of triangles.
  */
 soft_thin_line_function soft_choose_thin_line(
 	const struct draw *draw, GLenum mode);
@@ -42,5 +43,7 @@ soft_thin_line_function soft_choose_thin_line(
 /* A line of draw->thin_line between two shaded vertices at different places. */
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);
+/* A point of draw->thin_line at a shaded vertex. */
+void soft_draw_thin_point(struct draw *draw, const struct vertex *v);
 
 #endif

@@ -1,6 +1,6 @@
 /*
  * Points and lines: rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4.
- * raster/thin_line.c draws most lines of one pixel.
+ * raster/thin_line.c draws most of one pixel.
  */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -46,6 +46,10 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 	}
 	soft_shade(draw, v);
 	draw->provoking = v;
+	if (draw->thin_line) {
+		soft_draw_thin_point(draw, v);
+		return;
+	}
 	if (draw->smooth) {
 		draw->spans.coverage = (struct soft_coverage){
 			.used = true,

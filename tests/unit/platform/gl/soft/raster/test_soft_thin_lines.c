@@ -1,6 +1,6 @@
 /*
- * Lines of one pixel against the same lines as triangles, which the reference
- * draws, in random states and places; and which pixels they cover.
+ * Lines and points of one pixel against the same as triangles, which the
+ * reference draws, in random states and places; and which pixels they cover.
  */
 #include "tests/support/random.h"
 #include "tests/support/soft/reference.h"
@@ -132,7 +132,7 @@ static struct span_scene *draw(
 	give_ends(corner, &seed);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
-	gl->DrawArrays(GL_LINES, 0, ENDS);
+	gl->DrawArrays(by_chance(&seed, 4) ? GL_POINTS : GL_LINES, 0, ENDS);
 	return scene;
 }
 

@@ -6,6 +6,7 @@
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/limits.h"
 #include "platform/gl/soft/fast/tint.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/pixel.h"
 
 enum {
@@ -14,65 +15,6 @@ enum {
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 8,
 };
-
-/* What all gradients of a triangle share: struct scale, by itself. */
-struct frame {
-	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
-	int32_t inverse;
-	int shift;
-	int32_t off_x, off_y; /* to the centre of column, of the first row */
-	int column;
-	bool middle_left;
-};
-
-/*
- * How a value runs: per pixel, from the centre of frame.column, which is column
- * 0 of the bands.
- */
-struct run {
-	int32_t start, right, down;
-};
-
-/* raster_find_area() and find_scale() of small triangles. */
-static ALWAYS_INLINE struct frame find_frame(const struct setup *setup)
-{
-	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	uint32_t area = (uint32_t)setup->area;
-	int zeros = LEADING_ZEROS_32(area);
-	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
-	struct frame frame = {
-		.x1 = b->x - a->x,
-		.less_y1 = a->y - b->y,
-		.less_x2 = a->x - c->x,
-		.y2 = c->y - a->y,
-		.column = a->x >> 4,
-		.off_x = 8 - (a->x & 15),
-		.off_y = (8 - a->y) & 15,
-	};
-
-	frame.middle_left = frame.x1 * frame.y2 < frame.less_x2 * frame.less_y1;
-	inverse = frame.middle_left ? -inverse : inverse;
-	frame.shift = zeros > 18 ? zeros - 18 : 0;
-	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
-	return frame;
-}
-
-/* Differences below SMALL_DELTA: products fit 32 bits. */
-static ALWAYS_INLINE struct run find_run(
-	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
-{
-	uint32_t right =
-		(uint32_t)mul_high(d1 * f->y2 + d2 * f->less_y1, f->inverse)
-		<< f->shift;
-	uint32_t down =
-		(uint32_t)mul_high(d2 * f->x1 + d1 * f->less_x2, f->inverse)
-		<< f->shift;
-	uint32_t start = ((uint32_t)first << 8) +
-		(uint32_t)((int32_t)right >> 4) * (uint32_t)f->off_x +
-		(uint32_t)((int32_t)down >> 4) * (uint32_t)f->off_y;
-
-	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
-}
 
 /* False where perspective would show, as with all that follow. */
 static ALWAYS_INLINE bool find_color(const struct setup *setup,
@@ -83,7 +25,7 @@ static ALWAYS_INLINE bool find_color(const struct setup *setup,
 	int32_t d1 = setup->v[1]->attribute[name] - first;
 	int32_t d2 = setup->v[2]->attribute[name] - first;
 
-	*out = find_run(frame, first + round, d1, d2);
+	*out = frame_find_run(frame, first + round, d1, d2);
 	return is_color_within(d1, d2, limit);
 }
 
@@ -111,7 +53,7 @@ static ALWAYS_INLINE bool find_texels(const struct setup *setup,
 	if (!is_within(d1, limit) || !is_within(d2, limit)) {
 		return false;
 	}
-	*out = find_run(frame, first, d1, d2);
+	*out = frame_find_run(frame, first, d1, d2);
 	out->start += TEXEL_NUDGE;
 	return true;
 }
@@ -121,7 +63,7 @@ static ALWAYS_INLINE struct run find_depth(
 {
 	int32_t z = setup->v[0]->z;
 
-	return find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
+	return frame_find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
 }
 
 /* At the centre of its first row; see raster_side(). */
@@ -228,7 +170,7 @@ static bool fill_gray(const struct draw *draw, const struct setup *setup)
 		!draw->textured.level[0].texels) {
 		return false;
 	}
-	frame = find_frame(setup);
+	frame = frame_find(setup);
 	if (!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
@@ -351,7 +293,7 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 		return false;
 	}
 	limits = find_limits(draw, setup);
-	frame = find_frame(setup);
+	frame = frame_find(setup);
 	if (!set_tint(setup, &frame, limits.color, &band) ||
 		!set_level(draw, setup, &frame, limits.texel, &band)) {
 		return false;

@@ -11,8 +11,8 @@ enum {
 	NOT_SET_UP = INT_MIN /* as raster.top: no rows were set up */
 };
 
-/* Of the rows that were set up last. */
-static enum gl_work_kind kind_of_rows(const struct draw *draw)
+/* Of the triangle that the span functions drew last. */
+static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
 	uint32_t bits = draw->key.bits;
 	bool textured = (bits & KEY_TEXTURE) != 0;
@@ -20,9 +20,12 @@ static enum gl_work_kind kind_of_rows(const struct draw *draw)
 	if (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) {
 		return textured ? GL_WORK_MIXED_TEXTURED : GL_WORK_MIXED;
 	}
-	return !textured                   ? GL_WORK_SPANS
-		: draw->raster.perspective ? GL_WORK_SPANS_DIVIDED
-					   : GL_WORK_SPANS_TEXTURED;
+	if (!textured) {
+		return GL_WORK_SPANS;
+	}
+	return draw->raster.top == NOT_SET_UP ? GL_WORK_TEXTURED
+		: draw->raster.perspective    ? GL_WORK_SPANS_DIVIDED
+					      : GL_WORK_SPANS_TEXTURED;
 }
 
 /* Of the triangle that was drawn last. */
@@ -37,10 +40,9 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 		fill != soft_fill_textured) {
 		return GL_WORK_GROUND;
 	}
-	if (draw->raster.top != NOT_SET_UP) {
-		return kind_of_rows(draw);
-	}
-	return fill == soft_fill_narrow ? GL_WORK_PLAIN : GL_WORK_TEXTURED;
+	return fill == soft_fill_narrow && draw->raster.top == NOT_SET_UP
+		? GL_WORK_PLAIN
+		: kind_of_spans(draw);
 }
 
 /* Vertices that are clipped lie outside of the cache. */

@@ -266,14 +266,13 @@ static int32_t size_of(int32_t value)
 	return value < 0 ? value == INT32_MIN ? INT32_MAX : -value : value;
 }
 
-/* GL ES 1.1 section 3.5.5; cut so that no depth wraps. */
-static void offset_depth(
-	const struct draw *draw, const struct setup *setup, struct plane *plane)
+int32_t soft_raster_offset_depth(const struct draw *draw,
+	const struct setup *setup, int32_t dx, int32_t dy)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
-	int32_t dx = size_of(plane->dx), dy = size_of(plane->dy);
+	int32_t x = size_of(dx), y = size_of(dy);
 	int64_t offset =
-		((int64_t)state->offset_factor * (dx > dy ? dx : dy) >> 16) +
+		((int64_t)state->offset_factor * (x > y ? x : y) >> 16) +
 		(state->offset_units >> 6);
 	const struct vertex *const *v = setup->v;
 	int64_t low = raster_least(v[0]->z, v[1]->z, v[2]->z);
@@ -281,8 +280,7 @@ static void offset_depth(
 
 	low = -(low - 4) * 256;
 	high = (262138 - high) * 256;
-	offset = offset < low ? low : offset > high ? high : offset;
-	plane->start += (uint32_t)(int32_t)offset;
+	return (int32_t)(offset < low ? low : offset > high ? high : offset);
 }
 
 void soft_raster_set_up(struct draw *draw, struct setup *setup)
@@ -297,7 +295,10 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 		set_affine(draw, setup, z, DEPTH);
 	}
 	if (draw->offset) {
-		offset_depth(draw, setup, &raster->plane[DEPTH]);
+		struct plane *depth = &raster->plane[DEPTH];
+
+		depth->start += (uint32_t)soft_raster_offset_depth(
+			draw, setup, depth->dx, depth->dy);
 	}
 	if (setup->wide || !soft_set_small_attributes(draw, setup)) {
 		set_attributes(draw, setup);

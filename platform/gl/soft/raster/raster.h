@@ -178,6 +178,13 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 /* raster.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
+/*
+ * raster.c: what a depth that changes so from pixel to pixel is moved by, as
+ * planes have it. GL ES 1.1 section 3.5.5; cut so that no depth wraps.
+ */
+int32_t soft_raster_offset_depth(
+	const struct draw *draw, const struct setup *setup, int32_t dx, int32_t dy);
+
 /* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
 int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
 

@@ -2,7 +2,7 @@
  * How attributes run across a triangle of up to SMALL_EXTENT: in 32 bits, and
  * either linearly or as bend.c has it.
  */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
 /* A triangle whose planes are being set up. */
@@ -13,13 +13,6 @@ struct small {
 	uint32_t bits;         /* of those that move */
 	uint32_t color, texel; /* the most that colours and texels differ by */
 };
-
-static ALWAYS_INLINE uint32_t find_spread(int32_t d1, int32_t d2)
-{
-	int32_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1;
-
-	return (uint32_t)((high > 0 ? high : 0) - (low < 0 ? low : 0));
-}
 
 static ALWAYS_INLINE void add_moving(struct raster *raster,
 	const struct setup *setup, struct small *small, int name,
@@ -45,16 +38,9 @@ static ALWAYS_INLINE void set_color(struct raster *raster,
 		raster->span.step[name] = 0;
 		return;
 	}
-	own = find_spread(delta.d1, delta.d2);
+	own = frame_find_spread(delta.d1, delta.d2);
 	small->color = own > small->color ? own : small->color;
 	add_moving(raster, setup, small, name, delta);
-}
-
-static ALWAYS_INLINE int32_t scale(int32_t value, int32_t base, int down)
-{
-	int32_t less = (int32_t)((uint32_t)value - (uint32_t)base);
-
-	return down >= 0 ? less >> down : shift_by(less, -down);
 }
 
 /* In 1/256 of texels. False where they differ by too much. */
@@ -65,9 +51,9 @@ static ALWAYS_INLINE bool set_texels(struct raster *raster,
 	int32_t *range = raster->texel_range[name - TEX_S];
 	const int32_t *const *corner = small->corner;
 	int32_t base = repeats ? corner[0][name] & ~0xFFFF : 0;
-	int32_t a = scale(corner[0][name], base, 8 - log2);
-	int32_t b = scale(corner[1][name], base, 8 - log2);
-	int32_t c = scale(corner[2][name], base, 8 - log2);
+	int32_t a = frame_to_texels(corner[0][name], base, 8 - log2);
+	int32_t b = frame_to_texels(corner[1][name], base, 8 - log2);
+	int32_t c = frame_to_texels(corner[2][name], base, 8 - log2);
 	int32_t low = a < b ? a : b, high = a < b ? b : a;
 	uint32_t own;
 
@@ -100,27 +86,12 @@ static bool set_unit(struct draw *draw, const struct setup *setup,
 				input->texture->wrap_t == GL_REPEAT));
 }
 
-static void set_corners(const struct draw *draw, const struct setup *setup,
-	const int32_t *corner[3])
-{
-	bool flat = draw->soft->fragment.flat;
-	bool behind = setup->back && draw->shading.two_side;
-
-	for (int i = 0; i < 3; i++) {
-		const struct vertex *v = flat ? draw->provoking : setup->v[i];
-
-		corner[i] = behind ? v->back : v->attribute;
-	}
-}
-
 static void set_colors(struct draw *draw, const struct setup *setup,
 	struct small *small, uint32_t wanted)
 {
 	struct raster *raster = &draw->raster;
 
-	if (draw->soft->fragment.flat || draw->shading.two_side) {
-		set_corners(draw, setup, small->corner);
-	}
+	frame_choose_colors(draw, setup, small->corner);
 	if (wanted & 1u << RED) {
 		set_color(raster, setup, small, RED);
 		set_color(raster, setup, small, GREEN);

@@ -75,7 +75,7 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	bool lists_runs;   /* of small triangles, see walk_small.c */
+	bool lists_runs;   /* of small triangles, see soft_draw_small() */
 	bool level_by_row; /* of the triangle under way */
 	bool alpha_moves, fog_moves;
 	bool rare;           /* either of them, or steep colours */
@@ -140,6 +140,12 @@ bool soft_prepare_spans(struct draw *draw);
  */
 void soft_set_functions(
 	struct soft_spans *spans, const soft_span_function function[2]);
+
+/*
+ * raster/list_small.c: draws a small triangle, of which nothing is set up, in a
+ * state whose runs can be listed. False, with nothing drawn, for all others.
+ */
+bool soft_draw_small(struct draw *draw, struct setup *setup);
 
 /* All rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);

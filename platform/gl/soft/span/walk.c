@@ -308,10 +308,6 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	uint32_t moving;
 
 	moving = soft_begin_walk(draw);
-	if (soft_is_small(draw, setup)) {
-		soft_walk_small(draw, setup, moving);
-		return;
-	}
 	soft_begin_steps(draw, moving);
 	if (!draw->spans.textured) {
 		(!moving                              ? walk_plain_still

@@ -14,13 +14,6 @@ uint32_t soft_begin_walk(struct draw *draw);
 /* And the steps of what runs linearly, of which soft_begin_walk() told. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
 
-/*
- * walk_small.c: whether it draws a triangle whose planes are set up; lists_runs
- * tells that it takes the state.
- */
-bool soft_is_small(const struct draw *draw, const struct setup *setup);
-void soft_walk_small(struct draw *draw, const struct setup *setup, bool moving);
-
 /* level.c: the level and filter for a level of detail. */
 void soft_set_level(struct draw *draw, int lod);
 

@@ -1,0 +1,115 @@
+/*
+ * What all gradients of a small triangle share, for paths that set one up
+ * without planes between: in 32 bits, so of up to SMALL_EXTENT, with values
+ * that differ by less than SMALL_DELTA. Numbers are those of raster.c, to the
+ * bit.
+ */
+#ifndef PLATFORM_GL_SOFT_RASTER_FRAME_H
+#define PLATFORM_GL_SOFT_RASTER_FRAME_H
+
+#include "platform/gl/soft/raster/raster.h"
+
+struct frame {
+	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
+	int32_t inverse_area;             /* 2^62 over the area << zeros */
+	int32_t inverse; /* the same, and shift: struct basis */
+	int zeros, shift;
+	int32_t off_x, off_y; /* to the centre of column, of the first row */
+	int column;
+	bool middle_left;
+};
+
+/* How a value runs a pixel, from the centre of frame.column in the first row. */
+struct run {
+	int32_t start, right, down;
+};
+
+/* raster_find_area(), and the basis that raster.c has. */
+static ALWAYS_INLINE struct frame frame_find(const struct setup *setup)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	uint32_t area = (uint32_t)setup->area;
+	int zeros = LEADING_ZEROS_32(area);
+	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
+	struct frame frame = {
+		.x1 = b->x - a->x,
+		.less_y1 = a->y - b->y,
+		.less_x2 = a->x - c->x,
+		.y2 = c->y - a->y,
+		.zeros = zeros,
+		.column = a->x >> 4,
+		.off_x = 8 - (a->x & 15),
+		.off_y = (8 - a->y) & 15,
+	};
+
+	frame.middle_left = frame.x1 * frame.y2 < frame.less_x2 * frame.less_y1;
+	inverse = frame.middle_left ? -inverse : inverse;
+	frame.inverse_area = inverse;
+	frame.shift = zeros > 18 ? zeros - 18 : 0;
+	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
+	return frame;
+}
+
+/* What a value changes by to the right, times the area. */
+static ALWAYS_INLINE int32_t frame_find_right(
+	const struct frame *f, int32_t d1, int32_t d2)
+{
+	return d1 * f->y2 + d2 * f->less_y1;
+}
+
+static ALWAYS_INLINE int32_t frame_find_down(
+	const struct frame *f, int32_t d1, int32_t d2)
+{
+	return d2 * f->x1 + d1 * f->less_x2;
+}
+
+/* 8 bits of fraction more than the values. */
+static ALWAYS_INLINE struct run frame_find_run(
+	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
+{
+	uint32_t right =
+		(uint32_t)mul_high(frame_find_right(f, d1, d2), f->inverse)
+		<< f->shift;
+	uint32_t down =
+		(uint32_t)mul_high(frame_find_down(f, d1, d2), f->inverse)
+		<< f->shift;
+	uint32_t start = ((uint32_t)first << 8) +
+		(uint32_t)((int32_t)right >> 4) * (uint32_t)f->off_x +
+		(uint32_t)((int32_t)down >> 4) * (uint32_t)f->off_y;
+
+	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
+}
+
+/* From 0 to the two. */
+static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
+{
+	int32_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1;
+
+	return (uint32_t)((high > 0 ? high : 0) - (low < 0 ? low : 0));
+}
+
+/* A texture coordinate less the base, in 1/256 of texels: down is 8 - log2. */
+static ALWAYS_INLINE int32_t frame_to_texels(
+	int32_t value, int32_t base, int down)
+{
+	int32_t less = (int32_t)((uint32_t)value - (uint32_t)base);
+
+	return down >= 0 ? less >> down : shift_by(less, -down);
+}
+
+/* Whose colours a triangle has: its corners', or one's; of either side. */
+static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
+	const struct setup *setup, const int32_t *corner[3])
+{
+	bool other = draw->key.bits & KEY_BY_TRIANGLE;
+	bool behind = other && setup->back && draw->shading.two_side;
+	bool flat = other && draw->soft->fragment.flat;
+
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *v = flat ? draw->provoking : setup->v[i];
+
+		corner[i] = behind ? v->back : v->attribute;
+	}
+}
+
+#endif

@@ -22,7 +22,7 @@ STAGES = {
     " walk_small",
     "pixels": "band blend_row combine_rows coverage cut depth_ways fill gray level luminance made mix"
     " narrow_rows picture read rows samplers spans_565 spans_8888 tests texture tile_row"
-    " tiles tint",
+    " thin_line tiles tint",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

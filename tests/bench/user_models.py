@@ -7,6 +7,8 @@ box is 12 triangles with a texture, duck 4,000 with one, duck-two-sided the same
 without culling, colors has a colour at each vertex besides, cards are quads in
 all alpha modes, and layers are six blended quads behind each other. banner has
 long strips in perspective, glass a blended sphere, leaves one with an alpha test.
+shells are three spheres in each other: opaque, tested and blended. stone is a sphere
+without texture, crate a cube without.
 """
 
 import json
@@ -146,13 +148,13 @@ def cube():
     return positions, normals, texcoords, indices
 
 
-def blob(around, down):
+def blob(around, down, size=1):
     """A sphere with dents."""
     positions, normals, texcoords, indices = [], [], [], []
     for j in range(down + 1):
         for i in range(around + 1):
             a, b = 2 * math.pi * i / around, math.pi * j / down
-            radius = 1 + 0.25 * math.sin(3 * a) * math.sin(2 * b)
+            radius = size * (1 + 0.25 * math.sin(3 * a) * math.sin(2 * b))
             normal = (math.cos(a) * math.sin(b), math.cos(b), math.sin(a) * math.sin(b))
             normals.append(normal)
             positions.append([c * radius for c in normal])
@@ -235,6 +237,24 @@ def make_leaves(model):
     model.mesh(model.material(texture, alphaMode="MASK", doubleSided=True), blob(32, 16))
 
 
+def make_shells(model):
+    texture = model.texture(png(128, discs(128), 4))
+    opaque = model.material(model.texture(png(128, checks(128), 3)))
+    model.mesh(opaque, blob(24, 30, 0.6))
+    tested = model.material(texture, alphaMode="MASK", doubleSided=True)
+    model.mesh(tested, blob(20, 20, 0.8))
+    blended = model.material(texture, alphaMode="BLEND", doubleSided=True)
+    model.mesh(blended, blob(16, 16))
+
+
+def make_stone(model):
+    model.mesh(model.material(color=(0.8, 0.5, 0.4, 1)), blob(28, 28))
+
+
+def make_crate(model):
+    model.mesh(model.material(color=(0.3, 0.7, 0.4, 1)), cube())
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -245,6 +265,9 @@ MODELS = {
     "banner": make_banner,
     "glass": make_glass,
     "leaves": make_leaves,
+    "shells": make_shells,
+    "stone": make_stone,
+    "crate": make_crate,
 }
 
 

@@ -17,40 +17,40 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{2.55e+04, 2.214e+04},  /* frame */
-	{0.9813, 0.9773},       /* pixel */
-	{1.78e+04, 8232},       /* call */
-	{208.4, 125.3},         /* listed */
+	{2.597e+04, 2.198e+04}, /* frame */
+	{0.7568, 0.4636},       /* pixel */
+	{1.768e+04, 7654},      /* call */
+	{261.9, 152.6},         /* listed */
 	{0, 0},                 /* vertex */
-	{862.4, 141.7},         /* shaded */
-	{7.582, 0},             /* hidden */
-	{269, 9.863},           /* flat triangle */
+	{869.5, 189.9},         /* shaded */
+	{10.87, 9.188},         /* hidden */
+	{0, 0},                 /* flat triangle */
 	{0, 0},                 /* flat row */
-	{9.586, 25.55},         /* flat pixel */
-	{754.6, 582.7},         /* plain triangle */
-	{0, 7.375},             /* plain row */
-	{17.98, 2.346},         /* plain pixel */
-	{1241, 638.2},          /* textured triangle */
-	{155.6, 78.09},         /* textured row */
-	{100.9, 66.78},         /* textured pixel */
-	{6.401e+04, 4.141e+04}, /* ground triangle */
-	{127.2, 0},             /* ground row */
-	{6.708, 2.963},         /* ground pixel */
-	{1401, 451.7},          /* spans triangle */
-	{158.8, 105.2},         /* spans row */
-	{28.77, 14.95},         /* spans pixel */
-	{4667, 2964},           /* spans textured triangle */
-	{326.1, 86.97},         /* spans textured row */
-	{79.72, 52.28},         /* spans textured pixel */
-	{4387, 4660},           /* spans divided triangle */
-	{955, 543.1},           /* spans divided row */
-	{115.1, 66.52},         /* spans divided pixel */
-	{2313, 1831},           /* mixed triangle */
-	{137.5, 34.89},         /* mixed row */
-	{66.29, 40.65},         /* mixed pixel */
-	{1327, 0},              /* mixed textured triangle */
-	{594.5, 420.4},         /* mixed textured row */
-	{146.9, 92.95},         /* mixed textured pixel */
+	{11.85, 8.028},         /* flat pixel */
+	{636.1, 475.8},         /* plain triangle */
+	{0, 0},                 /* plain row */
+	{20.61, 6.945},         /* plain pixel */
+	{938, 5.948},           /* textured triangle */
+	{315.2, 221},           /* textured row */
+	{68.49, 42.37},         /* textured pixel */
+	{6.779e+04, 4.181e+04}, /* ground triangle */
+	{77.43, 0},             /* ground row */
+	{6.767, 3.414},         /* ground pixel */
+	{1336, 885.6},          /* spans triangle */
+	{167.8, 106.1},         /* spans row */
+	{27.58, 17.42},         /* spans pixel */
+	{2789, 2865},           /* spans textured triangle */
+	{862.9, 419.7},         /* spans textured row */
+	{81.61, 43.96},         /* spans textured pixel */
+	{4447, 5088},           /* spans divided triangle */
+	{943.6, 522.7},         /* spans divided row */
+	{107.9, 69.15},         /* spans divided pixel */
+	{2273, 2027},           /* mixed triangle */
+	{142.8, 6.136},         /* mixed row */
+	{67.84, 47.5},          /* mixed pixel */
+	{3175, 1355},           /* mixed textured triangle */
+	{251.7, 194},           /* mixed textured row */
+	{150.2, 96.84},         /* mixed textured pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum {
-	NOT_SET_UP = INT_MIN /* as raster.top: no rows were set up */
+	NOT_SET_UP = INT_MIN /* as raster.top: neither planes nor lists */
 };
 
 /* Of the triangle that the span functions drew last. */
@@ -23,9 +23,12 @@ static enum gl_work_kind kind_of_spans(const struct draw *draw)
 	if (!textured) {
 		return GL_WORK_SPANS;
 	}
-	return draw->raster.top == NOT_SET_UP ? GL_WORK_TEXTURED
-		: draw->raster.perspective    ? GL_WORK_SPANS_DIVIDED
-					      : GL_WORK_SPANS_TEXTURED;
+	if (draw->raster.top == NOT_SET_UP ||
+		draw->raster.top == RASTER_LISTED) {
+		return GL_WORK_TEXTURED;
+	}
+	return draw->raster.perspective ? GL_WORK_SPANS_DIVIDED
+					: GL_WORK_SPANS_TEXTURED;
 }
 
 /* Of the triangle that was drawn last. */

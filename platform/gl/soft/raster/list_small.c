@@ -409,5 +409,6 @@ bool soft_draw_small(struct draw *draw, struct setup *setup)
 		return false;
 	}
 	soft_walk_small(&list, setup);
+	draw->raster.top = RASTER_LISTED;
 	return true;
 }

@@ -145,6 +145,10 @@ struct basis {
 	int column;
 };
 
+enum {
+	RASTER_LISTED = INT32_MIN + 1 /* raster.top: list_small.c drew it */
+};
+
 /* The triangle under way. */
 struct raster {
 	struct basis basis;
@@ -161,7 +165,7 @@ struct raster {
 	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
-	int top;          /* the row that planes begin in */
+	int top; /* the row that planes begin in, or RASTER_LISTED */
 	uint32_t moving_bits;
 	bool first_row;   /* luminance.c's */
 	struct span span; /* of the row under way, and what is the same in all */

@@ -65,7 +65,8 @@ struct color_scale {
 static ALWAYS_INLINE struct color_scale find_scale(
 	const struct small *small, int32_t half, int32_t scale)
 {
-	int shift = 24 - small->frame.zeros;
+	/* Areas below 256 have no inverse: colours stay the first corner's. */
+	int shift = small->frame.zeros < 24 ? 24 - small->frame.zeros : 1;
 
 	return (struct color_scale){half, scale,
 		mul_high(small->frame.inverse_area, scale * 64),

@@ -2,6 +2,7 @@
 #ifndef TESTS_SUPPORT_RANDOM_H
 #define TESTS_SUPPORT_RANDOM_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* The next number of 24 bits (a linear congruential generator). */
@@ -23,6 +24,12 @@ static inline uint32_t any_word(uint32_t *seed)
 static inline int random_between(uint32_t *seed, int low, int high)
 {
 	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
+}
+
+/* True once in so many times. */
+static inline bool random_one_in(uint32_t *seed, int times)
+{
+	return random_between(seed, 1, times) == 1;
 }
 
 #endif

@@ -35,6 +35,17 @@ void span_scene_close(struct span_scene *scene)
 	free(scene);
 }
 
+void span_scene_fog(const struct gl *gl)
+{
+	static const GLfixed color[] = {20000, 50000, 9000, 65536};
+
+	gl->Enable(GL_FOG);
+	gl->Fogx(GL_FOG_MODE, GL_LINEAR);
+	gl->Fogx(GL_FOG_START, 2 * 65536);
+	gl->Fogx(GL_FOG_END, 6 * 65536);
+	gl->Fogxv(GL_FOG_COLOR, color);
+}
+
 void span_scene_draw(
 	const struct gl *gl, const struct span_corner *corner, int count)
 {

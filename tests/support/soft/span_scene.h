@@ -35,6 +35,9 @@ void span_scene_close(struct span_scene *scene);
 /* Opens a picture of noise, for one way of drawing or the other. */
 struct span_scene *span_scene_begin(enum pixel_format format, bool reference);
 
+/* Turns linear fog on, between distances that random scenes cross. */
+void span_scene_fog(const struct gl *gl);
+
 /* Draws so many corners as triangles, with the coordinates of both units. */
 void span_scene_draw(
 	const struct gl *gl, const struct span_corner *corner, int count);

@@ -18,11 +18,6 @@ enum {
 	DEPTH_APART = 600, /* of pixels next to each other */
 };
 
-static bool by_chance(uint32_t *seed, int one_in)
-{
-	return random_between(seed, 1, one_in) == 1;
-}
-
 static GLenum find_function(uint32_t *seed)
 {
 	return GL_NEVER + (GLenum)random_between(seed, 1, 7);
@@ -30,30 +25,24 @@ static GLenum find_function(uint32_t *seed)
 
 static void give_state(const struct gl *gl, uint32_t *seed)
 {
-	if (by_chance(seed, 3)) {
+	if (random_one_in(seed, 3)) {
 		gl->Enable(GL_BLEND);
 		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	}
-	if (by_chance(seed, 4)) {
+	if (random_one_in(seed, 4)) {
 		gl->Enable(GL_ALPHA_TEST);
 		gl->AlphaFuncx(find_function(seed), 32768);
 	}
-	if (by_chance(seed, 3)) {
-		static const GLfixed color[] = {20000, 50000, 9000, 65536};
-
-		gl->Enable(GL_FOG);
-		gl->Fogx(GL_FOG_MODE, GL_LINEAR);
-		gl->Fogx(GL_FOG_START, 2 * 65536);
-		gl->Fogx(GL_FOG_END, 6 * 65536);
-		gl->Fogxv(GL_FOG_COLOR, color);
+	if (random_one_in(seed, 3)) {
+		span_scene_fog(gl);
 	}
-	if (!by_chance(seed, 4)) {
+	if (!random_one_in(seed, 4)) {
 		gl->Enable(GL_DEPTH_TEST);
 		gl->DepthFunc(
-			by_chance(seed, 2) ? GL_LESS : find_function(seed));
-		gl->DepthMask(!by_chance(seed, 3));
+			random_one_in(seed, 2) ? GL_LESS : find_function(seed));
+		gl->DepthMask(!random_one_in(seed, 3));
 	}
-	if (by_chance(seed, 4)) {
+	if (random_one_in(seed, 4)) {
 		int x = random_between(seed, -20, 60);
 		int y = random_between(seed, -20, 50);
 		int width = random_between(seed, 0, 90);
@@ -61,7 +50,7 @@ static void give_state(const struct gl *gl, uint32_t *seed)
 		gl->Enable(GL_SCISSOR_TEST);
 		gl->Scissor(x, y, width, random_between(seed, 0, 70));
 	}
-	gl->ShadeModel(by_chance(seed, 4) ? GL_FLAT : GL_SMOOTH);
+	gl->ShadeModel(random_one_in(seed, 4) ? GL_FLAT : GL_SMOOTH);
 }
 
 /* At depths from 1.2 to 7, where w bends colours, or around 4. */
@@ -70,7 +59,7 @@ static void give_ends(struct span_corner corner[ENDS], uint32_t *seed)
 	static const int sizes[] = {2, 8, 40, 200, 900};
 	int size = sizes[random_between(seed, 0, 4)];
 	int bend = random_between(seed, 0, 2) * 140;
-	bool one_color = by_chance(seed, 3);
+	bool one_color = random_one_in(seed, 3);
 
 	for (int i = 0; i < ENDS; i++) {
 		struct span_corner *c = &corner[i];
@@ -132,7 +121,7 @@ static struct span_scene *draw(
 	give_ends(corner, &seed);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*corner), corner->position);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*corner), corner->color);
-	gl->DrawArrays(by_chance(&seed, 4) ? GL_POINTS : GL_LINES, 0, ENDS);
+	gl->DrawArrays(random_one_in(&seed, 4) ? GL_POINTS : GL_LINES, 0, ENDS);
 	return scene;
 }
 
@@ -296,7 +285,7 @@ static void make_exact(struct exact_line *line, uint32_t *seed)
 		line->y[i] = y < 8                 ? 8
 			: y > SPAN_HEIGHT * 16 - 8 ? SPAN_HEIGHT * 16 - 8
 						   : y;
-		line->w[i] = i == 1 && by_chance(seed, 3)
+		line->w[i] = i == 1 && random_one_in(seed, 3)
 			? line->w[0]
 			: random_between(seed, 17, 200) / 16.0;
 		line->z[i] = find_depth(line->w[i]);

@@ -36,11 +36,6 @@ static GLenum one_of(uint32_t *seed, const GLenum *values, int count)
 	return values[random_between(seed, 0, count - 1)];
 }
 
-static bool by_chance(uint32_t *seed, int one_in)
-{
-	return random_between(seed, 1, one_in) == 1;
-}
-
 static void give_texture(const struct gl *gl, uint32_t *seed)
 {
 	static uint8_t bytes[SIDE_MOST * SIDE_MOST * 4];
@@ -155,40 +150,35 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA,
 		GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
 
-	if (by_chance(seed, 3)) {
+	if (random_one_in(seed, 3)) {
 		GLenum from = one_of(seed, source, 10);
 
 		gl->Enable(GL_BLEND);
 		gl->BlendFunc(from, one_of(seed, destination, 10));
 	}
-	if (by_chance(seed, 3)) {
+	if (random_one_in(seed, 3)) {
 		GLenum function = one_of(seed, functions, 7);
 
 		gl->Enable(GL_ALPHA_TEST);
 		gl->AlphaFuncx(function, random_between(seed, 0, 65536));
 	}
-	if (by_chance(seed, 4)) {
-		static const GLfixed color[] = {20000, 50000, 9000, 65536};
-
-		gl->Enable(GL_FOG);
-		gl->Fogx(GL_FOG_MODE, GL_LINEAR);
-		gl->Fogx(GL_FOG_START, 2 * 65536);
-		gl->Fogx(GL_FOG_END, 6 * 65536);
-		gl->Fogxv(GL_FOG_COLOR, color);
+	if (random_one_in(seed, 4)) {
+		span_scene_fog(gl);
 	}
-	if (!by_chance(seed, 6)) {
+	if (!random_one_in(seed, 6)) {
 		gl->Enable(GL_DEPTH_TEST);
-		gl->DepthFunc(by_chance(seed, 2) ? GL_LESS
-						 : one_of(seed, functions, 7));
-		gl->DepthMask(!by_chance(seed, 4));
+		gl->DepthFunc(random_one_in(seed, 2)
+				? GL_LESS
+				: one_of(seed, functions, 7));
+		gl->DepthMask(!random_one_in(seed, 4));
 	}
-	if (by_chance(seed, 8)) {
+	if (random_one_in(seed, 8)) {
 		int mask = random_between(seed, 0, 15);
 
 		gl->ColorMask(
 			mask & 1, mask >> 1 & 1, mask >> 2 & 1, mask >> 3 & 1);
 	}
-	if (by_chance(seed, 8)) {
+	if (random_one_in(seed, 8)) {
 		gl->Enable(GL_STENCIL_TEST);
 		gl->StencilFunc(GL_EQUAL, 0, 255);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
@@ -203,7 +193,7 @@ static void give_triangles(const struct gl *gl, uint32_t *seed)
 	int size = sizes[random_between(seed, 0, 4)];
 	int bend = random_between(seed, 0, 2) * 40;
 	int texels_wide = random_between(seed, 1, 30);
-	bool one_color = by_chance(seed, 4);
+	bool one_color = random_one_in(seed, 4);
 
 	for (int i = 0; i < TRIANGLES * 3; i++) {
 		struct span_corner *c = &corner[i];

@@ -6,6 +6,7 @@
 #include "app/character/run/gestures.h"
 #include "app/character/run/ground.h"
 #include "app/character/run/layers.h"
+#include "app/character/run/outputs.h"
 #include "app/character/run/parameters.h"
 #include "app/character/run/pending.h"
 #include "app/character/run/triggers.h"
@@ -43,8 +44,7 @@ static void take_times(
 	}
 }
 
-void character_go_on(
-	struct character *character, const struct character *before)
+void character_go_on(struct character *character, const struct character *before)
 {
 	struct character_machine *machine = &character->machine;
 	const struct character_machine *old = &before->machine;

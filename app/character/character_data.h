@@ -421,6 +421,7 @@ struct character {
 	float ground_m; /* the height of level ground */
 	/* The height of the ground above that; NULL: it is level. */
 	float (*ground_height)(void *user, float x, float z);
+	void *ground_user;
 
 	/* Changes: */
 	double seen_s;  /* of the last frame */

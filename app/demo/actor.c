@@ -200,17 +200,6 @@ void actor_choose_lod(
 			picture_height));
 }
 
-void actor_label_lod(const struct actor *actor, struct hud_group *group)
-{
-	char value[32];
-
-	if (actor->instance->max_influences > 0) {
-		snprintf(value, sizeof(value), "at most %d",
-			actor->instance->max_influences);
-		hud_group_text(group, "influences", value);
-	}
-}
-
 const char *actor_technique(const struct instance *instance)
 {
 	bool skinned = false, morphed = false;

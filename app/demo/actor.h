@@ -7,11 +7,11 @@
 
 #include "app/anim/clip.h"
 #include "app/demo/demo_env.h"
-#include "app/demo/live.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/overlay/overlay.h"
+#include "app/scene/stage/live.h"
 #include "app/scene/stage/stage.h"
 
 struct actor {
@@ -97,9 +97,6 @@ void actor_update(
 /* Chooses only the triangles, for demos that do not call actor_update(). */
 void actor_choose_lod(
 	struct actor *actor, const struct camera *camera, int picture_height);
-
-/* Adds a row with the influence cap to the group if there is a cap. */
-void actor_label_lod(const struct actor *actor, struct hud_group *group);
 
 /* Returns the name of the instance's technique, such as "Skeletal". */
 const char *actor_technique(const struct instance *instance);

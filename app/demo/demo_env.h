@@ -7,10 +7,11 @@
 
 #include "app/anim/clip.h"
 #include "app/anim/kernel/kernel.h"
-#include "app/demo/live.h"
+#include "app/character/character_open.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
 #include "app/scene/overlay/overlay_kind.h"
+#include "app/scene/stage/live.h"
 #include "platform/base/log.h"
 #include "platform/display/pixels.h"
 #include "platform/gl/gl.h"
@@ -44,6 +45,17 @@ struct demo_env {
 	bool smooth;                      /* filter camera images linearly */
 	struct overlay_choice overlays;   /* initially */
 };
+
+/* The character that env asks for. */
+static inline struct character_request demo_env_request(
+	const struct demo_env *env)
+{
+	return (struct character_request){.model_path = env->model_path,
+		.file = env->character,
+		.clip = env->clip,
+		.rate = env->speed,
+		.repeat = env->repeat};
+}
 
 /* What a demo leaves out to keep a frame budget; all zero: nothing. */
 struct demo_reduction {

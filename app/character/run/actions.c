@@ -4,6 +4,7 @@
 #include "app/character/parts/parts.h"
 #include "app/character/run/effects.h"
 #include "app/character/run/layers.h"
+#include "app/character/run/outputs.h"
 #include "app/character/run/parameters.h"
 
 #include <stdio.h>
@@ -97,30 +98,6 @@ static void run_switch(struct character_switch *is, float amount)
 	is->is_on = amount < 0 ? !is->is_on : amount > 0;
 }
 
-static void drive(struct character *character, int index, float amount)
-{
-	struct character_output *output = &character->output[index];
-
-	output->on = amount != 0;
-	output->until_s =
-		amount > 0 ? character->now_s + (double)amount / 1000 : -1;
-	if (character->drive) {
-		character->drive(character->drive_user, index, output->on);
-	}
-}
-
-void character_outputs_update(struct character *character)
-{
-	for (int i = 0; i < character->output_count; i++) {
-		struct character_output *output = &character->output[i];
-
-		if (output->on && output->until_s >= 0 &&
-			character->now_s >= output->until_s) {
-			drive(character, i, 0);
-		}
-	}
-}
-
 static void write_line(const char *text)
 {
 	puts(text);
@@ -142,7 +119,7 @@ static void run_scene(struct character *character,
 		write_line(action->text);
 		break;
 	case CHARACTER_OUTPUT:
-		drive(character, action->index, action->amount);
+		character_output_drive(character, action->index, action->amount);
 		break;
 	case CHARACTER_TURN:
 		character->camera_turn += amount;

@@ -9,7 +9,4 @@
 /* Runs all pending actions, and those that they add, in their order. */
 void character_actions_run(struct character *character);
 
-/* Ends output pulses whose time is over. */
-void character_outputs_update(struct character *character);
-
 #endif

@@ -326,7 +326,7 @@ static void move_foot(const struct character *character,
 static float ground_at(const struct character *character, const float at[3])
 {
 	return character->ground_height
-		? character->ground_height(character->drive_user, at[0], at[2])
+		? character->ground_height(character->ground_user, at[0], at[2])
 		: 0;
 }
 

@@ -11,11 +11,11 @@
 
 #include "app/anim/clip.h"
 #include "app/compare/board_profile.h"
-#include "app/demo/live.h"
 #include "app/model/model.h"
 #include "app/scene/instance/influence_cap.h"
 #include "app/scene/instance/lod.h"
 #include "app/scene/overlay/overlay_kind.h"
+#include "app/scene/stage/live.h"
 #include "platform/base/log.h"
 #include "platform/buttons/buttons.h"
 #include "platform/display/pixels.h"

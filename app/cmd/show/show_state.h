@@ -12,12 +12,12 @@
 #include "app/cmd/show/film.h"
 #include "app/cmd/show/frame_stats.h"
 #include "app/cmd/show/frame_watch.h"
+#include "app/cmd/show/governor.h"
 #include "app/cmd/show/pace.h"
 #include "app/cmd/show/program_keys.h"
 #include "app/cmd/show/show.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/cmd/show/snapshot.h"
-#include "app/demo/governor.h"
 #include "platform/base/output_file.h"
 #include "platform/watchdog/watchdog.h"
 

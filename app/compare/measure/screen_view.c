@@ -4,7 +4,7 @@
 
 #include <cglm/cglm.h>
 
-/* The same as in app/demo/viewer/viewer.c. */
+/* The angles are those of camera_default(). */
 const struct camera_framing screen_view_framing = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,

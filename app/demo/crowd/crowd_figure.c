@@ -26,14 +26,14 @@ static float reach(const struct bounds *bounds, int axis, float center)
  * The box of all motions, each played where the figure stands. An outline fits
  * their shadows if all are about as high, so not those of a bird or a snake.
  */
-static struct bounds measure(
-	struct actor *actor, const struct motions *motions, bool *outline_fits)
+static struct bounds measure(struct instance *instance,
+	const struct motions *motions, bool *outline_fits)
 {
 	struct bounds all = bounds_empty();
 	float lowest = 0.0f;
 
 	for (int i = 0; i < MOTION_ROLES; i++) {
-		struct bounds one = motion_bounds(actor, &motions->role[i]);
+		struct bounds one = motion_bounds(instance, &motions->role[i]);
 		float height = one.high[1] - one.low[1];
 
 		lowest = i == 0 || height < lowest ? height : lowest;
@@ -89,7 +89,9 @@ static void fit(struct crowd_figure *figure, const struct bounds *bounds)
 int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	struct actor *actor)
 {
-	int error = motions_find(env, actor, &figure->motions);
+	const struct character_request request = demo_env_request(env);
+	int error = motions_find(
+		&request, actor->instance, env->log, &figure->motions);
 	struct bounds bounds;
 
 	if (error) {
@@ -98,7 +100,8 @@ int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	figure->model = actor->model;
 	figure->one_clip = env->clip;
 	figure->front_rad = figure->motions.role[MOTION_WALK].facing_rad;
-	bounds = measure(actor, &figure->motions, &figure->shadow.fits);
+	bounds = measure(
+		actor->instance, &figure->motions, &figure->shadow.fits);
 	if (!bounds_is_empty(&bounds)) {
 		find_center(&bounds, figure->center);
 	}

@@ -5,9 +5,10 @@
 #ifndef APP_DEMO_CROWD_CROWD_FIGURE_H
 #define APP_DEMO_CROWD_CROWD_FIGURE_H
 
+#include "app/character/motions/motions.h"
+#include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_route.h"
 #include "app/demo/crowd/crowd_shadow.h"
-#include "app/demo/motions.h"
 
 struct crowd_figure {
 	const struct model *model;

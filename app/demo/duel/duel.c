@@ -6,11 +6,11 @@
  * and its error. The error is that of `limber compare`: the distance in pixels
  * of a picture of this size.
  */
+#include "app/character/motions/motions.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/duel/contender.h"
 #include "app/demo/duel/duel_board.h"
-#include "app/demo/motions.h"
 #include "app/scene/draw/draw.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -105,7 +105,9 @@ static struct bounds bounds_of_row(struct demo *demo)
 static int choose_clip(struct demo *demo, const struct demo_env *env)
 {
 	struct motions motions;
-	int error = motions_find(env, &demo->base.actor, &motions);
+	const struct character_request request = demo_env_request(env);
+	int error = motions_find(
+		&request, demo->base.actor.instance, env->log, &motions);
 
 	if (error) {
 		return error;

@@ -137,6 +137,7 @@ static float unit_factor(const struct actor *actor)
 static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 {
 	struct instance *instance = demo->base.actor.instance;
+	const struct character_request request = demo_env_request(env);
 	struct motions motions;
 	struct bounds bounds;
 	int error = preset_file_read(&demo->file, env->log);
@@ -148,7 +149,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	demo->row = ROW_FIELDS + attenuation;
 	instance->normal_mapping = false;
 	if (!error) {
-		error = motions_find(env, &demo->base.actor, &motions);
+		error = motions_find(&request, instance, env->log, &motions);
 	}
 	if (error) {
 		return error;

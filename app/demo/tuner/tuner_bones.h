@@ -4,7 +4,7 @@
 #ifndef APP_DEMO_TUNER_TUNER_BONES_H
 #define APP_DEMO_TUNER_TUNER_BONES_H
 
-#include "app/demo/motions.h"
+#include "app/character/motions/motions.h"
 
 enum {
 	TUNER_LEVELS_MAX = 16,

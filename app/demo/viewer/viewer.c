@@ -1,15 +1,25 @@
 /*
  * The viewer shows any model, which behaves as its character file says or as
- * `limber character` would write it (behaviour.h).
+ * `limber character` would write it (app/character).
  */
+#include "app/character/character_open.h"
+#include "app/character/run/feet.h"
+#include "app/character/run/outputs.h"
+#include "app/character/show/character_draw.h"
+#include "app/character/show/character_label.h"
+#include "app/character/show/character_overlay.h"
+#include "app/character/state/machine.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
-#include "app/demo/viewer/behaviour.h"
-#include "app/demo/viewer/behaviour_label.h"
 #include "platform/base/file.h"
+#include "platform/base/scalar.h"
 
-static const double check_s = 1.0; /* between checks of the file */
+#include <errno.h>
+#include <stdlib.h>
+
+static const double check_s = 1.0;    /* between checks of the file */
+static const float ease_per_s = 5.0f; /* of the camera to other clips' box */
 
 /* Watches the model's file for changes, once a second. */
 struct file_watch {
@@ -20,39 +30,123 @@ struct file_watch {
 	bool broken; /* the file as it is now cannot be loaded */
 };
 
+/* What a loaded model does. */
+struct figure {
+	struct character *character;
+	struct character_drawing drawing;
+	struct character_outputs outputs;
+	const struct floor *floor; /* of the stage, once it was updated */
+	bool framed; /* the camera shows what the first update played */
+};
+
 struct demo {
 	struct demo_base base;
-	struct behaviour *behaviour;
+	struct figure *figure;
 	double now_s;
 	struct file_watch watch;
 };
 
+/* The ground under a character, in metres; user is the figure. */
+static float ground_height(void *user, float x, float z)
+{
+	const struct figure *figure = user;
+	const struct floor *floor = figure->floor;
+	float scale = figure->character->instance->unit_scale;
+
+	return floor
+		? (floor_height(floor, x * scale, z * scale) - floor->y) / scale
+		: 0.0f;
+}
+
+static void destroy_figure(struct figure *figure)
+{
+	if (figure) {
+		character_outputs_close(&figure->outputs);
+		character_destroy(figure->character);
+		free(figure);
+	}
+}
+
+static int create_figure(
+	const struct demo_env *env, struct actor *actor, struct figure **out)
+{
+	const struct character_request request = demo_env_request(env);
+	struct figure *figure = calloc(1, sizeof(*figure));
+	struct character *character;
+	int error;
+
+	if (!figure) {
+		log_error(env->log, "%s: there is not enough memory",
+			env->model_path);
+		return -ENOMEM;
+	}
+	error = character_open(&request, actor->instance, env->log, &character);
+	figure->character = character;
+	if (!error) {
+		error = character_draw_init(
+			&figure->drawing, character, env->log);
+	}
+	if (error) {
+		destroy_figure(figure);
+		return error;
+	}
+	character_outputs_open(&figure->outputs, character, env->log);
+	character->ground_height = ground_height;
+	character->ground_user = figure;
+	character->interpolation = env->interpolation;
+	character->touring = env->unattended;
+	character->tour_next = character->scene.tour;
+	*out = figure;
+	return 0;
+}
+
+/* The stage that the character asks for. */
+static int init_stage(const struct figure *figure, struct demo_base *base,
+	const struct demo_env *env, struct stage *stage)
+{
+	const struct character_bounds *bounds = &figure->drawing.bounds;
+	const struct character_scene *scene = &figure->character->scene;
+	struct actor_framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
+						.pitch_rad = scene->pitch_rad,
+						.margin = scene->margin,
+						.follow = true},
+		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
+	struct bounds box = bounds->all;
+
+	framing.label_rows =
+		character_label_count(figure->character, &framing.label_bars);
+	box.low[1] =
+		character_bounds_ground(bounds, base->actor.model->clip_count);
+	return actor_init_stage(base, env, &box, &framing, stage);
+}
+
 /* The stamps of all files that are shown. */
 static uint64_t stamp_files(const struct demo *demo)
 {
-	uint64_t model = file_stamp(demo->watch.env.model_path);
+	const struct character_request request =
+		demo_env_request(&demo->watch.env);
+	uint64_t model = file_stamp(request.model_path);
 
-	return model == 0
-		? 0
-		: model ^ behaviour_stamp(&demo->watch.env, demo->behaviour);
+	return model == 0 ? 0
+			  : model ^
+			character_open_stamp(&request, demo->figure->character);
 }
 
 static int viewer_prepare(struct demo *demo, const struct demo_env *env)
 {
-	int error = behaviour_create(env, &demo->base.actor, &demo->behaviour);
+	int error = create_figure(env, &demo->base.actor, &demo->figure);
 
 	if (error) {
 		return error;
 	}
 	demo->watch.env = *env;
 	demo->watch.shown = demo->watch.last = stamp_files(demo);
-	return behaviour_init_stage(
-		demo->behaviour, &demo->base, env, &demo->base.stage);
+	return init_stage(demo->figure, &demo->base, env, &demo->base.stage);
 }
 
 static void viewer_finish(struct demo *demo)
 {
-	behaviour_destroy(demo->behaviour);
+	destroy_figure(demo->figure);
 }
 
 /* The camera stays unless the model's size has changed by a quarter. */
@@ -65,8 +159,8 @@ static void reframe(struct demo *demo, float old_extent)
 	if (ratio > 0.8f && ratio < 1.25f) {
 		return;
 	}
-	if (behaviour_init_stage(demo->behaviour, &demo->base, &demo->watch.env,
-		    &fresh) == 0) {
+	if (init_stage(demo->figure, &demo->base, &demo->watch.env, &fresh) ==
+		0) {
 		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
@@ -80,7 +174,7 @@ static int reload(struct demo *demo)
 {
 	struct demo_env env = demo->watch.env;
 	struct actor old = demo->base.actor, fresh;
-	struct behaviour *before = demo->behaviour, *after;
+	struct figure *before = demo->figure, *after;
 	int error = actor_load(&fresh, &env);
 
 	if (error) {
@@ -89,19 +183,21 @@ static int reload(struct demo *demo)
 	if (env.clip && model_find_clip(fresh.model, env.clip) < 0) {
 		env.clip = fresh.model->clip_count > 0 ? "0" : NULL;
 	}
-	behaviour_suspend(before);
-	error = behaviour_create(&env, &fresh, &after);
+	/* The new file may drive the same lines. */
+	character_outputs_close(&before->outputs);
+	error = create_figure(&env, &fresh, &after);
 	if (error) {
-		behaviour_resume(before, env.log);
+		character_outputs_open(
+			&before->outputs, before->character, env.log);
 		actor_unload(&fresh, env.gl);
 		return error;
 	}
 	character_go_on(after->character, before->character);
 	demo->base.actor = fresh;
-	demo->behaviour = after;
+	demo->figure = after;
 	reframe(demo, old.extent);
 	demo_overlay_release(&demo->base);
-	behaviour_destroy(before);
+	destroy_figure(before);
 	actor_unload(&old, env.gl);
 	return 0;
 }
@@ -126,30 +222,81 @@ static void check_file(struct demo *demo)
 	}
 }
 
+/* What the character asks of the camera and of the ground. */
+static void move_scene(
+	struct figure *figure, struct stage *stage, float scale, float step_s)
+{
+	struct character *character = figure->character;
+	struct bounds now;
+
+	camera_orbit(
+		&stage->camera, character->camera_turn, character->camera_tilt);
+	camera_zoom(&stage->camera, 1.0f + character->camera_zoom);
+	now = character_bounds_now(&figure->drawing.bounds, character);
+	camera_ease_to(&stage->camera, &now,
+		figure->framed ? 1.0f - scalar_exp(-ease_per_s * step_s) : 1.0f);
+	figure->framed = true;
+	floor_scroll(&stage->floor, character->motion.scroll[0] * scale,
+		character->motion.scroll[1] * scale);
+}
+
 static void viewer_update(struct demo *demo, double time_s)
 {
+	struct demo_base *base = &demo->base;
+	struct character_frame frame = {.time_s = time_s};
+	struct character *character;
+	float scale;
+
 	demo->now_s = time_s;
 	check_file(demo);
-	behaviour_update(demo->behaviour, &demo->base, time_s);
+	character = demo->figure->character;
+	scale = character->instance->unit_scale;
+	demo->figure->floor = &base->stage.floor;
+	character->ground_m = base->stage.floor.y / scale;
+	floor_set_wave_height(&base->stage.floor,
+		*character->scene.wave_m * scale *
+			(character->feet ? character->feet->is.now : 1.0f));
+	frame.motion_level = live_controls_motion(&base->live)
+		? base->live.smooth_level
+		: 0.0f;
+	camera_eye(&base->stage.camera, frame.eye);
+	for (int i = 0; i < 3; i++) {
+		frame.eye[i] /= scale;
+	}
+	character_update(character, &frame);
+	move_scene(demo->figure, &base->stage, scale, character->real_s);
+	character->instance->normal_mapping = *character->scene.relief > 0.0f;
+	actor_update(&base->actor, &base->stage.camera, base->height);
+	character_bend(character);
+	character_draw_update(&demo->figure->drawing, &base->stage);
 }
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
-	behaviour_scene_draw(&demo->behaviour->scene, demo->behaviour->character,
-		&demo->behaviour->bounds, &demo->base, width, height);
+	stage_begin(&demo->base.stage, demo->base.gl, width, height);
+	character_draw(&demo->figure->drawing, &demo->base.stage,
+		&demo->base.actor.textures, demo->base.gl);
 }
 
+/* The period of the tour, or of the clip that plays. */
 static double viewer_period_s(const struct demo *demo)
 {
-	return behaviour_period_s(demo->behaviour);
+	const struct character *character = demo->figure->character;
+	const struct model_clip *clip =
+		character_machine_entry(character)->of->clip;
+
+	if (character->scene.tour_s > 0.0) {
+		return character->scene.tour_s;
+	}
+	return clip && clip->duration_s > 0.0f ? clip->duration_s : 1.0;
 }
 
 static void viewer_label(const struct demo *demo, struct hud *hud)
 {
 	struct hud_group group;
 
-	behaviour_label_all(demo->behaviour->character, demo->behaviour->title,
-		&demo->base.actor, hud);
+	character_label_all(demo->figure->character,
+		actor_technique(demo->base.actor.instance), hud);
 	if (demo->watch.broken) {
 		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
 		hud_group_mark(&group, "new file is broken", "", hud_color_rose);
@@ -160,17 +307,17 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 static void viewer_get_motion(
 	const struct demo *demo, struct overlay_motion *out)
 {
-	behaviour_get_motion(demo->behaviour, demo->base.actor.model, out);
+	character_overlay_describe(demo->figure->character, out);
 }
 
 static void viewer_press(struct demo *demo, const struct button_event *event)
 {
-	character_press(demo->behaviour->character, event);
+	character_press(demo->figure->character, event);
 }
 
 static void viewer_print_buttons(const struct demo *demo, FILE *out)
 {
-	character_print_buttons(demo->behaviour->character, out);
+	character_print_buttons(demo->figure->character, out);
 }
 
 /* The members that are the same for a model and for demos that are data. */

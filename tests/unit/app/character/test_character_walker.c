@@ -120,7 +120,7 @@ static void test_feet_keep_their_height_above_uneven_ground(void **state)
 		set_parameter(acting, "speed", 1.03f);
 	}
 	uneven.character->ground_height = hills;
-	uneven.character->drive_user = &uneven;
+	uneven.character->ground_user = &uneven;
 	go_on(&flat, 30);
 	go_on(&uneven, 30);
 	for (int frame = 0; frame < 60; frame++) {

@@ -1,8 +1,8 @@
 /* Demos frame their figures beside or below their labels, at every size. */
+#include "app/character/show/character_bounds.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
-#include "app/demo/viewer/behaviour_bounds.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
@@ -361,7 +361,7 @@ static void test_a_crowd_is_framed_anew_in_another_size(void **state)
 static float ground_of(float rest, const float *low, int count)
 {
 	struct bounds clip[4];
-	struct behaviour_bounds bounds = {.clip = clip, .extent = 2.0f};
+	struct character_bounds bounds = {.clip = clip, .extent = 2.0f};
 
 	bounds.rest = bounds.all =
 		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
@@ -369,7 +369,7 @@ static float ground_of(float rest, const float *low, int count)
 		clip[i] = bounds.rest;
 		clip[i].low[1] = low[i];
 	}
-	return behaviour_bounds_ground(&bounds, count);
+	return character_bounds_ground(&bounds, count);
 }
 
 static void test_the_ground_is_where_most_clips_stand(void **state)

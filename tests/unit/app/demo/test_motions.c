@@ -1,6 +1,6 @@
 /* What demos find out about any model: its clips, its speeds, its bones. */
+#include "app/character/motions/motions.h"
 #include "app/demo/crowd/crowd_figure.h"
-#include "app/demo/motions.h"
 #include "app/demo/tuner/tuner_bones.h"
 #include "tests/support/test.h"
 
@@ -17,11 +17,10 @@ struct found {
 static void find(struct found *found, const char *path, const char *clip,
 	const char *character)
 {
-	struct demo_env env = {
-		.log = &found->log,
+	const struct character_request request = {
 		.model_path = path,
 		.clip = clip,
-		.character = character,
+		.file = character,
 	};
 
 	memset(found, 0, sizeof(*found));
@@ -32,7 +31,9 @@ static void find(struct found *found, const char *path, const char *clip,
 			&found->log, &found->actor.instance),
 		0);
 	found->actor.extent = 1.72f;
-	assert_int_equal(motions_find(&env, &found->actor, &found->motions), 0);
+	assert_int_equal(motions_find(&request, found->actor.instance,
+				 &found->log, &found->motions),
+		0);
 }
 
 static void release(struct found *found)
@@ -79,7 +80,7 @@ static void test_bounds_leave_the_drift_out(void **state)
 	whole = bounds_of_clip(found.actor.instance, motion.clip);
 	motion.drift[0] = 0.5f;
 	motion.drift[1] = -0.25f;
-	placed = motion_bounds(&found.actor, &motion);
+	placed = motion_bounds(found.actor.instance, &motion);
 	assert_near(placed.high[0], whole.high[0] - 0.5f, 1e-6);
 	assert_near(placed.low[0], whole.low[0], 1e-6);
 	assert_near(placed.high[2], whole.high[2], 1e-6);
@@ -130,15 +131,14 @@ static void test_a_model_without_clips_stands(void **state)
 static void test_a_broken_character_file_is_an_error(void **state)
 {
 	struct found found;
-	struct demo_env env;
+	const struct character_request request = {.model_path = "assets/arm.glb",
+		.file = "assets/characters/none.character"};
 
 	(void)state;
 	find(&found, "assets/arm.glb", NULL, "none");
 	found.log = log_to_nowhere();
-	env = (struct demo_env){.log = &found.log,
-		.model_path = "assets/arm.glb",
-		.character = "assets/characters/none.character"};
-	assert_true(motions_find(&env, &found.actor, &found.motions) < 0);
+	assert_true(motions_find(&request, found.actor.instance, &found.log,
+			    &found.motions) < 0);
 	release(&found);
 }
 
@@ -200,7 +200,8 @@ static void raise_first_key(struct model *model, const char *name, float way_m)
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
 
-		if (channel->path == MODEL_TRANSLATION && channel->key_count > 1) {
+		if (channel->path == MODEL_TRANSLATION &&
+			channel->key_count > 1) {
 			((float *)(uintptr_t)channel->value)[1] += way_m;
 		}
 	}

@@ -1,5 +1,5 @@
 /* The governor, with times that the tests provide. */
-#include "app/demo/governor.h"
+#include "app/cmd/show/governor.h"
 #include "tests/support/test.h"
 
 struct bench {

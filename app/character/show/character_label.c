@@ -1,4 +1,4 @@
-#include "app/demo/viewer/behaviour_label.h"
+#include "app/character/show/character_label.h"
 
 #include "app/character/run/effects.h"
 #include "app/character/run/layers.h"
@@ -47,36 +47,32 @@ static int has_presets(const struct character *character)
 	return 0;
 }
 
-void behaviour_count_labels(
-	const struct character *character, struct actor_framing *framing)
+int character_label_count(const struct character *character, int *bars)
 {
-	int rows = names_state(character), choices = 0;
+	int state = names_state(character), choices = 0;
 	/* A sequence's step has two rows, and its choices are hidden. */
 	int steps = character->sequence_count > 0 ? 2 : 0;
+	int rows = state ? 1 : 3 * character->morph_count;
+	int switches = count_switches(character) +
+		(character->machine.state_count > 1);
 
-	framing->label_bars = rows ? 1 : character->morph_count;
-	framing->label_rows = rows ? 1 : 3 * character->morph_count;
+	*bars = (state ? 1 : character->morph_count) + (steps > 0) + switches;
 	for (int i = 0; i < character->parameter_count; i++) {
 		const struct character_parameter *one = &character->parameter[i];
 		bool shown = shows_parameter(one);
 
 		choices += shown && one->choice;
-		framing->label_rows += shown && !one->choice;
-		framing->label_bars += shown && !one->choice;
+		rows += shown && !one->choice;
+		*bars += shown && !one->choice;
 	}
-	framing->label_rows += choices > steps ? choices : steps;
-	framing->label_bars += steps > 0;
-	if (character->part_count > 0) {
-		framing->label_rows += VALUES_MAX;
-	}
-	rows = count_switches(character) + (character->machine.state_count > 1);
-	framing->label_rows += rows + has_presets(character);
-	framing->label_bars += rows;
-	/* A model that only plays has a row for "paused" as well. */
-	framing->label_rows += framing->label_rows == 1;
+	rows += choices > steps ? choices : steps;
+	rows += character->part_count > 0 ? VALUES_MAX : 0;
+	rows += switches + has_presets(character);
 	if (character->scene.labels == CHARACTER_LABELS_NONE) {
-		framing->label_rows = 0;
+		return 0;
 	}
+	/* A model that only plays has a row for "paused" as well. */
+	return rows == 1 ? 2 : rows;
 }
 
 static const struct hud_color *color_of(int number)
@@ -342,7 +338,8 @@ static const struct character_binding *find_changing(
 /* What these buttons do now. */
 static void label_changing(const struct character *character, struct hud *hud)
 {
-	const struct character_binding *first = find_changing(character->binding);
+	const struct character_binding *first =
+		find_changing(character->binding);
 	const struct character_binding *one;
 	struct hud_group group;
 	char name[48];
@@ -387,8 +384,19 @@ static void label_keys(const struct character *character, struct hud *hud)
 	hud_group_end(&group);
 }
 
-static void label_state(const struct character *character, const char *title,
-	const struct actor *actor, struct hud *hud)
+static void label_cap(const struct instance *instance, struct hud_group *group)
+{
+	char value[32];
+
+	if (instance->max_influences > 0) {
+		snprintf(value, sizeof(value), "at most %d",
+			instance->max_influences);
+		hud_group_text(group, "influences", value);
+	}
+}
+
+static void label_state(
+	const struct character *character, const char *title, struct hud *hud)
 {
 	struct hud_group group = hud_group_begin(hud,
 		character->scene.labels == CHARACTER_LABELS_RIGHT ? HUD_TOP_RIGHT
@@ -399,15 +407,15 @@ static void label_state(const struct character *character, const char *title,
 	label_values(character, &group);
 	label_parts(character, &group);
 	label_presets(character, &group);
-	actor_label_lod(actor, &group);
+	label_cap(character->instance, &group);
 	if (character->paused) {
 		hud_group_text(&group, "paused", "");
 	}
 	hud_group_end(&group);
 }
 
-void behaviour_label_all(const struct character *character, const char *title,
-	const struct actor *actor, struct hud *hud)
+void character_label_all(
+	const struct character *character, const char *title, struct hud *hud)
 {
 	struct hud_mark before = hud_mark(hud);
 
@@ -415,7 +423,7 @@ void behaviour_label_all(const struct character *character, const char *title,
 		character->scene.labels == CHARACTER_LABELS_NONE) {
 		return;
 	}
-	label_state(character, title, actor, hud);
+	label_state(character, title, hud);
 	if (character->keys_shown) {
 		label_keys(character, hud);
 	} else if (!character->touring) {

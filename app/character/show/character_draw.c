@@ -1,23 +1,36 @@
-#include "app/demo/viewer/behaviour_scene.h"
+#include "app/character/show/character_draw.h"
 
 #include "app/anim/math/matrix.h"
 #include "app/character/run/effects.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/light.h"
+#include "platform/base/fixed.h"
+
+#include <errno.h>
 
 static const float shadow_strength = 0.375f;
 
-int behaviour_scene_init(struct behaviour_scene *scene,
-	struct instance *instance, bool has_waves, const struct log *log)
+int character_draw_init(struct character_drawing *drawing,
+	struct character *character, const struct log *log)
 {
-	ball_init(&scene->ball);
-	return has_waves ? shadow_drape_init(&scene->drape, instance, log) : 0;
+	float low, high;
+
+	drawing->character = character;
+	ball_init(&drawing->ball);
+	if (character_bounds_init(&drawing->bounds, character) != 0) {
+		log_error(log, "%s: there is not enough memory",
+			character->instance->model->path);
+		return -ENOMEM;
+	}
+	character_range(character, character->scene.wave_m, &low, &high);
+	return low != 0.0f || high != 0.0f
+		? shadow_drape_init(&drawing->drape, character->instance, log)
+		: 0;
 }
 
-void behaviour_scene_update(
-	struct behaviour_scene *scene, const struct demo_base *base)
+void character_draw_update(
+	struct character_drawing *drawing, const struct stage *stage)
 {
-	const struct stage *stage = &base->stage;
 	struct shadow_light light = {
 		.ground = &stage->floor,
 	};
@@ -26,7 +39,8 @@ void behaviour_scene_update(
 		light_direction(light.towards);
 		camera_eye(&stage->camera, light.eye);
 		camera_near_plane(&stage->camera, light.near_plane);
-		shadow_drape_update(&scene->drape, base->actor.instance, &light);
+		shadow_drape_update(
+			&drawing->drape, drawing->character->instance, &light);
 	}
 }
 
@@ -36,36 +50,36 @@ static bool shows_ball(const struct character_target *target)
 	return target->radius_m > 0.0f && target->used;
 }
 
-static void ball_center(const struct demo_base *base,
-	const struct character_target *target, float out[3])
+static void ball_center(
+	const struct character_target *target, float scale, float out[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
-		out[axis] =
-			target->point[axis] * base->actor.instance->unit_scale;
+		out[axis] = target->point[axis] * scale;
 	}
 }
 
-static void draw_ball_shadows(
-	const struct character *character, const struct demo_base *base)
+static void draw_ball_shadows(const struct character *character,
+	const struct stage *stage, const struct gl *gl)
 {
+	float scale = character->instance->unit_scale;
+
 	for (int i = 0; i < character->target_count; i++) {
 		const struct character_target *target = &character->target[i];
 		float center[3];
 
 		if (shows_ball(target)) {
-			ball_center(base, target, center);
-			ball_draw_shadow(base->gl, center,
-				target->radius_m *
-					base->actor.instance->unit_scale,
-				&base->stage);
+			ball_center(target, scale, center);
+			ball_draw_shadow(
+				gl, center, target->radius_m * scale, stage);
 		}
 	}
 }
 
-static void draw_balls(const struct behaviour_scene *scene,
-	const struct character *character, const struct demo_base *base)
+static void draw_balls(
+	const struct character_drawing *drawing, const struct gl *gl)
 {
-	float scale = base->actor.instance->unit_scale;
+	const struct character *character = drawing->character;
+	float scale = character->instance->unit_scale;
 
 	for (int i = 0; i < character->target_count; i++) {
 		const struct character_target *target = &character->target[i];
@@ -74,9 +88,9 @@ static void draw_balls(const struct behaviour_scene *scene,
 		if (!shows_ball(target)) {
 			continue;
 		}
-		ball_center(base, target, center);
-		ball_draw(&scene->ball, base->gl, center,
-			target->radius_m * scale, target->color);
+		ball_center(target, scale, center);
+		ball_draw(&drawing->ball, gl, center, target->radius_m * scale,
+			target->color);
 	}
 }
 
@@ -104,11 +118,10 @@ static void set_cape_material(
 }
 
 /* Cloth is in metres; the stage is in scene units. */
-static void draw_capes(const struct character *character,
-	const struct demo_base *base, enum draw_pass pass)
+static void draw_capes(const struct character *character, const struct gl *gl,
+	enum draw_pass pass)
 {
-	const struct gl *gl = base->gl;
-	GLfixed scale = fx16_from_float(base->actor.instance->unit_scale);
+	GLfixed scale = fx16_from_float(character->instance->unit_scale);
 
 	for (int i = 0; i < character->cape_count; i++) {
 		const struct character_cape *cape = &character->cape[i];
@@ -136,26 +149,25 @@ static void draw_capes(const struct character *character,
 	}
 }
 
-static void draw_shadows(const struct behaviour_scene *scene,
-	const struct character *character, const struct demo_base *base)
+static void draw_shadows(const struct character_drawing *drawing,
+	const struct stage *stage, const struct texture_set *textures,
+	const struct gl *gl)
 {
-	const struct gl *gl = base->gl;
-	const struct actor *actor = &base->actor;
+	const struct character *character = drawing->character;
 
 	if (*character->scene.shadow <= 0.0f) {
-		stage_draw_monitor(&base->stage, gl);
+		stage_draw_monitor(stage, gl);
 		return;
 	}
-	if (base->stage.floor.wave_height != 0.0f && base->stage.has_stencil) {
-		shadow_drape_draw(&scene->drape, gl, shadow_strength);
+	if (stage->floor.wave_height != 0.0f && stage->has_stencil) {
+		shadow_drape_draw(&drawing->drape, gl, shadow_strength);
 	} else {
-		stage_shadow_begin(&base->stage, gl);
-		draw_instance(
-			gl, actor->instance, &actor->textures, DRAW_SHADOW);
-		draw_capes(character, base, DRAW_SHADOW);
-		stage_shadow_end(&base->stage, gl);
+		stage_shadow_begin(stage, gl);
+		draw_instance(gl, character->instance, textures, DRAW_SHADOW);
+		draw_capes(character, gl, DRAW_SHADOW);
+		stage_shadow_end(stage, gl);
 	}
-	draw_ball_shadows(character, base);
+	draw_ball_shadows(character, stage, gl);
 }
 
 /* The corners of a node's top and their box; false if it is not level. */
@@ -180,14 +192,14 @@ static bool find_top(const float top[5], int node,
 }
 
 /* Whether the shadow of a drawable above a top may reach it. */
-static bool casts_on(const struct behaviour_bounds *bounds,
+static bool casts_on(const struct character_bounds *bounds,
 	const struct instance *instance, int drawable, const struct bounds *top)
 {
 	struct bounds shadow = bounds_empty();
 	float light[3];
 
 	light_direction(light);
-	behaviour_bounds_add(bounds, instance, drawable, top->low[1],
+	character_bounds_add(bounds, instance, drawable, top->low[1],
 		(float[2]){-light[0] / light[1], -light[2] / light[1]}, &shadow);
 	return shadow.low[1] > top->low[1] - 0.02f * bounds_extent(top) &&
 		shadow.low[0] < top->high[0] && shadow.high[0] > top->low[0] &&
@@ -195,10 +207,11 @@ static bool casts_on(const struct behaviour_bounds *bounds,
 }
 
 /* Draws the shadows of other nodes on a node's top. */
-static void draw_top_shadow(const float top[5], int node,
-	const struct behaviour_bounds *bounds, const struct demo_base *base)
+static void draw_top_shadow(const struct character_drawing *drawing,
+	const float top[5], int node, const struct stage *stage,
+	const struct texture_set *textures, const struct gl *gl)
 {
-	struct instance *instance = base->actor.instance;
+	struct instance *instance = drawing->character->instance;
 	float corner[4][3];
 	struct bounds box;
 	bool begun = false;
@@ -210,47 +223,49 @@ static void draw_top_shadow(const float top[5], int node,
 		const struct drawable *drawable = &instance->drawable[i];
 
 		if (drawable->hidden || drawable->node == node ||
-			!casts_on(bounds, instance, i, &box)) {
+			!casts_on(&drawing->bounds, instance, i, &box)) {
 			continue;
 		}
 		if (!begun) {
-			stage_top_begin(&base->stage, base->gl, corner);
+			stage_top_begin(stage, gl, corner);
 			begun = true;
 		}
-		draw_instance_part(base->gl, instance, drawable,
-			&base->actor.textures, DRAW_SHADOW);
+		draw_instance_part(
+			gl, instance, drawable, textures, DRAW_SHADOW);
 	}
 	if (begun) {
-		stage_top_end(base->gl);
+		stage_top_end(gl);
 	}
 }
 
-static void draw_top_shadows(const struct character *character,
-	const struct behaviour_bounds *bounds, const struct demo_base *base)
+static void draw_top_shadows(const struct character_drawing *drawing,
+	const struct stage *stage, const struct texture_set *textures,
+	const struct gl *gl)
 {
-	if (!base->stage.has_stencil || *character->scene.shadow <= 0.0f) {
+	const struct character *character = drawing->character;
+
+	if (!stage->has_stencil || *character->scene.shadow <= 0.0f) {
 		return;
 	}
 	for (int i = 0; i < character->part_count; i++) {
 		const struct character_part *part = &character->part[i];
 
 		for (int k = 0; k < part->top_count; k++) {
-			draw_top_shadow(part->top[k], part->node, bounds, base);
+			draw_top_shadow(drawing, part->top[k], part->node,
+				stage, textures, gl);
 		}
 	}
 }
 
-void behaviour_scene_draw(const struct behaviour_scene *scene,
-	const struct character *character, const struct behaviour_bounds *bounds,
-	const struct demo_base *base, int width, int height)
+void character_draw(const struct character_drawing *drawing,
+	const struct stage *stage, const struct texture_set *textures,
+	const struct gl *gl)
 {
-	const struct gl *gl = base->gl;
-	const struct actor *actor = &base->actor;
+	const struct character *character = drawing->character;
 
-	stage_begin(&base->stage, gl, width, height);
-	draw_shadows(scene, character, base);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
-	draw_top_shadows(character, bounds, base);
-	draw_capes(character, base, DRAW_SHADED);
-	draw_balls(scene, character, base);
+	draw_shadows(drawing, stage, textures, gl);
+	draw_instance(gl, character->instance, textures, DRAW_SHADED);
+	draw_top_shadows(drawing, stage, textures, gl);
+	draw_capes(character, gl, DRAW_SHADED);
+	draw_balls(drawing, gl);
 }

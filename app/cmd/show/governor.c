@@ -1,4 +1,4 @@
-#include "app/demo/governor.h"
+#include "app/cmd/show/governor.h"
 
 #include "app/scene/hud/hud_group.h"
 

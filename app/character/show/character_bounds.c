@@ -1,4 +1,4 @@
-#include "app/demo/viewer/behaviour_bounds.h"
+#include "app/character/show/character_bounds.h"
 
 #include "platform/base/scalar.h"
 
@@ -8,7 +8,7 @@
 static const float near_part = 0.03f; /* clips that stand equally high */
 static const float sunk_part = 0.15f; /* that a clip may be below the ground */
 
-void behaviour_range(const struct character *character, const float *value,
+void character_range(const struct character *character, const float *value,
 	float *low, float *high)
 {
 	*low = *high = *value;
@@ -23,7 +23,7 @@ void behaviour_range(const struct character *character, const float *value,
 }
 
 /* Adds a box unless the model would be too small. */
-static void add_box(struct behaviour_bounds *bounds, const struct bounds *box,
+static void add_box(struct character_bounds *bounds, const struct bounds *box,
 	struct bounds *to)
 {
 	struct bounds with = bounds->all;
@@ -37,7 +37,7 @@ static void add_box(struct behaviour_bounds *bounds, const struct bounds *box,
 
 /* Shapes within the rest pose's box do not matter. */
 static void add_shapes(
-	struct behaviour_bounds *bounds, const struct bounds *shapes)
+	struct character_bounds *bounds, const struct bounds *shapes)
 {
 	float least = 0.01f * bounds_extent(&bounds->rest);
 
@@ -51,7 +51,7 @@ static void add_shapes(
 
 /* Adds all places of the targets' balls. */
 static void add_balls(
-	struct behaviour_bounds *bounds, const struct character *character)
+	struct character_bounds *bounds, const struct character *character)
 {
 	float unit_scale = character->instance->unit_scale;
 
@@ -67,7 +67,7 @@ static void add_balls(
 		for (int axis = 0; axis < 3; axis++) {
 			float low, high;
 
-			behaviour_range(
+			character_range(
 				character, target->place[axis], &low, &high);
 			ball.low[axis] = (low - radius) * unit_scale;
 			ball.high[axis] = (high + radius) * unit_scale;
@@ -91,7 +91,7 @@ static struct bounds shifted(
 
 /* Adds where parts go that are shifted, such as a truck on its way. */
 static void add_shifts(
-	struct behaviour_bounds *bounds, const struct character *character)
+	struct character_bounds *bounds, const struct character *character)
 {
 	struct instance *instance = character->instance;
 
@@ -132,18 +132,18 @@ static float along(const float point[3], int direction)
 }
 
 static int find_outermost(
-	struct behaviour_bounds *bounds, struct instance *instance)
+	struct character_bounds *bounds, struct instance *instance)
 {
 	bounds->outermost = arena_alloc(&instance->arena,
 		(size_t)instance->drawable_count, sizeof(*bounds->outermost));
 	if (!bounds->outermost) {
 		return -ENOMEM;
 	}
-	for (int i = 0; i < instance->drawable_count * BEHAVIOUR_DIRECTIONS;
+	for (int i = 0; i < instance->drawable_count * CHARACTER_DIRECTIONS;
 		i++) {
-		int direction = i % BEHAVIOUR_DIRECTIONS, best = 0;
+		int direction = i % CHARACTER_DIRECTIONS, best = 0;
 		const struct drawable *drawable =
-			&instance->drawable[i / BEHAVIOUR_DIRECTIONS];
+			&instance->drawable[i / CHARACTER_DIRECTIONS];
 		float(*position)[3] = drawable->primitive->position;
 
 		for (int v = 1; v < drawable->primitive->vertex_count; v++) {
@@ -152,18 +152,18 @@ static int find_outermost(
 				best = v;
 			}
 		}
-		bounds->outermost[i / BEHAVIOUR_DIRECTIONS][direction] = best;
+		bounds->outermost[i / CHARACTER_DIRECTIONS][direction] = best;
 	}
 	return 0;
 }
 
-void behaviour_bounds_add(const struct behaviour_bounds *bounds,
+void character_bounds_add(const struct character_bounds *bounds,
 	const struct instance *instance, int drawable, float y,
 	const float slope[2], struct bounds *out)
 {
 	const struct drawable *shown = &instance->drawable[drawable];
 
-	for (int i = 0; i < BEHAVIOUR_DIRECTIONS; i++) {
+	for (int i = 0; i < CHARACTER_DIRECTIONS; i++) {
 		float point[3];
 
 		if (shown->primitive->vertex_count == 0) {
@@ -182,19 +182,19 @@ void behaviour_bounds_add(const struct behaviour_bounds *bounds,
 
 /* Joins where the outermost vertices are now. */
 static void add_reached(
-	struct behaviour_bounds *bounds, const struct instance *instance)
+	struct character_bounds *bounds, const struct instance *instance)
 {
 	static const float straight[2] = {0.0f, 0.0f};
 	struct bounds now = bounds_empty();
 
 	for (int i = 0; i < instance->drawable_count; i++) {
-		behaviour_bounds_add(bounds, instance, i, 0.0f, straight, &now);
+		character_bounds_add(bounds, instance, i, 0.0f, straight, &now);
 	}
 	add_box(bounds, &now, &bounds->extra);
 }
 
-int behaviour_bounds_init(
-	struct behaviour_bounds *bounds, const struct character *character)
+int character_bounds_init(
+	struct character_bounds *bounds, const struct character *character)
 {
 	struct instance *instance = character->instance;
 	int count = instance->model->clip_count;
@@ -226,14 +226,14 @@ int behaviour_bounds_init(
 	return character->part_count > 0 ? find_outermost(bounds, instance) : 0;
 }
 
-static float clip_low(const struct behaviour_bounds *bounds, int clip)
+static float clip_low(const struct character_bounds *bounds, int clip)
 {
 	return bounds->clip[clip].low[1];
 }
 
 /* How many clips stand about as high; the rest pose counts half. */
 static float count_standing(
-	const struct behaviour_bounds *bounds, int clip_count, float y)
+	const struct character_bounds *bounds, int clip_count, float y)
 {
 	float near = near_part * bounds->extent;
 	float count = scalar_abs(bounds->rest.low[1] - y) <= near ? 0.5f : 0.0f;
@@ -244,8 +244,8 @@ static float count_standing(
 	return count;
 }
 
-float behaviour_bounds_ground(
-	const struct behaviour_bounds *bounds, int clip_count)
+float character_bounds_ground(
+	const struct character_bounds *bounds, int clip_count)
 {
 	float lowest, ground, most = 0.0f;
 
@@ -271,7 +271,7 @@ float behaviour_bounds_ground(
 	return ground;
 }
 
-static void add_entry(const struct behaviour_bounds *bounds,
+static void add_entry(const struct character_bounds *bounds,
 	const struct character *character, const struct character_entry *entry,
 	struct bounds *all)
 {
@@ -282,8 +282,8 @@ static void add_entry(const struct behaviour_bounds *bounds,
 				: &bounds->rest);
 }
 
-struct bounds behaviour_bounds_now(
-	struct behaviour_bounds *bounds, const struct character *character)
+struct bounds character_bounds_now(
+	struct character_bounds *bounds, const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_state *state = &machine->state[machine->current];

@@ -1,15 +1,16 @@
 /*
- * What a demo plays of any model: the clips in which it stands, walks and runs,
+ * What demos play of any model: the clips in which it stands, walks and runs,
  * and the bones that it shakes.
  *
  * The model's character file says so: by a state that blends clips over a
  * speed, and by [shake] sections. Without one the clips' names tell, and what
  * their lowest vertices do on the ground.
  */
-#ifndef APP_DEMO_MOTIONS_H
-#define APP_DEMO_MOTIONS_H
+#ifndef APP_CHARACTER_MOTIONS_MOTIONS_H
+#define APP_CHARACTER_MOTIONS_MOTIONS_H
 
-#include "app/demo/actor.h"
+#include "app/character/character_open.h"
+#include "app/scene/instance/bounds.h"
 
 enum motion_role {
 	MOTION_STAND,
@@ -38,18 +39,19 @@ struct motions {
 };
 
 /*
- * Finds the motions of env's model; with --clip all are that clip. Leaves the
- * instance in the rest pose. Returns 0, or -errno after logging an error in the
- * character file or in --clip.
+ * Finds the motions of the instance's model; if the request has a clip, all are
+ * that one. Leaves the instance in the rest pose. Returns 0, or -errno after
+ * logging an error in the character file or in the clip's name.
  */
-int motions_find(
-	const struct demo_env *env, struct actor *actor, struct motions *out);
+int motions_find(const struct character_request *request,
+	struct instance *instance, const struct log *log, struct motions *out);
 
 /*
  * The box of the figure in this motion, in scene units, without what the clip
  * itself moves it.
  */
-struct bounds motion_bounds(struct actor *actor, const struct motion *motion);
+struct bounds motion_bounds(
+	struct instance *instance, const struct motion *motion);
 
 /* What motion->drift adds at this time of the clip, x and z. */
 void motion_drift_at(const struct motion *motion, const struct model *model,

@@ -1,18 +1,18 @@
 /*
  * The space that a character takes, for the camera.
  */
-#ifndef APP_DEMO_VIEWER_BEHAVIOUR_BOUNDS_H
-#define APP_DEMO_VIEWER_BEHAVIOUR_BOUNDS_H
+#ifndef APP_CHARACTER_SHOW_CHARACTER_BOUNDS_H
+#define APP_CHARACTER_SHOW_CHARACTER_BOUNDS_H
 
 #include "app/character/character_data.h"
 #include "app/scene/instance/bounds.h"
 
 enum {
-	BEHAVIOUR_DIRECTIONS = 14
+	CHARACTER_DIRECTIONS = 14
 };
 
 /* All in scene units. */
-struct behaviour_bounds {
+struct character_bounds {
 	struct bounds all;
 	/* In the instance's arena; where a ball may be, or empty: */
 	struct bounds rest, *clip, *ball;
@@ -23,42 +23,42 @@ struct behaviour_bounds {
 	struct bounds extra;
 	float extent; /* of the model */
 	/* [drawable_count]: its outermost vertices; NULL if no part turns. */
-	int (*outermost)[BEHAVIOUR_DIRECTIONS];
+	int (*outermost)[CHARACTER_DIRECTIONS];
 };
 
 /*
  * Leaves out what goes so far that the model would be less than half as large
  * in the picture. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
  */
-int behaviour_bounds_init(
-	struct behaviour_bounds *bounds, const struct character *character);
+int character_bounds_init(
+	struct character_bounds *bounds, const struct character *character);
 
 /*
  * The box of what the state and layers play, of used balls and the extras, to
  * which it adds where the parts are now.
  */
-struct bounds behaviour_bounds_now(
-	struct behaviour_bounds *bounds, const struct character *character);
+struct bounds character_bounds_now(
+	struct character_bounds *bounds, const struct character *character);
 
 /*
  * The height of the ground: that on which most clips stand. Those that sink a
  * little, such as a figure that falls, do not let the others hover; but the
  * ground hides no clip that goes deeper.
  */
-float behaviour_bounds_ground(
-	const struct behaviour_bounds *bounds, int clip_count);
+float character_bounds_ground(
+	const struct character_bounds *bounds, int clip_count);
 
 /*
  * Adds where a drawable's outermost vertices are now, after y has moved them by
  * so much along x and z for each unit of height above it. slope may be 0 0.
  * Only for a character with parts.
  */
-void behaviour_bounds_add(const struct behaviour_bounds *bounds,
+void character_bounds_add(const struct character_bounds *bounds,
 	const struct instance *instance, int drawable, float y,
 	const float slope[2], struct bounds *out);
 
 /* What a number of the file can be: a parameter's range, or what it is. */
-void behaviour_range(const struct character *character, const float *value,
+void character_range(const struct character *character, const float *value,
 	float *low, float *high);
 
 #endif

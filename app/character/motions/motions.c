@@ -1,9 +1,7 @@
-#include "app/demo/motions.h"
+#include "app/character/motions/motions.h"
 
 #include "app/character/build/gait.h"
-#include "app/character/character.h"
 #include "app/character/run/effects.h"
-#include "app/demo/viewer/behaviour.h"
 #include "platform/base/scalar.h"
 
 #include <ctype.h>
@@ -22,11 +20,11 @@ static const char *const role_names[MOTION_ROLES][4] = {
 	[MOTION_RUN] = {"run", "gallop", "trot"},
 };
 
-static struct motion measure(
-	struct actor *actor, const struct gait_body *body, int clip, int steps)
+static struct motion measure(struct instance *instance,
+	const struct gait_body *body, int clip, int steps)
 {
-	float unit = actor->instance->unit_scale;
-	struct gait gait = gait_measure(body, actor->instance, clip, steps);
+	float unit = instance->unit_scale;
+	struct gait gait = gait_measure(body, instance, clip, steps);
 	struct motion motion = {
 		.clip = clip,
 		.speed = unit *
@@ -115,17 +113,18 @@ static void read_shakes(const struct character *character, struct motions *out)
 }
 
 /* Reads the model's character file, if there is one. */
-static int read_character(const struct demo_env *env, struct actor *actor,
-	struct motions *out, struct saying say[MOTION_ROLES])
+static int read_character(const struct character_request *request,
+	struct instance *instance, const struct log *log, struct motions *out,
+	struct saying say[MOTION_ROLES])
 {
 	char path[CHARACTER_PATH_BYTES];
 	struct character *character;
 	int error;
 
-	if (!behaviour_find_file(env, path, sizeof(path))) {
+	if (!character_open_path(request, path, sizeof(path))) {
 		return 0;
 	}
-	error = character_load(path, actor->instance, env->log, &character);
+	error = character_load(path, instance, log, &character);
 	if (error) {
 		return error;
 	}
@@ -134,7 +133,7 @@ static int read_character(const struct demo_env *env, struct actor *actor,
 			&character->machine.state[i];
 
 		if (state->entry_count > 1) {
-			read_blend(state, actor->model, say);
+			read_blend(state, instance->model, say);
 			break;
 		}
 	}
@@ -144,14 +143,14 @@ static int read_character(const struct demo_env *env, struct actor *actor,
 }
 
 /* Roles for which neither the file nor a name has a clip. */
-static void choose_by_speed(struct actor *actor, const struct gait_body *body,
-	int steps, struct motions *out)
+static void choose_by_speed(struct instance *instance,
+	const struct gait_body *body, int steps, struct motions *out)
 {
 	struct motion *role = out->role;
 	bool walks = role[MOTION_WALK].clip >= 0 || role[MOTION_RUN].clip >= 0;
 
-	for (int i = 0; i < actor->model->clip_count && i < CLIPS_MAX; i++) {
-		struct motion one = measure(actor, body, i, steps);
+	for (int i = 0; i < instance->model->clip_count && i < CLIPS_MAX; i++) {
+		struct motion one = measure(instance, body, i, steps);
 
 		if (one.speed <= 0.0f) {
 			if (role[MOTION_STAND].clip < 0) {
@@ -193,60 +192,61 @@ static void use_speed(struct motion *motion, float said)
 	}
 }
 
-static void choose_all(struct actor *actor, const struct gait_body *body,
+static void choose_all(struct instance *instance, const struct gait_body *body,
 	const struct saying say[MOTION_ROLES], struct motions *out)
 {
-	int steps = gait_steps_for(actor->model->clip_count);
+	int steps = gait_steps_for(instance->model->clip_count);
 	bool missing = false;
 
 	for (int i = 0; i < MOTION_ROLES; i++) {
 		enum motion_role role = (enum motion_role)i;
 		int clip = say[i].clip >= 0 ? say[i].clip
-					    : find_named(actor->model, role);
+					    : find_named(instance->model, role);
 
-		out->role[i] = measure(actor, body, clip, steps);
-		use_speed(&out->role[i],
-			say[i].speed * actor->instance->unit_scale);
+		out->role[i] = measure(instance, body, clip, steps);
+		use_speed(&out->role[i], say[i].speed * instance->unit_scale);
 		missing = missing || clip < 0;
 	}
 	if (missing) {
-		choose_by_speed(actor, body, steps, out);
+		choose_by_speed(instance, body, steps, out);
 	}
 	replace_missing(out->role);
 }
 
-int motions_find(
-	const struct demo_env *env, struct actor *actor, struct motions *out)
+int motions_find(const struct character_request *request,
+	struct instance *instance, const struct log *log, struct motions *out)
 {
 	struct saying say[MOTION_ROLES] = {{-1, 0}, {-1, 0}, {-1, 0}};
 	struct gait_body body;
 	int clip, error;
 
 	*out = (struct motions){0};
-	error = model_choose_clip(actor->model, env->clip, -1, env->log, &clip);
+	error = model_choose_clip(
+		instance->model, request->clip, -1, log, &clip);
 	if (!error) {
-		error = read_character(env, actor, out, say);
+		error = read_character(request, instance, log, out, say);
 	}
 	if (error) {
 		return error;
 	}
-	gait_body_make(&body, actor->model);
+	gait_body_make(&body, instance->model);
 	if (clip >= 0) {
 		for (int i = 0; i < MOTION_ROLES; i++) {
 			out->role[i] =
-				measure(actor, &body, clip, GAIT_STEPS_MOST);
+				measure(instance, &body, clip, GAIT_STEPS_MOST);
 		}
 	} else {
-		choose_all(actor, &body, say, out);
+		choose_all(instance, &body, say, out);
 	}
-	pose_rest(&actor->instance->pose, actor->model);
-	instance_update(actor->instance);
+	pose_rest(&instance->pose, instance->model);
+	instance_update(instance);
 	return 0;
 }
 
-struct bounds motion_bounds(struct actor *actor, const struct motion *motion)
+struct bounds motion_bounds(
+	struct instance *instance, const struct motion *motion)
 {
-	struct bounds bounds = bounds_of_clip(actor->instance, motion->clip);
+	struct bounds bounds = bounds_of_clip(instance, motion->clip);
 
 	for (int i = 0; i < 2; i++) {
 		float drift = motion->drift[i];

@@ -8,8 +8,8 @@
  * while gets longer when a step had to be taken again soon. The caller provides
  * the time.
  */
-#ifndef APP_DEMO_GOVERNOR_H
-#define APP_DEMO_GOVERNOR_H
+#ifndef APP_CMD_SHOW_GOVERNOR_H
+#define APP_CMD_SHOW_GOVERNOR_H
 
 #include "app/demo/demo_env.h"
 #include "app/scene/hud/hud.h"

@@ -5,8 +5,8 @@
  * Without a camera, or while it has no image, everything is as usual, except
  * that the monitor is dark.
  */
-#ifndef APP_DEMO_LIVE_H
-#define APP_DEMO_LIVE_H
+#ifndef APP_SCENE_STAGE_LIVE_H
+#define APP_SCENE_STAGE_LIVE_H
 
 #include "app/scene/draw/live_texture.h"
 #include "app/scene/hud/hud_group.h"

@@ -1,5 +1,5 @@
 /* A demo's use of a camera, with a camera that the test simulates. */
-#include "app/demo/live.h"
+#include "app/scene/stage/live.h"
 
 #include "platform/base/compiler.h"
 #include "tests/support/gl/gl_recorder.h"

@@ -1,4 +1,4 @@
-#include "app/demo/live.h"
+#include "app/scene/stage/live.h"
 
 #include "platform/base/scalar.h"
 

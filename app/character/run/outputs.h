@@ -1,0 +1,34 @@
+/*
+ * The GPIO lines that a character drives: when they go off, and their devices.
+ */
+#ifndef APP_CHARACTER_RUN_OUTPUTS_H
+#define APP_CHARACTER_RUN_OUTPUTS_H
+
+#include "app/character/character_data.h"
+
+struct gpio_output;
+
+/* The open lines of a character's outputs; NULL: it has no line. */
+struct character_outputs {
+	struct gpio_output *line[CHARACTER_OUTPUTS_MAX];
+};
+
+/*
+ * Opens the character's lines that are not open yet, and lets it drive them. A
+ * line that cannot be opened stays NULL, after a warning. outputs must outlive
+ * the character's updates.
+ */
+void character_outputs_open(struct character_outputs *outputs,
+	struct character *character, const struct log *log);
+
+/* Gives the lines back, for instance to the same file loaded again. */
+void character_outputs_close(struct character_outputs *outputs);
+
+/* Switches an output: 0 off, below 0 on, or on for so many milliseconds. */
+void character_output_drive(
+	struct character *character, int index, float amount);
+
+/* Ends the pulses whose time is over. */
+void character_outputs_update(struct character *character);
+
+#endif

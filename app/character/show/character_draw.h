@@ -1,0 +1,38 @@
+/*
+ * Draws a character on its stage, with its shadows, its cape and the balls of
+ * targets.
+ */
+#ifndef APP_CHARACTER_SHOW_CHARACTER_DRAW_H
+#define APP_CHARACTER_SHOW_CHARACTER_DRAW_H
+
+#include "app/character/show/character_bounds.h"
+#include "app/scene/draw/texture.h"
+#include "app/scene/shadow/shadow_drape.h"
+#include "app/scene/stage/ball.h"
+#include "app/scene/stage/stage.h"
+
+struct character_drawing {
+	const struct character *character; /* not owned */
+	struct character_bounds bounds;
+	struct ball ball;
+	struct shadow_drape drape; /* if the ground may be uneven */
+};
+
+/*
+ * Measures the character and prepares its shadow; see character_bounds_init().
+ * Memory comes from the instance's arena. Returns 0, or -ENOMEM after logging
+ * an error.
+ */
+int character_draw_init(struct character_drawing *drawing,
+	struct character *character, const struct log *log);
+
+/* Makes the shadow on uneven ground of the updated instance. */
+void character_draw_update(
+	struct character_drawing *drawing, const struct stage *stage);
+
+/* Draws what stands on the stage; call stage_begin() before. */
+void character_draw(const struct character_drawing *drawing,
+	const struct stage *stage, const struct texture_set *textures,
+	const struct gl *gl);
+
+#endif

@@ -1,0 +1,86 @@
+#include "app/character/show/character_overlay.h"
+
+#include "app/character/run/layers.h"
+#include "app/character/state/machine.h"
+
+#include <string.h>
+
+/* Height of a sine in the graph of a morph's curve. */
+static const float graph_wave = 0.35f;
+
+static void add_layer(struct overlay_motion *motion, const char *name,
+	float weight, const float *mask)
+{
+	if (motion->layer_count < OVERLAY_LAYERS_MAX) {
+		motion->layer[motion->layer_count++] =
+			(struct overlay_layer){name, weight, mask};
+	}
+}
+
+/* The clips that a state blends. */
+static void add_clips(
+	const struct character *character, struct overlay_motion *out)
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+
+	for (int i = 0; i < state->entry_count && state->entry_count > 1; i++) {
+		const struct character_entry *entry = &state->entry[i];
+
+		if (entry->weight > 0) {
+			add_layer(out,
+				entry->of->clip ? entry->of->clip->name : "rest",
+				entry->weight, NULL);
+		}
+	}
+}
+
+static void describe_morph(const struct character_morph *morph, double now_s,
+	struct overlay_motion *out)
+{
+	const struct character_curve *curve = &morph->curve[morph->chosen];
+
+	out->morphing = true;
+	out->node = morph->node;
+	out->from = morph->before - 1;
+	out->to = morph->destiny - 1;
+	out->omega = character_morph_omega(morph, now_s);
+	out->wave = curve->kind == CHARACTER_CURVE_SINE ? graph_wave : 0.0f;
+	out->shape = character_morph_curve;
+	out->shape_user = curve;
+}
+
+void character_overlay_describe(
+	const struct character *character, struct overlay_motion *out)
+{
+	const struct model *model = character->instance->model;
+	const struct character_entry *entry = character_machine_entry(character);
+	const struct inertia *inertia = &character->machine.inertia;
+
+	out->clip = entry->of->clip ? (int)(entry->of->clip - model->clip) : -1;
+	out->time_s = entry->shown_s;
+	if (character->morph_count > 0 && character->morph[0].plain_keys) {
+		describe_morph(&character->morph[0], character->now_s, out);
+	}
+	add_clips(character, out);
+	for (int i = 0; i < character->layer_count; i++) {
+		const struct character_layer *layer = &character->layer[i];
+
+		if (layer->is.now > 0) {
+			add_layer(out, layer->is.name, layer->is.now,
+				layer->mask);
+		}
+	}
+	for (int i = 0; i < character->switch_count; i++) {
+		const struct character_switch *is = character->switches[i];
+
+		if (is->now > 0 && !is->unlabelled &&
+			strcmp(is->kind, "layer") != 0) {
+			add_layer(out, is->name, is->now, NULL);
+		}
+	}
+	if (inertia->running) {
+		add_layer(out, "fade", inertia->elapsed_s / inertia->duration_s,
+			NULL);
+	}
+}

@@ -69,6 +69,7 @@ enum {
 	REFUSED = sizeof(refused) / sizeof(refused[0]),
 	SOCKET_CALLS = 5,
 	HEAD = 4, /* instructions in front of the list */
+	TAIL = 3, /* and behind it */
 	X32_BIT = 0x40000000
 };
 
@@ -92,7 +93,7 @@ static struct sock_filter end(uint32_t action)
 
 int confine_calls(bool connects)
 {
-	struct sock_filter filter[HEAD + REFUSED + 4];
+	struct sock_filter filter[HEAD + REFUSED + TAIL];
 	int count = REFUSED - (connects ? SOCKET_CALLS : 0);
 	int at = 0;
 	struct sock_fprog program = {.filter = filter};

@@ -5,12 +5,12 @@
 #include <stddef.h>
 #include <unistd.h>
 
+static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
 enum {
-	SIGNAL_COUNT = 4,
+	SIGNAL_COUNT = sizeof(signals) / sizeof(signals[0]),
 	GRACE_S = 1
 };
-
-static const int signals[SIGNAL_COUNT] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 /* A signal handler can reach static variables only. */
 static volatile sig_atomic_t wanted;

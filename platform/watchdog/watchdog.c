@@ -48,13 +48,18 @@ struct watchdog watchdog_none(void)
 
 static void say_why(const char *path, int error, const struct log *log)
 {
-	const char *advice = error == ENOENT || error == ENODEV
-		? "load its driver, or leave --watchdog out"
-		: error == EBUSY
-		? "another program uses it: stop that program, or leave --watchdog out"
-		: "run as root, or leave --watchdog out";
+	const char *advice = "give a watchdog's device, such as /dev/watchdog";
 
-	log_warning(log, "--watchdog %s: %s: limber continues without it: %s",
+	if (error == ENOENT || error == ENODEV) {
+		advice = "load its driver";
+	} else if (error == EBUSY) {
+		advice = "another program uses it: stop that program";
+	} else if (error == EACCES || error == EPERM) {
+		advice = "run as root";
+	}
+
+	log_warning(log,
+		"--watchdog %s: %s: limber continues without it: %s, or leave --watchdog out",
 		path, strerror(error), advice);
 }
 

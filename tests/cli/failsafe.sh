@@ -89,5 +89,9 @@ expect_err "^limber: --failsafe $count: limber did not write this file: starts a
 check 'a file of something else stays' grep -q '^my notes$' "$count"
 limber play --display null --frames 2 --failsafe "$scratch/none/starts" "$model"
 expect_status 0
-expect_err '^limber: --failsafe .*none/starts: '
+expect_err '^limber: --failsafe [^ ]*none/starts: '
+mkdir "$scratch/starts.d"
+limber play --display null --frames 2 --failsafe "$scratch/starts.d" "$model"
+expect_status 0
+expect_err '^limber: --failsafe [^ ]*starts\.d: Is a directory: '
 tap_done

@@ -16,6 +16,7 @@ refused 'play' plai
 refused 'render' rendr "$slider"
 refused '--help' zzzzzz
 refused '--size' render "$slider" --siez 10x10 -o "$out"
+refused 'mean --size' render "$slider" --SIZE 10x10 -o "$out"
 refused '--clip' pose "$slider" --clpi 0 -o "$out"
 refused '--help' render "$slider" --zzzzzz -o "$out"
 refused '--help' render "$slider" -z -o "$out"

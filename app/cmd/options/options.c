@@ -1,5 +1,6 @@
 #include "app/cmd/options/options_table.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ struct options options_default(void)
 	return options;
 }
 
-/* The Levenshtein distance; 99 for words of more than 31 characters. */
+/* The Levenshtein distance, whatever the case; 99 beyond 31 characters. */
 static int distance(const char *a, const char *b)
 {
 	int row[32];
@@ -44,7 +45,9 @@ static int distance(const char *a, const char *b)
 
 		row[0] = i;
 		for (int j = 1; j <= columns; j++) {
-			int best = diagonal + (a[i - 1] != b[j - 1]);
+			int best = diagonal +
+				(tolower((unsigned char)a[i - 1]) !=
+					tolower((unsigned char)b[j - 1]));
 
 			diagonal = row[j];
 			best = row[j] + 1 < best ? row[j] + 1 : best;

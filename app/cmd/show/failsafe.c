@@ -44,7 +44,7 @@ static int read_count(const char *path, const char *described)
 		return errno == ENOENT ? 0 : -errno;
 	}
 	if (!fgets(line, sizeof(line), file)) {
-		count = ferror(file) ? -EIO : 0;
+		count = ferror(file) ? -errno : 0;
 	} else if (strncmp(line, mark, sizeof(mark) - 1) != 0) {
 		count = -EINVAL;
 	} else {
@@ -62,7 +62,7 @@ static int write_count(const char *path, int count, const char *described,
 	const struct log *log)
 {
 	struct output_file *file;
-	int error = output_file_create_for("--failsafe ", path, log, &file);
+	int error = output_file_create_for("--failsafe", path, log, &file);
 
 	if (error) {
 		return error;

@@ -3,9 +3,13 @@
 #include "tests/support/test.h"
 
 #include <jansson.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* Lets malloc() fail under AddressSanitizer, which would end the test. */
 const char *__asan_default_options(void);
@@ -78,12 +82,97 @@ static void test_a_large_load_forgets_what_jansson_freed(void **state)
 	free(text);
 }
 
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+enum {
+	HEAP_BYTES = 1 << 20,
+	KEPT_BYTES = 64 << 10 /* by malloc() for allocations of the same size */
+};
+
+/* Leaves free memory in the heap, which malloc() would give back or map. */
+static bool prepare_heap(void)
+{
+	void *memory;
+
+	if (!mallopt(M_MMAP_THRESHOLD, 2 * HEAP_BYTES) ||
+		!mallopt(M_TRIM_THRESHOLD, 2 * HEAP_BYTES)) {
+		return false;
+	}
+	memory = malloc(HEAP_BYTES);
+	free(memory);
+	return memory != NULL;
+}
+
+/* Loads the text without memory; returns what is wrong then, or 0. */
+static int load_without_memory(const char *text, size_t size)
+{
+	struct rlimit limit = {0};
+	json_error_t error;
+	struct mallinfo2 before, after;
+	json_t *value;
+
+	if (!prepare_heap() || getrlimit(RLIMIT_AS, &limit) != 0) {
+		return 1;
+	}
+	limit.rlim_cur = 1 << 20;
+	/* From now on the heap cannot grow. */
+	if (setrlimit(RLIMIT_AS, &limit) != 0) {
+		return 2;
+	}
+	before = mallinfo2();
+	value = json_memory_load(text, size, 0, &error);
+	after = mallinfo2();
+	if (value || json_memory_ok()) {
+		return 3;
+	}
+	limit.rlim_cur = limit.rlim_max;
+	if (setrlimit(RLIMIT_AS, &limit) != 0) {
+		return 4;
+	}
+	value = json_memory_load("[1]", 3, 0, &error);
+	if (json_array_size(value) != 1 || !json_memory_ok()) {
+		return 5;
+	}
+	json_decref(value);
+	return after.uordblks > before.uordblks + KEPT_BYTES ? 6 : 0;
+}
+#endif
+
+static void test_a_load_without_memory_keeps_none(void **state)
+{
+	(void)state;
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+	enum {
+		SIZE = 4 << 20
+	};
+	char *text = malloc(SIZE);
+	pid_t child;
+	int status = -1;
+
+	assert_non_null(text);
+	text[0] = '[';
+	for (int i = 2; i < SIZE; i += 2) {
+		text[i - 1] = '1';
+		text[i] = ',';
+	}
+	child = fork();
+	if (child == 0) {
+		_exit(load_without_memory(text, SIZE));
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	assert_int_equal(status, 0);
+	free(text);
+#else
+	skip_because("memory cannot be limited here");
+#endif
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_failed_allocation_is_noticed),
 		cmocka_unit_test(test_a_load_gives_the_value_or_null),
 		cmocka_unit_test(test_a_large_load_forgets_what_jansson_freed),
+		cmocka_unit_test(test_a_load_without_memory_keeps_none),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -45,6 +45,31 @@ static void test_the_error_tells_a_limit_from_a_full_machine(void **state)
 	assert_contains(heard.sentence[1], "--memory");
 }
 
+static void test_the_error_names_the_limit_in_its_unit(void **state)
+{
+	static const struct {
+		size_t limit_bytes;
+		const char *words;
+	} cases[] = {
+		{64 << 10, "more than 64 KiB of memory"},
+		{(1 << 20) - 1, "more than 1023 KiB of memory"},
+		{1 << 20, "more than 1 MiB of memory"},
+		{256 << 20, "more than 256 MiB of memory"},
+	};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct memory_budget budget = {
+			.limit_bytes = cases[i].limit_bytes};
+		struct log_capture heard;
+		struct log log = log_capture_begin(&heard);
+
+		(void)memory_budget_take(&budget, SIZE_MAX);
+		(void)memory_budget_fail(&budget, "a.glb", &log);
+		assert_contains(heard.sentence[0], cases[i].words);
+	}
+}
+
 static void test_an_arena_takes_its_blocks_and_gives_them_back(void **state)
 {
 	struct memory_budget budget = {.limit_bytes = 1000000};
@@ -115,6 +140,7 @@ int main(void)
 		cmocka_unit_test(test_without_a_budget_nothing_is_refused),
 		cmocka_unit_test(
 			test_the_error_tells_a_limit_from_a_full_machine),
+		cmocka_unit_test(test_the_error_names_the_limit_in_its_unit),
 		cmocka_unit_test(
 			test_an_arena_takes_its_blocks_and_gives_them_back),
 		cmocka_unit_test(test_an_overflow_counts_as_more_than_the_budget),

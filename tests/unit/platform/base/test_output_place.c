@@ -1,8 +1,11 @@
+#define _DEFAULT_SOURCE /* setgroups() */
+
 #include "platform/base/output_path.h"
 #include "tests/support/output_scene.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <grp.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -194,6 +197,42 @@ static void test_a_replaced_file_keeps_its_permissions(void **state)
 	umask(usual);
 }
 
+/* Replaces a file of another owner and group, whose group cannot be kept. */
+static int replace_as_a_stranger(struct output_scene *scene)
+{
+	struct output_file *file;
+
+	if (setgroups(0, NULL) != 0 || setgid(65533) != 0 || setuid(65533) != 0) {
+		return 1;
+	}
+	if (output_file_create(scene->path.text, &scene->log, &file) != 0) {
+		return 2;
+	}
+	fputs("new", output_file_stream(file));
+	return output_file_commit(file) == 0 ? 0 : 3;
+}
+
+static void test_a_new_group_gets_the_rights_of_others(void **state)
+{
+	static const mode_t modes[][2] = {
+		{0676, 0666}, {0647, 0677}, {0472, 0422}};
+	struct output_scene *scene = *state;
+
+	if (geteuid() != 0) {
+		skip_because("only root gives files away");
+	}
+	assert_int_equal(chmod(scene->folder.text, 0777), 0);
+	for (size_t i = 0; i < ARRAY_COUNT(modes); i++) {
+		file_write(scene->path.text, "old", 3);
+		assert_int_equal(chown(scene->path.text, 65534, 65534), 0);
+		assert_int_equal(chmod(scene->path.text, modes[i][0]), 0);
+		assert_int_equal(in_a_child(scene, replace_as_a_stranger), 0);
+		assert_int_equal(output_scene_mode(scene->path.text) & 07777,
+			modes[i][1]);
+		assert_int_equal(unlink(scene->path.text), 0);
+	}
+}
+
 static void test_a_replaced_file_keeps_its_owner(void **state)
 {
 	struct output_scene *scene = *state;
@@ -275,6 +314,7 @@ int main(void)
 		CASE(test_a_read_only_file_is_not_replaced),
 		CASE(test_a_new_file_has_the_permissions_of_the_umask),
 		CASE(test_a_replaced_file_keeps_its_permissions),
+		CASE(test_a_new_group_gets_the_rights_of_others),
 		CASE(test_a_replaced_file_keeps_its_owner),
 		CASE(test_a_planted_link_is_not_written_through),
 		cmocka_unit_test(test_temporary_names_differ),

@@ -1,5 +1,4 @@
 #include "platform/base/survey.h"
-#include "platform/watchdog/watchdog.h"
 #include "tests/support/files.h"
 #include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
@@ -115,77 +114,6 @@ static void test_a_device_without_a_node_gets_its_mknod(void **state)
 	temp_dir_remove(&folder);
 }
 
-/* Makes a sysfs with two watchdogs and a device node of the first. */
-static void make_watchdogs(const struct test_path *folder, const char *active)
-{
-	make_folder(folder, "dev");
-	make_folder(folder, "class");
-	make_folder(folder, "class/watchdog");
-	make_folder(folder, "class/watchdog/watchdog0");
-	make_folder(folder, "class/watchdog/watchdog1");
-	write_text(folder, "class/watchdog/watchdog0/identity", "imx2+ wdt\n");
-	write_text(folder, "class/watchdog/watchdog0/timeout", "60\n");
-	write_text(folder, "class/watchdog/watchdog0/state", active);
-	write_text(folder, "class/watchdog/watchdog1/dev", "248:1\n");
-	write_text(folder, "dev/watchdog0", "");
-}
-
-static void test_watchdogs_are_reported_without_starting_them(void **state)
-{
-	struct test_path folder = temp_dir_make();
-	struct test_path devices = path_join(&folder, "dev");
-	struct survey_capture capture;
-	const struct survey survey = survey_capture_begin(&capture, folder.text);
-	char *content;
-
-	(void)state;
-	make_watchdogs(&folder, "inactive\n");
-	watchdog_survey(devices.text, &survey);
-	assert_int_equal(capture.count, 2);
-	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/watchdog0",
-		"imx2+ wdt, restarts the board after 60 seconds", NULL);
-	survey_capture_expect(&capture, 1, SURVEY_MISSING, "/watchdog1",
-		"device node does not exist", "c 248 1");
-	content = file_read(path_join(&devices, "watchdog0").text, NULL);
-	assert_string_equal(content, "");
-	free(content);
-	temp_dir_remove(&folder);
-}
-
-static void test_an_active_watchdog_is_taken(void **state)
-{
-	struct test_path folder = temp_dir_make();
-	struct test_path devices = path_join(&folder, "dev");
-	struct survey_capture capture;
-	const struct survey survey = survey_capture_begin(&capture, folder.text);
-
-	(void)state;
-	make_watchdogs(&folder, "active\n");
-	watchdog_survey(devices.text, &survey);
-	survey_capture_expect(&capture, 0, SURVEY_TAKEN, "/watchdog0",
-		"another program uses it", "RuntimeWatchdogSec");
-	temp_dir_remove(&folder);
-}
-
-static void test_no_watchdog_is_one_finding(void **state)
-{
-	struct test_path folder = temp_dir_make();
-	struct survey_capture capture;
-	const struct survey survey = survey_capture_begin(&capture, folder.text);
-
-	(void)state;
-	watchdog_survey(folder.text, &survey);
-	assert_int_equal(capture.count, 1);
-	survey_capture_expect(&capture, 0, SURVEY_MISSING, "watchdog",
-		"no watchdog", "modprobe softdog");
-	write_text(&folder, "watchdog", "");
-	watchdog_survey(folder.text, &survey);
-	assert_int_equal(capture.count, 2);
-	survey_capture_expect(&capture, 1, SURVEY_WORKS, "/watchdog",
-		"restarts the board after some seconds", NULL);
-	temp_dir_remove(&folder);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -193,10 +121,6 @@ int main(void)
 		cmocka_unit_test(test_the_end_of_a_message_is_its_remedy),
 		cmocka_unit_test(test_a_denied_user_is_told_the_group),
 		cmocka_unit_test(test_a_device_without_a_node_gets_its_mknod),
-		cmocka_unit_test(
-			test_watchdogs_are_reported_without_starting_them),
-		cmocka_unit_test(test_an_active_watchdog_is_taken),
-		cmocka_unit_test(test_no_watchdog_is_one_finding),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

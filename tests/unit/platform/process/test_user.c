@@ -1,3 +1,5 @@
+#define _DEFAULT_SOURCE /* setreuid() */
+
 #include "platform/process/user.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
@@ -42,8 +44,7 @@ static void become_other(const struct log *log)
 	if (setuid(0) == 0 || setgid(0) == 0) {
 		_exit(3);
 	}
-	if (user_become(other, log) != 0 ||
-		user_become("root", log) != -EPERM) {
+	if (user_become(other, log) != 0 || user_become("root", log) != -EPERM) {
 		_exit(4);
 	}
 	for (gid_t group[64], *at = group + getgroups(64, group); at > group;) {
@@ -52,6 +53,26 @@ static void become_other(const struct log *log)
 		}
 	}
 	_exit(0);
+}
+
+static void become_root_again(const struct log *log)
+{
+	if (setreuid(getpwnam(other)->pw_uid, 0) != 0) {
+		_exit(1);
+	}
+	if (user_become("root", log) != 0 || getuid() != 0 || geteuid() != 0) {
+		_exit(2);
+	}
+	_exit(0);
+}
+
+static void test_a_process_with_the_rights_of_root_becomes_root(void **state)
+{
+	(void)state;
+	if (getuid() != 0 || !getpwnam(other)) {
+		skip_because("only root can act as another user");
+	}
+	assert_int_equal(in_child(become_root_again), 0);
 }
 
 static void test_root_becomes_another_user_for_good(void **state)
@@ -111,6 +132,8 @@ static void test_an_unknown_user_is_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_process_with_the_rights_of_root_becomes_root),
 		cmocka_unit_test(test_root_becomes_another_user_for_good),
 		cmocka_unit_test(test_the_user_of_the_process_stays),
 		cmocka_unit_test(test_others_than_root_are_refused),

@@ -190,11 +190,15 @@ static void test_absurd_timeouts_set_no_timer(void **state)
 
 static void test_a_missing_watchdog_is_logged_once(void **state)
 {
-	static const int errors[] = {ENOENT, EBUSY, EACCES};
+	static const int errors[] = {
+		ENOENT, ENODEV, EBUSY, EACCES, EPERM, ENOTDIR};
+	static const char *const advice[] = {"load its driver",
+		"load its driver", "stop that program", "run as root",
+		"run as root", "such as /dev/watchdog"};
 	struct watchdog watchdog;
 
 	(void)state;
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 6; i++) {
 		struct log_capture capture;
 		struct log log = log_capture_begin(&capture);
 
@@ -205,6 +209,7 @@ static void test_a_missing_watchdog_is_logged_once(void **state)
 		assert_int_equal(capture.count, 1);
 		assert_int_equal(capture.level[0], LOG_WARNING);
 		assert_contains(capture.sentence[0], "/dev/wd");
+		assert_contains(capture.sentence[0], advice[i]);
 		watchdog_feed(&watchdog, 0);
 		watchdog_close(&watchdog);
 		assert_int_equal(fake.fed_count, 0);

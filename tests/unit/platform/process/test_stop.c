@@ -1,0 +1,224 @@
+/* Ending in order. Tests that a signal may end are processes of their own. */
+#include "platform/process/stop.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static const int caught[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+enum {
+	CAUGHT = sizeof(caught) / sizeof(caught[0])
+};
+
+/* How a child that runs the function ended. */
+static int in_child(void (*run)(void))
+{
+	pid_t child = fork();
+	int status = 0;
+
+	if (child == 0) {
+		run();
+		_exit(0);
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	return status;
+}
+
+/* What was written to a pipe so far. */
+static int bytes_in(int end, char *text, size_t size)
+{
+	assert_int_equal(fcntl(end, F_SETFL, O_NONBLOCK), 0);
+	return (int)read(end, text, size);
+}
+
+static void test_without_a_watchdog_nothing_is_written(void **state)
+{
+	int kept = dup(0), ends[2];
+	char text[4];
+
+	(void)state;
+	assert_int_equal(pipe(ends), 0);
+	assert_int_equal(dup2(ends[1], 0), 0);
+	stop_catch();
+	raise(SIGTERM);
+	stop_release();
+	assert_int_equal(dup2(kept, 0), 0);
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), -1);
+	close(kept);
+	close(ends[0]);
+	close(ends[1]);
+}
+
+static void test_each_signal_asks_for_the_end(void **state)
+{
+	(void)state;
+	for (int i = 0; i < CAUGHT; i++) {
+		stop_catch();
+		assert_false(stop_requested());
+		raise(caught[i]);
+		assert_true(stop_requested());
+		assert_true(stop_requested());
+		stop_catch();
+		assert_false(stop_requested());
+		stop_release();
+	}
+}
+
+static void note(int number)
+{
+	(void)number;
+}
+
+static void test_the_handlers_of_before_return(void **state)
+{
+	struct sigaction now;
+
+	(void)state;
+	for (int i = 0; i < CAUGHT; i++) {
+		signal(caught[i], note);
+	}
+	stop_catch();
+	for (int i = 0; i < CAUGHT; i++) {
+		assert_int_equal(sigaction(caught[i], NULL, &now), 0);
+		assert_true(now.sa_handler != note);
+	}
+	stop_release();
+	for (int i = 0; i < CAUGHT; i++) {
+		assert_int_equal(sigaction(caught[i], NULL, &now), 0);
+		assert_true(now.sa_handler == note);
+		signal(caught[i], SIG_DFL);
+	}
+}
+
+static void test_what_is_ignored_stays_ignored(void **state)
+{
+	(void)state;
+	signal(SIGHUP, SIG_IGN);
+	stop_catch();
+	raise(SIGHUP);
+	assert_false(stop_requested());
+	stop_release();
+	signal(SIGHUP, SIG_DFL);
+}
+
+static void test_the_end_must_come_within_a_second_of_the_signal(void **state)
+{
+	(void)state;
+	stop_catch();
+	raise(SIGTERM);
+	assert_int_equal(alarm(30), 1);
+	/* A second signal gives no more time. */
+	raise(SIGTERM);
+	assert_int_equal(alarm(30), 30);
+	assert_true(stop_requested());
+	assert_int_equal(alarm(30), 0);
+	stop_release();
+	assert_int_equal(alarm(0), 0);
+}
+
+static void hang_after_a_signal(void)
+{
+	signal(SIGALRM, SIG_DFL);
+	stop_catch();
+	raise(SIGTERM);
+	sleep(20);
+}
+
+static void test_a_process_that_hangs_ends_by_an_alarm(void **state)
+{
+	int status = in_child(hang_after_a_signal);
+
+	(void)state;
+	assert_true(WIFSIGNALED(status));
+	assert_int_equal(WTERMSIG(status), SIGALRM);
+}
+
+static void test_a_signal_disables_the_watchdog_at_once(void **state)
+{
+	char text[4];
+	int ends[2];
+
+	(void)state;
+	assert_int_equal(pipe(ends), 0);
+	stop_catch();
+	stop_set_watchdog(ends[1]);
+	raise(SIGTERM);
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), 1);
+	assert_int_equal(text[0], 'V');
+	stop_set_watchdog(-1);
+	raise(SIGTERM);
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), -1);
+	stop_set_watchdog(ends[1]);
+	stop_release();
+	stop_catch();
+	raise(SIGTERM);
+	stop_release();
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), -1);
+	close(ends[0]);
+	close(ends[1]);
+}
+
+static void test_a_watchdog_may_be_descriptor_0(void **state)
+{
+	int kept = dup(0), ends[2];
+	char text[4];
+
+	(void)state;
+	assert_int_equal(pipe(ends), 0);
+	assert_int_equal(dup2(ends[1], 0), 0);
+	stop_catch();
+	stop_set_watchdog(0);
+	raise(SIGTERM);
+	stop_release();
+	assert_int_equal(dup2(kept, 0), 0);
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), 1);
+	close(kept);
+	close(ends[0]);
+	close(ends[1]);
+}
+
+static void test_a_watchdog_that_fails_is_left_and_errno_kept(void **state)
+{
+	char text[4];
+	int ends[2];
+
+	(void)state;
+	assert_int_equal(pipe(ends), 0);
+	stop_catch();
+	/* The end for reading cannot be written. */
+	stop_set_watchdog(ends[0]);
+	errno = ERANGE;
+	raise(SIGTERM);
+	assert_int_equal(errno, ERANGE);
+	assert_true(stop_requested());
+	/* The descriptor is not tried again: by now it may be another file. */
+	assert_int_equal(dup2(ends[1], ends[0]), ends[0]);
+	raise(SIGTERM);
+	stop_release();
+	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), -1);
+	close(ends[0]);
+	close(ends[1]);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_without_a_watchdog_nothing_is_written),
+		cmocka_unit_test(test_each_signal_asks_for_the_end),
+		cmocka_unit_test(test_the_handlers_of_before_return),
+		cmocka_unit_test(test_what_is_ignored_stays_ignored),
+		cmocka_unit_test(
+			test_the_end_must_come_within_a_second_of_the_signal),
+		cmocka_unit_test(test_a_process_that_hangs_ends_by_an_alarm),
+		cmocka_unit_test(test_a_signal_disables_the_watchdog_at_once),
+		cmocka_unit_test(test_a_watchdog_may_be_descriptor_0),
+		cmocka_unit_test(
+			test_a_watchdog_that_fails_is_left_and_errno_kept),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

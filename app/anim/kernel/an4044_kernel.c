@@ -161,7 +161,7 @@ const struct kernel kernel_an4044 = {
 	.morph_lerp = morph_lerp,
 	.morph_targets = morph_targets,
 	.normalize = float_normalize,
-	.skin_tangents = float_skin_tangents,
+	.skin_directions = float_skin_directions,
 	.skin_morphed = float_skin_morphed,
 	.bitangents = float_bitangents,
 };

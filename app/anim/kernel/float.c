@@ -152,7 +152,7 @@ static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 }
 
 /* The sum of the weights does not matter, since the result is normalised. */
-static void skin_directions(const struct skin_stream *stream,
+void float_skin_directions(const struct skin_stream *stream,
 	const float (*base)[4], const mat4 *palette, int max_influences,
 	float (*direction)[3])
 {
@@ -184,13 +184,6 @@ void float_skin(const struct skin_stream *stream, const mat4 *palette,
 	} else {
 		skin_positions(stream, palette, max_influences, position);
 	}
-}
-
-void float_skin_tangents(const struct skin_stream *stream, const mat4 *palette,
-	int max_influences, float (*tangent)[3])
-{
-	skin_directions(stream, (const float(*)[4])stream->tangent, palette,
-		max_influences, tangent);
 }
 
 void float_morph_lerp(int count, const float (*source)[3],
@@ -320,6 +313,8 @@ void float_skin_morphed(const struct skin_stream *stream,
 	int max_influences, const struct skin_output *output)
 {
 	const struct joint_weight *first = stream->influence;
+	const mat4 *normal_palette =
+		input->normal_palette ? input->normal_palette : palette;
 
 	for (int v = 0; v < stream->vertex_count; v++) {
 		const struct joint_weight *next = next_vertex(first);
@@ -334,7 +329,7 @@ void float_skin_morphed(const struct skin_stream *stream,
 				output->position[v], rest_scale(first, end));
 		}
 		if (output->normal) {
-			carry(first, end, palette, vertex.normal,
+			carry(first, end, normal_palette, vertex.normal,
 				output->normal[v]);
 			make_unit(output->normal[v]);
 		}

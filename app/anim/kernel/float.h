@@ -9,8 +9,9 @@
 
 void float_skin(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3]);
-void float_skin_tangents(const struct skin_stream *stream, const mat4 *palette,
-	int max_influences, float (*tangent)[3]);
+void float_skin_directions(const struct skin_stream *stream,
+	const float (*base)[4], const mat4 *palette, int max_influences,
+	float (*direction)[3]);
 void float_morph_lerp(int count, const float (*source)[3],
 	const float (*destiny)[3], float omega, const float offset[3],
 	float (*out)[3]);
@@ -28,7 +29,7 @@ void float_bitangents(int count, const float (*normal)[3],
 #define FLOAT_LOOPS                                                         \
 	.skin = float_skin, .morph_lerp = float_morph_lerp,                 \
 	.morph_targets = float_morph_targets, .normalize = float_normalize, \
-	.skin_tangents = float_skin_tangents,                               \
+	.skin_directions = float_skin_directions,                           \
 	.skin_morphed = float_skin_morphed, .bitangents = float_bitangents
 
 #endif

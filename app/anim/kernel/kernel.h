@@ -25,7 +25,8 @@ struct morph_input {
 	const float (*tangent)[4]; /* or NULL */
 	const struct morph_term *term;
 	int term_count;
-	float position_scale; /* of positions and their deltas */
+	float position_scale;       /* of positions and their deltas */
+	const mat4 *normal_palette; /* for normals; NULL: the palette */
 };
 
 /* The output of skin_morphed(). normal and tangent may be NULL. */
@@ -77,11 +78,12 @@ struct kernel {
 	void (*normalize)(int count, float (*vector)[3]);
 
 	/*
-	 * Skins the stream's tangents, which it must have, and normalises them.
-	 * max_influences as for skin().
+	 * Skins a direction of each vertex, by the stream's normal or tangent
+	 * as base, and normalises them. max_influences as for skin().
 	 */
-	void (*skin_tangents)(const struct skin_stream *stream,
-		const mat4 *palette, int max_influences, float (*tangent)[3]);
+	void (*skin_directions)(const struct skin_stream *stream,
+		const float (*base)[4], const mat4 *palette, int max_influences,
+		float (*direction)[3]);
 
 	/*
 	 * Morphs and skins in one pass, which AN4044's conclusion recommends

@@ -90,3 +90,67 @@ float matrix_scale(const mat4 *matrix)
 {
 	return vec_length((*matrix)[0]);
 }
+
+bool matrix_is_even(const mat4 *matrix)
+{
+	const vec4 *m = *matrix;
+	float size = vec_dot(m[0], m[0]);
+	float tolerance = size * (1.0f / 256);
+
+	for (int c = 0; c < 3; c++) {
+		if (!(scalar_abs(vec_dot(m[c], m[c]) - size) <= 2 * tolerance) ||
+			!(scalar_abs(vec_dot(m[c], m[(c + 1) % 3])) <=
+				tolerance)) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* The sum of squares of a matrix's columns. */
+static float square_of(float column[3][3])
+{
+	return vec_dot(column[0], column[0]) + vec_dot(column[1], column[1]) +
+		vec_dot(column[2], column[2]);
+}
+
+static inline void scale_column(
+	const float column[3], float factor, float out[3])
+{
+	out[0] = column[0] * factor;
+	out[1] = column[1] * factor;
+	out[2] = column[2] * factor;
+}
+
+static inline float size_of(const float column[3])
+{
+	return scalar_abs(column[0]) + scalar_abs(column[1]) +
+		scalar_abs(column[2]);
+}
+
+void matrix_normals(const mat4 *matrix, mat4 *out)
+{
+	const vec4 *m = *matrix;
+	/* With numbers up to 1, products do not overflow. */
+	float size = size_of(m[0]) + size_of(m[1]) + size_of(m[2]) + 1e-30f;
+	float column[3][3], cofactor[3][3];
+	float factor = 1 / size, square;
+
+	scale_column(m[0], factor, column[0]);
+	scale_column(m[1], factor, column[1]);
+	scale_column(m[2], factor, column[2]);
+	vec_cross(column[1], column[2], cofactor[0]);
+	vec_cross(column[2], column[0], cofactor[1]);
+	vec_cross(column[0], column[1], cofactor[2]);
+	square = square_of(cofactor);
+	memcpy(*out, *matrix, sizeof(*out));
+	if (!(square > 1e-20f)) {
+		return;
+	}
+	factor = size * scalar_sqrt(square_of(column) / square);
+	factor = vec_dot(column[0], cofactor[0]) < 0 ? -factor : factor;
+	scale_column(cofactor[0], factor, (*out)[0]);
+	scale_column(cofactor[1], factor, (*out)[1]);
+	scale_column(cofactor[2], factor, (*out)[2]);
+	memset((*out)[3], 0, sizeof(float[3]));
+}

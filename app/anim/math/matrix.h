@@ -9,6 +9,8 @@
 
 #include <cglm/types.h>
 
+#include <stdbool.h>
+
 /* out = a * b. */
 void matrix_multiply(mat4 a, mat4 b, mat4 out);
 
@@ -24,5 +26,19 @@ void matrix_rotation(mat4 matrix, float out[4]);
 
 /* The scale of a matrix that has the same scale on all axes: its first column's length. */
 float matrix_scale(const mat4 *matrix);
+
+/*
+ * Whether the matrix changes all lengths by one factor, to 1 in 256: it turns,
+ * mirrors, moves and scales evenly, and so transforms normals as positions.
+ */
+bool matrix_is_even(const mat4 *matrix);
+
+/*
+ * The matrix that transforms normals, without translation: the inverse's
+ * transpose, up to a positive factor, which is chosen so that the result has
+ * the size of the matrix. For an even matrix it is the matrix itself. A flat
+ * matrix is no obstacle; one that leaves a line or a point is copied.
+ */
+void matrix_normals(const mat4 *matrix, mat4 *out);
 
 #endif

@@ -33,8 +33,9 @@ static void skin_tangents(void *user)
 	struct kernel_state *s = user;
 
 	skin_normals(user);
-	s->kernel->skin_tangents(
-		&s->stream, (const mat4 *)s->mesh->palette, 0, s->tangent);
+	s->kernel->skin_directions(&s->stream,
+		(const float(*)[4])s->stream.tangent,
+		(const mat4 *)s->mesh->palette, 0, s->tangent);
 }
 
 static void lerp(void *user)

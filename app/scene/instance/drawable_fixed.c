@@ -57,7 +57,9 @@ static int init_skin(struct drawable_fixed *fixed,
 	fixed->inverse_order = fixed->skin.inverse_order;
 	fixed->matrix = ARENA_ARRAY(
 		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
-	return fixed->matrix
+	fixed->normal_matrix = ARENA_ARRAY(
+		arena, struct fixed_matrix, (size_t)fixed->skin.joint_count);
+	return fixed->matrix && fixed->normal_matrix
 		? init_output(fixed, primitive->vertex_count, streams, arena)
 		: -ENOMEM;
 }
@@ -130,8 +132,9 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	return error;
 }
 
+/* normal_matrix NULL: the normals stay as they are. */
 static void run_skin(const struct drawable_fixed *fixed, int lod,
-	bool with_normals, bool with_tangents)
+	const struct fixed_matrix *normal_matrix, bool with_tangents)
 {
 	const struct fixed_skin *skin = &fixed->skin;
 	const struct fixed_loops *loops = fixed->loops;
@@ -139,9 +142,9 @@ static void run_skin(const struct drawable_fixed *fixed, int lod,
 
 	loops->skin(skin->group, group_count, skin->base[FIXED_POSITION],
 		fixed->matrix, fixed->position);
-	if (fixed->normal && with_normals) {
+	if (normal_matrix) {
 		loops->skin(skin->group, group_count, skin->base[FIXED_NORMAL],
-			fixed->matrix, fixed->normal);
+			normal_matrix, fixed->normal);
 	}
 	if (with_tangents) {
 		loops->skin(skin->group, group_count, skin->base[FIXED_TANGENT],
@@ -165,6 +168,24 @@ static bool set_skin_weights(
 		       weights_of(instance, drawable)) == 0;
 }
 
+/* The matrices for normals, after those for positions; NULL: hold them. */
+static const struct fixed_matrix *make_normal_matrices(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+	const mat4 *palette = instance->normal_palette[drawable->skin];
+
+	if (instance->hold_normals || !fixed->normal) {
+		return NULL;
+	}
+	if (palette == (const mat4 *)instance->palette[drawable->skin]) {
+		return fixed->matrix;
+	}
+	fixed_palette_make_normals(
+		&fixed->skin, &fixed->placement, palette, fixed->normal_matrix);
+	return fixed->normal_matrix;
+}
+
 static void pose_skin(const struct instance *instance,
 	struct drawable *drawable, bool with_tangents)
 {
@@ -179,8 +200,8 @@ static void pose_skin(const struct instance *instance,
 		(const mat4 *)instance->palette[drawable->skin], fixed->matrix,
 		&fixed->placement);
 	if (!fixed->overflowed) {
-		run_skin(fixed, drawable->posed_lod, !instance->hold_normals,
-			with_tangents);
+		run_skin(fixed, drawable->posed_lod,
+			make_normal_matrices(instance, drawable), with_tangents);
 	}
 }
 

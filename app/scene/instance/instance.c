@@ -72,6 +72,7 @@ static void skin_morphed_drawable(
 		.term = drawable->term,
 		.term_count = drawable_target_count(instance, drawable),
 		.position_scale = 1.0f,
+		.normal_palette = instance->normal_palette[drawable->skin],
 	};
 	const struct skin_output output = {
 		.position = drawable->position,
@@ -88,14 +89,24 @@ static void skin_morphed_drawable(
 static void skin_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
+	const struct kernel *kernel = instance->kernel;
+	const struct skin_stream *stream = &drawable->stream;
 	const mat4 *palette = (const mat4 *)instance->palette[drawable->skin];
+	const mat4 *normal_palette = instance->normal_palette[drawable->skin];
+	float(*normal)[3] = instance->hold_normals ? NULL : drawable->normal;
+	int cap = instance->max_influences;
 
-	instance->kernel->skin(&drawable->stream, palette,
-		instance->max_influences, drawable->position,
-		instance->hold_normals ? NULL : drawable->normal);
+	kernel->skin(stream, palette, cap, drawable->position,
+		normal_palette == palette ? normal : NULL);
+	if (normal && normal_palette != palette) {
+		kernel->skin_directions(stream,
+			(const float(*)[4])stream->normal, normal_palette, cap,
+			normal);
+	}
 	if (drawable->tangent && drawable->bumped) {
-		instance->kernel->skin_tangents(&drawable->stream, palette,
-			instance->max_influences, drawable->tangent);
+		kernel->skin_directions(stream,
+			(const float(*)[4])stream->tangent, palette, cap,
+			drawable->tangent);
 	}
 }
 
@@ -160,26 +171,35 @@ void instance_update_nodes(struct instance *instance)
 	pose_world(&instance->pose, instance->model, NULL, instance->world);
 }
 
+static void scale_palette(mat4 *palette, int joint_count, float unit)
+{
+	for (int i = 0; i < 4 * joint_count; i++) {
+		float *column = palette[i / 4][i % 4];
+
+		glm_vec3_scale(column, unit, column);
+	}
+}
+
 /* Palettes transform vertices to scene units. */
 static void update_palettes(struct instance *instance)
 {
 	const struct model *model = instance->model;
-	float unit = instance->unit_scale;
+	struct pose_normals *normals = &instance->normals;
+	bool uneven = pose_normals_find(normals, &instance->pose);
 
 	for (int i = 0; i < model->skin_count; i++) {
 		mat4 *palette = instance->palette[i];
 
 		pose_palette(&model->skin[i], (const mat4 *)instance->world,
 			palette);
-		if (unit == 1.0f) {
-			continue;
+		if (instance->unit_scale != 1.0f) {
+			scale_palette(palette, model->skin[i].joint_count,
+				instance->unit_scale);
 		}
-		for (int j = 0; j < model->skin[i].joint_count; j++) {
-			for (int column = 0; column < 4; column++) {
-				glm_vec3_scale(palette[j][column], unit,
-					palette[j][column]);
-			}
-		}
+		instance->normal_palette[i] = uneven
+			? pose_normals_palette(
+				  normals, model, i, (const mat4 *)palette)
+			: (const mat4 *)palette;
 	}
 }
 

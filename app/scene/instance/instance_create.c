@@ -259,7 +259,9 @@ static int init_skeleton(struct instance *instance)
 	instance->world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
 	instance->palette =
 		ARENA_ARRAY(arena, mat4 *, (size_t)model->skin_count);
-	if (!instance->world || !instance->palette) {
+	instance->normal_palette =
+		ARENA_ARRAY(arena, const mat4 *, (size_t)model->skin_count);
+	if (!instance->world || !instance->palette || !instance->normal_palette) {
 		return -ENOMEM;
 	}
 	for (int i = 0; i < model->skin_count; i++) {
@@ -269,7 +271,9 @@ static int init_skeleton(struct instance *instance)
 			return -ENOMEM;
 		}
 	}
-	return pose_init(&instance->pose, model, arena);
+	return pose_init(&instance->pose, model, arena) == 0
+		? pose_normals_init(&instance->normals, model, arena)
+		: -ENOMEM;
 }
 
 /* Measures the posed vertices: a file's units may be anything. */

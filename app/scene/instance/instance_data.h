@@ -23,7 +23,7 @@
 #include "app/anim/kernel/layout/fixed_keys.h"
 #include "app/anim/kernel/layout/fixed_morph.h"
 #include "app/anim/kernel/layout/fixed_skin.h"
-#include "app/anim/pose.h"
+#include "app/anim/pose_normals.h"
 #include "app/anim/skin.h"
 #include "platform/base/fixed.h"
 
@@ -90,10 +90,12 @@ struct drawable_fixed {
 	 */
 	const uint32_t *order, *inverse_order;
 
-	struct fixed_skin skin;      /* if skinned */
-	struct fixed_matrix *matrix; /* [skin.joint_count] */
-	struct fixed_morph morph;    /* if not skinned; rigid: no targets */
-	struct fixed_keys *keys;     /* instead if the targets are key frames */
+	struct fixed_skin skin;             /* if skinned */
+	struct fixed_matrix *matrix;        /* [skin.joint_count] */
+	struct fixed_matrix *normal_matrix; /* the same for normals, if these
+					       have a palette of their own */
+	struct fixed_morph morph; /* if not skinned; rigid: no targets */
+	struct fixed_keys *keys;  /* instead if the targets are key frames */
 	/* The last pose did not fit 16 bits: the output is an earlier one's. */
 	bool overflowed;
 };
@@ -169,8 +171,11 @@ struct instance {
 	float towards_light[3];
 
 	struct pose pose;
-	mat4 *world;      /* [node_count], in the model's units */
-	mat4 **palette;   /* [skin_count][joint_count], times unit_scale */
+	mat4 *world;    /* [node_count], in the model's units */
+	mat4 **palette; /* [skin_count][joint_count], times unit_scale */
+	const mat4 **normal_palette; /* [skin_count]: palette[skin] unless the
+					pose needs another for normals */
+	struct pose_normals normals;
 	float unit_scale; /* scene units a metre */
 	/* What the drawables' lods were chosen for; 0 before the first choice. */
 	float lod_px_per_unit;

@@ -171,3 +171,30 @@ int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 	}
 	return 0;
 }
+
+/*
+ * A matrix for normals has the Frobenius norm of the joint's matrix, which is
+ * at most 3 times the largest element. So a third of the element for positions
+ * makes rows at most 32767 long, and no product with a normal wraps.
+ */
+void fixed_palette_make_normals(const struct fixed_skin *skin,
+	const struct fixed_placement *placement, const mat4 *palette,
+	struct fixed_matrix *matrix)
+{
+	const float element = 65536.0f /
+		(3.0f * skin->scale[FIXED_POSITION] * placement->scale);
+
+	for (int j = 0; j < skin->joint_count; j++) {
+		const struct fixed_joint *joint = &skin->joint[j];
+		const vec4 *m = palette[joint->joint];
+
+		for (int row = 0; row < 3 && joint->used; row++) {
+			int16_t *out = matrix[j].row[row];
+
+			out[0] = fixed_round_fast(m[0][row] * element);
+			out[1] = fixed_round_fast(m[1][row] * element);
+			out[2] = fixed_round_fast(m[2][row] * element);
+			out[3] = 0;
+		}
+	}
+}

@@ -19,4 +19,12 @@
 int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 	struct fixed_matrix *matrix, struct fixed_placement *placement);
 
+/*
+ * The same for normals that have matrices of their own (pose_normals.h), with
+ * the placement of the positions.
+ */
+void fixed_palette_make_normals(const struct fixed_skin *skin,
+	const struct fixed_placement *placement, const mat4 *palette,
+	struct fixed_matrix *matrix);
+
 #endif

@@ -4,6 +4,7 @@
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/kernel/layout/fixed_skin.h"
 #include "app/anim/kernel/run/fixed_palette.h"
+#include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"
@@ -233,6 +234,24 @@ static void test_weights_sum_to_one_exactly(void **state)
 	tear_down(&f);
 }
 
+/* Skins the normals by the best kernel and compares them with want_normal. */
+static void compare_normals(struct fixture *f)
+{
+	kernel_registry[0]->fixed->skin(f->skin.group, f->skin.group_count,
+		f->skin.base[FIXED_NORMAL], f->matrix, f->out);
+	for (int i = 0; i < VERTICES; i++) {
+		float v[3] = {f->out[i].x, f->out[i].y, f->out[i].z};
+		double length = vec_length(v);
+
+		for (int axis = 0; axis < 3; axis++) {
+			/* Normalising a short sum magnifies its error. */
+			assert_near(v[axis] / length,
+				f->want_normal[f->skin.order[i]][axis],
+				1e-3 + 5 / length);
+		}
+	}
+}
+
 static void test_directions_are_floats(void **state)
 {
 	static struct fixture f;
@@ -240,24 +259,46 @@ static void test_directions_are_floats(void **state)
 	(void)state;
 	set_up(&f);
 	compare_positions(&f, 0, 4e-4);
-	fixed_loops_c.skin(f.skin.group, f.skin.group_count,
-		f.skin.base[FIXED_NORMAL], f.matrix, f.out);
-	for (int i = 0; i < VERTICES; i++) {
-		float v[3] = {f.out[i].x, f.out[i].y, f.out[i].z};
-		double length = vec_length(v);
-
-		for (int axis = 0; axis < 3; axis++) {
-			/* Normalising a short sum magnifies its error. */
-			assert_near(v[axis] / length,
-				f.want_normal[f.skin.order[i]][axis],
-				1e-3 + 5 / length);
-		}
-	}
+	compare_normals(&f);
 	/* The fixture has the same tangents as normals. */
 	assert_memory_equal(f.skin.base[FIXED_NORMAL],
 		f.skin.base[FIXED_TANGENT],
 		(size_t)f.skin.influence_count *
 			sizeof(*f.skin.base[FIXED_NORMAL]));
+	tear_down(&f);
+}
+
+static void test_normals_may_have_their_own_matrices(void **state)
+{
+	static struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	for (int i = -12; i <= 12; i += 3) {
+		make_palette(&f, ldexpf(1.3f, i), 0);
+		for (int j = 0; j < JOINTS; j++) {
+			for (int k = 0; k < 9; k++) {
+				f.palette[j][k / 3][k % 3] *=
+					(float)(1 + (j + k % 3) % 3);
+			}
+		}
+		assert_int_equal(
+			fixed_palette_make(&f.skin, (const mat4 *)f.palette,
+				f.matrix, &f.placement),
+			0);
+		for (int j = 0; j < JOINTS; j++) {
+			matrix_normals((const mat4 *)&f.palette[j],
+				(mat4 *)&f.palette[j]);
+		}
+		kernel_float.skin_directions(&f.stream,
+			(const float(*)[4])f.stream.normal,
+			(const mat4 *)f.palette, 0, f.want_normal);
+		fixed_palette_make_normals(&f.skin, &f.placement,
+			(const mat4 *)f.palette, f.matrix);
+		clear_overflow();
+		compare_normals(&f);
+		assert_false(has_overflowed());
+	}
 	tear_down(&f);
 }
 
@@ -385,6 +426,7 @@ int main(void)
 		cmocka_unit_test(test_groups_hold_all_vertices_at_every_cap),
 		cmocka_unit_test(test_weights_sum_to_one_exactly),
 		cmocka_unit_test(test_directions_are_floats),
+		cmocka_unit_test(test_normals_may_have_their_own_matrices),
 		cmocka_unit_test(test_no_scale_or_distance_wraps),
 		cmocka_unit_test(test_the_corners_of_a_box_do_not_overflow),
 		cmocka_unit_test(test_what_is_no_number_is_refused),

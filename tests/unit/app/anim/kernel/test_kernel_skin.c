@@ -279,8 +279,9 @@ static void test_tangents_are_skinned_like_normals(void **state)
 	set_up(&f);
 	add_tangents(&f, term);
 	for (int cap = 1; cap <= 9; cap += 4) {
-		kernel_float.skin_tangents(
-			&f.stream, (const mat4 *)f.palette, cap, f.out_tangent);
+		kernel_float.skin_directions(&f.stream,
+			(const float(*)[4])f.stream.tangent,
+			(const mat4 *)f.palette, cap, f.out_tangent);
 		for (int v = 0; v < VERTICES; v++) {
 			assert_unit_sum(
 				&f, v, cap, f.tangent[v], f.out_tangent[v]);
@@ -353,6 +354,37 @@ static void test_morph_and_skin_in_one_pass_is_morph_then_skin(void **state)
 	tear_down(&f);
 }
 
+static void test_one_pass_takes_a_palette_for_normals(void **state)
+{
+	struct fixture f;
+	struct morph_input input;
+	struct skin_output output;
+	float want[VERTICES][3];
+	mat4 other[JOINTS];
+
+	(void)state;
+	set_up(&f);
+	for (int j = 0; j < JOINTS; j++) {
+		memcpy(other[j], f.palette[JOINTS - 1 - j], sizeof(mat4));
+	}
+	input = (struct morph_input){
+		.position = (const float(*)[3])f.position,
+		.normal = (const float(*)[3])f.normal,
+		.position_scale = 1,
+		.normal_palette = (const mat4 *)other,
+	};
+	output = (struct skin_output){.position = f.out, .normal = f.out_normal};
+	kernel_float.skin_morphed(
+		&f.stream, &input, (const mat4 *)f.palette, 2, &output);
+	kernel_float.skin_directions(&f.stream,
+		(const float(*)[4])f.stream.normal, (const mat4 *)other, 2,
+		want);
+	assert_all_near(f.out_normal, want, 3 * VERTICES, 1e-5);
+	kernel_float.skin(&f.stream, (const mat4 *)f.palette, 2, want, NULL);
+	assert_all_near(f.out, want, 3 * VERTICES, 1e-5);
+	tear_down(&f);
+}
+
 static void test_one_pass_gives_positions_alone(void **state)
 {
 	struct fixture f;
@@ -387,6 +419,7 @@ int main(void)
 		cmocka_unit_test(test_primitives_without_tangents_are_refused),
 		cmocka_unit_test(
 			test_morph_and_skin_in_one_pass_is_morph_then_skin),
+		cmocka_unit_test(test_one_pass_takes_a_palette_for_normals),
 		cmocka_unit_test(test_one_pass_gives_positions_alone),
 	};
 

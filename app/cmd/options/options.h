@@ -186,8 +186,8 @@ void options_list(FILE *out, enum command_bit command);
 
 /*
  * The candidate that differs from word by at most two letters (one, for words
- * of up to three letters) and by the fewest, or NULL. candidates ends with
- * NULL.
+ * of up to three letters) and by the fewest, or NULL. Capitals do not matter.
+ * candidates ends with NULL.
  */
 const char *options_closest(const char *word, const char *const *candidates);
 

@@ -197,12 +197,14 @@ static void test_a_replaced_file_keeps_its_permissions(void **state)
 	umask(usual);
 }
 
-/* Replaces a file of another owner and group, whose group cannot be kept. */
-static int replace_as_a_stranger(struct output_scene *scene)
+/* Replaces a file of another owner, as a member of these groups. */
+static int replace_in_groups(
+	struct output_scene *scene, size_t count, const gid_t *groups)
 {
 	struct output_file *file;
 
-	if (setgroups(0, NULL) != 0 || setgid(65533) != 0 || setuid(65533) != 0) {
+	if (setgroups(count, groups) != 0 || setgid(65533) != 0 ||
+		setuid(65533) != 0) {
 		return 1;
 	}
 	if (output_file_create(scene->path.text, &scene->log, &file) != 0) {
@@ -212,23 +214,38 @@ static int replace_as_a_stranger(struct output_scene *scene)
 	return output_file_commit(file) == 0 ? 0 : 3;
 }
 
-static void test_a_new_group_gets_the_rights_of_others(void **state)
+static int replace_as_a_stranger(struct output_scene *scene)
 {
-	static const mode_t modes[][2] = {
-		{0676, 0666}, {0647, 0677}, {0472, 0422}};
+	return replace_in_groups(scene, 0, NULL);
+}
+
+static int replace_as_a_member(struct output_scene *scene)
+{
+	return replace_in_groups(scene, 1, (const gid_t[]){65534});
+}
+
+static void test_a_group_that_cannot_stay_gets_the_rights_of_others(void **state)
+{
+	static const mode_t modes[][3] = {
+		{0676, 0666, 0676}, {0667, 0677, 0667}, {0472, 0422, 0472}};
 	struct output_scene *scene = *state;
 
 	if (geteuid() != 0) {
 		skip_because("only root gives files away");
 	}
 	assert_int_equal(chmod(scene->folder.text, 0777), 0);
-	for (size_t i = 0; i < ARRAY_COUNT(modes); i++) {
+	for (size_t i = 0; i < 2 * ARRAY_COUNT(modes); i++) {
+		const mode_t *mode = modes[i / 2];
+
 		file_write(scene->path.text, "old", 3);
 		assert_int_equal(chown(scene->path.text, 65534, 65534), 0);
-		assert_int_equal(chmod(scene->path.text, modes[i][0]), 0);
-		assert_int_equal(in_a_child(scene, replace_as_a_stranger), 0);
+		assert_int_equal(chmod(scene->path.text, mode[0]), 0);
+		assert_int_equal(in_a_child(scene,
+					 i % 2 ? replace_as_a_member
+					       : replace_as_a_stranger),
+			0);
 		assert_int_equal(output_scene_mode(scene->path.text) & 07777,
-			modes[i][1]);
+			mode[1 + i % 2]);
 		assert_int_equal(unlink(scene->path.text), 0);
 	}
 }
@@ -314,7 +331,7 @@ int main(void)
 		CASE(test_a_read_only_file_is_not_replaced),
 		CASE(test_a_new_file_has_the_permissions_of_the_umask),
 		CASE(test_a_replaced_file_keeps_its_permissions),
-		CASE(test_a_new_group_gets_the_rights_of_others),
+		CASE(test_a_group_that_cannot_stay_gets_the_rights_of_others),
 		CASE(test_a_replaced_file_keeps_its_owner),
 		CASE(test_a_planted_link_is_not_written_through),
 		cmocka_unit_test(test_temporary_names_differ),

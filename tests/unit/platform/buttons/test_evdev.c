@@ -9,6 +9,7 @@
 #include <linux/input-event-codes.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static void test_the_keypads_keys_are_the_buttons_of_their_names(void **state)
 {
@@ -99,6 +100,29 @@ static void test_unplugging_a_device_releases_its_buttons(void **state)
 	evdev_bench_key(bench, 0, KEY_UP, 1);
 	evdev_bench_poll(bench);
 	evdev_bench_expect(bench, BUTTON_UP, true);
+}
+
+static void test_a_folder_that_vanishes_is_watched_when_it_returns(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_open(bench, NULL);
+	assert_int_equal(rmdir(bench->folder.text), 0);
+	evdev_bench_poll(bench);
+	assert_int_equal(mkdir(bench->folder.text, 0700), 0);
+	evdev_bench_plug_in(bench, 0, "first", KEY_UP);
+	/* It is looked for once a second. */
+	for (int i = 0; i < 8; i++) {
+		evdev_bench_poll(bench);
+		assert_int_equal(bench->device[0].ours, -1);
+	}
+	evdev_bench_poll(bench);
+	evdev_bench_poll(bench);
+	assert_true(bench->device[0].ours >= 0);
+	/* From then on a new device works at once. */
+	evdev_bench_plug_in(bench, 1, "second", KEY_UP);
+	evdev_bench_poll(bench);
+	assert_true(bench->device[1].ours >= 0);
 }
 
 static void test_after_lost_events_the_keys_are_read_again(void **state)
@@ -317,6 +341,7 @@ int main(void)
 		CASE(test_a_key_that_repeats_is_one_press),
 		CASE(test_a_device_that_is_plugged_in_later_works),
 		CASE(test_unplugging_a_device_releases_its_buttons),
+		CASE(test_a_folder_that_vanishes_is_watched_when_it_returns),
 		CASE(test_after_lost_events_the_keys_are_read_again),
 		CASE(test_any_key_can_be_any_button),
 		CASE(test_a_device_is_chosen_by_part_of_its_name),

@@ -57,6 +57,8 @@ static void test_each_signal_asks_for_the_end(void **state)
 {
 	(void)state;
 	for (int i = 0; i < CAUGHT; i++) {
+		/* nohup and a shell's "&" start programs that ignore some. */
+		signal(caught[i], SIG_DFL);
 		stop_catch();
 		assert_false(stop_requested());
 		raise(caught[i]);
@@ -96,12 +98,16 @@ static void test_the_handlers_of_before_return(void **state)
 
 static void test_what_is_ignored_stays_ignored(void **state)
 {
+	struct sigaction after;
+
 	(void)state;
 	signal(SIGHUP, SIG_IGN);
 	stop_catch();
 	raise(SIGHUP);
 	assert_false(stop_requested());
 	stop_release();
+	assert_int_equal(sigaction(SIGHUP, NULL, &after), 0);
+	assert_true(after.sa_handler == SIG_IGN);
 	signal(SIGHUP, SIG_DFL);
 }
 

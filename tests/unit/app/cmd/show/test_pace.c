@@ -1,9 +1,7 @@
 #include "app/cmd/show/pace.h"
 #include "platform/process/clock.h"
-#include "platform/process/stop.h"
 #include "tests/support/test.h"
 
-#include <signal.h>
 #include <string.h>
 #include <time.h>
 
@@ -67,37 +65,6 @@ static void test_none_never_waits(void **state)
 	assert_true(clock_monotonic_ns() - begun < 1000000000);
 }
 
-static void test_each_signal_requests_a_stop(void **state)
-{
-	static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-
-	(void)state;
-	for (int i = 0; i < 3; i++) {
-		/* nohup and a shell's "&" start programs that ignore some. */
-		signal(signals[i], SIG_DFL);
-		stop_catch();
-		assert_false(stop_requested());
-		raise(signals[i]);
-		assert_true(stop_requested());
-		stop_release();
-	}
-}
-
-static void test_an_ignored_signal_stays_ignored(void **state)
-{
-	struct sigaction after;
-	void (*usual)(int) = signal(SIGHUP, SIG_IGN);
-
-	(void)state;
-	stop_catch();
-	raise(SIGHUP);
-	assert_false(stop_requested());
-	stop_release();
-	assert_int_equal(sigaction(SIGHUP, NULL, &after), 0);
-	assert_true(after.sa_handler == SIG_IGN);
-	signal(SIGHUP, usual);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -105,8 +72,6 @@ int main(void)
 		cmocka_unit_test(test_a_late_frame_is_not_caught_up),
 		cmocka_unit_test(test_the_screens_own_rate_is_not_slowed_down),
 		cmocka_unit_test(test_none_never_waits),
-		cmocka_unit_test(test_each_signal_requests_a_stop),
-		cmocka_unit_test(test_an_ignored_signal_stays_ignored),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,14 +4,7 @@
 #include "app/compare/candidate/candidate_rigid.h"
 #include "app/compare/export/export.h"
 #include "app/demo/actor.h"
-#include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_heat.h"
-
-#include <cglm/cglm.h>
-
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum {
 	FRAMES_A_MEAN = 16,
@@ -20,16 +13,14 @@ enum {
 
 static const double rate_hz = 60.0; /* of the playback */
 
-static int init_morph(struct contender *contender,
+static int bake_morph(struct contender *contender,
 	const struct screen_view *screen, const struct time_grid *grid,
-	float bound_px, const struct demo_env *env)
+	float bound_px, const struct demo_env *env, struct fit_keys *keys)
 {
-	struct reference *reference = contender->reference;
-	struct fixed_placement placement =
+	const struct fixed_placement placement =
 		candidate_morph_placement(&screen->box);
-	struct fit_keys keys;
 	int error = fit_keys_within(
-		reference, screen, grid, bound_px, KEPT_BYTES, &keys);
+		contender->reference, screen, grid, bound_px, KEPT_BYTES, keys);
 
 	if (error) {
 		log_error(env->log,
@@ -37,102 +28,56 @@ static int init_morph(struct contender *contender,
 			env->model_path);
 		return error;
 	}
-	contender->key_count = keys.count;
-	error = candidate_morph(&contender->candidate, reference, env->kernel,
-		&placement, &keys, KEPT_BYTES, env->log);
-	fit_keys_release(&keys);
-	/* show_morph() writes vertices in float. */
-	return error ? error
-		     : instance_create(reference->model, &kernel_float,
-			       env->log, &contender->shown);
+	contender->key_count = keys->count;
+	return candidate_morph(&contender->candidate, contender->reference,
+		env->kernel, &placement, keys, KEPT_BYTES, env->log);
 }
 
-/* Shows what `limber compare --export` writes of the rigid parts. */
-static int init_rigid(struct contender *contender, const struct demo_env *env)
+/* Shows what `limber compare --export` writes of the technique. */
+static int load_baked(struct contender *contender,
+	const struct screen_view *screen, const struct fit_keys *keys,
+	const struct demo_env *env)
 {
 	struct reference *reference = contender->reference;
 	struct comparison_clip clip = {.clip = reference->clip_index};
-	const struct comparison comparison = {
-		.model = reference->model, .clip_count = 1, .clip = &clip};
-	const struct comparison_row row = {.kind = COMPARISON_RIGID};
-	int error = candidate_rigid(&contender->candidate, reference, env->log);
+	struct comparison_cell cell = {.keys = *keys};
+	const struct comparison comparison = {.model = reference->model,
+		.box = screen->box,
+		.clip_count = 1,
+		.clip = &clip};
+	const struct comparison_row row = {
+		.kind = contender->kind == CONTENDER_MORPH ? COMPARISON_MORPH
+							   : COMPARISON_RIGID,
+		.cell = &cell,
+		.total.key_count = keys->count};
+	int error = export_load(&comparison, &row, env->log, &contender->baked);
 
 	if (!error) {
-		error = export_load(
-			&comparison, &row, env->log, &contender->parts);
+		contender->clip = &contender->baked->clip[0];
 	}
-	if (error) {
-		return error;
-	}
-	contender->clip = &contender->parts->clip[0];
-	return instance_create(
-		contender->parts, env->kernel, env->log, &contender->shown);
+	return error;
 }
 
-static int init_technique(struct contender *contender,
-	const struct screen_view *screen, const struct time_grid *grid,
-	float bound_px, const struct demo_env *env)
+/* The candidate counts bytes as `limber compare` does. */
+static int bake(struct contender *contender, const struct screen_view *screen,
+	const struct time_grid *grid, float bound_px, const struct demo_env *env)
 {
 	struct reference *reference = contender->reference;
-	int error;
+	struct fit_keys keys = {0};
+	int error = 0;
 
-	switch (contender->kind) {
-	case CONTENDER_MORPH:
-		return init_morph(contender, screen, grid, bound_px, env);
-	case CONTENDER_RIGID:
-		return init_rigid(contender, env);
-	default:
-		/* The candidate counts bytes as `limber compare` does. */
-		error = candidate_original(&contender->candidate, reference,
+	if (contender->kind == CONTENDER_SKIN) {
+		return candidate_original(&contender->candidate, reference,
 			env->kernel, 0, true, rate_hz, env->log);
-		return error ? error
-			     : instance_create(reference->model, env->kernel,
-				       env->log, &contender->shown);
 	}
-}
-
-/*
- * Lets rigid drawables show vertices of their own, which are in world space
- * while all nodes stay at the origin. Skinned ones have such vertices already.
- */
-static int own_vertices(struct contender *contender)
-{
-	struct instance *shown = contender->shown;
-
-	for (int i = 0; i < shown->model->node_count; i++) {
-		glm_mat4_identity(shown->world[i]);
+	error = contender->kind == CONTENDER_MORPH
+		? bake_morph(contender, screen, grid, bound_px, env, &keys)
+		: candidate_rigid(&contender->candidate, reference, env->log);
+	if (!error) {
+		error = load_baked(contender, screen, &keys, env);
 	}
-	for (int i = 0; i < shown->drawable_count; i++) {
-		struct drawable *drawable = &shown->drawable[i];
-		size_t count = (size_t)drawable->primitive->vertex_count;
-		float(*position)[3], (*normal)[3];
-
-		if (drawable->skin >= 0) {
-			continue;
-		}
-		position = arena_alloc(&shown->arena, count, sizeof(float[3]));
-		normal = arena_alloc(&shown->arena, count, sizeof(float[3]));
-		if (!position || !normal) {
-			return -ENOMEM;
-		}
-		instance_use_vertices(drawable, position, normal);
-	}
-	return 0;
-}
-
-/* Memory for the morph's vertices. */
-static int init_vectors(struct contender *contender)
-{
-	struct arena *arena = &contender->shown->arena;
-	size_t count = (size_t)contender->reference->vertex_count;
-
-	if (contender->kind != CONTENDER_MORPH) {
-		return 0;
-	}
-	contender->position = arena_alloc(arena, count, sizeof(float[3]));
-	contender->normal = arena_alloc(arena, count, sizeof(float[3]));
-	return contender->position && contender->normal ? own_vertices(contender)
-							: -ENOMEM;
+	fit_keys_release(&keys);
+	return error;
 }
 
 int contender_init(struct contender *contender, enum contender_kind kind,
@@ -152,17 +97,19 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 		.clip = reference->clip,
 		.now_ns = env->now_ns,
 		.ms = -1.0f};
-	error = init_technique(contender, screen, grid, bound_px, env);
+	error = bake(contender, screen, grid, bound_px, env);
+	if (!error) {
+		error = instance_create(
+			contender->baked ? contender->baked : reference->model,
+			env->kernel, env->log, &contender->shown);
+	}
 	if (error) {
 		return error;
 	}
 	shown = contender->shown;
 	shown->normal_mapping = false;
-	error = init_vectors(contender);
-	if (!error) {
-		error = clip_cursor_init(
-			&contender->cursor, shown->model, &shown->arena);
-	}
+	error = clip_cursor_init(
+		&contender->cursor, shown->model, &shown->arena);
 	if (!error) {
 		error = overlay_heat_init(
 			&contender->heat, shown, &shown->arena);
@@ -178,54 +125,8 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 void contender_finish(struct contender *contender)
 {
 	instance_destroy(contender->shown);
-	model_destroy(contender->parts);
+	model_destroy(contender->baked);
 	candidate_destroy(&contender->candidate);
-}
-
-static void run(struct contender *contender, float time_s)
-{
-	struct instance *shown = contender->shown;
-
-	if (contender->kind == CONTENDER_MORPH) {
-		candidate_pose(&contender->candidate, time_s);
-		return;
-	}
-	clip_pose(contender->clip, time_s, CLIP_AUTO, &contender->cursor,
-		&shown->pose);
-	instance_update(shown);
-}
-
-/* Copies the morph's vertices to the drawables that show them. */
-static void show_morph(struct contender *contender)
-{
-	const struct reference *reference = contender->reference;
-	float unit = reference->instance->unit_scale;
-
-	contender->candidate.take(
-		&contender->candidate, contender->position, contender->normal);
-	for (int i = 0; i < reference->part_count; i++) {
-		const struct reference_part *part = &reference->part[i];
-		struct drawable *drawable =
-			&contender->shown->drawable[part->drawable];
-		float scale =
-			drawable->skin >= 0 ? unit : drawable->vertex_scale;
-
-		for (int v = 0; v < part->vertex_count; v++) {
-			const float *from =
-				contender->position[part->first_vertex + v];
-
-			for (int axis = 0; axis < 3; axis++) {
-				drawable->position[v][axis] = from[axis] * scale;
-			}
-		}
-		if (drawable->normal) {
-			memcpy(drawable->normal,
-				contender->normal + part->first_vertex,
-				(size_t)part->vertex_count *
-					sizeof(*drawable->normal));
-		}
-		batch_gather(drawable);
-	}
 }
 
 static void count_time(struct contender *contender, int64_t ns)
@@ -243,12 +144,11 @@ void contender_pose(struct contender *contender, float time_s)
 {
 	int64_t begun_ns = contender->now_ns ? contender->now_ns() : 0;
 
-	run(contender, time_s);
+	clip_pose(contender->clip, time_s, CLIP_AUTO, &contender->cursor,
+		&contender->shown->pose);
+	instance_update(contender->shown);
 	if (contender->now_ns) {
 		count_time(contender, contender->now_ns() - begun_ns);
-	}
-	if (contender->kind == CONTENDER_MORPH) {
-		show_morph(contender);
 	}
 }
 
@@ -272,16 +172,21 @@ static struct sources rigid_sources(
 	return (struct sources){rigid->part[part].first_vertex, rigid->source};
 }
 
+/* A morph's only mesh has a primitive for each part of the reference. */
 static struct sources sources_of(const struct contender *contender, int drawable)
 {
 	const struct reference *reference = contender->reference;
+	const struct drawable *shown = &contender->shown->drawable[drawable];
 	int part = 0;
 
 	if (contender->kind == CONTENDER_RIGID) {
-		return rigid_sources(
-			contender, &contender->shown->drawable[drawable]);
+		return rigid_sources(contender, shown);
 	}
-	while (reference->part[part].drawable != drawable) {
+	if (contender->kind == CONTENDER_MORPH) {
+		part = shown->primitive_index;
+	}
+	while (contender->kind == CONTENDER_SKIN &&
+		reference->part[part].drawable != drawable) {
 		part++;
 	}
 	return (struct sources){reference->part[part].first_vertex, NULL};

@@ -21,15 +21,13 @@ struct contender {
 	enum contender_kind kind;
 	const char *title; /* the technique's name */
 	struct reference *reference;
-	struct candidate candidate; /* counts bytes; also poses the morph */
+	struct candidate candidate; /* counts bytes */
 	int key_count;              /* of the morph, else 0 */
-	struct model *parts;        /* CONTENDER_RIGID only */
+	struct model *baked;        /* NULL: the model itself is shown */
 	struct instance *shown;
 	const struct model_clip *clip; /* of the shown model */
 	struct clip_cursor cursor;
 	struct overlay_heat heat;
-	float (*position)[3]; /* the morph's last pose; else NULL */
-	float (*normal)[3];
 	int64_t (*now_ns)(void); /* NULL: not timed */
 
 	float ms; /* mean time of a frame; negative if unknown */

@@ -152,7 +152,7 @@ static void test_heat_is_red_where_a_part_is_far_off(void **state)
 	assert_ptr_equal(
 		bench.contender.shown->model, &bench.contender.heat.plain);
 	overlay_heat_switch(&bench.contender.heat, false);
-	assert_ptr_equal(bench.contender.shown->model, bench.contender.parts);
+	assert_ptr_equal(bench.contender.shown->model, bench.contender.baked);
 	end(&bench);
 }
 

@@ -2,7 +2,6 @@
 
 #include "app/model/levels/levels_file.h"
 #include "app/model/model_keys.h"
-#include "app/scene/draw/draw.h"
 
 #include <stdio.h>
 
@@ -165,16 +164,6 @@ void actor_resize_stage(struct demo_base *base, int width, int height)
 	base->overlay_room = 0.0f;
 	camera_set_region(camera, &region, base->framing.camera.margin,
 		(float)width / (float)height);
-}
-
-void actor_draw(const struct actor *actor, const struct stage *stage,
-	const struct gl *gl, int width, int height)
-{
-	stage_begin(stage, gl, width, height);
-	stage_shadow_begin(stage, gl);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADOW);
-	stage_shadow_end(stage, gl);
-	draw_instance(gl, actor->instance, &actor->textures, DRAW_SHADED);
 }
 
 void actor_update(

@@ -83,10 +83,6 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
  */
 void actor_resize_stage(struct demo_base *base, int width, int height);
 
-/* Draws a whole frame: the stage, the actor's flat shadow and the actor. */
-void actor_draw(const struct actor *actor, const struct stage *stage,
-	const struct gl *gl, int width, int height);
-
 /*
  * Updates the instance for a picture of this height, with the influences and
  * triangles that influence_cap and lod allow.

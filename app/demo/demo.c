@@ -132,22 +132,6 @@ void demo_set_rate(struct demo *demo, float frames_per_s)
 	base_of(demo)->frames_per_s = frames_per_s;
 }
 
-struct demo_facts demo_get_facts(
-	const struct demo_driver *driver, const struct demo *demo)
-{
-	const struct instance *instance =
-		((const struct demo_base *)demo)->actor.instance;
-	struct demo_facts facts = {
-		.technique = actor_technique(instance),
-		.triangles = lod_triangles(instance),
-	};
-
-	if (driver->get_facts) {
-		driver->get_facts(demo, &facts);
-	}
-	return facts;
-}
-
 static void run_action(
 	struct demo *demo, const struct demo_action *action, bool down)
 {

@@ -87,8 +87,17 @@ struct demo_driver {
 	/* Moves on to time_s, which never decreases. Allocates nothing. */
 	void (*update)(struct demo *demo, double time_s);
 
-	/* Draws a frame of this size. Allocates nothing. */
+	/*
+	 * Draws a frame of this size. Allocates nothing. Optional: the stage
+	 * with a flat shadow and a model for each figure.
+	 */
 	void (*draw)(struct demo *demo, int width, int height);
+
+	/*
+	 * Draws a plainer shadow of the figure of this number; false: it has
+	 * none. Optional.
+	 */
+	bool (*draw_shadow)(const struct demo *demo, int number);
 
 	/* Returns the seconds after which an unattended run repeats. */
 	double (*period_s)(const struct demo *demo);
@@ -96,16 +105,14 @@ struct demo_driver {
 	/* Adds labels for the technique, clip, time, weight and so on. */
 	void (*label)(const struct demo *demo, struct hud *hud);
 
-	/* Corrects the actor's facts. Optional. */
-	void (*get_facts)(const struct demo *demo, struct demo_facts *out);
+	const char *technique; /* for facts; NULL: the actor's */
 
 	/*
-	 * Describes the figure of this number, from 0, for overlays. Returns
-	 * false where there is none. Optional: the actor's instance stands at
-	 * the origin.
+	 * Describes the figure of this number, from 0. Returns false where
+	 * there is none. Optional: the actor's instance stands at the origin.
 	 */
-	bool (*get_figure)(
-		struct demo *demo, int number, struct overlay_figure *out);
+	bool (*get_figure)(const struct demo *demo, int number,
+		struct overlay_figure *out);
 
 	/*
 	 * Describes what moves the first figure. *out describes nothing yet.

@@ -1,8 +1,7 @@
 #include "app/demo/demo_overlay.h"
 
+#include "app/demo/demo_figures.h"
 #include "app/scene/stage/light.h"
-
-#include <cglm/cglm.h>
 
 enum {
 	FIGURES_MAX = 64
@@ -19,17 +18,6 @@ static struct overlay_motion motion_of(
 	return motion;
 }
 
-static bool find_figure(const struct demo_driver *driver, struct demo *demo,
-	int number, struct overlay_figure *out)
-{
-	const struct demo_base *base = (const struct demo_base *)demo;
-
-	*out = (struct overlay_figure){.instance = base->actor.instance};
-	glm_mat4_identity(out->place);
-	return driver->get_figure ? driver->get_figure(demo, number, out)
-				  : number == 0;
-}
-
 int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
 	const struct overlay_choice *choice)
 {
@@ -42,7 +30,7 @@ int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
 
 	overlay_destroy(base->overlay);
 	base->overlay = NULL;
-	find_figure(driver, demo, 0, &first);
+	demo_find_figure(driver, demo, 0, &first);
 	subject.instance = first.instance;
 	return overlay_create(
 		&subject, base->gl, choice, &base->log, &base->overlay);
@@ -100,7 +88,8 @@ static void draw_over(const struct demo_driver *driver, struct demo *demo,
 	struct overlay_figure figure;
 
 	for (int i = 0;
-		i < FIGURES_MAX && find_figure(driver, demo, i, &figure); i++) {
+		i < FIGURES_MAX && demo_find_figure(driver, demo, i, &figure);
+		i++) {
 		overlay_draw_surface(overlay, &figure, height);
 		if (i == 0) {
 			overlay_draw_keys(
@@ -109,7 +98,8 @@ static void draw_over(const struct demo_driver *driver, struct demo *demo,
 	}
 	overlay_clear_depth(overlay);
 	for (int i = 0;
-		i < FIGURES_MAX && find_figure(driver, demo, i, &figure); i++) {
+		i < FIGURES_MAX && demo_find_figure(driver, demo, i, &figure);
+		i++) {
 		overlay_draw_bones(overlay, &figure, height);
 	}
 }
@@ -126,12 +116,12 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 	}
 	make_room(base, width, height);
 	if (!base->overlay || !base->overlay->kinds) {
-		driver->draw(demo, width, height);
+		demo_draw_stage(driver, demo, width, height);
 		return;
 	}
 	motion = motion_of(driver, demo);
 	overlay_begin(base->overlay, &motion, &base->stage.camera);
-	driver->draw(demo, width, height);
+	demo_draw_stage(driver, demo, width, height);
 	overlay_end(base->overlay);
 	camera_apply(&base->stage.camera, base->gl, width, height);
 	light_apply(base->gl);

@@ -15,7 +15,7 @@
 
 #include <jansson.h>
 
-#include "app/demo/demo.h"
+#include "app/demo/demo_figures.h"
 #include "platform/base/file.h"
 #include "platform/gl/gl_context.h"
 #include "tests/arm1136/marker.h"
@@ -62,7 +62,7 @@ static void draw_frames(const struct demo_driver *driver, struct demo *demo,
 		if (context->driver->begin_frame(context, pixels) != 0) {
 			exit(EXIT_FAILURE);
 		}
-		driver->draw(demo, WIDTH, HEIGHT);
+		demo_draw_stage(driver, demo, WIDTH, HEIGHT);
 		hud_begin(&hud, WIDTH, HEIGHT);
 		driver->label(demo, &hud);
 		hud_end(&hud, &context->gl);

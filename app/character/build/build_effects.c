@@ -1,15 +1,10 @@
 #include "app/character/build/build.h"
 
+#include "app/character/presets/preset_file.h"
 #include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
-#include "app/model/model_file.h"
 
-#include <errno.h>
 #include <string.h>
-
-enum {
-	PRESETS_MAX = 16
-};
 
 #define SHAKE(name) offsetof(struct character_shake, name)
 
@@ -21,7 +16,7 @@ static int read_presets(struct character_words *words,
 	struct character_build *build = words->build;
 	const char *name = character_next_word(words);
 	char path[CHARACTER_PATH_BYTES];
-	struct model_file file;
+	struct preset_file *file;
 	int error;
 
 	if (!build->text->is_file || !name ||
@@ -31,23 +26,19 @@ static int read_presets(struct character_words *words,
 			"a file is needed that lies beside this one: give %s",
 			key->right);
 	}
-	shake->preset = ARENA_ARRAY(
-		build->arena, struct procedural_preset, PRESETS_MAX);
-	if (!shake->preset) {
+	file = ARENA_NEW(build->arena, struct preset_file);
+	if (!file) {
 		return character_fail_memory(build);
 	}
-	error = model_file_read(path, NULL, build->log, &file);
+	error = preset_file_load(file, path, build->log);
 	if (error) {
 		return error;
 	}
-	shake->preset_count = procedural_presets_parse((const char *)file.data,
-		path, build->log, shake->preset, PRESETS_MAX);
-	model_file_release(&file);
-	if (shake->preset_count <= 0) {
-		return shake->preset_count < 0
-			? shake->preset_count
-			: character_fail(words, "%s has no preset", path);
+	if (file->count == 0) {
+		return character_fail(words, "%s has no preset", path);
 	}
+	shake->preset = file->preset;
+	shake->preset_count = file->count;
 	shake->swing.preset = shake->preset[0];
 	return 0;
 }

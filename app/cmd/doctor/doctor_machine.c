@@ -6,7 +6,7 @@
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/demo.h"
-#include "app/demo/preset_file.h"
+#include "app/character/presets/preset_file.h"
 #include "platform/base/file.h"
 #include "platform/camera/camera.h"
 #include "platform/gl/gl_survey.h"

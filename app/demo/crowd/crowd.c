@@ -10,9 +10,6 @@
 #include "app/demo/crowd/crowd_figure.h"
 #include "app/demo/crowd/crowd_height.h"
 #include "app/demo/demo.h"
-#include "app/scene/draw/draw.h"
-#include "app/scene/draw/matrix_gl.h"
-#include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
@@ -165,8 +162,9 @@ static struct camera camera_for(const struct demo *demo, int count)
 }
 
 /* Labels of a picture of another size leave another region free. */
-static void find_region(struct demo *demo, int width, int height)
+static void find_region(struct demo *demo)
 {
+	int width = demo->base.width, height = demo->base.height;
 	float aspect = (float)width / (float)height;
 	struct bounds bounds = bounds_of_crowd(demo, CROWD_MAX);
 
@@ -198,7 +196,7 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
 	error = actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
-	find_region(demo, env->width, env->height);
+	find_region(demo);
 	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;
 }
@@ -295,6 +293,7 @@ static void crowd_update(struct demo *demo, double time_s)
 	float step_s = (float)(time_s - demo->now_s);
 
 	demo->now_s = time_s;
+	find_region(demo);
 	move_camera(demo, step_s);
 	for (int rate = 0; rate < RATES; rate++) {
 		demo->count_at_rate[rate] = 0;
@@ -323,59 +322,21 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static void find_matrix(
-	const struct demo *demo, const struct walker *walker, mat4 out)
+static bool crowd_draw_shadow(const struct demo *demo, int number)
 {
-	crowd_figure_matrix(&demo->figure, &walker->route, &walker->position,
-		walker->drift, out);
-}
-
-static void push_position(const struct demo *demo, const struct walker *walker,
-	const struct gl *gl)
-{
-	mat4 matrix;
-
-	find_matrix(demo, walker, matrix);
-	gl->PushMatrix();
-	matrix_gl_multiply(gl, (const vec4 *)matrix);
-}
-
-static void draw_shadow(const struct demo *demo, const struct walker *walker)
-{
-	const struct gl *gl = demo->base.gl;
+	const struct walker *walker = &demo->walker[number];
 	bool small = demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX;
 
-	if (demo->figure.shadow.fits && (demo->plain_shadows || small)) {
-		crowd_shadow_draw(&demo->figure.shadow, &walker->position, gl);
-	} else {
-		push_position(demo, walker, gl);
-		draw_instance(gl, walker->instance, &demo->base.actor.textures,
-			DRAW_SHADOW);
-		gl->PopMatrix();
+	if (!demo->figure.shadow.fits || !(demo->plain_shadows || small)) {
+		return false;
 	}
-}
-
-static void crowd_draw(struct demo *demo, int width, int height)
-{
-	const struct gl *gl = demo->base.gl;
-
-	find_region(demo, width, height);
-	stage_begin(&demo->base.stage, gl, width, height);
-	stage_shadow_begin(&demo->base.stage, gl);
-	for (int i = 0; i < demo->count; i++) {
-		draw_shadow(demo, &demo->walker[i]);
-	}
-	stage_shadow_end(&demo->base.stage, gl);
-	for (int i = 0; i < demo->count; i++) {
-		push_position(demo, &demo->walker[i], gl);
-		draw_instance(gl, demo->walker[i].instance,
-			&demo->base.actor.textures, DRAW_SHADED);
-		gl->PopMatrix();
-	}
+	crowd_shadow_draw(
+		&demo->figure.shadow, &walker->position, demo->base.gl);
+	return true;
 }
 
 static bool crowd_get_figure(
-	struct demo *demo, int number, struct overlay_figure *out)
+	const struct demo *demo, int number, struct overlay_figure *out)
 {
 	const struct walker *walker;
 
@@ -384,7 +345,8 @@ static bool crowd_get_figure(
 	}
 	walker = &demo->walker[number];
 	out->instance = walker->instance;
-	find_matrix(demo, walker, out->place);
+	crowd_figure_matrix(&demo->figure, &walker->route, &walker->position,
+		walker->drift, out->place);
 	return true;
 }
 
@@ -433,14 +395,6 @@ static void crowd_label(const struct demo *demo, struct hud *hud)
 	hud_group_end(&group);
 }
 
-static void crowd_get_facts(const struct demo *demo, struct demo_facts *out)
-{
-	out->triangles = 0;
-	for (int i = 0; i < demo->count; i++) {
-		out->triangles += lod_triangles(demo->walker[i].instance);
-	}
-}
-
 static void turn(struct demo *demo, int direction)
 {
 	demo->turn = (float)direction;
@@ -468,10 +422,9 @@ const struct demo_driver demo_driver_crowd = {
 	.prepare = crowd_prepare,
 	.finish = crowd_finish,
 	.update = crowd_update,
-	.draw = crowd_draw,
+	.draw_shadow = crowd_draw_shadow,
 	.period_s = crowd_period_s,
 	.label = crowd_label,
-	.get_facts = crowd_get_facts,
 	.get_figure = crowd_get_figure,
 	.get_motion = crowd_get_motion,
 };

@@ -11,8 +11,6 @@
 #include "app/demo/demo.h"
 #include "app/demo/duel/contender.h"
 #include "app/demo/duel/duel_board.h"
-#include "app/scene/draw/draw.h"
-#include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -197,6 +195,19 @@ static void move_ground(struct demo *demo, float step_s)
 	}
 }
 
+/* All contenders get the lists of one that stands in the middle. */
+static void choose_lod(struct demo *demo)
+{
+	const struct actor *actor = &demo->base.actor;
+	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
+	float px = lod_px_per_unit(actor->instance, &demo->base.stage.camera,
+		actor->extent, demo->base.height);
+
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		lod_choose(demo->contender[i].shown, &lod, px);
+	}
+}
+
 static void duel_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
@@ -220,50 +231,12 @@ static void duel_update(struct demo *demo, double time_s)
 	}
 	reference_pose(reference, at_s, false);
 	measure_errors(demo);
+	choose_lod(demo);
 	demo->frame++;
 }
 
-static void draw_row(const struct demo *demo, enum draw_pass pass)
-{
-	const struct gl *gl = demo->base.gl;
-
-	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		gl->PushMatrix();
-		gl->Translatex(
-			fx16_from_float((float)(i - 1) * demo->spacing), 0, 0);
-		draw_instance(gl, demo->contender[i].shown,
-			&demo->base.actor.textures, pass);
-		gl->PopMatrix();
-	}
-}
-
-/* All contenders get the lists of one that stands in the middle. */
-static void choose_lod(struct demo *demo, int height)
-{
-	const struct actor *actor = &demo->base.actor;
-	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
-	float px = lod_px_per_unit(actor->instance, &demo->base.stage.camera,
-		actor->extent, height);
-
-	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		lod_choose(demo->contender[i].shown, &lod, px);
-	}
-}
-
-static void duel_draw(struct demo *demo, int width, int height)
-{
-	const struct gl *gl = demo->base.gl;
-
-	choose_lod(demo, height);
-	stage_begin(&demo->base.stage, gl, width, height);
-	stage_shadow_begin(&demo->base.stage, gl);
-	draw_row(demo, DRAW_SHADOW);
-	stage_shadow_end(&demo->base.stage, gl);
-	draw_row(demo, DRAW_SHADED);
-}
-
 static bool duel_get_figure(
-	struct demo *demo, int number, struct overlay_figure *out)
+	const struct demo *demo, int number, struct overlay_figure *out)
 {
 	if (number >= CONTENDER_KINDS) {
 		return false;
@@ -293,15 +266,6 @@ static void duel_label(const struct demo *demo, struct hud *hud)
 {
 	duel_board_show(demo->contender,
 		demo->heat_shown ? full_px[demo->scale] : 0.0f, hud);
-}
-
-static void duel_get_facts(const struct demo *demo, struct demo_facts *out)
-{
-	out->technique = "All three";
-	out->triangles = 0;
-	for (int i = 0; i < CONTENDER_KINDS; i++) {
-		out->triangles += lod_triangles(demo->contender[i].shown);
-	}
 }
 
 static void toggle_heat(struct demo *demo, int amount)
@@ -353,10 +317,9 @@ const struct demo_driver demo_driver_duel = {
 	.prepare = duel_prepare,
 	.finish = duel_finish,
 	.update = duel_update,
-	.draw = duel_draw,
 	.period_s = duel_period_s,
 	.label = duel_label,
-	.get_facts = duel_get_facts,
+	.technique = "All three",
 	.get_figure = duel_get_figure,
 	.get_motion = duel_get_motion,
 };

@@ -6,9 +6,9 @@
  * model. The bones below it are painted by the strength of their swing: red for
  * the strongest one, blue where the attenuation leaves none.
  */
+#include "app/character/presets/preset_file.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
-#include "app/demo/preset_file.h"
 #include "app/demo/tuner/tuner_bones.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "platform/base/scalar.h"
@@ -71,7 +71,7 @@ static void color_vertex(void *user, int drawable, int vertex, uint8_t rgb[3])
 {
 	const struct palette *palette = user;
 	const struct tuner_bones *bones = palette->bones;
-	int level = bones->level[bones->joint[drawable][vertex]];
+	int level = bones->level[tuner_bones_mover(bones, drawable, vertex)];
 
 	memcpy(rgb,
 		level == TUNER_OFF_CHAIN ? off_chain_rgb : palette->rgb[level],
@@ -140,7 +140,7 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	const struct character_request request = demo_env_request(env);
 	struct motions motions;
 	struct bounds bounds;
-	int error = preset_file_read(&demo->file, env->log);
+	int error = preset_file_find(&demo->file, env->log);
 
 	demo->log = env->log;
 	demo->autoplay = env->unattended;
@@ -235,12 +235,6 @@ static void tuner_update(struct demo *demo, double time_s)
 			&demo->swing[i], time_s, &actor->instance->pose);
 	}
 	actor_update(actor, &demo->base.stage.camera, demo->base.height);
-}
-
-static void tuner_draw(struct demo *demo, int width, int height)
-{
-	actor_draw(&demo->base.actor, &demo->base.stage, demo->base.gl, width,
-		height);
 }
 
 static double tuner_period_s(const struct demo *demo)
@@ -360,7 +354,7 @@ static void read_again(struct demo *demo, int amount)
 	struct preset_file file;
 
 	(void)amount;
-	if (preset_file_read(&file, demo->log) == 0 &&
+	if (preset_file_find(&file, demo->log) == 0 &&
 		demo->chosen < file.count) {
 		demo->autoplay = false;
 		*preset_of(demo) = file.preset[demo->chosen];
@@ -405,7 +399,6 @@ const struct demo_driver demo_driver_tuner = {
 	.size = sizeof(struct demo),
 	.prepare = tuner_prepare,
 	.update = tuner_update,
-	.draw = tuner_draw,
 	.period_s = tuner_period_s,
 	.label = tuner_label,
 	.get_motion = tuner_get_motion,

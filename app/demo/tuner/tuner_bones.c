@@ -6,31 +6,30 @@
 #include <stdio.h>
 #include <string.h>
 
-static int find_joints(struct tuner_bones *bones, struct arena *arena)
+int tuner_bones_mover(const struct tuner_bones *bones, int drawable, int vertex)
+{
+	const struct drawable *of = &bones->instance->drawable[drawable];
+
+	return character_sole_mover(
+		bones->instance->model, of->node, of->primitive, vertex);
+}
+
+static void find_moving(struct tuner_bones *bones)
 {
 	const struct instance *instance = bones->instance;
-	const struct model *model = instance->model;
 
 	for (int d = 0; d < instance->drawable_count; d++) {
-		const struct drawable *drawable = &instance->drawable[d];
-		int count = drawable->primitive->vertex_count;
+		int count = instance->drawable[d].primitive->vertex_count;
 
-		bones->joint[d] = ARENA_ARRAY(arena, int, (size_t)count);
-		if (!bones->joint[d]) {
-			return -ENOMEM;
-		}
 		for (int v = 0; v < count; v++) {
-			int node = character_sole_mover(
-				model, drawable->node, drawable->primitive, v);
+			int node = tuner_bones_mover(bones, d, v);
 
-			bones->joint[d][v] = node;
 			for (; node >= 0 && !bones->moves[node];
-				node = model->node[node].parent) {
+				node = instance->model->node[node].parent) {
 				bones->moves[node] = true;
 			}
 		}
 	}
-	return 0;
 }
 
 /* Parents precede their children. */
@@ -150,14 +149,12 @@ int tuner_bones_init(struct tuner_bones *bones, struct instance *instance,
 	size_t nodes = (size_t)instance->model->node_count;
 
 	*bones = (struct tuner_bones){.instance = instance, .chosen = -1};
-	bones->joint =
-		ARENA_ARRAY(arena, int *, (size_t)instance->drawable_count);
 	bones->moves = ARENA_ARRAY(arena, bool, nodes);
 	bones->level = ARENA_ARRAY(arena, int8_t, nodes);
-	if (!bones->joint || !bones->moves || !bones->level ||
-		find_joints(bones, arena) != 0) {
+	if (!bones->moves || !bones->level) {
 		return -ENOMEM;
 	}
+	find_moving(bones);
 	choose_default(bones, motions);
 	use_chosen(bones);
 	return 0;

@@ -15,7 +15,6 @@ struct tuner_bones {
 	const struct instance *instance; /* not owned */
 	int default_count;
 	int by_default[MOTION_BONES_MAX];
-	int **joint;   /* [drawable_count][vertex_count]: what moves it most */
 	bool *moves;   /* [node_count]: whether a vertex moves with the node */
 	int8_t *level; /* [node_count]: below a shaken bone, or OFF_CHAIN */
 	int deepest;   /* of the levels */
@@ -32,6 +31,9 @@ struct tuner_bones {
  */
 int tuner_bones_init(struct tuner_bones *bones, struct instance *instance,
 	const struct motions *motions);
+
+/* The bone that moves a vertex most. */
+int tuner_bones_mover(const struct tuner_bones *bones, int drawable, int vertex);
 
 /* Chooses the next bone, or the one before with step -1. */
 void tuner_bones_step(struct tuner_bones *bones, int step);

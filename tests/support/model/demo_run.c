@@ -1,5 +1,7 @@
 #include "tests/support/model/demo_run.h"
 
+#include "app/demo/demo_figures.h"
+
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
@@ -92,7 +94,7 @@ void demo_run_to(struct demo_run *run, double time_s, double rate_hz,
 void demo_run_draw(struct demo_run *run)
 {
 	gl_recorder_clear();
-	run->driver->draw(run->demo, 480, 640);
+	demo_draw_stage(run->driver, run->demo, 480, 640);
 }
 
 void demo_run_end(struct demo_run *run)

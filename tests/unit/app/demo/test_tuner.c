@@ -1,6 +1,6 @@
 /* What the buttons of the demo tuner do; test_preset_file.c tests what it saves. */
 #include "app/demo/actor.h"
-#include "app/demo/preset_file.h"
+#include "app/character/presets/preset_file.h"
 #include "tests/support/files.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
@@ -70,7 +70,7 @@ static struct overlay_motion motion_of(const struct tuner *tuner)
 static void read_saved(struct tuner *tuner, struct preset_file *file)
 {
 	press(tuner, BUTTON_ENTER);
-	assert_int_equal(preset_file_read(file, &tuner->run.log), 0);
+	assert_int_equal(preset_file_find(file, &tuner->run.log), 0);
 	assert_int_equal(file->count, 2);
 }
 

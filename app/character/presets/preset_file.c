@@ -1,4 +1,4 @@
-#include "app/demo/preset_file.h"
+#include "app/character/presets/preset_file.h"
 
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
@@ -35,55 +35,61 @@ float *preset_value(
 	return NULL;
 }
 
-int preset_file_read(struct preset_file *file, const struct log *log)
+int preset_file_load(
+	struct preset_file *file, const char *path, const struct log *log)
 {
 	struct model_file text;
+	int error = model_file_read(path, NULL, log, &text);
 	int count;
 
-	file->preset[0] = procedural_preset_default();
-	file->preset[0].unit = 0.01f;
-	file->count = 1;
-	file->path[0] = '\0';
-	if (file_find_asset(preset_file_asset, log, file->path,
-		    sizeof(file->path)) != 0) {
-		file->path[0] = '\0';
-		return 0;
+	if (error) {
+		return error;
 	}
-	count = model_file_read(file->path, NULL, log, &text);
-	if (count < 0) {
-		return count;
-	}
-	count = procedural_presets_parse((const char *)text.data, file->path,
-		log, file->preset, PRESETS_MAX);
+	count = procedural_presets_parse(
+		(const char *)text.data, path, log, file->preset, PRESETS_MAX);
 	model_file_release(&text);
-	file->count = count > 0 ? count : file->count;
+	file->count = count > 0 ? count : 0;
 	return count < 0 ? count : 0;
 }
 
-struct line {
-	const char *at;
-	size_t length;       /* without the newline */
-	const char *comment; /* or the line's end */
-	bool section;        /* begins a section */
-};
-
-static struct line read_line(const char *text)
+int preset_file_find(struct preset_file *file, const struct log *log)
 {
-	struct line line = {.at = text, .length = strcspn(text, "\n")};
-	size_t blank = strspn(text, " \t");
+	int error = 0;
 
-	line.comment = text + strcspn(text, ";#\n");
-	line.section = text[blank] == '[';
-	return line;
+	if (file_find_asset(preset_file_asset, log, file->path,
+		    sizeof(file->path)) != 0) {
+		file->path[0] = '\0';
+	} else {
+		error = preset_file_load(file, file->path, log);
+	}
+	if (!error && (!file->path[0] || file->count == 0)) {
+		file->preset[0] = procedural_preset_default();
+		file->preset[0].unit = 0.01f;
+		file->count = 1;
+	}
+	return error;
 }
 
-static bool names(const struct line *line, const char *word)
+/* Begins the next line. */
+static const char *after_line(const char *text)
 {
-	const char *at = line->at + strspn(line->at, " \t[");
+	text += strcspn(text, "\n");
+	return text + (*text == '\n');
+}
+
+/* Whether the line's first word, in brackets or not, is this one. */
+static bool names(const char *line, const char *word)
+{
+	const char *at = line + strspn(line, " \t[");
 	size_t length = strlen(word);
 
-	return strncmp(at, word, length) == 0 &&
-		strchr(" \t=]", at[length]) != NULL && at[length] != '\0';
+	return strncmp(at, word, length) == 0 && at[length] != '\0' &&
+		strchr(" \t=]", at[length]) != NULL;
+}
+
+static char first_of(const char *line)
+{
+	return line[strspn(line, " \t\r")];
 }
 
 static const float *values_of(const struct procedural_preset *preset, int key)
@@ -123,7 +129,7 @@ static void write_rest(FILE *out, const struct procedural_preset *preset,
 }
 
 /* The index of the key that the line sets, else PROCEDURAL_FIELDS. */
-static int find_key(const struct line *line)
+static int find_key(const char *line)
 {
 	int key = 0;
 
@@ -134,72 +140,65 @@ static int find_key(const struct line *line)
 	return key;
 }
 
-static void write_line(FILE *out, const struct line *line,
+static void write_line(FILE *out, const char *line,
 	const struct procedural_preset *preset, bool written[PROCEDURAL_FIELDS])
 {
 	int key = find_key(line);
+	size_t setting = strcspn(line, ";#\n");
+	int rest = (int)(strcspn(line, "\n") - setting);
 
 	if (key == PROCEDURAL_FIELDS) {
-		fprintf(out, "%.*s\n", (int)line->length, line->at);
-		return;
-	}
-	written[key] = true;
-	write_values(out, preset, key);
-	if (line->comment < line->at + line->length) {
-		fprintf(out, " %.*s",
-			(int)(line->at + line->length - line->comment),
-			line->comment);
+		fprintf(out, "%.*s", (int)strcspn(line, "\n"), line);
+	} else {
+		written[key] = true;
+		write_values(out, preset, key);
+		fprintf(out, rest > 0 ? " %.*s" : "%.*s", rest, line + setting);
 	}
 	fputc('\n', out);
 }
 
-/* Blank lines and comments before a section belong to that section. */
-static bool ends_section(const char *text)
+/* The preset's section, or the text's end. */
+static const char *find_section(const char *text, const char *name)
 {
-	while (*text) {
-		struct line line = read_line(text);
-		size_t blank = strspn(text, " \t\r");
-
-		if (line.section) {
-			return true;
-		}
-		if (blank < line.length && strchr(";#", text[blank]) == NULL) {
-			return false;
-		}
-		text += line.length + (text[line.length] == '\n');
+	while (*text && !(first_of(text) == '[' && names(text, name))) {
+		text = after_line(text);
 	}
-	return true;
+	return text;
+}
+
+/* Behind the section's last setting; comments after it belong to the next. */
+static const char *find_end(const char *section)
+{
+	const char *end = section;
+
+	for (const char *line = section; *line && first_of(line) != '[';
+		line = after_line(line)) {
+		if (strchr(";#\n", first_of(line)) == NULL) {
+			end = after_line(line);
+		}
+	}
+	return end;
 }
 
 static void rewrite(
 	FILE *out, const char *text, const struct procedural_preset *preset)
 {
 	bool written[PROCEDURAL_FIELDS] = {false};
-	bool within = false, found = false;
+	const char *section = find_section(text, preset->name);
+	const char *first = after_line(section), *end = find_end(first);
 
-	while (*text) {
-		struct line line = read_line(text);
-
-		if (within && ends_section(text)) {
-			write_rest(out, preset, written);
-			within = false;
-		}
-		if (line.section && !found && names(&line, preset->name)) {
-			within = found = true;
-		}
-		if (within) {
-			write_line(out, &line, preset, written);
-		} else {
-			fprintf(out, "%.*s\n", (int)line.length, line.at);
-		}
-		text += line.length + (text[line.length] == '\n');
+	fprintf(out, "%.*s", (int)(first - text), text);
+	if (first > text && first[-1] != '\n') {
+		fputc('\n', out);
 	}
-	if (!found) {
+	if (!*section) {
 		fprintf(out, "\n[%s]\n", preset->name);
 	}
-	if (within || !found) {
-		write_rest(out, preset, written);
+	for (const char *line = first; line < end; line = after_line(line)) {
+		write_line(out, line, preset, written);
 	}
+	write_rest(out, preset, written);
+	fputs(end, out);
 }
 
 int preset_file_save(const char *path, const struct procedural_preset *preset,

@@ -1,8 +1,8 @@
 /*
  * The file of presets for shaken bones, which people and limber edit.
  */
-#ifndef APP_DEMO_PRESET_FILE_H
-#define APP_DEMO_PRESET_FILE_H
+#ifndef APP_CHARACTER_PRESETS_PRESET_FILE_H
+#define APP_CHARACTER_PRESETS_PRESET_FILE_H
 
 #include "app/anim/procedural/procedural.h"
 #include "platform/base/log.h"
@@ -22,11 +22,18 @@ struct preset_file {
 };
 
 /*
- * Reads the presets in assets/. Without the file there is one preset, the
+ * Reads the presets at path; *file keeps its own. Returns 0, or -errno after
+ * logging an error.
+ */
+int preset_file_load(
+	struct preset_file *file, const char *path, const struct log *log);
+
+/*
+ * Finds and reads the presets in assets/. Without any there is one preset, the
  * document's. Returns 0, or -errno after logging an error if the file is
  * malformed.
  */
-int preset_file_read(struct preset_file *file, const struct log *log);
+int preset_file_find(struct preset_file *file, const struct log *log);
 
 /* A number of a preset that the tuner can change. */
 struct preset_field {

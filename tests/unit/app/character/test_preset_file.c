@@ -1,5 +1,5 @@
 /* Saving presets in their file, directly and by the tuner. */
-#include "app/demo/preset_file.h"
+#include "app/character/presets/preset_file.h"
 #include "app/model/model_file.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
@@ -138,6 +138,28 @@ static void test_the_programs_own_file_stays_as_it_is(void **state)
 	model_file_release(&own);
 }
 
+/* Of a file whose last line does not end. */
+static void test_a_section_at_the_end_gets_lines_of_its_own(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	char text[1024];
+
+	strcpy(preset.name, "one");
+	preset.speed = 12.5f;
+	write_file(bench, "[one]");
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(text, "[one]\nspeed = 12.5\n");
+	strcpy(preset.name, "two");
+	write_file(bench, "[one] ; it all");
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(text, "[one] ; it all\n\n[two]\nspeed = 12.5\n");
+}
+
 static void test_a_missing_file_is_reported(void **state)
 {
 	struct bench *bench = *state;
@@ -199,6 +221,9 @@ int main(void)
 			test_a_saved_preset_is_read_back, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_the_programs_own_file_stays_as_it_is, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_a_section_at_the_end_gets_lines_of_its_own, begin,
+			end),
 		cmocka_unit_test_setup_teardown(
 			test_a_missing_file_is_reported, begin, end),
 		cmocka_unit_test_setup_teardown(

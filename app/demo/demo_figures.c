@@ -1,0 +1,69 @@
+#include "app/demo/demo_figures.h"
+
+#include "app/demo/actor.h"
+#include "app/scene/draw/draw.h"
+#include "app/scene/draw/matrix_gl.h"
+
+#include <cglm/cglm.h>
+
+bool demo_find_figure(const struct demo_driver *driver, const struct demo *demo,
+	int number, struct overlay_figure *out)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+
+	*out = (struct overlay_figure){.instance = base->actor.instance};
+	glm_mat4_identity(out->place);
+	return driver->get_figure ? driver->get_figure(demo, number, out)
+				  : number == 0;
+}
+
+struct demo_facts demo_get_facts(
+	const struct demo_driver *driver, const struct demo *demo)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+	struct demo_facts facts = {.technique = driver->technique};
+	struct overlay_figure figure;
+
+	if (!facts.technique) {
+		facts.technique = actor_technique(base->actor.instance);
+	}
+	for (int i = 0; demo_find_figure(driver, demo, i, &figure); i++) {
+		facts.triangles += lod_triangles(figure.instance);
+	}
+	return facts;
+}
+
+static void draw_figures(const struct demo_driver *driver,
+	const struct demo *demo, enum draw_pass pass)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+	struct overlay_figure figure;
+
+	for (int i = 0; demo_find_figure(driver, demo, i, &figure); i++) {
+		if (pass == DRAW_SHADOW && driver->draw_shadow &&
+			driver->draw_shadow(demo, i)) {
+			continue;
+		}
+		base->gl->PushMatrix();
+		matrix_gl_multiply(base->gl, (const vec4 *)figure.place);
+		draw_instance(
+			base->gl, figure.instance, &base->actor.textures, pass);
+		base->gl->PopMatrix();
+	}
+}
+
+void demo_draw_stage(const struct demo_driver *driver, struct demo *demo,
+	int width, int height)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+
+	if (driver->draw) {
+		driver->draw(demo, width, height);
+		return;
+	}
+	stage_begin(&base->stage, base->gl, width, height);
+	stage_shadow_begin(&base->stage, base->gl);
+	draw_figures(driver, demo, DRAW_SHADOW);
+	stage_shadow_end(&base->stage, base->gl);
+	draw_figures(driver, demo, DRAW_SHADED);
+}

@@ -447,10 +447,12 @@ static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
 	struct bench *bench = *state;
 
 	wire(bench, 7)->holder = "heartbeat";
-	assert_null(gpio_output_open("output led", "led", "gpiochip2/7", &bench->log));
+	assert_null(gpio_output_open(
+		"output led", "led", "gpiochip2/7", &bench->log));
 	expect_warning(
 		bench, "output led: the line gpiochip2/7", "cannot be driven");
-	assert_null(gpio_output_open("output led", "led", "gpiochip9/7", &bench->log));
+	assert_null(gpio_output_open(
+		"output led", "led", "gpiochip9/7", &bench->log));
 	expect_warning(bench, "output led", "has the line gpiochip9/7");
 	gpio_output_set(NULL, true);
 	gpio_output_close(NULL);
@@ -460,11 +462,36 @@ static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
 		bench->logged.sentence[0], "18: a number needs its chip");
 }
 
+static void test_128_chips_are_looked_for(void **state)
+{
+	struct bench *bench = *state;
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+	struct gpio_output *output;
+
+	bench->gpio.chip[2].name = "gpiochip127";
+	gpiod_survey(&survey);
+	survey_capture_expect(
+		&capture, 2, SURVEY_WORKS, "/dev/gpiochip127", "label", NULL);
+	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	press_works(bench, wire(bench, 18), BUTTON_UP);
+	buttons_close(&bench->buttons);
+	output = gpio_output_open(
+		"output led", "led", "gpiochip127/7", &bench->log);
+	assert_non_null(output);
+	gpio_output_close(output);
+	bench->gpio.chip[2].name = "gpiochip128";
+	assert_null(gpio_output_open(
+		"output led", "led", "53fd0000.gpio/7", &bench->log));
+	expect_warning(bench, "output led", "has the line 53fd0000.gpio/7");
+}
+
 int gpiod_cases_run(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 	const struct CMUnitTest tests[] = {
 		CASE(test_a_line_is_found_by_label_and_offset),
+		CASE(test_128_chips_are_looked_for),
 		CASE(test_a_label_finds_its_chip_under_any_number),
 		CASE(test_a_line_is_found_by_its_name),
 		CASE(test_with_spaces_a_name_may_contain_slashes),

@@ -199,6 +199,29 @@ static void test_a_device_is_chosen_by_its_path_and_waited_for(void **state)
 	evdev_bench_expect(bench, BUTTON_UP, true);
 }
 
+static void test_a_device_that_fails_is_tried_once_a_second(void **state)
+{
+	struct evdev_bench *bench = *state;
+	struct test_path path = path_join(&bench->folder, "event0");
+
+	evdev_bench_plug_in(bench, 0, "loose contact", KEY_UP);
+	evdev_bench_open(bench, path.text);
+	bench->now_ms += 5000;
+	evdev_bench_poll(bench);
+	bench->device[0].gone = true;
+	close(bench->device[0].ours);
+	bench->device[0].ours = -1;
+	bench->logged.count = 0;
+	evdev_bench_poll(bench);
+	assert_contains(bench->logged.sentence[0], "was unplugged");
+	for (int i = 0; i < 9; i++) {
+		evdev_bench_poll(bench);
+		assert_int_equal(bench->device[0].ours, -1);
+	}
+	evdev_bench_poll(bench);
+	assert_true(bench->device[0].ours >= 0);
+}
+
 static void test_devices_without_a_mapped_key_are_not_opened(void **state)
 {
 	struct evdev_bench *bench = *state;
@@ -346,6 +369,7 @@ int main(void)
 		CASE(test_any_key_can_be_any_button),
 		CASE(test_a_device_is_chosen_by_part_of_its_name),
 		CASE(test_a_device_is_chosen_by_its_path_and_waited_for),
+		CASE(test_a_device_that_fails_is_tried_once_a_second),
 		CASE(test_devices_without_a_mapped_key_are_not_opened),
 		CASE(test_a_missing_permission_is_logged_once),
 		CASE(test_wrong_arguments_are_refused),

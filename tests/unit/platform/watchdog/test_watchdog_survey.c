@@ -119,6 +119,27 @@ static void test_a_watchdog_that_says_little_is_reported(void **state)
 	temp_dir_remove(&folder);
 }
 
+static void test_the_name_of_old_kernels_is_that_of_the_first(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path devices = path_join(&folder, "dev");
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+
+	(void)state;
+	make_watchdogs(&folder, "inactive\n");
+	write_text(&folder, "dev/watchdog", "");
+	assert_int_equal(unlink(path_join(&devices, "watchdog0").text), 0);
+	assert_int_equal(
+		unlink(path_join(&folder, "class/watchdog/watchdog1/dev").text),
+		0);
+	watchdog_survey(devices.text, &survey);
+	assert_int_equal(capture.count, 1);
+	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/watchdog",
+		"imx2+ wdt, restarts the board after 60 seconds", NULL);
+	temp_dir_remove(&folder);
+}
+
 static void test_eight_watchdogs_are_looked_for(void **state)
 {
 	struct test_path folder = temp_dir_make();
@@ -204,6 +225,8 @@ int main(void)
 		cmocka_unit_test(test_an_active_watchdog_is_taken),
 		cmocka_unit_test(test_no_watchdog_is_one_finding),
 		cmocka_unit_test(test_a_watchdog_that_says_little_is_reported),
+		cmocka_unit_test(
+			test_the_name_of_old_kernels_is_that_of_the_first),
 		cmocka_unit_test(test_eight_watchdogs_are_looked_for),
 		cmocka_unit_test(test_a_watchdog_of_root_is_denied_to_others),
 		cmocka_unit_test(test_folders_with_long_names_hold_no_watchdogs),

@@ -36,7 +36,8 @@ SEED ?= $(shell date +%s)
 mutants: build/host/limber build/test-packages.stamp
 	$(Q)$(CHECK_ENVIRONMENT) SAMPLES=$(abspath $(SAMPLES)) \
 		python3 -B tests/mutants/mutants.py --number $(N) --seed $(SEED) \
-		$(FOLDER:%=--folder %)
+		$(FOLDER:%=--folder %) $(SUITES:%=--suites %) \
+		$(SUITE_S:%=--seconds %)
 
 # make months DAYS=30 plays for a month whose hours last a second each.
 DAYS ?= 30

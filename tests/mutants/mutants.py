@@ -1,24 +1,30 @@
 #!/usr/bin/env python3
 """mutants.py [--number N] [--seed S] [--folder app/demo]...
+           [--suites REGEX] [--seconds S]
 
 Draws N mutants of app and platform (draw.py): copies of one source file with one
-small fault. Each is built in build/mutants/tree, a copy of the sources, and the
-suites of this machine that concern it run until one of them fails: the unit tests
-of its part of limber, the nearest first, then the golden pictures, the command
-line and the demos' runs. Prints each mutant, by what it was found or that it
+small fault. Each is compiled in build/mutants/tree, a copy of the sources, and
+linked in place of its object into the suites of this machine that concern it,
+until one of them fails: the unit tests of its part of limber, the golden
+pictures, the command line and the demos' runs. Suites that found a mutant of the
+same file come first, then quick ones before slow ones. --suites leaves out those
+whose names do not begin like REGEX, and --seconds those that take more than S
+seconds of a processor. Prints each mutant, by what it was found or that it
 SURVIVES, and a table by folder, which stays in build/mutants/table.
 
-A mutant that does not compile, or whose object has the same bytes as before, is
+A mutant that does not compile, or whose code has the same bytes as before, is
 drawn again. So is one that tests/mutants/equivalent.txt names: it behaves like
 the source. A suite that fails without a mutant, too, is left out, and named.
 """
 import argparse
 import collections
+import json
 import os
 import pathlib
 import random
 import re
 import resource
+import shlex
 import shutil
 import signal
 import subprocess
@@ -31,50 +37,55 @@ TOP = pathlib.Path(__file__).resolve().parents[2]
 WORK = TOP / "build/mutants"
 TREE = WORK / "tree"
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
-# The slowest suite takes 30 s of a processor.
-SUITE_CPU_S = 90
+SECONDS = WORK / "seconds.json"
+MUTANT = "build/host/mutant.o"
+PROGRAM = "build/host/mutant"
+LIBRARY = "build/host/liblimber.a"
 SUITE_S = 600
 SUITE_BYTES = 8 << 30
-# Suites that take long run last, if no other found the mutant.
-LAST = ("test_demo_runs",)
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_CPU, (SUITE_CPU_S, SUITE_CPU_S))
-    resource.setrlimit(resource.RLIMIT_AS, (SUITE_BYTES, SUITE_BYTES))
-
-
-def run(command, prepare=limit):
+def run(command, cpu_s=None):
     """Whether the command ended well, in the copy, within its limits."""
+    def limit():
+        if cpu_s:
+            resource.setrlimit(resource.RLIMIT_CPU, (cpu_s, cpu_s))
+            resource.setrlimit(resource.RLIMIT_AS, (SUITE_BYTES, SUITE_BYTES))
+
     process = subprocess.Popen(
-        command, cwd=TREE, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL, start_new_session=True, preexec_fn=prepare)
+        ["timeout", "--signal=KILL", str(SUITE_S), *command], cwd=TREE,
+        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL, start_new_session=True, preexec_fn=limit,
+        env={**os.environ, "LIMBER": PROGRAM})
     try:
-        return process.wait(SUITE_S) == 0
-    except subprocess.TimeoutExpired:
-        return False
+        return process.wait() == 0
     finally:
         try:
             os.killpg(process.pid, signal.SIGKILL)
         except ProcessLookupError:
             pass
-        process.wait()
 
 
 def make(*targets):
-    return run(["make", "-j2", "--no-print-directory", *targets], None)
+    return run(["make", "-j2", "--no-print-directory", *targets])
 
 
 def copy_tree():
-    """Copies the sources, and what was built of them, if they have changed."""
-    names = subprocess.run(
+    """Copies the sources that have changed, and what was built of them."""
+    listed = subprocess.run(
         ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
         cwd=TOP, check=True, stdout=subprocess.PIPE).stdout.split(b"\0")
-    for name in filter(None, map(os.fsdecode, names)):
+    names = {name for name in filter(None, map(os.fsdecode, listed))
+             if (TOP / name).is_file()}
+    for name in names:
         source, copy = TOP / name, TREE / name
-        if source.is_file() and not same_file(source, copy):
+        if not same_file(source, copy):
             copy.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(source, copy)
+    for copy in TREE.rglob("*"):
+        name = copy.relative_to(TREE)
+        if name.parts[0] != "build" and copy.is_file() and str(name) not in names:
+            copy.unlink()
     for part in ("host", "gen"):
         if not (TREE / "build" / part).exists():
             shutil.copytree(TOP / "build" / part, TREE / "build" / part,
@@ -87,84 +98,147 @@ def same_file(a, b):
         a.read_bytes() == b.read_bytes()
 
 
+def strip(*names):
+    """Takes the lines of the source out of objects, without a new date."""
+    run(["strip", "--strip-debug", "--preserve-dates", *names])
+
+
+def link_commands(programs):
+    """The command by which make links each program with limber's library."""
+    shown = subprocess.run(
+        ["make", "-n", "V=1", "--no-print-directory", "-W", LIBRARY, *programs],
+        cwd=TREE, check=True, stdout=subprocess.PIPE, text=True).stdout
+    lines = shown.replace("\\\n", " ").splitlines()
+    return {program: next(line for line in lines if f" -o {program} " in line)
+            for program in programs}
+
+
 class Suite:
-    """A test program or script: what make builds for it, and its command."""
+    """A test program or script: its command, the program of which PROGRAM is a
+    copy with the mutant, and what else make builds for it."""
 
-    def __init__(self, name, targets, *command):
+    def __init__(self, name, program, command, *others):
         self.name = name
-        self.targets = targets
+        self.program = program
         self.command = command
-
-    def passes(self):
-        return make(*self.targets) and run(self.command)
+        self.others = others
 
 
-def unit_suite(test):
-    program = f"build/host/unit/{test.stem}"
-    return Suite(test.stem, (program,), program)
-
-
-def suites_for(mutant):
-    """The suites that concern a mutant, those that find it soonest first."""
-    own = pathlib.PurePath(mutant.path)
+def all_suites():
     unit = TREE / "tests/unit"
-
-    def distance(test):
-        common = os.path.commonprefix((test.relative_to(unit).parent.parts,
-                                       own.parts))
-        return test.stem != f"test_{own.stem}", -len(common), test.stem
-
-    tests = sorted((unit / folder_of(mutant.path)).rglob("test_*.c"),
-                   key=distance)
-    yield from (unit_suite(test) for test in tests if test.stem not in LAST)
-    limber = ("build/host/limber",)
-    yield Suite("golden-exact", (*limber, "build/host/compare_png"),
-                "tests/golden/golden.sh", "exact", "build/golden-exact", *limber)
-    scripts = sorted((TREE / "tests/cli").glob("*.sh"),
-                     key=lambda script: (script.stem not in own.stem, script))
-    yield from (Suite(f"cli/{script.name}",
-                      (*limber, "build/host/unit/fake_gles.so"),
-                      str(script.relative_to(TREE))) for script in scripts)
-    yield from (unit_suite(test) for name in LAST
-                for test in unit.rglob(f"{name}.c"))
+    limber = "build/host/limber"
+    for test in sorted(unit.rglob("test_*.c")):
+        program = f"build/host/unit/{test.stem}"
+        yield Suite(str(test.relative_to(unit)), program, [PROGRAM])
+    yield Suite("golden-exact", limber,
+                ["tests/golden/golden.sh", "exact", "build/golden-exact", PROGRAM],
+                "build/host/compare_png")
+    for script in sorted((TREE / "tests/cli").glob("*.sh")):
+        name = str(script.relative_to(TREE / "tests"))
+        yield Suite(name, limber, [f"tests/{name}"],
+                    "build/host/unit/fake_gles.so")
 
 
 class Judge:
-    def __init__(self):
-        self.sound = set()
-        self.left_out = set()
+    """Tries mutants on the suites that take at most so many seconds of a
+    processor, which are kept for the next run."""
 
-    def finder(self, mutant):
-        """The first suite that fails, or None."""
-        for suite in suites_for(mutant):
-            if suite.name not in self.left_out and not suite.passes():
+    def __init__(self, names, most_s, paths):
+        self.most_s = most_s
+        self.seconds = json.loads(SECONDS.read_text()) if SECONDS.exists() else {}
+        self.finders = collections.Counter()
+        self.sound = set()
+        parts = tuple({folder_of(path) for path in paths})
+        self.suites = [suite for suite in all_suites()
+                       if (suite.name.startswith((*parts, "golden", "cli"))
+                           or suite.name.endswith("test_demo_runs.c"))
+                       and re.match(names, suite.name)]
+        if not make(*(name for suite in self.suites
+                      for name in (suite.program, *suite.others))):
+            sys.exit("limber: the suites cannot be built: run make")
+        strip(LIBRARY, *map(str, (TREE / "build/host/obj").rglob("*.o")))
+        self.link = link_commands({suite.program for suite in self.suites})
+
+    def concerned(self, path):
+        """The suites that concern a file, those that find its mutants soonest
+        first."""
+        part = folder_of(path)
+        words = set(re.split(r"[/_.]", path))
+
+        def order(suite):
+            common = words & set(re.split(r"[/_.]", suite.name))
+            seconds = self.seconds.get(suite.name) or 0
+            return (-self.finders[path, suite.name], int(seconds),
+                    -len(common), seconds)
+
+        return sorted((suite for suite in self.suites
+                       if suite.name.startswith((part, "golden", "cli"))
+                       or suite.name.endswith("test_demo_runs.c")), key=order)
+
+    def contain(self, suite, target=None):
+        """Links the suite's program with the mutant of an object, or without;
+        false if it replaces the object by its own."""
+        link = self.link[suite.program].replace(
+            f" -o {suite.program} ",
+            f" -o {PROGRAM} {MUTANT} " if target else f" -o {PROGRAM} ")
+        return run(shlex.split(link.replace(f" {target} ", " ")))
+
+    def passes(self, suite):
+        """Runs a suite without a mutant, and keeps how long it takes."""
+        begun = resource.getrusage(resource.RUSAGE_CHILDREN)
+        passed = self.contain(suite) and run(suite.command)
+        ended = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.seconds[suite.name] = None if not passed else (
+            ended.ru_utime - begun.ru_utime + ended.ru_stime - begun.ru_stime)
+        SECONDS.write_text(json.dumps(self.seconds))
+        if passed:
+            self.sound.add(suite)
+        else:
+            print(f"left out, as it fails without a mutant: {suite.name}",
+                  flush=True)
+            self.suites.remove(suite)
+        return passed
+
+    def finds(self, suite, target):
+        """Whether the suite is to be run, and fails with the mutant alone."""
+        if self.seconds.get(suite.name) is None and not self.passes(suite):
+            return False
+        seconds = self.seconds[suite.name]
+        return seconds <= self.most_s and self.contain(suite, target) and \
+            not run(suite.command, 5 + 5 * int(seconds)) and \
+            (suite in self.sound or self.passes(suite))
+
+    def finder(self, path, target):
+        """The first suite that finds the mutant, or None."""
+        for suite in self.concerned(path):
+            if self.finds(suite, target):
+                self.finders[path, suite.name] += 1
                 return suite
         return None
 
+    def compiled(self, mutant, target):
+        """Compiles the mutant; false if that fails or changes no byte."""
+        source, made = TREE / mutant.path, TREE / target
+        kept = {path: (path.read_bytes(), path.stat()) for path in (source, made)}
+        try:
+            source.write_text(mutant.apply(source.read_text()))
+            if not make(target):
+                return False
+            strip(target)
+            shutil.copy(made, TREE / MUTANT)
+            return made.read_bytes() != kept[made][0]
+        finally:
+            for path, (content, status) in kept.items():
+                path.write_bytes(content)
+                os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+
     def verdict(self, mutant):
         """None for a mutant that is none; otherwise (found, by what)."""
-        source = TREE / mutant.path
-        text = source.read_text()
         target = f"build/host/obj/{mutant.path[:-2]}.o"
-        before = (TREE / target).read_bytes()
-        try:
-            source.write_text(mutant.apply(text))
-            if not make(target) or (TREE / target).read_bytes() == before:
-                return None
-            suite = self.finder(mutant)
-        finally:
-            source.write_text(text)
-            make(target)
-        if suite is None:
-            return False, None
-        if suite.name not in self.sound:
-            if not suite.passes():
-                print(f"left out, as it fails without a mutant: {suite.name}",
-                      flush=True)
-                self.left_out.add(suite.name)
-                return self.verdict(mutant)
-            self.sound.add(suite.name)
-        return True, suite.name
+        if not self.compiled(mutant, target):
+            return None
+        suite = self.finder(mutant.path, target)
+        return suite is not None, suite and suite.name
 
 
 def folder_of(path):
@@ -204,6 +278,8 @@ def main():
     parser.add_argument("--number", type=int, default=100)
     parser.add_argument("--seed", type=int, default=int(time.time()))
     parser.add_argument("--folder", action="append")
+    parser.add_argument("--suites", default="")
+    parser.add_argument("--seconds", type=float, default=120)
     options = parser.parse_args()
     copy_tree()
     if not make("build/host/limber"):
@@ -216,7 +292,7 @@ def main():
           flush=True)
     random.Random(options.seed).shuffle(every)
     equivalents = known_equivalents()
-    judge = Judge()
+    judge = Judge(options.suites, options.seconds, texts)
     results = []
     while every and len(results) < options.number:
         mutant = every.pop(0)

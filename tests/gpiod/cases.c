@@ -384,23 +384,25 @@ static void test_a_survey_reports_chips_lines_and_their_users(void **state)
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
-	bench->gpio.chip[0].name = NULL;
 	bench->gpio.chip[1].error = EACCES;
+	bench->gpio.chip[2].name = "gpiochip127";
 	wire(bench, 3)->name = "KEY_ROW4";
 	wire(bench, 18)->holder = "phy-reset";
 	wire(bench, 20)->name = "LED";
 	wire(bench, 20)->holder = "leds";
 	gpiod_survey(&survey);
-	assert_int_equal(capture.count, 5);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/gpiochip1",
+	assert_int_equal(capture.count, 6);
+	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/dev/gpiochip0",
+		"label 53fa4000.gpio, 32 lines, 0 of them used", NULL);
+	survey_capture_expect(&capture, 1, SURVEY_BROKEN, "/dev/gpiochip1",
 		"no permission", "root");
-	survey_capture_expect(&capture, 1, SURVEY_WORKS, "/dev/gpiochip2",
+	survey_capture_expect(&capture, 2, SURVEY_WORKS, "/dev/gpiochip127",
 		"label 53fd0000.gpio, 32 lines, 2 of them used", NULL);
-	survey_capture_expect(&capture, 2, SURVEY_WORKS, "53fd0000.gpio/3",
+	survey_capture_expect(&capture, 3, SURVEY_WORKS, "53fd0000.gpio/3",
 		"KEY_ROW4: free", NULL);
-	survey_capture_expect(&capture, 3, SURVEY_TAKEN, "53fd0000.gpio/18",
+	survey_capture_expect(&capture, 4, SURVEY_TAKEN, "53fd0000.gpio/18",
 		"line without a name: used by phy-reset", NULL);
-	survey_capture_expect(&capture, 4, SURVEY_TAKEN, "53fd0000.gpio/20",
+	survey_capture_expect(&capture, 5, SURVEY_TAKEN, "53fd0000.gpio/20",
 		"LED: used by leds", NULL);
 	assert_false(wire(bench, 3)->requested);
 }

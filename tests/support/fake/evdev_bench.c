@@ -162,9 +162,10 @@ void evdev_bench_send(
 	struct evdev_bench *bench, int number, int type, int code, int value)
 {
 	unsigned char bytes[EVDEV_SIZE];
-	struct event_clocks clocks = event_clocks_now();
-	long time[2] = {(long)(clocks.monotonic_ns / 1000000000),
-		(long)(clocks.monotonic_ns % 1000000000 / 1000)};
+	int64_t stamp_ns = event_clocks_now().monotonic_ns -
+		(int64_t)bench->age_ms * 1000000;
+	long time[2] = {(long)(stamp_ns / 1000000000),
+		(long)(stamp_ns % 1000000000 / 1000)};
 	uint16_t words[2] = {(uint16_t)type, (uint16_t)code};
 	int32_t number_value = value;
 

@@ -34,6 +34,7 @@ struct evdev_bench {
 	struct button_source *source;
 	struct button_queue queue;
 	int64_t now_ms;
+	int age_ms; /* of the events that are sent */
 };
 
 /* For cmocka: *state is the bench. */
@@ -56,7 +57,7 @@ void evdev_bench_open(struct evdev_bench *bench, const char *argument);
 /* Polls the source 100 ms later. */
 void evdev_bench_poll(struct evdev_bench *bench);
 
-/* Sends one event of a device, stamped now. */
+/* Sends one event of a device, stamped age_ms ago. */
 void evdev_bench_send(
 	struct evdev_bench *bench, int number, int type, int code, int value);
 

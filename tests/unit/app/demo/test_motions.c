@@ -67,6 +67,20 @@ static void test_the_walkers_feet_tell_its_speeds(void **state)
 	release(&found);
 }
 
+static void test_the_instance_stays_in_the_rest_pose(void **state)
+{
+	struct found found;
+
+	(void)state;
+	find(&found, "assets/walker.glb", NULL, "none");
+	for (int i = 0; i < found.actor.model->node_count; i++) {
+		assert_memory_equal(&found.actor.instance->pose.local[i],
+			&found.actor.model->node[i].rest,
+			sizeof(struct transform));
+	}
+	release(&found);
+}
+
 /* The floor carries the drift away, so the box is that of a clip in place. */
 static void test_bounds_leave_the_drift_out(void **state)
 {
@@ -230,6 +244,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
+		cmocka_unit_test(test_the_instance_stays_in_the_rest_pose),
 		cmocka_unit_test(test_bounds_leave_the_drift_out),
 		cmocka_unit_test(test_the_character_file_tells_speeds_and_bones),
 		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),

@@ -168,6 +168,44 @@ static void test_a_held_button_goes_on_changing(void **state)
 	assert_near(file.preset[1].attenuation, 2.0, 1e-6);
 }
 
+/* Below the row of the bone there is one for each number, then the bone again. */
+static void test_each_row_changes_its_number_by_a_step(void **state)
+{
+	struct tuner *tuner = *state;
+	struct preset_file before, after;
+
+	press(tuner, BUTTON_UP);
+	press(tuner, BUTTON_UP);
+	read_saved(tuner, &before);
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		press(tuner, BUTTON_RIGHT);
+		press(tuner, BUTTON_DOWN);
+	}
+	read_saved(tuner, &after);
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		const struct preset_field *field = &preset_fields[i];
+
+		assert_near(*preset_value(&after.preset[0], field),
+			*preset_value(&before.preset[0], field) + field->step,
+			1e-5);
+	}
+	press(tuner, BUTTON_DOWN);
+	press(tuner, BUTTON_LEFT);
+	read_saved(tuner, &after);
+	assert_near(*preset_value(&after.preset[0], &preset_fields[0]),
+		*preset_value(&before.preset[0], &preset_fields[0]), 1e-5);
+	for (int i = 0; i < 2; i++) {
+		press(tuner, BUTTON_UP);
+	}
+	press(tuner, BUTTON_LEFT);
+	read_saved(tuner, &after);
+	assert_near(*preset_value(&after.preset[0],
+			    &preset_fields[PRESET_FIELDS - 1]),
+		*preset_value(
+			&before.preset[0], &preset_fields[PRESET_FIELDS - 1]),
+		1e-5);
+}
+
 #define TUNER_TEST(test) cmocka_unit_test_setup_teardown(test, begin, end)
 
 int main(void)
@@ -178,6 +216,7 @@ int main(void)
 		TUNER_TEST(test_f8_paints_the_bones_or_not),
 		TUNER_TEST(test_f6_chooses_the_next_preset),
 		TUNER_TEST(test_f9_takes_back_what_was_not_saved),
+		TUNER_TEST(test_each_row_changes_its_number_by_a_step),
 		TUNER_TEST(test_a_held_button_goes_on_changing),
 	};
 

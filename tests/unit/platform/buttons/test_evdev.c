@@ -326,6 +326,28 @@ static void test_time_stamps_become_the_programs_time(void **state)
 	assert_int_equal(event_time_ms(&clocks, 0, 900, 1000), 1000);
 }
 
+/* Polls are far apart, so presses get the times of their stamps. */
+static void test_a_press_has_the_time_of_its_stamp(void **state)
+{
+	struct evdev_bench *bench = *state;
+	struct button_event down, up;
+
+	evdev_bench_plug_in(bench, 0, "keyboard", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	bench->now_ms = 4900;
+	bench->age_ms = 600;
+	evdev_bench_key(bench, 0, KEY_UP, 1);
+	bench->age_ms = 300;
+	evdev_bench_key(bench, 0, KEY_UP, 0);
+	evdev_bench_poll(bench);
+	assert_true(button_queue_pop(&bench->queue, &down));
+	assert_true(button_queue_pop(&bench->queue, &up));
+	assert_true(down.down && !up.down);
+	/* The test itself takes time, but no seconds. */
+	assert_in_range(down.time_ms, 5000 - 600 - 3000, 5000 - 600);
+	assert_in_range(up.time_ms, down.time_ms + 299, 5000 - 300);
+}
+
 static void test_a_survey_reports_which_keys_are_buttons(void **state)
 {
 	struct evdev_bench *bench = *state;
@@ -376,6 +398,7 @@ int main(void)
 		cmocka_unit_test(test_events_of_both_sizes_are_decoded),
 		cmocka_unit_test(test_absurd_time_stamps_are_no_time),
 		cmocka_unit_test(test_time_stamps_become_the_programs_time),
+		CASE(test_a_press_has_the_time_of_its_stamp),
 		CASE(test_a_survey_reports_which_keys_are_buttons),
 	};
 #undef CASE

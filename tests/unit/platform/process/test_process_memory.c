@@ -52,6 +52,17 @@ static void test_asking_opens_no_file_for_long(void **state)
 	close(after);
 }
 
+static void test_the_file_may_be_descriptor_0(void **state)
+{
+	int kept = dup(0);
+
+	(void)state;
+	assert_int_equal(close(0), 0);
+	assert_true(process_memory_bytes() > 0);
+	assert_int_equal(dup2(kept, 0), 0);
+	close(kept);
+}
+
 static void test_it_is_0_when_no_file_can_be_opened(void **state)
 {
 	struct rlimit kept, none;
@@ -70,6 +81,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_memory_counts_when_it_is_touched),
 		cmocka_unit_test(test_asking_opens_no_file_for_long),
+		cmocka_unit_test(test_the_file_may_be_descriptor_0),
 		cmocka_unit_test(test_it_is_0_when_no_file_can_be_opened),
 	};
 

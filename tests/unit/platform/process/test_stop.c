@@ -111,15 +111,29 @@ static void test_what_is_ignored_stays_ignored(void **state)
 	signal(SIGHUP, SIG_DFL);
 }
 
+/*
+ * The seconds that are left after a signal. On a busy machine they may have
+ * passed already; then it is tried again.
+ */
+static unsigned seconds_after_a_signal(void)
+{
+	unsigned left = 0;
+
+	for (int i = 0; i < 20 && left == 0; i++) {
+		stop_catch();
+		raise(SIGTERM);
+		left = alarm(30);
+	}
+	return left;
+}
+
 static void test_the_end_must_come_within_a_second_of_the_signal(void **state)
 {
 	(void)state;
-	stop_catch();
-	raise(SIGTERM);
-	assert_int_equal(alarm(30), 1);
+	assert_int_equal(seconds_after_a_signal(), 1);
 	/* A second signal gives no more time. */
 	raise(SIGTERM);
-	assert_int_equal(alarm(30), 30);
+	assert_in_range(alarm(30), 20, 30);
 	assert_true(stop_requested());
 	assert_int_equal(alarm(30), 0);
 	stop_release();
@@ -226,5 +240,7 @@ int main(void)
 			test_a_watchdog_that_fails_is_left_and_errno_kept),
 	};
 
+	/* A second passes soon on a busy machine. */
+	signal(SIGALRM, SIG_IGN);
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,7 @@ struct drawing {
 	struct pixels pixels;
 	struct texture_set textures;
 	struct stage stage;
+	struct bounds box; /* that the camera frames */
 	bool keys;
 };
 
@@ -64,6 +65,7 @@ int drawing_create(const struct model *model, const struct bounds *box,
 	if (error) {
 		goto fail_picture;
 	}
+	drawing->box = *box;
 	error = prepare(drawing, model, box, log);
 	if (error) {
 		goto fail_context;
@@ -108,8 +110,9 @@ static float px_per_unit(const struct drawing *drawing,
 	const struct camera *camera = &drawing->stage.camera;
 	int height = drawing->pixels.height;
 
-	return drawing->keys ? lod_px_per_unit_solid(camera, extent, height)
-			     : lod_px_per_unit(instance, camera, extent, height);
+	return drawing->keys
+		? lod_px_per_unit_of_box(&drawing->box, camera, height)
+		: lod_px_per_unit(instance, camera, extent, height);
 }
 
 void drawing_draw(

@@ -1,5 +1,6 @@
 #include "app/scene/instance/instance.h"
 
+#include "app/anim/math/vec.h"
 #include "app/model/color.h"
 #include "app/model/model_deltas.h"
 #include "app/scene/draw/bump.h"
@@ -42,6 +43,30 @@ static float largest_coordinate(const struct model_primitive *primitive)
 		}
 	}
 	return largest;
+}
+
+static void measure_box(struct drawable *drawable, int target_count)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	struct bounds box = bounds_empty();
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		const float *base = primitive->position[v];
+
+		bounds_add(&box, base);
+		for (int t = 0; t < target_count; t++) {
+			float at[3];
+
+			model_deltas_get(&primitive->target[t].position, v, at);
+			vec_add_scaled(base, at, 1.0f, at);
+			bounds_add(&box, at);
+		}
+	}
+	bounds_center(&box, drawable->box_middle);
+	for (int axis = 0; axis < 3 && !bounds_is_empty(&box); axis++) {
+		drawable->box_half[axis] =
+			0.5f * (box.high[axis] - box.low[axis]);
+	}
 }
 
 static void *alloc_vectors(struct arena *arena, int count)
@@ -187,6 +212,9 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	};
 	if (drawable->primitive->influences == 0) {
 		drawable->skin = -1;
+	}
+	if (drawable->skin < 0) {
+		measure_box(drawable, mesh->target_count);
 	}
 	init_color(drawable, &model->material[drawable->primitive->material]);
 	error = init_vertices(instance, drawable);

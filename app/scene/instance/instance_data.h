@@ -117,6 +117,12 @@ struct drawable {
 			    and coarser ones use; 0: all */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
 	float vertex_scale;
+	/*
+	 * Without a skin: the middle of the box around the vertices, without
+	 * targets and with each of them at its full weight, and half its size.
+	 * In local units.
+	 */
+	float box_middle[3], box_half[3];
 
 	const float (*base_position)[3]; /* times vertex_scale */
 	const float (*base_normal)[3];   /* NULL: flat shading */

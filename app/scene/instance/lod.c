@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,9 +63,26 @@ static float depth_of(
 	return vec_dot(offset, forward);
 }
 
+/* The eye of a camera and the direction in which it looks. */
+struct view {
+	float eye[3], forward[3];
+};
+
+static struct view view_of(const struct camera *camera)
+{
+	struct view view;
+
+	camera_eye(camera, view.eye);
+	for (int axis = 0; axis < 3; axis++) {
+		view.forward[axis] = (camera->target[axis] - view.eye[axis]) /
+			camera->distance;
+	}
+	return view;
+}
+
 /* The depth of the joint nearest to the eye, at most the given depth. */
-static float nearest_joint(const struct instance *instance, const float eye[3],
-	const float forward[3], float max)
+static float nearest_joint(
+	const struct instance *instance, const struct view *view, float max)
 {
 	const struct model *model = instance->model;
 	float nearest = max;
@@ -76,21 +94,31 @@ static float nearest_joint(const struct instance *instance, const float eye[3],
 			float at[3], depth;
 
 			instance_node_position(instance, skin->joint[j], at);
-			depth = depth_of(at, eye, forward);
+			depth = depth_of(at, view->eye, view->forward);
 			nearest = depth < nearest ? depth : nearest;
 		}
 	}
 	return nearest;
 }
 
-static bool is_skinned(const struct instance *instance)
+/* The least depth of the box around a drawable without a skin. */
+static float nearest_of_box(const struct instance *instance,
+	const struct drawable *drawable, const struct view *view)
 {
-	for (int i = 0; i < instance->drawable_count; i++) {
-		if (instance->drawable[i].skin < 0) {
-			return false;
-		}
+	const vec4 *world = instance->world[drawable->node];
+	float at[3], depth;
+
+	memcpy(at, world[3], sizeof(at));
+	for (int i = 0; i < 3; i++) {
+		vec_add_scaled(at, world[i], drawable->box_middle[i], at);
 	}
-	return true;
+	vec_add_scaled((const float[3]){0, 0, 0}, at, instance->unit_scale, at);
+	depth = depth_of(at, view->eye, view->forward);
+	for (int i = 0; i < 3; i++) {
+		depth -= scalar_abs(vec_dot(world[i], view->forward)) *
+			drawable->box_half[i] * instance->unit_scale;
+	}
+	return depth;
 }
 
 static float px_per_unit_at(
@@ -106,25 +134,42 @@ static float px_per_unit_at(
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height)
 {
-	float distance = camera->distance, nearest, eye[3], forward[3];
+	struct view view = view_of(camera);
+	float nearest = FLT_MAX;
+	bool skinned = false;
 
-	if (!is_skinned(instance)) {
-		return lod_px_per_unit_solid(camera, extent, picture_height);
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		float depth;
+
+		skinned = skinned || drawable->skin >= 0;
+		if (drawable->skin < 0 && !drawable->hidden) {
+			depth = nearest_of_box(instance, drawable, &view);
+			nearest = depth < nearest ? depth : nearest;
+		}
 	}
-	camera_eye(camera, eye);
-	for (int axis = 0; axis < 3; axis++) {
-		forward[axis] = (camera->target[axis] - eye[axis]) / distance;
+	if (skinned) {
+		float depth = nearest_joint(instance, &view, camera->distance) -
+			joint_margin * extent;
+
+		nearest = depth < nearest ? depth : nearest;
 	}
-	nearest = nearest_joint(instance, eye, forward, distance);
-	return px_per_unit_at(
-		camera, nearest - joint_margin * extent, picture_height);
+	return px_per_unit_at(camera, nearest, picture_height);
 }
 
-float lod_px_per_unit_solid(
-	const struct camera *camera, float extent, int picture_height)
+float lod_px_per_unit_of_box(const struct bounds *box,
+	const struct camera *camera, int picture_height)
 {
-	return px_per_unit_at(
-		camera, camera->distance - 0.5f * extent, picture_height);
+	struct view view = view_of(camera);
+	float at[3], depth;
+
+	bounds_center(box, at);
+	depth = depth_of(at, view.eye, view.forward);
+	for (int i = 0; i < 3; i++) {
+		depth -= scalar_abs(view.forward[i]) * 0.5f *
+			(box->high[i] - box->low[i]);
+	}
+	return px_per_unit_at(camera, depth, picture_height);
 }
 
 /* The matrix's greatest scale along an axis. */

@@ -50,14 +50,15 @@ struct lod lod_relax(const struct lod *lod, float min_px);
 
 /*
  * Returns the pixels of one scene unit where the updated instance is nearest to
- * the eye. extent is the length of its longest side in scene units.
+ * the eye: its joints, and the boxes around its parts that have no skin. extent
+ * is the length of its longest side in scene units.
  */
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height);
 
-/* The same for an instance without joints, which may fill its extent. */
-float lod_px_per_unit_solid(
-	const struct camera *camera, float extent, int picture_height);
+/* The same for a box in scene units, which may not be empty. */
+float lod_px_per_unit_of_box(const struct bounds *box,
+	const struct camera *camera, int picture_height);
 
 /*
  * Chooses the triangle lists that draw the instance from now on. To avoid

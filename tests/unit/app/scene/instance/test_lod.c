@@ -157,15 +157,23 @@ static void test_half_as_far_has_twice_the_pixels(void **state)
 	float far;
 
 	(void)state;
-	camera.distance = 100.5f;
+	/* It looks at the middle of the plane, from the front. */
+	camera.target[0] = camera.target[1] = 0.5f;
+	camera.yaw_rad = camera.pitch_rad = 0.0f;
+	camera.distance = 100.0f;
 	far = lod_px_per_unit(scene.instance, &camera, 1.0f, 640);
-	camera.distance = 50.5f;
+	camera.distance = 50.0f;
 	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 640),
 		2.0f * far, 1e-3f * far);
 	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 1280),
 		4.0f * far, 1e-3f * far);
-	/* The view is 30 degrees high; the box's near side is 100 away. */
-	assert_near(far, 320.0 / (100.0 * tan(acos(-1.0) / 12.0)), 1e-2 * far);
+	assert_near(far, 320.0 / (100.0 * tan(0.5 * (double)camera.yfov_rad)),
+		1e-3 * far);
+	camera.distance = 100.0f;
+	scene.instance->pose.local[0].translation[2] = 50.0f;
+	instance_update(scene.instance);
+	assert_near(lod_px_per_unit(scene.instance, &camera, 1.0f, 640),
+		2.0f * far, 1e-3f * far);
 	end(&scene);
 }
 

@@ -393,9 +393,77 @@ static void test_no_level_changes_while_the_walker_moves(void **state)
 	demo_run_end(&run);
 }
 
+/* The least depth of any vertex, in scene units. */
+static double nearest_vertex(
+	const struct instance *instance, const struct camera *camera)
+{
+	double nearest = 1e9;
+	float eye[3];
+
+	camera_eye(camera, eye);
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			double depth = 0;
+			float at[3];
+
+			instance_world_vertex(instance, drawable, v, at);
+			for (int i = 0; i < 3; i++) {
+				depth += ((double)at[i] * instance->unit_scale -
+						 (double)eye[i]) *
+					(double)(camera->target[i] - eye[i]) /
+					(double)camera->distance;
+			}
+			nearest = depth < nearest ? depth : nearest;
+		}
+	}
+	return nearest;
+}
+
+/* From eight sides: never coarser than the nearest vertex asks for. */
+static void assert_pixels_of_the_nearest_vertex(const char *path)
+{
+	struct log nowhere = log_to_nowhere();
+	struct model *model = load(path);
+	struct camera camera = camera_default();
+	struct instance *instance;
+	struct bounds box;
+
+	assert_int_equal(
+		instance_create(model, kernel_find(NULL), &nowhere, &instance),
+		0);
+	box = bounds_of_instance(instance);
+	bounds_center(&box, camera.target);
+	camera.distance = 2.5f * bounds_extent(&box);
+	for (int i = 0; i < 8; i++) {
+		double want, got;
+
+		camera.yaw_rad = (float)i * 0.785f;
+		want = 320.0 /
+			(tan(0.5 * (double)camera.yfov_rad) *
+				nearest_vertex(instance, &camera));
+		got = (double)lod_px_per_unit(
+			instance, &camera, bounds_extent(&box), 640);
+		assert_true(got > 0.999 * want && got < 1.12 * want);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_parts_without_joints_have_the_pixels_of_their_boxes(
+	void **state)
+{
+	(void)state;
+	assert_pixels_of_the_nearest_vertex("assets/arm.glb");
+	assert_pixels_of_the_nearest_vertex("assets/face.glb");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_parts_without_joints_have_the_pixels_of_their_boxes),
 		cmocka_unit_test(test_fixed_point_draws_the_same_triangles),
 		cmocka_unit_test(test_coarser_levels_have_fewer_triangles),
 		cmocka_unit_test(test_levels_have_no_cracks),

@@ -251,7 +251,7 @@ def sources(folders):
     names = subprocess.run(["git", "ls-files", "*.c"], cwd=TOP, check=True,
                            stdout=subprocess.PIPE, text=True).stdout.split()
     return [name for name in names if name.startswith(("app/", "platform/"))
-            and not re.search(r"/arm/|gpiod/v2/", name)
+            and not re.search(r"/arm/|gpiod/v2/|instruction_count", name)
             and any(name.startswith(folder) for folder in folders)]
 
 

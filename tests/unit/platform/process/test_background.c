@@ -1,7 +1,10 @@
+#define _DEFAULT_SOURCE /* getpriority() */
+
 #include "platform/process/background.h"
 #include "tests/support/test.h"
 
 #include <stdatomic.h>
+#include <sys/resource.h>
 #include <time.h>
 
 struct task {
@@ -60,6 +63,24 @@ static void test_beginning_waits_for_the_former_task(void **state)
 	}
 }
 
+static void keep_priority(void *context)
+{
+	/* Of this thread. */
+	*(int *)context = getpriority(PRIO_PROCESS, 0);
+}
+
+static void test_the_task_has_a_lower_priority(void **state)
+{
+	struct background background = {0};
+	int before = getpriority(PRIO_PROCESS, 0), meanwhile = before;
+
+	(void)state;
+	background_begin(&background, keep_priority, &meanwhile);
+	background_wait(&background);
+	assert_int_equal(meanwhile, before + 5 < 19 ? before + 5 : 19);
+	assert_int_equal(getpriority(PRIO_PROCESS, 0), before);
+}
+
 static void test_waiting_without_a_task_returns(void **state)
 {
 	struct background background = {0};
@@ -78,6 +99,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_task_runs_beside_the_caller),
 		cmocka_unit_test(test_beginning_waits_for_the_former_task),
+		cmocka_unit_test(test_the_task_has_a_lower_priority),
 		cmocka_unit_test(test_waiting_without_a_task_returns),
 	};
 

@@ -11,11 +11,12 @@
 #include <unistd.h>
 
 static const char other[] = "nobody";
+static struct log_capture heard; /* in a child */
 
 /* The exit status of a child that becomes the user. */
 static int in_child(void (*run)(const struct log *log))
 {
-	struct log log = log_to_nowhere();
+	struct log log = log_capture_begin(&heard);
 	pid_t child = fork();
 	int status = 0;
 
@@ -34,7 +35,7 @@ static void become_other(const struct log *log)
 	uid_t uid = user->pw_uid;
 	gid_t gid = user->pw_gid;
 
-	if (user_become(other, log) != 0) {
+	if (user_become(other, log) != 0 || heard.count != 0) {
 		_exit(1);
 	}
 	if (getuid() != uid || geteuid() != uid || getgid() != gid ||

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
 	MISSES_MAX = 8,
@@ -10,7 +9,7 @@ enum {
 	MOMENTS_MAX = 600
 };
 
-/* The positions at the moments that are looked at, in a ring. */
+/* The eye-space positions at the moments that are looked at, in a ring. */
 struct window {
 	struct reference *reference;
 	const struct screen_view *screen;
@@ -29,11 +28,15 @@ static const float (*positions_of(struct window *window, int moment))[3]
 	size_t count = (size_t)reference->vertex_count;
 
 	for (; window->end <= moment; window->end++) {
+		float(*to)[3] = window->position +
+			(size_t)(window->end % window->capacity) * count;
+
 		reference_pose(
 			reference, window->grid->time_s[window->end], false);
-		memcpy(window->position +
-				(size_t)(window->end % window->capacity) * count,
-			reference->position, count * sizeof(float[3]));
+		for (size_t v = 0; v < count; v++) {
+			screen_view_to_eye(
+				window->screen, reference->position[v], to[v]);
+		}
 	}
 	return (const float(*)[3])window->position +
 		(size_t)(moment % window->capacity) * count;
@@ -69,7 +72,7 @@ static bool vertex_fits(
 		straight[axis] =
 			from[axis] + (to[axis] - from[axis]) * between->omega;
 	}
-	return screen_view_within(window->screen, between->wanted[vertex],
+	return screen_view_eyes_within(window->screen, between->wanted[vertex],
 		straight, window->bound_px);
 }
 

@@ -66,6 +66,25 @@ static void write_fixed(const struct drawable_fixed *fixed, int count,
 	}
 }
 
+static void write_skinned(const struct drawable *drawable, int count,
+	float scale, float (*position)[3])
+{
+	for (int v = 0; v < count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			position[v][axis] = scale * drawable->position[v][axis];
+		}
+	}
+}
+
+static void write_moved(const struct drawable *drawable, int count, mat3 side,
+	vec3 origin, float (*position)[3])
+{
+	for (int v = 0; v < count; v++) {
+		transform((const vec3 *)side, origin, drawable->position[v],
+			position[v]);
+	}
+}
+
 void posed_vertices_positions(
 	const struct instance *instance, float (*position)[3])
 {
@@ -79,10 +98,10 @@ void posed_vertices_positions(
 		if (drawable->fixed) {
 			write_fixed(
 				drawable->fixed, count, side, origin, position);
-		}
-		for (int v = 0; !drawable->fixed && v < count; v++) {
-			transform((const vec3 *)side, origin,
-				drawable->position[v], position[v]);
+		} else if (drawable->skin >= 0) {
+			write_skinned(drawable, count, side[0][0], position);
+		} else {
+			write_moved(drawable, count, side, origin, position);
 		}
 		position += count;
 	}
@@ -133,12 +152,25 @@ void posed_vertices_normal_matrix(const vec4 *world, mat3 out)
 	}
 }
 
+static void write_skinned_normals(
+	const struct drawable *drawable, int count, float (*normal)[3])
+{
+	memcpy(normal, drawable->normal, (size_t)count * sizeof(float[3]));
+	for (int v = 0; v < count; v++) {
+		normalize(normal[v]);
+	}
+}
+
 static void write_normals(const struct instance *instance,
 	const struct drawable *drawable, float (*normal)[3])
 {
 	int count = drawable->primitive->vertex_count;
 	mat3 turn;
 
+	if (drawable->skin >= 0 && !drawable->fixed && drawable->normal) {
+		write_skinned_normals(drawable, count, normal);
+		return;
+	}
 	posed_vertices_normal_matrix(instance->world[drawable->node], turn);
 	for (int v = 0; v < count; v++) {
 		float from[3];

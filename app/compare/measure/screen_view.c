@@ -25,17 +25,6 @@ static struct bounds box_of(
 	return box;
 }
 
-static void to_eye(
-	const struct screen_view *screen, const float point[3], float eye[3])
-{
-	const vec4 *view = screen->view;
-
-	for (int row = 0; row < 3; row++) {
-		eye[row] = view[0][row] * point[0] + view[1][row] * point[1] +
-			view[2][row] * point[2] + view[3][row];
-	}
-}
-
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height)
 {
@@ -66,7 +55,7 @@ static void find_scale(struct screen_view *screen)
 			i & 4 ? box->high[2] : box->low[2]};
 		float eye[3], square;
 
-		to_eye(screen, corner, eye);
+		screen_view_to_eye(screen, corner, eye);
 		square = eye[0] * eye[0] + eye[1] * eye[1];
 		nearest = -eye[2] < nearest ? -eye[2] : nearest;
 		aside = square > aside ? square : aside;
@@ -110,9 +99,7 @@ void screen_view_project(
 {
 	float eye[3];
 
-	to_eye(screen, point, eye);
-	/* The clip is in front of the eye, but a bad bake may leave it. */
-	eye[2] = eye[2] < -1e-3f ? eye[2] : -1e-3f;
+	screen_view_to_eye(screen, point, eye);
 	out[0] = eye[0] * screen->focal_px / -eye[2];
 	out[1] = eye[1] * screen->focal_px / -eye[2];
 }

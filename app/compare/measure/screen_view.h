@@ -39,6 +39,41 @@ struct screen_view screen_view_create(struct reference *reference,
  */
 void screen_view_frame(struct screen_view *screen, const struct bounds *box);
 
+/* One coordinate of a point in eye space. */
+static inline float screen_view_eye(
+	const struct screen_view *screen, const float point[3], int row)
+{
+	const vec4 *view = screen->view;
+
+	return view[0][row] * point[0] + view[1][row] * point[1] +
+		view[2][row] * point[2] + view[3][row];
+}
+
+/*
+ * From world space to eye space. The clip is in front of the eye; a bad bake may
+ * leave it, and stays as far away as the nearest points that are seen.
+ */
+static inline void screen_view_to_eye(
+	const struct screen_view *screen, const float point[3], float eye[3])
+{
+	float z = screen_view_eye(screen, point, 2);
+
+	eye[0] = screen_view_eye(screen, point, 0);
+	eye[1] = screen_view_eye(screen, point, 1);
+	eye[2] = z < -1e-3f ? z : -1e-3f;
+}
+
+/* Whether two points of eye space are at most px pixels apart. */
+static inline bool screen_view_eyes_within(const struct screen_view *screen,
+	const float a[3], const float b[3], float px)
+{
+	float x = a[0] * b[2] - b[0] * a[2], y = a[1] * b[2] - b[1] * a[2];
+	float most = px * a[2] * b[2];
+	float focal = screen->focal_px;
+
+	return (x * x + y * y) * focal * focal <= most * most;
+}
+
 /* Projects a point of world space: pixels right of and above the middle. */
 void screen_view_project(
 	const struct screen_view *screen, const float point[3], float out[2]);
@@ -56,11 +91,14 @@ static inline bool screen_view_within(const struct screen_view *screen,
 {
 	float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
 	float square = x * x + y * y + z * z;
-	float scale = screen->px_per_unit;
+	float scale = screen->px_per_unit, eye_a[3], eye_b[3];
 
-	return (square <= screen->near_square &&
-		       square * scale * scale <= px * px) ||
-		screen_view_distance_px(screen, a, b) <= px;
+	if (square <= screen->near_square && square * scale * scale <= px * px) {
+		return true;
+	}
+	screen_view_to_eye(screen, a, eye_a);
+	screen_view_to_eye(screen, b, eye_b);
+	return screen_view_eyes_within(screen, eye_a, eye_b, px);
 }
 
 #endif

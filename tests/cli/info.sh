@@ -46,4 +46,59 @@ check 'the JSON has the levels of detail' node -e '
         throw new Error(told.join());
     }
 ' "$out_file"
+
+# report MODEL: the whole report is that of standard input. How many bytes limber
+# takes is its own affair; that pictures are decoded to 4 bytes a pixel is not.
+report() {
+    cat >"$scratch/expected"
+    limber info "tests/fixtures/gltf/$1"
+    expect_status 0
+    sed 's|^tests/fixtures/gltf/||; /^bytes in memory/,/clips  /d' \
+        "$out_file" >"$scratch/report"
+    check 'the report' cmp "$scratch/expected" "$scratch/report"
+}
+
+report skin/and_morph.gltf <<'REPORT'
+skin/and_morph.gltf: glTF 2.0, 2 nodes, 3 vertices, 1 triangle, 1 material
+
+meshes     parts vertices triangles targets
+    0          1        3         1       2  (unnamed)
+           targets: out, up
+
+skins      joints
+    0           1  (unnamed)
+influences a vertex: 1 on 3
+
+clips      seconds  30 Hz  ticks channels  keys
+    0         1.00   30.0   4800        2     4  both
+
+REPORT
+
+limber info tests/fixtures/gltf/skin/odd_weights.gltf
+expect_out '^influences a vertex: 1 on 3 \| 2 on 1$'
+limber info tests/fixtures/gltf/skin/shared_mesh.gltf
+expect_out '^    1           3  \(unnamed\)$'
+limber info tests/fixtures/gltf/material/textures.gltf
+expect_out '^    0      2x2 with alpha  beside$'
+expect_out '^    1      1x1  inside$'
+expect_out '^    2      16x8  jpeg$'
+expect_out '^  images +532  decoded$'
+
+limber info tests/fixtures/gltf/skin/and_morph.gltf --json
+# shellcheck disable=SC2016 # JavaScript
+check 'the JSON says the same' node -e '
+    const info = JSON.parse(require("fs").readFileSync(process.argv[1]));
+    delete info.bytes;
+    const expected = {file: "tests/fixtures/gltf/skin/and_morph.gltf",
+        format: "glTF 2.0", nodes: 2, vertices: 3, triangles: 1,
+        materials: 1, joints: 1,
+        meshes: [{name: "", primitives: 1, vertices: 3, triangles: 1,
+            targets: ["out", "up"], levels: []}],
+        skins: [{name: "", joints: 1}], influences: [0, 3],
+        clips: [{name: "both", duration_s: 1, channels: 2, keys: 4}],
+        images: []};
+    if (JSON.stringify(info) !== JSON.stringify(expected)) {
+        throw new Error(JSON.stringify(info));
+    }
+' "$out_file"
 tap_done

@@ -42,6 +42,22 @@ static void test_real_clock_follows_the_machine(void **state)
 	assert_true(after_s - before_s < 5);
 }
 
+static void test_a_thread_spends_time_on_work_only(void **state)
+{
+	const struct timespec pause = {.tv_nsec = 100000000};
+	const double begun_s = clock_thread_s();
+	double slept_s, worked_s;
+
+	(void)state;
+	nanosleep(&pause, NULL);
+	slept_s = clock_thread_s() - begun_s;
+	assert_true(slept_s >= 0 && slept_s < 0.09);
+	do {
+		worked_s = clock_thread_s() - begun_s;
+	} while (worked_s < 0.02);
+	assert_true(worked_s < 5);
+}
+
 static void test_parse_reads_both_kinds(void **state)
 {
 	struct clock clock;
@@ -75,6 +91,7 @@ int main(void)
 		cmocka_unit_test(test_fixed_clock_counts_frames),
 		cmocka_unit_test(test_fixed_clock_does_not_drift),
 		cmocka_unit_test(test_real_clock_follows_the_machine),
+		cmocka_unit_test(test_a_thread_spends_time_on_work_only),
 		cmocka_unit_test(test_parse_reads_both_kinds),
 		cmocka_unit_test(test_parse_refuses_anything_else),
 	};

@@ -1,0 +1,162 @@
+/* Compares predicted costs of clips with what the timing model counted. */
+#include "app/anim/kernel/arm11_cost.h"
+#include "app/compare/cost/board_cost.h"
+#include "tests/support/model/samples.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+/*
+ * board_cost.h promises to be within 10%; skins are within 5%. In frames of
+ * fewer cycles than these, one cache miss more is 1%.
+ */
+static const double short_cycles = 12000.0;
+static const double rate_hz = 60.0;
+
+/*
+ * An average frame of tests/bench/play_cost MODEL CLIP 60 INFLUENCES on the
+ * timing model (tests/arm1136), without drawing.
+ */
+struct played {
+	const char *path, *clip;
+	int max_influences;
+	double cycles, instructions;
+	double tolerance;
+};
+
+static const struct played samples[] = {
+	{"CesiumMan.glb", "0", 0, 238861, 174142, 0.05},
+	{"CesiumMan.glb", "0", 1, 135802, 85740, 0.05},
+	{"RiggedFigure.glb", "0", 0, 67466, 32845, 0.05},
+	{"RiggedSimple.glb", "0", 0, 14546, 6111, 0.05},
+	{"AnimatedMorphCube.glb", "0", 0, 6591, 1182, 0.10},
+	{"BoxAnimated.glb", "0", 0, 7144, 973, 0.10},
+};
+
+static const struct played assets[] = {
+	{"assets/walker.glb", "walk", 0, 269410, 176455, 0.05},
+	{"assets/walker.glb", "jump", 1, 314662, 168739, 0.05},
+	{"assets/face.glb", "cycle", 0, 253534, 76915, 0.10},
+};
+
+struct bench {
+	struct log log;
+	struct model *model;
+	struct instance *instance;
+	struct arena arena;
+	struct clip_cursor cursor;
+	const struct model_clip *clip;
+};
+
+static void begin(struct bench *bench, const char *path, const char *clip,
+	const char *kernel)
+{
+	int found;
+
+	*bench = (struct bench){.log = log_to_stderr(LOG_WARNING)};
+	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
+	assert_int_equal(instance_create(bench->model, kernel_find(kernel),
+				 &bench->log, &bench->instance),
+		0);
+	bench->instance->normal_mapping = false;
+	assert_int_equal(
+		clip_cursor_init(&bench->cursor, bench->model, &bench->arena),
+		0);
+	assert_int_equal(
+		model_choose_clip(bench->model, clip, -1, &bench->log, &found),
+		0);
+	bench->clip = &bench->model->clip[found];
+}
+
+static void end(struct bench *bench)
+{
+	instance_destroy(bench->instance);
+	arena_release(&bench->arena);
+	model_destroy(bench->model);
+}
+
+static struct board_frame predict(struct bench *bench, int max_influences)
+{
+	return board_cost_clip(bench->clip, bench->instance, &bench->cursor,
+		max_influences, rate_hz);
+}
+
+static void expect_near(
+	const struct played *row, const char *what, double got, double wanted)
+{
+	if (fabs(got / wanted - 1.0) > row->tolerance) {
+		fail_msg("%s %s: %.0f %s, the model counted %.0f", row->path,
+			row->clip, got, what, wanted);
+	}
+}
+
+static void expect_row(const struct played *row, const char *path)
+{
+	struct board_frame frame;
+	struct board_cost sum;
+	struct bench bench;
+
+	begin(&bench, path, row->clip, "fixed");
+	frame = predict(&bench, row->max_influences);
+	sum = board_frame_posing(&frame);
+	expect_near(row, "cycles", sum.cycles, row->cycles);
+	if (row->cycles > short_cycles) {
+		expect_near(row, "instructions", sum.instructions,
+			row->instructions);
+	}
+	end(&bench);
+}
+
+static void test_own_clips_cost_what_the_model_counted(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(assets); i++) {
+		expect_row(&assets[i], assets[i].path);
+	}
+}
+
+static void test_samples_cost_what_the_model_counted(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(samples); i++) {
+		samples_require(samples[i].path);
+		expect_row(&samples[i], samples_path(samples[i].path).text);
+	}
+}
+
+/* A joint of each skin has a matrix of its own. */
+static void test_the_joints_of_all_skins_count(void **state)
+{
+	struct board_cost wanted;
+	struct model_skin skins[2];
+	struct board_frame frame;
+	struct bench bench;
+	struct model twice;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "walk", "fixed");
+	twice = *bench.model;
+	skins[0] = skins[1] = bench.model->skin[0];
+	twice.skin = skins;
+	twice.skin_count = 2;
+	bench.instance->model = &twice;
+	frame = predict(&bench, 0);
+	bench.instance->model = bench.model;
+	wanted = board_cost_matrices(
+		bench.model->node_count, 2 * skins[0].joint_count);
+	assert_near(frame.matrices.cycles, wanted.cycles, 1e-6);
+	assert_near(frame.matrices.instructions, wanted.instructions, 1e-6);
+	end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_own_clips_cost_what_the_model_counted),
+		cmocka_unit_test(test_samples_cost_what_the_model_counted),
+		cmocka_unit_test(test_the_joints_of_all_skins_count),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

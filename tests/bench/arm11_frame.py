@@ -20,7 +20,7 @@ STAGES = {
     "set-up": "begin bend clip counts fill_constant fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list list_small masked narrow raster small triangle view walk"
     " walk_small",
-    "pixels": "band blend_row combine_rows coverage cut depth_ways fill gray level luminance made mix"
+    "pixels": "band blend_row combine_rows coverage cut depth_ways fill level luminance made mix"
     " narrow_rows picture read rows samplers spans_565 spans_8888 tests texture tile_row"
     " thin_line tiles tint",
     "clear": "clear",

@@ -21,7 +21,6 @@ enum {
 	SOFT_UNITS = 2,
 	SOFT_LEVELS = 11, /* 1024 down to 1 */
 	SOFT_TEXTURE_SIZE_MAX = 1024,
-	SOFT_QUAD_SIDE_MAX = 128,
 	SOFT_WIDTH_MAX = 64, /* of points and lines, in pixels */
 	SOFT_MODELVIEW_DEPTH = 32,
 	SOFT_PROJECTION_DEPTH = 4,
@@ -108,11 +107,6 @@ struct level {
 	GLenum base_format; /* GL_RGB and so on, for the environment */
 	int width_log2, height_log2;
 	uint8_t *texels; /* owned; row by row, first row first */
-	/*
-	 * Of luminance up to SOFT_QUAD_SIDE_MAX: each texel with those right of it,
-	 * above and above right, from the low byte up, as it repeats; owned.
-	 */
-	uint32_t *quads;
 	struct tiles *tiles; /* of luminance, see tiles.h; or NULL; owned */
 };
 

@@ -15,11 +15,14 @@ enum {
 	SHARE_PIXELS = 8,
 };
 
-/* Pixels of a row whose values run linearly; texels are the base's, 16.16. */
+/*
+ * Pixels of a row whose values run linearly. Texels are the base's, 16.16;
+ * share, how much of 256 a texel counts, and alpha are 8.16.
+ */
 struct piece {
 	int x, count;
-	uint32_t s, t, alpha; /* of the first */
-	int32_t s_right, t_right, alpha_right;
+	uint32_t s, t, alpha, share; /* of the first */
+	int32_t s_right, t_right, alpha_right, share_right;
 };
 
 static uint32_t size_of(int32_t value)
@@ -28,31 +31,44 @@ static uint32_t size_of(int32_t value)
 }
 
 /*
- * A level plane is as deep all along a row, but for what rounding left: then one value
- * does.
+ * The same depth for all pixels of a row if rounding alone makes them differ,
+ * as in level planes.
  */
-static void write_depth(const struct draw *draw, const struct piece *piece)
+static void write_depth(uint16_t *depth, int count, uint32_t z, int32_t z_right)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-	const struct buffers *buffers = &draw->soft->buffers;
-	size_t row = (size_t)draw->raster.span.y * (size_t)buffers->width;
-	uint16_t *depth = buffers->depth + row + piece->x;
-	int32_t right = draw->raster.plane[DEPTH].dx;
-	uint32_t z;
-
-	if (!state->depth_test || !state->depth_mask) {
+	if ((uint64_t)size_of(z_right) * (uint32_t)count < 1 << 10) {
+		z += (uint32_t)(z_right * count / 2);
+		soft_fill_pixels(depth, count, (uint16_t)(z >> 10));
 		return;
 	}
-	z = plane_at(&draw->raster, DEPTH, piece->x);
-	if ((uint64_t)size_of(right) * (uint32_t)piece->count < 1 << 10) {
-		z += (uint32_t)(right * piece->count / 2);
-		soft_fill_pixels(depth, piece->count, (uint16_t)(z >> 10));
-		return;
-	}
-	for (int i = 0; i < piece->count; i++) {
+	for (int i = 0; i < count; i++) {
 		depth[i] = (uint16_t)(z >> 10);
-		z += (uint32_t)right;
+		z += (uint32_t)z_right;
 	}
+}
+
+int soft_luminance_test_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right)
+{
+	int i = 0;
+
+	for (; i < count - 1; i += 2) {
+		if (z >> 10 >= depth[i]) {
+			return i;
+		}
+		depth[i] = (uint16_t)(z >> 10);
+		z += z_right;
+		if (z >> 10 >= depth[i + 1]) {
+			return i + 1;
+		}
+		depth[i + 1] = (uint16_t)(z >> 10);
+		z += z_right;
+	}
+	if (i < count && z >> 10 < depth[i]) {
+		depth[i] = (uint16_t)(z >> 10);
+		i++;
+	}
+	return i;
 }
 
 static const struct level *choose_level(const struct draw *draw, int *number)
@@ -70,6 +86,7 @@ static const struct level *choose_level(const struct draw *draw, int *number)
 	return &input->texture->level[*number];
 }
 
+/* The piece's texels, by the table: colours, or luminance if that is varied. */
 static void shade(
 	const struct draw *draw, const struct piece *piece, uint16_t *pixel)
 {
@@ -85,7 +102,7 @@ static void shade(
 		.t = (uint32_t)((int32_t)piece->t >> number) - 0x8000,
 		.s_right = s_right,
 		.t_right = t_right,
-		.shade = draw->shade,
+		.shade = draw->by_share ? draw->luminance : draw->shade,
 		.s_end = &level->tiles->patch->s[s_right >= 0],
 		.t_end = &level->tiles->patch->t[t_right >= 0],
 		.s_pixels = soft_tile_pixels(s_right, level->width_log2),
@@ -116,48 +133,112 @@ static int share_pixels(int32_t alpha_right)
 	return count;
 }
 
-/* With one share for as many pixels as will do. */
-void soft_luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
-	uint32_t alpha, int32_t alpha_right)
+/* Mixes what is shaded into the picture, with one alpha for as many as will do. */
+static void blend(
+	const struct piece *piece, uint16_t *pixel, const uint16_t *shaded)
 {
-	int most = share_pixels(alpha_right), count;
+	uint32_t size = size_of(piece->alpha_right);
+	int most = share_pixels(piece->alpha_right), count;
 
-	for (int i = 0; i < all; i += count) {
+	for (int i = 0; i < piece->count; i += count) {
 		uint32_t middle;
 
-		count = all - i;
-		if ((uint64_t)size_of(alpha_right) * (uint32_t)count >=
-				SHARE_STEP &&
+		count = piece->count - i;
+		if ((uint64_t)size * (uint32_t)count >= SHARE_STEP &&
 			count > most) {
 			count = most;
 		}
-		middle = alpha + (uint32_t)(alpha_right * (i + count / 2));
+		middle = piece->alpha +
+			(uint32_t)piece->alpha_right * (uint32_t)(i + count / 2);
 		soft_mix_pixels(pixel + i, shaded + i, count,
 			(middle + SHARE_ROUND) >> 19);
 	}
 }
 
-static void draw_piece(struct draw *draw, const struct piece *piece)
+/* Luminance becomes gray; 255 times 65536 is below 2^24. */
+static void make_gray(const struct draw *draw, const struct piece *piece,
+	const uint16_t *luminance, uint16_t *out)
 {
-	uint16_t *pixel = (uint16_t *)(void *)pixel_at(
-		&draw->soft->buffers.target, piece->x, draw->raster.span.y);
+	const uint16_t *end = luminance + piece->count;
+	const uint32_t *gray = draw->gray;
+	uint32_t share = piece->share, right = (uint32_t)piece->share_right;
 
-	write_depth(draw, piece);
-	if (draw->blended) {
-		/* Words lie in one as they do in the other. */
-		uint16_t *shaded =
-			draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
-
-		shade(draw, piece, shaded);
-		soft_luminance_blend(pixel, shaded, piece->count, piece->alpha,
-			piece->alpha_right);
-	} else {
-		shade(draw, piece, pixel);
+	while (luminance < end) {
+		*out++ = (uint16_t)gray[*luminance++ * (share >> 8) >> 16];
+		share += right;
 	}
 }
 
-/* n^2 of the slope of q is below q. */
-int soft_luminance_find_length(const struct draw *draw, const struct point *from)
+static void draw_visible(struct draw *draw, const struct piece *piece)
+{
+	uint16_t *pixel = (uint16_t *)(void *)pixel_at(
+		&draw->soft->buffers.target, piece->x, draw->raster.span.y);
+	/* Words lie in one as they do in the other. */
+	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
+
+	shade(draw, piece, draw->by_share || draw->blended ? aside : pixel);
+	if (draw->by_share) {
+		make_gray(draw, piece, aside, draw->blended ? aside : pixel);
+	}
+	if (draw->blended) {
+		blend(piece, pixel, aside);
+	}
+}
+
+/* To where so many pixels of it are over. */
+static void move_on(struct piece *piece, int pixels)
+{
+	uint32_t n = (uint32_t)pixels;
+
+	piece->x += pixels;
+	piece->s += (uint32_t)piece->s_right * n;
+	piece->t += (uint32_t)piece->t_right * n;
+	piece->alpha += (uint32_t)piece->alpha_right * n;
+	piece->share += (uint32_t)piece->share_right * n;
+}
+
+/* The parts of a piece that are nearer than what is there. */
+static void draw_tested(
+	struct draw *draw, const struct piece *piece, uint16_t *depth)
+{
+	const struct raster *raster = &draw->raster;
+
+	struct piece part = *piece;
+
+	for (int left = piece->count; left > 0; left -= part.count + 1) {
+		part.count = soft_luminance_test_depth(depth, left,
+			plane_at(raster, DEPTH, part.x),
+			(uint32_t)raster->plane[DEPTH].dx);
+		if (part.count > 0) {
+			draw_visible(draw, &part);
+		}
+		depth += part.count + 1;
+		move_on(&part, part.count + 1);
+	}
+}
+
+static void draw_piece(struct draw *draw, const struct piece *piece)
+{
+	const struct raster *raster = &draw->raster;
+	const struct buffers *buffers = &draw->soft->buffers;
+	uint16_t *depth = buffers->depth + piece->x +
+		(size_t)raster->span.y * (size_t)buffers->width;
+	uint32_t bits = draw->key.bits;
+
+	if (bits & KEY_DEPTH_LESS) {
+		draw_tested(draw, piece, depth);
+		return;
+	}
+	if (bits & KEY_DEPTH_TEST && draw->soft->fragment.depth_mask) {
+		write_depth(depth, piece->count,
+			plane_at(raster, DEPTH, piece->x),
+			raster->plane[DEPTH].dx);
+	}
+	draw_visible(draw, piece);
+}
+
+/* How many pixels may run linearly from there: n^2 of the slope of q is below q. */
+static int find_length(const struct draw *draw, const struct point *from)
 {
 	const struct raster *raster = &draw->raster;
 	uint32_t slope, n = LUMINANCE_RUN;
@@ -201,37 +282,47 @@ static int32_t level_step(
 		name >= TEX_S ? raster->tex_shift[name - TEX_S] + 8 : 24);
 }
 
-static void set_start(struct piece *piece, const struct point *from)
+/* Of 255 parts into 256; the half that planes have rounds. */
+static int32_t to_share(int32_t color_q16)
 {
+	return (int32_t)((uint32_t)color_q16 + (uint32_t)(color_q16 >> 8));
+}
+
+static void start_piece(const struct point *from, int x, struct piece *piece)
+{
+	piece->x = x;
 	piece->s = (uint32_t)from->value[TEX_S];
 	piece->t = (uint32_t)from->value[TEX_S + 1];
 	piece->alpha = (uint32_t)from->value[ALPHA];
+	piece->share = (uint32_t)to_share(from->value[RED]);
 }
 
-static void level_row(struct draw *draw, const struct point *from, int left,
-	int right, bool fading)
+static void level_row(
+	struct draw *draw, const struct point *from, int left, int right)
 {
-	struct piece piece = {
-		.x = left,
-		.s_right = level_step(draw, from, TEX_S),
-		.t_right = level_step(draw, from, TEX_S + 1),
-		.alpha_right = fading ? level_step(draw, from, ALPHA) : 0,
-	};
+	uint32_t moving = draw->raster.moving_bits;
+	struct piece piece;
 
-	set_start(&piece, from);
-	for (int left_over; piece.x < right; piece.x += LUMINANCE_RUN) {
-		left_over = right - piece.x;
-		piece.count =
-			left_over < LUMINANCE_RUN ? left_over : LUMINANCE_RUN;
+	start_piece(from, left, &piece);
+	piece.s_right = level_step(draw, from, TEX_S);
+	piece.t_right = level_step(draw, from, TEX_S + 1);
+	piece.alpha_right =
+		moving >> ALPHA & 1 ? level_step(draw, from, ALPHA) : 0;
+	piece.share_right =
+		moving >> RED & 1 ? to_share(level_step(draw, from, RED)) : 0;
+	for (; piece.x < right; move_on(&piece, piece.count)) {
+		piece.count = right - piece.x < LUMINANCE_RUN ? right - piece.x
+							      : LUMINANCE_RUN;
 		draw_piece(draw, &piece);
-		piece.s += (uint32_t)piece.s_right * LUMINANCE_RUN;
-		piece.t += (uint32_t)piece.t_right * LUMINANCE_RUN;
-		piece.alpha += (uint32_t)piece.alpha_right * LUMINANCE_RUN;
 	}
 }
 
-int32_t soft_luminance_share_out(const struct draw *draw, int32_t all, int steps)
+/* A step of so many that lead from one value to another. */
+static int32_t share_out(
+	const struct draw *draw, int32_t from, int32_t to, int steps)
 {
+	int32_t all = (int32_t)((uint32_t)to - (uint32_t)from);
+
 	return steps < 2
 		? all
 		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
@@ -241,26 +332,28 @@ static void bent_row(
 	struct draw *draw, const struct point *begin, int left, int right)
 {
 	struct point from = *begin, to;
-	int length = soft_luminance_find_length(draw, &from);
+	int length = find_length(draw, &from);
 
 	for (int x = left; x < right; x += length) {
-		int count = right - x < length ? right - x : length;
 		/* Up to the last pixel, which still is inside. */
-		int steps = right - x > length ? length : count - 1;
-		struct piece piece = {.x = x, .count = count};
+		int steps = right - x > length ? length : right - x - 1;
 		const int32_t *at = from.value;
+		struct piece piece;
 
+		start_piece(&from, x, &piece);
+		piece.count = right - x < length ? right - x : length;
 		to = from;
 		if (steps > 0) {
 			soft_rows_find_point(draw, x + steps, &to);
 		}
-		set_start(&piece, &from);
-		piece.s_right = soft_luminance_share_out(
-			draw, to.value[TEX_S] - at[TEX_S], steps);
-		piece.t_right = soft_luminance_share_out(
-			draw, to.value[TEX_S + 1] - at[TEX_S + 1], steps);
-		piece.alpha_right = soft_luminance_share_out(
-			draw, to.value[ALPHA] - at[ALPHA], steps);
+		piece.s_right =
+			share_out(draw, at[TEX_S], to.value[TEX_S], steps);
+		piece.t_right = share_out(
+			draw, at[TEX_S + 1], to.value[TEX_S + 1], steps);
+		piece.alpha_right =
+			share_out(draw, at[ALPHA], to.value[ALPHA], steps);
+		piece.share_right = to_share(
+			share_out(draw, at[RED], to.value[RED], steps));
 		draw_piece(draw, &piece);
 		from = to;
 	}
@@ -270,11 +363,10 @@ static void draw_row(struct draw *draw, int y, int left, int right)
 {
 	struct raster *raster = &draw->raster;
 	struct point from;
-	/* Coordinates are last. */
-	bool fading = raster->moving[0] == ALPHA;
 
 	raster->span.y = y;
-	/* Where it does not move. */
+	/* Where they do not move. */
+	from.value[RED] = (int32_t)raster->span.value[RED];
 	from.value[ALPHA] = (int32_t)raster->span.value[ALPHA];
 	soft_rows_find_point(draw, left, &from);
 	/* Every fourth row, and in the triangle's first one. */
@@ -283,16 +375,22 @@ static void draw_row(struct draw *draw, int y, int left, int right)
 		raster->first_row = false;
 	}
 	if (is_level(draw, &from, right - left)) {
-		level_row(draw, &from, left, right, fading);
+		level_row(draw, &from, left, right);
 	} else {
 		bent_row(draw, &from, left, right);
 	}
 }
 
+/* Of halves of 127ths, 0 to 255. */
+static uint32_t luminance_of(uint32_t halves)
+{
+	return (halves * 257 + 128) >> 8;
+}
+
 static void make_shades(struct draw *draw, const uint32_t color[3])
 {
 	for (uint32_t i = 0; i < 255; i++) {
-		uint32_t luminance = (i * 257 + 128) >> 8;
+		uint32_t luminance = luminance_of(i);
 		int c[3];
 
 		for (int k = 0; k < 3; k++) {
@@ -305,35 +403,84 @@ static void make_shades(struct draw *draw, const uint32_t color[3])
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
 
-/* Whether the triangle has one colour, which is taken. */
-static bool begin(struct draw *draw)
+static bool is_same_plane(const struct plane *a, const struct plane *b)
 {
-	const struct raster *raster = &draw->raster;
-	uint32_t color[3];
+	return a->start == b->start && a->dx == b->dx && a->dy == b->dy;
+}
+
+/* Whether red, green and blue are the same all over. */
+static bool is_gray(const struct raster *raster)
+{
+	const uint32_t colors = 7u << RED;
+	const struct plane *plane = raster->plane;
+	const uint32_t *still = raster->span.value;
+
+	if ((raster->moving_bits & colors) == 0) {
+		return still[RED] == still[GREEN] && still[RED] == still[BLUE];
+	}
+	return (raster->moving_bits & colors) == colors &&
+		is_same_plane(&plane[RED], &plane[GREEN]) &&
+		is_same_plane(&plane[RED], &plane[BLUE]);
+}
+
+/* Red stands for all three colours. */
+static void leave_green_and_blue(struct raster *raster)
+{
+	int count = 0;
 
 	for (int i = 0; i < raster->moving_count; i++) {
-		if (raster->moving[i] <= BLUE) {
-			return false;
+		if (raster->moving[i] != GREEN && raster->moving[i] != BLUE) {
+			raster->moving[count++] = raster->moving[i];
 		}
 	}
-	for (int i = 0; i < 3; i++) {
-		color[i] = raster->span.value[RED + i];
+	raster->moving_count = count;
+}
+
+/*
+ * Whether the triangle is taken: in one colour, or in gray. Of gray ground that is
+ * tested each triangle has another, for which a table each would take too long.
+ */
+static bool begin(struct draw *draw)
+{
+	struct raster *raster = &draw->raster;
+	bool still = (raster->moving_bits & 7u << RED) == 0;
+	bool gray = is_gray(raster);
+
+	if (!still && !gray) {
+		return false;
 	}
-	draw->raster.first_row = true;
-	if (memcmp(color, draw->shade_color, sizeof(color)) != 0) {
-		make_shades(draw, color);
+	raster->first_row = true;
+	draw->by_share = !still || (gray && draw->key.bits & KEY_DEPTH_LESS);
+	if (!still) {
+		leave_green_and_blue(raster);
+	} else if (!draw->by_share &&
+		memcmp(raster->span.value, draw->shade_color,
+			sizeof(draw->shade_color)) != 0) {
+		make_shades(draw, raster->span.value);
 	}
 	return true;
+}
+
+void soft_luminance_init(struct draw *draw)
+{
+	draw->shade_color[0] = UINT32_MAX; /* no colour */
+	for (uint32_t i = 0; i < 255; i++) {
+		draw->luminance[i] = luminance_of(i);
+	}
+	for (int i = 0; i < 256; i++) {
+		draw->gray[i] = pack_565(i, i, i);
+	}
 }
 
 /* To the next row: what those take. */
 static void next_row(struct draw *draw)
 {
-	static const int taken[] = {ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
+	static const int taken[] = {
+		RED, ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
 	struct plane *plane = draw->raster.plane;
 
 	/* Some have no plane, but nobody asks for it then. */
-	for (int i = 0; i < 5; i++) {
+	for (int i = 0; i < 6; i++) {
 		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
 	}
 }

@@ -1,32 +1,25 @@
 /*
- * Rows of large triangles with a luminance texture in one colour, opaque or
- * blended by alpha, into RGB565.
+ * Rows of large triangles with a luminance texture that repeats, in one colour
+ * or in shades of gray that vary, opaque or blended by alpha, into RGB565.
+ * Depth is tested LESS, or not at all.
  *
- * The four texels around a centre lie in one word (struct level, quads), so a
- * bilinear texel is one load, and equal texels are seen at once. A table has
- * the colours that the 256 shades become.
+ * The four texels around a centre lie in one word (tiles.h), and pixels in a
+ * patch of equal texels are found at once. Tables have the colours that
+ * luminance becomes.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_LUMINANCE_H
 #define PLATFORM_GL_SOFT_FAST_LUMINANCE_H
 
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/raster/rows.h"
 
-/* For gray.c: */
-
-/* How many pixels may run linearly from there. */
-int soft_luminance_find_length(
-	const struct draw *draw, const struct point *from);
+/* Once: the tables of luminance and of grays. */
+void soft_luminance_init(struct draw *draw);
 
 /*
- * Mixes what is shaded aside into the picture, by alpha of 8.16; words lie in
- * one as they do in the other.
+ * Tests depth LESS, and writes it, until one fails; how many passed. z has 10
+ * bits of fraction.
  */
-void soft_luminance_blend(uint16_t *pixel, const uint16_t *shaded, int all,
-	uint32_t alpha, int32_t alpha_right);
-
-/* A step of so many that lead over all of it. */
-int32_t soft_luminance_share_out(
-	const struct draw *draw, int32_t all, int steps);
+int soft_luminance_test_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 #endif

@@ -75,10 +75,9 @@ static const struct soft_path path[] = {
 		.divides_together = true,
 	},
 	{
-		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_LESS |
-			KEY_TEXTURE_SQUARE,
-		.bits = KEY_565 | TILES | KEY_DEPTH_LESS | KEY_TEXTURE_SQUARE,
-		.fill = soft_fill_gray,
+		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_LESS,
+		.bits = KEY_565 | TILES | KEY_DEPTH_LESS,
+		.fill = soft_fill_luminance,
 		.divides_together = true,
 	},
 	{

@@ -325,7 +325,6 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* The paths of fast/, each in a file of its name; fast/paths.c chooses. */
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
-void soft_fill_gray(struct draw *draw, struct setup *setup);
 void soft_fill_picture(struct draw *draw, struct setup *setup);
 void soft_fill_constant(struct draw *draw, struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);

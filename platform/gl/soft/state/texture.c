@@ -20,7 +20,6 @@ static void free_levels(struct texture *texture)
 {
 	for (int i = 0; i < SOFT_LEVELS; i++) {
 		free(texture->level[i].texels);
-		free(texture->level[i].quads);
 		free(texture->level[i].tiles);
 	}
 }
@@ -302,40 +301,6 @@ static int size_log2(GLsizei size)
 	return -1;
 }
 
-static void fill_quads(struct level *level)
-{
-	int width = 1 << level->width_log2, height = 1 << level->height_log2;
-	const uint8_t *texels = level->texels;
-
-	for (int y = 0; y < height && level->quads; y++) {
-		const uint8_t *row = texels + y * width;
-		const uint8_t *next = texels + (y + 1) % height * width;
-
-		for (int x = 0; x < width; x++) {
-			int right = (x + 1) % width;
-
-			level->quads[y * width + x] = row[x] |
-				(uint32_t)row[right] << 8 |
-				(uint32_t)next[x] << 16 |
-				(uint32_t)next[right] << 24;
-		}
-	}
-}
-
-/* Luminance goes without, slower, where memory is short. */
-static void make_quads(struct level *level)
-{
-	size_t width = (size_t)1 << level->width_log2;
-	size_t height = (size_t)1 << level->height_log2;
-
-	if (level->format == TEXEL_L8 && width <= SOFT_QUAD_SIDE_MAX &&
-		height <= SOFT_QUAD_SIDE_MAX) {
-		level->quads = calloc(width * height, sizeof(*level->quads));
-		fill_quads(level);
-		soft_tiles_update(level);
-	}
-}
-
 static void define_level(struct soft *soft, struct level *level,
 	const struct transfer *transfer, GLsizei width, GLsizei height,
 	const void *pixels)
@@ -346,7 +311,6 @@ static void define_level(struct soft *soft, struct level *level,
 	const struct rectangle all = {0, 0, width, height};
 
 	free(level->texels);
-	free(level->quads);
 	free(level->tiles);
 	*level = (struct level){0};
 	if (width == 0 || height == 0) {
@@ -364,7 +328,6 @@ static void define_level(struct soft *soft, struct level *level,
 	if (pixels) {
 		copy_rows(soft, transfer, level, &all, pixels);
 	}
-	make_quads(level);
 	soft_tiles_make(level);
 }
 
@@ -434,7 +397,6 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	}
 	if (pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
-		fill_quads(level);
 		soft_tiles_update(level);
 	}
 }

@@ -22,7 +22,6 @@
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/key.h"
-#include "platform/gl/soft/vertex/shade.h"
 #include "platform/gl/soft/vertex/shading.h"
 
 enum {
@@ -205,12 +204,6 @@ struct view {
 	uint32_t dir_lights;
 };
 
-/* gray.c's triangle under way. */
-struct gray_rows {
-	struct shade_run run; /* of the row */
-	bool shaded, fading;  /* its gray and its alpha move */
-};
-
 /*
  * Slots of the vertex cache by what their vertices are made of, and triangles
  * as lists of slots; arm/dedup.S knows the offsets.
@@ -298,11 +291,11 @@ struct draw {
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
 	struct raster raster;
-	uint32_t shade_color[3]; /* that shade[] is made for; see luminance.h */
-	uint32_t shade[255];
-	uint16_t shaded[LUMINANCE_RUN + 1]; /* luminance.c's, to be blended */
-	struct gray_rows gray_rows;
-	uint32_t gray[256]; /* two pixels of each shade of gray; see gray.h */
+	/* luminance.c's: halves of 127ths as colours of shade_color and 0 to 255 */
+	uint32_t shade_color[3], shade[255], luminance[255];
+	uint32_t gray[256]; /* pixels of each shade of gray */
+	bool by_share;      /* the triangle under way has shades of gray */
+	uint16_t shaded[LUMINANCE_RUN + 1]; /* to be varied or blended */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];

@@ -97,11 +97,9 @@ static uint32_t find_texture(const struct texture_input *input)
 	return KEY_TEXTURE | find_filter(texture) |
 		bit_if(base->format == TEXEL_565, KEY_TEXTURE_565) |
 		bit_if(base->format == TEXEL_A8, KEY_TEXTURE_ALPHA) |
-		bit_if(base->quads && base->tiles && input->width_log2 > 0 &&
+		bit_if(base->tiles && input->width_log2 > 0 &&
 				input->height_log2 > 0,
 			KEY_TEXTURE_TILES) |
-		bit_if(input->width_log2 == input->height_log2,
-			KEY_TEXTURE_SQUARE) |
 		bit_if(input->env->mode == GL_MODULATE, KEY_MODULATE) |
 		bit_if(input->env->mode == GL_REPLACE, KEY_REPLACE) |
 		bit_if(texture->wrap_s == GL_REPEAT &&

@@ -1,5 +1,5 @@
 /* What a draw call needs, from the state. */
-#include "platform/gl/soft/fast/gray.h"
+#include "platform/gl/soft/fast/luminance.h"
 #include "platform/gl/soft/fast/paths.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -332,8 +332,7 @@ void soft_init_scratch(struct draw *draw)
 	/* 4 (1 + 65533 (z/w + 1) / 2) */
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
-	draw->shade_color[0] = UINT32_MAX; /* no colour */
-	soft_gray_init(draw);
+	soft_luminance_init(draw);
 	draw->inverse_q31[0] = INT32_MAX;
 	draw->inverse_q31[1] = INT32_MAX;
 	for (int i = 2; i <= SMALL_EXTENT; i++) {

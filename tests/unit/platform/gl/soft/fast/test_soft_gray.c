@@ -4,7 +4,7 @@
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/gray.h"
+#include "platform/gl/soft/fast/luminance.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "tests/support/gl/soft_scene.h"
@@ -13,6 +13,7 @@
 #include "tests/support/soft/reference.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -125,8 +126,8 @@ static void test_stencils_shade_what_the_long_way_does(void **state)
 	assert_true(counted > 10000);
 }
 
-/* Fields of one shade and lines between them, in all levels. */
-static void make_tiles(const struct gl *gl)
+/* Fields of one shade and lines between them, in all levels; low ones are flat. */
+static void make_tiles(const struct gl *gl, bool low)
 {
 	uint8_t texel[TILE * TILE];
 	GLuint name;
@@ -137,14 +138,16 @@ static void make_tiles(const struct gl *gl)
 		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
 	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
 	for (int level = 0, side = TILE; side; level++, side /= 2) {
-		for (int i = 0; i < side * side; i++) {
+		int height = low && side > 1 ? side / 2 : side;
+
+		for (int i = 0; i < side * height; i++) {
 			int x = i % side, y = i / side;
 
 			texel[i] = x % 8 == 0 || y % 8 == 0 ? 190
 				: (x ^ y) & 8               ? 230
 							    : 255;
 		}
-		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, side,
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, height,
 			0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texel);
 	}
 }
@@ -180,21 +183,22 @@ static void make_hills(struct soft_corner *corner, uint32_t *seed)
 }
 
 static void draw_hills(struct soft_scene *scene,
-	const struct soft_corner *corner, bool blended, bool long_way)
+	const struct soft_corner *corner, uint32_t round, bool long_way)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
 
 	soft_scene_use(scene, long_way);
-	make_tiles(gl);
+	make_tiles(gl, round % 3 == 2);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	gl->MatrixMode(GL_PROJECTION);
 	gl->LoadIdentity();
 	gl->Frustumx(-FX16_ONE / 16, FX16_ONE / 16, -FX16_ONE / 16,
 		FX16_ONE / 16, FX16_ONE / 8, FX16_ONE * 40);
 	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(round % 8 < 6 ? GL_LESS : GL_ALWAYS);
 	gl->Enable(GL_TEXTURE_2D);
-	(blended ? gl->Enable : gl->Disable)(GL_BLEND);
+	(round % 2 ? gl->Enable : gl->Disable)(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_COLOR_ARRAY);
@@ -203,6 +207,17 @@ static void draw_hills(struct soft_scene *scene,
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	gl->DrawArrays(GL_TRIANGLES, 0, HILLS * HILLS * 6);
+}
+
+/* Rows that are nearly level get one depth where they are not tested. */
+static void check_depth(
+	const struct soft *fast_setup, const struct soft *slow, bool tested)
+{
+	for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
+		int off = fast_setup->buffers.depth[i] - slow->buffers.depth[i];
+
+		assert_true(abs(off) <= !tested);
+	}
 }
 
 /*
@@ -221,12 +236,12 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 		int seen = 0, other = 0, far = 0;
 
 		make_hills(corner, &seed);
-		draw_hills(fast_setup, corner, round % 2, false);
-		draw_hills(slow, corner, round % 2, true);
-		assert_ptr_equal(fast_setup->soft->draw->fill, soft_fill_gray);
+		draw_hills(fast_setup, corner, round, false);
+		draw_hills(slow, corner, round, true);
+		assert_ptr_equal(
+			fast_setup->soft->draw->fill, soft_fill_luminance);
 		assert_ptr_equal(slow->soft->draw->fill, reference_fill);
-		assert_memory_equal(fast_setup->soft->buffers.depth,
-			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);
+		check_depth(fast_setup->soft, slow->soft, round % 8 < 6);
 		for (int i = 0; i < SOFT_SCENE_PIXELS; i++) {
 			int step = soft_scene_steps(
 				fast_setup->pixel[i], slow->pixel[i]);
@@ -354,7 +369,7 @@ static void test_depth_is_tested_up_to_the_first_that_fails(void **state)
 				twins->depth[1][i % TWINS_PIXELS] = 65535;
 			}
 		}
-		passed = soft_gray_depth(
+		passed = soft_luminance_test_depth(
 			twins->depth[0] + 64 + round % 2, count, z, step);
 		assert_int_equal(passed,
 			test_depth(twins->depth[1] + 64 + round % 2, count, z,

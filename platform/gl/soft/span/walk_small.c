@@ -228,6 +228,7 @@ static void draw_list(const struct small_list *list)
 {
 	struct soft_spans *spans = &list->draw->spans;
 	struct soft_run *run = &spans->run;
+	const uint8_t *first_texel = run->first_texel;
 
 	run->rows = list->row;
 	run->row_count = (uint32_t)(list->end - list->row);
@@ -235,6 +236,8 @@ static void draw_list(const struct small_list *list)
 	spans->draw(run);
 	run->rows = &run->row;
 	run->row_count = 1;
+	/* A triangle of the same level keeps the window that this belongs to. */
+	run->first_texel = first_texel;
 }
 
 void soft_walk_small(struct small_list *list, const struct setup *setup)

@@ -277,6 +277,26 @@ static void test_spans_of_8888_are_those_of_fragments(void **state)
 	check(PIXELS_RGBA8888);
 }
 
+/*
+ * A clipped triangle, whose first part is small and reads a part of its level:
+ * the second part, in perspective, reads the whole level.
+ */
+static void test_a_small_triangle_leaves_the_next_its_level(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		const enum pixel_format format =
+			i ? PIXELS_RGBA8888 : PIXELS_RGB565;
+		const uint32_t seed = 152906;
+		struct span_scene *fast = draw(format, seed * 7919, false);
+		struct span_scene *slow = draw(format, seed * 7919, true);
+
+		assert_true(span_scene_compare(fast, slow, seed) > 0);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+}
+
 static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
@@ -316,6 +336,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
+		cmocka_unit_test(
+			test_a_small_triangle_leaves_the_next_its_level),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 	};
 

@@ -71,10 +71,10 @@ static void write_depths(const struct draw *draw)
 }
 
 /*
- * LESS, but not written, or with colours that are blended last: where the
- * function changes a depth, it draws.
+ * Depths that are not written, or colours that are blended last: where the
+ * function changes a depth by LESS, it draws.
  */
-static void draw_less(
+static void draw_beside(
 	struct soft_spans *spans, soft_span_function function, bool writes)
 {
 	struct soft_run *run = &spans->run;
@@ -162,45 +162,6 @@ static void draw_tested(
 	write_depths(draw);
 }
 
-/*
- * At most what is there is less than one more. No fragment's depth is 65535,
- * see soft_depth_units(), so that where 65535 is there nothing is lost. Depths
- * go two at a time; one behind the run is left as it is.
- */
-static void draw_at_most(struct draw *draw, soft_span_function function)
-{
-	struct soft_spans *spans = &draw->spans;
-	struct soft_run *run = &spans->run;
-	uint8_t *depth = (uint8_t *)run->row.depth;
-	uint32_t pairs = run->row.count / 2, odd = run->row.count % 2;
-	uint32_t aside[SOFT_RUN_PIXELS / 2 + 1];
-
-	for (uint32_t i = 0; i < pairs; i++) {
-		aside[i] =
-			HALVES_ADD_LIMITED(load_32(depth + 4 * i), 0x00010001);
-	}
-	if (odd) {
-		aside[pairs] = HALVES_ADD_LIMITED(load_16(depth + 4 * pairs), 1);
-	}
-	run->row.depth = (uint16_t *)aside;
-	function(run);
-	run->row.depth = (uint16_t *)(void *)depth;
-	if (!draw->soft->fragment.depth_mask) {
-		return;
-	}
-	for (uint32_t i = 0; i < pairs; i++) {
-		uint32_t least = least_halves(load_32(depth + 4 * i), aside[i]);
-
-		memcpy(depth + 4 * i, &least, 4);
-	}
-	if (odd) {
-		uint16_t *last = run->row.depth + run->row.count - 1;
-		uint16_t own = (uint16_t)aside[pairs];
-
-		*last = own < *last ? own : *last;
-	}
-}
-
 /* Whether a stencil changes, or hides, what the run draws. */
 static bool is_stenciled(const struct draw *draw)
 {
@@ -213,10 +174,10 @@ static bool is_stenciled(const struct draw *draw)
 }
 
 /* Every depth test but that of the functions themselves. */
-static void draw_by_way(struct draw *draw, int inside)
+static void draw_by_way(struct draw *draw, enum soft_place place)
 {
 	struct soft_spans *spans = &draw->spans;
-	soft_span_function function = spans->function[inside];
+	soft_span_function function = spans->function[place];
 
 	if (is_stenciled(draw)) {
 		draw_tested(draw, function, spans->alpha_tested);
@@ -226,11 +187,8 @@ static void draw_by_way(struct draw *draw, int inside)
 	case SOFT_DEPTH_DIRECT:
 		function(&spans->run);
 		break;
-	case SOFT_DEPTH_LESS:
-		draw_less(spans, function, draw->soft->fragment.depth_mask);
-		break;
-	case SOFT_DEPTH_LEQUAL:
-		draw_at_most(draw, function);
+	case SOFT_DEPTH_ASIDE:
+		draw_beside(spans, function, draw->soft->fragment.depth_mask);
 		break;
 	default:
 		draw_tested(draw, function, false);
@@ -239,7 +197,7 @@ static void draw_by_way(struct draw *draw, int inside)
 }
 
 /* Draws beside the picture, and takes from there what the mask lets through. */
-static void draw_masked(struct draw *draw, int inside)
+static void draw_masked(struct draw *draw, enum soft_place place)
 {
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
@@ -251,7 +209,7 @@ static void draw_masked(struct draw *draw, int inside)
 
 	memcpy(own, pixel, bytes);
 	run->row.pixel = at;
-	draw_by_way(draw, inside);
+	draw_by_way(draw, place);
 	run->row.pixel = pixel;
 	for (uint32_t i = 0; i < bytes; i++) {
 		uint8_t own_bits = (uint8_t)(mask >> i % 4 * 8);
@@ -263,32 +221,32 @@ static void draw_masked(struct draw *draw, int inside)
 
 static void test_anywhere(const struct soft_run *run)
 {
-	draw_by_way(run->draw, 0);
+	draw_by_way(run->draw, run->draw->spans.anywhere);
 }
 
 static void test_inside(const struct soft_run *run)
 {
-	draw_by_way(run->draw, 1);
+	draw_by_way(run->draw, run->draw->spans.inside);
 }
 
 static void mask_anywhere(const struct soft_run *run)
 {
-	draw_masked(run->draw, 0);
+	draw_masked(run->draw, run->draw->spans.anywhere);
 }
 
 static void mask_inside(const struct soft_run *run)
 {
-	draw_masked(run->draw, 1);
+	draw_masked(run->draw, run->draw->spans.inside);
 }
 
 void soft_set_functions(
-	struct soft_spans *spans, const soft_span_function function[2])
+	struct soft_spans *spans, const soft_span_function function[SOFT_PLACES])
 {
 	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT && !spans->stenciled;
 
 	spans->function = function;
-	spans->draw_anywhere = direct ? function[0] : test_anywhere;
-	spans->draw = direct ? function[1] : test_inside;
+	spans->draw_anywhere = direct ? function[spans->anywhere] : test_anywhere;
+	spans->draw = direct ? function[spans->inside] : test_inside;
 	if (spans->color_mask != UINT32_MAX) {
 		spans->draw_anywhere = mask_anywhere;
 		spans->draw = mask_inside;

@@ -1,7 +1,7 @@
 /*
  * Names and makes a picture format's span functions, and lists them: for each
- * texel format and filter a function a finish; the formats that most textures
- * have get one besides for runs inside of the level.
+ * texel format and filter a function a finish and a depth test, for runs anywhere
+ * and inside of the level.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_INSTANCES_H
 #define PLATFORM_GL_SOFT_SPAN_INSTANCES_H
@@ -28,18 +28,19 @@
 	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
 		__VA_ARGS__)
 
-#define SOFT_SOURCE_FUNCTIONS(name, texels, is_linear, is_wide)             \
-	SOFT_FINISH_FUNCTIONS(name, .textured = true, .format = texels,   \
-		.linear = is_linear, .wide = is_wide)
+#define SOFT_DEPTH_FUNCTIONS(name, ...)                                     \
+	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
+	SOFT_FINISH_FUNCTIONS(name##_lequal, .lequal = true, __VA_ARGS__)
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
-	SOFT_SOURCE_FUNCTIONS(name, texels, is_linear, is_wide)             \
-	SOFT_FINISH_FUNCTIONS(name##_inside, .textured = true,              \
+	SOFT_DEPTH_FUNCTIONS(name, .textured = true, .format = texels,      \
+		.linear = is_linear, .wide = is_wide)                       \
+	SOFT_DEPTH_FUNCTIONS(name##_inside, .textured = true,               \
 		.format = texels, .linear = is_linear, .wide = is_wide,     \
 		.inside = true)
 
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
-	SOFT_FINISH_FUNCTIONS(plain, .wide = is_wide)                     \
+	SOFT_DEPTH_FUNCTIONS(plain, .wide = is_wide)                        \
 	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
 	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
 	SOFT_BOTH_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)       \
@@ -56,32 +57,33 @@
 	SOFT_BOTH_FUNCTIONS(linear_la88, TEXEL_LA88, true, is_wide)
 
 /* clang-format off */
+#define SOFT_FINISH_ROW(name, inside, finish)                               \
+	{name##_##finish, inside##_##finish, name##_lequal_##finish,        \
+		inside##_lequal_##finish}
+
 #define SOFT_FINISH_ROWS(name, inside)                                      \
 	{                                                                   \
-		[SOFT_OPAQUE] = {name##_opaque, inside##_opaque},           \
-		[SOFT_TESTED] = {name##_tested, inside##_tested},           \
-		[SOFT_BLENDED] = {name##_blended, inside##_blended},        \
-		[SOFT_OPAQUE_FOG] = {name##_opaque_fog, inside##_opaque_fog}, \
-		[SOFT_TESTED_FOG] = {name##_tested_fog, inside##_tested_fog}, \
+		[SOFT_OPAQUE] = SOFT_FINISH_ROW(name, inside, opaque),      \
+		[SOFT_TESTED] = SOFT_FINISH_ROW(name, inside, tested),      \
+		[SOFT_BLENDED] = SOFT_FINISH_ROW(name, inside, blended),    \
+		[SOFT_OPAQUE_FOG] =                                         \
+			SOFT_FINISH_ROW(name, inside, opaque_fog),          \
+		[SOFT_TESTED_FOG] =                                         \
+			SOFT_FINISH_ROW(name, inside, tested_fog),          \
 		[SOFT_BLENDED_FOG] =                                        \
-			{name##_blended_fog, inside##_blended_fog},         \
+			SOFT_FINISH_ROW(name, inside, blended_fog),         \
 	}
 
+#define SOFT_TEXTURE_ROWS(name) SOFT_FINISH_ROWS(name, name##_inside)
+
 #define SOFT_FORMAT_ROWS(filter, first)                                     \
-	[first + TEXEL_565 - 1] =                                           \
-		SOFT_FINISH_ROWS(filter##_565, filter##_565_inside),        \
-	[first + TEXEL_4444 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_4444, filter##_4444_inside),      \
-	[first + TEXEL_5551 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_5551, filter##_5551_inside),      \
-	[first + TEXEL_8888 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_8888, filter##_8888_inside),      \
-	[first + TEXEL_L8 - 1] =                                            \
-		SOFT_FINISH_ROWS(filter##_l8, filter##_l8_inside),          \
-	[first + TEXEL_A8 - 1] =                                            \
-		SOFT_FINISH_ROWS(filter##_a8, filter##_a8_inside),          \
-	[first + TEXEL_LA88 - 1] =                                          \
-		SOFT_FINISH_ROWS(filter##_la88, filter##_la88_inside)
+	[first + TEXEL_565 - 1] = SOFT_TEXTURE_ROWS(filter##_565), \
+	[first + TEXEL_4444 - 1] = SOFT_TEXTURE_ROWS(filter##_4444), \
+	[first + TEXEL_5551 - 1] = SOFT_TEXTURE_ROWS(filter##_5551), \
+	[first + TEXEL_8888 - 1] = SOFT_TEXTURE_ROWS(filter##_8888), \
+	[first + TEXEL_L8 - 1] = SOFT_TEXTURE_ROWS(filter##_l8), \
+	[first + TEXEL_A8 - 1] = SOFT_TEXTURE_ROWS(filter##_a8), \
+	[first + TEXEL_LA88 - 1] = SOFT_TEXTURE_ROWS(filter##_la88)
 
 #define SOFT_SPAN_TABLE                                                     \
 	{                                                                   \

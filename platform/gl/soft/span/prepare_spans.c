@@ -99,14 +99,21 @@ static enum soft_depth_way choose_depth_way(
 	if (!state->depth_test || state->depth_function == GL_ALWAYS) {
 		return SOFT_DEPTH_FREE;
 	}
-	if (state->depth_function == GL_LESS) {
-		return state->depth_mask && !blended_last ? SOFT_DEPTH_DIRECT
-							  : SOFT_DEPTH_LESS;
+	if (state->depth_function != GL_LESS &&
+		(state->depth_function != GL_LEQUAL || blended_last)) {
+		return SOFT_DEPTH_LAST;
 	}
-	if (state->depth_function == GL_LEQUAL && !blended_last) {
-		return SOFT_DEPTH_LEQUAL;
-	}
-	return SOFT_DEPTH_LAST;
+	return state->depth_mask && !blended_last ? SOFT_DEPTH_DIRECT
+						  : SOFT_DEPTH_ASIDE;
+}
+
+static void choose_places(
+	const struct fragment_state *state, struct soft_spans *spans)
+{
+	bool lequal = state->depth_function == GL_LEQUAL;
+
+	spans->anywhere = SOFT_ANYWHERE + (lequal ? SOFT_LEQUAL : 0);
+	spans->inside = SOFT_INSIDE + (lequal ? SOFT_LEQUAL : 0);
 }
 
 /* The bits of pixels that are written; of RGB565 in both halves. */
@@ -191,30 +198,28 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	stages->blend_destination = state->blend_destination;
 }
 
+static const soft_span_function *find_filter_functions(
+	const struct draw *draw, GLenum filter)
+{
+	const struct soft_spans *spans = &draw->spans;
+	int source = SOFT_NO_TEXTURE;
+
+	if (spans->textured) {
+		source = (soft_rows_is_linear(filter) ? SOFT_LINEAR
+						      : SOFT_NEAREST) +
+			(int)draw->texture[0].base->format - 1;
+	}
+	return (*spans->table)[source][spans->finish];
+}
+
 static void find_functions(const struct draw *draw, struct soft_spans *spans)
 {
-	const soft_span_table *table = spans->table;
-	const struct texture_input *input = &draw->texture[0];
-	int format = spans->textured ? (int)input->base->format - 1 : 0;
-	const struct texture *texture = input->texture;
+	const struct texture *texture = draw->texture[0].texture;
 
-	for (int i = 0; i < 2; i++) {
-		const int finish = spans->finish;
-
-		if (!spans->textured) {
-			spans->mag[i] = (*table)[SOFT_NO_TEXTURE][finish][i];
-			continue;
-		}
-		spans->min[i] =
-			(*table)[(soft_rows_is_linear(texture->min_filter)
-						 ? SOFT_LINEAR
-						 : SOFT_NEAREST) +
-				format][finish][i];
-		spans->mag[i] =
-			(*table)[(texture->mag_filter == GL_LINEAR ? SOFT_LINEAR
-								   : SOFT_NEAREST) +
-				format][finish][i];
-	}
+	spans->min = find_filter_functions(
+		draw, spans->textured ? texture->min_filter : GL_NEAREST);
+	spans->mag = find_filter_functions(
+		draw, spans->textured ? texture->mag_filter : GL_NEAREST);
 	soft_set_functions(spans, spans->mag);
 }
 
@@ -307,6 +312,7 @@ bool soft_prepare_spans(struct draw *draw)
 		is_combined(draw);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_mixes_levels(input));
+	choose_places(state, spans);
 	spans->coverage.used = false;
 	spans->depth_way = choose_depth_way(state, spans->blended_last);
 	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&

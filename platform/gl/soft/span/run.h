@@ -100,11 +100,19 @@ enum soft_finish {
 };
 
 /*
- * Span functions of a picture format; those of the first half of each pair
- * take runs anywhere in their texture, those of the second only runs with
- * first_texel, and are the same where that makes no difference.
+ * Which runs a span function takes, anywhere in the texture or only those with
+ * first_texel; and its depth test, LESS or LEQUAL. Without a texture the first
+ * two are the same.
  */
-typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES][2];
+enum soft_place {
+	SOFT_ANYWHERE,
+	SOFT_INSIDE,
+	SOFT_LEQUAL, /* and one of the above */
+	SOFT_PLACES = 2 * SOFT_LEQUAL,
+};
+
+typedef soft_span_function
+	soft_span_table[SOFT_SOURCES][SOFT_FINISHES][SOFT_PLACES];
 
 extern const soft_span_table soft_spans_565, soft_spans_8888;
 

@@ -16,12 +16,11 @@ enum {
 	SOFT_FOG_SCALE = 8402980
 };
 
-/* How runs are tested for depth, which span functions only do by LESS. */
+/* How runs are tested for depth, which span functions do by LESS and LEQUAL. */
 enum soft_depth_way {
-	SOFT_DEPTH_DIRECT, /* LESS, written by the functions themselves */
+	SOFT_DEPTH_DIRECT, /* LESS, LEQUAL, written by the functions themselves */
 	SOFT_DEPTH_FREE,   /* no test, written or not */
-	SOFT_DEPTH_LESS,   /* not written, or blended last */
-	SOFT_DEPTH_LEQUAL, /* written or not */
+	SOFT_DEPTH_ASIDE,  /* LESS, LEQUAL, not written; LESS blended last */
 	SOFT_DEPTH_LAST,   /* tested before, written after the span */
 };
 
@@ -93,8 +92,9 @@ struct soft_spans {
 	const soft_span_table *table; /* of all of the state's functions */
 	int plain_pixels; /* of a run without a texture, at most */
 	struct soft_scales scales;
-	/* of minified and magnified textures: anywhere and inside */
-	soft_span_function min[2], mag[2];
+	/* of minified and magnified textures, by enum soft_place */
+	const soft_span_function *min, *mag;
+	enum soft_place anywhere, inside; /* by the state's depth test */
 	/* The level and filter under way */
 	int level; /* -1: none yet */
 	bool small;
@@ -139,7 +139,7 @@ bool soft_prepare_spans(struct draw *draw);
  * inside of the window, with the depth test that they do not do by themselves.
  */
 void soft_set_functions(
-	struct soft_spans *spans, const soft_span_function function[2]);
+	struct soft_spans *spans, const soft_span_function function[SOFT_PLACES]);
 
 /*
  * raster/list_small.c: draws a small triangle, of which nothing is set up, in a

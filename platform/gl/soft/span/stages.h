@@ -14,6 +14,7 @@ struct soft_kind {
 	bool inside; /* the run has first_texel */
 	enum soft_finish finish;
 	bool wide; /* the picture is RGBA8888 */
+	bool lequal; /* what is as far passes the depth test, too */
 };
 
 /* What moves on with every pixel. */

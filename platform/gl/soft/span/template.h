@@ -301,7 +301,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 		at.green_alpha += (count - 1) << 16;
 	}
 	do {
-		if (at.z >> 16 < *depth) {
+		if (kind.lequal ? at.z >> 16 <= *depth : at.z >> 16 < *depth) {
 			soft_shade_pixel(run, kind, constants, &at, depth,
 				kind.wide ? pixel
 					  : (uint8_t *)((uintptr_t)depth +

@@ -2,6 +2,11 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
 
+enum {
+	/* Wrapping so many pixels takes no longer than two more runs. */
+	SHORT_PIXELS = 20,
+};
+
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
 {
@@ -103,7 +108,7 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 		.t_room = INT32_MAX,
 		.large = window->large};
 	const uint8_t *first_texel = run->first_texel;
-	const bool close =
+	const bool close = run->row.count <= SHORT_PIXELS ||
 		!is_far(run->s_right, window->s_room, window->s_mask) ||
 		!is_far(run->t_right, window->t_room, window->t_mask);
 

@@ -97,19 +97,44 @@ static ALWAYS_INLINE int32_t frame_to_texels(
 	return down >= 0 ? less >> down : shift_by(less, -down);
 }
 
+/* A coordinate: its slope and its ends, in 1/256 of the base's texels. */
+struct frame_texels {
+	struct delta delta;
+	int32_t low, high;
+};
+
+static ALWAYS_INLINE struct frame_texels frame_find_texels(
+	const struct setup *setup, int name, int log2, bool repeats)
+{
+	const struct vertex *const *v = setup->v;
+	int32_t first = v[0]->attribute[name];
+	int32_t base = repeats ? first & ~0xFFFF : 0;
+	int32_t a = frame_to_texels(first, base, 8 - log2);
+	int32_t b = frame_to_texels(v[1]->attribute[name], base, 8 - log2);
+	int32_t c = frame_to_texels(v[2]->attribute[name], base, 8 - log2);
+
+	return (struct frame_texels){
+		{a, (int32_t)((uint32_t)b - (uint32_t)a),
+			(int32_t)((uint32_t)c - (uint32_t)a)},
+		raster_least(a, b, c), raster_most(a, b, c)};
+}
+
 /* Whose colours a triangle has: its corners', or one's; of either side. */
 static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct setup *setup, const int32_t *corner[3])
 {
-	bool other = draw->key.bits & KEY_BY_TRIANGLE;
-	bool behind = other && setup->back && draw->shading.two_side;
-	bool flat = other && draw->soft->fragment.flat;
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	bool behind = false;
 
-	for (int i = 0; i < 3; i++) {
-		const struct vertex *v = flat ? draw->provoking : setup->v[i];
-
-		corner[i] = behind ? v->back : v->attribute;
+	if (draw->key.bits & KEY_BY_TRIANGLE) {
+		behind = setup->back && draw->shading.two_side;
+		if (draw->soft->fragment.flat) {
+			a = b = c = draw->provoking;
+		}
 	}
+	corner[0] = behind ? a->back : a->attribute;
+	corner[1] = behind ? b->back : b->attribute;
+	corner[2] = behind ? c->back : c->attribute;
 }
 
 #endif

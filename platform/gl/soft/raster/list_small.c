@@ -33,42 +33,21 @@ static bool is_in_box(const struct clip_box *box, const struct setup *setup)
 		left >= box->left && right <= box->right;
 }
 
-/* A coordinate: its slope and its ends, in 1/256 of the base's texels. */
-struct texels {
-	struct delta delta;
-	int32_t low, high;
-};
-
-static ALWAYS_INLINE struct texels find_texels(
-	const struct setup *setup, int name, int log2, bool repeats)
-{
-	const struct vertex *const *v = setup->v;
-	int32_t first = v[0]->attribute[name];
-	int32_t base = repeats ? first & ~0xFFFF : 0;
-	int32_t a = frame_to_texels(first, base, 8 - log2);
-	int32_t b = frame_to_texels(v[1]->attribute[name], base, 8 - log2);
-	int32_t c = frame_to_texels(v[2]->attribute[name], base, 8 - log2);
-
-	return (struct texels){{a, (int32_t)((uint32_t)b - (uint32_t)a),
-				       (int32_t)((uint32_t)c - (uint32_t)a)},
-		raster_least(a, b, c), raster_most(a, b, c)};
-}
-
-static ALWAYS_INLINE struct texels find_s(
+static ALWAYS_INLINE struct frame_texels find_s(
 	const struct draw *draw, const struct setup *setup)
 {
 	const struct texture_input *input = &draw->texture[0];
 
-	return find_texels(setup, TEX_S, input->width_log2,
+	return frame_find_texels(setup, TEX_S, input->width_log2,
 		input->texture->wrap_s == GL_REPEAT);
 }
 
-static ALWAYS_INLINE struct texels find_t(
+static ALWAYS_INLINE struct frame_texels find_t(
 	const struct draw *draw, const struct setup *setup)
 {
 	const struct texture_input *input = &draw->texture[0];
 
-	return find_texels(setup, TEX_S + 1, input->height_log2,
+	return frame_find_texels(setup, TEX_S + 1, input->height_log2,
 		input->texture->wrap_t == GL_REPEAT);
 }
 
@@ -99,12 +78,12 @@ static uint32_t find_color_spread(const struct draw *draw,
  * raster->plane and raster->bend say.
  */
 static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
-	const struct small *small, uint32_t w_spread, uint32_t w_least)
+	const struct small small, uint32_t w_spread, uint32_t w_least)
 {
 	struct raster *raster = &draw->raster;
-	const struct frame *frame = &small->frame;
+	const struct frame *frame = &small.frame;
 	int tolerance = draw->spans.color_tolerance;
-	uint32_t color = find_color_spread(draw, setup, small);
+	uint32_t color = find_color_spread(draw, setup, &small);
 	struct perspective perspective = {
 		w_spread, w_least, 0, color >> (tolerance - 2)};
 	struct delta delta[2];
@@ -151,7 +130,7 @@ static ALWAYS_INLINE bool find_perspective(struct draw *draw,
 		(uint64_t)texel * spread <= (uint64_t)low << 8) {
 		return true;
 	}
-	return bend(draw, setup, small, spread, low);
+	return bend(draw, setup, *small, spread, low);
 }
 
 /* log2 of how many texels a pixel has, as soft_rows_find_affine_lod(). */
@@ -190,7 +169,7 @@ struct place {
 	uint32_t first, room;
 };
 
-static ALWAYS_INLINE struct place find_place(const struct texels *texels,
+static ALWAYS_INLINE struct place find_place(const struct frame_texels *texels,
 	int shift, int32_t half, int32_t spare, uint32_t mask)
 {
 	int32_t low = ((int32_t)((uint32_t)texels->low * 256) >> shift) - half -
@@ -211,6 +190,30 @@ static ALWAYS_INLINE bool is_within(const struct place *place, uint32_t room)
 		place->first <= room - place->room;
 }
 
+/*
+ * Beyond the edges of a level that does not repeat a coordinate stays on the
+ * last texel, as find_clamped() in span/cut.c has it: here that of all of a
+ * triangle.
+ */
+static NEVER_INLINE void hold_beyond(struct small_coordinate *c,
+	struct place *place, uint32_t room, uint32_t last, int32_t half)
+{
+	int32_t at = 0;
+
+	if (place->room >= SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION) {
+		return;
+	}
+	if (place->low >= (int32_t)room) {
+		at = (int32_t)(last << SOFT_TEXEL_FRACTION);
+	} else if (place->low + (int32_t)place->room >= 0) {
+		return;
+	}
+	*place = (struct place){at, (uint32_t)at, 0};
+	c->value = (struct small_value){(uint32_t)(at + half) << c->shift, 0, 0};
+	c->bend = (struct bend){0};
+	c->level_right = 0;
+}
+
 static ALWAYS_INLINE void begin_coordinate(const struct draw *draw, int name,
 	int shift, struct small_coordinate *out)
 {
@@ -228,8 +231,8 @@ static ALWAYS_INLINE void begin_coordinate(const struct draw *draw, int name,
  * What of the window the triangle may need, where some of its texels may lie
  * outside. False where the texture is none for a list.
  */
-static NEVER_INLINE bool begin_part(
-	struct small_list *list, const struct texels *s, const struct texels *t)
+static NEVER_INLINE bool begin_part(struct small_list *list,
+	const struct frame_texels *s, const struct frame_texels *t)
 {
 	struct draw *draw = list->draw;
 	struct raster *raster = &draw->raster;
@@ -271,7 +274,8 @@ static ALWAYS_INLINE bool is_certain(const struct small_list *list,
 }
 
 static ALWAYS_INLINE bool begin_texels(struct small_list *list,
-	const struct setup *setup, const struct texels s, const struct texels t)
+	const struct setup *setup, const struct frame_texels s,
+	const struct frame_texels t)
 {
 	struct draw *draw = list->draw;
 	const struct soft_view *view = &draw->spans.view;
@@ -297,8 +301,16 @@ static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 		&s, view->s_shift, view->s_half, spare, window->s_mask);
 	in_t = find_place(
 		&t, view->t_shift, view->t_half, spare, window->t_mask);
+	if (window->s_mask == UINT32_MAX) {
+		hold_beyond(&list->s, &in_s, window->s_room, view->s_last,
+			view->s_half);
+	}
+	if (window->t_mask == UINT32_MAX) {
+		hold_beyond(&list->t, &in_t, window->t_room, view->t_last,
+			view->t_half);
+	}
 	if (!is_certain(list, setup, &in_s, &in_t)) {
-		const struct texels both[2] = {s, t};
+		const struct frame_texels both[2] = {s, t};
 
 		return begin_part(list, &both[0], &both[1]);
 	}
@@ -333,7 +345,7 @@ static ALWAYS_INLINE void begin_depth(struct small_list *list,
 }
 
 static ALWAYS_INLINE struct small_value find_coordinate(
-	const struct small *small, const struct texels *texels)
+	const struct small *small, const struct frame_texels *texels)
 {
 	struct small_value value = enter(small, find_run(small, &texels->delta));
 
@@ -351,7 +363,8 @@ static ALWAYS_INLINE bool begin_texture(
 	struct small_list *list, struct setup *setup, const struct small *small)
 {
 	struct draw *draw = list->draw;
-	const struct texels s = find_s(draw, setup), t = find_t(draw, setup);
+	const struct frame_texels s = find_s(draw, setup),
+				  t = find_t(draw, setup);
 	uint32_t in_s = (uint32_t)s.high - (uint32_t)s.low;
 	uint32_t in_t = (uint32_t)t.high - (uint32_t)t.low;
 	uint32_t most = in_s > in_t ? in_s : in_t;

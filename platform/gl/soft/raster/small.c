@@ -48,25 +48,18 @@ static ALWAYS_INLINE bool set_texels(struct raster *raster,
 	const struct setup *setup, struct small *small, int name, int log2,
 	bool repeats)
 {
+	const struct frame_texels texels =
+		frame_find_texels(setup, name, log2, repeats);
 	int32_t *range = raster->texel_range[name - TEX_S];
-	const int32_t *const *corner = small->corner;
-	int32_t base = repeats ? corner[0][name] & ~0xFFFF : 0;
-	int32_t a = frame_to_texels(corner[0][name], base, 8 - log2);
-	int32_t b = frame_to_texels(corner[1][name], base, 8 - log2);
-	int32_t c = frame_to_texels(corner[2][name], base, 8 - log2);
-	int32_t low = a < b ? a : b, high = a < b ? b : a;
-	uint32_t own;
+	uint32_t own = (uint32_t)texels.high - (uint32_t)texels.low;
 
-	low = c < low ? c : low;
-	high = c > high ? c : high;
-	own = (uint32_t)high - (uint32_t)low;
-	range[0] = low;
-	range[1] = high;
+	range[0] = texels.low;
+	range[1] = texels.high;
 	if (own >= SMALL_DELTA) {
 		return false;
 	}
 	small->texel = own > small->texel ? own : small->texel;
-	add_moving(raster, setup, small, name, (struct delta){a, b - a, c - a});
+	add_moving(raster, setup, small, name, texels.delta);
 	raster->plane[name].start += TEXEL_NUDGE;
 	return true;
 }

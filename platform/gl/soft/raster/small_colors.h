@@ -96,18 +96,18 @@ static ALWAYS_INLINE struct small_value pair_values(
 		(high->down << 16) + low->down};
 }
 
-/* Alpha that moves is exact, so that alpha tests are. */
-static NEVER_INLINE void begin_alpha(
-	struct small_list *list, struct small *small)
+/* Alpha that moves is exact, so that alpha tests are; whether it is steep. */
+static NEVER_INLINE bool begin_alpha(
+	struct small_list *list, const struct small small)
 {
-	const struct delta delta = find_delta(small->color, ALPHA);
-	const struct run run = find_run(small, &delta);
+	const struct delta delta = find_delta(small.color, ALPHA);
+	const struct run run = find_run(&small, &delta);
 
-	small->is_steep |= raster_size(run.right) >= (uint32_t)small->steep;
 	list->rare = list->alpha_moves = true;
-	list->alpha = enter(small, run);
+	list->alpha = enter(&small, run);
 	list->draw->spans.run.green_alpha_right +=
 		(uint32_t)soft_alpha_step(run.right) << 16;
+	return raster_size(run.right) >= (uint32_t)small.steep;
 }
 
 /* A step of 8.16, to the nearest of what a scale makes of it. */
@@ -116,21 +116,23 @@ static int32_t round_step(int32_t step, int32_t scale)
 	return (mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >> 1;
 }
 
-static NEVER_INLINE void begin_fog(
-	struct small_list *list, const struct setup *setup, struct small *small)
+/* Whether fog is steep. */
+static NEVER_INLINE bool begin_fog(struct small_list *list,
+	const struct setup *setup, const struct small small)
 {
 	const int32_t *const corner[3] = {setup->v[0]->attribute,
 		setup->v[1]->attribute, setup->v[2]->attribute};
 	const struct delta delta = find_delta(corner, FOG);
-	struct run run = find_run(small, &delta);
+	struct run run = find_run(&small, &delta);
+	bool is_steep = raster_size(run.right) >= (uint32_t)small.steep;
 
-	small->is_steep |= raster_size(run.right) >= (uint32_t)small->steep;
 	run.start = mul_high(run.start, SOFT_FOG_SCALE);
 	run.right = round_step(run.right, SOFT_FOG_SCALE);
 	run.down = round_step(run.down, SOFT_FOG_SCALE);
-	list->fog = enter(small, run);
+	list->fog = enter(&small, run);
 	list->rare |= moves(&delta);
 	list->draw->spans.run.fog_right = list->fog.right;
+	return is_steep;
 }
 
 /* Red, green and blue that move. */
@@ -199,10 +201,10 @@ static ALWAYS_INLINE void begin_colors(
 	list->rare = list->alpha_moves = false;
 	list->fog.start = 0;
 	if (moves(&alpha)) {
-		begin_alpha(list, small);
+		small->is_steep |= begin_alpha(list, *small);
 	}
 	if (wanted >> FOG & 1) {
-		begin_fog(list, setup, small);
+		small->is_steep |= begin_fog(list, setup, *small);
 	}
 }
 

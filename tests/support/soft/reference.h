@@ -10,7 +10,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 enum {
-	REFERENCE_PIXELS = 32, /* of a span, at most */
+	REFERENCE_PIXELS = SOFT_RUN_PIXELS, /* of a span, at most */
 };
 
 /* A context's triangles are drawn by the reference, or by the driver again. */

@@ -29,22 +29,27 @@ static void draw_run(
 	reference_draw_span(draw, span);
 }
 
+/* Runs as long as the first texture's coordinates let them be. */
 static void draw_linear(
 	struct draw *draw, int y, int left, int right, int32_t value[])
 {
 	const struct raster *raster = &draw->raster;
+	const int32_t *step = raster->span.step;
+	int most = draw->texture[0].used
+		? rows_find_run_pixels(draw, step[TEX_S], step[TEX_S + 1])
+		: SOFT_RUN_PIXELS;
 
-	for (int x = left;; x += SOFT_RUN_PIXELS) {
-		if (right - x <= SOFT_RUN_PIXELS) {
+	for (int x = left;; x += most) {
+		if (right - x <= most) {
 			draw_run(draw, y, x, right - x, value);
 			return;
 		}
-		draw_run(draw, y, x, SOFT_RUN_PIXELS, value);
+		draw_run(draw, y, x, most, value);
 		for (int n = 0; n < raster->moving_count; n++) {
 			int i = raster->moving[n];
 
 			value[i] = (int32_t)((uint32_t)value[i] +
-				(uint32_t)raster->span.step[i] * SOFT_RUN_PIXELS);
+				(uint32_t)step[i] * (uint32_t)most);
 		}
 	}
 }
@@ -96,9 +101,10 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}
-	return error >> 2 <= (allowed >> 12) * (uint32_t)(steps * steps)
-		? SOFT_RUN_PIXELS
-		: PERSPECTIVE_STEP;
+	allowed = (allowed >> 12) * (uint32_t)(steps * steps);
+	return error >> 1 <= allowed    ? SOFT_RUN_PIXELS
+		: error >> 3 <= allowed ? 2 * PERSPECTIVE_STEP
+					: PERSPECTIVE_STEP;
 }
 
 static void row_divided(struct draw *draw, int y, int left, int right)
@@ -111,7 +117,10 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	if (steps > 0) {
 		soft_rows_find_point(draw, right - 1, &end);
 	}
-	soft_rows_find_lod(draw, &from, &draw->raster.span);
+	if (draw->raster.span.y < 0 ||
+		(y - draw->raster.top) % ROWS_OF_LEVEL == 0) {
+		soft_rows_find_lod(draw, &from, &draw->raster.span);
+	}
 	spacing = find_spacing(draw, &from, &end, steps);
 	if (spacing > steps) {
 		set_steps(draw, &from, &end, steps);
@@ -121,11 +130,11 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	for (; right - x > spacing; x += spacing) {
 		soft_rows_find_point(draw, x + spacing, &to);
 		set_steps(draw, &from, &to, spacing);
-		draw_run(draw, y, x, spacing, from.value);
+		draw_linear(draw, y, x, x + spacing, from.value);
 		from = to;
 	}
 	set_steps(draw, &from, &end, right - x - 1);
-	draw_run(draw, y, x, right - x, from.value);
+	draw_linear(draw, y, x, right, from.value);
 }
 
 /* A colour runs from one end to the other, both in range. */
@@ -186,6 +195,7 @@ void reference_fill(struct draw *draw, struct setup *setup)
 	struct raster *raster = &draw->raster;
 
 	rows_set_up(draw, setup);
+	raster->span.y = -1; /* no row is drawn yet */
 	if (raster->bent) {
 		soft_rows_find_affine_lod(draw, &raster->span);
 		raster_walk(draw, setup, row_bent, soft_raster_next_row);

@@ -35,18 +35,18 @@ static void copy_runs(const struct draw *draw, int y, int left, int right,
 	const int shift = 16 - SOFT_TEXEL_FRACTION;
 	int32_t step =
 		soft_texel_step(raster->plane[TEX_S].dx, shift) * (1 << shift);
+	const int most = rows_find_run_pixels(draw, raster->plane[TEX_S].dx, 0);
 	uint8_t *at = pixel_at(&draw->soft->buffers.target, left, y);
 
-	for (int x = left; x < right; x += SOFT_RUN_PIXELS) {
-		int count = right - x < SOFT_RUN_PIXELS ? right - x
-							: SOFT_RUN_PIXELS;
+	for (int x = left; x < right; x += most) {
+		int count = right - x < most ? right - x : most;
 		int32_t s = soft_texel_start((int32_t)plane_at(raster, TEX_S, x),
 			soft_texel_rest(raster->plane[TEX_S].dx, shift), count,
 			shift);
 
 		soft_picture_copy((uint16_t *)(void *)at, texels, count,
 			(uint32_t)s << shift, (uint32_t)step);
-		at += 2 * SOFT_RUN_PIXELS;
+		at += 2 * most;
 	}
 }
 

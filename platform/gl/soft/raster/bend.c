@@ -133,11 +133,10 @@ static void bend_plane(struct raster *raster, const struct setup *setup,
 }
 
 /* Across n pixels what bends is off a straight line by n^2 xx / 4. */
-static bool is_straight(
-	const struct raster *raster, int name, int columns, int log2_allowed)
+static bool is_straight(const struct raster *raster, int name, int columns,
+	int pixels, int log2_allowed)
 {
-	uint32_t n = (uint32_t)(columns < SOFT_RUN_PIXELS ? columns
-							  : SOFT_RUN_PIXELS);
+	uint32_t n = (uint32_t)(columns < pixels ? columns : pixels);
 
 	return (uint64_t)raster_size(raster->bend[name].xx) * n * n <= 4u
 		<< log2_allowed;
@@ -170,8 +169,10 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 
 			bend_plane(raster, setup, &products, ratio, &delta[i],
 				name);
-			if (!is_straight(raster, name, setup->columns, allowed)) {
-				raster->bent_pixels = PERSPECTIVE_STEP;
+			while (raster->bent_pixels > PERSPECTIVE_STEP &&
+				!is_straight(raster, name, setup->columns,
+					raster->bent_pixels, allowed)) {
+				raster->bent_pixels /= 2;
 			}
 		}
 	}

@@ -58,6 +58,15 @@ static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 	return draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 }
 
+/*
+ * In perspective the first row of a triangle that is drawn chooses its level of
+ * detail, and then each whose number, counted from the triangle's top, is a
+ * multiple of this.
+ */
+enum {
+	ROWS_OF_LEVEL = 4,
+};
+
 /* A quarter of 1/255 to spare at either end for what steps lose. */
 enum {
 	ROWS_LEAST_COLOR = 0x4000,
@@ -90,6 +99,22 @@ static ALWAYS_INLINE int32_t rows_find_step(
 	int32_t from, int32_t to, int32_t inverse)
 {
 	return mul_high((int32_t)((uint32_t)to - (uint32_t)from), inverse) * 2;
+}
+
+/*
+ * The most pixels of a run whose coordinates change so much a pixel: its texels
+ * have to fit SOFT_RUN_TEXELS, as those of levels do.
+ */
+static ALWAYS_INLINE int rows_find_run_pixels(
+	const struct draw *draw, int32_t s_step, int32_t t_step)
+{
+	const uint32_t most = (SOFT_RUN_TEXELS - 2) * 65536u / SOFT_RUN_PIXELS;
+
+	return draw->texture[0].levels > 1 ||
+			((uint32_t)s_step + most <= 2 * most &&
+				(uint32_t)t_step + most <= 2 * most)
+		? SOFT_RUN_PIXELS
+		: SOFT_RUN_PIXELS / 2;
 }
 
 /* A colour so that it is in range at both ends; inverse as above. */

@@ -42,6 +42,7 @@ static void set_level_and_window(struct draw *draw)
 	struct soft_spans *spans = &draw->spans;
 
 	spans->level_by_row = spans->lod_wanted && raster->perspective;
+	spans->level_unknown = spans->level_by_row;
 	if (!spans->lod_wanted) {
 		soft_set_level(draw, 0);
 	} else if (!spans->level_by_row) {
@@ -91,6 +92,8 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 	if (draw->spans.textured && !raster->perspective && !raster->bent) {
 		soft_set_texel_steps(&draw->spans,
 			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
+		draw->spans.textured_pixels = rows_find_run_pixels(
+			draw, plane[TEX_S].dx, plane[TEX_S + 1].dx);
 	}
 }
 

@@ -112,10 +112,11 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}
-	/* A 2,048th of a row is less than 32 pixels apart */
-	return error >> 2 <= (allowed >> 12) * (uint32_t)(steps * steps)
-		? SOFT_RUN_PIXELS
-		: PERSPECTIVE_STEP;
+	/* Half a texel in 64 pixels, or in 32 */
+	allowed = (allowed >> 12) * (uint32_t)(steps * steps);
+	return error >> 1 <= allowed    ? SOFT_RUN_PIXELS
+		: error >> 3 <= allowed ? 2 * PERSPECTIVE_STEP
+					: PERSPECTIVE_STEP;
 }
 
 /* How values change between two points. */

@@ -22,8 +22,11 @@
 #include "platform/gl/soft/soft.h"
 
 enum {
-	/* s and t lose up to 1/1024 of a texel a pixel to rounding. */
-	SOFT_RUN_PIXELS = 32,
+	/*
+	 * s and t, which are exact in the middle, lose up to 1/1024 of a texel
+	 * a pixel to rounding.
+	 */
+	SOFT_RUN_PIXELS = 64,
 	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
 	SOFT_PLAIN_PIXELS = 512,
 	/* As many texels fit a half of a word, with 9 bits of fraction. */

@@ -75,7 +75,8 @@ struct soft_spans {
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
 	bool lists_runs;   /* of small triangles, see soft_draw_small() */
-	bool level_by_row; /* of the triangle under way */
+	/* Of the triangle under way: rows choose levels, and none has yet */
+	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves;
 	bool rare;           /* either of them, or steep colours */
 	int32_t green_start; /* green_half, and the alpha that stays the same */
@@ -90,7 +91,8 @@ struct soft_spans {
 	uint32_t color_mask; /* bits of pixels that are written, twice of 565 */
 	enum soft_finish finish;
 	const soft_span_table *table; /* of all of the state's functions */
-	int plain_pixels; /* of a run without a texture, at most */
+	/* The most of a run without a texture, and with one in an affine triangle */
+	int plain_pixels, textured_pixels;
 	struct soft_scales scales;
 	/* of minified and magnified textures, by enum soft_place */
 	const soft_span_function *min, *mag;

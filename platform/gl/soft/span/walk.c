@@ -1,7 +1,7 @@
 /*
  * The rows of a triangle, cut into runs for the span functions. Values run
  * linearly along a row where perspective bends them too little to be seen, see
- * raster.c; else they are divided exactly every 16 or 32 pixels.
+ * raster.c; else they are divided exactly every 16 to 64 pixels.
  */
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/raster/raster.h"
@@ -31,8 +31,8 @@ static ALWAYS_INLINE void row_linear(
 {
 	struct draw *draw = line->draw;
 	const struct plane *plane = draw->raster.plane;
-	const int most =
-		kind.textured ? SOFT_RUN_PIXELS : draw->spans.plain_pixels;
+	const int most = kind.textured ? draw->spans.textured_pixels
+				       : draw->spans.plain_pixels;
 
 	for (; x < right; x += most) {
 		int count = right - x < most ? right - x : most;
@@ -90,9 +90,11 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 	const struct walk_kind kind, int left, int right,
 	const struct row_point *from, const struct row_point *to, int steps)
 {
-	const int most = kind.textured ? SOFT_RUN_PIXELS
-				       : line->draw->spans.plain_pixels;
 	const struct change change = set_steps(line, kind, from, to, steps);
+	const int most = kind.textured
+		? rows_find_run_pixels(
+			  line->draw, change.texels.s, change.texels.t)
+		: line->draw->spans.plain_pixels;
 
 	for (int x = left; x < right; x += most) {
 		draw_behind(line, kind, x, right - x < most ? right - x : most,
@@ -107,6 +109,7 @@ static NEVER_INLINE void set_row_level(
 
 	point.value[TEX_S] = texels.s;
 	point.value[TEX_S + 1] = texels.t;
+	draw->spans.level_unknown = false;
 	soft_rows_find_lod(draw, &point, &raster->span);
 	soft_set_level(draw, raster->span.lod[0]);
 }
@@ -120,7 +123,9 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	if (steps > 0) {
 		end = find_point(line, kind, right - 1);
 	}
-	if (kind.textured && line->draw->spans.level_by_row) {
+	if (kind.textured && line->draw->spans.level_by_row &&
+		(line->row % ROWS_OF_LEVEL == 0 ||
+			line->draw->spans.level_unknown)) {
 		set_row_level(line->draw, from.divisor, from.texels);
 	}
 	if (steps >= PERSPECTIVE_STEP) {

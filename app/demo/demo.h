@@ -93,11 +93,8 @@ struct demo_driver {
 	 */
 	void (*draw)(struct demo *demo, int width, int height);
 
-	/*
-	 * Draws a plainer shadow of the figure of this number; false: it has
-	 * none. Optional.
-	 */
-	bool (*draw_shadow)(const struct demo *demo, int number);
+	/* Whether figures cast a shadow now. Optional: they do. */
+	bool (*casts_shadow)(const struct demo *demo);
 
 	/* Returns the seconds after which an unattended run repeats. */
 	double (*period_s)(const struct demo *demo);

@@ -40,10 +40,6 @@ static void draw_figures(const struct demo_driver *driver,
 	struct overlay_figure figure;
 
 	for (int i = 0; demo_find_figure(driver, demo, i, &figure); i++) {
-		if (pass == DRAW_SHADOW && driver->draw_shadow &&
-			driver->draw_shadow(demo, i)) {
-			continue;
-		}
 		base->gl->PushMatrix();
 		matrix_gl_multiply(base->gl, (const vec4 *)figure.place);
 		draw_instance(
@@ -63,7 +59,9 @@ void demo_draw_stage(const struct demo_driver *driver, struct demo *demo,
 	}
 	stage_begin(&base->stage, base->gl, width, height);
 	stage_shadow_begin(&base->stage, base->gl);
-	draw_figures(driver, demo, DRAW_SHADOW);
+	if (!driver->casts_shadow || driver->casts_shadow(demo)) {
+		draw_figures(driver, demo, DRAW_SHADOW);
+	}
 	stage_shadow_end(&base->stage, base->gl);
 	draw_figures(driver, demo, DRAW_SHADED);
 }

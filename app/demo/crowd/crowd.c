@@ -2,13 +2,12 @@
  * The crowd: walkers that share one model, each with its own clip and phase.
  *
  * Each walker is an instance. Walkers that appear small cost less: they have
- * fewer triangles and influences, poses at half or a third of the frame rate,
- * and a plain shadow. figures.md lists what a frame costs.
+ * fewer triangles and influences, and poses at half or a third of the frame
+ * rate. figures.md lists what a frame costs.
  */
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_dress.h"
 #include "app/demo/crowd/crowd_figure.h"
-#include "app/demo/crowd/crowd_height.h"
 #include "app/demo/demo.h"
 #include "platform/base/scalar.h"
 
@@ -23,7 +22,6 @@ enum {
 	/* The heights on the screen below which a walker costs less. */
 	HALF_RATE_BELOW_PX = 170,
 	THIRD_RATE_BELOW_PX = 85,
-	PLAIN_SHADOW_BELOW_PX = 110,
 	COARSE_BELOW_PX = 240, /* levels of detail may be off by more */
 	FAR_BELOW_PX = 170,
 	RATES = 3
@@ -74,7 +72,7 @@ struct demo {
 	double now_s;
 	float turn;
 	bool drifting;
-	bool plain_shadows;
+	bool shadowless;
 	bool reducing;            /* small walkers cost less */
 	int count_at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
@@ -288,6 +286,21 @@ static void choose_lod(struct demo *demo, struct walker *walker)
 		walker->height_px / actor->extent);
 }
 
+/* How large a walker appears. */
+static float height_px(const struct demo *demo, const struct walker *walker)
+{
+	const struct camera *camera = &demo->base.stage.camera;
+	float eye[3], dx, dz, distance;
+
+	camera_eye(camera, eye);
+	dx = eye[0] - walker->position.x;
+	dz = eye[2] - walker->position.z;
+	distance = scalar_sqrt(dx * dx + dz * dz + eye[1] * eye[1]);
+	return demo->base.actor.extent * demo->figure.scale *
+		walker->route.size *
+		lod_px_per_unit_at(camera, distance, demo->height);
+}
+
 static void crowd_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
@@ -303,11 +316,7 @@ static void crowd_update(struct demo *demo, double time_s)
 		bool first = walker->height_px == 0.0f;
 
 		walker->position = crowd_position_at(&walker->route, time_s);
-		walker->height_px = crowd_height_px(&demo->base.stage.camera,
-			&walker->position,
-			demo->base.actor.extent * demo->figure.scale *
-				walker->route.size,
-			demo->height);
+		walker->height_px = height_px(demo, walker);
 		walker->frames_a_pose = choose_rate(demo, walker->height_px);
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
 		choose_lod(demo, walker);
@@ -322,17 +331,9 @@ static void crowd_update(struct demo *demo, double time_s)
 	demo->frame++;
 }
 
-static bool crowd_draw_shadow(const struct demo *demo, int number)
+static bool crowd_casts_shadow(const struct demo *demo)
 {
-	const struct walker *walker = &demo->walker[number];
-	bool small = demo->reducing && walker->height_px < PLAIN_SHADOW_BELOW_PX;
-
-	if (!demo->figure.shadow.fits || !(demo->plain_shadows || small)) {
-		return false;
-	}
-	crowd_shadow_draw(
-		&demo->figure.shadow, &walker->position, demo->base.gl);
-	return true;
+	return !demo->shadowless;
 }
 
 static bool crowd_get_figure(
@@ -406,7 +407,7 @@ static const struct demo_action crowd_actions[] = {
 	DEMO_PRESS(RIGHT, "add five walkers", change_count, STRIDE),
 	DEMO_PRESS(LEFT, "remove five walkers", change_count, -STRIDE),
 	DEMO_HOLD(ENTER, "turn the camera (hold)", turn, 1),
-	DEMO_INVERT(F6, "draw plain shadows for all, or not", plain_shadows),
+	DEMO_INVERT(F6, "leave out the shadows, or not", shadowless),
 	DEMO_INVERT(F8, "draw small figures in less detail, or not", reducing),
 	DEMO_INVERT(F9, "turn the camera slowly, or not", drifting),
 	{0},
@@ -422,7 +423,7 @@ const struct demo_driver demo_driver_crowd = {
 	.prepare = crowd_prepare,
 	.finish = crowd_finish,
 	.update = crowd_update,
-	.draw_shadow = crowd_draw_shadow,
+	.casts_shadow = crowd_casts_shadow,
 	.period_s = crowd_period_s,
 	.label = crowd_label,
 	.get_figure = crowd_get_figure,

@@ -7,9 +7,8 @@ static const float person_side_m = 0.4f, person_front_m = 0.6f,
 		   person_height_m = 1.72f;
 /* A model that is about as large as a person is shown as it is. */
 static const float as_it_is = 1.25f;
-static const float upright = 1.8f; /* height / width of a person at least */
-static const float least_filled = 0.6f; /* of the box, by an outline's figure */
-static const float corner_m = 0.25f;    /* of a wide figure, beyond a person */
+static const float upright = 1.8f;   /* height / width of a person at least */
+static const float corner_m = 0.25f; /* of a wide figure, beyond a person */
 static const float fastest_m_s = 4.0f;
 static const float viewer_rad = 0.45f; /* where those look that only stand */
 
@@ -22,24 +21,17 @@ static float reach(const struct bounds *bounds, int axis, float center)
 	return low > high ? low : high;
 }
 
-/*
- * The box of all motions, each played where the figure stands. An outline fits
- * their shadows if all are about as high, so not those of a bird or a snake.
- */
-static struct bounds measure(struct instance *instance,
-	const struct motions *motions, bool *outline_fits)
+/* The box of all motions, each played where the figure stands. */
+static struct bounds measure(
+	struct instance *instance, const struct motions *motions)
 {
 	struct bounds all = bounds_empty();
-	float lowest = 0.0f;
 
 	for (int i = 0; i < MOTION_ROLES; i++) {
 		struct bounds one = motion_bounds(instance, &motions->role[i]);
-		float height = one.high[1] - one.low[1];
 
-		lowest = i == 0 || height < lowest ? height : lowest;
 		bounds_join(&all, &one);
 	}
-	*outline_fits = lowest > least_filled * (all.high[1] - all.low[1]);
 	return all;
 }
 
@@ -80,10 +72,7 @@ static void fit(struct crowd_figure *figure, const struct bounds *bounds)
 	figure->scale = scale < as_it_is && scale > 1.0f / as_it_is ? 1.0f
 		: scale >= 1e9f                                     ? 1.0f
 								    : scale;
-	figure->shadow.is_person = height > upright * side;
-	figure->shadow.half_width_m = side * figure->scale;
-	figure->shadow.height_m = height * figure->scale;
-	figure->beyond_m = figure->shadow.is_person ? 0.0f : corner_m;
+	figure->beyond_m = height > upright * side ? 0.0f : corner_m;
 }
 
 int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
@@ -100,8 +89,7 @@ int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	figure->model = actor->model;
 	figure->one_clip = env->clip;
 	figure->front_rad = figure->motions.role[MOTION_WALK].facing_rad;
-	bounds = measure(
-		actor->instance, &figure->motions, &figure->shadow.fits);
+	bounds = measure(actor->instance, &figure->motions);
 	if (!bounds_is_empty(&bounds)) {
 		find_center(&bounds, figure->center);
 	}

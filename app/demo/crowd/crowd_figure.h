@@ -8,7 +8,6 @@
 #include "app/character/motions/motions.h"
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_route.h"
-#include "app/demo/crowd/crowd_shadow.h"
 
 struct crowd_figure {
 	const struct model *model;
@@ -18,7 +17,6 @@ struct crowd_figure {
 	float center[3]; /* scene units; this point stands on the route */
 	float front_rad; /* where the figure looks; 0 is +Z */
 	float beyond_m;  /* how much farther it reaches than a person */
-	struct crowd_shadow shadow; /* of one that is far away */
 };
 
 /* Measures the actor's model. Returns 0, or -errno after logging an error. */

@@ -121,7 +121,7 @@ static float nearest_of_box(const struct instance *instance,
 	return depth;
 }
 
-static float px_per_unit_at(
+float lod_px_per_unit_at(
 	const struct camera *camera, float depth, int picture_height)
 {
 	float least = 0.05f * camera->distance;
@@ -154,7 +154,7 @@ float lod_px_per_unit(const struct instance *instance,
 
 		nearest = depth < nearest ? depth : nearest;
 	}
-	return px_per_unit_at(camera, nearest, picture_height);
+	return lod_px_per_unit_at(camera, nearest, picture_height);
 }
 
 float lod_px_per_unit_of_box(const struct bounds *box,
@@ -169,7 +169,7 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 		depth -= scalar_abs(view.forward[i]) * 0.5f *
 			(box->high[i] - box->low[i]);
 	}
-	return px_per_unit_at(camera, depth, picture_height);
+	return lod_px_per_unit_at(camera, depth, picture_height);
 }
 
 /* The matrix's greatest scale along an axis. */

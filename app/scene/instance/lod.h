@@ -56,6 +56,10 @@ struct lod lod_relax(const struct lod *lod, float min_px);
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height);
 
+/* The same at a depth in scene units. */
+float lod_px_per_unit_at(
+	const struct camera *camera, float depth, int picture_height);
+
 /* The same for a box in scene units, which may not be empty. */
 float lod_px_per_unit_of_box(const struct bounds *box,
 	const struct camera *camera, int picture_height);

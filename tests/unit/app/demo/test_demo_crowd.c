@@ -185,6 +185,26 @@ static void test_buttons_add_and_remove_walkers(void **state)
 	assert_int_equal(triangles_at(12.0), 6 * one);
 }
 
+/* Of all figures, however small. */
+static void test_f6_leaves_out_the_shadows(void **state)
+{
+	static const struct demo_press press[] = {{1.0, BUTTON_F6}};
+	int vertices[2];
+	long triangles;
+	struct demo_run run;
+
+	(void)state;
+	demo_run_begin(&run, "crowd");
+	for (int i = 0; i < 2; i++) {
+		demo_run_to(&run, 0.9 + (double)i, 10, press, 1);
+		demo_run_draw(&run);
+		vertices[i] = (int)gl_recorder_result()->vertex_count;
+	}
+	triangles = demo_get_facts(run.driver, run.demo).triangles;
+	assert_true(vertices[0] > vertices[1] + triangles / 4);
+	demo_run_end(&run);
+}
+
 static void test_small_figures_have_fewer_triangles(void **state)
 {
 	static const struct demo_press many[] = {{0.1, BUTTON_RIGHT},
@@ -269,6 +289,7 @@ int main(void)
 		cmocka_unit_test(test_walkers_differ_in_size_and_phase),
 		cmocka_unit_test(test_walkers_differ_in_colours),
 		cmocka_unit_test(test_buttons_add_and_remove_walkers),
+		cmocka_unit_test(test_f6_leaves_out_the_shadows),
 		cmocka_unit_test(test_small_figures_have_fewer_triangles),
 		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
 		cmocka_unit_test(

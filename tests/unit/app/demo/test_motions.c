@@ -205,41 +205,6 @@ static void test_the_tuner_begins_with_the_longest_limb(void **state)
 	release(&found);
 }
 
-/* Lets a clip go up, at its first key, by so many metres. */
-static void raise_first_key(struct model *model, const char *name, float way_m)
-{
-	const struct model_clip *clip =
-		&model->clip[model_find_clip(model, name)];
-
-	for (int i = 0; i < clip->channel_count; i++) {
-		const struct model_channel *channel = &clip->channel[i];
-
-		if (channel->path == MODEL_TRANSLATION &&
-			channel->key_count > 1) {
-			((float *)(uintptr_t)channel->value)[1] += way_m;
-		}
-	}
-}
-
-static void test_an_outline_is_the_shadow_of_figures_of_one_height(void **state)
-{
-	struct found found;
-	struct demo_env env = {.log = &found.log,
-		.model_path = "assets/walker.glb",
-		.character = "none"};
-	struct crowd_figure figure = {0};
-
-	(void)state;
-	find(&found, "assets/walker.glb", NULL, "none");
-	assert_int_equal(crowd_figure_make(&figure, &env, &found.actor), 0);
-	assert_true(figure.shadow.fits);
-	assert_true(figure.shadow.is_person);
-	raise_first_key(found.actor.model, "run", 3.0f);
-	assert_int_equal(crowd_figure_make(&figure, &env, &found.actor), 0);
-	assert_false(figure.shadow.fits);
-	release(&found);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -250,8 +215,6 @@ int main(void)
 		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),
 		cmocka_unit_test(test_a_model_without_clips_stands),
 		cmocka_unit_test(test_a_broken_character_file_is_an_error),
-		cmocka_unit_test(
-			test_an_outline_is_the_shadow_of_figures_of_one_height),
 		cmocka_unit_test(test_the_tuner_chooses_any_bone),
 		cmocka_unit_test(test_the_tuner_begins_with_the_longest_limb),
 	};

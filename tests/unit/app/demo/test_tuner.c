@@ -1,6 +1,6 @@
 /* What the buttons of the demo tuner do; test_preset_file.c tests what it saves. */
-#include "app/demo/actor.h"
 #include "app/character/presets/preset_file.h"
+#include "app/demo/actor.h"
 #include "tests/support/files.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"

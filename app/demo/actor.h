@@ -11,6 +11,7 @@
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/overlay/overlay.h"
+#include "app/scene/stage/framing.h"
 #include "app/scene/stage/live.h"
 #include "app/scene/stage/stage.h"
 
@@ -27,15 +28,6 @@ struct actor {
 	float extent;       /* in the rest pose, scene units */
 };
 
-/* How a demo frames its figures, and what its labels take of the picture. */
-struct actor_framing {
-	struct camera_framing camera;
-	/* In the top left corner, beside a title, and how many have bars. */
-	int label_rows, label_bars; /* 0: there are no labels */
-	bool labels_right;          /* the labels are in the top right corner */
-	int lines_below;            /* of text along the lower edge */
-};
-
 /* Every demo's struct begins with this one. */
 struct demo_base {
 	const struct gl *gl;
@@ -45,7 +37,7 @@ struct demo_base {
 	struct demo_reduction reduction;
 	float frames_per_s; /* 0 if unknown */
 	int width, height;  /* of the pictures that the camera frames */
-	struct actor_framing framing;
+	struct framing framing;
 
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
@@ -62,19 +54,12 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * The part of a picture of this size that labels leave free, beside or below
- * them, in which the box appears larger.
- */
-struct camera_region actor_region(const struct actor_framing *framing,
-	const struct bounds *bounds, int width, int height);
-
-/*
- * Makes a stage that frames the box in actor_region() of a picture of the
+ * Makes a stage that frames the box in framing_region() of a picture of the
  * base's size, and keeps the framing. Its camera's aspect and region are
  * ignored. Returns 0, or -errno after logging an error.
  */
 int actor_init_stage(struct demo_base *base, const struct demo_env *env,
-	const struct bounds *bounds, const struct actor_framing *framing,
+	const struct bounds *bounds, const struct framing *framing,
 	struct stage *stage);
 
 /*
@@ -89,18 +74,5 @@ void actor_resize_stage(struct demo_base *base, int width, int height);
  */
 void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height);
-
-/* Chooses only the triangles, for demos that do not call actor_update(). */
-void actor_choose_lod(
-	struct actor *actor, const struct camera *camera, int picture_height);
-
-/* Returns the name of the instance's technique, such as "Skeletal". */
-const char *actor_technique(const struct instance *instance);
-
-/*
- * Sets the pose to a clip's at time_s, with nodes without a channel at rest;
- * clip -1 means the rest pose.
- */
-void actor_pose(struct actor *actor, int clip, float time_s);
 
 #endif

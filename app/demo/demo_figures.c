@@ -25,7 +25,7 @@ struct demo_facts demo_get_facts(
 	struct overlay_figure figure;
 
 	if (!facts.technique) {
-		facts.technique = actor_technique(base->actor.instance);
+		facts.technique = instance_technique(base->actor.instance);
 	}
 	for (int i = 0; demo_find_figure(driver, demo, i, &figure); i++) {
 		facts.triangles += lod_triangles(figure.instance);

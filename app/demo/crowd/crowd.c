@@ -38,11 +38,10 @@ static const double period_s = 8.0;
  * A box whose diagonal is across the picture is as wide and as deep as the
  * circle around it, which fits the picture from all sides.
  */
-static const struct actor_framing framing = {
-	.camera = {.yaw_rad = 0.25f * SCALAR_PI,
-		.pitch_rad = 0.42f,
-		.margin = 1.04f,
-		.follow = true},
+static const struct framing framing = {.camera = {.yaw_rad = 0.25f * SCALAR_PI,
+					       .pitch_rad = 0.42f,
+					       .margin = 1.04f,
+					       .follow = true},
 	.label_rows = 2,
 	.label_bars = 2};
 
@@ -169,7 +168,7 @@ static void find_region(struct demo *demo)
 	if (height != demo->height || aspect != demo->aspect) {
 		demo->height = height;
 		demo->aspect = aspect;
-		demo->region = actor_region(
+		demo->region = framing_region(
 			&demo->base.framing, &bounds, width, height);
 	}
 }

@@ -51,9 +51,17 @@ static void recolor(uint8_t color[4], const uint8_t target[3], int brightest)
 	}
 }
 
+struct dyeing {
+	const struct look *look;
+	const struct model_primitive *primitive;
+};
+
 /* Trousers are blue, hair and shoes are red and no skin. */
-static void dye(uint8_t color[4], float height_m, const struct look *look)
+static void dye(void *user, int vertex, uint8_t color[4])
 {
+	const struct dyeing *dyeing = user;
+	const struct look *look = dyeing->look;
+	float height_m = dyeing->primitive->position[vertex][1];
 	bool blue = color[2] > color[0] + 8;
 	bool red = 10 * color[1] < 6 * color[0];
 
@@ -64,42 +72,6 @@ static void dye(uint8_t color[4], float height_m, const struct look *look)
 	} else if (red && height_m < ankle_m) {
 		recolor(color, look->shoes, 222);
 	}
-}
-
-static int dye_batch(const struct drawable *drawable, struct batch *batch,
-	const struct look *look, struct arena *arena)
-{
-	const struct drawable_fixed *fixed = drawable->fixed;
-	size_t count = (size_t)batch->vertex_count;
-	uint8_t(*color)[4] = arena_alloc(arena, count, sizeof(*color));
-
-	if (!color) {
-		return -ENOMEM;
-	}
-	memcpy(color, batch->color, count * sizeof(*color));
-	for (size_t i = 0; i < count; i++) {
-		size_t v = batch->source        ? batch->source[i]
-			: fixed && fixed->order ? fixed->order[i]
-						: i;
-
-		dye(color[i], drawable->primitive->position[v][1], look);
-	}
-	batch->color = (const uint8_t(*)[4])color;
-	return 0;
-}
-
-static int dye_drawable(
-	struct drawable *drawable, const struct look *look, struct arena *arena)
-{
-	int error = 0;
-
-	for (int i = 0; !error && i < drawable->batch_count; i++) {
-		if (drawable->batch[i].color) {
-			error = dye_batch(
-				drawable, &drawable->batch[i], look, arena);
-		}
-	}
-	return error;
 }
 
 /* A model whose clothes have no stripes, which the instance shows instead. */
@@ -170,7 +142,10 @@ int crowd_dress(struct instance *instance, int number)
 			error = batch_tint(
 				drawable, look->shirt, &instance->arena);
 		} else if (material->texture < 0 && !drawable->morphed) {
-			error = dye_drawable(drawable, look, &instance->arena);
+			struct dyeing dyeing = {look, drawable->primitive};
+
+			error = batch_recolor(
+				drawable, dye, &dyeing, &instance->arena);
 		}
 	}
 	return error;

@@ -92,7 +92,7 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 			: kind == CONTENDER_RIGID ? "Hierarchical"
 			: reference->model->skin_count > 0
 			? "Skeletal"
-			: actor_technique(reference->instance),
+			: instance_technique(reference->instance),
 		.reference = reference,
 		.clip = reference->clip,
 		.now_ns = env->now_ns,

@@ -22,15 +22,11 @@ static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time with and without errors */
 
-static const struct actor_framing framing = {.camera = {.yaw_rad = 0.25f,
-						     .pitch_rad = 0.14f,
-						     .margin = 1.04f,
-						     .follow = true},
+static const struct framing framing = {.camera = {.yaw_rad = 0.25f,
+					       .pitch_rad = 0.14f,
+					       .margin = 1.04f,
+					       .follow = true},
 	.lines_below = 6};
-
-enum {
-	RIGID_TIMES = 8
-};
 
 struct demo {
 	struct demo_base base;
@@ -60,33 +56,22 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/* Joins the box of rigid parts, which may lie below the figure itself. */
-static void add_rigid(struct demo *demo, struct bounds *bounds)
-{
-	struct contender *rigid = &demo->contender[CONTENDER_RIGID];
-
-	for (int i = 0; i < RIGID_TIMES; i++) {
-		struct bounds now;
-
-		contender_pose(rigid,
-			demo->reference->clip->duration_s * (float)i /
-				RIGID_TIMES);
-		now = bounds_of_instance(rigid->shown);
-		bounds_join(bounds, &now);
-	}
-}
-
 /*
  * The box of three figures in a row; most models stand at height 0. Long
  * figures are seen a little from the side, where they need more room.
  */
 static struct bounds bounds_of_row(struct demo *demo)
 {
-	struct bounds bounds =
-		bounds_of_clip(demo->base.actor.instance, demo->motion.clip);
+	struct bounds bounds = bounds_empty();
 	float height, width, slanted;
 
-	add_rigid(demo, &bounds);
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		const struct contender *one = &demo->contender[i];
+		int clip = (int)(one->clip - one->shown->model->clip);
+		struct bounds box = bounds_of_clip(one->shown, clip);
+
+		bounds_join(&bounds, &box);
+	}
 	height = bounds.high[1] - bounds.low[1];
 	width = bounds.high[0] - bounds.low[0];
 	slanted = width + slant * (bounds.high[2] - bounds.low[2]);

@@ -30,10 +30,10 @@ static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* of preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
 
-static const struct actor_framing framing = {.camera = {.yaw_rad = 0.3f,
-						     .pitch_rad = 0.1f,
-						     .margin = 1.04f,
-						     .follow = true},
+static const struct framing framing = {.camera = {.yaw_rad = 0.3f,
+					       .pitch_rad = 0.1f,
+					       .margin = 1.04f,
+					       .follow = true},
 	.label_rows = 12,
 	.label_bars = 0};
 
@@ -223,12 +223,15 @@ static void tuner_update(struct demo *demo, double time_s)
 		run_autoplay(demo);
 	}
 	repeat_change(demo);
-	actor_pose(actor, demo->clip,
-		demo->clip < 0
-			? 0.0f
-			: clip_time(time_s,
-				  actor->model->clip[demo->clip].duration_s,
-				  CLIP_LOOP));
+	if (demo->clip >= 0) {
+		const struct model_clip *clip = &actor->model->clip[demo->clip];
+
+		clip_pose(clip, clip_time(time_s, clip->duration_s, CLIP_LOOP),
+			actor->interpolation, &actor->cursor,
+			&actor->instance->pose);
+	} else {
+		pose_rest(&actor->instance->pose, actor->model);
+	}
 	for (int i = 0; i < demo->bones.count; i++) {
 		procedural_update(&demo->swing[i], step_s);
 		procedural_apply(

@@ -106,10 +106,10 @@ static int init_stage(const struct figure *figure, struct demo_base *base,
 {
 	const struct character_bounds *bounds = &figure->drawing.bounds;
 	const struct character_scene *scene = &figure->character->scene;
-	struct actor_framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
-						.pitch_rad = scene->pitch_rad,
-						.margin = scene->margin,
-						.follow = true},
+	struct framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
+					  .pitch_rad = scene->pitch_rad,
+					  .margin = scene->margin,
+					  .follow = true},
 		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
 	struct bounds box = bounds->all;
 
@@ -296,7 +296,7 @@ static void viewer_label(const struct demo *demo, struct hud *hud)
 	struct hud_group group;
 
 	character_label_all(demo->figure->character,
-		actor_technique(demo->base.actor.instance), hud);
+		instance_technique(demo->base.actor.instance), hud);
 	if (demo->watch.broken) {
 		group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
 		hud_group_mark(&group, "new file is broken", "", hud_color_rose);

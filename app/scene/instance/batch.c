@@ -19,16 +19,15 @@ static bool is_white(const float base_color[4])
 		base_color[2] == 1.0f && base_color[3] == 1.0f;
 }
 
-/* The primitive's vertex that is vertex v of the batch. */
-static size_t vertex_of(
+int batch_vertex(
 	const struct drawable *drawable, const struct batch *batch, int v)
 {
 	if (batch->source) {
-		return batch->source[v];
+		return (int)batch->source[v];
 	}
 	return drawable->fixed && drawable->fixed->order
-		? drawable->fixed->order[v]
-		: (size_t)v;
+		? (int)drawable->fixed->order[v]
+		: v;
 }
 
 static bool in_primitive_order(
@@ -61,7 +60,7 @@ static int tint(struct batch *batch, const struct drawable *drawable,
 	}
 	factor[3] = scalar_clamp(base_color[3], 0.0f, 1.0f);
 	for (int v = 0; v < batch->vertex_count; v++) {
-		size_t from = vertex_of(drawable, batch, v);
+		int from = batch_vertex(drawable, batch, v);
 
 		for (int i = 0; i < 4; i++) {
 			color[v][i] =
@@ -90,7 +89,7 @@ static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
 	}
 	for (int v = 0; v < batch->vertex_count; v++) {
 		memcpy(texcoord[v],
-			primitive->texcoord[vertex_of(drawable, batch, v)],
+			primitive->texcoord[batch_vertex(drawable, batch, v)],
 			sizeof(texcoord[v]));
 	}
 	batch->texcoord = (const float(*)[2])texcoord;
@@ -295,41 +294,51 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 		     : make_unindexed(drawable, base_color, arena);
 }
 
-static int tint_copy(
-	struct batch *batch, const float factor[3], struct arena *arena)
+int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
+	struct arena *arena)
 {
-	uint8_t(*color)[4] =
-		arena_alloc(arena, (size_t)batch->vertex_count, sizeof(*color));
+	for (int i = 0; i < drawable->batch_count; i++) {
+		struct batch *batch = &drawable->batch[i];
+		size_t count = (size_t)batch->vertex_count;
+		uint8_t(*color)[4];
 
-	if (!color) {
-		return -ENOMEM;
-	}
-	for (int v = 0; v < batch->vertex_count; v++) {
-		for (int i = 0; i < 3; i++) {
-			color[v][i] =
-				(uint8_t)(batch->color[v][i] * factor[i] + 0.5f);
+		if (!batch->color) {
+			continue;
 		}
-		color[v][3] = batch->color[v][3];
+		color = arena_alloc(arena, count, sizeof(*color));
+		if (!color) {
+			return -ENOMEM;
+		}
+		memcpy(color, batch->color, count * sizeof(*color));
+		for (int v = 0; v < batch->vertex_count; v++) {
+			dye(user, batch_vertex(drawable, batch, v), color[v]);
+		}
+		batch->color = (const uint8_t(*)[4])color;
 	}
-	batch->color = (const uint8_t(*)[4])color;
 	return 0;
+}
+
+static void multiply(void *user, int vertex, uint8_t color[4])
+{
+	const float *factor = user;
+
+	(void)vertex;
+	for (int i = 0; i < 3; i++) {
+		color[i] = (uint8_t)(color[i] * factor[i] + 0.5f);
+	}
 }
 
 int batch_tint(
 	struct drawable *drawable, const float factor[3], struct arena *arena)
 {
-	int error = 0;
+	float copy[3];
 
 	for (int i = 0; i < 3; i++) {
+		copy[i] = factor[i];
 		drawable->color[i] =
 			(fx16_t)((float)drawable->color[i] * factor[i]);
 	}
-	for (int i = 0; !error && i < drawable->batch_count; i++) {
-		if (drawable->batch[i].color) {
-			error = tint_copy(&drawable->batch[i], factor, arena);
-		}
-	}
-	return error;
+	return batch_recolor(drawable, multiply, copy, arena);
 }
 
 static void face_normal(

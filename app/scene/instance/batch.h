@@ -20,6 +20,20 @@
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena);
 
+/* Returns the primitive's vertex that a vertex of its batch is. */
+int batch_vertex(
+	const struct drawable *drawable, const struct batch *batch, int v);
+
+/* Changes the sRGB-encoded colour of one of the primitive's vertices. */
+typedef void batch_dye(void *user, int vertex, uint8_t color[4]);
+
+/*
+ * Changes the drawable's vertex colours, if it has any. The model and its other
+ * instances keep theirs. 0 or -ENOMEM.
+ */
+int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
+	struct arena *arena);
+
 /*
  * Multiplies the drawable's vertex colours and its material's colour by an
  * sRGB-encoded factor from 0 to 1 a channel. The model and its other instances

@@ -284,3 +284,17 @@ void instance_world_vertex(const struct instance *instance,
 			world[3][axis];
 	}
 }
+
+const char *instance_technique(const struct instance *instance)
+{
+	bool skinned = false, morphed = false;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		skinned = skinned || instance->drawable[i].skin >= 0;
+		morphed = morphed || instance->drawable[i].morphed;
+	}
+	return skinned && morphed ? "Skeletal + morph"
+		: skinned         ? "Skeletal"
+		: morphed         ? "Morphing"
+				  : "Hierarchical";
+}

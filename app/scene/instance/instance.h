@@ -72,4 +72,7 @@ void instance_drawable_matrix(const struct instance *instance,
 void instance_world_vertex(const struct instance *instance,
 	const struct drawable *drawable, int vertex, float out[3]);
 
+/* Returns the name of the instance's technique, such as "Skeletal". */
+const char *instance_technique(const struct instance *instance);
+
 #endif

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/model/model_deltas.h"
+#include "app/scene/instance/batch.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -67,18 +68,6 @@ int overlay_heat_init(struct overlay_heat *heat, struct instance *instance,
 	return error ? error : init_colors(heat, arena);
 }
 
-/* The primitive's vertex that a batch has at this place. */
-static int vertex_of(
-	const struct drawable *drawable, const struct batch *batch, int at)
-{
-	if (batch->source) {
-		return (int)batch->source[at];
-	}
-	return drawable->fixed && drawable->fixed->order
-		? (int)drawable->fixed->order[at]
-		: at;
-}
-
 void overlay_heat_paint(
 	struct overlay_heat *heat, overlay_heat_color_fn color, void *user)
 {
@@ -91,7 +80,7 @@ void overlay_heat_paint(
 			const struct batch *batch = &drawable->batch[b];
 
 			for (int i = 0; i < batch->vertex_count; i++) {
-				color(user, d, vertex_of(drawable, batch, i),
+				color(user, d, batch_vertex(drawable, batch, i),
 					(*rgb)[i]);
 			}
 		}

@@ -1,7 +1,6 @@
 #include "tests/support/model/demo_run.h"
 
 #include "app/demo/demo_figures.h"
-
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 

@@ -1,0 +1,67 @@
+#include "app/scene/stage/framing.h"
+
+#include "app/scene/hud/hud_group.h"
+
+static const float least_side = 0.4f; /* of a region; the picture has 2 */
+
+/*
+ * The regions that labels leave free: beside them and below them. Returns their
+ * number; if labels leave little of a small picture, it is the whole one.
+ */
+static int free_regions(const struct framing *framing, int width, int height,
+	struct camera_region out[2])
+{
+	int most = hud_group_rows_max(width, height);
+	int rows = framing->label_rows < most ? framing->label_rows : most;
+	int bars = framing->label_bars < rows ? framing->label_bars : rows;
+	struct hud_group_extent labels =
+		hud_group_extent_of(width, height, rows, bars);
+	float bottom = 2.0f * (float)(framing->lines_below * labels.line) /
+			(float)height -
+		1.0f;
+
+	float left = 2.0f * (float)labels.column / (float)width - 1.0f;
+	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
+	int count = 0;
+
+	if (bottom > 1.0f - least_side) {
+		bottom = -1.0f; /* the labels are larger than the picture */
+	}
+	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	if (framing->label_rows == 0) {
+		return 1;
+	}
+	if (left < 1.0f - least_side) {
+		out[count++] = (struct camera_region){left, 1.0f, bottom, 1.0f};
+	}
+	if (top > bottom + least_side) {
+		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, top};
+	}
+	return count > 0 ? count : 1;
+}
+
+struct camera_region framing_region(const struct framing *framing,
+	const struct bounds *bounds, int width, int height)
+{
+	struct camera_framing tried = framing->camera;
+	struct camera_region region[2], best = {0.0f, 0.0f, 0.0f, 0.0f};
+	int count = free_regions(framing, width, height, region);
+	float least = 0.0f;
+
+	tried.aspect = (float)width / (float)height;
+	for (int i = 0; i < count; i++) {
+		struct camera camera = camera_default();
+
+		tried.region = region[i];
+		camera_frame(&camera, bounds, &tried);
+		if (i == 0 || camera.distance < least) {
+			least = camera.distance;
+			best = region[i];
+		}
+	}
+	if (framing->labels_right) {
+		best = (struct camera_region){
+			-best.right, -best.left, best.bottom, best.top};
+	}
+	return best;
+}

@@ -1,0 +1,25 @@
+/*
+ * How figures and labels share a picture.
+ */
+#ifndef APP_SCENE_STAGE_FRAMING_H
+#define APP_SCENE_STAGE_FRAMING_H
+
+#include "app/scene/stage/camera.h"
+
+/* How figures are framed, and what their labels take of the picture. */
+struct framing {
+	struct camera_framing camera;
+	/* In the top left corner, beside a title, and how many have bars. */
+	int label_rows, label_bars; /* 0: there are no labels */
+	bool labels_right;          /* the labels are in the top right corner */
+	int lines_below;            /* of text along the lower edge */
+};
+
+/*
+ * The part of a picture of this size that labels leave free, beside or below
+ * them, in which the box appears larger.
+ */
+struct camera_region framing_region(const struct framing *framing,
+	const struct bounds *bounds, int width, int height);
+
+#endif

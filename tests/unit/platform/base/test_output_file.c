@@ -350,6 +350,53 @@ static void test_writers_at_the_same_time_leave_one_whole_file(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
+static void test_a_scratch_file_is_read_again(void **state)
+{
+	FILE *file = output_file_scratch();
+	char text[16] = "";
+
+	(void)state;
+	assert_non_null(file);
+	assert_int_equal(fputs("a ", file) < 0, 0);
+	assert_int_equal(fflush(file), 0);
+	assert_int_equal(fputs("scratch", file) < 0, 0);
+	rewind(file);
+	assert_int_equal(fread(text, 1, sizeof(text), file), 9);
+	assert_string_equal(text, "a scratch");
+	assert_int_equal(fclose(file), 0);
+}
+
+/* What flushing standard output returns when it is this file. */
+static int flush_to(const char *path, const struct log *log)
+{
+	int kept, fd = open(path, O_WRONLY), error;
+
+	fflush(stdout);
+	kept = dup(STDOUT_FILENO);
+	assert_true(fd >= 0 && kept >= 0);
+	assert_true(dup2(fd, STDOUT_FILENO) >= 0);
+	putchar(' ');
+	error = output_file_flush_stdout(log);
+	clearerr(stdout);
+	assert_true(dup2(kept, STDOUT_FILENO) >= 0);
+	close(kept);
+	close(fd);
+	return error;
+}
+
+static void test_standard_output_that_is_full_is_reported(void **state)
+{
+	struct output_scene *scene = *state;
+
+	assert_int_equal(flush_to("/dev/null", &scene->log), 0);
+	assert_int_equal(scene->logged.count, 0);
+	assert_int_equal(flush_to("/dev/full", &scene->log), -ENOSPC);
+	assert_int_equal(scene->logged.count, 1);
+	assert_contains(scene->logged.sentence[0],
+		"standard output: cannot be written: No space left");
+	assert_int_equal(flush_to("/dev/null", &scene->log), 0);
+}
+
 int main(void)
 {
 #define CASE(name)                       \
@@ -369,6 +416,8 @@ int main(void)
 		CASE(test_a_socket_stays_where_it_is),
 		CASE(test_an_open_descriptor_is_written_from_its_position),
 		cmocka_unit_test(test_standard_output_is_recognized),
+		cmocka_unit_test(test_a_scratch_file_is_read_again),
+		CASE(test_standard_output_that_is_full_is_reported),
 		CASE(test_two_writers_do_not_interfere),
 		CASE(test_writers_at_the_same_time_leave_one_whole_file),
 	};

@@ -71,16 +71,19 @@ static void test_a_pipe_that_no_program_writes_to_is_refused(void **state)
 
 static void test_nothing_of_a_pipe_is_lost(void **state)
 {
-	static const char text[] = "\0one\ntwo";
-	struct pipe_bench bench = make_written_pipe();
-	FILE *file;
-
 	(void)state;
-	assert_int_equal(write(bench.writer, text, sizeof(text)), sizeof(text));
-	file = file_open(bench.path.text);
-	close(bench.writer);
-	expect_content(file, text, sizeof(text));
-	remove_pipe(&bench);
+	for (int first = 0; first < 256; first += 51) {
+		const char text[] = {(char)first, 'o', '\n', '\0', 't'};
+		struct pipe_bench bench = make_written_pipe();
+		FILE *file;
+
+		assert_int_equal(
+			write(bench.writer, text, sizeof(text)), sizeof(text));
+		file = file_open(bench.path.text);
+		close(bench.writer);
+		expect_content(file, text, sizeof(text));
+		remove_pipe(&bench);
+	}
 }
 
 static void test_a_slow_writer_is_waited_for(void **state)

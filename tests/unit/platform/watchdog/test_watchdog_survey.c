@@ -43,11 +43,17 @@ static void test_watchdogs_are_reported_without_starting_them(void **state)
 	struct test_path devices = path_join(&folder, "dev");
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, folder.text);
+	int before, after;
 	char *content;
 
 	(void)state;
 	make_watchdogs(&folder, "inactive\n");
+	before = dup(STDIN_FILENO);
 	watchdog_survey(devices.text, &survey);
+	after = dup(STDIN_FILENO);
+	assert_int_equal(after, before + 1);
+	close(after);
+	close(before);
 	assert_int_equal(capture.count, 2);
 	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/watchdog0",
 		"imx2+ wdt, restarts the board after 60 seconds", NULL);

@@ -12,12 +12,17 @@ enum gl_work_kind {
 	GL_WORK_FLAT,     /* one colour, such as shadows */
 	GL_WORK_PLAIN,    /* small, opaque, depth tested, no texture */
 	GL_WORK_TEXTURED, /* the same with one RGB565 texture */
-	GL_WORK_GROUND,   /* what lies behind: floors and backgrounds */
+	GL_WORK_BACKDROP, /* backgrounds: colours by row, and pictures */
+	GL_WORK_GROUND,   /* floors: a small luminance texture that repeats */
 	GL_WORK_SPANS,    /* all else without a texture */
 	GL_WORK_SPANS_TEXTURED,
-	GL_WORK_SPANS_DIVIDED, /* with a texture in strong perspective */
-	GL_WORK_MIXED,         /* blended or alpha-tested, without a texture */
-	GL_WORK_MIXED_TEXTURED,
+	GL_WORK_SPANS_DIVIDED,  /* with a texture in strong perspective */
+	GL_WORK_MIXED,          /* blended or alpha-tested, without a texture */
+	GL_WORK_TESTED,         /* alpha-tested, small, with a texture */
+	GL_WORK_TESTED_SPANS,   /* alpha-tested, larger, with a texture */
+	GL_WORK_MIXED_TEXTURED, /* blended, small, with a texture */
+	GL_WORK_MIXED_SPANS,    /* blended, larger, with a texture */
+	GL_WORK_MIXED_DIVIDED,  /* the same in strong perspective */
 	GL_WORK_KINDS
 };
 
@@ -30,9 +35,11 @@ struct gl_work {
 struct gl_counts {
 	double calls;    /* of DrawArrays and DrawElements */
 	double listed;   /* triangles in these calls */
-	double vertices; /* transformed */
-	double shaded;   /* of these, lit or coloured */
+	double vertices; /* transformed, of triangles with 16-bit indices */
+	double single;   /* transformed, of all other lists: one by one */
+	double shaded;   /* of either, lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */
+	double fine;     /* of the ground's pixels, by finer tiles: far away */
 	struct gl_work work[GL_WORK_KINDS];
 };
 
@@ -42,8 +49,10 @@ static inline void gl_counts_scale(struct gl_counts *counts, double factor)
 	counts->calls *= factor;
 	counts->listed *= factor;
 	counts->vertices *= factor;
+	counts->single *= factor;
 	counts->shaded *= factor;
 	counts->hidden *= factor;
+	counts->fine *= factor;
 	for (int i = 0; i < GL_WORK_KINDS; i++) {
 		counts->work[i].triangles *= factor;
 		counts->work[i].rows *= factor;

@@ -16,16 +16,40 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 SIZES = ((480, 640), (240, 320), (800, 480))
-KINDS = ("flat", "plain", "textured", "ground", "spans", "spans_textured",
-         "spans_divided", "mixed", "mixed_textured")
-NAMES = ("frame", "pixel", "call", "listed", "vertex", "shaded",
-         "hidden") + tuple(
-    f"{kind}_{what}" for kind in KINDS for what in ("triangle", "row", "pixel"))
-# What each takes about: where pictures do not tell, a cost stays near it.
-GUESSED = (20000, 1, 9000, 60, 120, 250, 8, 150, 30, 8, 200, 30, 12, 300, 40, 45,
-           20000, 60, 12, 900, 120, 15, 1300, 200, 70, 2500, 500, 80,
-           900, 120, 60, 1300, 200, 90)
-GUESS_WEIGHT = 0.015
+# What each takes about, in cycles and instructions, as the functions' profiles
+# show it: where pictures do not tell, a cost stays near it.
+GUESSED = {
+    "frame": (26000, 20000),
+    "pixel": (0.8, 0.4),
+    "call": (12000, 5000),
+    "listed": (170, 95),
+    "vertex": (200, 85),
+    "single": (400, 170),
+    "shaded": (450, 150),
+    "hidden": (10, 9),
+    "fine": (10, 8),
+}
+# The same of a triangle, a row and a pixel.
+GUESSED_KINDS = {
+    "flat": ((300, 60, 8), (200, 40, 5)),
+    "plain": ((500, 80, 20), (350, 50, 8)),
+    "textured": ((600, 150, 60), (350, 100, 40)),
+    "backdrop": ((20000, 60, 3), (10000, 30, 1)),
+    "ground": ((20000, 100, 10), (10000, 60, 6)),
+    "spans": ((1300, 170, 27), (900, 100, 17)),
+    "spans_textured": ((2800, 500, 80), (2000, 300, 45)),
+    "spans_divided": ((4400, 900, 108), (3500, 500, 70)),
+    "mixed": ((2200, 140, 65), (1600, 80, 45)),
+    "tested": ((3000, 250, 150), (1500, 190, 97)),
+    "tested_spans": ((4000, 500, 90), (2500, 300, 60)),
+    "mixed_textured": ((3000, 250, 150), (1500, 190, 97)),
+    "mixed_spans": ((4000, 500, 150), (3000, 300, 95)),
+    "mixed_divided": ((5000, 1000, 180), (4000, 550, 120)),
+}
+for kind, guesses in GUESSED_KINDS.items():
+    for what, *guess in zip(("triangle", "row", "pixel"), *guesses):
+        GUESSED[f"{kind}_{what}"] = guess
+GUESS_WEIGHT = 0.06
 ROUNDS = 3000
 
 
@@ -47,13 +71,13 @@ def play(program, model_so, sysroot, path, clip, size):
     return [1.0, size[0] * size[1], *counts], cost
 
 
-def fit(rows, wanted):
+def fit(rows, wanted, guessed):
     """The costs x >= 0 with the least sum of (row . x / wanted - 1) squared."""
     count = len(rows[0])
     scaled = [[value / y for value in row] for row, y in zip(rows, wanted)]
     for j in range(count):
         scaled.append([0.0] * count)
-        scaled[-1][j] = GUESS_WEIGHT / GUESSED[j]
+        scaled[-1][j] = GUESS_WEIGHT / guessed[j]
     rest = [1.0] * len(rows) + [GUESS_WEIGHT] * count
     norm = [sum(row[j] ** 2 for row in scaled) for j in range(count)]
     cost = [0.0] * count
@@ -95,7 +119,7 @@ def write_table(path, costs):
              in zip(*costs)]
     width = max(map(len, pairs))
     rows = "\n".join(f"{pair:{width}} /* {name.replace('_', ' ')} */"
-                     for pair, name in zip(pairs, NAMES))
+                     for pair, name in zip(pairs, GUESSED))
     text, count = re.subn(r"(each\[DRAW_WORKS\] = \{\n).*?(\n\};)",
                           lambda match: match[1] + rows + match[2], text,
                           flags=re.DOTALL)
@@ -114,7 +138,8 @@ def main():
             played = list(pool.map(
                 lambda job: play(program, model_so, sysroot, *job), jobs))
     rows = [row for row, _ in played]
-    costs = [fit(rows, [cost[i] for _, cost in played]) for i in range(2)]
+    costs = [fit(rows, [cost[i] for _, cost in played],
+                 [guess[i] for guess in GUESSED.values()]) for i in range(2)]
     write_table(table, costs)
     for (path, clip, size), (row, cost) in zip(jobs, played):
         told = [sum(a * b for a, b in zip(row, x)) for x in costs]

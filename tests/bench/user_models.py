@@ -8,7 +8,8 @@ without culling, colors has a colour at each vertex besides, cards are quads in
 all alpha modes, and layers are six blended quads behind each other. banner has
 long strips in perspective, glass a blended sphere, leaves one with an alpha test.
 shells are three spheres in each other: opaque, tested and blended. stone is a sphere
-without texture, crate a cube without.
+without texture, crate a cube without. facets have no normals, panes are blended quads
+that stand askew, and rope is thin and long, of small triangles.
 """
 
 import json
@@ -98,14 +99,15 @@ class Model:
             surface["baseColorTexture"] = {"index": texture}
         return self.add("materials", {"pbrMetallicRoughness": surface, **more})
 
-    def mesh(self, material, shape, colors=None, at=(0, 0, 0)):
+    def mesh(self, material, shape, colors=None, **place):
         positions, normals, texcoords, indices = shape
         ends = {f.__name__: [f(p[i] for p in positions) for i in range(3)] for f in (min, max)}
         attributes = {
             "POSITION": self.accessor("VEC3", FLOAT, positions, **ends),
-            "NORMAL": self.accessor("VEC3", FLOAT, normals),
-            "TEXCOORD_0": self.accessor("VEC2", FLOAT, texcoords),
         }
+        if normals:
+            attributes["NORMAL"] = self.accessor("VEC3", FLOAT, normals)
+        attributes["TEXCOORD_0"] = self.accessor("VEC2", FLOAT, texcoords)
         if colors:
             attributes["COLOR_0"] = self.accessor("VEC4", BYTE, colors, normalized=True)
         primitive = {
@@ -114,7 +116,7 @@ class Model:
             "material": material,
         }
         mesh = self.add("meshes", {"primitives": [primitive]})
-        node = self.add("nodes", {"mesh": mesh, "translation": at})
+        node = self.add("nodes", {"mesh": mesh, "translation": (0, 0, 0), **place})
         self.json["scenes"][0]["nodes"].append(node)
 
     def save(self, path):
@@ -200,14 +202,14 @@ def make_cards(model):
     ]
     for k in range(12):
         at = (k % 3 * 1.05, k // 3 * 1.05, k % 5 * 0.1)
-        model.mesh(materials[k % 4], quad(0.5, 0.5), at=at)
+        model.mesh(materials[k % 4], quad(0.5, 0.5), translation=at)
 
 
 def make_layers(model):
     texture = model.texture(png(256, discs(256), 4))
     material = model.material(texture, alphaMode="BLEND", doubleSided=True)
     for k in range(6):
-        model.mesh(material, quad(0.75, 1), at=(0, 0, k * 0.1))
+        model.mesh(material, quad(0.75, 1), translation=(0, 0, k * 0.1))
 
 
 def strips(count):
@@ -255,6 +257,40 @@ def make_crate(model):
     model.mesh(model.material(color=(0.3, 0.7, 0.4, 1)), cube())
 
 
+def make_facets(model):
+    positions, _, texcoords, indices = blob(26, 22)
+    model.mesh(model.material(color=(0.5, 0.6, 0.8, 1)), (positions, None, texcoords, indices))
+
+
+def make_panes(model):
+    texture = model.texture(png(256, discs(256), 4))
+    material = model.material(texture, alphaMode="BLEND", doubleSided=True)
+    for k in range(4):
+        turn = (0, math.sin(0.3 + 0.2 * k), 0, math.cos(0.3 + 0.2 * k))
+        model.mesh(material, quad(0.7, 0.9), rotation=turn, translation=(0, 0, k * 0.2))
+
+
+def rope(around, along):
+    positions, normals, texcoords, indices = [], [], [], []
+    for j in range(along + 1):
+        for i in range(around + 1):
+            a, y = 2 * math.pi * i / around, 12 * j / along
+            normal = (math.cos(a), 0, math.sin(a))
+            positions.append((0.4 * normal[0] + math.sin(y), 0.5 * y, 0.4 * normal[2]))
+            normals.append(normal)
+            texcoords.append((i / around, y))
+    for j in range(along):
+        for i in range(around):
+            k = j * (around + 1) + i
+            above = k + around + 1
+            indices += [k, above, k + 1, k + 1, above, above + 1]
+    return positions, normals, texcoords, indices
+
+
+def make_rope(model):
+    model.mesh(model.material(model.texture(png(128, checks(128), 3))), rope(20, 160))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -268,6 +304,9 @@ MODELS = {
     "shells": make_shells,
     "stone": make_stone,
     "crate": make_crate,
+    "facets": make_facets,
+    "panes": make_panes,
+    "rope": make_rope,
 }
 
 

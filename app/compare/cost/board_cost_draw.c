@@ -9,48 +9,67 @@ enum draw_work {
 	DRAW_CALL,
 	DRAW_LISTED,
 	DRAW_VERTEX,
+	DRAW_SINGLE,
 	DRAW_SHADED,
 	DRAW_HIDDEN,
+	DRAW_FINE,
 	DRAW_TRIANGLE, /* of each kind: its triangles, rows and pixels */
 	DRAW_WORKS = DRAW_TRIANGLE + 3 * GL_WORK_KINDS
 };
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{2.597e+04, 2.198e+04}, /* frame */
-	{0.7568, 0.4636},       /* pixel */
-	{1.768e+04, 7654},      /* call */
-	{261.9, 152.6},         /* listed */
-	{0, 0},                 /* vertex */
-	{869.5, 189.9},         /* shaded */
-	{10.87, 9.188},         /* hidden */
-	{0, 0},                 /* flat triangle */
-	{0, 0},                 /* flat row */
-	{11.85, 8.028},         /* flat pixel */
-	{636.1, 475.8},         /* plain triangle */
-	{0, 0},                 /* plain row */
-	{20.61, 6.945},         /* plain pixel */
-	{938, 5.948},           /* textured triangle */
-	{315.2, 221},           /* textured row */
-	{68.49, 42.37},         /* textured pixel */
-	{6.779e+04, 4.181e+04}, /* ground triangle */
-	{77.43, 0},             /* ground row */
-	{6.767, 3.414},         /* ground pixel */
-	{1336, 885.6},          /* spans triangle */
-	{167.8, 106.1},         /* spans row */
-	{27.58, 17.42},         /* spans pixel */
-	{2789, 2865},           /* spans textured triangle */
-	{862.9, 419.7},         /* spans textured row */
-	{81.61, 43.96},         /* spans textured pixel */
-	{4447, 5088},           /* spans divided triangle */
-	{943.6, 522.7},         /* spans divided row */
-	{107.9, 69.15},         /* spans divided pixel */
-	{2273, 2027},           /* mixed triangle */
-	{142.8, 6.136},         /* mixed row */
-	{67.84, 47.5},          /* mixed pixel */
-	{3175, 1355},           /* mixed textured triangle */
-	{251.7, 194},           /* mixed textured row */
-	{150.2, 96.84},         /* mixed textured pixel */
+	{3.403e+04, 2.763e+04}, /* frame */
+	{0.773, 0.3752},        /* pixel */
+	{1.718e+04, 7401},      /* call */
+	{195.7, 94.21},         /* listed */
+	{115, 54.11},           /* vertex */
+	{175.9, 121.1},         /* single */
+	{756.2, 196.8},         /* shaded */
+	{10.52, 9.217},         /* hidden */
+	{7.78, 6.21},           /* fine */
+	{211.7, 87.59},         /* flat triangle */
+	{57.58, 37.95},         /* flat row */
+	{10.5, 6.924},          /* flat pixel */
+	{458.9, 253},           /* plain triangle */
+	{0.3409, 21.11},        /* plain row */
+	{34.26, 13.64},         /* plain pixel */
+	{724.5, 313.7},         /* textured triangle */
+	{338.2, 167.4},         /* textured row */
+	{80.42, 57.82},         /* textured pixel */
+	{3.902e+04, 1.763e+04}, /* backdrop triangle */
+	{73.62, 35.56},         /* backdrop row */
+	{2.747, 0.8966},        /* backdrop pixel */
+	{3.902e+04, 1.763e+04}, /* ground triangle */
+	{133.9, 80.44},         /* ground row */
+	{5.655, 1.846},         /* ground pixel */
+	{1294, 830.7},          /* spans triangle */
+	{166.4, 99.57},         /* spans row */
+	{30.68, 19.58},         /* spans pixel */
+	{3181, 2274},           /* spans textured triangle */
+	{549.2, 324.9},         /* spans textured row */
+	{76.96, 40.48},         /* spans textured pixel */
+	{4729, 3813},           /* spans divided triangle */
+	{949.2, 534},           /* spans divided row */
+	{111.9, 72.08},         /* spans divided pixel */
+	{2563, 1525},           /* mixed triangle */
+	{149.8, 75.18},         /* mixed row */
+	{70.85, 45},            /* mixed pixel */
+	{3115, 1222},           /* tested triangle */
+	{250.9, 162.4},         /* tested row */
+	{142.7, 101.7},         /* tested pixel */
+	{3797, 2118},           /* tested spans triangle */
+	{610.9, 346},           /* tested spans row */
+	{187.2, 122.8},         /* tested spans pixel */
+	{3000, 1500},           /* mixed textured triangle */
+	{250, 190},             /* mixed textured row */
+	{150, 97},              /* mixed textured pixel */
+	{3612, 2316},           /* mixed spans triangle */
+	{314.6, 179.8},         /* mixed spans row */
+	{141, 92.56},           /* mixed spans pixel */
+	{5139, 4157},           /* mixed divided triangle */
+	{1887, 984.3},          /* mixed divided row */
+	{138.2, 91.58},         /* mixed divided pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)
@@ -68,8 +87,10 @@ struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels)
 	add_work(&sum, DRAW_CALL, counts->calls);
 	add_work(&sum, DRAW_LISTED, counts->listed);
 	add_work(&sum, DRAW_VERTEX, counts->vertices);
+	add_work(&sum, DRAW_SINGLE, counts->single);
 	add_work(&sum, DRAW_SHADED, counts->shaded);
 	add_work(&sum, DRAW_HIDDEN, counts->hidden);
+	add_work(&sum, DRAW_FINE, counts->fine);
 	for (int i = 0; i < GL_WORK_KINDS; i++) {
 		const struct gl_work *work = &counts->work[i];
 

@@ -114,6 +114,9 @@ static void shade(
 	/* The base may be seen from so near that its places show. */
 	bool fine = number > 0 && run.fine;
 
+	if (fine && draw->soft->counts) {
+		soft_count_fine(draw, piece->count);
+	}
 	if (tile_is_square(&run)) {
 		(fine ? soft_tile_fine : soft_tile_row)(&run);
 	} else {

@@ -4,7 +4,6 @@
 #include "platform/gl/soft/vertex/primitive.h"
 
 #include <limits.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -15,20 +14,23 @@ enum {
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
 	uint32_t bits = draw->key.bits;
-	bool textured = (bits & KEY_TEXTURE) != 0;
+	bool mixed = (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) != 0;
+	bool planes = draw->raster.top != NOT_SET_UP &&
+		draw->raster.top != RASTER_LISTED;
 
-	if (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) {
-		return textured ? GL_WORK_MIXED_TEXTURED : GL_WORK_MIXED;
+	if (!(bits & KEY_TEXTURE)) {
+		return mixed ? GL_WORK_MIXED : GL_WORK_SPANS;
 	}
-	if (!textured) {
-		return GL_WORK_SPANS;
+	if (bits & KEY_ALPHA_TEST) {
+		return planes ? GL_WORK_TESTED_SPANS : GL_WORK_TESTED;
 	}
-	if (draw->raster.top == NOT_SET_UP ||
-		draw->raster.top == RASTER_LISTED) {
-		return GL_WORK_TEXTURED;
+	if (!planes) {
+		return mixed ? GL_WORK_MIXED_TEXTURED : GL_WORK_TEXTURED;
 	}
-	return draw->raster.perspective ? GL_WORK_SPANS_DIVIDED
-					: GL_WORK_SPANS_TEXTURED;
+	if (draw->raster.perspective) {
+		return mixed ? GL_WORK_MIXED_DIVIDED : GL_WORK_SPANS_DIVIDED;
+	}
+	return mixed ? GL_WORK_MIXED_SPANS : GL_WORK_SPANS_TEXTURED;
 }
 
 /* Of the triangle that was drawn last. */
@@ -38,6 +40,9 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 
 	if (fill == soft_fill_flat || fill == soft_fill_masked) {
 		return GL_WORK_FLAT;
+	}
+	if (fill == soft_fill_constant || fill == soft_fill_picture) {
+		return GL_WORK_BACKDROP;
 	}
 	if (fill != soft_rows_fill && fill != soft_fill_narrow &&
 		fill != soft_fill_textured) {
@@ -85,58 +90,65 @@ static struct clip_box box_of(const struct draw *draw, const struct setup *setup
 	return box;
 }
 
-/* Copies the depths in the box, row after row; NULL if that is impossible. */
-static uint16_t *copy_depth(const struct draw *draw, const struct clip_box *box)
+/* Whether a depth is behind the one that is there, up to a unit of rounding. */
+static bool is_behind(const struct draw *draw, int32_t depth, int32_t there)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
-	size_t width = (size_t)(box->right - box->left);
-	uint16_t *copy = malloc(
-		width * (size_t)(box->bottom - box->top) * sizeof(*copy));
+	GLenum function = draw->soft->fragment.depth_function;
 
-	for (int y = box->top; copy && y < box->bottom; y++) {
-		memcpy(copy + width * (size_t)(y - box->top),
-			buffers->depth + y * buffers->width + box->left,
-			width * sizeof(*copy));
-	}
-	return copy;
+	return (function == GL_LESS && depth + 1 >= there) ||
+		(function == GL_LEQUAL && depth - 1 > there);
 }
 
-static double count_changed(const struct draw *draw, const struct clip_box *box,
-	const uint16_t *before)
+/* Twice the signed area of a, b and the point (x, y). */
+static double find_area(
+	const struct vertex *a, const struct vertex *b, double x, double y)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
-	double count = 0.0;
-
-	for (int y = box->top; y < box->bottom; y++) {
-		for (int x = box->left; x < box->right; x++) {
-			count += buffers->depth[y * buffers->width + x] !=
-				*before++;
-		}
-	}
-	return count;
+	return (double)(b->x - a->x) * (y - a->y) -
+		(double)(b->y - a->y) * (x - a->x);
 }
 
 /*
- * Draws the triangle, and returns how many of its pixels are behind others.
- * That is less than 0 where its rows cover more than its area. Where depths do
- * not tell, because alpha is tested too, it is 0.
+ * Whether the triangle covers the pixel, and is behind what is drawn there. The
+ * pixel's centre is moved a little, so that it lies on no edge.
  */
-static double draw_and_find_hidden(
-	struct draw *draw, struct setup *setup, double pixels)
+static bool is_pixel_hidden(
+	const struct draw *draw, const struct setup *setup, int x, int y)
 {
-	const struct clip_box box = box_of(draw, setup);
-	uint32_t bits = draw->key.bits & (KEY_DEPTH_LESS | KEY_ALPHA_TEST);
-	bool tested = bits == KEY_DEPTH_LESS && box.left < box.right &&
-		box.top < box.bottom;
-	uint16_t *before = tested ? copy_depth(draw, &box) : NULL;
-	double hidden = 0.0;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct vertex *const *v = setup->v;
+	double centre_x = 16.0 * x + 8.25, centre_y = 16.0 * y + 8.125;
+	double a = find_area(v[1], v[2], centre_x, centre_y);
+	double b = find_area(v[2], v[0], centre_x, centre_y);
+	double c = find_area(v[0], v[1], centre_x, centre_y);
+	double z;
 
-	draw->counted_fill(draw, setup);
-	if (before) {
-		hidden = pixels - count_changed(draw, &box, before);
+	if (!(a > 0.0 && b > 0.0 && c > 0.0) &&
+		!(a < 0.0 && b < 0.0 && c < 0.0)) {
+		return false;
 	}
-	free(before);
-	return hidden;
+	z = (a * v[0]->z + b * v[1]->z + c * v[2]->z) / (a + b + c);
+	return is_behind(draw, (int32_t)(z / 4.0),
+		buffers->depth[y * buffers->width + x]);
+}
+
+/*
+ * How many of the triangle's pixels are behind others. Its area may be a little
+ * smaller, but not that of all triangles.
+ */
+static double count_hidden(const struct draw *draw, const struct setup *setup,
+	const struct clip_box *box)
+{
+	double count = 0.0;
+
+	if (!draw->soft->fragment.depth_test) {
+		return 0.0;
+	}
+	for (int y = box->top; y < box->bottom; y++) {
+		for (int x = box->left; x < box->right; x++) {
+			count += is_pixel_hidden(draw, setup, x, y);
+		}
+	}
+	return count;
 }
 
 static void fill_and_count(struct draw *draw, struct setup *setup)
@@ -150,8 +162,9 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	for (int i = 0; i < 3 && draw->attributes; i++) {
 		counts->shaded += is_new(draw, setup->v[i]);
 	}
+	hidden = skipped ? 0.0 : count_hidden(draw, setup, &box);
 	draw->raster.top = NOT_SET_UP;
-	hidden = draw_and_find_hidden(draw, setup, pixels);
+	draw->counted_fill(draw, setup);
 	if (!skipped) {
 		work = &counts->work[kind_of(draw)];
 		work->triangles += 1.0;
@@ -161,9 +174,17 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	}
 }
 
+void soft_count_fine(const struct draw *draw, int pixels)
+{
+	draw->soft->counts->fine += pixels;
+}
+
 void soft_count_call(struct draw *draw, const struct source *source, GLenum mode)
 {
 	struct gl_counts *counts = draw->soft->counts;
+	bool listed = mode == GL_TRIANGLES && source->indices &&
+		source->type == GL_UNSIGNED_SHORT;
+	double *vertices = listed ? &counts->vertices : &counts->single;
 
 	counts->calls += 1.0;
 	counts->listed +=
@@ -174,7 +195,7 @@ void soft_count_call(struct draw *draw, const struct source *source, GLenum mode
 		uint32_t index = index_at(source, i);
 		uint32_t *known = &draw->counted[index % VERTEX_CACHE];
 
-		counts->vertices += *known != index;
+		*vertices += *known != index;
 		*known = index;
 	}
 	memset(draw->counted, 0xFF, sizeof(draw->counted));

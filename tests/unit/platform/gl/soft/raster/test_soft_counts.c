@@ -56,7 +56,7 @@ static void test_a_square_counts_as_what_it_is(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	struct gl_counts flat = {0}, plain = {0}, other = {0}, blended = {0};
-	struct gl_counts hidden = {0};
+	struct gl_counts hidden = {0}, unseen = {0};
 
 	(void)state;
 	count(&canvas, &flat);
@@ -84,6 +84,14 @@ static void test_a_square_counts_as_what_it_is(void **state)
 	count(&canvas, &blended);
 	draw_square(&canvas);
 	expect_square(&blended, GL_WORK_MIXED);
+
+	/* Blended pixels are hidden as others are. */
+	canvas.gl->DepthFunc(GL_LESS);
+	canvas.gl->DepthMask(GL_FALSE);
+	count(&canvas, &unseen);
+	draw_square(&canvas);
+	assert_true(unseen.work[GL_WORK_MIXED].pixels == 0.0);
+	assert_true(unseen.hidden == SIZE * SIZE);
 	gl_canvas_close(&canvas);
 }
 
@@ -129,15 +137,18 @@ static void test_scaled_counts_are_all_scaled(void **state)
 	struct gl_counts counts = {.calls = 2,
 		.listed = 4,
 		.vertices = 6,
+		.single = 20,
 		.shaded = 8,
 		.hidden = 16,
+		.fine = 18,
 		.work[GL_WORK_GROUND] = {10, 12, 14}};
 
 	(void)state;
 	gl_counts_scale(&counts, 0.5);
 	assert_true(counts.calls == 1 && counts.listed == 2 &&
 		counts.vertices == 3 && counts.shaded == 4 &&
-		counts.hidden == 8);
+		counts.hidden == 8 && counts.single == 10 &&
+		counts.fine == 9);
 	assert_true(counts.work[GL_WORK_GROUND].triangles == 5 &&
 		counts.work[GL_WORK_GROUND].rows == 6 &&
 		counts.work[GL_WORK_GROUND].pixels == 7);

@@ -44,12 +44,15 @@ limber compare "$slider" --fps 10 --plot "$scratch/plot.svg"
 expect_status 0
 expect_out '^>'
 expect_out '^Take "'
-expect_out '"ARM11": the whole frame without labels, which is$'
-expect_out '^posing and drawing, predicted for an ARM1136 at 532 MHz by the timing model, not measured\.'
+expect_out '^"ARM11" is the whole frame without labels, which is posing and drawing, predicted$'
+expect_out '^for an ARM1136 at 532 MHz by the timing model, not measured\. '
 expect_out '^Board imx31-pdk: ARM1136 at 532 MHz, 128 MiB; limits: 81920 KiB, 33\.3 ms, 0\.5 px'
-expect_out '^On the ARM1136 its frame takes [0-9]* us to sample the clip, [0-9]* us for matrices, [0-9]* us for vertices$'
-expect_out '^and [1-9][0-9]* us to draw it\.'
-expect_out '  a frame takes  *ARM11 us  *posing  *drawing  us here '
+expect_out '^On the ARM1136 its frame takes [0-9]* us to sample the clip, [0-9]* us for matrices,$'
+expect_out '^[0-9]* us for vertices and [1-9][0-9]* us to draw it\.'
+expect_out '^  a frame takes  *ARM11 us  *posing  *drawing  *KiB RAM  *KiB file  *peak px$'
+expect_out '^  how it looks; posing here  *mean px  *outline  *normal  *shade  *us here  *k instr\.$'
+check 'the tables fit 80 columns' test \
+    -z "$(grep '^[ >]' "$out_file" | grep -E '^.{81}')"
 expect_out 'AN4044.s example, 20 key frames of 4000 vertices, is 80000 vertices'
 check 'the plot has a point for each technique' \
     test "$(grep -c '<circle' "$scratch/plot.svg")" -ge 4
@@ -149,7 +152,7 @@ check 'the table of clips lines up' awk '
 sed 's/"output": [0-9]*/&, "interpolation": "STEP"/' "$slider" >"$scratch/step.gltf"
 limber compare "$scratch/step.gltf" --export "$scratch/step"
 expect_status 0
-expect_out '^ [ *]morph, [0-9]+ keys fitted +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+ +[-0-9]+ +[0-9.]+ +[0-9.]+ +0\.0'
+expect_out '^ [ *]morph, [0-9]+ keys fitted +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+ +0\.0'
 check 'a model of nodes alone has no rigid parts beside them' \
     test ! -e "$scratch/step/rigid.glb"
 sed 's/"name": "slider",/& "scale": [1, 3, 0.5],/
@@ -234,4 +237,7 @@ limber compare "$slider" --plot "$scratch/plot.png"
 expect_refusal 2 '--plot .*plot.png: give a file name that ends in \.svg'
 limber compare "$(dirname "$0")/../../assets/arm.glb"
 expect_refusal 1 'it has no clip'
+sed 's/"mesh": 0/"extras": 0/' "$slider" >"$scratch/unseen.gltf"
+limber compare "$scratch/unseen.gltf"
+expect_refusal 1 'unseen.gltf: it shows no triangles: give a model with a mesh'
 tap_done

@@ -53,12 +53,12 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		comparison->model->node_count,
 		comparison->model->node_count == 1 ? "node" : "nodes");
 	fprintf(out,
-		"Errors are in pixels of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
-		"\"here\": posing, measured on this machine, kernel %s. \"ARM11\": the whole frame without labels, which is\n"
-		"posing and drawing, predicted for an ARM1136 at %d MHz by the timing model, not measured.\n"
+		"\"ARM11\" is the whole frame without labels, which is posing and drawing, predicted\n"
+		"for an ARM1136 at %d MHz by the timing model, not measured. Errors are in pixels\n"
+		"of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
 		"Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
-		request->width, request->height, request->kernel->name,
-		ARM11_MHZ, board->name, board->summary,
+		ARM11_MHZ, request->width, request->height, board->name,
+		board->summary,
 		kilobytes(comparison->memory_limit_bytes),
 		comparison->time_limit_us * 1e-3, (double)request->bound_px);
 }
@@ -66,9 +66,9 @@ static void print_head(const struct comparison *comparison, FILE *out)
 static void print_instructions(double instructions, FILE *out)
 {
 	if (instructions < 0.0) {
-		fprintf(out, "%9s", "-");
+		fprintf(out, "%8s", "-");
 	} else {
-		fprintf(out, "%9.0f", instructions / 1000.0);
+		fprintf(out, "%8.0f", instructions / 1000.0);
 	}
 }
 
@@ -79,15 +79,48 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 	double us = board_cost_us(&total->board);
 	double draw_us = board_cost_us(&total->draw);
 
-	fprintf(out, "%c%c%-26s %8.0f %8.1f %8.0f %8.1f ",
+	fprintf(out, "%c%c%-25s %8.0f %7.1f %8.0f %8.1f %8.1f %7.3f\n",
 		index == comparison->advised ? '>' : ' ', row->front ? '*' : ' ',
-		row->name, us, us - draw_us, draw_us, total->frame_us);
-	print_instructions(total->instructions, out);
-	fprintf(out, " %9.1f %9.1f %8.3f %8.3f %8.3f %7.2f %6.1f\n",
+		row->name, us, us - draw_us, draw_us,
 		kilobytes(total->memory_bytes), kilobytes(total->file_bytes),
-		(double)total->peak_px, (double)total->mean_px,
-		(double)total->outline_px, (double)total->normal_deg,
-		(double)total->shade_steps);
+		(double)total->peak_px);
+}
+
+static void print_rows(const struct comparison *comparison, FILE *out)
+{
+	fprintf(out, "  %-25s %8s %7s %8s %8s %8s %7s\n", "a frame takes",
+		"ARM11 us", "posing", "drawing", "KiB RAM", "KiB file",
+		"peak px");
+	for (int i = 0; i < comparison->row_count; i++) {
+		if (comparison->row[i].listed) {
+			print_row(comparison, i, out);
+		}
+	}
+	fprintf(out,
+		"  *: on the Pareto front: nothing else is better in time, memory and peak error\n");
+}
+
+static void print_looks(const struct comparison *comparison, FILE *out)
+{
+	fprintf(out, "\n  %-25s %8s %8s %7s %6s %8s %8s\n",
+		"how it looks; posing here", "mean px", "outline", "normal",
+		"shade", "us here", "k instr.");
+	for (int i = 0; i < comparison->row_count; i++) {
+		const struct comparison_row *row = &comparison->row[i];
+		const struct comparison_total *total = &row->total;
+
+		if (!row->listed) {
+			continue;
+		}
+		fprintf(out, "  %-25s %8.3f %8.3f %7.2f %6.1f %8.1f ",
+			row->name, (double)total->mean_px,
+			(double)total->outline_px, (double)total->normal_deg,
+			(double)total->shade_steps, total->frame_us);
+		print_instructions(total->instructions, out);
+		fprintf(out, "\n");
+	}
+	fprintf(out, "  us here: of posing, measured on this machine, kernel %s\n",
+		comparison->request.kernel->name);
 }
 
 enum {
@@ -137,13 +170,13 @@ static void print_clips(const struct comparison *comparison, FILE *out)
 
 static void print_ratings(const struct comparison *comparison, FILE *out)
 {
-	fprintf(out, "\n  %-26s %-20s %-20s %s\n", "AN4044 rates them",
+	fprintf(out, "\n  %-17s  %-14s  %-18s  %s\n", "AN4044 rates them",
 		"control over", "looks", "to program");
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
 		const struct technique_rating *rating = &technique_ratings[t];
 
 		if (comparison_has(comparison, (enum technique)t)) {
-			fprintf(out, "  %-26s %-20s %-20s %s\n", rating->name,
+			fprintf(out, "  %-17s  %-14s  %-18s  %s\n", rating->name,
 				rating->control, rating->looks, rating->coding);
 		}
 	}
@@ -167,8 +200,8 @@ static void print_steps(const struct comparison *comparison, FILE *out)
 		us[i] /= (double)comparison->clip_count;
 	}
 	fprintf(out,
-		"On the ARM1136 its frame takes %.0f us to sample the clip, %.0f us for matrices, %.0f us for vertices\n"
-		"and %.0f us to draw it.\n",
+		"On the ARM1136 its frame takes %.0f us to sample the clip, %.0f us for matrices,\n"
+		"%.0f us for vertices and %.0f us to draw it.\n",
 		us[0], us[1], us[2], us[3]);
 }
 
@@ -186,7 +219,8 @@ static void print_advice(const struct comparison *comparison, FILE *out)
 			kilobytes(comparison->mixed_bytes));
 	}
 	fprintf(out,
-		"AN4044's example, %d key frames of %d vertices, is %d vertices; here %d key frames of %d are %d.\n",
+		"AN4044's example, %d key frames of %d vertices, is %d vertices;\n"
+		"here %d key frames of %d are %d.\n",
 		AN4044_KEYS, AN4044_VERTICES, AN4044_KEYS * AN4044_VERTICES,
 		AN4044_KEYS, comparison->vertex_count,
 		AN4044_KEYS * comparison->vertex_count);
@@ -195,17 +229,8 @@ static void print_advice(const struct comparison *comparison, FILE *out)
 int report_print_text(const struct comparison *comparison, FILE *out)
 {
 	print_head(comparison, out);
-	fprintf(out, "  %-26s %8s %8s %8s %8s %9s %9s %9s %8s %8s %8s %7s %6s\n",
-		"a frame takes", "ARM11 us", "posing", "drawing", "us here",
-		"k instr.", "KiB RAM", "KiB file", "peak px", "mean px",
-		"outline", "normal", "shade");
-	for (int i = 0; i < comparison->row_count; i++) {
-		if (comparison->row[i].listed) {
-			print_row(comparison, i, out);
-		}
-	}
-	fprintf(out,
-		"  *: on the Pareto front: nothing else is better in time, memory and peak error at once\n");
+	print_rows(comparison, out);
+	print_looks(comparison, out);
 	print_clips(comparison, out);
 	print_ratings(comparison, out);
 	print_advice(comparison, out);

@@ -1,0 +1,405 @@
+/* The reports of a comparison that the test makes up. */
+#include "app/compare/report/report.h"
+#include "tests/support/test.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	CLIPS = 2,
+	ROWS = 3
+};
+
+static const struct board_profile board = {
+	.name = "desk",
+	.summary = "a test",
+	.frame_ms = 20.0,
+	.bytes_per_percent = 4096,
+};
+
+struct bench {
+	struct model model;
+	struct model_clip clip[3];
+	float time_s[3];
+	struct comparison comparison;
+	struct comparison_clip compared[CLIPS];
+	struct comparison_cell cell[ROWS][CLIPS];
+	char *text;
+	size_t size;
+};
+
+static const char text_of_two_clips[] =
+	"dog.glb, 2 clips: 3.75 s; 321 vertices, 1 node\n"
+	"\"ARM11\" is the whole frame without labels, which is posing and "
+	"drawing, predicted\n"
+	"for an ARM1136 at 532 MHz by the timing model, not measured. "
+	"Errors are in pixels\n"
+	"of a 480x640 screen, normals in degrees, shades in 63rds of white.\n"
+	"Board desk: a test; limits: 50 KiB, 12.5 ms, 1.5 px.\n"
+	"\n"
+	"  a frame takes             ARM11 us  posing  drawing  KiB RAM "
+	"KiB file peak px\n"
+	" *skin                           900   300.0      600      2.0    "
+	"  3.0   1.250\n"
+	"  morph, 9 keys                 1800   600.0     1200      4.0    "
+	"  6.0   2.500\n"
+	">*rigid parts                   3600  1200.0     2400      8.0    "
+	" 12.0   5.000\n"
+	"  *: on the Pareto front: nothing else is better in time, memory "
+	"and peak error\n"
+	"\n"
+	"  how it looks; posing here  mean px  outline  normal  shade  us "
+	"here k instr.\n"
+	"  skin                         0.125    0.500    2.50    3.5     "
+	"11.5       45\n"
+	"  morph, 9 keys                0.250    1.000    5.00    7.0     "
+	"23.0        -\n"
+	"  rigid parts                  0.500    2.000   10.00   14.0     "
+	"46.0      180\n"
+	"  us here: of posing, measured on this machine, kernel float\n"
+	"\n"
+	"  clip                  seconds ARM11 us  peak px  technique in "
+	"the mixed plan\n"
+	"   1 walk?fast             1.50      100    1.000  skin\n"
+	"   2                       2.25      400    4.000  morph, 9 keys\n"
+	"\n"
+	"  AN4044 rates them  control over    looks               to "
+	"program\n"
+	"  morphing           every vertex    good, soft things   fairly "
+	"easy\n"
+	"  hierarchical       pivots          solid parts only    easiest\n"
+	"  skeletal           bones           good, characters    most "
+	"difficult\n"
+	"\n"
+	"Take \"rigid parts\" for all clips: it is the test.\n"
+	"On the ARM1136 its frame takes 60 us to sample the clip, 120 us "
+	"for matrices,\n"
+	"180 us for vertices and 240 us to draw it.\n"
+	"A mixed plan, with the technique that the clips' table names for "
+	"each, takes 777 us and 5 KiB.\n"
+	"AN4044's example, 20 key frames of 4000 vertices, is 80000 "
+	"vertices;\n"
+	"here 20 key frames of 321 are 6420.\n";
+
+static const char text_of_one_clip[] =
+	"dog.glb, clip 1 walk?fast: 1.50 s; 1 vertex, 2 nodes\n"
+	"\"ARM11\" is the whole frame without labels, which is posing and "
+	"drawing, predicted\n"
+	"for an ARM1136 at 532 MHz by the timing model, not measured. "
+	"Errors are in pixels\n"
+	"of a 480x640 screen, normals in degrees, shades in 63rds of white.\n"
+	"Board desk: a test; limits: 50 KiB, 12.5 ms, 1.5 px.\n"
+	"\n"
+	"  a frame takes             ARM11 us  posing  drawing  KiB RAM "
+	"KiB file peak px\n"
+	"  morph, 9 keys                 1800   600.0     1200      4.0    "
+	"  6.0   2.500\n"
+	">*rigid parts                   3600  1200.0     2400      8.0    "
+	" 12.0   5.000\n"
+	"  *: on the Pareto front: nothing else is better in time, memory "
+	"and peak error\n"
+	"\n"
+	"  how it looks; posing here  mean px  outline  normal  shade  us "
+	"here k instr.\n"
+	"  morph, 9 keys                0.250    1.000    5.00    7.0     "
+	"23.0        -\n"
+	"  rigid parts                  0.500    2.000   10.00   14.0     "
+	"46.0      180\n"
+	"  us here: of posing, measured on this machine, kernel float\n"
+	"\n"
+	"  AN4044 rates them  control over    looks               to "
+	"program\n"
+	"  morphing           every vertex    good, soft things   fairly "
+	"easy\n"
+	"  hierarchical       pivots          solid parts only    easiest\n"
+	"\n"
+	"Take \"rigid parts\": it is the test.\n"
+	"On the ARM1136 its frame takes 40 us to sample the clip, 80 us "
+	"for matrices,\n"
+	"120 us for vertices and 160 us to draw it.\n"
+	"AN4044's example, 20 key frames of 4000 vertices, is 80000 "
+	"vertices;\n"
+	"here 20 key frames of 1 are 20.\n";
+
+static const char csv[] =
+	"technique,kind,us_per_frame,instructions_per_frame,"
+	"arm11_us_predicted,arm11_instructions_predicted,"
+	"arm11_drawing_us_predicted,ram_bytes,file_bytes,peak_px,mean_px,"
+	"outline_px,normal_deg,shade_steps,front,advised\r\n"
+	"\"skin\",skeletal,11.50,45000,900.00,6300,600.00,2048,3072,1.2500,"
+	"0.1250,0.5000,2.500,3.50,yes,no\r\n"
+	"\"morph, 9 keys\",morphing,23.00,,1800.00,12600,1200.00,4096,6144,"
+	"2.5000,0.2500,1.0000,5.000,7.00,no,no\r\n";
+
+static const char markdown[] =
+	"| technique | kind | us_per_frame | instructions_per_frame | "
+	"arm11_us_predicted | arm11_instructions_predicted | "
+	"arm11_drawing_us_predicted | ram_bytes | file_bytes | peak_px | "
+	"mean_px | outline_px | normal_deg | shade_steps | front | advised "
+	"|\n"
+	"|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
+	"---:|---:|---:|\n"
+	"| skin | skeletal | 11.50 | 45000 | 900.00 | 6300 | 600.00 | 2048 "
+	"| 3072 | 1.2500 | 0.1250 | 0.5000 | 2.500 | 3.50 | yes | no |\n"
+	"| morph, 9 keys | morphing | 23.00 |  | 1800.00 | 12600 | 1200.00 "
+	"| 4096 | 6144 | 2.5000 | 0.2500 | 1.0000 | 5.000 | 7.00 | no | no "
+	"|\n";
+
+/* 532 cycles are a microsecond on the board. */
+static struct board_cost us(double microseconds)
+{
+	return (struct board_cost){532.0 * microseconds, 7.0 * microseconds};
+}
+
+static void add_row(struct bench *bench, const char *name,
+	enum technique technique, double unit)
+{
+	struct comparison *comparison = &bench->comparison;
+	int number = comparison->row_count++;
+	struct comparison_row *row = &comparison->row[number];
+
+	snprintf(row->name, sizeof(row->name), "%s", name);
+	row->technique = technique;
+	row->listed = true;
+	row->front = number != 1;
+	row->cell = bench->cell[number];
+	row->total = (struct comparison_total){
+		.peak_px = (float)(1.25 * unit),
+		.mean_px = (float)(0.125 * unit),
+		.outline_px = (float)(0.5 * unit),
+		.normal_deg = (float)(2.5 * unit),
+		.shade_steps = (float)(3.5 * unit),
+		.frame_us = 11.5 * unit,
+		.instructions = number == 1 ? -1.0 : 45000.0 * unit,
+		.board = us(900.0 * unit),
+		.draw = us(600.0 * unit),
+		.memory_bytes = (size_t)(2048.0 * unit),
+		.file_bytes = (size_t)(3072.0 * unit),
+		.key_count = 9,
+	};
+	for (int c = 0; c < CLIPS; c++) {
+		double by = unit * (c + 1);
+		struct comparison_cell *cell = &row->cell[c];
+
+		cell->error = (struct candidate_error){
+			.peak_px = (float)by, .peak_s = 0.5f, .samples = 10 + c};
+		cell->time =
+			(struct candidate_time){by, row->total.instructions};
+		cell->board = (struct board_frame){us(10.0 * by), us(20.0 * by),
+			us(30.0 * by), us(40.0 * by)};
+		cell->bytes = (struct candidate_bytes){.shared = 1, .own = 2};
+		cell->vertex_count = 321;
+	}
+}
+
+static void begin(struct bench *bench)
+{
+	struct comparison *comparison = &bench->comparison;
+
+	*bench = (struct bench){
+		.clip = {{.name = "idle", .duration_s = 9.0f},
+			{.name = "walk\tfast", .duration_s = 1.5f},
+			{.name = "", .duration_s = 2.25f}},
+		.time_s = {0.0f, 0.75f, 1.5f},
+	};
+	bench->model = (struct model){.path = "dog.glb",
+		.clip_count = 3,
+		.clip = bench->clip,
+		.node_count = 1};
+	*comparison = (struct comparison){
+		.request = {.clip = -1,
+			.rate_hz = 30.0,
+			.bound_px = 1.5f,
+			.board = &board,
+			.width = 480,
+			.height = 640,
+			.kernel = &kernel_float},
+		.model = &bench->model,
+		.vertex_count = 321,
+		.clip_count = CLIPS,
+		.clip = bench->compared,
+		.memory_limit_bytes = 50 * 1024,
+		.time_limit_us = 12500.0,
+		.advised = 2,
+		.mixed_us = 777.0,
+		.mixed_bytes = 5 * 1024,
+		.reason = "it is the test",
+	};
+	for (int c = 0; c < CLIPS; c++) {
+		bench->compared[c].clip = c + 1;
+		bench->compared[c].row = c;
+		bench->compared[c].grid = (struct time_grid){3, bench->time_s};
+	}
+	add_row(bench, "skin", TECHNIQUE_SKELETAL, 1.0);
+	add_row(bench, "morph, 9 keys", TECHNIQUE_MORPHING, 2.0);
+	add_row(bench, "rigid parts", TECHNIQUE_HIERARCHICAL, 4.0);
+}
+
+/* What a format prints; the caller frees bench->text. */
+static const char *print(struct bench *bench, const char *format)
+{
+	FILE *out = open_memstream(&bench->text, &bench->size);
+
+	assert_non_null(out);
+	assert_int_equal(report_find(format)->print(&bench->comparison, out), 0);
+	fclose(out);
+	return bench->text;
+}
+
+static void expect(struct bench *bench, const char *format, const char *wanted)
+{
+	assert_string_equal(print(bench, format), wanted);
+	free(bench->text);
+}
+
+static void test_the_text_has_each_figure_in_its_column(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.mixed = true;
+	expect(&bench, "text", text_of_two_clips);
+}
+
+static void test_a_single_clip_needs_no_table_of_clips(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.clip_count = 1;
+	bench.comparison.vertex_count = 1;
+	bench.model.node_count = 2;
+	bench.comparison.row[0].listed = false;
+	expect(&bench, "text", text_of_one_clip);
+}
+
+static void test_csv_leaves_unknown_instructions_empty(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.row[2].listed = false;
+	expect(&bench, "csv", csv);
+	expect(&bench, "md", markdown);
+}
+
+static double number_of(const json_t *json, const char *key)
+{
+	const json_t *value = json_object_get(json, key);
+
+	if (!json_is_number(value)) {
+		fail_msg("there is no number %s", key);
+	}
+	return json_number_value(value);
+}
+
+static void expect_cost(const json_t *json, const char *key, double wanted_us)
+{
+	const json_t *cost = json_object_get(json, key);
+
+	assert_near(number_of(cost, "us_per_frame"), wanted_us, 1e-6);
+	assert_near(number_of(cost, "instructions_per_frame"), 7.0 * wanted_us,
+		1e-6);
+}
+
+static void expect_cells(const json_t *candidate, int number, double unit)
+{
+	const json_t *cells = json_object_get(candidate, "clips");
+
+	assert_int_equal(json_array_size(cells), CLIPS);
+	for (int c = 0; c < CLIPS; c++) {
+		const json_t *cell = json_array_get(cells, (size_t)c);
+		const json_t *split = json_object_get(cell, "arm11_split");
+		double by = unit * (c + 1);
+
+		assert_near(number_of(cell, "peak_px"), by, 1e-6);
+		assert_near(number_of(cell, "samples"), 10 + c, 0.0);
+		assert_near(number_of(cell, "ram_bytes_own"), 2, 0.0);
+		expect_cost(cell, "arm11_predicted", 100.0 * by);
+		expect_cost(split, "sample", 10.0 * by);
+		expect_cost(split, "matrices", 20.0 * by);
+		expect_cost(split, "vertices", 30.0 * by);
+		expect_cost(split, "draw", 40.0 * by);
+		assert_int_equal(
+			json_object_get(cell, "instructions_per_frame") == NULL,
+			number == 1);
+		assert_int_equal(
+			json_array_size(json_object_get(cell, "key_times_s")),
+			number == 1 && c == 0 ? 3 : 0);
+	}
+}
+
+static void test_json_has_all_rows_and_cells(void **state)
+{
+	static const double units[ROWS] = {1.0, 2.0, 4.0};
+	struct bench bench;
+	const json_t *candidates, *clip;
+	json_t *root;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.row[0].listed = false;
+	bench.comparison.cost = COMPARISON_COST_TIME;
+	bench.cell[1][0].keys = (struct fit_keys){3, bench.time_s};
+	root = json_loads(print(&bench, "json"), 0, NULL);
+	assert_non_null(root);
+	candidates = json_object_get(root, "candidates");
+	assert_int_equal(json_array_size(candidates), ROWS);
+	for (int i = 0; i < ROWS; i++) {
+		const json_t *one = json_array_get(candidates, (size_t)i);
+
+		assert_near(
+			number_of(one, "us_per_frame"), 11.5 * units[i], 1e-6);
+		assert_near(number_of(one, "shade_steps"), 3.5 * units[i], 1e-6);
+		assert_int_equal(
+			json_is_true(json_object_get(one, "listed")), i != 0);
+		assert_int_equal(
+			json_is_true(json_object_get(one, "advised")), i == 2);
+		assert_int_equal(
+			json_is_true(json_object_get(one, "front")), i != 1);
+		expect_cost(one, "arm11_predicted", 900.0 * units[i]);
+		expect_cost(one, "arm11_drawing", 600.0 * units[i]);
+		expect_cells(one, i, units[i]);
+	}
+	clip = json_array_get(json_object_get(root, "clips"), 1);
+	assert_near(number_of(clip, "clip"), 2, 0.0);
+	assert_string_equal(json_string_value(json_object_get(clip, "plan")),
+		"morph, 9 keys");
+	assert_near(json_number_value(
+			    json_array_get(json_object_get(clip, "times_s"), 1)),
+		0.75, 1e-7);
+	assert_string_equal(
+		json_string_value(json_object_get(root, "advised_by")),
+		"us_per_frame");
+	assert_near(number_of(root, "ram_limit_bytes"), 51200, 0.0);
+	assert_near(number_of(json_object_get(root, "mixed_plan"), "ram_bytes"),
+		5120, 0.0);
+	json_decref(root);
+	free(bench.text);
+}
+
+static void test_formats_are_found_by_name(void **state)
+{
+	(void)state;
+	assert_string_equal(report_find("md")->name, "md");
+	assert_null(report_find("xml"));
+	assert_null(report_find(""));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_text_has_each_figure_in_its_column),
+		cmocka_unit_test(test_a_single_clip_needs_no_table_of_clips),
+		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
+		cmocka_unit_test(test_json_has_all_rows_and_cells),
+		cmocka_unit_test(test_formats_are_found_by_name),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -272,6 +272,22 @@ static void test_steps_add_up_to_the_time(void **state)
 	acting_end(&acting);
 }
 
+static void test_without_a_state_the_first_clip_or_the_rest_pose_plays(
+	void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, "[parameter a]\n");
+	assert_string_equal(acting_state(&acting), acting.model->clip[0].name);
+	acting_end(&acting);
+	acting_begin(&acting, "assets/arm.glb");
+	acting_expect(&acting, "[parameter a]\n");
+	assert_string_equal(acting_state(&acting), "rest");
+	acting_end(&acting);
+}
+
 /* Each clip ends four frames before its end, in those of its own rate. */
 static void test_a_row_plays_the_states_in_the_order_of_the_file(void **state)
 {
@@ -421,6 +437,8 @@ int main(void)
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
 		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),
 		cmocka_unit_test(test_steps_add_up_to_the_time),
+		cmocka_unit_test(
+			test_without_a_state_the_first_clip_or_the_rest_pose_plays),
 		cmocka_unit_test(
 			test_a_row_plays_the_states_in_the_order_of_the_file),
 		cmocka_unit_test(test_conditions_exit_times_and_priorities),

@@ -143,7 +143,7 @@ static const struct statement walker[] = {
 	{BALL "[look a]\nbone = neck 0.4\nbone = head\ntarget = ball\n",
 		BALL "[look a]\nbone = neck 4\ntarget = ball\n",
 		"a share is from 0 to 1"},
-	{BALL "[look a]\nbone = neck 0.4 4\nbone = head 1 20\ntarget = ball\n",
+	{BALL "[look a]\nbone = neck 0 100\nbone = head 1 0\ntarget = ball\n",
 		BALL "[look a]\nbone = neck 0.4 400\ntarget = ball\n",
 		"a rate is from 0 to 100"},
 	{BALL "[look a]\nbone = head\ntarget = ball\nyaw = 60\npitch = 30\nrate = 4\n",

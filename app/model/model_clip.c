@@ -137,7 +137,8 @@ static int keep_packed(struct model_channel *channel, struct arena *arena)
 	return 0;
 }
 
-int model_keep_clip(struct model_clip *clip, struct arena *arena)
+int model_keep_clip(
+	struct model_clip *clip, struct arena *keys, struct arena *arena)
 {
 	int error = 0;
 
@@ -150,6 +151,7 @@ int model_keep_clip(struct model_clip *clip, struct arena *arena)
 		channel->key_count = channel->constant ? 1 : channel->key_count;
 		error = packs ? keep_packed(channel, arena)
 			      : keep_floats(channel, arena);
+		arena_release(&keys[i]);
 	}
 	return error;
 }

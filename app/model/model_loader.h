@@ -44,11 +44,13 @@ void model_normalize_influences(struct model_primitive *primitive);
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
- * Copies the keys of a clip's channels, which are in scratch memory, into an
- * arena: only the first key of a constant channel. Channels whose
- * packed is set, beside value, keep one of both. 0 or -ENOMEM.
+ * Copies the keys of a clip's channels into an arena: only the first key of a
+ * constant channel. Channels whose packed is set, beside value, keep one of
+ * both. keys[i] holds nothing but the keys of channel i and is released once
+ * they are copied. 0 or -ENOMEM.
  */
-int model_keep_clip(struct model_clip *clip, struct arena *arena);
+int model_keep_clip(
+	struct model_clip *clip, struct arena *keys, struct arena *arena);
 
 /*
  * Called once for each loaded model: sets constant and unit of all channels,

@@ -9,7 +9,7 @@
 enum {
 	ALIGNMENT = 16,
 	BLOCK_BYTES = 64 * 1024,
-	LARGE_BYTES = 8 * 1024,
+	LARGE_PART = 8 /* of a block */
 };
 
 struct arena_block {
@@ -67,7 +67,8 @@ static size_t room(const struct arena_block *block)
  */
 static struct arena_block *grow(struct arena *arena, size_t bytes)
 {
-	size_t capacity = bytes >= LARGE_BYTES ? bytes : BLOCK_BYTES;
+	size_t usual = arena->block_bytes ? arena->block_bytes : BLOCK_BYTES;
+	size_t capacity = bytes >= usual / LARGE_PART ? bytes : usual;
 	size_t total = block_bytes(capacity);
 	struct arena_block *block;
 

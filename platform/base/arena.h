@@ -19,6 +19,11 @@ struct arena {
 	size_t used_bytes; /* handed out, including alignment */
 	/* What the blocks are taken from, or NULL; it outlives the arena. */
 	struct memory_budget *budget;
+	/*
+	 * The bytes of a block that small allocations share; one of an eighth
+	 * of that or more gets a block of its own size. 0 means 64 KiB.
+	 */
+	size_t block_bytes;
 };
 
 /* Returns an empty arena. Allocates nothing yet. */

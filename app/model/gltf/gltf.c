@@ -90,6 +90,11 @@ static int check_extensions(struct gltf *gltf)
 	return error;
 }
 
+enum {
+	/* Scratch memory is small next to the model or in large pieces. */
+	SCRATCH_BLOCK_BYTES = 8 * 1024
+};
+
 typedef int (*gltf_step)(struct gltf *gltf);
 
 static const gltf_step document_steps[] = {
@@ -142,7 +147,12 @@ void gltf_release(struct gltf *gltf)
 	}
 	gltf->buffer_count = 0;
 	json_decref(gltf->json);
-	gltf->json = NULL;
+	json_decref(gltf->nothing);
+	gltf->json = gltf->nothing = NULL;
+	for (i = 0; i < gltf->key_arena_count; i++) {
+		arena_release(&gltf->key_arena[i]);
+	}
+	gltf->key_arena_count = 0;
 	arena_release(&gltf->scratch);
 	arena_release(&gltf->brief);
 	if (gltf->model) {
@@ -175,6 +185,8 @@ int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 	}
 	gltf->scratch = arena_within(gltf->model->budget);
 	gltf->brief = arena_within(gltf->model->budget);
+	gltf->scratch.block_bytes = SCRATCH_BLOCK_BYTES;
+	gltf->brief.block_bytes = SCRATCH_BLOCK_BYTES;
 	error = run_steps(gltf, document_steps, ARRAY_COUNT(document_steps));
 	if (error) {
 		discard(gltf);

@@ -4,6 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+enum {
+	KEY_BLOCK_BYTES = 256 /* most channels have a few keys */
+};
+
 struct sampler {
 	const struct gltf_accessor *input, *output;
 	enum model_interpolation interpolation;
@@ -126,9 +130,11 @@ static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	return error;
 }
 
+/* Of the channel that is being read. */
 static struct arena *keys_arena(struct gltf *gltf)
 {
-	return gltf->all_keys ? &gltf->scratch : &gltf->brief;
+	return gltf->all_keys ? &gltf->scratch
+			      : &gltf->key_arena[gltf->key_arena_count - 1];
 }
 
 /* Whether the file's numbers are those of model_channel.packed. */
@@ -323,9 +329,19 @@ static int read_channel(const struct gltf_at *at,
 	return error ? error : read_sampler(&sampler, out);
 }
 
+static void begin_keys(struct gltf *gltf, int channel)
+{
+	struct arena *keys = &gltf->key_arena[channel];
+
+	*keys = arena_within(gltf->model->budget);
+	keys->block_bytes = KEY_BLOCK_BYTES;
+	gltf->key_arena_count = channel + 1;
+}
+
 static int read_animation(const struct gltf_at *at,
 	struct animation_reader *reader, struct model_clip *out)
 {
+	struct gltf *gltf = at->gltf;
 	struct gltf_at array, item;
 	int count, i;
 	int error = gltf_name(at, &out->name);
@@ -341,7 +357,9 @@ static int read_animation(const struct gltf_at *at,
 		return error;
 	}
 	out->channel = GLTF_KEEP(&array, struct model_channel, count);
-	if (!out->channel) {
+	gltf->key_arena_count = 0;
+	gltf->key_arena = GLTF_SCRATCH(&array, struct arena, count);
+	if (!out->channel || !gltf->key_arena) {
 		return -ENOMEM;
 	}
 	for (i = 0; i < count && !error; i++) {
@@ -349,6 +367,7 @@ static int read_animation(const struct gltf_at *at,
 			&out->channel[out->channel_count];
 		bool has_node = false;
 
+		begin_keys(gltf, out->channel_count);
 		error = gltf_item(&array, i, &item);
 		if (!error) {
 			error = read_channel(&item, reader, channel, &has_node);
@@ -367,9 +386,9 @@ static int read_animation(const struct gltf_at *at,
 
 static int keep_clip(const struct gltf_at *at, struct model_clip *clip)
 {
-	int error = model_keep_clip(clip, &at->gltf->model->arena);
+	struct gltf *gltf = at->gltf;
+	int error = model_keep_clip(clip, gltf->key_arena, &gltf->model->arena);
 
-	gltf_end_brief(at->gltf);
 	return error ? gltf_no_memory(at) : 0;
 }
 
@@ -400,6 +419,7 @@ int gltf_read_animations(struct gltf *gltf)
 		if (!error && !gltf->all_keys) {
 			error = keep_clip(&item, &model->clip[i]);
 		}
+		gltf_drop_element(gltf, "animations", i);
 	}
 	return error;
 }

@@ -116,7 +116,11 @@ struct gltf {
 	const struct log *log;
 	struct arena scratch;
 	struct arena brief; /* see gltf_end_brief() */
-	bool all_keys;      /* see gltf_read() */
+	/* The keys of each channel of the animation that is being read. */
+	int key_arena_count;
+	struct arena *key_arena;
+	json_t *nothing; /* see gltf_drop_element() */
+	bool all_keys;   /* see gltf_read() */
 	struct model *model;
 	json_t *json;
 	struct gltf_at root;
@@ -156,8 +160,8 @@ struct gltf {
 /*
  * Reads the source into gltf->model, which is NULL after an error. The caller
  * calls gltf_release() in either case, and owns the model. all_keys keeps all
- * keys of constant channels, as an examination needs them; the keys of all clips
- * are in scratch memory then, which gltf_release() frees.
+ * keys of constant channels, as an examination needs them; the keys of all
+ * clips are in scratch memory then, which gltf_release() frees.
  */
 int gltf_read(struct gltf *gltf, const struct model_source *source,
 	bool all_keys, const struct log *log);
@@ -272,10 +276,17 @@ int gltf_no_memory(const struct gltf_at *at);
 		(at), &(at)->gltf->brief, (size_t)(count), sizeof(type)))
 
 /*
- * Frees the arrays of GLTF_BRIEF(), which one attribute of a mesh or one clip
- * needed while it was read. All of them together would be as large as the model.
+ * Frees the arrays of GLTF_BRIEF(), which one attribute of a mesh needed while
+ * it was read. All of them together would be as large as the model.
  */
 void gltf_end_brief(struct gltf *gltf);
+
+/*
+ * Frees the JSON of an element of one of the document's arrays, such as
+ * "meshes", which has been read. An empty object takes its place. It does
+ * nothing in an examination, which reads the JSON after the model.
+ */
+void gltf_drop_element(struct gltf *gltf, const char *array, int index);
 
 /* gltf_container.c */
 

@@ -377,6 +377,21 @@ void gltf_end_brief(struct gltf *gltf)
 	arena_release(&gltf->brief);
 }
 
+void gltf_drop_element(struct gltf *gltf, const char *array, int index)
+{
+	json_t *elements = json_object_get(gltf->json, array);
+
+	if (gltf->all_keys) {
+		return;
+	}
+	if (!gltf->nothing) {
+		gltf->nothing = json_object();
+	}
+	if (gltf->nothing) {
+		(void)json_array_set(elements, (size_t)index, gltf->nothing);
+	}
+}
+
 void *gltf_alloc(const struct gltf_at *at, struct arena *arena, size_t count,
 	size_t size)
 {

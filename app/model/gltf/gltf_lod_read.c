@@ -118,6 +118,7 @@ int gltf_read_levels(struct gltf *gltf, int mesh)
 
 		error = read_mesh_level(
 			&at, gltf->level[mesh].count, &gltf->level[i], out);
+		gltf_drop_element(gltf, "meshes", i);
 	}
 	return error;
 }

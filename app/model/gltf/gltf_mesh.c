@@ -252,7 +252,11 @@ static int read_mesh(const struct gltf_at *at)
 		error = gltf_read_weights(
 			at, out->target_count, &gltf->mesh_weights[index]);
 	}
-	return error ? error : gltf_read_levels(gltf, at->index);
+	if (!error) {
+		error = gltf_read_levels(gltf, at->index);
+	}
+	gltf_drop_element(gltf, "meshes", at->index);
+	return error;
 }
 
 int gltf_read_meshes(struct gltf *gltf)

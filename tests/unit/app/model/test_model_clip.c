@@ -341,13 +341,16 @@ static void test_keeps_one_key_of_constant_channels(void **state)
 		{.width = 3, .key_count = 3, .time_s = time_s, .value = moved},
 	};
 	struct model_clip clip = {.channel_count = 2, .channel = channel};
-	struct arena arena = arena_empty();
+	struct arena arena = arena_empty(), keys[2] = {{0}, {0}};
 
 	(void)state;
 	for (int i = 0; i < 2; i++) {
 		channel[i].interpolation = MODEL_LINEAR;
+		assert_non_null(arena_alloc(&keys[i], 1, 1));
 	}
-	assert_int_equal(model_keep_clip(&clip, &arena), 0);
+	assert_int_equal(model_keep_clip(&clip, keys, &arena), 0);
+	assert_null(keys[0].newest);
+	assert_null(keys[1].newest);
 	assert_int_equal(channel[0].key_count, 1);
 	assert_ptr_not_equal(channel[0].value, still);
 	assert_all_near(channel[0].value, still, 3, 0);

@@ -45,6 +45,24 @@ static void test_allocations_do_not_overlap(void **state)
 	arena_release(&arena);
 }
 
+static void test_blocks_have_the_size_that_is_asked_for(void **state)
+{
+	struct memory_budget budget = {.limit_bytes = 16 * 1024};
+	struct arena arena = arena_within(&budget);
+
+	(void)state;
+	arena.block_bytes = 4096;
+	assert_non_null(arena_alloc(&arena, 4096 / 8, 1));
+	assert_in_range(budget.used_bytes, 512, 600);
+	assert_non_null(arena_alloc(&arena, 100, 1));
+	assert_non_null(arena_alloc(&arena, 100, 1));
+	assert_in_range(budget.used_bytes, 4096 + 512, 4200 + 600);
+	assert_non_null(arena_alloc(&arena, 10000, 1));
+	assert_in_range(budget.used_bytes, 14608, 15000);
+	arena_release(&arena);
+	assert_int_equal(budget.used_bytes, 0);
+}
+
 static void test_allocations_larger_than_a_block_work(void **state)
 {
 	enum {
@@ -163,6 +181,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
 		cmocka_unit_test(test_allocations_do_not_overlap),
+		cmocka_unit_test(test_blocks_have_the_size_that_is_asked_for),
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),
 		cmocka_unit_test(test_large_allocations_waste_no_room),
 		cmocka_unit_test(test_releases_a_budget_in_its_own_memory),

@@ -19,57 +19,57 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.403e+04, 2.763e+04}, /* frame */
-	{0.773, 0.3752},        /* pixel */
-	{1.718e+04, 7401},      /* call */
-	{195.7, 94.21},         /* listed */
-	{115, 54.11},           /* vertex */
-	{175.9, 121.1},         /* single */
-	{756.2, 196.8},         /* shaded */
-	{10.52, 9.217},         /* hidden */
-	{7.78, 6.21},           /* fine */
-	{211.7, 87.59},         /* flat triangle */
-	{57.58, 37.95},         /* flat row */
-	{10.5, 6.924},          /* flat pixel */
-	{458.9, 253},           /* plain triangle */
-	{0.3409, 21.11},        /* plain row */
-	{34.26, 13.64},         /* plain pixel */
-	{724.5, 313.7},         /* textured triangle */
-	{338.2, 167.4},         /* textured row */
-	{80.42, 57.82},         /* textured pixel */
-	{3.902e+04, 1.763e+04}, /* backdrop triangle */
-	{73.62, 35.56},         /* backdrop row */
-	{2.747, 0.8966},        /* backdrop pixel */
-	{3.902e+04, 1.763e+04}, /* ground triangle */
-	{133.9, 80.44},         /* ground row */
-	{5.655, 1.846},         /* ground pixel */
-	{1294, 830.7},          /* spans triangle */
-	{166.4, 99.57},         /* spans row */
-	{30.68, 19.58},         /* spans pixel */
-	{3181, 2274},           /* spans textured triangle */
-	{549.2, 324.9},         /* spans textured row */
-	{76.96, 40.48},         /* spans textured pixel */
-	{4729, 3813},           /* spans divided triangle */
-	{949.2, 534},           /* spans divided row */
-	{111.9, 72.08},         /* spans divided pixel */
-	{2563, 1525},           /* mixed triangle */
-	{149.8, 75.18},         /* mixed row */
-	{70.85, 45},            /* mixed pixel */
-	{3115, 1222},           /* tested triangle */
-	{250.9, 162.4},         /* tested row */
-	{142.7, 101.7},         /* tested pixel */
-	{3797, 2118},           /* tested spans triangle */
-	{610.9, 346},           /* tested spans row */
-	{187.2, 122.8},         /* tested spans pixel */
+	{3.681e+04, 3.245e+04}, /* frame */
+	{0.7863, 0.381},        /* pixel */
+	{1.778e+04, 7761},      /* call */
+	{213.3, 105.4},         /* listed */
+	{93.58, 40.48},         /* vertex */
+	{178.8, 122.8},         /* single */
+	{727, 182.1},           /* shaded */
+	{10.56, 9.517},         /* hidden */
+	{3.89, 3.105},          /* fine */
+	{197.3, 79.27},         /* flat triangle */
+	{53.24, 34.48},         /* flat row */
+	{10.35, 6.799},         /* flat pixel */
+	{530.5, 349.2},         /* plain triangle */
+	{0.1704, 13.4},         /* plain row */
+	{28.38, 10.35},         /* plain pixel */
+	{721.8, 308.4},         /* textured triangle */
+	{337.9, 168.4},         /* textured row */
+	{78.96, 56.49},         /* textured pixel */
+	{4.559e+04, 2.245e+04}, /* backdrop triangle */
+	{75.4, 36.87},          /* backdrop row */
+	{2.872, 0.9206},        /* backdrop pixel */
+	{4.559e+04, 2.245e+04}, /* ground triangle */
+	{140.1, 85.98},         /* ground row */
+	{8.707, 4.319},         /* ground pixel */
+	{1186, 728},            /* spans triangle */
+	{168.1, 103.5},         /* spans row */
+	{30.09, 18.96},         /* spans pixel */
+	{3198, 2294},           /* spans textured triangle */
+	{525.4, 307.3},         /* spans textured row */
+	{73.02, 37.69},         /* spans textured pixel */
+	{4668, 3732},           /* spans divided triangle */
+	{968.7, 547.4},         /* spans divided row */
+	{106.2, 68.05},         /* spans divided pixel */
+	{2628, 1588},           /* mixed triangle */
+	{151.9, 76.56},         /* mixed row */
+	{67.91, 42.79},         /* mixed pixel */
+	{3130, 1230},           /* tested triangle */
+	{251.2, 162.6},         /* tested row */
+	{141.7, 100.7},         /* tested pixel */
+	{3817, 2136},           /* tested spans triangle */
+	{611.6, 347.6},         /* tested spans row */
+	{184.7, 120.9},         /* tested spans pixel */
 	{3000, 1500},           /* mixed textured triangle */
 	{250, 190},             /* mixed textured row */
 	{150, 97},              /* mixed textured pixel */
-	{3612, 2316},           /* mixed spans triangle */
-	{314.6, 179.8},         /* mixed spans row */
-	{141, 92.56},           /* mixed spans pixel */
-	{5139, 4157},           /* mixed divided triangle */
-	{1887, 984.3},          /* mixed divided row */
-	{138.2, 91.58},         /* mixed divided pixel */
+	{3633, 2336},           /* mixed spans triangle */
+	{321.1, 184.2},         /* mixed spans row */
+	{140.1, 91.77},         /* mixed spans pixel */
+	{5136, 4154},           /* mixed divided triangle */
+	{1890, 988.3},          /* mixed divided row */
+	{137.8, 91.35},         /* mixed divided pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -292,9 +292,6 @@ static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 		return false;
 	}
 	set_level(draw, &list->s.value, &list->t.value);
-	if (draw->spans.function[0] == draw->spans.function[1]) {
-		return false;
-	}
 	begin_coordinate(draw, TEX_S, view->s_shift, &list->s);
 	begin_coordinate(draw, TEX_S + 1, view->t_shift, &list->t);
 	in_s = find_place(

@@ -251,4 +251,9 @@ void soft_set_functions(
 		spans->draw_anywhere = mask_anywhere;
 		spans->draw = mask_inside;
 	}
+	if (spans->draw_scaled) {
+		spans->scaled[0] = spans->draw_anywhere;
+		spans->scaled[1] = spans->draw;
+		spans->draw = spans->draw_scaled;
+	}
 }

@@ -26,7 +26,8 @@
 	SOFT_SPAN_FUNCTION(name##_tested_fog, .finish = SOFT_TESTED_FOG,    \
 		__VA_ARGS__)                                                \
 	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
-		__VA_ARGS__)
+		__VA_ARGS__)                                                \
+	SOFT_SPAN_FUNCTION(name##_scaled, .finish = SOFT_SCALED, __VA_ARGS__)
 
 #define SOFT_DEPTH_FUNCTIONS(name, ...)                                     \
 	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
@@ -72,6 +73,7 @@
 			SOFT_FINISH_ROW(name, inside, tested_fog),          \
 		[SOFT_BLENDED_FOG] =                                        \
 			SOFT_FINISH_ROW(name, inside, blended_fog),         \
+		[SOFT_SCALED] = SOFT_FINISH_ROW(name, inside, scaled),      \
 	}
 
 #define SOFT_TEXTURE_ROWS(name) SOFT_FINISH_ROWS(name, name##_inside)

@@ -177,6 +177,11 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	spans->white[0] = (uint32_t)mul_high(white, row.red_blue) * 0x10001;
 	spans->white[1] = (uint32_t)mul_high(white, row.green);
 	spans->scales = find_format_scales(format, wide, spans->combined);
+	if (spans->finish == SOFT_SCALED) {
+		/* From 255 of a second texture to 256 */
+		spans->scales.red_blue += spans->scales.red_blue / 255;
+		spans->scales.green += spans->scales.green / 255;
+	}
 }
 
 static void find_stages(const struct draw *draw, struct soft_spans *spans)
@@ -235,7 +240,8 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	spans->colored = !replaced || format == GL_ALPHA;
 	spans->alpha_read = wide || combined ||
 		(spans->finish != SOFT_OPAQUE &&
-			spans->finish != SOFT_OPAQUE_FOG);
+			spans->finish != SOFT_OPAQUE_FOG &&
+			spans->finish != SOFT_SCALED);
 	spans->alpha =
 		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
 }
@@ -310,6 +316,12 @@ bool soft_prepare_spans(struct draw *draw)
 		draw->attributes != 0 && is_multiplied(draw, spans->finish);
 	spans->combined = draw->attributes != 0 && !spans->multiplied &&
 		is_combined(draw);
+	if (spans->multiplied && spans->finish == SOFT_OPAQUE &&
+		!soft_mixes_levels(input)) {
+		spans->multiplied = false;
+		spans->finish = SOFT_SCALED;
+	}
+	soft_prepare_second(spans);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_mixes_levels(input));
 	choose_places(state, spans);
@@ -328,7 +340,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->run.draw = draw;
 	spans->lists_runs = spans->depth_way == SOFT_DEPTH_DIRECT &&
 		!spans->stenciled && spans->color_mask == UINT32_MAX &&
-		!spans->made;
+		!spans->made && spans->finish != SOFT_SCALED;
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;

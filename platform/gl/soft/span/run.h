@@ -77,6 +77,8 @@ struct soft_run {
 	int32_t s, t, s_right, t_right;
 	uint32_t s_last, t_last; /* texels, and masks of coordinates */
 	uint32_t stride_log2; /* of the level, in bytes */
+	/* The second texture's texels of the row, RGBA8888, for SOFT_SCALED. */
+	const uint32_t *second;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
 };
@@ -99,6 +101,7 @@ enum soft_finish {
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
+	SOFT_SCALED, /* by a second texture, before colours; then opaque */
 	SOFT_FINISHES,
 };
 

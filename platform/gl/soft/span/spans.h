@@ -103,6 +103,14 @@ struct soft_spans {
 	const soft_span_function *function;
 	/* the same, with the depth test before them that they do not do */
 	soft_span_function draw_anywhere, draw;
+	/* draws runs that leave the window, unless they are only cut */
+	soft_span_function draw_across;
+	/*
+	 * With SOFT_SCALED: reads the second texture's texels of a run, and
+	 * draws it by the second of two functions, scaled; the first wraps.
+	 */
+	soft_span_function draw_scaled, scaled[2];
+	const uint16_t *scaled_depth; /* of the run's first pixel */
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
 	/*
@@ -128,6 +136,7 @@ struct soft_spans {
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */
+	uint32_t second[SOFT_RUN_PIXELS]; /* the second texture's texels */
 };
 
 /*

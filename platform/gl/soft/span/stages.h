@@ -59,6 +59,12 @@ static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
 	return soft_is_tested(kind) || soft_is_blended(kind) || kind.wide;
 }
 
+/* Without a texture there is no first one of two. */
+static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
+{
+	return kind.finish == SOFT_SCALED && kind.textured;
+}
+
 /* Where nothing else is in the upper half of green, the count is. */
 static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
 {
@@ -82,7 +88,8 @@ static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
  */
 static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 {
-	return kind.linear && kind.format == TEXEL_565 && !kind.wide;
+	return kind.linear && kind.format == TEXEL_565 && !kind.wide &&
+		!soft_is_scaled(kind);
 }
 
 static ALWAYS_INLINE int soft_fraction(
@@ -98,7 +105,9 @@ static ALWAYS_INLINE int soft_fraction(
 		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
 							   : 16 - bits;
 	}
-	return (soft_is_mixed(kind) ? 13 + 14 - 16 : 14) +
+	return (soft_is_scaled(kind)           ? 13 + 8 + 14 - 16
+			: soft_is_mixed(kind) ? 13 + 14 - 16
+					       : 14) +
 		soft_field(kind.format, channel).bits - bits;
 }
 
@@ -246,6 +255,31 @@ static ALWAYS_INLINE void soft_finish_texel(
 			soft_mix_half(&texel->four, false, kind.wide);
 	}
 #endif
+}
+
+/*
+ * By a second texture's texel: channels become 8192 * 255 times what they are,
+ * less than 2^31.
+ */
+static ALWAYS_INLINE void soft_scale_texel(
+	struct soft_kind kind, uint32_t by, struct soft_texel *texel)
+{
+	const int up = soft_is_mixed(kind) ? 0 : 13;
+	uint32_t *c = texel->channel;
+
+	if (kind.format == TEXEL_8888) {
+		c[0] = texel->lanes.red_blue & 0xFFFF;
+		c[1] = texel->lanes.green_alpha & 0xFFFF;
+		c[2] = texel->lanes.red_blue >> 16;
+	}
+	c[0] = c[0] * (by & 255) << up;
+	c[1] = c[1] * (by >> 8 & 255) << up;
+	c[2] = c[2] * (by >> 16 & 255) << up;
+	if (kind.wide) {
+		uint32_t product = texel->alpha * (by >> 24) + 128;
+
+		texel->alpha = (product + (product >> 8)) >> 8;
+	}
 }
 
 #endif

@@ -3,8 +3,9 @@
  * function of a table is a call with constants of its own, in which the
  * compiler leaves nothing but what that function needs.
  *
- * A pixel: the depth test; the texel (nearest, or four mixed); times the
- * colour; fog; the alpha test; depth, and the colour, blended or not.
+ * A pixel: the depth test; the texel (nearest, or four mixed); times a second
+ * texture's; times the colour; fog; the alpha test; depth, and the colour,
+ * blended or not.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
@@ -34,14 +35,14 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 		red = (int32_t)(rb & 0xFFFF);
 		green = (int32_t)(ga & 0xFFFF);
 		blue = (int32_t)(rb >> 16);
+	} else if (soft_is_scaled(kind) || soft_is_mixed(kind)) {
+		red = WORD_BY_BOTTOM(c[0], rb, red);
+		green = WORD_BY_BOTTOM(c[1], ga, green);
+		blue = WORD_BY_TOP(c[2], rb, blue);
 	} else if (kind.format == TEXEL_8888) {
 		red = HALVES_BB(texel->lanes.red_blue, rb, red);
 		green = HALVES_BB(texel->lanes.green_alpha, ga, green);
 		blue = HALVES_TT(texel->lanes.red_blue, rb, blue);
-	} else if (kind.linear) {
-		red = WORD_BY_BOTTOM(c[0], rb, red);
-		green = WORD_BY_BOTTOM(c[1], ga, green);
-		blue = WORD_BY_TOP(c[2], rb, blue);
 	} else {
 		red = HALVES_BB(c[0], rb, red);
 		green = HALVES_BB(c[1], ga, green);
@@ -57,6 +58,7 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 struct soft_constants {
 	int32_t fog[3]; /* with soft_fraction() bits of fraction, and a half */
 	uint32_t alpha_low, alpha_range;
+	uintptr_t second; /* of the row, and twice the depth's address less */
 };
 
 /* Given in 14 bits of fraction, or 8 bits. */
@@ -76,7 +78,7 @@ static ALWAYS_INLINE int32_t soft_find_fog(const struct soft_run *run,
 static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	const struct soft_run *run, struct soft_kind kind)
 {
-	struct soft_constants out = {{0, 0, 0}, 0, 0};
+	struct soft_constants out = {.second = 0};
 
 	if (soft_is_fogged(kind)) {
 		out.fog[0] = soft_find_fog(run, kind, SOFT_RED);
@@ -151,7 +153,7 @@ static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
 static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
 	const struct soft_texel *texel, uint32_t green_alpha)
 {
-	return soft_has_alpha(kind)
+	return soft_has_alpha(kind) || soft_is_scaled(kind)
 		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
 		: green_alpha >> 23;
 }
@@ -197,7 +199,8 @@ static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 	struct soft_color color;
 
 #ifdef HAS_COLOR_VECTORS
-	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind)) {
+	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind) &&
+		!soft_is_scaled(kind)) {
 		uint64_t lanes = vector_scale(texel->lanes.red_blue |
 				(uint64_t)texel->lanes.green_alpha << 32,
 			at->red_blue | (uint64_t)at->green_alpha << 32);
@@ -229,6 +232,13 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	} else if (kind.textured) {
 		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
 	}
+	if (soft_is_scaled(kind)) {
+		soft_finish_texel(kind, &texel);
+		soft_scale_texel(kind,
+			*(const uint32_t *)(constants->second +
+				2 * (uintptr_t)depth),
+			&texel);
+	}
 	if (soft_wants_alpha(kind)) {
 		alpha = kind.wide || soft_is_tested(kind)
 			? soft_find_alpha(kind, &texel, at->green_alpha)
@@ -242,7 +252,9 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	if (soft_is_blended(kind) && alpha == 0) {
 		return;
 	}
-	soft_finish_texel(kind, &texel);
+	if (!soft_is_scaled(kind)) {
+		soft_finish_texel(kind, &texel);
+	}
 	if (kind.wide) {
 		const struct soft_lanes lanes =
 			soft_find_lanes(kind, constants, &texel, at);
@@ -279,7 +291,7 @@ static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 
 static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	const struct soft_row *row, const struct soft_kind kind,
-	const struct soft_constants *constants)
+	struct soft_constants *constants)
 {
 	uint16_t *depth = row->depth;
 	uint8_t *pixel = row->pixel;
@@ -297,6 +309,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	uint32_t green_right =
 		(count > 1 ? run->green_alpha_right : 0) - 0x10000;
 
+	constants->second = (uintptr_t)run->second - 2 * (uintptr_t)depth;
 	if (soft_counts_by_green(kind)) {
 		at.green_alpha += (count - 1) << 16;
 	}
@@ -322,7 +335,7 @@ static ALWAYS_INLINE void soft_draw_run(
 {
 	/* Pixels do not lie in it, which the compiler cannot know. */
 	const struct soft_run own = *given, *run = &own;
-	const struct soft_constants constants = soft_find_constants(run, kind);
+	struct soft_constants constants = soft_find_constants(run, kind);
 	const struct soft_row *row = run->rows;
 
 	if (kind.textured && !kind.inside) {

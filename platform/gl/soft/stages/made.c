@@ -261,6 +261,69 @@ static void draw_made(const struct soft_run *given)
 	run->green_alpha_right = whole.green_alpha_right;
 }
 
+/* The second texture's texels for a whole run; false where it is hidden. */
+static bool sample_before(struct soft_spans *spans)
+{
+	struct soft_run *run = &spans->run;
+
+	if (is_hidden(spans)) {
+		return false;
+	}
+	run->second = spans->second;
+	spans->scaled_depth = run->row.depth;
+	sample_second(run->draw, run->row.count, spans->second);
+	return true;
+}
+
+static void draw_scaled(const struct soft_run *run)
+{
+	struct soft_spans *spans = &run->draw->spans;
+
+	if (sample_before(spans)) {
+		spans->scaled[1](run);
+	}
+}
+
+static void draw_part(struct soft_spans *spans, int inside)
+{
+	struct soft_run *run = &spans->run;
+
+	run->second = spans->second + (run->row.depth - spans->scaled_depth);
+	spans->scaled[inside](run);
+}
+
+static void draw_part_anywhere(const struct soft_run *run)
+{
+	draw_part(&run->draw->spans, 0);
+}
+
+static void draw_part_inside(const struct soft_run *run)
+{
+	draw_part(&run->draw->spans, 1);
+}
+
+static void draw_scaled_across(const struct soft_run *run)
+{
+	static const soft_span_function parts[2] = {
+		draw_part_anywhere, draw_part_inside};
+	struct soft_spans *spans = &run->draw->spans;
+
+	if (sample_before(spans)) {
+		soft_cut_run(
+			&spans->run, &spans->view, parts, spans->pixel_log2);
+	}
+}
+
+void soft_prepare_second(struct soft_spans *spans)
+{
+	bool scaled = spans->finish == SOFT_SCALED;
+
+	spans->made_levels[1].level = -1;
+	spans->run.second = NULL;
+	spans->draw_scaled = scaled ? draw_scaled : NULL;
+	spans->draw_across = scaled ? draw_scaled_across : NULL;
+}
+
 static void prepare_combined(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -286,7 +349,6 @@ void soft_prepare_made(struct draw *draw)
 		prepare_combined(draw);
 	}
 	spans->made_levels[0].level = -1;
-	spans->made_levels[1].level = -1;
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;
@@ -294,6 +356,7 @@ void soft_prepare_made(struct draw *draw)
 	spans->window.s_room = 0;
 	spans->draw = draw_made;
 	spans->draw_anywhere = draw_made;
+	spans->draw_across = draw_made;
 	spans->run.row.texel_right = 1 << SOFT_TEXEL_FRACTION;
 	spans->run.stride_log2 = 0;
 }

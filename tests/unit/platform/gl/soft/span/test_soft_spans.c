@@ -297,6 +297,50 @@ static void test_a_small_triangle_leaves_the_next_its_level(void **state)
 	}
 }
 
+static struct span_scene *draw_pair(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	static const GLenum modes[] = {GL_MODULATE, GL_MODULATE, GL_REPLACE};
+	struct span_scene *scene = span_scene_begin(format, reference);
+	const struct gl *gl = scene->gl;
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
+	gl->MatrixMode(GL_MODELVIEW);
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
+	gl->DepthMask(!random_one_in(&seed, 4));
+	for (GLenum unit = 0; unit < 2; unit++) {
+		gl->ActiveTexture(GL_TEXTURE0 + unit);
+		give_texture(gl, &seed);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+			unit == 0 ? (GLfixed)one_of(&seed, modes, 3)
+				  : GL_MODULATE);
+	}
+	give_triangles(gl, &seed);
+	return scene;
+}
+
+/* Two textures that multiply each other and the colours. */
+static void test_two_textures_are_those_of_fragments(void **state)
+{
+	int scaled = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 600; seed++) {
+		enum pixel_format format =
+			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *fast = draw_pair(format, seed * 7919, false);
+		struct span_scene *slow = draw_pair(format, seed * 7919, true);
+
+		scaled += fast->soft->draw->spans.finish == SOFT_SCALED;
+		span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	assert_true(scaled > 200);
+}
+
 static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
@@ -338,6 +382,7 @@ int main(void)
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
 		cmocka_unit_test(
 			test_a_small_triangle_leaves_the_next_its_level),
+		cmocka_unit_test(test_two_textures_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 	};
 

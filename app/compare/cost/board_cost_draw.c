@@ -19,57 +19,57 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.681e+04, 3.245e+04}, /* frame */
-	{0.7863, 0.381},        /* pixel */
-	{1.778e+04, 7761},      /* call */
-	{213.3, 105.4},         /* listed */
-	{93.58, 40.48},         /* vertex */
-	{178.8, 122.8},         /* single */
-	{727, 182.1},           /* shaded */
-	{10.56, 9.517},         /* hidden */
-	{3.89, 3.105},          /* fine */
-	{197.3, 79.27},         /* flat triangle */
-	{53.24, 34.48},         /* flat row */
-	{10.35, 6.799},         /* flat pixel */
-	{530.5, 349.2},         /* plain triangle */
-	{0.1704, 13.4},         /* plain row */
-	{28.38, 10.35},         /* plain pixel */
-	{721.8, 308.4},         /* textured triangle */
-	{337.9, 168.4},         /* textured row */
-	{78.96, 56.49},         /* textured pixel */
-	{4.559e+04, 2.245e+04}, /* backdrop triangle */
-	{75.4, 36.87},          /* backdrop row */
-	{2.872, 0.9206},        /* backdrop pixel */
-	{4.559e+04, 2.245e+04}, /* ground triangle */
-	{140.1, 85.98},         /* ground row */
-	{8.707, 4.319},         /* ground pixel */
-	{1186, 728},            /* spans triangle */
-	{168.1, 103.5},         /* spans row */
-	{30.09, 18.96},         /* spans pixel */
-	{3198, 2294},           /* spans textured triangle */
-	{525.4, 307.3},         /* spans textured row */
-	{73.02, 37.69},         /* spans textured pixel */
-	{4668, 3732},           /* spans divided triangle */
-	{968.7, 547.4},         /* spans divided row */
-	{106.2, 68.05},         /* spans divided pixel */
-	{2628, 1588},           /* mixed triangle */
-	{151.9, 76.56},         /* mixed row */
-	{67.91, 42.79},         /* mixed pixel */
-	{3130, 1230},           /* tested triangle */
-	{251.2, 162.6},         /* tested row */
-	{141.7, 100.7},         /* tested pixel */
-	{3817, 2136},           /* tested spans triangle */
-	{611.6, 347.6},         /* tested spans row */
-	{184.7, 120.9},         /* tested spans pixel */
+	{3.346e+04, 2.704e+04}, /* frame */
+	{0.7559, 0.3817},       /* pixel */
+	{1.754e+04, 7370},      /* call */
+	{185.4, 96.9},          /* listed */
+	{130.7, 61.36},         /* vertex */
+	{183.5, 122.9},         /* single */
+	{748.3, 195.6},         /* shaded */
+	{10.08, 9.282},         /* hidden */
+	{9.289, 6.24},          /* fine */
+	{203.6, 84.34},         /* flat triangle */
+	{58.82, 38.21},         /* flat row */
+	{10.32, 7.135},         /* flat pixel */
+	{419.1, 241.3},         /* plain triangle */
+	{3.915, 20.54},         /* plain row */
+	{37.02, 14.32},         /* plain pixel */
+	{701.2, 316.9},         /* textured triangle */
+	{336.6, 168.6},         /* textured row */
+	{80.69, 57.21},         /* textured pixel */
+	{3.765e+04, 1.704e+04}, /* backdrop triangle */
+	{74.66, 35.9},          /* backdrop row */
+	{2.587, 0.9238},        /* backdrop pixel */
+	{3.765e+04, 1.704e+04}, /* ground triangle */
+	{135.1, 78.85},         /* ground row */
+	{5.004, 1.864},         /* ground pixel */
+	{1224, 836.8},          /* spans triangle */
+	{164.8, 102},           /* spans row */
+	{31.95, 19.47},         /* spans pixel */
+	{3366, 2292},           /* spans textured triangle */
+	{613.8, 328.1},         /* spans textured row */
+	{74.15, 38.53},         /* spans textured pixel */
+	{4655, 3718},           /* spans divided triangle */
+	{646.4, 342.6},         /* spans divided row */
+	{107.9, 68.88},         /* spans divided pixel */
+	{2686, 1569},           /* mixed triangle */
+	{156.5, 76.62},         /* mixed row */
+	{70.13, 44.51},         /* mixed pixel */
+	{3037, 1130},           /* tested triangle */
+	{253.9, 155.8},         /* tested row */
+	{143.4, 106.9},         /* tested pixel */
+	{4074, 2083},           /* tested spans triangle */
+	{646.3, 346},           /* tested spans row */
+	{184.4, 119.4},         /* tested spans pixel */
 	{3000, 1500},           /* mixed textured triangle */
 	{250, 190},             /* mixed textured row */
 	{150, 97},              /* mixed textured pixel */
-	{3633, 2336},           /* mixed spans triangle */
-	{321.1, 184.2},         /* mixed spans row */
-	{140.1, 91.77},         /* mixed spans pixel */
-	{5136, 4154},           /* mixed divided triangle */
-	{1890, 988.3},          /* mixed divided row */
-	{137.8, 91.35},         /* mixed divided pixel */
+	{3536, 2271},           /* mixed spans triangle */
+	{331.8, 183.9},         /* mixed spans row */
+	{136.3, 91.53},         /* mixed spans pixel */
+	{5120, 4123},           /* mixed divided triangle */
+	{1880, 925.6},          /* mixed divided row */
+	{128.1, 85.51},         /* mixed divided pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

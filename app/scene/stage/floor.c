@@ -102,11 +102,16 @@ static uint8_t find_shade(const struct floor *floor, const float p[3])
 		level_shade * (1.0f - 0.8f * slope), 90.0f, 255.0f);
 }
 
-/* The largest 1, 2 or 5 times a power of ten that is not above the size. */
+/*
+ * The largest 1, 2 or 5 times a power of ten that is at most 1% above the size.
+ * Many models are a round number of metres wide, in one number format a bit more
+ * and in another a bit less: both must get the same tiles.
+ */
 static float round_down(float size)
 {
 	float step = 1.0f;
 
+	size *= 1.01f;
 	while (step * 10.0f <= size) {
 		step *= 10.0f;
 	}

@@ -87,15 +87,19 @@ expect_status 0
 expect_out 'nothing fits the memory'
 
 # What a person would advise, without any option: walking has no expressions, and
-# idling blinks.
-for advised in "walk skin" "idle skin . morph"; do
+# idling blinks. A predicted time is the same everywhere. Where the time is measured,
+# because nothing counts instructions, two rows that are alike may change places.
+walking=skin
+case $limber in
+*qemu-arm*) walking='(skin|skin . morph)' ;;
+esac
+for advised in "walk $walking" "idle skin . morph"; do
     limber compare "$here/../../assets/walker.glb" --clip "${advised%% *}"
     expect_status 0
     expect_out "^Take \"${advised#* }\": it takes [0-9]* us and [0-9]* KiB; (\"[^\"]*\" would save [0-9]* KiB but take|nothing that keeps within 0\.5 px is faster or smaller; \"(morph, |skin . morph\" takes ))"
 done
 limber compare "$here/../../assets/face.glb" --clip talk
 expect_out '^Take "morph targets": '
-# A predicted time is the same everywhere; a measured one differs in each run.
 limber compare "$samples/RiggedFigure.glb" --format json
 check 'too little is saved to convert a model for' python3 -c '
 import json, sys

@@ -288,6 +288,39 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	}
 }
 
+/* Whether colours are made beforehand, in stages/, and what is done with them. */
+static void choose_making(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	bool colored = draw->attributes != 0;
+	bool mixes_levels = soft_mixes_levels(&draw->texture[0]);
+
+	spans->finish = colored ? choose_finish(draw) : SOFT_OPAQUE;
+	spans->multiplied = colored && is_multiplied(draw, spans->finish);
+	spans->combined = colored && !spans->multiplied && is_combined(draw);
+	if (spans->multiplied && spans->finish == SOFT_OPAQUE && !mixes_levels) {
+		spans->multiplied = false;
+		spans->finish = SOFT_SCALED;
+	}
+	soft_prepare_second(spans);
+	spans->made = spans->combined || spans->multiplied ||
+		(spans->textured && mixes_levels);
+}
+
+/* How long a run may be, and whether those of small triangles are listed. */
+static void choose_runs(struct soft_spans *spans)
+{
+	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT &&
+		!spans->stenciled && spans->color_mask == UINT32_MAX;
+
+	spans->plain_pixels =
+		direct && spans->finish == SOFT_OPAQUE && !spans->combined
+		? SOFT_PLAIN_PIXELS
+		: SOFT_RUN_PIXELS;
+	spans->lists_runs =
+		direct && !spans->made && spans->finish != SOFT_SCALED;
+}
+
 bool soft_prepare_spans(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -310,20 +343,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->stenciled = state->stencil.enabled;
 	spans->alpha_tested = is_tested(state);
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
-	spans->finish =
-		draw->attributes == 0 ? SOFT_OPAQUE : choose_finish(draw);
-	spans->multiplied =
-		draw->attributes != 0 && is_multiplied(draw, spans->finish);
-	spans->combined = draw->attributes != 0 && !spans->multiplied &&
-		is_combined(draw);
-	if (spans->multiplied && spans->finish == SOFT_OPAQUE &&
-		!soft_mixes_levels(input)) {
-		spans->multiplied = false;
-		spans->finish = SOFT_SCALED;
-	}
-	soft_prepare_second(spans);
-	spans->made = spans->combined || spans->multiplied ||
-		(spans->textured && soft_mixes_levels(input));
+	choose_making(draw);
 	choose_places(state, spans);
 	spans->coverage.used = false;
 	spans->depth_way = choose_depth_way(state, spans->blended_last);
@@ -331,16 +351,9 @@ bool soft_prepare_spans(struct draw *draw)
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
-	spans->plain_pixels = spans->finish == SOFT_OPAQUE && !spans->combined &&
-			spans->depth_way == SOFT_DEPTH_DIRECT &&
-			!spans->stenciled && spans->color_mask == UINT32_MAX
-		? SOFT_PLAIN_PIXELS
-		: SOFT_RUN_PIXELS;
+	choose_runs(spans);
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;
-	spans->lists_runs = spans->depth_way == SOFT_DEPTH_DIRECT &&
-		!spans->stenciled && spans->color_mask == UINT32_MAX &&
-		!spans->made && spans->finish != SOFT_SCALED;
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;

@@ -68,6 +68,11 @@ build/$(1)/liblimber.a: $$(OBJECTS_$(1))
 	$$(call say,AR,$$@)
 	$$(Q)rm -f $$@ && $$(if $$(filter arm,$(1)),$$(ARM_PREFIX))ar rcs $$@ $$^
 
+build/$(1)/liblimber.so: $$(OBJECTS_$(1))
+	$$(call say,LINK,$$@)
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -shared -o $$@ $$^ \
+		@build/$(1)/libs $$(LIBS_$(1))
+
 build/$(1)/limber: build/$(1)/obj/app/main.o build/$(1)/liblimber.a
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$^ @build/$(1)/libs $$(LIBS_$(1))
@@ -78,11 +83,12 @@ $$(foreach test,$$(TEST_SOURCES),$$(eval build/$(1)/unit/$$(basename \
 # Objects precede the library, so that a test can replace one of its objects.
 build/$(1)/unit/test_%: \
 		$$(patsubst %.c,build/$(1)/obj/%.o,$$(SUPPORT_SOURCES)) \
-		build/$(1)/liblimber.a
+		build/$(1)/$(or $(TEST_LIBRARY_$(1)),liblimber.a)
 	@mkdir -p $$(@D)
 	$$(call say,LINK,$$@)
-	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) -o $$@ $$(filter %.o,$$^) \
-		$$(filter %.a,$$^) @build/$(1)/libs $$(LIBS_$(1)) -lcmocka
+	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) $$(TEST_LDFLAGS_$(1)) -o $$@ \
+		$$(filter %.o,$$^) $$(filter %.a %.so,$$^) @build/$(1)/libs \
+		$$(LIBS_$(1)) -lcmocka
 
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef

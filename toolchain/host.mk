@@ -22,16 +22,22 @@ SETS_host := host font
 PACKAGES_host := jansson libpng libjpeg sdl2 zlib libgpiod libdrm inih
 LIBS_host := -lgif -lm -ldl $(HARDENING_LIBS)
 RUN_host :=
+# Two hundred test programs with debug information of their own would take 3 GB.
+# With make TEST_LDFLAGS_host= a debugger knows their lines.
+TEST_LDFLAGS_host := -Wl,--strip-debug
 
 # The sanitizers check memory accesses, leaks and undefined behaviour.
 CC_asan := gcc
-CFLAGS_asan := -O1 -g -fno-omit-frame-pointer \
+CFLAGS_asan := -O1 -g -fno-omit-frame-pointer -fPIC \
 	-fsanitize=address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 SETS_asan := host font
 PACKAGES_asan := $(PACKAGES_host)
 LIBS_asan := -lgif -lm -ldl -fsanitize=address,undefined
 RUN_asan :=
+# The tests share one library: linked into each, it would take 13 GB.
+TEST_LIBRARY_asan := liblimber.so
+TEST_LDFLAGS_asan := -Wl,-rpath,'$$ORIGIN/..'
 GL_DRIVERS_asan := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_asan := $(DISPLAY_DRIVERS_host)
 BUTTON_DRIVERS_asan := $(BUTTON_DRIVERS_host)

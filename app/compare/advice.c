@@ -4,23 +4,8 @@
 #include "app/compare/advice_price.h"
 #include "app/compare/advice_reason.h"
 
-/* Only the program for the board has this kernel. */
-static const char board_kernel[] = "armv6";
 /* A lower price by this much makes it worth converting the model. */
 static const double worth_converting = 0.3;
-
-static enum comparison_cost choose_cost(const struct comparison *comparison)
-{
-	if (!kernel_find(board_kernel)) {
-		return COMPARISON_COST_PREDICTED;
-	}
-	for (int i = 0; i < comparison->row_count; i++) {
-		if (comparison->row[i].total.instructions < 0.0) {
-			return COMPARISON_COST_TIME;
-		}
-	}
-	return COMPARISON_COST_INSTRUCTIONS;
-}
 
 static bool is_no_worse(const struct comparison *comparison, int row, int than)
 {
@@ -97,7 +82,6 @@ void advice_give(struct comparison *comparison)
 {
 	int best = 0;
 
-	comparison->cost = choose_cost(comparison);
 	set_limits(comparison);
 	find_front(comparison);
 	for (int i = 1; i < comparison->row_count; i++) {

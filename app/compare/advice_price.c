@@ -1,37 +1,16 @@
 #include "app/compare/advice_price.h"
 
-/* Where instructions are counted: those of an ARM1136 in a microsecond. */
-static const double instructions_per_us = 300.0;
-
-static double time_us(const struct comparison *comparison, double frame_us,
-	double instructions, const struct board_cost *board,
-	const struct board_cost *draw)
-{
-	switch (comparison->cost) {
-	case COMPARISON_COST_INSTRUCTIONS:
-		return instructions / instructions_per_us + board_cost_us(draw);
-	case COMPARISON_COST_TIME:
-		return frame_us + board_cost_us(draw);
-	default:
-		return board_cost_us(board);
-	}
-}
-
 double advice_row_us(const struct comparison *comparison, int row)
 {
-	const struct comparison_total *total = &comparison->row[row].total;
-
-	return time_us(comparison, total->frame_us, total->instructions,
-		&total->board, &total->draw);
+	return board_cost_us(&comparison->row[row].total.board);
 }
 
 double advice_cell_us(const struct comparison *comparison, int row, int clip)
 {
-	const struct comparison_cell *cell = &comparison->row[row].cell[clip];
-	struct board_cost board = board_frame_sum(&cell->board);
+	struct board_cost board =
+		board_frame_sum(&comparison->row[row].cell[clip].board);
 
-	return time_us(comparison, cell->time.frame_us, cell->time.instructions,
-		&board, &cell->board.draw);
+	return board_cost_us(&board);
 }
 
 bool advice_fits_memory(const struct comparison *comparison, int row)

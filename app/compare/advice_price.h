@@ -1,7 +1,7 @@
 /*
  * What a row of a comparison costs, and whether it keeps within the limits.
  *
- * The comparison's cost and limits are set (advice.h).
+ * The comparison's limits are set (advice.h).
  */
 #ifndef APP_COMPARE_ADVICE_PRICE_H
 #define APP_COMPARE_ADVICE_PRICE_H
@@ -9,8 +9,8 @@
 #include "app/compare/comparison.h"
 
 /*
- * The time of a whole frame in microseconds, from the figure that cost selects;
- * drawing is always predicted.
+ * The predicted time of a whole frame on the board, in microseconds. Times that
+ * were measured have no part in it: they differ from run to run.
  */
 double advice_row_us(const struct comparison *comparison, int row);
 double advice_cell_us(const struct comparison *comparison, int row, int clip);

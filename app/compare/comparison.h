@@ -19,14 +19,6 @@ enum {
 	COMPARISON_REASON_BYTES = 512
 };
 
-/* Which figure counts as the cost of a frame. */
-enum comparison_cost {
-	COMPARISON_COST_PREDICTED,    /* the board's time, on other machines */
-	COMPARISON_COST_INSTRUCTIONS, /* counted, on the board */
-	COMPARISON_COST_TIME, /* measured, on a board that cannot count */
-	COMPARISON_COSTS
-};
-
 enum comparison_kind {
 	COMPARISON_ORIGINAL,   /* the model itself, see max_influences */
 	COMPARISON_MORPH,      /* key frames fitted to bound_px */
@@ -102,7 +94,6 @@ struct comparison {
 	struct comparison_row row[COMPARISON_ROWS_MAX];
 
 	/* Set by advice_give(). */
-	enum comparison_cost cost;
 	size_t memory_limit_bytes;
 	double time_limit_us;
 	int advised; /* the row that suits all clips best */

@@ -161,12 +161,7 @@ def check_predictions(check, candidates):
 def check_advice(check, report):
     """The least sum of both prices of those that keep within the limits."""
     def cost_us(candidate):
-        if report["advised_by"] == "arm11_predicted":
-            return candidate["arm11_predicted"]["us_per_frame"]
-        drawing_us = candidate["arm11_drawing"]["us_per_frame"]
-        if report["advised_by"] == "instructions_per_frame":
-            return candidate["instructions_per_frame"] / 300 + drawing_us
-        return candidate["us_per_frame"] + drawing_us
+        return candidate["arm11_predicted"]["us_per_frame"]
 
     def price(candidate):
         return (cost_us(candidate) / (report["board_frame_ms"] * 10)

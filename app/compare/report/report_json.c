@@ -6,13 +6,6 @@
 
 #include <jansson.h>
 
-/* The member of a candidate that holds the cost. */
-static const char *const cost_names[COMPARISON_COSTS] = {
-	[COMPARISON_COST_PREDICTED] = "arm11_predicted",
-	[COMPARISON_COST_INSTRUCTIONS] = "instructions_per_frame",
-	[COMPARISON_COST_TIME] = "us_per_frame",
-};
-
 static json_t *matrix_json(const vec4 *matrix)
 {
 	json_t *array = json_array();
@@ -155,7 +148,7 @@ static json_t *report_json(const struct comparison *comparison)
 		(json_int_t)request->board->bytes_per_percent, "kernel",
 		request->kernel->name, "advice",
 		comparison->row[comparison->advised].name, "reason",
-		comparison->reason, "advised_by", cost_names[comparison->cost],
+		comparison->reason, "advised_by", "arm11_predicted",
 		"mixed_plan", "better", comparison->mixed, "ram_bytes",
 		(json_int_t)comparison->mixed_bytes, "us_per_frame",
 		comparison->mixed_us, "clips", clips, "candidates", rows);

@@ -23,14 +23,6 @@ enum {
 /* Smaller errors are drawn here, as the axis is logarithmic. */
 static const double min_px = 0.01;
 
-static const char *const cost_titles[COMPARISON_COSTS] = {
-	[COMPARISON_COST_PREDICTED] =
-		"against us of posing on an ARM1136 (predicted)",
-	[COMPARISON_COST_INSTRUCTIONS] =
-		"peak error in pixels against us a frame, by instructions",
-	[COMPARISON_COST_TIME] = "peak error in pixels against us a frame",
-};
-
 static const char *const color[TECHNIQUE_COUNT] = {
 	[TECHNIQUE_MORPHING] = "#c2410c",
 	[TECHNIQUE_HIERARCHICAL] = "#4d7c0f",
@@ -231,7 +223,7 @@ static void draw(const struct comparison *comparison, FILE *out)
 		{.title = "peak error in pixels against memory in KiB",
 			.cost = memory_cost,
 			.left = CHART_LEFT},
-		{.title = cost_titles[comparison->cost],
+		{.title = "against us of posing on an ARM1136 (predicted)",
 			.cost = time_cost,
 			.left = CHART_LEFT + CHART_STEP},
 	};

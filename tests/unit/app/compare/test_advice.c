@@ -37,11 +37,11 @@ static void begin(struct bench *bench)
 	};
 }
 
-/* The same cost by each figure: on the board, other figures than here count. */
+/* Measured costs contradict the predicted ones, which have to count. */
 static void set_cell(struct comparison_cell *cell, double us)
 {
-	cell->time.frame_us = us;
-	cell->time.instructions = 300.0 * us;
+	cell->time.frame_us = 1e6 / us;
+	cell->time.instructions = 1e9 / us;
 	cell->board.vertices.cycles = (double)ARM11_MHZ * us;
 }
 
@@ -58,8 +58,8 @@ static struct comparison_row *add(
 	row->cell = bench->cell[number];
 	row->total = (struct comparison_total){
 		.peak_px = peak_px,
-		.frame_us = us,
-		.instructions = 300.0 * us,
+		.frame_us = 1e6 / us,
+		.instructions = 1e9 / us,
 		.board = {.cycles = (double)ARM11_MHZ * us},
 		.memory_bytes = (size_t)(1024.0 * kib + 0.5),
 	};
@@ -206,8 +206,6 @@ static void test_time_counts_less_than_the_error(void **state)
 		"is as fast as 10 ms, and it has the least price of time and "
 		"memory");
 	bench.comparison.row[1].total.draw.cycles = ARM11_MHZ * 10001.0;
-	bench.comparison.row[1].total.frame_us -= 10001.0;
-	bench.comparison.row[1].total.instructions -= 300.0 * 10001.0;
 	expect(&bench, 1,
 		"it takes 11000 us and 15 KiB; drawing alone takes 10.0 ms, "
 		"where a frame may take 10 ms; of what keeps within 2 px, it "

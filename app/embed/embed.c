@@ -155,7 +155,7 @@ static size_t ram_bytes(const struct embed *embed)
 	size_t weights = (size_t)(embed->weights ? embed->weights : 1);
 	size_t nodes = (size_t)embed->model->node_count;
 
-	return nodes * (10 + 12) * 4 + weights * 4 + joints * 12 * 4 +
+	return nodes * (10 + 12) * 4 + weights * 4 + joints * 24 * 4 +
 		(size_t)embed->vertices * 6 * 4;
 }
 
@@ -172,10 +172,11 @@ static void print_state(struct embed *embed)
 	fprintf(embed->out,
 		"\n/* The state: %zu bytes. */\nstruct %s_state {\n"
 		"\tfloat local[%d][10], world[%d][12];\n\tfloat weight[%d];\n"
-		"\tfloat palette[%d][12];\n"
+		"\tfloat palette[%d][12], normals[%d][12];\n"
 		"\tfloat position[%d][3], normal[%d][3];\n};\n",
 		ram_bytes(embed), p, embed->model->node_count,
 		embed->model->node_count, embed->weights ? embed->weights : 1,
+		embed->joints ? embed->joints : 1,
 		embed->joints ? embed->joints : 1, embed->vertices,
 		embed->vertices);
 }

@@ -63,6 +63,12 @@ if [ -d "$samples" ]; then
     done
 fi
 
+# Normals below nodes of uneven scale, with shear and mirrored.
+python3 "$here/../support/uneven_normals.py" "$scratch/normals.gltf"
+plays "$scratch/normals.gltf" 0 0 0.4
+check 'uneven scale leaves normals at right angles to their triangles' \
+    python3 "$here/../support/uneven_normals.py" --check "$scratch/played"
+
 limber export
 expect_refusal 2 'no model is given: use limber export MODEL --c FILE.c'
 limber export "$slider"

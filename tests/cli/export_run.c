@@ -1,7 +1,7 @@
 /*
  * Plays what `limber export` wrote: prints the vertices at a time, as limber
- * pose does, and the size of its state. EXPORTED is the name of the file, P the
- * prefix of its functions.
+ * pose does, with their normals, and the size of its state. EXPORTED is the
+ * name of the file, P the prefix of its functions.
  */
 #include EXPORTED
 
@@ -25,10 +25,11 @@ int main(int argc, char **argv)
 	JOIN(P, _pose)(&state, argc > 1 ? (float)atof(argv[1]) : 0.0f);
 	for (size_t v = 0;
 		v < sizeof(state.position) / sizeof(state.position[0]); v++) {
-		const float *p = state.position[v];
+		const float *p = state.position[v], *n = state.normal[v];
 
-		printf("v %.6f %.6f %.6f\n", (double)p[0], (double)p[1],
-			(double)p[2]);
+		printf("v %.6f %.6f %.6f\nvn %.6f %.6f %.6f\n", (double)p[0],
+			(double)p[1], (double)p[2], (double)n[0], (double)n[1],
+			(double)n[2]);
 	}
 	JOIN(P, _draw)(&state, count, &corners);
 	printf("corners %ld\nstate %zu\n", corners, sizeof(state));

@@ -42,9 +42,20 @@ scratch=$directory.new
 rm -rf "$scratch" "$directory"
 trap 'rm -rf "$scratch"' EXIT
 
-if ! mmdebstrap --quiet --mode="$mode" --architectures=armel --variant=extract \
-    --include="$packages" trixie "$scratch" \
-    "deb [signed-by=$keyring] $mirror trixie main" 2>"$directory.log"; then
+# unpack NAME: unpacks the release that the mirror calls NAME, if it is Debian 13.
+unpack() {
+    rm -rf "$scratch"
+    mmdebstrap --quiet --mode="$mode" --architectures=armel --variant=extract \
+        --include="$packages" \
+        --customize-hook='grep -qx "Codename: trixie" "$1"/var/lib/apt/lists/*Release' \
+        "$1" "$scratch" "deb [signed-by=$keyring] $mirror $1 main" \
+        2>>"$directory.log"
+}
+
+# In the hours in which a mirror takes over a point release, what it lists under
+# one of its two names for the release may not match what it has; the other works.
+: >"$directory.log"
+if ! unpack trixie && ! unpack stable; then
     cat "$directory.log" >&2
     echo "limber: mmdebstrap could not make $directory from $mirror (MIRROR=URL names another mirror)" >&2
     exit 1

@@ -81,6 +81,19 @@ about 'a mirror that is given'
 expect_status 0
 called 'http://four.example/debian trixie main$'
 
+stub mmdebstrap "echo \"\$*\" >$scratch/call
+    for d; do :; done
+    mkdir -p $root.new/usr
+    case \"\$d\" in *' trixie main') : >$root.new/half; exit 1 ;; esac"
+sysroot
+about 'a mirror in the midst of a point release'
+expect_status 0
+expect_no_err
+called "stable $root.new deb .* http://four.example/debian stable main$"
+called 'Codename: trixie'
+check 'nothing of the failed attempt stays' test ! -e "$root/half"
+rm -rf "$root"
+
 stub mmdebstrap 'echo "E: no route" >&2; exit 1'
 sysroot
 about 'mmdebstrap fails'

@@ -47,7 +47,7 @@ unpack() {
     rm -rf "$scratch"
     mmdebstrap --quiet --mode="$mode" --architectures=armel --variant=extract \
         --include="$packages" \
-        --customize-hook='grep -qx "Codename: trixie" "$1"/var/lib/apt/lists/*Release' \
+        --extract-hook='grep -qx "Codename: trixie" "$1"/var/lib/apt/lists/*Release' \
         "$1" "$scratch" "deb [signed-by=$keyring] $mirror $1 main" \
         2>>"$directory.log"
 }

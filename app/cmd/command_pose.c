@@ -8,43 +8,106 @@
 #include <errno.h>
 #include <stdio.h>
 
-/* The decimal sign is a point: limber never sets a locale. */
-static void write_drawable(FILE *out, const struct instance *instance,
-	const struct drawable *drawable, int first_vertex)
+/* The drawables that are parts of the same primitive of the file (split.h). */
+struct parts {
+	const struct drawable *drawable;
+	int count;
+	int vertex_count; /* of the file's primitive */
+};
+
+static struct parts find_parts(const struct instance *instance, int first)
 {
-	const struct model_primitive *primitive = drawable->primitive;
+	struct parts parts = {.drawable = &instance->drawable[first]};
+	const struct drawable *drawable = parts.drawable;
 
+	for (int i = first; i < instance->drawable_count &&
+		drawable->node == parts.drawable->node &&
+		drawable->primitive->file_index ==
+			parts.drawable->primitive->file_index;
+		i++, drawable++) {
+		parts.count++;
+		parts.vertex_count += drawable->primitive->vertex_count -
+			drawable->primitive->repeated_count;
+	}
+	return parts;
+}
+
+/* The number that a vertex of a part has in the file's primitive. */
+static uint32_t file_vertex(
+	const struct model_primitive *primitive, uint32_t vertex)
+{
+	return primitive->file_vertex ? primitive->file_vertex[vertex] : vertex;
+}
+
+static void write_triangles(FILE *out, const struct model_primitive *primitive,
+	uint32_t first_vertex)
+{
+	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
+		const uint32_t *index = primitive->index + i;
+
+		fprintf(out, "f %u %u %u\n",
+			file_vertex(primitive, index[0]) + first_vertex,
+			file_vertex(primitive, index[1]) + first_vertex,
+			file_vertex(primitive, index[2]) + first_vertex);
+	}
+}
+
+/* The decimal sign is a point: limber never sets a locale. */
+static int write_parts(FILE *out, const struct instance *instance,
+	const struct parts *parts, uint32_t first_vertex)
+{
+	struct arena scratch = arena_within(instance->model->budget);
+	float(*position)[3] = arena_alloc(
+		&scratch, (size_t)parts->vertex_count, sizeof(*position));
+
+	if (!position) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < parts->count; i++) {
+		const struct drawable *drawable = &parts->drawable[i];
+		const struct model_primitive *primitive = drawable->primitive;
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			instance_world_vertex(instance, drawable, v,
+				position[file_vertex(primitive, (uint32_t)v)]);
+		}
+	}
 	fprintf(out, "o node%d_prim%d\n",
-		instance->model->node[drawable->node].file_index,
-		primitive->file_index);
-	for (int i = 0; i < primitive->vertex_count; i++) {
-		float p[3];
+		instance->model->node[parts->drawable->node].file_index,
+		parts->drawable->primitive->file_index);
+	for (int v = 0; v < parts->vertex_count; v++) {
+		const float *p = position[v];
 
-		instance_world_vertex(instance, drawable, i, p);
 		fprintf(out, "v %.6f %.6f %.6f\n", p[0], p[1], p[2]);
 	}
-	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
-		fprintf(out, "f %u %u %u\n",
-			primitive->index[i] + (uint32_t)first_vertex,
-			primitive->index[i + 1] + (uint32_t)first_vertex,
-			primitive->index[i + 2] + (uint32_t)first_vertex);
+	arena_release(&scratch);
+	for (int i = 0; i < parts->count; i++) {
+		write_triangles(out, parts->drawable[i].primitive, first_vertex);
 	}
+	return 0;
 }
 
 static int write_obj(const struct instance *instance, const char *path,
 	const struct log *log)
 {
 	struct output_file *file;
-	int first_vertex = 1;
+	struct parts parts;
+	uint32_t first_vertex = 1;
 	int error = output_file_create(path, log, &file);
 
 	if (error) {
 		return error;
 	}
-	for (int i = 0; i < instance->drawable_count; i++) {
-		write_drawable(output_file_stream(file), instance,
-			&instance->drawable[i], first_vertex);
-		first_vertex += instance->drawable[i].primitive->vertex_count;
+	for (int i = 0; i < instance->drawable_count; i += parts.count) {
+		parts = find_parts(instance, i);
+		error = write_parts(output_file_stream(file), instance, &parts,
+			first_vertex);
+		if (error) {
+			output_file_discard(file);
+			return memory_budget_fail(instance->model->budget,
+				instance->model->path, log);
+		}
+		first_vertex += (uint32_t)parts.vertex_count;
 	}
 	return output_file_commit(file);
 }

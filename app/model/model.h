@@ -87,6 +87,14 @@ struct model_lod {
 /* Vertices and a list of triangles. */
 struct model_primitive {
 	int file_index; /* its number in the file's mesh */
+	/*
+	 * A primitive of the file with many vertices is several of these, one
+	 * after the other (split/split.h). NULL, or the numbers that vertices
+	 * have in the file's primitive. The first repeated_count of them are
+	 * vertices of an earlier part, too.
+	 */
+	const uint32_t *file_vertex;
+	int repeated_count;
 	int material;   /* index; loaders add a default material */
 
 	int vertex_count;

@@ -11,7 +11,7 @@ static void add_influences(
 	if (primitive->influences == 0) {
 		return;
 	}
-	for (v = 0; v < primitive->vertex_count; v++) {
+	for (v = primitive->repeated_count; v < primitive->vertex_count; v++) {
 		const float *weight = primitive->weight +
 			(size_t)v * (size_t)primitive->influences;
 		int count = 0;
@@ -115,8 +115,10 @@ void model_stats_add_mesh(
 		const struct model_primitive *primitive = &mesh->primitive[i];
 		size_t vertices = (size_t)primitive->vertex_count;
 
-		stats->primitive_count++;
-		stats->vertex_count += primitive->vertex_count;
+		stats->primitive_count += i == 0 ||
+			primitive->file_index != primitive[-1].file_index;
+		stats->vertex_count +=
+			primitive->vertex_count - primitive->repeated_count;
 		stats->triangle_count += primitive->index_count / 3;
 		stats->geometry_bytes += vertices * vertex_bytes(primitive) +
 			(size_t)primitive->index_count *
@@ -126,7 +128,8 @@ void model_stats_add_mesh(
 		stats->target_bytes +=
 			target_bytes(primitive, mesh->target_count);
 		if (mesh->target_count > 0) {
-			stats->morph_vertex_count += primitive->vertex_count;
+			stats->morph_vertex_count += primitive->vertex_count -
+				primitive->repeated_count;
 		}
 	}
 }

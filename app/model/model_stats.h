@@ -12,7 +12,8 @@ enum {
 
 /*
  * Sums over meshes and clips. A mesh counts once, even when several nodes draw
- * it. Bytes are those of struct model, not of the copies that kernels make.
+ * it. Primitives and vertices are those of the file. Bytes are those of struct
+ * model, not of the copies that kernels make.
  */
 struct model_stats {
 	int primitive_count;

@@ -92,6 +92,11 @@ static struct arena_block *grow(struct arena *arena, size_t bytes)
 	return block;
 }
 
+static size_t aligned(size_t bytes)
+{
+	return (bytes + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
+}
+
 void *arena_alloc(struct arena *arena, size_t count, size_t size)
 {
 	struct arena_block *block = arena->newest;
@@ -102,7 +107,7 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 		(void)memory_budget_take(arena->budget, SIZE_MAX);
 		return NULL;
 	}
-	bytes = (count * size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
+	bytes = aligned(count * size);
 	if (!block || room(block) < bytes) {
 		block = grow(arena, bytes);
 		if (!block) {
@@ -113,6 +118,24 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 	block->used += bytes;
 	arena->used_bytes += bytes;
 	return memory;
+}
+
+void arena_free(struct arena *arena, const void *memory, size_t bytes)
+{
+	struct arena_block **link = &arena->newest;
+
+	while (*link && (*link)->data != (const unsigned char *)memory) {
+		link = &(*link)->older;
+	}
+	if (*link && aligned(bytes) == (*link)->capacity) {
+		struct arena_block *block = *link;
+
+		*link = block->older;
+		arena->used_bytes -= block->used;
+		memory_budget_give_back(
+			arena->budget, block_bytes(block->capacity));
+		free(block);
+	}
 }
 
 char *arena_strdup(struct arena *arena, const char *text)

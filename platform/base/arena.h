@@ -2,8 +2,8 @@
  * An arena allocator: many allocations, all released at once.
  *
  * A model lives in one arena, an instance in another. Blocks never move, so
- * pointers stay valid until arena_release(). An allocation cannot be freed on
- * its own.
+ * pointers stay valid until arena_release(). Only a large allocation can be
+ * freed on its own.
  */
 #ifndef PLATFORM_BASE_ARENA_H
 #define PLATFORM_BASE_ARENA_H
@@ -45,6 +45,12 @@ bool arena_set_budget(struct arena *arena, struct memory_budget *budget);
  * be dereferenced. The arena owns the memory.
  */
 void *arena_alloc(struct arena *arena, size_t count, size_t size);
+
+/*
+ * Frees an allocation of that many bytes, if it has a block of its own, as large
+ * allocations have. A smaller one stays until arena_release().
+ */
+void arena_free(struct arena *arena, const void *memory, size_t bytes);
 
 /* Copies a string into the arena. Returns NULL when memory is short. */
 char *arena_strdup(struct arena *arena, const char *text);

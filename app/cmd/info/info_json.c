@@ -40,7 +40,7 @@ static json_t *meshes(const struct model *model)
 		}
 		json_array_append_new(array,
 			json_pack("{s:s, s:i, s:i, s:i, s:o, s:o}", "name",
-				mesh->name, "primitives", mesh->primitive_count,
+				mesh->name, "primitives", stats.primitive_count,
 				"vertices", stats.vertex_count, "triangles",
 				stats.triangle_count, "targets", targets,
 				"levels", levels(mesh)));

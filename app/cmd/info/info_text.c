@@ -61,7 +61,7 @@ static void print_meshes(const struct model *model, FILE *out)
 
 		model_stats_add_mesh(&stats, mesh);
 		fprintf(out, "  %3d      %5d %8d %9d %7d  ", i,
-			mesh->primitive_count, stats.vertex_count,
+			stats.primitive_count, stats.vertex_count,
 			stats.triangle_count, mesh->target_count);
 		print_name(mesh->name, "\n", out);
 		print_targets(mesh, out);

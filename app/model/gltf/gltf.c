@@ -1,5 +1,6 @@
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
+#include "app/model/split/split.h"
 
 #include <errno.h>
 #include <string.h>
@@ -116,6 +117,15 @@ static int drop_read_json(struct gltf *gltf)
 	return 0;
 }
 
+static int split_meshes(struct gltf *gltf)
+{
+	struct gltf_at meshes = gltf_member(&gltf->root, "meshes");
+
+	return split_primitives(gltf->model, &gltf->scratch) == 0
+		? 0
+		: gltf_no_memory(&meshes);
+}
+
 static const gltf_step model_steps[] = {
 	drop_read_json,
 	gltf_read_materials,
@@ -125,6 +135,7 @@ static const gltf_step model_steps[] = {
 	gltf_read_nodes,
 	gltf_read_skins,
 	gltf_read_animations,
+	split_meshes,
 	gltf_keep_targets,
 };
 

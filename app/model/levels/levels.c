@@ -8,7 +8,6 @@
 
 enum {
 	TRIANGLES_MIN = 150, /* what fewer cost is not worth a level */
-	VERTICES_MAX = 65536,
 	LEVELS_MAX = 12,
 };
 
@@ -263,8 +262,7 @@ static void add_to_primitive(
 	};
 	struct levels shaded = {0}, shadow = {0};
 
-	if (!primitive->normal || primitive->index_count < 3 * TRIANGLES_MIN ||
-		primitive->vertex_count > VERTICES_MAX) {
+	if (!primitive->normal || primitive->index_count < 3 * TRIANGLES_MIN) {
 		return;
 	}
 	if (own == 0) {

@@ -13,8 +13,7 @@
 /*
  * Adds levels to the primitives of a loaded model that have none, and coarser
  * lists for shadows to all. It takes some 20,000 ARM instructions a triangle.
- * Primitives without normals, of few triangles, or of more than 65,536 vertices
- * stay as they are. Memory comes from the model's budget; levels are left out
+ * Primitives without normals or of few triangles stay as they are. Memory comes from the model's budget; levels are left out
  * when less than half of it is left, or when they do not fit.
  */
 void levels_make(struct model *model);

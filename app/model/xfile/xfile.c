@@ -1,5 +1,6 @@
 #include "app/model/xfile/xfile.h"
 
+#include "app/model/split/split.h"
 #include "app/model/xfile/xfile_build.h"
 #include "app/model/xfile/xfile_inflate.h"
 
@@ -135,6 +136,9 @@ static int load_body(const struct model_source *source,
 	}
 	if (!error) {
 		error = xfile_build(&build);
+	}
+	if (!error && split_primitives(model, &scratch) != 0) {
+		error = xfile_no_memory(context);
 	}
 	arena_release(&scratch);
 	return error;

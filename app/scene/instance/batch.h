@@ -2,11 +2,12 @@
  * Batches: a primitive's vertices as GL ES 1.1 can draw them.
  *
  * GL ES 1.1 indexes with 16 bits and interpolates one normal a vertex. A
- * primitive of more than 65,536 vertices, or one without normals, is therefore
- * drawn without an index: each triangle gets three vertices of its own, which
- * are copied from the posed vertices once a frame ("gathered") and cut into
- * batches that are small enough. Missing normals are computed from the posed
- * triangles (flat shading, glTF 2.0 section 3.7.2.1).
+ * primitive without normals is therefore drawn without an index: each triangle
+ * gets three vertices of its own, which are copied from the posed vertices once
+ * a frame ("gathered") and cut into batches that are small enough. Its normals
+ * are computed from the posed triangles (flat shading, glTF 2.0 section
+ * 3.7.2.1). Primitives of more than 65,536 vertices, which loaders divide
+ * (app/model/split/split.h), would be drawn in the same way.
  */
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H

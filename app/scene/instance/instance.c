@@ -212,7 +212,9 @@ void instance_update(struct instance *instance)
 
 		drawable->posed_lod =
 			instance->drawn_vertices_only ? drawn_lod(drawable) : 0;
-		if (!drawable->hidden) {
+		if (!drawable->hidden &&
+			(drawable->primitive->index_count > 0 ||
+				!instance->drawn_vertices_only)) {
 			pose_drawable(instance, drawable);
 		}
 	}

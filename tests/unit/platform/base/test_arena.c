@@ -63,6 +63,31 @@ static void test_blocks_have_the_size_that_is_asked_for(void **state)
 	assert_int_equal(budget.used_bytes, 0);
 }
 
+static void test_large_allocations_can_be_freed_on_their_own(void **state)
+{
+	struct memory_budget budget = {.limit_bytes = 1024 * 1024};
+	struct arena arena = arena_within(&budget);
+	char *first, *small, *last;
+	size_t used;
+
+	(void)state;
+	first = arena_alloc(&arena, 100001, 1);
+	small = arena_alloc(&arena, 10, 1);
+	used = budget.used_bytes;
+	last = arena_alloc(&arena, 200000, 1);
+	assert_non_null(last);
+	arena_free(&arena, last, 200000);
+	assert_int_equal(budget.used_bytes, used);
+	arena_free(&arena, small, 10);
+	assert_int_equal(budget.used_bytes, used);
+	arena_free(&arena, first, 100001);
+	assert_in_range(budget.used_bytes, 1, used - 100000);
+	small[9] = 1;
+	assert_non_null(arena_alloc(&arena, 100001, 1));
+	arena_release(&arena);
+	assert_int_equal(budget.used_bytes, 0);
+}
+
 static void test_allocations_larger_than_a_block_work(void **state)
 {
 	enum {
@@ -182,6 +207,8 @@ int main(void)
 		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
 		cmocka_unit_test(test_allocations_do_not_overlap),
 		cmocka_unit_test(test_blocks_have_the_size_that_is_asked_for),
+		cmocka_unit_test(
+			test_large_allocations_can_be_freed_on_their_own),
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),
 		cmocka_unit_test(test_large_allocations_waste_no_room),
 		cmocka_unit_test(test_releases_a_budget_in_its_own_memory),

@@ -1,0 +1,32 @@
+/*
+ * Divides large primitives into parts that the rest of limber can work with.
+ *
+ * OpenGL ES 1.1 draws with indices of 16 bits, and the fixed-point loops of
+ * skins number their vertices in 16 bits, too. A primitive of a file may have
+ * more vertices. Each loader therefore replaces such a primitive by parts of at
+ * most SPLIT_VERTICES_MAX vertices, which are primitives of the same mesh with
+ * the same material, bones and targets.
+ *
+ * Triangles that are near each other stay together. A vertex at a border is
+ * repeated with the same numbers in each part that needs it, so that the parts
+ * are posed, lit and simplified (levels/) without a visible seam.
+ */
+#ifndef APP_MODEL_SPLIT_SPLIT_H
+#define APP_MODEL_SPLIT_SPLIT_H
+
+#include "app/model/model.h"
+
+enum {
+	SPLIT_VERTICES_MAX = 65535
+};
+
+/*
+ * Divides the primitives of all meshes. Displacements in integers go to
+ * integers, as the loader keeps them there; all else goes to the model. Levels
+ * of detail of a divided primitive are dropped: levels_make() makes others for
+ * its parts. Arrays are freed as soon as they are divided. Call this before
+ * targets are stored as key frames. 0 or -ENOMEM.
+ */
+int split_primitives(struct model *model, struct arena *integers);
+
+#endif

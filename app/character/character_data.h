@@ -112,6 +112,7 @@ struct character_clip {
 	int mark_count;                  /* 0: not kept in phase with others */
 	float mark[CHARACTER_MARKS_MAX]; /* seconds, increasing */
 	float travel[3];         /* of the motion's root, in its frame */
+	float carried_m[2];      /* the same in the world, along x and z */
 	float ground_m_per_s[2]; /* the clip's own speed along x and z */
 	/* Heights of the lower sole, CHARACTER_SAMPLES; NULL without feet. */
 	float *sole_m;

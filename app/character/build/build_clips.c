@@ -1,9 +1,9 @@
 #include "app/character/build/build.h"
 #include "app/character/build/gait.h"
 
-#include "app/anim/math/vec.h"
 #include "app/character/run/feet.h"
 
+#include <cglm/cglm.h>
 #include <errno.h>
 #include <string.h>
 
@@ -90,28 +90,101 @@ static void copy_position(
 		sizeof(float[3]));
 }
 
-/* What the root travels from the start of the clip to its end. */
-static void find_travel(
-	const struct character_build *build, struct character_clip *clip)
+/* A level way in the world, as the node's translation has it. */
+static void level_to_local(const struct character_build *build, int node,
+	const float way[2], float out[3])
 {
-	int root = build->character->motion.root;
-	struct pose *pose = &build->character->instance->pose;
-	float start[3], local[3], end[3];
+	int parent = build->model->node[node].parent;
+	mat3 linear = GLM_MAT3_IDENTITY_INIT;
+	float level[3] = {way[0], 0, way[1]};
+
+	if (parent >= 0) {
+		glm_mat4_pick3(
+			build->character->instance->world[parent], linear);
+	}
+	if (glm_mat3_det(linear) != 0) {
+		glm_mat3_inv(linear, linear);
+		glm_mat3_mulv(linear, level, out);
+	}
+}
+
+/* How far the root goes over the ground, from the clip's start to its end. */
+static void find_travel(const struct character_build *build, int root,
+	struct character_clip *clip)
+{
+	float start[3], end[3];
 
 	if (root < 0 || !clip->clip || clip->clip->duration_s <= 0) {
 		return;
 	}
 	pose_at(build, clip, 0);
 	copy_position(build, root, start);
-	memcpy(local, pose->local[root].translation, sizeof(local));
 	pose_at(build, clip, 1);
 	copy_position(build, root, end);
-	vec_subtract(pose->local[root].translation, local, clip->travel);
-	clip->ground_m_per_s[0] = (end[0] - start[0]) / clip->clip->duration_s;
-	clip->ground_m_per_s[1] = (end[2] - start[2]) / clip->clip->duration_s;
+	for (int i = 0; i < 2; i++) {
+		clip->carried_m[i] = end[2 * i] - start[2 * i];
+		clip->ground_m_per_s[i] =
+			clip->carried_m[i] / clip->clip->duration_s;
+	}
+	level_to_local(build, root, clip->carried_m, clip->travel);
 }
 
-/* How fast the ground goes under each clip, by the vertices that touch it. */
+static bool is_same_way(const float a[2], const float b[2])
+{
+	float x = a[0] - b[0], z = a[1] - b[1];
+
+	return x * x + z * z < 1e-3f * (b[0] * b[0] + b[1] * b[1]);
+}
+
+/* The uppermost node that carries the whole figure as far as it goes, or -1. */
+static int find_carrier(const struct character_build *build,
+	const struct character_clip *clip, const float drift[2])
+{
+	int found = -1;
+
+	for (int i = 0; i < clip->clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->clip->channel[i];
+		struct character_clip tried = {.clip = clip->clip};
+
+		if (channel->path != MODEL_TRANSLATION || channel->constant ||
+			(found >= 0 && found < channel->node)) {
+			continue;
+		}
+		find_travel(build, channel->node, &tried);
+		if (is_same_way(tried.carried_m, drift)) {
+			found = channel->node;
+		}
+	}
+	return found;
+}
+
+/*
+ * How fast the ground goes under a clip, by the vertices that touch it. A clip
+ * that walks away stays in its place, and the ground moves instead.
+ */
+static void find_gait(const struct character_build *build,
+	const struct gait *gait, struct character_clip *clip)
+{
+	struct character_motion *motion = &build->character->motion;
+	bool walks_away = (gait->velocity[0] != 0 || gait->velocity[1] != 0) &&
+		(gait->drift[0] != 0 || gait->drift[1] != 0);
+
+	if (walks_away && motion->root < 0) {
+		motion->root = find_carrier(build, clip, gait->drift);
+	}
+	if (walks_away) {
+		find_travel(build, motion->root, clip);
+	}
+	for (int axis = 0; axis < 2; axis++) {
+		clip->ground_m_per_s[axis] = gait->velocity[axis];
+		if (gait->drift[axis] != 0) {
+			clip->ground_m_per_s[axis] -=
+				(gait->drift[axis] - clip->carried_m[axis]) /
+				clip->clip->duration_s;
+		}
+	}
+}
+
 static void find_gaits(const struct character_build *build)
 {
 	struct character *character = build->character;
@@ -119,17 +192,10 @@ static void find_gaits(const struct character_build *build)
 
 	gait_body_make(&body, build->model);
 	for (int i = 0; i < build->model->clip_count; i++) {
-		struct character_clip *clip = &character->clip[i];
 		struct gait gait = gait_measure(&body, character->instance, i,
 			gait_steps_for(build->model->clip_count));
 
-		for (int axis = 0; axis < 2; axis++) {
-			clip->ground_m_per_s[axis] = gait.velocity[axis];
-			if (gait.drift[axis] != 0) {
-				clip->ground_m_per_s[axis] -= gait.drift[axis] /
-					clip->clip->duration_s;
-			}
-		}
+		find_gait(build, &gait, &character->clip[i]);
 	}
 }
 
@@ -257,7 +323,7 @@ int character_build_clips(struct character_build *build)
 						  : clip]);
 	}
 	for (int i = 0; i < character->clip_count && !error; i++) {
-		find_travel(build, &character->clip[i]);
+		find_travel(build, character->motion.root, &character->clip[i]);
 		find_steps(build, &character->clip[i]);
 		error = find_soles(build, &character->clip[i]);
 	}

@@ -248,15 +248,7 @@ struct bounds motion_bounds(
 {
 	struct bounds bounds = bounds_of_clip(instance, motion->clip);
 
-	for (int i = 0; i < 2; i++) {
-		float drift = motion->drift[i];
-
-		if (drift > 0.0f) {
-			bounds.high[2 * i] -= drift;
-		} else {
-			bounds.low[2 * i] -= drift;
-		}
-	}
+	bounds_stay(&bounds, motion->drift);
 	return bounds;
 }
 

@@ -207,6 +207,13 @@ int character_bounds_init(
 		return -ENOMEM;
 	}
 	bounds->rest = bounds_of_model(instance, bounds->clip);
+	for (int i = 0; i < count; i++) {
+		const float *m = character->clip[i].carried_m;
+		float scale = instance->unit_scale;
+
+		bounds_stay(&bounds->clip[i],
+			(float[2]){m[0] * scale, m[1] * scale});
+	}
 	bounds->extra = bounds_empty();
 	for (int i = 0; i < character->morph_count; i++) {
 		struct bounds shapes =

@@ -46,6 +46,15 @@ void bounds_add(struct bounds *bounds, const float point[3])
 	}
 }
 
+void bounds_stay(struct bounds *bounds, const float way[2])
+{
+	for (int i = 0; i < 2; i++) {
+		float *side = way[i] > 0.0f ? bounds->high : bounds->low;
+
+		side[2 * i] -= way[i];
+	}
+}
+
 float bounds_extent(const struct bounds *bounds)
 {
 	float extent = 0.0f;

@@ -26,6 +26,12 @@ bool bounds_is_empty(const struct bounds *bounds);
 void bounds_add(struct bounds *bounds, const float point[3]);
 void bounds_join(struct bounds *bounds, const struct bounds *other);
 
+/*
+ * Shrinks the box of a figure that went this far, in scene units along x and z,
+ * to that of the figure in its place.
+ */
+void bounds_stay(struct bounds *bounds, const float way[2]);
+
 /* Returns the length of the longest side, 0 for an empty box. */
 float bounds_extent(const struct bounds *bounds);
 

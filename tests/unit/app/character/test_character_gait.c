@@ -223,6 +223,48 @@ static void test_the_lowest_vertices_tell_how_the_ground_moves(void **state)
 	}
 }
 
+/* Lets the clip's hips go ahead by speed * time, as recorded motion does. */
+static void walk_away(struct model_clip *clip, int hips, float speed)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+		float(*at)[3] = (float(*)[3])channel->value;
+
+		for (int k = 0; k < channel->key_count && channel->node == hips &&
+			channel->path == MODEL_TRANSLATION;
+			k++) {
+			at[k][2] += speed * channel->time_s[k];
+		}
+	}
+}
+
+/* The figure stays where it is when the clip begins again. */
+static void test_a_clip_that_walks_away_moves_the_ground(void **state)
+{
+	struct acting acting;
+	float before[3], now[3];
+	int clip, hips;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	clip = model_find_clip(acting.model, "walk");
+	hips = model_find_node(acting.model, "hips");
+	walk_away(&acting.model->clip[clip], hips, 1.03f);
+	acting_expect(
+		&acting, "[state a]\nclip = walk\n[motion]\nclips = yes\n");
+	assert_int_equal(acting.character->motion.root, hips);
+	acting_run_to(&acting, 0.1, rate_hz);
+	acting_place(&acting, "hips", before);
+	for (double time_s = 0.2; time_s < 3.0; time_s += 0.1) {
+		acting_run_to(&acting, time_s, rate_hz);
+		acting_place(&acting, "hips", now);
+		assert_near(now[2], before[2], 0.06);
+		assert_near(acting.character->motion.scroll[1] * (float)rate_hz,
+			1.03, 0.06);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -231,6 +273,7 @@ int main(void)
 		cmocka_unit_test(test_feet_return_to_the_clips_places),
 		cmocka_unit_test(
 			test_the_lowest_vertices_tell_how_the_ground_moves),
+		cmocka_unit_test(test_a_clip_that_walks_away_moves_the_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

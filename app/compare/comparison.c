@@ -64,25 +64,13 @@ static int measure_cell(struct jobs *jobs, int job, void *context)
 	return error;
 }
 
-static bool has_triangles(const struct model *model)
-{
-	for (int i = 0; i < model->node_count; i++) {
-		int mesh = model->node[i].mesh;
-
-		if (mesh >= 0 && model->mesh[mesh].primitive_count > 0) {
-			return true;
-		}
-	}
-	return false;
-}
-
 /* All clips that move; a clip that was asked for is taken in any case. */
 static int choose_clips(struct comparison *comparison, const struct log *log)
 {
 	const struct model *model = comparison->model;
 	int wanted = comparison->request.clip;
 
-	if (!has_triangles(model)) {
+	if (!model_has_triangles(model)) {
 		log_error(log,
 			"%s: it shows no triangles: give a model with a mesh",
 			model->path);

@@ -18,6 +18,11 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
+	if (!model_has_triangles(actor->model)) {
+		log_warning(env->log,
+			"%s: it has no triangles, so the stage stays empty: export the model with its meshes",
+			env->model_path);
+	}
 	levels_prepare(actor->model, env->log);
 	if (env->kernel->fixed) {
 		model_keys_round(actor->model);

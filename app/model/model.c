@@ -81,6 +81,18 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 	return level;
 }
 
+bool model_has_triangles(const struct model *model)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		int mesh = model->node[i].mesh;
+
+		if (mesh >= 0 && model->mesh[mesh].primitive_count > 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
 int model_find_morphed(const struct model *model)
 {
 	for (int i = 0; i < model->node_count; i++) {

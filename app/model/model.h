@@ -346,6 +346,9 @@ int model_find_clip(const struct model *model, const char *name_or_index);
  */
 void model_channel_key(const struct model_channel *channel, int key, float *out);
 
+/* Whether a node shows triangles. */
+bool model_has_triangles(const struct model *model);
+
 /* The first node whose mesh has morph targets, or -1. */
 int model_find_morphed(const struct model *model);
 

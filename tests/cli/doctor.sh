@@ -10,6 +10,18 @@ expect_no_err
 expect_out 'it contains nothing that players are known to get wrong'
 cp "$out_file" "$scratch/sound.out"
 
+printf '{"asset":{"version":"2.0"},"nodes":[{"name":"Camera"}]}' \
+    >"$scratch/bare.gltf"
+limber doctor "$scratch/bare.gltf"
+expect_status 0
+expect_out 'the file has no triangles, so limber shows an empty stage'
+limber render "$scratch/bare.gltf" --size 32x32 -o "$scratch/bare.png"
+expect_status 0
+expect_err 'it has no triangles, so the stage stays empty: export'
+limber render --demo duel "$scratch/bare.gltf" -o "$scratch/bare.png"
+expect_status 1
+expect_err 'this model has no clip: give one with both meshes and clips'
+
 while read -r name pattern; do
     limber doctor "$scratch/$name.gltf"
     expect_out "^- .*$pattern"

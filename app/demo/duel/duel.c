@@ -96,10 +96,12 @@ static int choose_clip(struct demo *demo, const struct demo_env *env)
 		return error;
 	}
 	demo->motion = motions.role[MOTION_WALK];
-	if (demo->motion.clip < 0) {
+	if (demo->motion.clip < 0 ||
+		!model_has_triangles(demo->base.actor.model)) {
 		log_error(env->log,
-			"%s: the duel plays a clip by three techniques, and this model has none: give a model with an animation",
-			env->model_path);
+			"%s: the duel plays a clip by three techniques, and this model has no %s: give one with both meshes and clips",
+			env->model_path,
+			demo->motion.clip < 0 ? "clip" : "triangles");
 		return -EINVAL;
 	}
 	return 0;

@@ -150,6 +150,10 @@ static void report_meshes(
 			many += primitive->influences > 4;
 		}
 	}
+	if (!model_has_triangles(model)) {
+		examine_report(examiner,
+			"the file has no triangles, so limber shows an empty stage: export it with its meshes");
+	}
 	examine_count(examiner, flat, "primitives without normals",
 		"limber lights the posed triangles with flat normals, as glTF requires");
 	examine_count(examiner, many,

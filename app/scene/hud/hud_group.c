@@ -236,15 +236,37 @@ static int hundredths(float value, float limit)
 	return (int)(scalar_clamp(value, 0.0f, limit) * 100.0f + 0.5f);
 }
 
+/* Whether the label is whole beside a value of this text. */
+static bool is_whole(
+	const struct hud_group *group, const char *label, const char *value)
+{
+	const struct hud *hud = group->hud;
+
+	return !*label ||
+		hud_text_width(hud, label) + eighths(hud, COLUMN_GAP) +
+			hud_text_width(hud, value) <=
+		group->width;
+}
+
+/* A long label takes the place of the duration, then of the time. */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color)
 {
 	int time = hundredths(time_s, 9999.0f);
-	int duration = hundredths(duration_s, 9999.0f);
-	char value[TEXT_SIZE];
+	int all = hundredths(duration_s, 9999.0f);
+	char value[TEXT_SIZE], widest[TEXT_SIZE];
 
+	snprintf(widest, sizeof(widest), "%d.%02d / %d.%02d s", all / 100,
+		all % 100, all / 100, all % 100);
 	snprintf(value, sizeof(value), "%d.%02d / %d.%02d s", time / 100,
-		time % 100, duration / 100, duration % 100);
+		time % 100, all / 100, all % 100);
+	if (!is_whole(group, label, widest)) {
+		snprintf(widest, sizeof(widest), "%d.%02d s", all / 100,
+			all % 100);
+		snprintf(value, sizeof(value),
+			is_whole(group, label, widest) ? "%d.%02d s" : "",
+			time / 100, time % 100);
+	}
 	hud_group_bar(group, label, value,
 		duration_s > 0.0f ? time_s / duration_s : 0.0f, color);
 }

@@ -94,7 +94,10 @@ void hud_group_text(
 void hud_group_bar(struct hud_group *group, const char *label,
 	const char *value, float fraction, struct hud_color color);
 
-/* Adds "label    0.42 / 1.07 s" above a bar; times are clamped to 0..9999 s. */
+/*
+ * Adds "label    0.42 / 1.07 s" above a bar; times are clamped to 0..9999 s. For
+ * a long label it leaves out the duration, then the time, which the bar shows.
+ */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color);
 

@@ -2,6 +2,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -211,6 +212,35 @@ static const char *weight_text(float weight)
 	return text_of(hud, first);
 }
 
+static const char *named_time_text(const char *label, float time_s)
+{
+	struct hud *hud = hud_of_size(320, 240);
+	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT, NULL);
+	int first = hud->quad_count;
+
+	hud_group_time(&group, label, time_s, 3.0f, hud_color_blue);
+	return text_of(hud, first);
+}
+
+static void test_a_long_name_takes_the_place_of_times(void **state)
+{
+	(void)state;
+	for (float time_s = 0.0f; time_s < 3.0f; time_s += 0.11f) {
+		char time[16];
+
+		snprintf(time, sizeof(time), "%.2fs", (double)time_s);
+		assert_non_null(
+			strstr(named_time_text("run", time_s), "/3.00s"));
+		assert_null(strstr(named_time_text("Dog_Run", time_s), "/"));
+		assert_non_null(
+			strstr(named_time_text("Dog_Run", time_s), time));
+		assert_non_null(
+			strstr(named_time_text("Dog_Run", time_s), "Dog_Run"));
+		assert_string_equal(named_time_text("Dog_RunFetch", time_s),
+			"Dog_RunFetch");
+	}
+}
+
 /* The height of a group with this many rows of each kind. */
 static int height_of_group(struct hud *hud, int rows)
 {
@@ -254,8 +284,7 @@ static void test_rows_beyond_the_picture_are_left_out(void **state)
 		struct box box;
 
 		for (int row = 0; row < 60; row++) {
-			hud_group_weight(
-				&group, "row", 0.5f, hud_color_green);
+			hud_group_weight(&group, "row", 0.5f, hud_color_green);
 		}
 		hud_group_end(&group);
 		box = box_of(hud, 0, hud->quad_count);
@@ -379,6 +408,7 @@ int main(void)
 		cmocka_unit_test(
 			test_groups_of_a_corner_stack_towards_the_middle),
 		cmocka_unit_test(test_labels_stay_in_place_while_values_change),
+		cmocka_unit_test(test_a_long_name_takes_the_place_of_times),
 		cmocka_unit_test(test_groups_are_shorter_in_narrow_pictures),
 		cmocka_unit_test(test_rows_beyond_the_picture_are_left_out),
 		cmocka_unit_test(test_times_show_hundredths),

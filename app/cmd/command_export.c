@@ -52,6 +52,11 @@ static int run_with_model(const struct model *model,
 	if (!error) {
 		printf("%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
 			options->export.c, size.rom_bytes, size.ram_bytes);
+		if (model->texture_count > 0) {
+			printf("%s: it leaves out the model's %d texture%s\n",
+				options->export.c, model->texture_count,
+				model->texture_count == 1 ? "" : "s");
+		}
 	}
 	return error;
 }
@@ -75,7 +80,8 @@ const struct command command_export = {
 	.detail =
 		"limber writes const tables and a small player, for boards without a file system. The file\n"
 		"needs nothing of limber, only <math.h> and <string.h>. limber prints how much ROM and RAM it\n"
-		"takes.\n"
+		"takes. The source has vertices with normals and colours, materials' colours, skins, morph\n"
+		"targets and one clip, but no textures.\n"
 		"\n"
 		"  limber export robot.glb --clip walk --c robot.c",
 	.run = run,

@@ -36,6 +36,16 @@ expect_status 0
 expect_no_err
 expect_out 'levels: 6 at 10 mm, 2 at 100 mm, 1 at 50 mm for shadows'
 
+python3 -c '
+import json, sys
+file = json.load(open(sys.argv[1]))
+for node in file["nodes"]:
+    if "mesh" in node:
+        node["scale"] = [2, 2, 2]
+json.dump(file, open(sys.argv[2], "w"))' "$levels" "$scratch/large.gltf"
+limber info "$scratch/large.gltf"
+expect_out 'levels: 6 at 20 mm, 2 at 200 mm, 1 at 100 mm for shadows'
+
 limber info "$levels" --json
 # shellcheck disable=SC2016 # JavaScript
 check 'the JSON has the levels of detail' node -e '

@@ -13,10 +13,12 @@ static int run_with_model(const struct model *model,
 		return error;
 	}
 	if (options->common.json) {
-		return info_print_json(&report, log, stdout);
+		error = info_print_json(&report, log, stdout);
+	} else {
+		info_print_text(&report, stdout);
 	}
-	info_print_text(&report, stdout);
-	return 0;
+	info_release(&report);
+	return error;
 }
 
 static int run(const struct options *options, const struct log *log)

@@ -8,7 +8,7 @@
 
 /* json_array_append_new() and json_pack() accept NULL and then fail. */
 
-static json_t *levels(const struct model_mesh *mesh)
+static json_t *levels(const struct model_mesh *mesh, float unit_m)
 {
 	json_t *array = json_array();
 
@@ -18,14 +18,15 @@ static json_t *levels(const struct model_mesh *mesh)
 		json_array_append_new(array,
 			json_pack("{s:i, s:f, s:b}", "triangles",
 				level.triangle_count, "error_m",
-				(double)level.error_m, "shape",
+				(double)(level.error_m * unit_m), "shape",
 				level.shadow_only ? 1 : 0));
 	}
 	return array;
 }
 
-static json_t *meshes(const struct model *model)
+static json_t *meshes(const struct info_report *report)
 {
+	const struct model *model = report->model;
 	json_t *array = json_array();
 
 	for (int i = 0; i < model->mesh_count; i++) {
@@ -43,7 +44,7 @@ static json_t *meshes(const struct model *model)
 				mesh->name, "primitives", stats.primitive_count,
 				"vertices", stats.vertex_count, "triangles",
 				stats.triangle_count, "targets", targets,
-				"levels", levels(mesh)));
+				"levels", levels(mesh, report->unit_m[i])));
 	}
 	return array;
 }
@@ -130,8 +131,8 @@ int info_print_json(
 		"file", model->path, "format", model->format, "nodes",
 		model->node_count, "vertices", stats->vertex_count, "triangles",
 		stats->triangle_count, "materials", model->material_count,
-		"joints", report->joint_count, "meshes", meshes(model), "skins",
-		skins(model), "influences", influences(stats), "clips",
+		"joints", report->joint_count, "meshes", meshes(report),
+		"skins", skins(model), "influences", influences(stats), "clips",
 		clips(model), "images", images(model), "bytes", bytes(report));
 
 	if (!json_memory_ok()) {

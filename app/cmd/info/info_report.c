@@ -1,8 +1,9 @@
 #include "app/cmd/info/info_report.h"
 
-#include "app/scene/instance/instance.h"
+#include "app/scene/instance/lod.h"
 
 #include <errno.h>
+#include <stdlib.h>
 
 /* Returns the size of a drawable's posed positions and normals. */
 static size_t posed_bytes(const struct drawable *drawable)
@@ -11,6 +12,23 @@ static size_t posed_bytes(const struct drawable *drawable)
 
 	return (size_t)drawable->primitive->vertex_count * vectors *
 		sizeof(float[3]);
+}
+
+/* The rest pose is the instance's. */
+static void find_units(const struct instance *instance, float *unit_m)
+{
+	const struct model *model = instance->model;
+
+	for (int m = 0; m < model->mesh_count; m++) {
+		unit_m[m] = 1.0f;
+	}
+	for (int i = instance->drawable_count - 1; i >= 0; i--) {
+		const struct drawable *drawable = &instance->drawable[i];
+
+		unit_m[model->node[drawable->node].mesh] =
+			lod_error_units(instance, drawable) /
+			instance->unit_scale;
+	}
 }
 
 int info_measure(const struct model *model, const struct log *log,
@@ -22,7 +40,15 @@ int info_measure(const struct model *model, const struct log *log,
 	if (error) {
 		return error;
 	}
-	*out = (struct info_report){.model = model};
+	*out = (struct info_report){
+		.model = model,
+		.unit_m = malloc((size_t)model->mesh_count * sizeof(float) + 1),
+	};
+	if (!out->unit_m) {
+		instance_destroy(instance);
+		return memory_budget_fail(NULL, model->path, log);
+	}
+	find_units(instance, out->unit_m);
 	model_measure(model, &out->stats);
 	out->hierarchical_bytes = (size_t)model->node_count *
 		(sizeof(struct transform) + sizeof(mat4));
@@ -46,4 +72,10 @@ int info_measure(const struct model *model, const struct log *log,
 	}
 	instance_destroy(instance);
 	return 0;
+}
+
+void info_release(struct info_report *report)
+{
+	free(report->unit_m);
+	report->unit_m = NULL;
 }

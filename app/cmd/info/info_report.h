@@ -12,6 +12,11 @@ struct info_report {
 	const struct model *model; /* not owned */
 	struct model_stats stats;
 	int joint_count; /* of all skins */
+	/*
+	 * [mesh_count]: metres in the scene that a unit of the mesh's positions
+	 * is, where a node shows it first; 1 if none does.
+	 */
+	float *unit_m;
 
 	/* Memory that each technique needs in addition to the geometry. */
 	size_t hierarchical_bytes; /* a transform and a matrix for each node */
@@ -19,9 +24,14 @@ struct info_report {
 	size_t skeletal_bytes;     /* influences, palettes, skinned vertices */
 };
 
-/* Returns 0, or -errno after logging an error. */
+/*
+ * Returns 0, or -errno after logging an error. info_release() frees what the
+ * report holds.
+ */
 int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out);
+
+void info_release(struct info_report *report);
 
 void info_print_text(const struct info_report *report, FILE *out);
 

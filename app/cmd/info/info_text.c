@@ -13,7 +13,8 @@ static void print_name(const char *name, const char *after, FILE *out)
 }
 
 /* Prints each level's triangles and error. */
-static void print_levels(const struct model_mesh *mesh, FILE *out)
+static void print_levels(
+	const struct model_mesh *mesh, float unit_m, FILE *out)
 {
 	int count = model_level_count(mesh);
 
@@ -22,7 +23,7 @@ static void print_levels(const struct model_mesh *mesh, FILE *out)
 
 		fprintf(out, "%s%d at %.3g mm%s",
 			i ? ", " : "           levels: ", level.triangle_count,
-			(double)level.error_m * 1000.0,
+			(double)(level.error_m * unit_m) * 1000.0,
 			level.shadow_only ? " for shadows" : "");
 	}
 	if (count) {
@@ -52,8 +53,10 @@ static void print_targets(const struct model_mesh *mesh, FILE *out)
 	fprintf(out, "\n");
 }
 
-static void print_meshes(const struct model *model, FILE *out)
+static void print_meshes(const struct info_report *report, FILE *out)
 {
+	const struct model *model = report->model;
+
 	fprintf(out, "\nmeshes     parts vertices triangles targets\n");
 	for (int i = 0; i < model->mesh_count; i++) {
 		const struct model_mesh *mesh = &model->mesh[i];
@@ -65,7 +68,7 @@ static void print_meshes(const struct model *model, FILE *out)
 			stats.triangle_count, mesh->target_count);
 		print_name(mesh->name, "\n", out);
 		print_targets(mesh, out);
-		print_levels(mesh, out);
+		print_levels(mesh, report->unit_m[i], out);
 	}
 }
 
@@ -167,7 +170,7 @@ void info_print_text(const struct info_report *report, FILE *out)
 	print_count(stats->triangle_count, "triangle", "triangles", out);
 	print_count(model->material_count, "material", "materials", out);
 	fprintf(out, "\n");
-	print_meshes(model, out);
+	print_meshes(report, out);
 	print_skins(report, out);
 	print_clips(model, out);
 	print_images(model, out);

@@ -185,8 +185,7 @@ static float scale_of(const vec4 *matrix)
 	return scalar_sqrt(max);
 }
 
-/* The scene units of one unit of the model's errors. */
-static float units_of(
+float lod_error_units(
 	const struct instance *instance, const struct drawable *drawable)
 {
 	if (drawable->skin >= 0) {
@@ -212,7 +211,7 @@ static int coarsest(const struct batch_lod *list, int count, float error)
 static float allowed_error(const struct instance *instance,
 	const struct drawable *drawable, const struct lod *lod)
 {
-	float units = units_of(instance, drawable) * instance->lod_px_per_unit;
+	float units = lod_error_units(instance, drawable) * instance->lod_px_per_unit;
 
 	return (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) && units > 0.0f
 		? error_px(lod) / units

@@ -65,6 +65,13 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 	const struct camera *camera, int picture_height);
 
 /*
+ * The scene units that one unit of the errors of a drawable's levels is, as it
+ * was posed last.
+ */
+float lod_error_units(
+	const struct instance *instance, const struct drawable *drawable);
+
+/*
  * Chooses the triangle lists that draw the instance from now on. To avoid
  * flicker, a choice is kept while px_per_unit changes by less than a tenth.
  */

@@ -6,6 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifndef __has_feature /* of clang */
+#define __has_feature(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+#include <sanitizer/asan_interface.h>
+#define RED_ZONE 16
+#else
+#define ASAN_POISON_MEMORY_REGION(memory, bytes)
+#define ASAN_UNPOISON_MEMORY_REGION(memory, bytes)
+#define RED_ZONE 0
+#endif
+
 enum {
 	ALIGNMENT = 16,
 	BLOCK_BYTES = 64 * 1024,
@@ -81,6 +93,7 @@ static struct arena_block *grow(struct arena *arena, size_t bytes)
 		return NULL;
 	}
 	memset(block, 0, total);
+	ASAN_POISON_MEMORY_REGION(block->data, capacity);
 	block->capacity = capacity;
 	if (room(arena->newest) > capacity - bytes) {
 		block->older = arena->newest->older;
@@ -108,14 +121,15 @@ void *arena_alloc(struct arena *arena, size_t count, size_t size)
 		return NULL;
 	}
 	bytes = aligned(count * size);
-	if (!block || room(block) < bytes) {
-		block = grow(arena, bytes);
+	if (!block || room(block) < bytes + RED_ZONE) {
+		block = grow(arena, bytes + RED_ZONE);
 		if (!block) {
 			return NULL;
 		}
 	}
 	memory = block->data + block->used;
-	block->used += bytes;
+	ASAN_UNPOISON_MEMORY_REGION(memory, count * size);
+	block->used += bytes + RED_ZONE;
 	arena->used_bytes += bytes;
 	return memory;
 }
@@ -127,11 +141,11 @@ void arena_free(struct arena *arena, const void *memory, size_t bytes)
 	while (*link && (*link)->data != (const unsigned char *)memory) {
 		link = &(*link)->older;
 	}
-	if (*link && aligned(bytes) == (*link)->capacity) {
+	if (*link && aligned(bytes) + RED_ZONE == (*link)->capacity) {
 		struct arena_block *block = *link;
 
 		*link = block->older;
-		arena->used_bytes -= block->used;
+		arena->used_bytes -= aligned(bytes);
 		memory_budget_give_back(
 			arena->budget, block_bytes(block->capacity));
 		free(block);

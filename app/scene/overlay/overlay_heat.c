@@ -95,12 +95,15 @@ struct subject {
 	float farthest; /* that the target moves a vertex; above 0 */
 };
 
-static float distance_of(const struct drawable *drawable, int target, int vertex)
+/* How far the target moves a vertex; 0 in a mesh with fewer targets. */
+static float distance_of(const struct subject *subject,
+	const struct drawable *drawable, int vertex)
 {
 	const struct model_target *targets = drawable->primitive->target;
+	int target = subject->target;
 	float moved[3] = {0.0f, 0.0f, 0.0f};
 
-	if (targets) {
+	if (target < drawable_target_count(subject->instance, drawable)) {
 		model_deltas_get(&targets[target].position, vertex, moved);
 	}
 	return vec_length(moved);
@@ -115,7 +118,7 @@ static float value_of(const struct subject *subject,
 	int count;
 
 	if (!subject->node_value) {
-		return distance_of(drawable, subject->target, vertex) /
+		return distance_of(subject, drawable, vertex) /
 			subject->farthest;
 	}
 	if (drawable->skin < 0) {
@@ -155,12 +158,9 @@ void overlay_heat_paint_target(struct overlay_heat *heat, int target)
 
 	for (int d = 0; d < heat->instance->drawable_count; d++) {
 		const struct drawable *drawable = &heat->instance->drawable[d];
-		int count = drawable_target_count(heat->instance, drawable);
 
-		for (int v = 0;
-			target < count && v < drawable->primitive->vertex_count;
-			v++) {
-			float distance = distance_of(drawable, target, v);
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			float distance = distance_of(&subject, drawable, v);
 
 			if (distance > subject.farthest) {
 				subject.farthest = distance;

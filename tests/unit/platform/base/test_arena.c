@@ -3,6 +3,9 @@
 #include "tests/support/test.h"
 
 #include <string.h>
+#if defined(__has_include) && __has_include(<sanitizer/asan_interface.h>)
+#include <sanitizer/asan_interface.h>
+#endif
 
 static void test_memory_is_zeroed_and_aligned(void **state)
 {
@@ -151,6 +154,35 @@ static void test_releases_a_budget_in_its_own_memory(void **state)
 	arena_release(&arena);
 }
 
+#ifndef __has_feature /* of clang */
+#define __has_feature(feature) 0
+#endif
+
+/* What a parser or a loop writes behind its array is then found. */
+static void test_the_sanitizer_guards_what_lies_behind_an_array(void **state)
+{
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+	struct arena arena = arena_empty();
+
+	(void)state;
+	for (size_t bytes = 0; bytes < 40000; bytes = bytes * 3 + 1) {
+		char *memory = arena_alloc(&arena, bytes, 1);
+		char *next = arena_alloc(&arena, 1, 1);
+
+		assert_non_null(memory);
+		assert_non_null(next);
+		assert_null(__asan_region_is_poisoned(memory, bytes));
+		assert_ptr_equal(__asan_region_is_poisoned(memory, bytes + 1),
+			memory + bytes);
+		assert_true(__asan_address_is_poisoned(next + 1));
+	}
+	arena_release(&arena);
+#else
+	(void)state;
+	skip_because("the sanitizer is not in this build");
+#endif
+}
+
 static void test_overflowing_sizes_give_null(void **state)
 {
 	struct arena arena = arena_empty();
@@ -212,6 +244,8 @@ int main(void)
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),
 		cmocka_unit_test(test_large_allocations_waste_no_room),
 		cmocka_unit_test(test_releases_a_budget_in_its_own_memory),
+		cmocka_unit_test(
+			test_the_sanitizer_guards_what_lies_behind_an_array),
 		cmocka_unit_test(test_overflowing_sizes_give_null),
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),

@@ -1,9 +1,11 @@
 /* Overlays of the demos and of the viewer. */
+#include "app/anim/kernel/kernel.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/scene/overlay/overlay_curve.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/demo_run.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <malloc.h>
@@ -157,6 +159,36 @@ static void test_heat_is_the_weight_of_the_joint(void **state)
 	demo_run_end(&run);
 }
 
+/* The second mesh of the model has no targets. */
+static void test_heat_of_a_target_leaves_other_meshes_cold(void **state)
+{
+	struct model *model = model_fixture("gltf/accessor/zeros.gltf", NULL);
+	struct arena arena = arena_empty();
+	struct instance *instance;
+	struct overlay_heat heat;
+	uint8_t cold[3];
+
+	(void)state;
+	overlay_heat_ramp(0.0f, cold);
+	assert_int_equal(
+		instance_create(model, &kernel_float, NULL, &instance), 0);
+	assert_int_equal(overlay_heat_init(&heat, instance, &arena), 0);
+	for (int target = 0; target < 2; target++) {
+		overlay_heat_paint_target(&heat, target);
+		overlay_heat_switch(&heat, true);
+		assert_int_equal(instance->drawable_count, 2);
+		for (int v = 0; v < 3; v++) {
+			assert_memory_equal(
+				instance->drawable[1].batch[0].color[v], cold,
+				3);
+		}
+		overlay_heat_switch(&heat, false);
+	}
+	arena_release(&arena);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_joints_are_chosen_in_turn(void **state)
 {
 	struct demo_run run;
@@ -230,6 +262,7 @@ int main(void)
 		cmocka_unit_test(test_every_demo_has_the_overlays_that_apply),
 		cmocka_unit_test(test_a_frame_with_weights_leaves_the_materials),
 		cmocka_unit_test(test_heat_is_the_weight_of_the_joint),
+		cmocka_unit_test(test_heat_of_a_target_leaves_other_meshes_cold),
 		cmocka_unit_test(test_joints_are_chosen_in_turn),
 		cmocka_unit_test(test_onion_skins_are_key_frames),
 		cmocka_unit_test(test_the_morph_curve_begins_at_0_and_ends_at_1),

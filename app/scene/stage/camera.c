@@ -221,6 +221,9 @@ void camera_ease_to(
 {
 	float center[3], moved = 0.0f;
 
+	if (bounds_is_empty(bounds)) {
+		return;
+	}
 	bounds_center(bounds, center);
 	for (int axis = 0; axis < 3; axis++) {
 		float half = 0.5f * (bounds->high[axis] - bounds->low[axis]);

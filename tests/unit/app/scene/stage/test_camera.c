@@ -214,6 +214,46 @@ static void test_frames_nothing_without_dividing_by_zero(void **state)
 	assert_true(isfinite(camera.shift_x) && isfinite(camera.shift_y));
 }
 
+static void test_easing_to_nothing_leaves_the_camera(void **state)
+{
+	const struct camera_framing framing = {
+		.aspect = 0.75f, .margin = 1.1f, .follow = true};
+	struct camera camera = camera_default();
+	struct bounds bounds = box(1.0f, 2.0f, 0.5f);
+	struct bounds nothing = bounds_empty();
+	struct camera before;
+
+	(void)state;
+	camera_frame(&camera, &bounds, &framing);
+	before = camera;
+	camera_ease_to(&camera, &nothing, 0.5f);
+	assert_near(camera.distance, before.distance, 0.0);
+	assert_all_near(camera.target, before.target, 3, 0.0);
+	assert_all_near(camera.fit.half, before.fit.half, 3, 0.0);
+}
+
+/* By halves of the way, to the same picture as if the box had been framed. */
+static void test_easing_ends_at_the_other_box(void **state)
+{
+	const struct camera_framing framing = {
+		.aspect = 0.75f, .margin = 1.1f, .follow = true};
+	struct camera camera = camera_default(), other = camera_default();
+	struct bounds first = box(1.0f, 2.0f, 0.5f), next = box(3, 1, 2);
+	float halfway;
+
+	(void)state;
+	camera_frame(&other, &next, &framing);
+	camera_frame(&camera, &first, &framing);
+	halfway = 0.5f * (camera.target[1] + other.target[1]);
+	camera_ease_to(&camera, &next, 0.5f);
+	assert_near(camera.target[1], halfway, 1e-6);
+	for (int i = 0; i < 30; i++) {
+		camera_ease_to(&camera, &next, 0.5f);
+	}
+	assert_all_near(camera.target, other.target, 3, 1e-5);
+	assert_near(camera.distance, other.distance, 1e-3 * other.distance);
+}
+
 static void test_view_puts_the_target_straight_ahead(void **state)
 {
 	struct camera camera = camera_default();
@@ -266,6 +306,8 @@ int main(void)
 		cmocka_unit_test(test_an_empty_region_is_the_whole_picture),
 		cmocka_unit_test(test_zoom_stays_when_the_camera_orbits),
 		cmocka_unit_test(test_frames_nothing_without_dividing_by_zero),
+		cmocka_unit_test(test_easing_to_nothing_leaves_the_camera),
+		cmocka_unit_test(test_easing_ends_at_the_other_box),
 		cmocka_unit_test(test_view_puts_the_target_straight_ahead),
 		cmocka_unit_test(test_view_at_yaw_zero_looks_at_the_front),
 		cmocka_unit_test(test_orbit_stays_above_the_floor_and_wraps),

@@ -22,6 +22,8 @@ static size_t home_of(const struct held *table, const void *memory)
 {
 	uint64_t hash = (uint64_t)(uintptr_t)memory * 0x9e3779b97f4a7c15u;
 
+	hash ^= hash >> 32;
+	hash *= 0x9e3779b97f4a7c15u;
 	return (size_t)(hash >> 32) & (table->room - 1);
 }
 

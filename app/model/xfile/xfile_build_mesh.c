@@ -401,7 +401,6 @@ static int make_tables(struct xfile_build *build)
 		return xfile_no_memory(build->context);
 	}
 	for (size_t i = 0; i < count; i++) {
-		build->mesh_index[i] = -1;
 		build->mesh_skin[i] = -1;
 		build->mesh_node[i] = -1;
 	}

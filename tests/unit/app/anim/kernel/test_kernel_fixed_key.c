@@ -77,6 +77,7 @@ static void test_a_key_frame_fills_15_bits(void **state)
 
 		for (int axis = 0; axis < 3; axis++) {
 			most = at[axis] > most ? at[axis] : most;
+			assert_int_equal(v->fraction, 0);
 			assert_near(at[axis] * k.placement.scale +
 					k.placement.offset[axis],
 				k.position[i / VERTICES][i % VERTICES][axis],
@@ -265,6 +266,24 @@ static void test_vertices_that_do_not_move_are_left_out(void **state)
 	arena_release(&m.arena);
 }
 
+static void test_the_bytes_of_targets_are_summed(void **state)
+{
+	static struct morphed m;
+	struct fixed_morph morph;
+
+	(void)state;
+	set_up_morphed(&m);
+	assert_int_equal(
+		fixed_morph_init(&morph, &m.primitive, TARGETS, 0, &m.arena), 0);
+	/* Target 0 moves 9 vertices in one span, target 2 moves 12 in three. */
+	assert_int_equal(fixed_morph_bytes(&morph),
+		VERTICES * sizeof(struct fixed_vector) +
+			2 * sizeof(struct fixed_deltas) +
+			4 * sizeof(struct fixed_span) +
+			(9 + 12) * sizeof(struct fixed_pair[3]));
+	arena_release(&m.arena);
+}
+
 static void test_weights_that_are_no_numbers_are_refused(void **state)
 {
 	static struct morphed m;
@@ -330,6 +349,7 @@ int main(void)
 		cmocka_unit_test(test_a_point_alone_has_a_placement),
 		cmocka_unit_test(test_targets_add_up_at_all_weights),
 		cmocka_unit_test(test_vertices_that_do_not_move_are_left_out),
+		cmocka_unit_test(test_the_bytes_of_targets_are_summed),
 		cmocka_unit_test(test_weights_that_are_no_numbers_are_refused),
 		cmocka_unit_test(test_a_morphed_primitive_is_skinned),
 	};

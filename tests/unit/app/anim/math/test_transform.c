@@ -206,6 +206,28 @@ static void test_axis_and_angle_make_a_rotation(void **state)
 	assert_near(quat_angle(q), 3, 3e-6);
 }
 
+static void test_a_limit_shortens_the_turn_about_its_own_axis(void **state)
+{
+	static const float axis[3] = {0.6f, 0, 0.8f};
+	static const float limit_rad[] = {-1, 0, 0.25f, 0.999f, 1.001f, 4};
+
+	(void)state;
+	for (int i = 0; i < 6; i++) {
+		float base[4], turn[4], q[4], want[4];
+		float angle = limit_rad[i] < 0 ? 0
+			: limit_rad[i] > 1     ? 1
+					       : limit_rad[i];
+
+		quat_from_axis_angle((float[3]){0, 1, 0}, 2.5f, base);
+		quat_from_axis_angle(axis, 1, turn);
+		quat_multiply(base, turn, q);
+		assert_int_equal(quat_limit(q, base, limit_rad[i]), angle < 1);
+		quat_from_axis_angle(axis, angle, turn);
+		quat_multiply(base, turn, want);
+		assert_all_near(q, want, 4, 1e-5);
+	}
+}
+
 static void test_between_turns_one_direction_into_the_other(void **state)
 {
 	(void)state;
@@ -414,6 +436,8 @@ int main(void)
 		cmocka_unit_test(test_multiply_applies_the_right_one_first),
 		cmocka_unit_test(test_conjugate_undoes_a_rotation),
 		cmocka_unit_test(test_axis_and_angle_make_a_rotation),
+		cmocka_unit_test(
+			test_a_limit_shortens_the_turn_about_its_own_axis),
 		cmocka_unit_test(test_between_turns_one_direction_into_the_other),
 		cmocka_unit_test(test_between_opposites_is_half_a_turn),
 		cmocka_unit_test(

@@ -210,6 +210,36 @@ static void test_moving_the_head_makes_it_lag(void **state)
 	tear_down(&f);
 }
 
+static void test_without_drag_a_steady_motion_changes_nothing(void **state)
+{
+	static const float speeds[2] = {0, 6};
+	float at[2][3];
+
+	(void)state;
+	for (int s = 0; s < 2; s++) {
+		struct fixture f;
+
+		set_up(&f);
+		no_gravity(&f);
+		f.spring.damping = 0;
+		frame(&f, 0.002f);
+		for (int i = 0; i < BONES; i++) {
+			f.spring.velocity[i][0] += 0.2f;
+			f.spring.velocity[i][1] += speeds[s];
+		}
+		for (int i = 0; i < 100; i++) {
+			f.bones.pose.local[HEAD].translation[1] +=
+				0.002f * speeds[s];
+			frame(&f, 0.002f);
+		}
+		tip(&f, at[s]);
+		at[s][1] -= f.bones.pose.local[HEAD].translation[1];
+		tear_down(&f);
+	}
+	assert_true(at[0][0] > 0.02f);
+	assert_all_near(at[1], at[0], 3, 0.02);
+}
+
 static void test_it_keeps_out_of_capsules(void **state)
 {
 	struct fixture f;
@@ -383,6 +413,8 @@ int main(void)
 		cmocka_unit_test(test_it_swings_at_its_frequency),
 		cmocka_unit_test(test_frame_times_hardly_matter),
 		cmocka_unit_test(test_moving_the_head_makes_it_lag),
+		cmocka_unit_test(
+			test_without_drag_a_steady_motion_changes_nothing),
 		cmocka_unit_test(test_it_keeps_out_of_capsules),
 		cmocka_unit_test(test_the_limit_holds),
 		cmocka_unit_test(test_weight_zero_shows_the_animation),

@@ -55,6 +55,43 @@ static void test_powers_are_within_a_thousandth(void **state)
 	assert_int_equal(soft_power_q28(1 << 27, 0), 1 << 28);
 }
 
+static void test_first_guesses_are_those_of_the_middles(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 256; i++) {
+		assert_int_equal(
+			soft_reciprocal_table[i], (1 << 25) / (513 + 2 * i));
+	}
+	for (int i = 0; i < 192; i++) {
+		assert_int_equal(soft_root_table[i],
+			lrint(32768.0 / sqrt((64.5 + i) / 256.0)));
+	}
+}
+
+/* 2 to the power of a number of 65536ths, on a line between 64ths. */
+static int32_t power_between_steps(long exponent)
+{
+	long step = exponent >> 10, part = exponent & 1023;
+	long low = lrint(32768 * exp2((double)step / 64));
+	long high = lrint(32768 * exp2((double)(step + 1) / 64));
+
+	return (int32_t)((low * 1024 + (high - low) * part) << 2);
+}
+
+static void test_powers_are_exact_at_their_steps(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 64; i++) {
+		assert_int_equal(soft_power_q28(1 << 27, 65536 - 1024 * i),
+			power_between_steps(1024 * i));
+		assert_int_equal(soft_power_q28((64 + i) << 21, 65536),
+			power_between_steps(lrint(65536 * log2(1 + i / 64.0))));
+	}
+	assert_int_equal(soft_power_q28(1 << 27, 1), power_between_steps(65535));
+	assert_int_equal(soft_power_q28((1 << 28) - 1, 65536),
+		power_between_steps(65535));
+}
+
 static void test_shifts_may_be_of_any_size(void **state)
 {
 	(void)state;
@@ -71,6 +108,8 @@ int main(void)
 		cmocka_unit_test(test_a_reciprocal_is_exact_to_2_to_the_minus_25),
 		cmocka_unit_test(test_a_root_is_exact_to_2_to_the_minus_20),
 		cmocka_unit_test(test_powers_are_within_a_thousandth),
+		cmocka_unit_test(test_first_guesses_are_those_of_the_middles),
+		cmocka_unit_test(test_powers_are_exact_at_their_steps),
 		cmocka_unit_test(test_shifts_may_be_of_any_size),
 	};
 

@@ -100,7 +100,7 @@ void actor_resize_stage(struct demo_base *base, int width, int height)
 			camera->target[axis] + camera->fit.half[axis];
 	}
 	region = framing_region(&base->framing, &bounds, width, height);
-	base->overlay_room = 0.0f;
+	base->room_below = 0.0f;
 	camera_set_region(camera, &region, base->framing.camera.margin,
 		(float)width / (float)height);
 }

@@ -42,7 +42,8 @@ struct demo_base {
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
 	unsigned overlays_of_old_model; /* kinds to show for the new one */
-	float overlay_room; /* raises the region's bottom for the overlays */
+	int key_rows;     /* of a list of keys along the lower edge, 0: none */
+	float room_below; /* raises the region's bottom for what stands there */
 };
 
 /*

@@ -7,6 +7,8 @@ enum {
 	FIGURES_MAX = 64
 };
 
+static const float least_side = 0.2f; /* of a region; the picture has 2 */
+
 static struct overlay_motion motion_of(
 	const struct demo_driver *driver, const struct demo *demo)
 {
@@ -59,24 +61,42 @@ void demo_overlay_release(struct demo_base *base)
 	}
 }
 
-/* Moves the figures above the row of small pictures while it is shown. */
+/*
+ * The height of a list of keys, which is as wide as two groups; 0 if the figures
+ * have room beside it, or hardly any above it.
+ */
+static int keys_height(const struct demo_base *base, int width, int height)
+{
+	struct hud_group_extent keys =
+		hud_group_extent_of(width, height, base->key_rows, 0);
+	bool shown = base->framing.label_rows > 0 && base->key_rows > 0;
+
+	return shown && width < 4 * keys.column && keys.top < height * 3 / 4
+		? keys.top
+		: 0;
+}
+
+/* Moves the figures above the small pictures or keys that are shown. */
 static void make_room(struct demo_base *base, int width, int height)
 {
 	const struct overlay *overlay = base->overlay;
-	float room = 0.0f;
+	struct camera *camera = &base->stage.camera;
+	struct camera_region region = camera->fit.region;
+	float bottom = region.bottom - base->room_below;
+	float most = region.top - bottom - least_side;
+	float room =
+		2.0f * (float)keys_height(base, width, height) / (float)height;
 
 	if (overlay && overlay_shows(overlay, OVERLAY_KEYS) &&
 		overlay->chooses_target) {
 		struct overlay_row row = overlay_row_of(overlay, width, height);
 
-		room = 2.0f * (float)row.height / (float)height;
+		room += 2.0f * (float)row.height / (float)height;
 	}
-	if (room != base->overlay_room) {
-		struct camera *camera = &base->stage.camera;
-		struct camera_region region = camera->fit.region;
-
-		region.bottom += room - base->overlay_room;
-		base->overlay_room = room;
+	room = room < most ? room : most > 0.0f ? most : 0.0f;
+	if (room != base->room_below) {
+		region.bottom = bottom + room;
+		base->room_below = room;
 		camera_set_region(camera, &region, 1.0f, camera->fit.aspect);
 	}
 }

@@ -366,6 +366,18 @@ static void label_changing(const struct character *character, struct hud *hud)
 	hud_group_end(&group);
 }
 
+int character_label_keys(const struct character *character)
+{
+	int count = 0;
+
+	for (const struct character_binding *one = character->binding;
+		one && character->keys_shown && !character->labels_hidden;
+		one = one->next) {
+		count += character_button_acts(one);
+	}
+	return count;
+}
+
 /* What the buttons do now. */
 static void label_keys(const struct character *character, struct hud *hud)
 {

@@ -10,6 +10,9 @@
 /* Returns how many rows of labels there usually are, and how many have bars. */
 int character_label_count(const struct character *character, int *bars);
 
+/* Returns how many rows the list of keys takes; 0 while it is not shown. */
+int character_label_keys(const struct character *character);
+
 /*
  * Adds state, morphs, parameters, weights, steps of sequences, the part that
  * was moved last and, if they are asked for, what the buttons do.

@@ -212,6 +212,33 @@ static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
 	}
 }
 
+static void test_the_list_of_keys_does_not_cover_the_figure(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+		const struct button_event press = {
+			.button = BUTTON_F6, .down = true};
+		struct camera_region figure;
+		struct shown shown;
+		struct hud hud;
+
+		begin(&shown, "arm", sizes[s], false);
+		demo_press(shown.driver, shown.demo, &press);
+		shown.driver->update(shown.demo, 0.04);
+		demo_draw(shown.driver, shown.demo, sizes[s][0], sizes[s][1]);
+		assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
+		hud_begin(&hud, sizes[s][0], sizes[s][1]);
+		demo_label(shown.driver, shown.demo, &hud);
+		figure = seen(&shown, sizes[s]);
+		check_whole(&figure);
+		if (hides(&hud, &figure)) {
+			fail_msg("%dx%d", sizes[s][0], sizes[s][1]);
+		}
+		hud_finish(&hud, &shown.gl);
+		end(&shown);
+	}
+}
+
 /* The colour scale of the errors is above the heads. */
 static void test_the_duels_scale_does_not_cover_the_figures(void **state)
 {
@@ -446,6 +473,8 @@ int main(void)
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
 		cmocka_unit_test(
 			test_labels_of_overlays_do_not_cover_the_figures),
+		cmocka_unit_test(
+			test_the_list_of_keys_does_not_cover_the_figure),
 		cmocka_unit_test(test_the_duels_scale_does_not_cover_the_figures),
 		cmocka_unit_test(
 			test_figures_of_the_duel_are_not_below_the_ground),

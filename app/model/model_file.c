@@ -40,9 +40,15 @@ static int check_open(
 		log_error(log, "%s: %s", where, strerror(-error));
 		return error;
 	}
+	if (S_ISDIR(status.st_mode)) {
+		log_error(log,
+			"%s: this is a folder: give the name of a file in it",
+			where);
+		return -EISDIR;
+	}
 	if (!S_ISREG(status.st_mode)) {
 		log_error(log, "%s: not a regular file", where);
-		return S_ISDIR(status.st_mode) ? -EISDIR : -EINVAL;
+		return -EINVAL;
 	}
 	if (status.st_size > MODEL_FILE_BYTES_MAX) {
 		log_error(log,

@@ -23,6 +23,8 @@ refused '--help' render "$slider" -z -o "$out"
 refused '--json' info "$slider" --jsn
 refused '--json' render "$slider" --json -o "$out"
 refused '--size' pose "$slider" --size 10x10 -o "$out"
+refused '--demo: its value is missing' render --demo -o "$out"
+refused '--output: its value is missing' render "$slider" -o --size
 refused '--demo' pose --demo walker -o "$out"
 refused '--display' render "$slider" --display window -o "$out"
 

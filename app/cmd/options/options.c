@@ -188,6 +188,21 @@ static bool set_entry(const struct option_entry *entry, struct options *options,
 	}
 }
 
+static const struct option_entry *find_word(
+	enum command_bit command, const char *word, size_t length)
+{
+	return word[1] == '-'
+		? find_entry(command, 0, word + 2, length - 2)
+		: find_entry(command, length == 2 ? word[1] : '?', NULL, 0);
+}
+
+/* Whether the word after an option is its value and not the next option. */
+static bool is_value(enum command_bit command, const char *word)
+{
+	return word[0] != '-' || !word[1] ||
+		!find_word(command, word, strlen(word));
+}
+
 /* Reads the option at argv[*at], and moves *at to its value if that follows. */
 static int parse_option(struct options *options, enum command_bit command,
 	int argc, char **argv, int *at, const struct log *log)
@@ -195,11 +210,7 @@ static int parse_option(struct options *options, enum command_bit command,
 	const char *word = argv[*at];
 	const char *equals = strchr(word, '=');
 	size_t length = equals ? (size_t)(equals - word) : strlen(word);
-	bool is_long = word[1] == '-';
-	char letter = length == 2 ? word[1] : '?';
-	const struct option_entry *entry = is_long
-		? find_entry(command, 0, word + 2, length - 2)
-		: find_entry(command, letter, NULL, 0);
+	const struct option_entry *entry = find_word(command, word, length);
 	const char *value = equals ? equals + 1 : NULL;
 
 	if (!entry) {
@@ -211,7 +222,8 @@ static int parse_option(struct options *options, enum command_bit command,
 			entry->name);
 		return -EINVAL;
 	}
-	if (entry->value && !value && *at + 1 < argc) {
+	if (entry->value && !value && *at + 1 < argc &&
+		is_value(command, argv[*at + 1])) {
 		value = argv[++*at];
 	}
 	if (entry->value && !value) {

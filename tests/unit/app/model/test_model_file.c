@@ -199,7 +199,7 @@ static void test_refuses_what_is_not_a_regular_file(void **state)
 
 	assert_int_equal(mkfifo(pipe.text, 0600), 0);
 	expect_refusal(tree, "pipe", -EINVAL, "not a regular file");
-	expect_refusal(tree, "sub", -EISDIR, "not a regular file");
+	expect_refusal(tree, "sub", -EISDIR, "this is a folder");
 }
 
 static void test_refuses_a_file_above_the_size_limit(void **state)

@@ -263,9 +263,9 @@ void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	if (!is_whole(group, label, widest)) {
 		snprintf(widest, sizeof(widest), "%d.%02d s", all / 100,
 			all % 100);
-		snprintf(value, sizeof(value),
-			is_whole(group, label, widest) ? "%d.%02d s" : "",
-			time / 100, time % 100);
+		snprintf(value, sizeof(value), "%d.%02d s", time / 100,
+			time % 100);
+		value[is_whole(group, label, widest) ? strlen(value) : 0] = 0;
 	}
 	hud_group_bar(group, label, value,
 		duration_s > 0.0f ? time_s / duration_s : 0.0f, color);

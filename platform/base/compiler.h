@@ -67,6 +67,14 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 }
 #endif
 
+/* A signed value, limited to so many unsigned bits, a constant. */
+#ifdef __ARM_FEATURE_SAT
+#define LIMIT_TO_BITS(value, bits) ((int32_t)__usat(value, bits))
+#else
+#define LIMIT_TO_BITS(value, bits) \
+	((value) < 0 ? 0 : (value) >> (bits) ? (1 << (bits)) - 1 : (value))
+#endif
+
 /* Prefetches the cache line at an address, which need not be mapped. */
 #define PRELOAD(address) __builtin_prefetch(address)
 

@@ -13,9 +13,9 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state buffers cache current dedup dir_lights draw fog_state key"
+    "transform and light": "array array_state buffers cache current dedup draw fog_state key"
     " largest_float light light_state matrix number paths prepare"
-    " prepare_dir_lights prepare_light prepare_spans query soft state texenv_state"
+    " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin bend clip counts fill_constant fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list list_small masked narrow raster small triangle view walk"

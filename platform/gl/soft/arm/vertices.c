@@ -1,4 +1,4 @@
-/* What vertex.S, light.S and dedup.S know of the structures, and the latter. */
+/* What vertex.S and dedup.S know of the structures, and the latter. */
 #include "platform/gl/soft/vertex/draw.h"
 
 /* A list, or what is left of it; offsets are known to dedup.S. */
@@ -37,22 +37,6 @@ _Static_assert(offsetof(struct vertex, x) == 4, "");
 _Static_assert(offsetof(struct vertex, attribute) == 16, "");
 _Static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
 _Static_assert(offsetof(struct vertex, clip) == 64, "");
-
-/* light.S */
-_Static_assert(offsetof(struct view, dir_lights) == 116, "DIR_LIGHTS");
-_Static_assert(offsetof(struct dir_lights, texcoords) == 580, "TEXCOORDS");
-_Static_assert(offsetof(struct dir_lights, texcoord_stride) == 584, "");
-_Static_assert(offsetof(struct dir_lights, rest) == 588, "");
-_Static_assert(offsetof(struct dir_lights, floats) == 28, "eight words");
-_Static_assert(offsetof(struct dir_lights, square_least) == 32, "");
-_Static_assert(offsetof(struct dir_lights, ambient_q24) == 40, "SUMS");
-_Static_assert(offsetof(struct dir_lights, emission_q16) == 52, "");
-_Static_assert(offsetof(struct dir_lights, dir_light) == 64, "behind the sums");
-_Static_assert(sizeof(struct dir_light) == 64, "");
-_Static_assert(offsetof(struct dir_light, spec_tables) == 24, "");
-_Static_assert(offsetof(struct dir_light, half_q30) == 28, "");
-_Static_assert(offsetof(struct dir_light, specular_q20) == 52, "");
-_Static_assert(sizeof(struct spec_table_step) == 8, "by LDRD");
 
 /* dedup.S */
 _Static_assert(DEDUP_TRIANGLES == 64, "BATCH");

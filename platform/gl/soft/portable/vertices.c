@@ -5,11 +5,6 @@ void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)
 	soft_transform_c(draw, index, out);
 }
 
-void soft_shade(const struct draw *draw, struct vertex *vertex)
-{
-	soft_shade_c(draw, vertex);
-}
-
 bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
 	int words, uint32_t first, uint32_t count)
 {

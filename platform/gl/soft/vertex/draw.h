@@ -197,11 +197,6 @@ struct view {
 	int32_t inverse_w_q30;
 	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
-	/*
-	 * How far behind the draw struct dir_lights lies where soft_shade() may
-	 * light by it, else 0
-	 */
-	uint32_t dir_lights;
 };
 
 /*
@@ -360,12 +355,8 @@ void soft_transform_c(
 	const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
-/* Fills the attributes unless they are there. */
+/* shade.c: fills the attributes unless they are there. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
-/* The same in C; arm/light.S has another for what struct dir_lights takes. */
-void soft_shade_c(const struct draw *draw, struct vertex *vertex);
-/* What follows the colour: fog and texture coordinates. */
-void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
 
 /* array.c: elements of arrays as fixed point. */
 void soft_array_position(
@@ -390,13 +381,9 @@ int soft_array_position_exponent(
 
 /* light.c: lit colour, 8.8, of either side. */
 void soft_light(const struct draw *draw, struct vertex *vertex);
-
-/*
- * dir_lights.c: the same by struct dir_lights, of the vertex's index. False
- * where the normal is not for it.
- */
-bool soft_light_by_dir_lights(
-	const struct dir_lights *dir_lights, struct vertex *vertex);
+/* light.c: a vertex's position in eye space, 16.16. */
+void soft_light_find_eye(
+	const struct draw *draw, uint32_t index, int32_t out[3]);
 
 /* clip.c: cuts a triangle and hands on what is left. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);

@@ -225,7 +225,7 @@ static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3]
 		shading->tracked ? vertex_color[3] : shading->base_q16[3]);
 }
 
-static void find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
+void soft_light_find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	int32_t p[3];
 
@@ -256,7 +256,7 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 		soft_array_color_q16(draw, vertex->index, color);
 	}
 	if (draw->eye_needed) {
-		find_eye(draw, vertex->index, eye);
+		soft_light_find_eye(draw, vertex->index, eye);
 	}
 	light_side(draw, n, eye, color, vertex->attribute + RED);
 	if (shading->two_side) {
@@ -265,146 +265,4 @@ void soft_light(const struct draw *draw, struct vertex *vertex)
 		}
 		light_side(draw, n, eye, color, vertex->back);
 	}
-}
-
-static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
-{
-	const struct fog *fog = &draw->soft->fog;
-	int64_t thickness_q16 = (int64_t)fog->density * distance_q16 >> 16;
-
-	if (fog->mode == GL_LINEAR) {
-		/* |difference| < 2^32, |scale| <= 2^29 */
-		return saturate_64(((int64_t)draw->fog_end_q16 - distance_q16) *
-				draw->fog_scale >>
-			draw->fog_scale_q);
-	}
-	if (fog->mode == GL_EXP2) {
-		thickness_q16 = saturate_64(thickness_q16);
-		thickness_q16 = thickness_q16 * thickness_q16 >> 16;
-	}
-	/* 1/e in Q28 */
-	return soft_power_q28(98749918, saturate_64(thickness_q16)) >> 12;
-}
-
-/* The share of the fragment's own colour, like a colour. */
-static NEVER_INLINE int32_t find_fog(
-	const struct draw *draw, const struct vertex *vertex)
-{
-	int32_t eye[3];
-
-	find_eye(draw, vertex->index, eye);
-	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
-}
-
-static NEVER_INLINE void find_any_texcoord(
-	const struct draw *draw, int unit, uint32_t index, int32_t out[2])
-{
-	const struct texture_input *input = &draw->texture[unit];
-	int32_t st[2];
-
-	soft_array_texcoord_q16(draw, unit, index, st);
-	for (int i = 0; i < 2; i++) {
-		const int32_t *m = input->matrix[i];
-		int64_t sum = (int64_t)m[0] * st[0] + (int64_t)m[1] * st[1] +
-			(int64_t)m[2] * 65536;
-
-		out[i] = input->identity ? st[i]
-					 : saturate_64(sum >> input->matrix_q);
-		/* So that differences fit 32 bits. */
-		out[i] = clamp_int(out[i], -(1 << 30), 1 << 30);
-	}
-}
-
-static ALWAYS_INLINE int32_t scale_short(
-	const struct texture_input *input, int i, int16_t value)
-{
-	int64_t sum = (int64_t)input->matrix[i][i] * value + input->matrix[i][2];
-
-	return (int32_t)(sum >> (input->matrix_q - 16));
-}
-
-static ALWAYS_INLINE void find_texcoord(
-	const struct draw *draw, int unit, struct vertex *vertex)
-{
-	const struct texture_input *input = &draw->texture[unit];
-	const uint8_t *at = input->array->pointer +
-		(size_t)vertex->index * (size_t)input->array->stride_bytes;
-	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
-	uint32_t bits[2];
-	int16_t shorts[2];
-	float st[2];
-
-	if (input->kind == TEXCOORD_FLOATS) {
-		PRELOAD(at + 40);
-		memcpy(bits, at, sizeof(bits));
-		/* Below 2^14, as the bits of 2^14 tell, without their signs. */
-		if (bits[0] << 1 < 0x8D000000 && bits[1] << 1 < 0x8D000000) {
-			memcpy(st, bits, sizeof(st));
-			out[0] = (int32_t)(st[0] * 65536.0f);
-			out[1] = (int32_t)(st[1] * 65536.0f);
-			return;
-		}
-	} else if (input->kind == TEXCOORD_SHORTS) {
-		memcpy(shorts, at, sizeof(shorts));
-		out[0] = scale_short(input, 0, shorts[0]);
-		out[1] = scale_short(input, 1, shorts[1]);
-		return;
-	}
-	find_any_texcoord(draw, unit, vertex->index, out);
-}
-
-static NEVER_INLINE void find_any_color(
-	const struct draw *draw, struct vertex *vertex)
-{
-	int32_t color[4];
-
-	soft_array_color_q16(draw, vertex->index, color);
-	for (int i = 0; i < 4; i++) {
-		vertex->attribute[i] = to_attribute(color[i]);
-	}
-}
-
-/* Bytes become what to_attribute() makes of them, or one below. */
-static ALWAYS_INLINE void find_color(
-	const struct draw *draw, struct vertex *vertex)
-{
-	const struct array *array = &draw->soft->arrays.color;
-	const uint8_t *at = array->pointer +
-		(size_t)vertex->index * (size_t)array->stride_bytes;
-
-	if (!array->enabled || array->type != GL_UNSIGNED_BYTE) {
-		find_any_color(draw, vertex);
-		return;
-	}
-	for (int i = 0; i < 4; i++) {
-		vertex->attribute[i] = at[i] << 8 | 128;
-	}
-}
-
-void soft_shade_rest(const struct draw *draw, struct vertex *vertex)
-{
-	if (draw->fogged) {
-		vertex->attribute[FOG] = find_fog(draw, vertex);
-	}
-	if (draw->texture[0].used) {
-		find_texcoord(draw, 0, vertex);
-	}
-	if (draw->texture[1].used) {
-		find_texcoord(draw, 1, vertex);
-	}
-}
-
-void soft_shade_c(const struct draw *draw, struct vertex *vertex)
-{
-	if (vertex->shaded || draw->attributes == 0) {
-		return;
-	}
-	vertex->shaded = true;
-	if (!draw->shading.lit) {
-		find_color(draw, vertex);
-	} else if (!draw->shading.by_dir_lights ||
-		!soft_light_by_dir_lights(&draw->dir_lights, vertex)) {
-		soft_light(draw, vertex);
-	}
-	soft_shade_rest(draw, vertex);
 }

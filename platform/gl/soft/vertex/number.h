@@ -76,7 +76,7 @@ static inline int32_t clamp_int(int32_t value, int32_t low, int32_t high)
 /* A colour or fog, 16.16, as vertices have it: 8.8, a bit inside of its range. */
 static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
 {
-	value_q16 = clamp_int(value_q16, 0, 65535);
+	value_q16 = LIMIT_TO_BITS(value_q16, 16);
 	return 128 + value_q16 - (value_q16 >> 8);
 }
 

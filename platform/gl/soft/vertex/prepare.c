@@ -340,27 +340,6 @@ void soft_init_scratch(struct draw *draw)
 	}
 }
 
-/* What arm/light.S shades. */
-static void prepare_shade(struct draw *draw)
-{
-	const struct texture_input *input = draw->texture;
-	struct dir_lights *dir_lights = &draw->dir_lights;
-
-	draw->view.dir_lights = 0;
-	if (draw->attributes == 0 || !draw->shading.lit ||
-		!draw->shading.by_dir_lights) {
-		return;
-	}
-	draw->view.dir_lights = (uint32_t)offsetof(struct draw, dir_lights);
-	dir_lights->texcoords = NULL;
-	dir_lights->rest = draw->fogged || input[1].used ||
-		(input[0].used && input[0].kind != TEXCOORD_FLOATS);
-	if (input[0].used && !dir_lights->rest) {
-		dir_lights->texcoords = input[0].array->pointer;
-		dir_lights->texcoord_stride = input[0].array->stride_bytes;
-	}
-}
-
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count)
 {
@@ -400,7 +379,6 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (path->one_color) {
 		draw->attributes = 0;
 	}
-	prepare_shade(draw);
 	soft_prepare_fast_setup(draw);
 	if (path->begin) {
 		path->begin(draw);

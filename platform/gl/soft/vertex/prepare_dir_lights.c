@@ -59,7 +59,7 @@ static bool are_within(const int32_t value[3], int32_t most)
 	return true;
 }
 
-/* Directions up to 2, colours below 2: sums of 8 lights fit, see dir_lights.c. */
+/* Directions up to 2, colours below 2: sums of 8 lights fit, see shade.c. */
 static bool takes_light_source(const struct light_source *light_source)
 {
 	return are_within(light_source->towards_q28, (1 << 29) - 1) &&

@@ -1,6 +1,6 @@
 /*
- * What vertices are lit by: what prepare_light.c and prepare_dir_lights.c derive
- * from the state once a draw call. Numbers are named as in draw.h.
+ * What vertices are lit by: what prepare_light.c and prepare_dir_lights.c
+ * derive from the state once a draw call. Numbers are named as in draw.h.
  */
 #ifndef PLATFORM_GL_SOFT_VERTEX_SHADING_H
 #define PLATFORM_GL_SOFT_VERTEX_SHADING_H
@@ -55,8 +55,8 @@ struct spec_table {
 /*
  * What most vertices are lit by: directional lights in the normals' space, for
  * normals of three GL_SHORTs of any length or three aligned floats, and colours
- * of four bytes. arm/light.S knows the offsets. Colours are 257/256 of what
- * they are, so that a byte's 255 makes 1 of them.
+ * of four bytes. Colours are 257/256 of what they are, so that a byte's 255
+ * makes 1 of them.
  */
 struct dir_light {
 	int32_t towards_q30[3], diffuse_q30[3];
@@ -82,9 +82,6 @@ struct dir_lights {
 	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
 	struct dir_light dir_light[SOFT_LIGHTS];
 	uint8_t color[4];
-	const uint8_t *texcoords; /* of unit 0, TEXCOORD_FLOATS; or NULL */
-	int texcoord_stride;
-	int rest; /* instead: whether soft_shade_rest() is wanted */
 };
 
 #endif

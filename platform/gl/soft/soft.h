@@ -225,9 +225,6 @@ uint8_t *soft_stencil(struct soft *soft);
 /* Makes room for so many pixels; -ENOMEM, which is logged, without memory. */
 int soft_grow_buffers(struct soft *soft, size_t pixels);
 
-/* The flag behind Enable and Disable, or NULL for an unknown capability. */
-bool *soft_find_light_flag(struct soft *soft, GLenum capability);
-
 /* The picture's part inside a rectangle of GL's, in rows from the top. */
 struct clip_box {
 	int left, top, right, bottom; /* right and bottom are outside */

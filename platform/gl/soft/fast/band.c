@@ -72,36 +72,6 @@ static ALWAYS_INLINE void darken(const struct flat_band *band, uint16_t *pixel)
 		(widen(*pixel) * band->keep + band->own) >> 5 & WIDE_MASK);
 }
 
-/* How many of eight at a time have what the stencil must not have. */
-static ALWAYS_INLINE int count_like(
-	const uint8_t *stencil, uint32_t like, int count)
-{
-	int i = 0;
-
-	while (i + 8 <= count && load_32(stencil + i) == like &&
-		load_32(stencil + i + 4) == like) {
-		i += 8;
-	}
-	return i;
-}
-
-static void flat_unlike(const struct flat_band *band, uint16_t *pixel,
-	const uint8_t *stencil, int count)
-{
-	for (int i = 0; i < count;) {
-		int end;
-
-		i += count_like(
-			stencil + i, band->reference * 0x01010101u, count - i);
-		end = count - i < 8 ? count : i + 8;
-		for (; i < end; i++) {
-			if (stencil[i] != band->reference) {
-				darken(band, &pixel[i]);
-			}
-		}
-	}
-}
-
 static void flat_once(const struct flat_band *band, uint16_t *pixel,
 	uint8_t *stencil, int count)
 {
@@ -123,8 +93,6 @@ static void flat_row(const struct flat_band *band, int left, int count)
 		} else {
 			soft_keep_pixels(pixel, count, band->keep, band->own);
 		}
-	} else if (band->unlike) {
-		flat_unlike(band, pixel, band->stencil + left, count);
 	} else {
 		flat_once(band, pixel, band->stencil + left, count);
 	}

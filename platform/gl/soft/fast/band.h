@@ -61,8 +61,6 @@ struct flat_band {
 	uint32_t edge[2], edge_step[2]; /* see BAND_LEFT */
 	int from, to;                   /* columns that may be drawn */
 	uint8_t reference, next;        /* what the stencil has, and gets */
-	/* the other way: drawn where it has anything else, and keeps that */
-	bool unlike;
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
 	uint16_t opaque; /* the colour itself */

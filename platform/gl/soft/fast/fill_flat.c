@@ -6,13 +6,6 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
-/* What lies under a sheet that shows wherever anything was counted. */
-static bool is_unlike(const struct stencil *stencil)
-{
-	return stencil->enabled && stencil->function == GL_NOTEQUAL &&
-		stencil->fail == GL_KEEP && stencil->pass == GL_KEEP;
-}
-
 static uint8_t next_stencil(const struct stencil *stencil)
 {
 	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
@@ -43,7 +36,6 @@ void soft_fill_flat_begin(struct draw *draw)
 		.to = draw->box.right,
 		.reference = stencil->reference,
 		.next = next_stencil(stencil),
-		.unlike = is_unlike(stencil),
 	};
 	/* Where all of a call has one colour, no vertex is shaded. */
 	soft_fill_flat_color(draw,

@@ -24,23 +24,9 @@ enum {
 /* The first that takes a key; the last one takes every key. */
 static const struct soft_path path[] = {
 	{
-		.mask = FLAT,
-		.bits = KEY_565,
-		.fill = soft_fill_flat,
-		.begin = soft_fill_flat_begin,
-		.one_color = true,
-	},
-	{
 		.mask = FLAT | KEY_STENCIL_ONCE,
 		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_ONCE,
 		.fill = soft_fill_masked,
-		.begin = soft_fill_flat_begin,
-		.one_color = true,
-	},
-	{
-		.mask = FLAT | KEY_STENCIL_UNLIKE,
-		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_UNLIKE,
-		.fill = soft_fill_flat,
 		.begin = soft_fill_flat_begin,
 		.one_color = true,
 	},

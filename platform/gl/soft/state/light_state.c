@@ -4,29 +4,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
 
-bool *soft_find_light_flag(struct soft *soft, GLenum capability)
-{
-	struct lighting *lighting = &soft->lighting;
-
-	switch (capability) {
-	case GL_LIGHTING:
-		return &lighting->enabled;
-	case GL_COLOR_MATERIAL:
-		return &lighting->color_material;
-	case GL_NORMALIZE:
-		return &lighting->normalize;
-	case GL_RESCALE_NORMAL:
-		return &lighting->rescale;
-	default:
-		break;
-	}
-	if (capability - GL_LIGHT0 < SOFT_LIGHTS) {
-		return &lighting->light[capability - GL_LIGHT0].enabled;
-	}
-	return NULL;
-}
-
-static bool set_scalar(struct light *light, GLenum name, GLfixed value)
+static void set_scalar(struct light *light, GLenum name, GLfixed value)
 {
 	GLfixed *where, most = INT32_MAX;
 
@@ -46,25 +24,34 @@ static bool set_scalar(struct light *light, GLenum name, GLfixed value)
 		break;
 	default:
 		soft_set_error(soft_current(), GL_INVALID_ENUM);
-		return false;
+		return;
 	}
 	if (value < 0 || value > most) {
 		soft_set_error(soft_current(), GL_INVALID_VALUE);
-		return false;
+		return;
 	}
 	*where = value;
-	return true;
 }
 
-static void light_scalar(GLenum name, GLenum what, GLfixed value)
+/* NULL, with GL's error, for another name. */
+static struct light *find_light(GLenum name)
 {
 	struct soft *soft = soft_current();
 
 	if (name - GL_LIGHT0 >= SOFT_LIGHTS) {
 		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+		return NULL;
 	}
-	set_scalar(&soft->lighting.light[name - GL_LIGHT0], what, value);
+	return &soft->lighting.light[name - GL_LIGHT0];
+}
+
+static void light_scalar(GLenum name, GLenum what, GLfixed value)
+{
+	struct light *light = find_light(name);
+
+	if (light) {
+		set_scalar(light, what, value);
+	}
 }
 
 /* Positions and directions go into eye space as they are given. */
@@ -94,14 +81,11 @@ static void set_direction(
 
 static void light_vector(GLenum name, GLenum what, const GLfixed *values)
 {
-	struct soft *soft = soft_current();
-	struct light *light;
+	struct light *light = find_light(name);
 
-	if (name - GL_LIGHT0 >= SOFT_LIGHTS) {
-		soft_set_error(soft, GL_INVALID_ENUM);
+	if (!light) {
 		return;
 	}
-	light = &soft->lighting.light[name - GL_LIGHT0];
 	switch (what) {
 	case GL_AMBIENT:
 		memcpy(light->ambient, values, sizeof(light->ambient));
@@ -113,10 +97,10 @@ static void light_vector(GLenum name, GLenum what, const GLfixed *values)
 		memcpy(light->specular, values, sizeof(light->specular));
 		break;
 	case GL_POSITION:
-		set_position(soft, light, values);
+		set_position(soft_current(), light, values);
 		break;
 	case GL_SPOT_DIRECTION:
-		set_direction(soft, light, values);
+		set_direction(soft_current(), light, values);
 		break;
 	default:
 		set_scalar(light, what, values[0]);

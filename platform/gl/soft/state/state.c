@@ -1,6 +1,7 @@
 /* Capabilities, the fragment's state and where it may go. */
 #include "platform/gl/soft/soft.h"
 
+#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 
 static bool is_comparison(GLenum function)
@@ -8,38 +9,47 @@ static bool is_comparison(GLenum function)
 	return function >= GL_NEVER && function <= GL_ALWAYS;
 }
 
+#define FLAG(capability, member)                          \
+	{                                                 \
+		capability, offsetof(struct soft, member) \
+	}
+
+/* The flags behind capabilities that are no light or texture unit. */
+static const struct {
+	GLenum capability;
+	size_t offset;
+} flags[] = {
+	FLAG(GL_FOG, fog.enabled),
+	FLAG(GL_CULL_FACE, fragment.cull),
+	FLAG(GL_ALPHA_TEST, fragment.alpha_test),
+	FLAG(GL_BLEND, fragment.blend),
+	FLAG(GL_STENCIL_TEST, fragment.stencil.enabled),
+	FLAG(GL_DEPTH_TEST, fragment.depth_test),
+	FLAG(GL_SCISSOR_TEST, fragment.scissor_test),
+	FLAG(GL_POLYGON_OFFSET_FILL, fragment.offset_fill),
+	FLAG(GL_POINT_SMOOTH, fragment.point_smooth),
+	FLAG(GL_LINE_SMOOTH, fragment.line_smooth),
+	FLAG(GL_DITHER, fragment.dither),
+	FLAG(GL_LIGHTING, lighting.enabled),
+	FLAG(GL_COLOR_MATERIAL, lighting.color_material),
+	FLAG(GL_NORMALIZE, lighting.normalize),
+	FLAG(GL_RESCALE_NORMAL, lighting.rescale),
+};
+
 static bool *find_flag(struct soft *soft, GLenum capability)
 {
-	struct fragment_state *fragment = &soft->fragment;
-
-	switch (capability) {
-	case GL_FOG:
-		return &soft->fog.enabled;
-	case GL_TEXTURE_2D:
+	if (capability == GL_TEXTURE_2D) {
 		return &soft->textures.unit[soft->textures.active].enabled;
-	case GL_CULL_FACE:
-		return &fragment->cull;
-	case GL_ALPHA_TEST:
-		return &fragment->alpha_test;
-	case GL_BLEND:
-		return &fragment->blend;
-	case GL_STENCIL_TEST:
-		return &fragment->stencil.enabled;
-	case GL_DEPTH_TEST:
-		return &fragment->depth_test;
-	case GL_SCISSOR_TEST:
-		return &fragment->scissor_test;
-	case GL_POLYGON_OFFSET_FILL:
-		return &fragment->offset_fill;
-	case GL_POINT_SMOOTH:
-		return &fragment->point_smooth;
-	case GL_LINE_SMOOTH:
-		return &fragment->line_smooth;
-	case GL_DITHER:
-		return &fragment->dither;
-	default:
-		return soft_find_light_flag(soft, capability);
 	}
+	if (capability - GL_LIGHT0 < SOFT_LIGHTS) {
+		return &soft->lighting.light[capability - GL_LIGHT0].enabled;
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(flags); i++) {
+		if (flags[i].capability == capability) {
+			return (bool *)((char *)soft + flags[i].offset);
+		}
+	}
+	return NULL;
 }
 
 static void set_flag(GLenum capability, bool on)
@@ -65,6 +75,15 @@ static void enable(GLenum capability)
 static void disable(GLenum capability)
 {
 	set_flag(capability, false);
+}
+
+static void set_enum(GLenum *where, GLenum value, bool known)
+{
+	if (!known) {
+		soft_set_error(soft_current(), GL_INVALID_ENUM);
+		return;
+	}
+	*where = value;
 }
 
 static void alpha_func(GLenum function, GLfixed reference)
@@ -117,13 +136,8 @@ static void color_mask(
 
 static void depth_func(GLenum function)
 {
-	struct soft *soft = soft_current();
-
-	if (!is_comparison(function)) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	soft->fragment.depth_function = function;
+	set_enum(&soft_current()->fragment.depth_function, function,
+		is_comparison(function));
 }
 
 static void depth_mask(GLboolean write)
@@ -133,24 +147,15 @@ static void depth_mask(GLboolean write)
 
 static void cull_face(GLenum face)
 {
-	struct soft *soft = soft_current();
-
-	if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	soft->fragment.cull_face = face;
+	set_enum(&soft_current()->fragment.cull_face, face,
+		face == GL_FRONT || face == GL_BACK ||
+			face == GL_FRONT_AND_BACK);
 }
 
 static void front_face(GLenum mode)
 {
-	struct soft *soft = soft_current();
-
-	if (mode != GL_CW && mode != GL_CCW) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	soft->fragment.front_face = mode;
+	set_enum(&soft_current()->fragment.front_face, mode,
+		mode == GL_CW || mode == GL_CCW);
 }
 
 static void shade_model(GLenum mode)
@@ -164,26 +169,23 @@ static void shade_model(GLenum mode)
 	soft->fragment.flat = mode == GL_FLAT;
 }
 
-static void line_width(GLfixed width)
+static void set_size(GLfixed *where, GLfixed size)
 {
-	struct soft *soft = soft_current();
-
-	if (width <= 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
+	if (size <= 0) {
+		soft_set_error(soft_current(), GL_INVALID_VALUE);
 		return;
 	}
-	soft->fragment.line_width = width;
+	*where = size;
+}
+
+static void line_width(GLfixed width)
+{
+	set_size(&soft_current()->fragment.line_width, width);
 }
 
 static void point_size(GLfixed size)
 {
-	struct soft *soft = soft_current();
-
-	if (size <= 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
-	}
-	soft->fragment.point_size = size;
+	set_size(&soft_current()->fragment.point_size, size);
 }
 
 static void polygon_offset(GLfixed factor, GLfixed units)
@@ -192,6 +194,16 @@ static void polygon_offset(GLfixed factor, GLfixed units)
 
 	soft->fragment.offset_factor = factor;
 	soft->fragment.offset_units = units;
+}
+
+static int max_int(int a, int b)
+{
+	return a > b ? a : b;
+}
+
+static int min_int(int a, int b)
+{
+	return a < b ? a : b;
 }
 
 static void set_rectangle(struct rectangle *rectangle, int x, int y,
@@ -209,18 +221,17 @@ static void scissor(GLint x, GLint y, GLsizei width, GLsizei height)
 	set_rectangle(&soft_current()->fragment.scissor, x, y, width, height);
 }
 
+static int limit_place(int place)
+{
+	return max_int(-PIXELS_SIZE_MAX, min_int(place, PIXELS_SIZE_MAX));
+}
+
 /* Larger ones are cut to PIXELS_SIZE_MAX, as GL allows. */
 static void viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
-	set_rectangle(&soft_current()->fragment.viewport,
-		x < -PIXELS_SIZE_MAX          ? -PIXELS_SIZE_MAX
-			: x > PIXELS_SIZE_MAX ? PIXELS_SIZE_MAX
-					      : x,
-		y < -PIXELS_SIZE_MAX          ? -PIXELS_SIZE_MAX
-			: y > PIXELS_SIZE_MAX ? PIXELS_SIZE_MAX
-					      : y,
-		width > PIXELS_SIZE_MAX ? PIXELS_SIZE_MAX : width,
-		height > PIXELS_SIZE_MAX ? PIXELS_SIZE_MAX : height);
+	set_rectangle(&soft_current()->fragment.viewport, limit_place(x),
+		limit_place(y), min_int(width, PIXELS_SIZE_MAX),
+		min_int(height, PIXELS_SIZE_MAX));
 }
 
 static void stencil_func(GLenum function, GLint reference, GLuint mask)
@@ -267,16 +278,6 @@ static void stencil_op(GLenum fail, GLenum depth_fail, GLenum pass)
 
 static void finish(void)
 {
-}
-
-static int max_int(int a, int b)
-{
-	return a > b ? a : b;
-}
-
-static int min_int(int a, int b)
-{
-	return a < b ? a : b;
 }
 
 /* Sums of 64 bits: a scissor box may lie anywhere. */

@@ -22,8 +22,7 @@ static uint32_t find_vertices(const struct draw *draw)
 	return bit_if(draw->shading.lit, KEY_LIT) |
 		bit_if(draw->shading.color_array, KEY_COLOR_ARRAY) |
 		bit_if(draw->perspective, KEY_PERSPECTIVE) |
-		bit_if(state->flat || draw->offset ||
-				draw->shading.two_side,
+		bit_if(state->flat || draw->offset || draw->shading.two_side,
 			KEY_BY_TRIANGLE);
 }
 
@@ -53,24 +52,22 @@ static uint32_t find_depth(const struct draw *draw)
 		bit_if(state->depth_function == GL_ALWAYS, KEY_DEPTH_ALWAYS);
 }
 
-/* Of the stencils that fill_flat.c has rows for. */
+/* Of the stencil that fill_flat.c has rows for. */
 static uint32_t find_stencil(const struct draw *draw)
 {
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
 	GLenum pass = stencil->pass;
-	bool kept = stencil->fail == GL_KEEP, buffer, once, unlike;
+	bool once;
 
 	if (!stencil->enabled) {
 		return 0;
 	}
-	buffer = draw->soft->buffers.stencil != NULL;
 	once = stencil->function == GL_EQUAL && stencil->mask == 255 &&
-		stencil->write_mask == 255 && kept && stencil->reference < 255 &&
+		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
+		stencil->reference < 255 &&
 		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO);
-	unlike = stencil->function == GL_NOTEQUAL && stencil->mask == 255 &&
-		kept && pass == GL_KEEP;
-	return KEY_STENCIL | bit_if(once && buffer, KEY_STENCIL_ONCE) |
-		bit_if(unlike && buffer, KEY_STENCIL_UNLIKE);
+	return KEY_STENCIL |
+		bit_if(once && draw->soft->buffers.stencil, KEY_STENCIL_ONCE);
 }
 
 static uint32_t find_filter(const struct texture *texture)

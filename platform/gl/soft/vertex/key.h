@@ -29,12 +29,11 @@ enum {
 	KEY_DEPTH_ALWAYS = 1 << 12, /* not tested, or ALWAYS */
 	KEY_STENCIL = 1 << 13,
 	KEY_STENCIL_ONCE = 1 << 14, /* where it is EQUAL; gets another value */
-	KEY_STENCIL_UNLIKE = 1 << 15, /* where it is NOTEQUAL; is kept */
 	/* the first texture */
 	KEY_TEXTURE = 1 << 16,
 	KEY_TEXTURE_565 = 1 << 17,
 	KEY_TEXTURE_ALPHA = 1 << 18,
-	KEY_TEXTURE_TILES = 1 << 19,  /* luminance; see tiles.h */
+	KEY_TEXTURE_TILES = 1 << 19, /* luminance; see tiles.h */
 	KEY_MODULATE = 1 << 21,
 	KEY_REPLACE = 1 << 22,
 	KEY_REPEAT = 1 << 23,

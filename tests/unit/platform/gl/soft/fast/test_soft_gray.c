@@ -272,74 +272,6 @@ static struct twins *make_twins(uint32_t *seed, int rarely)
 	return twins;
 }
 
-/* Anywhere, also crossed and beyond the picture. */
-static void make_edges(uint32_t *seed, uint32_t edge[2], uint32_t step[2])
-{
-	twins_edges(seed, -9, TWINS_SIDE + 9, edge, step);
-}
-
-/* A pixel at a time. */
-static void shade_counted(const struct flat_band *band)
-{
-	for (int y = 0; y < band->rows; y++) {
-		uint16_t *pixel = (uint16_t *)(void *)(band->pixels +
-			y * band->stride_bytes);
-		const uint8_t *stencil =
-			band->stencil + y * band->stencil_stride;
-		int edge[2];
-
-		for (int i = 0; i < 2; i++) {
-			edge[i] = (int32_t)(band->edge[i] +
-					  (uint32_t)y * band->edge_step[i]) >>
-				16;
-		}
-		for (int x = band->from; x < band->to; x++) {
-			if (x >= edge[0] && x < edge[1] &&
-				stencil[x] != band->reference) {
-				pixel[x] = narrow((widen(pixel[x]) * band->keep +
-							  band->own) >>
-						5 &
-					WIDE_MASK);
-			}
-		}
-	}
-}
-
-static void test_the_sheet_shades_where_anything_was_counted(void **state)
-{
-	uint32_t seed = 5;
-
-	(void)state;
-	for (int round = 0; round < 500; round++) {
-		struct twins *twins = make_twins(&seed, round % 3 == 0 ? 2 : 30);
-		struct flat_band band = {
-			.pixels = (uint8_t *)(twins->pixel[0] +
-				TWINS_ROW * TWINS_SIDE),
-			.stencil = twins->stencil[0] + TWINS_ROW * TWINS_SIDE,
-			.stride_bytes = 2 * TWINS_SIDE,
-			.stencil_stride = TWINS_SIDE,
-			.rows = random_between(&seed, 1, TWINS_ROWS),
-			.from = random_between(&seed, 0, 40),
-			.to = random_between(&seed, 30, TWINS_SIDE),
-			.keep = (uint32_t)random_between(&seed, 0, 32),
-			.reference = round % 7 ? 0 : 129,
-			.unlike = true,
-			.opaque = (uint16_t)next_random(&seed),
-		};
-		struct flat_band other;
-
-		band.own = widen(band.opaque) * (32 - band.keep) + WIDE_ROUND;
-		make_edges(&seed, band.edge, band.edge_step);
-		other = band;
-		other.pixels =
-			(uint8_t *)(twins->pixel[1] + TWINS_ROW * TWINS_SIDE);
-		other.stencil = twins->stencil[1] + TWINS_ROW * TWINS_SIDE;
-		soft_band_flat(&band);
-		shade_counted(&other);
-		twins_check(twins);
-	}
-}
-
 static int test_depth(uint16_t *depth, int count, uint32_t z, uint32_t step)
 {
 	int i = 0;
@@ -385,8 +317,6 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_stencils_shade_what_the_long_way_does),
-		cmocka_unit_test(
-			test_the_sheet_shades_where_anything_was_counted),
 		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),
 		cmocka_unit_test(test_depth_is_tested_up_to_the_first_that_fails),
 	};

@@ -51,11 +51,11 @@ struct texture_band {
 };
 
 /*
- * Rows in one colour without a depth test, opaque or blended, where a stencil
- * lets them.
+ * Rows in one colour without a depth test, opaque or blended, where the stencil
+ * has a reference value, which becomes another. fill_flat.c draws them.
  */
 struct flat_band {
-	uint8_t *pixels, *stencil; /* of column 0; stencil may be NULL */
+	uint8_t *pixels, *stencil; /* of column 0 */
 	ptrdiff_t stride_bytes, stencil_stride;
 	int rows;
 	uint32_t edge[2], edge_step[2]; /* see BAND_LEFT */
@@ -63,8 +63,6 @@ struct flat_band {
 	uint8_t reference, next;        /* what the stencil has, and gets */
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
-	uint16_t opaque; /* the colour itself */
-	uint32_t alpha;  /* 0 to 32 */
 };
 
 /*
@@ -73,7 +71,5 @@ struct flat_band {
  */
 void soft_band_texture(struct texture_band *band);
 void soft_band_texture_c(struct texture_band *band);
-
-void soft_band_flat(struct flat_band *band);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * Triangles of any size in one colour for all of a call, without a depth test:
- * a stencil may let each pixel through once.
+ * Triangles of any size in one colour for all of a call, without a depth test,
+ * where a stencil lets each pixel through once.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/raster/pixel.h"
@@ -13,21 +13,16 @@ static uint8_t next_stencil(const struct stencil *stencil)
 					   : stencil->reference;
 }
 
-void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha)
-{
-	struct flat_band *band = &draw->flat;
-
-	band->opaque = color;
-	band->alpha = alpha;
-	band->keep = 32 - alpha;
-	band->own = widen(color) * alpha + WIDE_ROUND;
-}
-
 void soft_fill_flat_begin(struct draw *draw)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	/* Where all of a call has one colour, no vertex is shaded. */
 	const GLfixed *color = draw->soft->arrays.current_color;
+	uint32_t own = widen(pack_565(soft_byte(color[0]), soft_byte(color[1]),
+		soft_byte(color[2])));
+	uint32_t alpha =
+		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
 
 	draw->flat = (struct flat_band){
 		.stride_bytes = buffers->target.stride_bytes,
@@ -36,17 +31,40 @@ void soft_fill_flat_begin(struct draw *draw)
 		.to = draw->box.right,
 		.reference = stencil->reference,
 		.next = next_stencil(stencil),
+		.keep = 32 - alpha,
+		.own = own * alpha + WIDE_ROUND,
 	};
-	/* Where all of a call has one colour, no vertex is shaded. */
-	soft_fill_flat_color(draw,
-		pack_565(soft_byte(color[0]), soft_byte(color[1]),
-			soft_byte(color[2])),
-		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32);
 }
 
-static void draw_band(void *band)
+static void draw_row(const struct flat_band *band, int left, int right)
 {
-	soft_band_flat(band);
+	uint16_t *pixel = (uint16_t *)(void *)band->pixels;
+
+	for (int x = left; x < right; x++) {
+		if (band->stencil[x] == band->reference) {
+			band->stencil[x] = band->next;
+			pixel[x] = narrow(
+				(widen(pixel[x]) * band->keep + band->own) >> 5 &
+				WIDE_MASK);
+		}
+	}
+}
+
+static void draw_band(void *flat_band)
+{
+	struct flat_band *band = flat_band;
+
+	for (; band->rows > 0; band->rows--) {
+		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
+		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+
+		draw_row(band, left > band->from ? left : band->from,
+			right < band->to ? right : band->to);
+		band->pixels += band->stride_bytes;
+		band->stencil += band->stencil_stride;
+		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
+		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
+	}
 }
 
 void soft_fill_flat(struct draw *draw, struct setup *setup)
@@ -61,9 +79,7 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 
 	band->pixels = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
-	if (draw->soft->fragment.stencil.enabled) {
-		band->stencil = buffers->stencil + top * buffers->width;
-	}
+	band->stencil = buffers->stencil + top * buffers->width;
 	raster_draw_bands(draw, setup, middle_left,
 		&(struct band_ends){band->edge, band->edge_step, &band->rows},
 		draw_band, band);

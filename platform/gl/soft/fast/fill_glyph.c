@@ -1,60 +1,11 @@
 /*
- * One colour through the alpha of a texture's nearest texels, upright, without
- * tests: text, and rectangles beside it, which are a single texel
- * wide. Two triangles that are a rectangle are drawn as one.
+ * Upright rectangles of two triangles in one colour through the alpha of a
+ * texture's nearest texels, without tests: text, and panels, whose corners all
+ * have the same texel.
  */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
-
-/* A letter: a texel is a pixel. */
-struct glyph {
-	uint16_t *pixel;
-	const uint8_t *texel;   /* alpha */
-	int columns, rows;      /* at least 1 */
-	ptrdiff_t stride_bytes; /* of the picture */
-	ptrdiff_t texel_stride;
-	uint32_t own;   /* the colour, wide */
-	uint32_t alpha; /* 0 to 32, which texels count */
-};
-
-static void draw_row(
-	const struct glyph *glyph, uint16_t *pixel, const uint8_t *texel)
-{
-	for (int i = 0; i < glyph->columns; i++) {
-		uint32_t alpha = ((texel[i] + 4u) >> 3) * glyph->alpha >> 5;
-
-		if (alpha) {
-			pixel[i] = narrow(
-				mix_wide(widen(pixel[i]), glyph->own, alpha));
-		}
-	}
-}
-
-static void draw_glyph(const struct glyph *glyph)
-{
-	uint8_t *pixel = (uint8_t *)glyph->pixel;
-	const uint8_t *texel = glyph->texel;
-
-	for (int i = 0; i < glyph->rows; i++) {
-		draw_row(glyph, (uint16_t *)(void *)pixel, texel);
-		pixel += glyph->stride_bytes;
-		texel += glyph->texel_stride;
-	}
-}
-
-static bool is_same(const struct setup *setup, int first, int count)
-{
-	int32_t differ = 0;
-
-	for (int i = first; i < first + count; i++) {
-		int32_t value = setup->v[0]->attribute[i];
-
-		differ |= (setup->v[1]->attribute[i] ^ value) |
-			(setup->v[2]->attribute[i] ^ value);
-	}
-	return differ == 0;
-}
 
 /* 0 to 32, of a texel in place or the one where coordinates wrap to. */
 static uint32_t load_alpha(const struct texture_input *input, int s, int t)
@@ -74,29 +25,6 @@ static uint32_t share_of(int32_t attribute)
 	return ((uint32_t)attribute + (4 << 8)) >> 11;
 }
 
-static void row_glyph(struct draw *draw, int y, int left, int right)
-{
-	const struct texture_input *input = &draw->texture[0];
-	const struct raster *raster = &draw->raster;
-	const struct flat_band *color = &draw->flat;
-	uint16_t *pixel =
-		(uint16_t *)(void *)pixel_at(&draw->soft->buffers.target, 0, y);
-	uint32_t s = plane_at(raster, TEX_S, left);
-	int t = (int32_t)raster->plane[TEX_S + 1].start >> 16;
-	uint32_t own = widen(color->opaque);
-
-	for (int x = left; x < right; x++) {
-		uint32_t alpha =
-			load_alpha(input, (int32_t)s >> 16, t) * color->alpha >>
-			5;
-
-		if (alpha) {
-			pixel[x] = narrow(mix_wide(widen(pixel[x]), own, alpha));
-		}
-		s += (uint32_t)raster->plane[TEX_S].dx;
-	}
-}
-
 static int texel_of(int32_t at_q16, int log2)
 {
 	return (int)((int64_t)at_q16 * (1 << log2) >> 16);
@@ -111,38 +39,6 @@ static uint32_t share_through(const struct draw *draw, const int32_t *attribute)
 			texel_of(attribute[TEX_S + 1], input->height_log2));
 
 	return texel * share_of(attribute[ALPHA]) >> 5;
-}
-
-static void set_color(
-	struct draw *draw, const int32_t *attribute, uint32_t share)
-{
-	soft_fill_flat_color(draw,
-		color_565((uint32_t)attribute[RED] << 8,
-			(uint32_t)attribute[GREEN] << 8,
-			(uint32_t)attribute[BLUE] << 8),
-		share);
-}
-
-void soft_fill_glyph(struct draw *draw, struct setup *setup)
-{
-	const int32_t *a = setup->v[0]->attribute;
-
-	if (draw->soft->fragment.flat || !is_same(setup, RED, 4)) {
-		soft_rows_fill(draw, setup);
-		return;
-	}
-	if (is_same(setup, TEX_S, 2)) {
-		set_color(draw, a, share_through(draw, a));
-		soft_fill_flat(draw, setup);
-		return;
-	}
-	set_color(draw, a, share_of(a[ALPHA]));
-	soft_raster_set_up(draw, setup);
-	if (draw->raster.plane[TEX_S + 1].dx != 0) {
-		soft_rows_fill(draw, setup);
-		return;
-	}
-	raster_walk(draw, setup, row_glyph, soft_raster_next_row);
 }
 
 static bool are_upright(struct vertex *const v[4])
@@ -184,51 +80,62 @@ static int find_texel(int first, int count, int32_t begin, int32_t end,
 	return texel < 0 || texel + count > 1 << log2 ? -1 : (int)texel;
 }
 
-/* All of it through one texel. */
-static void mix_box(struct draw *draw, const struct clip_box *box)
+/* All of it through one texel: share, 0 to 32, is the color's. */
+static void mix_box(const struct draw *draw, const struct clip_box *box,
+	uint16_t color, uint32_t share)
 {
-	const struct flat_band *color = &draw->flat;
+	uint32_t own = widen(color) * share + WIDE_ROUND;
 	int count = box->right - box->left;
 
-	for (int y = box->top; y < box->bottom && color->alpha; y++) {
+	for (int y = box->top; y < box->bottom && share; y++) {
 		uint16_t *pixel = (uint16_t *)(void *)pixel_at(
 			&draw->soft->buffers.target, box->left, y);
 
-		if (color->alpha == 32) {
-			soft_fill_pixels(pixel, count, color->opaque);
+		if (share == 32) {
+			soft_fill_pixels(pixel, count, color);
 		} else {
-			soft_keep_pixels(pixel, count, color->keep, color->own);
+			soft_keep_pixels(pixel, count, 32 - share, own);
+		}
+	}
+}
+
+/* A row through so many texels, of whose alpha share, 0 to 32, counts. */
+static void mix_row(uint16_t *pixel, const uint8_t *texel, int count,
+	uint32_t wide_color, uint32_t share)
+{
+	for (int i = 0; i < count; i++) {
+		uint32_t alpha = ((texel[i] + 4u) >> 3) * share >> 5;
+
+		if (alpha) {
+			pixel[i] = narrow(
+				mix_wide(widen(pixel[i]), wide_color, alpha));
 		}
 	}
 }
 
 /* False where texels are no pixels. */
-static bool draw_letter(struct draw *draw, struct vertex *const v[4],
-	const struct clip_box *box)
+static bool draw_letter(const struct draw *draw, struct vertex *const v[4],
+	const struct clip_box *box, uint16_t color)
 {
 	const struct texture_input *input = &draw->texture[0];
-	const struct pixels *target = &draw->soft->buffers.target;
 	const int32_t *from = v[0]->attribute, *to = v[3]->attribute;
-	struct glyph glyph = {
-		.pixel = (uint16_t *)(void *)pixel_at(
-			target, box->left, box->top),
-		.columns = box->right - box->left,
-		.rows = box->bottom - box->top,
-		.stride_bytes = target->stride_bytes,
-		.texel_stride = 1 << input->width_log2,
-		.own = widen(draw->flat.opaque),
-		.alpha = draw->flat.alpha,
-	};
-	int s = find_texel(box->left, glyph.columns, v[0]->x, v[3]->x,
-		from[TEX_S], to[TEX_S], input->width_log2);
-	int t = find_texel(box->top, glyph.rows, v[0]->y, v[3]->y,
-		from[TEX_S + 1], to[TEX_S + 1], input->height_log2);
+	int columns = box->right - box->left, rows = box->bottom - box->top;
+	int s = find_texel(box->left, columns, v[0]->x, v[3]->x, from[TEX_S],
+		to[TEX_S], input->width_log2);
+	int t = find_texel(box->top, rows, v[0]->y, v[3]->y, from[TEX_S + 1],
+		to[TEX_S + 1], input->height_log2);
 
 	if (s < 0 || t < 0) {
 		return false;
 	}
-	glyph.texel = input->base->texels + (t << input->width_log2) + s;
-	draw_glyph(&glyph);
+	for (int row = 0; row < rows; row++) {
+		mix_row((uint16_t *)(void *)pixel_at(
+				&draw->soft->buffers.target, box->left,
+				box->top + row),
+			input->base->texels + ((t + row) << input->width_log2) +
+				s,
+			columns, widen(color), share_of(from[ALPHA]));
+	}
 	return true;
 }
 
@@ -249,6 +156,7 @@ bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 {
 	const int32_t *a = v[0]->attribute;
 	struct clip_box box;
+	uint16_t color;
 
 	if (v[0]->outcode | v[1]->outcode | v[2]->outcode | v[3]->outcode ||
 		!are_upright(v) || draw->cull_front || draw->cull_back ||
@@ -265,12 +173,12 @@ bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 	if (box.left >= box.right || box.top >= box.bottom) {
 		return true;
 	}
-	set_color(draw, a, share_of(a[ALPHA]));
+	color = color_565((uint32_t)a[RED] << 8, (uint32_t)a[GREEN] << 8,
+		(uint32_t)a[BLUE] << 8);
 	if (a[TEX_S] == v[3]->attribute[TEX_S] &&
 		a[TEX_S + 1] == v[3]->attribute[TEX_S + 1]) {
-		set_color(draw, a, share_through(draw, a));
-		mix_box(draw, &box);
+		mix_box(draw, &box, color, share_through(draw, a));
 		return true;
 	}
-	return draw_letter(draw, v, &box);
+	return draw_letter(draw, v, &box, color);
 }

@@ -34,8 +34,8 @@ static const struct soft_path path[] = {
 		.mask = OTHERS | GLYPHS | KEY_LIT | KEY_PERSPECTIVE |
 			KEY_DEPTH_TEST | KEY_STENCIL,
 		.bits = KEY_565 | GLYPHS,
-		.fill = soft_fill_glyph,
-		.begin = soft_fill_flat_begin,
+		.fill = soft_rows_fill,
+		.rectangles = true,
 	},
 	{
 		.mask = SMALL | KEY_TEXTURE,

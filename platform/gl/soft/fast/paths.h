@@ -11,6 +11,7 @@ struct soft_path {
 	void (*begin)(struct draw *draw); /* once a draw call, or NULL */
 	bool one_color; /* no vertex is shaded: all of a call has one colour */
 	bool divides_together; /* see struct draw */
+	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 };
 
 /* Finds draw->key, and the first path that takes it. */

@@ -200,7 +200,7 @@ void soft_count_call(struct draw *draw, const struct source *source, GLenum mode
 	}
 	memset(draw->counted, 0xFF, sizeof(draw->counted));
 	/* Text is drawn by its rectangles. */
-	if (draw->fill != soft_fill_glyph) {
+	if (!draw->rectangles) {
 		draw->fill = fill_and_count;
 	}
 }

@@ -344,14 +344,11 @@ void soft_fill_flat_begin(struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
 /* arm/masked.S or portable/masked.c: the same. */
 void soft_fill_masked(struct draw *draw, struct setup *setup);
-/* What soft_fill_flat() goes on to draw in: alpha is 0 to 32. */
-void soft_fill_flat_color(struct draw *draw, uint16_t color, uint32_t alpha);
 
-/* fill_glyph.c, on top of soft_fill_flat_begin() */
-void soft_fill_glyph(struct draw *draw, struct setup *setup);
 /*
- * Two triangles of its, v[0] v[1] v[2] and v[2] v[1] v[3]; false, with nothing
- * drawn, where they are no upright rectangle it can draw as one.
+ * fill_glyph.c: two triangles, v[0] v[1] v[2] and
+ * v[2] v[1] v[3]. False, with nothing drawn, where they are no upright rectangle
+ * that it can draw as one.
  */
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
 

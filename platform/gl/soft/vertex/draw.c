@@ -20,7 +20,7 @@ static void draw_triangle(struct draw *draw, const struct source *source,
 	draw_transformed(draw, v);
 }
 
-/* Triangles of fill_glyph.c, many of them two to a rectangle. */
+/* Triangles of text, most of them two to a rectangle. */
 static void draw_rectangles(struct draw *draw, const struct source *source)
 {
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
@@ -52,7 +52,7 @@ static void draw_listed(struct draw *draw, const struct source *source)
 {
 	bool even = ((uintptr_t)source->indices & 1) == 0;
 
-	if (draw->fill == soft_fill_glyph) {
+	if (draw->rectangles) {
 		draw_rectangles(draw, source);
 	} else if (draw->packed && even && source->count >= 3) {
 		soft_list(draw, source->indices, source->count / 3 * 3);

@@ -282,6 +282,7 @@ struct draw {
 	struct soft_pipeline_key key;
 	/* Its rows divide colours wherever they divide texture coordinates. */
 	bool divides_together;
+	bool rectangles; /* see struct soft_path */
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */

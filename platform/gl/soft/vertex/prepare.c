@@ -376,6 +376,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	path = soft_choose_path(draw);
 	draw->fill = soft->fill ? soft->fill : path->fill;
 	draw->divides_together = path->divides_together;
+	draw->rectangles = path->rectangles;
 	if (path->one_color) {
 		draw->attributes = 0;
 	}

@@ -31,19 +31,13 @@ static bool add_stream(
 	return words || color;
 }
 
-static ALWAYS_INLINE uint32_t differ_at(
-	const uint8_t *left, const uint8_t *right, int word)
-{
-	return load_word(left + 4 * word) ^ load_word(right + 4 * word);
-}
-
-static ALWAYS_INLINE bool are_equal_words(
+static bool are_equal_words(
 	const uint8_t *left, const uint8_t *right, int words)
 {
 	uint32_t differ = 0;
 
 	for (int i = 0; i < words; i++) {
-		differ |= differ_at(left, right, i);
+		differ |= load_word(left + 4 * i) ^ load_word(right + 4 * i);
 	}
 	return differ == 0;
 }
@@ -64,8 +58,8 @@ static bool are_equal_streams(
 }
 
 /* By what the vertex is made of: unindexed lists give it several times. */
-static ALWAYS_INLINE struct vertex *find_dedup(struct draw *draw,
-	const struct stream *streams, int count, int words, uint32_t index)
+static struct vertex *find_dedup(struct draw *draw,
+	const struct stream *streams, int count, uint32_t index)
 {
 	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
 	uint32_t y = load_word(at + 4);
@@ -73,17 +67,9 @@ static ALWAYS_INLINE struct vertex *find_dedup(struct draw *draw,
 		load_word(at) + (y << 3) + (y >> 9) - (load_word(at + 8) >> 5);
 	uint32_t slot = mixed * 2654435761u >> 23;
 	struct vertex *vertex = &draw->cache[slot];
-	bool equal = draw->place[slot].tag != PLACE_EMPTY;
-	uint32_t cached = vertex->index;
 
-	if (equal && words) {
-		equal = are_equal_words(
-			streams->pointer + cached * streams->stride_bytes, at,
-			words);
-	} else if (equal) {
-		equal = are_equal_streams(streams, count, cached, index);
-	}
-	if (!equal) {
+	if (draw->place[slot].tag == PLACE_EMPTY ||
+		!are_equal_streams(streams, count, vertex->index, index)) {
 		soft_load_slot(draw, slot, index);
 	}
 	return vertex;
@@ -103,18 +89,16 @@ static bool list_streams(
 		add_stream(&arrays->texcoord[1], streams, count);
 }
 
-/* Words is constant where all of a vertex lies together, else 0. */
-static ALWAYS_INLINE void draw_dedup(struct draw *draw,
-	const struct stream *streams, int stream_count, int words,
-	uint32_t first, uint32_t count)
+static void draw_dedup(struct draw *draw, const struct stream *streams,
+	int stream_count, uint32_t first, uint32_t count)
 {
 	for (uint32_t i = 0; i + 2 < count; i += 3) {
 		uint32_t index = first + i;
 		struct vertex *v[3];
 
-		v[0] = find_dedup(draw, streams, stream_count, words, index);
-		v[1] = find_dedup(draw, streams, stream_count, words, index + 1);
-		v[2] = find_dedup(draw, streams, stream_count, words, index + 2);
+		v[0] = find_dedup(draw, streams, stream_count, index);
+		v[1] = find_dedup(draw, streams, stream_count, index + 1);
+		v[2] = find_dedup(draw, streams, stream_count, index + 2);
 		if (v[0] == v[1] || v[0] == v[2]) {
 			v[0] = &draw->apart[0];
 			soft_transform(draw, index, v[0]);
@@ -143,15 +127,8 @@ bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 	if (!list_streams(draw, streams, &used)) {
 		return false;
 	}
-	if (used == 1 && draw_together(draw, streams, first, count)) {
-		return true;
-	}
-	if (used == 1 && streams->words == 6) {
-		draw_dedup(draw, streams, 1, 6, first, count);
-	} else if (used == 1 && streams->words == 8) {
-		draw_dedup(draw, streams, 1, 8, first, count);
-	} else {
-		draw_dedup(draw, streams, used, 0, first, count);
+	if (used != 1 || !draw_together(draw, streams, first, count)) {
+		draw_dedup(draw, streams, used, first, count);
 	}
 	return true;
 }

@@ -115,8 +115,22 @@ static inline uint32_t odd_bytes_as_halves(uint32_t word)
 #define ODD_BYTES_AS_HALVES(word) ((word) >> 8 & 0x00ff00ffu)
 #endif
 
-/* The minimum and the maximum of two words, for each unsigned half by itself. */
+/*
+ * The minimum and the maximum of two words, for each unsigned half by itself;
+ * their difference, for each half, which wraps; and the cross product of two
+ * vectors whose x is the bottom half and whose y the top one, both signed.
+ */
 #ifdef __ARM_FEATURE_SIMD32
+static inline uint32_t subtract_halves(uint32_t a, uint32_t b)
+{
+	return (uint32_t)__ssub16((int32_t)a, (int32_t)b);
+}
+
+static inline int32_t cross_halves(uint32_t a, uint32_t b)
+{
+	return __smusdx((int32_t)a, (int32_t)b);
+}
+
 static inline uint32_t least_halves(uint32_t a, uint32_t b)
 {
 	__usub16(a, b);
@@ -129,6 +143,17 @@ static inline uint32_t most_halves(uint32_t a, uint32_t b)
 	return __sel(a, b);
 }
 #else
+static inline uint32_t subtract_halves(uint32_t a, uint32_t b)
+{
+	return ((a - b) & 0xFFFF) | (((a >> 16) - (b >> 16)) << 16);
+}
+
+static inline int32_t cross_halves(uint32_t a, uint32_t b)
+{
+	return (int16_t)(a & 0xFFFF) * ((int32_t)b >> 16) -
+		((int32_t)a >> 16) * (int16_t)(b & 0xFFFF);
+}
+
 static inline uint32_t least_halves(uint32_t a, uint32_t b)
 {
 	uint32_t low = (a & 0xFFFF) < (b & 0xFFFF) ? a & 0xFFFF : b & 0xFFFF;

@@ -9,7 +9,7 @@
 
 /* Triangles by how they are drawn, which depends on state and size. */
 enum gl_work_kind {
-	GL_WORK_FLAT,     /* one colour, such as shadows */
+	GL_WORK_FLAT,     /* one colour through a stencil: shadows */
 	GL_WORK_PLAIN,    /* small, opaque, depth tested, no texture */
 	GL_WORK_TEXTURED, /* the same with one RGB565 texture */
 	GL_WORK_BACKDROP, /* backgrounds: colours by row, and pictures */

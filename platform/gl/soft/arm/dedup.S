@@ -1,7 +1,7 @@
 /*
  * Lists of triangles without indices, for ARMv6: gives each vertex a slot of
  * the cache by what it is made of, as unindexed.c's find_dedup() does, and hands
- * slots instead of indices to list.S, up to 64 triangles at a time. Offsets are
+ * slots instead of indices to soft_list(), up to 64 triangles at a time. Offsets are
  * those of struct dedup, struct dedup_run, struct fast_setup and struct vertex.
  *
  * A vertex that is there already costs 21 instructions, of eight words 26.
@@ -72,7 +72,7 @@
 
 /*
  * r0 draw, r1 dedup, r2 run, whose from is the first triangle; r0 is the first
- * that is not drawn: run's end, or one that list.S cannot have this way.
+ * that is not drawn: run's end, or one that soft_list() cannot have this way.
  */
 	.macro	dedup_list name, words, stride
 	.global	\name

@@ -3,8 +3,7 @@
 
 #include "platform/gl/soft/raster/raster.h"
 
-/* list.S and narrow.S */
-static_assert(sizeof(struct setup) <= 88, "CULL follows it on the stack");
+/* narrow.S and masked.S */
 static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3,
 	"the flags are the bytes of one word");
 static_assert(offsetof(struct setup, fast_setup) ==

@@ -36,17 +36,14 @@ soft_fill_masked:
 	push	{r4-r11, lr}
 	add	r1, r1, #SETUP_XY
 	ldm	r1, {r4-r9}
-	bl	soft_fill_masked_sorted
+	bl	.Lsorted
 	pop	{r4-r11, pc}
-	.size	soft_fill_masked, . - soft_fill_masked
 
 /*
  * r0 draw, r4, r5, r6 struct cache_tag's xy by y, r7 to r9 the rows top, middle and
  * bottom; leaves r10 and r11.
  */
-	.global	soft_fill_masked_sorted
-	.type	soft_fill_masked_sorted, %function
-soft_fill_masked_sorted:
+.Lsorted:
 	push	{r0, r5, r6, r8, r10, r11, lr}
 	sub	sp, sp, #ROOM
 	ldr	lr, [r0, #FAST_SETUP_INVERSE]
@@ -149,6 +146,6 @@ soft_fill_masked_sorted:
 	b	.Lrow
 .Ldone:	add	sp, sp, #ROOM
 	pop	{r0, r5, r6, r8, r10, r11, pc}
-	.size	soft_fill_masked_sorted, . - soft_fill_masked_sorted
+	.size	soft_fill_masked, . - soft_fill_masked
 
 	.section .note.GNU-stack, "", %progbits

@@ -17,7 +17,7 @@ enum {
 
 /*
  * A triangle on its way to the rows: its vertices by y, those of one row by x,
- * and its rows. Offsets on ARM are known to arm/list.S, arm/narrow.S and
+ * and its rows. Offsets on ARM are known to arm/narrow.S and
  * arm/masked.S.
  */
 struct setup {

@@ -166,7 +166,6 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.flat = &draw->flat,
 		.stencil = buffers->stencil,
 		.stencil_stride = (uint32_t)buffers->width,
-		.masked = draw->fill == soft_fill_masked,
 	};
 	/* Nothing is inside of an empty box. */
 	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;

@@ -57,7 +57,7 @@ static void draw_listed(struct draw *draw, const struct source *source)
 	} else if (draw->packed && even && source->count >= 3) {
 		soft_list(draw, source->indices, source->count / 3 * 3);
 	} else {
-		soft_list_c(draw, source->indices, source->count);
+		soft_list_any(draw, source->indices, source->count);
 	}
 }
 

@@ -65,8 +65,8 @@ enum {
 
 /*
  * Three cache lines: what every triangle wants, what textured ones want
- * besides, and what clipping and two sides want. arm/vertex.S, arm/list.S
- * and arm/narrow.S know the offsets.
+ * besides, and what clipping and two sides want. arm/vertex.S and
+ * arm/narrow.S know the offsets.
  */
 struct vertex {
 	_Alignas(32) uint8_t w_zeros;
@@ -220,7 +220,7 @@ typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
 /*
  * What rejects triangles, and sets small ones up, in one place. Offsets are
- * known to arm/list.S, arm/narrow.S and arm/masked.S.
+ * known to arm/narrow.S and arm/masked.S.
  */
 struct fast_setup {
 	fill_function fill;      /* 0 */
@@ -242,12 +242,11 @@ struct fast_setup {
 	const struct flat_band *flat; /* 56: draw->flat */
 	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
 	uint32_t stencil_stride;      /* 68 */
-	uint32_t masked; /* 72: 1 where fill is soft_fill_masked, else 0 */
 };
 
 struct draw {
 	struct view view;             /* first: arm/vertex.S */
-	struct fast_setup fast_setup; /* at once: arm/list.S */
+	struct fast_setup fast_setup;
 	struct soft *soft;
 	int32_t eye_q16[3][4];
 	int position_q;
@@ -256,7 +255,7 @@ struct draw {
 	bool same_stride; /* the rows of depth and picture are as far apart */
 	/*
 	 * x and y of all that is inside are below 2^15, and no state is in the
-	 * way of arm/list.S: places have tags
+	 * way of soft_list(): places have tags
 	 */
 	bool packed;
 	bool perspective, eye_needed, fogged;
@@ -310,15 +309,11 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 }
 
 /*
- * list.c: a list of triangles by 16-bit indices.
+ * list.c: a list of triangles by 16-bit indices, at any address. The second
+ * is faster: it wants draw->packed, at least one triangle and whole ones, and
+ * indices at an even address. The third draws a single triangle.
  */
-void soft_list_c(struct draw *draw, const void *indices, uint32_t count);
-
-/*
- * arm/list.S or portable/list.c: the same where draw->packed, of at least one
- * triangle and whole ones, with indices at an even address. What arm/list.S
- * does not draw itself it hands on to soft_list_other().
- */
+void soft_list_any(struct draw *draw, const void *indices, uint32_t count);
 void soft_list(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
 

@@ -59,9 +59,13 @@ static void test_a_square_counts_as_what_it_is(void **state)
 	struct gl_counts hidden = {0}, unseen = {0};
 
 	(void)state;
+	canvas.gl->Enable(GL_STENCIL_TEST);
+	canvas.gl->StencilFunc(GL_EQUAL, 0, 255);
+	canvas.gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 	count(&canvas, &flat);
 	draw_square(&canvas);
 	expect_square(&flat, GL_WORK_FLAT);
+	canvas.gl->Disable(GL_STENCIL_TEST);
 
 	canvas.gl->Enable(GL_DEPTH_TEST);
 	count(&canvas, &plain);

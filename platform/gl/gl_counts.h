@@ -23,6 +23,9 @@ enum gl_work_kind {
 	GL_WORK_MIXED_TEXTURED, /* blended, small, with a texture */
 	GL_WORK_MIXED_SPANS,    /* blended, larger, with a texture */
 	GL_WORK_MIXED_DIVIDED,  /* the same in strong perspective */
+	/* What some of the triangles above take besides: */
+	GL_WORK_COLORED, /* their corners have different colours */
+	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
 	GL_WORK_KINDS
 };
 

@@ -45,6 +45,8 @@ GUESSED_KINDS = {
     "mixed_textured": ((3000, 250, 150), (1500, 190, 97)),
     "mixed_spans": ((4000, 500, 150), (3000, 300, 95)),
     "mixed_divided": ((5000, 1000, 180), (4000, 550, 120)),
+    "colored": ((300, 60, 5), (200, 40, 3)),
+    "bent": ((1500, 150, 3), (900, 90, 2)),
 }
 for kind, guesses in GUESSED_KINDS.items():
     for what, *guess in zip(("triangle", "row", "pixel"), *guesses):

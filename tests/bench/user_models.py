@@ -9,7 +9,9 @@ all alpha modes, and layers are six blended quads behind each other. banner has
 long strips in perspective, glass a blended sphere, leaves one with an alpha test.
 shells are three spheres in each other: opaque, tested and blended. stone is a sphere
 without texture, crate a cube without. facets have no normals, panes are blended quads
-that stand askew, and rope is thin and long, of small triangles.
+that stand askew, and rope is thin and long, of small triangles. blocks are many
+small boxes of uneven scale, prism is a blended box without a texture around a ball,
+signs are large, textured and unlit, and bush is 150 small alpha-tested cards.
 """
 
 import json
@@ -291,6 +293,43 @@ def make_rope(model):
     model.mesh(model.material(model.texture(png(128, checks(128), 3))), rope(20, 160))
 
 
+def make_blocks(model):
+    materials = [model.material(model.texture(png(64, checks(64), 3)), color=(1, k / 5, 0.6, 1))
+                 for k in range(4)]  # fmt: skip
+    for k in range(40):
+        place = {"translation": (k % 7 * 0.7 - 2, 0, k // 7 * 0.7 - 2)}
+        model.mesh(materials[k % 4], cube(), scale=(0.25, 0.2 + k % 5 * 0.2, 0.2), **place)
+
+
+def make_prism(model):
+    glass = model.material(color=(0.5, 0.8, 0.9, 0.4), alphaMode="BLEND", doubleSided=True)
+    model.mesh(glass, cube(), rotation=(0.2, 0.3, 0.1, 0.927))
+    model.mesh(model.material(color=(0.9, 0.3, 0.2, 1)), blob(18, 10, 0.5))
+
+
+def make_signs(model):
+    unlit = {"KHR_materials_unlit": {}}
+    model.json["extensionsUsed"] = list(unlit)
+    material = model.material(model.texture(png(256, checks(256), 3)), extensions=unlit)
+    for k in range(3):
+        turn = (0, math.sin(0.2 * k), 0, math.cos(0.2 * k))
+        model.mesh(material, quad(1.1, 0.4), translation=(0.1 * k, k, -0.5 * k), rotation=turn)
+
+
+def make_bush(model):
+    texture = model.texture(png(128, discs(128), 4))
+    shape = positions, normals, texcoords, indices = [], [], [], []
+    for k in range(150):
+        x, y, z = (math.sin(k * c) for c in (1.3, 2.7, 4.1))
+        a, first = k * 0.7, len(positions)
+        for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            positions.append((x + 0.15 * u * math.cos(a), y + 0.15 * v, z + 0.15 * u * math.sin(a)))
+            normals.append((math.sin(a), 0, -math.cos(a)))
+            texcoords.append(((u + 1) / 2, (1 - v) / 2))
+        indices += [first + i for i in (0, 1, 2, 0, 2, 3)]
+    model.mesh(model.material(texture, alphaMode="MASK", doubleSided=True), shape)
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -307,6 +346,10 @@ MODELS = {
     "facets": make_facets,
     "panes": make_panes,
     "rope": make_rope,
+    "blocks": make_blocks,
+    "prism": make_prism,
+    "signs": make_signs,
+    "bush": make_bush,
 }
 
 

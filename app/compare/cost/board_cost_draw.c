@@ -19,57 +19,63 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.346e+04, 2.704e+04}, /* frame */
-	{0.7559, 0.3817},       /* pixel */
-	{1.754e+04, 7370},      /* call */
-	{185.4, 96.9},          /* listed */
-	{130.7, 61.36},         /* vertex */
-	{183.5, 122.9},         /* single */
-	{748.3, 195.6},         /* shaded */
-	{10.08, 9.282},         /* hidden */
-	{9.289, 6.24},          /* fine */
-	{203.6, 84.34},         /* flat triangle */
-	{58.82, 38.21},         /* flat row */
-	{10.32, 7.135},         /* flat pixel */
-	{419.1, 241.3},         /* plain triangle */
-	{3.915, 20.54},         /* plain row */
-	{37.02, 14.32},         /* plain pixel */
-	{701.2, 316.9},         /* textured triangle */
-	{336.6, 168.6},         /* textured row */
-	{80.69, 57.21},         /* textured pixel */
-	{3.765e+04, 1.704e+04}, /* backdrop triangle */
-	{74.66, 35.9},          /* backdrop row */
-	{2.587, 0.9238},        /* backdrop pixel */
-	{3.765e+04, 1.704e+04}, /* ground triangle */
-	{135.1, 78.85},         /* ground row */
-	{5.004, 1.864},         /* ground pixel */
-	{1224, 836.8},          /* spans triangle */
-	{164.8, 102},           /* spans row */
-	{31.95, 19.47},         /* spans pixel */
-	{3366, 2292},           /* spans textured triangle */
-	{613.8, 328.1},         /* spans textured row */
-	{74.15, 38.53},         /* spans textured pixel */
-	{4655, 3718},           /* spans divided triangle */
-	{646.4, 342.6},         /* spans divided row */
-	{107.9, 68.88},         /* spans divided pixel */
-	{2686, 1569},           /* mixed triangle */
-	{156.5, 76.62},         /* mixed row */
-	{70.13, 44.51},         /* mixed pixel */
-	{3037, 1130},           /* tested triangle */
-	{253.9, 155.8},         /* tested row */
-	{143.4, 106.9},         /* tested pixel */
-	{4074, 2083},           /* tested spans triangle */
-	{646.3, 346},           /* tested spans row */
-	{184.4, 119.4},         /* tested spans pixel */
+	{3.352e+04, 2.677e+04}, /* frame */
+	{0.7481, 0.3634},       /* pixel */
+	{1.884e+04, 7740},      /* call */
+	{146.4, 79.75},         /* listed */
+	{163.1, 71.03},         /* vertex */
+	{223.3, 137.7},         /* single */
+	{748.7, 210.7},         /* shaded */
+	{10.9, 10.19},          /* hidden */
+	{9.303, 6.508},         /* fine */
+	{189.2, 50.49},         /* flat triangle */
+	{61.44, 37.53},         /* flat row */
+	{11.36, 7.615},         /* flat pixel */
+	{365.2, 228.4},         /* plain triangle */
+	{4.489, 21.33},         /* plain row */
+	{30.11, 12.27},         /* plain pixel */
+	{622.2, 308.2},         /* textured triangle */
+	{299.4, 152.6},         /* textured row */
+	{79.83, 55.09},         /* textured pixel */
+	{3.708e+04, 1.634e+04}, /* backdrop triangle */
+	{71.94, 34.11},         /* backdrop row */
+	{2.406, 0.8049},        /* backdrop pixel */
+	{3.781e+04, 1.677e+04}, /* ground triangle */
+	{130.7, 75.59},         /* ground row */
+	{4.828, 1.592},         /* ground pixel */
+	{913.1, 676.3},         /* spans triangle */
+	{156.7, 99.17},         /* spans row */
+	{32.22, 19.87},         /* spans pixel */
+	{2632, 1484},           /* spans textured triangle */
+	{334.2, 186.3},         /* spans textured row */
+	{106.1, 67.72},         /* spans textured pixel */
+	{4715, 3769},           /* spans divided triangle */
+	{676.1, 360.4},         /* spans divided row */
+	{104, 67.09},           /* spans divided pixel */
+	{2756, 1627},           /* mixed triangle */
+	{241.2, 120},           /* mixed row */
+	{52.76, 35.88},         /* mixed pixel */
+	{2428, 870.2},          /* tested triangle */
+	{238.2, 139},           /* tested row */
+	{179.1, 123.4},         /* tested pixel */
+	{3480, 2013},           /* tested spans triangle */
+	{502.1, 337.2},         /* tested spans row */
+	{147.7, 95.94},         /* tested spans pixel */
 	{3000, 1500},           /* mixed textured triangle */
 	{250, 190},             /* mixed textured row */
 	{150, 97},              /* mixed textured pixel */
-	{3536, 2271},           /* mixed spans triangle */
-	{331.8, 183.9},         /* mixed spans row */
-	{136.3, 91.53},         /* mixed spans pixel */
-	{5120, 4123},           /* mixed divided triangle */
-	{1880, 925.6},          /* mixed divided row */
-	{128.1, 85.51},         /* mixed divided pixel */
+	{3438, 2282},           /* mixed spans triangle */
+	{302.2, 218.2},         /* mixed spans row */
+	{142.9, 84.85},         /* mixed spans pixel */
+	{5119, 4123},           /* mixed divided triangle */
+	{1885, 928.6},          /* mixed divided row */
+	{128, 85.56},           /* mixed divided pixel */
+	{128.3, 31.47},         /* colored triangle */
+	{0, 0},                 /* colored row */
+	{6.233, 2.994},         /* colored pixel */
+	{1780, 924.7},          /* bent triangle */
+	{223.7, 125.9},         /* bent row */
+	{3.42, 2.255},          /* bent pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -53,6 +53,49 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 		: kind_of_spans(draw);
 }
 
+/* Whether spans interpolate a colour: not for shadows, grounds and such. */
+static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
+	const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+
+	if (kind == GL_WORK_FLAT || kind == GL_WORK_BACKDROP ||
+		kind == GL_WORK_GROUND) {
+		return false;
+	}
+	for (int i = RED; i <= ALPHA; i++) {
+		if ((draw->attributes >> i & 1) &&
+			(v[0]->attribute[i] != v[1]->attribute[i] ||
+				v[0]->attribute[i] != v[2]->attribute[i])) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void add_triangle(struct gl_work *work, int rows, double pixels)
+{
+	work->triangles += 1.0;
+	work->rows += rows;
+	work->pixels += pixels;
+}
+
+/* A triangle that was drawn. */
+static void add_work(const struct draw *draw, const struct setup *setup,
+	int rows, double pixels)
+{
+	struct gl_work *work = draw->soft->counts->work;
+	enum gl_work_kind kind = kind_of(draw);
+
+	add_triangle(&work[kind], rows, pixels);
+	if (colors_move(draw, kind, setup)) {
+		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
+	}
+	if (draw->raster.bent) {
+		add_triangle(&work[GL_WORK_BENT], rows, pixels);
+	}
+}
+
 /* Vertices that are clipped lie outside of the cache. */
 static bool is_new(struct draw *draw, const struct vertex *vertex)
 {
@@ -157,19 +200,16 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	bool skipped = skips_hidden(draw) && soft_is_hidden(draw, setup);
 	double pixels = (double)setup->area / (2.0 * 16.0 * 16.0), hidden;
 	const struct clip_box box = box_of(draw, setup);
-	struct gl_work *work;
 
 	for (int i = 0; i < 3 && draw->attributes; i++) {
 		counts->shaded += is_new(draw, setup->v[i]);
 	}
 	hidden = skipped ? 0.0 : count_hidden(draw, setup, &box);
 	draw->raster.top = NOT_SET_UP;
+	draw->raster.bent = false;
 	draw->counted_fill(draw, setup);
 	if (!skipped) {
-		work = &counts->work[kind_of(draw)];
-		work->triangles += 1.0;
-		work->rows += box.bottom - box.top;
-		work->pixels += pixels - hidden;
+		add_work(draw, setup, box.bottom - box.top, pixels - hidden);
 		counts->hidden += hidden;
 	}
 }

@@ -99,6 +99,34 @@ static void test_a_square_counts_as_what_it_is(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* The same square with a colour at each corner. */
+static void test_triangles_of_several_colors_count_besides(void **state)
+{
+	static const uint8_t same[4][4] = {{90, 80, 70, 255}, {90, 80, 70, 255},
+		{90, 80, 70, 255}, {90, 80, 70, 255}};
+	static const uint8_t two[4][4] = {{90, 80, 70, 255}, {90, 80, 70, 255},
+		{90, 80, 70, 255}, {90, 8, 70, 255}};
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts still = {0}, moving = {0};
+
+	(void)state;
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	canvas.gl->DepthFunc(GL_ALWAYS);
+	canvas.gl->EnableClientState(GL_COLOR_ARRAY);
+	canvas.gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, same);
+	count(&canvas, &still);
+	draw_square(&canvas);
+	assert_true(still.work[GL_WORK_COLORED].triangles == 0.0);
+	canvas.gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, two);
+	count(&canvas, &moving);
+	draw_square(&canvas);
+	/* The second triangle has the corner that differs. */
+	assert_true(moving.work[GL_WORK_COLORED].triangles == 1.0);
+	assert_true(moving.work[GL_WORK_COLORED].pixels == SIZE * SIZE / 2);
+	assert_true(moving.work[GL_WORK_SPANS].triangles == TRIANGLES);
+	gl_canvas_close(&canvas);
+}
+
 static void test_nothing_is_counted_after_null(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
@@ -162,6 +190,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_square_counts_as_what_it_is),
+		cmocka_unit_test(
+			test_triangles_of_several_colors_count_besides),
 		cmocka_unit_test(test_nothing_is_counted_after_null),
 		cmocka_unit_test(test_counting_changes_no_pixel),
 		cmocka_unit_test(test_scaled_counts_are_all_scaled),

@@ -26,7 +26,8 @@ enum {
 	WIDTH = 480,
 	HEIGHT = 640,
 	QUADS_MOST = 4000,
-	SIDE_MOST = 1024,
+	SIDE_MOST = 1024, /* of textures, as the driver has it */
+	SIZE_MOST = 359,  /* of quads, whose corners lie in the picture */
 	INTERPOLATE = 0x8575,
 	SRC2_RGB = 0x8582,
 };
@@ -56,13 +57,14 @@ struct cost {
 static const struct {
 	const char *name;
 	size_t offset;
+	int least, most;
 } numbers[] = {
-	{"size", offsetof(struct numbers, size)},
-	{"width", offsetof(struct numbers, width)},
-	{"height", offsetof(struct numbers, height)},
-	{"density", offsetof(struct numbers, density)},
-	{"spread", offsetof(struct numbers, spread)},
-	{"turn", offsetof(struct numbers, turn)},
+	{"size", offsetof(struct numbers, size), 1, SIZE_MOST},
+	{"width", offsetof(struct numbers, width), 1, SIDE_MOST},
+	{"height", offsetof(struct numbers, height), 1, SIDE_MOST},
+	{"density", offsetof(struct numbers, density), 0, 100000},
+	{"spread", offsetof(struct numbers, spread), 0, 150},
+	{"turn", offsetof(struct numbers, turn), -360, 360},
 };
 
 static void set_format(struct cost *c, GLenum format, GLenum type, int bytes)
@@ -187,6 +189,13 @@ static bool set_word(struct cost *c, const char *word)
 			word[length] == '=') {
 			int value = atoi(word + length + 1);
 
+			if (value < numbers[i].least || value > numbers[i].most) {
+				fprintf(stderr,
+					"gl_costs: %s has to be %d to %d\n",
+					numbers[i].name, numbers[i].least,
+					numbers[i].most);
+				return false;
+			}
 			memcpy((char *)&c->number + numbers[i].offset, &value,
 				sizeof(value));
 			return true;
@@ -352,8 +361,7 @@ static bool set_state(struct cost *c, const char *text)
 	snprintf(words, sizeof(words), "%s", text);
 	for (char *word = strtok(words, " "); word; word = strtok(NULL, " ")) {
 		if (!set_word(c, word)) {
-			fprintf(stderr, "gl_costs: there is no state %s\n",
-				word);
+			fprintf(stderr, "gl_costs: cannot set %s\n", word);
 			return false;
 		}
 	}

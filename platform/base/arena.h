@@ -3,7 +3,7 @@
  *
  * A model lives in one arena, an instance in another. Blocks never move, so
  * pointers stay valid until arena_release(). Only a large allocation can be
- * freed on its own.
+ * freed on its own. AddressSanitizer sees what is read or written behind one.
  */
 #ifndef PLATFORM_BASE_ARENA_H
 #define PLATFORM_BASE_ARENA_H

@@ -60,6 +60,9 @@ check 'a model without textures loses none' sh -c "! grep textures $out_file"
 plays "$assets/walker.glb" walk 0 0.31 0.9
 plays "$assets/face.glb" 0 0 1.7 5
 plays "$slider" 0 0 0.4 9
+check 'the indices of a small model take two bytes each' \
+    grep -q '^typedef uint16_t one_index_t;' "$scratch/one.c"
+plays "$here/../fixtures/gltf/clip/cubic.gltf" 0 0 0.3 1.2
 if [ -d "$samples" ]; then
     for name in CesiumMan.glb BoxAnimated.glb RiggedFigure.glb SimpleSkin.gltf \
         AnimatedMorphCube.glb; do
@@ -77,9 +80,11 @@ limber export
 expect_refusal 2 'no model is given: use limber export MODEL --c FILE.c'
 limber export "$slider"
 expect_refusal 2 'no file to write: add --c FILE.c'
-limber export "$slider" --c "$scratch/1st.c"
-expect_refusal 1 'is not a C identifier'
-check 'no file is left' test ! -e "$scratch/1st.c"
+for name in 1st two-words; do
+    limber export "$slider" --c "$scratch/$name.c"
+    expect_refusal 1 'is not a C identifier'
+    check 'no file is left' test ! -e "$scratch/$name.c"
+done
 limber export "$slider" --c "$scratch/none/one.c"
 expect_refusal 1 'one.c: cannot be written: No such file'
 tap_done

@@ -159,6 +159,24 @@ static void test_another_reference_disqualifies_a_level(void **state)
 		0);
 }
 
+/* The first mesh of the file is a level of the second one. */
+static void test_the_first_mesh_may_be_a_level(void **state)
+{
+	struct model *model = load_text(
+		"{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}],"
+		"'accessors':[{'componentType':5126,'count':3,'type':'VEC3'},"
+		"{'componentType':5121,'count':3,'type':'SCALAR'}],"
+		"'meshes':[{'primitives':[{'attributes':{'POSITION':0},"
+		"'indices':1}]},{'primitives':[{'attributes':{'POSITION':0}}]}],"
+		"'nodes':[{'mesh':1,'extensions':{'MSFT_lod':{'ids':[1]}}},"
+		"{'mesh':0," ERROR "}]}");
+
+	(void)state;
+	assert_int_equal(model->mesh_count, 1);
+	assert_int_equal(model->mesh[0].primitive[0].lod_count, 1);
+	model_destroy(model);
+}
+
 static void test_another_transform_disqualifies_a_level(void **state)
 {
 	(void)state;
@@ -232,6 +250,7 @@ int main(void)
 		cmocka_unit_test(test_other_vertices_disqualify_a_level),
 		cmocka_unit_test(test_screen_coverage_gives_the_error_of_a_level),
 		cmocka_unit_test(test_another_reference_disqualifies_a_level),
+		cmocka_unit_test(test_the_first_mesh_may_be_a_level),
 		cmocka_unit_test(test_another_transform_disqualifies_a_level),
 		cmocka_unit_test(test_an_unknown_error_disqualifies_a_level),
 		cmocka_unit_test(

@@ -1,0 +1,67 @@
+/* What limber doctor says about the keys of clips. */
+#include "app/model/examine/examine.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Keeps the finding about long arcs; the others are let go. */
+static void keep_long_arcs(void *context, const char *finding)
+{
+	if (strstr(finding, "negative dot product")) {
+		snprintf(context, 200, "%s", finding);
+	}
+}
+
+/* Examines a clip that turns one node from the first key to the second. */
+static const char *examine_keys(
+	enum model_interpolation interpolation, float *value)
+{
+	static char heard[200];
+	float time_s[2] = {0, 1};
+	struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = interpolation,
+		.key_count = 2,
+		.width = 4,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip = {.name = "turn",
+		.duration_s = 1,
+		.channel_count = 1,
+		.channel = &channel};
+	struct model_node node = {.name = "arm", .mesh = -1, .skin = -1};
+	struct model model = {
+		.node_count = 1, .node = &node, .clip_count = 1, .clip = &clip};
+	const struct examiner examiner = {keep_long_arcs, heard};
+
+	heard[0] = '\0';
+	examine_clips(&model, &examiner);
+	return heard;
+}
+
+/* Each of the four numbers decides alone about the sign of the product. */
+static void test_keys_that_take_the_longer_arc_are_counted(void **state)
+{
+	(void)state;
+	for (int k = 0; k < 4; k++) {
+		float same[8] = {0}, linear[8] = {0}, cubic[24] = {0};
+
+		same[k] = same[4 + k] = 1;
+		linear[k] = 1;
+		linear[4 + k] = -1;
+		cubic[4 + k] = 1;
+		cubic[16 + k] = -1;
+		assert_string_equal(examine_keys(MODEL_LINEAR, same), "");
+		assert_contains(examine_keys(MODEL_LINEAR, linear), "(1)");
+		assert_contains(examine_keys(MODEL_CUBICSPLINE, cubic), "(1)");
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_keys_that_take_the_longer_arc_are_counted),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -201,6 +201,26 @@ static void test_no_light_from_above_casts_no_shadow(void **state)
 	end(&cast);
 }
 
+/* The light comes from the other side, so that the shadow lies elsewhere. */
+static void test_a_shadow_forgets_where_it_was(void **state)
+{
+	static struct floor floor = {.y = -2.0f, .tile = 1.0f, .radius = 9.0f};
+	struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.eye = {1.0f, 3.0f, 9.0f},
+		.ground = &floor};
+	struct cast moved = begin(make_cube()), fresh = begin(make_cube());
+
+	(void)state;
+	shadow_drape_update(&moved.drape, moved.instance, &light);
+	light.towards[0] = -0.6f;
+	shadow_drape_update(&moved.drape, moved.instance, &light);
+	shadow_drape_update(&fresh.drape, fresh.instance, &light);
+	assert_all_near(moved.drape.box.low, fresh.drape.box.low, 3, 0.0);
+	assert_all_near(moved.drape.box.high, fresh.drape.box.high, 3, 0.0);
+	end(&moved);
+	end(&fresh);
+}
+
 /* Draws from above; the picture is 8 units a side. */
 static void look_down(const struct gl *gl)
 {
@@ -314,6 +334,7 @@ int main(void)
 		cmocka_unit_test(test_long_edges_are_divided_without_gaps),
 		cmocka_unit_test(test_divisions_end_where_memory_does),
 		cmocka_unit_test(test_no_light_from_above_casts_no_shadow),
+		cmocka_unit_test(test_a_shadow_forgets_where_it_was),
 		cmocka_unit_test(test_ground_that_is_seen_is_darkened_once),
 		cmocka_unit_test(test_a_part_of_many_vertices_casts_a_shadow),
 	};

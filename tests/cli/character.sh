@@ -57,9 +57,12 @@ expect_refusal 1 'missing.character: cannot be read'
 printf '%s\n' 'include = ../slider.character' >"$file"
 frame "$scratch/wrong.png"
 expect_refusal 1 'slider.character:1: include: give the name of a file in the same folder'
+printf '%s\n' '; more' 'include = nothere.character' >"$file"
+frame "$scratch/wrong.png"
+expect_refusal 1 'slider.character:2: include: .*nothere.character cannot be read: No such file'
 printf '%s\n' 'include = slider.character' >"$file"
 frame "$scratch/wrong.png"
-expect_refusal 1 'none may include itself'
+expect_refusal 1 'slider.character:1: include: .* none may include itself'
 
 # Events write lines; play prints what the buttons do.
 printf '%s\n' '[state up]' 'clip = rise' 'enter = line hello' '[clip rise]' \

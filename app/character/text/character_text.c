@@ -23,8 +23,8 @@ struct reader {
 	const struct log *log;
 };
 
-static int load_file(
-	struct character_text *text, const char *path, const struct log *log);
+static int read_file(struct character_text *text, FILE *file, const char *path,
+	bool may_include, const struct log *log);
 
 static int fail(const struct reader *reader, const char *sentence)
 {
@@ -121,6 +121,8 @@ static int begin_section(struct reader *reader, const char *line)
 static int include(struct reader *reader, const char *name)
 {
 	char path[CHARACTER_PATH_BYTES];
+	FILE *file;
+	int error;
 
 	if (!reader->may_include) {
 		return fail(
@@ -130,7 +132,20 @@ static int include(struct reader *reader, const char *name)
 		return fail(reader,
 			"include: give the name of a file in the same folder, without a path, such as biped.character");
 	}
-	return load_file(reader->text, path, reader->log);
+	if (reader->text->file_count == CHARACTER_FILES_MAX) {
+		return fail(reader,
+			"include: a character may have at most 8 files, and none may include itself");
+	}
+	file = file_open(path);
+	if (!file) {
+		error = -errno;
+		log_error(reader->log, "%s:%d: include: %s cannot be read: %s",
+			reader->path, reader->line, path, strerror(-error));
+		return error;
+	}
+	error = read_file(reader->text, file, path, true, reader->log);
+	fclose(file);
+	return error;
 }
 
 /* Appends a line to the section. */
@@ -264,12 +279,6 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 		reader.path = path;
 		return fail_memory(&reader);
 	}
-	if (text->file_count == CHARACTER_FILES_MAX) {
-		log_error(log,
-			"%s: a character may have at most %d files, and none may include itself",
-			path, CHARACTER_FILES_MAX);
-		return -EINVAL;
-	}
 	text->file[text->file_count++] = reader.path;
 	line = ini_parse_stream(next_line, &reader, take, &reader);
 	if (reader.error) {
@@ -286,12 +295,13 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 	return 0;
 }
 
-static int load_file(
-	struct character_text *text, const char *path, const struct log *log)
+int character_text_load(struct character_text *text, struct arena *arena,
+	const char *path, const struct log *log)
 {
 	FILE *file = file_open(path);
 	int error;
 
+	*text = (struct character_text){.arena = arena, .is_file = true};
 	if (!file) {
 		error = -errno;
 		log_error(log, "%s: cannot be read: %s", path, strerror(-error));
@@ -307,13 +317,6 @@ int character_text_read(struct character_text *text, struct arena *arena,
 {
 	*text = (struct character_text){.arena = arena};
 	return read_file(text, file, path, may_include, log);
-}
-
-int character_text_load(struct character_text *text, struct arena *arena,
-	const char *path, const struct log *log)
-{
-	*text = (struct character_text){.arena = arena, .is_file = true};
-	return load_file(text, path, log);
 }
 
 const struct character_section *character_text_find(

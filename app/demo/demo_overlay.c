@@ -62,18 +62,19 @@ void demo_overlay_release(struct demo_base *base)
 }
 
 /*
- * The height of a list of keys, which is as wide as two groups; 0 if the figures
- * have room beside it, or hardly any above it.
+ * The height of a list of keys, which is as wide as two groups; 0 if the
+ * figures have room beside it, or hardly any above it.
  */
 static int keys_height(const struct demo_base *base, int width, int height)
 {
-	struct hud_group_extent keys =
-		hud_group_extent_of(width, height, base->key_rows, 0);
-	bool shown = base->framing.label_rows > 0 && base->key_rows > 0;
+	struct hud_group_extent keys;
 
-	return shown && width < 4 * keys.column && keys.top < height * 3 / 4
-		? keys.top
-		: 0;
+	if (base->framing.label_rows == 0 || base->key_rows == 0) {
+		return 0;
+	}
+	keys = hud_group_extent_of(width, height, base->key_rows, 0);
+	return width < 4 * keys.column && keys.top < height * 3 / 4 ? keys.top
+								    : 0;
 }
 
 /* Moves the figures above the small pictures or keys that are shown. */

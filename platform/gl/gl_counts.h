@@ -26,6 +26,7 @@ enum gl_work_kind {
 	/* What some of the triangles above take besides: */
 	GL_WORK_COLORED, /* their corners have different colours */
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
+	GL_WORK_DEEP,    /* grounds that write depths: opaque ones */
 	GL_WORK_KINDS
 };
 

@@ -47,6 +47,7 @@ GUESSED_KINDS = {
     "mixed_divided": ((5000, 1000, 180), (4000, 550, 120)),
     "colored": ((300, 60, 5), (200, 40, 3)),
     "bent": ((1500, 150, 3), (900, 90, 2)),
+    "deep": ((1, 1, 2), (1, 1, 1.6)),
 }
 for kind, guesses in GUESSED_KINDS.items():
     for what, *guess in zip(("triangle", "row", "pixel"), *guesses):

@@ -76,6 +76,9 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{1780, 924.7},          /* bent triangle */
 	{223.7, 125.9},         /* bent row */
 	{3.42, 2.255},          /* bent pixel */
+	{0, 0},                 /* deep triangle */
+	{0, 0},                 /* deep row */
+	{0, 0},                 /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

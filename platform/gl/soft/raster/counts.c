@@ -91,6 +91,10 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	if (colors_move(draw, kind, setup)) {
 		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
 	}
+	if (kind == GL_WORK_GROUND && draw->key.bits & KEY_DEPTH_TEST &&
+		draw->soft->fragment.depth_mask) {
+		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
+	}
 	if (draw->raster.bent) {
 		add_triangle(&work[GL_WORK_BENT], rows, pixels);
 	}

@@ -23,6 +23,9 @@ enum {
 	SPARE_BENT = 8 * SPARE,
 };
 
+_Static_assert((MOST_SIZE / 2 + 1) * (MOST_SIZE / 2) <= SOFT_BATCH_PIXELS,
+	"a small triangle's runs fit a batch");
+
 static bool is_in_box(const struct clip_box *box, const struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;

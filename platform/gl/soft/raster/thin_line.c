@@ -81,6 +81,7 @@ static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
 	LINE_FUNCTION(name##_opaque_fog, SOFT_OPAQUE_FOG, is_wide)   \
 	LINE_FUNCTION(name##_tested_fog, SOFT_TESTED_FOG, is_wide)   \
 	LINE_FUNCTION(name##_blended_fog, SOFT_BLENDED_FOG, is_wide) \
+	LINE_FUNCTION(name##_mixed, SOFT_MIXED, is_wide)             \
 	static const soft_thin_line_function name[SOFT_FINISHES] = { \
 		[SOFT_OPAQUE] = name##_opaque,                       \
 		[SOFT_TESTED] = name##_tested,                       \
@@ -88,6 +89,7 @@ static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
 		[SOFT_OPAQUE_FOG] = name##_opaque_fog,               \
 		[SOFT_TESTED_FOG] = name##_tested_fog,               \
 		[SOFT_BLENDED_FOG] = name##_blended_fog,             \
+		[SOFT_MIXED] = name##_mixed,                         \
 	};
 
 LINE_FUNCTIONS(line_565, false)

@@ -27,7 +27,8 @@
 		__VA_ARGS__)                                                \
 	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
 		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_scaled, .finish = SOFT_SCALED, __VA_ARGS__)
+	SOFT_SPAN_FUNCTION(name##_scaled, .finish = SOFT_SCALED, __VA_ARGS__) \
+	SOFT_SPAN_FUNCTION(name##_mixed, .finish = SOFT_MIXED, __VA_ARGS__)
 
 #define SOFT_DEPTH_FUNCTIONS(name, ...)                                     \
 	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
@@ -74,6 +75,7 @@
 		[SOFT_BLENDED_FOG] =                                        \
 			SOFT_FINISH_ROW(name, inside, blended_fog),         \
 		[SOFT_SCALED] = SOFT_FINISH_ROW(name, inside, scaled),      \
+		[SOFT_MIXED] = SOFT_FINISH_ROW(name, inside, mixed),        \
 	}
 
 #define SOFT_TEXTURE_ROWS(name) SOFT_FINISH_ROWS(name, name##_inside)

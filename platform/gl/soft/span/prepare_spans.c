@@ -7,6 +7,7 @@
 #include "platform/gl/soft/vertex/number.h"
 
 enum {
+	SRC_ALPHA_SATURATE = 0x0308,
 	/*
 	 * From colours of 8.16 with a half of 1/255 to factors of 1.14: white
 	 * is a 2,000th more than 1, so that rounding leaves all of a texel.
@@ -69,51 +70,140 @@ static bool is_replaced(const struct texture_input *input)
 		soft_is_simple_environment(input);
 }
 
-static enum soft_finish choose_finish(const struct draw *draw)
+/* RGB565 has no alpha: it reads as 1. */
+static GLenum find_opaque_factor(GLenum factor)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-	int fog = draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0;
-
-	return (enum soft_finish)(
-		(is_tested(state) ? SOFT_TESTED
-				: draw->blended && !draw->spans.blended_last
-				? SOFT_BLENDED
-				: SOFT_OPAQUE) +
-		fog);
+	switch (factor) {
+	case GL_DST_ALPHA:
+		return GL_ONE;
+	case GL_ONE_MINUS_DST_ALPHA:
+	case SRC_ALPHA_SATURATE:
+		return GL_ZERO;
+	default:
+		return factor;
+	}
 }
 
-/* Whether the span functions do not blend as the state wants it. */
-static bool is_blended_last(const struct draw *draw)
+/* A factor that the fragment's alpha makes: base, and alpha times by. */
+struct factor {
+	uint32_t base, by;
+};
+
+/* False for all other factors. */
+static bool find_factor(GLenum factor, uint32_t one, struct factor *out)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+	switch (factor) {
+	case GL_ZERO:
+		*out = (struct factor){0, 0};
+		return true;
+	case GL_ONE:
+		*out = (struct factor){one, 0};
+		return true;
+	case GL_SRC_ALPHA:
+		*out = (struct factor){0, 1};
+		return true;
+	case GL_ONE_MINUS_SRC_ALPHA:
+		*out = (struct factor){one, UINT32_MAX};
+		return true;
+	default:
+		return false;
+	}
+}
+
+static bool is_blended_by_alpha(const struct fragment_state *state)
+{
+	return state->blend_source == GL_SRC_ALPHA &&
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
-
-	return draw->attributes != 0 && draw->blended &&
-		(!by_alpha || is_tested(state));
 }
 
-static enum soft_depth_way choose_depth_way(
-	const struct fragment_state *state, bool blended_last)
+/* Whether the span functions blend, and by which factors. */
+static bool find_factors(
+	const struct draw *draw, struct soft_fragment_stages *stages)
 {
-	if (!state->depth_test || state->depth_function == GL_ALWAYS) {
+	const struct fragment_state *state = &draw->soft->fragment;
+	const bool is_565 = draw->soft->format == PIXELS_RGB565;
+	const uint32_t one = is_565 ? 256 : 255;
+	struct factor own, old;
+
+	stages->blend_source = state->blend_source;
+	stages->blend_destination = state->blend_destination;
+	if (is_565) {
+		stages->blend_source = find_opaque_factor(state->blend_source);
+		stages->blend_destination =
+			find_opaque_factor(state->blend_destination);
+	}
+	if (!find_factor(stages->blend_source, one, &own) ||
+		!find_factor(stages->blend_destination, one, &old)) {
+		return false;
+	}
+	stages->factors_base = old.base << 16 | own.base;
+	stages->factors_by = (old.by << 16) + own.by;
+	stages->unseen = own.base == 0 && old.base == one ? 0 : 256;
+	return !draw->fogged;
+}
+
+/* What the span functions do with fragments. */
+static void choose_finish(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	const struct fragment_state *state = &draw->soft->fragment;
+	bool tested = is_tested(state), known;
+	enum soft_finish finish = tested ? SOFT_TESTED : SOFT_OPAQUE;
+
+	spans->finish = SOFT_OPAQUE;
+	spans->blended_last = false;
+	if (draw->attributes == 0) {
+		return;
+	}
+	known = find_factors(draw, &spans->stages);
+	if (draw->blended && !tested && is_blended_by_alpha(state)) {
+		finish = SOFT_BLENDED;
+	} else if (draw->blended && known) {
+		finish = SOFT_MIXED;
+	} else {
+		spans->blended_last = draw->blended;
+	}
+	spans->finish = (enum soft_finish)(
+		finish + (draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0));
+}
+
+static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
+{
+	switch (state->depth_test ? state->depth_function : GL_ALWAYS) {
+	case GL_LESS:
+	case GL_LEQUAL:
+		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_ASIDE;
+	case GL_GREATER:
+	case GL_GEQUAL:
+		return SOFT_DEPTH_MIRRORED;
+	case GL_EQUAL:
+		return SOFT_DEPTH_EQUAL;
+	case GL_NOTEQUAL:
+		return SOFT_DEPTH_UNLIKE;
+	case GL_NEVER:
+		return SOFT_DEPTH_NEVER;
+	default:
 		return SOFT_DEPTH_FREE;
 	}
-	if (state->depth_function != GL_LESS &&
-		(state->depth_function != GL_LEQUAL || blended_last)) {
-		return SOFT_DEPTH_LAST;
-	}
-	return state->depth_mask && !blended_last ? SOFT_DEPTH_DIRECT
-						  : SOFT_DEPTH_ASIDE;
 }
 
-static void choose_places(
+static void choose_tests(
 	const struct fragment_state *state, struct soft_spans *spans)
 {
-	bool lequal = state->depth_function == GL_LEQUAL;
+	const enum soft_depth_way way = choose_depth_way(state);
 
-	spans->anywhere = SOFT_ANYWHERE + (lequal ? SOFT_LEQUAL : 0);
-	spans->inside = SOFT_INSIDE + (lequal ? SOFT_LEQUAL : 0);
+	spans->depth_way = way;
+	spans->equal_passes = state->depth_test &&
+		(state->depth_function == GL_LEQUAL ||
+			state->depth_function == GL_GEQUAL);
+	spans->depth_written = state->depth_test && state->depth_mask &&
+		way != SOFT_DEPTH_EQUAL;
+	spans->marked = spans->blended_last ||
+		(spans->depth_written &&
+			(way == SOFT_DEPTH_UNLIKE ||
+				(way == SOFT_DEPTH_FREE && spans->alpha_tested)));
+	spans->direct = way == SOFT_DEPTH_DIRECT && !spans->stenciled &&
+		!spans->blended_last;
 }
 
 /* The bits of pixels that are written; of RGB565 in both halves. */
@@ -186,7 +276,6 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 
 static void find_stages(const struct draw *draw, struct soft_spans *spans)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
 	const GLfixed *fog = draw->soft->fog.color;
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
@@ -199,8 +288,6 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	}
 	stages->alpha_scaled = input->used && input->env->mode == GL_MODULATE &&
 		soft_base_has_alpha(input->base->base_format);
-	stages->blend_source = state->blend_source;
-	stages->blend_destination = state->blend_destination;
 }
 
 static const soft_span_function *find_filter_functions(
@@ -259,13 +346,11 @@ static bool is_combined(const struct draw *draw)
 }
 
 /* Textures that only multiply each other and the colour. */
-static bool is_multiplied(const struct draw *draw, enum soft_finish finish)
+static bool is_multiplied(const struct draw *draw)
 {
-	bool tested = finish == SOFT_TESTED || finish == SOFT_TESTED_FOG;
-
 	/* An alpha test knows alpha as stages round it. */
-	return draw->texture[1].used && !tested && !draw->smooth &&
-		draw->texture[1].env->mode == GL_MODULATE &&
+	return draw->texture[1].used && !draw->spans.alpha_tested &&
+		!draw->smooth && draw->texture[1].env->mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8 &&
 		draw->texture[1].base->format != TEXEL_A8;
@@ -295,8 +380,7 @@ static void choose_making(struct draw *draw)
 	bool colored = draw->attributes != 0;
 	bool mixes_levels = soft_mixes_levels(&draw->texture[0]);
 
-	spans->finish = colored ? choose_finish(draw) : SOFT_OPAQUE;
-	spans->multiplied = colored && is_multiplied(draw, spans->finish);
+	spans->multiplied = colored && is_multiplied(draw);
 	spans->combined = colored && !spans->multiplied && is_combined(draw);
 	if (spans->multiplied && spans->finish == SOFT_OPAQUE && !mixes_levels) {
 		spans->multiplied = false;
@@ -310,15 +394,13 @@ static void choose_making(struct draw *draw)
 /* How long a run may be, and whether those of small triangles are listed. */
 static void choose_runs(struct soft_spans *spans)
 {
-	bool direct = spans->depth_way == SOFT_DEPTH_DIRECT &&
-		!spans->stenciled && spans->color_mask == UINT32_MAX;
+	bool direct = spans->direct && spans->color_mask == UINT32_MAX;
 
 	spans->plain_pixels =
 		direct && spans->finish == SOFT_OPAQUE && !spans->combined
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
-	spans->lists_runs =
-		direct && !spans->made && spans->finish != SOFT_SCALED;
+	spans->lists_runs = !spans->made && spans->finish != SOFT_SCALED;
 }
 
 bool soft_prepare_spans(struct draw *draw)
@@ -335,7 +417,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->lod_wanted = input->used && soft_rows_want_lod(input);
 	spans->level = -1;
 	spans->white_bits = 0;
-	spans->blended_last = is_blended_last(draw);
+	choose_finish(draw);
 	spans->table =
 		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last
 		? &soft_spans_8888
@@ -344,9 +426,8 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->alpha_tested = is_tested(state);
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	choose_making(draw);
-	choose_places(state, spans);
 	spans->coverage.used = false;
-	spans->depth_way = choose_depth_way(state, spans->blended_last);
+	choose_tests(state, spans);
 	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);

@@ -29,6 +29,8 @@ enum {
 	SOFT_RUN_PIXELS = 64,
 	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
 	SOFT_PLAIN_PIXELS = 512,
+	/* Of all runs of a small triangle. */
+	SOFT_BATCH_PIXELS = 1024,
 	/* As many texels fit a half of a word, with 9 bits of fraction. */
 	SOFT_RUN_TEXELS = 128,
 };
@@ -44,6 +46,12 @@ struct soft_fragment_stages {
 	uint32_t alpha_low, alpha_range;
 	bool alpha_scaled; /* the first texture's alpha times the fragment's */
 	GLenum blend_source, blend_destination;
+	/*
+	 * SOFT_MIXED: the factors of the fragment's colour, and in the upper
+	 * half of the picture's, are base and alpha times by.
+	 */
+	uint32_t factors_base, factors_by;
+	uint32_t unseen; /* an alpha that changes nothing; 256: there is none */
 };
 
 struct draw;
@@ -76,7 +84,7 @@ struct soft_run {
 	const uint8_t *texels;
 	int32_t s, t, s_right, t_right;
 	uint32_t s_last, t_last; /* texels, and masks of coordinates */
-	uint32_t stride_log2; /* of the level, in bytes */
+	uint32_t stride_log2;    /* of the level, in bytes */
 	/* The second texture's texels of the row, RGBA8888, for SOFT_SCALED. */
 	const uint32_t *second;
 	const struct soft_fragment_stages *stages;
@@ -102,6 +110,7 @@ enum soft_finish {
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
 	SOFT_SCALED, /* by a second texture, before colours; then opaque */
+	SOFT_MIXED,  /* tested, then blended by any factors that alpha makes */
 	SOFT_FINISHES,
 };
 
@@ -117,8 +126,8 @@ enum soft_place {
 	SOFT_PLACES = 2 * SOFT_LEQUAL,
 };
 
-typedef soft_span_function
-	soft_span_table[SOFT_SOURCES][SOFT_FINISHES][SOFT_PLACES];
+typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES]
+					  [SOFT_PLACES];
 
 extern const soft_span_table soft_spans_565, soft_spans_8888;
 

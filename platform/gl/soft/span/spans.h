@@ -19,9 +19,12 @@ enum {
 /* How runs are tested for depth, which span functions do by LESS and LEQUAL. */
 enum soft_depth_way {
 	SOFT_DEPTH_DIRECT, /* LESS, LEQUAL, written by the functions themselves */
-	SOFT_DEPTH_FREE,   /* no test, written or not */
-	SOFT_DEPTH_ASIDE,  /* LESS, LEQUAL, not written; LESS blended last */
-	SOFT_DEPTH_LAST,   /* tested before, written after the span */
+	SOFT_DEPTH_ASIDE,    /* LESS, LEQUAL, not written */
+	SOFT_DEPTH_MIRRORED, /* GREATER, GEQUAL: all depths are inverted */
+	SOFT_DEPTH_FREE,     /* no test, written or not */
+	SOFT_DEPTH_EQUAL,
+	SOFT_DEPTH_UNLIKE, /* NOTEQUAL */
+	SOFT_DEPTH_NEVER,
 };
 
 /*
@@ -41,7 +44,7 @@ struct soft_view {
 	int texel_log2;
 	int s_shift, t_shift; /* from 16.16 of the base's texels to 23.9 */
 	int32_t s_half, t_half;
-	uint32_t s_last, t_last; /* texels */
+	uint32_t s_last, t_last;   /* texels */
 	struct soft_window window; /* as large as it can be */
 };
 
@@ -74,7 +77,7 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	bool lists_runs;   /* of small triangles, see soft_draw_small() */
+	bool lists_runs; /* of small triangles, see soft_draw_small() */
 	/* Of the triangle under way: rows choose levels, and none has yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves;
@@ -82,6 +85,10 @@ struct soft_spans {
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
 	enum soft_depth_way depth_way; /* where no stencil matters */
+	bool equal_passes;             /* LEQUAL, GEQUAL */
+	bool depth_written;
+	bool marked; /* which fragments are drawn has to be known */
+	bool direct; /* the functions themselves do all tests, and blend */
 	bool stenciled, alpha_tested;
 	/*
 	 * The functions draw RGBA8888 beside the picture, which stages/blend_row.c
@@ -96,7 +103,6 @@ struct soft_spans {
 	struct soft_scales scales;
 	/* of minified and magnified textures, by enum soft_place */
 	const soft_span_function *min, *mag;
-	enum soft_place anywhere, inside; /* by the state's depth test */
 	/* The level and filter under way */
 	int level; /* -1: none yet */
 	bool small;
@@ -131,11 +137,10 @@ struct soft_spans {
 	struct soft_environment environment[SOFT_UNITS];
 	struct soft_made_at made_at;
 	struct soft_coverage coverage; /* of the point or line under way */
-	soft_span_function draw_row; /* what is made */
-	int pixel_log2;              /* bytes */
+	soft_span_function draw_row;   /* what is made */
+	int pixel_log2;                /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
-	uint16_t aside[SOFT_RUN_PIXELS]; /* depths, where not the buffer's */
 	uint32_t second[SOFT_RUN_PIXELS]; /* the second texture's texels */
 };
 
@@ -149,8 +154,8 @@ bool soft_prepare_spans(struct draw *draw);
  * depth_ways.c: sets the functions that draw runs anywhere in the texture, and
  * inside of the window, with the depth test that they do not do by themselves.
  */
-void soft_set_functions(
-	struct soft_spans *spans, const soft_span_function function[SOFT_PLACES]);
+void soft_set_functions(struct soft_spans *spans,
+	const soft_span_function function[SOFT_PLACES]);
 
 /*
  * raster/list_small.c: draws a small triangle, of which nothing is set up, in a

@@ -13,7 +13,7 @@ struct soft_kind {
 	enum texel_format format;
 	bool inside; /* the run has first_texel */
 	enum soft_finish finish;
-	bool wide; /* the picture is RGBA8888 */
+	bool wide;   /* the picture is RGBA8888 */
 	bool lequal; /* what is as far passes the depth test, too */
 };
 
@@ -46,12 +46,18 @@ static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
 
 static ALWAYS_INLINE bool soft_is_tested(struct soft_kind kind)
 {
-	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG;
+	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG ||
+		kind.finish == SOFT_MIXED;
 }
 
 static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 {
 	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG;
+}
+
+static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)
+{
+	return kind.finish == SOFT_MIXED;
 }
 
 static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
@@ -105,9 +111,9 @@ static ALWAYS_INLINE int soft_fraction(
 		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
 							   : 16 - bits;
 	}
-	return (soft_is_scaled(kind)           ? 13 + 8 + 14 - 16
-			: soft_is_mixed(kind) ? 13 + 14 - 16
-					       : 14) +
+	return (soft_is_scaled(kind)                 ? 13 + 8 + 14 - 16
+			       : soft_is_mixed(kind) ? 13 + 14 - 16
+						     : 14) +
 		soft_field(kind.format, channel).bits - bits;
 }
 

@@ -12,6 +12,7 @@
 
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/stages.h"
+#include "platform/gl/soft/stages/bytes.h"
 
 /* A half in the picture's last bit. */
 static ALWAYS_INLINE int32_t soft_half(
@@ -58,6 +59,8 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 struct soft_constants {
 	int32_t fog[3]; /* with soft_fraction() bits of fraction, and a half */
 	uint32_t alpha_low, alpha_range;
+	uint32_t factors_base, factors_by;
+	uint32_t unseen;
 	uintptr_t second; /* of the row, and twice the depth's address less */
 };
 
@@ -88,6 +91,11 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	if (soft_is_tested(kind)) {
 		out.alpha_low = run->stages->alpha_low;
 		out.alpha_range = run->stages->alpha_range;
+	}
+	if (soft_is_blended_freely(kind)) {
+		out.factors_base = run->stages->factors_base;
+		out.factors_by = run->stages->factors_by;
+		out.unseen = run->stages->unseen;
 	}
 	return out;
 }
@@ -136,6 +144,40 @@ static ALWAYS_INLINE void soft_store_565(
 	*pixel = narrow(to);
 }
 
+/* Of the fragment, and in the upper half of the picture. */
+static ALWAYS_INLINE uint32_t soft_find_factors(
+	const struct soft_constants *constants, uint32_t alpha)
+{
+	return constants->factors_base + constants->factors_by * alpha;
+}
+
+/*
+ * Sums have RGB565's fields in the upper bits of 16, by factors of 256. The
+ * half that the colour has already is left out of what is scaled.
+ */
+static ALWAYS_INLINE void soft_mix_565(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_color *color,
+	uint16_t *pixel)
+{
+	const uint32_t alpha = color->alpha + (color->alpha >> 7);
+	const uint32_t factors = soft_find_factors(constants, alpha);
+	const uint32_t own = factors & 0xFFFF, old = factors >> 16;
+	const uint32_t to = *pixel;
+	const uint32_t red_blue =
+		(uint32_t)color->channel[0] >> (soft_fraction(kind, 0) - 3) |
+		(uint32_t)color->channel[2] >> (soft_fraction(kind, 2) - 3)
+				<< 16;
+	const uint32_t green =
+		(uint32_t)color->channel[1] >> (soft_fraction(kind, 1) - 2);
+	uint32_t rb =
+		HALVES_ADD_LIMITED((red_blue - 0x00040004) * own + 0x04000400,
+			(((to & 0xF800) | to << 27) >> 8) * old);
+	uint32_t g = HALVES_ADD_LIMITED(
+		(green - 2) * own + 0x0200, ((to & 0x07E0) >> 3) * old);
+
+	*pixel = (uint16_t)((rb & 0xF800) | rb >> 27 | g >> 10 << 5);
+}
+
 static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
 {
 	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
@@ -181,12 +223,18 @@ static ALWAYS_INLINE uint32_t soft_blend_8888(
 }
 
 static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
-	const struct soft_lanes *lanes, uint32_t alpha, uint8_t *pixel)
+	const struct soft_constants *constants, const struct soft_lanes *lanes,
+	uint32_t alpha, uint8_t *pixel)
 {
 	uint32_t own = lanes->red_blue | lanes->green_alpha << 8 | alpha << 24;
 
 	if (soft_is_blended(kind)) {
 		own = soft_blend_8888(load_32(pixel), own, alpha);
+	} else if (soft_is_blended_freely(kind)) {
+		uint32_t factors = soft_find_factors(constants, alpha);
+
+		own = BYTES_ADD_LIMITED(soft_scale_bytes(own, factors & 0xFFFF),
+			soft_scale_bytes(load_32(pixel), factors >> 16));
 	}
 	memcpy(pixel, &own, sizeof(own));
 }
@@ -249,7 +297,8 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		return;
 	}
 	*depth = (uint16_t)(kind.textured ? UPPER_HALF(at->z) : at->z >> 16);
-	if (soft_is_blended(kind) && alpha == 0) {
+	if ((soft_is_blended(kind) && alpha == 0) ||
+		(soft_is_blended_freely(kind) && alpha == constants->unseen)) {
 		return;
 	}
 	if (!soft_is_scaled(kind)) {
@@ -259,7 +308,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		const struct soft_lanes lanes =
 			soft_find_lanes(kind, constants, &texel, at);
 
-		soft_store_8888(kind, &lanes, alpha, pixel);
+		soft_store_8888(kind, constants, &lanes, alpha, pixel);
 		return;
 	}
 	color = soft_modulate(kind, &texel, at);
@@ -267,7 +316,11 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);
 	}
-	soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
+	if (soft_is_blended_freely(kind)) {
+		soft_mix_565(kind, constants, &color, (uint16_t *)(void *)pixel);
+	} else {
+		soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
+	}
 }
 
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,

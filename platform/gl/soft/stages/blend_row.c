@@ -8,19 +8,6 @@ enum {
 	SRC_ALPHA_SATURATE = 0x0308,
 };
 
-/* All four bytes times one. */
-static ALWAYS_INLINE uint32_t scale(uint32_t color, uint32_t by)
-{
-#ifdef HAS_COLOR_VECTORS
-	return vector_multiply(color, by * 0x01010101);
-#else
-	const uint32_t half = 0x00800080;
-
-	return soft_divide_lanes(BYTES_AS_HALVES(color) * by + half) |
-		soft_divide_lanes(ODD_BYTES_AS_HALVES(color) * by + half) << 8;
-#endif
-}
-
 /* A colour times its factor. */
 static ALWAYS_INLINE uint32_t scale_by_factor(
 	GLenum factor, uint32_t color, uint32_t from, uint32_t to)
@@ -39,16 +26,17 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 	case GL_ONE_MINUS_DST_COLOR:
 		return soft_multiply_bytes(color, ~to);
 	case GL_SRC_ALPHA:
-		return scale(color, own);
+		return soft_scale_bytes(color, own);
 	case GL_ONE_MINUS_SRC_ALPHA:
-		return scale(color, 255 - own);
+		return soft_scale_bytes(color, 255 - own);
 	case GL_DST_ALPHA:
-		return scale(color, 255 - left);
+		return soft_scale_bytes(color, 255 - left);
 	case GL_ONE_MINUS_DST_ALPHA:
-		return scale(color, left);
+		return soft_scale_bytes(color, left);
 	case SRC_ALPHA_SATURATE:
 		return (color & 0xFF000000) |
-			(scale(color, own < left ? own : left) & 0x00FFFFFF);
+			(soft_scale_bytes(color, own < left ? own : left) &
+				0x00FFFFFF);
 	default:
 		return color;
 	}
@@ -152,12 +140,12 @@ static ALWAYS_INLINE void blend_565(
 }
 
 /* The loop for two factors: a function of its own where they are constants. */
-static ALWAYS_INLINE void blend(const struct soft_run *run,
+static ALWAYS_INLINE void blend(const struct soft_row *row,
 	const uint32_t *color, const uint16_t *before, const uint16_t *after,
 	GLenum source, GLenum destination, bool wide)
 {
-	const uint32_t *end = color + run->row.count;
-	uint8_t *pixel = run->row.pixel;
+	const uint32_t *end = color + row->count;
+	uint8_t *pixel = row->pixel;
 
 	for (; color != end; color++, pixel += wide ? 4 : 2) {
 		if (*before++ == *after++) {
@@ -171,21 +159,7 @@ static ALWAYS_INLINE void blend(const struct soft_run *run,
 	}
 }
 
-/* RGB565 has no alpha: it reads as 1. */
-static GLenum find_opaque_factor(GLenum factor)
-{
-	switch (factor) {
-	case GL_DST_ALPHA:
-		return GL_ONE;
-	case GL_ONE_MINUS_DST_ALPHA:
-	case SRC_ALPHA_SATURATE:
-		return GL_ZERO;
-	default:
-		return factor;
-	}
-}
-
-static ALWAYS_INLINE void blend_by_factors(const struct soft_run *run,
+static ALWAYS_INLINE void blend_by_factors(const struct soft_row *row,
 	const uint32_t *color, const uint16_t *before, const uint16_t *after,
 	GLenum source, GLenum destination, bool wide)
 {
@@ -195,32 +169,31 @@ static ALWAYS_INLINE void blend_by_factors(const struct soft_run *run,
 	}
 #define PAIR(s, d)                                                \
 	if (source == (s) && destination == (d)) {                \
-		blend(run, color, before, after, (s), (d), wide); \
+		blend(row, color, before, after, (s), (d), wide); \
 		return;                                           \
 	}
 	PAIR(GL_SRC_ALPHA, GL_ONE)
 	PAIR(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
 	PAIR(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
-	PAIR(GL_ONE, GL_ONE)
 	PAIR(GL_ZERO, GL_SRC_COLOR)
 	PAIR(GL_ONE, GL_ONE_MINUS_SRC_COLOR)
-	PAIR(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA)
 #undef PAIR
-	blend(run, color, before, after, source, destination, wide);
+	blend(row, color, before, after, source, destination, wide);
 }
 
-void soft_blend_row(const struct soft_run *run, const uint32_t *color,
-	const uint16_t *before, const uint16_t *after)
+void soft_blend_row(const struct draw *draw, const struct soft_row *row,
+	const uint8_t *color, const uint16_t *before, const uint16_t *after)
 {
-	GLenum source = run->stages->blend_source;
-	GLenum destination = run->stages->blend_destination;
+	const struct soft_fragment_stages *stages = &draw->spans.stages;
+	const uint32_t *colors = (const uint32_t *)(const void *)color;
+	GLenum source = stages->blend_source;
+	GLenum destination = stages->blend_destination;
 
-	if (run->draw->soft->format == PIXELS_RGBA8888) {
+	if (draw->soft->format == PIXELS_RGBA8888) {
 		blend_by_factors(
-			run, color, before, after, source, destination, true);
+			row, colors, before, after, source, destination, true);
 	} else {
-		blend_by_factors(run, color, before, after,
-			find_opaque_factor(source),
-			find_opaque_factor(destination), false);
+		blend_by_factors(
+			row, colors, before, after, source, destination, false);
 	}
 }

@@ -8,10 +8,10 @@
 #include "platform/gl/soft/span/run.h"
 
 /*
- * Colours are RGBA8888. Those are blended whose depth before differs from that
- * after the run was drawn beside the picture.
+ * The run's colours are RGBA8888. Those are blended whose depth before differs
+ * from that after they were drawn.
  */
-void soft_blend_row(const struct soft_run *run, const uint32_t *color,
-	const uint16_t *before, const uint16_t *after);
+void soft_blend_row(const struct draw *draw, const struct soft_row *row,
+	const uint8_t *color, const uint16_t *before, const uint16_t *after);
 
 #endif

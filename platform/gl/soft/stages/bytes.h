@@ -41,6 +41,19 @@ static ALWAYS_INLINE uint32_t soft_divide_lanes(uint32_t product)
 	return ODD_BYTES_AS_HALVES(product + ODD_BYTES_AS_HALVES(product));
 }
 
+/* All four bytes times one. */
+static ALWAYS_INLINE uint32_t soft_scale_bytes(uint32_t color, uint32_t by)
+{
+#ifdef HAS_COLOR_VECTORS
+	return vector_multiply(color, by * 0x01010101);
+#else
+	const uint32_t half = 0x00800080;
+
+	return soft_divide_lanes(BYTES_AS_HALVES(color) * by + half) |
+		soft_divide_lanes(ODD_BYTES_AS_HALVES(color) * by + half) << 8;
+#endif
+}
+
 /* a b / 255 of each byte, as scale_byte() has it. */
 static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 {

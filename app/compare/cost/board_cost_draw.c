@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.352e+04, 2.677e+04}, /* frame */
-	{0.7481, 0.3634},       /* pixel */
-	{1.884e+04, 7740},      /* call */
-	{146.4, 79.75},         /* listed */
-	{163.1, 71.03},         /* vertex */
-	{223.3, 137.7},         /* single */
-	{748.7, 210.7},         /* shaded */
-	{10.9, 10.19},          /* hidden */
-	{9.303, 6.508},         /* fine */
-	{189.2, 50.49},         /* flat triangle */
-	{61.44, 37.53},         /* flat row */
-	{11.36, 7.615},         /* flat pixel */
-	{365.2, 228.4},         /* plain triangle */
-	{4.489, 21.33},         /* plain row */
-	{30.11, 12.27},         /* plain pixel */
-	{622.2, 308.2},         /* textured triangle */
-	{299.4, 152.6},         /* textured row */
-	{79.83, 55.09},         /* textured pixel */
-	{3.708e+04, 1.634e+04}, /* backdrop triangle */
-	{71.94, 34.11},         /* backdrop row */
-	{2.406, 0.8049},        /* backdrop pixel */
-	{3.781e+04, 1.677e+04}, /* ground triangle */
-	{130.7, 75.59},         /* ground row */
-	{4.828, 1.592},         /* ground pixel */
-	{913.1, 676.3},         /* spans triangle */
-	{156.7, 99.17},         /* spans row */
-	{32.22, 19.87},         /* spans pixel */
-	{2632, 1484},           /* spans textured triangle */
-	{334.2, 186.3},         /* spans textured row */
-	{106.1, 67.72},         /* spans textured pixel */
-	{4715, 3769},           /* spans divided triangle */
-	{676.1, 360.4},         /* spans divided row */
-	{104, 67.09},           /* spans divided pixel */
-	{2756, 1627},           /* mixed triangle */
-	{241.2, 120},           /* mixed row */
-	{52.76, 35.88},         /* mixed pixel */
-	{2428, 870.2},          /* tested triangle */
-	{238.2, 139},           /* tested row */
-	{179.1, 123.4},         /* tested pixel */
-	{3480, 2013},           /* tested spans triangle */
-	{502.1, 337.2},         /* tested spans row */
-	{147.7, 95.94},         /* tested spans pixel */
-	{3000, 1500},           /* mixed textured triangle */
-	{250, 190},             /* mixed textured row */
-	{150, 97},              /* mixed textured pixel */
-	{3438, 2282},           /* mixed spans triangle */
-	{302.2, 218.2},         /* mixed spans row */
-	{142.9, 84.85},         /* mixed spans pixel */
-	{5119, 4123},           /* mixed divided triangle */
-	{1885, 928.6},          /* mixed divided row */
-	{128, 85.56},           /* mixed divided pixel */
-	{128.3, 31.47},         /* colored triangle */
+	{3.328e+04, 2.577e+04}, /* frame */
+	{0.7265, 0.3586},       /* pixel */
+	{1.773e+04, 6983},      /* call */
+	{168.6, 88.03},         /* listed */
+	{169.9, 78.07},         /* vertex */
+	{221.5, 135},           /* single */
+	{824.2, 222.9},         /* shaded */
+	{11.63, 10.36},         /* hidden */
+	{8.899, 6.151},         /* fine */
+	{193.3, 68.38},         /* flat triangle */
+	{65.11, 39.21},         /* flat row */
+	{11.66, 7.701},         /* flat pixel */
+	{432.1, 255.5},         /* plain triangle */
+	{7.839, 23.32},         /* plain row */
+	{26.82, 10.57},         /* plain pixel */
+	{658.5, 324.9},         /* textured triangle */
+	{306.2, 151.2},         /* textured row */
+	{79.82, 55.1},          /* textured pixel */
+	{3.674e+04, 1.539e+04}, /* backdrop triangle */
+	{71.02, 33.24},         /* backdrop row */
+	{2.226, 0.7859},        /* backdrop pixel */
+	{3.723e+04, 1.577e+04}, /* ground triangle */
+	{127.8, 71.48},         /* ground row */
+	{4.068, 0.8852},        /* ground pixel */
+	{988.9, 588.1},         /* spans triangle */
+	{152.2, 96.97},         /* spans row */
+	{31.24, 19.7},          /* spans pixel */
+	{2696, 1442},           /* spans textured triangle */
+	{287.6, 145.9},         /* spans textured row */
+	{104, 67.32},           /* spans textured pixel */
+	{4731, 3775},           /* spans divided triangle */
+	{644.3, 343.3},         /* spans divided row */
+	{103.3, 66.93},         /* spans divided pixel */
+	{1927, 1129},           /* mixed triangle */
+	{257, 136.6},           /* mixed row */
+	{62.79, 42.2},          /* mixed pixel */
+	{3082, 1018},           /* tested triangle */
+	{274, 173.7},           /* tested row */
+	{182.6, 124},           /* tested pixel */
+	{4037, 2554},           /* tested spans triangle */
+	{605.3, 382},           /* tested spans row */
+	{147.8, 95.2},          /* tested spans pixel */
+	{3257, 1463},           /* mixed textured triangle */
+	{255.5, 184.1},         /* mixed textured row */
+	{146, 90.68},           /* mixed textured pixel */
+	{3861, 3022},           /* mixed spans triangle */
+	{453.1, 306.8},         /* mixed spans row */
+	{159.1, 90.85},         /* mixed spans pixel */
+	{5186, 4184},           /* mixed divided triangle */
+	{2320, 1128},           /* mixed divided row */
+	{134, 89.64},           /* mixed divided pixel */
+	{151.8, 41.53},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{6.233, 2.994},         /* colored pixel */
-	{1780, 924.7},          /* bent triangle */
-	{223.7, 125.9},         /* bent row */
-	{3.42, 2.255},          /* bent pixel */
-	{0, 0},                 /* deep triangle */
-	{0, 0},                 /* deep row */
-	{0, 0},                 /* deep pixel */
+	{6.965, 3.169},         /* colored pixel */
+	{2184, 1170},           /* bent triangle */
+	{253.6, 147.3},         /* bent row */
+	{3.432, 2.283},         /* bent pixel */
+	{1, 1},                 /* deep triangle */
+	{1.002, 1.003},         /* deep row */
+	{1.803, 1.287},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

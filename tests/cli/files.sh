@@ -28,7 +28,7 @@ expect_status 1
 expect_err '^limber: .*none\.glb: No such file'
 
 mkdir "$scratch/folder.glb"
-refused 'folder\.glb: .*(directory|regular file)' "$scratch/folder.glb"
+refused 'folder\.glb: .*this is a folder' "$scratch/folder.glb"
 
 : >"$scratch/empty.glb"
 refused 'empty\.glb: .*empty' "$scratch/empty.glb"

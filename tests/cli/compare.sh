@@ -6,6 +6,9 @@
 samples=${SAMPLES:-../shared}/models
 here=$(cd "$(dirname "$0")" && pwd)
 
+# In qemu-arm all clips of the walker take 100 s, beside other suites more.
+RUN_SECONDS=300
+
 # recomputed MODEL CLIP COUNT: recomputes COUNT figures from the baked models.
 recomputed() {
     name=$(basename "$1")

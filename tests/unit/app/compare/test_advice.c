@@ -322,11 +322,12 @@ static void test_a_mixed_plan_keeps_the_limits_in_each_clip(void **state)
 	bench.comparison.row[1].listed = false;
 	advice_give(&bench.comparison);
 	assert_false(bench.comparison.mixed);
-	cross(&bench, 1000, 10100);
+	/* A prediction may be 2% above the limit of time. */
+	cross(&bench, 1019, 10100);
 	bench.comparison.request.frame_ms = 1.0;
 	advice_give(&bench.comparison);
 	assert_true(bench.comparison.mixed);
-	cross(&bench, 1001, 10100);
+	cross(&bench, 1021, 10100);
 	bench.comparison.request.frame_ms = 1.0;
 	advice_give(&bench.comparison);
 	assert_false(bench.comparison.mixed);

@@ -43,8 +43,8 @@ static bool cell_fits(const struct comparison *comparison, int row, int clip)
 	return comparison->row[row].listed &&
 		comparison->row[row].cell[clip].error.peak_px <=
 		comparison->request.bound_px &&
-		advice_is_in_time(comparison,
-			advice_cell_us(comparison, row, clip));
+		advice_is_in_time(
+			comparison, advice_cell_us(comparison, row, clip));
 }
 
 static bool plan_fits(const struct comparison *comparison)

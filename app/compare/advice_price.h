@@ -15,10 +15,11 @@
 double advice_row_us(const struct comparison *comparison, int row);
 double advice_cell_us(const struct comparison *comparison, int row, int clip);
 
-/* Whether a row keeps within one limit. */
-bool advice_fits_memory(const struct comparison *comparison, int row);
 /* Whether a time is within the limit, or above it by less than predictions err. */
 bool advice_is_in_time(const struct comparison *comparison, double us);
+
+/* Whether a row keeps within one limit. */
+bool advice_fits_memory(const struct comparison *comparison, int row);
 bool advice_fits_time(const struct comparison *comparison, int row);
 bool advice_fits_error(const struct comparison *comparison, int row);
 

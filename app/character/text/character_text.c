@@ -133,8 +133,10 @@ static int include(struct reader *reader, const char *name)
 			"include: give the name of a file in the same folder, without a path, such as biped.character");
 	}
 	if (reader->text->file_count == CHARACTER_FILES_MAX) {
-		return fail(reader,
-			"include: a character may have at most 8 files, and none may include itself");
+		log_error(reader->log,
+			"%s:%d: include: a character may have at most %d files, and none may include itself",
+			reader->path, reader->line, CHARACTER_FILES_MAX);
+		return -EINVAL;
 	}
 	file = file_open(path);
 	if (!file) {

@@ -63,8 +63,12 @@ static void count_part(struct embed *embed, const struct embed_part *part)
 static void count_channel(
 	struct embed *embed, const struct model_channel *channel)
 {
+	const struct model_node *node = &embed->model->node[channel->node];
+
 	embed->too_large = embed->too_large || channel->key_count > INT16_MAX ||
-		channel->width > INT16_MAX;
+		channel->width > INT16_MAX ||
+		(channel->path == MODEL_WEIGHTS &&
+			node->weight_offset > INT16_MAX);
 	add(embed, &embed->channels, 1);
 	add(embed, &embed->times, channel->key_count);
 	if (!embed->too_large) {
@@ -94,7 +98,7 @@ static int check_size(const struct embed *embed, const struct log *log)
 {
 	if (embed->too_large || table_bytes(embed) > TABLE_BYTES_MAX) {
 		log_error(log,
-			"%s: the model is too large to be C source: its tables may have up to %d MiB, with up to %d nodes and keys of a channel",
+			"%s: the model is too large to be C source: its tables may have up to %d MiB, with up to %d nodes, morph weights and keys of a channel",
 			embed->model->path, TABLE_BYTES_MAX >> 20, INT16_MAX);
 		return -EFBIG;
 	}

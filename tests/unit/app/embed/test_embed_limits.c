@@ -1,0 +1,185 @@
+#include "tests/unit/app/embed/embed_scene.h"
+
+/* Prints a first part of so many vertices, which all lie at one place. */
+static void print_large(struct embed_scene *s, int vertices)
+{
+	size_t count = (size_t)vertices;
+	float(*position)[3] = calloc(count, sizeof(*position));
+
+	assert_non_null(position);
+	s->mesh[0].target_count = 0;
+	s->pair[0].vertex_count = vertices;
+	s->pair[0].position = position;
+	embed_scene_print(s, 0);
+	free(position);
+}
+
+static void indices_are_wide_above_65536_vertices(void **state)
+{
+	struct embed_scene s;
+	size_t narrow;
+
+	(void)state;
+	embed_scene_begin(&s);
+	print_large(&s, 65536);
+	assert_contains(s.text, "\ntypedef uint16_t t_index_t;\n");
+	narrow = s.size.rom_bytes;
+	print_large(&s, 65537);
+	assert_contains(s.text, "\ntypedef uint32_t t_index_t;\n");
+	/* A vertex, and two bytes more for each of 15 indices. */
+	assert_int_equal(s.size.rom_bytes, narrow + 28 + 15 * 2);
+	embed_scene_end(&s);
+}
+
+static void joints_are_wide_above_256(void **state)
+{
+	static int joint[257];
+	static mat4 bind[257];
+	struct embed_scene s;
+	size_t narrow;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.skin[0].joint = joint;
+	s.skin[0].inverse_bind = bind;
+	s.skin[0].joint_count = 256;
+	embed_scene_print(&s, 0);
+	assert_contains(s.text, "static const uint8_t t_joint[12]");
+	narrow = s.size.rom_bytes;
+	s.skin[0].joint_count = 257;
+	embed_scene_print(&s, 0);
+	assert_contains(s.text, "static const uint16_t t_joint[12]");
+	/* A joint more, and a byte more for each of 12 influences. */
+	assert_int_equal(s.size.rom_bytes, narrow + 50 + 12);
+	/* The skinned part's joints follow those of the first skin. */
+	assert_contains(s.text, "7, 3, 9, 3, 0, 4, 257, 1, 84, 0, 0},");
+	embed_scene_end(&s);
+}
+
+static void takes_names_that_are_c_identifiers(void **state)
+{
+	static const char *const good[] = {"a", "_", "Az_09",
+		"a23456789012345678901234567890123456789012"
+		"345678901234567890123"};
+	static const char *const bad[] = {"", "0a", "9", "a-b", "a.b", "a b",
+		"\303\244",
+		"a234567890123456789012345678901234567890123456789012345678901"
+		"234"};
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	for (size_t i = 0; i < sizeof(good) / sizeof(*good); i++) {
+		char function[100];
+
+		assert_int_equal(embed_scene_print_as(&s, good[i], 0), 0);
+		snprintf(function, sizeof(function), "\nvoid %s_pose(struct ",
+			good[i]);
+		assert_contains(s.text, function);
+		assert_null(strstr(s.text, "embedded"));
+		assert_null(strstr(s.text, "EMBEDDED"));
+	}
+	assert_int_equal(embed_scene_print_as(&s, "Az_09", 0), 0);
+	assert_contains(s.text, "#if AZ_09_JOINTS > 0\n");
+	for (size_t i = 0; i < sizeof(bad) / sizeof(*bad); i++) {
+		assert_int_equal(embed_scene_print_as(&s, bad[i], 0), -EINVAL);
+		assert_contains(s.logged.sentence[0],
+			"not a C identifier of at most 63 characters");
+	}
+	embed_scene_end(&s);
+}
+
+static void refuses_what_the_player_cannot_show(void **state)
+{
+	static const float matrix[4][4];
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.node[3].file_index = 7;
+	s.node[3].matrix = matrix;
+	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
+	assert_contains(s.logged.sentence[0], "a.glb: node 7 has a matrix");
+	embed_scene_end(&s);
+	embed_scene_begin(&s);
+	for (int n = 0; n < 4; n++) {
+		s.node[n].in_scene = false;
+	}
+	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
+	assert_contains(s.logged.sentence[0], "nothing to draw");
+	embed_scene_end(&s);
+}
+
+static void expect_too_large(struct embed_scene *s)
+{
+	assert_int_equal(embed_scene_print_as(s, "t", 0), -EFBIG);
+	assert_contains(s->logged.sentence[0], "too large to be C source");
+	assert_string_equal(s->text, "");
+}
+
+/*
+ * The player has 16 bits for keys, for a key's width and for where a channel
+ * writes. Widths of weights have a table; the others are 3 or 4.
+ */
+static void refuses_numbers_that_need_more_than_16_bits(void **state)
+{
+	static float many[INT16_MAX + 1];
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.channel[3] = (struct model_channel){.node = 0,
+		.path = MODEL_WEIGHTS,
+		.width = 1,
+		.key_count = INT16_MAX,
+		.time_s = many,
+		.value = many};
+	s.node[0].weight_offset = INT16_MAX;
+	embed_scene_print(&s, 0);
+	assert_contains(s.text, ", 32767, 32767, 1, 3, 0},\n");
+	s.channel[3].key_count++;
+	expect_too_large(&s);
+	s.channel[3].key_count = 1;
+	s.channel[3].width = INT16_MAX;
+	embed_scene_print(&s, 0);
+	s.channel[3].width++;
+	expect_too_large(&s);
+	s.channel[3].width = 1;
+	s.node[0].weight_offset++;
+	expect_too_large(&s);
+	/* A node's own channels do not depend on where its weights are. */
+	s.clip[0].channel_count = 2;
+	embed_scene_print(&s, 0);
+	embed_scene_end(&s);
+}
+
+static void refuses_tables_beyond_a_limit_before_it_writes(void **state)
+{
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	/* 4 bytes an index: one more than 256 MiB, and more than an int. */
+	s.pair[0].index_count = 64 * 1024 * 1024;
+	expect_too_large(&s);
+	s.pair[0].index_count = INT32_MAX;
+	expect_too_large(&s);
+	s.pair[0].index_count = 3;
+	s.mesh[0].target_count = INT32_MAX / 5;
+	expect_too_large(&s);
+	embed_scene_end(&s);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(indices_are_wide_above_65536_vertices),
+		cmocka_unit_test(joints_are_wide_above_256),
+		cmocka_unit_test(takes_names_that_are_c_identifiers),
+		cmocka_unit_test(refuses_what_the_player_cannot_show),
+		cmocka_unit_test(refuses_numbers_that_need_more_than_16_bits),
+		cmocka_unit_test(refuses_tables_beyond_a_limit_before_it_writes),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -83,7 +83,7 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 		stage, env->gl, bounds, &camera, env->target, env->log);
 }
 
-void actor_resize_stage(struct demo_base *base, int width, int height)
+void actor_reframe_stage(struct demo_base *base, int width, int height)
 {
 	struct camera *camera = &base->stage.camera;
 	struct camera_region region;
@@ -91,6 +91,7 @@ void actor_resize_stage(struct demo_base *base, int width, int height)
 
 	base->width = width;
 	base->height = height;
+	base->framing.below = base->below;
 	if (!camera->fit.on) {
 		return;
 	}

@@ -42,7 +42,7 @@ struct demo_base {
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
 	unsigned overlays_of_old_model; /* kinds to show for the new one */
-	int key_rows;     /* of a list of keys along the lower edge, 0: none */
+	struct framing_below below;     /* that labels show now */
 	float room_below; /* raises the region's bottom for what stands there */
 };
 
@@ -64,10 +64,10 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	struct stage *stage);
 
 /*
- * Frames the same figures in pictures of another size. Cameras that do not
- * follow stay as they are.
+ * Frames the same figures in pictures of this size, beside what labels show
+ * now. Cameras that do not follow stay as they are.
  */
-void actor_resize_stage(struct demo_base *base, int width, int height);
+void actor_reframe_stage(struct demo_base *base, int width, int height);
 
 /*
  * Updates the instance for a picture of this height, with the influences and

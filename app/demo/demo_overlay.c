@@ -61,23 +61,7 @@ void demo_overlay_release(struct demo_base *base)
 	}
 }
 
-/*
- * The height of a list of keys, which is as wide as two groups; 0 if the
- * figures have room beside it, or hardly any above it.
- */
-static int keys_height(const struct demo_base *base, int width, int height)
-{
-	struct hud_group_extent keys;
-
-	if (base->framing.label_rows == 0 || base->key_rows == 0) {
-		return 0;
-	}
-	keys = hud_group_extent_of(width, height, base->key_rows, 0);
-	return width < 4 * keys.column && keys.top < height * 3 / 4 ? keys.top
-								    : 0;
-}
-
-/* Moves the figures above the small pictures or keys that are shown. */
+/* Moves the figures above the small pictures that are shown. */
 static void make_room(struct demo_base *base, int width, int height)
 {
 	const struct overlay *overlay = base->overlay;
@@ -85,14 +69,13 @@ static void make_room(struct demo_base *base, int width, int height)
 	struct camera_region region = camera->fit.region;
 	float bottom = region.bottom - base->room_below;
 	float most = region.top - bottom - least_side;
-	float room =
-		2.0f * (float)keys_height(base, width, height) / (float)height;
+	float room = 0.0f;
 
 	if (overlay && overlay_shows(overlay, OVERLAY_KEYS) &&
 		overlay->chooses_target) {
 		struct overlay_row row = overlay_row_of(overlay, width, height);
 
-		room += 2.0f * (float)row.height / (float)height;
+		room = 2.0f * (float)row.height / (float)height;
 	}
 	room = room < most ? room : most > 0.0f ? most : 0.0f;
 	if (room != base->room_below) {
@@ -132,8 +115,10 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 	struct overlay_motion motion;
 
 	follow_model(driver, demo);
-	if (width != base->width || height != base->height) {
-		actor_resize_stage(base, width, height);
+	if (width != base->width || height != base->height ||
+		base->below.keys != base->framing.below.keys ||
+		base->below.switches != base->framing.below.switches) {
+		actor_reframe_stage(base, width, height);
 	}
 	make_room(base, width, height);
 	if (!base->overlay || !base->overlay->kinds) {

@@ -366,23 +366,38 @@ static void label_changing(const struct character *character, struct hud *hud)
 	hud_group_end(&group);
 }
 
-int character_label_keys(const struct character *character)
+struct framing_below character_label_below(const struct character *character)
 {
-	int count = 0;
+	struct framing_below below = {0};
+	const struct character_binding *one = character->binding;
 
-	for (const struct character_binding *one = character->binding;
-		one && character->keys_shown && !character->labels_hidden;
-		one = one->next) {
-		count += character_button_acts(one);
+	if (character->labels_hidden) {
+		return below;
 	}
-	return count;
+	if (character->keys_shown) {
+		for (; one; one = one->next) {
+			below.keys += character_button_acts(one);
+		}
+	} else if (!character->touring) {
+		while ((one = find_changing(one))) {
+			below.switches++;
+			one = one->next;
+		}
+	}
+	return below;
+}
+
+static bool labels_right(const struct character *character)
+{
+	return character->scene.labels == CHARACTER_LABELS_RIGHT;
 }
 
 /* What the buttons do now. */
 static void label_keys(const struct character *character, struct hud *hud)
 {
-	struct hud_group group =
-		hud_group_begin_wide(hud, HUD_BOTTOM_LEFT, NULL);
+	struct hud_group group = hud_group_begin_wide(hud,
+		labels_right(character) ? HUD_BOTTOM_RIGHT : HUD_BOTTOM_LEFT,
+		NULL);
 
 	for (const struct character_binding *one = character->binding; one;
 		one = one->next) {
@@ -411,9 +426,7 @@ static void label_state(
 	const struct character *character, const char *title, struct hud *hud)
 {
 	struct hud_group group = hud_group_begin(hud,
-		character->scene.labels == CHARACTER_LABELS_RIGHT ? HUD_TOP_RIGHT
-								  : HUD_TOP_LEFT,
-		title);
+		labels_right(character) ? HUD_TOP_RIGHT : HUD_TOP_LEFT, title);
 
 	label_motion(character, &group);
 	label_values(character, &group);
@@ -430,12 +443,16 @@ void character_label_all(
 	const struct character *character, const char *title, struct hud *hud)
 {
 	struct hud_mark before = hud_mark(hud);
+	bool alone = character->keys_shown &&
+		hud_group_list_is_alone(hud->width, hud->height);
 
 	if (character->labels_hidden ||
 		character->scene.labels == CHARACTER_LABELS_NONE) {
 		return;
 	}
-	label_state(character, title, hud);
+	if (!alone) {
+		label_state(character, title, hud);
+	}
 	if (character->keys_shown) {
 		label_keys(character, hud);
 	} else if (!character->touring) {

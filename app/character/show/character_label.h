@@ -6,12 +6,13 @@
 
 #include "app/character/character.h"
 #include "app/scene/hud/hud_group.h"
+#include "app/scene/stage/framing.h"
 
 /* Returns how many rows of labels there usually are, and how many have bars. */
 int character_label_count(const struct character *character, int *bars);
 
-/* Returns how many rows the list of keys takes; 0 while it is not shown. */
-int character_label_keys(const struct character *character);
+/* Returns the rows of the group in the corner below, as it is shown now. */
+struct framing_below character_label_below(const struct character *character);
 
 /*
  * Adds state, morphs, parameters, weights, steps of sequences, the part that

@@ -68,6 +68,15 @@ static int group_width(const struct hud *hud)
 	return width_for(hud->width, hud_em(hud));
 }
 
+/* The same of a group that holds sentences. */
+static int wide_width_for(int picture_width, int em)
+{
+	int whole = picture_width - 2 * (em * MARGIN / 8);
+	int width = 2 * width_for(picture_width, em);
+
+	return width < whole ? width : whole;
+}
+
 struct hud_group_extent hud_group_extent_of(
 	int width, int height, int rows, int bars)
 {
@@ -83,7 +92,15 @@ struct hud_group_extent hud_group_extent_of(
 		.top = line + rows * row + bars * bar +
 			em * (2 * PADDING_Y + 2 * TITLE_GAP + 2 * MARGIN) / 8,
 		.line = line,
+		.list_width = wide_width_for(width, em) + 2 * (em * MARGIN / 8),
+		.list_height =
+			rows * row + em * (2 * PADDING_Y + 2 * MARGIN) / 8,
 	};
+}
+
+bool hud_group_list_is_alone(int width, int height)
+{
+	return width < 4 * hud_group_extent_of(width, height, 0, 0).column;
 }
 
 int hud_group_rows_max(int width, int height)
@@ -140,10 +157,8 @@ struct hud_group hud_group_begin(
 struct hud_group hud_group_begin_wide(
 	struct hud *hud, enum hud_corner corner, const char *title)
 {
-	int whole = hud->width - 2 * eighths(hud, MARGIN);
-	int width = 2 * group_width(hud);
-
-	return begin(hud, corner, title, width < whole ? width : whole);
+	return begin(
+		hud, corner, title, wide_width_for(hud->width, hud_em(hud)));
 }
 
 void hud_group_limit(struct hud_group *group, int height)
@@ -339,8 +354,14 @@ int hud_group_space(struct hud_group *group, int height)
 
 void hud_group_key(struct hud_group *group, const char *key, const char *what)
 {
-	int x = add_cap(group, key);
+	const struct hud *hud = group->hud;
+	int x;
 
+	if (group->y + hud_line_height(hud) + eighths(hud, PADDING_Y) >
+		group->room) {
+		return;
+	}
+	x = add_cap(group, key);
 	hud_text_cut(group->hud, x, group->y, group->left + group->width - x,
 		hud_color_dim, what);
 	next_row(group, hud_line_height(group->hud));

@@ -40,14 +40,16 @@ struct hud_group {
 
 /* The part of a picture that groups take, in pixels from its left and top. */
 struct hud_group_extent {
-	int column; /* width of the groups in a left corner */
-	int top;    /* height of a group in a top corner */
-	int line;   /* height of a line of text */
+	int column;                  /* width of the groups in a left corner */
+	int top;                     /* height of a group in a top corner */
+	int line;                    /* height of a line of text */
+	int list_width, list_height; /* of a wide group of keys, no title */
 };
 
 /*
  * Returns what groups take of a picture of this size, where the one at the top
- * has a title and this number of rows, some of them with bars.
+ * has a title and this number of rows, some of them with bars. A list of keys
+ * has as many rows.
  */
 struct hud_group_extent hud_group_extent_of(
 	int width, int height, int rows, int bars);
@@ -62,6 +64,12 @@ enum {
  * so that these get shorter: HUD_GROUP_ROWS_NARROW, without those that follow.
  */
 int hud_group_rows_max(int width, int height);
+
+/*
+ * Whether a list of keys takes the place of the other groups: in a picture in
+ * which it leaves figures no room between them.
+ */
+bool hud_group_list_is_alone(int width, int height);
 
 /* Begins a group; the title may be NULL. */
 struct hud_group hud_group_begin(
@@ -116,7 +124,7 @@ void hud_group_mark(struct hud_group *group, const char *label,
  */
 int hud_group_space(struct hud_group *group, int height);
 
-/* Adds a picture of a key and what the key does. */
+/* Adds a picture of a key and what the key does, unless it is left out. */
 void hud_group_key(struct hud_group *group, const char *key, const char *what);
 
 /* Adds a picture of a key, what the key switches, and a switch on or off. */

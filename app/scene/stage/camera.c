@@ -6,6 +6,8 @@
 
 #include <cglm/cglm.h>
 
+#include <string.h>
+
 /* Of the radius: a box that moves less is shown already. */
 static const float least_move = 1e-4f;
 
@@ -242,9 +244,14 @@ void camera_ease_to(
 void camera_set_region(struct camera *camera,
 	const struct camera_region *region, float margin, float aspect)
 {
-	camera->fit.region = inner_region(region, margin);
-	camera->fit.aspect = aspect;
-	if (camera->fit.on) {
+	struct camera_region inner = inner_region(region, margin);
+	struct camera_fit *fit = &camera->fit;
+	bool same = aspect == fit->aspect &&
+		memcmp(&inner, &fit->region, sizeof(inner)) == 0;
+
+	fit->region = inner;
+	fit->aspect = aspect;
+	if (fit->on && !same) {
 		fit_box(camera);
 	}
 }
@@ -357,7 +364,8 @@ static fx16_t edge(float value)
 static float ground_depth(const struct camera *camera)
 {
 	float sine = scalar_sin(camera->pitch_rad);
-	float slope = camera_tan_half(camera->yfov_rad) * (1.0f + camera->shift_y);
+	float slope =
+		camera_tan_half(camera->yfov_rad) * (1.0f + camera->shift_y);
 	float fall = sine + scalar_cos(camera->pitch_rad) * slope;
 	float height = camera->distance * sine + camera->fit.half[1];
 

@@ -4,6 +4,38 @@
 
 static const float least_side = 0.4f; /* of a region; the picture has 2 */
 
+/* The lower edge of a region above a list of so many rows. */
+static float above_list(int rows, int width, int height)
+{
+	int taken = hud_group_extent_of(width, height, rows, 0).list_height;
+
+	return 2.0f * (float)taken / (float)height - 1.0f;
+}
+
+/*
+ * The regions that a list of keys leaves free: above it, beside the labels if
+ * there are some, and beside it.
+ */
+static int regions_of_keys(
+	int rows, int width, int height, struct camera_region out[2])
+{
+	struct hud_group_extent keys = hud_group_extent_of(width, height, 0, 0);
+	bool alone = hud_group_list_is_alone(width, height);
+	float left = 2.0f * (float)keys.list_width / (float)width - 1.0f;
+	float bottom = above_list(rows, width, height);
+	float beside = 2.0f * (float)keys.column / (float)width - 1.0f;
+	int count = 0;
+
+	if (bottom < 1.0f - least_side) {
+		out[count++] = (struct camera_region){
+			alone ? -1.0f : beside, 1.0f, bottom, 1.0f};
+	}
+	if (left < 1.0f - least_side) {
+		out[count++] = (struct camera_region){left, 1.0f, -1.0f, 1.0f};
+	}
+	return count;
+}
+
 /*
  * The regions that labels leave free: beside them and below them. Returns their
  * number; if labels leave little of a small picture, it is the whole one.
@@ -19,7 +51,6 @@ static int free_regions(const struct framing *framing, int width, int height,
 	float bottom = 2.0f * (float)(framing->lines_below * labels.line) /
 			(float)height -
 		1.0f;
-
 	float left = 2.0f * (float)labels.column / (float)width - 1.0f;
 	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
 	int count = 0;
@@ -31,8 +62,15 @@ static int free_regions(const struct framing *framing, int width, int height,
 	if (framing->label_rows == 0) {
 		return 1;
 	}
+	if (framing->below.keys > 0) {
+		count = regions_of_keys(framing->below.keys, width, height, out);
+		return count > 0 ? count : 1;
+	}
 	if (left < 1.0f - least_side) {
 		out[count++] = (struct camera_region){left, 1.0f, bottom, 1.0f};
+	}
+	if (framing->below.switches > 0) {
+		bottom = above_list(framing->below.switches, width, height);
 	}
 	if (top > bottom + least_side) {
 		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, top};

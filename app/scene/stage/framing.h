@@ -6,6 +6,12 @@
 
 #include "app/scene/stage/camera.h"
 
+/* Rows of the group in the corner below the labels; one of them is 0. */
+struct framing_below {
+	int keys;     /* of a list of keys, which is wide */
+	int switches; /* of what some buttons do now */
+};
+
 /* How figures are framed, and what their labels take of the picture. */
 struct framing {
 	struct camera_framing camera;
@@ -13,11 +19,12 @@ struct framing {
 	int label_rows, label_bars; /* 0: there are no labels */
 	bool labels_right;          /* the labels are in the top right corner */
 	int lines_below;            /* of text along the lower edge */
+	struct framing_below below;
 };
 
 /*
- * The part of a picture of this size that labels leave free, beside or below
- * them, in which the box appears larger.
+ * The part of a picture of this size that labels and the group below leave
+ * free, beside, below or above them, in which the box appears larger.
  */
 struct camera_region framing_region(const struct framing *framing,
 	const struct bounds *bounds, int width, int height);

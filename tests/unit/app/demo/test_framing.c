@@ -163,7 +163,7 @@ static bool hides(const struct hud *hud, const struct camera_region *figure)
 
 	for (int i = 0; i < hud->quad_count; i++) {
 		const struct hud_vertex *a = &hud->vertex[4 * i];
-		const struct hud_vertex *b = a + 2;
+		const struct hud_vertex *b = a + 3; /* the opposite corner */
 		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
 		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
 
@@ -176,37 +176,56 @@ static bool hides(const struct hud *hud, const struct camera_region *figure)
 	return false;
 }
 
+/* Draws a frame and its labels; none of them is over the figure. */
+static void check_labels_beside_figure(struct shown *shown, const int size[2])
+{
+	struct camera_region figure;
+	struct hud hud;
+
+	demo_draw(shown->driver, shown->demo, size[0], size[1]);
+	assert_int_equal(hud_init(&hud, &shown->gl, &shown->log), 0);
+	hud_begin(&hud, size[0], size[1]);
+	demo_label(shown->driver, shown->demo, &hud);
+	assert_true(hud.quad_count > 20);
+	figure = seen(shown, size);
+	check_whole(&figure);
+	if (hides(&hud, &figure)) {
+		fail_msg("%s %dx%d", shown->driver->name, size[0], size[1]);
+	}
+	hud_finish(&hud, &shown->gl);
+}
+
+static const char *const names[] = {
+	"walker", "arm", "face", "crowd", "duel", "tuner"};
+
+static void test_labels_of_buttons_do_not_cover_the_figures(void **state)
+{
+	(void)state;
+	for (size_t d = 0; d < sizeof(names) / sizeof(names[0]); d++) {
+		for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
+			struct shown shown;
+
+			begin(&shown, names[d], sizes[s], false);
+			check_labels_beside_figure(&shown, sizes[s]);
+			end(&shown);
+		}
+	}
+}
+
 static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
 {
-	static const char *const names[] = {
-		"walker", "arm", "face", "crowd", "duel", "tuner"};
-
 	(void)state;
 	for (size_t d = 0; d < sizeof(names) / sizeof(names[0]); d++) {
 		for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
 			const struct overlay_choice all = {
 				.kinds = (1U << OVERLAY_KINDS) - 1};
-			struct camera_region figure;
 			struct shown shown;
-			struct hud hud;
 
 			begin(&shown, names[d], sizes[s], false);
 			assert_int_equal(demo_overlay_make(shown.driver,
 						 shown.demo, &all),
 				0);
-			demo_draw(shown.driver, shown.demo, sizes[s][0],
-				sizes[s][1]);
-			assert_int_equal(
-				hud_init(&hud, &shown.gl, &shown.log), 0);
-			hud_begin(&hud, sizes[s][0], sizes[s][1]);
-			demo_label(shown.driver, shown.demo, &hud);
-			assert_true(hud.quad_count > 20);
-			figure = seen(&shown, sizes[s]);
-			if (hides(&hud, &figure)) {
-				fail_msg("%s %dx%d", names[d], sizes[s][0],
-					sizes[s][1]);
-			}
-			hud_finish(&hud, &shown.gl);
+			check_labels_beside_figure(&shown, sizes[s]);
 			end(&shown);
 		}
 	}
@@ -218,23 +237,16 @@ static void test_the_list_of_keys_does_not_cover_the_figure(void **state)
 	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
 		const struct button_event press = {
 			.button = BUTTON_F6, .down = true};
+		const int *size = sizes[s];
 		struct camera_region figure;
 		struct shown shown;
-		struct hud hud;
 
-		begin(&shown, "arm", sizes[s], false);
+		begin(&shown, "arm", size, false);
 		demo_press(shown.driver, shown.demo, &press);
 		shown.driver->update(shown.demo, 0.04);
-		demo_draw(shown.driver, shown.demo, sizes[s][0], sizes[s][1]);
-		assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
-		hud_begin(&hud, sizes[s][0], sizes[s][1]);
-		demo_label(shown.driver, shown.demo, &hud);
-		figure = seen(&shown, sizes[s]);
-		check_whole(&figure);
-		if (hides(&hud, &figure)) {
-			fail_msg("%dx%d", sizes[s][0], sizes[s][1]);
-		}
-		hud_finish(&hud, &shown.gl);
+		check_labels_beside_figure(&shown, size);
+		figure = seen(&shown, size);
+		assert_true(figure.top - figure.bottom > 0.5f);
 		end(&shown);
 	}
 }
@@ -246,18 +258,11 @@ static void test_the_duels_scale_does_not_cover_the_figures(void **state)
 	for (size_t s = 0; s < sizeof(sizes) / sizeof(sizes[0]); s++) {
 		const struct button_event paint = {
 			.button = BUTTON_F8, .down = true};
-		struct camera_region figure;
 		struct shown shown;
-		struct hud hud;
 
 		begin(&shown, "duel", sizes[s], false);
 		demo_press(shown.driver, shown.demo, &paint);
-		assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
-		hud_begin(&hud, sizes[s][0], sizes[s][1]);
-		demo_label(shown.driver, shown.demo, &hud);
-		figure = seen(&shown, sizes[s]);
-		assert_false(hides(&hud, &figure));
-		hud_finish(&hud, &shown.gl);
+		check_labels_beside_figure(&shown, sizes[s]);
 		end(&shown);
 	}
 }
@@ -471,10 +476,10 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
+		cmocka_unit_test(test_labels_of_buttons_do_not_cover_the_figures),
 		cmocka_unit_test(
 			test_labels_of_overlays_do_not_cover_the_figures),
-		cmocka_unit_test(
-			test_the_list_of_keys_does_not_cover_the_figure),
+		cmocka_unit_test(test_the_list_of_keys_does_not_cover_the_figure),
 		cmocka_unit_test(test_the_duels_scale_does_not_cover_the_figures),
 		cmocka_unit_test(
 			test_figures_of_the_duel_are_not_below_the_ground),

@@ -293,6 +293,33 @@ static void test_rows_beyond_the_picture_are_left_out(void **state)
 	}
 }
 
+static void test_a_list_of_keys_is_in_the_picture_and_no_higher_than_said(
+	void **state)
+{
+	static const int sizes[][2] = {{240, 320}, {480, 640}, {400, 120}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		for (int rows = 1; rows < 60; rows += 6) {
+			struct hud *hud = hud_of_size(sizes[i][0], sizes[i][1]);
+			struct hud_group_extent extent = hud_group_extent_of(
+				sizes[i][0], sizes[i][1], rows, 0);
+			struct hud_group group = hud_group_begin_wide(
+				hud, HUD_BOTTOM_LEFT, NULL);
+			struct box box;
+
+			for (int row = 0; row < rows; row++) {
+				hud_group_key(&group, "UP", "go up");
+			}
+			hud_group_end(&group);
+			box = box_of(hud, 0, hud->quad_count);
+			assert_true(box.top >= 0);
+			assert_true(box.top >= sizes[i][1] - extent.list_height);
+			assert_true(box.right <= extent.list_width);
+		}
+	}
+}
+
 static void test_times_show_hundredths(void **state)
 {
 	(void)state;
@@ -411,6 +438,8 @@ int main(void)
 		cmocka_unit_test(test_a_long_name_takes_the_place_of_times),
 		cmocka_unit_test(test_groups_are_shorter_in_narrow_pictures),
 		cmocka_unit_test(test_rows_beyond_the_picture_are_left_out),
+		cmocka_unit_test(
+			test_a_list_of_keys_is_in_the_picture_and_no_higher_than_said),
 		cmocka_unit_test(test_times_show_hundredths),
 		cmocka_unit_test(test_weights_show_percent),
 		cmocka_unit_test(test_a_long_label_gives_way_to_its_value),

@@ -49,7 +49,8 @@ build/$(1)/unit/fake_gles.so build/$(1)/unit/fake_gles_old.so: \
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. -fPIC -shared \
 		$$(FAKE_GLES_DEFINES) -o $$@ $$(FAKE_GLES)
-build/$(1)/unit/test_display_egl build/$(1)/unit/test_survey_displays: \
+build/$(1)/unit/test_display_egl build/$(1)/unit/test_survey_displays \
+build/$(1)/unit/test_gl_drivers: \
 		| build/$(1)/unit/fake_gles.so \
 		build/$(1)/unit/fake_gles_old.so
 endef

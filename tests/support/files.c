@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static struct test_path join(const char *directory, const char *name)
 {
@@ -27,6 +28,21 @@ static struct test_path join(const char *directory, const char *name)
 struct test_path fixture_path(const char *name)
 {
 	return join("tests/fixtures", name);
+}
+
+struct test_path path_beside_program(const char *name)
+{
+	struct test_path path = {""};
+	ssize_t length =
+		readlink("/proc/self/exe", path.text, sizeof(path.text) - 64);
+	char *slash;
+
+	assert_true(length > 0);
+	path.text[length] = '\0';
+	slash = strrchr(path.text, '/');
+	assert_non_null(slash);
+	snprintf(slash + 1, 63, "%s", name);
+	return path;
 }
 
 struct test_path path_join(const struct test_path *directory, const char *name)

@@ -29,6 +29,9 @@ int temp_dir_count(const struct test_path *directory);
 /* Removes the folder with its contents. */
 void temp_dir_remove(const struct test_path *directory);
 
+/* The file of that name in the test program's folder. */
+struct test_path path_beside_program(const char *name);
+
 /* DIRECTORY/NAME. */
 struct test_path path_join(const struct test_path *directory, const char *name);
 

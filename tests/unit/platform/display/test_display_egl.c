@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 struct scene {
 	struct test_path folder, calls, library;
@@ -27,25 +26,9 @@ struct scene {
 	"GetDisplay 0\nInitialize 1\n" \
 	"ChooseConfig surface 4 renderable -1 bits 5 5 5 depth 16\n"
 
-/* The path of a library in this program's folder. */
-static struct test_path beside(const char *name)
-{
-	struct test_path path = {""};
-	ssize_t length =
-		readlink("/proc/self/exe", path.text, sizeof(path.text) - 64);
-	char *slash;
-
-	assert_true(length > 0);
-	path.text[length] = '\0';
-	slash = strrchr(path.text, '/');
-	assert_non_null(slash);
-	snprintf(slash + 1, 63, "%s", name);
-	return path;
-}
-
 static void scene_begin(struct scene *scene, const char *library)
 {
-	*scene = (struct scene){.library = beside(library)};
+	*scene = (struct scene){.library = path_beside_program(library)};
 	scene->log = log_capture_begin(&scene->capture);
 	scene->folder = temp_dir_make();
 	scene->calls = path_join(&scene->folder, "calls");

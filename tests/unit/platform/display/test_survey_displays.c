@@ -4,6 +4,7 @@
 #include "platform/gl/gl_survey.h"
 #include "tests/support/fake/fake_card.h"
 #include "tests/support/fake/fake_fb.h"
+#include "tests/support/files.h"
 #include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
@@ -11,7 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum {
 	WIDTH = 20,
@@ -232,27 +232,16 @@ static void test_each_gl_driver_is_opened(void **state)
 		"auto", "takes soft", NULL);
 }
 
-/* The path of a library in this program's folder. */
-static void beside(const char *name, char *path, size_t size)
-{
-	ssize_t length = readlink("/proc/self/exe", path, size - 64);
-
-	assert_true(length > 0);
-	path[length] = '\0';
-	snprintf(strrchr(path, '/') + 1, 63, "%s", name);
-}
-
 static void test_a_vendors_gl_has_a_processor_and_a_screen(void **state)
 {
-	char library[512];
+	const struct test_path library = path_beside_program("fake_gles.so");
 	struct gl_request request = {.format = PIXELS_RGB565,
-		.egl_library = library,
-		.gles_library = library};
+		.egl_library = library.text,
+		.gles_library = library.text};
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
 	(void)state;
-	beside("fake_gles.so", library, sizeof(library));
 	setenv("FAKE_GLES_LOG", "/dev/null", 1);
 	gl_survey(&request, &survey);
 	survey_capture_expect(&capture, find(&capture, "gles1"), SURVEY_WORKS,

@@ -1,4 +1,5 @@
 #include "platform/gl/gl_context.h"
+#include "tests/support/files.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
@@ -130,6 +131,59 @@ static void test_auto_skips_a_gl_without_a_graphics_processor(void **state)
 		log_capture_has(&capture, LOG_NOTE, "no graphics processor"));
 }
 
+static void test_auto_takes_a_vendors_gl_and_opens_no_other(void **state)
+{
+	const struct test_path library = path_beside_program("fake_gles.so");
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	const struct gl_request request = {.format = PIXELS_RGBA8888,
+		.egl_library = library.text,
+		.gles_library = library.text,
+		.log = &log};
+	struct gl_context *context = NULL;
+
+	(void)state;
+	assert_int_equal(gl_open(NULL, &request, &context), 0);
+	assert_string_equal(context->driver->name, "gles1");
+	assert_true(context->accelerated);
+	context->driver->destroy(context);
+	assert_int_equal(capture.count, 1);
+	assert_string_equal(capture.sentence[0],
+		"--gl auto: using gles1 (PowerVR MBX Lite, OpenGL ES-CM 1.1)");
+	/* The same library whose renderer is a program is none of a vendor's. */
+	setenv("FAKE_GLES_RENDERER", "llvmpipe (LLVM 15)", 1);
+	assert_int_equal(gl_open("auto", &request, &context), 0);
+	unsetenv("FAKE_GLES_RENDERER");
+	assert_string_equal(context->driver->name, "soft");
+	context->driver->destroy(context);
+	assert_true(log_capture_has(&capture, LOG_NOTE,
+		"skipped gles1, which uses no graphics processor (llvmpipe"));
+}
+
+static void test_auto_fails_where_no_driver_draws_on_a_surface(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct native_surface surface = {0};
+	const struct gl_request request = {.format = PIXELS_RGB565,
+		.surface = &surface,
+		.egl_library = "libnowhere.so.7",
+		.log = &log};
+	struct gl_context *context = NULL;
+
+	(void)state;
+	assert_int_equal(gl_open("auto", &request, &context), -ENOENT);
+	assert_null(context);
+	assert_int_equal(capture.count, 1);
+	assert_contains(capture.sentence[0], "libnowhere.so.7");
+	/* Drivers that draw into memory alone say so. */
+	assert_int_equal(gl_open("soft", &request, &context), -EINVAL);
+	assert_contains(
+		capture.sentence[1], "--gl soft: it can only draw into memory");
+	assert_int_equal(gl_open("auto2", &request, &context), -EINVAL);
+	assert_contains(capture.sentence[2], "no such driver");
+}
+
 static void test_only_surface_drivers_draw_on_surfaces(void **state)
 {
 	(void)state;
@@ -240,6 +294,9 @@ int main(void)
 			test_auto_takes_neither_reference_nor_software_gl),
 		cmocka_unit_test(
 			test_auto_skips_a_gl_without_a_graphics_processor),
+		cmocka_unit_test(test_auto_takes_a_vendors_gl_and_opens_no_other),
+		cmocka_unit_test(
+			test_auto_fails_where_no_driver_draws_on_a_surface),
 		cmocka_unit_test(test_only_surface_drivers_draw_on_surfaces),
 		cmocka_unit_test(test_the_drivers_agree),
 		cmocka_unit_test(test_the_drivers_agree_in_565),

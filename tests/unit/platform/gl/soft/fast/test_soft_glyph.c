@@ -87,8 +87,13 @@ static void make_rectangle(uint32_t *seed, struct corner corner[4])
 		}
 		memcpy(corner[i].color, corner[0].color, 4);
 	}
-	if (random_between(seed, 0, 9) == 0) {
-		corner[3].color[1] ^= 0xFF;
+	if (random_between(seed, 0, 4) == 0) {
+		corner[random_between(seed, 0, 3)]
+			.color[random_between(seed, 0, 3)] ^= 0xFF;
+	}
+	if (random_between(seed, 0, 4) == 0) {
+		corner[random_between(seed, 0, 3)]
+			.texcoord[random_between(seed, 0, 1)] += 5.0f / ATLAS;
 	}
 }
 

@@ -39,7 +39,8 @@ TREE = WORK / "tree"
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 SECONDS = WORK / "seconds.json"
 MUTANT = "build/host/mutant.o"
-PROGRAM = "build/host/mutant"
+# Beside the stand-ins for GL libraries, which tests look for in their folder.
+PROGRAM = "build/host/unit/mutant"
 LIBRARY = "build/host/liblimber.a"
 SUITE_S = 600
 SUITE_BYTES = 8 << 30

@@ -116,6 +116,71 @@ static void test_a_gif_stores_only_what_changes(void **state)
 	image_scene_close(&scene);
 }
 
+/* Draws a grey picture in which a rectangle and one pixel are white. */
+static void draw_white(struct image_scene *scene, const GifImageDesc *box)
+{
+	struct pixels pixels;
+
+	assert_int_equal(scene->driver->begin_frame(scene->display, &pixels), 0);
+	for (int y = 0; y < IMAGE_SCENE_HEIGHT; y++) {
+		for (int x = 0; x < IMAGE_SCENE_WIDTH; x++) {
+			bool white = x >= box->Left && y >= box->Top &&
+				x < box->Left + box->Width &&
+				y < box->Top + box->Height;
+
+			white = white || (x == 20 && y == 10);
+
+			memset(pixels.data + y * pixels.stride_bytes + 4 * x,
+				white ? 255 : 100, 4);
+		}
+	}
+	assert_int_equal(scene->driver->end_frame(scene->display), 0);
+}
+
+/* Also a single one in a corner: it is no empty picture. */
+static void test_a_gif_stores_every_pixel_that_changes(void **state)
+{
+	enum {
+		RIGHT = IMAGE_SCENE_WIDTH - 1,
+		BOTTOM = IMAGE_SCENE_HEIGHT - 1
+	};
+	static const GifImageDesc boxes[] = {
+		{.Left = 0, .Top = 0, .Width = 1, .Height = 1},
+		{.Left = 0, .Top = 3, .Width = 1, .Height = 9},
+		{.Left = 4, .Top = 0, .Width = 9, .Height = 1},
+		{.Left = RIGHT, .Top = 2, .Width = 1, .Height = 5},
+		{.Left = 2, .Top = BOTTOM, .Width = 7, .Height = 1},
+		{.Left = RIGHT, .Top = BOTTOM, .Width = 1, .Height = 1},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(boxes) / sizeof(boxes[0]); i++) {
+		const GifImageDesc *box = &boxes[i], none = {.Width = 0};
+		struct shown shown = {0};
+		struct image_scene scene;
+		GifFileType *gif;
+		int error;
+
+		image_scene_open(&scene, "x.gif", 2, 25);
+		draw_white(&scene, &none);
+		draw_white(&scene, box);
+		assert_int_equal(scene.driver->finish(scene.display), 0);
+		gif = read_gif(&scene);
+		for (int frame = 0; frame < 2; frame++) {
+			paste(gif, frame, &shown);
+		}
+		assert_int_equal(gif->SavedImages[1].ImageDesc.Left, box->Left);
+		assert_int_equal(gif->SavedImages[1].ImageDesc.Top, box->Top);
+		assert_int_equal(
+			gif->SavedImages[1].ImageDesc.Width, box->Width);
+		assert_int_equal(
+			gif->SavedImages[1].ImageDesc.Height, box->Height);
+		assert_in_range(shown.rgb[box->Top][box->Left][0], 230, 255);
+		DGifCloseFile(gif, &error);
+		image_scene_close(&scene);
+	}
+}
+
 static void test_a_gif_repeats_for_ever(void **state)
 {
 	static const char loop[] = "\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00";
@@ -234,6 +299,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_gif_shows_every_frame),
 		cmocka_unit_test(test_a_gif_stores_only_what_changes),
+		cmocka_unit_test(test_a_gif_stores_every_pixel_that_changes),
 		cmocka_unit_test(test_a_gif_repeats_for_ever),
 		cmocka_unit_test(test_gif_delays_do_not_drift),
 		cmocka_unit_test(

@@ -111,6 +111,74 @@ static void test_a_y4m_holds_header_and_planes(void **state)
 	image_scene_close(&scene);
 }
 
+/* Limited range; 16 to 235, and 16 to 240 around 128. */
+static void expect_bt601(
+	double red, double green, double blue, int luma, int cb, int cr)
+{
+	/* The coefficients have 16 bits, so that a sum is off by 0.01. */
+	const double near = 0.51;
+
+	if (luma >= 0) {
+		assert_near(luma,
+			16 + (65.481 * red + 128.553 * green + 24.966 * blue) / 255,
+			near);
+	}
+	if (cb >= 0) {
+		assert_near(cb,
+			128 + (-37.797 * red - 74.203 * green + 112 * blue) / 255,
+			near);
+		assert_near(cr,
+			128 + (112 * red - 93.786 * green - 18.214 * blue) / 255,
+			near);
+	}
+}
+
+static void test_a_y4m_rounds_each_pixel_to_the_nearest(void **state)
+{
+	enum {
+		WIDTH = IMAGE_SCENE_WIDTH,
+		HEIGHT = IMAGE_SCENE_HEIGHT,
+		HALF_WIDTH = (WIDTH + 1) / 2,
+		HALF = HALF_WIDTH * ((HEIGHT + 1) / 2)
+	};
+	struct image_scene scene;
+	const uint8_t *plane;
+	char *bytes;
+
+	(void)state;
+	image_scene_open(&scene, "one.y4m", 1, 30);
+	image_scene_draw_all(&scene, 1);
+	bytes = file_read(scene.path.text, NULL);
+	plane = (const uint8_t *)strstr(bytes, "FRAME\n") + 6;
+	for (int i = 0; i < WIDTH * HEIGHT; i++) {
+		uint8_t rgb[3];
+
+		image_scene_color(0, i % WIDTH, i / WIDTH, rgb);
+		expect_bt601(rgb[0], rgb[1], rgb[2], plane[i], -1, -1);
+	}
+	plane += WIDTH * HEIGHT;
+	for (int i = 0; i < HALF; i++) {
+		double mean[3] = {0, 0, 0};
+
+		for (int k = 0; k < 4; k++) {
+			int x = i % HALF_WIDTH * 2 + k % 2;
+			int y = i / HALF_WIDTH * 2 + k / 2;
+			uint8_t rgb[3];
+
+			/* The last column and row count twice. */
+			image_scene_color(0, x < WIDTH ? x : WIDTH - 1,
+				y < HEIGHT ? y : HEIGHT - 1, rgb);
+			for (int c = 0; c < 3; c++) {
+				mean[c] += rgb[c] / 4.0;
+			}
+		}
+		expect_bt601(mean[0], mean[1], mean[2], -1, plane[i],
+			plane[HALF + i]);
+	}
+	free(bytes);
+	image_scene_close(&scene);
+}
+
 static void expect_rate(double rate_hz, const char *expected)
 {
 	struct image_scene scene;
@@ -286,6 +354,7 @@ int main(void)
 		cmocka_unit_test(test_several_pngs_are_numbered),
 		cmocka_unit_test(test_an_unknown_number_of_pngs_is_numbered),
 		cmocka_unit_test(test_a_y4m_holds_header_and_planes),
+		cmocka_unit_test(test_a_y4m_rounds_each_pixel_to_the_nearest),
 		cmocka_unit_test(test_a_y4m_states_its_rate_as_a_fraction),
 		cmocka_unit_test(test_an_unknown_extension_lists_the_known_ones),
 		cmocka_unit_test(test_a_missing_file_name_is_refused),

@@ -234,6 +234,33 @@ static void test_h_and_p_ask_for_graph_and_picture_once(void **state)
 	scene_close(&scene);
 }
 
+static void test_page_keys_choose_the_next_and_the_last_joint(void **state)
+{
+	struct scene scene;
+
+	(void)state;
+	scene_open(&scene);
+	push_key(SDLK_PAGEDOWN, true, false);
+	poll(&scene, 1);
+	assert_int_equal(scene.events.joint, 1);
+	assert_false(scene.events.overlay);
+	push_key(SDLK_PAGEDOWN, true, true);
+	push_key(SDLK_PAGEDOWN, false, false);
+	poll(&scene, 2);
+	assert_int_equal(scene.events.joint, 0);
+	push_key(SDLK_PAGEUP, true, false);
+	push_key(SDLK_F7, true, false);
+	poll(&scene, 3);
+	assert_int_equal(scene.events.joint, -1);
+	assert_true(scene.events.overlay);
+	push_key(SDLK_F7, false, false);
+	push_key(SDLK_PAGEUP, false, false);
+	poll(&scene, 4);
+	assert_int_equal(scene.events.joint, 0);
+	assert_false(scene.events.overlay);
+	scene_close(&scene);
+}
+
 static void test_escape_q_and_the_close_button_close(void **state)
 {
 	struct scene scene;
@@ -321,6 +348,8 @@ int main(void)
 		cmocka_unit_test(test_losing_the_focus_releases_the_buttons),
 		cmocka_unit_test(test_a_resized_window_hands_out_the_new_size),
 		cmocka_unit_test(test_h_and_p_ask_for_graph_and_picture_once),
+		cmocka_unit_test(
+			test_page_keys_choose_the_next_and_the_last_joint),
 		cmocka_unit_test(test_escape_q_and_the_close_button_close),
 		cmocka_unit_test(test_an_interrupt_closes),
 		cmocka_unit_test(test_windows_may_follow_each_other),

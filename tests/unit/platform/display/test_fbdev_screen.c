@@ -262,6 +262,61 @@ static void test_invalid_modes_are_refused(void **state)
 	}
 }
 
+/* One less, or one more, is refused above. */
+static void test_modes_at_the_limits_are_taken(void **state)
+{
+	static const struct {
+		uint32_t *member;
+		uint32_t value, refused;
+	} cases[] = {
+		{&fake_fb.var.xres, 1, 0},
+		{&fake_fb.var.yres, 1, 0},
+		{&fake_fb.var.yres, HEIGHT, HEIGHT + 1},
+		{&fake_fb.var.xoffset, 0, 1},
+		{&fake_fb.var.yoffset, 0, 1},
+		{&fake_fb.fix.line_length, WIDTH * 2, WIDTH * 2 - 1},
+		{&fake_fb.fix.line_length, 0, WIDTH * 2 + 1},
+		{&fake_fb.fix.smem_len, WIDTH * 2 * HEIGHT,
+			WIDTH * 2 * HEIGHT - 1},
+	};
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		fbdev_scene_begin_565(1);
+		*cases[i].member = cases[i].value;
+		if (fbdev_scene_open(&scene) != 0) {
+			fail_msg("case %zu is refused", i);
+		}
+		fbdev_scene_close(&scene);
+		fbdev_scene_begin_565(1);
+		*cases[i].member = cases[i].refused;
+		if (fbdev_scene_open(&scene) != -ENOTSUP) {
+			fail_msg("case %zu is accepted", i);
+		}
+		fbdev_scene_expect_closed();
+	}
+}
+
+/* A row of the largest stride, in memory that the device claims to have. */
+static void test_a_picture_is_at_most_as_large_as_an_int(void **state)
+{
+	const uint32_t most = INT32_MAX / PIXELS_SIZE_MAX;
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (uint32_t over = 0; over < 2; over++) {
+		fbdev_scene_begin_565(1);
+		fake_fb.var.yres = 1;
+		fake_fb.fix.line_length = most + over;
+		fake_fb.fix.smem_len = most + over;
+		assert_int_equal(fbdev_scene_open(&scene), over ? -ENOTSUP : 0);
+		if (!over) {
+			fbdev_scene_close(&scene);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -279,6 +334,8 @@ int main(void)
 		cmocka_unit_test(
 			test_the_message_for_a_missing_device_gives_advice),
 		cmocka_unit_test(test_invalid_modes_are_refused),
+		cmocka_unit_test(test_modes_at_the_limits_are_taken),
+		cmocka_unit_test(test_a_picture_is_at_most_as_large_as_an_int),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

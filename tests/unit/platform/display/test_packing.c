@@ -32,6 +32,7 @@ static uint32_t packed(const struct packing *packing, const uint8_t *pixel,
 }
 
 static const struct pixel_layout layouts[] = {
+	{8, {5, 3}, {2, 3}, {0, 2}, {0, 0}, false},
 	{16, {11, 5}, {5, 6}, {0, 5}, {0, 0}, false},
 	{16, {10, 5}, {5, 5}, {0, 5}, {15, 1}, false},
 	{16, {8, 4}, {4, 4}, {0, 4}, {12, 4}, false},
@@ -139,6 +140,46 @@ static void test_converting_565_back_and_forth_changes_nothing(void **state)
 	}
 }
 
+/* Of any size: what follows a row stays as it is. */
+static void test_only_the_pixels_of_a_row_are_written(void **state)
+{
+	enum {
+		WIDTH = 5,
+		ROWS = 3,
+		STRIDE = WIDTH * 4 + 8
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(layouts) / sizeof(layouts[0]); i++) {
+		int bytes = pixel_layout_bytes(&layouts[i]);
+		uint8_t in[ROWS][WIDTH + 2][4], out[ROWS][STRIDE];
+		const struct pixels picture = {&in[0][0][0], WIDTH, ROWS,
+			(WIDTH + 2) * 4, PIXELS_RGBA8888};
+		struct packing packing;
+
+		for (size_t k = 0; k < sizeof(in); k++) {
+			(&in[0][0][0])[k] = (uint8_t)(37 * k);
+		}
+		memset(out, 0xEE, sizeof(out));
+		packing_init(&packing, PIXELS_RGBA8888, &layouts[i]);
+		packing_copy(&packing, &picture, &out[0][0], STRIDE);
+		for (int y = 0; y < ROWS; y++) {
+			for (int x = 0; x < WIDTH; x++) {
+				uint32_t pixel = packed(
+					&packing, in[y][x], PIXELS_RGBA8888);
+
+				for (int k = 0; k < bytes; k++) {
+					assert_int_equal(out[y][x * bytes + k],
+						pixel >> 8 * k & 255);
+				}
+			}
+			for (int k = WIDTH * bytes; k < STRIDE; k++) {
+				assert_int_equal(out[y][k], 0xEE);
+			}
+		}
+	}
+}
+
 static void test_invalid_layouts_are_recognized(void **state)
 {
 	static const struct pixel_layout unsound[] = {
@@ -170,6 +211,7 @@ int main(void)
 		cmocka_unit_test(test_a_format_is_its_own_layout),
 		cmocka_unit_test(
 			test_converting_565_back_and_forth_changes_nothing),
+		cmocka_unit_test(test_only_the_pixels_of_a_row_are_written),
 		cmocka_unit_test(test_invalid_layouts_are_recognized),
 	};
 

@@ -71,6 +71,42 @@ static void test_a_full_picture_is_near_its_palette(void **state)
 	palette_maker_destroy(maker);
 }
 
+/* Of four values, the one in the middle decides: the third. */
+static void test_the_nearest_of_two_colours_changes_half_way(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+
+	(void)state;
+	assert_non_null(maker);
+	for (int i = 0; i < 6; i++) {
+		/* Half way are 5.5 and 6.5; the cell of 4 to 7 has 6. */
+		int other = i < 3 ? 11 : 13, channel = i % 3, index[4];
+		int color[3] = {0, 0, 0};
+
+		for (int p = 0; p < WIDTH * HEIGHT; p++) {
+			int value = p % 2 ? other : 0;
+
+			paint(p % WIDTH, p / WIDTH, channel == 0 ? value : 0,
+				channel == 1 ? value : 0,
+				channel == 2 ? value : 0);
+		}
+		palette_choose(maker, &picture, 255);
+		assert_int_equal(palette_current(maker)->count, 2);
+		for (int k = 0; k < 4; k++) {
+			static const int values[4] = {3, 4, 7, 8};
+
+			color[channel] = values[k];
+			index[k] = palette_current(maker)->rgb[palette_nearest(
+				maker, color[0], color[1], color[2])][channel];
+		}
+		assert_int_equal(index[0], 0);
+		assert_int_equal(index[1], i < 3 ? other : 0);
+		assert_int_equal(index[2], i < 3 ? other : 0);
+		assert_int_equal(index[3], other);
+	}
+	palette_maker_destroy(maker);
+}
+
 static void test_the_limit_holds(void **state)
 {
 	struct palette_maker *maker = palette_maker_create();
@@ -111,6 +147,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_picture_of_few_colours_keeps_them),
 		cmocka_unit_test(test_a_full_picture_is_near_its_palette),
+		cmocka_unit_test(
+			test_the_nearest_of_two_colours_changes_half_way),
 		cmocka_unit_test(test_the_limit_holds),
 		cmocka_unit_test(test_another_picture_has_a_larger_error),
 	};

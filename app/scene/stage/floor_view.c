@@ -1,17 +1,34 @@
 #include "app/scene/stage/floor_view.h"
 
+#include "platform/base/fixed.h"
+
+#include <cglm/cglm.h>
+
+/*
+ * How far aside a point may appear, in pixels that are so large at depth 1: the
+ * numbers of the view matrix are rounded, and multiplied by coordinates that
+ * are about as large as the eye's. The ground at the lower edge is half as far
+ * away as the target.
+ */
+static float rounding_px(
+	const struct camera *camera, const float eye[3], float pixel)
+{
+	return glm_vec3_norm((float *)eye) /
+		(FX16_ONE * 0.5f * camera->distance * pixel);
+}
+
 /*
  * Quads that end a quarter of a pixel inside the picture still cover every
  * pixel's centre and are not clipped. Where 16.16 is too coarse for that, they
- * extend eight pixels beyond the picture instead.
+ * extend at least eight pixels beyond the picture instead.
  */
-static float choose_inset(const struct camera_frustum *frustum)
+static float choose_inset(const struct camera_frustum *frustum, float error_px)
 {
 	const fx16_t fine = 2048;
 
 	return frustum->top - frustum->bottom < fine ||
-			frustum->right - frustum->left < fine
-		? -8.0f
+			frustum->right - frustum->left < fine || error_px > 0.25f
+		? -8.0f - error_px
 		: 0.25f;
 }
 
@@ -20,19 +37,21 @@ void floor_view_init(struct floor_view *view, const struct camera *camera,
 {
 	const struct camera_frustum frustum =
 		camera_frustum(camera, width, height);
-	float unit = 1.0f / (float)(frustum.near > 0 ? frustum.near : 1),
-	      inset = choose_inset(&frustum);
+	float unit = 1.0f / (float)(frustum.near > 0 ? frustum.near : 1);
 	float column =
 		(float)(frustum.right - frustum.left) * unit / (float)width;
+	float inset;
 
+	camera_eye(camera, view->eye);
 	view->row = (float)(frustum.top - frustum.bottom) * unit / (float)height;
+	inset = choose_inset(
+		&frustum, rounding_px(camera, view->eye, view->row));
 	view->edge = (float)frustum.bottom * unit;
 	view->left = (float)frustum.left * unit + inset * column;
 	view->right = (float)frustum.right * unit - inset * column;
 	view->bottom = view->edge + inset * view->row;
 	view->top = (float)frustum.top * unit - inset * view->row;
 	camera_view(camera, view->world_to_eye);
-	camera_eye(camera, view->eye);
 	view->sine = view->world_to_eye[1][2];
 	view->cosine = view->world_to_eye[1][1];
 	view->height = view->eye[1] - ground;

@@ -191,6 +191,53 @@ static void test_coarse_numbers_leave_no_gap_at_the_sides(void **state)
 	}
 }
 
+/* With the view matrix rounded to 16.16, as GL gets it. */
+static void project_rounded(
+	const struct camera *camera, const float point[3], float out[2])
+{
+	const struct camera_frustum frustum = camera_frustum(camera, 480, 640);
+	float eye[3];
+	mat4 view;
+
+	camera_view(camera, view);
+	for (int i = 0; i < 3; i++) {
+		eye[i] = 0.0f;
+		for (int k = 0; k < 4; k++) {
+			eye[i] += fx16_to_float(fx16_from_float(view[k][i])) *
+				(k < 3 ? point[k] : 1.0f);
+		}
+	}
+	for (int i = 0; i < 2; i++) {
+		out[i] = eye[i] / -eye[2] * (float)frustum.near;
+	}
+	out[0] -= (float)frustum.left;
+	out[0] *= 480.0f / (float)(frustum.right - frustum.left);
+	out[1] -= (float)frustum.bottom;
+	out[1] *= 640.0f / (float)(frustum.top - frustum.bottom);
+}
+
+static void test_far_from_the_origin_is_no_gap_at_the_edges(void **state)
+{
+	(void)state;
+	for (float far = 1.0f; far < 3000.0f; far *= 1.3f) {
+		struct camera camera = look(0.16f, 4.0f);
+		struct floor_strips strips;
+
+		camera.target[0] = far;
+		camera.target[2] = -0.7f * far;
+		floor_strips_find(
+			&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+		assert_true(strips.opaque);
+		for (int i = 0; i < 2; i++) {
+			float at[2];
+
+			project_rounded(&camera, strips.position[i], at);
+			assert_true(i % 2 ? at[0] > 479.5f : at[0] < 0.5f);
+			assert_true(at[1] < 0.5f);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -201,6 +248,7 @@ int main(void)
 		cmocka_unit_test(test_from_below_there_is_no_ground),
 		cmocka_unit_test(test_shadows_far_out_are_below_the_horizon),
 		cmocka_unit_test(test_coarse_numbers_leave_no_gap_at_the_sides),
+		cmocka_unit_test(test_far_from_the_origin_is_no_gap_at_the_edges),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

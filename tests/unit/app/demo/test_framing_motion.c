@@ -1,0 +1,129 @@
+/* Demos keep what moves in the picture, and stand on the ground. */
+#include "app/character/show/character_bounds.h"
+#include "tests/support/demo_shown.h"
+#include "tests/support/test.h"
+
+#include <cglm/cglm.h>
+
+/* But for what rigid parts are off at a sole. */
+static void test_figures_of_the_duel_are_not_below_the_ground(void **state)
+{
+	(void)state;
+	for (int step = 0; step < 12; step++) {
+		struct overlay_figure figure;
+		struct shown shown;
+
+		shown_begin(&shown, "duel", shown_sizes[0], false);
+		shown.driver->update(shown.demo, 0.1 * step + 0.1);
+		for (int i = 0; i < 3; i++) {
+			struct bounds bounds;
+			float ground = ((const struct demo_base *)shown.demo)
+					       ->stage.floor.y;
+
+			assert_true(shown.driver->get_figure(
+				shown.demo, i, &figure));
+			bounds = bounds_of_instance(figure.instance);
+			assert_true(bounds.low[1] > ground - 0.05f);
+		}
+		shown_end(&shown);
+	}
+}
+
+/* Pitched back and turned aside as far as it goes. */
+static void test_parts_that_buttons_turn_stay_in_the_picture(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < SHOWN_SIZES; s++) {
+		struct button_event held = {.button = BUTTON_UP, .down = true};
+		struct camera_region region;
+		struct shown shown;
+
+		shown_begin(&shown, "arm", shown_sizes[s], false);
+		demo_press(shown.driver, shown.demo, &held);
+		held.button = BUTTON_LEFT;
+		demo_press(shown.driver, shown.demo, &held);
+		for (int frame = 0; frame < 200; frame++) {
+			shown.driver->update(shown.demo, 0.05 + 0.04 * frame);
+		}
+		region = shown_now(&shown, shown_sizes[s]);
+		shown_check_whole(&region);
+		shown_end(&shown);
+	}
+}
+
+static float ground_of(float rest, const float *low, int count)
+{
+	struct bounds clip[4];
+	struct character_bounds bounds = {.clip = clip, .extent = 2.0f};
+
+	bounds.rest = bounds.all =
+		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
+	for (int i = 0; i < count; i++) {
+		clip[i] = bounds.rest;
+		clip[i].low[1] = low[i];
+	}
+	return character_bounds_ground(&bounds, count);
+}
+
+static void test_the_ground_is_where_most_clips_stand(void **state)
+{
+	(void)state;
+	/* One of them falls, and sinks a little. */
+	assert_near(ground_of(0, (float[]){0, 0.01f, -0.2f}, 3), 0, 0);
+	assert_near(ground_of(0, (float[]){-0.2f, 0.01f}, 2), 0.01, 1e-6);
+	/* One leaps, and none is on the ground at rest. */
+	assert_near(ground_of(-1, (float[]){0.3f, 0, 0}, 3), 0, 0);
+	/* A bird lands far below. */
+	assert_near(ground_of(1.6f, (float[]){1.6f, 0.1f}, 2), 0.1, 1e-6);
+	assert_near(ground_of(0.5f, NULL, 0), 0.5, 0);
+}
+
+static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < SHOWN_SIZES; s++) {
+		struct shown shown;
+		struct demo_base *base;
+		struct instance *instance;
+
+		shown_begin(&shown, "../tests/fixtures/gltf/mesh/weights.gltf",
+			shown_sizes[s], false);
+		base = (struct demo_base *)shown.demo;
+		instance = base->actor.instance;
+		assert_int_equal(instance->model->clip_count, 0);
+		assert_int_not_equal(instance->pose.weight_count, 0);
+		for (int i = 0; i < instance->pose.weight_count; i++) {
+			struct bounds bounds;
+			float center[3], half[3];
+			struct camera_region region;
+
+			pose_rest(&instance->pose, instance->model);
+			instance->pose.weight[i] = 1.0f;
+			instance_update(instance);
+			bounds = bounds_of_instance(instance);
+			bounds_center(&bounds, center);
+			for (int axis = 0; axis < 3; axis++) {
+				half[axis] = bounds.high[axis] - center[axis];
+			}
+			region = shown_project(&base->stage.camera,
+				shown_sizes[s], center, half);
+			shown_check_whole(&region);
+		}
+		shown_end(&shown);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_figures_of_the_duel_are_not_below_the_ground),
+		cmocka_unit_test(
+			test_parts_that_buttons_turn_stay_in_the_picture),
+		cmocka_unit_test(test_the_ground_is_where_most_clips_stand),
+		cmocka_unit_test(
+			test_shapes_without_a_clip_are_in_the_picture_whole),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

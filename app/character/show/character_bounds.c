@@ -1,5 +1,6 @@
 #include "app/character/show/character_bounds.h"
 
+#include "app/character/run/effects.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -214,7 +215,7 @@ int character_bounds_init(
 		bounds_stay(&bounds->clip[i],
 			(float[2]){m[0] * scale, m[1] * scale});
 	}
-	bounds->extra = bounds_empty();
+	bounds->extra = bounds->swung = bounds_empty();
 	for (int i = 0; i < character->morph_count; i++) {
 		struct bounds shapes =
 			bounds_of_targets(instance, character->morph[i].node);
@@ -278,6 +279,65 @@ float character_bounds_ground(
 	return ground;
 }
 
+static void add_points(
+	const float (*point)[3], int count, float scale, struct bounds *out)
+{
+	for (int i = 0; i < count; i++) {
+		bounds_add(out,
+			(float[3]){point[i][0] * scale, point[i][1] * scale,
+				point[i][2] * scale});
+	}
+}
+
+/* The box of the springs' ends and of the capes; empty if none is on. */
+static struct bounds swinging_now(const struct character *character)
+{
+	float scale = character->instance->unit_scale;
+	struct bounds now = bounds_empty();
+
+	for (int i = 0; i < character->op_count; i++) {
+		const struct character_spring *effect = character->op[i].what;
+
+		if (character->op[i].run == character_spring_run &&
+			effect->is.now > 0.0f && effect->spring.begun) {
+			add_points((const float(*)[3])effect->spring.position,
+				effect->spring.count, scale, &now);
+		}
+	}
+	for (int i = 0; i < character->cape_count; i++) {
+		const struct character_cape *cape = &character->cape[i];
+
+		if (cape->worn) {
+			add_points((const float(*)[3])cape->cloth.position,
+				cape->cloth.count, scale, &now);
+		}
+	}
+	return now;
+}
+
+/* Joins where springs and capes are now if they are well outside of a box. */
+static void add_swings(struct character_bounds *bounds,
+	const struct character *character, const struct bounds *box)
+{
+	struct bounds now = swinging_now(character), with = bounds->all;
+	float near = near_part * bounds->extent;
+
+	if (bounds_is_empty(&now)) {
+		bounds->swung = now;
+		return;
+	}
+	bounds_join(&with, &now);
+	if (bounds_extent(&with) > 2.0f * bounds->extent) {
+		return;
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		if (now.low[axis] < box->low[axis] - near ||
+			now.high[axis] > box->high[axis] + near) {
+			bounds_join(&bounds->swung, &now);
+		}
+	}
+}
+
 static void add_entry(const struct character_bounds *bounds,
 	const struct character *character, const struct character_entry *entry,
 	struct bounds *all)
@@ -315,5 +375,7 @@ struct bounds character_bounds_now(
 			bounds_join(&all, &bounds->ball[i]);
 		}
 	}
+	add_swings(bounds, character, &all);
+	bounds_join(&all, &bounds->swung);
 	return all;
 }

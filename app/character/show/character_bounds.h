@@ -21,6 +21,8 @@ struct character_bounds {
 	 * turned parts have reached until now.
 	 */
 	struct bounds extra;
+	/* What springs and capes have reached since one of them is on. */
+	struct bounds swung;
 	float extent; /* of the model */
 	/* [drawable_count]: its outermost vertices; NULL if no part turns. */
 	int (*outermost)[CHARACTER_DIRECTIONS];
@@ -35,7 +37,7 @@ int character_bounds_init(
 
 /*
  * The box of what the state and layers play, of used balls and the extras, to
- * which it adds where the parts are now.
+ * which it adds where the parts, springs and capes are now.
  */
 struct bounds character_bounds_now(
 	struct character_bounds *bounds, const struct character *character);

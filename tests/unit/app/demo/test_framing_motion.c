@@ -113,6 +113,24 @@ static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
 	}
 }
 
+static void test_what_swings_stays_in_the_picture(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < SHOWN_SIZES; s++) {
+		struct camera_region region;
+		struct shown shown;
+
+		shown_begin_env(&shown, "walker.glb",
+			"tests/fixtures/swing.character", shown_sizes[s], false);
+		for (int frame = 0; frame < 150; frame++) {
+			shown.driver->update(shown.demo, 0.05 + 0.04 * frame);
+		}
+		region = shown_now(&shown, shown_sizes[s]);
+		shown_check_whole(&region);
+		shown_end(&shown);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -123,6 +141,7 @@ int main(void)
 		cmocka_unit_test(test_the_ground_is_where_most_clips_stand),
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
+		cmocka_unit_test(test_what_swings_stays_in_the_picture),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

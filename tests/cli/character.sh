@@ -73,6 +73,17 @@ expect_out '^hello$'
 expect_out '^one round$'
 expect_out '^  UP held hold still$'
 
+# A button does what the file says, not what a file that it includes says.
+printf '%s\n' '[buttons]' 'UP = line base' 'DOWN = line both' >"$scratch/base.character"
+printf '%s\n' 'include = base.character' '[buttons]' 'UP = line mine' >"$file"
+printf '%s\n' '100 UP down' '200 UP up' '300 DOWN down' >"$scratch/run.buttons"
+limber play "$model" --display null --size 40x40 --clock fixed:10 --frames 8 \
+    --script "$scratch/run.buttons"
+expect_status 0
+expect_out '^mine$'
+check 'the line of the included file is replaced' sh -c '! grep -qx base "$1"' sh "$out_file"
+expect_out '^both$'
+
 # The demo face is data.
 limber play --demo face --display null --size 40x40 --clock fixed:10 --frames 3
 expect_status 0

@@ -43,6 +43,10 @@ struct character_key {
 	const char *right;         /* an example of a right value */
 };
 
+/* 0, or -EINVAL after logging that an earlier line of the file has this key. */
+int character_check_once(
+	const struct character_section *section, struct character_words *words);
+
 /*
  * Reads all lines of a section into out by a table of keys that ends with a
  * NULL name. Words that are left in a line are an error.

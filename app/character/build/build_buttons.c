@@ -194,8 +194,8 @@ struct common {
 static const struct character_key common_keys[] = {
 	{"when", character_read_condition, offsetof(struct common, when), 0, 0,
 		NULL, "a comparison: chosen is 1, speed > 2 or speed < 1"},
-	{"label", character_read_unlabelled, offsetof(struct common, unlabelled),
-		0, 0, NULL, "yes or no"},
+	{"label", character_read_unlabelled,
+		offsetof(struct common, unlabelled), 0, 0, NULL, "yes or no"},
 	{0},
 };
 
@@ -230,6 +230,17 @@ static int read_common(struct character_build *build,
 	return error;
 }
 
+/* Whether a file that includes this one says something else. */
+static bool is_replaced(const struct character_line *line)
+{
+	const struct character_line *later = line->next;
+
+	while (later && strcmp(later->key, line->key) != 0) {
+		later = later->next;
+	}
+	return later;
+}
+
 static int build_section(struct character_build *build,
 	const struct character_section *section,
 	struct character_binding ***last)
@@ -243,6 +254,10 @@ static int build_section(struct character_build *build,
 		struct character_binding *binding;
 
 		if (find_common(line)) {
+			continue;
+		}
+		error = character_check_once(section, &words);
+		if (error || is_replaced(line)) {
 			continue;
 		}
 		binding = ARENA_NEW(build->arena, struct character_binding);

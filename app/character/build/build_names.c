@@ -28,8 +28,10 @@ static int fail_name(struct character_words *words, const char *name,
 	const char *what, const struct name_list *list)
 {
 	character_fail(words,
-		list->text[0] ? "there is no %s named %s: there are %s"
-			      : "there is no %s named %s%s: there is none",
+		!list->text[0] ? "there is no %s named %s%s: there is none"
+			: strstr(list->text, ", ")
+			? "there is no %s named %s: there are %s"
+			: "there is no %s named %s: there is only %s",
 		what, name, list->text);
 	return -1;
 }
@@ -213,9 +215,9 @@ void character_start_switches(struct character *character)
 
 static const char *const kinds[] = {"character", "names", "parameter", "clip",
 	"state", "transition", "layer", "expression", "morph", "part",
-	"sequence", "trigger", "target", "shake", "look", "reach", "turn", "spring",
-	"breath", "muscle", "feet", "cape", "output", "motion", "scene",
-	"buttons", NULL};
+	"sequence", "trigger", "target", "shake", "look", "reach", "turn",
+	"spring", "breath", "muscle", "feet", "cape", "output", "motion",
+	"scene", "buttons", NULL};
 
 /* Kinds of which there may be several, each with a name. */
 static bool is_named(const char *kind)

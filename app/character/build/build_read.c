@@ -93,13 +93,23 @@ static const struct character_line *find_twin(
 	return NULL;
 }
 
+int character_check_once(
+	const struct character_section *section, struct character_words *words)
+{
+	const struct character_line *twin = find_twin(section, words->line);
+
+	return twin ? character_fail(words,
+			      "line %d says this already: remove one of both",
+			      twin->number)
+		    : 0;
+}
+
 static int read_line(const struct character_section *section,
 	struct character_words *words, const struct character_key *keys,
 	void *out)
 {
 	const struct character_key *key = keys;
-	const struct character_line *twin = find_twin(section, words->line);
-	int error;
+	int error = 0;
 
 	while (key->name && strcmp(key->name, words->line->key) != 0) {
 		key++;
@@ -107,10 +117,11 @@ static int read_line(const struct character_section *section,
 	if (!key->name) {
 		return fail_key(words, keys);
 	}
-	if (twin && !may_repeat(key)) {
-		return character_fail(words,
-			"line %d says this already: remove one of both",
-			twin->number);
+	if (!may_repeat(key)) {
+		error = character_check_once(section, words);
+	}
+	if (error) {
+		return error;
 	}
 	if (words->line->word_count == 0) {
 		return character_fail(

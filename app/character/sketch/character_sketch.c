@@ -234,9 +234,16 @@ static int chain_length(const struct model *model, int last)
 	return count;
 }
 
-/* The box of the bones at rest, in metres; false without memory. */
-static bool measure_bones(const struct model *model, float low[3], float high[3])
+/* The box of the bones at rest and its longest side, in metres. */
+struct bone_box {
+	float low[3], high[3], size;
+};
+
+/* False without memory. */
+static bool measure_bones(const struct model *model, struct bone_box *box)
 {
+	float *low = box->low, *high = box->high;
+
 	struct arena arena = arena_empty();
 	struct pose pose;
 	mat4 *world = ARENA_ARRAY(&arena, mat4, (size_t)model->node_count);
@@ -255,33 +262,52 @@ static bool measure_bones(const struct model *model, float low[3], float high[3]
 			found = found || axis == 2;
 		}
 	}
+	for (int axis = 0; axis < 3; axis++) {
+		float side = high[axis] - low[axis];
+
+		box->size = side > box->size ? side : box->size;
+	}
 	arena_release(&arena);
 	return done;
 }
 
 /* A ball before the middle of the figure, at its right hand. */
-static void write_target(const struct model *model, FILE *out)
+static void write_target(const struct bone_box *box, FILE *out)
 {
-	float low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, size = 0;
+	const float *low = box->low, *high = box->high;
+	float size = box->size;
+	int decimals = 2;
 
-	if (!measure_bones(model, low, high)) {
-		return;
-	}
-	for (int axis = 0; axis < 3; axis++) {
-		float side = high[axis] - low[axis];
-
-		size = side > size ? side : size;
+	/* To a hundredth of the model, however far from the origin it is. */
+	for (float side = size; side < 1.0f && decimals < 9; side *= 10.0f) {
+		decimals++;
 	}
 	fprintf(out,
-		";[target ball]\n;place = %.3g %.3g %.3g\n;radius = %.2g\n\n",
-		(double)(0.5f * (low[0] + high[0]) + 0.18f * size),
-		(double)(low[1] + 0.6f * (high[1] - low[1])),
-		(double)(0.5f * (low[2] + high[2]) + 0.3f * size),
+		";[target ball]\n;place = %.*f %.*f %.*f\n;radius = %.2g\n\n",
+		decimals, (double)(0.5f * (low[0] + high[0]) + 0.18f * size),
+		decimals, (double)(low[1] + 0.6f * (high[1] - low[1])),
+		decimals, (double)(0.5f * (low[2] + high[2]) + 0.3f * size),
 		(double)(0.03f * size));
+}
+
+/*
+ * Springs of a model that is far smaller or larger than a human would hang
+ * limp or not move, unless gravity is in proportion to its size.
+ */
+static void write_gravity(const struct bone_box *box, FILE *out)
+{
+	bool small = box->size < 0.3f;
+
+	if (box->size > 0.0f && (small || box->size > 10.0f)) {
+		fprintf(out, "\n;gravity = 0 %.*f 0 ; of a model so %s",
+			small ? 4 : 0, (double)(-9.81f * box->size / 1.5f),
+			small ? "small" : "large");
+	}
 }
 
 static void write_chains(const struct model *model, FILE *out)
 {
+	struct bone_box box = {.size = 0.0f};
 	int written = 0;
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
@@ -294,12 +320,15 @@ static void write_chains(const struct model *model, FILE *out)
 		if (written++ == 0) {
 			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
-			write_target(model, out);
+			if (measure_bones(model, &box)) {
+				write_target(&box, out);
+			}
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		write_name(out, model->node[i].name);
-		fprintf(out, " %d\n\n;[reach reach%d]\n;chain = ",
-			bones < 16 ? bones : 16, written);
+		fprintf(out, " %d", bones < 16 ? bones : 16);
+		write_gravity(&box, out);
+		fprintf(out, "\n\n;[reach reach%d]\n;chain = ", written);
 		write_name(out, model->node[i].name);
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
 			bones < 16 ? bones : 16);

@@ -5,9 +5,11 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-static void expect_sketch(
-	struct acting *acting, const struct character_sketch_play *play)
+/* The caller frees the text. */
+static char *sketch(
+	const struct acting *acting, const struct character_sketch_play *play)
 {
 	char *text = NULL;
 	size_t size;
@@ -16,6 +18,14 @@ static void expect_sketch(
 	assert_non_null(file);
 	character_sketch(acting->model, play, file);
 	fclose(file);
+	return text;
+}
+
+static void expect_sketch(
+	struct acting *acting, const struct character_sketch_play *play)
+{
+	char *text = sketch(acting, play);
+
 	acting_expect(acting, text);
 	free(text);
 }
@@ -70,6 +80,70 @@ static bool has_morph_button(const struct acting *acting)
 	return one;
 }
 
+static void find_ball(const char *text, float place[3])
+{
+	const char *line = strstr(text, ";place = ");
+
+	assert_non_null(line);
+	assert_int_equal(sscanf(line, ";place = %f %f %f", &place[0], &place[1],
+				 &place[2]),
+		3);
+}
+
+/* Of the walker with a root that is moved and scaled. */
+static char *sketch_moved(const float shift[3], float scale)
+{
+	struct acting acting;
+	char *text;
+
+	acting_begin(&acting, "assets/walker.glb");
+	for (int n = 0; n < acting.model->node_count; n++) {
+		struct transform *rest = &acting.model->node[n].rest;
+
+		for (int axis = 0; axis < 3; axis++) {
+			rest->translation[axis] *= scale;
+			rest->translation[axis] +=
+				acting.model->node[n].parent < 0 ? shift[axis]
+								 : 0.0f;
+		}
+	}
+	text = sketch(&acting, NULL);
+	acting_end(&acting);
+	return text;
+}
+
+static void test_a_sketch_fits_models_anywhere_and_of_any_size(void **state)
+{
+	static const float none[3] = {0}, far[3] = {1000.0f, 0.0f, -2000.0f};
+	static const float scale[] = {0.004f, 100.0f};
+	float near[3], place[3];
+	char *text = sketch_moved(none, 1.0f);
+
+	(void)state;
+	find_ball(text, near);
+	assert_null(strstr(text, ";gravity"));
+	free(text);
+	text = sketch_moved(far, 1.0f);
+	find_ball(text, place);
+	free(text);
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(place[axis], near[axis] + far[axis], 0.02);
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(scale); i++) {
+		const char *line;
+		float gravity;
+
+		text = sketch_moved(none, scale[i]);
+		find_ball(text, place);
+		assert_near(place[1], near[1] * scale[i], 0.02 * scale[i]);
+		line = strstr(text, ";gravity = 0 ");
+		assert_non_null(line);
+		gravity = strtof(line + strlen(";gravity = 0 "), NULL);
+		assert_near(gravity, -9.81 * scale[i], 3.0 * scale[i]);
+		free(text);
+	}
+}
+
 /* Shapes that a clip moves are left to the clip. */
 static void test_a_sketch_leaves_animated_shapes_alone(void **state)
 {
@@ -108,6 +182,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
 		cmocka_unit_test(test_a_sketch_holds_any_names),
+		cmocka_unit_test(
+			test_a_sketch_fits_models_anywhere_and_of_any_size),
 		cmocka_unit_test(test_a_sketch_leaves_animated_shapes_alone),
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 	};

@@ -1,97 +1,12 @@
 /* Levels of detail that are made for models without any. */
 #include "app/model/levels/levels.h"
 #include "app/model/model_loader.h"
-#include "tests/support/test.h"
+#include "tests/unit/app/model/levels/levels_net.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-enum {
-	SIDE = 40, /* quads along each side of a net */
-	ROW = SIDE + 1,
-	COUNT = ROW * ROW,
-	INDICES = SIDE * SIDE * 6,
-};
-
-/* A net of quads, which a function bends and colours. */
-struct net {
-	struct model *model;
-	struct model_primitive *primitive;
-};
-
-typedef void (*shape_function)(
-	float u, float v, float position[3], float normal[3], uint8_t color[4]);
-
-static void list_triangles(uint32_t *next)
-{
-	for (uint32_t row = 0; row < SIDE; row++) {
-		for (uint32_t column = 0; column < SIDE; column++) {
-			uint32_t i = row * ROW + column;
-			const uint32_t corner[6] = {
-				i, i + 1, i + ROW, i + ROW, i + 1, i + ROW + 1};
-
-			memcpy(next, corner, sizeof(corner));
-			next += 6;
-		}
-	}
-}
-
-static void fill(struct model *model, struct model_primitive *primitive,
-	shape_function shape, float shift)
-{
-	struct arena *arena = &model->arena;
-
-	primitive->vertex_count = COUNT;
-	primitive->index_count = INDICES;
-	primitive->position = arena_alloc(arena, COUNT, sizeof(float[3]));
-	primitive->normal = arena_alloc(arena, COUNT, sizeof(float[3]));
-	primitive->color = arena_alloc(arena, COUNT, 4);
-	primitive->index = ARENA_ARRAY(arena, uint32_t, INDICES);
-	list_triangles(primitive->index);
-	for (int i = 0; i < COUNT; i++) {
-		shape((float)(i % ROW) / SIDE, (float)(i / ROW) / SIDE,
-			primitive->position[i], primitive->normal[i],
-			primitive->color[i]);
-		primitive->position[i][0] += shift;
-	}
-}
-
-/* primitives stand side by side, each from x = its number on. */
-static struct net make_net(shape_function shape, int primitives)
-{
-	struct model *model = calloc(1, sizeof(*model));
-	struct net net = {.model = model};
-
-	assert_non_null(model);
-	model->arena = arena_empty();
-	model->mesh_count = 1;
-	model->mesh = ARENA_NEW(&model->arena, struct model_mesh);
-	net.primitive = ARENA_ARRAY(
-		&model->arena, struct model_primitive, (size_t)primitives);
-	model->mesh->primitive_count = primitives;
-	model->mesh->primitive = net.primitive;
-	for (int i = 0; i < primitives; i++) {
-		fill(model, &net.primitive[i], shape, (float)i);
-	}
-	return net;
-}
-
-static void free_net(struct net *net)
-{
-	arena_release(&net->model->arena);
-	free(net->model);
-}
-
-static void shape_flat(
-	float u, float v, float position[3], float normal[3], uint8_t color[4])
-{
-	position[0] = u;
-	position[1] = v;
-	normal[2] = 1.0f;
-	memset(color, 255, 4);
-}
 
 /* One black vertex in the middle. */
 static void shape_spotted(
@@ -283,16 +198,6 @@ static void test_a_closed_surface_stays_closed_at_its_seam(void **state)
 		}
 		free_net(&net);
 	}
-}
-
-static bool has_vertex(const struct model_lod *lod, uint32_t vertex)
-{
-	for (int i = 0; i < lod->index_count; i++) {
-		if (lod->index[i] == vertex) {
-			return true;
-		}
-	}
-	return false;
 }
 
 static void test_a_coloured_spot_stays_until_its_size_is_the_error(void **state)

@@ -66,6 +66,31 @@ static void test_blocks_have_the_size_that_is_asked_for(void **state)
 	assert_int_equal(budget.used_bytes, 0);
 }
 
+/* An eighth of a block gets one of its own, less shares one. */
+static void test_blocks_have_64_kib_unless_another_size_is_asked_for(
+	void **state)
+{
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	struct arena arena = arena_within(&budget);
+	size_t head, first;
+
+	(void)state;
+	assert_non_null(arena_alloc(&arena, 1, 1 << 20));
+	head = budget.used_bytes - (1 << 20);
+	assert_in_range(head, 1, 256);
+	first = budget.used_bytes;
+	assert_non_null(arena_alloc(&arena, 1, 100));
+	assert_in_range(budget.used_bytes - first, 65536, 65536 + head);
+	first = budget.used_bytes;
+	assert_non_null(arena_alloc(&arena, 1, 7000));
+	assert_int_equal(budget.used_bytes, first);
+	assert_non_null(arena_alloc(&arena, 1, 65536 - 5000));
+	assert_in_range(budget.used_bytes - first, 65536 - 5000,
+		65536 - 5000 + head + 16);
+	arena_release(&arena);
+	assert_int_equal(budget.used_bytes, 0);
+}
+
 static void test_large_allocations_can_be_freed_on_their_own(void **state)
 {
 	struct memory_budget budget = {.limit_bytes = 1024 * 1024};
@@ -239,6 +264,8 @@ int main(void)
 		cmocka_unit_test(test_memory_is_zeroed_and_aligned),
 		cmocka_unit_test(test_allocations_do_not_overlap),
 		cmocka_unit_test(test_blocks_have_the_size_that_is_asked_for),
+		cmocka_unit_test(
+			test_blocks_have_64_kib_unless_another_size_is_asked_for),
 		cmocka_unit_test(
 			test_large_allocations_can_be_freed_on_their_own),
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),

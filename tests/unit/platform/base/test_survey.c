@@ -38,6 +38,26 @@ static void test_control_characters_of_devices_are_replaced(void **state)
 	assert_string_equal(capture.finding[1].text, "?|?|??|??|???|?|??");
 }
 
+static void test_long_names_and_texts_are_cut(void **state)
+{
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+	char name[129], text[513];
+
+	(void)state;
+	memset(name, 'n', sizeof(name));
+	memset(text, 't', sizeof(text));
+	/* As long as there is room for, then one more. */
+	for (int more = 0; more < 2; more++) {
+		name[127 + more] = text[511 + more] = '\0';
+		survey_report(&survey, SURVEY_WORKS, name, NULL, "%s", text);
+		name[127] = 'n';
+		text[511] = 't';
+		assert_int_equal(strlen(capture.finding[more].subject), 127);
+		assert_int_equal(strlen(capture.finding[more].text), 511);
+	}
+}
+
 static void test_the_end_of_a_message_is_its_remedy(void **state)
 {
 	struct survey_capture capture;
@@ -118,6 +138,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_control_characters_of_devices_are_replaced),
+		cmocka_unit_test(test_long_names_and_texts_are_cut),
 		cmocka_unit_test(test_the_end_of_a_message_is_its_remedy),
 		cmocka_unit_test(test_a_denied_user_is_told_the_group),
 		cmocka_unit_test(test_a_device_without_a_node_gets_its_mknod),

@@ -273,6 +273,33 @@ static void test_an_older_error_does_not_hide_the_combiner(void **state)
 	model_destroy(model);
 }
 
+static int asked;
+
+/* As a context that the driver has lost. */
+static GLenum fail_for_ever(void)
+{
+	assert_true(++asked < 100);
+	return GL_OUT_OF_MEMORY;
+}
+
+static void test_a_gl_whose_errors_never_end_is_not_waited_for(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct gl gl = gl_recorder_begin();
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	small_model_add_normal_map(model, 1, small_model_flat_map);
+	gl.GetError = fail_for_ever;
+	gl.TexEnvx = accept_combiner;
+	asked = 0;
+	assert_false(bump_is_supported(model, &gl, &log));
+	assert_true(asked > 1);
+	assert_int_equal(capture.count, 1);
+	model_destroy(model);
+}
+
 static void test_models_without_normal_maps_need_no_combiner(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
@@ -350,6 +377,8 @@ int main(void)
 		cmocka_unit_test(test_gathered_batches_are_lit_plainly),
 		cmocka_unit_test(test_a_driver_without_combiner_gets_one_warning),
 		cmocka_unit_test(test_an_older_error_does_not_hide_the_combiner),
+		cmocka_unit_test(
+			test_a_gl_whose_errors_never_end_is_not_waited_for),
 		cmocka_unit_test(
 			test_models_without_normal_maps_need_no_combiner),
 		cmocka_unit_test(

@@ -40,6 +40,18 @@ limber pose --clip slide --time 1 -o "$scratch/out.obj" -- "$scratch/-strange na
 expect_quiet
 expect_file "$scratch/out.obj"
 
+# Poses serve as references for other programs.
+for math in float fixed; do
+    limber pose "assets/walker.glb" --clip walk --time 0.4 --math $math -o "$scratch/$math.obj"
+    expect_quiet
+done
+limber pose "assets/walker.glb" --clip walk --time 0.4 -o "$scratch/out.obj"
+expect_quiet
+check 'without --math, poses are computed in float' \
+    cmp "$scratch/float.obj" "$scratch/out.obj"
+check 'fixed point gives other digits' \
+    test "$(cksum <"$scratch/float.obj")" != "$(cksum <"$scratch/fixed.obj")"
+
 # The first primitive of this model is points, which limber does not draw.
 limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0

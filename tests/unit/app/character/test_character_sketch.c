@@ -7,16 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The caller frees the text. */
-static char *sketch(
-	const struct acting *acting, const struct character_sketch_play *play)
+/* The caller frees it. */
+static char *make_sketch(
+	const struct model *model, const struct character_sketch_play *play)
 {
 	char *text = NULL;
 	size_t size;
 	FILE *file = open_memstream(&text, &size);
 
 	assert_non_null(file);
-	character_sketch(acting->model, play, file);
+	character_sketch(model, play, file);
 	fclose(file);
 	return text;
 }
@@ -24,7 +24,7 @@ static char *sketch(
 static void expect_sketch(
 	struct acting *acting, const struct character_sketch_play *play)
 {
-	char *text = sketch(acting, play);
+	char *text = make_sketch(acting->model, play);
 
 	acting_expect(acting, text);
 	free(text);
@@ -45,6 +45,122 @@ static void test_a_sketch_of_each_model_is_right(void **state)
 		acting_run_to(&acting, 1.0, 20.0);
 		acting_end(&acting);
 	}
+}
+
+/* Takes away the ; of lines that a reader may switch on. */
+static void switch_on(char *text)
+{
+	char *to = text;
+
+	for (const char *at = text; *at; at++) {
+		bool begins = at == text || at[-1] == '\n';
+
+		if (!(begins && *at == ';' && at[1] != ' ' && at[1] != '\n')) {
+			*to++ = *at;
+		}
+	}
+	*to = '\0';
+}
+
+static void test_what_a_sketch_suggests_is_right_too(void **state)
+{
+	static const char *const models[] = {"assets/walker.glb",
+		"assets/face.glb", "assets/arm.glb",
+		"tests/fixtures/gltf/mesh/weights.gltf",
+		"tests/fixtures/gltf/skin/and_morph.gltf"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
+		struct acting acting;
+		char *text;
+
+		acting_begin(&acting, models[i]);
+		text = make_sketch(acting.model, NULL);
+		switch_on(text);
+		acting_expect(&acting, text);
+		acting_run_to(&acting, 1.0, 20.0);
+		free(text);
+		acting_end(&acting);
+	}
+}
+
+/* Chains of joints end at a last one and begin where the skeleton branches. */
+static void expect_chains(int joints, const char *expected)
+{
+	enum {
+		MOST = 24
+	};
+	struct model_node node[MOST];
+	int joint[MOST];
+	char name[MOST][16];
+	struct model_skin skin = {.joint = joint, .joint_count = joints};
+	struct model model = {.path = "chains",
+		.node_count = joints,
+		.node = node,
+		.skin_count = 1,
+		.skin = &skin};
+	char *text;
+
+	for (int i = 0; i < joints; i++) {
+		/* The second joint of a root with two branches, then one line. */
+		node[i] = (struct model_node){.name = name[i],
+			.parent = i == 2 ? 0 : i - 1,
+			.in_scene = true,
+			.rest = {{0, i > 1, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+			.mesh = -1,
+			.skin = -1,
+			.camera = -1};
+		snprintf(name[i], sizeof(name[i]), "j%d", i);
+		joint[i] = i;
+	}
+	text = make_sketch(&model, NULL);
+	assert_contains(text, expected);
+	free(text);
+}
+
+static void test_a_sketch_suggests_each_chain_of_two_or_more(void **state)
+{
+	(void)state;
+	/*
+	 * j0 has j1 alone and j2, j3 behind each other: a target 0.18 of the
+	 * height aside, at 0.6 of it and 0.3 before.
+	 */
+	expect_chains(4,
+		";[target ball]\n;place = 0.36 1.20 0.60\n;radius = 0.06\n\n"
+		";[spring swing1]\n;bones = j3 2\n\n"
+		";[reach reach1]\n;chain = j3 2\n;target = ball\n;on = no\n");
+	expect_chains(
+		18, ";bones = j17 16\n\n;[reach reach1]\n;chain = j17 16\n");
+	expect_chains(
+		17, ";bones = j16 15\n\n;[reach reach1]\n;chain = j16 15\n");
+	/* One joint beyond those that a chain may have. */
+	expect_chains(
+		20, ";bones = j19 16\n\n;[reach reach1]\n;chain = j19 16\n");
+}
+
+static void test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first(
+	void **state)
+{
+	struct acting acting;
+	char *text;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/mesh/weights.gltf");
+	for (int i = 0; i < acting.model->node_count; i++) {
+		acting.model->node[i].name = i ? "other" : "shape";
+	}
+	acting.model->node[model_find_morphed(acting.model)].name = "face";
+	text = make_sketch(acting.model, NULL);
+	assert_contains(text, "[morph shape]\nnode = face\ntime = 0.6\n");
+	free(text);
+	/* An earlier node of that name would be taken for it. */
+	if (model_find_morphed(acting.model) > 0) {
+		acting.model->node[0].name = "face";
+		text = make_sketch(acting.model, NULL);
+		assert_contains(text, "[morph shape]\ntime = 0.6\n");
+		free(text);
+	}
+	acting_end(&acting);
 }
 
 /* Clips in which a sketch has to write numbers in place of names. */
@@ -107,7 +223,7 @@ static char *sketch_moved(const float shift[3], float scale)
 								 : 0.0f;
 		}
 	}
-	text = sketch(&acting, NULL);
+	text = make_sketch(acting.model, NULL);
 	acting_end(&acting);
 	return text;
 }
@@ -181,6 +297,11 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
+		cmocka_unit_test(test_what_a_sketch_suggests_is_right_too),
+		cmocka_unit_test(
+			test_a_sketch_suggests_each_chain_of_two_or_more),
+		cmocka_unit_test(
+			test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first),
 		cmocka_unit_test(test_a_sketch_holds_any_names),
 		cmocka_unit_test(
 			test_a_sketch_fits_models_anywhere_and_of_any_size),

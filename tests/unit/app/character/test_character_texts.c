@@ -1,0 +1,102 @@
+/* What buttons are called, and targets that are counted from a node. */
+#include "app/character/character_data.h"
+#include "platform/base/compiler.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The list of all buttons; the caller frees it. */
+static char *buttons_of(const struct acting *acting)
+{
+	char *text = NULL;
+	size_t size;
+	FILE *file = open_memstream(&text, &size);
+
+	assert_non_null(file);
+	character_print_buttons(acting->character, file);
+	fclose(file);
+	return text;
+}
+
+static void test_a_button_without_a_label_is_called_as_it_acts(void **state)
+{
+	struct acting acting;
+	char *text;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter side]\n[state a]\nclip = walk\n[state b]\nclip = run\n"
+		"[buttons]\nUP = go a\nDOWN = set side 0.5,  go b\n");
+	text = buttons_of(&acting);
+	assert_string_equal(
+		text, "  UP     go a\n  DOWN   set side 0.5, go b\n");
+	free(text);
+	acting_end(&acting);
+}
+
+/* A line has up to 199 bytes. */
+static void test_a_label_holds_the_words_of_a_long_line(void **state)
+{
+	char file[512] = "[parameter side]\n[buttons]\nUP = set side 0.5";
+	struct acting acting;
+	const char *wanted = strstr(file, "set");
+
+	(void)state;
+	for (int i = 0; i < 11; i++) {
+		strcat(file, ", set side 0.25");
+	}
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, file);
+	assert_true(strlen(wanted) > 170);
+	assert_string_equal(acting.character->binding->label, wanted);
+	acting_end(&acting);
+}
+
+/* Also from node 0, which is a root. */
+static void test_a_target_is_counted_from_any_node(void **state)
+{
+	static const int nodes[] = {0, 1, 5};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(nodes); i++) {
+		const char *name = acting.model->node[nodes[i]].name;
+		const struct character_target *target;
+		char file[256];
+		float at[3];
+
+		snprintf(file, sizeof(file),
+			"[state a]\nclip = walk\n[target ball]\n"
+			"place = 0.25 0.5 0.125\nnode = %s\nradius = 0.1\n",
+			name);
+		acting_expect(&acting, file);
+		for (int axis = 0; axis < 3; axis++) {
+			acting.model->node[0].rest.translation[axis] =
+				1.0f + (float)axis;
+		}
+		acting_run_to(&acting, acting.now_s + 0.5, 20.0);
+		acting_place(&acting, name, at);
+		target = &acting.character->target[0];
+		assert_near(target->point[0], at[0] + 0.25f, 1e-5);
+		assert_near(target->point[1], at[1] + 0.5f, 1e-5);
+		assert_near(target->point[2], at[2] + 0.125f, 1e-5);
+	}
+	acting_end(&acting);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_button_without_a_label_is_called_as_it_acts),
+		cmocka_unit_test(test_a_label_holds_the_words_of_a_long_line),
+		cmocka_unit_test(test_a_target_is_counted_from_any_node),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -23,7 +23,7 @@ static void draw_run(
 	span->y = y;
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
-	if (draw->texture[1].used && !raster->bent) {
+	if (draw->texture[1].used && raster->perspective) {
 		soft_rows_find_second(draw, 0, span);
 	}
 	reference_draw_span(draw, span);

@@ -10,20 +10,16 @@
 #include "platform/gl/soft/raster/small_colors.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/stages/made.h"
 
 enum {
-	/*
-	 * Columns and rows: a step is off by half of 1/16384 in each. White
-	 * times 255 leaves less room below 256 than times 31 below 32.
-	 */
-	MOST_SIZE = 62,
-	MOST_SIZE_8888 = 40,
 	/* An eighth of a texel; a texel where values bend, see bend.c. */
 	SPARE = 1 << (SOFT_TEXEL_FRACTION - 3),
 	SPARE_BENT = 8 * SPARE,
 };
 
-_Static_assert((MOST_SIZE / 2 + 1) * (MOST_SIZE / 2) <= SOFT_BATCH_PIXELS,
+_Static_assert((SOFT_LISTED_SIZE / 2 + 1) * (SOFT_LISTED_SIZE / 2) <=
+		SOFT_BATCH_PIXELS,
 	"a small triangle's runs fit a batch");
 
 static bool is_in_box(const struct clip_box *box, const struct setup *setup)
@@ -36,22 +32,21 @@ static bool is_in_box(const struct clip_box *box, const struct setup *setup)
 		left >= box->left && right <= box->right;
 }
 
-static ALWAYS_INLINE struct frame_texels find_s(
-	const struct draw *draw, const struct setup *setup)
+static ALWAYS_INLINE struct frame_texels find_texels(
+	const struct draw *draw, const struct setup *setup, int name)
 {
-	const struct texture_input *input = &draw->texture[0];
+	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
+	const struct texture *texture = input->texture;
+	bool down = (name - TEX_S) % 2;
 
-	return frame_find_texels(setup, TEX_S, input->width_log2,
-		input->texture->wrap_s == GL_REPEAT);
+	return frame_find_texels(setup, name,
+		down ? input->height_log2 : input->width_log2,
+		(down ? texture->wrap_t : texture->wrap_s) == GL_REPEAT);
 }
 
-static ALWAYS_INLINE struct frame_texels find_t(
-	const struct draw *draw, const struct setup *setup)
+static ALWAYS_INLINE uint32_t find_extent(const struct frame_texels *texels)
 {
-	const struct texture_input *input = &draw->texture[0];
-
-	return frame_find_texels(setup, TEX_S + 1, input->height_log2,
-		input->texture->wrap_t == GL_REPEAT);
+	return (uint32_t)texels->high - (uint32_t)texels->low;
 }
 
 /* The largest spread of a colour, alpha or fog. */
@@ -89,7 +84,8 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	uint32_t color = find_color_spread(draw, setup, &small);
 	struct perspective perspective = {
 		w_spread, w_least, 0, color >> (tolerance - 2)};
-	struct delta delta[2];
+	const int count = draw->texture[1].used ? 4 : 2;
+	struct delta delta[2 * SOFT_UNITS];
 
 	if (raster_bends(&perspective, color, tolerance)) {
 		return false;
@@ -97,11 +93,11 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	if (!draw->spans.textured) {
 		return true;
 	}
-	delta[0] = find_s(draw, setup).delta;
-	delta[1] = find_t(draw, setup).delta;
-	for (int i = 0; i < 2; i++) {
-		uint32_t own = frame_find_spread(delta[i].d1, delta[i].d2);
+	for (int i = 0; i < count; i++) {
+		uint32_t own;
 
+		delta[i] = find_texels(draw, setup, TEX_S + i).delta;
+		own = frame_find_spread(delta[i].d1, delta[i].d2);
 		raster->moving[i] = TEX_S + i;
 		if (own > perspective.texel) {
 			perspective.texel = own;
@@ -113,7 +109,7 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	raster_find_area(setup);
 	raster->basis = (struct basis){frame->inverse, frame->shift,
 		frame->off_x, frame->off_y, frame->column};
-	raster->moving_count = 2;
+	raster->moving_count = count;
 	raster->colors_bent = false;
 	return !draw->divides_together && w_spread <= w_least &&
 		soft_bend(draw, setup, delta, &perspective);
@@ -276,6 +272,14 @@ static ALWAYS_INLINE bool is_certain(const struct small_list *list,
 		room * (uint32_t)setup->extent <= (uint32_t)setup->area << 9;
 }
 
+/* Whether all runs fit the list. */
+static ALWAYS_INLINE bool fits(
+	const struct small_list *list, const struct setup *setup)
+{
+	return setup->columns <= list->most ||
+		setup->bottom - setup->top <= SMALL_RUNS / 4;
+}
+
 static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 	const struct setup *setup, const struct frame_texels s,
 	const struct frame_texels t)
@@ -284,16 +288,8 @@ static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 	const struct soft_view *view = &draw->spans.view;
 	const struct soft_window *window = &view->window;
 	struct place in_s, in_t;
-	int32_t spare = SPARE;
+	int32_t spare = draw->raster.bent ? SPARE_BENT : SPARE;
 
-	if (draw->raster.bent) {
-		list->most = draw->raster.bent_pixels;
-		spare = SPARE_BENT;
-	}
-	if (setup->columns > list->most &&
-		setup->bottom - setup->top > SMALL_RUNS / 4) {
-		return false;
-	}
 	set_level(draw, &list->s.value, &list->t.value);
 	begin_coordinate(draw, TEX_S, view->s_shift, &list->s);
 	begin_coordinate(draw, TEX_S + 1, view->t_shift, &list->t);
@@ -359,29 +355,95 @@ static struct small_value plane_value(const struct plane *plane)
 		plane->start, (uint32_t)plane->dx, (uint32_t)plane->dy};
 }
 
+/* The most texels that a triangle has along s or t, in 256ths. */
+static NEVER_INLINE uint32_t find_most_texels(
+	const struct draw *draw, const struct setup *setup)
+{
+	const int end = TEX_S + (draw->texture[1].used ? 4 : 2);
+	uint32_t most = 0;
+
+	for (int name = TEX_S; name < end; name++) {
+		const struct frame_texels texels =
+			find_texels(draw, setup, name);
+		uint32_t own = find_extent(&texels);
+
+		most = own > most ? own : most;
+	}
+	return most;
+}
+
+/*
+ * The planes and levels of textures that stages/made.c reads: of the second
+ * one, and of the first one unless span functions read it.
+ */
+static NEVER_INLINE void begin_planes(struct small_list *list,
+	const struct setup *setup, const struct small *small)
+{
+	struct draw *draw = list->draw;
+	struct raster *raster = &draw->raster;
+	const int first = draw->spans.made ? 0 : 1;
+	const int end = draw->texture[1].used ? 2 : 1;
+
+	for (int i = 2 * first; i < 2 * end && !raster->bent; i++) {
+		const struct frame_texels texels =
+			find_texels(draw, setup, TEX_S + i);
+		const struct small_value value = find_coordinate(small, &texels);
+
+		raster->plane[TEX_S + i] = (struct plane){
+			value.start, (int32_t)value.right, (int32_t)value.down};
+	}
+	raster->perspective = false;
+	soft_rows_find_affine_lod(draw, &raster->span);
+	for (int i = first; i < end; i++) {
+		soft_set_made_levels(draw, i, raster->span.lod[i]);
+	}
+	if (draw->spans.made && !raster->bent) {
+		list->most =
+			rows_find_run_pixels(draw, (int32_t)list->s.value.right,
+				(int32_t)list->t.value.right);
+	}
+}
+
+/* How the first texture's coordinates run. */
+static ALWAYS_INLINE void begin_coordinates(struct small_list *list,
+	const struct small *small, const struct frame_texels *s,
+	const struct frame_texels *t)
+{
+	const struct raster *raster = &list->draw->raster;
+
+	if (raster->bent) {
+		list->s.value = plane_value(&raster->plane[TEX_S]);
+		list->t.value = plane_value(&raster->plane[TEX_S + 1]);
+		list->most = raster->bent_pixels;
+	} else {
+		list->s.value = find_coordinate(small, s);
+		list->t.value = find_coordinate(small, t);
+	}
+}
+
 static ALWAYS_INLINE bool begin_texture(
 	struct small_list *list, struct setup *setup, const struct small *small)
 {
 	struct draw *draw = list->draw;
-	const struct frame_texels s = find_s(draw, setup),
-				  t = find_t(draw, setup);
-	uint32_t in_s = (uint32_t)s.high - (uint32_t)s.low;
-	uint32_t in_t = (uint32_t)t.high - (uint32_t)t.low;
+	const struct frame_texels s = find_texels(draw, setup, TEX_S),
+				  t = find_texels(draw, setup, TEX_S + 1);
+	uint32_t in_s = find_extent(&s), in_t = find_extent(&t);
 	uint32_t most = in_s > in_t ? in_s : in_t;
 
+	if (draw->spans.placed) {
+		most = find_most_texels(draw, setup);
+	}
 	if (most >= SMALL_DELTA ||
 		(draw->perspective &&
 			!find_perspective(draw, setup, small, most))) {
 		return false;
 	}
-	if (draw->raster.bent) {
-		list->s.value = plane_value(&draw->raster.plane[TEX_S]);
-		list->t.value = plane_value(&draw->raster.plane[TEX_S + 1]);
-	} else {
-		list->s.value = find_coordinate(small, &s);
-		list->t.value = find_coordinate(small, &t);
+	begin_coordinates(list, small, &s, &t);
+	if (draw->spans.placed) {
+		begin_planes(list, setup, small);
 	}
-	return begin_texels(list, setup, s, t);
+	return fits(list, setup) &&
+		(draw->spans.made || begin_texels(list, setup, s, t));
 }
 
 static ALWAYS_INLINE bool set_up(struct draw *draw, struct setup *setup,
@@ -415,8 +477,7 @@ bool soft_draw_small(struct draw *draw, struct setup *setup)
 	int size = setup->columns + setup->bottom - setup->top;
 	struct small_list list;
 
-	if (!spans->lists_runs ||
-		size > (spans->pixel_log2 == 1 ? MOST_SIZE : MOST_SIZE_8888) ||
+	if (size > spans->listed_size ||
 		(!setup->inside && !is_in_box(&draw->box, setup)) ||
 		!set_up(draw, setup, size, &list)) {
 		return false;

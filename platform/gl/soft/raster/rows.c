@@ -127,21 +127,10 @@ static int32_t value_at(const struct raster *raster, int plane, int row, int x)
 static void find_second_point(
 	const struct raster *raster, int row, int x, struct point *out)
 {
-	if (raster->perspective) {
-		rows_find_divisor(value_at(raster, INVERSE_W, row, x), out);
-	}
+	rows_find_divisor(value_at(raster, INVERSE_W, row, x), out);
 	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
-		int32_t at = value_at(raster, i, row, x);
-
-		if (raster->perspective) {
-			at = rows_divide(
-				out, at, raster->tex_shift[i - TEX_S] + 8);
-		} else if (raster->bent) {
-			uint32_t start = (uint32_t)value_at(raster, i, row, 0);
-
-			at = rows_find_bent(raster, i, start, row, x, 0).value;
-		}
-		out->value[i] = at;
+		out->value[i] = rows_divide(out, value_at(raster, i, row, x),
+			raster->tex_shift[i - TEX_S] + 8);
 	}
 }
 
@@ -154,22 +143,12 @@ void soft_rows_find_second(const struct draw *draw, int row, struct span *span)
 	find_second_point(raster, row, span->x, &from);
 	find_second_point(raster, row, span->x + steps, &to);
 	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
-		uint32_t start = (uint32_t)value_at(raster, i, row, 0);
-
 		span->value[i] = (uint32_t)from.value[i];
-		span->step[i] = raster->bent
-			? rows_find_bent(
-				  raster, i, start, row, span->x, span->count)
-				  .step
-			: rows_find_step(from.value[i], to.value[i],
-				  draw->inverse_q31[steps]);
+		span->step[i] = rows_find_step(
+			from.value[i], to.value[i], draw->inverse_q31[steps]);
 	}
-	if (!soft_rows_want_lod(&draw->texture[1])) {
-		span->lod[1] = 0;
-	} else if (raster->perspective) {
+	if (soft_rows_want_lod(&draw->texture[1])) {
 		span->lod[1] = find_lod(raster, &from, 1);
-	} else {
-		soft_rows_find_affine_lod(draw, span);
 	}
 }
 
@@ -199,9 +178,10 @@ bool soft_rows_is_linear(GLenum filter)
 
 bool soft_rows_want_lod(const struct texture_input *input)
 {
-	return input->levels > 1 ||
-		soft_rows_is_linear(input->texture->min_filter) !=
-		(input->texture->mag_filter == GL_LINEAR);
+	return input->used &&
+		(input->levels > 1 ||
+			soft_rows_is_linear(input->texture->min_filter) !=
+				(input->texture->mag_filter == GL_LINEAR));
 }
 
 bool soft_rows_is_small(const struct texture_input *input, int lod)

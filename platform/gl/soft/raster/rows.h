@@ -143,8 +143,8 @@ static inline void rows_set_up(struct draw *draw, struct setup *setup)
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
 
 /*
- * The second texture's coordinates along the span's pixels, and its level of
- * detail, of a row so many below the one that planes are at.
+ * In perspective: the second texture's coordinates along the span's pixels, and
+ * its level of detail, of a row so many below the one that planes are at.
  */
 void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
 
@@ -155,7 +155,7 @@ uint32_t soft_rows_find_second_change(
 /* Whether a filter mixes the texels of a level. */
 bool soft_rows_is_linear(GLenum filter);
 
-/* Whether levels, or the minifying filter, make a texture look different. */
+/* Whether levels, or the minifying filter, make a used texture look different. */
 bool soft_rows_want_lod(const struct texture_input *input);
 
 /* Whether a level of detail, as struct span has it, asks for that filter. */

@@ -198,7 +198,8 @@ static ALWAYS_INLINE void begin_colors(
 	}
 	spans->run.red_blue_right = list->red_blue.right;
 	spans->run.green_alpha_right = list->green.right;
-	list->rare = list->alpha_moves = false;
+	list->rare = spans->placed;
+	list->alpha_moves = false;
 	list->fog.start = 0;
 	if (moves(&alpha)) {
 		small->is_steep |= begin_alpha(list, *small);

@@ -3,6 +3,7 @@
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/stages/made.h"
 
 /* 32 steps of 255 a pixel, 8.16. */
 #define STEEP (1u << 21)
@@ -48,6 +49,9 @@ static void set_level_and_window(struct draw *draw)
 	} else if (!spans->level_by_row) {
 		soft_rows_find_affine_lod(draw, &raster->span);
 		soft_set_level(draw, raster->span.lod[0]);
+	}
+	if (draw->texture[1].used && !raster->perspective) {
+		soft_set_made_levels(draw, 1, raster->span.lod[1]);
 	}
 	if (!spans->level_by_row && !spans->made) {
 		soft_set_window(draw);

@@ -83,6 +83,7 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->row.red_blue += run->red_blue_right * count;
 	run->row.green_alpha += run->green_alpha_right * count;
 	run->row.fog += run->fog_right * count;
+	run->row.place += count;
 	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
 	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
 }

@@ -30,7 +30,7 @@ void soft_set_level(struct draw *draw, int lod)
 		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
 
 	if (spans->made) {
-		soft_set_made_levels(draw, lod);
+		soft_set_made_levels(draw, 0, lod);
 	} else if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
 	}

@@ -391,30 +391,55 @@ static void choose_making(struct draw *draw)
 		(spans->textured && mixes_levels);
 }
 
+/* Colours do not say what alpha an alpha test sees. */
+static bool is_alpha_of_colors(const struct draw *draw)
+{
+	bool is = false;
+
+	for (int i = 0; i < SOFT_UNITS; i++) {
+		const struct texture_input *input = &draw->texture[i];
+
+		is |= input->used && input->env->mode == GL_COMBINE &&
+			input->env->combine_rgb == GL_DOT3_RGBA;
+	}
+	return is;
+}
+
 /* How long a run may be, and whether those of small triangles are listed. */
-static void choose_runs(struct soft_spans *spans)
+static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 {
 	bool direct = spans->direct && spans->color_mask == UINT32_MAX;
+	/*
+	 * A step is off by half of 1/16384 in each column and row. White times
+	 * 255 leaves less room below 256 than times 31 below 32. Colours that
+	 * are combined have half a step of 255 to spare.
+	 */
+	bool wide = draw->soft->format == PIXELS_RGBA8888 && !spans->combined;
 
 	spans->plain_pixels =
 		direct && spans->finish == SOFT_OPAQUE && !spans->combined
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
-	spans->lists_runs = !spans->made && spans->finish != SOFT_SCALED;
+	spans->placed = spans->made || spans->finish == SOFT_SCALED;
+	spans->listed_size = wide ? 40 : SOFT_LISTED_SIZE;
+	/* An alpha test needs the alpha of planes, to the bit. */
+	if (spans->alpha_tested && is_alpha_of_colors(draw)) {
+		spans->listed_size = 0;
+	}
 }
 
 bool soft_prepare_spans(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct fragment_state *state = &draw->soft->fragment;
-	const struct texture_input *input = &draw->texture[0];
 
 	if (!find_alpha_range(state, &spans->stages)) {
 		return false;
 	}
-	spans->textured = input->used && draw->attributes != 0;
+	spans->textured = draw->texture[0].used && draw->attributes != 0;
 	spans->fogged = draw->fogged;
-	spans->lod_wanted = input->used && soft_rows_want_lod(input);
+	spans->lod_wanted = soft_rows_want_lod(&draw->texture[0]) ||
+		soft_rows_want_lod(&draw->texture[1]);
 	spans->level = -1;
 	spans->white_bits = 0;
 	choose_finish(draw);
@@ -432,7 +457,7 @@ bool soft_prepare_spans(struct draw *draw)
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
-	choose_runs(spans);
+	choose_runs(draw, spans);
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;
 	spans->run.rows = &spans->run.row;

@@ -29,6 +29,8 @@ enum {
 	SOFT_RUN_PIXELS = 64,
 	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
 	SOFT_PLAIN_PIXELS = 512,
+	/* Columns and rows of triangles whose runs are listed, at most. */
+	SOFT_LISTED_SIZE = 62,
 	/* Of all runs of a small triangle. */
 	SOFT_BATCH_PIXELS = 1024,
 	/* As many texels fit a half of a word, with 9 bits of fraction. */
@@ -67,6 +69,12 @@ struct soft_row {
 	uint32_t fog;
 	/* t in the upper half and s in the lower one, from first_texel on */
 	uint32_t texel, texel_right;
+	/*
+	 * Where second is used, which of it is the first pixel's. Before that,
+	 * in states of soft_spans.placed: the column, and in the upper half the
+	 * row, counted from the triangle's first one.
+	 */
+	uint32_t place;
 };
 
 struct soft_run {
@@ -85,7 +93,7 @@ struct soft_run {
 	int32_t s, t, s_right, t_right;
 	uint32_t s_last, t_last; /* texels, and masks of coordinates */
 	uint32_t stride_log2;    /* of the level, in bytes */
-	/* The second texture's texels of the row, RGBA8888, for SOFT_SCALED. */
+	/* The second texture's texels, RGBA8888, for SOFT_SCALED. */
 	const uint32_t *second;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */

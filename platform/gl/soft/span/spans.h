@@ -77,7 +77,9 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	bool lists_runs; /* of small triangles, see soft_draw_small() */
+	/* Columns and rows of triangles whose runs are listed, at most. */
+	int listed_size;
+	bool placed; /* rows tell where they are, see struct soft_row */
 	/* Of the triangle under way: rows choose levels, and none has yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves;
@@ -112,11 +114,10 @@ struct soft_spans {
 	/* draws runs that leave the window, unless they are only cut */
 	soft_span_function draw_across;
 	/*
-	 * With SOFT_SCALED: reads the second texture's texels of a run, and
-	 * draws it by the second of two functions, scaled; the first wraps.
+	 * With SOFT_SCALED: reads the second texture's texels of runs, and
+	 * draws them by the second of two functions, scaled; the first wraps.
 	 */
 	soft_span_function draw_scaled, scaled[2];
-	const uint16_t *scaled_depth; /* of the run's first pixel */
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
 	/*
@@ -135,13 +136,12 @@ struct soft_spans {
 	uint32_t white[2];  /* red_blue and green_alpha of a run */
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
-	struct soft_made_at made_at;
+	struct soft_made_at made_at;   /* of the first texture, in run */
 	struct soft_coverage coverage; /* of the point or line under way */
 	soft_span_function draw_row;   /* what is made */
 	int pixel_log2;                /* bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
-	uint32_t second[SOFT_RUN_PIXELS]; /* the second texture's texels */
 };
 
 /*

@@ -362,7 +362,8 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	uint32_t green_right =
 		(count > 1 ? run->green_alpha_right : 0) - 0x10000;
 
-	constants->second = (uintptr_t)run->second - 2 * (uintptr_t)depth;
+	constants->second =
+		(uintptr_t)run->second + 4 * row->place - 2 * (uintptr_t)depth;
 	if (soft_counts_by_green(kind)) {
 		at.green_alpha += (count - 1) << 16;
 	}

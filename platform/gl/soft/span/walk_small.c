@@ -99,11 +99,15 @@ static NEVER_INLINE void draw_outside(struct small_list *list,
 	}
 }
 
-/* Alpha is exact, so that alpha tests are. */
-static NEVER_INLINE void add_alpha(const struct small_list *list,
+/* Where the run is, fog, and alpha, which is exact so that alpha tests are. */
+static NEVER_INLINE void set_rare(const struct small_list *list,
 	struct soft_row *row, uint32_t x, uint32_t y)
 {
-	row->green_alpha += find_there(&list->alpha, x, y) >> 9 << 16;
+	row->place = y << 16 | x;
+	row->fog = find_there(&list->fog, x, y);
+	if (list->alpha_moves) {
+		row->green_alpha += find_there(&list->alpha, x, y) >> 9 << 16;
+	}
 }
 
 /* False where the run is drawn already. */
@@ -136,10 +140,7 @@ static ALWAYS_INLINE bool set_run(struct small_list *list,
 	row->green_alpha = find_there(&list->green, x, y);
 	row->fog = list->fog.start;
 	if (list->rare) {
-		row->fog = find_there(&list->fog, x, y);
-		if (list->alpha_moves) {
-			add_alpha(list, row, x, y);
-		}
+		set_rare(list, row, x, y);
 	}
 	return !kind.textured || set_texel(list, kind, row, x, y);
 }
@@ -244,7 +245,7 @@ void soft_walk_small(struct small_list *list, const struct setup *setup)
 {
 	bool bent = list->draw->raster.bent;
 
-	if (!list->draw->spans.textured) {
+	if (!list->draw->spans.textured || list->draw->spans.made) {
 		list_plain(list, setup);
 	} else if (list->certain) {
 		(bent ? list_certain_bent : list_certain)(list, setup);

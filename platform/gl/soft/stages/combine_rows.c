@@ -267,20 +267,33 @@ static void run_combiner(const struct soft_combiner *combiner,
 	}
 }
 
-void soft_combine_row(const struct soft_environment *environment,
-	const uint32_t *texel, const uint32_t *primary, uint32_t *color,
-	uint32_t count)
+/* Of up to SOFT_RUN_PIXELS. */
+static void combine(const struct soft_environment *environment,
+	const struct meeting *m, uint32_t *color, uint32_t count)
 {
-	const struct meeting m = {texel, primary, color, environment->constant};
 	uint32_t rgb[SOFT_RUN_PIXELS];
 
 	if (environment->alike || !environment->alpha_wanted) {
-		run_combiner(&environment->rgb, &m, false, color, count);
+		run_combiner(&environment->rgb, m, false, color, count);
 		return;
 	}
-	run_combiner(&environment->rgb, &m, false, rgb, count);
-	run_combiner(&environment->alpha, &m, true, color, count);
+	run_combiner(&environment->rgb, m, false, rgb, count);
+	run_combiner(&environment->alpha, m, true, color, count);
 	for (uint32_t i = 0; i < count; i++) {
 		color[i] = (rgb[i] & RGB) | (color[i] & ~(uint32_t)RGB);
+	}
+}
+
+void soft_combine_row(const struct soft_environment *environment,
+	const uint32_t *texel, const uint32_t *primary,
+	const uint32_t *previous, uint32_t *color, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i += SOFT_RUN_PIXELS) {
+		const struct meeting m = {texel + i, primary + i, previous + i,
+			environment->constant};
+		const uint32_t left = count - i;
+
+		combine(environment, &m, color + i,
+			left < SOFT_RUN_PIXELS ? left : SOFT_RUN_PIXELS);
 	}
 }

@@ -35,9 +35,9 @@ void soft_find_environment(
 /* Whether a texture multiplies the colour, or takes its place. */
 bool soft_is_simple_environment(const struct texture_input *input);
 
-/* color has the previous stage's colours, and becomes the stage's. */
+/* Colours, of which previous has those of the stage before; it may be color. */
 void soft_combine_row(const struct soft_environment *environment,
-	const uint32_t *texel, const uint32_t *primary, uint32_t *color,
-	uint32_t count);
+	const uint32_t *texel, const uint32_t *primary,
+	const uint32_t *previous, uint32_t *color, uint32_t count);
 
 #endif

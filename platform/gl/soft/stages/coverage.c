@@ -1,4 +1,4 @@
-#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
 /* Of 256: how far inside of an edge this is; less between two close edges. */
@@ -39,10 +39,14 @@ static int32_t find_coverage(
 }
 
 uint32_t soft_cover(
-	struct soft_spans *spans, int column, int row, uint32_t *color)
+	const struct draw *draw, struct soft_row *run, uint32_t *color)
 {
+	const struct soft_spans *spans = &draw->spans;
 	const struct soft_coverage *coverage = &spans->coverage;
-	struct soft_row *run = &spans->run.row;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const int32_t place = (int32_t)(run->depth - buffers->depth);
+	const int32_t row = place / buffers->width;
+	const int32_t column = place - row * buffers->width;
 	int32_t x = column * 16 + 8 - coverage->x;
 	uint32_t first = run->count, end = 0;
 

@@ -18,14 +18,14 @@ struct soft_coverage {
 	int32_t half_length_q8, half_width_q8;
 };
 
-struct soft_spans;
+struct draw;
+struct soft_row;
 
 /*
- * Multiplies the alpha of colours of the run of spans, which begins at a column
- * and row of the picture. Cuts pixels that are not covered off at both ends of
- * the run; returns how many at the left one. None may be left.
+ * Multiplies the alpha of a run's colours. Cuts pixels that are not covered off
+ * at both ends of the run; returns how many at the left one. None may be left.
  */
 uint32_t soft_cover(
-	struct soft_spans *spans, int column, int row, uint32_t *color);
+	const struct draw *draw, struct soft_row *run, uint32_t *color);
 
 #endif

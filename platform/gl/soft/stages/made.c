@@ -1,6 +1,7 @@
 #include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/raster/small_list.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
@@ -54,34 +55,102 @@ static void choose_levels(const struct texture_input *input, int lod,
 		soft_find_view(input, level < last ? level + 1 : level, linear);
 }
 
-void soft_set_made_levels(struct draw *draw, int lod)
+void soft_set_made_levels(struct draw *draw, int unit, int lod)
 {
-	choose_levels(&draw->texture[0], lod, &draw->spans.made_levels[0]);
+	choose_levels(&draw->texture[unit], lod, &draw->spans.made_levels[unit]);
 }
 
-/* The texels of a level, as bytes. */
-static void sample_level(const struct soft_made_levels *levels,
-	const struct soft_view *view, const struct soft_made_at *at,
-	uint32_t count, uint32_t *out)
+/* Where a row's texels are in the base, where nothing is divided. */
+static ALWAYS_INLINE struct bent find_coordinate(
+	const struct raster *raster, int name, const struct soft_row *row)
 {
-	/* The depths are not read. */
-	struct soft_run run = {.row = {.depth = (uint16_t *)out,
-				       .pixel = (uint8_t *)out,
-				       .count = count}};
+	const struct plane *plane = &raster->plane[name];
+	const uint32_t x = row->place & 0xFFFF, y = row->place >> 16;
+	const uint32_t start = plane->start + (uint32_t)plane->dy * y;
 
-	soft_use_view(view, &run);
-	run.s_right = soft_texel_step(at->s_step, view->s_shift);
-	run.t_right = soft_texel_step(at->t_step, view->t_shift);
-	run.row.texel_right =
-		((uint32_t)run.t_right << 16) + (uint32_t)run.s_right;
-	run.s = soft_find_start(at->s, at->s_step, count >> 1, run.s_right,
+	if (raster->bent) {
+		return rows_find_bent(
+			raster, name, start, (int)y, (int)x, (int)row->count);
+	}
+	return (struct bent){
+		(int32_t)(start + (uint32_t)plane->dx * x), plane->dx};
+}
+
+/* The second texture's, in perspective, whose row may have a level of its own. */
+static NEVER_INLINE struct soft_made_at find_second(
+	struct draw *draw, const struct soft_row *row)
+{
+	struct span span = {
+		.x = (int)(row->place & 0xFFFF), .count = (int)row->count};
+
+	soft_rows_find_second(draw, (int)(row->place >> 16), &span);
+	soft_set_made_levels(draw, 1, span.lod[1]);
+	return (struct soft_made_at){(int32_t)span.value[TEX_S + 2],
+		(int32_t)span.value[TEX_S + 3], span.step[TEX_S + 2],
+		span.step[TEX_S + 3]};
+}
+
+static ALWAYS_INLINE struct soft_made_at find_at(
+	const struct draw *draw, int unit, const struct soft_row *row)
+{
+	const struct raster *raster = &draw->raster;
+	const struct bent s = find_coordinate(raster, TEX_S + 2 * unit, row);
+	const struct bent t = find_coordinate(raster, TEX_S + 2 * unit + 1, row);
+
+	return (struct soft_made_at){s.value, t.value, s.step, t.step};
+}
+
+/* The texels of a row of a level, as bytes. */
+static ALWAYS_INLINE void sample_row(const struct soft_made_levels *levels,
+	const struct soft_view *view, const struct soft_made_at *at,
+	struct soft_run *run)
+{
+	const uint32_t half_count = run->row.count >> 1;
+
+	run->s_right = soft_texel_step(at->s_step, view->s_shift);
+	run->t_right = soft_texel_step(at->t_step, view->t_shift);
+	run->row.texel_right =
+		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
+	run->s = soft_find_start(at->s, at->s_step, half_count, run->s_right,
 		view->s_shift, view->s_half);
-	run.t = soft_find_start(at->t, at->t_step, count >> 1, run.t_right,
+	run->t = soft_find_start(at->t, at->t_step, half_count, run->t_right,
 		view->t_shift, view->t_half);
-	if (soft_find_window(&view->window, view->texel_log2, &run)) {
-		levels->sampler[1](&run);
+	if (soft_find_window(&view->window, view->texel_log2, run)) {
+		levels->sampler[1](run);
 	} else {
-		soft_cut_run(&run, view, levels->sampler, 2);
+		soft_cut_run(run, view, levels->sampler, 2);
+	}
+}
+
+/*
+ * The texels of all rows of the runs, one behind the other. Where the only
+ * row's texels are may be known.
+ */
+static void sample_level(const struct draw *draw, int unit, bool next,
+	const struct soft_made_at *known, uint32_t *out)
+{
+	const struct soft_run *runs = &draw->spans.run;
+	const struct soft_made_levels *levels = &draw->spans.made_levels[unit];
+	const struct soft_view *view = next ? &levels->next_view : &levels->view;
+	struct soft_run run;
+
+	/* What is stepped along, but not read. */
+	run.z_right = run.red_blue_right = run.green_alpha_right = 0;
+	run.fog_right = 0;
+	run.row.z = run.row.red_blue = run.row.green_alpha = run.row.fog = 0;
+	run.row.place = 0;
+	run.row.depth = (uint16_t *)out;
+	soft_use_view(view, &run);
+	for (uint32_t i = 0; i < runs->row_count; i++) {
+		const struct soft_row *row = &runs->rows[i];
+		const struct soft_made_at at =
+			known ? *known : find_at(draw, unit, row);
+		const uint32_t count = row->count;
+
+		run.row.pixel = (uint8_t *)out;
+		run.row.count = count;
+		sample_row(levels, view, &at, &run);
+		out += count;
 	}
 }
 
@@ -96,57 +165,59 @@ static uint32_t mix(uint32_t from, uint32_t to, uint32_t share)
 	return ((low + half) >> 8 & mask) | ((high + half) & ~mask);
 }
 
-static void sample(const struct soft_made_levels *levels,
-	const struct soft_made_at *at, uint32_t count, uint32_t *texel)
+static uint32_t count_pixels(const struct soft_run *runs)
 {
-	uint32_t next[SOFT_RUN_PIXELS], share = (uint32_t)levels->share;
+	uint32_t count = 0;
 
-	sample_level(levels, &levels->view, at, count, texel);
+	for (uint32_t i = 0; i < runs->row_count; i++) {
+		count += runs->rows[i].count;
+	}
+	return count;
+}
+
+/* The texels of a texture for all rows, of two levels where they are mixed. */
+static void sample(struct draw *draw, int unit, uint32_t *texel)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct soft_row *rows = spans->run.rows;
+	const struct soft_made_at *known = NULL;
+	struct soft_made_at at;
+	uint32_t next[SOFT_BATCH_PIXELS], share;
+
+	if (unit == 0 && rows == &spans->run.row) {
+		known = &spans->made_at;
+	} else if (draw->raster.perspective) {
+		at = find_second(draw, rows);
+		known = &at;
+	}
+	sample_level(draw, unit, false, known, texel);
+	share = (uint32_t)spans->made_levels[unit].share;
 	if (share > 0) {
-		sample_level(levels, &levels->next_view, at, count, next);
+		const uint32_t count = count_pixels(&spans->run);
+
+		sample_level(draw, unit, true, known, next);
 		for (uint32_t i = 0; i < count; i++) {
 			texel[i] = mix(texel[i], next[i], share);
 		}
 	}
 }
 
-/* Where the run is in the picture, which the depth's place says. */
-static int find_place(const struct draw *draw, int *row)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-	uint32_t place = (uint32_t)(draw->spans.run.row.depth - buffers->depth);
-
-	*row = (int)(place / (uint32_t)buffers->width);
-	return (int)place - *row * buffers->width;
-}
-
-/* The second texture's texels. */
-static void sample_second(struct draw *draw, uint32_t count, uint32_t *texel)
-{
-	struct soft_made_levels *levels = &draw->spans.made_levels[1];
-	int y;
-	struct span span = {.x = find_place(draw, &y), .count = (int)count};
-
-	soft_rows_find_second(draw, y - draw->raster.top, &span);
-	choose_levels(&draw->texture[1], span.lod[1], levels);
-	sample(levels,
-		&(struct soft_made_at){(int32_t)span.value[TEX_S + 2],
-			(int32_t)span.value[TEX_S + 3], span.step[TEX_S + 2],
-			span.step[TEX_S + 3]},
-		count, texel);
-}
-
 /* The vertices' colours. */
 static void fill_primary(const struct soft_run *run, uint32_t *out)
 {
-	uint32_t rb = run->row.red_blue, rb_right = run->red_blue_right;
-	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
-	const uint32_t *end = out + run->row.count;
+	uint32_t rb_right = run->red_blue_right;
+	uint32_t ga_right = run->green_alpha_right;
 
-	for (; out != end; out++) {
-		*out = ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) | ga >> 23 << 24;
-		rb += rb_right;
-		ga += ga_right;
+	for (uint32_t i = 0; i < run->row_count; i++) {
+		const struct soft_row *row = &run->rows[i];
+		uint32_t rb = row->red_blue, ga = row->green_alpha;
+
+		for (const uint32_t *end = out + row->count; out != end; out++) {
+			*out = ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) |
+				ga >> 23 << 24;
+			rb += rb_right;
+			ga += ga_right;
+		}
 	}
 }
 
@@ -154,70 +225,96 @@ static void fill_primary(const struct soft_run *run, uint32_t *out)
 static void scale_alphas(
 	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
 {
-	uint32_t ga = run->row.green_alpha, ga_right = run->green_alpha_right;
-	const uint32_t *end = color + run->row.count;
+	uint32_t ga_right = run->green_alpha_right;
 
-	for (; color != end; color++, texel++, ga += ga_right) {
-		uint32_t alpha = soft_scale_alpha(ga >> 16, *texel >> 24);
+	for (uint32_t i = 0; i < run->row_count; i++) {
+		const struct soft_row *row = &run->rows[i];
+		const uint32_t *end = color + row->count;
+		uint32_t ga = row->green_alpha;
 
-		*color = (*color & 0x00FFFFFF) | alpha << 24;
+		for (; color != end; color++, texel++, ga += ga_right) {
+			uint32_t alpha =
+				soft_scale_alpha(ga >> 16, *texel >> 24);
+
+			*color = (*color & 0x00FFFFFF) | alpha << 24;
+		}
 	}
 }
 
 /* What the environments make of the vertices' colours and the textures. */
-static void combine(struct draw *draw, uint32_t *texel, uint32_t *color)
+static void combine(
+	struct draw *draw, uint32_t *texel, uint32_t *color, uint32_t count)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
-	uint32_t primary[SOFT_RUN_PIXELS];
+	uint32_t primary[SOFT_BATCH_PIXELS];
 
-	fill_primary(run, color);
 	if (!draw->texture[0].used) {
+		fill_primary(run, color);
 		return;
 	}
-	memcpy(primary, color, run->row.count * sizeof(*primary));
+	fill_primary(run, primary);
 	soft_combine_row(
-		&spans->environment[0], texel, primary, color, run->row.count);
+		&spans->environment[0], texel, primary, primary, color, count);
 	if (spans->stages.alpha_scaled) {
 		scale_alphas(run, texel, color);
 	}
 	if (draw->texture[1].used) {
-		sample_second(draw, run->row.count, texel);
+		sample(draw, 1, texel);
 		soft_combine_row(&spans->environment[1], texel, primary, color,
-			run->row.count);
+			color, count);
 	}
 }
 
-/* Whether all of the run lies behind what is there. */
+/* Whether all of the runs lie behind what is there. */
 static bool is_hidden(const struct soft_spans *spans)
 {
 	const struct soft_run *run = &spans->run;
-	uint32_t z = run->row.z;
 
 	if (!spans->depth_by_less) {
 		return false;
 	}
-	for (uint32_t i = 0; i < run->row.count; i++, z += run->z_right) {
-		if (z >> 16 <= run->row.depth[i]) {
-			return false;
+	for (uint32_t n = 0; n < run->row_count; n++) {
+		const struct soft_row *row = &run->rows[n];
+		uint32_t z = row->z;
+
+		for (uint32_t i = 0; i < row->count; i++, z += run->z_right) {
+			if (z >> 16 <= row->depth[i]) {
+				return false;
+			}
 		}
 	}
 	return true;
 }
 
-/* Draws a row of colours as far as a smooth point or line covers it. */
-static NEVER_INLINE void draw_covered(struct draw *draw, uint32_t *color)
+/* The runs of a row of colours, which is their texture. */
+static uint32_t place_rows(
+	const struct draw *draw, uint32_t *color, struct soft_row *out)
 {
-	struct soft_run *run = &draw->spans.run;
-	const struct soft_row whole = run->row;
-	int row, column = find_place(draw, &row);
+	const struct soft_spans *spans = &draw->spans;
+	const struct soft_run *run = &spans->run;
+	struct soft_row *row = out;
+	uint32_t next = 0;
 
-	run->first_texel = (const uint8_t *)(color +
-		soft_cover(&draw->spans, column, row, color));
-	if (run->row.count > 0) {
-		draw->spans.draw_row(run);
+	for (uint32_t i = 0; i < run->row_count; i++) {
+		uint32_t at = next;
+
+		*row = run->rows[i];
+		next += row->count;
+		if (spans->coverage.used) {
+			at += soft_cover(draw, row, color + at);
+		}
+		row->texel = (at / SOFT_RUN_PIXELS)
+				<< (16 + SOFT_TEXEL_FRACTION) |
+			(at % SOFT_RUN_PIXELS) << SOFT_TEXEL_FRACTION;
+		row->texel_right = 1 << SOFT_TEXEL_FRACTION;
+		if (spans->combined) {
+			row->red_blue = spans->white[0];
+			row->green_alpha = spans->white[1];
+		}
+		row += row->count > 0;
 	}
-	run->row = whole;
+	return (uint32_t)(row - out);
 }
 
 static void draw_made(const struct soft_run *given)
@@ -225,92 +322,85 @@ static void draw_made(const struct soft_run *given)
 	struct draw *draw = given->draw;
 	struct soft_spans *spans = &draw->spans;
 	struct soft_run *run = &spans->run;
-	const struct soft_run whole = *run;
-	uint32_t texel[SOFT_RUN_PIXELS], color[SOFT_RUN_PIXELS], *row = texel;
+	const struct soft_row *rows = run->rows;
+	const uint32_t row_count = run->row_count;
+	const uint32_t red_blue_right = run->red_blue_right;
+	const uint32_t green_alpha_right = run->green_alpha_right;
+	const uint32_t count = count_pixels(run);
+	uint32_t texel[SOFT_BATCH_PIXELS], color[SOFT_BATCH_PIXELS];
+	uint32_t *made = texel;
+	struct soft_row row[SMALL_RUNS];
 
 	if (is_hidden(spans)) {
 		return;
 	}
 	if (spans->textured) {
-		sample(&spans->made_levels[0], &spans->made_at, run->row.count,
-			texel);
+		sample(draw, 0, texel);
 	}
 	if (spans->multiplied) {
-		sample_second(draw, run->row.count, color);
-		for (uint32_t i = 0; i < run->row.count; i++) {
+		sample(draw, 1, color);
+		for (uint32_t i = 0; i < count; i++) {
 			texel[i] = soft_multiply_bytes(texel[i], color[i]);
 		}
 	} else if (spans->combined) {
-		combine(draw, texel, color);
-		row = color;
-		run->row.red_blue = spans->white[0];
-		run->row.green_alpha = spans->white[1];
+		combine(draw, texel, color, count);
+		made = color;
 		run->red_blue_right = 0;
 		run->green_alpha_right = 0;
 	}
-	run->first_texel = (const uint8_t *)row;
-	run->row.texel = 0;
-	if (spans->coverage.used) {
-		draw_covered(draw, color);
-	} else {
-		spans->draw_row(run);
-	}
-	run->row.red_blue = whole.row.red_blue;
-	run->row.green_alpha = whole.row.green_alpha;
-	run->red_blue_right = whole.red_blue_right;
-	run->green_alpha_right = whole.green_alpha_right;
+	run->row_count = place_rows(draw, made, row);
+	run->rows = row;
+	run->first_texel = (const uint8_t *)made;
+	spans->draw_row(run);
+	run->rows = rows;
+	run->row_count = row_count;
+	run->red_blue_right = red_blue_right;
+	run->green_alpha_right = green_alpha_right;
 }
 
-/* The second texture's texels for a whole run; false where it is hidden. */
-static bool sample_before(struct soft_spans *spans)
+/* The second texture's texels of all rows; false where all are hidden. */
+static bool sample_before(
+	struct soft_spans *spans, uint32_t *second, struct soft_row *row)
 {
 	struct soft_run *run = &spans->run;
+	uint32_t place = 0;
 
 	if (is_hidden(spans)) {
 		return false;
 	}
-	run->second = spans->second;
-	spans->scaled_depth = run->row.depth;
-	sample_second(run->draw, run->row.count, spans->second);
+	sample(run->draw, 1, second);
+	for (uint32_t i = 0; i < run->row_count; i++, row++) {
+		*row = run->rows[i];
+		row->place = place;
+		place += row->count;
+	}
+	run->second = second;
 	return true;
 }
 
-static void draw_scaled(const struct soft_run *run)
+static void draw_scaled(const struct soft_run *given)
 {
-	struct soft_spans *spans = &run->draw->spans;
+	struct soft_spans *spans = &given->draw->spans;
+	struct soft_run *run = &spans->run;
+	const struct soft_row *rows = run->rows;
+	uint32_t second[SOFT_BATCH_PIXELS];
+	struct soft_row row[SMALL_RUNS];
 
-	if (sample_before(spans)) {
+	if (sample_before(spans, second, row)) {
+		run->rows = row;
 		spans->scaled[1](run);
+		run->rows = rows;
 	}
 }
 
-static void draw_part(struct soft_spans *spans, int inside)
+static void draw_scaled_across(const struct soft_run *given)
 {
-	struct soft_run *run = &spans->run;
+	struct soft_spans *spans = &given->draw->spans;
+	uint32_t second[SOFT_RUN_PIXELS];
 
-	run->second = spans->second + (run->row.depth - spans->scaled_depth);
-	spans->scaled[inside](run);
-}
-
-static void draw_part_anywhere(const struct soft_run *run)
-{
-	draw_part(&run->draw->spans, 0);
-}
-
-static void draw_part_inside(const struct soft_run *run)
-{
-	draw_part(&run->draw->spans, 1);
-}
-
-static void draw_scaled_across(const struct soft_run *run)
-{
-	static const soft_span_function parts[2] = {
-		draw_part_anywhere, draw_part_inside};
-	struct soft_spans *spans = &run->draw->spans;
-
-	if (sample_before(spans)) {
-		soft_cut_run(
-			&spans->run, &spans->view, parts, spans->pixel_log2);
+	if (sample_before(spans, second, &spans->run.row)) {
+		soft_cut_run(&spans->run, &spans->view, spans->scaled,
+			spans->pixel_log2);
 	}
 }
 
@@ -357,6 +447,6 @@ void soft_prepare_made(struct draw *draw)
 	spans->draw = draw_made;
 	spans->draw_anywhere = draw_made;
 	spans->draw_across = draw_made;
-	spans->run.row.texel_right = 1 << SOFT_TEXEL_FRACTION;
-	spans->run.stride_log2 = 0;
+	/* Rows of so many texels of four bytes */
+	spans->run.stride_log2 = 8;
 }

@@ -1,8 +1,8 @@
 /*
  * Runs whose colours are made beforehand, as a row of RGBA8888: mixtures of two
  * levels of a texture; and what any texture environments make of up to two
- * textures. The row is then drawn as a texture by a span function for the rest of
- * the state.
+ * textures. The row is then drawn as a texture by a span function for the rest
+ * of the state.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_MADE_H
 #define PLATFORM_GL_SOFT_STAGES_MADE_H
@@ -20,7 +20,7 @@ void soft_prepare_made(struct draw *draw);
 /* Once a draw call, when its finish is chosen: how the second texture is read. */
 void soft_prepare_second(struct soft_spans *spans);
 
-/* The first texture's levels for a level of detail with 8 bits of fraction. */
-void soft_set_made_levels(struct draw *draw, int lod);
+/* A texture's levels for a level of detail with 8 bits of fraction. */
+void soft_set_made_levels(struct draw *draw, int unit, int lod);
 
 #endif

@@ -24,7 +24,9 @@ static uint8_t to_byte(int value)
 
 static int mix(int a, int b, int share)
 {
-	return scale_byte(a, 255 - share) + scale_byte(b, share);
+	int sum = a * (255 - share) + b * share + 128;
+
+	return (sum + (sum >> 8)) >> 8;
 }
 
 static bool has_color(GLenum format)

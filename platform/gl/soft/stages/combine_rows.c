@@ -198,6 +198,31 @@ static uint32_t dot(uint32_t a, uint32_t b)
 	return (uint32_t)(sum > 255 ? 255 : sum) * 0x01010101;
 }
 
+/* (a share + b (255 - share)) / 255 of each byte, to the nearest. */
+static ALWAYS_INLINE uint32_t mix_bytes(uint32_t a, uint32_t b, uint32_t share)
+{
+#ifdef HAS_COLOR_VECTORS
+	return vector_divide(_mm_add_epi16(
+		_mm_mullo_epi16(vector_widen(a), vector_widen(share)),
+		_mm_mullo_epi16(vector_widen(b), vector_widen(~share))));
+#else
+	const uint32_t rest = ~share;
+	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
+	uint32_t b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
+	uint32_t s_rb = BYTES_AS_HALVES(share);
+	uint32_t s_ga = ODD_BYTES_AS_HALVES(share);
+	uint32_t r_rb = BYTES_AS_HALVES(rest), r_ga = ODD_BYTES_AS_HALVES(rest);
+	uint32_t rb =
+		(uint32_t)HALVES_BB(a_rb, s_rb, HALVES_BB(b_rb, r_rb, 128));
+	uint32_t ga =
+		(uint32_t)HALVES_BB(a_ga, s_ga, HALVES_BB(b_ga, r_ga, 128));
+
+	rb |= (uint32_t)HALVES_TT(a_rb, s_rb, HALVES_TT(b_rb, r_rb, 128)) << 16;
+	ga |= (uint32_t)HALVES_TT(a_ga, s_ga, HALVES_TT(b_ga, r_ga, 128)) << 16;
+	return soft_divide_lanes(rb) | soft_divide_lanes(ga) << 8;
+#endif
+}
+
 static void run_function(GLenum function, const uint32_t *const a[3],
 	uint32_t *out, uint32_t count)
 {
@@ -231,8 +256,7 @@ static void run_function(GLenum function, const uint32_t *const a[3],
 		break;
 	case INTERPOLATE:
 		for (; i < count; i++) {
-			out[i] = soft_multiply_bytes(x[i], z[i]) +
-				soft_multiply_bytes(y[i], ~z[i]);
+			out[i] = mix_bytes(x[i], y[i], z[i]);
 		}
 		break;
 	case GL_DOT3_RGB:

@@ -231,7 +231,7 @@ def brow_points(lay, brow=features.Brow()):
     x, z = features.brow_line(BROW_STEPS)
     dx, dz = features.brow_shift(brow, BROW_STEPS)
     x, z = x + dx, z + dz
-    half = 0.0042 * (1 - 0.62 * BROW_STEPS ** 1.6)
+    half = 0.0056 * (1 - 0.40 * BROW_STEPS ** 1.6)
     rows = [np.stack([x, lay(x, z + s * half) + out, z + s * half], axis=1)
             for s, out in ((-1, 0.0010), (0, -0.0034), (1, 0.0010))]
     return np.stack(rows, axis=1).reshape(-1, 3)

@@ -266,6 +266,7 @@ static void viewer_update(struct demo *demo, double time_s)
 	character_update(character, &frame);
 	move_scene(demo->figure, &base->stage, scale, character->real_s);
 	base->below = character_label_below(character);
+	base->below.switches += live_label_rows(&base->live);
 	character->instance->normal_mapping = *character->scene.relief > 0.0f;
 	actor_update(&base->actor, &base->stage.camera, base->height);
 	character_bend(character);

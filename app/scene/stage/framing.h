@@ -6,10 +6,10 @@
 
 #include "app/scene/stage/camera.h"
 
-/* Rows of the group in the corner below the labels; one of them is 0. */
+/* Rows of the groups in the corner below the labels. */
 struct framing_below {
 	int keys;     /* of a list of keys, which is wide */
-	int switches; /* of what some buttons do now */
+	int switches; /* of what buttons do now, and of live pictures */
 };
 
 /* How figures are framed, and what their labels take of the picture. */

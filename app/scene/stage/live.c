@@ -144,6 +144,14 @@ bool live_controls_motion(const struct live *live)
 	return live->feed && live->use == LIVE_MOTION;
 }
 
+int live_label_rows(const struct live *live)
+{
+	if (!live->feed) {
+		return 0;
+	}
+	return live_controls_motion(live) && live->showing ? 2 : 1;
+}
+
 void live_label(const struct live *live, struct hud *hud)
 {
 	struct hud_group group;
@@ -151,7 +159,7 @@ void live_label(const struct live *live, struct hud *hud)
 	if (!live->feed) {
 		return;
 	}
-	group = hud_group_begin(hud, HUD_BOTTOM_RIGHT, NULL);
+	group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
 	if (live_controls_motion(live) && live->showing) {
 		hud_group_weight(
 			&group, "motion", live->smooth_level, hud_color_amber);

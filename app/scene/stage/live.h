@@ -69,6 +69,9 @@ void live_next_use(struct live *live);
 /* Returns true if motion before the camera moves the figure. */
 bool live_controls_motion(const struct live *live);
 
+/* The rows that the label takes, of which a bar is one; 0 without a camera. */
+int live_label_rows(const struct live *live);
+
 /* Adds a label that names the use, if there is a camera. */
 void live_label(const struct live *live, struct hud *hud);
 

@@ -107,6 +107,25 @@ static void test_labels_of_buttons_do_not_cover_the_figures(void **state)
 	}
 }
 
+static void test_the_label_of_a_camera_does_not_cover_the_figure(void **state)
+{
+	static const struct camera_feed feed = {0};
+
+	(void)state;
+	for (size_t s = 0; s < SHOWN_SIZES; s++) {
+		struct shown shown;
+		struct live *live;
+
+		shown_begin(&shown, "walker.glb", shown_sizes[s], false);
+		live = &((struct demo_base *)shown.demo)->live;
+		live->feed = &feed;
+		shown.driver->update(shown.demo, 0.04);
+		check_labels_beside_figure(&shown, shown_sizes[s]);
+		live->feed = NULL;
+		shown_end(&shown);
+	}
+}
+
 static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
 {
 	(void)state;
@@ -251,6 +270,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_do_not_cover_the_figure),
 		cmocka_unit_test(test_labels_of_buttons_do_not_cover_the_figures),
+		cmocka_unit_test(
+			test_the_label_of_a_camera_does_not_cover_the_figure),
 		cmocka_unit_test(
 			test_labels_of_overlays_do_not_cover_the_figures),
 		cmocka_unit_test(test_the_list_of_keys_does_not_cover_the_figure),

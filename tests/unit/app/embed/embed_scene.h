@@ -18,6 +18,8 @@
  * A model whose tables differ from each other: a mesh of two primitives, the
  * first with two morph targets and neither normals nor colours; a skinned
  * triangle; the same without a skin; a node outside the scene.
+ * Behind the last skin, channel and node there is another one, which nothing
+ * may show.
  */
 struct embed_scene {
 	float position[4][3], normal[4][3];
@@ -31,12 +33,12 @@ struct embed_scene {
 	struct model_mesh mesh[2];
 	mat4 bind[3];
 	int joint_node[3];
-	struct model_skin skin[2];
+	struct model_skin skin[3];
 	float time_s[2], value[18];
 	int16_t packed[2][4];
-	struct model_channel channel[4];
+	struct model_channel channel[5];
 	struct model_clip clip[1];
-	struct model_node node[4];
+	struct model_node node[5];
 	struct model_material material[2];
 	float rest_weights[4];
 	struct model model;
@@ -122,6 +124,7 @@ static inline void embed_scene_make_skins(struct embed_scene *s)
 	s->skin[1] = (struct model_skin){.joint_count = 2,
 		.joint = s->joint_node + 1,
 		.inverse_bind = s->bind + 1};
+	s->skin[2] = s->skin[0];
 }
 
 static inline void embed_scene_make_nodes(struct embed_scene *s)
@@ -142,6 +145,7 @@ static inline void embed_scene_make_nodes(struct embed_scene *s)
 	};
 
 	memcpy(s->node, node, sizeof(node));
+	s->node[4] = s->node[0];
 	for (int n = 0; n < 4; n++) {
 		float x = (float)n;
 
@@ -188,6 +192,7 @@ static inline void embed_scene_make_clip(struct embed_scene *s)
 		.key_count = 1,
 		.time_s = s->time_s + 1,
 		.value = s->value + 12};
+	s->channel[4] = s->channel[0];
 	s->clip[0] = (struct model_clip){.name = "go",
 		.duration_s = 1.5f,
 		.channel_count = 4,

@@ -50,10 +50,26 @@ static void test_the_figure_looks_along_its_route_in_its_size(void **state)
 		3, 1e-5);
 }
 
+/* Its head leans to its own left; nothing but the place has a fourth row. */
+static void test_a_figure_leans_before_it_turns(void **state)
+{
+	const float s = 1.5f, cy = cosf(1.0f), sy = sinf(1.0f);
+	const float cl = cosf(0.125f), sl = sinf(0.125f);
+	const float expected[4][4] = {{s * cl * cy, s * -sl, s * -cl * sy, 0},
+		{s * sl * cy, s * cl, s * -sl * sy, 0}, {s * sy, 0, s * cy, 0},
+		{4, 0, 5, 1}};
+	mat4 matrix;
+
+	(void)state;
+	crowd_matrix(&route, &position, matrix);
+	assert_all_near(matrix, expected, 16, 1e-6);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_figures_middle_stands_on_its_route),
+		cmocka_unit_test(test_a_figure_leans_before_it_turns),
 		cmocka_unit_test(
 			test_the_figure_looks_along_its_route_in_its_size),
 	};

@@ -143,6 +143,20 @@ static void parts_name_where_their_data_begin(void **state)
 	embed_scene_end(&s);
 }
 
+/* A part without influences goes with its node, whatever skin that has. */
+static void parts_without_influences_have_no_skin(void **state)
+{
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.skinned[0].influences = 0;
+	embed_scene_print(&s, 0);
+	assert_contains(s.text, " 7, 3, 9, 3, 0, 0, -1, 1, 84, 0, 0},\n");
+	assert_contains(s.text, " t_joint[1] = {\n\t0,\n};\n");
+	embed_scene_end(&s);
+}
+
 static void states_counts_and_bytes(void **state)
 {
 	struct embed_scene s;
@@ -219,6 +233,7 @@ int main(void)
 		cmocka_unit_test(writes_nodes_and_skins),
 		cmocka_unit_test(writes_the_keys_of_each_channel),
 		cmocka_unit_test(parts_name_where_their_data_begin),
+		cmocka_unit_test(parts_without_influences_have_no_skin),
 		cmocka_unit_test(states_counts_and_bytes),
 		cmocka_unit_test(fills_tables_that_would_be_empty),
 	};

@@ -259,6 +259,7 @@ struct draw {
 	 */
 	bool packed;
 	bool perspective, eye_needed, fogged;
+	bool shade_more; /* vertices have more than a colour */
 	int32_t fog_end_q16;
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
 	int fog_scale_q;
@@ -351,8 +352,11 @@ void soft_transform_c(
 	const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
-/* shade.c: fills the attributes unless they are there. */
+/* shade.c: fills the attributes unless they are there, or nobody wants them. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
+/* Fills them, of a vertex that has this index, which callers have at hand. */
+void soft_shade_vertex(
+	const struct draw *draw, struct vertex *vertex, uint32_t index);
 
 /* array.c: elements of arrays as fixed point. */
 void soft_array_position(

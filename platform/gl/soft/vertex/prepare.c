@@ -361,6 +361,8 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);
 	soft_prepare_shading(soft, draw);
+	draw->shade_more =
+		draw->shading.two_side || draw->fogged || draw->texture[0].used;
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}

@@ -127,7 +127,7 @@ static void prepare_dir_light(const struct light_source *from,
 		light_source->diffuse_q30[i] = from->diffuse_q22[i] * 257;
 		light_source->specular_q20[i] = from->specular_q20[i];
 	}
-	light_source->spec_tables = from->specular;
+	light_source->step = NULL;
 	if (from->specular) {
 		light_source->least_q26 = spec_table->least_q26;
 		light_source->scale = spec_table->scale;

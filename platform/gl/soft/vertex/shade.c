@@ -76,81 +76,102 @@ static ALWAYS_INLINE int32_t take_float(float value)
 	return value == value ? (int32_t)(value * 268435456.0f) : 0;
 }
 
-static ALWAYS_INLINE void add_highlight(const struct dir_light *light_source,
-	struct triple n, struct triple *shine)
+/* Adds to what highlights there were, at shine, and puts the sum at out. */
+static ALWAYS_INLINE const int32_t *add_highlight(
+	const struct dir_light *light_source, struct triple n,
+	const int32_t *shine, int32_t *out)
 {
 	int32_t above_q26 =
 		dot(light_source->half_q30, n) - light_source->least_q26;
 	const struct spec_table_step *step;
-	int32_t place;
+	int32_t place, share;
 
 	if (above_q26 <= 0) {
-		return;
+		return shine;
 	}
 	place = LIMIT_TO_BITS(mul_high(above_q26, light_source->scale), 14);
 	step = &light_source->step[place >> 8];
-	add_scaled(shine, step->value_q28 + step->rise_q28 * (place & 255),
-		light_source->specular_q20);
+	share = step->value_q28 + step->rise_q28 * (place & 255);
+	for (int i = 0; i < 3; i++) {
+		out[i] = mul_high_add(
+			shine[i], share, light_source->specular_q20[i]);
+	}
+	return out;
 }
 
+/* Of a colour of four bytes, the first one lowest. */
 static ALWAYS_INLINE void light_side(const struct dir_lights *light,
-	struct triple n, const uint8_t color[4], int32_t out[4])
+	struct triple n, uint32_t color, int32_t out[4])
 {
 	struct triple dull = load_triple(light->ambient_q24);
-	struct triple shine = load_triple(light->emission_q16);
+	const int32_t *shine = light->emission_q16;
+	uint32_t red_blue, green_alpha;
 
 	for (const struct dir_light *light_source = light->dir_light;
 		light_source != light->end; light_source++) {
 		int32_t towards_q26 = dot(light_source->towards_q30, n);
 
-		if (towards_q26 > 0) {
-			add_scaled(
-				&dull, towards_q26, light_source->diffuse_q30);
-			if (light_source->spec_tables) {
-				add_highlight(light_source, n, &shine);
-			}
+		if (towards_q26 <= 0) {
+			continue;
+		}
+		add_scaled(&dull, towards_q26, light_source->diffuse_q30);
+		if (light_source->step) {
+			shine = add_highlight(light_source, n, shine, out);
 		}
 	}
-	out[0] = to_attribute(MULTIPLY_ADD_HALF(shine.x, dull.x, color[0]));
-	out[1] = to_attribute(MULTIPLY_ADD_HALF(shine.y, dull.y, color[1]));
-	out[2] = to_attribute(MULTIPLY_ADD_HALF(shine.z, dull.z, color[2]));
-	out[3] = 128 + color[3] * 256;
+	red_blue = BYTES_AS_HALVES(color);
+	green_alpha = ODD_BYTES_AS_HALVES(color);
+	out[0] = to_attribute(MULTIPLY_ADD_HALF(shine[0], dull.x, red_blue));
+	out[1] = to_attribute(MULTIPLY_ADD_HALF(shine[1], dull.y, green_alpha));
+	out[2] = to_attribute(
+		MULTIPLY_ADD_HALF(shine[2], dull.z, red_blue >> 16));
+	out[3] = 128 + (int32_t)(green_alpha >> 16 << 8);
 }
 
-/* The lit colours of a vertex; false where the normal is not for it. */
-static ALWAYS_INLINE bool light_by_dir_lights(
-	const struct dir_lights *light, struct vertex *vertex)
+/* Q28; false where struct dir_lights does not take it. */
+static ALWAYS_INLINE bool take_floats(
+	const struct dir_lights *light, const float f[3], struct triple *n)
 {
-	size_t index = vertex->index;
-	const void *normal =
+	int32_t square;
+
+	*n = (struct triple){
+		take_float(f[0]), take_float(f[1]), take_float(f[2])};
+	square = mul_high(n->x, n->x);
+	square = mul_high_add(square, n->y, n->y);
+	square = mul_high_add(square, n->z, n->z);
+	return (uint32_t)square - light->square_least < light->square_range;
+}
+
+/* The lit colour of a side; false where the normal is not for it. */
+static ALWAYS_INLINE bool light_by_dir_lights(const struct dir_lights *light,
+	uint32_t index, bool back, int32_t out[4])
+{
+	const uint8_t *normal =
 		light->normals + index * (size_t)light->normal_stride;
 	const uint8_t *color =
 		light->colors + index * (size_t)light->color_stride;
+	uint32_t bytes;
 	struct triple n;
 
-	PRELOAD((const uint8_t *)normal + 40);
+	/* The colour comes from memory while the normal is made ready. */
+	memcpy(&bytes, color, sizeof(bytes));
+	PRELOAD(normal + 40);
 	if (!light->floats) {
 		n = normalize_shorts(light, normal);
-	} else {
-		const float *f = normal;
-		int32_t square;
-
-		n = (struct triple){
-			take_float(f[0]), take_float(f[1]), take_float(f[2])};
-		square = mul_high(n.x, n.x);
-		square = mul_high_add(square, n.y, n.y);
-		square = mul_high_add(square, n.z, n.z);
-		if ((uint32_t)square - light->square_least >=
-			light->square_range) {
-			return false;
-		}
+	} else if (!take_floats(light, (const float *)(const void *)normal, &n)) {
+		return false;
 	}
-	light_side(light, n, color, vertex->attribute + RED);
-	if (light->two_side) {
+	if (back) {
 		n = (struct triple){-n.x, -n.y, -n.z};
-		light_side(light, n, color, vertex->back);
 	}
+	light_side(light, n, bytes, out);
 	return true;
+}
+
+static NEVER_INLINE void light_back(
+	const struct dir_lights *light, struct vertex *vertex)
+{
+	light_by_dir_lights(light, vertex->index, true, vertex->back);
 }
 
 static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
@@ -267,9 +288,12 @@ static ALWAYS_INLINE void find_color(
 	}
 }
 
-static ALWAYS_INLINE void shade_rest(
+static ALWAYS_INLINE void shade_more(
 	const struct draw *draw, struct vertex *vertex)
 {
+	if (draw->shading.by_dir_lights && draw->shading.two_side) {
+		light_back(&draw->dir_lights, vertex);
+	}
 	if (draw->fogged) {
 		vertex->attribute[FOG] = find_fog(draw, vertex);
 	}
@@ -281,17 +305,25 @@ static ALWAYS_INLINE void shade_rest(
 	}
 }
 
-void soft_shade(const struct draw *draw, struct vertex *vertex)
+void soft_shade_vertex(
+	const struct draw *draw, struct vertex *vertex, uint32_t index)
 {
-	if (vertex->shaded || draw->attributes == 0) {
-		return;
-	}
 	vertex->shaded = true;
 	if (!draw->shading.lit) {
 		find_color(draw, vertex);
 	} else if (!draw->shading.by_dir_lights ||
-		!light_by_dir_lights(&draw->dir_lights, vertex)) {
+		!light_by_dir_lights(&draw->dir_lights, index, false,
+			vertex->attribute + RED)) {
 		soft_light(draw, vertex);
 	}
-	shade_rest(draw, vertex);
+	if (draw->shade_more) {
+		shade_more(draw, vertex);
+	}
+}
+
+void soft_shade(const struct draw *draw, struct vertex *vertex)
+{
+	if (!vertex->shaded && draw->attributes != 0) {
+		soft_shade_vertex(draw, vertex, vertex->index);
+	}
 }

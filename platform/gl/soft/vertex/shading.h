@@ -60,9 +60,8 @@ struct spec_table {
  */
 struct dir_light {
 	int32_t towards_q30[3], diffuse_q30[3];
-	int32_t spec_tables; /* whether what follows is of use */
+	const struct spec_table_step *step; /* NULL: no highlights */
 	int32_t half_q30[3], least_q26, scale;
-	const struct spec_table_step *step;
 	int32_t specular_q20[3]; /* as it is */
 };
 

@@ -311,12 +311,11 @@ static void make_light_source(const struct lit_mesh *mesh,
 		light_source->diffuse_q30[j] = random_within(seed, 1 << 30);
 		light_source->specular_q20[j] = random_within(seed, 1 << 20);
 	}
-	light_source->spec_tables = next_random(seed) % 2;
 	/* Up to 0.5, so that no table is steeper than twice a cosine. */
 	light_source->least_q26 = abs(random_within(seed, 1 << 25)) & ~7;
 	light_source->scale = (int32_t)fmin(INT32_MAX,
 		ldexp(1, 46) / ((1 << 26) - light_source->least_q26 + 8));
-	light_source->step = mesh->step;
+	light_source->step = next_random(seed) % 2 ? mesh->step : NULL;
 }
 
 static void make_light(
@@ -378,6 +377,7 @@ static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
 	draw->shading.lit = true;
 	draw->shading.by_dir_lights = true;
 	draw->shading.two_side = draw->dir_lights.two_side;
+	draw->shade_more = true;
 	draw->shading.base_q16[3] = 65536;
 	draw->soft->arrays.normal = (struct array){
 		.enabled = true,
@@ -443,7 +443,7 @@ static void expect_side(const struct dir_lights *light, const double n[3],
 				continue;
 			}
 			dull += towards * ldexp(from->diffuse_q30[i], -30);
-			if (from->spec_tables) {
+			if (from->step) {
 				shine += find_highlight(from, half) *
 					ldexp(from->specular_q20[i], -20);
 			}

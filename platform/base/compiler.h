@@ -67,6 +67,27 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 }
 #endif
 
+/* Two words at a multiple of four bytes; one instruction where there is one. */
+#if defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6
+static inline uint64_t load_two_words(const void *at)
+{
+	uint64_t words;
+
+	__asm__("ldrd %Q0, %R0, %1"
+		: "=&r"(words)
+		: "Uq"(*(const char(*)[8])at));
+	return words;
+}
+#else
+static inline uint64_t load_two_words(const void *at)
+{
+	uint64_t words;
+
+	__builtin_memcpy(&words, at, sizeof(words));
+	return words;
+}
+#endif
+
 /* A signed value, limited to so many unsigned bits, a constant. */
 #ifdef __ARM_FEATURE_SAT
 #define LIMIT_TO_BITS(value, bits) ((int32_t)__usat(value, bits))

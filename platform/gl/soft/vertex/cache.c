@@ -2,12 +2,7 @@
 
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
 {
-	struct vertex *vertex = &draw->cache[slot];
-	struct cache_tag *place = &draw->place[slot];
-
-	soft_transform(draw, index, vertex);
-	place->tag = vertex->outcode || !draw->packed ? TAG_OUTSIDE : index;
-	place->xy = vertex_xy(vertex);
+	load_slot(draw, slot, index, draw->packed);
 }
 
 void soft_find_vertices(struct draw *draw, const struct source *source,

@@ -199,21 +199,6 @@ struct view {
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 
-/*
- * Slots of the vertex cache by what their vertices are made of, and triangles
- * as lists of slots; arm/dedup.S knows the offsets.
- */
-enum {
-	DEDUP_TRIANGLES = 64
-};
-
-struct dedup {
-	const uint8_t *source[VERTEX_CACHE]; /* or one of nothing[] */
-	uint8_t listed[VERTEX_CACHE]; /* in slots[], which is under way */
-	uint16_t slots[3 * DEDUP_TRIANGLES];
-	uint32_t nothing[2][8]; /* no vertex of a slot: slot 0's is the second */
-};
-
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
@@ -295,7 +280,6 @@ struct draw {
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
 	struct vertex cache[VERTEX_CACHE];
-	struct dedup dedup;
 	struct vertex apart[3]; /* vertices that shared a place in it */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 	/* counts.c's, while a program counts */
@@ -318,23 +302,18 @@ void soft_list_any(struct draw *draw, const void *indices, uint32_t count);
 void soft_list(struct draw *draw, const void *indices, uint32_t count);
 void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
-/* list.c: a triangle of a list without indices, past the cache. */
-void soft_draw_apart(struct draw *draw, uint32_t index);
-
 /*
- * Draws such a list while draw->packed, from index first on, whose vertices lie
- * together, words of 4 bytes from at on. False where it is left to unindexed.c:
- * it always is in C; else arm/dedup.S does it.
+ * list.c: a triangle of vertices that lie in these slots of the cache, three,
+ * and all inside of the clip volume, while draw->packed.
  */
-bool soft_draw_dedup(struct draw *draw, const uint8_t *at, size_t stride_bytes,
-	int words, uint32_t first, uint32_t count);
+void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
 
 /* prepare.c: what stays the same for good. */
 void soft_init_scratch(struct draw *draw);
 
 /*
- * prepare.c: derives all of this for a mode of DrawArrays(). False when there is
- * nothing to draw.
+ * prepare.c: derives all of this for a mode of DrawArrays(). False when there
+ * is nothing to draw.
  */
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count);

@@ -47,28 +47,22 @@ static ALWAYS_INLINE bool are_there(const struct cache_tag *place,
 	const struct corners *slot, const uint16_t index[3])
 {
 	return place[slot->a].tag == index[0] &&
-		place[slot->b].tag == index[1] &&
-		place[slot->c].tag == index[2];
+		place[slot->b].tag == index[1] && place[slot->c].tag == index[2];
 }
 
 /* A vertex into its slot, unless it is there, outside of the clip volume. */
 static NEVER_INLINE void load_corner(
 	struct draw *draw, uint32_t slot, uint32_t index)
 {
-	struct vertex *vertex = draw->fast_setup.cache + slot;
-	struct cache_tag *place = draw->fast_setup.place + slot;
-
-	if (place->tag == TAG_OUTSIDE && vertex->index == index) {
-		return;
+	if (draw->fast_setup.place[slot].tag != TAG_OUTSIDE ||
+		draw->fast_setup.cache[slot].index != index) {
+		load_slot(draw, slot, index, true);
 	}
-	soft_transform(draw, index, vertex);
-	place->tag = vertex->outcode ? TAG_OUTSIDE : index;
-	place->xy = vertex_xy(vertex);
 }
 
 /* False where one lies outside, or two share a slot. */
-static ALWAYS_INLINE bool load_corners(struct draw *draw,
-	const struct corners *slot, const uint16_t index[3])
+static ALWAYS_INLINE bool load_corners(
+	struct draw *draw, const struct corners *slot, const uint16_t index[3])
 {
 	const struct cache_tag *place = draw->place;
 
@@ -85,8 +79,8 @@ static ALWAYS_INLINE bool load_corners(struct draw *draw,
 }
 
 /*
- * Rows, columns and size of corners as struct cache_tag has them. False where no
- * centre is covered; *all is whether all of the triangle is in the box.
+ * Rows, columns and size of corners as struct cache_tag has them. False where
+ * no centre is covered; *all is whether all of the triangle is in the box.
  */
 static ALWAYS_INLINE bool find_extent(const struct fast_setup *fast_setup,
 	const uint32_t xy[3], struct setup *setup, bool *all)
@@ -131,25 +125,48 @@ static ALWAYS_INLINE void sort_corners(struct vertex *cache,
 	setup->middle = (int)((setup->xy[1] + (7 << 16)) >> 20);
 }
 
-static ALWAYS_INLINE void shade_corners(
-	const struct draw *draw, struct vertex *cache, const struct corners *slot)
+/* Its index is that of the list, or the vertex' own where there is none. */
+static ALWAYS_INLINE void shade_corner(
+	const struct draw *draw, struct vertex *vertex, const uint16_t *index)
 {
-	struct vertex *corner[3] = {
-		cache + slot->a, cache + slot->b, cache + slot->c};
-
-	if (corner[0]->shaded & corner[1]->shaded & corner[2]->shaded) {
-		return;
-	}
-	for (int i = 0; i < 3; i++) {
-		if (!corner[i]->shaded) {
-			soft_shade(draw, corner[i]);
-		}
+	if (!vertex->shaded) {
+		soft_shade_vertex(draw, vertex, index ? *index : vertex->index);
 	}
 }
 
-/* Twice the area, in sixteenths squared, is not 0. */
-static ALWAYS_INLINE void draw_seen(struct draw *draw, const uint16_t index[3],
-	const struct corners *slot, const uint32_t xy[3], int32_t twice)
+static ALWAYS_INLINE void shade_corners(const struct draw *draw,
+	struct vertex *cache, const struct corners *slot, const uint16_t *index)
+{
+	struct vertex *a = cache + slot->a, *b = cache + slot->b;
+	struct vertex *c = cache + slot->c;
+
+	if (!(a->shaded & b->shaded & c->shaded)) {
+		shade_corner(draw, a, index);
+		shade_corner(draw, b, index ? index + 1 : NULL);
+		shade_corner(draw, c, index ? index + 2 : NULL);
+	}
+}
+
+static NEVER_INLINE void draw_slots_other(
+	struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
+{
+	struct vertex *v[3] = {
+		draw->cache + a, draw->cache + b, draw->cache + c};
+
+	draw_transformed(draw, v);
+}
+
+/* Twice the area, in sixteenths squared, positive where it is clockwise. */
+static ALWAYS_INLINE int32_t twice_area(const uint32_t xy[3])
+{
+	return cross_halves(
+		subtract_halves(xy[1], xy[0]), subtract_halves(xy[2], xy[0]));
+}
+
+/* Of a list with indices, or NULL. */
+static ALWAYS_INLINE void draw_seen(struct draw *draw,
+	const struct corners *slot, const uint16_t *index, const uint32_t xy[3],
+	int32_t twice)
 {
 	const struct fast_setup *fast_setup = &draw->fast_setup;
 	struct setup setup;
@@ -159,7 +176,7 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw, const uint16_t index[3],
 		return;
 	}
 	if (!all) {
-		soft_list_other(draw, index);
+		draw_slots_other(draw, slot->a, slot->b, slot->c);
 		return;
 	}
 	sort_corners(fast_setup->cache, slot, xy, &setup);
@@ -169,7 +186,7 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw, const uint16_t index[3],
 	setup.back = ((uint32_t)twice >> 31) ^ fast_setup->back_flip;
 	setup.area = (uint32_t)(twice < 0 ? -twice : twice);
 	if (fast_setup->attributes) {
-		shade_corners(draw, fast_setup->cache, slot);
+		shade_corners(draw, fast_setup->cache, slot, index);
 	}
 	fast_setup->fill(draw, &setup);
 }
@@ -195,21 +212,24 @@ void soft_list(struct draw *draw, const void *indices, uint32_t count)
 		xy[0] = place[slot.a].xy;
 		xy[1] = place[slot.b].xy;
 		xy[2] = place[slot.c].xy;
-		twice = cross_halves(subtract_halves(xy[1], xy[0]),
-			subtract_halves(xy[2], xy[0]));
+		twice = twice_area(xy);
 		if (twice != 0 && (((uint32_t)twice ^ side) & mask) == 0) {
-			draw_seen(draw, index, &slot, xy, twice);
+			draw_seen(draw, &slot, index, xy, twice);
 		}
 	}
 }
 
-void soft_draw_apart(struct draw *draw, uint32_t index)
+void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
 {
-	struct vertex *v[3];
+	const struct fast_setup *fast_setup = &draw->fast_setup;
+	const struct corners slot = {a, b, c};
+	const struct cache_tag *place = fast_setup->place;
+	const uint32_t xy[3] = {place[a].xy, place[b].xy, place[c].xy};
+	int32_t twice = twice_area(xy);
 
-	for (uint32_t i = 0; i < 3; i++) {
-		v[i] = &draw->apart[i];
-		soft_transform(draw, index + i, v[i]);
+	if (twice != 0 &&
+		(((uint32_t)twice ^ fast_setup->cull_side) &
+			fast_setup->cull_mask) == 0) {
+		draw_seen(draw, &slot, NULL, xy, twice);
 	}
-	draw_transformed(draw, v);
 }

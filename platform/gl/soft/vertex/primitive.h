@@ -6,7 +6,19 @@
 
 #include <string.h>
 
-/* cache.c: the vertex of an index into a slot of the cache. */
+/* The vertex of an index into a slot of the cache; packed is draw->packed. */
+static ALWAYS_INLINE void load_slot(
+	struct draw *draw, uint32_t slot, uint32_t index, bool packed)
+{
+	struct vertex *vertex = draw->fast_setup.cache + slot;
+	struct cache_tag *place = draw->fast_setup.place + slot;
+
+	soft_transform(draw, index, vertex);
+	place->tag = vertex->outcode || !packed ? TAG_OUTSIDE : index;
+	place->xy = vertex_xy(vertex);
+}
+
+/* cache.c: the same, out of line. */
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*

@@ -31,8 +31,7 @@ static bool add_stream(
 	return words || color;
 }
 
-static bool are_equal_words(
-	const uint8_t *left, const uint8_t *right, int words)
+static bool are_equal_words(const uint8_t *left, const uint8_t *right, int words)
 {
 	uint32_t differ = 0;
 
@@ -57,15 +56,18 @@ static bool are_equal_streams(
 	return true;
 }
 
+static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
+{
+	return (x + (y << 3) + (y >> 9) - (z >> 5)) * 2654435761u >> 23;
+}
+
 /* By what the vertex is made of: unindexed lists give it several times. */
 static struct vertex *find_dedup(struct draw *draw,
 	const struct stream *streams, int count, uint32_t index)
 {
 	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
-	uint32_t y = load_word(at + 4);
-	uint32_t mixed =
-		load_word(at) + (y << 3) + (y >> 9) - (load_word(at + 8) >> 5);
-	uint32_t slot = mixed * 2654435761u >> 23;
+	uint32_t slot = choose_slot(
+		load_word(at), load_word(at + 4), load_word(at + 8));
 	struct vertex *vertex = &draw->cache[slot];
 
 	if (draw->place[slot].tag == PLACE_EMPTY ||
@@ -89,34 +91,108 @@ static bool list_streams(
 		add_stream(&arrays->texcoord[1], streams, count);
 }
 
-static void draw_dedup(struct draw *draw, const struct stream *streams,
-	int stream_count, uint32_t first, uint32_t count)
+static NEVER_INLINE void draw_dedup(struct draw *draw,
+	const struct stream *streams, int stream_count, uint32_t index)
 {
-	for (uint32_t i = 0; i + 2 < count; i += 3) {
-		uint32_t index = first + i;
-		struct vertex *v[3];
+	struct vertex *v[3];
 
-		v[0] = find_dedup(draw, streams, stream_count, index);
-		v[1] = find_dedup(draw, streams, stream_count, index + 1);
-		v[2] = find_dedup(draw, streams, stream_count, index + 2);
-		if (v[0] == v[1] || v[0] == v[2]) {
-			v[0] = &draw->apart[0];
-			soft_transform(draw, index, v[0]);
+	for (uint32_t i = 0; i < 3; i++) {
+		v[i] = find_dedup(draw, streams, stream_count, index + i);
+	}
+	if (v[0] == v[1] || v[0] == v[2]) {
+		v[0] = &draw->apart[0];
+		soft_transform(draw, index, v[0]);
+	}
+	if (v[1] == v[2]) {
+		v[1] = &draw->apart[1];
+		soft_transform(draw, index + 1, v[1]);
+	}
+	draw_transformed(draw, v);
+}
+
+/* Whether vertices of two pairs of words and others equal; the first has these. */
+static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
+	const uint8_t *right, uint64_t xy, uint64_t z, int pairs)
+{
+	if (load_two_words(right) != xy || load_two_words(right + 8) != z) {
+		return false;
+	}
+	for (int i = 2; i < pairs; i++) {
+		if (load_two_words(left + 8 * i) !=
+			load_two_words(right + 8 * i)) {
+			return false;
 		}
-		if (v[1] == v[2]) {
-			v[1] = &draw->apart[1];
-			soft_transform(draw, index + 1, v[1]);
+	}
+	return true;
+}
+
+/* As find_dedup(), of pairs of words from at on: the slot, and if it was filled. */
+static ALWAYS_INLINE uint32_t find_pairs(struct draw *draw,
+	const struct stream *stream, const uint8_t *at, uint32_t index,
+	bool *filled)
+{
+	uint64_t xy = load_two_words(at), z = load_two_words(at + 8);
+	uint32_t slot =
+		choose_slot((uint32_t)xy, (uint32_t)(xy >> 32), (uint32_t)z);
+	uint32_t tag = draw->fast_setup.place[slot].tag;
+
+	if (tag >= TAG_OUTSIDE ||
+		!are_equal_pairs(at, stream->pointer + tag * stream->stride_bytes,
+			xy, z, stream->words / 2)) {
+		soft_load_slot(draw, slot, index);
+		*filled = true;
+	}
+	return slot;
+}
+
+/* What most lists are: all of a vertex together, with no or two words between. */
+static ALWAYS_INLINE void draw_pairs(struct draw *draw,
+	const struct stream *stream, int pairs, size_t stride_bytes,
+	uint32_t first, uint32_t count)
+{
+	const struct stream list = {stream->pointer, stride_bytes, 2 * pairs};
+	const uint8_t *at = list.pointer + first * stride_bytes;
+	const struct cache_tag *place = draw->place;
+	const uint32_t end = first + count / 3 * 3;
+
+	for (uint32_t i = first; i != end; i += 3, at += 3 * stride_bytes) {
+		bool filled = false;
+		uint32_t a = find_pairs(draw, &list, at, i, &filled);
+		uint32_t b = find_pairs(
+			draw, &list, at + stride_bytes, i + 1, &filled);
+		uint32_t c = find_pairs(
+			draw, &list, at + 2 * stride_bytes, i + 2, &filled);
+
+		PRELOAD(at + 4 * stride_bytes);
+		if (filled &&
+			(place[a].tag == TAG_OUTSIDE ||
+				place[b].tag == TAG_OUTSIDE ||
+				place[c].tag == TAG_OUTSIDE || a == b ||
+				a == c || b == c)) {
+			draw_dedup(draw, stream, 1, i);
+		} else {
+			soft_draw_slots(draw, a, b, c);
 		}
-		draw_transformed(draw, v);
 	}
 }
 
+/* False where the vertices are something else. */
 static bool draw_together(struct draw *draw, const struct stream *stream,
 	uint32_t first, uint32_t count)
 {
-	return draw->packed &&
-		soft_draw_dedup(draw, stream->pointer, stream->stride_bytes,
-			stream->words, first, count);
+	if (!draw->packed || (uintptr_t)stream->pointer % 4 != 0) {
+		return false;
+	}
+	if (stream->words == 8 && stream->stride_bytes == 32) {
+		draw_pairs(draw, stream, 4, 32, first, count);
+	} else if (stream->words == 6 && stream->stride_bytes == 32) {
+		draw_pairs(draw, stream, 3, 32, first, count);
+	} else if (stream->words == 6 && stream->stride_bytes == 24) {
+		draw_pairs(draw, stream, 3, 24, first, count);
+	} else {
+		return false;
+	}
+	return true;
 }
 
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
@@ -127,8 +203,11 @@ bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 	if (!list_streams(draw, streams, &used)) {
 		return false;
 	}
-	if (used != 1 || !draw_together(draw, streams, first, count)) {
-		draw_dedup(draw, streams, used, first, count);
+	if (used == 1 && draw_together(draw, streams, first, count)) {
+		return true;
+	}
+	for (uint32_t i = 0; i + 2 < count; i += 3) {
+		draw_dedup(draw, streams, used, first + i);
 	}
 	return true;
 }

@@ -15,7 +15,7 @@ build/gen/gpiod_v%/gpiod.h:
 define gpiod_test
 GPIOD_OBJECTS_$(1)_$(2) := $(patsubst %.c,build/$(1)/obj/gpiod_v$(2)/%.o,\
 	platform/buttons/gpiod/v$(2)/gpio_v$(2).c \
-	$(addprefix tests/gpiod/,cases.c fake.c fake_v$(2).c))
+	$(addprefix tests/gpiod/,bench.c cases.c fake.c fake_v$(2).c))
 
 build/$(1)/obj/gpiod_v$(2)/%.o: %.c build/gen/gpiod_v$(2)/gpiod.h \
 		| build/$(1)/packages.stamp build/test-packages.stamp

@@ -1,199 +1,115 @@
 #include "tests/gpiod/cases.h"
 
 #include "platform/base/compiler.h"
-#include "platform/buttons/buttons.h"
 #include "platform/buttons/gpio_output.h"
 #include "platform/buttons/gpiod/gpiod_survey.h"
-#include "tests/gpiod/fake.h"
-#include "tests/support/log_capture.h"
+#include "tests/gpiod/bench.h"
 #include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
-#include <stdlib.h>
-
-/* The chips of a machine and the buttons on them. */
-struct bench {
-	struct fake_gpio gpio;
-	struct log_capture logged;
-	struct log log;
-	struct buttons buttons;
-	int64_t now_ms;
-};
-
-static int setup(void **state)
-{
-	struct bench *bench = calloc(1, sizeof(*bench));
-
-	assert_non_null(bench);
-	fake_gpio_begin(&bench->gpio);
-	bench->log = log_capture_begin(&bench->logged);
-	*state = bench;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct bench *bench = *state;
-
-	buttons_close(&bench->buttons);
-	fake_gpio_end(&bench->gpio);
-	free(bench);
-	return 0;
-}
-
-static void open_lines(struct bench *bench, const char *spec)
-{
-	assert_int_equal(buttons_open(&bench->buttons, spec, &bench->log), 0);
-	buttons_poll(&bench->buttons, 0);
-}
-
-/* A line of gpio2, the third chip. */
-static struct fake_line *wire(struct bench *bench, int offset)
-{
-	return &bench->gpio.chip[2].line[offset];
-}
-
-static void expect(struct bench *bench, enum button button, bool down)
-{
-	struct button_event event;
-
-	assert_true(button_queue_pop(&bench->buttons.queue, &event));
-	assert_int_equal(event.button, button);
-	assert_int_equal(event.down, down);
-}
-
-static void expect_nothing(struct bench *bench)
-{
-	struct button_event event;
-
-	assert_false(button_queue_pop(&bench->buttons.queue, &event));
-}
-
-/* Fails the test unless one warning with these parts was logged. */
-static void expect_warning(
-	struct bench *bench, const char *what, const char *why)
-{
-	assert_int_equal(bench->logged.count, 1);
-	assert_int_equal(bench->logged.level[0], LOG_WARNING);
-	assert_contains(bench->logged.sentence[0], what);
-	assert_contains(bench->logged.sentence[0], why);
-	bench->logged.count = 0;
-}
-
-static void press_works(
-	struct bench *bench, struct fake_line *line, enum button button)
-{
-	fake_gpio_set(line, true, 2000);
-	bench->now_ms += 1000;
-	buttons_poll(&bench->buttons, bench->now_ms);
-	expect(bench, button, true);
-	fake_gpio_set(line, false, 2000);
-	bench->now_ms += 1000;
-	buttons_poll(&bench->buttons, bench->now_ms);
-	expect(bench, button, false);
-	expect_nothing(bench);
-}
 
 static void test_a_line_is_found_by_label_and_offset(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,F9=53fd0000.gpio/25");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18,F9=53fd0000.gpio/25");
 	assert_int_equal(bench->logged.count, 0);
-	assert_true(wire(bench, 18)->input);
-	assert_true(wire(bench, 18)->both_edges);
-	assert_false(wire(bench, 18)->active_low);
-	assert_int_equal(wire(bench, 18)->bias, FAKE_AS_IS);
-	assert_string_equal(wire(bench, 18)->consumer, "limber UP");
-	press_works(bench, wire(bench, 18), BUTTON_UP);
-	press_works(bench, wire(bench, 25), BUTTON_F9);
+	assert_true(gpiod_bench_wire(bench, 18)->input);
+	assert_true(gpiod_bench_wire(bench, 18)->both_edges);
+	assert_false(gpiod_bench_wire(bench, 18)->active_low);
+	assert_int_equal(gpiod_bench_wire(bench, 18)->bias, FAKE_AS_IS);
+	assert_string_equal(gpiod_bench_wire(bench, 18)->consumer, "limber UP");
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 25), BUTTON_F9);
 }
 
 static void test_a_label_finds_its_chip_under_any_number(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	bench->gpio.chip[0].label = "53fd0000.gpio";
 	bench->gpio.chip[2].label = "53fa4000.gpio";
 	bench->gpio.chip[0].name = "gpiochip7";
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
-	press_works(bench, &bench->gpio.chip[0].line[18], BUTTON_UP);
-	assert_false(wire(bench, 18)->requested);
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_press(bench, &bench->gpio.chip[0].line[18], BUTTON_UP);
+	assert_false(gpiod_bench_wire(bench, 18)->requested);
 }
 
 static void test_a_line_is_found_by_its_name(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	bench->gpio.chip[1].line[3].name = "KEY_ROW4";
-	wire(bench, 5)->name = "A/B line";
-	wire(bench, 6)->name = "KEY_ROW4";
-	open_lines(bench,
+	gpiod_bench_wire(bench, 5)->name = "A/B line";
+	gpiod_bench_wire(bench, 6)->name = "KEY_ROW4";
+	gpiod_bench_open(bench,
 		"gpiod:LEFT=KEY_ROW4,RIGHT=gpiochip2/KEY_ROW4/active-high");
 	assert_int_equal(bench->logged.count, 0);
-	press_works(bench, &bench->gpio.chip[1].line[3], BUTTON_LEFT);
-	press_works(bench, wire(bench, 6), BUTTON_RIGHT);
+	gpiod_bench_press(bench, &bench->gpio.chip[1].line[3], BUTTON_LEFT);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 6), BUTTON_RIGHT);
 }
 
 static void test_with_spaces_a_name_may_contain_slashes(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	wire(bench, 5)->name = "A/B";
-	open_lines(bench, "gpiod:LEFT=53fd0000.gpio A/B pull-up");
-	assert_int_equal(wire(bench, 5)->bias, FAKE_PULL_UP);
-	press_works(bench, wire(bench, 5), BUTTON_LEFT);
+	gpiod_bench_wire(bench, 5)->name = "A/B";
+	gpiod_bench_open(bench, "gpiod:LEFT=53fd0000.gpio A/B pull-up");
+	assert_int_equal(gpiod_bench_wire(bench, 5)->bias, FAKE_PULL_UP);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 5), BUTTON_LEFT);
 }
 
 static void test_bias_and_active_level_are_requested(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	wire(bench, 1)->high = true;
-	open_lines(bench,
+	gpiod_bench_wire(bench, 1)->high = true;
+	gpiod_bench_open(bench,
 		"gpiod:UP=53fd0000.gpio/1/active-low/pull-up,DOWN=53fd0000.gpio/2/pull-down,LEFT=53fd0000.gpio/3/no-pull");
-	assert_true(wire(bench, 1)->active_low);
-	assert_int_equal(wire(bench, 1)->bias, FAKE_PULL_UP);
-	assert_false(wire(bench, 2)->active_low);
-	assert_int_equal(wire(bench, 2)->bias, FAKE_PULL_DOWN);
-	assert_int_equal(wire(bench, 3)->bias, FAKE_NO_PULL);
-	fake_gpio_set(wire(bench, 1), false, 0);
+	assert_true(gpiod_bench_wire(bench, 1)->active_low);
+	assert_int_equal(gpiod_bench_wire(bench, 1)->bias, FAKE_PULL_UP);
+	assert_false(gpiod_bench_wire(bench, 2)->active_low);
+	assert_int_equal(gpiod_bench_wire(bench, 2)->bias, FAKE_PULL_DOWN);
+	assert_int_equal(gpiod_bench_wire(bench, 3)->bias, FAKE_NO_PULL);
+	fake_gpio_set(gpiod_bench_wire(bench, 1), false, 0);
 	buttons_poll(&bench->buttons, 100);
-	expect(bench, BUTTON_UP, true);
-	fake_gpio_set(wire(bench, 1), true, 0);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	fake_gpio_set(gpiod_bench_wire(bench, 1), true, 0);
 	buttons_poll(&bench->buttons, 200);
-	expect(bench, BUTTON_UP, false);
+	gpiod_bench_expect(bench, BUTTON_UP, false);
 }
 
 static void test_a_bouncing_contact_counts_once(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
 	for (int i = 0; i < 7; i++) {
-		fake_gpio_set(wire(bench, 18), i % 2 == 0, 30000 - i * 1000);
+		fake_gpio_set(gpiod_bench_wire(bench, 18), i % 2 == 0,
+			30000 - i * 1000);
 	}
 	buttons_poll(&bench->buttons, 100);
-	expect(bench, BUTTON_UP, true);
-	expect_nothing(bench);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_expect_nothing(bench);
 	buttons_poll(&bench->buttons, 1000);
-	expect_nothing(bench);
+	gpiod_bench_expect_nothing(bench);
 }
 
 /* Presses UP twice between two frames, 100 ms apart: both must count. */
-static void expect_two_presses(struct bench *bench,
+static void expect_two_presses(struct gpiod_bench *bench,
 	void (*set)(struct fake_line *line, bool high, int age_us))
 {
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
 	for (int i = 0; i < 4; i++) {
-		set(wire(bench, 18), i % 2 == 0, 400000 - i * 100000);
+		set(gpiod_bench_wire(bench, 18), i % 2 == 0,
+			400000 - i * 100000);
 	}
 	buttons_poll(&bench->buttons, 1000);
 	for (int i = 0; i < 4; i++) {
-		expect(bench, BUTTON_UP, i % 2 == 0);
+		gpiod_bench_expect(bench, BUTTON_UP, i % 2 == 0);
 	}
-	expect_nothing(bench);
+	gpiod_bench_expect_nothing(bench);
 }
 
 static void test_two_presses_between_two_frames_count(void **state)
@@ -208,141 +124,148 @@ static void test_real_time_stamps_are_accepted(void **state)
 
 static void test_a_line_has_a_debounce_time_of_its_own(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench,
+	gpiod_bench_open(bench,
 		"gpiod:UP=53fd0000.gpio/18/debounce=200,DOWN=53fd0000.gpio/19");
 	for (int i = 0; i < 3; i++) {
-		fake_gpio_set(wire(bench, 18), i % 2 == 0, 300000 - i * 50000);
-		fake_gpio_set(wire(bench, 19), i % 2 == 0, 290000 - i * 50000);
+		fake_gpio_set(gpiod_bench_wire(bench, 18), i % 2 == 0,
+			300000 - i * 50000);
+		fake_gpio_set(gpiod_bench_wire(bench, 19), i % 2 == 0,
+			290000 - i * 50000);
 	}
 	buttons_poll(&bench->buttons, 1000);
-	expect(bench, BUTTON_UP, true);
-	expect(bench, BUTTON_DOWN, true);
-	expect(bench, BUTTON_DOWN, false);
-	expect(bench, BUTTON_DOWN, true);
-	expect_nothing(bench);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_expect(bench, BUTTON_DOWN, true);
+	gpiod_bench_expect(bench, BUTTON_DOWN, false);
+	gpiod_bench_expect(bench, BUTTON_DOWN, true);
+	gpiod_bench_expect_nothing(bench);
 }
 
 static void test_edges_of_several_lines_are_sorted_by_time(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench,
+	gpiod_bench_open(bench,
 		"gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19,LEFT=53fd0000.gpio/20");
-	fake_gpio_set(wire(bench, 18), true, 100000);
-	fake_gpio_set(wire(bench, 18), false, 20000);
-	fake_gpio_set(wire(bench, 19), true, 200000);
-	fake_gpio_set(wire(bench, 20), true, 50000);
+	fake_gpio_set(gpiod_bench_wire(bench, 18), true, 100000);
+	fake_gpio_set(gpiod_bench_wire(bench, 18), false, 20000);
+	fake_gpio_set(gpiod_bench_wire(bench, 19), true, 200000);
+	fake_gpio_set(gpiod_bench_wire(bench, 20), true, 50000);
 	buttons_poll(&bench->buttons, 1000);
-	expect(bench, BUTTON_DOWN, true);
-	expect(bench, BUTTON_UP, true);
-	expect(bench, BUTTON_LEFT, true);
-	expect(bench, BUTTON_UP, false);
+	gpiod_bench_expect(bench, BUTTON_DOWN, true);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_expect(bench, BUTTON_LEFT, true);
+	gpiod_bench_expect(bench, BUTTON_UP, false);
 }
 
 static void test_after_lost_edges_the_level_counts(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	/* One edge more than the kernel buffers: the last one is lost. */
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
 	for (int i = 0; i < FAKE_EDGES + 1; i++) {
-		fake_gpio_set(wire(bench, 18), i % 2 == 0, 900000 - i * 50000);
+		fake_gpio_set(gpiod_bench_wire(bench, 18), i % 2 == 0,
+			900000 - i * 50000);
 	}
-	assert_int_equal(wire(bench, 18)->edges, FAKE_EDGES);
+	assert_int_equal(gpiod_bench_wire(bench, 18)->edges, FAKE_EDGES);
 	buttons_poll(&bench->buttons, 1000);
 	assert_true(bench->buttons.queue.down[BUTTON_UP]);
 }
 
 static void test_a_button_held_at_the_start_is_no_press(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	wire(bench, 18)->high = true;
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_wire(bench, 18)->high = true;
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
 	buttons_poll(&bench->buttons, 100);
-	expect_nothing(bench);
-	fake_gpio_set(wire(bench, 18), false, 1000);
+	gpiod_bench_expect_nothing(bench);
+	fake_gpio_set(gpiod_bench_wire(bench, 18), false, 1000);
 	buttons_poll(&bench->buttons, 200);
-	expect_nothing(bench);
-	press_works(bench, wire(bench, 18), BUTTON_UP);
+	gpiod_bench_expect_nothing(bench);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 }
 
 static void test_a_taken_line_is_named_with_its_holder(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	wire(bench, 18)->holder = "phy-reset";
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
-	expect_warning(bench, "gpiod:UP: line 18 of 53fd0000.gpio",
+	gpiod_bench_wire(bench, 18)->holder = "phy-reset";
+	gpiod_bench_open(
+		bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	gpiod_bench_expect_warning(bench, "gpiod:UP: line 18 of 53fd0000.gpio",
 		"taken by phy-reset");
-	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 19), BUTTON_DOWN);
 }
 
 static void test_a_missing_chip_lists_the_others(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench, "gpiod:UP=pca9555/1,DOWN=53fd0000.gpio/19");
-	expect_warning(bench, "no chip is labelled pca9555",
+	gpiod_bench_open(bench, "gpiod:UP=pca9555/1,DOWN=53fd0000.gpio/19");
+	gpiod_bench_expect_warning(bench, "no chip is labelled pca9555",
 		"53fa4000.gpio, 53fcc000.gpio, 53fd0000.gpio");
-	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 19), BUTTON_DOWN);
 }
 
 static void test_a_missing_line_is_named(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/32");
-	expect_warning(bench, "gpiod:UP", "no line 32");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/32");
+	gpiod_bench_expect_warning(bench, "gpiod:UP", "no line 32");
 	buttons_close(&bench->buttons);
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/BELL");
-	expect_warning(bench, "chip 53fd0000.gpio", "no line named BELL");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/BELL");
+	gpiod_bench_expect_warning(
+		bench, "chip 53fd0000.gpio", "no line named BELL");
 	buttons_close(&bench->buttons);
-	open_lines(bench, "gpiod:UP=BELL");
-	expect_warning(bench, "this machine", "no line named BELL");
+	gpiod_bench_open(bench, "gpiod:UP=BELL");
+	gpiod_bench_expect_warning(bench, "this machine", "no line named BELL");
 }
 
 static void test_no_chips_are_logged_once(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	for (int i = 0; i < FAKE_CHIPS; i++) {
 		bench->gpio.chip[i].name = NULL;
 	}
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
-	expect_warning(bench, "/dev/gpiochip*", "no GPIO chip");
+	gpiod_bench_open(
+		bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	gpiod_bench_expect_warning(bench, "/dev/gpiochip*", "no GPIO chip");
 	buttons_poll(&bench->buttons, 100);
-	expect_nothing(bench);
+	gpiod_bench_expect_nothing(bench);
 }
 
 static void test_no_permission_names_the_device(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	for (int i = 0; i < FAKE_CHIPS; i++) {
 		bench->gpio.chip[i].error = EACCES;
 	}
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
-	expect_warning(bench, "/dev/gpiochip2", "no permission");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_expect_warning(bench, "/dev/gpiochip2", "no permission");
 }
 
 static void test_losing_a_line_releases_its_button(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
-	fake_gpio_set(wire(bench, 18), true, 0);
+	gpiod_bench_open(
+		bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+	fake_gpio_set(gpiod_bench_wire(bench, 18), true, 0);
 	buttons_poll(&bench->buttons, 100);
-	expect(bench, BUTTON_UP, true);
-	fake_gpio_lose(wire(bench, 18));
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	fake_gpio_lose(gpiod_bench_wire(bench, 18));
 	buttons_poll(&bench->buttons, 200);
-	expect(bench, BUTTON_UP, false);
-	expect_warning(bench, "gpiod:UP", "lost");
+	gpiod_bench_expect(bench, BUTTON_UP, false);
+	gpiod_bench_expect_warning(bench, "gpiod:UP", "lost");
 	buttons_poll(&bench->buttons, 300);
 	assert_int_equal(bench->logged.count, 0);
-	press_works(bench, wire(bench, 19), BUTTON_DOWN);
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 19), BUTTON_DOWN);
 }
 
 static void test_wrong_specs_are_refused(void **state)
@@ -363,7 +286,7 @@ static void test_wrong_specs_are_refused(void **state)
 		{"gpiod:UP=53fd0000.gpio/18/debounce=1001", "debounce=MS"},
 		{"gpiod:UP=53fd0000.gpio/18,DOWN=x/y/z/w", "give CHIP/LINE"},
 	};
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
 	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
 		bench->logged.count = 0;
@@ -380,16 +303,16 @@ static void test_wrong_specs_are_refused(void **state)
 
 static void test_a_survey_reports_chips_lines_and_their_users(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
 	bench->gpio.chip[1].error = EACCES;
 	bench->gpio.chip[2].name = "gpiochip127";
-	wire(bench, 3)->name = "KEY_ROW4";
-	wire(bench, 18)->holder = "phy-reset";
-	wire(bench, 20)->name = "LED";
-	wire(bench, 20)->holder = "leds";
+	gpiod_bench_wire(bench, 3)->name = "KEY_ROW4";
+	gpiod_bench_wire(bench, 18)->holder = "phy-reset";
+	gpiod_bench_wire(bench, 20)->name = "LED";
+	gpiod_bench_wire(bench, 20)->holder = "leds";
 	gpiod_survey(&survey);
 	assert_int_equal(capture.count, 6);
 	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/dev/gpiochip0",
@@ -404,12 +327,12 @@ static void test_a_survey_reports_chips_lines_and_their_users(void **state)
 		"line without a name: used by phy-reset", NULL);
 	survey_capture_expect(&capture, 5, SURVEY_TAKEN, "53fd0000.gpio/20",
 		"LED: used by leds", NULL);
-	assert_false(wire(bench, 3)->requested);
+	assert_false(gpiod_bench_wire(bench, 3)->requested);
 }
 
 static void test_a_survey_without_chips_is_one_finding(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
@@ -424,8 +347,8 @@ static void test_a_survey_without_chips_is_one_finding(void **state)
 
 static void test_an_output_is_driven_and_given_back(void **state)
 {
-	struct bench *bench = *state;
-	struct fake_line *line = wire(bench, 7);
+	struct gpiod_bench *bench = *state;
+	struct fake_line *line = gpiod_bench_wire(bench, 7);
 	struct gpio_output *output;
 
 	line->high = true;
@@ -446,16 +369,17 @@ static void test_an_output_is_driven_and_given_back(void **state)
 
 static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 
-	wire(bench, 7)->holder = "heartbeat";
+	gpiod_bench_wire(bench, 7)->holder = "heartbeat";
 	assert_null(gpio_output_open(
 		"output led", "led", "gpiochip2/7", &bench->log));
-	expect_warning(
+	gpiod_bench_expect_warning(
 		bench, "output led: the line gpiochip2/7", "cannot be driven");
 	assert_null(gpio_output_open(
 		"output led", "led", "gpiochip9/7", &bench->log));
-	expect_warning(bench, "output led", "has the line gpiochip9/7");
+	gpiod_bench_expect_warning(
+		bench, "output led", "has the line gpiochip9/7");
 	gpio_output_set(NULL, true);
 	gpio_output_close(NULL);
 	assert_int_equal(gpio_output_check("gpiochip0/18", &bench->log), 0);
@@ -466,7 +390,7 @@ static void test_an_output_that_cannot_be_had_is_a_warning(void **state)
 
 static void test_128_chips_are_looked_for(void **state)
 {
-	struct bench *bench = *state;
+	struct gpiod_bench *bench = *state;
 	struct survey_capture capture;
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 	struct gpio_output *output;
@@ -475,8 +399,8 @@ static void test_128_chips_are_looked_for(void **state)
 	gpiod_survey(&survey);
 	survey_capture_expect(
 		&capture, 2, SURVEY_WORKS, "/dev/gpiochip127", "label", NULL);
-	open_lines(bench, "gpiod:UP=53fd0000.gpio/18");
-	press_works(bench, wire(bench, 18), BUTTON_UP);
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 	buttons_close(&bench->buttons);
 	output = gpio_output_open(
 		"output led", "led", "gpiochip127/7", &bench->log);
@@ -485,12 +409,15 @@ static void test_128_chips_are_looked_for(void **state)
 	bench->gpio.chip[2].name = "gpiochip128";
 	assert_null(gpio_output_open(
 		"output led", "led", "53fd0000.gpio/7", &bench->log));
-	expect_warning(bench, "output led", "has the line 53fd0000.gpio/7");
+	gpiod_bench_expect_warning(
+		bench, "output led", "has the line 53fd0000.gpio/7");
 }
 
 int gpiod_cases_run(void)
 {
-#define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
+#define CASE(name)                       \
+	cmocka_unit_test_setup_teardown( \
+		name, gpiod_bench_setup, gpiod_bench_teardown)
 	const struct CMUnitTest tests[] = {
 		CASE(test_a_line_is_found_by_label_and_offset),
 		CASE(test_128_chips_are_looked_for),

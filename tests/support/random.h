@@ -26,6 +26,12 @@ static inline int random_between(uint32_t *seed, int low, int high)
 	return low + (int)(next_random(seed) % (uint32_t)(high - low + 1));
 }
 
+/* The next number of -most..most. */
+static inline int32_t random_within(uint32_t *seed, int32_t most)
+{
+	return (int32_t)(any_word(seed) % (2 * (uint32_t)most + 1)) - most;
+}
+
 /* True once in so many times. */
 static inline bool random_one_in(uint32_t *seed, int times)
 {

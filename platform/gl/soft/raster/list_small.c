@@ -355,16 +355,13 @@ static struct small_value plane_value(const struct plane *plane)
 		plane->start, (uint32_t)plane->dx, (uint32_t)plane->dy};
 }
 
-/* The most texels that a triangle has along s or t, in 256ths. */
-static NEVER_INLINE uint32_t find_most_texels(
-	const struct draw *draw, const struct setup *setup)
+/* The most texels along a coordinate in 256ths, with those of the second texture. */
+static NEVER_INLINE uint32_t add_second(
+	const struct draw *draw, const struct setup *setup, uint32_t most)
 {
-	const int end = TEX_S + (draw->texture[1].used ? 4 : 2);
-	uint32_t most = 0;
-
-	for (int name = TEX_S; name < end; name++) {
+	for (int i = 2; i < 4 && draw->texture[1].used; i++) {
 		const struct frame_texels texels =
-			find_texels(draw, setup, name);
+			find_texels(draw, setup, TEX_S + i);
 		uint32_t own = find_extent(&texels);
 
 		most = own > most ? own : most;
@@ -431,7 +428,7 @@ static ALWAYS_INLINE bool begin_texture(
 	uint32_t most = in_s > in_t ? in_s : in_t;
 
 	if (draw->spans.placed) {
-		most = find_most_texels(draw, setup);
+		most = add_second(draw, setup, most);
 	}
 	if (most >= SMALL_DELTA ||
 		(draw->perspective &&

@@ -52,6 +52,20 @@ static void test_text_grows_with_the_picture(void **state)
 	}
 }
 
+static void test_a_picture_has_at_least_one_pixel(void **state)
+{
+	static const int sizes[][2] = {{0, 0}, {-5, 7}, {9, -1}, {1, 1}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		const int *size = sizes[i];
+		struct hud *hud = hud_of_size(size[0], size[1]);
+
+		assert_int_equal(hud->width, size[0] < 1 ? 1 : size[0]);
+		assert_int_equal(hud->height, size[1] < 1 ? 1 : size[1]);
+	}
+}
+
 static void test_long_text_is_cut_with_an_ellipsis(void **state)
 {
 	struct hud *hud = hud_of_size(480, 640);
@@ -368,6 +382,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_widths_of_pieces_add_up),
 		cmocka_unit_test(test_text_grows_with_the_picture),
+		cmocka_unit_test(test_a_picture_has_at_least_one_pixel),
 		cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
 		cmocka_unit_test(test_no_ellipsis_follows_a_space),
 		cmocka_unit_test(test_elements_beyond_the_capacity_are_dropped),

@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.328e+04, 2.577e+04}, /* frame */
-	{0.7265, 0.3586},       /* pixel */
-	{1.773e+04, 6983},      /* call */
-	{168.6, 88.03},         /* listed */
-	{169.9, 78.07},         /* vertex */
-	{221.5, 135},           /* single */
-	{824.2, 222.9},         /* shaded */
-	{11.63, 10.36},         /* hidden */
-	{8.899, 6.151},         /* fine */
-	{193.3, 68.38},         /* flat triangle */
-	{65.11, 39.21},         /* flat row */
-	{11.66, 7.701},         /* flat pixel */
-	{432.1, 255.5},         /* plain triangle */
-	{7.839, 23.32},         /* plain row */
-	{26.82, 10.57},         /* plain pixel */
-	{658.5, 324.9},         /* textured triangle */
-	{306.2, 151.2},         /* textured row */
-	{79.82, 55.1},          /* textured pixel */
-	{3.674e+04, 1.539e+04}, /* backdrop triangle */
-	{71.02, 33.24},         /* backdrop row */
-	{2.226, 0.7859},        /* backdrop pixel */
-	{3.723e+04, 1.577e+04}, /* ground triangle */
-	{127.8, 71.48},         /* ground row */
-	{4.068, 0.8852},        /* ground pixel */
-	{988.9, 588.1},         /* spans triangle */
-	{152.2, 96.97},         /* spans row */
-	{31.24, 19.7},          /* spans pixel */
-	{2696, 1442},           /* spans textured triangle */
-	{287.6, 145.9},         /* spans textured row */
-	{104, 67.32},           /* spans textured pixel */
-	{4731, 3775},           /* spans divided triangle */
-	{644.3, 343.3},         /* spans divided row */
-	{103.3, 66.93},         /* spans divided pixel */
-	{1927, 1129},           /* mixed triangle */
-	{257, 136.6},           /* mixed row */
-	{62.79, 42.2},          /* mixed pixel */
-	{3082, 1018},           /* tested triangle */
-	{274, 173.7},           /* tested row */
-	{182.6, 124},           /* tested pixel */
-	{4037, 2554},           /* tested spans triangle */
-	{605.3, 382},           /* tested spans row */
-	{147.8, 95.2},          /* tested spans pixel */
-	{3257, 1463},           /* mixed textured triangle */
-	{255.5, 184.1},         /* mixed textured row */
-	{146, 90.68},           /* mixed textured pixel */
-	{3861, 3022},           /* mixed spans triangle */
-	{453.1, 306.8},         /* mixed spans row */
-	{159.1, 90.85},         /* mixed spans pixel */
-	{5186, 4184},           /* mixed divided triangle */
-	{2320, 1128},           /* mixed divided row */
-	{134, 89.64},           /* mixed divided pixel */
-	{151.8, 41.53},         /* colored triangle */
+	{3.306e+04, 2.575e+04}, /* frame */
+	{0.7295, 0.3591},       /* pixel */
+	{1.826e+04, 7051},      /* call */
+	{180.7, 88.83},         /* listed */
+	{156.9, 73.75},         /* vertex */
+	{195.2, 123.9},         /* single */
+	{771.7, 216.5},         /* shaded */
+	{12.15, 10.52},         /* hidden */
+	{8.899, 6.169},         /* fine */
+	{217.3, 71.48},         /* flat triangle */
+	{66.08, 39.35},         /* flat row */
+	{11.76, 7.765},         /* flat pixel */
+	{395.4, 253.7},         /* plain triangle */
+	{6.174, 23.39},         /* plain row */
+	{26.59, 10.55},         /* plain pixel */
+	{689.5, 329.8},         /* textured triangle */
+	{310.1, 153.8},         /* textured row */
+	{79.8, 54.8},           /* textured pixel */
+	{3.619e+04, 1.537e+04}, /* backdrop triangle */
+	{70.78, 33.23},         /* backdrop row */
+	{2.233, 0.7875},        /* backdrop pixel */
+	{3.672e+04, 1.575e+04}, /* ground triangle */
+	{127.3, 71.41},         /* ground row */
+	{4.057, 0.8627},        /* ground pixel */
+	{954.5, 534.4},         /* spans triangle */
+	{152.6, 97.19},         /* spans row */
+	{31.24, 19.68},         /* spans pixel */
+	{2641, 1443},           /* spans textured triangle */
+	{264.2, 146.6},         /* spans textured row */
+	{102.4, 67.77},         /* spans textured pixel */
+	{4737, 3777},           /* spans divided triangle */
+	{679.2, 353.8},         /* spans divided row */
+	{103.4, 67.01},         /* spans divided pixel */
+	{1828, 1069},           /* mixed triangle */
+	{254.9, 135.8},         /* mixed row */
+	{63.2, 42.28},          /* mixed pixel */
+	{3112, 1032},           /* tested triangle */
+	{279.1, 175},           /* tested row */
+	{182.8, 123.9},         /* tested pixel */
+	{4035, 2558},           /* tested spans triangle */
+	{612.1, 383.7},         /* tested spans row */
+	{149.6, 95.45},         /* tested spans pixel */
+	{3259, 1464},           /* mixed textured triangle */
+	{256.4, 184.5},         /* mixed textured row */
+	{147.8, 91.27},         /* mixed textured pixel */
+	{3867, 3026},           /* mixed spans triangle */
+	{454.3, 307.7},         /* mixed spans row */
+	{157.3, 90.9},          /* mixed spans pixel */
+	{5187, 4187},           /* mixed divided triangle */
+	{2329, 1136},           /* mixed divided row */
+	{134.4, 89.78},         /* mixed divided pixel */
+	{139.3, 38.69},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{6.965, 3.169},         /* colored pixel */
-	{2184, 1170},           /* bent triangle */
-	{253.6, 147.3},         /* bent row */
-	{3.432, 2.283},         /* bent pixel */
+	{6.973, 3.149},         /* colored pixel */
+	{2320, 1177},           /* bent triangle */
+	{271.8, 148.8},         /* bent row */
+	{3.451, 2.286},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
 	{1.002, 1.003},         /* deep row */
-	{1.803, 1.287},         /* deep pixel */
+	{1.798, 1.283},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

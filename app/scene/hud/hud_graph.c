@@ -184,9 +184,13 @@ void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud)
 {
 	struct hud_group group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	const int *stacked = hud->stacked_px;
 	char rate[32];
 	char scale[32];
 
+	/* In a small picture the last facts give way to the labels above. */
+	hud_group_limit(&group,
+		hud->height - stacked[HUD_TOP_LEFT] - stacked[HUD_BOTTOM_LEFT]);
 	snprintf(rate, sizeof(rate), "%.0f fps", (double)hud_graph_rate(graph));
 	snprintf(scale, sizeof(scale), "0 to %.0f ms",
 		(double)hud_graph_scale_ms(graph));

@@ -65,7 +65,10 @@ float hud_graph_rate(const struct hud_graph *graph);
  */
 float hud_graph_scale_ms(const struct hud_graph *graph);
 
-/* Adds the graph as a group in the bottom left corner. */
+/*
+ * Adds the graph as a group in the bottom left corner, with as many of the facts
+ * as have room below the groups in the top left corner.
+ */
 void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud);
 

@@ -1,5 +1,6 @@
 /* The graph of frame times: its texts and its bars. */
 #include "app/scene/hud/hud_graph.h"
+#include "app/scene/hud/hud_group.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -85,6 +86,42 @@ static void test_bars_are_as_high_as_the_stages_last(void **state)
 	free(hud);
 }
 
+/* Shows the graph below labels of so many rows; whether they overlap. */
+static bool overlaps_labels(struct hud *hud, int width, int height, int rows)
+{
+	const struct hud_facts facts = {.technique = "Skeletal",
+		.driver = "soft",
+		.triangles = 12,
+		.memory_bytes = 1 << 24,
+		.reduction = "shadow"};
+	struct hud_graph graph = {.next = 0};
+	struct hud_group group;
+
+	hud_begin(hud, width, height);
+	group = hud_group_begin(hud, HUD_TOP_LEFT, "Skeletal");
+	for (int i = 0; i < rows; i++) {
+		hud_group_text(&group, "elbow", "45");
+	}
+	hud_group_end(&group);
+	hud_graph_show(&graph, &facts, hud);
+	return hud_groups_overlap(hud);
+}
+
+static void test_in_small_pictures_facts_give_way_to_labels(void **state)
+{
+	struct hud *hud = calloc(1, sizeof(*hud));
+
+	(void)state;
+	assert_non_null(hud);
+	hud->font = &font_default;
+	for (int rows = 0; rows <= 3; rows++) {
+		assert_false(overlaps_labels(hud, 320, 240, rows));
+		assert_false(overlaps_labels(hud, 240, 320, rows));
+		assert_false(overlaps_labels(hud, 480, 640, rows));
+	}
+	free(hud);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -92,6 +129,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_scale_holds_the_tallest_frame_it_still_has),
 		cmocka_unit_test(test_bars_are_as_high_as_the_stages_last),
+		cmocka_unit_test(test_in_small_pictures_facts_give_way_to_labels),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -248,16 +248,16 @@ static void add_clips(struct exporter *exporter)
 		const struct fit_keys *keys = &exporter->row->cell[c].keys;
 		const struct model_clip *clip =
 			&comparison->model->clip[comparison->clip[c].clip];
+		int times = glb_add_array(
+			exporter->glb, keys->time_s, keys->count, 1, GLB_FLOAT);
+		int weights = add_weights(exporter, keys, first);
 
 		json_array_append_new(animations,
 			json_pack(
 				"{s:s, s:[{s:i, s:i}], s:[{s:i, s:{s:i, s:s}}]}",
-				"name", clip->name, "samplers", "input",
-				glb_add_array(exporter->glb, keys->time_s,
-					keys->count, 1, GLB_FLOAT),
-				"output", add_weights(exporter, keys, first),
-				"channels", "sampler", 0, "target", "node", 0,
-				"path", "weights"));
+				"name", clip->name, "samplers", "input", times,
+				"output", weights, "channels", "sampler", 0,
+				"target", "node", 0, "path", "weights"));
 		first += keys->count;
 	}
 	glb_set(exporter->glb, "animations", animations);

@@ -141,6 +141,7 @@ static void keep_duration(struct glb *glb, const struct model *model,
 {
 	int node = find_still_node(model, clip);
 	float time_s[2] = {0.0f, clip->duration_s}, still[2][3];
+	int input, output;
 
 	if (node < 0 || !(clip->duration_s > 0.0f)) {
 		return;
@@ -151,10 +152,11 @@ static void keep_duration(struct glb *glb, const struct model *model,
 		json_pack("{s:i, s:{s:i, s:s}}", "sampler",
 			(int)json_array_size(samplers), "target", "node", node,
 			"path", "translation"));
+	/* One after the other, so that all compilers order the file alike. */
+	input = glb_add_array(glb, time_s, 2, 1, GLB_FLOAT);
+	output = glb_add_array(glb, still, 2, 3, GLB_FLOAT);
 	json_array_append_new(samplers,
-		json_pack("{s:i, s:i, s:s}", "input",
-			glb_add_array(glb, time_s, 2, 1, GLB_FLOAT), "output",
-			glb_add_array(glb, still, 2, 3, GLB_FLOAT),
+		json_pack("{s:i, s:i, s:s}", "input", input, "output", output,
 			"interpolation", "STEP"));
 }
 

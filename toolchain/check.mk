@@ -93,6 +93,8 @@ script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
 exact_suite = $(call suite,$(1)/golden-exact,tests/golden/golden.sh exact \
 	$(CHECK)/$(1)/golden-exact $(RUN_$(1)) build/$(1)/limber)
+texts_suite = $(call suite,$(1)/golden-texts,$(2) tests/golden/texts.py check \
+	$(CHECK)/$(1)/golden-texts $(RUN_$(1)) build/$(1)/limber)
 xfile_suite = $(call suite,$(1)/conformance-x,tests/conformance/xfile.sh \
 	$(SAMPLES) $(RUN_$(1)) build/$(1)/limber)
 golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
@@ -108,6 +110,8 @@ $(call golden_suite,host,gles1)
 $(call golden_suite,host,soft)
 $(call exact_suite,host)
 $(call exact_suite,arm)
+$(call texts_suite,host)
+$(call texts_suite,arm,TEXTS='(?!.*walker|bench)')
 $(call xfile_suite,host)
 $(call xfile_suite,asan)
 $(call xfile_suite,arm)
@@ -185,5 +189,6 @@ check: | build
 
 golden: golden-build
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber
+	$(Q)$(CHECK_ENVIRONMENT) tests/golden/texts.py make build/host/limber
 	$(Q)$(CHECK_ENVIRONMENT) GOLDEN_WRITE=1 build/host/unit/test_demo_runs \
 		>/dev/null

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests golden.sh with a script in place of limber.
+# Tests golden.sh and texts.py with a script in place of limber.
 . "$(dirname "$0")/../support/tap.sh"
 here=$(dirname "$0")
 fixtures=$here/checker
@@ -143,5 +143,89 @@ about 'a reference that is not listed'
 expect_status 1
 expect_out '^not ok 3 '
 expect_out 'three.png: pictures.txt does not list this reference'
+
+# Takes the place of limber: prints a line and copies a file.
+cat >"$scratch/texts" <<'END'
+#!/bin/sh
+echo "read $1 us_per_frame | 3"
+[ "$2" = none ] || cp "$1" "$2"
+exit "$3"
+END
+printf 'one %s none 0\ntwo %s OUT/copy.txt 3\n' "$scratch/given/text" \
+    "$scratch/given/text" >"$GOLDEN/texts.txt"
+printf 'gravity = 0 -9.81\n| name | us_per_frame |\n| walk | 17.5 |\n' \
+    >"$scratch/given/text"
+
+texts() {
+    run "$here/texts.py" check "$scratch/out" sh "$scratch/texts"
+}
+
+texts
+about 'missing reference texts'
+expect_status 1
+expect_out '^not ok 1 - one'
+expect_out '/golden/texts/one.txt does not exist: run make golden, and read it$'
+
+run "$here/texts.py" make sh "$scratch/texts"
+about 'making the reference texts'
+expect_status 0
+check 'the status and the file are kept' test \
+    "$(grep -c -e '^status 3$' -e '^copy.txt:$' "$GOLDEN/texts/two.txt")" -eq 2
+texts
+about 'equal texts'
+expect_status 0
+expect_out '^ok 2 - two'
+expect_out '^1..3$'
+
+# changed SED STATUS WHAT: the check of a file that sed has changed.
+cp "$scratch/given/text" "$scratch/text"
+changed() {
+    sed "$1" "$scratch/text" >"$scratch/given/text"
+    texts
+    about "$3"
+    expect_status "$2"
+}
+changed 's/9.81/9.811/' 0 'a number within 0.1%'
+changed 's/17.5/25.5/' 0 'another measured time'
+changed 's/9.81/9.83/' 1 'a number off by 0.2%'
+expect_out '^not ok 2 - two'
+expect_out '^# -gravity = 0 -9.81$'
+expect_out '^# [+]gravity = 0 -9.83$'
+changed 's/= 0/= 1/' 1 'another whole number'
+changed 's/walk/run/' 1 'another word'
+changed '1d' 1 'a missing line'
+changed '' 0 'the text as it was'
+
+echo 'status 0' >"$GOLDEN/texts/three.txt"
+texts
+about 'a reference text that is not listed'
+expect_status 1
+expect_out 'texts.txt does not list three.txt'
+rm "$GOLDEN/texts/three.txt"
+
+# glb FILE X: a .glb of two bytes, of which an accessor reads the second as X.
+glb() {
+    python3 -c '
+import json, struct, sys
+root = json.dumps({"accessors": [{"bufferView": 0, "byteOffset": 1, "count": 1,
+    "type": "SCALAR", "componentType": 5121}],
+    "bufferViews": [{"buffer": 0, "byteLength": 2}]}).encode()
+root += b" " * (-len(root) % 4)
+data = bytes([7, int(sys.argv[2])])
+open(sys.argv[1], "wb").write(
+    struct.pack("<4s4I", b"glTF", 2, 0, len(root), 0x4E4F534A) + root +
+    struct.pack("<2I", len(data), 0x4E4942) + data)' "$@"
+}
+glb "$scratch/given/model.glb" 5
+echo "model $scratch/given/model.glb OUT/model.glb 0" >"$GOLDEN/texts.txt"
+rm "$GOLDEN/texts"/*
+run "$here/texts.py" make sh "$scratch/texts"
+check 'an accessor has its sums' grep -q '"sums": \[5, 5\]' \
+    "$GOLDEN/texts/model.txt"
+glb "$scratch/given/model.glb" 6
+texts
+about 'another value of an accessor'
+expect_status 1
+expect_out '^not ok 1 - model'
 
 tap_done

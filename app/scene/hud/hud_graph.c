@@ -126,10 +126,15 @@ static void show_marks(const struct field *field, struct hud *hud)
 	}
 }
 
+static int graph_height(const struct hud *hud)
+{
+	return 3 * hud_em(hud);
+}
+
 static void show_bars(const struct hud_graph *graph, struct hud_group *group)
 {
 	struct hud *hud = group->hud;
-	int height = 3 * hud_em(hud);
+	int height = graph_height(hud);
 	int top = hud_group_space(group, height);
 	const struct field field = {
 		.left = group->left,
@@ -180,17 +185,34 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 	}
 }
 
+/* At the right if labels leave hardly more than the graph at the left. */
+static enum hud_corner choose_corner(const struct hud *hud)
+{
+	const int *stacked = hud->stacked_px;
+	struct hud_group_extent rows =
+		hud_group_extent_of(hud->width, hud->height, 3, 0);
+	int room =
+		hud->height - stacked[HUD_TOP_LEFT] - stacked[HUD_BOTTOM_LEFT];
+
+	return room < rows.list_height + graph_height(hud) &&
+			2 * rows.column <= hud->width
+		? HUD_BOTTOM_RIGHT
+		: HUD_BOTTOM_LEFT;
+}
+
 void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud)
 {
-	struct hud_group group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
+	enum hud_corner corner = choose_corner(hud);
+	struct hud_group group = hud_group_begin(hud, corner, NULL);
 	const int *stacked = hud->stacked_px;
+	enum hud_corner above =
+		corner == HUD_BOTTOM_LEFT ? HUD_TOP_LEFT : HUD_TOP_RIGHT;
 	char rate[32];
 	char scale[32];
 
 	/* In a small picture the last facts give way to the labels above. */
-	hud_group_limit(&group,
-		hud->height - stacked[HUD_TOP_LEFT] - stacked[HUD_BOTTOM_LEFT]);
+	hud_group_limit(&group, hud->height - stacked[above] - stacked[corner]);
 	snprintf(rate, sizeof(rate), "%.0f fps", (double)hud_graph_rate(graph));
 	snprintf(scale, sizeof(scale), "0 to %.0f ms",
 		(double)hud_graph_scale_ms(graph));

@@ -67,7 +67,7 @@ float hud_graph_scale_ms(const struct hud_graph *graph);
 
 /*
  * Adds the graph as a group in the bottom left corner, with as many of the facts
- * as have room below the groups in the top left corner.
+ * as have room below the groups above; in the right one if the left has no room.
  */
 void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud);

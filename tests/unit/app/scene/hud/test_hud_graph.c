@@ -114,11 +114,16 @@ static void test_in_small_pictures_facts_give_way_to_labels(void **state)
 	(void)state;
 	assert_non_null(hud);
 	hud->font = &font_default;
-	for (int rows = 0; rows <= 3; rows++) {
+	for (int rows = 0; rows <= 10; rows++) {
 		assert_false(overlaps_labels(hud, 320, 240, rows));
 		assert_false(overlaps_labels(hud, 240, 320, rows));
 		assert_false(overlaps_labels(hud, 480, 640, rows));
 	}
+	assert_false(overlaps_labels(hud, 320, 240, 3));
+	assert_true(hud->stacked_px[HUD_BOTTOM_LEFT] > 100);
+	assert_false(overlaps_labels(hud, 320, 240, 8));
+	assert_int_equal(hud->stacked_px[HUD_BOTTOM_LEFT], 0);
+	assert_true(hud->stacked_px[HUD_BOTTOM_RIGHT] > 200);
 	free(hud);
 }
 

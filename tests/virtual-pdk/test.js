@@ -11,7 +11,7 @@ const FOLDER = path.join(TOP, "build/check-virtual-pdk");
 const PATIENCE_MS = Number(process.env.PATIENCE_S ?? 400) * 1000;
 // Where the demo walker shows the chosen feature and the camera's use.
 const FEATURE = [12, 592, 180, 36];
-const CAMERA_USE = [288, 592, 180, 36];
+const CAMERA_USE = [12, 544, 180, 36];
 
 let count = 0;
 let failed = 0;

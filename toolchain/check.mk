@@ -100,7 +100,7 @@ xfile_suite = $(call suite,$(1)/conformance-x,tests/conformance/xfile.sh \
 golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
 	$(CHECK)/$(1)/golden-$(2) $(RUN_$(1)) build/$(1)/limber)
 
-define SUITES
+define CHECK_SUITES
 $(call suite,build,cat build/check-build.tap)
 $(foreach fuzzer,$(FUZZERS),$(call \
 	suite,fuzz/$(fuzzer),tests/fuzz/run.sh build/fuzz/$(fuzzer)))
@@ -182,7 +182,7 @@ check: | build
 		qemu package virtual browser
 	+$(Q)result=ok; $(make_all) -k check-build || result='not ok'; \
 		printf '1..1\n%s 1 - build\n' "$$result" >build/check-build.tap
-	$(file >build/check-suites,$(SUITES))
+	$(file >build/check-suites,$(CHECK_SUITES))
 	$(Q)sed -i 's/^ *//; /^$$/d' build/check-suites
 	$(Q)BEGAN=$$(cat build/check-began) $(CHECK_ENVIRONMENT) \
 		tests/support/tally/tally.sh build/check-suites $(CHECK) $(processors)

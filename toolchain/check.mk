@@ -93,8 +93,9 @@ script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
 exact_suite = $(call suite,$(1)/golden-exact,tests/golden/golden.sh exact \
 	$(CHECK)/$(1)/golden-exact $(RUN_$(1)) build/$(1)/limber)
-texts_suite = $(call suite,$(1)/golden-texts,$(2) tests/golden/texts.py check \
-	$(CHECK)/$(1)/golden-texts $(RUN_$(1)) build/$(1)/limber)
+texts_suite = $(call suite,$(1)/golden-$(2),TEXTS='$(3)' \
+	tests/golden/texts.py check $(CHECK)/$(1)/golden-$(2) $(RUN_$(1)) \
+	build/$(1)/limber)
 xfile_suite = $(call suite,$(1)/conformance-x,tests/conformance/xfile.sh \
 	$(SAMPLES) $(RUN_$(1)) build/$(1)/limber)
 golden_suite = $(call suite,$(1)/golden-$(2),tests/golden/golden.sh check $(2) \
@@ -110,8 +111,10 @@ $(call golden_suite,host,gles1)
 $(call golden_suite,host,soft)
 $(call exact_suite,host)
 $(call exact_suite,arm)
-$(call texts_suite,host)
-$(call texts_suite,arm,TEXTS='(?!.*walker|bench)')
+$(call texts_suite,host,films,film-)
+$(call texts_suite,host,texts,(?!film-))
+$(call texts_suite,arm,films,film-(.*-(all|tour)|curves|effects|parts|states))
+$(call texts_suite,arm,texts,(?!film-|.*walker|bench))
 $(call xfile_suite,host)
 $(call xfile_suite,asan)
 $(call xfile_suite,arm)

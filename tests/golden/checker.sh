@@ -153,6 +153,7 @@ exit "$3"
 END
 printf 'one %s none 0\ntwo %s OUT/copy.txt 3\n' "$scratch/given/text" \
     "$scratch/given/text" >"$GOLDEN/texts.txt"
+: >"$GOLDEN/films.txt"
 printf 'gravity = 0 -9.81\n| name | us_per_frame |\n| walk | 17.5 |\n' \
     >"$scratch/given/text"
 
@@ -200,7 +201,7 @@ echo 'status 0' >"$GOLDEN/texts/three.txt"
 texts
 about 'a reference text that is not listed'
 expect_status 1
-expect_out 'texts.txt does not list three.txt'
+expect_out 'texts.txt and films.txt do not list three.txt'
 rm "$GOLDEN/texts/three.txt"
 
 # glb FILE X: a .glb of two bytes, of which an accessor reads the second as X.
@@ -227,5 +228,37 @@ texts
 about 'another value of an accessor'
 expect_status 1
 expect_out '^not ok 1 - model'
+
+# film BYTE: the script draws a film of two pictures of 4 x 4 pixels, half a second
+# each; the byte, in octal, is the brightness of the last pixel.
+cat >"$scratch/texts" <<'END'
+#!/bin/sh
+while [ "$1" != -o ]; do shift; done
+cp "$0.film" "$2"
+END
+film() {
+    row='\000\100\200\300'
+    gray='\200\200\200\200\200\200\200\200'
+    {
+        printf 'YUV4MPEG2 W4 H4 F2:1 Ip C420jpeg\n'
+        printf 'FRAME\n%b' "$row$row$row$row$gray"
+        printf 'FRAME\n%b' "$row$row$row\\000\\100\\200\\0$1$gray"
+    } >"$scratch/texts.film"
+}
+film 300
+: >"$GOLDEN/texts.txt"
+echo 'small --demo small' >"$GOLDEN/films.txt"
+rm "$GOLDEN/texts"/*
+run "$here/texts.py" make sh "$scratch/texts"
+check 'a picture has a line' test \
+    "$(grep -c '^0\.[05]0 s  [0-9a-f]\{8\}  00 25 50 75, .*, 00 25 50 75$' \
+    "$GOLDEN/texts/film-small.txt")" -eq 2
+film 301
+texts
+about 'a pixel of the second picture that is off by one'
+expect_status 1
+expect_out '^# -0\.50 s '
+expect_out '^# [+]0\.50 s '
+check 'the first picture is as before' test -z "$(grep '^# [-+]0.00' "$out_file")"
 
 tap_done

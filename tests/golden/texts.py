@@ -5,10 +5,12 @@ Runs limber with the arguments of each line of texts.txt, and compares what it
 prints and writes with the reference texts/NAME.txt: words and whole numbers must
 be equal, others within 0.1%, as libraries of other machines round differently. What
 limber measures is left out. Files are kept as text, too: of a .glb its JSON, and of
-each accessor two sums, in which every value and its place count. check prints TAP,
-and leaves what differs in FOLDER; make writes the references again. The environment
-may set GOLDEN, the folder of texts.txt and the references, and TEXTS, a regular
-expression that names begin like; others are left out.
+each accessor two sums, in which every value and its place count, and of a .y4m a
+line for each picture. check prints TAP, and leaves what differs in FOLDER; make
+writes the references again. Each line of films.txt names such a film, by the
+arguments of limber render: the soft driver draws the same on every machine. The environment
+may set GOLDEN, the folder of texts.txt, films.txt and the references, and TEXTS, a
+regular expression that names begin like; others are left out.
 """
 import difflib
 import json
@@ -32,14 +34,23 @@ MEASURED = {"us_per_frame", "warm_ns", "cold_ns"}
 OUTSIDE_QUOTES = r'(?=(?:[^"]*"[^"]*")*[^"]*$)'
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 LETTERS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
+FILM = ["--gl", "soft", "-o", "OUT/film.y4m"]
+# A picture's brightness is shown for so many columns and rows.
+COLUMNS, ROWS = 4, 4
+
+
+def lines_of(name):
+    for line in (GOLDEN / name).read_text().splitlines():
+        if line and not line.startswith("#"):
+            yield shlex.split(line)
 
 
 def commands():
-    """The names and arguments of texts.txt."""
-    for line in (GOLDEN / "texts.txt").read_text().splitlines():
-        if line and not line.startswith("#"):
-            name, *arguments = shlex.split(line)
-            yield name, arguments
+    """The names and arguments of texts.txt and films.txt."""
+    for name, *arguments in lines_of("texts.txt"):
+        yield name, arguments
+    for name, *arguments in lines_of("films.txt"):
+        yield f"film-{name}", ["render", *arguments, *FILM]
 
 
 def sums_of(accessor, view, binary):
@@ -77,10 +88,45 @@ def text_of_glb(data):
     return "".join(lines)
 
 
+def brightness(luma, width, height):
+    """The mean of each part of a picture, row by row, as 00 to 99."""
+    rows = []
+    for row in range(ROWS):
+        lines = range(row * height // ROWS, (row + 1) * height // ROWS)
+        means = []
+        for column in range(COLUMNS):
+            left = column * width // COLUMNS
+            right = (column + 1) * width // COLUMNS
+            total = sum(sum(luma[y * width + left:y * width + right])
+                        for y in lines)
+            means.append(total * 100 // (256 * len(lines) * (right - left)))
+        rows.append(" ".join(f"{mean:02}" for mean in means))
+    return ", ".join(rows)
+
+
+def text_of_film(data):
+    """A line for each picture: its sum, and how bright its parts are."""
+    header, *_ = data.split(b"\n", 1)
+    width, height, rate, per = map(int, re.search(
+        rb" W(\d+) H(\d+) F(\d+):(\d+)", header).groups())
+    area = width * height
+    size = area + 2 * ((width + 1) // 2) * ((height + 1) // 2)
+    lines = [header.decode() + "\n"]
+    begin = len(header) + 1 + len(b"FRAME\n")
+    for number, at in enumerate(range(begin, len(data), size + len(b"FRAME\n"))):
+        picture = data[at:at + size]
+        lines.append("%.2f s  %08x  %s\n" % (
+            number * per / rate, zlib.crc32(picture),
+            brightness(picture[:area], width, height)))
+    return "".join(lines)
+
+
 def text_of_file(path):
     data = path.read_bytes()
     if path.suffix == ".glb":
         return text_of_glb(data)
+    if path.suffix == ".y4m":
+        return text_of_film(data)
     try:
         return data.decode()
     except UnicodeDecodeError:
@@ -177,7 +223,7 @@ def check_all(folder, limber):
             count += 1
     rest = {path.name for path in (GOLDEN / "texts").glob("*")} - names
     print(f"{'not ok' if rest else 'ok'} {count} - every reference is listed")
-    print("".join(f"# texts.txt does not list {name}\n" for name in rest), end="")
+    print("".join(f"# texts.txt and films.txt do not list {name}\n" for name in rest), end="")
     print(f"1..{count}")
     return 1 if failed or rest else 0
 
@@ -185,9 +231,10 @@ def check_all(folder, limber):
 def make_all(limber):
     (GOLDEN / "texts").mkdir(exist_ok=True)
     for name, arguments in commands():
-        print(f"  TEXT    {GOLDEN}/texts/{name}.txt")
-        (GOLDEN / "texts" / f"{name}.txt").write_text(
-            text_of(limber, arguments))
+        if NAMES.match(name):
+            print(f"  TEXT    {GOLDEN}/texts/{name}.txt")
+            (GOLDEN / "texts" / f"{name}.txt").write_text(
+                text_of(limber, arguments))
     return 0
 
 

@@ -134,8 +134,10 @@ def all_suites():
     yield Suite("golden-exact", limber,
                 ["tests/golden/golden.sh", "exact", "build/golden-exact", PROGRAM],
                 "build/host/compare_png")
-    yield Suite("golden-texts", limber,
-                ["tests/golden/texts.py", "check", "build/golden-texts", PROGRAM])
+    for name, texts in (("films", "film-"), ("texts", "(?!film-)")):
+        yield Suite(f"golden-{name}", limber,
+                    ["env", f"TEXTS={texts}", "tests/golden/texts.py", "check",
+                     f"build/golden-{name}", PROGRAM])
     for script in sorted((TREE / "tests/cli").glob("*.sh")):
         name = str(script.relative_to(TREE / "tests"))
         yield Suite(name, limber, [f"tests/{name}"],

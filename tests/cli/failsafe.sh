@@ -94,4 +94,29 @@ mkdir "$scratch/starts.d"
 limber play --display null --frames 2 --failsafe "$scratch/starts.d" "$model"
 expect_status 0
 expect_err '^limber: --failsafe [^ ]*starts\.d: Is a directory: '
+
+# A device stays what it is, and so does a link; what it leads to is emptied.
+# unchanged FILE: it is what it was, after limber ended in order.
+unchanged() {
+    before=$(stat -c '%F %t:%T %N' "$1")
+    limber play --display null --frames 2 --failsafe "$1" "$model"
+    expect_status 0
+    check "${1##*/} stays" test "$(stat -c '%F %t:%T %N' "$1")" = "$before"
+}
+
+mkfifo "$scratch/pipe"
+unchanged "$scratch/pipe"
+if mknod "$scratch/null" c 1 3 2>/dev/null; then
+    unchanged "$scratch/null"
+else
+    skip 'a device' 'this user may not make one'
+fi
+ln -s linked "$scratch/link"
+unchanged "$scratch/link"
+number=1
+count=$scratch/link
+crash
+check 'starts are counted where a link leads to' test -s "$scratch/linked"
+unchanged "$scratch/link"
+check 'and are forgotten there' test ! -s "$scratch/linked"
 tap_done

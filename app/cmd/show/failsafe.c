@@ -37,9 +37,16 @@ static void describe(const char *model, const char *demo, char *out)
 static int read_count(const char *path, const char *described)
 {
 	char line[sizeof(mark) + 2 + LINE_BYTES] = "";
-	FILE *file = file_open(path);
+	struct stat status;
+	FILE *file;
 	int count;
 
+	/* To open a device may do something: a watchdog starts. */
+	if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
+		!S_ISDIR(status.st_mode)) {
+		return -EINVAL;
+	}
+	file = file_open(path);
 	if (!file) {
 		return errno == ENOENT ? 0 : -errno;
 	}
@@ -125,13 +132,19 @@ struct failsafe failsafe_begin(
 	return failsafe;
 }
 
-/* A file that is gone already, or cannot be deleted, counts at most too much. */
+/*
+ * Deletes the file, or empties the one that a link leads to. A file that is
+ * gone already, or cannot be deleted, counts at most too much.
+ */
 static void forget(struct failsafe *failsafe)
 {
-	if (failsafe->path) {
-		(void)unlink(failsafe->path);
-		failsafe->path = NULL;
+	struct stat status;
+
+	if (failsafe->path && lstat(failsafe->path, &status) == 0) {
+		(void)(S_ISREG(status.st_mode) ? unlink(failsafe->path)
+					       : truncate(failsafe->path, 0));
 	}
+	failsafe->path = NULL;
 }
 
 void failsafe_feed(struct failsafe *failsafe, int64_t now_ms)

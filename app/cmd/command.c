@@ -213,7 +213,7 @@ int command_dispatch(
 	const struct log log = log_to_stderr(LOG_WARNING);
 	int status;
 
-	output_file_survive_limits();
+	output_file_prepare_process();
 	status = run_command(commands, argc, argv);
 	if (output_file_flush_stdout(&log) != 0 && status == EXIT_OK) {
 		status = EXIT_FAILED;

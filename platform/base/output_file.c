@@ -328,9 +328,15 @@ FILE *output_file_scratch(void)
 	return file;
 }
 
-void output_file_survive_limits(void)
+void output_file_prepare_process(void)
 {
 	signal(SIGXFSZ, SIG_IGN);
+	for (int fd = 0; fd <= STDERR_FILENO; fd++) {
+		/* open() returns the lowest number that is free, which is fd. */
+		if (fcntl(fd, F_GETFD) < 0 && open("/", O_PATH) < 0) {
+			return;
+		}
+	}
 }
 
 int output_file_flush_stdout(const struct log *log)

@@ -80,10 +80,14 @@ void output_file_discard(struct output_file *file);
 FILE *output_file_scratch(void);
 
 /*
- * Makes a write beyond the limit of `ulimit -f` fail with EFBIG instead of
- * ending the process by SIGXFSZ. Call it once, when the program starts.
+ * Prepares the process for writing files. Call it once, when the program starts.
+ *
+ * A write beyond the limit of `ulimit -f` then fails with EFBIG instead of ending
+ * the process by SIGXFSZ. A standard stream that is closed gets a descriptor that
+ * can be neither read nor written: otherwise the next file that is opened would
+ * have its number, and messages would be written into that file.
  */
-void output_file_survive_limits(void);
+void output_file_prepare_process(void);
 
 /*
  * Flushes standard output. Returns 0, or -errno after logging an error when

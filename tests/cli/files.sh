@@ -171,6 +171,28 @@ limber render "$slider" -o "$out.bmp"
 expect_err '^limber: .*\.bmp: .*png.*gif.*y4m'
 expect_no_out
 
+# A standard stream that is closed is not a file that limber writes.
+limber render "$slider" --size 16x16 --frames 2 -o "$scratch/open.y4m"
+limber play "$slider" --display null --frames 2 \
+    --record-buttons "$scratch/open.txt"
+for closed in '0<&-' '1>&-' '2>&-' '0<&- 2>&-' '0<&- 1>&- 2>&-'; do
+    # shellcheck disable=SC2086,SC2016 # a command and its arguments
+    run sh -c 'file=$1 closed=$2; shift 2
+        eval "exec \"\$@\" --verbose -o \"\$file\" $closed"' sh \
+        "$scratch/closed.y4m" "$closed" $limber render "$slider" --size 16x16 \
+        --frames 2
+    about "limber render with $closed"
+    expect_status 0
+    check 'the film has no messages in it' \
+        cmp "$scratch/open.y4m" "$scratch/closed.y4m"
+    # shellcheck disable=SC2086,SC2016 # a command and its arguments
+    run sh -c 'file=$1 closed=$2; shift 2
+        eval "exec \"\$@\" --record-buttons \"\$file\" $closed"' sh \
+        "$scratch/closed.txt" "$closed" $limber play "$slider" --display null \
+        --frames 2
+    check 'nor has a recording' cmp "$scratch/open.txt" "$scratch/closed.txt"
+done
+
 # Frames feed a watchdog, and limber disables it at the end. Without a watchdog
 # limber plays as well.
 : >"$scratch/watchdog"

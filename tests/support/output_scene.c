@@ -13,7 +13,7 @@ int output_scene_setup(void **state)
 	scene->folder = temp_dir_make();
 	scene->path = path_join(&scene->folder, "file");
 	scene->log = log_capture_begin(&scene->logged);
-	output_file_survive_limits();
+	output_file_prepare_process();
 	*state = scene;
 	return 0;
 }

@@ -7,6 +7,7 @@
 #include "platform/base/file.h"
 #include "platform/base/output_file.h"
 #include "platform/process/confine.h"
+#include "platform/process/stop.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -214,6 +215,7 @@ int command_dispatch(
 	int status;
 
 	output_file_prepare_process();
+	stop_unblock();
 	status = run_command(commands, argc, argv);
 	if (output_file_flush_stdout(&log) != 0 && status == EXIT_OK) {
 		status = EXIT_FAILED;

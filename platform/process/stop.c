@@ -33,6 +33,20 @@ static void raise_flag(int number)
 	errno = kept;
 }
 
+/* A program that starts limber may leave them blocked by mistake. */
+void stop_unblock(void)
+{
+	sigset_t ending;
+
+	sigemptyset(&ending);
+	sigaddset(&ending, SIGALRM);
+	for (int i = 0; i < SIGNAL_COUNT; i++) {
+		sigaddset(&ending, signals[i]);
+	}
+	(void)sigprocmask(SIG_UNBLOCK, &ending, NULL);
+	signal(SIGALRM, SIG_DFL);
+}
+
 void stop_catch(void)
 {
 	struct sigaction action = {.sa_handler = raise_flag};

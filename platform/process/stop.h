@@ -9,6 +9,12 @@
 #include <stdbool.h>
 
 /*
+ * Unblocks the signals below and SIGALRM, and lets SIGALRM end the process, which
+ * inherits both from the program that started it. Call it once, at the start.
+ */
+void stop_unblock(void);
+
+/*
  * Clears the flag. From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE only set it.
  * A signal that the process ignores stays ignored, as nohup requires. If the
  * program does not call stop_requested() within a second after the signal,

@@ -148,6 +148,34 @@ static void hang_after_a_signal(void)
 	sleep(20);
 }
 
+static void hang_where_signals_were_blocked(void)
+{
+	sigset_t all;
+
+	signal(SIGALRM, SIG_IGN);
+	sigfillset(&all);
+	sigprocmask(SIG_BLOCK, &all, NULL);
+	stop_unblock();
+	stop_catch();
+	for (int i = 0; i < CAUGHT; i++) {
+		raise(caught[i]);
+		if (!stop_requested()) {
+			_exit(1);
+		}
+	}
+	alarm(1);
+	sleep(20);
+}
+
+static void test_what_was_blocked_and_ignored_at_the_start_ends_it(void **state)
+{
+	int status = in_child(hang_where_signals_were_blocked);
+
+	(void)state;
+	assert_true(WIFSIGNALED(status));
+	assert_int_equal(WTERMSIG(status), SIGALRM);
+}
+
 static void test_a_process_that_hangs_ends_by_an_alarm(void **state)
 {
 	int status = in_child(hang_after_a_signal);
@@ -237,6 +265,8 @@ int main(void)
 		cmocka_unit_test(
 			test_the_end_must_come_within_a_second_of_the_signal),
 		cmocka_unit_test(test_a_process_that_hangs_ends_by_an_alarm),
+		cmocka_unit_test(
+			test_what_was_blocked_and_ignored_at_the_start_ends_it),
 		cmocka_unit_test(test_a_signal_disables_the_watchdog_at_once),
 		cmocka_unit_test(test_a_watchdog_may_be_descriptor_0),
 		cmocka_unit_test(

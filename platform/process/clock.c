@@ -61,7 +61,8 @@ int clock_parse(const char *text, struct clock *out)
 		return -EINVAL;
 	}
 	rate_hz = strtod(number, &end);
-	if (end == number || *end || !(rate_hz > 0 && rate_hz <= 1000)) {
+	if (end == number || *end ||
+		!(rate_hz >= CLOCK_RATE_MIN_HZ && rate_hz <= CLOCK_RATE_MAX_HZ)) {
 		return -EINVAL;
 	}
 	*out = clock_fixed(rate_hz, 0);

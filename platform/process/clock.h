@@ -10,6 +10,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* The rates of a fixed clock that a user may choose. At the lowest, the time of
+ * frame INT_MAX is still below 2^53 ms. */
+#define CLOCK_RATE_MIN_HZ 0.001
+#define CLOCK_RATE_MAX_HZ 1000.0
+
 struct clock {
 	bool fixed;
 	double rate_hz;    /* fixed clock: frames a second */
@@ -37,8 +42,8 @@ double clock_tick(struct clock *clock);
 double clock_thread_s(void);
 
 /*
- * Reads "real" or "fixed:FPS" (0 < FPS <= 1000). Returns 0, or -EINVAL for
- * anything else without logging.
+ * Reads "real" or "fixed:FPS", with a rate between the limits above. Returns 0,
+ * or -EINVAL for anything else without logging.
  */
 int clock_parse(const char *text, struct clock *out);
 

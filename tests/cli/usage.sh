@@ -40,7 +40,7 @@ for frames in '' 0 -1 one 1.5 99999999999999999999; do
     refused '--frames' render "$slider" --frames "$frames" -o "$out"
 done
 for clock in '' fixed fixed: fixed:0 fixed:-1 fixed:x fixed:nan fixed:1e9 \
-    unreal; do
+    fixed:1e-300 unreal; do
     refused '--clock' render "$slider" --clock "$clock" -o "$out"
 done
 for influences in 0 9 x; do

@@ -276,7 +276,7 @@ const struct option_entry option_entries[] = {
 		"the name of a file", TEXT(show.stats)},
 	{0, "clock", "KIND", FOR_SHOW,
 		"follow the clock real, or fixed:FPS for the same times in every run",
-		"real or fixed:FPS, with FPS up to 1000", PARSED(set_clock)},
+		"real or fixed:FPS, with FPS from 0.001 to 1000", PARSED(set_clock)},
 	{0, "math", "KIND", FOR_VERTICES,
 		"compute vertices in: float or fixed",
 		"float or fixed", PARSED(set_math)},

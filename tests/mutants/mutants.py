@@ -39,7 +39,8 @@ TREE = WORK / "tree"
 EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 SECONDS = WORK / "seconds.json"
 MUTANT = "build/host/mutant.o"
-# Beside the stand-ins for GL libraries, which tests look for in their folder.
+# Beside the stand-ins for GL libraries, which unit tests look for in their folder,
+# and the command line's in its folder's folder "unit".
 PROGRAM = "build/host/unit/mutant"
 LIBRARY = "build/host/liblimber.a"
 SUITE_S = 600
@@ -92,6 +93,10 @@ def copy_tree():
             shutil.copytree(TOP / "build" / part, TREE / "build" / part,
                             symlinks=True)
     shutil.copy2(TOP / "build/test-packages.stamp", TREE / "build")
+    stand_ins = (TREE / PROGRAM).parent / "unit"
+    if not stand_ins.is_symlink():
+        stand_ins.parent.mkdir(exist_ok=True)
+        stand_ins.symlink_to(".")
 
 
 def same_file(a, b):

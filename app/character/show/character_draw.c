@@ -38,7 +38,6 @@ void character_draw_update(
 	if (stage->floor.wave_height != 0.0f) {
 		light_direction(light.towards);
 		camera_eye(&stage->camera, light.eye);
-		camera_near_plane(&stage->camera, light.near_plane);
 		shadow_drape_update(
 			&drawing->drape, drawing->character->instance, &light);
 	}

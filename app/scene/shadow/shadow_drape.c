@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/scene/draw/triangle_list.h"
+#include "app/scene/instance/bounds.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
@@ -224,8 +225,8 @@ static float distance_to_ground(
 		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
 }
 
-static void lay_vertices(struct shadow_sheet *sheet,
-	const struct shadow_light *light, struct bounds *box)
+static void lay_vertices(
+	struct shadow_sheet *sheet, const struct shadow_light *light)
 {
 	for (int i = 0; i < sheet->vertex_count; i++) {
 		const float *from = sheet->posed[i];
@@ -234,30 +235,7 @@ static void lay_vertices(struct shadow_sheet *sheet,
 		vec_add_scaled(from, light->towards,
 			-distance_to_ground(light, from), to);
 		floor_lift(light->ground, light->eye, to);
-		bounds_add(box, to);
 	}
-}
-
-static float plane_distance(const float plane[4], const float from[3])
-{
-	return glm_vec3_dot((float *)plane, (float *)from) + plane[3];
-}
-
-/* All of the box is beyond the near plane, so the eye is outside of it. */
-static bool is_box_seen(const struct bounds *box, const float near_plane[4])
-{
-	bool seen = !bounds_is_empty(box);
-
-	for (int i = 0; i < 8; i++) {
-		const float corner[3] = {
-			i & 1 ? box->high[0] : box->low[0],
-			i & 2 ? box->high[1] : box->low[1],
-			i & 4 ? box->high[2] : box->low[2],
-		};
-
-		seen = seen && plane_distance(near_plane, corner) > 0.0f;
-	}
-	return seen;
 }
 
 static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
@@ -270,7 +248,7 @@ static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	list_triangles(drape, sheet, (const vec4 *)matrix);
-	lay_vertices(sheet, light, &drape->box);
+	lay_vertices(sheet, light);
 }
 
 void shadow_drape_update(struct shadow_drape *drape,
@@ -278,7 +256,6 @@ void shadow_drape_update(struct shadow_drape *drape,
 {
 	int vertices = 0, indices = 0;
 
-	drape->box = bounds_empty();
 	drape->divisions_left = DIVIDED_MAX;
 	for (int i = 0; i < drape->sheet_count; i++) {
 		struct shadow_sheet *sheet = &drape->sheet[i];
@@ -293,15 +270,43 @@ void shadow_drape_update(struct shadow_drape *drape,
 		vertices += sheet->vertex_count;
 		indices += sheet->index_count;
 	}
-	drape->box_seen = is_box_seen(&drape->box, light->near_plane);
 }
 
-/* Counts the shadow's triangles where the ground does not hide them. */
-static void count_sheets(const struct shadow_drape *drape, const struct gl *gl)
+/*
+ * Blends a dark colour over the ground where the stencil is 0, and counts
+ * there: a pixel that many triangles cover is darkened by the first one.
+ */
+static void begin_darkening(const struct gl *gl, float strength)
 {
-	gl->StencilFunc(GL_ALWAYS, 0, 255);
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_EQUAL, 0, 255);
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-	gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
+		fx16_from_float(strength));
+	gl->DepthMask(GL_FALSE);
+	gl->Enable(GL_CULL_FACE);
+}
+
+static void end_darkening(const struct gl *gl)
+{
+	gl->Disable(GL_CULL_FACE);
+	gl->DepthMask(GL_TRUE);
+	gl->Disable(GL_BLEND);
+	gl->Disable(GL_STENCIL_TEST);
+}
+
+void shadow_drape_draw(
+	const struct shadow_drape *drape, const struct gl *gl, float strength)
+{
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	gl->DisableClientState(GL_NORMAL_ARRAY);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	begin_darkening(gl, strength);
 	for (int i = 0; i < drape->sheet_count; i++) {
 		const struct shadow_sheet *sheet = &drape->sheet[i];
 
@@ -311,88 +316,5 @@ static void count_sheets(const struct shadow_drape *drape, const struct gl *gl)
 				GL_UNSIGNED_SHORT, sheet->index);
 		}
 	}
-	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-}
-
-/* Covers the whole picture. */
-static void draw_picture(const struct gl *gl)
-{
-	static const int16_t corner[4][2] = {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-
-	gl->MatrixMode(GL_PROJECTION);
-	gl->PushMatrix();
-	gl->LoadIdentity();
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->PushMatrix();
-	gl->LoadIdentity();
-	gl->Disable(GL_CULL_FACE);
-	gl->VertexPointer(2, GL_SHORT, 0, corner);
-	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	gl->MatrixMode(GL_PROJECTION);
-	gl->PopMatrix();
-	gl->MatrixMode(GL_MODELVIEW);
-	gl->PopMatrix();
-}
-
-/* Covers the pixels of the box once: those of its faces towards the eye. */
-static void draw_box(const struct gl *gl, const struct bounds *box)
-{
-	static const uint16_t index[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6,
-		0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
-		3, 7, 5};
-	float corner[8][3];
-
-	for (int i = 0; i < 8; i++) {
-		for (int axis = 0; axis < 3; axis++) {
-			corner[i][axis] = i >> axis & 1 ? box->high[axis]
-							: box->low[axis];
-		}
-	}
-	gl->Enable(GL_CULL_FACE);
-	gl->VertexPointer(3, GL_FLOAT, 0, corner);
-	gl->DrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_SHORT, index);
-	gl->Disable(GL_CULL_FACE);
-}
-
-/*
- * Blends a dark colour over all pixels whose stencil is not 0, once: among the
- * pixels that may have been counted, which lie in the sheets' box.
- */
-static void darken(
-	const struct shadow_drape *drape, const struct gl *gl, float strength)
-{
-	gl->StencilFunc(GL_NOTEQUAL, 0, 255);
-	gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-	gl->Disable(GL_DEPTH_TEST);
-	gl->Enable(GL_BLEND);
-	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
-		fx16_from_float(strength));
-	if (drape->box_seen) {
-		draw_box(gl, &drape->box);
-	} else {
-		draw_picture(gl);
-	}
-	gl->Disable(GL_BLEND);
-	gl->Enable(GL_DEPTH_TEST);
-}
-
-void shadow_drape_draw(
-	const struct shadow_drape *drape, const struct gl *gl, float strength)
-{
-	gl->Disable(GL_LIGHTING);
-	gl->Disable(GL_TEXTURE_2D);
-	gl->Disable(GL_BLEND);
-	gl->EnableClientState(GL_VERTEX_ARRAY);
-	gl->DisableClientState(GL_COLOR_ARRAY);
-	gl->DisableClientState(GL_NORMAL_ARRAY);
-	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
-	gl->Enable(GL_STENCIL_TEST);
-	gl->DepthMask(GL_FALSE);
-	gl->Enable(GL_CULL_FACE);
-	count_sheets(drape, gl);
-	gl->Disable(GL_CULL_FACE);
-	darken(drape, gl, strength);
-	gl->DepthMask(GL_TRUE);
-	gl->Disable(GL_STENCIL_TEST);
+	end_darkening(gl);
 }

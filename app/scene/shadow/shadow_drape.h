@@ -3,14 +3,13 @@
  *
  * Each vertex of the lists that draw a figure's shadow moves down the light to
  * the ground, and edges that are long against the figure are divided, so that
- * the triangles follow the ground. What they cover is counted in the stencil
- * and darkened once. They are drawn when the depth buffer holds the ground but
- * not the figure, so the figure casts no shadow on itself.
+ * the triangles follow the ground. The stencil counts what they cover, so that
+ * it is darkened once. They are drawn when the depth buffer holds the ground
+ * but not the figure, so the figure casts no shadow on itself.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_DRAPE_H
 #define APP_SCENE_SHADOW_SHADOW_DRAPE_H
 
-#include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/stage/floor.h"
 #include "platform/gl/gl.h"
@@ -28,9 +27,7 @@ struct shadow_sheet {
 struct shadow_drape {
 	int sheet_count;
 	struct shadow_sheet *sheet;
-	float longest;     /* undivided edge */
-	struct bounds box; /* around all sheets */
-	bool box_seen;     /* its faces cover all pixels that it covers */
+	float longest; /* undivided edge */
 
 	uint32_t *place; /* of a batch's vertices in posed */
 	float (*posed)[3], (*position)[3];
@@ -43,7 +40,6 @@ struct shadow_drape {
 struct shadow_light {
 	float towards[3]; /* unit vector to the light */
 	float eye[3];
-	float near_plane[4]; /* from camera_near_plane() */
 	const struct floor *ground;
 };
 

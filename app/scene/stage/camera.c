@@ -339,18 +339,6 @@ void camera_view(const struct camera *camera, mat4 out)
 	}
 }
 
-void camera_near_plane(const struct camera *camera, float out[4])
-{
-	const struct camera_frustum frustum = camera_frustum(camera, 1, 1);
-	mat4 view;
-
-	camera_view(camera, view);
-	for (int i = 0; i < 4; i++) {
-		out[i] = -view[i][2];
-	}
-	out[3] -= fx16_to_float(frustum.near);
-}
-
 /* Such that the difference of two edges fits 16.16. */
 static fx16_t edge(float value)
 {

@@ -105,12 +105,6 @@ float camera_tan_half(float angle_rad);
 /* Returns the position of the eye in scene units. */
 void camera_eye(const struct camera *camera, float out[3]);
 
-/*
- * Returns the near plane's equation (a, b, c, d): a x + b y + c z + d is the
- * distance of (x, y, z) beyond the plane, negative in front of it.
- */
-void camera_near_plane(const struct camera *camera, float out[4]);
-
 /* Returns the matrix from world space to eye space. */
 void camera_view(const struct camera *camera, mat4 out);
 

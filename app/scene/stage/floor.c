@@ -104,8 +104,8 @@ static uint8_t find_shade(const struct floor *floor, const float p[3])
 
 /*
  * The largest 1, 2 or 5 times a power of ten that is at most 1% above the size.
- * Many models are a round number of metres wide, in one number format a bit more
- * and in another a bit less: both must get the same tiles.
+ * Many models are a round number of metres wide, in one number format a bit
+ * more and in another a bit less: both must get the same tiles.
  */
 static float round_down(float size)
 {
@@ -233,6 +233,7 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	}
 }
 
+/* From far to near, so no depth test is needed. */
 static void draw_mesh(const struct floor *floor,
 	const struct floor_sight *sight, const struct gl *gl)
 {
@@ -253,11 +254,14 @@ static void draw_mesh(const struct floor *floor,
 	gl->VertexPointer(3, GL_FLOAT, 0, sight->mesh.position);
 	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
-		floor->index);
+	gl->DepthFunc(GL_ALWAYS);
 	gl->Enable(GL_BLEND);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_INDICES - FLOOR_OPAQUE_INDICES,
-		GL_UNSIGNED_SHORT, floor->index + FLOOR_OPAQUE_INDICES);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_FADING_INDICES, GL_UNSIGNED_SHORT,
+		floor->index);
+	gl->Disable(GL_BLEND);
+	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
+		floor->index + FLOOR_FADING_INDICES);
+	gl->DepthFunc(GL_LESS);
 }
 
 /* Level ground hides none of itself, so no depth test is needed. */

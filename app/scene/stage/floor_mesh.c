@@ -132,14 +132,14 @@ void floor_mesh_list(uint16_t index[FLOOR_INDICES])
 {
 	uint16_t *next = index;
 
-	for (int row = 0; row < FLOOR_ROWS; row++) {
+	for (int row = FLOOR_ROWS - 1; row >= 0; row--) {
 		for (int column = 0; column < FLOOR_COLUMNS; column++) {
 			uint32_t a =
 				(uint32_t)(row * (FLOOR_COLUMNS + 1) + column);
 			uint32_t far = a + FLOOR_COLUMNS + 1;
 
-			next = triangle_list_add(next, a, a + 1, far);
 			next = triangle_list_add(next, a + 1, far + 1, far);
+			next = triangle_list_add(next, a, a + 1, far);
 		}
 	}
 }

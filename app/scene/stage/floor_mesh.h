@@ -17,8 +17,9 @@ enum {
 	FLOOR_ROWS = FLOOR_OPAQUE_ROWS + FLOOR_FADING_ROWS,
 	FLOOR_COLUMNS = 4,
 	FLOOR_VERTICES = (FLOOR_ROWS + 1) * (FLOOR_COLUMNS + 1),
+	FLOOR_FADING_INDICES = FLOOR_FADING_ROWS * FLOOR_COLUMNS * 6,
 	FLOOR_OPAQUE_INDICES = FLOOR_OPAQUE_ROWS * FLOOR_COLUMNS * 6,
-	FLOOR_INDICES = FLOOR_ROWS * FLOOR_COLUMNS * 6,
+	FLOOR_INDICES = FLOOR_FADING_INDICES + FLOOR_OPAQUE_INDICES,
 };
 
 struct floor_mesh {
@@ -43,7 +44,10 @@ struct floor_mesh_ground {
 void floor_mesh_find(struct floor_mesh *mesh, const struct camera *camera,
 	int width, int height, const struct floor_mesh_ground *ground);
 
-/* Writes the triangles' corners, of near rows first. */
+/*
+ * Writes the triangles' corners, of far rows first: in this order near hills
+ * cover what is behind them without a depth test. The fading ones come first.
+ */
 void floor_mesh_list(uint16_t index[FLOOR_INDICES]);
 
 #endif

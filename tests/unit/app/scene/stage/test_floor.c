@@ -3,6 +3,8 @@
 #include "platform/gl/gl_context.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
+
 enum {
 	WIDTH = 480,
 	HEIGHT = 640,
@@ -65,7 +67,7 @@ static float find_sag(const struct scene *scene, const struct floor_mesh *mesh)
 	float most = 0.0f, eye[3];
 
 	camera_eye(&scene->camera, eye);
-	for (int i = 0; i < FLOOR_OPAQUE_INDICES; i += 3) {
+	for (int i = FLOOR_FADING_INDICES; i < FLOOR_INDICES; i += 3) {
 		for (int n = 0; n < 10; n++) {
 			float a = (float)(n % 4) / 3.0f,
 			      b = (float)(n / 4) / 3.0f;
@@ -190,6 +192,75 @@ static void test_the_mesh_covers_what_is_seen(void **state)
 	end(&scene);
 }
 
+/* The driver's own DepthFunc(). */
+static void (*set_depth_func)(GLenum function);
+
+static void always_test_depth(GLenum function)
+{
+	set_depth_func(function == GL_ALWAYS ? GL_LESS : function);
+}
+
+static void draw_picture(
+	const struct scene *scene, const struct gl *gl, struct pixels *picture)
+{
+	const struct gl_driver *driver = scene->context->driver;
+	struct floor_sight sight;
+
+	floor_find_sight(&scene->floor, &scene->camera, WIDTH, HEIGHT, &sight);
+	assert_int_equal(driver->begin_frame(scene->context, picture), 0);
+	gl->ClearColorx(0, 0, 0, 65536);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	gl->Enable(GL_DEPTH_TEST);
+	camera_apply(&scene->camera, gl, WIDTH, HEIGHT);
+	floor_draw(&scene->floor, &sight, gl);
+	driver->end_frame(scene->context);
+}
+
+static int count_differences(const struct pixels *a, const struct pixels *b)
+{
+	const uint16_t *left = (const void *)a->data;
+	const uint16_t *right = (const void *)b->data;
+	int count = 0;
+
+	for (int i = 0; i < WIDTH * HEIGHT; i++) {
+		count += left[i] != right[i];
+	}
+	return count;
+}
+
+/* A depth test finds nothing that the order of triangles does not. */
+static void test_near_hills_hide_those_behind_them(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct pixels tested, ordered;
+	struct scene scene;
+	struct gl testing;
+
+	(void)state;
+	begin(&scene);
+	testing = scene.context->gl;
+	set_depth_func = testing.DepthFunc;
+	testing.DepthFunc = always_test_depth;
+	assert_int_equal(
+		pixels_alloc(&tested, WIDTH, HEIGHT, PIXELS_RGB565, &log), 0);
+	assert_int_equal(
+		pixels_alloc(&ordered, WIDTH, HEIGHT, PIXELS_RGB565, &log), 0);
+	floor_set_wave_height(&scene.floor, 0.5f);
+	for (int i = 0; i < 12; i++) {
+		scene.camera.pitch_rad = pitch_rad[i % 4];
+		scene.camera.yaw_rad = 0.5f * (float)i;
+		draw_picture(&scene, &testing, &tested);
+		draw_picture(&scene, &scene.context->gl, &ordered);
+		/* Edges alone are tested with rounded depths. */
+		assert_in_range(count_differences(&tested, &ordered), 0,
+			WIDTH * HEIGHT / 1000);
+		floor_scroll(&scene.floor, 0.17f, 0.31f);
+	}
+	free(ordered.data);
+	free(tested.data);
+	end(&scene);
+}
+
 static void test_ground_above_the_eye_is_not_drawn(void **state)
 {
 	struct scene scene;
@@ -263,6 +334,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ground_is_drawn_where_it_is),
 		cmocka_unit_test(test_the_mesh_covers_what_is_seen),
+		cmocka_unit_test(test_near_hills_hide_those_behind_them),
 		cmocka_unit_test(test_ground_above_the_eye_is_not_drawn),
 		cmocka_unit_test(
 			test_level_ground_begins_below_the_picture_and_fades),

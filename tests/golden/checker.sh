@@ -197,6 +197,24 @@ changed 's/walk/run/' 1 'another word'
 changed '1d' 1 'a missing line'
 changed '' 0 'the text as it was'
 
+printf 'gravity = 0 -9.81\n| name | instructions_per_frame |\n| walk |  |\n' \
+    >"$scratch/text"
+printf '  a b  us here k instr.\n  walk 7 1.5 -\n\n  end 1 2\n' >>"$scratch/text"
+changed '' 1 'another text'
+run "$here/texts.py" make sh "$scratch/texts"
+changed 's/walk |  /walk | 75.5 /' 0 'a count of instructions'
+changed 's/1.5 -/2.5 3000/' 0 'a measured time in the last columns'
+changed 's/walk 7/walk 8/' 1 'another number before the last columns'
+changed 's/end 1 2/end 1 3/' 1 'another number after that table'
+changed '' 0 'the text as it was'
+echo "two $scratch/given/text none 1" >>"$GOLDEN/texts.txt"
+texts
+about 'a second command of the same name'
+expect_status 1
+expect_out '^# [+]limber .*/text none 1$'
+expect_out '^# [+]status 1$'
+sed -i '$d' "$GOLDEN/texts.txt"
+
 echo 'status 0' >"$GOLDEN/texts/three.txt"
 texts
 about 'a reference text that is not listed'

@@ -6,9 +6,9 @@ prints and writes with the reference texts/NAME.txt: words and whole numbers mus
 be equal, others within 0.1%, as libraries of other machines round differently. What
 limber measures is left out. Files are kept as text, too: of a .glb its JSON, and of
 each accessor two sums, in which every value and its place count, and of a .y4m a
-line for each picture. check prints TAP, and leaves what differs in FOLDER; make
-writes the references again. Each line of films.txt names such a film, by the
-arguments of limber render: the soft driver draws the same on every machine. The environment
+line for each picture. Each line of films.txt names such a film, by arguments of
+limber render: the soft driver draws the same on every machine. check prints TAP, and
+leaves what differs in FOLDER; make writes the references again. The environment
 may set GOLDEN, the folder of texts.txt, films.txt and the references, and TEXTS, a
 regular expression that names begin like; others are left out.
 """
@@ -31,6 +31,8 @@ RELATIVE, ABSOLUTE = 1e-3, 1e-4
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 # Columns of a table in Markdown or CSV, and members of JSON.
 MEASURED = {"us_per_frame", "warm_ns", "cold_ns"}
+MEASURED_COLUMNS = MEASURED | {"instructions_per_frame"}
+LAST_MEASURED = "us here k instr."
 OUTSIDE_QUOTES = r'(?=(?:[^"]*"[^"]*")*[^"]*$)'
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 LETTERS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
@@ -46,11 +48,13 @@ def lines_of(name):
 
 
 def commands():
-    """The names and arguments of texts.txt and films.txt."""
+    """The names of texts.txt and films.txt, each with the arguments of its lines."""
+    named = {}
     for name, *arguments in lines_of("texts.txt"):
-        yield name, arguments
+        named.setdefault(name, []).append(arguments)
     for name, *arguments in lines_of("films.txt"):
-        yield f"film-{name}", ["render", *arguments, *FILM]
+        named.setdefault(f"film-{name}", []).append(["render", *arguments, *FILM])
+    return named.items()
 
 
 def sums_of(accessor, view, binary):
@@ -127,6 +131,8 @@ def text_of_file(path):
         return text_of_glb(data)
     if path.suffix == ".y4m":
         return text_of_film(data)
+    if data.startswith(b"\x89PNG"):
+        return text_of_png(data)
     try:
         return data.decode()
     except UnicodeDecodeError:
@@ -139,12 +145,22 @@ def hide_columns(lines, mark):
     """Puts dashes into the measured columns of the table in lines, if any."""
     rows = [re.split(mark + OUTSIDE_QUOTES, line) for line in lines]
     columns = [i for row in rows for i, cell in enumerate(row)
-               if cell.strip() in MEASURED]
+               if cell.strip() in MEASURED_COLUMNS]
     for i, row in enumerate(rows):
         for column in columns:
-            if column < len(row) and NUMBER.fullmatch(row[column].strip()):
+            cell = row[column].strip() if column < len(row) else "none"
+            if not cell or NUMBER.fullmatch(cell):
                 row[column] = "-"
                 lines[i] = mark.strip("\\").join(row)
+
+
+def hide_last_columns(lines):
+    """The same for a table of limber compare whose last columns are measured."""
+    inside = False
+    for i, line in enumerate(lines):
+        if inside and line:
+            lines[i] = re.sub(r"( +\S+ +\S+)$", " - -", line)
+        inside = bool(line) and (inside or line.endswith(LAST_MEASURED))
 
 
 def without_measured(text):
@@ -152,12 +168,34 @@ def without_measured(text):
     lines = text.splitlines()
     for mark in (r"\|", ","):
         hide_columns(lines, mark)
+    hide_last_columns(lines)
     return re.sub(f'"({"|".join(MEASURED)})": {NUMBER.pattern}',
                   r'"\1": "-"', "\n".join(lines) + "\n")
 
 
+def text_of_png(data):
+    """A line for each chunk; of the pixels, the sum without their compression."""
+    lines, pixels, at = [], b"", 8
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        if kind == b"IDAT":
+            pixels += data[at + 8:at + 8 + size]
+        else:
+            lines.append(f"{kind.decode()} {data[at + 8:at + 8 + size].hex()}\n")
+        at += 12 + size
+    return "".join(lines) + "IDAT %08x\n" % zlib.crc32(zlib.decompress(pixels))
+
+
+def text_of_all(limber, commands):
+    """What commands say and write; where there are several, after their names."""
+    if len(commands) == 1:
+        return text_of(limber, commands[0])
+    return "\n".join(f"limber {shlex.join(arguments)}\n{text_of(limber, arguments)}"
+                     for arguments in commands)
+
+
 def text_of(limber, arguments):
-    """What a command says and writes, or a sentence of how it failed."""
+    """What a command says and writes."""
     with tempfile.TemporaryDirectory() as folder:
         words = [word.replace("OUT", folder, 1) if word.split("/")[0] == "OUT"
                  else word for word in arguments]
@@ -191,11 +229,11 @@ def is_same(wanted, found):
     return len(wanted) == len(found) and all(map(is_same_line, wanted, found))
 
 
-def check(name, arguments, limber, folder):
+def check(name, named, limber, folder):
     """The lines that say why a text is not its reference; none if it is."""
     reference = GOLDEN / "texts" / f"{name}.txt"
     try:
-        found = text_of(limber, arguments)
+        found = text_of_all(limber, named)
     except subprocess.TimeoutExpired:
         return [f"limber ran for more than {TIME_S} s"]
     if not reference.exists():
@@ -213,10 +251,10 @@ def check_all(folder, limber):
     folder.mkdir(parents=True, exist_ok=True)
     names, failed = set(), False
     count = 1
-    for name, arguments in commands():
+    for name, named in commands():
         names.add(f"{name}.txt")
         if NAMES.match(name):
-            reasons = check(name, arguments, limber, folder)
+            reasons = check(name, named, limber, folder)
             print(f"{'not ok' if reasons else 'ok'} {count} - {name}")
             print("".join(f"# {line}\n" for line in reasons), end="")
             failed |= bool(reasons)
@@ -230,11 +268,11 @@ def check_all(folder, limber):
 
 def make_all(limber):
     (GOLDEN / "texts").mkdir(exist_ok=True)
-    for name, arguments in commands():
+    for name, named in commands():
         if NAMES.match(name):
             print(f"  TEXT    {GOLDEN}/texts/{name}.txt")
             (GOLDEN / "texts" / f"{name}.txt").write_text(
-                text_of(limber, arguments))
+                text_of_all(limber, named))
     return 0
 
 

@@ -17,12 +17,12 @@ STAGES = {
     " largest_float light light_state matrix number paths prepare"
     " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
-    "set-up": "begin bend clip counts fill_constant fill_flat fill_glyph fill_narrow"
+    "set-up": "begin bend clip counts fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list list_small masked narrow raster small triangle view walk"
     " walk_small",
     "pixels": "band blend_row combine_rows coverage cut depth_ways fill level luminance made mix"
-    " narrow_rows picture read rows samplers spans_565 spans_8888 tests texture tile_row"
-    " thin_line tiles tint",
+    " narrow_rows read rows samplers spans_565 spans_8888 tests texture tile_row"
+    " thin_line tiles tint untested",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

@@ -8,6 +8,38 @@
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
 
+/* The attributes that move, at a column of the row under way. */
+static void find_point(const struct draw *draw, int x, struct point *out)
+{
+	const struct raster *raster = &draw->raster;
+	int32_t q;
+
+	if (!raster->perspective) {
+		for (int n = 0; n < raster->moving_count; n++) {
+			int i = raster->moving[n];
+
+			out->value[i] = (int32_t)plane_at(raster, i, x);
+		}
+		return;
+	}
+	q = (int32_t)plane_at(raster, INVERSE_W, x);
+	rows_find_divisor(q, out);
+	for (int n = 0; n < raster->moving_count; n++) {
+		int i = raster->moving[n];
+		int32_t at = (int32_t)plane_at(raster, i, x);
+
+		if (!rows_is_divided(raster, i)) {
+			out->value[i] = at;
+		} else if (i >= TEX_S) {
+			out->value[i] = rows_divide(
+				out, at, raster->tex_shift[i - TEX_S] + 8);
+		} else {
+			out->value[i] = clamp_int(rows_divide(out, at, 24),
+				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
+		}
+	}
+}
+
 /* A run whose values are these, and move by the span's steps. */
 static void draw_run(
 	struct draw *draw, int y, int x, int count, const int32_t value[])
@@ -110,15 +142,14 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 static void row_divided(struct draw *draw, int y, int left, int right)
 {
 	int steps = right - left - 1, spacing, x = left;
-	struct point from, to, end;
+	struct point from = {0}, to, end;
 
-	soft_rows_find_point(draw, left, &from);
+	find_point(draw, left, &from);
 	end = from;
 	if (steps > 0) {
-		soft_rows_find_point(draw, right - 1, &end);
+		find_point(draw, right - 1, &end);
 	}
-	if (draw->raster.span.y < 0 ||
-		(y - draw->raster.top) % ROWS_OF_LEVEL == 0) {
+	if (draw->raster.span.y < 0 || y % ROWS_OF_LEVEL == 0) {
 		soft_rows_find_lod(draw, &from, &draw->raster.span);
 	}
 	spacing = find_spacing(draw, &from, &end, steps);
@@ -128,7 +159,7 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 		return;
 	}
 	for (; right - x > spacing; x += spacing) {
-		soft_rows_find_point(draw, x + spacing, &to);
+		find_point(draw, x + spacing, &to);
 		set_steps(draw, &from, &to, spacing);
 		draw_linear(draw, y, x, x + spacing, from.value);
 		from = to;
@@ -190,19 +221,79 @@ static void row_linear(struct draw *draw, int y, int left, int right)
 	draw_linear(draw, y, left, right, value);
 }
 
+static void skip(struct plane *plane, int rows)
+{
+	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
+}
+
+/* Moves all planes in use down. */
+static void skip_rows(struct draw *draw, int rows)
+{
+	struct raster *raster = &draw->raster;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		skip(&raster->plane[raster->moving[i]], rows);
+	}
+	skip(&raster->plane[DEPTH], rows);
+	if (raster->perspective) {
+		skip(&raster->plane[INVERSE_W], rows);
+	}
+}
+
+/*
+ * Calls row(draw, y, left, right) for each row with pixels, inside of
+ * draw->box, whose planes it moves on.
+ */
+static void walk_rows(struct draw *draw, const struct setup *setup,
+	void (*row)(struct draw *draw, int y, int left, int right))
+{
+	const struct clip_box box = draw->box;
+	int y = setup->top, end = setup->bottom, turn = setup->middle;
+	struct side whole = {0}, part = {0};
+
+	end = end < box.bottom ? end : box.bottom;
+	if (y < box.top) {
+		skip_rows(draw, box.top - y);
+		y = box.top;
+	}
+	whole = raster_side(draw, setup->v[0], setup->v[2], y);
+	if (y < turn) {
+		part = raster_side(draw, setup->v[0], setup->v[1], y);
+	}
+	turn = turn > y ? turn : y;
+	for (; y < end; y++) {
+		int left, right;
+
+		if (y == turn) {
+			part = raster_side(draw, setup->v[1], setup->v[2], y);
+		}
+		left = raster_column(setup->middle_left ? part.x : whole.x);
+		right = raster_column(setup->middle_left ? whole.x : part.x);
+		left = left > box.left ? left : box.left;
+		right = right < box.right ? right : box.right;
+		if (left < right) {
+			row(draw, y, left, right);
+		}
+		skip_rows(draw, 1);
+		raster_next_side(&whole);
+		raster_next_side(&part);
+	}
+}
+
 void reference_fill(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
 
-	rows_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
+	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	raster->span.y = -1; /* no row is drawn yet */
 	if (raster->bent) {
 		soft_rows_find_affine_lod(draw, &raster->span);
-		raster_walk(draw, setup, row_bent, soft_raster_next_row);
+		walk_rows(draw, setup, row_bent);
 		return;
 	}
 	if (raster->perspective) {
-		raster_walk(draw, setup, row_divided, soft_raster_next_row);
+		walk_rows(draw, setup, row_divided);
 		return;
 	}
 	for (int n = 0; n < raster->moving_count; n++) {
@@ -211,7 +302,7 @@ void reference_fill(struct draw *draw, struct setup *setup)
 		raster->span.step[i] = raster->plane[i].dx;
 	}
 	soft_rows_find_affine_lod(draw, &raster->span);
-	raster_walk(draw, setup, row_linear, soft_raster_next_row);
+	walk_rows(draw, setup, row_linear);
 }
 
 void reference_use(struct soft *soft, bool on)

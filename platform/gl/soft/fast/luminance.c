@@ -20,7 +20,8 @@ enum {
  * share, how much of 256 a texel counts, and alpha are 8.16.
  */
 struct piece {
-	int x, count;
+	uint16_t *pixel;
+	int count;
 	uint32_t s, t, alpha, share; /* of the first */
 	int32_t s_right, t_right, alpha_right, share_right;
 };
@@ -36,13 +37,13 @@ static uint32_t size_of(int32_t value)
  */
 static void write_depth(uint16_t *depth, int count, uint32_t z, int32_t z_right)
 {
-	if ((uint64_t)size_of(z_right) * (uint32_t)count < 1 << 10) {
+	if ((uint64_t)size_of(z_right) * (uint32_t)count < 1 << 16) {
 		z += (uint32_t)(z_right * count / 2);
-		soft_fill_pixels(depth, count, (uint16_t)(z >> 10));
+		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
 		return;
 	}
 	for (int i = 0; i < count; i++) {
-		depth[i] = (uint16_t)(z >> 10);
+		depth[i] = (uint16_t)(z >> 16);
 		z += (uint32_t)z_right;
 	}
 }
@@ -53,75 +54,86 @@ int soft_luminance_test_depth(
 	int i = 0;
 
 	for (; i < count - 1; i += 2) {
-		if (z >> 10 >= depth[i]) {
+		if (z >> 16 >= depth[i]) {
 			return i;
 		}
-		depth[i] = (uint16_t)(z >> 10);
+		depth[i] = (uint16_t)(z >> 16);
 		z += z_right;
-		if (z >> 10 >= depth[i + 1]) {
+		if (z >> 16 >= depth[i + 1]) {
 			return i + 1;
 		}
-		depth[i + 1] = (uint16_t)(z >> 10);
+		depth[i + 1] = (uint16_t)(z >> 16);
 		z += z_right;
 	}
-	if (i < count && z >> 10 < depth[i]) {
-		depth[i] = (uint16_t)(z >> 10);
+	if (i < count && z >> 16 < depth[i]) {
+		depth[i] = (uint16_t)(z >> 16);
 		i++;
 	}
 	return i;
 }
 
-static const struct level *choose_level(const struct draw *draw, int *number)
+static int choose_level(const struct draw *draw, int lod)
 {
 	const struct texture_input *input = &draw->texture[0];
 	int side = input->width_log2 < input->height_log2 ? input->width_log2
 							  : input->height_log2;
 	/* Down to two texels: less has no quads. */
 	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
+	int number = clamp_int((lod + 127) >> 8, 0, most);
 
-	*number = clamp_int((draw->raster.span.lod[0] + 127) >> 8, 0, most);
-	while (!input->texture->level[*number].tiles) {
-		--*number;
+	while (!input->texture->level[number].tiles) {
+		number--;
 	}
-	return &input->texture->level[*number];
+	return number;
+}
+
+static void set_level(struct draw *draw, int lod)
+{
+	struct tiled *tiled = &draw->tiled;
+	const int number = choose_level(draw, lod);
+	const struct level *level = &draw->texture[0].texture->level[number];
+	/* The base may be seen from so near that its places show. */
+	const bool fine = number > 0 && level->tiles->fine;
+
+	if (number == tiled->level) {
+		return;
+	}
+	tiled->level = number;
+	tiled->patch = level->tiles->patch;
+	tiled->run.quads = level->tiles->quad;
+	tiled->run.fine = fine ? level->tiles->fine : NULL;
+	tiled->run.width_log2 = level->width_log2;
+	tiled->run.height_log2 = level->height_log2;
+	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
+	if (level->width_log2 == level->height_log2) {
+		tiled->draw = fine ? soft_tile_fine : soft_tile_row;
+	} else {
+		tiled->draw = fine ? soft_tile_fine_c : soft_tile_row_c;
+	}
 }
 
 /* The piece's texels, by the table: colours, or luminance if that is varied. */
 static void shade(
 	const struct draw *draw, const struct piece *piece, uint16_t *pixel)
 {
-	int number;
-	const struct level *level = choose_level(draw, &number);
-	int32_t s_right = piece->s_right >> number;
-	int32_t t_right = piece->t_right >> number;
-	const struct tile_run run = {
-		.pixel = pixel,
-		.count = piece->count,
-		.quads = level->tiles->quad,
-		.s = (uint32_t)((int32_t)piece->s >> number) - 0x8000,
-		.t = (uint32_t)((int32_t)piece->t >> number) - 0x8000,
-		.s_right = s_right,
-		.t_right = t_right,
-		.shade = draw->by_share ? draw->luminance : draw->shade,
-		.s_end = &level->tiles->patch->s[s_right >= 0],
-		.t_end = &level->tiles->patch->t[t_right >= 0],
-		.s_pixels = soft_tile_pixels(s_right, level->width_log2),
-		.t_pixels = soft_tile_pixels(t_right, level->height_log2),
-		.width_log2 = level->width_log2,
-		.height_log2 = level->height_log2,
-		.fine = level->tiles->fine,
-	};
-	/* The base may be seen from so near that its places show. */
-	bool fine = number > 0 && run.fine;
+	const struct tiled *tiled = &draw->tiled;
+	const int level = tiled->level;
+	struct tile_run run = tiled->run;
 
-	if (fine && draw->soft->counts) {
+	run.pixel = pixel;
+	run.count = piece->count;
+	run.s = (uint32_t)((int32_t)piece->s >> level) - 0x8000;
+	run.t = (uint32_t)((int32_t)piece->t >> level) - 0x8000;
+	run.s_right = piece->s_right >> level;
+	run.t_right = piece->t_right >> level;
+	run.s_end = &tiled->patch->s[run.s_right >= 0];
+	run.t_end = &tiled->patch->t[run.t_right >= 0];
+	run.s_pixels = soft_tile_pixels(run.s_right, run.width_log2);
+	run.t_pixels = soft_tile_pixels(run.t_right, run.height_log2);
+	if (run.fine && draw->soft->counts) {
 		soft_count_fine(draw, piece->count);
 	}
-	if (tile_is_square(&run)) {
-		(fine ? soft_tile_fine : soft_tile_row)(&run);
-	} else {
-		(fine ? soft_tile_fine_c : soft_tile_row_c)(&run);
-	}
+	tiled->draw(&run);
 }
 
 /* So many that one share is less than a step off for each, or as will do. */
@@ -174,13 +186,13 @@ static void make_gray(const struct draw *draw, const struct piece *piece,
 
 static void draw_visible(struct draw *draw, const struct piece *piece)
 {
-	uint16_t *pixel = (uint16_t *)(void *)pixel_at(
-		&draw->soft->buffers.target, piece->x, draw->raster.span.y);
+	uint16_t *pixel = piece->pixel;
 	/* Words lie in one as they do in the other. */
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
-	shade(draw, piece, draw->by_share || draw->blended ? aside : pixel);
-	if (draw->by_share) {
+	shade(draw, piece,
+		draw->tiled.by_share || draw->blended ? aside : pixel);
+	if (draw->tiled.by_share) {
 		make_gray(draw, piece, aside, draw->blended ? aside : pixel);
 	}
 	if (draw->blended) {
@@ -193,7 +205,7 @@ static void move_on(struct piece *piece, int pixels)
 {
 	uint32_t n = (uint32_t)pixels;
 
-	piece->x += pixels;
+	piece->pixel += pixels;
 	piece->s += (uint32_t)piece->s_right * n;
 	piece->t += (uint32_t)piece->t_right * n;
 	piece->alpha += (uint32_t)piece->alpha_right * n;
@@ -201,187 +213,71 @@ static void move_on(struct piece *piece, int pixels)
 }
 
 /* The parts of a piece that are nearer than what is there. */
-static void draw_tested(
-	struct draw *draw, const struct piece *piece, uint16_t *depth)
+static NEVER_INLINE void draw_tested(struct draw *draw,
+	const struct piece *piece, const struct soft_run *run)
 {
-	const struct raster *raster = &draw->raster;
-
 	struct piece part = *piece;
+	uint16_t *depth = run->row.depth;
+	uint32_t z = run->row.z;
 
-	for (int left = piece->count; left > 0; left -= part.count + 1) {
-		part.count = soft_luminance_test_depth(depth, left,
-			plane_at(raster, DEPTH, part.x),
-			(uint32_t)raster->plane[DEPTH].dx);
+	for (int left = part.count; left > 0; left -= part.count + 1) {
+		part.count =
+			soft_luminance_test_depth(depth, left, z, run->z_right);
 		if (part.count > 0) {
 			draw_visible(draw, &part);
 		}
 		depth += part.count + 1;
+		z += run->z_right * (uint32_t)(part.count + 1);
 		move_on(&part, part.count + 1);
 	}
 }
 
-static void draw_piece(struct draw *draw, const struct piece *piece)
+/* Of 255 parts into 256, 8.8 to 8.16; the half that planes have rounds. */
+static int32_t to_share(int32_t color_q8)
 {
-	const struct raster *raster = &draw->raster;
-	const struct buffers *buffers = &draw->soft->buffers;
-	uint16_t *depth = buffers->depth + piece->x +
-		(size_t)raster->span.y * (size_t)buffers->width;
-	uint32_t bits = draw->key.bits;
+	return color_q8 * 257;
+}
 
-	if (bits & KEY_DEPTH_LESS) {
-		draw_tested(draw, piece, depth);
+/* Of 8.7 above green, which may have taken one from it. */
+static int32_t find_alpha_right(const struct soft_run *run)
+{
+	const uint32_t right = run->green_alpha_right;
+
+	return (int32_t)((right + 0x8000) & 0xFFFF0000) >> 7;
+}
+
+/* A run as span functions get it, its colours in bytes. */
+static void draw_run(const struct soft_run *run)
+{
+	struct draw *draw = run->draw;
+	const struct soft_made_at *at = &draw->spans.made_at;
+	const struct soft_row *row = &run->row;
+	struct piece piece = {
+		.pixel = (uint16_t *)(void *)row->pixel,
+		.count = (int)row->count,
+		.s = (uint32_t)at->s,
+		.t = (uint32_t)at->t,
+		.s_right = at->s_step,
+		.t_right = at->t_step,
+	};
+
+	if (draw->blended) {
+		piece.alpha = row->green_alpha >> 16 << 9;
+		piece.alpha_right = find_alpha_right(run);
+	}
+	if (draw->tiled.by_share) {
+		piece.share = (uint32_t)to_share(row->red_blue & 0xFFFF);
+		piece.share_right = to_share((int16_t)run->red_blue_right);
+	}
+	if (draw->key.bits & KEY_DEPTH_LESS) {
+		draw_tested(draw, &piece, run);
 		return;
 	}
-	if (bits & KEY_DEPTH_TEST && draw->soft->fragment.depth_mask) {
-		write_depth(depth, piece->count,
-			plane_at(raster, DEPTH, piece->x),
-			raster->plane[DEPTH].dx);
+	if (draw->spans.depth_written) {
+		write_depth(
+			row->depth, piece.count, row->z, (int32_t)run->z_right);
 	}
-	draw_visible(draw, piece);
-}
-
-/* How many pixels may run linearly from there: n^2 of the slope of q is below q. */
-static int find_length(const struct draw *draw, const struct point *from)
-{
-	const struct raster *raster = &draw->raster;
-	uint32_t slope, n = LUMINANCE_RUN;
-
-	if (!raster->perspective) {
-		return LUMINANCE_RUN;
-	}
-	slope = size_of(raster->plane[INVERSE_W].dx);
-	while (n > PERSPECTIVE_STEP &&
-		(uint64_t)slope * n * n > (uint32_t)from->q) {
-		n /= 2;
-	}
-	return (int)n;
-}
-
-/*
- * A plane that is equally far all along a row: q moves by less than 2^-16 of it,
- * and so do coordinates, of thousands of texels, by less than their fraction.
- */
-static bool is_level(
-	const struct draw *draw, const struct point *from, int count)
-{
-	const struct raster *raster = &draw->raster;
-
-	return !raster->perspective ||
-		((uint64_t)size_of(raster->plane[INVERSE_W].dx) * (uint32_t)count
-			<< 16) < (uint32_t)from->q;
-}
-
-/* How much an attribute changes from pixel to pixel of such a row. */
-static int32_t level_step(
-	const struct draw *draw, const struct point *from, int name)
-{
-	const struct raster *raster = &draw->raster;
-	int32_t dx = raster->plane[name].dx;
-
-	if (!raster->perspective) {
-		return dx;
-	}
-	return rows_divide(from, dx,
-		name >= TEX_S ? raster->tex_shift[name - TEX_S] + 8 : 24);
-}
-
-/* Of 255 parts into 256; the half that planes have rounds. */
-static int32_t to_share(int32_t color_q16)
-{
-	return (int32_t)((uint32_t)color_q16 + (uint32_t)(color_q16 >> 8));
-}
-
-static void start_piece(const struct point *from, int x, struct piece *piece)
-{
-	piece->x = x;
-	piece->s = (uint32_t)from->value[TEX_S];
-	piece->t = (uint32_t)from->value[TEX_S + 1];
-	piece->alpha = (uint32_t)from->value[ALPHA];
-	piece->share = (uint32_t)to_share(from->value[RED]);
-}
-
-static void level_row(
-	struct draw *draw, const struct point *from, int left, int right)
-{
-	uint32_t moving = draw->raster.moving_bits;
-	struct piece piece;
-
-	start_piece(from, left, &piece);
-	piece.s_right = level_step(draw, from, TEX_S);
-	piece.t_right = level_step(draw, from, TEX_S + 1);
-	piece.alpha_right =
-		moving >> ALPHA & 1 ? level_step(draw, from, ALPHA) : 0;
-	piece.share_right =
-		moving >> RED & 1 ? to_share(level_step(draw, from, RED)) : 0;
-	for (; piece.x < right; move_on(&piece, piece.count)) {
-		piece.count = right - piece.x < LUMINANCE_RUN ? right - piece.x
-							      : LUMINANCE_RUN;
-		draw_piece(draw, &piece);
-	}
-}
-
-/* A step of so many that lead from one value to another. */
-static int32_t share_out(
-	const struct draw *draw, int32_t from, int32_t to, int steps)
-{
-	int32_t all = (int32_t)((uint32_t)to - (uint32_t)from);
-
-	return steps < 2
-		? all
-		: (int32_t)((int64_t)all * draw->inverse_q31[steps] >> 31);
-}
-
-static void bent_row(
-	struct draw *draw, const struct point *begin, int left, int right)
-{
-	struct point from = *begin, to;
-	int length = find_length(draw, &from);
-
-	for (int x = left; x < right; x += length) {
-		/* Up to the last pixel, which still is inside. */
-		int steps = right - x > length ? length : right - x - 1;
-		const int32_t *at = from.value;
-		struct piece piece;
-
-		start_piece(&from, x, &piece);
-		piece.count = right - x < length ? right - x : length;
-		to = from;
-		if (steps > 0) {
-			soft_rows_find_point(draw, x + steps, &to);
-		}
-		piece.s_right =
-			share_out(draw, at[TEX_S], to.value[TEX_S], steps);
-		piece.t_right = share_out(
-			draw, at[TEX_S + 1], to.value[TEX_S + 1], steps);
-		piece.alpha_right =
-			share_out(draw, at[ALPHA], to.value[ALPHA], steps);
-		piece.share_right = to_share(
-			share_out(draw, at[RED], to.value[RED], steps));
-		draw_piece(draw, &piece);
-		from = to;
-	}
-}
-
-static void draw_row(struct draw *draw, int y, int left, int right)
-{
-	struct raster *raster = &draw->raster;
-	struct point from;
-
-	raster->span.y = y;
-	/* Where they do not move. */
-	from.value[RED] = (int32_t)raster->span.value[RED];
-	from.value[ALPHA] = (int32_t)raster->span.value[ALPHA];
-	soft_rows_find_point(draw, left, &from);
-	/* Every fourth row, and in the triangle's first one. */
-	if (y % 4 == 0 || raster->first_row) {
-		soft_rows_find_lod(draw, &from, &raster->span);
-		raster->first_row = false;
-	}
-	if (is_level(draw, &from, right - left)) {
-		level_row(draw, &from, left, right);
-	} else {
-		bent_row(draw, &from, left, right);
-	}
+	draw_visible(draw, &piece);
 }
 
 /* Of halves of 127ths, 0 to 255. */
@@ -426,19 +322,6 @@ static bool is_gray(const struct raster *raster)
 		is_same_plane(&plane[RED], &plane[BLUE]);
 }
 
-/* Red stands for all three colours. */
-static void leave_green_and_blue(struct raster *raster)
-{
-	int count = 0;
-
-	for (int i = 0; i < raster->moving_count; i++) {
-		if (raster->moving[i] != GREEN && raster->moving[i] != BLUE) {
-			raster->moving[count++] = raster->moving[i];
-		}
-	}
-	raster->moving_count = count;
-}
-
 /*
  * Whether the triangle is taken: in one colour, or in gray. Of gray ground that is
  * tested each triangle has another, for which a table each would take too long.
@@ -452,11 +335,9 @@ static bool begin(struct draw *draw)
 	if (!still && !gray) {
 		return false;
 	}
-	raster->first_row = true;
-	draw->by_share = !still || (gray && draw->key.bits & KEY_DEPTH_LESS);
-	if (!still) {
-		leave_green_and_blue(raster);
-	} else if (!draw->by_share &&
+	draw->tiled.by_share =
+		!still || (gray && draw->key.bits & KEY_DEPTH_LESS);
+	if (!draw->tiled.by_share &&
 		memcmp(raster->span.value, draw->shade_color,
 			sizeof(draw->shade_color)) != 0) {
 		make_shades(draw, raster->span.value);
@@ -475,24 +356,33 @@ void soft_luminance_init(struct draw *draw)
 	}
 }
 
-/* To the next row: what those take. */
-static void next_row(struct draw *draw)
+/* The walk over rows, with runs that are longer and drawn here. */
+static void walk(struct draw *draw, const struct setup *setup)
 {
-	static const int taken[] = {
-		RED, ALPHA, TEX_S, TEX_S + 1, DEPTH, INVERSE_W};
-	struct plane *plane = draw->raster.plane;
+	static const struct soft_scales bytes = {1 << 24, 1 << 24, 0, 0};
+	struct soft_spans *spans = &draw->spans;
+	const soft_span_function function = spans->draw;
+	const struct soft_scales scales = spans->scales;
 
-	/* Some have no plane, but nobody asks for it then. */
-	for (int i = 0; i < 6; i++) {
-		plane[taken[i]].start += (uint32_t)plane[taken[i]].dy;
-	}
+	spans->made = true;
+	spans->set_level = set_level;
+	spans->longest = LUMINANCE_RUN;
+	spans->scales = bytes;
+	spans->draw = draw_run;
+	draw->tiled.level = -1;
+	soft_walk_rows(draw, setup);
+	spans->made = false;
+	spans->set_level = NULL;
+	spans->longest = SOFT_RUN_PIXELS;
+	spans->scales = scales;
+	spans->draw = function;
 }
 
 void soft_fill_luminance(struct draw *draw, struct setup *setup)
 {
-	rows_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
 	if (begin(draw)) {
-		raster_walk(draw, setup, draw_row, next_row);
+		walk(draw, setup);
 	} else {
 		soft_walk_rows(draw, setup);
 	}

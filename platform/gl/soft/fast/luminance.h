@@ -16,8 +16,7 @@
 void soft_luminance_init(struct draw *draw);
 
 /*
- * Tests depth LESS, and writes it, until one fails; how many passed. z has 10
- * bits of fraction.
+ * Tests depth LESS, and writes it, until one fails; how many passed. z is 16.16.
  */
 int soft_luminance_test_depth(
 	uint16_t *depth, int count, uint32_t z, uint32_t z_right);

@@ -11,13 +11,11 @@ enum {
 		KEY_DEPTH_TEST | KEY_STENCIL,
 	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
 		KEY_BLENDED,
-	/* Opaque, tested LESS; and opaque without a test. */
+	/* Opaque, tested LESS. */
 	SMALL = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_BY_TRIANGLE |
 		KEY_DEPTH_LESS,
-	PLAIN = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_DEPTH_TEST,
 	TILES = KEY_TEXTURE | KEY_TEXTURE_TILES | KEY_MODULATE | KEY_REPEAT |
 		KEY_LINEAR | KEY_MIPMAPS,
-	PICTURES = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_NEAREST,
 	TEXELS = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_MODULATE | KEY_REPEAT,
 };
 
@@ -58,28 +56,13 @@ static const struct soft_path path[] = {
 		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_ALWAYS,
 		.bits = KEY_565 | TILES | KEY_DEPTH_ALWAYS,
 		.fill = soft_fill_luminance,
-		.divides_together = true,
+		.divides = true,
 	},
 	{
 		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_LESS,
 		.bits = KEY_565 | TILES | KEY_DEPTH_LESS,
 		.fill = soft_fill_luminance,
-		.divides_together = true,
-	},
-	{
-		.mask = PLAIN | PICTURES | KEY_MODULATE,
-		.bits = KEY_565 | PICTURES | KEY_MODULATE,
-		.fill = soft_fill_picture,
-	},
-	{
-		.mask = PLAIN | PICTURES | KEY_REPLACE,
-		.bits = KEY_565 | PICTURES | KEY_REPLACE,
-		.fill = soft_fill_picture,
-	},
-	{
-		.mask = PLAIN | KEY_TEXTURE,
-		.bits = KEY_565,
-		.fill = soft_fill_constant,
+		.divides = true,
 	},
 	{
 		.fill = soft_rows_fill,

@@ -10,7 +10,7 @@ struct soft_path {
 	fill_function fill;
 	void (*begin)(struct draw *draw); /* once a draw call, or NULL */
 	bool one_color; /* no vertex is shaded: all of a call has one colour */
-	bool divides_together; /* see struct draw */
+	bool divides;   /* never bends: levels of detail change by row */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 };
 

@@ -41,7 +41,7 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 	if (fill == soft_fill_flat || fill == soft_fill_masked) {
 		return GL_WORK_FLAT;
 	}
-	if (fill == soft_fill_constant || fill == soft_fill_picture) {
+	if (fill == soft_rows_fill && draw->spans.whole_rows) {
 		return GL_WORK_BACKDROP;
 	}
 	if (fill != soft_rows_fill && fill != soft_fill_narrow &&

@@ -7,6 +7,6 @@ void soft_rows_fill(struct draw *draw, struct setup *setup)
 	if (soft_is_hidden(draw, setup) || soft_draw_small(draw, setup)) {
 		return;
 	}
-	rows_set_up(draw, setup);
+	soft_raster_set_up(draw, setup);
 	soft_walk_rows(draw, setup);
 }

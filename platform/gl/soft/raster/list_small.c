@@ -111,7 +111,7 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 		frame->off_x, frame->off_y, frame->column};
 	raster->moving_count = count;
 	raster->colors_bent = false;
-	return !draw->divides_together && w_spread <= w_least &&
+	return w_spread <= w_least &&
 		soft_bend(draw, setup, delta, &perspective);
 }
 

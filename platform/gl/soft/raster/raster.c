@@ -163,10 +163,6 @@ static void find_divided(struct draw *draw, const struct setup *setup,
 		&perspective, perspective.color, rows_color_tolerance(draw));
 	raster->perspective = raster->colors_divided ||
 		raster_bends(&perspective, perspective.texel, 0);
-	/* Their rows are made for one or the other. */
-	if (draw->divides_together) {
-		raster->colors_divided = raster->perspective;
-	}
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */

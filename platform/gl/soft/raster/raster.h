@@ -283,10 +283,6 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 	}
 }
 
-/* rows.c: moves all planes in use down by so many rows. */
-void soft_raster_skip_rows(struct draw *draw, int rows);
-void soft_raster_next_row(struct draw *draw);
-
 /* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
 static inline int raster_log2_q8(uint32_t value_q16)
 {
@@ -325,8 +321,6 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* The paths of fast/, each in a file of its name; fast/paths.c chooses. */
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
-void soft_fill_picture(struct draw *draw, struct setup *setup);
-void soft_fill_constant(struct draw *draw, struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /* fill_texture.c: its begin is called once a draw call. */
@@ -351,47 +345,5 @@ void soft_fill_masked(struct draw *draw, struct setup *setup);
  * that it can draw as one.
  */
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
-
-/*
- * Calls row(draw, y, left, right) for each row with pixels, inside of
- * draw->box; next(draw) moves the planes on.
- */
-static ALWAYS_INLINE void raster_walk(struct draw *draw,
-	const struct setup *setup,
-	void (*row)(struct draw *draw, int y, int left, int right),
-	void (*next)(struct draw *draw))
-{
-	const struct clip_box box = draw->box;
-	int y = setup->top, end = setup->bottom, turn = setup->middle;
-	struct side whole = {0}, part = {0};
-
-	end = end < box.bottom ? end : box.bottom;
-	if (y < box.top) {
-		soft_raster_skip_rows(draw, box.top - y);
-		y = box.top;
-	}
-	whole = raster_side(draw, setup->v[0], setup->v[2], y);
-	if (y < turn) {
-		part = raster_side(draw, setup->v[0], setup->v[1], y);
-	}
-	turn = turn > y ? turn : y;
-	for (; y < end; y++) {
-		int left, right;
-
-		if (y == turn) {
-			part = raster_side(draw, setup->v[1], setup->v[2], y);
-		}
-		left = raster_column(setup->middle_left ? part.x : whole.x);
-		right = raster_column(setup->middle_left ? whole.x : part.x);
-		left = left > box.left ? left : box.left;
-		right = right < box.right ? right : box.right;
-		if (left < right) {
-			row(draw, y, left, right);
-		}
-		next(draw);
-		raster_next_side(&whole);
-		raster_next_side(&part);
-	}
-}
 
 #endif

@@ -1,4 +1,4 @@
-/* From row to row, and single columns of a row. */
+/* Single columns of a row, and levels of detail. */
 #include "platform/gl/soft/raster/rows.h"
 
 static uint32_t size_of(int64_t value)
@@ -51,37 +51,6 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 
 			span->lod[unit] =
 				raster_log2_q8(right > down ? right : down);
-		}
-	}
-}
-
-void soft_rows_find_point(const struct draw *draw, int x, struct point *out)
-{
-	const struct raster *raster = &draw->raster;
-	int32_t q;
-
-	if (!raster->perspective) {
-		for (int n = 0; n < raster->moving_count; n++) {
-			int i = raster->moving[n];
-
-			out->value[i] = (int32_t)plane_at(raster, i, x);
-		}
-		return;
-	}
-	q = (int32_t)plane_at(raster, INVERSE_W, x);
-	rows_find_divisor(q, out);
-	for (int n = 0; n < raster->moving_count; n++) {
-		int i = raster->moving[n];
-		int32_t at = (int32_t)plane_at(raster, i, x);
-
-		if (!rows_is_divided(raster, i)) {
-			out->value[i] = at;
-		} else if (i >= TEX_S) {
-			out->value[i] = rows_divide(
-				out, at, raster->tex_shift[i - TEX_S] + 8);
-		} else {
-			out->value[i] = clamp_int(rows_divide(out, at, 24),
-				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 		}
 	}
 }
@@ -192,42 +161,4 @@ bool soft_rows_is_small(const struct texture_input *input, int lod)
 			min == GL_NEAREST_MIPMAP_LINEAR);
 
 	return lod > (sharp ? 128 : 0);
-}
-
-static void skip(struct plane *plane, int rows)
-{
-	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
-}
-
-void soft_raster_skip_rows(struct draw *draw, int rows)
-{
-	struct raster *raster = &draw->raster;
-
-	for (int i = 0; i < raster->moving_count; i++) {
-		skip(&raster->plane[raster->moving[i]], rows);
-	}
-	skip(&raster->plane[DEPTH], rows);
-	if (raster->perspective) {
-		skip(&raster->plane[INVERSE_W], rows);
-	}
-}
-
-static ALWAYS_INLINE void next(struct plane *plane)
-{
-	plane->start += (uint32_t)plane->dy;
-}
-
-void soft_raster_next_row(struct draw *draw)
-{
-	struct raster *raster = &draw->raster;
-	const int *name = raster->moving;
-	const int *end = name + raster->moving_count;
-
-	while (name < end) {
-		next(&raster->plane[*name++]);
-	}
-	next(&raster->plane[DEPTH]);
-	if (raster->perspective) {
-		next(&raster->plane[INVERSE_W]);
-	}
 }

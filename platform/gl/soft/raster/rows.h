@@ -60,8 +60,8 @@ static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 
 /*
  * In perspective the first row of a triangle that is drawn chooses its level of
- * detail, and then each whose number, counted from the triangle's top, is a
- * multiple of this.
+ * detail, and then each whose number in the picture is a multiple of this, so that
+ * triangles side by side change it together.
  */
 enum {
 	ROWS_OF_LEVEL = 4,
@@ -113,7 +113,7 @@ static ALWAYS_INLINE int rows_find_run_pixels(
 	return draw->texture[0].levels > 1 ||
 			((uint32_t)s_step + most <= 2 * most &&
 				(uint32_t)t_step + most <= 2 * most)
-		? SOFT_RUN_PIXELS
+		? draw->spans.longest
 		: SOFT_RUN_PIXELS / 2;
 }
 
@@ -128,15 +128,6 @@ static ALWAYS_INLINE struct bent rows_limit_bent(
 	to = clamp_int(to, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 	at.step = rows_find_step(at.value, to, inverse);
 	return at;
-}
-
-void soft_rows_find_point(const struct draw *draw, int x, struct point *out);
-
-/* Planes, and the depth's step. */
-static inline void rows_set_up(struct draw *draw, struct setup *setup)
-{
-	soft_raster_set_up(draw, setup);
-	draw->raster.span.step[DEPTH] = draw->raster.plane[DEPTH].dx;
 }
 
 /* The levels of detail of a triangle that is linear all over. */

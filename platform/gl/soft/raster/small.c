@@ -114,7 +114,7 @@ static bool find_perspective(struct draw *draw, const struct setup *setup,
 	} else if (!raster_bends(&perspective, small->texel, 0)) {
 		return true;
 	}
-	return !draw->divides_together && high - low <= low &&
+	return !draw->divides && high - low <= low &&
 		soft_bend(draw, setup, delta, &perspective);
 }
 

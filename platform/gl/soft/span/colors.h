@@ -14,6 +14,7 @@
 struct line {
 	struct draw *draw;
 	int row;
+	int top; /* the picture's row that is its first one */
 	uint16_t *depth; /* of column 0 */
 	uint8_t *pixel;
 };

@@ -397,6 +397,34 @@ BY_REACH(anywhere, ANYWHERE)
 BY_REACH(inside, INSIDE)
 BY_REACH(across, ACROSS)
 
+static void fill_untested(const struct soft_run *run)
+{
+	if (!soft_fill_untested(run)) {
+		draw_by_way(run->draw, INSIDE);
+	}
+}
+
+static void copy_untested(const struct soft_run *run)
+{
+	if (!soft_copy_untested(run)) {
+		draw_by_way(run->draw, INSIDE);
+	}
+}
+
+/* Where nothing is tested whole rows may be known. */
+static void set_untested(struct soft_spans *spans)
+{
+	if (spans->function == soft_spans_565[SOFT_NO_TEXTURE][SOFT_OPAQUE]) {
+		spans->draw = fill_untested;
+		spans->plain_pixels = SOFT_PLAIN_PIXELS;
+		spans->whole_rows = true;
+	} else if (spans->function ==
+		soft_spans_565[SOFT_NEAREST + TEXEL_565 - 1][SOFT_OPAQUE]) {
+		spans->draw = copy_untested;
+		spans->whole_rows = true;
+	}
+}
+
 void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES])
 {
@@ -408,6 +436,7 @@ void soft_set_functions(struct soft_spans *spans,
 		spans->color_mask != UINT32_MAX ? masks : tests;
 
 	spans->function = function;
+	spans->whole_rows = false;
 	if (spans->color_mask == UINT32_MAX && spans->direct) {
 		chosen = function + (spans->equal_passes ? SOFT_LEQUAL : 0);
 	}
@@ -421,5 +450,8 @@ void soft_set_functions(struct soft_spans *spans,
 		spans->draw_across = chosen == tests || chosen == masks
 			? chosen[ACROSS]
 			: NULL;
+	}
+	if (spans->untested) {
+		set_untested(spans);
 	}
 }

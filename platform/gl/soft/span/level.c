@@ -25,13 +25,20 @@ void soft_set_level(struct draw *draw, int lod)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct texture_input *input = &draw->texture[0];
-	bool small = soft_rows_is_small(input, lod);
-	int number =
-		small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
+	bool small;
+	int number;
 
+	if (spans->set_level) {
+		spans->set_level(draw, lod);
+		return;
+	}
 	if (spans->made) {
 		soft_set_made_levels(draw, 0, lod);
-	} else if (number != spans->level || small != spans->small) {
+		return;
+	}
+	small = soft_rows_is_small(input, lod);
+	number = small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
+	if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
 	}
 }

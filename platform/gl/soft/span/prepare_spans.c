@@ -420,6 +420,7 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 		direct && spans->finish == SOFT_OPAQUE && !spans->combined
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
+	spans->longest = SOFT_RUN_PIXELS;
 	spans->placed = spans->made || spans->finish == SOFT_SCALED;
 	spans->listed_size = wide ? 40 : SOFT_LISTED_SIZE;
 	/* An alpha test needs the alpha of planes, to the bit. */
@@ -457,6 +458,9 @@ bool soft_prepare_spans(struct draw *draw)
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
+	spans->untested = spans->depth_way == SOFT_DEPTH_FREE &&
+		!spans->depth_written && !spans->stenciled &&
+		spans->color_mask == UINT32_MAX;
 	choose_runs(draw, spans);
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;

@@ -92,6 +92,8 @@ struct soft_spans {
 	bool marked; /* which fragments are drawn has to be known */
 	bool direct; /* the functions themselves do all tests, and blend */
 	bool stenciled, alpha_tested;
+	bool untested;   /* by depth or stencil, and no depth is written */
+	bool whole_rows; /* see soft_fill_untested() */
 	/*
 	 * The functions draw RGBA8888 beside the picture, which stages/blend_row.c
 	 * blends: after an alpha test, or by another function than by alpha.
@@ -102,6 +104,7 @@ struct soft_spans {
 	const soft_span_table *table; /* of all of the state's functions */
 	/* The most of a run without a texture, and with one in an affine triangle */
 	int plain_pixels, textured_pixels;
+	int longest; /* with one at all */
 	struct soft_scales scales;
 	/* of minified and magnified textures, by enum soft_place */
 	const soft_span_function *min, *mag;
@@ -131,6 +134,8 @@ struct soft_spans {
 	bool certain;
 	/* Texels are made beforehand, see made.h, or whole colours */
 	bool made, combined;
+	/* Made runs that another file draws choose their level by this. */
+	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied;    /* made: the product of both textures */
 	bool depth_by_less; /* or by LEQUAL: what is behind shows nothing */
 	uint32_t white[2];  /* red_blue and green_alpha of a run */
@@ -156,6 +161,22 @@ bool soft_prepare_spans(struct draw *draw);
  */
 void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES]);
+
+/*
+ * untested.c: draw all rows of a run, without a texture and of the nearest texels of an
+ * RGB565 texture, as the span functions do. False, with nothing drawn, where
+ * the colours of a row differ, or where its texels are tinted or of several
+ * rows.
+ */
+bool soft_fill_untested(const struct soft_run *run);
+bool soft_copy_untested(const struct soft_run *run);
+
+/*
+ * untested.c: a row of pixels from a row of texels, at s_q16 and steps further, which are
+ * all there.
+ */
+void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
+	uint32_t s_q16, uint32_t s_right_q16);
 
 /*
  * raster/list_small.c: draws a small triangle, of which nothing is set up, in a

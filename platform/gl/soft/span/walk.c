@@ -23,7 +23,8 @@ static ALWAYS_INLINE void draw_run(
 		return;
 	}
 	run->row.place = (uint32_t)line->row << 16 | (uint32_t)x;
-	if (soft_find_window(&spans->window, spans->view.texel_log2, run)) {
+	if (spans->made ||
+		soft_find_window(&spans->window, spans->view.texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
@@ -128,11 +129,13 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 		end = find_point(line, kind, right - 1);
 	}
 	if (kind.textured && line->draw->spans.level_by_row &&
-		(line->row % ROWS_OF_LEVEL == 0 ||
+		((line->row + line->top) % ROWS_OF_LEVEL == 0 ||
 			line->draw->spans.level_unknown)) {
 		set_row_level(line->draw, from.divisor, from.texels);
 	}
-	if (steps >= PERSPECTIVE_STEP) {
+	/* Where 1 / w stays the same, values run linearly all along the row. */
+	if (steps >= PERSPECTIVE_STEP &&
+		(from.divisor.q != end.divisor.q || steps > SMALL_EXTENT)) {
 		uint32_t most = line->draw->texture[1].used
 			? soft_rows_find_second_change(
 				  line->draw, line->row, left, right - 1)
@@ -265,6 +268,7 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 	struct line line = {
 		.draw = draw,
 		.row = y - setup->top,
+		.top = setup->top,
 		.depth = buffers->depth + (ptrdiff_t)y * buffers->width,
 		.pixel = buffers->target.data +
 			(ptrdiff_t)y * buffers->target.stride_bytes,

@@ -21,7 +21,8 @@ static ALWAYS_INLINE struct side find_side(
 		mul_high((b->x - a->x) * (1 << 17), draw->inverse_q31[dy]);
 
 	return (struct side){
-		a->x * (1 << 12) + (step >> 4) * ((8 - a->y) & 15) + 0x7FFF, step};
+		a->x * (1 << 12) + (step >> 4) * ((8 - a->y) & 15) + 0x7FFF,
+		step};
 }
 
 /* One instruction: compilers add all products up first, then the rest. */

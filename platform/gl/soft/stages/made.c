@@ -442,8 +442,6 @@ void soft_prepare_made(struct draw *draw)
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;
-	/* All runs come here: none lies in the window. */
-	spans->window.s_room = 0;
 	spans->draw = draw_made;
 	spans->draw_anywhere = draw_made;
 	spans->draw_across = draw_made;

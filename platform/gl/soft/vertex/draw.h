@@ -18,6 +18,7 @@
 
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/textured.h"
+#include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/raster/thin_line.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
@@ -166,7 +167,6 @@ struct raster {
 	int moving_count;
 	int top; /* the row that planes begin in, or RASTER_LISTED */
 	uint32_t moving_bits;
-	bool first_row;   /* luminance.c's */
 	struct span span; /* of the row under way, and what is the same in all */
 };
 
@@ -197,6 +197,15 @@ struct view {
 	int32_t inverse_w_q30;
 	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
+};
+
+/* The triangle under way, drawn from a luminance texture. */
+struct tiled {
+	bool by_share;              /* in shades of gray */
+	int level;                  /* of the texture; -1: none yet */
+	const struct patch *patch;  /* of the level */
+	struct tile_run run;        /* what all runs share */
+	void (*draw)(const struct tile_run *run);
 };
 
 struct setup; /* raster.h */
@@ -264,10 +273,9 @@ struct draw {
 	soft_thin_line_function thin_line; /* NULL: two triangles a line */
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
+	struct tiled tiled;       /* luminance.c's */
 	struct soft_pipeline_key key;
-	/* Its rows divide colours wherever they divide texture coordinates. */
-	bool divides_together;
-	bool rectangles; /* see struct soft_path */
+	bool divides, rectangles; /* see struct soft_path */
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	const struct vertex *provoking;             /* whose colour is flat */
@@ -275,7 +283,6 @@ struct draw {
 	/* luminance.c's: halves of 127ths as colours of shade_color and 0 to 255 */
 	uint32_t shade_color[3], shade[255], luminance[255];
 	uint32_t gray[256]; /* pixels of each shade of gray */
-	bool by_share;      /* the triangle under way has shades of gray */
 	uint16_t shaded[LUMINANCE_RUN + 1]; /* to be varied or blended */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */

@@ -377,7 +377,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	draw->thin_line = soft_choose_thin_line(draw, mode);
 	path = soft_choose_path(draw);
 	draw->fill = soft->fill ? soft->fill : path->fill;
-	draw->divides_together = path->divides_together;
+	draw->divides = path->divides;
 	draw->rectangles = path->rectangles;
 	if (path->one_color) {
 		draw->attributes = 0;

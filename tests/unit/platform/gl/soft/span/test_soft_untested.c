@@ -1,5 +1,5 @@
 /* A camera's picture behind the scene: rows that are copied. */
-#include "platform/gl/soft/fast/picture.h"
+#include "platform/gl/soft/span/spans.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"
 #include "tests/support/soft/reference.h"
@@ -43,7 +43,7 @@ static void test_copies_are_the_nearest_texels(void **state)
 
 			((uint16_t *)expected)[at + i] = texels[texel];
 		}
-		soft_picture_copy(
+		soft_copy_texels(
 			(uint16_t *)drawn + at, texels, count, from, step);
 		assert_memory_equal(drawn, expected, sizeof(drawn));
 	}

@@ -173,7 +173,7 @@ check-build: build/host/limber build/asan/limber build/arm/limber \
 		image emulator build/board/guest \
 		build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \
-		build/host/unit/test_demo_runs
+		build/host/unit/test_demo_runs build/host/unit/test_character_mistakes
 
 # There are as many jobs as processors, unless make got -j.
 processors := $(shell nproc)
@@ -193,5 +193,6 @@ check: | build
 golden: golden-build
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/texts.py make build/host/limber
-	$(Q)$(CHECK_ENVIRONMENT) GOLDEN_WRITE=1 build/host/unit/test_demo_runs \
-		>/dev/null
+	$(Q)for test in test_demo_runs test_character_mistakes; do \
+		$(CHECK_ENVIRONMENT) GOLDEN_WRITE=1 build/host/unit/$$test \
+		>/dev/null || exit 1; done

@@ -6,11 +6,12 @@ Draws N mutants of app and platform (draw.py): copies of one source file with on
 small fault. Each is compiled in build/mutants/tree, a copy of the sources, and
 linked in place of its object into the suites of this machine that concern it,
 until one of them fails: the unit tests of its part of limber, the golden
-pictures, the command line and the demos' runs. Suites that found a mutant of the
-same file come first, then quick ones before slow ones. --suites leaves out those
-whose names do not begin like REGEX, and --seconds those that take more than S
-seconds of a processor. Prints each mutant, by what it was found or that it
-SURVIVES, and a table by folder, which stays in build/mutants/table.
+pictures, films and texts, the command line and the demos' runs. Suites that found a
+mutant of the same file come first, then quick ones before slow ones, and at last the
+part's unit tests with the sanitizers. --suites leaves out those whose names do not
+begin like REGEX, and --seconds those that take more than S seconds of a processor.
+Prints each mutant, by what it was found or that it SURVIVES, and a table by folder,
+which stays in build/mutants/table.
 
 A mutant that does not compile, or whose code has the same bytes as before, is
 drawn again. So is one that tests/mutants/equivalent.txt names: it behaves like
@@ -18,6 +19,7 @@ the source. A suite that fails without a mutant, too, is left out, and named.
 """
 import argparse
 import collections
+import contextlib
 import json
 import os
 import pathlib
@@ -43,16 +45,19 @@ MUTANT = "build/host/mutant.o"
 # and the command line's in its folder's folder "unit".
 PROGRAM = "build/host/unit/mutant"
 LIBRARY = "build/host/liblimber.a"
+SANITIZED = "build/asan/liblimber.so"
+SANITIZERS = "sanitizers"
 SUITE_S = 600
 SUITE_BYTES = 8 << 30
+SANITIZED_S = 120
 
 
-def run(command, cpu_s=None):
+def run(command, cpu_s=None, most_bytes=SUITE_BYTES):
     """Whether the command ended well, in the copy, within its limits."""
     def limit():
         if cpu_s:
             resource.setrlimit(resource.RLIMIT_CPU, (cpu_s, cpu_s))
-            resource.setrlimit(resource.RLIMIT_AS, (SUITE_BYTES, SUITE_BYTES))
+            resource.setrlimit(resource.RLIMIT_AS, (most_bytes, most_bytes))
 
     process = subprocess.Popen(
         ["timeout", "--signal=KILL", str(SUITE_S), *command], cwd=TREE,
@@ -158,6 +163,8 @@ class Judge:
         self.seconds = json.loads(SECONDS.read_text()) if SECONDS.exists() else {}
         self.finders = collections.Counter()
         self.sound = set()
+        self.sanitized = {}
+        self.with_sanitizers = re.match(names, SANITIZERS)
         parts = tuple({folder_of(path) for path in paths})
         self.suites = [suite for suite in all_suites()
                        if (suite.name.startswith((*parts, "golden", "cli"))
@@ -228,19 +235,30 @@ class Judge:
 
     def compiled(self, mutant, target):
         """Compiles the mutant; false if that fails or changes no byte."""
-        source, made = TREE / mutant.path, TREE / target
-        kept = {path: (path.read_bytes(), path.stat()) for path in (source, made)}
-        try:
-            source.write_text(mutant.apply(source.read_text()))
+        before = (TREE / target).read_bytes()
+        with in_tree(mutant, target):
             if not make(target):
                 return False
             strip(target)
-            shutil.copy(made, TREE / MUTANT)
-            return made.read_bytes() != kept[made][0]
-        finally:
-            for path, (content, status) in kept.items():
-                path.write_bytes(content)
-                os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
+            shutil.copy(TREE / target, TREE / MUTANT)
+            return (TREE / target).read_bytes() != before
+
+    def sanitizers_find(self, mutant):
+        """Whether a unit test of its part fails with the sanitizers."""
+        part = folder_of(mutant.path)
+        tests = [f"build/asan/unit/{pathlib.Path(suite.name).stem}"
+                 for suite in self.suites if suite.name.startswith(part)]
+        command = ["sh", "-c", 'for test; do "$test" || exit; done', "sh", *tests]
+        if part not in self.sanitized:
+            self.sanitized[part] = make(*tests) and run(command)
+            if not self.sanitized[part]:
+                print(f"left out: {part} with the sanitizers", flush=True)
+        if not self.sanitized[part]:
+            return False
+        target = f"build/asan/obj/{mutant.path[:-2]}.o"
+        with in_tree(mutant, target, SANITIZED):
+            return make(SANITIZED) and \
+                not run(command, SANITIZED_S, resource.RLIM_INFINITY)
 
     def verdict(self, mutant):
         """None for a mutant that is none; otherwise (found, by what)."""
@@ -248,7 +266,27 @@ class Judge:
         if not self.compiled(mutant, target):
             return None
         suite = self.finder(mutant.path, target)
-        return suite is not None, suite and suite.name
+        if suite:
+            return True, suite.name
+        if self.with_sanitizers and self.sanitizers_find(mutant):
+            return True, SANITIZERS
+        return False, None
+
+
+@contextlib.contextmanager
+def in_tree(mutant, *made):
+    """Puts the mutant into the copy of the sources, and at the end the source and
+    what was made of it back, with their dates."""
+    source = TREE / mutant.path
+    kept = {path: (path.read_bytes(), path.stat())
+            for path in (source, *(TREE / name for name in made))}
+    try:
+        source.write_text(mutant.apply(source.read_text()))
+        yield
+    finally:
+        for path, (content, status) in kept.items():
+            path.write_bytes(content)
+            os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
 def folder_of(path):

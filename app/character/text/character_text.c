@@ -223,12 +223,27 @@ static int take(
 	return !reader->error;
 }
 
+/* The library would leave out words behind the section. */
+static int check_section(struct reader *reader, const char *line)
+{
+	const char *end = strchr(line, ']');
+
+	if (!end) {
+		return fail(reader, "a ] is missing");
+	}
+	end += 1 + strspn(end + 1, " \t\r\n");
+	if (*end != '\0' && *end != ';') {
+		return fail(reader,
+			"a section ends with its ]: begin a line below, or a comment with ;");
+	}
+	return begin_section(reader, line);
+}
+
 /* Whether the library accepts the line. */
 static int check_line(struct reader *reader, const char *line)
 {
 	if (*line == '[') {
-		return strchr(line, ']') ? begin_section(reader, line)
-					 : fail(reader, "a ] is missing");
+		return check_section(reader, line);
 	}
 	if (strchr(";#\r\n", *line) || strchr(line, '=')) {
 		return 0;

@@ -251,7 +251,6 @@ static void restore(struct fbdev_screen *screen)
 {
 	colormap_restore(&screen->colors, screen->calls, screen->fd);
 	if (screen->changed) {
-		screen->before.activate = FB_ACTIVATE_NOW;
 		control(screen, FBIOPUT_VSCREENINFO, &screen->before);
 		control(screen, FBIOPAN_DISPLAY, &screen->before);
 	}
@@ -304,6 +303,8 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 		return error;
 	}
 	screen->before = screen->var;
+	/* The driver's own value may say to set a mode later, or not at all. */
+	screen->before.activate = FB_ACTIVATE_NOW;
 	/* Wakes the screen up; many devices do not support that. */
 	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
 	screen->waits = can_wait(screen);

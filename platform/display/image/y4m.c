@@ -33,7 +33,7 @@ static void write_header(const struct image_writer *y4m, double rate_hz)
 	if (rate_hz - whole < 1e-6 && whole - rate_hz < 1e-6) {
 		numerator = whole;
 		denominator = 1;
-	} else if (rate_hz - ntsc < 1e-2 && ntsc - rate_hz < 1e-2) {
+	} else if (whole > 0 && rate_hz - ntsc < 1e-2 && ntsc - rate_hz < 1e-2) {
 		numerator = whole * 1000;
 		denominator = 1001;
 	}

@@ -53,7 +53,11 @@ static int put_var(const struct fb_var_screeninfo *var)
 	if (bytes > fake_fb.fix.smem_len) {
 		return fail_with(EINVAL);
 	}
+	if ((var->activate & FB_ACTIVATE_MASK) != FB_ACTIVATE_NOW) {
+		return 0; /* as Linux does, which then sets nothing */
+	}
 	fake_fb.var = *var;
+	fake_fb.var.activate = FB_ACTIVATE_NXTOPEN;
 	if (fake_fb.rounds_width) {
 		fake_fb.var.xres -= 2;
 		fake_fb.rounds_width = false;
@@ -215,6 +219,7 @@ void fake_fb_begin(int width, int height, int rows, int virtual_rows,
 				.blue = bitfield(layout.blue),
 				.transp = bitfield(layout.alpha),
 				.grayscale = layout.gray,
+				.activate = FB_ACTIVATE_NXTOPEN,
 			},
 		.fail_error = EIO,
 		.console_mode = KD_TEXT,

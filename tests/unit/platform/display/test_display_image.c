@@ -199,6 +199,17 @@ static void test_a_y4m_states_its_rate_as_a_fraction(void **state)
 	expect_rate(25, " F25:1 ");
 	expect_rate(29.97, " F30000:1001 ");
 	expect_rate(12.5, " F12500:1000 ");
+	expect_rate(60, " F60:1 ");
+	expect_rate(1000, " F1000:1 ");
+	expect_rate(0.001, " F1:1000 ");
+	expect_rate(0.005, " F5:1000 ");
+	expect_rate(24.001, " F24001:1000 ");
+	/* NTSC's rates are taken as such within a hundredth. */
+	expect_rate(23.976, " F24000:1001 ");
+	expect_rate(23.98, " F24000:1001 ");
+	expect_rate(23.967, " F24000:1001 ");
+	expect_rate(23.965, " F23965:1000 ");
+	expect_rate(23.987, " F23987:1000 ");
 }
 
 static void test_an_unknown_extension_lists_the_known_ones(void **state)

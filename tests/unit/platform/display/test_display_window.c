@@ -1,5 +1,6 @@
 #include "platform/display/display.h"
 #include "tests/support/log_capture.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -114,28 +115,33 @@ static void test_frames_are_shown(void **state)
 	scene_close(&scene);
 }
 
+static const struct {
+	SDL_Keycode key;
+	enum button button;
+} pairs[] = {
+	{SDLK_UP, BUTTON_UP},
+	{SDLK_DOWN, BUTTON_DOWN},
+	{SDLK_LEFT, BUTTON_LEFT},
+	{SDLK_RIGHT, BUTTON_RIGHT},
+	{SDLK_RETURN, BUTTON_ENTER},
+	{SDLK_KP_ENTER, BUTTON_ENTER},
+	{SDLK_F6, BUTTON_F6},
+	{SDLK_F8, BUTTON_F8},
+	{SDLK_F9, BUTTON_F9},
+	{SDLK_F10, BUTTON_F10},
+};
+
+enum {
+	PAIRS = sizeof(pairs) / sizeof(pairs[0])
+};
+
 static void test_keys_carry_the_keypads_names(void **state)
 {
-	static const struct {
-		SDL_Keycode key;
-		enum button button;
-	} pairs[] = {
-		{SDLK_UP, BUTTON_UP},
-		{SDLK_DOWN, BUTTON_DOWN},
-		{SDLK_LEFT, BUTTON_LEFT},
-		{SDLK_RIGHT, BUTTON_RIGHT},
-		{SDLK_RETURN, BUTTON_ENTER},
-		{SDLK_KP_ENTER, BUTTON_ENTER},
-		{SDLK_F6, BUTTON_F6},
-		{SDLK_F8, BUTTON_F8},
-		{SDLK_F9, BUTTON_F9},
-		{SDLK_F10, BUTTON_F10},
-	};
 	struct scene scene;
 
 	(void)state;
 	scene_open(&scene);
-	for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); i++) {
+	for (size_t i = 0; i < PAIRS; i++) {
 		push_key(pairs[i].key, true, false);
 		poll(&scene, 100);
 		expect(&scene, 100, pairs[i].button, true);
@@ -302,6 +308,111 @@ static void test_an_interrupt_closes(void **state)
 	scene_close(&scene);
 }
 
+/* What a window does with events, said a second time and more simply. */
+struct reference {
+	bool here[BUTTON_COUNT]; /* pressed in the window */
+	bool down[BUTTON_COUNT]; /* as the queue has passed on */
+	struct button_event event[64];
+	int count;
+	struct display_events seen;
+};
+
+static void reference_press(
+	struct reference *reference, int button, bool down, int now_ms)
+{
+	if (reference->down[button] != down) {
+		reference->down[button] = down;
+		reference->event[reference->count++] = (struct button_event){
+			now_ms, (enum button)button, down};
+	}
+}
+
+/* A key, or the loss of the focus, chosen at random. */
+static void push_any(uint32_t *seed, struct reference *reference, int now_ms)
+{
+	static const SDL_Keycode others[] = {SDLK_ESCAPE, SDLK_q, SDLK_h,
+		SDLK_p, SDLK_F7, SDLK_PAGEUP, SDLK_PAGEDOWN, SDLK_a};
+	int which = random_between(seed, 0, PAIRS + 8);
+	bool down = random_one_in(seed, 2);
+	bool repeat = down && random_one_in(seed, 4);
+	SDL_Keycode other = which < PAIRS + 8 ? others[which % 8] : 0;
+
+	if (which < PAIRS) {
+		push_key(pairs[which].key, down, repeat);
+		if (!repeat) {
+			reference->here[pairs[which].button] = down;
+			reference_press(reference, (int)pairs[which].button,
+				down, now_ms);
+		}
+	} else if (other) {
+		push_key(other, down, repeat);
+		if (down && !repeat) {
+			struct display_events *seen = &reference->seen;
+
+			seen->close |= other == SDLK_ESCAPE || other == SDLK_q;
+			seen->graph |= other == SDLK_h;
+			seen->picture |= other == SDLK_p;
+			seen->overlay |= other == SDLK_F7;
+			seen->joint = other == SDLK_PAGEUP ? -1
+				: other == SDLK_PAGEDOWN   ? 1
+							   : seen->joint;
+		}
+	} else {
+		push_window_event(SDL_WINDOWEVENT_FOCUS_LOST);
+		for (int i = 0; i < BUTTON_COUNT; i++) {
+			if (reference->here[i]) {
+				reference->here[i] = false;
+				reference_press(reference, i, false, now_ms);
+			}
+		}
+	}
+}
+
+static void expect_seen(
+	const struct display_events *seen, const struct display_events *wanted)
+{
+	assert_int_equal(seen->close, wanted->close);
+	assert_int_equal(seen->graph, wanted->graph);
+	assert_int_equal(seen->picture, wanted->picture);
+	assert_int_equal(seen->overlay, wanted->overlay);
+	assert_int_equal(seen->joint, wanted->joint);
+	assert_int_equal(seen->resized, wanted->resized);
+}
+
+static void test_any_events_do_what_the_reference_does(void **state)
+{
+	struct reference reference = {.count = 0};
+	struct scene scene;
+	uint32_t seed = 7;
+
+	(void)state;
+	scene_open(&scene);
+	for (int now_ms = 1; now_ms < 600; now_ms++) {
+		int other = random_between(&seed, 0, BUTTON_COUNT - 1);
+
+		reference.count = 0;
+		reference.seen = (struct display_events){0};
+		/* A source that is not the window. */
+		if (random_one_in(&seed, 3)) {
+			reference_press(&reference, other, true, now_ms);
+			button_queue_push(&scene.queue,
+				(struct button_event){
+					now_ms, (enum button)other, true});
+		}
+		for (int i = random_between(&seed, 0, 5); i > 0; i--) {
+			push_any(&seed, &reference, now_ms);
+		}
+		poll(&scene, now_ms);
+		for (int i = 0; i < reference.count; i++) {
+			expect(&scene, now_ms, reference.event[i].button,
+				reference.event[i].down);
+		}
+		expect_nothing(&scene);
+		expect_seen(&scene.events, &reference.seen);
+	}
+	scene_close(&scene);
+}
+
 static void test_windows_may_follow_each_other(void **state)
 {
 	(void)state;
@@ -352,6 +463,7 @@ int main(void)
 			test_page_keys_choose_the_next_and_the_last_joint),
 		cmocka_unit_test(test_escape_q_and_the_close_button_close),
 		cmocka_unit_test(test_an_interrupt_closes),
+		cmocka_unit_test(test_any_events_do_what_the_reference_does),
 		cmocka_unit_test(test_windows_may_follow_each_other),
 		cmocka_unit_test(test_a_missing_desktop_is_logged),
 	};

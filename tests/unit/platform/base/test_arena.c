@@ -91,6 +91,27 @@ static void test_blocks_have_64_kib_unless_another_size_is_asked_for(
 	assert_int_equal(budget.used_bytes, 0);
 }
 
+/* Of which the sanitizer sees nothing, as it may use what the arena gives out. */
+static void test_a_block_has_room_for_its_bytes_and_its_head(void **state)
+{
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	size_t head = 0;
+
+	(void)state;
+	for (size_t bytes = 8192; bytes < 8192 + 300; bytes++) {
+		struct arena arena = arena_within(&budget);
+		size_t even = (bytes + 15) / 16 * 16;
+
+		assert_non_null(arena_alloc(&arena, bytes, 1));
+		assert_int_equal(budget.used_bytes % 16, 0);
+		head = head ? head : budget.used_bytes - even;
+		assert_in_range(head, 3 * sizeof(size_t), 256);
+		assert_int_equal(budget.used_bytes, even + head);
+		arena_release(&arena);
+		assert_int_equal(budget.used_bytes, 0);
+	}
+}
+
 static void test_large_allocations_can_be_freed_on_their_own(void **state)
 {
 	struct memory_budget budget = {.limit_bytes = 1024 * 1024};
@@ -266,6 +287,8 @@ int main(void)
 		cmocka_unit_test(test_blocks_have_the_size_that_is_asked_for),
 		cmocka_unit_test(
 			test_blocks_have_64_kib_unless_another_size_is_asked_for),
+		cmocka_unit_test(
+			test_a_block_has_room_for_its_bytes_and_its_head),
 		cmocka_unit_test(
 			test_large_allocations_can_be_freed_on_their_own),
 		cmocka_unit_test(test_allocations_larger_than_a_block_work),

@@ -15,7 +15,7 @@
 
 enum {
 	COMMANDS_MAX = 16,
-	PATH_BYTES = 1024
+	PATH_BYTES = 4096 /* any option's value and its end */
 };
 
 int command_exit_code(int error)

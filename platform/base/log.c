@@ -32,7 +32,7 @@ struct log log_to_nowhere(void)
 void log_write(
 	const struct log *log, enum log_level level, const char *format, ...)
 {
-	char sentence[1024];
+	char sentence[5 * 1024]; /* a path of 4 KiB and what is wrong with it */
 	va_list arguments;
 
 	if (level > log->threshold) {

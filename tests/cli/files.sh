@@ -81,6 +81,22 @@ limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
 limber optimize "$scratch/same.glb" -o "$scratch/same.glb"
 expect_status 0
 
+# Long names are read, not left out. Those that no file can have are refused.
+deep=$scratch/$(printf '%01000d' 0 | sed 's|0|./|g')
+echo 'nonsense = 1' >"$scratch/long.conf"
+limber play "$slider" --display null --frames 2 --config "$deep/long.conf"
+expect_refusal 1 '/long\.conf:.*nonsense'
+echo '[nonsense]' >"$scratch/long.character"
+limber play "$slider" --display null --frames 2 \
+    --character "$deep/long.character"
+expect_refusal 1 '/long\.character:.*nonsense'
+cp "$slider" "$scratch/long.gltf"
+limber play "$deep/long.gltf" --display null --frames 2
+expect_refusal 1 '/long\.character:.*nonsense'
+limber play "$slider" --display null --frames 2 --config "$deep/$deep/$deep/x"
+expect_status 2
+rm "$scratch"/long.*
+
 # Folders that do not exist.
 limber pose "$slider" -o "$scratch/nowhere/out.obj"
 expect_refusal 1 'nowhere/out\.obj: .*[Nn]o such'

@@ -11,7 +11,7 @@
 
 /* What a character file contains. */
 struct doctor_character {
-	char path[1024];
+	char path[4096];
 	bool found; /* there is such a file */
 	bool right; /* and it fits the model */
 	int states, layers, effects, buttons;

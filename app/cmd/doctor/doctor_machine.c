@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 enum {
-	PATH_BYTES = 1024
+	PATH_BYTES = 4096
 };
 
 /* A display that works. */

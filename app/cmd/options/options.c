@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <limits.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -184,7 +185,8 @@ static bool set_entry(const struct option_entry *entry, struct options *options,
 		return entry->set(options, value);
 	default:
 		*(const char **)member = value;
-		return value[0] != '\0';
+		/* Longer ones name no file that Linux would open. */
+		return value[0] != '\0' && strlen(value) < PATH_MAX;
 	}
 }
 

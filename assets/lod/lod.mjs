@@ -9,7 +9,7 @@ import { addIndices, readGlb, valuesOf, writeGlb } from './glb.mjs';
 import { makeLevels } from './simplify.mjs';
 
 const ERRORS_M = [
-    0.0004, 0.0008, 0.0016, 0.0035, 0.007, 0.0095, 0.0125, 0.0175, 0.025,
+    0.0004, 0.0008, 0.0016, 0.0035, 0.005, 0.007, 0.0095, 0.0125, 0.0175, 0.028,
 ];
 // The first error as a fraction of the largest mesh's extent: 1.5 pixels when the
 // mesh covers two thirds of a screen with 640 rows.

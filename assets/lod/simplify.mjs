@@ -17,6 +17,10 @@ const TEXTURE = 8; // for a metre by which the texture is displaced
 const WEIGHT_M = 0.5; // for a weight of 1: how far bending a limb moves the vertex
 const WEIGHT_SLOTS = 8;
 const SMALL_PARTS_FROM_M = 0.008; // from this error on, small parts may vanish
+// From this error on, a figure is a hundred pixels tall: its outline is seen, less
+// of its shading. Shares of what attributes and influences count elsewhere.
+const OUTLINE_FROM_M = 0.02;
+const OUTLINE_ATTRIBUTES = 0.5, OUTLINE_INFLUENCES = 0.75;
 
 const encode = (x) =>
     (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
@@ -141,8 +145,10 @@ function weld({ parts, first, count, position, attribute, width }) {
 function simplify(group, index, error, used) {
     const { position, attribute, width, lock } = group;
     const scale = MeshoptSimplifier.getScale(position, 3);
+    const share = (i) => (error < OUTLINE_FROM_M ? 1
+        : i < 8 ? OUTLINE_ATTRIBUTES : OUTLINE_INFLUENCES);
     const factor = Array.from({ length: width }, (_, i) =>
-        (used(i) ? 1 / scale : 0));
+        (used(i) ? share(i) / scale : 0));
     const flags = ['ErrorAbsolute'];
     if (error >= SMALL_PARTS_FROM_M) flags.push('Prune');
     return MeshoptSimplifier.simplifyWithAttributes(index, position, 3,

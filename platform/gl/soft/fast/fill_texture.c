@@ -1,7 +1,7 @@
 /*
  * Small opaque triangles with one RGB565 texture that repeats, set up as bands:
- * nearest texels under one share of all colours, or texels of either filter
- * under three. Larger ones are drawn by the span template.
+ * nearest texels under one share of all colours, or four mixed under three.
+ * Larger ones are drawn by the span template.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/limits.h"
@@ -66,59 +66,11 @@ static ALWAYS_INLINE struct run find_depth(
 	return frame_find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
 }
 
-/* At the centre of its first row; see raster_side(). */
-static ALWAYS_INLINE void set_edge(const struct draw *draw,
-	const struct frame *frame, const struct vertex *from, int32_t dx,
-	int32_t dy, uint32_t *edge, uint32_t *edge_step)
+/* What a value is at column 0. */
+static ALWAYS_INLINE uint32_t leave_column(
+	const struct frame *frame, uint32_t start, uint32_t right)
 {
-	int32_t step = mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
-	uint32_t off = (uint32_t)(8 - from->y) & 15;
-	uint32_t x = (uint32_t)(from->x - frame->column * 16);
-
-	*edge_step = (uint32_t)step;
-	*edge = (x << 12) + (uint32_t)(step >> 4) * off + 0x7FFF;
-}
-
-/* The upper part's edges, then the lower one's; how many rows it has. */
-static ALWAYS_INLINE int set_upper(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame, uint32_t edge[2],
-	uint32_t edge_step[2])
-{
-	const struct vertex *top = setup->v[0];
-	int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
-	int rows = setup->middle - setup->top;
-
-	set_edge(draw, frame, top, -frame->less_x2, frame->y2, &edge[!part],
-		&edge_step[!part]);
-	if (rows > 0) {
-		set_edge(draw, frame, top, frame->x1, -frame->less_y1,
-			&edge[part], &edge_step[part]);
-	}
-	return rows;
-}
-
-static ALWAYS_INLINE int set_lower(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame, uint32_t edge[2],
-	uint32_t edge_step[2])
-{
-	int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
-	int rows = setup->bottom - setup->middle;
-
-	if (rows > 0) {
-		set_edge(draw, frame, setup->v[1], -frame->less_x2 - frame->x1,
-			frame->y2 + frame->less_y1, &edge[part],
-			&edge_step[part]);
-	}
-	return rows;
-}
-
-/* The depth at frame.column of the first row. */
-static ALWAYS_INLINE uintptr_t find_place(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame)
-{
-	return draw->textured.depth +
-		(uintptr_t)setup->top * draw->textured.stride_bytes +
-		2 * (uintptr_t)frame->column;
+	return start - right * (uint32_t)frame->column;
 }
 
 /* Whole 256ths of texels, which s and t have 8 bits more than. */
@@ -146,19 +98,35 @@ static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
 	z = find_depth(setup, frame);
 	band->z_right = (uint32_t)z.right << 6;
 	band->down.z_q16 = (uint32_t)z.down << 6;
-	band->row.z_q16 = (uint32_t)z.start << 6;
+	band->row.z_q16 =
+		leave_column(frame, (uint32_t)z.start << 6, band->z_right);
 	band->texel_right = pair_cut(s.right, t.right);
 	band->down.texel = pair_cut(s.down, t.down);
-	band->row.texel = pair_cut(s.start, t.start);
+	band->row.texel = leave_column(
+		frame, pair_cut(s.start, t.start), band->texel_right);
 	band->share_right = (uint32_t)share.right << 7;
 	band->down.share_q26 = (uint32_t)share.down << 7;
-	band->row.share_q26 = (uint32_t)share.start << 7;
+	band->row.share_q26 = leave_column(
+		frame, (uint32_t)share.start << 7, band->share_right);
 	band->texels = level->texels;
 	band->texel_mask = level->texel_mask;
 	band->texel_shift = level->texel_shift;
 	band->wide_mask = WIDE_MASK;
 	band->wide_round = WIDE_ROUND;
 	return true;
+}
+
+static void draw_gray(void *band)
+{
+	soft_band_texture(band);
+}
+
+/* The depth at column 0 of the first row. */
+static ALWAYS_INLINE uintptr_t find_row(
+	const struct draw *draw, const struct setup *setup)
+{
+	return draw->fast_setup.depth +
+		(uintptr_t)setup->top * draw->fast_setup.stride_bytes;
 }
 
 static bool fill_gray(const struct draw *draw, const struct setup *setup)
@@ -174,17 +142,12 @@ static bool fill_gray(const struct draw *draw, const struct setup *setup)
 	if (!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
-	band.row.depth = find_place(draw, setup, &frame);
-	band.down.depth = draw->textured.stride_bytes;
-	band.pixels = draw->textured.pixels;
-	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
-	if (band.rows > 0) {
-		soft_band_texture(&band);
-	}
-	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
-	if (band.rows > 0) {
-		soft_band_texture(&band);
-	}
+	band.row.depth = find_row(draw, setup);
+	band.down.depth = draw->fast_setup.stride_bytes;
+	band.pixels = draw->fast_setup.pixels;
+	frame_draw_bands(draw, setup, &frame,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		draw_gray, &band);
 	return true;
 }
 
@@ -236,11 +199,13 @@ static ALWAYS_INLINE bool set_tint(const struct setup *setup,
 	}
 	band->red_blue_right = pair_weights(r.right, b.right);
 	band->down.red_blue = pair_weights(r.down, b.down);
-	band->row.red_blue = pair_weights(r.start, b.start);
+	band->row.red_blue = leave_column(
+		frame, pair_weights(r.start, b.start), band->red_blue_right);
 	/* Steps that leave 16 bits are of rows of one pixel. */
 	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
 	band->down.green = (uint32_t)weight(g.down);
-	band->row.green = (uint32_t)weight(g.start);
+	band->row.green = leave_column(
+		frame, (uint32_t)weight(g.start), band->green_right);
 	return true;
 }
 
@@ -261,8 +226,9 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 	level = &textured->level[find_level(textured->last_level, &s, &t)];
 	band->texel_right = pair_round(level, s.right, t.right);
 	band->down.texel = pair_round(level, s.down, t.down);
-	band->row.texel =
-		pair_round(level, s.start, t.start) - textured->half_texel;
+	band->row.texel = leave_column(frame,
+		pair_round(level, s.start, t.start) - TINT_NEXT / 2,
+		band->texel_right);
 	band->texel_mask = level->texel_mask;
 	band->texel_shift = level->texel_shift;
 	band->texels = level->texels;
@@ -281,9 +247,13 @@ static ALWAYS_INLINE bool is_full(const struct setup *setup)
 	return setup->area > (14 + rows) << 11;
 }
 
+static void draw_tinted(void *band)
+{
+	soft_band_tint(band);
+}
+
 static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 {
-	const struct textured *textured = &draw->textured;
 	struct limits limits;
 	struct frame frame;
 	struct tint_band band;
@@ -301,18 +271,14 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 	z = find_depth(setup, &frame);
 	band.z_right = (uint32_t)z.right << 6;
 	band.down.z_q16 = (uint32_t)z.down << 6;
-	band.row.z_q16 = (uint32_t)z.start << 6;
-	band.row.depth = find_place(draw, setup, &frame);
-	band.down.depth = textured->stride_bytes;
-	band.pixels = textured->pixels;
-	band.rows = set_upper(draw, setup, &frame, band.edge, band.edge_step);
-	if (band.rows > 0) {
-		textured->tint(&band);
-	}
-	band.rows = set_lower(draw, setup, &frame, band.edge, band.edge_step);
-	if (band.rows > 0) {
-		textured->tint(&band);
-	}
+	band.row.z_q16 =
+		leave_column(&frame, (uint32_t)z.start << 6, band.z_right);
+	band.row.depth = find_row(draw, setup);
+	band.down.depth = draw->fast_setup.stride_bytes;
+	band.pixels = draw->fast_setup.pixels;
+	frame_draw_bands(draw, setup, &frame,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		draw_tinted, &band);
 	return true;
 }
 
@@ -326,13 +292,14 @@ static bool is_gray(const struct setup *setup)
 		       (c[0] ^ c[1]) | (c[0] ^ c[2])) == 0;
 }
 
+/* Nearest texels under three colours are left to the span template. */
 void soft_fill_textured(struct draw *draw, struct setup *setup)
 {
-	bool gray = draw->texture[0].texture->mag_filter != GL_LINEAR &&
-		is_gray(setup);
+	bool linear = draw->texture[0].texture->mag_filter == GL_LINEAR;
 
 	if (!soft_is_hidden(draw, setup) &&
-		!(gray ? fill_gray : fill_tinted)(draw, setup)) {
+		!(linear ? fill_tinted(draw, setup)
+			 : is_gray(setup) && fill_gray(draw, setup))) {
 		soft_rows_fill(draw, setup);
 	}
 }
@@ -362,13 +329,6 @@ void soft_fill_textured_begin(struct draw *draw)
 	const struct texture_input *input = &draw->texture[0];
 	bool linear = input->texture->mag_filter == GL_LINEAR;
 
-	draw->textured = (struct textured){
-		.depth = draw->fast_setup.depth,
-		.stride_bytes = draw->fast_setup.stride_bytes,
-		.tint = linear ? soft_tint_linear : soft_tint_nearest,
-		.last_level = linear ? input->levels - 1 : 0,
-		.pixels = draw->fast_setup.pixels,
-		.half_texel = linear ? TINT_NEXT / 2 : 0,
-	};
+	draw->textured.last_level = linear ? input->levels - 1 : 0;
 	set_levels(input, draw->textured.level);
 }

@@ -11,8 +11,6 @@
 
 #include "platform/gl/soft/soft.h"
 
-struct tint_band;
-
 /* A level as struct tint_band has it. */
 struct textured_level {
 	uint32_t texel_mask, texel_shift;
@@ -23,12 +21,7 @@ struct textured_level {
 };
 
 struct textured {
-	uintptr_t depth; /* of column and row 0 */
-	uintptr_t stride_bytes;
-	void (*tint)(struct tint_band *band); /* the rows of tints */
-	int32_t last_level;                   /* of those to choose from */
-	uintptr_t pixels;
-	uint32_t half_texel; /* taken off where four are mixed */
+	int32_t last_level; /* of those to choose from */
 	struct textured_level level[SOFT_LEVELS];
 };
 

@@ -71,18 +71,6 @@ static ALWAYS_INLINE struct channels load_linear(
 	};
 }
 
-static ALWAYS_INLINE struct channels load_nearest(
-	const struct tint_band *band, uint32_t texel)
-{
-	uint32_t own = load_16(find_texel(band, texel & band->texel_mask));
-
-	return (struct channels){
-		.red = own >> 11 << 18,
-		.green = (own >> 5 & 63) << 18,
-		.blue = (own & 31) << 18,
-	};
-}
-
 /* The channels by a colour: 17 bits of fraction. */
 static ALWAYS_INLINE void tint(
 	struct channels *c, const struct tint_pixel *at, int32_t more)
@@ -100,8 +88,8 @@ static ALWAYS_INLINE uint16_t shade(
 		c.blue >> 17);
 }
 
-static ALWAYS_INLINE void draw_row(
-	const struct tint_band *band, int column, int count, bool linear)
+static NEVER_INLINE void draw_row(
+	const struct tint_band *band, int column, int count)
 {
 	const struct tint_row *row = &band->row;
 	const uint32_t n = (uint32_t)column;
@@ -122,9 +110,7 @@ static ALWAYS_INLINE void draw_row(
 
 			depth[-1] = (uint16_t)(at.z >> 16);
 			*(uint16_t *)pixel =
-				shade(linear ? load_linear(band, at.texel)
-					     : load_nearest(band, at.texel),
-					&at);
+				shade(load_linear(band, at.texel), &at);
 		}
 		at.z += band->z_right;
 		at.texel += band->texel_right;
@@ -133,16 +119,14 @@ static ALWAYS_INLINE void draw_row(
 	} while ((int32_t)at.green >= 0);
 }
 
-/* Rows of a band: row, which is out of line, draws one of them. */
-static ALWAYS_INLINE void walk(struct tint_band *band,
-	void (*row)(const struct tint_band *band, int column, int count))
+void soft_band_tint(struct tint_band *band)
 {
 	do {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
 		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
 
 		if (left < right) {
-			row(band, left, right - left);
+			draw_row(band, left, right - left);
 		}
 		band->row.depth += band->down.depth;
 		band->row.z_q16 += band->down.z_q16;
@@ -152,26 +136,4 @@ static ALWAYS_INLINE void walk(struct tint_band *band,
 		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
 		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	} while (--band->rows > 0);
-}
-
-static NEVER_INLINE void row_linear(
-	const struct tint_band *band, int column, int count)
-{
-	draw_row(band, column, count, true);
-}
-
-static NEVER_INLINE void row_nearest(
-	const struct tint_band *band, int column, int count)
-{
-	draw_row(band, column, count, false);
-}
-
-void soft_tint_linear(struct tint_band *band)
-{
-	walk(band, row_linear);
-}
-
-void soft_tint_nearest(struct tint_band *band)
-{
-	walk(band, row_nearest);
 }

@@ -1,6 +1,6 @@
 /*
  * Bands (see band.h) with an RGB565 texture under a colour of three channels,
- * its texels nearest or four mixed. tint.c walks them.
+ * of four texels mixed. tint.c draws them.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_TINT_H
 #define PLATFORM_GL_SOFT_FAST_TINT_H
@@ -16,7 +16,7 @@ struct tint_row {
 	uint32_t z_q16;
 	/*
 	 * t in the upper half, s in the lower one, in 1/256 of the level's
-	 * texels; half a texel less where four are mixed.
+	 * texels, half a texel less.
 	 */
 	uint32_t texel;
 	uint32_t red_blue; /* red in the upper half */
@@ -52,8 +52,7 @@ struct tint_band {
 	uintptr_t pixels;      /* see struct texture_band */
 };
 
-/* As soft_band_texture(), tinted: of the nearest texels, and of four mixed. */
-void soft_tint_nearest(struct tint_band *band);
-void soft_tint_linear(struct tint_band *band);
+/* As soft_band_texture(), with at least one row. */
+void soft_band_tint(struct tint_band *band);
 
 #endif

@@ -88,6 +88,49 @@ static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 	return (uint32_t)((high > 0 ? high : 0) - (low < 0 ? low : 0));
 }
 
+/* raster_side() of a triangle whose first row is shown; rounded up. */
+static ALWAYS_INLINE struct side frame_find_side(
+	const struct draw *draw, const struct vertex *a, const struct vertex *b)
+{
+	int32_t dy = b->y - a->y;
+	int32_t step =
+		mul_high((b->x - a->x) * (1 << 17), draw->inverse_q31[dy]);
+
+	return (struct side){
+		a->x * (1 << 12) + (step >> 4) * ((8 - a->y) & 15) + 0x7FFF,
+		step};
+}
+
+static ALWAYS_INLINE void frame_set_edge(
+	const struct band_ends *ends, int which, struct side side)
+{
+	ends->edge[which] = (uint32_t)side.x;
+	ends->edge_step[which] = (uint32_t)side.step;
+}
+
+/* raster_draw_bands() of a triangle that is all in the box. */
+static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame,
+	const struct band_ends *ends, void (*function)(void *band), void *band)
+{
+	const struct vertex *const *v = setup->v;
+	const int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
+	const int upper = setup->middle - setup->top;
+	const int lower = setup->bottom - setup->middle;
+
+	frame_set_edge(ends, !part, frame_find_side(draw, v[0], v[2]));
+	if (upper > 0) {
+		frame_set_edge(ends, part, frame_find_side(draw, v[0], v[1]));
+		*ends->rows = upper;
+		function(band);
+	}
+	if (lower > 0) {
+		frame_set_edge(ends, part, frame_find_side(draw, v[1], v[2]));
+		*ends->rows = lower;
+		function(band);
+	}
+}
+
 /* A texture coordinate less the base, in 1/256 of texels: down is 8 - log2. */
 static ALWAYS_INLINE int32_t frame_to_texels(
 	int32_t value, int32_t base, int down)

@@ -397,30 +397,17 @@ BY_REACH(anywhere, ANYWHERE)
 BY_REACH(inside, INSIDE)
 BY_REACH(across, ACROSS)
 
-static void fill_untested(const struct soft_run *run)
-{
-	if (!soft_fill_untested(run)) {
-		draw_by_way(run->draw, INSIDE);
-	}
-}
-
-static void copy_untested(const struct soft_run *run)
-{
-	if (!soft_copy_untested(run)) {
-		draw_by_way(run->draw, INSIDE);
-	}
-}
-
 /* Where nothing is tested whole rows may be known. */
 static void set_untested(struct soft_spans *spans)
 {
+	spans->draw_tested = spans->draw;
 	if (spans->function == soft_spans_565[SOFT_NO_TEXTURE][SOFT_OPAQUE]) {
-		spans->draw = fill_untested;
+		spans->draw = soft_fill_untested;
 		spans->plain_pixels = SOFT_PLAIN_PIXELS;
 		spans->whole_rows = true;
 	} else if (spans->function ==
 		soft_spans_565[SOFT_NEAREST + TEXEL_565 - 1][SOFT_OPAQUE]) {
-		spans->draw = copy_untested;
+		spans->draw = soft_copy_untested;
 		spans->whole_rows = true;
 	}
 }

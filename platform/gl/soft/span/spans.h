@@ -114,6 +114,7 @@ struct soft_spans {
 	const soft_span_function *function;
 	/* the same, with the depth test before them that they do not do */
 	soft_span_function draw_anywhere, draw;
+	soft_span_function draw_tested; /* what untested.c does not draw */
 	/* draws runs that leave the window, unless they are only cut */
 	soft_span_function draw_across;
 	/*
@@ -163,17 +164,16 @@ void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES]);
 
 /*
- * untested.c: draw all rows of a run, without a texture and of the nearest texels of an
- * RGB565 texture, as the span functions do. False, with nothing drawn, where
- * the colours of a row differ, or where its texels are tinted or of several
- * rows.
+ * untested.c: span functions without a texture, and of the nearest texels of an
+ * RGB565 texture. They leave runs to draw_tested where the colours of a row
+ * differ, or where its texels are tinted or of several rows.
  */
-bool soft_fill_untested(const struct soft_run *run);
-bool soft_copy_untested(const struct soft_run *run);
+void soft_fill_untested(const struct soft_run *run);
+void soft_copy_untested(const struct soft_run *run);
 
 /*
- * untested.c: a row of pixels from a row of texels, at s_q16 and steps further, which are
- * all there.
+ * untested.c: a row of pixels from a row of texels, at s_q16 and steps further,
+ * which are all there.
  */
 void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);

@@ -5,7 +5,7 @@
  */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/span/sample.h"
-#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 enum {
 	/* Factors of 1.14 from which on every texel of 5 or 6 bits stays. */
@@ -35,12 +35,13 @@ void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	}
 }
 
-bool soft_fill_untested(const struct soft_run *run)
+void soft_fill_untested(const struct soft_run *run)
 {
 	const struct soft_row *row = run->rows, *end = row + run->row_count;
 
 	if ((run->red_blue_right | run->green_alpha_right) != 0) {
-		return false;
+		run->draw->spans.draw_tested(run);
+		return;
 	}
 	for (; row < end; row++) {
 		const uint32_t rb = row->red_blue;
@@ -49,7 +50,6 @@ bool soft_fill_untested(const struct soft_run *run)
 		soft_fill_pixels((uint16_t *)(void *)row->pixel, (int)row->count,
 			(uint16_t)((rb & 0xF800) | green << 5 | rb >> 27));
 	}
-	return true;
 }
 
 /* Whether a row shows texels of one row, as they are. */
@@ -61,7 +61,7 @@ static bool is_copy(const struct soft_row *row)
 		(row->green_alpha & 0xFFFF) > GREEN_WHITE;
 }
 
-bool soft_copy_untested(const struct soft_run *run)
+void soft_copy_untested(const struct soft_run *run)
 {
 	const struct soft_row *row = run->rows, *end = row + run->row_count;
 	const int shift = 16 - SOFT_TEXEL_FRACTION;
@@ -71,7 +71,8 @@ bool soft_copy_untested(const struct soft_run *run)
 		are_copies &= is_copy(at);
 	}
 	if (!are_copies) {
-		return false;
+		run->draw->spans.draw_tested(run);
+		return;
 	}
 	for (; row < end; row++) {
 		const uint8_t *texels = run->first_texel +
@@ -83,5 +84,4 @@ bool soft_copy_untested(const struct soft_run *run)
 			(row->texel & 0xFFFF) << shift,
 			row->texel_right << shift);
 	}
-	return true;
 }

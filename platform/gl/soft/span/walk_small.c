@@ -2,7 +2,7 @@
  * The rows of small triangles: one loop lists all of a triangle's runs, and the
  * span function draws them in one call.
  */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/small_list.h"
 #include "platform/gl/soft/span/texels.h"
 
@@ -11,19 +11,6 @@ struct list_kind {
 	bool textured, bent;
 	bool certain; /* see struct small_list */
 };
-
-/* raster_side() of a triangle whose first row is shown; rounded up. */
-static ALWAYS_INLINE struct side find_side(
-	const struct draw *draw, const struct vertex *a, const struct vertex *b)
-{
-	int32_t dy = b->y - a->y;
-	int32_t step =
-		mul_high((b->x - a->x) * (1 << 17), draw->inverse_q31[dy]);
-
-	return (struct side){
-		a->x * (1 << 12) + (step >> 4) * ((8 - a->y) & 15) + 0x7FFF,
-		step};
-}
 
 /* One instruction: compilers add all products up first, then the rest. */
 static ALWAYS_INLINE uint32_t add_product(uint32_t to, uint32_t a, uint32_t b)
@@ -199,13 +186,13 @@ static ALWAYS_INLINE void list_all(struct small_list *list,
 	struct side side[2]; /* left and right */
 	int y = setup->top;
 
-	side[!part] = find_side(draw, setup->v[0], setup->v[2]);
+	side[!part] = frame_find_side(draw, setup->v[0], setup->v[2]);
 	for (int i = 0; i < 2; i++) {
 		int end = i == 0 ? setup->middle : setup->bottom;
 
 		if (y < end) {
-			side[part] =
-				find_side(draw, setup->v[i], setup->v[i + 1]);
+			side[part] = frame_find_side(
+				draw, setup->v[i], setup->v[i + 1]);
 			list_rows(list, kind, setup->top, y - setup->top,
 				end - setup->top, &side[0], &side[1]);
 			y = end;

@@ -1,6 +1,6 @@
 /*
  * What limber says of mistakes in character files: each line of some files is
- * changed in three ways, and the answers are compared with a reference.
+ * changed in four ways, and the answers are compared with a reference.
  */
 #include "tests/support/files.h"
 #include "tests/support/model/acting.h"
@@ -30,28 +30,42 @@ static const struct sample {
 enum mistake {
 	WITHOUT_LAST_WORD,
 	ANOTHER_LAST_WORD,
+	ANOTHER_WORD_BEFORE,
 	A_WORD_MORE,
 	MISTAKES
 };
 
+/* The length of the line up to the blank before its last word; 0: none. */
+static int before_last_word(const char *line, int length)
+{
+	while (length > 0 && line[length] != ' ') {
+		length--;
+	}
+	return length;
+}
+
 /* Writes the line with the mistake; false if it has no word to change. */
 static bool spoil(const char *line, enum mistake mistake, char *out)
 {
-	const char *last = strrchr(line, ' ');
+	int last = before_last_word(line, (int)strlen(line));
+	int before = last ? before_last_word(line, last - 1) : 0;
 
 	if (line[0] == ';' || line[0] == '\0') {
 		return false;
 	}
-	if (mistake == A_WORD_MORE) {
+	switch (mistake) {
+	case A_WORD_MORE:
 		snprintf(out, SPOILED_BYTES, "%s more", line);
 		return true;
+	case ANOTHER_WORD_BEFORE:
+		snprintf(out, SPOILED_BYTES, "%.*s odd%s", before, line,
+			line + last);
+		return before > 0 && line[last - 1] != '=';
+	default:
+		snprintf(out, SPOILED_BYTES, "%.*s%s", last, line,
+			mistake == ANOTHER_LAST_WORD ? " -99" : "");
+		return last > 0;
 	}
-	if (!last) {
-		return false;
-	}
-	snprintf(out, SPOILED_BYTES, "%.*s%s", (int)(last - line), line,
-		mistake == ANOTHER_LAST_WORD ? " -99" : "");
-	return true;
 }
 
 /* Prints what limber says of the text. */

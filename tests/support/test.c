@@ -1,8 +1,48 @@
 #include "tests/support/test.h"
 
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
+
+enum {
+	DESCRIPTORS = 1024
+};
+
+/* Which of the first descriptors are open. */
+static void find_open(bool open[DESCRIPTORS])
+{
+	for (int fd = 0; fd < DESCRIPTORS; fd++) {
+		open[fd] = fcntl(fd, F_GETFD) >= 0;
+	}
+}
+
+int test_run_group(const char *name, const struct CMUnitTest *tests,
+	size_t count, CMFixtureFunction setup, CMFixtureFunction teardown)
+{
+	bool before[DESCRIPTORS], after[DESCRIPTORS];
+	int failed;
+
+	find_open(before);
+	failed = _cmocka_run_group_tests(name, tests, count, setup, teardown);
+	find_open(after);
+	for (int fd = 0; fd < DESCRIPTORS; fd++) {
+		char link[64], what[256] = "";
+
+		if (before[fd] == after[fd]) {
+			continue;
+		}
+		snprintf(link, sizeof(link), "/proc/self/fd/%d", fd);
+		if (readlink(link, what, sizeof(what) - 1) < 0) {
+			what[0] = '\0';
+		}
+		printf("# descriptor %d was left %s: %s\n", fd,
+			after[fd] ? "open" : "closed", what);
+		failed++;
+	}
+	return failed;
+}
 
 bool test_is_near(double actual, double expected, double tolerance)
 {

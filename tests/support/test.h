@@ -33,10 +33,24 @@
 #define assert_contains(text, part) \
 	test_assert_contains((text), (part), __FILE__, __LINE__)
 
+/*
+ * Run all tests, as cmocka does, and then fail if they have left descriptors
+ * open: what opens a file, a device or a socket closes it on each path.
+ */
+#undef cmocka_run_group_tests
+#define cmocka_run_group_tests(tests, setup, teardown) \
+	cmocka_run_group_tests_name(#tests, tests, setup, teardown)
+#undef cmocka_run_group_tests_name
+#define cmocka_run_group_tests_name(name, tests, setup, teardown)           \
+	test_run_group((name), (tests), sizeof(tests) / sizeof((tests)[0]), \
+		(setup), (teardown))
+
 /* Ends the test as skipped and gives the reason to the tally. */
 #define skip_because(reason) test_skip_because((reason), __FILE__, __LINE__)
 
 /* What the macros above call. */
+int test_run_group(const char *name, const struct CMUnitTest *tests,
+	size_t count, CMFixtureFunction setup, CMFixtureFunction teardown);
 bool test_is_near(double actual, double expected, double tolerance);
 
 void test_assert_near(double actual, double expected, double tolerance,

@@ -26,6 +26,15 @@ static struct evdev_bench_device *device_of(int fd)
 	return NULL;
 }
 
+/* Closes the tests' end of a device, if it is open. */
+static void close_ours(struct evdev_bench_device *device)
+{
+	if (device->ours >= 0) {
+		close(device->ours);
+	}
+	device->ours = -1;
+}
+
 static int open_device(const char *path)
 {
 	const char *number = strrchr(path, '/') + 6;
@@ -41,6 +50,7 @@ static int open_device(const char *path)
 	}
 	assert_int_equal(socketpair(AF_UNIX, SOCK_STREAM, 0, pair), 0);
 	assert_int_equal(fcntl(pair[1], F_SETFL, O_NONBLOCK), 0);
+	close_ours(device);
 	device->ours = pair[0];
 	device->theirs = pair[1];
 	return pair[1];
@@ -82,6 +92,7 @@ void evdev_bench_plug_in(
 	struct test_path path;
 	struct evdev_bench_device *device = &bench->device[number];
 
+	close_ours(device);
 	*device = (struct evdev_bench_device){
 		.ours = -1, .theirs = -1, .error = device->error};
 	snprintf(device->description.name, sizeof(device->description.name),
@@ -101,8 +112,7 @@ void evdev_bench_unplug(struct evdev_bench *bench, int number)
 	path = path_join(&bench->folder, file);
 	assert_int_equal(unlink(path.text), 0);
 	bench->device[number].gone = true;
-	close(bench->device[number].ours);
-	bench->device[number].ours = -1;
+	close_ours(&bench->device[number]);
 }
 
 int evdev_bench_setup(void **state)
@@ -134,9 +144,7 @@ int evdev_bench_teardown(void **state)
 
 	button_driver_evdev.destroy(bench->source);
 	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
-		if (bench->device[i].ours >= 0) {
-			close(bench->device[i].ours);
-		}
+		close_ours(&bench->device[i]);
 	}
 	temp_dir_remove(&bench->folder);
 	free(bench);

@@ -1,0 +1,122 @@
+/* Distances on the screen, and the shortcut that needs no projection. */
+#include "app/compare/measure/screen_view.h"
+#include "tests/support/random.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+enum {
+	TRIALS = 2000
+};
+
+static const struct bounds boxes[] = {
+	{{-1, 0, -1}, {1, 2, 1}},
+	{{-0.2f, 0, -0.1f}, {0.2f, 1.8f, 0.1f}},
+	{{-5, -0.1f, -5}, {5, 0.1f, 5}},
+};
+
+static struct screen_view view_of(
+	const struct bounds *box, int width, int height, float unit)
+{
+	struct screen_view screen = {
+		.width = width, .height = height, .unit = unit};
+
+	screen_view_frame(&screen, box);
+	return screen;
+}
+
+static float share(uint32_t *seed)
+{
+	return (float)random_between(seed, 0, 1000) / 1000.0f;
+}
+
+/* A point of the box, and one at a distance of up to the box's height. */
+static float random_points(
+	const struct bounds *box, uint32_t *seed, float a[3], float b[3])
+{
+	float apart = 0.5f * (box->high[1] - box->low[1]) * share(seed);
+	float square = 0.0f;
+
+	apart *= apart * apart; /* most are close */
+	for (int i = 0; i < 3; i++) {
+		float shift = apart * (2.0f * share(seed) - 1.0f);
+
+		a[i] = box->low[i] + share(seed) * (box->high[i] - box->low[i]);
+		b[i] = a[i] + shift;
+		square += shift * shift;
+	}
+	return sqrtf(square);
+}
+
+static void expect_limit(const struct screen_view *screen)
+{
+	uint32_t seed = 5;
+	float most = 0.0f;
+
+	assert_true(screen->near_square > 0.0f);
+	for (int trial = 0; trial < TRIALS; trial++) {
+		float a[3], b[3];
+		float apart = random_points(&screen->box, &seed, a, b);
+		float px = screen_view_distance_px(screen, a, b);
+
+		if (apart > 1e-3f && apart * apart <= screen->near_square) {
+			assert_true(px <= apart * screen->px_per_unit * 1.001f);
+			most = fmaxf(most, px / apart);
+		}
+		assert_true(
+			screen_view_within(screen, a, b, px * 1.01f + 1e-3f));
+		if (px > 0.1f) {
+			assert_false(
+				screen_view_within(screen, a, b, px * 0.99f));
+		}
+	}
+	/* A limit that is far too large would be no shortcut. */
+	assert_true(screen->px_per_unit < 10.0f * most);
+}
+
+static void test_the_shortcut_says_what_the_projection_says(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(boxes); i++) {
+		struct screen_view tall = view_of(&boxes[i], 480, 640, 1.0f);
+		struct screen_view wide = view_of(&boxes[i], 640, 200, 1.0f);
+		struct screen_view scaled = view_of(&boxes[i], 480, 640, 0.01f);
+
+		expect_limit(&tall);
+		expect_limit(&wide);
+		expect_limit(&scaled);
+	}
+}
+
+static void test_the_box_lies_within_the_screen(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(boxes); i++) {
+		struct screen_view screen = view_of(&boxes[i], 480, 640, 1.0f);
+		float most[2] = {0, 0};
+
+		for (int corner = 0; corner < 8; corner++) {
+			float at[2], point[3];
+
+			for (int k = 0; k < 3; k++) {
+				point[k] = corner >> k & 1 ? boxes[i].high[k]
+							   : boxes[i].low[k];
+			}
+			screen_view_project(&screen, point, at);
+			most[0] = fmaxf(most[0], fabsf(at[0]));
+			most[1] = fmaxf(most[1], fabsf(at[1]));
+		}
+		assert_true(most[0] <= 240.0f && most[1] <= 320.0f);
+		assert_true(most[0] > 150.0f || most[1] > 200.0f);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_shortcut_says_what_the_projection_says),
+		cmocka_unit_test(test_the_box_lies_within_the_screen),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -135,6 +135,12 @@ class Suite:
         self.others = others
 
 
+def text_groups():
+    """How the names of reference texts begin: "compare", "film-walker"..."""
+    names = (path.stem for path in (TREE / "tests/golden/texts").glob("*.txt"))
+    return sorted({re.match(r"(?:film-)?[^-]*", name)[0] for name in names})
+
+
 def all_suites():
     unit = TREE / "tests/unit"
     limber = "build/host/limber"
@@ -144,10 +150,10 @@ def all_suites():
     yield Suite("golden-exact", limber,
                 ["tests/golden/golden.sh", "exact", "build/golden-exact", PROGRAM],
                 "build/host/compare_png")
-    for name, texts in (("films", "film-"), ("texts", "(?!film-)")):
-        yield Suite(f"golden-{name}", limber,
-                    ["env", f"TEXTS={texts}", "tests/golden/texts.py", "check",
-                     f"build/golden-{name}", PROGRAM])
+    for group in text_groups():
+        yield Suite(f"golden-{group}", limber,
+                    ["env", f"TEXTS={group}\\b", "tests/golden/texts.py", "check",
+                     "build/golden-texts", PROGRAM])
     for script in sorted((TREE / "tests/cli").glob("*.sh")):
         name = str(script.relative_to(TREE / "tests"))
         yield Suite(name, limber, [f"tests/{name}"],
@@ -164,6 +170,7 @@ class Judge:
         self.finders = collections.Counter()
         self.sound = set()
         self.sanitized = {}
+        self.linked = None
         self.with_sanitizers = re.match(names, SANITIZERS)
         parts = tuple({folder_of(path) for path in paths})
         self.suites = [suite for suite in all_suites()
@@ -180,10 +187,10 @@ class Judge:
         """The suites that concern a file, those that find its mutants soonest
         first."""
         part = folder_of(path)
-        words = set(re.split(r"[/_.]", path))
+        words = set(re.split(r"[-/_.]", path))
 
         def order(suite):
-            common = words & set(re.split(r"[/_.]", suite.name))
+            common = words & set(re.split(r"[-/_.]", suite.name))
             seconds = self.seconds.get(suite.name) or 0
             return (-self.finders[path, suite.name], int(seconds),
                     -len(common), seconds)
@@ -194,11 +201,15 @@ class Judge:
 
     def contain(self, suite, target=None):
         """Links the suite's program with the mutant of an object, or without;
-        false if it replaces the object by its own."""
+        false if it replaces the object by its own. Suites share the program."""
+        if self.linked == (suite.program, target):
+            return True
         link = self.link[suite.program].replace(
             f" -o {suite.program} ",
             f" -o {PROGRAM} {MUTANT} " if target else f" -o {PROGRAM} ")
-        return run(shlex.split(link.replace(f" {target} ", " ")))
+        made = run(shlex.split(link.replace(f" {target} ", " ")))
+        self.linked = (suite.program, target) if made else None
+        return made
 
     def passes(self, suite):
         """Runs a suite without a mutant, and keeps how long it takes."""
@@ -236,6 +247,7 @@ class Judge:
     def compiled(self, mutant, target):
         """Compiles the mutant; false if that fails or changes no byte."""
         before = (TREE / target).read_bytes()
+        self.linked = None
         with in_tree(mutant, target):
             if not make(target):
                 return False

@@ -18,7 +18,7 @@ STAGES = {
     " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin bend clip counts fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list list_small masked narrow raster small triangle view walk"
+    " fill_texture hidden layout line list list_small masked narrow raster triangle view walk"
     " walk_small",
     "pixels": "band blend_row combine_rows coverage cut depth_ways fill level luminance made mix"
     " narrow_rows read rows samplers spans_565 spans_8888 tests texture tile_row"

@@ -1,5 +1,5 @@
 /* How attributes run across a triangle. */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
 /* num / area, times 2^scale; see struct setup. */
@@ -49,11 +49,10 @@ static void set_plane(const struct basis *basis, const struct setup *setup,
 		basis, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
 }
 
-static bool is_small_delta(int32_t from, int32_t to)
+static ALWAYS_INLINE uint32_t spread(const int32_t value[3])
 {
-	int64_t delta = (int64_t)to - from;
-
-	return delta > -SMALL_DELTA && delta < SMALL_DELTA;
+	return (uint32_t)raster_most(value[0], value[1], value[2]) -
+		(uint32_t)raster_least(value[0], value[1], value[2]);
 }
 
 static void set_affine(struct draw *draw, const struct setup *setup,
@@ -61,8 +60,7 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 {
 	struct plane *plane = &draw->raster.plane[name];
 
-	if (!setup->wide && is_small_delta(value[0], value[1]) &&
-		is_small_delta(value[0], value[2])) {
+	if (!setup->wide && spread(value) < SMALL_DELTA) {
 		const struct delta delta = {
 			value[0], value[1] - value[0], value[2] - value[0]};
 
@@ -94,35 +92,6 @@ static void gather_texels(
 	range[1] = raster_most(out[0], out[1], out[2]);
 }
 
-/* Whose colours a triangle has: its corners', or one's. */
-struct colored {
-	const int32_t *corner[3];
-};
-
-static struct colored find_colored(
-	const struct draw *draw, const struct setup *setup)
-{
-	bool behind = setup->back && draw->shading.two_side;
-	struct colored colored;
-
-	for (int i = 0; i < 3; i++) {
-		const struct vertex *v = draw->soft->fragment.flat
-			? draw->provoking
-			: setup->v[i];
-
-		colored.corner[i] = behind ? v->back : v->attribute;
-	}
-	return colored;
-}
-
-static ALWAYS_INLINE int32_t spread(const int32_t value[3])
-{
-	uint32_t most = (uint32_t)raster_most(value[0], value[1], value[2]) -
-		(uint32_t)raster_least(value[0], value[1], value[2]);
-
-	return most > INT32_MAX ? INT32_MAX : (int32_t)most;
-}
-
 /* 1 / w of the three in a common scale, below 2^29. */
 static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 {
@@ -141,28 +110,60 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 	}
 }
 
-/* What has to be divided: everything, or texels alone, or nothing. */
-static void find_divided(struct draw *draw, const struct setup *setup,
-	int count, int32_t (*value)[3])
+/* The most that colours, and texels, differ by, into perspective. */
+static void find_spreads(const struct raster *raster, int32_t (*value)[3],
+	struct perspective *perspective)
 {
-	struct raster *raster = &draw->raster;
-	const int32_t w[3] = {setup->v[0]->clip[3], setup->v[1]->clip[3],
-		setup->v[2]->clip[3]};
-	int32_t least = w[0] < w[1] ? w[0] : w[1];
-	struct perspective perspective = {.w_spread = (uint32_t)spread(w)};
-
-	perspective.w_least = (uint32_t)(least < w[2] ? least : w[2]);
-	for (int i = 0; i < count; i++) {
-		uint32_t own = (uint32_t)spread(value[i]);
-		uint32_t *most = raster->moving[i] < TEX_S ? &perspective.color
-							   : &perspective.texel;
+	for (int i = 0; i < raster->moving_count; i++) {
+		uint32_t own = spread(value[i]);
+		uint32_t *most = raster->moving[i] < TEX_S ? &perspective->color
+							   : &perspective->texel;
 
 		*most = own > *most ? own : *most;
 	}
-	raster->colors_divided = raster_bends(
-		&perspective, perspective.color, rows_color_tolerance(draw));
-	raster->perspective = raster->colors_divided ||
-		raster_bends(&perspective, perspective.texel, 0);
+}
+
+/* Whether values bend, in a small triangle, instead of being divided. */
+static bool bend(struct draw *draw, const struct setup *setup,
+	int32_t (*value)[3], const struct perspective *perspective)
+{
+	struct delta delta[ATTRIBUTES];
+
+	if (setup->wide || draw->divides || perspective->texel >= SMALL_DELTA ||
+		perspective->w_spread > perspective->w_least) {
+		return false;
+	}
+	for (int i = 0; i < draw->raster.moving_count; i++) {
+		delta[i] = (struct delta){value[i][0],
+			value[i][1] - value[i][0], value[i][2] - value[i][0]};
+	}
+	return soft_bend(draw, setup, delta, perspective);
+}
+
+/* What bends, or has to be divided: everything, or texels alone, or nothing. */
+static void find_perspective(
+	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
+{
+	struct raster *raster = &draw->raster;
+	const struct vertex *const *v = setup->v;
+	const int32_t w[3] = {v[0]->clip[3], v[1]->clip[3], v[2]->clip[3]};
+	const int tolerance = rows_color_tolerance(draw);
+	struct perspective perspective = {.w_spread = spread(w),
+		.w_least = (uint32_t)raster_least(w[0], w[1], w[2])};
+	bool colors;
+
+	find_spreads(raster, value, &perspective);
+	colors = raster_bends(&perspective, perspective.color, tolerance);
+	if (!colors && !raster_bends(&perspective, perspective.texel, 0)) {
+		return;
+	}
+	perspective.color >>= tolerance - 2;
+	raster->colors_bent = colors;
+	if (!bend(draw, setup, value, &perspective)) {
+		raster->colors_bent = false;
+		raster->colors_divided = colors;
+		raster->perspective = true;
+	}
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
@@ -189,16 +190,24 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 	set_plane(&raster->basis, setup, product, 4, &raster->plane[name]);
 }
 
-/* Of what differs; what does not goes into the span once and for all. */
+/*
+ * Of what differs; what does not goes into the span once and for all, as white
+ * did once a call.
+ */
 static int gather_attributes(
 	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
 {
-	const struct colored colored = find_colored(draw, setup);
+	const struct vertex *const *v = setup->v;
+	const int32_t *const own[3] = {
+		v[0]->attribute, v[1]->attribute, v[2]->attribute};
 	struct raster *raster = &draw->raster;
+	const int32_t *color[3];
 	int count = 0;
 
+	frame_choose_colors(draw, setup, color);
 	for (int i = 0; i < draw->attribute_count; i++) {
 		int name = draw->attribute[i];
+		const int32_t *const *from = name == FOG ? own : color;
 		int32_t *out = value[count];
 
 		if (name >= TEX_S) {
@@ -206,12 +215,12 @@ static int gather_attributes(
 			raster->moving[count++] = name;
 			continue;
 		}
-		for (int k = 0; k < 3; k++) {
-			out[k] = name == FOG ? setup->v[k]->attribute[FOG]
-				: draw->spans.white_bits >> name & 1
-				? 0xFF80
-				: colored.corner[k][name];
+		if (draw->spans.white_bits >> name & 1) {
+			continue;
 		}
+		out[0] = from[0][name];
+		out[1] = from[1][name];
+		out[2] = from[2][name];
 		if (out[0] != out[1] || out[0] != out[2]) {
 			raster->moving[count++] = name;
 			continue;
@@ -238,7 +247,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	raster->bent = false;
 	raster->colors_bent = false;
 	if (draw->perspective && count > 0) {
-		find_divided(draw, setup, count, value);
+		find_perspective(draw, setup, value);
 	}
 	if (raster->perspective) {
 		gather_inverse_w(setup, q);
@@ -250,10 +259,11 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 
 		if (rows_is_divided(raster, name)) {
 			set_perspective(draw, setup, value[i], q, name);
-			continue;
+		} else if (!rows_is_bent(raster, name)) {
+			set_affine(draw, setup, value[i], name);
+			raster->plane[name].start +=
+				name >= TEX_S ? TEXEL_NUDGE : 0;
 		}
-		set_affine(draw, setup, value[i], name);
-		raster->plane[name].start += name >= TEX_S ? TEXEL_NUDGE : 0;
 	}
 }
 
@@ -296,9 +306,7 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 		depth->start += (uint32_t)soft_raster_offset_depth(
 			draw, setup, depth->dx, depth->dy);
 	}
-	if (setup->wide || !soft_set_small_attributes(draw, setup)) {
-		set_attributes(draw, setup);
-	}
+	set_attributes(draw, setup);
 }
 
 int32_t soft_raster_long_slope(int32_t dx, int32_t dy)

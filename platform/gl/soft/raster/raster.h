@@ -161,12 +161,6 @@ static ALWAYS_INLINE bool raster_bends(
 }
 
 /*
- * small.c: all attributes of a triangle that is not wide. False where it has
- * to be divided, or its numbers are too large.
- */
-bool soft_set_small_attributes(struct draw *draw, const struct setup *setup);
-
-/*
  * bend.c: of a small triangle whose w is at most twice as large in one corner
  * as in another, bends the values of raster->moving instead of dividing them.
  * False where that is not exact enough: by a quarter of a texel and a step of

@@ -14,7 +14,7 @@
 struct line {
 	struct draw *draw;
 	int row;
-	int top; /* the picture's row that is its first one */
+	int top;         /* the picture's row that is its first one */
 	uint16_t *depth; /* of column 0 */
 	uint8_t *pixel;
 };
@@ -156,8 +156,8 @@ static NEVER_INLINE void place_rare_colors(
 		step = find_color_steps(
 			spans, &from, &to, line->draw->inverse_q31[count - 1]);
 		set_color_steps(spans, &step);
-		set_colors(spans, from.red, from.green, from.blue);
 	}
+	set_colors(spans, from.red, from.green, from.blue);
 	set_more_colors(spans, &from);
 }
 
@@ -166,10 +166,11 @@ static ALWAYS_INLINE void place_colors(const struct line *line, int x, int count
 {
 	struct soft_spans *spans = &line->draw->spans;
 
-	set_colors(spans, find_value(line, RED, x), find_value(line, GREEN, x),
-		find_value(line, BLUE, x));
 	if (spans->rare) {
 		place_rare_colors(line, x, count);
+	} else {
+		set_colors(spans, find_value(line, RED, x),
+			find_value(line, GREEN, x), find_value(line, BLUE, x));
 	}
 }
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 enum {
-	FB_FD = 1000,
+	FB_FD = 0, /* a descriptor like any other */
 	CONSOLE_FD = 1001
 };
 

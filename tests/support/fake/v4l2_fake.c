@@ -8,7 +8,7 @@
 #include <linux/videodev2.h>
 
 enum {
-	FAKE_FD = 1000,
+	FAKE_FD = 0, /* a descriptor like any other */
 	SIDE_MOST = 64
 };
 

@@ -14,6 +14,10 @@
 #include <time.h>
 #include <unistd.h>
 
+enum {
+	FAKE_FD = 0 /* a descriptor like any other */
+};
+
 /* A simulated watchdog and what was written to it. */
 static struct {
 	char fed[64];
@@ -33,19 +37,19 @@ static int fake_open(const char *path, int flags)
 		return -1;
 	}
 	fake.open_count++;
-	return 5;
+	return FAKE_FD;
 }
 
 static int fake_close(int fd)
 {
-	assert_int_equal(fd, 5);
+	assert_int_equal(fd, FAKE_FD);
 	fake.open_count--;
 	return 0;
 }
 
 static ssize_t fake_write(int fd, const void *data, size_t size)
 {
-	assert_int_equal(fd, 5);
+	assert_int_equal(fd, FAKE_FD);
 	if (fake.write_error) {
 		errno = fake.write_error;
 		return -1;
@@ -58,7 +62,7 @@ static ssize_t fake_write(int fd, const void *data, size_t size)
 
 static int fake_ioctl(int fd, unsigned long request, void *argument)
 {
-	assert_int_equal(fd, 5);
+	assert_int_equal(fd, FAKE_FD);
 	if (request != WDIOC_GETTIMEOUT) {
 		fake.set_count++;
 	}

@@ -333,7 +333,8 @@ void output_file_prepare_process(void)
 	signal(SIGXFSZ, SIG_IGN);
 	for (int fd = 0; fd <= STDERR_FILENO; fd++) {
 		/* open() returns the lowest number that is free, which is fd. */
-		if (fcntl(fd, F_GETFD) < 0 && open("/", O_PATH) < 0) {
+		if (fcntl(fd, F_GETFD) < 0 && errno == EBADF &&
+			open("/", O_PATH) < 0) {
 			return;
 		}
 	}

@@ -55,6 +55,8 @@ expect_out '^  works    soft: .*; the processor draws$'
 expect_out '^  works    auto: takes '
 expect_out '^  works    float: '
 expect_out '^  works    .*; this is the default$'
+check 'one kernel is the default' test \
+    "$(grep -c '; this is the default$' "$out_file")" -eq 1
 expect_out '^  works    walker\.glb: /.*/walker\.glb$'
 expect_out '^  works    presets\.ini: /'
 check 'everything that is missing or broken has a remedy' awk '

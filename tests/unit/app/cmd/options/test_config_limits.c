@@ -197,6 +197,7 @@ static void test_a_file_is_found_below_the_home_folder(void **state)
 	struct test_path dot = path_join(&scene->folder, ".config");
 	struct test_path below = path_join(&dot, "limber");
 	struct test_path own = path_join(&below, "limber.conf");
+	struct test_path cut = path_join(&below, "limber.con");
 	char path[700];
 
 	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
@@ -215,7 +216,11 @@ static void test_a_file_is_found_below_the_home_folder(void **state)
 	assert_true(config_find(NULL, true, path, sizeof(path)));
 	assert_string_equal(path, own.text);
 	assert_true(config_find(NULL, true, path, strlen(own.text) + 1));
-	/* A path that does not fit is no file. */
+	/* A path that does not fit is no file, also where its beginning is one. */
+	file_write(cut.text, "", 0);
+	if (config_find(NULL, true, path, strlen(own.text))) {
+		assert_string_equal(path, "/etc/limber.conf");
+	}
 	assert_true(config_find("ab", true, path, 3));
 	assert_false(config_find("abc", true, path, 3));
 }

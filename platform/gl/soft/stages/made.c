@@ -443,8 +443,6 @@ void soft_prepare_made(struct draw *draw)
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;
 	spans->draw = draw_made;
-	spans->draw_anywhere = draw_made;
-	spans->draw_across = draw_made;
 	/* Rows of so many texels of four bytes */
 	spans->run.stride_log2 = 8;
 }

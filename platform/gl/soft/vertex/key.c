@@ -98,7 +98,6 @@ static uint32_t find_texture(const struct texture_input *input)
 				input->height_log2 > 0,
 			KEY_TEXTURE_TILES) |
 		bit_if(input->env->mode == GL_MODULATE, KEY_MODULATE) |
-		bit_if(input->env->mode == GL_REPLACE, KEY_REPLACE) |
 		bit_if(texture->wrap_s == GL_REPEAT &&
 				texture->wrap_t == GL_REPEAT,
 			KEY_REPEAT);

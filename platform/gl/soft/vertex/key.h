@@ -35,7 +35,6 @@ enum {
 	KEY_TEXTURE_ALPHA = 1 << 18,
 	KEY_TEXTURE_TILES = 1 << 19, /* luminance; see tiles.h */
 	KEY_MODULATE = 1 << 21,
-	KEY_REPLACE = 1 << 22,
 	KEY_REPEAT = 1 << 23,
 	KEY_NEAREST = 1 << 24,
 	KEY_LINEAR = 1 << 25,   /* and of one level */

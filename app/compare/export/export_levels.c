@@ -100,46 +100,88 @@ static int compare_floats(const void *left, const void *right)
 	return (a > b) - (a < b);
 }
 
-/*
- * Fills error[] with the errors of the levels of one kind, which all lists
- * share: at most max of all that the lists have. Returns their number.
- */
-static int choose_errors(
-	const struct leveler *leveler, bool shadow, int max, float *error)
+/* A level that all lists share. */
+struct rung {
+	float error;
+	double corners; /* of all lists of at most this error */
+};
+
+/* Appends a level of this error, if it saves enough. */
+static int add_rung(const struct leveler *leveler, bool shadow, float error,
+	struct rung *rung, int count)
 {
-	int count = 0, different = 0, kept;
-	float *all;
+	double finer = count > 0 ? rung[count - 1].corners
+				 : count_corners(leveler, shadow, -1.0f);
+	double corners = count_corners(leveler, shadow, error);
+
+	if (corners <= (1.0 - worth) * finer) {
+		rung[count++] = (struct rung){error, corners};
+	}
+	return count;
+}
+
+/* Leaves the level out without which the fewest more corners are drawn. */
+static int drop_rung(double full, struct rung *rung, int count)
+{
+	double least = 1.0;
+	int dropped = 0;
+
+	for (int i = 0; i < count; i++) {
+		double finer = i > 0 ? rung[i - 1].corners : full;
+		double share = 1.0 - rung[i].corners / finer;
+
+		if (share < least) {
+			least = share;
+			dropped = i;
+		}
+	}
+	for (int i = dropped; i + 1 < count; i++) {
+		rung[i] = rung[i + 1];
+	}
+	return count - 1;
+}
+
+/*
+ * Chooses at most max levels of one kind from the errors of all lists. The
+ * caller frees them. Returns their number.
+ */
+static int choose_rungs(
+	const struct leveler *leveler, bool shadow, int max, struct rung **out)
+{
+	int lists = 0, errors = 0, count = 0;
+	struct rung *rung;
+	float *error;
 
 	for (int p = 0; p < leveler->primitive_count; p++) {
-		count += leveler->lists[p].lod_count;
+		lists += leveler->lists[p].lod_count;
 	}
-	all = malloc((size_t)count * sizeof(*all) + 1);
-	if (!all) {
+	error = malloc((size_t)lists * sizeof(*error) + 1);
+	rung = malloc((size_t)lists * sizeof(*rung) + 1);
+	*out = rung;
+	if (!error || !rung) {
 		leveler->glb->error = -ENOMEM;
+		free(error);
 		return 0;
 	}
-	count = 0;
 	for (int p = 0; p < leveler->primitive_count; p++) {
-		const struct export_lists *lists = &leveler->lists[p];
+		const struct export_lists *of = &leveler->lists[p];
 
-		for (int i = 0; i < lists->lod_count; i++) {
-			if (lists->lod[i].shadow_only == shadow) {
-				all[count++] = error_of(lists, i);
+		for (int i = 0; i < of->lod_count; i++) {
+			if (of->lod[i].shadow_only == shadow) {
+				error[errors++] = error_of(of, i);
 			}
 		}
 	}
-	qsort(all, (size_t)count, sizeof(*all), compare_floats);
-	for (int i = 0; i < count; i++) {
-		if (different == 0 || all[i] > all[different - 1]) {
-			all[different++] = all[i];
-		}
+	qsort(error, (size_t)errors, sizeof(*error), compare_floats);
+	for (int i = 0; i < errors; i++) {
+		count = add_rung(leveler, shadow, error[i], rung, count);
 	}
-	kept = different < max ? different : max;
-	for (int i = 0; i < kept; i++) {
-		error[i] = all[(i + 1) * different / kept - 1];
+	while (count > max) {
+		count = drop_rung(
+			count_corners(leveler, shadow, -1.0f), rung, count);
 	}
-	free(all);
-	return kept;
+	free(error);
+	return count;
 }
 
 /* The primitives of a level; lists that do not change keep their accessors. */
@@ -182,28 +224,22 @@ static void add_level(const struct leveler *leveler, json_t *primitives,
 
 static void add_levels(const struct leveler *leveler, bool shadow, int max)
 {
-	float error[SHADED_MAX > SHADOW_MAX ? SHADED_MAX : SHADOW_MAX];
-	int count = choose_errors(leveler, shadow, max, error);
+	struct rung *rung;
+	int count = choose_rungs(leveler, shadow, max, &rung);
 	const json_t *finer = json_object_get(
 		json_array_get(leveler->meshes, (size_t)leveler->mesh),
 		"primitives");
 	float finer_error = -1.0f;
-	double last = count_corners(leveler, shadow, finer_error);
 
 	for (int i = 0; i < count; i++) {
-		double corners = count_corners(leveler, shadow, error[i]);
-		json_t *primitives;
+		json_t *primitives = level_primitives(
+			leveler, finer, shadow, finer_error, rung[i].error);
 
-		if (corners > (1.0 - worth) * last) {
-			continue;
-		}
-		primitives = level_primitives(
-			leveler, finer, shadow, finer_error, error[i]);
-		add_level(leveler, primitives, shadow, error[i]);
+		add_level(leveler, primitives, shadow, rung[i].error);
 		finer = primitives;
-		finer_error = error[i];
-		last = corners;
+		finer_error = rung[i].error;
 	}
+	free(rung);
 }
 
 void export_level_meshes(struct glb *glb, json_t *meshes, int mesh,

@@ -28,7 +28,8 @@ int export_triangles(
  * Appends the level meshes of the mesh with this number, behind all full
  * meshes, and what is known of them to levels, for export_level_nodes(). lists
  * has an element for each of its primitives. A level that saves less than a
- * fifth of the triangles is left out.
+ * fifth of the triangles is left out, and of more than the loader reads those
+ * that save least.
  */
 void export_level_meshes(struct glb *glb, json_t *meshes, int mesh,
 	const struct export_lists *lists, json_t *levels);

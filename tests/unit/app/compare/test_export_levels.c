@@ -142,6 +142,37 @@ static void test_there_are_no_more_levels_than_the_loader_reads(void **state)
 	end(&test);
 }
 
+/* Four of fourteen save a fifth of the triangles, the others a third. */
+static void test_of_too_many_levels_those_that_save_least_are_left_out(
+	void **state)
+{
+	static const int weak[] = {1, 3, 4, 7};
+	double triangles = TRIANGLES_MAX;
+	struct levels_test test;
+	size_t kept = 0;
+
+	(void)state;
+	begin(&test, 1);
+	for (int i = 0, w = 0; i < LODS_MAX; i++) {
+		bool is_weak = w < 4 && weak[w] == i;
+
+		w += is_weak;
+		triangles *= is_weak ? 0.79 : 0.7;
+		add_lod(&test, 0, (float)i + 1.0f, (int)triangles, false);
+	}
+	make(&test);
+	assert_int_equal(json_array_size(test.levels), 10);
+	for (int i = 0, w = 0; i < LODS_MAX; i++) {
+		if (w < 4 && weak[w] == i) {
+			w++;
+			continue;
+		}
+		assert_float_equal(error_of(&test, kept), i + 1.0, 1e-6);
+		kept++;
+	}
+	end(&test);
+}
+
 static void test_errors_are_in_the_unit_of_the_file(void **state)
 {
 	struct levels_test test;
@@ -190,6 +221,8 @@ int main(void)
 		cmocka_unit_test(test_levels_that_save_little_are_left_out),
 		cmocka_unit_test(
 			test_there_are_no_more_levels_than_the_loader_reads),
+		cmocka_unit_test(
+			test_of_too_many_levels_those_that_save_least_are_left_out),
 		cmocka_unit_test(test_errors_are_in_the_unit_of_the_file),
 		cmocka_unit_test(test_mirrored_triangles_are_turned_round),
 	};

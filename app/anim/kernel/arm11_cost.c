@@ -12,6 +12,6 @@ const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_LERP] = {"lerp", 20.72f, 7.03f},
 	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.56f, 14.05f},
 	[ARM11_TARGETS_2] = {"targets-2", 30.70f, 9.97f},
-	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 500.47f, 183.52f},
-	[ARM11_POSE_WALKER] = {"pose-walker-walk", 486.76f, 175.97f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 500.13f, 183.52f},
+	[ARM11_POSE_WALKER] = {"pose-walker-walk", 485.11f, 175.97f},
 };

@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.306e+04, 2.575e+04}, /* frame */
-	{0.7295, 0.3591},       /* pixel */
-	{1.826e+04, 7051},      /* call */
-	{180.7, 88.83},         /* listed */
-	{156.9, 73.75},         /* vertex */
-	{195.2, 123.9},         /* single */
-	{771.7, 216.5},         /* shaded */
-	{12.15, 10.52},         /* hidden */
-	{8.899, 6.169},         /* fine */
-	{217.3, 71.48},         /* flat triangle */
-	{66.08, 39.35},         /* flat row */
-	{11.76, 7.765},         /* flat pixel */
-	{395.4, 253.7},         /* plain triangle */
-	{6.174, 23.39},         /* plain row */
-	{26.59, 10.55},         /* plain pixel */
-	{689.5, 329.8},         /* textured triangle */
-	{310.1, 153.8},         /* textured row */
-	{79.8, 54.8},           /* textured pixel */
-	{3.619e+04, 1.537e+04}, /* backdrop triangle */
-	{70.78, 33.23},         /* backdrop row */
-	{2.233, 0.7875},        /* backdrop pixel */
-	{3.672e+04, 1.575e+04}, /* ground triangle */
-	{127.3, 71.41},         /* ground row */
-	{4.057, 0.8627},        /* ground pixel */
-	{954.5, 534.4},         /* spans triangle */
-	{152.6, 97.19},         /* spans row */
-	{31.24, 19.68},         /* spans pixel */
-	{2641, 1443},           /* spans textured triangle */
-	{264.2, 146.6},         /* spans textured row */
-	{102.4, 67.77},         /* spans textured pixel */
-	{4737, 3777},           /* spans divided triangle */
-	{679.2, 353.8},         /* spans divided row */
-	{103.4, 67.01},         /* spans divided pixel */
-	{1828, 1069},           /* mixed triangle */
-	{254.9, 135.8},         /* mixed row */
-	{63.2, 42.28},          /* mixed pixel */
-	{3112, 1032},           /* tested triangle */
-	{279.1, 175},           /* tested row */
-	{182.8, 123.9},         /* tested pixel */
-	{4035, 2558},           /* tested spans triangle */
-	{612.1, 383.7},         /* tested spans row */
-	{149.6, 95.45},         /* tested spans pixel */
-	{3259, 1464},           /* mixed textured triangle */
-	{256.4, 184.5},         /* mixed textured row */
-	{147.8, 91.27},         /* mixed textured pixel */
-	{3867, 3026},           /* mixed spans triangle */
-	{454.3, 307.7},         /* mixed spans row */
-	{157.3, 90.9},          /* mixed spans pixel */
-	{5187, 4187},           /* mixed divided triangle */
-	{2329, 1136},           /* mixed divided row */
-	{134.4, 89.78},         /* mixed divided pixel */
-	{139.3, 38.69},         /* colored triangle */
+	{3.492e+04, 2.714e+04}, /* frame */
+	{0.7322, 0.3623},       /* pixel */
+	{1.838e+04, 7124},      /* call */
+	{169.9, 87.05},         /* listed */
+	{169.3, 76.82},         /* vertex */
+	{192.5, 122.9},         /* single */
+	{787.3, 218.7},         /* shaded */
+	{11.15, 10.13},         /* hidden */
+	{9.436, 6.36},          /* fine */
+	{214, 79.53},           /* flat triangle */
+	{67.66, 40.92},         /* flat row */
+	{11.81, 7.787},         /* flat pixel */
+	{367.5, 236.2},         /* plain triangle */
+	{9.607, 25.78},         /* plain row */
+	{28.04, 10.5},          /* plain pixel */
+	{678.6, 325.8},         /* textured triangle */
+	{311.3, 151.6},         /* textured row */
+	{80.04, 55.5},          /* textured pixel */
+	{4.061e+04, 1.68e+04},  /* backdrop triangle */
+	{73.92, 34.08},         /* backdrop row */
+	{2.269, 0.804},         /* backdrop pixel */
+	{4.111e+04, 1.714e+04}, /* ground triangle */
+	{133.8, 73.78},         /* ground row */
+	{3.798, 0.8781},        /* ground pixel */
+	{797.4, 483},           /* spans triangle */
+	{158.4, 99.28},         /* spans row */
+	{31.45, 19.65},         /* spans pixel */
+	{2697, 1529},           /* spans textured triangle */
+	{298.1, 166.8},         /* spans textured row */
+	{101.9, 66.05},         /* spans textured pixel */
+	{4714, 3774},           /* spans divided triangle */
+	{706.7, 364.6},         /* spans divided row */
+	{103.9, 67.2},          /* spans divided pixel */
+	{1863, 1064},           /* mixed triangle */
+	{259.1, 136.6},         /* mixed row */
+	{63.16, 42.22},         /* mixed pixel */
+	{3147, 1042},           /* tested triangle */
+	{278.9, 175.3},         /* tested row */
+	{180.8, 124},           /* tested pixel */
+	{4047, 2562},           /* tested spans triangle */
+	{618.9, 385.5},         /* tested spans row */
+	{152, 96.48},           /* tested spans pixel */
+	{3291, 1469},           /* mixed textured triangle */
+	{258.4, 184.9},         /* mixed textured row */
+	{150.6, 91.44},         /* mixed textured pixel */
+	{3872, 3025},           /* mixed spans triangle */
+	{458.2, 308.3},         /* mixed spans row */
+	{162.5, 92.83},         /* mixed spans pixel */
+	{5193, 4189},           /* mixed divided triangle */
+	{2361, 1143},           /* mixed divided row */
+	{135, 90},              /* mixed divided pixel */
+	{126.6, 34.56},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{6.973, 3.149},         /* colored pixel */
-	{2320, 1177},           /* bent triangle */
-	{271.8, 148.8},         /* bent row */
-	{3.451, 2.286},         /* bent pixel */
+	{6.619, 3.143},         /* colored pixel */
+	{2307, 1186},           /* bent triangle */
+	{269.1, 146.8},         /* bent row */
+	{3.453, 2.273},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.002, 1.003},         /* deep row */
-	{1.798, 1.283},         /* deep pixel */
+	{1.003, 1.003},         /* deep row */
+	{1.781, 1.273},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

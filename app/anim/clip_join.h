@@ -22,11 +22,11 @@ struct clip_join {
 };
 
 /*
- * The time between a clip's original frames. If a channel has eight keys or more
- * at even distances of up to 0.1 s, the clip was sampled at that rate. Otherwise
- * programs have left out keys, and how far the others are apart says little: of
- * the rates 30, 24, 25, 60, 50, 48, 120, 100 and 240 Hz it is then the first
- * whose frames have all keys, to half a millisecond, or else 30 Hz.
+ * The time between a clip's original frames. If a channel has eight keys or
+ * more at even distances of up to 0.1 s, the clip was sampled at that rate.
+ * Otherwise programs have left out keys, and how far the others are apart says
+ * little: of the rates 30, 24, 25, 60, 50, 48, 120, 100 and 240 Hz it is then
+ * the first whose frames have all keys, to half a millisecond, or else 30 Hz.
  */
 float clip_join_frame_s(const struct model_clip *clip);
 

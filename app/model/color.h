@@ -21,8 +21,8 @@ struct color_bytes {
 };
 
 /*
- * color_to_byte() of color_encode_srgb(), which takes 1,600 instructions without
- * hardware for double precision. Vertices share most of their colours.
+ * color_to_byte() of color_encode_srgb(), which takes 1,600 instructions
+ * without hardware for double precision. Vertices share most of their colours.
  */
 uint8_t color_encode_byte(struct color_bytes *known, float linear);
 

@@ -177,8 +177,8 @@ void model_normalize_influences(struct model_primitive *primitive)
 
 int model_max_joint(const struct model_primitive *primitive)
 {
-	size_t total = (size_t)primitive->vertex_count *
-		(size_t)primitive->influences;
+	size_t total =
+		(size_t)primitive->vertex_count * (size_t)primitive->influences;
 	int max = -1;
 	size_t i;
 

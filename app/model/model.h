@@ -95,7 +95,7 @@ struct model_primitive {
 	 */
 	const uint32_t *file_vertex;
 	int repeated_count;
-	int material;   /* index; loaders add a default material */
+	int material; /* index; loaders add a default material */
 
 	int vertex_count;
 	float (*position)[3];

@@ -47,8 +47,8 @@ bool arena_set_budget(struct arena *arena, struct memory_budget *budget);
 void *arena_alloc(struct arena *arena, size_t count, size_t size);
 
 /*
- * Frees an allocation of that many bytes, if it has a block of its own, as large
- * allocations have. A smaller one stays until arena_release().
+ * Frees an allocation of that many bytes, if it has a block of its own, as
+ * large allocations have. A smaller one stays until arena_release().
  */
 void arena_free(struct arena *arena, const void *memory, size_t bytes);
 

@@ -120,11 +120,11 @@ static inline uint32_t odd_bytes_as_halves(uint32_t word)
 	__asm__("uxtb16 %0, %1, ror #8" : "=r"(halves) : "r"(word));
 	return halves;
 }
-#define HALVES_BB(a, b, sum)  __smlabb((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_BT(a, b, sum)  __smlabt((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_TB(a, b, sum)  __smlatb((int32_t)(a), (int32_t)(b), sum)
-#define HALVES_TT(a, b, sum)  __smlatt((int32_t)(a), (int32_t)(b), sum)
-#define BYTES_AS_HALVES(word) __uxtb16(word)
+#define HALVES_BB(a, b, sum)      __smlabb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_BT(a, b, sum)      __smlabt((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TB(a, b, sum)      __smlatb((int32_t)(a), (int32_t)(b), sum)
+#define HALVES_TT(a, b, sum)      __smlatt((int32_t)(a), (int32_t)(b), sum)
+#define BYTES_AS_HALVES(word)     __uxtb16(word)
 #define ODD_BYTES_AS_HALVES(word) odd_bytes_as_halves(word)
 #else
 #define HALVES_BB(a, b, sum) ((int16_t)(a) * (int16_t)(b) + (sum))
@@ -132,7 +132,7 @@ static inline uint32_t odd_bytes_as_halves(uint32_t word)
 #define HALVES_TB(a, b, sum) ((int16_t)((a) >> 16) * (int16_t)(b) + (sum))
 #define HALVES_TT(a, b, sum) \
 	((int16_t)((a) >> 16) * (int16_t)((b) >> 16) + (sum))
-#define BYTES_AS_HALVES(word) ((word)&0x00ff00ffu)
+#define BYTES_AS_HALVES(word)     ((word)&0x00ff00ffu)
 #define ODD_BYTES_AS_HALVES(word) ((word) >> 8 & 0x00ff00ffu)
 #endif
 

@@ -99,8 +99,7 @@ EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint *attributes,
 	log_call("ChooseConfig surface %d renderable %d bits %d %d %d depth %d",
 		find(attributes, EGL_SURFACE_TYPE),
 		find(attributes, EGL_RENDERABLE_TYPE),
-		find(attributes, EGL_RED_SIZE),
-		find(attributes, EGL_GREEN_SIZE),
+		find(attributes, EGL_RED_SIZE), find(attributes, EGL_GREEN_SIZE),
 		find(attributes, EGL_BLUE_SIZE),
 		find(attributes, EGL_DEPTH_SIZE));
 	*count = room < CONFIG_COUNT ? room : CONFIG_COUNT;

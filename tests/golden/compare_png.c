@@ -31,8 +31,9 @@ static int compare(const struct picture *reference,
 		picture_compare(reference, picture, limit->step);
 
 	if (!difference.same_size) {
-		printf("the picture is %dx%d, its reference %dx%d\n", picture->width, picture->height,
-			reference->width, reference->height);
+		printf("the picture is %dx%d, its reference %dx%d\n",
+			picture->width, picture->height, reference->width,
+			reference->height);
 		return 1;
 	}
 	printf("%.3f %% of the pixels differ by more than %d (limit %g), ",

@@ -38,7 +38,7 @@ struct fake_line {
 	int pipe[2]; /* one byte for each edge */
 	struct fake_edge edge[FAKE_EDGES];
 	int edges;
-	bool gone; /* its chip was unplugged */
+	bool gone;   /* its chip was unplugged */
 	int changes; /* of an output's level */
 };
 

@@ -1,15 +1,16 @@
 /*
  * A library that stretches the time of a program that is started with
- * LD_PRELOAD=months.so. The monotonic clock stands still but for a microsecond a
- * look; to sleep moves it to the moment of waking. After MONTHS_FRAMES sleeps it
- * jumps to the next hour.
+ * LD_PRELOAD=months.so. The monotonic clock stands still but for a microsecond
+ * a look; to sleep moves it to the moment of waking. After MONTHS_FRAMES sleeps
+ * it jumps to the next hour.
  *
  * At each hour the library writes a line to MONTHS_OUT, a file descriptor: the
  * bytes that are allocated, the open file descriptors, the microseconds of the
- * processor that the program has used, and those that the library's own yardstick
- * has used, the same work after each frame. Other programs on the machine slow both
- * down alike, so their ratio is the cost of a frame. Then the library waits for a
- * byte from MONTHS_IN. After MONTHS_HOURS hours it sends the program SIGTERM.
+ * processor that the program has used, and those that the library's own
+ * yardstick has used, the same work after each frame. Other programs on the
+ * machine slow both down alike, so their ratio is the cost of a frame. Then the
+ * library waits for a byte from MONTHS_IN. After MONTHS_HOURS hours it sends
+ * the program SIGTERM.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -99,9 +100,11 @@ static void measure_yardstick(void)
 
 	for (uint32_t turn = 0; turn < YARDSTICK_TURNS; turn++) {
 		for (uint32_t i = 0; i < YARDSTICK_WORDS; i++) {
-			uint32_t other = yardstick_words[(i * 5 + turn) % YARDSTICK_WORDS];
+			uint32_t other =
+				yardstick_words[(i * 5 + turn) % YARDSTICK_WORDS];
 
-			yardstick_words[i] = yardstick_words[i] * 1664525 + (other ^ i);
+			yardstick_words[i] =
+				yardstick_words[i] * 1664525 + (other ^ i);
 		}
 	}
 	yardstick_ns += processor_ns(CLOCK_THREAD_CPUTIME_ID) - began_ns;

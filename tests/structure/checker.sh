@@ -82,6 +82,21 @@ OBJECTS=$scratch/objects run "$here/libm.sh"
 about 'no objects'
 expect_status 1
 
+# laid_out LINE STATUS: a tree with that line passes the check of the layout or not.
+laid_out() {
+    given platform/base/a.c "$1"
+    mkdir "$tree/tests"
+    find "$tree" -name b.c -delete
+    TREE=$tree run "$here/format.sh"
+    about "a layout with $1"
+    expect_status "$2"
+}
+if command -v clang-format-14 >/dev/null; then
+    laid_out 'int count;' 0
+    laid_out 'int  count;' 1
+    expect_out '^# run clang-format-14 -i platform/base/a.c'
+fi
+
 # workflow FILE SCRIPT: the check of a workflow file that sed has changed.
 workflow() {
     sed "$2" "$here/../../$1" >"$scratch/workflow"

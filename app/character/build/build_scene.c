@@ -117,8 +117,8 @@ int character_build_targets(struct character_build *build)
 	static const struct character_kind kind = {
 		"target", sizeof(struct character_target), read_target};
 
-	return character_read_kind(build, &kind, &build->character->target_count,
-		&build->character->target);
+	return character_read_kind(build, &kind,
+		&build->character->target_count, &build->character->target);
 }
 
 /* Says what is wrong with a line in the words of the buttons' driver. */

@@ -19,9 +19,9 @@ static int read_trigger(struct character_build *build,
 	int error = character_read_section(build, section, keys, trigger);
 
 	trigger->name = section->name;
-	return error || trigger->when ? error
-				      : character_fail_missing(build, section,
-						"when = VALUE > VALUE");
+	return error || trigger->when
+		? error
+		: character_fail_missing(build, section, "when = VALUE > VALUE");
 }
 
 int character_build_triggers(struct character_build *build)

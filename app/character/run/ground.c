@@ -107,8 +107,7 @@ void character_ground_update(struct character *character)
 		blend_speeds(character, motion->velocity);
 	}
 	for (int axis = 0; axis < 2; axis++) {
-		motion->scroll[axis] = stands
-			? 0
-			: motion->velocity[axis] * character->step_s;
+		motion->scroll[axis] =
+			stands ? 0 : motion->velocity[axis] * character->step_s;
 	}
 }

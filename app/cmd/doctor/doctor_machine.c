@@ -1,12 +1,12 @@
 #include "app/cmd/doctor/doctor_machine.h"
 
+#include "app/character/presets/preset_file.h"
 #include "app/cmd/command.h"
 #include "app/cmd/doctor/doctor_report.h"
 #include "app/cmd/options/config.h"
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/demo/demo.h"
-#include "app/character/presets/preset_file.h"
 #include "platform/base/file.h"
 #include "platform/camera/camera.h"
 #include "platform/gl/gl_survey.h"

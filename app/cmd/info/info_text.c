@@ -13,8 +13,7 @@ static void print_name(const char *name, const char *after, FILE *out)
 }
 
 /* Prints each level's triangles and error. */
-static void print_levels(
-	const struct model_mesh *mesh, float unit_m, FILE *out)
+static void print_levels(const struct model_mesh *mesh, float unit_m, FILE *out)
 {
 	int count = model_level_count(mesh);
 

@@ -165,8 +165,8 @@ static int run(struct show *show)
 		return error;
 	}
 	if (show->plan->print_keys) {
-		program_keys_print(
-			stdout, show->plan->demo, show->demo, show->keys.has_camera);
+		program_keys_print(stdout, show->plan->demo, show->demo,
+			show->keys.has_camera);
 	}
 	error = show_loop_run(show);
 	if (!error && stats) {

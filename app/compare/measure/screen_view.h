@@ -50,8 +50,8 @@ static inline float screen_view_eye(
 }
 
 /*
- * From world space to eye space. The clip is in front of the eye; a bad bake may
- * leave it, and stays as far away as the nearest points that are seen.
+ * From world space to eye space. The clip is in front of the eye; a bad bake
+ * may leave it, and stays as far away as the nearest points that are seen.
  */
 static inline void screen_view_to_eye(
 	const struct screen_view *screen, const float point[3], float eye[3])

@@ -58,8 +58,7 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		"of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
 		"Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
 		ARM11_MHZ, request->width, request->height, board->name,
-		board->summary,
-		kilobytes(comparison->memory_limit_bytes),
+		board->summary, kilobytes(comparison->memory_limit_bytes),
 		comparison->time_limit_us * 1e-3, (double)request->bound_px);
 }
 
@@ -80,8 +79,8 @@ static void print_row(const struct comparison *comparison, int index, FILE *out)
 	double draw_us = board_cost_us(&total->draw);
 
 	fprintf(out, "%c%c%-25s %8.0f %7.1f %8.0f %8.1f %8.1f %7.3f\n",
-		index == comparison->advised ? '>' : ' ', row->front ? '*' : ' ',
-		row->name, us, us - draw_us, draw_us,
+		index == comparison->advised ? '>' : ' ',
+		row->front ? '*' : ' ', row->name, us, us - draw_us, draw_us,
 		kilobytes(total->memory_bytes), kilobytes(total->file_bytes),
 		(double)total->peak_px);
 }
@@ -119,7 +118,8 @@ static void print_looks(const struct comparison *comparison, FILE *out)
 		print_instructions(total->instructions, out);
 		fprintf(out, "\n");
 	}
-	fprintf(out, "  us here: of posing, measured on this machine, kernel %s\n",
+	fprintf(out,
+		"  us here: of posing, measured on this machine, kernel %s\n",
 		comparison->request.kernel->name);
 }
 

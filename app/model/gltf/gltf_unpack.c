@@ -94,8 +94,8 @@ static void unpack_floats(const struct gltf_elements *elements, int index,
 	int i;
 
 	for (i = 0; i < accessor->width; i++) {
-		out[i] = get_float(bytes + (size_t)i * size, elements->component,
-			accessor->normalized);
+		out[i] = get_float(bytes + (size_t)i * size,
+			elements->component, accessor->normalized);
 	}
 }
 
@@ -126,7 +126,8 @@ int gltf_unpack_floats(const struct gltf_at *at,
 
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
 	for (i = 0; accessor->base.data && i < accessor->count; i++) {
-		unpack_floats(&accessor->base, i, accessor, out + (size_t)i * width);
+		unpack_floats(
+			&accessor->base, i, accessor, out + (size_t)i * width);
 	}
 	for (i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
@@ -158,8 +159,8 @@ void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out)
 
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
 	for (i = 0; accessor->base.data && i < accessor->count; i++) {
-		unpack_uints(
-			&accessor->base, i, accessor->width, out + (size_t)i * width);
+		unpack_uints(&accessor->base, i, accessor->width,
+			out + (size_t)i * width);
 	}
 	for (i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);

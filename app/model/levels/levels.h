@@ -13,8 +13,9 @@
 /*
  * Adds levels to the primitives of a loaded model that have none, and coarser
  * lists for shadows to all. It takes some 20,000 ARM instructions a triangle.
- * Primitives without normals or of few triangles stay as they are. Memory comes from the model's budget; levels are left out
- * when less than half of it is left, or when they do not fit.
+ * Primitives without normals or of few triangles stay as they are. Memory comes
+ * from the model's budget; levels are left out when less than half of it is
+ * left, or when they do not fit.
  */
 void levels_make(struct model *model);
 

@@ -34,8 +34,8 @@ static uint32_t hash_primitive(
 {
 	size_t vertices = (size_t)primitive->vertex_count;
 	const uint32_t counts[] = {(uint32_t)primitive->vertex_count,
-		(uint32_t)primitive->index_count, (uint32_t)primitive->influences,
-		primitive->normal != NULL};
+		(uint32_t)primitive->index_count,
+		(uint32_t)primitive->influences, primitive->normal != NULL};
 
 	hash = hash_words(hash, counts, sizeof(counts) / sizeof(counts[0]));
 	hash = hash_words(hash, primitive->position, 3 * vertices);
@@ -290,8 +290,7 @@ void levels_prepare(struct model *model, const struct log *log)
 	struct model_file file;
 	bool good;
 
-	if (!path_beside(model->path, path, sizeof(path)) ||
-		!file_exists(path) ||
+	if (!path_beside(model->path, path, sizeof(path)) || !file_exists(path) ||
 		model_file_read(path, model->budget, log, &file) != 0) {
 		levels_make(model);
 		return;

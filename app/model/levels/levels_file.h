@@ -22,15 +22,15 @@ void levels_write(struct model *model, FILE *out);
 
 /*
  * Gives a loaded model the levels of these bytes. Returns false, with the model
- * unchanged, if they are damaged, are those of other vertices or triangles, or do
- * not fit into the model's budget.
+ * unchanged, if they are damaged, are those of other vertices or triangles, or
+ * do not fit into the model's budget.
  */
 bool levels_read(struct model *model, const uint8_t *data, size_t size);
 
 /*
- * Gives a loaded model its levels: those of the file beside it, or, without such
- * a file, made ones. A file that does not fit the model is reported once as a
- * warning, and the levels are made.
+ * Gives a loaded model its levels: those of the file beside it, or, without
+ * such a file, made ones. A file that does not fit the model is reported once
+ * as a warning, and the levels are made.
  */
 void levels_prepare(struct model *model, const struct log *log);
 

@@ -18,8 +18,7 @@ static int index_names(struct xfile_build *build)
 	build->mesh = ARENA_ARRAY(
 		scratch, const struct xfile_mesh *, scene->mesh_count);
 	if (!build->mesh ||
-		xfile_names_init(
-			&build->frame_names, scratch,
+		xfile_names_init(&build->frame_names, scratch,
 			(size_t)scene->frame_count) ||
 		xfile_names_init(&build->mesh_names, scratch,
 			(size_t)scene->mesh_count) ||

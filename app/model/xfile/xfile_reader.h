@@ -10,8 +10,8 @@
 #define APP_MODEL_XFILE_XFILE_READER_H
 
 #include "platform/base/arena.h"
-#include "platform/base/memory_budget.h"
 #include "platform/base/log.h"
+#include "platform/base/memory_budget.h"
 
 #include <stdbool.h>
 #include <stddef.h>

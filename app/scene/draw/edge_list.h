@@ -1,7 +1,7 @@
 /*
  * Draws the edges of indexed triangles. GL ES 1.1 has no glPolygonMode(), so
- * the edges are drawn as GL_LINES. An edge that two triangles share is drawn once
- * where they are near each other in the list.
+ * the edges are drawn as GL_LINES. An edge that two triangles share is drawn
+ * once where they are near each other in the list.
  */
 #ifndef APP_SCENE_DRAW_EDGE_LIST_H
 #define APP_SCENE_DRAW_EDGE_LIST_H

@@ -319,8 +319,7 @@ void texture_set_destroy(struct texture_set *set, const struct gl *gl)
 	}
 	free(set->name);
 	if (set->taken_bytes) {
-		memory_budget_give_back(
-			set->model->budget, set->taken_bytes);
+		memory_budget_give_back(set->model->budget, set->taken_bytes);
 	}
 	*set = (struct texture_set){0};
 }

@@ -49,10 +49,10 @@ float bounds_ground(const struct bounds *bounds);
 struct bounds bounds_of_instance(const struct instance *instance);
 
 /*
- * Finds the box of each clip, [clip_count], and returns that of the rest pose, in
- * scene units. The more clips there are, the more coarsely they are sampled: it
- * poses the whole instance about a hundred times at most, unless there are more
- * clips than that. Leaves the instance posed at the last clip's start.
+ * Finds the box of each clip, [clip_count], and returns that of the rest pose,
+ * in scene units. The more clips there are, the more coarsely they are sampled:
+ * it poses the whole instance about a hundred times at most, unless there are
+ * more clips than that. Leaves the instance posed at the last clip's start.
  */
 struct bounds bounds_of_model(struct instance *instance, struct bounds *clip);
 

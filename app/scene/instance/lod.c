@@ -211,7 +211,8 @@ static int coarsest(const struct batch_lod *list, int count, float error)
 static float allowed_error(const struct instance *instance,
 	const struct drawable *drawable, const struct lod *lod)
 {
-	float units = lod_error_units(instance, drawable) * instance->lod_px_per_unit;
+	float units =
+		lod_error_units(instance, drawable) * instance->lod_px_per_unit;
 
 	return (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) && units > 0.0f
 		? error_px(lod) / units

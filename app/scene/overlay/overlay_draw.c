@@ -93,8 +93,7 @@ void overlay_draw_surface(struct overlay *overlay,
 	gl->DepthFunc(GL_LEQUAL);
 	gl->DepthMask(GL_FALSE);
 	set_line_width(gl, height);
-	gl->Color4x(
-		FX16_ONE / 20, FX16_ONE / 14, FX16_ONE / 9, FX16_ONE / 2);
+	gl->Color4x(FX16_ONE / 20, FX16_ONE / 14, FX16_ONE / 9, FX16_ONE / 2);
 	draw_instance(
 		gl, figure->instance, overlay->subject.textures, DRAW_EDGES);
 	gl->LineWidthx(FX16_ONE);

@@ -3,10 +3,10 @@
  *
  * The triangles are a list for shadows of the model if it has any: the coarsest
  * one that is off by at most SHADOW_PROXY_ERROR, or the finest. Otherwise they
- * are made by vertex clustering: vertices in the same cell of a grid whose normals
- * are in the same octant and that follow the same joint are merged, and triangles
- * that degenerate are dropped. The remaining vertices keep their positions, so
- * a proxy needs no additional posing.
+ * are made by vertex clustering: vertices in the same cell of a grid whose
+ * normals are in the same octant and that follow the same joint are merged, and
+ * triangles that degenerate are dropped. The remaining vertices keep their
+ * positions, so a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
 #define APP_SCENE_SHADOW_SHADOW_PROXY_H

@@ -168,7 +168,8 @@ static int __init enable_flash(struct device_node *nand)
 	return error ? error : set_property(nand, "nand-on-flash-bbt", "");
 }
 
-/* Enables buses and keypad, and the flash where it is used, and disables the simple framebuffer. */
+/* Enables buses and keypad, and the flash where it is used, and disables the
+ * simple framebuffer. */
 static int __init enable_board(void)
 {
 	struct device_node *nand =

@@ -10,7 +10,7 @@
 #include "platform/buttons/evdev/keys.h"
 
 struct evdev_description {
-	char name[80]; /* describe() terminates it */
+	char name[80];                 /* describe() terminates it */
 	uint8_t keys[EVDEV_KEY_BYTES]; /* a bit for each key it has */
 };
 

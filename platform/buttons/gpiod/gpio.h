@@ -59,8 +59,8 @@ int gpio_line_get_info(struct gpio_chip *chip, unsigned int offset,
 	struct gpio_line_info *out);
 
 /*
- * Requests a line: an input reports both edges. Other programs see consumer as the name of its user. Returns 0 or -errno; -EBUSY when the line
- * is in use.
+ * Requests a line: an input reports both edges. Other programs see consumer as
+ * the name of its user. Returns 0 or -errno; -EBUSY when the line is in use.
  */
 int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	const struct gpio_settings *settings, const char *consumer,

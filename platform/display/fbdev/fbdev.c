@@ -2,9 +2,9 @@
  * Linux framebuffers.
  *
  * With two pages or three and pictures of the screen's own layout, pictures are
- * drawn directly into a page that is not shown. Otherwise they are drawn in memory
- * and copied, because a half-drawn picture must not be visible, and because
- * reading a framebuffer, which blending does, is slow.
+ * drawn directly into a page that is not shown. Otherwise they are drawn in
+ * memory and copied, because a half-drawn picture must not be visible, and
+ * because reading a framebuffer, which blending does, is slow.
  */
 #include "platform/display/fbdev/fbdev.h"
 

@@ -166,8 +166,8 @@ static bool is_still_good(
 }
 
 /*
- * Drivers may take more memory for it, so that all is read anew. False where the
- * driver has changed more than the virtual height, which is undone.
+ * Drivers may take more memory for it, so that all is read anew. False where
+ * the driver has changed more than the virtual height, which is undone.
  */
 static bool request_pages(struct fbdev_screen *screen, int count)
 {
@@ -205,8 +205,7 @@ static void find_pages(struct fbdev_screen *screen)
 	}
 	for (int count = screen->waits ? 2 : FBDEV_PAGES_MAX;
 		screen->page_count == 1 && count > 1; count--) {
-		if (!has_pages(screen, count) &&
-			!request_pages(screen, count)) {
+		if (!has_pages(screen, count) && !request_pages(screen, count)) {
 			return;
 		}
 		if (has_pages(screen, count) && pan(screen, 0)) {

@@ -106,7 +106,7 @@ struct level {
 	enum texel_format format;
 	GLenum base_format; /* GL_RGB and so on, for the environment */
 	int width_log2, height_log2;
-	uint8_t *texels; /* owned; row by row, first row first */
+	uint8_t *texels;     /* owned; row by row, first row first */
 	struct tiles *tiles; /* of luminance, see tiles.h; or NULL; owned */
 };
 
@@ -194,7 +194,7 @@ struct soft {
 	struct fragment_state fragment;
 	/* Draws triangles in place of the driver: a test's reference, or NULL. */
 	void (*fill)(struct draw *draw, struct setup *setup);
-	struct draw *draw; /* scratch of the draw call, owned */
+	struct draw *draw;        /* scratch of the draw call, owned */
 	struct gl_counts *counts; /* or NULL */
 };
 

@@ -23,7 +23,8 @@ void samples_require(const char *name)
 	struct test_path path = samples_path(name);
 
 	if (access(path.text, R_OK) != 0) {
-		skip_because("the sample models are missing; SAMPLES=DIR names their folder");
+		skip_because(
+			"the sample models are missing; SAMPLES=DIR names their folder");
 	}
 }
 

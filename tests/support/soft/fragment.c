@@ -140,8 +140,7 @@ static void add_textures(const struct draw *draw, const struct span *span,
 		if (draw->texture[unit].used) {
 			reference_sample(&draw->texture[unit], span, unit,
 				draw->soft->format == PIXELS_RGBA8888 ||
-					unit > 0 ||
-					draw->spans.made ||
+					unit > 0 || draw->spans.made ||
 					draw->spans.blended_last,
 				texel);
 			reference_combine(&draw->texture[unit], span->count,

@@ -19,8 +19,8 @@ void soft_fill_flat_begin(struct draw *draw)
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
 	/* Where all of a call has one colour, no vertex is shaded. */
 	const GLfixed *color = draw->soft->arrays.current_color;
-	uint32_t own = widen(pack_565(soft_byte(color[0]), soft_byte(color[1]),
-		soft_byte(color[2])));
+	uint32_t own = widen(pack_565(
+		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2])));
 	uint32_t alpha =
 		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
 

@@ -129,9 +129,8 @@ static bool draw_letter(const struct draw *draw, struct vertex *const v[4],
 		return false;
 	}
 	for (int row = 0; row < rows; row++) {
-		mix_row((uint16_t *)(void *)pixel_at(
-				&draw->soft->buffers.target, box->left,
-				box->top + row),
+		mix_row((uint16_t *)(void *)pixel_at(&draw->soft->buffers.target,
+				box->left, box->top + row),
 			input->base->texels + ((t + row) << input->width_log2) +
 				s,
 			columns, widen(color), share_of(from[ALPHA]));

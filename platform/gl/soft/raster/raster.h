@@ -176,8 +176,8 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup);
  * raster.c: what a depth that changes so from pixel to pixel is moved by, as
  * planes have it. GL ES 1.1 section 3.5.5; cut so that no depth wraps.
  */
-int32_t soft_raster_offset_depth(
-	const struct draw *draw, const struct setup *setup, int32_t dx, int32_t dy);
+int32_t soft_raster_offset_depth(const struct draw *draw,
+	const struct setup *setup, int32_t dx, int32_t dy);
 
 /* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
 int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
@@ -335,8 +335,8 @@ void soft_fill_masked(struct draw *draw, struct setup *setup);
 
 /*
  * fill_glyph.c: two triangles, v[0] v[1] v[2] and
- * v[2] v[1] v[3]. False, with nothing drawn, where they are no upright rectangle
- * that it can draw as one.
+ * v[2] v[1] v[3]. False, with nothing drawn, where they are no upright
+ * rectangle that it can draw as one.
  */
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
 

@@ -60,8 +60,8 @@ static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 
 /*
  * In perspective the first row of a triangle that is drawn chooses its level of
- * detail, and then each whose number in the picture is a multiple of this, so that
- * triangles side by side change it together.
+ * detail, and then each whose number in the picture is a multiple of this, so
+ * that triangles side by side change it together.
  */
 enum {
 	ROWS_OF_LEVEL = 4,

@@ -61,12 +61,11 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 		(low > 0xFFFF ? 0xFFFF : low);
 }
 
-#define UPPER_HALF(word) ((word) >> 16)
-#define UPPER_HALVES(a, b) \
-	(((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
-#define HALVES_ADD_LIMITED(a, b)        soft_halves_add_limited(a, b)
-#define HALVES_SUM(a, b)                soft_halves_sum(a, b)
-#define HALVES_SUM_ADD(a, b, sum)       (soft_halves_sum(a, b) + (sum))
+#define UPPER_HALF(word)          ((word) >> 16)
+#define UPPER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
+#define HALVES_ADD_LIMITED(a, b)  soft_halves_add_limited(a, b)
+#define HALVES_SUM(a, b)          soft_halves_sum(a, b)
+#define HALVES_SUM_ADD(a, b, sum) (soft_halves_sum(a, b) + (sum))
 #define WORD_BY_BOTTOM(word, half, sum) \
 	(soft_word_by_half((uint32_t)(word), half) + (sum))
 #define WORD_BY_TOP(word, half, sum) \

@@ -204,8 +204,7 @@ static ALWAYS_INLINE uint32_t soft_mix_half(
 static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
 	const struct soft_four *four, bool wide)
 {
-	return (struct soft_lanes){
-		soft_mix_half(four, false, wide),
+	return (struct soft_lanes){soft_mix_half(four, false, wide),
 		soft_mix_half(four, true, wide)};
 }
 

@@ -35,7 +35,7 @@ enum {
 	SMALL_DELTA = 1 << 18,
 	/* Viewports that end there have their x and y as one number. */
 	PACKED_PIXELS = 2047,
-	CLIP_VERTICES = 9, /* a triangle cut by six planes */
+	CLIP_VERTICES = 9,     /* a triangle cut by six planes */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
 	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
 };
@@ -201,10 +201,10 @@ struct view {
 
 /* The triangle under way, drawn from a luminance texture. */
 struct tiled {
-	bool by_share;              /* in shades of gray */
-	int level;                  /* of the texture; -1: none yet */
-	const struct patch *patch;  /* of the level */
-	struct tile_run run;        /* what all runs share */
+	bool by_share;             /* in shades of gray */
+	int level;                 /* of the texture; -1: none yet */
+	const struct patch *patch; /* of the level */
+	struct tile_run run;       /* what all runs share */
 	void (*draw)(const struct tile_run *run);
 };
 
@@ -239,7 +239,7 @@ struct fast_setup {
 };
 
 struct draw {
-	struct view view;             /* first: arm/vertex.S */
+	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
 	struct soft *soft;
 	int32_t eye_q16[3][4];
@@ -282,7 +282,7 @@ struct draw {
 	struct raster raster;
 	/* luminance.c's: halves of 127ths as colours of shade_color and 0 to 255 */
 	uint32_t shade_color[3], shade[255], luminance[255];
-	uint32_t gray[256]; /* pixels of each shade of gray */
+	uint32_t gray[256];                 /* pixels of each shade of gray */
 	uint16_t shaded[LUMINANCE_RUN + 1]; /* to be varied or blended */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
 	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */

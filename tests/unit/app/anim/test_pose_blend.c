@@ -336,7 +336,8 @@ int main(void)
 		cmocka_unit_test(test_easing_begins_and_ends_exactly),
 		cmocka_unit_test(test_a_mix_is_exact_at_both_ends),
 		cmocka_unit_test(test_a_mix_goes_part_of_the_way),
-		cmocka_unit_test(test_a_mask_weighs_nodes_and_their_morph_weights),
+		cmocka_unit_test(
+			test_a_mask_weighs_nodes_and_their_morph_weights),
 		cmocka_unit_test(test_a_layer_adds_its_difference),
 		cmocka_unit_test(test_a_layer_like_its_reference_changes_nothing),
 		cmocka_unit_test(test_a_layer_weighs_half),

@@ -173,8 +173,7 @@ int main(void)
 		cmocka_unit_test(test_gestures_of_buttons),
 		cmocka_unit_test(test_events_run_actions_once_a_round),
 		cmocka_unit_test(test_events_give_pulses_to_output_lines),
-		cmocka_unit_test(
-			test_a_tour_presses_buttons_until_somebody_does),
+		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
 		cmocka_unit_test(test_a_pause_holds_the_pose),
 	};
 

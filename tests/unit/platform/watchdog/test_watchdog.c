@@ -97,8 +97,8 @@ static void test_it_is_fed_once_a_second(void **state)
 	(void)state;
 	fake.timeout_s = 2;
 	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
-	assert_true(log_capture_has(
-		&capture, LOG_NOTE, "/dev/wd: it restarts the board after 2 s"));
+	assert_true(log_capture_has(&capture, LOG_NOTE,
+		"/dev/wd: it restarts the board after 2 s"));
 	assert_int_equal(fake.fed_count, 0);
 	for (int64_t now_ms = -5000; now_ms <= 5000; now_ms += 10) {
 		watchdog_feed(&watchdog, now_ms);

@@ -200,8 +200,8 @@ static void test_a_film_that_cannot_be_written_is_an_error(void **state)
 	struct film film;
 
 	assert_int_equal(film_close(&scene->film), 0);
-	assert_int_equal(film_open(&film, nowhere.text, &scene->picture, 10.0, 0,
-				 &scene->log),
+	assert_int_equal(film_open(&film, nowhere.text, &scene->picture, 10.0,
+				 0, &scene->log),
 		-ENOENT);
 	assert_int_equal(scene->logged.count, 1);
 	assert_contains(scene->logged.sentence[0], nowhere.text);

@@ -244,7 +244,8 @@ static void test_limits_the_number_of_json_values(void **state)
 	strcpy(text, "{'asset':{'version':'2.0'},'x':[");
 	memset(text + strlen(text), '[', count);
 	text[count] = '\0';
-	expect_code(text, -EFBIG, "t.gltf: the JSON has more than 1048576 values");
+	expect_code(
+		text, -EFBIG, "t.gltf: the JSON has more than 1048576 values");
 	text[100000] = '\0';
 	expect_code(text, -EINVAL, "maximum parsing depth reached");
 	free(text);

@@ -1,6 +1,6 @@
 /* Levels of detail that were written to a file and are read again. */
-#include "app/model/levels/levels_file.h"
 #include "app/model/levels/levels.h"
+#include "app/model/levels/levels_file.h"
 #include "app/model/model.h"
 #include "tests/support/test.h"
 
@@ -57,8 +57,7 @@ static void test_read_levels_are_the_made_ones(void **state)
 
 	(void)state;
 	levels_make(made);
-	assert_true(
-		levels_read(read, (const uint8_t *)bytes.data, bytes.size));
+	assert_true(levels_read(read, (const uint8_t *)bytes.data, bytes.size));
 	for (int m = 0; m < made->mesh_count; m++) {
 		for (int p = 0; p < made->mesh[m].primitive_count; p++) {
 			assert_same_lists(&made->mesh[m].primitive[p],
@@ -109,8 +108,8 @@ static void test_a_file_that_ends_early_is_refused(void **state)
 /* Whatever is read fits the model: the sanitizers watch the rest. */
 static void test_wrong_numbers_never_lead_outside_the_model(void **state)
 {
-	static const uint32_t wrong[] = {
-		0, 1, 2, 3, 0xffff, 0x10000, 0x7fffffff, 0x80000000, 0xffffffff};
+	static const uint32_t wrong[] = {0, 1, 2, 3, 0xffff, 0x10000,
+		0x7fffffff, 0x80000000, 0xffffffff};
 	struct bytes bytes = write_levels();
 	struct model *model = load();
 
@@ -127,8 +126,8 @@ static void test_wrong_numbers_never_lead_outside_the_model(void **state)
 				const struct model_primitive *primitive =
 					&model->mesh[0].primitive[0];
 
-				for (int k = 0; k < primitive->lod[0].index_count;
-					k++) {
+				for (int k = 0;
+					k < primitive->lod[0].index_count; k++) {
 					assert_true(primitive->lod[0].index[k] <
 						(uint32_t)primitive->vertex_count);
 				}
@@ -146,8 +145,7 @@ int main(void)
 		cmocka_unit_test(test_read_levels_are_the_made_ones),
 		cmocka_unit_test(test_other_vertices_refuse_the_levels),
 		cmocka_unit_test(test_a_file_that_ends_early_is_refused),
-		cmocka_unit_test(
-			test_wrong_numbers_never_lead_outside_the_model),
+		cmocka_unit_test(test_wrong_numbers_never_lead_outside_the_model),
 	};
 
 	return cmocka_run_group_tests_name("levels_file", tests, NULL, NULL);

@@ -48,8 +48,7 @@ static void test_signs_of_units_and_keys_are_there(void **state)
 	(void)state;
 	/* Latin-1, but for the blank and the soft hyphen, which show nothing. */
 	for (uint32_t code = 0xA1; code <= 0xFF; code++) {
-		assert_int_not_equal(
-			font_find_glyph(font, code), FONT_UNKNOWN);
+		assert_int_not_equal(font_find_glyph(font, code), FONT_UNKNOWN);
 		assert_true(code == 0xAD || has_ink(glyph_of(0, code)));
 	}
 	for (size_t i = 0; i < sizeof(signs) / sizeof(signs[0]); i++) {

@@ -142,8 +142,7 @@ static void check_passes(int passes)
 		make_triangles(corner, seed, sizes[seed % 4]);
 		draw(fast_setup, name[0], corner, passes, false);
 		draw(slow, name[1], corner, passes, true);
-		assert_ptr_equal(
-			fast_setup->soft->draw->fill, soft_rows_fill);
+		assert_ptr_equal(fast_setup->soft->draw->fill, soft_rows_fill);
 		assert_ptr_equal(slow->soft->draw->fill, reference_fill);
 		assert_memory_equal(fast_setup->soft->buffers.depth,
 			slow->soft->buffers.depth, SOFT_SCENE_PIXELS * 2);

@@ -179,8 +179,7 @@ static void test_scaled_counts_are_all_scaled(void **state)
 	gl_counts_scale(&counts, 0.5);
 	assert_true(counts.calls == 1 && counts.listed == 2 &&
 		counts.vertices == 3 && counts.shaded == 4 &&
-		counts.hidden == 8 && counts.single == 10 &&
-		counts.fine == 9);
+		counts.hidden == 8 && counts.single == 10 && counts.fine == 9);
 	assert_true(counts.work[GL_WORK_GROUND].triangles == 5 &&
 		counts.work[GL_WORK_GROUND].rows == 6 &&
 		counts.work[GL_WORK_GROUND].pixels == 7);
@@ -190,8 +189,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_square_counts_as_what_it_is),
-		cmocka_unit_test(
-			test_triangles_of_several_colors_count_besides),
+		cmocka_unit_test(test_triangles_of_several_colors_count_besides),
 		cmocka_unit_test(test_nothing_is_counted_after_null),
 		cmocka_unit_test(test_counting_changes_no_pixel),
 		cmocka_unit_test(test_scaled_counts_are_all_scaled),

@@ -382,8 +382,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
-		cmocka_unit_test(
-			test_a_small_triangle_leaves_the_next_its_level),
+		cmocka_unit_test(test_a_small_triangle_leaves_the_next_its_level),
 		cmocka_unit_test(test_two_textures_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 	};

@@ -4,6 +4,7 @@
 #include "platform/base/file.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -59,7 +60,7 @@ static int open_sketch(const struct character_request *request,
 int character_open(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct character **out)
 {
-	char path[CHARACTER_PATH_BYTES];
+	char path[PATH_MAX];
 
 	*out = NULL;
 	return character_open_path(request, path, sizeof(path))
@@ -70,7 +71,7 @@ int character_open(const struct character_request *request,
 uint64_t character_open_stamp(const struct character_request *request,
 	const struct character *character)
 {
-	char path[CHARACTER_PATH_BYTES];
+	char path[PATH_MAX];
 
 	if (character->text.is_file) {
 		return character_stamp(character);

@@ -10,12 +10,12 @@
 #include "platform/process/stop.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 
 enum {
-	COMMANDS_MAX = 16,
-	PATH_BYTES = 4096 /* any option's value and its end */
+	COMMANDS_MAX = 16
 };
 
 int command_exit_code(int error)
@@ -126,7 +126,7 @@ static int configure(const struct command *command, int argc, char **argv,
 {
 	struct options merged = options_default();
 	const char *model;
-	char path[PATH_BYTES];
+	char path[PATH_MAX];
 	int error;
 
 	if (command->reads_config || !options_takes(command->bit, "config") ||

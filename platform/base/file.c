@@ -2,15 +2,12 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-enum {
-	PATH_BYTES = 1024
-};
 
 bool file_exists(const char *path)
 {
@@ -97,7 +94,7 @@ int file_find_asset(
 	const char *name, const struct log *log, char *path, size_t size)
 {
 	const char *folder = getenv("LIMBER_ASSETS");
-	char program[PATH_BYTES];
+	char program[PATH_MAX];
 	ssize_t length =
 		readlink("/proc/self/exe", program, sizeof(program) - 1);
 

@@ -93,9 +93,18 @@ expect_refusal 1 '/long\.character:.*nonsense'
 cp "$slider" "$scratch/long.gltf"
 limber play "$deep/long.gltf" --display null --frames 2
 expect_refusal 1 '/long\.character:.*nonsense'
+mkdir "$scratch/long.assets"
+echo 'no model' >"$scratch/long.assets/arm.glb"
+kept_assets=${LIMBER_ASSETS-}
+LIMBER_ASSETS=$deep/long.assets
+export LIMBER_ASSETS
+limber play --demo arm --display null --frames 2
+expect_refusal 1 '/long\.assets/arm\.glb:'
+LIMBER_ASSETS=$kept_assets
+[ -n "$kept_assets" ] || unset LIMBER_ASSETS
 limber play "$slider" --display null --frames 2 --config "$deep/$deep/$deep/x"
 expect_status 2
-rm "$scratch"/long.*
+rm -r "$scratch"/long.*
 
 # Folders that do not exist.
 limber pose "$slider" -o "$scratch/nowhere/out.obj"

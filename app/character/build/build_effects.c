@@ -4,6 +4,7 @@
 #include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
 
+#include <limits.h>
 #include <string.h>
 
 #define SHAKE(name) offsetof(struct character_shake, name)
@@ -15,7 +16,7 @@ static int read_presets(struct character_words *words,
 	struct character_shake *shake = member;
 	struct character_build *build = words->build;
 	const char *name = character_next_word(words);
-	char path[CHARACTER_PATH_BYTES];
+	char path[PATH_MAX];
 	struct preset_file *file;
 	int error;
 

@@ -5,6 +5,7 @@
 #include "platform/base/scalar.h"
 
 #include <ctype.h>
+#include <limits.h>
 #include <string.h>
 
 enum {
@@ -117,7 +118,7 @@ static int read_character(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct motions *out,
 	struct saying say[MOTION_ROLES])
 {
-	char path[CHARACTER_PATH_BYTES];
+	char path[PATH_MAX];
 	struct character *character;
 	int error;
 

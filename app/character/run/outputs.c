@@ -2,6 +2,7 @@
 
 #include "platform/buttons/gpio_output.h"
 
+#include <limits.h>
 #include <stdio.h>
 
 static void drive(void *user, int output, bool on)
@@ -16,7 +17,7 @@ void character_outputs_open(struct character_outputs *outputs,
 {
 	for (int i = 0; i < character->output_count; i++) {
 		const struct character_output *output = &character->output[i];
-		char where[CHARACTER_PATH_BYTES + 64];
+		char where[PATH_MAX + 64];
 
 		snprintf(where, sizeof(where), "%s:%d: [output %s] line",
 			output->file, output->number, output->name);

@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <ini.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -120,7 +121,7 @@ static int begin_section(struct reader *reader, const char *line)
 /* Includes a file that lies in the folder of the one that names it. */
 static int include(struct reader *reader, const char *name)
 {
-	char path[CHARACTER_PATH_BYTES];
+	char path[PATH_MAX];
 	FILE *file;
 	int error;
 

@@ -19,8 +19,7 @@
 enum {
 	CHARACTER_LINES_MAX = 4000, /* in all files of a character */
 	CHARACTER_WORDS_MAX = 64,   /* in a line */
-	CHARACTER_FILES_MAX = 8,    /* a file and those that it includes */
-	CHARACTER_PATH_BYTES = 4096
+	CHARACTER_FILES_MAX = 8     /* a file and those that it includes */
 };
 
 /* A word, or a comma by itself. In quotes a word may contain anything. */

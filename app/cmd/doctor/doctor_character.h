@@ -6,12 +6,13 @@
 
 #include "platform/base/log.h"
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 /* What a character file contains. */
 struct doctor_character {
-	char path[4096];
+	char path[PATH_MAX];
 	bool found; /* there is such a file */
 	bool right; /* and it fits the model */
 	int states, layers, effects, buttons;

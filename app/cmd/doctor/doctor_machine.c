@@ -13,13 +13,10 @@
 #include "platform/watchdog/watchdog.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-enum {
-	PATH_BYTES = 4096
-};
 
 /* A display that works. */
 struct choice {
@@ -140,7 +137,7 @@ static void survey_config(
 	const struct survey survey = doctor_report_survey(report);
 	struct survey_message sentence;
 	struct log config_log = survey_log(&sentence);
-	char path[PATH_BYTES];
+	char path[PATH_MAX];
 
 	doctor_report_section(report, "Configuration", "configuration");
 	if (!config_find(options->common.config, true, path, sizeof(path))) {
@@ -162,7 +159,7 @@ static void survey_config(
 static void survey_file(const struct survey *survey, const char *name)
 {
 	const struct log nowhere = log_to_nowhere();
-	char path[PATH_BYTES], remedy[PATH_BYTES + 32];
+	char path[PATH_MAX], remedy[PATH_MAX + 32];
 
 	if (file_find_asset(name, &nowhere, path, sizeof(path)) != 0) {
 		survey_report(survey, SURVEY_MISSING, name,

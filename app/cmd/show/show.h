@@ -8,16 +8,14 @@
 #include "app/cmd/show/failsafe.h"
 #include "app/demo/demo.h"
 
-enum {
-	SHOW_PATH_BYTES = 1024
-};
+#include <limits.h>
 
 /* What differs between the commands. */
 struct show_plan {
 	const struct demo_driver *demo;
 	const char *model_path;
-	char asset_path[SHOW_PATH_BYTES]; /* model_path of a demo */
-	const char *display;              /* its name, or NULL for auto */
+	char asset_path[PATH_MAX]; /* model_path of a demo */
+	const char *display;       /* its name, or NULL for auto */
 	struct clock clock;
 	double begin_s;   /* earlier frames are not drawn */
 	int frames;       /* 0: until closed; -1: one period of the demo */

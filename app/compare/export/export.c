@@ -3,14 +3,11 @@
 #include "app/compare/export/export_bake.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-
-enum {
-	PATH_BYTES = 4096
-};
 
 /* The file's name; "" for the model itself, which is a file already. */
 static void name_file(const struct comparison_row *row, char *text, size_t size)
@@ -139,7 +136,7 @@ int export_comparison(const struct comparison *comparison, const char *folder,
 
 	for (int i = 0; !error && i < comparison->row_count; i++) {
 		const struct comparison_row *row = &comparison->row[i];
-		char name[40], path[PATH_BYTES];
+		char name[40], path[PATH_MAX];
 		int length;
 
 		name_file(row, name, sizeof(name));

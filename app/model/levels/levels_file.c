@@ -5,11 +5,11 @@
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
 enum {
-	PATH_BYTES = 4096,
 	/* "LLV" and the version of the format and of levels_make()'s lists. */
 	FORMAT = 0x01564c4c,
 	SHORT_VERTICES_MAX = 65536,
@@ -286,7 +286,7 @@ static bool path_beside(const char *model_path, char *path, size_t size)
 void levels_prepare(struct model *model, const struct log *log)
 {
 	bool exceeded = model->budget && model->budget->exceeded;
-	char path[PATH_BYTES];
+	char path[PATH_MAX];
 	struct model_file file;
 	bool good;
 

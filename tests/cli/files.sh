@@ -63,6 +63,7 @@ ln -s kept.gltf "$scratch/link"
 for wrong in "pose $scratch/kept.gltf -o $scratch/../${scratch##*/}/kept.gltf" \
     "export $scratch/kept.gltf --c $scratch/link" \
     "character $scratch/link -o $scratch/kept.gltf" \
+    "levels $scratch/kept.gltf -o $scratch/link" \
     "play $scratch/kept.gltf --stats $scratch/link" \
     "play $scratch/kept.gltf --watchdog $scratch/kept.gltf" \
     "play --script $scratch/kept.txt --record-buttons $scratch/kept.txt" \
@@ -80,6 +81,22 @@ expect_status 0
 limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
 limber optimize "$scratch/same.glb" -o "$scratch/same.glb"
 expect_status 0
+
+# Names of another kind of file: limber writes no C source into a picture.
+for wrong in "pose -o $scratch/new.png" "pose -o $scratch/new.c" \
+    "export --c $scratch/new.cpp" "export --c $scratch/new.GLB" \
+    "character -o $scratch/new.levels" "levels -o $scratch/new.gltf"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $wrong "$scratch/kept.gltf"
+    expect_refusal 2 'new\..*: this command writes .*: give a name that ends in '
+done
+check 'no file of another kind is written' sh -c "! ls $scratch/new*"
+for right in "pose -o $scratch/new" "pose -o $scratch/new.txt" \
+    "pose -o $scratch/new.OBJ" "levels -o $scratch/new.levels"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $right "$scratch/kept.gltf"
+    expect_status 0
+done
 
 # Long names are read, not left out. Those that no file can have are refused.
 deep=$scratch/$(printf '%01000d' 0 | sed 's|0|./|g')

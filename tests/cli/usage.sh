@@ -11,21 +11,22 @@ refused() {
 }
 
 out=$scratch/out.png
+obj=$scratch/out.obj
 
 refused 'play' plai
 refused 'render' rendr "$slider"
 refused '--help' zzzzzz
 refused '--size' render "$slider" --siez 10x10 -o "$out"
 refused 'mean --size' render "$slider" --SIZE 10x10 -o "$out"
-refused '--clip' pose "$slider" --clpi 0 -o "$out"
+refused '--clip' pose "$slider" --clpi 0 -o "$obj"
 refused '--help' render "$slider" --zzzzzz -o "$out"
 refused '--help' render "$slider" -z -o "$out"
 refused '--json' info "$slider" --jsn
 refused '--json' render "$slider" --json -o "$out"
-refused '--size' pose "$slider" --size 10x10 -o "$out"
+refused '--size' pose "$slider" --size 10x10 -o "$obj"
 refused '--demo: its value is missing' render --demo -o "$out"
 refused '--output: its value is missing' render "$slider" -o --size
-refused '--demo' pose --demo walker -o "$out"
+refused '--demo' pose --demo walker -o "$obj"
 refused '--display' render "$slider" --display window -o "$out"
 
 for size in '' x 10 10x 0x10 10x0 -1x10 10x-1 axb 10x10x10 99999x10 \
@@ -34,7 +35,7 @@ for size in '' x 10 10x 0x10 10x0 -1x10 10x-1 axb 10x10x10 99999x10 \
 done
 for seconds in '' one -1 nan inf 1s 1e99 '1 2'; do
     refused '--time' render "$slider" --time "$seconds" -o "$out"
-    refused '--time' pose "$slider" --time "$seconds" -o "$out"
+    refused '--time' pose "$slider" --time "$seconds" -o "$obj"
 done
 for frames in '' 0 -1 one 1.5 99999999999999999999; do
     refused '--frames' render "$slider" --frames "$frames" -o "$out"
@@ -44,7 +45,7 @@ for clock in '' fixed fixed: fixed:0 fixed:-1 fixed:x fixed:nan fixed:1e9 \
     refused '--clock' render "$slider" --clock "$clock" -o "$out"
 done
 for influences in 0 9 x; do
-    refused '--influences' pose "$slider" --influences "$influences" -o "$out"
+    refused '--influences' pose "$slider" --influences "$influences" -o "$obj"
 done
 for format in '' rgb RGB565 rgb565x; do
     refused 'rgba8888' render "$slider" --format "$format" -o "$out"
@@ -56,15 +57,15 @@ for gl in soft osmesa; do
     refused "egl with --gl $gl" play "$slider" --display egl --gl "$gl"
 done
 refused 'takes no argument' play "$slider" --display null:/dev/fb0
-refused '--math' pose "$slider" --math double -o "$out"
-refused 'float' pose "$slider" --kernel none -o "$out"
-refused 'fixed point' pose "$slider" --math float --kernel fixed -o "$out"
-refused 'in float' pose "$slider" --math fixed --kernel float -o "$out"
+refused '--math' pose "$slider" --math double -o "$obj"
+refused 'float' pose "$slider" --kernel none -o "$obj"
+refused 'fixed point' pose "$slider" --math float --kernel fixed -o "$obj"
+refused 'in float' pose "$slider" --math fixed --kernel float -o "$obj"
 refused 'in float' render "$slider" --math fixed --kernel float -o "$out"
 limber --version
 case $(cat "$out_file") in
-*armv6*) refused 'fixed point' pose "$slider" --math float --kernel armv6 -o "$out" ;;
-*) refused 'ARM' pose "$slider" --kernel armv6 -o "$out" ;;
+*armv6*) refused 'fixed point' pose "$slider" --math float --kernel armv6 -o "$obj" ;;
+*) refused 'ARM' pose "$slider" --kernel armv6 -o "$obj" ;;
 esac
 refused 'osmesa' render "$slider" --gl none -o "$out"
 refused 'no such source' play "$slider" --buttons piano
@@ -85,7 +86,7 @@ refused 'add -o' play "$slider" --display image
 refused '-o' render "$slider"
 refused '-o' pose "$slider"
 refused '[Mm]odel|nothing to show' render -o "$out"
-refused '[Mm]odel' pose -o "$out"
+refused '[Mm]odel' pose -o "$obj"
 refused '[Mm]odel' info
 refused 'one model' info "$slider" "$slider"
 for demo in walker arm face; do
@@ -98,5 +99,5 @@ done
 refused 'no value' info "$slider" --json=1
 
 about 'wrong usage'
-check 'wrong usage writes nothing' test ! -e "$out"
+check 'wrong usage writes nothing' test ! -e "$out" -a ! -e "$obj"
 tap_done

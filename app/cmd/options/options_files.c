@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include "platform/base/compiler.h"
@@ -71,10 +72,55 @@ static int check_file(const struct named_file *file,
 	return 0;
 }
 
+static bool ends_in(const char *path, const char *ending)
+{
+	const size_t length = strlen(path), count = strlen(ending);
+
+	return length > count && strcasecmp(path + length - count, ending) == 0;
+}
+
+/* Refuses the name of a file of another kind: the user meant another command. */
+static int check_ending(const struct named_file *file, enum command_bit command,
+	const struct log *log)
+{
+	static const struct {
+		enum command_bit command;
+		const char *ending;
+		const char *content;
+	} written[] = {
+		{FOR_POSE, ".obj", "a Wavefront OBJ file"},
+		{FOR_EXPORT, ".c", "C source"},
+		{FOR_CHARACTER, ".character", "a character file"},
+		{FOR_LEVELS, ".levels", "a file of levels of detail"},
+	};
+	static const char *const endings[] = {".png", ".gif", ".y4m", ".jpg",
+		".jpeg", ".svg", ".obj", ".c", ".cc", ".cpp", ".cxx", ".glb",
+		".gltf", ".bin", ".x", ".character", ".levels", ".conf"};
+	size_t kind = 0;
+
+	while (kind < ARRAY_COUNT(written) && written[kind].command != command) {
+		kind++;
+	}
+	if (kind == ARRAY_COUNT(written) ||
+		ends_in(file->path, written[kind].ending)) {
+		return 0;
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(endings); i++) {
+		if (ends_in(file->path, endings[i])) {
+			log_error(log,
+				"%s %s: this command writes %s: give a name that ends in %s",
+				file->option, file->path, written[kind].content,
+				written[kind].ending);
+			return -EINVAL;
+		}
+	}
+	return 0;
+}
+
 int options_check_files(const struct options *options, enum command_bit command,
 	const struct log *log)
 {
-	const bool in_place = command == FOR_OPTIMIZE || command == FOR_LEVELS;
+	const bool in_place = command == FOR_OPTIMIZE;
 	const struct named_file files[] = {
 		{"MODEL", in_place ? NULL : options->model_path, false},
 		{"--config", options->common.config, false},
@@ -92,7 +138,8 @@ int options_check_files(const struct options *options, enum command_bit command,
 
 	for (size_t i = 0; i < ARRAY_COUNT(files); i++) {
 		if (files[i].written && files[i].path &&
-			check_file(&files[i], files, log) != 0) {
+			(check_file(&files[i], files, log) != 0 ||
+				check_ending(&files[i], command, log) != 0)) {
 			return -EINVAL;
 		}
 	}

@@ -4,6 +4,7 @@
  */
 #include "platform/display/window/window_survey.h"
 
+#include <SDL.h>
 #include <arpa/inet.h>
 #include <errno.h>
 #include <netinet/in.h>
@@ -12,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -150,6 +152,38 @@ static void report_wayland(const char *display, const struct survey *survey)
 	}
 }
 
+/* names are drivers of SDL, separated by commas. */
+static bool is_driver_of_sdl(const char *names)
+{
+	while (*names) {
+		size_t length = strcspn(names, ",");
+
+		for (int i = 0; i < SDL_GetNumVideoDrivers(); i++) {
+			const char *driver = SDL_GetVideoDriver(i);
+
+			if (strlen(driver) == length &&
+				strncasecmp(names, driver, length) == 0) {
+				return true;
+			}
+		}
+		names += length + (names[length] == ',');
+	}
+	return false;
+}
+
+static void report_sdl(const char *driver, const struct survey *survey)
+{
+	if (is_driver_of_sdl(driver)) {
+		survey_report(survey, SURVEY_WORKS, "window", NULL,
+			"SDL_VIDEODRIVER=%s", driver);
+	} else {
+		survey_report(survey, SURVEY_BROKEN, "window",
+			"unset SDL_VIDEODRIVER",
+			"SDL has no driver of the name in SDL_VIDEODRIVER=%.99s",
+			driver);
+	}
+}
+
 void window_survey(const struct survey *survey)
 {
 	const char *driver = getenv("SDL_VIDEODRIVER");
@@ -158,8 +192,7 @@ void window_survey(const struct survey *survey)
 
 	if (driver && driver[0] && strcmp(driver, "x11") != 0 &&
 		strcmp(driver, "wayland") != 0) {
-		survey_report(survey, SURVEY_WORKS, "window", NULL,
-			"SDL_VIDEODRIVER=%s", driver);
+		report_sdl(driver, survey);
 	} else if (x && x[0]) {
 		report_x(x, survey);
 	} else if (wayland && wayland[0]) {

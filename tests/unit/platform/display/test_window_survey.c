@@ -39,6 +39,36 @@ static void survey_window(struct survey_capture *capture)
 	assert_int_equal(capture->count, 1);
 }
 
+static void test_a_survey_knows_the_drivers_of_sdl(void **state)
+{
+	static const struct {
+		const char *names;
+		enum survey_state state;
+	} cases[] = {
+		{"dummy", SURVEY_WORKS},
+		{"DUMMY", SURVEY_WORKS},
+		{"none,dummy", SURVEY_WORKS},
+		{"dummy,none", SURVEY_WORKS},
+		{"dumm", SURVEY_BROKEN},
+		{"dummy2", SURVEY_BROKEN},
+		{"none", SURVEY_BROKEN},
+		{",", SURVEY_BROKEN},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct survey_capture capture;
+
+		setenv("SDL_VIDEODRIVER", cases[i].names, 1);
+		survey_window(&capture);
+		survey_capture_expect(&capture, 0, cases[i].state, "window",
+			cases[i].names,
+			cases[i].state == SURVEY_BROKEN ? "unset SDL_VIDEODRIVER"
+							: NULL);
+	}
+	unsetenv("SDL_VIDEODRIVER");
+}
+
 static void test_a_survey_connects_to_an_x_server(void **state)
 {
 	struct survey_capture capture;
@@ -108,6 +138,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_survey_connects_to_an_x_server),
+		cmocka_unit_test(test_a_survey_knows_the_drivers_of_sdl),
 		cmocka_unit_test(test_a_survey_connects_to_wayland),
 	};
 

@@ -67,7 +67,8 @@ struct lighting {
 	struct light light[SOFT_LIGHTS];
 	struct material material; /* ES has one for both faces */
 	GLfixed ambient[4];
-	bool two_side, enabled, color_material, normalize, rescale;
+	GLfixed two_side; /* unless 0 */
+	bool enabled, color_material, normalize, rescale;
 };
 
 struct fog {

@@ -1,6 +1,6 @@
 /* Where vertices come from, and the current colour and normal. */
 #include "platform/base/fixed.h"
-#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/state/parameter.h"
 
 static int type_bytes(GLenum type)
 {
@@ -17,27 +17,20 @@ static int type_bytes(GLenum type)
 
 static bool is_signed_type(GLenum type)
 {
-	return type == GL_BYTE || type == GL_SHORT || type == GL_FIXED ||
-		type == GL_FLOAT;
+	return IS_ONE_OF(type, GL_BYTE, GL_SHORT, GL_FIXED, GL_FLOAT);
 }
 
 static void describe(struct array *array, int size, int least, bool type_known,
 	GLenum type, GLsizei stride, const void *pointer)
 {
-	struct soft *soft = soft_current();
-
-	if (size < least || size > 4 || stride < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
+	if (soft_check(size >= least && size <= 4 && stride >= 0,
+		    GL_INVALID_VALUE) &&
+		soft_check(type_known, GL_INVALID_ENUM)) {
+		array->size = size;
+		array->type = type;
+		array->stride_bytes = stride ? stride : size * type_bytes(type);
+		array->pointer = pointer;
 	}
-	if (!type_known) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	array->size = size;
-	array->type = type;
-	array->stride_bytes = stride ? stride : size * type_bytes(type);
-	array->pointer = pointer;
 }
 
 static void vertex_pointer(
@@ -57,8 +50,8 @@ static void color_pointer(
 	GLint size, GLenum type, GLsizei stride, const void *pointer)
 {
 	describe(&soft_current()->arrays.color, size, 4,
-		type == GL_UNSIGNED_BYTE || type == GL_FIXED || type == GL_FLOAT,
-		type, stride, pointer);
+		IS_ONE_OF(type, GL_UNSIGNED_BYTE, GL_FIXED, GL_FLOAT), type,
+		stride, pointer);
 }
 
 static void tex_coord_pointer(
@@ -72,35 +65,33 @@ static void tex_coord_pointer(
 
 static void client_active_texture(GLenum unit)
 {
-	struct soft *soft = soft_current();
-
-	if (unit - GL_TEXTURE0 >= SOFT_UNITS) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(unit - GL_TEXTURE0 < SOFT_UNITS, GL_INVALID_ENUM)) {
+		soft_current()->arrays.client_unit = (int)(unit - GL_TEXTURE0);
 	}
-	soft->arrays.client_unit = (int)(unit - GL_TEXTURE0);
+}
+
+static struct array *find_array(struct arrays *arrays, GLenum name)
+{
+	switch (name) {
+	case GL_VERTEX_ARRAY:
+		return &arrays->vertex;
+	case GL_NORMAL_ARRAY:
+		return &arrays->normal;
+	case GL_COLOR_ARRAY:
+		return &arrays->color;
+	case GL_TEXTURE_COORD_ARRAY:
+		return &arrays->texcoord[arrays->client_unit];
+	default:
+		return NULL;
+	}
 }
 
 static void set_enabled(GLenum name, bool on)
 {
-	struct soft *soft = soft_current();
-	struct arrays *arrays = &soft->arrays;
+	struct array *array = find_array(&soft_current()->arrays, name);
 
-	switch (name) {
-	case GL_VERTEX_ARRAY:
-		arrays->vertex.enabled = on;
-		return;
-	case GL_NORMAL_ARRAY:
-		arrays->normal.enabled = on;
-		return;
-	case GL_COLOR_ARRAY:
-		arrays->color.enabled = on;
-		return;
-	case GL_TEXTURE_COORD_ARRAY:
-		arrays->texcoord[arrays->client_unit].enabled = on;
-		return;
-	default:
-		soft_set_error(soft, GL_INVALID_ENUM);
+	if (soft_check(array != NULL, GL_INVALID_ENUM)) {
+		array->enabled = on;
 	}
 }
 

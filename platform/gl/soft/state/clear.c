@@ -4,6 +4,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/state/parameter.h"
 
 static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
@@ -144,11 +145,8 @@ static void clear(GLbitfield mask)
 		GL_STENCIL_BUFFER_BIT;
 	struct clip_box box = soft_clip_box(soft, false);
 
-	if (mask & ~known) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
-	}
-	if (!soft->buffers.target.data || box.left >= box.right ||
+	if (!soft_check((mask & ~known) == 0, GL_INVALID_VALUE) ||
+		!soft->buffers.target.data || box.left >= box.right ||
 		box.top >= box.bottom) {
 		return;
 	}

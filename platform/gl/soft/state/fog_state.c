@@ -1,49 +1,33 @@
-/* Fog, as the program tells it; fog.c says how much of it there is. */
-#include <string.h>
-
+/* Fog, as the program tells it; shade.c says how much of it there is. */
 #include "platform/base/fixed.h"
-#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/state/parameter.h"
+
+static bool is_mode(GLfixed value)
+{
+	return IS_ONE_OF((GLenum)value, GL_LINEAR, GL_EXP, GL_EXP2);
+}
+
+static bool is_density(GLfixed value)
+{
+	return value >= 0;
+}
+
+static const struct soft_parameter parameters[] = {
+	SOFT_ENUM(GL_FOG_MODE, struct fog, mode, is_mode),
+	SOFT_NUMBER(GL_FOG_DENSITY, struct fog, density, is_density),
+	SOFT_ANY(GL_FOG_START, struct fog, start),
+	SOFT_ANY(GL_FOG_END, struct fog, end),
+	SOFT_ANY(GL_FOG_COLOR, struct fog, color),
+};
 
 static void fog_scalar(GLenum name, GLfixed value)
 {
-	struct soft *soft = soft_current();
-	struct fog *fog = &soft->fog;
-
-	switch (name) {
-	case GL_FOG_MODE:
-		if (value != GL_LINEAR && value != GL_EXP && value != GL_EXP2) {
-			soft_set_error(soft, GL_INVALID_ENUM);
-			return;
-		}
-		fog->mode = (GLenum)value;
-		return;
-	case GL_FOG_DENSITY:
-		if (value < 0) {
-			soft_set_error(soft, GL_INVALID_VALUE);
-			return;
-		}
-		fog->density = value;
-		return;
-	case GL_FOG_START:
-		fog->start = value;
-		return;
-	case GL_FOG_END:
-		fog->end = value;
-		return;
-	default:
-		soft_set_error(soft, GL_INVALID_ENUM);
-	}
+	SET_PARAMETER(parameters, &soft_current()->fog, name, &value, 1);
 }
 
 static void fog_vector(GLenum name, const GLfixed *values)
 {
-	struct fog *fog = &soft_current()->fog;
-
-	if (name == GL_FOG_COLOR) {
-		memcpy(fog->color, values, sizeof(fog->color));
-		return;
-	}
-	fog_scalar(name, values[0]);
+	SET_PARAMETER(parameters, &soft_current()->fog, name, values, 4);
 }
 
 void soft_init_fog(struct soft *soft)

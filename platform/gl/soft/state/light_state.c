@@ -3,56 +3,50 @@
 
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
+#include "platform/gl/soft/state/parameter.h"
 
-static void set_scalar(struct light *light, GLenum name, GLfixed value)
+static bool is_exponent(GLfixed value)
 {
-	GLfixed *where, most = INT32_MAX;
-
-	switch (name) {
-	case GL_SPOT_EXPONENT:
-		where = &light->exponent;
-		most = 128 * FX16_ONE;
-		break;
-	case GL_SPOT_CUTOFF:
-		where = &light->cutoff;
-		most = value == 180 * FX16_ONE ? value : 90 * FX16_ONE;
-		break;
-	case GL_CONSTANT_ATTENUATION:
-	case GL_LINEAR_ATTENUATION:
-	case GL_QUADRATIC_ATTENUATION:
-		where = &light->attenuation[name - GL_CONSTANT_ATTENUATION];
-		break;
-	default:
-		soft_set_error(soft_current(), GL_INVALID_ENUM);
-		return;
-	}
-	if (value < 0 || value > most) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
-		return;
-	}
-	*where = value;
+	return value >= 0 && value <= 128 * FX16_ONE;
 }
 
-/* NULL, with GL's error, for another name. */
-static struct light *find_light(GLenum name)
+static bool is_cutoff(GLfixed degrees)
 {
-	struct soft *soft = soft_current();
-
-	if (name - GL_LIGHT0 >= SOFT_LIGHTS) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return NULL;
-	}
-	return &soft->lighting.light[name - GL_LIGHT0];
+	return (degrees >= 0 && degrees <= 90 * FX16_ONE) ||
+		degrees == 180 * FX16_ONE;
 }
 
-static void light_scalar(GLenum name, GLenum what, GLfixed value)
+static bool is_attenuation(GLfixed value)
 {
-	struct light *light = find_light(name);
-
-	if (light) {
-		set_scalar(light, what, value);
-	}
+	return value >= 0;
 }
+
+static const struct soft_parameter of_light[] = {
+	SOFT_ANY(GL_AMBIENT, struct light, ambient),
+	SOFT_ANY(GL_DIFFUSE, struct light, diffuse),
+	SOFT_ANY(GL_SPECULAR, struct light, specular),
+	SOFT_NUMBER(GL_SPOT_EXPONENT, struct light, exponent, is_exponent),
+	SOFT_NUMBER(GL_SPOT_CUTOFF, struct light, cutoff, is_cutoff),
+	SOFT_NUMBER(GL_CONSTANT_ATTENUATION, struct light, attenuation[0],
+		is_attenuation),
+	SOFT_NUMBER(GL_LINEAR_ATTENUATION, struct light, attenuation[1],
+		is_attenuation),
+	SOFT_NUMBER(GL_QUADRATIC_ATTENUATION, struct light, attenuation[2],
+		is_attenuation),
+};
+
+static const struct soft_parameter of_model[] = {
+	SOFT_ANY(GL_LIGHT_MODEL_AMBIENT, struct lighting, ambient),
+	SOFT_ANY(GL_LIGHT_MODEL_TWO_SIDE, struct lighting, two_side),
+};
+
+static const struct soft_parameter of_material[] = {
+	SOFT_ANY(GL_AMBIENT, struct material, ambient),
+	SOFT_ANY(GL_DIFFUSE, struct material, diffuse),
+	SOFT_ANY(GL_SPECULAR, struct material, specular),
+	SOFT_ANY(GL_EMISSION, struct material, emission),
+	SOFT_NUMBER(GL_SHININESS, struct material, shininess, is_exponent),
+};
 
 /* Positions and directions go into eye space as they are given. */
 static void set_position(
@@ -79,114 +73,69 @@ static void set_direction(
 	memcpy(light->direction, out, sizeof(light->direction));
 }
 
-static void light_vector(GLenum name, GLenum what, const GLfixed *values)
+static void set_light(GLenum name, GLenum what, const GLfixed *values, int given)
 {
-	struct light *light = find_light(name);
+	struct soft *soft = soft_current();
+	struct light *light;
 
-	if (!light) {
+	if (!soft_check(name - GL_LIGHT0 < SOFT_LIGHTS, GL_INVALID_ENUM)) {
 		return;
 	}
-	switch (what) {
-	case GL_AMBIENT:
-		memcpy(light->ambient, values, sizeof(light->ambient));
-		break;
-	case GL_DIFFUSE:
-		memcpy(light->diffuse, values, sizeof(light->diffuse));
-		break;
-	case GL_SPECULAR:
-		memcpy(light->specular, values, sizeof(light->specular));
-		break;
-	case GL_POSITION:
-		set_position(soft_current(), light, values);
-		break;
-	case GL_SPOT_DIRECTION:
-		set_direction(soft_current(), light, values);
-		break;
-	default:
-		set_scalar(light, what, values[0]);
+	light = &soft->lighting.light[name - GL_LIGHT0];
+	if (what == GL_POSITION && given == 4) {
+		set_position(soft, light, values);
+	} else if (what == GL_SPOT_DIRECTION && given == 4) {
+		set_direction(soft, light, values);
+	} else {
+		SET_PARAMETER(of_light, light, what, values, given);
 	}
+}
+
+static void light_scalar(GLenum name, GLenum what, GLfixed value)
+{
+	set_light(name, what, &value, 1);
+}
+
+static void light_vector(GLenum name, GLenum what, const GLfixed *values)
+{
+	set_light(name, what, values, 4);
 }
 
 static void light_model(GLenum name, GLfixed value)
 {
-	struct soft *soft = soft_current();
-
-	if (name != GL_LIGHT_MODEL_TWO_SIDE) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	soft->lighting.two_side = value != 0;
+	SET_PARAMETER(of_model, &soft_current()->lighting, name, &value, 1);
 }
 
 static void light_model_vector(GLenum name, const GLfixed *values)
 {
-	struct lighting *lighting = &soft_current()->lighting;
-
-	if (name == GL_LIGHT_MODEL_AMBIENT) {
-		memcpy(lighting->ambient, values, sizeof(lighting->ambient));
-		return;
-	}
-	light_model(name, values[0]);
+	SET_PARAMETER(of_model, &soft_current()->lighting, name, values, 4);
 }
 
 /* ES sets both faces at once only. */
-static struct material *find_material(GLenum face)
+static void set_material(
+	GLenum face, GLenum name, const GLfixed *values, int given)
 {
-	struct soft *soft = soft_current();
+	struct material *material = &soft_current()->lighting.material;
+	const bool both = name == GL_AMBIENT_AND_DIFFUSE;
 
-	if (face != GL_FRONT_AND_BACK) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return NULL;
+	if (!soft_check(face == GL_FRONT_AND_BACK, GL_INVALID_ENUM)) {
+		return;
 	}
-	return &soft->lighting.material;
+	SET_PARAMETER(
+		of_material, material, both ? GL_AMBIENT : name, values, given);
+	if (both) {
+		SET_PARAMETER(of_material, material, GL_DIFFUSE, values, given);
+	}
 }
 
 static void material_scalar(GLenum face, GLenum name, GLfixed value)
 {
-	struct material *material = find_material(face);
-
-	if (!material) {
-		return;
-	}
-	if (name != GL_SHININESS) {
-		soft_set_error(soft_current(), GL_INVALID_ENUM);
-		return;
-	}
-	if (value < 0 || value > 128 * FX16_ONE) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
-		return;
-	}
-	material->shininess = value;
+	set_material(face, name, &value, 1);
 }
 
 static void material_vector(GLenum face, GLenum name, const GLfixed *values)
 {
-	struct material *material = find_material(face);
-	const size_t size = 4 * sizeof(GLfixed);
-
-	if (!material) {
-		return;
-	}
-	switch (name) {
-	case GL_AMBIENT:
-		memcpy(material->ambient, values, size);
-		break;
-	case GL_DIFFUSE:
-		memcpy(material->diffuse, values, size);
-		break;
-	case GL_AMBIENT_AND_DIFFUSE:
-		memcpy(material->ambient, values, size);
-		memcpy(material->diffuse, values, size);
-		break;
-	case GL_SPECULAR:
-		memcpy(material->specular, values, size);
-		break;
-	case GL_EMISSION:
-		memcpy(material->emission, values, size);
-		break;
-	default:
-		material_scalar(face, name, values[0]);
-	}
+	set_material(face, name, values, 4);
 }
 
 static void set_all(GLfixed color[4], GLfixed value)

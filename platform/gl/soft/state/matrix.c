@@ -4,6 +4,7 @@
 
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
+#include "platform/gl/soft/state/parameter.h"
 
 const struct matrix soft_matrix_identity = {
 	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
@@ -122,13 +123,10 @@ static void multiply(const struct matrix *by)
 
 static void matrix_mode(GLenum mode)
 {
-	struct soft *soft = soft_current();
-
-	if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(IS_ONE_OF(mode, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE),
+		    GL_INVALID_ENUM)) {
+		soft_current()->matrices.mode = mode;
 	}
-	soft->matrices.mode = mode;
 }
 
 static void load_identity(void)
@@ -160,27 +158,22 @@ static void mult_matrix(const GLfixed *values)
 
 static void push_matrix(void)
 {
-	struct soft *soft = soft_current();
-	struct matrix_stack *stack = current_stack(soft);
+	struct matrix_stack *stack = current_stack(soft_current());
 
-	if (stack->top - stack->bottom + 1 >= stack->room) {
-		soft_set_error(soft, GL_STACK_OVERFLOW);
-		return;
+	if (soft_check(stack->top - stack->bottom + 1 < stack->room,
+		    GL_STACK_OVERFLOW)) {
+		stack->top[1] = stack->top[0];
+		stack->top++;
 	}
-	stack->top[1] = stack->top[0];
-	stack->top++;
 }
 
 static void pop_matrix(void)
 {
-	struct soft *soft = soft_current();
-	struct matrix_stack *stack = current_stack(soft);
+	struct matrix_stack *stack = current_stack(soft_current());
 
-	if (stack->top == stack->bottom) {
-		soft_set_error(soft, GL_STACK_UNDERFLOW);
-		return;
+	if (soft_check(stack->top != stack->bottom, GL_STACK_UNDERFLOW)) {
+		stack->top--;
 	}
-	stack->top--;
 }
 
 static void translate(GLfixed x, GLfixed y, GLfixed z)
@@ -235,9 +228,9 @@ static void frustum(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	float n = fx16_to_float(near), f = fx16_to_float(far);
 	struct matrix matrix = {{0}};
 
-	if (near <= 0 || far <= 0 || left == right || bottom == top ||
-		near == far) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
+	if (!soft_check(near > 0 && far > 0 && left != right && bottom != top &&
+			    near != far,
+		    GL_INVALID_VALUE)) {
 		return;
 	}
 	matrix.m[0] = 2.0f * n / (r - l);
@@ -258,8 +251,8 @@ static void ortho(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	float n = fx16_to_float(near), f = fx16_to_float(far);
 	struct matrix matrix = soft_matrix_identity;
 
-	if (left == right || bottom == top || near == far) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
+	if (!soft_check(left != right && bottom != top && near != far,
+		    GL_INVALID_VALUE)) {
 		return;
 	}
 	matrix.m[0] = 2.0f / (r - l);

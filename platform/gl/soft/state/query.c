@@ -1,12 +1,7 @@
 /* What a program may ask. */
-#include "platform/gl/soft/soft.h"
+#include <string.h>
 
-void soft_set_error(struct soft *soft, GLenum error)
-{
-	if (soft->error == GL_NO_ERROR) {
-		soft->error = error;
-	}
-}
+#include "platform/gl/soft/state/parameter.h"
 
 static GLenum get_error(void)
 {
@@ -17,54 +12,49 @@ static GLenum get_error(void)
 	return error;
 }
 
+static const struct {
+	GLenum name;
+	int count;
+	GLint value[2];
+} numbers[] = {
+	{GL_MAX_TEXTURE_SIZE, 1, {SOFT_TEXTURE_SIZE_MAX}},
+	{GL_MAX_TEXTURE_UNITS, 1, {SOFT_UNITS}},
+	{GL_MAX_MODELVIEW_STACK_DEPTH, 1, {SOFT_MODELVIEW_DEPTH}},
+	{GL_STENCIL_BITS, 1, {8}},
+	{GL_SUBPIXEL_BITS, 1, {4}},
+	{GL_DEPTH_BITS, 1, {16}},
+	{GL_SMOOTH_POINT_SIZE_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+	{GL_SMOOTH_LINE_WIDTH_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+	{GL_ALIASED_POINT_SIZE_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+	{GL_ALIASED_LINE_WIDTH_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+};
+
 static void get_integer(GLenum name, GLint *values)
 {
-	switch (name) {
-	case GL_MAX_TEXTURE_SIZE:
-		*values = SOFT_TEXTURE_SIZE_MAX;
-		return;
-	case GL_MAX_TEXTURE_UNITS:
-		*values = SOFT_UNITS;
-		return;
-	case GL_MAX_MODELVIEW_STACK_DEPTH:
-		*values = SOFT_MODELVIEW_DEPTH;
-		return;
-	case GL_STENCIL_BITS:
-		*values = 8;
-		return;
-	case GL_SUBPIXEL_BITS:
-		*values = 4;
-		return;
-	case GL_SMOOTH_POINT_SIZE_RANGE:
-	case GL_SMOOTH_LINE_WIDTH_RANGE:
-	case GL_ALIASED_POINT_SIZE_RANGE:
-	case GL_ALIASED_LINE_WIDTH_RANGE:
-		values[0] = 1;
-		values[1] = SOFT_WIDTH_MAX;
-		return;
-	case GL_DEPTH_BITS:
-		*values = 16;
-		return;
-	default:
-		soft_set_error(soft_current(), GL_INVALID_ENUM);
+	size_t i = 0;
+
+	while (i < ARRAY_COUNT(numbers) && numbers[i].name != name) {
+		i++;
+	}
+	if (soft_check(i < ARRAY_COUNT(numbers), GL_INVALID_ENUM)) {
+		memcpy(values, numbers[i].value,
+			(size_t)numbers[i].count * sizeof(*values));
 	}
 }
 
 static const GLubyte *get_string(GLenum name)
 {
-	switch (name) {
-	case GL_VENDOR:
-		return (const GLubyte *)"limber";
-	case GL_RENDERER:
-		return (const GLubyte *)"soft";
-	case GL_VERSION:
-		return (const GLubyte *)"OpenGL ES-CL 1.1";
-	case GL_EXTENSIONS:
-		return (const GLubyte *)"";
-	default:
-		soft_set_error(soft_current(), GL_INVALID_ENUM);
-		return NULL;
-	}
+	static const char *const strings[] = {
+		[GL_VENDOR - GL_VENDOR] = "limber",
+		[GL_RENDERER - GL_VENDOR] = "soft",
+		[GL_VERSION - GL_VENDOR] = "OpenGL ES-CL 1.1",
+		[GL_EXTENSIONS - GL_VENDOR] = "",
+	};
+
+	return soft_check(
+		       name - GL_VENDOR < ARRAY_COUNT(strings), GL_INVALID_ENUM)
+		? (const GLubyte *)strings[name - GL_VENDOR]
+		: NULL;
 }
 
 void soft_init_query(struct soft *soft)

@@ -1,5 +1,6 @@
 /* ReadPixels: ES 1.1's GL_RGBA of bytes. */
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/state/parameter.h"
 
 static void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height,
 	GLenum format, GLenum type, void *pixels)
@@ -9,12 +10,9 @@ static void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height,
 	size_t align = (size_t)soft->textures.pack_alignment;
 	size_t row_bytes;
 
-	if (format != GL_RGBA || type != GL_UNSIGNED_BYTE) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	if (width < 0 || height < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
+	if (!soft_check(format == GL_RGBA && type == GL_UNSIGNED_BYTE,
+		    GL_INVALID_ENUM) ||
+		!soft_check(width >= 0 && height >= 0, GL_INVALID_VALUE)) {
 		return;
 	}
 	row_bytes = ((size_t)width * 4 + align - 1) / align * align;

@@ -1,8 +1,6 @@
 /* Capabilities, the fragment's state and where it may go. */
-#include "platform/gl/soft/soft.h"
-
-#include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
+#include "platform/gl/soft/state/parameter.h"
 
 static bool is_comparison(GLenum function)
 {
@@ -57,18 +55,17 @@ static void set_flag(GLenum capability, bool on)
 	struct soft *soft = soft_current();
 	bool *flag = find_flag(soft, capability);
 
-	if (!flag) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(flag != NULL, GL_INVALID_ENUM)) {
+		*flag = on;
 	}
-	*flag = on;
 }
 
 static void enable(GLenum capability)
 {
 	set_flag(capability, true);
-	if (capability == GL_STENCIL_TEST && !soft_stencil(soft_current())) {
-		soft_set_error(soft_current(), GL_OUT_OF_MEMORY);
+	if (capability == GL_STENCIL_TEST) {
+		soft_check(
+			soft_stencil(soft_current()) != NULL, GL_OUT_OF_MEMORY);
 	}
 }
 
@@ -79,25 +76,24 @@ static void disable(GLenum capability)
 
 static void set_enum(GLenum *where, GLenum value, bool known)
 {
-	if (!known) {
-		soft_set_error(soft_current(), GL_INVALID_ENUM);
-		return;
+	if (soft_check(known, GL_INVALID_ENUM)) {
+		*where = value;
 	}
-	*where = value;
+}
+
+static int clamp(int64_t value, int least, int most)
+{
+	return value < least ? least : value > most ? most : (int)value;
 }
 
 static void alpha_func(GLenum function, GLfixed reference)
 {
-	struct soft *soft = soft_current();
+	struct fragment_state *state = &soft_current()->fragment;
 
-	if (!is_comparison(function)) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
+		state->alpha_function = function;
+		state->alpha_reference = clamp(reference, 0, FX16_ONE);
 	}
-	soft->fragment.alpha_function = function;
-	soft->fragment.alpha_reference = reference < 0 ? 0
-		: reference > FX16_ONE                 ? FX16_ONE
-						       : reference;
 }
 
 static bool is_source_factor(GLenum factor)
@@ -113,14 +109,14 @@ static bool is_destination_factor(GLenum factor)
 
 static void blend_func(GLenum source, GLenum destination)
 {
-	struct soft *soft = soft_current();
+	struct fragment_state *state = &soft_current()->fragment;
 
-	if (!is_source_factor(source) || !is_destination_factor(destination)) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(is_source_factor(source) &&
+			    is_destination_factor(destination),
+		    GL_INVALID_ENUM)) {
+		state->blend_source = source;
+		state->blend_destination = destination;
 	}
-	soft->fragment.blend_source = source;
-	soft->fragment.blend_destination = destination;
 }
 
 static void color_mask(
@@ -148,34 +144,27 @@ static void depth_mask(GLboolean write)
 static void cull_face(GLenum face)
 {
 	set_enum(&soft_current()->fragment.cull_face, face,
-		face == GL_FRONT || face == GL_BACK ||
-			face == GL_FRONT_AND_BACK);
+		IS_ONE_OF(face, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK));
 }
 
 static void front_face(GLenum mode)
 {
 	set_enum(&soft_current()->fragment.front_face, mode,
-		mode == GL_CW || mode == GL_CCW);
+		IS_ONE_OF(mode, GL_CW, GL_CCW));
 }
 
 static void shade_model(GLenum mode)
 {
-	struct soft *soft = soft_current();
-
-	if (mode != GL_FLAT && mode != GL_SMOOTH) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(IS_ONE_OF(mode, GL_FLAT, GL_SMOOTH), GL_INVALID_ENUM)) {
+		soft_current()->fragment.flat = mode == GL_FLAT;
 	}
-	soft->fragment.flat = mode == GL_FLAT;
 }
 
 static void set_size(GLfixed *where, GLfixed size)
 {
-	if (size <= 0) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
-		return;
+	if (soft_check(size > 0, GL_INVALID_VALUE)) {
+		*where = size;
 	}
-	*where = size;
 }
 
 static void line_width(GLfixed width)
@@ -190,30 +179,18 @@ static void point_size(GLfixed size)
 
 static void polygon_offset(GLfixed factor, GLfixed units)
 {
-	struct soft *soft = soft_current();
+	struct fragment_state *state = &soft_current()->fragment;
 
-	soft->fragment.offset_factor = factor;
-	soft->fragment.offset_units = units;
-}
-
-static int max_int(int a, int b)
-{
-	return a > b ? a : b;
-}
-
-static int min_int(int a, int b)
-{
-	return a < b ? a : b;
+	state->offset_factor = factor;
+	state->offset_units = units;
 }
 
 static void set_rectangle(struct rectangle *rectangle, int x, int y,
 	GLsizei width, GLsizei height)
 {
-	if (width < 0 || height < 0) {
-		soft_set_error(soft_current(), GL_INVALID_VALUE);
-		return;
+	if (soft_check(width >= 0 && height >= 0, GL_INVALID_VALUE)) {
+		*rectangle = (struct rectangle){x, y, width, height};
 	}
-	*rectangle = (struct rectangle){x, y, width, height};
 }
 
 static void scissor(GLint x, GLint y, GLsizei width, GLsizei height)
@@ -221,33 +198,25 @@ static void scissor(GLint x, GLint y, GLsizei width, GLsizei height)
 	set_rectangle(&soft_current()->fragment.scissor, x, y, width, height);
 }
 
-static int limit_place(int place)
-{
-	return max_int(-PIXELS_SIZE_MAX, min_int(place, PIXELS_SIZE_MAX));
-}
-
 /* Larger ones are cut to PIXELS_SIZE_MAX, as GL allows. */
 static void viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
-	set_rectangle(&soft_current()->fragment.viewport, limit_place(x),
-		limit_place(y), min_int(width, PIXELS_SIZE_MAX),
-		min_int(height, PIXELS_SIZE_MAX));
+	const int most = PIXELS_SIZE_MAX;
+
+	set_rectangle(&soft_current()->fragment.viewport, clamp(x, -most, most),
+		clamp(y, -most, most), clamp(width, -most, most),
+		clamp(height, -most, most));
 }
 
 static void stencil_func(GLenum function, GLint reference, GLuint mask)
 {
-	struct soft *soft = soft_current();
-	struct stencil *stencil = &soft->fragment.stencil;
+	struct stencil *stencil = &soft_current()->fragment.stencil;
 
-	if (!is_comparison(function)) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
+		stencil->function = function;
+		stencil->reference = (uint8_t)clamp(reference, 0, 255);
+		stencil->mask = (uint8_t)mask;
 	}
-	stencil->function = function;
-	stencil->reference = (uint8_t)(reference < 0 ? 0
-			: reference > 255            ? 255
-						     : reference);
-	stencil->mask = (uint8_t)mask;
 }
 
 static void stencil_mask(GLuint mask)
@@ -257,42 +226,38 @@ static void stencil_mask(GLuint mask)
 
 static bool is_stencil_action(GLenum action)
 {
-	return action == GL_KEEP || action == GL_ZERO || action == GL_REPLACE ||
-		action == GL_INCR || action == GL_DECR || action == GL_INVERT;
+	return IS_ONE_OF(action, GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR,
+		GL_INVERT);
 }
 
 static void stencil_op(GLenum fail, GLenum depth_fail, GLenum pass)
 {
-	struct soft *soft = soft_current();
-	struct stencil *stencil = &soft->fragment.stencil;
+	struct stencil *stencil = &soft_current()->fragment.stencil;
 
-	if (!is_stencil_action(fail) || !is_stencil_action(depth_fail) ||
-		!is_stencil_action(pass)) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(is_stencil_action(fail) && is_stencil_action(depth_fail) &&
+			    is_stencil_action(pass),
+		    GL_INVALID_ENUM)) {
+		stencil->fail = fail;
+		stencil->depth_fail = depth_fail;
+		stencil->pass = pass;
 	}
-	stencil->fail = fail;
-	stencil->depth_fail = depth_fail;
-	stencil->pass = pass;
 }
 
 static void finish(void)
 {
 }
 
-/* Sums of 64 bits: a scissor box may lie anywhere. */
+/* A box inside of a rectangle, which may lie anywhere: sums have 64 bits. */
 static struct clip_box cut(
 	struct clip_box box, const struct rectangle *r, int height)
 {
-	int64_t right = (int64_t)r->x + r->width;
-	int64_t top = (int64_t)height - r->y - r->height;
-	int64_t bottom = (int64_t)height - r->y;
+	const int64_t right = (int64_t)r->x + r->width;
+	const int64_t bottom = (int64_t)height - r->y;
 
-	box.left = max_int(box.left, r->x);
-	box.right = right < box.right ? (int)max_int((int)right, 0) : box.right;
-	box.top = top > box.top ? (int)(top < height ? top : height) : box.top;
-	box.bottom = bottom < box.bottom ? (int)(bottom > 0 ? bottom : 0)
-					 : box.bottom;
+	box.left = clamp(r->x, box.left, box.right);
+	box.right = clamp(right, box.left, box.right);
+	box.top = clamp(bottom - r->height, box.top, box.bottom);
+	box.bottom = clamp(bottom, box.top, box.bottom);
 	return box;
 }
 
@@ -307,9 +272,6 @@ struct clip_box soft_clip_box(const struct soft *soft, bool viewport_too)
 	if (viewport_too) {
 		box = cut(box, &soft->fragment.viewport, target->height);
 	}
-	box.left = min_int(box.left, target->width);
-	box.right = max_int(box.right, box.left);
-	box.bottom = max_int(box.bottom, box.top);
 	return box;
 }
 

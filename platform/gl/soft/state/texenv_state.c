@@ -1,8 +1,6 @@
 /* The texture environment, as the program tells it; stages/ carries it out. */
-#include <string.h>
-
 #include "platform/base/fixed.h"
-#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/state/parameter.h"
 
 enum {
 	/* Of ES 1.1, but of no call that limber makes by name. */
@@ -11,118 +9,93 @@ enum {
 	SRC2_ALPHA = 0x858A,
 	OPERAND2_RGB = 0x8592,
 	OPERAND0_ALPHA = 0x8598,
+	OPERAND1_ALPHA = 0x8599,
 	OPERAND2_ALPHA = 0x859A,
 	ADD_SIGNED = 0x8574,
 	INTERPOLATE = 0x8575,
 	SUBTRACT = 0x84E7,
 };
 
-static bool is_mode(GLenum mode)
+static bool is_mode(GLfixed value)
 {
-	return mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND ||
-		mode == GL_ADD || mode == GL_REPLACE || mode == GL_COMBINE;
+	return IS_ONE_OF((GLenum)value, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD,
+		GL_REPLACE, GL_COMBINE);
 }
 
-static bool is_combiner(GLenum value, bool rgb)
+static bool is_alpha_combiner(GLfixed value)
 {
-	bool dot = value == GL_DOT3_RGB || value == GL_DOT3_RGBA;
-
-	return value == GL_REPLACE || value == GL_MODULATE || value == GL_ADD ||
-		value == ADD_SIGNED || value == INTERPOLATE ||
-		value == SUBTRACT || (rgb && dot);
+	return IS_ONE_OF((GLenum)value, GL_REPLACE, GL_MODULATE, GL_ADD,
+		ADD_SIGNED, INTERPOLATE, SUBTRACT);
 }
 
-static bool is_source(GLenum value)
+static bool is_rgb_combiner(GLfixed value)
 {
-	return value == GL_TEXTURE || value == GL_CONSTANT ||
-		value == GL_PRIMARY_COLOR || value == GL_PREVIOUS;
+	return is_alpha_combiner(value) ||
+		IS_ONE_OF((GLenum)value, GL_DOT3_RGB, GL_DOT3_RGBA);
 }
 
-static bool is_operand(GLenum value, bool rgb)
+static bool is_source(GLfixed value)
 {
-	return value == GL_SRC_ALPHA || value == GL_ONE_MINUS_SRC_ALPHA ||
-		(rgb &&
-			(value == GL_SRC_COLOR ||
-				value == GL_ONE_MINUS_SRC_COLOR));
+	return IS_ONE_OF((GLenum)value, GL_TEXTURE, GL_CONSTANT,
+		GL_PRIMARY_COLOR, GL_PREVIOUS);
 }
 
-/* Where an enumerant goes and whether it may; NULL for another name. */
-static GLenum *find_enum(
-	struct texenv *env, GLenum name, GLenum value, bool *known)
+static bool is_alpha_operand(GLfixed value)
 {
-	if (name == GL_TEXTURE_ENV_MODE) {
-		*known = is_mode(value);
-		return &env->mode;
-	}
-	if (name == GL_COMBINE_RGB || name == GL_COMBINE_ALPHA) {
-		*known = is_combiner(value, name == GL_COMBINE_RGB);
-		return name == GL_COMBINE_RGB ? &env->combine_rgb
-					      : &env->combine_alpha;
-	}
-	if (name >= GL_SRC0_RGB && name <= SRC2_RGB) {
-		*known = is_source(value);
-		return &env->source_rgb[name - GL_SRC0_RGB];
-	}
-	if (name >= GL_SRC0_ALPHA && name <= SRC2_ALPHA) {
-		*known = is_source(value);
-		return &env->source_alpha[name - GL_SRC0_ALPHA];
-	}
-	if (name >= GL_OPERAND0_RGB && name <= OPERAND2_RGB) {
-		*known = is_operand(value, true);
-		return &env->operand_rgb[name - GL_OPERAND0_RGB];
-	}
-	if (name >= OPERAND0_ALPHA && name <= OPERAND2_ALPHA) {
-		*known = is_operand(value, false);
-		return &env->operand_alpha[name - OPERAND0_ALPHA];
-	}
-	return NULL;
+	return IS_ONE_OF((GLenum)value, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-static void set_scale(struct soft *soft, GLfixed *scale, GLfixed value)
+static bool is_rgb_operand(GLfixed value)
 {
-	if (value != FX16_ONE && value != 2 * FX16_ONE && value != 4 * FX16_ONE) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
+	return is_alpha_operand(value) ||
+		IS_ONE_OF((GLenum)value, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR);
+}
+
+static bool is_scale(GLfixed value)
+{
+	return IS_ONE_OF((GLenum)value, FX16_ONE, 2 * FX16_ONE, 4 * FX16_ONE);
+}
+
+#define ENUM(name, member, takes) SOFT_ENUM(name, struct texenv, member, takes)
+static const struct soft_parameter parameters[] = {
+	ENUM(GL_TEXTURE_ENV_MODE, mode, is_mode),
+	ENUM(GL_COMBINE_RGB, combine_rgb, is_rgb_combiner),
+	ENUM(GL_COMBINE_ALPHA, combine_alpha, is_alpha_combiner),
+	ENUM(GL_SRC0_RGB, source_rgb[0], is_source),
+	ENUM(GL_SRC1_RGB, source_rgb[1], is_source),
+	ENUM(SRC2_RGB, source_rgb[2], is_source),
+	ENUM(GL_SRC0_ALPHA, source_alpha[0], is_source),
+	ENUM(GL_SRC1_ALPHA, source_alpha[1], is_source),
+	ENUM(SRC2_ALPHA, source_alpha[2], is_source),
+	ENUM(GL_OPERAND0_RGB, operand_rgb[0], is_rgb_operand),
+	ENUM(GL_OPERAND1_RGB, operand_rgb[1], is_rgb_operand),
+	ENUM(OPERAND2_RGB, operand_rgb[2], is_rgb_operand),
+	ENUM(OPERAND0_ALPHA, operand_alpha[0], is_alpha_operand),
+	ENUM(OPERAND1_ALPHA, operand_alpha[1], is_alpha_operand),
+	ENUM(OPERAND2_ALPHA, operand_alpha[2], is_alpha_operand),
+	SOFT_NUMBER(GL_RGB_SCALE, struct texenv, scale_rgb, is_scale),
+	SOFT_NUMBER(ALPHA_SCALE, struct texenv, scale_alpha, is_scale),
+	SOFT_ANY(GL_TEXTURE_ENV_COLOR, struct texenv, color),
+};
+
+static void set_env(GLenum target, GLenum name, const GLfixed *values, int given)
+{
+	struct textures *textures = &soft_current()->textures;
+
+	if (soft_check(target == GL_TEXTURE_ENV, GL_INVALID_ENUM)) {
+		SET_PARAMETER(parameters, &textures->unit[textures->active].env,
+			name, values, given);
 	}
-	*scale = value;
 }
 
 static void tex_env(GLenum target, GLenum name, GLfixed value)
 {
-	struct soft *soft = soft_current();
-	struct texenv *env = &soft->textures.unit[soft->textures.active].env;
-	bool known = false;
-	GLenum *where;
-
-	if (target != GL_TEXTURE_ENV) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	if (name == GL_RGB_SCALE || name == ALPHA_SCALE) {
-		set_scale(soft,
-			name == GL_RGB_SCALE ? &env->scale_rgb
-					     : &env->scale_alpha,
-			value);
-		return;
-	}
-	where = find_enum(env, name, (GLenum)value, &known);
-	if (!where || !known) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	*where = (GLenum)value;
+	set_env(target, name, &value, 1);
 }
 
 static void tex_env_vector(GLenum target, GLenum name, const GLfixed *values)
 {
-	struct soft *soft = soft_current();
-	struct texenv *env = &soft->textures.unit[soft->textures.active].env;
-
-	if (target == GL_TEXTURE_ENV && name == GL_TEXTURE_ENV_COLOR) {
-		memcpy(env->color, values, sizeof(env->color));
-		return;
-	}
-	tex_env(target, name, values[0]);
+	set_env(target, name, values, 4);
 }
 
 void soft_init_texenv(struct soft *soft)

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "platform/gl/soft/fast/tiles.h"
-#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/state/parameter.h"
 
 static struct texture new_texture(GLuint name)
 {
@@ -39,8 +39,7 @@ static struct texture *add_texture(struct soft *soft, GLuint name)
 	struct textures *textures = &soft->textures;
 	struct texture *texture = malloc(sizeof(*texture));
 
-	if (!texture) {
-		soft_set_error(soft, GL_OUT_OF_MEMORY);
+	if (!soft_check(texture != NULL, GL_OUT_OF_MEMORY)) {
 		return NULL;
 	}
 	*texture = new_texture(name);
@@ -56,8 +55,7 @@ static void gen_textures(GLsizei count, GLuint *names)
 {
 	struct soft *soft = soft_current();
 
-	if (count < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
+	if (!soft_check(count >= 0, GL_INVALID_VALUE)) {
 		return;
 	}
 	for (int i = 0; i < count; i++) {
@@ -94,8 +92,7 @@ static void delete_textures(GLsizei count, const GLuint *names)
 {
 	struct soft *soft = soft_current();
 
-	if (count < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
+	if (!soft_check(count >= 0, GL_INVALID_VALUE)) {
 		return;
 	}
 	for (int i = 0; i < count; i++) {
@@ -108,8 +105,7 @@ static void bind_texture(GLenum target, GLuint name)
 	struct soft *soft = soft_current();
 	struct texture *texture = &soft->textures.none;
 
-	if (target != GL_TEXTURE_2D) {
-		soft_set_error(soft, GL_INVALID_ENUM);
+	if (!soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM)) {
 		return;
 	}
 	if (name != 0) {
@@ -123,13 +119,9 @@ static void bind_texture(GLenum target, GLuint name)
 
 static void active_texture(GLenum unit)
 {
-	struct soft *soft = soft_current();
-
-	if (unit - GL_TEXTURE0 >= SOFT_UNITS) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(unit - GL_TEXTURE0 < SOFT_UNITS, GL_INVALID_ENUM)) {
+		soft_current()->textures.active = (int)(unit - GL_TEXTURE0);
 	}
-	soft->textures.active = (int)(unit - GL_TEXTURE0);
 }
 
 static struct texture *bound_texture(struct soft *soft)
@@ -137,106 +129,98 @@ static struct texture *bound_texture(struct soft *soft)
 	return soft->textures.unit[soft->textures.active].bound;
 }
 
+static bool is_mag_filter(GLfixed value)
+{
+	return IS_ONE_OF((GLenum)value, GL_NEAREST, GL_LINEAR);
+}
+
+static bool is_min_filter(GLfixed value)
+{
+	return is_mag_filter(value) ||
+		(value >= GL_NEAREST_MIPMAP_NEAREST &&
+			value <= GL_LINEAR_MIPMAP_LINEAR);
+}
+
+static bool is_wrap(GLfixed value)
+{
+	return IS_ONE_OF((GLenum)value, GL_REPEAT, GL_CLAMP_TO_EDGE);
+}
+
+static bool is_alignment(GLfixed value)
+{
+	return IS_ONE_OF((GLenum)value, 1, 2, 4, 8);
+}
+
+static const struct soft_parameter of_texture[] = {
+	SOFT_ENUM(GL_TEXTURE_MIN_FILTER, struct texture, min_filter,
+		is_min_filter),
+	SOFT_ENUM(GL_TEXTURE_MAG_FILTER, struct texture, mag_filter,
+		is_mag_filter),
+	SOFT_ENUM(GL_TEXTURE_WRAP_S, struct texture, wrap_s, is_wrap),
+	SOFT_ENUM(GL_TEXTURE_WRAP_T, struct texture, wrap_t, is_wrap),
+};
+
+static const struct soft_parameter of_transfer[] = {
+	SOFT_NUMBER(GL_UNPACK_ALIGNMENT, struct textures, unpack_alignment,
+		is_alignment),
+	SOFT_NUMBER(GL_PACK_ALIGNMENT, struct textures, pack_alignment,
+		is_alignment),
+};
+
 static void tex_parameter(GLenum target, GLenum name, GLfixed value)
 {
-	struct soft *soft = soft_current();
-	struct texture *texture = bound_texture(soft);
-	GLenum v = (GLenum)value;
-	bool plain = v == GL_NEAREST || v == GL_LINEAR;
-	bool mipmap =
-		v >= GL_NEAREST_MIPMAP_NEAREST && v <= GL_LINEAR_MIPMAP_LINEAR;
-	bool wrap = v == GL_REPEAT || v == GL_CLAMP_TO_EDGE;
-
-	if (target != GL_TEXTURE_2D) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-	} else if (name == GL_TEXTURE_MIN_FILTER && (plain || mipmap)) {
-		texture->min_filter = v;
-	} else if (name == GL_TEXTURE_MAG_FILTER && plain) {
-		texture->mag_filter = v;
-	} else if (name == GL_TEXTURE_WRAP_S && wrap) {
-		texture->wrap_s = v;
-	} else if (name == GL_TEXTURE_WRAP_T && wrap) {
-		texture->wrap_t = v;
-	} else {
-		soft_set_error(soft, GL_INVALID_ENUM);
+	if (soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM)) {
+		SET_PARAMETER(of_texture, bound_texture(soft_current()), name,
+			&value, 1);
 	}
 }
 
 static void pixel_store(GLenum name, GLint value)
 {
-	struct soft *soft = soft_current();
-
-	if (name != GL_UNPACK_ALIGNMENT && name != GL_PACK_ALIGNMENT) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-	} else if (value != 1 && value != 2 && value != 4 && value != 8) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-	} else if (name == GL_UNPACK_ALIGNMENT) {
-		soft->textures.unpack_alignment = value;
-	} else {
-		soft->textures.pack_alignment = value;
-	}
+	SET_PARAMETER(of_transfer, &soft_current()->textures, name, &value, 1);
 }
 
 /* How a program's picture is read and kept. */
 struct transfer {
+	GLenum format, type;
 	int source_bytes; /* a pixel */
 	enum texel_format kept;
-	GLenum format, type;
 };
 
-static bool is_format(GLenum format)
-{
-	return format == GL_RGB || format == GL_RGBA || format == GL_ALPHA ||
-		format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
-}
+static const struct transfer transfers[] = {
+	{GL_RGB, GL_UNSIGNED_BYTE, 3, TEXEL_565},
+	{GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 2, TEXEL_565},
+	{GL_RGBA, GL_UNSIGNED_BYTE, 4, TEXEL_8888},
+	{GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 2, TEXEL_4444},
+	{GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 2, TEXEL_5551},
+	{GL_ALPHA, GL_UNSIGNED_BYTE, 1, TEXEL_A8},
+	{GL_LUMINANCE, GL_UNSIGNED_BYTE, 1, TEXEL_L8},
+	{GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2, TEXEL_LA88},
+};
 
-/* 0, or the error GL has for this pair. */
-static GLenum choose_transfer(const struct soft *soft, GLenum format,
-	GLenum type, struct transfer *out)
+/* False, with GL's error, where there is no such pair. */
+static bool choose_transfer(const struct soft *soft, GLenum format, GLenum type,
+	struct transfer *out)
 {
-	bool wide = soft->format == PIXELS_RGBA8888;
+	bool format_known = false, type_known = false, pair_known = false;
 
-	*out = (struct transfer){2, TEXEL_NONE, format, type};
-	if (!is_format(format)) {
-		return GL_INVALID_ENUM;
+	for (size_t i = 0; i < ARRAY_COUNT(transfers); i++) {
+		const struct transfer *known = &transfers[i];
+
+		format_known |= known->format == format;
+		type_known |= known->type == type;
+		if (known->format == format && known->type == type) {
+			pair_known = true;
+			*out = *known;
+		}
 	}
-	switch (type) {
-	case GL_UNSIGNED_SHORT_5_6_5:
-		out->kept = TEXEL_565;
-		return format == GL_RGB ? 0 : GL_INVALID_OPERATION;
-	case GL_UNSIGNED_SHORT_4_4_4_4:
-		out->kept = TEXEL_4444;
-		return format == GL_RGBA ? 0 : GL_INVALID_OPERATION;
-	case GL_UNSIGNED_SHORT_5_5_5_1:
-		out->kept = TEXEL_5551;
-		return format == GL_RGBA ? 0 : GL_INVALID_OPERATION;
-	case GL_UNSIGNED_BYTE:
-		break;
-	default:
-		return GL_INVALID_ENUM;
-	}
-	switch (format) {
-	case GL_RGB:
-		out->source_bytes = 3;
-		out->kept = wide ? TEXEL_8888 : TEXEL_565;
-		break;
-	case GL_RGBA:
-		out->source_bytes = 4;
+	/* Bytes lose nothing in a picture of bytes. */
+	if (pair_known && out->source_bytes == 3 &&
+		soft->format == PIXELS_RGBA8888) {
 		out->kept = TEXEL_8888;
-		break;
-	case GL_ALPHA:
-		out->source_bytes = 1;
-		out->kept = TEXEL_A8;
-		break;
-	case GL_LUMINANCE:
-		out->source_bytes = 1;
-		out->kept = TEXEL_L8;
-		break;
-	default:
-		out->kept = TEXEL_LA88;
-		break;
 	}
-	return 0;
+	return soft_check(format_known && type_known, GL_INVALID_ENUM) &&
+		soft_check(pair_known, GL_INVALID_OPERATION);
 }
 
 static int kept_bytes(enum texel_format format)
@@ -256,7 +240,7 @@ static int kept_bytes(enum texel_format format)
 static void convert_row(const struct transfer *transfer, const uint8_t *from,
 	uint8_t *to, int width)
 {
-	if (transfer->format != GL_RGB || transfer->type != GL_UNSIGNED_BYTE) {
+	if (transfer->source_bytes != 3) {
 		memcpy(to, from, (size_t)width * (size_t)transfer->source_bytes);
 		return;
 	}
@@ -317,8 +301,7 @@ static void define_level(struct soft *soft, struct level *level,
 		return;
 	}
 	level->texels = calloc(1, size);
-	if (!level->texels) {
-		soft_set_error(soft, GL_OUT_OF_MEMORY);
+	if (!soft_check(level->texels != NULL, GL_OUT_OF_MEMORY)) {
 		return;
 	}
 	level->format = transfer->kept;
@@ -331,36 +314,46 @@ static void define_level(struct soft *soft, struct level *level,
 	soft_tiles_make(level);
 }
 
+static bool is_size(GLsizei size)
+{
+	return size == 0 || size_log2(size) >= 0;
+}
+
+static bool is_internal_format(GLint format)
+{
+	return IS_ONE_OF((GLenum)format, GL_RGB, GL_RGBA, GL_ALPHA,
+		GL_LUMINANCE, GL_LUMINANCE_ALPHA);
+}
+
 static void tex_image(GLenum target, GLint level, GLint internal_format,
 	GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
 	const void *pixels)
 {
 	struct soft *soft = soft_current();
 	struct transfer transfer;
-	GLenum error;
 
-	if (target != GL_TEXTURE_2D) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
+	if (soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM) &&
+		choose_transfer(soft, format, type, &transfer) &&
+		soft_check(level >= 0 && level < SOFT_LEVELS && border == 0 &&
+				is_internal_format(internal_format) &&
+				is_size(width) && is_size(height),
+			GL_INVALID_VALUE) &&
+		soft_check((GLenum)internal_format == format,
+			GL_INVALID_OPERATION)) {
+		define_level(soft, &bound_texture(soft)->level[level],
+			&transfer, width, height, pixels);
 	}
-	error = choose_transfer(soft, format, type, &transfer);
-	if (error) {
-		soft_set_error(soft, error);
-		return;
-	}
-	if (level < 0 || level >= SOFT_LEVELS || border != 0 ||
-		!is_format((GLenum)internal_format) ||
-		(width != 0 && size_log2(width) < 0) ||
-		(height != 0 && size_log2(height) < 0)) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
-	}
-	if ((GLenum)internal_format != format) {
-		soft_set_error(soft, GL_INVALID_OPERATION);
-		return;
-	}
-	define_level(soft, &bound_texture(soft)->level[level], &transfer, width,
-		height, pixels);
+}
+
+static bool is_part(const struct level *level, const struct rectangle *part)
+{
+	const int width = 1 << level->width_log2;
+	const int height = 1 << level->height_log2;
+
+	return part->x >= 0 && part->y >= 0 && part->width >= 0 &&
+		part->height >= 0 && part->width <= width &&
+		part->height <= height && part->x <= width - part->width &&
+		part->y <= height - part->height;
 }
 
 static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
@@ -371,31 +364,18 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	const struct rectangle part = {x, y, width, height};
 	struct transfer transfer;
 	struct level *level;
-	GLenum error;
 
-	if (target != GL_TEXTURE_2D) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return;
-	}
-	error = choose_transfer(soft, format, type, &transfer);
-	if (error || number < 0 || number >= SOFT_LEVELS) {
-		soft_set_error(soft, error ? error : GL_INVALID_VALUE);
+	if (!soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM) ||
+		!choose_transfer(soft, format, type, &transfer) ||
+		!soft_check(number >= 0 && number < SOFT_LEVELS,
+			GL_INVALID_VALUE)) {
 		return;
 	}
 	level = &bound_texture(soft)->level[number];
-	if (level->format != transfer.kept || level->base_format != format) {
-		soft_set_error(soft, GL_INVALID_OPERATION);
-		return;
-	}
-	if (x < 0 || y < 0 || width < 0 || height < 0 ||
-		width > 1 << level->width_log2 ||
-		height > 1 << level->height_log2 ||
-		x > (1 << level->width_log2) - width ||
-		y > (1 << level->height_log2) - height) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
-	}
-	if (pixels) {
+	if (soft_check(level->format == transfer.kept &&
+			    level->base_format == format,
+		    GL_INVALID_OPERATION) &&
+		soft_check(is_part(level, &part), GL_INVALID_VALUE) && pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
 		soft_tiles_update(level);
 	}

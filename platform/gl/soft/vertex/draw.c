@@ -1,5 +1,6 @@
 /* DrawArrays and DrawElements: from indices to primitives. */
 #include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/state/parameter.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
 #include <string.h>
@@ -153,33 +154,21 @@ static void draw_primitives(
 }
 
 /* What both calls refuse; false ends them. */
-static bool may_draw(struct soft *soft, GLenum mode, GLsizei count)
+static bool may_draw(GLenum mode, GLsizei count)
 {
-	if (mode > GL_TRIANGLE_FAN) {
-		soft_set_error(soft, GL_INVALID_ENUM);
-		return false;
-	}
-	if (count < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return false;
-	}
-	return count > 0;
+	return soft_check(mode <= GL_TRIANGLE_FAN, GL_INVALID_ENUM) &&
+		soft_check(count >= 0, GL_INVALID_VALUE) && count > 0;
 }
 
 static void draw_arrays(GLenum mode, GLint first, GLsizei count)
 {
 	struct soft *soft = soft_current();
-	struct source source = {.first = (uint32_t)first};
+	const struct source source = {
+		.first = (uint32_t)first, .count = (uint32_t)count};
 
-	if (first < 0) {
-		soft_set_error(soft, GL_INVALID_VALUE);
-		return;
-	}
-	if (!may_draw(soft, mode, count)) {
-		return;
-	}
-	source.count = (uint32_t)count;
-	if (soft_prepare(soft, soft->draw, mode, source.first, source.count)) {
+	if (soft_check(first >= 0, GL_INVALID_VALUE) && may_draw(mode, count) &&
+		soft_prepare(
+			soft, soft->draw, mode, source.first, source.count)) {
 		draw_primitives(soft->draw, &source, mode);
 	}
 }
@@ -217,17 +206,15 @@ static void draw_elements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
 	struct soft *soft = soft_current();
-	struct source source = {.indices = indices, .type = type};
+	const struct source source = {
+		.indices = indices, .type = type, .count = (uint32_t)count};
 	uint32_t low = UINT32_MAX, high = 0;
 
-	if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT) {
-		soft_set_error(soft, GL_INVALID_ENUM);
+	if (!soft_check(IS_ONE_OF(type, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT),
+		    GL_INVALID_ENUM) ||
+		!may_draw(mode, count)) {
 		return;
 	}
-	if (!may_draw(soft, mode, count)) {
-		return;
-	}
-	source.count = (uint32_t)count;
 	/* Floats alone have a scale that their range decides. */
 	if (soft->arrays.vertex.type == GL_FLOAT) {
 		find_range(&source, &low, &high);

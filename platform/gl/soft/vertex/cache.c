@@ -1,3 +1,4 @@
+/* The cache of vertices, and single triangles of what is in it. */
 #include "platform/gl/soft/vertex/primitive.h"
 
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
@@ -20,4 +21,20 @@ void soft_find_vertices(struct draw *draw, const struct source *source,
 			}
 		}
 	}
+}
+
+void soft_draw_triangle(struct draw *draw, const struct source *source,
+	uint32_t a, uint32_t b, uint32_t c)
+{
+	struct vertex *v[3];
+
+	v[0] = find_vertex(draw, source, a);
+	v[1] = find_vertex(draw, source, b);
+	v[2] = find_vertex(draw, source, c);
+	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
+		const uint32_t at[3] = {a, b, c};
+
+		soft_find_vertices(draw, source, at, 3, v);
+	}
+	draw_transformed(draw, v);
 }

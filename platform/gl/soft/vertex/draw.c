@@ -5,70 +5,35 @@
 
 #include <string.h>
 
-static void draw_triangle(struct draw *draw, const struct source *source,
-	uint32_t a, uint32_t b, uint32_t c)
+/* Two triangles from the i-th index on as one rectangle of text, if they are. */
+static bool draw_rectangle(
+	struct draw *draw, const struct source *source, uint32_t i)
 {
-	struct vertex *v[3];
+	uint16_t index[6];
+	struct vertex *v[4];
 
-	v[0] = find_vertex(draw, source, a);
-	v[1] = find_vertex(draw, source, b);
-	v[2] = find_vertex(draw, source, c);
-	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-		const uint32_t at[3] = {a, b, c};
-
-		soft_find_vertices(draw, source, at, 3, v);
+	if (i + 5 >= source->count) {
+		return false;
 	}
-	draw_transformed(draw, v);
+	memcpy(index, source->indices + 2 * i, sizeof(index));
+	v[0] = find_by_index(draw, index[0]);
+	v[1] = find_by_index(draw, index[1]);
+	v[2] = find_by_index(draw, index[2]);
+	v[3] = find_by_index(draw, index[5]);
+	return index[3] == index[2] && index[4] == index[1] &&
+		v[0]->index == index[0] && v[1]->index == index[1] &&
+		v[2]->index == index[2] && soft_fill_rectangle(draw, v);
 }
 
-/* Triangles of text, most of them two to a rectangle. */
+/* Triangles of text by 16-bit indices, most of them two to a rectangle. */
 static void draw_rectangles(struct draw *draw, const struct source *source)
 {
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
-		uint16_t index[6];
-		struct vertex *v[4];
-
-		memcpy(index, source->indices + 2 * i, 3 * sizeof(index[0]));
-		if (i + 5 < source->count) {
-			memcpy(index, source->indices + 2 * i, sizeof(index));
-			v[0] = find_by_index(draw, index[0]);
-			v[1] = find_by_index(draw, index[1]);
-			v[2] = find_by_index(draw, index[2]);
-			v[3] = find_by_index(draw, index[5]);
-			if (index[3] == index[2] && index[4] == index[1] &&
-				v[0]->index == index[0] &&
-				v[1]->index == index[1] &&
-				v[2]->index == index[2] &&
-				soft_fill_rectangle(draw, v)) {
-				i += 3;
-				continue;
-			}
+		if (draw_rectangle(draw, source, i)) {
+			i += 3;
+		} else {
+			soft_draw_triangle(draw, source, i, i + 1, i + 2);
 		}
-		soft_list_other(draw, index);
-	}
-}
-
-/* Lists of triangles by 16-bit indices, which most are. */
-static void draw_listed(struct draw *draw, const struct source *source)
-{
-	bool even = ((uintptr_t)source->indices & 1) == 0;
-
-	if (draw->rectangles) {
-		draw_rectangles(draw, source);
-	} else if (draw->packed && even && source->count >= 3) {
-		soft_list(draw, source->indices, source->count / 3 * 3);
-	} else {
-		soft_list_any(draw, source->indices, source->count);
-	}
-}
-
-static void draw_unindexed(struct draw *draw, const struct source *source)
-{
-	if (soft_draw_unindexed(draw, source->first, source->count)) {
-		return;
-	}
-	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
-		draw_triangle(draw, source, i, i + 1, i + 2);
 	}
 }
 
@@ -116,15 +81,15 @@ static void draw_triangles(
 	for (uint32_t i = 0; i + 2 < source->count; i += step) {
 		switch (mode) {
 		case GL_TRIANGLES:
-			draw_triangle(draw, source, i, i + 1, i + 2);
+			soft_draw_triangle(draw, source, i, i + 1, i + 2);
 			break;
 		case GL_TRIANGLE_STRIP:
 			/* Every second one is listed the other way round. */
-			draw_triangle(
+			soft_draw_triangle(
 				draw, source, i + i % 2, i + 1 - i % 2, i + 2);
 			break;
 		default:
-			draw_triangle(draw, source, 0, i + 1, i + 2);
+			soft_draw_triangle(draw, source, 0, i + 1, i + 2);
 			break;
 		}
 	}
@@ -133,6 +98,9 @@ static void draw_triangles(
 static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
+	bool listed = mode == GL_TRIANGLES && source->indices &&
+		source->type == GL_UNSIGNED_SHORT;
+
 	memset(draw->place, 0xFF, sizeof(draw->place));
 	if (draw->soft->counts) {
 		soft_count_call(draw, source, mode);
@@ -144,11 +112,13 @@ static void draw_primitives(
 		}
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
-	} else if (mode == GL_TRIANGLES && !source->indices) {
-		draw_unindexed(draw, source);
-	} else if (mode == GL_TRIANGLES && source->type == GL_UNSIGNED_SHORT) {
-		draw_listed(draw, source);
-	} else {
+	} else if (listed && draw->rectangles) {
+		draw_rectangles(draw, source);
+	} else if (listed && draw->packed &&
+		(uintptr_t)source->indices % 2 == 0) {
+		soft_list(draw, source);
+	} else if (mode != GL_TRIANGLES || source->indices ||
+		!soft_draw_unindexed(draw, source->first, source->count)) {
 		draw_triangles(draw, source, mode);
 	}
 }

@@ -6,12 +6,14 @@
  *	position    block floating: the array's largest coordinate is just below
  *	            2^30; position_q says where the point is
  *	clip        block floating for all of the draw, |coordinate| < 2^29
- *	window x, y 4 bits of fraction, y downwards; 0 to 2^17; below 2^15 they
- *	            also go as one number, y in its upper half (struct
- *cache_tag) window z    2 bits of fraction: 18 bits attributes  colours and
- *fog 8.8 with 0x80 to spare at either end, texture coordinates 16.16, then
- *texels with 8 bits of fraction planes      8 bits of fraction more than the
- *attributes; they wrap, and are right modulo 2^32 inside of their triangle
+ *	window x, y 4 bits of fraction, y downwards; 0 to 2^17. Below 2^15 they
+ *	            also go as one number, see struct cache_tag
+ *	window z    2 bits of fraction: 18 bits
+ *	attributes  colours and fog 8.8 with 0x80 to spare at either end,
+ *	            texture coordinates 16.16, then texels with 8 bits of
+ *	            fraction
+ *	planes      8 bits of fraction more than the attributes; they wrap, and
+ *	            are right modulo 2^32 inside of their triangle
  */
 #ifndef PLATFORM_GL_SOFT_VERTEX_DRAW_H
 #define PLATFORM_GL_SOFT_VERTEX_DRAW_H
@@ -299,15 +301,6 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 {
 	return (uint32_t)vertex->y << 16 | (uint32_t)vertex->x;
 }
-
-/*
- * list.c: a list of triangles by 16-bit indices, at any address. The second
- * is faster: it wants draw->packed, at least one triangle and whole ones, and
- * indices at an even address. The third draws a single triangle.
- */
-void soft_list_any(struct draw *draw, const void *indices, uint32_t count);
-void soft_list(struct draw *draw, const void *indices, uint32_t count);
-void soft_list_other(struct draw *draw, const uint16_t index[3]);
 
 /*
  * list.c: a triangle of vertices that lie in these slots of the cache, three,

@@ -1,3 +1,4 @@
+/* Which of many floats is the largest; arm/largest_float.S is faster. */
 #include "platform/gl/soft/vertex/draw.h"
 
 #include <string.h>

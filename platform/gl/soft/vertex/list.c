@@ -1,42 +1,9 @@
-/* Lists of triangles by 16-bit indices, and single triangles. */
+/*
+ * Lists of triangles by 16-bit indices: finds, culls and sets up a triangle in
+ * one loop as long as all of its vertices are in the cache and on the screen.
+ */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
-
-static void draw_indexed(struct draw *draw, const uint16_t index[3])
-{
-	struct vertex *v[3];
-
-	v[0] = find_by_index(draw, index[0]);
-	v[1] = find_by_index(draw, index[1]);
-	v[2] = find_by_index(draw, index[2]);
-	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-		const struct source source = {
-			.indices = (const uint8_t *)index,
-			.type = GL_UNSIGNED_SHORT,
-		};
-		const uint32_t which[3] = {0, 1, 2};
-
-		soft_find_vertices(draw, &source, which, 3, v);
-	}
-	draw_transformed(draw, v);
-}
-
-void soft_list_other(struct draw *draw, const uint16_t index[3])
-{
-	draw_indexed(draw, index);
-}
-
-void soft_list_any(struct draw *draw, const void *indices, uint32_t count)
-{
-	const uint8_t *at = indices;
-
-	for (uint32_t i = 0; i + 2 < count; i += 3, at += 6) {
-		uint16_t index[3];
-
-		memcpy(index, at, sizeof(index));
-		draw_indexed(draw, index);
-	}
-}
 
 /* The slots of a triangle's corners in the cache. */
 struct corners {
@@ -191,9 +158,10 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw,
 	fast_setup->fill(draw, &setup);
 }
 
-void soft_list(struct draw *draw, const void *indices, uint32_t count)
+void soft_list(struct draw *draw, const struct source *source)
 {
-	const uint16_t *index = indices, *end = index + count;
+	const uint16_t *first = (const uint16_t *)(const void *)source->indices;
+	const uint16_t *index = first, *end = index + source->count / 3 * 3;
 	const struct cache_tag *place = draw->place;
 	const uint32_t side = draw->fast_setup.cull_side;
 	const uint32_t mask = draw->fast_setup.cull_mask;
@@ -206,7 +174,9 @@ void soft_list(struct draw *draw, const void *indices, uint32_t count)
 
 		if (!are_there(place, &slot, index) &&
 			!load_corners(draw, &slot, index)) {
-			soft_list_other(draw, index);
+			uint32_t at = (uint32_t)(index - first);
+
+			soft_draw_triangle(draw, source, at, at + 1, at + 2);
 			continue;
 		}
 		xy[0] = place[slot.a].xy;

@@ -75,6 +75,16 @@ static inline struct vertex *find_vertex(
 void soft_find_vertices(struct draw *draw, const struct source *source,
 	const uint32_t *at, int count, struct vertex **out);
 
+/* cache.c: the triangle of these three of a source's vertices. */
+void soft_draw_triangle(struct draw *draw, const struct source *source,
+	uint32_t a, uint32_t b, uint32_t c);
+
+/*
+ * list.c: triangles by 16-bit indices at an even address, while draw->packed;
+ * does what soft_draw_triangle() does, faster.
+ */
+void soft_list(struct draw *draw, const struct source *source);
+
 /* A triangle of transformed vertices, as far as it is in the clip volume. */
 static ALWAYS_INLINE void draw_transformed(
 	struct draw *draw, struct vertex *const v[3])

@@ -150,7 +150,8 @@ static void free_resources(drmModeResPtr resources)
 
 static drmModeConnectorPtr get_connector(int fd, uint32_t id)
 {
-	static uint32_t encoders[] = {ENCODER};
+	static uint32_t encoders[FAKE_CARD_ENCODERS] = {
+		ENCODER, ENCODER + 1, ENCODER + 2};
 	drmModeConnectorPtr connector;
 
 	(void)fd;
@@ -160,12 +161,12 @@ static drmModeConnectorPtr get_connector(int fd, uint32_t id)
 	}
 	connector = hand_out(sizeof(*connector));
 	connector->connector_id = CONNECTOR;
-	connector->encoder_id = ENCODER;
+	connector->encoder_id = ENCODER + (uint32_t)fake_card.connected_encoder;
 	connector->connection = fake_card.not_connected ? DRM_MODE_DISCONNECTED
 							: DRM_MODE_CONNECTED;
 	connector->count_modes = FAKE_CARD_MODES;
 	connector->modes = fake_card.modes;
-	connector->count_encoders = 1;
+	connector->count_encoders = fake_card.encoder_count;
 	connector->encoders = encoders;
 	return connector;
 }
@@ -181,14 +182,14 @@ static drmModeEncoderPtr get_encoder(int fd, uint32_t id)
 	drmModeEncoderPtr encoder;
 
 	(void)fd;
-	assert_int_equal(id, ENCODER);
+	assert_in_range(id, ENCODER, ENCODER + FAKE_CARD_ENCODERS - 1);
 	if (fails(CALL_ENCODER)) {
 		return NULL;
 	}
 	encoder = hand_out(sizeof(*encoder));
-	encoder->encoder_id = ENCODER;
-	encoder->crtc_id = fake_card.current_crtc;
-	encoder->possible_crtcs = 2; /* the second */
+	encoder->encoder_id = id;
+	encoder->crtc_id = fake_card.encoders[id - ENCODER].crtc;
+	encoder->possible_crtcs = fake_card.encoders[id - ENCODER].possible;
 	return encoder;
 }
 
@@ -311,7 +312,7 @@ static int page_flip(
 	int fd, uint32_t crtc, uint32_t fb, uint32_t flags, void *user)
 {
 	(void)fd;
-	assert_int_equal(crtc, CRTC);
+	assert_int_equal(crtc, fake_card.shown_crtc);
 	assert_int_equal(flags, DRM_MODE_PAGE_FLIP_EVENT);
 	assert_true(fake_card.buffers[fb - 1].added);
 	assert_null(fake_card.flip_user);
@@ -393,7 +394,9 @@ void fake_card_begin(void)
 	fake_card.fourccs[0] = DRM_FORMAT_XRGB8888;
 	fake_card.fourccs[1] = DRM_FORMAT_RGB565;
 	fake_card.fourccs[2] = DRM_FORMAT_XBGR8888;
-	fake_card.current_crtc = CRTC;
+	fake_card.encoder_count = 1;
+	fake_card.encoders[0].crtc = CRTC;
+	fake_card.encoders[0].possible = 2; /* the second */
 	fake_card.modes[0] = (drmModeModeInfo){
 		.hdisplay = 24, .vdisplay = 14, .vrefresh = 60};
 	fake_card.modes[1] = (drmModeModeInfo){.hdisplay = 20,

@@ -8,6 +8,7 @@
 #include "platform/display/kms/kms_calls.h"
 
 enum {
+	FAKE_CARD_ENCODERS = 3,
 	FAKE_CARD_MODES = 3,
 	FAKE_CARD_BUFFER_BYTES = 64 * 1024
 };
@@ -35,7 +36,11 @@ struct fake_card {
 	bool no_dumb, not_master, not_connected, prefers_shadow;
 	uint64_t preferred_depth;
 	uint32_t fourccs[3]; /* formats that it can show */
-	uint32_t current_crtc;
+	/* crtc is the one that drives it, or 0; possible has a bit for each. */
+	struct {
+		uint32_t crtc, possible;
+	} encoders[FAKE_CARD_ENCODERS];
+	int encoder_count, connected_encoder;
 	drmModeModeInfo modes[FAKE_CARD_MODES];
 
 	enum fake_card_call fail;

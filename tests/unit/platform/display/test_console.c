@@ -4,6 +4,7 @@
 #include "tests/support/fake/fbdev_scene.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <linux/kd.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -114,12 +115,73 @@ static void test_a_stop_signal_is_left_to_the_frame_loop(void **state)
 	stop_release();
 }
 
+static void ignore(int number)
+{
+	(void)number;
+}
+
+static void (*handler_of(int number))(int)
+{
+	struct sigaction action;
+
+	assert_int_equal(sigaction(number, NULL, &action), 0);
+	return action.sa_handler;
+}
+
+/* Faults are caught unless they are ignored, other signals if nobody does. */
+static void test_each_signal_is_handled_as_before_afterwards(void **state)
+{
+	static const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT,
+		SIGSYS, SIGQUIT, SIGPIPE, SIGALRM, SIGINT, SIGTERM, SIGHUP};
+	void (*const kept[])(int) = {SIG_DFL, SIG_IGN, ignore};
+	void (*former[ARRAY_COUNT(signals)])(int);
+	const int faults = 6;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+		former[i] = handler_of(signals[i]);
+	}
+	for (int turn = 0; turn < 6; turn++) {
+		struct fbdev_scene scene = {0};
+		bool has_mode = turn < 3;
+
+		for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+			signal(signals[i], kept[(i + (size_t)turn) % 3]);
+		}
+		fbdev_scene_begin_565(1);
+		fake_fb.has_console = true;
+		fake_fb.fail_request = has_mode ? 0 : KDSETMODE;
+		fake_fb.fail_error = EINVAL;
+		assert_int_equal(fbdev_scene_open(&scene), 0);
+		for (int i = 0; i < (int)ARRAY_COUNT(signals); i++) {
+			void (*before)(int) = kept[(i + turn) % 3];
+			bool caught = has_mode &&
+				(before == SIG_DFL ||
+					(before == ignore && i < faults));
+
+			assert_int_equal(
+				handler_of(signals[i]) != before, caught);
+		}
+		fake_fb.fail_request = 0;
+		scene.driver->destroy(scene.display);
+		for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+			assert_true(handler_of(signals[i]) ==
+				kept[(i + (size_t)turn) % 3]);
+		}
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+		signal(signals[i], former[i]);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_console_is_in_graphics_mode_meanwhile),
 		cmocka_unit_test(test_another_programs_console_is_not_changed),
 		cmocka_unit_test(test_a_fatal_signal_restores_text_mode),
+		cmocka_unit_test(
+			test_each_signal_is_handled_as_before_afterwards),
 		cmocka_unit_test(test_a_stop_signal_is_left_to_the_frame_loop),
 	};
 

@@ -269,7 +269,7 @@ static void test_an_idle_crtc_is_found(void **state)
 	struct scene scene = {0};
 
 	(void)state;
-	fake_card.current_crtc = 0;
+	fake_card.encoders[0].crtc = 0;
 	assert_int_equal(scene_open(&scene), 0);
 	assert_int_equal(fake_card.shown_crtc, 51);
 	draw(&scene, 1);

@@ -1,8 +1,10 @@
 /* The graph of frame times: its texts and its bars. */
 #include "app/scene/hud/hud_graph.h"
 #include "app/scene/hud/hud_group.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static void add(struct hud_graph *graph, int frames, float ms, float interval_ms)
@@ -86,6 +88,108 @@ static void test_bars_are_as_high_as_the_stages_last(void **state)
 	free(hud);
 }
 
+struct box {
+	int left, top, right, bottom;
+};
+
+static struct box box_of(const struct hud *hud, int quad)
+{
+	const struct hud_vertex *v = &hud->vertex[quad * 4];
+
+	return (struct box){v[0].x, v[0].y, v[3].x, v[3].y};
+}
+
+/* The ground of the bars: the first rectangle of their height. */
+static struct box find_field(const struct hud *hud)
+{
+	for (int i = 0; i < hud->quad_count; i++) {
+		struct box box = box_of(hud, i);
+
+		if (box.bottom - box.top == 3 * hud_em(hud)) {
+			return box;
+		}
+	}
+	fail_msg("the graph has no ground");
+	return (struct box){0};
+}
+
+/* The pixels of a column of the field in a stage's colour. */
+static int stage_pixels(const struct hud *hud, const struct box *field, int x,
+	struct hud_color color)
+{
+	int sum = 0;
+
+	for (int i = 0; i < hud->quad_count; i++) {
+		const struct hud_color *c = &hud->vertex[i * 4].color;
+		struct box box = box_of(hud, i);
+
+		if (c->r == color.r && c->g == color.g && c->b == color.b &&
+			box.left <= x && x < box.right &&
+			box.top >= field->top && box.bottom <= field->bottom) {
+			sum += box.bottom - box.top;
+		}
+	}
+	return sum;
+}
+
+/* Compares the bars of a graph with the times of its frames. */
+static void expect_bars(const struct hud *hud, const struct hud_graph *graph,
+	float ms[][HUD_STAGES], int frames)
+{
+	const struct hud_color *const colors[HUD_STAGES] = {
+		&hud_color_blue, &hud_color_green, &hud_color_amber};
+	const struct box field = find_field(hud);
+	const int width = field.right - field.left;
+	const int height = field.bottom - field.top;
+	const int shown = frames < HUD_GRAPH_FRAMES ? frames : HUD_GRAPH_FRAMES;
+	const double scale_ms = (double)hud_graph_scale_ms(graph);
+
+	for (int slot = -1; slot <= HUD_GRAPH_FRAMES; slot++) {
+		int x = field.left + width * slot / HUD_GRAPH_FRAMES;
+		int frame = frames - HUD_GRAPH_FRAMES + slot;
+		bool has_bar = slot >= HUD_GRAPH_FRAMES - shown &&
+			slot < HUD_GRAPH_FRAMES;
+		double sum_ms = 0.0;
+		int seen = 0;
+
+		for (int stage = 0; stage < HUD_STAGES; stage++) {
+			seen += stage_pixels(hud, &field, x, *colors[stage]);
+			sum_ms += has_bar ? (double)ms[frame][stage] : 0.0;
+			assert_near(seen,
+				fmin(sum_ms * height / scale_ms, height), 0.51);
+		}
+	}
+}
+
+/* A first frame stands at the right, and pushes those before it to the left. */
+static void test_each_bar_is_its_frame(void **state)
+{
+	enum {
+		MOST = 3 * HUD_GRAPH_FRAMES
+	};
+	const struct hud_facts facts = {
+		.technique = "Skeletal", .driver = "soft", .triangles = 12};
+	struct hud *hud = calloc(1, sizeof(*hud));
+	struct hud_graph graph = {.next = 0};
+	float ms[MOST][HUD_STAGES];
+	uint32_t seed = 1;
+
+	(void)state;
+	assert_non_null(hud);
+	hud->font = &font_default;
+	for (int frame = 0; frame < MOST; frame++) {
+		for (int stage = 0; stage < HUD_STAGES; stage++) {
+			ms[frame][stage] =
+				(float)random_between(&seed, 0, 90) / 8.0f;
+		}
+		hud_graph_add(&graph, ms[frame], 20.0f);
+		hud_begin(hud, 480, 640);
+		hud_graph_show(&graph, &facts, hud);
+		expect_bars(hud, &graph, ms, frame + 1);
+	}
+	free(hud);
+}
+
 /* Shows the graph below labels of so many rows; whether they overlap. */
 static bool overlaps_labels(struct hud *hud, int width, int height, int rows)
 {
@@ -134,6 +238,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_scale_holds_the_tallest_frame_it_still_has),
 		cmocka_unit_test(test_bars_are_as_high_as_the_stages_last),
+		cmocka_unit_test(test_each_bar_is_its_frame),
 		cmocka_unit_test(test_in_small_pictures_facts_give_way_to_labels),
 	};
 

@@ -51,6 +51,12 @@ static int open_device(const char *path)
 	assert_int_equal(socketpair(AF_UNIX, SOCK_STREAM, 0, pair), 0);
 	assert_int_equal(fcntl(pair[1], F_SETFL, O_NONBLOCK), 0);
 	close_ours(device);
+	/* A descriptor that the driver closed is given anew. */
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		if (bench_now->device[i].theirs == pair[1]) {
+			bench_now->device[i].theirs = -1;
+		}
+	}
 	device->ours = pair[0];
 	device->theirs = pair[1];
 	return pair[1];

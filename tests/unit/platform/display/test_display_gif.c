@@ -1,8 +1,10 @@
 #include "tests/support/files.h"
 #include "tests/support/gl/image_scene.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 #include <gif_lib.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -294,6 +296,112 @@ static void test_a_gif_gets_a_new_palette_for_a_new_scene(void **state)
 	image_scene_close(&scene);
 }
 
+static int squared_distance(const uint8_t *a, const int *b)
+{
+	int sum = 0;
+
+	for (int i = 0; i < 3; i++) {
+		sum += (a[i] - b[i]) * (a[i] - b[i]);
+	}
+	return sum;
+}
+
+/* The distance of the closest colour of the palette. */
+static int least_distance(const ColorMapObject *map, const int *wanted)
+{
+	int least = 3 * 256 * 256;
+
+	for (int i = 0; i < map->ColorCount; i++) {
+		const uint8_t rgb[3] = {map->Colors[i].Red,
+			map->Colors[i].Green, map->Colors[i].Blue};
+		int distance = squared_distance(rgb, wanted);
+
+		least = distance < least ? distance : least;
+	}
+	return least;
+}
+
+/*
+ * Walks the rows to the right and to the left in turn, and hands each pixel's
+ * error on in sixteenths as Floyd and Steinberg do. Returns the sum of what
+ * the colours are farther from those wanted than the closest ones.
+ */
+static double walk_errors(const struct shown *shown, const ColorMapObject *map,
+	uint8_t source[][IMAGE_SCENE_WIDTH][3])
+{
+	enum {
+		W = IMAGE_SCENE_WIDTH,
+		H = IMAGE_SCENE_HEIGHT
+	};
+	static int error[H + 1][W + 2][3]; /* from column -1 on */
+	double excess = 0.0;
+
+	memset(error, 0, sizeof(error));
+	for (int i = 0; i < W * H; i++) {
+		int y = i / W, step = y % 2 ? -1 : 1;
+		int x = y % 2 ? W - 1 - i % W : i % W;
+		int wanted[3];
+
+		for (int c = 0; c < 3; c++) {
+			int sum =
+				source[y][x][c] + (error[y][x + 1][c] + 8) / 16;
+			int left;
+
+			wanted[c] = sum < 0 ? 0 : sum > 255 ? 255 : sum;
+			left = wanted[c] - shown->rgb[y][x][c];
+			error[y][x + 1 + step][c] += 7 * left;
+			error[y + 1][x + 1 - step][c] += 3 * left;
+			error[y + 1][x + 1][c] += 5 * left;
+			error[y + 1][x + 1 + step][c] += left;
+		}
+		for (int c = 0; c < 3; c++) {
+			wanted[c] =
+				(wanted[c] & ~3) + 2; /* its cell's centre */
+		}
+		excess += sqrt(squared_distance(shown->rgb[y][x], wanted)) -
+			sqrt(least_distance(map, wanted));
+	}
+	return excess / (W * H);
+}
+
+static void test_a_gif_hands_the_error_of_each_pixel_on(void **state)
+{
+	uint32_t seed = 1;
+
+	(void)state;
+	for (int turn = 0; turn < 8; turn++) {
+		uint8_t source[IMAGE_SCENE_HEIGHT][IMAGE_SCENE_WIDTH][3];
+		struct image_scene scene;
+		struct shown shown = {0};
+		struct pixels pixels;
+		GifFileType *gif;
+		int error;
+
+		image_scene_open(&scene, "noise.gif", 1, 25);
+		scene.driver->begin_frame(scene.display, &pixels);
+		for (int y = 0; y < IMAGE_SCENE_HEIGHT; y++) {
+			for (int x = 0; x < IMAGE_SCENE_WIDTH; x++) {
+				uint8_t *at = pixels.data +
+					y * pixels.stride_bytes + 4 * x;
+
+				for (int c = 0; c < 3; c++) {
+					source[y][x][c] = at[c] =
+						(uint8_t)next_random(&seed);
+				}
+			}
+		}
+		assert_int_equal(scene.driver->end_frame(scene.display), 0);
+		assert_int_equal(scene.driver->finish(scene.display), 0);
+		gif = read_gif(&scene);
+		paste(gif, 0, &shown);
+		/* The palette weighs colours by how well eyes see them. */
+		assert_near(
+			walk_errors(&shown, gif->SColorMap, source), 0.0, 0.25);
+		DGifCloseFile(gif, &error);
+		image_scene_close(&scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -304,6 +412,7 @@ int main(void)
 		cmocka_unit_test(test_gif_delays_do_not_drift),
 		cmocka_unit_test(
 			test_a_gif_leaves_out_what_players_would_slow_down),
+		cmocka_unit_test(test_a_gif_hands_the_error_of_each_pixel_on),
 		cmocka_unit_test(test_a_gif_gets_a_new_palette_for_a_new_scene),
 	};
 

@@ -51,7 +51,7 @@ static void draw_figures(const struct demo_driver *driver,
 void demo_draw_stage(const struct demo_driver *driver, struct demo *demo,
 	int width, int height)
 {
-	const struct demo_base *base = (const struct demo_base *)demo;
+	struct demo_base *base = (struct demo_base *)demo;
 
 	if (driver->draw) {
 		driver->draw(demo, width, height);

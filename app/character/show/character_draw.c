@@ -159,7 +159,10 @@ static void draw_shadows(const struct character_drawing *drawing,
 		return;
 	}
 	if (stage->floor.wave_height != 0.0f && stage->has_stencil) {
-		shadow_drape_draw(&drawing->drape, gl, shadow_strength);
+		const struct shadow_drape *drape = &drawing->drape;
+
+		shadow_drape_draw(drape, gl, shadow_strength,
+			stage_may_hide(stage, &drape->box));
 	} else {
 		stage_shadow_begin(stage, gl);
 		draw_instance(gl, character->instance, textures, DRAW_SHADOW);

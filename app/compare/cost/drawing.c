@@ -120,7 +120,7 @@ void drawing_draw(
 {
 	static const struct lod automatic = {.kind = LOD_AUTO};
 	struct gl_context *context = drawing->context;
-	const struct stage *stage = &drawing->stage;
+	struct stage *stage = &drawing->stage;
 	const struct gl *gl = &context->gl;
 	int width = drawing->pixels.width, height = drawing->pixels.height;
 

@@ -225,8 +225,8 @@ static float distance_to_ground(
 		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
 }
 
-static void lay_vertices(
-	struct shadow_sheet *sheet, const struct shadow_light *light)
+static void lay_vertices(struct shadow_sheet *sheet,
+	const struct shadow_light *light, struct bounds *box)
 {
 	for (int i = 0; i < sheet->vertex_count; i++) {
 		const float *from = sheet->posed[i];
@@ -235,6 +235,7 @@ static void lay_vertices(
 		vec_add_scaled(from, light->towards,
 			-distance_to_ground(light, from), to);
 		floor_lift(light->ground, light->eye, to);
+		bounds_add(box, to);
 	}
 }
 
@@ -248,7 +249,7 @@ static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	list_triangles(drape, sheet, (const vec4 *)matrix);
-	lay_vertices(sheet, light);
+	lay_vertices(sheet, light, &drape->box);
 }
 
 void shadow_drape_update(struct shadow_drape *drape,
@@ -257,6 +258,7 @@ void shadow_drape_update(struct shadow_drape *drape,
 	int vertices = 0, indices = 0;
 
 	drape->divisions_left = DIVIDED_MAX;
+	drape->box = bounds_empty();
 	for (int i = 0; i < drape->sheet_count; i++) {
 		struct shadow_sheet *sheet = &drape->sheet[i];
 
@@ -297,8 +299,8 @@ static void end_darkening(const struct gl *gl)
 	gl->Disable(GL_STENCIL_TEST);
 }
 
-void shadow_drape_draw(
-	const struct shadow_drape *drape, const struct gl *gl, float strength)
+void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
+	float strength, bool may_be_hidden)
 {
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_TEXTURE_2D);
@@ -306,6 +308,9 @@ void shadow_drape_draw(
 	gl->DisableClientState(GL_COLOR_ARRAY);
 	gl->DisableClientState(GL_NORMAL_ARRAY);
 	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	if (!may_be_hidden) {
+		gl->Disable(GL_DEPTH_TEST);
+	}
 	begin_darkening(gl, strength);
 	for (int i = 0; i < drape->sheet_count; i++) {
 		const struct shadow_sheet *sheet = &drape->sheet[i];
@@ -317,4 +322,5 @@ void shadow_drape_draw(
 		}
 	}
 	end_darkening(gl);
+	gl->Enable(GL_DEPTH_TEST);
 }

@@ -27,7 +27,8 @@ struct shadow_sheet {
 struct shadow_drape {
 	int sheet_count;
 	struct shadow_sheet *sheet;
-	float longest; /* undivided edge */
+	float longest;     /* undivided edge */
+	struct bounds box; /* of all positions */
 
 	uint32_t *place; /* of a batch's vertices in posed */
 	float (*posed)[3], (*position)[3];
@@ -61,11 +62,11 @@ void shadow_drape_update(struct shadow_drape *drape,
 
 /*
  * Darkens the ground in the shadow by strength, 0..1. Expects a cleared stencil
- * buffer, the camera's model-view matrix, and a depth buffer with whatever
- * receives the shadow or hides it. Leaves the stencil test off and the stencil
- * buffer changed.
+ * buffer and the camera's model-view matrix; if something may hide the shadow,
+ * a depth buffer with it and with the ground, else no depth is tested. Leaves
+ * the stencil test off and the stencil buffer changed.
  */
-void shadow_drape_draw(
-	const struct shadow_drape *drape, const struct gl *gl, float strength);
+void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
+	float strength, bool may_be_hidden);
 
 #endif

@@ -1,8 +1,11 @@
 #include "app/scene/stage/floor_mesh.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/draw/triangle_list.h"
 #include "app/scene/stage/floor_view.h"
 #include "platform/base/scalar.h"
+
+#include <float.h>
 
 /* Rows: of the nearest ground, where it begins to fade, where it ends. */
 struct extent {
@@ -142,4 +145,103 @@ void floor_mesh_list(uint16_t index[FLOOR_INDICES])
 			next = triangle_list_add(next, a, a + 1, far);
 		}
 	}
+}
+
+/* What an eye sees of a box, from above: ahead towards its middle, and across. */
+struct sector {
+	const float *eye;
+	float ahead[2];  /* x, z; a unit vector */
+	float far;       /* nothing of the box is farther ahead */
+	float low, high; /* across, by ahead */
+};
+
+static void find_plan(
+	const struct sector *sector, const float point[3], float out[2])
+{
+	float x = point[0] - sector->eye[0], z = point[2] - sector->eye[2];
+
+	out[0] = x * sector->ahead[0] + z * sector->ahead[1];
+	out[1] = z * sector->ahead[0] - x * sector->ahead[1];
+}
+
+/* Returns false if a part of the box is not ahead of the eye. */
+static bool find_sector(
+	struct sector *sector, const float eye[3], const struct bounds *box)
+{
+	float middle[3], length;
+
+	bounds_center(box, middle);
+	vec_subtract(middle, eye, middle);
+	length = scalar_sqrt(middle[0] * middle[0] + middle[2] * middle[2]);
+	if (!(length > 0.0f)) {
+		return false;
+	}
+	*sector = (struct sector){.eye = eye,
+		.ahead = {middle[0] / length, middle[2] / length},
+		.low = FLT_MAX,
+		.high = -FLT_MAX};
+	for (int i = 0; i < 4; i++) {
+		float corner[3] = {i & 1 ? box->high[0] : box->low[0], 0.0f,
+			i & 2 ? box->high[2] : box->low[2]};
+		float plan[2], across;
+
+		find_plan(sector, corner, plan);
+		if (!(plan[0] > 0.01f * length)) {
+			return false;
+		}
+		across = plan[1] / plan[0];
+		sector->far = plan[0] > sector->far ? plan[0] : sector->far;
+		sector->low = across < sector->low ? across : sector->low;
+		sector->high = across > sector->high ? across : sector->high;
+	}
+	return true;
+}
+
+/* Seen from above all triangles of the mesh turn the same way. */
+static bool faces_away(const float *const corner[3], const float eye[3])
+{
+	float ab[3], ac[3], normal[3], to_eye[3];
+
+	vec_subtract(corner[1], corner[0], ab);
+	vec_subtract(corner[2], corner[0], ac);
+	vec_subtract(eye, corner[0], to_eye);
+	vec_cross(ab, ac, normal);
+	return !(vec_dot(normal, to_eye) * normal[1] > 0.0f);
+}
+
+/* Whether all corners are beyond the sector, or on one side of it. */
+static bool is_outside(const float *const corner[3], const struct sector *sector)
+{
+	int beyond = 0, left = 0, right = 0;
+
+	for (int i = 0; i < 3; i++) {
+		float plan[2];
+
+		find_plan(sector, corner[i], plan);
+		beyond += plan[0] > sector->far;
+		left += plan[1] < sector->low * plan[0];
+		right += plan[1] > sector->high * plan[0];
+	}
+	return beyond == 3 || left == 3 || right == 3;
+}
+
+bool floor_mesh_may_hide(const struct floor_mesh *mesh,
+	const uint16_t index[FLOOR_INDICES], const float eye[3],
+	const struct bounds *box)
+{
+	struct sector sector;
+
+	if (!mesh->seen || !find_sector(&sector, eye, box)) {
+		return true;
+	}
+	for (int i = 0; i < FLOOR_INDICES; i += 3) {
+		const float *const corner[3] = {mesh->position[index[i]],
+			mesh->position[index[i + 1]],
+			mesh->position[index[i + 2]]};
+
+		if (faces_away(corner, eye) && !is_outside(corner, &sector)) {
+			return true;
+		}
+	}
+	return false;
 }

@@ -9,6 +9,7 @@
 #ifndef APP_SCENE_STAGE_FLOOR_MESH_H
 #define APP_SCENE_STAGE_FLOOR_MESH_H
 
+#include "app/scene/instance/bounds.h"
 #include "app/scene/stage/camera.h"
 
 enum {
@@ -49,5 +50,14 @@ void floor_mesh_find(struct floor_mesh *mesh, const struct camera *camera,
  * cover what is behind them without a depth test. The fading ones come first.
  */
 void floor_mesh_list(uint16_t index[FLOOR_INDICES]);
+
+/*
+ * Whether a hill may hide, from the eye, something of what lies on the ground in
+ * a box: a triangle of the mesh with its heights faces away from the eye, and is
+ * not beyond the box or beside it. What is hidden has such a triangle before it.
+ */
+bool floor_mesh_may_hide(const struct floor_mesh *mesh,
+	const uint16_t index[FLOOR_INDICES], const float eye[3],
+	const struct bounds *box);
 
 #endif

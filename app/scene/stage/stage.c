@@ -108,14 +108,13 @@ static void clear_stencil(const struct gl *gl, int width, int rows)
 	gl->Disable(GL_SCISSOR_TEST);
 }
 
-void stage_begin(
-	const struct stage *stage, const struct gl *gl, int width, int height)
+void stage_begin(struct stage *stage, const struct gl *gl, int width, int height)
 {
 	/* A camera's image takes the place of level ground, not of hills. */
 	bool ground = !stage->backdrop || stage->floor.wave_height != 0.0f;
-	struct floor_sight sight;
+	struct floor_sight *sight = &stage->sight;
 
-	floor_find_sight(&stage->floor, &stage->camera, width, height, &sight);
+	floor_find_sight(&stage->floor, &stage->camera, width, height, sight);
 	gl->Viewport(0, 0, width, height);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->DepthMask(GL_TRUE);
@@ -125,18 +124,28 @@ void stage_begin(
 	gl->FrontFace(GL_CCW);
 	use_plain_state(gl);
 	if (stage->has_stencil) {
-		clear_stencil(gl, width, sight.strips.horizon_px);
+		clear_stencil(gl, width, sight->strips.horizon_px);
 	}
-	draw_behind(
-		stage, gl, width, height, ground ? sight.strips.covered_px : 0);
+	draw_behind(stage, gl, width, height,
+		ground ? sight->strips.covered_px : 0);
 	camera_apply(&stage->camera, gl, width, height);
 	light_apply(gl);
 	if (ground) {
-		floor_draw(&stage->floor, &sight, gl);
+		floor_draw(&stage->floor, sight, gl);
 	}
 	if (stage->monitor && stage->floor.wave_height != 0.0f) {
 		monitor_draw(stage->monitor, stage->monitor_picture, gl);
 	}
+}
+
+bool stage_may_hide(const struct stage *stage, const struct bounds *box)
+{
+	const struct floor *floor = &stage->floor;
+	float eye[3];
+
+	camera_eye(&stage->camera, eye);
+	return stage->monitor ||
+		floor_mesh_may_hide(&stage->sight.mesh, floor->index, eye, box);
 }
 
 /* Projects along the light: p - light * (p.y - y) / light.y. */

@@ -16,6 +16,7 @@
 struct stage {
 	struct camera camera;
 	struct floor floor;
+	struct floor_sight sight; /* of the floor, by stage_begin() */
 	bool has_stencil;
 	/* Replaces the background and the level floor; may be NULL. */
 	const struct live_texture *backdrop;
@@ -40,7 +41,13 @@ void stage_finish(struct stage *stage, const struct gl *gl);
  * the camera's matrices and the lights.
  */
 void stage_begin(
-	const struct stage *stage, const struct gl *gl, int width, int height);
+	struct stage *stage, const struct gl *gl, int width, int height);
+
+/*
+ * Whether anything that stage_begin() has drawn may hide some of what lies on
+ * uneven ground in a box. If not, it needs no depth test.
+ */
+bool stage_may_hide(const struct stage *stage, const struct bounds *box);
 
 /*
  * Until stage_shadow_end(), whatever is drawn is projected along the key light

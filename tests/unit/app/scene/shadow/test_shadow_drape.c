@@ -100,6 +100,14 @@ static void test_a_shadow_is_seen_where_the_light_meets_the_ground(void **state)
 	(void)state;
 	shadow_drape_update(&cast.drape, cast.instance, &light);
 	assert_int_equal(cast.drape.sheet_count, 1);
+	for (int i = 0; i < sheet->vertex_count; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			float at = sheet->position[i][axis];
+
+			assert_true(at >= cast.drape.box.low[axis]);
+			assert_true(at <= cast.drape.box.high[axis]);
+		}
+	}
 	assert_true(sheet->vertex_count > 8);
 	for (int v = 0; v < sheet->vertex_count; v++) {
 		float ground[3], lifted[3], away[3];
@@ -243,7 +251,7 @@ static void look_down(const struct gl *gl)
  * part, up to x. Returns the number of dark pixels.
  */
 static int draw_shadow(struct gl_context *context, struct pixels *picture,
-	const struct shadow_drape *drape, int16_t roof)
+	const struct shadow_drape *drape, int16_t roof, bool may_be_hidden)
 {
 	const int16_t ground[4][3] = {
 		{-4, -1, -4}, {-4, -1, 4}, {4, -1, -4}, {4, -1, 4}};
@@ -262,7 +270,7 @@ static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 	gl->VertexPointer(3, GL_SHORT, 0, cover);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	shadow_drape_draw(drape, gl, 0.5f);
+	shadow_drape_draw(drape, gl, 0.5f, may_be_hidden);
 	context->driver->end_frame(context);
 	for (int i = 0; i < PICTURE * PICTURE; i++) {
 		uint8_t value = picture->data[4 * i];
@@ -295,11 +303,16 @@ static void test_ground_that_is_seen_is_darkened_once(void **state)
 		0);
 	shadow_drape_update(&cast.drape, cast.instance, &light);
 	/* 1 + 0.45 + 0.6 square units of 144 pixels. */
-	assert_in_range(
-		draw_shadow(context, &picture, &cast.drape, -3), 270, 330);
+	assert_in_range(draw_shadow(context, &picture, &cast.drape, -3, true),
+		270, 330);
 	/* The shadow extends from x = -0.9 to 0.55. */
-	assert_int_equal(draw_shadow(context, &picture, &cast.drape, 1), 0);
-	assert_in_range(draw_shadow(context, &picture, &cast.drape, 0), 1, 200);
+	assert_int_equal(
+		draw_shadow(context, &picture, &cast.drape, 1, true), 0);
+	assert_in_range(
+		draw_shadow(context, &picture, &cast.drape, 0, true), 1, 200);
+	/* Without a depth test, the roof gets what the ground does. */
+	assert_int_equal(draw_shadow(context, &picture, &cast.drape, 1, false),
+		draw_shadow(context, &picture, &cast.drape, -3, true));
 	free(picture.data);
 	context->driver->destroy(context);
 	end(&cast);

@@ -1,3 +1,4 @@
+#include "app/anim/math/vec.h"
 #include "app/scene/stage/floor.h"
 #include "platform/base/compiler.h"
 #include "platform/gl/gl_context.h"
@@ -261,6 +262,94 @@ static void test_near_hills_hide_those_behind_them(void **state)
 	end(&scene);
 }
 
+/* Whether the line from a point to the eye passes through a triangle. */
+static bool passes_through(const struct floor_mesh *mesh,
+	const uint16_t *corner, const float from[3], const float eye[3])
+{
+	const float *a = mesh->position[corner[0]];
+	float edge[2][3], way[3], offset[3], across[3], along[3];
+	float size, u, v, t;
+
+	vec_subtract(mesh->position[corner[1]], a, edge[0]);
+	vec_subtract(mesh->position[corner[2]], a, edge[1]);
+	vec_subtract(eye, from, way);
+	vec_subtract(from, a, offset);
+	vec_cross(way, edge[1], across);
+	vec_cross(offset, edge[0], along);
+	size = vec_dot(edge[0], across);
+	u = vec_dot(offset, across) / size;
+	v = vec_dot(way, along) / size;
+	t = vec_dot(edge[1], along) / size;
+	return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && t > 0.0f && t < 1.0f;
+}
+
+/* How many of the points on the ground in a box the mesh hides. */
+static int count_hidden(const struct scene *scene,
+	const struct floor_mesh *mesh, const struct bounds *box)
+{
+	const uint16_t *index = scene->floor.index;
+	float eye[3];
+	int hidden = 0;
+
+	camera_eye(&scene->camera, eye);
+	for (int k = 0; k < 25; k++) {
+		float at[3];
+
+		for (int axis = 0; axis < 3; axis++) {
+			float part = 0.25f * (float)(axis ? k / 5 : k % 5);
+
+			at[axis] = box->low[axis] +
+				part * (box->high[axis] - box->low[axis]);
+		}
+		at[1] = floor_height(&scene->floor, at[0], at[2]);
+		floor_lift(&scene->floor, eye, at);
+		for (int i = 0; i < FLOOR_INDICES; i += 3) {
+			if (passes_through(mesh, index + i, at, eye)) {
+				hidden++;
+				break;
+			}
+		}
+	}
+	return hidden;
+}
+
+static void test_hills_that_may_hide_a_box_are_found(void **state)
+{
+	int found[2] = {0, 0}, hiding = 0;
+	struct floor_sight sight;
+	struct scene scene;
+
+	(void)state;
+	begin(&scene);
+	for (int i = 0; i < 400; i++) {
+		float x = 0.3f * (float)(i % 7 - 3),
+		      z = 0.5f * (float)(i % 9 - 4);
+		const struct bounds box = {.low = {x - 0.3f, -0.5f, z - 0.2f},
+			.high = {x + 0.3f, 0.5f, z + 0.2f}};
+		float eye[3];
+		bool may_hide;
+		int hidden;
+
+		floor_set_wave_height(&scene.floor, i % 2 ? 0.5f : 0.2f);
+		scene.camera.pitch_rad = pitch_rad[i % 5];
+		scene.camera.yaw_rad = 0.5f * (float)i;
+		camera_eye(&scene.camera, eye);
+		floor_find_sight(
+			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		may_hide = floor_mesh_may_hide(
+			&sight.mesh, scene.floor.index, eye, &box);
+		hidden = count_hidden(&scene, &sight.mesh, &box);
+		assert_true(may_hide || hidden == 0);
+		found[may_hide]++;
+		hiding += hidden > 0;
+		floor_scroll(&scene.floor, 0.17f, 0.31f);
+	}
+	/* It is not always the answer that is safe. */
+	assert_true(hiding > 20);
+	assert_true(found[0] > 100);
+	end(&scene);
+}
+
 static void test_ground_above_the_eye_is_not_drawn(void **state)
 {
 	struct scene scene;
@@ -271,6 +360,9 @@ static void test_ground_above_the_eye_is_not_drawn(void **state)
 	scene.floor.y = 99.0f;
 	floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
 	assert_false(sight.mesh.seen);
+	assert_true(floor_mesh_may_hide(&sight.mesh, scene.floor.index,
+		(const float[3]){0.0f, 1.0f, 4.0f},
+		&(const struct bounds){.high = {1.0f, 1.0f, 1.0f}}));
 	end(&scene);
 }
 
@@ -335,6 +427,7 @@ int main(void)
 		cmocka_unit_test(test_ground_is_drawn_where_it_is),
 		cmocka_unit_test(test_the_mesh_covers_what_is_seen),
 		cmocka_unit_test(test_near_hills_hide_those_behind_them),
+		cmocka_unit_test(test_hills_that_may_hide_a_box_are_found),
 		cmocka_unit_test(test_ground_above_the_eye_is_not_drawn),
 		cmocka_unit_test(
 			test_level_ground_begins_below_the_picture_and_fades),

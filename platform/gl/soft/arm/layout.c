@@ -1,4 +1,7 @@
-/* What the assembly knows besides the offsets of offsets.inc. */
+/*
+ * What the assembly knows besides the offsets of offsets.inc: which members lie
+ * side by side, and what vertex.S counts by itself.
+ */
 #include <assert.h>
 
 #include "platform/gl/soft/raster/raster.h"
@@ -9,3 +12,25 @@ static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3
 static_assert(offsetof(struct setup, fast_setup) ==
 		offsetof(struct setup, inside) + 2,
 	"the flags are the bytes of one word");
+
+/* vertex.S */
+static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
+static_assert(offsetof(struct view, row_x) == 8, "");
+static_assert(offsetof(struct view, row_z) == 32, "");
+static_assert(offsetof(struct view, moved_z) == 56, "");
+static_assert(offsetof(struct view, positions) == 64, "POSITIONS");
+static_assert(offsetof(struct view, stride_bytes) == 68, "");
+static_assert(offsetof(struct view, kind) == 72, "KIND");
+static_assert(offsetof(struct view, scale) == 76, "SCALE");
+static_assert(offsetof(struct view, center_x_q8) == 64 + 16, "CENTER");
+static_assert(offsetof(struct view, depth) == 100, "");
+static_assert(offsetof(struct view, inverse_w_q30) == 64 + 40, "INVERSE_W");
+static_assert(offsetof(struct view, w_zeros) == 108, "");
+static_assert(offsetof(struct view, reciprocals) == 64 + 48, "RECIPROCALS");
+static_assert(
+	POSITION_SHORTS == 0 && POSITION_FLOATS == 1 && POSITION_PAIRS == 2,
+	"by KIND");
+static_assert(offsetof(struct vertex, x) == 4, "");
+static_assert(offsetof(struct vertex, attribute) == 16, "");
+static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
+static_assert(offsetof(struct vertex, clip) == 64, "");

@@ -1,3 +1,4 @@
+/* The band with a texture in C, which arm/texture.S draws with the same bytes. */
 #include "platform/gl/soft/fast/band.h"
 
 #include "platform/gl/soft/raster/mix.h"

@@ -1,3 +1,4 @@
+/* From runs of the span walk to rows of tiles: depth, level, shade and alpha. */
 #include "platform/gl/soft/fast/luminance.h"
 
 #include "platform/gl/soft/fast/tile_row.h"

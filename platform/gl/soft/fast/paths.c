@@ -1,3 +1,4 @@
+/* The table of paths, and the choice of one for a draw call. */
 #include "platform/gl/soft/fast/paths.h"
 
 #include "platform/gl/soft/raster/raster.h"

@@ -1,3 +1,4 @@
+/* Rows of tiles in C, of which arm/tile_row.S has a copy in assembly. */
 #include "platform/gl/soft/fast/tile_row.h"
 
 #include "platform/gl/soft/fast/tiles.h"

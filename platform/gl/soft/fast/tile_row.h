@@ -5,7 +5,6 @@
 #ifndef PLATFORM_GL_SOFT_FAST_TILE_ROW_H
 #define PLATFORM_GL_SOFT_FAST_TILE_ROW_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 /* Pixels of a row; texels of one level. Offsets are known to the assembly. */
@@ -40,10 +39,5 @@ void soft_tile_fine_c(const struct tile_run *run);
 /* arm/tile_row.S or portable/tile_row.c: the same of levels as wide as high. */
 void soft_tile_row(const struct tile_run *run);
 void soft_tile_fine(const struct tile_run *run);
-
-static inline bool tile_is_square(const struct tile_run *run)
-{
-	return run->width_log2 == run->height_log2;
-}
 
 #endif

@@ -1,3 +1,4 @@
+/* Makes tiles of a texture as it is given: once, so that it may take long. */
 #include "platform/gl/soft/fast/tiles.h"
 
 #include "platform/gl/soft/soft.h"

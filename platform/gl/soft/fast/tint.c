@@ -1,3 +1,4 @@
+/* The band of four mixed texels under a colour of three channels; see tint.h. */
 #include "platform/gl/soft/fast/tint.h"
 
 #include "platform/base/compiler.h"

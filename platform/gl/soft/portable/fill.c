@@ -1,3 +1,4 @@
+/* For machines without the assembly of arm/: eight pixels at a time. */
 #include "platform/gl/soft/raster/mix.h"
 
 void soft_fill_pixels(uint16_t *at, int count, uint16_t value)

@@ -1,3 +1,4 @@
+/* For machines without the assembly of arm/: C alone. */
 #include "platform/gl/soft/vertex/draw.h"
 
 uint32_t soft_largest_aligned_float(

@@ -1,3 +1,4 @@
+/* For machines without the assembly of arm/: C alone. */
 #include "platform/gl/soft/fast/band.h"
 
 void soft_band_texture(struct texture_band *band)

@@ -1,4 +1,6 @@
 /* Where vertices come from, and the current colour and normal. */
+#include <string.h>
+
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/parameter.h"
 
@@ -107,21 +109,16 @@ static void disable_client_state(GLenum name)
 
 static void color(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
-	GLfixed *current = soft_current()->arrays.current_color;
+	const GLfixed given[4] = {red, green, blue, alpha};
 
-	current[0] = red;
-	current[1] = green;
-	current[2] = blue;
-	current[3] = alpha;
+	memcpy(soft_current()->arrays.current_color, given, sizeof(given));
 }
 
 static void normal(GLfixed x, GLfixed y, GLfixed z)
 {
-	GLfixed *current = soft_current()->arrays.current_normal;
+	const GLfixed given[3] = {x, y, z};
 
-	current[0] = x;
-	current[1] = y;
-	current[2] = z;
+	memcpy(soft_current()->arrays.current_normal, given, sizeof(given));
 }
 
 void soft_init_arrays(struct soft *soft)

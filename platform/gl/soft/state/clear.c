@@ -8,12 +8,9 @@
 
 static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
-	GLfixed *color = soft_current()->fragment.clear_color;
+	const GLfixed given[4] = {red, green, blue, alpha};
 
-	color[0] = red;
-	color[1] = green;
-	color[2] = blue;
-	color[3] = alpha;
+	memcpy(soft_current()->fragment.clear_color, given, sizeof(given));
 }
 
 static void clear_depthx(GLfixed depth)

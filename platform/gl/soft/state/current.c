@@ -1,3 +1,4 @@
+/* The context that calls of GL work on. */
 #include "platform/gl/soft/soft.h"
 
 /* What GL's calls on this thread mean: they have no parameter to say it. */

@@ -1,3 +1,4 @@
+/* Matrices: arithmetic, stacks and the calls that change them. */
 #include "platform/gl/soft/state/matrix.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Setting a parameter by its name. */
 #include "platform/gl/soft/state/parameter.h"
 
 void soft_set_error(struct soft *soft, GLenum error)

@@ -1,3 +1,4 @@
+/* Each part of the key from the part of the state it stands for. */
 #include "platform/gl/soft/vertex/key.h"
 
 #include "platform/gl/soft/vertex/draw.h"

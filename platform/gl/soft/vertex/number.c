@@ -1,3 +1,4 @@
+/* Tables and functions that are too long to be inline. */
 #include "platform/gl/soft/vertex/number.h"
 
 /* clang-format off */

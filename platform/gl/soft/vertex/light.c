@@ -153,14 +153,6 @@ static int32_t attenuate(const struct light_source *light_source,
 		28);
 }
 
-/* As bounded() of prepare_light.c: |value| <= 2^26. */
-static int32_t bounded(int64_t value)
-{
-	return value > 1 << 26       ? 1 << 26
-		: value < -(1 << 26) ? -(1 << 26)
-				     : (int32_t)value;
-}
-
 static void add_positional(const struct shading *shading,
 	const struct light_source *light_source, const int32_t n[3],
 	const int32_t eye_q16[3], struct lit *lit)
@@ -182,12 +174,12 @@ static void add_positional(const struct shading *shading,
 	add_directional(shading, &here, n, &added);
 	for (int i = 0; i < 3; i++) {
 		lit->diffuse[i] +=
-			bounded((int64_t)(added.diffuse[i] +
-					light_source->ambient_q16[i]) *
+			shading_bound((int64_t)(added.diffuse[i] +
+					      light_source->ambient_q16[i]) *
 					share >>
 				16);
 		lit->specular[i] +=
-			bounded((int64_t)added.specular[i] * share >> 16);
+			shading_bound((int64_t)added.specular[i] * share >> 16);
 	}
 }
 
@@ -211,7 +203,7 @@ static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3]
 	}
 	if (shading->tracked) {
 		for (int i = 0; i < 3; i++) {
-			lit.diffuse[i] = bounded(
+			lit.diffuse[i] = shading_bound(
 				(int64_t)lit.diffuse[i] * vertex_color[i] >> 16);
 		}
 	}

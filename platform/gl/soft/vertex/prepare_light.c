@@ -103,15 +103,6 @@ static const GLfixed *choose_color(const struct soft *soft,
 					     : material;
 }
 
-/*
- * Colours beyond +-1024 change no picture. Without them every sum of colours in
- * light.c stays below 2^31.
- */
-static int32_t bounded(int32_t color_q16)
-{
-	return clamp_int(color_q16, -(1 << 26), 1 << 26);
-}
-
 static void prepare_light_source(const struct soft *soft,
 	const struct light *light, const float *normal, struct shading *shading)
 {
@@ -127,8 +118,8 @@ static void prepare_light_source(const struct soft *soft,
 			product(diffuse[i], light->diffuse[i], -10);
 		light_source->specular_q20[i] =
 			product(material->specular[i], light->specular[i], -12);
-		light_source->ambient_q16[i] =
-			bounded(product(ambient[i], light->ambient[i], -16));
+		light_source->ambient_q16[i] = shading_bound(
+			product(ambient[i], light->ambient[i], -16));
 		light_source->specular |= light_source->specular_q20[i] != 0;
 	}
 	if (light->position[3] != 0.0f) {
@@ -198,9 +189,9 @@ static void prepare_base(const struct soft *soft, struct shading *shading)
 	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
 
 	for (int i = 0; i < 3; i++) {
-		shading->emission_q16[i] = bounded(material->emission[i]);
-		shading->ambient_q16[i] =
-			bounded(product(ambient[i], lighting->ambient[i], -16));
+		shading->emission_q16[i] = shading_bound(material->emission[i]);
+		shading->ambient_q16[i] = shading_bound(
+			product(ambient[i], lighting->ambient[i], -16));
 	}
 	shading->base_q16[3] = choose_color(soft, shading, material->diffuse)[3];
 	shading->shininess_q16 = material->shininess;

@@ -83,4 +83,17 @@ struct dir_lights {
 	uint8_t color[4];
 };
 
+/*
+ * Colours beyond +-1024 change no picture. Without them every sum of colours in
+ * light.c stays below 2^31.
+ */
+static inline int32_t shading_bound(int64_t color_q16)
+{
+	const int32_t most = 1 << 26;
+
+	return color_q16 > most     ? most
+		: color_q16 < -most ? -most
+				    : (int32_t)color_q16;
+}
+
 #endif

@@ -8,6 +8,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <string.h>
 
 static void test_a_line_is_found_by_label_and_offset(void **state)
 {
@@ -186,6 +187,24 @@ static void test_a_button_held_at_the_start_is_no_press(void **state)
 	buttons_poll(&bench->buttons, 200);
 	gpiod_bench_expect_nothing(bench);
 	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
+}
+
+static void test_a_line_that_refuses_is_named_with_the_reason(void **state)
+{
+	static const int errors[] = {EPERM, EINVAL, ENODEV};
+	struct gpiod_bench *bench = *state;
+
+	for (size_t i = 0; i < ARRAY_COUNT(errors); i++) {
+		gpiod_bench_wire(bench, 18)->error = errors[i];
+		gpiod_bench_open(bench,
+			"gpiod:UP=53fd0000.gpio/18,DOWN=53fd0000.gpio/19");
+		gpiod_bench_expect_warning(bench,
+			"gpiod:UP: line 18 of 53fd0000.gpio cannot be read",
+			strerror(errors[i]));
+		gpiod_bench_press(
+			bench, gpiod_bench_wire(bench, 19), BUTTON_DOWN);
+		buttons_close(&bench->buttons);
+	}
 }
 
 static void test_a_taken_line_is_named_with_its_holder(void **state)
@@ -432,6 +451,7 @@ int gpiod_cases_run(void)
 		CASE(test_edges_of_several_lines_are_sorted_by_time),
 		CASE(test_after_lost_edges_the_level_counts),
 		CASE(test_a_button_held_at_the_start_is_no_press),
+		CASE(test_a_line_that_refuses_is_named_with_the_reason),
 		CASE(test_a_taken_line_is_named_with_its_holder),
 		CASE(test_a_missing_chip_lists_the_others),
 		CASE(test_a_missing_line_is_named),

@@ -138,6 +138,10 @@ int fake_line_request(struct fake_line *line, const char *consumer)
 		errno = EBUSY;
 		return -1;
 	}
+	if (line->error) {
+		errno = line->error;
+		return -1;
+	}
 	assert_int_equal(pipe(line->pipe), 0);
 	line->requested = true;
 	assert_true(strlen(consumer) < sizeof(line->consumer));

@@ -32,6 +32,7 @@ struct fake_edge {
 struct fake_line {
 	const char *name;
 	const char *holder; /* another user of the line, or NULL */
+	int error;          /* errno of requesting it, or 0 */
 	char consumer[64];  /* the driver's name for itself */
 	bool requested, both_edges, input, active_low, high;
 	enum fake_bias bias;

@@ -11,9 +11,9 @@ from harness import (BY_HAND, booted, check, done, limber_memory_kib, links,
 SECONDS = float(os.environ.get("SOAK_S", 120))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = 100
-# A frame of the walker's hills takes up to 55 ms.
-LATENCY_MS = {"walker": 120, "arm": 100, "face": 100}
-OVERLAYS_LATENCY_MS = 2 * FRAME_MS
+# A frame of the walker's hills takes up to 50 ms.
+LATENCY_MS = {"walker": 110, "arm": 100, "face": 100}
+OVERLAYS_LATENCY_MS = 140
 # After this time the picture of the last press has been drawn.
 SHOWN_S = 0.3
 # Not pressed together: it saves a picture, and the board's files are in memory.

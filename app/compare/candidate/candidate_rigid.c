@@ -333,6 +333,7 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 		.sample = board_cost_sample(
 			reference->clip, reference->model->node_count),
 		.matrices = board_cost_matrices(reference->model->node_count, 0),
+		.vertices = board_cost_solid(rigid->part_count),
 	};
 	return 0;
 }

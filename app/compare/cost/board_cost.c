@@ -25,8 +25,10 @@ static const struct board_cost turn_times = {121.0, 12.4};     /* of its own */
 static const struct board_cost sample_channel = {653.0, 82.0}; /* that moves */
 static const struct board_cost sample_times = {60.0, 9.2};     /* of its own */
 static const struct board_cost sample_weight = {72.0, 5.8};
-static const struct board_cost matrix_node = {775.0, 145.0};
-static const struct board_cost palette_row = {330.0, 12.0}; /* of a joint */
+static const struct board_cost matrix_frame = {529.0, 68.0};
+static const struct board_cost matrix_node = {413.0, 93.0};
+static const struct board_cost palette_row = {720.0, 66.0}; /* of a joint */
+static const struct board_cost solid_drawable = {347.0, 54.0};
 static const struct board_cost keys_drawable = {2400.0, 415.0};
 static const struct board_cost keys_vertex = {20.0, 11.1};
 static const struct board_cost targets_copied = {12.0, 2.0};
@@ -180,10 +182,18 @@ struct board_cost board_cost_sample_keys(int key_count)
 
 struct board_cost board_cost_matrices(int node_count, int joint_count)
 {
-	struct board_cost sum = {0.0, 0.0};
+	struct board_cost sum = matrix_frame;
 
 	add_times(&sum, &matrix_node, node_count);
 	add_times(&sum, &palette_row, joint_count);
+	return sum;
+}
+
+struct board_cost board_cost_solid(int drawable_count)
+{
+	struct board_cost sum = {0.0, 0.0};
+
+	add_times(&sum, &solid_drawable, drawable_count);
 	return sum;
 }
 

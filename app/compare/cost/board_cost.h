@@ -48,6 +48,9 @@ struct board_cost board_cost_sample_keys(int key_count);
 /* The cost of matrices of nodes, and of the palettes of joints. */
 struct board_cost board_cost_matrices(int node_count, int joint_count);
 
+/* The cost of drawables whose vertices stay as they are in their node. */
+struct board_cost board_cost_solid(int drawable_count);
+
 /*
  * The cost of skinning a primitive that has influences, at most max_influences
  * a vertex (0: all), and its normals if it has any. This includes converting

@@ -209,6 +209,9 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 		if (drawable->skin < 0) {
 			board_cost_add(sum, &morph_drawable);
 		}
+	} else if (drawable->skin < 0) {
+		cost = board_cost_solid(1);
+		board_cost_add(sum, &cost);
 	}
 }
 

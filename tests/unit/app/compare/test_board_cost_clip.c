@@ -150,12 +150,43 @@ static void test_the_joints_of_all_skins_count(void **state)
 	end(&bench);
 }
 
+/*
+ * Region 2 of tests/bench/play_cost.c, by the frame: of controllers for hands
+ * with many nodes that carry nothing (the npm package
+ * @webxr-input-profiles/assets 1.0.20) and of CesiumMan in rigid parts.
+ */
+static void test_nodes_cost_what_the_model_counted(void **state)
+{
+	static const struct {
+		int nodes, drawables;
+		double cycles, instructions;
+	} counted[] = {
+		{46, 6, 21554.0, 4637.0},
+		{31, 10, 17008.0, 3506.0},
+		{10, 3, 5958.0, 1182.0},
+		{22, 19, 16239.0, 3146.0},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(counted) / sizeof(*counted); i++) {
+		struct board_cost sum = board_cost_matrices(counted[i].nodes, 0);
+		struct board_cost solid = board_cost_solid(counted[i].drawables);
+
+		board_cost_add(&sum, &solid);
+		assert_near(sum.cycles, counted[i].cycles,
+			0.05 * counted[i].cycles);
+		assert_near(sum.instructions, counted[i].instructions,
+			0.05 * counted[i].instructions);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_own_clips_cost_what_the_model_counted),
 		cmocka_unit_test(test_samples_cost_what_the_model_counted),
 		cmocka_unit_test(test_the_joints_of_all_skins_count),
+		cmocka_unit_test(test_nodes_cost_what_the_model_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

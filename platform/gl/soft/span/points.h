@@ -32,37 +32,29 @@ static ALWAYS_INLINE int32_t divide(
 	return plane >= TEX_S ? value : limit_color(value);
 }
 
-/* What is divided where the divisor is found. */
-static ALWAYS_INLINE void find_divided(const struct line *line,
-	const struct walk_kind kind, int x, struct row_point *point)
-{
-	const struct soft_spans *spans = &line->draw->spans;
-	const struct point *by = &point->divisor;
-
-	if (kind.textured) {
-		point->texels.s = divide(line, by, TEX_S, x);
-		point->texels.t = divide(line, by, TEX_S + 1, x);
-	}
-	if (kind.colors_divided) {
-		point->colors.red = divide(line, by, RED, x);
-		point->colors.green = divide(line, by, GREEN, x);
-		point->colors.blue = divide(line, by, BLUE, x);
-		if (spans->alpha_moves) {
-			point->colors.alpha = divide(line, by, ALPHA, x);
-		}
-		if (spans->fog_moves) {
-			point->colors.fog = divide(line, by, FOG, x);
-		}
-	}
-}
-
 static ALWAYS_INLINE struct row_point find_point(
 	const struct line *line, const struct walk_kind kind, int x)
 {
+	const struct soft_spans *spans = &line->draw->spans;
 	struct row_point out;
+	const struct point *by = &out.divisor;
 
 	rows_find_divisor(find_value(line, INVERSE_W, x), &out.divisor);
-	find_divided(line, kind, x, &out);
+	if (kind.textured) {
+		out.texels.s = divide(line, by, TEX_S, x);
+		out.texels.t = divide(line, by, TEX_S + 1, x);
+	}
+	if (kind.colors_divided) {
+		out.colors.red = divide(line, by, RED, x);
+		out.colors.green = divide(line, by, GREEN, x);
+		out.colors.blue = divide(line, by, BLUE, x);
+		if (spans->alpha_moves) {
+			out.colors.alpha = divide(line, by, ALPHA, x);
+		}
+		if (spans->fog_moves) {
+			out.colors.fog = divide(line, by, FOG, x);
+		}
+	}
 	return out;
 }
 

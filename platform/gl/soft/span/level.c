@@ -2,7 +2,6 @@
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
-#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/number.h"
 
 static void choose_level(struct draw *draw, int number, bool small)
@@ -30,10 +29,6 @@ void soft_set_level(struct draw *draw, int lod)
 
 	if (spans->set_level) {
 		spans->set_level(draw, lod);
-		return;
-	}
-	if (spans->made) {
-		soft_set_made_levels(draw, 0, lod);
 		return;
 	}
 	small = soft_rows_is_small(input, lod);

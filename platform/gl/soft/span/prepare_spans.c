@@ -442,6 +442,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->lod_wanted = soft_rows_want_lod(&draw->texture[0]) ||
 		soft_rows_want_lod(&draw->texture[1]);
 	spans->level = -1;
+	spans->set_level = NULL;
 	spans->white_bits = 0;
 	choose_finish(draw);
 	spans->table =

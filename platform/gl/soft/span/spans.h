@@ -135,7 +135,7 @@ struct soft_spans {
 	bool certain;
 	/* Texels are made beforehand, see made.h, or whole colours */
 	bool made, combined;
-	/* Made runs that another file draws choose their level by this. */
+	/* How made runs choose their level; NULL for all others. */
 	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied;    /* made: the product of both textures */
 	bool depth_by_less; /* or by LEQUAL: what is behind shows nothing */

@@ -431,6 +431,11 @@ static void prepare_combined(struct draw *draw)
 	spans->white[1] |= alpha ? WHITE_ALPHA << 16 : 0;
 }
 
+static void set_first_levels(struct draw *draw, int lod)
+{
+	soft_set_made_levels(draw, 0, lod);
+}
+
 void soft_prepare_made(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -438,6 +443,7 @@ void soft_prepare_made(struct draw *draw)
 	if (spans->combined) {
 		prepare_combined(draw);
 	}
+	spans->set_level = set_first_levels;
 	spans->made_levels[0].level = -1;
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);

@@ -15,6 +15,7 @@ struct soft_kind {
 	enum soft_finish finish;
 	bool wide;   /* the picture is RGBA8888 */
 	bool lequal; /* what is as far passes the depth test, too */
+	bool still;  /* see soft_is_still() */
 };
 
 /* What moves on with every pixel. */
@@ -60,18 +61,36 @@ static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)
 	return kind.finish == SOFT_MIXED;
 }
 
-static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
-{
-	return soft_is_tested(kind) || soft_is_blended(kind) || kind.wide;
-}
-
 /* Without a texture there is no first one of two. */
 static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
 {
 	return kind.finish == SOFT_SCALED && kind.textured;
 }
 
-/* Where nothing else is in the upper half of green, the count is. */
+static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
+{
+	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
+}
+
+/* All of the colour stays the same. */
+static ALWAYS_INLINE bool soft_is_constant(struct soft_kind kind)
+{
+	return kind.still && !soft_is_tested(kind);
+}
+
+/* A fragment's alpha is its texel's. */
+static ALWAYS_INLINE bool soft_tests_texel(struct soft_kind kind)
+{
+	return soft_is_tested(kind) && kind.still;
+}
+
+static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
+{
+	return (soft_is_tested(kind) && !soft_tests_texel(kind)) ||
+		soft_is_blended(kind) || kind.wide;
+}
+
+/* Where nothing else is wanted of the upper half of green, the count is there. */
 static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
 {
 	return !soft_wants_alpha(kind);
@@ -89,13 +108,13 @@ static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
 }
 
 /*
- * RGB565 in a picture of RGB565: channels are mixed where they lie, or moved so
- * that each has 16 bits of fraction after it is multiplied with the colour.
+ * RGB565 in a picture of RGB565: channels are moved, or mixed where they lie,
+ * so that each has 16 bits of fraction after it is multiplied with the colour.
  */
 static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 {
-	return kind.linear && kind.format == TEXEL_565 && !kind.wide &&
-		!soft_is_scaled(kind);
+	return (kind.linear || kind.still) && kind.format == TEXEL_565 &&
+		!kind.wide && !soft_is_scaled(kind);
 }
 
 static ALWAYS_INLINE int soft_fraction(
@@ -125,6 +144,16 @@ static ALWAYS_INLINE void soft_split_texel(
 	if (kind.format == TEXEL_8888) {
 		out->lanes = soft_split(texel);
 		out->alpha = out->lanes.green_alpha >> 16;
+		return;
+	}
+	if (soft_is_aligned(kind)) {
+		uint32_t five = 0x1F << 18, six = 0x3F << 18;
+
+		OPAQUE(five); /* else each is two shifts or more */
+		OPAQUE(six);
+		out->channel[0] = texel << 7 & five;
+		out->channel[1] = texel << 13 & six;
+		out->channel[2] = texel << 18 & five;
 		return;
 	}
 	out->channel[0] = soft_get_field(kind.format, SOFT_RED, texel);

@@ -36,7 +36,8 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 		red = (int32_t)(rb & 0xFFFF);
 		green = (int32_t)(ga & 0xFFFF);
 		blue = (int32_t)(rb >> 16);
-	} else if (soft_is_scaled(kind) || soft_is_mixed(kind)) {
+	} else if (soft_is_scaled(kind) || soft_is_mixed(kind) ||
+		soft_is_aligned(kind)) {
 		red = WORD_BY_BOTTOM(c[0], rb, red);
 		green = WORD_BY_BOTTOM(c[1], ga, green);
 		blue = WORD_BY_TOP(c[2], rb, blue);
@@ -91,6 +92,10 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	if (soft_is_tested(kind)) {
 		out.alpha_low = run->stages->alpha_low;
 		out.alpha_range = run->stages->alpha_range;
+	}
+	if (soft_tests_texel(kind)) {
+		out.alpha_low <<= 24;
+		out.alpha_range = out.alpha_range << 24 | 0xFFFFFF;
 	}
 	if (soft_is_blended_freely(kind)) {
 		out.factors_base = run->stages->factors_base;
@@ -178,11 +183,6 @@ static ALWAYS_INLINE void soft_mix_565(struct soft_kind kind,
 	*pixel = (uint16_t)((rb & 0xF800) | rb >> 27 | g >> 10 << 5);
 }
 
-static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
-{
-	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
-}
-
 /* 0 to 32. */
 static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
 	const struct soft_texel *texel, uint32_t green_alpha)
@@ -266,6 +266,22 @@ static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 		soft_whole(kind, &color, 1)};
 }
 
+static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	uint32_t alpha)
+{
+	const uint32_t low = constants->alpha_low;
+
+	if (soft_tests_texel(kind)) {
+		/* Below alpha there may be green. */
+		alpha = kind.format == TEXEL_8888 ? texel->lanes.green_alpha << 8
+						  : texel->alpha << 24;
+		return alpha - low <= constants->alpha_range;
+	}
+	return !soft_is_tested(kind) ||
+		((alpha - low) & 255) <= constants->alpha_range;
+}
+
 /* Tests and draws one pixel whose depth passes. */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	struct soft_kind kind, const struct soft_constants *constants,
@@ -292,9 +308,13 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 			? soft_find_alpha(kind, &texel, at->green_alpha)
 			: soft_find_alpha_32(kind, &texel, at->green_alpha);
 	}
-	if (soft_is_tested(kind) &&
-		((alpha - constants->alpha_low) & 255) > constants->alpha_range) {
+	if (!soft_passes(kind, constants, &texel, alpha)) {
 		return;
+	}
+	if (soft_tests_texel(kind) && kind.format == TEXEL_8888) {
+		/* Else the compiler begins what few fragments may need. */
+		OPAQUE(texel.lanes.red_blue);
+		OPAQUE(texel.lanes.green_alpha);
 	}
 	*depth = (uint16_t)(kind.textured ? UPPER_HALF(at->z) : at->z >> 16);
 	if ((soft_is_blended(kind) && alpha == 0) ||
@@ -327,7 +347,7 @@ static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 	struct soft_kind kind, uint32_t texel_right, struct soft_pixel *at)
 {
 	at->z += run->z_right;
-	at->red_blue += run->red_blue_right;
+	at->red_blue += soft_is_constant(kind) ? 0 : run->red_blue_right;
 	if (!soft_counts_by_green(kind)) {
 		at->green_alpha += run->green_alpha_right;
 	}
@@ -359,12 +379,15 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	 * the step behind the last pixel; across one pixel alone values may
 	 * change by more than they have.
 	 */
-	uint32_t green_right =
-		(count > 1 ? run->green_alpha_right : 0) - 0x10000;
+	const uint32_t green_right =
+		(count > 1 && !soft_is_constant(kind) ? run->green_alpha_right
+						      : 0) -
+		0x10000;
 
 	constants->second =
 		(uintptr_t)run->second + 4 * row->place - 2 * (uintptr_t)depth;
 	if (soft_counts_by_green(kind)) {
+		at.green_alpha &= soft_tests_texel(kind) ? 0xFFFF : UINT32_MAX;
 		at.green_alpha += (count - 1) << 16;
 	}
 	do {
@@ -384,7 +407,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 					    : depth != end);
 }
 
-static ALWAYS_INLINE void soft_draw_run(
+static ALWAYS_INLINE void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
 {
 	/* Pixels do not lie in it, which the compiler cannot know. */
@@ -403,6 +426,52 @@ static ALWAYS_INLINE void soft_draw_run(
 		if (its.count > 0) {
 			soft_draw_row(run, &its, kind, &constants);
 		}
+	}
+}
+
+enum {
+	/* From 255 << 7 on a texel's alpha stays what it is when it is scaled. */
+	SOFT_SOLID_ALPHA = (255 << 7) + SOFT_LISTED_SIZE,
+};
+
+/*
+ * Whether a loop of its own is for faces of one colour, or with an alpha test
+ * for those whose own alpha is 255.
+ */
+static ALWAYS_INLINE bool soft_is_still(
+	const struct soft_run *run, struct soft_kind kind)
+{
+	const struct soft_row *row = run->rows;
+
+	/* States may leave none of a triangle's rows. */
+	if (!kind.inside || run->row_count == 0) {
+		return false;
+	}
+	if (kind.finish == SOFT_OPAQUE) {
+		return !kind.wide &&
+			(run->red_blue_right | run->green_alpha_right) == 0;
+	}
+	/*
+	 * Alpha that does not move across, in whole units, is below that of the
+	 * first and last rows by less than a unit a pixel.
+	 */
+	return (kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG) &&
+		soft_has_alpha(kind) &&
+		(run->green_alpha_right + 0x8000) >> 16 == 0 &&
+		row->green_alpha >> 16 >= SOFT_SOLID_ALPHA &&
+		row[run->row_count - 1].green_alpha >> 16 >= SOFT_SOLID_ALPHA;
+}
+
+static ALWAYS_INLINE void soft_draw_run(
+	const struct soft_run *run, const struct soft_kind kind)
+{
+	struct soft_kind still = kind;
+
+	still.still = true;
+	if (soft_is_still(run, kind)) {
+		soft_draw_rows(run, still);
+	} else {
+		soft_draw_rows(run, kind);
 	}
 }
 

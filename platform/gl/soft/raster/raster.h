@@ -291,12 +291,6 @@ static inline uint32_t raster_length(uint32_t a, uint32_t b)
 	return a > b ? a + (b >> 2) + (b >> 3) : b + (a >> 2) + (a >> 3);
 }
 
-/* Pixels are 2 or 4 bytes. */
-static inline int raster_pixel_log2(const struct draw *draw)
-{
-	return draw->soft->format == PIXELS_RGB565 ? 1 : 2;
-}
-
 /* A plane's value at column x of the row under way. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {

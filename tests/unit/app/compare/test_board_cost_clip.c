@@ -168,7 +168,7 @@ static void test_nodes_cost_what_the_model_counted(void **state)
 	};
 
 	(void)state;
-	for (size_t i = 0; i < sizeof(counted) / sizeof(*counted); i++) {
+	for (size_t i = 0; i < ARRAY_COUNT(counted); i++) {
 		struct board_cost sum = board_cost_matrices(counted[i].nodes, 0);
 		struct board_cost solid = board_cost_solid(counted[i].drawables);
 

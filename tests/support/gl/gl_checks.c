@@ -69,6 +69,23 @@ void gl_check_colours_run_between_vertices(void **state)
 	gl_canvas_close(&canvas);
 }
 
+void gl_check_flat_triangles_have_their_last_corners_colour(void **state)
+{
+	static const GLubyte colors[] = {255, 0, 0, 255, 0, 0, 255, 255, 0, 255,
+		0, 255, 255, 255, 0, 255};
+	struct gl_canvas canvas = gl_canvas_open(*state, PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
+
+	gl->ShadeModel(GL_FLAT);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, colors);
+	gl_canvas_draw_all(gl);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_expect(&canvas, 1, 2, 0, 255, 0, 0);
+	gl_canvas_expect(&canvas, GL_CANVAS_WIDTH - 2, 2, 255, 255, 0, 0);
+	gl_canvas_close(&canvas);
+}
+
 void gl_check_the_nearer_hides_the_farther(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open(*state, PIXELS_RGBA8888);

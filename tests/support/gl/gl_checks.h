@@ -66,6 +66,7 @@ void gl_canvas_draw_scene(struct gl_canvas *canvas);
 void gl_check_top_row_comes_first(void **state);
 void gl_check_a_triangle_covers_its_pixels(void **state);
 void gl_check_colours_run_between_vertices(void **state);
+void gl_check_flat_triangles_have_their_last_corners_colour(void **state);
 void gl_check_the_nearer_hides_the_farther(void **state);
 void gl_check_a_texture_lies_the_right_way_up(void **state);
 void gl_check_light_falls_off_with_the_angle(void **state);
@@ -91,6 +92,8 @@ void gl_check_another_format_is_refused(void **state);
 	GL_CHECK(driver, top_row_comes_first),                          \
 		GL_CHECK(driver, a_triangle_covers_its_pixels),         \
 		GL_CHECK(driver, colours_run_between_vertices),         \
+		GL_CHECK(driver,                                        \
+			flat_triangles_have_their_last_corners_colour), \
 		GL_CHECK(driver, the_nearer_hides_the_farther),         \
 		GL_CHECK(driver, a_texture_lies_the_right_way_up),      \
 		GL_CHECK(driver, light_falls_off_with_the_angle),       \

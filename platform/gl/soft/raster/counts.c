@@ -205,8 +205,12 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	double pixels = (double)setup->area / (2.0 * 16.0 * 16.0), hidden;
 	const struct clip_box box = box_of(draw, setup);
 
-	for (int i = 0; i < 3 && draw->attributes; i++) {
-		counts->shaded += is_new(draw, setup->v[i]);
+	if (draw->soft->fragment.flat && draw->attributes) {
+		counts->shaded += is_new(draw, draw->provoking);
+	} else {
+		for (int i = 0; i < 3 && draw->attributes; i++) {
+			counts->shaded += is_new(draw, setup->v[i]);
+		}
 	}
 	hidden = skipped ? 0.0 : count_hidden(draw, setup, &box);
 	draw->raster.top = NOT_SET_UP;

@@ -162,7 +162,7 @@ static ALWAYS_INLINE struct frame_texels frame_find_texels(
 		raster_least(a, b, c), raster_most(a, b, c)};
 }
 
-/* Whose colours a triangle has: its corners', or one's; of either side. */
+/* The colours of a triangle's corners, of either side. */
 static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct setup *setup, const int32_t *corner[3])
 {
@@ -171,9 +171,6 @@ static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 
 	if (draw->key.bits & KEY_BY_TRIANGLE) {
 		behind = setup->back && draw->shading.two_side;
-		if (draw->soft->fragment.flat) {
-			a = b = c = draw->provoking;
-		}
 	}
 	corner[0] = behind ? a->back : a->attribute;
 	corner[1] = behind ? b->back : b->attribute;

@@ -9,6 +9,8 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
+#include <string.h>
+
 static bool is_culled(const struct draw *draw, bool back)
 {
 	return back ? draw->cull_back : draw->cull_front;
@@ -89,12 +91,12 @@ static void fill(struct draw *draw, struct vertex *const v[3], int64_t area,
 	}
 	pack_corners(draw, setup);
 	for (int i = 0; i < 3; i++) {
-		if (!v[i]->shaded && draw->attributes) {
+		if (!v[i]->shaded && draw->fast_setup.attributes) {
 			soft_shade(draw, v[i]);
 		}
 	}
 	setup->area = area < 0 ? (uint64_t)-area : (uint64_t)area;
-	draw->fill(draw, setup);
+	draw->fast_setup.fill(draw, setup);
 }
 
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
@@ -131,7 +133,7 @@ static bool is_packed(const struct draw *draw)
 	int top = draw->soft->buffers.target.height - r->y - r->height;
 
 	return r->x >= 0 && top >= 0 && r->x + r->width <= PACKED_PIXELS &&
-		top + r->height <= PACKED_PIXELS && !state->flat &&
+		top + r->height <= PACKED_PIXELS &&
 		!(draw->cull_front && draw->cull_back);
 }
 
@@ -141,8 +143,32 @@ static uint32_t pack_pixels(int x, int y)
 	return (uint32_t)y << 20 | (uint32_t)x << 4;
 }
 
+/*
+ * GL_FLAT: draws copies of the corners, all in one corner's colour. Of the
+ * others no colour is computed.
+ */
+static void fill_in_one_color(struct draw *draw, struct setup *setup)
+{
+	struct vertex *from = draw->provoking;
+
+	soft_shade(draw, from);
+	for (int i = 0; i < 3; i++) {
+		struct vertex *to = &draw->flat_corners[i];
+
+		*to = *setup->v[i];
+		if (!to->shaded && draw->shade_more) {
+			soft_shade_rest(draw, to);
+		}
+		memcpy(to->attribute, from->attribute, sizeof(from->back));
+		memcpy(to->back, from->back, sizeof(from->back));
+		setup->v[i] = to;
+	}
+	draw->fill(draw, setup);
+}
+
 void soft_prepare_fast_setup(struct draw *draw)
 {
+	bool flat = draw->soft->fragment.flat && draw->attributes;
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct clip_box *box = &draw->box;
 	bool clockwise_culled =
@@ -150,7 +176,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 
 	draw->packed = is_packed(draw);
 	draw->fast_setup = (struct fast_setup){
-		.fill = draw->fill,
+		.fill = flat ? fill_in_one_color : draw->fill,
 		.place = draw->place,
 		.cache = draw->cache,
 		.inverse = draw->inverse_q31,
@@ -160,7 +186,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.stride_bytes = (uintptr_t)buffers->target.stride_bytes,
 		.pixels = (uintptr_t)buffers->target.data -
 			(uintptr_t)buffers->depth - 2,
-		.attributes = draw->attributes,
+		.attributes = flat ? 0 : draw->attributes,
 		.perspective = draw->perspective,
 		.back_flip = draw->front_is_ccw,
 		.flat = &draw->flat,

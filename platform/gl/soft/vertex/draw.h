@@ -271,7 +271,7 @@ struct draw {
 	bool smooth; /* points or lines with soft edges */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
-	fill_function fill;
+	fill_function fill;                /* lists call that of fast_setup */
 	soft_thin_line_function thin_line; /* NULL: two triangles a line */
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
@@ -280,7 +280,8 @@ struct draw {
 	bool divides, rectangles; /* see struct soft_path */
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
-	const struct vertex *provoking;             /* whose colour is flat */
+	struct vertex *provoking;                   /* whose colour is flat */
+	struct vertex flat_corners[3]; /* of the triangle that is drawn */
 	struct raster raster;
 	/* luminance.c's: halves of 127ths as colours of shade_color and 0 to 255 */
 	uint32_t shade_color[3], shade[255], luminance[255];
@@ -333,6 +334,8 @@ void soft_transform_c(
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* shade.c: fills the attributes unless they are there, or nobody wants them. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
+/* All but their colour. */
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
 /* Fills them, of a vertex that has this index, which callers have at hand. */
 void soft_shade_vertex(
 	const struct draw *draw, struct vertex *vertex, uint32_t index);

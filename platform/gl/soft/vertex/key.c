@@ -18,13 +18,10 @@ static uint32_t find_target(const struct draw *draw)
 
 static uint32_t find_vertices(const struct draw *draw)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-
 	return bit_if(draw->shading.lit, KEY_LIT) |
 		bit_if(draw->shading.color_array, KEY_COLOR_ARRAY) |
 		bit_if(draw->perspective, KEY_PERSPECTIVE) |
-		bit_if(state->flat || draw->offset || draw->shading.two_side,
-			KEY_BY_TRIANGLE);
+		bit_if(draw->offset || draw->shading.two_side, KEY_BY_TRIANGLE);
 }
 
 static uint32_t find_fragments(const struct draw *draw)

@@ -17,7 +17,7 @@ enum {
 	KEY_LIT = 1 << 2,
 	KEY_COLOR_ARRAY = 1 << 3,
 	KEY_PERSPECTIVE = 1 << 4,
-	/* flat shading, two sides or a depth offset: planes differ by triangle */
+	/* two sides or a depth offset: planes differ by triangle */
 	KEY_BY_TRIANGLE = 1 << 5,
 	/* fragments */
 	KEY_ALPHA_TEST = 1 << 6,

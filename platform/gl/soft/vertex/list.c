@@ -147,6 +147,7 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw,
 		return;
 	}
 	sort_corners(fast_setup->cache, slot, xy, &setup);
+	draw->provoking = fast_setup->cache + slot->c;
 	setup.inside = true;
 	setup.wide = false;
 	setup.fast_setup = true;

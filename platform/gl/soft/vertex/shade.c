@@ -288,12 +288,9 @@ static ALWAYS_INLINE void find_color(
 	}
 }
 
-static ALWAYS_INLINE void shade_more(
+static ALWAYS_INLINE void shade_rest(
 	const struct draw *draw, struct vertex *vertex)
 {
-	if (draw->shading.by_dir_lights && draw->shading.two_side) {
-		light_back(&draw->dir_lights, vertex);
-	}
 	if (draw->fogged) {
 		vertex->attribute[FOG] = find_fog(draw, vertex);
 	}
@@ -303,6 +300,11 @@ static ALWAYS_INLINE void shade_more(
 	if (draw->texture[1].used) {
 		find_texcoord(draw, 1, vertex);
 	}
+}
+
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex)
+{
+	shade_rest(draw, vertex);
 }
 
 void soft_shade_vertex(
@@ -317,7 +319,10 @@ void soft_shade_vertex(
 		soft_light(draw, vertex);
 	}
 	if (draw->shade_more) {
-		shade_more(draw, vertex);
+		if (draw->shading.by_dir_lights && draw->shading.two_side) {
+			light_back(&draw->dir_lights, vertex);
+		}
+		shade_rest(draw, vertex);
 	}
 }
 

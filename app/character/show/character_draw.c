@@ -9,21 +9,29 @@
 #include <errno.h>
 
 static const float shadow_strength = 0.375f;
+/* For rounding, and what bends and targets add to the box, by its extent. */
+static const float beyond_box = 0.02f;
 
 int character_draw_init(struct character_drawing *drawing,
 	struct character *character, const struct log *log)
 {
 	float low, high;
+	int error;
 
 	drawing->character = character;
 	ball_init(&drawing->ball);
-	if (character_bounds_init(&drawing->bounds, character) != 0) {
+	character_range(character, character->scene.wave_m, &low, &high);
+	drawing->may_wave = low != 0.0f || high != 0.0f;
+	error = character_bounds_init(&drawing->bounds, character);
+	if (!error && drawing->may_wave) {
+		error = reach_init(&drawing->reach, character->instance);
+	}
+	if (error) {
 		log_error(log, "%s: there is not enough memory",
 			character->instance->model->path);
-		return -ENOMEM;
+		return error;
 	}
-	character_range(character, character->scene.wave_m, &low, &high);
-	return low != 0.0f || high != 0.0f
+	return drawing->may_wave
 		? shadow_drape_init(&drawing->drape, character->instance, log)
 		: 0;
 }
@@ -55,6 +63,97 @@ static void ball_center(
 	for (int axis = 0; axis < 3; axis++) {
 		out[axis] = target->point[axis] * scale;
 	}
+}
+
+/* Where a ball's shadow may lie, at all heights that the ground has. */
+static void add_ball_shadow(const struct floor *floor, const float center[3],
+	float radius, struct bounds *out)
+{
+	float light[3];
+
+	light_direction(light);
+	for (int i = -1; i <= 1; i += 2) {
+		float y = floor->y + (float)i * floor->wave_height;
+		float fall = (center[1] - y) / light[1];
+		struct bounds shadow;
+
+		for (int axis = 0; axis < 3; axis++) {
+			float at = center[axis] - light[axis] * fall;
+
+			/* No lower light makes it three times as long. */
+			shadow.low[axis] = at - 3.0f * radius;
+			shadow.high[axis] = at + 3.0f * radius;
+		}
+		bounds_join(out, &shadow);
+	}
+}
+
+static void add_balls(const struct character *character, mat4 view,
+	const struct floor *floor, struct floor_content *out)
+{
+	float scale = character->instance->unit_scale;
+
+	for (int i = 0; i < character->target_count; i++) {
+		const struct character_target *target = &character->target[i];
+		float center[3], radius = target->radius_m * scale;
+		struct bounds ball;
+
+		if (!shows_ball(target)) {
+			continue;
+		}
+		ball_center(target, scale, center);
+		add_ball_shadow(floor, center, radius, &out->lying);
+		matrix_apply(view, center, center);
+		for (int axis = 0; axis < 3; axis++) {
+			ball.low[axis] = center[axis] - radius;
+			ball.high[axis] = center[axis] + radius;
+		}
+		bounds_join(&out->standing, &ball);
+	}
+}
+
+static void add_capes(
+	const struct character *character, mat4 view, struct bounds *out)
+{
+	float scale = character->instance->unit_scale;
+
+	for (int i = 0; i < character->cape_count; i++) {
+		const struct character_cape *cape = &character->cape[i];
+
+		for (int v = 0; cape->worn && v < cape->cloth.count; v++) {
+			float at[3];
+
+			for (int axis = 0; axis < 3; axis++) {
+				at[axis] = cape->cloth.position[v][axis] * scale;
+			}
+			matrix_apply(view, at, at);
+			bounds_add(out, at);
+		}
+	}
+}
+
+struct floor_content character_draw_content(
+	const struct character_drawing *drawing, const struct stage *stage)
+{
+	struct floor_content content = {.bounded = drawing->may_wave};
+	float margin;
+	mat4 view;
+
+	if (!content.bounded) {
+		return content;
+	}
+	camera_view(&stage->camera, view);
+	content.standing = reach_now(&drawing->reach,
+		drawing->character->instance, (const vec4 *)view);
+	content.lying = drawing->drape.box;
+	add_capes(drawing->character, view, &content.standing);
+	add_balls(drawing->character, view, &stage->floor, &content);
+	margin = beyond_box * bounds_extent(&content.standing);
+	for (int axis = 0; axis < 3; axis++) {
+		content.standing.low[axis] -= margin;
+		content.standing.high[axis] += margin;
+	}
+	return content;
 }
 
 static void draw_ball_shadows(const struct character *character,

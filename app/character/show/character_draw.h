@@ -7,6 +7,7 @@
 
 #include "app/character/show/character_bounds.h"
 #include "app/scene/draw/texture.h"
+#include "app/scene/instance/reach.h"
 #include "app/scene/shadow/shadow_drape.h"
 #include "app/scene/stage/ball.h"
 #include "app/scene/stage/stage.h"
@@ -15,7 +16,10 @@ struct character_drawing {
 	const struct character *character; /* not owned */
 	struct character_bounds bounds;
 	struct ball ball;
-	struct shadow_drape drape; /* if the ground may be uneven */
+	/* If the ground may be uneven: */
+	bool may_wave;
+	struct reach reach;
+	struct shadow_drape drape;
 };
 
 /*
@@ -29,6 +33,13 @@ int character_draw_init(struct character_drawing *drawing,
 /* Makes the shadow on uneven ground of the updated instance. */
 void character_draw_update(
 	struct character_drawing *drawing, const struct stage *stage);
+
+/*
+ * The boxes, a little larger than needed, of what character_draw() will draw
+ * after the last update. They are not bounded on ground that is always level.
+ */
+struct floor_content character_draw_content(
+	const struct character_drawing *drawing, const struct stage *stage);
 
 /* Draws what stands on the stage; call stage_begin() before. */
 void character_draw(const struct character_drawing *drawing,

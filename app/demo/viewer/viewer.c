@@ -275,9 +275,17 @@ static void viewer_update(struct demo *demo, double time_s)
 
 static void viewer_draw(struct demo *demo, int width, int height)
 {
-	stage_begin(&demo->base.stage, demo->base.gl, width, height);
-	character_draw(&demo->figure->drawing, &demo->base.stage,
-		&demo->base.actor.textures, demo->base.gl);
+	struct demo_base *base = &demo->base;
+
+	base->stage.content =
+		character_draw_content(&demo->figure->drawing, &base->stage);
+	/* Overlays may be anywhere. */
+	if (base->overlay && base->overlay->kinds) {
+		base->stage.content.bounded = false;
+	}
+	stage_begin(&base->stage, base->gl, width, height);
+	character_draw(&demo->figure->drawing, &base->stage,
+		&base->actor.textures, base->gl);
 }
 
 /* The period of the tour, or of the clip that plays. */

@@ -187,7 +187,7 @@ void floor_set_wave_height(struct floor *floor, float wave_height)
 /* The mesh on the ground's heights, and its shades. */
 static void find_mesh(const struct floor *floor, const struct camera *camera,
 	int width, int height, const struct floor_mesh_ground *ground,
-	struct floor_sight *out)
+	const struct floor_content *content, struct floor_sight *out)
 {
 	floor_mesh_find(&out->mesh, camera, width, height, ground);
 	for (int i = 0; out->mesh.seen && i < FLOOR_VERTICES; i++) {
@@ -196,10 +196,15 @@ static void find_mesh(const struct floor *floor, const struct camera *camera,
 		p[1] = floor_height(floor, p[0], p[2]);
 		out->shade[i] = find_shade(floor, p);
 	}
+	if (out->mesh.seen) {
+		floor_mesh_order(
+			&out->mesh, floor->index, camera, content, &out->order);
+	}
 }
 
 void floor_find_sight(const struct floor *floor, const struct camera *camera,
-	int width, int height, struct floor_sight *out)
+	int width, int height, const struct floor_content *content,
+	struct floor_sight *out)
 {
 	float sine = scalar_sin(camera->yaw_rad);
 	float cosine = scalar_cos(camera->yaw_rad);
@@ -226,11 +231,31 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	}
 	if (floor->wave_height != 0.0f) {
 		out->strips = (struct floor_strips){.horizon_px = height};
-		find_mesh(floor, camera, width, height, &ground, out);
+		find_mesh(floor, camera, width, height, &ground, content, out);
 	} else {
 		floor_strips_find(&out->strips, camera, width, height, floor->y,
 			ground.opaque_end, ground.end);
 	}
+}
+
+static void draw_runs(const struct floor_order *order, const struct gl *gl)
+{
+	const uint16_t *index = order->index;
+
+	for (int i = 0; i < order->run_count; i++) {
+		const struct floor_run *run = &order->run[i];
+
+		if (run->fading) {
+			gl->Enable(GL_BLEND);
+		} else {
+			gl->Disable(GL_BLEND);
+		}
+		gl->DepthMask(run->with_depth);
+		gl->DrawElements(GL_TRIANGLES, run->index_count,
+			GL_UNSIGNED_SHORT, index);
+		index += run->index_count;
+	}
+	gl->DepthMask(GL_TRUE);
 }
 
 /* From far to near, so no depth test is needed. */
@@ -255,12 +280,7 @@ static void draw_mesh(const struct floor *floor,
 	gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->DepthFunc(GL_ALWAYS);
-	gl->Enable(GL_BLEND);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_FADING_INDICES, GL_UNSIGNED_SHORT,
-		floor->index);
-	gl->Disable(GL_BLEND);
-	gl->DrawElements(GL_TRIANGLES, FLOOR_OPAQUE_INDICES, GL_UNSIGNED_SHORT,
-		floor->index + FLOOR_FADING_INDICES);
+	draw_runs(&sight->order, gl);
 	gl->DepthFunc(GL_LESS);
 }
 

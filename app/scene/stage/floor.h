@@ -65,15 +65,18 @@ void floor_lift(const struct floor *floor, const float eye[3], float point[3]);
 struct floor_sight {
 	struct floor_strips strips; /* of level ground */
 	struct floor_mesh mesh;     /* of uneven ground */
+	struct floor_order order;   /* of the mesh's triangles */
 	uint8_t shade[FLOOR_VERTICES];
 };
 
 /*
- * Computes what a camera sees. Uneven ground may be anywhere in the picture:
- * its strips are empty and have a horizon at the picture's upper edge.
+ * Computes what a camera sees, with depths for this content. Uneven ground may
+ * be anywhere in the picture: its strips are empty and have a horizon at the
+ * picture's upper edge.
  */
 void floor_find_sight(const struct floor *floor, const struct camera *camera,
-	int width, int height, struct floor_sight *out);
+	int width, int height, const struct floor_content *content,
+	struct floor_sight *out);
 
 /* Draws with the camera's model-view matrix loaded; leaves lighting off. */
 void floor_draw(const struct floor *floor, const struct floor_sight *sight,

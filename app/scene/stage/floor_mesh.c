@@ -1,11 +1,13 @@
 #include "app/scene/stage/floor_mesh.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 #include "app/scene/draw/triangle_list.h"
 #include "app/scene/stage/floor_view.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
+#include <string.h>
 
 /* Rows: of the nearest ground, where it begins to fade, where it ends. */
 struct extent {
@@ -244,4 +246,144 @@ bool floor_mesh_may_hide(const struct floor_mesh *mesh,
 		}
 	}
 	return false;
+}
+
+/* A part of the picture at depth 1, to the right and upwards. */
+struct window {
+	float low[2], high[2];
+};
+
+static const struct window everywhere = {
+	{-FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX}};
+static const struct window nowhere = {{FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX}};
+
+/* What is not before the eye may be anywhere in the picture. */
+static void add_to_window(struct window *window, const float eye[3])
+{
+	if (!(eye[2] < 0.0f)) {
+		*window = everywhere;
+		return;
+	}
+	for (int axis = 0; axis < 2; axis++) {
+		float at = eye[axis] / -eye[2];
+
+		if (at < window->low[axis]) {
+			window->low[axis] = at;
+		}
+		if (at > window->high[axis]) {
+			window->high[axis] = at;
+		}
+	}
+}
+
+/* view is NULL for a box along its axes. */
+static void add_box(struct window *window, mat4 *view, const struct bounds *box)
+{
+	for (int i = 0; i < 8 && !bounds_is_empty(box); i++) {
+		float corner[3] = {i & 1 ? box->high[0] : box->low[0],
+			i & 2 ? box->high[1] : box->low[1],
+			i & 4 ? box->high[2] : box->low[2]};
+
+		if (view) {
+			matrix_apply(*view, corner, corner);
+		}
+		add_to_window(window, corner);
+	}
+}
+
+static struct window find_window(const struct floor_mesh *mesh,
+	const uint16_t index[FLOOR_INDICES], const struct camera *camera,
+	mat4 *view, const struct floor_content *content)
+{
+	struct window window = nowhere;
+	float eye[3];
+
+	if (!content->bounded) {
+		return everywhere;
+	}
+	camera_eye(camera, eye);
+	add_box(&window, NULL, &content->standing);
+	if (!bounds_is_empty(&content->lying) &&
+		floor_mesh_may_hide(mesh, index, eye, &content->lying)) {
+		add_box(&window, view, &content->lying);
+	}
+	return window;
+}
+
+/* Whether the picture of two triangles between two columns is in the window. */
+static bool is_cell_in(const uint16_t *cell,
+	const float vertex[FLOOR_VERTICES][3], const struct window *window)
+{
+	struct window own = nowhere;
+
+	/* Two corners come twice. */
+	for (int i = 0; i < 4; i++) {
+		add_to_window(&own, vertex[cell[i]]);
+	}
+	return own.low[0] <= window->high[0] && window->low[0] <= own.high[0] &&
+		own.low[1] <= window->high[1] && window->low[1] <= own.high[1];
+}
+
+/* Goes on with the last run if its triangles are drawn in the same way. */
+static void add_cell(
+	struct floor_order *order, const uint16_t *cell, struct floor_run kind)
+{
+	struct floor_run *last =
+		order->run_count > 0 ? &order->run[order->run_count - 1] : NULL;
+
+	if (!last || last->fading != kind.fading ||
+		last->with_depth != kind.with_depth) {
+		last = &order->run[order->run_count++];
+		*last = kind;
+	}
+	memcpy(order->index + order->index_count, cell, 6 * sizeof(*cell));
+	order->index_count += 6;
+	last->index_count += 6;
+}
+
+/*
+ * Cells of one row are beside each other, so their order is free: a row goes on
+ * with the kind of cells with which the one behind it ended.
+ */
+static void add_row(struct floor_order *order, const uint16_t *cells,
+	bool fading, const bool in[FLOOR_COLUMNS])
+{
+	bool last = order->run_count > 0 &&
+		order->run[order->run_count - 1].with_depth;
+
+	for (int i = 0; i < 2 * FLOOR_COLUMNS; i++) {
+		bool wanted = i < FLOOR_COLUMNS ? last : !last;
+		int column = i % FLOOR_COLUMNS;
+
+		if (in[column] == wanted) {
+			add_cell(order, cells + column * 6,
+				(struct floor_run){.fading = fading,
+					.with_depth = wanted});
+		}
+	}
+}
+
+void floor_mesh_order(const struct floor_mesh *mesh,
+	const uint16_t index[FLOOR_INDICES], const struct camera *camera,
+	const struct floor_content *content, struct floor_order *out)
+{
+	float vertex[FLOOR_VERTICES][3];
+	struct window window;
+	mat4 view;
+
+	out->run_count = out->index_count = 0;
+	camera_view(camera, view);
+	for (int i = 0; i < FLOOR_VERTICES; i++) {
+		matrix_apply(view, mesh->position[i], vertex[i]);
+	}
+	window = find_window(mesh, index, camera, &view, content);
+	for (int row = 0; row < FLOOR_ROWS; row++) {
+		const uint16_t *cells = index + row * FLOOR_COLUMNS * 6;
+		bool in[FLOOR_COLUMNS];
+
+		for (int i = 0; i < FLOOR_COLUMNS; i++) {
+			in[i] = is_cell_in(cells + i * 6, vertex, &window);
+		}
+		add_row(out, cells, row < FLOOR_FADING_ROWS, in);
+	}
 }

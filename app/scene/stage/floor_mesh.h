@@ -21,6 +21,7 @@ enum {
 	FLOOR_FADING_INDICES = FLOOR_FADING_ROWS * FLOOR_COLUMNS * 6,
 	FLOOR_OPAQUE_INDICES = FLOOR_OPAQUE_ROWS * FLOOR_COLUMNS * 6,
 	FLOOR_INDICES = FLOOR_FADING_INDICES + FLOOR_OPAQUE_INDICES,
+	FLOOR_RUNS_MAX = 2 * FLOOR_ROWS,
 };
 
 struct floor_mesh {
@@ -35,6 +36,31 @@ struct floor_mesh_ground {
 	float wave_height; /* greatest distance from y */
 	/* Level distances ahead of the eye: where it fades, where it ends. */
 	float opaque_end, end;
+};
+
+/*
+ * What is drawn after the ground and tested against its depths: what is in
+ * these boxes, each of which may be empty, or, if it is not bounded, anything
+ * anywhere.
+ */
+struct floor_content {
+	bool bounded;
+	struct bounds standing; /* along the axes of the camera's view */
+	struct bounds lying;    /* on the ground, in scene units */
+};
+
+/* Triangles that are drawn in one call; each is whole. */
+struct floor_run {
+	int index_count;
+	bool fading;
+	bool with_depth; /* their depths may matter */
+};
+
+/* All triangles of the mesh, of far rows first. */
+struct floor_order {
+	int run_count, index_count;
+	struct floor_run run[FLOOR_RUNS_MAX];
+	uint16_t index[FLOOR_INDICES];
 };
 
 /*
@@ -59,5 +85,14 @@ void floor_mesh_list(uint16_t index[FLOOR_INDICES]);
 bool floor_mesh_may_hide(const struct floor_mesh *mesh,
 	const uint16_t index[FLOOR_INDICES], const float eye[3],
 	const struct bounds *box);
+
+/*
+ * Orders the triangles of floor_mesh_list() for drawing the mesh with its
+ * heights. The depths of those that do not touch the picture of the content need
+ * not be written. What lies on the ground counts only where a hill may hide it.
+ */
+void floor_mesh_order(const struct floor_mesh *mesh,
+	const uint16_t index[FLOOR_INDICES], const struct camera *camera,
+	const struct floor_content *content, struct floor_order *out);
 
 #endif

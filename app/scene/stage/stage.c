@@ -112,9 +112,11 @@ void stage_begin(struct stage *stage, const struct gl *gl, int width, int height
 {
 	/* A camera's image takes the place of level ground, not of hills. */
 	bool ground = !stage->backdrop || stage->floor.wave_height != 0.0f;
+	static const struct floor_content anything = {.bounded = false};
 	struct floor_sight *sight = &stage->sight;
 
-	floor_find_sight(&stage->floor, &stage->camera, width, height, sight);
+	floor_find_sight(&stage->floor, &stage->camera, width, height,
+		stage->monitor ? &anything : &stage->content, sight);
 	gl->Viewport(0, 0, width, height);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	gl->DepthMask(GL_TRUE);

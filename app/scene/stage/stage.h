@@ -17,6 +17,8 @@ struct stage {
 	struct camera camera;
 	struct floor floor;
 	struct floor_sight sight; /* of the floor, by stage_begin() */
+	/* Of this frame, set before stage_begin() where it is known. */
+	struct floor_content content;
 	bool has_stencil;
 	/* Replaces the background and the level floor; may be NULL. */
 	const struct live_texture *backdrop;

@@ -2,6 +2,7 @@
 #include "app/scene/stage/floor.h"
 #include "platform/base/compiler.h"
 #include "platform/gl/gl_context.h"
+#include "tests/support/ray.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -11,6 +12,7 @@ enum {
 	HEIGHT = 640,
 };
 
+static const struct floor_content anything = {.bounded = false};
 static const float pitch_rad[] = {0.0f, 0.1f, 0.3f, 0.6f, 1.0f, 1.57079f};
 
 /* A floor as large as the walker's, and a camera before it. */
@@ -97,8 +99,8 @@ static void test_ground_is_drawn_where_it_is(void **state)
 
 		scene.camera.pitch_rad = pitch_rad[i % 5];
 		scene.camera.yaw_rad = 0.3f * (float)i;
-		floor_find_sight(
-			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT,
+			&anything, &sight);
 		assert_true(sight.mesh.seen);
 		sag = find_sag(&scene, &sight.mesh);
 		most = sag > most ? sag : most;
@@ -170,8 +172,8 @@ static void test_the_mesh_covers_what_is_seen(void **state)
 	for (int i = 0; i < 30; i++) {
 		scene.camera.pitch_rad = pitch_rad[i % 6];
 		scene.camera.yaw_rad = 0.4f * (float)i;
-		floor_find_sight(
-			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT,
+			&anything, &sight);
 		for (int n = 0; n < 16; n++) {
 			float along = -1.0f + 0.5f * (float)(n / 4), at[3];
 			float x = n % 4 == 0 ? -1.0f
@@ -207,7 +209,8 @@ static void draw_picture(
 	const struct gl_driver *driver = scene->context->driver;
 	struct floor_sight sight;
 
-	floor_find_sight(&scene->floor, &scene->camera, WIDTH, HEIGHT, &sight);
+	floor_find_sight(&scene->floor, &scene->camera, WIDTH, HEIGHT,
+		&anything, &sight);
 	assert_int_equal(driver->begin_frame(scene->context, picture), 0);
 	gl->ClearColorx(0, 0, 0, 65536);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -266,21 +269,11 @@ static void test_near_hills_hide_those_behind_them(void **state)
 static bool passes_through(const struct floor_mesh *mesh,
 	const uint16_t *corner, const float from[3], const float eye[3])
 {
-	const float *a = mesh->position[corner[0]];
-	float edge[2][3], way[3], offset[3], across[3], along[3];
-	float size, u, v, t;
+	float way[3], t;
 
-	vec_subtract(mesh->position[corner[1]], a, edge[0]);
-	vec_subtract(mesh->position[corner[2]], a, edge[1]);
 	vec_subtract(eye, from, way);
-	vec_subtract(from, a, offset);
-	vec_cross(way, edge[1], across);
-	vec_cross(offset, edge[0], along);
-	size = vec_dot(edge[0], across);
-	u = vec_dot(offset, across) / size;
-	v = vec_dot(way, along) / size;
-	t = vec_dot(edge[1], along) / size;
-	return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && t > 0.0f && t < 1.0f;
+	t = ray_meet(from, way, mesh->position, corner);
+	return t > 0.0f && t < 1.0f;
 }
 
 /* How many of the points on the ground in a box the mesh hides. */
@@ -334,8 +327,8 @@ static void test_hills_that_may_hide_a_box_are_found(void **state)
 		scene.camera.pitch_rad = pitch_rad[i % 5];
 		scene.camera.yaw_rad = 0.5f * (float)i;
 		camera_eye(&scene.camera, eye);
-		floor_find_sight(
-			&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+		floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT,
+			&anything, &sight);
 		may_hide = floor_mesh_may_hide(
 			&sight.mesh, scene.floor.index, eye, &box);
 		hidden = count_hidden(&scene, &sight.mesh, &box);
@@ -358,7 +351,8 @@ static void test_ground_above_the_eye_is_not_drawn(void **state)
 	(void)state;
 	begin(&scene);
 	scene.floor.y = 99.0f;
-	floor_find_sight(&scene.floor, &scene.camera, WIDTH, HEIGHT, &sight);
+	floor_find_sight(
+		&scene.floor, &scene.camera, WIDTH, HEIGHT, &anything, &sight);
 	assert_false(sight.mesh.seen);
 	assert_true(floor_mesh_may_hide(&sight.mesh, scene.floor.index,
 		(const float[3]){0.0f, 1.0f, 4.0f},
@@ -390,7 +384,7 @@ static void check_level_ground(const float half[3],
 
 	camera_frame(&camera, &bounds, &framing);
 	floor.y = bounds_ground(&bounds);
-	floor_find_sight(&floor, &camera, width, height, &sight);
+	floor_find_sight(&floor, &camera, width, height, &anything, &sight);
 	assert_true(sight.strips.covered_px > 0);
 	if (sight.strips.horizon_px < height) {
 		assert_int_equal(sight.strips.alpha[4], 0);

@@ -127,12 +127,15 @@ static int configure(const struct command *command, int argc, char **argv,
 	struct options merged = options_default();
 	const char *model;
 	char path[PATH_MAX];
-	int error;
+	int found, error;
 
-	if (command->reads_config || !options_takes(command->bit, "config") ||
-		!config_find(options->common.config, command->bit == FOR_PLAY,
-			path, sizeof(path))) {
+	if (command->reads_config || !options_takes(command->bit, "config")) {
 		return 0;
+	}
+	found = config_find(options->common.config, command->bit == FOR_PLAY,
+		path, sizeof(path), log);
+	if (found <= 0) {
+		return found;
 	}
 	log_note(log, "%s: limber reads options from this file", path);
 	error = config_load(config, path, command->bit, &merged, log);

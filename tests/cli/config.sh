@@ -49,6 +49,8 @@ limber play --config "$conf"
 expect_refusal 1 'limber.conf:3: size = 480: give'
 limber play --config "$scratch/missing.conf"
 expect_refusal 1 'missing.conf: cannot be read'
+LIMBER_CONFIG=$(printf '%05000d' 0) limber play
+expect_refusal 1 'has more than 4095 characters: give a shorter one'
 
 # Runs twice: with a script, then with the record of the first run.
 printf '%s\n' '40 RIGHT down' '130 RIGHT up' '200 ENTER down' '210 ENTER up' \

@@ -138,9 +138,15 @@ static void survey_config(
 	struct survey_message sentence;
 	struct log config_log = survey_log(&sentence);
 	char path[PATH_MAX];
+	int found;
 
 	doctor_report_section(report, "Configuration", "configuration");
-	if (!config_find(options->common.config, true, path, sizeof(path))) {
+	found = config_find(
+		options->common.config, true, path, sizeof(path), &config_log);
+	if (found < 0) {
+		survey_report_message(
+			&survey, SURVEY_BROKEN, "limber.conf", &sentence, NULL);
+	} else if (!found) {
 		survey_report(&survey, SURVEY_UNUSED, "limber.conf", NULL,
 			"there is none: limber uses its default options");
 	} else if (access(path, R_OK) != 0) {

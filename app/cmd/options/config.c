@@ -53,7 +53,22 @@ struct reader {
 	struct log log; /* puts FILE:LINE before each sentence */
 };
 
-bool config_find(const char *given, bool search, char *path, size_t size)
+/* Copies the name that the user gave. Returns as config_find() does. */
+static int take_name(
+	const char *given, char *path, size_t size, const struct log *log)
+{
+	if (strlen(given) >= size) {
+		log_error(log,
+			"%.40s...: this name of a configuration file has more than %zu characters: give a shorter one with --config or LIMBER_CONFIG",
+			given, size - 1);
+		return -ENAMETOOLONG;
+	}
+	strcpy(path, given);
+	return strcmp(given, "none") != 0;
+}
+
+int config_find(const char *given, bool search, char *path, size_t size,
+	const struct log *log)
 {
 	const char *home = getenv("XDG_CONFIG_HOME");
 	const char *below = "";
@@ -61,12 +76,10 @@ bool config_find(const char *given, bool search, char *path, size_t size)
 
 	given = given ? given : getenv("LIMBER_CONFIG");
 	if (given && *given) {
-		length = snprintf(path, size, "%s", given);
-		return strcmp(given, "none") != 0 && length >= 0 &&
-			(size_t)length < size;
+		return take_name(given, path, size, log);
 	}
 	if (!search) {
-		return false;
+		return 0;
 	}
 	if (!home || !*home) {
 		home = getenv("HOME");
@@ -75,7 +88,7 @@ bool config_find(const char *given, bool search, char *path, size_t size)
 	length = snprintf(
 		path, size, "%s%s/limber/limber.conf", home ? home : "", below);
 	if (home && length >= 0 && (size_t)length < size && file_exists(path)) {
-		return true;
+		return 1;
 	}
 	length = snprintf(path, size, "/etc/limber.conf");
 	return length >= 0 && (size_t)length < size && file_exists(path);

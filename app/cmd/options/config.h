@@ -20,9 +20,11 @@ struct config {
  * Finds the file to read: given (the value of --config), else $LIMBER_CONFIG,
  * else, if search, $XDG_CONFIG_HOME/limber/limber.conf, with $HOME/.config when
  * that variable is not set, else /etc/limber.conf. Writes its path to path, of
- * size bytes. Returns false when there is none, or when its name is "none".
+ * size bytes. Returns 1, 0 when there is none or its name is "none", or
+ * -ENAMETOOLONG after logging an error.
  */
-bool config_find(const char *given, bool search, char *path, size_t size);
+int config_find(const char *given, bool search, char *path, size_t size,
+	const struct log *log);
 
 /*
  * Reads the file into *options, which points into *config afterwards. Options

@@ -13,6 +13,7 @@ struct scene {
 	struct config config;
 	struct options options;
 	struct log_capture logged;
+	char found[600];
 	int error;
 };
 
@@ -214,23 +215,53 @@ static void test_a_missing_file_is_named(void **state)
 		-EIO);
 }
 
+/* What config_find() returns; the path has up to 599 characters. */
+static int find(struct scene *scene, const char *given, bool search)
+{
+	struct log log = log_capture_begin(&scene->logged);
+
+	return config_find(
+		given, search, scene->found, sizeof(scene->found), &log);
+}
+
 static void test_files_are_found_in_order_of_precedence(void **state)
 {
 	struct scene *scene = *state;
 	struct test_path home = path_join(&scene->folder, "none-here");
-	char path[600];
 
 	assert_int_equal(setenv("XDG_CONFIG_HOME", home.text, 1), 0);
 	assert_int_equal(setenv("LIMBER_CONFIG", "env.conf", 1), 0);
-	assert_true(config_find("given.conf", true, path, sizeof(path)));
-	assert_string_equal(path, "given.conf");
-	assert_false(config_find("none", true, path, sizeof(path)));
-	assert_true(config_find(NULL, false, path, sizeof(path)));
-	assert_string_equal(path, "env.conf");
+	assert_int_equal(find(scene, "given.conf", true), 1);
+	assert_string_equal(scene->found, "given.conf");
+	assert_int_equal(find(scene, "none", true), 0);
+	assert_int_equal(find(scene, NULL, false), 1);
+	assert_string_equal(scene->found, "env.conf");
 	assert_int_equal(setenv("LIMBER_CONFIG", "none", 1), 0);
-	assert_false(config_find(NULL, true, path, sizeof(path)));
+	assert_int_equal(find(scene, NULL, true), 0);
 	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
-	assert_false(config_find(NULL, false, path, sizeof(path)));
+	assert_int_equal(find(scene, NULL, false), 0);
+}
+
+static void test_a_name_that_no_path_may_have_is_refused(void **state)
+{
+	struct scene *scene = *state;
+	char name[sizeof(scene->found) + 1];
+
+	memset(name, 'n', sizeof(name));
+	name[sizeof(scene->found) - 1] = '\0';
+	assert_int_equal(find(scene, name, true), 1);
+	assert_string_equal(scene->found, name);
+	assert_int_equal(scene->logged.count, 0);
+
+	name[sizeof(scene->found) - 1] = 'n';
+	name[sizeof(scene->found)] = '\0';
+	assert_int_equal(find(scene, name, true), -ENAMETOOLONG);
+	assert_int_equal(scene->logged.count, 1);
+	assert_contains(scene->logged.sentence[0], "more than 599 characters");
+	assert_int_equal(setenv("LIMBER_CONFIG", name, 1), 0);
+	assert_int_equal(find(scene, NULL, true), -ENAMETOOLONG);
+	assert_contains(scene->logged.sentence[0], "LIMBER_CONFIG");
+	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
 }
 
 static void test_the_boards_file_is_valid(void **state)
@@ -271,6 +302,7 @@ int main(void)
 		CASE(test_a_line_that_is_too_long_is_refused),
 		CASE(test_a_missing_file_is_named),
 		CASE(test_files_are_found_in_order_of_precedence),
+		CASE(test_a_name_that_no_path_may_have_is_refused),
 		CASE(test_the_boards_file_is_valid),
 	};
 #undef CASE

@@ -198,6 +198,7 @@ static void test_a_file_is_found_below_the_home_folder(void **state)
 	struct test_path below = path_join(&dot, "limber");
 	struct test_path own = path_join(&below, "limber.conf");
 	struct test_path cut = path_join(&below, "limber.con");
+	struct log log = log_capture_begin(&scene->logged);
 	char path[700];
 
 	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
@@ -206,23 +207,25 @@ static void test_a_file_is_found_below_the_home_folder(void **state)
 	file_write(own.text, "", 0);
 	assert_int_equal(setenv("HOME", scene->folder.text, 1), 0);
 	assert_int_equal(unsetenv("XDG_CONFIG_HOME"), 0);
-	assert_true(config_find(NULL, true, path, sizeof(path)));
+	assert_int_equal(config_find(NULL, true, path, sizeof(path), &log), 1);
 	assert_string_equal(path, own.text);
 	assert_int_equal(setenv("XDG_CONFIG_HOME", "", 1), 0);
-	assert_true(config_find(NULL, true, path, sizeof(path)));
+	assert_int_equal(config_find(NULL, true, path, sizeof(path), &log), 1);
 	assert_string_equal(path, own.text);
 	assert_int_equal(setenv("HOME", "/nowhere", 1), 0);
 	assert_int_equal(setenv("XDG_CONFIG_HOME", dot.text, 1), 0);
-	assert_true(config_find(NULL, true, path, sizeof(path)));
+	assert_int_equal(config_find(NULL, true, path, sizeof(path), &log), 1);
 	assert_string_equal(path, own.text);
-	assert_true(config_find(NULL, true, path, strlen(own.text) + 1));
+	assert_int_equal(
+		config_find(NULL, true, path, strlen(own.text) + 1, &log), 1);
 	/* A path that does not fit is no file, also where its beginning is one. */
 	file_write(cut.text, "", 0);
-	if (config_find(NULL, true, path, strlen(own.text))) {
+	if (config_find(NULL, true, path, strlen(own.text), &log)) {
 		assert_string_equal(path, "/etc/limber.conf");
 	}
-	assert_true(config_find("ab", true, path, 3));
-	assert_false(config_find("abc", true, path, 3));
+	assert_int_equal(config_find("ab", true, path, 3, &log), 1);
+	assert_int_equal(scene->logged.count, 0);
+	assert_int_equal(config_find("abc", true, path, 3, &log), -ENAMETOOLONG);
 }
 
 int main(void)

@@ -33,6 +33,7 @@ static int check_open(
 	int fd, const char *where, const struct log *log, size_t *size)
 {
 	struct stat status;
+	uint8_t byte;
 
 	if (fstat(fd, &status) < 0) {
 		int error = -errno;
@@ -55,6 +56,12 @@ static int check_open(
 			"%s: the file has %lld bytes; limber reads up to %d",
 			where, (long long)status.st_size, MODEL_FILE_BYTES_MAX);
 		return -EFBIG;
+	}
+	if (status.st_size == 0 && pread(fd, &byte, 1, 0) > 0) {
+		log_error(log,
+			"%s: the system does not tell the size of this file: give limber a copy of it",
+			where);
+		return -EINVAL;
 	}
 	*size = (size_t)status.st_size;
 	return 0;

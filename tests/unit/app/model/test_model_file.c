@@ -221,6 +221,22 @@ static void test_reads_an_empty_file(void **state)
 	expect_content(tree, "empty", "");
 }
 
+/* Files of /proc have 0 bytes by their entry, and yet text to read. */
+static void test_refuses_a_file_whose_size_nobody_knows(void **state)
+{
+	struct tree *tree = *state;
+	struct model_file file;
+
+	tree->log = log_capture_begin(&tree->logged);
+	assert_int_equal(
+		model_file_read("/proc/self/status", NULL, &tree->log, &file),
+		-EINVAL);
+	assert_null(file.data);
+	assert_int_equal(tree->logged.count, 1);
+	assert_contains(tree->logged.sentence[0],
+		"/proc/self/status: the system does not tell the size");
+}
+
 #define WITH_TREE(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
 
 int main(void)
@@ -239,6 +255,7 @@ int main(void)
 		WITH_TREE(test_refuses_what_is_not_a_regular_file),
 		WITH_TREE(test_refuses_a_file_above_the_size_limit),
 		WITH_TREE(test_reads_an_empty_file),
+		WITH_TREE(test_refuses_a_file_whose_size_nobody_knows),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

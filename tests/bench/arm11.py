@@ -408,8 +408,22 @@ def parse_options():
     return parser.parse_args()
 
 
+def refuse_part(options):
+    """--record replaces the whole file, so that it needs all figures."""
+    if options.rows or options.kernel:
+        sys.exit("arm11.py: --record writes all figures: leave out --rows and --kernel")
+    absent = sorted({row.path(options, row.model()) for row in ROWS if row.missing(options)})
+    if absent:
+        sys.exit(
+            f"arm11.py: {options.record} stays as it was, as there is no "
+            f"{', '.join(absent)}: name the folder of the models with --samples DIR"
+        )
+
+
 def main():
     options = parse_options()
+    if options.record:
+        refuse_part(options)
     all_figures = Bench(options).all()
     if options.json:
         text = json.dumps(as_json(all_figures), indent=2)

@@ -82,6 +82,21 @@ about 'without samples'
 expect_status 0
 expect_out '^ok 1 - cesium # SKIP no '
 
+echo 'all figures' >"$scratch/kept"
+run "$folder/arm11.py" --short --record "$scratch/kept" --samples "$scratch"
+about 'recording without samples'
+expect_status 1
+expect_err "kept stays as it was, as there is no $scratch/models/"
+run "$folder/arm11.py" --short --record "$scratch/kept" --rows lerp
+about 'recording a part'
+expect_status 1
+expect_err 'leave out --rows'
+if [ "$(cat "$scratch/kept")" = 'all figures' ]; then
+    pass 'a refused recording changes no file'
+else
+    fail 'a refused recording changes no file' "$(head -3 "$scratch/kept")"
+fi
+
 run "$folder/arm11.py" --short --check "$figures" --rows lerp --model "$scratch/none.so"
 about 'without a model'
 expect_status 1

@@ -472,23 +472,11 @@ int main(void)
 }
 
 #else
-
-static void test_this_target_has_no_window(void **state)
-{
-	struct log log = log_to_nowhere();
-
-	(void)state;
-	assert_null(display_choose("window", &log));
-	skip_because("built without SDL: this target has no window");
-}
+#include "tests/unit/platform/display/no_window.h"
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_this_target_has_no_window),
-	};
-
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return skip_the_window();
 }
 
 #endif

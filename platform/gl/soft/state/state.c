@@ -1,6 +1,7 @@
 /* Capabilities, the fragment's state and where it may go. */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/vertex/number.h"
 
 static bool is_comparison(GLenum function)
 {
@@ -81,18 +82,13 @@ static void set_enum(GLenum *where, GLenum value, bool known)
 	}
 }
 
-static int clamp(int64_t value, int least, int most)
-{
-	return value < least ? least : value > most ? most : (int)value;
-}
-
 static void alpha_func(GLenum function, GLfixed reference)
 {
 	struct fragment_state *state = &soft_current()->fragment;
 
 	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
 		state->alpha_function = function;
-		state->alpha_reference = clamp(reference, 0, FX16_ONE);
+		state->alpha_reference = clamp_int(reference, 0, FX16_ONE);
 	}
 }
 
@@ -203,9 +199,9 @@ static void viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
 	const int most = PIXELS_SIZE_MAX;
 
-	set_rectangle(&soft_current()->fragment.viewport, clamp(x, -most, most),
-		clamp(y, -most, most), clamp(width, -most, most),
-		clamp(height, -most, most));
+	set_rectangle(&soft_current()->fragment.viewport,
+		clamp_int(x, -most, most), clamp_int(y, -most, most),
+		clamp_int(width, -most, most), clamp_int(height, -most, most));
 }
 
 static void stencil_func(GLenum function, GLint reference, GLuint mask)
@@ -214,7 +210,7 @@ static void stencil_func(GLenum function, GLint reference, GLuint mask)
 
 	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
 		stencil->function = function;
-		stencil->reference = (uint8_t)clamp(reference, 0, 255);
+		stencil->reference = (uint8_t)clamp_int(reference, 0, 255);
 		stencil->mask = (uint8_t)mask;
 	}
 }
@@ -254,10 +250,11 @@ static struct clip_box cut(
 	const int64_t right = (int64_t)r->x + r->width;
 	const int64_t bottom = (int64_t)height - r->y;
 
-	box.left = clamp(r->x, box.left, box.right);
-	box.right = clamp(right, box.left, box.right);
-	box.top = clamp(bottom - r->height, box.top, box.bottom);
-	box.bottom = clamp(bottom, box.top, box.bottom);
+	box.left = clamp_int(r->x, box.left, box.right);
+	box.right = clamp_int(saturate_64(right), box.left, box.right);
+	box.top =
+		clamp_int(saturate_64(bottom - r->height), box.top, box.bottom);
+	box.bottom = clamp_int(saturate_64(bottom), box.top, box.bottom);
 	return box;
 }
 

@@ -8,41 +8,46 @@
 
 #include "platform/gl/soft/span/template.h"
 
-#define SOFT_SPAN_FUNCTION(name, ...)                                       \
-	static void name(const struct soft_run *run)                       \
+/*
+ * The texels' part of a kind is known to a function of its own, which the
+ * compiler makes short before it copies it for each finish and depth test.
+ */
+#define SOFT_KIND(name, ...)                                                \
+	static ALWAYS_INLINE void name(const struct soft_run *run,          \
+		const enum soft_finish finish_, const bool lequal_)         \
 	{                                                                   \
-		soft_draw_run(run, (struct soft_kind){__VA_ARGS__});        \
+		soft_draw_run(run,                                          \
+			(struct soft_kind){.finish = finish_,               \
+				.lequal = lequal_, __VA_ARGS__});           \
+	}                                                                   \
+	SOFT_FINISH_FUNCTIONS(name, name, false)                            \
+	SOFT_FINISH_FUNCTIONS(name##_lequal, name, true)
+
+#define SOFT_SPAN_FUNCTION(name, kind, finish, lequal)                      \
+	static void name(const struct soft_run *run)                        \
+	{                                                                   \
+		kind(run, finish, lequal);                                  \
 	}
 
-#define SOFT_FINISH_FUNCTIONS(name, ...)                                    \
-	SOFT_SPAN_FUNCTION(name##_opaque, .finish = SOFT_OPAQUE,            \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_tested, .finish = SOFT_TESTED,            \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_blended, .finish = SOFT_BLENDED,          \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_opaque_fog, .finish = SOFT_OPAQUE_FOG,    \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_tested_fog, .finish = SOFT_TESTED_FOG,    \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_blended_fog, .finish = SOFT_BLENDED_FOG,  \
-		__VA_ARGS__)                                                \
-	SOFT_SPAN_FUNCTION(name##_scaled, .finish = SOFT_SCALED, __VA_ARGS__) \
-	SOFT_SPAN_FUNCTION(name##_mixed, .finish = SOFT_MIXED, __VA_ARGS__)
-
-#define SOFT_DEPTH_FUNCTIONS(name, ...)                                     \
-	SOFT_FINISH_FUNCTIONS(name, __VA_ARGS__)                            \
-	SOFT_FINISH_FUNCTIONS(name##_lequal, .lequal = true, __VA_ARGS__)
+#define SOFT_FINISH_FUNCTIONS(name, kind, lequal)                           \
+	SOFT_SPAN_FUNCTION(name##_opaque, kind, SOFT_OPAQUE, lequal)        \
+	SOFT_SPAN_FUNCTION(name##_tested, kind, SOFT_TESTED, lequal)        \
+	SOFT_SPAN_FUNCTION(name##_blended, kind, SOFT_BLENDED, lequal)      \
+	SOFT_SPAN_FUNCTION(name##_opaque_fog, kind, SOFT_OPAQUE_FOG, lequal) \
+	SOFT_SPAN_FUNCTION(name##_tested_fog, kind, SOFT_TESTED_FOG, lequal) \
+	SOFT_SPAN_FUNCTION(                                                 \
+		name##_blended_fog, kind, SOFT_BLENDED_FOG, lequal)         \
+	SOFT_SPAN_FUNCTION(name##_scaled, kind, SOFT_SCALED, lequal)        \
+	SOFT_SPAN_FUNCTION(name##_mixed, kind, SOFT_MIXED, lequal)
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
-	SOFT_DEPTH_FUNCTIONS(name, .textured = true, .format = texels,      \
+	SOFT_KIND(name, .textured = true, .format = texels,                 \
 		.linear = is_linear, .wide = is_wide)                       \
-	SOFT_DEPTH_FUNCTIONS(name##_inside, .textured = true,               \
-		.format = texels, .linear = is_linear, .wide = is_wide,     \
-		.inside = true)
+	SOFT_KIND(name##_inside, .textured = true, .format = texels,        \
+		.linear = is_linear, .wide = is_wide, .inside = true)
 
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
-	SOFT_DEPTH_FUNCTIONS(plain, .wide = is_wide)                        \
+	SOFT_KIND(plain, .wide = is_wide)                                   \
 	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
 	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
 	SOFT_BOTH_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)       \

@@ -45,7 +45,10 @@ static int allocate(struct shadow_drape *drape, struct arena *arena,
 	drape->posed = arena_alloc(arena, vertices, sizeof(float[3]));
 	drape->position = arena_alloc(arena, vertices, sizeof(float[3]));
 	drape->index = ARENA_ARRAY(arena, uint16_t, (size_t)drape->index_max);
-	return drape->place && drape->posed && drape->position && drape->index
+	drape->grid.node =
+		arena_alloc(arena, SHADOW_NODES_MAX, sizeof(float[3]));
+	return drape->place && drape->posed && drape->position &&
+			drape->index && drape->grid.node
 		? 0
 		: -ENOMEM;
 }
@@ -197,50 +200,8 @@ static void list_triangles(struct shadow_drape *drape,
 	}
 }
 
-/*
- * The distance from a point to the ground, down the light's direction. One step
- * of the secant method from level ground leaves less than floor_mesh_error().
- */
-static float distance_to_ground(
-	const struct shadow_light *light, const float from[3])
-{
-	const struct floor *ground = light->ground;
-	const float *towards = light->towards;
-	float per_height = 1.0f / towards[1];
-	float guess[2] = {(from[1] - ground->y) * per_height, 0.0f};
-	float height[2], slope;
-
-	for (int i = 0; i < 2; i++) {
-		height[i] = floor_height(ground, from[0] - towards[0] * guess[i],
-			from[2] - towards[2] * guess[i]);
-		if (i == 0) {
-			guess[1] = (from[1] - height[0]) * per_height;
-		}
-	}
-	slope = guess[1] == guess[0]
-		? 0.0f
-		: (height[1] - height[0]) / (guess[1] - guess[0]);
-	return guess[1] -
-		(height[1] - height[0]) /
-		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
-}
-
-static void lay_vertices(struct shadow_sheet *sheet,
-	const struct shadow_light *light, struct bounds *box)
-{
-	for (int i = 0; i < sheet->vertex_count; i++) {
-		const float *from = sheet->posed[i];
-		float *to = sheet->position[i];
-
-		vec_add_scaled(from, light->towards,
-			-distance_to_ground(light, from), to);
-		floor_lift(light->ground, light->eye, to);
-		bounds_add(box, to);
-	}
-}
-
-static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
-	const struct instance *instance, const struct shadow_light *light)
+static void pose_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
+	const struct instance *instance)
 {
 	const struct drawable *drawable = sheet->drawable;
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
@@ -249,7 +210,6 @@ static void lay_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
 	list_triangles(drape, sheet, (const vec4 *)matrix);
-	lay_vertices(sheet, light, &drape->box);
 }
 
 void shadow_drape_update(struct shadow_drape *drape,
@@ -267,11 +227,13 @@ void shadow_drape_update(struct shadow_drape *drape,
 		sheet->position = drape->position + vertices;
 		sheet->index = drape->index + indices;
 		if (!sheet->drawable->hidden && light->towards[1] > 0.0f) {
-			lay_sheet(drape, sheet, instance, light);
+			pose_sheet(drape, sheet, instance);
 		}
 		vertices += sheet->vertex_count;
 		indices += sheet->index_count;
 	}
+	shadow_lay(&drape->grid, light, (const float(*)[3])drape->posed,
+		vertices, drape->position, &drape->box);
 }
 
 /*

@@ -11,7 +11,7 @@
 #define APP_SCENE_SHADOW_SHADOW_DRAPE_H
 
 #include "app/scene/instance/instance.h"
-#include "app/scene/stage/floor.h"
+#include "app/scene/shadow/shadow_lay.h"
 #include "platform/gl/gl.h"
 
 /* The shadow of one batch; the arrays are parts of the drape's. */
@@ -28,20 +28,14 @@ struct shadow_drape {
 	int sheet_count;
 	struct shadow_sheet *sheet;
 	float longest;     /* undivided edge */
-	struct bounds box; /* of all positions */
+	struct bounds box; /* around all positions, hardly larger */
+	struct shadow_grid grid;
 
 	uint32_t *place; /* of a batch's vertices in posed */
 	float (*posed)[3], (*position)[3];
 	uint16_t *index;
 	int index_max;
 	int divisions_left; /* of an update */
-};
-
-/* Scene units. */
-struct shadow_light {
-	float towards[3]; /* unit vector to the light */
-	float eye[3];
-	const struct floor *ground;
 };
 
 /*
@@ -55,7 +49,8 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 /*
  * Lays the shadow of the instance, as it was last updated, upon the ground. It
  * is moved towards the eye by no more than keeps the ground's triangles from
- * hiding it. Allocates nothing. A light at or below the horizon casts none.
+ * hiding it. Allocates nothing. A light at or below the horizon
+ * casts none.
  */
 void shadow_drape_update(struct shadow_drape *drape,
 	const struct instance *instance, const struct shadow_light *light);

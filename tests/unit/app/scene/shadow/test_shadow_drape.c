@@ -1,6 +1,7 @@
 #include "app/anim/math/vec.h"
 #include "app/scene/shadow/shadow_drape.h"
 #include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
 #include "platform/gl/gl_context.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
@@ -87,6 +88,30 @@ static float distance_to_line(
 	return vec_length(across) / vec_length(along);
 }
 
+static void check_positions(const struct shadow_drape *drape,
+	const struct shadow_light *light, float tolerance)
+{
+	const struct shadow_sheet *sheet = &drape->sheet[0];
+
+	for (int v = 0; v < sheet->vertex_count; v++) {
+		const float *at = sheet->position[v];
+		float ground[3], lifted[3], away[3];
+
+		for (int axis = 0; axis < 3; axis++) {
+			assert_true(at[axis] >= drape->box.low[axis]);
+			assert_true(at[axis] <= drape->box.high[axis]);
+		}
+		find_ground(light, sheet->posed[v], ground);
+		assert_true(
+			distance_to_line(at, light->eye, ground) < tolerance);
+		/* It is a little nearer to the eye. */
+		vec_subtract(ground, at, lifted);
+		vec_subtract(ground, light->eye, away);
+		assert_true(vec_dot(lifted, away) > 0.0f);
+		assert_true(vec_length(lifted) < 0.11f * vec_length(away));
+	}
+}
+
 static void test_a_shadow_is_seen_where_the_light_meets_the_ground(void **state)
 {
 	static struct floor floor = {
@@ -95,32 +120,42 @@ static void test_a_shadow_is_seen_where_the_light_meets_the_ground(void **state)
 		.eye = {1.0f, 3.0f, 9.0f},
 		.ground = &floor};
 	struct cast cast = begin(make_cube());
-	const struct shadow_sheet *sheet = &cast.drape.sheet[0];
 
 	(void)state;
 	shadow_drape_update(&cast.drape, cast.instance, &light);
 	assert_int_equal(cast.drape.sheet_count, 1);
-	for (int i = 0; i < sheet->vertex_count; i++) {
-		for (int axis = 0; axis < 3; axis++) {
-			float at = sheet->position[i][axis];
+	assert_true(cast.drape.sheet[0].vertex_count > 8);
+	check_positions(&cast.drape, &light, 0.02f);
+	end(&cast);
+}
 
-			assert_true(at >= cast.drape.box.low[axis]);
-			assert_true(at <= cast.drape.box.high[axis]);
-		}
-	}
-	assert_true(sheet->vertex_count > 8);
-	for (int v = 0; v < sheet->vertex_count; v++) {
-		float ground[3], lifted[3], away[3];
+/* Many vertices are laid by a grid, whether or not they fill it. */
+static void test_a_shadow_of_many_vertices_is_seen_there_too(void **state)
+{
+	static struct floor floor = {
+		.y = -2.0f, .tile = 1.0f, .radius = 9.0f, .wave_height = 0.5f};
+	struct shadow_light light = {
+		.eye = {1.0f, 3.0f, 9.0f}, .ground = &floor};
+	struct cast cast = begin(small_model_grid(40, 40, 1.0f, true));
 
-		find_ground(&light, sheet->posed[v], ground);
-		assert_true(distance_to_line(sheet->position[v], light.eye,
-				    ground) < 0.02f);
-		/* It is a little nearer to the eye. */
-		vec_subtract(ground, sheet->position[v], lifted);
-		vec_subtract(ground, light.eye, away);
-		assert_true(vec_dot(lifted, away) > 0.0f);
-		assert_true(vec_length(lifted) < 0.11f * vec_length(away));
+	(void)state;
+	for (int i = 0; i < 24; i++) {
+		float turn = 0.5f * (float)i;
+
+		light.towards[0] = 0.6f * scalar_cos(turn);
+		light.towards[1] = 0.8f;
+		light.towards[2] = 0.6f * scalar_sin(turn);
+		floor.offset[0] = 0.31f * (float)i;
+		floor.offset[1] = 0.23f * (float)i;
+		shadow_drape_update(&cast.drape, cast.instance, &light);
+		assert_in_range(cast.drape.grid.node_count, 1,
+			cast.drape.sheet[0].vertex_count / 2);
+		check_positions(&cast.drape, &light, 0.02f);
 	}
+	/* A grid over this area would have more nodes than there are vertices. */
+	floor.tile = 0.1f;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(cast.drape.grid.node_count, 0);
 	end(&cast);
 }
 
@@ -339,6 +374,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_shadow_is_seen_where_the_light_meets_the_ground),
+		cmocka_unit_test(
+			test_a_shadow_of_many_vertices_is_seen_there_too),
 		cmocka_unit_test(test_long_edges_are_divided_without_gaps),
 		cmocka_unit_test(test_divisions_end_where_memory_does),
 		cmocka_unit_test(test_no_light_from_above_casts_no_shadow),

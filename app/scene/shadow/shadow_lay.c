@@ -1,0 +1,159 @@
+#include "app/scene/shadow/shadow_lay.h"
+
+#include "app/anim/math/vec.h"
+#include "platform/base/scalar.h"
+
+#include <float.h>
+
+/* Nodes on a tile's side: between them the waves bend by 0.8% of their height. */
+static const float nodes_a_tile = 6.0f;
+/* Finding a node takes about as long as interpolating three points. */
+static const int points_a_node = 2;
+
+/*
+ * The distance from a point to the ground, down the light's direction. One step
+ * of the secant method from level ground leaves less than floor_mesh_error().
+ */
+static float distance_to_ground(
+	const struct shadow_light *light, const float from[3])
+{
+	const struct floor *ground = light->ground;
+	const float *towards = light->towards;
+	float per_height = 1.0f / towards[1];
+	float guess[2] = {(from[1] - ground->y) * per_height, 0.0f};
+	float height[2], slope;
+
+	for (int i = 0; i < 2; i++) {
+		height[i] = floor_height(ground, from[0] - towards[0] * guess[i],
+			from[2] - towards[2] * guess[i]);
+		if (i == 0) {
+			guess[1] = (from[1] - height[0]) * per_height;
+		}
+	}
+	slope = guess[1] == guess[0]
+		? 0.0f
+		: (height[1] - height[0]) / (guess[1] - guess[0]);
+	return guess[1] -
+		(height[1] - height[0]) /
+		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);
+}
+
+static void lay_point(const struct shadow_light *light, const float from[3],
+	float to[3], struct bounds *box)
+{
+	vec_add_scaled(
+		from, light->towards, -distance_to_ground(light, from), to);
+	floor_lift(light->ground, light->eye, to);
+	bounds_add(box, to);
+}
+
+/* The grid over what the light through the points meets of level ground. */
+struct area {
+	float low[2], per_length, length;
+	int count[2]; /* nodes along x and z */
+};
+
+/* Where the light through a point would meet level ground: x, z. */
+static void find_level(
+	const struct shadow_light *light, const float from[3], float out[2])
+{
+	float fall = (from[1] - light->ground->y) / light->towards[1];
+
+	out[0] = from[0] - light->towards[0] * fall;
+	out[1] = from[2] - light->towards[2] * fall;
+}
+
+/* Returns false without a grid: for few points, a large area, or no numbers. */
+static bool find_area(const struct shadow_light *light, const float (*from)[3],
+	int count, struct area *area)
+{
+	float high[2] = {-FLT_MAX, -FLT_MAX}, nodes = 1.0f;
+	bool finite = true;
+
+	*area = (struct area){.low = {FLT_MAX, FLT_MAX},
+		.per_length = nodes_a_tile / light->ground->tile,
+		.length = light->ground->tile / nodes_a_tile};
+	for (int i = 0; i < count; i++) {
+		float at[2];
+
+		find_level(light, from[i], at);
+		for (int axis = 0; axis < 2; axis++) {
+			finite = finite && scalar_abs(at[axis]) < BOUNDS_MAX;
+			if (at[axis] < area->low[axis]) {
+				area->low[axis] = at[axis];
+			}
+			if (at[axis] > high[axis]) {
+				high[axis] = at[axis];
+			}
+		}
+	}
+	for (int axis = 0; finite && axis < 2; axis++) {
+		float steps = (high[axis] - area->low[axis]) * area->per_length;
+
+		if (!(steps >= 0.0f && steps < SHADOW_NODES_MAX)) {
+			return false;
+		}
+		/* The last point is before the last node, or at it. */
+		area->count[axis] = (int)steps + 2;
+		nodes *= (float)area->count[axis];
+	}
+	return finite && nodes <= SHADOW_NODES_MAX &&
+		nodes * (float)points_a_node <= (float)count;
+}
+
+static void find_nodes(struct shadow_grid *grid, const struct area *area,
+	const struct shadow_light *light, struct bounds *box)
+{
+	grid->node_count = area->count[0] * area->count[1];
+	for (int i = 0; i < grid->node_count; i++) {
+		int column = i % area->count[0], row = i / area->count[0];
+		const float from[3] = {
+			area->low[0] + (float)column * area->length,
+			light->ground->y,
+			area->low[1] + (float)row * area->length};
+
+		lay_point(light, from, grid->node[i], box);
+	}
+}
+
+/* Between the four nodes around a point. */
+static void interpolate(const struct shadow_grid *grid, const struct area *area,
+	const float level[2], float out[3])
+{
+	float x = (level[0] - area->low[0]) * area->per_length;
+	float z = (level[1] - area->low[1]) * area->per_length;
+	int column = (int)x, row = (int)z;
+	const float(*near)[3] =
+		(const float(*)[3])grid->node + row * area->count[0] + column;
+	const float(*far)[3] = near + area->count[0];
+
+	x -= (float)column;
+	z -= (float)row;
+	for (int axis = 0; axis < 3; axis++) {
+		float a = near[0][axis] + x * (near[1][axis] - near[0][axis]);
+		float b = far[0][axis] + x * (far[1][axis] - far[0][axis]);
+
+		out[axis] = a + z * (b - a);
+	}
+}
+
+void shadow_lay(struct shadow_grid *grid, const struct shadow_light *light,
+	const float (*from)[3], int count, float (*to)[3], struct bounds *box)
+{
+	struct area area;
+
+	grid->node_count = 0;
+	if (!find_area(light, from, count, &area)) {
+		for (int i = 0; i < count; i++) {
+			lay_point(light, from[i], to[i], box);
+		}
+		return;
+	}
+	find_nodes(grid, &area, light, box);
+	for (int i = 0; i < count; i++) {
+		float level[2];
+
+		find_level(light, from[i], level);
+		interpolate(grid, &area, level, to[i]);
+	}
+}

@@ -53,7 +53,10 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 		: kind_of_spans(draw);
 }
 
-/* Whether spans interpolate a colour: not for shadows, grounds and such. */
+/*
+ * Whether a colour is interpolated: not for shadows, grounds and such, and by
+ * span functions not where it is one colour.
+ */
 static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	const struct setup *setup)
 {
@@ -62,6 +65,10 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	if (kind == GL_WORK_FLAT || kind == GL_WORK_BACKDROP ||
 		kind == GL_WORK_GROUND) {
 		return false;
+	}
+	if (draw->counted_fill != soft_rows_fill &&
+		draw->raster.top == NOT_SET_UP) {
+		return true;
 	}
 	for (int i = RED; i <= ALPHA; i++) {
 		if ((draw->attributes >> i & 1) &&
@@ -206,7 +213,8 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	const struct clip_box box = box_of(draw, setup);
 
 	if (draw->soft->fragment.flat && draw->attributes) {
-		counts->shaded += is_new(draw, draw->provoking);
+		/* What copies of the corners take is about another one. */
+		counts->shaded += 1 + is_new(draw, draw->provoking);
 	} else {
 		for (int i = 0; i < 3 && draw->attributes; i++) {
 			counts->shaded += is_new(draw, setup->v[i]);

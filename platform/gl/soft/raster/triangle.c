@@ -9,6 +9,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
+#include <stddef.h>
 #include <string.h>
 
 static bool is_culled(const struct draw *draw, bool back)
@@ -155,12 +156,14 @@ static void fill_in_one_color(struct draw *draw, struct setup *setup)
 	for (int i = 0; i < 3; i++) {
 		struct vertex *to = &draw->flat_corners[i];
 
-		*to = *setup->v[i];
+		memcpy(to, setup->v[i], offsetof(struct vertex, clip));
 		if (!to->shaded && draw->shade_more) {
 			soft_shade_rest(draw, to);
 		}
 		memcpy(to->attribute, from->attribute, sizeof(from->back));
-		memcpy(to->back, from->back, sizeof(from->back));
+		if (draw->shading.two_side) {
+			memcpy(to->back, from->back, sizeof(from->back));
+		}
 		setup->v[i] = to;
 	}
 	draw->fill(draw, setup);

@@ -11,7 +11,8 @@ shells are three spheres in each other: opaque, tested and blended. stone is a s
 without texture, crate a cube without. facets have no normals, panes are blended quads
 that stand askew, and rope is thin and long, of small triangles. blocks are many
 small boxes of uneven scale, prism is a blended box without a texture around a ball,
-signs are large, textured and unlit, and bush is 150 small alpha-tested cards.
+signs are large, textured and unlit, and bush is 150 small alpha-tested cards. gem has
+a texture and no normals; so has worm, which joints bend in its clip.
 """
 
 import json
@@ -68,7 +69,7 @@ class Model:
             "scenes": [{"nodes": []}],
             **{name: [] for name in (
                 "nodes", "meshes", "accessors", "bufferViews", "materials",
-                "textures", "images", "samplers",
+                "textures", "images", "samplers", "skins", "animations",
             )},
         }  # fmt: skip
 
@@ -264,6 +265,12 @@ def make_facets(model):
     model.mesh(model.material(color=(0.5, 0.6, 0.8, 1)), (positions, None, texcoords, indices))
 
 
+def make_gem(model):
+    positions, _, texcoords, indices = blob(40, 30)
+    material = model.material(model.texture(png(128, checks(128), 3)), color=(1, 0.8, 0.7, 1))
+    model.mesh(material, (positions, None, texcoords, indices))
+
+
 def make_panes(model):
     texture = model.texture(png(256, discs(256), 4))
     material = model.material(texture, alphaMode="BLEND", doubleSided=True)
@@ -291,6 +298,40 @@ def rope(around, along):
 
 def make_rope(model):
     model.mesh(model.material(model.texture(png(128, checks(128), 3))), rope(20, 160))
+
+
+def make_worm(model):
+    joints, around, along = 8, 16, 96
+    positions, _, texcoords, indices = rope(around, along)
+    material = model.material(model.texture(png(64, checks(64), 3)))
+    model.mesh(material, (positions, None, texcoords, indices), skin=0)
+    attributes = model.json["meshes"][0]["primitives"][0]["attributes"]
+    places = [j / along * (joints - 1) for j in range(along + 1) for i in range(around + 1)]
+    shares = [(int(p), min(int(p) + 1, joints - 1), p % 1) for p in places]
+    attributes["JOINTS_0"] = model.accessor("VEC4", BYTE, [(a, b if s else 0, 0, 0) for a, b, s in shares])
+    weights = [(1 - s, s, 0, 0) for a, b, s in shares]
+    attributes["WEIGHTS_0"] = model.accessor("VEC4", FLOAT, weights)
+    first = len(model.json["nodes"])
+    times = model.accessor("SCALAR", FLOAT, [(t / 4,) for t in range(9)], min=[0], max=[2])
+    animation = {"name": "crawl", "samplers": [], "channels": []}
+    inverse = []
+    for k in range(joints):
+        at = 6 * k / (joints - 1)
+        model.add("nodes", {"translation": (0, 6 / (joints - 1) if k else 0, 0)})
+        if k:
+            model.json["nodes"][first + k - 1]["children"] = [first + k]
+        angles = [0.12 * math.sin(math.pi * t / 4 + 0.7 * k) for t in range(9)]
+        turns = [(0, 0, math.sin(a), math.cos(a)) for a in angles]
+        sampler = {"input": times, "output": model.accessor("VEC4", FLOAT, turns)}
+        target = {"node": first + k, "path": "rotation"}
+        animation["samplers"].append(sampler)
+        animation["channels"].append({"sampler": k, "target": target})
+        inverse.append((1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -at, 0, 1))
+    model.json["scenes"][0]["nodes"].append(first)
+    bones = list(range(first, first + joints))
+    matrices = model.accessor("MAT4", FLOAT, inverse)
+    model.add("skins", {"joints": bones, "inverseBindMatrices": matrices})
+    model.add("animations", animation)
 
 
 def make_blocks(model):
@@ -350,6 +391,8 @@ MODELS = {
     "prism": make_prism,
     "signs": make_signs,
     "bush": make_bush,
+    "gem": make_gem,
+    "worm": make_worm,
 }
 
 

@@ -215,6 +215,9 @@ static void count_costs(
 			board_cost_keys(part->vertex_count, part->normals);
 
 		board_cost_add(&candidate->board.vertices, &cost);
+		cost = board_cost_gather(
+			&reference->instance->drawable[part->drawable]);
+		board_cost_add(&candidate->board.vertices, &cost);
 		key_bytes += (count + count % 2) * streams *
 			sizeof(struct fixed_key);
 		file_bytes += count *

@@ -31,6 +31,8 @@ static const struct board_cost palette_row = {720.0, 66.0}; /* of a joint */
 static const struct board_cost solid_drawable = {347.0, 54.0};
 static const struct board_cost keys_drawable = {2400.0, 415.0};
 static const struct board_cost keys_vertex = {20.0, 11.1};
+static const struct board_cost gathered_vertex = {76.0, 11.2};
+static const struct board_cost facet = {106.0, 83.4};
 static const struct board_cost targets_copied = {12.0, 2.0};
 static const struct board_cost targets_begun = {28.0, 13.0};
 static const struct board_cost targets_added = {27.0, 11.0};
@@ -276,6 +278,26 @@ struct board_cost board_cost_keys(int vertex_count, bool normals)
 	struct board_cost sum = keys_drawable;
 
 	add_times(&sum, &keys_vertex, (normals ? 2.0 : 1.0) * vertex_count);
+	return sum;
+}
+
+struct board_cost board_cost_gather(const struct drawable *drawable)
+{
+	struct board_cost sum = {0.0, 0.0};
+
+	for (int i = 0; i < drawable->batch_count; i++) {
+		const struct batch *batch = &drawable->batch[i];
+		int corners =
+			batch->index ? batch->index_count : batch->vertex_count;
+
+		if (!batch->source) {
+			continue;
+		}
+		add_times(&sum, &gathered_vertex, batch->vertex_count);
+		if (!drawable->primitive->normal) {
+			add_times(&sum, &facet, corners / 3);
+		}
+	}
 	return sum;
 }
 

@@ -63,6 +63,12 @@ struct board_cost board_cost_skin(
 /* The cost of interpolating vertices between two key frames. */
 struct board_cost board_cost_keys(int vertex_count, bool normals);
 
+/*
+ * The cost of copying a drawable's posed vertices for GL, and of the normals of
+ * its facets: of one without normals (app/scene/instance/batch.h). 0 of others.
+ */
+struct board_cost board_cost_gather(const struct drawable *drawable);
+
 /* The cost of drawing what is counted, in a picture of so many pixels. */
 struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels);
 

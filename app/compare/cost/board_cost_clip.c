@@ -212,7 +212,10 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 	} else if (drawable->skin < 0) {
 		cost = board_cost_solid(1);
 		board_cost_add(sum, &cost);
+		return;
 	}
+	cost = board_cost_gather(drawable);
+	board_cost_add(sum, &cost);
 }
 
 static int count_joints(const struct model *model)

@@ -262,10 +262,11 @@ static void add_to_primitive(
 	};
 	struct levels shaded = {0}, shadow = {0};
 
-	if (!primitive->normal || primitive->index_count < 3 * TRIANGLES_MIN) {
+	if (primitive->index_count < 3 * TRIANGLES_MIN) {
 		return;
 	}
-	if (own == 0) {
+	/* Facets would be seen to change. */
+	if (own == 0 && primitive->normal) {
 		make_lists(&shaded, &input, shaded_limits,
 			(int)ARRAY_COUNT(shaded_limits), model);
 	}

@@ -175,7 +175,11 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct batch *batch)
 {
 	bool textured = is_textured(instance, drawable);
+	bool faceted = batch->source && batch->index;
 
+	if (faceted) {
+		gl->ShadeModel(GL_FLAT);
+	}
 	draw_batch(gl, batch,
 		&(struct arrays){
 			.lit = true,
@@ -183,6 +187,9 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 			.color = batch->color,
 			.list = shaded_list(drawable, batch),
 		});
+	if (faceted) {
+		gl->ShadeModel(GL_SMOOTH);
+	}
 }
 
 /* Draws all triangles, or those of a shadow or of edges, in one colour. */

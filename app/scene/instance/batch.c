@@ -1,7 +1,7 @@
 #include "app/scene/instance/batch.h"
 
-#include "app/anim/math/vec.h"
 #include "app/model/color.h"
+#include "app/scene/instance/facets.h"
 #include "app/scene/instance/index_order.h"
 #include "app/scene/shadow/shadow_proxy.h"
 #include "platform/base/scalar.h"
@@ -147,16 +147,13 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 	return 0;
 }
 
-static const uint32_t *inverse_order_of(const struct drawable *drawable)
-{
-	return drawable->fixed ? drawable->fixed->inverse_order : NULL;
-}
-
-/* Converts a list of the primitive's vertices to the order of the arrays. */
-static const uint16_t *convert_list(const struct drawable *drawable,
+/*
+ * Converts a list of the primitive's vertices to the order of the arrays.
+ * inverse_order NULL: they are in the primitive's order.
+ */
+static const uint16_t *convert_list(const uint32_t *inverse_order,
 	const uint32_t *list, int count, struct arena *arena)
 {
-	const uint32_t *inverse_order = inverse_order_of(drawable);
 	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
 
 	for (int i = 0; index && i < count; i++) {
@@ -169,25 +166,28 @@ static const uint16_t *convert_list(const struct drawable *drawable,
 	return index;
 }
 
-static int convert_lod(struct batch_lod *out, const struct drawable *drawable,
+static int convert_lod(struct batch_lod *out,
+	const struct model_primitive *primitive, const uint32_t *inverse_order,
 	const struct model_lod *lod, struct arena *arena)
 {
 	*out = (struct batch_lod){
 		.error = lod->error_m,
 		.index_count = lod->index_count,
 		.index = convert_list(
-			drawable, lod->index, lod->index_count, arena),
-		.posed_lod = model_lod_of_size(
-			drawable->primitive, lod->index_count),
+			inverse_order, lod->index, lod->index_count, arena),
+		.posed_lod = model_lod_of_size(primitive, lod->index_count),
 	};
 	return out->index ? 0 : -ENOMEM;
 }
 
-/* The model's coarser lists, and those for shadows. */
-static int convert_lods(struct batch *batch, const struct drawable *drawable,
+/*
+ * The model's coarser lists, and those for shadows. Facets have the latter
+ * alone: their vertices have the normals of one list.
+ */
+static int convert_lods(struct batch *batch,
+	const struct model_primitive *primitive, const uint32_t *inverse_order,
 	struct arena *arena)
 {
-	const struct model_primitive *primitive = drawable->primitive;
 	size_t count = (size_t)primitive->lod_count;
 	int error = 0;
 
@@ -199,16 +199,20 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	for (size_t i = 0; i < count && !error; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
 
+		if (!lod->shadow_only && batch->source) {
+			continue;
+		}
 		error = convert_lod(lod->shadow_only
 				? &batch->shadow[batch->shadow_count++]
 				: &batch->lod[batch->lod_count++],
-			drawable, lod, arena);
+			primitive, inverse_order, lod, arena);
 	}
 	return error;
 }
 
 /* What casts the shadow of a primitive without lists for shadows. */
-static int make_proxy(struct batch *batch, const struct drawable *drawable,
+static int make_proxy(struct batch *batch,
+	const struct model_primitive *primitive, const uint32_t *inverse_order,
 	struct arena *arena)
 {
 	uint16_t *index;
@@ -217,38 +221,69 @@ static int make_proxy(struct batch *batch, const struct drawable *drawable,
 	if (batch->shadow_count > 0) {
 		return 0;
 	}
-	error = shadow_proxy_make(drawable->primitive,
-		inverse_order_of(drawable), arena, &index, &index_count);
+	error = shadow_proxy_make(
+		primitive, inverse_order, arena, &index, &index_count);
 	batch->shadow[0] =
 		(struct batch_lod){.index_count = index_count, .index = index};
 	batch->shadow_count = 1;
 	return error;
 }
 
-static int make_whole(struct drawable *drawable, const float base_color[4],
+/* A batch of all triangles, whose index is made, and its other lists. */
+static int add_whole(struct drawable *drawable, const struct batch *made,
+	const uint32_t *inverse_order, const float base_color[4],
 	struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
 	struct batch *batch = ARENA_NEW(arena, struct batch);
-	const uint16_t *index = convert_list(
-		drawable, primitive->index, primitive->index_count, arena);
 	int error;
 
-	if (!batch || !index) {
+	if (!batch || !made->index) {
 		return -ENOMEM;
 	}
-	*batch = (struct batch){
-		.vertex_count = primitive->vertex_count,
-		.index_count = primitive->index_count,
-		.index = index,
-	};
+	*batch = *made;
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = convert_lods(batch, drawable, arena);
+	error = convert_lods(batch, primitive, inverse_order, arena);
 	if (!error) {
-		error = make_proxy(batch, drawable, arena);
+		error = make_proxy(batch, primitive, inverse_order, arena);
 	}
 	return error ? error : fill(batch, drawable, base_color, arena);
+}
+
+static int make_whole(struct drawable *drawable, const float base_color[4],
+	struct arena *arena)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	const uint32_t *inverse_order =
+		drawable->fixed ? drawable->fixed->inverse_order : NULL;
+
+	return add_whole(drawable,
+		&(struct batch){
+			.vertex_count = primitive->vertex_count,
+			.index_count = primitive->index_count,
+			.index = convert_list(inverse_order, primitive->index,
+				primitive->index_count, arena),
+		},
+		inverse_order, base_color, arena);
+}
+
+static int make_faceted(struct drawable *drawable, const float base_color[4],
+	struct arena *arena)
+{
+	struct facets facets;
+	int error = facets_make(drawable->primitive, arena, &facets);
+
+	return error ? error
+		     : add_whole(drawable,
+			       &(struct batch){
+				       .vertex_count = facets.vertex_count,
+				       .source = facets.source,
+				       .index_count =
+					       drawable->primitive->index_count,
+				       .index = facets.index,
+			       },
+			       facets.inverse_order, base_color, arena);
 }
 
 /*
@@ -287,11 +322,17 @@ static int make_unindexed(struct drawable *drawable, const float base_color[4],
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
-	bool whole = drawable->primitive->normal &&
-		drawable->primitive->vertex_count <= BATCH_VERTICES_MAX;
+	const struct model_primitive *primitive = drawable->primitive;
+	int error = -ERANGE;
 
-	return whole ? make_whole(drawable, base_color, arena)
-		     : make_unindexed(drawable, base_color, arena);
+	if (primitive->normal && primitive->vertex_count <= BATCH_VERTICES_MAX) {
+		return make_whole(drawable, base_color, arena);
+	}
+	if (!primitive->normal && !primitive->color) {
+		error = make_faceted(drawable, base_color, arena);
+	}
+	return error == -ERANGE ? make_unindexed(drawable, base_color, arena)
+				: error;
 }
 
 int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
@@ -341,49 +382,9 @@ int batch_tint(
 	return batch_recolor(drawable, multiply, copy, arena);
 }
 
-static void face_normal(
-	const float a[3], const float b[3], const float c[3], float out[3])
+static int corner_count(const struct batch *batch)
 {
-	float u[3], v[3], length;
-
-	vec_subtract(b, a, u);
-	vec_subtract(c, a, v);
-	vec_cross(u, v, out);
-	length = vec_length(out);
-	for (int i = 0; i < 3; i++) {
-		out[i] = length > 0.0f ? out[i] / length : 0.0f;
-	}
-}
-
-static void gather_flat_normals(struct batch *batch)
-{
-	for (int v = 0; v + 2 < batch->vertex_count; v += 3) {
-		face_normal(batch->gathered_position[v],
-			batch->gathered_position[v + 1],
-			batch->gathered_position[v + 2],
-			batch->gathered_normal[v]);
-		memcpy(batch->gathered_normal[v + 1], batch->gathered_normal[v],
-			sizeof(float[3]));
-		memcpy(batch->gathered_normal[v + 2], batch->gathered_normal[v],
-			sizeof(float[3]));
-	}
-}
-
-static struct fixed_vector fixed_face_normal(const struct fixed_vector *corner)
-{
-	float at[3][3], normal[3];
-
-	for (int i = 0; i < 3; i++) {
-		at[i][0] = corner[i].x;
-		at[i][1] = corner[i].y;
-		at[i][2] = corner[i].z;
-	}
-	face_normal(at[0], at[1], at[2], normal);
-	return (struct fixed_vector){
-		.x = (int16_t)(normal[0] * 32767.0f),
-		.y = (int16_t)(normal[1] * 32767.0f),
-		.z = (int16_t)(normal[2] * 32767.0f),
-	};
+	return batch->index ? batch->index_count : batch->vertex_count;
 }
 
 static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch)
@@ -400,10 +401,9 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 			normal[v] = fixed->normal[from];
 		}
 	}
-	for (int v = 0; !fixed->normal && v + 2 < batch->vertex_count; v += 3) {
-		normal[v] = fixed_face_normal(&position[v]);
-		normal[v + 1] = normal[v];
-		normal[v + 2] = normal[v];
+	if (!fixed->normal) {
+		facets_find_fixed_normals(
+			batch->index, corner_count(batch), position, normal);
 	}
 }
 
@@ -431,7 +431,9 @@ void batch_gather(struct drawable *drawable)
 			}
 		}
 		if (!drawable->normal) {
-			gather_flat_normals(batch);
+			facets_find_normals(batch->index, corner_count(batch),
+				(const float(*)[3])batch->gathered_position,
+				batch->gathered_normal);
 		}
 	}
 }

@@ -2,12 +2,13 @@
  * Batches: a primitive's vertices as GL ES 1.1 can draw them.
  *
  * GL ES 1.1 indexes with 16 bits and interpolates one normal a vertex. A
- * primitive without normals is therefore drawn without an index: each triangle
- * gets three vertices of its own, which are copied from the posed vertices once
- * a frame ("gathered") and cut into batches that are small enough. Its normals
- * are computed from the posed triangles (flat shading, glTF 2.0 section
- * 3.7.2.1). Primitives of more than 65,536 vertices, which loaders divide
- * (app/model/split/split.h), would be drawn in the same way.
+ * primitive without normals is therefore drawn as facets (facets.h), by flat
+ * shading, from vertices that are copied from the posed ones once a frame
+ * ("gathered"). Flat shading would take colours from one corner as well: with
+ * vertex colours, each triangle of such a primitive gets three vertices of its
+ * own and no index, in batches that are small enough. Primitives of more than
+ * 65,536 vertices, which loaders divide (app/model/split/split.h), and facets
+ * that would have as many, are drawn in the same way.
  */
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H

@@ -57,7 +57,8 @@ struct batch {
 	const uint8_t (*color)[4];  /* or NULL */
 
 	int index_count;
-	const uint16_t *index; /* NULL: each three vertices are a triangle */
+	const uint16_t *index; /* NULL: each three vertices are a triangle; of
+				  a gathered batch: facets, see facets.h */
 	int lod_count;
 	struct batch_lod *lod; /* [lod_count], finest first */
 	/* Fewer triangles with nearly the same silhouette, finest first. */

@@ -180,6 +180,45 @@ static void test_nodes_cost_what_the_model_counted(void **state)
 	}
 }
 
+/*
+ * What models without normals took above the same quotes without facets:
+ * CesiumMan and RiggedFigure, and CesiumMan with three vertices a triangle.
+ */
+static void test_facets_cost_what_the_model_counted(void **state)
+{
+	static const struct {
+		int vertices, triangles;
+		double cycles, instructions;
+	} counted[] = {
+		{5095, 4672, 904138.0, 446789.0},
+		{383, 256, 56055.0, 24252.0},
+		{14016, 4672, 1639393.0, 546873.0},
+	};
+	const uint32_t source = 0;
+	const uint16_t index = 0;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(counted); i++) {
+		const struct model_primitive primitive = {.normal = NULL};
+		struct batch batch = {.vertex_count = counted[i].vertices,
+			.source = &source,
+			.index = &index,
+			.index_count = 3 * counted[i].triangles};
+		struct drawable drawable = {.primitive = &primitive,
+			.batch_count = 1,
+			.batch = &batch};
+		struct board_cost sum = board_cost_gather(&drawable);
+
+		assert_near(sum.cycles, counted[i].cycles,
+			0.06 * counted[i].cycles);
+		assert_near(sum.instructions, counted[i].instructions,
+			0.06 * counted[i].instructions);
+		batch.source = NULL;
+		sum = board_cost_gather(&drawable);
+		assert_true(sum.cycles == 0.0 && sum.instructions == 0.0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -187,6 +226,7 @@ int main(void)
 		cmocka_unit_test(test_samples_cost_what_the_model_counted),
 		cmocka_unit_test(test_the_joints_of_all_skins_count),
 		cmocka_unit_test(test_nodes_cost_what_the_model_counted),
+		cmocka_unit_test(test_facets_cost_what_the_model_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -94,9 +94,36 @@ static void test_gives_flat_normals_where_the_file_has_none(void **state)
 
 	(void)state;
 	assert_null(instance->drawable[0].normal);
+	assert_int_equal(batch->index_count, 12);
+	for (int i = 2; i < batch->index_count; i += 3) {
+		assert_all_near(batch->normal[batch->index[i]],
+			((float[3]){0, 0, 1}), 3, 1e-6);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_keeps_vertex_colours_apart_where_there_are_no_normals(
+	void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, false);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	struct instance *instance;
+	const struct batch *batch;
+
+	(void)state;
+	primitive->color = arena_alloc(&model->arena, 4, 4);
+	assert_non_null(primitive->color);
+	for (int i = 0; i < 16; i++) {
+		primitive->color[i / 4][i % 4] = (uint8_t)(10 * i);
+	}
+	instance = small_model_instance(model);
+	batch = instance->drawable[0].batch;
 	assert_null(batch->index);
-	assert_int_equal(batch->vertex_count, 12);
+	assert_int_equal(batch->vertex_count, 6);
 	for (int v = 0; v < batch->vertex_count; v++) {
+		assert_memory_equal(batch->color[v],
+			primitive->color[primitive->index[v]], 4);
 		assert_all_near(
 			batch->normal[v], ((float[3]){0, 0, 1}), 3, 1e-6);
 	}
@@ -341,6 +368,8 @@ int main(void)
 		cmocka_unit_test(test_moves_a_rigid_mesh_with_its_node),
 		cmocka_unit_test(test_nodes_outside_the_scene_are_not_shown),
 		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
+		cmocka_unit_test(
+			test_keeps_vertex_colours_apart_where_there_are_no_normals),
 		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
 		cmocka_unit_test(test_morphs_before_it_skins),

@@ -91,13 +91,17 @@ static void sample_linear(const struct level *level, const struct along *s,
 	for (int i = 0; i < 4; i++) {
 		int bits = soft_field(level->format, i).bits;
 
-		out[i] = bits == 0 ? 0
-				   : (uint8_t)soft_narrow_mixed(
-					     soft_mix_channel(level->format, i,
-						     above[0] | above[1] << 16,
-						     below[0] | below[1] << 16,
-						     soft_weigh(s_at, t_at)),
-					     bits);
+		out[i] = bits == 0
+			? 0
+			: (uint8_t)soft_narrow_mixed(
+				  soft_mix_channel(level->format, i,
+					  above[0] | above[1] << 16,
+					  below[0] | below[1] << 16,
+					  soft_weigh(s_at >> (SOFT_TEXEL_FRACTION -
+								     5),
+						  t_at >> (SOFT_TEXEL_FRACTION -
+								  8))),
+				  bits);
 	}
 }
 

@@ -29,11 +29,9 @@ static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
 {
 	struct soft_thin_line line = *given;
 	/* No pixel lies in it, which the compiler cannot know. */
-	const struct soft_run own = {.z_right = run->z_right,
-		.red_blue_right = run->red_blue_right,
-		.green_alpha_right = run->green_alpha_right,
-		.fog_right = run->fog_right,
-		.stages = run->stages};
+	const struct soft_run own = {
+		.fog_right = run->fog_right, .stages = run->stages};
+	struct soft_steps steps = soft_find_steps(run);
 	const struct soft_constants constants = soft_find_constants(&own, kind);
 	struct soft_pixel at = {.z = run->row.z,
 		.red_blue = run->row.red_blue,
@@ -43,14 +41,11 @@ static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
 
 	for (; count > 0; count--) {
 		if (soft_compares(line.compares, at.z >> 16, *line.depth)) {
-			soft_shade_pixel(&own, kind, &constants, &at,
+			soft_shade_pixel(&own, NULL, kind, &constants, &at,
 				line.writes_depth ? line.depth : &unwritten,
 				line.pixel);
 		}
-		soft_step_pixel(&own, kind, 0, &at);
-		if (soft_counts_by_green(kind)) {
-			at.green_alpha += own.green_alpha_right;
-		}
+		soft_step_pixel(&own, kind, &steps, &at);
 		line.depth += line.depth_along;
 		line.pixel += line.pixel_along;
 		line.error += line.add;

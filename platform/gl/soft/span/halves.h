@@ -7,8 +7,15 @@
 #define PLATFORM_GL_SOFT_SPAN_HALVES_H
 
 #include <stdint.h>
+#include <string.h>
 
 #include "platform/gl/soft/span/vectors.h"
+
+/* A level's texels, from one on, and the bytes from row to row. */
+struct soft_rows {
+	_Alignas(8) const uint8_t *first;
+	uint32_t stride;
+};
 
 #ifdef __ARM_FEATURE_DSP
 /* bottom a * bottom b + top a * top b */
@@ -40,7 +47,34 @@ static inline uint32_t soft_upper_half(uint32_t word)
 	__asm__("lsr %0, %1, #16" : "=r"(half) : "r"(word));
 	return half;
 }
-#define UPPER_HALF(word) soft_upper_half(word)
+#define UPPER_HALF(word)       soft_upper_half(word)
+/* Has an object read from memory, not kept in a register */
+#define KEEP_IN_MEMORY(object) __asm__("" : "+m"(object))
+/* A shift that is not begun before a test which it stands behind */
+static ALWAYS_INLINE uint32_t soft_shift_here(uint32_t word, int bits)
+{
+	uint32_t shifted;
+
+	__asm__ volatile("lsr %0, %1, %2"
+			 : "=r"(shifted)
+			 : "r"(word), "i"(bits));
+	return shifted;
+}
+#define SHIFT_HERE(word, bits) soft_shift_here(word, bits)
+/*
+ * The words at x bytes of a row and of the row below. What rows says is read
+ * here, where registers are scarce.
+ */
+static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
+	uint32_t row, uint32_t x, uint32_t word[2])
+{
+	uint64_t pair;
+
+	__asm__ volatile("ldrd %Q0, %R0, %1" : "=&r"(pair) : "Uq"(*rows));
+	word[0] = x + row * (uint32_t)(pair >> 32);
+	__asm__ volatile("ldr %0, [%Q2, %0]!\n\tldr %1, [%Q2, %R2]"
+			 : "+&r"(word[0]), "=&r"(word[1]), "+&r"(pair));
+}
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
 {
@@ -61,7 +95,18 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 		(low > 0xFFFF ? 0xFFFF : low);
 }
 
+static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
+	uint32_t row, uint32_t x, uint32_t word[2])
+{
+	const uint8_t *at = rows->first + (row * rows->stride + x);
+
+	memcpy(&word[0], at, sizeof(word[0]));
+	memcpy(&word[1], at + rows->stride, sizeof(word[1]));
+}
+
 #define UPPER_HALF(word)          ((word) >> 16)
+#define SHIFT_HERE(word, bits)    ((word) >> (bits))
+#define KEEP_IN_MEMORY(object)    ((void)0)
 #define UPPER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
 #define HALVES_ADD_LIMITED(a, b)  soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)          soft_halves_sum(a, b)

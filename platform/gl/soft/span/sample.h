@@ -124,11 +124,12 @@ struct soft_weights {
 	uint32_t above, below; /* 8192 in all */
 };
 
+/* Of coordinates that have 5 and 8 bits of fraction. */
 static ALWAYS_INLINE struct soft_weights soft_weigh(uint32_t s, uint32_t t)
 {
-	uint32_t right = s >> (SOFT_TEXEL_FRACTION - 5) & 31;
+	uint32_t right = s & 31;
 	uint32_t across = (right << 16) - right + 32;
-	uint32_t below = across * soft_fraction_q8(t);
+	uint32_t below = across * (t & 255);
 
 	return (struct soft_weights){(across << 8) - below, below};
 }

@@ -22,7 +22,7 @@ struct soft_kind {
 struct soft_pixel {
 	uint32_t z, red_blue, green_alpha, fog;
 	uint32_t texel; /* inside */
-	int32_t s, t;   /* elsewhere */
+	uint32_t s, t;  /* elsewhere */
 };
 
 /* A texel: as bytes, or by channels, 8192 times where texels are mixed. */
@@ -117,6 +117,31 @@ static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 		!kind.wide && !soft_is_scaled(kind);
 }
 
+/* How values change from pixel to pixel: struct soft_pixel's, in pairs. */
+struct soft_steps {
+	_Alignas(8) uint32_t z_texel[2];
+	uint32_t colors[2], s_t[2];
+};
+
+static ALWAYS_INLINE struct soft_steps soft_find_steps(
+	const struct soft_run *run)
+{
+	return (struct soft_steps){{run->z_right, 0},
+		{run->red_blue_right, run->green_alpha_right},
+		{(uint32_t)run->s_right, (uint32_t)run->t_right}};
+}
+
+/* Where texels need the registers, each pixel reads its steps anew. */
+static ALWAYS_INLINE uint64_t soft_get_steps(
+	struct soft_kind kind, uint32_t pair[2])
+{
+	if (!kind.textured || (soft_is_constant(kind) && !kind.linear)) {
+		return pair[0] | (uint64_t)pair[1] << 32;
+	}
+	KEEP_IN_MEMORY(pair[0]);
+	return load_two_words(pair);
+}
+
 static ALWAYS_INLINE int soft_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {
@@ -167,9 +192,8 @@ static ALWAYS_INLINE void soft_split_texel(
 }
 
 static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
-	uint32_t below, uint32_t s, uint32_t t, struct soft_texel *out)
+	uint32_t below, struct soft_weights weights, struct soft_texel *out)
 {
-	struct soft_weights weights = soft_weigh(s, t);
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
 	if (soft_is_aligned(kind)) {
@@ -217,41 +241,52 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
+/* rows are those of the run. */
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
-	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+	const struct soft_rows *rows, struct soft_kind kind, uint32_t texel,
+	struct soft_texel *out)
 {
-	int bytes_log2 = soft_texel_bytes_log2(kind.format);
-	uint32_t at = (texel >> (16 + SOFT_TEXEL_FRACTION) << run->stride_log2) +
-		(texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
-			((SOFT_RUN_TEXELS - 1u) << bytes_log2));
-	const uint8_t *above = run->first_texel + at;
-	const uint32_t stride = 1u << run->stride_log2;
-	/* The form that leaves GCC the most registers for ARM's loops */
-	const uint8_t *below = kind.format == TEXEL_8888
-		? above + stride
-		: run->first_texel + stride + at;
+	const int bytes_log2 = soft_texel_bytes_log2(kind.format);
+	const uint32_t row = texel >> (16 + SOFT_TEXEL_FRACTION);
+	const uint32_t x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
+		((SOFT_RUN_TEXELS - 1u) << bytes_log2);
+	uint32_t at = (row << run->stride_log2) + x;
+	const uint8_t *above, *below;
+	struct soft_weights weights;
+	uint32_t pair[2];
 
+	OPAQUE(at); /* else the sum takes two more registers */
+	above = run->first_texel + at;
+	below = above + (1u << run->stride_log2);
 	if (!kind.linear) {
 		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
-	} else if (kind.format == TEXEL_8888) {
+		return;
+	}
+	if (kind.format == TEXEL_8888) {
 		const uint32_t a[2] = {load_32(above), load_32(above + 4)};
 		const uint32_t b[2] = {load_32(below), load_32(below + 4)};
 
 		soft_mix_green(kind, a, b, texel, texel >> 16, out);
-	} else {
-		soft_mix_pairs(kind, soft_load_pair(kind.format, above),
-			soft_load_pair(kind.format, below), texel, texel >> 16,
-			out);
+		return;
 	}
+	if (bytes_log2 == 1) {
+		soft_load_rows(rows, row, x, pair);
+	} else {
+		pair[0] = soft_load_pair(kind.format, above);
+		pair[1] = soft_load_pair(kind.format, below);
+	}
+	weights = soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
+		SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8));
+	soft_mix_pairs(kind, pair[0], pair[1], weights, out);
 }
 
 /* As coordinates repeat. */
 static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
-	struct soft_kind kind, int32_t s, int32_t t, struct soft_texel *out)
+	struct soft_kind kind, uint32_t s, uint32_t t, struct soft_texel *out)
 {
 	int bytes_log2 = soft_texel_bytes_log2(kind.format);
-	uint32_t x = (uint32_t)s >> SOFT_TEXEL_FRACTION & run->s_last;
-	uint32_t y = (uint32_t)t >> SOFT_TEXEL_FRACTION & run->t_last;
+	uint32_t x = s >> SOFT_TEXEL_FRACTION & run->s_last;
+	uint32_t y = t >> SOFT_TEXEL_FRACTION & run->t_last;
 	const uint8_t *above = run->texels + (y << run->stride_log2);
 	const uint8_t *below = above;
 	uint32_t next = x, a[2], b[2];
@@ -270,10 +305,12 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 	b[0] = soft_load_texel(kind.format, below + (x << bytes_log2));
 	b[1] = soft_load_texel(kind.format, below + (next << bytes_log2));
 	if (kind.format == TEXEL_8888) {
-		soft_mix_green(kind, a, b, (uint32_t)s, (uint32_t)t, out);
+		soft_mix_green(kind, a, b, s, t, out);
 	} else {
 		soft_mix_pairs(kind, a[0] | a[1] << 16, b[0] | b[1] << 16,
-			(uint32_t)s, (uint32_t)t, out);
+			soft_weigh(s >> (SOFT_TEXEL_FRACTION - 5),
+				t >> (SOFT_TEXEL_FRACTION - 8)),
+			out);
 	}
 }
 

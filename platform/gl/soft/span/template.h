@@ -284,15 +284,16 @@ static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
 
 /* Tests and draws one pixel whose depth passes. */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
-	struct soft_kind kind, const struct soft_constants *constants,
-	const struct soft_pixel *at, uint16_t *depth, uint8_t *pixel)
+	const struct soft_rows *rows, struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_pixel *at,
+	uint16_t *depth, uint8_t *pixel)
 {
 	struct soft_texel texel = {.alpha = 255};
 	struct soft_color color;
 	uint32_t alpha = 255;
 
 	if (kind.textured && kind.inside) {
-		soft_sample_inside(run, kind, at->texel, &texel);
+		soft_sample_inside(run, rows, kind, at->texel, &texel);
 	} else if (kind.textured) {
 		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
 	}
@@ -344,46 +345,52 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 }
 
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
-	struct soft_kind kind, uint32_t texel_right, struct soft_pixel *at)
+	struct soft_kind kind, struct soft_steps *steps, struct soft_pixel *at)
 {
-	at->z += run->z_right;
-	at->red_blue += soft_is_constant(kind) ? 0 : run->red_blue_right;
-	if (!soft_counts_by_green(kind)) {
-		at->green_alpha += run->green_alpha_right;
+	const uint64_t place = soft_get_steps(kind, steps->z_texel);
+	uint64_t two = (uint64_t)-0x10000 << 32; /* the count's */
+
+	if (!soft_is_constant(kind)) {
+		two = soft_get_steps(kind, steps->colors);
 	}
+	at->z += (uint32_t)place;
+	at->texel += (uint32_t)(place >> 32);
+	at->red_blue += (uint32_t)two;
+	at->green_alpha += (uint32_t)(two >> 32);
 	if (soft_is_fogged(kind)) {
 		at->fog += run->fog_right;
 	}
-	if (kind.textured && kind.inside) {
-		at->texel += texel_right;
-	} else if (kind.textured) {
-		at->s += run->s_right;
-		at->t += run->t_right;
+	if (kind.textured && !kind.inside) {
+		two = soft_get_steps(kind, steps->s_t);
+		at->s += (uint32_t)two;
+		at->t += (uint32_t)(two >> 32);
 	}
 }
 
 static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	const struct soft_row *row, const struct soft_kind kind,
-	struct soft_constants *constants)
+	const struct soft_rows *rows, struct soft_constants *constants,
+	struct soft_steps *steps)
 {
 	uint16_t *depth = row->depth;
 	uint8_t *pixel = row->pixel;
 	/* Depths are as far apart as pixels of RGB565. */
 	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
 	struct soft_pixel at = {row->z, row->red_blue, row->green_alpha,
-		row->fog, row->texel, run->s, run->t};
-	const uint32_t count = row->count, texel_right = row->texel_right;
+		row->fog, row->texel, (uint32_t)run->s, (uint32_t)run->t};
+	const uint32_t count = row->count;
 	const uint16_t *end = depth + count;
+
+	steps->z_texel[1] = row->texel_right;
 	/*
 	 * The count is above green, which stays below 2^15, and leaves 2^15 for
 	 * the step behind the last pixel; across one pixel alone values may
 	 * change by more than they have.
 	 */
-	const uint32_t green_right =
-		(count > 1 && !soft_is_constant(kind) ? run->green_alpha_right
-						      : 0) -
-		0x10000;
-
+	if (soft_counts_by_green(kind)) {
+		steps->colors[1] =
+			(count > 1 ? run->green_alpha_right : 0) - 0x10000;
+	}
 	constants->second =
 		(uintptr_t)run->second + 4 * row->place - 2 * (uintptr_t)depth;
 	if (soft_counts_by_green(kind)) {
@@ -392,17 +399,14 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	}
 	do {
 		if (kind.lequal ? at.z >> 16 <= *depth : at.z >> 16 < *depth) {
-			soft_shade_pixel(run, kind, constants, &at, depth,
+			soft_shade_pixel(run, rows, kind, constants, &at, depth,
 				kind.wide ? pixel
 					  : (uint8_t *)((uintptr_t)depth +
 						    distance));
 		}
 		depth++;
 		pixel += kind.wide ? 4 : 0;
-		soft_step_pixel(run, kind, texel_right, &at);
-		if (soft_counts_by_green(kind)) {
-			at.green_alpha += green_right;
-		}
+		soft_step_pixel(run, kind, steps, &at);
 	} while (soft_counts_by_green(kind) ? (int32_t)at.green_alpha >= 0
 					    : depth != end);
 }
@@ -413,10 +417,12 @@ static ALWAYS_INLINE void soft_draw_rows(
 	/* Pixels do not lie in it, which the compiler cannot know. */
 	const struct soft_run own = *given, *run = &own;
 	struct soft_constants constants = soft_find_constants(run, kind);
+	struct soft_steps steps = soft_find_steps(run);
+	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
 	const struct soft_row *row = run->rows;
 
 	if (kind.textured && !kind.inside) {
-		soft_draw_row(run, row, kind, &constants);
+		soft_draw_row(run, row, kind, &rows, &constants, &steps);
 		return;
 	}
 	for (const struct soft_row *end = row + run->row_count; row < end;
@@ -424,7 +430,8 @@ static ALWAYS_INLINE void soft_draw_rows(
 		const struct soft_row its = *row;
 
 		if (its.count > 0) {
-			soft_draw_row(run, &its, kind, &constants);
+			soft_draw_row(
+				run, &its, kind, &rows, &constants, &steps);
 		}
 	}
 }

@@ -28,7 +28,8 @@ static ALWAYS_INLINE void read_texels(
 {
 	const struct soft_run own = *given, *run = &own;
 	uint32_t at = run->row.texel;
-	int32_t s = run->s, t = run->t;
+	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
+	uint32_t s = (uint32_t)run->s, t = (uint32_t)run->t;
 	uint8_t *out = run->row.pixel, *end = out + run->row.count * 4;
 
 	for (; out != end; out += 4) {
@@ -36,12 +37,12 @@ static ALWAYS_INLINE void read_texels(
 		uint32_t bytes;
 
 		if (kind.inside) {
-			soft_sample_inside(run, kind, at, &texel);
+			soft_sample_inside(run, &rows, kind, at, &texel);
 			at += run->row.texel_right;
 		} else {
 			soft_sample_anywhere(run, kind, s, t, &texel);
-			s += run->s_right;
-			t += run->t_right;
+			s += (uint32_t)run->s_right;
+			t += (uint32_t)run->t_right;
 		}
 		soft_finish_texel(kind, &texel);
 		bytes = widen_texel(kind, &texel);

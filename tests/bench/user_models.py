@@ -12,7 +12,8 @@ without texture, crate a cube without. facets have no normals, panes are blended
 that stand askew, and rope is thin and long, of small triangles. blocks are many
 small boxes of uneven scale, prism is a blended box without a texture around a ball,
 signs are large, textured and unlit, and bush is 150 small alpha-tested cards. gem has
-a texture and no normals; so has worm, which joints bend in its clip.
+a texture and no normals; so has worm, which joints bend in its clip, and mosaic has
+a texture, a colour at each vertex and no normals.
 """
 
 import json
@@ -271,6 +272,13 @@ def make_gem(model):
     model.mesh(material, (positions, None, texcoords, indices))
 
 
+def make_mosaic(model):
+    positions, _, texcoords, indices = blob(32, 26)
+    colors = [(40 * k % 256, 90, 25 * k % 256, 255) for k in range(len(positions))]
+    material = model.material(model.texture(png(128, checks(128), 3)))
+    model.mesh(material, (positions, None, texcoords, indices), colors)
+
+
 def make_panes(model):
     texture = model.texture(png(256, discs(256), 4))
     material = model.material(texture, alphaMode="BLEND", doubleSided=True)
@@ -392,6 +400,7 @@ MODELS = {
     "signs": make_signs,
     "bush": make_bush,
     "gem": make_gem,
+    "mosaic": make_mosaic,
     "worm": make_worm,
 }
 

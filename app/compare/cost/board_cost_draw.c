@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.492e+04, 2.714e+04}, /* frame */
-	{0.7322, 0.3623},       /* pixel */
-	{1.838e+04, 7124},      /* call */
-	{169.9, 87.05},         /* listed */
-	{169.3, 76.82},         /* vertex */
-	{192.5, 122.9},         /* single */
-	{787.3, 218.7},         /* shaded */
-	{11.15, 10.13},         /* hidden */
-	{9.436, 6.36},          /* fine */
-	{214, 79.53},           /* flat triangle */
-	{67.66, 40.92},         /* flat row */
-	{11.81, 7.787},         /* flat pixel */
-	{367.5, 236.2},         /* plain triangle */
-	{9.607, 25.78},         /* plain row */
-	{28.04, 10.5},          /* plain pixel */
-	{678.6, 325.8},         /* textured triangle */
-	{311.3, 151.6},         /* textured row */
-	{80.04, 55.5},          /* textured pixel */
-	{4.061e+04, 1.68e+04},  /* backdrop triangle */
-	{73.92, 34.08},         /* backdrop row */
-	{2.269, 0.804},         /* backdrop pixel */
-	{4.111e+04, 1.714e+04}, /* ground triangle */
-	{133.8, 73.78},         /* ground row */
-	{3.798, 0.8781},        /* ground pixel */
-	{797.4, 483},           /* spans triangle */
-	{158.4, 99.28},         /* spans row */
-	{31.45, 19.65},         /* spans pixel */
-	{2697, 1529},           /* spans textured triangle */
-	{298.1, 166.8},         /* spans textured row */
-	{101.9, 66.05},         /* spans textured pixel */
-	{4714, 3774},           /* spans divided triangle */
-	{706.7, 364.6},         /* spans divided row */
-	{103.9, 67.2},          /* spans divided pixel */
-	{1863, 1064},           /* mixed triangle */
-	{259.1, 136.6},         /* mixed row */
-	{63.16, 42.22},         /* mixed pixel */
-	{3147, 1042},           /* tested triangle */
-	{278.9, 175.3},         /* tested row */
-	{180.8, 124},           /* tested pixel */
-	{4047, 2562},           /* tested spans triangle */
-	{618.9, 385.5},         /* tested spans row */
-	{152, 96.48},           /* tested spans pixel */
-	{3291, 1469},           /* mixed textured triangle */
-	{258.4, 184.9},         /* mixed textured row */
-	{150.6, 91.44},         /* mixed textured pixel */
-	{3872, 3025},           /* mixed spans triangle */
-	{458.2, 308.3},         /* mixed spans row */
-	{162.5, 92.83},         /* mixed spans pixel */
-	{5193, 4189},           /* mixed divided triangle */
-	{2361, 1143},           /* mixed divided row */
-	{135, 90},              /* mixed divided pixel */
-	{126.6, 34.56},         /* colored triangle */
-	{0, 0},                 /* colored row */
-	{6.619, 3.143},         /* colored pixel */
-	{2307, 1186},           /* bent triangle */
-	{269.1, 146.8},         /* bent row */
-	{3.453, 2.273},         /* bent pixel */
+	{3.548e+04, 2.718e+04}, /* frame */
+	{0.7643, 0.3768},       /* pixel */
+	{1.882e+04, 7240},      /* call */
+	{173.5, 73.03},         /* listed */
+	{282.6, 70.31},         /* vertex */
+	{300.3, 136.1},         /* single */
+	{301.8, 267.6},         /* shaded */
+	{11.74, 10.7},          /* hidden */
+	{8.864, 6.145},         /* fine */
+	{182.7, 78.81},         /* flat triangle */
+	{67.15, 40.95},         /* flat row */
+	{12.27, 8.023},         /* flat pixel */
+	{481.3, 168.6},         /* plain triangle */
+	{5.337, 22.1},          /* plain row */
+	{24.05, 9.418},         /* plain pixel */
+	{578.2, 495.6},         /* textured triangle */
+	{327.7, 117.9},         /* textured row */
+	{69.42, 56.61},         /* textured pixel */
+	{4.21e+04, 1.682e+04},  /* backdrop triangle */
+	{76.83, 34.76},         /* backdrop row */
+	{2.61, 0.8585},         /* backdrop pixel */
+	{4.243e+04, 1.718e+04}, /* ground triangle */
+	{138.2, 74.9},          /* ground row */
+	{4.072, 1.019},         /* ground pixel */
+	{542.7, 384.6},         /* spans triangle */
+	{138.8, 95.3},          /* spans row */
+	{30.82, 19.5},          /* spans pixel */
+	{2887, 1357},           /* spans textured triangle */
+	{258.2, 158.6},         /* spans textured row */
+	{99.47, 61.39},         /* spans textured pixel */
+	{4790, 3834},           /* spans divided triangle */
+	{692.7, 364.1},         /* spans divided row */
+	{98.33, 62.26},         /* spans divided pixel */
+	{1881, 1017},           /* mixed triangle */
+	{245.2, 133.5},         /* mixed row */
+	{61.2, 42.17},          /* mixed pixel */
+	{3279, 1038},           /* tested triangle */
+	{285.8, 173.2},         /* tested row */
+	{170, 113.5},           /* tested pixel */
+	{4047, 2547},           /* tested spans triangle */
+	{624.3, 384.4},         /* tested spans row */
+	{139.5, 88.81},         /* tested spans pixel */
+	{3198, 1446},           /* mixed textured triangle */
+	{253.6, 180.4},         /* mixed textured row */
+	{145, 86.19},           /* mixed textured pixel */
+	{3913, 3039},           /* mixed spans triangle */
+	{474.6, 313.6},         /* mixed spans row */
+	{145.6, 85.57},         /* mixed spans pixel */
+	{5189, 4198},           /* mixed divided triangle */
+	{2329, 1172},           /* mixed divided row */
+	{129.3, 85.73},         /* mixed divided pixel */
+	{183.5, 107},           /* colored triangle */
+	{17.08, 4.349},         /* colored row */
+	{7.156, 3.135},         /* colored pixel */
+	{2623, 1235},           /* bent triangle */
+	{291.3, 158.4},         /* bent row */
+	{3.416, 2.317},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
 	{1.003, 1.003},         /* deep row */
-	{1.781, 1.273},         /* deep pixel */
+	{1.749, 1.233},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

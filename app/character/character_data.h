@@ -197,14 +197,13 @@ struct character_machine {
 
 	/* Changes: */
 	int current;
-	int wanted;       /* a state that an action asked for, or -1 */
-	int running;      /* the transition under way, or -1 */
-	double elapsed_s; /* since the state began */
-	double phase;     /* in marks */
-	float done;       /* fraction of the clip, 0..1 */
-	int loops;        /* ends of the clip that have passed */
-	bool fresh;       /* the state began in this frame */
-	bool in_row;      /* at its end the next state of the file follows */
+	int wanted;   /* a state that an action asked for, or -1 */
+	int running;  /* the transition under way, or -1 */
+	double phase; /* in marks */
+	float done;   /* fraction of the clip, 0..1 */
+	int loops;    /* ends of the clip that have passed */
+	bool fresh;   /* the state began in this frame */
+	bool in_row;  /* at its end the next state of the file follows */
 };
 
 /* See run/feet.h and run/effects.h. */

@@ -150,7 +150,6 @@ static void begin_state(struct character *character, int to, int transition)
 	machine->current = to;
 	machine->running = transition;
 	machine->wanted = -1;
-	machine->elapsed_s = 0;
 	machine->done = 0;
 	machine->loops = 0;
 	machine->fresh = true;
@@ -192,7 +191,6 @@ static void move_on(struct character *character)
 	if (weight > 0) {
 		machine->phase += step_s * (double)(speed / weight);
 	}
-	machine->elapsed_s += step_s;
 	for (int i = 0; i < state->entry_count; i++) {
 		character_entry_move(
 			&state->entry[i], step_s, phase_of(machine));

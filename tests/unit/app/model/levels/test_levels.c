@@ -331,7 +331,7 @@ static void test_without_memory_there_are_no_levels(void **state)
 	free_net(&net);
 }
 
-static void test_few_triangles_or_flat_shading_get_none(void **state)
+static void test_few_triangles_get_none(void **state)
 {
 	struct net net = make_net(shape_ball, 1);
 
@@ -339,10 +339,24 @@ static void test_few_triangles_or_flat_shading_get_none(void **state)
 	net.primitive->index_count = 99;
 	levels_make(net.model);
 	assert_int_equal(net.primitive->lod_count, 0);
-	net.primitive->index_count = INDICES;
+	free_net(&net);
+}
+
+/* Facets would be seen to change, but their shadow may be coarser. */
+static void test_without_normals_there_are_lists_for_shadows_only(void **state)
+{
+	struct net net = make_net(shape_ball, 1);
+	int index_count = INDICES;
+
+	(void)state;
 	net.primitive->normal = NULL;
 	levels_make(net.model);
-	assert_int_equal(net.primitive->lod_count, 0);
+	assert_true(net.primitive->lod_count > 0);
+	for (int i = 0; i < net.primitive->lod_count; i++) {
+		assert_true(net.primitive->lod[i].shadow_only);
+		assert_true(net.primitive->lod[i].index_count < index_count);
+		index_count = net.primitive->lod[i].index_count;
+	}
 	free_net(&net);
 }
 
@@ -364,7 +378,9 @@ int main(void)
 		cmocka_unit_test(test_any_list_of_triangles_is_taken),
 		cmocka_unit_test(test_a_hub_of_many_triangles_takes_no_longer),
 		cmocka_unit_test(test_without_memory_there_are_no_levels),
-		cmocka_unit_test(test_few_triangles_or_flat_shading_get_none),
+		cmocka_unit_test(test_few_triangles_get_none),
+		cmocka_unit_test(
+			test_without_normals_there_are_lists_for_shadows_only),
 	};
 
 	return cmocka_run_group_tests_name("levels", tests, NULL, NULL);

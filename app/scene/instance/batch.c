@@ -319,6 +319,23 @@ static int make_unindexed(struct drawable *drawable, const float base_color[4],
 	return 0;
 }
 
+/* Whether flat shading leaves the vertex colours as they are. */
+static bool has_one_color_a_triangle(const struct model_primitive *primitive)
+{
+	const uint32_t *index = primitive->index;
+
+	for (int i = 0; primitive->color && i + 2 < primitive->index_count;
+		i += 3) {
+		const uint8_t *first = primitive->color[index[i]];
+
+		if (memcmp(first, primitive->color[index[i + 1]], 4) ||
+			memcmp(first, primitive->color[index[i + 2]], 4)) {
+			return false;
+		}
+	}
+	return true;
+}
+
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
 {
@@ -328,7 +345,7 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 	if (primitive->normal && primitive->vertex_count <= BATCH_VERTICES_MAX) {
 		return make_whole(drawable, base_color, arena);
 	}
-	if (!primitive->normal && !primitive->color) {
+	if (!primitive->normal && has_one_color_a_triangle(primitive)) {
 		error = make_faceted(drawable, base_color, arena);
 	}
 	return error == -ERANGE ? make_unindexed(drawable, base_color, arena)

@@ -4,11 +4,12 @@
  * GL ES 1.1 indexes with 16 bits and interpolates one normal a vertex. A
  * primitive without normals is therefore drawn as facets (facets.h), by flat
  * shading, from vertices that are copied from the posed ones once a frame
- * ("gathered"). Flat shading would take colours from one corner as well: with
- * vertex colours, each triangle of such a primitive gets three vertices of its
- * own and no index, in batches that are small enough. Primitives of more than
- * 65,536 vertices, which loaders divide (app/model/split/split.h), and facets
- * that would have as many, are drawn in the same way.
+ * ("gathered"). Flat shading takes colours from one corner as well: where the
+ * corners of some triangle have different vertex colours, each triangle of the
+ * primitive gets three vertices of its own and no index, in batches that are
+ * small enough. Primitives of more than 65,536 vertices, which loaders divide
+ * (app/model/split/split.h), and facets that would have as many, are drawn in
+ * the same way.
  */
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H

@@ -131,6 +131,31 @@ static void test_keeps_vertex_colours_apart_where_there_are_no_normals(
 	model_destroy(model);
 }
 
+static void test_triangles_of_one_colour_each_share_vertices_without_normals(
+	void **state)
+{
+	struct model *model = small_model_grid(2, 1, 1.0f, false);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	struct instance *instance;
+	const struct batch *batch;
+
+	(void)state;
+	primitive->color =
+		arena_alloc(&model->arena, (size_t)primitive->vertex_count, 4);
+	assert_non_null(primitive->color);
+	memset(primitive->color, 90, (size_t)primitive->vertex_count * 4);
+	instance = small_model_instance(model);
+	batch = instance->drawable[0].batch;
+	assert_non_null(batch->index);
+	assert_int_equal(batch->index_count, 12);
+	assert_true(batch->vertex_count < 12);
+	for (int v = 0; v < batch->vertex_count; v++) {
+		assert_memory_equal(batch->color[v], primitive->color[0], 4);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_cuts_a_mesh_too_large_for_16_bit_indices(void **state)
 {
 	/* 300 x 300 quads: 90,601 vertices, 540,000 indices. */
@@ -370,6 +395,8 @@ int main(void)
 		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
 		cmocka_unit_test(
 			test_keeps_vertex_colours_apart_where_there_are_no_normals),
+		cmocka_unit_test(
+			test_triangles_of_one_colour_each_share_vertices_without_normals),
 		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
 		cmocka_unit_test(test_morphs_before_it_skins),

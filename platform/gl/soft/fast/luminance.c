@@ -17,17 +17,6 @@ enum {
 	SHARE_PIXELS = 8,
 };
 
-/*
- * Pixels of a row whose values run linearly. Texels are the base's, 16.16;
- * share, how much of 256 a texel counts, and alpha are 8.16.
- */
-struct piece {
-	uint16_t *pixel;
-	int count;
-	uint32_t s, t, alpha, share; /* of the first */
-	int32_t s_right, t_right, alpha_right, share_right;
-};
-
 static uint32_t size_of(int32_t value)
 {
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
@@ -44,9 +33,20 @@ static void write_depth(uint16_t *depth, int count, uint32_t z, int32_t z_right)
 		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
 		return;
 	}
-	for (int i = 0; i < count; i++) {
-		depth[i] = (uint16_t)(z >> 16);
+	if ((uintptr_t)depth % sizeof(uint32_t) != 0) {
+		*depth++ = (uint16_t)(z >> 16);
 		z += (uint32_t)z_right;
+		count--;
+	}
+	for (; count > 1; count -= 2) {
+		uint32_t next = z + (uint32_t)z_right;
+
+		soft_store_two(depth, (next & 0xFFFF0000) | z >> 16);
+		z = next + (uint32_t)z_right;
+		depth += 2;
+	}
+	if (count > 0) {
+		*depth = (uint16_t)(z >> 16);
 	}
 }
 
@@ -114,30 +114,6 @@ static void set_level(struct draw *draw, int lod)
 	}
 }
 
-/* The piece's texels, by the table: colours, or luminance if that is varied. */
-static void shade(
-	const struct draw *draw, const struct piece *piece, uint16_t *pixel)
-{
-	const struct tiled *tiled = &draw->tiled;
-	const int level = tiled->level;
-	struct tile_run run = tiled->run;
-
-	run.pixel = pixel;
-	run.count = piece->count;
-	run.s = (uint32_t)((int32_t)piece->s >> level) - 0x8000;
-	run.t = (uint32_t)((int32_t)piece->t >> level) - 0x8000;
-	run.s_right = piece->s_right >> level;
-	run.t_right = piece->t_right >> level;
-	run.s_end = &tiled->patch->s[run.s_right >= 0];
-	run.t_end = &tiled->patch->t[run.t_right >= 0];
-	run.s_pixels = soft_tile_pixels(run.s_right, run.width_log2);
-	run.t_pixels = soft_tile_pixels(run.t_right, run.height_log2);
-	if (run.fine && draw->soft->counts) {
-		soft_count_fine(draw, piece->count);
-	}
-	tiled->draw(&run);
-}
-
 /* So many that one share is less than a step off for each, or as will do. */
 static int share_pixels(int32_t alpha_right)
 {
@@ -151,28 +127,27 @@ static int share_pixels(int32_t alpha_right)
 }
 
 /* Mixes what is shaded into the picture, with one alpha for as many as will do. */
-static void blend(
-	const struct piece *piece, uint16_t *pixel, const uint16_t *shaded)
+static void blend(const struct tiled *tiled, const uint16_t *shaded)
 {
-	uint32_t size = size_of(piece->alpha_right);
-	int most = share_pixels(piece->alpha_right), count;
+	uint32_t size = size_of(tiled->alpha_right);
+	int most = share_pixels(tiled->alpha_right), count;
 
-	for (int i = 0; i < piece->count; i += count) {
+	for (int i = 0; i < tiled->run.count; i += count) {
 		uint32_t middle;
 
-		count = piece->count - i;
+		count = tiled->run.count - i;
 		if ((uint64_t)size * (uint32_t)count >= SHARE_STEP &&
 			count > most) {
 			count = most;
 		}
-		middle = piece->alpha +
-			(uint32_t)piece->alpha_right * (uint32_t)(i + count / 2);
-		soft_mix_pixels(pixel + i, shaded + i, count,
+		middle = tiled->alpha +
+			(uint32_t)tiled->alpha_right * (uint32_t)(i + count / 2);
+		soft_mix_pixels(tiled->pixel + i, shaded + i, count,
 			(middle + SHARE_ROUND) >> 19);
 	}
 }
 
-/* Grays of luminance by shares, 8.16, which move on by right. */
+/* Grays of luminance by shares, 8.8, which move on by right. */
 struct grays {
 	const uint32_t *gray;
 	const uint16_t *luminance;
@@ -182,8 +157,8 @@ struct grays {
 
 static ALWAYS_INLINE void make_one_gray(struct grays *at)
 {
-	*at->out++ = (uint16_t)at->gray[WORD_BY_BOTTOM(
-		at->share >> 8, *at->luminance++, 0)];
+	*at->out++ =
+		(uint16_t)at->gray[WORD_BY_BOTTOM(at->share, *at->luminance++, 0)];
 	at->share += at->right;
 }
 
@@ -192,9 +167,9 @@ static ALWAYS_INLINE void make_two_grays(struct grays *at)
 {
 	uint32_t two = soft_load_two(at->luminance);
 	uint32_t next = at->share + at->right;
-	uint32_t pixels = at->gray[WORD_BY_TOP(next >> 8, two, 0)] << 16;
+	uint32_t pixels = at->gray[WORD_BY_TOP(next, two, 0)] << 16;
 
-	pixels |= at->gray[WORD_BY_BOTTOM(at->share >> 8, two, 0)];
+	pixels |= at->gray[WORD_BY_BOTTOM(at->share, two, 0)];
 	soft_store_two(at->out, pixels);
 	at->share = next + at->right;
 	at->luminance += 2;
@@ -205,12 +180,13 @@ static ALWAYS_INLINE void make_two_grays(struct grays *at)
  * Luminance becomes gray; both pointers lie equally in words. A function by
  * itself, so that the loop has all registers.
  */
-static NEVER_INLINE void make_gray(const struct draw *draw,
-	const struct piece *piece, const uint16_t *luminance, uint16_t *out)
+static NEVER_INLINE void make_gray(
+	const struct draw *draw, const uint16_t *luminance, uint16_t *out)
 {
-	struct grays at = {draw->gray, luminance, out, piece->share,
-		(uint32_t)piece->share_right};
-	int left = piece->count;
+	const struct tiled *tiled = &draw->tiled;
+	struct grays at = {draw->gray, luminance, out, tiled->share,
+		(uint32_t)tiled->share_right};
+	int left = tiled->run.count;
 
 	if ((uintptr_t)out % sizeof(uint32_t) != 0) {
 		make_one_gray(&at);
@@ -226,58 +202,63 @@ static NEVER_INLINE void make_gray(const struct draw *draw,
 	}
 }
 
-static void draw_visible(struct draw *draw, const struct piece *piece)
+static ALWAYS_INLINE void draw_visible(struct draw *draw)
 {
-	uint16_t *pixel = piece->pixel;
+	struct tiled *tiled = &draw->tiled;
+	uint16_t *pixel = tiled->pixel;
 	/* Words lie in one as they do in the other. */
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
-	shade(draw, piece,
-		draw->tiled.by_share || draw->blended ? aside : pixel);
-	if (draw->tiled.by_share) {
-		make_gray(draw, piece, aside, draw->blended ? aside : pixel);
+	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
+	if (tiled->run.fine && draw->soft->counts) {
+		soft_count_fine(draw, tiled->run.count);
+	}
+	tiled->draw(&tiled->run);
+	if (tiled->by_share) {
+		make_gray(draw, aside, draw->blended ? aside : pixel);
 	}
 	if (draw->blended) {
-		blend(piece, pixel, aside);
+		blend(tiled, aside);
 	}
 }
 
 /* To where so many pixels of it are over. */
-static void move_on(struct piece *piece, int pixels)
+static void move_on(struct tiled *tiled, int pixels)
 {
 	uint32_t n = (uint32_t)pixels;
 
-	piece->pixel += pixels;
-	piece->s += (uint32_t)piece->s_right * n;
-	piece->t += (uint32_t)piece->t_right * n;
-	piece->alpha += (uint32_t)piece->alpha_right * n;
-	piece->share += (uint32_t)piece->share_right * n;
+	tiled->pixel += pixels;
+	tiled->run.s += (uint32_t)tiled->run.s_right * n;
+	tiled->run.t += (uint32_t)tiled->run.t_right * n;
+	tiled->alpha += (uint32_t)tiled->alpha_right * n;
+	tiled->share += (uint32_t)tiled->share_right * n;
 }
 
-/* The parts of a piece that are nearer than what is there. */
-static NEVER_INLINE void draw_tested(struct draw *draw,
-	const struct piece *piece, const struct soft_run *run)
+/* The parts of a run that are nearer than what is there. */
+static NEVER_INLINE void draw_tested(
+	struct draw *draw, const struct soft_run *run)
 {
-	struct piece part = *piece;
+	struct tiled *tiled = &draw->tiled;
 	uint16_t *depth = run->row.depth;
 	uint32_t z = run->row.z;
+	int passed;
 
-	for (int left = part.count; left > 0; left -= part.count + 1) {
-		part.count =
-			soft_luminance_test_depth(depth, left, z, run->z_right);
-		if (part.count > 0) {
-			draw_visible(draw, &part);
+	for (int left = (int)run->row.count; left > 0; left -= passed + 1) {
+		passed = soft_luminance_test_depth(depth, left, z, run->z_right);
+		tiled->run.count = passed;
+		if (passed > 0) {
+			draw_visible(draw);
 		}
-		depth += part.count + 1;
-		z += run->z_right * (uint32_t)(part.count + 1);
-		move_on(&part, part.count + 1);
+		depth += passed + 1;
+		z += run->z_right * (uint32_t)(passed + 1);
+		move_on(tiled, passed + 1);
 	}
 }
 
-/* Of 255 parts into 256, 8.8 to 8.16; the half that planes have rounds. */
+/* Of 255 parts into 256, 8.8; the half that planes have rounds. */
 static int32_t to_share(int32_t color_q8)
 {
-	return color_q8 * 257;
+	return color_q8 * 257 >> 8;
 }
 
 /* Of 8.7 above green, which may have taken one from it. */
@@ -288,38 +269,50 @@ static int32_t find_alpha_right(const struct soft_run *run)
 	return (int32_t)((right + 0x8000) & 0xFFFF0000) >> 7;
 }
 
+/* Texels of the level from those of the base, 16.16. */
+static ALWAYS_INLINE void set_texels(
+	struct tiled *tiled, const struct soft_made_at *at)
+{
+	const int level = tiled->level;
+	struct tile_run *run = &tiled->run;
+
+	run->s = (uint32_t)(at->s >> level) - 0x8000;
+	run->t = (uint32_t)(at->t >> level) - 0x8000;
+	run->s_right = at->s_step >> level;
+	run->t_right = at->t_step >> level;
+	run->s_end = &tiled->patch->s[run->s_right >= 0];
+	run->t_end = &tiled->patch->t[run->t_right >= 0];
+	run->s_pixels = soft_tile_pixels(run->s_right, run->width_log2);
+	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
+}
+
 /* A run as span functions get it, its colours in bytes. */
 static void draw_run(const struct soft_run *run)
 {
 	struct draw *draw = run->draw;
-	const struct soft_made_at *at = &draw->spans.made_at;
+	struct tiled *tiled = &draw->tiled;
 	const struct soft_row *row = &run->row;
-	struct piece piece = {
-		.pixel = (uint16_t *)(void *)row->pixel,
-		.count = (int)row->count,
-		.s = (uint32_t)at->s,
-		.t = (uint32_t)at->t,
-		.s_right = at->s_step,
-		.t_right = at->t_step,
-	};
 
+	set_texels(tiled, &draw->spans.made_at);
+	tiled->pixel = (uint16_t *)(void *)row->pixel;
+	tiled->run.count = (int)row->count;
 	if (draw->blended) {
-		piece.alpha = row->green_alpha >> 16 << 9;
-		piece.alpha_right = find_alpha_right(run);
+		tiled->alpha = row->green_alpha >> 16 << 9;
+		tiled->alpha_right = find_alpha_right(run);
 	}
-	if (draw->tiled.by_share) {
-		piece.share = (uint32_t)to_share(row->red_blue & 0xFFFF);
-		piece.share_right = to_share((int16_t)run->red_blue_right);
+	if (tiled->by_share) {
+		tiled->share = (uint32_t)to_share(row->red_blue & 0xFFFF);
+		tiled->share_right = to_share((int16_t)run->red_blue_right);
 	}
 	if (draw->key.bits & KEY_DEPTH_LESS) {
-		draw_tested(draw, &piece, run);
+		draw_tested(draw, run);
 		return;
 	}
 	if (draw->spans.depth_written) {
-		write_depth(
-			row->depth, piece.count, row->z, (int32_t)run->z_right);
+		write_depth(row->depth, tiled->run.count, row->z,
+			(int32_t)run->z_right);
 	}
-	draw_visible(draw, &piece);
+	draw_visible(draw);
 }
 
 /* Of halves of 127ths, 0 to 255. */

@@ -6,21 +6,6 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/number.h"
 
-uint32_t soft_tile_pixels(int32_t step_q16, int log2)
-{
-	uint32_t size =
-		step_q16 < 0 ? 0u - (uint32_t)step_q16 : (uint32_t)step_q16;
-	int zeros;
-
-	size <<= 16 - log2;
-	if (size <= 1) {
-		return UINT32_MAX;
-	}
-	zeros = LEADING_ZEROS_32(size);
-	/* A reciprocal may be 32 too much. */
-	return (uint32_t)(reciprocal(size << zeros) - 32) >> (30 - zeros);
-}
-
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct tile_run *run, uint32_t s, uint32_t t)
 {

@@ -5,6 +5,8 @@
 #ifndef PLATFORM_GL_SOFT_FAST_TILE_ROW_H
 #define PLATFORM_GL_SOFT_FAST_TILE_ROW_H
 
+#include "platform/gl/soft/vertex/number.h"
+
 #include <stdint.h>
 
 /* Pixels of a row; texels of one level. Offsets are known to the assembly. */
@@ -26,7 +28,20 @@ struct tile_run {
  * 2^32 over a step of the coordinates, cut: times what is left to a patch's end
  * it gives, 2^32 of it, how many pixels further are still inside, or fewer.
  */
-uint32_t soft_tile_pixels(int32_t step_q16, int log2);
+static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
+{
+	uint32_t size =
+		step_q16 < 0 ? 0u - (uint32_t)step_q16 : (uint32_t)step_q16;
+	int zeros;
+
+	size <<= 16 - log2;
+	if (size <= 1) {
+		return UINT32_MAX;
+	}
+	zeros = LEADING_ZEROS_32(size);
+	/* A reciprocal may be 32 too much. */
+	return (uint32_t)(reciprocal(size << zeros) - 32) >> (30 - zeros);
+}
 
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8

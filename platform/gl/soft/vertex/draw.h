@@ -206,8 +206,12 @@ struct tiled {
 	bool by_share;             /* in shades of gray */
 	int level;                 /* of the texture; -1: none yet */
 	const struct patch *patch; /* of the level */
-	struct tile_run run;       /* what all runs share */
 	void (*draw)(const struct tile_run *run);
+	/* Pixels of a row; share, how much of 256 a texel counts, is 8.8. */
+	struct tile_run run;
+	uint16_t *pixel;
+	uint32_t alpha, share; /* of the first one; alpha is 8.16 */
+	int32_t alpha_right, share_right;
 };
 
 struct setup; /* raster.h */

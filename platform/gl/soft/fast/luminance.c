@@ -41,7 +41,7 @@ static void write_depth(uint16_t *depth, int count, uint32_t z, int32_t z_right)
 	for (; count > 1; count -= 2) {
 		uint32_t next = z + (uint32_t)z_right;
 
-		soft_store_two(depth, (next & 0xFFFF0000) | z >> 16);
+		soft_store_two(depth, UPPER_HALVES(next, z));
 		z = next + (uint32_t)z_right;
 		depth += 2;
 	}

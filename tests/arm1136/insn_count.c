@@ -3,10 +3,10 @@
  *
  *	qemu-arm -cpu arm1136 -plugin insn_count.so -d plugin PROGRAM
  *
- * prints "instructions: N" on standard error when the guest ends, and "region:
- *N" after each region 1 of tests/arm1136/marker.h. Instructions whose condition
- * fails count as executed. The guest must have one thread. Debian has no
- *package with the plugin header, so the calls are declared here.
+ * prints "instructions: N" on standard error when the guest ends, and
+ * "region: N" after each region 1 of tests/arm1136/marker.h. Instructions whose
+ * condition fails count as executed. The guest must have one thread. Debian has
+ * no package with the plugin header, so the calls are declared here.
  */
 #include <inttypes.h>
 #include <stddef.h>

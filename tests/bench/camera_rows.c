@@ -1,6 +1,6 @@
 /*
  * Converts a camera picture of 320 x 240 pixels to RGB565, once from each
- *format, for the timing model.
+ * format, for the timing model.
  *
  *	make build/arm/bench/camera_rows build/arm1136/model.so
  *	qemu-arm -cpu arm1136 -L build/sysroot \

@@ -7,10 +7,10 @@
  * Plays RATE frames a second from the clip's start to its end, but at most 300;
  * CLIP "-" shows the rest pose once. Each frame finds its data in memory, as
  * after a whole picture is drawn, and the code in L1. With a size, region 3
- *draws 6 or so many moments of the clip without labels; with MOMENTS, the last
- *line prints what these pictures consist of, in the order of struct gl_counts.
- *Prints "frames N". play_check.py compares the cycles with those that limber
- *compare predicts.
+ * draws 6 or so many moments of the clip without labels; with MOMENTS, the last
+ * line prints what these pictures consist of, in the order of struct gl_counts.
+ * Prints "frames N". play_check.py compares the cycles with those that
+ * limber compare predicts.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -95,6 +95,10 @@ if command -v clang-format-14 >/dev/null; then
     laid_out 'int count;' 0
     laid_out 'int  count;' 1
     expect_out '^# run clang-format-14 -i platform/base/a.c'
+    laid_out "/*
+ *a comment
+ */" 1
+    expect_out 'platform/base/a.c:3: \*a comment'
 fi
 
 # workflow FILE SCRIPT: the check of a workflow file that sed has changed.

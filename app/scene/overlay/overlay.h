@@ -13,7 +13,7 @@
  *
  * All memory is taken when an overlay is created; frames allocate nothing.
  * Everything is drawn by calls of GL ES 1.1, with the camera's model-view
- *matrix and the lights loaded.
+ * matrix and the lights loaded.
  */
 #ifndef APP_SCENE_OVERLAY_OVERLAY_H
 #define APP_SCENE_OVERLAY_OVERLAY_H

@@ -1,17 +1,20 @@
 /*
  * Runs: up to SOFT_RUN_PIXELS pixels of one row whose values change linearly,
  * and the functions that draw them, one for each combination of texture,
- * filter, fragment state and picture format. raster/rows.c makes runs from
+ * filter, fragment state and picture format. walk.c makes runs from
  * triangles; template.h is the text that all functions are made of.
  *
  * Number formats:
- *	z               16.16
- *	red, blue       in the halves of one word, and green in the lower half
- *of another: what a texel's channel is multiplied with, 1.14, times the ratio
- *of the picture's and the texel's largest values; without a texture what is
- *drawn: 5.11 and 6.9, a half added, or 8.8 alpha           8.7, above green fog
- *1.15: how much of the fragment's own colour stays s, t            in texels of
- *the level, 9 bits of fraction; for bilinear textures half a texel less
+ *	z           16.16
+ *	red, blue   in the halves of one word, and green in the lower half
+ *	            of another: what a texel's channel is multiplied with,
+ *	            1.14, times the ratio of the picture's and the texel's
+ *	            largest values; without a texture what is drawn: 5.11 and
+ *	            6.9, a half added, or 8.8
+ *	alpha       8.7, above green
+ *	fog         1.15: how much of the fragment's own colour stays
+ *	s, t        in texels of the level, 9 bits of fraction; for bilinear
+ *	            textures half a texel less
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_RUN_H
 #define PLATFORM_GL_SOFT_SPAN_RUN_H

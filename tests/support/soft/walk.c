@@ -133,10 +133,7 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}
-	allowed = (allowed >> 12) * (uint32_t)(steps * steps);
-	return error >> 1 <= allowed    ? SOFT_RUN_PIXELS
-		: error >> 3 <= allowed ? 2 * PERSPECTIVE_STEP
-					: PERSPECTIVE_STEP;
+	return rows_find_spacing(error, allowed, steps);
 }
 
 static void row_divided(struct draw *draw, int y, int left, int right)

@@ -102,6 +102,24 @@ static ALWAYS_INLINE int32_t rows_find_step(
 }
 
 /*
+ * How many pixels apart exact divisions are, of a row of so many steps: the error
+ * is that of none between its ends, and twice what is allowed is half a texel.
+ */
+static ALWAYS_INLINE int rows_find_spacing(
+	uint64_t error, uint64_t allowed, int steps)
+{
+	int spacing = 64;
+
+	error >>= 12;
+	allowed = (allowed >> 11) * (uint32_t)(steps * steps);
+	while (spacing > PERSPECTIVE_STEP &&
+		error * (uint32_t)(spacing * spacing) > allowed) {
+		spacing -= PERSPECTIVE_STEP / 2;
+	}
+	return spacing;
+}
+
+/*
  * The most pixels of a run whose coordinates change so much a pixel: its texels
  * have to fit SOFT_RUN_TEXELS, as those of levels do.
  */

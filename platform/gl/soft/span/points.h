@@ -112,11 +112,7 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	if (error <= allowed && steps <= SMALL_EXTENT) {
 		return steps + 1;
 	}
-	/* Half a texel in 64 pixels, or in 32 */
-	allowed = (allowed >> 12) * (uint32_t)(steps * steps);
-	return error >> 1 <= allowed    ? SOFT_RUN_PIXELS
-		: error >> 3 <= allowed ? 2 * PERSPECTIVE_STEP
-					: PERSPECTIVE_STEP;
+	return rows_find_spacing(error, allowed, steps);
 }
 
 /* How values change between two points. */

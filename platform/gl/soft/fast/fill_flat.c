@@ -3,7 +3,7 @@
  * where a stencil lets each pixel through once.
  */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/raster.h"
 
 static uint8_t next_stencil(const struct stencil *stencil)
@@ -36,17 +36,51 @@ void soft_fill_flat_begin(struct draw *draw)
 	};
 }
 
+static ALWAYS_INLINE void draw_pixel(const struct flat_band *band, int x)
+{
+	uint16_t *pixel = (uint16_t *)(void *)band->pixels + x;
+
+	if (band->stencil[x] == band->reference) {
+		band->stencil[x] = band->next;
+		*pixel = narrow((widen(*pixel) * band->keep + band->own) >> 5 &
+			WIDE_MASK);
+	}
+}
+
+static ALWAYS_INLINE void draw_four(const struct flat_band *band, int x)
+{
+	uint16_t *pixel = (uint16_t *)(void *)band->pixels + x;
+
+	for (int i = 0; i < 4; i += 2) {
+		soft_store_two(pixel + i,
+			soft_keep_two(soft_load_two(pixel + i), band->keep,
+				band->own, band->own));
+	}
+}
+
 static void draw_row(const struct flat_band *band, int left, int right)
 {
-	uint16_t *pixel = (uint16_t *)(void *)band->pixels;
+	/* A copy: what is written may be bytes of any object. */
+	const struct flat_band row = *band;
+	const uint32_t all = row.reference * 0x01010101u;
+	const uint32_t next = row.next * 0x01010101u;
+	int x = left;
 
-	for (int x = left; x < right; x++) {
-		if (band->stencil[x] == band->reference) {
-			band->stencil[x] = band->next;
-			pixel[x] = narrow(
-				(widen(pixel[x]) * band->keep + band->own) >> 5 &
-				WIDE_MASK);
+	while (right - x >= 4) {
+		uint32_t four = load_32(row.stencil + x);
+
+		if (four == all) {
+			memcpy(row.stencil + x, &next, sizeof(next));
+			draw_four(&row, x);
+		} else if (four != next) {
+			for (int i = 0; i < 4; i++) {
+				draw_pixel(&row, x + i);
+			}
 		}
+		x += 4;
+	}
+	for (; x < right; x++) {
+		draw_pixel(&row, x);
 	}
 }
 

@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.548e+04, 2.718e+04}, /* frame */
-	{0.7643, 0.3768},       /* pixel */
-	{1.882e+04, 7240},      /* call */
-	{173.5, 73.03},         /* listed */
-	{282.6, 70.31},         /* vertex */
-	{300.3, 136.1},         /* single */
-	{301.8, 267.6},         /* shaded */
-	{11.74, 10.7},          /* hidden */
-	{8.864, 6.145},         /* fine */
-	{182.7, 78.81},         /* flat triangle */
-	{67.15, 40.95},         /* flat row */
-	{12.27, 8.023},         /* flat pixel */
-	{481.3, 168.6},         /* plain triangle */
-	{5.337, 22.1},          /* plain row */
-	{24.05, 9.418},         /* plain pixel */
-	{578.2, 495.6},         /* textured triangle */
-	{327.7, 117.9},         /* textured row */
-	{69.42, 56.61},         /* textured pixel */
-	{4.21e+04, 1.682e+04},  /* backdrop triangle */
-	{76.83, 34.76},         /* backdrop row */
-	{2.61, 0.8585},         /* backdrop pixel */
-	{4.243e+04, 1.718e+04}, /* ground triangle */
-	{138.2, 74.9},          /* ground row */
-	{4.072, 1.019},         /* ground pixel */
-	{542.7, 384.6},         /* spans triangle */
-	{138.8, 95.3},          /* spans row */
-	{30.82, 19.5},          /* spans pixel */
-	{2887, 1357},           /* spans textured triangle */
-	{258.2, 158.6},         /* spans textured row */
-	{99.47, 61.39},         /* spans textured pixel */
-	{4790, 3834},           /* spans divided triangle */
-	{692.7, 364.1},         /* spans divided row */
-	{98.33, 62.26},         /* spans divided pixel */
-	{1881, 1017},           /* mixed triangle */
-	{245.2, 133.5},         /* mixed row */
-	{61.2, 42.17},          /* mixed pixel */
-	{3279, 1038},           /* tested triangle */
-	{285.8, 173.2},         /* tested row */
-	{170, 113.5},           /* tested pixel */
-	{4047, 2547},           /* tested spans triangle */
-	{624.3, 384.4},         /* tested spans row */
-	{139.5, 88.81},         /* tested spans pixel */
-	{3198, 1446},           /* mixed textured triangle */
-	{253.6, 180.4},         /* mixed textured row */
-	{145, 86.19},           /* mixed textured pixel */
-	{3913, 3039},           /* mixed spans triangle */
-	{474.6, 313.6},         /* mixed spans row */
-	{145.6, 85.57},         /* mixed spans pixel */
-	{5189, 4198},           /* mixed divided triangle */
-	{2329, 1172},           /* mixed divided row */
-	{129.3, 85.73},         /* mixed divided pixel */
-	{183.5, 107},           /* colored triangle */
-	{17.08, 4.349},         /* colored row */
-	{7.156, 3.135},         /* colored pixel */
-	{2623, 1235},           /* bent triangle */
-	{291.3, 158.4},         /* bent row */
-	{3.416, 2.317},         /* bent pixel */
+	{3.606e+04, 2.804e+04}, /* frame */
+	{0.7615, 0.3722},       /* pixel */
+	{1.873e+04, 7211},      /* call */
+	{184.7, 75.63},         /* listed */
+	{267.3, 67.34},         /* vertex */
+	{280.7, 129.5},         /* single */
+	{332.9, 276.5},         /* shaded */
+	{13.46, 12.26},         /* hidden */
+	{8.506, 5.897},         /* fine */
+	{208.1, 90.88},         /* flat triangle */
+	{71.17, 42.28},         /* flat row */
+	{11.34, 7.37},          /* flat pixel */
+	{495.7, 183.3},         /* plain triangle */
+	{7.792, 20.32},         /* plain row */
+	{24.03, 9.412},         /* plain pixel */
+	{584.5, 473.8},         /* textured triangle */
+	{334.6, 124.1},         /* textured row */
+	{67.9, 55.38},          /* textured pixel */
+	{4.349e+04, 1.769e+04}, /* backdrop triangle */
+	{79.13, 36},            /* backdrop row */
+	{2.599, 0.8432},        /* backdrop pixel */
+	{4.381e+04, 1.804e+04}, /* ground triangle */
+	{146.7, 81.64},         /* ground row */
+	{4.136, 1.089},         /* ground pixel */
+	{923.5, 666.9},         /* spans triangle */
+	{162.9, 102.8},         /* spans row */
+	{25.12, 16.39},         /* spans pixel */
+	{2890, 1369},           /* spans textured triangle */
+	{265.1, 157.2},         /* spans textured row */
+	{99.9, 61.49},          /* spans textured pixel */
+	{4867, 3911},           /* spans divided triangle */
+	{721, 383.6},           /* spans divided row */
+	{92.55, 58.86},         /* spans divided pixel */
+	{1962, 1037},           /* mixed triangle */
+	{258.7, 138},           /* mixed row */
+	{58.24, 40.35},         /* mixed pixel */
+	{3194, 1039},           /* tested triangle */
+	{279.7, 172.7},         /* tested row */
+	{168.7, 113.2},         /* tested pixel */
+	{4057, 2550},           /* tested spans triangle */
+	{627.4, 385.5},         /* tested spans row */
+	{138.9, 88.4},          /* tested spans pixel */
+	{3197, 1448},           /* mixed textured triangle */
+	{253.4, 180.4},         /* mixed textured row */
+	{144.7, 85.88},         /* mixed textured pixel */
+	{3922, 3038},           /* mixed spans triangle */
+	{480.1, 314.2},         /* mixed spans row */
+	{148.3, 84.79},         /* mixed spans pixel */
+	{5194, 4201},           /* mixed divided triangle */
+	{2284, 1142},           /* mixed divided row */
+	{125.2, 82.57},         /* mixed divided pixel */
+	{190, 99.78},           /* colored triangle */
+	{1.473, 0},             /* colored row */
+	{7.908, 3.499},         /* colored pixel */
+	{2546, 1220},           /* bent triangle */
+	{284.6, 156.1},         /* bent row */
+	{3.401, 2.308},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.003, 1.003},         /* deep row */
-	{1.749, 1.233},         /* deep pixel */
+	{1.004, 1.005},         /* deep row */
+	{1.757, 1.257},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

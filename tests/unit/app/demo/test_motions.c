@@ -14,7 +14,15 @@ struct found {
 	struct motions motions;
 };
 
-static void find(struct found *found, const char *path, const char *clip,
+static void load(struct found *found, const char *path)
+{
+	memset(found, 0, sizeof(*found));
+	found->log = log_to_stderr(LOG_WARNING);
+	assert_int_equal(model_load(path, &found->log, &found->actor.model), 0);
+}
+
+/* In the model that load() left. */
+static void find_in(struct found *found, const char *path, const char *clip,
 	const char *character)
 {
 	const struct character_request request = {
@@ -23,9 +31,6 @@ static void find(struct found *found, const char *path, const char *clip,
 		.file = character,
 	};
 
-	memset(found, 0, sizeof(*found));
-	found->log = log_to_stderr(LOG_WARNING);
-	assert_int_equal(model_load(path, &found->log, &found->actor.model), 0);
 	assert_int_equal(
 		instance_create(found->actor.model, kernel_find("fixed"),
 			&found->log, &found->actor.instance),
@@ -34,6 +39,13 @@ static void find(struct found *found, const char *path, const char *clip,
 	assert_int_equal(motions_find(&request, found->actor.instance,
 				 &found->log, &found->motions),
 		0);
+}
+
+static void find(struct found *found, const char *path, const char *clip,
+	const char *character)
+{
+	load(found, path);
+	find_in(found, path, clip, character);
 }
 
 static void release(struct found *found)
@@ -65,6 +77,36 @@ static void test_the_walkers_feet_tell_its_speeds(void **state)
 	assert_near(role[MOTION_WALK].facing_rad, 0.0, 1e-6);
 	assert_near(role[MOTION_WALK].drift[1], 0.0, 1e-6);
 	release(&found);
+}
+
+/* Whatever place the clip with a role's name has. */
+static void test_a_named_walk_is_the_run_where_none_is_named(void **state)
+{
+	struct found found;
+
+	(void)state;
+	for (int place = 0; place < 3; place++) {
+		struct model *model;
+		struct model_clip walk;
+		int at;
+
+		load(&found, "assets/walker.glb");
+		model = found.actor.model;
+		for (int i = 0; i < model->clip_count; i++) {
+			if (strcmp(model->clip[i].name, "run") == 0) {
+				model->clip[i].name = "dash";
+			}
+		}
+		at = model_find_clip(model, "walk");
+		walk = model->clip[at];
+		model->clip[at] = model->clip[place];
+		model->clip[place] = walk;
+		find_in(&found, "assets/walker.glb", NULL, "none");
+		assert_string_equal(clip_of(&found, MOTION_WALK), "walk");
+		assert_string_equal(clip_of(&found, MOTION_RUN), "walk");
+		assert_string_equal(clip_of(&found, MOTION_STAND), "idle");
+		release(&found);
+	}
 }
 
 static void test_the_instance_stays_in_the_rest_pose(void **state)
@@ -209,6 +251,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
+		cmocka_unit_test(
+			test_a_named_walk_is_the_run_where_none_is_named),
 		cmocka_unit_test(test_the_instance_stays_in_the_rest_pose),
 		cmocka_unit_test(test_bounds_leave_the_drift_out),
 		cmocka_unit_test(test_the_character_file_tells_speeds_and_bones),

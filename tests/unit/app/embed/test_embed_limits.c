@@ -100,6 +100,10 @@ static void refuses_what_the_player_cannot_show(void **state)
 	s.node[3].matrix = matrix;
 	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
 	assert_contains(s.logged.sentence[0], "a.glb: node 7 has a matrix");
+	/* The one behind the last node is not the model's. */
+	s.node[3].matrix = NULL;
+	s.node[4].matrix = matrix;
+	embed_scene_print(&s, 0);
 	embed_scene_end(&s);
 	embed_scene_begin(&s);
 	for (int n = 0; n < 4; n++) {

@@ -302,6 +302,38 @@ static void test_normals_may_have_their_own_matrices(void **state)
 	tear_down(&f);
 }
 
+/* Of joints that move nothing, and behind the last one. */
+static void test_other_matrices_for_normals_stay(void **state)
+{
+	static struct fixture f;
+	struct fixed_matrix matrix[JOINTS + 1], before;
+	int joints, used = 0;
+
+	(void)state;
+	set_up(&f);
+	joints = f.skin.joint_count;
+	assert_in_range(joints, 2, JOINTS);
+	memset(&before, 0x5A, sizeof(before));
+	for (int j = 0; j <= joints; j++) {
+		matrix[j] = before;
+	}
+	make_palette(&f, 1.3f, 0);
+	assert_int_equal(fixed_palette_make(&f.skin, (const mat4 *)f.palette,
+				 f.matrix, &f.placement),
+		0);
+	fixed_palette_make_normals(
+		&f.skin, &f.placement, (const mat4 *)f.palette, matrix);
+	assert_memory_equal(&matrix[joints], &before, sizeof(before));
+	for (int j = 0; j < joints; j++) {
+		bool written = memcmp(&matrix[j], &before, sizeof(before)) != 0;
+
+		assert_int_equal(written, f.skin.joint[j].used);
+		used += written;
+	}
+	assert_true(used > 0);
+	tear_down(&f);
+}
+
 static void test_no_scale_or_distance_wraps(void **state)
 {
 	static struct fixture f;
@@ -427,6 +459,7 @@ int main(void)
 		cmocka_unit_test(test_weights_sum_to_one_exactly),
 		cmocka_unit_test(test_directions_are_floats),
 		cmocka_unit_test(test_normals_may_have_their_own_matrices),
+		cmocka_unit_test(test_other_matrices_for_normals_stay),
 		cmocka_unit_test(test_no_scale_or_distance_wraps),
 		cmocka_unit_test(test_the_corners_of_a_box_do_not_overflow),
 		cmocka_unit_test(test_what_is_no_number_is_refused),

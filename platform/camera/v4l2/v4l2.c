@@ -122,7 +122,7 @@ static enum camera_status take(struct camera_source *source, int64_t frame_ms,
 	struct changes changes;
 
 	(void)frame_ms;
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	if (source->ready >= 0) {
 		source->held = source->ready;
 		source->ready = -1;
@@ -132,27 +132,27 @@ static enum camera_status take(struct camera_source *source, int64_t frame_ms,
 		found = CAMERA_SAME;
 	}
 	collect_changes(source, &changes);
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 	log_changes(source, &changes);
 	return found;
 }
 
 static void give_back(struct camera_source *source)
 {
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	if (source->held >= 0) {
 		source->returned[source->held] = true;
 		source->held = -1;
-		pthread_cond_broadcast(&source->changed);
+		pthread_cond_broadcast(&source->lock.changed);
 	}
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 }
 
 static void await(struct camera_source *source, int timeout_ms)
 {
 	int64_t until_ms = v4l2_thread_now_ms() + timeout_ms;
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	while (source->ready < 0 && !source->out) {
 		int64_t left_ms = until_ms - v4l2_thread_now_ms();
 
@@ -161,7 +161,7 @@ static void await(struct camera_source *source, int timeout_ms)
 		}
 		v4l2_thread_wait(source, (int)left_ms);
 	}
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 }
 
 static void destroy(struct camera_source *source)

@@ -4,14 +4,13 @@
  * owns the inspection.
  */
 #include "platform/camera/v4l2/format.h"
+#include "platform/camera/v4l2/timed_lock.h"
 #include "platform/camera/v4l2/v4l2.h"
 
 #include <errno.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum {
 	DEVICES_MAX = 64,
@@ -28,8 +27,7 @@ struct view {
 };
 
 struct inspection {
-	pthread_mutex_t lock;
-	pthread_cond_t changed;
+	struct v4l2_timed_lock lock;
 	bool begun, done, abandoned;
 	const struct v4l2_calls *calls;
 	char path[V4L2_PATH_BYTES];
@@ -38,8 +36,7 @@ struct inspection {
 
 static void release(struct inspection *inspection)
 {
-	pthread_cond_destroy(&inspection->changed);
-	pthread_mutex_destroy(&inspection->lock);
+	v4l2_timed_lock_destroy(&inspection->lock);
 	free(inspection);
 }
 
@@ -67,10 +64,10 @@ static void *run(void *argument)
 	bool abandoned;
 	int fd;
 
-	pthread_mutex_lock(&inspection->lock);
+	pthread_mutex_lock(&inspection->lock.mutex);
 	inspection->begun = true;
-	pthread_cond_signal(&inspection->changed);
-	pthread_mutex_unlock(&inspection->lock);
+	pthread_cond_signal(&inspection->lock.changed);
+	pthread_mutex_unlock(&inspection->lock.mutex);
 	view.error = fd = calls->open(calls->user, inspection->path);
 	if (fd >= 0) {
 		view.error = calls->ioctl(
@@ -80,27 +77,16 @@ static void *run(void *argument)
 		}
 		calls->close(calls->user, fd);
 	}
-	pthread_mutex_lock(&inspection->lock);
+	pthread_mutex_lock(&inspection->lock.mutex);
 	inspection->view = view;
 	inspection->done = true;
 	abandoned = inspection->abandoned;
-	pthread_cond_signal(&inspection->changed);
-	pthread_mutex_unlock(&inspection->lock);
+	pthread_cond_signal(&inspection->lock.changed);
+	pthread_mutex_unlock(&inspection->lock.mutex);
 	if (abandoned) {
 		release(inspection);
 	}
 	return NULL;
-}
-
-static struct timespec deadline(void)
-{
-	struct timespec until;
-
-	clock_gettime(CLOCK_REALTIME, &until);
-	until.tv_nsec += (long)TIMEOUT_MS * 1000000;
-	until.tv_sec += until.tv_nsec / 1000000000;
-	until.tv_nsec %= 1000000000;
-	return until;
 }
 
 /*
@@ -110,22 +96,21 @@ static struct timespec deadline(void)
 static int await(
 	struct inspection *inspection, pthread_t thread, struct view *out)
 {
-	struct timespec until;
-	int error = 0;
+	bool in_time = true;
+	int error;
 
-	pthread_mutex_lock(&inspection->lock);
+	pthread_mutex_lock(&inspection->lock.mutex);
 	while (!inspection->begun) {
-		pthread_cond_wait(&inspection->changed, &inspection->lock);
+		pthread_cond_wait(
+			&inspection->lock.changed, &inspection->lock.mutex);
 	}
-	until = deadline();
-	while (!inspection->done && !error) {
-		error = pthread_cond_timedwait(
-			&inspection->changed, &inspection->lock, &until);
+	while (!inspection->done && in_time) {
+		in_time = v4l2_timed_lock_wait(&inspection->lock, TIMEOUT_MS);
 	}
 	*out = inspection->view;
 	inspection->abandoned = !inspection->done;
 	error = inspection->done ? 0 : -ETIMEDOUT;
-	pthread_mutex_unlock(&inspection->lock);
+	pthread_mutex_unlock(&inspection->lock.mutex);
 	if (error) {
 		pthread_detach(thread);
 	} else {
@@ -148,8 +133,11 @@ static int inspect(
 	}
 	inspection->calls = calls;
 	snprintf(inspection->path, sizeof(inspection->path), "%s", path);
-	pthread_mutex_init(&inspection->lock, NULL);
-	pthread_cond_init(&inspection->changed, NULL);
+	error = v4l2_timed_lock_init(&inspection->lock);
+	if (error) {
+		free(inspection);
+		return error;
+	}
 	error = pthread_create(&thread, NULL, run, inspection);
 	if (error) {
 		release(inspection);

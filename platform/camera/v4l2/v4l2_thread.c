@@ -21,17 +21,7 @@ int64_t v4l2_thread_now_ms(void)
 
 bool v4l2_thread_wait(struct camera_source *source, int timeout_ms)
 {
-	struct timespec until;
-
-	clock_gettime(CLOCK_MONOTONIC, &until);
-	until.tv_sec += timeout_ms / 1000;
-	until.tv_nsec += (long)(timeout_ms % 1000) * 1000000;
-	if (until.tv_nsec >= 1000000000) {
-		until.tv_sec++;
-		until.tv_nsec -= 1000000000;
-	}
-	return pthread_cond_timedwait(
-		       &source->changed, &source->lock, &until) == 0;
+	return v4l2_timed_lock_wait(&source->lock, timeout_ms);
 }
 
 static void record_outage(struct camera_source *source)
@@ -45,20 +35,20 @@ static void record_outage(struct camera_source *source)
 	source->out = true;
 	memcpy(source->reason, session->device.reason, sizeof(source->reason));
 	source->reason_new = true;
-	pthread_cond_broadcast(&source->changed);
+	pthread_cond_broadcast(&source->lock.changed);
 }
 
 /* Waits until the frame loop uses no picture, then closes the device. */
 static void close_session(struct camera_source *source)
 {
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	record_outage(source);
 	source->ready = -1;
 	while (source->held >= 0) {
 		v4l2_thread_wait(source, WAIT_MS);
 	}
 	memset(source->returned, 0, sizeof(source->returned));
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 	v4l2_session_close(&source->session);
 }
 
@@ -67,7 +57,7 @@ static void open_session(struct camera_source *source)
 	struct v4l2_session *session = &source->session;
 	bool fine = v4l2_session_open(session);
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	memcpy(source->name, session->path, sizeof(source->name));
 	if (!fine) {
 		record_outage(source);
@@ -81,14 +71,14 @@ static void open_session(struct camera_source *source)
 	} else if (!source->quit) {
 		v4l2_thread_wait(source, WAIT_MS);
 	}
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 }
 
 static void publish(struct camera_source *source, int index)
 {
 	int dropped;
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	dropped = source->ready;
 	source->ready = index;
 	source->heard_ms = v4l2_thread_now_ms();
@@ -98,8 +88,8 @@ static void publish(struct camera_source *source, int index)
 		source->back_new = true;
 		source->reason_new = false;
 	}
-	pthread_cond_broadcast(&source->changed);
-	pthread_mutex_unlock(&source->lock);
+	pthread_cond_broadcast(&source->lock.changed);
+	pthread_mutex_unlock(&source->lock.mutex);
 	if (dropped >= 0) {
 		v4l2_session_queue(&source->session, dropped);
 	}
@@ -109,10 +99,10 @@ static void queue_returned(struct camera_source *source)
 {
 	bool returned[V4L2_BUFFERS];
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	memcpy(returned, source->returned, sizeof(returned));
 	memset(source->returned, 0, sizeof(source->returned));
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 	for (int i = 0; i < V4L2_BUFFERS; i++) {
 		if (returned[i]) {
 			v4l2_session_queue(&source->session, i);
@@ -122,11 +112,11 @@ static void queue_returned(struct camera_source *source)
 
 static void pause_thread(struct camera_source *source, int timeout_ms)
 {
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	if (!source->quit) {
 		v4l2_thread_wait(source, timeout_ms);
 	}
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 }
 
 static void stream(struct camera_source *source)
@@ -154,16 +144,15 @@ static bool is_running(struct camera_source *source)
 {
 	bool quit;
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	quit = source->quit;
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 	return !quit;
 }
 
 static void release(struct camera_source *source)
 {
-	pthread_cond_destroy(&source->changed);
-	pthread_mutex_destroy(&source->lock);
+	v4l2_timed_lock_destroy(&source->lock);
 	free(source);
 }
 
@@ -183,11 +172,11 @@ static void *run(void *argument)
 		}
 	}
 	v4l2_device_close(&source->session.device);
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	source->ended = true;
 	abandoned = source->abandoned;
-	pthread_cond_broadcast(&source->changed);
-	pthread_mutex_unlock(&source->lock);
+	pthread_cond_broadcast(&source->lock.changed);
+	pthread_mutex_unlock(&source->lock.mutex);
 	if (abandoned) {
 		release(source);
 	}
@@ -207,40 +196,16 @@ static int create_thread(struct camera_source *source)
 	return -error;
 }
 
-static int init_lock(struct camera_source *source)
-{
-	pthread_condattr_t attributes;
-	int error = pthread_condattr_init(&attributes);
-
-	if (error) {
-		return -error;
-	}
-	error = pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
-	if (!error) {
-		error = pthread_cond_init(&source->changed, &attributes);
-	}
-	pthread_condattr_destroy(&attributes);
-	if (error) {
-		return -error;
-	}
-	error = pthread_mutex_init(&source->lock, NULL);
-	if (error) {
-		pthread_cond_destroy(&source->changed);
-	}
-	return -error;
-}
-
 int v4l2_thread_start(struct camera_source *source)
 {
-	int error = init_lock(source);
+	int error = v4l2_timed_lock_init(&source->lock);
 
 	if (error) {
 		return error;
 	}
 	error = create_thread(source);
 	if (error) {
-		pthread_cond_destroy(&source->changed);
-		pthread_mutex_destroy(&source->lock);
+		v4l2_timed_lock_destroy(&source->lock);
 	}
 	return error;
 }
@@ -250,9 +215,9 @@ void v4l2_thread_stop(struct camera_source *source)
 	int64_t until_ms = v4l2_thread_now_ms() + LEAVE_MS;
 	bool ended;
 
-	pthread_mutex_lock(&source->lock);
+	pthread_mutex_lock(&source->lock.mutex);
 	source->quit = true;
-	pthread_cond_broadcast(&source->changed);
+	pthread_cond_broadcast(&source->lock.changed);
 	while (!source->ended && v4l2_thread_now_ms() < until_ms) {
 		v4l2_thread_wait(source, LEAVE_MS);
 	}
@@ -261,7 +226,7 @@ void v4l2_thread_stop(struct camera_source *source)
 	if (!ended) {
 		pthread_detach(source->thread);
 	}
-	pthread_mutex_unlock(&source->lock);
+	pthread_mutex_unlock(&source->lock.mutex);
 	if (ended) {
 		pthread_join(source->thread, NULL);
 		release(source);

@@ -19,12 +19,12 @@
 #define PLATFORM_CAMERA_V4L2_V4L2_THREAD_H
 
 #include "platform/camera/v4l2/session.h"
+#include "platform/camera/v4l2/timed_lock.h"
 
 #include <pthread.h>
 
 struct camera_source {
-	pthread_mutex_t lock;
-	pthread_cond_t changed; /* any of the members up to back_new */
+	struct v4l2_timed_lock lock; /* any of the members up to back_new */
 	pthread_t thread;
 	bool quit, ended, abandoned;
 

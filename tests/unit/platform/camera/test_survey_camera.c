@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* syscall() */
 #include "platform/camera/v4l2/v4l2.h"
 #include "tests/support/fake/v4l2_fake.h"
 #include "tests/support/survey_capture.h"
@@ -7,7 +8,9 @@
 #include <linux/videodev2.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/syscall.h>
 #include <time.h>
+#include <unistd.h>
 
 /* The simulated machine has /dev/video2 only. */
 struct machine {
@@ -16,6 +19,24 @@ struct machine {
 	int slow_ms;    /* how long open() blocks */
 	uint32_t lacks; /* capabilities to remove */
 };
+
+/* How many seconds the machine's calendar is behind. */
+static time_t calendar_behind_s;
+
+/* In place of the C library's. */
+int clock_gettime(clockid_t id, struct timespec *out)
+{
+#ifdef SYS_clock_gettime64
+	int result = (int)syscall(SYS_clock_gettime64, id, out);
+#else
+	int result = (int)syscall(SYS_clock_gettime, id, out);
+#endif
+
+	if (id == CLOCK_REALTIME) {
+		out->tv_sec -= calendar_behind_s;
+	}
+	return result;
+}
 
 static void pass(int ms)
 {
@@ -179,6 +200,14 @@ static void test_no_camera_is_one_finding(void **state)
 		"no camera", "--camera pattern");
 }
 
+static void wait_for_closes(struct machine *machine, int count)
+{
+	while (v4l2_fake_get(machine->fake, &machine->fake->closes) < count) {
+		pass(20);
+	}
+	pass(50);
+}
+
 static void test_a_thread_blocked_in_a_driver_is_abandoned(void **state)
 {
 	struct machine *machine = *state;
@@ -191,10 +220,37 @@ static void test_a_thread_blocked_in_a_driver_is_abandoned(void **state)
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/video2",
 		"does not answer within", "dmesg");
 	/* The thread ends by itself and releases its data. */
-	while (v4l2_fake_get(machine->fake, &machine->fake->closes) == 0) {
-		pass(20);
-	}
-	pass(50);
+	wait_for_closes(machine, 1);
+}
+
+/* Without a clock that is kept on, a board's calendar begins in 1970. */
+static void test_a_slow_camera_is_waited_for_in_any_year(void **state)
+{
+	struct machine *machine = *state;
+	struct survey_capture capture;
+
+	machine->slow_ms = 200;
+	calendar_behind_s = 56 * 365 * 86400;
+	look(machine, &capture);
+	calendar_behind_s = 0;
+	survey_capture_expect(&capture, 0, SURVEY_WORKS, "/dev/video2",
+		"Fake camera, driver fake", NULL);
+}
+
+static void test_a_blocked_camera_is_abandoned_in_any_year(void **state)
+{
+	struct machine *machine = *state;
+	struct survey_capture capture;
+	int64_t begun_ms = now_ms();
+
+	machine->slow_ms = 3000;
+	calendar_behind_s = -3600;
+	look(machine, &capture);
+	calendar_behind_s = 0;
+	assert_true(now_ms() - begun_ms < 2500);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/video2",
+		"does not answer within", "dmesg");
+	wait_for_closes(machine, 1);
 }
 
 int main(void)
@@ -208,6 +264,8 @@ int main(void)
 		CASE(test_a_camera_without_permission_is_broken),
 		CASE(test_no_camera_is_one_finding),
 		CASE(test_a_thread_blocked_in_a_driver_is_abandoned),
+		CASE(test_a_slow_camera_is_waited_for_in_any_year),
+		CASE(test_a_blocked_camera_is_abandoned_in_any_year),
 	};
 #undef CASE
 

@@ -32,6 +32,7 @@ static int open_sketch(const struct character_request *request,
 	char *text = NULL;
 	size_t size = 0;
 	FILE *file;
+	bool complete = false;
 	int error = model_choose_clip(
 		instance->model, request->clip, 0, log, &play.clip);
 
@@ -42,9 +43,10 @@ static int open_sketch(const struct character_request *request,
 	file = open_memstream(&text, &size);
 	if (file) {
 		character_sketch(instance->model, &play, file);
-		fclose(file);
+		complete = ferror(file) == 0;
+		complete = fclose(file) == 0 && complete;
 	}
-	file = text && size > 0 ? fmemopen(text, size, "r") : NULL;
+	file = complete && text && size > 0 ? fmemopen(text, size, "r") : NULL;
 	if (file) {
 		error = character_read(
 			file, request->model_path, instance, log, out);

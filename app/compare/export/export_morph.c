@@ -37,10 +37,13 @@ static int allocate(struct exporter *exporter)
 	exporter->lists = malloc((size_t)exporter->reference->part_count *
 			sizeof(*exporter->lists) +
 		1);
-	return exporter->lists && exporter->base && exporter->base_normal &&
-			exporter->delta && exporter->delta_normal
-		? 0
-		: -ENOMEM;
+	if (exporter->lists && exporter->base && exporter->base_normal &&
+		exporter->delta && exporter->delta_normal) {
+		return 0;
+	}
+	log_error(exporter->log, "%s: there is not enough memory for key frames",
+		exporter->comparison->model->path);
+	return -ENOMEM;
 }
 
 /*

@@ -199,7 +199,8 @@ int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
 
 	if (text && file) {
 		glb->error = put_file(glb, text, file);
-		if (fclose(file) != 0 && !glb->error) {
+		/* glibc closes without an error where it leaves no bytes. */
+		if ((fclose(file) != 0 || !bytes) && !glb->error) {
 			glb->error = -ENOMEM;
 		}
 	} else if (text) {

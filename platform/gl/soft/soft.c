@@ -30,36 +30,43 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 {
 	const struct log *log = request->log;
 	struct soft *soft = calloc(1, sizeof(*soft));
+	struct draw *draw = aligned_alloc(_Alignof(*draw), sizeof(*draw));
 
-	if (!soft) {
-		log_error(log, "--gl soft: out of memory");
-		return -ENOMEM;
-	}
-	soft->draw = aligned_alloc(_Alignof(struct draw), sizeof(*soft->draw));
-	if (!soft->draw) {
+	if (!soft || !draw) {
 		log_error(log, "--gl soft: out of memory");
 		free(soft);
+		free(draw);
 		return -ENOMEM;
 	}
-	memset(soft->draw, 0, sizeof(*soft->draw));
+	memset(draw, 0, sizeof(*draw));
+	soft->draw = draw;
 	soft_init_scratch(soft->draw);
 	soft->base.driver = &gl_driver_soft;
 	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";
 	soft->log = *log;
 	soft->format = request->format;
 	soft_init_state(soft);
-	soft_init_query(soft);
-	soft_init_matrices(soft);
-	soft_init_lighting(soft);
-	soft_init_fog(soft);
-	soft_init_arrays(soft);
-	soft_init_textures(soft);
-	soft_init_texenv(soft);
-	soft_init_clear(soft);
-	soft_init_read(soft);
-	soft_init_draw(soft);
 	soft_make_current(soft);
 	*out = &soft->base;
+	return 0;
+}
+
+static int grow_depth(struct soft *soft, size_t count)
+{
+	struct buffers *buffers = &soft->buffers;
+	uint16_t *depth;
+
+	if (count <= buffers->room) {
+		return 0;
+	}
+	depth = calloc(count, sizeof(*depth));
+	if (!depth) {
+		log_error(&soft->log, "--gl soft: out of memory for depth");
+		return -ENOMEM;
+	}
+	free(buffers->depth);
+	buffers->depth = depth;
+	buffers->room = count;
 	return 0;
 }
 
@@ -84,10 +91,13 @@ static int soft_begin_frame(
 			target->width, target->height);
 		return -EINVAL;
 	}
-	error = soft_grow_buffers(
-		soft, (size_t)target->width * (size_t)target->height);
+	error = grow_depth(soft, (size_t)target->width * (size_t)target->height);
 	if (error) {
 		return error;
+	}
+	if (buffers->stencil && !soft_stencil(soft)) {
+		log_error(&soft->log, "--gl soft: out of memory for stencil");
+		return -ENOMEM;
 	}
 	if (target->width != buffers->width ||
 		target->height != buffers->height) {

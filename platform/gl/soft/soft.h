@@ -205,26 +205,15 @@ void soft_make_current(struct soft *soft);
 /* Remembers the first error since GetError(). */
 void soft_set_error(struct soft *soft, GLenum error);
 
-/* Each chapter sets its calls in the table and its state to GL's defaults. */
+/* defaults.c: all calls of the context's table, and GL's defaults. */
 void soft_init_state(struct soft *soft);
-void soft_init_query(struct soft *soft);
-void soft_init_matrices(struct soft *soft);
-void soft_init_lighting(struct soft *soft);
-void soft_init_fog(struct soft *soft);
-void soft_init_arrays(struct soft *soft);
-void soft_init_textures(struct soft *soft);
-void soft_init_texenv(struct soft *soft);
-void soft_init_clear(struct soft *soft);
-void soft_init_read(struct soft *soft);
-void soft_init_draw(struct soft *soft);
 
+/* texture.c */
+struct texture soft_new_texture(GLuint name);
 void soft_release_textures(struct soft *soft);
 
 /* The stencil buffer, made when it is first wanted; NULL without memory. */
 uint8_t *soft_stencil(struct soft *soft);
-
-/* Makes room for so many pixels; -ENOMEM, which is logged, without memory. */
-int soft_grow_buffers(struct soft *soft, size_t pixels);
 
 /* The picture's part inside a rectangle of GL's, in rows from the top. */
 struct clip_box {

@@ -1,39 +1,27 @@
-/* Clearing the buffers. */
+/* Clearing the buffers, and reading the picture back. */
 #include <string.h>
 
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/vertex/number.h"
 
-static void clear_colorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
+void soft_gl_ClearColorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
 	const GLfixed given[4] = {red, green, blue, alpha};
 
 	memcpy(soft_current()->fragment.clear_color, given, sizeof(given));
 }
 
-static void clear_depthx(GLfixed depth)
+void soft_gl_ClearDepthx(GLfixed depth)
 {
-	soft_current()->fragment.clear_depth = depth < 0 ? 0
-		: depth > FX16_ONE                       ? FX16_ONE
-							 : depth;
+	soft_current()->fragment.clear_depth = clamp_int(depth, 0, FX16_ONE);
 }
 
-static void clear_stencil(GLint value)
+void soft_gl_ClearStencil(GLint value)
 {
 	soft_current()->fragment.stencil.clear = (uint8_t)value;
-}
-
-/* Rows of bytes that are all like the first, which is filled already. */
-static void repeat_row(uint8_t *first, size_t bytes, ptrdiff_t stride, int rows)
-{
-	uint8_t *row = first;
-
-	for (int y = 1; y < rows; y++) {
-		row += stride;
-		memcpy(row, first, bytes);
-	}
 }
 
 /* Rows that follow one another without a gap are one. */
@@ -52,45 +40,33 @@ static void fill_rows(
 static void clear_color(struct soft *soft, const struct clip_box *box)
 {
 	const struct pixels *target = &soft->buffers.target;
-	const GLfixed *wanted = soft->fragment.clear_color;
+	const GLboolean *mask = soft->fragment.color_mask;
+	const bool all = mask[0] && mask[1] && mask[2] && mask[3];
 	int bytes = pixel_bytes(target->format);
 	int width = box->right - box->left, rows = box->bottom - box->top;
-	uint8_t *first = pixel_at(target, box->left, box->top);
-	uint8_t rgba[4];
+	uint8_t *first = pixel_at(target, box->left, box->top), *row = first;
+	uint8_t wanted[4], rgba[4];
 
 	for (int i = 0; i < 4; i++) {
-		rgba[i] = (uint8_t)soft_byte(wanted[i]);
+		wanted[i] = (uint8_t)soft_byte(soft->fragment.clear_color[i]);
 	}
-	if (target->format == PIXELS_RGB565) {
+	if (all && target->format == PIXELS_RGB565) {
 		fill_rows((uint16_t *)(void *)first, width,
 			target->stride_bytes / (ptrdiff_t)sizeof(uint16_t),
-			rows, pack_565(rgba[0], rgba[1], rgba[2]));
+			rows, pack_565(wanted[0], wanted[1], wanted[2]));
 		return;
 	}
-	for (int x = 0; x < width; x++) {
-		store_pixel(target->format, first + x * bytes, rgba);
-	}
-	repeat_row(first, (size_t)(width * bytes), target->stride_bytes, rows);
-}
-
-static void clear_masked_color(struct soft *soft, const struct clip_box *box)
-{
-	const struct pixels *target = &soft->buffers.target;
-	const struct fragment_state *state = &soft->fragment;
-
-	for (int y = box->top; y < box->bottom; y++) {
-		for (int x = box->left; x < box->right; x++) {
-			uint8_t *at = pixel_at(target, x, y);
-			uint8_t rgba[4];
-
-			load_pixel(target->format, at, rgba);
+	for (int y = 0; y < rows; y++, row += target->stride_bytes) {
+		if (all && y > 0) {
+			memcpy(row, first, (size_t)(width * bytes));
+			continue;
+		}
+		for (int x = 0; x < width; x++) {
+			load_pixel(target->format, row + x * bytes, rgba);
 			for (int i = 0; i < 4; i++) {
-				rgba[i] = state->color_mask[i]
-					? (uint8_t)soft_byte(
-						  state->clear_color[i])
-					: rgba[i];
+				rgba[i] = mask[i] ? wanted[i] : rgba[i];
 			}
-			store_pixel(target->format, at, rgba);
+			store_pixel(target->format, row + x * bytes, rgba);
 		}
 	}
 }
@@ -133,11 +109,10 @@ static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
 	}
 }
 
-static void clear(GLbitfield mask)
+void soft_gl_Clear(GLbitfield mask)
 {
 	struct soft *soft = soft_current();
 	const struct fragment_state *state = &soft->fragment;
-	const GLboolean *write = state->color_mask;
 	const GLbitfield known = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
 		GL_STENCIL_BUFFER_BIT;
 	struct clip_box box = soft_clip_box(soft, false);
@@ -148,11 +123,7 @@ static void clear(GLbitfield mask)
 		return;
 	}
 	if (mask & GL_COLOR_BUFFER_BIT) {
-		if (write[0] && write[1] && write[2] && write[3]) {
-			clear_color(soft, &box);
-		} else {
-			clear_masked_color(soft, &box);
-		}
+		clear_color(soft, &box);
 	}
 	if (mask & GL_DEPTH_BUFFER_BIT && state->depth_mask) {
 		clear_depth(soft, &box);
@@ -162,12 +133,36 @@ static void clear(GLbitfield mask)
 	}
 }
 
-void soft_init_clear(struct soft *soft)
+/* Of ES 1.1's formats: GL_RGBA of bytes. */
+void soft_gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
+	GLenum format, GLenum type, void *pixels)
 {
-	struct gl *gl = &soft->base.gl;
+	struct soft *soft = soft_current();
+	const struct pixels *target = &soft->buffers.target;
+	size_t align = (size_t)soft->textures.pack_alignment;
+	size_t row_bytes;
 
-	gl->Clear = clear;
-	gl->ClearColorx = clear_colorx;
-	gl->ClearDepthx = clear_depthx;
-	gl->ClearStencil = clear_stencil;
+	if (!soft_check(format == GL_RGBA && type == GL_UNSIGNED_BYTE,
+		    GL_INVALID_ENUM) ||
+		!soft_check(width >= 0 && height >= 0, GL_INVALID_VALUE)) {
+		return;
+	}
+	row_bytes = ((size_t)width * 4 + align - 1) / align * align;
+	for (int row = 0; row < height && target->data; row++) {
+		int64_t from_y = (int64_t)target->height - 1 - y - row;
+		uint8_t *out = (uint8_t *)pixels + (size_t)row * row_bytes;
+
+		for (int column = 0; column < width; column++) {
+			int64_t from_x = (int64_t)x + column;
+
+			/* Outside of the picture nothing is defined. */
+			if (from_x >= 0 && from_x < target->width &&
+				from_y >= 0 && from_y < target->height) {
+				load_pixel(target->format,
+					pixel_at(target, (int)from_x,
+						(int)from_y),
+					out + 4 * column);
+			}
+		}
+	}
 }

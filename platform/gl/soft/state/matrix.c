@@ -96,8 +96,9 @@ float soft_matrix_power_of_two(int exponent)
 	return value;
 }
 
-static struct matrix_stack *current_stack(struct soft *soft)
+static struct matrix_stack *current_stack(void)
 {
+	struct soft *soft = soft_current();
 	struct matrices *matrices = &soft->matrices;
 
 	switch (matrices->mode) {
@@ -110,19 +111,7 @@ static struct matrix_stack *current_stack(struct soft *soft)
 	}
 }
 
-static struct matrix *current_matrix(void)
-{
-	return current_stack(soft_current())->top;
-}
-
-static void multiply(const struct matrix *by)
-{
-	struct matrix *top = current_matrix();
-
-	soft_matrix_multiply(top, by, top);
-}
-
-static void matrix_mode(GLenum mode)
+void soft_gl_MatrixMode(GLenum mode)
 {
 	if (soft_check(IS_ONE_OF(mode, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE),
 		    GL_INVALID_ENUM)) {
@@ -130,36 +119,38 @@ static void matrix_mode(GLenum mode)
 	}
 }
 
-static void load_identity(void)
+void soft_gl_LoadIdentity(void)
 {
-	*current_matrix() = soft_matrix_identity;
+	*current_stack()->top = soft_matrix_identity;
 }
 
-static struct matrix from_fixed(const GLfixed *values)
+void soft_gl_LoadMatrixx(const GLfixed *values)
+{
+	for (int i = 0; i < 16; i++) {
+		current_stack()->top->m[i] = fx16_to_float(values[i]);
+	}
+}
+
+static void multiply(const struct matrix *by)
+{
+	struct matrix *top = current_stack()->top;
+
+	soft_matrix_multiply(top, by, top);
+}
+
+void soft_gl_MultMatrixx(const GLfixed *values)
 {
 	struct matrix matrix;
 
 	for (int i = 0; i < 16; i++) {
 		matrix.m[i] = fx16_to_float(values[i]);
 	}
-	return matrix;
-}
-
-static void load_matrix(const GLfixed *values)
-{
-	*current_matrix() = from_fixed(values);
-}
-
-static void mult_matrix(const GLfixed *values)
-{
-	struct matrix matrix = from_fixed(values);
-
 	multiply(&matrix);
 }
 
-static void push_matrix(void)
+void soft_gl_PushMatrix(void)
 {
-	struct matrix_stack *stack = current_stack(soft_current());
+	struct matrix_stack *stack = current_stack();
 
 	if (soft_check(stack->top - stack->bottom + 1 < stack->room,
 		    GL_STACK_OVERFLOW)) {
@@ -168,36 +159,36 @@ static void push_matrix(void)
 	}
 }
 
-static void pop_matrix(void)
+void soft_gl_PopMatrix(void)
 {
-	struct matrix_stack *stack = current_stack(soft_current());
+	struct matrix_stack *stack = current_stack();
 
 	if (soft_check(stack->top != stack->bottom, GL_STACK_UNDERFLOW)) {
 		stack->top--;
 	}
 }
 
-static void translate(GLfixed x, GLfixed y, GLfixed z)
+void soft_gl_Translatex(GLfixed x, GLfixed y, GLfixed z)
 {
 	const float by[4] = {
 		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z), 1.0f};
-	struct matrix *top = current_matrix();
+	struct matrix *top = current_stack()->top;
 
 	soft_matrix_transform(top, by, top->m + 12);
 }
 
-static void scale(GLfixed x, GLfixed y, GLfixed z)
+void soft_gl_Scalex(GLfixed x, GLfixed y, GLfixed z)
 {
 	const float by[3] = {
 		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
-	struct matrix *top = current_matrix();
+	struct matrix *top = current_stack()->top;
 
 	for (int i = 0; i < 12; i++) {
 		top->m[i] *= by[i / 4];
 	}
 }
 
-static void rotate(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
+void soft_gl_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 {
 	float angle = fx16_to_float(degrees) * (SCALAR_PI / 180.0f);
 	float axis[3] = {fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
@@ -221,48 +212,50 @@ static void rotate(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 	multiply(&turn);
 }
 
-static void frustum(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
-	GLfixed near, GLfixed far)
+/* A frustum, or a box, between two ends along each axis. */
+static void project(const GLfixed ends[6], bool perspective)
 {
-	float l = fx16_to_float(left), r = fx16_to_float(right);
-	float b = fx16_to_float(bottom), t = fx16_to_float(top);
-	float n = fx16_to_float(near), f = fx16_to_float(far);
 	struct matrix matrix = {{0}};
+	float *centre = matrix.m + (perspective ? 8 : 12);
+	float far = fx16_to_float(ends[5]), size = 0.0f;
+	float twice = perspective ? 2.0f * fx16_to_float(ends[4]) : 2.0f;
 
-	if (!soft_check(near > 0 && far > 0 && left != right && bottom != top &&
-			    near != far,
-		    GL_INVALID_VALUE)) {
-		return;
+	for (int i = 0; i < 3; i++) {
+		float from = fx16_to_float(ends[2 * i]);
+		float to = fx16_to_float(ends[2 * i + 1]);
+
+		if (!soft_check(
+			    ends[2 * i] != ends[2 * i + 1], GL_INVALID_VALUE)) {
+			return;
+		}
+		size = to - from;
+		matrix.m[5 * i] = twice / size;
+		centre[i] = -(to + from) / size;
 	}
-	matrix.m[0] = 2.0f * n / (r - l);
-	matrix.m[5] = 2.0f * n / (t - b);
-	matrix.m[8] = (r + l) / (r - l);
-	matrix.m[9] = (t + b) / (t - b);
-	matrix.m[10] = -(f + n) / (f - n);
-	matrix.m[11] = -1.0f;
-	matrix.m[14] = -2.0f * f * n / (f - n);
+	if (perspective) {
+		matrix.m[8] = -matrix.m[8];
+		matrix.m[9] = -matrix.m[9];
+		matrix.m[11] = -1.0f;
+		matrix.m[14] = -twice * far / size;
+	} else {
+		matrix.m[10] = -matrix.m[10];
+		matrix.m[15] = 1.0f;
+	}
 	multiply(&matrix);
 }
 
-static void ortho(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
+void soft_gl_Frustumx(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	GLfixed near, GLfixed far)
 {
-	float l = fx16_to_float(left), r = fx16_to_float(right);
-	float b = fx16_to_float(bottom), t = fx16_to_float(top);
-	float n = fx16_to_float(near), f = fx16_to_float(far);
-	struct matrix matrix = soft_matrix_identity;
-
-	if (!soft_check(left != right && bottom != top && near != far,
-		    GL_INVALID_VALUE)) {
-		return;
+	if (soft_check(near > 0 && far > 0, GL_INVALID_VALUE)) {
+		project((GLfixed[]){left, right, bottom, top, near, far}, true);
 	}
-	matrix.m[0] = 2.0f / (r - l);
-	matrix.m[5] = 2.0f / (t - b);
-	matrix.m[10] = -2.0f / (f - n);
-	matrix.m[12] = -(r + l) / (r - l);
-	matrix.m[13] = -(t + b) / (t - b);
-	matrix.m[14] = -(f + n) / (f - n);
-	multiply(&matrix);
+}
+
+void soft_gl_Orthox(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
+	GLfixed near, GLfixed far)
+{
+	project((GLfixed[]){left, right, bottom, top, near, far}, false);
 }
 
 static struct matrix_stack stack_of(struct matrix *bottom, int room)
@@ -271,11 +264,8 @@ static struct matrix_stack stack_of(struct matrix *bottom, int room)
 	return (struct matrix_stack){bottom, bottom, room};
 }
 
-void soft_init_matrices(struct soft *soft)
+void soft_init_matrices(struct matrices *m)
 {
-	struct matrices *m = &soft->matrices;
-	struct gl *gl = &soft->base.gl;
-
 	m->mode = GL_MODELVIEW;
 	m->modelview_stack = stack_of(m->modelview, SOFT_MODELVIEW_DEPTH);
 	m->projection_stack = stack_of(m->projection, SOFT_PROJECTION_DEPTH);
@@ -283,15 +273,4 @@ void soft_init_matrices(struct soft *soft)
 		m->texture_stack[i] =
 			stack_of(m->texture[i], SOFT_TEXTURE_DEPTH);
 	}
-	gl->MatrixMode = matrix_mode;
-	gl->LoadIdentity = load_identity;
-	gl->LoadMatrixx = load_matrix;
-	gl->MultMatrixx = mult_matrix;
-	gl->PushMatrix = push_matrix;
-	gl->PopMatrix = pop_matrix;
-	gl->Translatex = translate;
-	gl->Scalex = scale;
-	gl->Rotatex = rotate;
-	gl->Frustumx = frustum;
-	gl->Orthox = ortho;
 }

@@ -11,6 +11,9 @@
 
 extern const struct matrix soft_matrix_identity;
 
+/* Stacks of one identity each. */
+void soft_init_matrices(struct matrices *matrices);
+
 /* out may be a or b. */
 void soft_matrix_multiply(
 	const struct matrix *a, const struct matrix *b, struct matrix *out);

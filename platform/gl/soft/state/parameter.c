@@ -1,37 +1,319 @@
-/* Setting a parameter by its name. */
+/*
+ * What has a name: parameters of lights, materials, fog, textures and their
+ * environments, by a table for each kind of object; and what programs may ask.
+ */
 #include "platform/gl/soft/state/parameter.h"
 
-void soft_set_error(struct soft *soft, GLenum error)
-{
-	if (soft->error == GL_NO_ERROR) {
-		soft->error = error;
-	}
-}
+#include <string.h>
 
-bool soft_is_one_of(GLenum value, const GLenum *known, size_t count)
-{
-	for (size_t i = 0; i < count; i++) {
-		if (known[i] == value) {
-			return true;
-		}
-	}
-	return false;
-}
+#include "platform/base/fixed.h"
+#include "platform/gl/soft/state/matrix.h"
 
-void soft_set_parameter(const struct soft_parameter *table, size_t count,
+/* Of ES 1.1, but of no call that limber makes by name. */
+enum {
+	ALPHA_SCALE = 0x0D1C,
+	SRC2_RGB = 0x8582,
+	SRC2_ALPHA = 0x858A,
+	OPERAND2_RGB = 0x8592,
+	OPERAND0_ALPHA = 0x8598,
+	OPERAND1_ALPHA = 0x8599,
+	OPERAND2_ALPHA = 0x859A,
+	ADD_SIGNED = 0x8574,
+	INTERPOLATE = 0x8575,
+	SUBTRACT = 0x84E7,
+};
+
+/* Values of 32 bits, enumerants or 16.16, that follow one another in a struct. */
+struct parameter {
+	GLenum name;
+	int count;
+	size_t offset;
+	GLenum error;        /* of values that are not allowed */
+	GLfixed least, most; /* those in between are allowed, */
+	GLenum allowed[8];   /* and those listed */
+	size_t allowed_count;
+};
+
+#define PARAMETER(name, type, member, ...)                                  \
+	{                                                                   \
+		name, (int)(sizeof(((type *)0)->member) / sizeof(GLfixed)), \
+			offsetof(type, member), __VA_ARGS__                 \
+	}
+#define ANY(name, type, member) \
+	PARAMETER(name, type, member, GL_NO_ERROR, INT32_MIN, INT32_MAX, {0}, 0)
+#define RANGE(name, type, member, least, most) \
+	PARAMETER(name, type, member, GL_INVALID_VALUE, least, most, {0}, 0)
+#define LISTED(name, type, member, error, ...)                     \
+	PARAMETER(name, type, member, error, INT32_MAX, INT32_MIN, \
+		{__VA_ARGS__}, ARRAY_COUNT(((const GLenum[]){__VA_ARGS__})))
+#define NUMBER(name, type, member, ...) \
+	LISTED(name, type, member, GL_INVALID_VALUE, __VA_ARGS__)
+#define ENUM(name, type, member, ...) \
+	LISTED(name, type, member, GL_INVALID_ENUM, __VA_ARGS__)
+
+/*
+ * Sets the parameter of an object that has the name, or GL's error. given is
+ * how many values there are: 1 by the calls for scalars, else 4.
+ */
+static void set_parameter(const struct parameter *table, size_t count,
 	void *object, GLenum name, const GLfixed *values, int given)
 {
-	const struct soft_parameter *p = table, *end = table + count;
+	const struct parameter *p = table, *end = table + count;
 
 	while (p != end && (p->name != name || p->count > given)) {
 		p++;
 	}
 	if (soft_check(p != end, GL_INVALID_ENUM) &&
-		soft_check(!p->takes || p->takes(values[0]), p->error)) {
-		GLfixed *out = (GLfixed *)(void *)((char *)object + p->offset);
-
-		for (int i = 0; i < p->count; i++) {
-			out[i] = values[i];
-		}
+		soft_check((values[0] >= p->least && values[0] <= p->most) ||
+				soft_is_one_of((GLenum)values[0], p->allowed,
+					p->allowed_count),
+			p->error)) {
+		memcpy((char *)object + p->offset, values,
+			(size_t)p->count * sizeof(*values));
 	}
+}
+
+#define SET_PARAMETER(table, ...) \
+	set_parameter(table, ARRAY_COUNT(table), __VA_ARGS__)
+
+/* Two calls, for one value and for several, of parameters of an object. */
+#define TWO_CALLS(call, set)                                        \
+	void soft_gl_##call##x(GLenum name, GLfixed value)          \
+	{                                                           \
+		set(name, &value, 1);                               \
+	}                                                           \
+	void soft_gl_##call##xv(GLenum name, const GLfixed *values) \
+	{                                                           \
+		set(name, values, 4);                               \
+	}
+#define TWO_CALLS_OF(call, set)                                           \
+	void soft_gl_##call##x(GLenum object, GLenum name, GLfixed value) \
+	{                                                                 \
+		set(object, name, &value, 1);                             \
+	}                                                                 \
+	void soft_gl_##call##xv(                                          \
+		GLenum object, GLenum name, const GLfixed *values)        \
+	{                                                                 \
+		set(object, name, values, 4);                             \
+	}
+
+static void set_fog(GLenum name, const GLfixed *values, int given)
+{
+	static const struct parameter of_fog[] = {
+		ENUM(GL_FOG_MODE, struct fog, mode, GL_LINEAR, GL_EXP, GL_EXP2),
+		RANGE(GL_FOG_DENSITY, struct fog, density, 0, INT32_MAX),
+		ANY(GL_FOG_START, struct fog, start),
+		ANY(GL_FOG_END, struct fog, end),
+		ANY(GL_FOG_COLOR, struct fog, color),
+	};
+
+	SET_PARAMETER(of_fog, &soft_current()->fog, name, values, given);
+}
+TWO_CALLS(Fog, set_fog)
+
+static void set_model(GLenum name, const GLfixed *values, int given)
+{
+	static const struct parameter of_model[] = {
+		ANY(GL_LIGHT_MODEL_AMBIENT, struct lighting, ambient),
+		ANY(GL_LIGHT_MODEL_TWO_SIDE, struct lighting, two_side),
+	};
+
+	SET_PARAMETER(of_model, &soft_current()->lighting, name, values, given);
+}
+TWO_CALLS(LightModel, set_model)
+
+/* Positions and directions go into eye space as they are given. */
+static void set_place(float *out, size_t count, const GLfixed *values)
+{
+	float given[4] = {0.0f}, eye[4];
+
+	for (size_t i = 0; i < count; i++) {
+		given[i] = fx16_to_float(values[i]);
+	}
+	soft_matrix_transform(
+		soft_current()->matrices.modelview_stack.top, given, eye);
+	memcpy(out, eye, count * sizeof(*out));
+}
+
+static void set_light(GLenum name, GLenum what, const GLfixed *values, int given)
+{
+	static const struct parameter of_light[] = {
+		ANY(GL_AMBIENT, struct light, ambient),
+		ANY(GL_DIFFUSE, struct light, diffuse),
+		ANY(GL_SPECULAR, struct light, specular),
+		RANGE(GL_SPOT_EXPONENT, struct light, exponent, 0,
+			128 * FX16_ONE),
+		PARAMETER(GL_SPOT_CUTOFF, struct light, cutoff,
+			GL_INVALID_VALUE, 0, 90 * FX16_ONE, {180 * FX16_ONE}, 1),
+		RANGE(GL_CONSTANT_ATTENUATION, struct light, attenuation[0], 0,
+			INT32_MAX),
+		RANGE(GL_LINEAR_ATTENUATION, struct light, attenuation[1], 0,
+			INT32_MAX),
+		RANGE(GL_QUADRATIC_ATTENUATION, struct light, attenuation[2], 0,
+			INT32_MAX),
+	};
+	struct light *light;
+
+	if (!soft_check(name - GL_LIGHT0 < SOFT_LIGHTS, GL_INVALID_ENUM)) {
+		return;
+	}
+	light = &soft_current()->lighting.light[name - GL_LIGHT0];
+	if (what == GL_POSITION && given == 4) {
+		set_place(light->position, 4, values);
+	} else if (what == GL_SPOT_DIRECTION && given == 4) {
+		set_place(light->direction, 3, values);
+	} else {
+		SET_PARAMETER(of_light, light, what, values, given);
+	}
+}
+TWO_CALLS_OF(Light, set_light)
+
+/* ES sets both faces at once only. */
+static void set_material(
+	GLenum face, GLenum name, const GLfixed *values, int given)
+{
+	static const struct parameter of_material[] = {
+		ANY(GL_AMBIENT, struct material, ambient),
+		ANY(GL_DIFFUSE, struct material, diffuse),
+		ANY(GL_SPECULAR, struct material, specular),
+		ANY(GL_EMISSION, struct material, emission),
+		RANGE(GL_SHININESS, struct material, shininess, 0,
+			128 * FX16_ONE),
+	};
+	struct material *material = &soft_current()->lighting.material;
+	const bool both = name == GL_AMBIENT_AND_DIFFUSE;
+
+	if (!soft_check(face == GL_FRONT_AND_BACK, GL_INVALID_ENUM)) {
+		return;
+	}
+	SET_PARAMETER(
+		of_material, material, both ? GL_AMBIENT : name, values, given);
+	if (both) {
+		SET_PARAMETER(of_material, material, GL_DIFFUSE, values, given);
+	}
+}
+TWO_CALLS_OF(Material, set_material)
+
+/* stages/ carries the texture environment out. */
+static void set_env(GLenum target, GLenum name, const GLfixed *values, int given)
+{
+#define COMBINERS \
+	GL_REPLACE, GL_MODULATE, GL_ADD, ADD_SIGNED, INTERPOLATE, SUBTRACT
+#define SOURCE(name, member)                                       \
+	ENUM(name, struct texenv, member, GL_TEXTURE, GL_CONSTANT, \
+		GL_PRIMARY_COLOR, GL_PREVIOUS)
+#define OPERAND(name, member, ...)                                  \
+	ENUM(name, struct texenv, member, __VA_ARGS__ GL_SRC_ALPHA, \
+		GL_ONE_MINUS_SRC_ALPHA)
+#define COLORS GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+#define SCALE(name, member)                                         \
+	NUMBER(name, struct texenv, member, FX16_ONE, 2 * FX16_ONE, \
+		4 * FX16_ONE)
+	static const struct parameter of_env[] = {
+		ENUM(GL_TEXTURE_ENV_MODE, struct texenv, mode, GL_MODULATE,
+			GL_DECAL, GL_BLEND, GL_ADD, GL_REPLACE, GL_COMBINE),
+		ENUM(GL_COMBINE_RGB, struct texenv, combine_rgb, COMBINERS,
+			GL_DOT3_RGB, GL_DOT3_RGBA),
+		ENUM(GL_COMBINE_ALPHA, struct texenv, combine_alpha, COMBINERS),
+		SOURCE(GL_SRC0_RGB, source_rgb[0]),
+		SOURCE(GL_SRC1_RGB, source_rgb[1]),
+		SOURCE(SRC2_RGB, source_rgb[2]),
+		SOURCE(GL_SRC0_ALPHA, source_alpha[0]),
+		SOURCE(GL_SRC1_ALPHA, source_alpha[1]),
+		SOURCE(SRC2_ALPHA, source_alpha[2]),
+		OPERAND(GL_OPERAND0_RGB, operand_rgb[0], COLORS),
+		OPERAND(GL_OPERAND1_RGB, operand_rgb[1], COLORS),
+		OPERAND(OPERAND2_RGB, operand_rgb[2], COLORS),
+		OPERAND(OPERAND0_ALPHA, operand_alpha[0], ),
+		OPERAND(OPERAND1_ALPHA, operand_alpha[1], ),
+		OPERAND(OPERAND2_ALPHA, operand_alpha[2], ),
+		SCALE(GL_RGB_SCALE, scale_rgb),
+		SCALE(ALPHA_SCALE, scale_alpha),
+		ANY(GL_TEXTURE_ENV_COLOR, struct texenv, color),
+	};
+	struct textures *textures = &soft_current()->textures;
+
+	if (soft_check(target == GL_TEXTURE_ENV, GL_INVALID_ENUM)) {
+		SET_PARAMETER(of_env, &textures->unit[textures->active].env,
+			name, values, given);
+	}
+}
+TWO_CALLS_OF(TexEnv, set_env)
+
+void soft_gl_TexParameterx(GLenum target, GLenum name, GLfixed value)
+{
+	static const struct parameter of_texture[] = {
+		ENUM(GL_TEXTURE_MIN_FILTER, struct texture, min_filter,
+			GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST,
+			GL_LINEAR_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR,
+			GL_LINEAR_MIPMAP_LINEAR),
+		ENUM(GL_TEXTURE_MAG_FILTER, struct texture, mag_filter,
+			GL_NEAREST, GL_LINEAR),
+		ENUM(GL_TEXTURE_WRAP_S, struct texture, wrap_s, GL_REPEAT,
+			GL_CLAMP_TO_EDGE),
+		ENUM(GL_TEXTURE_WRAP_T, struct texture, wrap_t, GL_REPEAT,
+			GL_CLAMP_TO_EDGE),
+	};
+	struct textures *textures = &soft_current()->textures;
+
+	if (soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM)) {
+		SET_PARAMETER(of_texture,
+			textures->unit[textures->active].bound, name, &value, 1);
+	}
+}
+
+void soft_gl_PixelStorei(GLenum name, GLint value)
+{
+	static const struct parameter of_transfer[] = {
+		NUMBER(GL_UNPACK_ALIGNMENT, struct textures, unpack_alignment,
+			1, 2, 4, 8),
+		NUMBER(GL_PACK_ALIGNMENT, struct textures, pack_alignment, 1, 2,
+			4, 8),
+	};
+
+	SET_PARAMETER(of_transfer, &soft_current()->textures, name, &value, 1);
+}
+
+void soft_gl_GetIntegerv(GLenum name, GLint *values)
+{
+	static const struct {
+		GLenum name;
+		size_t count;
+		GLint value[2];
+	} numbers[] = {
+		{GL_MAX_TEXTURE_SIZE, 1, {SOFT_TEXTURE_SIZE_MAX}},
+		{GL_MAX_TEXTURE_UNITS, 1, {SOFT_UNITS}},
+		{GL_MAX_MODELVIEW_STACK_DEPTH, 1, {SOFT_MODELVIEW_DEPTH}},
+		{GL_STENCIL_BITS, 1, {8}},
+		{GL_SUBPIXEL_BITS, 1, {4}},
+		{GL_DEPTH_BITS, 1, {16}},
+		{GL_SMOOTH_POINT_SIZE_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+		{GL_SMOOTH_LINE_WIDTH_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+		{GL_ALIASED_POINT_SIZE_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+		{GL_ALIASED_LINE_WIDTH_RANGE, 2, {1, SOFT_WIDTH_MAX}},
+	};
+	size_t i = 0;
+
+	while (i < ARRAY_COUNT(numbers) && numbers[i].name != name) {
+		i++;
+	}
+	if (soft_check(i < ARRAY_COUNT(numbers), GL_INVALID_ENUM)) {
+		memcpy(values, numbers[i].value,
+			numbers[i].count * sizeof(*values));
+	}
+}
+
+const GLubyte *soft_gl_GetString(GLenum name)
+{
+	static const char *const strings[] = {
+		[GL_VENDOR - GL_VENDOR] = "limber",
+		[GL_RENDERER - GL_VENDOR] = "soft",
+		[GL_VERSION - GL_VENDOR] = "OpenGL ES-CL 1.1",
+		[GL_EXTENSIONS - GL_VENDOR] = "",
+	};
+
+	return soft_check(
+		       name - GL_VENDOR < ARRAY_COUNT(strings), GL_INVALID_ENUM)
+		? (const GLubyte *)strings[name - GL_VENDOR]
+		: NULL;
 }

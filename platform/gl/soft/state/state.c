@@ -3,9 +3,20 @@
 #include "platform/gl/soft/state/parameter.h"
 #include "platform/gl/soft/vertex/number.h"
 
-static bool is_comparison(GLenum function)
+enum {
+	SRC_ALPHA_SATURATE = 0x0308, /* of ES 1.1; limber does not ask for it */
+};
+
+GLenum soft_gl_GetError(void)
 {
-	return function >= GL_NEVER && function <= GL_ALWAYS;
+	GLenum error = soft_current()->error;
+
+	soft_current()->error = GL_NO_ERROR;
+	return error;
+}
+
+void soft_gl_Finish(void)
+{
 }
 
 #define FLAG(capability, member)                          \
@@ -53,15 +64,14 @@ static bool *find_flag(struct soft *soft, GLenum capability)
 
 static void set_flag(GLenum capability, bool on)
 {
-	struct soft *soft = soft_current();
-	bool *flag = find_flag(soft, capability);
+	bool *flag = find_flag(soft_current(), capability);
 
 	if (soft_check(flag != NULL, GL_INVALID_ENUM)) {
 		*flag = on;
 	}
 }
 
-static void enable(GLenum capability)
+void soft_gl_Enable(GLenum capability)
 {
 	set_flag(capability, true);
 	if (capability == GL_STENCIL_TEST) {
@@ -70,52 +80,68 @@ static void enable(GLenum capability)
 	}
 }
 
-static void disable(GLenum capability)
+void soft_gl_Disable(GLenum capability)
 {
 	set_flag(capability, false);
 }
 
-static void set_enum(GLenum *where, GLenum value, bool known)
+static bool is_comparison(GLenum function)
 {
-	if (soft_check(known, GL_INVALID_ENUM)) {
-		*where = value;
+	return function >= GL_NEVER && function <= GL_ALWAYS;
+}
+
+/* A call that sets a member of the fragment's state to what it may be. */
+#define CALL(name, type, member, may_be, error)                  \
+	void soft_gl_##name(type value)                          \
+	{                                                        \
+		if (soft_check(may_be, error)) {                 \
+			soft_current()->fragment.member = value; \
+		}                                                \
+	}
+
+CALL(DepthFunc, GLenum, depth_function, is_comparison(value), GL_INVALID_ENUM)
+CALL(CullFace, GLenum, cull_face,
+	IS_ONE_OF(value, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK), GL_INVALID_ENUM)
+CALL(FrontFace, GLenum, front_face, IS_ONE_OF(value, GL_CW, GL_CCW),
+	GL_INVALID_ENUM)
+CALL(LineWidthx, GLfixed, line_width, value > 0, GL_INVALID_VALUE)
+CALL(PointSizex, GLfixed, point_size, value > 0, GL_INVALID_VALUE)
+CALL(DepthMask, GLboolean, depth_mask, true, GL_NO_ERROR)
+
+void soft_gl_ShadeModel(GLenum mode)
+{
+	if (soft_check(IS_ONE_OF(mode, GL_FLAT, GL_SMOOTH), GL_INVALID_ENUM)) {
+		soft_current()->fragment.flat = mode == GL_FLAT;
 	}
 }
 
-static void alpha_func(GLenum function, GLfixed reference)
+void soft_gl_AlphaFuncx(GLenum function, GLfixed reference)
 {
-	struct fragment_state *state = &soft_current()->fragment;
-
 	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
-		state->alpha_function = function;
-		state->alpha_reference = clamp_int(reference, 0, FX16_ONE);
+		soft_current()->fragment.alpha_function = function;
+		soft_current()->fragment.alpha_reference =
+			clamp_int(reference, 0, FX16_ONE);
 	}
 }
 
-static bool is_source_factor(GLenum factor)
+/* GL_ZERO and GL_ONE, or from the first of the others to the last. */
+static bool is_factor(GLenum factor, GLenum first, GLenum last)
 {
-	return factor <= GL_ONE || (factor >= GL_SRC_ALPHA && factor <= 0x0308);
+	return factor <= GL_ONE || (factor >= first && factor <= last);
 }
 
-static bool is_destination_factor(GLenum factor)
+void soft_gl_BlendFunc(GLenum source, GLenum destination)
 {
-	return factor <= GL_ONE ||
-		(factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_ALPHA);
-}
-
-static void blend_func(GLenum source, GLenum destination)
-{
-	struct fragment_state *state = &soft_current()->fragment;
-
-	if (soft_check(is_source_factor(source) &&
-			    is_destination_factor(destination),
+	if (soft_check(is_factor(source, GL_SRC_ALPHA, SRC_ALPHA_SATURATE) &&
+			    is_factor(destination, GL_SRC_COLOR,
+				    GL_ONE_MINUS_DST_ALPHA),
 		    GL_INVALID_ENUM)) {
-		state->blend_source = source;
-		state->blend_destination = destination;
+		soft_current()->fragment.blend_source = source;
+		soft_current()->fragment.blend_destination = destination;
 	}
 }
 
-static void color_mask(
+void soft_gl_ColorMask(
 	GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha)
 {
 	GLboolean *mask = soft_current()->fragment.color_mask;
@@ -126,59 +152,10 @@ static void color_mask(
 	mask[3] = alpha != GL_FALSE;
 }
 
-static void depth_func(GLenum function)
+void soft_gl_PolygonOffsetx(GLfixed factor, GLfixed units)
 {
-	set_enum(&soft_current()->fragment.depth_function, function,
-		is_comparison(function));
-}
-
-static void depth_mask(GLboolean write)
-{
-	soft_current()->fragment.depth_mask = write != GL_FALSE;
-}
-
-static void cull_face(GLenum face)
-{
-	set_enum(&soft_current()->fragment.cull_face, face,
-		IS_ONE_OF(face, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK));
-}
-
-static void front_face(GLenum mode)
-{
-	set_enum(&soft_current()->fragment.front_face, mode,
-		IS_ONE_OF(mode, GL_CW, GL_CCW));
-}
-
-static void shade_model(GLenum mode)
-{
-	if (soft_check(IS_ONE_OF(mode, GL_FLAT, GL_SMOOTH), GL_INVALID_ENUM)) {
-		soft_current()->fragment.flat = mode == GL_FLAT;
-	}
-}
-
-static void set_size(GLfixed *where, GLfixed size)
-{
-	if (soft_check(size > 0, GL_INVALID_VALUE)) {
-		*where = size;
-	}
-}
-
-static void line_width(GLfixed width)
-{
-	set_size(&soft_current()->fragment.line_width, width);
-}
-
-static void point_size(GLfixed size)
-{
-	set_size(&soft_current()->fragment.point_size, size);
-}
-
-static void polygon_offset(GLfixed factor, GLfixed units)
-{
-	struct fragment_state *state = &soft_current()->fragment;
-
-	state->offset_factor = factor;
-	state->offset_units = units;
+	soft_current()->fragment.offset_factor = factor;
+	soft_current()->fragment.offset_units = units;
 }
 
 static void set_rectangle(struct rectangle *rectangle, int x, int y,
@@ -189,13 +166,13 @@ static void set_rectangle(struct rectangle *rectangle, int x, int y,
 	}
 }
 
-static void scissor(GLint x, GLint y, GLsizei width, GLsizei height)
+void soft_gl_Scissor(GLint x, GLint y, GLsizei width, GLsizei height)
 {
 	set_rectangle(&soft_current()->fragment.scissor, x, y, width, height);
 }
 
 /* Larger ones are cut to PIXELS_SIZE_MAX, as GL allows. */
-static void viewport(GLint x, GLint y, GLsizei width, GLsizei height)
+void soft_gl_Viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
 	const int most = PIXELS_SIZE_MAX;
 
@@ -204,7 +181,7 @@ static void viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 		clamp_int(width, -most, most), clamp_int(height, -most, most));
 }
 
-static void stencil_func(GLenum function, GLint reference, GLuint mask)
+void soft_gl_StencilFunc(GLenum function, GLint reference, GLuint mask)
 {
 	struct stencil *stencil = &soft_current()->fragment.stencil;
 
@@ -215,7 +192,7 @@ static void stencil_func(GLenum function, GLint reference, GLuint mask)
 	}
 }
 
-static void stencil_mask(GLuint mask)
+void soft_gl_StencilMask(GLuint mask)
 {
 	soft_current()->fragment.stencil.write_mask = (uint8_t)mask;
 }
@@ -226,7 +203,7 @@ static bool is_stencil_action(GLenum action)
 		GL_INVERT);
 }
 
-static void stencil_op(GLenum fail, GLenum depth_fail, GLenum pass)
+void soft_gl_StencilOp(GLenum fail, GLenum depth_fail, GLenum pass)
 {
 	struct stencil *stencil = &soft_current()->fragment.stencil;
 
@@ -237,10 +214,6 @@ static void stencil_op(GLenum fail, GLenum depth_fail, GLenum pass)
 		stencil->depth_fail = depth_fail;
 		stencil->pass = pass;
 	}
-}
-
-static void finish(void)
-{
 }
 
 /* A box inside of a rectangle, which may lie anywhere: sums have 64 bits. */
@@ -270,57 +243,4 @@ struct clip_box soft_clip_box(const struct soft *soft, bool viewport_too)
 		box = cut(box, &soft->fragment.viewport, target->height);
 	}
 	return box;
-}
-
-static void set_defaults(struct fragment_state *fragment)
-{
-	*fragment = (struct fragment_state){
-		.dither = true,
-		.alpha_function = GL_ALWAYS,
-		.depth_function = GL_LESS,
-		.blend_source = GL_ONE,
-		.blend_destination = GL_ZERO,
-		.color_mask = {1, 1, 1, 1},
-		.depth_mask = 1,
-		.cull_face = GL_BACK,
-		.front_face = GL_CCW,
-		.line_width = FX16_ONE,
-		.point_size = FX16_ONE,
-		.clear_depth = FX16_ONE,
-		.stencil =
-			{
-				.function = GL_ALWAYS,
-				.fail = GL_KEEP,
-				.depth_fail = GL_KEEP,
-				.pass = GL_KEEP,
-				.mask = 255,
-				.write_mask = 255,
-			},
-	};
-}
-
-void soft_init_state(struct soft *soft)
-{
-	struct gl *gl = &soft->base.gl;
-
-	set_defaults(&soft->fragment);
-	gl->Enable = enable;
-	gl->Disable = disable;
-	gl->AlphaFuncx = alpha_func;
-	gl->BlendFunc = blend_func;
-	gl->ColorMask = color_mask;
-	gl->DepthFunc = depth_func;
-	gl->DepthMask = depth_mask;
-	gl->CullFace = cull_face;
-	gl->FrontFace = front_face;
-	gl->ShadeModel = shade_model;
-	gl->LineWidthx = line_width;
-	gl->PointSizex = point_size;
-	gl->PolygonOffsetx = polygon_offset;
-	gl->Scissor = scissor;
-	gl->Viewport = viewport;
-	gl->StencilFunc = stencil_func;
-	gl->StencilMask = stencil_mask;
-	gl->StencilOp = stencil_op;
-	gl->Finish = finish;
 }

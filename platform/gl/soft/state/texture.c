@@ -5,7 +5,7 @@
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/state/parameter.h"
 
-static struct texture new_texture(GLuint name)
+struct texture soft_new_texture(GLuint name)
 {
 	return (struct texture){
 		.name = name,
@@ -24,14 +24,15 @@ static void free_levels(struct texture *texture)
 	}
 }
 
-static struct texture *find_texture(struct soft *soft, GLuint name)
+/* The link to the texture that has the name, or to nothing. */
+static struct texture **find_link(struct soft *soft, GLuint name)
 {
-	struct texture *texture = soft->textures.first;
+	struct texture **link = &soft->textures.first;
 
-	while (texture && texture->name != name) {
-		texture = texture->next;
+	while (*link && (*link)->name != name) {
+		link = &(*link)->next;
 	}
-	return texture;
+	return link;
 }
 
 static struct texture *add_texture(struct soft *soft, GLuint name)
@@ -42,7 +43,7 @@ static struct texture *add_texture(struct soft *soft, GLuint name)
 	if (!soft_check(texture != NULL, GL_OUT_OF_MEMORY)) {
 		return NULL;
 	}
-	*texture = new_texture(name);
+	*texture = soft_new_texture(name);
 	texture->next = textures->first;
 	textures->first = texture;
 	if (name > textures->last_name) {
@@ -51,7 +52,7 @@ static struct texture *add_texture(struct soft *soft, GLuint name)
 	return texture;
 }
 
-static void gen_textures(GLsizei count, GLuint *names)
+void soft_gl_GenTextures(GLsizei count, GLuint *names)
 {
 	struct soft *soft = soft_current();
 
@@ -68,13 +69,8 @@ static void gen_textures(GLsizei count, GLuint *names)
 
 static void delete_texture(struct soft *soft, GLuint name)
 {
-	struct texture **link = &soft->textures.first;
-	struct texture *texture;
+	struct texture **link = find_link(soft, name), *texture = *link;
 
-	while (*link && (*link)->name != name) {
-		link = &(*link)->next;
-	}
-	texture = *link;
 	if (!texture) {
 		return;
 	}
@@ -88,7 +84,7 @@ static void delete_texture(struct soft *soft, GLuint name)
 	free(texture);
 }
 
-static void delete_textures(GLsizei count, const GLuint *names)
+void soft_gl_DeleteTextures(GLsizei count, const GLuint *names)
 {
 	struct soft *soft = soft_current();
 
@@ -100,7 +96,7 @@ static void delete_textures(GLsizei count, const GLuint *names)
 	}
 }
 
-static void bind_texture(GLenum target, GLuint name)
+void soft_gl_BindTexture(GLenum target, GLuint name)
 {
 	struct soft *soft = soft_current();
 	struct texture *texture = &soft->textures.none;
@@ -109,7 +105,7 @@ static void bind_texture(GLenum target, GLuint name)
 		return;
 	}
 	if (name != 0) {
-		texture = find_texture(soft, name);
+		texture = *find_link(soft, name);
 		texture = texture ? texture : add_texture(soft, name);
 	}
 	if (texture) {
@@ -117,7 +113,7 @@ static void bind_texture(GLenum target, GLuint name)
 	}
 }
 
-static void active_texture(GLenum unit)
+void soft_gl_ActiveTexture(GLenum unit)
 {
 	if (soft_check(unit - GL_TEXTURE0 < SOFT_UNITS, GL_INVALID_ENUM)) {
 		soft_current()->textures.active = (int)(unit - GL_TEXTURE0);
@@ -127,57 +123,6 @@ static void active_texture(GLenum unit)
 static struct texture *bound_texture(struct soft *soft)
 {
 	return soft->textures.unit[soft->textures.active].bound;
-}
-
-static bool is_mag_filter(GLfixed value)
-{
-	return IS_ONE_OF((GLenum)value, GL_NEAREST, GL_LINEAR);
-}
-
-static bool is_min_filter(GLfixed value)
-{
-	return is_mag_filter(value) ||
-		(value >= GL_NEAREST_MIPMAP_NEAREST &&
-			value <= GL_LINEAR_MIPMAP_LINEAR);
-}
-
-static bool is_wrap(GLfixed value)
-{
-	return IS_ONE_OF((GLenum)value, GL_REPEAT, GL_CLAMP_TO_EDGE);
-}
-
-static bool is_alignment(GLfixed value)
-{
-	return IS_ONE_OF((GLenum)value, 1, 2, 4, 8);
-}
-
-static const struct soft_parameter of_texture[] = {
-	SOFT_ENUM(GL_TEXTURE_MIN_FILTER, struct texture, min_filter,
-		is_min_filter),
-	SOFT_ENUM(GL_TEXTURE_MAG_FILTER, struct texture, mag_filter,
-		is_mag_filter),
-	SOFT_ENUM(GL_TEXTURE_WRAP_S, struct texture, wrap_s, is_wrap),
-	SOFT_ENUM(GL_TEXTURE_WRAP_T, struct texture, wrap_t, is_wrap),
-};
-
-static const struct soft_parameter of_transfer[] = {
-	SOFT_NUMBER(GL_UNPACK_ALIGNMENT, struct textures, unpack_alignment,
-		is_alignment),
-	SOFT_NUMBER(GL_PACK_ALIGNMENT, struct textures, pack_alignment,
-		is_alignment),
-};
-
-static void tex_parameter(GLenum target, GLenum name, GLfixed value)
-{
-	if (soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM)) {
-		SET_PARAMETER(of_texture, bound_texture(soft_current()), name,
-			&value, 1);
-	}
-}
-
-static void pixel_store(GLenum name, GLint value)
-{
-	SET_PARAMETER(of_transfer, &soft_current()->textures, name, &value, 1);
 }
 
 /* How a program's picture is read and kept. */
@@ -325,7 +270,7 @@ static bool is_internal_format(GLint format)
 		GL_LUMINANCE, GL_LUMINANCE_ALPHA);
 }
 
-static void tex_image(GLenum target, GLint level, GLint internal_format,
+void soft_gl_TexImage2D(GLenum target, GLint level, GLint internal_format,
 	GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
 	const void *pixels)
 {
@@ -356,7 +301,7 @@ static bool is_part(const struct level *level, const struct rectangle *part)
 		part->y <= height - part->height;
 }
 
-static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
+void soft_gl_TexSubImage2D(GLenum target, GLint number, GLint x, GLint y,
 	GLsizei width, GLsizei height, GLenum format, GLenum type,
 	const void *pixels)
 {
@@ -381,37 +326,10 @@ static void tex_sub_image(GLenum target, GLint number, GLint x, GLint y,
 	}
 }
 
-void soft_init_textures(struct soft *soft)
-{
-	struct textures *textures = &soft->textures;
-	struct gl *gl = &soft->base.gl;
-
-	textures->none = new_texture(0);
-	for (int i = 0; i < SOFT_UNITS; i++) {
-		textures->unit[i].bound = &textures->none;
-	}
-	textures->unpack_alignment = 4;
-	textures->pack_alignment = 4;
-	gl->GenTextures = gen_textures;
-	gl->DeleteTextures = delete_textures;
-	gl->BindTexture = bind_texture;
-	gl->ActiveTexture = active_texture;
-	gl->TexParameterx = tex_parameter;
-	gl->PixelStorei = pixel_store;
-	gl->TexImage2D = tex_image;
-	gl->TexSubImage2D = tex_sub_image;
-}
-
 void soft_release_textures(struct soft *soft)
 {
-	struct texture *texture = soft->textures.first;
-
-	while (texture) {
-		struct texture *next = texture->next;
-
-		free_levels(texture);
-		free(texture);
-		texture = next;
+	while (soft->textures.first) {
+		delete_texture(soft, soft->textures.first->name);
 	}
 	free_levels(&soft->textures.none);
 }

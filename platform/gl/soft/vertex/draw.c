@@ -130,7 +130,7 @@ static bool may_draw(GLenum mode, GLsizei count)
 		soft_check(count >= 0, GL_INVALID_VALUE) && count > 0;
 }
 
-static void draw_arrays(GLenum mode, GLint first, GLsizei count)
+void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 {
 	struct soft *soft = soft_current();
 	const struct source source = {
@@ -172,7 +172,7 @@ static void find_range(
 	*high = most;
 }
 
-static void draw_elements(
+void soft_gl_DrawElements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
 	struct soft *soft = soft_current();
@@ -192,10 +192,4 @@ static void draw_elements(
 	if (soft_prepare(soft, soft->draw, mode, low, high - low + 1)) {
 		draw_primitives(soft->draw, &source, mode);
 	}
-}
-
-void soft_init_draw(struct soft *soft)
-{
-	soft->base.gl.DrawArrays = draw_arrays;
-	soft->base.gl.DrawElements = draw_elements;
 }

@@ -76,7 +76,7 @@ const struct soft_path *soft_choose_path(struct draw *draw)
 	const struct soft_path *chosen = path;
 
 	draw->key = soft_find_key(draw);
-	if (draw->soft->fill || draw->smooth || draw->thin_line) {
+	if (draw->soft->fill || draw->smooth || draw->thin_lines) {
 		return last;
 	}
 	while ((draw->key.bits & chosen->mask) != chosen->bits) {

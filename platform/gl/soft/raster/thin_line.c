@@ -12,9 +12,18 @@ enum {
 	DIVIDED_STEP = 2, /* pixels of a run whose ends are divided exactly */
 };
 
-/* The line's pixels and its values, which raster->plane has by pixel along it. */
+/*
+ * The line's pixels (Bresenham's algorithm) and its values, which raster->plane
+ * has by pixel along it. Each step leads one pixel along; whenever error, which
+ * grows by add, reaches full, it is less by full and the step leads one pixel
+ * across besides.
+ */
 struct walk {
-	struct soft_thin_line line;
+	uint16_t *depth;
+	uint8_t *pixel;
+	ptrdiff_t depth_along, depth_across; /* depths */
+	ptrdiff_t pixel_along, pixel_across; /* bytes */
+	uint32_t error, add, full;
 	int x, y;                /* of the next pixel */
 	int along[2], across[2]; /* steps in x and y */
 	int skipped, count;      /* pixels before the box, and inside of it */
@@ -24,87 +33,18 @@ struct walk {
 	int inverse_q;
 };
 
-static ALWAYS_INLINE void draw_pixels(struct soft_thin_line *given,
-	const struct soft_run *run, int count, const struct soft_kind kind)
-{
-	struct soft_thin_line line = *given;
-	/* No pixel lies in it, which the compiler cannot know. */
-	const struct soft_run own = {
-		.fog_right = run->fog_right, .stages = run->stages};
-	struct soft_steps steps = soft_find_steps(run);
-	const struct soft_constants constants = soft_find_constants(&own, kind);
-	struct soft_pixel at = {.z = run->row.z,
-		.red_blue = run->row.red_blue,
-		.green_alpha = run->row.green_alpha,
-		.fog = run->row.fog};
-	uint16_t unwritten;
-
-	for (; count > 0; count--) {
-		if (soft_compares(line.compares, at.z >> 16, *line.depth)) {
-			soft_shade_pixel(&own, NULL, kind, &constants, &at,
-				line.writes_depth ? line.depth : &unwritten,
-				line.pixel);
-		}
-		soft_step_pixel(&own, kind, &steps, &at);
-		line.depth += line.depth_along;
-		line.pixel += line.pixel_along;
-		line.error += line.add;
-		if (line.error >= line.full) {
-			line.error -= line.full;
-			line.depth += line.depth_across;
-			line.pixel += line.pixel_across;
-		}
-	}
-	given->depth = line.depth;
-	given->pixel = line.pixel;
-	given->error = line.error;
-}
-
-#define LINE_FUNCTION(name, its_finish, is_wide)                         \
-	static void name(struct soft_thin_line *line,                    \
-		const struct soft_run *run, int count)                   \
-	{                                                                \
-		draw_pixels(line, run, count,                            \
-			(struct soft_kind){                              \
-				.finish = its_finish, .wide = is_wide}); \
-	}
-
-#define LINE_FUNCTIONS(name, is_wide)                                \
-	LINE_FUNCTION(name##_opaque, SOFT_OPAQUE, is_wide)           \
-	LINE_FUNCTION(name##_tested, SOFT_TESTED, is_wide)           \
-	LINE_FUNCTION(name##_blended, SOFT_BLENDED, is_wide)         \
-	LINE_FUNCTION(name##_opaque_fog, SOFT_OPAQUE_FOG, is_wide)   \
-	LINE_FUNCTION(name##_tested_fog, SOFT_TESTED_FOG, is_wide)   \
-	LINE_FUNCTION(name##_blended_fog, SOFT_BLENDED_FOG, is_wide) \
-	LINE_FUNCTION(name##_mixed, SOFT_MIXED, is_wide)             \
-	static const soft_thin_line_function name[SOFT_FINISHES] = { \
-		[SOFT_OPAQUE] = name##_opaque,                       \
-		[SOFT_TESTED] = name##_tested,                       \
-		[SOFT_BLENDED] = name##_blended,                     \
-		[SOFT_OPAQUE_FOG] = name##_opaque_fog,               \
-		[SOFT_TESTED_FOG] = name##_tested_fog,               \
-		[SOFT_BLENDED_FOG] = name##_blended_fog,             \
-		[SOFT_MIXED] = name##_mixed,                         \
-	};
-
-LINE_FUNCTIONS(line_565, false)
-LINE_FUNCTIONS(line_8888, true)
-
-soft_thin_line_function soft_choose_thin_line(
-	const struct draw *draw, GLenum mode)
+bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft *soft = draw->soft;
 	GLfixed size = mode == GL_POINTS ? soft->fragment.point_size
 					 : soft->fragment.line_width;
 
-	if (mode > GL_LINE_STRIP || draw->smooth || draw->texture[0].used ||
-		draw->texture[1].used || spans->stenciled ||
-		spans->blended_last || spans->color_mask != UINT32_MAX ||
-		size >= WIDTH_TWO_Q16 || soft->fill || soft->counts) {
-		return NULL;
-	}
-	return (spans->pixel_log2 == 1 ? line_565 : line_8888)[spans->finish];
+	return mode <= GL_LINE_STRIP && !draw->smooth &&
+		!draw->texture[0].used && !draw->texture[1].used &&
+		!spans->stenciled && !spans->blended_last &&
+		spans->color_mask == UINT32_MAX && size < WIDTH_TWO_Q16 &&
+		!soft->fill && !soft->counts;
 }
 
 static bool is_in_box(const struct clip_box *box, int x, int y)
@@ -113,14 +53,16 @@ static bool is_in_box(const struct clip_box *box, int x, int y)
 		y < box->bottom;
 }
 
-static void step(struct walk *walk)
+static ALWAYS_INLINE void step(struct walk *walk)
 {
-	struct soft_thin_line *line = &walk->line;
-	bool across = line->error + line->add >= line->full;
-
-	line->error += line->add - (across ? line->full : 0);
-	walk->x += walk->along[0] + (across ? walk->across[0] : 0);
-	walk->y += walk->along[1] + (across ? walk->across[1] : 0);
+	walk->error += walk->add;
+	walk->x += walk->along[0];
+	walk->y += walk->along[1];
+	if (walk->error >= walk->full) {
+		walk->error -= walk->full;
+		walk->x += walk->across[0];
+		walk->y += walk->across[1];
+	}
 }
 
 /* Leaves the pixels that the box shows, which follow each other. */
@@ -179,9 +121,9 @@ static void find_pixels(
 		pixel += error < 0 ? -1 : 1;
 		error += error < 0 ? full : -full;
 	}
-	walk->line.error = (uint32_t)(up ? full - 1 - error : error);
-	walk->line.add = 16 * (uint32_t)(up ? -dv : dv);
-	walk->line.full = (uint32_t)full;
+	walk->error = (uint32_t)(up ? full - 1 - error : error);
+	walk->add = 16 * (uint32_t)(up ? -dv : dv);
+	walk->full = (uint32_t)full;
 	walk->skipped = 0;
 	walk->x = flat ? first : pixel;
 	walk->y = flat ? pixel : first;
@@ -194,21 +136,17 @@ static void find_pixels(
 static void place_line(const struct draw *draw, struct walk *walk)
 {
 	const struct buffers *buffers = &draw->soft->buffers;
-	const struct fragment_state *state = &draw->soft->fragment;
 	const int width = buffers->width, bytes = 1 << draw->spans.pixel_log2;
 	const int stride_bytes = buffers->target.stride_bytes;
-	struct soft_thin_line *line = &walk->line;
 
-	line->depth = buffers->depth + (ptrdiff_t)walk->y * width + walk->x;
-	line->pixel = pixel_at(&buffers->target, walk->x, walk->y);
-	line->depth_along = walk->along[0] + walk->along[1] * width;
-	line->depth_across = walk->across[0] + walk->across[1] * width;
-	line->pixel_along =
+	walk->depth = buffers->depth + (ptrdiff_t)walk->y * width + walk->x;
+	walk->pixel = pixel_at(&buffers->target, walk->x, walk->y);
+	walk->depth_along = walk->along[0] + walk->along[1] * width;
+	walk->depth_across = walk->across[0] + walk->across[1] * width;
+	walk->pixel_along =
 		walk->along[0] * bytes + walk->along[1] * stride_bytes;
-	line->pixel_across =
+	walk->pixel_across =
 		walk->across[0] * bytes + walk->across[1] * stride_bytes;
-	line->compares = state->depth_test ? state->depth_function : GL_ALWAYS;
-	line->writes_depth = state->depth_test && state->depth_mask;
 }
 
 static void find_inverse(struct walk *walk)
@@ -333,15 +271,83 @@ static void place_divided_colors(const struct line *values, int x, int count)
 	set_more_colors(spans, &from.colors);
 }
 
+static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
+	int count, const struct soft_kind kind)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const GLenum compares =
+		state->depth_test ? state->depth_function : GL_ALWAYS;
+	const bool writes_depth = state->depth_test && state->depth_mask;
+	const struct soft_run *run = &draw->spans.run;
+	/* No pixel lies in it, which the compiler cannot know. */
+	const struct soft_run own = {
+		.fog_right = run->fog_right, .stages = run->stages};
+	struct walk walk = *given;
+	struct soft_steps steps = soft_find_steps(run);
+	const struct soft_constants constants = soft_find_constants(&own, kind);
+	struct soft_pixel at = {.z = run->row.z,
+		.red_blue = run->row.red_blue,
+		.green_alpha = run->row.green_alpha,
+		.fog = run->row.fog};
+	uint16_t unwritten;
+
+	for (; count > 0; count--) {
+		if (soft_compares(compares, at.z >> 16, *walk.depth)) {
+			soft_shade_pixel(&own, NULL, kind, &constants, &at,
+				writes_depth ? walk.depth : &unwritten,
+				walk.pixel);
+		}
+		soft_step_pixel(&own, kind, &steps, &at);
+		walk.depth += walk.depth_along;
+		walk.pixel += walk.pixel_along;
+		walk.error += walk.add;
+		if (walk.error >= walk.full) {
+			walk.error -= walk.full;
+			walk.depth += walk.depth_across;
+			walk.pixel += walk.pixel_across;
+		}
+	}
+	given->depth = walk.depth;
+	given->pixel = walk.pixel;
+	given->error = walk.error;
+}
+
+/* The next pixels, whose values change linearly from the run's. */
+static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
+{
+	const bool wide = draw->spans.pixel_log2 == 2;
+
+#define CASE(its_finish)                                                      \
+	case its_finish:                                                      \
+		if (wide) {                                                   \
+			draw_kind(draw, walk, count,                          \
+				(struct soft_kind){                           \
+					.finish = its_finish, .wide = true}); \
+		} else {                                                      \
+			draw_kind(draw, walk, count,                          \
+				(struct soft_kind){.finish = its_finish});    \
+		}                                                             \
+		break;
+	switch (draw->spans.finish) {
+		CASE(SOFT_OPAQUE)
+		CASE(SOFT_TESTED)
+		CASE(SOFT_BLENDED)
+		CASE(SOFT_OPAQUE_FOG)
+		CASE(SOFT_TESTED_FOG)
+		CASE(SOFT_BLENDED_FOG)
+		CASE(SOFT_MIXED)
+	default: /* of two textures */
+		break;
+	}
+}
+
 /* Draws runs of pixels whose values change linearly. */
 static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 {
 	const struct line values = {.draw = draw};
 	const bool divided = draw->raster.colors_divided;
 	const int end = walk->skipped + walk->count;
-	const int most = !moving ? walk->count
-		: divided        ? DIVIDED_STEP
-				 : draw->spans.plain_pixels;
+	const int most = divided ? DIVIDED_STEP : draw->spans.plain_pixels;
 	struct soft_run *run = &draw->spans.run;
 
 	for (int x = walk->skipped; x < end; x += most) {
@@ -353,7 +359,7 @@ static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 			place_colors(&values, x, count);
 		}
 		run->row.z = (uint32_t)find_value(&values, DEPTH, x) << 6;
-		draw->thin_line(&walk->line, run, count);
+		draw_pixels(draw, walk, count);
 	}
 }
 

@@ -94,31 +94,34 @@ static void settle(const struct draw *draw, struct vertex *v)
 	soft_project(draw, v);
 }
 
-void soft_clip_triangle(struct draw *draw, struct vertex *const v[3])
+/* Cuts a polygon, or a line as one of two corners, at planes that it crosses. */
+static void cut_all(struct draw *draw, struct polygon *polygon, unsigned out)
 {
-	unsigned out = v[0]->outcode | v[1]->outcode | v[2]->outcode;
-	struct polygon polygon[2] = {{.count = 3}};
-	const struct polygon *result;
-	int turn = 0, used = 0;
+	struct polygon from;
+	int used = 0;
 
-	for (int i = 0; i < 3; i++) {
-		soft_shade(draw, v[i]);
-		polygon[0].corner[i] = v[i];
-	}
 	for (int plane = 0; plane < 6; plane++) {
 		if (out >> plane & 1) {
-			cut_polygon(draw, &polygon[turn], plane,
-				&polygon[!turn], &used);
-			turn = !turn;
+			from = *polygon;
+			cut_polygon(draw, &from, plane, polygon, &used);
 		}
 	}
-	result = &polygon[turn];
 	for (int i = 0; i < used; i++) {
 		settle(draw, &draw->clipped[i]);
 	}
-	for (int i = 1; i + 1 < result->count; i++) {
-		struct vertex *corners[3] = {result->corner[0],
-			result->corner[i], result->corner[i + 1]};
+}
+
+void soft_clip_triangle(struct draw *draw, struct vertex *const v[3])
+{
+	struct polygon polygon = {{v[0], v[1], v[2]}, 3};
+
+	for (int i = 0; i < 3; i++) {
+		soft_shade(draw, v[i]);
+	}
+	cut_all(draw, &polygon, v[0]->outcode | v[1]->outcode | v[2]->outcode);
+	for (int i = 1; i + 1 < polygon.count; i++) {
+		struct vertex *corners[3] = {polygon.corner[0],
+			polygon.corner[i], polygon.corner[i + 1]};
 
 		/* A corner of all zeros is inside of all planes. */
 		if (!(corners[0]->outcode | corners[1]->outcode |
@@ -130,28 +133,12 @@ void soft_clip_triangle(struct draw *draw, struct vertex *const v[3])
 
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b)
 {
-	unsigned out = a->outcode | b->outcode;
-	struct vertex *end[2] = {a, b};
-	int used = 0;
+	struct polygon line = {{a, b}, 2};
 
-	for (int plane = 0; plane < 6; plane++) {
-		bool in[2] = {distance(end[0], plane) >= 0,
-			distance(end[1], plane) >= 0};
-
-		if (!(out >> plane & 1) || (in[0] && in[1])) {
-			continue;
-		}
-		if (!in[0] && !in[1]) {
-			return;
-		}
-		cut_edge(draw, end[!in[0]], end[in[0]], plane,
-			&draw->clipped[used]);
-		end[in[0]] = &draw->clipped[used++];
-	}
-	for (int i = 0; i < used; i++) {
-		settle(draw, &draw->clipped[i]);
-	}
-	if (!(end[0]->outcode | end[1]->outcode)) {
-		soft_draw_line(draw, end[0], end[1]);
+	/* Cuts come twice, there and back: the first corners are the ends. */
+	cut_all(draw, &line, a->outcode | b->outcode);
+	if (line.count >= 2 &&
+		!(line.corner[0]->outcode | line.corner[1]->outcode)) {
+		soft_draw_line(draw, line.corner[0], line.corner[1]);
 	}
 }

@@ -266,7 +266,7 @@ struct draw {
 	struct shading shading;
 	struct dir_lights dir_lights;
 	struct spec_table spec_table[SPEC_TABLES];
-	int spec_table_next; /* to be made over */
+	unsigned spec_table_next; /* to be made over */
 	struct texture_input texture[SOFT_UNITS];
 	uint32_t attributes; /* bits of those that are interpolated */
 	/* fragments */
@@ -275,8 +275,8 @@ struct draw {
 	bool smooth; /* points or lines with soft edges */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
-	fill_function fill;                /* lists call that of fast_setup */
-	soft_thin_line_function thin_line; /* NULL: two triangles a line */
+	fill_function fill; /* lists call that of fast_setup */
+	bool thin_lines;    /* raster/thin_line.c draws lines and points */
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */

@@ -47,31 +47,12 @@ static void rotate_normal(const int32_t m_q28[9], bool any_length, int32_t n[3])
 	}
 }
 
-/* The highlight, which few light sources and materials have. */
-static void add_spec_table(const struct shading *shading,
-	const struct light_source *light_source, const int32_t n[3],
-	struct lit *lit)
-{
-	int32_t glance_q26 = dot_high(n, light_source->half_q28);
-	int32_t spec_table_q28;
-
-	if (glance_q26 <= 0) {
-		return;
-	}
-	spec_table_q28 =
-		soft_power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
-			shading->shininess_q16);
-	for (int i = 0; i < 3; i++) {
-		lit->specular[i] +=
-			mul_high(spec_table_q28, light_source->specular_q20[i]);
-	}
-}
-
 static ALWAYS_INLINE void add_directional(const struct shading *shading,
 	const struct light_source *light_source, const int32_t n[3],
 	struct lit *lit)
 {
 	int32_t towards_q26 = dot_high(n, light_source->towards_q28);
+	int32_t glance_q26, power_q28;
 
 	if (towards_q26 <= 0) {
 		return;
@@ -82,7 +63,17 @@ static ALWAYS_INLINE void add_directional(const struct shading *shading,
 	if (!light_source->specular) {
 		return;
 	}
-	add_spec_table(shading, light_source, n, lit);
+	glance_q26 = dot_high(n, light_source->half_q28);
+	if (glance_q26 <= 0) {
+		return;
+	}
+	power_q28 =
+		soft_power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
+			shading->shininess_q16);
+	for (int i = 0; i < 3; i++) {
+		lit->specular[i] +=
+			mul_high(power_q28, light_source->specular_q20[i]);
+	}
 }
 
 /* Its length in 16.16; the vector itself becomes Q28 of unit length. */

@@ -15,25 +15,34 @@ static int32_t find_size(GLfixed size, bool smooth)
 	return clamp_int(size_q4, 16, SOFT_WIDTH_MAX * 16);
 }
 
-static struct vertex *move(
-	struct vertex *out, const struct vertex *from, int32_t x, int32_t y)
+struct offset {
+	int32_t x, y; /* sixteenths */
+};
+
+/*
+ * Two triangles between two vertices: the first corner lies off the first one,
+ * the second one's further along, and the other side across from there.
+ */
+static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
+	const struct vertex *b, struct offset off, struct offset along,
+	struct offset across)
 {
-	*out = *from;
-	out->x = x;
-	out->y = y;
-	return out;
+	struct vertex corner[4] = {*a, *b, *a, *b};
+
+	for (int i = 0; i < 4; i++) {
+		corner[i].x +=
+			off.x + (i % 2 ? along.x : 0) + (i / 2 ? across.x : 0);
+		corner[i].y +=
+			off.y + (i % 2 ? along.y : 0) + (i / 2 ? across.y : 0);
+	}
+	soft_fill_quad(draw, corner);
 }
 
-static void fill_square(struct draw *draw, const struct vertex *v, int32_t left,
-	int32_t top, int size)
+static void fill_square(struct draw *draw, const struct vertex *v,
+	struct offset off, int32_t size)
 {
-	struct vertex corner[4];
-
-	move(&corner[0], v, left, top);
-	move(&corner[1], v, left + size, top);
-	move(&corner[2], v, left, top + size);
-	move(&corner[3], v, left + size, top + size);
-	soft_fill_quad(draw, corner);
+	fill_between(draw, v, v, off, (struct offset){size, 0},
+		(struct offset){0, size});
 }
 
 void soft_draw_point(struct draw *draw, struct vertex *v)
@@ -46,7 +55,7 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 	}
 	soft_shade(draw, v);
 	draw->provoking = v;
-	if (draw->thin_line) {
+	if (draw->thin_lines) {
 		soft_draw_thin_point(draw, v);
 		return;
 	}
@@ -57,13 +66,16 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 			.y = v->y,
 			.radius_q8 = size * 8,
 		};
-		fill_square(draw, v, v->x - size / 2 - 16, v->y - size / 2 - 16,
+		fill_square(draw, v,
+			(struct offset){-size / 2 - 16, -size / 2 - 16},
 			size + 32);
 		return;
 	}
 	/* GL's y runs upwards: a centre on a border is that of the pixel below. */
-	fill_square(draw, v, (v->x - half) & ~15,
-		((v->y + half + 15) & ~15) - size, size);
+	fill_square(draw, v,
+		(struct offset){((v->x - half) & ~15) - v->x,
+			((v->y + half + 15) & ~15) - size - v->y},
+		size);
 }
 
 /*
@@ -78,15 +90,9 @@ static void draw_sharp(struct draw *draw, const struct vertex *a,
 	int32_t dx = b->x - a->x, dy = b->y - a->y, half = width / 2;
 	bool flat = (dx < 0 ? -dx : dx) >= (dy < 0 ? -dy : dy);
 	int32_t x = flat ? dx < 0 : -half, y = flat ? 1 - half : dy < 0;
-	struct vertex corner[4];
 
-	move(&corner[0], a, a->x + x, a->y + y);
-	move(&corner[1], b, b->x + x, b->y + y);
-	x += flat ? 0 : width;
-	y += flat ? width : 0;
-	move(&corner[2], a, a->x + x, a->y + y);
-	move(&corner[3], b, b->x + x, b->y + y);
-	soft_fill_quad(draw, corner);
+	fill_between(draw, a, b, (struct offset){x, y}, (struct offset){0, 0},
+		(struct offset){flat ? 0 : width, flat ? width : 0});
 }
 
 /* A rectangle that reaches a pixel further than what coverage leaves of it. */
@@ -102,7 +108,6 @@ static void draw_smooth(struct draw *draw, const struct vertex *a,
 	int32_t v = (int32_t)((int64_t)dy * root.mantissa_q30 >> shift);
 	int32_t out = width / 2 + 16, x = u * 16 >> 14, y = v * 16 >> 14;
 	int32_t across_x = -v * out >> 14, across_y = u * out >> 14;
-	struct vertex corner[4];
 
 	draw->spans.coverage = (struct soft_coverage){
 		.used = true,
@@ -115,24 +120,25 @@ static void draw_smooth(struct draw *draw, const struct vertex *a,
 			(int32_t)(((int64_t)u * dx + (int64_t)v * dy) >> 11),
 		.half_width_q8 = width * 8,
 	};
-	move(&corner[0], a, a->x - x + across_x, a->y - y + across_y);
-	move(&corner[1], b, b->x + x + across_x, b->y + y + across_y);
-	move(&corner[2], a, a->x - x - across_x, a->y - y - across_y);
-	move(&corner[3], b, b->x + x - across_x, b->y + y - across_y);
-	soft_fill_quad(draw, corner);
+	fill_between(draw, a, b, (struct offset){across_x - x, across_y - y},
+		(struct offset){2 * x, 2 * y},
+		(struct offset){-2 * across_x, -2 * across_y});
 }
 
 void soft_draw_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
-	int32_t width = find_size(draw->soft->fragment.line_width, draw->smooth);
+	int32_t width;
 
 	if (a->x == b->x && a->y == b->y) {
 		return;
 	}
-	if (draw->thin_line) {
+	if (draw->thin_lines) {
 		soft_draw_thin_line(draw, a, b);
-	} else if (draw->smooth) {
+		return;
+	}
+	width = find_size(draw->soft->fragment.line_width, draw->smooth);
+	if (draw->smooth) {
 		draw_smooth(draw, a, b, width);
 	} else {
 		draw_sharp(draw, a, b, width);

@@ -374,7 +374,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 		draw->attributes &= ~(1u << ALPHA);
 	}
 	list_attributes(draw);
-	draw->thin_line = soft_choose_thin_line(draw, mode);
+	draw->thin_lines = soft_lines_are_thin(draw, mode);
 	path = soft_choose_path(draw);
 	draw->fill = soft->fill ? soft->fill : path->fill;
 	draw->divides = path->divides;

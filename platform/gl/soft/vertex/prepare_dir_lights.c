@@ -43,8 +43,7 @@ static const struct spec_table *find_spec_table(
 			return &spec_table[i];
 		}
 	}
-	spec_table += draw->spec_table_next;
-	draw->spec_table_next = (draw->spec_table_next + 1) % SPEC_TABLES;
+	spec_table += draw->spec_table_next++ % SPEC_TABLES;
 	make_spec_table(spec_table, shininess_q16);
 	return spec_table;
 }
@@ -128,7 +127,7 @@ static void prepare_dir_light(const struct light_source *from,
 		light_source->specular_q20[i] = from->specular_q20[i];
 	}
 	light_source->step = NULL;
-	if (from->specular) {
+	if (spec_table) {
 		light_source->least_q26 = spec_table->least_q26;
 		light_source->scale = spec_table->scale;
 		light_source->step = spec_table->step;
@@ -139,7 +138,6 @@ void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw)
 {
 	struct shading *shading = &draw->shading;
 	struct dir_lights *dir_lights = &draw->dir_lights;
-	const struct spec_table *spec_table = NULL;
 
 	shading->by_dir_lights =
 		takes_shading(shading) && takes_arrays(&soft->arrays, shading);
@@ -153,15 +151,13 @@ void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw)
 		dir_lights->emission_q16[i] = shading->emission_q16[i];
 	}
 	for (int i = 0; i < shading->light_source_count; i++) {
-		const struct light_source *light_source =
-			&shading->light_source[i];
+		const struct light_source *from = &shading->light_source[i];
 
-		if (light_source->specular && !spec_table) {
-			spec_table =
-				find_spec_table(draw, shading->shininess_q16);
-		}
-		prepare_dir_light(
-			light_source, spec_table, &dir_lights->dir_light[i]);
+		prepare_dir_light(from,
+			from->specular
+				? find_spec_table(draw, shading->shininess_q16)
+				: NULL,
+			&dir_lights->dir_light[i]);
 	}
 	dir_lights->end = dir_lights->dir_light + shading->light_source_count;
 }

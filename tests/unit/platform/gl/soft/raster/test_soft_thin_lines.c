@@ -167,7 +167,7 @@ static void check(enum pixel_format format)
 		struct span_scene *slow = draw(format, seed * 7919, true);
 		struct span_scene *fast = draw(format, seed * 7919, false);
 
-		assert_null(slow->soft->draw->thin_line);
+		assert_false(slow->soft->draw->thin_lines);
 		different += count_differences(fast, slow, empty, &drawn);
 		span_scene_close(fast);
 		span_scene_close(slow);

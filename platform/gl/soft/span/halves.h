@@ -62,18 +62,26 @@ static ALWAYS_INLINE uint32_t soft_shift_here(uint32_t word, int bits)
 }
 #define SHIFT_HERE(word, bits) soft_shift_here(word, bits)
 /*
- * The words at x bytes of a row and of the row below. What rows says is read
- * here, where registers are scarce.
+ * The words at x bytes of a row and of the row below, or two words of each.
+ * What rows says is read here, where registers are scarce.
  */
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, uint32_t word[2])
+	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])
 {
 	uint64_t pair;
 
 	__asm__ volatile("ldrd %Q0, %R0, %1" : "=&r"(pair) : "Uq"(*rows));
-	word[0] = x + row * (uint32_t)(pair >> 32);
-	__asm__ volatile("ldr %0, [%Q2, %0]!\n\tldr %1, [%Q2, %R2]"
-			 : "+&r"(word[0]), "=&r"(word[1]), "+&r"(pair));
+	above[0] = x + row * (uint32_t)(pair >> 32);
+	if (two) {
+		__asm__ volatile("ldr %0, [%Q4, %0]!\n\tldr %1, [%Q4, #4]\n\t"
+				 "ldr %2, [%Q4, %R4]!\n\tldr %3, [%Q4, #4]"
+				 : "+&r"(above[0]), "=&r"(above[1]),
+				 "=&r"(below[0]), "=&r"(below[1]), "+&r"(pair));
+	} else {
+		__asm__ volatile(
+			"ldr %0, [%Q2, %0]!\n\tldr %1, [%Q2, %R2]"
+			: "+&r"(above[0]), "=&r"(below[0]), "+&r"(pair));
+	}
 }
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
@@ -96,12 +104,12 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 }
 
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, uint32_t word[2])
+	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])
 {
 	const uint8_t *at = rows->first + (row * rows->stride + x);
 
-	memcpy(&word[0], at, sizeof(word[0]));
-	memcpy(&word[1], at + rows->stride, sizeof(word[1]));
+	memcpy(above, at, two ? 8 : 4);
+	memcpy(below, at + rows->stride, two ? 8 : 4);
 }
 
 #define UPPER_HALF(word)          ((word) >> 16)

@@ -65,7 +65,7 @@ struct draw;
 struct soft_row {
 	uint16_t *depth;
 	uint8_t *pixel;
-	uint32_t count; /* up to SOFT_RUN_PIXELS; of several runs 0 draws none */
+	uint32_t count; /* 1 to SOFT_RUN_PIXELS, see plain_pixels */
 	uint32_t z;
 	uint32_t red_blue; /* blue in the upper half */
 	uint32_t green_alpha;

@@ -250,34 +250,33 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	const uint32_t row = texel >> (16 + SOFT_TEXEL_FRACTION);
 	const uint32_t x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 		((SOFT_RUN_TEXELS - 1u) << bytes_log2);
-	uint32_t at = (row << run->stride_log2) + x;
-	const uint8_t *above, *below;
-	struct soft_weights weights;
-	uint32_t pair[2];
+	uint32_t above[2], below[2];
 
-	OPAQUE(at); /* else the sum takes two more registers */
-	above = run->first_texel + at;
-	below = above + (1u << run->stride_log2);
-	if (!kind.linear) {
-		soft_split_texel(kind, soft_load_texel(kind.format, above), out);
-		return;
+	if (!kind.linear || bytes_log2 == 0) {
+		uint32_t at = (row << run->stride_log2) + x;
+		const uint8_t *texel_at;
+
+		OPAQUE(at); /* else the sum takes two more registers */
+		texel_at = run->first_texel + at;
+		if (!kind.linear) {
+			soft_split_texel(kind,
+				soft_load_texel(kind.format, texel_at), out);
+			return;
+		}
+		above[0] = soft_load_pair(kind.format, texel_at);
+		below[0] = soft_load_pair(
+			kind.format, texel_at + (1u << run->stride_log2));
+	} else {
+		soft_load_rows(rows, row, x, bytes_log2 == 2, above, below);
 	}
 	if (kind.format == TEXEL_8888) {
-		const uint32_t a[2] = {load_32(above), load_32(above + 4)};
-		const uint32_t b[2] = {load_32(below), load_32(below + 4)};
-
-		soft_mix_green(kind, a, b, texel, texel >> 16, out);
+		soft_mix_green(kind, above, below, texel, texel >> 16, out);
 		return;
 	}
-	if (bytes_log2 == 1) {
-		soft_load_rows(rows, row, x, pair);
-	} else {
-		pair[0] = soft_load_pair(kind.format, above);
-		pair[1] = soft_load_pair(kind.format, below);
-	}
-	weights = soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
-		SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8));
-	soft_mix_pairs(kind, pair[0], pair[1], weights, out);
+	soft_mix_pairs(kind, above[0], below[0],
+		soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
+			SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8)),
+		out);
 }
 
 /* As coordinates repeat. */
@@ -297,21 +296,29 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 			out);
 		return;
 	}
-	next = (x + 1) & run->s_last;
 	y = (y + 1) & run->t_last;
 	below = run->texels + (y << run->stride_log2);
+	if (kind.format != TEXEL_8888) {
+		a[0] = soft_load_pair(kind.format, above + (x << bytes_log2));
+		b[0] = soft_load_pair(kind.format, below + (x << bytes_log2));
+		if (x == run->s_last) {
+			a[0] = (a[0] & 0xFFFF) |
+				soft_load_texel(kind.format, above) << 16;
+			b[0] = (b[0] & 0xFFFF) |
+				soft_load_texel(kind.format, below) << 16;
+		}
+		soft_mix_pairs(kind, a[0], b[0],
+			soft_weigh(s >> (SOFT_TEXEL_FRACTION - 5),
+				t >> (SOFT_TEXEL_FRACTION - 8)),
+			out);
+		return;
+	}
+	next = (x + 1) & run->s_last;
 	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
 	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));
 	b[0] = soft_load_texel(kind.format, below + (x << bytes_log2));
 	b[1] = soft_load_texel(kind.format, below + (next << bytes_log2));
-	if (kind.format == TEXEL_8888) {
-		soft_mix_green(kind, a, b, s, t, out);
-	} else {
-		soft_mix_pairs(kind, a[0] | a[1] << 16, b[0] | b[1] << 16,
-			soft_weigh(s >> (SOFT_TEXEL_FRACTION - 5),
-				t >> (SOFT_TEXEL_FRACTION - 8)),
-			out);
-	}
+	soft_mix_green(kind, a, b, s, t, out);
 }
 
 /* Mixes what waits for the fragment to pass. */

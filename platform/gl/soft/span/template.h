@@ -419,20 +419,18 @@ static ALWAYS_INLINE void soft_draw_rows(
 	struct soft_constants constants = soft_find_constants(run, kind);
 	struct soft_steps steps = soft_find_steps(run);
 	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
-	const struct soft_row *row = run->rows;
+	const struct soft_row *row = run->rows, *end = row + run->row_count;
 
 	if (kind.textured && !kind.inside) {
 		soft_draw_row(run, row, kind, &rows, &constants, &steps);
 		return;
 	}
-	for (const struct soft_row *end = row + run->row_count; row < end;
-		row++) {
+	for (; row < end; row++) {
 		const struct soft_row its = *row;
 
-		if (its.count > 0) {
-			soft_draw_row(
-				run, &its, kind, &rows, &constants, &steps);
-		}
+		KEEP_IN_MEMORY(end); /* Pixels need the registers. */
+		KEEP_IN_MEMORY(row);
+		soft_draw_row(run, &its, kind, &rows, &constants, &steps);
 	}
 }
 

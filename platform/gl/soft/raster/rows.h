@@ -112,8 +112,10 @@ static ALWAYS_INLINE int rows_find_spacing(
 
 	error >>= 12;
 	allowed = (allowed >> 11) * (uint32_t)(steps * steps);
-	while (spacing > PERSPECTIVE_STEP &&
-		error * (uint32_t)(spacing * spacing) > allowed) {
+	if (error * (24 * 24) > allowed) {
+		return PERSPECTIVE_STEP;
+	}
+	while (error * (uint32_t)(spacing * spacing) > allowed) {
 		spacing -= PERSPECTIVE_STEP / 2;
 	}
 	return spacing;

@@ -4,7 +4,7 @@
 
 enum {
 	/* Wrapping so many pixels takes no longer than two more runs. */
-	SHORT_PIXELS = 20,
+	SHORT_PIXELS = 26,
 };
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
@@ -53,14 +53,19 @@ static bool is_far(int32_t right, uint32_t room, uint32_t mask)
 	return mask == UINT32_MAX || raster_size(right) <= room / 32;
 }
 
-/* From a coordinate on, up to an edge; where close, only what is clamped. */
+/*
+ * From a coordinate on, up to an edge, of so many pixels; where close, only
+ * what is clamped is cut.
+ */
 static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
-	uint32_t room, uint32_t mask, uint32_t last, bool close)
+	uint32_t room, uint32_t mask, uint32_t last, bool close, uint32_t left)
 {
 	uint32_t at = (uint32_t)given & mask, step = raster_size(right);
 
-	if (close && mask != UINT32_MAX) {
-		return (struct stretch){SOFT_RUN_PIXELS, given, right, false};
+	if ((close && mask != UINT32_MAX) ||
+		(at < room && at + (uint32_t)right * (left - 1) < room)) {
+		return (struct stretch){
+			left, (int32_t)at, right, !close || mask == UINT32_MAX};
 	}
 	if (at < room) {
 		return (struct stretch){
@@ -84,8 +89,6 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->row.green_alpha += run->green_alpha_right * count;
 	run->row.fog += run->fog_right * count;
 	run->row.place += count;
-	run->s = (int32_t)((uint32_t)run->s + (uint32_t)run->s_right * count);
-	run->t = (int32_t)((uint32_t)run->t + (uint32_t)run->t_right * count);
 }
 
 static void set_coordinates(
@@ -112,26 +115,34 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const bool close = run->row.count <= SHORT_PIXELS ||
 		!is_far(run->s_right, window->s_room, window->s_mask) ||
 		!is_far(run->t_right, window->t_room, window->t_mask);
+	struct stretch own_s = {.at = run->s, .right = run->s_right};
+	struct stretch own_t = {.at = run->t, .right = run->t_right};
+	uint32_t left = run->row.count, count;
 
 	run->first_texel = run->texels;
-	for (uint32_t left = run->row.count; left > 0; left -= run->row.count) {
-		const struct stretch s = find_stretch(run->s, run->s_right,
-			window->s_room, window->s_mask, view->s_last, close);
-		const struct stretch t = find_stretch(run->t, run->t_right,
-			window->t_room, window->t_mask, view->t_last, close);
-		const struct stretch s_own = {.at = run->s,
-					     .right = run->s_right},
-				     t_own = {.at = run->t,
-					     .right = run->t_right};
+	for (;;) {
+		const struct stretch s =
+			find_stretch(own_s.at, own_s.right, window->s_room,
+				window->s_mask, view->s_last, close, left);
+		const struct stretch t =
+			find_stretch(own_t.at, own_t.right, window->t_room,
+				window->t_mask, view->t_last, close, left);
 
-		run->row.count = s.count < t.count ? s.count : t.count;
-		run->row.count = run->row.count < left ? run->row.count : left;
+		count = s.count < t.count ? s.count : t.count;
+		count = count < left ? count : left;
+		run->row.count = count;
 		set_coordinates(run, &s, &t);
 		function[s.inside && t.inside &&
 			soft_find_window(&all, view->texel_log2, run)](run);
-		set_coordinates(run, &s_own, &t_own);
-		advance(run, run->row.count, pixel_log2);
+		left -= count;
+		if (left == 0) {
+			break;
+		}
+		advance(run, count, pixel_log2);
+		own_s.at += own_s.right * (int32_t)count;
+		own_t.at += own_t.right * (int32_t)count;
 	}
+	set_coordinates(run, &own_s, &own_t);
 	run->first_texel = first_texel;
 }
 

@@ -57,34 +57,22 @@ static ALWAYS_INLINE void row_linear(
 	}
 }
 
-/* Draws a run that begins so many pixels behind a point. */
-static ALWAYS_INLINE void draw_behind(const struct line *line,
-	const struct walk_kind kind, int x, int count,
-	const struct row_point *from, const struct change *change, int past)
+/* Moves on by so many pixels. */
+static ALWAYS_INLINE void step_point(const struct walk_kind kind,
+	struct row_point *at, const struct change *change, int count)
 {
-	struct soft_spans *spans = &line->draw->spans;
-	const struct colors *c = &from->colors, *step = &change->colors;
+	struct colors *c = &at->colors;
+	const struct colors *step = &change->colors;
 
-	if (kind.textured) {
-		const struct texels at = {
-			step_by(from->texels.s, change->texels.s, past),
-			step_by(from->texels.t, change->texels.t, past)};
-
-		soft_set_texels(spans, at, change->texels, (uint32_t)count);
-	}
+	at->texels.s = step_by(at->texels.s, change->texels.s, count);
+	at->texels.t = step_by(at->texels.t, change->texels.t, count);
 	if (kind.colors_divided) {
-		const struct colors more = {
-			.alpha = step_by(c->alpha, step->alpha, past),
-			.fog = step_by(c->fog, step->fog, past)};
-
-		set_colors(spans, step_by(c->red, step->red, past),
-			step_by(c->green, step->green, past),
-			step_by(c->blue, step->blue, past));
-		set_more_colors(spans, &more);
-	} else if (kind.colored) {
-		place_colors(line, x, count);
+		*c = (struct colors){step_by(c->red, step->red, count),
+			step_by(c->green, step->green, count),
+			step_by(c->blue, step->blue, count),
+			step_by(c->alpha, step->alpha, count),
+			step_by(c->fog, step->fog, count)};
 	}
-	draw_run(line, kind, x, count);
 }
 
 /*
@@ -92,18 +80,36 @@ static ALWAYS_INLINE void draw_behind(const struct line *line,
  * steps apart.
  */
 static ALWAYS_INLINE void draw_between(const struct line *line,
-	const struct walk_kind kind, int left, int right,
+	const struct walk_kind kind, int x, int right,
 	const struct row_point *from, const struct row_point *to, int steps)
 {
+	struct soft_spans *spans = &line->draw->spans;
 	const struct change change = set_steps(line, kind, from, to, steps);
+	struct row_point at = *from;
 	const int most = kind.textured
 		? rows_find_run_pixels(
 			  line->draw, change.texels.s, change.texels.t)
-		: line->draw->spans.plain_pixels;
+		: spans->plain_pixels;
 
-	for (int x = left; x < right; x += most) {
-		draw_behind(line, kind, x, right - x < most ? right - x : most,
-			from, &change, x - left);
+	for (;; x += most) {
+		const int count = right - x < most ? right - x : most;
+
+		if (kind.textured) {
+			soft_set_texels(spans, at.texels, change.texels,
+				(uint32_t)count);
+		}
+		if (kind.colors_divided) {
+			set_colors(spans, at.colors.red, at.colors.green,
+				at.colors.blue);
+			set_more_colors(spans, &at.colors);
+		} else if (kind.colored) {
+			place_colors(line, x, count);
+		}
+		draw_run(line, kind, x, count);
+		if (right - x <= most) {
+			return;
+		}
+		step_point(kind, &at, &change, most);
 	}
 }
 

@@ -26,10 +26,9 @@ static struct along find_along(const struct span *span, int name, int log2,
 	bool repeats = mode == GL_REPEAT;
 
 	return (struct along){
-		.at = soft_texel_start((int32_t)span->value[name],
-			      soft_texel_rest(span->step[name], shift),
-			      span->count, shift) -
-			half,
+		.at = soft_find_start((int32_t)span->value[name],
+			span->step[name], (uint32_t)span->count >> 1,
+			soft_texel_step(span->step[name], shift), shift, half),
 		.step = soft_texel_step(span->step[name], shift),
 		.wrap = {repeats ? INT32_MIN : 0, repeats ? INT32_MAX : last,
 			(uint32_t)last},
@@ -80,12 +79,13 @@ static void sample_linear(const struct level *level, const struct along *s,
 	if (level->format == TEXEL_8888) {
 		struct soft_four four =
 			soft_weigh_8888(above, below, s_at, t_at, wide);
-		struct soft_lanes lanes = soft_mix_8888(&four, wide);
+		uint32_t red_blue = soft_mix_half(&four, false, wide);
+		uint32_t green_alpha = soft_mix_half(&four, true, wide);
 
-		out[0] = (uint8_t)lanes.red_blue;
-		out[1] = (uint8_t)lanes.green_alpha;
-		out[2] = (uint8_t)(lanes.red_blue >> 16);
-		out[3] = (uint8_t)(lanes.green_alpha >> 16);
+		out[0] = (uint8_t)red_blue;
+		out[1] = (uint8_t)green_alpha;
+		out[2] = (uint8_t)(red_blue >> 16);
+		out[3] = (uint8_t)(green_alpha >> 16);
 		return;
 	}
 	for (int i = 0; i < 4; i++) {

@@ -27,11 +27,6 @@ static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
 		14;
 }
 
-static int32_t size_of(int32_t value)
-{
-	return value < 0 ? -value : value;
-}
-
 /*
  * What is left out of a value that changes by spread along an edge: spread
  * ratio^2 / 5 at most. A quarter of a texel and a step of 255 are 256 / 4 and
@@ -40,9 +35,9 @@ static int32_t size_of(int32_t value)
 static bool is_exact(
 	const int32_t ratio[3], const struct perspective *perspective)
 {
-	uint32_t a = (uint32_t)size_of(ratio[0]);
-	uint32_t b = (uint32_t)size_of(ratio[1]);
-	uint32_t c = (uint32_t)size_of(ratio[2]), most = a > b ? a : b;
+	uint32_t a = raster_size(ratio[0]);
+	uint32_t b = raster_size(ratio[1]);
+	uint32_t c = raster_size(ratio[2]), most = a > b ? a : b;
 
 	most = c > most ? c : most;
 	most = most * most >> 16;
@@ -67,7 +62,7 @@ static bool find_products(const struct basis *basis, const struct setup *setup,
 		/* 2^18 more than sixteenths, as set_small_plane() scales */
 		int32_t high = mul_high(corner[i] * (1 << 18), basis->inverse);
 
-		if (size_of(high) >> (28 - basis->shift) != 0) {
+		if (raster_size(high) >> (28 - basis->shift) != 0) {
 			return false;
 		}
 		step[i] = high * (1 << basis->shift);

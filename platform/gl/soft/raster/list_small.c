@@ -8,7 +8,7 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/raster/small_colors.h"
-#include "platform/gl/soft/span/sample.h"
+#include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/stages/made.h"
 
@@ -162,26 +162,8 @@ static ALWAYS_INLINE void set_level(struct draw *draw,
 	}
 }
 
-/* Where a triangle's texels lie along one side of a level. */
-struct place {
-	int32_t low; /* the texel's edge that is below all of them */
-	uint32_t first, room;
-};
-
-static ALWAYS_INLINE struct place find_place(const struct frame_texels *texels,
-	int shift, int32_t half, int32_t spare, uint32_t mask)
-{
-	int32_t low = ((int32_t)((uint32_t)texels->low * 256) >> shift) - half -
-		spare;
-	int32_t high = ((int32_t)((uint32_t)texels->high * 256) >> shift) -
-		half + spare;
-
-	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
-	return (struct place){
-		low, (uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
-}
-
-static ALWAYS_INLINE bool is_within(const struct place *place, uint32_t room)
+static ALWAYS_INLINE bool is_within(
+	const struct texel_place *place, uint32_t room)
 {
 	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
 
@@ -195,7 +177,7 @@ static ALWAYS_INLINE bool is_within(const struct place *place, uint32_t room)
  * triangle.
  */
 static NEVER_INLINE void hold_beyond(struct small_coordinate *c,
-	struct place *place, uint32_t room, uint32_t last, int32_t half)
+	struct texel_place *place, uint32_t room, uint32_t last, int32_t half)
 {
 	int32_t at = 0;
 
@@ -207,7 +189,7 @@ static NEVER_INLINE void hold_beyond(struct small_coordinate *c,
 	} else if (place->low + (int32_t)place->room >= 0) {
 		return;
 	}
-	*place = (struct place){at, (uint32_t)at, 0};
+	*place = (struct texel_place){at, (uint32_t)at, 0};
 	c->value = (struct small_value){(uint32_t)(at + half) << c->shift, 0, 0};
 	c->bend = (struct bend){0};
 	c->level_right = 0;
@@ -261,7 +243,8 @@ static NEVER_INLINE bool begin_part(struct small_list *list,
  * extent.
  */
 static ALWAYS_INLINE bool is_certain(const struct small_list *list,
-	const struct setup *setup, const struct place *s, const struct place *t)
+	const struct setup *setup, const struct texel_place *s,
+	const struct texel_place *t)
 {
 	const struct soft_window *window = &list->draw->spans.view.window;
 	uint32_t room = s->room > t->room ? s->room : t->room;
@@ -287,16 +270,16 @@ static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 	struct draw *draw = list->draw;
 	const struct soft_view *view = &draw->spans.view;
 	const struct soft_window *window = &view->window;
-	struct place in_s, in_t;
+	struct texel_place in_s, in_t;
 	int32_t spare = draw->raster.bent ? SPARE_BENT : SPARE;
 
 	set_level(draw, &list->s.value, &list->t.value);
 	begin_coordinate(draw, TEX_S, view->s_shift, &list->s);
 	begin_coordinate(draw, TEX_S + 1, view->t_shift, &list->t);
-	in_s = find_place(
-		&s, view->s_shift, view->s_half, spare, window->s_mask);
-	in_t = find_place(
-		&t, view->t_shift, view->t_half, spare, window->t_mask);
+	in_s = soft_find_place(s.low, s.high, view->s_shift, view->s_half,
+		spare, window->s_mask);
+	in_t = soft_find_place(t.low, t.high, view->t_shift, view->t_half,
+		spare, window->t_mask);
 	if (window->s_mask == UINT32_MAX) {
 		hold_beyond(&list->s, &in_s, window->s_room, view->s_last,
 			view->s_half);

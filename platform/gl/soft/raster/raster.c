@@ -267,16 +267,11 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	}
 }
 
-static int32_t size_of(int32_t value)
-{
-	return value < 0 ? value == INT32_MIN ? INT32_MAX : -value : value;
-}
-
 int32_t soft_raster_offset_depth(const struct draw *draw,
 	const struct setup *setup, int32_t dx, int32_t dy)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
-	int32_t x = size_of(dx), y = size_of(dy);
+	const uint32_t x = raster_size(dx), y = raster_size(dy);
 	int64_t offset =
 		((int64_t)state->offset_factor * (x > y ? x : y) >> 16) +
 		(state->offset_units >> 6);

@@ -38,31 +38,6 @@ void soft_set_level(struct draw *draw, int lod)
 	}
 }
 
-/* The part of a window along one coordinate that a triangle needs. */
-struct part {
-	uint32_t low, room;
-};
-
-static ALWAYS_INLINE int32_t to_level(int32_t base_q8, int shift)
-{
-	/* Far outside of the texture it wraps, as the planes do. */
-	return (int32_t)((uint32_t)base_q8 * 256) >> shift;
-}
-
-/*
- * From the triangle's least and largest coordinate, in 1/256 of the base's
- * texels, and so much to spare.
- */
-static ALWAYS_INLINE struct part find_part(
-	const int32_t range[2], int shift, int32_t half, int32_t spare)
-{
-	int32_t low = to_level(range[0], shift) - half - spare;
-	int32_t high = to_level(range[1], shift) - half + spare;
-
-	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
-	return (struct part){(uint32_t)low, (uint32_t)high - (uint32_t)low};
-}
-
 /*
  * What of the window the triangle needs, with so much to spare, up to the
  * level's edges. False where no run can lie in it.
@@ -73,24 +48,24 @@ static bool find_window_part(
 	const struct soft_view *view = &spans->view;
 	const struct soft_window *whole = &view->window;
 	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
-	const struct part s = find_part(
-		raster->texel_range[0], view->s_shift, view->s_half, spare);
-	const struct part t = find_part(
-		raster->texel_range[1], view->t_shift, view->t_half, spare);
-	const uint32_t s_first = s.low & whole->s_mask;
-	const uint32_t t_first = t.low & whole->t_mask;
+	const struct texel_place s = soft_find_place(raster->texel_range[0][0],
+		raster->texel_range[0][1], view->s_shift, view->s_half, spare,
+		whole->s_mask);
+	const struct texel_place t = soft_find_place(raster->texel_range[1][0],
+		raster->texel_range[1][1], view->t_shift, view->t_half, spare,
+		whole->t_mask);
 
-	if (s.room >= most || t.room >= most || s_first >= whole->s_room ||
-		t_first >= whole->t_room) {
+	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
+		t.first >= whole->t_room) {
 		return false;
 	}
-	spans->part = (struct soft_window){s_first, t_first, whole->s_mask,
+	spans->part = (struct soft_window){s.first, t.first, whole->s_mask,
 		whole->t_mask, s.room, t.room, false};
-	spans->part_s = s.low;
-	spans->part_t = t.low;
+	spans->part_s = (uint32_t)s.low;
+	spans->part_t = (uint32_t)t.low;
 	spans->part_texel = view->texels +
-		(t_first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
-		(s_first >> SOFT_TEXEL_FRACTION << view->texel_log2);
+		(t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
+		(s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
 	return true;
 }
 
@@ -116,19 +91,19 @@ void soft_set_window(struct draw *draw)
 	struct soft_spans *spans = &draw->spans;
 	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
 
-	spans->certain = false;
 	spans->window = spans->view.window;
 	spans->run.first_texel = spans->run.texels;
-	if (find_window_part(spans, raster, raster->bent ? 8 * spare : spare) &&
-		!cut_part(spans)) {
-		spans->certain = true;
-	} else if (!find_window_part(spans, raster, spare)) {
-		spans->part = spans->window;
-		spans->part_texel = spans->run.texels;
-		spans->part_s = spans->part_t = 0;
-		return;
-	} else if (cut_part(spans)) {
-		return;
+	if (!find_window_part(spans, raster, raster->bent ? 8 * spare : spare) ||
+		cut_part(spans)) {
+		if (!find_window_part(spans, raster, spare)) {
+			spans->part = spans->window;
+			spans->part_texel = spans->run.texels;
+			spans->part_s = spans->part_t = 0;
+			return;
+		}
+		if (cut_part(spans)) {
+			return;
+		}
 	}
 	spans->window = spans->part;
 	spans->run.first_texel = spans->part_texel;

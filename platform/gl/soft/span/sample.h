@@ -202,13 +202,6 @@ static ALWAYS_INLINE uint32_t soft_mix_half(
 	return ODD_BYTES_AS_HALVES(sum);
 }
 
-static ALWAYS_INLINE struct soft_lanes soft_mix_8888(
-	const struct soft_four *four, bool wide)
-{
-	return (struct soft_lanes){soft_mix_half(four, false, wide),
-		soft_mix_half(four, true, wide)};
-}
-
 /* 255 times a channel of so many bits, of one texel. */
 static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
 {
@@ -251,20 +244,17 @@ static ALWAYS_INLINE int32_t soft_texel_step(int32_t step, int shift)
 	return (int32_t)((uint32_t)step + (1u << (shift - 1))) >> shift;
 }
 
-/* What a pixel's step loses by that. */
-static ALWAYS_INLINE int32_t soft_texel_rest(int32_t step, int shift)
+/*
+ * Where a run begins, so that its middle, half_count pixels on, is where it
+ * should be; right is the step in the level.
+ */
+static ALWAYS_INLINE int32_t soft_find_start(int32_t at, int32_t step,
+	uint32_t half_count, int32_t right, int shift, int32_t half_texel)
 {
-	return (int32_t)((uint32_t)step -
-		((uint32_t)soft_texel_step(step, shift) << shift));
-}
+	uint32_t middle = (uint32_t)at + (uint32_t)step * half_count;
 
-/* Where a run begins, so that its middle is where it should be. */
-static ALWAYS_INLINE int32_t soft_texel_start(
-	int32_t at, int32_t rest, int count, int shift)
-{
-	return (int32_t)((uint32_t)at +
-		       (uint32_t)rest * ((uint32_t)count >> 1)) >>
-		shift;
+	return (int32_t)((uint32_t)((int32_t)middle >> shift) -
+		(uint32_t)right * half_count - (uint32_t)half_texel);
 }
 
 #endif

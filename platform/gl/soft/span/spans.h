@@ -127,12 +127,10 @@ struct soft_spans {
 	/*
 	 * Where the texels of a small triangle's listed runs lie: all of the
 	 * window, or what of it the triangle needs, up to the level's edge.
-	 * Certain: all that the triangle needs lies there.
 	 */
 	struct soft_window part;
 	const uint8_t *part_texel; /* its first one */
 	uint32_t part_s, part_t;   /* its first coordinates, unless masked */
-	bool certain;
 	/* Texels are made beforehand, see made.h, or whole colours */
 	bool made, combined;
 	/* How made runs choose their level; NULL for all others. */

@@ -26,6 +26,27 @@ void soft_draw_across(struct soft_spans *spans);
 void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2);
 
+/* Where a triangle's texels lie along one side of a level. */
+struct texel_place {
+	int32_t low; /* the texel's edge that is below all of them */
+	uint32_t first, room;
+};
+
+/*
+ * From the triangle's least and largest coordinate, in 1/256 of the base's texels,
+ * and so much to spare. Far outside of the texture it wraps, as the planes do.
+ */
+static ALWAYS_INLINE struct texel_place soft_find_place(int32_t least,
+	int32_t most, int shift, int32_t half, int32_t spare, uint32_t mask)
+{
+	int32_t low = ((int32_t)((uint32_t)least * 256) >> shift) - half - spare;
+	int32_t high = ((int32_t)((uint32_t)most * 256) >> shift) - half + spare;
+
+	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
+	return (struct texel_place){
+		low, (uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
+}
+
 /* Sets a run's steps in the level, each the nearest. */
 static ALWAYS_INLINE void soft_set_texel_steps(
 	struct soft_spans *spans, struct texels step)
@@ -39,19 +60,6 @@ static ALWAYS_INLINE void soft_set_texel_steps(
 	run->t_right = soft_texel_step(step.t, spans->view.t_shift);
 	run->row.texel_right =
 		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
-}
-
-/*
- * Where a run of so many pixels begins, so that its middle is where it should
- * be: soft_texel_start() has the same bits.
- */
-static ALWAYS_INLINE int32_t soft_find_start(int32_t at, int32_t step,
-	uint32_t half_count, int32_t right, int shift, int32_t half_texel)
-{
-	uint32_t middle = (uint32_t)at + (uint32_t)step * half_count;
-
-	return (int32_t)((uint32_t)((int32_t)middle >> shift) -
-		(uint32_t)right * half_count - (uint32_t)half_texel);
 }
 
 static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,

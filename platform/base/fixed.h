@@ -5,6 +5,7 @@
 #define PLATFORM_BASE_FIXED_H
 
 #include <stdint.h>
+#include <string.h>
 
 typedef int32_t fx16_t; /* Q16.16: 65536 is 1.0 */
 
@@ -16,18 +17,17 @@ typedef int32_t fx16_t; /* Q16.16: 65536 is 1.0 */
  */
 static inline fx16_t fx16_from_float(float value)
 {
-	float scaled = value * 65536.0f;
+	uint32_t bits, half_bits;
+	float half;
 
-	if (scaled >= 2147483648.0f) {
-		return INT32_MAX;
+	/* Below 2^15, as the bits of 2^15 tell, without their signs. */
+	memcpy(&bits, &value, sizeof(bits));
+	if (bits << 1 < 0x8E000000) {
+		half_bits = (bits & 0x80000000) | 0x3F000000;
+		memcpy(&half, &half_bits, sizeof(half));
+		return (fx16_t)(value * 65536.0f + half);
 	}
-	if (scaled <= -2147483648.0f) {
-		return INT32_MIN;
-	}
-	if (scaled != scaled) {
-		return 0;
-	}
-	return (fx16_t)(scaled < 0 ? scaled - 0.5f : scaled + 0.5f);
+	return value != value ? 0 : value > 0.0f ? INT32_MAX : INT32_MIN;
 }
 
 static inline float fx16_to_float(fx16_t value)

@@ -5,6 +5,7 @@
 #include <assert.h>
 
 #include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/vertex/primitive.h"
 
 /* narrow.S and masked.S */
 static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3,
@@ -34,3 +35,17 @@ static_assert(offsetof(struct vertex, x) == 4, "");
 static_assert(offsetof(struct vertex, attribute) == 16, "");
 static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
 static_assert(offsetof(struct vertex, clip) == 64, "");
+
+/* list.S */
+static_assert(VERTEX_CACHE == 512, "CACHE_SLOTS");
+static_assert(sizeof(struct cache_tag) == 8, "a pair of registers");
+static_assert(offsetof(struct cache_tag, xy) == 4, "the second one");
+static_assert(sizeof(struct vertex) == 96, "twelve times the tag");
+static_assert(offsetof(struct vertex, y) == 8, "");
+static_assert(offsetof(struct source, indices) == 0, "");
+static_assert(TAG_OUTSIDE == (uint32_t)-2, "");
+static_assert(SMALL_EXTENT == 2047, "");
+static_assert(offsetof(struct fast_setup, cull_mask) ==
+		offsetof(struct fast_setup, cull_side) + 4,
+	"");
+static_assert(offsetof(struct draw, provoking) < 1 << 16, "two additions");

@@ -1,4 +1,5 @@
 /* DrawArrays and DrawElements: from indices to primitives. */
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/state/parameter.h"
 #include "platform/gl/soft/vertex/primitive.h"
@@ -101,7 +102,9 @@ static void draw_primitives(
 	bool listed = mode == GL_TRIANGLES && source->indices &&
 		source->type == GL_UNSIGNED_SHORT;
 
-	memset(draw->place, 0xFF, sizeof(draw->place));
+	/* No slot has a vertex: PLACE_EMPTY. */
+	soft_fill_pixels((uint16_t *)(void *)draw->place,
+		VERTEX_CACHE * (sizeof(struct cache_tag) / 2), UINT16_MAX);
 	if (draw->soft->counts) {
 		soft_count_call(draw, source, mode);
 		soft_prepare_fast_setup(draw);

@@ -308,7 +308,7 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 }
 
 /*
- * list.c: a triangle of vertices that lie in these slots of the cache, three,
+ * slots.c: a triangle of vertices that lie in these slots of the cache, three,
  * and all inside of the clip volume, while draw->packed.
  */
 void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);

@@ -79,9 +79,13 @@ void soft_find_vertices(struct draw *draw, const struct source *source,
 void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
+/* slots.c: one that lies in part outside of where fast_setup takes triangles. */
+void soft_draw_slots_other(
+	struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
+
 /*
- * list.c: triangles by 16-bit indices at an even address, while draw->packed;
- * does what soft_draw_triangle() does, faster.
+ * arm/list.S or portable/list.c: triangles by 16-bit indices at an even address,
+ * while draw->packed; does what soft_draw_triangle() does, in assembly faster.
  */
 void soft_list(struct draw *draw, const struct source *source);
 

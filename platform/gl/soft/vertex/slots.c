@@ -1,6 +1,6 @@
 /*
- * Lists of triangles by 16-bit indices: finds, culls and sets up a triangle in
- * one loop as long as all of its vertices are in the cache and on the screen.
+ * Triangles of vertices that are in the cache and on the screen: culls one and
+ * sets it up in one place. arm/list.S does the same for lists with indices.
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
@@ -9,41 +9,6 @@
 struct corners {
 	uint32_t a, b, c;
 };
-
-static ALWAYS_INLINE bool are_there(const struct cache_tag *place,
-	const struct corners *slot, const uint16_t index[3])
-{
-	return place[slot->a].tag == index[0] &&
-		place[slot->b].tag == index[1] && place[slot->c].tag == index[2];
-}
-
-/* A vertex into its slot, unless it is there, outside of the clip volume. */
-static NEVER_INLINE void load_corner(
-	struct draw *draw, uint32_t slot, uint32_t index)
-{
-	if (draw->fast_setup.place[slot].tag != TAG_OUTSIDE ||
-		draw->fast_setup.cache[slot].index != index) {
-		load_slot(draw, slot, index, true);
-	}
-}
-
-/* False where one lies outside, or two share a slot. */
-static ALWAYS_INLINE bool load_corners(
-	struct draw *draw, const struct corners *slot, const uint16_t index[3])
-{
-	const struct cache_tag *place = draw->place;
-
-	if (place[slot->a].tag != index[0]) {
-		load_corner(draw, slot->a, index[0]);
-	}
-	if (place[slot->b].tag != index[1]) {
-		load_corner(draw, slot->b, index[1]);
-	}
-	if (place[slot->c].tag != index[2]) {
-		load_corner(draw, slot->c, index[2]);
-	}
-	return are_there(place, slot, index);
-}
 
 /*
  * Rows, columns and size of corners as struct cache_tag has them. False where
@@ -92,30 +57,28 @@ static ALWAYS_INLINE void sort_corners(struct vertex *cache,
 	setup->middle = (int)((setup->xy[1] + (7 << 16)) >> 20);
 }
 
-/* Its index is that of the list, or the vertex' own where there is none. */
 static ALWAYS_INLINE void shade_corner(
-	const struct draw *draw, struct vertex *vertex, const uint16_t *index)
+	const struct draw *draw, struct vertex *vertex)
 {
 	if (!vertex->shaded) {
-		soft_shade_vertex(draw, vertex, index ? *index : vertex->index);
+		soft_shade_vertex(draw, vertex, vertex->index);
 	}
 }
 
 static ALWAYS_INLINE void shade_corners(const struct draw *draw,
-	struct vertex *cache, const struct corners *slot, const uint16_t *index)
+	struct vertex *cache, const struct corners *slot)
 {
 	struct vertex *a = cache + slot->a, *b = cache + slot->b;
 	struct vertex *c = cache + slot->c;
 
 	if (!(a->shaded & b->shaded & c->shaded)) {
-		shade_corner(draw, a, index);
-		shade_corner(draw, b, index ? index + 1 : NULL);
-		shade_corner(draw, c, index ? index + 2 : NULL);
+		shade_corner(draw, a);
+		shade_corner(draw, b);
+		shade_corner(draw, c);
 	}
 }
 
-static NEVER_INLINE void draw_slots_other(
-	struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
+void soft_draw_slots_other(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
 {
 	struct vertex *v[3] = {
 		draw->cache + a, draw->cache + b, draw->cache + c};
@@ -130,10 +93,8 @@ static ALWAYS_INLINE int32_t twice_area(const uint32_t xy[3])
 		subtract_halves(xy[1], xy[0]), subtract_halves(xy[2], xy[0]));
 }
 
-/* Of a list with indices, or NULL. */
 static ALWAYS_INLINE void draw_seen(struct draw *draw,
-	const struct corners *slot, const uint16_t *index, const uint32_t xy[3],
-	int32_t twice)
+	const struct corners *slot, const uint32_t xy[3], int32_t twice)
 {
 	const struct fast_setup *fast_setup = &draw->fast_setup;
 	struct setup setup;
@@ -143,7 +104,7 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw,
 		return;
 	}
 	if (!all) {
-		draw_slots_other(draw, slot->a, slot->b, slot->c);
+		soft_draw_slots_other(draw, slot->a, slot->b, slot->c);
 		return;
 	}
 	sort_corners(fast_setup->cache, slot, xy, &setup);
@@ -154,40 +115,9 @@ static ALWAYS_INLINE void draw_seen(struct draw *draw,
 	setup.back = ((uint32_t)twice >> 31) ^ fast_setup->back_flip;
 	setup.area = (uint32_t)(twice < 0 ? -twice : twice);
 	if (fast_setup->attributes) {
-		shade_corners(draw, fast_setup->cache, slot, index);
+		shade_corners(draw, fast_setup->cache, slot);
 	}
 	fast_setup->fill(draw, &setup);
-}
-
-void soft_list(struct draw *draw, const struct source *source)
-{
-	const uint16_t *first = (const uint16_t *)(const void *)source->indices;
-	const uint16_t *index = first, *end = index + source->count / 3 * 3;
-	const struct cache_tag *place = draw->place;
-	const uint32_t side = draw->fast_setup.cull_side;
-	const uint32_t mask = draw->fast_setup.cull_mask;
-
-	for (; index != end; index += 3) {
-		const struct corners slot = {index[0] % VERTEX_CACHE,
-			index[1] % VERTEX_CACHE, index[2] % VERTEX_CACHE};
-		uint32_t xy[3];
-		int32_t twice;
-
-		if (!are_there(place, &slot, index) &&
-			!load_corners(draw, &slot, index)) {
-			uint32_t at = (uint32_t)(index - first);
-
-			soft_draw_triangle(draw, source, at, at + 1, at + 2);
-			continue;
-		}
-		xy[0] = place[slot.a].xy;
-		xy[1] = place[slot.b].xy;
-		xy[2] = place[slot.c].xy;
-		twice = twice_area(xy);
-		if (twice != 0 && (((uint32_t)twice ^ side) & mask) == 0) {
-			draw_seen(draw, &slot, index, xy, twice);
-		}
-	}
 }
 
 void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
@@ -201,6 +131,6 @@ void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
 	if (twice != 0 &&
 		(((uint32_t)twice ^ fast_setup->cull_side) &
 			fast_setup->cull_mask) == 0) {
-		draw_seen(draw, &slot, NULL, xy, twice);
+		draw_seen(draw, &slot, xy, twice);
 	}
 }

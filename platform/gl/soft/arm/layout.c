@@ -4,6 +4,7 @@
  */
 #include <assert.h>
 
+#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
@@ -49,3 +50,18 @@ static_assert(offsetof(struct fast_setup, cull_mask) ==
 		offsetof(struct fast_setup, cull_side) + 4,
 	"");
 static_assert(offsetof(struct draw, provoking) < 1 << 16, "two additions");
+
+/* tint.S */
+static_assert(offsetof(struct tint_band, row.green) == 16, "five registers");
+static_assert(offsetof(struct tint_band, down) == 20, "DOWN");
+static_assert(offsetof(struct tint_band, edge) == 40, "EDGE");
+static_assert(offsetof(struct tint_band, edge_step) == 48, "");
+static_assert(offsetof(struct tint_band, rows) == 40 + 16, "ROWS");
+static_assert(offsetof(struct tint_band, z_right) == 60, "RIGHT");
+static_assert(offsetof(struct tint_band, green_right) == 72, "");
+static_assert(offsetof(struct tint_band, texel_mask) == 60 + 16, "MASK");
+static_assert(offsetof(struct tint_band, texel_shift) == 60 + 20, "SHIFT");
+static_assert(offsetof(struct tint_band, texels) == 60 + 24, "TEXELS");
+static_assert(offsetof(struct tint_band, stride_bytes) == 60 + 28, "STRIDE");
+static_assert(offsetof(struct tint_band, pixels) == 60 + 32, "PIXELS");
+static_assert(TINT_NEXT == 0x1000100, "in two additions");

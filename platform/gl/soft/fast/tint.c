@@ -23,8 +23,7 @@ static ALWAYS_INLINE const uint8_t *find_texel(
 	return band->texels + 2 * index;
 }
 
-/* The pairs above and below where one lies across the edge of the level. */
-static NEVER_INLINE void load_across(
+void soft_tint_across(
 	const struct tint_band *band, uint32_t at, uint32_t pair[2])
 {
 	const uint32_t mask = band->texel_mask;
@@ -56,7 +55,7 @@ static ALWAYS_INLINE struct channels load_linear(
 	uint32_t pair[2], a, b;
 
 	if (beyond < at || (beyond & ~band->texel_mask)) {
-		load_across(band, at, pair);
+		soft_tint_across(band, at, pair);
 		a = pair[0];
 		b = pair[1];
 	} else {
@@ -120,7 +119,7 @@ static NEVER_INLINE void draw_row(
 	} while ((int32_t)at.green >= 0);
 }
 
-void soft_band_tint(struct tint_band *band)
+void soft_band_tint_c(struct tint_band *band)
 {
 	do {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;

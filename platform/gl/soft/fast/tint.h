@@ -53,6 +53,11 @@ struct tint_band {
 };
 
 /* As soft_band_texture(), with at least one row. */
+void soft_band_tint_c(struct tint_band *band);
+/* arm/tint.S or portable/tint.c: the same. */
 void soft_band_tint(struct tint_band *band);
+/* The pairs above and below where one lies across the edge of the level. */
+void soft_tint_across(
+	const struct tint_band *band, uint32_t at, uint32_t pair[2]);
 
 #endif

@@ -1,5 +1,6 @@
 /* The soft driver's rows in assembly against the same in C. */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/twins.h"
@@ -56,6 +57,54 @@ static void test_the_texture_band_is_as_in_c(void **state)
 	}
 }
 
+/* Of 64 x 32 texels; green does not run into the count above it. */
+static void test_the_tinted_band_is_as_in_c(void **state)
+{
+	uint8_t texels[2 * (64 * 33 + 1)];
+	uint32_t seed = 3;
+
+	(void)state;
+	twins_need_assembly();
+	for (size_t i = 0; i < sizeof(texels); i++) {
+		texels[i] = (uint8_t)next_random(&seed);
+	}
+	for (int round = 0; round < 500; round++) {
+		struct twins *twins = twins_make(&seed);
+		struct tint_band band = {
+			.row = {0, any_word(&seed), any_word(&seed),
+				any_word(&seed) & 0x7FFF7FFF,
+				any_word(&seed) & 0x3FFF},
+			.down = {2 * TWINS_SIDE, any_word(&seed),
+				any_word(&seed), any_word(&seed) & 0x7F007F,
+				any_word(&seed) & 0x7F},
+			.z_right = any_word(&seed) >> 6,
+			.texel_right =
+				any_word(&seed) >> random_between(&seed, 0, 20),
+			.red_blue_right = any_word(&seed) & 0xFF00FF,
+			.green_right = (any_word(&seed) & 0xFF) - 0x10000,
+			.texels = texels,
+			.texel_mask = 31u << 24 | 63u << 8,
+			.texel_shift = 24 - 6,
+			.stride_bytes = 2 * 64,
+			.rows = random_between(&seed, 1, TWINS_ROWS),
+		};
+		struct tint_band other;
+
+		make_edges(&seed, band.edge, band.edge_step);
+		other = band;
+		twins_place(twins, 0, &band.row.depth, &band.pixels);
+		twins_place(twins, 1, &other.row.depth, &other.pixels);
+		soft_band_tint(&band);
+		soft_band_tint_c(&other);
+		assert_int_equal(band.row.texel, other.row.texel);
+		assert_int_equal(band.row.green, other.row.green);
+		assert_int_equal(band.edge[0], other.edge[0]);
+		assert_int_equal(band.edge[1], other.edge[1]);
+		assert_int_equal(band.rows, 0);
+		twins_check(twins);
+	}
+}
+
 static void test_fills_end_where_they_should(void **state)
 {
 	(void)state;
@@ -78,6 +127,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_texture_band_is_as_in_c),
+		cmocka_unit_test(test_the_tinted_band_is_as_in_c),
 		cmocka_unit_test(test_fills_end_where_they_should),
 	};
 

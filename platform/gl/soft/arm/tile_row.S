@@ -1,7 +1,7 @@
 /*
  * tile_row.c for ARMv6: the same bytes. Offsets are those of struct tile_run.
- * A pixel of its own costs 23 instructions, 12 from fine, those in a patch 46,
- * or 57, and 3 for eight of them.
+ * A pixel of its own costs 23 instructions, two from fine 12, those in a patch
+ * 45, or 60, and 3 for eight of them.
  */
 #include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
@@ -10,10 +10,11 @@
 	.text
 
 /*
- * Pixels in the patch of quad r12, this one and those that are inside as well;
+ * Pixels in the patch of quad r12, this one and those that are inside as well,
+ * one or two a step;
  * r2, r7, r8, r11, r12, lr are lost. The run's address is at sp + 12.
  */
-	.macro	fill_patch
+	.macro	fill_patch by_two
 	ldr	lr, [sp, #12]
 	uxtb	r11, r12, ror #8
 	uxtb	r12, r12
@@ -22,7 +23,6 @@
 	ldr	r12, [r9, r12, lsl #3]
 	ldr	r2, [r2, r11, lsl #4]
 	ldr	r7, [r7, r11, lsl #4]
-	pkhbt	r12, r12, r12, lsl #16
 	sub	r2, r2, r3, lsl r10
 	sub	r7, r7, r4, lsl r10
 	eor	r2, r2, r5, asr #31
@@ -31,11 +31,23 @@
 	umull	r11, r7, lr, r7
 	cmp	r2, r7
 	movhi	r2, r7
+	.if	\by_two
+	add	r11, r1, #1
+	mov	r11, r11, lsr #1
+	cmp	r2, r11
+	subhs	r2, r11, #1
+	.else
 	cmp	r2, r1
 	subhs	r2, r1, #1
+	.endif
 	add	r2, r2, #1
 	mla	r3, r2, r5, r3
 	mla	r4, r2, r6, r4
+	.if	\by_two
+	mov	r2, r2, lsl #1
+	cmp	r2, r1
+	movhi	r2, r1
+	.endif
 	sub	r1, r1, r2
 	tst	r0, #2
 	strhne	r12, [r0], #2
@@ -102,7 +114,7 @@ soft_tile_row:
 
 .Lpatch:
 	push	{r2, r7, r8}
-	fill_patch
+	fill_patch 0
 	pop	{r2, r7, r8}
 	cmp	r1, #0
 	bne	.Lpixel
@@ -136,9 +148,10 @@ soft_tile_fine:
 	cmp	r12, #255
 	beq	.Lwithin
 	ldr	r12, [r9, r12, lsl #2]
-	subs	r1, r1, #1
-	strh	r12, [r0], #2
-	bne	.Lplace
+	subs	r1, r1, #2
+	strpl	r12, [r0], #4
+	bgt	.Lplace
+	strhmi	r12, [r0]
 	pop	{r0, r4-r11, pc}
 
 	/* the quad, whose index has neither's lower two bits */
@@ -155,7 +168,7 @@ soft_tile_fine:
 	and	r7, r7, r3, lsr #16
 	add	r12, r7, r8, lsl lr
 	ldr	r12, [r2, r12, lsl #2]
-	fill_patch
+	fill_patch 1
 	pop	{r2, r7, r8}
 	sub	r10, r10, #4
 	cmp	r1, #0

@@ -96,22 +96,20 @@ static void set_level(struct draw *draw, int lod)
 	const struct level *level = &draw->texture[0].texture->level[number];
 	/* The base may be seen from so near that its places show. */
 	const bool fine = number > 0 && level->tiles->fine;
+	const bool square = level->width_log2 == level->height_log2;
 
 	if (number == tiled->level) {
 		return;
 	}
 	tiled->level = number;
-	tiled->patch = level->tiles->patch;
+	tiled->tiles = level->tiles;
 	tiled->run.quads = level->tiles->quad;
 	tiled->run.fine = fine ? level->tiles->fine : NULL;
 	tiled->run.width_log2 = level->width_log2;
 	tiled->run.height_log2 = level->height_log2;
 	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
-	if (level->width_log2 == level->height_log2) {
-		tiled->draw = fine ? soft_tile_fine : soft_tile_row;
-	} else {
-		tiled->draw = fine ? soft_tile_fine_c : soft_tile_row_c;
-	}
+	tiled->draw[0] = square ? soft_tile_row : soft_tile_row_c;
+	tiled->draw[1] = square ? soft_tile_fine : soft_tile_fine_c;
 }
 
 /* So many that one share is less than a step off for each, or as will do. */
@@ -126,6 +124,16 @@ static int share_pixels(int32_t alpha_right)
 	return count;
 }
 
+/* Of the middle of so many pixels. */
+static uint32_t find_share(
+	const struct tiled *tiled, uint32_t from, uint32_t count)
+{
+	uint32_t middle = tiled->alpha +
+		(uint32_t)tiled->alpha_right * (from + count / 2);
+
+	return (middle + SHARE_ROUND) >> 19;
+}
+
 /* Mixes what is shaded into the picture, with one alpha for as many as will do. */
 static void blend(const struct tiled *tiled, const uint16_t *shaded)
 {
@@ -133,17 +141,13 @@ static void blend(const struct tiled *tiled, const uint16_t *shaded)
 	int most = share_pixels(tiled->alpha_right), count;
 
 	for (int i = 0; i < tiled->run.count; i += count) {
-		uint32_t middle;
-
 		count = tiled->run.count - i;
 		if ((uint64_t)size * (uint32_t)count >= SHARE_STEP &&
 			count > most) {
 			count = most;
 		}
-		middle = tiled->alpha +
-			(uint32_t)tiled->alpha_right * (uint32_t)(i + count / 2);
 		soft_mix_pixels(tiled->pixel + i, shaded + i, count,
-			(middle + SHARE_ROUND) >> 19);
+			find_share(tiled, (uint32_t)i, (uint32_t)count));
 	}
 }
 
@@ -202,6 +206,49 @@ static NEVER_INLINE void make_gray(
 	}
 }
 
+/* The shades that the level has, each mixed into a pixel by a share. */
+static NEVER_INLINE void make_mixed(
+	struct draw *draw, uint16_t pixel, uint32_t share)
+{
+	struct tiled *tiled = &draw->tiled;
+	const uint32_t made_of =
+		pixel | share << 16 | (uint32_t)(tiled->level + 1) << 24;
+	const uint32_t there = widen(pixel);
+
+	if (tiled->mixed == made_of) {
+		return;
+	}
+	for (uint32_t i = tiled->tiles->low; i <= tiled->tiles->high; i++) {
+		draw->mixed[i] = twice_565(narrow(mix_wide(
+			there, widen((uint16_t)draw->shade[i]), share)));
+	}
+	tiled->mixed = made_of;
+}
+
+/*
+ * Draws what is blended at once where it has one alpha and all that is there is
+ * one colour, as in a row of a sky; else returns false.
+ */
+static bool draw_mixed(struct draw *draw)
+{
+	struct tiled *tiled = &draw->tiled;
+	const int count = tiled->run.count;
+
+	if (tiled->by_share ||
+		4 * (tiled->tiles->high - tiled->tiles->low) > count ||
+		(uint64_t)size_of(tiled->alpha_right) * (uint32_t)count >=
+			SHARE_STEP ||
+		!soft_is_one_color(tiled->pixel, count)) {
+		return false;
+	}
+	make_mixed(draw, *tiled->pixel, find_share(tiled, 0, (uint32_t)count));
+	tiled->run.pixel = tiled->pixel;
+	tiled->run.shade = draw->mixed;
+	tiled->draw[tiled->by_two](&tiled->run);
+	tiled->run.shade = draw->shade;
+	return true;
+}
+
 static ALWAYS_INLINE void draw_visible(struct draw *draw)
 {
 	struct tiled *tiled = &draw->tiled;
@@ -209,11 +256,14 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 	/* Words lie in one as they do in the other. */
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
-	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
-	if (tiled->run.fine && draw->soft->counts) {
+	if (tiled->by_two && draw->soft->counts) {
 		soft_count_fine(draw, tiled->run.count);
 	}
-	tiled->draw(&tiled->run);
+	if (draw->blended && draw_mixed(draw)) {
+		return;
+	}
+	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
+	tiled->draw[tiled->by_two](&tiled->run);
 	if (tiled->by_share) {
 		make_gray(draw, aside, draw->blended ? aside : pixel);
 	}
@@ -226,10 +276,11 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 static void move_on(struct tiled *tiled, int pixels)
 {
 	uint32_t n = (uint32_t)pixels;
+	int each = tiled->by_two ? 2 : 1;
 
 	tiled->pixel += pixels;
-	tiled->run.s += (uint32_t)tiled->run.s_right * n;
-	tiled->run.t += (uint32_t)tiled->run.t_right * n;
+	tiled->run.s += (uint32_t)(tiled->run.s_right / each) * n;
+	tiled->run.t += (uint32_t)(tiled->run.t_right / each) * n;
 	tiled->alpha += (uint32_t)tiled->alpha_right * n;
 	tiled->share += (uint32_t)tiled->share_right * n;
 }
@@ -269,6 +320,22 @@ static int32_t find_alpha_right(const struct soft_run *run)
 	return (int32_t)((right + 0x8000) & 0xFFFF0000) >> 7;
 }
 
+/* Two pixels a step, each half a pixel from where its place is found. */
+static ALWAYS_INLINE void step_by_two(struct tiled *tiled)
+{
+	struct tile_run *run = &tiled->run;
+	const uint32_t most = tiled->tiles->by_two_most;
+
+	tiled->by_two = run->fine && size_of(run->s_right) <= most &&
+		size_of(run->t_right) <= most;
+	if (tiled->by_two) {
+		run->s += (uint32_t)(run->s_right >> 1);
+		run->t += (uint32_t)(run->t_right >> 1);
+		run->s_right *= 2;
+		run->t_right *= 2;
+	}
+}
+
 /* Texels of the level from those of the base, 16.16. */
 static ALWAYS_INLINE void set_texels(
 	struct tiled *tiled, const struct soft_made_at *at)
@@ -280,8 +347,9 @@ static ALWAYS_INLINE void set_texels(
 	run->t = (uint32_t)(at->t >> level) - 0x8000;
 	run->s_right = at->s_step >> level;
 	run->t_right = at->t_step >> level;
-	run->s_end = &tiled->patch->s[run->s_right >= 0];
-	run->t_end = &tiled->patch->t[run->t_right >= 0];
+	step_by_two(tiled);
+	run->s_end = &tiled->tiles->patch->s[run->s_right >= 0];
+	run->t_end = &tiled->tiles->patch->t[run->t_right >= 0];
 	run->s_pixels = soft_tile_pixels(run->s_right, run->width_log2);
 	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
 }
@@ -332,7 +400,7 @@ static void make_shades(struct draw *draw, const uint32_t color[3])
 					     32896) >>
 				16);
 		}
-		draw->shade[i] = pack_565(c[0], c[1], c[2]);
+		draw->shade[i] = twice_565(pack_565(c[0], c[1], c[2]));
 	}
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
@@ -384,7 +452,7 @@ void soft_luminance_init(struct draw *draw)
 {
 	draw->shade_color[0] = UINT32_MAX; /* no colour */
 	for (uint32_t i = 0; i < 255; i++) {
-		draw->luminance[i] = luminance_of(i);
+		draw->luminance[i] = twice_565(luminance_of(i));
 	}
 	for (int i = 0; i < 256; i++) {
 		draw->gray[i] = pack_565(i, i, i);
@@ -405,6 +473,7 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->scales = bytes;
 	spans->draw = draw_run;
 	draw->tiled.level = -1;
+	draw->tiled.mixed = 0;
 	soft_walk_rows(draw, setup);
 	spans->made = false;
 	spans->set_level = NULL;

@@ -24,7 +24,7 @@ static ALWAYS_INLINE uint32_t load_fine(
 	return run->fine[(row << (run->width_log2 + 2)) + column];
 }
 
-/* How many pixels further a coordinate stays before its end. */
+/* How many steps further a coordinate stays before its end. */
 static ALWAYS_INLINE uint32_t room(
 	uint32_t end, uint32_t at, int32_t step, uint32_t pixels)
 {
@@ -50,27 +50,29 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 
 static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 {
+	const int each = fine ? 2 : 1; /* pixels of a step */
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t;
 
 	for (int left = run->count; left > 0;) {
-		uint32_t quad = load_quad(run, s, t);
-		int count = 1;
+		uint32_t quad = load_quad(run, s, t), place;
+		int steps = 1, count;
 
 		if (quad & QUAD_PATCH) {
-			count = count_patch(run, quad, s, t, left);
-			soft_fill_pixels(pixel, count,
-				(uint16_t)run->shade[2 * quad_luminance(quad)]);
+			steps = count_patch(
+				run, quad, s, t, (left + each - 1) / each);
+			place = 2 * quad_luminance(quad);
 		} else {
-			*pixel = (uint16_t)run->shade[fine
-					? load_fine(run, s, t)
-					: quad_mix(quad, s >> 8 & 255,
-						  t >> 8 & 255)];
+			place = fine
+				? load_fine(run, s, t)
+				: quad_mix(quad, s >> 8 & 255, t >> 8 & 255);
 		}
+		count = steps * each < left ? steps * each : left;
+		soft_fill_pixels(pixel, count, (uint16_t)run->shade[place]);
 		pixel += count;
 		left -= count;
-		s += (uint32_t)run->s_right * (uint32_t)count;
-		t += (uint32_t)run->t_right * (uint32_t)count;
+		s += (uint32_t)run->s_right * (uint32_t)steps;
+		t += (uint32_t)run->t_right * (uint32_t)steps;
 	}
 }
 

@@ -15,10 +15,11 @@ struct tile_run {
 	int count;                /* 4: at least 1 */
 	const uint32_t *quads;    /* 8: see tiles.h */
 	uint32_t s, t;            /* 12: first upper left texel, 16.16 */
-	int32_t s_right, t_right; /* 20 */
-	const uint32_t *shade;    /* 28: colours of 0 to 254 halves of 127ths */
-	const uint32_t *s_end;    /* 32: patch 0's end that the run nears */
-	const uint32_t *t_end;    /* 36 */
+	int32_t s_right, t_right; /* 20: of a pixel, or of two from fine */
+	/* 28: colours of 0 to 254 halves of 127ths, in both halves of a word */
+	const uint32_t *shade;
+	const uint32_t *s_end;       /* 32: patch 0's end that the run nears */
+	const uint32_t *t_end;       /* 36 */
 	uint32_t s_pixels, t_pixels; /* 40: see soft_tile_pixels() */
 	int width_log2, height_log2; /* 48 */
 	const uint8_t *fine;         /* 56: or NULL */
@@ -45,8 +46,9 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
 
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
- * bits, or from fine the mean of the place that is nearest. Whole runs of
- * pixels in a patch are found at once, which does not change what they become.
+ * bits; or from fine two pixels at a time, the mean of the place that is
+ * nearest to the middle between them, where s and t are. Whole runs of pixels
+ * in a patch are found at once, which does not change what they become.
  */
 void soft_tile_row_c(const struct tile_run *run);
 void soft_tile_fine_c(const struct tile_run *run);

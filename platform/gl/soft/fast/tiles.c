@@ -25,6 +25,7 @@ static uint32_t luminance(uint8_t texel)
 static void fill_quads(struct level *level)
 {
 	int width = 1 << level->width_log2, height = 1 << level->height_log2;
+	uint32_t low = 127, high = 0;
 
 	for (int y = 0; y < height; y++) {
 		const uint8_t *row = level->texels + y * width;
@@ -33,12 +34,19 @@ static void fill_quads(struct level *level)
 		for (int x = 0; x < width; x++) {
 			int right = (x + 1) % width;
 
+			low = luminance(row[x]) < low ? luminance(row[x]) : low;
+			high = luminance(row[x]) > high ? luminance(row[x])
+							: high;
 			level->tiles->quad[y * width + x] = luminance(row[x]) |
 				luminance(row[right]) << 8 |
 				luminance(next[x]) << 16 |
 				luminance(next[right]) << 24;
 		}
 	}
+	level->tiles->low = (uint8_t)(2 * low);
+	level->tiles->high = (uint8_t)(2 * high);
+	level->tiles->by_two_most =
+		high > low ? BY_TWO_MOST / (2 * (high - low)) : UINT32_MAX;
 }
 
 /* Of the same texels, and of no patch yet. */

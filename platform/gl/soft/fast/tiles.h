@@ -22,6 +22,11 @@ enum {
 	PATCHES_MOST = 63, /* larger ones first; their numbers begin at 1 */
 	FINE_SIDE_MAX = 32,
 	FINE_PATCH = 255,
+	/*
+	 * What a pixel and the next may differ by, of 255, in 16.16. From the
+	 * middle between them either is less than a step of red or blue off.
+	 */
+	BY_TWO_MOST = 20 << 16,
 };
 
 static inline uint32_t quad_luminance(uint32_t patch_quad)
@@ -63,6 +68,9 @@ struct patch {
 struct tiles {
 	struct patch patch[PATCHES_MOST + 1];
 	uint8_t *fine; /* behind the quads, or NULL */
+	/* the least and the most of all means, in halves of 127ths */
+	uint8_t low, high;
+	uint32_t by_two_most; /* steps up to which two pixels are drawn as one */
 	uint32_t quad[];
 };
 

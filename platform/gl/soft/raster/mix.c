@@ -29,3 +29,21 @@ void soft_mix_pixels(
 			narrow(mix_wide(widen(pixel[i]), widen(own[i]), share));
 	}
 }
+
+bool soft_is_one_color(const uint16_t *pixel, int count)
+{
+	const uint16_t *end = pixel + count, *at = pixel;
+	const uint64_t four = twice_565(*pixel) * (UINT64_C(1) << 32 | 1);
+
+	at += (uintptr_t)at / sizeof(*at) % 2;
+	for (; end - at >= 8; at += 8) {
+		if (load_two_words(at) != four ||
+			load_two_words(at + 4) != four) {
+			return false;
+		}
+	}
+	while (at < end && *at == *pixel) {
+		at++;
+	}
+	return at == end;
+}

@@ -6,6 +6,7 @@
 #ifndef PLATFORM_GL_SOFT_RASTER_MIX_H
 #define PLATFORM_GL_SOFT_RASTER_MIX_H
 
+#include <stdbool.h>
 #include <string.h>
 
 #include "platform/base/compiler.h"
@@ -54,6 +55,9 @@ void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 /* Pixels become a mix of themselves and others, by share of 0 to 32. */
 void soft_mix_pixels(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
+
+/* Whether all of at least one pixel are the same. */
+bool soft_is_one_color(const uint16_t *pixel, int count);
 
 /* Pixels become the value. arm/fill.S or portable/fill.c. */
 void soft_fill_pixels(uint16_t *pixel, int count, uint16_t value);

@@ -73,6 +73,12 @@ static inline uint16_t color_565(uint32_t r, uint32_t g, uint32_t b)
 	return narrow(widen_color(r, g, b));
 }
 
+/* In both halves of a word. */
+static inline uint32_t twice_565(uint32_t pixel)
+{
+	return pixel | pixel << 16;
+}
+
 static inline uint16_t load_16(const uint8_t *at)
 {
 	uint16_t value;

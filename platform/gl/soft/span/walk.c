@@ -288,8 +288,10 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 							   : bottom;
 
 		if (y < end) {
-			side[part] = raster_side(
-				draw, setup->v[i], setup->v[i + 1], y);
+			side[part] = raster_side(draw, setup->v[i],
+				i == 1 && draw->fourth ? draw->fourth
+						       : setup->v[i + 1],
+				y);
 			walk_part(&line, kind, &side[0], &side[1], end - y);
 			y = end;
 		}

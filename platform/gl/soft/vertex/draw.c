@@ -74,25 +74,114 @@ static void draw_lines(
 	}
 }
 
-static void draw_triangles(
-	struct draw *draw, const struct source *source, GLenum mode)
+/* All but texture coordinates, of corners in the same row. */
+static bool are_alike(
+	const struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
-	uint32_t step = mode == GL_TRIANGLES ? 3 : 1;
+	int32_t z = a->z - b->z, w = a->clip[3] - b->clip[3];
 
-	for (uint32_t i = 0; i + 2 < source->count; i += step) {
-		switch (mode) {
-		case GL_TRIANGLES:
-			soft_draw_triangle(draw, source, i, i + 1, i + 2);
-			break;
-		case GL_TRIANGLE_STRIP:
-			/* Every second one is listed the other way round. */
-			soft_draw_triangle(
-				draw, source, i + i % 2, i + 1 - i % 2, i + 2);
-			break;
-		default:
-			soft_draw_triangle(draw, source, 0, i + 1, i + 2);
-			break;
+	for (int i = RED; i < TEX_S; i++) {
+		if ((draw->attributes >> i & 1) &&
+			a->attribute[i] != b->attribute[i]) {
+			return false;
 		}
+	}
+	return a->y == b->y && z >= -1 && z <= 1 && w <= a->clip[3] >> 16 &&
+		-w <= a->clip[3] >> 16;
+}
+
+/* Whether a coordinate changes in one row, v[0] and v[1], as in the other. */
+static bool changes_alike(struct vertex *const v[4], int name)
+{
+	int64_t there = (int64_t)v[3]->attribute[name] - v[2]->attribute[name];
+	int64_t here = (int64_t)v[1]->attribute[name] - v[0]->attribute[name];
+	int64_t apart = there * v[0]->clip[3] - here * v[2]->clip[3];
+	int64_t most = (int64_t)v[2]->clip[3] << 6;
+
+	return apart <= most && -apart <= most;
+}
+
+/*
+ * Whether two triangles of a strip are an upright rectangle of the picture, as
+ * level ground and skies are. Of less than what is wide, values might bend, for
+ * which all corners count.
+ */
+static bool is_upright(struct draw *draw, struct vertex *const v[4])
+{
+	if ((v[0]->outcode | v[1]->outcode | v[2]->outcode | v[3]->outcode) ||
+		v[0] == v[1] || v[0]->x != v[2]->x || v[1]->x != v[3]->x ||
+		v[1]->x - v[0]->x <= SMALL_EXTENT || v[0]->y == v[2]->y) {
+		return false;
+	}
+	for (int i = 0; i < 4; i++) {
+		soft_shade(draw, v[i]);
+	}
+	return are_alike(draw, v[0], v[1]) && are_alike(draw, v[2], v[3]) &&
+		(!draw->texture[0].used ||
+			(changes_alike(v, TEX_S) && changes_alike(v, TEX_S + 1)));
+}
+
+/* Two triangles of a strip at once, so that each row is one run, not two. */
+static bool draw_upright(
+	struct draw *draw, const struct source *source, uint32_t first)
+{
+	struct vertex *v[4];
+	bool upwards;
+
+	for (uint32_t i = 0; i < 4; i++) {
+		v[i] = find_vertex(draw, source, first + i);
+	}
+	if (!is_upright(draw, v)) {
+		return false;
+	}
+	/* Of the same winding as the strip's first. */
+	upwards = v[0]->y > v[2]->y;
+	draw->fourth = upwards ? v[1] : v[3];
+	draw->provoking = v[3];
+	soft_fill_triangle(draw,
+		upwards ? (struct vertex *[]){v[3], v[2], v[0]}
+			: (struct vertex *[]){v[0], v[1], v[2]});
+	draw->fourth = NULL;
+	return true;
+}
+
+/* Of which rows' own costs are worth it. */
+static bool is_ground_or_sky(const struct draw *draw)
+{
+	return !draw->cull_front && !draw->cull_back &&
+		(draw->fast_setup.fill == soft_fill_luminance ||
+			(draw->fast_setup.fill == soft_rows_fill &&
+				draw->spans.whole_rows &&
+				!draw->texture[0].used));
+}
+
+static void draw_strip(struct draw *draw, const struct source *source)
+{
+	bool upright = is_ground_or_sky(draw);
+
+	for (uint32_t i = 0; i + 2 < source->count; i++) {
+		if (upright && i + 3 < source->count &&
+			draw_upright(draw, source, i)) {
+			i++;
+			continue;
+		}
+		/* Every second one is listed the other way round. */
+		soft_draw_triangle(
+			draw, source, i + i % 2, i + 1 - i % 2, i + 2);
+	}
+}
+
+static void draw_triangles(struct draw *draw, const struct source *source)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		soft_draw_triangle(draw, source, i, i + 1, i + 2);
+	}
+}
+
+static void draw_fan(struct draw *draw, const struct source *source)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i++) {
+		soft_draw_triangle(draw, source, 0, i + 1, i + 2);
 	}
 }
 
@@ -120,9 +209,13 @@ static void draw_primitives(
 	} else if (listed && draw->packed &&
 		(uintptr_t)source->indices % 2 == 0) {
 		soft_list(draw, source);
-	} else if (mode != GL_TRIANGLES || source->indices ||
+	} else if (mode == GL_TRIANGLE_STRIP) {
+		draw_strip(draw, source);
+	} else if (mode == GL_TRIANGLE_FAN) {
+		draw_fan(draw, source);
+	} else if (source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
-		draw_triangles(draw, source, mode);
+		draw_triangles(draw, source);
 	}
 }
 

@@ -205,8 +205,10 @@ struct view {
 struct tiled {
 	bool by_share;             /* in shades of gray */
 	int level;                 /* of the texture; -1: none yet */
-	const struct patch *patch; /* of the level */
-	void (*draw)(const struct tile_run *run);
+	const struct tiles *tiles; /* of the level */
+	bool by_two;               /* the run is drawn from fine */
+	void (*draw[2])(const struct tile_run *run); /* by by_two */
+	uint32_t mixed; /* what draw->mixed was made of, see make_mixed() */
 	/* Pixels of a row; share, how much of 256 a texel counts, is 8.8. */
 	struct tile_run run;
 	uint16_t *pixel;
@@ -286,9 +288,17 @@ struct draw {
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
 	struct vertex *provoking;                   /* whose colour is flat */
 	struct vertex flat_corners[3]; /* of the triangle that is drawn */
+	/*
+	 * NULL, or a rectangle is drawn as a triangle of its left, its right
+	 * and its lower left corner whose right edge ends here.
+	 */
+	const struct vertex *fourth;
 	struct raster raster;
-	/* luminance.c's: halves of 127ths as colours of shade_color and 0 to 255 */
-	uint32_t shade_color[3], shade[255], luminance[255];
+	/*
+	 * luminance.c's: halves of 127ths as colours of shade_color, those
+	 * mixed into a colour, and 0 to 255
+	 */
+	uint32_t shade_color[3], shade[255], mixed[255], luminance[255];
 	uint32_t gray[256];                 /* pixels of each shade of gray */
 	uint16_t shaded[LUMINANCE_RUN + 1]; /* to be varied or blended */
 	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */

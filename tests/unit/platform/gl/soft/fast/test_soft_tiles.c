@@ -202,7 +202,7 @@ static void make_rows(uint32_t *seed, struct rows *rows)
 static void make_shades(uint32_t *seed, uint32_t shade[255])
 {
 	for (int i = 0; i < 255; i++) {
-		shade[i] = next_random(seed) & 0xFFFF;
+		shade[i] = twice_565(next_random(seed) & 0xFFFF);
 	}
 }
 
@@ -234,7 +234,10 @@ static struct tile_run random_run(
 	return run;
 }
 
-/* Each pixel by itself, the mean in double of rows that are cut to 8 bits. */
+/*
+ * Each pixel by itself, or both of two, the mean in double of rows that are cut
+ * to 8 bits.
+ */
 static void draw_each(
 	const struct tile_run *run, const struct level *level, bool fine)
 {
@@ -258,8 +261,10 @@ static void draw_each(
 			mean = above + down * (below - above);
 		}
 		run->pixel[i] = (uint16_t)run->shade[(int)(mean * 2.0)];
-		s += (uint32_t)run->s_right;
-		t += (uint32_t)run->t_right;
+		if (!fine || i % 2 == 1) {
+			s += (uint32_t)run->s_right;
+			t += (uint32_t)run->t_right;
+		}
 	}
 }
 

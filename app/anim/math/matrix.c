@@ -154,3 +154,11 @@ void matrix_normals(const mat4 *matrix, mat4 *out)
 	scale_column(cofactor[2], factor, (*out)[2]);
 	memset((*out)[3], 0, sizeof(float[3]));
 }
+
+float matrix_determinant(const mat4 *matrix)
+{
+	float cross[3];
+
+	vec_cross((*matrix)[0], (*matrix)[1], cross);
+	return vec_dot(cross, (*matrix)[2]);
+}

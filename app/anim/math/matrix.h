@@ -41,4 +41,10 @@ bool matrix_is_even(const mat4 *matrix);
  */
 void matrix_normals(const mat4 *matrix, mat4 *out);
 
+/*
+ * The determinant of the matrix without translation. Below 0 the matrix
+ * mirrors, which turns triangles round.
+ */
+float matrix_determinant(const mat4 *matrix);
+
 #endif

@@ -1,8 +1,8 @@
 #include "app/compare/export/export_bake.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/export/export_levels.h"
-#include "app/scene/draw/matrix_gl.h"
 
 #include <cglm/cglm.h>
 
@@ -108,10 +108,10 @@ static bool is_mirrored(
 	mat4 matrix;
 
 	if (drawable->skin >= 0) {
-		return false;
+		return drawable->mirrored;
 	}
 	instance_drawable_matrix(instance, drawable, matrix);
-	return matrix_gl_mirrors((const vec4 *)matrix) != 0;
+	return matrix_determinant((const mat4 *)&matrix) < 0.0f;
 }
 
 /* What a unit of the drawable's positions is at most, in the file's. */
@@ -136,7 +136,7 @@ static float unit_of(
 	return most / exporter->placement.scale;
 }
 
-/* Positions are those in the world, where a mirrored node turns triangles round. */
+/* Positions are those in the world, where what mirrors turns triangles round. */
 static struct export_lists lists_of(
 	const struct exporter *exporter, const struct drawable *drawable)
 {

@@ -369,16 +369,19 @@ void draw_instance_part(const struct gl *gl, const struct instance *instance,
 	enum draw_pass pass)
 {
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
+	bool mirrored = drawable->mirrored;
 
-	if (drawable->skin >= 0 && !drawable->fixed) {
-		draw_in_place(gl, instance, drawable, textures, pass);
-		return;
-	}
 	if (drawable->skin < 0) {
 		instance_drawable_matrix(instance, drawable, matrix);
+		mirrored = matrix_determinant((const mat4 *)&matrix) < 0.0f;
+	}
+	gl->FrontFace(mirrored ? GL_CW : GL_CCW);
+	if (drawable->skin >= 0 && !drawable->fixed) {
+		draw_in_place(gl, instance, drawable, textures, pass);
+		gl->FrontFace(GL_CCW);
+		return;
 	}
 	gl->PushMatrix();
-	gl->FrontFace(matrix_gl_mirrors((const vec4 *)matrix) ? GL_CW : GL_CCW);
 	multiply_matrix(drawable, matrix, gl);
 	draw_in_place(gl, instance, drawable, textures, pass);
 	gl->FrontFace(GL_CCW);

@@ -2,8 +2,6 @@
 
 #include "platform/base/fixed.h"
 
-#include <cglm/cglm.h>
-
 static void to_fixed(const vec4 *matrix, GLfixed out[16])
 {
 	for (int i = 0; i < 16; i++) {
@@ -25,12 +23,4 @@ void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix)
 
 	to_fixed(matrix, fixed);
 	gl->MultMatrixx(fixed);
-}
-
-int matrix_gl_mirrors(const vec4 *matrix)
-{
-	vec3 cross;
-
-	glm_vec3_cross((float *)matrix[0], (float *)matrix[1], cross);
-	return glm_vec3_dot(cross, (float *)matrix[2]) < 0.0f;
 }

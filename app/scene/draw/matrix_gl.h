@@ -15,7 +15,4 @@
 void matrix_gl_load(const struct gl *gl, const vec4 *matrix);
 void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix);
 
-/* Returns 1 when the determinant is negative, which reverses the winding. */
-int matrix_gl_mirrors(const vec4 *matrix);
-
 #endif

@@ -418,9 +418,27 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 			normal[v] = fixed->normal[from];
 		}
 	}
-	if (!fixed->normal) {
-		facets_find_fixed_normals(
-			batch->index, corner_count(batch), position, normal);
+}
+
+/* A facet's normal points outwards where its triangle is turned round, too. */
+static void find_fixed_facets(const struct batch *batch, bool mirrored)
+{
+	struct fixed_vector *normal = batch->gathered_fixed_normal;
+
+	facets_find_fixed_normals(batch->index, corner_count(batch),
+		batch->gathered_fixed, normal);
+	if (mirrored) {
+		facets_turn_fixed_normals(batch->vertex_count, normal);
+	}
+}
+
+static void find_facets(const struct batch *batch, bool mirrored)
+{
+	facets_find_normals(batch->index, corner_count(batch),
+		(const float(*)[3])batch->gathered_position,
+		batch->gathered_normal);
+	if (mirrored) {
+		facets_turn_normals(batch->vertex_count, batch->gathered_normal);
 	}
 }
 
@@ -434,6 +452,9 @@ void batch_gather(struct drawable *drawable)
 		}
 		if (drawable->fixed) {
 			gather_fixed(drawable->fixed, batch);
+			if (!drawable->fixed->normal) {
+				find_fixed_facets(batch, drawable->mirrored);
+			}
 			continue;
 		}
 		for (int v = 0; v < batch->vertex_count; v++) {
@@ -448,9 +469,7 @@ void batch_gather(struct drawable *drawable)
 			}
 		}
 		if (!drawable->normal) {
-			facets_find_normals(batch->index, corner_count(batch),
-				(const float(*)[3])batch->gathered_position,
-				batch->gathered_normal);
+			find_facets(batch, drawable->mirrored);
 		}
 	}
 }

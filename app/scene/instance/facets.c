@@ -190,3 +190,21 @@ void facets_find_fixed_normals(const uint16_t *index, int count,
 		normal[i + 2] = normal[i];
 	}
 }
+
+void facets_turn_normals(int count, float (*normal)[3])
+{
+	for (int v = 0; v < count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			normal[v][axis] = -normal[v][axis];
+		}
+	}
+}
+
+void facets_turn_fixed_normals(int count, struct fixed_vector *normal)
+{
+	for (int v = 0; v < count; v++) {
+		normal[v].x = (int16_t)-normal[v].x;
+		normal[v].y = (int16_t)-normal[v].y;
+		normal[v].z = (int16_t)-normal[v].z;
+	}
+}

@@ -48,4 +48,8 @@ void facets_find_normals(const uint16_t *index, int count,
 void facets_find_fixed_normals(const uint16_t *index, int count,
 	const struct fixed_vector *position, struct fixed_vector *normal);
 
+/* Turns normals to the other side of their triangles, as those of a mirrored skin. */
+void facets_turn_normals(int count, float (*normal)[3]);
+void facets_turn_fixed_normals(int count, struct fixed_vector *normal);
+
 #endif

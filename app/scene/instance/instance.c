@@ -1,5 +1,6 @@
 #include "app/scene/instance/instance.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/drawable_fixed.h"
@@ -127,12 +128,26 @@ static int drawn_lod(const struct drawable *drawable)
 	return lod;
 }
 
+/* The first joint that is not flat decides. */
+static bool palette_mirrors(const mat4 *palette, int joint_count)
+{
+	float determinant = 0.0f;
+
+	for (int i = 0; i < joint_count && determinant == 0.0f; i++) {
+		determinant = matrix_determinant(&palette[i]);
+	}
+	return determinant < 0.0f;
+}
+
 /* The world matrices and palettes are up to date. */
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
 	drawable->bumped = drawable->light && instance->normal_mapping &&
 		!drawable->bumps_hidden;
+	drawable->mirrored = drawable->skin >= 0 &&
+		palette_mirrors((const mat4 *)instance->palette[drawable->skin],
+			instance->model->skin[drawable->skin].joint_count);
 	if (drawable->fixed) {
 		drawable_fixed_pose(instance, drawable);
 	} else if (drawable->skin >= 0 && drawable->morphed) {

@@ -110,6 +110,8 @@ struct drawable {
 	bool morphed;  /* the mesh has targets */
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
+	bool mirrored;  /* the joints turned the skin's triangles round in the
+			   last update */
 	int lod;        /* draws batch.lod[lod - 1]; 0: all triangles */
 	int shadow_lod; /* the same for the shadow, if that list is shorter
 			   than batch.shadow[shadow_list] */

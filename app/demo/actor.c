@@ -1,9 +1,29 @@
 #include "app/demo/actor.h"
 
+#include "app/anim/math/vec.h"
 #include "app/model/levels/levels_file.h"
 #include "app/model/model_keys.h"
 
 #include <stdio.h>
+
+/* GL's matrices end at 32,768, and a camera stands before the figure. */
+static const float far_units = 32000.0f;
+
+static void warn_if_far(const struct actor *actor, const struct bounds *bounds,
+	const struct demo_env *env)
+{
+	float middle[3], away;
+
+	bounds_center(bounds, middle);
+	away = vec_length(middle);
+	if (away > far_units) {
+		log_warning(env->log,
+			"%s: it stands %.0f m from the origin, %.0f times its size, where limber cannot draw it: move it to the origin",
+			env->model_path,
+			(double)(away / actor->instance->unit_scale),
+			(double)(away / actor->extent));
+	}
+}
 
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
@@ -36,6 +56,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->lod = env->lod;
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent(&bounds);
+	warn_if_far(actor, &bounds, env);
 	actor->interpolation = env->interpolation;
 	error = clip_cursor_init(
 		&actor->cursor, actor->model, &actor->instance->arena);

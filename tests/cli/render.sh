@@ -20,6 +20,13 @@ limber render "$slider" --size 33x17 --time 1.5 --clip rise -o "$out.png"
 check 'another time gives another picture' \
     sh -c '! cmp -s "$1" "$2"' sh "$scratch/first.png" "$out.png"
 
+# A camera's distance from the origin fits GL's numbers only so far.
+sed 's/"name": "slider",/& "translation": [100000, 0, 0],/' "$slider" \
+    >"$scratch/far.gltf"
+limber render "$scratch/far.gltf" --size 33x17 -o "$out.png"
+expect_status 0
+expect_err 'far.gltf: it stands 100000 m from the origin, .*: move it'
+
 limber render "$slider" --size 33x17 --frames 3 -o "$scratch/many.png"
 expect_quiet
 for number in 0001 0002 0003; do

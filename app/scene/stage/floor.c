@@ -123,6 +123,17 @@ static float round_down(float size)
 				      : step;
 }
 
+/* The nearest point towards 0 where the pattern of tiles and waves begins. */
+static float find_origin(float center, float tile)
+{
+	float length = PERIOD_TILES * tile;
+	float periods = center / length;
+
+	return scalar_abs(periods) < 8388608.0f
+		? (float)(int32_t)periods * length
+		: 0.0f;
+}
+
 int floor_init(struct floor *floor, const struct gl *gl,
 	const struct bounds *bounds, float min_radius, enum pixel_format target,
 	const struct log *log)
@@ -138,6 +149,8 @@ int floor_init(struct floor *floor, const struct gl *gl,
 			2.2f * extent > min_radius ? 2.2f * extent : min_radius,
 		.tile = round_down(0.5f * extent),
 	};
+	floor->origin[0] = find_origin(middle[0], floor->tile);
+	floor->origin[1] = find_origin(middle[2], floor->tile);
 	floor_mesh_list(floor->index);
 	if (make_texture(floor, gl, target) != 0) {
 		log_error(log,
@@ -238,6 +251,14 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	}
 }
 
+/* Small numbers, wherever the floor is: coordinates have few bits in GL. */
+static void find_texcoord(
+	const struct floor *floor, const float position[3], float out[2])
+{
+	out[0] = (position[0] - floor->origin[0]) / floor->tile;
+	out[1] = (position[2] - floor->origin[1]) / floor->tile;
+}
+
 static void draw_runs(const struct floor_order *order, const struct gl *gl)
 {
 	const uint16_t *index = order->index;
@@ -271,8 +292,7 @@ static void draw_mesh(const struct floor *floor,
 	for (int i = 0; i < FLOOR_VERTICES; i++) {
 		const float *p = sight->mesh.position[i];
 
-		texcoord[i][0] = p[0] / floor->tile;
-		texcoord[i][1] = p[2] / floor->tile;
+		find_texcoord(floor, p, texcoord[i]);
 		memset(color[i], sight->shade[i], 3);
 		color[i][3] = sight->mesh.alpha[i];
 	}
@@ -292,8 +312,7 @@ static void draw_strips(const struct floor *floor,
 	uint8_t color[6][4];
 
 	for (int i = 0; i < 6; i++) {
-		texcoord[i][0] = strips->position[i][0] / floor->tile;
-		texcoord[i][1] = strips->position[i][2] / floor->tile;
+		find_texcoord(floor, strips->position[i], texcoord[i]);
 		memset(color[i], (uint8_t)level_shade, 3);
 		color[i][3] = strips->alpha[i];
 	}

@@ -21,6 +21,7 @@ struct floor {
 	float center[2]; /* x, z */
 	float radius;
 	float tile;        /* side of a tile */
+	float origin[2];   /* x, z of a corner of the pattern near the center */
 	float offset[2];   /* x, z; how far the floor has scrolled */
 	float wave_height; /* greatest distance from y; 0 means level ground */
 	GLuint texture;

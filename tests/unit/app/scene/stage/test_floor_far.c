@@ -1,0 +1,103 @@
+/*
+ * The floor of a model far from the origin: its texture coordinates, of which
+ * drivers keep 16 bits and less behind the point, stay small.
+ */
+#include "app/scene/stage/floor.h"
+#include "platform/gl/gl_context.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+enum {
+	WIDTH = 240,
+	HEIGHT = 320,
+};
+
+/* What the floor's calls pass, whose texture coordinates are in tiles. */
+static const float (*coordinate)[2];
+static const float (*vertex)[3];
+static float largest, worst;
+
+static void keep_coordinate(
+	GLint size, GLenum type, GLsizei stride, const void *pointer)
+{
+	(void)size, (void)type, (void)stride;
+	coordinate = pointer;
+}
+
+static void keep_vertex(
+	GLint size, GLenum type, GLsizei stride, const void *pointer)
+{
+	(void)size, (void)type, (void)stride;
+	vertex = pointer;
+}
+
+/* A tile's side is half a metre: the pattern's phase is that of the origin. */
+static void check_arrays(GLenum mode, GLint first, GLsizei count)
+{
+	(void)mode;
+	for (int i = first; i < first + count; i++) {
+		float tiles = coordinate[i][0] - vertex[i][0] / 0.5f;
+
+		largest = fmaxf(largest, fabsf(coordinate[i][0]));
+		largest = fmaxf(largest, fabsf(coordinate[i][1]));
+		worst = fmaxf(worst, fabsf(tiles - roundf(tiles)));
+	}
+}
+
+static void draw(float away)
+{
+	const struct bounds bounds = {.low = {away - 0.5f, 0.0f, -away - 0.4f},
+		.high = {away + 0.5f, 1.0f, -away + 0.4f}};
+	const struct floor_content anything = {.bounded = false};
+	struct camera camera = camera_default();
+	struct log log = log_to_nowhere();
+	struct gl_context *context;
+	struct floor_sight sight;
+	struct floor floor;
+	struct gl gl;
+
+	assert_int_equal(gl_open("soft",
+				 &(struct gl_request){
+					 .format = PIXELS_RGB565, .log = &log},
+				 &context),
+		0);
+	gl = context->gl;
+	gl.TexCoordPointer = keep_coordinate;
+	gl.VertexPointer = keep_vertex;
+	gl.DrawArrays = check_arrays;
+	assert_int_equal(
+		floor_init(&floor, &gl, &bounds, 4.8f, PIXELS_RGB565, &log), 0);
+	camera_frame(&camera, &bounds,
+		&(struct camera_framing){.aspect = (float)WIDTH / HEIGHT,
+			.pitch_rad = 0.3f,
+			.margin = 1.1f});
+	floor_find_sight(&floor, &camera, WIDTH, HEIGHT, &anything, &sight);
+	floor_draw(&floor, &sight, &gl);
+	floor_finish(&floor, &gl);
+	context->driver->destroy(context);
+}
+
+static void test_tiles_have_small_coordinates_wherever_they_are(void **state)
+{
+	static const float away_m[] = {0, 0.3f, 5, -100, 4000, -16000, 30000};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(away_m); i++) {
+		largest = worst = 0.0f;
+		draw(away_m[i]);
+		assert_true(largest > 0.0f);
+		assert_true(largest < 64.0f);
+		assert_near(worst, 0.0, 0.01);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_tiles_have_small_coordinates_wherever_they_are),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -9,7 +9,8 @@
 
 enum {
 	SIDE_MAX = 1024,
-	ERRORS_MAX = 16 /* a driver without a context may never run out */
+	SMALL_MAX = 128, /* what a side of few texels becomes at most */
+	ERRORS_MAX = 16  /* a driver without a context may never run out */
 };
 
 /* An image whose sides are powers of two. */
@@ -18,12 +19,19 @@ struct texels {
 	uint8_t (*rgba)[4];
 };
 
+/*
+ * A side of few texels, such as a row of colours, becomes several times as
+ * long: each of its texels then keeps its colour in its middle.
+ */
 static int power_of_two_near(int side)
 {
 	int power = 1;
 
 	while (power < side && power < SIDE_MAX) {
 		power *= 2;
+	}
+	if (power > side && power <= SMALL_MAX / 2) {
+		return 4 * power < SMALL_MAX ? 4 * power : SMALL_MAX;
 	}
 	/* The nearer one: 300 becomes 256, 400 becomes 512. */
 	return power > 1 && power - side > side - power / 2 ? power / 2 : power;
@@ -48,16 +56,21 @@ static size_t texture_bytes(const struct model_image *image,
 	return sampling->mipmap ? bytes + bytes / 3 : bytes;
 }
 
-/* The source column or row, in 1/256, at a texel's centre. */
-static int source_at(int texel, int side, int source_side, bool mirrored)
+/*
+ * The source column or row, in 1/256, at a texel's centre. Where the model
+ * takes the nearest texel, nothing is interpolated between two.
+ */
+static int source_at(int texel, int side, int source_side, enum model_wrap wrap,
+	bool nearest)
 {
-	int once = mirrored ? side / 2 : side;
+	int once = wrap == MODEL_MIRROR ? side / 2 : side;
 	int64_t at;
 
 	if (texel >= once) {
 		texel = side - 1 - texel;
 	}
 	at = ((int64_t)texel * 2 + 1) * source_side * 128 / once - 128;
+	at = nearest ? (at + 128) & ~255 : at;
 	if (at < 0) {
 		return 0;
 	}
@@ -87,8 +100,7 @@ static void sample(
 static int resample(const struct model_image *image,
 	const struct model_texture *sampling, struct texels *out)
 {
-	bool mirror_s = sampling->wrap_s == MODEL_MIRROR;
-	bool mirror_t = sampling->wrap_t == MODEL_MIRROR;
+	bool nearest = sampling->nearest;
 
 	out->width = upload_side(image->width, sampling->wrap_s);
 	out->height = upload_side(image->height, sampling->wrap_t);
@@ -102,11 +114,13 @@ static int resample(const struct model_image *image,
 		return 0;
 	}
 	for (int y = 0; y < out->height; y++) {
-		int from_y = source_at(y, out->height, image->height, mirror_t);
+		int from_y = source_at(y, out->height, image->height,
+			sampling->wrap_t, nearest);
 
 		for (int x = 0; x < out->width; x++) {
 			sample(image,
-				source_at(x, out->width, image->width, mirror_s),
+				source_at(x, out->width, image->width,
+					sampling->wrap_s, nearest),
 				from_y, out->rgba[y * out->width + x]);
 		}
 	}

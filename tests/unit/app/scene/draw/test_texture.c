@@ -138,11 +138,11 @@ static struct model_image make_image(int width, int height, bool opaque)
 
 static void test_sides_become_the_nearest_power_of_two(void **state)
 {
-	static const int sides[][2] = {{1, 1}, {2, 2}, {3, 4}, {4, 4}, {5, 4},
-		{6, 8}, {7, 8}, {8, 8}, {11, 8}, {12, 16}, {95, 64}, {96, 128},
-		{100, 128}, {300, 256}, {383, 256}, {384, 512}, {400, 512},
-		{767, 512}, {768, 1024}, {1000, 1024}, {1024, 1024},
-		{1025, 1024}, {1600, 1024}, {4096, 1024}};
+	static const int sides[][2] = {{1, 1}, {2, 2}, {4, 4}, {8, 8}, {16, 16},
+		{32, 32}, {64, 64}, {65, 64}, {95, 64}, {96, 128}, {100, 128},
+		{300, 256}, {383, 256}, {384, 512}, {400, 512}, {767, 512},
+		{768, 1024}, {1000, 1024}, {1024, 1024}, {1025, 1024},
+		{1600, 1024}, {4096, 1024}};
 	const struct model_texture plain = {.wrap_s = MODEL_REPEAT};
 	const struct model_texture mirrored = {.wrap_t = MODEL_MIRROR};
 
@@ -164,6 +164,55 @@ static void test_sides_become_the_nearest_power_of_two(void **state)
 		assert_int_equal(sent.level[0].height, 2 * sides[i][1]);
 		free(image.rgba);
 	}
+}
+
+/* Each texel of a small image keeps its colour in its middle. */
+static void test_small_sides_become_several_times_as_long(void **state)
+{
+	static const int sides[][2] = {{3, 16}, {5, 32}, {7, 32}, {9, 64},
+		{17, 128}, {33, 128}, {63, 128}};
+	const struct model_texture plain = {.wrap_s = MODEL_REPEAT};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sides); i++) {
+		int side = sides[i][0], to = sides[i][1];
+		struct model_image image = make_image(side, 1, false);
+		struct gl gl = begin();
+
+		texture_upload(&gl, &image, &plain, PIXELS_RGBA8888);
+		assert_int_equal(sent.level[0].width, to);
+		for (int k = 0; k < side; k++) {
+			int middle = (2 * k + 1) * to / (2 * side);
+			const uint8_t *from = image.rgba + 4 * k;
+			const uint8_t *got = sent.level[0].data + 4 * middle;
+
+			/* A quarter of a texel away where there are 4, 1/4 of 255. */
+			assert_in_range(abs(from[0] - got[0]), 0, 66);
+		}
+		free(image.rgba);
+	}
+}
+
+/* A model that asks for the nearest texel gets none in between. */
+static void test_nearest_texels_are_not_interpolated(void **state)
+{
+	const struct model_texture sampling = {
+		.wrap_s = MODEL_MIRROR, .nearest = true};
+	struct model_image image = make_image(3, 5, false);
+	struct gl gl = begin();
+
+	(void)state;
+	texture_upload(&gl, &image, &sampling, PIXELS_RGBA8888);
+	assert_int_equal(sent.level[0].width, 32);
+	assert_int_equal(sent.level[0].height, 32);
+	for (int i = 0; i < 32 * 32; i++) {
+		int x = i % 32 < 16 ? i % 32 : 31 - i % 32, y = i / 32;
+		int from = (2 * y + 1) * 5 / 64 * 3 + (2 * x + 1) * 3 / 32;
+
+		assert_memory_equal(sent.level[0].data + 4 * i,
+			image.rgba + (size_t)from * 4, 4);
+	}
+	free(image.rgba);
 }
 
 /* The image at a texel's centre, interpolated linearly; edges go on. */
@@ -219,18 +268,19 @@ static void expect_resampled(int width, int height, int to_width, int to_height,
 static void test_other_sides_are_interpolated(void **state)
 {
 	(void)state;
-	expect_resampled(3, 5, 4, 4, MODEL_REPEAT, MODEL_CLAMP);
-	expect_resampled(5, 3, 4, 4, MODEL_CLAMP, MODEL_REPEAT);
-	expect_resampled(12, 11, 16, 8, MODEL_REPEAT, MODEL_REPEAT);
+	expect_resampled(3, 5, 16, 32, MODEL_REPEAT, MODEL_CLAMP);
+	expect_resampled(5, 3, 32, 16, MODEL_CLAMP, MODEL_REPEAT);
+	expect_resampled(80, 4, 64, 4, MODEL_REPEAT, MODEL_REPEAT);
+	expect_resampled(2, 100, 2, 128, MODEL_REPEAT, MODEL_REPEAT);
 	expect_resampled(8, 4, 8, 4, MODEL_REPEAT, MODEL_REPEAT);
-	expect_resampled(8, 3, 8, 4, MODEL_REPEAT, MODEL_REPEAT);
+	expect_resampled(8, 3, 8, 16, MODEL_REPEAT, MODEL_REPEAT);
 }
 
 static void test_a_mirrored_image_is_stored_twice(void **state)
 {
 	(void)state;
-	expect_resampled(3, 5, 4, 4, MODEL_MIRROR, MODEL_CLAMP);
-	expect_resampled(3, 5, 4, 4, MODEL_REPEAT, MODEL_MIRROR);
+	expect_resampled(3, 5, 16, 32, MODEL_MIRROR, MODEL_CLAMP);
+	expect_resampled(3, 5, 16, 32, MODEL_REPEAT, MODEL_MIRROR);
 	expect_resampled(4, 2, 4, 2, MODEL_MIRROR, MODEL_MIRROR);
 	expect_resampled(1, 1, 1, 1, MODEL_MIRROR, MODEL_MIRROR);
 }
@@ -388,7 +438,7 @@ static void test_a_gl_without_memory_is_noticed(void **state)
 /* Twice the texels' bytes, and a third more for levels. */
 static void test_textures_take_their_bytes_from_the_budget(void **state)
 {
-	struct model_image image = make_image(12, 3, true);
+	struct model_image image = make_image(16, 4, true);
 	const struct model_texture textures[] = {{.wrap_s = MODEL_REPEAT},
 		{.wrap_t = MODEL_MIRROR, .mipmap = true}};
 	struct memory_budget budget = {.limit_bytes = 100000};
@@ -435,6 +485,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_sides_become_the_nearest_power_of_two),
+		cmocka_unit_test(test_small_sides_become_several_times_as_long),
+		cmocka_unit_test(test_nearest_texels_are_not_interpolated),
 		cmocka_unit_test(test_other_sides_are_interpolated),
 		cmocka_unit_test(test_a_mirrored_image_is_stored_twice),
 		cmocka_unit_test(test_each_level_has_the_means_of_the_one_before),

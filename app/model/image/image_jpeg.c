@@ -105,20 +105,46 @@ static bool read_header(struct decoder *decoder)
 	return true;
 }
 
+static bool is_cmyk(const struct jpeg_decompress_struct *jpeg)
+{
+	return jpeg->jpeg_color_space == JCS_CMYK ||
+		jpeg->jpeg_color_space == JCS_YCCK;
+}
+
+/* In place. Adobe's programs, which mark their files, store paper as 255. */
+static void convert_cmyk(uint8_t *row, int width, bool inverted)
+{
+	for (uint8_t *p = row; p < row + (size_t)width * 4; p += 4) {
+		int black = inverted ? p[3] : 255 - p[3];
+
+		for (int i = 0; i < 3; i++) {
+			int color = inverted ? p[i] : 255 - p[i];
+
+			p[i] = (uint8_t)((color * black + 127) / 255);
+		}
+		p[3] = 255;
+	}
+}
+
 static bool read_pixels(struct decoder *decoder, uint8_t *rgba)
 {
 	struct jpeg_decompress_struct *jpeg = &decoder->jpeg;
+	bool cmyk = is_cmyk(jpeg);
 
 	if (setjmp(decoder->leave)) {
 		return false;
 	}
-	jpeg->out_color_space = JCS_EXT_RGBA;
+	jpeg->out_color_space = cmyk ? JCS_CMYK : JCS_EXT_RGBA;
 	jpeg_start_decompress(jpeg);
 	while (jpeg->output_scanline < jpeg->output_height) {
 		JSAMPROW row = rgba +
 			(size_t)jpeg->output_scanline * jpeg->output_width * 4;
 
 		jpeg_read_scanlines(jpeg, &row, 1);
+		if (cmyk) {
+			convert_cmyk(row, (int)jpeg->output_width,
+				jpeg->saw_Adobe_marker);
+		}
 	}
 	jpeg_finish_decompress(jpeg);
 	return true;

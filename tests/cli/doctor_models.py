@@ -207,7 +207,13 @@ def sheared(m):
                                     0, 0, 0, 1]
 
 
+def extended(m):
+    m.json["extensionsUsed"] = ["KHR_texture_transform", "MSFT_lod",
+                                "KHR_node_visibility", "KHR_materials_ior"]
+
+
 PITFALLS = [
+    (extended, "ignores .2.,.* shown: KHR_node_visibility, KHR_materials_ior"),
     (cubic, "CUBICSPLINE channels"),
     (late, "first keys lie up to 0.2500 s after the start"),
     (short, "some channels end at 0.5000 s"),

@@ -27,6 +27,18 @@ static bool is_version_2(const char *version)
 	return version[0] == '2' && (version[1] == '.' || version[1] == '\0');
 }
 
+/* Files of glTF 1.0 may have a number here. */
+static int read_version(const struct gltf_at *asset, const char **out)
+{
+	const json_t *number = json_object_get(asset->json, "version");
+
+	if (json_is_number(number) && json_number_value(number) < 2.0) {
+		*out = "1.0";
+		return 0;
+	}
+	return gltf_maybe_string(asset, "version", out);
+}
+
 static int check_version(struct gltf *gltf)
 {
 	struct gltf_at asset;
@@ -35,7 +47,7 @@ static int check_version(struct gltf *gltf)
 	int error = gltf_object(&gltf->root, "asset", &asset);
 
 	if (!error) {
-		error = gltf_maybe_string(&asset, "version", &version);
+		error = read_version(&asset, &version);
 	}
 	if (!error) {
 		error = gltf_maybe_string(&asset, "minVersion", &minimum);
@@ -54,26 +66,35 @@ static int check_version(struct gltf *gltf)
 	return 0;
 }
 
-static int check_extension(const struct gltf_at *at)
+bool gltf_knows_extension(const char *name)
 {
 	static const char *const known[] = {
+		"KHR_materials_pbrSpecularGlossiness",
 		"KHR_materials_unlit",
 		"KHR_mesh_quantization",
 		"KHR_texture_transform",
 	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(known); i++) {
+		if (strcmp(known[i], name) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static int check_extension(const struct gltf_at *at)
+{
 	const char *name = json_string_value(at->json);
-	size_t i;
 
 	if (!name) {
 		return gltf_fail(at, -EINVAL, "is not a string");
 	}
-	for (i = 0; i < ARRAY_COUNT(known); i++) {
-		if (strcmp(known[i], name) == 0) {
-			return 0;
-		}
-	}
-	return gltf_fail(at, -ENOTSUP,
-		"the model requires %.80s, which limber does not support", name);
+	return gltf_knows_extension(name)
+		? 0
+		: gltf_fail(at, -ENOTSUP,
+			  "the model requires %.80s, which limber does not support",
+			  name);
 }
 
 static int check_extensions(struct gltf *gltf)

@@ -17,9 +17,10 @@ struct sampler {
 struct animation_reader {
 	struct gltf_at samplers;
 	int sampler_count;
-	int number;     /* of this animation, from 1 */
-	int (*seen)[4]; /* [node_count][path]: the number of the last
-			   animation that has a channel for it */
+	int number;        /* of this animation, from 1 */
+	int pointer_count; /* its channels that an extension points with */
+	int (*seen)[4];    /* [node_count][path]: the number of the last
+			      animation that has a channel for it */
 };
 
 static int read_path(const struct gltf_at *target, enum model_path *out)
@@ -299,6 +300,15 @@ static int read_target(const struct gltf_at *target,
 	return error;
 }
 
+/* A channel of KHR_animation_pointer may move anything but has no node. */
+static bool has_pointer(const struct gltf_at *target)
+{
+	const char *path =
+		json_string_value(json_object_get(target->json, "path"));
+
+	return path && strcmp(path, "pointer") == 0;
+}
+
 /* A channel without a node belongs to an extension; it is skipped. */
 static int read_channel(const struct gltf_at *at,
 	struct animation_reader *reader, struct model_channel *out,
@@ -317,6 +327,10 @@ static int read_channel(const struct gltf_at *at,
 	if (!error) {
 		error = gltf_maybe_index(at, "sampler", reader->sampler_count,
 			"sampler", &index);
+	}
+	if (!error && has_pointer(&target)) {
+		reader->pointer_count++;
+		return 0;
 	}
 	*has_node = !error && json_object_get(target.json, "node");
 	if (!*has_node) {
@@ -381,6 +395,11 @@ static int read_animation(const struct gltf_at *at,
 			out->channel_count++;
 		}
 	}
+	if (!error && reader->pointer_count > 0) {
+		gltf_warn(at,
+			"limber ignores %d of %d channels, which KHR_animation_pointer defines",
+			reader->pointer_count, count);
+	}
 	return error;
 }
 
@@ -412,6 +431,7 @@ int gltf_read_animations(struct gltf *gltf)
 	model->clip_count = count;
 	for (i = 0; i < count && !error; i++) {
 		reader.number = i + 1;
+		reader.pointer_count = 0;
 		error = gltf_item(&array, i, &item);
 		if (!error) {
 			error = read_animation(&item, &reader, &model->clip[i]);

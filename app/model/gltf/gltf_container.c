@@ -63,7 +63,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	}
 	if (little_endian_u32(source->data + 4) != 2) {
 		return gltf_fail(&gltf->root, -ENOTSUP,
-			"the .glb has version %u; limber reads version 2",
+			"the .glb has version %u; limber reads version 2, that of glTF 2.0",
 			little_endian_u32(source->data + 4));
 	}
 	length = little_endian_u32(source->data + 8);

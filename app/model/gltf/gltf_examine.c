@@ -2,6 +2,7 @@
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
 
+#include <stdio.h>
 #include <string.h>
 
 struct examination {
@@ -157,6 +158,40 @@ static void report_weights(const struct examination *at)
 		"limber divides them by their sum");
 }
 
+/* MSFT_lod is read where it meets conditions of its own. */
+static bool is_ignored(const char *name)
+{
+	return !gltf_knows_extension(name) && strcmp(name, "MSFT_lod") != 0;
+}
+
+static void report_extensions(const struct examination *at)
+{
+	char names[256] = "";
+	int count = 0, length = 0;
+	size_t i;
+	json_t *used;
+
+	json_array_foreach(member(at, "extensionsUsed"), i, used)
+	{
+		const char *name = json_string_value(used);
+
+		if (!name || !is_ignored(name)) {
+			continue;
+		}
+		if (length + (int)strlen(name) + 2 < (int)sizeof(names)) {
+			length += snprintf(names + length,
+				sizeof(names) - (size_t)length, "%s%s",
+				length ? ", " : "", name);
+		}
+		count++;
+	}
+	if (count > 0) {
+		examine_report(at->examiner,
+			"extensions that limber ignores (%d), so that what they add is not shown: %s",
+			count, names);
+	}
+}
+
 int gltf_examine(const struct model_source *source,
 	const struct examiner *examiner, const struct log *log)
 {
@@ -175,6 +210,7 @@ int gltf_examine(const struct model_source *source,
 		report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);
+		report_extensions(&at);
 	}
 	/* It gives memory back to the model's budget. */
 	gltf_release(&gltf);

@@ -171,6 +171,9 @@ void gltf_release(struct gltf *gltf);
 int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 	const struct log *log);
 
+/* Whether limber reads what an extension of this name adds to files. */
+bool gltf_knows_extension(const char *name);
+
 /* gltf_json.c */
 
 /* Logs "FILE: PATH: MESSAGE" as an error and returns code. */

@@ -101,11 +101,10 @@ static bool is_same_uv(const struct gltf_uv *a, const struct gltf_uv *b)
 
 /* A vertex has one pair of coordinates: the base colour's, else the normal's. */
 static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
-	struct model_material *out, struct gltf_uv *uv)
+	const char *base, struct model_material *out, struct gltf_uv *uv)
 {
 	struct gltf_uv normal_uv = {0};
-	int error =
-		read_texture_info(pbr, "baseColorTexture", &out->texture, uv);
+	int error = read_texture_info(pbr, base, &out->texture, uv);
 
 	if (!error) {
 		error = read_texture_info(
@@ -118,31 +117,56 @@ static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 		*uv = normal_uv;
 	} else if (!is_same_uv(uv, &normal_uv)) {
 		gltf_warn(at,
-			"limber ignores normalTexture, because its coordinates differ from those of baseColorTexture");
+			"limber ignores normalTexture, because its coordinates differ from those of %s",
+			base);
 		out->normal_texture = -1;
 	}
 	return 0;
+}
+
+/*
+ * KHR_materials_pbrSpecularGlossiness, which its files want preferred: its
+ * diffuse colour becomes the base colour.
+ */
+static int read_glossiness(const struct gltf_at *material,
+	const struct gltf_at *at, struct model_material *out, struct gltf_uv *uv)
+{
+	float gloss = 1.0f;
+	int error = gltf_maybe_floats(at, "diffuseFactor", out->base_color, 4);
+
+	if (!error) {
+		error = gltf_maybe_number(at, "glossinessFactor", &gloss);
+	}
+	out->roughness = 1.0f - gloss;
+	return error ? error
+		     : read_textures(material, at, "diffuseTexture", out, uv);
+}
+
+static int read_roughness(const struct gltf_at *at, const struct gltf_at *pbr,
+	struct model_material *out, struct gltf_uv *uv)
+{
+	int error =
+		gltf_maybe_floats(pbr, "baseColorFactor", out->base_color, 4);
+
+	if (!error) {
+		error = gltf_maybe_number(
+			pbr, "roughnessFactor", &out->roughness);
+	}
+	return error ? error
+		     : read_textures(at, pbr, "baseColorTexture", out, uv);
 }
 
 static int read_material(const struct gltf_at *at)
 {
 	struct model_material *out = &at->gltf->model->material[at->index];
 	struct gltf_uv *uv = &at->gltf->uv[at->index];
-	struct gltf_at pbr, extensions;
+	struct gltf_at pbr, extensions, glossiness;
 	int error;
 
 	*out = model_plain_material;
 	error = gltf_name(at, &out->name);
 	if (!error) {
 		error = gltf_object(at, "pbrMetallicRoughness", &pbr);
-	}
-	if (!error) {
-		error = gltf_maybe_floats(
-			&pbr, "baseColorFactor", out->base_color, 4);
-	}
-	if (!error) {
-		error = gltf_maybe_number(
-			&pbr, "roughnessFactor", &out->roughness);
 	}
 	if (!error) {
 		error = read_alpha(at, out);
@@ -153,11 +177,16 @@ static int read_material(const struct gltf_at *at)
 	if (!error) {
 		error = gltf_object(at, "extensions", &extensions);
 	}
+	if (!error) {
+		error = gltf_object(&extensions,
+			"KHR_materials_pbrSpecularGlossiness", &glossiness);
+	}
 	if (error) {
 		return error;
 	}
 	out->unlit = json_object_get(extensions.json, "KHR_materials_unlit");
-	return read_textures(at, &pbr, out, uv);
+	return glossiness.json ? read_glossiness(at, &glossiness, out, uv)
+			       : read_roughness(at, &pbr, out, uv);
 }
 
 /* One more than the file has, for the default material. */

@@ -34,6 +34,10 @@ static void test_refuses_other_versions(void **state)
 	(void)state;
 	expect_code("{'asset':{'version':'1.0'}}", -ENOTSUP,
 		"t.gltf: /asset: is glTF 1.0; limber reads glTF 2.0");
+	expect_code("{'asset':{'version':1.0},'scenes':{}}", -ENOTSUP,
+		"t.gltf: /asset: is glTF 1.0; limber reads glTF 2.0");
+	expect_code("{'asset':{'version':1}}", -ENOTSUP,
+		"t.gltf: /asset: is glTF 1.0; limber reads glTF 2.0");
 	expect_code("{'asset':{'version':'20'}}", -ENOTSUP, "is glTF 20;");
 	expect_code("{'asset':{'version':'2.1','minVersion':'2.1'}}", -ENOTSUP,
 		"/asset: is glTF 2.1;");

@@ -30,6 +30,28 @@ static void test_reads_alpha_masks_and_unlit(void **state)
 	model_destroy(model);
 }
 
+static void test_reads_diffuse_colours_and_glossiness(void **state)
+{
+	static const float color[4] = {0.25f, 0.5f, 0.75f, 1};
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'extensionsRequired':["
+			"'KHR_materials_pbrSpecularGlossiness'],'materials':[{"
+			"'pbrMetallicRoughness':{'roughnessFactor':0.5},"
+			"'extensions':{'KHR_materials_pbrSpecularGlossiness':{"
+			"'diffuseFactor':[0.25,0.5,0.75,1],"
+			"'glossinessFactor':0.25}}}]}",
+			&logged, &model),
+		0);
+	assert_all_near(model->material[0].base_color, color, 4, 0);
+	assert_near(model->material[0].roughness, 0.75, 0);
+	model_destroy(model);
+}
+
 static void expect_plain(const struct model_material *material)
 {
 	static const float white[4] = {1, 1, 1, 1};
@@ -266,6 +288,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_factors_and_flags),
 		cmocka_unit_test(test_reads_alpha_masks_and_unlit),
+		cmocka_unit_test(test_reads_diffuse_colours_and_glossiness),
 		cmocka_unit_test(test_uses_the_defaults_of_a_material),
 		cmocka_unit_test(test_adds_one_default_material),
 		cmocka_unit_test(test_adds_no_default_material_without_need),

@@ -153,6 +153,27 @@ static void test_drops_the_matrix_of_an_animated_node(void **state)
 	model_destroy(model);
 }
 
+static void test_names_channels_of_pointers(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'nodes':[{}],'animations':"
+			"[{'samplers':[{}],'channels':[{'sampler':0,'target':{"
+			"'path':'pointer','extensions':{'KHR_animation_pointer'"
+			":{'pointer':'/nodes/0/scale'}}}},{'sampler':0,'target'"
+			":{'node':0,'path':'pointer'}}]}]}",
+			&logged, &model),
+		0);
+	assert_int_equal(model->clip[0].channel_count, 0);
+	assert_true(log_capture_has(&logged, LOG_WARNING,
+		"/animations/0: limber ignores 2 of 2 channels, which KHR_animation_pointer defines"));
+	model_destroy(model);
+}
+
 static bool is_in_scene(const struct model *model, int file_index)
 {
 	return fixture_node(model, file_index)->in_scene;
@@ -268,6 +289,7 @@ int main(void)
 		cmocka_unit_test(test_accepts_singular_matrices),
 		cmocka_unit_test(test_keeps_a_matrix_with_shear),
 		cmocka_unit_test(test_drops_the_matrix_of_an_animated_node),
+		cmocka_unit_test(test_names_channels_of_pointers),
 		cmocka_unit_test(test_shows_the_default_scene),
 		cmocka_unit_test(test_shows_scene_0_without_a_default),
 		cmocka_unit_test(test_shows_everything_without_scenes),

@@ -284,14 +284,34 @@ static int prepare(struct rigid_bake *rigid)
 	return error;
 }
 
-static void count_bytes(
-	struct candidate *candidate, const struct rigid_bake *rigid)
+/* The clip without weights of targets, which rigid parts do not have. */
+static int find_motion(struct rigid_bake *rigid, struct model_clip *out)
+{
+	const struct model_clip *clip = rigid->reference->clip;
+
+	*out = *clip;
+	out->channel_count = 0;
+	out->channel = ARENA_ARRAY(&rigid->arena, struct model_channel,
+		(size_t)clip->channel_count);
+	if (!out->channel) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].path != MODEL_WEIGHTS) {
+			out->channel[out->channel_count++] = clip->channel[i];
+		}
+	}
+	return 0;
+}
+
+static void count_bytes(struct candidate *candidate,
+	const struct rigid_bake *rigid, const struct model_clip *motion)
 {
 	const struct reference *reference = rigid->reference;
 	struct model_stats stats = {0};
 	size_t vectors = 0;
 
-	model_stats_add_clip(&stats, reference->clip);
+	model_stats_add_clip(&stats, motion);
 	for (int i = 0; i < rigid->part_count; i++) {
 		const struct rigid_part *part = &rigid->part[i];
 		bool normals = reference->part[part->part].normals;
@@ -309,6 +329,7 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 	const struct log *log)
 {
 	struct rigid_bake *rigid = calloc(1, sizeof(*rigid));
+	struct model_clip motion;
 
 	*candidate = (struct candidate){
 		.reference = reference,
@@ -321,17 +342,17 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 		rigid->reference = reference;
 		rigid->arena = arena_within(reference->model->budget);
 	}
-	if (!rigid || prepare(rigid) != 0) {
+	if (!rigid || prepare(rigid) != 0 || find_motion(rigid, &motion) != 0) {
 		candidate_destroy(candidate);
 		return memory_budget_fail(
 			reference->model->budget, reference->model->path, log);
 	}
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;
-	count_bytes(candidate, rigid);
+	count_bytes(candidate, rigid, &motion);
 	candidate->board = (struct board_frame){
 		.sample = board_cost_sample(
-			reference->clip, reference->model->node_count),
+			&motion, reference->model->node_count),
 		.matrices = board_cost_matrices(reference->model->node_count, 0),
 		.vertices = board_cost_solid(rigid->part_count),
 	};

@@ -169,6 +169,39 @@ static void test_the_peak_of_other_models_is_found(void **state)
 	check_clip(samples_path("AnimatedMorphCube.glb").text, "0");
 }
 
+/* Rigid parts have no targets, so the clip that is exported has no weights. */
+static void test_rigid_parts_cost_no_weights(void **state)
+{
+	struct model_channel channel[64];
+	struct candidate candidate;
+	struct model_clip moving;
+	struct board_cost wanted;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "jump");
+	moving = *bench.reference->clip;
+	assert_in_range(moving.channel_count, 1, ARRAY_COUNT(channel));
+	moving.channel = channel;
+	moving.channel_count = 0;
+	for (int i = 0; i < bench.reference->clip->channel_count; i++) {
+		channel[moving.channel_count] =
+			bench.reference->clip->channel[i];
+		moving.channel_count +=
+			channel[moving.channel_count].path != MODEL_WEIGHTS;
+	}
+	assert_int_equal(
+		moving.channel_count, bench.reference->clip->channel_count - 1);
+	assert_int_equal(
+		candidate_rigid(&candidate, bench.reference, &bench.log), 0);
+	wanted = board_cost_sample(&moving, bench.model->node_count);
+	assert_near(candidate.board.sample.cycles, wanted.cycles, 1e-6);
+	assert_near(
+		candidate.board.sample.instructions, wanted.instructions, 1e-6);
+	candidate_destroy(&candidate);
+	end(&bench);
+}
+
 /* A morph that keeps two keys at a time shows what one with all keys does. */
 static void test_keys_that_are_baked_again_are_the_same(void **state)
 {
@@ -235,6 +268,7 @@ int main(void)
 		cmocka_unit_test(test_the_peak_is_found_between_keys),
 		cmocka_unit_test(test_the_peak_of_fast_turns_is_found),
 		cmocka_unit_test(test_the_peak_of_other_models_is_found),
+		cmocka_unit_test(test_rigid_parts_cost_no_weights),
 		cmocka_unit_test(test_keys_that_are_baked_again_are_the_same),
 		cmocka_unit_test(
 			test_a_fit_in_little_memory_keeps_within_the_bound),

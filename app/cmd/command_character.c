@@ -2,12 +2,31 @@
 #include "app/cmd/command.h"
 #include "platform/base/output_file.h"
 
+#include <errno.h>
+#include <sys/stat.h>
+
+/* A character file is written once and then edited by hand. */
+static bool would_replace(const char *path)
+{
+	struct stat status;
+
+	return stat(path, &status) == 0 && S_ISREG(status.st_mode) &&
+		status.st_size > 0;
+}
+
 static int write_sketch(
 	const struct model *model, const char *path, const struct log *log)
 {
 	struct output_file *file;
-	int error = output_file_create(path, log, &file);
+	int error;
 
+	if (would_replace(path)) {
+		log_error(log,
+			"%s: this file exists and may have been edited: give another name, or remove it first",
+			path);
+		return -EEXIST;
+	}
+	error = output_file_create(path, log, &file);
 	if (error) {
 		return error;
 	}
@@ -40,7 +59,8 @@ const struct command command_character = {
 		"A character file says how a model behaves: its states, layers, morphs, parts, effects and what\n"
 		"each button does. limber play finds it beside the model: robot.character for robot.glb. This\n"
 		"command makes one from what the model holds, to be edited: clips become states, morph targets\n"
-		"become shapes, parts and chains of bones become suggestions. Without -o it prints the file.\n"
+		"become shapes, parts and chains of bones become suggestions. Without -o it prints the file. A\n"
+		"file that exists is not replaced, as it may have been edited.\n"
 		"\n"
 		"  limber character robot.glb -o robot.character\n"
 		"  limber doctor robot.glb        # checks it\n"

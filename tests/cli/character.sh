@@ -22,6 +22,14 @@ expect_out '^\[state slide\]$'
 expect_out '^\[state rise\]$'
 expect_out '^UP = previous '
 limber character "$model" -o "$file"
+cp "$file" "$scratch/before"
+echo '; edited' >>"$file"
+limber character "$model" -o "$file"
+expect_refusal 1 'this file exists and may have been edited: give another name'
+check 'an edited file stays' grep -q '^; edited$' "$file"
+rm "$file"
+limber character "$model" -o "$file"
+check 'the same file again' cmp "$file" "$scratch/before"
 expect_quiet
 limber doctor "$model"
 expect_status 0

@@ -20,13 +20,13 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 PLAY_MODELS = assets/walker.glb@walk assets/walker.glb@jump \
 	assets/face.glb@cycle $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb) \
-	build/bench-models/worm.glb
+	build/bench-models/worm.glb build/bench-models/tail.glb
 # Models whose pictures show what drawing costs; others can be given. Those of
 # user_models.py have no clip.
 DRAW_MODELS = assets/walker.glb@walk assets/face.glb@cycle assets/arm.glb@- \
 	$(addprefix $(SAMPLES)/models/,CesiumMan.glb RiggedFigure.glb \
 	BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb x/anim_test.x) \
-	$(addsuffix @-,$(BENCH_MODELS))
+	$(addsuffix @-,$(filter-out %/tail.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -54,7 +54,7 @@ build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.st
 # Models as users have them.
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
-	blocks prism signs bush gem mosaic worm)
+	blocks prism signs bush gem mosaic worm tail)
 $(BENCH_MODELS) &: tests/bench/user_models.py
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B $< build/bench-models

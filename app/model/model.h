@@ -131,6 +131,7 @@ struct model_mesh {
 	struct model_primitive *primitive;
 	int target_count; /* morph targets, the same for all primitives */
 	const char **target_name; /* [target_count]; "" where there is none */
+	bool key_frames; /* the file says so of the targets (model_keys.h) */
 };
 
 struct model_node {

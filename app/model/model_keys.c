@@ -119,5 +119,5 @@ bool model_has_key_frames(const struct model *model, int node)
 
 	return mesh >= 0 && model->mesh[mesh].target_count > 1 &&
 		clips_have_key_weights(model, node) &&
-		moves_half(&model->mesh[mesh]);
+		(model->mesh[mesh].key_frames || moves_half(&model->mesh[mesh]));
 }

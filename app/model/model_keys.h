@@ -15,7 +15,9 @@
  * the way from one target to the next, eased or not. At least one clip must
  * have such weights, there must be two targets or more, and on average a target
  * must move half of the vertices: targets that each move a small part, as those
- * of a face do, take less memory as weighted targets.
+ * of a face do, take less memory as weighted targets. Files of limber compare
+ * say of a mesh that its targets are key frames, however few vertices move,
+ * because it has predicted what key frames cost (model_mesh.key_frames).
  */
 bool model_has_key_frames(const struct model *model, int node);
 

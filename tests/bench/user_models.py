@@ -308,8 +308,8 @@ def make_rope(model):
     model.mesh(model.material(model.texture(png(128, checks(128), 3))), rope(20, 160))
 
 
-def make_worm(model):
-    joints, around, along = 8, 16, 96
+def make_worm(model, around=16, along=96, still=0):
+    joints = 8
     positions, _, texcoords, indices = rope(around, along)
     material = model.material(model.texture(png(64, checks(64), 3)))
     model.mesh(material, (positions, None, texcoords, indices), skin=0)
@@ -328,7 +328,8 @@ def make_worm(model):
         model.add("nodes", {"translation": (0, 6 / (joints - 1) if k else 0, 0)})
         if k:
             model.json["nodes"][first + k - 1]["children"] = [first + k]
-        angles = [0.12 * math.sin(math.pi * t / 4 + 0.7 * k) for t in range(9)]
+        size = 0.12 if k >= still else 0
+        angles = [size * math.sin(math.pi * t / 4 + 0.7 * k) for t in range(9)]
         turns = [(0, 0, math.sin(a), math.cos(a)) for a in angles]
         sampler = {"input": times, "output": model.accessor("VEC4", FLOAT, turns)}
         target = {"node": first + k, "path": "rotation"}
@@ -340,6 +341,11 @@ def make_worm(model):
     matrices = model.accessor("MAT4", FLOAT, inverse)
     model.add("skins", {"joints": bones, "inverseBindMatrices": matrices})
     model.add("animations", animation)
+
+
+def make_tail(model):
+    """Seven of ten vertices never move."""
+    make_worm(model, 12, 40, 5)
 
 
 def make_blocks(model):
@@ -402,6 +408,7 @@ MODELS = {
     "gem": make_gem,
     "mosaic": make_mosaic,
     "worm": make_worm,
+    "tail": make_tail,
 }
 
 

@@ -268,8 +268,8 @@ static void add_clips(struct exporter *exporter)
 
 static void add_meshes(struct exporter *exporter, json_t *levels)
 {
-	json_t *meshes =
-		json_pack("[{s:O}]", "primitives", exporter->primitives);
+	json_t *meshes = json_pack("[{s:O, s:{s:b}}]", "primitives",
+		exporter->primitives, "extras", "keyFrames", 1);
 
 	export_level_meshes(exporter->glb, meshes, 0, exporter->lists, levels);
 	glb_set(exporter->glb, "meshes", meshes);

@@ -148,13 +148,18 @@ int gltf_keep_targets(struct gltf *gltf)
 	return 0;
 }
 
-/* extras.targetNames is a convention, so a malformed one is no error. */
+/*
+ * extras.targetNames is a convention, and extras.keyFrames limber's own, so a
+ * malformed one is no error.
+ */
 static int read_names(const struct gltf_at *mesh, struct model_mesh *out)
 {
 	struct gltf_at extras = gltf_member(mesh, "extras");
 	struct gltf_at names = gltf_member(&extras, "targetNames");
 	int i;
 
+	out->key_frames =
+		json_is_true(json_object_get(extras.json, "keyFrames"));
 	for (i = 0; i < out->target_count; i++) {
 		const char *name = json_string_value(
 			json_array_get(names.json, (size_t)i));

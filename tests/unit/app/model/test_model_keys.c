@@ -124,7 +124,8 @@ static void test_targets_without_a_clip_are_no_key_frames(void **state)
 	assert_false(model_has_key_frames(&b.model, 0));
 }
 
-static void test_targets_that_move_little_stay_weighted(void **state)
+static void test_targets_that_move_little_stay_weighted_unless_marked(
+	void **state)
 {
 	struct bench b;
 
@@ -136,6 +137,10 @@ static void test_targets_that_move_little_stay_weighted(void **state)
 		}
 	}
 	assert_false(model_has_key_frames(&b.model, 0));
+	b.mesh.key_frames = true;
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[2][0] = 0.5f;
+	assert_false(model_has_key_frames(&b.model, 0));
 }
 
 int main(void)
@@ -146,7 +151,8 @@ int main(void)
 			test_sampled_changes_between_two_targets_are_key_frames),
 		cmocka_unit_test(test_mixed_targets_are_no_key_frames),
 		cmocka_unit_test(test_targets_without_a_clip_are_no_key_frames),
-		cmocka_unit_test(test_targets_that_move_little_stay_weighted),
+		cmocka_unit_test(
+			test_targets_that_move_little_stay_weighted_unless_marked),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,6 +4,8 @@
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
+#include <stdio.h>
+
 static void expect_indices(const struct model_primitive *primitive,
 	const uint32_t *expected, int count)
 {
@@ -322,6 +324,31 @@ static void test_treats_integer_colours_as_normalised(void **state)
 	model_destroy(model);
 }
 
+/* A mesh of limber compare says that its targets are key frames. */
+static void test_reads_the_mark_of_key_frames(void **state)
+{
+	static const struct {
+		const char *extras;
+		bool marked;
+	} row[] = {{"", false}, {",'extras':{'keyFrames':true}", true},
+		{",'extras':{'keyFrames':1}", false}, {",'extras':3", false}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(row); i++) {
+		struct log_capture logged;
+		struct model *model;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"{'asset':{'version':'2.0'},'meshes':[{'primitives':"
+			"[{'attributes':{},'targets':[{},{}]}]%s}]}",
+			row[i].extras);
+		assert_int_equal(model_from_text(text, &logged, &model), 0);
+		assert_int_equal(model->mesh[0].key_frames, row[i].marked);
+		model_destroy(model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -345,6 +372,7 @@ int main(void)
 		cmocka_unit_test(test_ignores_primitives_without_positions),
 		cmocka_unit_test(test_keeps_a_zero_normal_zero),
 		cmocka_unit_test(test_treats_integer_colours_as_normalised),
+		cmocka_unit_test(test_reads_the_mark_of_key_frames),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -211,8 +211,8 @@ static void count_costs(
 		const struct reference_part *part = &reference->part[i];
 		size_t count = (size_t)part->vertex_count;
 		size_t streams = part->normals ? 2 : 1;
-		struct board_cost cost =
-			board_cost_keys(part->vertex_count, part->normals);
+		struct board_cost cost = board_cost_keys(
+			part->vertex_count, part->normals, bake->key_count);
 
 		board_cost_add(&candidate->board.vertices, &cost);
 		cost = board_cost_gather(

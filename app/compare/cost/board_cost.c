@@ -27,9 +27,10 @@ static const struct board_cost sample_times = {60.0, 9.2};     /* of its own */
 static const struct board_cost sample_weight = {72.0, 5.8};
 static const struct board_cost matrix_frame = {529.0, 68.0};
 static const struct board_cost matrix_node = {413.0, 93.0};
-static const struct board_cost palette_row = {720.0, 66.0}; /* of a joint */
+static const struct board_cost palette_row = {620.0, 54.0}; /* of a joint */
 static const struct board_cost solid_drawable = {347.0, 54.0};
-static const struct board_cost keys_drawable = {1900.0, 415.0};
+static const struct board_cost keys_drawable = {1700.0, 287.0};
+static const struct board_cost keys_weight = {7.0, 7.4};
 static const struct board_cost keys_vertex = {19.1, 11.1};
 static const struct board_cost gathered_vertex = {76.0, 11.2};
 static const struct board_cost facet = {106.0, 83.4};
@@ -273,10 +274,11 @@ struct board_cost board_cost_skin(
 	return cost;
 }
 
-struct board_cost board_cost_keys(int vertex_count, bool normals)
+struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
 {
 	struct board_cost sum = keys_drawable;
 
+	add_times(&sum, &keys_weight, key_count);
 	add_times(&sum, &keys_vertex, (normals ? 2.0 : 1.0) * vertex_count);
 	return sum;
 }

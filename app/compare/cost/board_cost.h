@@ -60,8 +60,11 @@ struct board_cost board_cost_solid(int drawable_count);
 struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences);
 
-/* The cost of interpolating vertices between two key frames. */
-struct board_cost board_cost_keys(int vertex_count, bool normals);
+/*
+ * The cost of interpolating a drawable's vertices between two of its key
+ * frames, which are found by their weights.
+ */
+struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count);
 
 /*
  * The cost of copying a drawable's posed vertices for GL, and of the normals of

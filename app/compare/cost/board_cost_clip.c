@@ -14,7 +14,7 @@ enum {
 };
 
 /* A skinned drawable's own costs beside its vertices, and of each run. */
-static const struct board_cost skin_drawable = {1900.0, 250.0};
+static const struct board_cost skin_drawable = {3200.0, 430.0};
 static const struct board_cost skin_run = {200.0, 87.0};
 static const struct board_cost skin_run_1 = {60.0, 75.0}; /* one influence */
 /*
@@ -22,6 +22,13 @@ static const struct board_cost skin_run_1 = {60.0, 75.0}; /* one influence */
  * are mixed as in the rows of the loops.
  */
 static const struct board_cost skin_share = {0.88, 0.96};
+
+/*
+ * A joint's matrix for normals, which joints of uneven scale need, and its
+ * conversion to fixed point for a drawable.
+ */
+static const struct board_cost uneven_joint = {660.0, 265.0};
+static const struct board_cost uneven_matrix = {220.0, 59.0};
 
 /* A drawable of weighted targets, beside its vertices. */
 static const struct board_cost morph_drawable = {2800.0, 440.0};
@@ -170,6 +177,66 @@ static void add_runs(
 	sum->instructions += run->instructions * count;
 }
 
+static bool has_scale(const struct model_clip *clip)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].path == MODEL_SCALE) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The skin's joints that need a matrix for normals, in the pose. */
+static int count_uneven_now(struct instance *instance, int skin)
+{
+	const struct model_skin *s = &instance->model->skin[skin];
+	struct pose_normals *normals = &instance->normals;
+	int count = 0;
+
+	if (pose_normals_find(normals, &instance->pose)) {
+		for (int j = 0; j < s->joint_count; j++) {
+			count += normals->uneven_bind[skin] ||
+				normals->uneven[s->joint[j]];
+		}
+	}
+	return count;
+}
+
+/* The same in an average frame. */
+static double count_uneven(const struct playback *playback, int skin)
+{
+	struct instance *instance = playback->instance;
+	int frames = has_scale(playback->clip) ? playback->frame_count : 1;
+	double sum = 0.0;
+
+	for (int i = 0; i < frames; i++) {
+		clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
+			CLIP_AUTO, playback->cursor, &instance->pose);
+		sum += (double)count_uneven_now(instance, skin);
+	}
+	return sum / (double)frames;
+}
+
+static void add_normal_palettes(
+	struct board_cost *sum, const struct playback *playback)
+{
+	const struct instance *instance = playback->instance;
+
+	for (int i = 0; i < instance->model->skin_count; i++) {
+		double uneven = count_uneven(playback, i);
+
+		add_runs(sum, &uneven_joint, uneven);
+		for (int d = 0; d < instance->drawable_count; d++) {
+			const struct drawable *drawable = &instance->drawable[d];
+
+			if (drawable->skin == i && drawable->primitive->normal) {
+				add_runs(sum, &uneven_matrix, uneven);
+			}
+		}
+	}
+}
+
 static void add_skin(
 	struct board_cost *sum, struct drawable *drawable, int max_influences)
 {
@@ -198,8 +265,9 @@ static void add_drawable(struct board_cost *sum, const struct playback *playback
 		add_skin(sum, drawable, max_influences);
 	}
 	if (drawable->fixed && drawable->fixed->keys) {
-		cost = board_cost_keys(
-			primitive->vertex_count, primitive->normal != NULL);
+		cost = board_cost_keys(primitive->vertex_count,
+			primitive->normal != NULL,
+			drawable_target_count(playback->instance, drawable));
 		board_cost_add(sum, &cost);
 	} else if (drawable->morphed && drawable->fixed) {
 		struct board_targets targets = count_targets(playback, drawable);
@@ -247,6 +315,7 @@ struct board_frame board_cost_clip(const struct model_clip *clip,
 			model->node_count, count_joints(model)),
 	};
 
+	add_normal_palettes(&frame.matrices, &playback);
 	for (int i = 0; i < instance->drawable_count; i++) {
 		add_drawable(&frame.vertices, &playback, &instance->drawable[i],
 			max_influences);

@@ -246,12 +246,12 @@ static double tuner_period_s(const struct demo *demo)
 	return autoplay_s;
 }
 
-/* Where not all rows are shown, the chosen one is the second. */
+/* Where not all rows are shown, the chosen one is the second or the only one. */
 static int first_row(const struct demo *demo, const struct hud *hud)
 {
 	int rows = hud_group_rows_max(hud->width, hud->height);
 
-	return rows >= ROWS || demo->row == 0 ? 0 : demo->row - 1;
+	return rows >= ROWS || demo->row == 0 ? 0 : demo->row - (rows > 1);
 }
 
 static const char *write_row(

@@ -105,9 +105,16 @@ bool hud_group_list_is_alone(int width, int height)
 
 int hud_group_rows_max(int width, int height)
 {
-	return width < 2 * hud_group_extent_of(width, height, 0, 0).column
-		? HUD_GROUP_ROWS_NARROW
-		: INT_MAX;
+	int rows = HUD_GROUP_ROWS_NARROW;
+
+	if (width >= 2 * hud_group_extent_of(width, height, 0, 0).column) {
+		return INT_MAX;
+	}
+	while (rows > 0 &&
+		2 * hud_group_extent_of(width, height, rows, rows).top > height) {
+		rows--;
+	}
+	return rows;
 }
 
 /* Adds the panel behind the rows, wider than they are by the padding. */
@@ -400,6 +407,9 @@ void hud_group_end(struct hud_group *group)
 	int end = hud->quad_count;
 
 	hud->quad_count = group->first_quad;
+	if (hud_group_rows_max(hud->width, hud->height) == 0) {
+		return;
+	}
 	add_panel(group, 0, height);
 	hud->quad_count = end;
 	hud_move(hud, group->first_quad, 0, y);

@@ -61,7 +61,9 @@ enum {
 /*
  * Returns how many rows a group shows in a picture of this size. In one that is
  * less than twice as wide as a group, figures have no room beside the labels,
- * so that these get shorter: HUD_GROUP_ROWS_NARROW, without those that follow.
+ * so that these get shorter: HUD_GROUP_ROWS_NARROW, without those that follow,
+ * or as many as leave figures the lower half of a small picture. Where not even
+ * one does so, it is 0, and groups are not shown.
  */
 int hud_group_rows_max(int width, int height);
 

@@ -59,7 +59,7 @@ static int free_regions(const struct framing *framing, int width, int height,
 		bottom = -1.0f; /* the labels are larger than the picture */
 	}
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
-	if (framing->label_rows == 0) {
+	if (framing->label_rows == 0 || most == 0) {
 		return 1;
 	}
 	if (framing->below.keys > 0) {

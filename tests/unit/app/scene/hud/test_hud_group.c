@@ -272,6 +272,23 @@ static void test_groups_are_shorter_in_narrow_pictures(void **state)
 	assert_true(hud_group_rows_max(480, 640) > 100);
 }
 
+static void test_groups_leave_figures_half_of_a_small_picture(void **state)
+{
+	static const int sizes[][3] = {{240, 320, HUD_GROUP_ROWS_NARROW},
+		{176, 208, 2}, {220, 176, 1}, {128, 160, 1}, {160, 120, 0},
+		{128, 96, 0}, {96, 64, 0}, {32, 32, 0}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
+		int width = sizes[i][0], height = sizes[i][1];
+		int group = height_of_group(hud_of_size(width, height), 8);
+
+		assert_int_equal(hud_group_rows_max(width, height), sizes[i][2]);
+		assert_true(2 * group <= height);
+		assert_true((group > 0) == (sizes[i][2] > 0));
+	}
+}
+
 static void test_rows_beyond_the_picture_are_left_out(void **state)
 {
 	static const int sizes[][2] = {{320, 240}, {640, 480}, {400, 120}};
@@ -437,6 +454,8 @@ int main(void)
 		cmocka_unit_test(test_labels_stay_in_place_while_values_change),
 		cmocka_unit_test(test_a_long_name_takes_the_place_of_times),
 		cmocka_unit_test(test_groups_are_shorter_in_narrow_pictures),
+		cmocka_unit_test(
+			test_groups_leave_figures_half_of_a_small_picture),
 		cmocka_unit_test(test_rows_beyond_the_picture_are_left_out),
 		cmocka_unit_test(
 			test_a_list_of_keys_is_in_the_picture_and_no_higher_than_said),

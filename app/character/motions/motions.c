@@ -143,6 +143,14 @@ static int read_character(const struct character_request *request,
 	return 0;
 }
 
+/* A clip of one moment, such as a pose for binding, is better than none. */
+static bool is_livelier(const struct model *model, int clip, int other)
+{
+	return other < 0 ||
+		(model->clip[other].duration_s <= 0.0f &&
+			model->clip[clip].duration_s > 0.0f);
+}
+
 /* Roles for which neither the file nor a name has a clip. */
 static void choose_by_speed(struct instance *instance,
 	const struct gait_body *body, int steps, struct motions *out)
@@ -154,7 +162,8 @@ static void choose_by_speed(struct instance *instance,
 		struct motion one = measure(instance, body, i, steps);
 
 		if (one.speed <= 0.0f) {
-			if (role[MOTION_STAND].clip < 0) {
+			if (is_livelier(instance->model, i,
+				    role[MOTION_STAND].clip)) {
 				role[MOTION_STAND] = one;
 			}
 		} else if (!walks) {

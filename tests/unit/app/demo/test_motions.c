@@ -171,6 +171,34 @@ static void test_a_clip_that_is_asked_for_has_all_roles(void **state)
 	release(&found);
 }
 
+/* Many files begin with the pose in which the skin was bound. */
+static void test_a_clip_of_one_moment_gives_way_to_one_that_moves(void **state)
+{
+	struct found found;
+	struct model *model;
+
+	(void)state;
+	load(&found, "assets/walker.glb");
+	model = found.actor.model;
+	model->clip[0].name = "bind";
+	model->clip[0].duration_s = 0.0f;
+	model->clip[0].channel_count = 0;
+	model->clip[1].name = "bow";
+	model->clip[1].channel_count = 0; /* it stays in its place */
+	model->clip_count = 2;
+	find_in(&found, "assets/walker.glb", NULL, "none");
+	assert_string_equal(clip_of(&found, MOTION_STAND), "bow");
+	assert_string_equal(clip_of(&found, MOTION_WALK), "bow");
+	release(&found);
+	load(&found, "assets/walker.glb");
+	found.actor.model->clip[0].duration_s = 0.0f;
+	found.actor.model->clip[0].channel_count = 0;
+	found.actor.model->clip_count = 1;
+	find_in(&found, "assets/walker.glb", NULL, "none");
+	assert_int_equal(found.motions.role[MOTION_STAND].clip, 0);
+	release(&found);
+}
+
 static void test_a_model_without_clips_stands(void **state)
 {
 	struct found found;
@@ -257,6 +285,8 @@ int main(void)
 		cmocka_unit_test(test_bounds_leave_the_drift_out),
 		cmocka_unit_test(test_the_character_file_tells_speeds_and_bones),
 		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),
+		cmocka_unit_test(
+			test_a_clip_of_one_moment_gives_way_to_one_that_moves),
 		cmocka_unit_test(test_a_model_without_clips_stands),
 		cmocka_unit_test(test_a_broken_character_file_is_an_error),
 		cmocka_unit_test(test_the_tuner_chooses_any_bone),

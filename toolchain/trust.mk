@@ -28,6 +28,25 @@ fuzz: $(FUZZERS:%=build/fuzz/%)
 	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $(JOBS) -I '{}' \
 		sh -c '$(call fuzz_run,{})'
 
+# This build notes which functions each suite calls (tests/mutants/reach.py).
+CC_reached := gcc
+CFLAGS_reached := -O1 -g1 -fPIE -fno-inline -finstrument-functions \
+	-Wno-maybe-uninitialized
+SETS_reached := host font
+PACKAGES_reached := $(PACKAGES_host)
+LIBS_reached := $(LIBS_host)
+GL_DRIVERS_reached := $(GL_DRIVERS_host)
+DISPLAY_DRIVERS_reached := $(DISPLAY_DRIVERS_host)
+BUTTON_DRIVERS_reached := $(BUTTON_DRIVERS_host)
+CAMERA_DRIVERS_reached := $(CAMERA_DRIVERS_host)
+KERNELS_reached := $(KERNELS_host)
+JOINT_SOURCES_reached := $(JOINT_SOURCES_host)
+GPIOD_API_reached := $(GPIOD_API_host)
+# The span template takes GCC minutes when nothing is inlined.
+build/reached/obj/platform/gl/soft/span/%: CFLAGS_reached := -O1 -fPIE
+SOFT_ROWS_reached := $(SOFT_ROWS_host)
+$(eval $(call target_rules,reached))
+
 # make mutants N=100 SEED=s puts one small fault after another into a copy of the
 # sources, and names those that no suite of this machine finds.
 N ?= 100
@@ -36,7 +55,7 @@ SEED ?= $(shell date +%s)
 mutants: build/host/limber build/test-packages.stamp
 	$(Q)$(CHECK_ENVIRONMENT) SAMPLES=$(abspath $(SAMPLES)) \
 		python3 -B tests/mutants/mutants.py --number $(N) --seed $(SEED) \
-		$(FOLDER:%=--folder %) $(SUITES:%=--suites %) \
+		$(FOLDER:%=--folder %) $(SUITES:%=--suites '%') \
 		$(SUITE_S:%=--seconds %)
 
 # make months DAYS=30 plays for a month whose hours last a second each.

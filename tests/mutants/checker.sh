@@ -1,5 +1,6 @@
 #!/bin/sh
-# Tests which mutants draw.py makes of a small file.
+# Tests which mutants draw.py makes of a small file, and which of its functions
+# reach.py says that a program calls.
 . "$(dirname "$0")/../support/tap.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 
@@ -52,4 +53,97 @@ expect_out '^6: int last\[4\], sum = 0;$'
 expect_out '^of 14$'
 check 'comments, texts, directives and returns stay' \
     test -z "$(grep -E '^(1|2|3|14):' "$out_file")"
+
+cat >"$scratch/calls.c" <<'SOURCE'
+#include <stdlib.h>
+#include <unistd.h>
+#define FUNCTION(name) static int name(int a)
+int table[] = {1, 2, 3};
+
+static int inner(int a)
+{
+	return a + table[a & 1];
+}
+
+/* Calls the other one,
+ * which GCC may put here. */
+static int outer(int a,
+                 int (*next)(int))
+{
+	return next(a) * 2;
+}
+
+FUNCTION(made)
+{
+	return a - 1;
+}
+
+int never(int a)
+{
+	return a - 2;
+}
+
+int main(int argc, char **argv)
+{
+	if (argc > 1) {
+		return never(made(atoi(argv[1])));
+	}
+	_exit(outer(argc, inner) == 0);
+}
+SOURCE
+mkdir -p "$scratch/tree/build/reached/obj" "$scratch/tree/tests/mutants"
+cp "$here/reached.c" "$scratch/tree/tests/mutants"
+cp "$scratch/calls.c" "$scratch/tree/calls.c"
+
+# Prints for each line of calls.c whether the program calls its function, and how
+# often the program was run.
+cat >"$scratch/calls.py" <<'PYTHON'
+import collections, pathlib, subprocess, sys
+sys.path.insert(0, sys.argv[1])
+import draw, reach
+tree, arguments = pathlib.Path(sys.argv[2]), sys.argv[3:]
+program, text = tree / "program", (tree / "calls.c").read_text()
+suite = collections.namedtuple("Suite", "name command")("calls", arguments)
+runs = 0
+
+def run_noted():
+    global runs
+    runs += 1
+    noted = "build/reached/obj/calls.o"
+    subprocess.run(["gcc", "-pie", "-o", program, noted, reach.NOTER], cwd=tree,
+                   check=True)
+    return subprocess.run([program, *arguments]).returncode == 0
+
+subprocess.run(["gcc", "-O1", "-fPIE", "-fno-inline", "-finstrument-functions",
+                "-c", "-o", "build/reached/obj/calls.o", "calls.c"], cwd=tree,
+               check=True)
+for _ in range(2):
+    calls = reach.Reach(tree, tree)
+    calls.build()
+    lines = [line for line in range(1, len(text.splitlines()) + 1)
+             if calls.calls(suite, tree / "calls.c",
+                            draw.Mutant("calls.c", line, 0, 0, ""), run_noted,
+                            program)]
+print("lines", *lines)
+print("runs", runs)
+PYTHON
+
+# lines_but FIRST LAST...: all lines of calls.c but those from each FIRST to its LAST.
+lines_but() {
+    awk -v ranges="$*" 'BEGIN { count = split(ranges, end, " ") }
+        { for (i = 1; i < count; i += 2) if (NR >= end[i] && NR <= end[i + 1]) next
+          line = line " " NR } END { print "^lines" line "$" }' "$scratch/calls.c"
+}
+run python3 -B "$scratch/calls.py" "$here" "$scratch/tree"
+about 'functions that a program calls before it exits at once'
+expect_status 0
+expect_out "$(lines_but 25 27)"
+expect_out '^runs 1$'
+run python3 -B "$scratch/calls.py" "$here" "$scratch/tree" 3
+about 'functions that macros make, or that stand between others'
+expect_out "$(lines_but 7 9 15 17)"
+run python3 -B "$scratch/calls.py" "$here" "$scratch/tree" 4
+about 'a program that fails may have called everything'
+expect_out "$(lines_but)"
+expect_out '^runs 1$'
 tap_done

@@ -10,6 +10,7 @@ pictures, films and texts, the command line and the demos' runs. Suites that fou
 mutant of the same file come first, then quick ones before slow ones, and at last the
 part's unit tests with the sanitizers. --suites leaves out those whose names do not
 begin like REGEX, and --seconds those that take more than S seconds of a processor.
+A suite that never calls the mutant's function is left out, too (reach.py).
 Prints each mutant, by what it was found or that it SURVIVES, and a table by folder,
 which stays in build/mutants/table.
 
@@ -34,6 +35,7 @@ import sys
 import time
 
 import draw
+import reach
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 WORK = TOP / "build/mutants"
@@ -93,8 +95,8 @@ def copy_tree():
         name = copy.relative_to(TREE)
         if name.parts[0] != "build" and copy.is_file() and str(name) not in names:
             copy.unlink()
-    for part in ("host", "gen"):
-        if not (TREE / "build" / part).exists():
+    for part in ("host", "gen", "reached", "asan"):
+        if (TOP / "build" / part).exists() and not (TREE / "build" / part).exists():
             shutil.copytree(TOP / "build" / part, TREE / "build" / part,
                             symlinks=True)
     shutil.copy2(TOP / "build/test-packages.stamp", TREE / "build")
@@ -171,15 +173,17 @@ class Judge:
         self.sound = set()
         self.sanitized = {}
         self.linked = None
+        self.reach = reach.Reach(TREE, WORK)
         self.with_sanitizers = re.match(names, SANITIZERS)
         parts = tuple({folder_of(path) for path in paths})
         self.suites = [suite for suite in all_suites()
                        if (suite.name.startswith((*parts, "golden", "cli"))
                            or suite.name.endswith("test_demo_runs.c"))
                        and re.match(names, suite.name)]
-        if not make(*(name for suite in self.suites
-                      for name in (suite.program, *suite.others))):
+        if not make(reach.NOTED, *(name for suite in self.suites
+                                   for name in (suite.program, *suite.others))):
             sys.exit("limber: the suites cannot be built: run make")
+        self.reach.build()
         strip(LIBRARY, *map(str, (TREE / "build/host/obj").rglob("*.o")))
         self.link = link_commands({suite.program for suite in self.suites})
 
@@ -211,6 +215,19 @@ class Judge:
         self.linked = (suite.program, target) if made else None
         return made
 
+    def calls(self, suite, mutant):
+        """Whether a suite calls the mutant's function, or may do so."""
+        program = TREE / suite.program
+
+        def noted():
+            self.linked = None
+            link = self.link[suite.program].replace(
+                f" -o {suite.program} ", f" -o {PROGRAM} ").replace(
+                    f" {LIBRARY} ", f" {reach.NOTED} {reach.NOTER} ")
+            return run(shlex.split(link)) and run(suite.command)
+
+        return self.reach.calls(suite, program, mutant, noted, TREE / PROGRAM)
+
     def passes(self, suite):
         """Runs a suite without a mutant, and keeps how long it takes."""
         begun = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -227,20 +244,21 @@ class Judge:
             self.suites.remove(suite)
         return passed
 
-    def finds(self, suite, target):
+    def finds(self, suite, mutant, target):
         """Whether the suite is to be run, and fails with the mutant alone."""
         if self.seconds.get(suite.name) is None and not self.passes(suite):
             return False
         seconds = self.seconds[suite.name]
-        return seconds <= self.most_s and self.contain(suite, target) and \
-            not run(suite.command, 5 + 5 * int(seconds)) and \
+        return seconds <= self.most_s and self.calls(suite, mutant) and \
+            self.contain(suite, target) and not run(suite.command,
+                                                    5 + 5 * int(seconds)) and \
             (suite in self.sound or self.passes(suite))
 
-    def finder(self, path, target):
+    def finder(self, mutant, target):
         """The first suite that finds the mutant, or None."""
-        for suite in self.concerned(path):
-            if self.finds(suite, target):
-                self.finders[path, suite.name] += 1
+        for suite in self.concerned(mutant.path):
+            if self.finds(suite, mutant, target):
+                self.finders[mutant.path, suite.name] += 1
                 return suite
         return None
 
@@ -259,25 +277,27 @@ class Judge:
         """Whether a unit test of its part fails with the sanitizers."""
         part = folder_of(mutant.path)
         tests = [f"build/asan/unit/{pathlib.Path(suite.name).stem}"
-                 for suite in self.suites if suite.name.startswith(part)]
-        command = ["sh", "-c", 'for test; do "$test" || exit; done', "sh", *tests]
-        if part not in self.sanitized:
-            self.sanitized[part] = make(*tests) and run(command)
-            if not self.sanitized[part]:
-                print(f"left out: {part} with the sanitizers", flush=True)
-        if not self.sanitized[part]:
-            return False
+                 for suite in self.suites
+                 if suite.name.startswith(part) and self.calls(suite, mutant)]
+        each = ["sh", "-c", 'for test; do "$test" || exit; done', "sh"]
+        for test in tests:
+            if test not in self.sanitized:
+                self.sanitized[test] = make(test) and run([test])
+                if not self.sanitized[test]:
+                    print(f"left out, as it fails without a mutant: {test}",
+                          flush=True)
+        tests = [test for test in tests if self.sanitized[test]]
         target = f"build/asan/obj/{mutant.path[:-2]}.o"
         with in_tree(mutant, target, SANITIZED):
             return make(SANITIZED) and \
-                not run(command, SANITIZED_S, resource.RLIM_INFINITY)
+                not run([*each, *tests], SANITIZED_S, resource.RLIM_INFINITY)
 
     def verdict(self, mutant):
         """None for a mutant that is none; otherwise (found, by what)."""
         target = f"build/host/obj/{mutant.path[:-2]}.o"
         if not self.compiled(mutant, target):
             return None
-        suite = self.finder(mutant.path, target)
+        suite = self.finder(mutant, target)
         if suite:
             return True, suite.name
         if self.with_sanitizers and self.sanitizers_find(mutant):

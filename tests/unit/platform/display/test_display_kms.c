@@ -176,36 +176,60 @@ static void test_a_slow_buffer_gets_copies(void **state)
 	scene_close(&scene);
 }
 
+/* The picture that draw() makes, at its place on a black screen. */
+static void check_screen(int left, int top, int width, int height)
+{
+	for (int y = 0; y < fake_card.shown_mode.vdisplay; y++) {
+		for (int x = 0; x < fake_card.shown_mode.hdisplay; x++) {
+			int column = x - left, row = y - top;
+			bool inside = column >= 0 && column < width &&
+				row >= 0 && row < height;
+			bool last = column == width - 1 && row == height - 1;
+			uint32_t wanted = column == 0 && row == 0 ? 1 << 11
+				: last                            ? 0x07E0
+				: inside                          ? 0x001F
+								  : 0;
+
+			assert_int_equal(fake_card_seen(x, y), wanted);
+		}
+	}
+}
+
 static void test_the_mode_nearest_to_the_size_is_set(void **state)
 {
 	static const struct {
 		int width, height, mode_width;
-		int left, top;
+		int left, top, shown_width;
 	} cases[] = {
-		{24, 14, 24, 0, 0},
-		{22, 14, 24, 1, 0},
-		{10, 7, 10, 0, 0},
-		{21, 12, 20, 0, 0},
+		{24, 14, 24, 0, 0, 24},
+		{22, 14, 24, 1, 0, 22},
+		{24, 13, 24, 0, 0, 24},
+		{24, 12, 24, 0, 1, 24},
+		{18, 9, 20, 1, 1, 18},
+		{10, 7, 10, 0, 0, 10},
+		{21, 12, 20, 0, 0, 20},
 	};
 
-	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		struct scene scene = {.options = {.width = cases[i].width,
-					      .height = cases[i].height,
+	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
+		int c = (int)i / 2;
+		struct scene scene = {.options = {.width = cases[c].width,
+					      .height = cases[c].height,
 					      .size_given = true,
 					      .format_given = true,
 					      .format = PIXELS_RGB565}};
 
 		reset(state);
+		/* Drawn in the buffer, or copied into it. */
+		fake_card.prefers_shadow = i % 2;
+		fake_card.preferred_depth = i % 2 ? 16 : 0;
 		assert_int_equal(scene_open(&scene), 0);
 		assert_int_equal(
-			fake_card.shown_mode.hdisplay, cases[i].mode_width);
+			fake_card.shown_mode.hdisplay, cases[c].mode_width);
 		draw(&scene, 1);
 		draw(&scene, 1);
-		assert_int_equal(
-			fake_card_seen(cases[i].left, cases[i].top), 1 << 11);
-		if (cases[i].left) {
-			assert_int_equal(fake_card_seen(0, 0), 0);
-		}
+		draw(&scene, 1);
+		check_screen(cases[c].left, cases[c].top, cases[c].shown_width,
+			cases[c].height);
 		scene_close(&scene);
 	}
 }

@@ -170,6 +170,75 @@ static void test_sides_of_a_volume_count_up_and_down(void **state)
 	}
 }
 
+/* Stripes, and over them a triangle whose alpha is 0 to 255. */
+static void draw_over_stripes(
+	struct gl *gl, bool stencil, int blending, bool alpha_test, int mask)
+{
+	static const GLenum factors[][2] = {{GL_ONE, GL_ZERO},
+		{GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}, {GL_ONE, GL_ONE},
+		{GL_DST_COLOR, GL_ZERO}, {GL_ZERO, GL_SRC_COLOR},
+		{GL_ONE_MINUS_DST_COLOR, GL_ONE}};
+	static const float corner[3][2] = {{-1, -1}, {1, -0.9f}, {-0.2f, 1}};
+	static const uint8_t color[3][4] = {
+		{255, 40, 0, 0}, {0, 255, 90, 255}, {160, 0, 255, 130}};
+
+	for (int i = 0; i < 8; i++) {
+		const double stripe[] = {
+			0.12 * i, 1 - 0.1 * i, i % 2, 0.5 + 0.06 * i};
+
+		gl_set_color(gl, stripe);
+		gl_canvas_draw_rectangle(gl, -1 + 0.25f * (float)i, -1,
+			-0.75f + 0.25f * (float)i, 1, 0);
+	}
+	(stencil ? gl->Enable : gl->Disable)(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, 0, 0xFF);
+	gl->StencilOp(GL_INCR, GL_INCR, GL_INCR);
+	(blending ? gl->Enable : gl->Disable)(GL_BLEND);
+	gl->BlendFunc(factors[blending][0], factors[blending][1]);
+	(alpha_test ? gl->Enable : gl->Disable)(GL_ALPHA_TEST);
+	gl->AlphaFuncx(GL_GREATER, ONE / 3);
+	gl->ColorMask(mask & 1, mask & 2, mask & 4, 1);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->VertexPointer(2, GL_FLOAT, 0, corner);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+}
+
+static void test_a_stencil_that_passes_changes_no_colour(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 2 * 6 * 2 * 2; i++) {
+		int blending = i / 2 % 6;
+		bool alpha_test = i / 12 % 2;
+		int mask = i / 24 ? 5 : 7;
+		uint8_t rgba[2][GL_CANVAS_HEIGHT][GL_CANVAS_WIDTH][4];
+
+		for (int stencil = 0; stencil < 2; stencil++) {
+			struct gl_canvas canvas = gl_canvas_open(
+				"soft", gl_expect_formats[i % 2]);
+
+			draw_over_stripes(
+				canvas.gl, stencil, blending, alpha_test, mask);
+			for (int at = 0;
+				at < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; at++) {
+				int x = at % GL_CANVAS_WIDTH;
+				int y = at / GL_CANVAS_WIDTH;
+
+				gl_expect_read(
+					&canvas, x, y, rgba[stencil][y][x]);
+			}
+			gl_canvas_end_and_close(&canvas);
+		}
+		for (size_t at = 0; at < sizeof(rgba[0]); at++) {
+			/* A step of RGB565, of which blending may be one off. */
+			assert_near(((uint8_t *)rgba[1])[at],
+				((uint8_t *)rgba[0])[at], i % 2 ? 9 : 2);
+		}
+	}
+}
+
 struct fog_case {
 	const char *name;
 	GLenum mode;
@@ -249,6 +318,7 @@ int main(void)
 		cmocka_unit_test(test_each_stencil_action_acts),
 		cmocka_unit_test(test_clearing_the_stencil_heeds_its_mask),
 		cmocka_unit_test(test_sides_of_a_volume_count_up_and_down),
+		cmocka_unit_test(test_a_stencil_that_passes_changes_no_colour),
 		cmocka_unit_test(test_each_fog_is_the_formulas),
 	};
 

@@ -1,5 +1,7 @@
 #include "app/anim/math/quat.h"
+#include "app/anim/math/transform.h"
 #include "app/anim/math/vec.h"
+#include "app/anim/procedural/bone.h"
 #include "app/anim/procedural/breath.h"
 #include "app/anim/procedural/muscle.h"
 #include "tests/support/model/bones.h"
@@ -71,6 +73,34 @@ static void test_a_full_breath_swells_the_chest_alone(void **state)
 	assert_near(bones.pose.local[CHEST].rotation[0], sin(-0.0175 / 2), 1e-6);
 	assert_near(bones.world[NECK][3][1], 1 + 0.4 * 1.01 * cos(0.0175), 1e-5);
 	bones_end(&bones);
+}
+
+/* A file may place nodes by matrices, which count until a bone is changed. */
+static void test_nodes_with_matrices_swell_alike(void **state)
+{
+	static const float factor[3] = {2, 4, 0.5f};
+	struct bones by_matrix, bones;
+	mat4 matrix[4];
+
+	(void)state;
+	set_up(&bones);
+	set_up(&by_matrix);
+	for (int i = CHEST; i <= FOREARM; i++) {
+		transform_to_matrix(&by_matrix.node[i].rest, matrix[i]);
+		by_matrix.node[i].matrix = (const float(*)[4])matrix[i];
+	}
+	bones_pose(&by_matrix);
+	bone_swell(&bones.pose, CHEST, factor);
+	bone_swell(&by_matrix.pose, CHEST, factor);
+	bones_update(&bones);
+	bones_update(&by_matrix);
+	assert_all_near(by_matrix.world, bones.world, 4 * 16, 1e-5);
+	assert_near(vec_length(bones.world[CHEST][1]), 4, 1e-5);
+	assert_near(vec_length(by_matrix.world[NECK][1]), 1, 1e-5);
+	/* Below the children nothing is changed. */
+	assert_false(by_matrix.pose.animated[FOREARM]);
+	bones_end(&bones);
+	bones_end(&by_matrix);
 }
 
 static void test_weight_scales_a_breath(void **state)
@@ -177,6 +207,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_breath_is_empty_at_its_ends_and_full_once),
 		cmocka_unit_test(test_a_full_breath_swells_the_chest_alone),
+		cmocka_unit_test(test_nodes_with_matrices_swell_alike),
 		cmocka_unit_test(test_weight_scales_a_breath),
 		cmocka_unit_test(test_a_muscle_is_drawn_by_the_joints_bend),
 		cmocka_unit_test(test_a_drawn_muscle_swells_and_morphs),

@@ -54,6 +54,59 @@ static void test_replaces_what_a_terminal_executes(void **state)
 	}
 }
 
+/* The bytes of the character with which the text begins; 0: not to be printed. */
+static int decoded_length(const unsigned char *text)
+{
+	static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+	int length = text[0] < 0x80  ? 1
+		: text[0] >> 5 == 6  ? 2
+		: text[0] >> 4 == 14 ? 3
+		: text[0] >> 3 == 30 ? 4
+				     : 0;
+	uint32_t code = length > 1 ? text[0] & (0x7Fu >> length) : text[0];
+
+	for (int i = 1; i < length; i++) {
+		if (text[i] >> 6 != 2) {
+			return 0;
+		}
+		code = code << 6 | (text[i] & 0x3F);
+	}
+	if (length == 0 || code < least[length] || code > 0x10FFFF ||
+		(code >= 0xD800 && code <= 0xDFFF)) {
+		return 0;
+	}
+	/* Controls, separators of lines, and what turns the direction. */
+	return code < 0x20 || (code >= 0x7F && code < 0xA0) ||
+			(code >= 0x2028 && code <= 0x202E) ||
+			(code >= 0x2066 && code <= 0x2069)
+		? 0
+		: length;
+}
+
+static void test_each_character_is_kept_or_replaced(void **state)
+{
+	static const unsigned char last[] = {0x41, 0x7F, 0x80, 0xA5, 0xA6, 0xA7,
+		0xA8, 0xA9, 0xAA, 0xAE, 0xAF, 0xBF, 0xC0};
+
+	(void)state;
+	for (size_t i = 0; i < 255 * 255 * sizeof(last) * 3; i++) {
+		unsigned char text[5] = {(unsigned char)(1 + i % 255),
+			(unsigned char)(1 + i / 255 % 255),
+			last[i / (255 * 255) % sizeof(last)],
+			last[5 * (i / (255 * 255 * sizeof(last)))]};
+		unsigned char made[5];
+		int length = decoded_length(text);
+
+		memcpy(made, text, sizeof(made));
+		printable_make((char *)made);
+		if (length == 0 ? made[0] != '?'
+				: memcmp(made, text, (size_t)length) != 0) {
+			fail_msg("%02x %02x %02x %02x: %d bytes", text[0],
+				text[1], text[2], text[3], length);
+		}
+	}
+}
+
 static void test_a_comment_cannot_be_ended(void **state)
 {
 	char printed[64];
@@ -80,6 +133,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_replaces_what_a_terminal_executes),
+		cmocka_unit_test(test_each_character_is_kept_or_replaced),
 		cmocka_unit_test(test_a_comment_cannot_be_ended),
 		cmocka_unit_test(test_log_messages_are_printable),
 	};

@@ -56,7 +56,10 @@ int command_run_with_model(const struct command *command,
 	error = model_load_within(
 		options->model_path, options->common.memory_bytes, log, &model);
 	if (!error && command->wants_levels) {
-		levels_prepare(model, log);
+		error = levels_prepare(model, log);
+		if (error) {
+			model_destroy(model);
+		}
 	}
 	if (!error) {
 		error = run(model, options, log);

@@ -11,7 +11,11 @@ static int write_levels(
 	if (error) {
 		return error;
 	}
-	levels_write(model, output_file_stream(file));
+	error = levels_write(model, output_file_stream(file));
+	if (error) {
+		output_file_discard(file);
+		return memory_budget_fail(model->budget, model->path, log);
+	}
 	return output_file_commit(file);
 }
 

@@ -161,10 +161,15 @@ static int draw_row(
 		if (error) {
 			return error;
 		}
-		levels_make(exported);
+		error = levels_make(exported) == 0
+			? 0
+			: memory_budget_fail(
+				  exported->budget, exported->path, log);
 		painter.model = exported;
 	}
-	error = draw_model(&painter);
+	if (!error) {
+		error = draw_model(&painter);
+	}
 	if (exported) {
 		model_destroy(exported);
 	}

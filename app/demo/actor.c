@@ -43,12 +43,14 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 			"%s: it has no triangles, so the stage stays empty: export the model with its meshes",
 			env->model_path);
 	}
-	levels_prepare(actor->model, env->log);
-	if (env->kernel->fixed) {
-		model_keys_round(actor->model);
+	error = levels_prepare(actor->model, env->log);
+	if (!error && env->kernel->fixed) {
+		error = model_keys_round(actor->model, env->log);
 	}
-	error = instance_create(
-		actor->model, env->kernel, env->log, &actor->instance);
+	if (!error) {
+		error = instance_create(
+			actor->model, env->kernel, env->log, &actor->instance);
+	}
 	if (error) {
 		goto fail_model;
 	}

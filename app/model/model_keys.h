@@ -37,9 +37,10 @@ int model_keys_store(struct model_primitive *primitive, int target_count,
  * Stores key frames that the file has as floats in 16 bits too, each number
  * rounded to 15 bits of the box around all of them, and releases the floats:
  * for a player whose loops have 16 bits anyway. Skinned meshes and those with
- * other weights stay as they are, and so does everything if memory is short.
+ * other weights stay as they are, and so does what the model's budget has no room
+ * for. 0, or -ENOMEM after an error on the log when the machine has no memory.
  */
-void model_keys_round(struct model *model);
+int model_keys_round(struct model *model, const struct log *log);
 
 /* The memory of the keys. */
 size_t model_keys_bytes(const struct model_keys *keys, int target_count);

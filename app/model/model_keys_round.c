@@ -1,6 +1,8 @@
 #include "app/model/model_deltas.h"
 #include "app/model/model_keys.h"
 
+#include <errno.h>
+
 /* Whether all nodes show the mesh's targets as key frames, without a skin. */
 static bool is_shown_as_keys(const struct model *model, int mesh)
 {
@@ -18,27 +20,27 @@ static bool is_shown_as_keys(const struct model *model, int mesh)
 	return shown;
 }
 
-/* Returns whether any of the mesh's targets are key frames now. */
-static bool round_mesh(struct model *model, int mesh)
+/* Sets *any if any of the mesh's targets are key frames now. 0 or -ENOMEM. */
+static int round_mesh(struct model *model, int mesh, bool *any)
 {
 	const struct model_mesh *of = &model->mesh[mesh];
-	bool any = false;
+	int error = 0;
 
 	if (!is_shown_as_keys(model, mesh)) {
-		return false;
+		return 0;
 	}
-	for (int p = 0; p < of->primitive_count; p++) {
+	for (int p = 0; p < of->primitive_count && !error; p++) {
 		struct model_primitive *primitive = &of->primitive[p];
 		bool tangents =
 			model->material[primitive->material].normal_texture >= 0;
 
-		if (!primitive->keys &&
-			model_keys_store(primitive, of->target_count, tangents,
-				true, &model->arena) == 0) {
-			any = any || primitive->keys;
+		if (!primitive->keys) {
+			error = model_keys_store(primitive, of->target_count,
+				tangents, true, &model->arena);
+			*any = *any || primitive->keys;
 		}
 	}
-	return any;
+	return error;
 }
 
 static bool keep_floats(struct model_deltas *deltas, struct arena *arena)
@@ -64,22 +66,43 @@ static bool keep_mesh(const struct model_mesh *mesh, struct arena *arena)
 	return true;
 }
 
-void model_keys_round(struct model *model)
+static int round_all(struct model *model)
 {
-	bool exceeded = model->budget && model->budget->exceeded;
-	bool any = false, kept = true;
+	bool any = false;
+	int error = 0;
 
-	for (int m = 0; model->targets.newest && m < model->mesh_count; m++) {
-		any = round_mesh(model, m) || any;
+	for (int m = 0;
+		model->targets.newest && m < model->mesh_count && !error; m++) {
+		error = round_mesh(model, m, &any);
 	}
-	for (int m = 0; any && kept && m < model->mesh_count; m++) {
-		kept = keep_mesh(&model->mesh[m], &model->arena);
+	for (int m = 0; any && m < model->mesh_count && !error; m++) {
+		error = keep_mesh(&model->mesh[m], &model->arena) ? 0 : -ENOMEM;
 	}
-	if (any && kept) {
+	if (any && !error) {
 		arena_release(&model->targets);
 	}
-	/* Without the memory, the floats stay. */
-	if (model->budget) {
-		model->budget->exceeded = exceeded;
+	return error;
+}
+
+int model_keys_round(struct model *model, const struct log *log)
+{
+	struct memory_budget *budget = model->budget;
+	bool exceeded = budget && budget->exceeded;
+	int error;
+
+	if (budget) {
+		budget->exceeded = false;
 	}
+	error = round_all(model);
+	/* What the budget has no room for stays as floats. */
+	if (budget && budget->exceeded) {
+		error = 0;
+	}
+	if (budget) {
+		budget->exceeded = exceeded;
+	}
+	if (error) {
+		log_error(log, "%s: there is not enough memory", model->path);
+	}
+	return error;
 }

@@ -152,7 +152,9 @@ int main(int argc, char **argv)
 		return 2;
 	}
 	if (argc > 6) {
-		levels_prepare(model, &log);
+		if (levels_prepare(model, &log) != 0) {
+			return 1;
+		}
 	}
 	rests = strcmp(argv[2], "-") == 0;
 	clip = rests ? -1 : model_find_clip(model, argv[2]);

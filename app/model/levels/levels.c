@@ -3,6 +3,7 @@
 #include "app/model/levels/simplify.h"
 #include "platform/base/compiler.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -68,7 +69,9 @@ static int init_group(
 	group->primitive = ARENA_ARRAY(arena, struct model_primitive *, most);
 	group->target_count = ARENA_ARRAY(arena, int, most);
 	group->shared = ARENA_ARRAY(arena, bool *, most);
-	return group->primitive && group->target_count && group->shared ? 0 : -1;
+	return group->primitive && group->target_count && group->shared
+		? 0
+		: -ENOMEM;
 }
 
 static bool is_skinned(const struct model_mesh *mesh)
@@ -137,7 +140,7 @@ static int list_places(
 		group->shared[p] = ARENA_ARRAY(
 			arena, bool, (size_t)primitive->vertex_count);
 		if (!group->shared[p]) {
-			return -1;
+			return -ENOMEM;
 		}
 		for (int v = 0; v < primitive->vertex_count; v++, next++) {
 			memcpy(next->position, primitive->position[v],
@@ -146,7 +149,7 @@ static int list_places(
 			next->vertex = v;
 		}
 	}
-	return *out ? 0 : -1;
+	return *out ? 0 : -ENOMEM;
 }
 
 /* Marks the vertices at whose position another primitive has one too. */
@@ -154,9 +157,10 @@ static int find_shared(const struct group *group, struct arena *arena)
 {
 	struct place *place;
 	size_t end;
+	int error = list_places(group, arena, &place);
 
-	if (list_places(group, arena, &place) != 0) {
-		return -1;
+	if (error) {
+		return error;
 	}
 	qsort(place, group->vertex_count, sizeof(*place), compare_places);
 	for (size_t i = 0; i < group->vertex_count; i = end) {
@@ -182,7 +186,7 @@ struct levels {
 	int last_count; /* indices of the finest list, or of the last level */
 };
 
-static bool add_level(struct levels *levels, const struct simplify *simplify,
+static int add_level(struct levels *levels, const struct simplify *simplify,
 	float limit, struct arena *arena)
 {
 	size_t count = (size_t)simplify->index_count;
@@ -190,11 +194,11 @@ static bool add_level(struct levels *levels, const struct simplify *simplify,
 
 	if (count == 0 || levels->count == LEVELS_MAX ||
 		(float)count > (1.0f - worth) * (float)levels->last_count) {
-		return true;
+		return 0;
 	}
 	index = ARENA_ARRAY(arena, uint32_t, count);
 	if (!index) {
-		return false;
+		return -ENOMEM;
 	}
 	memcpy(index, simplify->index, count * sizeof(*index));
 	levels->lod[levels->count++] = (struct model_lod){
@@ -205,25 +209,26 @@ static bool add_level(struct levels *levels, const struct simplify *simplify,
 		.index = index,
 	};
 	levels->last_count = simplify->index_count;
-	return true;
+	return 0;
 }
 
-static void make_lists(struct levels *levels, const struct simplify_input *input,
+static int make_lists(struct levels *levels, const struct simplify_input *input,
 	const float *limit, int limit_count, struct model *model)
 {
 	struct simplify simplify;
-	bool fits = simplify_begin(&simplify, input, model->budget) == 0;
+	int error = simplify_begin(&simplify, input, model->budget);
 
 	levels->last_count = input->index_count;
-	for (int i = 0; fits && i < limit_count; i++) {
+	for (int i = 0; !error && i < limit_count; i++) {
 		simplify_until(&simplify, limit[i]);
-		fits = add_level(levels, &simplify, limit[i], &model->arena);
+		error = add_level(levels, &simplify, limit[i], &model->arena);
 	}
 	simplify_end(&simplify);
+	return error;
 }
 
 /* The levels that the file has come first, and lists for shadows last. */
-static void join_levels(struct model_primitive *primitive,
+static int join_levels(struct model_primitive *primitive,
 	const struct levels *shaded, const struct levels *shadow,
 	struct arena *arena)
 {
@@ -232,7 +237,7 @@ static void join_levels(struct model_primitive *primitive,
 		ARENA_ARRAY(arena, struct model_lod, (size_t)count);
 
 	if (!lod) {
-		return;
+		return -ENOMEM;
 	}
 	if (primitive->lod_count > 0) {
 		memcpy(lod, primitive->lod,
@@ -244,9 +249,20 @@ static void join_levels(struct model_primitive *primitive,
 		(size_t)shadow->count * sizeof(*lod));
 	primitive->lod = lod;
 	primitive->lod_count = count;
+	return 0;
 }
 
-static void add_to_primitive(
+/* Levels are a luxury where the budget refuses them, but not without memory. */
+static int unless_refused(struct memory_budget *budget, int error)
+{
+	if (!error || !budget || !budget->exceeded) {
+		return error;
+	}
+	budget->exceeded = false;
+	return 0;
+}
+
+static int add_to_primitive(
 	struct model *model, const struct group *group, int number)
 {
 	struct model_primitive *primitive = group->primitive[number];
@@ -261,14 +277,19 @@ static void add_to_primitive(
 		.shared = group->shared[number],
 	};
 	struct levels shaded = {0}, shadow = {0};
+	int error = 0;
 
 	if (primitive->index_count < 3 * TRIANGLES_MIN) {
-		return;
+		return 0;
 	}
 	/* Facets would be seen to change. */
 	if (own == 0 && primitive->normal) {
-		make_lists(&shaded, &input, shaded_limits,
-			(int)ARRAY_COUNT(shaded_limits), model);
+		error = unless_refused(model->budget,
+			make_lists(&shaded, &input, shaded_limits,
+				(int)ARRAY_COUNT(shaded_limits), model));
+		if (error) {
+			return error;
+		}
 	}
 	input.shape_only = true;
 	for (int i = 0; i < shaded.count &&
@@ -282,23 +303,29 @@ static void add_to_primitive(
 		input.index = primitive->lod[own - 1].index;
 		input.index_count = primitive->lod[own - 1].index_count;
 	}
-	make_lists(&shadow, &input, shadow_limits,
-		(int)ARRAY_COUNT(shadow_limits), model);
-	join_levels(primitive, &shaded, &shadow, &model->arena);
+	error = unless_refused(model->budget,
+		make_lists(&shadow, &input, shadow_limits,
+			(int)ARRAY_COUNT(shadow_limits), model));
+	return error ? error
+		     : join_levels(primitive, &shaded, &shadow, &model->arena);
 }
 
-static void add_to_group(struct model *model, struct group *group, int mesh)
+static int add_to_group(struct model *model, struct group *group, int mesh)
 {
 	struct arena scratch = arena_within(model->budget);
+	int error = 0;
 
 	gather_group(group, model, mesh);
 	measure(group);
-	if (group->extent > 0.0f && find_shared(group, &scratch) == 0) {
-		for (int p = 0; p < group->count; p++) {
-			add_to_primitive(model, group, p);
+	if (group->extent > 0.0f) {
+		error = find_shared(group, &scratch);
+		for (int p = 0; !error && p < group->count; p++) {
+			error = unless_refused(model->budget,
+				add_to_primitive(model, group, p));
 		}
 	}
 	arena_release(&scratch);
+	return unless_refused(model->budget, error);
 }
 
 /* Instances want the rest of the budget, and levels are a luxury. */
@@ -307,26 +334,41 @@ static bool has_room(const struct memory_budget *budget)
 	return !budget || budget->used_bytes <= budget->limit_bytes / 2;
 }
 
-void levels_make(struct model *model)
+static int add_to_all(struct model *model, struct group *group)
 {
-	struct arena scratch = arena_within(model->budget);
-	bool exceeded = model->budget && model->budget->exceeded;
-	struct group group;
+	int error = add_to_group(model, group, -1);
 
-	if (!has_room(model->budget)) {
-		return;
-	}
-	if (init_group(&group, model, &scratch) == 0) {
-		add_to_group(model, &group, -1);
-		for (int m = 0; m < model->mesh_count; m++) {
-			if (!is_skinned(&model->mesh[m])) {
-				add_to_group(model, &group, m);
-			}
+	for (int m = 0; !error && m < model->mesh_count; m++) {
+		if (!is_skinned(&model->mesh[m])) {
+			error = add_to_group(model, group, m);
 		}
 	}
-	arena_release(&scratch);
-	/* What was refused here is not why anything else fails. */
-	if (model->budget) {
-		model->budget->exceeded = exceeded;
+	return error;
+}
+
+int levels_make(struct model *model)
+{
+	struct memory_budget *budget = model->budget;
+	struct arena scratch = arena_within(budget);
+	bool exceeded = budget && budget->exceeded;
+	struct group group;
+	int error;
+
+	if (!has_room(budget)) {
+		return 0;
 	}
+	/* What is refused here is not why anything else fails. */
+	if (budget) {
+		budget->exceeded = false;
+	}
+	error = init_group(&group, model, &scratch);
+	if (!error) {
+		error = add_to_all(model, &group);
+	}
+	error = unless_refused(budget, error);
+	arena_release(&scratch);
+	if (budget) {
+		budget->exceeded = exceeded;
+	}
+	return error;
 }

@@ -15,8 +15,9 @@
  * lists for shadows to all. It takes some 20,000 ARM instructions a triangle.
  * Primitives without normals or of few triangles stay as they are. Memory comes
  * from the model's budget; levels are left out when less than half of it is
- * left, or when they do not fit.
+ * left, or when they do not fit. 0, or -ENOMEM, with some levels, when the
+ * machine has no memory.
  */
-void levels_make(struct model *model);
+int levels_make(struct model *model);
 
 #endif

@@ -5,6 +5,7 @@
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -108,9 +109,13 @@ static void write_list(FILE *out, const struct model_primitive *primitive,
 	}
 }
 
-void levels_write(struct model *model, FILE *out)
+int levels_write(struct model *model, FILE *out)
 {
-	levels_make(model);
+	int error = levels_make(model);
+
+	if (error) {
+		return error;
+	}
 	write_number(out, FORMAT, 4);
 	write_number(out, hash_model(model), 4);
 	write_number(out, count_primitives(model), 4);
@@ -125,13 +130,15 @@ void levels_write(struct model *model, FILE *out)
 			}
 		}
 	}
+	return 0;
 }
 
 /* What is left to read. */
 struct reader {
 	const uint8_t *data;
 	size_t size;
-	bool failed; /* the file has ended too early, or memory has */
+	bool failed;    /* the file has ended too early */
+	bool no_memory; /* is left, or is allowed */
 };
 
 static uint32_t read_number(struct reader *reader)
@@ -183,6 +190,7 @@ static bool read_list(struct reader *reader,
 	lod->shadow_only = shadow_only;
 	lod->index_count = (int)count;
 	lod->index = ARENA_ARRAY(arena, uint32_t, count);
+	reader->no_memory = !lod->index;
 	if (!lod->index || !read_indices(reader->data, primitive, lod)) {
 		return false;
 	}
@@ -213,6 +221,7 @@ static bool read_lists(struct reader *reader,
 		return false;
 	}
 	out->lod = count ? ARENA_ARRAY(arena, struct model_lod, count) : NULL;
+	reader->no_memory = count && !out->lod;
 	for (uint32_t i = 0; i < count; i++) {
 		if (!out->lod ||
 			!read_list(reader, primitive, arena, &out->lod[i])) {
@@ -250,26 +259,27 @@ static void take_all(struct model *model, const struct model_primitive *read)
 	}
 }
 
-bool levels_read(struct model *model, const uint8_t *data, size_t size)
+int levels_read(struct model *model, const uint8_t *data, size_t size)
 {
-	struct reader reader = {data, size, false};
+	struct reader reader = {.data = data, .size = size};
 	struct arena scratch = arena_within(model->budget);
 	uint32_t format = read_number(&reader);
 	uint32_t hash = read_number(&reader);
 	uint32_t count = read_number(&reader);
 	struct model_primitive *read = NULL;
-	bool good = false;
+	int error = -EINVAL;
 
 	if (!reader.failed && format == FORMAT &&
 		count == count_primitives(model) && hash == hash_model(model)) {
 		read = ARENA_ARRAY(&scratch, struct model_primitive, count);
+		reader.no_memory = !read;
 	}
 	if (read && read_all(model, &reader, read)) {
 		take_all(model, read);
-		good = true;
+		error = 0;
 	}
 	arena_release(&scratch);
-	return good;
+	return reader.no_memory ? -ENOMEM : error;
 }
 
 /* "robot.levels" for "robot.glb". */
@@ -283,28 +293,40 @@ static bool path_beside(const char *model_path, char *path, size_t size)
 	return length > 0 && (size_t)length < size;
 }
 
-void levels_prepare(struct model *model, const struct log *log)
+/* 0, or -errno if the levels are to be made: then the file has been reported. */
+static int read_beside(
+	struct model *model, const char *path, const struct log *log)
 {
 	bool exceeded = model->budget && model->budget->exceeded;
-	char path[PATH_MAX];
 	struct model_file file;
-	bool good;
+	int error = model_file_read(path, model->budget, log, &file);
 
-	if (!path_beside(model->path, path, sizeof(path)) || !file_exists(path) ||
-		model_file_read(path, model->budget, log, &file) != 0) {
-		levels_make(model);
-		return;
+	if (error) {
+		return error;
 	}
-	good = levels_read(model, file.data, file.size);
+	error = levels_read(model, file.data, file.size);
 	model_file_release(&file);
 	if (model->budget) {
 		/* Levels are a luxury: that they do not fit is no failure. */
 		model->budget->exceeded = exceeded;
 	}
-	if (!good) {
+	if (error == -EINVAL) {
 		log_warning(log,
 			"%s: these are not the levels of %s: limber makes them anew, and limber levels writes them",
 			path, model->path);
-		levels_make(model);
 	}
+	return error;
+}
+
+int levels_prepare(struct model *model, const struct log *log)
+{
+	char path[PATH_MAX];
+
+	if (path_beside(model->path, path, sizeof(path)) && file_exists(path) &&
+		read_beside(model, path, log) == 0) {
+		return 0;
+	}
+	return levels_make(model) == 0
+		? 0
+		: memory_budget_fail(model->budget, model->path, log);
 }

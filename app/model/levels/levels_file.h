@@ -17,21 +17,21 @@
 
 #include <stdio.h>
 
-/* Makes the levels of a loaded model (levels.h) and writes them. */
-void levels_write(struct model *model, FILE *out);
+/* Makes the levels of a loaded model (levels.h) and writes them. 0 or -ENOMEM. */
+int levels_write(struct model *model, FILE *out);
 
 /*
- * Gives a loaded model the levels of these bytes. Returns false, with the model
- * unchanged, if they are damaged, are those of other vertices or triangles, or
- * do not fit into the model's budget.
+ * Gives a loaded model the levels of these bytes. 0; -EINVAL, with the model
+ * unchanged, if they are damaged or are those of other vertices or triangles;
+ * or -ENOMEM, likewise, without memory or if the model's budget is exceeded.
  */
-bool levels_read(struct model *model, const uint8_t *data, size_t size);
+int levels_read(struct model *model, const uint8_t *data, size_t size);
 
 /*
  * Gives a loaded model its levels: those of the file beside it, or, without
  * such a file, made ones. A file that does not fit the model is reported once
- * as a warning, and the levels are made.
+ * as a warning, and the levels are made. 0, or -ENOMEM after an error on the log.
  */
-void levels_prepare(struct model *model, const struct log *log);
+int levels_prepare(struct model *model, const struct log *log);
 
 #endif

@@ -286,7 +286,7 @@ static void test_rounding_releases_the_floats(void **state)
 					&model.targets),
 				0);
 		}
-		model_keys_round(&model);
+		assert_int_equal(model_keys_round(&model, NULL), 0);
 		assert_int_equal(!m.primitive.keys, skin == 0);
 		assert_int_equal(!model.targets.newest, skin == -1);
 	}

@@ -69,7 +69,7 @@ static void test_a_flat_net_keeps_its_area_with_few_triangles(void **state)
 	struct net net = make_net(shape_flat, 1);
 
 	(void)state;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(net.primitive->lod_count > 0);
 	for (int i = 0; i < net.primitive->lod_count; i++) {
 		const struct model_lod *lod = &net.primitive->lod[i];
@@ -90,7 +90,7 @@ static void test_levels_get_coarser_and_those_for_shadows_come_last(void **state
 	bool shadow = false;
 
 	(void)state;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	lod = net.primitive->lod;
 	assert_true(net.primitive->lod_count >= 4);
 	assert_true(lod[0].index_count <= INDICES * 8 / 10);
@@ -128,7 +128,7 @@ static void test_a_ball_stays_round_within_its_levels_errors(void **state)
 	struct net net = make_net(shape_ball, 1);
 
 	(void)state;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	for (int i = 0; i < net.primitive->lod_count; i++) {
 		const struct model_lod *lod = &net.primitive->lod[i];
 		int beyond = 0;
@@ -191,7 +191,7 @@ static void test_a_closed_surface_stays_closed_at_its_seam(void **state)
 	for (int s = 0; s < 2; s++) {
 		struct net net = make_net(shapes[s], 1);
 
-		levels_make(net.model);
+		assert_int_equal(levels_make(net.model), 0);
 		assert_true(net.primitive->lod_count > 2);
 		for (int l = 0; l < net.primitive->lod_count; l++) {
 			assert_closed(net.primitive, &net.primitive->lod[l]);
@@ -206,7 +206,7 @@ static void test_a_coloured_spot_stays_until_its_size_is_the_error(void **state)
 	uint32_t spot = (uint32_t)(ROW * (SIDE / 2) + SIDE / 2);
 
 	(void)state;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(net.primitive->lod_count > 0);
 	for (int i = 0; i < net.primitive->lod_count; i++) {
 		const struct model_lod *lod = &net.primitive->lod[i];
@@ -225,7 +225,7 @@ static void test_primitives_that_touch_keep_their_common_border(void **state)
 	struct net net = make_net(shape_flat, 2);
 
 	(void)state;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	for (int p = 0; p < 2; p++) {
 		const struct model_primitive *primitive = &net.primitive[p];
 
@@ -252,7 +252,7 @@ static void test_own_levels_of_a_file_stay(void **state)
 	(void)state;
 	net.primitive->lod = &own;
 	net.primitive->lod_count = 1;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(net.primitive->lod_count > 1);
 	assert_memory_equal(&net.primitive->lod[0], &own, sizeof(own));
 	for (int i = 1; i < net.primitive->lod_count; i++) {
@@ -274,7 +274,7 @@ static void test_any_list_of_triangles_is_taken(void **state)
 			net.primitive->index[i] = (random >> 8) % COUNT;
 		}
 	}
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	for (int l = 0; l < net.primitive->lod_count; l++) {
 		const struct model_lod *lod = &net.primitive->lod[l];
 
@@ -304,7 +304,7 @@ static void test_a_hub_of_many_triangles_takes_no_longer(void **state)
 	net.primitive->index = index;
 	net.primitive->index_count = 3 * triangles;
 	began = clock();
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(clock() - began < 10 * CLOCKS_PER_SEC);
 	free_net(&net);
 }
@@ -316,17 +316,17 @@ static void test_without_memory_there_are_no_levels(void **state)
 
 	(void)state;
 	net.model->budget = &budget;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_int_equal(net.primitive->lod_count, 0);
 	assert_int_equal(budget.used_bytes, 0);
 	assert_false(budget.exceeded);
 	/* Half of the budget is left to instances. */
 	budget = (struct memory_budget){
 		.limit_bytes = 64 << 20, .used_bytes = 33 << 20};
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_int_equal(net.primitive->lod_count, 0);
 	budget.used_bytes = 1 << 20;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(net.primitive->lod_count > 0);
 	free_net(&net);
 }
@@ -337,7 +337,7 @@ static void test_few_triangles_get_none(void **state)
 
 	(void)state;
 	net.primitive->index_count = 99;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_int_equal(net.primitive->lod_count, 0);
 	free_net(&net);
 }
@@ -350,7 +350,7 @@ static void test_without_normals_there_are_lists_for_shadows_only(void **state)
 
 	(void)state;
 	net.primitive->normal = NULL;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	assert_true(net.primitive->lod_count > 0);
 	for (int i = 0; i < net.primitive->lod_count; i++) {
 		assert_true(net.primitive->lod[i].shadow_only);

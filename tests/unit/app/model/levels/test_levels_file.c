@@ -4,6 +4,7 @@
 #include "app/model/model.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,7 +29,7 @@ static struct bytes write_levels(void)
 	FILE *out = open_memstream(&bytes.data, &bytes.size);
 
 	assert_non_null(out);
-	levels_write(model, out);
+	assert_int_equal(levels_write(model, out), 0);
 	assert_int_equal(fclose(out), 0);
 	model_destroy(model);
 	return bytes;
@@ -56,8 +57,9 @@ static void test_read_levels_are_the_made_ones(void **state)
 	int lists = 0;
 
 	(void)state;
-	levels_make(made);
-	assert_true(levels_read(read, (const uint8_t *)bytes.data, bytes.size));
+	assert_int_equal(levels_make(made), 0);
+	assert_int_equal(
+		levels_read(read, (const uint8_t *)bytes.data, bytes.size), 0);
 	for (int m = 0; m < made->mesh_count; m++) {
 		for (int p = 0; p < made->mesh[m].primitive_count; p++) {
 			assert_same_lists(&made->mesh[m].primitive[p],
@@ -79,8 +81,9 @@ static void test_other_vertices_refuse_the_levels(void **state)
 
 	(void)state;
 	model->mesh[0].primitive[0].position[7][1] += 0.001f;
-	assert_false(
-		levels_read(model, (const uint8_t *)bytes.data, bytes.size));
+	assert_int_equal(
+		levels_read(model, (const uint8_t *)bytes.data, bytes.size),
+		-EINVAL);
 	assert_int_equal(model->mesh[0].primitive[0].lod_count, lists);
 	model_destroy(model);
 	free(bytes.data);
@@ -98,7 +101,7 @@ static void test_a_file_that_ends_early_is_refused(void **state)
 
 		assert_non_null(cut);
 		memcpy(cut, bytes.data, size);
-		assert_false(levels_read(model, cut, size));
+		assert_int_equal(levels_read(model, cut, size), -EINVAL);
 		free(cut);
 	}
 	model_destroy(model);
@@ -122,7 +125,7 @@ static void test_wrong_numbers_never_lead_outside_the_model(void **state)
 			memcpy(good, bytes.data + at, 4);
 			memcpy(bytes.data + at, &wrong[i], 4);
 			if (levels_read(model, (const uint8_t *)bytes.data,
-				    bytes.size)) {
+				    bytes.size) == 0) {
 				const struct model_primitive *primitive =
 					&model->mesh[0].primitive[0];
 

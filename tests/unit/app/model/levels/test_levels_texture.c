@@ -21,7 +21,7 @@ static struct net make_textured(float units, uint32_t spot)
 		}
 	}
 	net.primitive->texcoord = texcoord;
-	levels_make(net.model);
+	assert_int_equal(levels_make(net.model), 0);
 	return net;
 }
 

@@ -29,7 +29,7 @@ static struct scene begin(const char *kernel, create_function *create)
 
 	assert_int_equal(
 		model_load("assets/walker.glb", &nowhere, &scene.model), 0);
-	levels_make(scene.model);
+	assert_int_equal(levels_make(scene.model), 0);
 	assert_int_equal(create(scene.model, kernel_find(kernel), &nowhere,
 				 &scene.instance),
 		0);

@@ -42,8 +42,8 @@ static int open_sketch(const struct character_request *request,
 	error = -ENOMEM;
 	file = open_memstream(&text, &size);
 	if (file) {
-		character_sketch(instance->model, &play, file);
-		complete = ferror(file) == 0;
+		complete = character_sketch(instance->model, &play, file) == 0 &&
+			ferror(file) == 0;
 		complete = fclose(file) == 0 && complete;
 	}
 	file = complete && text && size > 0 ? fmemopen(text, size, "r") : NULL;

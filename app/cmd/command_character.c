@@ -30,7 +30,11 @@ static int write_sketch(
 	if (error) {
 		return error;
 	}
-	character_sketch(model, NULL, output_file_stream(file));
+	error = character_sketch(model, NULL, output_file_stream(file));
+	if (error) {
+		output_file_discard(file);
+		return memory_budget_fail(model->budget, model->path, log);
+	}
 	return output_file_commit(file);
 }
 
@@ -40,8 +44,9 @@ static int run_with_model(const struct model *model,
 	if (options->screen.output) {
 		return write_sketch(model, options->screen.output, log);
 	}
-	character_sketch(model, NULL, stdout);
-	return 0;
+	return character_sketch(model, NULL, stdout) == 0
+		? 0
+		: memory_budget_fail(model->budget, model->path, log);
 }
 
 static int run(const struct options *options, const struct log *log)

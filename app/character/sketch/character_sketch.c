@@ -3,6 +3,7 @@
 #include "app/anim/pose.h"
 #include "platform/base/printable.h"
 
+#include <errno.h>
 #include <string.h>
 
 enum {
@@ -239,8 +240,8 @@ struct bone_box {
 	float low[3], high[3], size;
 };
 
-/* False without memory. */
-static bool measure_bones(const struct model *model, struct bone_box *box)
+/* 0 or -ENOMEM. */
+static int measure_bones(const struct model *model, struct bone_box *box)
 {
 	float *low = box->low, *high = box->high;
 
@@ -268,7 +269,7 @@ static bool measure_bones(const struct model *model, struct bone_box *box)
 		box->size = side > box->size ? side : box->size;
 	}
 	arena_release(&arena);
-	return done;
+	return done ? 0 : -ENOMEM;
 }
 
 /* A ball before the middle of the figure, at its right hand. */
@@ -305,10 +306,11 @@ static void write_gravity(const struct bone_box *box, FILE *out)
 	}
 }
 
-static void write_chains(const struct model *model, FILE *out)
+/* 0 or -ENOMEM. */
+static int write_chains(const struct model *model, FILE *out)
 {
 	struct bone_box box = {.size = 0.0f};
-	int written = 0;
+	int written = 0, error;
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
 		int bones = chain_length(model, i);
@@ -320,9 +322,11 @@ static void write_chains(const struct model *model, FILE *out)
 		if (written++ == 0) {
 			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
-			if (measure_bones(model, &box)) {
-				write_target(&box, out);
+			error = measure_bones(model, &box);
+			if (error) {
+				return error;
 			}
+			write_target(&box, out);
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		write_name(out, model->node[i].name);
@@ -333,6 +337,7 @@ static void write_chains(const struct model *model, FILE *out)
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
 			bones < 16 ? bones : 16);
 	}
+	return 0;
 }
 
 /* What UP and DOWN do, each of which is a section of buttons. */
@@ -427,12 +432,13 @@ static void write_scene(const struct model *model, FILE *out)
 	fputc('\n', out);
 }
 
-void character_sketch(const struct model *model,
+int character_sketch(const struct model *model,
 	const struct character_sketch_play *play, FILE *out)
 {
 	const struct character_sketch_play plain = {
 		.rate = 1, .repeat = CLIP_LOOP};
 	const char *slash = strrchr(model->path, '/');
+	int error;
 
 	fputs("; How ", out);
 	printable_put(slash ? slash + 1 : model->path, out);
@@ -450,7 +456,11 @@ void character_sketch(const struct model *model,
 	}
 	write_morph(model, out);
 	write_parts(model, out);
-	write_chains(model, out);
+	error = write_chains(model, out);
+	if (error) {
+		return error;
+	}
 	write_scene(model, out);
 	write_buttons(model, out);
+	return 0;
 }

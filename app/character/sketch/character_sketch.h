@@ -19,9 +19,10 @@ struct character_sketch_play {
  * Writes the text: clips become states, morph targets expressions and a morph;
  * pivots and chains of bones become suggestions in comments. Buttons use what
  * there is. character_read() accepts the text for this model. play NULL: the
- * first clip begins, at its own rate, and all repeat.
+ * first clip begins, at its own rate, and all repeat. 0, or -ENOMEM with a part
+ * of the text.
  */
-void character_sketch(const struct model *model,
+int character_sketch(const struct model *model,
 	const struct character_sketch_play *play, FILE *out);
 
 #endif

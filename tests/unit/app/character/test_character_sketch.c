@@ -16,7 +16,7 @@ static char *make_sketch(
 	FILE *file = open_memstream(&text, &size);
 
 	assert_non_null(file);
-	character_sketch(model, play, file);
+	assert_int_equal(character_sketch(model, play, file), 0);
 	fclose(file);
 	return text;
 }

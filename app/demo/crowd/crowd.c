@@ -104,7 +104,9 @@ static int add_walker(struct demo *demo)
 		log_error(demo->log,
 			"crowd: there is not enough memory for %d walkers",
 			demo->count + 1);
-		instance_destroy(walker->instance);
+		if (demo->count > 0) {
+			instance_destroy(walker->instance);
+		}
 		return error;
 	}
 	/* Normal maps are lit in world space, but GL turns the walkers. */

@@ -2,6 +2,7 @@
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -105,23 +106,33 @@ static void report_nodes(const struct examination *at)
 		"limber uses them instead of those of the mesh");
 }
 
-/* Counts vertices whose weights are all 0, and those with another sum than 1. */
-static void count_weights(const struct examination *at,
-	const json_t *attributes, int *none, int *unequal)
+/*
+ * Counts vertices whose weights are all 0, and those with another sum than 1.
+ * 0 or -ENOMEM.
+ */
+static int count_weights(const struct examination *at, const json_t *attributes,
+	int *none, int *unequal)
 {
 	int index = accessor_of(attributes, "WEIGHTS_0");
 	const struct gltf_accessor *accessor;
 	float *weight;
+	int error;
 
 	if (index < 0 || index >= at->gltf->accessor_count ||
 		json_object_get(attributes, "WEIGHTS_1")) {
-		return;
+		return 0;
 	}
 	accessor = &at->gltf->accessor[index];
 	weight = GLTF_SCRATCH(&at->gltf->root, float, accessor->count * 4);
-	if (!weight || accessor->width != 4 ||
-		gltf_unpack_floats(&at->gltf->root, accessor, weight) != 0) {
-		return;
+	if (!weight) {
+		return -ENOMEM;
+	}
+	if (accessor->width != 4) {
+		return 0;
+	}
+	error = gltf_unpack_floats(&at->gltf->root, accessor, weight);
+	if (error) {
+		return error == -ENOMEM ? error : 0;
 	}
 	for (int v = 0; v < accessor->count; v++) {
 		const float *w = weight + (size_t)v * 4;
@@ -130,13 +141,15 @@ static void count_weights(const struct examination *at,
 		*none += !(sum > 0.0f);
 		*unequal += sum > 0.0f && (sum < 0.999f || sum > 1.001f);
 	}
+	return 0;
 }
 
-static void report_weights(const struct examination *at)
+/* 0 or -ENOMEM. */
+static int report_weights(const struct examination *at)
 {
 	size_t m, p;
 	json_t *mesh, *primitive;
-	int none = 0, unequal = 0;
+	int none = 0, unequal = 0, error = 0;
 
 	json_array_foreach(member(at, "meshes"), m, mesh)
 	{
@@ -146,9 +159,11 @@ static void report_weights(const struct examination *at)
 		json_array_foreach(
 			json_object_get(mesh, "primitives"), p, primitive)
 		{
-			count_weights(at,
-				json_object_get(primitive, "attributes"), &none,
-				&unequal);
+			error = error ? error
+				      : count_weights(at,
+						json_object_get(primitive,
+							"attributes"),
+						&none, &unequal);
 		}
 	}
 	examine_count(at->examiner, none, "vertices without a weight above 0",
@@ -156,6 +171,7 @@ static void report_weights(const struct examination *at)
 	examine_count(at->examiner, unequal,
 		"vertices whose weights do not sum to 1",
 		"limber divides them by their sum");
+	return error;
 }
 
 /* MSFT_lod is read where it meets conditions of its own. */
@@ -207,7 +223,7 @@ int gltf_examine(const struct model_source *source,
 		examine_skins(model, examiner);
 		report_skins(&at);
 		report_nodes(&at);
-		report_weights(&at);
+		error = report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);
 		report_extensions(&at);

@@ -130,7 +130,9 @@ static int complete_output(struct show *show)
 			"render: a signal stopped limber before the file was complete: run it again");
 		return -EINTR;
 	}
-	return screen->driver->finish(screen->display);
+	return atomic_load(&show->heard_error)
+		? -EIO
+		: screen->driver->finish(screen->display);
 }
 
 /*
@@ -168,6 +170,7 @@ static int run(struct show *show)
 		program_keys_print(stdout, show->plan->demo, show->demo,
 			show->keys.has_camera);
 	}
+	atomic_store(&show->heard_error, false);
 	error = show_loop_run(show);
 	if (!error && stats) {
 		error = frame_stats_write(&show->stats, stats, show->log);
@@ -214,22 +217,36 @@ out_input:
 	return error ? error : input_error;
 }
 
+static void hear(void *user, enum log_level level, const char *message)
+{
+	struct show *show = user;
+
+	if (level == LOG_ERROR) {
+		atomic_store(&show->heard_error, true);
+	}
+	show->caller_log->write(show->caller_log->user, level, message);
+}
+
 int show_run(const struct show_plan *plan, const struct options *options,
 	const struct log *log)
 {
-	struct show show = {
+	struct show show;
+	const struct log heard = {
+		.write = hear, .user = &show, .threshold = log->threshold};
+	const char *watchdog = options->show.watchdog;
+	int status = EXIT_USAGE;
+
+	show = (struct show){
 		.plan = plan,
 		.options = options,
-		.log = log,
+		.log = &heard,
+		.caller_log = log,
 		.clock = plan->clock,
 		.frames = plan->frames,
 		.watch.shown = options->show.hud,
 		.governor = governor_begin(options->show.budget_ms),
 		.watchdog = watchdog_none(),
 	};
-	const char *watchdog = options->show.watchdog;
-	int status = EXIT_USAGE;
-
 	stop_catch();
 	if (open_camera(&show) == 0) {
 		if (watchdog) {

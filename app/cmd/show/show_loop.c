@@ -4,6 +4,8 @@
 #include "platform/base/scalar.h"
 #include "platform/process/stop.h"
 
+#include <errno.h>
+
 enum {
 	FRAMES_MAX = 1000000 /* as --frames */
 };
@@ -66,6 +68,10 @@ static int run_frame(struct show *show)
 		show->plan->demo->update(show->demo, show->now_s);
 	}
 	frame_watch_stage(&show->watch, HUD_ANIMATE);
+	/* A file must not lack what an error has said to be missing. */
+	if (show->screen.driver->finish && atomic_load(&show->heard_error)) {
+		return -EIO;
+	}
 	error = show_frame_draw(show);
 	if (error) {
 		return error;

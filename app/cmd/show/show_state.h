@@ -21,10 +21,14 @@
 #include "platform/base/output_file.h"
 #include "platform/watchdog/watchdog.h"
 
+#include <stdatomic.h>
+
 struct show {
 	const struct show_plan *plan;
 	const struct options *options;
 	const struct log *log;
+	const struct log *caller_log; /* which log writes to */
+	atomic_bool heard_error;      /* on the log, since the first frame */
 	struct show_screen screen;
 	struct camera_feed camera;
 	struct demo *demo;

@@ -20,7 +20,9 @@ int pixels_alloc(struct pixels *out, int width, int height,
 	/* At most 4 * 8192 * 8192 = 2^28 bytes. */
 	data = calloc((size_t)height, (size_t)(width * pixel_bytes(format)));
 	if (!data) {
-		log_error(log, "--size %dx%d: out of memory", width, height);
+		log_error(log,
+			"there is not enough memory for a picture of %dx%d pixels",
+			width, height);
 		return -ENOMEM;
 	}
 	*out = (struct pixels){

@@ -118,7 +118,7 @@ static int image_create(
 	}
 	display = calloc(1, sizeof(*display));
 	if (!display) {
-		log_error(options->log, "--display image: out of memory");
+		log_error(options->log, "%s: out of memory", options->output);
 		return -ENOMEM;
 	}
 	error = alloc_pictures(display, options);

@@ -10,12 +10,27 @@ $(FAULTS): $(sort $(wildcard tests/faults/*.[ch])) | build/host/packages.stamp
 	$(Q)$(CC_host) -std=c11 $(WARNINGS) -O1 -g -fno-omit-frame-pointer -fPIC \
 		-shared -o $@ $(filter %.c,$^)
 
-# The short form spreads its faults over each kind of call; the long one tries
-# all of them, which takes about an hour on two processors.
+# In these programs each allocation of an arena takes a block of its own, and so can
+# fail. Objects precede the library that has the usual arena.
+build/faults/%/arena.o: platform/base/arena.c platform/base/arena.h \
+		platform/base/memory_budget.h | build/%/packages.stamp
+	@mkdir -p $(@D)
+	$(call say,CC,$@)
+	$(Q)$(CC_$*) $(COMMON_CFLAGS) $(CFLAGS_$*) -DARENA_SINGLE -I. -c -o $@ $<
+.PRECIOUS: build/faults/%/arena.o
+build/faults/%/limber: build/%/obj/app/main.o build/faults/%/arena.o \
+		build/%/liblimber.a
+	$(call say,LINK,$@)
+	$(Q)$(CC_$*) $(CFLAGS_$*) -o $@ $^ @build/$*/libs $(LIBS_$*)
+
+# The long form lets a call from each site fail, in each command; MOST=50 tries so
+# many of each kind and command, and EVERY=--every each call, which takes days.
 MOST ?= 0
+EVERY ?=
 .PHONY: faults
-faults: $(FAULTS) build/asan/limber
-	$(Q)$(FAULTS_RUN) build/asan/limber --most $(MOST) --table build/faults/table
+faults: $(FAULTS) build/faults/asan/limber
+	$(Q)$(FAULTS_RUN) build/faults/asan/limber $(EVERY) --most $(MOST) \
+		--table build/faults/table
 
 # make fuzz SECONDS=N JOBS=2 runs each target for N seconds, and keeps the inputs
 # that reached new code in build/fuzz/corpus, where the next run begins.
@@ -82,7 +97,7 @@ reproduce: build/sysroot.stamp
 	$(Q)toolchain/reproduce.sh build/reproduce $(REPRODUCED)
 
 # The table of SECURITY.md.
-trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
+trust: $(FAULTS) build/faults/asan/limber build/host/limber build/arm/limber \
 		build/months/host.so build/test-packages.stamp build/sysroot.stamp \
 		$(FUZZERS:%=build/fuzz/%)
 	$(Q)$(CHECK_ENVIRONMENT) SAMPLES=$(abspath $(SAMPLES)) MOST=$(MOST) \
@@ -90,10 +105,11 @@ trust: $(FAULTS) build/asan/limber build/host/limber build/arm/limber \
 		REPRODUCED='$(REPRODUCED)' toolchain/trust.sh \
 		$(FUZZERS:%=build/fuzz/%)
 
-check-build: $(FAULTS) $(MONTHS)
+check-build: $(FAULTS) build/faults/asan/limber build/faults/host/limber $(MONTHS)
 trust_suites = $(call suite,mutants/checker,tests/mutants/checker.sh) \
 	$(call suite,months/host,DAYS=4 $(months_host)) \
 	$(call suite,months/arm,DAYS=1 $(months_arm)) \
-	$(call suite,faults/asan,$(FAULTS_RUN) build/asan/limber \
-	--most 3 --jobs 1) \
-	$(call suite,faults/host,$(FAULTS_RUN) build/host/limber --most 2 --jobs 1)
+	$(call suite,faults/asan,$(FAULTS_RUN) build/faults/asan/limber \
+	--once --frames 2 --most 40 --jobs 1) \
+	$(call suite,faults/host,$(FAULTS_RUN) build/faults/host/limber \
+	--once --frames 4 --jobs 1)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # trust.sh FUZZER...: prints how well limber stands faults and hostile input, as
 # a table: how much was tried and how much of it failed. The environment sets
-# MOST, the number of faults of each kind and case (0: all), SECONDS for each
+# MOST, the number of faults of each kind and case (0: all sites), SECONDS for each
 # fuzz target, DAYS to play, N and SEED of the mutants (N=0: none), and
 # REPRODUCED, the targets of make that are built twice (empty: none). It fails
 # when anything failed; a mutant that survives is no failure. Logs stay in
@@ -22,7 +22,7 @@ result=0
 row '---' '---' '---' '---'
 result=0
 
-python3 -B tests/faults/faults.py build/faults/faults.so build/asan/limber \
+python3 -B tests/faults/faults.py build/faults/faults.so build/faults/asan/limber \
     --most "${MOST:-0}" --table "$logs/faults.table" >"$logs/faults.log" 2>&1
 read -r tried failed <"$logs/faults.table" || failed=1
 row 'calls that fail' "${tried:-0}" "$failed" 'make faults'

@@ -18,6 +18,13 @@
 #define RED_ZONE 0
 #endif
 
+/* So that each allocation can fail alone, tests/faults gives it its own block. */
+#ifdef ARENA_SINGLE
+#define SHARES_BLOCKS false
+#else
+#define SHARES_BLOCKS true
+#endif
+
 enum {
 	ALIGNMENT = 16,
 	BLOCK_BYTES = 64 * 1024,
@@ -80,7 +87,8 @@ static size_t room(const struct arena_block *block)
 static struct arena_block *grow(struct arena *arena, size_t bytes)
 {
 	size_t usual = arena->block_bytes ? arena->block_bytes : BLOCK_BYTES;
-	size_t capacity = bytes >= usual / LARGE_PART ? bytes : usual;
+	bool shared = SHARES_BLOCKS && bytes < usual / LARGE_PART;
+	size_t capacity = shared ? usual : bytes;
 	size_t total = block_bytes(capacity);
 	struct arena_block *block;
 

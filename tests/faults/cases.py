@@ -1,20 +1,31 @@
-"""The command lines that faults.py makes fail."""
+"""The command lines that faults.py makes fail: those of CASES, and those of the
+reference texts and films, tests/golden/texts.txt and films.txt."""
 
 import dataclasses
 import os
+import re
+import shlex
 
 TREE = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
+ASSETS = os.path.join(TREE, 'assets')
+GOLDEN = os.path.join(TREE, 'tests', 'golden')
 GLTF = os.path.join(TREE, 'tests', 'fixtures', 'gltf')
 SKIN = os.path.join(GLTF, 'skin', 'and_morph.gltf')
 TEXTURES = os.path.join(GLTF, 'material', 'textures.gltf')
 XFILE = os.path.join(TREE, 'tests', 'fixtures', 'xfile', 'tower_binary_packed.x')
 SLIDER = os.path.join(TREE, 'tests', 'cli', 'slider.gltf')
+BINARY = os.path.join(GLTF, 'container', 'binary.glb')
+WALKER = os.path.join(ASSETS, 'walker.glb')
+FACE = os.path.join(ASSETS, 'face.glb')
 
 # Files beside the folders in which the cases run.
 INPUTS = {
     'buttons': '0 RIGHT down\n40 RIGHT up\n80 F8 down\n120 F8 up\n'
                '160 F6 down\n200 F6 up\n',
     'limber.conf': '[display]\nsize = 32x32\n',
+    # Saves a picture, and presses ENTER, at which the tuner saves a preset.
+    'saving': '0 F9 down\n40 F8 down\n80 F8 up\n120 F9 up\n'
+              '160 ENTER down\n200 ENTER up\n',
 }
 
 
@@ -25,12 +36,17 @@ class Case:
     name: str
     arguments: list
     files: tuple = ()
+    given: dict = dataclasses.field(default_factory=dict)  # copies of files
     varying: tuple = ()           # files that hold times
     prints_the_same: bool = True  # not if it prints times
     statuses: tuple = (0,)
+    leaves: tuple = ()            # files that it leaves behind if it fails
     growing: tuple = ()           # files that hold what limber has done so far
+    finds: bool = False           # it may print why it fails
     own_memory: bool = False      # only limber's own allocations fail
+    kinds: tuple = ()             # the only kinds of calls that fail, or all
     may_do_without: tuple = ()    # sentences about what limber can do without
+    reference: bool = False       # of tests/golden: only its new sites fail
 
 
 SMALL = ['--size', '32x32', '--gl', 'soft']
@@ -82,4 +98,81 @@ CASES = [
          files=('x.png',)),
     Case('demo-duel', RENDER + ['--demo', 'duel'], files=('x.png',)),
     Case('demo-tuner', RENDER + ['--demo', 'tuner'], files=('x.png',)),
+
+    Case('info-glb', ['info', BINARY]),
+    Case('doctor-character', ['doctor', 'x.glb'], finds=True,
+         given={'x.glb': WALKER,
+                'presets.ini': os.path.join(ASSETS, 'presets.ini'),
+                'x.character': os.path.join(ASSETS, 'walker.character')}),
+    Case('pose-glb', ['pose', BINARY, '-o', 'x.obj', '--math', 'fixed'],
+         files=('x.obj',)),
+    Case('character', ['character', WALKER, '-o', 'x.character'],
+         files=('x.character',)),
+    Case('levels', ['levels', FACE, '-o', 'x.levels'], files=('x.levels',)),
+    Case('render-levels', RENDER + ['x.gltf'], files=('x.png',),
+         given={'x.gltf': SKIN, 'x.levels': SKIN}),
+    Case('render-character', ['render', '-o', 'x.y4m', '--frames', '3', WALKER,
+                              '--character', os.path.join(
+                                  GOLDEN, 'characters', 'effects.character')] +
+         SMALL, files=('x.y4m',)),
+    Case('render-numbers', RENDER + ['--frames', '3', SLIDER, '--hud',
+                                     '--stats', 'x.json'],
+         files=('x-0001.png', 'x-0002.png', 'x-0003.png', 'x.json'),
+         varying=('x.json',)),
+    Case('optimize-in-place', ['optimize', 'x.glb', '-o', 'x.glb'],
+         files=('x.glb',), given={'x.glb': BINARY}),
+    Case('compare-threads', ['compare', SKIN, '--fps', '4', '--jobs', '3'],
+         prints_the_same=False),
+    Case('play-saving', PLAY + ['--demo', 'tuner', '--script', '../saving',
+                                '--failsafe', 'x.starts'],
+         files=('limber-0001.png', 'presets.ini'),
+         given={'presets.ini': os.path.join(ASSETS, 'presets.ini')},
+         leaves=('x.starts',),
+         may_do_without=('limber-0002.png: ', 'presets.ini: ', 'x.starts: ',
+                         'a picture of 32x32')),
+    Case('play-image', PLAY + ['--display', 'image', '-o', 'x.png', SLIDER],
+         files=('x.png',)),
+    Case('play-osmesa', PLAY + ['--gl', 'osmesa', SLIDER], own_memory=True,
+         kinds=('alloc',)),
+    Case('show-walker', RENDER + ['--demo', 'walker', '--show',
+                                  'skeleton,weights,wireframe,layers'],
+         files=('x.png',)),
+    Case('show-face', RENDER + ['--demo', 'face', '--show', 'keys,curve'],
+         files=('x.png',)),
+    Case('show-arm', RENDER + ['--demo', 'arm', '--show', 'pivots'],
+         files=('x.png',)),
+    Case('crowd-model', RENDER + ['--demo', 'crowd', SKIN], files=('x.png',)),
+    Case('duel-model', RENDER + ['--demo', 'duel', SKIN], files=('x.png',)),
+    Case('tuner-model', RENDER + ['--demo', 'tuner', SKIN], files=('x.png',)),
 ]
+
+
+# A run of these takes more than a second, or fails at once.
+LONG = re.compile('(optimize|compare)-(walker|arm|face|coarse)|bench|buttons|wrong')
+
+
+def references():
+    """The command lines of the reference texts and films."""
+    lines = []
+    for name, add in (('texts.txt', []),
+                      ('films.txt', ['--size', '32x32', '-o', 'x.y4m'])):
+        with open(os.path.join(GOLDEN, name), encoding='ascii') as file:
+            for line in file:
+                words = shlex.split(line, comments=True)
+                if add:
+                    words[1:1] = ['render']
+                    words[0:1] = [f'film-{word}' for word in words[:1]]
+                if len(words) > 1 and not LONG.match(words[0]):
+                    lines.append(words + add)
+    for number, (name, *arguments) in enumerate(lines, 1):
+        arguments = [re.sub('^(assets|tests)/', TREE + r'/\1/', argument)
+                     for argument in arguments]
+        arguments = [re.sub('^OUT(/|$)', './', argument)
+                     for argument in arguments]
+        yield Case(f'{name}-{number}', arguments, statuses=(0, 1, 2),
+                   prints_the_same=arguments[0] != 'compare',
+                   finds=arguments[0] == 'doctor', reference=True,
+                   may_do_without=('--camera pattern: ',))
+
+
+CASES += references()

@@ -3,13 +3,14 @@
  *
  * FAULT=KIND:N makes call number N of a kind fail, counted from 1 and from the
  * start of main(); KIND:N+ makes that call and all later ones fail. Without
- * FAULT nothing fails. README.md lists the kinds. Three more variables:
+ * FAULT nothing fails. README.md lists the kinds. Four more variables:
  *
  *	FAULT_CALLER=program  only allocations that the program itself asks for
  *	                      count, not those of its libraries
  *	FAULT_REPORT=FILE     gets the number of calls of each kind
- *	FAULT_TRACE=1         prints where the call failed, in a program under
- *	                      the address sanitizer
+ *	FAULT_SITES=N         the report also names the first call of each site,
+ *a chain of N frames of the program (fault_sites.c) FAULT_TRACE=1 prints where
+ *the call failed, in a program under the address sanitizer
  *
  * The functions forward to the next library that defines them, so a program
  * under the address sanitizer can be tested, too.
@@ -44,6 +45,7 @@ bool faults_next_fails(enum kind kind)
 		return false;
 	}
 	number = atomic_fetch_add(&calls[kind], 1) + 1;
+	faults_note_site(kind, number);
 	if ((int)kind != failing || number < first || number > last) {
 		return false;
 	}
@@ -89,8 +91,10 @@ static void read_fault(void)
 static void write_report(FILE *report)
 {
 	for (int kind = 0; report && kind < KINDS; kind++) {
-		fprintf(report, "%s %ld\n", kind_names[kind],
+		fprintf(report, "%s %ld", kind_names[kind],
 			atomic_load(&calls[kind]));
+		faults_write_sites(report, kind);
+		putc('\n', report);
 	}
 	if (report) {
 		fclose(report);
@@ -102,11 +106,15 @@ static int (*real_main)(int, char **, char **);
 static int counted_main(int argc, char **argv, char **environment)
 {
 	const char *path = getenv("FAULT_REPORT");
+	const char *frames = getenv("FAULT_SITES");
 	FILE *report = path ? faults_open_stream(path, "w") : NULL;
 	int status;
 
 	if (getenv("FAULT_CALLER")) {
 		faults_watch_program();
+	}
+	if (frames) {
+		faults_watch_sites(atoi(frames), *(void **)&real_main);
 	}
 	read_fault();
 	faults_watch_stdout();

@@ -1,6 +1,7 @@
 /*
- * What the parts of the library share: faults.c counts calls and knows which one
- * fails; fault_memory.c, fault_files.c and fault_streams.c replace functions.
+ * What the parts of the library share: faults.c counts calls and knows which
+ * one fails; fault_memory.c, fault_files.c and fault_streams.c replace
+ * functions; fault_sites.c knows where calls come from.
  */
 #ifndef TESTS_FAULTS_FAULTS_H
 #define TESTS_FAULTS_FAULTS_H
@@ -31,6 +32,15 @@ enum kind {
 
 /* Counts a call; whether it shall fail. */
 bool faults_next_fails(enum kind kind);
+
+/* From here on notes where calls come from: chains of so many of its frames. */
+void faults_watch_sites(int frames, const void *in_program);
+
+/* Notes where a call comes from. */
+void faults_note_site(enum kind kind, long number);
+
+/* Writes " NUMBER:HASH" for each site: the first call from there. */
+void faults_write_sites(FILE *report, enum kind kind);
 
 /* What may still be written to the disk; -1: any amount. */
 extern long faults_disk_bytes;

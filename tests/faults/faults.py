@@ -1,12 +1,20 @@
 #!/usr/bin/env python3
 """Makes each call of limber fail in turn, and checks how limber ends.
 
-    faults.py LIBRARY LIMBER [--most N] [--jobs N] [--case NAME] [--table FILE]
+    faults.py LIBRARY LIMBER [--every | --once] [--frames N] [--most N]
+              [--jobs N] [--case NAME] [--table FILE]
 
 Every case is a command line. Without a fault it writes its reference: what it
-prints and its files. Then call 1 of a kind fails, then call 2, and so on, then
-all calls from one on; cases.py says which commands, README.md which kinds.
---most N tries N faults of each kind of a case, evenly spread. A run is right if
+prints and its files, and the sites of its calls: the chains of functions that
+lead to them. Then the first call of one site fails after the other, and then all
+calls from one on; cases.py says which commands, README.md which kinds.
+
+--every     lets every call fail, not only the first of each site
+--once      lets a site fail only in the first case that reaches it
+--frames N  tells sites apart by the N nearest frames of limber alone
+--most N    tries N faults of each kind of a case, evenly spread
+
+A run is right if
 
 - it ends by itself, within a minute, and the sanitizers report nothing;
 - its exit status is 0 and everything it wrote equals the reference, or its
@@ -19,6 +27,8 @@ Prints TAP, one test a case and kind. --table FILE gets the number of faults.
 
 import argparse
 import concurrent.futures
+import dataclasses
+import functools
 import os
 import shutil
 import signal
@@ -30,7 +40,21 @@ from cases import CASES, INPUTS, TREE
 
 EARLIER = b'what was there before\n'
 SHORT = ('read-short', 'write-short')
+LATER = 8    # faults of a kind and case after which all calls fail
+FRAMES = 10  # of a site: longer chains tell 2% more sites apart
 TIMEOUT_S = 60
+
+
+@functools.lru_cache(None)
+def content_of(path):
+    """What a file of the tree holds."""
+    with open(path, 'rb') as file:
+        return file.read()
+
+
+def earlier(case, name):
+    """What a file of a case holds before its run."""
+    return content_of(case.given[name]) if name in case.given else EARLIER
 
 
 class Run:
@@ -38,11 +62,11 @@ class Run:
 
     def __init__(self, options, case, fault):
         self.folder = tempfile.mkdtemp(prefix='run-', dir=options.scratch)
-        for name in case.files:
+        for name in {*case.files, *case.given}:
             path = os.path.join(self.folder, name)
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with open(path, 'wb') as file:
-                file.write(EARLIER)
+                file.write(earlier(case, name))
         self.report = self.folder + '.report'
         environment = dict(
             os.environ, LIMBER_CONFIG='none', LC_ALL='C.UTF-8',
@@ -52,8 +76,12 @@ class Run:
             UBSAN_OPTIONS='print_stacktrace=1',
             LSAN_OPTIONS='print_suppressions=0:suppressions=' +
             os.path.join(TREE, 'tests', 'support', 'lsan.supp'))
+        if case.given:
+            environment['LIMBER_ASSETS'] = self.folder
         environment.pop('DISPLAY', None)
         environment.pop('WAYLAND_DISPLAY', None)
+        if not fault and not options.every:
+            environment['FAULT_SITES'] = str(options.frames)
         if case.own_memory:
             environment['FAULT_CALLER'] = 'program'
         if fault:
@@ -80,23 +108,30 @@ class Run:
         return files
 
     def counts(self):
-        """The number of calls of each kind."""
+        """For each kind the number of calls, and (first call, site) of each site."""
         with open(self.report, encoding='ascii') as file:
             lines = [line.split() for line in file]
         os.remove(self.report)
-        return {kind: int(count) for kind, count in lines}
+        counts = {}
+        for kind, count, *sites in lines:
+            pairs = [site.split(':') for site in sites]
+            counts[kind] = (int(count), sorted(
+                (int(number), site) for number, site in pairs))
+        return counts
 
 
 def files_problem(case, run, reference):
     """What is wrong with the files, or None."""
     for name, content in run.files.items():
+        if name in case.leaves and run.status != 0:
+            continue
         if name not in reference.files:
             return f'leaves {name} behind'
         if content == reference.files[name] or name in case.varying:
             continue
         if name in case.growing and reference.files[name].startswith(content):
             continue
-        if content != EARLIER:
+        if content != earlier(case, name):
             return f'damages {name}'
     for name in reference.files:
         if name not in run.files and name in case.files:
@@ -111,14 +146,14 @@ def problem(case, run, reference):
         return 'is reported by a sanitizer'
     if run.status == 'no end':
         return 'does not end'
-    if run.status not in (0, 1):
+    if run.status not in (0, 1, reference.status):
         name = signal.Signals(-run.status).name if run.status < 0 else run.status
         return f'ends with {name}'
     wrong = files_problem(case, run, reference)
     if wrong and not (run.status == 0 and wrong.startswith('damages')):
         return wrong
-    if run.status == 1 and reference.status == 0:
-        if not said.startswith('limber: '):
+    if run.status == 1 and reference.status != 1:
+        if not case.finds and not said.startswith('limber: '):
             return 'fails without a sentence'
         return None
     if run.status != reference.status:
@@ -140,20 +175,21 @@ def accepted(case, run, wrong):
             any(sentence in said for sentence in case.may_do_without))
 
 
-def numbers(count, most):
-    """Which of count calls shall fail."""
+def spread(numbers, most):
+    """At most so many of the numbers, evenly spread; 0: all."""
+    count = len(numbers)
     if most <= 0 or count <= most:
-        return list(range(1, count + 1))
-    return sorted({1 + i * (count - 1) // max(most - 1, 1)
-                   for i in range(most)})
+        return numbers
+    return [numbers[i * (count - 1) // max(most - 1, 1)] for i in range(most)]
 
 
-def faults_of(kind, count, most):
-    """The values of FAULT for one kind."""
-    single = [f'{kind}:{n}' for n in numbers(count, most)]
+def faults_of(kind, numbers, most):
+    """The values of FAULT that let these calls of a kind fail."""
+    single = [f'{kind}:{n}' for n in spread(numbers, most)]
     if kind in SHORT:
-        return single + ([f'{kind}:1+'] if count else [])
-    return single + [f'{kind}:{n}+' for n in numbers(count, max(most // 4, 4))]
+        return single + ([f'{kind}:1+'] if numbers else [])
+    later = spread(numbers, min(most, LATER) if most else LATER)
+    return single + [f'{kind}:{n}+' for n in later]
 
 
 def disk_faults(reference, most):
@@ -173,6 +209,7 @@ class Suite:
         self.tests = 0
         self.failed = 0
         self.faults = 0
+        self.seen = set()
         self.pool = concurrent.futures.ThreadPoolExecutor(options.jobs)
 
     def test(self, name, problems):
@@ -199,6 +236,15 @@ class Suite:
             return f'FAULT={fault} {wrong}: {said}'.replace('\n', '\n#   ')
         return f'FAULT={fault} {wrong}: {said.splitlines()[:1]}'
 
+    def calls(self, case, count, sites):
+        """The numbers of the calls of a kind and case that shall fail."""
+        if self.options.every:
+            return list(range(1, count + 1))
+        if self.options.once or case.reference:
+            sites = [site for site in sites if site[1] not in self.seen]
+        self.seen.update(site for _, site in sites)
+        return [number for number, _ in sites]
+
     def run_case(self, case):
         """Tries all faults of a case."""
         reference = Run(self.options, case, None)
@@ -206,15 +252,26 @@ class Suite:
         # A run that is not the same twice has no reference.
         again = Run(self.options, case, None)
         again.counts()
+        if case.reference:
+            case = dataclasses.replace(
+                case, files=tuple(reference.files),
+                prints_the_same=(case.prints_the_same and
+                                 again.out == reference.out), varying=tuple(
+                    name for name, content in reference.files.items()
+                    if again.files.get(name) != content))
         wrong = problem(case, again, reference)
         if reference.status not in case.statuses or wrong:
             self.test(f'{case.name}: runs without a fault',
                       [f'status {reference.status}: {wrong}: '
                        f'{reference.err.decode(errors="replace")}'])
             return
-        plans = {kind: faults_of(kind, count, self.options.most)
-                 for kind, count in counts.items()}
-        plans['disk'] = disk_faults(reference, self.options.most)
+        plans = {kind: faults_of(kind, self.calls(case, *calls),
+                                 self.options.most)
+                 for kind, calls in counts.items()}
+        if not case.reference:
+            plans['disk'] = disk_faults(reference, self.options.most)
+        if case.kinds:
+            plans = {kind: plans[kind] for kind in case.kinds}
         for kind, faults in plans.items():
             if not faults:
                 continue
@@ -231,6 +288,9 @@ def main():
     parser.add_argument('library')
     parser.add_argument('limber')
     parser.add_argument('--most', type=int, default=0)
+    parser.add_argument('--every', action='store_true')
+    parser.add_argument('--once', action='store_true')
+    parser.add_argument('--frames', type=int, default=FRAMES)
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--case', action='append')
     parser.add_argument('--table')

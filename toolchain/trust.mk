@@ -112,4 +112,4 @@ trust_suites = $(call suite,mutants/checker,tests/mutants/checker.sh) \
 	$(call suite,faults/asan,$(FAULTS_RUN) build/faults/asan/limber \
 	--once --frames 2 --most 40 --jobs 1) \
 	$(call suite,faults/host,$(FAULTS_RUN) build/faults/host/limber \
-	--once --frames 4 --jobs 1)
+	--once --frames 3 --jobs 1)

@@ -8,9 +8,9 @@
  *	FAULT_CALLER=program  only allocations that the program itself asks for
  *	                      count, not those of its libraries
  *	FAULT_REPORT=FILE     gets the number of calls of each kind
- *	FAULT_SITES=N         the report also names the first call of each site,
- *a chain of N frames of the program (fault_sites.c) FAULT_TRACE=1 prints where
- *the call failed, in a program under the address sanitizer
+ *	FAULT_SITES=N         the report also names the first call of each site
+ *	FAULT_TRACE=1         prints where the call failed, in a program under
+ *	                      the address sanitizer
  *
  * The functions forward to the next library that defines them, so a program
  * under the address sanitizer can be tested, too.

@@ -22,6 +22,7 @@ LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 TEST_LDFLAGS_arm := -Wl,--strip-debug
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
+		toolchain/packages/sysroot.sha256 \
 		toolchain/packages/arm.txt | build
 	$(Q)toolchain/install.sh arm
 	$(call say,SYSROOT,$(SYSROOT))
@@ -29,6 +30,11 @@ build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 	$(Q)touch $@
 
 build/arm/packages.stamp: build/sysroot.stamp
+
+# Accepts the packages of the sysroot as those that limber is made with.
+.PHONY: sysroot-record
+sysroot-record: build/sysroot.stamp
+	cp $(SYSROOT)/packages.sha256 toolchain/packages/sysroot.sha256
 
 # The board's core has neither ARMv7 nor NEON; a binary that needs them fails.
 build/arm/limber: CHECK_BINARY = toolchain/check-arm.sh $(ARM_PREFIX)readelf $@

@@ -6,11 +6,17 @@
 # Debian 13 is the last release with an armel port. It cannot be added to the
 # build machine as a foreign architecture, because shared packages would need the
 # same version. The mirror is MIRROR or, where that is not set, the one that this
-# machine's apt uses.
+# machine's apt uses. apt checks the archive's signature.
+#
+# DIR/packages.sha256 lists what was unpacked. packages/sysroot.sha256 is the list
+# that limber's own figures and packages were made with: a package of the same name
+# and version with other bytes is refused, and other versions are named, since a
+# mirror keeps only the newest. The environment's RECORD is that list.
 set -eu
 
 directory=${1:?usage: sysroot.sh DIR}
 here=$(dirname "$0")
+record=${RECORD:-$here/packages/sysroot.sha256}
 keyring=${KEYRING:-/usr/share/keyrings/debian-archive-trixie-stable.gpg}
 
 # Prints the mirrors that apt uses; the second form works before an apt-get
@@ -48,6 +54,7 @@ unpack() {
     mmdebstrap --quiet --mode="$mode" --architectures=armel --variant=extract \
         --include="$packages" \
         --extract-hook='grep -qx "Codename: trixie" "$1"/var/lib/apt/lists/*Release' \
+        --extract-hook='cd "$1"/var/cache/apt/archives && sha256sum *.deb >../../../../packages.sha256' \
         "$1" "$scratch" "deb [signed-by=$keyring] $mirror $1 main" \
         2>>"$directory.log"
 }
@@ -63,4 +70,21 @@ fi
 # No package makes this link, and the path of the dynamic loader needs it.
 [ -e "$scratch/lib" ] || ln -s usr/lib "$scratch/lib"
 rm -rf "$scratch/dev"
+
+# compare STATE: prints the packages that the record knows by another hash
+# (changed), or does not know (new).
+compare() {
+    awk -v state="$1" 'FILENAME == ARGV[1] { known[$2] = $1; next }
+        { found = !($2 in known) ? "new" : known[$2] != $1 ? "changed" : "" }
+        found == state { print $2 }' "$record" "$scratch/packages.sha256"
+}
+changed=$(compare changed)
+if [ -n "$changed" ]; then
+    echo "limber: $mirror has other bytes than $record lists for" $changed >&2
+    exit 1
+fi
+new=$(compare new)
+if [ -n "$new" ]; then
+    echo "limber: $mirror has other versions than $record lists, so the board's files will differ from a release's: make sysroot-record accepts" $new >&2
+fi
 mv "$scratch" "$directory"

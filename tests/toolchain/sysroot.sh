@@ -5,6 +5,9 @@ script=$(dirname "$0")/../../toolchain/sysroot.sh
 root=$scratch/build/sysroot
 KEYRING=$scratch/keyring
 export KEYRING
+RECORD=$scratch/record
+export RECORD
+printf '%s  %s\n' aa libone_1_armel.deb bb libtwo_2_armel.deb >"$RECORD"
 mkdir "$scratch/bin" "$scratch/build"
 : >"$KEYRING"
 
@@ -23,9 +26,11 @@ given() {
         esac"
     stub mmdebstrap "echo \"\$*\" >$scratch/call
         for d; do :; done
-        mkdir -p $root.new/usr/lib $root.new/dev"
+        mkdir -p $root.new/usr/lib $root.new/dev
+        cp $scratch/packages $root.new/packages.sha256"
 }
 
+cp "$RECORD" "$scratch/packages"
 sysroot() {
     rm -f "$scratch/call"
     run env PATH="$scratch/bin:$PATH" "$script" "$root"
@@ -81,9 +86,28 @@ about 'a mirror that is given'
 expect_status 0
 called 'http://four.example/debian trixie main$'
 
+printf '%s  %s\n' aa libone_1_armel.deb cc libtwo_3_armel.deb >"$scratch/packages"
+sysroot
+about 'a version that is not recorded'
+expect_status 0
+expect_err_lines 1
+expect_err '^limber: .* has other versions than .* make sysroot-record accepts libtwo_3_armel.deb$'
+check 'the sysroot tells what it holds' cmp -s "$scratch/packages" \
+    "$root/packages.sha256"
+
+printf '%s  %s\n' aa libone_1_armel.deb cc libtwo_2_armel.deb >"$scratch/packages"
+sysroot
+about 'a recorded version with other bytes'
+expect_status 1
+expect_err_lines 1
+expect_err '^limber: .* has other bytes than .* lists for libtwo_2_armel.deb$'
+check 'there is no sysroot of it' test ! -e "$root" -a ! -e "$root.new"
+cp "$RECORD" "$scratch/packages"
+
 stub mmdebstrap "echo \"\$*\" >$scratch/call
     for d; do :; done
     mkdir -p $root.new/usr
+    cp $scratch/packages $root.new/packages.sha256
     case \"\$d\" in *' trixie main') : >$root.new/half; exit 1 ;; esac"
 sysroot
 about 'a mirror in the midst of a point release'

@@ -55,8 +55,7 @@ build/$(1)/obj/%.o: %.c | build/$(1)/packages.stamp $$(LISTS_$(1))
 	@mkdir -p $$(@D)
 	$$(call say,CC,$$@)
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) \
-		$$(if $$(filter $$(EXACT_FOLDERS),$$<),-Wconversion) -I. \
-		-Ibuild/$(1)/gen @build/$(1)/cflags -MMD -MP -c -o $$@ $$<
+		-I. -Ibuild/$(1)/gen @build/$(1)/cflags -MMD -MP -c -o $$@ $$<
 
 build/$(1)/obj/%.o: %.S | build/$(1)/packages.stamp
 	@mkdir -p $$(@D)

@@ -1,9 +1,7 @@
 # The targets host and asan: this machine, without and with the sanitizers.
 
 WARNINGS := -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
-	-Wpointer-arith -Wvla -Wwrite-strings -Werror
-# What reads files writes down each conversion that may change a value.
-EXACT_FOLDERS := app/model/% app/character/text/% platform/base/%
+	-Wpointer-arith -Wvla -Wwrite-strings -Wconversion -Werror
 COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
 	-ffp-contract=off -fno-math-errno $(WARNINGS)
 

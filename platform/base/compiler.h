@@ -26,7 +26,7 @@
  */
 #ifdef __ARM_FEATURE_DSP
 #include <arm_acle.h>
-#define MULTIPLY_ADD_HALF(sum, word, half) __smlawb(word, half, sum)
+#define MULTIPLY_ADD_HALF(sum, word, half) __smlawb(word, (int32_t)(half), sum)
 #else
 #define MULTIPLY_ADD_HALF(sum, word, half) \
 	((int32_t)((uint32_t)(sum) +       \

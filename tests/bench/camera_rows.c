@@ -40,7 +40,7 @@ int main(void)
 		return 1;
 	}
 	for (int i = 0; i < 4 * WIDTH * HEIGHT * 3; i++) {
-		data[i] = (uint8_t)(i * 2654435761u >> 24);
+		data[i] = (uint8_t)((uint32_t)i * 2654435761u >> 24);
 	}
 	for (int i = 0; i < CAMERA_FORMATS; i++) {
 		enum camera_format format = (enum camera_format)i;

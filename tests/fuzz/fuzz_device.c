@@ -46,8 +46,8 @@ static void read_picture(const struct camera_image *image)
 	static struct camera_scaler scaler;
 	static struct camera_motion motion;
 	uint16_t out[SIDE * SIDE];
-	struct camera_part part = camera_part_cut(
-		image->width, image->height, 1, 1 + fuzz_device_byte() % 3);
+	struct camera_part part = camera_part_cut(image->width, image->height,
+		1, (int)(1 + fuzz_device_byte() % 3));
 
 	camera_motion_feed(&motion, image);
 	camera_convert(&scaler, image, &part, SIDE, SIDE, out, SIDE);

@@ -24,10 +24,10 @@
  * The same for count floats. Pointers of any array type will do, such as
  * float (*)[3] with a count of 3 * rows.
  */
-#define assert_all_near(actual, expected, count, tolerance)               \
-	test_assert_all_near((const float *)(actual),                     \
-		(const float *)(expected), (count), (tolerance), #actual, \
-		__FILE__, __LINE__)
+#define assert_all_near(actual, expected, count, tolerance)              \
+	test_assert_all_near((const float *)(actual),                    \
+		(const float *)(expected), (size_t)(count), (tolerance), \
+		#actual, __FILE__, __LINE__)
 
 /* Fails unless the string contains the part. */
 #define assert_contains(text, part) \

@@ -3,7 +3,7 @@
 /* The memory cycle of a transfer in which its word w is moved. */
 static int64_t memory_cycle(int word, uint32_t first_address)
 {
-	return (word + (first_address >> 2 & 1)) / 2;
+	return (word + (int)(first_address >> 2 & 1)) / 2;
 }
 
 static uint32_t lowest_address(const struct access *access, int count)

@@ -37,8 +37,8 @@ void gl_check_a_triangle_covers_its_pixels(void **state)
 	/* It covers the lower left half; pixels on the diagonal may be either. */
 	for (int y = 0; y < GL_CANVAS_HEIGHT; y++) {
 		for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
-			float diagonal = (x + 0.5f) / GL_CANVAS_WIDTH -
-				(y + 0.5f) / GL_CANVAS_HEIGHT;
+			float diagonal = ((float)x + 0.5f) / GL_CANVAS_WIDTH -
+				((float)y + 0.5f) / GL_CANVAS_HEIGHT;
 
 			if (diagonal < -0.05f) {
 				gl_canvas_expect(&canvas, x, y, 0, 128, 255, 1);
@@ -62,7 +62,7 @@ void gl_check_colours_run_between_vertices(void **state)
 	gl_canvas_draw_all(gl);
 	gl_canvas_end_frame(&canvas);
 	for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
-		int blue = (int)(255 * (x + 0.5f) / GL_CANVAS_WIDTH);
+		int blue = (int)(255 * ((float)x + 0.5f) / GL_CANVAS_WIDTH);
 
 		gl_canvas_expect(&canvas, x, 10, 255 - blue, 0, blue, 2);
 	}

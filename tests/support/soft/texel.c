@@ -59,7 +59,7 @@ static void sample_nearest(const struct level *level, const struct along *s,
 {
 	uint32_t texel = read_texel(level, s, t, 0, 0);
 
-	for (int i = 0; i < 4; i++) {
+	for (enum soft_channel i = 0; i < 4; i++) {
 		int bits = soft_field(level->format, i).bits;
 
 		out[i] = (uint8_t)soft_widen_field(
@@ -88,7 +88,7 @@ static void sample_linear(const struct level *level, const struct along *s,
 		out[3] = (uint8_t)(green_alpha >> 16);
 		return;
 	}
-	for (int i = 0; i < 4; i++) {
+	for (enum soft_channel i = 0; i < 4; i++) {
 		int bits = soft_field(level->format, i).bits;
 
 		out[i] = bits == 0

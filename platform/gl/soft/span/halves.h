@@ -38,7 +38,7 @@ static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
 	__asm__("pkhtb %0, %1, %2, asr #16" : "=r"(halves) : "r"(a), "r"(b));
 	return halves;
 }
-#define UPPER_HALVES(a, b) soft_upper_halves(a, b)
+#define UPPER_HALVES(a, b) soft_upper_halves((int32_t)(a), (int32_t)(b))
 /* Found where it is wanted, not kept in a register from before */
 static inline uint32_t soft_upper_half(uint32_t word)
 {

@@ -117,8 +117,8 @@ static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
 }
 
 /* A channel as the picture has it. */
-static ALWAYS_INLINE uint32_t soft_whole(
-	struct soft_kind kind, const struct soft_color *color, int i)
+static ALWAYS_INLINE uint32_t soft_whole(struct soft_kind kind,
+	const struct soft_color *color, enum soft_channel i)
 {
 	return (uint32_t)color->channel[i] >> soft_fraction(kind, i);
 }

@@ -222,7 +222,7 @@ static void test_keys_that_are_baked_again_are_the_same(void **state)
 		assert_true(keys.count > 4);
 		assert_int_equal(candidate_morph(&candidate, bench.reference,
 					 kernel_find(NULL), &placement, &keys,
-					 i * KEPT_BYTES, &bench.log),
+					 (size_t)i * KEPT_BYTES, &bench.log),
 			0);
 		assert_int_equal(
 			candidate_error_measure(&candidate, &bench.screen,

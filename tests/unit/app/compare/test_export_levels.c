@@ -167,7 +167,7 @@ static void test_of_too_many_levels_those_that_save_least_are_left_out(
 			w++;
 			continue;
 		}
-		assert_float_equal(error_of(&test, kept), i + 1.0, 1e-6);
+		assert_float_equal(error_of(&test, kept), (float)(i + 1), 1e-6);
 		kept++;
 	}
 	end(&test);

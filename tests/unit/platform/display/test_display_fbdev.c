@@ -164,9 +164,10 @@ static void test_the_tables_of_channels_become_linear(void **state)
 		fbdev_scene_draw(&scene);
 		seen = fake_fb_seen(WIDTH / 2, HEIGHT / 2);
 		expect_color(
-			i ? (const int[]){seen >> 16 & 255, seen >> 8 & 255,
-				    seen & 255}
-			  : (const int[]){seen >> 11, seen >> 5 & 63, seen & 31},
+			i ? (const int[]){(int)(seen >> 16 & 255),
+				    (int)(seen >> 8 & 255), (int)(seen & 255)}
+			  : (const int[]){(int)(seen >> 11),
+				    (int)(seen >> 5 & 63), (int)(seen & 31)},
 			132, 132, 132, 4);
 		fbdev_scene_close(&scene);
 		assert_int_equal(fake_fb.colors[1][63], 0);

@@ -67,7 +67,7 @@ static void test_a_frame_lasts_since_the_end_of_the_one_before(void **state)
 	assert_true(
 		watch.graph.ms[0][HUD_ANIMATE] == watch.stage_ms[HUD_ANIMATE]);
 	assert_near(watch.graph.sum.interval_ms + watch.graph.shown.interval_ms,
-		(watch.ended_ns - first_ns) * 1e-6, 1e-3);
+		(double)(watch.ended_ns - first_ns) * 1e-6, 1e-3);
 	assert_true(watch.ended_ns - first_ns >= 15 * INT64_C(1000000));
 }
 

@@ -45,15 +45,15 @@ static void test_many_names_keep_their_numbers(void **state)
 	for (int i = 0; i < COUNT; i++) {
 		char name[16];
 
-		snprintf(name, sizeof(name), "%x", i * 7919u);
+		snprintf(name, sizeof(name), "%x", (unsigned int)i * 7919u);
 		xfile_names_add(&names, arena_strdup(&arena, name), i);
 	}
 	for (int i = 0; i < COUNT; i++) {
 		char name[16];
 
-		snprintf(name, sizeof(name), "%x", i * 7919u);
+		snprintf(name, sizeof(name), "%x", (unsigned int)i * 7919u);
 		assert_int_equal(xfile_names_find(&names, name), i);
-		snprintf(name, sizeof(name), "%x", i * 7919u + 1);
+		snprintf(name, sizeof(name), "%x", (unsigned int)i * 7919u + 1);
 		assert_int_equal(xfile_names_find(&names, name), -1);
 	}
 	arena_release(&arena);

@@ -52,7 +52,7 @@ static void choose_level(struct scene *scene, int level)
 	lod_choose(scene->instance, &lod, 100.0f);
 }
 
-static void pose(struct scene *scene, double time_s)
+static void pose(struct scene *scene, float time_s)
 {
 	clip_pose(&scene->model->clip[model_find_clip(scene->model, "walk")],
 		time_s, CLIP_AUTO, &scene->cursor, &scene->instance->pose);
@@ -133,8 +133,8 @@ static void test_each_level_has_the_vertices_that_it_draws(void **state)
 	for (int level = 0; level <= level_count; level++) {
 		choose_level(&few, level);
 		spoil(&few);
-		pose(&few, 0.1 * level);
-		pose(&all, 0.1 * level);
+		pose(&few, 0.1f * (float)level);
+		pose(&all, 0.1f * (float)level);
 		for (int i = 0; i < few.instance->drawable_count; i++) {
 			assert_same_drawing(&few.instance->drawable[i],
 				&all.instance->drawable[i]);
@@ -155,7 +155,7 @@ static void test_all_vertices_are_posed_unless_asked_otherwise(void **state)
 	(void)state;
 	choose_level(&scene, 4);
 	spoil(&scene);
-	pose(&scene, 0.3);
+	pose(&scene, 0.3f);
 	assert_int_equal(count_spoilt(&scene), 0);
 	assert_false(instance_is_stale(scene.instance));
 	choose_level(&scene, 0);
@@ -169,13 +169,13 @@ static void test_a_finer_level_asks_for_an_update(void **state)
 
 	(void)state;
 	choose_level(&scene, 4);
-	pose(&scene, 0.3);
+	pose(&scene, 0.3f);
 	assert_false(instance_is_stale(scene.instance));
 	choose_level(&scene, 99);
 	assert_false(instance_is_stale(scene.instance));
 	choose_level(&scene, 1);
 	assert_true(instance_is_stale(scene.instance));
-	pose(&scene, 0.3);
+	pose(&scene, 0.3f);
 	assert_false(instance_is_stale(scene.instance));
 	end(&scene);
 }
@@ -186,7 +186,7 @@ static void test_float_vertices_are_posed_at_every_level(void **state)
 
 	(void)state;
 	choose_level(&scene, 4);
-	pose(&scene, 0.3);
+	pose(&scene, 0.3f);
 	for (int i = 0; i < scene.instance->drawable_count; i++) {
 		struct drawable *drawable = &scene.instance->drawable[i];
 
@@ -194,7 +194,7 @@ static void test_float_vertices_are_posed_at_every_level(void **state)
 			(size_t)drawable->primitive->vertex_count *
 				sizeof(*drawable->position));
 	}
-	pose(&scene, 0.4);
+	pose(&scene, 0.4f);
 	for (int i = 0; i < scene.instance->drawable_count; i++) {
 		const struct drawable *drawable = &scene.instance->drawable[i];
 

@@ -52,7 +52,7 @@ static struct model *make_cube(void)
 	memcpy(primitive->index, index, sizeof(index));
 	for (int i = 0; i < 8; i++) {
 		for (int axis = 0; axis < 3; axis++) {
-			primitive->position[i][axis] = i >> axis & 1 ? 1 : 0;
+			primitive->position[i][axis] = (float)(i >> axis & 1);
 		}
 	}
 	return model;

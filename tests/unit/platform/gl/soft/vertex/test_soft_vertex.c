@@ -46,7 +46,7 @@ static void make_view(
 	view->moved_w = move + random_within(seed, affine ? 0 : move);
 	view->inverse_w_q30 = 0;
 	if (affine) {
-		view->w_zeros = (uint32_t)LEADING_ZEROS_32(move);
+		view->w_zeros = (uint32_t)LEADING_ZEROS_32((uint32_t)move);
 		view->inverse_w_q30 =
 			reciprocal((uint32_t)move << view->w_zeros);
 	}

@@ -87,6 +87,14 @@ FUZZERS := $(patsubst tests/fuzz/%.c,%,$(filter-out %_calls.c,$(sort \
 suite = $(1) $(2)$(newline)
 unit_suites = $(foreach test,$(TESTS),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
+# Tests of what reads files, run by valgrind, which finds values that are used and
+# were never written. The sanitizers do not.
+MEMCHECK_TESTS := $(filter test_model_% test_xfile% test_levels% test_split \
+	test_config% test_preset_file test_option% test_%_spec \
+	test_character_mistakes test_character_statements test_button%,$(TESTS))
+memcheck_suites = $(foreach test,$(MEMCHECK_TESTS),$(call \
+	suite,memcheck/$(test),valgrind --quiet --error-exitcode=9 \
+	build/host/unit/$(test)))
 conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
 script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
@@ -128,6 +136,7 @@ $(call conformance_suite,arm)
 $(call unit_suites,host)
 $(call unit_suites,asan)
 $(call unit_suites,arm)
+$(memcheck_suites)
 $(call script_suites,cli,host/,LIMBER=build/host/limber)
 $(call script_suites,cli,asan/,LIMBER=build/asan/limber)
 $(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber")

@@ -103,7 +103,7 @@ static int refuse_unknown(const struct command *const *commands,
 	const char *names[COMMANDS_MAX];
 	int count = 0;
 
-	for (; commands[count] && count < COMMANDS_MAX - 1; count++) {
+	for (; count < COMMANDS_MAX - 1 && commands[count]; count++) {
 		names[count] = commands[count]->name;
 	}
 	names[count] = NULL;

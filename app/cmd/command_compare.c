@@ -77,6 +77,8 @@ static int compare(const struct model *model, struct comparison_request *request
 	request->progress_context = &progress;
 	error = comparison_create(model, request, log, out);
 	progress_end(&progress);
+	request->progress = NULL;
+	request->progress_context = NULL;
 	return error;
 }
 

@@ -101,6 +101,24 @@ if command -v clang-format-14 >/dev/null; then
     expect_out 'platform/base/a.c:3: \*a comment'
 fi
 
+# analysed LINE STATUS: a tree with that line passes the analysers or not.
+analysed() {
+    rm -rf "$tree"
+    mkdir -p "$tree/app" "$tree/platform"
+    printf '%s\n' "$1" >"$tree/platform/a.c"
+    TREE=$tree run "$here/analysis.sh"
+    about "$1 for the analysers"
+    expect_status "$2"
+}
+if command -v clang-tidy-14 >/dev/null && command -v cppcheck >/dev/null; then
+    analysed 'int first(const int *a); int first(const int *a) { return a[0]; }' 0
+    analysed 'int same(int a); int same(int a) { return a ? 1 : 1; }' 1
+    expect_out '^not ok .*clang-tidy'
+    analysed 'int past(void); int past(void) { int a[2] = {1, 2}; return a[2]; }' 1
+    expect_out '^not ok .*cppcheck'
+    expect_out '^# platform/a.c:1: '
+fi
+
 # workflow FILE SCRIPT: the check of a workflow file that sed has changed.
 workflow() {
     sed "$2" "$here/../../$1" >"$scratch/workflow"

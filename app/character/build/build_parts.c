@@ -127,13 +127,13 @@ static int read_top(struct character_words *words,
 	const struct character_key *key, void *member)
 {
 	struct character_part *part = member;
-	float *top = part->top[part->top_count];
+	float *top;
 
 	if (part->top_count == CHARACTER_TOPS_MAX) {
 		return character_fail(words, "a part has at most %d tops",
 			CHARACTER_TOPS_MAX);
 	}
-	part->top_count++;
+	top = part->top[part->top_count++];
 	for (int i = 0; i < 5; i++) {
 		if (!character_take_number(words, &top[i])) {
 			return character_fail_value(words, key);

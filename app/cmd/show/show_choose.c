@@ -10,7 +10,7 @@ static void log_unknown_demo(const char *name, const struct log *log)
 	const char *names[16];
 	int count = 0;
 
-	for (; demo_registry[count] && count < 15; count++) {
+	for (; count < 15 && demo_registry[count]; count++) {
 		names[count] = demo_registry[count]->name;
 	}
 	names[count] = NULL;

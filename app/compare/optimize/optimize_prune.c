@@ -3,7 +3,6 @@
 #include "app/compare/optimize/optimize_refs.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -245,6 +244,19 @@ static int add_material(void *context, enum optimize_part part, int index)
 	return index;
 }
 
+/* Whether the name is that of coordinates which no bit of sets asks for. */
+static bool is_unread_set(const char *name, unsigned int sets)
+{
+	static const char prefix[] = "TEXCOORD_";
+	unsigned long set;
+
+	if (strncmp(name, prefix, sizeof(prefix) - 1) != 0) {
+		return false;
+	}
+	set = strtoul(name + sizeof(prefix) - 1, NULL, 10);
+	return set > 0 && (set > 31 || !(sets & 1u << set));
+}
+
 /* TEXCOORD_0 stays: live pictures are drawn with it without any texture. */
 static void prune_attributes(json_t *attributes, unsigned int sets, bool normals)
 {
@@ -254,12 +266,8 @@ static void prune_attributes(json_t *attributes, unsigned int sets, bool normals
 
 	json_object_foreach_safe(attributes, next, key, value)
 	{
-		int set = 0;
-
-		if (!normals && strcmp(key, "TANGENT") == 0) {
-			json_object_del(attributes, key);
-		} else if (sscanf(key, "TEXCOORD_%d", &set) == 1 && set > 0 &&
-			(set > 31 || !(sets & 1u << set))) {
+		if ((!normals && strcmp(key, "TANGENT") == 0) ||
+			is_unread_set(key, sets)) {
 			json_object_del(attributes, key);
 		}
 	}

@@ -80,7 +80,8 @@ static int read_header(const struct model_source *source, const struct log *log,
 		return -EINVAL;
 	}
 	printable(data + 4, out->version);
-	if (memcmp(data + 4, "0303", 4) && memcmp(data + 4, "0302", 4)) {
+	if (memcmp(data + 4, "0303", 4) != 0 &&
+		memcmp(data + 4, "0302", 4) != 0) {
 		return fail_header(source, log, -ENOTSUP,
 			"version, which must be 0302 or 0303,", data + 4);
 	}
@@ -89,7 +90,8 @@ static int read_header(const struct model_source *source, const struct log *log,
 			"format, which must be txt, bin, tzip or bzip,",
 			data + 8);
 	}
-	if (memcmp(data + 12, "0032", 4) && memcmp(data + 12, "0064", 4)) {
+	if (memcmp(data + 12, "0032", 4) != 0 &&
+		memcmp(data + 12, "0064", 4) != 0) {
 		return fail_header(source, log, -EINVAL,
 			"float size, which must be 0032 or 0064,", data + 12);
 	}

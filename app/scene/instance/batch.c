@@ -328,8 +328,8 @@ static bool has_one_color_a_triangle(const struct model_primitive *primitive)
 		i += 3) {
 		const uint8_t *first = primitive->color[index[i]];
 
-		if (memcmp(first, primitive->color[index[i + 1]], 4) ||
-			memcmp(first, primitive->color[index[i + 2]], 4)) {
+		if (memcmp(first, primitive->color[index[i + 1]], 4) != 0 ||
+			memcmp(first, primitive->color[index[i + 2]], 4) != 0) {
 			return false;
 		}
 	}

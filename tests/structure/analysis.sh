@@ -1,0 +1,47 @@
+#!/bin/sh
+# clang-tidy and cppcheck find nothing in app and platform. .clang-tidy and
+# cppcheck.txt say what is left out, and why. TREE is the folder to look at, with
+# the generated headers of build/host/gen in this one.
+#
+# The analyzer that follows every path takes a quarter of an hour:
+#	CHECKS='-*,clang-analyzer-core.*,clang-analyzer-unix.*' tests/structure/analysis.sh
+. "$(dirname "$0")/../support/tap.sh"
+here=$(cd "$(dirname "$0")/../.." && pwd)
+tidy=clang-tidy-14
+
+for tool in "$tidy" cppcheck; do
+    command -v "$tool" >/dev/null ||
+        skip_all "$tool is not installed: run toolchain/install.sh check"
+done
+cd "${TREE:-$here}"
+
+# The second generation of libgpiod has its headers in the board's libraries.
+find app platform -name '*.c' ! -path '*/gpiod/v2/*' | sort >"$scratch/files"
+check 'there are files to look at' test -s "$scratch/files"
+
+# nothing_found WHAT: a tool has said nothing that begins with a file's name.
+nothing_found() {
+    if grep -E '^[^ ].*: (error|warning|performance|portability): ' \
+        "$scratch/log" | sort -u >"$scratch/found" &&
+        [ -s "$scratch/found" ]; then
+        fail "$1" "$(sed "s|^$PWD/||" "$scratch/found" | head -8)"
+    else
+        pass "$1"
+    fi
+}
+
+# shellcheck disable=SC2046 # flags are words
+xargs "$tidy" --quiet --config-file="$here/.clang-tidy" ${CHECKS:+"--checks=$CHECKS"} \
+    --extra-arg-before=-std=c11 --extra-arg=-D_POSIX_C_SOURCE=200809L \
+    --extra-arg=-DCGLM_ALL_UNALIGNED --extra-arg=-I. \
+    --extra-arg="-I$here/build/host/gen" \
+    $(sed 's/^/--extra-arg=/; s/ \(.\)/ --extra-arg=\1/g' "$here/build/host/cflags") \
+    <"$scratch/files" >"$scratch/log" 2>&1 || true
+nothing_found "$tidy finds nothing"
+
+xargs cppcheck --std=c11 --enable=warning,performance,portability --quiet \
+    --template='{file}:{line}: {severity}: {message} [{id}]' \
+    --suppressions-list="$here/tests/structure/cppcheck.txt" \
+    -I. "-I$here/build/host/gen" <"$scratch/files" >"$scratch/log" 2>&1 || true
+nothing_found 'cppcheck finds nothing'
+tap_done

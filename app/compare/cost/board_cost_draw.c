@@ -19,66 +19,66 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.606e+04, 2.804e+04}, /* frame */
-	{0.7615, 0.3722},       /* pixel */
-	{1.873e+04, 7211},      /* call */
-	{184.7, 75.63},         /* listed */
-	{267.3, 67.34},         /* vertex */
-	{280.7, 129.5},         /* single */
-	{332.9, 276.5},         /* shaded */
-	{13.46, 12.26},         /* hidden */
-	{8.506, 5.897},         /* fine */
-	{208.1, 90.88},         /* flat triangle */
-	{71.17, 42.28},         /* flat row */
-	{11.34, 7.37},          /* flat pixel */
-	{495.7, 183.3},         /* plain triangle */
-	{7.792, 20.32},         /* plain row */
-	{24.03, 9.412},         /* plain pixel */
-	{584.5, 473.8},         /* textured triangle */
-	{334.6, 124.1},         /* textured row */
-	{67.9, 55.38},          /* textured pixel */
-	{4.349e+04, 1.769e+04}, /* backdrop triangle */
-	{79.13, 36},            /* backdrop row */
-	{2.599, 0.8432},        /* backdrop pixel */
-	{4.381e+04, 1.804e+04}, /* ground triangle */
-	{146.7, 81.64},         /* ground row */
-	{4.136, 1.089},         /* ground pixel */
-	{923.5, 666.9},         /* spans triangle */
-	{162.9, 102.8},         /* spans row */
-	{25.12, 16.39},         /* spans pixel */
-	{2890, 1369},           /* spans textured triangle */
-	{265.1, 157.2},         /* spans textured row */
-	{99.9, 61.49},          /* spans textured pixel */
-	{4867, 3911},           /* spans divided triangle */
-	{721, 383.6},           /* spans divided row */
-	{92.55, 58.86},         /* spans divided pixel */
-	{1962, 1037},           /* mixed triangle */
-	{258.7, 138},           /* mixed row */
-	{58.24, 40.35},         /* mixed pixel */
-	{3194, 1039},           /* tested triangle */
-	{279.7, 172.7},         /* tested row */
-	{168.7, 113.2},         /* tested pixel */
-	{4057, 2550},           /* tested spans triangle */
-	{627.4, 385.5},         /* tested spans row */
-	{138.9, 88.4},          /* tested spans pixel */
-	{3197, 1448},           /* mixed textured triangle */
-	{253.4, 180.4},         /* mixed textured row */
-	{144.7, 85.88},         /* mixed textured pixel */
-	{3922, 3038},           /* mixed spans triangle */
-	{480.1, 314.2},         /* mixed spans row */
-	{148.3, 84.79},         /* mixed spans pixel */
-	{5194, 4201},           /* mixed divided triangle */
-	{2284, 1142},           /* mixed divided row */
-	{125.2, 82.57},         /* mixed divided pixel */
-	{190, 99.78},           /* colored triangle */
-	{1.473, 0},             /* colored row */
-	{7.908, 3.499},         /* colored pixel */
-	{2546, 1220},           /* bent triangle */
-	{284.6, 156.1},         /* bent row */
-	{3.401, 2.308},         /* bent pixel */
+	{3.144e+04, 2.188e+04}, /* frame */
+	{0.7688, 0.3728},       /* pixel */
+	{1.672e+04, 5683},      /* call */
+	{207.4, 97.46},         /* listed */
+	{326.5, 60.67},         /* vertex */
+	{311.1, 133.9},         /* single */
+	{237, 247.4},           /* shaded */
+	{16.37, 14.69},         /* hidden */
+	{5.059, 2.488},         /* fine */
+	{165.4, 57.28},         /* flat triangle */
+	{79.21, 44.04},         /* flat row */
+	{12.86, 8.67},          /* flat pixel */
+	{545.1, 172.9},         /* plain triangle */
+	{0, 16.48},             /* plain row */
+	{18.75, 5.799},         /* plain pixel */
+	{387.1, 379.9},         /* textured triangle */
+	{270.7, 62.76},         /* textured row */
+	{65.85, 54.33},         /* textured pixel */
+	{3.233e+04, 1.133e+04}, /* backdrop triangle */
+	{66.53, 28.24},         /* backdrop row */
+	{2.646, 0.8395},        /* backdrop pixel */
+	{3.288e+04, 1.188e+04}, /* ground triangle */
+	{112.3, 51.67},         /* ground row */
+	{3.228, 0.8543},        /* ground pixel */
+	{1354, 817},            /* spans triangle */
+	{138, 92.77},           /* spans row */
+	{21.73, 14.7},          /* spans pixel */
+	{3107, 1692},           /* spans textured triangle */
+	{181.1, 104.1},         /* spans textured row */
+	{107.1, 65.15},         /* spans textured pixel */
+	{4799, 3818},           /* spans divided triangle */
+	{702.3, 374.6},         /* spans divided row */
+	{91.47, 55.61},         /* spans divided pixel */
+	{1554, 666.2},          /* mixed triangle */
+	{264.1, 148.9},         /* mixed row */
+	{55.76, 38.59},         /* mixed pixel */
+	{3146, 965.1},          /* tested triangle */
+	{278.5, 168.2},         /* tested row */
+	{170, 112.7},           /* tested pixel */
+	{4039, 2530},           /* tested spans triangle */
+	{616.5, 379.2},         /* tested spans row */
+	{138, 86.81},           /* tested spans pixel */
+	{3180, 1430},           /* mixed textured triangle */
+	{252.6, 178.1},         /* mixed textured row */
+	{143.3, 83.6},          /* mixed textured pixel */
+	{3907, 3035},           /* mixed spans triangle */
+	{469.6, 311.3},         /* mixed spans row */
+	{142.9, 82.47},         /* mixed spans pixel */
+	{5186, 4193},           /* mixed divided triangle */
+	{2229, 1117},           /* mixed divided row */
+	{124.4, 82.06},         /* mixed divided pixel */
+	{140.4, 40.74},         /* colored triangle */
+	{0, 0},                 /* colored row */
+	{8.302, 3.546},         /* colored pixel */
+	{2545, 1202},           /* bent triangle */
+	{277.6, 146.6},         /* bent row */
+	{3.36, 2.222},          /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.004, 1.005},         /* deep row */
-	{1.757, 1.257},         /* deep pixel */
+	{1.001, 0.9979},        /* deep row */
+	{1.699, 1.231},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -7,6 +7,8 @@ with lips, brows, cheeks and chin, and with the vertices that do not move.
 
 import numpy as np
 
+from linear import inverse, product
+
 from . import expression, skin, surface
 
 CHEEK = np.array([0.43, -0.34])
@@ -77,7 +79,8 @@ class Motion:
         laplace[a, b] = laplace[b, a] = -1
         laplace /= -laplace.sum(axis=1)[:, None]
         laplace[np.arange(n), np.arange(n)] = 1
-        return np.linalg.inv(laplace.T @ laplace + np.diag(self.weight**2))
+        return inverse(
+            product(laplace.T, laplace) + np.diag(self.weight**2))
 
     def wishes(self, what):
         """The displacements that the handles prescribe."""
@@ -106,7 +109,8 @@ class Motion:
 
     def points(self, what):
         """The skin's vertices in an expression."""
-        d = self.inverse @ (self.wishes(what) * (self.weight**2)[:, None])
+        d = product(
+            self.inverse, self.wishes(what) * (self.weight**2)[:, None])
         out = self.body.point + d
         for side, rings in self.body.eye_rings.items():
             moved = self.lids(what, side)

@@ -28,7 +28,7 @@ def capsule(p, a, b, ra, rb):
     """An approximate distance to a round cone."""
     a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     d = b - a
-    t = np.clip(((p - a) @ d) / (d @ d), 0, 1)
+    t = np.clip(((p - a) * d).sum(axis=-1) / (d * d).sum(), 0, 1)
     return np.linalg.norm(p - a - t[..., None] * d, axis=-1) - ra - t * (rb - ra)
 
 

@@ -11,6 +11,8 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
+from linear import inverse, product
+
 from . import face, features
 from .features import Brow, Eye, Mouth
 from .head import EYE, HAIRLINE
@@ -73,8 +75,8 @@ class Follow:
         laplace[a, b] = laplace[b, a] = -1
         laplace /= -laplace.sum(axis=1)[:, None]
         laplace[np.arange(n), np.arange(n)] = 1
-        square = laplace.T @ laplace + np.diag(self.firm**2)
-        self.inverse = np.linalg.inv(square)
+        square = product(laplace.T, laplace) + np.diag(self.firm**2)
+        self.inverse = inverse(square)
 
     def find_handles(self):
         """The weight of each vertex's constraint; fixed vertices never move."""
@@ -129,7 +131,7 @@ class Follow:
 
     def points(self, what):
         wishes = self.wishes(what)
-        d = self.inverse @ (wishes * (self.firm**2)[:, None])
+        d = product(self.inverse, wishes * (self.firm**2)[:, None])
         d[self.still] = 0
         d[self.skin.twin == np.arange(len(d)), 0] = 0
         for ring in [r for n, r in (*self.skin.lids.items(),

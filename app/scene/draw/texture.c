@@ -190,11 +190,12 @@ static void pack_short(
 	for (int i = 0; i < texels->width * texels->height; i++) {
 		const uint8_t *t = texels->rgba[i];
 
-		out[i] = packing == PACK_565
-			? (uint16_t)((t[0] >> 3) << 11 | (t[1] >> 2) << 5 |
-				  t[2] >> 3)
-			: (uint16_t)((t[0] >> 4) << 12 | (t[1] >> 4) << 8 |
-				  (t[2] >> 4) << 4 | t[3] >> 4);
+		int packed = packing == PACK_565
+			? (t[0] >> 3) << 11 | (t[1] >> 2) << 5 | t[2] >> 3
+			: (t[0] >> 4) << 12 | (t[1] >> 4) << 8 |
+				(t[2] >> 4) << 4 | t[3] >> 4;
+
+		out[i] = (uint16_t)packed;
 	}
 }
 

@@ -106,9 +106,9 @@ static void place_row(struct floor_mesh *mesh, const struct floor_view *view,
 		floor_view_unproject(
 			view, slope, across * wider, mesh->position[first + i]);
 		mesh->position[first + i][1] = ground->y;
-		mesh->alpha[first + i] = row <= FLOOR_OPAQUE_ROWS
-			? 255
-			: (uint8_t)(alpha * 255.0f + 0.5f);
+		mesh->alpha[first + i] = (uint8_t)(row <= FLOOR_OPAQUE_ROWS
+				? 255.0f
+				: alpha * 255.0f + 0.5f);
 	}
 }
 

@@ -30,7 +30,7 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 {
 	const struct log *log = request->log;
 	struct soft *soft = calloc(1, sizeof(*soft));
-	struct draw *draw = aligned_alloc(_Alignof(*draw), sizeof(*draw));
+	struct draw *draw = aligned_alloc(_Alignof(struct draw), sizeof(*draw));
 
 	if (!soft || !draw) {
 		log_error(log, "--gl soft: out of memory");

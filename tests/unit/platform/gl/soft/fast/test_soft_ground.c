@@ -39,11 +39,14 @@ static void make_tiles(const struct gl *gl)
 		for (int i = 0; i < side * side; i++) {
 			int x = i % side, y = i / side, half = side / 2;
 
-			texel[i] = half == 0 ? 235
-				: side > 4 && (x % half == 0 || y % half == 0)
-				? 192 + 10 * level
-				: (x < half) != (y < half) ? 230
-							   : 252;
+			int luminance = (x < half) != (y < half) ? 230 : 252;
+
+			if (half == 0) {
+				luminance = 235;
+			} else if (side > 4 && (x % half == 0 || y % half == 0)) {
+				luminance = 192 + 10 * level;
+			}
+			texel[i] = (uint8_t)luminance;
 		}
 		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, side,
 			0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texel);

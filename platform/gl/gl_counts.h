@@ -9,12 +9,12 @@
 
 /* Triangles by how they are drawn, which depends on state and size. */
 enum gl_work_kind {
-	GL_WORK_FLAT,     /* one colour through a stencil: shadows */
-	GL_WORK_PLAIN,    /* small, opaque, depth tested, no texture */
-	GL_WORK_TEXTURED, /* the same with one RGB565 texture */
-	GL_WORK_BACKDROP, /* backgrounds: colours by row, and pictures */
-	GL_WORK_GROUND,   /* floors: a small luminance texture that repeats */
-	GL_WORK_SPANS,    /* all else without a texture */
+	GL_WORK_FLAT,      /* one colour through a stencil */
+	GL_WORK_PLAIN,     /* small, opaque, depth tested, no texture */
+	GL_WORK_TEXTURED,  /* the same with one RGB565 texture */
+	GL_WORK_BACKDROP,  /* untested: colours by row, and pictures */
+	GL_WORK_LUMINANCE, /* a small luminance texture that repeats */
+	GL_WORK_SPANS,     /* all else without a texture */
 	GL_WORK_SPANS_TEXTURED,
 	GL_WORK_SPANS_DIVIDED,  /* with a texture in strong perspective */
 	GL_WORK_MIXED,          /* blended or alpha-tested, without a texture */
@@ -26,7 +26,7 @@ enum gl_work_kind {
 	/* What some of the triangles above take besides: */
 	GL_WORK_COLORED, /* their corners have different colours */
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
-	GL_WORK_DEEP,    /* grounds that write depths: opaque ones */
+	GL_WORK_DEEP,    /* luminance textures that write depths */
 	GL_WORK_KINDS
 };
 
@@ -43,7 +43,7 @@ struct gl_counts {
 	double single;   /* transformed, of all other lists: one by one */
 	double shaded;   /* of either, lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */
-	double fine;     /* of the ground's pixels, by finer tiles: far away */
+	double fine;     /* pixels of luminance textures, by finer tiles */
 	struct gl_work work[GL_WORK_KINDS];
 };
 

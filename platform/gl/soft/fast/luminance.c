@@ -227,7 +227,7 @@ static NEVER_INLINE void make_mixed(
 
 /*
  * Draws what is blended at once where it has one alpha and all that is there is
- * one colour, as in a row of a sky; else returns false.
+ * one colour, as in a row of a gradient; else returns false.
  */
 static bool draw_mixed(struct draw *draw)
 {
@@ -426,8 +426,8 @@ static bool is_gray(const struct raster *raster)
 }
 
 /*
- * Whether the triangle is taken: in one colour, or in gray. Of gray ground that is
- * tested each triangle has another, for which a table each would take too long.
+ * Whether the triangle is taken: in one colour, or in gray. Of gray ones that
+ * are tested each has another, for which a table each would take too long.
  */
 static bool begin(struct draw *draw)
 {

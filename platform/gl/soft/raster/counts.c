@@ -46,7 +46,7 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 	}
 	if (fill != soft_rows_fill && fill != soft_fill_narrow &&
 		fill != soft_fill_textured) {
-		return GL_WORK_GROUND;
+		return GL_WORK_LUMINANCE;
 	}
 	return fill == soft_fill_narrow && draw->raster.top == NOT_SET_UP
 		? GL_WORK_PLAIN
@@ -54,8 +54,8 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 }
 
 /*
- * Whether a colour is interpolated: not for shadows, grounds and such, and by
- * span functions not where it is one colour.
+ * Whether a colour is interpolated: not where one colour or luminance is
+ * drawn, and by span functions not where it is one colour.
  */
 static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	const struct setup *setup)
@@ -63,7 +63,7 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	const struct vertex *const *v = setup->v;
 
 	if (kind == GL_WORK_FLAT || kind == GL_WORK_BACKDROP ||
-		kind == GL_WORK_GROUND) {
+		kind == GL_WORK_LUMINANCE) {
 		return false;
 	}
 	if (draw->counted_fill != soft_rows_fill &&
@@ -98,7 +98,7 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	if (colors_move(draw, kind, setup)) {
 		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
 	}
-	if (kind == GL_WORK_GROUND && draw->key.bits & KEY_DEPTH_TEST &&
+	if (kind == GL_WORK_LUMINANCE && draw->key.bits & KEY_DEPTH_TEST &&
 		draw->soft->fragment.depth_mask) {
 		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
 	}

@@ -103,8 +103,8 @@ static bool changes_alike(struct vertex *const v[4], int name)
 
 /*
  * Whether two triangles of a strip are an upright rectangle of the picture, as
- * level ground and skies are. Of less than what is wide, values might bend, for
- * which all corners count.
+ * level planes and gradients are. Of less than what is wide, values might bend,
+ * for which all corners count.
  */
 static bool is_upright(struct draw *draw, struct vertex *const v[4])
 {
@@ -146,7 +146,7 @@ static bool draw_upright(
 }
 
 /* Of which rows' own costs are worth it. */
-static bool is_ground_or_sky(const struct draw *draw)
+static bool fills_whole_rows(const struct draw *draw)
 {
 	return !draw->cull_front && !draw->cull_back &&
 		(draw->fast_setup.fill == soft_fill_luminance ||
@@ -157,7 +157,7 @@ static bool is_ground_or_sky(const struct draw *draw)
 
 static void draw_strip(struct draw *draw, const struct source *source)
 {
-	bool upright = is_ground_or_sky(draw);
+	bool upright = fills_whole_rows(draw);
 
 	for (uint32_t i = 0; i + 2 < source->count; i++) {
 		if (upright && i + 3 < source->count &&

@@ -393,7 +393,7 @@ void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
 struct source;
 void soft_count_call(
 	struct draw *draw, const struct source *source, GLenum mode);
-/* Counts pixels of the ground that finer tiles drew; soft->counts is set. */
+/* Counts pixels that finer tiles drew; soft->counts is set. */
 void soft_count_fine(const struct draw *draw, int pixels);
 
 /* triangle.c: draw->fast_setup, once a call, after all else. */

@@ -173,16 +173,16 @@ static void test_scaled_counts_are_all_scaled(void **state)
 		.shaded = 8,
 		.hidden = 16,
 		.fine = 18,
-		.work[GL_WORK_GROUND] = {10, 12, 14}};
+		.work[GL_WORK_LUMINANCE] = {10, 12, 14}};
 
 	(void)state;
 	gl_counts_scale(&counts, 0.5);
 	assert_true(counts.calls == 1 && counts.listed == 2 &&
 		counts.vertices == 3 && counts.shaded == 4 &&
 		counts.hidden == 8 && counts.single == 10 && counts.fine == 9);
-	assert_true(counts.work[GL_WORK_GROUND].triangles == 5 &&
-		counts.work[GL_WORK_GROUND].rows == 6 &&
-		counts.work[GL_WORK_GROUND].pixels == 7);
+	assert_true(counts.work[GL_WORK_LUMINANCE].triangles == 5 &&
+		counts.work[GL_WORK_LUMINANCE].rows == 6 &&
+		counts.work[GL_WORK_LUMINANCE].pixels == 7);
 }
 
 int main(void)

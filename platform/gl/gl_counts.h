@@ -43,6 +43,7 @@ struct gl_counts {
 	double single;   /* transformed, of all other lists: one by one */
 	double shaded;   /* of either, lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */
+	double skipped;  /* triangles found behind others before their set-up */
 	double fine;     /* pixels of luminance textures, by finer tiles */
 	struct gl_work work[GL_WORK_KINDS];
 };
@@ -56,6 +57,7 @@ static inline void gl_counts_scale(struct gl_counts *counts, double factor)
 	counts->single *= factor;
 	counts->shaded *= factor;
 	counts->hidden *= factor;
+	counts->skipped *= factor;
 	counts->fine *= factor;
 	for (int i = 0; i < GL_WORK_KINDS; i++) {
 		counts->work[i].triangles *= factor;

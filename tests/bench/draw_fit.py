@@ -27,6 +27,7 @@ GUESSED = {
     "single": (400, 170),
     "shaded": (450, 150),
     "hidden": (10, 9),
+    "skipped": (500, 200),
     "fine": (10, 8),
 }
 # The same of a triangle, a row and a pixel.

@@ -12,6 +12,7 @@ enum draw_work {
 	DRAW_SINGLE,
 	DRAW_SHADED,
 	DRAW_HIDDEN,
+	DRAW_SKIPPED,
 	DRAW_FINE,
 	DRAW_TRIANGLE, /* of each kind: its triangles, rows and pixels */
 	DRAW_WORKS = DRAW_TRIANGLE + 3 * GL_WORK_KINDS
@@ -19,66 +20,67 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.144e+04, 2.188e+04}, /* frame */
-	{0.7688, 0.3728},       /* pixel */
-	{1.672e+04, 5683},      /* call */
-	{207.4, 97.46},         /* listed */
-	{326.5, 60.67},         /* vertex */
-	{311.1, 133.9},         /* single */
-	{237, 247.4},           /* shaded */
-	{16.37, 14.69},         /* hidden */
-	{5.059, 2.488},         /* fine */
-	{165.4, 57.28},         /* flat triangle */
-	{79.21, 44.04},         /* flat row */
-	{12.86, 8.67},          /* flat pixel */
-	{545.1, 172.9},         /* plain triangle */
-	{0, 16.48},             /* plain row */
-	{18.75, 5.799},         /* plain pixel */
-	{387.1, 379.9},         /* textured triangle */
-	{270.7, 62.76},         /* textured row */
-	{65.85, 54.33},         /* textured pixel */
-	{3.233e+04, 1.133e+04}, /* backdrop triangle */
-	{66.53, 28.24},         /* backdrop row */
-	{2.646, 0.8395},        /* backdrop pixel */
-	{3.288e+04, 1.188e+04}, /* ground triangle */
-	{112.3, 51.67},         /* ground row */
-	{3.228, 0.8543},        /* ground pixel */
-	{1354, 817},            /* spans triangle */
-	{138, 92.77},           /* spans row */
-	{21.73, 14.7},          /* spans pixel */
-	{3107, 1692},           /* spans textured triangle */
-	{181.1, 104.1},         /* spans textured row */
-	{107.1, 65.15},         /* spans textured pixel */
-	{4799, 3818},           /* spans divided triangle */
-	{702.3, 374.6},         /* spans divided row */
-	{91.47, 55.61},         /* spans divided pixel */
-	{1554, 666.2},          /* mixed triangle */
-	{264.1, 148.9},         /* mixed row */
-	{55.76, 38.59},         /* mixed pixel */
-	{3146, 965.1},          /* tested triangle */
-	{278.5, 168.2},         /* tested row */
-	{170, 112.7},           /* tested pixel */
-	{4039, 2530},           /* tested spans triangle */
-	{616.5, 379.2},         /* tested spans row */
-	{138, 86.81},           /* tested spans pixel */
-	{3180, 1430},           /* mixed textured triangle */
-	{252.6, 178.1},         /* mixed textured row */
-	{143.3, 83.6},          /* mixed textured pixel */
-	{3907, 3035},           /* mixed spans triangle */
-	{469.6, 311.3},         /* mixed spans row */
-	{142.9, 82.47},         /* mixed spans pixel */
-	{5186, 4193},           /* mixed divided triangle */
-	{2229, 1117},           /* mixed divided row */
-	{124.4, 82.06},         /* mixed divided pixel */
-	{140.4, 40.74},         /* colored triangle */
+	{3.179e+04, 2.223e+04}, /* frame */
+	{0.78, 0.3777},         /* pixel */
+	{1.668e+04, 5644},      /* call */
+	{177, 83.35},           /* listed */
+	{336.9, 65.3},          /* vertex */
+	{312.4, 136.2},         /* single */
+	{220.1, 237.4},         /* shaded */
+	{15.91, 14.54},         /* hidden */
+	{1200, 439.8},          /* skipped */
+	{4.852, 2.408},         /* fine */
+	{203, 83.36},           /* flat triangle */
+	{74.2, 41.59},          /* flat row */
+	{11.5, 7.927},          /* flat pixel */
+	{565.2, 175.2},         /* plain triangle */
+	{0, 16.13},             /* plain row */
+	{17.99, 5.682},         /* plain pixel */
+	{514.7, 436.6},         /* textured triangle */
+	{220.5, 42.17},         /* textured row */
+	{70.81, 56.56},         /* textured pixel */
+	{3.32e+04, 1.172e+04},  /* backdrop triangle */
+	{68.6, 29.11},          /* backdrop row */
+	{2.776, 0.8647},        /* backdrop pixel */
+	{3.371e+04, 1.223e+04}, /* ground triangle */
+	{116.3, 54.09},         /* ground row */
+	{3.393, 0.9561},        /* ground pixel */
+	{1432, 860.2},          /* spans triangle */
+	{136.5, 92.19},         /* spans row */
+	{21.68, 14.74},         /* spans pixel */
+	{2930, 1574},           /* spans textured triangle */
+	{197.4, 115},           /* spans textured row */
+	{106.6, 64.78},         /* spans textured pixel */
+	{4789, 3815},           /* spans divided triangle */
+	{702.5, 374.6},         /* spans divided row */
+	{91.31, 55.6},          /* spans divided pixel */
+	{1576, 672.5},          /* mixed triangle */
+	{263.7, 148.8},         /* mixed row */
+	{55.79, 38.68},         /* mixed pixel */
+	{2951, 894.2},          /* tested triangle */
+	{272.9, 164.2},         /* tested row */
+	{167.3, 113.4},         /* tested pixel */
+	{4028, 2526},           /* tested spans triangle */
+	{622.8, 382.6},         /* tested spans row */
+	{135.6, 86.38},         /* tested spans pixel */
+	{3146, 1419},           /* mixed textured triangle */
+	{251.3, 177.2},         /* mixed textured row */
+	{142.7, 83.31},         /* mixed textured pixel */
+	{3933, 3052},           /* mixed spans triangle */
+	{480.8, 315.8},         /* mixed spans row */
+	{141.8, 82.27},         /* mixed spans pixel */
+	{5185, 4193},           /* mixed divided triangle */
+	{2222, 1116},           /* mixed divided row */
+	{124.4, 82.15},         /* mixed divided pixel */
+	{204.3, 75.55},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{8.302, 3.546},         /* colored pixel */
-	{2545, 1202},           /* bent triangle */
-	{277.6, 146.6},         /* bent row */
-	{3.36, 2.222},          /* bent pixel */
+	{8.066, 3.408},         /* colored pixel */
+	{2598, 1220},           /* bent triangle */
+	{284.2, 148.4},         /* bent row */
+	{3.392, 2.244},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.001, 0.9979},        /* deep row */
-	{1.699, 1.231},         /* deep pixel */
+	{1.001, 0.9984},        /* deep row */
+	{1.691, 1.222},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)
@@ -99,6 +101,7 @@ struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels)
 	add_work(&sum, DRAW_SINGLE, counts->single);
 	add_work(&sum, DRAW_SHADED, counts->shaded);
 	add_work(&sum, DRAW_HIDDEN, counts->hidden);
+	add_work(&sum, DRAW_SKIPPED, counts->skipped);
 	add_work(&sum, DRAW_FINE, counts->fine);
 	for (int i = 0; i < GL_WORK_KINDS; i++) {
 		const struct gl_work *work = &counts->work[i];

@@ -224,7 +224,9 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	draw->raster.top = NOT_SET_UP;
 	draw->raster.bent = false;
 	draw->counted_fill(draw, setup);
-	if (!skipped) {
+	if (skipped) {
+		counts->skipped += 1.0;
+	} else {
 		add_work(draw, setup, box.bottom - box.top, pixels - hidden);
 		counts->hidden += hidden;
 	}

@@ -99,6 +99,26 @@ static void test_a_square_counts_as_what_it_is(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* Small triangles behind all depths around them cost less than their rows. */
+static void test_triangles_that_are_not_set_up_count_as_skipped(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts skipped = {0};
+
+	(void)state;
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	canvas.gl->Enable(GL_BLEND);
+	canvas.gl->BlendFunc(GL_ONE, GL_ONE);
+	canvas.gl->ClearDepthx(0);
+	canvas.gl->Clear(GL_DEPTH_BUFFER_BIT);
+	count(&canvas, &skipped);
+	draw_square(&canvas);
+	assert_true(skipped.skipped == TRIANGLES);
+	assert_true(skipped.hidden == 0.0);
+	assert_true(skipped.work[GL_WORK_MIXED].triangles == 0.0);
+	gl_canvas_close(&canvas);
+}
+
 /* The same square with a colour at each corner. */
 static void test_triangles_of_several_colors_count_besides(void **state)
 {
@@ -172,6 +192,7 @@ static void test_scaled_counts_are_all_scaled(void **state)
 		.single = 20,
 		.shaded = 8,
 		.hidden = 16,
+		.skipped = 22,
 		.fine = 18,
 		.work[GL_WORK_LUMINANCE] = {10, 12, 14}};
 
@@ -179,7 +200,8 @@ static void test_scaled_counts_are_all_scaled(void **state)
 	gl_counts_scale(&counts, 0.5);
 	assert_true(counts.calls == 1 && counts.listed == 2 &&
 		counts.vertices == 3 && counts.shaded == 4 &&
-		counts.hidden == 8 && counts.single == 10 && counts.fine == 9);
+		counts.hidden == 8 && counts.skipped == 11 &&
+		counts.single == 10 && counts.fine == 9);
 	assert_true(counts.work[GL_WORK_LUMINANCE].triangles == 5 &&
 		counts.work[GL_WORK_LUMINANCE].rows == 6 &&
 		counts.work[GL_WORK_LUMINANCE].pixels == 7);
@@ -189,6 +211,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_square_counts_as_what_it_is),
+		cmocka_unit_test(
+			test_triangles_that_are_not_set_up_count_as_skipped),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),
 		cmocka_unit_test(test_nothing_is_counted_after_null),
 		cmocka_unit_test(test_counting_changes_no_pixel),

@@ -11,6 +11,7 @@ const struct model_material model_plain_material = {
 	.texture = -1,
 	.normal_texture = -1,
 	.roughness = 1,
+	.emissive_texture = -1,
 	.alpha_cutoff = 0.5f,
 };
 
@@ -79,6 +80,14 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 		}
 	}
 	return level;
+}
+
+bool model_material_emits(const struct model_material *material)
+{
+	const float *light = material->emissive;
+
+	return !material->unlit &&
+		(light[0] > 0.0f || light[1] > 0.0f || light[2] > 0.0f);
 }
 
 bool model_has_triangles(const struct model *model)

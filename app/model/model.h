@@ -235,10 +235,12 @@ enum model_alpha {
 
 struct model_material {
 	const char *name;
-	float base_color[4]; /* linear RGB and alpha */
-	int texture;         /* base colour, or -1 */
-	int normal_texture;  /* tangent-space normal map, or -1 */
-	float roughness;     /* 0..1 */
+	float base_color[4];  /* linear RGB and alpha */
+	int texture;          /* base colour, or -1 */
+	int normal_texture;   /* tangent-space normal map, or -1 */
+	float roughness;      /* 0..1 */
+	float emissive[3];    /* linear RGB, 0..1: light that it emits, */
+	int emissive_texture; /* times this texture, or -1 */
 	enum model_alpha alpha;
 	float alpha_cutoff;
 	bool double_sided;
@@ -346,6 +348,9 @@ int model_find_clip(const struct model *model, const char *name_or_index);
  * floats. Rotations that are packed become unit length.
  */
 void model_channel_key(const struct model_channel *channel, int key, float *out);
+
+/* Whether light that a surface emits is part of what it shows. */
+bool model_material_emits(const struct model_material *material);
 
 /* Whether a node shows triangles. */
 bool model_has_triangles(const struct model *model);

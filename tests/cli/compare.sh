@@ -196,6 +196,21 @@ index = struct.unpack_from("<3H", data, at)
 assert index in ((0, 2, 1), (2, 1, 0), (1, 0, 2)), index
 ' "$scratch/mirrored"
 
+# What a lamp emits is exported, with what it reflects.
+sed -e '1s/{/&"materials": [{"emissiveFactor": [1, 0.5, 0]}],/' \
+    -e 's/"attributes": {/"material": 0, &/' "$slider" >"$scratch/lamp.gltf"
+limber compare "$scratch/lamp.gltf" --export "$scratch/lamp"
+expect_status 0
+# shellcheck disable=SC2016 # Python
+check 'key frames of a lamp shine as the model does' python3 -c '
+import glob, json, struct, sys
+file, = glob.glob(sys.argv[1] + "/morph-even-*.glb")
+data = open(file, "rb").read()
+size, = struct.unpack_from("<I", data, 12)
+gltf = json.loads(data[20:20 + size])
+assert gltf["materials"][0]["emissiveFactor"] == [1, 0.5, 0], gltf["materials"]
+' "$scratch/lamp"
+
 # Joints need not be in the scene, but the rigid parts that they move are shown.
 sed 's/"nodes": \[/"scene": 0, "scenes": [{"nodes": [0]}], &/' \
     "$here/../fixtures/gltf/skin/and_morph.gltf" >"$scratch/joints.gltf"

@@ -15,6 +15,24 @@ enum {
 	WRAP_MIRRORED_REPEAT = 33648
 };
 
+static json_t *texture_json(int texture)
+{
+	return json_pack("{s:i}", "index", texture);
+}
+
+static void add_emission(json_t *json, const struct model_material *material)
+{
+	if (!model_material_emits(material)) {
+		return;
+	}
+	json_object_set_new(
+		json, "emissiveFactor", glb_floats(material->emissive, 3));
+	if (material->emissive_texture >= 0) {
+		json_object_set_new(json, "emissiveTexture",
+			texture_json(material->emissive_texture));
+	}
+}
+
 static json_t *material_json(const struct model_material *material)
 {
 	static const char *const alpha[] = {
@@ -31,11 +49,14 @@ static json_t *material_json(const struct model_material *material)
 
 	if (json && material->texture >= 0) {
 		json_object_set_new(surface, "baseColorTexture",
-			json_pack("{s:i}", "index", material->texture));
+			texture_json(material->texture));
 	}
 	if (json && material->alpha == MODEL_MASK) {
 		json_object_set_new(json, "alphaCutoff",
 			json_real((double)material->alpha_cutoff));
+	}
+	if (json) {
+		add_emission(json, material);
 	}
 	if (json && material->unlit) {
 		json_object_set_new(json, "extensions",

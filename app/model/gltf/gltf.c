@@ -69,6 +69,7 @@ static int check_version(struct gltf *gltf)
 bool gltf_knows_extension(const char *name)
 {
 	static const char *const known[] = {
+		"KHR_materials_emissive_strength",
 		"KHR_materials_pbrSpecularGlossiness",
 		"KHR_materials_unlit",
 		"KHR_mesh_quantization",

@@ -12,8 +12,8 @@ bool gltf_recognise(const uint8_t *data, size_t size);
 
 /*
  * See struct model_format. Messages read "FILE: /json/path: REASON". A required
- * extension other than KHR_materials_unlit, KHR_mesh_quantization and
- * KHR_texture_transform is -ENOTSUP. README.md lists what the loader ignores.
+ * extension that README.md does not list as supported is -ENOTSUP. README.md
+ * also lists what the loader ignores.
  */
 int gltf_load(const struct model_source *source, const struct log *log,
 	struct model **out);

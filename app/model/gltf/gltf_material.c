@@ -1,5 +1,7 @@
 #include "app/model/gltf/gltf_internal.h"
 
+#include "platform/base/scalar.h"
+
 #include <errno.h>
 #include <math.h>
 #include <string.h>
@@ -99,7 +101,10 @@ static bool is_same_uv(const struct gltf_uv *a, const struct gltf_uv *b)
 		memcmp(a->row, b->row, sizeof(a->row)) == 0;
 }
 
-/* A vertex has one pair of coordinates: the base colour's, else the normal's. */
+/*
+ * A vertex has one pair of coordinates: the base colour's, else the normal's,
+ * else the emissive texture's.
+ */
 static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 	const char *base, struct model_material *out, struct gltf_uv *uv)
 {
@@ -122,6 +127,67 @@ static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 		out->normal_texture = -1;
 	}
 	return 0;
+}
+
+/*
+ * The texture that shares the coordinates of those that were read before it,
+ * or none. Without its texture a whole surface would shine.
+ */
+static int read_emissive_texture(const struct gltf_at *at,
+	struct model_material *out, struct gltf_uv *uv)
+{
+	struct gltf_uv own_uv = {0};
+	struct gltf_at texture;
+	bool alone = out->texture < 0 && out->normal_texture < 0;
+	int error = gltf_object(at, "emissiveTexture", &texture);
+
+	if (!error) {
+		error = read_texture_info(
+			at, "emissiveTexture", &out->emissive_texture, &own_uv);
+	}
+	if (error || !texture.json) {
+		return error;
+	}
+	if (out->emissive_texture < 0) {
+		memset(out->emissive, 0, sizeof(out->emissive));
+	} else if (alone) {
+		*uv = own_uv;
+	} else if (!is_same_uv(uv, &own_uv)) {
+		gltf_warn(at,
+			"limber ignores emissiveTexture, because its coordinates differ from those of the other textures");
+		memset(out->emissive, 0, sizeof(out->emissive));
+		out->emissive_texture = -1;
+	}
+	return 0;
+}
+
+/*
+ * The light that a material emits, KHR_materials_emissive_strength included. GL
+ * draws none that is brighter than white.
+ */
+static int read_emission(const struct gltf_at *at,
+	const struct gltf_at *extensions, struct model_material *out,
+	struct gltf_uv *uv)
+{
+	struct gltf_at stronger;
+	float strength = 1.0f;
+	int error = gltf_maybe_floats(at, "emissiveFactor", out->emissive, 3);
+
+	if (!error) {
+		error = gltf_object(extensions,
+			"KHR_materials_emissive_strength", &stronger);
+	}
+	if (!error) {
+		error = gltf_maybe_number(
+			&stronger, "emissiveStrength", &strength);
+	}
+	for (int i = 0; !error && i < 3; i++) {
+		out->emissive[i] =
+			scalar_clamp(out->emissive[i] * strength, 0.0f, 1.0f);
+	}
+	return error || !model_material_emits(out)
+		? error
+		: read_emissive_texture(at, out, uv);
 }
 
 /*
@@ -185,8 +251,9 @@ static int read_material(const struct gltf_at *at)
 		return error;
 	}
 	out->unlit = json_object_get(extensions.json, "KHR_materials_unlit");
-	return glossiness.json ? read_glossiness(at, &glossiness, out, uv)
-			       : read_roughness(at, &pbr, out, uv);
+	error = glossiness.json ? read_glossiness(at, &glossiness, out, uv)
+				: read_roughness(at, &pbr, out, uv);
+	return error ? error : read_emission(at, &extensions, out, uv);
 }
 
 /* One more than the file has, for the default material. */

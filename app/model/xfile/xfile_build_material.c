@@ -187,7 +187,10 @@ static int fill_material(struct xfile_build *build, struct textures *textures,
 	}
 	for (int i = 0; i < 3; i++) {
 		to->base_color[i] = color_decode_srgb(from->color[i]);
+		to->emissive[i] = color_decode_srgb(from->emissive[i]);
 	}
+	/* Direct3D multiplies all light of a surface by its texture. */
+	to->emissive_texture = to->texture;
 	to->base_color[3] = fminf(fmaxf(from->color[3], 0), 1);
 	to->roughness = to_roughness(from);
 	if (to->base_color[3] < 1) {

@@ -29,7 +29,6 @@ int xfile_parse_material(struct xfile_reader *reader,
 	struct xfile_scene *scene = scope->scene;
 	struct xfile_material *material =
 		ARENA_NEW(reader->scratch, struct xfile_material);
-	float emissive[3];
 	int error;
 
 	if (!material) {
@@ -47,7 +46,7 @@ int xfile_parse_material(struct xfile_reader *reader,
 		error = xfile_read_floats(reader, what, 3, material->specular);
 	}
 	if (!error) {
-		error = xfile_read_floats(reader, what, 3, emissive);
+		error = xfile_read_floats(reader, what, 3, material->emissive);
 	}
 	return error ? error
 		     : xfile_read_children(reader, &material_grammar, &inner);

@@ -30,6 +30,7 @@ struct xfile_material {
 	float color[4];
 	float power;
 	float specular[3];
+	float emissive[3];
 	const char *texture; /* path as the file spells it, or NULL */
 	size_t texture_location;
 };

@@ -3,6 +3,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/edge_list.h"
+#include "app/scene/draw/emission.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
@@ -251,11 +252,55 @@ static void draw_two_sided(const struct gl *gl, const struct instance *instance,
 	gl->CullFace(GL_BACK);
 }
 
+/* Draws the surface with all light but that of a pass of its own. */
+static void draw_lit(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, enum emission emission)
+{
+	const struct model_material *material = material_of(instance, drawable);
+
+	if (emission == EMISSION_WITH_LIGHT) {
+		emission_begin_light(gl, drawable);
+	}
+	if (material->double_sided && material->alpha != MODEL_BLEND) {
+		draw_two_sided(gl, instance, drawable);
+	} else {
+		draw_all_shaded(gl, instance, drawable);
+	}
+	if (emission == EMISSION_WITH_LIGHT) {
+		emission_end_light(gl);
+	}
+}
+
+/* Adds the light that both sides emit, if both are drawn. */
+static void draw_emission(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	const struct model_material *material = material_of(instance, drawable);
+	bool textured = material->emissive_texture >= 0;
+
+	if (material->double_sided) {
+		gl->Disable(GL_CULL_FACE);
+	}
+	emission_begin_pass(gl, instance->model, drawable, textures);
+	for (int i = 0; i < drawable->batch_count; i++) {
+		const struct batch *batch = &drawable->batch[i];
+
+		draw_batch(gl, batch,
+			&(struct arrays){
+				.texcoord = textured ? batch->texcoord : NULL,
+				.list = shaded_list(drawable, batch),
+			});
+	}
+	emission_end_pass(gl);
+}
+
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
 	const struct model_material *material = material_of(instance, drawable);
+	enum emission emission =
+		emission_of(instance->model, drawable->primitive);
 	bool edges = pass == DRAW_EDGES;
 
 	/*
@@ -269,10 +314,9 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	}
 	if (pass == DRAW_SHADED) {
 		set_surface(gl, instance, drawable, textures);
-		if (material->double_sided && material->alpha != MODEL_BLEND) {
-			draw_two_sided(gl, instance, drawable);
-		} else {
-			draw_all_shaded(gl, instance, drawable);
+		draw_lit(gl, instance, drawable, emission);
+		if (emission == EMISSION_ADDED) {
+			draw_emission(gl, instance, drawable, textures);
 		}
 		return;
 	}
@@ -303,6 +347,8 @@ static void draw_bump_mapped(const struct gl *gl,
 {
 	const struct model_material *material = material_of(instance, drawable);
 	const struct batch *batch = drawable->batch;
+	enum emission emission =
+		emission_of(instance->model, drawable->primitive);
 
 	gl->Enable(GL_CULL_FACE);
 	texture_bind(textures, gl, material->normal_texture);
@@ -317,10 +363,18 @@ static void draw_bump_mapped(const struct gl *gl,
 	bump_begin_color_pass(gl);
 	draw_shaded(gl, instance, drawable, batch);
 	bump_begin_remaining_pass(gl);
+	if (emission == EMISSION_WITH_LIGHT) {
+		emission_begin_light(gl, drawable);
+	}
 	draw_shaded(gl, instance, drawable, batch);
 	bump_end(gl);
 	if (material->double_sided) {
 		draw_back(gl, instance, drawable, textures);
+	}
+	if (emission == EMISSION_WITH_LIGHT) {
+		emission_end_light(gl);
+	} else if (emission == EMISSION_ADDED) {
+		draw_emission(gl, instance, drawable, textures);
 	}
 }
 

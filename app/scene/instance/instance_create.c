@@ -4,6 +4,7 @@
 #include "app/model/color.h"
 #include "app/model/model_deltas.h"
 #include "app/scene/draw/bump.h"
+#include "app/scene/draw/emission.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/drawable_fixed.h"
@@ -184,13 +185,19 @@ static int init_vertices(struct instance *instance, struct drawable *drawable)
 	return error ? error : init_output(drawable, arena);
 }
 
-static void init_color(
-	struct drawable *drawable, const struct model_material *material)
+static void init_color(struct drawable *drawable, const struct model *model)
 {
+	const struct model_material *material =
+		&model->material[drawable->primitive->material];
+	float emission[3];
+
+	emission_color(model, drawable->primitive, emission);
 	for (int i = 0; i < 3; i++) {
 		drawable->color[i] = fx16_from_float(
 			color_encode_srgb(material->base_color[i]));
+		drawable->emission[i] = fx16_from_float(emission[i]);
 	}
+	drawable->emission[3] = FX16_ONE;
 	drawable->color[3] = fx16_from_float(material->base_color[3]);
 }
 
@@ -216,7 +223,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	if (drawable->skin < 0) {
 		measure_box(drawable, mesh->target_count);
 	}
-	init_color(drawable, &model->material[drawable->primitive->material]);
+	init_color(drawable, model);
 	error = init_vertices(instance, drawable);
 	if (!error) {
 		error = batch_make(drawable,

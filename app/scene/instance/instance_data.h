@@ -119,6 +119,7 @@ struct drawable {
 	int posed_lod;   /* the last update posed the vertices that this level
 			    and coarser ones use; 0: all */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
+	fx16_t emission[4]; /* what it emits: see emission_color() */
 	float vertex_scale;
 	/*
 	 * Without a skin: the middle of the box around the vertices, without

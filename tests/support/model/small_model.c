@@ -82,6 +82,7 @@ struct model *small_model_grid(
 		.base_color = {1, 1, 1, 1},
 		.texture = -1,
 		.normal_texture = -1,
+		.emissive_texture = -1,
 		.roughness = 1,
 	};
 	primitive = take(model, 1, sizeof(*primitive));

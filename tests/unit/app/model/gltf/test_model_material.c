@@ -3,6 +3,8 @@
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
+
 static void test_reads_factors_and_flags(void **state)
 {
 	static const float color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
@@ -52,6 +54,112 @@ static void test_reads_diffuse_colours_and_glossiness(void **state)
 	model_destroy(model);
 }
 
+/* A document with these members, two textures of 1x1 and this material. */
+#define SHINING(members, material)                                 \
+	"{'asset':{'version':'2.0'}," members "'images':[{'uri':"  \
+	"'data:image/png;base64,"                                  \
+	"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4" \
+	"2mNgZGIGAAAOAAfpkjfUAAAAAElFTkSuQmCC'}],"                 \
+	"'textures':[{'source':0},{'source':0}],'materials':[{" material "}]}"
+
+static void test_reads_the_light_that_a_material_emits(void **state)
+{
+	static const float light[3] = {0.25f, 0.5f, 1};
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text(SHINING("",
+						 "'emissiveFactor':[0.25,0.5,1],"
+						 "'emissiveTexture':{'index':1,"
+						 "'texCoord':2}"),
+				 &logged, &model),
+		0);
+	assert_all_near(model->material[0].emissive, light, 3, 0);
+	assert_true(model_material_emits(&model->material[0]));
+	/* It is the only texture, so it chooses the coordinates. */
+	assert_int_equal(model->material[0].emissive_texture, 0);
+	assert_int_equal(model->texture_count, 1);
+	assert_int_equal(log_capture_count(&logged, LOG_WARNING), 0);
+	model_destroy(model);
+}
+
+/* KHR_materials_emissive_strength; white is the brightest that GL draws. */
+static void test_strong_light_is_at_most_white(void **state)
+{
+	static const float light[3] = {0.5f, 1, 0};
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			SHINING("'extensionsRequired':["
+				"'KHR_materials_emissive_strength'],",
+				"'emissiveFactor':[0.125,0.5,0],'extensions':{"
+				"'KHR_materials_emissive_strength':{"
+				"'emissiveStrength':4}}"),
+			&logged, &model),
+		0);
+	assert_all_near(model->material[0].emissive, light, 3, 0);
+	assert_int_equal(model->material[0].emissive_texture, -1);
+	model_destroy(model);
+}
+
+/* glTF 2.0: without a factor, the texture is multiplied by 0. */
+static void test_a_texture_without_a_factor_does_not_shine(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(SHINING("", "'emissiveTexture':{'index':0}"),
+			&logged, &model),
+		0);
+	assert_false(model_material_emits(&model->material[0]));
+	assert_int_equal(model->image_count, 0);
+	model_destroy(model);
+}
+
+static void test_ignores_light_whose_coordinates_differ(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(SHINING("",
+					"'emissiveFactor':[1,1,1],"
+					"'emissiveTexture':{'index':0,"
+					"'texCoord':1},'pbrMetallicRoughness':{"
+					"'baseColorTexture':{'index':1}}"),
+			&logged, &model),
+		0);
+	assert_false(model_material_emits(&model->material[0]));
+	assert_int_equal(model->material[0].emissive_texture, -1);
+	assert_true(log_capture_has(&logged, LOG_WARNING,
+		"/materials/0: limber ignores emissiveTexture"));
+	model_destroy(model);
+}
+
+static void test_refuses_light_that_is_no_number(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_from_text(SHINING("", "'emissiveFactor':[1,1]"),
+				 &logged, &model),
+		-EINVAL);
+	assert_int_equal(
+		model_from_text(SHINING("",
+					"'emissiveFactor':[1,1,1],"
+					"'emissiveTexture':{'index':7}"),
+			&logged, &model),
+		-EINVAL);
+}
+
 static void expect_plain(const struct model_material *material)
 {
 	static const float white[4] = {1, 1, 1, 1};
@@ -60,6 +168,8 @@ static void expect_plain(const struct model_material *material)
 	assert_all_near(material->base_color, white, 4, 0);
 	assert_int_equal(material->texture, -1);
 	assert_int_equal(material->normal_texture, -1);
+	assert_false(model_material_emits(material));
+	assert_int_equal(material->emissive_texture, -1);
 	assert_near(material->roughness, 1, 0);
 	assert_int_equal(material->alpha, MODEL_OPAQUE);
 	assert_near(material->alpha_cutoff, 0.5, 0);
@@ -289,6 +399,11 @@ int main(void)
 		cmocka_unit_test(test_reads_factors_and_flags),
 		cmocka_unit_test(test_reads_alpha_masks_and_unlit),
 		cmocka_unit_test(test_reads_diffuse_colours_and_glossiness),
+		cmocka_unit_test(test_reads_the_light_that_a_material_emits),
+		cmocka_unit_test(test_strong_light_is_at_most_white),
+		cmocka_unit_test(test_a_texture_without_a_factor_does_not_shine),
+		cmocka_unit_test(test_ignores_light_whose_coordinates_differ),
+		cmocka_unit_test(test_refuses_light_that_is_no_number),
 		cmocka_unit_test(test_uses_the_defaults_of_a_material),
 		cmocka_unit_test(test_adds_one_default_material),
 		cmocka_unit_test(test_adds_no_default_material_without_need),

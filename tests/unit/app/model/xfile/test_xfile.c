@@ -182,6 +182,26 @@ static void test_influences_come_from_skin_weights(void **state)
 	model_destroy(model);
 }
 
+static void test_reads_the_light_that_a_material_emits(void **state)
+{
+	struct log_capture logged;
+	struct model *model = load(HEADER QUAD
+		"MeshMaterialList { 1; 1; 0; Material { 1;0;0;1;; 1; 0;0;0;; "
+		"0.5;1;0;; } } }",
+		&logged);
+	const struct model_material *lamp =
+		&model->material[model->mesh[0].primitive[0].material];
+
+	(void)state;
+	/* sRGB 0.5 in linear light. */
+	assert_near(lamp->emissive[0], 0.2140411, 1e-5);
+	assert_near(lamp->emissive[1], 1, 0);
+	assert_near(lamp->emissive[2], 0, 0);
+	/* Direct3D multiplies it by the surface's texture; there is none. */
+	assert_int_equal(lamp->emissive_texture, lamp->texture);
+	model_destroy(model);
+}
+
 static void test_a_missing_texture_only_causes_a_warning(void **state)
 {
 	struct log_capture logged;
@@ -436,6 +456,7 @@ int main(void)
 		cmocka_unit_test(test_position_keys_are_converted),
 		cmocka_unit_test(test_matrix_keys_are_decomposed),
 		cmocka_unit_test(test_influences_come_from_skin_weights),
+		cmocka_unit_test(test_reads_the_light_that_a_material_emits),
 		cmocka_unit_test(test_a_missing_texture_only_causes_a_warning),
 		cmocka_unit_test(test_malformed_files_cause_one_error),
 		cmocka_unit_test(test_a_rotation_key_rotates_as_in_direct3d),

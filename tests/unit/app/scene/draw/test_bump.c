@@ -330,6 +330,47 @@ static void test_bump_mapping_takes_three_passes_and_can_be_off(void **state)
 	/* Back faces are drawn in a pass of their own without bumps. */
 	model->material[0].double_sided = true;
 	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 4);
+	/* The light of an emissive texture is added on both sides. */
+	model->material[0].emissive[0] = 1.0f;
+	model->material[0].emissive_texture = 0;
+	assert_int_equal(draws_of(&gl, instance, &textures, DRAW_SHADED), 5);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* After how many draws GL_EMISSION was set last, and whether to black. */
+static int emission_after;
+static bool emission_lit;
+
+static void watch_emission(GLenum face, GLenum name, const GLfixed *value)
+{
+	(void)face;
+	if (name == GL_EMISSION) {
+		emission_after = gl_recorder_result()->draw_count;
+		emission_lit = value[0] > 0;
+		/* It is black in the two passes of the bumps. */
+		assert_int_equal(emission_after, emission_lit ? 2 : 3);
+	}
+}
+
+static void test_bumps_do_not_shade_light_that_is_emitted(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct gl gl = gl_recorder_begin();
+	struct texture_set textures = {.model = model, .normal_mapping = true};
+	GLuint name = 1;
+	struct instance *instance;
+
+	(void)state;
+	small_model_add_normal_map(model, 1, small_model_flat_map);
+	model->material[0].emissive[0] = 1.0f;
+	textures.name = &name;
+	instance = small_model_instance(model);
+	gl.Materialxv = watch_emission;
+	emission_after = 0;
+	draw_instance(&gl, instance, &textures, DRAW_SHADED);
+	assert_int_equal(emission_after, 3);
+	assert_false(emission_lit);
 	instance_destroy(instance);
 	model_destroy(model);
 }
@@ -383,6 +424,7 @@ int main(void)
 			test_models_without_normal_maps_need_no_combiner),
 		cmocka_unit_test(
 			test_bump_mapping_takes_three_passes_and_can_be_off),
+		cmocka_unit_test(test_bumps_do_not_shade_light_that_is_emitted),
 		cmocka_unit_test(test_bumps_smaller_than_pixels_are_left_out),
 	};
 

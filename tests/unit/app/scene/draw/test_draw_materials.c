@@ -15,7 +15,7 @@ struct seen {
 	bool lit, alpha_tested, blended, textured, depth_written, two_sided;
 	bool culled;
 	GLenum culled_face;
-	GLfixed cutoff, shininess, specular;
+	GLfixed cutoff, shininess, specular, emission;
 	GLsizei count;
 };
 
@@ -91,10 +91,14 @@ static void material_one(GLenum face, GLenum name, GLfixed value)
 static void material_four(GLenum face, GLenum name, const GLfixed *value)
 {
 	(void)face;
-	assert_int_equal(name, GL_SPECULAR);
+	assert_true(name == GL_SPECULAR || name == GL_EMISSION);
 	assert_int_equal(value[1], value[0]);
 	assert_int_equal(value[2], value[0]);
-	state.now.specular = value[0];
+	if (name == GL_SPECULAR) {
+		state.now.specular = value[0];
+	} else {
+		state.now.emission = value[0];
+	}
 }
 
 static void draw_elements(
@@ -134,6 +138,12 @@ static void choose(struct model_material *material, uint32_t *seed)
 	material->unlit = random_one_in(seed, 3);
 	material->double_sided = random_one_in(seed, 2);
 	material->roughness = (float)random_between(seed, 0, 8) / 8.0f;
+	if (random_one_in(seed, 3)) {
+		for (int i = 0; i < 3; i++) {
+			material->base_color[i] = 0.0f;
+			material->emissive[i] = 0.2140411f; /* 0.5 in sRGB */
+		}
+	}
 }
 
 /* What glTF 2.0, section 3.9, asks for, with limber's highlights. */
@@ -152,6 +162,8 @@ static void expect_drawn_as(
 			(double)material->alpha_cutoff, 1e-4);
 	}
 	if (seen->lit) {
+		assert_near(seen->emission / 65536.0,
+			material->emissive[0] > 0.0f ? 0.5 : 0.0, 1e-4);
 		assert_near(seen->specular / 65536.0, gloss * gloss / 2, 1e-4);
 		assert_near(seen->shininess / 65536.0, 4 + 60 * gloss, 1e-3);
 	}
@@ -207,6 +219,7 @@ static void test_no_material_changes_the_look_of_the_next(void **unused)
 		/* As any frame before may have left it. */
 		memset(&state, random_one_in(&seed, 2), sizeof(state.now));
 		state.now.culled_face = GL_BACK;
+		state.now.emission = 0; /* as every frame leaves it */
 		state.draw_count = 0;
 		draw_instance(&gl, instance, &no_textures, DRAW_SHADED);
 		expect_sides(&material[0], 6);

@@ -1,0 +1,117 @@
+#include "app/scene/draw/emission.h"
+
+#include "app/model/color.h"
+#include "platform/base/scalar.h"
+
+/* Of a stage's lights together, sRGB-encoded; they are at most 1. */
+static const float medium_light = 0.6f, least_light = 0.38f;
+
+static const struct model_material *material_of(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	return &model->material[primitive->material];
+}
+
+/* Whether light and emission are multiplied by the same texture, or by none. */
+static bool share_texture(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material = material_of(model, primitive);
+
+	return material->texture == material->emissive_texture ||
+		(!primitive->texcoord && material->emissive_texture < 0);
+}
+
+enum emission emission_of(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material = material_of(model, primitive);
+
+	if (!model_material_emits(material) ||
+		(material->emissive_texture >= 0 && !primitive->texcoord)) {
+		return EMISSION_NONE;
+	}
+	return share_texture(model, primitive) ? EMISSION_WITH_LIGHT
+					       : EMISSION_ADDED;
+}
+
+/* Whether what the surface reflects is known but for a shared texture. */
+static bool has_one_color(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	return !primitive->color &&
+		(material_of(model, primitive)->texture < 0 ||
+			share_texture(model, primitive));
+}
+
+/* What is added to an encoded base colour, both of one channel. */
+static float find_addend(float base, float emitted)
+{
+	float lit = base * color_decode_srgb(medium_light);
+	float encoded_base = color_encode_srgb(base);
+	float medium =
+		color_encode_srgb(lit + emitted) - encoded_base * medium_light;
+	float least = color_encode_srgb(emitted) - encoded_base * least_light;
+
+	return scalar_clamp(medium > least ? medium : least, 0.0f, 1.0f);
+}
+
+void emission_color(const struct model *model,
+	const struct model_primitive *primitive, float out[3])
+{
+	const struct model_material *material = material_of(model, primitive);
+	bool known = has_one_color(model, primitive);
+
+	out[0] = out[1] = out[2] = 0.0f;
+	for (int i = 0; model_material_emits(material) && i < 3; i++) {
+		out[i] = find_addend(known ? material->base_color[i] : 0.0f,
+			material->emissive[i]);
+	}
+}
+
+void emission_begin_light(const struct gl *gl, const struct drawable *drawable)
+{
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_EMISSION, drawable->emission);
+}
+
+void emission_end_light(const struct gl *gl)
+{
+	static const GLfixed black[4] = {0, 0, 0, FX16_ONE};
+
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_EMISSION, black);
+}
+
+/* What blended surfaces show has no depth of its own. */
+static void set_blending(const struct gl *gl, bool blended)
+{
+	gl->Enable(GL_BLEND);
+	gl->DepthMask(GL_FALSE);
+	gl->BlendFunc(blended ? GL_SRC_ALPHA : GL_ONE, GL_ONE);
+	gl->DepthFunc(blended ? GL_LESS : GL_EQUAL);
+}
+
+void emission_begin_pass(const struct gl *gl, const struct model *model,
+	const struct drawable *drawable, const struct texture_set *textures)
+{
+	const struct model_material *material =
+		material_of(model, drawable->primitive);
+	const fx16_t *color = drawable->emission;
+
+	gl->Disable(GL_LIGHTING);
+	gl->Disable(GL_ALPHA_TEST);
+	set_blending(gl, material->alpha == MODEL_BLEND);
+	if (material->emissive_texture >= 0) {
+		texture_bind(textures, gl, material->emissive_texture);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	} else {
+		gl->Disable(GL_TEXTURE_2D);
+	}
+	gl->Color4x(color[0], color[1], color[2], drawable->color[3]);
+}
+
+void emission_end_pass(const struct gl *gl)
+{
+	gl->Disable(GL_BLEND);
+	gl->DepthMask(GL_TRUE);
+	gl->DepthFunc(GL_LESS);
+}

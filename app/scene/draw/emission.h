@@ -1,0 +1,50 @@
+/*
+ * Light that a surface emits (glTF 2.0, section 3.9.3).
+ *
+ * GL adds GL_EMISSION to the light of a surface before it multiplies that by a
+ * texture. So it draws what glTF asks for where the surface has no texture, or
+ * where the base colour and the emission share one. Other surfaces are drawn
+ * once more: the emission is added to the pixels that they show. A surface that
+ * emits nothing takes no call of GL.
+ */
+#ifndef APP_SCENE_DRAW_EMISSION_H
+#define APP_SCENE_DRAW_EMISSION_H
+
+#include "app/scene/draw/texture.h"
+#include "app/scene/instance/instance_data.h"
+
+enum emission {
+	EMISSION_NONE,
+	EMISSION_WITH_LIGHT, /* drawn with all other light */
+	EMISSION_ADDED,      /* drawn after it, in a pass of its own */
+};
+
+/* How the light is drawn that a primitive of the model emits. */
+enum emission emission_of(
+	const struct model *model, const struct model_primitive *primitive);
+
+/*
+ * The colour that is added to the light that the surface reflects, 0 to 1;
+ * black if it emits none. instance_create() keeps it in drawable.emission. GL
+ * adds sRGB-encoded colours, whose sum is brighter than that of linear ones.
+ * Where the surface has one base colour, the sum is right in medium light, and
+ * nowhere less than what is emitted.
+ */
+void emission_color(const struct model *model,
+	const struct model_primitive *primitive, float out[3]);
+
+/* Set GL_EMISSION, and reset it to black, which it is at all other times. */
+void emission_begin_light(const struct gl *gl, const struct drawable *drawable);
+void emission_end_light(const struct gl *gl);
+
+/*
+ * Set the state of the pass that adds light to what has been drawn; alpha is
+ * that of the surface and counts where it is blended. The caller passes the
+ * positions and, if the material has an emissive texture, the texture
+ * coordinates. The end leaves the depth function at GL_LESS.
+ */
+void emission_begin_pass(const struct gl *gl, const struct model *model,
+	const struct drawable *drawable, const struct texture_set *textures);
+void emission_end_pass(const struct gl *gl);
+
+#endif

@@ -194,26 +194,29 @@ static void add_reached(
 	add_box(bounds, &now, &bounds->extra);
 }
 
+/* A walk that stays in its place, because the ground moves, is not followed. */
 int character_bounds_init(
 	struct character_bounds *bounds, const struct character *character)
 {
 	struct instance *instance = character->instance;
 	int count = instance->model->clip_count;
+	int error;
 
 	bounds->clip =
 		ARENA_ARRAY(&instance->arena, struct bounds, (size_t)count);
 	bounds->ball = ARENA_ARRAY(&instance->arena, struct bounds,
 		(size_t)character->target_count);
-	if (!bounds->clip || !bounds->ball) {
+	bounds->follow = ARENA_ARRAY(
+		&instance->arena, struct character_follow, (size_t)count);
+	if (!bounds->clip || !bounds->ball || !bounds->follow) {
 		return -ENOMEM;
 	}
-	bounds->rest = bounds_of_model(instance, bounds->clip);
-	for (int i = 0; i < count; i++) {
-		const float *m = character->clip[i].carried_m;
-		float scale = instance->unit_scale;
-
-		bounds_stay(&bounds->clip[i],
-			(float[2]){m[0] * scale, m[1] * scale});
+	bounds->followed = -1;
+	error = character_follow_find(character,
+		&(struct character_boxes){
+			&bounds->rest, bounds->clip, bounds->follow});
+	if (error) {
+		return error;
 	}
 	bounds->extra = bounds->swung = bounds_empty();
 	for (int i = 0; i < character->morph_count; i++) {
@@ -349,13 +352,59 @@ static void add_entry(const struct character_bounds *bounds,
 				: &bounds->rest);
 }
 
-struct bounds character_bounds_now(
-	struct character_bounds *bounds, const struct character *character)
+/* The clip of the current state that goes far, or -1. */
+static int find_far_clip(const struct character_bounds *bounds,
+	const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_state *state = &machine->state[machine->current];
+	const struct model_clip *first = character->instance->model->clip;
+
+	for (int i = 0; i < state->entry_count; i++) {
+		const struct model_clip *clip = state->entry[i].of->clip;
+
+		if (clip && bounds->follow[clip - first].node >= 0) {
+			return (int)(clip - first);
+		}
+	}
+	return -1;
+}
+
+/* The box of the far clip where its model is now. */
+static struct bounds follow(struct character_bounds *bounds,
+	const struct instance *instance, int clip, float moved[3])
+{
+	struct bounds box = bounds->clip[clip];
+	float way[3];
+
+	character_follow_way(&bounds->follow[clip], instance, way);
+	for (int axis = 0; axis < 3; axis++) {
+		moved[axis] = clip == bounds->followed
+			? way[axis] - bounds->way[axis]
+			: 0.0f;
+		bounds->way[axis] = way[axis];
+	}
+	character_follow_box(&bounds->follow[clip], way, &box);
+	return box;
+}
+
+struct bounds character_bounds_now(struct character_bounds *bounds,
+	const struct character *character, float moved[3])
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	int far = find_far_clip(bounds, character);
 	struct bounds all;
 
+	if (far >= 0) {
+		all = follow(bounds, character->instance, far, moved);
+		bounds->followed = far;
+		return all;
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		moved[axis] = bounds->way[axis] = 0.0f;
+	}
+	bounds->followed = -1;
 	if (bounds->outermost) {
 		add_reached(bounds, character->instance);
 	}

@@ -5,7 +5,7 @@
 #define APP_CHARACTER_SHOW_CHARACTER_BOUNDS_H
 
 #include "app/character/character_data.h"
-#include "app/scene/instance/bounds.h"
+#include "app/character/show/character_follow.h"
 
 enum {
 	CHARACTER_DIRECTIONS = 14
@@ -16,6 +16,9 @@ struct character_bounds {
 	struct bounds all;
 	/* In the instance's arena; where a ball may be, or empty: */
 	struct bounds rest, *clip, *ball;
+	struct character_follow *follow; /* [clip_count] */
+	int followed; /* the clip that the camera follows now; -1: none */
+	float way[3]; /* how far it is from its start */
 	/*
 	 * What morphs reach beyond the rest pose, the parts' shifts, and what
 	 * turned parts have reached until now.
@@ -37,10 +40,12 @@ int character_bounds_init(
 
 /*
  * The box of what the state and layers play, of used balls and the extras, to
- * which it adds where the parts, springs and capes are now.
+ * which it adds where the parts, springs and capes are now. If the state's clip
+ * goes far it is the box of the model where it is now, and moved tells how far
+ * it went since the last call.
  */
-struct bounds character_bounds_now(
-	struct character_bounds *bounds, const struct character *character);
+struct bounds character_bounds_now(struct character_bounds *bounds,
+	const struct character *character, float moved[3]);
 
 /*
  * The height of the ground: that on which most clips stand. Those that sink a

@@ -227,12 +227,14 @@ static void move_scene(
 	struct figure *figure, struct stage *stage, float scale, float step_s)
 {
 	struct character *character = figure->character;
+	float moved[3];
 	struct bounds now;
 
 	camera_orbit(
 		&stage->camera, character->camera_turn, character->camera_tilt);
 	camera_zoom(&stage->camera, 1.0f + character->camera_zoom);
-	now = character_bounds_now(&figure->drawing.bounds, character);
+	now = character_bounds_now(&figure->drawing.bounds, character, moved);
+	stage_follow(stage, moved, figure->drawing.bounds.way);
 	camera_ease_to(&stage->camera, &now,
 		figure->framed ? 1.0f - scalar_exp(-ease_per_s * step_s) : 1.0f);
 	figure->framed = true;

@@ -176,8 +176,32 @@ void bounds_join(struct bounds *bounds, const struct bounds *other)
 	}
 }
 
-/* The box of a clip at steps + 1 times, or of the rest pose. */
-static struct bounds sample_clip(struct instance *instance, int clip, int steps)
+static void keep_longest(struct bounds_sides *sides, const struct bounds *now)
+{
+	for (int axis = 0; axis < 3; axis++) {
+		float side = now->high[axis] - now->low[axis];
+
+		if (side > sides->side[axis]) {
+			sides->side[axis] = side;
+		}
+	}
+}
+
+/* Takes a part of the way out of a box. */
+static void take_back(struct bounds *bounds, const float way[2], float part)
+{
+	for (int i = 0; i < 2; i++) {
+		bounds->low[2 * i] -= way[i] * part;
+		bounds->high[2 * i] -= way[i] * part;
+	}
+}
+
+/*
+ * The box of a clip without its way at steps + 1 times, or of the rest pose.
+ * sides is zero at first.
+ */
+static struct bounds sample_clip(struct instance *instance, int clip, int steps,
+	const float way[2], struct bounds_sides *sides)
 {
 	bool hold_normals = instance->hold_normals,
 	     normal_mapping = instance->normal_mapping;
@@ -200,27 +224,34 @@ static struct bounds sample_clip(struct instance *instance, int clip, int steps)
 		instance->normal_mapping = normal_mapping && step == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
+		take_back(&now, way, (float)step / (float)steps);
 		bounds_join(&all, &now);
+		keep_longest(sides, &now);
 	}
 	return all;
 }
 
 struct bounds bounds_of_clip(struct instance *instance, int clip)
 {
-	return sample_clip(instance, clip, CLIP_STEPS);
+	static const float in_place[2] = {0.0f, 0.0f};
+	struct bounds_sides unused = {{0.0f}};
+
+	return sample_clip(instance, clip, CLIP_STEPS, in_place, &unused);
 }
 
-struct bounds bounds_of_model(struct instance *instance, struct bounds *clip)
+struct bounds bounds_of_model(struct instance *instance, const float (*way)[2],
+	struct bounds *clip, struct bounds_sides *sides)
 {
 	int count = instance->model->clip_count;
 	int steps = count > 0 ? POSES_MAX / count - 1 : 0;
-	struct bounds rest = sample_clip(instance, -1, 0);
+	struct bounds rest = sample_clip(instance, -1, 0, NULL, NULL);
 
 	steps = steps > CLIP_STEPS         ? CLIP_STEPS
 		: steps < CLIP_STEPS_LEAST ? CLIP_STEPS_LEAST
 					   : steps;
 	for (int i = 0; i < count; i++) {
-		clip[i] = sample_clip(instance, i, steps);
+		sides[i] = (struct bounds_sides){{0.0f}};
+		clip[i] = sample_clip(instance, i, steps, way[i], &sides[i]);
 	}
 	return rest;
 }

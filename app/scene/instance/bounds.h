@@ -48,13 +48,21 @@ float bounds_ground(const struct bounds *bounds);
 /* Returns the box of the last update's vertices, in scene units. */
 struct bounds bounds_of_instance(const struct instance *instance);
 
+/* The longest sides that a model's box has at a moment of a clip. */
+struct bounds_sides {
+	float side[3];
+};
+
 /*
- * Finds the box of each clip, [clip_count], and returns that of the rest pose,
- * in scene units. The more clips there are, the more coarsely they are sampled:
- * it poses the whole instance about a hundred times at most, unless there are
- * more clips than that. Leaves the instance posed at the last clip's start.
+ * Finds the box and the sides of each clip, [clip_count], and returns the box
+ * of the rest pose, in scene units. A clip is shown without its way, which the
+ * model goes evenly along x and z from its start to its end. The more clips
+ * there are, the more coarsely they are sampled: it poses the whole instance
+ * about a hundred times at most, unless there are more clips than that. Leaves
+ * the instance posed at the last clip's start.
  */
-struct bounds bounds_of_model(struct instance *instance, struct bounds *clip);
+struct bounds bounds_of_model(struct instance *instance, const float (*way)[2],
+	struct bounds *clip, struct bounds_sides *sides);
 
 /*
  * Returns the box of a clip, sampled at 13 evenly spaced times, in scene units;

@@ -232,8 +232,8 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 		.y = floor->y, .wave_height = floor->wave_height};
 
 	camera_eye(camera, eye);
-	ahead = (eye[0] - floor->center[0]) * sine +
-		(eye[2] - floor->center[1]) * cosine;
+	ahead = (eye[0] - floor->center[0] - floor->way[0]) * sine +
+		(eye[2] - floor->center[1] - floor->way[1]) * cosine;
 	ground.opaque_end = ahead + opaque_part * radius;
 	ground.end = ahead + radius;
 	if (ground.end > far) {

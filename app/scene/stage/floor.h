@@ -19,6 +19,7 @@
 struct floor {
 	float y;         /* the height of level ground */
 	float center[2]; /* x, z */
+	float way[2];    /* x, z; how far the middle went from the center */
 	float radius;
 	float tile;        /* side of a tile */
 	float origin[2];   /* x, z of a corner of the pattern near the center */

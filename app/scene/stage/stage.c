@@ -1,5 +1,6 @@
 #include "app/scene/stage/stage.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/stage/light.h"
@@ -36,6 +37,13 @@ int stage_init(struct stage *stage, const struct gl *gl,
 void stage_finish(struct stage *stage, const struct gl *gl)
 {
 	floor_finish(&stage->floor, gl);
+}
+
+void stage_follow(struct stage *stage, const float moved[3], const float way[3])
+{
+	vec_add_scaled(stage->camera.target, moved, 1.0f, stage->camera.target);
+	stage->floor.way[0] = way[0];
+	stage->floor.way[1] = way[2];
 }
 
 static void use_plain_state(const struct gl *gl)

@@ -39,6 +39,12 @@ int stage_init(struct stage *stage, const struct gl *gl,
 void stage_finish(struct stage *stage, const struct gl *gl);
 
 /*
+ * Moves the camera by the way that a figure went since the last call, and the
+ * ground's middle to where it is after its whole way, both in scene units.
+ */
+void stage_follow(struct stage *stage, const float moved[3], const float way[3]);
+
+/*
  * Sets the viewport, clears the buffers, draws background and floor, and loads
  * the camera's matrices and the lights.
  */

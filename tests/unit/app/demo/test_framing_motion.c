@@ -3,6 +3,8 @@
 #include "tests/support/demo_shown.h"
 #include "tests/support/test.h"
 
+#include <string.h>
+
 #include <cglm/cglm.h>
 
 /* But for what rigid parts are off at a sole. */
@@ -131,6 +133,107 @@ static void test_what_swings_stays_in_the_picture(void **state)
 	}
 }
 
+/* Plays the fixture's next clip until the camera has settled. */
+static double play_next(struct shown *shown, double time_s)
+{
+	struct button_event down = {.button = BUTTON_DOWN, .down = true};
+	double end_s = time_s + 6.0;
+
+	demo_press(shown->driver, shown->demo, &down);
+	down.down = false;
+	demo_press(shown->driver, shown->demo, &down);
+	while (time_s < end_s) {
+		time_s += 0.04;
+		shown->driver->update(shown->demo, time_s);
+	}
+	return time_s;
+}
+
+/* Two times the clip, at whose end the figure is at its start at once. */
+static double check_followed(
+	struct shown *shown, const int size[2], double time_s)
+{
+	for (int frame = 0; frame < 100; frame++) {
+		struct camera_region region;
+
+		time_s += 0.04;
+		shown->driver->update(shown->demo, time_s);
+		region = shown_now(shown, size);
+		shown_check_whole(&region);
+		/* Large, of the 2 that the picture has. */
+		assert_true(region.right - region.left > 0.5f ||
+			region.top - region.bottom > 0.5f);
+	}
+	return time_s;
+}
+
+static void test_the_camera_follows_what_goes_far(void **state)
+{
+	(void)state;
+	for (size_t s = 0; s < SHOWN_SIZES; s++) {
+		const int *size = shown_sizes[s];
+		double time_s = 0.02;
+		struct shown shown;
+
+		shown_begin(&shown, "../tests/fixtures/gltf/clip/far.gltf",
+			size, false);
+		time_s = check_followed(&shown, size, time_s); /* leave */
+		time_s = play_next(&shown, time_s);
+		time_s = check_followed(&shown, size, time_s); /* climb */
+		time_s = play_next(&shown, time_s);
+		check_followed(&shown, size, time_s); /* circle */
+		shown_end(&shown);
+	}
+}
+
+static void test_the_camera_stays_while_a_figure_sways(void **state)
+{
+	const int *size = shown_sizes[0];
+	double time_s = 0.02;
+	const struct camera *camera;
+	struct camera_region region;
+	struct shown shown;
+	float target[3];
+
+	(void)state;
+	shown_begin(&shown, "../tests/fixtures/gltf/clip/far.gltf", size, false);
+	camera = &((const struct demo_base *)shown.demo)->stage.camera;
+	for (int clip = 0; clip < 3; clip++) {
+		time_s = play_next(&shown, time_s);
+	}
+	memcpy(target, camera->target, sizeof(target));
+	for (int frame = 0; frame < 100; frame++) {
+		time_s += 0.04;
+		shown.driver->update(shown.demo, time_s);
+		region = shown_now(&shown, size);
+		shown_check_whole(&region);
+		assert_all_near(camera->target, target, 3, 1e-3);
+	}
+	shown_end(&shown);
+}
+
+/* The ground is drawn around the place where the figure is. */
+static void test_the_ground_goes_with_the_camera(void **state)
+{
+	struct shown shown;
+	const struct stage *stage;
+	struct floor_sight begin, end;
+
+	(void)state;
+	shown_begin(&shown, "../tests/fixtures/gltf/clip/far.gltf",
+		shown_sizes[0], false);
+	stage = &((const struct demo_base *)shown.demo)->stage;
+	floor_find_sight(&stage->floor, &stage->camera, shown_sizes[0][0],
+		shown_sizes[0][1], &stage->content, &begin);
+	shown.driver->update(shown.demo, 1.9);
+	assert_true(stage->floor.way[0] > 30.0f * stage->floor.tile);
+	floor_find_sight(&stage->floor, &stage->camera, shown_sizes[0][0],
+		shown_sizes[0][1], &stage->content, &end);
+	assert_int_equal(end.strips.covered_px, begin.strips.covered_px);
+	assert_int_equal(end.strips.horizon_px, begin.strips.horizon_px);
+	shown_end(&shown);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -142,6 +245,9 @@ int main(void)
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
 		cmocka_unit_test(test_what_swings_stays_in_the_picture),
+		cmocka_unit_test(test_the_camera_follows_what_goes_far),
+		cmocka_unit_test(test_the_camera_stays_while_a_figure_sways),
+		cmocka_unit_test(test_the_ground_goes_with_the_camera),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,15 +14,9 @@ static void show_progress(void *context, int done, int total)
 	progress_step(progress, done);
 }
 
-static int write_file(const struct optimize_result *result, const char *path,
-	const struct log *log)
+static int write_file(
+	const struct optimize_result *result, struct output_file *file)
 {
-	struct output_file *file;
-	int error = output_file_create(path, log, &file);
-
-	if (error) {
-		return error;
-	}
 	fwrite(result->data, 1, result->after.file, output_file_stream(file));
 	return output_file_commit(file);
 }
@@ -68,11 +62,19 @@ static int run_with_model(const struct model *model,
 		.progress_context = &progress,
 	};
 	struct optimize_result result;
-	int error = optimize_model(model, &request, log, &result);
+	struct output_file *file;
+	/* Before the work, which shall not be done in vain. */
+	int error = output_file_create(options->screen.output, log, &file);
 
+	if (error) {
+		return error;
+	}
+	error = optimize_model(model, &request, log, &result);
 	progress_end(&progress);
-	if (!error) {
-		error = write_file(&result, options->screen.output, log);
+	if (error) {
+		output_file_discard(file);
+	} else {
+		error = write_file(&result, file);
 	}
 	if (!error) {
 		print_result(&result, options);

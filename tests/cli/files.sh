@@ -164,6 +164,26 @@ else
     skip 'a full disk' 'this machine has no /dev/full that may be written to'
 fi
 
+# A file that cannot be written is reported before the work, not after it.
+for command in 'play --display null --stats out.json' \
+    'play --display null --record out.gif' \
+    'play --display null --record-buttons out.txt' \
+    'render --frames 9999 -o out.y4m' 'optimize -o out.glb' 'compare --plot out.svg' \
+    'compare --export out'; do
+    words=${command% *}
+    # shellcheck disable=SC2086 # a command and its options
+    limber ${words%% *} "$slider" ${words#* } "$scratch/nowhere/${command##* }"
+    expect_refusal 1 'nowhere/out.*: .*No such file or directory'
+done
+mkdir "$scratch/closed"
+chmod 555 "$scratch/closed"
+if [ -w "$scratch/closed" ]; then
+    skip 'an export into a folder that is closed' 'this user may write anywhere'
+else
+    limber compare "$slider" --export "$scratch/closed"
+    expect_refusal 1 'closed: the folder cannot be written'
+fi
+
 # A file that may not grow: the older file is kept, and no other file is left.
 mkdir "$scratch/kept"
 for command in 'pose -o out.obj' 'render -o out.png' 'render --frames 3 -o out.gif' \

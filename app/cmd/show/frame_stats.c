@@ -1,6 +1,5 @@
 #include "app/cmd/show/frame_stats.h"
 
-#include "platform/base/output_file.h"
 #include "platform/process/clock.h"
 
 static int64_t larger(int64_t a, int64_t b)
@@ -63,18 +62,12 @@ int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction)
 	return at + 1;
 }
 
-int frame_stats_write(const struct frame_stats *stats, const char *path,
-	const struct log *log)
+void frame_stats_write(const struct frame_stats *stats, FILE *out)
 {
 	int64_t whole_ns = stats->ended_ns - stats->first_ns;
 	double frames = stats->frames > 0 ? stats->frames : 1;
-	struct output_file *file;
-	int error = output_file_create_for("--stats", path, log, &file);
 
-	if (error) {
-		return error;
-	}
-	fprintf(output_file_stream(file),
+	fprintf(out,
 		"{\"frames\": %d, \"seconds\": %.6f, \"fps\": %.2f,\n"
 		" \"work_ms\": {\"mean\": %.3f, \"p50\": %d, \"p95\": %d, "
 		"\"max\": %.3f},\n"
@@ -87,5 +80,4 @@ int frame_stats_write(const struct frame_stats *stats, const char *path,
 		frame_stats_percentile_ms(stats, 0.95), ms(stats->work_max_ns),
 		ms(stats->apart_max_ns), stats->presses,
 		ms(stats->latency_max_ns));
-	return output_file_commit(file);
 }

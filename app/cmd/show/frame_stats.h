@@ -7,8 +7,7 @@
 #define APP_CMD_SHOW_FRAME_STATS_H
 
 #include <stdint.h>
-
-#include "platform/base/log.h"
+#include <stdio.h>
 
 enum {
 	/* Of one millisecond each; the last one holds all longer frames. */
@@ -45,11 +44,9 @@ void frame_stats_end(struct frame_stats *stats);
 int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction);
 
 /*
- * Writes a JSON file: frames, seconds, fps, work_ms {mean, p50, p95, max},
- * apart_ms_max, presses, latency_ms_max. Returns 0, or -errno after logging an
- * error.
+ * Writes JSON: frames, seconds, fps, work_ms {mean, p50, p95, max},
+ * apart_ms_max, presses, latency_ms_max.
  */
-int frame_stats_write(const struct frame_stats *stats, const char *path,
-	const struct log *log);
+void frame_stats_write(const struct frame_stats *stats, FILE *out);
 
 #endif

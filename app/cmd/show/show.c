@@ -156,10 +156,21 @@ static int confine(const struct show *show)
 	return error;
 }
 
-/* Runs the show once everything is open. */
-static int run(struct show *show)
+/* Writes what was measured, unless the run failed. */
+static int close_stats(
+	const struct show *show, struct output_file *file, int run_error)
 {
-	const char *stats = show->options->show.stats;
+	if (!file || run_error) {
+		output_file_discard(file);
+		return 0;
+	}
+	frame_stats_write(&show->stats, output_file_stream(file));
+	return output_file_commit(file);
+}
+
+/* Plays until the end. */
+static int play(struct show *show)
+{
 	int error = open_film(show);
 	int film_error;
 
@@ -172,15 +183,30 @@ static int run(struct show *show)
 	}
 	atomic_store(&show->heard_error, false);
 	error = show_loop_run(show);
-	if (!error && stats) {
-		error = frame_stats_write(&show->stats, stats, show->log);
-	}
 	snapshot_finish(&show->snapshot);
 	film_error = film_close(&show->film);
 	if (!error) {
 		error = show->film_error ? show->film_error : film_error;
 	}
 	return error ? error : complete_output(show);
+}
+
+/* Runs the show once everything is open. A long run shall not end in vain. */
+static int run(struct show *show)
+{
+	const char *path = show->options->show.stats;
+	struct output_file *stats = NULL;
+	int error = path
+		? output_file_create_for("--stats", path, show->log, &stats)
+		: 0;
+	int stats_error;
+
+	if (error) {
+		return error;
+	}
+	error = play(show);
+	stats_error = close_stats(show, stats, error);
+	return error ? error : stats_error;
 }
 
 static int open_and_run(struct show *show)

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /* The file's name; "" for the model itself, which is a file already. */
 static void name_file(const struct comparison_row *row, char *text, size_t size)
@@ -108,6 +109,17 @@ static int export_row(const struct comparison *comparison,
 	return glb_write(&glb, path, log);
 }
 
+static int check_folder(const char *folder, const struct log *log)
+{
+	int error = access(folder, W_OK | X_OK) == 0 ? 0 : -errno;
+
+	if (error) {
+		log_error(log, "--export %s: the folder cannot be written: %s",
+			folder, strerror(-error));
+	}
+	return error;
+}
+
 int export_make_folder(const char *folder, const struct log *log)
 {
 	int error;
@@ -120,7 +132,7 @@ int export_make_folder(const char *folder, const struct log *log)
 		struct stat found;
 
 		if (stat(folder, &found) == 0 && S_ISDIR(found.st_mode)) {
-			return 0;
+			return check_folder(folder, log);
 		}
 		error = -ENOTDIR;
 	}

@@ -112,7 +112,7 @@ static int begin_drawing(struct painter *painter)
 	glm_vec3_scale(box.high, unit, box.high);
 	painter->instance->normal_mapping = false;
 	painter->extent = drawing_extent(painter->instance);
-	return drawing_create(painter->model, &box, request->width,
+	return drawing_create(painter->instance, &box, request->width,
 		request->height, painter->log, &painter->drawing);
 }
 
@@ -139,8 +139,8 @@ static int draw_model(struct painter *painter)
 	}
 	if (!error) {
 		predict(painter);
-		drawing_destroy(painter->drawing);
 	}
+	drawing_destroy(painter->drawing);
 	instance_destroy(painter->instance);
 	return error;
 }

@@ -60,8 +60,11 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->extent = bounds_extent(&bounds);
 	warn_if_far(actor, &bounds, env);
 	actor->interpolation = env->interpolation;
-	error = clip_cursor_init(
-		&actor->cursor, actor->model, &actor->instance->arena);
+	error = shadow_ground_find(&actor->ground, actor->instance);
+	if (!error) {
+		error = clip_cursor_init(
+			&actor->cursor, actor->model, &actor->instance->arena);
+	}
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory to play the model",
@@ -94,6 +97,7 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	struct stage *stage)
 {
 	struct camera_framing camera = framing->camera;
+	int error;
 
 	base->framing = *framing;
 	if (env->no_labels) {
@@ -102,8 +106,12 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	camera.aspect = (float)base->width / (float)base->height;
 	camera.region = framing_region(
 		&base->framing, bounds, base->width, base->height);
-	return stage_init(
+	error = stage_init(
 		stage, env->gl, bounds, &camera, env->target, env->log);
+	if (!error && base->actor.ground.count > 0) {
+		stage_lower_floor(stage, bounds);
+	}
+	return error;
 }
 
 void actor_reframe_stage(struct demo_base *base, int width, int height)

@@ -11,6 +11,7 @@
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/overlay/overlay.h"
+#include "app/scene/shadow/shadow_ground.h"
 #include "app/scene/stage/framing.h"
 #include "app/scene/stage/live.h"
 #include "app/scene/stage/stage.h"
@@ -26,6 +27,7 @@ struct actor {
 	struct lod lod;
 	float min_error_px; /* overrides a smaller error of lod; 0: none */
 	float extent;       /* in the rest pose, scene units */
+	struct shadow_ground ground; /* of the model's own */
 };
 
 /* Every demo's struct begins with this one. */

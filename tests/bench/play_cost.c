@@ -40,7 +40,7 @@ static int begin_drawing(struct instance *instance, int clip, char **size,
 		bounds_join(&box, &moving);
 	}
 	return drawing_create(
-		instance->model, &box, atoi(size[0]), atoi(size[1]), log, out);
+		instance, &box, atoi(size[0]), atoi(size[1]), log, out);
 }
 
 static void pose(struct instance *instance, const struct model_clip *clip,

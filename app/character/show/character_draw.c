@@ -23,6 +23,10 @@ int character_draw_init(struct character_drawing *drawing,
 	character_range(character, character->scene.wave_m, &low, &high);
 	drawing->may_wave = low != 0.0f || high != 0.0f;
 	error = character_bounds_init(&drawing->bounds, character);
+	if (!error) {
+		error = shadow_ground_find(
+			&drawing->ground, character->instance);
+	}
 	if (!error && drawing->may_wave) {
 		error = reach_init(&drawing->reach, character->instance);
 	}
@@ -358,6 +362,22 @@ static void draw_top_shadows(const struct character_drawing *drawing,
 	}
 }
 
+/* Draws ground of the model's own, and shadows on it. */
+static void draw_ground(const struct character_drawing *drawing,
+	const struct stage *stage, const struct texture_set *textures,
+	const struct gl *gl)
+{
+	const struct character *character = drawing->character;
+
+	if (*character->scene.shadow > 0.0f && stage->floor.wave_height == 0.0f &&
+		shadow_ground_begin(&drawing->ground, stage, gl,
+			character->instance, textures)) {
+		draw_instance(gl, character->instance, textures, DRAW_SHADOW);
+		draw_capes(character, gl, DRAW_SHADOW);
+		stage_top_end(gl);
+	}
+}
+
 void character_draw(const struct character_drawing *drawing,
 	const struct stage *stage, const struct texture_set *textures,
 	const struct gl *gl)
@@ -365,7 +385,9 @@ void character_draw(const struct character_drawing *drawing,
 	const struct character *character = drawing->character;
 
 	draw_shadows(drawing, stage, textures, gl);
+	draw_ground(drawing, stage, textures, gl);
 	draw_instance(gl, character->instance, textures, DRAW_SHADED);
+	shadow_ground_end(&drawing->ground, character->instance);
 	draw_top_shadows(drawing, stage, textures, gl);
 	draw_capes(character, gl, DRAW_SHADED);
 	draw_balls(drawing, gl);

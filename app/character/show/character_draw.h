@@ -9,6 +9,7 @@
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/reach.h"
 #include "app/scene/shadow/shadow_drape.h"
+#include "app/scene/shadow/shadow_ground.h"
 #include "app/scene/stage/ball.h"
 #include "app/scene/stage/stage.h"
 
@@ -16,6 +17,7 @@ struct character_drawing {
 	const struct character *character; /* not owned */
 	struct character_bounds bounds;
 	struct ball ball;
+	struct shadow_ground ground; /* of the model's own */
 	/* If the ground may be uneven: */
 	bool may_wave;
 	struct reach reach;

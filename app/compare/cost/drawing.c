@@ -4,6 +4,7 @@
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/lod.h"
+#include "app/scene/shadow/shadow_ground.h"
 #include "app/scene/stage/stage.h"
 #include "platform/gl/gl_context.h"
 
@@ -16,6 +17,7 @@ struct drawing {
 	struct texture_set textures;
 	struct stage stage;
 	struct bounds box; /* that the camera frames */
+	struct shadow_ground ground;
 	bool keys;
 };
 
@@ -27,6 +29,20 @@ static int open_picture(
 		&drawing->pixels, width, height, PIXELS_RGB565, log);
 
 	return error ? error : gl_open("soft", &request, &drawing->context);
+}
+
+static int find_ground(struct drawing *drawing, struct instance *instance,
+	const struct log *log)
+{
+	const struct model *model = instance->model;
+
+	if (shadow_ground_find(&drawing->ground, instance) != 0) {
+		return memory_budget_fail(model->budget, model->path, log);
+	}
+	if (drawing->ground.count > 0) {
+		stage_lower_floor(&drawing->stage, &drawing->box);
+	}
+	return 0;
 }
 
 static int prepare(struct drawing *drawing, const struct model *model,
@@ -50,9 +66,10 @@ static int prepare(struct drawing *drawing, const struct model *model,
 	return error;
 }
 
-int drawing_create(const struct model *model, const struct bounds *box,
+int drawing_create(struct instance *instance, const struct bounds *box,
 	int width, int height, const struct log *log, struct drawing **out)
 {
+	const struct model *model = instance->model;
 	struct drawing *drawing = calloc(1, sizeof(*drawing));
 	int error;
 
@@ -69,6 +86,11 @@ int drawing_create(const struct model *model, const struct bounds *box,
 	error = prepare(drawing, model, box, log);
 	if (error) {
 		goto fail_context;
+	}
+	error = find_ground(drawing, instance, log);
+	if (error) {
+		drawing_destroy(drawing);
+		return error;
 	}
 	*out = drawing;
 	return 0;
@@ -132,7 +154,13 @@ void drawing_draw(
 	stage_shadow_begin(stage, gl);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 	stage_shadow_end(stage, gl);
+	if (shadow_ground_begin(&drawing->ground, stage, gl, instance,
+		    &drawing->textures)) {
+		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
+		stage_top_end(gl);
+	}
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
+	shadow_ground_end(&drawing->ground, instance);
 	context->driver->end_frame(context);
 }
 

@@ -11,12 +11,13 @@
 struct drawing;
 
 /*
- * Prepares pictures of instances of the model, whose textures it uploads. The
- * camera frames the box, in scene units, in a picture of RGB565. The model has
- * its levels of detail (app/model/levels) and must outlive the drawing, which
+ * Prepares pictures of instances of the instance's model, whose textures it
+ * uploads. The camera frames the box, in scene units, in a picture of RGB565.
+ * The model has its levels of detail (app/model/levels); it and the instance,
+ * which is left in the rest pose, must outlive the drawing, which
  * drawing_destroy() releases. Returns 0, or -errno after logging an error.
  */
-int drawing_create(const struct model *model, const struct bounds *box,
+int drawing_create(struct instance *instance, const struct bounds *box,
 	int width, int height, const struct log *log, struct drawing **out);
 
 /* NULL is fine. */

@@ -11,8 +11,13 @@
 #include <cglm/cglm.h>
 
 enum {
-	TOP_MARK = 128 /* in the stencil, where counts are at most 1 */
+	/* In the stencil, where counts are at most 1. */
+	TOP_MARK = 128,
+	GROUND_MARK = 64
 };
+
+/* Of the extent of a model whose ground lies above the floor. */
+static const float lowered_part = 0.001f;
 
 /* The background's gradient, sRGB. The floor fades into its lower part. */
 static const uint8_t sky_color[3] = {58, 68, 84};
@@ -241,6 +246,23 @@ void stage_top_begin(
 	gl->DrawArrays(GL_TRIANGLE_FAN, 0, 4);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 	begin_shadow(gl, corner[0][1], true, TOP_MARK);
+}
+
+void stage_ground_begin(const struct gl *gl)
+{
+	gl->Enable(GL_STENCIL_TEST);
+	gl->StencilFunc(GL_ALWAYS, GROUND_MARK, 255);
+	gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+void stage_ground_end(const struct gl *gl, float y)
+{
+	begin_shadow(gl, y, true, GROUND_MARK);
+}
+
+void stage_lower_floor(struct stage *stage, const struct bounds *box)
+{
+	stage->floor.y -= lowered_part * bounds_extent(box);
 }
 
 void stage_draw_monitor(const struct stage *stage, const struct gl *gl)

@@ -74,6 +74,16 @@ void stage_top_begin(
 void stage_top_end(const struct gl *gl);
 
 /*
+ * The same for level ground of the model's own: what is drawn between these two
+ * is where shadows lie until stage_top_end(). It needs a stencil buffer.
+ */
+void stage_ground_begin(const struct gl *gl);
+void stage_ground_end(const struct gl *gl, float y);
+
+/* Lowers the floor a little, for ground of the model's own that lies on it. */
+void stage_lower_floor(struct stage *stage, const struct bounds *box);
+
+/*
  * Draws the monitor on level ground, where it has to follow the flat shadows.
  * stage_shadow_end() calls this; a frame without flat shadows calls it itself.
  */

@@ -234,6 +234,21 @@ static void test_the_ground_goes_with_the_camera(void **state)
 	shown_end(&shown);
 }
 
+/* Two surfaces in one plane would fight. */
+static void test_the_floor_is_below_ground_of_the_model(void **state)
+{
+	const struct demo_base *base;
+	struct shown shown;
+
+	(void)state;
+	shown_begin(&shown, "../tests/fixtures/gltf/scene/ground.gltf",
+		shown_sizes[0], false);
+	base = (const struct demo_base *)shown.demo;
+	assert_true(base->stage.floor.y < 0.0f);
+	assert_near(base->stage.floor.y, 0, 0.002 * base->actor.extent);
+	shown_end(&shown);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -248,6 +263,7 @@ int main(void)
 		cmocka_unit_test(test_the_camera_follows_what_goes_far),
 		cmocka_unit_test(test_the_camera_stays_while_a_figure_sways),
 		cmocka_unit_test(test_the_ground_goes_with_the_camera),
+		cmocka_unit_test(test_the_floor_is_below_ground_of_the_model),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

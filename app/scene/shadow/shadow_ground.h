@@ -1,0 +1,45 @@
+/*
+ * Ground that a model brings along: level surfaces at its bottom, below all the
+ * rest, such as a floor, a lawn or the plate that a machine stands on.
+ *
+ * Such ground would hide the shadows that lie on the stage's floor. It is drawn
+ * first; then the shadows of all else are drawn on it, where the stencil says
+ * that it is seen; then all else. The stage's floor lies a little below ground
+ * (stage_lower_floor()), because two surfaces in one plane would fight.
+ */
+#ifndef APP_SCENE_SHADOW_SHADOW_GROUND_H
+#define APP_SCENE_SHADOW_SHADOW_GROUND_H
+
+#include "app/scene/draw/texture.h"
+#include "app/scene/instance/bounds.h"
+#include "app/scene/stage/stage.h"
+
+struct shadow_ground {
+	int count;     /* 0: the model has no ground */
+	int *drawable; /* [count], in the instance's arena */
+	float y;       /* the height of its surface, in scene units */
+};
+
+/*
+ * Finds opaque drawables that no clip, skin or target moves, whose vertices lie
+ * at one height or at two, and which together are about as wide as the model
+ * and far lower. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
+ */
+int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
+
+/*
+ * Draws the ground and begins its shadows: until stage_top_end(), whatever is
+ * drawn with DRAW_SHADOW is projected on it. Call it after the shadows on the
+ * stage's floor and before all else is drawn. The ground is hidden from
+ * draw_instance() until shadow_ground_end(). Does nothing and returns false
+ * without ground or without a stencil buffer.
+ */
+bool shadow_ground_begin(const struct shadow_ground *ground,
+	const struct stage *stage, const struct gl *gl,
+	struct instance *instance, const struct texture_set *textures);
+
+/* Call it after the whole instance was drawn. NULL instance is not allowed. */
+void shadow_ground_end(
+	const struct shadow_ground *ground, struct instance *instance);
+
+#endif

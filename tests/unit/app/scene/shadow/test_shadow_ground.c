@@ -1,0 +1,170 @@
+/* Ground of the model's own: a lawn and a plate, and a lamp above them. */
+#include "app/scene/shadow/shadow_ground.h"
+#include "tests/support/model/model_fixture.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+enum {
+	LAWN,
+	PLATE,
+	LAMP
+};
+
+static struct model *load(void)
+{
+	return model_fixture("gltf/scene/ground.gltf", NULL);
+}
+
+/* The number of drawables that are ground; its height is stored if y is not NULL. */
+static int count_ground(const struct model *model, float *y)
+{
+	struct instance *instance = small_model_instance(model);
+	struct shadow_ground ground;
+	int count;
+
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	count = ground.count;
+	for (int i = 0; i < count; i++) {
+		assert_int_equal(ground.drawable[i], i);
+	}
+	if (y) {
+		*y = ground.y / instance->unit_scale;
+	}
+	instance_destroy(instance);
+	return count;
+}
+
+static void test_level_surfaces_at_the_bottom_are_ground(void **state)
+{
+	struct model *model = load();
+	float y = 9.0f;
+
+	(void)state;
+	assert_int_equal(count_ground(model, &y), 2);
+	assert_near(y, 0, 1e-6);
+	model_destroy(model);
+}
+
+/* A hill in it would throw shadows that no plane shows. */
+static void test_uneven_ground_is_none(void **state)
+{
+	struct model *model = load();
+
+	(void)state;
+	model->mesh[LAWN].primitive->position[0][1] = 0.1f;
+	model->mesh[LAWN].primitive->position[1][1] = 0.2f;
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+}
+
+static void test_a_slab_is_ground(void **state)
+{
+	struct model *model = load();
+	float(*position)[3] = model->mesh[LAWN].primitive->position;
+	float y;
+
+	(void)state;
+	/* Its far side is thick. */
+	position[0][1] = position[1][1] = -0.2f;
+	assert_int_equal(count_ground(model, &y), 2);
+	assert_near(y, 0, 1e-6);
+	model_destroy(model);
+}
+
+static void test_what_moves_or_is_clear_is_no_ground(void **state)
+{
+	struct model *model = load();
+
+	(void)state;
+	model->material[model->mesh[LAWN].primitive->material].alpha =
+		MODEL_BLEND;
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+	model = load();
+	model->clip[0].channel[0].node = LAWN;
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+}
+
+static void test_a_model_that_is_only_flat_has_no_ground(void **state)
+{
+	struct model *model = load();
+	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
+
+	(void)state;
+	for (int v = 0; v < lamp->vertex_count; v++) {
+		lamp->position[v][1] *= 0.01f;
+	}
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+}
+
+/* Files of key frames have targets everywhere, also where nothing moves. */
+static void test_targets_that_move_nothing_do_not_matter(void **state)
+{
+	struct model *model = load();
+	float weight = 0, moved[4][3] = {{0}};
+	struct model_target target = {.position = {.vertex_count = 4,
+					      .number = MODEL_FLOAT,
+					      .unit = 1,
+					      .value = moved}};
+
+	(void)state;
+	model->mesh[LAWN].target_count = 1;
+	model->mesh[LAWN].primitive->target = &target;
+	model->weight_count = 1;
+	model->rest_weights = &weight;
+	model->clip[0].channel[0].node = LAWN;
+	model->clip[0].channel[0].path = MODEL_WEIGHTS;
+	assert_int_equal(count_ground(model, NULL), 2);
+	moved[3][1] = 0.5f;
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+}
+
+/* A flat thing that lies on it, such as a letter, does not hide the ground. */
+static void test_a_small_surface_above_it_is_not_taken_for_it(void **state)
+{
+	struct model *model = load();
+	float y;
+
+	(void)state;
+	for (int v = 0; v < 4; v++) {
+		model->mesh[PLATE].primitive->position[v][1] = 0.1f;
+		model->mesh[PLATE].primitive->position[v][0] *= 0.1f;
+		model->mesh[LAWN].primitive->position[v][0] *= 2.0f;
+	}
+	assert_int_equal(count_ground(model, &y), 1);
+	assert_near(y, 0, 1e-6);
+	model_destroy(model);
+}
+
+static void test_ground_narrower_than_the_model_is_none(void **state)
+{
+	struct model *model = load();
+	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
+
+	(void)state;
+	for (int v = 0; v < lamp->vertex_count; v++) {
+		lamp->position[v][0] *= 6.0f;
+	}
+	assert_int_equal(count_ground(model, NULL), 0);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_level_surfaces_at_the_bottom_are_ground),
+		cmocka_unit_test(test_uneven_ground_is_none),
+		cmocka_unit_test(test_a_slab_is_ground),
+		cmocka_unit_test(test_what_moves_or_is_clear_is_no_ground),
+		cmocka_unit_test(test_a_model_that_is_only_flat_has_no_ground),
+		cmocka_unit_test(test_targets_that_move_nothing_do_not_matter),
+		cmocka_unit_test(
+			test_a_small_surface_above_it_is_not_taken_for_it),
+		cmocka_unit_test(test_ground_narrower_than_the_model_is_none),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -84,6 +84,21 @@ bool gltf_knows_extension(const char *name)
 	return false;
 }
 
+/* Whether a model without the extension only looks different. */
+static bool adds_looks_only(const char *name)
+{
+	static const char *const begins[] = {
+		"KHR_materials_", "KHR_lights_", "EXT_lights_", "KHR_xmp"};
+
+	for (size_t i = 0; i < ARRAY_COUNT(begins); i++) {
+		if (strncmp(name, begins[i], strlen(begins[i])) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Blender requires lights, which no program has to draw, of those that read it. */
 static int check_extension(const struct gltf_at *at)
 {
 	const char *name = json_string_value(at->json);
@@ -91,11 +106,18 @@ static int check_extension(const struct gltf_at *at)
 	if (!name) {
 		return gltf_fail(at, -EINVAL, "is not a string");
 	}
-	return gltf_knows_extension(name)
-		? 0
-		: gltf_fail(at, -ENOTSUP,
-			  "the model requires %.80s, which limber does not support",
-			  name);
+	if (gltf_knows_extension(name)) {
+		return 0;
+	}
+	if (adds_looks_only(name)) {
+		gltf_warn(at,
+			"the model requires %.80s, which limber ignores: it looks different",
+			name);
+		return 0;
+	}
+	return gltf_fail(at, -ENOTSUP,
+		"the model requires %.80s, which limber does not support: export it without",
+		name);
 }
 
 static int check_extensions(struct gltf *gltf)

@@ -60,6 +60,30 @@ static void test_refuses_unknown_required_extensions(void **state)
 		-EINVAL, "/extensionsRequired/0: is not a string");
 }
 
+/* Blender requires its lights. */
+static void test_only_warns_of_extensions_that_add_looks(void **state)
+{
+	static const char *const names[] = {"KHR_lights_punctual",
+		"KHR_materials_clearcoat", "KHR_xmp_json_ld"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
+		struct log_capture logged;
+		struct model *model;
+		char text[200], warning[200];
+
+		snprintf(text, sizeof(text),
+			"{'asset':{'version':'2.0'},'extensionsRequired':['%s']}",
+			names[i]);
+		snprintf(warning, sizeof(warning),
+			"/extensionsRequired/0: the model requires %s, which limber ignores",
+			names[i]);
+		assert_int_equal(model_from_text(text, &logged, &model), 0);
+		assert_true(log_capture_has(&logged, LOG_WARNING, warning));
+		model_destroy(model);
+	}
+}
+
 static void test_replaces_control_characters_in_messages(void **state)
 {
 	(void)state;
@@ -262,6 +286,7 @@ int main(void)
 		cmocka_unit_test(test_refuses_unknown_formats),
 		cmocka_unit_test(test_refuses_other_versions),
 		cmocka_unit_test(test_refuses_unknown_required_extensions),
+		cmocka_unit_test(test_only_warns_of_extensions_that_add_looks),
 		cmocka_unit_test(test_replaces_control_characters_in_messages),
 		cmocka_unit_test(test_refuses_values_of_the_wrong_type),
 		cmocka_unit_test(test_refuses_broken_buffers_and_views),

@@ -60,6 +60,14 @@ limber optimize "$fixtures/material/textures.gltf" -o "$scratch/textures.glb"
 expect_status 0
 expect_err 'limber does not know the extension EXT_unheard_of and leaves it out$'
 
+# The file is read several times; what it lacks is said once.
+sed '1s/{/&"extensionsRequired": ["KHR_lights_punctual"],/' "$slider" \
+    >"$scratch/lit.gltf"
+limber optimize "$scratch/lit.gltf" -o "$scratch/lit.glb"
+expect_status 0
+check 'a warning about the file is written once' \
+    test "$(grep -c 'requires KHR_lights_punctual' "$err_file")" = 1
+
 limber optimize
 expect_refusal 2 'no model is given: use limber optimize MODEL -o FILE\.glb'
 limber optimize "$slider"

@@ -8,6 +8,7 @@
 struct gltf_document {
 	struct gltf gltf;
 	struct model_source source;
+	struct log log;
 	int image_count;
 	struct document_image {
 		bool read; /* the members below are set */
@@ -48,7 +49,11 @@ int gltf_document_open(const struct model_source *source, const struct log *log,
 		return -ENOMEM;
 	}
 	document->source = *source;
-	error = gltf_read_document(&document->gltf, &document->source, log);
+	document->log = *log;
+	document->log.threshold = LOG_ERROR;
+	error = gltf_read_document(
+		&document->gltf, &document->source, &document->log);
+	document->log.threshold = log->threshold;
 	if (!error) {
 		error = prepare_images(document);
 	}

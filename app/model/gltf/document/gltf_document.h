@@ -26,7 +26,8 @@ struct gltf_document_array {
 /*
  * Reads a file that begins like glTF, and checks its buffers and accessors. The
  * source's bytes must outlive the document, which the caller releases with
- * gltf_document_close(). Returns 0, or -errno after logging an error.
+ * gltf_document_close(). Returns 0, or -errno after logging an error. What
+ * loading the file's model warns of is not said again.
  */
 int gltf_document_open(const struct model_source *source, const struct log *log,
 	struct gltf_document **out);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 static const float rest_extent_most = 2.0f; /* of the clips' */
+static const float far_extents = 6.0f;      /* of the rest pose */
 
 struct run {
 	struct comparison *comparison;
@@ -117,6 +118,20 @@ static void find_box(struct comparison *comparison)
 	}
 }
 
+/* The player follows what goes far and shows it larger. */
+static void warn_if_far(
+	const struct comparison *comparison, const struct log *log)
+{
+	float rest = bounds_extent(&comparison->clip[0].rest);
+	float whole = bounds_extent(&comparison->box);
+
+	if (rest > 0.0f && whole > far_extents * rest) {
+		log_warning(log,
+			"%s: its clips go %.0f times as far as it is large: errors and drawing are those of a picture of the whole way, and larger in limber play, which follows it",
+			comparison->model->path, (double)(whole / rest));
+	}
+}
+
 static int count_vertices(const struct comparison *comparison)
 {
 	const struct comparison_cell *cell = &comparison->row[0].cell[0];
@@ -132,6 +147,7 @@ static int measure_all(struct comparison *comparison, const struct log *log)
 
 	if (!error) {
 		find_box(comparison);
+		warn_if_far(comparison, log);
 		error = jobs_run(comparison->row_count * clips, jobs,
 			measure_cell, &run);
 	}

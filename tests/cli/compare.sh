@@ -196,6 +196,13 @@ index = struct.unpack_from("<3H", data, at)
 assert index in ((0, 2, 1), (2, 1, 0), (1, 0, 2)), index
 ' "$scratch/mirrored"
 
+# The player follows a clip that goes far, which a comparison shows as a whole.
+limber compare "$here/../fixtures/gltf/clip/far.gltf"
+expect_status 0
+expect_err 'far\.gltf: its clips go 61 times as far as it is large: .*limber play'
+limber compare "$here/../fixtures/gltf/skin/and_morph.gltf" --format csv
+expect_no_err
+
 # What a lamp emits is exported, with what it reflects.
 sed -e '1s/{/&"materials": [{"emissiveFactor": [1, 0.5, 0]}],/' \
     -e 's/"attributes": {/"material": 0, &/' "$slider" >"$scratch/lamp.gltf"

@@ -1,6 +1,7 @@
 #include "platform/display/image/palette.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -50,17 +51,23 @@ static void test_a_picture_of_few_colours_keeps_them(void **state)
 	palette_maker_destroy(maker);
 }
 
+/* A picture of more colours than any palette. */
+static void paint_plane(void)
+{
+	for (int y = 0; y < HEIGHT; y++) {
+		for (int x = 0; x < WIDTH; x++) {
+			paint(x, y, 4 * x, 4 * y, 255 - 2 * (x + y));
+		}
+	}
+}
+
 static void test_a_full_picture_is_near_its_palette(void **state)
 {
 	struct palette_maker *maker = palette_maker_create();
 
 	(void)state;
 	assert_non_null(maker);
-	for (int y = 0; y < HEIGHT; y++) {
-		for (int x = 0; x < WIDTH; x++) {
-			paint(x, y, 4 * x, 4 * y, 255 - 2 * (x + y));
-		}
-	}
+	paint_plane();
 	palette_choose(maker, &picture, 255);
 	assert_int_equal(palette_current(maker)->count, 255);
 	/*
@@ -107,19 +114,53 @@ static void test_the_nearest_of_two_colours_changes_half_way(void **state)
 	palette_maker_destroy(maker);
 }
 
-static void test_the_limit_holds(void **state)
+static void test_the_limit_is_reached_and_holds(void **state)
 {
 	struct palette_maker *maker = palette_maker_create();
 
 	(void)state;
 	assert_non_null(maker);
+	paint_plane();
 	for (int limit = 1; limit <= PALETTE_COLORS_MAX; limit += 51) {
 		palette_choose(maker, &picture, limit);
-		assert_in_range(palette_current(maker)->count, 1, limit);
+		assert_int_equal(palette_current(maker)->count, limit);
 		for (int i = 0; i < 256; i += 15) {
 			assert_in_range(palette_nearest(maker, i, 255 - i, i),
 				0, limit - 1);
 		}
+	}
+	palette_maker_destroy(maker);
+}
+
+/* Colours weigh as much as the square root of their pixels, and are rounded. */
+static void test_a_palettes_colours_are_weighted_means(void **state)
+{
+	static const int parts[] = {1, 4, 9, 16, 25};
+	struct palette_maker *maker = palette_maker_create();
+
+	(void)state;
+	assert_non_null(maker);
+	for (int i = 0; i < 5; i++) {
+		/* Of the 26 pixels of each row. */
+		double few = sqrt(parts[i] * HEIGHT),
+		       many = sqrt((26 - parts[i]) * HEIGHT);
+		struct pixels row = picture;
+		const uint8_t *got;
+
+		row.width = 26;
+		for (int p = 0; p < WIDTH * HEIGHT; p++) {
+			bool first = p % WIDTH < parts[i];
+
+			paint(p % WIDTH, p / WIDTH, first ? 255 : 3,
+				first ? 41 : 254, first ? 2 : 121);
+		}
+		palette_choose(maker, &row, 1);
+		assert_int_equal(palette_current(maker)->count, 1);
+		got = palette_current(maker)->rgb[0];
+		assert_near(got[0], (255 * few + 3 * many) / (few + many), 0.51);
+		assert_near(
+			got[1], (41 * few + 254 * many) / (few + many), 0.51);
+		assert_near(got[2], (2 * few + 121 * many) / (few + many), 0.51);
 	}
 	palette_maker_destroy(maker);
 }
@@ -131,6 +172,7 @@ static void test_another_picture_has_a_larger_error(void **state)
 
 	(void)state;
 	assert_non_null(maker);
+	paint_plane();
 	palette_choose(maker, &picture, 255);
 	before = palette_error(maker, &picture);
 	for (int y = 0; y < HEIGHT; y++) {
@@ -149,7 +191,8 @@ int main(void)
 		cmocka_unit_test(test_a_full_picture_is_near_its_palette),
 		cmocka_unit_test(
 			test_the_nearest_of_two_colours_changes_half_way),
-		cmocka_unit_test(test_the_limit_holds),
+		cmocka_unit_test(test_the_limit_is_reached_and_holds),
+		cmocka_unit_test(test_a_palettes_colours_are_weighted_means),
 		cmocka_unit_test(test_another_picture_has_a_larger_error),
 	};
 

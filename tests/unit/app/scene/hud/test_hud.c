@@ -236,36 +236,49 @@ static void gen_no_textures(GLsizei count, GLuint *textures)
 	memset(textures, 0, (size_t)count * sizeof(*textures));
 }
 
-static void ignore_bind(GLenum target, GLuint texture)
+/* What GL knows of the font's texture. */
+static struct {
+	GLuint bound;
+	GLfixed magnify, minify, wrap_s, wrap_t;
+	GLint row_bytes;
+	int images;
+} texture;
+
+static void bind_texture(GLenum target, GLuint name)
 {
-	(void)target;
-	(void)texture;
+	assert_int_equal(target, GL_TEXTURE_2D);
+	texture.bound = name;
 }
 
-static void ignore_parameter(GLenum target, GLenum name, GLfixed value)
+static void set_parameter(GLenum target, GLenum name, GLfixed value)
 {
-	(void)target;
-	(void)name;
-	(void)value;
+	assert_int_equal(target, GL_TEXTURE_2D);
+	*(name == GL_TEXTURE_MAG_FILTER                 ? &texture.magnify
+			: name == GL_TEXTURE_MIN_FILTER ? &texture.minify
+			: name == GL_TEXTURE_WRAP_S     ? &texture.wrap_s
+						    : &texture.wrap_t) = value;
 }
 
-static void ignore_store(GLenum name, GLint value)
+static void store(GLenum name, GLint value)
 {
-	(void)name;
-	(void)value;
+	assert_int_equal(name, GL_UNPACK_ALIGNMENT);
+	texture.row_bytes = value;
 }
 
-static void ignore_image(GLenum target, GLint level, GLint internal_format,
+static void tex_image(GLenum target, GLint level, GLint internal_format,
 	GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
 	const void *pixels)
 {
-	(void)target;
-	(void)level;
-	(void)border;
-	(void)type;
-	(void)pixels;
-	assert_int_equal(internal_format, format);
-	assert_in_range(width * height, 1, 128 * 1024);
+	assert_int_equal(target, GL_TEXTURE_2D);
+	assert_int_equal(level, 0);
+	assert_int_equal(border, 0);
+	assert_int_equal(internal_format, GL_ALPHA);
+	assert_int_equal(format, GL_ALPHA);
+	assert_int_equal(type, GL_UNSIGNED_BYTE);
+	assert_int_equal(width, font_default.width);
+	assert_int_equal(height, font_default.height);
+	assert_ptr_equal(pixels, font_default.alpha);
+	texture.images++;
 }
 
 static struct gl recorder(void)
@@ -273,13 +286,14 @@ static struct gl recorder(void)
 	struct gl gl = gl_recorder_begin();
 
 	memset(&capabilities, 0, sizeof(capabilities));
-	gl.BindTexture = ignore_bind;
+	memset(&texture, 0, sizeof(texture));
+	gl.BindTexture = bind_texture;
 	gl.Disable = gl.DisableClientState = disable;
 	gl.Enable = gl.EnableClientState = enable;
 	gl.GenTextures = gen_textures;
-	gl.PixelStorei = ignore_store;
-	gl.TexImage2D = ignore_image;
-	gl.TexParameterx = ignore_parameter;
+	gl.PixelStorei = store;
+	gl.TexImage2D = tex_image;
+	gl.TexParameterx = set_parameter;
 	return gl;
 }
 
@@ -290,6 +304,22 @@ static struct hud *hud_with(const struct gl *gl)
 
 	assert_int_equal(hud_init(&hud, gl, &log), 0);
 	return &hud;
+}
+
+/* Beyond its edges and between its texels, letters would show their neighbours. */
+static void test_letters_texels_are_taken_one_by_one(void **state)
+{
+	struct gl gl = recorder();
+
+	(void)state;
+	hud_with(&gl);
+	assert_int_equal(texture.bound, 1);
+	assert_int_equal(texture.images, 1);
+	assert_int_equal(texture.row_bytes, 1);
+	assert_int_equal(texture.magnify, GL_NEAREST);
+	assert_int_equal(texture.minify, GL_NEAREST);
+	assert_int_equal(texture.wrap_s, GL_CLAMP_TO_EDGE);
+	assert_int_equal(texture.wrap_t, GL_CLAMP_TO_EDGE);
 }
 
 static void test_a_frame_is_one_draw_call(void **state)
@@ -388,6 +418,7 @@ int main(void)
 		cmocka_unit_test(test_elements_beyond_the_capacity_are_dropped),
 		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
 		cmocka_unit_test(test_bars_fill_by_their_fraction),
+		cmocka_unit_test(test_letters_texels_are_taken_one_by_one),
 		cmocka_unit_test(test_a_frame_is_one_draw_call),
 		cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
 		cmocka_unit_test(test_leaves_the_state_it_promises),

@@ -1,0 +1,119 @@
+/* The colours of a chain of bones in the demo tuner, level by level. */
+#include "app/demo/actor.h"
+#include "app/demo/demo.h"
+#include "app/scene/overlay/overlay_heat.h"
+#include "tests/support/files.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	LEVELS =
+		16, /* of which each has a colour of its own; others share it */
+	BONES = 20
+};
+
+/* Each bone is a triangle and the parent of the next one. */
+static void write_chain(const char *path, int bones)
+{
+	char text[4096];
+	size_t used = (size_t)snprintf(text, sizeof(text),
+		"{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],"
+		"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+		"octet-stream;base64,"
+		"AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
+		"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+		"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+		"\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],"
+		"\"max\":[1,1,0]}],\"meshes\":[{\"primitives\":"
+		"[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[");
+
+	for (int i = 0; i + 1 < bones; i++) {
+		used += (size_t)snprintf(text + used, sizeof(text) - used,
+			"{\"mesh\":0,\"translation\":[0,1,0],"
+			"\"children\":[%d]},",
+			i + 1);
+	}
+	used += (size_t)snprintf(text + used, sizeof(text) - used,
+		"{\"mesh\":0,\"translation\":[0,1,0]}]}");
+	file_write(path, text, used);
+}
+
+static struct demo *begin(const char *path, const struct log *log, struct gl *gl)
+{
+	const struct demo_env env = {
+		.log = log,
+		.gl = gl,
+		.target = PIXELS_RGBA8888,
+		.kernel = kernel_find("float"),
+		.width = 480,
+		.height = 640,
+		.model_path = path,
+		.character = "none",
+		.speed = 1.0f,
+	};
+	struct demo *demo;
+
+	assert_int_equal(demo_create(demo_find("tuner"), &env, &demo), 0);
+	return demo;
+}
+
+/* The presets add a tenth to 1 at each level. */
+static void expect_colors(const struct demo *demo, int bones)
+{
+	const struct demo_base *base = (const void *)demo;
+	const struct instance *instance = base->actor.instance;
+	int deepest = bones - 1 < LEVELS ? bones - 1 : LEVELS;
+
+	assert_int_equal(instance->drawable_count, bones);
+	for (int d = 0; d < bones; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		int level = drawable->node < LEVELS ? drawable->node : LEVELS;
+		uint8_t rgb[3];
+
+		overlay_heat_ramp((1.0f + 0.1f * (float)level) /
+				(1.0f + 0.1f * (float)deepest),
+			rgb);
+		for (int k = 0; k < 9; k++) {
+			const uint8_t *shown = drawable->batch[0].color[k / 3];
+
+			assert_near(shown[k % 3], rgb[k % 3], 1.0);
+		}
+	}
+}
+
+static void test_each_level_has_its_colour(void **state)
+{
+	static const char presets[] = "[grows]\nattenuation = 0.1\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path model = path_join(&folder, "chain.gltf");
+	struct test_path file = path_join(&folder, "presets.ini");
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	file_write(file.text, presets, strlen(presets));
+	assert_int_equal(setenv("LIMBER_ASSETS", folder.text, 1), 0);
+	for (int bones = 1; bones <= BONES; bones++) {
+		struct gl gl = gl_recorder_begin();
+		struct demo *demo;
+
+		write_chain(model.text, bones);
+		demo = begin(model.text, &log, &gl);
+		expect_colors(demo, bones);
+		demo_destroy(demo_find("tuner"), demo);
+	}
+	temp_dir_remove(&folder);
+	unsetenv("LIMBER_ASSETS");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_each_level_has_its_colour),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -144,6 +144,94 @@ static void test_triangles_in_one_place_are_divided_by_number(void **state)
 }
 
 enum {
+	ROW = 8 /* triangles that share no vertex */
+};
+
+/* Triangles in a row against their number, but one of them far to a side. */
+static void place_row(struct grid *grid, int axis, int far, float distance)
+{
+	struct model_primitive *primitive = &grid->primitive;
+
+	begin(grid, 3, ROW, 0);
+	memset(primitive->position, 0, 3 * ROW * sizeof(float[3]));
+	for (int v = 0; v < 3 * ROW; v++) {
+		primitive->position[v][axis] = v / 3 == far ? distance : 0.0f;
+		primitive->position[v][(axis + 1) % 3] =
+			(float)(ROW - 1 - v / 3);
+		primitive->index[v] = (uint32_t)v;
+	}
+	primitive->index_count = 3 * ROW;
+}
+
+/* The first two of them by the place on that side, then by number. */
+static void expect_first(struct grid *grid, int one, int other)
+{
+	struct split_part *part = NULL;
+
+	assert_int_equal(split_triangles(&grid->primitive, ROW * 3 / 2,
+				 &grid->arena, &part),
+		0);
+	assert_int_equal(part->vertex_count, 6);
+	for (int i = 0; i < 6; i++) {
+		int triangle = i < 3 ? one : other;
+
+		assert_int_equal(part->vertex[i], 3 * triangle + i % 3);
+	}
+}
+
+/* The row's first three are divided again, one of which is higher than they are wide. */
+static void test_a_group_is_divided_along_its_own_side(void **state)
+{
+	struct grid grid;
+	struct split_part *part = NULL;
+
+	(void)state;
+	for (int axis = 0; axis < 3; axis++) {
+		place_row(&grid, axis, ROW - 1, 2.5f);
+		assert_int_equal(
+			split_triangles(&grid.primitive, 3, &grid.arena, &part),
+			0);
+		assert_int_equal(part->vertex_count, 3);
+		assert_int_equal(part->vertex[0], 3 * (ROW - 3));
+		arena_release(&grid.arena);
+	}
+}
+
+static void test_equal_sides_are_divided_along_the_first(void **state)
+{
+	struct grid grid;
+
+	(void)state;
+	for (int axis = 0; axis < 3; axis++) {
+		place_row(&grid, axis, 0, ROW - 1);
+		expect_first(
+			&grid, axis < 2 ? 1 : ROW - 2, axis < 2 ? 2 : ROW - 1);
+		arena_release(&grid.arena);
+	}
+}
+
+static void test_triangles_are_divided_along_the_longest_side(void **state)
+{
+	struct grid grid;
+
+	(void)state;
+	for (int i = 0; i < 3 * ROW; i++) {
+		int far = i / 3, first = far == 0;
+
+		place_row(&grid, i % 3, far, (float)ROW);
+		expect_first(&grid, first, far <= 1 ? 2 : 1);
+		arena_release(&grid.arena);
+		place_row(&grid, i % 3, far, (float)-ROW);
+		expect_first(&grid, far ? 0 : far, far ? far : 1);
+		arena_release(&grid.arena);
+		/* A shorter side than that of the row. */
+		place_row(&grid, i % 3, far, 6.5f);
+		expect_first(&grid, ROW - 2, ROW - 1);
+		arena_release(&grid.arena);
+	}
+}
+
+enum {
 	WIDTH = 256,
 	HEIGHT = 300,
 	COUNT = WIDTH * HEIGHT,
@@ -329,6 +417,10 @@ int main(void)
 		cmocka_unit_test(
 			test_parts_have_each_triangle_once_and_few_vertices),
 		cmocka_unit_test(test_vertices_without_triangles_are_kept),
+		cmocka_unit_test(
+			test_triangles_are_divided_along_the_longest_side),
+		cmocka_unit_test(test_a_group_is_divided_along_its_own_side),
+		cmocka_unit_test(test_equal_sides_are_divided_along_the_first),
 		cmocka_unit_test(
 			test_triangles_in_one_place_are_divided_by_number),
 		cmocka_unit_test(

@@ -387,6 +387,40 @@ static void test_a_later_failure_is_logged_and_everything_closed(void **state)
 	}
 }
 
+/* As poll() where no event comes; what an earlier call left in errno stays. */
+static int wait_in_vain(int fd, int timeout_ms)
+{
+	(void)fd;
+	assert_in_range(timeout_ms, 100, 10000);
+	errno = EBADF;
+	return 0;
+}
+
+static void test_a_page_flip_without_end_is_a_timeout(void **state)
+{
+	struct kms_calls calls = fake_card_calls;
+	struct scene scene = {.driver = &display_driver_kms};
+	struct pixels pixels;
+	int error = 0;
+
+	(void)state;
+	scene.log = log_capture_begin(&scene.capture);
+	scene.options.log = &scene.log;
+	assert_int_equal(
+		kms_create_on(&calls, &scene.options, &scene.display), 0);
+	calls.wait = wait_in_vain;
+	for (int frame = 0; !error && frame < 9; frame++) {
+		error = scene.driver->begin_frame(scene.display, &pixels);
+		error = error ? error : scene.driver->end_frame(scene.display);
+	}
+	assert_int_equal(error, -ETIMEDOUT);
+	assert_true(
+		log_capture_has(&scene.capture, LOG_ERROR, strerror(ETIMEDOUT)));
+	fake_card.flip_user = NULL;
+	fake_card.flip_fb = 0;
+	scene_close(&scene);
+}
+
 static void test_a_screen_without_a_former_mode_is_fine(void **state)
 {
 	struct scene scene = {0};
@@ -428,6 +462,7 @@ int main(void)
 		KMS_TEST(test_any_card_with_a_screen_is_found),
 		KMS_TEST(test_the_message_names_what_is_missing),
 		KMS_TEST(test_a_later_failure_is_logged_and_everything_closed),
+		KMS_TEST(test_a_page_flip_without_end_is_a_timeout),
 		KMS_TEST(test_a_screen_without_a_former_mode_is_fine),
 		KMS_TEST(test_the_real_library_refuses_another_device),
 	};

@@ -49,8 +49,7 @@ void printable_make(char *text)
 		int length = character_length(text);
 
 		if (length == 0) {
-			*text = '?';
-			length = 1;
+			*text++ = '?';
 		}
 		text += length;
 	}

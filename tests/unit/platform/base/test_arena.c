@@ -265,6 +265,30 @@ static void test_strings_are_copied(void **state)
 	arena_release(&arena);
 }
 
+/* Whatever comes next, also where they fill what is kept for them. */
+static void test_strings_of_any_length_keep_their_end(void **state)
+{
+	enum {
+		LONGEST = 70
+	};
+	struct arena arena = arena_empty();
+	char text[LONGEST + 1], *copy[LONGEST + 1];
+
+	(void)state;
+	memset(text, 'x', LONGEST);
+	for (int length = LONGEST; length >= 0; length--) {
+		text[length] = '\0';
+		copy[length] = arena_strdup(&arena, text);
+		assert_non_null(copy[length]);
+		memset(arena_alloc(&arena, 1, 16), 'y', 16);
+	}
+	for (size_t length = 0; length <= LONGEST; length++) {
+		assert_int_equal(strspn(copy[length], "x"), length);
+		assert_int_equal(copy[length][length], '\0');
+	}
+	arena_release(&arena);
+}
+
 static void test_release_leaves_an_empty_arena(void **state)
 {
 	struct arena arena = arena_empty();
@@ -299,6 +323,7 @@ int main(void)
 		cmocka_unit_test(test_overflowing_sizes_give_null),
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),
+		cmocka_unit_test(test_strings_of_any_length_keep_their_end),
 		cmocka_unit_test(test_release_leaves_an_empty_arena),
 	};
 

@@ -6,7 +6,9 @@
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
 	DENSE = 10, /* samples in each interval of the grid */
@@ -202,6 +204,67 @@ static void test_rigid_parts_cost_no_weights(void **state)
 	end(&bench);
 }
 
+/* How far a made-up candidate is from the reference: most at one moment. */
+struct cusp {
+	float peak_s, duration_s, moment_s;
+};
+
+static void cusp_pose(struct candidate *candidate, float time_s)
+{
+	struct cusp *cusp = candidate->state;
+
+	cusp->moment_s = time_s;
+	reference_pose(candidate->reference, time_s, true);
+}
+
+static void cusp_take(const struct candidate *candidate, float (*position)[3],
+	float (*normal)[3])
+{
+	const struct reference *reference = candidate->reference;
+	const struct cusp *cusp = candidate->state;
+	float apart = fabsf(cusp->moment_s - cusp->peak_s) / cusp->duration_s;
+	size_t bytes = (size_t)candidate->vertex_count * sizeof(*position);
+
+	memcpy(position, reference->position, bytes);
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		position[v][0] += 0.1f * (1.0f - sqrtf(apart));
+	}
+	if (normal) {
+		memcpy(normal, reference->normal, bytes);
+	}
+}
+
+/* Halves of halves come near to a peak that no even division meets. */
+static void test_a_sharp_peak_within_an_interval_is_found(void **state)
+{
+	static const float places[] = {1.0f / 3.0f, 2.0f / 3.0f};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "idle");
+	for (int i = 0; i < 2; i++) {
+		float duration_s = bench.reference->clip->duration_s;
+		float ends_s[2] = {0.0f, duration_s}, largest_px;
+		struct cusp cusp = {places[i] * duration_s, duration_s, 0.0f};
+		const struct time_grid grid = {.time_s = ends_s, .count = 2};
+		struct candidate_error error;
+		struct candidate candidate = {.reference = bench.reference,
+			.vertex_count = bench.reference->vertex_count,
+			.pose = cusp_pose,
+			.take = cusp_take,
+			.state = &cusp};
+
+		assert_int_equal(candidate_error_measure(&candidate,
+					 &bench.screen, &grid, NULL, &error),
+			0);
+		largest_px = largest_at(&bench, &candidate, cusp.peak_s);
+		assert_in_range(100.0f * error.peak_px / largest_px, 96, 100);
+		assert_near(
+			error.peak_s, cusp.peak_s, 2e-3 * (double)duration_s);
+	}
+	end(&bench);
+}
+
 /* A morph that keeps two keys at a time shows what one with all keys does. */
 static void test_keys_that_are_baked_again_are_the_same(void **state)
 {
@@ -268,6 +331,7 @@ int main(void)
 		cmocka_unit_test(test_the_peak_is_found_between_keys),
 		cmocka_unit_test(test_the_peak_of_fast_turns_is_found),
 		cmocka_unit_test(test_the_peak_of_other_models_is_found),
+		cmocka_unit_test(test_a_sharp_peak_within_an_interval_is_found),
 		cmocka_unit_test(test_rigid_parts_cost_no_weights),
 		cmocka_unit_test(test_keys_that_are_baked_again_are_the_same),
 		cmocka_unit_test(

@@ -277,9 +277,13 @@ static void test_strings_of_any_length_keep_their_end(void **state)
 	(void)state;
 	memset(text, 'x', LONGEST);
 	for (int length = LONGEST; length >= 0; length--) {
+		size_t used = arena.used_bytes;
+
 		text[length] = '\0';
 		copy[length] = arena_strdup(&arena, text);
 		assert_non_null(copy[length]);
+		assert_int_equal(
+			arena.used_bytes - used, (length + 16) / 16 * 16);
 		memset(arena_alloc(&arena, 1, 16), 'y', 16);
 	}
 	for (size_t length = 0; length <= LONGEST; length++) {

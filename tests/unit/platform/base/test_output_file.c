@@ -141,6 +141,27 @@ static void test_a_failure_is_reported_once(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 0);
 }
 
+/* Who writes pictures learns that it failed, and not why. */
+static void test_the_first_cause_of_a_failure_is_reported(void **state)
+{
+	struct output_scene *scene = *state;
+	struct output_file *file = output_scene_begin(scene, scene->path.text);
+	struct rlimit usual, small;
+
+	assert_int_equal(getrlimit(RLIMIT_FSIZE, &usual), 0);
+	small = (struct rlimit){10, usual.rlim_max};
+	assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+	fprintf(output_file_stream(file), "more than ten bytes");
+	assert_int_not_equal(fflush(output_file_stream(file)), 0);
+	assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
+	assert_int_equal(output_file_failed(file, "no picture"), -EFBIG);
+	assert_int_equal(output_file_commit(file), -EFBIG);
+	assert_int_equal(scene->logged.count, 1);
+	assert_contains(scene->logged.sentence[0], "too large");
+	assert_contains(scene->logged.sentence[0], "ulimit -f");
+	assert_int_equal(temp_dir_count(&scene->folder), 0);
+}
+
 /* Makes a device that is always full in the test's own folder. */
 static bool make_full_device(const char *path)
 {
@@ -410,6 +431,7 @@ int main(void)
 		CASE(test_a_disk_that_fills_up_keeps_the_old_file),
 		CASE(test_a_file_that_cannot_be_written_is_not_published),
 		CASE(test_a_failure_is_reported_once),
+		CASE(test_the_first_cause_of_a_failure_is_reported),
 		CASE(test_a_full_device_stays_where_it_is),
 		CASE(test_a_device_is_written_to),
 		CASE(test_a_named_pipe_is_written_to),

@@ -75,6 +75,36 @@ static void test_a_circle_of_links_is_refused(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 2);
 }
 
+/* Linux follows 40 links, too. */
+static void test_a_chain_of_40_links_is_followed(void **state)
+{
+	struct output_scene *scene = *state;
+	char name[32] = "end";
+	struct test_path link = path_join(&scene->folder, name);
+	char *target;
+	int descriptor;
+
+	for (int i = 1; i <= 41; i++) {
+		char next[32];
+
+		snprintf(next, sizeof(next), "link-%d", i);
+		link = path_join(&scene->folder, next);
+		assert_int_equal(symlink(name, link.text), 0);
+		memcpy(name, next, sizeof(name));
+		if (i <= 40) {
+			output_scene_write(scene, link.text, next);
+			assert_int_equal(temp_dir_count(&scene->folder), i + 1);
+			output_scene_expect(
+				path_join(&scene->folder, "end").text, next);
+		}
+	}
+	assert_int_equal(
+		output_path_follow(link.text, &target, &descriptor), -ELOOP);
+	assert_null(target);
+	output_scene_expect_refusal(
+		scene, link.text, ELOOP, "cannot be written");
+}
+
 static void test_paths_that_are_no_files_are_refused(void **state)
 {
 	struct output_scene *scene = *state;
@@ -326,6 +356,7 @@ int main(void)
 		CASE(test_a_link_to_nothing_gets_its_target),
 		CASE(test_a_link_into_another_folder_is_followed),
 		CASE(test_a_circle_of_links_is_refused),
+		CASE(test_a_chain_of_40_links_is_followed),
 		CASE(test_paths_that_are_no_files_are_refused),
 		CASE(test_a_folder_without_permission_is_refused),
 		CASE(test_a_read_only_file_is_not_replaced),

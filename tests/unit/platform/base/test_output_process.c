@@ -7,6 +7,7 @@
 #include "tests/support/test.h"
 
 #include <fcntl.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -77,6 +78,38 @@ static void test_open_descriptors_are_left_alone(void **state)
 	assert_int_equal(status_of(begin_with_all, 0), 0);
 }
 
+/* The file of a descriptor keeps what was written to it before. */
+static int write_to_each(int fd)
+{
+	struct log log = log_to_nowhere();
+	struct output_file *file;
+	FILE *kept = tmpfile();
+	char path[32], text[32] = "";
+
+	snprintf(path, sizeof(path), "/dev/fd/%d", fd);
+	if (!kept || write(fileno(kept), "first ", 6) != 6 ||
+		dup2(fileno(kept), fd) != fd ||
+		output_file_create(path, &log, &file) != 0) {
+		return 1;
+	}
+	fputs("second", output_file_stream(file));
+	if (output_file_commit(file) != 0) {
+		return 2;
+	}
+	return pread(fileno(kept), text, sizeof(text) - 1, 0) == 12 &&
+			strcmp(text, "first second") == 0
+		? 0
+		: 3;
+}
+
+static void test_each_descriptor_can_be_written_to(void **state)
+{
+	(void)state;
+	for (int fd = 0; fd < 12; fd++) {
+		assert_int_equal(status_of(write_to_each, fd), 0);
+	}
+}
+
 /* A file of standard output, while a standard descriptor is closed. */
 static int write_without(int closed)
 {
@@ -124,6 +157,7 @@ int main(void)
 		cmocka_unit_test(
 			test_files_never_get_the_number_of_a_standard_one),
 		cmocka_unit_test(test_open_descriptors_are_left_alone),
+		cmocka_unit_test(test_each_descriptor_can_be_written_to),
 		cmocka_unit_test(test_a_copy_of_a_descriptor_is_no_standard_one),
 	};
 

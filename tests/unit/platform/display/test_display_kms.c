@@ -1,3 +1,4 @@
+#include "platform/display/kms/card.h"
 #include "platform/display/kms/kms_calls.h"
 #include "tests/support/fake/fake_card.h"
 #include "tests/support/fake/fake_fb.h"
@@ -315,6 +316,19 @@ static void test_any_card_with_a_screen_is_found(void **state)
 	expect_all_closed();
 }
 
+static void test_looking_for_a_card_leaves_none_open(void **state)
+{
+	assert_true(card_is_available(&fake_card_calls));
+	expect_all_closed();
+	fake_card.not_connected = true;
+	assert_false(card_is_available(&fake_card_calls));
+	expect_all_closed();
+	reset(state);
+	fake_card.number = 99;
+	assert_false(card_is_available(&fake_card_calls));
+	expect_all_closed();
+}
+
 static void test_the_message_names_what_is_missing(void **state)
 {
 	static const struct {
@@ -460,6 +474,7 @@ int main(void)
 		KMS_TEST(test_formats_that_the_screen_refuses_are_skipped),
 		KMS_TEST(test_an_idle_crtc_is_found),
 		KMS_TEST(test_any_card_with_a_screen_is_found),
+		KMS_TEST(test_looking_for_a_card_leaves_none_open),
 		KMS_TEST(test_the_message_names_what_is_missing),
 		KMS_TEST(test_a_later_failure_is_logged_and_everything_closed),
 		KMS_TEST(test_a_page_flip_without_end_is_a_timeout),

@@ -174,6 +174,62 @@ static void refuses_tables_beyond_a_limit_before_it_writes(void **state)
 	embed_scene_end(&s);
 }
 
+/* What an element takes at least, and so many that they take 256 MiB. */
+static int beyond(int bytes)
+{
+	return (256 << 20) / bytes + 1;
+}
+
+/* Each count by itself; nothing of what it counts is read. */
+static void refuses_each_table_that_is_too_large(void **state)
+{
+	struct embed_scene s;
+
+	(void)state;
+	for (int table = 0; table < 6; table++) {
+		embed_scene_begin(&s);
+		switch (table) {
+		case 0:
+			s.pair[0].vertex_count = beyond(28);
+			s.mesh[0].target_count = 0;
+			break;
+		case 1:
+			s.skinned[0].index_count = beyond(4);
+			break;
+		case 2:
+			s.skinned[0].vertex_count = 1000;
+			s.skinned[0].influences = beyond(6 * 1000);
+			break;
+		case 3:
+			s.pair[0].vertex_count = 10;
+			s.mesh[0].target_count = beyond(4 * 6 * (10 + 4));
+			break;
+		case 4:
+			s.skin[1].joint_count = beyond(50);
+			break;
+		default:
+			s.model.weight_count = beyond(4);
+			break;
+		}
+		expect_too_large(&s);
+		embed_scene_end(&s);
+	}
+}
+
+/* Counting may take longer than anyone waits for. */
+static void counts_no_further_than_the_limit(void **state)
+{
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.pair[1].index_count = beyond(4);
+	s.mesh[1].primitive_count = INT32_MAX;
+	s.mesh[1].primitive = NULL;
+	expect_too_large(&s);
+	embed_scene_end(&s);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -183,6 +239,8 @@ int main(void)
 		cmocka_unit_test(refuses_what_the_player_cannot_show),
 		cmocka_unit_test(refuses_numbers_that_need_more_than_16_bits),
 		cmocka_unit_test(refuses_tables_beyond_a_limit_before_it_writes),
+		cmocka_unit_test(refuses_each_table_that_is_too_large),
+		cmocka_unit_test(counts_no_further_than_the_limit),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -240,6 +240,22 @@ static void test_gif_delays_do_not_drift(void **state)
 	assert_int_equal(sum, 200);
 }
 
+/* The format keeps 16 bits of a delay. */
+static void test_a_gif_shows_a_frame_for_655_seconds_at_most(void **state)
+{
+	static const double times_s[] = {655.34, 655.35, 655.36, 1e5};
+	static const int most_cs[] = {65534, 65535, 65535, 65535};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		int delays[2] = {0, 0};
+
+		assert_int_equal(read_delays(1.0 / times_s[i], 2, delays), 2);
+		assert_int_equal(delays[0], most_cs[i]);
+		assert_int_equal(delays[1], most_cs[i]);
+	}
+}
+
 static void test_a_gif_leaves_out_what_players_would_slow_down(void **state)
 {
 	int delays[60];
@@ -422,6 +438,8 @@ int main(void)
 		cmocka_unit_test(test_a_gif_stores_every_pixel_that_changes),
 		cmocka_unit_test(test_a_gif_repeats_for_ever),
 		cmocka_unit_test(test_gif_delays_do_not_drift),
+		cmocka_unit_test(
+			test_a_gif_shows_a_frame_for_655_seconds_at_most),
 		cmocka_unit_test(
 			test_a_gif_leaves_out_what_players_would_slow_down),
 		cmocka_unit_test(test_a_gif_hands_the_error_of_each_pixel_on),

@@ -42,6 +42,23 @@ static void test_a_stamp_of_this_moment_is_now(void **state)
 	assert_int_equal(event_time_ms(&begun, 0, -5000, 70), -2930);
 }
 
+/* Without a clock of its own a board begins with 1970, as the machine starts. */
+static void test_a_stamp_of_both_clocks_is_of_the_monotonic_one(void **state)
+{
+	const struct event_clocks board = {
+		.monotonic_ns = 30 * S, .real_ns = 32 * S};
+
+	(void)state;
+	for (int age = 0; age <= 10; age++) {
+		assert_int_equal(
+			event_time_ms(&board, (30 - age) * S, -100000, 70),
+			70 - 1000 * age);
+	}
+	/* After the one's time it is of the other; too old is of none. */
+	assert_int_equal(event_time_ms(&board, 31 * S, -100000, 70), -930);
+	assert_int_equal(event_time_ms(&board, 19 * S, -100000, 70), 70);
+}
+
 static void test_times_are_rounded_to_the_next_millisecond(void **state)
 {
 	(void)state;
@@ -157,6 +174,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_stamp_may_be_ten_seconds_old),
 		cmocka_unit_test(test_a_stamp_of_this_moment_is_now),
+		cmocka_unit_test(
+			test_a_stamp_of_both_clocks_is_of_the_monotonic_one),
 		cmocka_unit_test(test_times_are_rounded_to_the_next_millisecond),
 		cmocka_unit_test(test_times_stay_between_the_last_poll_and_now),
 		cmocka_unit_test(test_the_clocks_are_those_of_the_kernel),

@@ -75,6 +75,28 @@ static void test_a_circle_of_links_is_refused(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 2);
 }
 
+static void test_a_link_is_read_from_its_own_folder(void **state)
+{
+	struct output_scene *scene = *state;
+	static const char *const links[] = {"/nowhere/file", "beside", "../up"};
+
+	for (int i = 0; i < 3; i++) {
+		struct test_path link = path_join(&scene->folder, "link");
+		struct test_path wanted = path_join(&scene->folder, links[i]);
+		char *target;
+		int descriptor;
+
+		assert_int_equal(symlink(links[i], link.text), 0);
+		assert_int_equal(
+			output_path_follow(link.text, &target, &descriptor), 0);
+		assert_string_equal(
+			target, links[i][0] == '/' ? links[i] : wanted.text);
+		assert_int_equal(descriptor, -1);
+		free(target);
+		assert_int_equal(unlink(link.text), 0);
+	}
+}
+
 /* Linux follows 40 links, too. */
 static void test_a_chain_of_40_links_is_followed(void **state)
 {
@@ -356,6 +378,7 @@ int main(void)
 		CASE(test_a_link_to_nothing_gets_its_target),
 		CASE(test_a_link_into_another_folder_is_followed),
 		CASE(test_a_circle_of_links_is_refused),
+		CASE(test_a_link_is_read_from_its_own_folder),
 		CASE(test_a_chain_of_40_links_is_followed),
 		CASE(test_paths_that_are_no_files_are_refused),
 		CASE(test_a_folder_without_permission_is_refused),

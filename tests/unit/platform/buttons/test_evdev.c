@@ -76,6 +76,43 @@ static void test_a_device_that_is_plugged_in_later_works(void **state)
 	evdev_bench_expect(bench, BUTTON_UP, true);
 }
 
+static ssize_t find_nothing(int fd, void *bytes, size_t size)
+{
+	(void)fd;
+	(void)bytes;
+	(void)size;
+	return -EAGAIN;
+}
+
+static ssize_t be_interrupted(int fd, void *bytes, size_t size)
+{
+	(void)fd;
+	(void)bytes;
+	(void)size;
+	return -EINTR;
+}
+
+static void test_a_device_stays_when_nothing_can_be_read(void **state)
+{
+	struct evdev_bench *bench = *state;
+	ssize_t (*const reads[])(int, void *, size_t) = {
+		find_nothing, be_interrupted};
+
+	evdev_bench_plug_in(bench, 0, "keypad", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	for (int i = 0; i < 2; i++) {
+		ssize_t (*const usual)(int, void *, size_t) = bench->system.read;
+
+		evdev_bench_key(bench, 0, KEY_UP, 1 - i);
+		bench->system.read = reads[i];
+		evdev_bench_poll(bench);
+		evdev_bench_expect_nothing(bench);
+		bench->system.read = usual;
+		evdev_bench_poll(bench);
+		evdev_bench_expect(bench, BUTTON_UP, i == 0);
+	}
+}
+
 static void test_unplugging_a_device_releases_its_buttons(void **state)
 {
 	struct evdev_bench *bench = *state;
@@ -385,6 +422,7 @@ int main(void)
 		CASE(test_the_keypads_keys_are_the_buttons_of_their_names),
 		CASE(test_a_key_that_repeats_is_one_press),
 		CASE(test_a_device_that_is_plugged_in_later_works),
+		CASE(test_a_device_stays_when_nothing_can_be_read),
 		CASE(test_unplugging_a_device_releases_its_buttons),
 		CASE(test_a_folder_that_vanishes_is_watched_when_it_returns),
 		CASE(test_after_lost_events_the_keys_are_read_again),

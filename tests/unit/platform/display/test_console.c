@@ -51,6 +51,31 @@ static void test_another_programs_console_is_not_changed(void **state)
 	assert_int_equal(fake_fb.open_count, 0);
 }
 
+static void test_a_console_is_released_once(void **state)
+{
+	static const struct pixel_layout any = {
+		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
+	struct log log = log_to_nowhere();
+	struct console console;
+
+	(void)state;
+	fake_fb_begin(8, 8, 8, 8, 16, any);
+	for (int has = 0; has <= 1; has++) {
+		fake_fb.has_console = has;
+		console_acquire(&console, &fake_fb_calls, &log);
+		assert_int_equal(fake_fb.open_count, has);
+		for (int i = 0; i < 3; i++) {
+			console_release(&console);
+			assert_int_equal(fake_fb.open_count, 0);
+			assert_int_equal(fake_fb.console_mode,
+				i == 0 ? KD_TEXT : KD_GRAPHICS);
+			/* Another program takes it meanwhile. */
+			fake_fb.console_mode = KD_GRAPHICS;
+		}
+		fake_fb.console_mode = KD_TEXT;
+	}
+}
+
 /* Ends this process by a signal while the console is acquired. */
 static void end_by(int number, int report_fd)
 {
@@ -179,6 +204,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_console_is_in_graphics_mode_meanwhile),
 		cmocka_unit_test(test_another_programs_console_is_not_changed),
+		cmocka_unit_test(test_a_console_is_released_once),
 		cmocka_unit_test(test_a_fatal_signal_restores_text_mode),
 		cmocka_unit_test(
 			test_each_signal_is_handled_as_before_afterwards),

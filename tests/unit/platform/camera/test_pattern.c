@@ -247,6 +247,12 @@ static void test_a_picture_lasts_40_ms(void **state)
 	camera_driver_pattern.destroy(source);
 }
 
+static void test_no_source_can_be_destroyed(void **state)
+{
+	(void)state;
+	camera_driver_pattern.destroy(NULL);
+}
+
 static void test_pictures_have_at_least_16_pixels_a_side(void **state)
 {
 	static const int wrong[][2] = {{15, 16}, {16, 15}, {0, 16}, {16, -1}};
@@ -271,6 +277,7 @@ int main(void)
 		cmocka_unit_test(test_video_formats_have_the_same_colours),
 		cmocka_unit_test(test_colour_formats_have_the_same_colours),
 		cmocka_unit_test(test_a_picture_lasts_40_ms),
+		cmocka_unit_test(test_no_source_can_be_destroyed),
 		cmocka_unit_test(test_pictures_have_at_least_16_pixels_a_side),
 	};
 

@@ -15,6 +15,7 @@ static struct {
 	int wait_result, clock_result, mutex_result;
 	const pthread_cond_t *condition;
 	const pthread_mutex_t *mutex;
+	int conditions_destroyed, mutexes_destroyed;
 } libc;
 
 int clock_gettime(clockid_t clock, struct timespec *out)
@@ -46,6 +47,20 @@ int pthread_mutex_init(
 	(void)mutex;
 	(void)attributes;
 	return libc.mutex_result;
+}
+
+int pthread_cond_destroy(pthread_cond_t *condition)
+{
+	libc.condition = condition;
+	libc.conditions_destroyed++;
+	return 0;
+}
+
+int pthread_mutex_destroy(pthread_mutex_t *mutex)
+{
+	libc.mutex = mutex;
+	libc.mutexes_destroyed++;
+	return 0;
 }
 
 static void begin(struct v4l2_timed_lock *lock)
@@ -111,16 +126,33 @@ static void test_only_a_change_ends_a_wait_well(void **state)
 	v4l2_timed_lock_destroy(&lock);
 }
 
+static void test_both_parts_of_a_lock_are_destroyed(void **state)
+{
+	struct v4l2_timed_lock lock;
+
+	(void)state;
+	begin(&lock);
+	libc.conditions_destroyed = libc.mutexes_destroyed = 0;
+	v4l2_timed_lock_destroy(&lock);
+	assert_int_equal(libc.conditions_destroyed, 1);
+	assert_int_equal(libc.mutexes_destroyed, 1);
+	assert_ptr_equal(libc.condition, &lock.changed);
+	assert_ptr_equal(libc.mutex, &lock.mutex);
+}
+
 static void test_a_lock_that_cannot_be_made_is_an_error(void **state)
 {
 	struct v4l2_timed_lock lock;
 
 	(void)state;
+	libc.conditions_destroyed = 0;
 	libc.clock_result = EINVAL;
 	assert_int_equal(v4l2_timed_lock_init(&lock), -EINVAL);
 	libc.clock_result = 0;
 	libc.mutex_result = EAGAIN;
+	assert_int_equal(libc.conditions_destroyed, 0);
 	assert_int_equal(v4l2_timed_lock_init(&lock), -EAGAIN);
+	assert_int_equal(libc.conditions_destroyed, 1);
 }
 
 int main(void)
@@ -129,6 +161,7 @@ int main(void)
 		cmocka_unit_test(test_the_time_passes_by_the_monotonic_clock),
 		cmocka_unit_test(test_waits_end_after_their_milliseconds),
 		cmocka_unit_test(test_only_a_change_ends_a_wait_well),
+		cmocka_unit_test(test_both_parts_of_a_lock_are_destroyed),
 		cmocka_unit_test(test_a_lock_that_cannot_be_made_is_an_error),
 	};
 

@@ -201,6 +201,59 @@ static void test_it_keeps_out_of_capsules(void **state)
 	tear_down(&f);
 }
 
+/* What a frame makes of a link whose end was pulled away by a quarter. */
+struct pull {
+	double moved; /* how far the other end followed */
+	double left;  /* of the quarter */
+};
+
+static struct pull pull(int number, bool at_a)
+{
+	struct fixture f;
+	const struct cloth_link *link;
+	float before[3], offset[3], *pulled;
+	struct pull pull;
+	int other;
+
+	set_up(&f, 4, 4);
+	memset(f.cloth.settings.gravity, 0, sizeof(f.cloth.settings.gravity));
+	frame(&f, 0.016f);
+	link = &f.cloth.link[number];
+	other = at_a ? link->b : link->a;
+	pulled = f.cloth.position[at_a ? link->a : link->b];
+	memcpy(before, f.cloth.position[other], sizeof(before));
+	vec_subtract(pulled, before, offset);
+	vec_add_scaled(pulled, offset, 0.25f, pulled);
+	frame(&f, 1e-4f);
+	vec_subtract(f.cloth.position[other], before, offset);
+	pull.moved = (double)vec_length(offset);
+	pull.left =
+		apart(&f.cloth, link->a, link->b) / (double)link->length - 1.0;
+	tear_down(&f);
+	return pull;
+}
+
+/* Pins do not move. What hangs from one is drawn back to it before others. */
+static void test_each_link_pulls_at_all_but_pins(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, 4, 4);
+	for (int l = 0; l < f.cloth.link_count; l++) {
+		const struct cloth_link *link = &f.cloth.link[l];
+		bool both_free = link->a >= 4 && link->b >= 4;
+		struct pull low = pull(l, false), high = pull(l, true);
+
+		assert_int_equal(low.moved > 1e-4, both_free);
+		assert_true(low.left < 0.15);
+		if (link->a % 4 != link->b % 4) {
+			assert_int_equal(high.moved > 1e-4, both_free);
+		}
+	}
+	tear_down(&f);
+}
+
 static void test_it_does_not_stretch(void **state)
 {
 	struct fixture f;
@@ -388,6 +441,7 @@ int main(void)
 		cmocka_unit_test(test_turned_nodes_turn_the_pins),
 		cmocka_unit_test(test_wind_blows_it_out),
 		cmocka_unit_test(test_it_keeps_out_of_capsules),
+		cmocka_unit_test(test_each_link_pulls_at_all_but_pins),
 		cmocka_unit_test(test_it_does_not_stretch),
 		cmocka_unit_test(test_normals_are_unit_and_face_back),
 		cmocka_unit_test(test_triangles_face_where_normals_point),

@@ -53,7 +53,7 @@ static const char text[] =
 	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
 	"\"nodes\":[{\"mesh\":0},"
 	"{\"mesh\":0,\"scale\":[1,2,3],\"extras\":{\"error_m\":0.5}},"
-	"{\"mesh\":0,\"matrix\":[1,2,0,0,0,1,0,0,0,3,1,0,5,6,7,1]},"
+	"{\"mesh\":0,\"matrix\":[1,2,4,0,-3,1,6,0,8,3,1,0,5,6,7,1]},"
 	"{\"mesh\":1,\"skin\":0},{\"mesh\":2,\"skin\":1},"
 	"{\"mesh\":3,\"extensions\":{\"EXT_mesh_gpu_instancing\":{"
 	"\"attributes\":{\"TRANSLATION\":7,\"ROTATION\":8,\"SCALE\":9}}}},"
@@ -189,7 +189,7 @@ static void enlarge(float *matrix)
 static void test_nodes_enlarge_their_mesh(void **state)
 {
 	const struct file *file = *state;
-	float matrix[16] = {1, 2, 0, 0, 0, 1, 0, 0, 0, 3, 1, 0, 5, 6, 7, 1};
+	float matrix[16] = {1, 2, 4, 0, -3, 1, 6, 0, 8, 3, 1, 0, 5, 6, 7, 1};
 	json_t *node = item(file, "nodes", 1);
 
 	enlarge(matrix);

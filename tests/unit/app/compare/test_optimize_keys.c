@@ -1,0 +1,297 @@
+/* Which channels of an animation stay, with which keys. */
+#include "app/compare/optimize/build/optimize_keys.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	KEYS = 40,
+	CHANNELS = 3
+};
+
+static const struct optimize_reach_node reach = {
+	.move_px = 100.0f, .turn_px = 50.0f, .scale_px = 20.0f};
+
+/* Channels of translations, of which each moves a node of its own. */
+struct fixture {
+	struct optimize_build build;
+	struct optimize_keys keys;
+	struct optimize_channel channel[CHANNELS];
+	float time_s[CHANNELS][KEYS], value[CHANNELS][KEYS][3];
+	bool moved[CHANNELS][4];
+};
+
+static void begin(struct fixture *f)
+{
+	*f = (struct fixture){.keys = {.build = &f->build,
+				      .count = CHANNELS,
+				      .channel = f->channel}};
+	f->build.root = json_pack("{s:[{},{},{}]}", "nodes");
+	assert_non_null(f->build.root);
+	for (int c = 0; c < CHANNELS; c++) {
+		f->moved[c][MODEL_TRANSLATION] = true;
+		for (int k = 0; k < KEYS; k++) {
+			f->time_s[c][k] = 0.5f * (float)(k + c);
+		}
+		f->channel[c] = (struct optimize_channel){
+			.target = json_pack("{s:i}", "node", c),
+			.track = {.path = MODEL_TRANSLATION,
+				.interpolation = MODEL_LINEAR,
+				.width = 3,
+				.key_count = KEYS,
+				.time_s = f->time_s[c],
+				.value = f->value[c][0],
+				.reach = &reach},
+			.time_s = f->time_s[c],
+			.value = f->value[c][0]};
+		assert_non_null(f->channel[c].target);
+	}
+	f->keys.end_s = f->time_s[CHANNELS - 1][KEYS - 1];
+}
+
+/* Lets a channel go up and down, with a bend at these keys. */
+static void bend(struct fixture *f, int channel, int first, int second)
+{
+	float height = 0.0f;
+
+	for (int k = 0; k < KEYS; k++) {
+		f->value[channel][k][1] = height;
+		height += k < first || k >= second ? 1.0f : -1.0f;
+	}
+}
+
+static void choose(struct fixture *f)
+{
+	assert_int_equal(optimize_keys_choose(&f->keys, f->moved[0]), 0);
+}
+
+static void end(struct fixture *f)
+{
+	for (int c = 0; c < CHANNELS; c++) {
+		free(f->channel[c].kept);
+		json_decref(f->channel[c].target);
+	}
+	json_decref(f->build.root);
+}
+
+static void expect_kept(
+	const struct fixture *f, int channel, const int *kept, int count)
+{
+	assert_int_equal(f->channel[channel].kept_count, count);
+	for (int k = 0; k < count; k++) {
+		assert_int_equal(f->channel[channel].kept[k], kept[k]);
+	}
+}
+
+static void test_channels_keep_the_keys_that_suffice(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	bend(&f, 0, 7, 20);
+	bend(&f, 2, 30, 31);
+	choose(&f);
+	expect_kept(&f, 0, (const int[]){0, 7, 20, KEYS - 1}, 4);
+	expect_kept(&f, 2, (const int[]){0, 30, 31, KEYS - 1}, 4);
+	/* The second does not move; the third keeps the animation's end. */
+	assert_true(f.channel[1].constant);
+	expect_kept(&f, 1, (const int[]){0}, 1);
+	for (int c = 0; c < CHANNELS; c++) {
+		assert_false(f.channel[c].dropped);
+	}
+	end(&f);
+}
+
+static void test_a_channel_that_nothing_moves_is_dropped(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	bend(&f, 2, 7, 20);
+	f.moved[1][MODEL_TRANSLATION] = false;
+	f.moved[1][MODEL_SCALE] = true;
+	choose(&f);
+	assert_false(f.channel[0].dropped);
+	assert_true(f.channel[1].dropped);
+	assert_false(f.channel[2].dropped);
+	end(&f);
+}
+
+/* Where no channel that moves ends last, the first that stays keeps two keys. */
+static void test_an_animation_keeps_its_end(void **state)
+{
+	(void)state;
+	for (int dropped = -1; dropped < CHANNELS; dropped++) {
+		struct fixture f;
+		int pinned = dropped == 0 ? 1 : 0;
+
+		begin(&f);
+		if (dropped >= 0) {
+			f.moved[dropped][MODEL_TRANSLATION] = false;
+		}
+		choose(&f);
+		for (int c = 0; c < CHANNELS; c++) {
+			assert_int_equal(f.channel[c].dropped, c == dropped);
+			assert_int_equal(
+				f.channel[c].kept_count, c == pinned ? 2 : 1);
+		}
+		end(&f);
+	}
+}
+
+/* Any channel that moves until then will do; a dropped one will not. */
+static void test_a_channel_that_moves_keeps_the_end(void **state)
+{
+	(void)state;
+	for (int mover = 0; mover < CHANNELS; mover++) {
+		for (int later = 0; later <= 1; later++) {
+			struct fixture f;
+
+			begin(&f);
+			bend(&f, mover, 7, 20);
+			f.keys.end_s = f.time_s[mover][KEYS - 1] + (float)later;
+			choose(&f);
+			for (int c = 0; c < CHANNELS; c++) {
+				assert_int_equal(f.channel[c].kept_count,
+					c == mover                ? 4
+						: later && c == 0 ? 2
+								  : 1);
+			}
+			end(&f);
+			begin(&f);
+			bend(&f, mover, 7, 20);
+			f.keys.end_s = f.time_s[mover][KEYS - 1];
+			f.moved[mover][MODEL_TRANSLATION] = false;
+			choose(&f);
+			assert_true(f.channel[mover].dropped);
+			assert_int_equal(f.channel[mover ? 0 : 1].kept_count, 2);
+			end(&f);
+		}
+	}
+}
+
+static void test_the_last_channel_stays_for_its_end(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	memset(f.moved, 0, sizeof(f.moved));
+	choose(&f);
+	assert_false(f.channel[0].dropped);
+	assert_true(f.channel[1].dropped);
+	assert_true(f.channel[2].dropped);
+	assert_int_equal(f.channel[0].kept_count, 2);
+	end(&f);
+	begin(&f);
+	memset(f.moved, 0, sizeof(f.moved));
+	f.keys.end_s = 0.0f;
+	choose(&f);
+	assert_int_equal(f.channel[0].kept_count, 1);
+	end(&f);
+}
+
+/* Times of their own take an accessor more than a few values take. */
+static void test_channels_share_the_times_of_few_keys(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
+	bend(&f, 0, 7, 20);
+	bend(&f, 1, 9, 33);
+	bend(&f, 2, 7, 20);
+	choose(&f);
+	for (int c = 0; c < 2; c++) {
+		assert_int_equal(f.channel[c].group, 0);
+		expect_kept(&f, c, (const int[]){0, 7, 9, 20, 33, KEYS - 1}, 6);
+	}
+	assert_int_equal(f.channel[2].group, 2);
+	expect_kept(&f, 2, (const int[]){0, 7, 20, KEYS - 1}, 4);
+	end(&f);
+}
+
+/* A channel of two keys shares no times that would give it 40. */
+static void test_many_keys_are_not_shared(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
+	bend(&f, 1, KEYS, KEYS);
+	for (int k = 0; k < KEYS; k++) {
+		f.value[0][k][2] = (float)(k % 2);
+	}
+	choose(&f);
+	assert_int_equal(f.channel[1].group, 0);
+	assert_int_equal(f.channel[0].kept_count, KEYS);
+	expect_kept(&f, 1, (const int[]){0, KEYS - 1}, 2);
+	end(&f);
+}
+
+static void test_all_keys_are_kept_on_demand(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	assert_int_equal(optimize_keys_keep_all(&f.keys), 0);
+	for (int c = 0; c < CHANNELS; c++) {
+		assert_int_equal(f.channel[c].kept_count, KEYS);
+		for (int k = 0; k < KEYS; k++) {
+			assert_int_equal(f.channel[c].kept[k], k);
+		}
+	}
+	end(&f);
+}
+
+/* A node's own value may be that of its channel, in each component. */
+static void test_a_channel_at_rest_moves_nothing(void **state)
+{
+	(void)state;
+	for (int i = -1; i < 3; i++) {
+		bool moved[CHANNELS][4] = {{false}};
+		struct fixture f;
+		json_t *nodes;
+
+		begin(&f);
+		nodes = json_object_get(f.build.root, "nodes");
+		json_object_set_new(json_array_get(nodes, 1), "translation",
+			json_pack("[f,f,f]", 1.0, 2.0, 3.0));
+		for (int k = 0; k < KEYS; k++) {
+			for (int axis = 0; axis < 3; axis++) {
+				f.value[1][k][axis] = (float)(axis + 1) +
+					(axis == i ? 0.5f : 0.0f);
+			}
+		}
+		json_object_set_new(
+			json_array_get(nodes, 2), "matrix", json_array());
+		optimize_keys_find_moved(&f.keys, moved[0]);
+		assert_false(moved[0][MODEL_TRANSLATION]);
+		assert_int_equal(moved[1][MODEL_TRANSLATION], i >= 0);
+		assert_true(moved[2][MODEL_TRANSLATION]);
+		end(&f);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_channels_keep_the_keys_that_suffice),
+		cmocka_unit_test(test_a_channel_that_nothing_moves_is_dropped),
+		cmocka_unit_test(test_an_animation_keeps_its_end),
+		cmocka_unit_test(test_a_channel_that_moves_keeps_the_end),
+		cmocka_unit_test(test_the_last_channel_stays_for_its_end),
+		cmocka_unit_test(test_channels_share_the_times_of_few_keys),
+		cmocka_unit_test(test_many_keys_are_not_shared),
+		cmocka_unit_test(test_all_keys_are_kept_on_demand),
+		cmocka_unit_test(test_a_channel_at_rest_moves_nothing),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -31,6 +31,17 @@ static const struct mistake mistakes[] = {
 		"MeshMaterialList has 2 faces, but the mesh has 1"},
 	{MESH "MeshMaterialList { 1; 1; 1; } }", "line 3",
 		"face 0 has material 1, but the mesh has 1 materials"},
+	/* Four numbers of a colour, one of a power, three of each other colour. */
+	{MESH "MeshMaterialList { 1; 1; 0; Material { 1;0;0;;\n} } }", "line 4",
+		"a material's colour or power"},
+	{MESH "MeshMaterialList { 1; 1; 0; Material { 1;0;0;1;;\n} } }",
+		"line 4", "a material's colour or power"},
+	{MESH "MeshMaterialList { 1; 1; 0; Material { 1;0;0;1;; 1; 0;0;;\n"
+	      "} } }",
+		"line 4", "a material's colour or power"},
+	{MESH "MeshMaterialList { 1; 1; 0; Material { 1;0;0;1;; 1; 0;0;0;;\n"
+	      "0;0;; } } }",
+		"line 4", "a material's colour or power"},
 	{MESH "SkinWeights { \"B\"; 1; 2;\n-0.002; " UNIT "} }", "line 4",
 		"vertex 2 has a negative skin weight"},
 	{MESH "SkinWeights { \"B\"; 1;\n3; 1; " UNIT "} }", "line 4",

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tests which mutants draw.py makes of a small file, and which of its functions
-# reach.py says that a program calls.
+# Tests which mutants draw.py makes of a small file, which of its functions reach.py
+# says that a program calls, and which objects mutants.py replaces.
 . "$(dirname "$0")/../support/tap.sh"
 here=$(cd "$(dirname "$0")" && pwd)
 
@@ -146,4 +146,19 @@ run python3 -B "$scratch/calls.py" "$here" "$scratch/tree" 4
 about 'a program that fails may have called everything'
 expect_out "$(lines_but)"
 expect_out '^runs 1$'
+
+# Prints a link command without the objects of a source file.
+cat >"$scratch/link.py" <<'PYTHON'
+import sys
+sys.path.insert(0, sys.argv[1])
+import mutants
+print(mutants.without_source(sys.argv[3], sys.argv[2]))
+PYTHON
+link='cc -o t build/host/obj/t.o build/host/obj/v1/a/b.o build/host/obj/v1/a/bb.o lib.a'
+run python3 -B "$scratch/link.py" "$here" a/b.c "$link"
+about 'a mutant replaces an object that a test compiles by itself'
+expect_out '^cc -o t build/host/obj/t.o build/host/obj/v1/a/bb.o lib.a$'
+run python3 -B "$scratch/link.py" "$here" b.c "$link"
+about 'objects of other sources stay'
+expect_out "^$link\$"
 tap_done

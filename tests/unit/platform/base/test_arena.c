@@ -2,6 +2,7 @@
 #include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
+#include <malloc.h>
 #include <string.h>
 #if defined(__has_include) && __has_include(<sanitizer/asan_interface.h>)
 #include <sanitizer/asan_interface.h>
@@ -307,6 +308,34 @@ static void test_release_leaves_an_empty_arena(void **state)
 	arena_release(&arena);
 }
 
+/* What malloc() has handed out; the sanitizer's looks for leaks by itself. */
+static size_t bytes_in_use(void)
+{
+	struct mallinfo2 info = mallinfo2();
+
+	return info.uordblks + info.hblkhd;
+}
+
+static void test_blocks_are_given_back(void **state)
+{
+	size_t before = bytes_in_use();
+
+	(void)state;
+	for (int i = 0; i < 100; i++) {
+		struct arena arena = arena_empty();
+		void *large = arena_alloc(&arena, 300000, 1);
+
+		assert_non_null(large);
+		assert_non_null(arena_alloc(&arena, 20000, 1));
+		assert_non_null(arena_alloc(&arena, 10, 1));
+		if (i % 2) {
+			arena_free(&arena, large, 300000);
+		}
+		arena_release(&arena);
+	}
+	assert_in_range(bytes_in_use(), 0, before + 5000);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -328,6 +357,7 @@ int main(void)
 		cmocka_unit_test(test_a_count_of_zero_gives_a_pointer),
 		cmocka_unit_test(test_strings_are_copied),
 		cmocka_unit_test(test_strings_of_any_length_keep_their_end),
+		cmocka_unit_test(test_blocks_are_given_back),
 		cmocka_unit_test(test_release_leaves_an_empty_arena),
 	};
 

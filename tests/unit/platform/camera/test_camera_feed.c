@@ -41,7 +41,12 @@ static void test_a_wrong_spec_is_refused_with_its_reason(void **state)
 	assert_refused("/dev/video0,five5", "no such format: five5");
 	memset(long_spec, '/', sizeof(long_spec) - 1);
 	long_spec[sizeof(long_spec) - 1] = '\0';
-	assert_refused(long_spec, "characters");
+	assert_refused(long_spec, "at most 4095 characters");
+	long_spec[4096] = '\0';
+	assert_refused(long_spec, "at most 4095 characters");
+	/* Its sentence is cut behind the name. */
+	long_spec[4095] = '\0';
+	assert_refused(long_spec, "--camera //");
 	long_spec[500] = '\0';
 	assert_refused(long_spec, "a name of at most");
 }

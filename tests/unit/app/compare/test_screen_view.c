@@ -88,6 +88,39 @@ static void test_the_shortcut_says_what_the_projection_says(void **state)
 	}
 }
 
+/* The corner farthest aside and the nearest one, by the formula of the limit. */
+static void test_the_limit_is_that_of_the_corners(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(boxes); i++) {
+		const struct bounds *box = &boxes[i];
+		struct screen_view screen = view_of(box, 480, 640, 0.5f);
+		double nearest = 1e9, aside = 0.0, tangent;
+
+		for (int corner = 0; corner < 8; corner++) {
+			float point[3];
+			double x, y;
+
+			for (int k = 0; k < 3; k++) {
+				point[k] = corner >> k & 1 ? box->high[k]
+							   : box->low[k];
+			}
+			x = (double)screen_view_eye(&screen, point, 0);
+			y = (double)screen_view_eye(&screen, point, 1);
+			aside = fmax(aside, sqrt(x * x + y * y));
+			nearest = fmin(nearest,
+				-(double)screen_view_eye(&screen, point, 2));
+		}
+		nearest *= 0.5;
+		tangent = (aside + nearest) / nearest;
+		assert_near(screen.near_square / (nearest * nearest), 4.0, 1e-4);
+		assert_near(screen.px_per_unit /
+				(0.5 * (double)screen.focal_px / nearest *
+					sqrt(1.0 + tangent * tangent)),
+			1.0, 1e-5);
+	}
+}
+
 static void test_the_box_lies_within_the_screen(void **state)
 {
 	(void)state;
@@ -115,6 +148,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_shortcut_says_what_the_projection_says),
+		cmocka_unit_test(test_the_limit_is_that_of_the_corners),
 		cmocka_unit_test(test_the_box_lies_within_the_screen),
 	};
 

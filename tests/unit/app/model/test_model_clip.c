@@ -167,6 +167,31 @@ static void test_normalises_integer_rotations(void **state)
 	model_destroy(model);
 }
 
+/* An animation without channels follows one that has some. */
+static void test_reads_an_animation_without_channels(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'nodes':[{}],'accessors':["
+			"{'componentType':5126,'count':1,'type':'SCALAR'},"
+			"{'componentType':5126,'count':1,'type':'VEC3'}],"
+			"'animations':[{'samplers':[{'input':0,'output':1}],"
+			"'channels':[{'sampler':0,'target':{'node':0,'path':"
+			"'translation'}},{'sampler':0,'target':{'node':0,"
+			"'path':'scale'}}]},{'samplers':[],'channels':[]}]}",
+			&logged, &model),
+		0);
+	assert_int_equal(model->clip_count, 2);
+	assert_int_equal(model->clip[0].channel_count, 2);
+	assert_int_equal(model->clip[1].channel_count, 0);
+	assert_near(model->clip[1].duration_s, 0.0, 0.0);
+	model_destroy(model);
+}
+
 #define ROTATING(bytes)                                                    \
 	"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{'uri':"       \
 	"'data:;base64," bytes "','byteLength':16}],'bufferViews':[{"      \
@@ -394,6 +419,7 @@ int main(void)
 		cmocka_unit_test(test_keeps_linear_rotations_as_shorts),
 		cmocka_unit_test(test_makes_floats_of_other_rotations_in_shorts),
 		cmocka_unit_test(test_converts_unsigned_integer_weights),
+		cmocka_unit_test(test_reads_an_animation_without_channels),
 		cmocka_unit_test(test_normalises_integer_rotations),
 		cmocka_unit_test(
 			test_normalises_float_rotations_far_from_unit_length),

@@ -3,7 +3,12 @@
 
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
 {
-	load_slot(draw, slot, index, draw->packed);
+	struct vertex *vertex = draw->fast_setup.cache + slot;
+	struct cache_tag *place = draw->fast_setup.place + slot;
+
+	soft_transform(draw, index, vertex);
+	place->tag = vertex->outcode ? TAG_OUTSIDE : index;
+	place->xy = vertex_xy(vertex);
 }
 
 void soft_find_vertices(struct draw *draw, const struct source *source,

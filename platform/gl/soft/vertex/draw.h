@@ -85,9 +85,9 @@ struct vertex {
 
 /*
  * Which vertex is in a slot of the cache, and its window x and y as one number,
- * y in the upper half. A tag of TAG_OUTSIDE says that the vertex lies outside
- * of the clip volume, or too far off for 15 bits: then xy is nothing, and the
- * vertex itself has the index.
+ * y in the upper half, while draw->packed. A tag of TAG_OUTSIDE says that the
+ * vertex lies outside of the clip volume: then xy is nothing, and the vertex
+ * itself has the index.
  */
 #define PLACE_EMPTY UINT32_MAX
 #define TAG_OUTSIDE (UINT32_MAX - 1)
@@ -316,12 +316,6 @@ static inline uint32_t vertex_xy(const struct vertex *vertex)
 {
 	return (uint32_t)vertex->y << 16 | (uint32_t)vertex->x;
 }
-
-/*
- * slots.c: a triangle of vertices that lie in these slots of the cache, three,
- * and all inside of the clip volume, while draw->packed.
- */
-void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
 
 /* prepare.c: what stays the same for good. */
 void soft_init_scratch(struct draw *draw);

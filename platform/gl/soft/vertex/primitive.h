@@ -6,19 +6,7 @@
 
 #include <string.h>
 
-/* The vertex of an index into a slot of the cache; packed is draw->packed. */
-static ALWAYS_INLINE void load_slot(
-	struct draw *draw, uint32_t slot, uint32_t index, bool packed)
-{
-	struct vertex *vertex = draw->fast_setup.cache + slot;
-	struct cache_tag *place = draw->fast_setup.place + slot;
-
-	soft_transform(draw, index, vertex);
-	place->tag = vertex->outcode || !packed ? TAG_OUTSIDE : index;
-	place->xy = vertex_xy(vertex);
-}
-
-/* cache.c: the same, out of line. */
+/* cache.c: the vertex of an index into a slot of the cache. */
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
@@ -78,6 +66,15 @@ void soft_find_vertices(struct draw *draw, const struct source *source,
 /* cache.c: the triangle of these three of a source's vertices. */
 void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
+
+/*
+ * slots.c: a triangle that is seen, of three vertices that have these tags and
+ * lie inside of the clip volume, while draw->packed. Twice its area is positive
+ * where it is clockwise.
+ */
+void soft_draw_tagged(struct draw *draw, const struct cache_tag *a,
+	const struct cache_tag *b, const struct cache_tag *c,
+	int32_t twice_area);
 
 /* slots.c: one that lies in part outside of where fast_setup takes triangles. */
 void soft_draw_slots_other(

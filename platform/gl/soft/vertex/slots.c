@@ -1,13 +1,13 @@
 /*
- * Triangles of vertices that are in the cache and on the screen: culls one and
- * sets it up in one place. arm/list.S does the same for lists with indices.
+ * Triangles of vertices that are in the cache and on the screen: sets one up in
+ * one place. arm/list.S does the same for lists with indices.
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
-/* The slots of a triangle's corners in the cache. */
-struct corners {
-	uint32_t a, b, c;
+struct corner {
+	uint32_t xy; /* as struct cache_tag has it */
+	struct vertex *vertex;
 };
 
 /*
@@ -15,10 +15,10 @@ struct corners {
  * no centre is covered; *all is whether all of the triangle is in the box.
  */
 static ALWAYS_INLINE bool find_extent(const struct fast_setup *fast_setup,
-	const uint32_t xy[3], struct setup *setup, bool *all)
+	uint32_t a, uint32_t b, uint32_t c, struct setup *setup, bool *all)
 {
-	uint32_t least = least_halves(least_halves(xy[0], xy[1]), xy[2]);
-	uint32_t most = most_halves(most_halves(xy[0], xy[1]), xy[2]);
+	uint32_t least = least_halves(least_halves(a, b), c);
+	uint32_t most = most_halves(most_halves(a, b), c);
 	uint32_t size = most - least, round = 0x70007, whole = 0xFFF0FFF0;
 	uint32_t centres, out;
 
@@ -42,19 +42,37 @@ static ALWAYS_INLINE bool find_extent(const struct fast_setup *fast_setup,
 	return true;
 }
 
-/* The corners by y. */
-static ALWAYS_INLINE void sort_corners(struct vertex *cache,
-	const struct corners *slot, const uint32_t xy[3], struct setup *setup)
+static ALWAYS_INLINE struct corner find_corner(
+	const struct fast_setup *fast_setup, const struct cache_tag *tag)
 {
-	int ab = xy[0] > xy[1], ac = xy[0] > xy[2], bc = xy[1] > xy[2];
+	return (struct corner){
+		tag->xy, fast_setup->cache + (tag - fast_setup->place)};
+}
 
-	setup->xy[ab + ac] = xy[0];
-	setup->xy[1 - ab + bc] = xy[1];
-	setup->xy[2 - ac - bc] = xy[2];
-	setup->v[ab + ac] = cache + slot->a;
-	setup->v[1 - ab + bc] = cache + slot->b;
-	setup->v[2 - ac - bc] = cache + slot->c;
-	setup->middle = (int)((setup->xy[1] + (7 << 16)) >> 20);
+static ALWAYS_INLINE void order(struct corner *a, struct corner *b)
+{
+	if (a->xy > b->xy) {
+		const struct corner first = *b;
+
+		*b = *a;
+		*a = first;
+	}
+}
+
+/* Corners by y. */
+static ALWAYS_INLINE void set_corners(
+	struct setup *setup, struct corner a, struct corner b, struct corner c)
+{
+	order(&a, &b);
+	order(&b, &c);
+	order(&a, &b);
+	setup->xy[0] = a.xy;
+	setup->xy[1] = b.xy;
+	setup->xy[2] = c.xy;
+	setup->v[0] = a.vertex;
+	setup->v[1] = b.vertex;
+	setup->v[2] = c.vertex;
+	setup->middle = (int)((b.xy + (7 << 16)) >> 20);
 }
 
 static ALWAYS_INLINE void shade_corner(
@@ -62,19 +80,6 @@ static ALWAYS_INLINE void shade_corner(
 {
 	if (!vertex->shaded) {
 		soft_shade_vertex(draw, vertex, vertex->index);
-	}
-}
-
-static ALWAYS_INLINE void shade_corners(const struct draw *draw,
-	struct vertex *cache, const struct corners *slot)
-{
-	struct vertex *a = cache + slot->a, *b = cache + slot->b;
-	struct vertex *c = cache + slot->c;
-
-	if (!(a->shaded & b->shaded & c->shaded)) {
-		shade_corner(draw, a);
-		shade_corner(draw, b);
-		shade_corner(draw, c);
 	}
 }
 
@@ -86,51 +91,36 @@ void soft_draw_slots_other(struct draw *draw, uint32_t a, uint32_t b, uint32_t c
 	draw_transformed(draw, v);
 }
 
-/* Twice the area, in sixteenths squared, positive where it is clockwise. */
-static ALWAYS_INLINE int32_t twice_area(const uint32_t xy[3])
-{
-	return cross_halves(
-		subtract_halves(xy[1], xy[0]), subtract_halves(xy[2], xy[0]));
-}
-
-static ALWAYS_INLINE void draw_seen(struct draw *draw,
-	const struct corners *slot, const uint32_t xy[3], int32_t twice)
+void soft_draw_tagged(struct draw *draw, const struct cache_tag *at_a,
+	const struct cache_tag *at_b, const struct cache_tag *at_c,
+	int32_t twice_area)
 {
 	const struct fast_setup *fast_setup = &draw->fast_setup;
+	const struct corner a = find_corner(fast_setup, at_a);
+	const struct corner b = find_corner(fast_setup, at_b);
+	const struct corner c = find_corner(fast_setup, at_c);
 	struct setup setup;
 	bool all;
 
-	if (!find_extent(fast_setup, xy, &setup, &all)) {
+	if (!find_extent(fast_setup, a.xy, b.xy, c.xy, &setup, &all)) {
 		return;
 	}
 	if (!all) {
-		soft_draw_slots_other(draw, slot->a, slot->b, slot->c);
+		draw_transformed(draw,
+			(struct vertex *[]){a.vertex, b.vertex, c.vertex});
 		return;
 	}
-	sort_corners(fast_setup->cache, slot, xy, &setup);
-	draw->provoking = fast_setup->cache + slot->c;
+	set_corners(&setup, a, b, c);
+	draw->provoking = c.vertex;
 	setup.inside = true;
 	setup.wide = false;
 	setup.fast_setup = true;
-	setup.back = ((uint32_t)twice >> 31) ^ fast_setup->back_flip;
-	setup.area = (uint32_t)(twice < 0 ? -twice : twice);
+	setup.back = ((uint32_t)twice_area >> 31) ^ fast_setup->back_flip;
+	setup.area = raster_size(twice_area);
 	if (fast_setup->attributes) {
-		shade_corners(draw, fast_setup->cache, slot);
+		shade_corner(draw, a.vertex);
+		shade_corner(draw, b.vertex);
+		shade_corner(draw, c.vertex);
 	}
 	fast_setup->fill(draw, &setup);
-}
-
-void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
-{
-	const struct fast_setup *fast_setup = &draw->fast_setup;
-	const struct corners slot = {a, b, c};
-	const struct cache_tag *place = fast_setup->place;
-	const uint32_t xy[3] = {place[a].xy, place[b].xy, place[c].xy};
-	int32_t twice = twice_area(xy);
-
-	if (twice != 0 &&
-		(((uint32_t)twice ^ fast_setup->cull_side) &
-			fast_setup->cull_mask) == 0) {
-		draw_seen(draw, &slot, xy, twice);
-	}
 }

@@ -110,6 +110,37 @@ static NEVER_INLINE void draw_dedup(struct draw *draw,
 	draw_transformed(draw, v);
 }
 
+/* A triangle of whose vertices two share a slot, or one lies outside. */
+static NEVER_INLINE void draw_apart(
+	struct draw *draw, const struct stream *stream, uint32_t index)
+{
+	const uint8_t *a = stream->pointer + index * stream->stride_bytes;
+	const uint8_t *b = a + stream->stride_bytes;
+	const uint8_t *c = b + stream->stride_bytes;
+
+	/* Where two positions are equal, as at a sphere's poles, none is seen. */
+	if (!are_equal_words(a, b, 3) && !are_equal_words(a, c, 3) &&
+		!are_equal_words(b, c, 3)) {
+		draw_dedup(draw, stream, 1, index);
+	}
+}
+
+/* Of tags that are there: whether two share one, or one lies outside. */
+static bool is_apart(const struct cache_tag *a, const struct cache_tag *b,
+	const struct cache_tag *c)
+{
+	return a->tag == TAG_OUTSIDE || b->tag == TAG_OUTSIDE ||
+		c->tag == TAG_OUTSIDE || a == b || a == c || b == c;
+}
+
+static ALWAYS_INLINE bool is_seen(
+	const struct fast_setup *fast_setup, int32_t twice_area)
+{
+	return twice_area != 0 &&
+		(((uint32_t)twice_area ^ fast_setup->cull_side) &
+			fast_setup->cull_mask) == 0;
+}
+
 /* Whether vertices of two pairs of words and others equal; the first has these. */
 static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
 	const uint8_t *right, uint64_t xy, uint64_t z, int pairs)
@@ -126,23 +157,31 @@ static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
 	return true;
 }
 
-/* As find_dedup(), of pairs of words from at on: the slot, and if it was filled. */
-static ALWAYS_INLINE uint32_t find_pairs(struct draw *draw,
-	const struct stream *stream, const uint8_t *at, uint32_t index,
-	bool *filled)
+static ALWAYS_INLINE uint32_t find_index(
+	const struct stream *stream, const uint8_t *at)
 {
-	uint64_t xy = load_two_words(at), z = load_two_words(at + 8);
-	uint32_t slot =
-		choose_slot((uint32_t)xy, (uint32_t)(xy >> 32), (uint32_t)z);
-	uint32_t tag = draw->fast_setup.place[slot].tag;
+	return (uint32_t)((size_t)(at - stream->pointer) / stream->stride_bytes);
+}
 
-	if (tag >= TAG_OUTSIDE ||
-		!are_equal_pairs(at, stream->pointer + tag * stream->stride_bytes,
-			xy, z, stream->words / 2)) {
-		soft_load_slot(draw, slot, index);
+/* As find_dedup(), of pairs of words: its tag, and if its slot was filled. */
+static ALWAYS_INLINE const struct cache_tag *find_pairs(struct draw *draw,
+	const struct stream *stream, const uint8_t *at, bool *filled)
+{
+	const struct cache_tag *place = draw->place;
+	uint64_t xy = load_two_words(at), z = load_two_words(at + 8);
+	const struct cache_tag *tag = place +
+		choose_slot((uint32_t)xy, (uint32_t)(xy >> 32), (uint32_t)z);
+
+	OPAQUE(tag); /* else the slot is kept beside it */
+	if (tag->tag >= TAG_OUTSIDE ||
+		!are_equal_pairs(at,
+			stream->pointer + tag->tag * stream->stride_bytes, xy,
+			z, stream->words / 2)) {
+		soft_load_slot(
+			draw, (uint32_t)(tag - place), find_index(stream, at));
 		*filled = true;
 	}
-	return slot;
+	return tag;
 }
 
 /* What most lists are: all of a vertex together, with no or two words between. */
@@ -150,28 +189,28 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 	const struct stream *stream, int pairs, size_t stride_bytes,
 	uint32_t first, uint32_t count)
 {
-	const struct stream list = {stream->pointer, stride_bytes, 2 * pairs};
-	const uint8_t *at = list.pointer + first * stride_bytes;
-	const struct cache_tag *place = draw->place;
-	const uint32_t end = first + count / 3 * 3;
+	const struct stream own = {stream->pointer, stride_bytes, 2 * pairs};
+	const uint8_t *at = own.pointer + first * stride_bytes;
+	const uint8_t *end = at + count / 3 * 3 * stride_bytes;
 
-	for (uint32_t i = first; i != end; i += 3, at += 3 * stride_bytes) {
+	for (; at != end; at += 3 * stride_bytes) {
 		bool filled = false;
-		uint32_t a = find_pairs(draw, &list, at, i, &filled);
-		uint32_t b = find_pairs(
-			draw, &list, at + stride_bytes, i + 1, &filled);
-		uint32_t c = find_pairs(
-			draw, &list, at + 2 * stride_bytes, i + 2, &filled);
+		const struct cache_tag *a = find_pairs(draw, &own, at, &filled);
+		const struct cache_tag *b =
+			find_pairs(draw, &own, at + stride_bytes, &filled);
+		const struct cache_tag *c =
+			find_pairs(draw, &own, at + 2 * stride_bytes, &filled);
+		int32_t twice;
 
 		PRELOAD(at + 4 * stride_bytes);
-		if (filled &&
-			(place[a].tag == TAG_OUTSIDE ||
-				place[b].tag == TAG_OUTSIDE ||
-				place[c].tag == TAG_OUTSIDE || a == b ||
-				a == c || b == c)) {
-			draw_dedup(draw, stream, 1, i);
-		} else {
-			soft_draw_slots(draw, a, b, c);
+		if (filled && is_apart(a, b, c)) {
+			draw_apart(draw, stream, find_index(&own, at));
+			continue;
+		}
+		twice = cross_halves(subtract_halves(b->xy, a->xy),
+			subtract_halves(c->xy, a->xy));
+		if (is_seen(&draw->fast_setup, twice)) {
+			soft_draw_tagged(draw, a, b, c, twice);
 		}
 	}
 }

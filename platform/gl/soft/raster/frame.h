@@ -25,29 +25,28 @@ struct run {
 };
 
 /* raster_find_area(), and the basis that raster.c has. */
-static ALWAYS_INLINE struct frame frame_find(const struct setup *setup)
+static ALWAYS_INLINE void frame_find(
+	const struct setup *setup, struct frame *frame)
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	uint32_t area = (uint32_t)setup->area;
 	int zeros = LEADING_ZEROS_32(area);
 	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
-	struct frame frame = {
-		.x1 = b->x - a->x,
-		.less_y1 = a->y - b->y,
-		.less_x2 = a->x - c->x,
-		.y2 = c->y - a->y,
-		.zeros = zeros,
-		.column = a->x >> 4,
-		.off_x = 8 - (a->x & 15),
-		.off_y = (8 - a->y) & 15,
-	};
 
-	frame.middle_left = frame.x1 * frame.y2 < frame.less_x2 * frame.less_y1;
-	inverse = frame.middle_left ? -inverse : inverse;
-	frame.inverse_area = inverse;
-	frame.shift = zeros > 18 ? zeros - 18 : 0;
-	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
-	return frame;
+	frame->x1 = b->x - a->x;
+	frame->less_y1 = a->y - b->y;
+	frame->less_x2 = a->x - c->x;
+	frame->y2 = c->y - a->y;
+	frame->zeros = zeros;
+	frame->column = a->x >> 4;
+	frame->off_x = 8 - (a->x & 15);
+	frame->off_y = (8 - a->y) & 15;
+	frame->middle_left =
+		frame->x1 * frame->y2 < frame->less_x2 * frame->less_y1;
+	inverse = frame->middle_left ? -inverse : inverse;
+	frame->inverse_area = inverse;
+	frame->shift = zeros > 18 ? zeros - 18 : 0;
+	frame->inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
 }
 
 /* What a value changes by to the right, times the area. */

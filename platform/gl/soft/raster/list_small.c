@@ -50,17 +50,18 @@ static ALWAYS_INLINE uint32_t find_extent(const struct frame_texels *texels)
 }
 
 /* The largest spread of a colour, alpha or fog. */
-static uint32_t find_color_spread(const struct draw *draw,
-	const struct setup *setup, const struct small *small)
+static uint32_t find_color_spread(
+	const struct draw *draw, const struct setup *setup)
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
+	const int32_t *color[3];
 	uint32_t most = 0;
 
+	frame_choose_colors(draw, setup, color);
 	for (int i = RED; i <= FOG; i++) {
 		const int32_t *const fog[3] = {setup->v[0]->attribute,
 			setup->v[1]->attribute, setup->v[2]->attribute};
-		const struct delta delta =
-			find_delta(i == FOG ? fog : small->color, i);
+		const struct delta delta = find_delta(i == FOG ? fog : color, i);
 		uint32_t own = wanted >> i & 1
 			? frame_find_spread(delta.d1, delta.d2)
 			: 0;
@@ -76,12 +77,12 @@ static uint32_t find_color_spread(const struct draw *draw,
  * raster->plane and raster->bend say.
  */
 static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
-	const struct small small, uint32_t w_spread, uint32_t w_least)
+	uint32_t w_spread, uint32_t w_least)
 {
 	struct raster *raster = &draw->raster;
-	const struct frame *frame = &small.frame;
+	struct frame frame;
 	int tolerance = draw->spans.color_tolerance;
-	uint32_t color = find_color_spread(draw, setup, &small);
+	uint32_t color = find_color_spread(draw, setup);
 	struct perspective perspective = {
 		w_spread, w_least, 0, color >> (tolerance - 2)};
 	const int count = draw->texture[1].used ? 4 : 2;
@@ -107,8 +108,9 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 		return true;
 	}
 	raster_find_area(setup);
-	raster->basis = (struct basis){frame->inverse, frame->shift,
-		frame->off_x, frame->off_y, frame->column};
+	frame_find(setup, &frame);
+	raster->basis = (struct basis){frame.inverse, frame.shift, frame.off_x,
+		frame.off_y, frame.column};
 	raster->moving_count = count;
 	raster->colors_bent = false;
 	return w_spread <= w_least &&
@@ -116,8 +118,8 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 }
 
 /* False where bend() says so; most triangles need not be asked for. */
-static ALWAYS_INLINE bool find_perspective(struct draw *draw,
-	struct setup *setup, const struct small *small, uint32_t texel)
+static ALWAYS_INLINE bool find_perspective(
+	struct draw *draw, struct setup *setup, uint32_t texel)
 {
 	const struct vertex *const *v = setup->v;
 	int32_t a = v[0]->clip[3], b = v[1]->clip[3], c = v[2]->clip[3];
@@ -129,7 +131,7 @@ static ALWAYS_INLINE bool find_perspective(struct draw *draw,
 		(uint64_t)texel * spread <= (uint64_t)low << 8) {
 		return true;
 	}
-	return bend(draw, setup, *small, spread, low);
+	return bend(draw, setup, spread, low);
 }
 
 /* log2 of how many texels a pixel has, as soft_rows_find_affine_lod(). */
@@ -176,23 +178,23 @@ static ALWAYS_INLINE bool is_within(
  * last texel, as find_clamped() in span/cut.c has it: here that of all of a
  * triangle.
  */
-static NEVER_INLINE void hold_beyond(struct small_coordinate *c,
-	struct texel_place *place, uint32_t room, uint32_t last, int32_t half)
+static NEVER_INLINE struct texel_place hold_beyond(struct small_coordinate *c,
+	struct texel_place place, uint32_t room, uint32_t last, int32_t half)
 {
 	int32_t at = 0;
 
-	if (place->room >= SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION) {
-		return;
+	if (place.room >= SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION) {
+		return place;
 	}
-	if (place->low >= (int32_t)room) {
+	if (place.low >= (int32_t)room) {
 		at = (int32_t)(last << SOFT_TEXEL_FRACTION);
-	} else if (place->low + (int32_t)place->room >= 0) {
-		return;
+	} else if (place.low + (int32_t)place.room >= 0) {
+		return place;
 	}
-	*place = (struct texel_place){at, (uint32_t)at, 0};
 	c->value = (struct small_value){(uint32_t)(at + half) << c->shift, 0, 0};
 	c->bend = (struct bend){0};
 	c->level_right = 0;
+	return (struct texel_place){at, (uint32_t)at, 0};
 }
 
 static ALWAYS_INLINE void begin_coordinate(const struct draw *draw, int name,
@@ -212,18 +214,18 @@ static ALWAYS_INLINE void begin_coordinate(const struct draw *draw, int name,
  * What of the window the triangle may need, where some of its texels may lie
  * outside. False where the texture is none for a list.
  */
-static NEVER_INLINE bool begin_part(struct small_list *list,
-	const struct frame_texels *s, const struct frame_texels *t)
+static NEVER_INLINE bool begin_part(struct small_list *list, int32_t s_low,
+	int32_t s_high, int32_t t_low, int32_t t_high)
 {
 	struct draw *draw = list->draw;
 	struct raster *raster = &draw->raster;
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_window *part = &spans->part;
 
-	raster->texel_range[0][0] = s->low;
-	raster->texel_range[0][1] = s->high;
-	raster->texel_range[1][0] = t->low;
-	raster->texel_range[1][1] = t->high;
+	raster->texel_range[0][0] = s_low;
+	raster->texel_range[0][1] = s_high;
+	raster->texel_range[1][0] = t_low;
+	raster->texel_range[1][1] = t_high;
 	soft_set_window(draw);
 	list->s.offset = spans->part_s + (uint32_t)spans->view.s_half;
 	list->t.offset = spans->part_t + (uint32_t)spans->view.t_half;
@@ -281,17 +283,15 @@ static ALWAYS_INLINE bool begin_texels(struct small_list *list,
 	in_t = soft_find_place(t.low, t.high, view->t_shift, view->t_half,
 		spare, window->t_mask);
 	if (window->s_mask == UINT32_MAX) {
-		hold_beyond(&list->s, &in_s, window->s_room, view->s_last,
+		in_s = hold_beyond(&list->s, in_s, window->s_room, view->s_last,
 			view->s_half);
 	}
 	if (window->t_mask == UINT32_MAX) {
-		hold_beyond(&list->t, &in_t, window->t_room, view->t_last,
+		in_t = hold_beyond(&list->t, in_t, window->t_room, view->t_last,
 			view->t_half);
 	}
 	if (!is_certain(list, setup, &in_s, &in_t)) {
-		const struct frame_texels both[2] = {s, t};
-
-		return begin_part(list, &both[0], &both[1]);
+		return begin_part(list, s.low, s.high, t.low, t.high);
 	}
 	list->certain = true;
 	list->first_texel = view->texels +
@@ -356,18 +356,21 @@ static NEVER_INLINE uint32_t add_second(
  * The planes and levels of textures that stages/made.c reads: of the second
  * one, and of the first one unless span functions read it.
  */
-static NEVER_INLINE void begin_planes(struct small_list *list,
-	const struct setup *setup, const struct small *small)
+static NEVER_INLINE void begin_planes(
+	struct small_list *list, const struct setup *setup)
 {
 	struct draw *draw = list->draw;
+	struct small small;
 	struct raster *raster = &draw->raster;
 	const int first = draw->spans.made ? 0 : 1;
 	const int end = draw->texture[1].used ? 2 : 1;
 
+	frame_find(setup, &small.frame);
 	for (int i = 2 * first; i < 2 * end && !raster->bent; i++) {
 		const struct frame_texels texels =
 			find_texels(draw, setup, TEX_S + i);
-		const struct small_value value = find_coordinate(small, &texels);
+		const struct small_value value =
+			find_coordinate(&small, &texels);
 
 		raster->plane[TEX_S + i] = (struct plane){
 			value.start, (int32_t)value.right, (int32_t)value.down};
@@ -414,13 +417,12 @@ static ALWAYS_INLINE bool begin_texture(
 		most = add_second(draw, setup, most);
 	}
 	if (most >= SMALL_DELTA ||
-		(draw->perspective &&
-			!find_perspective(draw, setup, small, most))) {
+		(draw->perspective && !find_perspective(draw, setup, most))) {
 		return false;
 	}
 	begin_coordinates(list, small, &s, &t);
 	if (draw->spans.placed) {
-		begin_planes(list, setup, small);
+		begin_planes(list, setup);
 	}
 	return fits(list, setup) &&
 		(draw->spans.made || begin_texels(list, setup, s, t));
@@ -431,7 +433,7 @@ static ALWAYS_INLINE bool set_up(struct draw *draw, struct setup *setup,
 {
 	struct small small;
 
-	small.frame = frame_find(setup);
+	frame_find(setup, &small.frame);
 	setup->middle_left = small.frame.middle_left;
 	small.is_steep = false;
 	frame_choose_colors(draw, setup, small.color);
@@ -443,7 +445,7 @@ static ALWAYS_INLINE bool set_up(struct draw *draw, struct setup *setup,
 	draw->raster.bent = false;
 	if (draw->spans.textured ? !begin_texture(list, setup, &small)
 				 : draw->perspective &&
-				!find_perspective(draw, setup, &small, 0)) {
+				!find_perspective(draw, setup, 0)) {
 		return false;
 	}
 	begin_colors(list, setup, &small);

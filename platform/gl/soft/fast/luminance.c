@@ -22,31 +22,43 @@ static uint32_t size_of(int32_t value)
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
 }
 
+/* A word of two depths. */
+static ALWAYS_INLINE void write_two_depths(
+	uint16_t *depth, uint32_t *z, uint32_t z_right)
+{
+	uint32_t next = *z + z_right;
+
+	soft_store_two(depth, UPPER_HALVES(next, *z));
+	*z = next + z_right;
+}
+
 /*
  * The same depth for all pixels of a row if rounding alone makes them differ,
  * as in level planes.
  */
-static void write_depth(uint16_t *depth, int count, uint32_t z, int32_t z_right)
+static NEVER_INLINE void write_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
-	if ((uint64_t)size_of(z_right) * (uint32_t)count < 1 << 16) {
-		z += (uint32_t)(z_right * count / 2);
+	if ((uint64_t)size_of((int32_t)z_right) * (uint32_t)count < 1 << 16) {
+		z += (uint32_t)((int32_t)z_right * count / 2);
 		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
 		return;
 	}
 	if ((uintptr_t)depth % sizeof(uint32_t) != 0) {
 		*depth++ = (uint16_t)(z >> 16);
-		z += (uint32_t)z_right;
+		z += z_right;
 		count--;
 	}
-	for (; count > 1; count -= 2) {
-		uint32_t next = z + (uint32_t)z_right;
-
-		soft_store_two(depth, UPPER_HALVES(next, z));
-		z = next + (uint32_t)z_right;
-		depth += 2;
+	/* Four words a turn, as the loop's own work counts. */
+	for (; count >= 8; count -= 8, depth += 8) {
+		write_two_depths(depth, &z, z_right);
+		write_two_depths(depth + 2, &z, z_right);
+		write_two_depths(depth + 4, &z, z_right);
+		write_two_depths(depth + 6, &z, z_right);
 	}
-	if (count > 0) {
-		*depth = (uint16_t)(z >> 16);
+	for (; count > 0; count--) {
+		*depth++ = (uint16_t)(z >> 16);
+		z += z_right;
 	}
 }
 
@@ -196,8 +208,9 @@ static NEVER_INLINE void make_gray(
 		make_one_gray(&at);
 		left--;
 	}
-	/* Two words a turn, as the loop's own work counts. */
-	for (; left >= 4; left -= 4) {
+	for (; left >= 8; left -= 8) {
+		make_two_grays(&at);
+		make_two_grays(&at);
 		make_two_grays(&at);
 		make_two_grays(&at);
 	}
@@ -378,7 +391,7 @@ static void draw_run(const struct soft_run *run)
 	}
 	if (draw->spans.depth_written) {
 		write_depth(row->depth, tiled->run.count, row->z,
-			(int32_t)run->z_right);
+			run->z_right);
 	}
 	draw_visible(draw);
 }

@@ -1,7 +1,7 @@
 /*
  * tile_row.c for ARMv6: the same bytes. Offsets are those of struct tile_run.
- * A pixel of its own costs 23 instructions, two from fine 12, those in a patch
- * 45, or 60, and 3 for eight of them.
+ * A pixel of its own costs 23 instructions, one or two from fine 11, those in a
+ * patch 45, or 60, and 3 for eight of them.
  */
 #include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
@@ -11,10 +11,10 @@
 
 /*
  * Pixels in the patch of quad r12, this one and those that are inside as well,
- * one or two a step;
- * r2, r7, r8, r11, r12, lr are lost. The run's address is at sp + 12.
+ * one or two a step. What follows to_32 makes 2^32 all of the texture. r2, r7,
+ * r8, r11, r12, lr are lost. The run's address is at sp + 12.
  */
-	.macro	fill_patch by_two
+	.macro	fill_patch by_two, to_32:vararg
 	ldr	lr, [sp, #12]
 	uxtb	r11, r12, ror #8
 	uxtb	r12, r12
@@ -23,8 +23,8 @@
 	ldr	r12, [r9, r12, lsl #3]
 	ldr	r2, [r2, r11, lsl #4]
 	ldr	r7, [r7, r11, lsl #4]
-	sub	r2, r2, r3, lsl r10
-	sub	r7, r7, r4, lsl r10
+	sub	r2, r2, r3 \to_32
+	sub	r7, r7, r4 \to_32
 	eor	r2, r2, r5, asr #31
 	eor	r7, r7, r6, asr #31
 	umull	r11, r2, r8, r2
@@ -52,15 +52,18 @@
 	tst	r0, #2
 	strhne	r12, [r0], #2
 	subne	r2, r2, #1
-	subs	r2, r2, #8
+	subs	r2, r2, #16
 	mov	r7, r12
-	blt	2f
 	mov	r8, r12
 	mov	lr, r12
-1:	subs	r2, r2, #8
+	blt	2f
+1:	subs	r2, r2, #16
+	stmia	r0!, {r7, r8, r12, lr}
 	stmia	r0!, {r7, r8, r12, lr}
 	bge	1b
-2:	tst	r2, #4
+2:	tst	r2, #8
+	stmiane	r0!, {r7, r8, r12, lr}
+	tst	r2, #4
 	stmiane	r0!, {r7, r12}
 	tst	r2, #2
 	strne	r12, [r0], #4
@@ -114,66 +117,86 @@ soft_tile_row:
 
 .Lpatch:
 	push	{r2, r7, r8}
-	fill_patch 0
+	fill_patch 0, , lsl r10
 	pop	{r2, r7, r8}
 	cmp	r1, #0
 	bne	.Lpixel
 	pop	{r0, r4-r11, pc}
 	.size	soft_tile_row, . - soft_tile_row
 
-/* The same, but r2 fine, and masks and r10, 4 less, are for its index. */
-	.global	soft_tile_fine
-	.type	soft_tile_fine, %function
-soft_tile_fine:
+/*
+ * The same, two pixels a step or one, but r2 is fine, of r3 to r6 2^32 are all of
+ * the texture, and r7 and r10 lead from there to the column and to the row where
+ * it lies in an index, whose mask r8 is.
+ */
+	.macro	from_fine by_two
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #TILE_SHADE]
 	ldr	r10, [r0, #TILE_WIDTH_LOG2]
 	ldm	r12, {r0-r6}
 	ldr	r2, [r12, #TILE_FINE]
-	mov	r7, #4
-	rsb	r7, r7, r7, lsl r10
-	orr	r7, r7, #3
-	add	r10, r10, #2
-	mov	r8, r7, lsl r10
-	rsb	r10, r10, #14
+	rsb	r7, r10, #16
+	mov	r3, r3, lsl r7
+	mov	r4, r4, lsl r7
+	mov	r5, r5, lsl r7
+	mov	r6, r6, lsl r7
+	add	r7, r7, #14
+	add	r11, r10, #2
+	mov	r8, #1
+	rsb	r8, r8, r8, lsl r11
+	mov	r8, r8, lsl r11
+	sub	r10, r7, r11
 
-.Lplace:
-	and	r11, r7, r3, lsr #14
-	and	r12, r8, r4, lsr r10
-	add	r12, r12, r11
+3:	and	r12, r8, r4, lsr r10
+	add	r12, r12, r3, lsr r7
 	ldrb	r12, [r2, r12]
 	add	r3, r3, r5
 	add	r4, r4, r6
 	cmp	r12, #255
-	beq	.Lwithin
+	beq	4f
 	ldr	r12, [r9, r12, lsl #2]
+	.if	\by_two
 	subs	r1, r1, #2
 	strpl	r12, [r0], #4
-	bgt	.Lplace
+	bgt	3b
 	strhmi	r12, [r0]
+	.else
+	subs	r1, r1, #1
+	strh	r12, [r0], #2
+	bne	3b
+	.endif
 	pop	{r0, r4-r11, pc}
 
-	/* the quad, whose index has neither's lower two bits */
-.Lwithin:
-	push	{r2, r7, r8}
+	/* its quad */
+4:	push	{r2, r7, r8}
 	ldr	lr, [sp, #12]
 	sub	r3, r3, r5
 	sub	r4, r4, r6
-	add	r10, r10, #4
 	ldr	r2, [lr, #TILE_QUADS]
-	mov	r7, r7, lsr #2
-	and	r8, r7, r4, lsr #16
 	ldr	lr, [lr, #TILE_WIDTH_LOG2]
-	and	r7, r7, r3, lsr #16
-	add	r12, r7, r8, lsl lr
+	add	r7, r7, #2
+	mov	r8, r4, lsr r7
+	mov	r8, r8, lsl lr
+	add	r12, r8, r3, lsr r7
 	ldr	r12, [r2, r12, lsl #2]
-	fill_patch 1
+	fill_patch \by_two
 	pop	{r2, r7, r8}
-	sub	r10, r10, #4
 	cmp	r1, #0
-	bne	.Lplace
+	bne	3b
 	pop	{r0, r4-r11, pc}
+	.endm
+
+	.global	soft_tile_places
+	.type	soft_tile_places, %function
+soft_tile_places:
+	from_fine 0
+	.size	soft_tile_places, . - soft_tile_places
+
+	.global	soft_tile_fine
+	.type	soft_tile_fine, %function
+soft_tile_fine:
+	from_fine 1
 	.size	soft_tile_fine, . - soft_tile_fine
 
 	.section .note.GNU-stack, "", %progbits

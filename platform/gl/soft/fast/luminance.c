@@ -106,8 +106,6 @@ static void set_level(struct draw *draw, int lod)
 	struct tiled *tiled = &draw->tiled;
 	const int number = choose_level(draw, lod);
 	const struct level *level = &draw->texture[0].texture->level[number];
-	/* The base may be seen from so near that its places show. */
-	const bool fine = number > 0 && level->tiles->fine;
 	const bool square = level->width_log2 == level->height_log2;
 
 	if (number == tiled->level) {
@@ -116,12 +114,13 @@ static void set_level(struct draw *draw, int lod)
 	tiled->level = number;
 	tiled->tiles = level->tiles;
 	tiled->run.quads = level->tiles->quad;
-	tiled->run.fine = fine ? level->tiles->fine : NULL;
+	tiled->run.fine = level->tiles->fine;
 	tiled->run.width_log2 = level->width_log2;
 	tiled->run.height_log2 = level->height_log2;
 	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
 	tiled->draw[0] = square ? soft_tile_row : soft_tile_row_c;
-	tiled->draw[1] = square ? soft_tile_fine : soft_tile_fine_c;
+	tiled->draw[1] = square ? soft_tile_places : soft_tile_places_c;
+	tiled->draw[2] = square ? soft_tile_fine : soft_tile_fine_c;
 }
 
 /* So many that one share is less than a step off for each, or as will do. */
@@ -257,7 +256,7 @@ static bool draw_mixed(struct draw *draw)
 	make_mixed(draw, *tiled->pixel, find_share(tiled, 0, (uint32_t)count));
 	tiled->run.pixel = tiled->pixel;
 	tiled->run.shade = draw->mixed;
-	tiled->draw[tiled->by_two](&tiled->run);
+	tiled->draw[tiled->from_fine](&tiled->run);
 	tiled->run.shade = draw->shade;
 	return true;
 }
@@ -269,14 +268,14 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 	/* Words lie in one as they do in the other. */
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
-	if (tiled->by_two && draw->soft->counts) {
+	if (tiled->from_fine == 2 && draw->soft->counts) {
 		soft_count_fine(draw, tiled->run.count);
 	}
 	if (draw->blended && draw_mixed(draw)) {
 		return;
 	}
 	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
-	tiled->draw[tiled->by_two](&tiled->run);
+	tiled->draw[tiled->from_fine](&tiled->run);
 	if (tiled->by_share) {
 		make_gray(draw, aside, draw->blended ? aside : pixel);
 	}
@@ -289,7 +288,7 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 static void move_on(struct tiled *tiled, int pixels)
 {
 	uint32_t n = (uint32_t)pixels;
-	int each = tiled->by_two ? 2 : 1;
+	int each = tiled->from_fine == 2 ? 2 : 1;
 
 	tiled->pixel += pixels;
 	tiled->run.s += (uint32_t)(tiled->run.s_right / each) * n;
@@ -333,19 +332,30 @@ static int32_t find_alpha_right(const struct soft_run *run)
 	return (int32_t)((right + 0x8000) & 0xFFFF0000) >> 7;
 }
 
-/* Two pixels a step, each half a pixel from where its place is found. */
-static ALWAYS_INLINE void step_by_two(struct tiled *tiled)
+/*
+ * Two pixels a step where neither is far off from the middle between them; of
+ * the base, which may be seen from so near that places show, one pixel a step
+ * where none is wider than a pixel.
+ */
+static ALWAYS_INLINE void choose_places(struct tiled *tiled)
 {
 	struct tile_run *run = &tiled->run;
 	const uint32_t most = tiled->tiles->by_two_most;
+	const uint32_t s = size_of(run->s_right), t = size_of(run->t_right);
 
-	tiled->by_two = run->fine && size_of(run->s_right) <= most &&
-		size_of(run->t_right) <= most;
-	if (tiled->by_two) {
+	tiled->from_fine = 0;
+	if (!run->fine) {
+		return;
+	}
+	if (tiled->level > 0 && s <= most && t <= most) {
+		tiled->from_fine = 2;
 		run->s += (uint32_t)(run->s_right >> 1);
 		run->t += (uint32_t)(run->t_right >> 1);
 		run->s_right *= 2;
 		run->t_right *= 2;
+	} else if (most >= FINE_PLACE && (s | t) >= FINE_PLACE &&
+		(s | t) < 1 << 16) {
+		tiled->from_fine = 1;
 	}
 }
 
@@ -360,7 +370,7 @@ static ALWAYS_INLINE void set_texels(
 	run->t = (uint32_t)(at->t >> level) - 0x8000;
 	run->s_right = at->s_step >> level;
 	run->t_right = at->t_step >> level;
-	step_by_two(tiled);
+	choose_places(tiled);
 	run->s_end = &tiled->tiles->patch->s[run->s_right >= 0];
 	run->t_end = &tiled->tiles->patch->t[run->t_right >= 0];
 	run->s_pixels = soft_tile_pixels(run->s_right, run->width_log2);
@@ -390,8 +400,7 @@ static void draw_run(const struct soft_run *run)
 		return;
 	}
 	if (draw->spans.depth_written) {
-		write_depth(row->depth, tiled->run.count, row->z,
-			run->z_right);
+		write_depth(row->depth, tiled->run.count, row->z, run->z_right);
 	}
 	draw_visible(draw);
 }

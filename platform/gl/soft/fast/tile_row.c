@@ -48,9 +48,10 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 	return further < (uint32_t)most ? (int)further + 1 : most;
 }
 
-static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
+/* Each is pixels of a step. */
+static ALWAYS_INLINE void draw_run(
+	const struct tile_run *run, bool fine, const int each)
 {
-	const int each = fine ? 2 : 1; /* pixels of a step */
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t;
 
@@ -78,10 +79,15 @@ static ALWAYS_INLINE void draw_run(const struct tile_run *run, bool fine)
 
 void soft_tile_row_c(const struct tile_run *run)
 {
-	draw_run(run, false);
+	draw_run(run, false, 1);
+}
+
+void soft_tile_places_c(const struct tile_run *run)
+{
+	draw_run(run, true, 1);
 }
 
 void soft_tile_fine_c(const struct tile_run *run)
 {
-	draw_run(run, true);
+	draw_run(run, true, 2);
 }

@@ -15,7 +15,7 @@ struct tile_run {
 	int count;                /* 4: at least 1 */
 	const uint32_t *quads;    /* 8: see tiles.h */
 	uint32_t s, t;            /* 12: first upper left texel, 16.16 */
-	int32_t s_right, t_right; /* 20: of a pixel, or of two from fine */
+	int32_t s_right, t_right; /* 20: of a step */
 	/* 28: colours of 0 to 254 halves of 127ths, in both halves of a word */
 	const uint32_t *shade;
 	const uint32_t *s_end;       /* 32: patch 0's end that the run nears */
@@ -46,15 +46,18 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
 
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
- * bits; or from fine two pixels at a time, the mean of the place that is
- * nearest to the middle between them, where s and t are. Whole runs of pixels
- * in a patch are found at once, which does not change what they become.
+ * bits; or from fine the mean of the place that is nearest to it, or, two pixels
+ * at a time, to the middle between them, where s and t are. Whole runs of pixels
+ * in a patch are found at once, which does not change what they become. Steps
+ * from fine are less than half of the texture.
  */
 void soft_tile_row_c(const struct tile_run *run);
+void soft_tile_places_c(const struct tile_run *run);
 void soft_tile_fine_c(const struct tile_run *run);
 
 /* arm/tile_row.S or portable/tile_row.c: the same of levels as wide as high. */
 void soft_tile_row(const struct tile_run *run);
+void soft_tile_places(const struct tile_run *run);
 void soft_tile_fine(const struct tile_run *run);
 
 #endif

@@ -25,7 +25,10 @@ static uint32_t luminance(uint8_t texel)
 static void fill_quads(struct level *level)
 {
 	int width = 1 << level->width_log2, height = 1 << level->height_log2;
-	uint32_t low = 127, high = 0;
+	uint32_t low = 127, high = 0, most;
+	/* of the texture: two steps at once have to be less than half of it */
+	uint32_t quarter = (width < height ? (uint32_t)width : (uint32_t)height)
+		<< 14;
 
 	for (int y = 0; y < height; y++) {
 		const uint8_t *row = level->texels + y * width;
@@ -45,8 +48,8 @@ static void fill_quads(struct level *level)
 	}
 	level->tiles->low = (uint8_t)(2 * low);
 	level->tiles->high = (uint8_t)(2 * high);
-	level->tiles->by_two_most =
-		high > low ? BY_TWO_MOST / (2 * (high - low)) : UINT32_MAX;
+	most = high > low ? BY_TWO_MOST / (2 * (high - low)) : UINT32_MAX;
+	level->tiles->by_two_most = most < quarter ? most : quarter - 1;
 }
 
 /* Of the same texels, and of no patch yet. */

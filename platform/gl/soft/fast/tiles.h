@@ -20,13 +20,15 @@ struct level;
 enum {
 	TILE_SIDE_MAX = 128,
 	PATCHES_MOST = 63, /* larger ones first; their numbers begin at 1 */
-	FINE_SIDE_MAX = 32,
+	FINE_SIDE_MAX = 64,
 	FINE_PATCH = 255,
 	/*
 	 * What a pixel and the next may differ by, of 255, in 16.16. From the
 	 * middle between them either is less than a step of red or blue off.
 	 */
 	BY_TWO_MOST = 20 << 16,
+	/* A place of fine is as wide, in 16.16 of texels. */
+	FINE_PLACE = 1 << 14,
 };
 
 static inline uint32_t quad_luminance(uint32_t patch_quad)

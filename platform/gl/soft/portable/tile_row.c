@@ -6,6 +6,11 @@ void soft_tile_row(const struct tile_run *run)
 	soft_tile_row_c(run);
 }
 
+void soft_tile_places(const struct tile_run *run)
+{
+	soft_tile_places_c(run);
+}
+
 void soft_tile_fine(const struct tile_run *run)
 {
 	soft_tile_fine_c(run);

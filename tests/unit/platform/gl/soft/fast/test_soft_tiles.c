@@ -206,6 +206,14 @@ static void make_shades(uint32_t *seed, uint32_t shade[255])
 	}
 }
 
+static void set_ends(struct tile_run *run, const struct level *level)
+{
+	run->s_end = &level->tiles->patch->s[run->s_right >= 0];
+	run->t_end = &level->tiles->patch->t[run->t_right >= 0];
+	run->s_pixels = soft_tile_pixels(run->s_right, run->width_log2);
+	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
+}
+
 static struct tile_run random_run(
 	uint32_t *seed, const struct level *level, const uint32_t *shade)
 {
@@ -227,19 +235,15 @@ static struct tile_run random_run(
 	/* Also quite still, and along one axis. */
 	run.s_right = random_between(seed, 0, 9) ? run.s_right : 0;
 	run.t_right = random_between(seed, 0, 9) ? run.t_right : 0;
-	run.s_end = &level->tiles->patch->s[run.s_right >= 0];
-	run.t_end = &level->tiles->patch->t[run.t_right >= 0];
-	run.s_pixels = soft_tile_pixels(run.s_right, run.width_log2);
-	run.t_pixels = soft_tile_pixels(run.t_right, run.height_log2);
+	set_ends(&run, level);
 	return run;
 }
 
 /*
- * Each pixel by itself, or both of two, the mean in double of rows that are cut
- * to 8 bits.
+ * So many pixels a step, the mean in double of rows that are cut to 8 bits.
  */
-static void draw_each(
-	const struct tile_run *run, const struct level *level, bool fine)
+static void draw_each(const struct tile_run *run, const struct level *level,
+	bool fine, int each)
 {
 	uint32_t s = run->s, t = run->t;
 
@@ -261,7 +265,7 @@ static void draw_each(
 			mean = above + down * (below - above);
 		}
 		run->pixel[i] = (uint16_t)run->shade[(int)(mean * 2.0)];
-		if (!fine || i % 2 == 1) {
+		if (i % each == each - 1) {
 			s += (uint32_t)run->s_right;
 			t += (uint32_t)run->t_right;
 		}
@@ -289,15 +293,16 @@ static void test_rows_are_pixel_by_pixel_what_bilinear_means(void **state)
 		make_rows(&seed, &rows);
 		run = random_run(&seed, &level, shade);
 		run.pixel = rows.expected + MARGIN;
-		draw_each(&run, &level, false);
+		draw_each(&run, &level, false, 1);
 		run.pixel = rows.drawn + MARGIN;
 		soft_tile_row_c(&run);
 		check_rows(&rows);
-		if (run.fine) {
+		for (int each = 1; each <= 2 && run.fine; each++) {
 			run.pixel = rows.expected + MARGIN;
-			draw_each(&run, &level, true);
+			draw_each(&run, &level, true, each);
 			run.pixel = rows.drawn + MARGIN;
-			soft_tile_fine_c(&run);
+			(each == 1 ? soft_tile_places_c : soft_tile_fine_c)(
+				&run);
 			check_rows(&rows);
 		}
 		free_level(&level);
@@ -327,11 +332,15 @@ static void test_rows_are_as_in_c(void **state)
 		run.pixel = rows.drawn + at;
 		soft_tile_row(&run);
 		check_rows(&rows);
-		if (run.fine) {
+		run.s_right >>= 16 - log2;
+		run.t_right >>= 16 - log2;
+		set_ends(&run, &level);
+		for (int each = 1; each <= 2 && run.fine; each++) {
 			run.pixel = rows.expected + at;
-			soft_tile_fine_c(&run);
+			(each == 1 ? soft_tile_places_c : soft_tile_fine_c)(
+				&run);
 			run.pixel = rows.drawn + at;
-			soft_tile_fine(&run);
+			(each == 1 ? soft_tile_places : soft_tile_fine)(&run);
 			check_rows(&rows);
 		}
 		free_level(&level);

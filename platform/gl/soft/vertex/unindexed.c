@@ -9,26 +9,48 @@ struct stream {
 };
 
 /* Whole words alone are compared, and seldom is something else given. */
-static bool add_stream(
-	const struct array *array, struct stream *streams, int *count)
+static bool is_of_words(const struct array *array)
 {
-	bool words = array->type == GL_FLOAT || array->type == GL_FIXED;
-	bool color = array->type == GL_UNSIGNED_BYTE && array->size == 4;
-	struct stream own, *last;
+	return array->type == GL_FLOAT || array->type == GL_FIXED ||
+		(array->type == GL_UNSIGNED_BYTE && array->size == 4);
+}
 
-	if (!array->enabled) {
-		return true;
+/* The arrays in use, by their addresses; interleaved ones are one stream. */
+static int list_streams(const struct arrays *arrays, struct stream *streams)
+{
+	const struct array *const all[] = {&arrays->vertex, &arrays->normal,
+		&arrays->color, &arrays->texcoord[0], &arrays->texcoord[1]};
+	int used = 0, count = 0;
+
+	for (size_t i = 0; i < ARRAY_COUNT(all); i++) {
+		int at = used;
+
+		if (!all[i]->enabled) {
+			continue;
+		}
+		if (!is_of_words(all[i])) {
+			return 0;
+		}
+		for (; at > 0 && streams[at - 1].pointer > all[i]->pointer;
+			at--) {
+			streams[at] = streams[at - 1];
+		}
+		streams[at] = (struct stream){all[i]->pointer,
+			(size_t)all[i]->stride_bytes,
+			all[i]->type == GL_UNSIGNED_BYTE ? 1 : all[i]->size};
+		used++;
 	}
-	own = (struct stream){array->pointer, (size_t)array->stride_bytes,
-		color ? 1 : array->size};
-	last = *count > 0 ? &streams[*count - 1] : NULL;
-	if (last && last->stride_bytes == own.stride_bytes &&
-		last->pointer + 4 * last->words == own.pointer) {
-		last->words += own.words; /* interleaved */
-	} else {
-		streams[(*count)++] = own;
+	for (int i = 0; i < used; i++) {
+		struct stream *last = count > 0 ? &streams[count - 1] : NULL;
+
+		if (last && last->stride_bytes == streams[i].stride_bytes &&
+			last->pointer + 4 * last->words == streams[i].pointer) {
+			last->words += streams[i].words;
+		} else {
+			streams[count++] = streams[i];
+		}
 	}
-	return words || color;
+	return count;
 }
 
 static bool are_equal_words(const uint8_t *left, const uint8_t *right, int words)
@@ -61,11 +83,17 @@ static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 	return (x + (y << 3) + (y >> 9) - (z >> 5)) * 2654435761u >> 23;
 }
 
+static const uint8_t *find_position(const struct draw *draw, uint32_t index)
+{
+	return draw->view.positions +
+		(size_t)index * (size_t)draw->view.stride_bytes;
+}
+
 /* By what the vertex is made of: unindexed lists give it several times. */
 static struct vertex *find_dedup(struct draw *draw,
 	const struct stream *streams, int count, uint32_t index)
 {
-	const uint8_t *at = streams->pointer + index * streams->stride_bytes;
+	const uint8_t *at = find_position(draw, index);
 	uint32_t slot = choose_slot(
 		load_word(at), load_word(at + 4), load_word(at + 8));
 	struct vertex *vertex = &draw->cache[slot];
@@ -75,20 +103,6 @@ static struct vertex *find_dedup(struct draw *draw,
 		soft_load_slot(draw, slot, index);
 	}
 	return vertex;
-}
-
-static bool list_streams(
-	const struct draw *draw, struct stream *streams, int *count)
-{
-	const struct arrays *arrays = &draw->soft->arrays;
-
-	*count = 0;
-	return arrays->vertex.size == 3 &&
-		add_stream(&arrays->vertex, streams, count) &&
-		add_stream(&arrays->normal, streams, count) &&
-		add_stream(&arrays->color, streams, count) &&
-		add_stream(&arrays->texcoord[0], streams, count) &&
-		add_stream(&arrays->texcoord[1], streams, count);
 }
 
 static NEVER_INLINE void draw_dedup(struct draw *draw,
@@ -114,9 +128,9 @@ static NEVER_INLINE void draw_dedup(struct draw *draw,
 static NEVER_INLINE void draw_apart(
 	struct draw *draw, const struct stream *stream, uint32_t index)
 {
-	const uint8_t *a = stream->pointer + index * stream->stride_bytes;
-	const uint8_t *b = a + stream->stride_bytes;
-	const uint8_t *c = b + stream->stride_bytes;
+	const uint8_t *a = find_position(draw, index);
+	const uint8_t *b = find_position(draw, index + 1);
+	const uint8_t *c = find_position(draw, index + 2);
 
 	/* Where two positions are equal, as at a sphere's poles, none is seen. */
 	if (!are_equal_words(a, b, 3) && !are_equal_words(a, c, 3) &&
@@ -141,16 +155,20 @@ static ALWAYS_INLINE bool is_seen(
 			fast_setup->cull_mask) == 0;
 }
 
-/* Whether vertices of two pairs of words and others equal; the first has these. */
+/*
+ * Whether vertices of four words or more are equal; the first has these. Of an
+ * odd number the last pair has a word of the one before.
+ */
 static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
-	const uint8_t *right, uint64_t xy, uint64_t z, int pairs)
+	const uint8_t *right, uint64_t xy, uint64_t z, int words)
 {
 	if (load_two_words(right) != xy || load_two_words(right + 8) != z) {
 		return false;
 	}
-	for (int i = 2; i < pairs; i++) {
-		if (load_two_words(left + 8 * i) !=
-			load_two_words(right + 8 * i)) {
+	for (int i = 4; i < words; i += 2) {
+		int at = 4 * (i < words - 1 ? i : words - 2);
+
+		if (load_two_words(left + at) != load_two_words(right + at)) {
 			return false;
 		}
 	}
@@ -176,7 +194,7 @@ static ALWAYS_INLINE const struct cache_tag *find_pairs(struct draw *draw,
 	if (tag->tag >= TAG_OUTSIDE ||
 		!are_equal_pairs(at,
 			stream->pointer + tag->tag * stream->stride_bytes, xy,
-			z, stream->words / 2)) {
+			z, stream->words)) {
 		soft_load_slot(
 			draw, (uint32_t)(tag - place), find_index(stream, at));
 		*filled = true;
@@ -184,12 +202,12 @@ static ALWAYS_INLINE const struct cache_tag *find_pairs(struct draw *draw,
 	return tag;
 }
 
-/* What most lists are: all of a vertex together, with no or two words between. */
+/* What most lists are: all of a vertex together. */
 static ALWAYS_INLINE void draw_pairs(struct draw *draw,
-	const struct stream *stream, int pairs, size_t stride_bytes,
+	const struct stream *stream, int words, size_t stride_bytes,
 	uint32_t first, uint32_t count)
 {
-	const struct stream own = {stream->pointer, stride_bytes, 2 * pairs};
+	const struct stream own = {stream->pointer, stride_bytes, words};
 	const uint8_t *at = own.pointer + first * stride_bytes;
 	const uint8_t *end = at + count / 3 * 3 * stride_bytes;
 
@@ -215,38 +233,46 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 	}
 }
 
-/* False where the vertices are something else. */
-static bool draw_together(struct draw *draw, const struct stream *stream,
+#define DRAW_PAIRS(name, words, stride_bytes)                                \
+	static NEVER_INLINE void draw_##name(struct draw *draw,              \
+		const struct stream *stream, uint32_t first, uint32_t count) \
+	{                                                                    \
+		draw_pairs(draw, stream, words, stride_bytes, first, count); \
+	}
+
+/* The sizes that most programs use are constants of the loop. */
+DRAW_PAIRS(eight, 8, 32)
+DRAW_PAIRS(six_of_eight, 6, 32)
+DRAW_PAIRS(six, 6, 24)
+DRAW_PAIRS(any, stream->words, stream->stride_bytes)
+
+static void draw_together(struct draw *draw, const struct stream *stream,
 	uint32_t first, uint32_t count)
 {
-	if (!draw->packed || (uintptr_t)stream->pointer % 4 != 0) {
-		return false;
-	}
 	if (stream->words == 8 && stream->stride_bytes == 32) {
-		draw_pairs(draw, stream, 4, 32, first, count);
+		draw_eight(draw, stream, first, count);
 	} else if (stream->words == 6 && stream->stride_bytes == 32) {
-		draw_pairs(draw, stream, 3, 32, first, count);
+		draw_six_of_eight(draw, stream, first, count);
 	} else if (stream->words == 6 && stream->stride_bytes == 24) {
-		draw_pairs(draw, stream, 3, 24, first, count);
+		draw_six(draw, stream, first, count);
 	} else {
-		return false;
+		draw_any(draw, stream, first, count);
 	}
-	return true;
 }
 
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 {
+	const struct arrays *arrays = &draw->soft->arrays;
 	struct stream streams[3 + SOFT_UNITS];
-	int used;
+	int used = arrays->vertex.size == 3 ? list_streams(arrays, streams) : 0;
 
-	if (!list_streams(draw, streams, &used)) {
-		return false;
-	}
-	if (used == 1 && draw_together(draw, streams, first, count)) {
+	if (used == 1 && streams->words >= 4 && draw->packed &&
+		((uintptr_t)streams->pointer | streams->stride_bytes) % 4 == 0) {
+		draw_together(draw, streams, first, count);
 		return true;
 	}
-	for (uint32_t i = 0; i + 2 < count; i += 3) {
+	for (uint32_t i = 0; i + 2 < count && used > 0; i += 3) {
 		draw_dedup(draw, streams, used, first + i);
 	}
-	return true;
+	return used > 0;
 }

@@ -1,6 +1,6 @@
 /*
- * The soft driver's lists without indices: vertices that lie close together
- * draw what the same draw with room between them, which takes another way.
+ * The soft driver's lists without indices: vertices that lie together draw what
+ * the same draw with room behind positions, which takes another way.
  */
 #include "platform/base/fixed.h"
 #include "tests/support/gl/gl_checks.h"
@@ -12,13 +12,14 @@ enum {
 	POOL = 700, /* more than the vertex cache has slots */
 	TRIANGLES = 500,
 	CORNERS = 3 * TRIANGLES,
-	WORDS_MOST = 10,
+	WORDS = 9, /* position, normal, texture coordinates, colour */
+	WORDS_MOST = WORDS + 2,
 	PICTURE_BYTES = 2 * GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
 };
 
-/* Words of 4 bytes a vertex, and of these in use. */
+/* Words of 4 bytes a vertex, of these in use, and free behind the position. */
 struct layout {
-	int stride, used;
+	int stride, used, room;
 };
 
 static float random_float(uint32_t *seed)
@@ -26,8 +27,8 @@ static float random_float(uint32_t *seed)
 	return (float)next_random(seed) / (1 << 23) - 1.0f;
 }
 
-/* Position, a normal of unit length, texture coordinates. */
-static void make_pool(uint32_t *seed, float reach, float pool[POOL][8])
+/* Normals are of unit length; a colour is any four bytes. */
+static void make_pool(uint32_t *seed, float reach, float pool[POOL][WORDS])
 {
 	static const float normals[3][3] = {
 		{0, 0, 1}, {0.6f, 0, 0.8f}, {0, -0.6f, 0.8f}};
@@ -37,12 +38,13 @@ static void make_pool(uint32_t *seed, float reach, float pool[POOL][8])
 			pool[i][j] = reach * random_float(seed);
 		}
 		memcpy(pool[i] + 3, normals[i % 3], sizeof(normals[0]));
-		pool[i][6] = random_float(seed);
-		pool[i][7] = random_float(seed);
+		for (int j = 6; j < WORDS; j++) {
+			pool[i][j] = random_float(seed);
+		}
 	}
 	memset(pool[0], 0, sizeof(pool[0]));
 	/* As pool[1] but for one word each. */
-	for (int i = 3; i < 8; i++) {
+	for (int i = 3; i < WORDS; i++) {
 		memcpy(pool[i], pool[1], sizeof(pool[1]));
 		pool[i][i] += 0.5f;
 	}
@@ -68,31 +70,41 @@ static void make_list(uint32_t *seed, uint16_t list[CORNERS])
 	}
 }
 
-static void draw_list(const float pool[POOL][8], const uint16_t list[CORNERS],
-	const struct layout *layout, uint8_t picture[PICTURE_BYTES])
+static void draw_list(const float pool[POOL][WORDS],
+	const uint16_t list[CORNERS], const struct layout *layout,
+	uint8_t picture[PICTURE_BYTES])
 {
 	static float vertex[CORNERS * WORDS_MOST];
 	const GLsizei bytes = layout->stride * 4;
+	const float *rest = vertex + 3 + layout->room;
 	static const GLfixed aslant[4] = {FX16_ONE, FX16_ONE, FX16_ONE, 0};
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
 	struct gl *gl = canvas.gl;
 
 	for (int i = 0; i < CORNERS; i++) {
-		memcpy(vertex + i * layout->stride, pool[list[i]],
-			(size_t)layout->used * 4);
+		float *to = vertex + i * layout->stride;
+
+		memcpy(to, pool[list[i]], sizeof(float[3]));
+		memcpy(to + 3 + layout->room, pool[list[i]] + 3,
+			(size_t)(layout->used - 3) * 4);
 	}
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, bytes, vertex);
-	gl->NormalPointer(GL_FLOAT, bytes, vertex + 3);
+	gl->NormalPointer(GL_FLOAT, bytes, rest);
 	gl->Enable(GL_LIGHTING);
 	gl->Enable(GL_LIGHT0);
 	gl->Lightxv(GL_LIGHT0, GL_POSITION, aslant);
 	gl->Enable(GL_DEPTH_TEST);
-	if (layout->used == 8) {
+	if (layout->used >= 8) {
 		gl_canvas_make_texture(gl);
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->TexCoordPointer(2, GL_FLOAT, bytes, vertex + 6);
+		gl->TexCoordPointer(2, GL_FLOAT, bytes, rest + 3);
+	}
+	if (layout->used == WORDS) {
+		gl->EnableClientState(GL_COLOR_ARRAY);
+		gl->ColorPointer(4, GL_UNSIGNED_BYTE, bytes, rest + 5);
+		gl->Enable(GL_COLOR_MATERIAL);
 	}
 	/* All but the first triangle, and two corners that are of none. */
 	gl->DrawArrays(GL_TRIANGLES, 3, CORNERS - 4);
@@ -102,11 +114,12 @@ static void draw_list(const float pool[POOL][8], const uint16_t list[CORNERS],
 	gl_canvas_end_and_close(&canvas);
 }
 
-static void check_layout(
-	const struct layout *layout, const struct layout *spread)
+static void check_layout(const struct layout *layout)
 {
-	static float pool[POOL][8];
+	static float pool[POOL][WORDS];
 	static uint16_t list[CORNERS];
+	const struct layout spread = {
+		.stride = layout->used + 2, .used = layout->used, .room = 2};
 	uint32_t seed = 5;
 
 	for (int round = 0; round < 24; round++) {
@@ -116,7 +129,7 @@ static void check_layout(
 		make_pool(&seed, round < 16 ? 0.99f : 1.5f, pool);
 		make_list(&seed, list);
 		draw_list(pool, list, layout, close);
-		draw_list(pool, list, spread, apart);
+		draw_list(pool, list, &spread, apart);
 		assert_memory_equal(close, apart, PICTURE_BYTES);
 	}
 }
@@ -124,19 +137,27 @@ static void check_layout(
 static void test_six_words_are_found_again(void **state)
 {
 	(void)state;
-	check_layout(&(struct layout){6, 6}, &(struct layout){10, 6});
+	check_layout(&(struct layout){.stride = 6, .used = 6});
 }
 
 static void test_six_words_of_eight_are_found_again(void **state)
 {
 	(void)state;
-	check_layout(&(struct layout){8, 6}, &(struct layout){10, 6});
+	check_layout(&(struct layout){.stride = 8, .used = 6});
 }
 
 static void test_eight_words_are_found_again(void **state)
 {
 	(void)state;
-	check_layout(&(struct layout){8, 8}, &(struct layout){10, 8});
+	check_layout(&(struct layout){.stride = 8, .used = 8});
+}
+
+/* The colour, which lies last, is not the last array that is found. */
+static void test_other_numbers_of_words_are_found_again(void **state)
+{
+	(void)state;
+	check_layout(&(struct layout){.stride = 10, .used = 8});
+	check_layout(&(struct layout){.stride = WORDS, .used = WORDS});
 }
 
 int main(void)
@@ -145,6 +166,7 @@ int main(void)
 		cmocka_unit_test(test_six_words_are_found_again),
 		cmocka_unit_test(test_six_words_of_eight_are_found_again),
 		cmocka_unit_test(test_eight_words_are_found_again),
+		cmocka_unit_test(test_other_numbers_of_words_are_found_again),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -223,7 +223,10 @@ static ALWAYS_INLINE bool set_level(const struct draw *draw,
 			&t)) {
 		return false;
 	}
-	level = &textured->level[find_level(textured->last_level, &s, &t)];
+	level = textured->level;
+	if (textured->last_level > 0) {
+		level += find_level(textured->last_level, &s, &t);
+	}
 	band->texel_right = pair_round(level, s.right, t.right);
 	band->down.texel = pair_round(level, s.down, t.down);
 	band->row.texel = leave_column(frame,

@@ -17,21 +17,6 @@ enum {
 	SHARE_PIXELS = 8,
 };
 
-static uint32_t size_of(int32_t value)
-{
-	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
-}
-
-/* A word of two depths. */
-static ALWAYS_INLINE void write_two_depths(
-	uint16_t *depth, uint32_t *z, uint32_t z_right)
-{
-	uint32_t next = *z + z_right;
-
-	soft_store_two(depth, UPPER_HALVES(next, *z));
-	*z = next + z_right;
-}
-
 /*
  * The same depth for all pixels of a row if rounding alone makes them differ,
  * as in level planes.
@@ -39,7 +24,7 @@ static ALWAYS_INLINE void write_two_depths(
 static NEVER_INLINE void write_depth(
 	uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
-	if ((uint64_t)size_of((int32_t)z_right) * (uint32_t)count < 1 << 16) {
+	if ((uint64_t)raster_size((int32_t)z_right) * (uint32_t)count < 1 << 16) {
 		z += (uint32_t)((int32_t)z_right * count / 2);
 		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
 		return;
@@ -50,11 +35,13 @@ static NEVER_INLINE void write_depth(
 		count--;
 	}
 	/* Four words a turn, as the loop's own work counts. */
-	for (; count >= 8; count -= 8, depth += 8) {
-		write_two_depths(depth, &z, z_right);
-		write_two_depths(depth + 2, &z, z_right);
-		write_two_depths(depth + 4, &z, z_right);
-		write_two_depths(depth + 6, &z, z_right);
+	for (; count >= 8; count -= 8) {
+		for (int i = 0; i < 4; i++, depth += 2) {
+			uint32_t next = z + z_right;
+
+			soft_store_two(depth, UPPER_HALVES(next, z));
+			z = next + z_right;
+		}
 	}
 	for (; count > 0; count--) {
 		*depth++ = (uint16_t)(z >> 16);
@@ -126,7 +113,7 @@ static void set_level(struct draw *draw, int lod)
 /* So many that one share is less than a step off for each, or as will do. */
 static int share_pixels(int32_t alpha_right)
 {
-	uint32_t step = size_of(alpha_right);
+	uint32_t step = raster_size(alpha_right);
 	int count = SHARE_PIXELS;
 
 	while (count > 1 && step * (uint32_t)count >= 2 * SHARE_STEP) {
@@ -148,7 +135,7 @@ static uint32_t find_share(
 /* Mixes what is shaded into the picture, with one alpha for as many as will do. */
 static void blend(const struct tiled *tiled, const uint16_t *shaded)
 {
-	uint32_t size = size_of(tiled->alpha_right);
+	uint32_t size = raster_size(tiled->alpha_right);
 	int most = share_pixels(tiled->alpha_right), count;
 
 	for (int i = 0; i < tiled->run.count; i += count) {
@@ -208,10 +195,9 @@ static NEVER_INLINE void make_gray(
 		left--;
 	}
 	for (; left >= 8; left -= 8) {
-		make_two_grays(&at);
-		make_two_grays(&at);
-		make_two_grays(&at);
-		make_two_grays(&at);
+		for (int i = 0; i < 4; i++) {
+			make_two_grays(&at);
+		}
 	}
 	for (; left > 0; left--) {
 		make_one_gray(&at);
@@ -248,7 +234,7 @@ static bool draw_mixed(struct draw *draw)
 
 	if (tiled->by_share ||
 		4 * (tiled->tiles->high - tiled->tiles->low) > count ||
-		(uint64_t)size_of(tiled->alpha_right) * (uint32_t)count >=
+		(uint64_t)raster_size(tiled->alpha_right) * (uint32_t)count >=
 			SHARE_STEP ||
 		!soft_is_one_color(tiled->pixel, count)) {
 		return false;
@@ -341,19 +327,17 @@ static ALWAYS_INLINE void choose_places(struct tiled *tiled)
 {
 	struct tile_run *run = &tiled->run;
 	const uint32_t most = tiled->tiles->by_two_most;
-	const uint32_t s = size_of(run->s_right), t = size_of(run->t_right);
+	const uint32_t s = raster_size(run->s_right),
+		       t = raster_size(run->t_right);
 
 	tiled->from_fine = 0;
-	if (!run->fine) {
-		return;
-	}
-	if (tiled->level > 0 && s <= most && t <= most) {
+	if (run->fine && tiled->level > 0 && s <= most && t <= most) {
 		tiled->from_fine = 2;
 		run->s += (uint32_t)(run->s_right >> 1);
 		run->t += (uint32_t)(run->t_right >> 1);
 		run->s_right *= 2;
 		run->t_right *= 2;
-	} else if (most >= FINE_PLACE && (s | t) >= FINE_PLACE &&
+	} else if (run->fine && most >= FINE_PLACE && (s | t) >= FINE_PLACE &&
 		(s | t) < 1 << 16) {
 		tiled->from_fine = 1;
 	}

@@ -19,32 +19,41 @@ static ALWAYS_INLINE int32_t find_farthest(const uint16_t *depth, int count)
 						      : most & 0xFFFF);
 }
 
-bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
+static NEVER_INLINE bool is_behind_all(
+	const uint16_t *depth, int width, int rows, int columns, int32_t z)
 {
-	const struct vertex *const *v = setup->v;
-	const struct clip_box *box = &draw->box;
-	const int width = draw->soft->buffers.width;
-	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
-	const uint16_t *depth = draw->soft->buffers.depth + left;
-	int middle = (setup->top + setup->bottom) / 2, columns = setup->columns;
-	int32_t z;
-
-	if (!draw->hides || columns > COLUMNS_MOST || columns < 2 ||
-		left < box->left || left + columns > box->right ||
-		setup->top < box->top || setup->bottom > box->bottom) {
-		return false;
-	}
-	/* Planes lose less than a unit to rounding. */
-	z = raster_least(v[0]->z, v[1]->z, v[2]->z) / 4 - 1;
-	/* Most that are seen are seen in the middle. */
-	if (depth[middle * width + columns / 2] >= z) {
-		return false;
-	}
-	depth += setup->top * width;
-	for (int y = setup->top; y < setup->bottom; y++, depth += width) {
+	for (; rows > 0; rows--, depth += width) {
 		if (find_farthest(depth, columns) >= z) {
 			return false;
 		}
 	}
 	return true;
+}
+
+static ALWAYS_INLINE bool is_in_box(
+	const struct clip_box *box, const struct setup *setup, int left)
+{
+	return left >= box->left && left + setup->columns <= box->right &&
+		setup->top >= box->top && setup->bottom <= box->bottom;
+}
+
+bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	const int width = draw->soft->buffers.width;
+	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
+	const uint16_t *depth = draw->soft->buffers.depth + left;
+	int columns = setup->columns, rows = setup->bottom - setup->top;
+	int32_t z;
+
+	if (!draw->hides || columns > COLUMNS_MOST || columns < 2 ||
+		(!setup->inside && !is_in_box(&draw->box, setup, left))) {
+		return false;
+	}
+	/* Planes lose less than a unit to rounding. */
+	z = (raster_least(v[0]->z, v[1]->z, v[2]->z) >> 2) - 1;
+	depth += setup->top * width;
+	/* Most that are seen are seen in the middle. */
+	return depth[(rows >> 1) * width + (columns >> 1)] < z &&
+		is_behind_all(depth, width, rows, columns, z);
 }

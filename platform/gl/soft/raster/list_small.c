@@ -352,21 +352,17 @@ static NEVER_INLINE uint32_t add_second(
 	return most;
 }
 
-/*
- * The planes and levels of textures that stages/made.c reads: of the second
- * one, and of the first one unless span functions read it.
- */
+/* The planes and levels of textures, which stages/made.c reads. */
 static NEVER_INLINE void begin_planes(
 	struct small_list *list, const struct setup *setup)
 {
 	struct draw *draw = list->draw;
 	struct small small;
 	struct raster *raster = &draw->raster;
-	const int first = draw->spans.made ? 0 : 1;
 	const int end = draw->texture[1].used ? 2 : 1;
 
 	frame_find(setup, &small.frame);
-	for (int i = 2 * first; i < 2 * end && !raster->bent; i++) {
+	for (int i = 0; i < 2 * end && !raster->bent; i++) {
 		const struct frame_texels texels =
 			find_texels(draw, setup, TEX_S + i);
 		const struct small_value value =
@@ -377,10 +373,10 @@ static NEVER_INLINE void begin_planes(
 	}
 	raster->perspective = false;
 	soft_rows_find_affine_lod(draw, &raster->span);
-	for (int i = first; i < end; i++) {
+	for (int i = 0; i < end; i++) {
 		soft_set_made_levels(draw, i, raster->span.lod[i]);
 	}
-	if (draw->spans.made && !raster->bent) {
+	if (!raster->bent) {
 		list->most =
 			rows_find_run_pixels(draw, (int32_t)list->s.value.right,
 				(int32_t)list->t.value.right);
@@ -413,7 +409,7 @@ static ALWAYS_INLINE bool begin_texture(
 	uint32_t in_s = find_extent(&s), in_t = find_extent(&t);
 	uint32_t most = in_s > in_t ? in_s : in_t;
 
-	if (draw->spans.placed) {
+	if (draw->spans.made) {
 		most = add_second(draw, setup, most);
 	}
 	if (most >= SMALL_DELTA ||
@@ -421,7 +417,7 @@ static ALWAYS_INLINE bool begin_texture(
 		return false;
 	}
 	begin_coordinates(list, small, &s, &t);
-	if (draw->spans.placed) {
+	if (draw->spans.made) {
 		begin_planes(list, setup);
 	}
 	return fits(list, setup) &&

@@ -198,7 +198,7 @@ static ALWAYS_INLINE void begin_colors(
 	}
 	spans->run.red_blue_right = list->red_blue.right;
 	spans->run.green_alpha_right = list->green.right;
-	list->rare = spans->placed;
+	list->rare = spans->made;
 	list->alpha_moves = false;
 	list->fog.start = 0;
 	if (moves(&alpha)) {

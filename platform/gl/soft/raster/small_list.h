@@ -32,7 +32,7 @@ struct small_list {
 	struct draw *draw;
 	struct small_value z, red_blue, green, alpha, fog;
 	struct small_coordinate s, t;
-	bool rare; /* alpha or fog moves, or rows are placed */
+	bool rare; /* alpha or fog moves, or colours are made of rows */
 	bool alpha_moves;
 	/* No texel lies outside of the window, and a row is one run. */
 	bool certain;

@@ -336,7 +336,7 @@ static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
 		CASE(SOFT_TESTED_FOG)
 		CASE(SOFT_BLENDED_FOG)
 		CASE(SOFT_MIXED)
-	default: /* of two textures */
+	default:
 		break;
 	}
 }

@@ -429,15 +429,8 @@ void soft_set_functions(struct soft_spans *spans,
 	}
 	spans->draw_anywhere = chosen[ANYWHERE];
 	spans->draw = chosen[INSIDE];
-	if (spans->draw_scaled) {
-		spans->scaled[0] = spans->draw_anywhere;
-		spans->scaled[1] = spans->draw;
-		spans->draw = spans->draw_scaled;
-	} else {
-		spans->draw_across = chosen == tests || chosen == masks
-			? chosen[ACROSS]
-			: NULL;
-	}
+	spans->draw_across =
+		chosen == tests || chosen == masks ? chosen[ACROSS] : NULL;
 	if (spans->untested) {
 		set_untested(spans);
 	}

@@ -37,7 +37,6 @@
 	SOFT_SPAN_FUNCTION(name##_tested_fog, kind, SOFT_TESTED_FOG, lequal) \
 	SOFT_SPAN_FUNCTION(                                                 \
 		name##_blended_fog, kind, SOFT_BLENDED_FOG, lequal)         \
-	SOFT_SPAN_FUNCTION(name##_scaled, kind, SOFT_SCALED, lequal)        \
 	SOFT_SPAN_FUNCTION(name##_mixed, kind, SOFT_MIXED, lequal)
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
@@ -79,7 +78,6 @@
 			SOFT_FINISH_ROW(name, inside, tested_fog),          \
 		[SOFT_BLENDED_FOG] =                                        \
 			SOFT_FINISH_ROW(name, inside, blended_fog),         \
-		[SOFT_SCALED] = SOFT_FINISH_ROW(name, inside, scaled),      \
 		[SOFT_MIXED] = SOFT_FINISH_ROW(name, inside, mixed),        \
 	}
 

@@ -267,11 +267,6 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	spans->white[0] = (uint32_t)mul_high(white, row.red_blue) * 0x10001;
 	spans->white[1] = (uint32_t)mul_high(white, row.green);
 	spans->scales = find_format_scales(format, wide, spans->combined);
-	if (spans->finish == SOFT_SCALED) {
-		/* From 255 of a second texture to 256 */
-		spans->scales.red_blue += spans->scales.red_blue / 255;
-		spans->scales.green += spans->scales.green / 255;
-	}
 }
 
 static void find_stages(const struct draw *draw, struct soft_spans *spans)
@@ -327,8 +322,7 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	spans->colored = !replaced || format == GL_ALPHA;
 	spans->alpha_read = wide || combined ||
 		(spans->finish != SOFT_OPAQUE &&
-			spans->finish != SOFT_OPAQUE_FOG &&
-			spans->finish != SOFT_SCALED);
+			spans->finish != SOFT_OPAQUE_FOG);
 	spans->alpha =
 		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
 }
@@ -378,17 +372,11 @@ static void choose_making(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	bool colored = draw->attributes != 0;
-	bool mixes_levels = soft_mixes_levels(&draw->texture[0]);
 
 	spans->multiplied = colored && is_multiplied(draw);
 	spans->combined = colored && !spans->multiplied && is_combined(draw);
-	if (spans->multiplied && spans->finish == SOFT_OPAQUE && !mixes_levels) {
-		spans->multiplied = false;
-		spans->finish = SOFT_SCALED;
-	}
-	soft_prepare_second(spans);
 	spans->made = spans->combined || spans->multiplied ||
-		(spans->textured && mixes_levels);
+		(spans->textured && soft_mixes_levels(&draw->texture[0]));
 }
 
 /* Colours do not say what alpha an alpha test sees. */
@@ -421,7 +409,6 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
 	spans->longest = SOFT_RUN_PIXELS;
-	spans->placed = spans->made || spans->finish == SOFT_SCALED;
 	spans->listed_size = wide ? 40 : SOFT_LISTED_SIZE;
 	/* An alpha test needs the alpha of planes, to the bit. */
 	if (spans->alpha_tested && is_alpha_of_colors(draw)) {

@@ -73,8 +73,7 @@ struct soft_row {
 	/* t in the upper half and s in the lower one, from first_texel on */
 	uint32_t texel, texel_right;
 	/*
-	 * Where second is used, which of it is the first pixel's. Before that,
-	 * in states of soft_spans.placed: the column, and in the upper half the
+	 * In states of soft_spans.made: the column, and in the upper half the
 	 * row, counted from the triangle's first one.
 	 */
 	uint32_t place;
@@ -96,8 +95,6 @@ struct soft_run {
 	int32_t s, t, s_right, t_right;
 	uint32_t s_last, t_last; /* texels, and masks of coordinates */
 	uint32_t stride_log2;    /* of the level, in bytes */
-	/* The second texture's texels, RGBA8888, for SOFT_SCALED. */
-	const uint32_t *second;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
 };
@@ -120,8 +117,7 @@ enum soft_finish {
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
-	SOFT_SCALED, /* by a second texture, before colours; then opaque */
-	SOFT_MIXED,  /* tested, then blended by any factors that alpha makes */
+	SOFT_MIXED, /* tested, then blended by any factors that alpha makes */
 	SOFT_FINISHES,
 };
 

@@ -79,7 +79,6 @@ struct soft_spans {
 	bool steep;
 	/* Columns and rows of triangles whose runs are listed, at most. */
 	int listed_size;
-	bool placed; /* rows tell where they are, see struct soft_row */
 	/* Of the triangle under way: rows choose levels, and none has yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves;
@@ -117,11 +116,6 @@ struct soft_spans {
 	soft_span_function draw_tested; /* what untested.c does not draw */
 	/* draws runs that leave the window, unless they are only cut */
 	soft_span_function draw_across;
-	/*
-	 * With SOFT_SCALED: reads the second texture's texels of runs, and
-	 * draws them by the second of two functions, scaled; the first wraps.
-	 */
-	soft_span_function draw_scaled, scaled[2];
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
 	/*

@@ -61,12 +61,6 @@ static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)
 	return kind.finish == SOFT_MIXED;
 }
 
-/* Without a texture there is no first one of two. */
-static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
-{
-	return kind.finish == SOFT_SCALED && kind.textured;
-}
-
 static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
 {
 	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
@@ -114,7 +108,7 @@ static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
 static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 {
 	return (kind.linear || kind.still) && kind.format == TEXEL_565 &&
-		!kind.wide && !soft_is_scaled(kind);
+		!kind.wide;
 }
 
 /* How values change from pixel to pixel: struct soft_pixel's, in pairs. */
@@ -155,9 +149,7 @@ static ALWAYS_INLINE int soft_fraction(
 		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
 							   : 16 - bits;
 	}
-	return (soft_is_scaled(kind)                 ? 13 + 8 + 14 - 16
-			       : soft_is_mixed(kind) ? 13 + 14 - 16
-						     : 14) +
+	return (soft_is_mixed(kind) ? 13 + 14 - 16 : 14) +
 		soft_field(kind.format, channel).bits - bits;
 }
 
@@ -334,31 +326,6 @@ static ALWAYS_INLINE void soft_finish_texel(
 			soft_mix_half(&texel->four, false, kind.wide);
 	}
 #endif
-}
-
-/*
- * By a second texture's texel: channels become 8192 * 255 times what they are,
- * less than 2^31.
- */
-static ALWAYS_INLINE void soft_scale_texel(
-	struct soft_kind kind, uint32_t by, struct soft_texel *texel)
-{
-	const int up = soft_is_mixed(kind) ? 0 : 13;
-	uint32_t *c = texel->channel;
-
-	if (kind.format == TEXEL_8888) {
-		c[0] = texel->lanes.red_blue & 0xFFFF;
-		c[1] = texel->lanes.green_alpha & 0xFFFF;
-		c[2] = texel->lanes.red_blue >> 16;
-	}
-	c[0] = c[0] * (by & 255) << up;
-	c[1] = c[1] * (by >> 8 & 255) << up;
-	c[2] = c[2] * (by >> 16 & 255) << up;
-	if (kind.wide) {
-		uint32_t product = texel->alpha * (by >> 24) + 128;
-
-		texel->alpha = (product + (product >> 8)) >> 8;
-	}
 }
 
 #endif

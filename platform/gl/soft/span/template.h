@@ -3,9 +3,8 @@
  * function of a table is a call with constants of its own, in which the
  * compiler leaves nothing but what that function needs.
  *
- * A pixel: the depth test; the texel (nearest, or four mixed); times a second
- * texture's; times the colour; fog; the alpha test; depth, and the colour,
- * blended or not.
+ * A pixel: the depth test; the texel (nearest, or four mixed); times the
+ * colour; fog; the alpha test; depth, and the colour, blended or not.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
@@ -36,8 +35,7 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 		red = (int32_t)(rb & 0xFFFF);
 		green = (int32_t)(ga & 0xFFFF);
 		blue = (int32_t)(rb >> 16);
-	} else if (soft_is_scaled(kind) || soft_is_mixed(kind) ||
-		soft_is_aligned(kind)) {
+	} else if (soft_is_mixed(kind) || soft_is_aligned(kind)) {
 		red = WORD_BY_BOTTOM(c[0], rb, red);
 		green = WORD_BY_BOTTOM(c[1], ga, green);
 		blue = WORD_BY_TOP(c[2], rb, blue);
@@ -62,7 +60,6 @@ struct soft_constants {
 	uint32_t alpha_low, alpha_range;
 	uint32_t factors_base, factors_by;
 	uint32_t unseen;
-	uintptr_t second; /* of the row, and twice the depth's address less */
 };
 
 /* Given in 14 bits of fraction, or 8 bits. */
@@ -82,7 +79,7 @@ static ALWAYS_INLINE int32_t soft_find_fog(const struct soft_run *run,
 static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	const struct soft_run *run, struct soft_kind kind)
 {
-	struct soft_constants out = {.second = 0};
+	struct soft_constants out = {0};
 
 	if (soft_is_fogged(kind)) {
 		out.fog[0] = soft_find_fog(run, kind, SOFT_RED);
@@ -195,7 +192,7 @@ static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
 static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
 	const struct soft_texel *texel, uint32_t green_alpha)
 {
-	return soft_has_alpha(kind) || soft_is_scaled(kind)
+	return soft_has_alpha(kind)
 		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
 		: green_alpha >> 23;
 }
@@ -247,8 +244,7 @@ static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 	struct soft_color color;
 
 #ifdef HAS_COLOR_VECTORS
-	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind) &&
-		!soft_is_scaled(kind)) {
+	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind)) {
 		uint64_t lanes = vector_scale(texel->lanes.red_blue |
 				(uint64_t)texel->lanes.green_alpha << 32,
 			at->red_blue | (uint64_t)at->green_alpha << 32);
@@ -297,13 +293,6 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	} else if (kind.textured) {
 		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
 	}
-	if (soft_is_scaled(kind)) {
-		soft_finish_texel(kind, &texel);
-		soft_scale_texel(kind,
-			*(const uint32_t *)(constants->second +
-				2 * (uintptr_t)depth),
-			&texel);
-	}
 	if (soft_wants_alpha(kind)) {
 		alpha = kind.wide || soft_is_tested(kind)
 			? soft_find_alpha(kind, &texel, at->green_alpha)
@@ -322,9 +311,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		(soft_is_blended_freely(kind) && alpha == constants->unseen)) {
 		return;
 	}
-	if (!soft_is_scaled(kind)) {
-		soft_finish_texel(kind, &texel);
-	}
+	soft_finish_texel(kind, &texel);
 	if (kind.wide) {
 		const struct soft_lanes lanes =
 			soft_find_lanes(kind, constants, &texel, at);
@@ -391,8 +378,6 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 		steps->colors[1] =
 			(count > 1 ? run->green_alpha_right : 0) - 0x10000;
 	}
-	constants->second =
-		(uintptr_t)run->second + 4 * row->place - 2 * (uintptr_t)depth;
 	if (soft_counts_by_green(kind)) {
 		at.green_alpha &= soft_tests_texel(kind) ? 0xFFFF : UINT32_MAX;
 		at.green_alpha += (count - 1) << 16;

@@ -358,62 +358,6 @@ static void draw_made(const struct soft_run *given)
 	run->green_alpha_right = green_alpha_right;
 }
 
-/* The second texture's texels of all rows; false where all are hidden. */
-static bool sample_before(
-	struct soft_spans *spans, uint32_t *second, struct soft_row *row)
-{
-	struct soft_run *run = &spans->run;
-	uint32_t place = 0;
-
-	if (is_hidden(spans)) {
-		return false;
-	}
-	sample(run->draw, 1, second);
-	for (uint32_t i = 0; i < run->row_count; i++, row++) {
-		*row = run->rows[i];
-		row->place = place;
-		place += row->count;
-	}
-	run->second = second;
-	return true;
-}
-
-static void draw_scaled(const struct soft_run *given)
-{
-	struct soft_spans *spans = &given->draw->spans;
-	struct soft_run *run = &spans->run;
-	const struct soft_row *rows = run->rows;
-	uint32_t second[SOFT_BATCH_PIXELS];
-	struct soft_row row[SMALL_RUNS];
-
-	if (sample_before(spans, second, row)) {
-		run->rows = row;
-		spans->scaled[1](run);
-		run->rows = rows;
-	}
-}
-
-static void draw_scaled_across(const struct soft_run *given)
-{
-	struct soft_spans *spans = &given->draw->spans;
-	uint32_t second[SOFT_RUN_PIXELS];
-
-	if (sample_before(spans, second, &spans->run.row)) {
-		soft_cut_run(&spans->run, &spans->view, spans->scaled,
-			spans->pixel_log2);
-	}
-}
-
-void soft_prepare_second(struct soft_spans *spans)
-{
-	bool scaled = spans->finish == SOFT_SCALED;
-
-	spans->made_levels[1].level = -1;
-	spans->run.second = NULL;
-	spans->draw_scaled = scaled ? draw_scaled : NULL;
-	spans->draw_across = scaled ? draw_scaled_across : NULL;
-}
-
 static void prepare_combined(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -445,6 +389,7 @@ void soft_prepare_made(struct draw *draw)
 	}
 	spans->set_level = set_first_levels;
 	spans->made_levels[0].level = -1;
+	spans->made_levels[1].level = -1;
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;

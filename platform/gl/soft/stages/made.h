@@ -17,9 +17,6 @@ bool soft_mixes_levels(const struct texture_input *input);
 /* Once a draw call whose runs are made: after all else of struct soft_spans. */
 void soft_prepare_made(struct draw *draw);
 
-/* Once a draw call, when its finish is chosen: how the second texture is read. */
-void soft_prepare_second(struct soft_spans *spans);
-
 /* A texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int unit, int lod);
 

@@ -151,10 +151,5 @@ void soft_draw_across(struct soft_spans *spans)
 	const soft_span_function function[2] = {
 		spans->draw_anywhere, spans->draw};
 
-	if (spans->draw_across) {
-		spans->draw_across(&spans->run);
-	} else {
-		soft_cut_run(
-			&spans->run, &spans->view, function, spans->pixel_log2);
-	}
+	soft_cut_run(&spans->run, &spans->view, function, spans->pixel_log2);
 }

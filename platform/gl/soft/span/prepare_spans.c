@@ -167,43 +167,22 @@ static void choose_finish(struct draw *draw)
 		finish + (draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0));
 }
 
-static enum soft_depth_way choose_depth_way(const struct fragment_state *state)
-{
-	switch (state->depth_test ? state->depth_function : GL_ALWAYS) {
-	case GL_LESS:
-	case GL_LEQUAL:
-		return state->depth_mask ? SOFT_DEPTH_DIRECT : SOFT_DEPTH_ASIDE;
-	case GL_GREATER:
-	case GL_GEQUAL:
-		return SOFT_DEPTH_MIRRORED;
-	case GL_EQUAL:
-		return SOFT_DEPTH_EQUAL;
-	case GL_NOTEQUAL:
-		return SOFT_DEPTH_UNLIKE;
-	case GL_NEVER:
-		return SOFT_DEPTH_NEVER;
-	default:
-		return SOFT_DEPTH_FREE;
-	}
-}
-
 static void choose_tests(
 	const struct fragment_state *state, struct soft_spans *spans)
 {
-	const enum soft_depth_way way = choose_depth_way(state);
+	const GLenum function =
+		state->depth_test ? state->depth_function : GL_ALWAYS;
 
-	spans->depth_way = way;
-	spans->equal_passes = state->depth_test &&
-		(state->depth_function == GL_LEQUAL ||
-			state->depth_function == GL_GEQUAL);
-	spans->depth_written = state->depth_test && state->depth_mask &&
-		way != SOFT_DEPTH_EQUAL;
-	spans->marked = spans->blended_last ||
-		(spans->depth_written &&
-			(way == SOFT_DEPTH_UNLIKE ||
-				(way == SOFT_DEPTH_FREE && spans->alpha_tested)));
-	spans->direct = way == SOFT_DEPTH_DIRECT && !spans->stenciled &&
-		!spans->blended_last;
+	spans->equal_passes = function == GL_LEQUAL;
+	spans->depth_by_less = !spans->stenciled &&
+		(function == GL_LESS || function == GL_LEQUAL);
+	spans->depth_written = state->depth_test && state->depth_mask;
+	spans->tested_by_functions =
+		spans->depth_by_less && !spans->blended_last;
+	spans->direct = spans->tested_by_functions && spans->depth_written &&
+		spans->color_mask == UINT32_MAX;
+	spans->untested = function == GL_ALWAYS && !spans->depth_written &&
+		!spans->stenciled && spans->color_mask == UINT32_MAX;
 }
 
 /* The bits of pixels that are written; of RGB565 in both halves. */
@@ -396,7 +375,6 @@ static bool is_alpha_of_colors(const struct draw *draw)
 /* How long a run may be, and whether those of small triangles are listed. */
 static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 {
-	bool direct = spans->direct && spans->color_mask == UINT32_MAX;
 	/*
 	 * A step is off by half of 1/16384 in each column and row. White times
 	 * 255 leaves less room below 256 than times 31 below 32. Colours that
@@ -404,8 +382,8 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 	 */
 	bool wide = draw->soft->format == PIXELS_RGBA8888 && !spans->combined;
 
-	spans->plain_pixels =
-		direct && spans->finish == SOFT_OPAQUE && !spans->combined
+	spans->plain_pixels = spans->direct && spans->finish == SOFT_OPAQUE &&
+			!spans->combined
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
 	spans->longest = SOFT_RUN_PIXELS;
@@ -441,14 +419,8 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 	choose_making(draw);
 	spans->coverage.used = false;
-	choose_tests(state, spans);
-	spans->depth_by_less = !state->stencil.enabled && state->depth_test &&
-		(state->depth_function == GL_LESS ||
-			state->depth_function == GL_LEQUAL);
 	spans->color_mask = find_color_mask(draw->soft);
-	spans->untested = spans->depth_way == SOFT_DEPTH_FREE &&
-		!spans->depth_written && !spans->stenciled &&
-		spans->color_mask == UINT32_MAX;
+	choose_tests(state, spans);
 	choose_runs(draw, spans);
 	spans->run.stages = &spans->stages;
 	spans->run.draw = draw;

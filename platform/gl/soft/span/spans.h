@@ -16,17 +16,6 @@ enum {
 	SOFT_FOG_SCALE = 8402980
 };
 
-/* How runs are tested for depth, which span functions do by LESS and LEQUAL. */
-enum soft_depth_way {
-	SOFT_DEPTH_DIRECT, /* LESS, LEQUAL, written by the functions themselves */
-	SOFT_DEPTH_ASIDE,    /* LESS, LEQUAL, not written */
-	SOFT_DEPTH_MIRRORED, /* GREATER, GEQUAL: all depths are inverted */
-	SOFT_DEPTH_FREE,     /* no test, written or not */
-	SOFT_DEPTH_EQUAL,
-	SOFT_DEPTH_UNLIKE, /* NOTEQUAL */
-	SOFT_DEPTH_NEVER,
-};
-
 /*
  * The coordinates of a level from which no texel wraps around: counted from the
  * first ones and masked they are less than the rooms. None where the span
@@ -85,11 +74,11 @@ struct soft_spans {
 	bool rare;           /* either of them, or steep colours */
 	int32_t green_start; /* green_half, and the alpha that stays the same */
 	int color_tolerance; /* see rows_color_tolerance() */
-	enum soft_depth_way depth_way; /* where no stencil matters */
-	bool equal_passes;             /* LEQUAL, GEQUAL */
+	bool tested_by_functions; /* but they write depths, too */
+	bool equal_passes;        /* LEQUAL, else LESS is their depth test */
+	bool depth_by_less;       /* or LEQUAL: what is behind shows nothing */
 	bool depth_written;
-	bool marked; /* which fragments are drawn has to be known */
-	bool direct; /* the functions themselves do all tests, and blend */
+	bool direct; /* the functions themselves do all that fragments need */
 	bool stenciled, alpha_tested;
 	bool untested;   /* by depth or stencil, and no depth is written */
 	bool whole_rows; /* see soft_fill_untested() */
@@ -114,8 +103,6 @@ struct soft_spans {
 	/* the same, with the depth test before them that they do not do */
 	soft_span_function draw_anywhere, draw;
 	soft_span_function draw_tested; /* what untested.c does not draw */
-	/* draws runs that leave the window, unless they are only cut */
-	soft_span_function draw_across;
 	struct soft_view view;
 	struct soft_window window; /* of the triangle */
 	/*
@@ -129,9 +116,8 @@ struct soft_spans {
 	bool made, combined;
 	/* How made runs choose their level; NULL for all others. */
 	void (*set_level)(struct draw *draw, int lod);
-	bool multiplied;    /* made: the product of both textures */
-	bool depth_by_less; /* or by LEQUAL: what is behind shows nothing */
-	uint32_t white[2];  /* red_blue and green_alpha of a run */
+	bool multiplied;   /* made: the product of both textures */
+	uint32_t white[2]; /* red_blue and green_alpha of a run */
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
 	struct soft_made_at made_at;   /* of the first texture, in run */
@@ -149,8 +135,8 @@ struct soft_spans {
 bool soft_prepare_spans(struct draw *draw);
 
 /*
- * depth_ways.c: sets the functions that draw runs anywhere in the texture, and
- * inside of the window, with the depth test that they do not do by themselves.
+ * beside.c: sets the functions that draw runs anywhere in the texture, and
+ * inside of the window, with the tests that they do not do by themselves.
  */
 void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES]);

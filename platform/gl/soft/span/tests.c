@@ -47,8 +47,8 @@ static uint32_t count_equal(const uint8_t *value, uint32_t count)
 	return equal;
 }
 
-/* The depth test of fragments that the stencil lets through. */
-static ALWAYS_INLINE uint32_t test_by(GLenum function,
+/* Those pass of which the function is true, or if inverted those of the others. */
+static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
 	const struct soft_tested *tested, const uint16_t *depth,
 	uint16_t *passes)
 {
@@ -56,50 +56,54 @@ static ALWAYS_INLINE uint32_t test_by(GLenum function,
 
 	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
 		uint32_t own = z >> 16, there = depth[i];
-		bool near = function == GL_LESS ? own < there
-			: function == GL_LEQUAL
-			? own <= there
-			: soft_compares(function, own, there);
+		uint32_t near = inverted ^
+			(function == GL_LESS                    ? own < there
+					: function == GL_LEQUAL ? own <= there
+								: own == there);
 
 		passes[i] = (uint16_t)-near;
 		any |= near;
 	}
-	return any;
+	return any != 0;
 }
 
-static uint32_t test_depths(const struct fragment_state *state,
+/* The depth test of fragments that the stencil lets through. */
+static bool test_depths(const struct fragment_state *state,
 	const struct soft_tested *tested, const uint16_t *depth,
 	uint16_t *passes)
 {
 	const GLenum function =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
+	/* GL_GREATER to GL_ALWAYS are the opposites of GL_LEQUAL to GL_NEVER. */
+	const bool inverted = function >= GL_GREATER;
 
-	switch (function) {
-	case GL_ALWAYS:
-		memset(passes, 0xFF, tested->count * sizeof(*passes));
-		return 1;
+	switch (inverted ? GL_NEVER + GL_ALWAYS - function : function) {
 	case GL_LESS:
-		return test_by(GL_LESS, tested, depth, passes);
+		return test_by(GL_LESS, inverted, tested, depth, passes);
 	case GL_LEQUAL:
-		return test_by(GL_LEQUAL, tested, depth, passes);
+		return test_by(GL_LEQUAL, inverted, tested, depth, passes);
+	case GL_EQUAL:
+		return test_by(GL_EQUAL, inverted, tested, depth, passes);
 	default:
-		return test_by(function, tested, depth, passes);
+		memset(passes, inverted ? 0xFF : 0,
+			tested->count * sizeof(*passes));
+		return inverted;
 	}
 }
 
-/* Of fragments whose stencil values are equal; 0 where none passes. */
-static uint32_t test_stencil(struct soft *soft,
-	const struct soft_tested *tested, uint8_t *stencil, uint16_t *passes)
+/* Of fragments whose stencil values are equal; false where none passes. */
+static bool test_stencil(struct soft *soft, const struct soft_tested *tested,
+	uint8_t *stencil, uint16_t *passes)
 {
 	const struct fragment_state *state = &soft->fragment;
 	const struct stencil *s = &state->stencil;
 	const uint8_t old = *stencil;
-	uint32_t any;
+	bool any;
 
-	if (!soft_stencil_passes(s, old)) {
+	if (!soft_compares(s->function, s->reference & s->mask, old & s->mask)) {
 		memset(stencil, apply_stencil(s, s->fail, old), tested->count);
 		memset(passes, 0, tested->count * sizeof(*passes));
-		return 0;
+		return false;
 	}
 	any = test_depths(
 		state, tested, soft->buffers.depth + tested->place, passes);
@@ -114,28 +118,17 @@ static uint32_t test_stencil(struct soft *soft,
 	return any;
 }
 
-bool soft_stencil_keeps(const struct soft *soft, size_t place, uint32_t count)
-{
-	const struct stencil *s = &soft->fragment.stencil;
-	const uint8_t *stencil = soft->buffers.stencil;
-
-	return !stencil ||
-		(s->pass == GL_KEEP && s->depth_fail == GL_KEEP &&
-			soft_stencil_passes(s, stencil[place]) &&
-			count_equal(stencil + place, count) == count);
-}
-
 bool soft_test(
 	struct soft *soft, const struct soft_tested *tested, uint16_t *passes)
 {
 	const struct fragment_state *state = &soft->fragment;
 	uint8_t *stencil = soft->buffers.stencil;
 	struct soft_tested piece = *tested;
-	uint32_t any = 0;
+	bool any = false;
 
 	if (!state->stencil.enabled || !stencil) {
 		return test_depths(state, tested,
-			       soft->buffers.depth + tested->place, passes) != 0;
+			soft->buffers.depth + tested->place, passes);
 	}
 	for (uint32_t left = tested->count; left > 0; left -= piece.count) {
 		uint8_t *at = stencil + piece.place;
@@ -146,5 +139,5 @@ bool soft_test(
 		piece.place += piece.count;
 		piece.z += piece.z_right * piece.count;
 	}
-	return any != 0;
+	return any;
 }

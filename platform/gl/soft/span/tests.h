@@ -17,16 +17,6 @@ struct soft_tested {
 	uint32_t z, z_right; /* 16.16 */
 };
 
-/* Whether the stencil test lets a fragment through where this value is. */
-static inline bool soft_stencil_passes(const struct stencil *s, uint8_t value)
-{
-	return soft_compares(
-		s->function, s->reference & s->mask, value & s->mask);
-}
-
-/* Whether the stencil test passes all of these pixels, and changes none. */
-bool soft_stencil_keeps(const struct soft *soft, size_t place, uint32_t count);
-
 /*
  * Tests fragments, and writes the stencil, but no depths. Those that pass get
  * 65535, the others 0. False where none passes.

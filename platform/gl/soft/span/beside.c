@@ -1,0 +1,317 @@
+/*
+ * Runs with tests that the span functions do not do, or that are blended in
+ * another way: drawn with depths, and pixels, beside the buffers.
+ */
+#include "platform/gl/soft/raster/small_list.h"
+#include "platform/gl/soft/span/tests.h"
+#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/stages/blend_row.h"
+
+/* Which depths the runs of a call are drawn with. */
+enum depths {
+	COPIED, /* those that are there, which the function tests */
+	TESTED, /* 65535 where a fragment passes all tests, else 0 */
+	LAST,   /* 65535: an alpha test comes before the stencil's */
+};
+
+/* The runs of one call, drawn with depths beside the buffer. */
+struct batch {
+	struct draw *draw;
+	const struct soft_row *from; /* as they are */
+	uint32_t count;
+	enum depths depths;
+	struct soft_row row[SMALL_RUNS]; /* as the function gets them */
+	/* Depths that differ afterwards are those of fragments that are drawn. */
+	uint16_t aside[SOFT_BATCH_PIXELS], before[SOFT_BATCH_PIXELS];
+	uint32_t own[SOFT_BATCH_PIXELS];
+};
+
+static const struct soft_row *end_of(const struct soft_run *run)
+{
+	return run->rows + run->row_count;
+}
+
+static struct soft_tested find_tested(
+	const struct draw *draw, const struct soft_row *row)
+{
+	return (struct soft_tested){
+		.place = (size_t)(row->depth - draw->soft->buffers.depth),
+		.count = row->count,
+		.z = row->z,
+		.z_right = draw->spans.run.z_right,
+	};
+}
+
+/* Gives a run its depths; false where no fragment passes. */
+static bool set_aside(const struct batch *batch, const struct soft_row *from,
+	struct soft_row *row)
+{
+	struct soft_tested tested;
+
+	switch (batch->depths) {
+	case COPIED:
+		memcpy(row->depth, from->depth, row->count * 2);
+		return true;
+	case LAST:
+		row->z = 0;
+		memset(row->depth, 0xFF, row->count * 2);
+		return true;
+	default:
+		row->z = 0;
+		tested = find_tested(batch->draw, from);
+		return soft_test(batch->draw->soft, &tested, row->depth);
+	}
+}
+
+static bool begin_batch(struct batch *batch)
+{
+	uint16_t *aside = batch->aside;
+	bool any = false;
+
+	for (uint32_t i = 0; i < batch->count; i++) {
+		struct soft_row *row = &batch->row[i];
+
+		*row = batch->from[i];
+		row->depth = aside;
+		any |= set_aside(batch, &batch->from[i], row);
+		aside += row->count;
+	}
+	if (batch->depths != COPIED) {
+		memcpy(batch->before, batch->aside,
+			(size_t)((uint8_t *)aside - (uint8_t *)batch->aside));
+	}
+	return any;
+}
+
+/* Draws beside the picture what is to be blended, or to be tested. */
+static void begin_pixels(struct batch *batch)
+{
+	const struct soft_spans *spans = &batch->draw->spans;
+	uint8_t *own = (uint8_t *)batch->own;
+
+	for (uint32_t i = 0; i < batch->count; i++) {
+		struct soft_row *row = &batch->row[i];
+
+		if (!spans->blended_last) {
+			memcpy(own, row->pixel, row->count << spans->pixel_log2);
+		}
+		row->pixel = own;
+		own += row->count * 4;
+	}
+}
+
+static void draw_batch(struct batch *batch, soft_span_function function)
+{
+	struct soft_run *run = &batch->draw->spans.run;
+	const uint32_t z_right = run->z_right;
+
+	run->rows = batch->row;
+	run->z_right = batch->depths == COPIED ? z_right : 0;
+	function(run);
+	run->rows = batch->from;
+	run->z_right = z_right;
+}
+
+/*
+ * With an alpha test a stencil is tested last: fragments that fail the former
+ * must not touch it.
+ */
+static void test_drawn(const struct batch *batch, uint32_t i,
+	const uint16_t *before, uint16_t *aside)
+{
+	struct soft_tested one = find_tested(batch->draw, &batch->from[i]);
+	uint32_t count = one.count;
+	uint16_t passes;
+
+	one.count = 1;
+	for (; count > 0; count--, before++, aside++, one.place++) {
+		if (*before != *aside &&
+			!soft_test(batch->draw->soft, &one, &passes)) {
+			*aside = *before;
+		}
+		one.z += one.z_right;
+	}
+}
+
+/* Takes the pixels beside the picture that are drawn. */
+static void copy_drawn(const struct soft_row *row, const uint8_t *own,
+	int pixel_log2, const uint16_t *before, const uint16_t *aside)
+{
+	for (uint32_t i = 0; i < row->count; i++) {
+		if (before[i] != aside[i]) {
+			memcpy(row->pixel + (i << pixel_log2),
+				own + (i << pixel_log2),
+				(size_t)1 << pixel_log2);
+		}
+	}
+}
+
+/* Writes depths of the fragments that are drawn. */
+static void write_depths(const struct soft_row *row, uint32_t z_right,
+	const uint16_t *before, const uint16_t *aside)
+{
+	uint32_t z = row->z;
+
+	for (uint32_t i = 0; i < row->count; i++, z += z_right) {
+		if (before[i] != aside[i]) {
+			row->depth[i] = (uint16_t)(z >> 16);
+		}
+	}
+}
+
+static void end_batch(struct batch *batch)
+{
+	const struct draw *draw = batch->draw;
+	const struct soft_spans *spans = &draw->spans;
+	uint16_t *before = batch->before, *aside = batch->aside;
+
+	for (uint32_t i = 0; i < batch->count; i++) {
+		const struct soft_row *from = &batch->from[i];
+		const uint8_t *own = batch->row[i].pixel;
+
+		if (batch->depths == LAST) {
+			test_drawn(batch, i, before, aside);
+		}
+		if (spans->blended_last) {
+			soft_blend_row(draw, from, own, before, aside);
+		} else if (batch->depths == LAST) {
+			copy_drawn(from, own, spans->pixel_log2, before, aside);
+		}
+		if (spans->depth_written) {
+			write_depths(from, spans->run.z_right, before, aside);
+		}
+		before += from->count;
+		aside += from->count;
+	}
+}
+
+/* Those whose depth test is the state's. */
+static const soft_span_function *testing_functions(
+	const struct soft_spans *spans)
+{
+	return spans->function + (spans->equal_passes ? SOFT_LEQUAL : 0);
+}
+
+static NEVER_INLINE void draw_beside(struct draw *draw, enum soft_place place)
+{
+	const struct soft_spans *spans = &draw->spans;
+	struct batch batch;
+
+	batch.draw = draw;
+	batch.from = spans->run.rows;
+	batch.count = spans->run.row_count;
+	batch.depths = spans->tested_by_functions         ? COPIED
+		: spans->stenciled && spans->alpha_tested ? LAST
+							  : TESTED;
+	if (!begin_batch(&batch)) {
+		return;
+	}
+	if (batch.depths == LAST || spans->blended_last) {
+		begin_pixels(&batch);
+	}
+	if (batch.depths == COPIED) {
+		draw_batch(&batch, testing_functions(spans)[place]);
+	} else {
+		draw_batch(&batch, spans->function[place]);
+		end_batch(&batch);
+	}
+}
+
+static void draw_tested(struct draw *draw, enum soft_place place)
+{
+	struct soft_spans *spans = &draw->spans;
+
+	if (spans->tested_by_functions && spans->depth_written) {
+		testing_functions(spans)[place](&spans->run);
+	} else {
+		draw_beside(draw, place);
+	}
+}
+
+/* Takes back what the mask does not let through. */
+static void restore(
+	uint8_t *pixel, const uint8_t *old, uint32_t bytes, uint32_t mask)
+{
+	for (; bytes >= 4; bytes -= 4, pixel += 4, old += 4) {
+		uint32_t from = load_32(old);
+		uint32_t to = from ^ ((from ^ load_32(pixel)) & mask);
+
+		memcpy(pixel, &to, sizeof(to));
+	}
+	if (bytes > 0) {
+		uint32_t from = load_16(old);
+
+		store_16(pixel,
+			(uint16_t)(from ^ ((from ^ load_16(pixel)) & mask)));
+	}
+}
+
+static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct soft_run *run = &spans->run;
+	uint32_t own[SOFT_BATCH_PIXELS], *old = own;
+
+	for (const struct soft_row *row = run->rows; row < end_of(run); row++) {
+		memcpy(old, row->pixel, row->count << spans->pixel_log2);
+		old += row->count;
+	}
+	draw_tested(draw, place);
+	old = own;
+	for (const struct soft_row *row = run->rows; row < end_of(run); row++) {
+		restore(row->pixel, (const uint8_t *)old,
+			row->count << spans->pixel_log2, spans->color_mask);
+		old += row->count;
+	}
+}
+
+/* As a span function: with all that these do not do themselves. */
+static void draw_other(const struct soft_run *run, enum soft_place place)
+{
+	if (run->draw->spans.color_mask != UINT32_MAX) {
+		draw_masked(run->draw, place);
+	} else {
+		draw_tested(run->draw, place);
+	}
+}
+
+static void draw_anywhere(const struct soft_run *run)
+{
+	draw_other(run, SOFT_ANYWHERE);
+}
+
+static void draw_inside(const struct soft_run *run)
+{
+	draw_other(run, SOFT_INSIDE);
+}
+
+/* Where nothing is tested whole rows may be known. */
+static void set_untested(struct soft_spans *spans)
+{
+	spans->draw_tested = spans->draw;
+	if (spans->function == soft_spans_565[SOFT_NO_TEXTURE][SOFT_OPAQUE]) {
+		spans->draw = soft_fill_untested;
+		spans->plain_pixels = SOFT_PLAIN_PIXELS;
+		spans->whole_rows = true;
+	} else if (spans->function ==
+		soft_spans_565[SOFT_NEAREST + TEXEL_565 - 1][SOFT_OPAQUE]) {
+		spans->draw = soft_copy_untested;
+		spans->whole_rows = true;
+	}
+}
+
+void soft_set_functions(struct soft_spans *spans,
+	const soft_span_function function[SOFT_PLACES])
+{
+	spans->function = function;
+	spans->whole_rows = false;
+	spans->draw_anywhere = draw_anywhere;
+	spans->draw = draw_inside;
+	if (spans->direct) {
+		spans->draw_anywhere = testing_functions(spans)[SOFT_ANYWHERE];
+		spans->draw = testing_functions(spans)[SOFT_INSIDE];
+	}
+	if (spans->untested) {
+		set_untested(spans);
+	}
+}

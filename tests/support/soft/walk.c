@@ -165,21 +165,6 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	draw_linear(draw, y, x, right, from.value);
 }
 
-/* A colour runs from one end to the other, both in range. */
-static void place_bent(
-	struct draw *draw, int name, int row, int x, int count, int32_t *value)
-{
-	struct raster *raster = &draw->raster;
-	struct bent at = rows_find_bent(
-		raster, name, raster->plane[name].start, row, x, count);
-
-	if (name < TEX_S) {
-		at = rows_limit_bent(at, count, draw->inverse_q31[count]);
-	}
-	*value = at.value;
-	raster->span.step[name] = at.step;
-}
-
 /* As row_bent() in walk.c. */
 static void row_bent(struct draw *draw, int y, int left, int right)
 {
@@ -194,12 +179,15 @@ static void row_bent(struct draw *draw, int y, int left, int right)
 		for (int n = 0; n < raster->moving_count; n++) {
 			int i = raster->moving[n];
 
-			if (rows_is_bent(raster, i)) {
-				place_bent(draw, i, row, x, count, &value[i]);
-			} else {
-				value[i] = (int32_t)plane_at(raster, i, x);
-				raster->span.step[i] = raster->plane[i].dx;
+			struct bent at = {(int32_t)plane_at(raster, i, x),
+				raster->plane[i].dx};
+
+			if (i >= TEX_S) {
+				at = rows_find_bent(raster, i,
+					raster->plane[i].start, row, x, count);
 			}
+			value[i] = at.value;
+			raster->span.step[i] = at.step;
 		}
 		draw_run(draw, y, x, count, value);
 	}

@@ -29,8 +29,7 @@ static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
 
 /*
  * What is left out of a value that changes by spread along an edge: spread
- * ratio^2 / 5 at most. A quarter of a texel and a step of 255 are 256 / 4 and
- * 256.
+ * ratio^2 / 5 at most. A quarter of a texel is 256 / 4.
  */
 static bool is_exact(
 	const int32_t ratio[3], const struct perspective *perspective)
@@ -41,8 +40,7 @@ static bool is_exact(
 
 	most = c > most ? c : most;
 	most = most * most >> 16;
-	return (uint64_t)perspective->texel * most <= 5u << 22 &&
-		(uint64_t)perspective->color * most <= 5u << 24;
+	return (uint64_t)perspective->texel * most <= 5u << 22;
 }
 
 /* One step by another: Q29 by Q29. */
@@ -123,18 +121,18 @@ static void bend_plane(struct raster *raster, const struct setup *setup,
 		add_up(products->xy, f01, f02, g),
 		add_up(products->yy, f01, f02, g)};
 	raster_set_small_plane(&raster->basis, setup, &bent, plane);
-	plane->start += name >= TEX_S ? TEXEL_NUDGE : 0;
+	plane->start += TEXEL_NUDGE;
 	move_bend(&raster->basis, plane, bend);
 }
 
 /* Across n pixels what bends is off a straight line by n^2 xx / 4. */
-static bool is_straight(const struct raster *raster, int name, int columns,
-	int pixels, int log2_allowed)
+static bool is_straight(
+	const struct raster *raster, int name, int columns, int pixels)
 {
 	uint32_t n = (uint32_t)(columns < pixels ? columns : pixels);
 
-	return (uint64_t)raster_size(raster->bend[name].xx) * n * n <= 4u
-		<< log2_allowed;
+	/* half a texel */
+	return (uint64_t)raster_size(raster->bend[name].xx) * n * n <= 4 << 15;
 }
 
 bool soft_bend(struct draw *draw, const struct setup *setup,
@@ -157,18 +155,14 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 	for (int i = 0; i < raster->moving_count; i++) {
 		int name = raster->moving[i];
 
-		if (rows_is_bent(raster, name)) {
-			int allowed = name >= TEX_S
-				? 15 /* half a texel */
-				: 12 + rows_color_tolerance(draw);
-
-			bend_plane(raster, setup, &products, ratio, &delta[i],
-				name);
-			while (raster->bent_pixels > PERSPECTIVE_STEP &&
-				!is_straight(raster, name, setup->columns,
-					raster->bent_pixels, allowed)) {
-				raster->bent_pixels /= 2;
-			}
+		if (name < TEX_S) {
+			continue;
+		}
+		bend_plane(raster, setup, &products, ratio, &delta[i], name);
+		while (raster->bent_pixels > PERSPECTIVE_STEP &&
+			!is_straight(raster, name, setup->columns,
+				raster->bent_pixels)) {
+			raster->bent_pixels /= 2;
 		}
 	}
 	return true;

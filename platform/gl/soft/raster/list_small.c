@@ -83,8 +83,7 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	struct frame frame;
 	int tolerance = draw->spans.color_tolerance;
 	uint32_t color = find_color_spread(draw, setup);
-	struct perspective perspective = {
-		w_spread, w_least, 0, color >> (tolerance - 2)};
+	struct perspective perspective = {w_spread, w_least, 0};
 	const int count = draw->texture[1].used ? 4 : 2;
 	struct delta delta[2 * SOFT_UNITS];
 
@@ -112,7 +111,6 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	raster->basis = (struct basis){frame.inverse, frame.shift, frame.off_x,
 		frame.off_y, frame.column};
 	raster->moving_count = count;
-	raster->colors_bent = false;
 	return w_spread <= w_least &&
 		soft_bend(draw, setup, delta, &perspective);
 }

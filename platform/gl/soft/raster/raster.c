@@ -110,20 +110,23 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 	}
 }
 
-/* The most that colours, and texels, differ by, into perspective. */
-static void find_spreads(const struct raster *raster, int32_t (*value)[3],
+/* The most that colours differ by, and texels, into perspective. */
+static uint32_t find_spreads(const struct raster *raster, int32_t (*value)[3],
 	struct perspective *perspective)
 {
+	uint32_t color = 0;
+
 	for (int i = 0; i < raster->moving_count; i++) {
 		uint32_t own = spread(value[i]);
-		uint32_t *most = raster->moving[i] < TEX_S ? &perspective->color
-							   : &perspective->texel;
+		uint32_t *most =
+			raster->moving[i] < TEX_S ? &color : &perspective->texel;
 
 		*most = own > *most ? own : *most;
 	}
+	return color;
 }
 
-/* Whether values bend, in a small triangle, instead of being divided. */
+/* Whether texels bend, in a small triangle, instead of being divided. */
 static bool bend(struct draw *draw, const struct setup *setup,
 	int32_t (*value)[3], const struct perspective *perspective)
 {
@@ -140,30 +143,22 @@ static bool bend(struct draw *draw, const struct setup *setup,
 	return soft_bend(draw, setup, delta, perspective);
 }
 
-/* What bends, or has to be divided: everything, or texels alone, or nothing. */
+/* What has to be divided: everything, or texels alone unless they bend, or nothing. */
 static void find_perspective(
 	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
 {
 	struct raster *raster = &draw->raster;
 	const struct vertex *const *v = setup->v;
 	const int32_t w[3] = {v[0]->clip[3], v[1]->clip[3], v[2]->clip[3]};
-	const int tolerance = rows_color_tolerance(draw);
 	struct perspective perspective = {.w_spread = spread(w),
 		.w_least = (uint32_t)raster_least(w[0], w[1], w[2])};
-	bool colors;
+	uint32_t color = find_spreads(raster, value, &perspective);
 
-	find_spreads(raster, value, &perspective);
-	colors = raster_bends(&perspective, perspective.color, tolerance);
-	if (!colors && !raster_bends(&perspective, perspective.texel, 0)) {
-		return;
-	}
-	perspective.color >>= tolerance - 2;
-	raster->colors_bent = colors;
-	if (!bend(draw, setup, value, &perspective)) {
-		raster->colors_bent = false;
-		raster->colors_divided = colors;
-		raster->perspective = true;
-	}
+	raster->colors_divided =
+		raster_bends(&perspective, color, rows_color_tolerance(draw));
+	raster->perspective = raster->colors_divided ||
+		(raster_bends(&perspective, perspective.texel, 0) &&
+			!bend(draw, setup, value, &perspective));
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
@@ -245,7 +240,6 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	raster->perspective = false;
 	raster->colors_divided = false;
 	raster->bent = false;
-	raster->colors_bent = false;
 	if (draw->perspective && count > 0) {
 		find_perspective(draw, setup, value);
 	}
@@ -259,7 +253,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 
 		if (rows_is_divided(raster, name)) {
 			set_perspective(draw, setup, value[i], q, name);
-		} else if (!rows_is_bent(raster, name)) {
+		} else if (name < TEX_S || !raster->bent) {
 			set_affine(draw, setup, value[i], name);
 			raster->plane[name].start +=
 				name >= TEX_S ? TEXEL_NUDGE : 0;

@@ -143,9 +143,7 @@ static ALWAYS_INLINE void raster_set_small_plane(const struct basis *basis,
 /* How far a triangle is in perspective. */
 struct perspective {
 	uint32_t w_spread, w_least;
-	/* the largest spread of texels in 256ths, and of colours so that 256 of
-	 * it are as bad as 256 of those */
-	uint32_t texel, color;
+	uint32_t texel; /* the largest spread of texels in 256ths */
 };
 
 /*
@@ -162,9 +160,9 @@ static ALWAYS_INLINE bool raster_bends(
 
 /*
  * bend.c: of a small triangle whose w is at most twice as large in one corner
- * as in another, bends the values of raster->moving instead of dividing them.
- * False where that is not exact enough: by a quarter of a texel and a step of
- * 255.
+ * as in another, bends texture coordinates instead of dividing them. False
+ * where that is off by more than a quarter of a texel. delta are those of
+ * raster->moving.
  */
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], const struct perspective *perspective);

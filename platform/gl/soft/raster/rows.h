@@ -20,12 +20,6 @@ static ALWAYS_INLINE bool rows_is_divided(const struct raster *raster, int name)
 	return name >= TEX_S ? raster->perspective : raster->colors_divided;
 }
 
-/* Whether it has a bend besides. */
-static ALWAYS_INLINE bool rows_is_bent(const struct raster *raster, int name)
-{
-	return name >= TEX_S ? raster->bent : raster->colors_bent;
-}
-
 /* A value, and its step to where it leads count pixels from there. */
 struct bent {
 	int32_t value, step;
@@ -135,19 +129,6 @@ static ALWAYS_INLINE int rows_find_run_pixels(
 				(uint32_t)t_step + most <= 2 * most)
 		? draw->spans.longest
 		: SOFT_RUN_PIXELS / 2;
-}
-
-/* A colour so that it is in range at both ends; inverse as above. */
-static ALWAYS_INLINE struct bent rows_limit_bent(
-	struct bent at, int count, int32_t inverse)
-{
-	int32_t to = (int32_t)((uint32_t)at.value +
-		(uint32_t)at.step * (uint32_t)count);
-
-	at.value = clamp_int(at.value, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
-	to = clamp_int(to, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
-	at.step = rows_find_step(at.value, to, inverse);
-	return at;
 }
 
 /* The levels of detail of a triangle that is linear all over. */

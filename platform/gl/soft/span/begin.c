@@ -76,7 +76,7 @@ static void set_constants(struct draw *draw, uint32_t moving)
 		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
 			(int32_t)value[BLUE]);
 		set_color_steps(spans, &(struct colors){0});
-	} else if (!raster->colors_divided && !raster->colors_bent) {
+	} else if (!raster->colors_divided) {
 		spans->steep = is_steep(raster->plane, moving);
 		spans->rare =
 			spans->steep || spans->alpha_moves || spans->fog_moves;
@@ -91,7 +91,7 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 	const struct raster *raster = &draw->raster;
 	const struct plane *plane = raster->plane;
 
-	if (moving && !raster->colors_divided && !raster->colors_bent) {
+	if (moving && !raster->colors_divided) {
 		set_color_steps(&draw->spans,
 			&(struct colors){plane[RED].dx, plane[GREEN].dx,
 				plane[BLUE].dx, plane[ALPHA].dx, plane[FOG].dx});
@@ -137,7 +137,6 @@ static void add_plane(struct draw *draw, int name)
 		*plane = share_plane(&raster->basis, &raster->plane[INVERSE_W],
 			(int64_t)(value >> 8));
 	}
-	raster->bend[name] = (struct bend){0};
 	raster->moving[raster->moving_count++] = name;
 }
 

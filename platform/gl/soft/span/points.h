@@ -12,7 +12,7 @@
 struct walk_kind {
 	bool textured, colored;
 	bool texels_divided, colors_divided;
-	bool texels_bent, colors_bent;
+	bool texels_bent;
 };
 
 struct row_point {

@@ -171,36 +171,6 @@ static ALWAYS_INLINE struct bent find_bent(
 		count);
 }
 
-static struct bent find_bent_color(
-	const struct line *line, int name, int x, int count)
-{
-	return rows_limit_bent(find_bent(line, name, x, count), count,
-		line->draw->inverse_q31[count]);
-}
-
-static NEVER_INLINE void place_bent_colors(
-	const struct line *line, int x, int count)
-{
-	struct soft_spans *spans = &line->draw->spans;
-	struct bent red = find_bent_color(line, RED, x, count);
-	struct bent green = find_bent_color(line, GREEN, x, count);
-	struct bent blue = find_bent_color(line, BLUE, x, count);
-	struct bent alpha = {0, 0}, fog = {0, 0};
-
-	if (spans->alpha_moves) {
-		alpha = find_bent_color(line, ALPHA, x, count);
-	}
-	if (spans->fog_moves) {
-		fog = find_bent_color(line, FOG, x, count);
-	}
-	set_color_steps(spans,
-		&(struct colors){
-			red.step, green.step, blue.step, alpha.step, fog.step});
-	set_colors(spans, red.value, green.value, blue.value);
-	set_more_colors(spans,
-		&(struct colors){.alpha = alpha.value, .fog = fog.value});
-}
-
 static ALWAYS_INLINE void row_bent(
 	const struct line *line, const struct walk_kind kind, int x, int right)
 {
@@ -210,18 +180,14 @@ static ALWAYS_INLINE void row_bent(
 	for (; x < right; x += most) {
 		int count = right - x < most ? right - x : most;
 
-		if (kind.textured) {
-			struct bent s = find_bent(line, TEX_S, x, count);
-			struct bent t = find_bent(line, TEX_S + 1, x, count);
-			const struct texels at = {s.value, t.value};
-			const struct texels step = {s.step, t.step};
+		const struct bent s = find_bent(line, TEX_S, x, count);
+		const struct bent t = find_bent(line, TEX_S + 1, x, count);
+		const struct texels at = {s.value, t.value};
+		const struct texels step = {s.step, t.step};
 
-			soft_set_texel_steps(spans, step);
-			soft_set_texels(spans, at, step, (uint32_t)count);
-		}
-		if (kind.colors_bent) {
-			place_bent_colors(line, x, count);
-		} else if (kind.colored) {
+		soft_set_texel_steps(spans, step);
+		soft_set_texels(spans, at, step, (uint32_t)count);
+		if (kind.colored) {
 			place_colors(line, x, count);
 		}
 		draw_run(line, kind, x, count);
@@ -246,7 +212,7 @@ static ALWAYS_INLINE void walk_part(struct line *line,
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
-			if (kind.texels_bent || kind.colors_bent) {
+			if (kind.texels_bent) {
 				row_bent(line, kind, left, right);
 			} else if (kind.texels_divided || kind.colors_divided) {
 				row_divided(line, kind, left, right);
@@ -315,12 +281,8 @@ WALK(colored_by_texels, .textured = true, .colored = true,
 	.texels_divided = true)
 WALK(colored_divided, .textured = true, .colored = true, .texels_divided = true,
 	.colors_divided = true)
-WALK(plain_bent, .colored = true, .colors_bent = true)
 WALK(still_bent, .textured = true, .texels_bent = true)
-WALK(colored_by_texels_bent, .textured = true, .colored = true,
-	.texels_bent = true)
-WALK(colored_bent, .textured = true, .colored = true, .texels_bent = true,
-	.colors_bent = true)
+WALK(colored_bent, .textured = true, .colored = true, .texels_bent = true)
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
@@ -331,18 +293,16 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	moving = soft_begin_walk(draw);
 	soft_begin_steps(draw, moving);
 	if (!draw->spans.textured) {
-		(!moving                              ? walk_plain_still
-				: raster->colors_bent ? walk_plain_bent
-				: divided             ? walk_plain_divided
+		(!moving                  ? walk_plain_still
+				: divided ? walk_plain_divided
 					  : walk_plain)(draw, setup);
 	} else if (!moving) {
 		(bent                     ? walk_still_bent
 				: divided ? walk_still_divided
 					  : walk_still)(draw, setup);
-	} else if (raster->colors_bent || raster->colors_divided) {
-		(bent ? walk_colored_bent : walk_colored_divided)(draw, setup);
 	} else {
-		(bent                     ? walk_colored_by_texels_bent
+		(bent                                    ? walk_colored_bent
+				: raster->colors_divided ? walk_colored_divided
 				: divided ? walk_colored_by_texels
 					  : walk_colored)(draw, setup);
 	}

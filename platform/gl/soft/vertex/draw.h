@@ -157,10 +157,9 @@ struct raster {
 	struct plane plane[PLANES];
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */
-	/* texture coordinates bend instead, and colours too; see bend.c */
-	bool bent, colors_bent;
-	int bent_pixels; /* that run linearly then, at most */
-	struct bend bend[ATTRIBUTES];
+	bool bent;           /* texture coordinates bend instead; see bend.c */
+	int bent_pixels;     /* that run linearly then, at most */
+	struct bend bend[ATTRIBUTES];  /* of texture coordinates */
 	int middle_column, middle_row; /* of the triangle then */
 	/* the least and the largest, in 1/256 of texels */
 	int32_t texel_range[2 * SOFT_UNITS][2];

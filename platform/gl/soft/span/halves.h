@@ -6,6 +6,7 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_HALVES_H
 #define PLATFORM_GL_SOFT_SPAN_HALVES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 

@@ -18,45 +18,26 @@ enum {
 
 /*
  * Of the alpha test: fragments whose alpha is low to low + range pass, modulo
- * 256. False where none does.
+ * 256. False where none does. The bits of a function tell whether less, equal
+ * or greater passes.
  */
 static bool find_alpha_range(
 	const struct fragment_state *state, struct soft_fragment_stages *stages)
 {
-	uint32_t reference = (uint32_t)soft_byte(state->alpha_reference);
-	uint32_t low = 0, range = 255;
+	const GLenum function =
+		state->alpha_test ? state->alpha_function : GL_ALWAYS;
+	const uint32_t reference = (uint32_t)soft_byte(state->alpha_reference);
+	const bool less = function & 1, equal = function & 2;
+	const bool greater = function & 4;
+	const uint32_t count = (less ? reference : 0) + equal +
+		(greater ? 255 - reference : 0);
 
-	switch (state->alpha_test ? state->alpha_function : GL_ALWAYS) {
-	case GL_LESS:
-		range = reference - 1;
-		break;
-	case GL_EQUAL:
-		low = reference;
-		range = 0;
-		break;
-	case GL_LEQUAL:
-		range = reference;
-		break;
-	case GL_GREATER:
-		low = reference + 1;
-		range = 254 - reference;
-		break;
-	case GL_NOTEQUAL:
-		low = (reference + 1) & 255;
-		range = 254;
-		break;
-	case GL_GEQUAL:
-		low = reference;
-		range = 255 - reference;
-		break;
-	case GL_NEVER:
-		return false;
-	default:
-		break;
-	}
-	stages->alpha_low = low;
-	stages->alpha_range = range;
-	return range <= 255;
+	stages->alpha_low = (less && (equal || !greater) ? 0
+					    : equal      ? reference
+							 : reference + 1) &
+		255;
+	stages->alpha_range = count - 1;
+	return count > 0;
 }
 
 static bool is_tested(const struct fragment_state *state)

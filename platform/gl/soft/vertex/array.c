@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "platform/base/scalar.h"
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/halves.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -26,14 +27,6 @@ static struct element find_element(
 		return (struct element){(const uint8_t *)current, GL_FIXED};
 	}
 	return (struct element){element_at(array, index), array->type};
-}
-
-static uint32_t load_bits(const uint8_t *at)
-{
-	uint32_t bits;
-
-	memcpy(&bits, at, sizeof(bits));
-	return bits;
 }
 
 static float load_float(const struct element *from, int i)
@@ -73,7 +66,7 @@ static int32_t load_value(const struct element *from, int i, float scale)
 		memcpy(&value, from->at + 2 * i, sizeof(value));
 		return value;
 	default:
-		return (int32_t)load_bits(from->at + 4 * i);
+		return (int32_t)load_32(from->at + 4 * i);
 	}
 }
 
@@ -82,7 +75,7 @@ static ALWAYS_INLINE uint32_t find_larger(
 	uint32_t most, const uint8_t *a, const uint8_t *b)
 {
 	return most_halves(
-		most, UPPER_HALVES(load_bits(a), load_bits(b)) & 0x7FFF7FFF);
+		most, UPPER_HALVES(load_32(a), load_32(b)) & 0x7FFF7FFF);
 }
 
 /* The same of two positions. */
@@ -168,8 +161,8 @@ static void load_long_normal(const struct element *from, int32_t out[3])
 static bool is_long(const struct element *from)
 {
 	for (int i = 0; i < 3; i++) {
-		uint32_t bits = load_bits(from->at + 4 * i) & INT32_MAX;
-		int32_t value = (int32_t)load_bits(from->at + 4 * i);
+		uint32_t bits = load_32(from->at + 4 * i) & INT32_MAX;
+		int32_t value = (int32_t)load_32(from->at + 4 * i);
 
 		if (from->type == GL_FLOAT
 				? bits >= 0x40000000

@@ -248,7 +248,7 @@ static void find_range(
 		uint32_t highest = 0, lowest = UINT32_MAX;
 
 		for (; i + 1 < source->count; i += 2) {
-			uint32_t two = load_word(source->indices + 2 * i);
+			uint32_t two = load_32(source->indices + 2 * i);
 
 			lowest = least_halves(lowest, two);
 			highest = most_halves(highest, two);

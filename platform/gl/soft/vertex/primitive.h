@@ -2,6 +2,7 @@
 #ifndef PLATFORM_GL_SOFT_VERTEX_PRIMITIVE_H
 #define PLATFORM_GL_SOFT_VERTEX_PRIMITIVE_H
 
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 #include <string.h>
@@ -102,14 +103,6 @@ static ALWAYS_INLINE void draw_transformed(
 	} else {
 		soft_fill_triangle(draw, v);
 	}
-}
-
-static ALWAYS_INLINE uint32_t load_word(const uint8_t *at)
-{
-	uint32_t word;
-
-	memcpy(&word, at, sizeof(word));
-	return word;
 }
 
 #endif

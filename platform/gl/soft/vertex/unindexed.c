@@ -58,7 +58,7 @@ static bool are_equal_words(const uint8_t *left, const uint8_t *right, int words
 	uint32_t differ = 0;
 
 	for (int i = 0; i < words; i++) {
-		differ |= load_word(left + 4 * i) ^ load_word(right + 4 * i);
+		differ |= load_32(left + 4 * i) ^ load_32(right + 4 * i);
 	}
 	return differ == 0;
 }
@@ -94,8 +94,8 @@ static struct vertex *find_dedup(struct draw *draw,
 	const struct stream *streams, int count, uint32_t index)
 {
 	const uint8_t *at = find_position(draw, index);
-	uint32_t slot = choose_slot(
-		load_word(at), load_word(at + 4), load_word(at + 8));
+	uint32_t slot =
+		choose_slot(load_32(at), load_32(at + 4), load_32(at + 8));
 	struct vertex *vertex = &draw->cache[slot];
 
 	if (draw->place[slot].tag == PLACE_EMPTY ||

@@ -138,7 +138,7 @@ static bool fill_gray(const struct draw *draw, const struct setup *setup)
 		!draw->textured.level[0].texels) {
 		return false;
 	}
-	frame_find(setup, &frame);
+	frame = frame_find(setup);
 	if (!set_nearest(draw, setup, &frame, &band)) {
 		return false;
 	}
@@ -266,7 +266,7 @@ static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 		return false;
 	}
 	limits = find_limits(draw, setup);
-	frame_find(setup, &frame);
+	frame = frame_find(setup);
 	if (!set_tint(setup, &frame, limits.color, &band) ||
 		!set_level(draw, setup, &frame, limits.texel, &band)) {
 		return false;

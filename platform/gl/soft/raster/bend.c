@@ -8,7 +8,7 @@
  *
  * where fab = 2 (va - vb) (wb - wa) / (wa + wb).
  */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
 /* Products of the steps of l1 and l2 from pixel to pixel, Q26. */
@@ -50,20 +50,20 @@ static int32_t multiply(int32_t a, int32_t b)
 }
 
 /* False where the triangle is so thin that a step is four or more. */
-static bool find_products(const struct basis *basis, const struct setup *setup,
-	struct products *out)
+static bool find_products(const struct frame *frame, struct products *out)
 {
-	const int32_t corner[4] = {setup->y2, -setup->y1, -setup->x2, setup->x1};
+	const int32_t corner[4] = {
+		frame->y2, frame->less_y1, frame->less_x2, frame->x1};
 	int32_t step[4]; /* of l1 and l2 across, then down */
 
 	for (int i = 0; i < 4; i++) {
-		/* 2^18 more than sixteenths, as set_small_plane() scales */
-		int32_t high = mul_high(corner[i] * (1 << 18), basis->inverse);
+		/* 2^18 more than sixteenths, as frame_find_run() scales */
+		int32_t high = mul_high(corner[i] * (1 << 18), frame->inverse);
 
-		if (raster_size(high) >> (28 - basis->shift) != 0) {
+		if (raster_size(high) >> (28 - frame->shift) != 0) {
 			return false;
 		}
-		step[i] = high * (1 << basis->shift);
+		step[i] = high * (1 << frame->shift);
 	}
 	out->xx[0] = multiply(step[0], step[0]);
 	out->xx[1] = multiply(step[1], step[1]);
@@ -89,12 +89,12 @@ static int32_t add_up(
 
 /* From where the first vertex is to column 0, whose pixels' centres count. */
 static void move_bend(
-	const struct basis *basis, struct plane *plane, const struct bend *bend)
+	const struct frame *frame, struct plane *plane, const struct bend *bend)
 {
 	/* Of thin triangles these wrap, as planes do. */
-	uint32_t x = (uint32_t)basis->off_x, y = (uint32_t)basis->off_y;
+	uint32_t x = (uint32_t)frame->off_x, y = (uint32_t)frame->off_y;
 	uint32_t xx = (uint32_t)bend->xx, xy = (uint32_t)bend->xy;
-	uint32_t yy = (uint32_t)bend->yy, column = (uint32_t)basis->column;
+	uint32_t yy = (uint32_t)bend->yy, column = (uint32_t)frame->column;
 	uint32_t right = (uint32_t)((int32_t)(2 * xx * x + xy * y) >> 4);
 	uint32_t down = (uint32_t)((int32_t)(2 * yy * y + xy * x) >> 4);
 
@@ -104,9 +104,8 @@ static void move_bend(
 	plane->dy = (int32_t)((uint32_t)plane->dy + down - xy * column);
 }
 
-static void bend_plane(struct raster *raster, const struct setup *setup,
-	const struct products *products, const int32_t ratio[3],
-	const struct delta *delta, int name)
+static void bend_plane(struct raster *raster, const struct products *products,
+	const int32_t ratio[3], const struct delta *delta, int name)
 {
 	struct plane *plane = &raster->plane[name];
 	struct bend *bend = &raster->bend[name];
@@ -120,9 +119,9 @@ static void bend_plane(struct raster *raster, const struct setup *setup,
 	*bend = (struct bend){add_up(products->xx, f01, f02, g),
 		add_up(products->xy, f01, f02, g),
 		add_up(products->yy, f01, f02, g)};
-	raster_set_small_plane(&raster->basis, setup, &bent, plane);
+	*plane = frame_find_plane(&raster->frame, &bent);
 	plane->start += TEXEL_NUDGE;
-	move_bend(&raster->basis, plane, bend);
+	move_bend(&raster->frame, plane, bend);
 }
 
 /* Across n pixels what bends is off a straight line by n^2 xx / 4. */
@@ -145,7 +144,7 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 	struct products products;
 
 	if (!is_exact(ratio, perspective) ||
-		!find_products(&raster->basis, setup, &products)) {
+		!find_products(&raster->frame, &products)) {
 		return false;
 	}
 	raster->bent = true;
@@ -158,7 +157,7 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 		if (name < TEX_S) {
 			continue;
 		}
-		bend_plane(raster, setup, &products, ratio, &delta[i], name);
+		bend_plane(raster, &products, ratio, &delta[i], name);
 		while (raster->bent_pixels > PERSPECTIVE_STEP &&
 			!is_straight(raster, name, setup->columns,
 				raster->bent_pixels)) {

@@ -1,52 +1,54 @@
 /*
- * What all gradients of a small triangle share, for paths that set one up
- * without planes between: in 32 bits, so of up to SMALL_EXTENT, with values
- * that differ by less than SMALL_DELTA. Numbers are those of raster.c, to the
- * bit.
+ * Gradients of triangles. Those of small ones are found in 32 bits: of up to
+ * SMALL_EXTENT, of values that differ by less than SMALL_DELTA.
  */
 #ifndef PLATFORM_GL_SOFT_RASTER_FRAME_H
 #define PLATFORM_GL_SOFT_RASTER_FRAME_H
 
 #include "platform/gl/soft/raster/raster.h"
 
-struct frame {
-	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
-	int32_t inverse_area;             /* 2^62 over the area << zeros */
-	int32_t inverse; /* the same, and shift: struct basis */
-	int zeros, shift;
-	int32_t off_x, off_y; /* to the centre of column, of the first row */
-	int column;
-	bool middle_left;
-};
-
 /* How a value runs a pixel, from the centre of frame.column in the first row. */
 struct run {
 	int32_t start, right, down;
 };
 
-/* raster_find_area(), and the basis that raster.c has. */
-static ALWAYS_INLINE void frame_find(
-	const struct setup *setup, struct frame *frame)
+/*
+ * Of an area that has so many zeros before it. A triangle of less than half a
+ * pixel gets no gradients, by an inverse of 0: they would only be noise.
+ */
+static ALWAYS_INLINE struct frame frame_begin(
+	const struct setup *setup, int32_t inverse, int zeros, bool middle_left)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	struct frame frame = {
+		.x1 = b->x - a->x,
+		.less_y1 = a->y - b->y,
+		.less_x2 = a->x - c->x,
+		.y2 = c->y - a->y,
+		.zeros = zeros,
+		.column = a->x >> 4,
+		.off_x = 8 - (a->x & 15),
+		.off_y = (8 - a->y) & 15,
+		.middle_left = middle_left,
+	};
+
+	inverse = middle_left ? -inverse : inverse;
+	frame.inverse_area = inverse;
+	frame.shift = zeros > 18 ? zeros - 18 : 0;
+	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
+	return frame;
+}
+
+/* Of a small triangle. */
+static ALWAYS_INLINE struct frame frame_find(const struct setup *setup)
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	uint32_t area = (uint32_t)setup->area;
 	int zeros = LEADING_ZEROS_32(area);
-	int32_t inverse = area < 256 ? 0 : reciprocal(area << zeros);
 
-	frame->x1 = b->x - a->x;
-	frame->less_y1 = a->y - b->y;
-	frame->less_x2 = a->x - c->x;
-	frame->y2 = c->y - a->y;
-	frame->zeros = zeros;
-	frame->column = a->x >> 4;
-	frame->off_x = 8 - (a->x & 15);
-	frame->off_y = (8 - a->y) & 15;
-	frame->middle_left =
-		frame->x1 * frame->y2 < frame->less_x2 * frame->less_y1;
-	inverse = frame->middle_left ? -inverse : inverse;
-	frame->inverse_area = inverse;
-	frame->shift = zeros > 18 ? zeros - 18 : 0;
-	frame->inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
+	return frame_begin(setup, area < 256 ? 0 : reciprocal(area << zeros),
+		zeros,
+		(b->x - a->x) * (c->y - a->y) < (c->x - a->x) * (b->y - a->y));
 }
 
 /* What a value changes by to the right, times the area. */
@@ -77,6 +79,18 @@ static ALWAYS_INLINE struct run frame_find_run(
 		(uint32_t)((int32_t)down >> 4) * (uint32_t)f->off_y;
 
 	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
+}
+
+/* The same from column 0 on. */
+static ALWAYS_INLINE struct plane frame_find_plane(
+	const struct frame *f, const struct delta *delta)
+{
+	const struct run run =
+		frame_find_run(f, delta->first, delta->d1, delta->d2);
+
+	return (struct plane){
+		(uint32_t)run.start - (uint32_t)run.right * (uint32_t)f->column,
+		run.right, run.down};
 }
 
 /* From 0 to the two. */

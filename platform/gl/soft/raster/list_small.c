@@ -80,7 +80,6 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	uint32_t w_spread, uint32_t w_least)
 {
 	struct raster *raster = &draw->raster;
-	struct frame frame;
 	int tolerance = draw->spans.color_tolerance;
 	uint32_t color = find_color_spread(draw, setup);
 	struct perspective perspective = {w_spread, w_least, 0};
@@ -106,10 +105,7 @@ static NEVER_INLINE bool bend(struct draw *draw, struct setup *setup,
 	if (!raster_bends(&perspective, perspective.texel, 0)) {
 		return true;
 	}
-	raster_find_area(setup);
-	frame_find(setup, &frame);
-	raster->basis = (struct basis){frame.inverse, frame.shift, frame.off_x,
-		frame.off_y, frame.column};
+	raster->frame = frame_find(setup);
 	raster->moving_count = count;
 	return w_spread <= w_least &&
 		soft_bend(draw, setup, delta, &perspective);
@@ -359,7 +355,7 @@ static NEVER_INLINE void begin_planes(
 	struct raster *raster = &draw->raster;
 	const int end = draw->texture[1].used ? 2 : 1;
 
-	frame_find(setup, &small.frame);
+	small.frame = frame_find(setup);
 	for (int i = 0; i < 2 * end && !raster->bent; i++) {
 		const struct frame_texels texels =
 			find_texels(draw, setup, TEX_S + i);
@@ -427,7 +423,7 @@ static ALWAYS_INLINE bool set_up(struct draw *draw, struct setup *setup,
 {
 	struct small small;
 
-	frame_find(setup, &small.frame);
+	small.frame = frame_find(setup);
 	setup->middle_left = small.frame.middle_left;
 	small.is_steep = false;
 	frame_choose_colors(draw, setup, small.color);

@@ -2,8 +2,8 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
-/* num / area, times 2^scale; see struct setup. */
-static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
+/* num / area, times 2^scale; see struct frame. */
+static int32_t divide_by_area(const struct frame *frame, int64_t num, int scale)
 {
 	uint64_t size = (uint64_t)(num < 0 ? -num : num);
 	int spare;
@@ -15,38 +15,37 @@ static int32_t divide_by_area(const struct setup *setup, int64_t num, int scale)
 	return shift_by(
 		mul_high((int32_t)(spare < 0 ? num >> -spare
 					     : num * ((int64_t)1 << spare)),
-			setup->inverse_area),
-		setup->area_zeros - spare - 62 + scale);
+			frame->inverse_area),
+		frame->zeros - spare - 30 + scale);
 }
 
-/* What the functions above need of the triangle. */
-static ALWAYS_INLINE void find_basis(
-	const struct setup *setup, struct basis *basis)
+static ALWAYS_INLINE struct frame find_wide_frame(const struct setup *setup)
 {
-	const struct vertex *v = setup->v[0];
-	int shift = setup->area_zeros - 50;
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	uint64_t area = setup->area;
+	int zeros = LEADING_ZEROS_64(area);
 
-	basis->column = v->x >> 4;
-	basis->off_x = 8 - (v->x & 15);
-	basis->off_y = setup->top * 16 + 8 - v->y;
-	basis->inverse =
-		shift < 0 ? setup->inverse_area >> -shift : setup->inverse_area;
-	basis->shift = shift < 0 ? 0 : shift;
+	return frame_begin(setup,
+		area < 256 ? 0 : reciprocal((uint32_t)(area << zeros >> 32)),
+		zeros - 32,
+		(int64_t)(b->x - a->x) * (c->y - a->y) <
+			(int64_t)(c->x - a->x) * (b->y - a->y));
 }
 
 /* A plane through three values; 2^scale over 16 is a unit of the plane. */
-static void set_plane(const struct basis *basis, const struct setup *setup,
-	const int32_t value[3], int scale, struct plane *plane)
+static void set_plane(const struct frame *f, const int32_t value[3], int scale,
+	struct plane *plane)
 {
 	int64_t d1 = (int64_t)value[1] - value[0];
 	int64_t d2 = (int64_t)value[2] - value[0];
 
-	plane->dx =
-		divide_by_area(setup, d1 * setup->y2 - d2 * setup->y1, scale);
-	plane->dy =
-		divide_by_area(setup, d2 * setup->x1 - d1 * setup->x2, scale);
-	raster_start_plane(
-		basis, (int32_t)((uint32_t)value[0] << (scale - 4)), plane);
+	plane->dx = divide_by_area(f, d1 * f->y2 + d2 * f->less_y1, scale);
+	plane->dy = divide_by_area(f, d2 * f->x1 + d1 * f->less_x2, scale);
+	/* To column 0; both products before are within 16: less than a pixel. */
+	plane->start = ((uint32_t)value[0] << (scale - 4)) +
+		(uint32_t)(plane->dx >> 4) * (uint32_t)f->off_x +
+		(uint32_t)(plane->dy >> 4) * (uint32_t)f->off_y -
+		(uint32_t)plane->dx * (uint32_t)f->column;
 }
 
 static ALWAYS_INLINE uint32_t spread(const int32_t value[3])
@@ -64,10 +63,9 @@ static void set_affine(struct draw *draw, const struct setup *setup,
 		const struct delta delta = {
 			value[0], value[1] - value[0], value[2] - value[0]};
 
-		raster_set_small_plane(
-			&draw->raster.basis, setup, &delta, plane);
+		*plane = frame_find_plane(&draw->raster.frame, &delta);
 	} else {
-		set_plane(&draw->raster.basis, setup, value, 12, plane);
+		set_plane(&draw->raster.frame, value, 12, plane);
 	}
 }
 
@@ -162,10 +160,9 @@ static void find_perspective(
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
-static void set_perspective(struct draw *draw, const struct setup *setup,
-	const int32_t value[3], const int32_t q[3], int name)
+static void set_perspective(struct raster *raster, const int32_t value[3],
+	const int32_t q[3], int name)
 {
-	struct raster *raster = &draw->raster;
 	int32_t product[3];
 	int shift = 16;
 
@@ -182,7 +179,7 @@ static void set_perspective(struct draw *draw, const struct setup *setup,
 	for (int i = 0; i < 3; i++) {
 		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	set_plane(&raster->basis, setup, product, 4, &raster->plane[name]);
+	set_plane(&raster->frame, product, 4, &raster->plane[name]);
 }
 
 /*
@@ -245,14 +242,13 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	}
 	if (raster->perspective) {
 		gather_inverse_w(setup, q);
-		set_plane(
-			&raster->basis, setup, q, 4, &raster->plane[INVERSE_W]);
+		set_plane(&raster->frame, q, 4, &raster->plane[INVERSE_W]);
 	}
 	for (int i = 0; i < count; i++) {
 		int name = raster->moving[i];
 
 		if (rows_is_divided(raster, name)) {
-			set_perspective(draw, setup, value[i], q, name);
+			set_perspective(raster, value[i], q, name);
 		} else if (name < TEX_S || !raster->bent) {
 			set_affine(draw, setup, value[i], name);
 			raster->plane[name].start +=
@@ -284,8 +280,12 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
 
 	draw->raster.top = setup->top;
-	raster_find_area(setup);
-	find_basis(setup, &raster->basis);
+	if (setup->wide) {
+		raster->frame = find_wide_frame(setup);
+	} else {
+		raster->frame = frame_find(setup);
+	}
+	setup->middle_left = raster->frame.middle_left;
 	if (draw->soft->fragment.depth_test) {
 		set_affine(draw, setup, z, DEPTH);
 	}

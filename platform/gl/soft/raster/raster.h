@@ -32,13 +32,7 @@ struct setup {
 	bool fast_setup; /* inside, not wide, with xy */
 	bool back;
 	_Alignas(8) uint64_t area; /* 48: twice of it, in 1/256 of pixels */
-	/* raster_find_area(): */
-	bool middle_left; /* the middle vertex lies left of the long edge */
-	/* from v[0], in sixteenths */
-	int32_t x1, y1, x2, y2;
-	/* 2^62 over the area (shifted up by zeros), with its sign */
-	int32_t inverse_area;
-	int area_zeros; /* of 64 bits */
+	bool middle_left;          /* of struct frame */
 };
 
 /* One side of the triangle, in 16.16 pixels. */
@@ -71,74 +65,10 @@ static inline int raster_column(int32_t x_q16)
 	return (x_q16 + 0x7FFF) >> 16;
 }
 
-/*
- * What gradients need. A triangle of less than half a pixel gets none: they
- * would only be noise.
- */
-static ALWAYS_INLINE void raster_find_area(struct setup *setup)
-{
-	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	int64_t across;
-	int32_t inverse;
-	bool small = !setup->wide;
-
-	setup->x1 = b->x - a->x;
-	setup->y1 = b->y - a->y;
-	setup->x2 = c->x - a->x;
-	setup->y2 = c->y - a->y;
-	across = small ? setup->x1 * setup->y2 - setup->x2 * setup->y1
-		       : (int64_t)setup->x1 * setup->y2 -
-			(int64_t)setup->x2 * setup->y1;
-	setup->middle_left = across < 0;
-	if (small) {
-		uint32_t area = (uint32_t)setup->area;
-		int zeros = LEADING_ZEROS_32(area);
-
-		setup->area_zeros = 32 + zeros;
-		inverse = reciprocal(area << zeros);
-	} else {
-		setup->area_zeros = LEADING_ZEROS_64(setup->area);
-		inverse = reciprocal(
-			(uint32_t)(setup->area << setup->area_zeros >> 32));
-	}
-	setup->inverse_area = setup->area < 256 ? 0
-		: setup->middle_left            ? -inverse
-						: inverse;
-}
-
 /* A value at the first corner, and how much more it is at the others. */
 struct delta {
 	int32_t first, d1, d2;
 };
-
-/* Moves a plane from a vertex to the centre of column 0 of the first row. */
-static ALWAYS_INLINE void raster_start_plane(
-	const struct basis *basis, int32_t value, struct plane *plane)
-{
-	/* Both within 16: less than a pixel. */
-	plane->start = (uint32_t)value +
-		(uint32_t)(plane->dx >> 4) * (uint32_t)basis->off_x +
-		(uint32_t)(plane->dy >> 4) * (uint32_t)basis->off_y -
-		(uint32_t)plane->dx * (uint32_t)basis->column;
-}
-
-/*
- * A plane through three values that differ little, across little: see
- * SMALL_EXTENT.
- */
-static ALWAYS_INLINE void raster_set_small_plane(const struct basis *basis,
-	const struct setup *setup, const struct delta *delta,
-	struct plane *plane)
-{
-	int32_t across = delta->d1 * setup->y2 - delta->d2 * setup->y1;
-	int32_t down = delta->d2 * setup->x1 - delta->d1 * setup->x2;
-	int32_t inverse = basis->inverse;
-	int shift = basis->shift;
-
-	plane->dx = (int32_t)((uint32_t)mul_high(across, inverse) << shift);
-	plane->dy = (int32_t)((uint32_t)mul_high(down, inverse) << shift);
-	raster_start_plane(basis, (int32_t)((uint32_t)delta->first << 8), plane);
-}
 
 /* How far a triangle is in perspective. */
 struct perspective {

@@ -374,7 +374,7 @@ static void draw_walk(struct draw *draw, struct walk *walk,
 	find_inverse(walk);
 	raster->perspective = false;
 	raster->bent = false;
-	raster->basis = (struct basis){0};
+	raster->frame = (struct frame){0};
 	if (draw->soft->fragment.depth_test) {
 		set_plane(walk, a->z, b->z, 12, &raster->plane[DEPTH]);
 	}

@@ -106,11 +106,11 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 
 /* A part of 1 / w's plane, as set_perspective() scales products. */
 static struct plane share_plane(
-	const struct basis *basis, const struct plane *q, int64_t part)
+	const struct frame *frame, const struct plane *q, int64_t part)
 {
-	const uint32_t off_x = (uint32_t)basis->off_x;
-	const uint32_t off_y = (uint32_t)basis->off_y;
-	const uint32_t column = (uint32_t)basis->column;
+	const uint32_t off_x = (uint32_t)frame->off_x;
+	const uint32_t off_y = (uint32_t)frame->off_y;
+	const uint32_t column = (uint32_t)frame->column;
 	struct plane out = {
 		.dx = (int32_t)(q->dx * part >> 16),
 		.dy = (int32_t)(q->dy * part >> 16),
@@ -134,7 +134,7 @@ static void add_plane(struct draw *draw, int name)
 
 	*plane = (struct plane){.start = value};
 	if (raster->colors_divided) {
-		*plane = share_plane(&raster->basis, &raster->plane[INVERSE_W],
+		*plane = share_plane(&raster->frame, &raster->plane[INVERSE_W],
 			(int64_t)(value >> 8));
 	}
 	raster->moving[raster->moving_count++] = name;

@@ -137,14 +137,16 @@ struct span {
 	int lod[SOFT_UNITS]; /* level, 8 bits of fraction */
 };
 
-/* What the planes of a triangle have in common. */
-struct basis {
-	/* of gradients, see set_small_plane(); unless the triangle is wide */
-	int32_t inverse;
-	int shift;
-	/* from v[0] to the centre of its column in the first row, sixteenths */
-	int32_t off_x, off_y;
+/* What all gradients of a triangle share; frame.h finds and uses it. */
+struct frame {
+	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
+	/* 2^62 over the area << zeros, with its sign; 0 of too small an area */
+	int32_t inverse_area;
+	int32_t inverse; /* the same << shift, of areas of 32 bits */
+	int zeros, shift;
+	int32_t off_x, off_y; /* to the centre of column, of the first row */
 	int column;
+	bool middle_left; /* the middle vertex lies left of the long edge */
 };
 
 enum {
@@ -153,7 +155,7 @@ enum {
 
 /* The triangle under way. */
 struct raster {
-	struct basis basis;
+	struct frame frame;
 	struct plane plane[PLANES];
 	bool perspective;    /* texture coordinates are divided by 1 / w */
 	bool colors_divided; /* and colours too; see rows_is_divided() */

@@ -12,6 +12,7 @@ enum depths {
 	COPIED, /* those that are there, which the function tests */
 	TESTED, /* 65535 where a fragment passes all tests, else 0 */
 	LAST,   /* 65535: an alpha test comes before the stencil's */
+	ANY,    /* not set: nothing is tested, or asked afterwards */
 };
 
 /* The runs of one call, drawn with depths beside the buffer. */
@@ -20,6 +21,7 @@ struct batch {
 	const struct soft_row *from; /* as they are */
 	uint32_t count;
 	enum depths depths;
+	bool marked; /* which fragments are drawn has to be known */
 	struct soft_row row[SMALL_RUNS]; /* as the function gets them */
 	/* Depths that differ afterwards are those of fragments that are drawn. */
 	uint16_t aside[SOFT_BATCH_PIXELS], before[SOFT_BATCH_PIXELS];
@@ -56,6 +58,9 @@ static bool set_aside(const struct batch *batch, const struct soft_row *from,
 		row->z = 0;
 		memset(row->depth, 0xFF, row->count * 2);
 		return true;
+	case ANY:
+		row->z = 0;
+		return true;
 	default:
 		row->z = 0;
 		tested = find_tested(batch->draw, from);
@@ -76,7 +81,7 @@ static bool begin_batch(struct batch *batch)
 		any |= set_aside(batch, &batch->from[i], row);
 		aside += row->count;
 	}
-	if (batch->depths != COPIED) {
+	if (batch->marked) {
 		memcpy(batch->before, batch->aside,
 			(size_t)((uint8_t *)aside - (uint8_t *)batch->aside));
 	}
@@ -202,17 +207,22 @@ static NEVER_INLINE void draw_beside(struct draw *draw, enum soft_place place)
 	batch.count = spans->run.row_count;
 	batch.depths = spans->tested_by_functions         ? COPIED
 		: spans->stenciled && spans->alpha_tested ? LAST
+		: spans->untested && !spans->blended_last ? ANY
 							  : TESTED;
+	batch.marked = batch.depths == LAST || spans->blended_last ||
+		spans->depth_written;
 	if (!begin_batch(&batch)) {
 		return;
 	}
 	if (batch.depths == LAST || spans->blended_last) {
 		begin_pixels(&batch);
 	}
-	if (batch.depths == COPIED) {
-		draw_batch(&batch, testing_functions(spans)[place]);
-	} else {
-		draw_batch(&batch, spans->function[place]);
+	draw_batch(&batch,
+		batch.depths == COPIED ? testing_functions(spans)[place]
+			: batch.depths == ANY
+			? spans->function[SOFT_LEQUAL + place]
+			: spans->function[place]);
+	if (batch.marked) {
 		end_batch(&batch);
 	}
 }

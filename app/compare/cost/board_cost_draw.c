@@ -20,67 +20,67 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.179e+04, 2.223e+04}, /* frame */
-	{0.78, 0.3777},         /* pixel */
-	{1.668e+04, 5644},      /* call */
-	{177, 83.35},           /* listed */
-	{336.9, 65.3},          /* vertex */
-	{312.4, 136.2},         /* single */
-	{220.1, 237.4},         /* shaded */
-	{15.91, 14.54},         /* hidden */
-	{1200, 439.8},          /* skipped */
-	{4.852, 2.408},         /* fine */
-	{203, 83.36},           /* flat triangle */
-	{74.2, 41.59},          /* flat row */
-	{11.5, 7.927},          /* flat pixel */
-	{565.2, 175.2},         /* plain triangle */
-	{0, 16.13},             /* plain row */
-	{17.99, 5.682},         /* plain pixel */
-	{514.7, 436.6},         /* textured triangle */
-	{220.5, 42.17},         /* textured row */
-	{70.81, 56.56},         /* textured pixel */
-	{3.32e+04, 1.172e+04},  /* backdrop triangle */
-	{68.6, 29.11},          /* backdrop row */
-	{2.776, 0.8647},        /* backdrop pixel */
-	{3.371e+04, 1.223e+04}, /* ground triangle */
-	{116.3, 54.09},         /* ground row */
-	{3.393, 0.9561},        /* ground pixel */
-	{1432, 860.2},          /* spans triangle */
-	{136.5, 92.19},         /* spans row */
-	{21.68, 14.74},         /* spans pixel */
-	{2930, 1574},           /* spans textured triangle */
-	{197.4, 115},           /* spans textured row */
-	{106.6, 64.78},         /* spans textured pixel */
-	{4789, 3815},           /* spans divided triangle */
-	{702.5, 374.6},         /* spans divided row */
-	{91.31, 55.6},          /* spans divided pixel */
-	{1576, 672.5},          /* mixed triangle */
-	{263.7, 148.8},         /* mixed row */
-	{55.79, 38.68},         /* mixed pixel */
-	{2951, 894.2},          /* tested triangle */
-	{272.9, 164.2},         /* tested row */
-	{167.3, 113.4},         /* tested pixel */
-	{4028, 2526},           /* tested spans triangle */
-	{622.8, 382.6},         /* tested spans row */
-	{135.6, 86.38},         /* tested spans pixel */
-	{3146, 1419},           /* mixed textured triangle */
-	{251.3, 177.2},         /* mixed textured row */
-	{142.7, 83.31},         /* mixed textured pixel */
-	{3933, 3052},           /* mixed spans triangle */
-	{480.8, 315.8},         /* mixed spans row */
-	{141.8, 82.27},         /* mixed spans pixel */
-	{5185, 4193},           /* mixed divided triangle */
-	{2222, 1116},           /* mixed divided row */
-	{124.4, 82.15},         /* mixed divided pixel */
-	{204.3, 75.55},         /* colored triangle */
+	{3.176e+04, 2.183e+04}, /* frame */
+	{0.7934, 0.3695},       /* pixel */
+	{1.6e+04, 5574},        /* call */
+	{162.9, 80.17},         /* listed */
+	{346.8, 66.72},         /* vertex */
+	{310.3, 132.3},         /* single */
+	{237.7, 235},           /* shaded */
+	{15.56, 14.56},         /* hidden */
+	{1181, 435.2},          /* skipped */
+	{4.797, 3.191},         /* fine */
+	{217.5, 85.67},         /* flat triangle */
+	{71.82, 39.16},         /* flat row */
+	{11.24, 7.987},         /* flat pixel */
+	{537.5, 184.2},         /* plain triangle */
+	{5.385, 15.18},         /* plain row */
+	{17.5, 6.932},          /* plain pixel */
+	{554.6, 442},           /* textured triangle */
+	{213.3, 43.04},         /* textured row */
+	{71.35, 56.3},          /* textured pixel */
+	{3.312e+04, 1.13e+04},  /* backdrop triangle */
+	{69.65, 29},            /* backdrop row */
+	{2.904, 0.8308},        /* backdrop pixel */
+	{3.364e+04, 1.183e+04}, /* ground triangle */
+	{117.6, 53.64},         /* ground row */
+	{3.318, 0},             /* ground pixel */
+	{1420, 764.9},          /* spans triangle */
+	{137.6, 94.19},         /* spans row */
+	{21.89, 14.75},         /* spans pixel */
+	{2926, 1568},           /* spans textured triangle */
+	{217.8, 116.3},         /* spans textured row */
+	{106.8, 65.11},         /* spans textured pixel */
+	{4776, 3808},           /* spans divided triangle */
+	{717.5, 381.6},         /* spans divided row */
+	{91.27, 55.58},         /* spans divided pixel */
+	{1298, 527.3},          /* mixed triangle */
+	{225, 127},             /* mixed row */
+	{51.42, 34.64},         /* mixed pixel */
+	{2738, 847.7},          /* tested triangle */
+	{264.2, 161},           /* tested row */
+	{164.2, 112.5},         /* tested pixel */
+	{3943, 2479},           /* tested spans triangle */
+	{578.1, 356.8},         /* tested spans row */
+	{136.8, 87.52},         /* tested spans pixel */
+	{3096, 1407},           /* mixed textured triangle */
+	{241.1, 170.1},         /* mixed textured row */
+	{121.8, 72.52},         /* mixed textured pixel */
+	{3820, 2954},           /* mixed spans triangle */
+	{435, 288.8},           /* mixed spans row */
+	{135.8, 76.85},         /* mixed spans pixel */
+	{5145, 4150},           /* mixed divided triangle */
+	{1945, 977.6},          /* mixed divided row */
+	{121.8, 80.13},         /* mixed divided pixel */
+	{206, 75.85},           /* colored triangle */
 	{0, 0},                 /* colored row */
-	{8.066, 3.408},         /* colored pixel */
-	{2598, 1220},           /* bent triangle */
-	{284.2, 148.4},         /* bent row */
-	{3.392, 2.244},         /* bent pixel */
+	{8.095, 3.08},          /* colored pixel */
+	{2472, 1178},           /* bent triangle */
+	{270.4, 143.5},         /* bent row */
+	{3.405, 2.252},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.001, 0.9984},        /* deep row */
-	{1.691, 1.222},         /* deep pixel */
+	{1.001, 0.9983},        /* deep row */
+	{1.668, 1.101},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

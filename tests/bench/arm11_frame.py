@@ -14,7 +14,7 @@ SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
     "transform and light": "array array_state buffers cache current draw fog_state key"
-    " light light_state matrix number parameter paths prepare"
+    " largest_float light light_state matrix number parameter paths prepare"
     " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin bend clip counts fill_flat fill_glyph fill_narrow"

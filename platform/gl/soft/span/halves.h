@@ -6,7 +6,6 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_HALVES_H
 #define PLATFORM_GL_SOFT_SPAN_HALVES_H
 
-#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 

@@ -2,8 +2,6 @@
 #include <string.h>
 
 #include "platform/base/scalar.h"
-#include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/span/halves.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -27,6 +25,14 @@ static struct element find_element(
 		return (struct element){(const uint8_t *)current, GL_FIXED};
 	}
 	return (struct element){element_at(array, index), array->type};
+}
+
+static uint32_t load_bits(const uint8_t *at)
+{
+	uint32_t bits;
+
+	memcpy(&bits, at, sizeof(bits));
+	return bits;
 }
 
 static float load_float(const struct element *from, int i)
@@ -66,59 +72,40 @@ static int32_t load_value(const struct element *from, int i, float scale)
 		memcpy(&value, from->at + 2 * i, sizeof(value));
 		return value;
 	default:
-		return (int32_t)load_32(from->at + 4 * i);
+		return (int32_t)load_bits(from->at + 4 * i);
 	}
 }
 
-/* The larger ones of most's halves and of the upper halves of two floats' sizes. */
-static ALWAYS_INLINE uint32_t find_larger(
-	uint32_t most, const uint8_t *a, const uint8_t *b)
-{
-	return most_halves(
-		most, UPPER_HALVES(load_32(a), load_32(b)) & 0x7FFF7FFF);
-}
-
-/* The same of two positions. */
-static ALWAYS_INLINE uint32_t find_larger_of_two(
-	uint32_t most, const uint8_t *a, const uint8_t *b, int size)
-{
-	most = find_larger(most, a, a + 4);
-	most = find_larger(most, b, b + 4);
-	return size == 3 ? find_larger(most, a + 8, b + 8) : most;
-}
-
-/* The upper half of the largest of count times size floats, without its sign. */
-static ALWAYS_INLINE uint32_t find_largest(
-	const uint8_t *at, int stride_bytes, int size, uint32_t count)
+/* As soft_largest_float(), of two each. */
+static uint32_t largest_float_of_pairs(
+	const uint8_t *at, int stride_bytes, uint32_t count)
 {
 	uint32_t most = 0;
 
-	for (; count >= 4; count -= 4) {
-		PRELOAD(at + 96);
-		for (int i = 0; i < 2; i++, at += 2 * stride_bytes) {
-			most = find_larger_of_two(
-				most, at, at + stride_bytes, size);
-		}
-	}
 	for (; count > 0; count--, at += stride_bytes) {
-		most = find_larger_of_two(most, at, at, size);
+		uint32_t x = load_bits(at) << 1, y = load_bits(at + 4) << 1;
+
+		most = x > most ? x : most;
+		most = y > most ? y : most;
 	}
-	return most >> 16 > (most & 0xFFFF) ? most >> 16 : most & 0xFFFF;
+	return most;
 }
 
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count)
 {
 	const uint8_t *at = element_at(array, first);
-	const int stride_bytes = array->stride_bytes;
+	int stride_bytes = array->stride_bytes;
+	bool aligned = ((uintptr_t)at | (uintptr_t)stride_bytes) % 4 == 0;
 	uint32_t most;
 
 	if (array->type != GL_FLOAT) {
 		return array->type == GL_BYTE ? 7 : 15;
 	}
-	most = array->size < 3 ? find_largest(at, stride_bytes, 2, count)
-			       : find_largest(at, stride_bytes, 3, count);
-	return (int)(most >> 7) - 127;
+	most = array->size < 3 ? largest_float_of_pairs(at, stride_bytes, count)
+		: aligned ? soft_largest_aligned_float(at, stride_bytes, count)
+			  : soft_largest_float(at, stride_bytes, count);
+	return (int)(most >> 24) - 127;
 }
 
 void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3])
@@ -161,8 +148,8 @@ static void load_long_normal(const struct element *from, int32_t out[3])
 static bool is_long(const struct element *from)
 {
 	for (int i = 0; i < 3; i++) {
-		uint32_t bits = load_32(from->at + 4 * i) & INT32_MAX;
-		int32_t value = (int32_t)load_32(from->at + 4 * i);
+		uint32_t bits = load_bits(from->at + 4 * i) & INT32_MAX;
+		int32_t value = (int32_t)load_bits(from->at + 4 * i);
 
 		if (from->type == GL_FLOAT
 				? bits >= 0x40000000

@@ -358,6 +358,14 @@ void soft_array_color_q16(
 	const struct draw *draw, uint32_t index, int32_t out[4]);
 void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
+/*
+ * The largest of count times three floats, as bits without their sign, shifted
+ * to the left by one.
+ */
+uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
+/* arm/largest_float.S or portable/largest_float.c: of aligned ones. */
+uint32_t soft_largest_aligned_float(
+	const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);

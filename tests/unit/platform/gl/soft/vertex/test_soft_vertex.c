@@ -1,5 +1,4 @@
 /* The soft driver's vertices: transformed in assembly as in C. */
-#include "platform/base/scalar.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 #include "tests/support/random.h"
@@ -222,42 +221,42 @@ static void test_outcodes_name_the_planes(void **state)
 	free(draw);
 }
 
-/* Of coordinates of random sizes, and of one that is larger than all others. */
-static void test_the_exponent_of_the_largest_float_is_found(void **state)
+static void test_the_largest_float_is_found(void **state)
 {
 	float position[VERTICES][4];
+	const uint8_t *at = (const uint8_t *)position;
 	uint32_t seed = 1;
 
 	(void)state;
 	for (int round = 0; round < 2000; round++) {
-		const struct array array = {
-			.size = round % 5 ? 3 : 2,
-			.type = GL_FLOAT,
-			.stride_bytes = round % 3 ? 16 : 12,
-			.pointer = (const uint8_t *)position,
-		};
-		const int floats = array.stride_bytes / 4;
-		const int count = 1 + round % (VERTICES - 1);
-		const int last = (count - 1) * floats + array.size - 1;
-		float *all = position[0], most = 0.0f;
+		uint32_t count = (uint32_t)round % VERTICES;
+		int stride = round % 3 ? 16 : 12;
+		uint32_t found, expected = 0;
 
 		for (int i = 0; i < 4 * VERTICES; i++) {
-			all[i] = (float)random_within(&seed, 1 << (i % 24));
+			position[i / 4][i % 4] =
+				(float)random_within(&seed, 1 << (i % 24));
 		}
-		for (int i = 0; i <= last; i++) {
-			float size = scalar_abs(all[i]);
+		found = soft_largest_float(at, stride, count);
+		for (uint32_t i = 0; i < 3 * count; i++) {
+			uint32_t bits;
 
-			if (i % floats < array.size && size > most) {
-				most = size;
-			}
+			memcpy(&bits, at + i / 3 * (size_t)stride + 4 * (i % 3),
+				4);
+			expected = bits << 1 > expected ? bits << 1 : expected;
 		}
-		assert_int_equal(
-			soft_array_position_exponent(&array, 0, (uint32_t)count),
-			most > 0.0f ? ilogbf(most) : -127);
-		all[last] = -16777216.0f * (float)(1 << round % 7);
-		assert_int_equal(
-			soft_array_position_exponent(&array, 0, (uint32_t)count),
-			24 + round % 7);
+		assert_int_equal(found, expected);
+		assert_int_equal(soft_largest_aligned_float(at, stride, count),
+			expected);
+		if (count > 0) {
+			size_t last = (size_t)stride * (count - 1) + 8;
+			uint32_t bits = 0xC5000000u | (uint32_t)round;
+
+			/* 2048 and more */
+			memcpy((uint8_t *)position + last, &bits, 4);
+			assert_true(soft_largest_aligned_float(
+					    at, stride, count) >= bits << 1);
+		}
 	}
 }
 
@@ -269,7 +268,7 @@ int main(void)
 		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
 		cmocka_unit_test(test_floats_are_transformed_as_in_c),
 		cmocka_unit_test(test_outcodes_name_the_planes),
-		cmocka_unit_test(test_the_exponent_of_the_largest_float_is_found),
+		cmocka_unit_test(test_the_largest_float_is_found),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

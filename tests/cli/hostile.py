@@ -91,6 +91,35 @@ def nested_scales():
     )
 
 
+def many_floors():
+    """Any of thousands of nodes may be ground, below a long chain of others, and
+    clips move as many nodes beside them."""
+    count = 6000
+    corners = (0, 0, 0, 0, 0, 1, 1, 0, 0)
+    chain = [{"mesh": 0, "translation": [0, 1e-6, 0], "children": [i + 1]}
+             for i in range(count)]
+    return gltf(
+        **data(*corners, 0, 1, 0, 0, 0, 1, 1, 1),
+        accessors=[
+            {"type": "VEC3", "componentType": 5126, "count": 3, "bufferView": 0,
+             "min": [0, 0, 0], "max": [1, 0, 1]},
+            {"type": "SCALAR", "componentType": 5126, "count": 2,
+             "bufferView": 0, "byteOffset": 36, "min": [0], "max": [1]},
+            {"type": "VEC3", "componentType": 5126, "count": 2,
+             "bufferView": 0, "byteOffset": 44},
+        ],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=chain + [{"mesh": 0, "translation": [0, 5, 0]}] +
+        [{} for _ in range(count)],
+        animations=[{
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0, "target": {"node": count + 1 + i,
+                                                   "path": "translation"}}
+                         for i in range(count)],
+        }],
+    )
+
+
 def names():
     """Names with escape sequences, a C1 control and the end of a comment."""
     evil = "*/ int evil;\x1b[31m\u009b31m\u202e/*"
@@ -182,6 +211,7 @@ def main(folder):
         "nested-scales.gltf": nested_scales(),
         "names.gltf": names(),
         "many-textures.gltf": one_image_many_textures(),
+        "many-floors.gltf": many_floors(),
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
     }

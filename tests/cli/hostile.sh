@@ -45,6 +45,9 @@ done
 RUN_SECONDS=10 limber info "$scratch/repeated-levels.gltf"
 expect_refusal 1 'has 20000 numbers instead of 3'
 
+RUN_SECONDS=30 limber play --display null --frames 2 "$scratch/many-floors.gltf"
+expect_status 0
+
 # Files that never end, and that hold no text.
 for option in --config --script; do
     limber play --demo arm --display null --frames 2 $option /dev/zero

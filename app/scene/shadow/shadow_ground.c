@@ -14,14 +14,23 @@ static const float wide_part = 0.8f;    /* of each side of the model */
 static const float above_part = 0.05f;  /* that something stands above it */
 static const float level_part = 0.001f; /* between heights that are one */
 
+/* A drawable that may be ground. */
+struct candidate {
+	int drawable;
+	struct bounds box;
+};
+
 struct search {
 	struct instance *instance;
 	struct bounds all;
 	float extent;
-	struct bounds *box; /* of each drawable that may be ground, or empty */
+	bool *moving;                /* [node_count] */
+	struct candidate *candidate; /* the highest ones first */
+	int count;
 };
 
-static bool is_moved(const struct model *model, int node)
+/* Marks the nodes that a clip moves, and all below them. */
+static void find_moving(const struct model *model, bool *moving)
 {
 	for (int c = 0; c < model->clip_count; c++) {
 		const struct model_clip *clip = &model->clip[c];
@@ -29,23 +38,17 @@ static bool is_moved(const struct model *model, int node)
 		for (int i = 0; i < clip->channel_count; i++) {
 			const struct model_channel *channel = &clip->channel[i];
 
-			if (channel->node == node && !channel->constant &&
+			if (!channel->constant &&
 				channel->path != MODEL_WEIGHTS) {
-				return true;
+				moving[channel->node] = true;
 			}
 		}
 	}
-	return false;
-}
+	for (int n = 0; n < model->node_count; n++) {
+		int parent = model->node[n].parent; /* before its children */
 
-static bool stands_still(const struct model *model, int node)
-{
-	for (; node >= 0; node = model->node[node].parent) {
-		if (is_moved(model, node)) {
-			return false;
-		}
+		moving[n] = moving[n] || (parent >= 0 && moving[parent]);
 	}
-	return true;
 }
 
 static struct bounds box_of(
@@ -126,11 +129,9 @@ static bool is_solid(
 static bool may_be_ground(const struct search *search,
 	const struct drawable *drawable, const struct bounds *box)
 {
-	return !bounds_is_empty(box) &&
+	return !search->moving[drawable->node] && !bounds_is_empty(box) &&
 		box->high[1] - search->all.low[1] <= flat_part * search->extent &&
-		is_level(search, drawable, box) &&
-		stands_still(search->instance->model, drawable->node) &&
-		!is_bent(search, drawable);
+		is_level(search, drawable, box) && !is_bent(search, drawable);
 }
 
 /* Together, the surfaces have to be nearly as wide as the model. */
@@ -147,76 +148,100 @@ static bool is_wide(const struct search *search, const struct bounds *ground)
 	return all->high[1] > ground->high[1] + above_part * search->extent;
 }
 
-/* The candidates whose surface is as high as that of one of them. */
-static bool gather(
-	struct shadow_ground *ground, const struct search *search, int like)
+static int compare_heights(const void *left, const void *right)
 {
-	struct bounds together = bounds_empty();
-	float y = search->box[like].high[1];
+	const struct candidate *a = left, *b = right;
 
-	ground->count = 0;
-	ground->y = y;
-	for (int i = 0; i < search->instance->drawable_count; i++) {
-		const struct bounds *box = &search->box[i];
-
-		if (!bounds_is_empty(box) &&
-			scalar_abs(box->high[1] - y) <=
-				level_part * search->extent) {
-			ground->drawable[ground->count++] = i;
-			bounds_join(&together, box);
-		}
+	if (a->box.high[1] != b->box.high[1]) {
+		return a->box.high[1] > b->box.high[1] ? -1 : 1;
 	}
-	return is_wide(search, &together);
+	return a->drawable - b->drawable;
 }
 
-/* Of several surfaces, the highest one is seen. */
-static void choose(struct shadow_ground *ground, struct search *search)
+static void find_candidates(struct search *search)
 {
-	int count = search->instance->drawable_count, best = -1;
+	const struct instance *instance = search->instance;
 
-	for (int i = 0; i < count; i++) {
-		const struct instance *instance = search->instance;
+	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 		struct bounds box = is_solid(search, drawable)
 			? box_of(instance, drawable)
 			: bounds_empty();
 
-		search->box[i] = may_be_ground(search, drawable, &box)
-			? box
-			: bounds_empty();
-	}
-	for (int i = 0; i < count; i++) {
-		const struct bounds *box = &search->box[i];
-
-		if (!bounds_is_empty(box) &&
-			(best < 0 || box->high[1] > search->box[best].high[1]) &&
-			gather(ground, search, i)) {
-			best = i;
+		if (may_be_ground(search, drawable, &box)) {
+			search->candidate[search->count++] =
+				(struct candidate){i, box};
 		}
 	}
-	ground->count = 0;
-	if (best >= 0) {
-		(void)gather(ground, search, best);
+	qsort(search->candidate, (size_t)search->count,
+		sizeof(*search->candidate), compare_heights);
+}
+
+/* How many candidates from this one on are about as high. */
+static int count_level(const struct search *search, int first)
+{
+	float least = search->candidate[first].box.high[1] -
+		level_part * search->extent;
+	int i = first;
+
+	while (i < search->count && search->candidate[i].box.high[1] >= least) {
+		i++;
 	}
+	return i - first;
+}
+
+/* Of several surfaces, the highest one is seen. */
+static void choose(struct shadow_ground *ground, const struct search *search)
+{
+	int count;
+
+	for (int first = 0; first < search->count; first += count) {
+		struct bounds together = bounds_empty();
+
+		count = count_level(search, first);
+		for (int i = 0; i < count; i++) {
+			const struct candidate *candidate =
+				&search->candidate[first + i];
+
+			ground->drawable[i] = candidate->drawable;
+			bounds_join(&together, &candidate->box);
+		}
+		if (is_wide(search, &together)) {
+			ground->count = count;
+			ground->y = together.high[1];
+			return;
+		}
+	}
+}
+
+static void find(struct shadow_ground *ground, struct search *search)
+{
+	find_moving(search->instance->model, search->moving);
+	search->all = bounds_of_clip(search->instance, -1);
+	search->extent = bounds_extent(&search->all);
+	find_candidates(search);
+	choose(ground, search);
 }
 
 int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)
 {
 	size_t count = (size_t)instance->drawable_count;
-	struct search search = {.instance = instance};
+	struct search search = {
+		.instance = instance,
+		.moving = calloc((size_t)instance->model->node_count + 1, 1),
+		.candidate = calloc(count + 1, sizeof(*search.candidate)),
+	};
+	bool has_memory;
 
-	*ground = (struct shadow_ground){.count = 0};
-	ground->drawable = ARENA_ARRAY(&instance->arena, int, count);
-	search.box = calloc(count + 1, sizeof(*search.box));
-	if (!ground->drawable || !search.box) {
-		free(search.box);
-		return -ENOMEM;
+	*ground = (struct shadow_ground){
+		.drawable = ARENA_ARRAY(&instance->arena, int, count)};
+	has_memory = ground->drawable && search.moving && search.candidate;
+	if (has_memory) {
+		find(ground, &search);
 	}
-	search.all = bounds_of_clip(instance, -1);
-	search.extent = bounds_extent(&search.all);
-	choose(ground, &search);
-	free(search.box);
-	return 0;
+	free(search.moving);
+	free(search.candidate);
+	return has_memory ? 0 : -ENOMEM;
 }
 
 bool shadow_ground_begin(const struct shadow_ground *ground,

@@ -13,20 +13,18 @@ static const float shadow_strength = 0.375f;
 static const float beyond_box = 0.02f;
 
 int character_draw_init(struct character_drawing *drawing,
-	struct character *character, const struct log *log)
+	struct character *character, const struct shadow_ground *ground,
+	const struct log *log)
 {
 	float low, high;
 	int error;
 
 	drawing->character = character;
+	drawing->ground = *ground;
 	ball_init(&drawing->ball);
 	character_range(character, character->scene.wave_m, &low, &high);
 	drawing->may_wave = low != 0.0f || high != 0.0f;
 	error = character_bounds_init(&drawing->bounds, character);
-	if (!error) {
-		error = shadow_ground_find(
-			&drawing->ground, character->instance);
-	}
 	if (!error && drawing->may_wave) {
 		error = reach_init(&drawing->reach, character->instance);
 	}

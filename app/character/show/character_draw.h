@@ -26,11 +26,13 @@ struct character_drawing {
 
 /*
  * Measures the character and prepares its shadow; see character_bounds_init().
+ * ground is what shadow_ground_find() found of the character's instance.
  * Memory comes from the instance's arena. Returns 0, or -ENOMEM after logging
  * an error.
  */
 int character_draw_init(struct character_drawing *drawing,
-	struct character *character, const struct log *log);
+	struct character *character, const struct shadow_ground *ground,
+	const struct log *log);
 
 /* Makes the shadow on uneven ground of the updated instance. */
 void character_draw_update(

@@ -84,7 +84,7 @@ static int create_figure(
 	figure->character = character;
 	if (!error) {
 		error = character_draw_init(
-			&figure->drawing, character, env->log);
+			&figure->drawing, character, &actor->ground, env->log);
 	}
 	if (error) {
 		destroy_figure(figure);

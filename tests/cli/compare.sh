@@ -6,6 +6,15 @@
 samples=${SAMPLES:-../shared}/models
 here=$(cd "$(dirname "$0")" && pwd)
 
+# run_with_glb CODE ARGUMENTS: Python that may read files by compare_check's Glb.
+run_with_glb() {
+    code=$1
+    shift
+    PYTHONPATH=$here python3 -B -c "import glob, sys
+from compare_check import Glb
+$code" "$@"
+}
+
 # In qemu-arm all clips of the walker take 100 s, beside other suites more.
 RUN_SECONDS=300
 
@@ -182,18 +191,13 @@ assert all(float(row["normal_deg"]) < 2 for row in rows), rows
 limber compare "$scratch/mirror.gltf" --export "$scratch/mirrored"
 expect_status 0
 # shellcheck disable=SC2016 # Python
-check 'key frames of a mirrored node face as the model does' python3 -c '
-import glob, json, struct, sys
+check 'key frames of a mirrored node face as the model does' run_with_glb '
 file, = glob.glob(sys.argv[1] + "/morph-even-*.glb")
-data = open(file, "rb").read()
-size, = struct.unpack_from("<I", data, 12)
-gltf = json.loads(data[20:20 + size])
-accessor = gltf["accessors"][gltf["meshes"][0]["primitives"][0]["indices"]]
-assert accessor["componentType"] == 5123
-view = gltf["bufferViews"][accessor["bufferView"]]
-at = 28 + size + view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-index = struct.unpack_from("<3H", data, at)
-assert index in ((0, 2, 1), (2, 1, 0), (1, 0, 2)), index
+glb = Glb(file)
+indices = glb.json["meshes"][0]["primitives"][0]["indices"]
+assert glb.json["accessors"][indices]["componentType"] == 5123
+index = [i for i, in glb.read(indices)][:3]
+assert index in ([0, 2, 1], [2, 1, 0], [1, 0, 2]), index
 ' "$scratch/mirrored"
 
 # The player follows a clip that goes far, which a comparison shows as a whole.
@@ -209,13 +213,10 @@ sed -e '1s/{/&"materials": [{"emissiveFactor": [1, 0.5, 0]}],/' \
 limber compare "$scratch/lamp.gltf" --export "$scratch/lamp"
 expect_status 0
 # shellcheck disable=SC2016 # Python
-check 'key frames of a lamp shine as the model does' python3 -c '
-import glob, json, struct, sys
+check 'key frames of a lamp shine as the model does' run_with_glb '
 file, = glob.glob(sys.argv[1] + "/morph-even-*.glb")
-data = open(file, "rb").read()
-size, = struct.unpack_from("<I", data, 12)
-gltf = json.loads(data[20:20 + size])
-assert gltf["materials"][0]["emissiveFactor"] == [1, 0.5, 0], gltf["materials"]
+materials = Glb(file).json["materials"]
+assert materials[0]["emissiveFactor"] == [1, 0.5, 0], materials
 ' "$scratch/lamp"
 
 # Joints need not be in the scene, but the rigid parts that they move are shown.
@@ -224,11 +225,8 @@ sed 's/"nodes": \[/"scene": 0, "scenes": [{"nodes": [0]}], &/' \
 limber compare "$scratch/joints.gltf" --export "$scratch/joints"
 expect_status 0
 # shellcheck disable=SC2016 # Python
-check 'the nodes of rigid parts are in the scene' python3 -c '
-import json, struct, sys
-data = open(sys.argv[1], "rb").read()
-size, = struct.unpack_from("<I", data, 12)
-gltf = json.loads(data[20:20 + size])
+check 'the nodes of rigid parts are in the scene' run_with_glb '
+gltf = Glb(sys.argv[1]).json
 shown = gltf["scenes"][0]["nodes"]
 assert any("mesh" in gltf["nodes"][i] for i in shown), gltf["nodes"]
 ' "$scratch/joints/rigid.glb"

@@ -152,6 +152,17 @@ struct instance *small_model_instance(const struct model *model)
 	return instance;
 }
 
+void small_model_fill_picture(struct instance *instance)
+{
+	struct transform *local = &instance->pose.local[0];
+
+	for (int axis = 0; axis < 2; axis++) {
+		local->translation[axis] = -1;
+		local->scale[axis] = 2;
+	}
+	instance_update(instance);
+}
+
 void small_model_light_from(struct instance *instance, float x, float y, float z)
 {
 	instance->towards_light[0] = x;

@@ -28,6 +28,9 @@ extern const uint8_t small_model_flat_map[1][4];
 /* Creates an instance of the model that the float kernel updates. */
 struct instance *small_model_instance(const struct model *model);
 
+/* Moves a grid of size 1 over the whole picture of an identity camera. */
+void small_model_fill_picture(struct instance *instance);
+
 /* Sets the direction to the light of bump mapping and updates the instance. */
 void small_model_light_from(
 	struct instance *instance, float x, float y, float z);

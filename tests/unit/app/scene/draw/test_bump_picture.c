@@ -24,7 +24,6 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 	static const uint8_t color[4][4] = {{255, 200, 100, 255},
 		{255, 255, 255, 255}, {90, 180, 255, 255}, {40, 30, 20, 255}};
 	struct log nowhere = log_to_nowhere();
-	struct transform *local;
 
 	shown->canvas = gl_canvas_open("osmesa", PIXELS_RGBA8888);
 	shown->model = small_model_grid(1, 1, 1.0f, true);
@@ -34,13 +33,8 @@ static void set_up(struct shown *shown, int texels, const uint8_t (*map)[4])
 	assert_non_null(shown->model->mesh[0].primitive[0].color);
 	memcpy(shown->model->mesh[0].primitive[0].color, color, sizeof(color));
 	shown->instance = small_model_instance(shown->model);
-	local = &shown->instance->pose.local[0];
-	for (int axis = 0; axis < 2; axis++) {
-		local->translation[axis] = -1;
-		local->scale[axis] = 2;
-	}
-	local->scale[2] = 2;
-	instance_update(shown->instance);
+	shown->instance->pose.local[0].scale[2] = 2;
+	small_model_fill_picture(shown->instance);
 	assert_int_equal(texture_set_create(&shown->textures, shown->model,
 				 shown->canvas.gl, PIXELS_RGBA8888, &nowhere),
 		0);

@@ -108,11 +108,7 @@ static void draw_shadow(struct gl_canvas *canvas, const struct model *model)
 	struct texture_set textures;
 	struct gl *gl = canvas->gl;
 
-	for (int axis = 0; axis < 2; axis++) {
-		instance->pose.local[0].translation[axis] = -1;
-		instance->pose.local[0].scale[axis] = 2;
-	}
-	instance_update(instance);
+	small_model_fill_picture(instance);
 	assert_int_equal(texture_set_create(&textures, model, gl,
 				 PIXELS_RGBA8888, &nowhere),
 		0);

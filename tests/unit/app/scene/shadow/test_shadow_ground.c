@@ -86,15 +86,21 @@ static void test_what_moves_or_is_clear_is_no_ground(void **state)
 	model_destroy(model);
 }
 
+static void stretch_lamp(const struct model *model, int axis, float factor)
+{
+	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
+
+	for (int v = 0; v < lamp->vertex_count; v++) {
+		lamp->position[v][axis] *= factor;
+	}
+}
+
 static void test_a_model_that_is_only_flat_has_no_ground(void **state)
 {
 	struct model *model = load();
-	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
 
 	(void)state;
-	for (int v = 0; v < lamp->vertex_count; v++) {
-		lamp->position[v][1] *= 0.01f;
-	}
+	stretch_lamp(model, 1, 0.01f);
 	assert_int_equal(count_ground(model, NULL), 0);
 	model_destroy(model);
 }
@@ -142,12 +148,9 @@ static void test_a_small_surface_above_it_is_not_taken_for_it(void **state)
 static void test_ground_narrower_than_the_model_is_none(void **state)
 {
 	struct model *model = load();
-	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
 
 	(void)state;
-	for (int v = 0; v < lamp->vertex_count; v++) {
-		lamp->position[v][0] *= 6.0f;
-	}
+	stretch_lamp(model, 0, 6.0f);
 	assert_int_equal(count_ground(model, NULL), 0);
 	model_destroy(model);
 }

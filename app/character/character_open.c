@@ -39,6 +39,12 @@ static int open_sketch(const struct character_request *request,
 	if (error) {
 		return error;
 	}
+	if (instance->model->clip_count > CHARACTER_SKETCH_CLIPS) {
+		log_warning(log,
+			"%s: buttons reach %d of the %d clips: --clip chooses with which one they begin",
+			request->model_path, CHARACTER_SKETCH_CLIPS,
+			instance->model->clip_count);
+	}
 	error = -ENOMEM;
 	file = open_memstream(&text, &size);
 	if (file) {

@@ -152,6 +152,42 @@ def repeated_levels():
     )
 
 
+def long_chain():
+    """Joints behind each other, whose skeleton never branches."""
+    count = 12000
+    return gltf(
+        **data(*[1.0, 0.0, 0.0, 0.0] * 3),
+        accessors=[zeros("VEC3", 3), zeros("VEC4", 3, 5121),
+                   {**zeros("VEC4", 3), "bufferView": 0}],
+        meshes=[{"primitives": [{"attributes": {
+            "POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+        skins=[{"joints": list(range(count))}],
+        nodes=[{"name": "joint%d" % i, "translation": [0, 1e-3, 0],
+                "children": [i + 1] if i + 1 < count else []}
+               for i in range(count)] + [{"mesh": 0, "skin": 0}],
+    )
+
+
+def many_clips():
+    """More clips than a character of its own has states for."""
+    return gltf(
+        **data(0, 1, 0, 0, 0, 1, 1, 1),
+        accessors=[zeros("VEC3", 3),
+                   {"type": "SCALAR", "componentType": 5126, "count": 2,
+                    "bufferView": 0, "min": [0], "max": [1]},
+                   {"type": "VEC3", "componentType": 5126, "count": 2,
+                    "bufferView": 0, "byteOffset": 8}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=[{"mesh": 0}],
+        animations=[{
+            "name": "clip %d" % i,
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0,
+                          "target": {"node": 0, "path": "translation"}}],
+        } for i in range(3000)],
+    )
+
+
 def png(side):
     """A black picture, compressed about a thousand times."""
     def chunk(kind, body):
@@ -212,6 +248,8 @@ def main(folder):
         "names.gltf": names(),
         "many-textures.gltf": one_image_many_textures(),
         "many-floors.gltf": many_floors(),
+        "long-chain.gltf": long_chain(),
+        "many-clips.gltf": many_clips(),
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
     }

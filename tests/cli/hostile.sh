@@ -48,6 +48,15 @@ expect_refusal 1 'has 20000 numbers instead of 3'
 RUN_SECONDS=30 limber play --display null --frames 2 "$scratch/many-floors.gltf"
 expect_status 0
 
+RUN_SECONDS=30 limber character "$scratch/long-chain.gltf"
+expect_out ';bones = joint11999 16'
+
+# A model's own character reaches the clips that a character may hold.
+RUN_SECONDS=30 limber play --display null --frames 2 \
+    --clip 2500 "$scratch/many-clips.gltf"
+expect_status 0
+expect_err 'buttons reach 1000 of the 3000 clips'
+
 # Files that never end, and that hold no text.
 for option in --config --script; do
     limber play --demo arm --display null --frames 2 $option /dev/zero

@@ -109,7 +109,12 @@ static void write_states(const struct model *model,
 	fputs("; Each clip is a state. The first one plays at the start. A state that\n"
 	      "; plays once goes on with another: repeat = once and next = STATE.\n",
 		out);
-	for (int i = 0; i < model->clip_count; i++) {
+	if (model->clip_count > CHARACTER_SKETCH_CLIPS) {
+		fprintf(out, "; These are %d of the model's %d clips.\n",
+			CHARACTER_SKETCH_CLIPS, model->clip_count);
+	}
+	for (int i = 0; i < model->clip_count && i < CHARACTER_SKETCH_CLIPS;
+		i++) {
 		write_state(
 			model, (play->clip + i) % model->clip_count, play, out);
 	}
@@ -177,26 +182,45 @@ static void write_morph(const struct model *model, FILE *out)
 	}
 }
 
-static bool is_joint(const struct model *model, int node)
+/* Where bones are and where the skeleton branches, an entry a node. */
+struct bones {
+	bool *is_joint;
+	int *child_count;
+};
+
+/* 0 or -ENOMEM. */
+static int find_bones(
+	struct bones *bones, const struct model *model, struct arena *arena)
 {
+	size_t count = (size_t)model->node_count;
+
+	bones->is_joint = ARENA_ARRAY(arena, bool, count);
+	bones->child_count = ARENA_ARRAY(arena, int, count);
+	if (!bones->is_joint || !bones->child_count) {
+		return -ENOMEM;
+	}
 	for (int s = 0; s < model->skin_count; s++) {
 		for (int j = 0; j < model->skin[s].joint_count; j++) {
-			if (model->skin[s].joint[j] == node) {
-				return true;
-			}
+			bones->is_joint[model->skin[s].joint[j]] = true;
 		}
 	}
-	return false;
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].parent >= 0) {
+			bones->child_count[model->node[i].parent]++;
+		}
+	}
+	return 0;
 }
 
-static void write_parts(const struct model *model, FILE *out)
+static void write_parts(
+	const struct model *model, const struct bones *bones, FILE *out)
 {
 	int written = 0;
 
 	for (int i = 0; i < model->node_count && written < PARTS_MAX; i++) {
 		const struct model_node *node = &model->node[i];
 
-		if (node->mesh < 0 || node->skin >= 0 || is_joint(model, i) ||
+		if (node->mesh < 0 || node->skin >= 0 || bones->is_joint[i] ||
 			!is_usable(node->name)) {
 			continue;
 		}
@@ -211,24 +235,15 @@ static void write_parts(const struct model *model, FILE *out)
 	}
 }
 
-static int child_count(const struct model *model, int node)
-{
-	int count = 0;
-
-	for (int i = node + 1; i < model->node_count; i++) {
-		count += model->node[i].parent == node;
-	}
-	return count;
-}
-
 /* The number of bones from a last one up to where the skeleton branches. */
-static int chain_length(const struct model *model, int last)
+static int chain_length(
+	const struct model *model, const struct bones *bones, int last)
 {
 	int count = 1;
 	int node = model->node[last].parent;
 
-	while (node >= 0 && is_joint(model, node) &&
-		child_count(model, node) == 1) {
+	while (node >= 0 && bones->is_joint[node] &&
+		bones->child_count[node] == 1) {
 		node = model->node[node].parent;
 		count++;
 	}
@@ -241,21 +256,21 @@ struct bone_box {
 };
 
 /* 0 or -ENOMEM. */
-static int measure_bones(const struct model *model, struct bone_box *box)
+static int measure_bones(const struct model *model, const struct bones *bones,
+	struct arena *arena, struct bone_box *box)
 {
 	float *low = box->low, *high = box->high;
 
-	struct arena arena = arena_empty();
 	struct pose pose;
-	mat4 *world = ARENA_ARRAY(&arena, mat4, (size_t)model->node_count);
-	bool done = world && pose_init(&pose, model, &arena) == 0;
+	mat4 *world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
 
-	if (done) {
-		pose_rest(&pose, model);
-		pose_world(&pose, model, NULL, world);
+	if (!world || pose_init(&pose, model, arena) != 0) {
+		return -ENOMEM;
 	}
-	for (int i = 0, found = 0; done && i < model->node_count; i++) {
-		for (int axis = 0; axis < 3 && is_joint(model, i); axis++) {
+	pose_rest(&pose, model);
+	pose_world(&pose, model, NULL, world);
+	for (int i = 0, found = 0; i < model->node_count; i++) {
+		for (int axis = 0; axis < 3 && bones->is_joint[i]; axis++) {
 			float at = world[i][3][axis];
 
 			low[axis] = !found || at < low[axis] ? at : low[axis];
@@ -268,8 +283,7 @@ static int measure_bones(const struct model *model, struct bone_box *box)
 
 		box->size = side > box->size ? side : box->size;
 	}
-	arena_release(&arena);
-	return done ? 0 : -ENOMEM;
+	return 0;
 }
 
 /* A ball before the middle of the figure, at its right hand. */
@@ -307,22 +321,25 @@ static void write_gravity(const struct bone_box *box, FILE *out)
 }
 
 /* 0 or -ENOMEM. */
-static int write_chains(const struct model *model, FILE *out)
+static int write_chains(const struct model *model, const struct bones *bones,
+	struct arena *arena, FILE *out)
 {
 	struct bone_box box = {.size = 0.0f};
-	int written = 0, error;
+	int written = 0, length, error;
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
-		int bones = chain_length(model, i);
-
-		if (!is_joint(model, i) || child_count(model, i) > 0 ||
-			bones < 2 || !is_usable(model->node[i].name)) {
+		if (!bones->is_joint[i] || bones->child_count[i] > 0 ||
+			!is_usable(model->node[i].name)) {
+			continue;
+		}
+		length = chain_length(model, bones, i);
+		if (length < 2) {
 			continue;
 		}
 		if (written++ == 0) {
 			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
-			error = measure_bones(model, &box);
+			error = measure_bones(model, bones, arena, &box);
 			if (error) {
 				return error;
 			}
@@ -330,14 +347,29 @@ static int write_chains(const struct model *model, FILE *out)
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		write_name(out, model->node[i].name);
-		fprintf(out, " %d", bones < 16 ? bones : 16);
+		fprintf(out, " %d", length < 16 ? length : 16);
 		write_gravity(&box, out);
 		fprintf(out, "\n\n;[reach reach%d]\n;chain = ", written);
 		write_name(out, model->node[i].name);
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
-			bones < 16 ? bones : 16);
+			length < 16 ? length : 16);
 	}
 	return 0;
+}
+
+/* What single nodes may do. 0 or -ENOMEM. */
+static int write_nodes(const struct model *model, FILE *out)
+{
+	struct arena arena = arena_empty();
+	struct bones bones;
+	int error = find_bones(&bones, model, &arena);
+
+	if (!error) {
+		write_parts(model, &bones, out);
+		error = write_chains(model, &bones, &arena, out);
+	}
+	arena_release(&arena);
+	return error;
 }
 
 /* What UP and DOWN do, each of which is a section of buttons. */
@@ -455,8 +487,7 @@ int character_sketch(const struct model *model,
 			out);
 	}
 	write_morph(model, out);
-	write_parts(model, out);
-	error = write_chains(model, out);
+	error = write_nodes(model, out);
 	if (error) {
 		return error;
 	}

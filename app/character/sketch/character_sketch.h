@@ -8,6 +8,11 @@
 
 #include <stdio.h>
 
+/* With more a character would be longer than one may be (character_text.h). */
+enum {
+	CHARACTER_SKETCH_CLIPS = 1000
+};
+
 /* How the clips of a sketch play. */
 struct character_sketch_play {
 	int clip; /* the first one; others follow in the model's order */
@@ -16,11 +21,11 @@ struct character_sketch_play {
 };
 
 /*
- * Writes the text: clips become states, morph targets expressions and a morph;
- * pivots and chains of bones become suggestions in comments. Buttons use what
- * there is. character_read() accepts the text for this model. play NULL: the
- * first clip begins, at its own rate, and all repeat. 0, or -ENOMEM with a part
- * of the text.
+ * Writes the text: clips, but no more than CHARACTER_SKETCH_CLIPS, become
+ * states, morph targets expressions and a morph; pivots and chains of bones
+ * become suggestions in comments. Buttons use what there is. character_read()
+ * accepts the text for this model. play NULL: the first clip begins, at its own
+ * rate, and all repeat. 0, or -ENOMEM with a part of the text.
  */
 int character_sketch(const struct model *model,
 	const struct character_sketch_play *play, FILE *out);

@@ -207,7 +207,7 @@ static int read_line(struct reader *reader, const char *key, const char *value)
 			"this line comes before any [section]: write its section above it");
 	}
 	if (++text->line_count > CHARACTER_LINES_MAX) {
-		return fail(reader, "the character has more than 4000 lines");
+		return fail(reader, "the character has more than 8000 lines");
 	}
 	return append_line(reader, key, word, count);
 }
@@ -271,7 +271,7 @@ static char *next_line(char *line, int size, void *user)
 	}
 	if (reader->line > CHARACTER_LINES_MAX) {
 		reader->error =
-			fail(reader, "the file has more than 4000 lines");
+			fail(reader, "the file has more than 8000 lines");
 		return NULL;
 	}
 	/* Some editors begin a file with a byte order mark. */

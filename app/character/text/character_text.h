@@ -17,7 +17,7 @@
 #include <stdio.h>
 
 enum {
-	CHARACTER_LINES_MAX = 4000, /* in all files of a character */
+	CHARACTER_LINES_MAX = 8000, /* in all files of a character */
 	CHARACTER_WORDS_MAX = 64,   /* in a line */
 	CHARACTER_FILES_MAX = 8     /* a file and those that it includes */
 };

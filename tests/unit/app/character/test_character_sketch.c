@@ -293,6 +293,41 @@ static void test_a_sketch_begins_as_it_is_told(void **state)
 	acting_end(&acting);
 }
 
+/* The first one is the one that was asked for. */
+static void test_a_sketch_of_very_many_clips_is_short_enough(void **state)
+{
+	enum {
+		CLIPS = CHARACTER_SKETCH_CLIPS + 10
+	};
+	const struct character_sketch_play play = {
+		.clip = CLIPS - 1, .rate = 2, .repeat = CLIP_PING_PONG};
+	const struct character_machine *machine;
+	struct model_clip *clips = calloc(CLIPS, sizeof(*clips)), *own;
+	struct acting acting;
+	int own_count;
+
+	(void)state;
+	assert_non_null(clips);
+	acting_begin(&acting, "assets/walker.glb");
+	own = acting.model->clip;
+	own_count = acting.model->clip_count;
+	for (int i = 0; i < CLIPS; i++) {
+		clips[i] = own[0];
+		clips[i].name = "";
+	}
+	acting.model->clip = clips;
+	acting.model->clip_count = CLIPS;
+	expect_sketch(&acting, &play);
+	machine = &acting.character->machine;
+	assert_int_equal(machine->state_count, CHARACTER_SKETCH_CLIPS);
+	assert_ptr_equal(machine->state[0].entry[0].of->clip, &clips[CLIPS - 1]);
+	assert_ptr_equal(machine->state[1].entry[0].of->clip, &clips[0]);
+	acting.model->clip = own;
+	acting.model->clip_count = own_count;
+	acting_end(&acting);
+	free(clips);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -307,6 +342,8 @@ int main(void)
 			test_a_sketch_fits_models_anywhere_and_of_any_size),
 		cmocka_unit_test(test_a_sketch_leaves_animated_shapes_alone),
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
+		cmocka_unit_test(
+			test_a_sketch_of_very_many_clips_is_short_enough),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

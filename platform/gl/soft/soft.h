@@ -19,6 +19,7 @@
 enum {
 	SOFT_LIGHTS = 8,
 	SOFT_UNITS = 2,
+	SOFT_TEXTURE_LISTS = 256,
 	SOFT_LEVELS = 11, /* 1024 down to 1 */
 	SOFT_TEXTURE_SIZE_MAX = 1024,
 	SOFT_WIDTH_MAX = 64, /* of points and lines, in pixels */
@@ -136,8 +137,9 @@ struct unit {
 struct textures {
 	struct unit unit[SOFT_UNITS];
 	int active;
-	struct texture none;   /* name 0 */
-	struct texture *first; /* the others, a list */
+	struct texture none; /* name 0 */
+	/* The others: lists, by the name's remainder. */
+	struct texture *first[SOFT_TEXTURE_LISTS];
 	GLuint last_name;
 	int unpack_alignment, pack_alignment;
 };

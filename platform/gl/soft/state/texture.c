@@ -27,7 +27,7 @@ static void free_levels(struct texture *texture)
 /* The link to the texture that has the name, or to nothing. */
 static struct texture **find_link(struct soft *soft, GLuint name)
 {
-	struct texture **link = &soft->textures.first;
+	struct texture **link = &soft->textures.first[name % SOFT_TEXTURE_LISTS];
 
 	while (*link && (*link)->name != name) {
 		link = &(*link)->next;
@@ -39,13 +39,14 @@ static struct texture *add_texture(struct soft *soft, GLuint name)
 {
 	struct textures *textures = &soft->textures;
 	struct texture *texture = malloc(sizeof(*texture));
+	struct texture **first = &textures->first[name % SOFT_TEXTURE_LISTS];
 
 	if (!soft_check(texture != NULL, GL_OUT_OF_MEMORY)) {
 		return NULL;
 	}
 	*texture = soft_new_texture(name);
-	texture->next = textures->first;
-	textures->first = texture;
+	texture->next = *first;
+	*first = texture;
 	if (name > textures->last_name) {
 		textures->last_name = name;
 	}
@@ -328,8 +329,10 @@ void soft_gl_TexSubImage2D(GLenum target, GLint number, GLint x, GLint y,
 
 void soft_release_textures(struct soft *soft)
 {
-	while (soft->textures.first) {
-		delete_texture(soft, soft->textures.first->name);
+	for (int i = 0; i < SOFT_TEXTURE_LISTS; i++) {
+		while (soft->textures.first[i]) {
+			delete_texture(soft, soft->textures.first[i]->name);
+		}
 	}
 	free_levels(&soft->textures.none);
 }

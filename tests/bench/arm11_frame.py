@@ -17,9 +17,9 @@ STAGES = {
     " largest_float light light_state matrix number parameter paths prepare"
     " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
-    "set-up": "begin bend clip counts fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list list_small masked narrow raster triangle view walk"
-    " walk_small",
+    "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
+    " fill_texture hidden layout line list masked narrow raster triangle view walk"
+    " walk_list",
     "pixels": "band beside blend_row combine_rows coverage cut fill level luminance made mix"
     " narrow_rows read rows samplers spans_565 spans_8888 tests texture tile_row"
     " thin_line tiles tint untested",

@@ -8,6 +8,7 @@
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/halves.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/stages/made.h"
 
 enum {
 	/* Half of 1/32, so that 255 is 32/32. */
@@ -284,15 +285,15 @@ static void move_on(struct tiled *tiled, int pixels)
 }
 
 /* The parts of a run that are nearer than what is there. */
-static NEVER_INLINE void draw_tested(
-	struct draw *draw, const struct soft_run *run)
+static NEVER_INLINE void draw_tested(struct draw *draw,
+	const struct soft_run *run, const struct soft_row *row)
 {
 	struct tiled *tiled = &draw->tiled;
-	uint16_t *depth = run->row.depth;
-	uint32_t z = run->row.z;
+	uint16_t *depth = row->depth;
+	uint32_t z = row->z;
 	int passed;
 
-	for (int left = (int)run->row.count; left > 0; left -= passed + 1) {
+	for (int left = (int)row->count; left > 0; left -= passed + 1) {
 		passed = soft_luminance_test_depth(depth, left, z, run->z_right);
 		tiled->run.count = passed;
 		if (passed > 0) {
@@ -361,12 +362,11 @@ static ALWAYS_INLINE void set_texels(
 	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
 }
 
-/* A run as span functions get it, its colours in bytes. */
-static void draw_run(const struct soft_run *run)
+static ALWAYS_INLINE void draw_row(
+	const struct soft_run *run, const struct soft_row *row)
 {
 	struct draw *draw = run->draw;
 	struct tiled *tiled = &draw->tiled;
-	const struct soft_row *row = &run->row;
 
 	set_texels(tiled, &draw->spans.made_at);
 	tiled->pixel = (uint16_t *)(void *)row->pixel;
@@ -380,13 +380,33 @@ static void draw_run(const struct soft_run *run)
 		tiled->share_right = to_share((int16_t)run->red_blue_right);
 	}
 	if (draw->key.bits & KEY_DEPTH_LESS) {
-		draw_tested(draw, run);
+		draw_tested(draw, run, row);
 		return;
 	}
 	if (draw->spans.depth_written) {
 		write_depth(row->depth, tiled->run.count, row->z, run->z_right);
 	}
 	draw_visible(draw);
+}
+
+static NEVER_INLINE void draw_listed(const struct soft_run *run)
+{
+	struct draw *draw = run->draw;
+
+	for (uint32_t i = 0; i < run->row_count; i++) {
+		draw->spans.made_at = soft_find_made_at(draw, 0, &run->rows[i]);
+		draw_row(run, &run->rows[i]);
+	}
+}
+
+/* Runs as span functions get them, their colours in bytes. */
+static void draw_rows(const struct soft_run *run)
+{
+	if (run->draw->raster.perspective) {
+		draw_row(run, &run->row);
+		return;
+	}
+	draw_listed(run);
 }
 
 /* Of halves of 127ths, 0 to 255. */
@@ -477,7 +497,7 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->set_level = set_level;
 	spans->longest = LUMINANCE_RUN;
 	spans->scales = bytes;
-	spans->draw = draw_run;
+	spans->draw = draw_rows;
 	draw->tiled.level = -1;
 	draw->tiled.mixed = 0;
 	soft_walk_rows(draw, setup);

@@ -4,7 +4,7 @@
 /* The template's way, which is that of every state that has no other. */
 void soft_rows_fill(struct draw *draw, struct setup *setup)
 {
-	if (soft_is_hidden(draw, setup) || soft_draw_small(draw, setup)) {
+	if (soft_is_hidden(draw, setup)) {
 		return;
 	}
 	soft_raster_set_up(draw, setup);

@@ -30,13 +30,6 @@ static NEVER_INLINE bool is_behind_all(
 	return true;
 }
 
-static ALWAYS_INLINE bool is_in_box(
-	const struct clip_box *box, const struct setup *setup, int left)
-{
-	return left >= box->left && left + setup->columns <= box->right &&
-		setup->top >= box->top && setup->bottom <= box->bottom;
-}
-
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;
@@ -47,7 +40,7 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 	int32_t z;
 
 	if (!draw->hides || columns > COLUMNS_MOST || columns < 2 ||
-		(!setup->inside && !is_in_box(&draw->box, setup, left))) {
+		!raster_is_in_box(draw, setup)) {
 		return false;
 	}
 	/* Planes lose less than a unit to rounding. */

@@ -33,61 +33,110 @@ static ALWAYS_INLINE struct frame find_wide_frame(const struct setup *setup)
 }
 
 /* A plane through three values; 2^scale over 16 is a unit of the plane. */
-static void set_plane(const struct frame *f, const int32_t value[3], int scale,
-	struct plane *plane)
+static NEVER_INLINE void set_wide_plane(const struct frame *f,
+	const struct delta *delta, int scale, struct plane *plane)
 {
-	int64_t d1 = (int64_t)value[1] - value[0];
-	int64_t d2 = (int64_t)value[2] - value[0];
+	const int64_t d1 = delta->d1, d2 = delta->d2;
 
 	plane->dx = divide_by_area(f, d1 * f->y2 + d2 * f->less_y1, scale);
 	plane->dy = divide_by_area(f, d2 * f->x1 + d1 * f->less_x2, scale);
 	/* To column 0; both products before are within 16: less than a pixel. */
-	plane->start = ((uint32_t)value[0] << (scale - 4)) +
+	plane->start = ((uint32_t)delta->first << (scale - 4)) +
 		(uint32_t)(plane->dx >> 4) * (uint32_t)f->off_x +
 		(uint32_t)(plane->dy >> 4) * (uint32_t)f->off_y -
 		(uint32_t)plane->dx * (uint32_t)f->column;
 }
 
-static ALWAYS_INLINE uint32_t spread(const int32_t value[3])
+static ALWAYS_INLINE struct delta find_delta(int32_t a, int32_t b, int32_t c)
 {
-	return (uint32_t)raster_most(value[0], value[1], value[2]) -
-		(uint32_t)raster_least(value[0], value[1], value[2]);
+	return (struct delta){a, (int32_t)((uint32_t)b - (uint32_t)a),
+		(int32_t)((uint32_t)c - (uint32_t)a)};
 }
 
-static void set_affine(struct draw *draw, const struct setup *setup,
-	const int32_t value[3], int name)
+static ALWAYS_INLINE void set_plane(
+	struct raster *raster, bool small, const struct delta *delta, int name)
 {
-	struct plane *plane = &draw->raster.plane[name];
-
-	if (!setup->wide && spread(value) < SMALL_DELTA) {
-		const struct delta delta = {
-			value[0], value[1] - value[0], value[2] - value[0]};
-
-		*plane = frame_find_plane(&draw->raster.frame, &delta);
+	if (small) {
+		raster->plane[name] = frame_find_plane(&raster->frame, delta);
 	} else {
-		set_plane(&draw->raster.frame, value, 12, plane);
+		set_wide_plane(&raster->frame, delta, 12, &raster->plane[name]);
 	}
 }
 
-/* Colours and fog as they are, coordinates in 1/256 of texels. */
-static void gather_texels(
-	struct draw *draw, const struct setup *setup, int name, int32_t out[3])
-{
-	int32_t *range = draw->raster.texel_range[name - TEX_S];
-	const struct texture_input *input = &draw->texture[(name - TEX_S) / 2];
-	bool t = (name - TEX_S) % 2;
-	int log2 = t ? input->height_log2 : input->width_log2;
-	GLenum wrap = t ? input->texture->wrap_t : input->texture->wrap_s;
-	uint32_t first = (uint32_t)setup->v[0]->attribute[name];
-	uint32_t base = wrap == GL_REPEAT ? first & ~0xFFFFu : 0;
+/* The attributes that move, and the most that they differ by. */
+struct moving {
+	struct delta delta[ATTRIBUTES]; /* of raster->moving */
+	uint32_t color, texel;
+};
 
-	for (int i = 0; i < 3; i++) {
-		out[i] = shift_by(
-			(int32_t)((uint32_t)setup->v[i]->attribute[name] - base),
-			log2 - 8);
+static ALWAYS_INLINE void add_moving(struct raster *raster,
+	struct moving *moving, int name, struct delta delta)
+{
+	moving->delta[raster->moving_count] = delta;
+	raster->moving[raster->moving_count++] = name;
+	raster->moving_bits |= 1u << name;
+}
+
+/*
+ * Of colours and fog; what stays the same goes into the span once and for all,
+ * as white did once a call.
+ */
+static ALWAYS_INLINE void gather_colors(
+	struct draw *draw, const struct setup *setup, struct moving *moving)
+{
+	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
+	struct raster *raster = &draw->raster;
+	const int32_t *color[3];
+
+	frame_choose_colors(draw, setup, color);
+	for (int i = RED; i <= FOG; i++) {
+		struct delta delta;
+		uint32_t own;
+
+		if (!(wanted >> i & 1)) {
+			continue;
+		}
+		delta = i == FOG
+			? find_delta(setup->v[0]->attribute[FOG],
+				  setup->v[1]->attribute[FOG],
+				  setup->v[2]->attribute[FOG])
+			: find_delta(color[0][i], color[1][i], color[2][i]);
+		if ((delta.d1 | delta.d2) == 0) {
+			raster->span.value[i] = (uint32_t)delta.first << 8;
+			raster->span.step[i] = 0;
+			continue;
+		}
+		own = frame_find_spread(delta.d1, delta.d2);
+		moving->color = own > moving->color ? own : moving->color;
+		add_moving(raster, moving, i, delta);
 	}
-	range[0] = raster_least(out[0], out[1], out[2]);
-	range[1] = raster_most(out[0], out[1], out[2]);
+}
+
+/* Texture coordinates, in 1/256 of texels. */
+static ALWAYS_INLINE void gather_texels(
+	struct draw *draw, const struct setup *setup, struct moving *moving)
+{
+	struct raster *raster = &draw->raster;
+
+	for (int i = 0; i < 2 * SOFT_UNITS && draw->attributes >> (TEX_S + i);
+		i++) {
+		const struct texture_input *input = &draw->texture[i / 2];
+		struct frame_texels texels;
+		uint32_t own;
+
+		if (!(draw->attributes >> (TEX_S + i) & 1)) {
+			continue;
+		}
+		texels = frame_find_texels(setup, TEX_S + i,
+			i % 2 ? input->height_log2 : input->width_log2,
+			(i % 2 ? input->texture->wrap_t
+			       : input->texture->wrap_s) == GL_REPEAT);
+		raster->texel_range[i][0] = texels.low;
+		raster->texel_range[i][1] = texels.high;
+		own = (uint32_t)texels.high - (uint32_t)texels.low;
+		moving->texel = own > moving->texel ? own : moving->texel;
+		add_moving(raster, moving, TEX_S + i, texels.delta);
+	}
 }
 
 /* 1 / w of the three in a common scale, below 2^29. */
@@ -108,62 +157,41 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 	}
 }
 
-/* The most that colours differ by, and texels, into perspective. */
-static uint32_t find_spreads(const struct raster *raster, int32_t (*value)[3],
-	struct perspective *perspective)
-{
-	uint32_t color = 0;
-
-	for (int i = 0; i < raster->moving_count; i++) {
-		uint32_t own = spread(value[i]);
-		uint32_t *most =
-			raster->moving[i] < TEX_S ? &color : &perspective->texel;
-
-		*most = own > *most ? own : *most;
-	}
-	return color;
-}
-
-/* Whether texels bend, in a small triangle, instead of being divided. */
-static bool bend(struct draw *draw, const struct setup *setup,
-	int32_t (*value)[3], const struct perspective *perspective)
-{
-	struct delta delta[ATTRIBUTES];
-
-	if (setup->wide || draw->divides || perspective->texel >= SMALL_DELTA ||
-		perspective->w_spread > perspective->w_least) {
-		return false;
-	}
-	for (int i = 0; i < draw->raster.moving_count; i++) {
-		delta[i] = (struct delta){value[i][0],
-			value[i][1] - value[i][0], value[i][2] - value[i][0]};
-	}
-	return soft_bend(draw, setup, delta, perspective);
-}
-
 /* What has to be divided: everything, or texels alone unless they bend, or nothing. */
-static void find_perspective(
-	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
+static ALWAYS_INLINE void find_perspective(struct draw *draw,
+	const struct setup *setup, const struct moving *moving)
 {
 	struct raster *raster = &draw->raster;
 	const struct vertex *const *v = setup->v;
-	const int32_t w[3] = {v[0]->clip[3], v[1]->clip[3], v[2]->clip[3]};
-	struct perspective perspective = {.w_spread = spread(w),
-		.w_least = (uint32_t)raster_least(w[0], w[1], w[2])};
-	uint32_t color = find_spreads(raster, value, &perspective);
+	const int32_t a = v[0]->clip[3], b = v[1]->clip[3], c = v[2]->clip[3];
+	const int32_t least = raster_least(a, b, c);
+	const struct perspective perspective = {
+		.w_spread = (uint32_t)(raster_most(a, b, c) - least),
+		.w_least = (uint32_t)least,
+		.texel = moving->texel};
 
-	raster->colors_divided =
-		raster_bends(&perspective, color, rows_color_tolerance(draw));
-	raster->perspective = raster->colors_divided ||
-		(raster_bends(&perspective, perspective.texel, 0) &&
-			!bend(draw, setup, value, &perspective));
+	raster->colors_divided = raster_bends(
+		&perspective, moving->color, rows_color_tolerance(draw));
+	if (raster->colors_divided) {
+		raster->perspective = true;
+	} else if (raster_bends(&perspective, moving->texel, 0)) {
+		/* in a small triangle texels bend instead of being divided */
+		raster->perspective = setup->wide || draw->divides ||
+			moving->texel >= SMALL_DELTA ||
+			perspective.w_spread > perspective.w_least ||
+			!soft_bend(draw, setup, moving->delta, &perspective);
+	}
 }
 
 /* Values times q, scaled to stay below 2^29; exact again after a division. */
-static void set_perspective(struct raster *raster, const int32_t value[3],
+static void set_perspective(struct raster *raster, const struct delta *delta,
 	const int32_t q[3], int name)
 {
+	const int32_t value[3] = {delta->first,
+		(int32_t)((uint32_t)delta->first + (uint32_t)delta->d1),
+		(int32_t)((uint32_t)delta->first + (uint32_t)delta->d2)};
 	int32_t product[3];
+	struct delta scaled;
 	int shift = 16;
 
 	if (name >= TEX_S) {
@@ -179,86 +207,58 @@ static void set_perspective(struct raster *raster, const int32_t value[3],
 	for (int i = 0; i < 3; i++) {
 		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	set_plane(&raster->frame, product, 4, &raster->plane[name]);
-}
-
-/*
- * Of what differs; what does not goes into the span once and for all, as white
- * did once a call.
- */
-static int gather_attributes(
-	struct draw *draw, const struct setup *setup, int32_t (*value)[3])
-{
-	const struct vertex *const *v = setup->v;
-	const int32_t *const own[3] = {
-		v[0]->attribute, v[1]->attribute, v[2]->attribute};
-	struct raster *raster = &draw->raster;
-	const int32_t *color[3];
-	int count = 0;
-
-	frame_choose_colors(draw, setup, color);
-	for (int i = 0; i < draw->attribute_count; i++) {
-		int name = draw->attribute[i];
-		const int32_t *const *from = name == FOG ? own : color;
-		int32_t *out = value[count];
-
-		if (name >= TEX_S) {
-			gather_texels(draw, setup, name, out);
-			raster->moving[count++] = name;
-			continue;
-		}
-		if (draw->spans.white_bits >> name & 1) {
-			continue;
-		}
-		out[0] = from[0][name];
-		out[1] = from[1][name];
-		out[2] = from[2][name];
-		if (out[0] != out[1] || out[0] != out[2]) {
-			raster->moving[count++] = name;
-			continue;
-		}
-		raster->span.value[name] = (uint32_t)out[0] << 8;
-		raster->span.step[name] = 0;
-	}
-	return count;
+	scaled = find_delta(product[0], product[1], product[2]);
+	set_wide_plane(&raster->frame, &scaled, 4, &raster->plane[name]);
 }
 
 static void set_attributes(struct draw *draw, const struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
-	int32_t value[ATTRIBUTES][3], q[3];
-	int count = gather_attributes(draw, setup, value);
+	struct moving moving;
+	int32_t q[3];
 
-	raster->moving_count = count;
+	moving.color = moving.texel = 0;
+	raster->moving_count = 0;
 	raster->moving_bits = 0;
-	for (int i = 0; i < count; i++) {
-		raster->moving_bits |= 1u << raster->moving[i];
-	}
 	raster->perspective = false;
 	raster->colors_divided = false;
 	raster->bent = false;
-	if (draw->perspective && count > 0) {
-		find_perspective(draw, setup, value);
+	gather_colors(draw, setup, &moving);
+	gather_texels(draw, setup, &moving);
+	if (draw->perspective && raster->moving_count > 0) {
+		find_perspective(draw, setup, &moving);
 	}
 	if (raster->perspective) {
+		struct delta inverse;
+
 		gather_inverse_w(setup, q);
-		set_plane(&raster->frame, q, 4, &raster->plane[INVERSE_W]);
+		inverse = find_delta(q[0], q[1], q[2]);
+		set_wide_plane(
+			&raster->frame, &inverse, 4, &raster->plane[INVERSE_W]);
 	}
-	for (int i = 0; i < count; i++) {
-		int name = raster->moving[i];
+	for (int i = 0; i < raster->moving_count; i++) {
+		const int name = raster->moving[i];
+		const struct delta *delta = &moving.delta[i];
 
 		if (rows_is_divided(raster, name)) {
-			set_perspective(raster, value[i], q, name);
-		} else if (name < TEX_S || !raster->bent) {
-			set_affine(draw, setup, value[i], name);
-			raster->plane[name].start +=
-				name >= TEX_S ? TEXEL_NUDGE : 0;
+			set_perspective(raster, delta, q, name);
+		} else if (name < TEX_S) {
+			set_plane(raster, !setup->wide, delta, name);
+		} else if (!raster->bent) {
+			set_plane(raster,
+				!setup->wide && moving.texel < SMALL_DELTA,
+				delta, name);
+			raster->plane[name].start += TEXEL_NUDGE;
 		}
 	}
 }
 
-int32_t soft_raster_offset_depth(const struct draw *draw,
-	const struct setup *setup, int32_t dx, int32_t dy)
+/*
+ * What a depth that changes so from pixel to pixel is moved by, as planes have
+ * it. GL ES 1.1 section 3.5.5; cut so that no depth wraps.
+ */
+static int32_t find_offset(const struct draw *draw, const struct setup *setup,
+	int32_t dx, int32_t dy)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
 	const uint32_t x = raster_size(dx), y = raster_size(dy);
@@ -277,7 +277,8 @@ int32_t soft_raster_offset_depth(const struct draw *draw,
 void soft_raster_set_up(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
-	const int32_t z[3] = {setup->v[0]->z, setup->v[1]->z, setup->v[2]->z};
+	const struct delta z =
+		find_delta(setup->v[0]->z, setup->v[1]->z, setup->v[2]->z);
 
 	draw->raster.top = setup->top;
 	if (setup->wide) {
@@ -287,12 +288,12 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	}
 	setup->middle_left = raster->frame.middle_left;
 	if (draw->soft->fragment.depth_test) {
-		set_affine(draw, setup, z, DEPTH);
+		set_plane(raster, !setup->wide, &z, DEPTH);
 	}
 	if (draw->offset) {
 		struct plane *depth = &raster->plane[DEPTH];
 
-		depth->start += (uint32_t)soft_raster_offset_depth(
+		depth->start += (uint32_t)find_offset(
 			draw, setup, depth->dx, depth->dy);
 	}
 	set_attributes(draw, setup);

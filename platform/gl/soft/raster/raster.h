@@ -100,13 +100,6 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 /* raster.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
-/*
- * raster.c: what a depth that changes so from pixel to pixel is moved by, as
- * planes have it. GL ES 1.1 section 3.5.5; cut so that no depth wraps.
- */
-int32_t soft_raster_offset_depth(const struct draw *draw,
-	const struct setup *setup, int32_t dx, int32_t dy);
-
 /* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
 int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
 
@@ -158,6 +151,21 @@ static inline int raster_first_row(
 	const struct draw *draw, const struct setup *setup)
 {
 	return setup->top < draw->box.top ? draw->box.top : setup->top;
+}
+
+static ALWAYS_INLINE bool raster_is_in_box(
+	const struct draw *draw, const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	const struct clip_box *box = &draw->box;
+	int left;
+
+	if (setup->inside) {
+		return true;
+	}
+	left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
+	return left >= box->left && left + setup->columns <= box->right &&
+		setup->top >= box->top && setup->bottom <= box->bottom;
 }
 
 /* Where a band has its edges (see BAND_LEFT) and its number of rows. */

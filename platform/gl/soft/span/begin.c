@@ -37,7 +37,7 @@ static bool is_steep(const struct plane *plane, uint32_t moving)
 	return false;
 }
 
-static void set_level_and_window(struct draw *draw)
+static void set_level(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
@@ -55,9 +55,6 @@ static void set_level_and_window(struct draw *draw)
 	}
 	if (draw->texture[1].used && !raster->perspective) {
 		soft_set_made_levels(draw, 1, raster->span.lod[1]);
-	}
-	if (!spans->level_by_row && !spans->made) {
-		soft_set_window(draw);
 	}
 }
 
@@ -82,7 +79,7 @@ static void set_constants(struct draw *draw, uint32_t moving)
 			spans->steep || spans->alpha_moves || spans->fog_moves;
 	}
 	if (spans->textured) {
-		set_level_and_window(draw);
+		set_level(draw);
 	}
 }
 
@@ -95,12 +92,6 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 		set_color_steps(&draw->spans,
 			&(struct colors){plane[RED].dx, plane[GREEN].dx,
 				plane[BLUE].dx, plane[ALPHA].dx, plane[FOG].dx});
-	}
-	if (draw->spans.textured && !raster->perspective && !raster->bent) {
-		soft_set_texel_steps(&draw->spans,
-			(struct texels){plane[TEX_S].dx, plane[TEX_S + 1].dx});
-		draw->spans.textured_pixels = rows_find_run_pixels(
-			draw, plane[TEX_S].dx, plane[TEX_S + 1].dx);
 	}
 }
 

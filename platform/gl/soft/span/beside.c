@@ -2,10 +2,10 @@
  * Runs with tests that the span functions do not do, or that are blended in
  * another way: drawn with depths, and pixels, beside the buffers.
  */
-#include "platform/gl/soft/raster/small_list.h"
 #include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/stages/blend_row.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 /* Which depths the runs of a call are drawn with. */
 enum depths {
@@ -22,7 +22,7 @@ struct batch {
 	uint32_t count;
 	enum depths depths;
 	bool marked; /* which fragments are drawn has to be known */
-	struct soft_row row[SMALL_RUNS]; /* as the function gets them */
+	struct soft_row row[SOFT_BATCH_RUNS]; /* as the function gets them */
 	/* Depths that differ afterwards are those of fragments that are drawn. */
 	uint16_t aside[SOFT_BATCH_PIXELS], before[SOFT_BATCH_PIXELS];
 	uint32_t own[SOFT_BATCH_PIXELS];

@@ -73,6 +73,18 @@ static ALWAYS_INLINE void set_more_colors(
 	}
 }
 
+static ALWAYS_INLINE void set_more_color_steps(
+	struct soft_spans *spans, int32_t alpha, int32_t fog)
+{
+	if (spans->alpha_moves) {
+		spans->run.green_alpha_right += (uint32_t)soft_alpha_step(alpha)
+			<< 16;
+	}
+	if (spans->fog_moves) {
+		spans->run.fog_right = scale_step(fog, SOFT_FOG_SCALE);
+	}
+}
+
 static ALWAYS_INLINE void set_color_steps(
 	struct soft_spans *spans, const struct colors *step)
 {
@@ -82,13 +94,7 @@ static ALWAYS_INLINE void set_color_steps(
 	run->red_blue_right = (scale_step(step->blue, scale) << 16) +
 		scale_step(step->red, scale);
 	run->green_alpha_right = scale_step(step->green, spans->scales.green);
-	if (spans->alpha_moves) {
-		run->green_alpha_right += (uint32_t)soft_alpha_step(step->alpha)
-			<< 16;
-	}
-	if (spans->fog_moves) {
-		run->fog_right = scale_step(step->fog, SOFT_FOG_SCALE);
-	}
+	set_more_color_steps(spans, step->alpha, step->fog);
 }
 
 static ALWAYS_INLINE struct colors find_colors(const struct line *line, int x)

@@ -8,11 +8,9 @@
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 
-/* What moves in a triangle, and is divided by 1 / w; constants of the walk. */
+/* What moves in a triangle; texture coordinates are divided by 1 / w always. */
 struct walk_kind {
-	bool textured, colored;
-	bool texels_divided, colors_divided;
-	bool texels_bent;
+	bool textured, colored, colors_divided;
 };
 
 struct row_point {

@@ -353,13 +353,14 @@ static bool is_alpha_of_colors(const struct draw *draw)
 	return is;
 }
 
-/* How long a run may be, and whether those of small triangles are listed. */
+/* How long a run may be, and whose colours are stepped from row to row. */
 static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 {
 	/*
-	 * A step is off by half of 1/16384 in each column and row. White times
-	 * 255 leaves less room below 256 than times 31 below 32. Colours that
-	 * are combined have half a step of 255 to spare.
+	 * A step is off by half of 1/16384 in each column and row: in 128 by a
+	 * quarter of the picture's. White times 255 leaves less room below 256
+	 * than times 31 below 32. Colours that are combined have half a step of
+	 * 255 to spare.
 	 */
 	bool wide = draw->soft->format == PIXELS_RGBA8888 && !spans->combined;
 
@@ -368,10 +369,10 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 		? SOFT_PLAIN_PIXELS
 		: SOFT_RUN_PIXELS;
 	spans->longest = SOFT_RUN_PIXELS;
-	spans->listed_size = wide ? 40 : SOFT_LISTED_SIZE;
+	spans->stepped_size = wide ? 40 : 128;
 	/* An alpha test needs the alpha of planes, to the bit. */
 	if (spans->alpha_tested && is_alpha_of_colors(draw)) {
-		spans->listed_size = 0;
+		spans->stepped_size = 0;
 	}
 }
 

@@ -32,10 +32,11 @@ enum {
 	SOFT_RUN_PIXELS = 64,
 	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
 	SOFT_PLAIN_PIXELS = 512,
-	/* Columns and rows of triangles whose runs are listed, at most. */
+	/* Columns and rows of small triangles, whose runs are one list, at most. */
 	SOFT_LISTED_SIZE = 62,
-	/* Of all runs of a small triangle. */
+	/* Of all runs of a list that one call draws, and how many these are. */
 	SOFT_BATCH_PIXELS = 1024,
+	SOFT_BATCH_RUNS = 64,
 	/* As many texels fit a half of a word, with 9 bits of fraction. */
 	SOFT_RUN_TEXELS = 128,
 };

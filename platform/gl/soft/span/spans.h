@@ -66,8 +66,8 @@ struct soft_spans {
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	/* Columns and rows of triangles whose runs are listed, at most. */
-	int listed_size;
+	/* Columns and rows of triangles whose colours a list steps, at most. */
+	int stepped_size;
 	/* Of the triangle under way: rows choose levels, and none has yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves;
@@ -90,9 +90,8 @@ struct soft_spans {
 	uint32_t color_mask; /* bits of pixels that are written, twice of 565 */
 	enum soft_finish finish;
 	const soft_span_table *table; /* of all of the state's functions */
-	/* The most of a run without a texture, and with one in an affine triangle */
-	int plain_pixels, textured_pixels;
-	int longest; /* with one at all */
+	int plain_pixels;             /* the most of a run without a texture */
+	int longest;                  /* and with one */
 	struct soft_scales scales;
 	/* of minified and magnified textures, by enum soft_place */
 	const soft_span_function *min, *mag;
@@ -155,12 +154,6 @@ void soft_copy_untested(const struct soft_run *run);
  */
 void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);
-
-/*
- * raster/list_small.c: draws a small triangle, of which nothing is set up, in a
- * state whose runs can be listed. False, with nothing drawn, for all others.
- */
-bool soft_draw_small(struct draw *draw, struct setup *setup);
 
 /* All rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);

@@ -1,10 +1,11 @@
 /*
- * The rows of a triangle, cut into runs for the span functions. Values run
- * linearly along a row where perspective bends them too little to be seen, see
- * raster.c; else they are divided exactly every 16 to 64 pixels.
+ * The rows of a triangle, cut into runs for the span functions. Where
+ * perspective bends values so much that it shows, see raster.c, they are
+ * divided exactly every 16 to 64 pixels; else walk_list.c walks the rows.
  */
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/span/list.h"
 #include "platform/gl/soft/span/points.h"
 
 /* Draws a run of so many pixels from x on, whose values and steps are set. */
@@ -28,32 +29,6 @@ static ALWAYS_INLINE void draw_run(
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
-	}
-}
-
-static ALWAYS_INLINE void row_linear(
-	const struct line *line, const struct walk_kind kind, int x, int right)
-{
-	struct draw *draw = line->draw;
-	const struct plane *plane = draw->raster.plane;
-	const int most = kind.textured ? draw->spans.textured_pixels
-				       : draw->spans.plain_pixels;
-
-	for (; x < right; x += most) {
-		int count = right - x < most ? right - x : most;
-
-		if (kind.textured) {
-			soft_set_texels(&draw->spans,
-				(struct texels){find_value(line, TEX_S, x),
-					find_value(line, TEX_S + 1, x)},
-				(struct texels){
-					plane[TEX_S].dx, plane[TEX_S + 1].dx},
-				(uint32_t)count);
-		}
-		if (kind.colored) {
-			place_colors(line, x, count);
-		}
-		draw_run(line, kind, x, count);
 	}
 }
 
@@ -159,41 +134,6 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-/* What bends runs straight to the pixel behind the run. */
-static ALWAYS_INLINE struct bent find_bent(
-	const struct line *line, int name, int x, int count)
-{
-	const struct raster *raster = &line->draw->raster;
-	const struct plane *p = &raster->plane[name];
-
-	return rows_find_bent(raster, name,
-		p->start + (uint32_t)p->dy * (uint32_t)line->row, line->row, x,
-		count);
-}
-
-static ALWAYS_INLINE void row_bent(
-	const struct line *line, const struct walk_kind kind, int x, int right)
-{
-	struct soft_spans *spans = &line->draw->spans;
-	const int most = line->draw->raster.bent_pixels;
-
-	for (; x < right; x += most) {
-		int count = right - x < most ? right - x : most;
-
-		const struct bent s = find_bent(line, TEX_S, x, count);
-		const struct bent t = find_bent(line, TEX_S + 1, x, count);
-		const struct texels at = {s.value, t.value};
-		const struct texels step = {s.step, t.step};
-
-		soft_set_texel_steps(spans, step);
-		soft_set_texels(spans, at, step, (uint32_t)count);
-		if (kind.colored) {
-			place_colors(line, x, count);
-		}
-		draw_run(line, kind, x, count);
-	}
-}
-
 /* Rows between two edges. */
 static ALWAYS_INLINE void walk_part(struct line *line,
 	const struct walk_kind kind, struct side *left_side,
@@ -212,13 +152,7 @@ static ALWAYS_INLINE void walk_part(struct line *line,
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
-			if (kind.texels_bent) {
-				row_bent(line, kind, left, right);
-			} else if (kind.texels_divided || kind.colors_divided) {
-				row_divided(line, kind, left, right);
-			} else {
-				row_linear(line, kind, left, right);
-			}
+			row_divided(line, kind, left, right);
 		}
 		raster_next_side(&first);
 		raster_next_side(&last);
@@ -271,39 +205,29 @@ static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
 		walk(draw, setup, (struct walk_kind){__VA_ARGS__}); \
 	}
 
-WALK(plain_still, .textured = false)
-WALK(plain, .colored = true)
-WALK(plain_divided, .colored = true, .colors_divided = true)
+WALK(plain, .colored = true, .colors_divided = true)
 WALK(still, .textured = true)
-WALK(still_divided, .textured = true, .texels_divided = true)
 WALK(colored, .textured = true, .colored = true)
-WALK(colored_by_texels, .textured = true, .colored = true,
-	.texels_divided = true)
-WALK(colored_divided, .textured = true, .colored = true, .texels_divided = true,
-	.colors_divided = true)
-WALK(still_bent, .textured = true, .texels_bent = true)
-WALK(colored_bent, .textured = true, .colored = true, .texels_bent = true)
+WALK(colored_divided, .textured = true, .colored = true, .colors_divided = true)
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	bool divided = raster->perspective, bent = raster->bent;
-	uint32_t moving;
+	const uint32_t moving = soft_begin_walk(draw);
 
-	moving = soft_begin_walk(draw);
+	if (!raster->perspective) {
+		soft_draw_list(draw, setup, moving);
+		return;
+	}
 	soft_begin_steps(draw, moving);
 	if (!draw->spans.textured) {
-		(!moving                  ? walk_plain_still
-				: divided ? walk_plain_divided
-					  : walk_plain)(draw, setup);
-	} else if (!moving) {
-		(bent                     ? walk_still_bent
-				: divided ? walk_still_divided
-					  : walk_still)(draw, setup);
-	} else {
-		(bent                                    ? walk_colored_bent
-				: raster->colors_divided ? walk_colored_divided
-				: divided ? walk_colored_by_texels
-					  : walk_colored)(draw, setup);
+		walk_plain(draw, setup);
+		return;
 	}
+	if (!draw->spans.level_by_row && !draw->spans.made) {
+		soft_set_window(draw);
+	}
+	(!moving                                 ? walk_still
+			: raster->colors_divided ? walk_colored_divided
+						 : walk_colored)(draw, setup);
 }

@@ -1,7 +1,6 @@
 #include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/raster/small_list.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
@@ -90,7 +89,7 @@ static NEVER_INLINE struct soft_made_at find_second(
 		span.step[TEX_S + 3]};
 }
 
-static ALWAYS_INLINE struct soft_made_at find_at(
+struct soft_made_at soft_find_made_at(
 	const struct draw *draw, int unit, const struct soft_row *row)
 {
 	const struct raster *raster = &draw->raster;
@@ -144,7 +143,7 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 	for (uint32_t i = 0; i < runs->row_count; i++) {
 		const struct soft_row *row = &runs->rows[i];
 		const struct soft_made_at at =
-			known ? *known : find_at(draw, unit, row);
+			known ? *known : soft_find_made_at(draw, unit, row);
 		const uint32_t count = row->count;
 
 		run.row.pixel = (uint8_t *)out;
@@ -329,7 +328,7 @@ static void draw_made(const struct soft_run *given)
 	const uint32_t count = count_pixels(run);
 	uint32_t texel[SOFT_BATCH_PIXELS], color[SOFT_BATCH_PIXELS];
 	uint32_t *made = texel;
-	struct soft_row row[SMALL_RUNS];
+	struct soft_row row[SOFT_BATCH_RUNS];
 
 	if (is_hidden(spans)) {
 		return;

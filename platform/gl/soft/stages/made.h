@@ -17,6 +17,10 @@ bool soft_mixes_levels(const struct texture_input *input);
 /* Once a draw call whose runs are made: after all else of struct soft_spans. */
 void soft_prepare_made(struct draw *draw);
 
+/* Where a listed run's texels are in the base, and how they run. */
+struct soft_made_at soft_find_made_at(
+	const struct draw *draw, int unit, const struct soft_row *row);
+
 /* A texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int unit, int lod);
 

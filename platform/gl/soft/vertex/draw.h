@@ -150,7 +150,8 @@ struct frame {
 };
 
 enum {
-	RASTER_LISTED = INT32_MIN + 1 /* raster.top: list_small.c drew it */
+	RASTER_LISTED =
+		INT32_MIN + 1 /* raster.top: it was small, and is drawn */
 };
 
 /* The triangle under way. */

@@ -1,15 +1,16 @@
 /*
- * The rows of small triangles: one loop lists all of a triangle's runs, and the
- * span function draws them in one call.
+ * The rows of triangles that are not divided by w: one loop lists their runs,
+ * and the span function draws many in one call.
  */
-#include "platform/gl/soft/raster/frame.h"
-#include "platform/gl/soft/raster/small_list.h"
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/span/colors.h"
+#include "platform/gl/soft/span/list.h"
 #include "platform/gl/soft/span/texels.h"
 
 /* How the runs of a triangle are made; constants of the loop. */
 struct list_kind {
 	bool textured, bent;
-	bool certain; /* see struct small_list */
+	bool certain; /* see struct run_list */
 };
 
 /* One instruction: compilers add all products up first, then the rest. */
@@ -22,7 +23,7 @@ static ALWAYS_INLINE uint32_t add_product(uint32_t to, uint32_t a, uint32_t b)
 
 /* What a value is at a row's column. */
 static ALWAYS_INLINE uint32_t find_there(
-	const struct small_value *value, uint32_t x, uint32_t y)
+	const struct list_value *value, uint32_t x, uint32_t y)
 {
 	return add_product(
 		add_product(value->start, value->down, y), value->right, x);
@@ -34,7 +35,7 @@ struct found {
 };
 
 static ALWAYS_INLINE struct found find_coordinate(
-	const struct small_coordinate *c, const struct list_kind kind,
+	const struct list_coordinate *c, const struct list_kind kind,
 	uint32_t x, uint32_t y, uint32_t count)
 {
 	const uint32_t half = count >> 1;
@@ -62,14 +63,14 @@ static ALWAYS_INLINE struct found find_coordinate(
 }
 
 static ALWAYS_INLINE bool is_outside(
-	const struct small_coordinate *c, struct found found, uint32_t count)
+	const struct list_coordinate *c, struct found found, uint32_t count)
 {
 	return found.at >= c->room ||
 		found.at + found.right * (count - 1) >= c->room;
 }
 
 /* A run that leaves the window is drawn at once, and not listed. */
-static NEVER_INLINE void draw_outside(struct small_list *list,
+static NEVER_INLINE void draw_outside(struct run_list *list,
 	const struct soft_row *row, struct found s, struct found t)
 {
 	struct soft_spans *spans = &list->draw->spans;
@@ -87,19 +88,34 @@ static NEVER_INLINE void draw_outside(struct small_list *list,
 	}
 }
 
-/* Where the run is, fog, and alpha, which is exact so that alpha tests are. */
-static NEVER_INLINE void set_rare(const struct small_list *list,
-	struct soft_row *row, uint32_t x, uint32_t y)
+/* Where the run is, and colours that are found from planes. */
+static NEVER_INLINE void set_rare(
+	const struct run_list *list, struct soft_row *row, int x, int y)
 {
-	row->place = y << 16 | x;
-	row->fog = find_there(&list->fog, x, y);
-	if (list->alpha_moves) {
-		row->green_alpha += find_there(&list->alpha, x, y) >> 9 << 16;
+	const struct soft_spans *spans = &list->draw->spans;
+	const struct soft_row *own = &spans->run.row;
+	const struct line line = {.draw = list->draw, .row = y};
+
+	row->place = (uint32_t)y << 16 | (uint32_t)x;
+	if (list->colors_exact) {
+		place_colors(&line, x, (int)row->count);
+		row->red_blue = own->red_blue;
+		row->green_alpha = own->green_alpha;
+		row->fog = own->fog;
+		return;
+	}
+	if (spans->alpha_moves) {
+		row->green_alpha += (uint32_t)find_value(&line, ALPHA, x) >> 9
+				<< 16;
+	}
+	if (spans->fog_moves) {
+		row->fog = (uint32_t)mul_high(
+			find_value(&line, FOG, x), SOFT_FOG_SCALE);
 	}
 }
 
 /* False where the run is drawn already. */
-static ALWAYS_INLINE bool set_texel(struct small_list *list,
+static ALWAYS_INLINE bool set_texel(struct run_list *list,
 	const struct list_kind kind, struct soft_row *row, uint32_t x,
 	uint32_t y)
 {
@@ -119,90 +135,134 @@ static ALWAYS_INLINE bool set_texel(struct small_list *list,
 }
 
 /* A run whose place and count are set. */
-static ALWAYS_INLINE bool set_run(struct small_list *list,
+static ALWAYS_INLINE bool set_run(struct run_list *list,
 	const struct list_kind kind, struct soft_row *row, uint32_t x,
 	uint32_t y)
 {
 	row->z = find_there(&list->z, x, y);
 	row->red_blue = find_there(&list->red_blue, x, y);
 	row->green_alpha = find_there(&list->green, x, y);
-	row->fog = list->fog.start;
+	row->fog = list->fog;
 	if (list->rare) {
-		set_rare(list, row, x, y);
+		set_rare(list, row, (int)x, (int)y);
 	}
 	return !kind.textured || set_texel(list, kind, row, x, y);
 }
 
-/* The runs of rows from y to end, counted from the triangle's first one. */
-static ALWAYS_INLINE void list_rows(struct small_list *list,
-	const struct list_kind kind, int top, int y, int end,
-	struct side *first, struct side *last)
+/* Draws the runs up to one, and begins the list anew. */
+static NEVER_INLINE struct soft_row *draw_listed(
+	struct run_list *list, const struct soft_row *end)
 {
-	const struct buffers *buffers = &list->draw->soft->buffers;
-	const int pixel_log2 = list->draw->spans.pixel_log2;
+	struct soft_spans *spans = &list->draw->spans;
+	struct soft_run *run = &spans->run;
+	const uint8_t *first_texel = run->first_texel;
+
+	run->rows = list->row;
+	run->row_count = (uint32_t)(end - list->row);
+	run->first_texel = list->first_texel;
+	spans->draw(run);
+	run->rows = &run->row;
+	run->row_count = 1;
+	/* A triangle of the same level keeps the window that this belongs to. */
+	run->first_texel = first_texel;
+	return list->row;
+}
+
+/* Lists the runs of so many rows from y on, counted from the triangle's first. */
+static ALWAYS_INLINE struct soft_row *list_rows(struct run_list *list,
+	const struct list_kind kind, struct soft_row *row, int top, int y,
+	int rows, struct side side[2])
+{
+	const struct draw *draw = list->draw;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct clip_box box = draw->box;
+	const int pixel_log2 = draw->spans.pixel_log2;
 	const int width = buffers->width;
 	const int stride_bytes = buffers->target.stride_bytes;
-	int32_t left = first->x, right = last->x;
+	struct side first = side[0], last = side[1];
 	uint16_t *depth = buffers->depth + (ptrdiff_t)(top + y) * width;
 	uint8_t *pixel =
 		buffers->target.data + (ptrdiff_t)(top + y) * stride_bytes;
-	struct soft_row *row = list->end;
 
-	for (; y < end; y++) {
-		int x = left >> 16, count = (right >> 16) - x;
+	for (int end = y + rows; y < end; y++) {
+		int x = first.x >> 16, right = last.x >> 16;
 
-		while (count > 0) {
+		if (!kind.certain) {
+			x = x > box.left ? x : box.left;
+			right = right < box.right ? right : box.right;
+		}
+		while (x < right) {
+			int count = right - x;
+
+			count = kind.certain || count < list->most ? count
+								   : list->most;
 			row->depth = depth + x;
 			row->pixel = pixel + (x << pixel_log2);
-			row->count =
-				(uint32_t)(kind.certain || count < list->most
-						? count
-						: list->most);
-			if (set_run(list, kind, row, (uint32_t)x, (uint32_t)y)) {
-				row++;
+			row->count = (uint32_t)count;
+			if (set_run(list, kind, row, (uint32_t)x, (uint32_t)y) &&
+				++row == list->end) {
+				row = draw_listed(list, row);
 			}
+			x += count;
 			if (kind.certain) {
 				break;
 			}
-			x += list->most;
-			count -= list->most;
 		}
 		depth += width;
 		pixel += stride_bytes;
-		left += first->step;
-		right += last->step;
+		raster_next_side(&first);
+		raster_next_side(&last);
 	}
-	list->end = row;
-	first->x = left;
-	last->x = right;
+	side[0] = first;
+	side[1] = last;
+	return row;
+}
+
+/* So that cutting x finds the first column inside, or outside. */
+static ALWAYS_INLINE struct side find_side(const struct draw *draw,
+	const struct vertex *a, const struct vertex *b, int row)
+{
+	struct side side = raster_side(draw, a, b, row);
+
+	side.x = (int32_t)((uint32_t)side.x + 0x7FFF);
+	return side;
 }
 
 /* All rows, above and below the middle vertex. */
-static ALWAYS_INLINE void list_all(struct small_list *list,
+static ALWAYS_INLINE void list_all(struct run_list *list,
 	const struct setup *setup, const struct list_kind kind)
 {
 	const struct draw *draw = list->draw;
 	const int part = setup->middle_left ? 0 : 1;
+	const int bottom = setup->bottom < draw->box.bottom ? setup->bottom
+							    : draw->box.bottom;
+	struct soft_row *row = list->row;
 	struct side side[2]; /* left and right */
-	int y = setup->top;
+	int y = raster_first_row(draw, setup);
 
-	side[!part] = frame_find_side(draw, setup->v[0], setup->v[2]);
+	side[!part] = find_side(draw, setup->v[0], setup->v[2], y);
 	for (int i = 0; i < 2; i++) {
-		int end = i == 0 ? setup->middle : setup->bottom;
+		int end = i == 0 && setup->middle < bottom ? setup->middle
+							   : bottom;
 
 		if (y < end) {
-			side[part] = frame_find_side(
-				draw, setup->v[i], setup->v[i + 1]);
-			list_rows(list, kind, setup->top, y - setup->top,
-				end - setup->top, &side[0], &side[1]);
+			side[part] = find_side(draw, setup->v[i],
+				i == 1 && draw->fourth ? draw->fourth
+						       : setup->v[i + 1],
+				y);
+			row = list_rows(list, kind, row, setup->top,
+				y - setup->top, end - y, side);
 			y = end;
 		}
+	}
+	if (row != list->row) {
+		draw_listed(list, row);
 	}
 }
 
 #define LIST(name, ...)                                                 \
 	static NEVER_INLINE void list_##name(                           \
-		struct small_list *list, const struct setup *setup)     \
+		struct run_list *list, const struct setup *setup)       \
 	{                                                               \
 		list_all(list, setup, (struct list_kind){__VA_ARGS__}); \
 	}
@@ -213,23 +273,7 @@ LIST(bent, .textured = true, .bent = true)
 LIST(certain, .textured = true, .certain = true)
 LIST(certain_bent, .textured = true, .bent = true, .certain = true)
 
-static void draw_list(const struct small_list *list)
-{
-	struct soft_spans *spans = &list->draw->spans;
-	struct soft_run *run = &spans->run;
-	const uint8_t *first_texel = run->first_texel;
-
-	run->rows = list->row;
-	run->row_count = (uint32_t)(list->end - list->row);
-	run->first_texel = list->first_texel;
-	spans->draw(run);
-	run->rows = &run->row;
-	run->row_count = 1;
-	/* A triangle of the same level keeps the window that this belongs to. */
-	run->first_texel = first_texel;
-}
-
-void soft_walk_small(struct small_list *list, const struct setup *setup)
+void soft_walk_list(struct run_list *list, const struct setup *setup)
 {
 	bool bent = list->draw->raster.bent;
 
@@ -239,8 +283,5 @@ void soft_walk_small(struct small_list *list, const struct setup *setup)
 		(bent ? list_certain_bent : list_certain)(list, setup);
 	} else {
 		(bent ? list_bent : list_linear)(list, setup);
-	}
-	if (list->end != list->row) {
-		draw_list(list);
 	}
 }

@@ -1,0 +1,236 @@
+/*
+ * What the runs of a triangle's list are made of, from its planes. Colours of
+ * small triangles run in the run's own numbers: such triangles are too small to
+ * lose more of them to rounding than they have to spare.
+ */
+#include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/colors.h"
+#include "platform/gl/soft/span/list.h"
+#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/walk.h"
+
+enum {
+	/* An eighth of a texel; a texel where values bend, see bend.c. */
+	SPARE = 1 << (SOFT_TEXEL_FRACTION - 3),
+	SPARE_BENT = 8 * SPARE,
+};
+
+_Static_assert((SOFT_LISTED_SIZE / 2 + 1) * (SOFT_LISTED_SIZE / 2) <=
+		SOFT_BATCH_PIXELS,
+	"a small triangle's runs fit a batch");
+
+static ALWAYS_INLINE bool is_within(
+	const struct texel_place *place, uint32_t room)
+{
+	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
+
+	return place->room < most && place->room <= room &&
+		place->first <= room - place->room;
+}
+
+/*
+ * Beyond the edges of a level that does not repeat a coordinate stays on the
+ * last texel, as find_clamped() in cut.c has it: here that of all of a triangle.
+ */
+static NEVER_INLINE struct texel_place hold_beyond(struct list_coordinate *c,
+	struct texel_place place, uint32_t room, uint32_t last, int32_t half)
+{
+	int32_t at = 0;
+
+	if (place.room >= SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION) {
+		return place;
+	}
+	if (place.low >= (int32_t)room) {
+		at = (int32_t)(last << SOFT_TEXEL_FRACTION);
+	} else if (place.low + (int32_t)place.room >= 0) {
+		return place;
+	}
+	c->value = (struct list_value){(uint32_t)(at + half) << c->shift, 0, 0};
+	c->bend = (struct bend){0};
+	c->level_right = 0;
+	return (struct texel_place){at, (uint32_t)at, 0};
+}
+
+static ALWAYS_INLINE struct texel_place begin_coordinate(
+	const struct raster *raster, int name, int shift, int32_t half,
+	uint32_t mask, struct list_coordinate *out)
+{
+	const struct plane *plane = &raster->plane[name];
+	const int32_t *range = raster->texel_range[name - TEX_S];
+
+	out->value = (struct list_value){
+		plane->start, (uint32_t)plane->dx, (uint32_t)plane->dy};
+	out->shift = shift;
+	if (raster->bent) {
+		out->bend = raster->bend[name];
+		out->round = 1u << (shift - 1);
+	} else {
+		out->level_right = (uint32_t)soft_texel_step(plane->dx, shift);
+	}
+	return soft_find_place(range[0], range[1], shift, half,
+		raster->bent ? SPARE_BENT : SPARE, mask);
+}
+
+/* What of the window the triangle may need, where texels may lie outside. */
+static NEVER_INLINE void begin_part(struct run_list *list)
+{
+	const struct soft_spans *spans = &list->draw->spans;
+	const struct soft_window *part = &spans->part;
+
+	soft_set_window(list->draw);
+	list->s.offset = spans->part_s + (uint32_t)spans->view.s_half;
+	list->t.offset = spans->part_t + (uint32_t)spans->view.t_half;
+	list->s.mask = part->s_mask;
+	list->t.mask = part->t_mask;
+	/* In a large window each run has a first texel of its own. */
+	list->s.room = part->large ? 0 : part->s_room;
+	list->t.room = part->t_room;
+	list->first_texel = spans->part_texel;
+}
+
+/*
+ * Whether all texels lie in the window and a row is one run. Coordinates have
+ * to change by less than 16 texels a pixel for that, so that rounding at edges
+ * cannot lead out of it: the triangle is as thick as twice its area over its
+ * extent.
+ */
+static ALWAYS_INLINE bool is_certain(const struct run_list *list,
+	const struct setup *setup, const struct texel_place *s,
+	const struct texel_place *t)
+{
+	const struct soft_window *window = &list->draw->spans.view.window;
+	uint32_t room = s->room > t->room ? s->room : t->room;
+
+	/* below 2^16 times 2^11 */
+	return is_within(s, window->s_room) && is_within(t, window->t_room) &&
+		setup->columns <= list->most && !setup->wide &&
+		raster_is_in_box(list->draw, setup) &&
+		room * (uint32_t)setup->extent <= (uint32_t)setup->area << 9;
+}
+
+static ALWAYS_INLINE void begin_texels(
+	struct run_list *list, const struct setup *setup)
+{
+	const struct raster *raster = &list->draw->raster;
+	const struct soft_view *view = &list->draw->spans.view;
+	const struct soft_window *window = &view->window;
+	struct texel_place s = begin_coordinate(raster, TEX_S, view->s_shift,
+		view->s_half, window->s_mask, &list->s);
+	struct texel_place t = begin_coordinate(raster, TEX_S + 1,
+		view->t_shift, view->t_half, window->t_mask, &list->t);
+
+	if (window->s_mask == UINT32_MAX) {
+		s = hold_beyond(&list->s, s, window->s_room, view->s_last,
+			view->s_half);
+	}
+	if (window->t_mask == UINT32_MAX) {
+		t = hold_beyond(&list->t, t, window->t_room, view->t_last,
+			view->t_half);
+	}
+	list->certain = is_certain(list, setup, &s, &t);
+	if (!list->certain) {
+		begin_part(list);
+		return;
+	}
+	list->first_texel = view->texels +
+		(t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
+		(s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
+	list->s.value.start -= (uint32_t)(s.low + view->s_half) << view->s_shift;
+	list->t.value.start -= (uint32_t)(t.low + view->t_half) << view->t_shift;
+}
+
+/* A step of 8.16, to the nearest of what a scale makes of it. */
+static ALWAYS_INLINE uint32_t round_step(int32_t step, int32_t scale)
+{
+	return (uint32_t)((mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >>
+		1);
+}
+
+/* A colour in the run's numbers, scaled where the first vertex is. */
+static ALWAYS_INLINE struct list_value scale_color(
+	const struct raster *raster, int name, int32_t half, int32_t scale)
+{
+	const struct plane *plane = &raster->plane[name];
+	const uint32_t column = (uint32_t)raster->frame.column;
+	const uint32_t right = round_step(plane->dx, scale);
+	const int32_t at =
+		(int32_t)(plane->start + (uint32_t)plane->dx * column);
+
+	return (struct list_value){
+		(uint32_t)mul_high_add(half, at, scale) - right * column, right,
+		round_step(plane->dy, scale)};
+}
+
+/* Red, green and blue of a small triangle, and the steps of all that moves. */
+static ALWAYS_INLINE void begin_moving(struct run_list *list)
+{
+	const struct raster *raster = &list->draw->raster;
+	struct soft_spans *spans = &list->draw->spans;
+	const struct soft_scales *scales = &spans->scales;
+	const struct list_value red = scale_color(
+		raster, RED, scales->red_blue_half, scales->red_blue);
+	const struct list_value blue = scale_color(
+		raster, BLUE, scales->red_blue_half, scales->red_blue);
+
+	list->red_blue = (struct list_value){(blue.start << 16) + red.start,
+		(blue.right << 16) + red.right, (blue.down << 16) + red.down};
+	list->green =
+		scale_color(raster, GREEN, spans->green_start, scales->green);
+	spans->run.red_blue_right = list->red_blue.right;
+	spans->run.green_alpha_right = list->green.right;
+	set_more_color_steps(
+		spans, raster->plane[ALPHA].dx, raster->plane[FOG].dx);
+}
+
+static ALWAYS_INLINE void begin_colors(
+	struct run_list *list, uint32_t moving, bool small)
+{
+	const struct soft_spans *spans = &list->draw->spans;
+
+	list->colors_exact = moving && (spans->steep || !small);
+	list->red_blue = list->green = (struct list_value){0};
+	if (list->colors_exact) {
+		soft_begin_steps(list->draw, moving);
+	} else if (moving) {
+		begin_moving(list);
+	} else {
+		list->red_blue.start = spans->run.row.red_blue;
+		list->green.start = spans->run.row.green_alpha;
+	}
+	list->fog = spans->run.row.fog;
+	list->rare = list->colors_exact || spans->made || spans->alpha_moves ||
+		spans->fog_moves;
+}
+
+void soft_draw_list(
+	struct draw *draw, const struct setup *setup, uint32_t moving)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const struct plane *plane = draw->raster.plane;
+	const int size = setup->columns + setup->bottom - setup->top;
+	const bool small = size <= SOFT_LISTED_SIZE;
+	struct run_list list;
+
+	list.draw = draw;
+	list.certain = false;
+	list.first_texel = spans->run.first_texel;
+	list.most = !spans->textured ? spans->plain_pixels
+		: draw->raster.bent  ? draw->raster.bent_pixels
+				    : rows_find_run_pixels(draw, plane[TEX_S].dx,
+					      plane[TEX_S + 1].dx);
+	begin_colors(&list, moving, size <= spans->stepped_size);
+	list.z = (struct list_value){plane[DEPTH].start << 6,
+		(uint32_t)plane[DEPTH].dx << 6, (uint32_t)plane[DEPTH].dy << 6};
+	if (spans->textured && !spans->made) {
+		begin_texels(&list, setup);
+	}
+	/* The steps of steep colours are each run's own. */
+	list.end = list.row +
+		(spans->steep           ? 1
+				: small ? SOFT_BATCH_RUNS
+					: SOFT_BATCH_PIXELS / list.most);
+	soft_walk_list(&list, setup);
+	if (small) {
+		draw->raster.top = RASTER_LISTED;
+	}
+}

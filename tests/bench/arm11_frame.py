@@ -20,7 +20,7 @@ STAGES = {
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list masked narrow raster triangle view walk"
     " walk_list",
-    "pixels": "band beside blend_row combine_rows coverage cut fill level luminance made mix"
+    "pixels": "band bands beside blend_row combine_rows coverage cut fill level luminance made mix"
     " narrow_rows read rows samplers spans_565 spans_8888 tests texture tile_row"
     " thin_line tiles tint untested",
     "clear": "clear",

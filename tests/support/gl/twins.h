@@ -25,7 +25,7 @@ void twins_need_assembly(void);
 /* Noise, the same in both, and stencils of 0. */
 struct twins *twins_make(uint32_t *seed);
 
-/* Where a band of TWINS_ROW begins, as struct texture_band has it. */
+/* Where a band of TWINS_ROW begins, as struct band has it. */
 void twins_place(const struct twins *twins, int which, uintptr_t *depth,
 	uintptr_t *pixels);
 

@@ -4,7 +4,6 @@
  */
 #include <assert.h>
 
-#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
@@ -51,17 +50,16 @@ static_assert(offsetof(struct fast_setup, cull_mask) ==
 	"");
 static_assert(offsetof(struct draw, provoking) < 1 << 16, "two additions");
 
-/* tint.S */
-static_assert(offsetof(struct tint_band, row.green) == 16, "five registers");
-static_assert(offsetof(struct tint_band, down) == 20, "DOWN");
-static_assert(offsetof(struct tint_band, edge) == 40, "EDGE");
-static_assert(offsetof(struct tint_band, edge_step) == 48, "");
-static_assert(offsetof(struct tint_band, rows) == 40 + 16, "ROWS");
-static_assert(offsetof(struct tint_band, z_right) == 60, "RIGHT");
-static_assert(offsetof(struct tint_band, green_right) == 72, "");
-static_assert(offsetof(struct tint_band, texel_mask) == 60 + 16, "MASK");
-static_assert(offsetof(struct tint_band, texel_shift) == 60 + 20, "SHIFT");
-static_assert(offsetof(struct tint_band, texels) == 60 + 24, "TEXELS");
-static_assert(offsetof(struct tint_band, stride_bytes) == 60 + 28, "STRIDE");
-static_assert(offsetof(struct tint_band, pixels) == 60 + 32, "PIXELS");
+/* texture.S and tint.S */
+static_assert(sizeof(struct band_row) == 20, "five registers");
+static_assert(offsetof(struct band, down) == 20, "behind the first row");
+static_assert(offsetof(struct band, rows) == offsetof(struct band, edge) + 16,
+	"five registers");
+static_assert(offsetof(struct band, z_right) % 8 == 0, "a pair of registers");
+static_assert(offsetof(struct band, green_right) ==
+		offsetof(struct band, z_right) + 12,
+	"four registers");
+static_assert(offsetof(struct band, wide_round) ==
+		offsetof(struct band, texel_mask) + 20,
+	"six registers");
 static_assert(TINT_NEXT == 0x1000100, "in two additions");

@@ -1,6 +1,6 @@
 /*
- * band.c's soft_band_texture_c() for ARMv6: the same bytes. Offsets are those of
- * struct texture_band. A pixel costs 20 instructions, 6 where it is hidden.
+ * band.c's soft_band_gray_c() for ARMv6: the same bytes. Offsets are those of
+ * struct band. A pixel costs 20 instructions, 6 where it is hidden.
  */
 #include "platform/gl/soft/arm/offsets.h"
 #include "platform/gl/soft/arm/blend_565.h"
@@ -12,19 +12,19 @@
 
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
- * r7 texel_right, r8 texels, r9 texel_mask, r10 texel_shift, r11 wide_mask,
+ * r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11 wide_mask,
  * r12 pixels, lr wide_round; 20 instructions, which the jump to them knows.
  */
 	.macro	texture_pixel
 	ldrh	r5, [r1], #2
 	cmp	r2, r5, lsl #16
 	bhs	1f
-	and	r5, r3, r9
+	and	r5, r3, r8
 	mov	r0, r2, lsr #16
 	strh	r0, [r1, #-2]
 	uxtb	r0, r5, ror #8
-	add	r0, r0, r5, lsr r10
-	add	r0, r8, r0, lsl #1
+	add	r0, r0, r5, lsr r9
+	add	r0, r10, r0, lsl #1
 	ldrh	r0, [r0]
 	mov	r5, r4, lsr #26
 	mix_wide r0, r5, lr, r11
@@ -34,36 +34,37 @@
 	add	r4, r4, r4, lsl #16
 	.endm
 
-	.global	soft_band_texture
-	.type	soft_band_texture, %function
-soft_band_texture:
+	.global	soft_band_gray
+	.type	soft_band_gray, %function
+soft_band_gray:
 	push	{r4-r11, lr}
-	ldr	r1, [r0, #TEXTURE_ROWS]
+	ldr	r1, [r0, #BAND_ROWS]
 	push	{r0, r1}
 
 	/* this row's values; the next one's go back at once */
 .Lrow:
-	ldmia	r0!, {r1-r4}
-	ldmia	r0, {r5-r8}
+	add	lr, r0, #BAND_DOWN
+	ldm	r0, {r1-r4}
+	ldm	lr, {r5-r8}
 	add	r5, r5, r1
 	add	r6, r6, r2
 	add	r7, r7, r3
 	add	r8, r8, r4
-	stmdb	r0!, {r5-r8}
-	ldrd	r10, [r0, #TEXTURE_EDGE]
-	ldrd	r8, [r0, #TEXTURE_EDGE_STEP]
+	stm	r0, {r5-r8}
+	ldrd	r10, [r0, #BAND_EDGE]
+	ldrd	r8, [r0, #BAND_EDGE_STEP]
 	mov	r12, r10, asr #16
 	pld	[r5, r12, lsl #1]
 	rsbs	r5, r12, r11, asr #16
 	add	r10, r10, r8
 	add	r11, r11, r9
-	strd	r10, [r0, #TEXTURE_EDGE]
+	strd	r10, [r0, #BAND_EDGE]
 	ble	.Lnext
 
 	/* from column 0 to column r12; r5 pixels are left */
 .Lbegin:
-	ldrd	r6, [r0, #TEXTURE_RIGHT]
-	ldr	r8, [r0, #TEXTURE_SHARE_RIGHT]
+	ldrd	r6, [r0, #BAND_RIGHT]
+	ldr	r8, [r0, #BAND_COLORS_RIGHT]
 	mla	r2, r12, r6, r2
 	mla	r3, r12, r7, r3
 	mla	r4, r12, r8, r4
@@ -71,8 +72,8 @@ soft_band_texture:
 	cmp	r5, #16
 	bgt	.Llong
 	pkhtb	r4, r4, r8, asr #16
-	add	r0, r0, #TEXTURE_TEXELS
-	ldmia	r0, {r8-r12, lr}
+	add	r0, r0, #BAND_MASK
+	ldm	r0, {r8-r12, lr}
 	rsb	r5, r5, #16
 	add	r5, r5, r5, lsl #2
 	add	pc, pc, r5, lsl #4
@@ -92,16 +93,16 @@ soft_band_texture:
 .Llong:
 	pkhtb	r4, r4, r8, asr #16
 	push	{r5, r12}
-	add	r0, r0, #TEXTURE_TEXELS
-	ldmia	r0, {r8-r12, lr}
+	add	r0, r0, #BAND_MASK
+	ldm	r0, {r8-r12, lr}
 	.rept	16
 	texture_pixel
 	.endr
 	pop	{r5, r12}
 	ldr	r0, [sp]
-	ldmia	r0!, {r1-r4}
-	ldmia	r0, {r6-r9}
-	sub	r0, r0, #16
+	add	lr, r0, #BAND_DOWN
+	ldm	r0, {r1-r4}
+	ldm	lr, {r6-r9}
 	sub	r1, r1, r6
 	sub	r2, r2, r7
 	sub	r3, r3, r8
@@ -109,6 +110,6 @@ soft_band_texture:
 	sub	r5, r5, #16
 	add	r12, r12, #16
 	b	.Lbegin
-	.size	soft_band_texture, . - soft_band_texture
+	.size	soft_band_gray, . - soft_band_gray
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,22 +1,17 @@
 /*
- * tint.c for ARMv6: the same bytes. Offsets are those of struct tint_band.
+ * band.c's soft_band_tint_c() for ARMv6: the same bytes. Offsets are those of
+ * struct band.
  *
  * A row costs 40 instructions, a pixel 55, or 9 unseen.
  */
+#include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
 
-#define DOWN 20
-#define EDGE 40
-#define RIGHT 60 /* the four steps; the following are from there on */
-#define MASK 16
-#define SHIFT 20
-#define TEXELS 24
-#define STRIDE 28
-#define PIXELS 32
-#define ROWS 16 /* behind EDGE */
+/* Of what r0 + BAND_RIGHT leads to. */
+#define BEHIND(offset) (offset) - BAND_RIGHT
 
 	.global	soft_band_tint
 	.type	soft_band_tint, %function
@@ -24,13 +19,13 @@ soft_band_tint:
 	push	{r3-r11, lr}
 	ldr	r11, =0x03E003E0
 	ldr	r12, =0x07E007E0
-.Lrow:	ldr	r6, [r0, #EDGE]
-	ldr	r7, [r0, #EDGE + 4]
+.Lrow:	ldr	r6, [r0, #BAND_EDGE]
+	ldr	r7, [r0, #BAND_EDGE + 4]
 	mov	r6, r6, asr #16
 	rsbs	r7, r6, r7, asr #16
 	ble	.Lnext
 	ldm	r0, {r1-r5}
-	add	r0, r0, #RIGHT
+	add	r0, r0, #BAND_RIGHT
 	ldm	r0, {r8, r9, r10, lr}
 	sub	r7, r7, #1
 	add	r1, r1, r6, lsl #1
@@ -49,7 +44,7 @@ soft_band_tint:
 	strh	r6, [r1, #-2]
 
 	/* r8 the weights of the texels above, r9 of those below */
-	ldr	r6, [r0, #MASK]
+	ldr	r6, [r0, #BEHIND(BAND_MASK)]
 	mov	r8, r3, lsr #3
 	and	r8, r8, #31
 	rsb	r8, r8, r8, lsl #16
@@ -62,11 +57,11 @@ soft_band_tint:
 	adds	r10, r10, #0x1000000
 	bicscc	r10, r10, r6
 	bne	.Lacross
-	ldr	r10, [r0, #SHIFT]
-	ldr	r6, [r0, #TEXELS]
+	ldr	r10, [r0, #BEHIND(BAND_SHIFT)]
+	ldr	r6, [r0, #BEHIND(BAND_TEXELS)]
 	mov	lr, r7, lsr r10
 	uxtab	lr, lr, r7, ror #8
-	ldr	r7, [r0, #STRIDE]
+	ldr	r7, [r0, #BEHIND(BAND_STRIDE)]
 	add	r10, r6, lr, lsl #1
 	ldr	r6, [r10]
 	ldr	r7, [r10, r7]
@@ -88,7 +83,7 @@ soft_band_tint:
 	smlawt	lr, lr, r4, r7
 	smlawb	r10, r10, r4, r7
 	smlawb	r6, r6, r5, r7
-	ldr	r7, [r0, #PIXELS]
+	ldr	r7, [r0, #BEHIND(BAND_PIXELS)]
 	and	lr, lr, #31 << 17
 	and	r6, r6, #63 << 17
 	mov	lr, lr, lsr #6
@@ -101,9 +96,9 @@ soft_band_tint:
 	add	r4, r4, r8
 	adds	r5, r5, r9
 	bpl	.Lpixel
-	sub	r0, r0, #RIGHT
+	sub	r0, r0, #BAND_RIGHT
 
-.Lnext:	add	lr, r0, #DOWN
+.Lnext:	add	lr, r0, #BAND_DOWN
 	ldm	r0, {r1-r5}
 	ldm	lr!, {r6-r10}
 	add	r1, r1, r6
@@ -117,7 +112,7 @@ soft_band_tint:
 	add	r2, r2, r4
 	stm	lr, {r1, r2}
 	subs	r5, r5, #1
-	str	r5, [lr, #ROWS]
+	str	r5, [lr, #BAND_ROWS - BAND_EDGE]
 	bgt	.Lrow
 	pop	{r3-r11, pc}
 
@@ -126,7 +121,7 @@ soft_band_tint:
 	sub	sp, sp, #8
 	mov	r6, sp
 	push	{r0-r3}
-	sub	r0, r0, #RIGHT
+	sub	r0, r0, #BAND_RIGHT
 	mov	r1, r7
 	mov	r2, r6
 	bl	soft_tint_across

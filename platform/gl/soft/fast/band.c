@@ -1,68 +1,202 @@
-/* The band with a texture in C, which arm/texture.S draws with the same bytes. */
+/* Bands with a texture in C, which arm/texture.S and arm/tint.S draw again. */
 #include "platform/gl/soft/fast/band.h"
 
-#include "platform/gl/soft/raster/mix.h"
+#include "platform/base/compiler.h"
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/span/halves.h"
 
 enum {
 	/* So many pixels the share runs before it is taken afresh. */
 	SHARE_RUN = 16,
 };
 
-/* Addresses as numbers: arm/texture.S adds them up like all else. */
-static uint16_t *at_address(uintptr_t address)
+typedef void (*row_function)(const struct band *band, int column, int count);
+
+static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
 {
-	return (uint16_t *)address;
-}
+	const struct band_row *down = &band->down;
+	struct band_row *row = &band->row;
 
-static uint16_t shade_texel(
-	const struct texture_band *band, uint32_t texel, uint32_t share)
-{
-	uint32_t at = texel & band->texel_mask;
-	uint32_t index = (at >> 8 & 255) + (at >> band->texel_shift);
-	uint32_t wide = widen(load_16(band->texels + 2 * index));
-
-	return narrow((wide * share + WIDE_ROUND) >> 5 & WIDE_MASK);
-}
-
-static void run_texture(const struct texture_band *band, int column, int count)
-{
-	uintptr_t address = band->row.depth + 2 * (uintptr_t)column;
-	uint16_t *depth = at_address(address);
-	uint16_t *pixel = at_address(address + 2 + band->pixels);
-	uint32_t at = (uint32_t)column;
-	uint32_t z = band->row.z_q16 + band->z_right * at;
-	uint32_t texel = band->row.texel + band->texel_right * at;
-	uint32_t share = (band->row.share_q26 + band->share_right * at) >> 16;
-
-	for (int i = 0; i < count; i++) {
-		if (z < (uint32_t)depth[i] << 16) {
-			depth[i] = (uint16_t)(z >> 16);
-			pixel[i] = shade_texel(
-				band, texel, (share & 0xFFFF) >> 10);
-		}
-		z += band->z_right;
-		texel += band->texel_right;
-		share += band->share_right >> 16;
-	}
-}
-
-void soft_band_texture_c(struct texture_band *band)
-{
 	for (; band->rows > 0; band->rows--) {
 		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
 		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
 
-		for (; left < right; left += SHARE_RUN) {
-			run_texture(band, left,
-				right - left < SHARE_RUN ? right - left
-							 : SHARE_RUN);
+		if (left < right) {
+			draw_row(band, left, right - left);
 		}
-		band->row.depth += band->down.depth;
-		band->row.z_q16 += band->down.z_q16;
-		band->row.texel += band->down.texel;
-		band->row.share_q26 += band->down.share_q26;
+		row->depth += down->depth;
+		row->z_q16 += down->z_q16;
+		row->texel += down->texel;
+		row->red_blue += down->red_blue;
+		row->green += down->green;
 		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
 		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	}
+}
+
+/* What moves on with every pixel; green has the pixels that follow above it. */
+struct band_pixel {
+	uint32_t z, texel, red_blue, green;
+};
+
+static ALWAYS_INLINE struct band_pixel find_pixel(
+	const struct band *band, int column)
+{
+	const struct band_row *row = &band->row;
+	const uint32_t n = (uint32_t)column;
+
+	return (struct band_pixel){row->z_q16 + band->z_right * n,
+		row->texel + band->texel_right * n,
+		row->red_blue + band->red_blue_right * n,
+		row->green + band->green_right * n};
+}
+
+/* Addresses are numbers: the assembly adds them up like all else. */
+static ALWAYS_INLINE uint16_t *find_depth(const struct band *band, int column)
+{
+	return (uint16_t *)(band->row.depth + 2 * (uintptr_t)column);
+}
+
+static ALWAYS_INLINE void write_pixel(
+	const struct band *band, uint16_t *depth, uint32_t z, uint16_t pixel)
+{
+	*depth = (uint16_t)(z >> 16);
+	*(uint16_t *)((uintptr_t)(depth + 1) + band->pixels) = pixel;
+}
+
+static ALWAYS_INLINE const uint8_t *find_texel(
+	const struct band *band, uint32_t at)
+{
+	uint32_t index = (at >> 8 & 255) + (at >> band->texel_shift);
+
+	return band->texels + 2 * index;
+}
+
+static uint16_t shade_gray(
+	const struct band *band, uint32_t texel, uint32_t share)
+{
+	uint32_t wide =
+		widen(load_16(find_texel(band, texel & band->texel_mask)));
+
+	return narrow((wide * share + WIDE_ROUND) >> 5 & WIDE_MASK);
+}
+
+static void draw_gray(const struct band *band, int column, int count)
+{
+	uint16_t *depth = find_depth(band, column);
+	struct band_pixel at = {0};
+	uint32_t share = 0;
+
+	for (int i = 0; i < count; i++, depth++) {
+		if (i % SHARE_RUN == 0) {
+			at = find_pixel(band, column + i);
+			share = at.red_blue >> 16;
+		}
+		if (at.z < (uint32_t)*depth << 16) {
+			write_pixel(band, depth, at.z,
+				shade_gray(band, at.texel,
+					(share & 0xFFFF) >> 10));
+		}
+		at.z += band->z_right;
+		at.texel += band->texel_right;
+		share += band->red_blue_right >> 16;
+	}
+}
+
+void soft_band_gray_c(struct band *band)
+{
+	draw_rows(band, draw_gray);
+}
+
+/* A texel's channels times 2^18: 5 or 6 bits, and 13 of fraction. */
+struct channels {
+	uint32_t red, green, blue;
+};
+
+void soft_tint_across(const struct band *band, uint32_t at, uint32_t pair[2])
+{
+	const uint32_t mask = band->texel_mask;
+	uint32_t right = (at & 0xFF000000) | ((at + 0x100) & mask & 0xFFFF);
+	uint32_t below = (at + 0x1000000) & mask & 0xFF000000;
+	uint32_t column = at & 0xFFFF, next = right & 0xFFFF;
+
+	pair[0] = load_16(find_texel(band, at)) |
+		(uint32_t)load_16(find_texel(band, right)) << 16;
+	pair[1] = load_16(find_texel(band, below | column)) |
+		(uint32_t)load_16(find_texel(band, below | next)) << 16;
+}
+
+static ALWAYS_INLINE uint32_t mix_pairs(uint32_t above, uint32_t below,
+	uint32_t mask, uint32_t above_weights, uint32_t below_weights)
+{
+	return HALVES_SUM_ADD(below & mask, below_weights,
+		HALVES_SUM(above & mask, above_weights));
+}
+
+static ALWAYS_INLINE struct channels load_linear(
+	const struct band *band, uint32_t texel)
+{
+	uint32_t at = texel & band->texel_mask, beyond = at + TINT_NEXT;
+	uint32_t right = texel >> 3 & 31;
+	uint32_t across = (right << 16) - right + 32;
+	uint32_t below = across * (texel >> 16 & 255);
+	uint32_t above = (across << 8) - below;
+	uint32_t pair[2], a, b;
+
+	if (beyond < at || (beyond & ~band->texel_mask)) {
+		soft_tint_across(band, at, pair);
+		a = pair[0];
+		b = pair[1];
+	} else {
+		const uint8_t *from = find_texel(band, at);
+
+		a = load_32(from);
+		b = load_32(from + band->stride_bytes);
+	}
+	return (struct channels){
+		.red = mix_pairs(a >> 6, b >> 6, TINT_RED_BLUE, above, below),
+		.green = mix_pairs(a, b, TINT_GREEN, above, below),
+		.blue = mix_pairs(a << 5, b << 5, TINT_RED_BLUE, above, below),
+	};
+}
+
+/* The channels by a colour: 17 bits of fraction. */
+static ALWAYS_INLINE void tint(
+	struct channels *c, const struct band_pixel *at, int32_t more)
+{
+	c->red = (uint32_t)WORD_BY_TOP(c->red, at->red_blue, more);
+	c->green = (uint32_t)WORD_BY_BOTTOM(c->green, at->green, more);
+	c->blue = (uint32_t)WORD_BY_BOTTOM(c->blue, at->red_blue, more);
+}
+
+static ALWAYS_INLINE uint16_t shade(
+	struct channels c, const struct band_pixel *at)
+{
+	tint(&c, at, 1 << 16);
+	return (uint16_t)((c.red & 31 << 17) >> 6 | (c.green & 63 << 17) >> 12 |
+		c.blue >> 17);
+}
+
+static void draw_tinted(const struct band *band, int column, int count)
+{
+	uint16_t *depth = find_depth(band, column);
+	struct band_pixel at = find_pixel(band, column);
+
+	at.green = (at.green & 0xFFFF) + ((uint32_t)(count - 1) << 16);
+	do {
+		if (at.z < (uint32_t)*depth << 16) {
+			write_pixel(band, depth, at.z,
+				shade(load_linear(band, at.texel), &at));
+		}
+		depth++;
+		at.z += band->z_right;
+		at.texel += band->texel_right;
+		at.red_blue += band->red_blue_right;
+		at.green += band->green_right;
+	} while ((int32_t)at.green >= 0);
+}
+
+void soft_band_tint_c(struct band *band)
+{
+	draw_rows(band, draw_tinted);
 }

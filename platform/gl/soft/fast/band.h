@@ -1,6 +1,6 @@
 /*
- * Bands: rows of a triangle between two of its edges, with a depth that is
- * tested LESS and written, into RGB565.
+ * Bands: rows of a triangle between two of its edges. Those with an RGB565
+ * texture have a depth that is tested LESS and written; the picture is RGB565.
  *
  * Functions draw all rows, and leave row and edge at the row after them.
  */
@@ -22,32 +22,50 @@ enum {
 
 /*
  * What moves on with every row; all but the depth's address is at column 0, and
- * right modulo 2^32.
+ * right modulo 2^32. Colours are 1.15 and stay below 1, so that each is a
+ * factor of a signed multiplication of 16 bits.
  */
-struct texture_row {
+struct band_row {
 	uintptr_t depth;
 	uint32_t z_q16;
-	/* t in the upper half, s in the lower one, in 1/256 of texels */
+	/*
+	 * t in the upper half, s in the lower one, in 1/256 of the level's
+	 * texels; where four are mixed, half a texel less
+	 */
 	uint32_t texel;
-	uint32_t share_q26; /* 0 to 32 */
+	uint32_t red_blue; /* red in the upper half; of gray a share of 6.26 */
+	uint32_t green;    /* in the lower half; of gray unused */
 };
 
-/* Offsets are known to arm/texture.S. Up to 256 texels that repeat. */
-struct texture_band {
-	_Alignas(8) struct texture_row row; /* 0 */
-	struct texture_row down;            /* 16 */
-	uint32_t z_right;                   /* 32 */
-	uint32_t texel_right;               /* 36 */
-	const uint8_t *texels;              /* 40 */
-	uint32_t texel_mask;                /* 44: whole texels of struct row */
-	uint32_t texel_shift;               /* 48: 24 less the width's log2 */
-	uint32_t wide_mask;                 /* 52 */
-	uintptr_t pixels;                   /* 56: see BAND_LEFT */
-	uint32_t wide_round;                /* 60 */
-	uint32_t edge[2];                   /* 64 */
-	uint32_t edge_step[2];              /* 72 */
-	uint32_t share_right;               /* 80 */
-	int32_t rows;                       /* 84 */
+enum {
+	/* The next texel in both directions of struct band_row. */
+	TINT_NEXT = 0x01000100,
+	/*
+	 * A channel of two texels side by side, at bits 5 to 9, or 10, of both
+	 * halves: green as it is, red down by six, blue up by five.
+	 */
+	TINT_RED_BLUE = 0x03E003E0,
+	TINT_GREEN = 0x07E007E0,
+};
+
+/* Levels of up to 256 texels that repeat. arm/layout.c says what is fixed. */
+struct band {
+	_Alignas(8) struct band_row row; /* of the next row */
+	struct band_row down;            /* a row further */
+	uint32_t edge[2];
+	uint32_t edge_step[2];
+	int32_t rows;
+	uint32_t stride_bytes; /* of the level, where texels are mixed */
+	uint32_t z_right;      /* a pixel further */
+	uint32_t texel_right;
+	uint32_t red_blue_right;
+	uint32_t green_right; /* less 0x10000, to count */
+	uint32_t texel_mask;  /* whole texels of the level */
+	uint32_t texel_shift; /* 24 less the width's log2 */
+	const uint8_t *texels;
+	uint32_t wide_mask; /* of gray: WIDE_MASK */
+	uintptr_t pixels;   /* from behind a depth to its pixel */
+	uint32_t wide_round;
 };
 
 /*
@@ -66,10 +84,16 @@ struct flat_band {
 };
 
 /*
- * arm/texture.S or portable/texture.c: rows inside of the picture, whose rows
- * are as far apart as the depth's.
+ * Nearest texels under a shade of gray, and four mixed ones under a colour, of
+ * at least one row: arm/texture.S and arm/tint.S, or portable/bands.c. Rows lie
+ * inside of the picture, whose rows are as far apart as the depth's.
  */
-void soft_band_texture(struct texture_band *band);
-void soft_band_texture_c(struct texture_band *band);
+void soft_band_gray(struct band *band);
+void soft_band_tint(struct band *band);
+/* band.c: the same bytes. */
+void soft_band_gray_c(struct band *band);
+void soft_band_tint_c(struct band *band);
+/* The pairs above and below where one lies across the edge of the level. */
+void soft_tint_across(const struct band *band, uint32_t at, uint32_t pair[2]);
 
 #endif

@@ -5,9 +5,9 @@
  * arm/narrow.S does the same, and leaves the same bytes.
  */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/limits.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
 
 enum {
 	/*
@@ -17,42 +17,6 @@ enum {
 	 */
 	CHUNK_ROWS = 8,
 	NARROW_COLUMNS = 23,
-};
-
-/* Two signed halves in a word. */
-static ALWAYS_INLINE int32_t lower(uint32_t word)
-{
-	return (int16_t)(word & 0xFFFF);
-}
-
-static ALWAYS_INLINE int32_t upper(uint32_t word)
-{
-	return (int32_t)word >> 16;
-}
-
-static ALWAYS_INLINE uint32_t join(int32_t low, int32_t high)
-{
-	return ((uint32_t)high << 16) | ((uint32_t)low & 0xFFFF);
-}
-
-static ALWAYS_INLINE uint32_t subtract(uint32_t a, uint32_t b)
-{
-	return join(lower(a) - lower(b), upper(a) - upper(b));
-}
-
-static ALWAYS_INLINE int32_t cross(uint32_t a, uint32_t b)
-{
-	return lower(a) * upper(b) - upper(a) * lower(b);
-}
-
-/* What all gradients of the triangle share. */
-struct scale {
-	uint32_t xs, ys; /* of the second and, above, the third corner */
-	int32_t inverse; /* 2^62 over the area, shifted */
-	int shift;       /* of products with it */
-	/* from the first corner to the centre of column in the first row */
-	int32_t off_x, off_y;
-	int column;
 };
 
 /* A colour's channel, times 31/32 or 63/64: in 8.15 and 8.16 bits. */
@@ -75,16 +39,18 @@ struct narrow {
 
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
 {
-	int32_t limit = find_limits(draw, setup).color;
-	bool within = true;
+	const struct perspective perspective = raster_find_perspective(setup);
+	const struct vertex *const *v = setup->v;
+	uint32_t most = 0;
 
-	for (int name = RED; name <= BLUE; name++) {
-		int32_t first = setup->v[0]->attribute[name];
+	for (int i = RED; i <= BLUE; i++) {
+		int32_t first = v[0]->attribute[i];
+		uint32_t own = frame_find_spread(
+			v[1]->attribute[i] - first, v[2]->attribute[i] - first);
 
-		within &= is_color_within(setup->v[1]->attribute[name] - first,
-			setup->v[2]->attribute[name] - first, limit);
+		most = own > most ? own : most;
 	}
-	return within;
+	return !raster_bends(&perspective, most, rows_color_tolerance(draw));
 }
 
 /* Mostly w differs so little that all colours run linearly. */
@@ -99,52 +65,14 @@ static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 		soft_fill_is_linear(draw, setup);
 }
 
-static struct scale find_scale(const struct setup *setup)
-{
-	uint32_t d1 = subtract(setup->xy[1], setup->xy[0]);
-	uint32_t d2 = subtract(setup->xy[2], setup->xy[0]);
-	int zeros = LEADING_ZEROS_32((uint32_t)setup->area);
-	int32_t inverse = reciprocal((uint32_t)setup->area << zeros);
-	int x = lower(setup->xy[0]), y = upper(setup->xy[0]);
-	int shift = zeros - 18;
-
-	inverse = cross(d1, d2) < 0 ? -inverse : inverse;
-	return (struct scale){
-		.xs = join(lower(d1), lower(d2)),
-		.ys = join(upper(d1), upper(d2)),
-		.inverse = setup->area < 256 ? 0
-			: shift < 0          ? inverse >> -shift
-					     : inverse,
-		.shift = shift < 0 ? 0 : shift,
-		.off_x = 8 - (x & 15),
-		.off_y = setup->top * 16 + 8 - y,
-		.column = x >> 4,
-	};
-}
-
-static int32_t shift_up(int32_t value, int shift)
-{
-	return (int32_t)((uint32_t)value << shift);
-}
-
-/* As raster.c's set_small_plane(), of 18 bits. */
 static void set_depth(struct narrow *narrow, const struct setup *setup,
-	const struct scale *scale)
+	const struct frame *frame)
 {
-	int32_t z = setup->v[0]->z;
-	int32_t d1 = setup->v[1]->z - z, d2 = setup->v[2]->z - z;
-	int32_t across = d1 * upper(scale->ys) - d2 * lower(scale->ys);
-	int32_t along = d2 * lower(scale->xs) - d1 * upper(scale->xs);
-	int32_t right = shift_up(mul_high(across, scale->inverse), scale->shift);
-	int32_t down = shift_up(mul_high(along, scale->inverse), scale->shift);
-	uint32_t at = ((uint32_t)z << 8) +
-		(uint32_t)(right >> 4) * (uint32_t)scale->off_x +
-		(uint32_t)(down >> 4) * (uint32_t)scale->off_y -
-		(uint32_t)right * (uint32_t)scale->column;
+	const struct plane z = frame_find_depth(frame, setup);
 
-	narrow->z = at << 6;
-	narrow->z_right = (uint32_t)right << 6;
-	narrow->z_down = (uint32_t)down << 6;
+	narrow->z = z.start;
+	narrow->z_right = (uint32_t)z.dx;
+	narrow->z_down = (uint32_t)z.dy;
 }
 
 /* value * offset / 2 of sixteenths. */
@@ -164,23 +92,25 @@ static int32_t round_off(int32_t value, int bits)
  * the colour, cut those that packing cuts.
  */
 static ALWAYS_INLINE void add_channel(struct narrow *narrow,
-	const struct setup *setup, const struct scale *scale, int name,
+	const struct setup *setup, const struct frame *frame, int name,
 	int bits, int cut, int place)
 {
 	int32_t first = setup->v[0]->attribute[name];
-	uint32_t deltas = join((setup->v[1]->attribute[name] - first) >> 1,
-		(setup->v[2]->attribute[name] - first) >> 1);
-	int32_t inverse = scale->inverse - (scale->inverse >> bits);
-	int32_t right = shift_up(
-		mul_high(cross(deltas, scale->ys), inverse), scale->shift + 1);
-	int32_t down = shift_up(
-		mul_high(cross(scale->xs, deltas), inverse), scale->shift + 1);
+	int32_t d1 = (setup->v[1]->attribute[name] - first) >> 1;
+	int32_t d2 = (setup->v[2]->attribute[name] - first) >> 1;
+	int32_t inverse = frame->inverse - (frame->inverse >> bits);
+	int32_t right =
+		shift_by(mul_high(frame_find_right(frame, d1, d2), inverse),
+			frame->shift + 1);
+	int32_t down =
+		shift_by(mul_high(frame_find_down(frame, d1, d2), inverse),
+			frame->shift + 1);
 	/* half a step of RGB565, and half of what is cut */
 	uint32_t round = (1u << (22 - bits)) + (1u << (cut - 2));
 
 	narrow->channel[name].start = (int32_t)(round +
 		(uint32_t)((first << 7) - (first << (7 - bits))) +
-		move_half(right, scale->off_x) + move_half(down, scale->off_y));
+		move_half(right, frame->off_x) + move_half(down, frame->off_y));
 	narrow->channel[name].down = down;
 	narrow->packed_right += (uint32_t)round_off(right, cut) << place;
 	narrow->packed_down += (uint32_t)round_off(down, cut) << place;
@@ -255,7 +185,7 @@ static void draw_rows(void *band)
 }
 
 static void set_up(const struct draw *draw, const struct setup *setup,
-	const struct scale *scale, struct narrow *narrow)
+	const struct frame *frame, struct narrow *narrow)
 {
 	const struct fast_setup *fast_setup = &draw->fast_setup;
 
@@ -263,29 +193,29 @@ static void set_up(const struct draw *draw, const struct setup *setup,
 		.depth = fast_setup->depth +
 			(uintptr_t)setup->top * fast_setup->stride_bytes,
 		.stride_bytes = fast_setup->stride_bytes,
-		.column = scale->column,
+		.column = frame->column,
 	};
 	narrow->pixel = narrow->depth + 2 + fast_setup->pixels;
-	set_depth(narrow, setup, scale);
-	add_channel(narrow, setup, scale, RED, 5, 13, 10);
-	add_channel(narrow, setup, scale, GREEN, 6, 13, 21);
-	add_channel(narrow, setup, scale, BLUE, 5, 14, 0);
+	set_depth(narrow, setup, frame);
+	add_channel(narrow, setup, frame, RED, 5, 13, 10);
+	add_channel(narrow, setup, frame, GREEN, 6, 13, 21);
+	add_channel(narrow, setup, frame, BLUE, 5, 14, 0);
 	pack(narrow);
 }
 
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
 {
 	struct narrow narrow;
-	struct scale scale;
+	struct frame frame;
 
 	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
 		!runs_linearly(draw, setup)) {
 		soft_rows_fill(draw, setup);
 		return;
 	}
-	scale = find_scale(setup);
-	set_up(draw, setup, &scale, &narrow);
-	raster_draw_bands(draw, setup, cross(scale.xs, scale.ys) < 0,
+	frame = frame_find(setup);
+	set_up(draw, setup, &frame, &narrow);
+	raster_draw_bands(draw, setup, frame.middle_left,
 		&(struct band_ends){narrow.edge, narrow.step, &narrow.rows},
 		draw_rows, &narrow);
 }

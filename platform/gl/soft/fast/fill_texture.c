@@ -4,8 +4,6 @@
  * Larger ones are drawn by the span template.
  */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/limits.h"
-#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/pixel.h"
 
@@ -16,139 +14,80 @@ enum {
 	SHARE_ROUND = 4 << 8,
 };
 
-/* False where perspective would show, as with all that follow. */
-static ALWAYS_INLINE bool find_color(const struct setup *setup,
-	const struct frame *frame, int name, int32_t round, int32_t limit,
-	struct run *out)
-{
-	int32_t first = setup->v[0]->attribute[name];
-	int32_t d1 = setup->v[1]->attribute[name] - first;
-	int32_t d2 = setup->v[2]->attribute[name] - first;
+/* A triangle on its way into a band. */
+struct small {
+	const struct setup *setup;
+	struct frame frame;
+};
 
-	*out = frame_find_run(frame, first + round, d1, d2);
-	return is_color_within(d1, d2, limit);
+static ALWAYS_INLINE struct run find_color(
+	const struct small *small, int name, int32_t round)
+{
+	const struct vertex *const *v = small->setup->v;
+	int32_t first = v[0]->attribute[name];
+
+	return frame_find_run(&small->frame, first + round,
+		v[1]->attribute[name] - first, v[2]->attribute[name] - first);
 }
 
 /* In 16.16 of the base's texels. */
-static ALWAYS_INLINE bool find_texels(const struct setup *setup,
-	const struct frame *frame, int name, int log2, int32_t limit,
-	struct run *out)
+static ALWAYS_INLINE struct run find_texels(
+	const struct small *small, const struct delta *delta)
 {
-	int32_t first = setup->v[0]->attribute[name];
-	int32_t d1 = (int32_t)((uint32_t)setup->v[1]->attribute[name] -
-		(uint32_t)first);
-	int32_t d2 = (int32_t)((uint32_t)setup->v[2]->attribute[name] -
-		(uint32_t)first);
+	struct run out = frame_find_run(
+		&small->frame, delta->first, delta->d1, delta->d2);
 
-	first &= 0xFFFF;
-	if (log2 <= 8) {
-		first >>= 8 - log2;
-		d1 >>= 8 - log2;
-		d2 >>= 8 - log2;
-	} else {
-		first = shift_by(first, log2 - 8);
-		d1 = shift_by(d1, log2 - 8);
-		d2 = shift_by(d2, log2 - 8);
-	}
-	if (!is_within(d1, limit) || !is_within(d2, limit)) {
-		return false;
-	}
-	*out = frame_find_run(frame, first, d1, d2);
-	out->start += TEXEL_NUDGE;
-	return true;
-}
-
-static ALWAYS_INLINE struct run find_depth(
-	const struct setup *setup, const struct frame *frame)
-{
-	int32_t z = setup->v[0]->z;
-
-	return frame_find_run(frame, z, setup->v[1]->z - z, setup->v[2]->z - z);
+	out.start += TEXEL_NUDGE;
+	return out;
 }
 
 /* What a value is at column 0. */
 static ALWAYS_INLINE uint32_t leave_column(
-	const struct frame *frame, uint32_t start, uint32_t right)
+	const struct small *small, uint32_t start, uint32_t right)
 {
-	return start - right * (uint32_t)frame->column;
+	return start - right * (uint32_t)small->frame.column;
 }
 
-/* Whole 256ths of texels, which s and t have 8 bits more than. */
-static ALWAYS_INLINE uint32_t pair_cut(int32_t s, int32_t t)
+/* A shade of gray, as shares. */
+static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 {
-	return (((uint32_t)t << 8) & 0xFFFF0000) + (uint32_t)(s >> 8);
-}
+	const struct run share = find_color(small, RED, SHARE_ROUND);
 
-static ALWAYS_INLINE bool set_nearest(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame,
-	struct texture_band *band)
-{
-	const struct texture_input *input = &draw->texture[0];
-	const struct textured_level *level = &draw->textured.level[0];
-	const struct limits limits = find_limits(draw, setup);
-	struct run share, s, t, z;
-
-	if (!find_color(setup, frame, RED, SHARE_ROUND, limits.color, &share) ||
-		!find_texels(setup, frame, TEX_S, input->width_log2,
-			limits.texel, &s) ||
-		!find_texels(setup, frame, TEX_S + 1, input->height_log2,
-			limits.texel, &t)) {
-		return false;
-	}
-	z = find_depth(setup, frame);
-	band->z_right = (uint32_t)z.right << 6;
-	band->down.z_q16 = (uint32_t)z.down << 6;
-	band->row.z_q16 =
-		leave_column(frame, (uint32_t)z.start << 6, band->z_right);
-	band->texel_right = pair_cut(s.right, t.right);
-	band->down.texel = pair_cut(s.down, t.down);
-	band->row.texel = leave_column(
-		frame, pair_cut(s.start, t.start), band->texel_right);
-	band->share_right = (uint32_t)share.right << 7;
-	band->down.share_q26 = (uint32_t)share.down << 7;
-	band->row.share_q26 = leave_column(
-		frame, (uint32_t)share.start << 7, band->share_right);
-	band->texels = level->texels;
-	band->texel_mask = level->texel_mask;
-	band->texel_shift = level->texel_shift;
+	band->red_blue_right = (uint32_t)share.right << 7;
+	band->down.red_blue = (uint32_t)share.down << 7;
+	band->row.red_blue = leave_column(
+		small, (uint32_t)share.start << 7, band->red_blue_right);
+	band->row.green = band->down.green = band->green_right = 0;
 	band->wide_mask = WIDE_MASK;
 	band->wide_round = WIDE_ROUND;
-	return true;
 }
 
-static void draw_gray(void *band)
+/* 1.15 of a plane's colour. */
+static ALWAYS_INLINE int32_t weight(int32_t color)
 {
-	soft_band_texture(band);
+	return (color + 256) >> 9;
 }
 
-/* The depth at column 0 of the first row. */
-static ALWAYS_INLINE uintptr_t find_row(
-	const struct draw *draw, const struct setup *setup)
+static ALWAYS_INLINE uint32_t pair_weights(int32_t red, int32_t blue)
 {
-	return draw->fast_setup.depth +
-		(uintptr_t)setup->top * draw->fast_setup.stride_bytes;
+	return ((uint32_t)weight(red) << 16) + (uint32_t)weight(blue);
 }
 
-static bool fill_gray(const struct draw *draw, const struct setup *setup)
+static ALWAYS_INLINE void set_tint(const struct small *small, struct band *band)
 {
-	struct texture_band band;
-	struct frame frame;
+	const struct run r = find_color(small, RED, 0);
+	const struct run g = find_color(small, GREEN, 0);
+	const struct run b = find_color(small, BLUE, 0);
 
-	if (!setup->inside || setup->extent > BAND_EXTENT ||
-		!draw->textured.level[0].texels) {
-		return false;
-	}
-	frame = frame_find(setup);
-	if (!set_nearest(draw, setup, &frame, &band)) {
-		return false;
-	}
-	band.row.depth = find_row(draw, setup);
-	band.down.depth = draw->fast_setup.stride_bytes;
-	band.pixels = draw->fast_setup.pixels;
-	frame_draw_bands(draw, setup, &frame,
-		&(struct band_ends){band.edge, band.edge_step, &band.rows},
-		draw_gray, &band);
-	return true;
+	band->red_blue_right = pair_weights(r.right, b.right);
+	band->down.red_blue = pair_weights(r.down, b.down);
+	band->row.red_blue = leave_column(
+		small, pair_weights(r.start, b.start), band->red_blue_right);
+	/* Steps that leave 16 bits are of rows of one pixel. */
+	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
+	band->down.green = (uint32_t)weight(g.down);
+	band->row.green = leave_column(
+		small, (uint32_t)weight(g.start), band->green_right);
 }
 
 /* The level whose texels are nearest in size to pixels; see choose_level(). */
@@ -164,79 +103,84 @@ static ALWAYS_INLINE int find_level(
 	return clamp_int(lod, 0, last);
 }
 
-/* The nearest 256ths of the level's texels. */
-static ALWAYS_INLINE uint32_t pair_round(
-	const struct textured_level *level, int32_t s, int32_t t)
+/* 256ths of the level's texels: the nearest ones, or cut. */
+static ALWAYS_INLINE uint32_t pair_texels(
+	const struct textured_level *level, int32_t s, int32_t t, bool nearest)
 {
-	uint32_t low =
-		(uint32_t)((s + (1 << (level->s_down - 1))) >> level->s_down);
-	uint32_t high =
-		(uint32_t)((t + (1 << (level->t_down - 1))) >> level->t_down);
+	int32_t s_round = nearest ? 1 << (level->s_down - 1) : 0;
+	int32_t t_round = nearest ? 1 << (level->t_down - 1) : 0;
 
-	return (high << 16) + low;
+	return ((uint32_t)((t + t_round) >> level->t_down) << 16) +
+		(uint32_t)((s + s_round) >> level->s_down);
 }
 
-/* 1.15 of a plane's colour. */
-static ALWAYS_INLINE int32_t weight(int32_t color)
+static ALWAYS_INLINE void set_texels(const struct small *small,
+	const struct textured_level *level, const struct run *s,
+	const struct run *t, bool linear, struct band *band)
 {
-	return (color + 256) >> 9;
-}
-
-static ALWAYS_INLINE uint32_t pair_weights(int32_t red, int32_t blue)
-{
-	return ((uint32_t)weight(red) << 16) + (uint32_t)weight(blue);
-}
-
-static ALWAYS_INLINE bool set_tint(const struct setup *setup,
-	const struct frame *frame, int32_t limit, struct tint_band *band)
-{
-	struct run r, g, b;
-
-	if (!find_color(setup, frame, RED, 0, limit, &r) ||
-		!find_color(setup, frame, GREEN, 0, limit, &g) ||
-		!find_color(setup, frame, BLUE, 0, limit, &b)) {
-		return false;
-	}
-	band->red_blue_right = pair_weights(r.right, b.right);
-	band->down.red_blue = pair_weights(r.down, b.down);
-	band->row.red_blue = leave_column(
-		frame, pair_weights(r.start, b.start), band->red_blue_right);
-	/* Steps that leave 16 bits are of rows of one pixel. */
-	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
-	band->down.green = (uint32_t)weight(g.down);
-	band->row.green = leave_column(
-		frame, (uint32_t)weight(g.start), band->green_right);
-	return true;
-}
-
-static ALWAYS_INLINE bool set_level(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame, int32_t limit,
-	struct tint_band *band)
-{
-	const struct texture_input *input = &draw->texture[0];
-	const struct textured *textured = &draw->textured;
-	const struct textured_level *level;
-	struct run s, t;
-
-	if (!find_texels(setup, frame, TEX_S, input->width_log2, limit, &s) ||
-		!find_texels(setup, frame, TEX_S + 1, input->height_log2, limit,
-			&t)) {
-		return false;
-	}
-	level = textured->level;
-	if (textured->last_level > 0) {
-		level += find_level(textured->last_level, &s, &t);
-	}
-	band->texel_right = pair_round(level, s.right, t.right);
-	band->down.texel = pair_round(level, s.down, t.down);
-	band->row.texel = leave_column(frame,
-		pair_round(level, s.start, t.start) - TINT_NEXT / 2,
+	band->texel_right = pair_texels(level, s->right, t->right, linear);
+	band->down.texel = pair_texels(level, s->down, t->down, linear);
+	band->row.texel = leave_column(small,
+		pair_texels(level, s->start, t->start, linear) -
+			(linear ? TINT_NEXT / 2 : 0),
 		band->texel_right);
 	band->texel_mask = level->texel_mask;
 	band->texel_shift = level->texel_shift;
 	band->texels = level->texels;
 	band->stride_bytes = level->stride_bytes;
-	return level->texels != NULL;
+}
+
+static ALWAYS_INLINE uint32_t find_red_spread(const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	const int32_t first = v[0]->attribute[RED];
+
+	return frame_find_spread(
+		v[1]->attribute[RED] - first, v[2]->attribute[RED] - first);
+}
+
+/* Whether texels leave their range, or perspective shows. */
+static ALWAYS_INLINE bool bends(const struct draw *draw,
+	const struct setup *setup, bool linear, const struct delta *s,
+	const struct delta *t)
+{
+	const uint32_t extent = (uint32_t)setup->extent << 4;
+	uint32_t in_s = frame_find_spread(s->d1, s->d2);
+	uint32_t in_t = frame_find_spread(t->d1, t->d2);
+	uint32_t most = in_s > in_t ? in_s : in_t;
+	struct perspective perspective;
+
+	if (most >= SMALL_DELTA || !draw->fast_setup.perspective) {
+		return most >= SMALL_DELTA;
+	}
+	perspective = raster_find_perspective(setup);
+	if (!linear) {
+		uint32_t gray = find_red_spread(setup) >> RASTER_TOLERANCE_565;
+
+		return raster_bends(&perspective, most > gray ? most : gray, 0);
+	}
+	/* Of levels texels are no smaller than pixels. */
+	if (most > extent && draw->texture[0].levels > 1) {
+		most = extent;
+	}
+	/* Colours differ by less than 2^16. */
+	return raster_bends(&perspective, most, 0) ||
+		(perspective.w_spread > perspective.w_least >> 6 &&
+			!soft_fill_is_linear(draw, setup));
+}
+
+static ALWAYS_INLINE void set_rows(
+	const struct draw *draw, const struct small *small, struct band *band)
+{
+	const struct plane z = frame_find_depth(&small->frame, small->setup);
+
+	band->z_right = (uint32_t)z.dx;
+	band->down.z_q16 = (uint32_t)z.dy;
+	band->row.z_q16 = z.start;
+	band->row.depth = draw->fast_setup.depth +
+		(uintptr_t)small->setup->top * draw->fast_setup.stride_bytes;
+	band->down.depth = draw->fast_setup.stride_bytes;
+	band->pixels = draw->fast_setup.pixels;
 }
 
 /*
@@ -250,39 +194,67 @@ static ALWAYS_INLINE bool is_full(const struct setup *setup)
 	return setup->area > (14 + rows) << 11;
 }
 
+static void draw_gray(void *band)
+{
+	soft_band_gray(band);
+}
+
 static void draw_tinted(void *band)
 {
 	soft_band_tint(band);
 }
 
+static ALWAYS_INLINE bool fill(
+	const struct draw *draw, const struct setup *setup, bool linear)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct textured *textured = &draw->textured;
+	const struct textured_level *level = textured->level;
+	struct delta s, t;
+	struct run s_run, t_run;
+	struct small small;
+	struct band band;
+
+	if (!setup->inside || setup->extent > BAND_EXTENT ||
+		(linear ? is_full(setup) : !level->texels)) {
+		return false;
+	}
+	small.setup = setup;
+	small.frame = frame_find(setup);
+	if (linear) {
+		set_tint(&small, &band);
+	} else {
+		set_gray(&small, &band);
+	}
+	s = frame_find_texels(setup, TEX_S, input->width_log2, true).delta;
+	t = frame_find_texels(setup, TEX_S + 1, input->height_log2, true).delta;
+	if (bends(draw, setup, linear, &s, &t)) {
+		return false;
+	}
+	s_run = find_texels(&small, &s);
+	t_run = find_texels(&small, &t);
+	if (linear && textured->last_level > 0) {
+		level += find_level(textured->last_level, &s_run, &t_run);
+	}
+	if (!level->texels) {
+		return false;
+	}
+	set_texels(&small, level, &s_run, &t_run, linear, &band);
+	set_rows(draw, &small, &band);
+	frame_draw_bands(draw, setup, &small.frame,
+		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+		linear ? draw_tinted : draw_gray, &band);
+	return true;
+}
+
+static bool fill_gray(const struct draw *draw, const struct setup *setup)
+{
+	return fill(draw, setup, false);
+}
+
 static bool fill_tinted(const struct draw *draw, const struct setup *setup)
 {
-	struct limits limits;
-	struct frame frame;
-	struct tint_band band;
-	struct run z;
-
-	if (!setup->inside || setup->extent > BAND_EXTENT || is_full(setup)) {
-		return false;
-	}
-	limits = find_limits(draw, setup);
-	frame = frame_find(setup);
-	if (!set_tint(setup, &frame, limits.color, &band) ||
-		!set_level(draw, setup, &frame, limits.texel, &band)) {
-		return false;
-	}
-	z = find_depth(setup, &frame);
-	band.z_right = (uint32_t)z.right << 6;
-	band.down.z_q16 = (uint32_t)z.down << 6;
-	band.row.z_q16 =
-		leave_column(&frame, (uint32_t)z.start << 6, band.z_right);
-	band.row.depth = find_row(draw, setup);
-	band.down.depth = draw->fast_setup.stride_bytes;
-	band.pixels = draw->fast_setup.pixels;
-	frame_draw_bands(draw, setup, &frame,
-		&(struct band_ends){band.edge, band.edge_step, &band.rows},
-		draw_tinted, &band);
-	return true;
+	return fill(draw, setup, true);
 }
 
 static bool is_gray(const struct setup *setup)

@@ -11,7 +11,7 @@
 
 #include "platform/gl/soft/soft.h"
 
-/* A level as struct tint_band has it. */
+/* A level as struct band has it. */
 struct textured_level {
 	uint32_t texel_mask, texel_shift;
 	const uint8_t *texels; /* NULL where it is larger than 256 */

@@ -31,8 +31,7 @@ static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
  * What is left out of a value that changes by spread along an edge: spread
  * ratio^2 / 5 at most. A quarter of a texel is 256 / 4.
  */
-static bool is_exact(
-	const int32_t ratio[3], const struct perspective *perspective)
+static bool is_exact(const int32_t ratio[3], uint32_t texel)
 {
 	uint32_t a = raster_size(ratio[0]);
 	uint32_t b = raster_size(ratio[1]);
@@ -40,7 +39,7 @@ static bool is_exact(
 
 	most = c > most ? c : most;
 	most = most * most >> 16;
-	return (uint64_t)perspective->texel * most <= 5u << 22;
+	return (uint64_t)texel * most <= 5u << 22;
 }
 
 /* One step by another: Q29 by Q29. */
@@ -135,7 +134,7 @@ static bool is_straight(
 }
 
 bool soft_bend(struct draw *draw, const struct setup *setup,
-	const struct delta delta[], const struct perspective *perspective)
+	const struct delta delta[], uint32_t texel)
 {
 	struct raster *raster = &draw->raster;
 	const struct vertex *const *v = setup->v;
@@ -143,7 +142,7 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 		find_ratio(v[0], v[2]), find_ratio(v[1], v[2])};
 	struct products products;
 
-	if (!is_exact(ratio, perspective) ||
+	if (!is_exact(ratio, texel) ||
 		!find_products(&raster->frame, &products)) {
 		return false;
 	}

@@ -93,6 +93,19 @@ static ALWAYS_INLINE struct plane frame_find_plane(
 		run.right, run.down};
 }
 
+/* A small triangle's depth in 16.16. */
+static ALWAYS_INLINE struct plane frame_find_depth(
+	const struct frame *f, const struct setup *setup)
+{
+	const int32_t z = setup->v[0]->z;
+	const struct delta delta = {z, setup->v[1]->z - z, setup->v[2]->z - z};
+	const struct plane plane = frame_find_plane(f, &delta);
+
+	return (struct plane){plane.start << 6,
+		(int32_t)((uint32_t)plane.dx << 6),
+		(int32_t)((uint32_t)plane.dy << 6)};
+}
+
 /* From 0 to the two. */
 static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 {
@@ -144,15 +157,6 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	}
 }
 
-/* A texture coordinate less the base, in 1/256 of texels: down is 8 - log2. */
-static ALWAYS_INLINE int32_t frame_to_texels(
-	int32_t value, int32_t base, int down)
-{
-	int32_t less = (int32_t)((uint32_t)value - (uint32_t)base);
-
-	return down >= 0 ? less >> down : shift_by(less, -down);
-}
-
 /* A coordinate: its slope and its ends, in 1/256 of the base's texels. */
 struct frame_texels {
 	struct delta delta;
@@ -163,12 +167,21 @@ static ALWAYS_INLINE struct frame_texels frame_find_texels(
 	const struct setup *setup, int name, int log2, bool repeats)
 {
 	const struct vertex *const *v = setup->v;
-	int32_t first = v[0]->attribute[name];
-	int32_t base = repeats ? first & ~0xFFFF : 0;
-	int32_t a = frame_to_texels(first, base, 8 - log2);
-	int32_t b = frame_to_texels(v[1]->attribute[name], base, 8 - log2);
-	int32_t c = frame_to_texels(v[2]->attribute[name], base, 8 - log2);
+	uint32_t first = (uint32_t)v[0]->attribute[name];
+	uint32_t base = repeats ? first & ~0xFFFFu : 0;
+	int32_t a = (int32_t)(first - base);
+	int32_t b = (int32_t)((uint32_t)v[1]->attribute[name] - base);
+	int32_t c = (int32_t)((uint32_t)v[2]->attribute[name] - base);
 
+	if (log2 <= 8) {
+		a >>= 8 - log2;
+		b >>= 8 - log2;
+		c >>= 8 - log2;
+	} else {
+		a = shift_by(a, log2 - 8);
+		b = shift_by(b, log2 - 8);
+		c = shift_by(c, log2 - 8);
+	}
 	return (struct frame_texels){
 		{a, (int32_t)((uint32_t)b - (uint32_t)a),
 			(int32_t)((uint32_t)c - (uint32_t)a)},

@@ -162,13 +162,7 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	const struct setup *setup, const struct moving *moving)
 {
 	struct raster *raster = &draw->raster;
-	const struct vertex *const *v = setup->v;
-	const int32_t a = v[0]->clip[3], b = v[1]->clip[3], c = v[2]->clip[3];
-	const int32_t least = raster_least(a, b, c);
-	const struct perspective perspective = {
-		.w_spread = (uint32_t)(raster_most(a, b, c) - least),
-		.w_least = (uint32_t)least,
-		.texel = moving->texel};
+	const struct perspective perspective = raster_find_perspective(setup);
 
 	raster->colors_divided = raster_bends(
 		&perspective, moving->color, rows_color_tolerance(draw));
@@ -179,7 +173,7 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 		raster->perspective = setup->wide || draw->divides ||
 			moving->texel >= SMALL_DELTA ||
 			perspective.w_spread > perspective.w_least ||
-			!soft_bend(draw, setup, moving->delta, &perspective);
+			!soft_bend(draw, setup, moving->delta, moving->texel);
 	}
 }
 

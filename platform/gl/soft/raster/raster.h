@@ -13,6 +13,11 @@ enum {
 	 * on the border of two texels fall to the same one always.
 	 */
 	TEXEL_NUDGE = 128,
+	/*
+	 * Four steps of 255, as rows_color_tolerance() has it, where the
+	 * picture has five bits.
+	 */
+	RASTER_TOLERANCE_565 = 4,
 };
 
 /*
@@ -73,8 +78,18 @@ struct delta {
 /* How far a triangle is in perspective. */
 struct perspective {
 	uint32_t w_spread, w_least;
-	uint32_t texel; /* the largest spread of texels in 256ths */
 };
+
+static ALWAYS_INLINE struct perspective raster_find_perspective(
+	const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	const int32_t a = v[0]->clip[3], b = v[1]->clip[3], c = v[2]->clip[3];
+	const int32_t least = raster_least(a, b, c);
+
+	return (struct perspective){
+		(uint32_t)(raster_most(a, b, c) - least), (uint32_t)least};
+}
 
 /*
  * Whether running linearly is off by more than what nobody sees, see
@@ -92,10 +107,10 @@ static ALWAYS_INLINE bool raster_bends(
  * bend.c: of a small triangle whose w is at most twice as large in one corner
  * as in another, bends texture coordinates instead of dividing them. False
  * where that is off by more than a quarter of a texel. delta are those of
- * raster->moving.
+ * raster->moving, texel is the largest spread in 1/256 of texels.
  */
 bool soft_bend(struct draw *draw, const struct setup *setup,
-	const struct delta delta[], const struct perspective *perspective);
+	const struct delta delta[], uint32_t texel);
 
 /* raster.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);

@@ -398,7 +398,7 @@ bool soft_prepare_spans(struct draw *draw)
 		: &soft_spans_565;
 	spans->stenciled = state->stencil.enabled;
 	spans->alpha_tested = is_tested(state);
-	spans->color_tolerance = draw->soft->format == PIXELS_RGB565 ? 4 : 2;
+	spans->color_tolerance = rows_color_tolerance(draw);
 	choose_making(draw);
 	spans->coverage.used = false;
 	spans->color_mask = find_color_mask(draw->soft);

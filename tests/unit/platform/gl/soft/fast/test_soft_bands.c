@@ -1,6 +1,5 @@
 /* The soft driver's rows in assembly against the same in C. */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/tint.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "tests/support/gl/twins.h"
@@ -27,7 +26,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 	}
 	for (int round = 0; round < 500; round++) {
 		struct twins *twins = twins_make(&seed);
-		struct texture_band band = {
+		struct band band = {
 			.row = {0, any_word(&seed), any_word(&seed),
 				next_random(&seed) << 6},
 			.down = {2 * TWINS_SIDE, any_word(&seed),
@@ -39,17 +38,17 @@ static void test_the_texture_band_is_as_in_c(void **state)
 			.texel_shift = 24 - 6,
 			.wide_mask = WIDE_MASK,
 			.wide_round = WIDE_ROUND,
-			.share_right = next_random(&seed) & 0xFFFFF,
+			.red_blue_right = next_random(&seed) & 0xFFFFF,
 			.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
-		struct texture_band other;
+		struct band other;
 
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
-		soft_band_texture(&band);
-		soft_band_texture_c(&other);
+		soft_band_gray(&band);
+		soft_band_gray_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
 		assert_int_equal(band.edge[0], other.edge[0]);
 		assert_int_equal(band.edge[1], other.edge[1]);
@@ -70,7 +69,7 @@ static void test_the_tinted_band_is_as_in_c(void **state)
 	}
 	for (int round = 0; round < 500; round++) {
 		struct twins *twins = twins_make(&seed);
-		struct tint_band band = {
+		struct band band = {
 			.row = {0, any_word(&seed), any_word(&seed),
 				any_word(&seed) & 0x7FFF7FFF,
 				any_word(&seed) & 0x3FFF},
@@ -88,7 +87,7 @@ static void test_the_tinted_band_is_as_in_c(void **state)
 			.stride_bytes = 2 * 64,
 			.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
-		struct tint_band other;
+		struct band other;
 
 		make_edges(&seed, band.edge, band.edge_step);
 		other = band;

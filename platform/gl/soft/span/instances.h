@@ -20,24 +20,26 @@
 			(struct soft_kind){.finish = finish_,               \
 				.lequal = lequal_, __VA_ARGS__});           \
 	}                                                                   \
-	SOFT_FINISH_FUNCTIONS(name, name, false)                            \
-	SOFT_FINISH_FUNCTIONS(name##_lequal, name, true)
+	SOFT_EACH_FINISH(SOFT_FINISH_FUNCTIONS, name)
 
-#define SOFT_SPAN_FUNCTION(name, kind, finish, lequal)                      \
-	static void name(const struct soft_run *run)                        \
+#define SOFT_EACH_FINISH(make, ...)                                         \
+	make(opaque, SOFT_OPAQUE, __VA_ARGS__)                              \
+	make(tested, SOFT_TESTED, __VA_ARGS__)                              \
+	make(blended, SOFT_BLENDED, __VA_ARGS__)                            \
+	make(opaque_fog, SOFT_OPAQUE_FOG, __VA_ARGS__)                      \
+	make(tested_fog, SOFT_TESTED_FOG, __VA_ARGS__)                      \
+	make(blended_fog, SOFT_BLENDED_FOG, __VA_ARGS__)                    \
+	make(mixed, SOFT_MIXED, __VA_ARGS__)
+
+#define SOFT_FINISH_FUNCTIONS(suffix, finish, name)                         \
+	static void name##_##suffix(const struct soft_run *run)             \
 	{                                                                   \
-		kind(run, finish, lequal);                                  \
+		name(run, finish, false);                                   \
+	}                                                                   \
+	static void name##_lequal_##suffix(const struct soft_run *run)      \
+	{                                                                   \
+		name(run, finish, true);                                    \
 	}
-
-#define SOFT_FINISH_FUNCTIONS(name, kind, lequal)                           \
-	SOFT_SPAN_FUNCTION(name##_opaque, kind, SOFT_OPAQUE, lequal)        \
-	SOFT_SPAN_FUNCTION(name##_tested, kind, SOFT_TESTED, lequal)        \
-	SOFT_SPAN_FUNCTION(name##_blended, kind, SOFT_BLENDED, lequal)      \
-	SOFT_SPAN_FUNCTION(name##_opaque_fog, kind, SOFT_OPAQUE_FOG, lequal) \
-	SOFT_SPAN_FUNCTION(name##_tested_fog, kind, SOFT_TESTED_FOG, lequal) \
-	SOFT_SPAN_FUNCTION(                                                 \
-		name##_blended_fog, kind, SOFT_BLENDED_FOG, lequal)         \
-	SOFT_SPAN_FUNCTION(name##_mixed, kind, SOFT_MIXED, lequal)
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
 	SOFT_KIND(name, .textured = true, .format = texels,                 \
@@ -45,58 +47,32 @@
 	SOFT_KIND(name##_inside, .textured = true, .format = texels,        \
 		.linear = is_linear, .wide = is_wide, .inside = true)
 
+#define SOFT_FORMAT_FUNCTIONS(name, texels, is_wide)                        \
+	SOFT_BOTH_FUNCTIONS(nearest_##name, texels, false, is_wide)         \
+	SOFT_BOTH_FUNCTIONS(linear_##name, texels, true, is_wide)
+
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
 	SOFT_KIND(plain, .wide = is_wide)                                   \
-	SOFT_BOTH_FUNCTIONS(nearest_565, TEXEL_565, false, is_wide)         \
-	SOFT_BOTH_FUNCTIONS(nearest_4444, TEXEL_4444, false, is_wide)       \
-	SOFT_BOTH_FUNCTIONS(nearest_5551, TEXEL_5551, false, is_wide)       \
-	SOFT_BOTH_FUNCTIONS(nearest_8888, TEXEL_8888, false, is_wide)       \
-	SOFT_BOTH_FUNCTIONS(nearest_l8, TEXEL_L8, false, is_wide)           \
-	SOFT_BOTH_FUNCTIONS(nearest_a8, TEXEL_A8, false, is_wide)           \
-	SOFT_BOTH_FUNCTIONS(nearest_la88, TEXEL_LA88, false, is_wide)       \
-	SOFT_BOTH_FUNCTIONS(linear_565, TEXEL_565, true, is_wide)           \
-	SOFT_BOTH_FUNCTIONS(linear_4444, TEXEL_4444, true, is_wide)         \
-	SOFT_BOTH_FUNCTIONS(linear_5551, TEXEL_5551, true, is_wide)         \
-	SOFT_BOTH_FUNCTIONS(linear_8888, TEXEL_8888, true, is_wide)         \
-	SOFT_BOTH_FUNCTIONS(linear_l8, TEXEL_L8, true, is_wide)             \
-	SOFT_BOTH_FUNCTIONS(linear_a8, TEXEL_A8, true, is_wide)             \
-	SOFT_BOTH_FUNCTIONS(linear_la88, TEXEL_LA88, true, is_wide)
+	SOFT_EACH_FORMAT(SOFT_FORMAT_FUNCTIONS, is_wide)
 
 /* clang-format off */
-#define SOFT_FINISH_ROW(name, inside, finish)                               \
-	{name##_##finish, inside##_##finish, name##_lequal_##finish,        \
-		inside##_lequal_##finish}
+#define SOFT_FINISH_ROW(suffix, finish, name, inside)                       \
+	[finish] = {name##_##suffix, inside##_##suffix,                     \
+		name##_lequal_##suffix, inside##_lequal_##suffix},
 
 #define SOFT_FINISH_ROWS(name, inside)                                      \
-	{                                                                   \
-		[SOFT_OPAQUE] = SOFT_FINISH_ROW(name, inside, opaque),      \
-		[SOFT_TESTED] = SOFT_FINISH_ROW(name, inside, tested),      \
-		[SOFT_BLENDED] = SOFT_FINISH_ROW(name, inside, blended),    \
-		[SOFT_OPAQUE_FOG] =                                         \
-			SOFT_FINISH_ROW(name, inside, opaque_fog),          \
-		[SOFT_TESTED_FOG] =                                         \
-			SOFT_FINISH_ROW(name, inside, tested_fog),          \
-		[SOFT_BLENDED_FOG] =                                        \
-			SOFT_FINISH_ROW(name, inside, blended_fog),         \
-		[SOFT_MIXED] = SOFT_FINISH_ROW(name, inside, mixed),        \
-	}
+	{ SOFT_EACH_FINISH(SOFT_FINISH_ROW, name, inside) },
 
-#define SOFT_TEXTURE_ROWS(name) SOFT_FINISH_ROWS(name, name##_inside)
-
-#define SOFT_FORMAT_ROWS(filter, first)                                     \
-	[first + TEXEL_565 - 1] = SOFT_TEXTURE_ROWS(filter##_565), \
-	[first + TEXEL_4444 - 1] = SOFT_TEXTURE_ROWS(filter##_4444), \
-	[first + TEXEL_5551 - 1] = SOFT_TEXTURE_ROWS(filter##_5551), \
-	[first + TEXEL_8888 - 1] = SOFT_TEXTURE_ROWS(filter##_8888), \
-	[first + TEXEL_L8 - 1] = SOFT_TEXTURE_ROWS(filter##_l8), \
-	[first + TEXEL_A8 - 1] = SOFT_TEXTURE_ROWS(filter##_a8), \
-	[first + TEXEL_LA88 - 1] = SOFT_TEXTURE_ROWS(filter##_la88)
+#define SOFT_FORMAT_ROWS(name, texels, ...)                                 \
+	[SOFT_NEAREST + texels - 1] =                                       \
+		SOFT_FINISH_ROWS(nearest_##name, nearest_##name##_inside)   \
+	[SOFT_LINEAR + texels - 1] =                                        \
+		SOFT_FINISH_ROWS(linear_##name, linear_##name##_inside)
 
 #define SOFT_SPAN_TABLE                                                     \
 	{                                                                   \
-		[SOFT_NO_TEXTURE] = SOFT_FINISH_ROWS(plain, plain),         \
-		SOFT_FORMAT_ROWS(nearest, SOFT_NEAREST),                    \
-		SOFT_FORMAT_ROWS(linear, SOFT_LINEAR),                      \
+		[SOFT_NO_TEXTURE] = SOFT_FINISH_ROWS(plain, plain)          \
+		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, )                        \
 	}
 /* clang-format on */
 

@@ -18,6 +18,14 @@ struct soft_kind {
 	bool still;  /* see soft_is_still() */
 };
 
+/* What a macro makes of each format of texels. */
+#define SOFT_EACH_FORMAT(make, ...)                                           \
+	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__) \
+		make(5551, TEXEL_5551, __VA_ARGS__) make(8888, TEXEL_8888,    \
+			__VA_ARGS__) make(l8, TEXEL_L8, __VA_ARGS__)          \
+			make(a8, TEXEL_A8, __VA_ARGS__)                       \
+				make(la88, TEXEL_LA88, __VA_ARGS__)
+
 /* What moves on with every pixel. */
 struct soft_pixel {
 	uint32_t z, red_blue, green_alpha, fog;

@@ -58,33 +58,21 @@ static ALWAYS_INLINE void read_texels(
 				.textured = true, .wide = true, __VA_ARGS__}); \
 	}
 
-#define BOTH_FUNCTIONS(name, texels)                                           \
+#define BOTH_FUNCTIONS(name, texels, ...)                                      \
 	READ_TEXELS(nearest_##name, .format = texels)                          \
 	READ_TEXELS(nearest_##name##_inside, .format = texels, .inside = true) \
 	READ_TEXELS(linear_##name, .format = texels, .linear = true)           \
 	READ_TEXELS(linear_##name##_inside, .format = texels, .linear = true,  \
 		.inside = true)
 
-BOTH_FUNCTIONS(565, TEXEL_565)
-BOTH_FUNCTIONS(4444, TEXEL_4444)
-BOTH_FUNCTIONS(5551, TEXEL_5551)
-BOTH_FUNCTIONS(8888, TEXEL_8888)
-BOTH_FUNCTIONS(l8, TEXEL_L8)
-BOTH_FUNCTIONS(a8, TEXEL_A8)
-BOTH_FUNCTIONS(la88, TEXEL_LA88)
+SOFT_EACH_FORMAT(BOTH_FUNCTIONS, )
 
-#define ROWS(name, texels)                             \
-	[SOFT_NEAREST + (texels)-1] = {nearest_##name, \
-		nearest_##name##_inside},              \
-			[SOFT_LINEAR + (texels)-1] = { \
-				linear_##name, linear_##name##_inside}
+/* clang-format off */
+#define ROWS(name, texels, ...)                                              \
+	[SOFT_NEAREST + texels - 1] = {nearest_##name,                       \
+		nearest_##name##_inside},                                    \
+	[SOFT_LINEAR + texels - 1] = {linear_##name, linear_##name##_inside},
+/* clang-format on */
 
 const soft_span_function soft_samplers[SOFT_SOURCES][2] = {
-	ROWS(565, TEXEL_565),
-	ROWS(4444, TEXEL_4444),
-	ROWS(5551, TEXEL_5551),
-	ROWS(8888, TEXEL_8888),
-	ROWS(l8, TEXEL_L8),
-	ROWS(a8, TEXEL_A8),
-	ROWS(la88, TEXEL_LA88),
-};
+	SOFT_EACH_FORMAT(ROWS, )};

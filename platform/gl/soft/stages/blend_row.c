@@ -42,101 +42,33 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 	}
 }
 
-static ALWAYS_INLINE void blend_8888(
-	uint8_t *pixel, uint32_t from, GLenum source, GLenum destination)
+/* A pixel of RGB565 as four bytes, as load_pixel() has it. */
+static ALWAYS_INLINE uint32_t load_565(const uint8_t *pixel)
 {
-	uint32_t to = load_32(pixel);
-	uint32_t more = scale_by_factor(source, from, from, to);
+	const uint32_t old = load_16(pixel);
+	const uint32_t red_blue = ((old & 0xF800) | old << 27) >> 8;
+	const uint32_t green = (old & 0x07E0) << 5;
 
-	to = scale_by_factor(destination, to, from, to);
-	to = BYTES_ADD_LIMITED(more, to);
-	memcpy(pixel, &to, sizeof(to));
+	return 0xFF000000 | red_blue | (red_blue >> 5 & 0x00070007) | green |
+		(green >> 6 & 0x0300);
 }
 
-/* Red, and blue in the upper half; green. */
-struct lanes {
-	uint32_t red_blue, green;
-};
-
-/* Bytes times 0 to 256. */
-static ALWAYS_INLINE struct lanes multiply(struct lanes a, struct lanes b)
+/* pack_565(), of red and blue in both halves of a word at once. */
+static ALWAYS_INLINE void store_565(uint8_t *pixel, uint32_t color)
 {
-	return (struct lanes){(uint32_t)HALVES_BB(a.red_blue, b.red_blue, 0) |
-			(uint32_t)HALVES_TT(a.red_blue, b.red_blue, 0) << 16,
-		a.green * b.green};
-}
+	const uint32_t red_blue = BYTES_AS_HALVES(color) * 249 + 1014 * 0x10001;
+	const uint32_t green = (color >> 8 & 255) * 253 + 505;
 
-static ALWAYS_INLINE struct lanes multiply_by(struct lanes a, uint32_t by)
-{
-	return (struct lanes){a.red_blue * by, a.green * by};
-}
-
-/* 0 to 256 from bytes, and what 256 is more. */
-static ALWAYS_INLINE struct lanes find_shares(struct lanes bytes)
-{
-	return (struct lanes){
-		bytes.red_blue + (bytes.red_blue >> 7 & 0x00010001),
-		bytes.green + (bytes.green >> 7)};
-}
-
-static ALWAYS_INLINE struct lanes find_rest(struct lanes bytes)
-{
-	struct lanes share = find_shares(bytes);
-
-	return (struct lanes){0x01000100 - share.red_blue, 256 - share.green};
-}
-
-/* 256 times a colour's bytes times their factor; alpha is 0 to 256. */
-static ALWAYS_INLINE struct lanes scale_lanes(GLenum factor, struct lanes color,
-	struct lanes from, uint32_t alpha, struct lanes to)
-{
-	switch (factor) {
-	case GL_ZERO:
-		return (struct lanes){0, 0};
-	case GL_SRC_COLOR:
-		return multiply(color, find_shares(from));
-	case GL_ONE_MINUS_SRC_COLOR:
-		return multiply(color, find_rest(from));
-	case GL_DST_COLOR:
-		return multiply(color, find_shares(to));
-	case GL_ONE_MINUS_DST_COLOR:
-		return multiply(color, find_rest(to));
-	case GL_SRC_ALPHA:
-		return multiply_by(color, alpha);
-	case GL_ONE_MINUS_SRC_ALPHA:
-		return multiply_by(color, 256 - alpha);
-	default:
-		return multiply_by(color, 256);
-	}
-}
-
-/*
- * Sums have RGB565's fields in the upper bits of 16: 31 is 31 * 2048 there, and
- * 255 * 256 of a fragment's bytes becomes that.
- */
-static ALWAYS_INLINE void blend_565(
-	uint8_t *pixel, uint32_t color, GLenum source, GLenum destination)
-{
-	const uint32_t old = load_16(pixel), alpha = color >> 24;
-	const uint32_t share = alpha + (alpha >> 7);
-	const struct lanes from = {BYTES_AS_HALVES(color), color >> 8 & 255};
-	const struct lanes to = {
-		((old & 0xF800) | old << 27) >> 8, (old & 0x07E0) >> 3};
-	const struct lanes to_byte = {
-		to.red_blue | (to.red_blue >> 5 & 0x00070007),
-		to.green | to.green >> 6};
-	struct lanes more = scale_lanes(source, from, from, share, to_byte);
-	struct lanes sum = scale_lanes(destination, to, from, share, to_byte);
-
-	more.red_blue -= more.red_blue >> 5 & 0x07FF07FF;
-	more.green -= more.green >> 6;
-	sum.red_blue = HALVES_ADD_LIMITED(sum.red_blue, more.red_blue);
-	sum.red_blue = HALVES_ADD_LIMITED(sum.red_blue, 0x04000400);
-	sum.green = HALVES_ADD_LIMITED(sum.green, more.green);
-	sum.green = HALVES_ADD_LIMITED(sum.green, 0x0200);
 	store_16(pixel,
-		(uint16_t)((sum.red_blue & 0xF800) | sum.red_blue >> 27 |
-			sum.green >> 10 << 5));
+		(uint16_t)((red_blue & 0xF800) | green >> 10 << 5 |
+			red_blue >> 27));
+}
+
+static ALWAYS_INLINE uint32_t blend_colors(
+	uint32_t to, uint32_t from, GLenum source, GLenum destination)
+{
+	return BYTES_ADD_LIMITED(scale_by_factor(source, from, from, to),
+		scale_by_factor(destination, to, from, to));
 }
 
 /* The loop for two factors: a function of its own where they are constants. */
@@ -146,15 +78,18 @@ static ALWAYS_INLINE void blend(const struct soft_row *row,
 {
 	const uint32_t *end = color + row->count;
 	uint8_t *pixel = row->pixel;
+	uint32_t to;
 
 	for (; color != end; color++, pixel += wide ? 4 : 2) {
 		if (*before++ == *after++) {
 			continue;
 		}
+		to = blend_colors(wide ? load_32(pixel) : load_565(pixel),
+			*color, source, destination);
 		if (wide) {
-			blend_8888(pixel, *color, source, destination);
+			memcpy(pixel, &to, sizeof(to));
 		} else {
-			blend_565(pixel, *color, source, destination);
+			store_565(pixel, to);
 		}
 	}
 }

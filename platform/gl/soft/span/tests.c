@@ -33,20 +33,6 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-static uint32_t count_equal(const uint8_t *value, uint32_t count)
-{
-	const uint32_t four = value[0] * 0x01010101u;
-	uint32_t equal = 0;
-
-	while (equal + 4 <= count && load_32(value + equal) == four) {
-		equal += 4;
-	}
-	while (equal < count && value[equal] == value[0]) {
-		equal++;
-	}
-	return equal;
-}
-
 /* Those pass of which the function is true, or if inverted those of the others. */
 static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
 	const struct soft_tested *tested, const uint16_t *depth,
@@ -67,7 +53,7 @@ static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
 	return any != 0;
 }
 
-/* The depth test of fragments that the stencil lets through. */
+/* The depth test alone; false where none passes. */
 static bool test_depths(const struct fragment_state *state,
 	const struct soft_tested *tested, const uint16_t *depth,
 	uint16_t *passes)
@@ -91,31 +77,31 @@ static bool test_depths(const struct fragment_state *state,
 	}
 }
 
-/* Of fragments whose stencil values are equal; false where none passes. */
-static bool test_stencil(struct soft *soft, const struct soft_tested *tested,
-	uint8_t *stencil, uint16_t *passes)
+/* The same with the stencil test before it. */
+static bool test_stencils(const struct stencil *s, uint8_t *stencil,
+	uint32_t count, uint16_t *passes)
 {
-	const struct fragment_state *state = &soft->fragment;
-	const struct stencil *s = &state->stencil;
-	const uint8_t old = *stencil;
-	bool any;
+	uint8_t old = 0, far = 0, near = 0; /* and what it becomes */
+	uint16_t through = 0, any = 0;
 
-	if (!soft_compares(s->function, s->reference & s->mask, old & s->mask)) {
-		memset(stencil, apply_stencil(s, s->fail, old), tested->count);
-		memset(passes, 0, tested->count * sizeof(*passes));
-		return false;
-	}
-	any = test_depths(
-		state, tested, soft->buffers.depth + tested->place, passes);
-	if (s->pass != GL_KEEP || s->depth_fail != GL_KEEP) {
-		const uint8_t near = apply_stencil(s, s->pass, old);
-		const uint8_t far = apply_stencil(s, s->depth_fail, old);
+	for (uint32_t i = 0; i < count; i++) {
+		if (i == 0 || stencil[i] != old) {
+			bool is_through;
 
-		for (uint32_t i = 0; i < tested->count; i++) {
-			stencil[i] = passes[i] ? near : far;
+			old = stencil[i];
+			is_through = soft_compares(s->function,
+				s->reference & s->mask, old & s->mask);
+			through = is_through ? UINT16_MAX : 0;
+			far = apply_stencil(
+				s, is_through ? s->depth_fail : s->fail, old);
+			near = apply_stencil(
+				s, is_through ? s->pass : s->fail, old);
 		}
+		stencil[i] = passes[i] ? near : far;
+		passes[i] &= through;
+		any |= passes[i];
 	}
-	return any;
+	return any != 0;
 }
 
 bool soft_test(
@@ -123,21 +109,11 @@ bool soft_test(
 {
 	const struct fragment_state *state = &soft->fragment;
 	uint8_t *stencil = soft->buffers.stencil;
-	struct soft_tested piece = *tested;
-	bool any = false;
+	bool any = test_depths(
+		state, tested, soft->buffers.depth + tested->place, passes);
 
-	if (!state->stencil.enabled || !stencil) {
-		return test_depths(state, tested,
-			soft->buffers.depth + tested->place, passes);
-	}
-	for (uint32_t left = tested->count; left > 0; left -= piece.count) {
-		uint8_t *at = stencil + piece.place;
-
-		piece.count = count_equal(at, left);
-		any |= test_stencil(soft, &piece, at, passes);
-		passes += piece.count;
-		piece.place += piece.count;
-		piece.z += piece.z_right * piece.count;
-	}
-	return any;
+	return state->stencil.enabled && stencil
+		? test_stencils(&state->stencil, stencil + tested->place,
+			  tested->count, passes)
+		: any;
 }

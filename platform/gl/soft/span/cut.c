@@ -2,11 +2,6 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
 
-enum {
-	/* Wrapping so many pixels takes no longer than two more runs. */
-	SHORT_PIXELS = 26,
-};
-
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
 {
@@ -47,37 +42,22 @@ static NEVER_INLINE struct stretch find_clamped(
 		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
 }
 
-/* Whether what repeats is worth being cut where it does. */
-static bool is_far(int32_t right, uint32_t room, uint32_t mask)
-{
-	return mask == UINT32_MAX || raster_size(right) <= room / 32;
-}
-
-/*
- * From a coordinate on, up to an edge, of so many pixels; where close, only
- * what is clamped is cut.
- */
+/* From a coordinate on, up to an edge that does not repeat, of so many pixels. */
 static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
-	uint32_t room, uint32_t mask, uint32_t last, bool close, uint32_t left)
+	uint32_t room, uint32_t mask, uint32_t last, uint32_t left)
 {
 	uint32_t at = (uint32_t)given & mask, step = raster_size(right);
+	bool inside = at < room && at + (uint32_t)right * (left - 1) < room;
 
-	if ((close && mask != UINT32_MAX) ||
-		(at < room && at + (uint32_t)right * (left - 1) < room)) {
-		return (struct stretch){
-			left, (int32_t)at, right, !close || mask == UINT32_MAX};
+	if (inside || mask != UINT32_MAX) {
+		return (struct stretch){left, (int32_t)at, right, inside};
 	}
 	if (at < room) {
 		return (struct stretch){
 			count_steps(right < 0 ? at : room - 1 - at, step) + 1,
 			(int32_t)at, right, true};
 	}
-	if (mask == UINT32_MAX) {
-		return find_clamped(given, right, step, room, last);
-	}
-	return (struct stretch){
-		count_steps(right < 0 ? at - room : mask - at, step) + 1,
-		(int32_t)at, right, false};
+	return find_clamped(given, right, step, room, last);
 }
 
 static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
@@ -112,21 +92,16 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 		.t_room = INT32_MAX,
 		.large = window->large};
 	const uint8_t *first_texel = run->first_texel;
-	const bool close = run->row.count <= SHORT_PIXELS ||
-		!is_far(run->s_right, window->s_room, window->s_mask) ||
-		!is_far(run->t_right, window->t_room, window->t_mask);
 	struct stretch own_s = {.at = run->s, .right = run->s_right};
 	struct stretch own_t = {.at = run->t, .right = run->t_right};
 	uint32_t left = run->row.count, count;
 
 	run->first_texel = run->texels;
 	for (;;) {
-		const struct stretch s =
-			find_stretch(own_s.at, own_s.right, window->s_room,
-				window->s_mask, view->s_last, close, left);
-		const struct stretch t =
-			find_stretch(own_t.at, own_t.right, window->t_room,
-				window->t_mask, view->t_last, close, left);
+		const struct stretch s = find_stretch(own_s.at, own_s.right,
+			window->s_room, window->s_mask, view->s_last, left);
+		const struct stretch t = find_stretch(own_t.at, own_t.right,
+			window->t_room, window->t_mask, view->t_last, left);
 
 		count = s.count < t.count ? s.count : t.count;
 		count = count < left ? count : left;

@@ -339,20 +339,6 @@ static void choose_making(struct draw *draw)
 		(spans->textured && soft_mixes_levels(&draw->texture[0]));
 }
 
-/* Colours do not say what alpha an alpha test sees. */
-static bool is_alpha_of_colors(const struct draw *draw)
-{
-	bool is = false;
-
-	for (int i = 0; i < SOFT_UNITS; i++) {
-		const struct texture_input *input = &draw->texture[i];
-
-		is |= input->used && input->env->mode == GL_COMBINE &&
-			input->env->combine_rgb == GL_DOT3_RGBA;
-	}
-	return is;
-}
-
 /* How long a run may be, and whose colours are stepped from row to row. */
 static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 {
@@ -371,7 +357,7 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 	spans->longest = SOFT_RUN_PIXELS;
 	spans->stepped_size = wide ? 40 : 128;
 	/* An alpha test needs the alpha of planes, to the bit. */
-	if (spans->alpha_tested && is_alpha_of_colors(draw)) {
+	if (spans->alpha_tested && spans->combined) {
 		spans->stepped_size = 0;
 	}
 }

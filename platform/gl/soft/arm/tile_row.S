@@ -79,6 +79,9 @@
 	.global	soft_tile_row
 	.type	soft_tile_row, %function
 soft_tile_row:
+	cmp	r1, #1
+	beq	.Lplaces
+	bhi	.Lfine
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #TILE_SHADE]
@@ -122,7 +125,6 @@ soft_tile_row:
 	cmp	r1, #0
 	bne	.Lpixel
 	pop	{r0, r4-r11, pc}
-	.size	soft_tile_row, . - soft_tile_row
 
 /*
  * The same, two pixels a step or one, but r2 is fine, of r3 to r6 2^32 are all of
@@ -187,16 +189,9 @@ soft_tile_row:
 	pop	{r0, r4-r11, pc}
 	.endm
 
-	.global	soft_tile_places
-	.type	soft_tile_places, %function
-soft_tile_places:
+.Lplaces:
 	from_fine 0
-	.size	soft_tile_places, . - soft_tile_places
-
-	.global	soft_tile_fine
-	.type	soft_tile_fine, %function
-soft_tile_fine:
-	from_fine 1
-	.size	soft_tile_fine, . - soft_tile_fine
+.Lfine:	from_fine 1
+	.size	soft_tile_row, . - soft_tile_row
 
 	.section .note.GNU-stack, "", %progbits

@@ -106,9 +106,7 @@ static void set_level(struct draw *draw, int lod)
 	tiled->run.width_log2 = level->width_log2;
 	tiled->run.height_log2 = level->height_log2;
 	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
-	tiled->draw[0] = square ? soft_tile_row : soft_tile_row_c;
-	tiled->draw[1] = square ? soft_tile_places : soft_tile_places_c;
-	tiled->draw[2] = square ? soft_tile_fine : soft_tile_fine_c;
+	tiled->draw = square ? soft_tile_row : soft_tile_row_c;
 }
 
 /* So many that one share is less than a step off for each, or as will do. */
@@ -243,7 +241,7 @@ static bool draw_mixed(struct draw *draw)
 	make_mixed(draw, *tiled->pixel, find_share(tiled, 0, (uint32_t)count));
 	tiled->run.pixel = tiled->pixel;
 	tiled->run.shade = draw->mixed;
-	tiled->draw[tiled->from_fine](&tiled->run);
+	tiled->draw(&tiled->run, tiled->from_fine);
 	tiled->run.shade = draw->shade;
 	return true;
 }
@@ -262,7 +260,7 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 		return;
 	}
 	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
-	tiled->draw[tiled->from_fine](&tiled->run);
+	tiled->draw(&tiled->run, tiled->from_fine);
 	if (tiled->by_share) {
 		make_gray(draw, aside, draw->blended ? aside : pixel);
 	}

@@ -77,17 +77,11 @@ static ALWAYS_INLINE void draw_run(
 	}
 }
 
-void soft_tile_row_c(const struct tile_run *run)
+void soft_tile_row_c(const struct tile_run *run, int by_fine)
 {
-	draw_run(run, false, 1);
-}
-
-void soft_tile_places_c(const struct tile_run *run)
-{
-	draw_run(run, true, 1);
-}
-
-void soft_tile_fine_c(const struct tile_run *run)
-{
-	draw_run(run, true, 2);
+	if (by_fine == 2) {
+		draw_run(run, true, 2);
+	} else {
+		draw_run(run, by_fine == 1, 1);
+	}
 }

@@ -47,17 +47,12 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
 /*
  * Draws a run, each pixel the bilinear mean around its place, of fractions of 8
  * bits; or from fine the mean of the place that is nearest to it, or, two
- * pixels at a time, to the middle between them, where s and t are. Whole runs
- * of pixels in a patch are found at once, which does not change what they
- * become. Steps from fine are less than half of the texture.
+ * pixels at a time, to the middle between them, where s and t are: by_fine is
+ * 0, 1 or 2. Whole runs of pixels in a patch are found at once, which does not
+ * change what they become. Steps from fine are less than half of the texture.
  */
-void soft_tile_row_c(const struct tile_run *run);
-void soft_tile_places_c(const struct tile_run *run);
-void soft_tile_fine_c(const struct tile_run *run);
-
+void soft_tile_row_c(const struct tile_run *run, int by_fine);
 /* arm/tile_row.S or portable/tile_row.c: the same of levels as wide as high. */
-void soft_tile_row(const struct tile_run *run);
-void soft_tile_places(const struct tile_run *run);
-void soft_tile_fine(const struct tile_run *run);
+void soft_tile_row(const struct tile_run *run, int by_fine);
 
 #endif

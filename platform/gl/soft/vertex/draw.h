@@ -209,7 +209,7 @@ struct tiled {
 	int level;                 /* of the texture; -1: none yet */
 	const struct tiles *tiles; /* of the level */
 	int from_fine; /* pixels that are drawn as one from there, or 0 */
-	void (*draw[3])(const struct tile_run *run); /* by from_fine */
+	void (*draw)(const struct tile_run *run, int by_fine);
 	uint32_t mixed; /* what draw->mixed was made of, see make_mixed() */
 	/* Pixels of a row; share, how much of 256 a texel counts, is 8.8. */
 	struct tile_run run;

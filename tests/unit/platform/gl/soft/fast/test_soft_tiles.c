@@ -295,14 +295,13 @@ static void test_rows_are_pixel_by_pixel_what_bilinear_means(void **state)
 		run.pixel = rows.expected + MARGIN;
 		draw_each(&run, &level, false, 1);
 		run.pixel = rows.drawn + MARGIN;
-		soft_tile_row_c(&run);
+		soft_tile_row_c(&run, 0);
 		check_rows(&rows);
 		for (int each = 1; each <= 2 && run.fine; each++) {
 			run.pixel = rows.expected + MARGIN;
 			draw_each(&run, &level, true, each);
 			run.pixel = rows.drawn + MARGIN;
-			(each == 1 ? soft_tile_places_c : soft_tile_fine_c)(
-				&run);
+			soft_tile_row_c(&run, each);
 			check_rows(&rows);
 		}
 		free_level(&level);
@@ -328,19 +327,18 @@ static void test_rows_are_as_in_c(void **state)
 		run = random_run(&seed, &level, shade);
 		assert_int_equal(run.width_log2, run.height_log2);
 		run.pixel = rows.expected + at;
-		soft_tile_row_c(&run);
+		soft_tile_row_c(&run, 0);
 		run.pixel = rows.drawn + at;
-		soft_tile_row(&run);
+		soft_tile_row(&run, 0);
 		check_rows(&rows);
 		run.s_right >>= 16 - log2;
 		run.t_right >>= 16 - log2;
 		set_ends(&run, &level);
 		for (int each = 1; each <= 2 && run.fine; each++) {
 			run.pixel = rows.expected + at;
-			(each == 1 ? soft_tile_places_c : soft_tile_fine_c)(
-				&run);
+			soft_tile_row_c(&run, each);
 			run.pixel = rows.drawn + at;
-			(each == 1 ? soft_tile_places : soft_tile_fine)(&run);
+			soft_tile_row(&run, each);
 			check_rows(&rows);
 		}
 		free_level(&level);

@@ -265,27 +265,6 @@ static void combine(
 	}
 }
 
-/* Whether all of the runs lie behind what is there. */
-static bool is_hidden(const struct soft_spans *spans)
-{
-	const struct soft_run *run = &spans->run;
-
-	if (!spans->depth_by_less) {
-		return false;
-	}
-	for (uint32_t n = 0; n < run->row_count; n++) {
-		const struct soft_row *row = &run->rows[n];
-		uint32_t z = row->z;
-
-		for (uint32_t i = 0; i < row->count; i++, z += run->z_right) {
-			if (z >> 16 <= row->depth[i]) {
-				return false;
-			}
-		}
-	}
-	return true;
-}
-
 /* The runs of a row of colours, which is their texture. */
 static uint32_t place_rows(
 	const struct draw *draw, uint32_t *color, struct soft_row *out)
@@ -330,9 +309,6 @@ static void draw_made(const struct soft_run *given)
 	uint32_t *made = texel;
 	struct soft_row row[SOFT_BATCH_RUNS];
 
-	if (is_hidden(spans)) {
-		return;
-	}
 	if (spans->textured) {
 		sample(draw, 0, texel);
 	}

@@ -21,4 +21,8 @@ void soft_luminance_init(struct draw *draw);
 int soft_luminance_test_depth(
 	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
+/* Writes depth without a test. */
+void soft_luminance_write_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+
 #endif

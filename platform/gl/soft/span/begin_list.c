@@ -5,7 +5,6 @@
  */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/colors.h"
-#include "platform/gl/soft/span/list.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 

@@ -5,7 +5,6 @@
  */
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/span/list.h"
 #include "platform/gl/soft/span/points.h"
 
 /* Draws a run of so many pixels from x on, whose values and steps are set. */

@@ -4,8 +4,8 @@
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/colors.h"
-#include "platform/gl/soft/span/list.h"
 #include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/walk.h"
 
 /* How the runs of a triangle are made; constants of the loop. */
 struct list_kind {

@@ -15,7 +15,7 @@ SOFT = "platform/gl/soft/"
 STAGES = {
     "transform and light": "array array_state buffers cache current draw fog_state key"
     " largest_float light light_state matrix number parameter paths prepare"
-    " prepare_dir_lights prepare_light prepare_spans query shade soft state texenv_state"
+    " prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
     " fill_texture hidden layout line list masked narrow raster triangle walk"

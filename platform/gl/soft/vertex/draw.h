@@ -263,12 +263,11 @@ struct draw {
 	 */
 	bool packed;
 	bool perspective, eye_needed, fogged;
-	bool shade_more; /* vertices have more than a colour */
+	bool shade_more; /* vertices have fog or texture coordinates */
 	int32_t fog_end_q16;
 	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
 	int fog_scale_q;
 	struct shading shading;
-	struct dir_lights dir_lights;
 	struct spec_table spec_table[SPEC_TABLES];
 	unsigned spec_table_next; /* to be made over */
 	struct texture_input texture[SOFT_UNITS];
@@ -332,9 +331,6 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 /* prepare_light.c */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
-/* prepare_dir_lights.c: after the above, of what is lit. */
-void soft_prepare_dir_lights(const struct soft *soft, struct draw *draw);
-
 /* vertex.c: fetches and transforms; attributes follow when they are wanted. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
 /* The same in C; arm/vertex.S has another for the fast kinds. */
@@ -342,10 +338,8 @@ void soft_transform_c(
 	const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
-/* shade.c: fills the attributes unless they are there, or nobody wants them. */
+/* light.c: fills the attributes unless they are there, or nobody wants them. */
 void soft_shade(const struct draw *draw, struct vertex *vertex);
-/* All but their colour. */
-void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
 /* Fills them, of a vertex that has this index, which callers have at hand. */
 void soft_shade_vertex(
 	const struct draw *draw, struct vertex *vertex, uint32_t index);
@@ -371,10 +365,11 @@ uint32_t soft_largest_aligned_float(
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);
 
-/* light.c: lit colour, 8.8, of either side. */
-void soft_light(const struct draw *draw, struct vertex *vertex);
-/* light.c: a vertex's position in eye space, 16.16. */
-void soft_light_find_eye(
+/* shade.c: the colour of a vertex that is not lit, and all else of any vertex. */
+void soft_shade_color(const struct draw *draw, struct vertex *vertex);
+void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
+/* shade.c: a vertex's position in eye space, 16.16. */
+void soft_shade_find_eye(
 	const struct draw *draw, uint32_t index, int32_t out[3]);
 
 /* clip.c: cuts a triangle and hands on what is left. */

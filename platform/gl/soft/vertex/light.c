@@ -1,82 +1,181 @@
-/* The colour of a lit vertex, by GL ES 1.1 section 2.12.1. */
+/*
+ * The colour of a lit vertex, by GL ES 1.1 section 2.12.1: normals of Q28,
+ * their cosines with lights Q26, diffuse light Q24, what highlights add Q16.
+ */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
 #include <string.h>
 
-/* What falls on a vertex so far; the terms of 16.16. */
-struct lit {
-	int32_t diffuse[3]; /* by the colour, where it is tracked */
-	int32_t specular[3];
+/* A normal or a colour, in registers. */
+struct triple {
+	int32_t x, y, z;
 };
 
-/* To unit length, from any but 0. */
-static void normalize_q30(int32_t n[3])
+static ALWAYS_INLINE struct triple load_triple(const int32_t from[3])
 {
-	uint64_t square = (uint64_t)((int64_t)n[0] * n[0]) +
-		(uint64_t)((int64_t)n[1] * n[1]) +
-		(uint64_t)((int64_t)n[2] * n[2]);
-	uint32_t square_q28 = (uint32_t)(square >> 32);
-	struct root root;
-
-	/* Within 2^-10 of unit length nobody sees the difference. */
-	if (square_q28 - ((1u << 28) - (1u << 19)) < 1u << 20 || square == 0) {
-		return;
-	}
-	root = soft_reciprocal_root(square);
-	for (int i = 0; i < 3; i++) {
-		n[i] = (int32_t)((int64_t)n[i] * root.mantissa_q30 >> root.shift);
-	}
+	return (struct triple){from[0], from[1], from[2]};
 }
 
-/* One that is to be normalised may be too long for Q30: then a 16th of it. */
-static void rotate_normal(const int32_t m_q28[9], bool any_length, int32_t n[3])
+static ALWAYS_INLINE int32_t dot(const int32_t a[3], struct triple b)
 {
-	int64_t sum[3], sizes = 0;
-	int shift;
+	int32_t sum = mul_high_add(mul_high(a[0], b.x), a[1], b.y);
 
-	for (int i = 0; i < 3; i++) {
-		sum[i] = (int64_t)m_q28[i] * n[0] +
-			(int64_t)m_q28[3 + i] * n[1] +
-			(int64_t)m_q28[6 + i] * n[2];
-		sizes |= sum[i] ^ (sum[i] >> 63);
-	}
-	shift = any_length && sizes >> 59 ? 32 : 28;
-	for (int i = 0; i < 3; i++) {
-		n[i] = saturate_64(sum[i] >> shift);
-	}
+	return mul_high_add(sum, a[2], b.z);
 }
 
-static ALWAYS_INLINE void add_directional(const struct shading *shading,
-	const struct light_source *light_source, const int32_t n[3],
-	struct lit *lit)
+static ALWAYS_INLINE void add_scaled(
+	struct triple *sum, int32_t factor, const int32_t a[3])
 {
-	int32_t towards_q26 = dot_high(n, light_source->towards_q28);
-	int32_t glance_q26, power_q28;
+	sum->x = mul_high_add(sum->x, factor, a[0]);
+	sum->y = mul_high_add(sum->y, factor, a[1]);
+	sum->z = mul_high_add(sum->z, factor, a[2]);
+}
+
+static ALWAYS_INLINE int16_t load_short(const void *at)
+{
+	int16_t value;
+
+	memcpy(&value, at, sizeof(value));
+	return value;
+}
+
+/*
+ * To unit length, from halves: c is (2 c + 1) / 65535. Their sum of squares is
+ * a quarter of the length's, within 2^-9 where any is 256 or more.
+ */
+static ALWAYS_INLINE struct triple normalize_shorts(
+	const struct shading *shading, const void *at)
+{
+	int32_t x = load_short(at), y = load_short((const char *)at + 2);
+	int32_t z = load_short((const char *)at + 4);
+	/* Below 2^32: three of at most 2^30. */
+	uint32_t square =
+		1 + (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+	int zeros = LEADING_ZEROS_32(square) & ~1;
+	uint32_t v = square << zeros; /* 0.25..1 in Q32 */
+	uint32_t r = (uint32_t)shading->roots[(v >> 24) - 64] << 13; /* Q28 */
+	uint32_t product_q24 = mul_high_unsigned(mul_high_unsigned(r, r), v);
+	/* |2 c + 1| << zeros / 2 is below 2^17. */
+	int32_t up = 1 << (14 + zeros / 2), root;
+
+	/* r (3 - v r^2) / 2: 7 bits become 14; Q29. */
+	root = (int32_t)(mul_high_unsigned(r, (3u << 24) - product_q24) << 8);
+	return (struct triple){mul_high((2 * x + 1) * up, root),
+		mul_high((2 * y + 1) * up, root),
+		mul_high((2 * z + 1) * up, root)};
+}
+
+/* Q28; what is no number is 0. What is too large has a square of 4 or more. */
+static ALWAYS_INLINE int32_t take_float(float value)
+{
+	if (value >= 2.0f || value <= -2.0f) {
+		return INT32_MAX;
+	}
+	return value == value ? (int32_t)(value * 268435456.0f) : 0;
+}
+
+/* Adds to what highlights there were, at shine, and puts the sum at out. */
+static ALWAYS_INLINE const int32_t *add_highlight(
+	const struct light_source *light_source, struct triple n,
+	const int32_t *shine, int32_t *out)
+{
+	int32_t above_q26 =
+		dot(light_source->half_q30, n) - light_source->least_q26;
+	const struct spec_table_step *step;
+	int32_t place, share;
+
+	if (above_q26 <= 0) {
+		return shine;
+	}
+	place = LIMIT_TO_BITS(mul_high(above_q26, light_source->scale), 14);
+	step = &light_source->step[place >> 8];
+	share = step->value_q28 + step->rise_q28 * (place & 255);
+	for (int i = 0; i < 3; i++) {
+		out[i] = mul_high_add(
+			shine[i], share, light_source->specular_q20[i]);
+	}
+	return out;
+}
+
+/* Adds a directional light; returns as add_highlight() does. */
+static ALWAYS_INLINE const int32_t *add_light(
+	const struct light_source *light_source, struct triple n,
+	struct triple *dull, const int32_t *shine, int32_t *out)
+{
+	int32_t towards_q26 = dot(light_source->towards_q30, n);
 
 	if (towards_q26 <= 0) {
-		return;
+		return shine;
 	}
-	lit->diffuse[0] += mul_high(towards_q26, light_source->diffuse_q22[0]);
-	lit->diffuse[1] += mul_high(towards_q26, light_source->diffuse_q22[1]);
-	lit->diffuse[2] += mul_high(towards_q26, light_source->diffuse_q22[2]);
-	if (!light_source->specular) {
-		return;
-	}
-	glance_q26 = dot_high(n, light_source->half_q28);
-	if (glance_q26 <= 0) {
-		return;
-	}
-	power_q28 =
-		soft_power_q28(glance_q26 > 1 << 26 ? 1 << 28 : glance_q26 << 2,
-			shading->shininess_q16);
-	for (int i = 0; i < 3; i++) {
-		lit->specular[i] +=
-			mul_high(power_q28, light_source->specular_q20[i]);
-	}
+	add_scaled(dull, towards_q26, light_source->diffuse_q30);
+	return light_source->step ? add_highlight(light_source, n, shine, out)
+				  : shine;
 }
 
-/* Its length in 16.16; the vector itself becomes Q28 of unit length. */
+/* Of a colour of four bytes, the first one lowest. */
+static ALWAYS_INLINE void light_side(const struct shading *shading,
+	struct triple n, uint32_t color, int32_t out[4])
+{
+	struct triple dull = load_triple(shading->ambient_q24);
+	const int32_t *shine = shading->emission_q16;
+	uint32_t red_blue, green_alpha;
+
+	for (const struct light_source *light_source = shading->light_source;
+		light_source != shading->end; light_source++) {
+		shine = add_light(light_source, n, &dull, shine, out);
+	}
+	red_blue = BYTES_AS_HALVES(color);
+	green_alpha = ODD_BYTES_AS_HALVES(color);
+	out[0] = to_attribute(MULTIPLY_ADD_HALF(shine[0], dull.x, red_blue));
+	out[1] = to_attribute(MULTIPLY_ADD_HALF(shine[1], dull.y, green_alpha));
+	out[2] = to_attribute(
+		MULTIPLY_ADD_HALF(shine[2], dull.z, red_blue >> 16));
+	out[3] = 128 + (int32_t)(green_alpha >> 16 << 8);
+}
+
+/* Q28; false where the normal is not taken. */
+static ALWAYS_INLINE bool take_floats(
+	const struct shading *shading, const float f[3], struct triple *n)
+{
+	int32_t square;
+
+	*n = (struct triple){
+		take_float(f[0]), take_float(f[1]), take_float(f[2])};
+	square = mul_high(n->x, n->x);
+	square = mul_high_add(square, n->y, n->y);
+	square = mul_high_add(square, n->z, n->z);
+	return (uint32_t)square - shading->square_least < shading->square_range;
+}
+
+/* The lit colour of a side the fast way; false where the normal is not for it. */
+static ALWAYS_INLINE bool light_fast(const struct shading *shading,
+	uint32_t index, bool back, int32_t out[4])
+{
+	const uint8_t *normal =
+		shading->normals + index * (size_t)shading->normal_stride;
+	const uint8_t *color =
+		shading->colors + index * (size_t)shading->color_stride;
+	uint32_t bytes;
+	struct triple n;
+
+	/* The colour comes from memory while the normal is made ready. */
+	memcpy(&bytes, color, sizeof(bytes));
+	PRELOAD(normal + 40);
+	if (!shading->floats) {
+		n = normalize_shorts(shading, normal);
+	} else if (!take_floats(
+			   shading, (const float *)(const void *)normal, &n)) {
+		return false;
+	}
+	if (back) {
+		n = (struct triple){-n.x, -n.y, -n.z};
+	}
+	light_side(shading, n, bytes, out);
+	return true;
+}
+
+/* Its length in 16.16; the vector itself becomes Q30 of unit length. */
 static int32_t take_length(int32_t v[3])
 {
 	uint64_t square = 0;
@@ -97,8 +196,7 @@ static int32_t take_length(int32_t v[3])
 		(int64_t)((square >> 16) * (uint64_t)(root.mantissa_q30 >> 14) >>
 			root.shift);
 	for (int i = 0; i < 3; i++) {
-		v[i] = (int32_t)((int64_t)v[i] * root.mantissa_q30 >>
-			(root.shift + 2));
+		v[i] = (int32_t)((int64_t)v[i] * root.mantissa_q30 >> root.shift);
 	}
 	return saturate_64(length);
 }
@@ -118,7 +216,7 @@ static int32_t invert_q16(int64_t value)
 
 /* How much of a positional light source arrives, 16.16. */
 static int32_t attenuate(const struct light_source *light_source,
-	int32_t distance_q16, const int32_t towards_q28[3])
+	int32_t distance_q16, const int32_t towards_q30[3])
 {
 	const int32_t *k = light_source->attenuation_q16;
 	int64_t d = distance_q16;
@@ -130,10 +228,10 @@ static int32_t attenuate(const struct light_source *light_source,
 		return (int32_t)share;
 	}
 	for (int i = 0; i < 3; i++) {
-		along -= (int64_t)towards_q28[i] *
+		along -= (int64_t)towards_q30[i] *
 			light_source->direction_q28[i];
 	}
-	along >>= 28;
+	along >>= 30;
 	if (along < light_source->cutoff_q28) {
 		return 0;
 	}
@@ -144,108 +242,158 @@ static int32_t attenuate(const struct light_source *light_source,
 		28);
 }
 
-static void add_positional(const struct shading *shading,
-	const struct light_source *light_source, const int32_t n[3],
-	const int32_t eye_q16[3], struct lit *lit)
+/* Makes a positional light directional for a vertex; returns its share, 16.16. */
+static int32_t meet(struct light_source *light_source, const int32_t eye_q16[3])
 {
-	struct light_source here = *light_source;
-	struct lit added = {{0}, {0}};
-	int32_t distance, share;
+	int32_t *towards = light_source->towards_q30;
+	int32_t *half = light_source->half_q30;
+	int32_t distance;
 
 	for (int i = 0; i < 3; i++) {
-		here.towards_q28[i] = saturate_64(
+		towards[i] = saturate_64(
 			(int64_t)light_source->position_q16[i] - eye_q16[i]);
 	}
-	distance = take_length(here.towards_q28);
-	share = attenuate(light_source, distance, here.towards_q28);
+	distance = take_length(towards);
 	for (int i = 0; i < 3; i++) {
-		here.half_q28[i] = here.towards_q28[i] + (i == 2 ? 1 << 28 : 0);
+		half[i] = (towards[i] >> 2) + (i == 2 ? 1 << 28 : 0);
 	}
-	take_length(here.half_q28);
-	add_directional(shading, &here, n, &added);
+	take_length(half);
+	return attenuate(light_source, distance, towards);
+}
+
+/* What falls on a vertex so far, 16.16. */
+struct lit {
+	int32_t diffuse[3]; /* by the colour, where it is tracked */
+	int32_t specular[3];
+};
+
+static void add_any_light(const struct light_source *light_source,
+	struct triple n, const int32_t eye[3], struct lit *lit)
+{
+	const int32_t nothing[3] = {0, 0, 0}, *shine;
+	struct light_source here = *light_source;
+	int32_t share_q16 = 65536, added[3];
+	struct triple dull = load_triple(here.ambient_q24);
+
+	if (here.positional) {
+		share_q16 = meet(&here, eye);
+	}
+	shine = add_light(&here, n, &dull, nothing, added);
 	for (int i = 0; i < 3; i++) {
-		lit->diffuse[i] +=
-			shading_bound((int64_t)(added.diffuse[i] +
-					      light_source->ambient_q16[i]) *
-					share >>
-				16);
-		lit->specular[i] +=
-			shading_bound((int64_t)added.specular[i] * share >> 16);
+		int32_t dull_q24 = i == 0 ? dull.x : i == 1 ? dull.y : dull.z;
+
+		lit->diffuse[i] += shading_bound(
+			((int64_t)dull_q24 * 255 >> 8) * share_q16 >>
+			(24 - here.shift));
+		lit->specular[i] += shading_bound(
+			(int64_t)shine[i] * share_q16 >> (16 - here.shift));
 	}
 }
 
-static ALWAYS_INLINE void light_side(const struct draw *draw, const int32_t n[3],
-	const int32_t eye[3], const int32_t vertex_color[4], int32_t out[4])
+static void light_any_side(const struct draw *draw, struct triple n,
+	const int32_t eye[3], const int32_t color[4], int32_t out[4])
 {
 	const struct shading *shading = &draw->shading;
-	struct lit lit = {{shading->ambient_q16[0], shading->ambient_q16[1],
-				  shading->ambient_q16[2]},
-		{0, 0, 0}};
+	struct lit lit;
 
-	for (int i = 0; i < shading->light_source_count; i++) {
-		const struct light_source *light_source =
-			&shading->light_source[i];
-
-		if (light_source->positional) {
-			add_positional(shading, light_source, n, eye, &lit);
-		} else {
-			add_directional(shading, light_source, n, &lit);
-		}
+	memcpy(lit.diffuse, shading->ambient_q16, sizeof(lit.diffuse));
+	memcpy(lit.specular, shading->emission_q16, sizeof(lit.specular));
+	for (const struct light_source *light_source = shading->light_source;
+		light_source != shading->end; light_source++) {
+		add_any_light(light_source, n, eye, &lit);
 	}
-	if (shading->tracked) {
+	for (int i = 0; i < 3; i++) {
+		out[i] = to_attribute(lit.specular[i] +
+			shading_bound((int64_t)lit.diffuse[i] * color[i] >> 16));
+	}
+	out[3] = to_attribute(color[3]);
+}
+
+/* Any normal, ready to be lit: components up to 8. */
+static struct triple find_any_normal(const struct draw *draw, uint32_t index)
+{
+	const struct shading *shading = &draw->shading;
+	const int32_t *m = shading->normal_q28;
+	int64_t sum[3], sizes = 0;
+	uint64_t square = 0;
+	struct root root;
+	int32_t n[3];
+	int shift;
+
+	soft_array_normal_q30(draw, index, n);
+	for (int i = 0; i < 3; i++) {
+		sum[i] = shading->rotate_normals
+			? (int64_t)m[i] * n[0] + (int64_t)m[3 + i] * n[1] +
+				(int64_t)m[6 + i] * n[2]
+			: n[i] * ((int64_t)1 << 28);
+		sizes |= sum[i] ^ (sum[i] >> 63);
+	}
+	/* To be normalised it may have any length, else it is Q28 at once. */
+	shift = !shading->normalize ? 30 : sizes >> 59 ? 32 : 28;
+	for (int i = 0; i < 3; i++) {
+		n[i] = saturate_64(sum[i] >> shift);
+		square += (uint64_t)((int64_t)n[i] * n[i]);
+	}
+	if (shading->normalize && square > 0) {
+		root = soft_reciprocal_root(square);
 		for (int i = 0; i < 3; i++) {
-			lit.diffuse[i] = shading_bound(
-				(int64_t)lit.diffuse[i] * vertex_color[i] >> 16);
+			n[i] = (int32_t)((int64_t)n[i] * root.mantissa_q30 >>
+				(root.shift + 2));
 		}
 	}
-	out[0] = to_attribute(
-		lit.diffuse[0] + lit.specular[0] + shading->emission_q16[0]);
-	out[1] = to_attribute(
-		lit.diffuse[1] + lit.specular[1] + shading->emission_q16[1]);
-	out[2] = to_attribute(
-		lit.diffuse[2] + lit.specular[2] + shading->emission_q16[2]);
-	out[3] = to_attribute(
-		shading->tracked ? vertex_color[3] : shading->base_q16[3]);
+	return load_triple(n);
 }
 
-void soft_light_find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
-{
-	int32_t p[3];
-
-	soft_array_position(draw, index, p);
-	for (int i = 0; i < 3; i++) {
-		const int32_t *row = draw->eye_q16[i];
-		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
-			(int64_t)row[2] * p[2];
-
-		out[i] = saturate_64((sum >> draw->position_q) + row[3]);
-	}
-}
-
-void soft_light(const struct draw *draw, struct vertex *vertex)
+/* What the fast way does not take. */
+static NEVER_INLINE void light_any(
+	const struct draw *draw, struct vertex *vertex)
 {
 	const struct shading *shading = &draw->shading;
-	int32_t n[3], eye[3] = {0, 0, 0};
-	int32_t color[4] = {65536, 65536, 65536, 65536};
+	struct triple n = find_any_normal(draw, vertex->index);
+	int32_t eye[3] = {0, 0, 0};
+	int32_t color[4] = {65536, 65536, 65536, shading->alpha_q16};
 
-	soft_array_normal_q30(draw, vertex->index, n);
-	if (shading->rotate_normals) {
-		rotate_normal(shading->normal_q28, shading->normalize, n);
-	}
-	if (shading->normalize) {
-		normalize_q30(n);
-	}
 	if (shading->tracked) {
 		soft_array_color_q16(draw, vertex->index, color);
 	}
 	if (draw->eye_needed) {
-		soft_light_find_eye(draw, vertex->index, eye);
+		soft_shade_find_eye(draw, vertex->index, eye);
 	}
-	light_side(draw, n, eye, color, vertex->attribute + RED);
+	light_any_side(draw, n, eye, color, vertex->attribute + RED);
 	if (shading->two_side) {
-		for (int i = 0; i < 3; i++) {
-			n[i] = -n[i];
-		}
-		light_side(draw, n, eye, color, vertex->back);
+		n = (struct triple){-n.x, -n.y, -n.z};
+		light_any_side(draw, n, eye, color, vertex->back);
+	}
+}
+
+static NEVER_INLINE void light_back(
+	const struct shading *shading, struct vertex *vertex)
+{
+	light_fast(shading, vertex->index, true, vertex->back);
+}
+
+void soft_shade_vertex(
+	const struct draw *draw, struct vertex *vertex, uint32_t index)
+{
+	const struct shading *shading = &draw->shading;
+
+	vertex->shaded = true;
+	if (!shading->lit) {
+		soft_shade_color(draw, vertex);
+	} else if (!shading->fast ||
+		!light_fast(shading, index, false, vertex->attribute + RED)) {
+		light_any(draw, vertex);
+	} else if (shading->two_side) {
+		light_back(shading, vertex);
+	}
+	if (draw->shade_more) {
+		soft_shade_rest(draw, vertex);
+	}
+}
+
+void soft_shade(const struct draw *draw, struct vertex *vertex)
+{
+	if (!vertex->shaded && draw->attributes != 0) {
+		soft_shade_vertex(draw, vertex, vertex->index);
 	}
 }

@@ -24,14 +24,6 @@ static inline int32_t mul_high_add(int32_t sum, int32_t a, int32_t b)
 	return multiply_add_high(sum, a, b);
 }
 
-/* The sum of three products' upper halves; wraps. */
-static ALWAYS_INLINE int32_t dot_high(const int32_t a[3], const int32_t b[3])
-{
-	int32_t sum = mul_high_add(mul_high(a[0], b[0]), a[1], b[1]);
-
-	return mul_high_add(sum, a[2], b[2]);
-}
-
 static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)
 {
 	return (uint32_t)(((uint64_t)a * b) >> 32);

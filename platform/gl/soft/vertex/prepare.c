@@ -328,7 +328,7 @@ static void list_attributes(struct draw *draw)
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
-	draw->dir_lights.roots = soft_root_table;
+	draw->shading.roots = soft_root_table;
 	/* 4 (1 + 65533 (z/w + 1) / 2) */
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
@@ -361,8 +361,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);
 	soft_prepare_shading(soft, draw);
-	draw->shade_more =
-		draw->shading.two_side || draw->fogged || draw->texture[0].used;
+	draw->shade_more = draw->fogged || draw->texture[0].used;
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
 	}

@@ -14,6 +14,11 @@
 
 #include "platform/base/scalar.h"
 
+enum {
+	ONE_Q16 = 1 << 16,
+	SHIFT_MOST = 9, /* colours beyond 1024 are cut */
+};
+
 static const float two_28 = 268435456.0f;
 
 static void normalize(float v[3])
@@ -25,33 +30,62 @@ static void normalize(float v[3])
 	}
 }
 
-/* Directions of up to 4 times unit length. */
-static void to_q28(const float v[3], int32_t out[3])
-{
-	for (int i = 0; i < 3; i++) {
-		out[i] = soft_matrix_to_int(v[i] * two_28);
-	}
-}
-
 /* transpose(m) v, both column-major 3x3; m NULL changes nothing. */
-static void turn(const float *m, const float v[3], int32_t out_q28[3])
+static void turn(const float *m, const float v[3], int32_t out_q30[3])
 {
-	float turned[3];
-
 	for (int i = 0; i < 3; i++) {
-		turned[i] = m ? m[3 * i] * v[0] + m[3 * i + 1] * v[1] +
+		float turned = m ? m[3 * i] * v[0] + m[3 * i + 1] * v[1] +
 				m[3 * i + 2] * v[2]
-			      : v[i];
+				 : v[i];
+
+		out_q30[i] = clamp_int(soft_matrix_to_int(turned * two_28),
+				     1 - (1 << 29), (1 << 29) - 1) *
+			4;
 	}
-	to_q28(turned, out_q28);
 }
 
-/* material times light: 16.16 each; shift more places. */
-static int32_t product(GLfixed a, GLfixed b, int shift)
+static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16)
 {
-	int64_t all = (int64_t)a * b;
+	int32_t least_q28 = 0, range_q28, value = 0;
 
-	return saturate_64(shift < 0 ? all >> -shift : all << shift);
+	if (shininess_q16 >= ONE_Q16) {
+		/* x^s is 2^-10 at 2^(-10 / s). */
+		least_q28 = soft_power_q28(
+			1 << 18, (int32_t)(((int64_t)1 << 32) / shininess_q16));
+	} else if (shininess_q16 == 0) {
+		value = 1 << 28;
+	}
+	range_q28 = (1 << 28) - least_q28;
+	spec_table->shininess_q16 = shininess_q16;
+	spec_table->least_q26 = least_q28 >> 2;
+	spec_table->scale = soft_matrix_to_int(
+		(float)(1 << 20) * (float)(1 << 28) / (float)range_q28);
+	for (int i = 0; i < SPEC_TABLE_STEPS; i++) {
+		int32_t next = soft_power_q28(
+			least_q28 + range_q28 / SPEC_TABLE_STEPS * (i + 1),
+			shininess_q16);
+
+		spec_table->step[i].value_q28 = value;
+		spec_table->step[i].rise_q28 = (next - value) >> 8;
+		value = next;
+	}
+}
+
+/* Tables are kept, as materials take turns. */
+static const struct spec_table *find_spec_table(
+	struct draw *draw, int32_t shininess_q16)
+{
+	struct spec_table *spec_table = draw->spec_table;
+
+	for (int i = 0; i < SPEC_TABLES; i++) {
+		if (spec_table[i].scale != 0 &&
+			spec_table[i].shininess_q16 == shininess_q16) {
+			return &spec_table[i];
+		}
+	}
+	spec_table += draw->spec_table_next++ % SPEC_TABLES;
+	make_spec_table(spec_table, shininess_q16);
+	return spec_table;
 }
 
 static void prepare_positional(
@@ -60,15 +94,16 @@ static void prepare_positional(
 	float direction[3];
 
 	light_source->positional = true;
-	light_source->spot = light->cutoff != 180 * 65536;
+	light_source->spot = light->cutoff != 180 * ONE_Q16;
+	memcpy(direction, light->direction, sizeof(direction));
+	normalize(direction);
 	for (int i = 0; i < 3; i++) {
 		light_source->position_q16[i] = soft_matrix_to_int(
 			light->position[i] / light->position[3] * 65536.0f);
 		light_source->attenuation_q16[i] = light->attenuation[i];
+		light_source->direction_q28[i] =
+			soft_matrix_to_int(direction[i] * two_28);
 	}
-	memcpy(direction, light->direction, sizeof(direction));
-	normalize(direction);
-	to_q28(direction, light_source->direction_q28);
 	light_source->cutoff_q28 =
 		(int32_t)(scalar_cos((float)light->cutoff / 65536.0f *
 				  (SCALAR_PI / 180.0f)) *
@@ -86,15 +121,15 @@ static void prepare_directional(const struct light *light, const float *normal,
 	memcpy(half, towards, sizeof(half));
 	half[2] += 1.0f; /* the viewer is infinitely far along z */
 	normalize(half);
-	turn(normal, towards, light_source->towards_q28);
-	turn(normal, half, light_source->half_q28);
+	turn(normal, towards, light_source->towards_q30);
+	turn(normal, half, light_source->half_q30);
 }
 
 /* What is tracked by vertex comes later; else the current colour is known. */
 static const GLfixed *choose_color(const struct soft *soft,
 	const struct shading *shading, const GLfixed *material)
 {
-	static const GLfixed whole[4] = {65536, 65536, 65536, 65536};
+	static const GLfixed whole[4] = {ONE_Q16, ONE_Q16, ONE_Q16, ONE_Q16};
 
 	if (shading->tracked) {
 		return whole;
@@ -103,35 +138,67 @@ static const GLfixed *choose_color(const struct soft *soft,
 					     : material;
 }
 
-static void prepare_light_source(const struct soft *soft,
-	const struct light *light, const float *normal, struct shading *shading)
+/* material times light, Q32; the size of all is in *sizes. */
+static void multiply_colors(const GLfixed *material, const GLfixed *light,
+	int64_t out[3], uint64_t *sizes)
 {
-	struct light_source *light_source =
-		&shading->light_source[shading->light_source_count++];
+	for (int i = 0; i < 3; i++) {
+		out[i] = (int64_t)material[i] * light[i];
+		*sizes |= (uint64_t)(out[i] ^ (out[i] >> 63));
+	}
+}
+
+static void prepare_colors(const struct soft *soft, const struct light *light,
+	struct shading *shading, struct light_source *light_source)
+{
 	const struct material *material = &soft->lighting.material;
-	const GLfixed *diffuse = choose_color(soft, shading, material->diffuse);
-	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
+	int64_t diffuse[3], ambient[3], specular[3];
+	uint64_t sizes = 1;
+	int shift;
+
+	multiply_colors(choose_color(soft, shading, material->diffuse),
+		light->diffuse, diffuse, &sizes);
+	multiply_colors(choose_color(soft, shading, material->ambient),
+		light->ambient, ambient, &sizes);
+	multiply_colors(material->specular, light->specular, specular, &sizes);
+	shift = clamp_int(31 - LEADING_ZEROS_64(sizes), 0, SHIFT_MOST);
+	light_source->shift = shift;
+	for (int i = 0; i < 3; i++) {
+		light_source->diffuse_q30[i] =
+			saturate_64((diffuse[i] >> (10 + shift)) * 257);
+		light_source->specular_q20[i] =
+			saturate_64(specular[i] >> (12 + shift));
+		if (light_source->positional) {
+			light_source->ambient_q24[i] =
+				saturate_64((ambient[i] >> (16 + shift)) * 257);
+		} else {
+			/* No distance to fade with: into the base at once. */
+			shading->ambient_q16[i] +=
+				shading_bound(ambient[i] >> 16);
+		}
+	}
+}
+
+static void prepare_light_source(const struct soft *soft, struct draw *draw,
+	const struct light *light, const float *normal,
+	struct light_source *light_source)
+{
+	const int32_t *specular = light_source->specular_q20;
 
 	*light_source = (struct light_source){0};
-	for (int i = 0; i < 3; i++) {
-		light_source->diffuse_q22[i] =
-			product(diffuse[i], light->diffuse[i], -10);
-		light_source->specular_q20[i] =
-			product(material->specular[i], light->specular[i], -12);
-		light_source->ambient_q16[i] = shading_bound(
-			product(ambient[i], light->ambient[i], -16));
-		light_source->specular |= light_source->specular_q20[i] != 0;
-	}
 	if (light->position[3] != 0.0f) {
 		prepare_positional(light, light_source);
 	} else {
 		prepare_directional(light, normal, light_source);
 	}
-	if (!light_source->positional) {
-		/* No distance to fade with: into the base at once. */
-		for (int i = 0; i < 3; i++) {
-			shading->ambient_q16[i] += light_source->ambient_q16[i];
-		}
+	prepare_colors(soft, light, &draw->shading, light_source);
+	if (specular[0] | specular[1] | specular[2]) {
+		const struct spec_table *spec_table = find_spec_table(
+			draw, soft->lighting.material.shininess);
+
+		light_source->least_q26 = spec_table->least_q26;
+		light_source->scale = spec_table->scale;
+		light_source->step = spec_table->step;
 	}
 }
 
@@ -150,7 +217,7 @@ static bool has_positional(const struct lighting *lighting)
  * The matrix for normals, in normal_q28 where they are to be rotated; what is
  * to turn the lights otherwise, in turned. Whole is the scale put in.
  */
-static bool prepare_normals(
+static void prepare_normals(
 	const struct soft *soft, struct draw *draw, float turned[9])
 {
 	const struct lighting *lighting = &soft->lighting;
@@ -161,7 +228,6 @@ static bool prepare_normals(
 
 	soft_matrix_normal(m, turned);
 	shading->normalize = lighting->normalize;
-	shading->rotate_normals = draw->eye_needed || scale == 0.0f;
 	if (scale != 0.0f && (lighting->normalize || lighting->rescale)) {
 		factor = scale;
 	} else if (lighting->normalize || lighting->rescale) {
@@ -175,11 +241,13 @@ static bool prepare_normals(
 		}
 		factor = lighting->normalize && most > 0.0f ? 1.0f / most : 1.0f;
 	}
+	/* Directions of turned lights have to be shorter than 2. */
+	shading->rotate_normals =
+		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
 	for (int i = 0; i < 9; i++) {
 		turned[i] *= factor;
 		shading->normal_q28[i] = soft_matrix_to_int(turned[i] * two_28);
 	}
-	return !shading->rotate_normals;
 }
 
 static void prepare_base(const struct soft *soft, struct shading *shading)
@@ -191,38 +259,94 @@ static void prepare_base(const struct soft *soft, struct shading *shading)
 	for (int i = 0; i < 3; i++) {
 		shading->emission_q16[i] = shading_bound(material->emission[i]);
 		shading->ambient_q16[i] = shading_bound(
-			product(ambient[i], lighting->ambient[i], -16));
+			(int64_t)ambient[i] * lighting->ambient[i] >> 16);
 	}
-	shading->base_q16[3] = choose_color(soft, shading, material->diffuse)[3];
-	shading->shininess_q16 = material->shininess;
+	shading->alpha_q16 = choose_color(soft, shading, material->diffuse)[3];
+}
+
+static bool are_within(const int32_t value[3], int32_t most)
+{
+	for (int i = 0; i < 3; i++) {
+		if (value[i] < -most || value[i] > most) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* Of colours below 2 sums of 8 lights fit, see light.c. */
+static bool is_fast(const struct arrays *arrays, const struct shading *shading)
+{
+	const struct array *normal = &arrays->normal;
+	uintptr_t places =
+		(uintptr_t)normal->pointer | (uintptr_t)normal->stride_bytes;
+	bool shorts = normal->type == GL_SHORT && shading->normalize;
+	bool floats = normal->type == GL_FLOAT && places % 4 == 0;
+
+	for (const struct light_source *light_source = shading->light_source;
+		light_source != shading->end; light_source++) {
+		if (light_source->shift != 0) {
+			return false;
+		}
+	}
+	return normal->enabled && (shorts || floats) &&
+		!shading->rotate_normals &&
+		(!shading->tracked || arrays->color.type == GL_UNSIGNED_BYTE) &&
+		are_within(shading->ambient_q16, 16 * ONE_Q16) &&
+		are_within(shading->emission_q16, 16 * ONE_Q16);
+}
+
+static void prepare_fast(const struct arrays *arrays, struct shading *shading)
+{
+	shading->normals = arrays->normal.pointer;
+	shading->normal_stride = arrays->normal.stride_bytes;
+	shading->floats = arrays->normal.type == GL_FLOAT;
+	/* Within 2^-10 of unit length, or any below 2. */
+	shading->square_least = shading->normalize ? (1u << 24) - (1u << 15) : 0;
+	shading->square_range = shading->normalize ? 1u << 16 : 1u << 26;
+	for (int i = 0; i < 3; i++) {
+		shading->ambient_q24[i] = shading->ambient_q16[i] * 257;
+	}
+	if (shading->tracked) {
+		shading->colors = arrays->color.pointer;
+		shading->color_stride = arrays->color.stride_bytes;
+		return;
+	}
+	memset(shading->color, 255, 3);
+	shading->color[3] = (uint8_t)soft_byte(shading->alpha_q16);
+	shading->colors = shading->color;
+	shading->color_stride = 0;
 }
 
 void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	struct shading *shading = &draw->shading;
+	struct light_source *next = shading->light_source;
 	float normal[9];
-	bool turn_lights;
 
 	shading->lit = lighting->enabled;
 	shading->two_side = lighting->enabled && lighting->two_side;
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	shading->by_dir_lights = false;
+	shading->fast = false;
 	shading->color_array = soft->arrays.color.enabled;
-	shading->light_source_count = 0;
-	draw->eye_needed = false;
+	draw->eye_needed = shading->lit && has_positional(lighting);
 	if (!shading->lit) {
 		return;
 	}
-	draw->eye_needed = has_positional(lighting);
-	turn_lights = prepare_normals(soft, draw, normal);
+	prepare_normals(soft, draw, normal);
 	prepare_base(soft, shading);
 	for (int i = 0; i < SOFT_LIGHTS; i++) {
 		if (lighting->light[i].enabled) {
-			prepare_light_source(soft, &lighting->light[i],
-				turn_lights ? normal : NULL, shading);
+			prepare_light_source(soft, draw, &lighting->light[i],
+				shading->rotate_normals ? NULL : normal, next);
+			next++;
 		}
 	}
-	soft_prepare_dir_lights(soft, draw);
+	shading->end = next;
+	shading->fast = is_fast(&soft->arrays, shading);
+	if (shading->fast) {
+		prepare_fast(&soft->arrays, shading);
+	}
 }

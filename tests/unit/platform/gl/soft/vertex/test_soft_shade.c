@@ -46,7 +46,7 @@ static void fill_mesh(struct lit_mesh *mesh, uint32_t *seed)
 }
 
 static void make_light_source(const struct lit_mesh *mesh,
-	struct dir_light *light_source, uint32_t *seed)
+	struct light_source *light_source, uint32_t *seed)
 {
 	int32_t most = next_random(seed) % 2 ? 620000000 : INT32_MAX - 1;
 
@@ -64,7 +64,7 @@ static void make_light_source(const struct lit_mesh *mesh,
 }
 
 static void make_light(
-	const struct lit_mesh *mesh, struct dir_lights *light, uint32_t *seed)
+	const struct lit_mesh *mesh, struct shading *light, uint32_t *seed)
 {
 	int light_sources = random_within(seed, 4) + 4;
 
@@ -83,9 +83,9 @@ static void make_light(
 		light->emission_q16[i] = random_within(seed, 1 << 16);
 	}
 	for (int i = 0; i < light_sources; i++) {
-		make_light_source(mesh, &light->dir_light[i], seed);
+		make_light_source(mesh, &light->light_source[i], seed);
 	}
-	light->end = light->dir_light + light_sources;
+	light->end = light->light_source + light_sources;
 }
 
 /* Untextured, or with coordinates of which some are too large. */
@@ -115,15 +115,13 @@ static void make_texture(
 	};
 }
 
-/* Floats that struct dir_lights does not take are lit by no light source. */
 static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
 {
 	draw->attributes = 15;
 	draw->shading.lit = true;
-	draw->shading.by_dir_lights = true;
-	draw->shading.two_side = draw->dir_lights.two_side;
+	draw->shading.fast = true;
 	draw->shade_more = true;
-	draw->shading.base_q16[3] = 65536;
+	draw->shading.alpha_q16 = 65536;
 	draw->soft->arrays.normal = (struct array){
 		.enabled = true,
 		.size = 3,
@@ -133,8 +131,8 @@ static void make_rest(const struct lit_mesh *mesh, struct draw *draw)
 	};
 }
 
-/* False where soft_light() takes the normal, or it is too short to be exact. */
-static bool find_normal(const struct dir_lights *light,
+/* False where the normal is not lit the fast way, or it is too short to be exact. */
+static bool find_normal(const struct shading *light,
 	const struct lit_mesh *mesh, uint32_t index, double n[3])
 {
 	double square = 0;
@@ -158,7 +156,7 @@ static bool find_normal(const struct dir_lights *light,
 }
 
 /* A place in the table, whose values grow by as much from step to step. */
-static double find_highlight(const struct dir_light *light, double cosine)
+static double find_highlight(const struct light_source *light, double cosine)
 {
 	double place = (ldexp(cosine, 26) - light->least_q26) * light->scale;
 
@@ -172,14 +170,14 @@ static double cosine_of(const int32_t a_q30[3], const double n[3])
 }
 
 /* The colours of a side, of 0 to 255. */
-static void expect_side(const struct dir_lights *light, const double n[3],
+static void expect_side(const struct shading *light, const double n[3],
 	const uint8_t color[4], double out[3])
 {
 	for (int i = 0; i < 3; i++) {
 		double dull = ldexp(light->ambient_q24[i], -24);
 		double shine = ldexp(light->emission_q16[i], -16);
 
-		for (const struct dir_light *from = light->dir_light;
+		for (const struct light_source *from = light->light_source;
 			from != light->end; from++) {
 			double towards = cosine_of(from->towards_q30, n);
 			double half = cosine_of(from->half_q30, n);
@@ -198,7 +196,7 @@ static void expect_side(const struct dir_lights *light, const double n[3],
 	}
 }
 
-static void check_side(const struct dir_lights *light, const double n[3],
+static void check_side(const struct shading *light, const double n[3],
 	const uint8_t color[4], const int32_t lit[4])
 {
 	double expected[3];
@@ -227,7 +225,7 @@ static void check_texcoord(
 
 static int check_lit(const struct draw *draw, const struct lit_mesh *mesh)
 {
-	const struct dir_lights *light = &draw->dir_lights;
+	const struct shading *light = &draw->shading;
 	int lit = 0;
 
 	for (uint32_t i = 0; i < VERTICES; i++) {
@@ -276,7 +274,7 @@ static void test_vertices_are_lit_as_in_double(void **state)
 	}
 	for (int round = 0; round < 1000; round++) {
 		fill_mesh(mesh, &seed);
-		make_light(mesh, &draw->dir_lights, &seed);
+		make_light(mesh, &draw->shading, &seed);
 		make_texture(mesh, draw, &seed);
 		make_rest(mesh, draw);
 		lit += check_lit(draw, mesh);

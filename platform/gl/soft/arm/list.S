@@ -278,7 +278,7 @@ soft_list:
 	mov	r1, r3, lsr #3
 	mov	r2, r12, lsr #3
 	mov	r3, lr, lsr #3
-	bl	soft_draw_slots_other
+	bl	soft_draw_slots
 	ldr	r2, [sp, #INDEX]
 	ldr	pc, [sp, #HEAD]
 

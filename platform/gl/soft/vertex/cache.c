@@ -43,3 +43,10 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 	}
 	draw_transformed(draw, v);
 }
+
+void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
+{
+	draw_transformed(draw,
+		(struct vertex *[]){
+			draw->cache + a, draw->cache + b, draw->cache + c});
+}

@@ -12,8 +12,8 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
  * unindexed.c: triangles without indices, count vertices from first on; finds
- * those that come again by what they are made of. False where arrays are not
- * words to compare: draws nothing then.
+ * those that come again by what they are made of. False where arrays do not lie
+ * together or are not words to compare: draws nothing then.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 
@@ -68,18 +68,8 @@ void soft_find_vertices(struct draw *draw, const struct source *source,
 void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
-/*
- * slots.c: a triangle that is seen, of three vertices that have these tags and
- * lie inside of the clip volume, while draw->packed. Twice its area is positive
- * where it is clockwise.
- */
-void soft_draw_tagged(struct draw *draw, const struct cache_tag *a,
-	const struct cache_tag *b, const struct cache_tag *c,
-	int32_t twice_area);
-
-/* slots.c: one that lies in part outside of where fast_setup takes triangles. */
-void soft_draw_slots_other(
-	struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
+/* cache.c: the triangle of the vertices in these slots. */
+void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
 
 /*
  * arm/list.S or portable/list.c: triangles by 16-bit indices at an even address,

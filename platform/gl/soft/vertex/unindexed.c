@@ -1,7 +1,11 @@
-/* Lists of triangles without indices: which vertices come again. */
+/*
+ * Lists of triangles without indices: finds vertices that come again, and sets
+ * those up that are on the screen, as arm/list.S does by indices.
+ */
+#include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
-/* An array in use, as words to compare. */
+/* Vertices whose arrays lie together, as words to compare. */
 struct stream {
 	const uint8_t *pointer;
 	size_t stride_bytes;
@@ -15,128 +19,165 @@ static bool is_of_words(const struct array *array)
 		(array->type == GL_UNSIGNED_BYTE && array->size == 4);
 }
 
-/* The arrays in use, by their addresses; interleaved ones are one stream. */
-static int list_streams(const struct arrays *arrays, struct stream *streams)
+/* False where the arrays in use do not lie together. */
+static bool find_stream(const struct arrays *arrays, struct stream *stream)
 {
 	const struct array *const all[] = {&arrays->vertex, &arrays->normal,
 		&arrays->color, &arrays->texcoord[0], &arrays->texcoord[1]};
-	int used = 0, count = 0;
+	uintptr_t least = UINTPTR_MAX, most = 0;
 
 	for (size_t i = 0; i < ARRAY_COUNT(all); i++) {
-		int at = used;
+		const struct array *array = all[i];
+		uintptr_t at = (uintptr_t)array->pointer;
+		int words = array->type == GL_UNSIGNED_BYTE ? 1 : array->size;
 
-		if (!all[i]->enabled) {
+		if (!array->enabled) {
 			continue;
 		}
-		if (!is_of_words(all[i])) {
-			return 0;
-		}
-		for (; at > 0 && streams[at - 1].pointer > all[i]->pointer;
-			at--) {
-			streams[at] = streams[at - 1];
-		}
-		streams[at] = (struct stream){all[i]->pointer,
-			(size_t)all[i]->stride_bytes,
-			all[i]->type == GL_UNSIGNED_BYTE ? 1 : all[i]->size};
-		used++;
-	}
-	for (int i = 0; i < used; i++) {
-		struct stream *last = count > 0 ? &streams[count - 1] : NULL;
-
-		if (last && last->stride_bytes == streams[i].stride_bytes &&
-			last->pointer + 4 * last->words == streams[i].pointer) {
-			last->words += streams[i].words;
-		} else {
-			streams[count++] = streams[i];
-		}
-	}
-	return count;
-}
-
-static bool are_equal_words(const uint8_t *left, const uint8_t *right, int words)
-{
-	uint32_t differ = 0;
-
-	for (int i = 0; i < words; i++) {
-		differ |= load_32(left + 4 * i) ^ load_32(right + 4 * i);
-	}
-	return differ == 0;
-}
-
-static bool are_equal_streams(
-	const struct stream *streams, int count, uint32_t a, uint32_t b)
-{
-	for (int i = 0; i < count; i++) {
-		const struct stream *stream = &streams[i];
-
-		if (!are_equal_words(stream->pointer + a * stream->stride_bytes,
-			    stream->pointer + b * stream->stride_bytes,
-			    stream->words)) {
+		if (!is_of_words(array) || array->stride_bytes % 4 != 0 ||
+			array->stride_bytes != arrays->vertex.stride_bytes ||
+			at % 4 != 0) {
 			return false;
 		}
+		least = at < least ? at : least;
+		at += 4 * (uintptr_t)words;
+		most = at > most ? at : most;
 	}
+	stream->stride_bytes = (size_t)arrays->vertex.stride_bytes;
+	stream->pointer = arrays->vertex.pointer -
+		((uintptr_t)arrays->vertex.pointer - least);
+	stream->words = (int)((most - least) / 4);
+	return most - least <= stream->stride_bytes && stream->words >= 4;
+}
+
+static ALWAYS_INLINE uint32_t find_index(
+	const struct stream *stream, const uint8_t *at)
+{
+	return (uint32_t)((size_t)(at - stream->pointer) / stream->stride_bytes);
+}
+
+struct corner {
+	uint32_t xy; /* as struct cache_tag has it */
+	struct vertex *vertex;
+};
+
+/*
+ * Rows, columns and size of corners as struct cache_tag has them. False where
+ * no centre is covered; *all is whether all of the triangle is in the box.
+ */
+static ALWAYS_INLINE bool find_extent(const struct fast_setup *fast_setup,
+	uint32_t a, uint32_t b, uint32_t c, struct setup *setup, bool *all)
+{
+	uint32_t least = least_halves(least_halves(a, b), c);
+	uint32_t most = most_halves(most_halves(a, b), c);
+	uint32_t size = most - least, round = 0x70007, whole = 0xFFF0FFF0;
+	uint32_t centres, out;
+
+	/* else each becomes two of an instruction */
+	OPAQUE(round);
+	OPAQUE(whole);
+	least = (least + round) & whole;
+	most = (most + round) & whole;
+	centres = most - least;
+	if (centres >> 16 == 0 || centres << 16 == 0) {
+		return false;
+	}
+	setup->columns = (int)(centres << 16 >> 20);
+	setup->top = (int)(least >> 20);
+	setup->bottom = (int)(most >> 20);
+	setup->extent = (int32_t)(size >> 16 > (size & 0xFFFF) ? size >> 16
+							       : size & 0xFFFF);
+	out = subtract_halves(least, fast_setup->box_low) |
+		subtract_halves(fast_setup->box_high, most);
+	*all = ((out | out << 16) >> 31) == 0 && setup->extent <= SMALL_EXTENT;
 	return true;
 }
 
-static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
+static ALWAYS_INLINE struct corner find_corner(
+	const struct fast_setup *fast_setup, const struct cache_tag *tag)
 {
-	return (x + (y << 3) + (y >> 9) - (z >> 5)) * 2654435761u >> 23;
+	return (struct corner){
+		tag->xy, fast_setup->cache + (tag - fast_setup->place)};
 }
 
-static const uint8_t *find_position(const struct draw *draw, uint32_t index)
+static ALWAYS_INLINE void order(struct corner *a, struct corner *b)
 {
-	return draw->view.positions +
-		(size_t)index * (size_t)draw->view.stride_bytes;
-}
+	if (a->xy > b->xy) {
+		const struct corner first = *b;
 
-/* By what the vertex is made of: unindexed lists give it several times. */
-static struct vertex *find_dedup(struct draw *draw,
-	const struct stream *streams, int count, uint32_t index)
-{
-	const uint8_t *at = find_position(draw, index);
-	uint32_t slot =
-		choose_slot(load_32(at), load_32(at + 4), load_32(at + 8));
-	struct vertex *vertex = &draw->cache[slot];
-
-	if (draw->place[slot].tag == PLACE_EMPTY ||
-		!are_equal_streams(streams, count, vertex->index, index)) {
-		soft_load_slot(draw, slot, index);
+		*b = *a;
+		*a = first;
 	}
-	return vertex;
 }
 
-static NEVER_INLINE void draw_dedup(struct draw *draw,
-	const struct stream *streams, int stream_count, uint32_t index)
+/* Corners by y. */
+static ALWAYS_INLINE void set_corners(
+	struct setup *setup, struct corner a, struct corner b, struct corner c)
+{
+	order(&a, &b);
+	order(&b, &c);
+	order(&a, &b);
+	setup->xy[0] = a.xy;
+	setup->xy[1] = b.xy;
+	setup->xy[2] = c.xy;
+	setup->v[0] = a.vertex;
+	setup->v[1] = b.vertex;
+	setup->v[2] = c.vertex;
+	setup->middle = (int)((b.xy + (7 << 16)) >> 20);
+}
+
+static ALWAYS_INLINE void shade_corner(
+	const struct draw *draw, struct vertex *vertex)
+{
+	if (!vertex->shaded) {
+		soft_shade_vertex(draw, vertex, vertex->index);
+	}
+}
+
+static NEVER_INLINE void draw_tagged(struct draw *draw,
+	const struct cache_tag *at_a, const struct cache_tag *at_b,
+	const struct cache_tag *at_c, int32_t twice_area)
+{
+	const struct fast_setup *fast_setup = &draw->fast_setup;
+	const struct corner a = find_corner(fast_setup, at_a);
+	const struct corner b = find_corner(fast_setup, at_b);
+	const struct corner c = find_corner(fast_setup, at_c);
+	struct setup setup;
+	bool all;
+
+	if (!find_extent(fast_setup, a.xy, b.xy, c.xy, &setup, &all)) {
+		return;
+	}
+	if (!all) {
+		draw_transformed(draw,
+			(struct vertex *[]){a.vertex, b.vertex, c.vertex});
+		return;
+	}
+	set_corners(&setup, a, b, c);
+	draw->provoking = c.vertex;
+	setup.inside = true;
+	setup.wide = false;
+	setup.fast_setup = true;
+	setup.back = ((uint32_t)twice_area >> 31) ^ fast_setup->back_flip;
+	setup.area = raster_size(twice_area);
+	if (fast_setup->attributes) {
+		shade_corner(draw, a.vertex);
+		shade_corner(draw, b.vertex);
+		shade_corner(draw, c.vertex);
+	}
+	fast_setup->fill(draw, &setup);
+}
+
+/* A triangle of whose vertices two share a slot, or one lies outside. */
+static NEVER_INLINE void draw_apart(struct draw *draw, uint32_t index)
 {
 	struct vertex *v[3];
 
 	for (uint32_t i = 0; i < 3; i++) {
-		v[i] = find_dedup(draw, streams, stream_count, index + i);
-	}
-	if (v[0] == v[1] || v[0] == v[2]) {
-		v[0] = &draw->apart[0];
-		soft_transform(draw, index, v[0]);
-	}
-	if (v[1] == v[2]) {
-		v[1] = &draw->apart[1];
-		soft_transform(draw, index + 1, v[1]);
+		v[i] = &draw->apart[i];
+		soft_transform(draw, index + i, v[i]);
 	}
 	draw_transformed(draw, v);
-}
-
-/* A triangle of whose vertices two share a slot, or one lies outside. */
-static NEVER_INLINE void draw_apart(
-	struct draw *draw, const struct stream *stream, uint32_t index)
-{
-	const uint8_t *a = find_position(draw, index);
-	const uint8_t *b = find_position(draw, index + 1);
-	const uint8_t *c = find_position(draw, index + 2);
-
-	/* Where two positions are equal, as at a sphere's poles, none is seen. */
-	if (!are_equal_words(a, b, 3) && !are_equal_words(a, c, 3) &&
-		!are_equal_words(b, c, 3)) {
-		draw_dedup(draw, stream, 1, index);
-	}
 }
 
 /* Of tags that are there: whether two share one, or one lies outside. */
@@ -175,13 +216,12 @@ static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
 	return true;
 }
 
-static ALWAYS_INLINE uint32_t find_index(
-	const struct stream *stream, const uint8_t *at)
+static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 {
-	return (uint32_t)((size_t)(at - stream->pointer) / stream->stride_bytes);
+	return (x + (y << 3) + (y >> 9) - (z >> 5)) * 2654435761u >> 23;
 }
 
-/* As find_dedup(), of pairs of words: its tag, and if its slot was filled. */
+/* The tag of a vertex by what it is made of, and if its slot was filled. */
 static ALWAYS_INLINE const struct cache_tag *find_pairs(struct draw *draw,
 	const struct stream *stream, const uint8_t *at, bool *filled)
 {
@@ -202,7 +242,6 @@ static ALWAYS_INLINE const struct cache_tag *find_pairs(struct draw *draw,
 	return tag;
 }
 
-/* What most lists are: all of a vertex together. */
 static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 	const struct stream *stream, int words, size_t stride_bytes,
 	uint32_t first, uint32_t count)
@@ -222,13 +261,13 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 
 		PRELOAD(at + 4 * stride_bytes);
 		if (filled && is_apart(a, b, c)) {
-			draw_apart(draw, stream, find_index(&own, at));
+			draw_apart(draw, find_index(&own, at));
 			continue;
 		}
 		twice = cross_halves(subtract_halves(b->xy, a->xy),
 			subtract_halves(c->xy, a->xy));
 		if (is_seen(&draw->fast_setup, twice)) {
-			soft_draw_tagged(draw, a, b, c, twice);
+			draw_tagged(draw, a, b, c, twice);
 		}
 	}
 }
@@ -243,36 +282,23 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 /* The sizes that most programs use are constants of the loop. */
 DRAW_PAIRS(eight, 8, 32)
 DRAW_PAIRS(six_of_eight, 6, 32)
-DRAW_PAIRS(six, 6, 24)
 DRAW_PAIRS(any, stream->words, stream->stride_bytes)
-
-static void draw_together(struct draw *draw, const struct stream *stream,
-	uint32_t first, uint32_t count)
-{
-	if (stream->words == 8 && stream->stride_bytes == 32) {
-		draw_eight(draw, stream, first, count);
-	} else if (stream->words == 6 && stream->stride_bytes == 32) {
-		draw_six_of_eight(draw, stream, first, count);
-	} else if (stream->words == 6 && stream->stride_bytes == 24) {
-		draw_six(draw, stream, first, count);
-	} else {
-		draw_any(draw, stream, first, count);
-	}
-}
 
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 {
 	const struct arrays *arrays = &draw->soft->arrays;
-	struct stream streams[3 + SOFT_UNITS];
-	int used = arrays->vertex.size == 3 ? list_streams(arrays, streams) : 0;
+	struct stream stream;
 
-	if (used == 1 && streams->words >= 4 && draw->packed &&
-		((uintptr_t)streams->pointer | streams->stride_bytes) % 4 == 0) {
-		draw_together(draw, streams, first, count);
-		return true;
+	if (!draw->packed || arrays->vertex.size != 3 ||
+		!find_stream(arrays, &stream)) {
+		return false;
 	}
-	for (uint32_t i = 0; i + 2 < count && used > 0; i += 3) {
-		draw_dedup(draw, streams, used, first + i);
+	if (stream.words == 8 && stream.stride_bytes == 32) {
+		draw_eight(draw, &stream, first, count);
+	} else if (stream.words == 6 && stream.stride_bytes == 32) {
+		draw_six_of_eight(draw, &stream, first, count);
+	} else {
+		draw_any(draw, &stream, first, count);
 	}
-	return used > 0;
+	return true;
 }

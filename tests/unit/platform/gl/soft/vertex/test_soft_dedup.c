@@ -1,6 +1,6 @@
 /*
- * The soft driver's lists without indices: vertices that lie together draw what
- * the same draw with room behind positions, which takes another way.
+ * The soft driver's lists without indices draw what the same vertices draw by
+ * indices: where they lie close together, and with room behind positions.
  */
 #include "platform/base/fixed.h"
 #include "tests/support/gl/gl_checks.h"
@@ -72,9 +72,10 @@ static void make_list(uint32_t *seed, uint16_t list[CORNERS])
 
 static void draw_list(const float pool[POOL][WORDS],
 	const uint16_t list[CORNERS], const struct layout *layout,
-	uint8_t picture[PICTURE_BYTES])
+	bool by_indices, uint8_t picture[PICTURE_BYTES])
 {
 	static float vertex[CORNERS * WORDS_MOST];
+	uint16_t index[CORNERS];
 	const GLsizei bytes = layout->stride * 4;
 	const float *rest = vertex + 3 + layout->room;
 	static const GLfixed aslant[4] = {FX16_ONE, FX16_ONE, FX16_ONE, 0};
@@ -84,6 +85,8 @@ static void draw_list(const float pool[POOL][WORDS],
 	for (int i = 0; i < CORNERS; i++) {
 		float *to = vertex + i * layout->stride;
 
+		index[i] = (uint16_t)i;
+		to[3] = (float)i; /* where there is room */
 		memcpy(to, pool[list[i]], sizeof(float[3]));
 		memcpy(to + 3 + layout->room, pool[list[i]] + 3,
 			(size_t)(layout->used - 3) * 4);
@@ -107,8 +110,14 @@ static void draw_list(const float pool[POOL][WORDS],
 		gl->Enable(GL_COLOR_MATERIAL);
 	}
 	/* All but the first triangle, and two corners that are of none. */
-	gl->DrawArrays(GL_TRIANGLES, 3, CORNERS - 4);
-	gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	if (by_indices) {
+		gl->DrawElements(GL_TRIANGLES, CORNERS - 4, GL_UNSIGNED_SHORT,
+			index + 3);
+		gl->DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, index);
+	} else {
+		gl->DrawArrays(GL_TRIANGLES, 3, CORNERS - 4);
+		gl->DrawArrays(GL_TRIANGLES, 0, 3);
+	}
 	assert_int_equal(canvas.pixels.stride_bytes, 2 * GL_CANVAS_WIDTH);
 	memcpy(picture, canvas.pixels.data, PICTURE_BYTES);
 	gl_canvas_end_and_close(&canvas);
@@ -123,14 +132,17 @@ static void check_layout(const struct layout *layout)
 	uint32_t seed = 5;
 
 	for (int round = 0; round < 24; round++) {
-		uint8_t close[PICTURE_BYTES], apart[PICTURE_BYTES];
+		uint8_t listed[PICTURE_BYTES], close[PICTURE_BYTES],
+			apart[PICTURE_BYTES];
 
 		/* The last ones leave the picture. */
 		make_pool(&seed, round < 16 ? 0.99f : 1.5f, pool);
 		make_list(&seed, list);
-		draw_list(pool, list, layout, close);
-		draw_list(pool, list, &spread, apart);
-		assert_memory_equal(close, apart, PICTURE_BYTES);
+		draw_list(pool, list, layout, true, listed);
+		draw_list(pool, list, layout, false, close);
+		draw_list(pool, list, &spread, false, apart);
+		assert_memory_equal(close, listed, PICTURE_BYTES);
+		assert_memory_equal(apart, listed, PICTURE_BYTES);
 	}
 }
 

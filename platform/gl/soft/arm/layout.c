@@ -28,9 +28,7 @@ static_assert(offsetof(struct view, depth) == 100, "");
 static_assert(offsetof(struct view, inverse_w_q30) == 64 + 40, "INVERSE_W");
 static_assert(offsetof(struct view, w_zeros) == 108, "");
 static_assert(offsetof(struct view, reciprocals) == 64 + 48, "RECIPROCALS");
-static_assert(
-	POSITION_SHORTS == 0 && POSITION_FLOATS == 1 && POSITION_PAIRS == 2,
-	"by KIND");
+static_assert(POSITION_SHORTS == 0 && POSITION_FLOATS == 1, "by KIND");
 static_assert(offsetof(struct vertex, x) == 4, "");
 static_assert(offsetof(struct vertex, attribute) == 16, "");
 static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");

@@ -30,13 +30,12 @@ soft_transform:
 	cmp	r12, #1
 	str	r1, [r2, #VERTEX_INDEX]
 	mla	r3, r1, r5, r4
-	bhi	.Lpair
+	bhi	.Lother
 	beq	.Lfloats
 
 	/* r1 x, r4 y, r12 z, lr w; r3 the position's x and y, r11 its z */
 	ldrsh	r11, [r3, #4]
 	pld	[r3, #64]
-.Lshorts:
 	ldr	r3, [r3]
 	ldmia	r0!, {r1, r4-r10}
 	smlawb	r1, r5, r3, r1
@@ -160,10 +159,7 @@ soft_transform:
 	str	r3, [r2]
 	pop	{r2, r4-r11, pc}
 
-.Lpair:
-	cmp	r12, #2
-	moveq	r11, #0
-	beq	.Lshorts
+.Lother:
 	pop	{r2, r4-r11, lr}
 	b	soft_transform_c
 	.size	soft_transform, . - soft_transform

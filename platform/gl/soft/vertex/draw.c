@@ -242,30 +242,14 @@ void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 static void find_range(
 	const struct source *source, uint32_t *low, uint32_t *high)
 {
-	uint32_t i = 0, least = UINT32_MAX, most = 0;
-
-	if (source->type == GL_UNSIGNED_SHORT) {
-		uint32_t highest = 0, lowest = UINT32_MAX;
-
-		for (; i + 1 < source->count; i += 2) {
-			uint32_t two = load_32(source->indices + 2 * i);
-
-			lowest = least_halves(lowest, two);
-			highest = most_halves(highest, two);
-		}
-		least = lowest & 0xFFFF;
-		least = lowest >> 16 < least ? lowest >> 16 : least;
-		most = highest & 0xFFFF;
-		most = highest >> 16 > most ? highest >> 16 : most;
-	}
-	for (; i < source->count; i++) {
+	*low = UINT32_MAX;
+	*high = 0;
+	for (uint32_t i = 0; i < source->count; i++) {
 		uint32_t index = index_at(source, i);
 
-		least = index < least ? index : least;
-		most = index > most ? index : most;
+		*low = index < *low ? index : *low;
+		*high = index > *high ? index : *high;
 	}
-	*low = least;
-	*high = most;
 }
 
 void soft_gl_DrawElements(

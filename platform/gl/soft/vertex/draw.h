@@ -96,16 +96,9 @@ struct cache_tag {
 	uint32_t xy;
 };
 
-/* How coordinates are given; all but the last are fast to fetch. */
-enum texcoord_kind {
-	TEXCOORD_FLOATS, /* as they are; too large ones are TEXCOORD_OTHER */
-	TEXCOORD_SHORTS, /* each by a factor, and moved: below 2^14 then */
-	TEXCOORD_OTHER,
-};
-
 struct texture_input {
 	bool used, identity;
-	enum texcoord_kind kind;
+	bool plain_floats; /* coordinates that no matrix changes */
 	const struct array *array;
 	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
 	int matrix_q;
@@ -178,7 +171,6 @@ struct raster {
 enum position_kind {
 	POSITION_SHORTS, /* three */
 	POSITION_FLOATS, /* three, in range and aligned */
-	POSITION_PAIRS,  /* two shorts */
 	POSITION_OTHER,
 };
 

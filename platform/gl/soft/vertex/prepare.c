@@ -40,8 +40,7 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
 	view->scale = soft_matrix_power_of_two(draw->position_q);
-	view->kind = array->size < 3 && array->type == GL_SHORT ? POSITION_PAIRS
-		: array->size < 3                               ? POSITION_OTHER
+	view->kind = array->size < 3                 ? POSITION_OTHER
 		: array->type == GL_SHORT            ? POSITION_SHORTS
 		: are_fast_setup_floats(draw, array) ? POSITION_FLOATS
 						     : POSITION_OTHER;
@@ -69,9 +68,7 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	struct view *view = &draw->view;
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
 	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
-	bool shorts =
-		view->kind == POSITION_SHORTS || view->kind == POSITION_PAIRS;
-	int shift = shorts ? 2 : 0;
+	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
 	struct matrix m;
 	int clip_q;
 
@@ -210,32 +207,6 @@ static void prepare_texture_matrix(
 	}
 }
 
-/* 2^15 times the factor, and moved, stays below 2^14 in 16.16. */
-static bool takes_shorts(const struct texture_input *input, int i)
-{
-	int64_t most = (int64_t)abs(input->matrix[i][i]) * 32768 +
-		abs(input->matrix[i][2]);
-
-	return input->matrix[i][!i] == 0 && input->matrix_q >= 16 &&
-		most >> (input->matrix_q - 16) < 1 << 30;
-}
-
-static enum texcoord_kind choose_texcoord(const struct texture_input *input)
-{
-	const struct array *array = input->array;
-
-	if (!array->enabled) {
-		return TEXCOORD_OTHER;
-	}
-	if (array->type == GL_FLOAT && input->identity) {
-		return TEXCOORD_FLOATS;
-	}
-	return array->type == GL_SHORT && takes_shorts(input, 0) &&
-			takes_shorts(input, 1)
-		? TEXCOORD_SHORTS
-		: TEXCOORD_OTHER;
-}
-
 /* A unit that is used alone counts as the first one. */
 static void prepare_textures(const struct soft *soft, struct draw *draw)
 {
@@ -262,7 +233,8 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 		input->height_log2 = input->base->height_log2;
 		prepare_texture_matrix(soft, input, i);
 		input->array = &soft->arrays.texcoord[i];
-		input->kind = choose_texcoord(input);
+		input->plain_floats = input->identity &&
+			input->array->enabled && input->array->type == GL_FLOAT;
 	}
 }
 

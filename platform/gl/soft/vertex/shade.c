@@ -66,14 +66,6 @@ static NEVER_INLINE void find_any_texcoord(
 	}
 }
 
-static ALWAYS_INLINE int32_t scale_short(
-	const struct texture_input *input, int i, int16_t value)
-{
-	int64_t sum = (int64_t)input->matrix[i][i] * value + input->matrix[i][2];
-
-	return (int32_t)(sum >> (input->matrix_q - 16));
-}
-
 static ALWAYS_INLINE void find_texcoord(
 	const struct draw *draw, int unit, struct vertex *vertex)
 {
@@ -82,10 +74,9 @@ static ALWAYS_INLINE void find_texcoord(
 		(size_t)vertex->index * (size_t)input->array->stride_bytes;
 	int32_t *out = vertex->attribute + TEX_S + 2 * unit;
 	uint32_t bits[2];
-	int16_t shorts[2];
 	float st[2];
 
-	if (input->kind == TEXCOORD_FLOATS) {
+	if (input->plain_floats) {
 		PRELOAD(at + 40);
 		memcpy(bits, at, sizeof(bits));
 		/* Below 2^14, as the bits of 2^14 tell, without their signs. */
@@ -95,11 +86,6 @@ static ALWAYS_INLINE void find_texcoord(
 			out[1] = (int32_t)(st[1] * 65536.0f);
 			return;
 		}
-	} else if (input->kind == TEXCOORD_SHORTS) {
-		memcpy(shorts, at, sizeof(shorts));
-		out[0] = scale_short(input, 0, shorts[0]);
-		out[1] = scale_short(input, 1, shorts[1]);
-		return;
 	}
 	find_any_texcoord(draw, unit, vertex->index, out);
 }

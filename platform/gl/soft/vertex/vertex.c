@@ -13,15 +13,6 @@ static ALWAYS_INLINE int32_t transform_row(
 	return mul_high_add(sum, m[2], p[2]);
 }
 
-static ALWAYS_INLINE int32_t transform_shorts(
-	int32_t moved, const int32_t m[3], const int16_t p[3])
-{
-	int32_t sum = MULTIPLY_ADD_HALF(moved, m[0], p[0]);
-
-	sum = MULTIPLY_ADD_HALF(sum, m[1], p[1]);
-	return MULTIPLY_ADD_HALF(sum, m[2], p[2]);
-}
-
 static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
 {
 	int32_t x = c[0], y = c[1], z = c[2], w = c[3];
@@ -90,23 +81,21 @@ static ALWAYS_INLINE void find_clip(
 		view->positions + (size_t)index * (size_t)view->stride_bytes;
 	int32_t p[3];
 
-	if (view->kind == POSITION_SHORTS || view->kind == POSITION_PAIRS) {
-		int16_t s[3] = {0, 0, 0};
+	if (view->kind == POSITION_SHORTS) {
+		int16_t half[3];
 
-		memcpy(s, at, view->kind == POSITION_PAIRS ? 4 : sizeof(s));
-		out[0] = transform_shorts(view->moved_x, view->row_x, s);
-		out[1] = transform_shorts(view->moved_y, view->row_y, s);
-		out[2] = transform_shorts(view->moved_z, view->row_z, s);
-		out[3] = transform_shorts(view->moved_w, view->row_w, s);
-		return;
-	}
-	if (view->kind == POSITION_FLOATS) {
+		memcpy(half, at, sizeof(half));
+		for (int i = 0; i < 3; i++) {
+			p[i] = half[i] *
+				65536; /* their matrix is made for that */
+		}
+	} else if (view->kind == POSITION_FLOATS) {
 		float f[3];
 
 		memcpy(f, at, sizeof(f));
-		p[0] = (int32_t)(f[0] * view->scale);
-		p[1] = (int32_t)(f[1] * view->scale);
-		p[2] = (int32_t)(f[2] * view->scale);
+		for (int i = 0; i < 3; i++) {
+			p[i] = (int32_t)(f[i] * view->scale);
+		}
 	} else {
 		soft_array_position(draw, index, p);
 	}

@@ -96,7 +96,7 @@ static void make_texture(
 
 	input->used = next_random(seed) % 2;
 	input->identity = true;
-	input->kind = TEXCOORD_FLOATS;
+	input->plain_floats = true;
 	input->array = &draw->soft->arrays.texcoord[0];
 	for (int i = 0; i < 2 * VERTICES; i++) {
 		mesh->texcoord[i / 2][i % 2] =

@@ -146,27 +146,6 @@ static void test_shorts_are_transformed_as_in_c(void **state)
 	check_shorts(false);
 }
 
-static void test_pairs_are_transformed_as_in_c(void **state)
-{
-	struct draw *draw = make_draw();
-	int16_t position[VERTICES][2];
-	uint32_t seed = 13;
-
-	(void)state;
-	draw->view.positions = (const uint8_t *)position;
-	draw->view.stride_bytes = sizeof(position[0]);
-	for (int round = 0; round < 100; round++) {
-		make_view(&draw->view, POSITION_SHORTS, round % 2, &seed);
-		draw->view.kind = POSITION_PAIRS;
-		for (int i = 0; i < 2 * VERTICES; i++) {
-			position[i / 2][i % 2] =
-				(int16_t)random_within(&seed, 32767 >> i % 3);
-		}
-		check_vertices(draw, VERTICES);
-	}
-	free(draw);
-}
-
 static void test_flat_projections_are_transformed_as_in_c(void **state)
 {
 	(void)state;
@@ -264,7 +243,6 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_shorts_are_transformed_as_in_c),
-		cmocka_unit_test(test_pairs_are_transformed_as_in_c),
 		cmocka_unit_test(test_flat_projections_are_transformed_as_in_c),
 		cmocka_unit_test(test_floats_are_transformed_as_in_c),
 		cmocka_unit_test(test_outcodes_name_the_planes),

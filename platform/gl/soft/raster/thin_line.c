@@ -37,14 +37,13 @@ bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft *soft = draw->soft;
-	GLfixed size = mode == GL_POINTS ? soft->fragment.point_size
-					 : soft->fragment.line_width;
 
-	return mode <= GL_LINE_STRIP && !draw->smooth &&
+	return mode >= GL_LINES && mode <= GL_LINE_STRIP && !draw->smooth &&
 		!draw->texture[0].used && !draw->texture[1].used &&
 		!spans->stenciled && !spans->blended_last &&
-		spans->color_mask == UINT32_MAX && size < WIDTH_TWO_Q16 &&
-		!soft->fill && !soft->counts;
+		spans->color_mask == UINT32_MAX &&
+		soft->fragment.line_width < WIDTH_TWO_Q16 && !soft->fill &&
+		!soft->counts;
 }
 
 static bool is_in_box(const struct clip_box *box, int x, int y)
@@ -399,18 +398,5 @@ void soft_draw_thin_line(
 	}
 	if (walk.count > 0) {
 		draw_walk(draw, &walk, a, b);
-	}
-}
-
-void soft_draw_thin_point(struct draw *draw, const struct vertex *v)
-{
-	/* GL's y runs upwards: one on a border is that of the pixel below. */
-	struct walk walk = {.x = v->x >> 4,
-		.y = ((v->y + 15) >> 4) - 1,
-		.count = 1,
-		.length = 1};
-
-	if (is_in_box(&draw->box, walk.x, walk.y)) {
-		draw_walk(draw, &walk, v, v);
 	}
 }

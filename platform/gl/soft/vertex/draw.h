@@ -271,7 +271,7 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
 	fill_function fill; /* lists call that of fast_setup */
-	bool thin_lines;    /* raster/thin_line.c draws lines and points */
+	bool thin_lines;    /* raster/thin_line.c draws lines */
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */

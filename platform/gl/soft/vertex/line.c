@@ -55,10 +55,6 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 	}
 	soft_shade(draw, v);
 	draw->provoking = v;
-	if (draw->thin_lines) {
-		soft_draw_thin_point(draw, v);
-		return;
-	}
 	if (draw->smooth) {
 		draw->spans.coverage = (struct soft_coverage){
 			.used = true,

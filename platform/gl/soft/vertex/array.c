@@ -129,7 +129,7 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 }
 
 /* A direction of any length becomes one with components up to 1/4. */
-static void load_long_normal(const struct element *from, int32_t out[3])
+static void load_any_length(const struct element *from, int32_t out[3])
 {
 	float n[3], most = 0.0f;
 
@@ -144,22 +144,6 @@ static void load_long_normal(const struct element *from, int32_t out[3])
 	}
 }
 
-/* Whether a component is 2 or more, which Q30 has no room for. */
-static bool is_long(const struct element *from)
-{
-	for (int i = 0; i < 3; i++) {
-		uint32_t bits = load_bits(from->at + 4 * i) & INT32_MAX;
-		int32_t value = (int32_t)load_bits(from->at + 4 * i);
-
-		if (from->type == GL_FLOAT
-				? bits >= 0x40000000
-				: value >= 2 * 65536 || value <= -2 * 65536) {
-			return true;
-		}
-	}
-	return false;
-}
-
 void soft_array_normal_q30(
 	const struct draw *draw, uint32_t index, int32_t out[3])
 {
@@ -168,8 +152,9 @@ void soft_array_normal_q30(
 		find_element(&arrays->normal, index, arrays->current_normal);
 	bool words = from.type == GL_FLOAT || from.type == GL_FIXED;
 
-	if (draw->shading.normalize && words && is_long(&from)) {
-		load_long_normal(&from, out);
+	/* Q30 has no room for components of 2 or more. */
+	if (draw->shading.normalize && words) {
+		load_any_length(&from, out);
 		return;
 	}
 	for (int i = 0; i < 3; i++) {

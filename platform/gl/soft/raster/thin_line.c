@@ -19,14 +19,10 @@ enum {
  * across besides.
  */
 struct walk {
-	uint16_t *depth;
-	uint8_t *pixel;
-	ptrdiff_t depth_along, depth_across; /* depths */
-	ptrdiff_t pixel_along, pixel_across; /* bytes */
 	uint32_t error, add, full;
 	int x, y;                /* of the next pixel */
 	int along[2], across[2]; /* steps in x and y */
-	int skipped, count;      /* pixels before the box, and inside of it */
+	int count;               /* pixels */
 	int32_t length;          /* along, in sixteenths */
 	int32_t off;             /* from the line's start to a centre, too */
 	int32_t inverse;         /* 2^inverse_q / length */
@@ -64,37 +60,10 @@ static ALWAYS_INLINE void step(struct walk *walk)
 	}
 }
 
-/* Leaves the pixels that the box shows, which follow each other. */
-static void cut(const struct clip_box *box, struct walk *walk)
-{
-	struct walk end;
-
-	while (walk->count > 0 && !is_in_box(box, walk->x, walk->y)) {
-		step(walk);
-		walk->skipped++;
-		walk->count--;
-	}
-	end = *walk;
-	for (walk->count = 0;
-		walk->count < end.count && is_in_box(box, end.x, end.y);
-		walk->count++) {
-		step(&end);
-	}
-}
-
 /* A coordinate of both ends. */
 struct ends {
 	int32_t from, to;
 };
-
-/* Whether no pixel of the line can lie before low, or at high and beyond. */
-static bool lie_between(struct ends at, int low, int high)
-{
-	int32_t least = at.from < at.to ? at.from : at.to;
-	int32_t most = at.from < at.to ? at.to : at.from;
-
-	return least >> 4 > low && most >> 4 < high - 1;
-}
 
 /*
  * Finds the pixels: along u those whose centres lie from the first end on and
@@ -123,29 +92,12 @@ static void find_pixels(
 	walk->error = (uint32_t)(up ? full - 1 - error : error);
 	walk->add = 16 * (uint32_t)(up ? -dv : dv);
 	walk->full = (uint32_t)full;
-	walk->skipped = 0;
 	walk->x = flat ? first : pixel;
 	walk->y = flat ? pixel : first;
 	walk->along[!flat] = back ? -1 : 1;
 	walk->along[flat] = 0;
 	walk->across[flat] = up ? -1 : 1;
 	walk->across[!flat] = 0;
-}
-
-static void place_line(const struct draw *draw, struct walk *walk)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-	const int width = buffers->width, bytes = 1 << draw->spans.pixel_log2;
-	const int stride_bytes = buffers->target.stride_bytes;
-
-	walk->depth = buffers->depth + (ptrdiff_t)walk->y * width + walk->x;
-	walk->pixel = pixel_at(&buffers->target, walk->x, walk->y);
-	walk->depth_along = walk->along[0] + walk->along[1] * width;
-	walk->depth_across = walk->across[0] + walk->across[1] * width;
-	walk->pixel_along =
-		walk->along[0] * bytes + walk->along[1] * stride_bytes;
-	walk->pixel_across =
-		walk->across[0] * bytes + walk->across[1] * stride_bytes;
 }
 
 static void find_inverse(struct walk *walk)
@@ -281,6 +233,8 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 	/* No pixel lies in it, which the compiler cannot know. */
 	const struct soft_run own = {
 		.fog_right = run->fog_right, .stages = run->stages};
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct clip_box box = draw->box;
 	struct walk walk = *given;
 	struct soft_steps steps = soft_find_steps(run);
 	const struct soft_constants constants = soft_find_constants(&own, kind);
@@ -291,24 +245,19 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 	uint16_t unwritten;
 
 	for (; count > 0; count--) {
-		if (soft_compares(compares, at.z >> 16, *walk.depth)) {
+		const bool seen = is_in_box(&box, walk.x, walk.y);
+		uint16_t *depth = buffers->depth +
+			(seen ? (ptrdiff_t)walk.y * buffers->width + walk.x : 0);
+
+		if (seen && soft_compares(compares, at.z >> 16, *depth)) {
 			soft_shade_pixel(&own, NULL, kind, &constants, &at,
-				writes_depth ? walk.depth : &unwritten,
-				walk.pixel);
+				writes_depth ? depth : &unwritten,
+				pixel_at(&buffers->target, walk.x, walk.y));
 		}
 		soft_step_pixel(&own, kind, &steps, &at);
-		walk.depth += walk.depth_along;
-		walk.pixel += walk.pixel_along;
-		walk.error += walk.add;
-		if (walk.error >= walk.full) {
-			walk.error -= walk.full;
-			walk.depth += walk.depth_across;
-			walk.pixel += walk.pixel_across;
-		}
+		step(&walk);
 	}
-	given->depth = walk.depth;
-	given->pixel = walk.pixel;
-	given->error = walk.error;
+	*given = walk;
 }
 
 /* The next pixels, whose values change linearly from the run's. */
@@ -345,12 +294,11 @@ static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 {
 	const struct line values = {.draw = draw};
 	const bool divided = draw->raster.colors_divided;
-	const int end = walk->skipped + walk->count;
 	const int most = divided ? DIVIDED_STEP : draw->spans.plain_pixels;
 	struct soft_run *run = &draw->spans.run;
 
-	for (int x = walk->skipped; x < end; x += most) {
-		int count = end - x < most ? end - x : most;
+	for (int x = 0; x < walk->count; x += most) {
+		int count = walk->count - x < most ? walk->count - x : most;
 
 		if (divided) {
 			place_divided_colors(&values, x, count);
@@ -362,41 +310,28 @@ static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 	}
 }
 
-/* Of pixels that are found. */
-static void draw_walk(struct draw *draw, struct walk *walk,
-	const struct vertex *a, const struct vertex *b)
+void soft_draw_thin_line(
+	struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
+	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
+	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
 	struct raster *raster = &draw->raster;
+	struct walk walk;
 	uint32_t moving;
 
-	place_line(draw, walk);
-	find_inverse(walk);
+	find_pixels(&walk, flat ? x : y, flat ? y : x, flat);
+	if (walk.count <= 0) {
+		return;
+	}
+	find_inverse(&walk);
 	raster->perspective = false;
 	raster->bent = false;
 	raster->frame = (struct frame){0};
 	if (draw->soft->fragment.depth_test) {
-		set_plane(walk, a->z, b->z, 12, &raster->plane[DEPTH]);
+		set_plane(&walk, a->z, b->z, 12, &raster->plane[DEPTH]);
 	}
-	set_color_planes(draw, walk, a, b);
+	set_color_planes(draw, &walk, a, b);
 	moving = soft_begin_walk(draw);
 	soft_begin_steps(draw, moving);
-	draw_runs(draw, walk, moving != 0);
-}
-
-void soft_draw_thin_line(
-	struct draw *draw, const struct vertex *a, const struct vertex *b)
-{
-	const struct clip_box *box = &draw->box;
-	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
-	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
-	struct walk walk;
-
-	find_pixels(&walk, flat ? x : y, flat ? y : x, flat);
-	if (!lie_between(x, box->left, box->right) ||
-		!lie_between(y, box->top, box->bottom)) {
-		cut(box, &walk);
-	}
-	if (walk.count > 0) {
-		draw_walk(draw, &walk, a, b);
-	}
+	draw_runs(draw, &walk, moving != 0);
 }

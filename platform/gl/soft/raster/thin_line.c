@@ -260,32 +260,20 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 	*given = walk;
 }
 
-/* The next pixels, whose values change linearly from the run's. */
+/*
+ * The next pixels, whose values change linearly from the run's. The lines that
+ * limber shows on the board are blended in RGB565: they have a loop of their own.
+ */
 static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
 {
-	const bool wide = draw->spans.pixel_log2 == 2;
+	const struct soft_kind kind = {.finish = draw->spans.finish,
+		.wide = draw->spans.pixel_log2 == 2};
 
-#define CASE(its_finish)                                                      \
-	case its_finish:                                                      \
-		if (wide) {                                                   \
-			draw_kind(draw, walk, count,                          \
-				(struct soft_kind){                           \
-					.finish = its_finish, .wide = true}); \
-		} else {                                                      \
-			draw_kind(draw, walk, count,                          \
-				(struct soft_kind){.finish = its_finish});    \
-		}                                                             \
-		break;
-	switch (draw->spans.finish) {
-		CASE(SOFT_OPAQUE)
-		CASE(SOFT_TESTED)
-		CASE(SOFT_BLENDED)
-		CASE(SOFT_OPAQUE_FOG)
-		CASE(SOFT_TESTED_FOG)
-		CASE(SOFT_BLENDED_FOG)
-		CASE(SOFT_MIXED)
-	default:
-		break;
+	if (kind.finish == SOFT_BLENDED && !kind.wide) {
+		draw_kind(draw, walk, count,
+			(struct soft_kind){.finish = SOFT_BLENDED});
+	} else {
+		draw_kind(draw, walk, count, kind);
 	}
 }
 

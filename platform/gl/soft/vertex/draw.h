@@ -189,9 +189,6 @@ struct view {
 	float scale; /* of floats */
 	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
 	int32_t center_z, depth; /* 2 bits of fraction; for z / w in Q29 */
-	/* every vertex's, where w does not vary, else 0; see struct vertex */
-	int32_t inverse_w_q30;
-	uint32_t w_zeros;
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 

@@ -96,13 +96,6 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	view->moved_z = soft_matrix_to_int(m.m[14] * moved);
 	view->moved_w = soft_matrix_to_int(m.m[15] * moved);
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
-	view->inverse_w_q30 = 0;
-	if (!draw->perspective && view->moved_w > 0) {
-		uint32_t w = (uint32_t)view->moved_w;
-
-		view->w_zeros = (uint32_t)LEADING_ZEROS_32(w);
-		view->inverse_w_q30 = reciprocal(w << view->w_zeros);
-	}
 }
 
 static int32_t to_q16(float value)

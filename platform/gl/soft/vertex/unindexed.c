@@ -218,7 +218,8 @@ static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
 
 static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 {
-	return (x + (y << 3) + (y >> 9) - (z >> 5)) * 2654435761u >> 23;
+	return (x + (y >> 9 | y << 23) - (z >> 22 | z << 10)) * 2654435761u >>
+		23;
 }
 
 /* The tag of a vertex by what it is made of, and if its slot was filled. */

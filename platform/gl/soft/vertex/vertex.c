@@ -48,16 +48,10 @@ static ALWAYS_INLINE int32_t divide_q29(int32_t x, const struct vertex *vertex)
 static ALWAYS_INLINE void project(const struct view *view, struct vertex *vertex)
 {
 	const int32_t *c = vertex->clip;
+	int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
 
-	if (view->inverse_w_q30 == 0) {
-		int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
-
-		vertex->w_zeros = (uint8_t)zeros;
-		vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
-	} else {
-		vertex->w_zeros = (uint8_t)view->w_zeros;
-		vertex->inverse_w_q30 = view->inverse_w_q30;
-	}
+	vertex->w_zeros = (uint8_t)zeros;
+	vertex->inverse_w_q30 = reciprocal((uint32_t)c[3] << zeros);
 	vertex->x = mul_high_add(view->center_x_q8, divide_q29(c[0], vertex),
 			    view->width_q10) >>
 		4;

@@ -44,12 +44,6 @@ static void make_view(
 	view->moved_y = random_within(seed, move);
 	view->moved_z = random_within(seed, move);
 	view->moved_w = move + random_within(seed, affine ? 0 : move);
-	view->inverse_w_q30 = 0;
-	if (affine) {
-		view->w_zeros = (uint32_t)LEADING_ZEROS_32((uint32_t)move);
-		view->inverse_w_q30 =
-			reciprocal((uint32_t)move << view->w_zeros);
-	}
 }
 
 /* The planes of the clip volume that the vertex is outside of, by 64 bits. */

@@ -33,14 +33,7 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 {
 	struct vertex *v[3];
 
-	v[0] = find_vertex(draw, source, a);
-	v[1] = find_vertex(draw, source, b);
-	v[2] = find_vertex(draw, source, c);
-	if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-		const uint32_t at[3] = {a, b, c};
-
-		soft_find_vertices(draw, source, at, 3, v);
-	}
+	soft_find_vertices(draw, source, (uint32_t[]){a, b, c}, 3, v);
 	draw_transformed(draw, v);
 }
 

@@ -43,11 +43,7 @@ static void draw_line(
 {
 	struct vertex *v[2];
 
-	v[0] = find_vertex(draw, source, a);
-	v[1] = find_vertex(draw, source, b);
-	if (v[0] == v[1]) {
-		soft_find_vertices(draw, source, (uint32_t[]){a, b}, 2, v);
-	}
+	soft_find_vertices(draw, source, (uint32_t[]){a, b}, 2, v);
 	if (v[0]->outcode & v[1]->outcode) {
 		return;
 	}

@@ -202,17 +202,6 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 	}
 }
 
-static bool has_positional(const struct lighting *lighting)
-{
-	for (int i = 0; i < SOFT_LIGHTS; i++) {
-		if (lighting->light[i].enabled &&
-			lighting->light[i].position[3] != 0.0f) {
-			return true;
-		}
-	}
-	return false;
-}
-
 /*
  * The matrix for normals, in normal_q28 where they are to be rotated; what is
  * to turn the lights otherwise, in turned. Whole is the scale put in.
@@ -331,9 +320,13 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 		lighting->color_material && soft->arrays.color.enabled;
 	shading->fast = false;
 	shading->color_array = soft->arrays.color.enabled;
-	draw->eye_needed = shading->lit && has_positional(lighting);
+	draw->eye_needed = false;
 	if (!shading->lit) {
 		return;
+	}
+	for (int i = 0; i < SOFT_LIGHTS; i++) {
+		draw->eye_needed |= lighting->light[i].enabled &&
+			lighting->light[i].position[3] != 0.0f;
 	}
 	prepare_normals(soft, draw, normal);
 	prepare_base(soft, shading);

@@ -83,9 +83,7 @@
 	ldrb	r0, [r1, #VERTEX_SHADED]
 	cmp	r0, #0
 	bne	1f
-	ldr	r2, [sp, #INDEX]
 	ldr	r0, [sp, #DRAW]
-	ldrh	r2, [r2, #2 * \number - 6]
 	bl	soft_shade_vertex
 1:
 	.endm

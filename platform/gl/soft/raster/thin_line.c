@@ -1,5 +1,4 @@
-#include "platform/gl/soft/raster/thin_line.h"
-
+/* Lines that are one pixel wide, without a texture. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/points.h"

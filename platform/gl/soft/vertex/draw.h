@@ -21,7 +21,6 @@
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/fast/textured.h"
 #include "platform/gl/soft/fast/tile_row.h"
-#include "platform/gl/soft/raster/thin_line.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/key.h"
@@ -188,7 +187,7 @@ struct view {
 	enum position_kind kind;
 	float scale; /* of floats */
 	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
-	int32_t center_z, depth; /* 2 bits of fraction; for z / w in Q29 */
+	int32_t center_z, depth;     /* 2 bits of fraction; for z / w in Q29 */
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 
@@ -327,11 +326,15 @@ void soft_transform_c(
 	const struct draw *draw, uint32_t index, struct vertex *out);
 /* From clip coordinates inside of the volume to the window. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
-/* light.c: fills the attributes unless they are there, or nobody wants them. */
-void soft_shade(const struct draw *draw, struct vertex *vertex);
-/* Fills them, of a vertex that has this index, which callers have at hand. */
-void soft_shade_vertex(
-	const struct draw *draw, struct vertex *vertex, uint32_t index);
+/* light.c: fills the attributes of a vertex. */
+void soft_shade_vertex(const struct draw *draw, struct vertex *vertex);
+/* Unless they are there, or nobody wants them. */
+static inline void soft_shade(const struct draw *draw, struct vertex *vertex)
+{
+	if (!vertex->shaded && draw->attributes != 0) {
+		soft_shade_vertex(draw, vertex);
+	}
+}
 
 /* array.c: elements of arrays as fixed point. */
 void soft_array_position(
@@ -390,6 +393,16 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
  * and have no other side: points and lines.
  */
 void soft_fill_quad(struct draw *draw, struct vertex v[4]);
+
+/*
+ * thin_line.c: whether lines of a prepared call are one pixel wide and without a
+ * texture. Such lines have a pixel for each column, or for each row of steep
+ * lines, as GL ES 1.1 section 3.4.1 has it; line.c makes two triangles of others.
+ */
+bool soft_lines_are_thin(const struct draw *draw, GLenum mode);
+/* thin_line.c: one between two shaded vertices at different places. */
+void soft_draw_thin_line(
+	struct draw *draw, const struct vertex *a, const struct vertex *b);
 
 /* line.c */
 void soft_draw_point(struct draw *draw, struct vertex *v);

@@ -372,8 +372,7 @@ static NEVER_INLINE void light_back(
 	light_fast(shading, vertex->index, true, vertex->back);
 }
 
-void soft_shade_vertex(
-	const struct draw *draw, struct vertex *vertex, uint32_t index)
+void soft_shade_vertex(const struct draw *draw, struct vertex *vertex)
 {
 	const struct shading *shading = &draw->shading;
 
@@ -381,19 +380,13 @@ void soft_shade_vertex(
 	if (!shading->lit) {
 		soft_shade_color(draw, vertex);
 	} else if (!shading->fast ||
-		!light_fast(shading, index, false, vertex->attribute + RED)) {
+		!light_fast(shading, vertex->index, false,
+			vertex->attribute + RED)) {
 		light_any(draw, vertex);
 	} else if (shading->two_side) {
 		light_back(shading, vertex);
 	}
 	if (draw->shade_more) {
 		soft_shade_rest(draw, vertex);
-	}
-}
-
-void soft_shade(const struct draw *draw, struct vertex *vertex)
-{
-	if (!vertex->shaded && draw->attributes != 0) {
-		soft_shade_vertex(draw, vertex, vertex->index);
 	}
 }

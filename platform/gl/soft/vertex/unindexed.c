@@ -126,14 +126,6 @@ static ALWAYS_INLINE void set_corners(
 	setup->middle = (int)((b.xy + (7 << 16)) >> 20);
 }
 
-static ALWAYS_INLINE void shade_corner(
-	const struct draw *draw, struct vertex *vertex)
-{
-	if (!vertex->shaded) {
-		soft_shade_vertex(draw, vertex, vertex->index);
-	}
-}
-
 static NEVER_INLINE void draw_tagged(struct draw *draw,
 	const struct cache_tag *at_a, const struct cache_tag *at_b,
 	const struct cache_tag *at_c, int32_t twice_area)
@@ -161,9 +153,9 @@ static NEVER_INLINE void draw_tagged(struct draw *draw,
 	setup.back = ((uint32_t)twice_area >> 31) ^ fast_setup->back_flip;
 	setup.area = raster_size(twice_area);
 	if (fast_setup->attributes) {
-		shade_corner(draw, a.vertex);
-		shade_corner(draw, b.vertex);
-		shade_corner(draw, c.vertex);
+		soft_shade(draw, a.vertex);
+		soft_shade(draw, b.vertex);
+		soft_shade(draw, c.vertex);
 	}
 	fast_setup->fill(draw, &setup);
 }

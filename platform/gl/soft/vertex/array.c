@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "platform/base/scalar.h"
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -25,14 +26,6 @@ static struct element find_element(
 		return (struct element){(const uint8_t *)current, GL_FIXED};
 	}
 	return (struct element){element_at(array, index), array->type};
-}
-
-static uint32_t load_bits(const uint8_t *at)
-{
-	uint32_t bits;
-
-	memcpy(&bits, at, sizeof(bits));
-	return bits;
 }
 
 static float load_float(const struct element *from, int i)
@@ -72,7 +65,7 @@ static int32_t load_value(const struct element *from, int i, float scale)
 		memcpy(&value, from->at + 2 * i, sizeof(value));
 		return value;
 	default:
-		return (int32_t)load_bits(from->at + 4 * i);
+		return (int32_t)load_32(from->at + 4 * i);
 	}
 }
 
@@ -83,7 +76,7 @@ static uint32_t largest_float_of_pairs(
 	uint32_t most = 0;
 
 	for (; count > 0; count--, at += stride_bytes) {
-		uint32_t x = load_bits(at) << 1, y = load_bits(at + 4) << 1;
+		uint32_t x = load_32(at) << 1, y = load_32(at + 4) << 1;
 
 		most = x > most ? x : most;
 		most = y > most ? y : most;

@@ -83,8 +83,7 @@ static struct bytes make_png(int width, int height, const struct kind *kind,
 	return bytes;
 }
 
-static struct bytes write_jpeg(
-	int width, int height, bool gray, int level, bool progressive)
+static struct bytes make_jpeg(int width, int height, bool gray, int level)
 {
 	struct jpeg_compress_struct jpeg;
 	struct jpeg_error_mgr errors;
@@ -104,9 +103,6 @@ static struct bytes write_jpeg(
 	jpeg.input_components = gray ? 1 : 3;
 	jpeg.in_color_space = gray ? JCS_GRAYSCALE : JCS_RGB;
 	jpeg_set_defaults(&jpeg);
-	if (progressive) {
-		jpeg_simple_progression(&jpeg);
-	}
 	jpeg_start_compress(&jpeg, TRUE);
 	while (jpeg.next_scanline < jpeg.image_height) {
 		jpeg_write_scanlines(&jpeg, rows, 1);
@@ -118,11 +114,6 @@ static struct bytes write_jpeg(
 	bytes.size = size;
 	free(data);
 	return bytes;
-}
-
-static struct bytes make_jpeg(int width, int height, bool gray, int level)
-{
-	return write_jpeg(width, height, gray, level, false);
 }
 
 static int decode(const struct bytes *bytes, struct log_capture *logged,
@@ -385,46 +376,6 @@ static void test_refuses_sizes_above_the_limit(void **state)
 	expect_refusal(&jpeg, -EFBIG, "has 8x65500 pixels");
 }
 
-/* Repeats the last scan of an image, from its marker to the end. */
-static void repeat_scan(struct bytes *bytes, int times)
-{
-	size_t end = bytes->size - 2;
-	size_t begin = end - 2;
-	size_t length;
-
-	while (bytes->data[begin] != 0xff || bytes->data[begin + 1] != 0xda) {
-		assert_true(begin > 0);
-		begin--;
-	}
-	length = end - begin;
-	while (times-- > 0) {
-		assert_true(end + length + 2 <= sizeof(bytes->data));
-		memcpy(bytes->data + end, bytes->data + begin, length);
-		end += length;
-	}
-	bytes->data[end] = 0xff;
-	bytes->data[end + 1] = 0xd9;
-	bytes->size = end + 2;
-}
-
-/* A few kilobytes of scans could keep a decoder busy for minutes. */
-static void test_refuses_a_jpeg_with_too_many_scans(void **state)
-{
-	struct bytes few = write_jpeg(8, 8, true, 128, true);
-	struct bytes many = few;
-	struct log_capture logged;
-	struct model_image image;
-	struct arena arena;
-
-	(void)state;
-	assert_int_equal(decode(&few, &logged, &arena, &image), 0);
-	assert_int_equal(image.rgba[0], 128);
-	arena_release(&arena);
-	repeat_scan(&many, 150);
-	expect_refusal(&many, -EINVAL,
-		"JPEG image is broken: it has more than 100 scans");
-}
-
 static void test_refuses_a_png_without_pixels(void **state)
 {
 	struct bytes bytes = {.size = 0};
@@ -456,7 +407,6 @@ int main(void)
 		cmocka_unit_test(test_refuses_a_broken_jpeg_header),
 		cmocka_unit_test(test_decodes_a_damaged_jpeg_with_a_warning),
 		cmocka_unit_test(test_refuses_sizes_above_the_limit),
-		cmocka_unit_test(test_refuses_a_jpeg_with_too_many_scans),
 		cmocka_unit_test(test_refuses_a_png_without_pixels),
 	};
 

@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <linux/watchdog.h>
 #include <signal.h>
@@ -30,8 +31,8 @@ static struct {
 
 static int fake_open(const char *path, int flags)
 {
-	(void)path;
-	(void)flags;
+	assert_string_equal(path, "/dev/wd");
+	assert_int_equal(flags, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
 	if (fake.open_error) {
 		errno = fake.open_error;
 		return -1;
@@ -177,6 +178,35 @@ static void test_a_silent_process_ends_before_the_board_restarts(void **state)
 	assert_int_equal(WTERMSIG(status), SIGALRM);
 }
 
+static void test_the_longest_timeout_is_an_hour(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+
+	(void)state;
+	fake.timeout_s = 3600;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	assert_in_range(seconds_left(&watchdog) * 1000.0, 3590000, 3598000);
+	watchdog_close(&watchdog);
+}
+
+/* The process that has closed it may be silent. */
+static void test_closing_it_ends_the_timer(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct itimerspec left = {0};
+	struct watchdog watchdog;
+	timer_t timer;
+
+	(void)state;
+	fake.timeout_s = 60;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	timer = watchdog.timer;
+	watchdog_close(&watchdog);
+	assert_int_equal(timer_gettime(timer, &left), -1);
+	assert_int_equal(errno, EINVAL);
+}
+
 static void test_absurd_timeouts_set_no_timer(void **state)
 {
 	static const int timeouts_s[] = {INT_MIN, -1, 1, 4, 3601, INT_MAX};
@@ -237,6 +267,36 @@ static void test_a_watchdog_that_cannot_be_fed_is_logged(void **state)
 	assert_int_equal(fake.open_count, 0);
 }
 
+/* It is fed again in a second. */
+static void test_an_interrupted_call_is_no_warning(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	(void)state;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	fake.write_error = EINTR;
+	watchdog_feed(&watchdog, 0);
+	fake.write_error = 0;
+	assert_int_equal(capture.count, 0);
+	watchdog_close(&watchdog);
+}
+
+static void test_a_watchdog_that_cannot_be_stopped_is_logged(void **state)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	(void)state;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	fake.write_error = EIO;
+	watchdog_close(&watchdog);
+	assert_int_equal(capture.count, 1);
+	assert_true(log_capture_has(&capture, LOG_WARNING, "cannot be stopped"));
+}
+
 static void test_a_real_file_is_fed(void **state)
 {
 	struct test_path folder = temp_dir_make();
@@ -272,11 +332,18 @@ int main(void)
 		cmocka_unit_test_setup(
 			test_a_silent_process_ends_before_the_board_restarts,
 			forget),
+		cmocka_unit_test_setup(
+			test_the_longest_timeout_is_an_hour, forget),
+		cmocka_unit_test_setup(test_closing_it_ends_the_timer, forget),
 		cmocka_unit_test_setup(test_absurd_timeouts_set_no_timer, forget),
 		cmocka_unit_test_setup(
 			test_a_missing_watchdog_is_logged_once, forget),
 		cmocka_unit_test_setup(
 			test_a_watchdog_that_cannot_be_fed_is_logged, forget),
+		cmocka_unit_test_setup(
+			test_an_interrupted_call_is_no_warning, forget),
+		cmocka_unit_test_setup(
+			test_a_watchdog_that_cannot_be_stopped_is_logged, forget),
 		cmocka_unit_test_setup(test_a_real_file_is_fed, forget),
 	};
 

@@ -223,6 +223,80 @@ static void test_folders_with_long_names_hold_no_watchdogs(void **state)
 	assert_int_equal(capture.finding[1].state, SURVEY_MISSING);
 }
 
+/* A path has at most 255 characters. */
+static void test_a_path_of_255_characters_is_looked_at(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	char pad[256] = "";
+
+	(void)state;
+	memset(pad, 'p', 255 - strlen(folder.text) - strlen("//watchdog0"));
+	for (int more = 0; more < 2; more++) {
+		struct survey_capture capture;
+		const struct survey survey =
+			survey_capture_begin(&capture, folder.text);
+		struct test_path devices = path_join(&folder, pad);
+
+		make_folder(&folder, pad);
+		write_text(&devices, "watchdog0", "");
+		watchdog_survey(devices.text, &survey);
+		assert_int_equal(capture.count, 1);
+		assert_int_equal(capture.finding[0].state,
+			more ? SURVEY_MISSING : SURVEY_WORKS);
+		strcat(pad, "p");
+	}
+	temp_dir_remove(&folder);
+}
+
+static void test_an_old_name_of_255_characters_is_looked_at(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, folder.text);
+	struct test_path devices;
+	char pad[256] = "";
+
+	(void)state;
+	memset(pad, 'p', 255 - strlen(folder.text) - strlen("//watchdog"));
+	devices = path_join(&folder, pad);
+	make_folder(&folder, pad);
+	write_text(&devices, "watchdog", "");
+	watchdog_survey(devices.text, &survey);
+	assert_int_equal(capture.count, 1);
+	assert_int_equal(capture.finding[0].state, SURVEY_WORKS);
+	temp_dir_remove(&folder);
+}
+
+/* The state of a watchdog whose attributes have such paths. */
+static enum survey_state state_below(
+	const struct test_path *folder, const char *pad)
+{
+	struct test_path system = path_join(folder, pad);
+	struct test_path devices = path_join(&system, "dev");
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, system.text);
+
+	make_folder(folder, pad);
+	make_watchdogs(&system, "active\n");
+	watchdog_survey(devices.text, &survey);
+	return capture.finding[0].state;
+}
+
+static void test_an_attribute_s_path_may_have_255_characters(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	char pad[256] = "";
+
+	(void)state;
+	memset(pad, 'p',
+		255 - strlen(folder.text) -
+			strlen("//class/watchdog/watchdog0/state"));
+	assert_int_equal(state_below(&folder, pad), SURVEY_TAKEN);
+	strcat(pad, "p");
+	assert_int_equal(state_below(&folder, pad), SURVEY_WORKS);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -236,6 +310,10 @@ int main(void)
 		cmocka_unit_test(test_eight_watchdogs_are_looked_for),
 		cmocka_unit_test(test_a_watchdog_of_root_is_denied_to_others),
 		cmocka_unit_test(test_folders_with_long_names_hold_no_watchdogs),
+		cmocka_unit_test(test_a_path_of_255_characters_is_looked_at),
+		cmocka_unit_test(test_an_old_name_of_255_characters_is_looked_at),
+		cmocka_unit_test(
+			test_an_attribute_s_path_may_have_255_characters),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

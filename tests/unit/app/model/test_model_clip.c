@@ -1,6 +1,7 @@
 /* glTF animations: interpolations, number formats, durations. */
 #include "app/model/model_loader.h"
 #include "app/model/model_stats.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
@@ -410,6 +411,40 @@ static void test_marks_rotations_of_unit_length(void **state)
 	assert_false(channel[2].unit);
 }
 
+/* Lengths are 1 and so many steps of a float below or above 1. */
+static void test_a_unit_length_is_right_to_a_millionth(void **state)
+{
+	static const float below = 0x1p-24f, above = 0x1p-23f;
+	const struct {
+		float key[4];
+		bool unit;
+	} cases[] = {
+		{{0, 0, 0, 1 - 16 * below}, true},
+		{{0, 0, 0, 1 - 17 * below}, false},
+		{{0, 1 + 8 * above, 0, 0}, true},
+		/* 8.5 steps */
+		{{0, 1 + 8 * above, 0x1p-11f * 0.70710678f, 0}, false},
+		{{1 + 9 * above, 0, 0, 0}, false},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		static const float time_s[1] = {0};
+		struct model_channel channel = {.path = MODEL_ROTATION,
+			.interpolation = MODEL_LINEAR,
+			.width = 4,
+			.key_count = 1,
+			.time_s = time_s,
+			.value = cases[i].key};
+		struct model_clip clip = {
+			.channel_count = 1, .channel = &channel};
+		struct model model = {.clip_count = 1, .clip = &clip};
+
+		model_prepare_clips(&model);
+		assert_int_equal(channel.unit, cases[i].unit);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -433,6 +468,7 @@ int main(void)
 		cmocka_unit_test(test_marks_constant_channels),
 		cmocka_unit_test(test_keeps_one_key_of_constant_channels),
 		cmocka_unit_test(test_marks_rotations_of_unit_length),
+		cmocka_unit_test(test_a_unit_length_is_right_to_a_millionth),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

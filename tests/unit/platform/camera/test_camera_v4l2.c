@@ -19,9 +19,13 @@ static struct v4l2_session begin(struct v4l2_fake *fake)
 	return session;
 }
 
-/* Closes the session and checks that everything was released. */
+/*
+ * Closes the session, whose device may be closed again, and checks that
+ * everything was released once.
+ */
 static void end(struct v4l2_fake *fake, struct v4l2_session *session)
 {
+	v4l2_device_close(&session->device);
 	v4l2_device_close(&session->device);
 	assert_false(fake->open);
 	assert_false(fake->used_wrongly);

@@ -1,0 +1,360 @@
+/* Nodes and clips of exported files. */
+#include "app/compare/export/export_bake.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/model/bones.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+	CLIPS_MAX = 2,
+	CHANNELS_MAX = 3
+};
+
+static const float times[4] = {0.0f, 0.125f, 0.25f, 0.5f};
+static const float values[40] = {1, 2, 3, 4};
+
+/* A root and two nodes on it; clips without channels. */
+struct fixture {
+	struct bones bones;
+	struct model_clip clip[CLIPS_MAX];
+	struct model_channel channel[CLIPS_MAX][CHANNELS_MAX];
+	struct comparison_clip compared[CLIPS_MAX];
+	struct comparison comparison;
+	json_t *root; /* of the written file */
+	uint8_t *data;
+};
+
+static void begin(struct fixture *f)
+{
+	memset(f, 0, sizeof(*f));
+	bones_begin(&f->bones);
+	bones_add(&f->bones, -1, 1, 2, 3);
+	bones_add(&f->bones, 0, 4, 5, 6);
+	bones_add(&f->bones, 0, 7, 8, 9);
+	f->bones.model.clip = f->clip;
+	f->bones.model.clip_count = CLIPS_MAX;
+	for (int i = 0; i < CLIPS_MAX; i++) {
+		f->clip[i] = (struct model_clip){
+			.name = i == 0 ? "a" : "b", .channel = f->channel[i]};
+		f->compared[i].clip = i;
+	}
+	f->comparison = (struct comparison){
+		.model = &f->bones.model, .clip = f->compared};
+}
+
+static void end(struct fixture *f)
+{
+	json_decref(f->root);
+	free(f->data);
+	bones_end(&f->bones);
+}
+
+/* A channel with that many of the times, whose end the clip lasts to. */
+static struct model_channel *add_channel(
+	struct fixture *f, int clip, int node, enum model_path path, int keys)
+{
+	struct model_channel *channel =
+		&f->channel[clip][f->clip[clip].channel_count++];
+	float *duration_s = &f->clip[clip].duration_s;
+
+	*channel = (struct model_channel){.node = node,
+		.path = path,
+		.interpolation = MODEL_LINEAR,
+		.width = path == MODEL_ROTATION ? 4
+			: path == MODEL_WEIGHTS ? 2
+						: 3,
+		.key_count = keys,
+		.time_s = times,
+		.value = values};
+	*duration_s =
+		times[keys - 1] > *duration_s ? times[keys - 1] : *duration_s;
+	return channel;
+}
+
+static void write_file(struct fixture *f, struct glb *glb)
+{
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	size_t size;
+
+	assert_int_equal(
+		glb_write_memory(glb, "t.glb", &log, &f->data, &size), 0);
+	/* The JSON follows two headers, of 12 and 8 bytes. */
+	f->root = json_loadb((const char *)f->data + 20,
+		(size_t)f->data[12] | (size_t)f->data[13] << 8, 0, NULL);
+	assert_non_null(f->root);
+}
+
+static void write_clips(struct fixture *f, bool targets)
+{
+	struct glb glb;
+
+	glb_begin_memory(&glb);
+	export_clips(&glb, &f->comparison, targets);
+	write_file(f, &glb);
+}
+
+/* The JSON of the member, with ' for ", is that. */
+static void expect_member(
+	const struct fixture *f, const char *name, const char *wanted)
+{
+	json_t *member = json_object_get(f->root, name);
+	char *text = member ? json_dumps(member, JSON_COMPACT | JSON_SORT_KEYS)
+			    : NULL;
+
+	for (char *at = text; at && *at; at++) {
+		*at = *at == '"' ? '\'' : *at;
+	}
+	assert_string_equal(text ? text : "", wanted);
+	free(text);
+}
+
+/* "count type" of all accessors, one after the other. */
+static void expect_accessors(const struct fixture *f, const char *wanted)
+{
+	char text[400] = "";
+	json_t *accessor;
+	size_t i;
+
+	json_array_foreach(json_object_get(f->root, "accessors"), i, accessor)
+	{
+		snprintf(text + strlen(text), sizeof(text) - strlen(text),
+			"%d %s%s ",
+			(int)json_integer_value(
+				json_object_get(accessor, "count")),
+			json_string_value(json_object_get(accessor, "type")),
+			json_integer_value(json_object_get(
+				accessor, "componentType")) == GLB_FLOAT
+				? ""
+				: "!");
+	}
+	assert_string_equal(text, wanted);
+}
+
+static void test_channels_of_all_paths_and_interpolations(void **state)
+{
+	static const int16_t packed[4][4] = {{0, 0, 0, 32767}};
+	struct model_channel *turn;
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 2;
+	add_channel(&f, 0, 1, MODEL_SCALE, 4)->interpolation = MODEL_STEP;
+	add_channel(&f, 0, 2, MODEL_WEIGHTS, 4)->interpolation =
+		MODEL_CUBICSPLINE;
+	turn = add_channel(&f, 1, 2, MODEL_ROTATION, 4);
+	turn->value = NULL;
+	turn->packed = packed;
+	add_channel(&f, 1, 0, MODEL_TRANSLATION, 3)->interpolation =
+		MODEL_CUBICSPLINE;
+	write_clips(&f, true);
+	expect_member(&f, "animations",
+		"[{'channels':["
+		"{'sampler':0,'target':{'node':1,'path':'scale'}},"
+		"{'sampler':1,'target':{'node':2,'path':'weights'}}],"
+		"'name':'a','samplers':["
+		"{'input':0,'interpolation':'STEP','output':1},"
+		"{'input':0,'interpolation':'CUBICSPLINE','output':2}]},"
+		"{'channels':["
+		"{'sampler':0,'target':{'node':2,'path':'rotation'}},"
+		"{'sampler':1,'target':{'node':0,'path':'translation'}}],"
+		"'name':'b','samplers':["
+		"{'input':3,'interpolation':'LINEAR','output':4},"
+		"{'input':5,'interpolation':'CUBICSPLINE','output':6}]}]");
+	/* Three values a key of a spline, two weights a value. */
+	expect_accessors(&f,
+		"4 SCALAR 4 VEC3 24 SCALAR 4 SCALAR 4 VEC4! 3 SCALAR 9 VEC3 ");
+	end(&f);
+}
+
+static void test_times_are_stored_once_while_they_are_the_same(void **state)
+{
+	static const float others[4] = {0.0f, 0.125f, 0.25f, 0.5f};
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 1;
+	add_channel(&f, 0, 0, MODEL_SCALE, 4);
+	add_channel(&f, 0, 1, MODEL_SCALE, 4)->time_s = others;
+	add_channel(&f, 0, 2, MODEL_SCALE, 4)->time_s = others;
+	write_clips(&f, true);
+	expect_accessors(&f, "4 SCALAR 4 VEC3 4 SCALAR 4 VEC3 4 VEC3 ");
+	end(&f);
+}
+
+static void test_only_clips_that_are_compared_are_written(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	add_channel(&f, 0, 0, MODEL_SCALE, 1);
+	add_channel(&f, 1, 1, MODEL_SCALE, 1);
+	f.comparison.clip_count = 1;
+	f.compared[0].clip = 1;
+	write_clips(&f, true);
+	expect_member(&f, "animations",
+		"[{'channels':["
+		"{'sampler':0,'target':{'node':1,'path':'scale'}}],"
+		"'name':'b','samplers':["
+		"{'input':0,'interpolation':'LINEAR','output':1}]}]");
+	end(&f);
+}
+
+#define STILL(sampler, node)                            \
+	"{'sampler':" sampler ",'target':{'node':" node \
+	",'path':'translation'}}"
+
+/*
+ * Without its weights, a clip ends with its last other key, or is missing: the
+ * first node whose translation it leaves alone keeps its duration.
+ */
+static void test_clips_without_weights_keep_their_duration(void **state)
+{
+	static const float still[8] = {0.0f, 0.5f, 4, 5, 6, 4, 5, 6};
+	struct fixture f;
+	size_t size;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 1;
+	add_channel(&f, 0, 0, MODEL_TRANSLATION, 3);
+	add_channel(&f, 0, 1, MODEL_SCALE, 3);
+	add_channel(&f, 0, 2, MODEL_WEIGHTS, 4);
+	write_clips(&f, false);
+	expect_member(&f, "animations",
+		"[{'channels':[" STILL("0",
+			"0") ","
+			     "{'sampler':1,'target':{'node':1,'path':'scale'}}," STILL(
+				     "2",
+				     "1") "],'name':'a','samplers':["
+					  "{'input':0,'interpolation':'LINEAR','output':1},"
+					  "{'input':0,'interpolation':'LINEAR','output':2},"
+					  "{'input':3,'interpolation':'STEP','output':4}]}]");
+	expect_accessors(&f, "3 SCALAR 3 VEC3 3 VEC3 2 SCALAR 2 VEC3 ");
+	size = (size_t)f.data[8] | (size_t)f.data[9] << 8;
+	assert_memory_equal(f.data + size - sizeof(still), still, sizeof(still));
+	end(&f);
+}
+
+static void test_a_clip_that_ends_in_time_needs_no_node(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 1;
+	add_channel(&f, 0, 0, MODEL_SCALE, 4);
+	add_channel(&f, 0, 2, MODEL_WEIGHTS, 4);
+	write_clips(&f, false);
+	expect_member(&f, "animations",
+		"[{'channels':["
+		"{'sampler':0,'target':{'node':0,'path':'scale'}}],"
+		"'name':'a','samplers':["
+		"{'input':0,'interpolation':'LINEAR','output':1}]}]");
+	end(&f);
+}
+
+/* Node 0 is a matrix; the clip moves node 1, and then node 2 as well. */
+static void test_a_clip_of_weights_alone_stays_if_a_node_can_hold_it(
+	void **state)
+{
+	static const float matrix[4][4] = {{0}};
+
+	(void)state;
+	for (int held = 0; held < 2; held++) {
+		struct fixture f;
+
+		begin(&f);
+		f.comparison.clip_count = 1;
+		f.bones.node[0].matrix = matrix;
+		add_channel(&f, 0, 2, MODEL_WEIGHTS, 4);
+		if (!held) {
+			f.bones.node[1].matrix = matrix;
+			f.bones.node[2].matrix = matrix;
+		}
+		write_clips(&f, false);
+		expect_member(&f, "animations",
+			held ? "[{'channels':[" STILL("0",
+				       "1") "],'name':'a',"
+					    "'samplers':[{'input':0,'interpolation':'STEP',"
+					    "'output':1}]}]"
+			     : "");
+		end(&f);
+	}
+}
+
+static void test_a_clip_without_duration_goes_with_its_weights(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 2;
+	add_channel(&f, 0, 2, MODEL_WEIGHTS, 1);
+	write_clips(&f, false);
+	expect_member(&f, "animations", "");
+	end(&f);
+}
+
+/* Only the scene's roots are in it, unless joints show the meshes. */
+static void test_nodes_keep_what_they_are(void **state)
+{
+	static const float matrix[4][4] = {{1, 2}, {3}, {4}, {5, 0, 0, 6}};
+	static const int mesh[4] = {-1, 0, 1, -1};
+
+	(void)state;
+	for (int skins = 0; skins < 2; skins++) {
+		json_t *levels = json_array();
+		struct fixture f;
+		struct glb glb;
+
+		begin(&f);
+		bones_add(&f.bones, -1, 0, 0, 0);
+		f.bones.node[3].in_scene = false;
+		f.bones.node[1].skin = 0;
+		f.bones.node[3].skin = 1;
+		f.bones.node[2].matrix = matrix;
+		glb_begin_memory(&glb);
+		glb_set(&glb, "meshes", json_pack("[{},{}]"));
+		export_nodes(&glb, &f.bones.model, mesh, skins, levels);
+		write_file(&f, &glb);
+#define REST "'rotation':[0.0,0.0,0.0,1.0],'scale':[1.0,1.0,1.0],"
+#define NODES(skin)                                                         \
+	"[{'children':[1,2],'name':''," REST "'translation':[1.0,2.0,3.0]}" \
+	",{'mesh':0,'name':''," REST skin "'translation':[4.0,5.0,6.0]}"    \
+	",{'matrix':[1.0,2.0,0.0,0.0,3.0,0.0,0.0,0.0,4.0,0.0,0.0,0.0,5.0,"  \
+	"0.0,0.0,6.0],'mesh':1,'name':''},"                                 \
+	"{'name':''," REST "'translation':[0.0,0.0,0.0]}]"
+		expect_member(
+			&f, "nodes", skins ? NODES("'skin':0,") : NODES(""));
+		expect_member(&f, "scenes",
+			skins ? "[{'nodes':[0]}]" : "[{'nodes':[0,3]}]");
+		json_decref(levels);
+		end(&f);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_channels_of_all_paths_and_interpolations),
+		cmocka_unit_test(
+			test_times_are_stored_once_while_they_are_the_same),
+		cmocka_unit_test(test_only_clips_that_are_compared_are_written),
+		cmocka_unit_test(test_clips_without_weights_keep_their_duration),
+		cmocka_unit_test(test_a_clip_that_ends_in_time_needs_no_node),
+		cmocka_unit_test(
+			test_a_clip_of_weights_alone_stays_if_a_node_can_hold_it),
+		cmocka_unit_test(
+			test_a_clip_without_duration_goes_with_its_weights),
+		cmocka_unit_test(test_nodes_keep_what_they_are),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -149,8 +149,12 @@ static void set_bounds(
 
 static int add_accessor(struct glb *glb, json_t *accessor)
 {
+	if (glb->error) {
+		json_decref(accessor);
+		return -1;
+	}
 	if (!accessor || json_array_append_new(glb->accessors, accessor) != 0) {
-		glb->error = glb->error ? glb->error : -ENOMEM;
+		glb->error = -ENOMEM;
 		return -1;
 	}
 	return (int)json_array_size(glb->accessors) - 1;

@@ -105,6 +105,24 @@ static bool is_ordered(const struct model_skin *skin)
 	return true;
 }
 
+/* The skins with which nodes draw a mesh. */
+static int count_skins(const struct model *model, int mesh)
+{
+	int count = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+		bool another = node->mesh == mesh && node->skin >= 0;
+
+		for (int other = i; another && other-- > 0;) {
+			another = model->node[other].mesh != mesh ||
+				model->node[other].skin != node->skin;
+		}
+		count += another;
+	}
+	return count;
+}
+
 static void report_skins(
 	const struct model *model, const struct examiner *examiner)
 {
@@ -117,21 +135,12 @@ static void report_skins(
 		"skins that list their joints in another order than the nodes",
 		"limber takes the joint numbers of vertices as indices into the skin's list");
 	for (int m = 0; m < model->mesh_count; m++) {
-		int first = -1, users = 0;
+		int skins = count_skins(model, m);
 
-		for (int i = 0; i < model->node_count; i++) {
-			const struct model_node *node = &model->node[i];
-
-			if (node->mesh == m && node->skin >= 0 &&
-				node->skin != first) {
-				first = first < 0 ? node->skin : first;
-				users++;
-			}
-		}
-		if (users > 1) {
+		if (skins > 1) {
 			examine_report(examiner,
 				"mesh %d is drawn with %d skins; limber poses it once for each skin",
-				m, users);
+				m, skins);
 		}
 	}
 }

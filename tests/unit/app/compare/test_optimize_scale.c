@@ -210,6 +210,12 @@ static void test_levels_of_detail_share_a_unit(void **state)
 		"\"nodes\":[{\"mesh\":0,\"extensions\":{\"MSFT_lod\":"
 		"{\"ids\":[2]}}},{\"mesh\":2},{\"mesh\":1}]",
 		(const float[]){0.0f, 0.0f, 8.0f}, 0);
+	/* Whatever its number, and with a skin of its own. */
+	check(size, 3,
+		"\"nodes\":[{\"mesh\":1,\"skin\":0,\"extensions\":{\"MSFT_lod\":"
+		"{\"ids\":[1]}}},{\"mesh\":0,\"skin\":1},{\"mesh\":2},{}],"
+		"\"skins\":[{\"joints\":[3]},{\"joints\":[3]}]",
+		(const float[]){4.0f, 4.0f, 8.0f, 4.0f, 4.0f}, 2);
 	/* A level alone cannot be scaled either. */
 	check(size, 3,
 		"\"nodes\":[{\"extensions\":{\"MSFT_lod\":{\"ids\":[1]}}},"

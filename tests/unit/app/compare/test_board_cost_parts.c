@@ -1,0 +1,251 @@
+/* What each part of posing costs, as fitted (app/compare/figures.md). */
+#include "app/anim/kernel/arm11_cost.h"
+#include "app/compare/cost/board_cost.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+static void expect_cost(
+	struct board_cost cost, double cycles, double instructions)
+{
+	assert_near(cost.cycles, cycles, 1e-3);
+	assert_near(cost.instructions, instructions, 1e-3);
+}
+
+static void test_nodes_joints_and_solid_drawables(void **state)
+{
+	(void)state;
+	expect_cost(board_cost_matrices(0, 0), 529.0, 68.0);
+	expect_cost(board_cost_matrices(3, 0), 529.0 + 3 * 413, 68.0 + 3 * 93);
+	expect_cost(board_cost_matrices(0, 5), 529.0 + 5 * 620, 68.0 + 5 * 54);
+	expect_cost(board_cost_solid(4), 4 * 347.0, 4 * 54.0);
+}
+
+static void test_key_frames(void **state)
+{
+	(void)state;
+	expect_cost(board_cost_keys(0, false, 0), 1700.0, 287.0);
+	expect_cost(board_cost_keys(0, true, 9), 1700.0 + 9 * 7, 287 + 9 * 7.4);
+	expect_cost(board_cost_keys(100, false, 0), 1700.0 + 1910, 287 + 1110.0);
+	expect_cost(board_cost_keys(100, true, 0), 1700.0 + 3820, 287 + 2220.0);
+	expect_cost(board_cost_sample_keys(0), 1315.0 + 75 + 653 + 60,
+		120 + 7.1 + 82 + 9.2);
+	expect_cost(board_cost_sample_keys(10), 1315.0 + 75 + 653 + 60 + 720,
+		120 + 7.1 + 82 + 9.2 + 58);
+}
+
+static void test_weighted_targets(void **state)
+{
+	const struct arm11_cost *pair = &arm11_cost[ARM11_TARGETS_2];
+
+	(void)state;
+	expect_cost(board_cost_targets(&(struct board_targets){0}), 0, 0);
+	expect_cost(board_cost_targets(&(struct board_targets){.copied = 10}),
+		120, 20);
+	expect_cost(board_cost_targets(&(struct board_targets){.paired = 10}),
+		10 * (double)pair->cycles, 10 * (double)pair->instructions);
+	expect_cost(board_cost_targets(&(struct board_targets){.begun = 10}),
+		280, 130);
+	expect_cost(board_cost_targets(&(struct board_targets){.added = 10}),
+		270, 110);
+	expect_cost(board_cost_targets(&(struct board_targets){.rebased = 10}),
+		400, 140);
+}
+
+/* Without normals each triangle needs one. */
+static void test_gathered_vertices_and_facets(void **state)
+{
+	static float normal[1][3];
+	static const uint16_t index = 0;
+	static const uint32_t source = 0;
+	struct model_primitive primitive = {.normal = normal};
+	struct batch batch[3] = {
+		{.vertex_count = 10,
+			.source = &source,
+			.index = &index,
+			.index_count = 12},
+		{.vertex_count = 9, .source = &source},
+		{.vertex_count = 500, .index = &index, .index_count = 3},
+	};
+	struct drawable drawable = {
+		.primitive = &primitive, .batch_count = 3, .batch = batch};
+
+	(void)state;
+	expect_cost(board_cost_gather(&drawable), 19 * 76.0, 19 * 11.2);
+	primitive.normal = NULL;
+	expect_cost(board_cost_gather(&drawable), 19 * 76.0 + 7 * 106,
+		19 * 11.2 + 7 * 83.4);
+}
+
+/* The cost of a vertex of that many influences, of as many joints. */
+static void expect_vertex(
+	int influences, bool normals, double cycles, double instructions)
+{
+	float position[1][3] = {{0}}, weight[8] = {0};
+	uint16_t joint[8] = {65535, 3, 8, 1, 9, 0, 7, 5};
+	const struct model_primitive primitive = {.vertex_count = 1,
+		.position = position,
+		.normal = normals ? position : NULL,
+		.influences = 8,
+		.joint = joint,
+		.weight = weight};
+
+	for (int i = 0; i < influences; i++) {
+		weight[i] = 1.0f / (float)influences;
+	}
+	expect_cost(board_cost_skin(&primitive, 0), influences * 270 + cycles,
+		influences * 250 + instructions);
+}
+
+/* So many times one row of the table, and so many times another. */
+static void expect_rows(int influences, bool normals, enum arm11_work a,
+	double a_share, enum arm11_work b, double b_share)
+{
+	expect_vertex(influences, normals,
+		a_share * (double)arm11_cost[a].cycles +
+			b_share * (double)arm11_cost[b].cycles,
+		a_share * (double)arm11_cost[a].instructions +
+			b_share * (double)arm11_cost[b].instructions);
+}
+
+static void test_vertices_of_a_skin_by_their_influences(void **state)
+{
+	static const enum arm11_work plain[] = {
+		ARM11_SKIN_1, ARM11_SKIN_2, ARM11_SKIN_3, ARM11_SKIN_4};
+
+	(void)state;
+	for (int i = 1; i <= 4; i++) {
+		expect_rows(i, false, plain[i - 1], 1, ARM11_SKIN_1, 0);
+	}
+	/* The fifth and later ones cost as much as the fourth. */
+	expect_rows(5, false, ARM11_SKIN_4, 2, ARM11_SKIN_3, -1);
+	expect_rows(7, false, ARM11_SKIN_4, 4, ARM11_SKIN_3, -3);
+	expect_rows(1, true, ARM11_SKIN_NORMALS_1, 1, ARM11_SKIN_1, 0);
+	expect_rows(2, true, ARM11_SKIN_NORMALS_2, 1, ARM11_SKIN_1, 0);
+	expect_rows(
+		3, true, ARM11_SKIN_NORMALS_2, 0.5, ARM11_SKIN_NORMALS_4, 0.5);
+	expect_rows(4, true, ARM11_SKIN_NORMALS_4, 1, ARM11_SKIN_1, 0);
+	expect_rows(6, true, ARM11_SKIN_NORMALS_4, 2, ARM11_SKIN_NORMALS_2, -1);
+}
+
+/* A joint counts once, and a vertex without weights has one influence. */
+static void test_joints_count_once(void **state)
+{
+	float position[3][3] = {{0}}, weight[12] = {1, 0, 0, 0, 0.5f, 0.5f};
+	uint16_t joint[12] = {8, 0, 0, 0, 8, 16};
+	const struct model_primitive primitive = {.vertex_count = 3,
+		.position = position,
+		.influences = 4,
+		.joint = joint,
+		.weight = weight};
+
+	(void)state;
+	expect_cost(board_cost_skin(&primitive, 0),
+		2 * 270 + 2 * (double)arm11_cost[ARM11_SKIN_1].cycles +
+			(double)arm11_cost[ARM11_SKIN_2].cycles,
+		2 * 250 + 2 * (double)arm11_cost[ARM11_SKIN_1].instructions +
+			(double)arm11_cost[ARM11_SKIN_2].instructions);
+}
+
+static void expect_sample(const struct model_channel *channel, int count,
+	double cycles, double instructions)
+{
+	struct model_channel channels[4];
+	const struct model_clip clip = {
+		.channel_count = count, .channel = channels};
+
+	memcpy(channels, channel, (size_t)count * sizeof(*channel));
+	expect_cost(
+		board_cost_sample(&clip, 0), 1315 + cycles, 120 + instructions);
+	expect_cost(board_cost_sample(&clip, 10), 1315 + 750 + cycles,
+		120 + 71 + instructions);
+}
+
+static const float some_times[3] = {0, 1, 4}, other_times[3] = {0, 1, 4};
+static const float value[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+static void test_channels_that_move_have_times_once(void **state)
+{
+	const struct model_channel moved = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 3,
+		.time_s = some_times,
+		.value = value};
+	struct model_channel channel[3] = {moved, moved, moved};
+
+	(void)state;
+	expect_sample(channel, 0, 0, 0);
+	expect_sample(channel, 1, 653 + 60, 82 + 9.2);
+	expect_sample(channel, 3, 3 * 653 + 60, 3 * 82 + 9.2);
+	channel[1].time_s = other_times;
+	expect_sample(channel, 3, 3 * 653 + 2 * 60, 3 * 82 + 2 * 9.2);
+	channel[2].path = MODEL_WEIGHTS;
+	expect_sample(channel, 3, 3 * 653 + 2 * 60 + 3 * 72,
+		3 * 82 + 2 * 9.2 + 3 * 5.8);
+	/* What does not move costs nothing, and others have its times. */
+	channel[0].constant = true;
+	expect_sample(channel, 3, 2 * 653 + 2 * 60 + 3 * 72,
+		2 * 82 + 2 * 9.2 + 3 * 5.8);
+}
+
+/* Turns by more than 36 degrees need sines while they last. */
+static void test_turns_cost_by_how_far_they_are(void **state)
+{
+	/* Half of each angle: none, 90, 17.9 and 18.5 degrees. */
+	static const float keys[4][12] = {{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1},
+		{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0},
+		{0, 0, 0, 1, 0.307f, 0, 0, 0.9517f, 0.307f, 0, 0, 0.9517f},
+		{0, 0, 0, 1, 0.317f, 0, 0, 0.9483f, 0.317f, 0, 0, 0.9483f}};
+	static const double wide[4] = {0, 0.75, 0, 0.25};
+	struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.unit = true,
+		.width = 4,
+		.key_count = 3,
+		.time_s = some_times};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		channel.value = keys[i];
+		expect_sample(&channel, 1, 344 + 121 + 1245 * wide[i],
+			35.4 + 12.4 + 203 * wide[i]);
+	}
+	channel.key_count = 1;
+	expect_sample(&channel, 1, 344 + 121, 35.4 + 12.4);
+	/* Only linear rotations of unit length are turns. */
+	channel.interpolation = MODEL_STEP;
+	expect_sample(&channel, 1, 653 + 60, 82 + 9.2);
+	channel.interpolation = MODEL_LINEAR;
+	channel.unit = false;
+	expect_sample(&channel, 1, 653 + 60, 82 + 9.2);
+}
+
+static void test_a_frame_is_the_sum_of_its_steps(void **state)
+{
+	const struct board_frame frame = {.sample = {1, 20},
+		.matrices = {2, 30},
+		.vertices = {4, 50},
+		.draw = {8, 70}};
+
+	(void)state;
+	expect_cost(board_frame_posing(&frame), 7, 100);
+	expect_cost(board_frame_sum(&frame), 15, 170);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_nodes_joints_and_solid_drawables),
+		cmocka_unit_test(test_key_frames),
+		cmocka_unit_test(test_weighted_targets),
+		cmocka_unit_test(test_gathered_vertices_and_facets),
+		cmocka_unit_test(test_vertices_of_a_skin_by_their_influences),
+		cmocka_unit_test(test_joints_count_once),
+		cmocka_unit_test(test_channels_that_move_have_times_once),
+		cmocka_unit_test(test_turns_cost_by_how_far_they_are),
+		cmocka_unit_test(test_a_frame_is_the_sum_of_its_steps),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

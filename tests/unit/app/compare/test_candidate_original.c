@@ -1,0 +1,120 @@
+/* What the model itself takes in a file, by hand. */
+#include "app/compare/candidate/candidate.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+#include <cglm/cglm.h>
+
+enum {
+	VERTICES = 12,
+	JOINTS_MAX = 257
+};
+
+/* A grid whose one node is each joint of a skin, and turns in a clip. */
+struct skinned_grid {
+	struct model *model;
+	mat4 bind[JOINTS_MAX];
+	int joint[JOINTS_MAX];
+	struct model_skin skin;
+	float time_s[2], value[6];
+	struct model_channel channel;
+	struct model_clip clip;
+	uint16_t joints[VERTICES][4];
+	float weights[VERTICES][4];
+};
+
+static void make_grid(struct skinned_grid *grid, int joint_count)
+{
+	struct model_primitive *primitive;
+
+	memset(grid, 0, sizeof(*grid));
+	grid->model = small_model_grid(3, 2, 1.0f, true);
+	primitive = grid->model->mesh->primitive;
+	for (int v = 0; v < VERTICES; v++) {
+		grid->weights[v][0] = 1.0f;
+	}
+	primitive->influences = 4;
+	primitive->joint = grid->joints[0];
+	primitive->weight = grid->weights[0];
+	for (int j = 0; j < joint_count; j++) {
+		glm_mat4_identity(grid->bind[j]);
+	}
+	grid->skin = (struct model_skin){.name = "",
+		.joint_count = joint_count,
+		.joint = grid->joint,
+		.inverse_bind = grid->bind};
+	grid->time_s[1] = 1.0f;
+	grid->channel = (struct model_channel){.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 2,
+		.time_s = grid->time_s,
+		.value = grid->value};
+	grid->clip = (struct model_clip){.name = "",
+		.duration_s = 1.0f,
+		.channel_count = 1,
+		.channel = &grid->channel};
+	grid->model->skin = &grid->skin;
+	grid->model->skin_count = 1;
+	grid->model->node->skin = 0;
+	grid->model->clip = &grid->clip;
+	grid->model->clip_count = 1;
+}
+
+static struct candidate_bytes bytes_with(int joint_count)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct candidate_bytes bytes;
+	struct reference *reference;
+	struct skinned_grid grid;
+	struct candidate candidate;
+
+	make_grid(&grid, joint_count);
+	assert_int_equal(reference_create(grid.model, 0, &log, &reference), 0);
+	assert_int_equal(candidate_original(&candidate, reference,
+				 kernel_find("float"), 0, true, 60.0, &log),
+		0);
+	bytes = candidate.bytes;
+	candidate_destroy(&candidate);
+	reference_destroy(reference);
+	model_destroy(grid.model);
+	return bytes;
+}
+
+/*
+ * A file has positions and normals, four influences a vertex and a matrix of
+ * each joint; the number of a joint is one byte as far as that goes.
+ */
+static void test_joints_up_to_256_have_numbers_of_a_byte(void **state)
+{
+	(void)state;
+	for (int joints = 255; joints <= JOINTS_MAX; joints++) {
+		size_t number = joints <= 256 ? 1 : 2;
+		struct candidate_bytes bytes = bytes_with(joints);
+
+		assert_int_equal(bytes.shared_file,
+			VERTICES * 2 * 12 + VERTICES * 4 * (number + 4) +
+				(size_t)joints * 64);
+		/* Two times and two translations. */
+		assert_int_equal(bytes.own_file, 2 * 4 + 2 * 12);
+	}
+}
+
+/* In memory a joint has an inverse bind matrix and one of the palette. */
+static void test_a_joint_more_takes_two_matrices_in_memory(void **state)
+{
+	(void)state;
+	assert_int_equal(bytes_with(9).shared - bytes_with(8).shared, 128);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_joints_up_to_256_have_numbers_of_a_byte),
+		cmocka_unit_test(test_a_joint_more_takes_two_matrices_in_memory),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -8,8 +8,9 @@ linked in place of its object into the suites of this machine that concern it,
 until one of them fails: the unit tests of its part of limber, the golden
 pictures, films and texts, the command line and the demos' runs. Suites that found a
 mutant of the same file come first, then quick ones before slow ones, and at last the
-part's unit tests with the sanitizers. --suites leaves out those whose names do not
-begin like REGEX, and --seconds those that take more than S seconds of a processor.
+part's unit tests with the sanitizers; for a mutant that does not give something back
+these come first. --suites leaves out those whose names do not begin like REGEX, and
+--seconds those that take more than S seconds of a processor.
 A suite that never calls the mutant's function is left out, too (reach.py).
 Prints each mutant, by what it was found or that it SURVIVES, and a table by folder,
 which stays in build/mutants/table.
@@ -49,6 +50,8 @@ PROGRAM = "build/host/unit/mutant"
 LIBRARY = "build/host/liblimber.a"
 SANITIZED = "build/asan/liblimber.so"
 SANITIZERS = "sanitizers"
+# What does not give something back is tried with the sanitizers first.
+LEAK = re.compile(r".*: without .*(free|release|destroy|decref|close).* in: ")
 SUITE_S = 600
 SUITE_BYTES = 8 << 30
 SANITIZED_S = 120
@@ -202,7 +205,7 @@ class Judge:
 
         def order(suite):
             common = words & set(re.split(r"[-/_.]", suite.name))
-            seconds = self.seconds.get(suite.name) or 0
+            seconds = self.seconds_of(suite)
             return (-self.finders[path, suite.name], int(seconds),
                     -len(common), seconds)
 
@@ -283,11 +286,14 @@ class Judge:
             shutil.copy(TREE / target, TREE / MUTANT)
             return (TREE / target).read_bytes() != before
 
+    def seconds_of(self, suite):
+        return self.seconds.get(suite.name) or 0
+
     def sanitizers_find(self, mutant):
         """Whether a unit test of its part fails with the sanitizers."""
         part = folder_of(mutant.path)
         tests = [f"build/asan/unit/{pathlib.Path(suite.name).stem}"
-                 for suite in self.suites
+                 for suite in sorted(self.suites, key=self.seconds_of)
                  if suite.name.startswith(part) and self.calls(suite, mutant)]
         each = ["sh", "-c", 'for test; do "$test" || exit; done', "sh"]
         for test in tests:
@@ -305,12 +311,15 @@ class Judge:
     def verdict(self, mutant):
         """None for a mutant that is none; otherwise (found, by what)."""
         target = f"build/host/obj/{mutant.path[:-2]}.o"
+        leaks = LEAK.match(mutant.describe((TREE / mutant.path).read_text()))
         if not self.compiled(mutant, target):
             return None
+        if leaks and self.with_sanitizers and self.sanitizers_find(mutant):
+            return True, SANITIZERS
         suite = self.finder(mutant)
         if suite:
             return True, suite.name
-        if self.with_sanitizers and self.sanitizers_find(mutant):
+        if not leaks and self.with_sanitizers and self.sanitizers_find(mutant):
             return True, SANITIZERS
         return False, None
 

@@ -8,6 +8,8 @@
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
+#include <math.h>
+
 enum {
 	NONE = -1,
 	BASE,  /* black and white */
@@ -199,6 +201,52 @@ static void test_the_colour_of_a_lamp_is_kept(void **state)
 	model_destroy(model);
 }
 
+/* IEC 61966-2-1 */
+static double encoded(double linear)
+{
+	return linear <= 0.0031308 ? 12.92 * linear
+				   : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+/*
+ * In light that is 0.6 encoded the sum is right, and in light of 0.38 it is no
+ * less than what is emitted.
+ */
+static void test_the_sum_is_right_in_medium_light(void **state)
+{
+	static const float bases[] = {0.0f, 0.05f, 0.2f, 0.5f, 1.0f};
+	static const float lights[] = {0.02f, 0.05f, 0.1f, 0.4f};
+	const double medium_light = pow((0.6 + 0.055) / 1.055, 2.4);
+	const struct surface lamp = {.texture = NONE, .emissive_texture = NONE};
+	struct model *model = make_model(&lamp);
+	struct model_material *material = &model->material[0];
+	int medium_counts = 0, least_counts = 0;
+
+	(void)state;
+	for (int i = 0; i < 20; i++) {
+		double base = (double)bases[i / 4],
+		       light = (double)lights[i % 4];
+		double medium = encoded(base * medium_light + light) -
+			encoded(base) * 0.6;
+		double least = encoded(light) - encoded(base) * 0.38;
+		double wanted = medium > least ? medium : least;
+		float found[3];
+
+		for (int k = 0; k < 3; k++) {
+			material->base_color[k] = bases[i / 4];
+			material->emissive[k] = lights[i % 4];
+		}
+		emission_color(model, model->mesh[0].primitive, found);
+		for (int k = 0; k < 3; k++) {
+			assert_near(found[k], wanted > 0 ? wanted : 0, 1e-4);
+		}
+		medium_counts += medium > least && medium > 0;
+		least_counts += least > medium && least > 0;
+	}
+	assert_true(medium_counts >= 5 && least_counts >= 5);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -208,6 +256,7 @@ int main(void)
 		cmocka_unit_test(
 			test_nothing_shines_without_the_texture_that_limits_it),
 		cmocka_unit_test(test_the_colour_of_a_lamp_is_kept),
+		cmocka_unit_test(test_the_sum_is_right_in_medium_light),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

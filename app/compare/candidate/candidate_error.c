@@ -119,6 +119,7 @@ static struct sample compare_at(
 	struct candidate *candidate = comparer->candidate;
 	const struct reference *reference = comparer->reference;
 	struct sample sample = {time_s, 0.0f};
+	float near_square = screen_view_near_square(comparer->screen, 0.0f);
 
 	candidate->positions_only = !normals;
 	candidate_pose(candidate, time_s);
@@ -132,7 +133,7 @@ static struct sample compare_at(
 		if (!normals &&
 			screen_view_within(comparer->screen,
 				reference->position[source],
-				comparer->position[v], sample.px)) {
+				comparer->position[v], sample.px, near_square)) {
 			continue; /* another vertex is the farthest */
 		}
 		screen_view_project(
@@ -142,7 +143,11 @@ static struct sample compare_at(
 		moved[0] -= wanted[0];
 		moved[1] -= wanted[1];
 		px = scalar_sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
-		keep_larger(&sample.px, px);
+		if (px > sample.px) {
+			sample.px = px;
+			near_square =
+				screen_view_near_square(comparer->screen, px);
+		}
 		if (normals) {
 			comparer->sum_px += (double)px;
 			compare_normals(comparer, reference->position[source],

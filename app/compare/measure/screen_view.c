@@ -40,9 +40,13 @@ struct screen_view screen_view_create(struct reference *reference,
 }
 
 /*
- * An upper limit of the pixels that a unit covers: half as far from the eye as
- * the box's nearest corner, and as far aside as its farthest one, where |dp| is
- * at most focal / z * sqrt(1 + (|p| / z)^2) * |dv|.
+ * An upper limit of the pixels that a unit covers. Of two points of eye space,
+ * the pictures p and q are apart by q - p = focal / z_q * (d.xy - p / focal *
+ * d.z), where d is the way from one to the other: at most focal / z_q * sqrt(1
+ * + (p / focal)^2)
+ * * |d|. The first may lie outside of the box by a fifth of the nearest
+ * corner's depth, because a clip can leave the box between the moments of its
+ * grid; the second is another twentieth of it away.
  */
 static void find_scale(struct screen_view *screen)
 {
@@ -60,13 +64,15 @@ static void find_scale(struct screen_view *screen)
 		nearest = -eye[2] < nearest ? -eye[2] : nearest;
 		aside = square > aside ? square : aside;
 	}
-	nearest *= 0.5f;
-	screen->px_per_unit = 0.0f;
+	screen->px_per_unit = 1.0f;
 	screen->near_square = -1.0f; /* none is near enough */
 	if (nearest > 0.0f) {
-		tangent = (scalar_sqrt(aside) + nearest) / nearest;
+		tangent = (scalar_sqrt(aside) + 0.2f * nearest) /
+			(0.8f * nearest);
 		screen->px_per_unit = screen->unit * screen->focal_px /
-			nearest * scalar_sqrt(1.0f + tangent * tangent);
+			(0.75f * nearest) *
+			scalar_sqrt(1.0f + tangent * tangent);
+		nearest *= 0.05f;
 		screen->near_square =
 			nearest * nearest / (screen->unit * screen->unit);
 	}

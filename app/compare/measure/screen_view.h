@@ -83,17 +83,29 @@ float screen_view_distance_px(
 	const struct screen_view *screen, const float a[3], const float b[3]);
 
 /*
+ * The square of a distance in space: a point of the box and one that is not
+ * farther from it are at most px pixels apart.
+ */
+static inline float screen_view_near_square(
+	const struct screen_view *screen, float px)
+{
+	float units = px / screen->px_per_unit;
+	float square = units * units;
+
+	return square < screen->near_square ? square : screen->near_square;
+}
+
+/*
  * Whether two points are at most px pixels apart, of which a is in the box.
- * Points that are near each other in space need no projection.
+ * near_square is of px; points that near to each other need no projection.
  */
 static inline bool screen_view_within(const struct screen_view *screen,
-	const float a[3], const float b[3], float px)
+	const float a[3], const float b[3], float px, float near_square)
 {
 	float x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-	float square = x * x + y * y + z * z;
-	float scale = screen->px_per_unit, eye_a[3], eye_b[3];
+	float eye_a[3], eye_b[3];
 
-	if (square <= screen->near_square && square * scale * scale <= px * px) {
+	if (x * x + y * y + z * z <= near_square) {
 		return true;
 	}
 	screen_view_to_eye(screen, a, eye_a);

@@ -30,11 +30,16 @@ static float share(uint32_t *seed)
 	return (float)random_between(seed, 0, 1000) / 1000.0f;
 }
 
-/* A point of the box, and one at a distance of up to the box's height. */
-static float random_points(
-	const struct bounds *box, uint32_t *seed, float a[3], float b[3])
+/*
+ * A point of the box or a fifth of the nearest corner's depth outside of it,
+ * and one at a distance of up to the box's height.
+ */
+static float random_points(const struct screen_view *screen, uint32_t *seed,
+	float a[3], float b[3])
 {
+	const struct bounds *box = &screen->box;
 	float apart = 0.5f * (box->high[1] - box->low[1]) * share(seed);
+	float beside = 4.0f * sqrtf(screen->near_square / 3.0f);
 	float square = 0.0f;
 
 	apart *= apart * apart; /* most are close */
@@ -42,6 +47,7 @@ static float random_points(
 		float shift = apart * (2.0f * share(seed) - 1.0f);
 
 		a[i] = box->low[i] + share(seed) * (box->high[i] - box->low[i]);
+		a[i] += beside * (2.0f * share(seed) - 1.0f);
 		b[i] = a[i] + shift;
 		square += shift * shift;
 	}
@@ -56,22 +62,23 @@ static void expect_limit(const struct screen_view *screen)
 	assert_true(screen->near_square > 0.0f);
 	for (int trial = 0; trial < TRIALS; trial++) {
 		float a[3], b[3];
-		float apart = random_points(&screen->box, &seed, a, b);
+		float apart = random_points(screen, &seed, a, b);
 		float px = screen_view_distance_px(screen, a, b);
+		float above = px * 1.01f + 1e-3f, below = px * 0.99f;
 
 		if (apart > 1e-3f && apart * apart <= screen->near_square) {
 			assert_true(px <= apart * screen->px_per_unit * 1.001f);
 			most = fmaxf(most, px / apart);
 		}
-		assert_true(
-			screen_view_within(screen, a, b, px * 1.01f + 1e-3f));
+		assert_true(screen_view_within(screen, a, b, above,
+			screen_view_near_square(screen, above)));
 		if (px > 0.1f) {
-			assert_false(
-				screen_view_within(screen, a, b, px * 0.99f));
+			assert_false(screen_view_within(screen, a, b, below,
+				screen_view_near_square(screen, below)));
 		}
 	}
 	/* A limit that is far too large would be no shortcut. */
-	assert_true(screen->px_per_unit < 10.0f * most);
+	assert_true(screen->px_per_unit < 5.0f * most);
 }
 
 static void test_the_shortcut_says_what_the_projection_says(void **state)
@@ -111,11 +118,12 @@ static void test_the_limit_is_that_of_the_corners(void **state)
 			nearest = fmin(nearest,
 				-(double)screen_view_eye(&screen, point, 2));
 		}
-		nearest *= 0.5;
-		tangent = (aside + nearest) / nearest;
-		assert_near(screen.near_square / (nearest * nearest), 4.0, 1e-4);
+		tangent = (aside + 0.2 * nearest) / (0.8 * nearest);
+		assert_near(
+			screen.near_square / (nearest * nearest), 0.01, 1e-6);
 		assert_near(screen.px_per_unit /
-				(0.5 * (double)screen.focal_px / nearest *
+				(0.5 * (double)screen.focal_px /
+					(0.75 * nearest) *
 					sqrt(1.0 + tangent * tangent)),
 			1.0, 1e-5);
 	}

@@ -5,6 +5,7 @@ It poses the model and the baked models with `COMMAND pose` and projects both
 with the report's view, so the errors come from files and not from the program's
 own arrays. Bytes come from the files' accessors. It prints TAP.
 """
+import functools
 import json
 import math
 import os
@@ -82,11 +83,15 @@ class Check:
             print(f"# {why}")
 
 
+@functools.lru_cache(None)
 def posed(command, model, clip, time_s, folder, math_kind="float"):
-    """The vertices in world space, and the faces in the order of the nodes."""
+    """The vertices in world space, and the faces in the order of the nodes.
+
+    Rows have moments in common, and limber poses the model once for each.
+    """
     path = os.path.join(folder, "posed.obj")
-    subprocess.run(command + ["pose", model, "--clip", str(clip), "--time",
-                              f"{time_s:.9f}", "--math", math_kind, "-o", path],
+    subprocess.run([*command, "pose", model, "--clip", str(clip), "--time",
+                    f"{time_s:.9f}", "--math", math_kind, "-o", path],
                    check=True)
     vertices, objects = [], {}
     with open(path, encoding="ascii") as file:
@@ -245,7 +250,7 @@ def check_bytes(check, candidate, path):
 
 def main():
     report_path, model, baked = sys.argv[1:4]
-    command = sys.argv[4:]
+    command = tuple(sys.argv[4:])
     check = Check()
     with open(report_path, encoding="utf-8") as file:
         report = json.load(file)

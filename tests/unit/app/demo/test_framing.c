@@ -1,9 +1,11 @@
 /* Demos frame their figures beside or below their labels, at every size. */
 #include "app/demo/demo_overlay.h"
 #include "tests/support/demo_shown.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 static bool covers(const struct camera_region *region, const int size[2],
 	int rows, int bars)
@@ -27,25 +29,6 @@ static const struct {
 	{"arm.glb", 2, 1},
 	{"walker.glb", 2, 1},
 };
-
-static void test_labels_do_not_cover_the_figure(void **state)
-{
-	(void)state;
-	for (size_t d = 0; d < sizeof(demos) / sizeof(demos[0]); d++) {
-		for (size_t s = 0; s < SHOWN_SIZES; s++) {
-			struct shown shown;
-			struct camera_region region;
-
-			shown_begin(
-				&shown, demos[d].name, shown_sizes[s], false);
-			region = shown_framed(&shown, shown_sizes[s]);
-			shown_check_whole(&region);
-			assert_false(covers(&region, shown_sizes[s],
-				demos[d].rows, demos[d].bars));
-			shown_end(&shown);
-		}
-	}
-}
 
 /* Whether a rectangle of pixels is over the figure, but for its outermost parts. */
 static bool hides(const struct hud *hud, const struct camera_region *figure)
@@ -90,18 +73,54 @@ static void check_labels_beside_figure(struct shown *shown, const int size[2])
 	hud_finish(&hud, &shown->gl);
 }
 
-static const char *const names[] = {
-	"walker", "arm", "face", "crowd", "duel", "tuner"};
-
-static void test_labels_of_buttons_do_not_cover_the_figures(void **state)
+static void check_framed(
+	const struct shown *shown, const char *name, const int size[2])
 {
+	struct camera_region region = shown_framed(shown, size);
+
+	shown_check_whole(&region);
+	for (size_t d = 0; d < sizeof(demos) / sizeof(demos[0]); d++) {
+		assert_false(strcmp(demos[d].name, name) == 0 &&
+			covers(&region, size, demos[d].rows, demos[d].bars));
+	}
+}
+
+static void press(struct shown *shown, enum button button)
+{
+	const struct button_event event = {.button = button, .down = true};
+
+	demo_press(shown->driver, shown->demo, &event);
+}
+
+static const char *const names[] = {"walker", "arm", "face", "crowd", "duel",
+	"tuner", "arm.glb", "walker.glb"};
+
+/*
+ * Labels of the state, of the buttons and of the overlays, and the scale of the
+ * duel's errors. One demo shows them all, because it takes seconds to begin.
+ */
+static void test_labels_do_not_cover_the_figures(void **state)
+{
+	const struct overlay_choice all = {.kinds = (1U << OVERLAY_KINDS) - 1};
+
 	(void)state;
-	for (size_t d = 0; d < sizeof(names) / sizeof(names[0]); d++) {
+	for (size_t n = 0; n < ARRAY_COUNT(names); n++) {
 		for (size_t s = 0; s < SHOWN_SIZES; s++) {
+			const int *size = shown_sizes[s];
 			struct shown shown;
 
-			shown_begin(&shown, names[d], shown_sizes[s], false);
-			check_labels_beside_figure(&shown, shown_sizes[s]);
+			shown_begin(&shown, names[n], size, false);
+			check_framed(&shown, names[n], size);
+			check_labels_beside_figure(&shown, size);
+			if (strcmp(names[n], "duel") == 0) {
+				press(&shown, BUTTON_F8);
+				check_labels_beside_figure(&shown, size);
+				press(&shown, BUTTON_F8);
+			}
+			assert_int_equal(demo_overlay_make(shown.driver,
+						 shown.demo, &all),
+				0);
+			check_labels_beside_figure(&shown, size);
 			shown_end(&shown);
 		}
 	}
@@ -126,57 +145,20 @@ static void test_the_label_of_a_camera_does_not_cover_the_figure(void **state)
 	}
 }
 
-static void test_labels_of_overlays_do_not_cover_the_figures(void **state)
-{
-	(void)state;
-	for (size_t d = 0; d < sizeof(names) / sizeof(names[0]); d++) {
-		for (size_t s = 0; s < SHOWN_SIZES; s++) {
-			const struct overlay_choice all = {
-				.kinds = (1U << OVERLAY_KINDS) - 1};
-			struct shown shown;
-
-			shown_begin(&shown, names[d], shown_sizes[s], false);
-			assert_int_equal(demo_overlay_make(shown.driver,
-						 shown.demo, &all),
-				0);
-			check_labels_beside_figure(&shown, shown_sizes[s]);
-			shown_end(&shown);
-		}
-	}
-}
-
 static void test_the_list_of_keys_does_not_cover_the_figure(void **state)
 {
 	(void)state;
 	for (size_t s = 0; s < SHOWN_SIZES; s++) {
-		const struct button_event press = {
-			.button = BUTTON_F6, .down = true};
 		const int *size = shown_sizes[s];
 		struct camera_region figure;
 		struct shown shown;
 
 		shown_begin(&shown, "arm", size, false);
-		demo_press(shown.driver, shown.demo, &press);
+		press(&shown, BUTTON_F6);
 		shown.driver->update(shown.demo, 0.04);
 		check_labels_beside_figure(&shown, size);
 		figure = shown_framed(&shown, size);
 		assert_true(figure.top - figure.bottom > 0.5f);
-		shown_end(&shown);
-	}
-}
-
-/* The colour scale of the errors is above the heads. */
-static void test_the_duels_scale_does_not_cover_the_figures(void **state)
-{
-	(void)state;
-	for (size_t s = 0; s < SHOWN_SIZES; s++) {
-		const struct button_event paint = {
-			.button = BUTTON_F8, .down = true};
-		struct shown shown;
-
-		shown_begin(&shown, "duel", shown_sizes[s], false);
-		demo_press(shown.driver, shown.demo, &paint);
-		check_labels_beside_figure(&shown, shown_sizes[s]);
 		shown_end(&shown);
 	}
 }
@@ -203,22 +185,25 @@ static void test_without_labels_the_figure_is_in_the_middle(void **state)
 
 static void test_a_picture_of_another_size_is_framed_anew(void **state)
 {
+	struct shown shown;
+
 	(void)state;
+	shown_begin_env(&shown, "arm.glb", "none", shown_sizes[0], false);
 	for (size_t from = 0; from < SHOWN_SIZES; from++) {
 		for (size_t to = 0; to < SHOWN_SIZES; to++) {
-			struct shown shown;
 			struct camera_region region;
 
-			shown_begin_env(&shown, "arm.glb", "none",
-				shown_sizes[from], false);
+			gl_recorder_clear();
+			demo_draw(shown.driver, shown.demo,
+				shown_sizes[from][0], shown_sizes[from][1]);
 			demo_draw(shown.driver, shown.demo, shown_sizes[to][0],
 				shown_sizes[to][1]);
 			region = shown_framed(&shown, shown_sizes[to]);
 			shown_check_whole(&region);
 			assert_false(covers(&region, shown_sizes[to], 2, 1));
-			shown_end(&shown);
 		}
 	}
+	shown_end(&shown);
 }
 
 /* The crowd's camera keeps its distance, and shifts the picture. */
@@ -268,14 +253,10 @@ static void test_a_target_that_moves_stays_in_the_picture(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_labels_do_not_cover_the_figure),
-		cmocka_unit_test(test_labels_of_buttons_do_not_cover_the_figures),
+		cmocka_unit_test(test_labels_do_not_cover_the_figures),
 		cmocka_unit_test(
 			test_the_label_of_a_camera_does_not_cover_the_figure),
-		cmocka_unit_test(
-			test_labels_of_overlays_do_not_cover_the_figures),
 		cmocka_unit_test(test_the_list_of_keys_does_not_cover_the_figure),
-		cmocka_unit_test(test_the_duels_scale_does_not_cover_the_figures),
 		cmocka_unit_test(test_without_labels_the_figure_is_in_the_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_is_framed_anew),
 		cmocka_unit_test(test_a_crowd_is_framed_anew_in_another_size),

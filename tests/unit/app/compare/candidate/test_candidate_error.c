@@ -72,29 +72,99 @@ static float largest_at(
 	return most;
 }
 
-/* Ten times as dense as the grid and its middles. */
-static float dense_peak_px(struct bench *bench, struct candidate *candidate)
-{
-	float most = 0.0f;
+/* A candidate, its keys, and the largest error of a dense sampling. */
+struct sampled {
+	struct candidate candidate;
+	struct fit_keys keys;
+	float (*shown)[3];
+	float peak_px;
+};
 
+/* All kinds of candidates whose error varies over the clip. */
+enum {
+	MORPHS = 3,
+	RIGID = MORPHS,
+	SKIN_1,
+	SAMPLED
+};
+
+/* wanted: where the reference's vertices are on the screen. */
+static void compare_with_reference(const struct screen_view *screen,
+	struct sampled *sampled, float (*wanted)[2])
+{
+	const struct candidate *candidate = &sampled->candidate;
+	float most = sampled->peak_px * sampled->peak_px, before = most;
+
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		int source = candidate->source ? candidate->source[v] : v;
+		float at[2], square;
+
+		screen_view_project(screen, sampled->shown[v], at);
+		at[0] -= wanted[source][0];
+		at[1] -= wanted[source][1];
+		square = at[0] * at[0] + at[1] * at[1];
+		most = square > most ? square : most;
+	}
+	if (most > before) {
+		sampled->peak_px = sqrtf(most);
+	}
+}
+
+/* The reference comes last, because candidates may pose it for themselves. */
+static void compare_all_at(struct bench *bench, struct sampled all[SAMPLED],
+	float (*wanted)[2], float time_s)
+{
+	const struct reference *reference = bench->reference;
+
+	for (int i = 0; i < SAMPLED; i++) {
+		struct candidate *candidate = &all[i].candidate;
+
+		candidate_pose(candidate, time_s);
+		candidate->take(candidate, all[i].shown, NULL);
+	}
+	reference_pose(bench->reference, time_s, false);
+	for (int v = 0; v < reference->vertex_count; v++) {
+		screen_view_project(
+			&bench->screen, reference->position[v], wanted[v]);
+	}
+	for (int i = 0; i < SAMPLED; i++) {
+		compare_with_reference(&bench->screen, &all[i], wanted);
+	}
+}
+
+/* Ten times as dense as the grid and its middles. */
+static void find_dense_peaks(struct bench *bench, struct sampled all[SAMPLED])
+{
+	float(*wanted)[2] = malloc(
+		(size_t)bench->reference->vertex_count * sizeof(*wanted));
+
+	assert_non_null(wanted);
+	for (int i = 0; i < SAMPLED; i++) {
+		all[i].candidate.positions_only = true;
+		all[i].shown = malloc((size_t)all[i].candidate.vertex_count *
+			sizeof(*all[i].shown));
+		assert_non_null(all[i].shown);
+	}
 	for (int i = 0; i + 1 < bench->grid.count; i++) {
 		float from = bench->grid.time_s[i];
 		float step = (bench->grid.time_s[i + 1] - from) / (2 * DENSE);
 
 		for (int k = 0; k < 2 * DENSE; k++) {
-			float px = largest_at(
-				bench, candidate, from + step * (float)k);
-
-			most = px > most ? px : most;
+			compare_all_at(
+				bench, all, wanted, from + step * (float)k);
 		}
 	}
-	return most;
+	for (int i = 0; i < SAMPLED; i++) {
+		all[i].candidate.positions_only = false;
+		free(all[i].shown);
+	}
+	free(wanted);
 }
 
-static void agrees(struct bench *bench, struct candidate *candidate)
+static void agrees(
+	struct bench *bench, struct candidate *candidate, float dense_px)
 {
 	struct candidate_error error;
-	float dense_px = dense_peak_px(bench, candidate);
 	float allowed_px = 0.05f * dense_px;
 
 	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
@@ -109,44 +179,45 @@ static void agrees(struct bench *bench, struct candidate *candidate)
 		1e-3);
 	assert_true(error.mean_px <= error.peak_px);
 	assert_true(error.outline_px <= error.peak_px * 1.001f);
-	candidate_destroy(candidate);
 }
 
-static void add_morph(struct bench *bench, int keys)
+static void make_morph(struct bench *bench, int keys, struct sampled *out)
 {
 	struct fixed_placement placement =
 		candidate_morph_placement(&bench->screen.box);
-	struct candidate candidate;
-	struct fit_keys even;
 
-	assert_int_equal(
-		fit_keys_evenly(bench->reference->clip->duration_s, keys, &even),
+	assert_int_equal(fit_keys_evenly(bench->reference->clip->duration_s,
+				 keys, &out->keys),
 		0);
-	assert_int_equal(
-		candidate_morph(&candidate, bench->reference, kernel_find(NULL),
-			&placement, &even, KEPT_BYTES, &bench->log),
+	assert_int_equal(candidate_morph(&out->candidate, bench->reference,
+				 kernel_find(NULL), &placement, &out->keys,
+				 KEPT_BYTES, &bench->log),
 		0);
-	agrees(bench, &candidate);
-	fit_keys_release(&even);
 }
 
-/* All kinds of candidates whose error varies over the clip. */
 static void check_clip(const char *path, const char *clip)
 {
-	struct candidate candidate;
+	static const int keys[MORPHS] = {4, 20, 33};
+	struct sampled all[SAMPLED] = {0};
 	struct bench bench;
 
 	begin(&bench, path, clip);
-	add_morph(&bench, 4);
-	add_morph(&bench, 20);
-	add_morph(&bench, 33);
-	assert_int_equal(
-		candidate_rigid(&candidate, bench.reference, &bench.log), 0);
-	agrees(&bench, &candidate);
-	assert_int_equal(candidate_original(&candidate, bench.reference,
-				 kernel_find(NULL), 1, true, 60.0, &bench.log),
+	for (int i = 0; i < MORPHS; i++) {
+		make_morph(&bench, keys[i], &all[i]);
+	}
+	assert_int_equal(candidate_rigid(&all[RIGID].candidate, bench.reference,
+				 &bench.log),
 		0);
-	agrees(&bench, &candidate);
+	assert_int_equal(
+		candidate_original(&all[SKIN_1].candidate, bench.reference,
+			kernel_find(NULL), 1, true, 60.0, &bench.log),
+		0);
+	find_dense_peaks(&bench, all);
+	for (int i = 0; i < SAMPLED; i++) {
+		agrees(&bench, &all[i].candidate, all[i].peak_px);
+		candidate_destroy(&all[i].candidate);
+		fit_keys_release(&all[i].keys);
+	}
 	end(&bench);
 }
 

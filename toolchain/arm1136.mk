@@ -6,15 +6,18 @@ MODEL_SOURCES := $(sort $(wildcard tests/arm1136/core/*.c)) \
 MODEL_OBJECTS := $(MODEL_SOURCES:%.c=build/arm1136/obj/%.o)
 MODEL := build/arm1136/model.so
 
+# The model is optimized as a whole: its files call each other for every
+# instruction.
+MODEL_CFLAGS := -O2 -g -flto -fPIC -fvisibility=hidden
+
 build/arm1136/obj/%.o: %.c | build/host/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
-	$(Q)$(CC_host) $(COMMON_CFLAGS) -O2 -g -fPIC -fvisibility=hidden -I. \
-		-MMD -MP -c -o $@ $<
+	$(Q)$(CC_host) $(COMMON_CFLAGS) $(MODEL_CFLAGS) -I. -MMD -MP -c -o $@ $<
 
 $(MODEL): $(MODEL_OBJECTS)
 	$(call say,LINK,$@)
-	$(Q)$(CC_host) -shared -o $@ $^
+	$(Q)$(CC_host) $(MODEL_CFLAGS) -shared -o $@ $^
 
 -include $(MODEL_OBJECTS:.o=.d)
 

@@ -20,67 +20,67 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.176e+04, 2.183e+04}, /* frame */
-	{0.7934, 0.3695},       /* pixel */
-	{1.6e+04, 5574},        /* call */
-	{162.9, 80.17},         /* listed */
-	{346.8, 66.72},         /* vertex */
-	{310.3, 132.3},         /* single */
-	{237.7, 235},           /* shaded */
-	{15.56, 14.56},         /* hidden */
-	{1181, 435.2},          /* skipped */
-	{4.797, 3.191},         /* fine */
-	{217.5, 85.67},         /* flat triangle */
-	{71.82, 39.16},         /* flat row */
-	{11.24, 7.987},         /* flat pixel */
-	{537.5, 184.2},         /* plain triangle */
-	{5.385, 15.18},         /* plain row */
-	{17.5, 6.932},          /* plain pixel */
-	{554.6, 442},           /* textured triangle */
-	{213.3, 43.04},         /* textured row */
-	{71.35, 56.3},          /* textured pixel */
-	{3.312e+04, 1.13e+04},  /* backdrop triangle */
-	{69.65, 29},            /* backdrop row */
-	{2.904, 0.8308},        /* backdrop pixel */
-	{3.364e+04, 1.183e+04}, /* ground triangle */
-	{117.6, 53.64},         /* ground row */
-	{3.318, 0},             /* ground pixel */
-	{1420, 764.9},          /* spans triangle */
-	{137.6, 94.19},         /* spans row */
-	{21.89, 14.75},         /* spans pixel */
-	{2926, 1568},           /* spans textured triangle */
-	{217.8, 116.3},         /* spans textured row */
-	{106.8, 65.11},         /* spans textured pixel */
-	{4776, 3808},           /* spans divided triangle */
-	{717.5, 381.6},         /* spans divided row */
-	{91.27, 55.58},         /* spans divided pixel */
-	{1298, 527.3},          /* mixed triangle */
-	{225, 127},             /* mixed row */
-	{51.42, 34.64},         /* mixed pixel */
-	{2738, 847.7},          /* tested triangle */
-	{264.2, 161},           /* tested row */
-	{164.2, 112.5},         /* tested pixel */
-	{3943, 2479},           /* tested spans triangle */
-	{578.1, 356.8},         /* tested spans row */
-	{136.8, 87.52},         /* tested spans pixel */
-	{3096, 1407},           /* mixed textured triangle */
-	{241.1, 170.1},         /* mixed textured row */
-	{121.8, 72.52},         /* mixed textured pixel */
-	{3820, 2954},           /* mixed spans triangle */
-	{435, 288.8},           /* mixed spans row */
-	{135.8, 76.85},         /* mixed spans pixel */
-	{5145, 4150},           /* mixed divided triangle */
-	{1945, 977.6},          /* mixed divided row */
-	{121.8, 80.13},         /* mixed divided pixel */
-	{206, 75.85},           /* colored triangle */
+	{3.2e+04, 2.181e+04},   /* frame */
+	{0.7941, 0.3658},       /* pixel */
+	{1.616e+04, 5544},      /* call */
+	{157.9, 80.91},         /* listed */
+	{332.1, 69.85},         /* vertex */
+	{309, 140.6},           /* single */
+	{274.6, 226.2},         /* shaded */
+	{13.74, 13.68},         /* hidden */
+	{1244, 486.4},          /* skipped */
+	{5.391, 3.343},         /* fine */
+	{213, 67.64},           /* flat triangle */
+	{68.04, 36.35},         /* flat row */
+	{11.22, 8.099},         /* flat pixel */
+	{486.5, 193.9},         /* plain triangle */
+	{8.387, 14.88},         /* plain row */
+	{20.19, 8.204},         /* plain pixel */
+	{601.5, 414.5},         /* textured triangle */
+	{202.3, 50.2},          /* textured row */
+	{78.76, 57.66},         /* textured pixel */
+	{3.296e+04, 1.103e+04}, /* backdrop triangle */
+	{69.21, 28.25},         /* backdrop row */
+	{2.813, 0.8033},        /* backdrop pixel */
+	{3.421e+04, 1.181e+04}, /* ground triangle */
+	{116.9, 51.12},         /* ground row */
+	{2.974, 0},             /* ground pixel */
+	{1115, 604.4},          /* spans triangle */
+	{206.9, 133.3},         /* spans row */
+	{22.11, 14.71},         /* spans pixel */
+	{2100, 1002},           /* spans textured triangle */
+	{111.9, 50.99},         /* spans textured row */
+	{116.3, 71.2},          /* spans textured pixel */
+	{4717, 3835},           /* spans divided triangle */
+	{711.9, 364.5},         /* spans divided row */
+	{93.1, 57.81},          /* spans divided pixel */
+	{2225, 1276},           /* mixed triangle */
+	{208.2, 113.2},         /* mixed row */
+	{49.63, 32.63},         /* mixed pixel */
+	{3379, 1136},           /* tested triangle */
+	{279.7, 177.2},         /* tested row */
+	{153.4, 103.2},         /* tested pixel */
+	{3932, 2497},           /* tested spans triangle */
+	{508.1, 304.5},         /* tested spans row */
+	{135.7, 85.04},         /* tested spans pixel */
+	{3365, 1469},           /* mixed textured triangle */
+	{254.3, 179.7},         /* mixed textured row */
+	{132.9, 81.83},         /* mixed textured pixel */
+	{3633, 2850},           /* mixed spans triangle */
+	{363.2, 248.6},         /* mixed spans row */
+	{130.5, 71.22},         /* mixed spans pixel */
+	{5155, 4145},           /* mixed divided triangle */
+	{1994, 963.4},          /* mixed divided row */
+	{123.5, 81.41},         /* mixed divided pixel */
+	{212.2, 83.78},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{8.095, 3.08},          /* colored pixel */
-	{2472, 1178},           /* bent triangle */
-	{270.4, 143.5},         /* bent row */
-	{3.405, 2.252},         /* bent pixel */
+	{6.665, 2.53},          /* colored pixel */
+	{2211, 1071},           /* bent triangle */
+	{292.9, 160.9},         /* bent row */
+	{3.53, 2.312},          /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.001, 0.9983},        /* deep row */
-	{1.668, 1.101},         /* deep pixel */
+	{1.001, 0.9977},        /* deep row */
+	{1.65, 1.025},          /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

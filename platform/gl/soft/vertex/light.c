@@ -220,7 +220,10 @@ static int32_t attenuate(const struct light_source *light_source,
 {
 	const int32_t *k = light_source->attenuation_q16;
 	int64_t d = distance_q16;
-	int64_t by = k[0] + (k[1] * d >> 16) + ((d * d >> 16) * k[2] >> 16);
+	int64_t square = d * d >> 16;
+	/* square < 2^46 and k < 2^31: their product may need 77 bits. */
+	int64_t by = k[0] + (k[1] * d >> 16) +
+		(square >> 32 ? (square >> 16) * k[2] : square * k[2] >> 16);
 	int64_t share = invert_q16(by);
 	int64_t along = 0;
 

@@ -102,6 +102,18 @@ bool model_has_triangles(const struct model *model)
 	return false;
 }
 
+bool *model_find_joints(const struct model *model, struct arena *arena)
+{
+	bool *is_joint = ARENA_ARRAY(arena, bool, model->node_count);
+
+	for (int s = 0; is_joint && s < model->skin_count; s++) {
+		for (int j = 0; j < model->skin[s].joint_count; j++) {
+			is_joint[model->skin[s].joint[j]] = true;
+		}
+	}
+	return is_joint;
+}
+
 int model_find_morphed(const struct model *model)
 {
 	for (int i = 0; i < model->node_count; i++) {

@@ -355,6 +355,12 @@ bool model_material_emits(const struct model_material *material);
 /* Whether a node shows triangles. */
 bool model_has_triangles(const struct model *model);
 
+/*
+ * Which nodes the skins list as joints, [node_count], in memory of the arena.
+ * NULL when that is short.
+ */
+bool *model_find_joints(const struct model *model, struct arena *arena);
+
 /* The first node whose mesh has morph targets, or -1. */
 int model_find_morphed(const struct model *model);
 

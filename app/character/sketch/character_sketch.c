@@ -192,17 +192,10 @@ struct bones {
 static int find_bones(
 	struct bones *bones, const struct model *model, struct arena *arena)
 {
-	size_t count = (size_t)model->node_count;
-
-	bones->is_joint = ARENA_ARRAY(arena, bool, count);
-	bones->child_count = ARENA_ARRAY(arena, int, count);
+	bones->is_joint = model_find_joints(model, arena);
+	bones->child_count = ARENA_ARRAY(arena, int, model->node_count);
 	if (!bones->is_joint || !bones->child_count) {
 		return -ENOMEM;
-	}
-	for (int s = 0; s < model->skin_count; s++) {
-		for (int j = 0; j < model->skin[s].joint_count; j++) {
-			bones->is_joint[model->skin[s].joint[j]] = true;
-		}
 	}
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].parent >= 0) {

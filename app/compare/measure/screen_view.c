@@ -41,12 +41,14 @@ struct screen_view screen_view_create(struct reference *reference,
 
 /*
  * An upper limit of the pixels that a unit covers. Of two points of eye space,
- * the pictures p and q are apart by q - p = focal / z_q * (d.xy - p / focal *
- * d.z), where d is the way from one to the other: at most focal / z_q * sqrt(1
- * + (p / focal)^2)
- * * |d|. The first may lie outside of the box by a fifth of the nearest
- * corner's depth, because a clip can leave the box between the moments of its
- * grid; the second is another twentieth of it away.
+ * d apart, the pictures p and q differ by
+ *
+ *	q - p = focal / z_q * (d.xy - p / focal * d.z),
+ *
+ * which is at most focal / z_q * sqrt(1 + (p / focal)^2) * |d|. The first may
+ * lie outside of the box by a fifth of the nearest corner's depth, because a
+ * clip can leave the box between the moments of its grid; the second is another
+ * twentieth of it away.
  */
 static void find_scale(struct screen_view *screen)
 {

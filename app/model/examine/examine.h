@@ -24,9 +24,14 @@ struct examiner {
 int model_examine(const char *path, size_t memory_bytes,
 	const struct examiner *examiner, const struct log *log);
 
-/* Report what a loaded model of any format shows. Loaders call them. */
-void examine_clips(const struct model *model, const struct examiner *examiner);
-void examine_skins(const struct model *model, const struct examiner *examiner);
+/*
+ * Report what a loaded model of any format shows. Loaders call them. 0, or
+ * -ENOMEM after one error.
+ */
+int examine_clips(const struct model *model, const struct examiner *examiner,
+	const struct log *log);
+int examine_skins(const struct model *model, const struct examiner *examiner,
+	const struct log *log);
 
 /* Reports a finding formatted as by printf(), truncated to 400 bytes. */
 void examine_report(const struct examiner *examiner, const char *format, ...)

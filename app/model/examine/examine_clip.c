@@ -122,35 +122,40 @@ static void report_long_arcs(
 		"limber negates them, so that the rotation takes the shorter arc");
 }
 
-static bool clip_moves(
-	const struct model_clip *clip, int node, enum model_path path)
-{
-	for (int i = 0; i < clip->channel_count; i++) {
-		if (clip->channel[i].node == node &&
-			clip->channel[i].path == path) {
-			return true;
-		}
-	}
-	return false;
-}
+enum {
+	PATHS = MODEL_WEIGHTS + 1
+};
 
-static void report_unshared_channels(
-	const struct model *model, const struct examiner *examiner)
+/* What is known of one path of a node. */
+struct moved {
+	int clips, channels; /* that move it */
+	int last_clip;       /* from 1 */
+};
+
+/* Has room for all paths of all nodes, cleared. */
+static void report_unshared_channels(const struct model *model,
+	struct moved (*moved)[PATHS], const struct examiner *examiner)
 {
 	int left = 0;
 
-	for (int a = 0; a < model->clip_count; a++) {
-		for (int i = 0; i < model->clip[a].channel_count; i++) {
-			const struct model_channel *channel =
-				&model->clip[a].channel[i];
-			bool everywhere = true;
+	for (int c = 0; c < model->clip_count; c++) {
+		const struct model_clip *clip = &model->clip[c];
 
-			for (int b = 0; b < model->clip_count && everywhere;
-				b++) {
-				everywhere = clip_moves(&model->clip[b],
-					channel->node, channel->path);
-			}
-			left += !everywhere;
+		for (int i = 0; i < clip->channel_count; i++) {
+			const struct model_channel *channel = &clip->channel[i];
+			struct moved *one = &moved[channel->node][channel->path];
+
+			one->clips += one->last_clip != c + 1;
+			one->last_clip = c + 1;
+			one->channels++;
+		}
+	}
+	for (int n = 0; n < model->node_count; n++) {
+		for (int path = 0; path < PATHS; path++) {
+			const struct moved *one = &moved[n][path];
+
+			left += one->clips < model->clip_count ? one->channels
+							       : 0;
 		}
 	}
 	if (left > 0) {
@@ -172,8 +177,16 @@ static void report_matrices(
 		"translation, rotation and scale cannot express shear, so limber keeps the matrix");
 }
 
-void examine_clips(const struct model *model, const struct examiner *examiner)
+int examine_clips(const struct model *model, const struct examiner *examiner,
+	const struct log *log)
 {
+	struct arena arena = arena_empty();
+	struct moved(*moved)[PATHS] =
+		arena_alloc(&arena, (size_t)model->node_count, sizeof(*moved));
+
+	if (!moved) {
+		return memory_budget_fail(model->budget, model->path, log);
+	}
 	for (int i = 0; i < model->clip_count; i++) {
 		const struct model_clip *clip = &model->clip[i];
 
@@ -182,6 +195,8 @@ void examine_clips(const struct model *model, const struct examiner *examiner)
 		report_key_kinds(clip, examiner);
 		report_long_arcs(clip, examiner);
 	}
-	report_unshared_channels(model, examiner);
+	report_unshared_channels(model, moved, examiner);
 	report_matrices(model, examiner);
+	arena_release(&arena);
+	return 0;
 }

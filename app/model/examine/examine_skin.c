@@ -5,6 +5,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum {
 	FINDING_BYTES = 400
@@ -53,33 +54,21 @@ static bool is_identity(const struct model_node *node)
 		near(scalar_abs(rest->rotation[3]), 1.0f);
 }
 
-static bool is_joint(const struct model *model, int node)
-{
-	for (int i = 0; i < model->skin_count; i++) {
-		for (int j = 0; j < model->skin[i].joint_count; j++) {
-			if (model->skin[i].joint[j] == node) {
-				return true;
-			}
-		}
-	}
-	return false;
-}
-
-static void report_nodes(
-	const struct model *model, const struct examiner *examiner)
+static void report_nodes(const struct model *model, const bool *is_joint,
+	const struct examiner *examiner)
 {
 	int transformed = 0, ancestors = 0, rigid = 0, scaled = 0;
 
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
-		bool joint = is_joint(model, i);
-		bool below = node->parent >= 0 && is_joint(model, node->parent);
+		bool joint = is_joint[i];
+		bool below = node->parent >= 0 && is_joint[node->parent];
 
 		transformed += node->skin >= 0 && !is_identity(node);
 		rigid += node->mesh >= 0 && node->skin < 0 && (below || joint);
 		scaled += joint && is_scaled(&node->rest);
 		ancestors += joint && node->parent >= 0 &&
-			!is_joint(model, node->parent) &&
+			!is_joint[node->parent] &&
 			!is_identity(&model->node[node->parent]);
 	}
 	examine_count(examiner, transformed,
@@ -105,28 +94,40 @@ static bool is_ordered(const struct model_skin *skin)
 	return true;
 }
 
-/* The skins with which nodes draw a mesh. */
-static int count_skins(const struct model *model, int mesh)
+/* With which skin a node draws a mesh. */
+struct use {
+	int mesh, skin;
+};
+
+static int compare_uses(const void *left, const void *right)
+{
+	const struct use *a = left, *b = right;
+
+	return a->mesh != b->mesh ? a->mesh - b->mesh : a->skin - b->skin;
+}
+
+/* All of them in the order of meshes; there is room for one of each node. */
+static int find_uses(const struct model *model, struct use *uses)
 {
 	int count = 0;
 
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
-		bool another = node->mesh == mesh && node->skin >= 0;
 
-		for (int other = i; another && other-- > 0;) {
-			another = model->node[other].mesh != mesh ||
-				model->node[other].skin != node->skin;
+		if (node->mesh >= 0 && node->skin >= 0) {
+			uses[count++] = (struct use){node->mesh, node->skin};
 		}
-		count += another;
+	}
+	if (count > 0) {
+		qsort(uses, (size_t)count, sizeof(*uses), compare_uses);
 	}
 	return count;
 }
 
-static void report_skins(
-	const struct model *model, const struct examiner *examiner)
+static void report_skins(const struct model *model, struct use *uses,
+	const struct examiner *examiner)
 {
-	int unordered = 0;
+	int unordered = 0, use_count = find_uses(model, uses), skins = 1;
 
 	for (int i = 0; i < model->skin_count; i++) {
 		unordered += !is_ordered(&model->skin[i]);
@@ -134,14 +135,17 @@ static void report_skins(
 	examine_count(examiner, unordered,
 		"skins that list their joints in another order than the nodes",
 		"limber takes the joint numbers of vertices as indices into the skin's list");
-	for (int m = 0; m < model->mesh_count; m++) {
-		int skins = count_skins(model, m);
-
+	for (int i = 1; i <= use_count; i++) {
+		if (i < use_count && uses[i].mesh == uses[i - 1].mesh) {
+			skins += uses[i].skin != uses[i - 1].skin;
+			continue;
+		}
 		if (skins > 1) {
 			examine_report(examiner,
 				"mesh %d is drawn with %d skins; limber poses it once for each skin",
-				m, skins);
+				uses[i - 1].mesh, skins);
 		}
+		skins = 1;
 	}
 }
 
@@ -180,9 +184,21 @@ static void report_meshes(
 	}
 }
 
-void examine_skins(const struct model *model, const struct examiner *examiner)
+int examine_skins(const struct model *model, const struct examiner *examiner,
+	const struct log *log)
 {
-	report_nodes(model, examiner);
-	report_skins(model, examiner);
-	report_meshes(model, examiner);
+	struct arena arena = arena_empty();
+	const bool *is_joint = model_find_joints(model, &arena);
+	struct use *uses = ARENA_ARRAY(&arena, struct use, model->node_count);
+	int error = 0;
+
+	if (is_joint && uses) {
+		report_nodes(model, is_joint, examiner);
+		report_skins(model, uses, examiner);
+		report_meshes(model, examiner);
+	} else {
+		error = memory_budget_fail(model->budget, model->path, log);
+	}
+	arena_release(&arena);
+	return error;
 }

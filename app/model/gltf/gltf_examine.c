@@ -219,11 +219,11 @@ int gltf_examine(const struct model_source *source,
 		const struct examination at = {&gltf, examiner};
 
 		model = gltf.model;
-		examine_clips(model, examiner);
-		examine_skins(model, examiner);
+		error = examine_clips(model, examiner, log);
+		error = error ? error : examine_skins(model, examiner, log);
 		report_skins(&at);
 		report_nodes(&at);
-		error = report_weights(&at);
+		error = error ? error : report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);
 		report_extensions(&at);

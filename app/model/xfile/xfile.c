@@ -209,8 +209,8 @@ int xfile_examine(const struct model_source *source,
 	}
 	examine_report(examiner,
 		"DirectX .x is left-handed with row vectors; limber negates z, transposes matrices and reverses the triangles");
-	examine_clips(model, examiner);
-	examine_skins(model, examiner);
+	error = examine_clips(model, examiner, log);
+	error = error ? error : examine_skins(model, examiner, log);
 	model_destroy(model);
-	return 0;
+	return error;
 }

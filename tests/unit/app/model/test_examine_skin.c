@@ -62,9 +62,10 @@ static void begin(struct fixture *f)
 static void expect(struct fixture *f, const char *wanted)
 {
 	const struct examiner examiner = {keep, f};
+	struct log log = log_to_stderr(LOG_WARNING);
 
 	f->heard[0] = '\0';
-	examine_skins(&f->bones.model, &examiner);
+	assert_int_equal(examine_skins(&f->bones.model, &examiner, &log), 0);
 	assert_string_equal(f->heard, wanted);
 }
 

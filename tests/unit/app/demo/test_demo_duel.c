@@ -2,17 +2,14 @@
 #include "app/compare/candidate/candidate_error.h"
 #include "app/demo/duel/contender.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/compared_clip.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <string.h>
 
 struct bench {
-	struct log log;
-	struct model *model;
-	struct reference *reference;
-	struct time_grid grid;
-	struct screen_view screen;
+	struct compared_clip of;
 	struct demo_env env;
 	struct contender contender;
 };
@@ -21,46 +18,34 @@ static const char path[] = "assets/walker.glb";
 
 static void begin(struct bench *bench, enum contender_kind kind)
 {
-	int clip;
-
 	memset(bench, 0, sizeof(*bench));
-	bench->log = log_to_stderr(LOG_WARNING);
-	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
-	clip = model_find_clip(bench->model, "walk");
-	assert_int_equal(reference_create(bench->model, clip, &bench->log,
-				 &bench->reference),
-		0);
+	compared_clip_begin(&bench->of, path, "walk");
+	bench->env = (struct demo_env){.log = &bench->of.log,
+		.kernel = &kernel_float,
+		.model_path = path};
 	assert_int_equal(
-		time_grid_make(bench->reference->clip, &bench->grid), 0);
-	bench->screen =
-		screen_view_create(bench->reference, &bench->grid, 480, 640);
-	bench->env = (struct demo_env){
-		.log = &bench->log, .kernel = &kernel_float, .model_path = path};
-	assert_int_equal(
-		contender_init(&bench->contender, kind, bench->reference,
-			&bench->screen, &bench->grid, 0.5f, &bench->env),
+		contender_init(&bench->contender, kind, bench->of.reference,
+			&bench->of.screen, &bench->of.grid, 0.5f, &bench->env),
 		0);
 }
 
 static void end(struct bench *bench)
 {
 	contender_finish(&bench->contender);
-	time_grid_release(&bench->grid);
-	reference_destroy(bench->reference);
-	model_destroy(bench->model);
+	compared_clip_end(&bench->of);
 }
 
 static float largest_error(struct bench *bench, float full_px)
 {
 	float peak_px = 0.0f;
 
-	for (int f = 0; f < bench->grid.count; f++) {
-		float at_s = bench->grid.time_s[f];
+	for (int f = 0; f < bench->of.grid.count; f++) {
+		float at_s = bench->of.grid.time_s[f];
 
 		contender_pose(&bench->contender, at_s);
-		reference_pose(bench->reference, at_s, false);
+		reference_pose(bench->of.reference, at_s, false);
 		contender_measure_error(
-			&bench->contender, &bench->screen, full_px);
+			&bench->contender, &bench->of.screen, full_px);
 		if (bench->contender.peak_px > peak_px) {
 			peak_px = bench->contender.peak_px;
 		}
@@ -77,13 +62,13 @@ static void agrees(enum contender_kind kind)
 	begin(&bench, kind);
 	shown_px = largest_error(&bench, 4.0f);
 	assert_int_equal(candidate_error_measure(&bench.contender.candidate,
-				 &bench.screen, &bench.grid, NULL, &error),
+				 &bench.of.screen, &bench.of.grid, NULL, &error),
 		0);
 	/* The figure shown is posed at the grid's moments alone. */
 	assert_true(shown_px <= error.peak_px + 2e-3f);
 	contender_pose(&bench.contender, error.peak_s);
-	reference_pose(bench.reference, error.peak_s, false);
-	contender_measure_error(&bench.contender, &bench.screen, 4.0f);
+	reference_pose(bench.of.reference, error.peak_s, false);
+	contender_measure_error(&bench.contender, &bench.of.screen, 4.0f);
 	assert_near(bench.contender.peak_px, error.peak_px, 2e-3);
 	assert_true(bench.contender.candidate.bytes.shared +
 			bench.contender.candidate.bytes.own >
@@ -120,8 +105,8 @@ static void test_rigid_parts_keep_every_triangle(void **state)
 		corners +=
 			bench.contender.shown->drawable[i].primitive->index_count;
 	}
-	for (int i = 0; i < bench.reference->instance->drawable_count; i++) {
-		wanted += bench.reference->instance->drawable[i]
+	for (int i = 0; i < bench.of.reference->instance->drawable_count; i++) {
+		wanted += bench.of.reference->instance->drawable[i]
 				  .primitive->index_count;
 	}
 	assert_int_equal(corners, wanted);

@@ -3,6 +3,7 @@
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/candidate/candidate_rigid.h"
 #include "app/compare/measure/grid_refine.h"
+#include "tests/support/model/compared_clip.h"
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
@@ -15,43 +16,17 @@ enum {
 	KEPT_BYTES = 1 << 24
 };
 
-struct bench {
-	struct log log;
-	struct model *model;
-	struct reference *reference;
-	struct time_grid grid;
-	struct screen_view screen;
-};
-
-static void begin(struct bench *bench, const char *path, const char *clip)
+static void begin(
+	struct compared_clip *bench, const char *path, const char *clip)
 {
-	int index;
-
-	*bench = (struct bench){.log = log_to_stderr(LOG_WARNING)};
-	assert_int_equal(model_load(path, &bench->log, &bench->model), 0);
-	index = model_find_clip(bench->model, clip);
-	assert_true(index >= 0);
-	assert_int_equal(reference_create(bench->model, index, &bench->log,
-				 &bench->reference),
-		0);
-	assert_int_equal(
-		time_grid_make(bench->reference->clip, &bench->grid), 0);
-	bench->screen =
-		screen_view_create(bench->reference, &bench->grid, 480, 640);
+	compared_clip_begin(bench, path, clip);
 	assert_int_equal(grid_refine(bench->reference, &bench->screen, 0.25f,
 				 &bench->grid),
 		0);
 }
 
-static void end(struct bench *bench)
-{
-	time_grid_release(&bench->grid);
-	reference_destroy(bench->reference);
-	model_destroy(bench->model);
-}
-
 static float largest_at(
-	struct bench *bench, struct candidate *candidate, float time_s)
+	struct compared_clip *bench, struct candidate *candidate, float time_s)
 {
 	float(*shown)[3] =
 		malloc((size_t)candidate->vertex_count * sizeof(*shown));
@@ -111,8 +86,8 @@ static void compare_with_reference(const struct screen_view *screen,
 }
 
 /* The reference comes last, because candidates may pose it for themselves. */
-static void compare_all_at(struct bench *bench, struct sampled all[SAMPLED],
-	float (*wanted)[2], float time_s)
+static void compare_all_at(struct compared_clip *bench,
+	struct sampled all[SAMPLED], float (*wanted)[2], float time_s)
 {
 	const struct reference *reference = bench->reference;
 
@@ -133,7 +108,8 @@ static void compare_all_at(struct bench *bench, struct sampled all[SAMPLED],
 }
 
 /* Ten times as dense as the grid and its middles. */
-static void find_dense_peaks(struct bench *bench, struct sampled all[SAMPLED])
+static void find_dense_peaks(
+	struct compared_clip *bench, struct sampled all[SAMPLED])
 {
 	float(*wanted)[2] = malloc(
 		(size_t)bench->reference->vertex_count * sizeof(*wanted));
@@ -161,8 +137,8 @@ static void find_dense_peaks(struct bench *bench, struct sampled all[SAMPLED])
 	free(wanted);
 }
 
-static void agrees(
-	struct bench *bench, struct candidate *candidate, float dense_px)
+static void agrees(struct compared_clip *bench, struct candidate *candidate,
+	float dense_px)
 {
 	struct candidate_error error;
 	float allowed_px = 0.05f * dense_px;
@@ -181,7 +157,8 @@ static void agrees(
 	assert_true(error.outline_px <= error.peak_px * 1.001f);
 }
 
-static void make_morph(struct bench *bench, int keys, struct sampled *out)
+static void make_morph(
+	struct compared_clip *bench, int keys, struct sampled *out)
 {
 	struct fixed_placement placement =
 		candidate_morph_placement(&bench->screen.box);
@@ -199,7 +176,7 @@ static void check_clip(const char *path, const char *clip)
 {
 	static const int keys[MORPHS] = {4, 20, 33};
 	struct sampled all[SAMPLED] = {0};
-	struct bench bench;
+	struct compared_clip bench;
 
 	begin(&bench, path, clip);
 	for (int i = 0; i < MORPHS; i++) {
@@ -218,7 +195,7 @@ static void check_clip(const char *path, const char *clip)
 		candidate_destroy(&all[i].candidate);
 		fit_keys_release(&all[i].keys);
 	}
-	end(&bench);
+	compared_clip_end(&bench);
 }
 
 static void test_the_peak_is_found_between_keys(void **state)
@@ -249,7 +226,7 @@ static void test_rigid_parts_cost_no_weights(void **state)
 	struct candidate candidate;
 	struct model_clip moving;
 	struct board_cost wanted;
-	struct bench bench;
+	struct compared_clip bench;
 
 	(void)state;
 	begin(&bench, "assets/walker.glb", "jump");
@@ -272,7 +249,7 @@ static void test_rigid_parts_cost_no_weights(void **state)
 	assert_near(
 		candidate.board.sample.instructions, wanted.instructions, 1e-6);
 	candidate_destroy(&candidate);
-	end(&bench);
+	compared_clip_end(&bench);
 }
 
 /* How far a made-up candidate is from the reference: most at one moment. */
@@ -309,7 +286,7 @@ static void cusp_take(const struct candidate *candidate, float (*position)[3],
 static void test_a_sharp_peak_within_an_interval_is_found(void **state)
 {
 	static const float places[] = {1.0f / 3.0f, 2.0f / 3.0f};
-	struct bench bench;
+	struct compared_clip bench;
 
 	(void)state;
 	begin(&bench, "assets/walker.glb", "idle");
@@ -333,14 +310,14 @@ static void test_a_sharp_peak_within_an_interval_is_found(void **state)
 		assert_near(
 			error.peak_s, cusp.peak_s, 2e-3 * (double)duration_s);
 	}
-	end(&bench);
+	compared_clip_end(&bench);
 }
 
 /* A morph that keeps two keys at a time shows what one with all keys does. */
 static void test_keys_that_are_baked_again_are_the_same(void **state)
 {
 	struct candidate_error error[2];
-	struct bench bench;
+	struct compared_clip bench;
 
 	(void)state;
 	begin(&bench, "assets/walker.glb", "run");
@@ -366,14 +343,14 @@ static void test_keys_that_are_baked_again_are_the_same(void **state)
 		fit_keys_release(&keys);
 	}
 	assert_memory_equal(&error[0], &error[1], sizeof(error[0]));
-	end(&bench);
+	compared_clip_end(&bench);
 }
 
 /* With room for few moments a fit takes more keys, all within the bound. */
 static void test_a_fit_in_little_memory_keeps_within_the_bound(void **state)
 {
 	struct fit_keys wide, narrow;
-	struct bench bench;
+	struct compared_clip bench;
 
 	(void)state;
 	begin(&bench, "assets/walker.glb", "idle");
@@ -393,7 +370,7 @@ static void test_a_fit_in_little_memory_keeps_within_the_bound(void **state)
 		bench.reference->clip->duration_s);
 	fit_keys_release(&wide);
 	fit_keys_release(&narrow);
-	end(&bench);
+	compared_clip_end(&bench);
 }
 
 int main(void)

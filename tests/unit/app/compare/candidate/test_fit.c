@@ -1,5 +1,6 @@
 /* Fitted key frames, compared with a plain search over all moments. */
 #include "app/compare/candidate/fit.h"
+#include "tests/support/model/compared_clip.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -11,11 +12,7 @@ enum {
 };
 
 struct bench {
-	struct log log;
-	struct model *model;
-	struct reference *reference;
-	struct time_grid grid;
-	struct screen_view screen;
+	struct compared_clip of;
 	float (*position)[3]; /* [grid.count][vertex_count] */
 	struct fit_keys keys;
 };
@@ -24,25 +21,17 @@ static void begin(struct bench *bench)
 {
 	size_t count;
 
-	*bench = (struct bench){.log = log_to_stderr(LOG_WARNING)};
-	assert_int_equal(
-		model_load("assets/walker.glb", &bench->log, &bench->model), 0);
-	assert_int_equal(reference_create(bench->model,
-				 model_find_clip(bench->model, "walk"),
-				 &bench->log, &bench->reference),
-		0);
-	assert_int_equal(
-		time_grid_make(bench->reference->clip, &bench->grid), 0);
-	bench->screen =
-		screen_view_create(bench->reference, &bench->grid, 480, 640);
-	count = (size_t)bench->reference->vertex_count;
-	bench->position = malloc(
-		(size_t)bench->grid.count * count * sizeof(*bench->position));
+	memset(bench, 0, sizeof(*bench));
+	compared_clip_begin(&bench->of, "assets/walker.glb", "walk");
+	count = (size_t)bench->of.reference->vertex_count;
+	bench->position = malloc((size_t)bench->of.grid.count * count *
+		sizeof(*bench->position));
 	assert_non_null(bench->position);
-	for (int i = 0; i < bench->grid.count; i++) {
-		reference_pose(bench->reference, bench->grid.time_s[i], false);
+	for (int i = 0; i < bench->of.grid.count; i++) {
+		reference_pose(
+			bench->of.reference, bench->of.grid.time_s[i], false);
 		memcpy(bench->position + (size_t)i * count,
-			bench->reference->position,
+			bench->of.reference->position,
 			count * sizeof(*bench->position));
 	}
 }
@@ -50,34 +39,32 @@ static void begin(struct bench *bench)
 static void end(struct bench *bench)
 {
 	free(bench->position);
-	time_grid_release(&bench->grid);
-	reference_destroy(bench->reference);
-	model_destroy(bench->model);
+	compared_clip_end(&bench->of);
 }
 
 static const float (*positions(const struct bench *bench, int moment))[3]
 {
 	return (const float(*)[3])bench->position +
-		(size_t)moment * (size_t)bench->reference->vertex_count;
+		(size_t)moment * (size_t)bench->of.reference->vertex_count;
 }
 
 /* How far the line between two keys is off at most at a moment. */
 static float off_px(const struct bench *bench, int from, int to, int moment)
 {
-	const float *time_s = bench->grid.time_s;
+	const float *time_s = bench->of.grid.time_s;
 	const float(*a)[3] = positions(bench, from),
 	      (*b)[3] = positions(bench, to),
 	      (*wanted)[3] = positions(bench, moment);
 	float t = (time_s[moment] - time_s[from]) / (time_s[to] - time_s[from]);
 	float most = 0.0f;
 
-	for (int v = 0; v < bench->reference->vertex_count; v++) {
+	for (int v = 0; v < bench->of.reference->vertex_count; v++) {
 		float at[3], px;
 
 		for (int i = 0; i < 3; i++) {
 			at[i] = a[v][i] + (b[v][i] - a[v][i]) * t;
 		}
-		px = screen_view_distance_px(&bench->screen, at, wanted[v]);
+		px = screen_view_distance_px(&bench->of.screen, at, wanted[v]);
 		most = px > most ? px : most;
 	}
 	return most;
@@ -99,7 +86,7 @@ static int next_key(
 {
 	int best = from + 1, misses = 0;
 
-	for (int to = from + 1; to < bench->grid.count &&
+	for (int to = from + 1; to < bench->of.grid.count &&
 		to - from <= span_max && misses < MISSES;
 		to++) {
 		if (fits(bench, from, to, bound_px)) {
@@ -118,15 +105,15 @@ static void expect_rule(
 	const struct fit_keys *keys = &bench->keys;
 	int at = 0;
 
-	assert_int_equal(fit_keys_within(bench->reference, &bench->screen,
-				 &bench->grid, bound_px, bytes, &bench->keys),
+	assert_int_equal(fit_keys_within(bench->of.reference, &bench->of.screen,
+				 &bench->of.grid, bound_px, bytes, &bench->keys),
 		0);
 	assert_near(keys->time_s[0], 0.0, 0.0);
 	for (int k = 1; k < keys->count; k++) {
 		at = next_key(bench, at, bound_px, span_max);
-		assert_near(keys->time_s[k], bench->grid.time_s[at], 0.0);
+		assert_near(keys->time_s[k], bench->of.grid.time_s[at], 0.0);
 	}
-	assert_int_equal(at, bench->grid.count - 1);
+	assert_int_equal(at, bench->of.grid.count - 1);
 	fit_keys_release(&bench->keys);
 	assert_null(bench->keys.time_s);
 }
@@ -137,8 +124,8 @@ static void test_each_key_is_the_farthest_that_keeps_the_bound(void **state)
 
 	(void)state;
 	begin(&bench);
-	expect_rule(&bench, 1.0f, PLENTY_BYTES, bench.grid.count);
-	expect_rule(&bench, 6.0f, PLENTY_BYTES, bench.grid.count);
+	expect_rule(&bench, 1.0f, PLENTY_BYTES, bench.of.grid.count);
+	expect_rule(&bench, 6.0f, PLENTY_BYTES, bench.of.grid.count);
 	end(&bench);
 }
 
@@ -149,7 +136,7 @@ static void test_the_memory_limits_the_spans(void **state)
 
 	(void)state;
 	begin(&bench);
-	moment = (size_t)bench.reference->vertex_count * sizeof(float[3]);
+	moment = (size_t)bench.of.reference->vertex_count * sizeof(float[3]);
 	expect_rule(&bench, 6.0f, 5 * moment, 4);
 	expect_rule(&bench, 6.0f, 6 * moment - 1, 4);
 	/* It takes three moments at least. */

@@ -1,6 +1,6 @@
 /* Materials, textures, attributes and indices of exported files. */
 #include "app/compare/export/export_bake.h"
-#include "tests/support/log_capture.h"
+#include "tests/support/model/written_glb.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -9,58 +9,13 @@
 
 #include <png.h>
 
-/* A written file: its JSON and the begin of its binary chunk. */
-struct written {
-	uint8_t *data;
-	json_t *root;
-	const uint8_t *binary;
-};
-
-static struct written write_file(struct glb *glb)
-{
-	struct log_capture logged;
-	struct log log = log_capture_begin(&logged);
-	struct written written;
-	size_t size, length;
-
-	assert_int_equal(
-		glb_write_memory(glb, "t.glb", &log, &written.data, &size), 0);
-	length = (size_t)written.data[12] | (size_t)written.data[13] << 8;
-	written.root =
-		json_loadb((const char *)written.data + 20, length, 0, NULL);
-	assert_non_null(written.root);
-	written.binary = written.data + 20 + length + 8;
-	return written;
-}
-
-static void release(struct written *written)
-{
-	json_decref(written->root);
-	free(written->data);
-}
-
-/* The JSON of the member, with ' for ", is that; "": there is none. */
-static void expect_member(
-	const struct written *written, const char *name, const char *wanted)
-{
-	json_t *member = json_object_get(written->root, name);
-	char *text = member ? json_dumps(member, JSON_COMPACT | JSON_SORT_KEYS)
-			    : NULL;
-
-	for (char *at = text; at && *at; at++) {
-		*at = *at == '"' ? '\'' : *at;
-	}
-	assert_string_equal(text ? text : "", wanted);
-	free(text);
-}
-
-static struct written write_materials(const struct model *model)
+static struct written_glb write_materials(const struct model *model)
 {
 	struct glb glb;
 
 	glb_begin_memory(&glb);
 	export_materials(&glb, model);
-	return write_file(&glb);
+	return written_glb_take(&glb);
 }
 
 static void test_materials_keep_what_they_are(void **state)
@@ -68,7 +23,7 @@ static void test_materials_keep_what_they_are(void **state)
 	struct model_material material[3] = {model_plain_material,
 		model_plain_material, model_plain_material};
 	const struct model model = {.material_count = 3, .material = material};
-	struct written written;
+	struct written_glb written;
 
 	(void)state;
 	material[0].name = "masked";
@@ -86,7 +41,7 @@ static void test_materials_keep_what_they_are(void **state)
 	material[2].emissive[2] = 0.125f;
 	material[2].emissive_texture = 7;
 	written = write_materials(&model);
-	expect_member(&written, "materials",
+	written_glb_expect(&written, "materials",
 		"[{'alphaCutoff':0.75,'alphaMode':'MASK','doubleSided':false,"
 		"'name':'masked','pbrMetallicRoughness':{"
 		"'baseColorFactor':[1.0,0.25,1.0,1.0],"
@@ -103,9 +58,10 @@ static void test_materials_keep_what_they_are(void **state)
 		"'pbrMetallicRoughness':{"
 		"'baseColorFactor':[1.0,1.0,1.0,1.0],'metallicFactor':0.0,"
 		"'roughnessFactor':1.0}}]");
-	expect_member(&written, "extensionsUsed", "['KHR_materials_unlit']");
-	expect_member(&written, "textures", "");
-	release(&written);
+	written_glb_expect(
+		&written, "extensionsUsed", "['KHR_materials_unlit']");
+	written_glb_expect(&written, "textures", "");
+	written_glb_release(&written);
 }
 
 static void test_an_emission_without_light_or_texture_is_left_out(void **state)
@@ -113,7 +69,7 @@ static void test_an_emission_without_light_or_texture_is_left_out(void **state)
 	struct model_material material[2] = {
 		model_plain_material, model_plain_material};
 	const struct model model = {.material_count = 2, .material = material};
-	struct written written;
+	struct written_glb written;
 	json_t *array;
 
 	(void)state;
@@ -129,8 +85,8 @@ static void test_an_emission_without_light_or_texture_is_left_out(void **state)
 		assert_null(json_object_get(one, "emissiveTexture"));
 		assert_null(json_object_get(one, "extensions"));
 	}
-	expect_member(&written, "extensionsUsed", "");
-	release(&written);
+	written_glb_expect(&written, "extensionsUsed", "");
+	written_glb_release(&written);
 }
 
 /* Images become PNG, which the test reads again. */
@@ -148,25 +104,25 @@ static void test_textures_keep_their_samplers_and_pixels(void **state)
 		.texture = texture,
 		.image_count = 2,
 		.image = image};
-	struct written written;
+	struct written_glb written;
 
 	(void)state;
 	for (int i = 0; i < 48; i++) {
 		pixels[i / 24][i % 24] = (uint8_t)(5 * i + 3);
 	}
 	written = write_materials(&model);
-	expect_member(&written, "textures",
+	written_glb_expect(&written, "textures",
 		"[{'sampler':0,'source':1},{'sampler':1,'source':0},"
 		"{'sampler':2,'source':1}]");
 	/* OpenGL's NEAREST, LINEAR, LINEAR_MIPMAP_LINEAR and edges. */
-	expect_member(&written, "samplers",
+	written_glb_expect(&written, "samplers",
 		"[{'magFilter':9728,'minFilter':9729,'wrapS':33071,"
 		"'wrapT':10497},"
 		"{'magFilter':9729,'minFilter':9987,'wrapS':10497,"
 		"'wrapT':33648},"
 		"{'magFilter':9729,'minFilter':9729,'wrapS':33648,"
 		"'wrapT':33071}]");
-	expect_member(&written, "images",
+	written_glb_expect(&written, "images",
 		"[{'bufferView':0,'mimeType':'image/png'},"
 		"{'bufferView':1,'mimeType':'image/png'}]");
 	for (size_t i = 0; i < 2; i++) {
@@ -187,7 +143,7 @@ static void test_textures_keep_their_samplers_and_pixels(void **state)
 		assert_true(png_image_finish_read(&png, NULL, read, 0, NULL));
 		assert_memory_equal(read, pixels[i], i == 0 ? 24 : 8);
 	}
-	release(&written);
+	written_glb_release(&written);
 }
 
 static void test_attributes_follow_their_sources(void **state)
@@ -203,7 +159,7 @@ static void test_attributes_follow_their_sources(void **state)
 	for (int with = 0; with < 2; with++) {
 		int count = with ? 4 : 3;
 		json_t *attributes = json_object();
-		struct written written;
+		struct written_glb written;
 		const float *numbers;
 		struct glb glb;
 
@@ -216,7 +172,7 @@ static void test_attributes_follow_their_sources(void **state)
 		assert_int_equal(json_integer_value(
 					 json_object_get(attributes, "COLOR_0")),
 			1);
-		written = write_file(&glb);
+		written = written_glb_take(&glb);
 		numbers = (const float *)(const void *)written.binary;
 		for (int v = 0; v < count; v++) {
 			int from = with ? source[v] : v;
@@ -236,7 +192,7 @@ static void test_attributes_follow_their_sources(void **state)
 			assert_near(
 				numbers[i], i % 4 < 3 ? linear : shown, 1e-6);
 		}
-		release(&written);
+		written_glb_release(&written);
 		json_decref(attributes);
 	}
 }
@@ -246,22 +202,22 @@ static void test_indices_are_short_up_to_65534(void **state)
 {
 	static const uint32_t small[3] = {65534, 0, 7}, large[3] = {1, 65535, 7};
 	static const uint16_t stored[3] = {65534, 0, 7};
-	struct written written;
+	struct written_glb written;
 	struct glb glb;
 
 	(void)state;
 	glb_begin_memory(&glb);
 	assert_int_equal(export_indices(&glb, small, 3), 0);
 	assert_int_equal(export_indices(&glb, large, 3), 1);
-	written = write_file(&glb);
-	expect_member(&written, "accessors",
+	written = written_glb_take(&glb);
+	written_glb_expect(&written, "accessors",
 		"[{'bufferView':0,'componentType':5123,'count':3,"
 		"'type':'SCALAR'},"
 		"{'bufferView':1,'componentType':5125,'count':3,"
 		"'type':'SCALAR'}]");
 	assert_memory_equal(written.binary, stored, 6);
 	assert_memory_equal(written.binary + 8, large, 12);
-	release(&written);
+	written_glb_release(&written);
 }
 
 int main(void)

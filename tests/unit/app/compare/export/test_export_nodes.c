@@ -1,7 +1,7 @@
 /* Nodes and clips of exported files. */
 #include "app/compare/export/export_bake.h"
-#include "tests/support/log_capture.h"
 #include "tests/support/model/bones.h"
+#include "tests/support/model/written_glb.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
@@ -23,8 +23,7 @@ struct fixture {
 	struct model_channel channel[CLIPS_MAX][CHANNELS_MAX];
 	struct comparison_clip compared[CLIPS_MAX];
 	struct comparison comparison;
-	json_t *root; /* of the written file */
-	uint8_t *data;
+	struct written_glb written;
 };
 
 static void begin(struct fixture *f)
@@ -47,8 +46,7 @@ static void begin(struct fixture *f)
 
 static void end(struct fixture *f)
 {
-	json_decref(f->root);
-	free(f->data);
+	written_glb_release(&f->written);
 	bones_end(&f->bones);
 }
 
@@ -74,42 +72,13 @@ static struct model_channel *add_channel(
 	return channel;
 }
 
-static void write_file(struct fixture *f, struct glb *glb)
-{
-	struct log_capture logged;
-	struct log log = log_capture_begin(&logged);
-	size_t size;
-
-	assert_int_equal(
-		glb_write_memory(glb, "t.glb", &log, &f->data, &size), 0);
-	/* The JSON follows two headers, of 12 and 8 bytes. */
-	f->root = json_loadb((const char *)f->data + 20,
-		(size_t)f->data[12] | (size_t)f->data[13] << 8, 0, NULL);
-	assert_non_null(f->root);
-}
-
 static void write_clips(struct fixture *f, bool targets)
 {
 	struct glb glb;
 
 	glb_begin_memory(&glb);
 	export_clips(&glb, &f->comparison, targets);
-	write_file(f, &glb);
-}
-
-/* The JSON of the member, with ' for ", is that. */
-static void expect_member(
-	const struct fixture *f, const char *name, const char *wanted)
-{
-	json_t *member = json_object_get(f->root, name);
-	char *text = member ? json_dumps(member, JSON_COMPACT | JSON_SORT_KEYS)
-			    : NULL;
-
-	for (char *at = text; at && *at; at++) {
-		*at = *at == '"' ? '\'' : *at;
-	}
-	assert_string_equal(text ? text : "", wanted);
-	free(text);
+	f->written = written_glb_take(&glb);
 }
 
 /* "count type" of all accessors, one after the other. */
@@ -119,7 +88,8 @@ static void expect_accessors(const struct fixture *f, const char *wanted)
 	json_t *accessor;
 	size_t i;
 
-	json_array_foreach(json_object_get(f->root, "accessors"), i, accessor)
+	json_array_foreach(
+		json_object_get(f->written.root, "accessors"), i, accessor)
 	{
 		snprintf(text + strlen(text), sizeof(text) - strlen(text),
 			"%d %s%s ",
@@ -152,7 +122,7 @@ static void test_channels_of_all_paths_and_interpolations(void **state)
 	add_channel(&f, 1, 0, MODEL_TRANSLATION, 3)->interpolation =
 		MODEL_CUBICSPLINE;
 	write_clips(&f, true);
-	expect_member(&f, "animations",
+	written_glb_expect(&f.written, "animations",
 		"[{'channels':["
 		"{'sampler':0,'target':{'node':1,'path':'scale'}},"
 		"{'sampler':1,'target':{'node':2,'path':'weights'}}],"
@@ -198,7 +168,7 @@ static void test_only_clips_that_are_compared_are_written(void **state)
 	f.comparison.clip_count = 1;
 	f.compared[0].clip = 1;
 	write_clips(&f, true);
-	expect_member(&f, "animations",
+	written_glb_expect(&f.written, "animations",
 		"[{'channels':["
 		"{'sampler':0,'target':{'node':1,'path':'scale'}}],"
 		"'name':'b','samplers':["
@@ -227,7 +197,7 @@ static void test_clips_without_weights_keep_their_duration(void **state)
 	add_channel(&f, 0, 1, MODEL_SCALE, 3);
 	add_channel(&f, 0, 2, MODEL_WEIGHTS, 4);
 	write_clips(&f, false);
-	expect_member(&f, "animations",
+	written_glb_expect(&f.written, "animations",
 		"[{'channels':[" STILL("0",
 			"0") ","
 			     "{'sampler':1,'target':{'node':1,'path':'scale'}}," STILL(
@@ -237,8 +207,9 @@ static void test_clips_without_weights_keep_their_duration(void **state)
 					  "{'input':0,'interpolation':'LINEAR','output':2},"
 					  "{'input':3,'interpolation':'STEP','output':4}]}]");
 	expect_accessors(&f, "3 SCALAR 3 VEC3 3 VEC3 2 SCALAR 2 VEC3 ");
-	size = (size_t)f.data[8] | (size_t)f.data[9] << 8;
-	assert_memory_equal(f.data + size - sizeof(still), still, sizeof(still));
+	size = (size_t)f.written.data[8] | (size_t)f.written.data[9] << 8;
+	assert_memory_equal(
+		f.written.data + size - sizeof(still), still, sizeof(still));
 	end(&f);
 }
 
@@ -252,7 +223,7 @@ static void test_a_clip_that_ends_in_time_needs_no_node(void **state)
 	add_channel(&f, 0, 0, MODEL_SCALE, 4);
 	add_channel(&f, 0, 2, MODEL_WEIGHTS, 4);
 	write_clips(&f, false);
-	expect_member(&f, "animations",
+	written_glb_expect(&f.written, "animations",
 		"[{'channels':["
 		"{'sampler':0,'target':{'node':0,'path':'scale'}}],"
 		"'name':'a','samplers':["
@@ -279,7 +250,7 @@ static void test_a_clip_of_weights_alone_stays_if_a_node_can_hold_it(
 			f.bones.node[2].matrix = matrix;
 		}
 		write_clips(&f, false);
-		expect_member(&f, "animations",
+		written_glb_expect(&f.written, "animations",
 			held ? "[{'channels':[" STILL("0",
 				       "1") "],'name':'a',"
 					    "'samplers':[{'input':0,'interpolation':'STEP',"
@@ -298,7 +269,7 @@ static void test_a_clip_without_duration_goes_with_its_weights(void **state)
 	f.comparison.clip_count = 2;
 	add_channel(&f, 0, 2, MODEL_WEIGHTS, 1);
 	write_clips(&f, false);
-	expect_member(&f, "animations", "");
+	written_glb_expect(&f.written, "animations", "");
 	end(&f);
 }
 
@@ -323,7 +294,7 @@ static void test_nodes_keep_what_they_are(void **state)
 		glb_begin_memory(&glb);
 		glb_set(&glb, "meshes", json_pack("[{},{}]"));
 		export_nodes(&glb, &f.bones.model, mesh, skins, levels);
-		write_file(&f, &glb);
+		f.written = written_glb_take(&glb);
 #define REST "'rotation':[0.0,0.0,0.0,1.0],'scale':[1.0,1.0,1.0],"
 #define NODES(skin)                                                         \
 	"[{'children':[1,2],'name':''," REST "'translation':[1.0,2.0,3.0]}" \
@@ -331,9 +302,9 @@ static void test_nodes_keep_what_they_are(void **state)
 	",{'matrix':[1.0,2.0,0.0,0.0,3.0,0.0,0.0,0.0,4.0,0.0,0.0,0.0,5.0,"  \
 	"0.0,0.0,6.0],'mesh':1,'name':''},"                                 \
 	"{'name':''," REST "'translation':[0.0,0.0,0.0]}]"
-		expect_member(
-			&f, "nodes", skins ? NODES("'skin':0,") : NODES(""));
-		expect_member(&f, "scenes",
+		written_glb_expect(&f.written, "nodes",
+			skins ? NODES("'skin':0,") : NODES(""));
+		written_glb_expect(&f.written, "scenes",
 			skins ? "[{'nodes':[0]}]" : "[{'nodes':[0,3]}]");
 		json_decref(levels);
 		end(&f);

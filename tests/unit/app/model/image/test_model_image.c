@@ -1,5 +1,6 @@
 /* image.h: images of every kind become RGBA; broken ones are an error. */
 #include "app/model/image/image.h"
+#include "tests/support/jpeg_size.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
@@ -348,21 +349,6 @@ static void test_decodes_a_damaged_jpeg_with_a_warning(void **state)
 	arena_release(&arena);
 }
 
-/* Sets the size in the frame header, which follows the tables. */
-static void set_jpeg_size(struct bytes *bytes, int width, int height)
-{
-	size_t i = 2;
-
-	while (bytes->data[i + 1] != 0xc0) {
-		i += 2 + (size_t)(bytes->data[i + 2] << 8 | bytes->data[i + 3]);
-		assert_true(i < bytes->size);
-	}
-	bytes->data[i + 5] = (uint8_t)(height >> 8);
-	bytes->data[i + 6] = (uint8_t)height;
-	bytes->data[i + 7] = (uint8_t)(width >> 8);
-	bytes->data[i + 8] = (uint8_t)width;
-}
-
 static void test_refuses_sizes_above_the_limit(void **state)
 {
 	static const uint8_t rows[4097 * 3];
@@ -372,7 +358,7 @@ static void test_refuses_sizes_above_the_limit(void **state)
 
 	(void)state;
 	expect_refusal(&png, -EFBIG, "has 4097x1 pixels");
-	set_jpeg_size(&jpeg, 8, 65500);
+	jpeg_size_set(jpeg.data, jpeg.size, 8, 65500);
 	expect_refusal(&jpeg, -EFBIG, "has 8x65500 pixels");
 }
 

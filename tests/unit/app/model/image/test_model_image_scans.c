@@ -4,6 +4,7 @@
  */
 #include "app/model/image/image.h"
 #include "platform/base/compiler.h"
+#include "tests/support/jpeg_size.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
@@ -60,21 +61,6 @@ static struct bytes make_progressive(void)
 	bytes.size = size;
 	free(data);
 	return bytes;
-}
-
-/* Sets the size in the frame header, which follows the tables. */
-static void set_size(struct bytes *bytes, int width, int height)
-{
-	size_t i = 2;
-
-	while (bytes->data[i + 1] != 0xc2) {
-		i += 2 + (size_t)(bytes->data[i + 2] << 8 | bytes->data[i + 3]);
-		assert_true(i < bytes->size);
-	}
-	bytes->data[i + 5] = (uint8_t)(height >> 8);
-	bytes->data[i + 6] = (uint8_t)height;
-	bytes->data[i + 7] = (uint8_t)(width >> 8);
-	bytes->data[i + 8] = (uint8_t)width;
 }
 
 /* Repeats the last scan of an image, from its marker to the end. */
@@ -150,7 +136,7 @@ static void test_reads_fewer_scans_of_a_large_jpeg(void **state)
 
 	(void)state;
 	repeat_scan(&bytes, 40);
-	set_size(&bytes, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX);
+	jpeg_size_set(bytes.data, bytes.size, IMAGE_SIDE_MAX, IMAGE_SIDE_MAX);
 	expect_refusal(&bytes,
 		"HERE: the JPEG image is broken: it has more than 32 scans");
 }

@@ -17,15 +17,17 @@ BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
 # Models whose rows of limber compare are played, with their clips.
 PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
-PLAY_MODELS = assets/walker.glb@walk assets/walker.glb@jump \
-	assets/face.glb@cycle $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
-	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb) \
-	build/bench-models/worm.glb build/bench-models/tail.glb
+PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
+	$(addprefix $(SAMPLES)/models/,CesiumMan.glb RiggedFigure.glb BoxAnimated.glb \
+	AnimatedMorphCube.glb) \
+	build/bench-models/worm.glb build/bench-models/tail.glb \
+	--alone assets/walker.glb@jump
 # Models whose pictures show what drawing costs; others can be given. Those of
 # user_models.py have no clip.
-DRAW_MODELS = assets/walker.glb@walk assets/face.glb@cycle assets/arm.glb@- \
-	$(addprefix $(SAMPLES)/models/,CesiumMan.glb RiggedFigure.glb \
-	BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb x/anim_test.x) \
+DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycle \
+	assets/arm.glb@- $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
+	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \
+	x/anim_test.x) \
 	$(addsuffix @-,$(filter-out %/tail.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)

@@ -83,7 +83,7 @@ class Bench:
         result = subprocess.run(
             self.command(row, kernel, memory, report),
             capture_output=True, text=True, check=False,
-            env={**os.environ, "LC_ALL": "C"},
+            env={"LC_ALL": "C"},  # one environment, as in timing_model.py
         )  # fmt: skip
         if result.returncode == 3:
             return None

@@ -15,6 +15,8 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+from timing_model import run_play_cost
+
 SIZES = ((480, 640), (240, 320), (800, 480))
 # What each takes about, in cycles and instructions, as the functions' profiles
 # show it: where pictures do not tell, a cost stays near it.
@@ -57,22 +59,14 @@ GUESS_WEIGHT = 0.06
 ROUNDS = 3000
 
 
-def play(program, model_so, sysroot, path, clip, size):
+def play(tools, path, clip, size):
     """What a picture consists of, and its cycles and instructions."""
     moments = 1 if clip == "-" else 2
-    run = subprocess.run(
-        ["qemu-arm", "-cpu", "arm1136", "-L", sysroot, "-plugin", model_so,
-         program, path, clip, "1", "0", *map(str, size), str(moments)],
-        check=True, capture_output=True, text=True)
-    counts, cost = None, None
-    for line in (run.stdout + run.stderr).splitlines():
-        words = line.split()
-        if words[:1] == ["counts"]:
-            counts = [float(word) / moments for word in words[1:]]
-        elif words[:1] == ["region"] and words[1].endswith("#3"):
-            cost = [float(words[words.index(name) + 1]) / moments
-                    for name in ("cycles", "instructions")]
-    return [1.0, size[0] * size[1], *counts], cost
+    text, regions = run_play_cost(tools, path, clip, 1, 0, *size, moments)
+    counts = next(line.split()[1:] for line in text.splitlines()
+                  if line.startswith("counts "))
+    return ([1.0, size[0] * size[1], *(float(n) / moments for n in counts)],
+            [regions[3][name] / moments for name in ("cycles", "instructions")])
 
 
 def fit(rows, wanted, guessed):
@@ -134,13 +128,13 @@ def write_table(path, costs):
 
 
 def main():
-    limber, program, model_so, sysroot, table = sys.argv[1:6]
+    limber, *tools, table = sys.argv[1:6]
     with tempfile.TemporaryDirectory() as folder:
         jobs = [(*file, size) for file in files_of(
             limber, sys.argv[6:], folder) for size in SIZES]
         with ThreadPoolExecutor(2) as pool:
             played = list(pool.map(
-                lambda job: play(program, model_so, sysroot, *job), jobs))
+                lambda job: play(tools, *job), jobs))
     rows = [row for row, _ in played]
     costs = [fit(rows, [cost[i] for _, cost in played],
                  [guess[i] for guess in GUESSED.values()]) for i in range(2)]

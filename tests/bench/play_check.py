@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""play_check.py LIMBER PLAY_COST MODEL.so SYSROOT FILE[@CLIP]...: plays quotes.
+"""play_check.py LIMBER PLAY_COST MODEL.so SYSROOT FILE[@CLIP]... [--alone FILE[@CLIP]...]
 
-For each row that `limber compare --clip` quotes, it plays the file of the row
-on the timing model (play_cost.c) and compares instructions and cycles of a
-frame: of posing, of drawing, and of both; of the model itself, drawing in
-pictures of other sizes, too. Quoted and played may differ by 10%. It prints TAP.
+Plays quotes. For each row that `limber compare --clip` quotes, it plays the file
+of the row on the timing model (play_cost.c) and compares instructions and cycles
+of a frame: of posing, of drawing, and of both; of the model itself, drawing in
+pictures of other sizes, too. Quoted and played may differ by 10%. Of files after
+--alone only the model itself is played. It prints TAP.
 """
 import json
 import os
@@ -13,37 +14,26 @@ import subprocess
 import sys
 import tempfile
 
+from timing_model import run_play_cost
+
 TOLERANCE = 0.10
-RATE_HZ = 60
-FRAMES_MAX = 300  # as in play_cost.c
-MOMENTS = 6  # as in play_cost.c
+RATE_HZ = 30
 SIZES = ("480x640", "240x320", "800x480")
 # Below this a frame is a few cache misses, of which one more is 10%.
 CYCLES_MIN = 12000
 MHZ = 532
 
 
-def played(tools, path, clip, rate_hz, size):
-    """Cycles and instructions of an average frame: posing, drawing."""
-    program, model_so, sysroot = tools
-    run = subprocess.run(
-        ["qemu-arm", "-cpu", "arm1136", "-L", sysroot, "-plugin", model_so,
-         program, path, clip, str(rate_hz), "0", *size.split("x")],
-        check=True, capture_output=True, text=True)
-    cost = [[0.0, 0.0], [0.0, 0.0]]
-    frames = 0
-    for line in (run.stdout + run.stderr).splitlines():
-        words = line.split()
-        if words[:1] == ["frames"]:
-            frames = int(words[1])
-        elif words[:1] == ["region"]:
-            values = dict(zip(words[2::2], words[3::2])) \
-                if len(words) % 2 == 0 else dict(zip(words[2:], words[3:]))
-            drawn = words[1].endswith("#3")
-            for i, name in enumerate(("cycles", "instructions")):
-                cost[drawn][i] += float(values[name]) / (
-                    MOMENTS if drawn else frames)
-    return cost
+def played(tools, path, clip, rate_hz, size=None):
+    """Cycles and instructions of an average frame: posing and, with a size,
+    drawing."""
+    _, regions = run_play_cost(
+        tools, path, clip, rate_hz, 0, *(size.split("x") if size else ()))
+    # Region 1 samples, 2 poses: both begin once a frame. Region 3 draws.
+    return [[sum(regions[number][name] / regions[number]["entries"]
+                 for number in numbers)
+             for name in ("cycles", "instructions")]
+            for numbers in (((1, 2), (3,)) if size else ((1, 2),))]
 
 
 def compared(quoted, cycles, instructions):
@@ -108,15 +98,22 @@ class Tap:
               flush=True)
 
 
-def check_frames(tap, limber, tools, model, clip, baked):
-    """All rows, in pictures of the first size."""
-    for row in compare(limber, model, clip, "--error", "1", "--size", SIZES[0],
-                       "--export", baked):
+def check_frames(tap, limber, tools, model, clip, baked, alone):
+    """The rows, in pictures of the first size."""
+    drawings = {}  # played: key frames show the same, however many there are
+    rows = compare(limber, model, clip, "--error", "1", "--size", SIZES[0],
+                   "--export", baked)
+    for row in rows[:1] if alone else rows:
         path = file_of(row, model, baked)
         if row["name"] == "rigid parts" and not has_clips(path):
             continue  # the clip has nothing but weights of targets
-        posing, drawing = played(
-            tools, path, clip if path == model else "0", RATE_HZ, SIZES[0])
+        shown = row["name"].split(",")[0] if "keys" in row["name"] else path
+        posing, *drawing = played(
+            tools, path, clip if path == model else "0", RATE_HZ,
+            None if shown in drawings else SIZES[0])
+        if drawing:
+            drawings[shown] = drawing[0]
+        drawing = drawings[shown]
         costs = {"posing": posing, "drawing": drawing,
                  "whole": [p + d for p, d in zip(posing, drawing)]}
         for step, quoted in quotes(row).items():
@@ -135,11 +132,15 @@ def check_drawing(tap, limber, tools, model, clip, size):
 def main():
     limber, tools = sys.argv[1], sys.argv[2:5]
     tap = Tap()
-    for model in sys.argv[5:]:
-        model, _, clip = model.partition("@")
+    alone = False
+    for word in sys.argv[5:]:
+        if word == "--alone":
+            alone = True
+            continue
+        model, _, clip = word.partition("@")
         clip = clip or "0"
         with tempfile.TemporaryDirectory() as baked:
-            check_frames(tap, limber, tools, model, clip, baked)
+            check_frames(tap, limber, tools, model, clip, baked, alone)
         for size in SIZES[1:]:
             check_drawing(tap, limber, tools, model, clip, size)
     print(f"1..{tap.count}")

@@ -18,14 +18,13 @@ static_assert(offsetof(struct setup, fast_setup) ==
 static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
 static_assert(offsetof(struct view, row_x) == 8, "");
 static_assert(offsetof(struct view, row_z) == 32, "");
-static_assert(offsetof(struct view, moved_z) == 56, "");
-static_assert(offsetof(struct view, positions) == 64, "POSITIONS");
-static_assert(offsetof(struct view, stride_bytes) == 68, "");
-static_assert(offsetof(struct view, kind) == 72, "KIND");
-static_assert(offsetof(struct view, scale) == 76, "SCALE");
-static_assert(offsetof(struct view, center_x_q8) == 64 + 16, "CENTER");
-static_assert(offsetof(struct view, depth) == 100, "");
-static_assert(offsetof(struct view, reciprocals) == 64 + 40, "RECIPROCALS");
+static_assert(offsetof(struct view, moved_z) == 56, "MATRIX_SIZE less 8");
+static_assert(offsetof(struct view, stride_bytes) ==
+		offsetof(struct view, positions) + 4,
+	"a pair of registers");
+static_assert(offsetof(struct view, depth) ==
+		offsetof(struct view, center_x_q8) + 20,
+	"six registers");
 static_assert(POSITION_SHORTS == 0 && POSITION_FLOATS == 1, "by KIND");
 static_assert(offsetof(struct vertex, x) == 4, "");
 static_assert(offsetof(struct vertex, attribute) == 16, "");
@@ -58,4 +57,5 @@ static_assert(offsetof(struct band, green_right) ==
 static_assert(offsetof(struct band, wide_round) ==
 		offsetof(struct band, texel_mask) + 20,
 	"six registers");
+static_assert(BAND_GRAY_PIXELS == 33, "PIXELS");
 static_assert(TINT_NEXT == 0x1000100, "in two additions");

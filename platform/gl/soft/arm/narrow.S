@@ -54,15 +54,6 @@
 	.endif
 	.endm
 
-/* A channel that does not run: r4 the vertex, r3 0; leaves the start in r2. */
-	.macro	keep_channel at, color, bits, round
-	ldr	r2, [r4, #\color]
-	rsb	r2, r2, r2, lsl #\bits
-	mov	r2, r2, lsl #7 - \bits
-	add	r2, r2, #\round
-	strd	r2, [sp, #\at]
-	.endm
-
 	/* It is the left one or, where the middle corner is elsewhere, right. */
 	.macro	set_edge left, right
 	add\left	r10, r1, #24 << 16
@@ -102,8 +93,6 @@ soft_fill_narrow:
 	ldr	r12, [r0, #VIEW_RECIPROCALS]
 	ssub16	r8, r8, r7
 	ssub16	r9, r9, r7
-	cmp	r3, #256
-	blo	.Ltiny
 	clz	lr, r3
 	mov	r2, r3, lsl lr
 	mov	r0, r2, lsl #1
@@ -132,6 +121,9 @@ soft_fill_narrow:
 	rsblt	r0, lr, #0
 	movlt	r12, r12, asr r0
 	movlt	lr, #0
+	/* Less than half a pixel: nothing runs. */
+	cmp	r3, #256
+	movlo	r12, #0
 	pkhtb	r3, r9, r8, asr #16
 
 	/* r8, r9 to the centre of the column in the first row, r7 the column */
@@ -257,27 +249,6 @@ soft_fill_narrow:
 	bl	soft_narrow_rows
 .Ldone:	add	sp, sp, #ROOM + 8
 	pop	{r4-r11, pc}
-
-	/* Less than half a pixel: nothing runs. */
-.Ltiny:	smusdx	r0, r8, r9
-	mov	r3, #0
-	str	r0, [sp, #SIDE]
-	ldr	r2, [r4, #VERTEX_Z]
-	str	r3, [sp, #Z_DOWN]
-	str	r3, [sp, #PACKED_DOWN]
-	str	r3, [sp, #COLUMN]
-	mov	r2, r2, lsl #14
-	strd	r2, [sp, #Z]
-	keep_channel BLUE, VERTEX_COLOR + 8, 5, 0x21000
-	mov	r5, r2, asr #13
-	keep_channel RED, VERTEX_COLOR, 5, 0x20800
-	mov	r2, r2, asr #12
-	add	r5, r5, r2, lsl #10
-	keep_channel GREEN, VERTEX_COLOR + 4, 6, 0x10800
-	mov	r2, r2, asr #12
-	add	r5, r5, r2, lsl #21
-	mov	r7, #0
-	b	.Lbegin
 
 	/* more of w: colours may run linearly yet */
 .Ldiffer:

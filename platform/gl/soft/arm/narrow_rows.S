@@ -3,7 +3,6 @@
  * instructions, a pixel 9, whether it is seen or not.
  */
 #include "platform/gl/soft/arm/narrow.h"
-#include "platform/gl/soft/arm/depth_tested.h"
 
 	.syntax unified
 	.arch armv6
@@ -11,6 +10,33 @@
 	.text
 
 #define COLUMNS 24
+
+/*
+ * A pixel: r1 the depth's address, r12 the depth, r2 z, r3 the packed colour.
+ * Loads the next depth, which takes as long as the rest; 9 instructions, which
+ * the jump to them knows.
+ */
+	.macro	pixel
+	cmp	r2, r12, lsl #16
+	ldrh	r12, [r1, #2]!
+	movlo	lr, r2, lsr #16
+	strhlo	lr, [r1, #-2]
+	andlo	lr, r8, r3, ror #5
+	add	r2, r2, r6
+	orrlo	lr, lr, lr, lsr #16
+	strhlo	lr, [r1, r9]
+	add	r3, r3, r7
+	.endm
+
+/* The last of a row. */
+	.macro	last_pixel
+	cmp	r2, r12, lsl #16
+	movlo	lr, r2, lsr #16
+	strhlo	lr, [r1], #2
+	andlo	lr, r8, r3, ror #5
+	orrlo	lr, lr, lr, lsr #16
+	strhlo	lr, [r1, r9]
+	.endm
 
 /* r2 rows, of 1 or more; leaves all at the row after them. */
 	.global	soft_narrow_rows
@@ -42,9 +68,9 @@ soft_narrow_rows:
 	addls	pc, pc, lr, lsl #2
 	b	.Lnext
 	.rept	COLUMNS - 1
-	depth_tested_pixel r12, lr
+	pixel
 	.endr
-	see_last r12, lr
+	last_pixel
 .Lnext:	ldm	sp, {r1, r2, r3, r12, lr}
 	add	r0, r0, r1
 	ldr	r1, [sp, #END]

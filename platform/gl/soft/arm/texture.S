@@ -10,6 +10,8 @@
 	.arm
 	.text
 
+#define PIXELS 33 /* BAND_GRAY_PIXELS */
+
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
  * r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11 wide_mask,
@@ -62,23 +64,20 @@ soft_band_gray:
 	ble	.Lnext
 
 	/* from column 0 to column r12; r5 pixels are left */
-.Lbegin:
 	ldrd	r6, [r0, #BAND_RIGHT]
 	ldr	r8, [r0, #BAND_COLORS_RIGHT]
 	mla	r2, r12, r6, r2
 	mla	r3, r12, r7, r3
 	mla	r4, r12, r8, r4
 	add	r1, r1, r12, lsl #1
-	cmp	r5, #16
-	bgt	.Llong
 	pkhtb	r4, r4, r8, asr #16
 	add	r0, r0, #BAND_MASK
 	ldm	r0, {r8-r12, lr}
-	rsb	r5, r5, #16
+	rsb	r5, r5, #PIXELS
 	add	r5, r5, r5, lsl #2
 	add	pc, pc, r5, lsl #4
 	nop
-	.rept	16
+	.rept	PIXELS
 	texture_pixel
 	.endr
 
@@ -88,28 +87,6 @@ soft_band_gray:
 	pushne	{r0, r1}
 	bne	.Lrow
 	pop	{r4-r11, pc}
-
-	/* 16 of more; then the row's values again, which are one row back */
-.Llong:
-	pkhtb	r4, r4, r8, asr #16
-	push	{r5, r12}
-	add	r0, r0, #BAND_MASK
-	ldm	r0, {r8-r12, lr}
-	.rept	16
-	texture_pixel
-	.endr
-	pop	{r5, r12}
-	ldr	r0, [sp]
-	add	lr, r0, #BAND_DOWN
-	ldm	r0, {r1-r4}
-	ldm	lr, {r6-r9}
-	sub	r1, r1, r6
-	sub	r2, r2, r7
-	sub	r3, r3, r8
-	sub	r4, r4, r9
-	sub	r5, r5, #16
-	add	r12, r12, #16
-	b	.Lbegin
 	.size	soft_band_gray, . - soft_band_gray
 
 	.section .note.GNU-stack, "", %progbits

@@ -11,20 +11,15 @@
 	.arm
 	.text
 
-#define POSITIONS 64
-#define KIND 72
-#define SCALE 76
-/* behind the matrix, whose end r0 is at then */
-#define CENTER 16
-#define RECIPROCALS 40
+#define MATRIX_SIZE 64 /* of the view, which r0 is behind then */
 
 /* r0 draw, r1 index, r2 vertex */
 	.global	soft_transform
 	.type	soft_transform, %function
 soft_transform:
-	ldr	r12, [r0, #KIND]
+	ldr	r12, [r0, #VIEW_KIND]
 	push	{r2, r4-r11, lr}
-	ldrd	r4, [r0, #POSITIONS]
+	ldrd	r4, [r0, #VIEW_POSITIONS]
 	cmp	r12, #1
 	str	r1, [r2, #VERTEX_INDEX]
 	mla	r3, r1, r5, r4
@@ -64,7 +59,7 @@ soft_transform:
 	blt	.Loutside
 
 	/* r6 1/w, r7 its zeros */
-	ldr	r11, [r0, #RECIPROCALS]
+	ldr	r11, [r0, #VIEW_RECIPROCALS - MATRIX_SIZE]
 	clz	r7, lr
 	lsl	r8, lr, r7
 	lsl	r9, r8, #1
@@ -90,7 +85,7 @@ soft_transform:
 	smmul	r8, r8, r6
 	smmul	r9, r9, r6
 	smmul	r10, r10, r6
-	add	r0, r0, #CENTER
+	add	r0, r0, #VIEW_CENTER - MATRIX_SIZE
 	ldmia	r0, {r0, r1, r3, r4, r5, r11}
 	smmla	r8, r8, r3, r0
 	smmla	r9, r9, r4, r1
@@ -104,7 +99,7 @@ soft_transform:
 
 .Lfloats:
 	fldmias	r3, {s0-s2}
-	flds	s3, [r0, #SCALE]
+	flds	s3, [r0, #VIEW_SCALE]
 	pld	[r3, #64]
 	ldmia	r0!, {r1, r4-r10}
 	fmuls	s0, s0, s3
@@ -132,27 +127,10 @@ soft_transform:
 	ldr	r2, [sp]
 	b	.Lclip
 
-	/* r1 x, r4 y, r12 z, lr w */
+	/* The same again, and on which sides. */
 .Loutside:
-	rsb	r5, lr, #0
-	mov	r3, #0
-	cmp	r1, r5
-	orrlt	r3, r3, #1 << 8
-	cmp	r1, lr
-	orrgt	r3, r3, #2 << 8
-	cmp	r4, r5
-	orrlt	r3, r3, #4 << 8
-	cmp	r4, lr
-	orrgt	r3, r3, #8 << 8
-	cmp	r12, r5
-	orrlt	r3, r3, #16 << 8
-	cmp	r12, lr
-	orrgt	r3, r3, #32 << 8
-	cmp	lr, #0
-	orrle	r3, r3, #16 << 8
-	str	r3, [r2]
-	pop	{r2, r4-r11, pc}
-
+	ldr	r1, [r2, #VERTEX_INDEX]
+	sub	r0, r0, #MATRIX_SIZE
 .Lother:
 	pop	{r2, r4-r11, lr}
 	b	soft_transform_c

@@ -5,11 +5,6 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/halves.h"
 
-enum {
-	/* So many pixels the share runs before it is taken afresh. */
-	SHARE_RUN = 16,
-};
-
 typedef void (*row_function)(const struct band *band, int column, int count);
 
 static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
@@ -84,14 +79,10 @@ static uint16_t shade_gray(
 static void draw_gray(const struct band *band, int column, int count)
 {
 	uint16_t *depth = find_depth(band, column);
-	struct band_pixel at = {0};
-	uint32_t share = 0;
+	struct band_pixel at = find_pixel(band, column);
+	uint32_t share = at.red_blue >> 16;
 
-	for (int i = 0; i < count; i++, depth++) {
-		if (i % SHARE_RUN == 0) {
-			at = find_pixel(band, column + i);
-			share = at.red_blue >> 16;
-		}
+	for (; count > 0; count--, depth++) {
 		if (at.z < (uint32_t)*depth << 16) {
 			write_pixel(band, depth, at.z,
 				shade_gray(band, at.texel,

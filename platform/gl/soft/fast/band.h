@@ -38,6 +38,8 @@ struct band_row {
 };
 
 enum {
+	/* The most of a gray row: rounding may add one to 32. */
+	BAND_GRAY_PIXELS = 33,
 	/* The next texel in both directions of struct band_row. */
 	TINT_NEXT = 0x01000100,
 	/*
@@ -84,8 +86,8 @@ struct flat_band {
 };
 
 /*
- * Nearest texels under a shade of gray, and four mixed ones under a colour, of
- * at least one row: arm/texture.S and arm/tint.S, or portable/bands.c. Rows lie
+ * Nearest texels under a shade of gray, in rows of up to BAND_GRAY_PIXELS, and
+ * four mixed ones under a colour, of at least one row: arm/texture.S and arm/tint.S, or portable/bands.c. Rows lie
  * inside of the picture, whose rows are as far apart as the depth's.
  */
 void soft_band_gray(struct band *band);

@@ -225,6 +225,18 @@ static void skip_rows(struct draw *draw, int rows)
 	}
 }
 
+/* The first column whose centre is at or beyond this. */
+static int column_of(int32_t x_q16)
+{
+	return (x_q16 + 0x7FFF) >> 16;
+}
+
+/* To the next row. Below the edge's end x may wrap; no row reads it there. */
+static void move_down(struct side *side)
+{
+	side->x = (int32_t)((uint32_t)side->x + (uint32_t)side->step);
+}
+
 /*
  * Calls row(draw, y, left, right) for each row with pixels, inside of
  * draw->box, whose planes it moves on.
@@ -252,16 +264,16 @@ static void walk_rows(struct draw *draw, const struct setup *setup,
 		if (y == turn) {
 			part = raster_side(draw, setup->v[1], setup->v[2], y);
 		}
-		left = raster_column(setup->middle_left ? part.x : whole.x);
-		right = raster_column(setup->middle_left ? whole.x : part.x);
+		left = column_of(setup->middle_left ? part.x : whole.x);
+		right = column_of(setup->middle_left ? whole.x : part.x);
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
 			row(draw, y, left, right);
 		}
 		skip_rows(draw, 1);
-		raster_next_side(&whole);
-		raster_next_side(&part);
+		move_down(&whole);
+		move_down(&part);
 	}
 }
 

@@ -48,8 +48,7 @@ static_assert(offsetof(struct draw, provoking) < 1 << 16, "two additions");
 /* texture.S and tint.S */
 static_assert(sizeof(struct band_row) == 20, "five registers");
 static_assert(offsetof(struct band, down) == 20, "behind the first row");
-static_assert(offsetof(struct band, rows) == offsetof(struct band, edge) + 16,
-	"five registers");
+static_assert(sizeof(struct band_edges) == 20, "five registers");
 static_assert(offsetof(struct band, z_right) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, green_right) ==
 		offsetof(struct band, z_right) + 12,
@@ -57,5 +56,4 @@ static_assert(offsetof(struct band, green_right) ==
 static_assert(offsetof(struct band, wide_round) ==
 		offsetof(struct band, texel_mask) + 20,
 	"six registers");
-static_assert(BAND_GRAY_PIXELS == 33, "PIXELS");
 static_assert(TINT_NEXT == 0x1000100, "in two additions");

@@ -10,8 +10,6 @@
 	.arm
 	.text
 
-#define PIXELS 33 /* BAND_GRAY_PIXELS */
-
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
  * r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11 wide_mask,
@@ -73,11 +71,11 @@ soft_band_gray:
 	pkhtb	r4, r4, r8, asr #16
 	add	r0, r0, #BAND_MASK
 	ldm	r0, {r8-r12, lr}
-	rsb	r5, r5, #PIXELS
+	rsb	r5, r5, #GRAY_PIXELS
 	add	r5, r5, r5, lsl #2
 	add	pc, pc, r5, lsl #4
 	nop
-	.rept	PIXELS
+	.rept	GRAY_PIXELS
 	texture_pixel
 	.endr
 

@@ -12,9 +12,9 @@ static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
 	const struct band_row *down = &band->down;
 	struct band_row *row = &band->row;
 
-	for (; band->rows > 0; band->rows--) {
-		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
-		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+	for (; band->edges.rows > 0; band_next_row(&band->edges)) {
+		int left = band_column(&band->edges, BAND_LEFT);
+		int right = band_column(&band->edges, BAND_RIGHT);
 
 		if (left < right) {
 			draw_row(band, left, right - left);
@@ -24,8 +24,6 @@ static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
 		row->texel += down->texel;
 		row->red_blue += down->red_blue;
 		row->green += down->green;
-		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
-		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	}
 }
 

@@ -11,14 +11,32 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/*
- * The band's edges, left and right: 16.16, and 0x7FFF more than where they are,
- * so that the upper half is the first column inside of it, or outside.
- */
 enum {
 	BAND_LEFT,
 	BAND_RIGHT,
 };
+
+/*
+ * A band's edges: 16.16, and 0x7FFF more than where they are, so that the upper
+ * half is the first column inside of it, or outside; and how many rows follow.
+ */
+struct band_edges {
+	uint32_t at[2], step[2];
+	int32_t rows;
+};
+
+static inline int band_column(const struct band_edges *edges, int side)
+{
+	return (int32_t)edges->at[side] >> 16;
+}
+
+/* To the next row. Below an edge's end it may wrap; no row reads it there. */
+static inline void band_next_row(struct band_edges *edges)
+{
+	edges->at[BAND_LEFT] += edges->step[BAND_LEFT];
+	edges->at[BAND_RIGHT] += edges->step[BAND_RIGHT];
+	edges->rows--;
+}
 
 /*
  * What moves on with every row; all but the depth's address is at column 0, and
@@ -54,9 +72,7 @@ enum {
 struct band {
 	_Alignas(8) struct band_row row; /* of the next row */
 	struct band_row down;            /* a row further */
-	uint32_t edge[2];
-	uint32_t edge_step[2];
-	int32_t rows;
+	struct band_edges edges;
 	uint32_t stride_bytes; /* of the level, where texels are mixed */
 	uint32_t z_right;      /* a pixel further */
 	uint32_t texel_right;
@@ -77,18 +93,18 @@ struct band {
 struct flat_band {
 	uint8_t *pixels, *stencil; /* of column 0 */
 	ptrdiff_t stride_bytes, stencil_stride;
-	int rows;
-	uint32_t edge[2], edge_step[2]; /* see BAND_LEFT */
-	int from, to;                   /* columns that may be drawn */
-	uint8_t reference, next;        /* what the stencil has, and gets */
+	struct band_edges edges;
+	int from, to;            /* columns that may be drawn */
+	uint8_t reference, next; /* what the stencil has, and gets */
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
 };
 
 /*
  * Nearest texels under a shade of gray, in rows of up to BAND_GRAY_PIXELS, and
- * four mixed ones under a colour, of at least one row: arm/texture.S and arm/tint.S, or portable/bands.c. Rows lie
- * inside of the picture, whose rows are as far apart as the depth's.
+ * four mixed ones under a colour, of at least one row: arm/texture.S and
+ * arm/tint.S, or portable/bands.c. Rows lie inside of the picture, whose rows
+ * are as far apart as the depth's.
  */
 void soft_band_gray(struct band *band);
 void soft_band_tint(struct band *band);

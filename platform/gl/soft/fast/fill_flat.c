@@ -88,16 +88,14 @@ static void draw_band(void *flat_band)
 {
 	struct flat_band *band = flat_band;
 
-	for (; band->rows > 0; band->rows--) {
-		int left = (int32_t)band->edge[BAND_LEFT] >> 16;
-		int right = (int32_t)band->edge[BAND_RIGHT] >> 16;
+	for (; band->edges.rows > 0; band_next_row(&band->edges)) {
+		int left = band_column(&band->edges, BAND_LEFT);
+		int right = band_column(&band->edges, BAND_RIGHT);
 
 		draw_row(band, left > band->from ? left : band->from,
 			right < band->to ? right : band->to);
 		band->pixels += band->stride_bytes;
 		band->stencil += band->stencil_stride;
-		band->edge[BAND_LEFT] += band->edge_step[BAND_LEFT];
-		band->edge[BAND_RIGHT] += band->edge_step[BAND_RIGHT];
 	}
 }
 
@@ -114,7 +112,6 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 	band->pixels = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
 	band->stencil = buffers->stencil + top * buffers->width;
-	raster_draw_bands(draw, setup, middle_left,
-		&(struct band_ends){band->edge, band->edge_step, &band->rows},
-		draw_band, band);
+	raster_draw_bands(
+		draw, setup, middle_left, &band->edges, draw_band, band);
 }

@@ -27,8 +27,7 @@ struct channel {
 struct narrow {
 	uintptr_t depth, pixel; /* addresses of column 0 */
 	uintptr_t stride_bytes; /* of both */
-	int32_t rows;
-	uint32_t edge[2], step[2];
+	struct band_edges edges;
 	uint32_t z, z_right, z_down;
 	uint32_t packed, packed_right,
 		packed_down;       /* 6.5 green, 5.6 red, 5.5 blue */
@@ -168,14 +167,12 @@ static void draw_rows(void *band)
 {
 	struct narrow *narrow = band;
 
-	for (; narrow->rows > 0; narrow->rows--) {
+	for (; narrow->edges.rows > 0; band_next_row(&narrow->edges)) {
 		if (narrow->chunk == 0) {
 			pack_again(narrow);
 		}
-		draw_row(narrow, (int32_t)narrow->edge[BAND_LEFT] >> 16,
-			(int32_t)narrow->edge[BAND_RIGHT] >> 16);
-		narrow->edge[BAND_LEFT] += narrow->step[BAND_LEFT];
-		narrow->edge[BAND_RIGHT] += narrow->step[BAND_RIGHT];
+		draw_row(narrow, band_column(&narrow->edges, BAND_LEFT),
+			band_column(&narrow->edges, BAND_RIGHT));
 		narrow->depth += narrow->stride_bytes;
 		narrow->pixel += narrow->stride_bytes;
 		narrow->z += narrow->z_down;
@@ -215,7 +212,6 @@ void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
 	}
 	frame = frame_find(setup);
 	set_up(draw, setup, &frame, &narrow);
-	raster_draw_bands(draw, setup, frame.middle_left,
-		&(struct band_ends){narrow.edge, narrow.step, &narrow.rows},
+	raster_draw_bands(draw, setup, frame.middle_left, &narrow.edges,
 		draw_rows, &narrow);
 }

@@ -241,8 +241,7 @@ static ALWAYS_INLINE bool fill(
 	}
 	set_texels(&small, level, &s_run, &t_run, linear, &band);
 	set_rows(draw, &small, &band);
-	frame_draw_bands(draw, setup, &small.frame,
-		&(struct band_ends){band.edge, band.edge_step, &band.rows},
+	frame_draw_bands(draw, setup, &small.frame, &band.edges,
 		linear ? draw_tinted : draw_gray, &band);
 	return true;
 }

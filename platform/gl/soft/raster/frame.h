@@ -128,31 +128,31 @@ static ALWAYS_INLINE struct side frame_find_side(
 }
 
 static ALWAYS_INLINE void frame_set_edge(
-	const struct band_ends *ends, int which, struct side side)
+	struct band_edges *edges, int which, struct side side)
 {
-	ends->edge[which] = (uint32_t)side.x;
-	ends->edge_step[which] = (uint32_t)side.step;
+	edges->at[which] = (uint32_t)side.x;
+	edges->step[which] = (uint32_t)side.step;
 }
 
 /* raster_draw_bands() of a triangle that is all in the box. */
 static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	const struct setup *setup, const struct frame *frame,
-	const struct band_ends *ends, void (*function)(void *band), void *band)
+	struct band_edges *edges, void (*function)(void *band), void *band)
 {
 	const struct vertex *const *v = setup->v;
 	const int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
 	const int upper = setup->middle - setup->top;
 	const int lower = setup->bottom - setup->middle;
 
-	frame_set_edge(ends, !part, frame_find_side(draw, v[0], v[2]));
+	frame_set_edge(edges, !part, frame_find_side(draw, v[0], v[2]));
 	if (upper > 0) {
-		frame_set_edge(ends, part, frame_find_side(draw, v[0], v[1]));
-		*ends->rows = upper;
+		frame_set_edge(edges, part, frame_find_side(draw, v[0], v[1]));
+		edges->rows = upper;
 		function(band);
 	}
 	if (lower > 0) {
-		frame_set_edge(ends, part, frame_find_side(draw, v[1], v[2]));
-		*ends->rows = lower;
+		frame_set_edge(edges, part, frame_find_side(draw, v[1], v[2]));
+		edges->rows = lower;
 		function(band);
 	}
 }

@@ -65,11 +65,6 @@ static inline int raster_centre(int32_t sixteenths)
 	return (sixteenths + 7) >> 4;
 }
 
-static inline int raster_column(int32_t x_q16)
-{
-	return (x_q16 + 0x7FFF) >> 16;
-}
-
 /* A value at the first corner, and how much more it is at the others. */
 struct delta {
 	int32_t first, d1, d2;
@@ -150,12 +145,6 @@ static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	return (struct side){(int32_t)x, step};
 }
 
-/* To the next row. Below the edge's end x may wrap; no row reads it there. */
-static ALWAYS_INLINE void raster_next_side(struct side *side)
-{
-	side->x = (int32_t)((uint32_t)side->x + (uint32_t)side->step);
-}
-
 static inline uint32_t raster_size(int32_t value)
 {
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
@@ -183,20 +172,14 @@ static ALWAYS_INLINE bool raster_is_in_box(
 		setup->top >= box->top && setup->bottom <= box->bottom;
 }
 
-/* Where a band has its edges (see BAND_LEFT) and its number of rows. */
-struct band_ends {
-	uint32_t *edge, *edge_step;
-	int32_t *rows;
-};
-
 static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
-	const struct setup *setup, const struct band_ends *ends, int which,
-	int from, int to, int row)
+	struct band_edges *edges, int which, const struct vertex *from,
+	const struct vertex *to, int row)
 {
-	struct side side = raster_side(draw, setup->v[from], setup->v[to], row);
+	struct side side = raster_side(draw, from, to, row);
 
-	ends->edge[which] = (uint32_t)side.x + 0x7FFF;
-	ends->edge_step[which] = (uint32_t)side.step;
+	edges->at[which] = (uint32_t)side.x + 0x7FFF;
+	edges->step[which] = (uint32_t)side.step;
 }
 
 /*
@@ -204,9 +187,10 @@ static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
  * there on, as far as the box shows them.
  */
 static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
-	const struct setup *setup, bool middle_left,
-	const struct band_ends *ends, void (*function)(void *band), void *band)
+	const struct setup *setup, bool middle_left, struct band_edges *edges,
+	void (*function)(void *band), void *band)
 {
+	const struct vertex *const *v = setup->v;
 	int top = raster_first_row(draw, setup);
 	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
 						      : draw->box.bottom;
@@ -215,15 +199,16 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 					 : setup->middle;
 	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
 
-	raster_set_edge(draw, setup, ends, !part, 0, 2, top);
+	raster_set_edge(draw, edges, !part, v[0], v[2], top);
 	if (turn > top) {
-		raster_set_edge(draw, setup, ends, part, 0, 1, top);
-		*ends->rows = turn - top;
+		raster_set_edge(draw, edges, part, v[0], v[1], top);
+		edges->rows = turn - top;
 		function(band);
 	}
 	if (bottom > turn) {
-		raster_set_edge(draw, setup, ends, part, 1, 2, turn);
-		*ends->rows = bottom - turn;
+		raster_set_edge(draw, edges, part, v[1],
+			draw->fourth ? draw->fourth : v[2], turn);
+		edges->rows = bottom - turn;
 		function(band);
 	}
 }

@@ -133,81 +133,68 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
+/* The row under way, and the edges of the rows from there on. */
+struct rows {
+	struct line line;
+	struct band_edges edges;
+};
+
 /* Rows between two edges. */
-static ALWAYS_INLINE void walk_part(struct line *line,
-	const struct walk_kind kind, struct side *left_side,
-	struct side *right_side, int rows)
+static ALWAYS_INLINE void walk_part(
+	struct rows *rows, const struct walk_kind kind)
 {
+	struct rows own = *rows; /* in registers */
+	struct line *line = &own.line;
 	const struct buffers *buffers = &line->draw->soft->buffers;
 	const int width = buffers->width;
 	const int stride_bytes = buffers->target.stride_bytes;
 	const struct clip_box box = line->draw->box;
-	struct side first = *left_side, last = *right_side;
 
-	for (int end = line->row + rows; line->row < end; line->row++) {
-		int left = raster_column(first.x);
-		int right = raster_column(last.x);
+	for (; own.edges.rows > 0; band_next_row(&own.edges)) {
+		int left = band_column(&own.edges, BAND_LEFT);
+		int right = band_column(&own.edges, BAND_RIGHT);
 
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
 			row_divided(line, kind, left, right);
 		}
-		raster_next_side(&first);
-		raster_next_side(&last);
+		line->row++;
 		line->depth += width;
 		line->pixel += stride_bytes;
 	}
-	*left_side = first;
-	*right_side = last;
+	*rows = own;
 }
 
-/* All rows, above and below the middle vertex. */
-static ALWAYS_INLINE void walk(struct draw *draw, const struct setup *setup,
-	const struct walk_kind kind)
+static void walk(
+	struct draw *draw, const struct setup *setup, void (*part)(void *rows))
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	int y = raster_first_row(draw, setup);
-	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-						      : draw->box.bottom;
-	struct line line = {
-		.draw = draw,
-		.row = y - setup->top,
-		.top = setup->top,
-		.depth = buffers->depth + (ptrdiff_t)y * buffers->width,
-		.pixel = buffers->target.data +
-			(ptrdiff_t)y * buffers->target.stride_bytes,
-	};
-	struct side side[2]; /* left and right */
-	int part = setup->middle_left ? 0 : 1;
+	struct rows rows = {
+		.line = {
+			.draw = draw,
+			.row = y - setup->top,
+			.top = setup->top,
+			.depth = buffers->depth + (ptrdiff_t)y * buffers->width,
+			.pixel = buffers->target.data +
+				(ptrdiff_t)y * buffers->target.stride_bytes,
+		}};
 
-	side[!part] = raster_side(draw, setup->v[0], setup->v[2], y);
-	for (int i = 0; i < 2; i++) {
-		int end = i == 0 && setup->middle < bottom ? setup->middle
-							   : bottom;
-
-		if (y < end) {
-			side[part] = raster_side(draw, setup->v[i],
-				i == 1 && draw->fourth ? draw->fourth
-						       : setup->v[i + 1],
-				y);
-			walk_part(&line, kind, &side[0], &side[1], end - y);
-			y = end;
-		}
-	}
+	raster_draw_bands(
+		draw, setup, setup->middle_left, &rows.edges, part, &rows);
 }
 
-#define WALK(name, ...)                                             \
-	static NEVER_INLINE void walk_##name(                       \
-		struct draw *draw, const struct setup *setup)       \
-	{                                                           \
-		walk(draw, setup, (struct walk_kind){__VA_ARGS__}); \
+#define PART(name, ...)                                           \
+	static void part_##name(void *rows)                       \
+	{                                                         \
+		walk_part(rows, (struct walk_kind){__VA_ARGS__}); \
 	}
 
-WALK(plain, .colored = true, .colors_divided = true)
-WALK(still, .textured = true)
-WALK(colored, .textured = true, .colored = true)
-WALK(colored_divided, .textured = true, .colored = true, .colors_divided = true)
+PART(plain, .colored = true, .colors_divided = true)
+PART(still, .textured = true)
+PART(colored, .textured = true, .colored = true)
+PART(colored_divided, .textured = true, .colored = true, .colors_divided = true)
 
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
@@ -220,13 +207,14 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	}
 	soft_begin_steps(draw, moving);
 	if (!draw->spans.textured) {
-		walk_plain(draw, setup);
+		walk(draw, setup, part_plain);
 		return;
 	}
 	if (!draw->spans.level_by_row && !draw->spans.made) {
 		soft_set_window(draw);
 	}
-	(!moving                                 ? walk_still
-			: raster->colors_divided ? walk_colored_divided
-						 : walk_colored)(draw, setup);
+	walk(draw, setup,
+		!moving                          ? part_still
+			: raster->colors_divided ? part_colored_divided
+						 : part_colored);
 }

@@ -57,7 +57,13 @@ struct run_list {
 	bool certain;
 	int most;                   /* pixels of a run */
 	const uint8_t *first_texel; /* of the runs; see struct soft_run */
-	struct soft_row *end;       /* where it is full */
+	/* Of the row under way, which counts from the triangle's first one. */
+	int y;
+	uint16_t *depth; /* of column 0 */
+	uint8_t *pixel;
+	struct band_edges edges;
+	struct soft_row *next; /* of the list, and where it is full */
+	struct soft_row *end;
 	struct soft_row row[SOFT_BATCH_RUNS];
 };
 

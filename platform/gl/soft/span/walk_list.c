@@ -168,10 +168,9 @@ static NEVER_INLINE struct soft_row *draw_listed(
 	return list->row;
 }
 
-/* Lists the runs of so many rows from y on, counted from the triangle's first. */
-static ALWAYS_INLINE struct soft_row *list_rows(struct run_list *list,
-	const struct list_kind kind, struct soft_row *row, int top, int y,
-	int rows, struct side side[2])
+/* Lists the runs of a part's rows. */
+static ALWAYS_INLINE void list_rows(
+	struct run_list *list, const struct list_kind kind)
 {
 	const struct draw *draw = list->draw;
 	const struct buffers *buffers = &draw->soft->buffers;
@@ -179,13 +178,15 @@ static ALWAYS_INLINE struct soft_row *list_rows(struct run_list *list,
 	const int pixel_log2 = draw->spans.pixel_log2;
 	const int width = buffers->width;
 	const int stride_bytes = buffers->target.stride_bytes;
-	struct side first = side[0], last = side[1];
-	uint16_t *depth = buffers->depth + (ptrdiff_t)(top + y) * width;
-	uint8_t *pixel =
-		buffers->target.data + (ptrdiff_t)(top + y) * stride_bytes;
+	struct band_edges edges = list->edges;
+	struct soft_row *row = list->next;
+	uint16_t *depth = list->depth;
+	uint8_t *pixel = list->pixel;
+	int y = list->y;
 
-	for (int end = y + rows; y < end; y++) {
-		int x = first.x >> 16, right = last.x >> 16;
+	for (; edges.rows > 0; band_next_row(&edges), y++) {
+		int x = band_column(&edges, BAND_LEFT);
+		int right = band_column(&edges, BAND_RIGHT);
 
 		if (!kind.certain) {
 			x = x > box.left ? x : box.left;
@@ -210,61 +211,18 @@ static ALWAYS_INLINE struct soft_row *list_rows(struct run_list *list,
 		}
 		depth += width;
 		pixel += stride_bytes;
-		raster_next_side(&first);
-		raster_next_side(&last);
 	}
-	side[0] = first;
-	side[1] = last;
-	return row;
+	list->edges = edges;
+	list->next = row;
+	list->depth = depth;
+	list->pixel = pixel;
+	list->y = y;
 }
 
-/* So that cutting x finds the first column inside, or outside. */
-static ALWAYS_INLINE struct side find_side(const struct draw *draw,
-	const struct vertex *a, const struct vertex *b, int row)
-{
-	struct side side = raster_side(draw, a, b, row);
-
-	side.x = (int32_t)((uint32_t)side.x + 0x7FFF);
-	return side;
-}
-
-/* All rows, above and below the middle vertex. */
-static ALWAYS_INLINE void list_all(struct run_list *list,
-	const struct setup *setup, const struct list_kind kind)
-{
-	const struct draw *draw = list->draw;
-	const int part = setup->middle_left ? 0 : 1;
-	const int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-							    : draw->box.bottom;
-	struct soft_row *row = list->row;
-	struct side side[2]; /* left and right */
-	int y = raster_first_row(draw, setup);
-
-	side[!part] = find_side(draw, setup->v[0], setup->v[2], y);
-	for (int i = 0; i < 2; i++) {
-		int end = i == 0 && setup->middle < bottom ? setup->middle
-							   : bottom;
-
-		if (y < end) {
-			side[part] = find_side(draw, setup->v[i],
-				i == 1 && draw->fourth ? draw->fourth
-						       : setup->v[i + 1],
-				y);
-			row = list_rows(list, kind, row, setup->top,
-				y - setup->top, end - y, side);
-			y = end;
-		}
-	}
-	if (row != list->row) {
-		draw_listed(list, row);
-	}
-}
-
-#define LIST(name, ...)                                                 \
-	static NEVER_INLINE void list_##name(                           \
-		struct run_list *list, const struct setup *setup)       \
-	{                                                               \
-		list_all(list, setup, (struct list_kind){__VA_ARGS__}); \
+#define LIST(name, ...)                                           \
+	static void list_##name(void *list)                       \
+	{                                                         \
+		list_rows(list, (struct list_kind){__VA_ARGS__}); \
 	}
 
 LIST(plain, .textured = false)
@@ -275,13 +233,24 @@ LIST(certain_bent, .textured = true, .bent = true, .certain = true)
 
 void soft_walk_list(struct run_list *list, const struct setup *setup)
 {
-	bool bent = list->draw->raster.bent;
+	const struct draw *draw = list->draw;
+	const struct buffers *buffers = &draw->soft->buffers;
+	const int top = raster_first_row(draw, setup);
+	const bool bent = draw->raster.bent;
 
-	if (!list->draw->spans.textured || list->draw->spans.made) {
-		list_plain(list, setup);
-	} else if (list->certain) {
-		(bent ? list_certain_bent : list_certain)(list, setup);
-	} else {
-		(bent ? list_bent : list_linear)(list, setup);
+	list->next = list->row;
+	list->y = top - setup->top;
+	list->depth = buffers->depth + (ptrdiff_t)top * buffers->width;
+	list->pixel = buffers->target.data +
+		(ptrdiff_t)top * buffers->target.stride_bytes;
+	raster_draw_bands(draw, setup, setup->middle_left, &list->edges,
+		!draw->spans.textured || draw->spans.made ? list_plain
+			: list->certain
+			? (bent ? list_certain_bent : list_certain)
+			: bent ? list_bent
+			       : list_linear,
+		list);
+	if (list->next != list->row) {
+		draw_listed(list, list->next);
 	}
 }

@@ -40,20 +40,20 @@ static void test_the_texture_band_is_as_in_c(void **state)
 			.wide_mask = WIDE_MASK,
 			.wide_round = WIDE_ROUND,
 			.red_blue_right = next_random(&seed) & 0xFFFFF,
-			.rows = random_between(&seed, 1, TWINS_ROWS),
+			.edges.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
 		struct band other;
 
-		make_edges(&seed, 4 + BAND_GRAY_PIXELS, band.edge,
-			band.edge_step);
+		make_edges(&seed, 4 + BAND_GRAY_PIXELS, band.edges.at,
+			band.edges.step);
 		other = band;
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
 		soft_band_gray(&band);
 		soft_band_gray_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
-		assert_int_equal(band.edge[0], other.edge[0]);
-		assert_int_equal(band.edge[1], other.edge[1]);
+		assert_int_equal(band.edges.at[0], other.edges.at[0]);
+		assert_int_equal(band.edges.at[1], other.edges.at[1]);
 		twins_check(twins);
 	}
 }
@@ -87,11 +87,11 @@ static void test_the_tinted_band_is_as_in_c(void **state)
 			.texel_mask = 31u << 24 | 63u << 8,
 			.texel_shift = 24 - 6,
 			.stride_bytes = 2 * 64,
-			.rows = random_between(&seed, 1, TWINS_ROWS),
+			.edges.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
 		struct band other;
 
-		make_edges(&seed, 60, band.edge, band.edge_step);
+		make_edges(&seed, 60, band.edges.at, band.edges.step);
 		other = band;
 		twins_place(twins, 0, &band.row.depth, &band.pixels);
 		twins_place(twins, 1, &other.row.depth, &other.pixels);
@@ -99,9 +99,9 @@ static void test_the_tinted_band_is_as_in_c(void **state)
 		soft_band_tint_c(&other);
 		assert_int_equal(band.row.texel, other.row.texel);
 		assert_int_equal(band.row.green, other.row.green);
-		assert_int_equal(band.edge[0], other.edge[0]);
-		assert_int_equal(band.edge[1], other.edge[1]);
-		assert_int_equal(band.rows, 0);
+		assert_int_equal(band.edges.at[0], other.edges.at[0]);
+		assert_int_equal(band.edges.at[1], other.edges.at[1]);
+		assert_int_equal(band.edges.rows, 0);
 		twins_check(twins);
 	}
 }

@@ -27,29 +27,6 @@ static ALWAYS_INLINE bool is_within(
 		place->first <= room - place->room;
 }
 
-/*
- * Beyond the edges of a level that does not repeat a coordinate stays on the
- * last texel, as find_clamped() in cut.c has it: here that of all of a triangle.
- */
-static NEVER_INLINE struct texel_place hold_beyond(struct list_coordinate *c,
-	struct texel_place place, uint32_t room, uint32_t last, int32_t half)
-{
-	int32_t at = 0;
-
-	if (place.room >= SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION) {
-		return place;
-	}
-	if (place.low >= (int32_t)room) {
-		at = (int32_t)(last << SOFT_TEXEL_FRACTION);
-	} else if (place.low + (int32_t)place.room >= 0) {
-		return place;
-	}
-	c->value = (struct list_value){(uint32_t)(at + half) << c->shift, 0, 0};
-	c->bend = (struct bend){0};
-	c->level_right = 0;
-	return (struct texel_place){at, (uint32_t)at, 0};
-}
-
 static ALWAYS_INLINE struct texel_place begin_coordinate(
 	const struct raster *raster, int name, int shift, int32_t half,
 	uint32_t mask, struct list_coordinate *out)
@@ -113,19 +90,11 @@ static ALWAYS_INLINE void begin_texels(
 	const struct raster *raster = &list->draw->raster;
 	const struct soft_view *view = &list->draw->spans.view;
 	const struct soft_window *window = &view->window;
-	struct texel_place s = begin_coordinate(raster, TEX_S, view->s_shift,
-		view->s_half, window->s_mask, &list->s);
-	struct texel_place t = begin_coordinate(raster, TEX_S + 1,
+	const struct texel_place s = begin_coordinate(raster, TEX_S,
+		view->s_shift, view->s_half, window->s_mask, &list->s);
+	const struct texel_place t = begin_coordinate(raster, TEX_S + 1,
 		view->t_shift, view->t_half, window->t_mask, &list->t);
 
-	if (window->s_mask == UINT32_MAX) {
-		s = hold_beyond(&list->s, s, window->s_room, view->s_last,
-			view->s_half);
-	}
-	if (window->t_mask == UINT32_MAX) {
-		t = hold_beyond(&list->t, t, window->t_room, view->t_last,
-			view->t_half);
-	}
 	list->certain = is_certain(list, setup, &s, &t);
 	if (!list->certain) {
 		begin_part(list);

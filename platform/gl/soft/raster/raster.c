@@ -74,7 +74,6 @@ static ALWAYS_INLINE void add_moving(struct raster *raster,
 {
 	moving->delta[raster->moving_count] = delta;
 	raster->moving[raster->moving_count++] = name;
-	raster->moving_bits |= 1u << name;
 }
 
 /*
@@ -86,30 +85,38 @@ static ALWAYS_INLINE void gather_colors(
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
+	struct delta delta[FOG + 1];
 	const int32_t *color[3];
+	uint32_t bits = 0, planes;
 
 	frame_choose_colors(draw, setup, color);
 	for (int i = RED; i <= FOG; i++) {
-		struct delta delta;
-		uint32_t own;
-
 		if (!(wanted >> i & 1)) {
+			delta[i] = (struct delta){
+				(int32_t)(raster->span.value[i] >> 8), 0, 0};
 			continue;
 		}
-		delta = i == FOG
+		delta[i] = i == FOG
 			? find_delta(setup->v[0]->attribute[FOG],
 				  setup->v[1]->attribute[FOG],
 				  setup->v[2]->attribute[FOG])
 			: find_delta(color[0][i], color[1][i], color[2][i]);
-		if ((delta.d1 | delta.d2) == 0) {
-			raster->span.value[i] = (uint32_t)delta.first << 8;
-			raster->span.step[i] = 0;
-			continue;
-		}
-		own = frame_find_spread(delta.d1, delta.d2);
-		moving->color = own > moving->color ? own : moving->color;
-		add_moving(raster, moving, i, delta);
+		raster->span.value[i] = (uint32_t)delta[i].first << 8;
+		raster->span.step[i] = 0;
+		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
 	}
+	planes = raster_color_planes(bits);
+	for (int i = RED; planes >> i; i++) {
+		if (planes >> i & 1) {
+			uint32_t own =
+				frame_find_spread(delta[i].d1, delta[i].d2);
+
+			moving->color =
+				own > moving->color ? own : moving->color;
+			add_moving(raster, moving, i, delta[i]);
+		}
+	}
+	raster->moving_bits = bits;
 }
 
 /* Texture coordinates, in 1/256 of texels. */
@@ -136,6 +143,7 @@ static ALWAYS_INLINE void gather_texels(
 		own = (uint32_t)texels.high - (uint32_t)texels.low;
 		moving->texel = own > moving->texel ? own : moving->texel;
 		add_moving(raster, moving, TEX_S + i, texels.delta);
+		raster->moving_bits |= 1u << (TEX_S + i);
 	}
 }
 
@@ -213,7 +221,6 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 
 	moving.color = moving.texel = 0;
 	raster->moving_count = 0;
-	raster->moving_bits = 0;
 	raster->perspective = false;
 	raster->colors_divided = false;
 	raster->bent = false;

@@ -107,6 +107,12 @@ static ALWAYS_INLINE bool raster_bends(
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], uint32_t texel);
 
+/* Those that have planes where these move: red, green and blue all together. */
+static ALWAYS_INLINE uint32_t raster_color_planes(uint32_t moving)
+{
+	return moving ? moving | 7u << RED : 0;
+}
+
 /* raster.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 

@@ -145,36 +145,34 @@ static bool is_divided(const struct draw *draw, const struct vertex *a,
 }
 
 /*
- * Lists the attributes that differ between the ends, all others are the span's.
- * Returns the most that one differs by.
+ * The ends' colours and fog, and which of them differ; what stays the same goes
+ * into the span. Returns the most that one differs by.
  */
 static uint32_t gather_colors(struct draw *draw, const struct vertex *a,
 	const struct vertex *b, struct ends color[])
 {
+	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
 	uint32_t most = 0;
 
-	raster->moving_count = 0;
 	raster->moving_bits = 0;
-	for (int i = 0; i < draw->attribute_count; i++) {
-		int name = draw->attribute[i];
-		bool flat = draw->soft->fragment.flat && name != FOG;
-		const struct vertex *from = flat ? draw->provoking : a;
-		const struct vertex *to = flat ? draw->provoking : b;
-		struct ends at = {from->attribute[name], to->attribute[name]};
+	for (int i = RED; i <= FOG; i++) {
+		bool flat = draw->soft->fragment.flat && i != FOG;
+		int32_t white = (int32_t)(raster->span.value[i] >> 8);
 
-		if (draw->spans.white_bits >> name & 1) {
+		if (!(wanted >> i & 1)) {
+			color[i] = (struct ends){white, white};
 			continue;
 		}
-		if (at.from == at.to) {
-			raster->span.value[name] = (uint32_t)at.from << 8;
-			raster->span.step[name] = 0;
-			continue;
-		}
-		most = larger(most, raster_size(at.to - at.from));
-		color[raster->moving_count] = at;
-		raster->moving[raster->moving_count++] = name;
-		raster->moving_bits |= 1u << name;
+		color[i] = flat
+			? (struct ends){draw->provoking->attribute[i],
+				  draw->provoking->attribute[i]}
+			: (struct ends){a->attribute[i], b->attribute[i]};
+		raster->span.value[i] = (uint32_t)color[i].from << 8;
+		raster->span.step[i] = 0;
+		raster->moving_bits |= (uint32_t)(color[i].from != color[i].to)
+			<< i;
+		most = larger(most, raster_size(color[i].to - color[i].from));
 	}
 	return most;
 }
@@ -189,16 +187,17 @@ static void set_color_planes(struct draw *draw, const struct walk *walk,
 	const struct vertex *a, const struct vertex *b)
 {
 	struct raster *raster = &draw->raster;
-	struct ends color[ATTRIBUTES], q = {0, 0};
+	struct ends color[FOG + 1], q = {0, 0};
 	uint32_t most = gather_colors(draw, a, b, color);
+	uint32_t planes = raster_color_planes(raster->moving_bits);
 
 	raster->colors_divided = most > 0 && is_divided(draw, a, b, most);
 	if (raster->colors_divided) {
 		q = find_inverse_w(a, b);
 		set_plane(walk, q.from, q.to, 4, &raster->plane[INVERSE_W]);
 	}
-	for (int i = 0; i < raster->moving_count; i++) {
-		struct plane *plane = &raster->plane[raster->moving[i]];
+	for (int i = RED; planes >> i; i++) {
+		struct plane *plane = &raster->plane[i];
 
 		if (raster->colors_divided) {
 			set_plane(walk, scale_by(color[i].from, q.from),
@@ -313,7 +312,6 @@ void soft_draw_thin_line(
 	find_inverse(&walk);
 	raster->perspective = false;
 	raster->bent = false;
-	raster->frame = (struct frame){0};
 	if (draw->soft->fragment.depth_test) {
 		set_plane(&walk, a->z, b->z, 12, &raster->plane[DEPTH]);
 	}

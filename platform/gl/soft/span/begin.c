@@ -95,67 +95,12 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 	}
 }
 
-/* A part of 1 / w's plane, as set_perspective() scales products. */
-static struct plane share_plane(
-	const struct frame *frame, const struct plane *q, int64_t part)
-{
-	const uint32_t off_x = (uint32_t)frame->off_x;
-	const uint32_t off_y = (uint32_t)frame->off_y;
-	const uint32_t column = (uint32_t)frame->column;
-	struct plane out = {
-		.dx = (int32_t)(q->dx * part >> 16),
-		.dy = (int32_t)(q->dy * part >> 16),
-	};
-	/* Far from the triangle 1 / w wraps: it is scaled at a vertex. */
-	int32_t at = (int32_t)(q->start - (uint32_t)(q->dx >> 4) * off_x -
-		(uint32_t)(q->dy >> 4) * off_y + (uint32_t)q->dx * column);
-
-	out.start = (uint32_t)(at * part >> 16) +
-		(uint32_t)(out.dx >> 4) * off_x +
-		(uint32_t)(out.dy >> 4) * off_y - (uint32_t)out.dx * column;
-	return out;
-}
-
-/* A plane for what stays the same, in perspective a part of 1 / w's. */
-static void add_plane(struct draw *draw, int name)
-{
-	struct raster *raster = &draw->raster;
-	struct plane *plane = &raster->plane[name];
-	uint32_t value = raster->span.value[name];
-
-	*plane = (struct plane){.start = value};
-	if (raster->colors_divided) {
-		*plane = share_plane(&raster->frame, &raster->plane[INVERSE_W],
-			(int64_t)(value >> 8));
-	}
-	raster->moving[raster->moving_count++] = name;
-}
-
-/* Which of colours, alpha and fog move: red, green and blue do so together. */
-static uint32_t find_moving(struct draw *draw)
-{
-	struct raster *raster = &draw->raster;
-	struct soft_spans *spans = &draw->spans;
-	const uint32_t colors = 1u << RED | 1u << GREEN | 1u << BLUE;
-	uint32_t moving = raster->moving_bits & ((2u << FOG) - 1);
-
-	spans->alpha_moves = moving >> ALPHA & 1;
-	spans->fog_moves = moving >> FOG & 1;
-	if (!moving || (moving & colors) == colors) {
-		return moving;
-	}
-	for (int i = RED; i <= BLUE; i++) {
-		if (!(moving >> i & 1)) {
-			add_plane(draw, i);
-		}
-	}
-	return moving;
-}
-
 uint32_t soft_begin_walk(struct draw *draw)
 {
-	uint32_t moving = find_moving(draw);
+	uint32_t moving = draw->raster.moving_bits & ((2u << FOG) - 1);
 
+	draw->spans.alpha_moves = moving >> ALPHA & 1;
+	draw->spans.fog_moves = moving >> FOG & 1;
 	set_constants(draw, moving);
 	return moving;
 }

@@ -1,4 +1,4 @@
-/* portable/fill.c for ARMv6: 64 pixels in six instructions. */
+/* portable/loops.c for ARMv6: 64 pixels in six instructions. */
 	.syntax unified
 	.arch armv6
 	.arm

@@ -1,4 +1,4 @@
-/* portable/largest_float.c for ARMv6: 9 instructions for three floats. */
+/* portable/loops.c for ARMv6: 9 instructions for three floats. */
 	.syntax unified
 	.arch armv6
 	.arm

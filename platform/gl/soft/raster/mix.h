@@ -59,7 +59,7 @@ void soft_mix_pixels(
 /* Whether all of at least one pixel are the same. */
 bool soft_is_one_color(const uint16_t *pixel, int count);
 
-/* Pixels become the value. arm/fill.S or portable/fill.c. */
+/* Pixels become the value. arm/fill.S or portable/loops.c. */
 void soft_fill_pixels(uint16_t *pixel, int count, uint16_t value);
 
 #endif

@@ -72,8 +72,9 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
 
 /*
- * arm/list.S or portable/list.c: triangles by 16-bit indices at an even address,
- * while draw->packed; does what soft_draw_triangle() does, in assembly faster.
+ * arm/list.S or portable/triangles.c: triangles by 16-bit indices at an even
+ * address, while draw->packed; does what soft_draw_triangle() does, in assembly
+ * faster.
  */
 void soft_list(struct draw *draw, const struct source *source);
 

@@ -1,5 +1,6 @@
-/* For machines without the assembly of arm/: eight pixels at a time. */
+/* For machines without the assembly of arm/: loops that call nothing else. */
 #include "platform/gl/soft/raster/mix.h"
+#include "platform/gl/soft/vertex/draw.h"
 
 void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
 {
@@ -14,4 +15,10 @@ void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
 	for (; count > 0; count--) {
 		*at++ = value;
 	}
+}
+
+uint32_t soft_largest_aligned_float(
+	const uint8_t *at, int stride_bytes, uint32_t count)
+{
+	return soft_largest_float(at, stride_bytes, count);
 }

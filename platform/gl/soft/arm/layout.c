@@ -22,8 +22,8 @@ static_assert(offsetof(struct view, moved_z) == 56, "MATRIX_SIZE less 8");
 static_assert(offsetof(struct view, stride_bytes) ==
 		offsetof(struct view, positions) + 4,
 	"a pair of registers");
-static_assert(offsetof(struct view, depth) ==
-		offsetof(struct view, center_x_q8) + 20,
+static_assert(
+	offsetof(struct view, depth) == offsetof(struct view, center_x_q8) + 20,
 	"six registers");
 static_assert(POSITION_SHORTS == 0 && POSITION_FLOATS == 1, "by KIND");
 static_assert(offsetof(struct vertex, x) == 4, "");

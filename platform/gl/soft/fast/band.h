@@ -11,6 +11,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "platform/gl/soft/soft.h"
+
 enum {
 	BAND_LEFT,
 	BAND_RIGHT,
@@ -86,6 +88,24 @@ struct band {
 	uint32_t wide_round;
 };
 
+/* A level as struct band has it. */
+struct textured_level {
+	uint32_t texel_mask, texel_shift;
+	const uint8_t *texels; /* NULL where it is larger than 256 */
+	uint32_t stride_bytes;
+	/* from 16.16 of the base's texels to 8 bits of its own */
+	int32_t s_down, t_down;
+};
+
+/*
+ * What small textured triangles of a draw call share, so that setting one up
+ * looks nothing else up. fill_texture.c makes it.
+ */
+struct textured {
+	int32_t last_level; /* of those to choose from */
+	struct textured_level level[SOFT_LEVELS];
+};
+
 /*
  * Rows in one colour without a depth test, opaque or blended, where the stencil
  * has a reference value, which becomes another. fill_flat.c draws them.
@@ -103,8 +123,8 @@ struct flat_band {
 /*
  * Nearest texels under a shade of gray, in rows of up to BAND_GRAY_PIXELS, and
  * four mixed ones under a colour, of at least one row: arm/texture.S and
- * arm/tint.S, or portable/bands.c. Rows lie inside of the picture, whose rows
- * are as far apart as the depth's.
+ * arm/tint.S, or portable/triangles.c. Rows lie inside of the picture, whose
+ * rows are as far apart as the depth's.
  */
 void soft_band_gray(struct band *band);
 void soft_band_tint(struct band *band);

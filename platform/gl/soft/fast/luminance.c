@@ -1,7 +1,6 @@
 /* From runs of the span walk to rows of tiles: depth, level, shade and alpha. */
-#include "platform/gl/soft/fast/luminance.h"
-
 #include "platform/gl/soft/fast/tile_row.h"
+
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
@@ -321,7 +320,7 @@ static ALWAYS_INLINE void draw_row(
 		tiled->share = (uint32_t)to_share(row->red_blue & 0xFFFF);
 		tiled->share_right = to_share((int16_t)run->red_blue_right);
 	}
-	if (draw->key.bits & KEY_DEPTH_LESS) {
+	if (draw->key & KEY_DEPTH_LESS) {
 		draw_tested(draw, run, row);
 		return;
 	}
@@ -407,8 +406,7 @@ static bool begin(struct draw *draw)
 	if (!still && !gray) {
 		return false;
 	}
-	draw->tiled.by_share =
-		!still || (gray && draw->key.bits & KEY_DEPTH_LESS);
+	draw->tiled.by_share = !still || (gray && draw->key & KEY_DEPTH_LESS);
 	if (!draw->tiled.by_share &&
 		memcmp(raster->span.value, draw->shade_color,
 			sizeof(draw->shade_color)) != 0) {

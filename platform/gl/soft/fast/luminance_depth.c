@@ -1,6 +1,7 @@
 /* Depths of a row of tiles. */
-#include "platform/gl/soft/fast/luminance.h"
+#include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/raster/mix.h"
+#include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/halves.h"
 
 /*

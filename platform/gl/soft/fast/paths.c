@@ -79,7 +79,7 @@ const struct soft_path *soft_choose_path(struct draw *draw)
 	if (draw->soft->fill || draw->smooth || draw->thin_lines) {
 		return last;
 	}
-	while ((draw->key.bits & chosen->mask) != chosen->bits) {
+	while ((draw->key & chosen->mask) != chosen->bits) {
 		chosen++;
 	}
 	return chosen;

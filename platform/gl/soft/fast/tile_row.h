@@ -1,6 +1,14 @@
 /*
- * Rows of a luminance texture in one colour; luminance.h tells how. tile_row.c
- * has the functions in C, arm/tile_row.S again, with the same bytes.
+ * Rows of large triangles with a luminance texture that repeats, in one colour
+ * or in shades of gray that vary, opaque or blended by alpha, into RGB565.
+ * Depth is tested LESS, or not at all.
+ *
+ * The four texels around a centre lie in one word (tiles.h), and pixels in a
+ * patch of equal texels are found at once. Tables have the colours that
+ * luminance becomes.
+ *
+ * tile_row.c draws those in one colour, arm/tile_row.S again, with the same
+ * bytes; luminance.c does the rest.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_TILE_ROW_H
 #define PLATFORM_GL_SOFT_FAST_TILE_ROW_H
@@ -52,7 +60,22 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
  * change what they become. Steps from fine are less than half of the texture.
  */
 void soft_tile_row_c(const struct tile_run *run, int by_fine);
-/* arm/tile_row.S or portable/tile_row.c: the same of levels as wide as high. */
+/* arm/tile_row.S or portable/triangles.c: the same of levels as wide as high. */
 void soft_tile_row(const struct tile_run *run, int by_fine);
+
+/* luminance.c, once: the tables of luminance and of grays. */
+struct draw;
+void soft_luminance_init(struct draw *draw);
+
+/*
+ * luminance_depth.c: tests depth LESS, and writes it, until one fails; how many
+ * passed. z is 16.16.
+ */
+int soft_luminance_test_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
+
+/* Writes depth without a test. */
+void soft_luminance_write_depth(
+	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 #endif

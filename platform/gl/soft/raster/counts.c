@@ -13,7 +13,7 @@ enum {
 /* Of the triangle that the span functions drew last. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
-	uint32_t bits = draw->key.bits;
+	uint32_t bits = draw->key;
 	bool mixed = (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) != 0;
 	bool planes = draw->raster.top != NOT_SET_UP &&
 		draw->raster.top != RASTER_LISTED;
@@ -98,7 +98,7 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	if (colors_move(draw, kind, setup)) {
 		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
 	}
-	if (kind == GL_WORK_LUMINANCE && draw->key.bits & KEY_DEPTH_TEST &&
+	if (kind == GL_WORK_LUMINANCE && draw->key & KEY_DEPTH_TEST &&
 		draw->soft->fragment.depth_mask) {
 		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
 	}

@@ -195,7 +195,7 @@ static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	bool behind = false;
 
-	if (draw->key.bits & KEY_BY_TRIANGLE) {
+	if (draw->key & KEY_BY_TRIANGLE) {
 		behind = setup->back && draw->shading.two_side;
 	}
 	corner[0] = behind ? a->back : a->attribute;

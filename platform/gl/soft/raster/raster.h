@@ -247,7 +247,7 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
  */
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 
-/* fill.c: any state. */
+/* span/walk.c: any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* The paths of fast/, each in a file of its name; fast/paths.c chooses. */
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
@@ -258,7 +258,7 @@ void soft_fill_textured_begin(struct draw *draw);
 
 /* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
-/* arm/narrow.S or portable/narrow.c: the same. */
+/* arm/narrow.S or portable/triangles.c: the same. */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
 /* Whether colours run linearly, to a step of 255. */
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
@@ -266,7 +266,7 @@ bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 /* fill_flat.c: see there; begin is called once a draw call. */
 void soft_fill_flat_begin(struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
-/* arm/masked.S or portable/masked.c: the same. */
+/* arm/masked.S or portable/triangles.c: the same. */
 void soft_fill_masked(struct draw *draw, struct setup *setup);
 
 /*

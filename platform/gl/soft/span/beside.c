@@ -4,7 +4,7 @@
  */
 #include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/span/texels.h"
-#include "platform/gl/soft/stages/blend_row.h"
+#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 /* Which depths the runs of a call are drawn with. */

@@ -218,3 +218,12 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 			: raster->colors_divided ? part_colored_divided
 						 : part_colored);
 }
+
+/* The template's way, which is that of every state that has no other. */
+void soft_rows_fill(struct draw *draw, struct setup *setup)
+{
+	if (!soft_is_hidden(draw, setup)) {
+		soft_raster_set_up(draw, setup);
+		soft_walk_rows(draw, setup);
+	}
+}

@@ -1,4 +1,4 @@
-#include "platform/gl/soft/stages/blend_row.h"
+#include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/stages/bytes.h"

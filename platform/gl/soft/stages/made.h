@@ -24,4 +24,12 @@ struct soft_made_at soft_find_made_at(
 /* A texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int unit, int lod);
 
+/*
+ * blend_row.c: blends a run's colours, RGBA8888 drawn beside the picture, with
+ * the picture: GL ES 1.1 section 4.1.6. Those are blended whose depth before
+ * differs from that after they were drawn.
+ */
+void soft_blend_row(const struct draw *draw, const struct soft_row *row,
+	const uint8_t *color, const uint16_t *before, const uint16_t *after);
+
 #endif

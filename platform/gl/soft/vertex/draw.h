@@ -19,7 +19,6 @@
 #define PLATFORM_GL_SOFT_VERTEX_DRAW_H
 
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/textured.h"
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
@@ -271,7 +270,7 @@ struct draw {
 	struct flat_band flat;
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
-	struct soft_pipeline_key key;
+	uint32_t key;             /* see key.h */
 	bool divides, rectangles; /* see struct soft_path */
 	struct soft_spans spans;
 	int attribute[ATTRIBUTES], attribute_count; /* those in use */
@@ -350,7 +349,7 @@ void soft_array_texcoord_q16(
  * to the left by one.
  */
 uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
-/* arm/largest_float.S or portable/largest_float.c: of aligned ones. */
+/* arm/largest_float.S or portable/loops.c: of aligned ones. */
 uint32_t soft_largest_aligned_float(
 	const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */

@@ -101,10 +101,10 @@ static uint32_t find_texture(const struct texture_input *input)
 			KEY_REPEAT);
 }
 
-struct soft_pipeline_key soft_find_key(const struct draw *draw)
+uint32_t soft_find_key(const struct draw *draw)
 {
-	return (struct soft_pipeline_key){find_target(draw) |
-		find_vertices(draw) | find_fragments(draw) | find_depth(draw) |
-		find_stencil(draw) | find_texture(&draw->texture[0]) |
-		bit_if(draw->texture[1].used, KEY_TEXTURES)};
+	return find_target(draw) | find_vertices(draw) | find_fragments(draw) |
+		find_depth(draw) | find_stencil(draw) |
+		find_texture(&draw->texture[0]) |
+		bit_if(draw->texture[1].used, KEY_TEXTURES);
 }

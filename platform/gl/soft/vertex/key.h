@@ -42,11 +42,7 @@ enum {
 	KEY_TEXTURES = 1 << 27, /* the second texture is used */
 };
 
-struct soft_pipeline_key {
-	uint32_t bits;
-};
-
 /* Of a draw call whose textures, fragments and shading are prepared. */
-struct soft_pipeline_key soft_find_key(const struct draw *draw);
+uint32_t soft_find_key(const struct draw *draw);
 
 #endif

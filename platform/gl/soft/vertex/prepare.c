@@ -1,5 +1,4 @@
 /* What a draw call needs, from the state. */
-#include "platform/gl/soft/fast/luminance.h"
 #include "platform/gl/soft/fast/paths.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"

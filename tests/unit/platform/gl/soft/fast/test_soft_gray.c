@@ -4,8 +4,9 @@
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/luminance.h"
+#include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "tests/support/gl/soft_scene.h"
 #include "tests/support/gl/twins.h"

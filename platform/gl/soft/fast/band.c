@@ -3,7 +3,7 @@
 
 #include "platform/base/compiler.h"
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/span/halves.h"
+#include "platform/gl/soft/span/sample.h"
 
 typedef void (*row_function)(const struct band *band, int column, int count);
 
@@ -115,37 +115,27 @@ void soft_tint_across(const struct band *band, uint32_t at, uint32_t pair[2])
 		(uint32_t)load_16(find_texel(band, below | next)) << 16;
 }
 
-static ALWAYS_INLINE uint32_t mix_pairs(uint32_t above, uint32_t below,
-	uint32_t mask, uint32_t above_weights, uint32_t below_weights)
-{
-	return HALVES_SUM_ADD(below & mask, below_weights,
-		HALVES_SUM(above & mask, above_weights));
-}
-
 static ALWAYS_INLINE struct channels load_linear(
 	const struct band *band, uint32_t texel)
 {
+	const struct soft_weights weights = soft_weigh(texel >> 3, texel >> 16);
 	uint32_t at = texel & band->texel_mask, beyond = at + TINT_NEXT;
-	uint32_t right = texel >> 3 & 31;
-	uint32_t across = (right << 16) - right + 32;
-	uint32_t below = across * (texel >> 16 & 255);
-	uint32_t above = (across << 8) - below;
-	uint32_t pair[2], a, b;
+	uint32_t pair[2];
 
 	if (beyond < at || (beyond & ~band->texel_mask)) {
 		soft_tint_across(band, at, pair);
-		a = pair[0];
-		b = pair[1];
 	} else {
 		const uint8_t *from = find_texel(band, at);
 
-		a = load_32(from);
-		b = load_32(from + band->stride_bytes);
+		pair[0] = load_32(from);
+		pair[1] = load_32(from + band->stride_bytes);
 	}
 	return (struct channels){
-		.red = mix_pairs(a >> 6, b >> 6, TINT_RED_BLUE, above, below),
-		.green = mix_pairs(a, b, TINT_GREEN, above, below),
-		.blue = mix_pairs(a << 5, b << 5, TINT_RED_BLUE, above, below),
+		.red = soft_mix_masked(
+			pair[0] >> 6, pair[1] >> 6, TINT_RED_BLUE, weights),
+		.green = soft_mix_masked(pair[0], pair[1], TINT_GREEN, weights),
+		.blue = soft_mix_masked(
+			pair[0] << 5, pair[1] << 5, TINT_RED_BLUE, weights),
 	};
 }
 

@@ -94,13 +94,9 @@ static ALWAYS_INLINE void set_tint(const struct small *small, struct band *band)
 static ALWAYS_INLINE int find_level(
 	int last, const struct run *s, const struct run *t)
 {
-	uint32_t right =
-		raster_length(raster_size(s->right), raster_size(t->right));
-	uint32_t down =
-		raster_length(raster_size(s->down), raster_size(t->down));
-	int lod = (raster_log2_q8(right > down ? right : down) + 127) >> 8;
+	int lod = raster_find_lod(s->right, t->right, s->down, t->down);
 
-	return clamp_int(lod, 0, last);
+	return clamp_int((lod + 127) >> 8, 0, last);
 }
 
 /* 256ths of the level's texels: the nearest ones, or cut. */

@@ -233,6 +233,17 @@ static inline uint32_t raster_length(uint32_t a, uint32_t b)
 	return a > b ? a + (b >> 2) + (b >> 3) : b + (a >> 2) + (a >> 3);
 }
 
+/* The level of detail of the longer of two ways: a pixel across, or down. */
+static ALWAYS_INLINE int raster_find_lod(
+	int32_t s_right, int32_t t_right, int32_t s_down, int32_t t_down)
+{
+	uint32_t right =
+		raster_length(raster_size(s_right), raster_size(t_right));
+	uint32_t down = raster_length(raster_size(s_down), raster_size(t_down));
+
+	return raster_log2_q8(right > down ? right : down);
+}
+
 /* A plane's value at column x of the row under way. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {

@@ -1,24 +1,8 @@
 /* Single columns of a row, and levels of detail. */
 #include "platform/gl/soft/raster/rows.h"
 
-static uint32_t size_of(int64_t value)
-{
-	uint64_t size = (uint64_t)(value < 0 ? -value : value);
-
-	return size > UINT32_MAX / 2 ? UINT32_MAX / 2 : (uint32_t)size;
-}
-
-/* The longer of the two ways a step across and a step down lead. */
-static uint32_t longer_way(const int64_t across[2], const int64_t down[2])
-{
-	uint32_t right = raster_length(size_of(across[0]), size_of(across[1]));
-	uint32_t below = raster_length(size_of(down[0]), size_of(down[1]));
-
-	return right > below ? right : below;
-}
-
 /* How a coordinate changes across, or down: in the middle where it bends. */
-static uint32_t find_change(const struct raster *raster, int name, bool down)
+static int32_t find_change(const struct raster *raster, int name, bool down)
 {
 	const struct plane *p = &raster->plane[name];
 	const struct bend *bend = &raster->bend[name];
@@ -31,7 +15,7 @@ static uint32_t find_change(const struct raster *raster, int name, bool down)
 			(uint32_t)(down ? bend->yy : bend->xx) * 2 *
 				(down ? y : x);
 	}
-	return raster_size((int32_t)change);
+	return (int32_t)change;
 }
 
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
@@ -42,15 +26,11 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 		const int s = TEX_S + 2 * unit;
 
 		if (draw->texture[unit].used) {
-			uint32_t right =
-				raster_length(find_change(raster, s, false),
-					find_change(raster, s + 1, false));
-			uint32_t down =
-				raster_length(find_change(raster, s, true),
-					find_change(raster, s + 1, true));
-
 			span->lod[unit] =
-				raster_log2_q8(right > down ? right : down);
+				raster_find_lod(find_change(raster, s, false),
+					find_change(raster, s + 1, false),
+					find_change(raster, s, true),
+					find_change(raster, s + 1, true));
 		}
 	}
 }
@@ -60,7 +40,7 @@ static int find_lod(
 	const struct raster *raster, const struct point *point, int unit)
 {
 	const struct plane *q = &raster->plane[INVERSE_W];
-	int64_t across[2], down[2];
+	int32_t across[2], down[2];
 
 	for (int i = 0; i < 2; i++) {
 		int name = TEX_S + 2 * unit + i;
@@ -74,7 +54,7 @@ static int find_lod(
 		across[i] = rows_divide(point, saturate_64(x), shift + 8);
 		down[i] = rows_divide(point, saturate_64(y), shift + 8);
 	}
-	return raster_log2_q8(longer_way(across, down));
+	return raster_find_lod(across[0], across[1], down[0], down[1]);
 }
 
 void soft_rows_find_lod(

@@ -208,7 +208,8 @@ static int build_attribute(struct optimize_build *build, json_t *attributes,
 }
 
 enum {
-	SETS = 8 /* WEIGHTS_0 to WEIGHTS_7 */
+	SETS = 8, /* WEIGHTS_0 to WEIGHTS_7 */
+	SET_NAME = 24
 };
 
 /* Rounds a vertex's weights so that their sum stays exactly 1. */
@@ -254,29 +255,61 @@ static void shrink_weights(
 	}
 }
 
-static int build_weights(struct optimize_build *build, json_t *attributes)
+static void name_weights(int set, char name[SET_NAME])
+{
+	snprintf(name, SET_NAME, "WEIGHTS_%d", set);
+}
+
+/* The sets up to the first that is missing; 0 if they are more than SETS. */
+static int count_weights(
+	const struct optimize_build *build, const json_t *attributes)
+{
+	for (int set = 0; set <= SETS; set++) {
+		char name[SET_NAME];
+
+		name_weights(set, name);
+		if (optimize_build_member(build, attributes, name) < 0) {
+			return set;
+		}
+	}
+	return 0;
+}
+
+static bool is_weights(const char *key, int sets)
+{
+	for (int set = 0; set < sets; set++) {
+		char name[SET_NAME];
+
+		name_weights(set, name);
+		if (strcmp(key, name) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static int build_weights(
+	struct optimize_build *build, json_t *attributes, int sets)
 {
 	struct numbers set[SETS] = {{.value = NULL}};
-	char name[SETS][24];
-	int sets = 0, error = 0;
+	char name[SET_NAME];
+	int error = 0;
 
-	for (; sets < SETS && !error; sets++) {
+	for (int i = 0; i < sets && !error; i++) {
 		int accessor;
 
-		snprintf(name[sets], sizeof(name[sets]), "WEIGHTS_%d", sets);
-		accessor = optimize_build_member(build, attributes, name[sets]);
-		if (accessor < 0) {
-			break;
-		}
+		name_weights(i, name);
+		accessor = optimize_build_member(build, attributes, name);
 		error = read_numbers(build, accessor,
 			optimize_order_vertices(build->order, accessor),
-			&set[sets]);
+			&set[i]);
 	}
 	if (!error && build->plan->weights && sets > 0) {
 		shrink_weights(build, set, sets);
 	}
 	for (int i = 0; i < sets; i++) {
-		error = error ? error : put(build, attributes, name[i], &set[i]);
+		name_weights(i, name);
+		error = error ? error : put(build, attributes, name, &set[i]);
 		release(&set[i]);
 	}
 	return error ? fail(build, error) : 0;
@@ -285,6 +318,7 @@ static int build_weights(struct optimize_build *build, json_t *attributes)
 static int build_attributes(struct optimize_build *build, json_t *attributes,
 	bool target, float unit)
 {
+	int sets = target ? 0 : count_weights(build, attributes);
 	json_t *names = json_array();
 	const char *key;
 	json_t *value;
@@ -299,13 +333,13 @@ static int build_attributes(struct optimize_build *build, json_t *attributes,
 	{
 		const char *name = json_string_value(value);
 
-		if (!error && (target || !begins(name, "WEIGHTS_"))) {
+		if (!error && !is_weights(name, sets)) {
 			error = build_attribute(
 				build, attributes, name, target, unit);
 		}
 	}
 	json_decref(names);
-	return error || target ? error : build_weights(build, attributes);
+	return error ? error : build_weights(build, attributes, sets);
 }
 
 static int build_indices(struct optimize_build *build, json_t *primitive)

@@ -5,6 +5,7 @@
 #include "tests/support/test.h"
 
 #include <jansson.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,9 +92,9 @@ struct file {
 	json_t *root;
 };
 
-static int begin(void **state)
+/* Optimizes a model whose data.bin holds the numbers. */
+static void open_optimized(struct file *file, const char *model_text)
 {
-	static struct file file;
 	const struct log log = log_to_stderr(LOG_ERROR);
 	const struct optimize_request request = {
 		.bound_px = bound_px,
@@ -106,29 +107,40 @@ static int begin(void **state)
 		.name = "small.glb", .memory_bytes = MODEL_MEMORY_BYTES};
 	struct model *model;
 
-	file.folder = temp_dir_make();
-	model_path = path_join(&file.folder, "model.gltf");
-	data = path_join(&file.folder, "data.bin");
+	file->folder = temp_dir_make();
+	model_path = path_join(&file->folder, "model.gltf");
+	data = path_join(&file->folder, "data.bin");
 	file_write(data.text, &numbers, sizeof(numbers));
-	file_write(model_path.text, text, strlen(text));
+	file_write(model_path.text, model_text, strlen(model_text));
 	assert_int_equal(model_load(model_path.text, &log, &model), 0);
-	assert_int_equal(optimize_model(model, &request, &log, &file.result), 0);
+	assert_int_equal(
+		optimize_model(model, &request, &log, &file->result), 0);
 	model_destroy(model);
-	source.data = file.result.data;
-	source.size = file.result.after.file;
-	assert_int_equal(gltf_document_open(&source, &log, &file.document), 0);
-	file.root = gltf_document_json(file.document);
+	source.data = file->result.data;
+	source.size = file->result.after.file;
+	assert_int_equal(gltf_document_open(&source, &log, &file->document), 0);
+	file->root = gltf_document_json(file->document);
+}
+
+static void close_optimized(struct file *file)
+{
+	gltf_document_close(file->document);
+	free(file->result.data);
+	temp_dir_remove(&file->folder);
+}
+
+static int begin(void **state)
+{
+	static struct file file;
+
+	open_optimized(&file, text);
 	*state = &file;
 	return 0;
 }
 
 static int end(void **state)
 {
-	struct file *file = *state;
-
-	gltf_document_close(file->document);
-	free(file->result.data);
-	temp_dir_remove(&file->folder);
+	close_optimized(*state);
 	return 0;
 }
 
@@ -317,6 +329,66 @@ static void test_the_file_states_what_it_needs_and_how_exact_it_is(void **state)
 		bound_px, 1e-6);
 }
 
+/* A skin on a triangle with so many sets of joints and weights. */
+static void open_sets(struct file *file, int sets)
+{
+	char model[4096];
+	int used = snprintf(model, sizeof(model),
+		"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+		"\"scenes\":[{\"nodes\":[0,1,2,3]}],"
+		"\"nodes\":[{\"mesh\":0,\"skin\":0},{},{},{}],"
+		"\"skins\":[{\"joints\":[1,2,3]}],"
+		"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"
+		"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
+		"\"accessors\":[{\"bufferView\":0,\"byteOffset\":348,"
+		"\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"},"
+		"{\"bufferView\":0,\"byteOffset\":36,\"componentType\":5126,"
+		"\"count\":3,\"type\":\"VEC4\"},{\"bufferView\":0,"
+		"\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+		"\"meshes\":[{\"primitives\":[{\"attributes\":{"
+		"\"POSITION\":2");
+
+	for (int i = 0; i < sets; i++) {
+		used += snprintf(model + used, sizeof(model) - (size_t)used,
+			",\"JOINTS_%d\":0,\"WEIGHTS_%d\":1", i, i);
+	}
+	snprintf(model + used, sizeof(model) - (size_t)used, "}}]}]}");
+	open_optimized(file, model);
+}
+
+/* Up to eight sets are rounded together; the weights of more stay floats. */
+static void test_all_sets_of_weights_are_kept(void **state)
+{
+	static const int counts[] = {1, 2, 8, 9, 12};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(counts); i++) {
+		struct file file;
+		json_t *attributes;
+
+		open_sets(&file, counts[i]);
+		attributes = json_object_get(
+			json_array_get(json_object_get(item(&file, "meshes", 0),
+					       "primitives"),
+				0),
+			"attributes");
+		for (int set = 0; set < counts[i]; set++) {
+			char name[24];
+			struct gltf_document_array array;
+
+			snprintf(name, sizeof(name), "WEIGHTS_%d", set);
+			assert_in_range(integer(attributes, name), 0,
+				gltf_document_array_count(file.document) - 1);
+			array = gltf_document_array(
+				file.document, integer(attributes, name));
+			assert_int_equal(array.count, COUNT);
+			assert_int_equal(array.width, 4);
+			assert_int_equal(array.component == 5126, counts[i] > 8);
+		}
+		close_optimized(&file);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -326,6 +398,7 @@ int main(void)
 		cmocka_unit_test(test_points_are_fractions_of_the_unit),
 		cmocka_unit_test(
 			test_the_file_states_what_it_needs_and_how_exact_it_is),
+		cmocka_unit_test(test_all_sets_of_weights_are_kept),
 	};
 
 	return cmocka_run_group_tests(tests, begin, end);

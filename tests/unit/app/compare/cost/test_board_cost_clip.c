@@ -287,6 +287,39 @@ static void test_joints_of_uneven_scale_have_two_matrices(void **state)
 	end(&bench);
 }
 
+/* The hips are scaled unevenly in no frame, in 6 of the 12, or in all. */
+static void test_uneven_scale_costs_in_the_frames_that_have_it(void **state)
+{
+	static const float time_s[2] = {0.0f, 0.09f};
+	static const float value[3][6] = {{1, 1, 1, 1, 1, 1},
+		{1, 1, 1, 1, 1.5f, 1}, {1, 1.5f, 1, 1, 1.5f, 1}};
+	double cycles[3];
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "assets/walker.glb", "walk", "fixed");
+	for (int i = 0; i < 3; i++) {
+		struct model_channel channel = {
+			.node = bench.model->skin[0].joint[0],
+			.path = MODEL_SCALE,
+			.interpolation = MODEL_STEP,
+			.width = 3,
+			.key_count = 2,
+			.time_s = time_s,
+			.value = value[i]};
+		struct model_clip clip = {.name = "",
+			.duration_s = 0.2f,
+			.channel_count = 1,
+			.channel = &channel};
+
+		bench.clip = &clip;
+		cycles[i] = predict(&bench, 0).matrices.cycles;
+	}
+	assert_true(cycles[2] > 1.01 * cycles[0]);
+	assert_near(cycles[1], 0.5 * (cycles[0] + cycles[2]), 1.0);
+	end(&bench);
+}
+
 enum {
 	GRID_JOINTS = 3
 };
@@ -383,6 +416,8 @@ int main(void)
 		cmocka_unit_test(test_facets_cost_what_the_model_counted),
 		cmocka_unit_test(test_key_frames_cost_what_the_model_counted),
 		cmocka_unit_test(test_joints_of_uneven_scale_have_two_matrices),
+		cmocka_unit_test(
+			test_uneven_scale_costs_in_the_frames_that_have_it),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

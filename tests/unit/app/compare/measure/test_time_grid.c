@@ -94,7 +94,7 @@ static void test_keys_far_apart_get_moments_between(void **state)
 static void test_of_keys_close_together_one_counts(void **state)
 {
 	static const float keys[] = {
-		0, 1 / 80.0f, 0.0201f, 0.024f, 0.0251f, 0.0375f};
+		0, 1 / 80.0f, 0.0201f, 0.0249f, 0.0251f, 0.0375f};
 	static const float wanted[] = {0, 1 / 80.0f, 0.0251f, 0.0375f};
 	struct bench bench;
 

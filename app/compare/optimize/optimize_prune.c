@@ -198,9 +198,11 @@ static void renumber(struct marks *marks)
 	prune_animations(marks);
 }
 
-/* Sets a bit for each set of coordinates that an object's textures read. */
-static void find_sets(
-	const json_t *object, int depth, unsigned int *sets, bool *normals)
+/*
+ * Sets a bit for each set of coordinates that an object's textures read.
+ * jansson reads objects of at most 2048 levels.
+ */
+static void find_sets(const json_t *object, unsigned int *sets, bool *normals)
 {
 	const char *key;
 	json_t *value;
@@ -213,9 +215,7 @@ static void find_sets(
 			continue;
 		}
 		if (!optimize_ends_with(key, "Texture")) {
-			if (depth > 0) {
-				find_sets(value, depth - 1, sets, normals);
-			}
+			find_sets(value, sets, normals);
 			continue;
 		}
 		transform = json_object_get(json_object_get(value, "extensions"),
@@ -239,8 +239,8 @@ static int add_material(void *context, enum optimize_part part, int index)
 	struct coordinates *found = context;
 
 	(void)part;
-	find_sets(json_array_get(found->materials, (size_t)index), 4,
-		&found->sets, &found->normals);
+	find_sets(json_array_get(found->materials, (size_t)index), &found->sets,
+		&found->normals);
 	return index;
 }
 

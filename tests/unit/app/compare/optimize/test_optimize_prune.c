@@ -159,6 +159,9 @@ static void test_coordinates_that_no_texture_reads_go(void **state)
 		COORDINATES("'POSITION':0,'TEXCOORD_0':2,'TEXCOORD_1':3,"
 			    "'TEXCOORD_3':5,'TEXCOORD_31':6",
 			SETS));
+#define DEEP "'extensions':{'a':{'b':{'c':{'d':{'eTexture':{'texCoord':1}}}}}}"
+	expect_pruned(COORDINATES(ALL, DEEP),
+		COORDINATES("'POSITION':0,'TEXCOORD_0':2,'TEXCOORD_1':3", DEEP));
 }
 
 static void test_tangents_stay_for_maps_of_normals(void **state)

@@ -47,11 +47,14 @@ build/arm1136/an4044: tests/arm1136/an4044_run.c app/anim/kernel/an4044.c \
 	$(Q)$(ARM_PREFIX)gcc $(COMMON_CFLAGS) -O3 $(MICRO_CFLAGS) -I. \
 		-nostdlib -static -o $@ $(filter %.c,$^)
 
-model_programs := $(MODEL) $(MICRO) build/arm1136/an4044 build/arm1136/unknown
+model_programs := $(MODEL) $(MICRO) build/arm1136/an4044 build/arm1136/unknown \
+	build/arm1136/insn_count.so
 model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
 	tests/arm1136/micro/$(notdir $(program)).S)) \
 	$(call suite,arm1136/plugin,tests/arm1136/plugin.sh $(MODEL) \
 	build/arm1136/an4044 build/arm1136/unknown) \
+	$(call suite,arm1136/growth,tests/arm1136/growth.py build/arm1136/insn_count.so \
+	$(RUN_arm) build/arm/limber) \
 	$(call suite,arm1136/checker,tests/arm1136/checker.sh $(MODEL) \
 	build/arm1136/micro)

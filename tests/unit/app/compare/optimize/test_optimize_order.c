@@ -73,27 +73,71 @@ static void check_order(const struct optimize_order *order, int sharing)
 	}
 }
 
+/* A file whose order was found. */
+struct found {
+	struct log_capture logged;
+	struct gltf_document *document;
+	struct optimize_order order;
+};
+
+static void begin(struct found *found, const char *text)
+{
+	struct model_source source = {.name = "test.gltf",
+		.data = (const uint8_t *)text,
+		.size = strlen(text),
+		.memory_bytes = 1 << 20};
+	struct log log = log_capture_begin(&found->logged);
+
+	found->order = (struct optimize_order){0};
+	assert_int_equal(gltf_document_open(&source, &log, &found->document), 0);
+	assert_int_equal(optimize_order_find(&found->order, found->document), 0);
+}
+
+static void end(struct found *found)
+{
+	optimize_order_release(&found->order);
+	gltf_document_close(found->document);
+}
+
 static void test_groups_that_share_an_array_keep_their_order(void **state)
 {
 	(void)state;
 	for (int sharing = 1; sharing <= GROUPS_MAX; sharing++) {
 		char *text = file_of(sharing);
-		struct model_source source = {.name = "test.gltf",
-			.data = (const uint8_t *)text,
-			.size = strlen(text),
-			.memory_bytes = 1 << 20};
-		struct log_capture logged;
-		struct log log = log_capture_begin(&logged);
-		struct gltf_document *document;
-		struct optimize_order order = {0};
+		struct found found;
 
-		assert_int_equal(
-			gltf_document_open(&source, &log, &document), 0);
-		assert_int_equal(optimize_order_find(&order, document), 0);
-		check_order(&order, sharing);
-		optimize_order_release(&order);
-		gltf_document_close(document);
+		begin(&found, text);
+		check_order(&found.order, sharing);
+		end(&found);
 		free(text);
+	}
+}
+
+#define LISTED(bytes)                                                       \
+	"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":3,"  \
+	"\"uri\":\"data:application/octet-stream;base64," bytes "\"}],"     \
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":3}],\"accessors\":[" \
+	"{\"type\":\"VEC3\",\"componentType\":5126,\"count\":3},"           \
+	"{\"type\":\"SCALAR\",\"componentType\":5121,\"count\":3,"          \
+	"\"bufferView\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{" \
+	"\"POSITION\":0},\"indices\":1}]}]}"
+
+/* 0, 1, 2 of three vertices, and 0, 1, 3. */
+static void test_a_list_with_a_number_out_of_range_keeps_its_order(void **state)
+{
+	static const char *const texts[] = {LISTED("AAEC"), LISTED("AAED")};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct found found;
+
+		begin(&found, texts[i]);
+		assert_int_equal(
+			optimize_order_list(&found.order, 1) == NULL, i == 1);
+		assert_int_equal(
+			optimize_order_vertices(&found.order, 0) == NULL,
+			i == 1);
+		end(&found);
 	}
 }
 
@@ -102,6 +146,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_groups_that_share_an_array_keep_their_order),
+		cmocka_unit_test(
+			test_a_list_with_a_number_out_of_range_keeps_its_order),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
 /* The reports of a comparison that the test makes up. */
 #include "app/compare/report/report.h"
+#include "tests/support/files.h"
 #include "tests/support/test.h"
 
 #include <jansson.h>
@@ -382,6 +383,40 @@ static void test_json_has_all_rows_and_cells(void **state)
 	free(bench.text);
 }
 
+/* Three candidates of 200 to 800 KiB, 300 to 1200 us and 1.25 to 5 pixels. */
+static void test_the_axes_of_a_plot_begin_at_the_least_decade(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "plot.svg");
+	char line[512], labels[128] = "";
+	struct bench bench;
+	FILE *file;
+
+	(void)state;
+	begin(&bench);
+	for (int i = 0; i < ROWS; i++) {
+		bench.comparison.row[i].total.memory_bytes *= 100;
+	}
+	assert_int_equal(report_plot(&bench.comparison, path.text, &log), 0);
+	file = fopen(path.text, "r");
+	assert_non_null(file);
+	while (fgets(line, sizeof(line), file)) {
+		const char *label = strrchr(line, '/') - 1;
+
+		if (strncmp(line, "<path class='grid'", 18) == 0) {
+			while (label[-1] != '>') {
+				label--;
+			}
+			strncat(labels, label, strcspn(label, "<"));
+			strcat(labels, " ");
+		}
+	}
+	fclose(file);
+	assert_string_equal(labels, "100 1000 1 10 100 1000 10000 1 10 ");
+	temp_dir_remove(&folder);
+}
+
 static void test_formats_are_found_by_name(void **state)
 {
 	(void)state;
@@ -397,6 +432,8 @@ int main(void)
 		cmocka_unit_test(test_a_single_clip_needs_no_table_of_clips),
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
+		cmocka_unit_test(
+			test_the_axes_of_a_plot_begin_at_the_least_decade),
 		cmocka_unit_test(test_formats_are_found_by_name),
 	};
 

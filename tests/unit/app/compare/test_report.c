@@ -383,22 +383,16 @@ static void test_json_has_all_rows_and_cells(void **state)
 	free(bench.text);
 }
 
-/* Three candidates of 200 to 800 KiB, 300 to 1200 us and 1.25 to 5 pixels. */
-static void test_the_axes_of_a_plot_begin_at_the_least_decade(void **state)
+/* The labels of a plot's grid: of each chart the x axis, then the y axis. */
+static void expect_axes(const struct bench *bench, const char *wanted)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
 	struct test_path folder = temp_dir_make();
 	struct test_path path = path_join(&folder, "plot.svg");
 	char line[512], labels[128] = "";
-	struct bench bench;
 	FILE *file;
 
-	(void)state;
-	begin(&bench);
-	for (int i = 0; i < ROWS; i++) {
-		bench.comparison.row[i].total.memory_bytes *= 100;
-	}
-	assert_int_equal(report_plot(&bench.comparison, path.text, &log), 0);
+	assert_int_equal(report_plot(&bench->comparison, path.text, &log), 0);
 	file = fopen(path.text, "r");
 	assert_non_null(file);
 	while (fgets(line, sizeof(line), file)) {
@@ -413,8 +407,28 @@ static void test_the_axes_of_a_plot_begin_at_the_least_decade(void **state)
 		}
 	}
 	fclose(file);
-	assert_string_equal(labels, "100 1000 1 10 100 1000 10000 1 10 ");
+	assert_string_equal(labels, wanted);
 	temp_dir_remove(&folder);
+}
+
+/* Three candidates take 300 to 1200 us. */
+static void test_the_axes_of_a_plot_enclose_the_numbers_in_decades(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (int i = 0; i < ROWS; i++) {
+		/* 200 to 800 KiB, and 1.25 to 5 pixels. */
+		bench.comparison.row[i].total.memory_bytes *= 100;
+	}
+	expect_axes(&bench, "100 1000 1 10 100 1000 10000 1 10 ");
+	for (int i = 0; i < ROWS; i++) {
+		/* 0.02 to 0.08 KiB, and 0.0125 to 0.05 pixels. */
+		bench.comparison.row[i].total.memory_bytes /= 10000;
+		bench.comparison.row[i].total.peak_px /= 100.0f;
+	}
+	expect_axes(&bench, "0.01 0.1 0.01 0.1 100 1000 10000 0.01 0.1 ");
 }
 
 static void test_formats_are_found_by_name(void **state)
@@ -433,7 +447,7 @@ int main(void)
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
 		cmocka_unit_test(
-			test_the_axes_of_a_plot_begin_at_the_least_decade),
+			test_the_axes_of_a_plot_enclose_the_numbers_in_decades),
 		cmocka_unit_test(test_formats_are_found_by_name),
 	};
 

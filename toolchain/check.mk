@@ -95,6 +95,10 @@ MEMCHECK_TESTS := $(filter test_model_% test_xfile% test_levels% test_split \
 memcheck_suites = $(foreach test,$(MEMCHECK_TESTS),$(call \
 	suite,memcheck/$(test),valgrind --quiet --error-exitcode=9 \
 	build/host/unit/$(test)))
+# What two threads use without a lock shows in few runs, but to this tool in each.
+helgrind_suites = $(foreach test,test_background test_jobs,$(call \
+	suite,helgrind/$(test),valgrind --tool=helgrind --quiet \
+	--error-exitcode=9 build/host/unit/$(test)))
 conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
 script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
@@ -136,7 +140,7 @@ $(call conformance_suite,arm)
 $(call unit_suites,host)
 $(call unit_suites,asan)
 $(call unit_suites,arm)
-$(memcheck_suites)
+$(memcheck_suites) $(helgrind_suites)
 $(call script_suites,cli,host/,LIMBER=build/host/limber)
 $(call script_suites,cli,asan/,LIMBER=build/asan/limber)
 $(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber")

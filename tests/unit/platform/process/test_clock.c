@@ -76,7 +76,7 @@ static void test_parse_refuses_anything_else(void **state)
 {
 	static const char *const cases[] = {"", "Real", "real ", "fixed",
 		"fixed:", "fixed:0", "fixed:-5", "fixed:1000.5", "fixed:0.0009",
-		"fixed:30fps", "fixed:nan", "30"};
+		"fixed:30fps", "fixed:nan", "fixed=30", "30"};
 	struct clock clock;
 
 	(void)state;

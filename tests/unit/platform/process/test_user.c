@@ -1,11 +1,13 @@
-#define _DEFAULT_SOURCE /* setreuid() */
+#define _GNU_SOURCE /* setresuid() */
 
 #include "platform/process/user.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <linux/capability.h>
 #include <pwd.h>
+#include <sys/syscall.h>
 #include <sys/types.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,6 +67,30 @@ static void become_root_again(const struct log *log)
 		_exit(2);
 	}
 	_exit(0);
+}
+
+/* It may change its groups, but not its user, of which it has kept root. */
+static void become_other_with_a_way_back(const struct log *log)
+{
+	struct __user_cap_header_struct header = {
+		.version = _LINUX_CAPABILITY_VERSION_3};
+	struct __user_cap_data_struct may[2] = {
+		{.effective = 1u << CAP_SETGID, .permitted = 1u << CAP_SETGID}};
+
+	if (setresuid(getpwnam(other)->pw_uid, 1, 0) != 0 ||
+		syscall(SYS_capset, &header, may) != 0) {
+		_exit(1);
+	}
+	_exit(user_become(other, log) == -EPERM && heard.count == 1 ? 0 : 2);
+}
+
+static void test_a_user_with_a_way_back_to_root_is_refused(void **state)
+{
+	(void)state;
+	if (getuid() != 0 || !getpwnam(other)) {
+		skip_because("only root can keep a way back");
+	}
+	assert_int_equal(in_child(become_other_with_a_way_back), 0);
 }
 
 static void test_a_process_with_the_rights_of_root_becomes_root(void **state)
@@ -136,6 +162,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_process_with_the_rights_of_root_becomes_root),
 		cmocka_unit_test(test_root_becomes_another_user_for_good),
+		cmocka_unit_test(test_a_user_with_a_way_back_to_root_is_refused),
 		cmocka_unit_test(test_the_user_of_the_process_stays),
 		cmocka_unit_test(test_others_than_root_are_refused),
 		cmocka_unit_test(test_an_unknown_user_is_refused),

@@ -239,9 +239,8 @@ int candidate_error_measure(struct candidate *candidate,
 		for (int i = 0; i + 2 < 2 * grid->count - 1; i += 2) {
 			refine(&comparer, sample + i, DIVISIONS_MAX);
 		}
-		comparer.error.mean_px = comparer.sum_count > 0.0
-			? (float)(comparer.sum_px / comparer.sum_count)
-			: 0.0f;
+		comparer.error.mean_px =
+			(float)(comparer.sum_px / comparer.sum_count);
 		comparer.error.normal_deg = 2.0f * 180.0f / SCALAR_PI *
 			(0.5f * SCALAR_PI -
 				scalar_acos(0.5f * scalar_sqrt(comparer.chord)));

@@ -338,8 +338,8 @@ static void test_bump_mapping_takes_three_passes_and_can_be_off(void **state)
 	model_destroy(model);
 }
 
-/* After how many draws GL_EMISSION was set last, and whether to black. */
-static int emission_after;
+/* After how many draws GL_EMISSION was set last, and how often not to black. */
+static int emission_after, times_lit;
 static bool emission_lit;
 
 static void watch_emission(GLenum face, GLenum name, const GLfixed *value)
@@ -348,6 +348,7 @@ static void watch_emission(GLenum face, GLenum name, const GLfixed *value)
 	if (name == GL_EMISSION) {
 		emission_after = gl_recorder_result()->draw_count;
 		emission_lit = value[0] > 0;
+		times_lit += emission_lit;
 		/* It is black in the two passes of the bumps. */
 		assert_int_equal(emission_after, emission_lit ? 2 : 3);
 	}
@@ -367,8 +368,9 @@ static void test_bumps_do_not_shade_light_that_is_emitted(void **state)
 	textures.name = &name;
 	instance = small_model_instance(model);
 	gl.Materialxv = watch_emission;
-	emission_after = 0;
+	emission_after = times_lit = 0;
 	draw_instance(&gl, instance, &textures, DRAW_SHADED);
+	assert_int_equal(times_lit, 1);
 	assert_int_equal(emission_after, 3);
 	assert_false(emission_lit);
 	instance_destroy(instance);

@@ -205,6 +205,30 @@ static void test_multiplies_vertex_colours_by_the_material(void **state)
 	model_destroy(model);
 }
 
+/* A white material leaves them as they are, any other makes a copy. */
+static void test_colours_of_a_white_material_take_no_memory(void **state)
+{
+	(void)state;
+	for (int channel = 0; channel <= 4; channel++) {
+		struct model *model = small_model_grid(1, 1, 1.0f, true);
+		uint8_t(*color)[4] = arena_alloc(&model->arena, 4, 4);
+		struct instance *instance;
+
+		memset(color, 200, 16);
+		model->mesh[0].primitive[0].color = color;
+		if (channel < 4) {
+			model->material[0].base_color[channel] = 0.5f;
+		}
+		instance = small_model_instance(model);
+		assert_int_equal(
+			(const void *)instance->drawable[0].batch[0].color ==
+				color,
+			channel == 4);
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
 /* Skins the grid to one joint, which is a node of its own. */
 static void add_skin(struct model *model)
 {
@@ -399,6 +423,7 @@ int main(void)
 			test_triangles_of_one_colour_each_share_vertices_without_normals),
 		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
+		cmocka_unit_test(test_colours_of_a_white_material_take_no_memory),
 		cmocka_unit_test(test_morphs_before_it_skins),
 		cmocka_unit_test(test_skins_tangents_with_the_joints),
 		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),

@@ -88,7 +88,7 @@ const struct font_face *hud_face_for(
 	*scale = wanted / largest->size;
 	*scale = *scale < 1 ? 1 : *scale;
 	for (int i = 1; i < font->face_count; i++) {
-		if (font->face[i].size * *scale <= wanted) {
+		if (font->face[i].size <= wanted) {
 			chosen = &font->face[i];
 		}
 	}

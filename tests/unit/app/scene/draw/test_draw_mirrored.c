@@ -38,6 +38,8 @@ static void test_mirrored_joints_turn_the_front_face(void **state)
 
 		mirror_root(instance, 1.0f);
 		assert_int_equal(drawn_front_face(instance), GL_CCW);
+		mirror_root(instance, 0.25f);
+		assert_int_equal(drawn_front_face(instance), GL_CCW);
 		mirror_root(instance, -1.0f);
 		assert_int_equal(drawn_front_face(instance), GL_CW);
 	}

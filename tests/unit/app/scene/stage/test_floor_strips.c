@@ -150,6 +150,18 @@ static void test_from_below_there_is_no_ground(void **state)
 	assert_int_equal(strips.horizon_px, 640);
 }
 
+/* The eye is above the ground and looks up; the last row may have its edge. */
+static void test_a_horizon_below_the_picture_leaves_a_row(void **state)
+{
+	const struct camera camera = look(-1.0f, 3.0f);
+	struct floor_strips strips;
+
+	(void)state;
+	floor_strips_find(&strips, &camera, 480, 640, -9.0f, 4.0f, 8.0f);
+	assert_int_equal(strips.horizon_px, 1);
+	assert_int_equal(strips.covered_px, 0);
+}
+
 static void test_shadows_far_out_are_below_the_horizon(void **state)
 {
 	(void)state;
@@ -246,6 +258,7 @@ int main(void)
 		cmocka_unit_test(test_ground_seen_from_above_fills_the_picture),
 		cmocka_unit_test(test_near_ground_that_is_cut_off_covers_nothing),
 		cmocka_unit_test(test_from_below_there_is_no_ground),
+		cmocka_unit_test(test_a_horizon_below_the_picture_leaves_a_row),
 		cmocka_unit_test(test_shadows_far_out_are_below_the_horizon),
 		cmocka_unit_test(test_coarse_numbers_leave_no_gap_at_the_sides),
 		cmocka_unit_test(test_far_from_the_origin_is_no_gap_at_the_edges),

@@ -70,7 +70,10 @@ enum {
 	TINT_GREEN = 0x07E007E0,
 };
 
-/* Levels of up to 256 texels that repeat. arm/layout.c says what is fixed. */
+/*
+ * Levels of up to 256 texels that repeat, or parts of other levels in which no
+ * coordinate leaves the mask. arm/layout.c says what is fixed.
+ */
 struct band {
 	_Alignas(8) struct band_row row; /* of the next row */
 	struct band_row down;            /* a row further */
@@ -80,7 +83,7 @@ struct band {
 	uint32_t texel_right;
 	uint32_t red_blue_right;
 	uint32_t green_right; /* less 0x10000, to count */
-	uint32_t texel_mask;  /* whole texels of the level */
+	uint32_t texel_mask;  /* whole texels of the level, or part */
 	uint32_t texel_shift; /* 24 less the width's log2 */
 	const uint8_t *texels;
 	uint32_t wide_mask; /* of gray: WIDE_MASK */
@@ -91,10 +94,11 @@ struct band {
 /* A level as struct band has it. */
 struct textured_level {
 	uint32_t texel_mask, texel_shift;
-	const uint8_t *texels; /* NULL where it is larger than 256 */
+	const uint8_t *texels;
 	uint32_t stride_bytes;
 	/* from 16.16 of the base's texels to 8 bits of its own */
 	int32_t s_down, t_down;
+	bool whole; /* it repeats and is no larger than 256 */
 };
 
 /*

@@ -1,7 +1,8 @@
 /*
- * Small opaque triangles with one RGB565 texture that repeats, set up as bands:
- * nearest texels under one share of all colours, or four mixed under three.
- * Larger ones are drawn by the span template.
+ * Small opaque triangles with one RGB565 texture, set up as bands: nearest
+ * texels under one share of all colours, or four mixed under three. Larger
+ * ones, and those at the edges of levels that do not repeat or are larger than
+ * 256, are drawn by the span template.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/raster/frame.h"
@@ -12,6 +13,8 @@ enum {
 	BAND_EXTENT = 32 * 16,
 	/* Half of 1/32, so that 255 is 32/32. */
 	SHARE_ROUND = 4 << 8,
+	/* Half a texel, and what rounding in a band can add up to. */
+	TEXEL_SPARE = 128 + 80,
 };
 
 /* A triangle on its way into a band. */
@@ -126,6 +129,61 @@ static ALWAYS_INLINE void set_texels(const struct small *small,
 	band->stride_bytes = level->stride_bytes;
 }
 
+/* A band reaches so many bits of coordinates. */
+static int find_reach(int log2, int most)
+{
+	return log2 < most ? log2 : most;
+}
+
+/*
+ * The first texel that a triangle needs, if the band reaches all others from
+ * there, and none of them is the last one. Levels that repeat, and which the
+ * band reaches as a whole, stay where they are.
+ */
+static bool find_first(const struct frame_texels *texels, int down,
+	bool repeats, int log2, int reach, int32_t *first)
+{
+	int32_t low = (texels->low >> down) - TEXEL_SPARE;
+	int32_t high = (texels->high >> down) + TEXEL_SPARE;
+
+	*first = 0;
+	if (repeats && log2 <= 8) {
+		return true;
+	}
+	*first = low >> 8;
+	return low >= 0 && (high >> 8) < (1 << log2) - 1 &&
+		(high >> 8) - *first < (1 << reach) - 1;
+}
+
+/* Lets the band begin there; false where it does not reach all texels. */
+static NEVER_INLINE bool move_texels(const struct draw *draw,
+	const struct setup *setup, const struct textured_level *level,
+	struct band *band)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const struct texture *texture = input->texture;
+	const bool s_repeats = texture->wrap_s == GL_REPEAT;
+	const bool t_repeats = texture->wrap_t == GL_REPEAT;
+	const int width = input->width_log2 + 8 - level->s_down;
+	const int height = input->height_log2 + 8 - level->t_down;
+	const struct frame_texels s =
+		frame_find_texels(setup, TEX_S, input->width_log2, s_repeats);
+	const struct frame_texels t = frame_find_texels(
+		setup, TEX_S + 1, input->height_log2, t_repeats);
+	int32_t column, row;
+
+	if (!find_first(&s, level->s_down - 8, s_repeats, width,
+		    find_reach(width, 16 - width), &column) ||
+		!find_first(&t, level->t_down - 8, t_repeats, height,
+			find_reach(height, 8), &row)) {
+		return false;
+	}
+	band->row.texel -= ((uint32_t)row << 24) + ((uint32_t)column << 8);
+	band->texels +=
+		(uint32_t)row * level->stride_bytes + 2 * (uint32_t)column;
+	return true;
+}
+
 static ALWAYS_INLINE uint32_t find_red_spread(const struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;
@@ -212,7 +270,7 @@ static ALWAYS_INLINE bool fill(
 	struct band band;
 
 	if (!setup->inside || setup->extent > BAND_EXTENT ||
-		(linear ? is_full(setup) : !level->texels)) {
+		(linear && is_full(setup))) {
 		return false;
 	}
 	small.setup = setup;
@@ -232,10 +290,10 @@ static ALWAYS_INLINE bool fill(
 	if (linear && textured->last_level > 0) {
 		level += find_level(textured->last_level, &s_run, &t_run);
 	}
-	if (!level->texels) {
+	set_texels(&small, level, &s_run, &t_run, linear, &band);
+	if (!level->whole && !move_texels(draw, setup, level, &band)) {
 		return false;
 	}
-	set_texels(&small, level, &s_run, &t_run, linear, &band);
 	set_rows(draw, &small, &band);
 	frame_draw_bands(draw, setup, &small.frame, &band.edges,
 		linear ? draw_tinted : draw_gray, &band);
@@ -277,19 +335,23 @@ void soft_fill_textured(struct draw *draw, struct setup *setup)
 static void set_levels(
 	const struct texture_input *input, struct textured_level *out)
 {
+	const struct texture *texture = input->texture;
+	bool repeats =
+		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
+
 	for (int i = 0; i < input->levels; i++) {
-		const struct level *level = &input->texture->level[i];
+		const struct level *level = &texture->level[i];
 		int width = level->width_log2, height = level->height_log2;
-		bool fits = width <= 8 && height <= 8;
 
 		out[i] = (struct textured_level){
-			.texel_mask = ((1u << height) - 1) << 24 |
-				((1u << width) - 1) << 8,
+			.texel_mask = ((1u << find_reach(height, 8)) - 1) << 24 |
+				((1u << find_reach(width, 16 - width)) - 1) << 8,
 			.texel_shift = (uint32_t)(24 - width),
-			.texels = fits ? level->texels : NULL,
+			.texels = level->texels,
 			.stride_bytes = 2u << width,
 			.s_down = input->width_log2 - width + 8,
 			.t_down = input->height_log2 - height + 8,
+			.whole = repeats && width <= 8 && height <= 8,
 		};
 	}
 }

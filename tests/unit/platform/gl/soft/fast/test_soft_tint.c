@@ -13,7 +13,15 @@
 enum {
 	TRIANGLES = 40,
 	CORNERS = TRIANGLES * 3,
-	LEVELS = 7, /* of the textures, 64 texels wide */
+	WIDTH = 64, /* of the textures, unless a test says otherwise */
+	WIDTH_MOST = 1024,
+};
+
+/* A texture: how high it is, of its width; see GL for the others. */
+struct given {
+	GLint min, mag;
+	int width, height_part;
+	GLint wrap;
 };
 
 /* Waves as high and as far apart as rounding in bands cannot show. */
@@ -25,37 +33,48 @@ static uint8_t wave(int at, int width)
 }
 
 /* Each level of another blue, so that a wrong one shows. */
-static void make_texture(
-	const struct gl *gl, GLint min, GLint mag, int height_part)
+static void make_level(
+	const struct gl *gl, int level, int width, int height, bool fine)
 {
-	uint8_t texels[64 * 64 * 3];
+	static uint8_t texels[WIDTH_MOST * WIDTH_MOST * 3];
+
+	for (int i = 0; i < width * height; i++) {
+		int x = i % width, y = i / width;
+
+		texels[3 * i] = wave(x, fine ? 80 : width);
+		texels[3 * i + 1] = wave(y, fine ? 80 : height);
+		texels[3 * i + 2] = (uint8_t)(255 - 25 * level);
+	}
+	gl->TexImage2D(GL_TEXTURE_2D, level, GL_RGB, width, height, 0, GL_RGB,
+		GL_UNSIGNED_BYTE, texels);
+}
+
+static void make_texture(const struct gl *gl, const struct given *given)
+{
+	const bool fine = given->width > WIDTH;
 	GLuint name;
 
 	gl->GenTextures(1, &name);
 	gl->BindTexture(GL_TEXTURE_2D, name);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, min);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, mag);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, given->min);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, given->mag);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, given->wrap);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, given->wrap);
 	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-	for (int level = 0; level < LEVELS; level++) {
-		int width = 64 >> level, height = width / height_part;
+	for (int level = 0; given->width >> level > 0; level++) {
+		int width = given->width >> level;
+		int height = width / given->height_part;
 
-		height = height > 0 ? height : 1;
-		for (int i = 0; i < width * height; i++) {
-			texels[3 * i] = wave(i % width, width);
-			texels[3 * i + 1] = wave(i / width, height);
-			texels[3 * i + 2] = (uint8_t)(255 - 40 * level);
-		}
-		gl->TexImage2D(GL_TEXTURE_2D, level, GL_RGB, width, height, 0,
-			GL_RGB, GL_UNSIGNED_BYTE, texels);
+		make_level(gl, level, width, height > 0 ? height : 1, fine);
 	}
 }
 
-static struct soft_scene *open_scene(GLint min, GLint mag, int height_part)
+static struct soft_scene *open_scene(const struct given *given)
 {
 	struct soft_scene *scene = soft_scene_open();
 
 	scene->gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-	make_texture(scene->gl, min, mag, height_part);
+	make_texture(scene->gl, given);
 	return scene;
 }
 
@@ -106,31 +125,61 @@ static void add_difference(struct figures *figures,
 	}
 }
 
-static struct figures compare_ways(GLint min, GLint mag, int height_part)
+/* Triangles of up to 160 texels, anywhere in a texture and beyond its edges. */
+static void use_few_texels(struct soft_corner *corner, uint32_t *seed, int width)
+{
+	for (int i = 0; i < CORNERS; i++) {
+		for (int k = 0; k < 2; k++) {
+			float *at = &corner[i].texcoord[k];
+
+			*at = i % 3 == 0
+				? (float)random_between(seed, -100, 1100) /
+					1000.0f
+				: corner[i - i % 3].texcoord[k] +
+					(float)random_between(seed, -80, 80) /
+						(float)width;
+		}
+	}
+}
+
+static void use_gray(struct soft_corner *corner)
+{
+	for (int i = 0; i < CORNERS; i++) {
+		memset(corner[i].color, corner[i].color[0], 3);
+	}
+}
+
+static struct figures compare_ways(struct given given, uint32_t rounds)
 {
 	struct figures figures = {0};
 
-	for (uint32_t round = 1; round <= 40; round++) {
-		struct soft_scene *fast_setup =
-			open_scene(min, mag, height_part);
-		struct soft_scene *slow = open_scene(min, mag, height_part);
+	for (uint32_t round = 1; round <= rounds; round++) {
+		struct soft_scene *fast_setup = open_scene(&given);
+		struct soft_scene *slow = open_scene(&given);
 		struct soft_corner corner[CORNERS];
 		uint32_t seed = round;
 
-		make_triangles(corner, &seed, 30 + (int)round * 6);
+		make_triangles(corner, &seed, 30 + (int)(round * 240 / rounds));
+		if (given.width > WIDTH || given.wrap != GL_REPEAT) {
+			use_few_texels(corner, &seed, given.width);
+		}
+		if (given.mag == GL_NEAREST && round % 2 == 0) {
+			use_gray(corner);
+		}
 		draw(fast_setup, corner, false);
 		draw(slow, corner, true);
 		add_difference(&figures, fast_setup, slow);
 		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
 	}
-	assert_true(figures.seen > 10000);
+	assert_true(figures.seen > (int)rounds * 250);
 	return figures;
 }
 
 static void test_mixed_texels_are_those_of_the_long_way(void **state)
 {
-	struct figures figures = compare_ways(GL_LINEAR, GL_LINEAR, 1);
+	struct figures figures = compare_ways(
+		(struct given){GL_LINEAR, GL_LINEAR, WIDTH, 1, GL_REPEAT}, 40);
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
@@ -139,7 +188,9 @@ static void test_mixed_texels_are_those_of_the_long_way(void **state)
 static void test_levels_are_those_of_the_long_way(void **state)
 {
 	struct figures figures =
-		compare_ways(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1);
+		compare_ways((struct given){GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR,
+				     WIDTH, 1, GL_REPEAT},
+			40);
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
@@ -148,7 +199,9 @@ static void test_levels_are_those_of_the_long_way(void **state)
 static void test_levels_that_are_no_squares_are_too(void **state)
 {
 	struct figures figures =
-		compare_ways(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 4);
+		compare_ways((struct given){GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR,
+				     WIDTH, 4, GL_REPEAT},
+			40);
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
@@ -156,10 +209,33 @@ static void test_levels_that_are_no_squares_are_too(void **state)
 
 static void test_nearest_texels_are_those_of_the_long_way(void **state)
 {
-	struct figures figures = compare_ways(GL_NEAREST, GL_NEAREST, 1);
+	struct figures figures = compare_ways(
+		(struct given){GL_NEAREST, GL_NEAREST, WIDTH, 1, GL_REPEAT}, 40);
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
+}
+
+/* Bands reach 256 texels and never the last one of a clamped texture. */
+static void test_parts_of_textures_are_those_of_the_long_way(void **state)
+{
+	static const struct given given[] = {
+		{GL_LINEAR, GL_LINEAR, 1024, 1, GL_REPEAT},
+		{GL_LINEAR, GL_LINEAR, 512, 2, GL_CLAMP_TO_EDGE},
+		{GL_LINEAR, GL_LINEAR, 64, 1, GL_CLAMP_TO_EDGE},
+		{GL_LINEAR, GL_LINEAR, 256, 4, GL_CLAMP_TO_EDGE},
+		{GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1024, 2, GL_REPEAT},
+		{GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 128, 1, GL_CLAMP_TO_EDGE},
+		{GL_NEAREST, GL_NEAREST, 512, 1, GL_REPEAT},
+		{GL_NEAREST, GL_NEAREST, 64, 1, GL_CLAMP_TO_EDGE},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(given) / sizeof(given[0]); i++) {
+		struct figures figures = compare_ways(given[i], 10);
+
+		assert_true(figures.other * 1000 < figures.seen);
+	}
 }
 
 /* What bump.c draws relief with, one pass over the other. */
@@ -192,7 +268,8 @@ static void test_relief_is_that_of_the_long_way(void **state)
 		make_triangles(corner, &seed, 30 + (int)round * 4);
 		for (int k = 0; k < 2; k++) {
 			scene[k] = open_scene(
-				GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 2);
+				&(struct given){GL_LINEAR_MIPMAP_NEAREST,
+					GL_LINEAR, WIDTH, 2, GL_REPEAT});
 			for (uint32_t pass = 0; pass <= round % 3; pass++) {
 				set_pass(scene[k]->gl, (int)pass);
 				draw(scene[k], corner, k == 1);
@@ -213,6 +290,8 @@ int main(void)
 		cmocka_unit_test(test_levels_are_those_of_the_long_way),
 		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
 		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),
+		cmocka_unit_test(
+			test_parts_of_textures_are_those_of_the_long_way),
 		cmocka_unit_test(test_relief_is_that_of_the_long_way),
 	};
 

@@ -47,7 +47,7 @@ static bool is_tested(const struct fragment_state *state)
 
 static bool is_replaced(const struct texture_input *input)
 {
-	return input->used && input->env->mode != GL_MODULATE &&
+	return input->used && input->mode != GL_MODULATE &&
 		soft_is_simple_environment(input);
 }
 
@@ -241,7 +241,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->fog_color[i] = (uint8_t)soft_byte(fog[i]);
 		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
 	}
-	stages->alpha_scaled = input->used && input->env->mode == GL_MODULATE &&
+	stages->alpha_scaled = input->used && input->mode == GL_MODULATE &&
 		soft_base_has_alpha(input->base->base_format);
 }
 
@@ -304,7 +304,7 @@ static bool is_multiplied(const struct draw *draw)
 {
 	/* An alpha test knows alpha as stages round it. */
 	return draw->texture[1].used && !draw->spans.alpha_tested &&
-		!draw->smooth && draw->texture[1].env->mode == GL_MODULATE &&
+		!draw->smooth && draw->texture[1].mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8 &&
 		draw->texture[1].base->format != TEXEL_A8;

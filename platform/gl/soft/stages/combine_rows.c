@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "platform/base/compiler.h"
 #include "platform/gl/soft/stages/bytes.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -31,7 +32,7 @@ bool soft_base_has_alpha(GLenum format)
 
 bool soft_is_simple_environment(const struct texture_input *input)
 {
-	GLenum mode = input->env->mode, format = input->base->base_format;
+	GLenum mode = input->mode, format = input->base->base_format;
 
 	return mode == GL_MODULATE || mode == GL_REPLACE ||
 		(mode == GL_DECAL && format == GL_RGB);
@@ -70,6 +71,12 @@ static void find_mode(GLenum mode, GLenum format, struct soft_environment *out)
 	if (!soft_base_has_alpha(format) || mode == GL_DECAL) {
 		out->alpha.function = GL_REPLACE;
 		set(&out->alpha, 0, GL_PREVIOUS, GL_SRC_ALPHA);
+	}
+	/* Without an alpha of its own a texel's is 255. */
+	if (has_color(format) && mode == GL_MODULATE) {
+		out->alpha.function = GL_MODULATE;
+		set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
+		set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
 	}
 }
 
@@ -122,6 +129,48 @@ static bool are_alike(
 	return alike;
 }
 
+static bool is_argument(const struct soft_combiner *a, int i,
+	const struct soft_combiner *b, int j, bool first)
+{
+	GLenum source = a->source[i];
+
+	source = first && source == GL_PRIMARY_COLOR ? GL_PREVIOUS : source;
+	return source == b->source[j] && a->operand[i] == b->operand[j];
+}
+
+/* Of GL_REPLACE or GL_MODULATE. */
+static bool does(const struct soft_combiner *combiner,
+	const struct soft_combiner *wanted, bool first)
+{
+	bool one = wanted->function == GL_REPLACE;
+
+	return combiner->function == wanted->function &&
+		combiner->doublings == 0 &&
+		((is_argument(combiner, 0, wanted, 0, first) &&
+			 (one || is_argument(combiner, 1, wanted, 1, first))) ||
+			(!one && is_argument(combiner, 0, wanted, 1, first) &&
+				is_argument(combiner, 1, wanted, 0, first)));
+}
+
+GLenum soft_find_mode(const struct texenv *env, GLenum format, bool first)
+{
+	static const GLenum simple[] = {GL_MODULATE, GL_REPLACE};
+	struct soft_environment given = {0}, wanted = {0};
+
+	if (env->mode != GL_COMBINE) {
+		return env->mode;
+	}
+	find_combine(env, &given);
+	for (size_t i = 0; i < ARRAY_COUNT(simple); i++) {
+		find_mode(simple[i], format, &wanted);
+		if (does(&given.rgb, &wanted.rgb, first) &&
+			does(&given.alpha, &wanted.alpha, first)) {
+			return simple[i];
+		}
+	}
+	return GL_COMBINE;
+}
+
 void soft_find_environment(
 	const struct texture_input *input, struct soft_environment *out)
 {
@@ -131,16 +180,10 @@ void soft_find_environment(
 	for (int i = 0; i < 4; i++) {
 		out->constant |= (uint32_t)soft_byte(env->color[i]) << 8 * i;
 	}
-	if (env->mode == GL_COMBINE) {
+	if (input->mode == GL_COMBINE) {
 		find_combine(env, out);
 	} else {
-		find_mode(env->mode, input->base->base_format, out);
-	}
-	/* Without an alpha of its own a texel's is 255. */
-	if (out->rgb.function == GL_MODULATE && env->mode == GL_MODULATE) {
-		out->alpha.function = GL_MODULATE;
-		set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
-		set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
+		find_mode(input->mode, input->base->base_format, out);
 	}
 	out->alpha_wanted = true;
 	out->alike = out->rgb.function == GL_DOT3_RGBA ||

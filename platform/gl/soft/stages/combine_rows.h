@@ -28,6 +28,12 @@ struct soft_environment {
 	uint32_t constant; /* the environment's colour */
 };
 
+/*
+ * The mode of an environment; of GL_COMBINE one that does the same to texels of
+ * the base format. The first unit's previous colour is the primary one.
+ */
+GLenum soft_find_mode(const struct texenv *env, GLenum format, bool first);
+
 /* For a texture that is used. */
 void soft_find_environment(
 	const struct texture_input *input, struct soft_environment *out);

@@ -105,6 +105,7 @@ struct texture_input {
 	const struct level *base;
 	int levels; /* how many there are to choose from */
 	const struct texenv *env;
+	GLenum mode; /* the environment's: see combine_rows.h */
 };
 
 struct plane {

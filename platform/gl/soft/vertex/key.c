@@ -95,7 +95,7 @@ static uint32_t find_texture(const struct texture_input *input)
 		bit_if(base->tiles && input->width_log2 > 0 &&
 				input->height_log2 > 0,
 			KEY_TEXTURE_TILES) |
-		bit_if(input->env->mode == GL_MODULATE, KEY_MODULATE) |
+		bit_if(input->mode == GL_MODULATE, KEY_MODULATE) |
 		bit_if(texture->wrap_s == GL_REPEAT &&
 				texture->wrap_t == GL_REPEAT,
 			KEY_REPEAT);

@@ -1,5 +1,6 @@
 /* What a draw call needs, from the state. */
 #include "platform/gl/soft/fast/paths.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -221,6 +222,8 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 		input->texture = unit->bound;
 		input->env = &unit->env;
 		input->base = &unit->bound->level[0];
+		input->mode = soft_find_mode(
+			input->env, input->base->base_format, i == 0);
 		input->width_log2 = input->base->width_log2;
 		input->height_log2 = input->base->height_log2;
 		prepare_texture_matrix(soft, input, i);

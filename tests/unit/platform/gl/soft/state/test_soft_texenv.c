@@ -1,5 +1,6 @@
 /* The texture environment and perspective, against formulas in double. */
 #include "platform/base/fixed.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 #include "tests/support/gl/gl_expect.h"
 
 #include <math.h>
@@ -394,6 +395,56 @@ static void test_texels_lie_in_perspective(void **state)
 	}
 }
 
+/* What a new context has, but for the mode. */
+static const struct texenv default_combine = {
+	.mode = GL_COMBINE,
+	.combine_rgb = GL_MODULATE,
+	.combine_alpha = GL_MODULATE,
+	.source_rgb = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+	.source_alpha = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT},
+	.operand_rgb = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA},
+	.operand_alpha = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA},
+	.scale_rgb = ONE,
+	.scale_alpha = ONE,
+};
+
+static void expect_mode(
+	const struct texenv *env, GLenum format, bool first, GLenum wanted)
+{
+	assert_int_equal(soft_find_mode(env, format, first), wanted);
+}
+
+/* A state takes as long however a program asks for it. */
+static void test_combiners_that_a_mode_has_are_that_mode(void **state)
+{
+	struct texenv env = default_combine;
+
+	(void)state;
+	expect_mode(&env, GL_RGBA, false, GL_MODULATE);
+	expect_mode(&env, GL_RGB, false, GL_MODULATE);
+	expect_mode(&env, GL_ALPHA, false, GL_COMBINE);
+	env.source_rgb[0] = GL_PREVIOUS;
+	env.source_rgb[1] = GL_TEXTURE;
+	expect_mode(&env, GL_LUMINANCE, false, GL_MODULATE);
+	env.source_rgb[0] = GL_PRIMARY_COLOR;
+	expect_mode(&env, GL_RGB, true, GL_MODULATE);
+	expect_mode(&env, GL_RGB, false, GL_COMBINE);
+	env = default_combine;
+	env.scale_rgb = 2 * ONE;
+	expect_mode(&env, GL_RGB, true, GL_COMBINE);
+	env = default_combine;
+	env.operand_rgb[1] = GL_ONE_MINUS_SRC_COLOR;
+	expect_mode(&env, GL_RGB, true, GL_COMBINE);
+	env = default_combine;
+	env.combine_rgb = env.combine_alpha = GL_REPLACE;
+	expect_mode(&env, GL_RGBA, true, GL_REPLACE);
+	expect_mode(&env, GL_RGB, true, GL_COMBINE);
+	env.source_alpha[0] = GL_PREVIOUS;
+	expect_mode(&env, GL_RGB, true, GL_REPLACE);
+	env.mode = GL_DECAL;
+	expect_mode(&env, GL_RGB, true, GL_DECAL);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -401,6 +452,7 @@ int main(void)
 		cmocka_unit_test(test_each_combiner_is_the_formulas),
 		cmocka_unit_test(test_alpha_is_combined_apart),
 		cmocka_unit_test(test_a_second_unit_takes_the_first_ones_colour),
+		cmocka_unit_test(test_combiners_that_a_mode_has_are_that_mode),
 		cmocka_unit_test(test_texels_lie_in_perspective),
 	};
 

@@ -1,6 +1,8 @@
 #include "app/character/sketch/character_sketch.h"
 
 #include "app/anim/pose.h"
+#include "app/character/sketch/sketch_names.h"
+#include "app/character/sketch/sketch_parts.h"
 #include "platform/base/printable.h"
 
 #include <errno.h>
@@ -8,46 +10,22 @@
 
 enum {
 	EXPRESSIONS_MAX = 12,
-	PARTS_MAX = 12,
-	CHAINS_MAX = 6,
-	NAME_BYTES = 64
+	CHAINS_MAX = 6
 };
-
-/* Writes a name, in quotes if it has blanks or commas. */
-static void write_name(FILE *out, const char *name)
-{
-	bool plain = *name && !strpbrk(name, " \t,;\"#");
-
-	fprintf(out, plain ? "%s" : "\"%s\"", name);
-}
-
-/* Whether a character file can hold the name, and a terminal show it. */
-static bool is_usable(const char *name)
-{
-	char shown[NAME_BYTES];
-
-	if (!*name || strlen(name) >= sizeof(shown) ||
-		strpbrk(name, "\"];\r\n")) {
-		return false;
-	}
-	strcpy(shown, name);
-	printable_make(shown);
-	return strcmp(shown, name) == 0;
-}
 
 /* Whether a file can hold the clip's name, and no earlier clip has it. */
 static bool has_usable_name(const struct model *model, int clip)
 {
 	const char *name = model->clip[clip].name;
 
-	return is_usable(name) && model_find_clip(model, name) == clip;
+	return sketch_is_usable(name) && model_find_clip(model, name) == clip;
 }
 
 /* A number stands for a clip without a usable name. */
 static void write_clip_name(const struct model *model, int clip, FILE *out)
 {
 	if (has_usable_name(model, clip)) {
-		write_name(out, model->clip[clip].name);
+		sketch_write_name(out, model->clip[clip].name);
 	} else {
 		fprintf(out, "%d", clip);
 	}
@@ -62,7 +40,7 @@ static void write_state_name(const struct model *model, int clip, FILE *out)
 	if (has_usable_name(model, clip) || model_find_clip(model, number) >= 0) {
 		write_clip_name(model, clip, out);
 	} else {
-		write_name(out, number);
+		sketch_write_name(out, number);
 	}
 }
 
@@ -146,8 +124,8 @@ static int find_shapes(const struct model *model)
 
 static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
 {
-	if (is_usable(mesh->target_name[target])) {
-		write_name(out, mesh->target_name[target]);
+	if (sketch_is_usable(mesh->target_name[target])) {
+		sketch_write_name(out, mesh->target_name[target]);
 	} else {
 		fprintf(out, "%d", target);
 	}
@@ -166,10 +144,10 @@ static void write_morph(const struct model *model, FILE *out)
 	      "; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
 	      "[morph shape]\n",
 		out);
-	if (is_usable(model->node[node].name) &&
+	if (sketch_is_usable(model->node[node].name) &&
 		model_find_node(model, model->node[node].name) == node) {
 		fputs("node = ", out);
-		write_name(out, model->node[node].name);
+		sketch_write_name(out, model->node[node].name);
 		fputc('\n', out);
 	}
 	fputs("time = 0.6\ncurve = bezier 0.4 0 0.2 1\n\n"
@@ -203,29 +181,6 @@ static int find_bones(
 		}
 	}
 	return 0;
-}
-
-static void write_parts(
-	const struct model *model, const struct bones *bones, FILE *out)
-{
-	int written = 0;
-
-	for (int i = 0; i < model->node_count && written < PARTS_MAX; i++) {
-		const struct model_node *node = &model->node[i];
-
-		if (node->mesh < 0 || node->skin >= 0 || bones->is_joint[i] ||
-			!is_usable(node->name)) {
-			continue;
-		}
-		if (written++ == 0) {
-			fputs("; Rigid parts turn on their pivots: start, lowest, highest, degrees a second.\n",
-				out);
-		}
-		fputs(";[part ", out);
-		write_name(out, node->name);
-		fputs("]\n;heading = 0 -90 90 45\n;pitch = 0 -45 45 45\n\n",
-			out);
-	}
 }
 
 /* The number of bones from a last one up to where the skeleton branches. */
@@ -322,7 +277,7 @@ static int write_chains(const struct model *model, const struct bones *bones,
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
 		if (!bones->is_joint[i] || bones->child_count[i] > 0 ||
-			!is_usable(model->node[i].name)) {
+			!sketch_is_usable(model->node[i].name)) {
 			continue;
 		}
 		length = chain_length(model, bones, i);
@@ -339,26 +294,37 @@ static int write_chains(const struct model *model, const struct bones *bones,
 			write_target(&box, out);
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
-		write_name(out, model->node[i].name);
+		sketch_write_name(out, model->node[i].name);
 		fprintf(out, " %d", length < 16 ? length : 16);
 		write_gravity(&box, out);
 		fprintf(out, "\n\n;[reach reach%d]\n;chain = ", written);
-		write_name(out, model->node[i].name);
+		sketch_write_name(out, model->node[i].name);
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
 			length < 16 ? length : 16);
 	}
 	return 0;
 }
 
-/* What single nodes may do. 0 or -ENOMEM. */
-static int write_nodes(const struct model *model, FILE *out)
+/* Nothing moves the model but its buttons. */
+static bool is_still(const struct model *model)
+{
+	return model->clip_count == 0 && find_shapes(model) < 0;
+}
+
+/*
+ * What single nodes may do; of a model that is still, buttons move the parts
+ * that are found. 0 or -ENOMEM.
+ */
+static int write_nodes(
+	const struct model *model, struct sketch_parts *parts, FILE *out)
 {
 	struct arena arena = arena_empty();
 	struct bones bones;
 	int error = find_bones(&bones, model, &arena);
 
 	if (!error) {
-		write_parts(model, &bones, out);
+		sketch_find_parts(model, bones.is_joint, is_still(model), parts);
+		sketch_write_parts(model, parts, out);
 		error = write_chains(model, &bones, &arena, out);
 	}
 	arena_release(&arena);
@@ -376,6 +342,10 @@ static const struct mode {
 	  "morph shape next \"show the next shape\""},
   mode_camera = {"camera", "camera tilt 80 \"tilt the camera up\"",
 	  "camera tilt -80 \"tilt the camera down\""};
+
+static const char camera_turns[] =
+	"LEFT = camera turn -80 \"turn the camera left\"\n"
+	"RIGHT = camera turn 80 \"turn the camera right\"\n";
 
 static void write_mode(const struct mode *mode, FILE *out)
 {
@@ -399,7 +369,27 @@ static void write_modes(const struct model *model, bool has_shapes, FILE *out)
 	write_mode(&mode_camera, out);
 }
 
-static void write_buttons(const struct model *model, FILE *out)
+/* F9 chooses what the arrows move. */
+static void write_part_modes(
+	const struct model *model, const struct sketch_parts *parts, FILE *out)
+{
+	fputs("[parameter arrows]\nchoices =", out);
+	for (int i = 0; i < parts->count; i++) {
+		fprintf(out, " part%d", i + 1);
+	}
+	fputs(" camera\nlabel = no\n\n", out);
+	for (int i = 0; i < parts->count; i++) {
+		sketch_write_part_buttons(model, parts, i, out);
+	}
+	fprintf(out,
+		"[buttons camera]\nwhen = arrows is camera\nlabel = no\n"
+		"UP = %s\nDOWN = %s\n%s\n"
+		"[buttons]\nF9 = add arrows 1 \"choose what the arrows move\"\n",
+		mode_camera.up, mode_camera.down, camera_turns);
+}
+
+static void write_buttons(
+	const struct model *model, const struct sketch_parts *parts, FILE *out)
 {
 	bool has_clips = model->clip_count > 0;
 	bool has_shapes = find_shapes(model) >= 0;
@@ -411,6 +401,8 @@ static void write_buttons(const struct model *model, FILE *out)
 		write_modes(model, has_shapes, out);
 		fputs("[buttons]\nF9 = add arrows 1 \"choose what UP and DOWN do\"\n",
 			out);
+	} else if (parts->moved) {
+		write_part_modes(model, parts, out);
 	} else {
 		fprintf(out, "[buttons]\nUP = %s\nDOWN = %s\n", mode_camera.up,
 			mode_camera.down);
@@ -420,10 +412,8 @@ static void write_buttons(const struct model *model, FILE *out)
 			"LEFT = %s\nRIGHT = %s\n"
 			"F9 = morph shape neutral \"show the neutral shape\"\n",
 			mode_shapes.up, mode_shapes.down);
-	} else {
-		fputs("LEFT = camera turn -80 \"turn the camera left\"\n"
-		      "RIGHT = camera turn 80 \"turn the camera right\"\n",
-			out);
+	} else if (!parts->moved) {
+		fputs(camera_turns, out);
 	}
 	fputs("ENTER = pause \"pause or continue\"\n"
 	      "F6 = camera zoom -120 \"move the camera closer\"\n"
@@ -463,6 +453,7 @@ int character_sketch(const struct model *model,
 	const struct character_sketch_play plain = {
 		.rate = 1, .repeat = CLIP_LOOP};
 	const char *slash = strrchr(model->path, '/');
+	struct sketch_parts parts;
 	int error;
 
 	fputs("; How ", out);
@@ -480,11 +471,11 @@ int character_sketch(const struct model *model,
 			out);
 	}
 	write_morph(model, out);
-	error = write_nodes(model, out);
+	error = write_nodes(model, &parts, out);
 	if (error) {
 		return error;
 	}
 	write_scene(model, out);
-	write_buttons(model, out);
+	write_buttons(model, &parts, out);
 	return 0;
 }

@@ -276,6 +276,38 @@ static void test_a_sketch_leaves_animated_shapes_alone(void **state)
 	acting_end(&acting);
 }
 
+static void expect_moved(struct acting *acting, int part, enum button button,
+	int freedom, float sign)
+{
+	const float *value =
+		&acting->character->part[part].freedom[freedom].value;
+
+	assert_near(*value, 0, 0);
+	acting_tap(acting, button, 0.5, 20.0);
+	assert_true(*value * sign > 10.0f);
+}
+
+/* Models without clips and shapes, of rigid parts and of bones. */
+static void test_a_sketch_of_a_still_model_moves_its_parts(void **state)
+{
+	static const char *const models[] = {
+		"assets/arm.glb", "tests/fixtures/gltf/skin/unsorted.gltf"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
+		struct acting acting;
+
+		acting_begin(&acting, models[i]);
+		expect_sketch(&acting, NULL);
+		assert_true(acting.character->part_count > 1);
+		expect_moved(&acting, 0, BUTTON_RIGHT, CHARACTER_HEADING, 1.0f);
+		expect_moved(&acting, 0, BUTTON_UP, CHARACTER_PITCH, -1.0f);
+		acting_tap(&acting, BUTTON_F9, 0.1, 20.0);
+		expect_moved(&acting, 1, BUTTON_DOWN, CHARACTER_PITCH, 1.0f);
+		acting_end(&acting);
+	}
+}
+
 static void test_a_sketch_begins_as_it_is_told(void **state)
 {
 	const struct character_sketch_play play = {
@@ -341,6 +373,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_sketch_fits_models_anywhere_and_of_any_size),
 		cmocka_unit_test(test_a_sketch_leaves_animated_shapes_alone),
+		cmocka_unit_test(test_a_sketch_of_a_still_model_moves_its_parts),
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 		cmocka_unit_test(
 			test_a_sketch_of_very_many_clips_is_short_enough),

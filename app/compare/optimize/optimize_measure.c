@@ -8,7 +8,7 @@
 /* A model and the clip to play; the copy shares the model's memory. */
 struct played {
 	struct model model;
-	struct model_clip still; /* no channels: it shows the rest pose */
+	struct model_clip still; /* one pose: a clip's, or that of rest */
 	struct reference *reference;
 };
 
@@ -17,8 +17,9 @@ static int begin(struct played *played, const struct model *model, int clip,
 {
 	played->model = *model;
 	if (clip < 0 || !(model->clip[clip].duration_s > 0.0f)) {
-		played->still =
-			(struct model_clip){.name = "", .duration_s = 1e-3f};
+		played->still = clip < 0 ? (struct model_clip){.name = ""}
+					 : model->clip[clip];
+		played->still.duration_s = 1e-3f;
 		played->model.clip = &played->still;
 		played->model.clip_count = 1;
 		clip = 0;

@@ -245,6 +245,28 @@ static void test_fixtures_keep_their_pictures(void **state)
 	}
 }
 
+/* A clip that lasts no time is measured in its pose, not at rest. */
+static void test_a_pose_keeps_all_channels(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path small = path_join(&folder, "small.glb");
+	struct optimize_result result;
+	struct model *model, *found;
+
+	(void)state;
+	load(fixture_path("gltf/clip/pose.gltf").text, &model);
+	result = optimized(model, 0.2f);
+	file_write(small.text, result.data, result.after.file);
+	load(small.text, &found);
+	assert_int_equal(found->clip_count, 1);
+	assert_int_equal(found->clip[0].channel_count, 2);
+	assert_true(result.peak_px <= 0.2f);
+	model_destroy(model);
+	model_destroy(found);
+	free(result.data);
+	temp_dir_remove(&folder);
+}
+
 /* A grid of quads whose triangles are shuffled by a fixed rule. */
 static void test_triangles_are_ordered_for_the_cache(void **state)
 {
@@ -355,6 +377,7 @@ int main(void)
 		cmocka_unit_test(test_rigid_parts_and_targets_keep_to_the_bound),
 		cmocka_unit_test(test_half_turns_keep_their_direction),
 		cmocka_unit_test(test_fixtures_keep_their_pictures),
+		cmocka_unit_test(test_a_pose_keeps_all_channels),
 		cmocka_unit_test(test_triangles_are_ordered_for_the_cache),
 		cmocka_unit_test(
 			test_unused_parts_are_removed_and_numbers_follow),

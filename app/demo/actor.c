@@ -108,7 +108,7 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 		&base->framing, bounds, base->width, base->height);
 	error = stage_init(
 		stage, env->gl, bounds, &camera, env->target, env->log);
-	if (!error && base->actor.ground.count > 0) {
+	if (!error && base->actor.ground.in_plane) {
 		stage_lower_floor(stage, bounds);
 	}
 	return error;

@@ -39,7 +39,7 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	if (shadow_ground_find(&drawing->ground, instance) != 0) {
 		return memory_budget_fail(model->budget, model->path, log);
 	}
-	if (drawing->ground.count > 0) {
+	if (drawing->ground.in_plane) {
 		stage_lower_floor(&drawing->stage, &drawing->box);
 	}
 	return 0;

@@ -1,5 +1,6 @@
 #include "app/scene/shadow/shadow_ground.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 #include "app/model/model_deltas.h"
 #include "app/scene/draw/draw.h"
@@ -214,6 +215,58 @@ static void choose(struct shadow_ground *ground, const struct search *search)
 	}
 }
 
+/* Whether a triangle lies in the model's lowest plane and faces upwards. */
+static bool lies_below(const struct search *search,
+	const struct drawable *drawable, bool mirrored, const uint32_t index[3])
+{
+	float most = search->all.low[1] + level_part * search->extent;
+	float corner[3][3], side[2][3], normal[3];
+
+	for (int i = 0; i < 3; i++) {
+		instance_world_vertex(
+			search->instance, drawable, (int)index[i], corner[i]);
+		if (corner[i][1] * search->instance->unit_scale > most) {
+			return false;
+		}
+	}
+	vec_subtract(corner[1], corner[0], side[0]);
+	vec_subtract(corner[2], corner[0], side[1]);
+	vec_cross(side[0], side[1], normal);
+	return (mirrored ? -normal[1] : normal[1]) > 0.0f;
+}
+
+static bool is_mirrored(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	mat4 matrix;
+
+	if (drawable->skin >= 0) {
+		return drawable->mirrored;
+	}
+	instance_drawable_matrix(instance, drawable, matrix);
+	return matrix_determinant((const mat4 *)&matrix) < 0.0f;
+}
+
+/* Such as the floor of a room, which is one surface with its walls. */
+static bool has_bottom(const struct search *search)
+{
+	const struct instance *instance = search->instance;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		const struct model_primitive *primitive = drawable->primitive;
+		bool mirrored = is_mirrored(instance, drawable);
+
+		for (int k = 0; k + 2 < primitive->index_count; k += 3) {
+			if (lies_below(search, drawable, mirrored,
+				    primitive->index + k)) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
 static void find(struct shadow_ground *ground, struct search *search)
 {
 	find_moving(search->instance->model, search->moving);
@@ -221,6 +274,7 @@ static void find(struct shadow_ground *ground, struct search *search)
 	search->extent = bounds_extent(&search->all);
 	find_candidates(search);
 	choose(ground, search);
+	ground->in_plane = ground->count > 0 || has_bottom(search);
 }
 
 int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)

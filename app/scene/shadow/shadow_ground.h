@@ -4,8 +4,9 @@
  *
  * Such ground would hide the shadows that lie on the stage's floor. It is drawn
  * first; then the shadows of all else are drawn on it, where the stencil says
- * that it is seen; then all else. The stage's floor lies a little below ground
- * (stage_lower_floor()), because two surfaces in one plane would fight.
+ * that it is seen; then all else. The stage's floor lies a little below ground,
+ * and below any other bottom that is seen (stage_lower_floor()), because two
+ * surfaces in one plane would fight.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_GROUND_H
 #define APP_SCENE_SHADOW_SHADOW_GROUND_H
@@ -18,6 +19,8 @@ struct shadow_ground {
 	int count;     /* 0: the model has no ground */
 	int *drawable; /* [count], in the instance's arena */
 	float y;       /* the height of its surface, in scene units */
+	/* It has ground, or triangles at its bottom that face upwards. */
+	bool in_plane;
 };
 
 /*

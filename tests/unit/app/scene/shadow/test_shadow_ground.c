@@ -86,6 +86,52 @@ static void test_what_moves_or_is_clear_is_no_ground(void **state)
 	model_destroy(model);
 }
 
+static bool is_in_plane(const struct model *model)
+{
+	struct instance *instance = small_model_instance(model);
+	struct shadow_ground ground;
+
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	instance_destroy(instance);
+	return ground.in_plane;
+}
+
+static void turn_round(const struct model *model, int mesh)
+{
+	const struct model_primitive *primitive = model->mesh[mesh].primitive;
+
+	for (int k = 0; k < primitive->index_count; k += 3) {
+		uint32_t first = primitive->index[k];
+
+		primitive->index[k] = primitive->index[k + 1];
+		primitive->index[k + 1] = first;
+	}
+}
+
+/* The floor of a room is one surface with its walls, so it is no ground. */
+static void test_a_bottom_that_is_seen_is_in_the_floors_plane(void **state)
+{
+	struct model *model = load();
+	float(*position)[3] = model->mesh[LAMP].primitive->position;
+
+	(void)state;
+	assert_true(is_in_plane(model));
+	model->material[model->mesh[LAWN].primitive->material].alpha =
+		MODEL_BLEND;
+	assert_int_equal(count_ground(model, NULL), 0);
+	assert_true(is_in_plane(model));
+	turn_round(model, LAWN);
+	turn_round(model, PLATE);
+	assert_false(is_in_plane(model));
+	model->node[LAWN].rest.scale[0] *= -1.0f;
+	assert_false(is_in_plane(model));
+	turn_round(model, LAWN);
+	assert_true(is_in_plane(model));
+	position[0][1] -= 10.0f;
+	assert_false(is_in_plane(model));
+	model_destroy(model);
+}
+
 static void stretch_lamp(const struct model *model, int axis, float factor)
 {
 	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
@@ -162,6 +208,8 @@ int main(void)
 		cmocka_unit_test(test_uneven_ground_is_none),
 		cmocka_unit_test(test_a_slab_is_ground),
 		cmocka_unit_test(test_what_moves_or_is_clear_is_no_ground),
+		cmocka_unit_test(
+			test_a_bottom_that_is_seen_is_in_the_floors_plane),
 		cmocka_unit_test(test_a_model_that_is_only_flat_has_no_ground),
 		cmocka_unit_test(test_targets_that_move_nothing_do_not_matter),
 		cmocka_unit_test(

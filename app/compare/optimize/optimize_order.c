@@ -105,6 +105,22 @@ static int find_group(struct optimize_order *order, const json_t *primitive)
 	return number;
 }
 
+/* What is drawn through others depends on which comes first. */
+static bool is_blended(
+	const struct optimize_order *order, const json_t *primitive)
+{
+	json_t *root = gltf_document_json(order->document);
+	json_t *number = json_object_get(primitive, "material");
+	json_t *material = json_is_integer(number)
+		? json_array_get(json_object_get(root, "materials"),
+			  (size_t)json_integer_value(number))
+		: NULL;
+	const char *mode =
+		json_string_value(json_object_get(material, "alphaMode"));
+
+	return mode && strcmp(mode, "BLEND") == 0;
+}
+
 static int add_primitive(struct optimize_order *order, json_t *primitive)
 {
 	int number = find_group(order, primitive);
@@ -126,6 +142,8 @@ static int add_primitive(struct optimize_order *order, json_t *primitive)
 	}
 	if (list >= 0) {
 		join(order, order->of_list, list, number);
+		order->blended[list] =
+			order->blended[list] || is_blended(order, primitive);
 	}
 	return 0;
 }
@@ -194,7 +212,7 @@ static int order_lists(struct optimize_order *order)
 		const struct optimize_group *group =
 			free_group(order, order->of_list, i);
 
-		if (group) {
+		if (group && !order->blended[i]) {
 			error = optimize_tipsify(order->list[i],
 				gltf_document_array(order->document, i).count,
 				group->vertex_count);
@@ -261,9 +279,11 @@ static int allocate(struct optimize_order *order)
 	order->of_vertices = malloc(count * sizeof(int));
 	order->of_list = malloc(count * sizeof(int));
 	order->list = calloc(count, sizeof(*order->list));
+	order->blended = calloc(count, sizeof(*order->blended));
 	order->renamed = calloc(count, sizeof(*order->renamed));
 	if (!order->group || !order->by_key || !order->of_vertices ||
-		!order->of_list || !order->list || !order->renamed) {
+		!order->of_list || !order->list || !order->blended ||
+		!order->renamed) {
 		return -ENOMEM;
 	}
 	for (size_t i = 0; i < count; i++) {
@@ -304,6 +324,7 @@ void optimize_order_release(struct optimize_order *order)
 	free(order->of_vertices);
 	free(order->of_list);
 	free(order->list);
+	free(order->blended);
 	free(order->renamed);
 	*order = (struct optimize_order){0};
 }

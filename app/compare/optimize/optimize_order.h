@@ -1,6 +1,7 @@
 /*
- * Puts triangles into the order in which a vertex cache serves them best, and
- * vertices into the order in which the triangles first need them.
+ * Puts triangles into the order in which a vertex cache serves them best,
+ * unless they are blended, and vertices into the order in which the triangles
+ * first need them.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_ORDER_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_ORDER_H
@@ -31,7 +32,8 @@ struct optimize_order {
 	int *of_vertices,
 		*of_list; /* [accessors]: a group's number, or below 0 */
 	uint32_t **list;  /* [accessors]: new lists, or NULL */
-	bool *renamed;    /* [accessors]: lists that are complete */
+	bool *blended; /* [accessors]: lists that keep their triangles' order */
+	bool *renamed; /* [accessors]: lists that are complete */
 };
 
 /*

@@ -3,6 +3,7 @@
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -141,6 +142,52 @@ static void test_a_list_with_a_number_out_of_range_keeps_its_order(void **state)
 	}
 }
 
+/* Two strips of 30 triangles, of which every seventh one comes next. */
+static const char strips[] =
+	"{\"asset\":{\"version\":\"2.0\"},"
+	"\"buffers\":[{\"byteLength\":180,\"uri\":"
+	"\"data:application/octet-stream;base64,"
+	"AAECJCMlCAcJKissDg8QMjEzFhUXODk6HB0eIiEjBgUHKCkqDA0OMC8xFBMVNjc4"
+	"GhscPj0/BAMFJicoCgsMLi0vEhETNDU2GBkaPDs9AgEDJCUmCAkKLCstEA8RMjM0"
+	"FhcYOjk7Hh0fIiMkBgcIKikrDg0PMDEyFBUWODc5HBsdICEiBAUGKCcpDAsNLi8w"
+	"EhMUNjU3GhkbPD0+AgMEJiUnCgkLLC0uEBESNDM1GBcZOjs8"
+	"\"}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":180}],"
+	"\"accessors\":[{\"type\":\"VEC3\",\"componentType\":5126,\"count\":64},"
+	"{\"bufferView\":0,\"type\":\"SCALAR\",\"componentType\":5121,"
+	"\"count\":180}],"
+	"\"materials\":[{\"alphaMode\":\"%s\"}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+	"\"indices\":1,\"material\":0}]}]}";
+
+/* Whether the first two triangles stay apart, as they are in the file. */
+static bool keeps_triangles_apart(const char *mode)
+{
+	char text[1024];
+	struct found found;
+	const uint32_t *list;
+	bool apart = true;
+
+	snprintf(text, sizeof(text), strips, mode);
+	begin(&found, text);
+	list = optimize_order_list(&found.order, 1);
+	assert_non_null(list);
+	for (int i = 3; i < 6; i++) {
+		/* Vertices are numbered as the list needs them. */
+		apart = apart && list[i] > 2;
+	}
+	end(&found);
+	return apart;
+}
+
+static void test_blended_triangles_keep_their_order(void **state)
+{
+	(void)state;
+	assert_true(keeps_triangles_apart("BLEND"));
+	assert_false(keeps_triangles_apart("OPAQUE"));
+	assert_false(keeps_triangles_apart("MASK"));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -148,6 +195,7 @@ int main(void)
 			test_groups_that_share_an_array_keep_their_order),
 		cmocka_unit_test(
 			test_a_list_with_a_number_out_of_range_keeps_its_order),
+		cmocka_unit_test(test_blended_triangles_keep_their_order),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -101,13 +101,13 @@ if command -v clang-format-14 >/dev/null; then
     expect_out 'platform/base/a.c:3: \*a comment'
 fi
 
-# analysed LINE STATUS: a tree with that line passes the analysers or not.
+# analysed TEXT STATUS: a tree with that text passes the analysers or not.
 analysed() {
     rm -rf "$tree"
     mkdir -p "$tree/app" "$tree/platform"
     printf '%s\n' "$1" >"$tree/platform/a.c"
     TREE=$tree run "$here/analysis.sh"
-    about "$1 for the analysers"
+    about "$(echo "$1" | tr '\n' ' ') for the analysers"
     expect_status "$2"
 }
 if command -v clang-tidy-14 >/dev/null && command -v cppcheck >/dev/null; then
@@ -117,6 +117,12 @@ if command -v clang-tidy-14 >/dev/null && command -v cppcheck >/dev/null; then
     analysed 'int past(void); int past(void) { int a[2] = {1, 2}; return a[2]; }' 1
     expect_out '^not ok .*cppcheck'
     expect_out '^# platform/a.c:1: '
+    for macro in __ARM_FEATURE_DSP __SSE2__; do
+        analysed "#ifdef $macro
+int past(void); int past(void) { int a[2] = {1, 2}; return a[2]; }
+#endif" 1
+        expect_out '^not ok .*cppcheck'
+    done
 fi
 
 # workflow FILE SCRIPT: the check of a workflow file that sed has changed.

@@ -341,9 +341,9 @@ def limber_memory_kib(machine):
 
 
 def stop_limber(machine):
-    """Ends what start_limber() started; what it has said."""
-    machine.shell("kill $limber; wait $limber")
-    return machine.shell("cat /run/said")[1]
+    """Ends what start_limber() started; what it has said. In one command, because
+    the shell tells after it, at a moment of its own, that the job has ended."""
+    return machine.shell("kill $limber; wait $limber; cat /run/said")[1]
 
 
 def frames_of(machine, demo, frames):

@@ -65,8 +65,9 @@ check("after a disconnection of a moment it is back, too",
       wait_for_bars(machine, True, 15) is not None, bars(machine.frame()))
 said = stop_limber(machine)
 about = [line for line in said.splitlines() if "/dev/video0" in line]
-check("each time is said in a sentence", "no such device" in about[0] and
-      len([line for line in about if "unplugged" in line]) == 2, said)
+check("each time is said in a sentence",
+      len(about) == 3 and "no such device" in about[0] and
+      all("unplugged" in line for line in about[1:]), said)
 for line in about:
     note(line)
 

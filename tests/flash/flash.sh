@@ -1,15 +1,24 @@
 #!/bin/sh
 # shellcheck disable=SC2154 # tap.sh's variables
-# Tests flash.sh with a simulated boot loader on a pseudo-terminal, once as U-Boot
-# and once as RedBoot.
+# Tests flash.sh with a simulated boot loader on a pseudo-terminal, as U-Boot and, at
+# the same time, as RedBoot: most of the time they wait for each other.
 . "$(dirname "$0")/../support/tap.sh"
 flash=board/imx31-pdk/flash.sh
 images=$scratch/images
-served=$scratch/served
-received=$scratch/received
-chips=$scratch/chips
+all=$scratch
 loader_pid=
-mkdir "$images" "$served" "$chips"
+mkdir "$images"
+
+# work_in NAME: the files of the board and of flash.sh go into a folder of that name.
+work_in() {
+    scratch=$all/$1
+    served=$scratch/served
+    received=$scratch/received
+    chips=$scratch/chips
+    out_file=$scratch/out
+    err_file=$scratch/err
+    mkdir "$scratch" "$served" "$chips"
+}
 
 # Images of odd sizes, and one of whole pages.
 head -c 300001 /dev/urandom >"$images/zImage-dtb"
@@ -62,7 +71,10 @@ never_received() {
     check "$tap_about: never received: $1" sh -c "! grep -Eq -e '$1' '$received'"
 }
 
-for loader in uboot redboot; do
+# with_loader LOADER: the tests of both.
+with_loader() {
+    loader=$1
+    work_in "$loader"
     case $loader in
     uboot)
         start='^bootz 0x81000000 0x82000000:0x30d43$'
@@ -197,8 +209,28 @@ for loader in uboot redboot; do
     expect_status 0
     expect_out "$(echo "$transfer" | tr -d '^$')"
     expect_out "$(echo "$writes" | tr -d '^')"
+    board_end
+    check "$loader: no board leaves its chip behind" [ -z "$(ls -A "$chips")" ]
+    echo '# all tests have run'
+}
+
+for loader in uboot redboot; do
+    with_loader $loader >"$all/$loader.tap" &
+    loaders="${loaders-} $!"
+done
+# shellcheck disable=SC2086 # process numbers are words
+wait $loaders
+for loader in uboot redboot; do
+    awk -v count="$tap_count" '/^(not )?ok [0-9]/ {
+        sub(/ok [0-9]+/, "ok " ++count) } { print }' "$all/$loader.tap"
+    tap_count=$((tap_count + $(grep -Ec '^(not )?ok [0-9]' "$all/$loader.tap")))
+    tap_failed=$((tap_failed + $(grep -c '^not ok' "$all/$loader.tap")))
+    check "$loader: all tests have run" \
+        grep -qx '# all tests have run' "$all/$loader.tap"
 done
 
+work_in both
+cp "$images/zImage-dtb" "$images/initramfs.cpio.lz4" "$served"
 board uboot address
 on_board 'no address' run --tries 1
 expect_status 1

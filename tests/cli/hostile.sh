@@ -7,22 +7,36 @@ RUN_SECONDS=${RUN_SECONDS:-60}
 
 python3 "$(dirname "$0")/hostile.py" "$scratch"
 
+# In qemu-arm it takes up to half a minute until a model is refused, by the same lines
+# for each command. One command shows there that the sizes are right.
+case $limber in
+qemu-*) emulated=true ;;
+*) emulated=false ;;
+esac
+
 # expect_too_large NAME: each command that poses the model refuses it by its
 # need of memory.
 expect_too_large() {
-    for command in info "pose -o $scratch/x.obj" \
-        "render --size 64x64 -o $scratch/x.png"; do
+    set -- "$1" info "pose -o $scratch/x.obj" "render --size 64x64 -o $scratch/x.png"
+    ! $emulated || set -- "$1" info
+    too_large=$1
+    shift
+    for command in "$@"; do
         # shellcheck disable=SC2086 # a command and its options
-        limber $command "$scratch/$1"
+        limber $command "$scratch/$too_large"
         expect_refusal 1 'more than 256 MiB of memory: .*--memory'
     done
 }
 
 expect_too_large many-nodes.gltf
 expect_too_large shared-mesh.gltf
-limber compare "$scratch/shared-mesh.gltf"
-expect_refusal 1 'more than 256 MiB of memory: .*--memory'
-for model in many-nodes shared-mesh empty-targets; do
+models=empty-targets
+if ! $emulated; then
+    limber compare "$scratch/shared-mesh.gltf"
+    expect_refusal 1 'more than 256 MiB of memory: .*--memory'
+    models="many-nodes shared-mesh $models"
+fi
+for model in $models; do
     limber export "$scratch/$model.gltf" --c "$scratch/x.c"
     expect_refusal 1 'too large to be C source'
 done

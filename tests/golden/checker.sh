@@ -54,6 +54,16 @@ check 'the arguments are passed on' grep -Eqx \
     'render --demo one --time 1 --gl osmesa -o .*/out/one.png' \
     "$scratch/limber.arguments"
 
+PICTURES='t.*' checks
+about 'the pictures whose names match alone'
+expect_status 0
+expect_out '^ok 1 - two'
+expect_out '^1..2$'
+PICTURES=tw checks
+about 'no such picture'
+expect_status 2
+expect_err 'no picture is called tw'
+
 run "$here/golden.sh" exact "$scratch/out" sh "$scratch/limber"
 about 'pictures equal to the references of soft'
 expect_status 0

@@ -10,8 +10,9 @@
 # the osmesa driver, those in soft/ with the soft driver.
 #
 # LIMBER may be several words. check and exact print TAP. The environment may
-# set GOLDEN, the folder of pictures.txt and the references, and COMPARE, the
-# program that compares two pictures.
+# set GOLDEN, the folder of pictures.txt and the references, COMPARE, the program
+# that compares two pictures, and PICTURES, an extended regular expression of the
+# names of the only pictures to check.
 set -eu
 here=$(dirname "$0")
 golden=${GOLDEN:-$here}
@@ -124,6 +125,10 @@ check_references() {
         echo "golden.sh: there is no tolerance for the driver $gl" >&2
         exit 2
     fi
+    chosen=$(pictures | grep -E "^(${PICTURES:-[^ ]*}) ") || {
+        echo "golden.sh: no picture is called $PICTURES" >&2
+        exit 2
+    }
     mkdir -p "$folder"
     rm -f "$folder"/*.png
     while read -r name arguments; do
@@ -133,7 +138,7 @@ check_references() {
             check_picture) || status=$?
         verdict "$status" "$name" "$text"
     done <<END
-$(pictures)
+$chosen
 END
     status=0
     text=$(check_leftovers) || status=$?

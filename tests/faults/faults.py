@@ -2,7 +2,7 @@
 """Makes each call of limber fail in turn, and checks how limber ends.
 
     faults.py LIBRARY LIMBER [--every | --once] [--frames N] [--most N]
-              [--jobs N] [--case NAME] [--table FILE]
+              [--later N] [--jobs N] [--case NAME] [--table FILE]
 
 Every case is a command line. Without a fault it writes its reference: what it
 prints and its files, and the sites of its calls: the chains of functions that
@@ -13,6 +13,7 @@ calls from one on; cases.py says which commands, README.md which kinds.
 --once      lets a site fail only in the first case that reaches it
 --frames N  tells sites apart by the N nearest frames of limber alone
 --most N    tries N faults of each kind of a case, evenly spread
+--later N   tries N faults after which all calls fail, and N sizes of a disk
 
 A run is right if
 
@@ -40,7 +41,7 @@ from cases import CASES, INPUTS, TREE
 
 EARLIER = b'what was there before\n'
 SHORT = ('read-short', 'write-short')
-LATER = 8    # faults of a kind and case after which all calls fail
+LATER = 8    # faults of a kind and case after which all calls fail, and disks
 FRAMES = 10  # of a site: longer chains tell 2% more sites apart
 TIMEOUT_S = 60
 
@@ -183,22 +184,23 @@ def spread(numbers, most):
     return [numbers[i * (count - 1) // max(most - 1, 1)] for i in range(most)]
 
 
-def faults_of(kind, numbers, most):
+def faults_of(kind, numbers, most, later):
     """The values of FAULT that let these calls of a kind fail."""
     single = [f'{kind}:{n}' for n in spread(numbers, most)]
     if kind in SHORT:
         return single + ([f'{kind}:1+'] if numbers else [])
-    later = spread(numbers, min(most, LATER) if most else LATER)
-    return single + [f'{kind}:{n}+' for n in later]
+    last = spread(numbers, min(most, later) if most else later)
+    return single + [f'{kind}:{n}+' for n in last]
 
 
 def disk_faults(reference, most):
-    """Disks that are too small for all of the output."""
+    """Disks that are too small for all of the output: at most so many, from an
+    empty one to one that lacks a byte."""
     total = sum(len(content) for content in reference.files.values())
     sizes = {total * i // 8 for i in range(8)} | {total - 1}
     sizes |= {200 * 1024} if total > 200 * 1024 else set()
-    sizes = [size for size in sizes if 0 <= size < total]
-    return [f'disk:{size}' for size in sorted(sizes)[:max(most, 2)]]
+    sizes = sorted(size for size in sizes if 0 <= size < total)
+    return [f'disk:{size}' for size in spread(sizes, most)]
 
 
 class Suite:
@@ -248,10 +250,15 @@ class Suite:
     def run_case(self, case):
         """Tries all faults of a case."""
         reference = Run(self.options, case, None)
-        counts = reference.counts()
-        # A run that is not the same twice has no reference.
-        again = Run(self.options, case, None)
-        again.counts()
+        plans = {kind: faults_of(kind, self.calls(case, *calls),
+                                 self.options.most, self.options.later)
+                 for kind, calls in reference.counts().items()}
+        # A run that is not the same twice has no reference; one is enough to see
+        # that the sanitizers report nothing.
+        again = reference
+        if not case.reference or any(plans.values()):
+            again = Run(self.options, case, None)
+            again.counts()
         if case.reference:
             case = dataclasses.replace(
                 case, files=tuple(reference.files),
@@ -265,11 +272,8 @@ class Suite:
                       [f'status {reference.status}: {wrong}: '
                        f'{reference.err.decode(errors="replace")}'])
             return
-        plans = {kind: faults_of(kind, self.calls(case, *calls),
-                                 self.options.most)
-                 for kind, calls in counts.items()}
         if not case.reference:
-            plans['disk'] = disk_faults(reference, self.options.most)
+            plans['disk'] = disk_faults(reference, self.options.later)
         if case.kinds:
             plans = {kind: plans[kind] for kind in case.kinds}
         for kind, faults in plans.items():
@@ -288,6 +292,7 @@ def main():
     parser.add_argument('library')
     parser.add_argument('limber')
     parser.add_argument('--most', type=int, default=0)
+    parser.add_argument('--later', type=int, default=LATER)
     parser.add_argument('--every', action='store_true')
     parser.add_argument('--once', action='store_true')
     parser.add_argument('--frames', type=int, default=FRAMES)

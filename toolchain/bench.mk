@@ -56,7 +56,7 @@ build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.st
 # Models as users have them.
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
-	blocks prism signs bush gem mosaic worm tail)
+	blocks prism signs bush gem mosaic worm tail hair rags dice)
 $(BENCH_MODELS) &: tests/bench/user_models.py
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B $< build/bench-models

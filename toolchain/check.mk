@@ -207,6 +207,8 @@ golden-build: build/host/limber build/host/compare_png \
 
 # There are as many jobs as processors, unless make got -j.
 processors := $(shell nproc)
+# Some suites wait half of their time, for a board or a browser.
+suites_at_once := $(shell echo $$((1 + $(processors))))
 make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(processors))
 
 check: | build
@@ -218,7 +220,7 @@ check: | build
 	$(file >build/check-suites,$(CHECK_SUITES))
 	$(Q)sed -i 's/^ *//; /^$$/d' build/check-suites
 	$(Q)BEGAN=$$(cat build/check-began) $(CHECK_ENVIRONMENT) \
-		tests/support/tally/tally.sh build/check-suites $(CHECK) $(processors)
+		tests/support/tally/tally.sh build/check-suites $(CHECK) $(suites_at_once)
 
 golden: golden-build
 	$(Q)$(CHECK_ENVIRONMENT) tests/golden/golden.sh make build/host/limber

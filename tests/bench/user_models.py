@@ -13,7 +13,9 @@ that stand askew, and rope is thin and long, of small triangles. blocks are many
 small boxes of uneven scale, prism is a blended box without a texture around a ball,
 signs are large, textured and unlit, and bush is 150 small alpha-tested cards. gem has
 a texture and no normals; so has worm, which joints bend in its clip, and mosaic has
-a texture, a colour at each vertex and no normals.
+a texture, a colour at each vertex and no normals. hair is thin blended strips around
+a ball, rags are a sphere of which the alpha test leaves little, and dice are 500 small
+textured cubes.
 """
 
 import json
@@ -385,6 +387,43 @@ def make_bush(model):
     model.mesh(model.material(texture, alphaMode="MASK", doubleSided=True), shape)
 
 
+def make_hair(model):
+    texture = model.texture(png(128, discs(128), 4))
+    material = model.material(texture, alphaMode="BLEND", doubleSided=True)
+    shape = positions, normals, texcoords, indices = [], [], [], []
+    for k in range(200):
+        x, z = math.cos(0.31 * k), math.sin(0.31 * k)
+        fall = 0.3 * abs(math.sin(1.7 * k))
+        for s in range(5):
+            for side in (-1, 1):
+                out, across = 0.5 + 0.05 * s, 0.04 * side
+                positions.append((x * out + z * across, 0.6 - s * fall, z * out - x * across))
+                normals.append((x, 0, z))
+                texcoords.append(((side + 1) / 2, s / 4))
+        first = 10 * k
+        for s in range(first, first + 8, 2):
+            indices += [s, s + 1, s + 3, s, s + 3, s + 2]
+    model.mesh(model.material(color=(0.8, 0.6, 0.5, 1)), blob(16, 10, 0.45))
+    model.mesh(material, shape)
+
+
+def make_rags(model):
+    texture = model.texture(png(128, discs(128), 4))
+    more = {"alphaMode": "MASK", "alphaCutoff": 0.99, "doubleSided": True}
+    thin = model.material(texture, color=(1, 1, 1, 0.995), **more)
+    model.mesh(thin, blob(24, 16))
+    gone = model.material(texture, color=(1, 1, 1, 0.9), **more)
+    model.mesh(gone, blob(20, 12, 0.8))
+
+
+def make_dice(model):
+    material = model.material(model.texture(png(64, checks(64), 3)))
+    for k in range(500):
+        x, y, z = k % 8, k // 8 % 8, k // 64
+        turn = (0, math.sin(k), 0, math.cos(k))
+        model.mesh(material, cube(), scale=(0.2, 0.2, 0.2), translation=(x, y, z), rotation=turn)
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -409,6 +448,9 @@ MODELS = {
     "mosaic": make_mosaic,
     "worm": make_worm,
     "tail": make_tail,
+    "hair": make_hair,
+    "rags": make_rags,
+    "dice": make_dice,
 }
 
 

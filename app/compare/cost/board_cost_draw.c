@@ -20,67 +20,67 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.2e+04, 2.181e+04},   /* frame */
-	{0.7941, 0.3658},       /* pixel */
-	{1.616e+04, 5544},      /* call */
-	{157.9, 80.91},         /* listed */
-	{332.1, 69.85},         /* vertex */
-	{309, 140.6},           /* single */
-	{274.6, 226.2},         /* shaded */
-	{13.74, 13.68},         /* hidden */
-	{1244, 486.4},          /* skipped */
-	{5.391, 3.343},         /* fine */
-	{213, 67.64},           /* flat triangle */
-	{68.04, 36.35},         /* flat row */
-	{11.22, 8.099},         /* flat pixel */
-	{486.5, 193.9},         /* plain triangle */
-	{8.387, 14.88},         /* plain row */
-	{20.19, 8.204},         /* plain pixel */
-	{601.5, 414.5},         /* textured triangle */
-	{202.3, 50.2},          /* textured row */
-	{78.76, 57.66},         /* textured pixel */
-	{3.296e+04, 1.103e+04}, /* backdrop triangle */
-	{69.21, 28.25},         /* backdrop row */
-	{2.813, 0.8033},        /* backdrop pixel */
-	{3.421e+04, 1.181e+04}, /* ground triangle */
-	{116.9, 51.12},         /* ground row */
-	{2.974, 0},             /* ground pixel */
-	{1115, 604.4},          /* spans triangle */
-	{206.9, 133.3},         /* spans row */
-	{22.11, 14.71},         /* spans pixel */
-	{2100, 1002},           /* spans textured triangle */
-	{111.9, 50.99},         /* spans textured row */
-	{116.3, 71.2},          /* spans textured pixel */
-	{4717, 3835},           /* spans divided triangle */
-	{711.9, 364.5},         /* spans divided row */
-	{93.1, 57.81},          /* spans divided pixel */
-	{2225, 1276},           /* mixed triangle */
-	{208.2, 113.2},         /* mixed row */
-	{49.63, 32.63},         /* mixed pixel */
-	{3379, 1136},           /* tested triangle */
-	{279.7, 177.2},         /* tested row */
-	{153.4, 103.2},         /* tested pixel */
-	{3932, 2497},           /* tested spans triangle */
-	{508.1, 304.5},         /* tested spans row */
-	{135.7, 85.04},         /* tested spans pixel */
-	{3365, 1469},           /* mixed textured triangle */
-	{254.3, 179.7},         /* mixed textured row */
-	{132.9, 81.83},         /* mixed textured pixel */
-	{3633, 2850},           /* mixed spans triangle */
-	{363.2, 248.6},         /* mixed spans row */
-	{130.5, 71.22},         /* mixed spans pixel */
-	{5155, 4145},           /* mixed divided triangle */
-	{1994, 963.4},          /* mixed divided row */
-	{123.5, 81.41},         /* mixed divided pixel */
-	{212.2, 83.78},         /* colored triangle */
+	{3.212e+04, 2.062e+04}, /* frame */
+	{0.82, 0.3603},         /* pixel */
+	{1.989e+04, 7430},      /* call */
+	{95.67, 49.25},         /* listed */
+	{332.3, 71.64},         /* vertex */
+	{309.9, 143.5},         /* single */
+	{299, 239},             /* shaded */
+	{12.7, 13.04},          /* hidden */
+	{1235, 479.2},          /* skipped */
+	{4.79, 3.43},           /* fine */
+	{193.4, 87.51},         /* flat triangle */
+	{69.62, 42.68},         /* flat row */
+	{12.15, 9.086},         /* flat pixel */
+	{619.4, 199.5},         /* plain triangle */
+	{11.27, 20.09},         /* plain row */
+	{17.35, 7.437},         /* plain pixel */
+	{611.5, 491},           /* textured triangle */
+	{161.3, 27},            /* textured row */
+	{84.07, 61.29},         /* textured pixel */
+	{3.332e+04, 9917},      /* backdrop triangle */
+	{68.9, 26.41},          /* backdrop row */
+	{3.017, 0.7728},        /* backdrop pixel */
+	{3.448e+04, 1.062e+04}, /* ground triangle */
+	{115.1, 45.66},         /* ground row */
+	{3.108, 0},             /* ground pixel */
+	{1237, 671.4},          /* spans triangle */
+	{203.4, 133.1},         /* spans row */
+	{21.59, 14.71},         /* spans pixel */
+	{2092, 1035},           /* spans textured triangle */
+	{154.4, 88.79},         /* spans textured row */
+	{104.8, 63.67},         /* spans textured pixel */
+	{4740, 3932},           /* spans divided triangle */
+	{749.8, 370.2},         /* spans divided row */
+	{92.21, 57.77},         /* spans divided pixel */
+	{2284, 1389},           /* mixed triangle */
+	{210.4, 116.3},         /* mixed row */
+	{49.41, 32.52},         /* mixed pixel */
+	{3202, 1174},           /* tested triangle */
+	{281.2, 180},           /* tested row */
+	{155.8, 103.7},         /* tested pixel */
+	{3804, 2480},           /* tested spans triangle */
+	{470, 290},             /* tested spans row */
+	{137.9, 87.41},         /* tested spans pixel */
+	{3290, 1458},           /* mixed textured triangle */
+	{254.9, 180.2},         /* mixed textured row */
+	{140.5, 84.86},         /* mixed textured pixel */
+	{3653, 2820},           /* mixed spans triangle */
+	{243, 181.1},           /* mixed spans row */
+	{137.2, 75.11},         /* mixed spans pixel */
+	{5096, 4094},           /* mixed divided triangle */
+	{1156, 599.5},          /* mixed divided row */
+	{132.8, 85.7},          /* mixed divided pixel */
+	{251.5, 100.4},         /* colored triangle */
 	{0, 0},                 /* colored row */
-	{6.665, 2.53},          /* colored pixel */
-	{2211, 1071},           /* bent triangle */
-	{292.9, 160.9},         /* bent row */
-	{3.53, 2.312},          /* bent pixel */
+	{6.414, 2.423},         /* colored pixel */
+	{2224, 1146},           /* bent triangle */
+	{282.1, 154.3},         /* bent row */
+	{3.549, 2.31},          /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.001, 0.9977},        /* deep row */
-	{1.65, 1.025},          /* deep pixel */
+	{1.001, 0.9966},        /* deep row */
+	{1.62, 0.894},          /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

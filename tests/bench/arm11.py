@@ -83,7 +83,7 @@ class Bench:
         result = subprocess.run(
             self.command(row, kernel, memory, report),
             capture_output=True, text=True, check=False,
-            env={"LC_ALL": "C"},  # one environment, as in timing_model.py
+            env={"LC_ALL": "C"},  # the same everywhere, as in play_check.py
         )  # fmt: skip
         if result.returncode == 3:
             return None

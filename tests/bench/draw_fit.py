@@ -15,7 +15,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
-from timing_model import run_play_cost
+from play_check import run_play_cost
 
 SIZES = ((480, 640), (240, 320), (800, 480))
 # What each takes about, in cycles and instructions, as the functions' profiles

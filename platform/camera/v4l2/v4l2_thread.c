@@ -35,6 +35,7 @@ static void record_outage(struct camera_source *source)
 	source->out = true;
 	memcpy(source->reason, session->device.reason, sizeof(source->reason));
 	source->reason_new = true;
+	source->back_new = false;
 	pthread_cond_broadcast(&source->lock.changed);
 }
 
@@ -86,7 +87,6 @@ static void publish(struct camera_source *source, int index)
 	if (source->out) {
 		source->out = false;
 		source->back_new = true;
-		source->reason_new = false;
 	}
 	pthread_cond_broadcast(&source->lock.changed);
 	pthread_mutex_unlock(&source->lock.mutex);

@@ -200,6 +200,53 @@ static void test_an_unplugged_device_is_logged_once_and_comes_back(void **state)
 	rig_finish(&rig);
 }
 
+/* Waits until the driver has counted so far, without taking a picture. */
+static void wait_for_count(struct rig *rig, const int *count, int wanted)
+{
+	int64_t until_ms = now_ms() + 5000;
+
+	while (v4l2_fake_get(rig->fake, count) < wanted) {
+		assert_true(now_ms() < until_ms);
+		sleep_ms(2);
+	}
+}
+
+static void test_an_outage_between_two_frames_is_logged_with_its_end(
+	void **state)
+{
+	struct rig rig;
+
+	(void)state;
+	rig_prepare(&rig);
+	rig_start(&rig);
+	wait_for(&rig, CAMERA_NEW);
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
+	wait_for_count(&rig, &rig.fake->opens, 2);
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, false);
+	wait_for_count(&rig, &rig.fake->next,
+		v4l2_fake_get(rig.fake, &rig.fake->next) + 3);
+	wait_for(&rig, CAMERA_NEW);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 1);
+	assert_true(log_capture_has(&rig.capture, LOG_WARNING,
+		"camera /dev/video3: it was unplugged"));
+	assert_true(log_capture_has(&rig.capture, LOG_NOTE, "it is back"));
+
+	/* Of two such outages the second one goes on. */
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
+	wait_for_count(&rig, &rig.fake->opens,
+		v4l2_fake_get(rig.fake, &rig.fake->opens) + 1);
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, false);
+	wait_for_count(&rig, &rig.fake->next,
+		v4l2_fake_get(rig.fake, &rig.fake->next) + 3);
+	v4l2_fake_set(rig.fake, &rig.fake->unplugged, true);
+	wait_for_count(&rig, &rig.fake->opens,
+		v4l2_fake_get(rig.fake, &rig.fake->opens) + 2);
+	wait_for(&rig, CAMERA_NONE);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_WARNING), 2);
+	assert_int_equal(log_capture_count(&rig.capture, LOG_NOTE), 1);
+	rig_finish(&rig);
+}
+
 static void test_a_device_that_is_busy_is_tried_again(void **state)
 {
 	struct rig rig;
@@ -305,6 +352,8 @@ int main(void)
 		cmocka_unit_test(test_two_buffers_do_not_stall),
 		cmocka_unit_test(
 			test_an_unplugged_device_is_logged_once_and_comes_back),
+		cmocka_unit_test(
+			test_an_outage_between_two_frames_is_logged_with_its_end),
 		cmocka_unit_test(test_a_device_that_is_busy_is_tried_again),
 		cmocka_unit_test(
 			test_silence_is_logged_although_the_driver_blocks),

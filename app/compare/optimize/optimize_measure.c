@@ -17,8 +17,10 @@ static int begin(struct played *played, const struct model *model, int clip,
 {
 	played->model = *model;
 	if (clip < 0 || !(model->clip[clip].duration_s > 0.0f)) {
-		played->still = clip < 0 ? (struct model_clip){.name = ""}
-					 : model->clip[clip];
+		played->still = (struct model_clip){.name = ""};
+		if (clip >= 0) {
+			played->still = model->clip[clip];
+		}
 		played->still.duration_s = 1e-3f;
 		played->model.clip = &played->still;
 		played->model.clip_count = 1;

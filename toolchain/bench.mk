@@ -18,10 +18,10 @@ BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
 PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
-	$(addprefix $(SAMPLES)/models/,CesiumMan.glb RiggedFigure.glb BoxAnimated.glb \
-	AnimatedMorphCube.glb) \
 	build/bench-models/worm.glb build/bench-models/tail.glb \
 	--alone assets/walker.glb@jump
+PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
+	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of
 # user_models.py have no clip.
 DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycle \
@@ -97,4 +97,5 @@ bench-draw-fit: build/host/limber build/arm/bench/play_cost \
 bench_suites = $(call suite,bench/arm11,$(BENCH) --short --check \
 	$(BENCH_FIGURES)) \
 	$(call suite,bench/checker,tests/bench/checker.sh $(BENCH_FIGURES)) \
-	$(call suite,bench/play,$(PLAY_CHECK) $(PLAY_MODELS))
+	$(call suite,bench/play,$(PLAY_CHECK) $(PLAY_MODELS)) \
+	$(call suite,bench/play-samples,$(PLAY_CHECK) $(PLAY_SAMPLES))

@@ -152,6 +152,9 @@ def check_drawing(tap, limber, tools, model, clip, size):
 
 def main():
     limber, tools = sys.argv[1], sys.argv[2:5]
+    if len(sys.argv) == 5:
+        print("1..0 # SKIP there are no sample models here")
+        return False
     tap = Tap()
     alone = False
     for word in sys.argv[5:]:

@@ -1,6 +1,5 @@
 #include "app/compare/export/export_bake.h"
 
-#include "app/anim/math/matrix.h"
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/export/export_levels.h"
 
@@ -102,18 +101,6 @@ static void add_vectors(struct exporter *exporter, json_t *to,
 	}
 }
 
-static bool is_mirrored(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	mat4 matrix;
-
-	if (drawable->skin >= 0) {
-		return drawable->mirrored;
-	}
-	instance_drawable_matrix(instance, drawable, matrix);
-	return matrix_determinant((const mat4 *)&matrix) < 0.0f;
-}
-
 /* What a unit of the drawable's positions is at most, in the file's. */
 static float unit_of(
 	const struct exporter *exporter, const struct drawable *drawable)
@@ -147,7 +134,8 @@ static struct export_lists lists_of(
 		.lod_count = primitive->lod_count,
 		.lod = primitive->lod,
 		.scale = unit_of(exporter, drawable),
-		.mirrored = is_mirrored(exporter->reference->instance, drawable),
+		.mirrored = instance_is_mirrored(
+			exporter->reference->instance, drawable),
 	};
 }
 

@@ -281,6 +281,18 @@ void instance_drawable_matrix(const struct instance *instance,
 	}
 }
 
+bool instance_is_mirrored(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	mat4 matrix;
+
+	if (drawable->skin >= 0) {
+		return drawable->mirrored;
+	}
+	instance_drawable_matrix(instance, drawable, matrix);
+	return matrix_determinant((const mat4 *)&matrix) < 0.0f;
+}
+
 void instance_world_vertex(const struct instance *instance,
 	const struct drawable *drawable, int vertex, float out[3])
 {

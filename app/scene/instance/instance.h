@@ -65,6 +65,10 @@ void instance_node_position(
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
 
+/* Whether a drawable's triangles wind the other way than in the file. */
+bool instance_is_mirrored(
+	const struct instance *instance, const struct drawable *drawable);
+
 /*
  * Returns the posed position of the primitive's vertex in world space, in the
  * model's units.

@@ -1,6 +1,5 @@
 #include "app/scene/shadow/shadow_ground.h"
 
-#include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 #include "app/model/model_deltas.h"
 #include "app/scene/draw/draw.h"
@@ -235,18 +234,6 @@ static bool lies_below(const struct search *search,
 	return (mirrored ? -normal[1] : normal[1]) > 0.0f;
 }
 
-static bool is_mirrored(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	mat4 matrix;
-
-	if (drawable->skin >= 0) {
-		return drawable->mirrored;
-	}
-	instance_drawable_matrix(instance, drawable, matrix);
-	return matrix_determinant((const mat4 *)&matrix) < 0.0f;
-}
-
 /* Such as the floor of a room, which is one surface with its walls. */
 static bool has_bottom(const struct search *search)
 {
@@ -255,7 +242,7 @@ static bool has_bottom(const struct search *search)
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 		const struct model_primitive *primitive = drawable->primitive;
-		bool mirrored = is_mirrored(instance, drawable);
+		bool mirrored = instance_is_mirrored(instance, drawable);
 
 		for (int k = 0; k + 2 < primitive->index_count; k += 3) {
 			if (lies_below(search, drawable, mirrored,

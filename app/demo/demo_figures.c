@@ -1,6 +1,7 @@
 #include "app/demo/demo_figures.h"
 
 #include "app/demo/actor.h"
+#include "app/scene/draw/alpha.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/matrix_gl.h"
 
@@ -33,6 +34,20 @@ struct demo_facts demo_get_facts(
 	return facts;
 }
 
+/* Figures share instances, so each is sorted as it is drawn. */
+static void sort_blended(
+	const struct overlay_figure *figure, const struct camera *camera)
+{
+	mat4 place, into;
+	vec3 eye;
+
+	camera_eye(camera, eye);
+	glm_mat4_copy((vec4 *)figure->place, place);
+	glm_mat4_inv_fast(place, into);
+	glm_mat4_mulv3(into, eye, 1.0f, eye);
+	alpha_sort_blended(figure->instance, eye);
+}
+
 static void draw_figures(const struct demo_driver *driver,
 	const struct demo *demo, enum draw_pass pass)
 {
@@ -42,6 +57,7 @@ static void draw_figures(const struct demo_driver *driver,
 	for (int i = 0; demo_find_figure(driver, demo, i, &figure); i++) {
 		base->gl->PushMatrix();
 		matrix_gl_multiply(base->gl, (const vec4 *)figure.place);
+		sort_blended(&figure, &base->stage.camera);
 		draw_instance(
 			base->gl, figure.instance, &base->actor.textures, pass);
 		base->gl->PopMatrix();

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/character/run/effects.h"
+#include "app/scene/draw/alpha.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
@@ -381,9 +382,12 @@ void character_draw(const struct character_drawing *drawing,
 	const struct gl *gl)
 {
 	const struct character *character = drawing->character;
+	float eye[3];
 
 	draw_shadows(drawing, stage, textures, gl);
 	draw_ground(drawing, stage, textures, gl);
+	camera_eye(&stage->camera, eye);
+	alpha_sort_blended(character->instance, eye);
 	draw_instance(gl, character->instance, textures, DRAW_SHADED);
 	shadow_ground_end(&drawing->ground, character->instance);
 	draw_top_shadows(drawing, stage, textures, gl);

@@ -1,6 +1,7 @@
 #include "app/compare/cost/drawing.h"
 
 #include "app/compare/measure/screen_view.h"
+#include "app/scene/draw/alpha.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/lod.h"
@@ -145,6 +146,7 @@ void drawing_draw(
 	struct stage *stage = &drawing->stage;
 	const struct gl *gl = &context->gl;
 	int width = drawing->pixels.width, height = drawing->pixels.height;
+	float eye[3];
 
 	lod_choose(instance, &automatic, px_per_unit(drawing, instance, extent));
 	if (context->driver->begin_frame(context, &drawing->pixels) != 0) {
@@ -159,6 +161,8 @@ void drawing_draw(
 		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 		stage_top_end(gl);
 	}
+	camera_eye(&stage->camera, eye);
+	alpha_sort_blended(instance, eye);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
 	shadow_ground_end(&drawing->ground, instance);
 	context->driver->end_frame(context);

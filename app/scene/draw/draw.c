@@ -35,28 +35,27 @@ static void set_light(const struct gl *gl, const struct model_material *m)
 	set_highlight(gl, m->roughness);
 }
 
-static void set_alpha(const struct gl *gl, const struct model_material *m)
+static void set_alpha(const struct gl *gl, enum model_alpha alpha, float cutoff)
 {
-	if (m->alpha == MODEL_MASK) {
+	if (alpha == MODEL_MASK) {
 		gl->Enable(GL_ALPHA_TEST);
-		gl->AlphaFuncx(GL_GEQUAL, fx16_from_float(m->alpha_cutoff));
+		gl->AlphaFuncx(GL_GEQUAL, fx16_from_float(cutoff));
 	} else {
 		gl->Disable(GL_ALPHA_TEST);
 	}
-	if (m->alpha == MODEL_BLEND) {
+	if (alpha == MODEL_BLEND) {
 		gl->Enable(GL_BLEND);
 		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	} else {
 		gl->Disable(GL_BLEND);
 	}
-	gl->DepthMask(m->alpha != MODEL_BLEND);
+	gl->DepthMask(alpha != MODEL_BLEND);
 }
 
 static void set_material(const struct gl *gl, const struct model_material *m,
 	const struct texture_set *textures)
 {
 	set_light(gl, m);
-	set_alpha(gl, m);
 	if (m->texture >= 0) {
 		texture_bind(textures, gl, m->texture);
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
@@ -158,7 +157,10 @@ static bool is_textured(
 static void set_surface(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures)
 {
-	set_material(gl, material_of(instance, drawable), textures);
+	const struct model_material *material = material_of(instance, drawable);
+
+	set_alpha(gl, drawable->alpha, material->alpha_cutoff);
+	set_material(gl, material, textures);
 	gl->Color4x(drawable->color[0], drawable->color[1], drawable->color[2],
 		drawable->color[3]);
 	if (!is_textured(instance, drawable)) {
@@ -237,18 +239,23 @@ static void draw_all_shaded(const struct gl *gl,
 }
 
 /*
- * Draws front faces before back faces, which they hide most of. Light of two
- * sides is for back faces alone.
+ * Draws front faces before back faces, which they hide most of; blended ones
+ * after them, through which they are seen. Light of two sides is for back faces
+ * alone.
  */
 static void draw_two_sided(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable)
 {
+	bool blended = drawable->alpha == MODEL_BLEND;
+
 	gl->Enable(GL_CULL_FACE);
-	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_FALSE);
-	draw_all_shaded(gl, instance, drawable);
-	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
-	gl->CullFace(GL_FRONT);
-	draw_all_shaded(gl, instance, drawable);
+	for (int turn = 0; turn < 2; turn++) {
+		bool back = (turn == 0) == blended;
+
+		gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, back);
+		gl->CullFace(back ? GL_FRONT : GL_BACK);
+		draw_all_shaded(gl, instance, drawable);
+	}
 	gl->CullFace(GL_BACK);
 }
 
@@ -261,7 +268,7 @@ static void draw_lit(const struct gl *gl, const struct instance *instance,
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_begin_light(gl, drawable);
 	}
-	if (material->double_sided && material->alpha != MODEL_BLEND) {
+	if (material->double_sided) {
 		draw_two_sided(gl, instance, drawable);
 	} else {
 		draw_all_shaded(gl, instance, drawable);
@@ -321,7 +328,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 		return;
 	}
 	if (pass == DRAW_SHADOW && is_textured(instance, drawable) &&
-		material->alpha == MODEL_MASK) {
+		drawable->alpha == MODEL_MASK) {
 		draw_masked_shadow(gl, instance, drawable, textures);
 		return;
 	}
@@ -442,24 +449,24 @@ void draw_instance_part(const struct gl *gl, const struct instance *instance,
 	gl->PopMatrix();
 }
 
-static bool is_blended(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	return material_of(instance, drawable)->alpha == MODEL_BLEND;
-}
-
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass)
 {
-	for (int blended = 0; blended <= 1; blended++) {
-		for (int i = 0; i < instance->drawable_count; i++) {
-			const struct drawable *drawable = &instance->drawable[i];
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
 
-			if (!drawable->hidden &&
-				is_blended(instance, drawable) == blended) {
-				draw_instance_part(
-					gl, instance, drawable, textures, pass);
-			}
+		if (!drawable->hidden && drawable->alpha != MODEL_BLEND) {
+			draw_instance_part(
+				gl, instance, drawable, textures, pass);
+		}
+	}
+	for (int i = 0; i < instance->blended_count; i++) {
+		const struct drawable *drawable =
+			&instance->drawable[instance->blended[i].drawable];
+
+		if (!drawable->hidden) {
+			draw_instance_part(
+				gl, instance, drawable, textures, pass);
 		}
 	}
 }

@@ -23,11 +23,11 @@ enum draw_pass {
 
 /*
  * Draws every drawable that is not hidden, first the opaque ones, then the
- * blended ones. Normal maps are drawn where both instance.normal_mapping and
- * texture_set.normal_mapping are true. Their light is computed in world space,
- * so they need the camera's own model-view matrix. Surfaces with normal maps
- * and those whose emission takes a pass of its own leave the depth function at
- * GL_LESS.
+ * blended ones in the order of instance.blended (see alpha.h). Normal maps
+ * are drawn where both instance.normal_mapping and texture_set.normal_mapping
+ * are true. Their light is computed in world space, so they need the camera's
+ * own model-view matrix. Surfaces with normal maps and those whose emission
+ * takes a pass of its own leave the depth function at GL_LESS.
  */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);

@@ -99,7 +99,7 @@ void emission_begin_pass(const struct gl *gl, const struct model *model,
 
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_ALPHA_TEST);
-	set_blending(gl, material->alpha == MODEL_BLEND);
+	set_blending(gl, drawable->alpha == MODEL_BLEND);
 	if (material->emissive_texture >= 0) {
 		texture_bind(textures, gl, material->emissive_texture);
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);

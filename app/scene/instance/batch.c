@@ -149,10 +149,12 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 
 /*
  * Converts a list of the primitive's vertices to the order of the arrays.
- * inverse_order NULL: they are in the primitive's order.
+ * inverse_order NULL: they are in the primitive's order. Triangles that are
+ * blended stay in theirs, which shows.
  */
-static const uint16_t *convert_list(const uint32_t *inverse_order,
-	const uint32_t *list, int count, struct arena *arena)
+static const uint16_t *convert_list(const struct drawable *drawable,
+	const uint32_t *inverse_order, const uint32_t *list, int count,
+	struct arena *arena)
 {
 	uint16_t *index = ARENA_ARRAY(arena, uint16_t, (size_t)count);
 
@@ -160,22 +162,23 @@ static const uint16_t *convert_list(const uint32_t *inverse_order,
 		index[i] = (uint16_t)(inverse_order ? inverse_order[list[i]]
 						    : list[i]);
 	}
-	if (index) {
+	if (index && drawable->alpha != MODEL_BLEND) {
 		index_order_improve(index, count);
 	}
 	return index;
 }
 
-static int convert_lod(struct batch_lod *out,
-	const struct model_primitive *primitive, const uint32_t *inverse_order,
-	const struct model_lod *lod, struct arena *arena)
+static int convert_lod(struct batch_lod *out, const struct drawable *drawable,
+	const uint32_t *inverse_order, const struct model_lod *lod,
+	struct arena *arena)
 {
 	*out = (struct batch_lod){
 		.error = lod->error_m,
 		.index_count = lod->index_count,
-		.index = convert_list(
-			inverse_order, lod->index, lod->index_count, arena),
-		.posed_lod = model_lod_of_size(primitive, lod->index_count),
+		.index = convert_list(drawable, inverse_order, lod->index,
+			lod->index_count, arena),
+		.posed_lod = model_lod_of_size(
+			drawable->primitive, lod->index_count),
 	};
 	return out->index ? 0 : -ENOMEM;
 }
@@ -184,10 +187,10 @@ static int convert_lod(struct batch_lod *out,
  * The model's coarser lists, and those for shadows. Facets have the latter
  * alone: their vertices have the normals of one list.
  */
-static int convert_lods(struct batch *batch,
-	const struct model_primitive *primitive, const uint32_t *inverse_order,
-	struct arena *arena)
+static int convert_lods(struct batch *batch, const struct drawable *drawable,
+	const uint32_t *inverse_order, struct arena *arena)
 {
+	const struct model_primitive *primitive = drawable->primitive;
 	size_t count = (size_t)primitive->lod_count;
 	int error = 0;
 
@@ -205,7 +208,7 @@ static int convert_lods(struct batch *batch,
 		error = convert_lod(lod->shadow_only
 				? &batch->shadow[batch->shadow_count++]
 				: &batch->lod[batch->lod_count++],
-			primitive, inverse_order, lod, arena);
+			drawable, inverse_order, lod, arena);
 	}
 	return error;
 }
@@ -244,7 +247,7 @@ static int add_whole(struct drawable *drawable, const struct batch *made,
 	*batch = *made;
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = convert_lods(batch, primitive, inverse_order, arena);
+	error = convert_lods(batch, drawable, inverse_order, arena);
 	if (!error) {
 		error = make_proxy(batch, primitive, inverse_order, arena);
 	}
@@ -262,8 +265,8 @@ static int make_whole(struct drawable *drawable, const float base_color[4],
 		&(struct batch){
 			.vertex_count = primitive->vertex_count,
 			.index_count = primitive->index_count,
-			.index = convert_list(inverse_order, primitive->index,
-				primitive->index_count, arena),
+			.index = convert_list(drawable, inverse_order,
+				primitive->index, primitive->index_count, arena),
 		},
 		inverse_order, base_color, arena);
 }
@@ -345,7 +348,9 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 	if (primitive->normal && primitive->vertex_count <= BATCH_VERTICES_MAX) {
 		return make_whole(drawable, base_color, arena);
 	}
-	if (!primitive->normal && has_one_color_a_triangle(primitive)) {
+	/* Facets are in an order of their own. */
+	if (!primitive->normal && drawable->alpha != MODEL_BLEND &&
+		has_one_color_a_triangle(primitive)) {
 		error = make_faceted(drawable, base_color, arena);
 	}
 	return error == -ERANGE ? make_unindexed(drawable, base_color, arena)

@@ -3,6 +3,7 @@
 #include "app/anim/math/vec.h"
 #include "app/model/color.h"
 #include "app/model/model_deltas.h"
+#include "app/scene/draw/alpha.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/emission.h"
 #include "app/scene/instance/batch.h"
@@ -223,6 +224,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	if (drawable->skin < 0) {
 		measure_box(drawable, mesh->target_count);
 	}
+	drawable->alpha = alpha_of(model, drawable->primitive);
 	init_color(drawable, model);
 	error = init_vertices(instance, drawable);
 	if (!error) {
@@ -264,7 +266,9 @@ static int init_drawables(struct instance *instance)
 	}
 	instance->drawable = ARENA_ARRAY(&instance->arena, struct drawable,
 		(size_t)instance->drawable_count);
-	if (!instance->drawable) {
+	instance->blended = ARENA_ARRAY(&instance->arena,
+		struct blended_drawable, (size_t)instance->drawable_count);
+	if (!instance->drawable || !instance->blended) {
 		return -ENOMEM;
 	}
 	for (int i = 0; i < model->node_count; i++) {
@@ -283,6 +287,7 @@ static int init_drawables(struct instance *instance)
 			}
 		}
 	}
+	alpha_list_blended(instance);
 	return 0;
 }
 

@@ -116,10 +116,11 @@ struct drawable {
 	int shadow_lod; /* the same for the shadow, if that list is shorter
 			   than batch.shadow[shadow_list] */
 	int shadow_list;
-	int posed_lod;   /* the last update posed the vertices that this level
-			    and coarser ones use; 0: all */
-	fx16_t color[4]; /* the material's base colour, sRGB-encoded */
-	fx16_t emission[4]; /* what it emits: see emission_color() */
+	int posed_lod; /* the last update posed the vertices that this level
+			  and coarser ones use; 0: all */
+	enum model_alpha alpha; /* see alpha_of() */
+	fx16_t color[4];        /* the material's base colour, sRGB-encoded */
+	fx16_t emission[4];     /* what it emits: see emission_color() */
 	float vertex_scale;
 	/*
 	 * Without a skin: the middle of the box around the vertices, without
@@ -154,6 +155,12 @@ struct drawable {
 
 	int batch_count;
 	struct batch *batch;
+};
+
+/* A drawable that is blended. */
+struct blended_drawable {
+	int drawable;
+	float distance_squared; /* from the eye, see alpha_sort_blended() */
 };
 
 struct instance {
@@ -192,6 +199,9 @@ struct instance {
 
 	int drawable_count;
 	struct drawable *drawable;
+	/* The blended ones in the order in which they are drawn: see alpha.h. */
+	int blended_count;
+	struct blended_drawable *blended; /* room for drawable_count */
 	int float_count; /* drawables in float because 16 bits do not suffice */
 };
 

@@ -1,5 +1,6 @@
 #include "app/scene/overlay/overlay_ghost.h"
 
+#include "app/scene/draw/alpha.h"
 #include "platform/base/fixed.h"
 
 #include <errno.h>
@@ -19,7 +20,6 @@ static int init_glass(struct overlay_ghost *ghost)
 	}
 	for (int i = 0; i < model->material_count; i++) {
 		material[i] = model_plain_material;
-		material[i].alpha = MODEL_BLEND;
 	}
 	ghost->glass = *model;
 	ghost->glass.material = material;
@@ -27,10 +27,12 @@ static int init_glass(struct overlay_ghost *ghost)
 	for (int d = 0; d < ghost->instance->drawable_count; d++) {
 		struct drawable *drawable = &ghost->instance->drawable[d];
 
+		drawable->alpha = MODEL_BLEND;
 		for (int b = 0; b < drawable->batch_count; b++) {
 			drawable->batch[b].color = NULL;
 		}
 	}
+	alpha_list_blended(ghost->instance);
 	return 0;
 }
 

@@ -13,7 +13,7 @@
 struct overlay_ghost {
 	const struct instance *figure; /* not owned */
 	struct instance *instance;
-	struct model glass; /* the model with blended, white materials */
+	struct model glass; /* the model with white materials */
 };
 
 /*

@@ -86,6 +86,7 @@ static void test_blended_surfaces_come_after_opaque_ones(void **state)
 
 	(void)state;
 	material[0].alpha = MODEL_BLEND;
+	material[0].base_color[3] = 0.5f;
 	two[1].material = 1;
 	two[1].index_count = 3;
 	model->mesh[0].primitive = two;

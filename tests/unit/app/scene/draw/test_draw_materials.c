@@ -135,6 +135,7 @@ static void choose(struct model_material *material, uint32_t *seed)
 
 	material->alpha = kinds[random_between(seed, 0, 2)];
 	material->alpha_cutoff = (float)random_between(seed, 0, 8) / 8.0f;
+	material->base_color[3] = (float)random_between(seed, 0, 8) / 8.0f;
 	material->unlit = random_one_in(seed, 3);
 	material->double_sided = random_one_in(seed, 2);
 	material->roughness = (float)random_between(seed, 0, 8) / 8.0f;
@@ -151,11 +152,15 @@ static void expect_drawn_as(
 	const struct seen *seen, const struct model_material *material)
 {
 	const double gloss = 1.0 - (double)material->roughness;
+	float alpha = material->base_color[3];
+	bool tested =
+		material->alpha == MODEL_MASK && alpha < material->alpha_cutoff;
+	bool blended = material->alpha == MODEL_BLEND && alpha < 1.0f;
 
 	assert_int_equal(seen->lit, !material->unlit);
-	assert_int_equal(seen->alpha_tested, material->alpha == MODEL_MASK);
-	assert_int_equal(seen->blended, material->alpha == MODEL_BLEND);
-	assert_int_equal(seen->depth_written, material->alpha != MODEL_BLEND);
+	assert_int_equal(seen->alpha_tested, tested);
+	assert_int_equal(seen->blended, blended);
+	assert_int_equal(seen->depth_written, !blended);
 	assert_false(seen->textured);
 	if (seen->alpha_tested) {
 		assert_near(seen->cutoff / 65536.0,
@@ -169,7 +174,10 @@ static void expect_drawn_as(
 	}
 }
 
-/* Each side that shows is drawn once, and back faces in the light of theirs. */
+/*
+ * Each side that shows is drawn once, and back faces in the light of theirs;
+ * they come last, but first where they are seen through front faces.
+ */
 static void expect_sides(const struct model_material *material, GLsizei count)
 {
 	int front = 0, back = 0;
@@ -181,6 +189,12 @@ static void expect_sides(const struct model_material *material, GLsizei count)
 			continue;
 		}
 		expect_drawn_as(seen, material);
+		if (seen->culled && front + back == 0) {
+			assert_int_equal(seen->culled_face,
+				seen->blended && material->double_sided
+					? GL_FRONT
+					: GL_BACK);
+		}
 		front += !seen->culled || seen->culled_face == GL_BACK;
 		back += !seen->culled || seen->culled_face == GL_FRONT;
 		if (seen->lit &&

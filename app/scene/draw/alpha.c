@@ -1,0 +1,157 @@
+#include "app/scene/draw/alpha.h"
+
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
+#include "app/scene/instance/instance.h"
+
+/* Vertices of a skin whose mean is taken for its middle. */
+enum {
+	VERTICES = 8
+};
+
+/* The least alpha of the primitive's surface, 0 to 1. */
+static float find_least(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material =
+		&model->material[primitive->material];
+	int least = 255;
+
+	if (material->texture >= 0 && primitive->texcoord) {
+		int image = model->texture[material->texture].image;
+
+		if (!model->image[image].opaque) {
+			return 0.0f;
+		}
+	}
+	for (int v = 0; primitive->color && v < primitive->vertex_count; v++) {
+		int alpha = primitive->color[v][3];
+
+		least = alpha < least ? alpha : least;
+	}
+	return material->base_color[3] * (float)least / 255.0f;
+}
+
+enum model_alpha alpha_of(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material =
+		&model->material[primitive->material];
+	float opaque =
+		material->alpha == MODEL_MASK ? material->alpha_cutoff : 1.0f;
+
+	return material->alpha != MODEL_OPAQUE &&
+			find_least(model, primitive) >= opaque
+		? MODEL_OPAQUE
+		: material->alpha;
+}
+
+void alpha_list_blended(struct instance *instance)
+{
+	instance->blended_count = 0;
+	for (int i = 0; i < instance->drawable_count; i++) {
+		if (instance->drawable[i].alpha == MODEL_BLEND) {
+			instance->blended[instance->blended_count++] =
+				(struct blended_drawable){.drawable = i};
+		}
+	}
+}
+
+static void read_vertex(const struct drawable *drawable,
+	const struct batch *batch, int v, float out[3])
+{
+	const struct fixed_placement *placement;
+	const struct fixed_vector *at;
+
+	if (batch->position) {
+		memcpy(out, batch->position[v], sizeof(float[3]));
+		return;
+	}
+	placement = &drawable->fixed->placement;
+	at = &batch->fixed_position[v];
+	out[0] = (float)at->x * placement->scale + placement->offset[0];
+	out[1] = (float)at->y * placement->scale + placement->offset[1];
+	out[2] = (float)at->z * placement->scale + placement->offset[2];
+}
+
+/* Of the coarsest list: each update poses its vertices. */
+static void find_skin_middle(const struct drawable *drawable, float out[3])
+{
+	const struct batch *batch = &drawable->batch[0];
+	const uint16_t *index = batch->index;
+	int count = index ? batch->index_count : batch->vertex_count;
+
+	if (batch->lod_count > 0) {
+		index = batch->lod[batch->lod_count - 1].index;
+		count = batch->lod[batch->lod_count - 1].index_count;
+	}
+	out[0] = out[1] = out[2] = 0.0f;
+	for (int i = 0; count > 0 && i < VERTICES; i++) {
+		int at = (int)((int64_t)count * i / VERTICES);
+		float position[3];
+
+		read_vertex(drawable, batch, index ? index[at] : at, position);
+		vec_add_scaled(out, position, 1.0f / VERTICES, out);
+	}
+}
+
+static void find_middle(const struct instance *instance,
+	const struct drawable *drawable, float out[3])
+{
+	mat4 matrix;
+	float local[3];
+
+	if (drawable->skin >= 0) {
+		find_skin_middle(drawable, out);
+		return;
+	}
+	instance_drawable_matrix(instance, drawable, matrix);
+	for (int axis = 0; axis < 3; axis++) {
+		local[axis] =
+			drawable->box_middle[axis] * drawable->vertex_scale;
+	}
+	matrix_apply(matrix, local, out);
+}
+
+static bool is_before(
+	const struct blended_drawable *a, const struct blended_drawable *b)
+{
+	return a->distance_squared > b->distance_squared ||
+		(a->distance_squared == b->distance_squared &&
+			a->drawable < b->drawable);
+}
+
+/* Shell's sort: it needs no memory, and little time for what is nearly sorted. */
+static void sort(struct blended_drawable *list, int count)
+{
+	for (int gap = count; gap > 1;) {
+		gap = gap > 2 ? (int)((int64_t)gap * 5 / 11) : 1;
+		for (int i = gap; i < count; i++) {
+			struct blended_drawable moved = list[i];
+			int to = i;
+
+			for (; to >= gap && is_before(&moved, &list[to - gap]);
+				to -= gap) {
+				list[to] = list[to - gap];
+			}
+			list[to] = moved;
+		}
+	}
+}
+
+void alpha_sort_blended(struct instance *instance, const float eye[3])
+{
+	if (instance->blended_count < 2) {
+		return;
+	}
+	for (int i = 0; i < instance->blended_count; i++) {
+		struct blended_drawable *blended = &instance->blended[i];
+		float middle[3];
+
+		find_middle(instance, &instance->drawable[blended->drawable],
+			middle);
+		vec_subtract(middle, eye, middle);
+		blended->distance_squared = vec_dot(middle, middle);
+	}
+	sort(instance->blended, instance->blended_count);
+}

@@ -7,7 +7,6 @@
 #include <string.h>
 
 enum {
-	CHUNK = 256, /* vertices whose sums stay in L1 */
 	LIMIT_MAX = 1024
 };
 
@@ -89,23 +88,41 @@ static void run_one(const struct fixed_morph *morph,
 	copy(base, done, morph->vertex_count, out);
 }
 
+/* The first of a pair's spans that ends after a vertex. */
+static int find_span(const struct fixed_deltas *deltas, int vertex)
+{
+	int low = 0, high = deltas->span_count;
+
+	while (low < high) {
+		int middle = low + (high - low) / 2;
+		const struct fixed_span *span = &deltas->span[middle];
+
+		if (span->first + span->count <= vertex) {
+			low = middle + 1;
+		} else {
+			high = middle;
+		}
+	}
+	return low;
+}
+
 /* Adds the part of a pair's spans within first .. first + count. */
 static void add_within(const struct fixed_loops *loops,
 	const struct fixed_deltas *deltas, int first, int count,
 	struct fixed_sum *sum)
 {
-	for (int i = 0; i < deltas->span_count; i++) {
+	for (int i = find_span(deltas, first);
+		i < deltas->span_count && deltas->span[i].first < first + count;
+		i++) {
 		const struct fixed_span *span = &deltas->span[i];
 		int from = span->first > first ? span->first : first;
 		int to = span->first + span->count;
 
 		to = to < first + count ? to : first + count;
-		if (from < to) {
-			loops->morph_add(to - from,
-				(const struct fixed_pair(*)[3])deltas->pair +
-					span->first_pair + from - span->first,
-				deltas->weights, sum + from - first);
-		}
+		loops->morph_add(to - from,
+			(const struct fixed_pair(*)[3])deltas->pair +
+				span->first_pair + from - span->first,
+			deltas->weights, sum + from - first);
 	}
 }
 
@@ -113,11 +130,12 @@ static void run_many(const struct fixed_morph *morph,
 	const struct fixed_loops *loops,
 	const struct fixed_morph_stream *stream, struct fixed_vector *out)
 {
-	struct fixed_sum sum[CHUNK];
+	struct fixed_sum sum[FIXED_MORPH_CHUNK];
 
-	for (int first = 0; first < morph->vertex_count; first += CHUNK) {
+	for (int first = 0; first < morph->vertex_count;
+		first += FIXED_MORPH_CHUNK) {
 		int left = morph->vertex_count - first;
-		int count = left < CHUNK ? left : CHUNK;
+		int count = left < FIXED_MORPH_CHUNK ? left : FIXED_MORPH_CHUNK;
 
 		loops->morph_begin(count, stream->base + first, sum);
 		for (int p = 0; p < morph->pair_count; p++) {

@@ -11,6 +11,11 @@
 
 #include "app/anim/kernel/layout/fixed_morph.h"
 
+enum {
+	/* Vertices whose sums of several pairs stay in the core's L1 cache. */
+	FIXED_MORPH_CHUNK = 256
+};
+
 /*
  * Sets the frame's target_count weights. Weights beyond the limit raise it for
  * good, which takes about as long as a frame in float. 0, or -ERANGE for

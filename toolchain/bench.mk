@@ -19,7 +19,7 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
 	build/bench-models/worm.glb build/bench-models/tail.glb \
-	--alone assets/walker.glb@jump
+	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of
@@ -28,7 +28,8 @@ DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycl
 	assets/arm.glb@- $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \
 	x/anim_test.x) \
-	$(addsuffix @-,$(filter-out %/tail.glb,$(BENCH_MODELS)))
+	$(addsuffix @-,$(filter-out %/tail.glb \
+	%/shapes.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -56,7 +57,7 @@ build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.st
 # Models as users have them.
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
-	blocks prism signs bush gem mosaic worm tail hair rags dice)
+	blocks prism signs bush gem mosaic worm tail shapes hair rags dice)
 $(BENCH_MODELS) &: tests/bench/user_models.py
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B $< build/bench-models

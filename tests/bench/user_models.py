@@ -14,8 +14,8 @@ small boxes of uneven scale, prism is a blended box without a texture around a b
 signs are large, textured and unlit, and bush is 150 small alpha-tested cards. gem has
 a texture and no normals; so has worm, which joints bend in its clip, and mosaic has
 a texture, a colour at each vertex and no normals. hair is thin blended strips around
-a ball, rags are a sphere of which the alpha test leaves little, and dice are 500 small
-textured cubes.
+a ball, rags are a sphere of which the alpha test leaves little, dice are 500 small
+textured cubes, and shapes is a head of 52 targets.
 """
 
 import json
@@ -350,6 +350,33 @@ def make_tail(model):
     make_worm(model, 12, 40, 5)
 
 
+def make_shapes(model):
+    """52 targets, as the faces of phones' cameras have them: patches of several
+    sizes, of which some have weights at a time."""
+    count, times = 52, 9
+    shape = positions, normals, _, _ = blob(30, 20)
+    model.mesh(model.material(color=(0.7, 0.5, 0.4, 1)), shape)
+    mesh = model.json["meshes"][0]
+    targets = mesh["primitives"][0]["targets"] = []
+    for k in range(count):
+        middle = positions[k * 12 + 10]
+        reach = 4 if k % 8 == 0 else 0.5 + k % 5 * 0.1
+        parts = [max(0, 1 - (math.dist(p, middle) / reach) ** 2) for p in positions]
+        moves = [(0, 0.15 * part, 0.05 * part) for part in parts]
+        turns = [(0.2 * part, 0, -0.1 * part) for part in parts]
+        ends = {f.__name__: [f(m[i] for m in moves) for i in range(3)] for f in (min, max)}
+        targets.append({
+            "POSITION": model.accessor("VEC3", FLOAT, moves, **ends),
+            "NORMAL": model.accessor("VEC3", FLOAT, turns),
+        })  # fmt: skip
+    mesh["weights"] = [0] * count
+    keys = model.accessor("SCALAR", FLOAT, [(t / 8,) for t in range(times)], min=[0], max=[1])
+    weights = [(max(0, math.sin(k + t * (1 + k % 3) / 2) - 0.5),) for t in range(times) for k in range(count)]
+    sampler = {"input": keys, "output": model.accessor("SCALAR", FLOAT, weights)}
+    channel = {"sampler": 0, "target": {"node": 0, "path": "weights"}}
+    model.add("animations", {"name": "talk", "samplers": [sampler], "channels": [channel]})
+
+
 def make_blocks(model):
     materials = [model.material(model.texture(png(64, checks(64), 3)), color=(1, k / 5, 0.6, 1))
                  for k in range(4)]  # fmt: skip
@@ -448,6 +475,7 @@ MODELS = {
     "mosaic": make_mosaic,
     "worm": make_worm,
     "tail": make_tail,
+    "shapes": make_shapes,
     "hair": make_hair,
     "rags": make_rags,
     "dice": make_dice,

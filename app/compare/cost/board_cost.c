@@ -34,9 +34,12 @@ static const struct board_cost keys_weight = {7.0, 7.4};
 static const struct board_cost keys_vertex = {19.1, 11.1};
 static const struct board_cost gathered_vertex = {76.0, 11.2};
 static const struct board_cost facet = {106.0, 83.4};
+static const struct board_cost targets_weight = {135.0, 33.5};
 static const struct board_cost targets_copied = {12.0, 2.0};
-static const struct board_cost targets_begun = {28.0, 13.0};
-static const struct board_cost targets_added = {27.0, 11.0};
+static const struct board_cost targets_begun = {18.9, 7.1};
+static const struct board_cost targets_visit = {6.8, 27.6};
+static const struct board_cost targets_piece = {110.0, 31.3};
+static const struct board_cost targets_added = {17.7, 7.7};
 static const struct board_cost targets_rebased = {40.0, 14.0};
 
 static struct board_cost cost_of(enum arm11_work work, double count)
@@ -307,8 +310,11 @@ struct board_cost board_cost_targets(const struct board_targets *targets)
 {
 	struct board_cost sum = cost_of(ARM11_TARGETS_2, targets->paired);
 
+	add_times(&sum, &targets_weight, targets->weights);
 	add_times(&sum, &targets_copied, targets->copied);
 	add_times(&sum, &targets_begun, targets->begun);
+	add_times(&sum, &targets_visit, targets->visits);
+	add_times(&sum, &targets_piece, targets->pieces);
 	add_times(&sum, &targets_added, targets->added);
 	add_times(&sum, &targets_rebased, targets->rebased);
 	return sum;

@@ -75,12 +75,15 @@ struct board_cost board_cost_gather(const struct drawable *drawable);
 /* The cost of drawing what is counted, in a picture of so many pixels. */
 struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels);
 
-/* Vertices of weighted targets in an average frame, over all attributes. */
+/* What weighted targets do in an average frame, over all attributes. */
 struct board_targets {
-	double copied;  /* no target has a weight */
-	double paired;  /* by a single pair of targets */
-	double begun;   /* by several pairs */
-	double added;   /* of these, by each pair */
+	double weights; /* targets */
+	double copied;  /* vertices that no target with a weight moves */
+	double paired;  /* vertices that a single pair of targets moves */
+	double begun;   /* vertices, if several pairs have weights */
+	double visits;  /* of the chunks of these, by each pair */
+	double pieces;  /* spans of pairs with weights, cut at chunks */
+	double added;   /* of these vertices, by each pair that moves them */
 	double rebased; /* influences of a skin that are rewritten */
 };
 

@@ -31,7 +31,7 @@ static const struct board_cost uneven_joint = {660.0, 265.0};
 static const struct board_cost uneven_matrix = {220.0, 59.0};
 
 /* A drawable of weighted targets, beside its vertices. */
-static const struct board_cost morph_drawable = {2800.0, 440.0};
+static const struct board_cost morph_drawable = {2090.0, 404.0};
 
 struct playback {
 	const struct model_clip *clip;
@@ -48,12 +48,19 @@ static bool is_active(const struct fixed_deltas *deltas)
 		(deltas->weights.a != 0 || deltas->weights.b != 0);
 }
 
-static double moved_by(const struct fixed_deltas *deltas)
+/* Adds a pair's spans, in pieces as fixed_morph_run() adds them. */
+static double add_spans(
+	const struct fixed_deltas *deltas, struct board_targets *sum)
 {
 	double moved = 0.0;
 
 	for (int i = 0; i < deltas->span_count; i++) {
-		moved += (double)deltas->span[i].count;
+		const struct fixed_span *span = &deltas->span[i];
+		int last = span->first + span->count - 1;
+
+		moved += (double)span->count;
+		sum->pieces += (double)(last / FIXED_MORPH_CHUNK -
+			span->first / FIXED_MORPH_CHUNK + 1);
 	}
 	return moved;
 }
@@ -65,10 +72,11 @@ static void count_stream(const struct fixed_morph *morph,
 	double moved = 0.0;
 	int active = 0;
 
+	sum->weights += (double)morph->target_count;
 	for (int p = 0; p < morph->pair_count; p++) {
 		if (is_active(&stream->deltas[p])) {
 			active++;
-			moved += moved_by(&stream->deltas[p]);
+			moved += add_spans(&stream->deltas[p], sum);
 		}
 	}
 	if (active == 1) {
@@ -77,6 +85,9 @@ static void count_stream(const struct fixed_morph *morph,
 	} else if (active > 1) {
 		sum->begun += (double)morph->vertex_count;
 		sum->added += moved;
+		sum->visits += (double)morph->pair_count *
+			((morph->vertex_count + FIXED_MORPH_CHUNK - 1) /
+				FIXED_MORPH_CHUNK);
 	} else {
 		sum->copied += (double)morph->vertex_count;
 	}
@@ -146,8 +157,16 @@ static struct board_targets count_targets(
 			count_rebase(fixed, weight, &sum);
 		}
 	}
-	return (struct board_targets){sum.copied * share, sum.paired * share,
-		sum.begun * share, sum.added * share, sum.rebased * share};
+	return (struct board_targets){
+		.weights = sum.weights * share,
+		.copied = sum.copied * share,
+		.paired = sum.paired * share,
+		.begun = sum.begun * share,
+		.visits = sum.visits * share,
+		.pieces = sum.pieces * share,
+		.added = sum.added * share,
+		.rebased = sum.rebased * share,
+	};
 }
 
 /* The runs of one influence a vertex, or those of more. */

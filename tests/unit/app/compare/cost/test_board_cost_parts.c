@@ -45,9 +45,15 @@ static void test_weighted_targets(void **state)
 	expect_cost(board_cost_targets(&(struct board_targets){.paired = 10}),
 		10 * (double)pair->cycles, 10 * (double)pair->instructions);
 	expect_cost(board_cost_targets(&(struct board_targets){.begun = 10}),
-		280, 130);
+		189, 71);
 	expect_cost(board_cost_targets(&(struct board_targets){.added = 10}),
-		270, 110);
+		177, 77);
+	expect_cost(board_cost_targets(&(struct board_targets){.visits = 10}),
+		68, 276);
+	expect_cost(board_cost_targets(&(struct board_targets){.pieces = 10}),
+		1100, 313);
+	expect_cost(board_cost_targets(&(struct board_targets){.weights = 10}),
+		1350, 335);
 	expect_cost(board_cost_targets(&(struct board_targets){.rebased = 10}),
 		400, 140);
 }

@@ -1,3 +1,5 @@
+#include "app/character/character_open.h"
+#include "app/character/show/character_in_place.h"
 #include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/progress.h"
@@ -82,6 +84,83 @@ static int compare(const struct model *model, struct comparison_request *request
 	return error;
 }
 
+/* Says which of the clips that are compared do not go their way. */
+static void tell_in_place(const struct model *model, int clip,
+	const float *way_m, const struct log *log)
+{
+	int count = 0, first = 0;
+
+	for (int i = 0; i < model->clip_count; i++) {
+		if (way_m[i] > 0.0f && (clip < 0 || i == clip)) {
+			first = count == 0 ? i : first;
+			count++;
+		}
+	}
+	if (count == 1) {
+		log_warning(log,
+			"%s: clip %d %s goes %.2g m over the ground: it is compared and exported in its place, as limber play shows it",
+			model->path, first, model->clip[first].name,
+			(double)way_m[first]);
+	} else if (count > 1) {
+		log_warning(log,
+			"%s: %d clips go over the ground: they are compared and exported in their place, as limber play shows them",
+			model->path, count);
+	}
+}
+
+/* The character decides what play shows; without one, clips are as in the file. */
+static int open_character(struct instance *instance, const struct log *log,
+	struct character **out)
+{
+	const char *path = instance->model->path;
+	const struct character_request request = {
+		.model_path = path, .rate = 1.0f};
+	struct log nowhere = log_to_nowhere();
+	int error = character_open(&request, instance, &nowhere, out);
+
+	if (error == -ENOMEM) {
+		log_error(log, "%s: there is not enough memory to compare it",
+			path);
+		return error;
+	}
+	if (error) {
+		log_warning(log,
+			"%s: limber play refuses its character: clips that go over the ground are compared with their way",
+			path);
+	}
+	return 0;
+}
+
+/* The model as limber play shows it. The copies are in the arena. */
+static int show_in_place(const struct model *model, int clip,
+	const struct kernel *kernel, struct arena *arena, struct model *out,
+	const struct log *log)
+{
+	float *way_m = ARENA_ARRAY(arena, float, model->clip_count);
+	struct character *character = NULL;
+	struct instance *instance;
+	int error = way_m ? instance_create(model, kernel, log, &instance)
+			  : -ENOMEM;
+
+	if (error) {
+		return error;
+	}
+	*out = *model;
+	error = open_character(instance, log, &character);
+	if (character) {
+		error = character_in_place(character, model, arena, out, way_m);
+		if (error) {
+			(void)memory_budget_fail(
+				model->budget, model->path, log);
+		} else {
+			tell_in_place(model, clip, way_m, log);
+		}
+	}
+	character_destroy(character);
+	instance_destroy(instance);
+	return error;
+}
+
 static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
@@ -97,20 +176,26 @@ static int run_with_model(const struct model *model,
 		.jobs = wanted->jobs > 0 ? wanted->jobs : jobs_processors(),
 		.kernel = options_kernel(&options->vertices, log),
 	};
+	struct arena arena = arena_within(model->budget);
 	struct comparison *comparison;
+	struct model shown;
 	int error = choose_clip(model, options->motion.clip, log, &request.clip);
 
 	if (!error) {
 		error = check_outputs(wanted, log);
 	}
 	if (!error) {
-		error = compare(model, &request, log, &comparison);
+		error = show_in_place(model, request.clip, request.kernel,
+			&arena, &shown, log);
 	}
-	if (error) {
-		return error;
+	if (!error) {
+		error = compare(&shown, &request, log, &comparison);
 	}
-	error = print(comparison, options, log);
-	comparison_destroy(comparison);
+	if (!error) {
+		error = print(comparison, options, log);
+		comparison_destroy(comparison);
+	}
+	arena_release(&arena);
 	return error;
 }
 

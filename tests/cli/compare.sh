@@ -62,6 +62,49 @@ for file in skin-1.glb skin.glb morph-even-20.glb; do
     check "$file has the levels of the model's file" grep -q \
         '^ *levels: .* at .*mm, .* at .*mm for shadows' "$out_file"
 done
+
+# walk_away: the walker with a walk that goes 1.65 m, in $scratch/away.glb.
+walk_away() {
+    # shellcheck disable=SC2016 # Python
+    run_with_glb '
+import struct
+glb = Glb(sys.argv[1])
+clip, = (c for c in glb.json["animations"] if c["name"] == "walk")
+hips, = (n for n, node in enumerate(glb.json["nodes"]) if node.get("name") == "hips")
+sampler, = (clip["samplers"][c["sampler"]] for c in clip["channels"]
+            if c["target"] == {"node": hips, "path": "translation"})
+view = glb.json["bufferViews"][glb.json["accessors"][sampler["output"]]["bufferView"]]
+data = bytearray(glb.binary)
+for k, ((t,), (x, y, z)) in enumerate(zip(glb.read(sampler["input"]),
+                                          glb.read(sampler["output"]))):
+    struct.pack_into("<3f", data, view.get("byteOffset", 0) + 12 * k, x, y, z + 1.5 * t)
+whole = open(sys.argv[1], "rb").read()
+open(sys.argv[2], "wb").write(whole[:-len(data)] + data)
+' "$here/../../assets/walker.glb" "$scratch/away.glb"
+}
+
+# limber play lets the ground move below a figure that walks away.
+if ! $slow; then
+    walk_away
+    limber compare "$scratch/away.glb" --clip walk --error 2 --format json
+    expect_status 0
+    expect_err 'clip 3 walk goes 1\.[67][0-9]* m over the ground: it is compared and exported in its place'
+    # shellcheck disable=SC2016 # Python
+    check 'a walk that goes away is compared in its place' python3 -c '
+import json, sys
+away, still = (json.load(open(path))["candidates"] for path in sys.argv[1:])
+assert [row["name"] for row in away] == [row["name"] for row in still]
+for a, b in zip(away, still):
+    for key in "arm11_drawing", "arm11_predicted":
+        told, wanted = a[key]["us_per_frame"], b[key]["us_per_frame"]
+        assert abs(told / wanted - 1) < 0.002, (a["name"], told, wanted)
+    assert abs(a["peak_px"] - b["peak_px"]) < 0.01 + 0.01 * b["peak_px"], a["name"]
+' "$out_file" "$scratch/report.json"
+    echo '[nonsense' >"$scratch/away.character"
+    limber compare "$scratch/away.glb" --clip walk --error 2
+    expect_status 0
+    expect_err 'away\.glb: limber play refuses its character: clips that go over the ground are compared with their way'
+fi
 $slow || recomputed "$samples/x/anim_test.x" 0 28
 
 limber compare "$slider" --fps 10 --plot "$scratch/plot.svg"

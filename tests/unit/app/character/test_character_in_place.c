@@ -1,0 +1,178 @@
+/* Clips that walk away, as limber play shows them: in their place. */
+#include "app/anim/clip.h"
+#include "app/character/show/character_in_place.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+static const float way[3] = {0.5f, 0.0f, -1.5f};
+
+struct walk {
+	struct acting acting;
+	struct arena arena;
+	int clip, hips;
+	struct model_channel *channel; /* the translation of the hips */
+	float *value;                  /* its keys */
+};
+
+/* Keys of the walk's own values: linear, in steps, or cubic ones without slope. */
+static void make_keys(struct walk *walk, enum model_interpolation interpolation)
+{
+	struct model_channel *channel = walk->channel;
+	size_t count = (size_t)channel->key_count;
+	size_t size = interpolation == MODEL_CUBICSPLINE ? 9 : 3;
+	float *value = ARENA_ARRAY(&walk->arena, float, count *size);
+
+	assert_non_null(value);
+	for (size_t i = 0; i < count; i++) {
+		memcpy(value + i * size + (size == 9 ? 3 : 0),
+			channel->value + 3 * i, 3 * sizeof(*value));
+	}
+	walk->value = value;
+	channel->value = value;
+	channel->interpolation = interpolation;
+}
+
+static void begin(struct walk *walk, enum model_interpolation interpolation)
+{
+	struct model *model;
+	struct model_clip *clip;
+
+	*walk = (struct walk){.arena = arena_empty()};
+	acting_begin(&walk->acting, "assets/walker.glb");
+	model = walk->acting.model;
+	walk->clip = model_find_clip(model, "walk");
+	walk->hips = model_find_node(model, "hips");
+	clip = &model->clip[walk->clip];
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].node == walk->hips &&
+			clip->channel[i].path == MODEL_TRANSLATION) {
+			walk->channel = &clip->channel[i];
+		}
+	}
+	assert_non_null(walk->channel);
+	make_keys(walk, interpolation);
+}
+
+static void end(struct walk *walk)
+{
+	acting_end(&walk->acting);
+	arena_release(&walk->arena);
+}
+
+/* Where the hips of a clip are at a time, below their parent. */
+static void place(const struct walk *walk, const struct model_clip *clip,
+	float time_s, float out[3])
+{
+	struct pose *pose = &walk->acting.instance->pose;
+
+	clip_sample(clip, time_s, &(struct clip_cursor){0}, pose);
+	memcpy(out, pose->local[walk->hips].translation, sizeof(float[3]));
+}
+
+/* Lets the hips go their way, as much of it as of the clip has passed. */
+static void walk_away(struct walk *walk)
+{
+	const struct model_clip *clip = &walk->acting.model->clip[walk->clip];
+	struct model_channel *channel = walk->channel;
+	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
+
+	for (int i = 0; i < channel->key_count; i++) {
+		float *key = walk->value + (size_t)i * (cubic ? 9 : 3);
+
+		for (int axis = 0; axis < 3; axis++) {
+			float slope = way[axis] / clip->duration_s;
+
+			key[(cubic ? 3 : 0) + axis] +=
+				slope * channel->time_s[i];
+			if (cubic) {
+				key[axis] += slope;
+				key[6 + axis] += slope;
+			}
+		}
+	}
+}
+
+static void check_stays(enum model_interpolation interpolation)
+{
+	enum {
+		MOMENTS = 23
+	};
+	float before[MOMENTS][3], way_m[64];
+	const struct model_clip *clip;
+	struct model shown;
+	struct walk walk;
+
+	begin(&walk, interpolation);
+	clip = &walk.acting.model->clip[walk.clip];
+	for (int i = 0; i < MOMENTS; i++) {
+		place(&walk, clip, clip->duration_s * (float)i / (MOMENTS - 1),
+			before[i]);
+	}
+	walk_away(&walk);
+	acting_expect(&walk.acting, "[motion]\nroot = hips\n");
+	assert_true(walk.acting.model->clip_count <= 64);
+	assert_int_equal(character_in_place(walk.acting.character,
+				 walk.acting.model, &walk.arena, &shown, way_m),
+		0);
+	for (int i = 0; i < MOMENTS; i++) {
+		float now[3];
+
+		place(&walk, &shown.clip[walk.clip],
+			clip->duration_s * (float)i / (MOMENTS - 1), now);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(now[axis], (double)before[i][axis], 2e-6);
+		}
+	}
+	assert_near(way_m[walk.clip], sqrt(0.5 * 0.5 + 1.5 * 1.5), 1e-4);
+	end(&walk);
+}
+
+static void test_a_walk_that_goes_away_stays_in_its_place(void **state)
+{
+	(void)state;
+	check_stays(MODEL_LINEAR);
+	check_stays(MODEL_CUBICSPLINE);
+}
+
+static void test_other_clips_and_ways_in_steps_stay_as_they_are(void **state)
+{
+	const struct model *model;
+	struct model shown;
+	struct walk walk;
+	float way_m[64];
+
+	(void)state;
+	begin(&walk, MODEL_STEP);
+	walk_away(&walk);
+	model = walk.acting.model;
+	acting_expect(&walk.acting, "[motion]\nroot = hips\n");
+	assert_int_equal(character_in_place(walk.acting.character, model,
+				 &walk.arena, &shown, way_m),
+		0);
+	for (int c = 0; c < model->clip_count; c++) {
+		if (way_m[c] > 0.0f) {
+			continue; /* another clip that goes */
+		}
+		for (int i = 0; i < model->clip[c].channel_count; i++) {
+			assert_ptr_equal(shown.clip[c].channel[i].value,
+				model->clip[c].channel[i].value);
+		}
+	}
+	assert_near(way_m[walk.clip], 0.0, 0.0);
+	assert_ptr_equal(shown.node, model->node);
+	end(&walk);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_walk_that_goes_away_stays_in_its_place),
+		cmocka_unit_test(
+			test_other_clips_and_ways_in_steps_stay_as_they_are),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -100,6 +100,20 @@ for a, b in zip(away, still):
         assert abs(told / wanted - 1) < 0.002, (a["name"], told, wanted)
     assert abs(a["peak_px"] - b["peak_px"]) < 0.01 + 0.01 * b["peak_px"], a["name"]
 ' "$out_file" "$scratch/report.json"
+    for figure in away still; do
+        test $figure = away || cp "$here/../../assets/walker.glb" "$scratch/still.glb"
+        limber play "$scratch/$figure.glb" --demo duel --gl soft --size 160x120 \
+            --clock fixed:5 --frames 6 --display image -o "$scratch/$figure.png"
+        expect_status 0
+    done
+    # shellcheck disable=SC2016 # Python
+    check 'in the duel a walk that goes away stays in its place' run_with_glb '
+from compare_check import png_rows
+away, still = (b"".join(png_rows(f"{sys.argv[1]}/{name}-0006.png"))
+               for name in ("away", "still"))
+off = sum(abs(a - b) > 8 for a, b in zip(away, still))
+assert len(away) == len(still) and off < 100, off
+' "$scratch"
     echo '[nonsense' >"$scratch/away.character"
     limber compare "$scratch/away.glb" --clip walk --error 2
     expect_status 0

@@ -13,6 +13,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 
 COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 FORMAT = {5121: "B", 5123: "H", 5125: "I", 5126: "f"}
@@ -69,6 +70,33 @@ class Glb:
                 total += self.accessor_bytes(sampler["input"])
                 total += self.accessor_bytes(sampler["output"])
         return total
+
+
+def png_rows(path):
+    """The rows of a picture of limber's: 8 bits, not interlaced."""
+    with open(path, "rb") as file:
+        data = file.read()
+    width, height, _, colors = struct.unpack_from(">IIBB", data, 16)
+    step = {2: 3, 6: 4}[colors]
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        at += length + 12
+    plain, above, rows = zlib.decompress(packed), bytes(width * step), []
+    for y in range(height):
+        start = y * (width * step + 1)
+        row = bytearray(plain[start + 1:start + 1 + width * step])
+        for i in range(len(row)):
+            left = row[i - step] if i >= step else 0
+            corner = above[i - step] if i >= step else 0
+            guess = left + above[i] - corner
+            paeth = min((left, above[i], corner), key=lambda c: abs(guess - c))
+            row[i] = row[i] + (0, left, above[i], (left + above[i]) // 2,
+                               paeth)[plain[start]] & 255
+        rows.append(bytes(row))
+        above = row
+    return rows
 
 
 class Check:

@@ -7,6 +7,7 @@
  * of a picture of this size.
  */
 #include "app/character/motions/motions.h"
+#include "app/character/show/character_in_place.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/duel/contender.h"
@@ -31,7 +32,9 @@ static const struct framing framing = {.camera = {.yaw_rad = 0.25f,
 struct demo {
 	struct demo_base base;
 	struct motion motion;
-	float spacing; /* from one figure to the next, scene units */
+	struct model in_place; /* the model, with walks that stay */
+	struct arena arena;    /* of these walks */
+	float spacing;         /* from one figure to the next, scene units */
 	struct reference *reference;
 	struct time_grid grid; /* of the clip */
 	struct screen_view screen;
@@ -107,6 +110,35 @@ static int choose_clip(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
+/* Takes the way out of the clip, as limber play and limber compare do. */
+static int stay_in_place(struct demo *demo, const struct demo_env *env)
+{
+	const struct model *model = demo->base.actor.model;
+	const struct character_request request = demo_env_request(env);
+	/* choose_clip() has passed on the warnings. */
+	const struct log errors = {env->log->write, env->log->user, LOG_ERROR};
+	struct character *character;
+	float *way_m = ARENA_ARRAY(&demo->arena, float, model->clip_count);
+	int error = character_open(
+		&request, demo->base.actor.instance, &errors, &character);
+
+	if (error) {
+		return error;
+	}
+	error = !way_m ? -ENOMEM
+		       : character_in_place(character, model, &demo->arena,
+				 &demo->in_place, way_m);
+	if (error) {
+		log_error(env->log,
+			"%s: there is not enough memory for a copy of its clips",
+			model->path);
+	} else if (way_m[demo->motion.clip] > 0.0f) {
+		demo->motion.drift[0] = demo->motion.drift[1] = 0.0f;
+	}
+	character_destroy(character);
+	return error;
+}
+
 static int duel_prepare(struct demo *demo, const struct demo_env *env)
 {
 	const struct model *model = demo->base.actor.model;
@@ -114,8 +146,11 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	int error = choose_clip(demo, env);
 
 	if (!error) {
-		error = reference_create(
-			model, demo->motion.clip, env->log, &demo->reference);
+		error = stay_in_place(demo, env);
+	}
+	if (!error) {
+		error = reference_create(&demo->in_place, demo->motion.clip,
+			env->log, &demo->reference);
 	}
 	if (error) {
 		return error;
@@ -148,6 +183,7 @@ static void duel_finish(struct demo *demo)
 	}
 	time_grid_release(&demo->grid);
 	reference_destroy(demo->reference);
+	arena_release(&demo->arena);
 }
 
 static void show_heat(struct demo *demo, bool on)

@@ -77,15 +77,20 @@ static void read_vertex(const struct drawable *drawable,
 /* Of the coarsest list: each update poses its vertices. */
 static void find_skin_middle(const struct drawable *drawable, float out[3])
 {
-	const struct batch *batch = &drawable->batch[0];
-	const uint16_t *index = batch->index;
-	int count = index ? batch->index_count : batch->vertex_count;
+	const struct batch *batch = drawable->batch;
+	const uint16_t *index;
+	int count;
 
+	out[0] = out[1] = out[2] = 0.0f;
+	if (drawable->batch_count == 0) {
+		return;
+	}
+	index = batch->index;
+	count = index ? batch->index_count : batch->vertex_count;
 	if (batch->lod_count > 0) {
 		index = batch->lod[batch->lod_count - 1].index;
 		count = batch->lod[batch->lod_count - 1].index_count;
 	}
-	out[0] = out[1] = out[2] = 0.0f;
 	for (int i = 0; count > 0 && i < VERTICES; i++) {
 		int at = (int)((int64_t)count * i / VERTICES);
 		float position[3];

@@ -17,167 +17,12 @@ a texture, a colour at each vertex and no normals. hair is thin blended strips a
 a ball, rags are a sphere of which the alpha test leaves little, dice are 500 small
 textured cubes, and shapes is a head of 52 targets.
 """
-
-import json
 import math
 import pathlib
-import struct
 import sys
-import zlib
 
-FLOAT, BYTE, SHORT = 5126, 5121, 5123
-SMOOTH = {"magFilter": 9729, "minFilter": 9987}
-
-
-def chunk(name, data):
-    crc = zlib.crc32(name + data)
-    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", crc)
-
-
-def png(side, texel, channels):
-    """A square picture; texel(x, y) returns RGBA."""
-    rows = b"".join(
-        b"\0" + b"".join(bytes(texel(x, y)[:channels]) for x in range(side))
-        for y in range(side)
-    )
-    head = struct.pack(">IIBBBBB", side, side, 8, {3: 2, 4: 6}[channels], 0, 0, 0)
-    parts = chunk(b"IHDR", head), chunk(b"IDAT", zlib.compress(rows)), chunk(b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + b"".join(parts)
-
-
-def checks(side):
-    def texel(x, y):
-        if (x * 8 // side ^ y * 8 // side) & 1:
-            return 230, y * 255 // side, 60, 255
-        return x * 255 // side, 200, 255 - x * 255 // side, 255
-
-    return texel
-
-
-def discs(side):
-    def texel(x, y):
-        u, v = x * 64 // side % 32 - 16, y * 64 // side % 32 - 16
-        alpha = max(0, min(255, (220 - u * u - v * v) * 4))
-        return (*checks(side)(x, y)[:3], alpha)
-
-    return texel
-
-
-class Model:
-    def __init__(self):
-        self.bytes = b""
-        self.json = {
-            "asset": {"version": "2.0"},
-            "scene": 0,
-            "scenes": [{"nodes": []}],
-            **{name: [] for name in (
-                "nodes", "meshes", "accessors", "bufferViews", "materials",
-                "textures", "images", "samplers", "skins", "animations",
-            )},
-        }  # fmt: skip
-
-    def add(self, name, value):
-        self.json[name].append(value)
-        return len(self.json[name]) - 1
-
-    def view(self, data):
-        self.bytes += b"\0" * (-len(self.bytes) % 4)
-        value = {"buffer": 0, "byteOffset": len(self.bytes), "byteLength": len(data)}
-        self.bytes += data
-        return self.add("bufferViews", value)
-
-    def accessor(self, kind, component, rows, **more):
-        letter = {FLOAT: "f", BYTE: "B", SHORT: "H"}[component]
-        data = b"".join(struct.pack(f"<{len(r)}{letter}", *r) for r in rows)
-        return self.add("accessors", {
-            "bufferView": self.view(data), "componentType": component,
-            "count": len(rows), "type": kind, **more,
-        })  # fmt: skip
-
-    def texture(self, data):
-        image = self.add("images", {"bufferView": self.view(data), "mimeType": "image/png"})
-        sampler = self.add("samplers", dict(SMOOTH))
-        return self.add("textures", {"source": image, "sampler": sampler})
-
-    def material(self, texture=None, color=(1, 1, 1, 1), **more):
-        surface = {"metallicFactor": 0, "baseColorFactor": color}
-        if texture is not None:
-            surface["baseColorTexture"] = {"index": texture}
-        return self.add("materials", {"pbrMetallicRoughness": surface, **more})
-
-    def mesh(self, material, shape, colors=None, **place):
-        positions, normals, texcoords, indices = shape
-        ends = {f.__name__: [f(p[i] for p in positions) for i in range(3)] for f in (min, max)}
-        attributes = {
-            "POSITION": self.accessor("VEC3", FLOAT, positions, **ends),
-        }
-        if normals:
-            attributes["NORMAL"] = self.accessor("VEC3", FLOAT, normals)
-        attributes["TEXCOORD_0"] = self.accessor("VEC2", FLOAT, texcoords)
-        if colors:
-            attributes["COLOR_0"] = self.accessor("VEC4", BYTE, colors, normalized=True)
-        primitive = {
-            "attributes": attributes,
-            "indices": self.accessor("SCALAR", SHORT, [(i,) for i in indices]),
-            "material": material,
-        }
-        mesh = self.add("meshes", {"primitives": [primitive]})
-        node = self.add("nodes", {"mesh": mesh, "translation": (0, 0, 0), **place})
-        self.json["scenes"][0]["nodes"].append(node)
-
-    def save(self, path):
-        used = {name: value for name, value in self.json.items() if value != []}
-        used["buffers"] = [{"byteLength": len(self.bytes)}]
-        text = json.dumps(used).encode()
-        text += b" " * (-len(text) % 4)
-        data = self.bytes + b"\0" * (-len(self.bytes) % 4)
-        size = 28 + len(text) + len(data)
-        path.write_bytes(
-            struct.pack("<4sII", b"glTF", 2, size)
-            + struct.pack("<I4s", len(text), b"JSON") + text
-            + struct.pack("<I4s", len(data), b"BIN\0") + data
-        )  # fmt: skip
-
-
-def cube():
-    positions, normals, texcoords, indices = [], [], [], []
-    for axis in range(3):
-        for side in (-1, 1):
-            first = len(positions)
-            for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
-                position, normal = [0, 0, 0], [0, 0, 0]
-                position[axis] = normal[axis] = side
-                position[(axis + 1) % 3] = u * side
-                position[(axis + 2) % 3] = v
-                positions.append(position)
-                normals.append(normal)
-                texcoords.append(((u + 1) / 2, (1 - v) / 2))
-            indices += [first + i for i in (0, 1, 2, 0, 2, 3)]
-    return positions, normals, texcoords, indices
-
-
-def blob(around, down, size=1):
-    """A sphere with dents."""
-    positions, normals, texcoords, indices = [], [], [], []
-    for j in range(down + 1):
-        for i in range(around + 1):
-            a, b = 2 * math.pi * i / around, math.pi * j / down
-            radius = size * (1 + 0.25 * math.sin(3 * a) * math.sin(2 * b))
-            normal = (math.cos(a) * math.sin(b), math.cos(b), math.sin(a) * math.sin(b))
-            normals.append(normal)
-            positions.append([c * radius for c in normal])
-            texcoords.append((i / around, j / down))
-    for j in range(down):
-        for i in range(around):
-            k = j * (around + 1) + i
-            below = k + around + 1
-            indices += [k, k + 1, below + 1, k, below + 1, below]
-    return positions, normals, texcoords, indices
-
-
-def quad(width, height):
-    positions = [(-width, -height, 0), (width, -height, 0), (width, height, 0), (-width, height, 0)]
-    return positions, [(0, 0, 1)] * 4, [(0, 1), (1, 1), (1, 0), (0, 0)], [0, 1, 2, 0, 2, 3]
+from glb import BYTE, FLOAT, Model, checks, discs, png
+from shapes import blob, cube, quad, rope, strips
 
 
 def make_box(model):
@@ -216,18 +61,6 @@ def make_layers(model):
     material = model.material(texture, alphaMode="BLEND", doubleSided=True)
     for k in range(6):
         model.mesh(material, quad(0.75, 1), translation=(0, 0, k * 0.1))
-
-
-def strips(count):
-    positions, normals, texcoords, indices = [], [], [], []
-    for i in range(count + 1):
-        for j in range(2):
-            positions.append([i / count, 2 * j, 0.2 * math.sin(7 * i / count) - i / count])
-            normals.append((0, 0, 1))
-            texcoords.append((i / count, 1 - j))
-    for k in range(0, 2 * count, 2):
-        indices += [k, k + 2, k + 1, k + 1, k + 2, k + 3]
-    return positions, normals, texcoords, indices
 
 
 def make_banner(model):
@@ -287,23 +120,6 @@ def make_panes(model):
     for k in range(4):
         turn = (0, math.sin(0.3 + 0.2 * k), 0, math.cos(0.3 + 0.2 * k))
         model.mesh(material, quad(0.7, 0.9), rotation=turn, translation=(0, 0, k * 0.2))
-
-
-def rope(around, along):
-    positions, normals, texcoords, indices = [], [], [], []
-    for j in range(along + 1):
-        for i in range(around + 1):
-            a, y = 2 * math.pi * i / around, 12 * j / along
-            normal = (math.cos(a), 0, math.sin(a))
-            positions.append((0.4 * normal[0] + math.sin(y), 0.5 * y, 0.4 * normal[2]))
-            normals.append(normal)
-            texcoords.append((i / around, y))
-    for j in range(along):
-        for i in range(around):
-            k = j * (around + 1) + i
-            above = k + around + 1
-            indices += [k, above, k + 1, k + 1, above, above + 1]
-    return positions, normals, texcoords, indices
 
 
 def make_rope(model):

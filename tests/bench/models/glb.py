@@ -72,9 +72,9 @@ class Model:
             "count": len(rows), "type": kind, **more,
         })  # fmt: skip
 
-    def texture(self, data):
+    def texture(self, data, **more):
         image = self.add("images", {"bufferView": self.view(data), "mimeType": "image/png"})
-        sampler = self.add("samplers", dict(SMOOTH))
+        sampler = self.add("samplers", {**SMOOTH, **more})
         return self.add("textures", {"source": image, "sampler": sampler})
 
     def material(self, texture=None, color=(1, 1, 1, 1), **more):

@@ -70,3 +70,20 @@ def rope(around, along):
             above = k + around + 1
             indices += [k, above, k + 1, k + 1, above, above + 1]
     return positions, normals, texcoords, indices
+
+
+def grid(squares, repeats):
+    """Hilly ground that stands upright; texture coordinates go from -repeats / 2."""
+    positions, normals, texcoords, indices = [], [], [], []
+    for j in range(squares + 1):
+        for i in range(squares + 1):
+            u, v = i / squares, j / squares
+            positions.append((2 * u - 1, 2 * v - 1, 0.2 * math.sin(5 * u) * math.cos(4 * v)))
+            normals.append((0, 0, 1))
+            texcoords.append(((u - 0.5) * repeats, (0.5 - v) * repeats))
+    for j in range(squares):
+        for i in range(squares):
+            k = j * (squares + 1) + i
+            above = k + squares + 1
+            indices += [k, k + 1, above + 1, k, above + 1, above]
+    return positions, normals, texcoords, indices

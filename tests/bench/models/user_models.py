@@ -15,14 +15,19 @@ signs are large, textured and unlit, and bush is 150 small alpha-tested cards. g
 a texture and no normals; so has worm, which joints bend in its clip, and mosaic has
 a texture, a colour at each vertex and no normals. hair is thin blended strips around
 a ball, rags are a sphere of which the alpha test leaves little, dice are 500 small
-textured cubes, and shapes is a head of 52 targets.
+textured cubes, and shapes is a head of 52 targets. net is blended, thin and long;
+tiles are small squares of a texture each, mirrors, poster and bricks repeat a texture
+mirrored, clamped and with sides of no power of two. blocky has no filter, paper is a
+flat sphere, beads are 600 plain cubes, petals have colours with alpha, and lamp shines.
 """
 import math
 import pathlib
 import sys
 
 from glb import BYTE, FLOAT, Model, checks, discs, png
-from shapes import blob, cube, quad, rope, strips
+from shapes import blob, cube, grid, quad, rope, strips
+
+MIRRORED, CLAMPED = 33648, 33071
 
 
 def make_box(model):
@@ -267,6 +272,61 @@ def make_dice(model):
         model.mesh(material, cube(), scale=(0.2, 0.2, 0.2), translation=(x, y, z), rotation=turn)
 
 
+def make_net(model):
+    texture = model.texture(png(64, checks(64), 3))
+    glassy = model.material(texture, color=(1, 1, 1, 0.5), alphaMode="BLEND")
+    model.mesh(glassy, rope(12, 60))
+
+
+def make_tiles(model):
+    texture = model.texture(png(256, checks(256), 3))
+    model.mesh(model.material(texture), grid(20, 20), rotation=(-0.5, 0, 0, 0.866))
+
+
+def make_mirrors(model):
+    texture = model.texture(png(64, checks(64), 3), wrapS=MIRRORED, wrapT=MIRRORED)
+    model.mesh(model.material(texture), grid(6, 4))
+
+
+def make_poster(model):
+    texture = model.texture(png(64, checks(64), 3), wrapS=CLAMPED, wrapT=CLAMPED)
+    model.mesh(model.material(texture), grid(6, 4))
+
+
+def make_bricks(model):
+    texture = model.texture(png(100, checks(100), 3))
+    model.mesh(model.material(texture), grid(12, 2))
+
+
+def make_blocky(model):
+    texture = model.texture(png(512, checks(512), 3), magFilter=9728, minFilter=9728)
+    model.mesh(model.material(texture), blob(30, 20))
+
+
+def make_paper(model):
+    shape = blob(30, 20)
+    flat = [(x, y, z * 0.0005) for x, y, z in shape[0]]
+    model.mesh(model.material(color=(0.8, 0.4, 0.2, 1)), (flat, *shape[1:]))
+
+
+def make_beads(model):
+    materials = [model.material(color=(k / 8, 0.5, 1 - k / 8, 1)) for k in range(8)]
+    for k in range(600):
+        at = k % 9, k // 9 % 9, k // 81
+        model.mesh(materials[k % 8], cube(), scale=(0.3, 0.3, 0.3), translation=at)
+
+
+def make_petals(model):
+    shape = blob(24, 16)
+    colors = [(255, 40 * k % 256, 25 * k % 256, 13 * k % 256) for k in range(len(shape[0]))]
+    model.mesh(model.material(alphaMode="BLEND", doubleSided=True), shape, colors)
+
+
+def make_lamp(model):
+    texture = model.texture(png(256, checks(256), 3))
+    model.mesh(model.material(texture, emissiveFactor=(0.4, 0.2, 0)), blob(40, 24))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -295,6 +355,16 @@ MODELS = {
     "hair": make_hair,
     "rags": make_rags,
     "dice": make_dice,
+    "net": make_net,
+    "tiles": make_tiles,
+    "mirrors": make_mirrors,
+    "poster": make_poster,
+    "bricks": make_bricks,
+    "blocky": make_blocky,
+    "paper": make_paper,
+    "beads": make_beads,
+    "petals": make_petals,
+    "lamp": make_lamp,
 }
 
 

@@ -12,8 +12,9 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
  * unindexed.c: triangles without indices, count vertices from first on; finds
- * those that come again by what they are made of. False where arrays do not lie
- * together or are not words to compare: draws nothing then.
+ * those that come again by what they are made of. False, with nothing drawn,
+ * where arrays do not lie together, are not words to compare, or are so long that
+ * 16 bits do not number their vertices.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 

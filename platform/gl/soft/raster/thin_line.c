@@ -9,6 +9,7 @@
 enum {
 	WIDTH_TWO_Q16 = 0x18000, /* the least width that is rounded to two */
 	DIVIDED_STEP = 2, /* pixels of a run whose ends are divided exactly */
+	HEIGHT = 256,     /* of a triangle, in sixteenths; see set_planes() */
 };
 
 /*
@@ -24,8 +25,6 @@ struct walk {
 	int count;               /* pixels */
 	int32_t length;          /* along, in sixteenths */
 	int32_t off;             /* from the line's start to a centre, too */
-	int32_t inverse;         /* 2^inverse_q / length */
-	int inverse_q;
 };
 
 bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
@@ -99,113 +98,30 @@ static void find_pixels(
 	walk->across[!flat] = 0;
 }
 
-static void find_inverse(struct walk *walk)
-{
-	int zeros = LEADING_ZEROS_32((uint32_t)walk->length);
-
-	walk->inverse = reciprocal((uint32_t)walk->length << zeros);
-	walk->inverse_q = 62 - zeros;
-}
-
-/* As set_plane() in raster.c has it, of pixels along the line. */
-static void set_plane(const struct walk *walk, int32_t from, int32_t to,
-	int scale, struct plane *plane)
-{
-	/* Both are below 2^31. */
-	int64_t product = (int64_t)(to - from) * walk->inverse;
-
-	plane->dx = (int32_t)(product >> (walk->inverse_q - scale));
-	plane->dy = 0;
-	plane->start = ((uint32_t)from << (scale - 4)) +
-		(uint32_t)(plane->dx >> 4) * (uint32_t)walk->off;
-}
-
-/* 1 / w of both ends in a common scale, below 2^29. */
-static struct ends find_inverse_w(const struct vertex *a, const struct vertex *b)
-{
-	int most = a->w_zeros > b->w_zeros ? a->w_zeros : b->w_zeros;
-	int32_t from = shift_by(a->inverse_w_q30, a->w_zeros - most - 2);
-	int32_t to = shift_by(b->inverse_w_q30, b->w_zeros - most - 2);
-
-	return (struct ends){from > 0 ? from : 1, to > 0 ? to : 1};
-}
-
-/* Whether colours that change by so much have to be divided by 1 / w. */
-static bool is_divided(const struct draw *draw, const struct vertex *a,
-	const struct vertex *b, uint32_t most)
-{
-	int32_t from = a->clip[3], to = b->clip[3];
-	const struct perspective perspective = {
-		.w_spread = raster_size(to - from),
-		.w_least = (uint32_t)(from < to ? from : to),
-	};
-
-	return draw->perspective &&
-		raster_bends(&perspective, most, rows_color_tolerance(draw));
-}
-
 /*
- * The ends' colours and fog, and which of them differ; what stays the same goes
- * into the span. Returns the most that one differs by.
+ * Finds how values change along the line, as those of a triangle with the line
+ * as its upper side: in column 0 and row 0 the line's first pixel, to the right
+ * the others, and below nothing changes.
  */
-static uint32_t gather_colors(struct draw *draw, const struct vertex *a,
-	const struct vertex *b, struct ends color[])
-{
-	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
-	struct raster *raster = &draw->raster;
-	uint32_t most = 0;
-
-	raster->moving_bits = 0;
-	for (int i = RED; i <= FOG; i++) {
-		bool flat = draw->soft->fragment.flat && i != FOG;
-		int32_t white = (int32_t)(raster->span.value[i] >> 8);
-
-		if (!(wanted >> i & 1)) {
-			color[i] = (struct ends){white, white};
-			continue;
-		}
-		color[i] = flat
-			? (struct ends){draw->provoking->attribute[i],
-				  draw->provoking->attribute[i]}
-			: (struct ends){a->attribute[i], b->attribute[i]};
-		raster->span.value[i] = (uint32_t)color[i].from << 8;
-		raster->span.step[i] = 0;
-		raster->moving_bits |= (uint32_t)(color[i].from != color[i].to)
-			<< i;
-		most = larger(most, raster_size(color[i].to - color[i].from));
-	}
-	return most;
-}
-
-static int32_t scale_by(int32_t value, int32_t inverse_w)
-{
-	return (int32_t)((int64_t)value * inverse_w >> 16);
-}
-
-/* Colours and fog as planes; divided by 1 / w, these are of their products. */
-static void set_color_planes(struct draw *draw, const struct walk *walk,
+static void set_planes(struct draw *draw, const struct walk *walk,
 	const struct vertex *a, const struct vertex *b)
 {
-	struct raster *raster = &draw->raster;
-	struct ends color[FOG + 1], q = {0, 0};
-	uint32_t most = gather_colors(draw, a, b, color);
-	uint32_t planes = raster_color_planes(raster->moving_bits);
+	struct vertex corner[3] = {*a, *b, *a};
+	struct setup setup = {
+		.v = {&corner[0], &corner[1], &corner[2]},
+		.wide = walk->length > SMALL_EXTENT,
+		.area = (uint64_t)walk->length * HEIGHT,
+	};
 
-	raster->colors_divided = most > 0 && is_divided(draw, a, b, most);
-	if (raster->colors_divided) {
-		q = find_inverse_w(a, b);
-		set_plane(walk, q.from, q.to, 4, &raster->plane[INVERSE_W]);
-	}
-	for (int i = RED; planes >> i; i++) {
-		struct plane *plane = &raster->plane[i];
-
-		if (raster->colors_divided) {
-			set_plane(walk, scale_by(color[i].from, q.from),
-				scale_by(color[i].to, q.to), 4, plane);
-		} else {
-			set_plane(walk, color[i].from, color[i].to, 12, plane);
+	for (int i = 0; i < 3; i++) {
+		corner[i].x = 8 - walk->off + (i == 1 ? walk->length : 0);
+		corner[i].y = 8 + (i == 2 ? HEIGHT : 0);
+		if (draw->soft->fragment.flat) {
+			memcpy(corner[i].attribute, draw->provoking->attribute,
+				sizeof(corner[i].back));
 		}
 	}
+	soft_raster_set_up(draw, &setup);
 }
 
 static void place_divided_colors(const struct line *values, int x, int count)
@@ -301,7 +217,6 @@ void soft_draw_thin_line(
 {
 	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
 	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
-	struct raster *raster = &draw->raster;
 	struct walk walk;
 	uint32_t moving;
 
@@ -309,13 +224,7 @@ void soft_draw_thin_line(
 	if (walk.count <= 0) {
 		return;
 	}
-	find_inverse(&walk);
-	raster->perspective = false;
-	raster->bent = false;
-	if (draw->soft->fragment.depth_test) {
-		set_plane(&walk, a->z, b->z, 12, &raster->plane[DEPTH]);
-	}
-	set_color_planes(draw, &walk, a, b);
+	set_planes(draw, &walk, a, b);
 	moving = soft_begin_walk(draw);
 	soft_begin_steps(draw, moving);
 	draw_runs(draw, &walk, moving != 0);

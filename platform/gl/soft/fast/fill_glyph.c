@@ -80,7 +80,10 @@ static int find_texel(int first, int count, int32_t begin, int32_t end,
 	return texel < 0 || texel + count > 1 << log2 ? -1 : (int)texel;
 }
 
-/* All of it through one texel: share, 0 to 32, is the color's. */
+/*
+ * All of it through one texel: share, 0 to 32, is the color's. Behind panels rows
+ * are often of one colour, as of a gradient, and so is what becomes of them.
+ */
 static void mix_box(const struct draw *draw, const struct clip_box *box,
 	uint16_t color, uint32_t share)
 {
@@ -91,8 +94,9 @@ static void mix_box(const struct draw *draw, const struct clip_box *box,
 		uint16_t *pixel = (uint16_t *)(void *)pixel_at(
 			&draw->soft->buffers.target, box->left, y);
 
-		if (share == 32) {
-			soft_fill_pixels(pixel, count, color);
+		if (soft_is_one_color(pixel, count)) {
+			soft_keep_pixels(pixel, 1, 32 - share, own);
+			soft_fill_pixels(pixel, count, *pixel);
 		} else {
 			soft_keep_pixels(pixel, count, 32 - share, own);
 		}

@@ -18,7 +18,7 @@ STAGES = {
     " prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list masked narrow raster triangle walk"
+    " fill_texture hidden layout line list narrow raster triangle walk"
     " walk_list",
     "pixels": "band bands beside blend_row combine_rows coverage cut fill level luminance"
     " luminance_depth made mix narrow_rows read rows samplers spans_565 spans_8888 tests"

@@ -7,7 +7,7 @@
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
-/* narrow.S and masked.S */
+/* narrow.S */
 static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3,
 	"the flags are the bytes of one word");
 static_assert(offsetof(struct setup, fast_setup) ==

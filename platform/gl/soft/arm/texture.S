@@ -3,12 +3,24 @@
  * struct band. A pixel costs 20 instructions, 6 where it is hidden.
  */
 #include "platform/gl/soft/arm/offsets.h"
-#include "platform/gl/soft/arm/blend_565.h"
 
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
+
+/*
+ * The pixel in \wide's lower half, whose upper half is 0, becomes one mixed as
+ * pixel.h mixes wide ones: \fraction of it, in 32nds, and \own, which is the rest
+ * and WIDE_ROUND. \mask is WIDE_MASK.
+ */
+	.macro	mix_wide wide, fraction, own, mask
+	orr	\wide, \wide, \wide, lsl #16
+	and	\wide, \wide, \mask
+	mla	\wide, \fraction, \wide, \own
+	and	\wide, \mask, \wide, lsr #5
+	orr	\wide, \wide, \wide, lsr #16
+	.endm
 
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,

@@ -111,14 +111,10 @@ struct textured {
 };
 
 /*
- * Rows in one colour without a depth test, opaque or blended, where the stencil
- * has a reference value, which becomes another. fill_flat.c draws them.
+ * What fill_flat.c draws without a depth test, opaque or blended, where the
+ * stencil has a reference value, which becomes another.
  */
-struct flat_band {
-	uint8_t *pixels, *stencil; /* of column 0 */
-	ptrdiff_t stride_bytes, stencil_stride;
-	struct band_edges edges;
-	int from, to;            /* columns that may be drawn */
+struct flat_color {
 	uint8_t reference, next; /* what the stencil has, and gets */
 	/* (picture keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;

@@ -3,8 +3,12 @@
  * where a stencil lets each pixel through once.
  */
 #include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/mix.h"
-#include "platform/gl/soft/raster/raster.h"
+
+enum {
+	WIDE_ROW = 16, /* pixels from which on four are looked at at once */
+};
 
 static uint8_t next_stencil(const struct stencil *stencil)
 {
@@ -15,7 +19,6 @@ static uint8_t next_stencil(const struct stencil *stencil)
 
 void soft_fill_flat_begin(struct draw *draw)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
 	/* Where all of a call has one colour, no vertex is shaded. */
 	const GLfixed *color = draw->soft->arrays.current_color;
@@ -24,11 +27,7 @@ void soft_fill_flat_begin(struct draw *draw)
 	uint32_t alpha =
 		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
 
-	draw->flat = (struct flat_band){
-		.stride_bytes = buffers->target.stride_bytes,
-		.stencil_stride = buffers->width,
-		.from = draw->box.left,
-		.to = draw->box.right,
+	draw->flat = (struct flat_color){
 		.reference = stencil->reference,
 		.next = next_stencil(stencil),
 		.keep = 32 - alpha,
@@ -36,82 +35,133 @@ void soft_fill_flat_begin(struct draw *draw)
 	};
 }
 
-static ALWAYS_INLINE void draw_pixel(const struct flat_band *band, int x)
+static ALWAYS_INLINE void draw_pixel(
+	uint8_t *stencil, uint16_t *pixel, const struct flat_color *color)
 {
-	uint16_t *pixel = (uint16_t *)(void *)band->pixels + x;
-
-	if (band->stencil[x] == band->reference) {
-		band->stencil[x] = band->next;
-		*pixel = narrow((widen(*pixel) * band->keep + band->own) >> 5 &
+	if (*stencil == color->reference) {
+		*stencil = color->next;
+		*pixel = narrow((widen(*pixel) * color->keep + color->own) >> 5 &
 			WIDE_MASK);
 	}
 }
 
-static ALWAYS_INLINE void draw_four(const struct flat_band *band, int x)
+/* Pixels as long as there are four, whose stencils are looked at at once. */
+static NEVER_INLINE int draw_fours(uint8_t *stencil, uint16_t *pixel, int count,
+	const struct flat_color *color)
 {
-	uint16_t *pixel = (uint16_t *)(void *)band->pixels + x;
+	const uint32_t all = color->reference * 0x01010101u;
+	const uint32_t next = color->next * 0x01010101u;
+	int x = 0;
 
-	for (int i = 0; i < 4; i += 2) {
-		soft_store_two(pixel + i,
-			soft_keep_two(soft_load_two(pixel + i), band->keep,
-				band->own, band->own));
-	}
-}
-
-static void draw_row(const struct flat_band *band, int left, int right)
-{
-	/* A copy: what is written may be bytes of any object. */
-	const struct flat_band row = *band;
-	const uint32_t all = row.reference * 0x01010101u;
-	const uint32_t next = row.next * 0x01010101u;
-	int x = left;
-
-	while (right - x >= 4) {
-		uint32_t four = load_32(row.stencil + x);
+	for (; count - x >= 4; x += 4) {
+		uint32_t four = load_32(stencil + x);
 
 		if (four == all) {
-			memcpy(row.stencil + x, &next, sizeof(next));
-			draw_four(&row, x);
+			memcpy(stencil + x, &next, sizeof(next));
+			for (int i = x; i < x + 4; i += 2) {
+				soft_store_two(pixel + i,
+					soft_keep_two(soft_load_two(pixel + i),
+						color->keep, color->own,
+						color->own));
+			}
 		} else if (four != next) {
-			for (int i = 0; i < 4; i++) {
-				draw_pixel(&row, x + i);
+			for (int i = x; i < x + 4; i++) {
+				draw_pixel(stencil + i, pixel + i, color);
 			}
 		}
-		x += 4;
 	}
-	for (; x < right; x++) {
-		draw_pixel(&row, x);
-	}
+	return x;
 }
 
-static void draw_band(void *flat_band)
+/* Rows between two edges, and the row under way. */
+struct part {
+	const struct draw *draw;
+	uint8_t *pixels, *stencil; /* of column 0 */
+	ptrdiff_t stride_bytes, stencil_stride;
+	struct band_edges edges;
+};
+
+static ALWAYS_INLINE void draw_rows(struct part *part, bool inside)
 {
-	struct flat_band *band = flat_band;
+	const struct draw *draw = part->draw;
+	const struct clip_box *box = &draw->box;
+	const struct flat_color color = draw->flat;
+	uint32_t left = part->edges.at[BAND_LEFT];
+	uint32_t right = part->edges.at[BAND_RIGHT];
+	uint8_t *stencil = part->stencil, *pixels = part->pixels;
 
-	for (; band->edges.rows > 0; band_next_row(&band->edges)) {
-		int left = band_column(&band->edges, BAND_LEFT);
-		int right = band_column(&band->edges, BAND_RIGHT);
+	for (int rows = part->edges.rows; rows > 0; rows--) {
+		int x = (int32_t)left >> 16, end = (int32_t)right >> 16;
+		uint16_t *pixel = (uint16_t *)(void *)pixels;
 
-		draw_row(band, left > band->from ? left : band->from,
-			right < band->to ? right : band->to);
-		band->pixels += band->stride_bytes;
-		band->stencil += band->stencil_stride;
+		if (!inside) {
+			x = x > box->left ? x : box->left;
+			end = end < box->right ? end : box->right;
+		}
+		if (end - x >= WIDE_ROW) {
+			x += draw_fours(
+				stencil + x, pixel + x, end - x, &draw->flat);
+		}
+		for (; x < end; x++) {
+			draw_pixel(stencil + x, pixel + x, &color);
+		}
+		left += part->edges.step[BAND_LEFT];
+		right += part->edges.step[BAND_RIGHT];
+		stencil += part->stencil_stride;
+		pixels += part->stride_bytes;
 	}
+	part->edges.at[BAND_LEFT] = left;
+	part->edges.at[BAND_RIGHT] = right;
+	part->stencil = stencil;
+	part->pixels = pixels;
+}
+
+static void draw_inside(void *part)
+{
+	draw_rows(part, true);
+}
+
+static void draw_clipped(void *part)
+{
+	draw_rows(part, false);
+}
+
+static ALWAYS_INLINE void begin(
+	const struct draw *draw, int top, struct part *part)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+
+	part->draw = draw;
+	part->stride_bytes = buffers->target.stride_bytes;
+	part->stencil_stride = buffers->width;
+	part->pixels = buffers->target.data + top * part->stride_bytes;
+	part->stencil = buffers->stencil + top * part->stencil_stride;
+}
+
+static NEVER_INLINE void fill_clipped(
+	const struct draw *draw, const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	struct part part;
+	/* The long edge is left of the middle vertex or right of it. */
+	const bool middle_left =
+		(int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
+		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+
+	begin(draw, raster_first_row(draw, setup), &part);
+	raster_draw_bands(
+		draw, setup, middle_left, &part.edges, draw_clipped, &part);
 }
 
 void soft_fill_flat(struct draw *draw, struct setup *setup)
 {
-	const struct buffers *buffers = &draw->soft->buffers;
-	const struct vertex *const *v = setup->v;
-	struct flat_band *band = &draw->flat;
-	int top = raster_first_row(draw, setup);
-	/* The long edge is left of the middle vertex or right of it. */
-	bool middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
-		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+	struct part part;
 
-	band->pixels = buffers->target.data +
-		(ptrdiff_t)top * buffers->target.stride_bytes;
-	band->stencil = buffers->stencil + top * buffers->width;
-	raster_draw_bands(
-		draw, setup, middle_left, &band->edges, draw_band, band);
+	if (!setup->inside || setup->wide) {
+		fill_clipped(draw, setup);
+		return;
+	}
+	begin(draw, setup->top, &part);
+	frame_draw_bands(draw, setup, frame_is_middle_left(setup), &part.edges,
+		draw_inside, &part);
 }

@@ -295,7 +295,7 @@ static ALWAYS_INLINE bool fill(
 		return false;
 	}
 	set_rows(draw, &small, &band);
-	frame_draw_bands(draw, setup, &small.frame, &band.edges,
+	frame_draw_bands(draw, setup, small.frame.middle_left, &band.edges,
 		linear ? draw_tinted : draw_gray, &band);
 	return true;
 }

@@ -25,7 +25,7 @@ static const struct soft_path path[] = {
 	{
 		.mask = FLAT | KEY_STENCIL_ONCE,
 		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_ONCE,
-		.fill = soft_fill_masked,
+		.fill = soft_fill_flat,
 		.begin = soft_fill_flat_begin,
 		.one_color = true,
 	},

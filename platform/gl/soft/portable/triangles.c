@@ -14,11 +14,6 @@ void soft_fill_narrow(struct draw *draw, struct setup *setup)
 	soft_fill_narrow_c(draw, setup);
 }
 
-void soft_fill_masked(struct draw *draw, struct setup *setup)
-{
-	soft_fill_flat(draw, setup);
-}
-
 void soft_band_gray(struct band *band)
 {
 	soft_band_gray_c(band);

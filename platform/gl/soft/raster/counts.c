@@ -38,7 +38,7 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 {
 	fill_function fill = draw->counted_fill;
 
-	if (fill == soft_fill_flat || fill == soft_fill_masked) {
+	if (fill == soft_fill_flat) {
 		return GL_WORK_FLAT;
 	}
 	if (fill == soft_rows_fill && draw->spans.whole_rows) {

@@ -39,16 +39,22 @@ static ALWAYS_INLINE struct frame frame_begin(
 	return frame;
 }
 
+/* Of a small triangle: whether its long edge is right of the middle vertex. */
+static ALWAYS_INLINE bool frame_is_middle_left(const struct setup *setup)
+{
+	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+
+	return (b->x - a->x) * (c->y - a->y) < (c->x - a->x) * (b->y - a->y);
+}
+
 /* Of a small triangle. */
 static ALWAYS_INLINE struct frame frame_find(const struct setup *setup)
 {
-	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	uint32_t area = (uint32_t)setup->area;
 	int zeros = LEADING_ZEROS_32(area);
 
 	return frame_begin(setup, area < 256 ? 0 : reciprocal(area << zeros),
-		zeros,
-		(b->x - a->x) * (c->y - a->y) < (c->x - a->x) * (b->y - a->y));
+		zeros, frame_is_middle_left(setup));
 }
 
 /* What a value changes by to the right, times the area. */
@@ -136,11 +142,11 @@ static ALWAYS_INLINE void frame_set_edge(
 
 /* raster_draw_bands() of a triangle that is all in the box. */
 static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame,
-	struct band_edges *edges, void (*function)(void *band), void *band)
+	const struct setup *setup, bool middle_left, struct band_edges *edges,
+	void (*function)(void *band), void *band)
 {
 	const struct vertex *const *v = setup->v;
-	const int part = frame->middle_left ? BAND_LEFT : BAND_RIGHT;
+	const int part = middle_left ? BAND_LEFT : BAND_RIGHT;
 	const int upper = setup->middle - setup->top;
 	const int lower = setup->bottom - setup->middle;
 

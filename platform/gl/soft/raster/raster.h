@@ -22,8 +22,7 @@ enum {
 
 /*
  * A triangle on its way to the rows: its vertices by y, those of one row by x,
- * and its rows. Offsets on ARM are known to arm/narrow.S and
- * arm/masked.S.
+ * and its rows. Offsets on ARM are known to arm/narrow.S.
  */
 struct setup {
 	const struct vertex *v[3]; /* 0 */
@@ -277,8 +276,6 @@ bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 /* fill_flat.c: see there; begin is called once a draw call. */
 void soft_fill_flat_begin(struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
-/* arm/masked.S or portable/triangles.c: the same. */
-void soft_fill_masked(struct draw *draw, struct setup *setup);
 
 /*
  * fill_glyph.c: two triangles, v[0] v[1] v[2] and

@@ -192,9 +192,6 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.attributes = flat ? 0 : draw->attributes,
 		.perspective = draw->perspective,
 		.back_flip = draw->front_is_ccw,
-		.flat = &draw->flat,
-		.stencil = buffers->stencil,
-		.stencil_stride = (uint32_t)buffers->width,
 	};
 	/* Nothing is inside of an empty box. */
 	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;

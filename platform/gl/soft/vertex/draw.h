@@ -212,7 +212,7 @@ typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
 /*
  * What rejects triangles, and sets small ones up, in one place. Offsets are
- * known to arm/narrow.S and arm/masked.S.
+ * known to arm/narrow.S.
  */
 struct fast_setup {
 	fill_function fill;      /* 0 */
@@ -231,9 +231,6 @@ struct fast_setup {
 	uint32_t attributes;    /* 44: 0 where no vertex is shaded */
 	uint32_t perspective;   /* 48 */
 	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
-	const struct flat_band *flat; /* 56: draw->flat */
-	_Alignas(8) uint8_t *stencil; /* 64: of column and row 0 */
-	uint32_t stencil_stride;      /* 68 */
 };
 
 struct draw {
@@ -266,9 +263,9 @@ struct draw {
 	bool smooth; /* points or lines with soft edges */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
-	fill_function fill; /* lists call that of fast_setup */
-	bool thin_lines;    /* raster/thin_line.c draws lines */
-	struct flat_band flat;
+	fill_function fill;       /* lists call that of fast_setup */
+	bool thin_lines;          /* raster/thin_line.c draws lines */
+	struct flat_color flat;   /* for soft_fill_flat() */
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
 	uint32_t key;             /* see key.h */

@@ -113,19 +113,6 @@ static void test_narrow_triangles_are_as_in_c(void **state)
 	});
 }
 
-static void test_shadows_are_as_in_c(void **state)
-{
-	(void)state;
-	twins_need_assembly();
-	check_fills(&(struct fills){
-		.slow = soft_fill_flat,
-		.fast_setup = soft_fill_masked,
-		.kind = FAST_SHADOW,
-		.rounds = 200,
-		.exact = true,
-	});
-}
-
 /*
  * Slivers whose edges round to a centre outside of them may get any depth
  * there: one in 30,000 of these triangles does, none of the first 15,000.
@@ -145,7 +132,6 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_narrow_triangles_are_as_in_c),
-		cmocka_unit_test(test_shadows_are_as_in_c),
 		cmocka_unit_test(test_narrow_triangles_are_those_of_the_long_way),
 	};
 

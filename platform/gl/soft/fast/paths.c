@@ -1,8 +1,16 @@
 /* The table of paths, and the choice of one for a draw call. */
-#include "platform/gl/soft/fast/paths.h"
-
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/vertex/key.h"
+
+/* Which way triangles of a draw call go: one of fast/, or the template's. */
+struct path {
+	/* It takes a key of which the bits of mask are these. */
+	uint32_t mask, bits;
+	fill_function fill;
+	void (*begin)(struct draw *draw); /* once a draw call, or NULL */
+	bool one_color; /* no vertex is shaded: all of a call has one colour */
+	bool divides;   /* of struct draw */
+	bool rectangles;
+};
 
 enum {
 	/* What no path has a stage for. */
@@ -21,7 +29,7 @@ enum {
 };
 
 /* The first that takes a key; the last one takes every key. */
-static const struct soft_path path[] = {
+static const struct path path[] = {
 	{
 		.mask = FLAT | KEY_STENCIL_ONCE,
 		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_ONCE,
@@ -70,17 +78,24 @@ static const struct soft_path path[] = {
 	},
 };
 
-const struct soft_path *soft_choose_path(struct draw *draw)
+void soft_choose_path(struct draw *draw)
 {
-	const struct soft_path *last = &path[ARRAY_COUNT(path) - 1];
-	const struct soft_path *chosen = path;
+	const struct path *chosen = path;
 
 	draw->key = soft_find_key(draw);
 	if (draw->soft->fill || draw->smooth || draw->thin_lines) {
-		return last;
+		chosen = &path[ARRAY_COUNT(path) - 1];
 	}
 	while ((draw->key & chosen->mask) != chosen->bits) {
 		chosen++;
 	}
-	return chosen;
+	draw->fill = draw->soft->fill ? draw->soft->fill : chosen->fill;
+	draw->divides = chosen->divides;
+	draw->rectangles = chosen->rectangles;
+	if (chosen->one_color) {
+		draw->attributes = 0;
+	}
+	if (chosen->begin) {
+		chosen->begin(draw);
+	}
 }

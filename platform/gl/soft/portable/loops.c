@@ -20,5 +20,5 @@ void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
 uint32_t soft_largest_aligned_float(
 	const uint8_t *at, int stride_bytes, uint32_t count)
 {
-	return soft_largest_float(at, stride_bytes, count);
+	return soft_largest_float(at, stride_bytes, count, 3);
 }

@@ -79,52 +79,28 @@ static int64_t find_area(
 		(int64_t)(c->x - a->x) * (b->y - a->y);
 }
 
-/* Twice the area, which is not 0, positive where it is clockwise. */
-static void fill(struct draw *draw, struct vertex *const v[3], int64_t area,
-	struct setup *setup)
+void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 {
-	setup->v[0] = v[0];
-	setup->v[1] = v[1];
-	setup->v[2] = v[2];
-	order_all(setup->v);
-	if (!find_extent(draw, setup)) {
+	struct setup setup = {.v = {v[0], v[1], v[2]}};
+	int64_t area = find_area(v[0], v[1], v[2]);
+	bool clockwise = area > 0; /* y runs downwards here */
+
+	setup.back = clockwise == draw->front_is_ccw;
+	if (area == 0 || is_culled(draw, setup.back)) {
 		return;
 	}
-	pack_corners(draw, setup);
+	order_all(setup.v);
+	if (!find_extent(draw, &setup)) {
+		return;
+	}
+	pack_corners(draw, &setup);
 	for (int i = 0; i < 3; i++) {
 		if (!v[i]->shaded && draw->fast_setup.attributes) {
 			soft_shade(draw, v[i]);
 		}
 	}
-	setup->area = area < 0 ? (uint64_t)-area : (uint64_t)area;
-	draw->fast_setup.fill(draw, setup);
-}
-
-void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
-{
-	struct setup setup;
-	int64_t area = find_area(v[0], v[1], v[2]);
-	bool clockwise = area > 0; /* y runs downwards here */
-
-	setup.back = clockwise == draw->front_is_ccw;
-	if (area != 0 && !is_culled(draw, setup.back)) {
-		fill(draw, v, area, &setup);
-	}
-}
-
-void soft_fill_quad(struct draw *draw, struct vertex v[4])
-{
-	struct vertex *const half[2][3] = {
-		{&v[0], &v[1], &v[2]}, {&v[2], &v[1], &v[3]}};
-
-	for (int i = 0; i < 2; i++) {
-		struct setup setup = {.back = false};
-		int64_t area = find_area(half[i][0], half[i][1], half[i][2]);
-
-		if (area != 0) {
-			fill(draw, half[i], area, &setup);
-		}
-	}
+	setup.area = area < 0 ? (uint64_t)-area : (uint64_t)area;
+	draw->fast_setup.fill(draw, &setup);
 }
 
 static bool is_packed(const struct draw *draw)

@@ -69,17 +69,17 @@ static int32_t load_value(const struct element *from, int i, float scale)
 	}
 }
 
-/* As soft_largest_float(), of two each. */
-static uint32_t largest_float_of_pairs(
-	const uint8_t *at, int stride_bytes, uint32_t count)
+uint32_t soft_largest_float(
+	const uint8_t *at, int stride_bytes, uint32_t count, int size)
 {
 	uint32_t most = 0;
 
 	for (; count > 0; count--, at += stride_bytes) {
-		uint32_t x = load_32(at) << 1, y = load_32(at + 4) << 1;
+		for (int i = 0; i < size; i++) {
+			uint32_t own = load_32(at + 4 * i) << 1;
 
-		most = x > most ? x : most;
-		most = y > most ? y : most;
+			most = own > most ? own : most;
+		}
 	}
 	return most;
 }
@@ -95,9 +95,10 @@ int soft_array_position_exponent(
 	if (array->type != GL_FLOAT) {
 		return array->type == GL_BYTE ? 7 : 15;
 	}
-	most = array->size < 3 ? largest_float_of_pairs(at, stride_bytes, count)
-		: aligned ? soft_largest_aligned_float(at, stride_bytes, count)
-			  : soft_largest_float(at, stride_bytes, count);
+	most = aligned && array->size >= 3
+		? soft_largest_aligned_float(at, stride_bytes, count)
+		: soft_largest_float(at, stride_bytes, count,
+			  array->size < 3 ? array->size : 3);
 	return (int)(most >> 24) - 127;
 }
 

@@ -269,10 +269,10 @@ struct draw {
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
 	uint32_t key;             /* see key.h */
-	bool divides, rectangles; /* see struct soft_path */
+	bool divides;    /* never bends: levels of detail change by row */
+	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;
-	int attribute[ATTRIBUTES], attribute_count; /* those in use */
-	struct vertex *provoking;                   /* whose colour is flat */
+	struct vertex *provoking;      /* whose colour is flat */
 	struct vertex flat_corners[3]; /* of the triangle that is drawn */
 	/*
 	 * NULL, or a rectangle is drawn as a triangle of its left, its right
@@ -343,11 +343,12 @@ void soft_array_color_q16(
 void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
 /*
- * The largest of count times three floats, as bits without their sign, shifted
- * to the left by one.
+ * The largest of count times so many floats, as bits without their sign,
+ * shifted to the left by one.
  */
-uint32_t soft_largest_float(const uint8_t *at, int stride_bytes, uint32_t count);
-/* arm/largest_float.S or portable/loops.c: of aligned ones. */
+uint32_t soft_largest_float(
+	const uint8_t *at, int stride_bytes, uint32_t count, int size);
+/* arm/largest_float.S or portable/loops.c: of three aligned ones each. */
 uint32_t soft_largest_aligned_float(
 	const uint8_t *at, int stride_bytes, uint32_t count);
 /* The exponent of the largest coordinate of these positions, within 1. */
@@ -376,6 +377,12 @@ void soft_count_call(
 /* Counts pixels that finer tiles drew; soft->counts is set. */
 void soft_count_fine(const struct draw *draw, int pixels);
 
+/*
+ * fast/paths.c: draw->key and the first path that takes it, of which draw->fill
+ * and what else it needs are.
+ */
+void soft_choose_path(struct draw *draw);
+
 /* triangle.c: draw->fast_setup, once a call, after all else. */
 void soft_prepare_fast_setup(struct draw *draw);
 
@@ -384,12 +391,6 @@ void soft_prepare_fast_setup(struct draw *draw);
  * it is known that they are seen.
  */
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
-
-/*
- * triangle.c: two triangles v[0] v[1] v[2] and v[2] v[1] v[3], which are shaded
- * and have no other side: points and lines.
- */
-void soft_fill_quad(struct draw *draw, struct vertex v[4]);
 
 /*
  * thin_line.c: whether lines of a prepared call are one pixel wide and without a

@@ -35,7 +35,10 @@ static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 		corner[i].y +=
 			off.y + (i % 2 ? along.y : 0) + (i / 2 ? across.y : 0);
 	}
-	soft_fill_quad(draw, corner);
+	soft_fill_triangle(
+		draw, (struct vertex *[]){&corner[0], &corner[1], &corner[2]});
+	soft_fill_triangle(
+		draw, (struct vertex *[]){&corner[2], &corner[1], &corner[3]});
 }
 
 static void fill_square(struct draw *draw, const struct vertex *v,

@@ -1,5 +1,4 @@
 /* What a draw call needs, from the state. */
-#include "platform/gl/soft/fast/paths.h"
 #include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -246,18 +245,19 @@ static void prepare_fragments(
 	const struct fragment_state *state = &soft->fragment;
 	const GLboolean *mask = state->color_mask;
 	bool both = state->cull_face == GL_FRONT_AND_BACK;
+	bool triangles = mode > GL_LINE_STRIP;
+	bool cull = state->cull && triangles;
 
-	draw->offset = mode > GL_LINE_STRIP && state->offset_fill;
-	draw->smooth = mode == GL_POINTS
-		? state->point_smooth
-		: mode <= GL_LINE_STRIP && state->line_smooth;
+	draw->offset = triangles && state->offset_fill;
+	draw->smooth = mode == GL_POINTS ? state->point_smooth
+					 : !triangles && state->line_smooth;
 	draw->hides = state->depth_test && !state->stencil.enabled &&
 		!draw->offset &&
 		(state->depth_function == GL_LESS ||
 			state->depth_function == GL_LEQUAL);
 	draw->front_is_ccw = state->front_face == GL_CCW;
-	draw->cull_front = state->cull && (both || state->cull_face == GL_FRONT);
-	draw->cull_back = state->cull && (both || state->cull_face == GL_BACK);
+	draw->cull_front = cull && (both || state->cull_face == GL_FRONT);
+	draw->cull_back = cull && (both || state->cull_face == GL_BACK);
 	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
 	draw->early_tests = !state->alpha_test;
 	draw->blended = reads_destination(state);
@@ -282,16 +282,6 @@ static uint32_t choose_attributes(const struct draw *draw)
 	return mask;
 }
 
-static void list_attributes(struct draw *draw)
-{
-	draw->attribute_count = 0;
-	for (int i = 0; i < ATTRIBUTES; i++) {
-		if (draw->attributes >> i & 1) {
-			draw->attribute[draw->attribute_count++] = i;
-		}
-	}
-}
-
 void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
@@ -310,8 +300,6 @@ void soft_init_scratch(struct draw *draw)
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count)
 {
-	const struct soft_path *path;
-
 	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
 		return false;
 	}
@@ -328,6 +316,8 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);
 	soft_prepare_shading(soft, draw);
+	/* Points and lines have one side. */
+	draw->shading.two_side &= mode > GL_LINE_STRIP;
 	draw->shade_more = draw->fogged || draw->texture[0].used;
 	if (draw->eye_needed || draw->fogged) {
 		prepare_eye(soft, draw);
@@ -339,18 +329,8 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
-	list_attributes(draw);
 	draw->thin_lines = soft_lines_are_thin(draw, mode);
-	path = soft_choose_path(draw);
-	draw->fill = soft->fill ? soft->fill : path->fill;
-	draw->divides = path->divides;
-	draw->rectangles = path->rectangles;
-	if (path->one_color) {
-		draw->attributes = 0;
-	}
+	soft_choose_path(draw);
 	soft_prepare_fast_setup(draw);
-	if (path->begin) {
-		path->begin(draw);
-	}
 	return true;
 }

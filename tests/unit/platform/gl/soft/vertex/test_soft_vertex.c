@@ -210,7 +210,7 @@ static void test_the_largest_float_is_found(void **state)
 			position[i / 4][i % 4] =
 				(float)random_within(&seed, 1 << (i % 24));
 		}
-		found = soft_largest_float(at, stride, count);
+		found = soft_largest_float(at, stride, count, 3);
 		for (uint32_t i = 0; i < 3 * count; i++) {
 			uint32_t bits;
 

@@ -1,7 +1,7 @@
 /*
  * Lists of triangles by 16-bit indices, for ARMv6: finds, culls and sets up a
  * triangle in one loop as long as all of its vertices are in the cache and on the
- * screen. portable/triangles.c draws the same one by one. Offsets are those of
+ * screen. portable/loops.c draws the same one by one. Offsets are those of
  * struct fast_setup, struct setup, struct vertex, struct cache_tag, struct source.
  *
  * A triangle that is culled costs 21 instructions, one that covers no centre 34,
@@ -269,17 +269,6 @@ soft_list:
 	ldr	r2, [sp, #INDEX]
 	b	.Lshaded
 
-	/* partly outside of the box, or large */
-.Lother:
-	str	r2, [sp, #INDEX]
-	ldr	r0, [sp, #DRAW]
-	mov	r1, r3, lsr #3
-	mov	r2, r12, lsr #3
-	mov	r3, lr, lsr #3
-	bl	soft_draw_slots
-	ldr	r2, [sp, #INDEX]
-	ldr	pc, [sp, #HEAD]
-
 	/* one is not there */
 .Lload:
 	str	r2, [sp, #INDEX]
@@ -295,6 +284,10 @@ soft_list:
 	ldr	r2, [sp, #INDEX]
 	ldr	r0, [sp, #HEAD]
 	add	pc, r0, #FOUND
+
+	/* partly outside of the box, or large */
+.Lother:
+	str	r2, [sp, #INDEX]
 
 	/* one lies outside of the clip volume, or two share a slot */
 .Lapart:

@@ -36,9 +36,11 @@ bool soft_is_one_color(const uint16_t *pixel, int count)
 	const uint64_t four = twice_565(*pixel) * (UINT64_C(1) << 32 | 1);
 
 	at += (uintptr_t)at / sizeof(*at) % 2;
-	for (; end - at >= 8; at += 8) {
+	for (; end - at >= 16; at += 16) {
 		if (load_two_words(at) != four ||
-			load_two_words(at + 4) != four) {
+			load_two_words(at + 4) != four ||
+			load_two_words(at + 8) != four ||
+			load_two_words(at + 12) != four) {
 			return false;
 		}
 	}

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "platform/gl/soft/fast/tiles.h"
+#include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/state/parameter.h"
 
 struct texture soft_new_texture(GLuint name)
@@ -171,15 +172,7 @@ static bool choose_transfer(const struct soft *soft, GLenum format, GLenum type,
 
 static int kept_bytes(enum texel_format format)
 {
-	switch (format) {
-	case TEXEL_8888:
-		return 4;
-	case TEXEL_L8:
-	case TEXEL_A8:
-		return 1;
-	default:
-		return 2;
-	}
+	return 1 << soft_texel_bytes_log2(format);
 }
 
 /* One row of texels into the kept format. */

@@ -32,14 +32,17 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c)
 {
 	struct vertex *v[3];
+	unsigned out;
 
 	soft_find_vertices(draw, source, (uint32_t[]){a, b, c}, 3, v);
-	draw_transformed(draw, v);
-}
-
-void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c)
-{
-	draw_transformed(draw,
-		(struct vertex *[]){
-			draw->cache + a, draw->cache + b, draw->cache + c});
+	if (v[0]->outcode & v[1]->outcode & v[2]->outcode) {
+		return;
+	}
+	out = v[0]->outcode | v[1]->outcode | v[2]->outcode;
+	draw->provoking = v[2];
+	if (out) {
+		soft_clip_triangle(draw, v);
+	} else {
+		soft_fill_triangle(draw, v);
+	}
 }

@@ -65,36 +65,15 @@ static inline struct vertex *find_vertex(
 void soft_find_vertices(struct draw *draw, const struct source *source,
 	const uint32_t *at, int count, struct vertex **out);
 
-/* cache.c: the triangle of these three of a source's vertices. */
+/* cache.c: the triangle of three of a source's vertices, where it is seen. */
 void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
-/* cache.c: the triangle of the vertices in these slots. */
-void soft_draw_slots(struct draw *draw, uint32_t a, uint32_t b, uint32_t c);
-
 /*
- * arm/list.S or portable/triangles.c: triangles by 16-bit indices at an even
+ * arm/list.S or portable/loops.c: triangles by 16-bit indices at an even
  * address, while draw->packed; does what soft_draw_triangle() does, in assembly
  * faster.
  */
 void soft_list(struct draw *draw, const struct source *source);
-
-/* A triangle of transformed vertices, as far as it is in the clip volume. */
-static ALWAYS_INLINE void draw_transformed(
-	struct draw *draw, struct vertex *const v[3])
-{
-	unsigned out;
-
-	if (v[0]->outcode & v[1]->outcode & v[2]->outcode) {
-		return;
-	}
-	out = v[0]->outcode | v[1]->outcode | v[2]->outcode;
-	draw->provoking = v[2];
-	if (out) {
-		soft_clip_triangle(draw, v);
-	} else {
-		soft_fill_triangle(draw, v);
-	}
-}
 
 #endif

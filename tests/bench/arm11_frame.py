@@ -21,7 +21,7 @@ STAGES = {
     " fill_texture hidden layout line list narrow raster triangle walk"
     " walk_list",
     "pixels": "band bands beside blend_row combine_rows coverage cut fill level luminance"
-    " luminance_depth made mix narrow_rows read rows samplers spans_565 spans_8888 tests"
+    " made mix narrow_rows read rows samplers spans_565 spans_8888 tests"
     " texture tile_row thin_line tiles tint untested",
     "clear": "clear",
 }

@@ -212,40 +212,6 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 	}
 }
 
-/* To where so many pixels of it are over. */
-static void move_on(struct tiled *tiled, int pixels)
-{
-	uint32_t n = (uint32_t)pixels;
-	int each = tiled->from_fine == 2 ? 2 : 1;
-
-	tiled->pixel += pixels;
-	tiled->run.s += (uint32_t)(tiled->run.s_right / each) * n;
-	tiled->run.t += (uint32_t)(tiled->run.t_right / each) * n;
-	tiled->alpha += (uint32_t)tiled->alpha_right * n;
-	tiled->share += (uint32_t)tiled->share_right * n;
-}
-
-/* The parts of a run that are nearer than what is there. */
-static NEVER_INLINE void draw_tested(struct draw *draw,
-	const struct soft_run *run, const struct soft_row *row)
-{
-	struct tiled *tiled = &draw->tiled;
-	uint16_t *depth = row->depth;
-	uint32_t z = row->z;
-	int passed;
-
-	for (int left = (int)row->count; left > 0; left -= passed + 1) {
-		passed = soft_luminance_test_depth(depth, left, z, run->z_right);
-		tiled->run.count = passed;
-		if (passed > 0) {
-			draw_visible(draw);
-		}
-		depth += passed + 1;
-		z += run->z_right * (uint32_t)(passed + 1);
-		move_on(tiled, passed + 1);
-	}
-}
-
 /* Of 255 parts into 256, 8.8; the half that planes have rounds. */
 static int32_t to_share(int32_t color_q8)
 {
@@ -303,6 +269,37 @@ static ALWAYS_INLINE void set_texels(
 	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
 }
 
+/*
+ * The same depth for all pixels of a row if rounding alone makes them differ,
+ * as in level planes.
+ */
+static void write_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
+{
+	if ((uint64_t)raster_size((int32_t)z_right) * (uint32_t)count < 1 << 16) {
+		z += (uint32_t)((int32_t)z_right * count / 2);
+		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
+		return;
+	}
+	if ((uintptr_t)depth % sizeof(uint32_t) != 0) {
+		*depth++ = (uint16_t)(z >> 16);
+		z += z_right;
+		count--;
+	}
+	/* Four words a turn, as the loop's own work counts. */
+	for (; count >= 8; count -= 8) {
+		for (int i = 0; i < 4; i++, depth += 2) {
+			uint32_t next = z + z_right;
+
+			soft_store_two(depth, UPPER_HALVES(next, z));
+			z = next + z_right;
+		}
+	}
+	for (; count > 0; count--) {
+		*depth++ = (uint16_t)(z >> 16);
+		z += z_right;
+	}
+}
+
 static ALWAYS_INLINE void draw_row(
 	const struct soft_run *run, const struct soft_row *row)
 {
@@ -320,13 +317,8 @@ static ALWAYS_INLINE void draw_row(
 		tiled->share = (uint32_t)to_share(row->red_blue & 0xFFFF);
 		tiled->share_right = to_share((int16_t)run->red_blue_right);
 	}
-	if (draw->key & KEY_DEPTH_LESS) {
-		draw_tested(draw, run, row);
-		return;
-	}
 	if (draw->spans.depth_written) {
-		soft_luminance_write_depth(
-			row->depth, tiled->run.count, row->z, run->z_right);
+		write_depth(row->depth, tiled->run.count, row->z, run->z_right);
 	}
 	draw_visible(draw);
 }
@@ -378,35 +370,27 @@ static bool is_same_plane(const struct plane *a, const struct plane *b)
 	return a->start == b->start && a->dx == b->dx && a->dy == b->dy;
 }
 
-/* Whether red, green and blue are the same all over. */
+/* Whether red, green and blue move, and are the same all over. */
 static bool is_gray(const struct raster *raster)
 {
 	const uint32_t colors = 7u << RED;
 	const struct plane *plane = raster->plane;
-	const uint32_t *still = raster->span.value;
 
-	if ((raster->moving_bits & colors) == 0) {
-		return still[RED] == still[GREEN] && still[RED] == still[BLUE];
-	}
 	return (raster->moving_bits & colors) == colors &&
 		is_same_plane(&plane[RED], &plane[GREEN]) &&
 		is_same_plane(&plane[RED], &plane[BLUE]);
 }
 
-/*
- * Whether the triangle is taken: in one colour, or in gray. Of gray ones that
- * are tested each has another, for which a table each would take too long.
- */
+/* Whether the triangle is taken: in one colour, or in gray. */
 static bool begin(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
 	bool still = (raster->moving_bits & 7u << RED) == 0;
-	bool gray = is_gray(raster);
 
-	if (!still && !gray) {
+	if (!still && !is_gray(raster)) {
 		return false;
 	}
-	draw->tiled.by_share = !still || (gray && draw->key & KEY_DEPTH_LESS);
+	draw->tiled.by_share = !still;
 	if (!draw->tiled.by_share &&
 		memcmp(raster->span.value, draw->shade_color,
 			sizeof(draw->shade_color)) != 0) {

@@ -68,12 +68,6 @@ static const struct path path[] = {
 		.divides = true,
 	},
 	{
-		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_LESS,
-		.bits = KEY_565 | TILES | KEY_DEPTH_LESS,
-		.fill = soft_fill_luminance,
-		.divides = true,
-	},
-	{
 		.fill = soft_rows_fill,
 	},
 };

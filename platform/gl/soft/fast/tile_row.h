@@ -1,7 +1,7 @@
 /*
  * Rows of large triangles with a luminance texture that repeats, in one colour
  * or in shades of gray that vary, opaque or blended by alpha, into RGB565.
- * Depth is tested LESS, or not at all.
+ * Depth is not tested.
  *
  * The four texels around a centre lie in one word (tiles.h), and pixels in a
  * patch of equal texels are found at once. Tables have the colours that
@@ -66,16 +66,5 @@ void soft_tile_row(const struct tile_run *run, int by_fine);
 /* luminance.c, once: the tables of luminance and of grays. */
 struct draw;
 void soft_luminance_init(struct draw *draw);
-
-/*
- * luminance_depth.c: tests depth LESS, and writes it, until one fails; how many
- * passed. z is 16.16.
- */
-int soft_luminance_test_depth(
-	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
-
-/* Writes depth without a test. */
-void soft_luminance_write_depth(
-	uint16_t *depth, int count, uint32_t z, uint32_t z_right);
 
 #endif

@@ -6,10 +6,6 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/mix.h"
 
-enum {
-	WIDE_ROW = 16, /* pixels from which on four are looked at at once */
-};
-
 static uint8_t next_stencil(const struct stencil *stencil)
 {
 	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
@@ -45,34 +41,6 @@ static ALWAYS_INLINE void draw_pixel(
 	}
 }
 
-/* Pixels as long as there are four, whose stencils are looked at at once. */
-static NEVER_INLINE int draw_fours(uint8_t *stencil, uint16_t *pixel, int count,
-	const struct flat_color *color)
-{
-	const uint32_t all = color->reference * 0x01010101u;
-	const uint32_t next = color->next * 0x01010101u;
-	int x = 0;
-
-	for (; count - x >= 4; x += 4) {
-		uint32_t four = load_32(stencil + x);
-
-		if (four == all) {
-			memcpy(stencil + x, &next, sizeof(next));
-			for (int i = x; i < x + 4; i += 2) {
-				soft_store_two(pixel + i,
-					soft_keep_two(soft_load_two(pixel + i),
-						color->keep, color->own,
-						color->own));
-			}
-		} else if (four != next) {
-			for (int i = x; i < x + 4; i++) {
-				draw_pixel(stencil + i, pixel + i, color);
-			}
-		}
-	}
-	return x;
-}
-
 /* Rows between two edges, and the row under way. */
 struct part {
 	const struct draw *draw;
@@ -81,10 +49,11 @@ struct part {
 	struct band_edges edges;
 };
 
-static ALWAYS_INLINE void draw_rows(struct part *part, bool inside)
+static void draw_rows(void *given)
 {
+	struct part *part = given;
 	const struct draw *draw = part->draw;
-	const struct clip_box *box = &draw->box;
+	const int from = draw->box.left, to = draw->box.right;
 	const struct flat_color color = draw->flat;
 	uint32_t left = part->edges.at[BAND_LEFT];
 	uint32_t right = part->edges.at[BAND_RIGHT];
@@ -94,14 +63,8 @@ static ALWAYS_INLINE void draw_rows(struct part *part, bool inside)
 		int x = (int32_t)left >> 16, end = (int32_t)right >> 16;
 		uint16_t *pixel = (uint16_t *)(void *)pixels;
 
-		if (!inside) {
-			x = x > box->left ? x : box->left;
-			end = end < box->right ? end : box->right;
-		}
-		if (end - x >= WIDE_ROW) {
-			x += draw_fours(
-				stencil + x, pixel + x, end - x, &draw->flat);
-		}
+		x = x > from ? x : from;
+		end = end < to ? end : to;
 		for (; x < end; x++) {
 			draw_pixel(stencil + x, pixel + x, &color);
 		}
@@ -114,16 +77,6 @@ static ALWAYS_INLINE void draw_rows(struct part *part, bool inside)
 	part->edges.at[BAND_RIGHT] = right;
 	part->stencil = stencil;
 	part->pixels = pixels;
-}
-
-static void draw_inside(void *part)
-{
-	draw_rows(part, true);
-}
-
-static void draw_clipped(void *part)
-{
-	draw_rows(part, false);
 }
 
 static ALWAYS_INLINE void begin(
@@ -150,7 +103,7 @@ static NEVER_INLINE void fill_clipped(
 
 	begin(draw, raster_first_row(draw, setup), &part);
 	raster_draw_bands(
-		draw, setup, middle_left, &part.edges, draw_clipped, &part);
+		draw, setup, middle_left, &part.edges, draw_rows, &part);
 }
 
 void soft_fill_flat(struct draw *draw, struct setup *setup)
@@ -163,5 +116,5 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 	}
 	begin(draw, setup->top, &part);
 	frame_draw_bands(draw, setup, frame_is_middle_left(setup), &part.edges,
-		draw_inside, &part);
+		draw_rows, &part);
 }

@@ -13,7 +13,7 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state buffers cache current draw fog_state key"
+    "transform and light": "array array_state buffers cache draw fog_state key"
     " largest_float light light_state matrix number parameter paths prepare"
     " prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",

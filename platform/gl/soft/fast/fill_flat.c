@@ -79,42 +79,27 @@ static void draw_rows(void *given)
 	part->pixels = pixels;
 }
 
-static ALWAYS_INLINE void begin(
-	const struct draw *draw, int top, struct part *part)
-{
-	const struct buffers *buffers = &draw->soft->buffers;
-
-	part->draw = draw;
-	part->stride_bytes = buffers->target.stride_bytes;
-	part->stencil_stride = buffers->width;
-	part->pixels = buffers->target.data + top * part->stride_bytes;
-	part->stencil = buffers->stencil + top * part->stencil_stride;
-}
-
-static NEVER_INLINE void fill_clipped(
-	const struct draw *draw, const struct setup *setup)
-{
-	const struct vertex *const *v = setup->v;
-	struct part part;
-	/* The long edge is left of the middle vertex or right of it. */
-	const bool middle_left =
-		(int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
-		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
-
-	begin(draw, raster_first_row(draw, setup), &part);
-	raster_draw_bands(
-		draw, setup, middle_left, &part.edges, draw_rows, &part);
-}
-
 void soft_fill_flat(struct draw *draw, struct setup *setup)
 {
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct vertex *const *v = setup->v;
+	const int top = raster_first_row(draw, setup);
 	struct part part;
+	bool middle_left;
 
-	if (!setup->inside || setup->wide) {
-		fill_clipped(draw, setup);
+	part.draw = draw;
+	part.stride_bytes = buffers->target.stride_bytes;
+	part.stencil_stride = buffers->width;
+	part.pixels = buffers->target.data + top * part.stride_bytes;
+	part.stencil = buffers->stencil + top * part.stencil_stride;
+	if (setup->inside && !setup->wide) {
+		frame_draw_bands(draw, setup, frame_is_middle_left(setup),
+			&part.edges, draw_rows, &part);
 		return;
 	}
-	begin(draw, setup->top, &part);
-	frame_draw_bands(draw, setup, frame_is_middle_left(setup), &part.edges,
-		draw_rows, &part);
+	/* The long edge is left of the middle vertex or right of it. */
+	middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
+		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
+	raster_draw_bands(
+		draw, setup, middle_left, &part.edges, draw_rows, &part);
 }

@@ -1,5 +1,8 @@
 /* Where a model of any size stands in the crowd. */
 #include "app/demo/crowd/crowd_figure.h"
+#include "platform/base/compiler.h"
+#include "platform/base/scalar.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -65,11 +68,164 @@ static void test_a_figure_leans_before_it_turns(void **state)
 	assert_all_near(matrix, expected, 16, 1e-6);
 }
 
+/* The figure of a sloping board with these corners. */
+static struct crowd_figure make_board(const float low[3], const float high[3])
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	const struct demo_env env = {
+		.log = &log, .model_path = "board.glb", .character = "none"};
+	struct model *model = small_model_grid(1, 1, 1, true);
+	struct model_primitive *board = model->mesh[0].primitive;
+	struct actor actor = {.model = model};
+	struct crowd_figure made = {0};
+
+	for (int v = 0; v < board->vertex_count; v++) {
+		float *at = board->position[v];
+
+		at[2] = at[0];
+		for (int axis = 0; axis < 3; axis++) {
+			at[axis] = at[axis] > 0 ? high[axis] : low[axis];
+		}
+	}
+	actor.instance = small_model_instance(model);
+	assert_int_equal(crowd_figure_make(&made, &env, &actor), 0);
+	assert_ptr_equal(made.model, model);
+	instance_destroy(actor.instance);
+	model_destroy(model);
+	return made;
+}
+
+static struct crowd_figure make_wide(float left, float lowest)
+{
+	return make_board((float[]){left, lowest, -0.1f},
+		(float[]){left + 2, lowest + 2, 0.1f});
+}
+
+/* The height of the point that stands on the route. */
+static float height_of_ground(float lowest)
+{
+	return make_wide(-1, lowest).center[1];
+}
+
+static void test_a_figure_up_to_3_percent_off_the_ground_is_left_there(
+	void **state)
+{
+	(void)state;
+	assert_near(height_of_ground(0), 0, 1e-6);
+	assert_near(height_of_ground(0.058f), 0, 1e-6);
+	assert_near(height_of_ground(-0.058f), 0, 1e-6);
+	assert_near(height_of_ground(0.062f), 0.062, 1e-6);
+	assert_near(height_of_ground(-0.062f), -0.062, 1e-6);
+	assert_near(height_of_ground(5), 5, 1e-6);
+}
+
+static void test_a_figure_beside_its_origin_stands_on_its_middle(void **state)
+{
+	const struct crowd_figure right = make_wide(0.5f, 0);
+	const struct crowd_figure behind = make_board(
+		(float[]){-0.1f, 0, -2}, (float[]){0.1f, 1.7f, -1.5f});
+
+	(void)state;
+	assert_near(right.center[0], 1.5, 1e-6);
+	assert_near(right.scale, 0.4, 1e-6);
+	assert_near(make_wide(-3, 0).center[0], -2, 1e-6);
+	assert_near(behind.center[2], -1.75, 1e-6);
+	assert_near(make_wide(0, 0).center[0], 0, 1e-6);
+	assert_near(make_wide(-0.5f, 0).center[0], 0, 1e-6);
+}
+
+/* A person takes 0.4 m to a side, 0.6 m to the front and 1.72 m of height. */
+static void test_figures_get_a_persons_size_unless_they_nearly_have_it(
+	void **state)
+{
+	static const struct {
+		float low[3], high[3], scale, beyond_m;
+	} figures[] = {
+		/* too high, too low */
+		{{-0.1f, 0, -0.1f}, {0.1f, 3.44f, 0.1f}, 0.5f, 0},
+		{{-0.01f, 0, -0.1f}, {0.01f, 0.43f, 0.1f}, 4, 0},
+		/* too far to the left, to the right, to the front */
+		{{-0.8f, 0, -0.1f}, {0.1f, 1.5f, 0.1f}, 0.5f, 0},
+		{{-0.1f, 0, -0.1f}, {0.8f, 1.4f, 0.1f}, 0.5f, 0.25f},
+		{{-0.1f, 0, -0.1f}, {0.1f, 1, 2.4f}, 0.25f, 0},
+		{{-0.1f, 0, -2.4f}, {0.1f, 1, 0.1f}, 0.25f, 0},
+		/* Up to a quarter more or less stays. */
+		{{-0.1f, 0, -0.1f}, {0.1f, 2.1f, 0.1f}, 1, 0},
+		{{-0.1f, 0, -0.1f}, {0.1f, 2.2f, 0.1f}, 1.72f / 2.2f, 0},
+		{{-0.1f, 0, -0.1f}, {0.1f, 1.4f, 0.1f}, 1, 0},
+		{{-0.1f, 0, -0.1f}, {0.1f, 1.3f, 0.1f}, 1.72f / 1.3f, 0},
+		/* a point */
+		{{0, 0, 0}, {0, 0, 0}, 1, 0.25f},
+		/* Heights count from the ground: this one floats. */
+		{{-0.1f, 2, -0.1f}, {0.1f, 5.44f, 0.1f}, 0.5f, 0},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(figures); i++) {
+		const struct crowd_figure made =
+			make_board(figures[i].low, figures[i].high);
+
+		assert_near(made.scale, figures[i].scale, 1e-5);
+		assert_near(made.beyond_m, figures[i].beyond_m, 1e-6);
+	}
+}
+
+/* Number 1 walks and 6 runs the other way, in limber's own crowd. */
+static void test_figures_move_as_fast_as_their_feet_up_to_4_m_a_second(
+	void **state)
+{
+	struct crowd_figure walking = {.scale = 0.5f, .one_clip = true};
+	struct motion motion;
+
+	(void)state;
+	walking.motions.role[MOTION_WALK].speed = 3;
+	walking.motions.role[MOTION_RUN].speed = 9;
+	assert_near(
+		crowd_figure_route(&walking, 1, &motion).speed_m_s, 1.5, 1e-6);
+	assert_near(motion.speed, 3, 1e-6);
+	assert_near(
+		crowd_figure_route(&walking, 6, &motion).speed_m_s, -4, 1e-6);
+	assert_near(motion.speed, 9, 1e-6);
+}
+
+/* From all sides to the viewer's, who is a little to the right. */
+static void test_figures_that_cannot_walk_face_the_viewer(void **state)
+{
+	const struct crowd_figure still = {.scale = 1, .one_clip = true};
+	struct crowd_figure walking = still;
+	struct motion motion;
+
+	(void)state;
+	for (int number = 1; number < 16; number++) {
+		const struct crowd_route where =
+			crowd_figure_route(&still, number, &motion);
+
+		assert_near(crowd_position_at(&where, 7).yaw_rad, 0.45, 1e-6);
+	}
+	walking.motions.role[MOTION_WALK].speed = 1;
+	walking.motions.role[MOTION_STAND].speed = 1;
+	assert_near(crowd_figure_route(&walking, 1, &motion).facing_rad, 0, 0);
+	/* The last ring stands in any case, and looks to the middle. */
+	assert_near(crowd_figure_route(&still, 30, &motion).facing_rad,
+		SCALAR_PI, 1e-6);
+	/* There is no way around a ring without a radius. */
+	assert_near(crowd_figure_route(&walking, 0, &motion).speed_m_s, 0, 0);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_figures_middle_stands_on_its_route),
 		cmocka_unit_test(test_a_figure_leans_before_it_turns),
+		cmocka_unit_test(
+			test_a_figure_beside_its_origin_stands_on_its_middle),
+		cmocka_unit_test(
+			test_figures_get_a_persons_size_unless_they_nearly_have_it),
+		cmocka_unit_test(
+			test_figures_move_as_fast_as_their_feet_up_to_4_m_a_second),
+		cmocka_unit_test(test_figures_that_cannot_walk_face_the_viewer),
+		cmocka_unit_test(
+			test_a_figure_up_to_3_percent_off_the_ground_is_left_there),
 		cmocka_unit_test(
 			test_the_figure_looks_along_its_route_in_its_size),
 	};

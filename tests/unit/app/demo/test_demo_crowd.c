@@ -1,12 +1,10 @@
 /* The crowd: its walkers' positions and number. */
-#include "app/demo/crowd/crowd_dress.h"
 #include "app/demo/crowd/crowd_route.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
 #include <math.h>
-#include <string.h>
 
 static float distance(int a, int b, double time_s)
 {
@@ -110,74 +108,6 @@ static void test_walkers_differ_in_size_and_phase(void **state)
 	}
 }
 
-/* FNV-1a */
-static uint32_t hash(uint32_t so_far, const void *bytes, size_t size)
-{
-	for (size_t i = 0; i < size; i++) {
-		so_far = (so_far ^ ((const uint8_t *)bytes)[i]) * 0x01000193u;
-	}
-	return so_far;
-}
-
-/* All colours of a walker, and their mean. */
-static uint32_t colors_of(struct model *model, int number, double mean[3])
-{
-	struct log log = log_to_stderr(LOG_WARNING);
-	uint32_t all = 0x811c9dc5u;
-	double count = 0.0;
-	struct instance *instance;
-
-	assert_int_equal(
-		instance_create(model, kernel_find("fixed"), &log, &instance),
-		0);
-	assert_int_equal(crowd_dress(instance, number), 0);
-	memset(mean, 0, 3 * sizeof(mean[0]));
-	for (int d = 0; d < instance->drawable_count; d++) {
-		const struct drawable *drawable = &instance->drawable[d];
-		const struct batch *batch = drawable->batch;
-
-		all = hash(all, drawable->color, sizeof(drawable->color));
-		for (int v = 0; v < batch->vertex_count; v++) {
-			all = hash(all, batch->color[v], 4);
-			for (int c = 0; c < 3; c++) {
-				mean[c] += batch->color[v][c];
-			}
-			count += 1.0;
-		}
-	}
-	for (int c = 0; c < 3; c++) {
-		mean[c] /= count;
-	}
-	instance_destroy(instance);
-	return all;
-}
-
-static void test_each_walker_has_colours_of_its_own(void **state)
-{
-	/* They change with the looks and with the model's colours. */
-	static const uint32_t colors[12] = {0x4680bdcf, 0xebac8921, 0x47911aae,
-		0x5f5feb05, 0xd17fda8a, 0xdd412d0b, 0xf58866ff, 0xa0cde0de,
-		0x299c16ee, 0xe0734525, 0xdfef83d5, 0x641da64a};
-	struct log log = log_to_stderr(LOG_WARNING);
-	double mean[12][3];
-	struct model *model;
-
-	(void)state;
-	assert_int_equal(model_load("assets/walker.glb", &log, &model), 0);
-	for (int i = 0; i < 12; i++) {
-		assert_int_equal(colors_of(model, i, mean[i]), colors[i]);
-		for (int other = 0; other < i; other++) {
-			double apart = 0.0;
-
-			for (int c = 0; c < 3; c++) {
-				apart += fabs(mean[i][c] - mean[other][c]);
-			}
-			assert_true(apart > 4.0);
-		}
-	}
-	model_destroy(model);
-}
-
 static const struct demo_press presses[] = {
 	{0.1, BUTTON_F8},    /* small ones keep all triangles */
 	{1.0, BUTTON_UP},    /* 13 */
@@ -254,27 +184,95 @@ static void test_small_figures_have_fewer_triangles(void **state)
 	demo_run_end(&run);
 }
 
-static void test_a_budget_holds_normals_and_caps_influences(void **state)
+/* The frame of a crowd of small or of large figures with this reduction. */
+static struct gl_recording frame_of(bool small, struct demo_reduction reduction)
 {
-	const struct demo_reduction reduction = {
-		.max_influences = 1, .hold_normals = true};
+	static const struct demo_press many[] = {{0.1, BUTTON_RIGHT},
+		{0.3, BUTTON_RIGHT}, {0.5, BUTTON_RIGHT}, {0.7, BUTTON_RIGHT},
+		{0.9, BUTTON_RIGHT}, {1.1, BUTTON_RIGHT}, {1.3, BUTTON_RIGHT},
+		{1.5, BUTTON_RIGHT}};
 	struct demo_run run;
-	struct gl_recording all, less;
+	struct gl_recording frame;
 
-	(void)state;
-	demo_run_begin(&run, "crowd");
-	demo_run_to(&run, 1.0, 5, NULL, 0);
-	demo_run_draw(&run);
-	all = *gl_recorder_result();
-	demo_run_end(&run);
 	demo_run_begin(&run, "crowd");
 	demo_set_reduction(run.demo, &reduction);
-	demo_run_to(&run, 1.0, 5, NULL, 0);
+	demo_run_to(&run, small ? 5 : 1, 5, many,
+		small ? (int)ARRAY_COUNT(many) : 0);
 	demo_run_draw(&run);
-	less = *gl_recorder_result();
+	frame = *gl_recorder_result();
 	demo_run_end(&run);
+	return frame;
+}
+
+static void test_a_budget_holds_normals_and_caps_influences(void **state)
+{
+	const struct gl_recording all =
+		frame_of(false, (struct demo_reduction){0});
+	const struct gl_recording less = frame_of(false,
+		(struct demo_reduction){
+			.max_influences = 1, .hold_normals = true});
+
+	(void)state;
 	assert_int_equal(all.vertex_count, less.vertex_count);
 	assert_true(fabs(all.sum[0] - less.sum[0]) > 1e-3);
+}
+
+/* Small figures have one or two influences a vertex anyway. */
+static void test_the_lower_cap_of_influences_counts(void **state)
+{
+	uint64_t hash_of[4];
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		hash_of[i] = frame_of(
+			true, (struct demo_reduction){.max_influences = i})
+				     .vertex_hash;
+	}
+	assert_true(hash_of[1] != hash_of[0]);
+	assert_true(hash_of[2] == hash_of[0]);
+	assert_true(hash_of[3] == hash_of[0]);
+}
+
+/* Where a figure's left is, in eye space, half a second after a press. */
+static void find_left(enum button button, double left[3])
+{
+	const struct demo_press press[] = {{1.0, button}};
+	const struct gl_recorded_draw *draw = gl_recorder_result()->draw;
+	double length = 0.0;
+	struct demo_run run;
+
+	demo_run_begin(&run, "crowd");
+	demo_run_to(&run, 1.5, 50, press, 1);
+	demo_run_draw(&run);
+	while (draw->matrix[0] == 1.0) {
+		draw++; /* labels */
+	}
+	for (int i = 0; i < 3; i++) {
+		length += draw->matrix[i] * draw->matrix[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		left[i] = draw->matrix[i] / sqrt(length);
+	}
+	demo_run_end(&run);
+}
+
+static double angle_between(const double a[3], const double b[3])
+{
+	return acos(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+/* At 0.9 radians a second for the tenth of one that it is held, or at 0.08. */
+static void test_the_camera_turns_while_enter_is_held_or_after_f9(void **state)
+{
+	double still[3], turned[3], drifted[3];
+
+	(void)state;
+	find_left(BUTTON_F6, still);
+	find_left(BUTTON_ENTER, turned);
+	find_left(BUTTON_F9, drifted);
+	assert_near(angle_between(still, turned), 0.09, 1e-4);
+	assert_near(angle_between(still, drifted), 0.04, 2e-3);
+	assert_true(turned[0] < drifted[0] && drifted[0] < still[0]);
 }
 
 static void test_a_budget_removes_triangles_and_restores_them(void **state)
@@ -316,11 +314,13 @@ int main(void)
 			test_walkers_go_where_they_look_as_fast_as_their_feet),
 		cmocka_unit_test(test_runners_lean_into_their_circle),
 		cmocka_unit_test(test_walkers_differ_in_size_and_phase),
-		cmocka_unit_test(test_each_walker_has_colours_of_its_own),
 		cmocka_unit_test(test_buttons_add_and_remove_walkers),
 		cmocka_unit_test(test_f6_leaves_out_the_shadows),
 		cmocka_unit_test(test_small_figures_have_fewer_triangles),
 		cmocka_unit_test(test_a_budget_holds_normals_and_caps_influences),
+		cmocka_unit_test(test_the_lower_cap_of_influences_counts),
+		cmocka_unit_test(
+			test_the_camera_turns_while_enter_is_held_or_after_f9),
 		cmocka_unit_test(
 			test_a_budget_removes_triangles_and_restores_them),
 	};

@@ -178,6 +178,43 @@ static void test_buttons_run_through_the_duel(void **state)
 	demo_run_end(&run);
 }
 
+static bool are_equal(const struct hud *a, const struct hud *b)
+{
+	return a->quad_count == b->quad_count &&
+		memcmp(a->vertex, b->vertex,
+			(size_t)a->quad_count * 4 * sizeof(a->vertex[0])) == 0;
+}
+
+/* Errors are painted red from 4 pixels on at first, then from 1 to 16. */
+static void test_the_scale_of_errors_has_five_steps(void **state)
+{
+	static const struct demo_press presses[] = {{0.1, BUTTON_F8},
+		{0.1, BUTTON_ENTER}, {1.0, BUTTON_DOWN}, {2.0, BUTTON_DOWN},
+		{3.0, BUTTON_DOWN}, {4.0, BUTTON_UP}, {5.0, BUTTON_UP},
+		{6.0, BUTTON_UP}, {7.0, BUTTON_UP}, {8.0, BUTTON_UP}};
+	static const int steps[] = {2, 1, 0, 0, 1, 2, 3, 4, 4};
+	static struct hud board[ARRAY_COUNT(steps)];
+	struct demo_run run;
+
+	(void)state;
+	demo_run_begin(&run, "duel");
+	for (size_t i = 0; i < ARRAY_COUNT(steps); i++) {
+		board[i].font = &font_default;
+		hud_begin(&board[i], 480, 640);
+		demo_run_to(&run, 0.9 + (double)i, 10, presses,
+			(int)ARRAY_COUNT(presses));
+		run.driver->label(run.demo, &board[i]);
+		for (size_t k = 0; k < i; k++) {
+			assert_int_equal(are_equal(&board[i], &board[k]),
+				steps[i] == steps[k]);
+		}
+	}
+	/* 16 has a digit more than the others. */
+	assert_int_equal(board[2].quad_count, board[0].quad_count);
+	assert_int_equal(board[7].quad_count, board[0].quad_count + 1);
+	demo_run_end(&run);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -188,6 +225,7 @@ int main(void)
 		cmocka_unit_test(test_rigid_parts_keep_every_triangle),
 		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
 		cmocka_unit_test(test_times_come_from_the_clock_it_is_given),
+		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
 		cmocka_unit_test(test_buttons_run_through_the_duel),
 	};
 

@@ -105,6 +105,7 @@ static void test_unknown_times_are_left_out(void **state)
 		contender[i].peak_px = 0.0f;
 		contender[i].candidate.bytes.own = 0;
 	}
+	contender[1].key_count = 1;
 	model.skin_count = 0;
 	duel_board_show(contender, 0.0f, &shown);
 	model.skin_count = 1;
@@ -112,7 +113,7 @@ static void test_unknown_times_are_left_out(void **state)
 	line = hud_line_height(&wanted);
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		static const char *const means[] = {
-			"the file's own", "7 keys", "rigid parts"};
+			"the file's own", "1 keys", "rigid parts"};
 
 		want(i, y, contender[i].title, hud_color_text);
 		want(i, y + line, means[i], hud_color_dim);

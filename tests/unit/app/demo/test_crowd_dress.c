@@ -1,0 +1,132 @@
+/* The looks of the crowd's walkers. */
+#include "app/demo/crowd/crowd_dress.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+/* FNV-1a */
+static uint32_t hash(uint32_t so_far, const void *bytes, size_t size)
+{
+	for (size_t i = 0; i < size; i++) {
+		so_far = (so_far ^ ((const uint8_t *)bytes)[i]) * 0x01000193u;
+	}
+	return so_far;
+}
+
+/* All colours and textures of a walker, and the colours' mean. */
+static uint32_t colors_of(struct model *model, int number, double mean[3])
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	uint32_t all = 0x811c9dc5u;
+	double count = 0.0;
+	struct instance *instance;
+
+	assert_int_equal(
+		instance_create(model, kernel_find("fixed"), &log, &instance),
+		0);
+	assert_int_equal(crowd_dress(instance, number), 0);
+	memset(mean, 0, 3 * sizeof(mean[0]));
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		const struct batch *batch = drawable->batch;
+
+		const int texture =
+			instance->model->material[drawable->primitive->material]
+				.texture;
+
+		all = hash(all, &texture, sizeof(texture));
+		all = hash(all, drawable->color, sizeof(drawable->color));
+		for (int v = 0; v < batch->vertex_count; v++) {
+			all = hash(all, batch->color[v], 4);
+			for (int c = 0; c < 3; c++) {
+				mean[c] += batch->color[v][c];
+			}
+			count += 1.0;
+		}
+	}
+	for (int c = 0; c < 3; c++) {
+		mean[c] /= count;
+	}
+	instance_destroy(instance);
+	return all;
+}
+
+static void test_each_walker_has_colours_of_its_own(void **state)
+{
+	/* They change with the looks and with the model's colours. */
+	static const uint32_t colors[12] = {0xbda14122, 0xa8a603d0, 0xf6856c9b,
+		0x49826e9c, 0x24a59ecf, 0xeaf81592, 0x95b0df7a, 0xfe1d6f9f,
+		0x8b8a0bb3, 0x7460d2ec, 0x5d9e54a0, 0x477b5353};
+	struct log log = log_to_stderr(LOG_WARNING);
+	double mean[12][3];
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load("assets/walker.glb", &log, &model), 0);
+	for (int i = 0; i < 12; i++) {
+		assert_int_equal(colors_of(model, i, mean[i]), colors[i]);
+		for (int other = 0; other < i; other++) {
+			double apart = 0.0;
+
+			for (int c = 0; c < 3; c++) {
+				apart += fabs(mean[i][c] - mean[other][c]);
+			}
+			assert_true(apart > 4.0);
+		}
+	}
+	model_destroy(model);
+}
+
+/* What vertices of a figure in clothes become, by their colour and height. */
+static void test_hair_trousers_and_shoes_are_told_apart_by_their_height(
+	void **state)
+{
+	enum {
+		ROWS = 100, /* of 2 cm */
+	};
+	static const uint8_t red[4] = {200, 40, 40, 255};
+	static const uint8_t blue[4] = {40, 40, 200, 255};
+	static const uint8_t skin[4] = {200, 150, 130, 255};
+	static const uint8_t *const was[] = {red, blue, skin};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		struct model *model = small_model_grid(1, ROWS, 2, true);
+		struct model_primitive *body = model->mesh[0].primitive;
+		struct instance *instance;
+		uint8_t(*now)[4];
+
+		model->material[0].name = "shirt";
+		body->color = arena_alloc(
+			&model->arena, (size_t)body->vertex_count, 4);
+		for (int v = 0; v < body->vertex_count; v++) {
+			memcpy(body->color[v], was[i], 4);
+		}
+		instance = small_model_instance(model);
+		assert_int_equal(crowd_dress(instance, 1), 0);
+		now = (uint8_t(*)[4])instance->drawable[0].batch->color;
+		for (int v = 0; v < body->vertex_count; v++) {
+			int cm = 2 * (v / 2);
+			bool same = memcmp(now[v], was[i], 4) == 0;
+
+			assert_int_equal(same,
+				was[i] == skin || (was[i] == blue && cm >= 110) ||
+					(was[i] == red && cm >= 16 && cm <= 120));
+		}
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_each_walker_has_colours_of_its_own),
+		cmocka_unit_test(
+			test_hair_trousers_and_shoes_are_told_apart_by_their_height),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

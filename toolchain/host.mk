@@ -22,7 +22,7 @@ LIBS_host := -lgif -lm -ldl $(HARDENING_LIBS)
 RUN_host :=
 # Two hundred test programs with debug information of their own would take 3 GB.
 # With make TEST_LDFLAGS_host= a debugger knows their lines.
-TEST_LDFLAGS_host := -Wl,--strip-debug
+TEST_LDFLAGS_host := -Wl,--strip-debug $(CHECKED_LOCKS)
 
 # The sanitizers check memory accesses, leaks and undefined behaviour.
 CC_asan := gcc

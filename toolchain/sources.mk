@@ -81,3 +81,6 @@ driver_sources = $(call seam_driver_sources,gl,$(GL_DRIVERS_$(1))) \
 
 TEST_SOURCES := $(filter %.c,$(call c_files,tests/unit))
 SUPPORT_SOURCES := $(call c_files,tests/support)
+# What tests/support/locks.c checks.
+CHECKED_LOCKS := -Wl,--wrap=pthread_mutex_unlock -Wl,--wrap=pthread_cond_wait \
+	-Wl,--wrap=pthread_cond_timedwait

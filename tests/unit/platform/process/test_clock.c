@@ -46,6 +46,7 @@ static void test_a_thread_spends_time_on_work_only(void **state)
 {
 	const struct timespec pause = {.tv_nsec = 100000000};
 	const double begun_s = clock_thread_s();
+	const clock_t begun = clock();
 	double slept_s, worked_s;
 
 	(void)state;
@@ -56,15 +57,20 @@ static void test_a_thread_spends_time_on_work_only(void **state)
 		worked_s = clock_thread_s() - begun_s;
 	} while (worked_s < 0.02);
 	assert_true(worked_s < 5);
+	/* What the process has spent. */
+	assert_in_range(
+		clock() - begun, CLOCKS_PER_SEC / 100, CLOCKS_PER_SEC / 10);
 }
 
 static void test_parse_reads_both_kinds(void **state)
 {
-	struct clock clock;
+	struct clock clock = {.fixed = true};
 
 	(void)state;
 	assert_int_equal(clock_parse("real", &clock), 0);
 	assert_false(clock.fixed);
+	assert_in_range(clock.origin_ns, 1, clock_monotonic_ns());
+	assert_int_equal(clock_parse("fixed:0.001", &clock), 0);
 	assert_int_equal(clock_parse("fixed:29.97", &clock), 0);
 	assert_true(clock.fixed);
 	assert_true(clock.rate_hz == 29.97);

@@ -1,6 +1,11 @@
 /* Jobs that several threads do. */
+#include "platform/process/clock.h"
 #include "platform/process/jobs.h"
 #include "tests/support/test.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <time.h>
 
 enum {
 	JOBS = 500
@@ -58,11 +63,77 @@ static void test_no_jobs_are_fine(void **state)
 	assert_true(jobs_processors() >= 1);
 }
 
+struct meeting {
+	pthread_t caller;
+	int expected;
+	atomic_int begun, ended;
+};
+
+/* Ends when the others have begun, those of other threads a moment later. */
+static int meet(struct jobs *jobs, int job, void *context)
+{
+	const struct timespec moment = {.tv_nsec = 2000000};
+	const int64_t begun_ns = clock_monotonic_ns();
+	struct meeting *meeting = context;
+
+	(void)jobs;
+	(void)job;
+	atomic_fetch_add(&meeting->begun, 1);
+	while (atomic_load(&meeting->begun) < meeting->expected) {
+		nanosleep(&moment, NULL);
+		if (clock_monotonic_ns() - begun_ns > 30000000000) {
+			return -1;
+		}
+	}
+	for (int i = 0; i < 5; i++) {
+		if (!pthread_equal(pthread_self(), meeting->caller)) {
+			nanosleep(&moment, NULL);
+		}
+	}
+	atomic_fetch_add(&meeting->ended, 1);
+	return 0;
+}
+
+static void test_as_many_jobs_run_at_once_as_there_are_threads(void **state)
+{
+	(void)state;
+	for (int threads = 1; threads <= JOBS_THREADS_MAX; threads *= 2) {
+		struct meeting meeting = {pthread_self(), threads, 0, 0};
+
+		assert_int_equal(jobs_run(threads, threads, meet, &meeting), 0);
+		assert_int_equal(meeting.ended, threads);
+	}
+}
+
+static int note_thread(struct jobs *jobs, int job, void *context)
+{
+	(void)jobs;
+	(void)job;
+	*(pthread_t *)context = pthread_self();
+	return 0;
+}
+
+/* Threads that find no job would still cost their beginning. */
+static void test_one_job_runs_in_the_callers_thread(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 50; i++) {
+		pthread_t thread;
+
+		assert_int_equal(
+			jobs_run(1, JOBS_THREADS_MAX, note_thread, &thread), 0);
+		assert_true(pthread_equal(thread, pthread_self()));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_each_job_runs_once_in_any_number_of_threads),
+		cmocka_unit_test(
+			test_as_many_jobs_run_at_once_as_there_are_threads),
+		cmocka_unit_test(test_one_job_runs_in_the_callers_thread),
 		cmocka_unit_test(test_no_job_begins_after_an_error),
 		cmocka_unit_test(test_no_jobs_are_fine),
 	};

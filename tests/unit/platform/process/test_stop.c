@@ -234,11 +234,13 @@ static void test_a_watchdog_may_be_descriptor_0(void **state)
 
 static void test_a_watchdog_that_fails_is_left_and_errno_kept(void **state)
 {
+	int kept = dup(0), ends[2], other[2];
 	char text[4];
-	int ends[2];
 
 	(void)state;
 	assert_int_equal(pipe(ends), 0);
+	assert_int_equal(pipe(other), 0);
+	assert_int_equal(dup2(other[1], 0), 0);
 	stop_catch();
 	/* The end for reading cannot be written. */
 	stop_set_watchdog(ends[0]);
@@ -247,10 +249,14 @@ static void test_a_watchdog_that_fails_is_left_and_errno_kept(void **state)
 	assert_int_equal(errno, ERANGE);
 	assert_true(stop_requested());
 	/* The descriptor is not tried again: by now it may be another file. */
-	assert_int_equal(dup2(ends[1], ends[0]), ends[0]);
+	assert_int_equal(dup2(other[1], ends[0]), ends[0]);
 	raise(SIGTERM);
 	stop_release();
-	assert_int_equal(bytes_in(ends[0], text, sizeof(text)), -1);
+	assert_int_equal(dup2(kept, 0), 0);
+	assert_int_equal(bytes_in(other[0], text, sizeof(text)), -1);
+	close(kept);
+	close(other[0]);
+	close(other[1]);
 	close(ends[0]);
 	close(ends[1]);
 }

@@ -430,7 +430,7 @@ static float square_at(const struct simplify *simplify, uint32_t vertex,
 static float vertex_square(const struct simplify *simplify, uint32_t from,
 	uint32_t to, uint32_t vertex)
 {
-	struct place best = {.square = -1.0f};
+	struct place best = {.vertex = NULL};
 	uint32_t corners[2][3];
 	int turn = 0;
 
@@ -447,12 +447,12 @@ static float vertex_square(const struct simplify *simplify, uint32_t from,
 		}
 		corners[turn][corner] = simplify->to[vertex];
 		find_place(simplify, simplify->position[vertex], &place);
-		if (best.square < 0.0f || place.square < best.square) {
+		if (!best.vertex || place.square < best.square) {
 			best = place;
 			turn = !turn;
 		}
 	}
-	return best.square < 0.0f ? 0.0f : square_at(simplify, vertex, &best);
+	return best.vertex ? square_at(simplify, vertex, &best) : 0.0f;
 }
 
 float simplify_error_of_attributes(

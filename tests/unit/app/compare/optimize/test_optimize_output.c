@@ -208,6 +208,27 @@ static void test_few_elements_are_stored_sparsely(void **state)
 
 		assert_int_equal(read_number(data + 2 * i, 2), wanted[i]);
 	}
+	/* The first one, of two. */
+	memset(index, 0, sizeof(index));
+	index[2] = 8;
+	index[3 * 299 + 1] = 9;
+	json = accessor(
+		output, optimize_output_add(output, OPTIMIZE_VERTICES, &array));
+	sparse = json_object_get(json, "sparse");
+	assert_int_equal(integer(sparse, "count"), 2);
+	data = output->view[OPTIMIZE_DATA].data;
+	json = json_object_get(sparse, "indices");
+	assert_int_equal(
+		read_number(data + integer(json, "byteOffset"), 4), 299 << 16);
+	json = json_object_get(sparse, "values");
+	for (size_t i = 0; i < 6; i++) {
+		static const uint32_t wanted[6] = {0, 0, 8, 0, 9, 0};
+
+		assert_int_equal(
+			read_number(
+				data + integer(json, "byteOffset") + 2 * i, 2),
+			wanted[i]);
+	}
 	/* One that may not be sparse, and one that is full. */
 	array.sparse = false;
 	json = accessor(

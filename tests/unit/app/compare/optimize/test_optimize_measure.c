@@ -1,0 +1,47 @@
+/* How many pixels a unit of a model is. */
+#include "app/compare/optimize/optimize_measure.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+static float px_per_unit(const struct model *model, int width, int height)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	const struct optimize_view_size size = {width, height};
+	float px = -1;
+
+	assert_int_equal(optimize_measure_unit(model, -1, size, &log, &px), 0);
+	return px;
+}
+
+static void test_a_unit_grows_with_the_picture(void **state)
+{
+	struct model *model = small_model_grid(2, 2, 1, true);
+	float small = px_per_unit(model, 100, 100);
+
+	(void)state;
+	/* The grid of one unit fills most of the picture. */
+	assert_true(small > 50 && small < 200);
+	assert_near(px_per_unit(model, 300, 300), 3 * small, 1e-3);
+	model_destroy(model);
+}
+
+static void test_a_unit_of_a_model_without_vertices_is_a_pixel(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1, true);
+
+	(void)state;
+	model->node[0].mesh = -1;
+	assert_near(px_per_unit(model, 300, 300), 1, 0);
+	model_destroy(model);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_unit_grows_with_the_picture),
+		cmocka_unit_test(
+			test_a_unit_of_a_model_without_vertices_is_a_pixel),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -141,6 +141,15 @@ static void test_refuses_broken_buffers_and_views(void **state)
 		 "'byteOffset':2147483647}]",
 			"/bufferViews/0: ends at byte 4294967294"},
 		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
+		 "'bufferViews':[{'buffer':0,'byteLength':0}]",
+			"/bufferViews/0/byteLength: 0 is out of range (1 to 2147483647)"},
+		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
+		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteOffset':-1}]",
+			"/bufferViews/0/byteOffset: -1 is out of range"},
+		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
+		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteStride':253}]",
+			"/bufferViews/0/byteStride: 253 is out of range (4 to 252)"},
+		{"'buffers':[{'byteLength':3,'uri':'data:;base64,AAAA'}],"
 		 "'bufferViews':[{'buffer':0,'byteLength':3,'byteStride':2}]",
 			"/bufferViews/0/byteStride: 2 is out of range (4 to 252)"},
 	};

@@ -14,6 +14,11 @@ static const struct morph_wave wave = {.direction = {0.0f, 0.0f, 1.0f},
 	.amplitude = 0.02f,
 	.delay = 1.5f};
 
+static const struct morph_wave oblique = {.direction = {0.48f, 0.6f, 0.64f},
+	.axis = {0.8f, 0.36f, -0.48f},
+	.amplitude = 0.01f,
+	.delay = 1.5f};
+
 struct scene {
 	struct model *model;
 	struct instance *instance;
@@ -21,13 +26,24 @@ struct scene {
 	float (*rest)[3];
 };
 
-static void begin(struct scene *scene, const char *kernel)
+/* A head that stands beside the origin by x and z. */
+static void begin_beside(
+	struct scene *scene, const char *kernel, float x, float z)
 {
 	struct log log = log_to_stderr(LOG_ERROR);
+	struct bend_neck beside = neck;
 	const struct drawable *drawable;
+	struct model_primitive *head;
 	size_t bytes;
 
 	assert_int_equal(model_load("assets/face.glb", &log, &scene->model), 0);
+	head = scene->model->mesh[0].primitive;
+	for (int v = 0; v < head->vertex_count; v++) {
+		head->position[v][0] += x;
+		head->position[v][2] += z;
+	}
+	beside.x += x;
+	beside.z += z;
 	assert_int_equal(instance_create(scene->model, kernel_find(kernel),
 				 &log, &scene->instance),
 		0);
@@ -38,11 +54,16 @@ static void begin(struct scene *scene, const char *kernel)
 	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
 		drawable_position(drawable, v, scene->rest[v]);
 	}
-	assert_int_equal(
-		bend_init(&scene->bend, scene->instance, drawable->node, &neck),
+	assert_int_equal(bend_init(&scene->bend, scene->instance,
+				 drawable->node, &beside),
 		0);
 	assert_int_equal(scene->bend.part_count, 1);
 	bend_set_wave(&scene->bend, &wave);
+}
+
+static void begin(struct scene *scene, const char *kernel)
+{
+	begin_beside(scene, kernel, 0, 0);
 }
 
 static void end(struct scene *scene)
@@ -78,6 +99,29 @@ static void bent(const struct scene *scene, int v, float out[3])
 	}
 	for (int i = 0; i < 3; i++) {
 		out[i] /= drawable->vertex_scale;
+	}
+}
+
+/* The bent normal of a vertex, as GL gets it, in length 1. */
+static void bent_normal(const struct scene *scene, int v, float out[3])
+{
+	const struct batch *batch = scene->instance->drawable[0].batch;
+	double length = 0.0;
+
+	if (batch->normal) {
+		memcpy(out, batch->normal[v], sizeof(float[3]));
+	} else {
+		const struct fixed_vector *n = &batch->fixed_normal[v];
+
+		out[0] = n->x;
+		out[1] = n->y;
+		out[2] = n->z;
+	}
+	for (int i = 0; i < 3; i++) {
+		length += (double)out[i] * (double)out[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		out[i] /= (float)sqrt(length);
 	}
 }
 
@@ -117,6 +161,18 @@ static void test_at_both_ends_of_a_morph_nothing_moves(void **state)
 	check_rest("fixed");
 }
 
+static void check_turned_normal(const struct scene *scene, int v, double by)
+{
+	const float *rest = scene->instance->drawable[0].primitive->normal[v];
+	const double x = (double)rest[0], z = (double)rest[2];
+	float normal[3];
+
+	bent_normal(scene, v, normal);
+	assert_near(normal[0], x * cos(by) + z * sin(by), 2e-3);
+	assert_near(normal[1], rest[1], 2e-3);
+	assert_near(normal[2], z * cos(by) - x * sin(by), 2e-3);
+}
+
 static void check_turn(const char *kernel)
 {
 	struct scene scene;
@@ -136,6 +192,7 @@ static void check_turn(const char *kernel)
 			assert_near(
 				moved(&scene, v), 2.0 * arm * sin(0.1), 1e-4);
 			farthest = fmax(farthest, moved(&scene, v));
+			check_turned_normal(&scene, v, 0.2);
 		}
 	}
 	assert_true(farthest > 0.02);
@@ -184,13 +241,14 @@ static void test_the_wave_is_in_the_face_alone_and_has_a_place(void **state)
 	check_wave("fixed");
 }
 
-static void test_fixed_point_agrees_with_float(void **state)
+static void compare(float x, float z)
 {
 	struct scene exact, fixed;
 
-	(void)state;
-	begin(&exact, "float");
-	begin(&fixed, "fixed");
+	begin_beside(&exact, "float", x, z);
+	begin_beside(&fixed, "fixed", x, z);
+	bend_set_wave(&exact.bend, &oblique);
+	bend_set_wave(&fixed.bend, &oblique);
 	for (int i = 0; i < 5; i++) {
 		bend_update(
 			&exact.bend, 0.08f * (float)(i - 2), 0.2f * (float)i);
@@ -204,10 +262,27 @@ static void test_fixed_point_agrees_with_float(void **state)
 			for (int k = 0; k < 3; k++) {
 				assert_near(a[k], b[k], 1e-4);
 			}
+			bent_normal(&exact, v, a);
+			bent_normal(&fixed, v, b);
+			for (int k = 0; k < 3; k++) {
+				assert_near(a[k], b[k], 1e-2);
+			}
 		}
 	}
 	end(&fixed);
 	end(&exact);
+}
+
+static void test_fixed_point_agrees_with_float(void **state)
+{
+	(void)state;
+	compare(0, 0);
+}
+
+static void test_a_head_beside_the_origin_turns_about_its_own_neck(void **state)
+{
+	(void)state;
+	compare(0.3f, -0.2f);
 }
 
 int main(void)
@@ -218,6 +293,8 @@ int main(void)
 		cmocka_unit_test(
 			test_the_wave_is_in_the_face_alone_and_has_a_place),
 		cmocka_unit_test(test_fixed_point_agrees_with_float),
+		cmocka_unit_test(
+			test_a_head_beside_the_origin_turns_about_its_own_neck),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

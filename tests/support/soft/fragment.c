@@ -152,6 +152,12 @@ static void add_textures(const struct draw *draw, const struct span *span,
 			}
 		}
 	}
+	/* The second unit's, whose texture is not read. */
+	if (draw->added) {
+		reference_combine(&draw->texture[1], span->count,
+			(const uint8_t(*)[4])primary,
+			(const uint8_t(*)[4])primary, fragments->color);
+	}
 }
 
 static void add_fog(const struct draw *draw, const struct span *span,

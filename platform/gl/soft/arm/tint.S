@@ -79,17 +79,17 @@ soft_band_tint:
 	smlad	r10, r8, r9, r10
 	and	r8, r12, r7
 	smlad	r6, r8, r9, r6
-	mov	r7, #1 << 16
-	smlawt	lr, lr, r4, r7
-	smlawb	r10, r10, r4, r7
-	smlawb	r6, r6, r5, r7
-	ldr	r7, [r0, #BEHIND(BAND_PIXELS)]
-	and	lr, lr, #31 << 17
-	and	r6, r6, #63 << 17
-	mov	lr, lr, lsr #6
-	orr	lr, lr, r6, lsr #12
-	orr	lr, lr, r10, lsr #17
-	strh	lr, [r1, r7]
+	ldrd	r8, [r0, #BEHIND(BAND_MORE)]
+	smlawt	lr, lr, r4, r8
+	smlawb	r10, r10, r4, r9
+	ldrd	r8, [r0, #BEHIND(BAND_PIXELS)]
+	smlawb	r6, r6, r5, r9
+	usat	lr, #5, lr, asr #17
+	usat	r6, #6, r6, asr #17
+	usat	r10, #5, r10, asr #17
+	orr	lr, r6, lr, lsl #6
+	orr	lr, r10, lr, lsl #5
+	strh	lr, [r1, r8]
 .Lskip:	ldm	r0, {r6-r9}
 	add	r2, r2, r6
 	add	r3, r3, r7

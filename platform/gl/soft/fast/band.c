@@ -139,21 +139,19 @@ static ALWAYS_INLINE struct channels load_linear(
 	};
 }
 
-/* The channels by a colour: 17 bits of fraction. */
-static ALWAYS_INLINE void tint(
-	struct channels *c, const struct band_pixel *at, int32_t more)
-{
-	c->red = (uint32_t)WORD_BY_TOP(c->red, at->red_blue, more);
-	c->green = (uint32_t)WORD_BY_BOTTOM(c->green, at->green, more);
-	c->blue = (uint32_t)WORD_BY_BOTTOM(c->blue, at->red_blue, more);
-}
-
+/* The channels by a colour, and more: 17 bits of fraction. */
 static ALWAYS_INLINE uint16_t shade(
-	struct channels c, const struct band_pixel *at)
+	const struct band *band, struct channels c, const struct band_pixel *at)
 {
-	tint(&c, at, 1 << 16);
-	return (uint16_t)((c.red & 31 << 17) >> 6 | (c.green & 63 << 17) >> 12 |
-		c.blue >> 17);
+	const int32_t red =
+		WORD_BY_TOP(c.red, at->red_blue, (int32_t)band->more_red);
+	const int32_t green =
+		WORD_BY_BOTTOM(c.green, at->green, (int32_t)band->round);
+	const int32_t blue =
+		WORD_BY_BOTTOM(c.blue, at->red_blue, (int32_t)band->more_blue);
+
+	return (uint16_t)(LIMIT_SHIFTED(red, 17, 5) << 11 |
+		LIMIT_SHIFTED(green, 17, 6) << 5 | LIMIT_SHIFTED(blue, 17, 5));
 }
 
 static void draw_tinted(const struct band *band, int column, int count)
@@ -165,7 +163,7 @@ static void draw_tinted(const struct band *band, int column, int count)
 	do {
 		if (at.z < (uint32_t)*depth << 16) {
 			write_pixel(band, depth, at.z,
-				shade(load_linear(band, at.texel), &at));
+				shade(band, load_linear(band, at.texel), &at));
 		}
 		depth++;
 		at.z += band->z_right;

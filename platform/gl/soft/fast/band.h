@@ -88,7 +88,9 @@ struct band {
 	const uint8_t *texels;
 	uint32_t wide_mask; /* of gray: WIDE_MASK */
 	uintptr_t pixels;   /* from behind a depth to its pixel */
-	uint32_t wide_round;
+	uint32_t round;     /* of gray: WIDE_ROUND; of tints more for green */
+	/* Of tinted channels: a half, and what is added to all fragments. */
+	uint32_t more_red, more_blue;
 };
 
 /* A level as struct band has it. */
@@ -107,6 +109,8 @@ struct textured_level {
  */
 struct textured {
 	int32_t last_level; /* of those to choose from */
+	/* Of struct band, with bilinear filters. */
+	uint32_t more_red, more_green, more_blue;
 	struct textured_level level[SOFT_LEVELS];
 };
 

@@ -62,7 +62,7 @@ static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 		small, (uint32_t)share.start << 7, band->red_blue_right);
 	band->row.green = band->down.green = band->green_right = 0;
 	band->wide_mask = WIDE_MASK;
-	band->wide_round = WIDE_ROUND;
+	band->round = WIDE_ROUND;
 }
 
 /* 1.15 of a plane's colour. */
@@ -76,7 +76,8 @@ static ALWAYS_INLINE uint32_t pair_weights(int32_t red, int32_t blue)
 	return ((uint32_t)weight(red) << 16) + (uint32_t)weight(blue);
 }
 
-static ALWAYS_INLINE void set_tint(const struct small *small, struct band *band)
+static ALWAYS_INLINE void set_tint(const struct small *small,
+	const struct textured *textured, struct band *band)
 {
 	const struct run r = find_color(small, RED, 0);
 	const struct run g = find_color(small, GREEN, 0);
@@ -91,6 +92,9 @@ static ALWAYS_INLINE void set_tint(const struct small *small, struct band *band)
 	band->down.green = (uint32_t)weight(g.down);
 	band->row.green = leave_column(
 		small, (uint32_t)weight(g.start), band->green_right);
+	band->more_red = textured->more_red;
+	band->round = textured->more_green;
+	band->more_blue = textured->more_blue;
 }
 
 /* The level whose texels are nearest in size to pixels; see choose_level(). */
@@ -276,7 +280,7 @@ static ALWAYS_INLINE bool fill(
 	small.setup = setup;
 	small.frame = frame_find(setup);
 	if (linear) {
-		set_tint(&small, &band);
+		set_tint(&small, textured, &band);
 	} else {
 		set_gray(&small, &band);
 	}
@@ -356,11 +360,23 @@ static void set_levels(
 	}
 }
 
+/* 17 bits of fraction. */
+static uint32_t find_more(const struct draw *draw, int channel)
+{
+	const struct soft_fragment_stages *stages = &draw->spans.stages;
+
+	return (1 << 16) +
+		(draw->added ? (uint32_t)stages->fog_565[channel] << 3 : 0);
+}
+
 void soft_fill_textured_begin(struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
 	bool linear = input->texture->mag_filter == GL_LINEAR;
 
 	draw->textured.last_level = linear ? input->levels - 1 : 0;
+	draw->textured.more_red = find_more(draw, 0);
+	draw->textured.more_green = find_more(draw, 1);
+	draw->textured.more_blue = find_more(draw, 2);
 	set_levels(input, draw->textured.level);
 }

@@ -15,7 +15,7 @@ struct path {
 enum {
 	/* What no path has a stage for. */
 	OTHERS = KEY_565 | KEY_COLOR_MASKED | KEY_TEXTURES | KEY_FOG |
-		KEY_ALPHA_TEST | KEY_BLENDED_OTHER,
+		KEY_ALPHA_TEST | KEY_BLENDED_OTHER | KEY_ADDED,
 	FLAT = OTHERS | KEY_LIT | KEY_COLOR_ARRAY | KEY_TEXTURE |
 		KEY_DEPTH_TEST | KEY_STENCIL,
 	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
@@ -56,7 +56,7 @@ static const struct path path[] = {
 		.begin = soft_fill_textured_begin,
 	},
 	{
-		.mask = SMALL | TEXELS | KEY_LINEAR,
+		.mask = (SMALL & ~KEY_ADDED) | TEXELS | KEY_LINEAR,
 		.bits = KEY_565 | KEY_DEPTH_LESS | TEXELS | KEY_LINEAR,
 		.fill = soft_fill_textured,
 		.begin = soft_fill_textured_begin,

@@ -61,6 +61,18 @@ static ALWAYS_INLINE uint32_t soft_shift_here(uint32_t word, int bits)
 	return shifted;
 }
 #define SHIFT_HERE(word, bits) soft_shift_here(word, bits)
+/* A signed word, shifted and limited to so many unsigned bits */
+static ALWAYS_INLINE uint32_t soft_limit_shifted(
+	int32_t word, int shift, int bits)
+{
+	uint32_t limited;
+
+	__asm__("usat %0, %3, %1, asr %2"
+		: "=r"(limited)
+		: "r"(word), "i"(shift), "i"(bits));
+	return limited;
+}
+#define LIMIT_SHIFTED(word, shift, bits) soft_limit_shifted(word, shift, bits)
 /*
  * The words at x bytes of a row and of the row below, or two words of each.
  * What rows says is read here, where registers are scarce.
@@ -112,8 +124,10 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	memcpy(below, at + rows->stride, two ? 8 : 4);
 }
 
-#define UPPER_HALF(word)          ((word) >> 16)
-#define SHIFT_HERE(word, bits)    ((word) >> (bits))
+#define UPPER_HALF(word)       ((word) >> 16)
+#define SHIFT_HERE(word, bits) ((word) >> (bits))
+#define LIMIT_SHIFTED(word, shift, bits) \
+	((uint32_t)LIMIT_TO_BITS((word) >> (shift), bits))
 #define KEEP_IN_MEMORY(object)    ((void)0)
 #define UPPER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
 #define HALVES_ADD_LIMITED(a, b)  soft_halves_add_limited(a, b)

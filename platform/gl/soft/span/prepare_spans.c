@@ -14,6 +14,8 @@ enum {
 	 */
 	FACTOR_SCALE = 4204558,
 	BYTE_SCALE = 1 << 24, /* to 8.8 */
+	/* Becomes the largest 1.15. */
+	FOG_NONE = 255 << 16 | 0x8F00,
 };
 
 /*
@@ -120,7 +122,7 @@ static bool find_factors(
 	stages->factors_base = old.base << 16 | own.base;
 	stages->factors_by = (old.by << 16) + own.by;
 	stages->unseen = own.base == 0 && old.base == one ? 0 : 256;
-	return !draw->fogged;
+	return !draw->fogged && !draw->added;
 }
 
 /* What the span functions do with fragments. */
@@ -144,8 +146,9 @@ static void choose_finish(struct draw *draw)
 	} else {
 		spans->blended_last = draw->blended;
 	}
-	spans->finish = (enum soft_finish)(
-		finish + (draw->fogged ? SOFT_OPAQUE_FOG - SOFT_OPAQUE : 0));
+	spans->finish = (enum soft_finish)(finish +
+		(draw->fogged || draw->added ? SOFT_OPAQUE_FOG - SOFT_OPAQUE
+					     : 0));
 }
 
 static void choose_tests(
@@ -231,14 +234,15 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 
 static void find_stages(const struct draw *draw, struct soft_spans *spans)
 {
-	const GLfixed *fog = draw->soft->fog.color;
+	const GLfixed *color = draw->added ? draw->added : draw->soft->fog.color;
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
 
-	for (int i = 0; i < 3 && draw->fogged; i++) {
+	stages->added = draw->added;
+	for (int i = 0; i < 3 && (draw->fogged || draw->added); i++) {
 		int most = i == 1 ? 63 : 31;
 
-		stages->fog_color[i] = (uint8_t)soft_byte(fog[i]);
+		stages->fog_color[i] = (uint8_t)soft_byte(color[i]);
 		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
 	}
 	stages->alpha_scaled = input->used && input->mode == GL_MODULATE &&
@@ -310,7 +314,7 @@ static bool is_multiplied(const struct draw *draw)
 		draw->texture[1].base->format != TEXEL_A8;
 }
 
-/* Attributes that are not wanted are white's. */
+/* Attributes that are not wanted are white's, and nothing is hidden by fog. */
 static void set_white(struct span *span, struct soft_spans *spans)
 {
 	if (!spans->colored) {
@@ -319,6 +323,7 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	if (!spans->alpha) {
 		spans->white_bits |= 1u << ALPHA;
 	}
+	span->value[FOG] = FOG_NONE;
 	for (int i = RED; i <= ALPHA; i++) {
 		if (spans->white_bits >> i & 1) {
 			span->value[i] = 0xFF80 << 8;
@@ -371,7 +376,6 @@ bool soft_prepare_spans(struct draw *draw)
 		return false;
 	}
 	spans->textured = draw->texture[0].used && draw->attributes != 0;
-	spans->fogged = draw->fogged;
 	spans->lod_wanted = soft_rows_want_lod(&draw->texture[0]) ||
 		soft_rows_want_lod(&draw->texture[1]);
 	spans->level = -1;

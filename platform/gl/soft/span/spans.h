@@ -62,7 +62,7 @@ struct soft_spans {
 	bool alpha;          /* and their alpha */
 	bool alpha_read;     /* by the span function, if only as white's */
 	uint32_t white_bits; /* colours that a texture takes the place of */
-	bool textured, fogged;
+	bool textured;
 	bool lod_wanted; /* levels, or filters, differ */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;

@@ -161,6 +161,13 @@ static ALWAYS_INLINE int soft_fraction(
 		soft_field(kind.format, channel).bits - bits;
 }
 
+/* Fog halves a channel. */
+static ALWAYS_INLINE int soft_last_fraction(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	return soft_fraction(kind, channel) - soft_is_fogged(kind);
+}
+
 static ALWAYS_INLINE void soft_split_texel(
 	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
 {

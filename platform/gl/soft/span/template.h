@@ -20,21 +20,42 @@ static ALWAYS_INLINE int32_t soft_half(
 	return 1 << (soft_fraction(kind, channel) - 1);
 }
 
+/*
+ * What a run looks up once. Fog makes fog + (color - far) * share of a channel,
+ * where a color that is added to all fragments is a far below 0.
+ */
+struct soft_constants {
+	int32_t start[3]; /* of the texel times colour: a half, less far */
+	int32_t fog[3];   /* half of the far colour and a half */
+	uint32_t alpha_low, alpha_range;
+	uint32_t factors_base, factors_by;
+	uint32_t unseen;
+};
+
+static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
+	const struct soft_constants *constants, enum soft_channel channel)
+{
+	return soft_is_fogged(kind)    ? constants->start[channel]
+		: soft_has_color(kind) ? soft_half(kind, channel)
+				       : 0;
+}
+
 /* Texel times colour, and a half; see struct soft_run. */
 static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
-	const struct soft_texel *texel, const struct soft_pixel *at)
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	const struct soft_pixel *at)
 {
 	uint32_t rb = at->red_blue, ga = at->green_alpha;
-	int32_t red = soft_half(kind, SOFT_RED);
-	int32_t green = soft_half(kind, SOFT_GREEN);
-	int32_t blue = soft_half(kind, SOFT_BLUE);
+	int32_t red = soft_start(kind, constants, SOFT_RED);
+	int32_t green = soft_start(kind, constants, SOFT_GREEN);
+	int32_t blue = soft_start(kind, constants, SOFT_BLUE);
 	const uint32_t *c = texel->channel;
 	struct soft_color out;
 
 	if (!soft_has_color(kind)) {
-		red = (int32_t)(rb & 0xFFFF);
-		green = (int32_t)(ga & 0xFFFF);
-		blue = (int32_t)(rb >> 16);
+		red += (int32_t)(rb & 0xFFFF);
+		green += (int32_t)(ga & 0xFFFF);
+		blue += (int32_t)(rb >> 16);
 	} else if (soft_is_mixed(kind) || soft_is_aligned(kind)) {
 		red = WORD_BY_BOTTOM(c[0], rb, red);
 		green = WORD_BY_BOTTOM(c[1], ga, green);
@@ -54,26 +75,21 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	return out;
 }
 
-/* What a run looks up once. */
-struct soft_constants {
-	int32_t fog[3]; /* with soft_fraction() bits of fraction, and a half */
-	uint32_t alpha_low, alpha_range;
-	uint32_t factors_base, factors_by;
-	uint32_t unseen;
-};
-
-/* Given in 14 bits of fraction, or 8 bits. */
-static ALWAYS_INLINE int32_t soft_find_fog(const struct soft_run *run,
-	struct soft_kind kind, enum soft_channel channel)
+/* Colours are given in 14 bits of fraction, or 8 bits. */
+static ALWAYS_INLINE void soft_find_fog(const struct soft_run *run,
+	struct soft_kind kind, enum soft_channel channel,
+	struct soft_constants *out)
 {
 	const struct soft_fragment_stages *stages = run->stages;
 	int fraction = soft_fraction(kind, channel);
+	int32_t half = soft_half(kind, channel);
+	int32_t color = kind.wide ? stages->fog_color[channel] << fraction
+		: fraction >= 14  ? stages->fog_565[channel] << (fraction - 14)
+				  : stages->fog_565[channel] >> (14 - fraction);
 
-	return soft_half(kind, channel) +
-		(kind.wide ? stages->fog_color[channel] << fraction
-				: fraction >= 14
-				? stages->fog_565[channel] << (fraction - 14)
-				: stages->fog_565[channel] >> (14 - fraction));
+	out->start[channel] = (soft_has_color(kind) ? half : 0) +
+		(stages->added ? color : -(color + half));
+	out->fog[channel] = stages->added ? 0 : (color + half) >> 1;
 }
 
 static ALWAYS_INLINE struct soft_constants soft_find_constants(
@@ -82,9 +98,9 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	struct soft_constants out = {0};
 
 	if (soft_is_fogged(kind)) {
-		out.fog[0] = soft_find_fog(run, kind, SOFT_RED);
-		out.fog[1] = soft_find_fog(run, kind, SOFT_GREEN);
-		out.fog[2] = soft_find_fog(run, kind, SOFT_BLUE);
+		soft_find_fog(run, kind, SOFT_RED, &out);
+		soft_find_fog(run, kind, SOFT_GREEN, &out);
+		soft_find_fog(run, kind, SOFT_BLUE, &out);
 	}
 	if (soft_is_tested(kind)) {
 		out.alpha_low = run->stages->alpha_low;
@@ -108,16 +124,21 @@ static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
 	const int32_t *to = constants->fog;
 	int32_t *c = color->channel;
 
-	c[0] = to[0] + 2 * WORD_BY_BOTTOM(c[0] - to[0], fog, 0);
-	c[1] = to[1] + 2 * WORD_BY_BOTTOM(c[1] - to[1], fog, 0);
-	c[2] = to[2] + 2 * WORD_BY_BOTTOM(c[2] - to[2], fog, 0);
+	c[0] = WORD_BY_BOTTOM(c[0], fog, to[0]);
+	c[1] = WORD_BY_BOTTOM(c[1], fog, to[1]);
+	c[2] = WORD_BY_BOTTOM(c[2], fog, to[2]);
 }
 
-/* A channel as the picture has it. */
+/* A channel as the picture has it; one that is added to may leave its range. */
 static ALWAYS_INLINE uint32_t soft_whole(struct soft_kind kind,
 	const struct soft_color *color, enum soft_channel i)
 {
-	return (uint32_t)color->channel[i] >> soft_fraction(kind, i);
+	int bits = kind.wide ? 8 : i == SOFT_GREEN ? 6 : 5;
+	int fraction = soft_last_fraction(kind, i);
+
+	return soft_is_fogged(kind)
+		? LIMIT_SHIFTED(color->channel[i], fraction, bits)
+		: (uint32_t)color->channel[i] >> fraction;
 }
 
 static ALWAYS_INLINE void soft_store_565(
@@ -128,7 +149,8 @@ static ALWAYS_INLINE void soft_store_565(
 	uint32_t b = soft_whole(kind, color, 2);
 	uint32_t mask = WIDE_MASK, to = *pixel;
 
-	if (!soft_is_blended(kind) && soft_is_aligned(kind)) {
+	if (!soft_is_blended(kind) && soft_is_aligned(kind) &&
+		!soft_is_fogged(kind)) {
 		to = UPPER_HALVES(c[0], c[2]);
 		*pixel = (uint16_t)(to | to >> 5 | g << 5);
 		return;
@@ -253,7 +275,7 @@ static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 			(uint32_t)lanes, (uint32_t)(lanes >> 32) & 255};
 	}
 #endif
-	color = soft_modulate(kind, texel, at);
+	color = soft_modulate(kind, constants, texel, at);
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);
 	}
@@ -319,7 +341,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_store_8888(kind, constants, &lanes, alpha, pixel);
 		return;
 	}
-	color = soft_modulate(kind, &texel, at);
+	color = soft_modulate(kind, constants, &texel, at);
 	color.alpha = alpha;
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);

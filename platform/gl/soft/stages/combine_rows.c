@@ -138,7 +138,7 @@ static bool is_argument(const struct soft_combiner *a, int i,
 	return source == b->source[j] && a->operand[i] == b->operand[j];
 }
 
-/* Of GL_REPLACE or GL_MODULATE. */
+/* Of functions whose arguments may be exchanged, or GL_REPLACE. */
 static bool does(const struct soft_combiner *combiner,
 	const struct soft_combiner *wanted, bool first)
 {
@@ -169,6 +169,19 @@ GLenum soft_find_mode(const struct texenv *env, GLenum format, bool first)
 		}
 	}
 	return GL_COMBINE;
+}
+
+bool soft_adds_constant(const struct texture_input *input)
+{
+	static const struct soft_combiner sum = {GL_ADD,
+		{GL_PREVIOUS, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR}, 0};
+	static const struct soft_combiner own = {
+		GL_REPLACE, {GL_PREVIOUS}, {GL_SRC_ALPHA}, 0};
+	struct soft_environment given = {0};
+
+	find_combine(input->env, &given);
+	return input->mode == GL_COMBINE && does(&given.rgb, &sum, false) &&
+		does(&given.alpha, &own, false);
 }
 
 void soft_find_environment(

@@ -256,7 +256,8 @@ struct draw {
 	struct spec_table spec_table[SPEC_TABLES];
 	unsigned spec_table_next; /* to be made over */
 	struct texture_input texture[SOFT_UNITS];
-	uint32_t attributes; /* bits of those that are interpolated */
+	const GLfixed *added; /* to all fragments' colours, unless NULL */
+	uint32_t attributes;  /* bits of those that are interpolated */
 	/* fragments */
 	bool offset; /* depths of triangles are moved */
 	bool hides;  /* nothing behind what is there changes anything */

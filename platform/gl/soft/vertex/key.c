@@ -32,7 +32,7 @@ static uint32_t find_fragments(const struct draw *draw)
 
 	return bit_if(state->alpha_test && state->alpha_function != GL_ALWAYS,
 		       KEY_ALPHA_TEST) |
-		bit_if(draw->fogged, KEY_FOG) |
+		bit_if(draw->fogged, KEY_FOG) | bit_if(draw->added, KEY_ADDED) |
 		bit_if(draw->blended, KEY_BLENDED) |
 		bit_if(draw->blended && !by_alpha, KEY_BLENDED_OTHER);
 }

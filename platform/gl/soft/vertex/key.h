@@ -29,6 +29,7 @@ enum {
 	KEY_DEPTH_ALWAYS = 1 << 12, /* not tested, or ALWAYS */
 	KEY_STENCIL = 1 << 13,
 	KEY_STENCIL_ONCE = 1 << 14, /* where it is EQUAL; gets another value */
+	KEY_ADDED = 1 << 15,        /* a colour is added to all fragments */
 	/* the first texture */
 	KEY_TEXTURE = 1 << 16,
 	KEY_TEXTURE_565 = 1 << 17,

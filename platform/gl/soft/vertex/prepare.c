@@ -232,6 +232,21 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 	}
 }
 
+/*
+ * The second texture is not read where its environment only adds a colour to
+ * all fragments: the span functions do that as they do fog.
+ */
+static void prepare_addition(struct draw *draw)
+{
+	struct texture_input *last = &draw->texture[1];
+
+	draw->added = NULL;
+	if (last->used && !draw->fogged && soft_adds_constant(last)) {
+		last->used = false;
+		draw->added = last->env->color;
+	}
+}
+
 static bool reads_destination(const struct fragment_state *state)
 {
 	return state->blend &&
@@ -312,6 +327,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_fragments(soft, draw, mode);
 	prepare_fog(soft, draw);
 	prepare_textures(soft, draw);
+	prepare_addition(draw);
 	draw->attributes = choose_attributes(draw);
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);

@@ -69,6 +69,25 @@ static void make_texture(const struct gl *gl, const struct given *given)
 	}
 }
 
+/* The colour of the second unit on top: a texture as it is, and more. */
+static void add_color(const struct gl *gl)
+{
+	static const GLfixed color[4] = {30000, 4000, 15000, 0};
+
+	gl->ActiveTexture(GL_TEXTURE1);
+	make_texture(
+		gl, &(struct given){GL_NEAREST, GL_NEAREST, 1, 1, GL_REPEAT});
+	gl->Enable(GL_TEXTURE_2D);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_RGB, GL_PREVIOUS);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC1_RGB, GL_CONSTANT);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
+	gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
+	gl->ActiveTexture(GL_TEXTURE0);
+}
+
 static struct soft_scene *open_scene(const struct given *given)
 {
 	struct soft_scene *scene = soft_scene_open();
@@ -90,12 +109,15 @@ static void make_triangles(struct soft_corner *corner, uint32_t *seed, int size)
 }
 
 static void draw(struct soft_scene *scene, const struct soft_corner *corner,
-	bool long_way)
+	bool long_way, bool added)
 {
 	const struct gl *gl = scene->gl;
 	const GLsizei stride = sizeof(*corner);
 
 	soft_scene_use(scene, long_way);
+	if (added) {
+		add_color(gl);
+	}
 	gl->Enable(GL_DEPTH_TEST);
 	gl->Enable(GL_TEXTURE_2D);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
@@ -149,7 +171,8 @@ static void use_gray(struct soft_corner *corner)
 	}
 }
 
-static struct figures compare_ways(struct given given, uint32_t rounds)
+static struct figures compare_ways_of(
+	struct given given, uint32_t rounds, bool added)
 {
 	struct figures figures = {0};
 
@@ -166,8 +189,8 @@ static struct figures compare_ways(struct given given, uint32_t rounds)
 		if (given.mag == GL_NEAREST && round % 2 == 0) {
 			use_gray(corner);
 		}
-		draw(fast_setup, corner, false);
-		draw(slow, corner, true);
+		draw(fast_setup, corner, false, added);
+		draw(slow, corner, true, added);
 		add_difference(&figures, fast_setup, slow);
 		soft_scene_close(fast_setup);
 		soft_scene_close(slow);
@@ -176,10 +199,25 @@ static struct figures compare_ways(struct given given, uint32_t rounds)
 	return figures;
 }
 
+static struct figures compare_ways(struct given given, uint32_t rounds)
+{
+	return compare_ways_of(given, rounds, false);
+}
+
 static void test_mixed_texels_are_those_of_the_long_way(void **state)
 {
 	struct figures figures = compare_ways(
 		(struct given){GL_LINEAR, GL_LINEAR, WIDTH, 1, GL_REPEAT}, 40);
+
+	(void)state;
+	assert_true(figures.other * 1000 < figures.seen);
+}
+
+static void test_colours_are_added_as_on_the_long_way(void **state)
+{
+	struct figures figures = compare_ways_of(
+		(struct given){GL_LINEAR, GL_LINEAR, WIDTH, 1, GL_REPEAT}, 40,
+		true);
 
 	(void)state;
 	assert_true(figures.other * 1000 < figures.seen);
@@ -272,7 +310,7 @@ static void test_relief_is_that_of_the_long_way(void **state)
 					GL_LINEAR, WIDTH, 2, GL_REPEAT});
 			for (uint32_t pass = 0; pass <= round % 3; pass++) {
 				set_pass(scene[k]->gl, (int)pass);
-				draw(scene[k], corner, k == 1);
+				draw(scene[k], corner, k == 1, false);
 			}
 		}
 		add_difference(&figures, scene[0], scene[1]);
@@ -287,6 +325,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_mixed_texels_are_those_of_the_long_way),
+		cmocka_unit_test(test_colours_are_added_as_on_the_long_way),
 		cmocka_unit_test(test_levels_are_those_of_the_long_way),
 		cmocka_unit_test(test_levels_that_are_no_squares_are_too),
 		cmocka_unit_test(test_nearest_texels_are_those_of_the_long_way),

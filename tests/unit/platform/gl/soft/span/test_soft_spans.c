@@ -343,6 +343,69 @@ static void test_two_textures_are_those_of_fragments(void **state)
 	assert_true(listed > 100);
 }
 
+/* The second unit's texture is any; its environment does not read it. */
+static void add_color(const struct gl *gl, uint32_t *seed)
+{
+	const bool swapped = random_one_in(seed, 2);
+	GLfixed color[4];
+
+	for (int i = 0; i < 4; i++) {
+		color[i] = random_between(seed, 0, 65536);
+	}
+	gl->ActiveTexture(GL_TEXTURE1);
+	give_texture(gl, seed);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC1_RGB : GL_SRC0_RGB,
+		GL_PREVIOUS);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC0_RGB : GL_SRC1_RGB,
+		GL_CONSTANT);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
+	gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
+}
+
+static struct span_scene *draw_sum(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct span_scene *scene = span_scene_begin(format, reference);
+	const struct gl *gl = scene->gl;
+
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
+	gl->MatrixMode(GL_MODELVIEW);
+	give_texture(gl, &seed);
+	if (random_one_in(&seed, 4)) {
+		give_environment(gl, &seed);
+	}
+	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	add_color(gl, &seed);
+	give_fragments(gl, &seed);
+	give_triangles(gl, &seed);
+	return scene;
+}
+
+/* A colour that is added to a texture's, as surfaces that emit light have it. */
+static void test_added_colours_are_those_of_fragments(void **state)
+{
+	int added = 0, drawn = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 900; seed++) {
+		enum pixel_format format =
+			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *fast = draw_sum(format, seed * 7919, false);
+		struct span_scene *slow = draw_sum(format, seed * 7919, true);
+
+		added += fast->soft->draw->added != NULL;
+		drawn += span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	assert_true(added > 500);
+	assert_true(drawn > 30000);
+}
+
 static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
@@ -384,6 +447,7 @@ int main(void)
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
 		cmocka_unit_test(test_a_small_triangle_leaves_the_next_its_level),
 		cmocka_unit_test(test_two_textures_are_those_of_fragments),
+		cmocka_unit_test(test_added_colours_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 	};
 

@@ -261,12 +261,15 @@ static void draw_two_sided(const struct gl *gl, const struct instance *instance,
 
 /* Draws the surface with all light but that of a pass of its own. */
 static void draw_lit(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, enum emission emission)
+	const struct drawable *drawable, const struct texture_set *textures,
+	enum emission emission)
 {
 	const struct model_material *material = material_of(instance, drawable);
 
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_begin_light(gl, drawable);
+	} else if (emission == EMISSION_OVER_TEXTURE) {
+		emission_begin_unit(gl, drawable, textures, material->texture);
 	}
 	if (material->double_sided) {
 		draw_two_sided(gl, instance, drawable);
@@ -275,6 +278,8 @@ static void draw_lit(const struct gl *gl, const struct instance *instance,
 	}
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_end_light(gl);
+	} else if (emission == EMISSION_OVER_TEXTURE) {
+		emission_end_unit(gl);
 	}
 }
 
@@ -301,13 +306,24 @@ static void draw_emission(const struct gl *gl, const struct instance *instance,
 	emission_end_pass(gl);
 }
 
+/* Without a second unit, or over bumps, it takes a pass of its own. */
+static enum emission find_emission(const struct instance *instance,
+	const struct drawable *drawable, bool has_unit)
+{
+	enum emission emission =
+		emission_of(instance->model, drawable->primitive);
+
+	return emission == EMISSION_OVER_TEXTURE && !has_unit ? EMISSION_ADDED
+							      : emission;
+}
+
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
 	const struct model_material *material = material_of(instance, drawable);
 	enum emission emission =
-		emission_of(instance->model, drawable->primitive);
+		find_emission(instance, drawable, textures->emission_unit);
 	bool edges = pass == DRAW_EDGES;
 
 	/*
@@ -321,7 +337,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	}
 	if (pass == DRAW_SHADED) {
 		set_surface(gl, instance, drawable, textures);
-		draw_lit(gl, instance, drawable, emission);
+		draw_lit(gl, instance, drawable, textures, emission);
 		if (emission == EMISSION_ADDED) {
 			draw_emission(gl, instance, drawable, textures);
 		}
@@ -354,8 +370,7 @@ static void draw_bump_mapped(const struct gl *gl,
 {
 	const struct model_material *material = material_of(instance, drawable);
 	const struct batch *batch = drawable->batch;
-	enum emission emission =
-		emission_of(instance->model, drawable->primitive);
+	enum emission emission = find_emission(instance, drawable, false);
 
 	gl->Enable(GL_CULL_FACE);
 	texture_bind(textures, gl, material->normal_texture);

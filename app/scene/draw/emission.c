@@ -31,8 +31,11 @@ enum emission emission_of(
 		(material->emissive_texture >= 0 && !primitive->texcoord)) {
 		return EMISSION_NONE;
 	}
-	return share_texture(model, primitive) ? EMISSION_WITH_LIGHT
-					       : EMISSION_ADDED;
+	if (share_texture(model, primitive)) {
+		return EMISSION_WITH_LIGHT;
+	}
+	return material->emissive_texture < 0 ? EMISSION_OVER_TEXTURE
+					      : EMISSION_ADDED;
 }
 
 /* Whether what the surface reflects is known but for a shared texture. */
@@ -79,6 +82,52 @@ void emission_end_light(const struct gl *gl)
 	static const GLfixed black[4] = {0, 0, 0, FX16_ONE};
 
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_EMISSION, black);
+}
+
+static void set_environment(const struct gl *gl, GLenum name, GLenum value)
+{
+	gl->TexEnvx(GL_TEXTURE_ENV, name, (GLfixed)value);
+}
+
+bool emission_unit_is_supported(const struct gl *gl)
+{
+	GLint units = 1;
+	bool supported;
+
+	gl->GetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+	if (units < 2) {
+		return false;
+	}
+	/* OpenGL ES 1.0 has no GL_COMBINE. */
+	(void)gl->GetError();
+	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+	supported = gl->GetError() == GL_NO_ERROR;
+	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	return supported;
+}
+
+/* GL wants a texture where an environment does something: any will do. */
+void emission_begin_unit(const struct gl *gl, const struct drawable *drawable,
+	const struct texture_set *textures, int texture)
+{
+	gl->ActiveTexture(GL_TEXTURE1);
+	gl->BindTexture(GL_TEXTURE_2D, textures->name[texture]);
+	gl->Enable(GL_TEXTURE_2D);
+	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+	set_environment(gl, GL_COMBINE_RGB, GL_ADD);
+	set_environment(gl, GL_SRC0_RGB, GL_PREVIOUS);
+	set_environment(gl, GL_SRC1_RGB, GL_CONSTANT);
+	set_environment(gl, GL_COMBINE_ALPHA, GL_REPLACE);
+	set_environment(gl, GL_SRC0_ALPHA, GL_PREVIOUS);
+	gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, drawable->emission);
+	gl->ActiveTexture(GL_TEXTURE0);
+}
+
+void emission_end_unit(const struct gl *gl)
+{
+	gl->ActiveTexture(GL_TEXTURE1);
+	gl->Disable(GL_TEXTURE_2D);
+	gl->ActiveTexture(GL_TEXTURE0);
 }
 
 /* What blended surfaces show has no depth of its own. */

@@ -3,9 +3,10 @@
  *
  * GL adds GL_EMISSION to the light of a surface before it multiplies that by a
  * texture. So it draws what glTF asks for where the surface has no texture, or
- * where the base colour and the emission share one. Other surfaces are drawn
- * once more: the emission is added to the pixels that they show. A surface that
- * emits nothing takes no call of GL.
+ * where the base colour and the emission share one. Where only the base colour
+ * has a texture, a second texture unit adds the emission. Other surfaces, and
+ * those too where GL has one unit, are drawn once more: the emission is added to
+ * the pixels that they show. A surface that emits nothing takes no call of GL.
  */
 #ifndef APP_SCENE_DRAW_EMISSION_H
 #define APP_SCENE_DRAW_EMISSION_H
@@ -15,8 +16,9 @@
 
 enum emission {
 	EMISSION_NONE,
-	EMISSION_WITH_LIGHT, /* drawn with all other light */
-	EMISSION_ADDED,      /* drawn after it, in a pass of its own */
+	EMISSION_WITH_LIGHT,   /* drawn with all other light */
+	EMISSION_OVER_TEXTURE, /* by the second unit, or as EMISSION_ADDED */
+	EMISSION_ADDED,        /* drawn after it, in a pass of its own */
 };
 
 /* How the light is drawn that a primitive of the model emits. */
@@ -36,6 +38,17 @@ void emission_color(const struct model *model,
 /* Set GL_EMISSION, and reset it to black, which it is at all other times. */
 void emission_begin_light(const struct gl *gl, const struct drawable *drawable);
 void emission_end_light(const struct gl *gl);
+
+/* Whether GL has two texture units, and environments that combine colours. */
+bool emission_unit_is_supported(const struct gl *gl);
+
+/*
+ * Let the second texture unit add the emission to a surface with one of the
+ * model's textures, and disable the unit, which it is at all other times.
+ */
+void emission_begin_unit(const struct gl *gl, const struct drawable *drawable,
+	const struct texture_set *textures, int texture);
+void emission_end_unit(const struct gl *gl);
 
 /*
  * Set the state of the pass that adds light to what has been drawn; alpha is

@@ -1,6 +1,7 @@
 #include "app/scene/draw/texture.h"
 
 #include "app/scene/draw/bump.h"
+#include "app/scene/draw/emission.h"
 #include "platform/base/fixed.h"
 
 #include <errno.h>
@@ -320,6 +321,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 		}
 	}
 	set->normal_mapping = bump_is_supported(model, gl, log);
+	set->emission_unit = emission_unit_is_supported(gl);
 	return 0;
 fail:
 	(void)memory_budget_fail(model->budget, model->path, log);

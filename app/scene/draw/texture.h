@@ -18,6 +18,7 @@ struct texture_set {
 	int count;
 	GLuint *name;        /* [count], one for each of the model's textures */
 	bool normal_mapping; /* the driver can draw the model's normal maps */
+	bool emission_unit;  /* see emission_unit_is_supported() */
 	size_t taken_bytes;  /* from the model's budget, for the GL's memory */
 };
 

@@ -26,6 +26,7 @@ struct surface {
 	int emissive_texture;
 	enum model_alpha alpha;
 	bool unlit, double_sided;
+	bool transparent; /* by its texture, which a second pass does not see */
 	double left[3], right[3]; /* expected */
 };
 
@@ -54,6 +55,15 @@ static const struct surface surfaces[] = {
 		.left = {0.1, 0.6, 0.1}, .right = {0.1, 0.1, 0.1}},
 	{"unlit", {0, 0, 0, 1}, NONE, {1, 1, 1}, SHINE, MODEL_OPAQUE,
 		.unlit = true, .left = {0, 0, 0}, .right = {0, 0, 0}},
+	{"light over a texture of two sides", {1, 1, 1, 1}, BASE,
+		{0.2140411f, 0, 0}, NONE, MODEL_OPAQUE, .double_sided = true,
+		.left = {0.5, 0, 0}, .right = {1, 0.5, 0.5}},
+	{"light over a texture that is cut out", {1, 1, 1, 1}, BASE,
+		{0.2140411f, 0, 0}, NONE, MODEL_MASK, .left = {0.2, 0.2, 0.2},
+		.right = {1, 0.5, 0.5}},
+	{"light over glass with a texture", {1, 1, 1, 0.5f}, BASE,
+		{0.2140411f, 0, 0}, NONE, MODEL_BLEND, .left = {0.2, 0.2, 0.2},
+		.right = {0.6, 0.35, 0.35}, .transparent = true},
 };
 
 /* The left texel of the base is transparent, which only masks notice. */
@@ -101,7 +111,8 @@ static struct model *make_model(const struct surface *surface)
 	return model;
 }
 
-static void draw_square(struct gl_canvas *canvas, const struct model *model)
+static void draw_square(
+	struct gl_canvas *canvas, const struct model *model, bool one_unit)
 {
 	static const GLfixed half[4] = {32768, 32768, 32768, 65536};
 	struct instance *instance = small_model_instance(model);
@@ -113,6 +124,8 @@ static void draw_square(struct gl_canvas *canvas, const struct model *model)
 	assert_int_equal(texture_set_create(&textures, model, gl,
 				 PIXELS_RGBA8888, &nowhere),
 		0);
+	assert_true(textures.emission_unit);
+	textures.emission_unit = !one_unit;
 	gl->ClearColorx(65536 / 5, 65536 / 5, 65536 / 5, 65536);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	gl->Enable(GL_DEPTH_TEST);
@@ -122,12 +135,13 @@ static void draw_square(struct gl_canvas *canvas, const struct model *model)
 	instance_destroy(instance);
 }
 
-static void check_surface(const char *driver, const struct surface *surface)
+static void check_surface(
+	const char *driver, const struct surface *surface, bool one_unit)
 {
 	struct gl_canvas canvas = gl_canvas_open(driver, PIXELS_RGBA8888);
 	struct model *model = make_model(surface);
 
-	draw_square(&canvas, model);
+	draw_square(&canvas, model, one_unit);
 	gl_expect_color(&canvas, surface->name, 2, 2, surface->left);
 	gl_expect_color(
 		&canvas, surface->name, GL_CANVAS_WIDTH - 3, 2, surface->right);
@@ -139,8 +153,12 @@ static void test_light_is_added_to_what_a_surface_reflects(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(surfaces); i++) {
-		check_surface("soft", &surfaces[i]);
-		check_surface("osmesa", &surfaces[i]);
+		for (int one_unit = 0; one_unit <= 1; one_unit++) {
+			if (!one_unit || !surfaces[i].transparent) {
+				check_surface("soft", &surfaces[i], one_unit);
+				check_surface("osmesa", &surfaces[i], one_unit);
+			}
+		}
 	}
 }
 
@@ -155,6 +173,8 @@ static void test_only_textures_that_differ_take_a_second_pass(void **state)
 		enum emission expected = !shines ? EMISSION_NONE
 			: surface->texture == surface->emissive_texture
 			? EMISSION_WITH_LIGHT
+			: surface->emissive_texture == NONE
+			? EMISSION_OVER_TEXTURE
 			: EMISSION_ADDED;
 
 		assert_int_equal(

@@ -124,17 +124,27 @@ static void draw_batch(struct batch *batch, soft_span_function function)
 static void test_drawn(const struct batch *batch, uint32_t i,
 	const uint16_t *before, uint16_t *aside)
 {
-	struct soft_tested one = find_tested(batch->draw, &batch->from[i]);
-	uint32_t count = one.count;
-	uint16_t passes;
+	const struct soft_tested all = find_tested(batch->draw, &batch->from[i]);
+	uint16_t passes[SOFT_RUN_PIXELS];
 
-	one.count = 1;
-	for (; count > 0; count--, before++, aside++, one.place++) {
-		if (*before != *aside &&
-			!soft_test(batch->draw->soft, &one, &passes)) {
-			*aside = *before;
+	for (uint32_t at = 0, end; at < all.count; at = end + 1) {
+		struct soft_tested part = all;
+
+		for (end = at; end < all.count && before[end] != aside[end];
+			end++) {
 		}
-		one.z += one.z_right;
+		if (end == at) {
+			continue;
+		}
+		part.place += at;
+		part.count = end - at;
+		part.z += all.z_right * at;
+		soft_test(batch->draw->soft, &part, passes);
+		for (uint32_t k = at; k < end; k++) {
+			if (!passes[k - at]) {
+				aside[k] = before[k];
+			}
+		}
 	}
 }
 

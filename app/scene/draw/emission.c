@@ -130,13 +130,19 @@ void emission_end_unit(const struct gl *gl)
 	gl->ActiveTexture(GL_TEXTURE0);
 }
 
-/* What blended surfaces show has no depth of its own. */
-static void set_blending(const struct gl *gl, bool blended)
+/*
+ * What blended surfaces show has no depth of its own; masked ones have holes.
+ * Nothing of opaque ones lies before what they show. That LEQUAL writes the
+ * same depths again is what the driver soft has functions for.
+ */
+static void set_blending(const struct gl *gl, enum model_alpha alpha)
 {
 	gl->Enable(GL_BLEND);
-	gl->DepthMask(GL_FALSE);
-	gl->BlendFunc(blended ? GL_SRC_ALPHA : GL_ONE, GL_ONE);
-	gl->DepthFunc(blended ? GL_LESS : GL_EQUAL);
+	gl->DepthMask(alpha == MODEL_OPAQUE);
+	gl->BlendFunc(alpha == MODEL_BLEND ? GL_SRC_ALPHA : GL_ONE, GL_ONE);
+	gl->DepthFunc(alpha == MODEL_OPAQUE    ? GL_LEQUAL
+			: alpha == MODEL_BLEND ? GL_LESS
+					       : GL_EQUAL);
 }
 
 void emission_begin_pass(const struct gl *gl, const struct model *model,
@@ -148,7 +154,7 @@ void emission_begin_pass(const struct gl *gl, const struct model *model,
 
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_ALPHA_TEST);
-	set_blending(gl, drawable->alpha == MODEL_BLEND);
+	set_blending(gl, drawable->alpha);
 	if (material->emissive_texture >= 0) {
 		texture_bind(textures, gl, material->emissive_texture);
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);

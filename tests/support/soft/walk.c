@@ -4,6 +4,8 @@
  */
 #include "tests/support/soft/reference.h"
 
+#include <string.h>
+
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -282,6 +284,7 @@ void reference_fill(struct draw *draw, struct setup *setup)
 	struct raster *raster = &draw->raster;
 
 	soft_raster_set_up(draw, setup);
+	memset(raster->span.step, 0, sizeof(raster->span.step));
 	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
 	raster->span.y = -1; /* no row is drawn yet */
 	if (raster->bent) {

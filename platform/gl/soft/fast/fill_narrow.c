@@ -210,7 +210,7 @@ void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
 		soft_rows_fill(draw, setup);
 		return;
 	}
-	frame = frame_find(setup);
+	frame_find(setup, &frame);
 	set_up(draw, setup, &frame, &narrow);
 	raster_draw_bands(draw, setup, frame.middle_left, &narrow.edges,
 		draw_rows, &narrow);

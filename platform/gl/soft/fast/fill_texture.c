@@ -278,7 +278,7 @@ static ALWAYS_INLINE bool fill(
 		return false;
 	}
 	small.setup = setup;
-	small.frame = frame_find(setup);
+	frame_find(setup, &small.frame);
 	if (linear) {
 		set_tint(&small, textured, &band);
 	} else {

@@ -156,7 +156,7 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 		if (name < TEX_S) {
 			continue;
 		}
-		bend_plane(raster, &products, ratio, &delta[i], name);
+		bend_plane(raster, &products, ratio, &delta[name], name);
 		while (raster->bent_pixels > PERSPECTIVE_STEP &&
 			!is_straight(raster, name, setup->columns,
 				raster->bent_pixels)) {

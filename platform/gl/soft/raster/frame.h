@@ -16,27 +16,24 @@ struct run {
  * Of an area that has so many zeros before it. A triangle of less than half a
  * pixel gets no gradients, by an inverse of 0: they would only be noise.
  */
-static ALWAYS_INLINE struct frame frame_begin(
-	const struct setup *setup, int32_t inverse, int zeros, bool middle_left)
+static ALWAYS_INLINE void frame_begin(const struct setup *setup,
+	int32_t inverse, int zeros, bool middle_left, struct frame *frame)
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	struct frame frame = {
-		.x1 = b->x - a->x,
-		.less_y1 = a->y - b->y,
-		.less_x2 = a->x - c->x,
-		.y2 = c->y - a->y,
-		.zeros = zeros,
-		.column = a->x >> 4,
-		.off_x = 8 - (a->x & 15),
-		.off_y = (8 - a->y) & 15,
-		.middle_left = middle_left,
-	};
 
 	inverse = middle_left ? -inverse : inverse;
-	frame.inverse_area = inverse;
-	frame.shift = zeros > 18 ? zeros - 18 : 0;
-	frame.inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
-	return frame;
+	frame->x1 = b->x - a->x;
+	frame->less_y1 = a->y - b->y;
+	frame->less_x2 = a->x - c->x;
+	frame->y2 = c->y - a->y;
+	frame->inverse_area = inverse;
+	frame->inverse = zeros > 18 ? inverse : inverse >> (18 - zeros);
+	frame->zeros = zeros;
+	frame->shift = zeros > 18 ? zeros - 18 : 0;
+	frame->off_x = 8 - (a->x & 15);
+	frame->off_y = (8 - a->y) & 15;
+	frame->column = a->x >> 4;
+	frame->middle_left = middle_left;
 }
 
 /* Of a small triangle: whether its long edge is right of the middle vertex. */
@@ -48,13 +45,14 @@ static ALWAYS_INLINE bool frame_is_middle_left(const struct setup *setup)
 }
 
 /* Of a small triangle. */
-static ALWAYS_INLINE struct frame frame_find(const struct setup *setup)
+static ALWAYS_INLINE void frame_find(
+	const struct setup *setup, struct frame *out)
 {
 	uint32_t area = (uint32_t)setup->area;
 	int zeros = LEADING_ZEROS_32(area);
 
-	return frame_begin(setup, area < 256 ? 0 : reciprocal(area << zeros),
-		zeros, frame_is_middle_left(setup));
+	frame_begin(setup, area < 256 ? 0 : reciprocal(area << zeros), zeros,
+		frame_is_middle_left(setup), out);
 }
 
 /* What a value changes by to the right, times the area. */

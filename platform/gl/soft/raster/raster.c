@@ -19,17 +19,19 @@ static int32_t divide_by_area(const struct frame *frame, int64_t num, int scale)
 		frame->zeros - spare - 30 + scale);
 }
 
-static ALWAYS_INLINE struct frame find_wide_frame(const struct setup *setup)
+static NEVER_INLINE void find_wide_frame(
+	const struct setup *setup, struct frame *out)
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
 	uint64_t area = setup->area;
 	int zeros = LEADING_ZEROS_64(area);
 
-	return frame_begin(setup,
+	frame_begin(setup,
 		area < 256 ? 0 : reciprocal((uint32_t)(area << zeros >> 32)),
 		zeros - 32,
 		(int64_t)(b->x - a->x) * (c->y - a->y) <
-			(int64_t)(c->x - a->x) * (b->y - a->y));
+			(int64_t)(c->x - a->x) * (b->y - a->y),
+		out);
 }
 
 /* A plane through three values; 2^scale over 16 is a unit of the plane. */
@@ -63,18 +65,11 @@ static ALWAYS_INLINE void set_plane(
 	}
 }
 
-/* The attributes that move, and the most that they differ by. */
+/* How attributes differ, and the most that those that move differ by. */
 struct moving {
-	struct delta delta[ATTRIBUTES]; /* of raster->moving */
+	struct delta delta[ATTRIBUTES];
 	uint32_t color, texel;
 };
-
-static ALWAYS_INLINE void add_moving(struct raster *raster,
-	struct moving *moving, int name, struct delta delta)
-{
-	moving->delta[raster->moving_count] = delta;
-	raster->moving[raster->moving_count++] = name;
-}
 
 /*
  * Of colours and fog; what stays the same goes into the span once and for all,
@@ -85,9 +80,10 @@ static ALWAYS_INLINE void gather_colors(
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
-	struct delta delta[FOG + 1];
+	struct delta *delta = moving->delta;
 	const int32_t *color[3];
 	uint32_t bits = 0, planes;
+	int count = 0;
 
 	frame_choose_colors(draw, setup, color);
 	for (int i = RED; i <= FOG; i++) {
@@ -102,7 +98,6 @@ static ALWAYS_INLINE void gather_colors(
 				  setup->v[2]->attribute[FOG])
 			: find_delta(color[0][i], color[1][i], color[2][i]);
 		raster->span.value[i] = (uint32_t)delta[i].first << 8;
-		raster->span.step[i] = 0;
 		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
 	}
 	planes = raster_color_planes(bits);
@@ -113,9 +108,10 @@ static ALWAYS_INLINE void gather_colors(
 
 			moving->color =
 				own > moving->color ? own : moving->color;
-			add_moving(raster, moving, i, delta[i]);
+			raster->moving[count++] = i;
 		}
 	}
+	raster->moving_count = count;
 	raster->moving_bits = bits;
 }
 
@@ -123,15 +119,16 @@ static ALWAYS_INLINE void gather_colors(
 static ALWAYS_INLINE void gather_texels(
 	struct draw *draw, const struct setup *setup, struct moving *moving)
 {
+	const uint32_t wanted = draw->attributes;
 	struct raster *raster = &draw->raster;
+	int count = raster->moving_count;
 
-	for (int i = 0; i < 2 * SOFT_UNITS && draw->attributes >> (TEX_S + i);
-		i++) {
+	for (int i = 0; i < 2 * SOFT_UNITS && wanted >> (TEX_S + i); i++) {
 		const struct texture_input *input = &draw->texture[i / 2];
 		struct frame_texels texels;
 		uint32_t own;
 
-		if (!(draw->attributes >> (TEX_S + i) & 1)) {
+		if (!(wanted >> (TEX_S + i) & 1)) {
 			continue;
 		}
 		texels = frame_find_texels(setup, TEX_S + i,
@@ -142,9 +139,11 @@ static ALWAYS_INLINE void gather_texels(
 		raster->texel_range[i][1] = texels.high;
 		own = (uint32_t)texels.high - (uint32_t)texels.low;
 		moving->texel = own > moving->texel ? own : moving->texel;
-		add_moving(raster, moving, TEX_S + i, texels.delta);
-		raster->moving_bits |= 1u << (TEX_S + i);
+		moving->delta[TEX_S + i] = texels.delta;
+		raster->moving[count++] = TEX_S + i;
 	}
+	raster->moving_count = count;
+	raster->moving_bits |= wanted & (UINT32_MAX << TEX_S);
 }
 
 /* 1 / w of the three in a common scale, below 2^29. */
@@ -216,11 +215,11 @@ static void set_perspective(struct raster *raster, const struct delta *delta,
 static void set_attributes(struct draw *draw, const struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
+	const bool small = !setup->wide;
 	struct moving moving;
 	int32_t q[3];
 
 	moving.color = moving.texel = 0;
-	raster->moving_count = 0;
 	raster->perspective = false;
 	raster->colors_divided = false;
 	raster->bent = false;
@@ -239,15 +238,14 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	}
 	for (int i = 0; i < raster->moving_count; i++) {
 		const int name = raster->moving[i];
-		const struct delta *delta = &moving.delta[i];
+		const struct delta *delta = &moving.delta[name];
 
 		if (rows_is_divided(raster, name)) {
 			set_perspective(raster, delta, q, name);
 		} else if (name < TEX_S) {
-			set_plane(raster, !setup->wide, delta, name);
+			set_plane(raster, small, delta, name);
 		} else if (!raster->bent) {
-			set_plane(raster,
-				!setup->wide && moving.texel < SMALL_DELTA,
+			set_plane(raster, small && moving.texel < SMALL_DELTA,
 				delta, name);
 			raster->plane[name].start += TEXEL_NUDGE;
 		}
@@ -283,9 +281,9 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 
 	draw->raster.top = setup->top;
 	if (setup->wide) {
-		raster->frame = find_wide_frame(setup);
+		find_wide_frame(setup, &raster->frame);
 	} else {
-		raster->frame = frame_find(setup);
+		frame_find(setup, &raster->frame);
 	}
 	setup->middle_left = raster->frame.middle_left;
 	if (draw->soft->fragment.depth_test) {

@@ -101,7 +101,7 @@ static ALWAYS_INLINE bool raster_bends(
  * bend.c: of a small triangle whose w is at most twice as large in one corner
  * as in another, bends texture coordinates instead of dividing them. False
  * where that is off by more than a quarter of a texel. delta are those of
- * raster->moving, texel is the largest spread in 1/256 of texels.
+ * attributes, texel is the largest spread in 1/256 of texels.
  */
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], uint32_t texel);

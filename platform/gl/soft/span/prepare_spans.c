@@ -327,7 +327,6 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	for (int i = RED; i <= ALPHA; i++) {
 		if (spans->white_bits >> i & 1) {
 			span->value[i] = 0xFF80 << 8;
-			span->step[i] = 0;
 		}
 	}
 }

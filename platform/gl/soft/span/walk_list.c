@@ -2,7 +2,7 @@
  * The rows of triangles that are not divided by w: one loop lists their runs,
  * and the span function draws many in one call.
  */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
@@ -237,19 +237,24 @@ void soft_walk_list(struct run_list *list, const struct setup *setup)
 	const struct buffers *buffers = &draw->soft->buffers;
 	const int top = raster_first_row(draw, setup);
 	const bool bent = draw->raster.bent;
+	void (*const function)(void *list) =
+		!draw->spans.textured || draw->spans.made ? list_plain
+		: list->certain ? (bent ? list_certain_bent : list_certain)
+		: bent          ? list_bent
+				: list_linear;
 
 	list->next = list->row;
 	list->y = top - setup->top;
 	list->depth = buffers->depth + (ptrdiff_t)top * buffers->width;
 	list->pixel = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
-	raster_draw_bands(draw, setup, setup->middle_left, &list->edges,
-		!draw->spans.textured || draw->spans.made ? list_plain
-			: list->certain
-			? (bent ? list_certain_bent : list_certain)
-			: bent ? list_bent
-			       : list_linear,
-		list);
+	if (list->certain && !draw->fourth) {
+		frame_draw_bands(draw, setup, &draw->raster.frame, &list->edges,
+			function, list);
+	} else {
+		raster_draw_bands(draw, setup, setup->middle_left, &list->edges,
+			function, list);
+	}
 	if (list->next != list->row) {
 		draw_listed(list, list->next);
 	}

@@ -149,14 +149,14 @@ static void test_drawn(const struct batch *batch, uint32_t i,
 }
 
 /* Takes the pixels beside the picture that are drawn. */
-static void copy_drawn(const struct soft_row *row, const uint8_t *own,
-	int pixel_log2, const uint16_t *before, const uint16_t *aside)
+static ALWAYS_INLINE void copy_drawn(const struct soft_row *row,
+	const uint8_t *own, const size_t pixel_bytes, const uint16_t *before,
+	const uint16_t *aside)
 {
 	for (uint32_t i = 0; i < row->count; i++) {
 		if (before[i] != aside[i]) {
-			memcpy(row->pixel + (i << pixel_log2),
-				own + (i << pixel_log2),
-				(size_t)1 << pixel_log2);
+			memcpy(row->pixel + i * pixel_bytes,
+				own + i * pixel_bytes, pixel_bytes);
 		}
 	}
 }
@@ -189,8 +189,10 @@ static void end_batch(struct batch *batch)
 		}
 		if (spans->blended_last) {
 			soft_blend_row(draw, from, own, before, aside);
+		} else if (batch->depths == LAST && spans->pixel_log2 == 1) {
+			copy_drawn(from, own, 2, before, aside);
 		} else if (batch->depths == LAST) {
-			copy_drawn(from, own, spans->pixel_log2, before, aside);
+			copy_drawn(from, own, 4, before, aside);
 		}
 		if (spans->depth_written) {
 			write_depths(from, spans->run.z_right, before, aside);

@@ -54,8 +54,8 @@ static_assert(offsetof(struct band, green_right) ==
 		offsetof(struct band, z_right) + 12,
 	"four registers");
 static_assert(offsetof(struct band, pixels) % 8 == 0, "a pair of registers");
-static_assert(offsetof(struct band, more_red) % 8 == 0, "a pair of registers");
+static_assert(offsetof(struct band, more.red) % 8 == 0, "a pair of registers");
 static_assert(
-	offsetof(struct band, round) == offsetof(struct band, texel_mask) + 20,
+	offsetof(struct band, more.green) == offsetof(struct band, texel_mask) + 20,
 	"six registers");
 static_assert(TINT_NEXT == 0x1000100, "in two additions");

@@ -25,7 +25,7 @@
 /*
  * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
  * r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11 wide_mask,
- * r12 pixels, lr wide_round; 20 instructions, which the jump to them knows.
+ * r12 pixels, lr WIDE_ROUND; 20 instructions, which the jump to them knows.
  */
 	.macro	texture_pixel
 	ldrh	r5, [r1], #2

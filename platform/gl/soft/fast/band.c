@@ -144,11 +144,11 @@ static ALWAYS_INLINE uint16_t shade(
 	const struct band *band, struct channels c, const struct band_pixel *at)
 {
 	const int32_t red =
-		WORD_BY_TOP(c.red, at->red_blue, (int32_t)band->more_red);
+		WORD_BY_TOP(c.red, at->red_blue, (int32_t)band->more.red);
 	const int32_t green =
-		WORD_BY_BOTTOM(c.green, at->green, (int32_t)band->round);
+		WORD_BY_BOTTOM(c.green, at->green, (int32_t)band->more.green);
 	const int32_t blue =
-		WORD_BY_BOTTOM(c.blue, at->red_blue, (int32_t)band->more_blue);
+		WORD_BY_BOTTOM(c.blue, at->red_blue, (int32_t)band->more.blue);
 
 	return (uint16_t)(LIMIT_SHIFTED(red, 17, 5) << 11 |
 		LIMIT_SHIFTED(green, 17, 6) << 5 | LIMIT_SHIFTED(blue, 17, 5));

@@ -70,6 +70,12 @@ enum {
 	TINT_GREEN = 0x07E007E0,
 };
 
+/* Of tinted channels: a half, and what is added to all fragments. */
+struct band_more {
+	uint32_t green; /* of gray: WIDE_ROUND */
+	uint32_t red, blue;
+};
+
 /*
  * Levels of up to 256 texels that repeat, or parts of other levels in which no
  * coordinate leaves the mask. arm/layout.c says what is fixed.
@@ -88,9 +94,7 @@ struct band {
 	const uint8_t *texels;
 	uint32_t wide_mask; /* of gray: WIDE_MASK */
 	uintptr_t pixels;   /* from behind a depth to its pixel */
-	uint32_t round;     /* of gray: WIDE_ROUND; of tints more for green */
-	/* Of tinted channels: a half, and what is added to all fragments. */
-	uint32_t more_red, more_blue;
+	struct band_more more;
 };
 
 /* A level as struct band has it. */
@@ -108,9 +112,8 @@ struct textured_level {
  * looks nothing else up. fill_texture.c makes it.
  */
 struct textured {
-	int32_t last_level; /* of those to choose from */
-	/* Of struct band, with bilinear filters. */
-	uint32_t more_red, more_green, more_blue;
+	int32_t last_level;    /* of those to choose from */
+	struct band_more more; /* of tints */
 	struct textured_level level[SOFT_LEVELS];
 };
 

@@ -62,7 +62,7 @@ static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 		small, (uint32_t)share.start << 7, band->red_blue_right);
 	band->row.green = band->down.green = band->green_right = 0;
 	band->wide_mask = WIDE_MASK;
-	band->round = WIDE_ROUND;
+	band->more.green = WIDE_ROUND;
 }
 
 /* 1.15 of a plane's colour. */
@@ -92,9 +92,7 @@ static ALWAYS_INLINE void set_tint(const struct small *small,
 	band->down.green = (uint32_t)weight(g.down);
 	band->row.green = leave_column(
 		small, (uint32_t)weight(g.start), band->green_right);
-	band->more_red = textured->more_red;
-	band->round = textured->more_green;
-	band->more_blue = textured->more_blue;
+	band->more = textured->more;
 }
 
 /* The level whose texels are nearest in size to pixels; see choose_level(). */
@@ -375,8 +373,10 @@ void soft_fill_textured_begin(struct draw *draw)
 	bool linear = input->texture->mag_filter == GL_LINEAR;
 
 	draw->textured.last_level = linear ? input->levels - 1 : 0;
-	draw->textured.more_red = find_more(draw, 0);
-	draw->textured.more_green = find_more(draw, 1);
-	draw->textured.more_blue = find_more(draw, 2);
+	draw->textured.more = (struct band_more){
+		.green = find_more(draw, 1),
+		.red = find_more(draw, 0),
+		.blue = find_more(draw, 2),
+	};
 	set_levels(input, draw->textured.level);
 }

@@ -38,7 +38,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 			.texel_mask = 31u << 24 | 63u << 8,
 			.texel_shift = 24 - 6,
 			.wide_mask = WIDE_MASK,
-			.round = WIDE_ROUND,
+			.more.green = WIDE_ROUND,
 			.red_blue_right = next_random(&seed) & 0xFFFFF,
 			.edges.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
@@ -87,9 +87,9 @@ static void test_the_tinted_band_is_as_in_c(void **state)
 			.texel_mask = 31u << 24 | 63u << 8,
 			.texel_shift = 24 - 6,
 			.stride_bytes = 2 * 64,
-			.more_red = next_random(&seed) & 0x3FFFFF,
-			.round = next_random(&seed) & 0x7FFFFF,
-			.more_blue = next_random(&seed) & 0x3FFFFF,
+			.more = {next_random(&seed) & 0x7FFFFF,
+				next_random(&seed) & 0x3FFFFF,
+				next_random(&seed) & 0x3FFFFF},
 			.edges.rows = random_between(&seed, 1, TWINS_ROWS),
 		};
 		struct band other;

@@ -14,10 +14,10 @@ enum {
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
 	uint32_t bits = draw->key;
-	bool spans = draw->raster.top != NOT_SET_UP;
-	bool planes = spans && draw->raster.top != RASTER_LISTED;
+	bool planes = draw->raster.top != NOT_SET_UP &&
+		draw->raster.top != RASTER_LISTED;
 	bool mixed = (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) != 0 ||
-		(spans && (bits & KEY_ADDED) != 0);
+		(planes && (bits & KEY_ADDED) != 0);
 
 	if (!(bits & KEY_TEXTURE)) {
 		return mixed ? GL_WORK_MIXED : GL_WORK_SPANS;

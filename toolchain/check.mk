@@ -13,9 +13,8 @@ CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
 # What reads files and devices shifts no bit out; fixed point and hashes do.
 $(foreach folder,app/model app/character platform/camera platform/display,\
 	build/fuzz/obj/$(folder)/%): CFLAGS_fuzz += -fsanitize=unsigned-shift-base
-# As in the sanitizers' build (host.mk): the span loops take clang half as long.
-build/fuzz/obj/platform/gl/soft/span/spans_%.o: CFLAGS_fuzz += \
-	-gline-tables-only -mllvm -asan-instrumentation-with-call-threshold=0
+# As in the sanitizers' build (host.mk).
+build/fuzz/obj/platform/gl/soft/span/spans_%.o: CFLAGS_fuzz += -DSOFT_SHARED_TEXT
 SETS_fuzz := host font fuzz
 PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod libdrm inih
 LIBS_fuzz := -lgif -lm -ldl

@@ -418,7 +418,18 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 					    : depth != end);
 }
 
-static ALWAYS_INLINE void soft_draw_rows(
+/*
+ * Each function gets a copy of its own of the text. Builds that check memory
+ * accesses share one, whose kind is known when it runs: their compilers take
+ * half a minute a table for the copies.
+ */
+#ifdef SOFT_SHARED_TEXT
+#define SOFT_TEXT __attribute__((noinline))
+#else
+#define SOFT_TEXT ALWAYS_INLINE
+#endif
+
+static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
 {
 	/* Pixels do not lie in it, which the compiler cannot know. */
@@ -474,7 +485,7 @@ static ALWAYS_INLINE bool soft_is_still(
 		row[run->row_count - 1].green_alpha >> 16 >= SOFT_SOLID_ALPHA;
 }
 
-static ALWAYS_INLINE void soft_draw_run(
+static SOFT_TEXT void soft_draw_run(
 	const struct soft_run *run, const struct soft_kind kind)
 {
 	struct soft_kind still = kind;

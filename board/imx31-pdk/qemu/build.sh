@@ -1,7 +1,8 @@
 #!/bin/sh
 # build.sh DIR: builds QEMU with the machine imx31-pdk as DIR/qemu-system-arm, from
 # Debian's source package of the version that is installed, qemu.patch and the
-# files in devices/. It does nothing when none of them has changed.
+# files in devices/, with the compiler of cc.sh. It does nothing when none of them
+# has changed.
 #
 # Where the source cannot be had, it removes DIR/qemu-system-arm, says why and
 # succeeds: the emulation then uses the installed QEMU's machine kzm.
@@ -18,7 +19,7 @@ log=$directory/build.log
 # The version of the source from which Debian built the installed emulator.
 version=$(dpkg-query -W -f '${source:Version}' qemu-system-arm 2>/dev/null || true)
 
-base=$(cat "$here/build.sh" "$here/qemu.patch" | sha256sum)-$version
+base=$(cat "$here/build.sh" "$here/cc.sh" "$here/qemu.patch" | sha256sum)-$version
 all=$(cat "$here"/devices/* | sha256sum)-$base
 if [ -x "$directory/qemu-system-arm" ] && [ -f "$directory/made-from" ] &&
     [ "$(cat "$directory/made-from")" = "$all" ]; then
@@ -95,8 +96,9 @@ END
 configure() {
     mkdir -p "$directory/obj"
     cd "$directory/obj"
-    ../source/configure --target-list=arm-softmmu --without-default-features \
-        --without-default-devices --with-devices-arm=imx31-pdk --enable-tcg \
+    ../source/configure --cc="$here/cc.sh" --target-list=arm-softmmu \
+        --without-default-features --without-default-devices \
+        --with-devices-arm=imx31-pdk --enable-tcg \
         --enable-plugins --enable-system --disable-user --enable-fdt=system \
         --enable-vnc --disable-docs --disable-install-blobs --disable-debug-info \
         >>"$log" 2>&1 || fail

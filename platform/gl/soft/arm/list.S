@@ -1,7 +1,7 @@
 /*
  * Lists of triangles by 16-bit indices, for ARMv6: finds, culls and sets up a
  * triangle in one loop as long as all of its vertices are in the cache and on the
- * screen. portable/loops.c draws the same one by one. Offsets are those of
+ * screen. portable/triangles.c draws the same one by one. Offsets are those of
  * struct fast_setup, struct setup, struct vertex, struct cache_tag, struct source.
  *
  * A triangle that is culled costs 21 instructions, one that covers no centre 34,

@@ -130,7 +130,7 @@ struct flat_color {
 /*
  * Nearest texels under a shade of gray, in rows of up to BAND_GRAY_PIXELS, and
  * four mixed ones under a colour, of at least one row: arm/texture.S and
- * arm/tint.S, or portable/loops.c. Rows lie inside of the picture, whose
+ * arm/tint.S, or portable/triangles.c. Rows lie inside of the picture, whose
  * rows are as far apart as the depth's.
  */
 void soft_band_gray(struct band *band);

@@ -60,7 +60,7 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
  * change what they become. Steps from fine are less than half of the texture.
  */
 void soft_tile_row_c(const struct tile_run *run, int by_fine);
-/* arm/tile_row.S or portable/loops.c: the same of levels as wide as high. */
+/* arm/tile_row.S or portable/triangles.c: the same of levels as wide as high. */
 void soft_tile_row(const struct tile_run *run, int by_fine);
 
 /* luminance.c, once: the tables of luminance and of grays. */

@@ -268,7 +268,7 @@ void soft_fill_textured_begin(struct draw *draw);
 
 /* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
 void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
-/* arm/narrow.S or portable/loops.c: the same. */
+/* arm/narrow.S or portable/triangles.c: the same. */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
 /* Whether colours run linearly, to a step of 255. */
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);

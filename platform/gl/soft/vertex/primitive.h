@@ -13,8 +13,8 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 /*
  * unindexed.c: triangles without indices, count vertices from first on; finds
  * those that come again by what they are made of. False, with nothing drawn,
- * where arrays do not lie together, are not words to compare, or are so long that
- * 16 bits do not number their vertices.
+ * where arrays do not lie together, are not words to compare, or are so long
+ * that 16 bits do not number their vertices.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 
@@ -70,7 +70,7 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
 /*
- * arm/list.S or portable/loops.c: triangles by 16-bit indices at an even
+ * arm/list.S or portable/triangles.c: triangles by 16-bit indices at an even
  * address, while draw->packed; does what soft_draw_triangle() does, in assembly
  * faster.
  */

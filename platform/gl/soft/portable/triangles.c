@@ -1,0 +1,30 @@
+/* For machines without the assembly of arm/: C alone, and lists one by one. */
+#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/vertex/primitive.h"
+
+void soft_list(struct draw *draw, const struct source *source)
+{
+	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
+		soft_draw_triangle(draw, source, i, i + 1, i + 2);
+	}
+}
+
+void soft_fill_narrow(struct draw *draw, struct setup *setup)
+{
+	soft_fill_narrow_c(draw, setup);
+}
+
+void soft_band_gray(struct band *band)
+{
+	soft_band_gray_c(band);
+}
+
+void soft_band_tint(struct band *band)
+{
+	soft_band_tint_c(band);
+}
+
+void soft_tile_row(const struct tile_run *run, int by_fine)
+{
+	soft_tile_row_c(run, by_fine);
+}

@@ -115,10 +115,48 @@ static void test_labels_take_the_free_side(void **state)
 	assert_true(seen[HUD_TOP_RIGHT] > 0);
 }
 
+/* Below a figure in a narrow picture, where so many pixels are left. */
+static bool is_added(const struct shown *shown, struct hud *hud, int px)
+{
+	struct overlay *overlay = ((struct demo_base *)shown->demo)->overlay;
+	struct room room;
+
+	hud_begin(hud, 300, 900);
+	room = room_of(shown, hud);
+	assert_true(px <= room.below);
+	hud->stacked_px[HUD_TOP_LEFT] = room.above;
+	hud->stacked_px[HUD_BOTTOM_LEFT] = room.below - px;
+	(void)demo_overlay_label(shown->driver, shown->demo, overlay, hud);
+	return hud->stacked_px[HUD_BOTTOM_LEFT] > room.below - px;
+}
+
+static void test_labels_need_room_for_a_row_with_a_bar(void **state)
+{
+	const struct overlay_choice choice = {.kinds = 1 << OVERLAY_SKELETON};
+	const int size[2] = {300, 900};
+	struct shown shown;
+	struct hud hud;
+	int least;
+
+	(void)state;
+	shown_begin(&shown, "face", size, false);
+	assert_int_equal(
+		demo_overlay_make(shown.driver, shown.demo, &choice), 0);
+	assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
+	hud_begin(&hud, size[0], size[1]);
+	least = hud_group_extent_of(size[0], size[1], 1, 1).top;
+	assert_true(least > hud_group_extent_of(size[0], size[1], 1, 0).top);
+	assert_false(is_added(&shown, &hud, least - 1));
+	assert_true(is_added(&shown, &hud, least));
+	hud_finish(&hud, &shown.gl);
+	shown_end(&shown);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_take_the_free_side),
+		cmocka_unit_test(test_labels_need_room_for_a_row_with_a_bar),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

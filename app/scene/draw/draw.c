@@ -323,7 +323,7 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 {
 	const struct model_material *material = material_of(instance, drawable);
 	enum emission emission =
-		find_emission(instance, drawable, textures->emission_unit);
+		find_emission(instance, drawable, textures->two_units);
 	bool edges = pass == DRAW_EDGES;
 
 	/*

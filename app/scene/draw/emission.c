@@ -89,23 +89,6 @@ static void set_environment(const struct gl *gl, GLenum name, GLenum value)
 	gl->TexEnvx(GL_TEXTURE_ENV, name, (GLfixed)value);
 }
 
-bool emission_unit_is_supported(const struct gl *gl)
-{
-	GLint units = 1;
-	bool supported;
-
-	gl->GetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-	if (units < 2) {
-		return false;
-	}
-	/* OpenGL ES 1.0 has no GL_COMBINE. */
-	(void)gl->GetError();
-	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-	supported = gl->GetError() == GL_NO_ERROR;
-	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-	return supported;
-}
-
 /* GL wants a texture where an environment does something: any will do. */
 void emission_begin_unit(const struct gl *gl, const struct drawable *drawable,
 	const struct texture_set *textures, int texture)

@@ -39,9 +39,6 @@ void emission_color(const struct model *model,
 void emission_begin_light(const struct gl *gl, const struct drawable *drawable);
 void emission_end_light(const struct gl *gl);
 
-/* Whether GL has two texture units, and environments that combine colours. */
-bool emission_unit_is_supported(const struct gl *gl);
-
 /*
  * Let the second texture unit add the emission to a surface with one of the
  * model's textures, and disable the unit, which it is at all other times.

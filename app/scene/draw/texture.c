@@ -1,7 +1,6 @@
 #include "app/scene/draw/texture.h"
 
 #include "app/scene/draw/bump.h"
-#include "app/scene/draw/emission.h"
 #include "platform/base/fixed.h"
 
 #include <errno.h>
@@ -294,6 +293,23 @@ out:
 	return name;
 }
 
+static bool has_two_units(const struct gl *gl)
+{
+	GLint units = 1;
+	bool combines;
+
+	gl->GetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+	if (units < 2) {
+		return false;
+	}
+	/* OpenGL ES 1.0 has no GL_COMBINE. */
+	(void)texture_memory_ok(gl);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+	combines = gl->GetError() == GL_NO_ERROR;
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	return combines;
+}
+
 int texture_set_create(struct texture_set *set, const struct model *model,
 	const struct gl *gl, enum pixel_format target, const struct log *log)
 {
@@ -321,7 +337,7 @@ int texture_set_create(struct texture_set *set, const struct model *model,
 		}
 	}
 	set->normal_mapping = bump_is_supported(model, gl, log);
-	set->emission_unit = emission_unit_is_supported(gl);
+	set->two_units = has_two_units(gl);
 	return 0;
 fail:
 	(void)memory_budget_fail(model->budget, model->path, log);

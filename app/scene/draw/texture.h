@@ -18,7 +18,7 @@ struct texture_set {
 	int count;
 	GLuint *name;        /* [count], one for each of the model's textures */
 	bool normal_mapping; /* the driver can draw the model's normal maps */
-	bool emission_unit;  /* see emission_unit_is_supported() */
+	bool two_units;      /* the driver has two, which can combine colours */
 	size_t taken_bytes;  /* from the model's budget, for the GL's memory */
 };
 

@@ -55,7 +55,7 @@ static_assert(offsetof(struct band, green_right) ==
 	"four registers");
 static_assert(offsetof(struct band, pixels) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, more.red) % 8 == 0, "a pair of registers");
-static_assert(
-	offsetof(struct band, more.green) == offsetof(struct band, texel_mask) + 20,
+static_assert(offsetof(struct band, more.green) ==
+		offsetof(struct band, texel_mask) + 20,
 	"six registers");
 static_assert(TINT_NEXT == 0x1000100, "in two additions");

@@ -124,8 +124,8 @@ static void draw_square(
 	assert_int_equal(texture_set_create(&textures, model, gl,
 				 PIXELS_RGBA8888, &nowhere),
 		0);
-	assert_true(textures.emission_unit);
-	textures.emission_unit = !one_unit;
+	assert_true(textures.two_units);
+	textures.two_units = !one_unit;
 	gl->ClearColorx(65536 / 5, 65536 / 5, 65536 / 5, 65536);
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	gl->Enable(GL_DEPTH_TEST);

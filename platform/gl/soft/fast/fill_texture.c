@@ -361,10 +361,9 @@ static void set_levels(
 /* 17 bits of fraction. */
 static uint32_t find_more(const struct draw *draw, int channel)
 {
-	const struct soft_fragment_stages *stages = &draw->spans.stages;
-
-	return (1 << 16) +
-		(draw->added ? (uint32_t)stages->fog_565[channel] << 3 : 0);
+	return (1 << 16) -
+		(draw->added ? (uint32_t)draw->spans.stages.far[channel] << 3
+			     : 0);
 }
 
 void soft_fill_textured_begin(struct draw *draw)

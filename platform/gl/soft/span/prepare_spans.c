@@ -237,13 +237,14 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	const GLfixed *color = draw->added ? draw->added : draw->soft->fog.color;
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
+	const bool wide = spans->table == &soft_spans_8888;
 
-	stages->added = draw->added;
 	for (int i = 0; i < 3 && (draw->fogged || draw->added); i++) {
-		int most = i == 1 ? 63 : 31;
+		int most = wide ? 255 : i == 1 ? 63 : 31;
+		int32_t value = soft_byte(color[i]) * most * 16384 / 255;
 
-		stages->fog_color[i] = (uint8_t)soft_byte(color[i]);
-		stages->fog_565[i] = stages->fog_color[i] * most * 16384 / 255;
+		stages->far[i] = draw->added ? -value : value + 8192;
+		stages->fog[i] = draw->added ? 0 : value + 8192;
 	}
 	stages->alpha_scaled = input->used && input->mode == GL_MODULATE &&
 		soft_base_has_alpha(input->base->base_format);

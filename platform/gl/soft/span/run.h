@@ -46,10 +46,11 @@ enum {
  * span function has no constants for it.
  */
 struct soft_fragment_stages {
-	/* the fog's, or what the last environment adds to all fragments */
-	uint8_t fog_color[4];
-	int32_t fog_565[3]; /* red, green, blue of 5, 6, 5 bits, times 2^14 */
-	bool added;
+	/*
+	 * Red, green and blue of the picture, times 2^14: the fog's colour and
+	 * a half; or less than 0 what is added to all fragments, without fog
+	 */
+	int32_t far[3], fog[3];
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
 	bool alpha_scaled; /* the first texture's alpha times the fragment's */

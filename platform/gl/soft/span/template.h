@@ -75,21 +75,22 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	return out;
 }
 
-/* Colours are given in 14 bits of fraction, or 8 bits. */
+static ALWAYS_INLINE int32_t soft_shift(int32_t value, int bits)
+{
+	return bits >= 0 ? value * (1 << bits) : value >> -bits;
+}
+
 static ALWAYS_INLINE void soft_find_fog(const struct soft_run *run,
 	struct soft_kind kind, enum soft_channel channel,
 	struct soft_constants *out)
 {
 	const struct soft_fragment_stages *stages = run->stages;
 	int fraction = soft_fraction(kind, channel);
-	int32_t half = soft_half(kind, channel);
-	int32_t color = kind.wide ? stages->fog_color[channel] << fraction
-		: fraction >= 14  ? stages->fog_565[channel] << (fraction - 14)
-				  : stages->fog_565[channel] >> (14 - fraction);
 
-	out->start[channel] = (soft_has_color(kind) ? half : 0) +
-		(stages->added ? color : -(color + half));
-	out->fog[channel] = stages->added ? 0 : (color + half) >> 1;
+	out->start[channel] =
+		(soft_has_color(kind) ? soft_half(kind, channel) : 0) -
+		soft_shift(stages->far[channel], fraction - 14);
+	out->fog[channel] = soft_shift(stages->fog[channel], fraction - 15);
 }
 
 static ALWAYS_INLINE struct soft_constants soft_find_constants(

@@ -276,6 +276,24 @@ static void test_a_larger_picture_takes_the_nearest(void **state)
 	free(scaler);
 }
 
+static void test_a_somewhat_smaller_picture_takes_the_nearest(void **state)
+{
+	struct camera_scaler *scaler = malloc(sizeof(*scaler));
+	struct noise count = make_count(5, 5);
+	const struct camera_part part = {0, 0, 5, 5};
+	uint16_t out[3][3];
+
+	(void)state;
+	assert_non_null(scaler);
+	camera_convert(scaler, &count.image, &part, 3, 3, out[0], 3);
+	for (int i = 0; i < 9; i++) {
+		/* The first, the third and the last of each. */
+		assert_int_equal(out[i / 3][i % 3], i / 3 * 10 + i % 3 * 2);
+	}
+	free(count.data);
+	free(scaler);
+}
+
 /* Each channel is the rounded mean of four pixels, computed in float. */
 static void test_half_the_size_is_the_mean_of_squares(void **state)
 {
@@ -340,6 +358,8 @@ int main(void)
 		cmocka_unit_test(test_planes_follow_each_other),
 		cmocka_unit_test(test_a_part_of_its_own_size_is_copied),
 		cmocka_unit_test(test_a_larger_picture_takes_the_nearest),
+		cmocka_unit_test(
+			test_a_somewhat_smaller_picture_takes_the_nearest),
 		cmocka_unit_test(test_half_the_size_is_the_mean_of_squares),
 		cmocka_unit_test(test_the_centre_is_cropped),
 	};

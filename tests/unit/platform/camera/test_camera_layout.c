@@ -147,6 +147,30 @@ static void test_a_change_of_more_than_noise_counts(void **state)
 	assert_int_equal(see_pixel(12, 12, 25), 25 * 64 / CELLS);
 }
 
+/* Red and blue change from black to white, and do not count. */
+static void test_green_stands_for_the_luma_of_24_bits(void **state)
+{
+	static const enum camera_format formats[] = {CAMERA_RGB24, CAMERA_BGR24};
+	static uint8_t data[64 * 48 * 3];
+
+	(void)state;
+	for (int f = 0; f < 2; f++) {
+		const struct camera_layout layout =
+			camera_layout_of(formats[f], 64, 48, 0);
+		const struct camera_image image =
+			camera_image_at(formats[f], 64, 48, &layout, data);
+		struct camera_motion motion = {.seen = false};
+
+		memset(data, 0, sizeof(data));
+		(void)camera_motion_feed(&motion, &image);
+		memset(data, 255, sizeof(data));
+		for (size_t i = 1; i < sizeof(data); i += 3) {
+			data[i] = 100;
+		}
+		assert_int_equal(camera_motion_feed(&motion, &image), 100 * 256);
+	}
+}
+
 static void test_green_stands_for_the_luma_of_rgb565(void **state)
 {
 	static uint8_t data[64 * 48 * 2];
@@ -181,6 +205,7 @@ int main(void)
 		cmocka_unit_test(test_the_largest_part_of_an_aspect_is_centred),
 		cmocka_unit_test(test_four_pixels_of_a_cell_are_looked_at),
 		cmocka_unit_test(test_a_change_of_more_than_noise_counts),
+		cmocka_unit_test(test_green_stands_for_the_luma_of_24_bits),
 		cmocka_unit_test(test_green_stands_for_the_luma_of_rgb565),
 	};
 

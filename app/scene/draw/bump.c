@@ -1,6 +1,7 @@
 #include "app/scene/draw/bump.h"
 
 #include "app/anim/math/vec.h"
+#include "app/scene/draw/alpha.h"
 #include "app/scene/stage/light.h"
 
 #include <cglm/cglm.h>
@@ -20,7 +21,7 @@ bool bump_is_mapped(
 		&model->material[primitive->material];
 
 	return material->normal_texture >= 0 &&
-		material->alpha == MODEL_OPAQUE && !material->unlit &&
+		alpha_of(model, primitive) == MODEL_OPAQUE && !material->unlit &&
 		primitive->normal && primitive->tangent && primitive->texcoord;
 }
 

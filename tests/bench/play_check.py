@@ -144,7 +144,7 @@ def check_frames(tap, limber, tools, model, clip, baked, alone):
 
 def check_drawing(tap, limber, tools, model, clip, size):
     """The model's drawing in pictures of another size."""
-    row = compare(limber, model, clip, "--error", "100", "--size", size)[0]
+    row = compare(limber, model, clip, "--error", "1", "--size", size)[0]
     _, drawing = played(tools, model, clip, 1, size)
     tap.check(f"{os.path.basename(model)} {clip}, drawing, {size}",
               quotes(row)["drawing"], *drawing)

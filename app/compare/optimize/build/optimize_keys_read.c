@@ -68,7 +68,7 @@ static int read_values(struct optimize_keys *keys,
 	if (!error) {
 		error = gltf_document_floats(document, output, channel->value);
 	}
-	for (size_t i = 0; i < count; i++) {
+	for (size_t i = 0; !error && i < count; i++) {
 		float value = channel->value[i] / channel->unit;
 
 		channel->value[i] =

@@ -17,6 +17,7 @@ enum gl_work_kind {
 	GL_WORK_SPANS,     /* all else without a texture */
 	GL_WORK_SPANS_TEXTURED,
 	GL_WORK_SPANS_DIVIDED,  /* with a texture in strong perspective */
+	GL_WORK_SPANS_NEAREST,  /* with a texture by its nearest texels */
 	GL_WORK_MIXED,          /* blended or alpha-tested, without a texture */
 	GL_WORK_TESTED,         /* alpha-tested, small, with a texture */
 	GL_WORK_TESTED_SPANS,   /* alpha-tested, larger, with a texture */

@@ -54,6 +54,9 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{4740, 3932},           /* spans divided triangle */
 	{749.8, 370.2},         /* spans divided row */
 	{92.21, 57.77},         /* spans divided pixel */
+	{2092, 1035},           /* spans nearest triangle */
+	{154.4, 88.79},         /* spans nearest row */
+	{60, 35},               /* spans nearest pixel */
 	{2284, 1389},           /* mixed triangle */
 	{210.4, 116.3},         /* mixed row */
 	{49.41, 32.52},         /* mixed pixel */

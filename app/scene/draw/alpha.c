@@ -9,43 +9,6 @@ enum {
 	VERTICES = 8
 };
 
-/* The least alpha of the primitive's surface, 0 to 1. */
-static float find_least(
-	const struct model *model, const struct model_primitive *primitive)
-{
-	const struct model_material *material =
-		&model->material[primitive->material];
-	int least = 255;
-
-	if (material->texture >= 0 && primitive->texcoord) {
-		int image = model->texture[material->texture].image;
-
-		if (!model->image[image].opaque) {
-			return 0.0f;
-		}
-	}
-	for (int v = 0; primitive->color && v < primitive->vertex_count; v++) {
-		int alpha = primitive->color[v][3];
-
-		least = alpha < least ? alpha : least;
-	}
-	return material->base_color[3] * (float)least / 255.0f;
-}
-
-enum model_alpha alpha_of(
-	const struct model *model, const struct model_primitive *primitive)
-{
-	const struct model_material *material =
-		&model->material[primitive->material];
-	float opaque =
-		material->alpha == MODEL_MASK ? material->alpha_cutoff : 1.0f;
-
-	return material->alpha != MODEL_OPAQUE &&
-			find_least(model, primitive) >= opaque
-		? MODEL_OPAQUE
-		: material->alpha;
-}
-
 void alpha_list_blended(struct instance *instance)
 {
 	instance->blended_count = 0;

@@ -1,20 +1,11 @@
 /*
- * What a surface's alpha asks for: whether it is blended, and in which order.
- *
- * One that is blended shows what was drawn before it, so surfaces behind it
- * have to be drawn first.
+ * The order of an instance's blended surfaces. One that is blended shows what
+ * was drawn before it, so surfaces behind it have to be drawn first.
  */
 #ifndef APP_SCENE_DRAW_ALPHA_H
 #define APP_SCENE_DRAW_ALPHA_H
 
 #include "app/scene/instance/instance_data.h"
-
-/*
- * The material's way, or MODEL_OPAQUE if no alpha of the primitive's differs
- * from an opaque one's: exporters mark whole models as blended or masked.
- */
-enum model_alpha alpha_of(
-	const struct model *model, const struct model_primitive *primitive);
 
 /*
  * Lists the drawables whose alpha is MODEL_BLEND in instance.blended, which has

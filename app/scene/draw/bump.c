@@ -1,7 +1,7 @@
 #include "app/scene/draw/bump.h"
 
 #include "app/anim/math/vec.h"
-#include "app/scene/draw/alpha.h"
+#include "app/model/model_alpha.h"
 #include "app/scene/stage/light.h"
 
 #include <cglm/cglm.h>
@@ -21,8 +21,9 @@ bool bump_is_mapped(
 		&model->material[primitive->material];
 
 	return material->normal_texture >= 0 &&
-		alpha_of(model, primitive) == MODEL_OPAQUE && !material->unlit &&
-		primitive->normal && primitive->tangent && primitive->texcoord;
+		model_alpha_of(model, primitive) == MODEL_OPAQUE &&
+		!material->unlit && primitive->normal && primitive->tangent &&
+		primitive->texcoord;
 }
 
 static bool model_is_mapped(const struct model *model)

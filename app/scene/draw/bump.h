@@ -11,10 +11,10 @@
  *	3. plus the surface in all other light and the key light's highlight
  *
  * A flat normal map therefore looks like the surface without it. A primitive is
- * bump-mapped when it is opaque (alpha_of()) and lit, has normals, tangents and
- * texture coordinates, and is drawn from arrays of its own (batch.h). All
- *others are drawn without their normal maps, and so are those that appear so
- *small that bumps cannot be seen (LOD_BUMP_TEXELS of lod.h).
+ * bump-mapped when it is opaque (model_alpha.h) and lit, has normals, tangents
+ * and texture coordinates, and is drawn from arrays of its own (batch.h). All
+ * others are drawn without their normal maps, and so are those that appear so
+ * small that bumps cannot be seen (LOD_BUMP_TEXELS of lod.h).
  */
 #ifndef APP_SCENE_DRAW_BUMP_H
 #define APP_SCENE_DRAW_BUMP_H

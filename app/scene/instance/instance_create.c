@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/model/color.h"
+#include "app/model/model_alpha.h"
 #include "app/model/model_deltas.h"
 #include "app/scene/draw/alpha.h"
 #include "app/scene/draw/bump.h"
@@ -224,7 +225,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	if (drawable->skin < 0) {
 		measure_box(drawable, mesh->target_count);
 	}
-	drawable->alpha = alpha_of(model, drawable->primitive);
+	drawable->alpha = model_alpha_of(model, drawable->primitive);
 	init_color(drawable, model);
 	error = init_vertices(instance, drawable);
 	if (!error) {

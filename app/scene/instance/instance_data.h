@@ -118,7 +118,7 @@ struct drawable {
 	int shadow_list;
 	int posed_lod; /* the last update posed the vertices that this level
 			  and coarser ones use; 0: all */
-	enum model_alpha alpha; /* see alpha_of() */
+	enum model_alpha alpha; /* see model_alpha_of() */
 	fx16_t color[4];        /* the material's base colour, sRGB-encoded */
 	fx16_t emission[4];     /* what it emits: see emission_color() */
 	float vertex_scale;

@@ -1,6 +1,7 @@
 /* Counts what is drawn, if a program has asked for it. */
 #include "platform/gl/gl_counts.h"
 #include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/vertex/primitive.h"
 
 #include <limits.h>
@@ -9,6 +10,16 @@
 enum {
 	NOT_SET_UP = INT_MIN /* as raster.top: neither planes nor lists */
 };
+
+/* Whether span functions took the nearest texels for it. */
+static bool is_nearest(const struct draw *draw)
+{
+	const struct texture *texture = draw->texture[0].texture;
+
+	return draw->raster.top != NOT_SET_UP &&
+		!soft_rows_is_linear(draw->spans.small ? texture->min_filter
+						       : texture->mag_filter);
+}
 
 /* Of the triangle that the span functions drew last. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
@@ -24,6 +35,9 @@ static enum gl_work_kind kind_of_spans(const struct draw *draw)
 	}
 	if (bits & KEY_ALPHA_TEST) {
 		return planes ? GL_WORK_TESTED_SPANS : GL_WORK_TESTED;
+	}
+	if (!mixed && is_nearest(draw)) {
+		return GL_WORK_SPANS_NEAREST;
 	}
 	if (!planes) {
 		return mixed ? GL_WORK_MIXED_TEXTURED : GL_WORK_TEXTURED;

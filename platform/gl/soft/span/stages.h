@@ -18,6 +18,17 @@ struct soft_kind {
 	bool still;  /* see soft_is_still() */
 };
 
+/*
+ * Each span function gets a copy of its own of template.h. Builds that check
+ * memory accesses share one, whose kind is known when it runs: their compilers
+ * take half a minute a table for the copies.
+ */
+#ifdef SOFT_SHARED_TEXT
+#define SOFT_TEXT __attribute__((noinline))
+#else
+#define SOFT_TEXT ALWAYS_INLINE
+#endif
+
 /* What a macro makes of each format of texels. */
 #define SOFT_EACH_FORMAT(make, ...)                                           \
 	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__) \

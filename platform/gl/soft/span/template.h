@@ -419,17 +419,6 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 					    : depth != end);
 }
 
-/*
- * Each function gets a copy of its own of the text. Builds that check memory
- * accesses share one, whose kind is known when it runs: their compilers take
- * half a minute a table for the copies.
- */
-#ifdef SOFT_SHARED_TEXT
-#define SOFT_TEXT __attribute__((noinline))
-#else
-#define SOFT_TEXT ALWAYS_INLINE
-#endif
-
 static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
 {

@@ -1,4 +1,5 @@
 /* Which surfaces are blended, and which of them are drawn first. */
+#include "app/model/model_alpha.h"
 #include "app/scene/draw/alpha.h"
 #include "platform/base/compiler.h"
 #include "tests/support/model/instance_pair.h"
@@ -35,12 +36,12 @@ static enum model_alpha alpha_of_surface(const struct surface *surface)
 	material->alpha = surface->alpha;
 	material->alpha_cutoff = surface->cutoff;
 	material->base_color[3] = surface->base_alpha;
-	out = alpha_of(model, primitive);
+	out = model_alpha_of(model, primitive);
 	/* Without texture coordinates there is no texture. */
 	primitive->texcoord = NULL;
 	if (surface->texel_alpha != 255 && surface->base_alpha == 1.0f &&
 		surface->vertex_alpha == 255) {
-		assert_int_equal(alpha_of(model, primitive), MODEL_OPAQUE);
+		assert_int_equal(model_alpha_of(model, primitive), MODEL_OPAQUE);
 	}
 	model_destroy(model);
 	return out;

@@ -3,7 +3,8 @@
 
 # Loops over vertices and pixels get the compiler's highest optimization.
 build/arm/obj/app/anim/kernel/%.o: CFLAGS_arm += -O3
-build/host/obj/app/anim/kernel/%.o: CFLAGS_host += -O3
+build/host/obj/app/anim/kernel/%.o \
+build/host/obj/app/compare/candidate/fit.o: CFLAGS_host += -O3
 build/arm/obj/app/scene/instance/%.o build/arm/obj/platform/gl/soft/%.o: \
 	CFLAGS_arm += -O3
 # Checks of the stack would cost frames on the board up to 1.6% of their

@@ -6,45 +6,61 @@
 enum {
 	MISSES_MAX = 8,
 	MOMENTS_MIN = 3,
-	MOMENTS_MAX = 600
+	MOMENTS_MAX = 600,
+	BLOCK = 256 /* vertices that are tested before the result is looked at */
 };
 
-/* The eye-space positions at the moments that are looked at, in a ring. */
+/*
+ * The eye-space positions at the moments that are looked at, in a ring. A
+ * moment has all x, then all y, then all z: so a compiler tests several
+ * vertices by vector instructions.
+ */
 struct window {
 	struct reference *reference;
 	const struct screen_view *screen;
 	const struct time_grid *grid;
 	float bound_px;
-	int capacity;         /* moments */
-	int end;              /* of the moments that have been posed */
-	float (*position)[3]; /* [capacity][vertex_count] */
-	int suspect;          /* the vertex that exceeded the bound last */
+	int capacity;    /* moments */
+	int end;         /* of the moments that have been posed */
+	float *position; /* [capacity][3][vertex_count] */
+	int suspect;     /* the vertex that exceeded the bound last */
 };
 
+static float *moment_of(const struct window *window, int moment)
+{
+	size_t count = (size_t)window->reference->vertex_count;
+
+	return window->position +
+		(size_t)(moment % window->capacity) * 3 * count;
+}
+
 /* moment is at least end - capacity. */
-static const float (*positions_of(struct window *window, int moment))[3]
+static const float *positions_of(struct window *window, int moment)
 {
 	struct reference *reference = window->reference;
 	size_t count = (size_t)reference->vertex_count;
 
 	for (; window->end <= moment; window->end++) {
-		float(*to)[3] = window->position +
-			(size_t)(window->end % window->capacity) * count;
+		float *to = moment_of(window, window->end);
 
 		reference_pose(
 			reference, window->grid->time_s[window->end], false);
 		for (size_t v = 0; v < count; v++) {
+			float eye[3];
+
 			screen_view_to_eye(
-				window->screen, reference->position[v], to[v]);
+				window->screen, reference->position[v], eye);
+			for (size_t axis = 0; axis < 3; axis++) {
+				to[axis * count + v] = eye[axis];
+			}
 		}
 	}
-	return (const float(*)[3])window->position +
-		(size_t)(moment % window->capacity) * count;
+	return moment_of(window, moment);
 }
 
-/* Two keys, and a moment between them. */
+/* Two keys, and a moment between them: [3][vertex_count] each. */
 struct between {
-	const float (*from)[3], (*to)[3], (*wanted)[3];
+	const float *from, *to, *wanted;
 	float omega; /* 0 at from, 1 at to */
 };
 
@@ -62,27 +78,52 @@ static struct between between_of(
 	};
 }
 
-static bool vertex_fits(
-	const struct window *window, const struct between *between, int vertex)
+static inline bool vertex_fits(const struct screen_view *screen, float bound_px,
+	const struct between *between, size_t stride, size_t vertex)
 {
-	const float *from = between->from[vertex], *to = between->to[vertex];
-	float straight[3];
+	float wanted[3], straight[3];
 
-	for (int axis = 0; axis < 3; axis++) {
+	for (size_t axis = 0; axis < 3; axis++) {
+		size_t at = axis * stride + vertex;
+		float from = between->from[at];
+
+		wanted[axis] = between->wanted[at];
 		straight[axis] =
-			from[axis] + (to[axis] - from[axis]) * between->omega;
+			from + (between->to[at] - from) * between->omega;
 	}
-	return screen_view_eyes_within(window->screen, between->wanted[vertex],
-		straight, window->bound_px);
+	return screen_view_eyes_within(screen, wanted, straight, bound_px);
+}
+
+/* Whether these vertices fit; sets the suspect if one does not. */
+static bool block_fits(struct window *window, const struct between *between,
+	size_t first, size_t end)
+{
+	const struct screen_view screen = *window->screen;
+	const struct between at = *between;
+	const float bound_px = window->bound_px;
+	const size_t stride = (size_t)window->reference->vertex_count;
+	int outside = 0;
+
+	for (size_t v = first; v < end; v++) {
+		outside += !vertex_fits(&screen, bound_px, &at, stride, v);
+	}
+	for (size_t v = first; outside > 0 && v < end; v++) {
+		if (!vertex_fits(&screen, bound_px, &at, stride, v)) {
+			window->suspect = (int)v;
+			break;
+		}
+	}
+	return outside == 0;
 }
 
 static bool moment_fits(struct window *window, int from, int to, int moment)
 {
 	struct between between = between_of(window, from, to, moment);
+	size_t count = (size_t)window->reference->vertex_count;
 
-	for (int v = 0; v < window->reference->vertex_count; v++) {
-		if (!vertex_fits(window, &between, v)) {
-			window->suspect = v;
+	for (size_t v = 0; v < count; v += BLOCK) {
+		if (!block_fits(window, &between, v,
+			    v + BLOCK < count ? v + BLOCK : count)) {
 			return false;
 		}
 	}
@@ -94,7 +135,9 @@ static bool suspect_fits(struct window *window, int from, int to)
 	for (int moment = from + 1; moment < to; moment++) {
 		struct between between = between_of(window, from, to, moment);
 
-		if (!vertex_fits(window, &between, window->suspect)) {
+		if (!vertex_fits(window->screen, window->bound_px, &between,
+			    (size_t)window->reference->vertex_count,
+			    (size_t)window->suspect)) {
 			return false;
 		}
 	}

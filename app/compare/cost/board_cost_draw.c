@@ -20,70 +20,70 @@ enum draw_work {
 
 /* Cycles and instructions of each, which `make bench-draw-fit` writes. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.212e+04, 2.062e+04}, /* frame */
-	{0.82, 0.3603},         /* pixel */
-	{1.989e+04, 7430},      /* call */
-	{95.67, 49.25},         /* listed */
-	{332.3, 71.64},         /* vertex */
-	{309.9, 143.5},         /* single */
-	{299, 239},             /* shaded */
-	{12.7, 13.04},          /* hidden */
-	{1235, 479.2},          /* skipped */
-	{4.79, 3.43},           /* fine */
-	{193.4, 87.51},         /* flat triangle */
-	{69.62, 42.68},         /* flat row */
-	{12.15, 9.086},         /* flat pixel */
-	{619.4, 199.5},         /* plain triangle */
-	{11.27, 20.09},         /* plain row */
-	{17.35, 7.437},         /* plain pixel */
-	{611.5, 491},           /* textured triangle */
-	{161.3, 27},            /* textured row */
-	{84.07, 61.29},         /* textured pixel */
-	{3.332e+04, 9917},      /* backdrop triangle */
-	{68.9, 26.41},          /* backdrop row */
-	{3.017, 0.7728},        /* backdrop pixel */
-	{3.448e+04, 1.062e+04}, /* ground triangle */
-	{115.1, 45.66},         /* ground row */
-	{3.108, 0},             /* ground pixel */
-	{1237, 671.4},          /* spans triangle */
-	{203.4, 133.1},         /* spans row */
-	{21.59, 14.71},         /* spans pixel */
-	{2092, 1035},           /* spans textured triangle */
-	{154.4, 88.79},         /* spans textured row */
-	{104.8, 63.67},         /* spans textured pixel */
-	{4740, 3932},           /* spans divided triangle */
-	{749.8, 370.2},         /* spans divided row */
-	{92.21, 57.77},         /* spans divided pixel */
-	{2092, 1035},           /* spans nearest triangle */
-	{154.4, 88.79},         /* spans nearest row */
-	{60, 35},               /* spans nearest pixel */
-	{2284, 1389},           /* mixed triangle */
-	{210.4, 116.3},         /* mixed row */
-	{49.41, 32.52},         /* mixed pixel */
-	{3202, 1174},           /* tested triangle */
-	{281.2, 180},           /* tested row */
-	{155.8, 103.7},         /* tested pixel */
-	{3804, 2480},           /* tested spans triangle */
-	{470, 290},             /* tested spans row */
-	{137.9, 87.41},         /* tested spans pixel */
-	{3290, 1458},           /* mixed textured triangle */
-	{254.9, 180.2},         /* mixed textured row */
-	{140.5, 84.86},         /* mixed textured pixel */
-	{3653, 2820},           /* mixed spans triangle */
-	{243, 181.1},           /* mixed spans row */
-	{137.2, 75.11},         /* mixed spans pixel */
-	{5096, 4094},           /* mixed divided triangle */
-	{1156, 599.5},          /* mixed divided row */
-	{132.8, 85.7},          /* mixed divided pixel */
-	{251.5, 100.4},         /* colored triangle */
+	{3.353e+04, 2.111e+04}, /* frame */
+	{0.7595, 0.3395},       /* pixel */
+	{1.736e+04, 6565},      /* call */
+	{112.4, 59.59},         /* listed */
+	{345.7, 74.23},         /* vertex */
+	{343.1, 159},           /* single */
+	{222.9, 213.3},         /* shaded */
+	{9.9, 11.35},           /* hidden */
+	{1202, 461.1},          /* skipped */
+	{4.11, 3.08},           /* fine */
+	{227, 109},             /* flat triangle */
+	{85.45, 57.25},         /* flat row */
+	{16.96, 12.33},         /* flat pixel */
+	{612.5, 187.7},         /* plain triangle */
+	{20.32, 21.4},          /* plain row */
+	{14.67, 6.262},         /* plain pixel */
+	{747.7, 545.4},         /* textured triangle */
+	{110.8, 0},             /* textured row */
+	{100.6, 67.05},         /* textured pixel */
+	{3.256e+04, 9453},      /* backdrop triangle */
+	{70.87, 26.98},         /* backdrop row */
+	{1.477, 0.5064},        /* backdrop pixel */
+	{3.783e+04, 1.111e+04}, /* ground triangle */
+	{123.9, 49.61},         /* ground row */
+	{6.086, 0.4912},        /* ground pixel */
+	{457.3, 337.4},         /* spans triangle */
+	{204.9, 132.4},         /* spans row */
+	{22.21, 14.64},         /* spans pixel */
+	{2151, 1036},           /* spans textured triangle */
+	{210.5, 79.43},         /* spans textured row */
+	{78.77, 52.1},          /* spans textured pixel */
+	{9740, 7340},           /* spans divided triangle */
+	{691.1, 359.6},         /* spans divided row */
+	{93.58, 58.11},         /* spans divided pixel */
+	{2976, 1161},           /* spans nearest triangle */
+	{311.4, 145.2},         /* spans nearest row */
+	{39.13, 27.54},         /* spans nearest pixel */
+	{2853, 1788},           /* mixed triangle */
+	{203.8, 108.1},         /* mixed row */
+	{49.63, 32.24},         /* mixed pixel */
+	{3308, 1321},           /* tested triangle */
+	{259.4, 157.1},         /* tested row */
+	{126.3, 84.05},         /* tested pixel */
+	{3761, 2464},           /* tested spans triangle */
+	{415.2, 254.4},         /* tested spans row */
+	{123.2, 78.26},         /* tested spans pixel */
+	{4053, 1426},           /* mixed textured triangle */
+	{287.2, 166.6},         /* mixed textured row */
+	{131.2, 85.5},          /* mixed textured pixel */
+	{3689, 2570},           /* mixed spans triangle */
+	{151.5, 124},           /* mixed spans row */
+	{152.6, 81.49},         /* mixed spans pixel */
+	{5079, 4088},           /* mixed divided triangle */
+	{1152, 597},            /* mixed divided row */
+	{132.8, 85.73},         /* mixed divided pixel */
+	{299, 123.5},           /* colored triangle */
 	{0, 0},                 /* colored row */
-	{6.414, 2.423},         /* colored pixel */
-	{2224, 1146},           /* bent triangle */
-	{282.1, 154.3},         /* bent row */
-	{3.549, 2.31},          /* bent pixel */
+	{3.39, 1.463},          /* colored pixel */
+	{2580, 1316},           /* bent triangle */
+	{352.8, 200.9},         /* bent row */
+	{4.046, 2.734},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.001, 0.9966},        /* deep row */
-	{1.62, 0.894},          /* deep pixel */
+	{1.002, 0.9976},        /* deep row */
+	{1.859, 1.319},         /* deep pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

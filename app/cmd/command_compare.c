@@ -139,9 +139,12 @@ static int show_in_place(const struct model *model, int clip,
 	float *way_m = ARENA_ARRAY(arena, float, model->clip_count);
 	struct character *character = NULL;
 	struct instance *instance;
-	int error = way_m ? instance_create(model, kernel, log, &instance)
-			  : -ENOMEM;
+	int error;
 
+	if (!way_m) {
+		return memory_budget_fail(model->budget, model->path, log);
+	}
+	error = instance_create(model, kernel, log, &instance);
 	if (error) {
 		return error;
 	}

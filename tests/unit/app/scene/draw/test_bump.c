@@ -124,6 +124,7 @@ static void apply(enum change change, struct model *model)
 		break;
 	case BLEND:
 		model->material[0].alpha = MODEL_BLEND;
+		model->material[0].base_color[3] = 0.5f;
 		break;
 	case UNLIGHT:
 		model->material[0].unlit = true;

@@ -7,7 +7,7 @@ CHECK := build/check
 
 # The fuzz targets are built by clang, which has libFuzzer.
 CC_fuzz := clang-14
-CFLAGS_fuzz := -O1 -g -fno-omit-frame-pointer \
+CFLAGS_fuzz := -O1 -gline-tables-only -fno-omit-frame-pointer \
 	-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow \
 	-fno-sanitize-recover=all
 # What reads files and devices shifts no bit out; fixed point and hashes do.

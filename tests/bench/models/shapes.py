@@ -19,9 +19,20 @@ def cube():
     return positions, normals, texcoords, indices
 
 
+def squares_of(across, along):
+    """Two triangles for each square of vertices in rows."""
+    indices = []
+    for j in range(along):
+        for i in range(across):
+            k = j * (across + 1) + i
+            next_row = k + across + 1
+            indices += [k, k + 1, next_row + 1, k, next_row + 1, next_row]
+    return indices
+
+
 def blob(around, down, size=1):
     """A sphere with dents."""
-    positions, normals, texcoords, indices = [], [], [], []
+    positions, normals, texcoords = [], [], []
     for j in range(down + 1):
         for i in range(around + 1):
             a, b = 2 * math.pi * i / around, math.pi * j / down
@@ -30,12 +41,7 @@ def blob(around, down, size=1):
             normals.append(normal)
             positions.append([c * radius for c in normal])
             texcoords.append((i / around, j / down))
-    for j in range(down):
-        for i in range(around):
-            k = j * (around + 1) + i
-            below = k + around + 1
-            indices += [k, k + 1, below + 1, k, below + 1, below]
-    return positions, normals, texcoords, indices
+    return positions, normals, texcoords, squares_of(around, down)
 
 
 def quad(width, height):
@@ -74,16 +80,11 @@ def rope(around, along):
 
 def grid(squares, repeats):
     """Hilly ground that stands upright; texture coordinates go from -repeats / 2."""
-    positions, normals, texcoords, indices = [], [], [], []
+    positions, normals, texcoords = [], [], []
     for j in range(squares + 1):
         for i in range(squares + 1):
             u, v = i / squares, j / squares
             positions.append((2 * u - 1, 2 * v - 1, 0.2 * math.sin(5 * u) * math.cos(4 * v)))
             normals.append((0, 0, 1))
             texcoords.append(((u - 0.5) * repeats, (0.5 - v) * repeats))
-    for j in range(squares):
-        for i in range(squares):
-            k = j * (squares + 1) + i
-            above = k + squares + 1
-            indices += [k, k + 1, above + 1, k, above + 1, above]
-    return positions, normals, texcoords, indices
+    return positions, normals, texcoords, squares_of(squares, squares)

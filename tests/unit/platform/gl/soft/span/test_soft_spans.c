@@ -227,8 +227,8 @@ static void give_triangles(const struct gl *gl, uint32_t *seed)
 	span_scene_draw(gl, corner, TRIANGLES * 3);
 }
 
-static struct span_scene *draw(
-	enum pixel_format format, uint32_t seed, bool reference)
+static struct span_scene *begin_in_perspective(
+	enum pixel_format format, bool reference)
 {
 	struct span_scene *scene = span_scene_begin(format, reference);
 	const struct gl *gl = scene->gl;
@@ -236,6 +236,15 @@ static struct span_scene *draw(
 	gl->MatrixMode(GL_PROJECTION);
 	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
 	gl->MatrixMode(GL_MODELVIEW);
+	return scene;
+}
+
+static struct span_scene *draw(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct span_scene *scene = begin_in_perspective(format, reference);
+	const struct gl *gl = scene->gl;
+
 	give_textures(gl, &seed);
 	give_fragments(gl, &seed);
 	give_triangles(gl, &seed);
@@ -301,12 +310,9 @@ static struct span_scene *draw_pair(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
 	static const GLenum modes[] = {GL_MODULATE, GL_MODULATE, GL_REPLACE};
-	struct span_scene *scene = span_scene_begin(format, reference);
+	struct span_scene *scene = begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
-	gl->MatrixMode(GL_MODELVIEW);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
 	gl->DepthMask(!random_one_in(&seed, 4));
@@ -368,12 +374,9 @@ static void add_color(const struct gl *gl, uint32_t *seed)
 static struct span_scene *draw_sum(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct span_scene *scene = span_scene_begin(format, reference);
+	struct span_scene *scene = begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
-	gl->MatrixMode(GL_MODELVIEW);
 	give_texture(gl, &seed);
 	if (random_one_in(&seed, 4)) {
 		give_environment(gl, &seed);
@@ -409,12 +412,9 @@ static void test_added_colours_are_those_of_fragments(void **state)
 static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct span_scene *scene = span_scene_begin(format, reference);
+	struct span_scene *scene = begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
-	gl->MatrixMode(GL_MODELVIEW);
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
 	give_texture(gl, &seed);

@@ -51,6 +51,14 @@ struct fixed_placement {
 	float offset[3];
 };
 
+static inline void fixed_placement_apply(const struct fixed_placement *placement,
+	const struct fixed_vector *vector, float out[3])
+{
+	out[0] = (float)vector->x * placement->scale + placement->offset[0];
+	out[1] = (float)vector->y * placement->scale + placement->offset[1];
+	out[2] = (float)vector->z * placement->scale + placement->offset[2];
+}
+
 /*
  * An influence: a vector times its weight, and the weight, see
  * layout/fixed_skin.h. Aligned to 8 bytes.

@@ -166,17 +166,10 @@ static void take_morph(const struct candidate *candidate, float (*position)[3],
 	float (*normal)[3])
 {
 	const struct morph_bake *bake = candidate->state;
-	const struct fixed_placement *placement = &bake->placement;
 
 	for (int v = 0; v < candidate->vertex_count; v++) {
-		const struct fixed_vector *at = &bake->posed[0][v];
-
-		position[v][0] =
-			(float)at->x * placement->scale + placement->offset[0];
-		position[v][1] =
-			(float)at->y * placement->scale + placement->offset[1];
-		position[v][2] =
-			(float)at->z * placement->scale + placement->offset[2];
+		fixed_placement_apply(
+			&bake->placement, &bake->posed[0][v], position[v]);
 		if (normal) {
 			take_normal(&bake->posed[1][v], normal[v]);
 		}

@@ -20,23 +20,6 @@ void alpha_list_blended(struct instance *instance)
 	}
 }
 
-static void read_vertex(const struct drawable *drawable,
-	const struct batch *batch, int v, float out[3])
-{
-	const struct fixed_placement *placement;
-	const struct fixed_vector *at;
-
-	if (batch->position) {
-		memcpy(out, batch->position[v], sizeof(float[3]));
-		return;
-	}
-	placement = &drawable->fixed->placement;
-	at = &batch->fixed_position[v];
-	out[0] = (float)at->x * placement->scale + placement->offset[0];
-	out[1] = (float)at->y * placement->scale + placement->offset[1];
-	out[2] = (float)at->z * placement->scale + placement->offset[2];
-}
-
 /* Of the coarsest list: each update poses its vertices. */
 static void find_skin_middle(const struct drawable *drawable, float out[3])
 {
@@ -58,7 +41,8 @@ static void find_skin_middle(const struct drawable *drawable, float out[3])
 		int at = (int)((int64_t)count * i / VERTICES);
 		float position[3];
 
-		read_vertex(drawable, batch, index ? index[at] : at, position);
+		drawable_batch_position(
+			drawable, batch, index ? index[at] : at, position);
 		vec_add_scaled(out, position, 1.0f / VERTICES, out);
 	}
 }

@@ -236,19 +236,27 @@ static inline void drawable_position(
 	const struct drawable *drawable, int vertex, float out[3])
 {
 	const struct drawable_fixed *fixed = drawable->fixed;
-	const struct fixed_placement *placement;
-	const struct fixed_vector *v;
 
 	if (!fixed) {
 		memcpy(out, drawable->position[vertex], sizeof(float[3]));
 		return;
 	}
-	placement = &fixed->placement;
-	v = &fixed->position[fixed->inverse_order ? fixed->inverse_order[vertex]
-						  : (uint32_t)vertex];
-	out[0] = (float)v->x * placement->scale + placement->offset[0];
-	out[1] = (float)v->y * placement->scale + placement->offset[1];
-	out[2] = (float)v->z * placement->scale + placement->offset[2];
+	fixed_placement_apply(&fixed->placement,
+		&fixed->position[fixed->inverse_order ? fixed->inverse_order[vertex]
+						      : (uint32_t)vertex],
+		out);
+}
+
+/* The same of a vertex of one of the drawable's batches, as GL numbers it. */
+static inline void drawable_batch_position(const struct drawable *drawable,
+	const struct batch *batch, int vertex, float out[3])
+{
+	if (batch->position) {
+		memcpy(out, batch->position[vertex], sizeof(float[3]));
+		return;
+	}
+	fixed_placement_apply(&drawable->fixed->placement,
+		&batch->fixed_position[vertex], out);
 }
 
 #endif

@@ -105,20 +105,9 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 static void find_posed(const struct shadow_sheet *sheet, const vec4 *matrix,
 	int vertex, float out[3])
 {
-	const struct batch *batch = sheet->batch;
 	float p[3];
 
-	if (batch->fixed_position) {
-		const struct fixed_placement *placement =
-			&sheet->drawable->fixed->placement;
-		const struct fixed_vector *v = &batch->fixed_position[vertex];
-
-		p[0] = (float)v->x * placement->scale + placement->offset[0];
-		p[1] = (float)v->y * placement->scale + placement->offset[1];
-		p[2] = (float)v->z * placement->scale + placement->offset[2];
-	} else {
-		memcpy(p, batch->position[vertex], sizeof(p));
-	}
+	drawable_batch_position(sheet->drawable, sheet->batch, vertex, p);
 	for (int axis = 0; axis < 3; axis++) {
 		out[axis] = matrix[0][axis] * p[0] + matrix[1][axis] * p[1] +
 			matrix[2][axis] * p[2] + matrix[3][axis];

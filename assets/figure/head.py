@@ -4,7 +4,6 @@ import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
-from . import rig
 from .mesh import Piece, curve, gauss, ring_points, smoothstep, unit
 
 X, Y, Z = np.eye(3)
@@ -164,7 +163,10 @@ HAIRLINE = [  # degrees from the front, height
     (0, 1.6810), (18, 1.6830), (36, 1.6740), (52, 1.6540), (64, 1.6280),
     (73, 1.6000), (80, 1.5740), (88, 1.5800), (97, 1.5960), (108, 1.5820),
     (120, 1.5560), (140, 1.5340), (180, 1.5220)]
-TIE = rig.TAIL[0]
+TAIL = [np.array(p) for p in ([0, 0.106, 1.655], [0, 0.168, 1.640],
+                              [0, 0.208, 1.565], [0, 0.216, 1.480],
+                              [0, 0.200, 1.390])]
+TIE = TAIL[0]
 
 
 def turn_towards(a, b, t):
@@ -249,7 +251,7 @@ TAIL_SIZE = [(0, 0.014), (0.07, 0.017), (0.20, 0.033), (0.42, 0.038),
 def make_tail():
     """The ponytail, along its bones, with the tie around its root."""
     piece = Piece()
-    key = [(i / 4, *p) for i, p in enumerate(rig.TAIL)]
+    key = [(i / 4, *p) for i, p in enumerate(TAIL)]
     n, steps, before = 10, 11, None
     for i in range(steps):
         t = i / (steps - 0.5)
@@ -268,7 +270,7 @@ def make_tail():
         if before:
             piece.bridge(before, ring, "hair")
         before = ring
-    tip = piece.vertex(rig.TAIL[4])
+    tip = piece.vertex(TAIL[4])
     piece.mark("along", [tip], 1)
     piece.fan(before, tip, "hair")
     return piece
@@ -276,7 +278,7 @@ def make_tail():
 
 def make_tie():
     piece = Piece()
-    ahead = unit(rig.TAIL[1] - rig.TAIL[0])
+    ahead = unit(TAIL[1] - TAIL[0])
     side = unit(np.cross(ahead, X))
     before = None
     for s, r in ((-0.004, 0.014), (0.002, 0.0215), (0.012, 0.0225),

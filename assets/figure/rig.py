@@ -8,6 +8,8 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
+from .features import BALL as EYEBALL, BALL_FRONT
+from .head import TAIL
 from .mesh import smoothstep, unit
 
 ARM_DROP = np.radians(42)  # rest pose: angle of the arms below the horizontal
@@ -46,10 +48,6 @@ def unplace_head(p):
     return HEAD_PIVOT + (p + (0, 0, HEAD_DROP) - HEAD_PIVOT) / HEAD_SCALE
 
 
-TAIL = [np.array(p) for p in ([0, 0.106, 1.655], [0, 0.168, 1.640],
-                              [0, 0.208, 1.565], [0, 0.216, 1.480],
-                              [0, 0.200, 1.390])]
-
 # name, parent, head, tail; the left limbs are mirrored
 CENTRE = [
     ("hips", None, (0, 0.004, 0.950), (0, 0.004, 1.040)),
@@ -72,24 +70,17 @@ LEFT = [
     ("shin", "thigh", KNEE, ANKLE),
     ("foot", "shin", ANKLE, BALL),
     ("toe", "foot", BALL, TOE),
+    ("eye", "head", place_head(EYEBALL), place_head(BALL_FRONT)),
 ]
-
-
-def left_bones():
-    """The bones of the left side, with the eye, whose place features.py computes."""
-    from .features import BALL as EYEBALL, BALL_FRONT  # features needs this file
-
-    return LEFT + [("eye", "head", place_head(EYEBALL), place_head(BALL_FRONT))]
 
 
 def bone_table():
     """All bones as (name, parent, head, tail), parents first."""
-    left = left_bones()
     bones = [(n, p, np.array(h, float), np.array(t, float))
              for n, p, h, t in CENTRE]
-    both = {n for n, *_ in left}
+    both = {n for n, *_ in LEFT}
     for suffix, sign in ((".L", 1), (".R", -1)):
-        for name, parent, head, tail in left:
+        for name, parent, head, tail in LEFT:
             parent = parent + suffix if parent in both else parent
             flip = np.array([sign, 1, 1])
             bones.append((name + suffix, parent, np.array(head) * flip,

@@ -5,7 +5,7 @@
 #include <assert.h>
 
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 /* narrow.S */
 static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3,

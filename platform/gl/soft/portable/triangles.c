@@ -1,6 +1,6 @@
 /* For machines without the assembly of arm/: C alone, and lists one by one. */
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 void soft_list(struct draw *draw, const struct source *source)
 {

@@ -2,7 +2,7 @@
 #include "platform/gl/gl_counts.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 #include <limits.h>
 #include <string.h>

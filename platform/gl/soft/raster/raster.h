@@ -112,18 +112,15 @@ static ALWAYS_INLINE uint32_t raster_color_planes(uint32_t moving)
 	return moving ? moving | 7u << RED : 0;
 }
 
-/* raster.c: fills draw->raster. */
+/* set_up.c: fills draw->raster. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
-
-/* raster.c: how many 1/65536 of a pixel an edge moves a row, if it is long. */
-int32_t soft_raster_long_slope(int32_t dx, int32_t dy);
 
 /* dx / dy in 16.16, of sixteenths; dy > 0. */
 static ALWAYS_INLINE int32_t raster_slope(
 	const struct draw *draw, int32_t dx, int32_t dy)
 {
 	if ((uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT || dy > SMALL_EXTENT) {
-		return soft_raster_long_slope(dx, dy);
+		return soft_slope_q16(dx, dy);
 	}
 	return mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
 }

@@ -2,7 +2,7 @@
 #include "platform/gl/soft/raster/rows.h"
 
 /* How a coordinate changes across, or down: in the middle where it bends. */
-static int32_t find_change(const struct raster *raster, int name, bool down)
+static int32_t find_slope(const struct raster *raster, int name, bool down)
 {
 	const struct plane *p = &raster->plane[name];
 	const struct bend *bend = &raster->bend[name];
@@ -27,10 +27,10 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 
 		if (draw->texture[unit].used) {
 			span->lod[unit] =
-				raster_find_lod(find_change(raster, s, false),
-					find_change(raster, s + 1, false),
-					find_change(raster, s, true),
-					find_change(raster, s + 1, true));
+				raster_find_lod(find_slope(raster, s, false),
+					find_slope(raster, s + 1, false),
+					find_slope(raster, s, true),
+					find_slope(raster, s + 1, true));
 		}
 	}
 }

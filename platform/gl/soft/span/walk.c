@@ -1,6 +1,6 @@
 /*
  * The rows of a triangle, cut into runs for the span functions. Where
- * perspective bends values so much that it shows, see raster.c, they are
+ * perspective bends values so much that it shows, see set_up.c, they are
  * divided exactly every 16 to 64 pixels; else walk_list.c walks the rows.
  */
 #include "platform/gl/soft/span/walk.h"

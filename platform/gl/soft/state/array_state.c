@@ -1,7 +1,7 @@
 /* Where vertices come from, and the current colour and normal. */
 #include <string.h>
 
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 
 static void describe(struct array *array, int size, int least, bool type_known,
 	GLenum type, GLsizei stride, const void *pointer)

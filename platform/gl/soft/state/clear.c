@@ -4,7 +4,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 #include "platform/gl/soft/vertex/number.h"
 
 void soft_gl_ClearColorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)

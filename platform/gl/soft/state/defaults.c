@@ -1,7 +1,7 @@
 /* The table of a context's calls, and what GL's state is at first. */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 
 static const struct gl calls = {
 #define GL_FUNCTION(result, name, parameters) .name = soft_gl_##name,

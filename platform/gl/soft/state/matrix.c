@@ -5,7 +5,7 @@
 
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 
 const struct matrix soft_matrix_identity = {
 	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};

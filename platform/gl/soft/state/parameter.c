@@ -2,7 +2,7 @@
  * What has a name: parameters of lights, materials, fog, textures and their
  * environments, by a table for each kind of object; and what programs may ask.
  */
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 
 #include <string.h>
 

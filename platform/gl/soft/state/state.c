@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "platform/base/fixed.h"
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 #include "platform/gl/soft/vertex/number.h"
 
 enum {

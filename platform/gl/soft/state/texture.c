@@ -4,7 +4,7 @@
 
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/span/sample.h"
-#include "platform/gl/soft/state/parameter.h"
+#include "platform/gl/soft/state/state.h"
 
 struct texture soft_new_texture(GLuint name)
 {

@@ -1,5 +1,5 @@
 /* The cache of vertices, and single triangles of what is in it. */
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)
 {

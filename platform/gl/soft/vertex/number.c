@@ -124,3 +124,12 @@ int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16)
 	/* Q25 in 1..2; e >> 16 is -28..0. */
 	return (int32_t)(mantissa << 3 >> -(e >> 16));
 }
+
+int32_t soft_slope_q16(int32_t dx, int32_t dy)
+{
+	int zeros = LEADING_ZEROS_32((uint32_t)dy);
+
+	/* the product is below 2^49 */
+	return saturate_64((int64_t)dx * reciprocal((uint32_t)dy << zeros) >>
+		(46 - zeros));
+}

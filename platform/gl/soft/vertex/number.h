@@ -92,4 +92,7 @@ extern const uint16_t soft_root_table[192];
 /* base to the power of exponent (Q16), base in 0..1 of Q28; result Q28. */
 int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);
 
+/* dx / dy in Q16, |dx| < 2^18, dy > 0; 2^31 - 1 or its negative where it is more. */
+int32_t soft_slope_q16(int32_t dx, int32_t dy);
+
 #endif

@@ -2,7 +2,7 @@
  * Lists of triangles without indices: finds vertices that come again, so that
  * they are drawn as lists with indices are.
  */
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 enum {
 	INDICES_MOST = 1 << 16,

@@ -4,7 +4,7 @@
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/vertex/cache.h"
 #include "tests/support/gl/soft_scene.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"

@@ -2,8 +2,8 @@
  * What calls of GL share: their names here, soft_gl_ and that of struct gl, and
  * how they refuse what GL does not allow.
  */
-#ifndef PLATFORM_GL_SOFT_STATE_PARAMETER_H
-#define PLATFORM_GL_SOFT_STATE_PARAMETER_H
+#ifndef PLATFORM_GL_SOFT_STATE_STATE_H
+#define PLATFORM_GL_SOFT_STATE_STATE_H
 
 #include "platform/base/compiler.h"
 #include "platform/gl/soft/soft.h"

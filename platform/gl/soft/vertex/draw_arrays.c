@@ -1,8 +1,8 @@
 /* DrawArrays and DrawElements: from indices to primitives. */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/raster.h"
-#include "platform/gl/soft/state/parameter.h"
-#include "platform/gl/soft/vertex/primitive.h"
+#include "platform/gl/soft/state/state.h"
+#include "platform/gl/soft/vertex/cache.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* From vertices of the cache to primitives: what the kinds of lists share. */
-#ifndef PLATFORM_GL_SOFT_VERTEX_PRIMITIVE_H
-#define PLATFORM_GL_SOFT_VERTEX_PRIMITIVE_H
+#ifndef PLATFORM_GL_SOFT_VERTEX_CACHE_H
+#define PLATFORM_GL_SOFT_VERTEX_CACHE_H
 
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"

@@ -297,12 +297,3 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	}
 	set_attributes(draw, setup);
 }
-
-int32_t soft_raster_long_slope(int32_t dx, int32_t dy)
-{
-	int zeros = LEADING_ZEROS_32((uint32_t)dy);
-
-	/* |dx| < 2^18, so below 2^49; long and flat edges end within a row */
-	return saturate_64((int64_t)dx * reciprocal((uint32_t)dy << zeros) >>
-		(46 - zeros));
-}

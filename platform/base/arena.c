@@ -81,8 +81,9 @@ static size_t room(const struct arena_block *block)
 }
 
 /*
- * Adds a block with room for the bytes: one of its own for a large allocation,
- * and then smaller ones go on in the newest block if more is left there.
+ * Adds a block with room for the bytes; a large allocation gets a block of its
+ * own. The block with the most room left stays the newest, which the next small
+ * allocations use.
  */
 static struct arena_block *grow(struct arena *arena, size_t bytes)
 {
@@ -173,7 +174,8 @@ char *arena_strdup(struct arena *arena, const char *text)
 
 void arena_release(struct arena *arena)
 {
-	/* The budget may lie in a block (model.c), or be gone when none is left. */
+	/* The budget may lie in a block (model.c), so it may be freed already
+	 * if there is no block. */
 	if (arena->newest) {
 		memory_budget_give_back(arena->budget, all_bytes(arena));
 	}

@@ -3,7 +3,7 @@
  *
  * A model lives in one arena, an instance in another. Blocks never move, so
  * pointers stay valid until arena_release(). Only a large allocation can be
- * freed on its own. AddressSanitizer sees what is read or written behind one.
+ * freed on its own. AddressSanitizer reports accesses behind an allocation.
  */
 #ifndef PLATFORM_BASE_ARENA_H
 #define PLATFORM_BASE_ARENA_H
@@ -17,11 +17,11 @@ struct memory_budget;
 struct arena {
 	struct arena_block *newest;
 	size_t used_bytes; /* handed out, including alignment */
-	/* What the blocks are taken from, or NULL; it outlives the arena. */
+	/* The budget of the blocks' bytes, or NULL; it outlives the arena. */
 	struct memory_budget *budget;
 	/*
-	 * The bytes of a block that small allocations share; one of an eighth
-	 * of that or more gets a block of its own size. 0 means 64 KiB.
+	 * The size of the blocks that small allocations share; 0 means 64 KiB.
+	 * An allocation of at least an eighth of it gets a block of its own.
 	 */
 	size_t block_bytes;
 };
@@ -33,8 +33,9 @@ struct arena arena_empty(void);
 struct arena arena_within(struct memory_budget *budget);
 
 /*
- * Makes an arena without a budget take its blocks from one, those that it has
- * included. The budget may lie in the arena. False if it is too small for them.
+ * Gives a budget to an arena that has none: takes the bytes of the blocks that
+ * the arena has from it, and later those of new blocks. The budget may lie in
+ * the arena. Returns false if it is too small; the arena is then unchanged.
  */
 bool arena_set_budget(struct arena *arena, struct memory_budget *budget);
 
@@ -47,8 +48,8 @@ bool arena_set_budget(struct arena *arena, struct memory_budget *budget);
 void *arena_alloc(struct arena *arena, size_t count, size_t size);
 
 /*
- * Frees an allocation of that many bytes, if it has a block of its own, as
- * large allocations have. A smaller one stays until arena_release().
+ * Frees an allocation of that many bytes if it is large, that is, if it has a
+ * block of its own. A smaller allocation stays until arena_release().
  */
 void arena_free(struct arena *arena, const void *memory, size_t bytes);
 

@@ -67,7 +67,10 @@ static inline int32_t multiply_add_high(int32_t sum, int32_t a, int32_t b)
 }
 #endif
 
-/* Two words at a multiple of four bytes; one instruction where there is one. */
+/*
+ * Loads two words from an address that is a multiple of 4: by one instruction
+ * (ldrd) on cores that have it.
+ */
 #if defined(__ARM_FEATURE_DSP) && __ARM_ARCH >= 6
 static inline uint64_t load_two_words(const void *at)
 {
@@ -88,7 +91,7 @@ static inline uint64_t load_two_words(const void *at)
 }
 #endif
 
-/* A signed value, limited to so many unsigned bits, a constant. */
+/* Clamps a signed value to 0..2^bits - 1; bits is a constant. */
 #ifdef __ARM_FEATURE_SAT
 #define LIMIT_TO_BITS(value, bits) ((int32_t)__usat(value, bits))
 #else
@@ -137,9 +140,10 @@ static inline uint32_t odd_bytes_as_halves(uint32_t word)
 #endif
 
 /*
- * The minimum and the maximum of two words, for each unsigned half by itself;
- * their difference, for each half, which wraps; and the cross product of two
- * vectors whose x is the bottom half and whose y the top one, both signed.
+ * least_halves() and most_halves() return the minimum and the maximum of the
+ * unsigned 16-bit halves of two words; subtract_halves() subtracts them, and
+ * each difference wraps. cross_halves() is the cross product a.x * b.y - a.y *
+ * b.x of vectors whose signed x is the bottom half and whose y is the top half.
  */
 #ifdef __ARM_FEATURE_SIMD32
 static inline uint32_t subtract_halves(uint32_t a, uint32_t b)

@@ -17,10 +17,13 @@ bool file_exists(const char *path)
 }
 
 enum {
-	NONE_YET = 256 /* above any byte, and EOF is below */
+	NONE_YET = 256 /* differs from every byte and from EOF */
 };
 
-/* The first byte, EOF where no program writes, or NONE_YET. */
+/*
+ * Reads the first byte of a non-blocking pipe. Returns EOF if no program has
+ * opened the pipe for writing, or NONE_YET if nothing has been written yet.
+ */
 static int first_of_pipe(int fd)
 {
 	unsigned char byte;

@@ -20,7 +20,7 @@ static inline fx16_t fx16_from_float(float value)
 	uint32_t bits, half_bits;
 	float half;
 
-	/* Below 2^15, as the bits of 2^15 tell, without their signs. */
+	/* |value| < 2^15: 0x8E000000 is the bits of 2^15, shifted likewise. */
 	memcpy(&bits, &value, sizeof(bits));
 	if (bits << 1 < 0x8E000000) {
 		half_bits = (bits & 0x80000000) | 0x3F000000;

@@ -5,7 +5,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* What jansson holds during a load, as a hash table with open addressing. */
+/*
+ * The allocations that jansson holds during a load: a hash set of their
+ * addresses, with open addressing and linear probing.
+ */
 struct held {
 	void **slot;  /* [room], NULL where it is free */
 	size_t room;  /* a power of two, or 0 */
@@ -56,7 +59,10 @@ static bool grow(void)
 	return true;
 }
 
-/* Moves back what could not have its home because of the slot that is freed. */
+/*
+ * Removes an address from the set. Later entries of the same run move into the
+ * hole if it lies between their home slot and their present one.
+ */
 static void forget(const void *memory)
 {
 	size_t mask = held.room - 1;
@@ -66,7 +72,7 @@ static void forget(const void *memory)
 		hole = (hole + 1) & mask;
 	}
 	if (!held.room || !held.slot[hole]) {
-		return; /* it is older than the load */
+		return; /* it was allocated before the load began */
 	}
 	for (size_t at = (hole + 1) & mask; held.slot[at]; at = (at + 1) & mask) {
 		size_t home = home_of(&held, held.slot[at]);
@@ -118,7 +124,7 @@ bool json_memory_ok(void)
 	return !failed;
 }
 
-/* Ends a load, and frees what jansson held when it was abandoned. */
+/* Ends a load. If it was abandoned, frees all memory that jansson held. */
 static void end_load(bool abandoned)
 {
 	for (size_t i = 0; abandoned && i < held.room; i++) {

@@ -32,7 +32,7 @@ struct log log_to_nowhere(void)
 void log_write(
 	const struct log *log, enum log_level level, const char *format, ...)
 {
-	char sentence[5 * 1024]; /* a path of 4 KiB and what is wrong with it */
+	char sentence[5 * 1024]; /* fits a path of 4 KiB and the reason */
 	va_list arguments;
 
 	if (level > log->threshold) {

@@ -32,7 +32,7 @@ struct log log_to_stderr(enum log_level threshold);
 struct log log_to_nowhere(void);
 
 /*
- * Formats and writes one message. It is cut after 1,023 bytes; characters that
+ * Formats and writes one message. It is cut after 5,119 bytes; characters that
  * a terminal would execute are replaced (printable.h).
  */
 void log_write(const struct log *log, enum log_level level, const char *format,

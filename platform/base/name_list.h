@@ -10,7 +10,7 @@ struct name_list {
 	char text[400];
 };
 
-/* Appends a name, or drops it when it does not fit any more. */
+/* Appends a name, or leaves the list as it is when the name does not fit. */
 void name_list_add(struct name_list *list, const char *name);
 
 #endif

@@ -17,7 +17,7 @@
 struct output_file {
 	struct log log;
 	char *path;         /* as the caller named it */
-	const char *option; /* that named it, or NULL */
+	const char *option; /* the option that named the file, or NULL */
 	char *target;       /* the file to replace, with links followed */
 	char *temporary;    /* NULL: the file is written under its own name */
 	FILE *stream;
@@ -301,7 +301,7 @@ int output_file_commit(struct output_file *file)
 {
 	int error = complete(file);
 
-	/* Comes first: logging may end the program by SIGPIPE. */
+	/* Before logging, which may end the program by SIGPIPE. */
 	remove_temporary(file);
 	if (error && !file->reported) {
 		log_failure(&file->log, file->option, file->path, error);

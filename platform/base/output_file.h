@@ -33,7 +33,10 @@ struct output_file;
 int output_file_create(
 	const char *path, const struct log *log, struct output_file **out);
 
-/* The same; messages also name the option that asked for the file. */
+/*
+ * The same, but messages also name the option that asked for the file. The
+ * string option must outlive the file.
+ */
 int output_file_create_for(const char *option, const char *path,
 	const struct log *log, struct output_file **out);
 
@@ -68,8 +71,8 @@ int output_file_publish(struct output_file *file);
 int output_file_commit(struct output_file *file);
 
 /*
- * Closes and releases the file and removes what was written of it, unless that
- * was published. NULL is fine.
+ * Closes and releases the file. Removes what was written, unless it was
+ * published. NULL is fine.
  */
 void output_file_discard(struct output_file *file);
 

@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 enum {
-	LINKS_MAX = 40,  /* Linux follows as many */
-	NAME_KEPT = 200, /* bytes; with the suffix below NAME_MAX */
+	LINKS_MAX = 40,  /* as many as Linux follows */
+	NAME_KEPT = 200, /* bytes of the name: fits NAME_MAX with the suffix */
 	DESCRIPTOR_DIGITS = 7
 };
 

@@ -3,7 +3,10 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Line and paragraph separators, and what changes the direction of writing. */
+/*
+ * Whether the character is a line or paragraph separator (U+2028, U+2029) or
+ * changes the direction of writing.
+ */
 static bool is_invisible(const unsigned char *text)
 {
 	return text[0] == 0xE2 &&

@@ -14,12 +14,12 @@
 /* Replaces the characters in place. */
 void printable_make(char *text);
 
-/* Prints a copy in which they are replaced. */
+/* Prints the text with these characters replaced. */
 void printable_put(const char *text, FILE *out);
 
 /*
- * The same for a comment in C, in which what begins or ends a comment is
- * replaced too.
+ * The same for text inside a comment of C: also replaces the second character
+ * of what would begin or end a comment.
  */
 void printable_put_comment(const char *text, FILE *out);
 

@@ -28,7 +28,7 @@ static unsigned reduce(float angle_rad, float *remainder)
 	return (unsigned)quadrant & 3;
 }
 
-/* Minimax over -pi/4..pi/4, error 2e-9 before rounding. */
+/* Minimax polynomial for -pi/4..pi/4; its error is 2e-9 before rounding. */
 static float sin_core(float r)
 {
 	float z = r * r;
@@ -75,7 +75,10 @@ float scalar_cos(float angle_rad)
 	return sin_of_quadrant(quadrant + 1, r);
 }
 
-/* acos(x) / sqrt(1 - x) is smooth on 0..1: minimax, error 9e-8. */
+/*
+ * acos(x) / sqrt(1 - x) is smooth on 0..1, so a minimax polynomial of it is
+ * multiplied by the root; its error is 9e-8.
+ */
 static float acos_positive(float x)
 {
 	float p = 0.00261172f;
@@ -100,7 +103,7 @@ float scalar_acos(float cosine)
 	return SCALAR_PI - acos_positive(cosine > -1 ? -cosine : 1);
 }
 
-/* Minimax on 0..1, error 5e-8. */
+/* Minimax polynomial for 0..1; its error is 5e-8. */
 static float atan_core(float x)
 {
 	float z = x * x;
@@ -146,7 +149,7 @@ float scalar_floor(float value)
 float scalar_exp(float value)
 {
 	const float ln2_high =
-		0.693359375f; /* 10 bits: n * ln2_high is exact */
+		0.693359375f; /* has 10 bits, so n * ln2_high is exact */
 	const float ln2_low = -2.12194440e-4f;
 	float p = 1.0f / 720.0f;
 	float r;

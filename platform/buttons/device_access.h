@@ -1,5 +1,5 @@
 /*
- * Reporting a device that exists but that this user may not open.
+ * Reporting a device that exists but may not be opened by this user.
  */
 #ifndef PLATFORM_BUTTONS_DEVICE_ACCESS_H
 #define PLATFORM_BUTTONS_DEVICE_ACCESS_H

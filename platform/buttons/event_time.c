@@ -20,7 +20,7 @@ struct event_clocks event_clocks_now(void)
 	};
 }
 
-/* Below 0 for a stamp that is no time before the clock's; any stamp is fine. */
+/* The age of a stamp; -1 if the stamp is negative or later than the clock. */
 static int64_t age_of(int64_t clock_ns, int64_t stamp_ns)
 {
 	return stamp_ns < 0 || stamp_ns > clock_ns ? -1 : clock_ns - stamp_ns;

@@ -19,9 +19,10 @@ int gpio_output_check(const char *line, const struct log *log);
 
 /*
  * Opens the line as an output that is off. Other programs see "limber NAME" as
- * its user. Returns NULL after logging a warning, which begins with where the
- * output is asked for, if this machine has no such line or it is in use; the
- * other functions then do nothing.
+ * its user. Returns NULL after logging an error or warning if the text is
+ * wrong, this machine has no such line, or the line is in use. Warnings begin
+ * with where, such as "FILE:LINE: [output NAME] line". The functions below do
+ * nothing for NULL.
  */
 struct gpio_output *gpio_output_open(const char *where, const char *name,
 	const char *line, const struct log *log);

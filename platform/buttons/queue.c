@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Before every debounce time. Differences cannot overflow while times stay
- * below 2^62 ms. */
+/* A time longer ago than every debounce time. Differences from it cannot
+ * overflow while times stay below 2^62 ms. */
 #define LONG_AGO_MS (INT64_MIN / 2)
 
 static const char *const names[BUTTON_COUNT] = {
@@ -58,7 +58,10 @@ static void pass_on(struct button_queue *queue, struct button_event event)
 	queue->count++;
 }
 
-/* The button whose held-back change is due first by now_ms, or BUTTON_COUNT. */
+/*
+ * The button whose held-back change is due earliest, among those due by now_ms,
+ * or BUTTON_COUNT.
+ */
 static int find_due(const struct button_queue *queue, int64_t now_ms)
 {
 	int64_t first_ms = INT64_MAX;

@@ -15,7 +15,7 @@
 #include "platform/base/survey.h"
 
 enum {
-	CAMERA_SIDE_MAX = 2048, /* pixels, of a picture's width and height */
+	CAMERA_SIDE_MAX = 2048, /* the largest width and height, in pixels */
 	CAMERA_PLANES = 3
 };
 
@@ -71,7 +71,7 @@ struct camera_options {
 
 /* The result of camera_driver.take(). */
 enum camera_status {
-	CAMERA_NONE, /* there is no picture */
+	CAMERA_NONE, /* there is no picture: none came yet, or an outage */
 	CAMERA_SAME, /* there is no newer picture than the last one taken */
 	CAMERA_NEW,  /* a new picture was taken */
 };

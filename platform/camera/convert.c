@@ -6,8 +6,8 @@
 static uint16_t mean_of_4(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 {
 	const uint32_t green = 0x07e0, others = 0xf81f;
-	/* Sums of four need two bits more. Without green between them red and
-	 * blue have these bits free, and so has green without red above it. */
+	/* A sum of four values needs two more bits. Green is added apart from
+	 * red and blue, so the bits above each channel are free. */
 	uint32_t sum_green = (a & green) + (b & green) + (c & green) +
 		(d & green) + (2u << 5);
 	uint32_t sum_others = (a & others) + (b & others) + (c & others) +
@@ -16,7 +16,7 @@ static uint16_t mean_of_4(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
 	return (uint16_t)((sum_green >> 2 & green) | (sum_others >> 2 & others));
 }
 
-/* Halves two rows of 2 * count pixels into the first. */
+/* Averages 2 x 2 pixels of two rows, of 2 * count pixels each, into row. */
 static void halve_rows(uint16_t *row, const uint16_t *below, int count)
 {
 	for (int i = 0; i < count; i++) {

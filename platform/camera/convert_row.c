@@ -59,12 +59,12 @@ static ALWAYS_INLINE struct matrix load_matrix(void)
 	return m;
 }
 
-/* What the chroma of two pixels adds to each channel. */
+/* What the chroma of two pixels adds to each channel, in Q16, with the bias. */
 struct tint {
 	int32_t red, green, blue;
 };
 
-/* chroma: Cb at the bottom, Cr at the top. */
+/* chroma has Cb in the bottom half and Cr in the top half. */
 static ALWAYS_INLINE struct tint tint_of(const struct matrix *m, uint32_t chroma)
 {
 	int32_t green = HALVES_BT(chroma, m->cb, m->green_bias);
@@ -114,7 +114,10 @@ static ALWAYS_INLINE void put_last(
 		HALVES_BB((uint32_t)luma, m->luma, tint.blue));
 }
 
-/* Compilers make one load of it; drivers' buffers are often not cached. */
+/*
+ * Loads four bytes, which compilers turn into one load. Fewer loads matter
+ * because drivers' buffers are often not cached.
+ */
 static ALWAYS_INLINE uint32_t load_word(const uint8_t *in)
 {
 	return in[0] | (uint32_t)in[1] << 8 | (uint32_t)in[2] << 16 |

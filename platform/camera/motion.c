@@ -1,7 +1,7 @@
 #include "platform/camera/motion.h"
 
 enum {
-	NOISE = 6 * 4, /* of the sum of a cell's four pixels */
+	NOISE = 6 * 4, /* a change of 6 in each of a cell's four pixels */
 };
 
 /* RGB formats have no luma, so green stands for it. */

@@ -14,8 +14,9 @@ const char console_in_use_remedy[] =
 	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
 /*
- * The signals that end a process. A program that handles the last six is
- * expected to end in order, and then calls console_release() itself.
+ * The signals that end a process. A program that handles one of the last six
+ * itself is expected to end in order and to call console_release(), so these
+ * are caught only where they have their default action.
  */
 static const struct {
 	int number;
@@ -52,7 +53,10 @@ static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 	return device_control(calls, fd, KDSETMODE, (void *)mode);
 }
 
-/* Raises the signal again, which stays blocked until the handler returns. */
+/*
+ * The signal handler. It raises the signal again, which is delivered with its
+ * former action when the handler returns.
+ */
 static void restore_text_mode(int number)
 {
 	set_mode(taken.calls, taken.fd, KD_TEXT);
@@ -96,8 +100,9 @@ static void release_endings(void)
 }
 
 /*
- * Opens the current console: /dev/tty0, or /dev/tty if that is none. *in_use is
- * the result of console_is_in_use(). Returns -1 when there is no console.
+ * Opens the current console: /dev/tty0 or, if that is no console, /dev/tty.
+ * *in_use is what console_is_in_use() promises. Returns the descriptor, or -1
+ * when there is no console.
  */
 static int open_console(
 	const struct device_calls *calls, const struct log *log, bool *in_use)

@@ -45,7 +45,7 @@ struct display_info {
 /* What the user did since the last poll. */
 struct display_events {
 	bool close;   /* closed the window */
-	bool resized; /* resized it: the next frame has another size */
+	bool resized; /* resized the window: the next frame has another size */
 	bool graph;   /* asked to show or hide the frame times */
 	bool picture; /* asked to save the picture in a file */
 	bool overlay; /* asked for the next overlay */

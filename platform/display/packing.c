@@ -10,7 +10,10 @@ static uint32_t scale(uint32_t value, uint32_t max, struct pixel_field field)
 	return (uint32_t)((full * value + max / 2) / max) << field.offset;
 }
 
-/* The same times the channel's weight in luma (BT.601), in 256ths. */
+/*
+ * Scales a value likewise to the part of brightness that the channel
+ * contributes in BT.601 luma; weight is in 256ths.
+ */
 static uint32_t scale_gray(
 	uint32_t value, uint32_t max, uint32_t weight, struct pixel_field field)
 {
@@ -59,7 +62,8 @@ void packing_init(struct packing *packing, enum pixel_format from,
 		packing->red[i] += opaque;
 	}
 	if (gray) {
-		/* White must be full: green, the largest, gets the rest. */
+		/* White must be full brightness, so green, the channel with the
+		 * largest weight, gets what rounding has lost. */
 		uint32_t white = pixel_layout_mask(layout->red) + opaque;
 		int max = narrow ? 31 : 255;
 		int green_max = narrow ? 63 : 255;

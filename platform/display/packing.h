@@ -6,12 +6,12 @@
 
 #include "platform/display/pixel_layout.h"
 
-/* For each value of a channel, what it adds to the pixel. */
+/* Tables that convert pixels: the screen's pixel is the sum of three entries. */
 struct packing {
 	enum pixel_format from;
-	bool same; /* the layout is that of the format */
+	bool same; /* the layout is that of the format: rows are copied */
 	int bytes; /* of a pixel of the layout */
-	uint32_t red[256], green[256], blue[256];
+	uint32_t red[256], green[256], blue[256]; /* [value of the channel] */
 };
 
 /*

@@ -44,7 +44,7 @@ bool pixel_layout_is_valid(const struct pixel_layout *layout)
 		return false;
 	}
 	for (int i = 0; i < 4; i++) {
-		/* The three fields of gray are the same; one is counted. */
+		/* In gray layouts the three colour fields are one and the same. */
 		bool counts = !layout->gray || i == 0 || i == 3;
 
 		if (!is_within(fields[i], layout->bits) ||

@@ -14,7 +14,7 @@ struct pixel_field {
 	int length; /* in bits; 0 when the channel does not exist */
 };
 
-/* A pixel is an integer of that many bits in the machine's byte order. */
+/* A pixel is an integer of bits bits in the machine's byte order. */
 struct pixel_layout {
 	int bits; /* 1 to 32; stored in whole bytes */
 	struct pixel_field red, green, blue;

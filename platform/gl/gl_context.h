@@ -80,8 +80,8 @@ struct gl_driver {
 	int (*end_frame)(struct gl_context *context);
 
 	/*
-	 * Adds what is drawn from now on to *counts (gl_counts.h); NULL stops.
-	 * Optional.
+	 * From now on counts what is drawn and adds it to *counts
+	 * (gl_counts.h); NULL stops counting. Optional.
 	 */
 	void (*count)(struct gl_context *context, struct gl_counts *counts);
 

@@ -1,21 +1,25 @@
 /*
- * What drawing consists of: counts that are the same on every machine.
+ * How much work a picture took, as counts that are the same on every machine.
  *
- * A driver that counts (struct gl_driver, count) adds to them while it draws.
- * With the cost of each, what a picture costs on another machine is known.
+ * A driver that counts (gl_driver.count) adds to them while it draws.
+ * Multiplied by the cost of each kind of work on another machine, they predict
+ * what the picture costs there.
  */
 #ifndef PLATFORM_GL_GL_COUNTS_H
 #define PLATFORM_GL_GL_COUNTS_H
 
-/* Triangles by how they are drawn, which depends on state and size. */
+/*
+ * The kinds of triangles by how gl/soft draws them, which depends on GL's state
+ * and on the triangle's size.
+ */
 enum gl_work_kind {
 	GL_WORK_FLAT,      /* one colour through a stencil */
 	GL_WORK_PLAIN,     /* small, opaque, depth tested, no texture */
 	GL_WORK_TEXTURED,  /* the same with one RGB565 texture */
-	GL_WORK_BACKDROP,  /* untested: colours by row, and pictures */
+	GL_WORK_BACKDROP,  /* untested: one colour a row, or whole pictures */
 	GL_WORK_LUMINANCE, /* a small luminance texture that repeats */
-	GL_WORK_SPANS,     /* all else without a texture */
-	GL_WORK_SPANS_TEXTURED,
+	GL_WORK_SPANS,     /* any other opaque triangle without a texture */
+	GL_WORK_SPANS_TEXTURED, /* any other opaque one with a texture */
 	GL_WORK_SPANS_DIVIDED,  /* with a texture in strong perspective */
 	GL_WORK_SPANS_NEAREST,  /* with a texture by its nearest texels */
 	GL_WORK_MIXED,          /* blended or alpha-tested, without a texture */
@@ -24,28 +28,28 @@ enum gl_work_kind {
 	GL_WORK_MIXED_TEXTURED, /* blended, small, with a texture */
 	GL_WORK_MIXED_SPANS,    /* blended, larger, with a texture */
 	GL_WORK_MIXED_DIVIDED,  /* the same in strong perspective */
-	/* What some of the triangles above take besides: */
+	/* Triangles counted above that take additional work because: */
 	GL_WORK_COLORED, /* their corners have different colours */
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
-	GL_WORK_DEEP,    /* luminance textures that write depths */
+	GL_WORK_DEEP,    /* they have a luminance texture and write depths */
 	GL_WORK_KINDS
 };
 
 struct gl_work {
-	double triangles; /* that are set up */
-	double rows;
-	double pixels; /* that are seen when they are drawn */
+	double triangles; /* that were drawn, not skipped as hidden */
+	double rows;      /* of the triangles' bounding boxes */
+	double pixels;    /* not hidden by what was drawn before */
 };
 
 struct gl_counts {
 	double calls;    /* of DrawArrays and DrawElements */
 	double listed;   /* triangles in these calls */
-	double vertices; /* transformed, of triangles with 16-bit indices */
-	double single;   /* transformed, of all other lists: one by one */
-	double shaded;   /* of either, lit or coloured */
+	double vertices; /* transformed for GL_TRIANGLES with 16-bit indices */
+	double single;   /* transformed one by one, for all other calls */
+	double shaded;   /* vertices of both kinds that were lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */
 	double skipped;  /* triangles found behind others before their set-up */
-	double fine;     /* pixels of luminance textures, by finer tiles */
+	double fine;     /* pixels of luminance textures drawn by finer tiles */
 	struct gl_work work[GL_WORK_KINDS];
 };
 

@@ -31,7 +31,10 @@ static const struct gl_driver *find(const char *name)
 	return NULL;
 }
 
-/* For a surface any driver with .surface will do, accelerated or not. */
+/*
+ * Whether "auto" tries a driver. For a native surface any driver with .surface
+ * suits, accelerated or not.
+ */
 static bool suits_auto(
 	const struct gl_driver *driver, const struct gl_request *request)
 {

@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The remedy for a missing library is to install the driver's packages. */
+/*
+ * Reports why a driver failed. If its library is missing, the remedy is to
+ * install the driver's packages.
+ */
 static void report_failed(const struct gl_driver *driver, int error,
 	const char *subject, const struct survey_message *sentence,
 	const struct survey *survey)

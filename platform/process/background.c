@@ -3,7 +3,8 @@
 
 #include <unistd.h>
 
-/* On one core the task gets about a quarter of the time, the loop the rest. */
+/* On one core the task gets about a quarter of the processor's time, and the
+ * frame loop the rest. */
 static const int niceness = 5;
 
 static void *run(void *context)

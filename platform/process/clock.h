@@ -35,7 +35,7 @@ struct clock clock_real(void);
  */
 struct clock clock_fixed(double rate_hz, double start_s);
 
-/* Begins the next frame, the first one being frame 0; its time in seconds. */
+/* Begins the next frame, the first of which is 0. Returns its time in seconds. */
 double clock_tick(struct clock *clock);
 
 /* The processor time that this thread has used so far, in seconds. */

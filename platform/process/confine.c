@@ -10,7 +10,7 @@ struct confinement confine_process(
 {
 	struct confinement held = {false, false};
 
-	/* Both need it; it also disables set-user-id programs. */
+	/* seccomp and Landlock require it. It also disables set-user-id programs. */
 	if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) {
 		held.files = request->writes_anywhere ||
 			confine_files(request->output) == 0;

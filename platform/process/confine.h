@@ -25,14 +25,15 @@ struct confine_request {
 	 * them; NULL ends the list.
 	 */
 	const char *output[CONFINE_OUTPUTS_MAX + 1];
-	bool writes_anywhere; /* the list does not matter */
+	bool writes_anywhere; /* any file may be written; output is ignored */
 	bool connects; /* may open sockets, as a desktop's windows need */
 };
 
-/* What holds from now on. */
+/* Which restrictions the kernel enforces from now on. */
 struct confinement {
 	bool calls; /* seccomp refuses system calls */
-	bool files; /* Landlock refuses writing beside the outputs */
+	/* Landlock refuses to write other files; or writes_anywhere was set. */
+	bool files;
 };
 
 /*

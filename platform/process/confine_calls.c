@@ -21,7 +21,10 @@
 #define MACHINE 0
 #endif
 
-/* Only numbers that every supported machine has, in all their forms. */
+/*
+ * Calls that every supported machine has. If a call has several forms, all of
+ * them are listed.
+ */
 static const uint16_t refused[] = {
 	/* Start programs and look into other processes. */
 	SYS_execve,
@@ -51,10 +54,10 @@ static const uint16_t refused[] = {
 	SYS_add_key,
 	SYS_request_key,
 	SYS_keyctl,
-	/* Gain rights, or make calls that are not seen here. */
+	/* Gain rights, or make calls that this filter does not see (io_uring). */
 	SYS_capset,
 	SYS_io_uring_setup,
-	/* Those below are allowed to a process that connects. */
+	/* The SOCKET_CALLS calls below are allowed if the process connects. */
 	SYS_socket,
 	SYS_socketpair,
 	SYS_connect,
@@ -62,14 +65,17 @@ static const uint16_t refused[] = {
 	SYS_listen,
 };
 
-/* The leak sanitizer stops threads by ptrace() when the program ends. */
+/*
+ * Exists only in programs with the leak sanitizer, which must keep ptrace(): it
+ * stops the threads when the program ends.
+ */
 __attribute__((weak)) void __lsan_do_leak_check(void);
 
 enum {
 	REFUSED = sizeof(refused) / sizeof(refused[0]),
 	SOCKET_CALLS = 5,
-	HEAD = 4, /* instructions in front of the list */
-	TAIL = 3, /* and behind it */
+	HEAD = 4, /* instructions of the filter in front of the list */
+	TAIL = 3, /* instructions behind the list */
 	X32_BIT = 0x40000000
 };
 
@@ -79,7 +85,10 @@ static struct sock_filter load(size_t offset)
 		BPF_LD | BPF_W | BPF_ABS, (uint32_t)offset);
 }
 
-/* Skips instructions when the loaded value is, or is not, equal to value. */
+/*
+ * Skips skip instructions when the loaded value equals value, else skip_else
+ * instructions.
+ */
 static struct sock_filter equal(uint32_t value, int skip, int skip_else)
 {
 	return (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value,
@@ -101,7 +110,10 @@ int confine_calls(bool connects)
 	if (MACHINE == 0) {
 		return -ENOSYS;
 	}
-	/* Another machine's calls, such as those of 32 bits, are all refused. */
+	/*
+	 * Refuses all calls of another architecture, such as those of 32-bit
+	 * programs and of x32, whose numbers mean other calls.
+	 */
 	filter[at++] = load(offsetof(struct seccomp_data, arch));
 	filter[at++] = equal(MACHINE, 0, count + 4);
 	filter[at++] = load(offsetof(struct seccomp_data, nr));
@@ -114,7 +126,7 @@ int confine_calls(bool connects)
 	filter[at++] = end(SECCOMP_RET_ALLOW);
 	filter[at++] = end(SECCOMP_RET_ERRNO | EPERM);
 	program.len = (unsigned short)at;
-	/* For all threads: a camera has one of its own. */
+	/* TSYNC filters all threads: a camera has a thread of its own. */
 	if (syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER,
 		    SECCOMP_FILTER_FLAG_TSYNC, &program) != 0) {
 		/* Not counted: a kernel without seccomp. */

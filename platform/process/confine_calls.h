@@ -7,8 +7,9 @@
 #include <stdbool.h>
 
 /*
- * Makes them fail with EPERM from now on, sockets too unless connects is set.
- * The process has PR_SET_NO_NEW_PRIVS. Returns 0 or -errno.
+ * Makes these calls fail with EPERM from now on, in all threads; opening and
+ * using sockets, too, unless connects is set. PR_SET_NO_NEW_PRIVS must be set
+ * before. Returns 0 or -errno.
  */
 int confine_calls(bool connects);
 

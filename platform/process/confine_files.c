@@ -22,12 +22,15 @@ static const uint64_t handled = LANDLOCK_ACCESS_FS_EXECUTE |
 	LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
 	LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
 
-/* What output_file.h does in the folder of an output. */
+/* The rights that output_file.h needs in the folder of an output. */
 static const uint64_t of_folder = LANDLOCK_ACCESS_FS_WRITE_FILE |
 	LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_DIR |
 	LANDLOCK_ACCESS_FS_MAKE_REG;
 
-/* The path whose rule covers the output; the caller frees it. */
+/*
+ * Returns the path that must get a rule so that the output can be written, and
+ * the rights of that rule. NULL on failure. The caller frees the path.
+ */
 static char *covering_path(const char *output, uint64_t *access)
 {
 	struct stat status;
@@ -53,7 +56,10 @@ static char *covering_path(const char *output, uint64_t *access)
 	return target;
 }
 
-/* An output that cannot be reached gets no rule; writing it will fail. */
+/*
+ * Adds a rule for an output. An output that cannot be reached gets none, and
+ * writing it will fail. Returns 0 or -errno.
+ */
 static int allow(int rules, const char *output)
 {
 	struct landlock_path_beneath_attr beneath = {0};

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 struct jobs {
-	pthread_mutex_t lock; /* of the work */
-	pthread_mutex_t count_lock;
+	pthread_mutex_t lock;       /* for jobs_lock() */
+	pthread_mutex_t count_lock; /* protects next and error */
 	int count, next;
 	int error;
 	int (*run)(struct jobs *jobs, int job, void *context);

@@ -19,7 +19,7 @@ struct jobs;
 int jobs_run(int count, int threads,
 	int (*run)(struct jobs *jobs, int job, void *context), void *context);
 
-/* A job calls these around what only one job may do at a time. */
+/* A job calls these around code that only one job may run at a time. */
 void jobs_lock(struct jobs *jobs);
 void jobs_unlock(struct jobs *jobs);
 

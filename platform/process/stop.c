@@ -26,14 +26,14 @@ static void raise_flag(int number)
 		wanted = 1;
 		(void)alarm(GRACE_S);
 	}
-	/* What cannot be written here, the orderly end reports. */
+	/* If this write fails, watchdog_close() reports it. */
 	if (watchdog_fd >= 0 && write(watchdog_fd, "V", 1) < 0) {
 		watchdog_fd = -1;
 	}
 	errno = kept;
 }
 
-/* A program that starts limber may leave them blocked by mistake. */
+/* A program that starts limber may leave these signals blocked by mistake. */
 void stop_unblock(void)
 {
 	sigset_t ending;

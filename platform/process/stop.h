@@ -9,8 +9,9 @@
 #include <stdbool.h>
 
 /*
- * Unblocks the signals below and SIGALRM, and lets SIGALRM end the process, which
- * inherits both from the program that started it. Call it once, at the start.
+ * Unblocks the signals of stop_catch() and SIGALRM, and makes SIGALRM end the
+ * process: a process inherits blocked and ignored signals from the program that
+ * started it. Call it once, at the start.
  */
 void stop_unblock(void);
 
@@ -23,8 +24,9 @@ void stop_unblock(void);
 void stop_catch(void);
 
 /*
- * Makes such a signal write "V" to a file descriptor at once: a watchdog whose
- * last byte was that does not reset the board when the process ends. -1: none.
+ * Makes these signals write "V" at once to fd, an open watchdog device. If "V"
+ * was the last byte written, the watchdog does not reset the board when the
+ * process ends. -1 stands for no watchdog.
  */
 void stop_set_watchdog(int fd);
 
@@ -32,8 +34,8 @@ void stop_set_watchdog(int fd);
 void stop_release(void);
 
 /*
- * Whether one of the signals came since stop_catch(). The caller then ends in
- * order, for which it has any time.
+ * Whether one of the signals came since stop_catch(). The caller should then
+ * end the program in order; SIGALRM does not limit its time any more.
  */
 bool stop_requested(void);
 

@@ -36,7 +36,7 @@ int user_become(const char *name, const struct log *log)
 		return refuse(name, errno, log);
 	}
 	/*
-	 * It would be the way back of a process that was not quite root.
+	 * A process that can become root again has not given up its rights.
 	 * Not counted: another user cannot write the counters of make coverage.
 	 */
 	if (user->pw_uid != 0 && setuid(0) == 0) {

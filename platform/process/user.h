@@ -8,10 +8,10 @@
 
 /*
  * Makes this process and all its threads that user for good, with the user's
- * groups and without capabilities; the files of before stay open. Does nothing
- * for a process that is this user already. Returns 0, or -errno after logging
- * an error that names the option --user: -ENOENT without such a user, -EPERM if
- * the process is not root. After an error it must not go on.
+ * groups and without capabilities; open files stay open. Does nothing for a
+ * process that is this user already. Returns 0, or -errno after logging an
+ * error that names the option --user: -ENOENT if there is no such user, -EPERM
+ * if the process is not root. After an error the process must not go on.
  */
 int user_become(const char *name, const struct log *log);
 

@@ -15,8 +15,9 @@ enum {
 };
 
 /*
- * Ends the process by SIGALRM if it is not called again in time. A process that
- * cannot be ended so is left to the device.
+ * Starts the timer again, whose SIGALRM ends the process if this function is
+ * not called again within limit_s. If that does not end it, the device restarts
+ * the board.
  */
 static void limit_silence(const struct watchdog *watchdog)
 {
@@ -28,7 +29,10 @@ static void limit_silence(const struct watchdog *watchdog)
 	}
 }
 
-/* A device may give any number of seconds. */
+/*
+ * Sets limit_s and creates the timer, unless the timeout, which may be any
+ * number, is too short or implausibly long.
+ */
 static void choose_limit(struct watchdog *watchdog, int timeout_s)
 {
 	struct sigevent alarm = {

@@ -28,8 +28,8 @@ struct watchdog {
 	int fd;            /* -1: no watchdog */
 	int64_t period_ms; /* shortest time between two writes */
 	int64_t fed_ms;    /* time of the last write */
-	int limit_s;       /* without feeding; 0: there is no timer */
-	timer_t timer;
+	int limit_s;       /* of timer; 0: there is no timer */
+	timer_t timer;     /* ends the process unless it is fed in time */
 };
 
 /* Returns a watchdog without a device; feeding and closing it does nothing. */
@@ -43,8 +43,8 @@ int watchdog_open(struct watchdog *out, const char *path,
 	const struct device_calls *calls, const struct log *log);
 
 /*
- * Feeds the watchdog at most once a second, or four times a second when its
- * timeout is one second. now_ms is the time of any monotonic clock.
+ * Feeds the watchdog, but at most once a second, or four times a second when
+ * its timeout is one second. now_ms is the time of any monotonic clock.
  */
 void watchdog_feed(struct watchdog *watchdog, int64_t now_ms);
 

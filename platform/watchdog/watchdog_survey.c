@@ -82,7 +82,7 @@ void watchdog_survey(const char *devices, const struct survey *survey)
 	for (int i = 0; i < WATCHDOGS_MAX; i++) {
 		any = report_number(devices, i, survey) || any;
 	}
-	/* Old kernels have this name of the first watchdog only. */
+	/* Old kernels have only "watchdog", the name of the first one. */
 	if (!any &&
 		snprintf(path, sizeof(path), "%s/watchdog", devices) <
 			(int)sizeof(path) &&

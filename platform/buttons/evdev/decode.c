@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* A driver may send any numbers. */
+/* Returns -1 for numbers that are no time, which a driver may send. */
 static int64_t stamp_of(int64_t seconds, int64_t microseconds)
 {
 	static const int64_t seconds_max = INT64_C(9000000000);

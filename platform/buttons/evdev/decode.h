@@ -18,8 +18,8 @@ enum {
 };
 
 struct evdev_event {
-	/* The kernel's time stamp (event_time.h), below 0 for one that is no
-	 * time. */
+	/* The kernel's time stamp (event_time.h); negative if the device sent
+	 * numbers that are no time. */
 	int64_t stamp_ns;
 	uint16_t type, code;
 	int32_t value;

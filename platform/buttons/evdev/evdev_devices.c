@@ -113,7 +113,7 @@ void evdev_devices_scan(struct button_source *source)
 	}
 }
 
-/* IN_ATTRIB: udev sets the permissions after it creates a device. */
+/* Watches IN_ATTRIB, too: udev creates a device before it sets permissions. */
 void evdev_devices_watch(struct button_source *source)
 {
 	if (source->inotify >= 0 && source->watch < 0) {
@@ -202,7 +202,7 @@ static void handle_event(struct button_source *source, int index,
 	}
 }
 
-/* False when the device is gone. */
+/* Reads the waiting events of a device. Returns false if the device is gone. */
 static bool read_device(struct button_source *source, int index,
 	const struct event_clocks *clocks, int64_t now_ms)
 {

@@ -35,7 +35,7 @@ struct button_source {
 	int inotify, watch; /* -1: not available */
 	bool polled;        /* polled_ms is set */
 	bool denied_logged;
-	int64_t polled_ms, scan_ms; /* of the last poll, of the next scan */
+	int64_t polled_ms, scan_ms; /* times of the last poll and next scan */
 	struct button_batch batch;
 };
 

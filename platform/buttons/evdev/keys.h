@@ -19,8 +19,8 @@ struct evdev_keys {
 };
 
 /*
- * The default table: the arrows, Enter, F6 and F8 to F10; of keypads 8, 2, 4, 6
- * and Enter, OK, select and the direction pad.
+ * Returns the default table: the arrows, Enter, F6 and F8 to F10, and on
+ * keypads 8, 2, 4, 6, Enter, OK, select and the direction pad.
  */
 struct evdev_keys evdev_keys_default(void);
 

@@ -27,7 +27,7 @@ static int describe(int fd, struct evdev_description *out)
 	if (ioctl(fd, EVIOCGNAME(sizeof(out->name) - 1), out->name) < 0) {
 		strcpy(out->name, "no name");
 	}
-	/* If it fails, the stamps are real time, which event_time.c handles. */
+	/* On failure the stamps are real time, which event_time.c handles. */
 	(void)ioctl(fd, EVIOCSCLOCKID, &clock);
 	return 0;
 }

@@ -16,8 +16,8 @@ struct evdev_description {
 
 /* All calls return 0 or more, or -errno. */
 struct evdev_system {
-	const char *directory;         /* with the devices event0, event1 ... */
-	int (*open)(const char *path); /* opens it with O_NONBLOCK */
+	const char *directory;         /* of the devices event0, event1 ... */
+	int (*open)(const char *path); /* opens a device with O_NONBLOCK */
 	int (*describe)(int fd, struct evdev_description *out);
 	int (*keys_down)(int fd, uint8_t bits[EVDEV_KEY_BYTES]);
 	ssize_t (*read)(int fd, void *bytes, size_t size);

@@ -79,7 +79,7 @@ int gpio_line_fd(const struct gpio_line *line);
 int gpio_line_level(struct gpio_line *line);
 
 enum {
-	GPIO_EDGES_MAX = 16 /* the kernel buffers as many for a line */
+	GPIO_EDGES_MAX = 16 /* as many as the kernel buffers for a line */
 };
 
 /*

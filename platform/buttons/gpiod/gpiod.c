@@ -1,5 +1,5 @@
 /*
- * Buttons on GPIO lines.
+ * Buttons on GPIO lines: reads the edges that the kernel has time-stamped.
  */
 #include <errno.h>
 #include <poll.h>
@@ -184,7 +184,7 @@ static void open_line(
 	};
 }
 
-/* Reads all items into specs. Their number, or -EINVAL after logging. */
+/* Reads all items into specs. Returns their number, or -EINVAL after logging. */
 static int read_specs(const char *argument, struct gpio_line_spec *specs,
 	const struct log *log)
 {

@@ -8,7 +8,7 @@
 
 enum {
 	DEVICES_MAX = 128,
-	LINES_MAX = UINT16_MAX /* Linux keeps their number in 16 bits */
+	LINES_MAX = UINT16_MAX /* Linux keeps the number of lines in 16 bits */
 };
 
 static void report_line(const struct gpio_chip *chip, unsigned int offset,

@@ -136,7 +136,7 @@ static int read_line(
 	return error ? error : append(script, event, at);
 }
 
-/* A line that holds zero bytes looks as if it had no end. */
+/* Checks that a line has an end. One with zero bytes seems to have none. */
 static int check_line(const char *line, FILE *file, const struct position *at)
 {
 	size_t length = strlen(line);

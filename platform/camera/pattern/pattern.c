@@ -134,7 +134,7 @@ static void draw_card(struct camera_source *source)
 	}
 }
 
-/* A position that moves back and forth between 0 and span. */
+/* Folds a distance into a position that moves back and forth in 0..span. */
 static int bounce(int64_t distance, int span)
 {
 	int at;

@@ -27,8 +27,8 @@ struct convert_library {
 		int from_size, unsigned char *to, int to_size);
 };
 
-/* ISO C cannot convert a data pointer to a function pointer, but POSIX
- * guarantees that both have the same representation. */
+/* Writes the function's address to out. ISO C cannot convert a data pointer to
+ * a function pointer, but POSIX guarantees that they are represented alike. */
 static int find_function(void *handle, const char *name, void *out, size_t size)
 {
 	void *address = dlsym(handle, name);
@@ -62,8 +62,8 @@ bool convert_library_is_available(void)
 }
 
 /*
- * The library asks for formats and sizes of every index until the device has no
- * more of them. A device that never ends its lists must not keep it busy.
+ * The library asks for the formats and sizes of index 0, 1, ... until the
+ * device has no more. The limit ends this for a device whose lists never end.
  */
 static bool is_beyond_lists(unsigned long request, const void *argument)
 {

@@ -29,7 +29,10 @@ static int fail(struct v4l2_device *device, int error, const char *what)
 	return error;
 }
 
-/* Returns 0 if it captures single-planar video into mapped buffers. */
+/*
+ * Returns 0 if the device captures single-planar video into mapped buffers,
+ * else -errno.
+ */
 static int check_capabilities(const struct v4l2_device *device)
 {
 	struct v4l2_capability capability = {0};
@@ -90,7 +93,10 @@ static int open_path(struct v4l2_device *device, const char *path)
 	return fail(device, device->fd, "it cannot be opened");
 }
 
-/* Sets the layout: the driver's stride, or the smallest one possible. */
+/*
+ * Sets the layout, with the driver's stride or the smallest possible one, and
+ * opens the library if it must convert the format.
+ */
 static int set_layout(struct v4l2_device *device)
 {
 	int stride = (int)device->answer.fmt.pix.bytesperline;
@@ -220,7 +226,10 @@ int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
 	return error;
 }
 
-/* Incomplete pictures are dropped; the last complete one stays. */
+/*
+ * Whether a picture is incomplete and must be dropped; the last complete one
+ * stays in use.
+ */
 static bool is_damaged(
 	const struct v4l2_device *device, const struct v4l2_buffer *buffer)
 {

@@ -2,7 +2,7 @@
  * An open V4L2 device: its format, its mapped buffers and its stream.
  *
  * It works with any driver that captures into mapped buffers, including that of
- * the i.MX31 vendor kernel. That one lists no formats, rounds sizes down to
+ * the i.MX31 vendor kernel. This driver lists no formats, rounds sizes down to
  * multiples of 8, has at most three buffers, needs two of them to stream, and
  * sets no time stamps and sequence numbers. Only v4l2_device_dequeue() waits.
  */
@@ -38,7 +38,7 @@ struct v4l2_buffer_map {
 struct v4l2_device {
 	const struct v4l2_calls *calls;
 	int fd;                    /* -1: closed */
-	struct v4l2_format answer; /* to VIDIOC_S_FMT */
+	struct v4l2_format answer; /* the device's answer to VIDIOC_S_FMT */
 	enum camera_format format; /* of v4l2_device_image() */
 	int width, height;
 	struct camera_layout layout;

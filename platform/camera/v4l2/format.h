@@ -6,10 +6,13 @@
 
 #include "platform/camera/v4l2/device.h"
 
-/* The camera format of a code, or CAMERA_FORMATS for one limber cannot read. */
+/* The camera format of a code, or CAMERA_FORMATS if limber cannot read it. */
 enum camera_format v4l2_format_of(uint32_t fourcc);
 
-/* The code of a camera format's name or of four letters; 0 for other names. */
+/*
+ * The V4L2 code of a name: that of a camera format, such as "uyvy", or the four
+ * letters of any code; 0 for other names.
+ */
 uint32_t v4l2_format_find(const char *name);
 
 /* Writes the four letters of a code. */

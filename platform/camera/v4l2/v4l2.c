@@ -90,7 +90,7 @@ static void collect_changes(
 		memcpy(changes->reason, source->reason, sizeof(changes->reason));
 	}
 	source->reason_new = source->back_new = false;
-	/* The thread cannot notice it while it is blocked in the driver. */
+	/* The thread cannot notice silence while it is blocked in the driver. */
 	if (quiet && !source->out) {
 		source->out = true;
 		changes->silent = true;

@@ -15,7 +15,7 @@
 struct v4l2_calls {
 	/* Whether the device node exists. Does not call its driver. */
 	bool (*exists)(void *user, const char *path);
-	/* Opens it with O_RDWR | O_NONBLOCK and returns the descriptor. */
+	/* Opens a device with O_RDWR | O_NONBLOCK; returns the descriptor. */
 	int (*open)(void *user, const char *path);
 	void (*close)(void *user, int fd);
 	int (*ioctl)(void *user, int fd, unsigned long request, void *argument);

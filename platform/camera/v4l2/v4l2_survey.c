@@ -20,7 +20,7 @@ enum {
 
 /* The result of an inspection. */
 struct view {
-	int error; /* of opening it or of VIDIOC_QUERYCAP */
+	int error; /* 0, or -errno of open() or of VIDIOC_QUERYCAP */
 	struct v4l2_capability capability;
 	uint32_t fourcc[FORMATS_MAX];
 	int format_count;

@@ -9,9 +9,9 @@
 #include <time.h>
 
 enum {
-	WAIT_MS = 100, /* for one picture or change */
-	EMPTY_MS = 5,  /* pause when poll() was wrong and there is no picture */
-	LEAVE_MS = 300, /* for the thread to end */
+	WAIT_MS = 100,  /* the longest wait for a picture or a change */
+	EMPTY_MS = 5,   /* the pause when there is no picture or no buffer */
+	LEAVE_MS = 300, /* how long v4l2_thread_stop() waits for the thread */
 };
 
 int64_t v4l2_thread_now_ms(void)

@@ -24,7 +24,7 @@
 #include <pthread.h>
 
 struct camera_source {
-	struct v4l2_timed_lock lock; /* any of the members up to back_new */
+	struct v4l2_timed_lock lock; /* protects the members up to back_new */
 	pthread_t thread;
 	bool quit, ended, abandoned;
 
@@ -33,15 +33,15 @@ struct camera_source {
 	struct camera_image image[V4L2_BUFFERS];
 	bool streaming;
 	int64_t heard_ms; /* time of the last picture, or of the start */
-	bool any;         /* there was a picture since the source was created */
+	bool any;         /* a picture has come since the source was created */
 
-	char name[V4L2_PATH_BYTES]; /* of the device */
+	char name[V4L2_PATH_BYTES]; /* the device's path */
 
-	/* An outage is logged once, by the frame loop. */
+	/* While out is set there is an outage. The frame loop logs it once. */
 	bool out;
 	char reason[V4L2_REASON_BYTES];
 	bool reason_new; /* reason has not been logged yet */
-	bool back_new;   /* that the device is back has not been logged yet */
+	bool back_new;   /* the device is back, which has not been logged yet */
 
 	struct log log; /* for the frame loop only */
 

@@ -17,6 +17,7 @@ static uint16_t spread(uint32_t value, uint32_t max)
 	return (uint16_t)(value * 65535 / max);
 }
 
+/* The entries of the longest channel's table; 0 if a channel exceeds 8 bits. */
 static uint32_t longest(const struct pixel_layout *layout)
 {
 	int length = layout->red.length;

@@ -16,9 +16,9 @@ enum {
 };
 
 struct colormap {
-	bool changed; /* before[] must be restored */
-	uint32_t count;
-	uint16_t before[3][COLORMAP_ENTRIES]; /* red, green, blue */
+	bool changed;   /* before[] must be restored */
+	uint32_t count; /* the entries that are set; 0: no colour map */
+	uint16_t before[3][COLORMAP_ENTRIES]; /* red, green, blue; 0..65535 */
 };
 
 /* The layout of 8-bit pixels with the palette that colormap_set() sets. */

@@ -28,7 +28,7 @@ struct display {
 	struct packing packing; /* of the copy */
 };
 
-/* Wider pictures would look no better on a screen of 16 bits. */
+/* Pictures of 32 bits would look no better on a screen of 16 bits. */
 static enum pixel_format choose_format(
 	const struct display *display, const struct display_options *options)
 {

@@ -7,7 +7,7 @@
 #include "platform/display/display.h"
 #include "platform/process/device_calls.h"
 
-/* The driver's create() with other system calls, which must outlive it. */
+/* The driver's create() with other system calls, which must outlive *out. */
 int fbdev_create_on(const struct device_calls *calls,
 	const struct display_options *options, struct display **out);
 

@@ -156,7 +156,10 @@ static bool has_pages(const struct fbdev_screen *screen, int count)
 		screen->fix.smem_len >= rows * (uint64_t)screen->stride_bytes;
 }
 
-/* Drivers may change a requested mode; only the virtual height may differ. */
+/*
+ * Whether a driver has kept the size and the layout; drivers may change a
+ * requested mode.
+ */
 static bool is_still_good(
 	const struct fbdev_screen *screen, const struct fbdev_screen *was)
 {
@@ -166,8 +169,10 @@ static bool is_still_good(
 }
 
 /*
- * Drivers may take more memory for it, so that all is read anew. False where
- * the driver has changed more than the virtual height, which is undone.
+ * Asks the driver for a virtual screen of count pages, then reads everything
+ * again, because the driver may have allocated other memory. Undoes the request
+ * if it was not granted. Returns false if the driver changed more than the
+ * virtual height, so that no smaller number need be tried.
  */
 static bool request_pages(struct fbdev_screen *screen, int count)
 {
@@ -191,9 +196,9 @@ static bool request_pages(struct fbdev_screen *screen, int count)
 }
 
 /*
- * Where the device cannot wait, the page before may still be shown for a frame
- * after panning, so that a third one is needed to draw into. Uses one page when
- * there is no memory for two, or panning fails.
+ * If the device cannot wait for vertical blanking, the former page may still be
+ * shown for a frame after panning, so a third page is needed to draw into. Uses
+ * one page when there is no memory for two, or panning fails.
  */
 static void find_pages(struct fbdev_screen *screen)
 {
@@ -215,7 +220,10 @@ static void find_pages(struct fbdev_screen *screen)
 	}
 }
 
-/* The framebuffer need not start at a page of the processor; the map does. */
+/*
+ * Maps the device. The map starts at a page of the processor's memory, the
+ * framebuffer possibly within that page.
+ */
 static int map_memory(struct fbdev_screen *screen)
 {
 	size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
@@ -230,7 +238,7 @@ static int map_memory(struct fbdev_screen *screen)
 	return 0;
 }
 
-/* Devices that cannot wait fail with various errors. */
+/* Any error means that the device cannot wait: drivers return various ones. */
 static bool can_wait(const struct fbdev_screen *screen)
 {
 	uint32_t crtc = 0;
@@ -302,7 +310,7 @@ int fbdev_screen_open(struct fbdev_screen *screen,
 		return error;
 	}
 	screen->before = screen->var;
-	/* The driver's own value may say to set a mode later, or not at all. */
+	/* The driver's own value may mean to set the mode later or not at all. */
 	screen->before.activate = FB_ACTIVATE_NOW;
 	/* Wakes the screen up; many devices do not support that. */
 	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);

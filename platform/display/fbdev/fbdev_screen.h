@@ -28,7 +28,7 @@ struct fbdev_screen {
 	struct fb_fix_screeninfo fix;
 	struct fb_var_screeninfo var;
 	struct fb_var_screeninfo before; /* restored by fbdev_screen_close() */
-	bool changed;                    /* before must be restored */
+	bool changed;                    /* before has to be restored */
 	struct pixel_layout layout;
 	struct colormap colors;
 	int width, height;
@@ -62,9 +62,8 @@ int fbdev_screen_inspect(struct fbdev_screen *screen,
 uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen);
 
 /*
- * Shows the back page, and waits, if the device supports that, until the page
- * before is not shown any more.
- * Returns 0, or -errno after logging an error.
+ * Shows the back page and, if the device supports waiting, waits until the page
+ * shown before is off the screen. Returns 0, or -errno after logging an error.
  */
 int fbdev_screen_flip(struct fbdev_screen *screen);
 

@@ -9,7 +9,7 @@
 #include "platform/display/image/writer.h"
 
 enum {
-	TRANSPARENT = 255, /* the index that keeps the last frame's pixel */
+	TRANSPARENT = 255, /* the index of pixels that keep their colour */
 	COLORS = 256,
 	DELAY_MIN_CS = 2, /* players replace shorter delays by 10 */
 	DELAY_MAX_CS = 65535,
@@ -22,14 +22,15 @@ struct image_writer {
 	struct palette_maker *maker;
 	int width, height;
 	double rate_hz;
-	int frame;            /* frames begun */
-	int next;             /* the next frame to write */
-	bool local;           /* the palette is not that of the first frame */
-	float palette_error;  /* of the frame that the palette was chosen for */
-	uint8_t *source;      /* the RGB source of each pixel shown */
-	uint8_t *index;       /* of the current frame */
+	int frame;           /* frames added so far */
+	int next;            /* the number of the next frame to write */
+	bool local;          /* the palette is not that of the first frame */
+	float palette_error; /* of the frame that the palette was chosen for */
+	uint8_t *source; /* [pixel][3]: RGB of the frame that set the pixel */
+	uint8_t *index;  /* [pixel]: palette index in the current frame */
 	int16_t *diffused[2]; /* error in 1/16, of this row and the next */
-	int left, top, right, bottom; /* what changed; empty if right < left */
+	/* The rectangle of changed pixels; empty if right < left. */
+	int left, top, right, bottom;
 };
 
 static int write_bytes(GifFileType *gif, const GifByteType *bytes, int count)
@@ -119,13 +120,16 @@ fail:
 	return error;
 }
 
-/* The start of a frame in hundredths of a second. */
+/* The time at which a frame starts, in hundredths of a second. */
 static int64_t start_cs(const struct image_writer *gif, int frame)
 {
 	return (int64_t)(frame * 100.0 / gif->rate_hz + 0.5);
 }
 
-/* The duration of a frame; also sets the next frame to write. */
+/*
+ * The duration of a frame in hundredths of a second. Also chooses the next
+ * frame to write, which leaves out frames shorter than DELAY_MIN_CS.
+ */
 static int delay_cs(struct image_writer *gif, int frame)
 {
 	int64_t delay;
@@ -165,8 +169,10 @@ static int limit_byte(int value)
 
 /*
  * Chooses the index of a pixel and diffuses its error after Floyd and
- * Steinberg: 7/16 ahead, 3/16, 5/16 and 1/16 below. Each |error| is at most
- * 255 and the weights that a pixel receives add up to 16, so |sum| < 2^12.
+ * Steinberg: 7/16 to the next pixel, 3/16, 5/16 and 1/16 to the row below. here
+ * and below point at this pixel's column; ahead is the distance to the next, 3
+ * or -3. Each |error| is at most 255 and the weights that a pixel receives add
+ * up to 16, so |sum| < 2^12.
  */
 static int dither_pixel(struct image_writer *gif, const uint8_t *pixel,
 	int16_t *here, int16_t *below, int ahead)
@@ -199,7 +205,10 @@ static void note_change(struct image_writer *gif, int x, int y)
 	gif->bottom = y;
 }
 
-/* Only pixels whose source changed get an index; the others are transparent. */
+/*
+ * Chooses the indices of a row. Rows alternate in direction. Unless all is set,
+ * pixels whose source has not changed become transparent.
+ */
 static void dither_row(
 	struct image_writer *gif, const struct pixels *frame, int y, bool all)
 {

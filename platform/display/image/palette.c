@@ -10,13 +10,13 @@ enum {
 	LEVELS = 64,
 	CELLS = LEVELS * LEVELS * LEVELS,
 	UNKNOWN = 0xFFFF,
-	ERROR_STEP = 7, /* pixels; does not divide common widths */
+	ERROR_STEP = 7, /* pixels between samples; divides no common width */
 };
 
 /* The visual weight of a difference in red, green and blue. */
 static const int eye[3] = {2, 4, 3};
 
-/* The pixels of a cell; low[] are the sums of their channels modulo 4. */
+/* The number of pixels in a cell, and the sums of their channels modulo 4. */
 struct count {
 	uint32_t pixels;
 	uint32_t low[3]; /* at most 3 * 2^26 */
@@ -27,11 +27,11 @@ struct cell {
 	float weight;
 };
 
-/* A range of cells and their distribution. */
+/* A range of cell[] and the distribution of the cells' colours. */
 struct box {
 	int first, count;
 	float mean[3];
-	float error; /* sum over weight * distance^2 */
+	float error; /* the sum of weight * distance^2 */
 	int axis;    /* the channel with the largest variance */
 };
 
@@ -133,7 +133,10 @@ static void measure(const struct palette_maker *maker, struct box *box)
 	box->axis = variance[2] > variance[box->axis] ? 2 : box->axis;
 }
 
-/* Moves the cells up to the mean to the front and returns their number. */
+/*
+ * Moves the cells of a box whose value on its axis is at most the mean to the
+ * front. Returns their number.
+ */
 static int partition(struct palette_maker *maker, const struct box *box)
 {
 	float middle = box->mean[box->axis];

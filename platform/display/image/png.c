@@ -17,7 +17,7 @@ struct image_writer {
 	uint8_t *rgb; /* one frame */
 };
 
-/* "-", the digits of an int, ".png" and the end */
+/* Room for "-", the digits of an int, ".png" and the terminating zero. */
 enum {
 	SUFFIX_BYTES = 24
 };

@@ -93,7 +93,7 @@ static void write_luma(const struct pixels *frame, uint8_t *out)
 	}
 }
 
-/* BT.601 chroma, 16..240 around 128, of the sum of four pixels. */
+/* BT.601 chroma, 16..240 around 128, from the sums of four pixels' channels. */
 static void write_chroma_pair(const int sum[3], uint8_t *cb, uint8_t *cr)
 {
 	int middle = (128 << 18) + (1 << 17);

@@ -131,8 +131,9 @@ static int set_mode(struct card *card, uint32_t fb)
 }
 
 /*
- * Only setting the mode tells whether the screen supports a format: adding a
- * framebuffer succeeds on some cards because their cursor supports it.
+ * Makes the first buffer in a format and shows it. Only setting the mode tells
+ * whether the screen supports the format: on some cards add_fb() accepts
+ * formats that only the cursor supports.
  */
 static bool show_black(struct card *card, const struct card_format *format)
 {
@@ -151,7 +152,10 @@ static bool show_black(struct card *card, const struct card_format *format)
 	return false;
 }
 
-/* Chooses the first format that the screen supports, wanted ones first. */
+/*
+ * Chooses the first format that the screen supports, preferring those of the
+ * wanted width, and makes the buffers.
+ */
 static int make_buffers(struct card *card, const struct display_options *options)
 {
 	bool narrow = wants_narrow(card, options);
@@ -234,7 +238,7 @@ static bool set_mode_again(struct card *card)
 	return true;
 }
 
-/* Tries the methods with black buffers, before the first picture. */
+/* Tries the methods while the buffers are black, before the first picture. */
 static void choose_method(struct card *card)
 {
 	if (card->method == CARD_ONE_BUFFER) {
@@ -293,7 +297,7 @@ int card_show(struct card *card)
 			? 0
 			: failed(card, "it cannot show a picture");
 	case CARD_ONE_BUFFER:
-		/* Fails on cards that scan out the memory, which is fine. */
+		/* Tells cards that copy the buffer to do so; others refuse. */
 		(void)card->calls->dirty_fb(
 			card->fd, card->buffers[card->shown].fb, NULL, 0);
 		return 0;

@@ -26,7 +26,7 @@ struct card_buffer {
 enum card_method {
 	CARD_PAGE_FLIP, /* by a page flip, which reports its completion */
 	CARD_MODE_SET,  /* by setting the mode again */
-	CARD_ONE_BUFFER /* the only buffer is always shown */
+	CARD_ONE_BUFFER /* not at all: one buffer is always on the screen */
 };
 
 struct card {
@@ -36,7 +36,7 @@ struct card {
 	int fd;
 	uint32_t connector, crtc;
 	drmModeModeInfo mode;
-	drmModeCrtcPtr before; /* restored by card_close(), or NULL */
+	drmModeCrtcPtr before; /* what card_close() restores, or NULL */
 	struct pixel_layout layout;
 	enum pixel_format format; /* the picture format closest to layout */
 	bool reads_slowly;        /* the driver prefers a shadow buffer */

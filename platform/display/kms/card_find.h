@@ -13,15 +13,16 @@
 int card_find(struct card *card, const struct display_options *options);
 
 /*
- * The next connector with a screen and modes, from index *at on; *at becomes
- * the index behind it. NULL when there is no more. The caller frees it.
+ * Returns the next connector with a screen and modes, from index *at on, and
+ * sets *at to the index behind it. The caller frees the connector. NULL when
+ * there is none.
  */
 drmModeConnectorPtr card_next_screen(
 	const struct card *card, drmModeResPtr resources, int *at);
 
 /*
- * The CRTC for a connector: the one that drives it now, else the first one that
- * can, or 0.
+ * The id of a CRTC for a connector: the CRTC that drives it now, else the first
+ * that can drive it, or 0.
  */
 uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,
 	drmModeConnectorPtr connector);

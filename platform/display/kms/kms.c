@@ -140,7 +140,7 @@ static int kms_begin_frame(struct display *display, struct pixels *out)
 	return error;
 }
 
-/* Copying waits for the buffer only after the picture has been drawn. */
+/* If pictures are copied, the back buffer is needed, and awaited, only here. */
 static int kms_end_frame(struct display *display)
 {
 	struct card *card = &display->card;

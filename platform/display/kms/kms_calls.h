@@ -40,7 +40,7 @@ struct kms_calls {
 		int fd, uint32_t crtc, uint32_t fb, uint32_t flags, void *user);
 	int (*dirty_fb)(
 		int fd, uint32_t id, drmModeClipPtr clips, uint32_t count);
-	/* poll() for something to read: 1, 0 after timeout_ms, or -1. */
+	/* Waits by poll() for something to read. 1, 0 after timeout_ms, or -1. */
 	int (*wait)(int fd, int timeout_ms);
 	int (*handle_event)(int fd, drmEventContextPtr context);
 };
@@ -48,7 +48,7 @@ struct kms_calls {
 /* The functions of libdrm. */
 extern const struct kms_calls kms_calls_system;
 
-/* The driver's create() with other functions, which must outlive it. */
+/* The driver's create() with other functions, which must outlive *out. */
 int kms_create_on(const struct kms_calls *calls,
 	const struct display_options *options, struct display **out);
 

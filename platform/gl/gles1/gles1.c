@@ -12,7 +12,7 @@
 #include "platform/gl/gles1/gles1_egl.h"
 #include "platform/gl/loader.h"
 
-/* The context needs a surface before the first frame; nothing uses it. */
+/* The context needs a surface before the first frame; nothing is drawn on it. */
 enum {
 	FIRST_SIZE = 16
 };
@@ -42,7 +42,7 @@ static void gles1_destroy(struct gl_context *context)
 	}
 }
 
-/* GL cannot tell whether it is accelerated, so the renderer's name decides. */
+/* GL does not say whether it is accelerated, so the renderer's name decides. */
 static bool is_software(const char *renderer)
 {
 	static const char *const names[] = {

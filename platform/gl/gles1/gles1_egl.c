@@ -8,7 +8,7 @@
 
 #include "platform/base/compiler.h"
 
-/* Of EGL_EXT_platform_base and EGL_MESA_platform_surfaceless. */
+/* From EGL_EXT_platform_base and EGL_MESA_platform_surfaceless. */
 #define PLATFORM_SURFACELESS 0x31DD
 typedef EGLDisplay (*get_platform_display)(
 	EGLenum platform, void *native, const EGLint *attributes);
@@ -35,8 +35,8 @@ static const struct gl_slot optional_slots[] = {
 #undef EGL_OPTIONAL
 };
 
-/* Opens the library that option names, or the environment's variable, or the
- * first of defaults. */
+/* Opens the library that option or, without it, the environment variable names;
+ * else the first of defaults that can be opened. */
 static void *open_library(const char *option, const char *variable,
 	const char *const *defaults, const char *package, const struct log *log)
 {
@@ -161,7 +161,7 @@ static int attribute(const struct egl *egl, EGLConfig config, EGLint name)
 	return value;
 }
 
-/* The colour sizes count most, then a stencil buffer, then speed. */
+/* Rates colour sizes highest, then a stencil buffer, then speed. */
 static int rate_config(
 	const struct egl *egl, EGLConfig config, enum pixel_format format)
 {
@@ -177,7 +177,10 @@ static int rate_config(
 	return score;
 }
 
-/* EGL_RENDERABLE_TYPE came with eglBindAPI; without it the list ends there. */
+/*
+ * Lists the configurations that fit. EGL without eglBindAPI does not know
+ * EGL_RENDERABLE_TYPE, so the attributes then end before it.
+ */
 static int list_configs(
 	struct egl *egl, const struct gl_request *request, EGLConfig *configs)
 {
@@ -222,7 +225,10 @@ static bool open_window(struct egl *egl, uintptr_t window)
 	return egl->surface != EGL_NO_SURFACE;
 }
 
-/* Not every configuration fits a window, so they are tried, the best first. */
+/*
+ * Chooses a configuration. Not every one fits a window, so for a window they
+ * are tried, the best first.
+ */
 static int choose_config(struct egl *egl, const struct gl_request *request)
 {
 	EGLConfig configs[CONFIGS_MAX];

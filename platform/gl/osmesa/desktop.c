@@ -5,8 +5,8 @@
 #include "platform/base/compiler.h"
 
 /*
- * Follows the library's own current context of the thread. GL calls have no
- * parameter for it, and the library has no place to store a pointer.
+ * The desktop of the context that is current on this thread. GL calls have no
+ * parameter for it, and the library's context cannot hold a pointer to it.
  */
 static _Thread_local struct desktop *current;
 

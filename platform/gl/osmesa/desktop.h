@@ -62,10 +62,7 @@ void desktop_set_fixed_shims(struct gl *gl);
 /* Sets the members of gl that deal with vertex arrays to shims. */
 void desktop_set_array_shims(struct gl *gl);
 
-/*
- * Makes desktop the current one of this thread; NULL when no context is current
- * any more.
- */
+/* Makes desktop current on this thread. NULL stands for no context. */
 void desktop_make_current(struct desktop *desktop);
 
 /* The current desktop of this thread. */

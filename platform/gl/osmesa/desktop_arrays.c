@@ -19,8 +19,8 @@ static int type_bytes(GLenum type)
 }
 
 /*
- * Records an array. Returns whether desktop GL can read it directly. The
- * library itself reports invalid sizes.
+ * Records an array. Returns whether desktop GL can read it directly. reads_bytes:
+ * it can read GL_BYTE for this array. The library itself reports invalid sizes.
  */
 static bool record(struct desktop_array *array, GLint size, GLenum type,
 	GLsizei stride, const void *pointer, bool reads_bytes)
@@ -76,7 +76,7 @@ static void tex_coord_pointer(
 	}
 }
 
-/* The library alone handles units beyond DESKTOP_TEXTURE_UNITS. */
+/* Units beyond DESKTOP_TEXTURE_UNITS are only passed on to the library. */
 static void client_active_texture(GLenum unit)
 {
 	struct desktop *desktop = desktop_current();
@@ -232,7 +232,7 @@ static void draw_arrays(GLenum mode, GLint first, GLsizei count)
 	desktop->gl.DrawArrays(mode, first, count);
 }
 
-/* 1 + the highest index; 0 for an index type that ES does not have. */
+/* Returns 1 + the highest index, or 0 for an index type that ES does not have. */
 static int element_count(GLsizei count, GLenum type, const void *indices)
 {
 	const uint8_t *bytes = indices;

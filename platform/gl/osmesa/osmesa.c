@@ -19,7 +19,7 @@
 #define OSMESA_ROW_LENGTH 0x0010
 #define OSMESA_Y_UP       0x0011
 
-/* The context needs a picture before the first frame; nothing uses it. */
+/* The context needs a picture before the first frame; nothing is drawn in it. */
 enum {
 	SCRATCH_SIZE = 16
 };

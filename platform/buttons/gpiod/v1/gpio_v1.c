@@ -21,7 +21,10 @@ static struct gpiod_line *to_line(const struct gpio_line *line)
 	return (struct gpiod_line *)line;
 }
 
-/* The library splits the kernel's unsigned 64 bits: the product may wrap. */
+/*
+ * Joins the seconds and nanoseconds into which the library splits the kernel's
+ * unsigned 64-bit stamp. A large stamp wraps, which event_time.h accepts.
+ */
 static int64_t stamp_of(const struct timespec *time)
 {
 	return (int64_t)((uint64_t)time->tv_sec * 1000000000 +

@@ -114,7 +114,7 @@ confirm() {
     [[ $answer == [yY]* ]]
 }
 
-# attempt WHAT COMMAND...: runs it up to $tries times, until it succeeds.
+# attempt WHAT COMMAND...: runs the command up to $tries times until it succeeds.
 attempt() {
     local what=$1 try
     shift
@@ -128,7 +128,7 @@ attempt() {
     fail "$what: $reason: correct that and start the same command again, which skips the finished steps"
 }
 
-# load NAME ADDRESS: loads it into the board's memory, unless it is there already.
+# load NAME ADDRESS: loads a file into the board's memory, unless that has it.
 load() {
     if ! $dry_run && loader_verify "$1" "$2"; then
         echo "$1 is in memory already"
@@ -137,7 +137,8 @@ load() {
     attempt "$1" load_once "$1" "$2"
 }
 
-# fetch NAME ADDRESS: loads it; the board forgets its network when it is reset.
+# fetch NAME ADDRESS: sets up the network, which the board forgets in a reset, and
+# loads a file.
 fetch() {
     loader_network && loader_load "$@"
 }

@@ -55,7 +55,7 @@ find "$linux/modules" ! -type l -exec touch -d @0 {} +
     -o -type f -printf "file /%P $PWD/%P 0644 0 0\\n") | sort -k 2 >"$work/modules"
 archive "$work/modules" "$out/test-drivers.cpio.lz4"
 
-# Large nodes in the index, which the start reads from the flash one by one.
+# -f 128: the index has few, large nodes, because mounting reads them one by one.
 mkfs.ubifs -m "$page" -e "$logical" -c "$rootfs_blocks" -x lzo -f 128 -U \
     -D "$here/rootfs/devices.txt" -r "$work/root" -o "$work/rootfs.ubifs" \
     >"$work/log" || {

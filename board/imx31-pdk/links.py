@@ -7,7 +7,7 @@ import socket
 import threading
 import time
 
-# Lines of GPIO2 (../README.md, wiring).
+# The line of GPIO2 for each button (README.md, "Wire the buttons").
 BUTTONS = {"UP": 18, "DOWN": 19, "LEFT": 20, "RIGHT": 21, "ENTER": 22,
            "F6": 23, "F8": 24, "F9": 25}
 GPIO2 = "/machine/soc/gpio[1]"

@@ -22,7 +22,7 @@ class Kzm:
     name = "kzm"
     program = "qemu-system-arm"
     keys = {}
-    # What the device tree calls the simple framebuffer.
+    # The address that the device tree gives the simple framebuffer.
     picture_at = 0x87E00000
 
     arguments = ("-M", "kzm")
@@ -41,7 +41,7 @@ class Pdk:
     name = "pdk"
     program = str(TOP / "build/qemu/qemu-system-arm")
     keys = KEYS
-    # What the panel shows; the processor has no such address.
+    # Where QEMU maps what the panel shows; the processor cannot reach it there.
     picture_at = 0x100000000
 
     # VNC reads its keymaps from this folder.

@@ -17,7 +17,7 @@ RAW_BLOCK = BLOCK // PAGE * RAW_PAGE
 ERASED_PART = b"\xff" * RAW_PART
 COMPLEMENT = bytes(255 - i for i in range(256))
 
-# The positions of a part's bits whose bit k is set, for each k.
+# ODD[k] is a mask of the bits of a part whose position has bit k set.
 POSITION_BITS = 12
 ODD = [sum(1 << i for i in range(PART * 8) if i >> k & 1)
        for k in range(POSITION_BITS)]
@@ -178,7 +178,7 @@ class Nand:
         self.write_raw(page, bytes(raw))
 
 
-# The partitions of flash.sh, and the command line that it prints.
+# The partitions to which flash.sh writes (flash/files.sh).
 KERNEL_AT, KERNEL_BYTES = 0x100000, 0x500000
 ROOTFS_AT, ROOTFS_BYTES = 0x600000, 0x1400000
 

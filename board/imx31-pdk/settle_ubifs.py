@@ -15,7 +15,8 @@ MAGIC = struct.pack("<I", 0x06101831)
 HEADER = struct.Struct("<IIQIBBxx")  # magic, CRC, number, length, type, group
 INODE, SUPERBLOCK = 0, 6
 ALIGNMENT = 8
-# Of an inode node: the seconds of its three times, and their nanoseconds.
+# Offset and size in an inode node: the seconds of its three times, 8 bytes each,
+# and their nanoseconds, 4 bytes each.
 INODE_TIMES = ((56, 24), (80, 12))
 UUID_AT = 108
 

@@ -26,7 +26,7 @@ console_open() {
     exec {console}<>"$1" || fail "$1: cannot be opened"
 }
 
-# Adds what arrives within 0.05 s, without CR, to $received; false for nothing.
+# Adds what arrives within 0.05 s to $received, without CR; false if nothing does.
 console_hear() {
     local part='' status=0
     IFS= read -r -u "$console" -t 0.05 -N 512 part 2>/dev/null || status=$?

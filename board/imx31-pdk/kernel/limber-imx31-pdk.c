@@ -5,8 +5,8 @@
  * mx3fb and the IPU's driver support platform data only, and the kernel has no
  * pin controller driver for the i.MX31. So on "fsl,imx31-pdk" this file routes
  * the pins of the device tree, registers the two devices with the Epson panel's
- * timing, and enables what the device tree disables for the emulated i.MX31. That
- * one has no IPU and keeps its simple framebuffer. Addresses, pins and timing are
+ * timing, and enables what the device tree disables for QEMU's machine kzm, which
+ * has no IPU and keeps its simple framebuffer. Addresses, pins and timing are
  * those of Freescale's board support (mach-mx31_3ds.c, up to Linux 5.9).
  */
 #include <linux/clk.h>
@@ -30,7 +30,7 @@ enum {
 	PIN_FIRST,
 	PIN_LAST,
 	PIN_MODE,
-	PIN_PAD, /* 0: as it is */
+	PIN_PAD, /* 0 keeps the pad as it is */
 	PIN_CELLS
 };
 
@@ -111,7 +111,7 @@ static int __init assume_ipu(char *value)
 }
 early_param("limber_ipu", assume_ipu);
 
-/* A register of the IPU keeps what is written; the emulated one reads as 0. */
+/* A register of an IPU keeps what is written; on kzm it reads as 0. */
 static bool __init has_ipu(struct device_node *node)
 {
 	struct clk *clock = of_clk_get(node, 0);
@@ -154,9 +154,9 @@ static int __init set_property(
 }
 
 /*
- * Only a system that starts from the flash uses it. Reading the marks of all
- * blocks takes a second, so it keeps a table of the bad blocks in the last four
- * blocks. One that was loaded into memory leaves the flash alone.
+ * Enables the flash if the system starts from it; a system that was loaded into
+ * memory leaves it alone. Reading the marks of all blocks takes a second, so the
+ * driver keeps a table of the bad blocks in the last four blocks.
  */
 static int __init enable_flash(struct device_node *nand)
 {
@@ -168,7 +168,7 @@ static int __init enable_flash(struct device_node *nand)
 	return error ? error : set_property(nand, "nand-on-flash-bbt", "");
 }
 
-/* Enables buses and keypad, and the flash where it is used, and disables the
+/* Enables the buses, the keypad and, if it is used, the flash; disables the
  * simple framebuffer. */
 static int __init enable_board(void)
 {

@@ -18,11 +18,11 @@ ROW_BYTES = emulation.WIDTH * 2
 LOOK_S, REST_S = 1 / 30, 1 / 6
 # The time between two checks of QEMU while no page is visible.
 UNSEEN_S = 0.5
-# A press lasts at least the first time, and until the board has drawn so many
-# pictures or the last time is over. On a busy host QEMU may stand still for
-# longer than a click, and would not notice it.
+# A press lasts at least SHORTEST_PRESS_S, and until the board has drawn
+# SHORTEST_DRAWN pictures or SLOWEST_PRESS_S have passed. On a busy host QEMU may
+# stand still for longer than a click, and would not notice it.
 SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S = 0.1, 2, 0.4
-# The same for a key: the keypad's driver must see it in three scans in a row, and
+# The same for a key: the keypad's driver must see it in four scans in a row, and
 # a picture of the panel may be read twice while it is sent.
 SHORTEST_KEY_S, SHORTEST_KEY_DRAWN, SLOWEST_KEY_S = 0.15, 5, 0.6
 # The time between two presses of a button.
@@ -121,7 +121,7 @@ class Board:
     def launch(self):
         stale = self.machine.pid()
         if stale:
-            # A former server left it; this one holds the folder's lock.
+            # A former server has left this QEMU: we hold the folder's lock.
             emulation.Machine(self.folder).stop()
         for name in ("zImage", "imx31-pdk-limber.dtb", "initramfs.cpio.lz4",
                      "test-drivers.cpio.lz4"):

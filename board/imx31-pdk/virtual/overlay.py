@@ -16,7 +16,7 @@ sys.path.insert(0, str(BOARD))
 import emulation  # noqa: E402
 import links  # noqa: E402
 
-# The line after those of limber.conf.
+# The GPIO line of each button; F10 has the one after those of limber.conf.
 LINES = {**links.BUTTONS, "F10": 26}
 
 SETTINGS = f"""

@@ -61,7 +61,10 @@ struct IMX31CSPIState {
     Fifo32 rx;
 };
 
-/* The pins by which the board reaches its devices. */
+/*
+ * The pins that the board's devices on each bus use; CSPI1 has one range, which
+ * is listed twice.
+ */
 static const struct imx31_pins bus_pins[BUSES][2] = {
     {
         { 111, 112, IMX31_PIN_ALTERNATE_1 }, /* RI_DCE1, DSR_DCE1 */

@@ -1,6 +1,6 @@
 /*
- * The code that protects 512 bytes of the flash: it corrects one wrong bit and
- * detects two. See imx31_pdk.h for what its bits are.
+ * The Hamming code that protects 512 bytes of the flash: it corrects one wrong
+ * bit and detects two. imx31_pdk.h says what its bits are.
  *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */

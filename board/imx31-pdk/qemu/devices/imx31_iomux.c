@@ -1,5 +1,5 @@
 /*
- * The i.MX31's pin multiplexer, and the questions about its clock gates.
+ * The i.MX31's pin multiplexer, and what other devices ask about pins and clocks.
  *
  * The multiplexer has a byte for each pin (SW_MUX_CTL) and pads of ten bits
  * (SW_PAD_CTL), which only keep what is written. After a reset every pin has its

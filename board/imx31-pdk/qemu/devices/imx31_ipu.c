@@ -58,7 +58,10 @@ enum {
 #define CPM_AT 0x10000
 #define CPM_WORDS (32 * 16)
 
-/* The window's position at the panel's first pixel: its back porches. */
+/*
+ * The window's position (SDC_BG_POS) at which its first pixel is that of the
+ * panel: the panel's horizontal and vertical back porch.
+ */
 #define PANEL_LEFT 20
 #define PANEL_TOP 10
 
@@ -87,18 +90,18 @@ struct IMX31IPUState {
     uint32_t cpm[CPM_WORDS];
 
     struct imx31_scan scan; /* latched at VSYNC */
-    uint32_t pictures[2]; /* the addresses of the last two that differ */
-    bool is_active; /* the current frame is fetched */
-    bool is_started; /* a buffer has been ready since the channel's start */
-    uint32_t line; /* the next one of the current frame */
-    int64_t begun_ns;
+    uint32_t pictures[2]; /* the last two different addresses, newest first */
+    bool is_active; /* the current frame is sent */
+    bool is_started; /* a buffer has been made ready since the reset */
+    uint32_t line; /* the next line of the current frame */
+    int64_t begun_ns; /* when the current frame began */
     uint64_t frames;
     uint64_t torn;
     int64_t reset_ns;
-    /* Times from the reset; 0 before. */
-    uint64_t first_us; /* the first picture */
-    uint64_t changed_us; /* the first changed row since this was 0 */
-    const char *fault; /* the last one that was reported */
+    /* Times since the reset; 0 until it has happened. */
+    uint64_t first_us; /* of the first picture with many colours */
+    uint64_t changed_us; /* of the first changed row since this was 0 */
+    const char *fault; /* the last fault that was reported */
 };
 
 static void imx31_ipu_update(IMX31IPUState *s)
@@ -112,7 +115,7 @@ static void imx31_ipu_update(IMX31IPUState *s)
     qemu_set_irq(s->error_irq, pending[3] || pending[4]);
 }
 
-/* The time of one line and the lines of a frame, as the registers have it. */
+/* The duration of one line, from the registers and the display clock. */
 static int64_t line_ns(IMX31IPUState *s)
 {
     uint64_t clocks = extract32(s->regs[SDC_HOR_CONF], 16, 10) + 1;
@@ -143,7 +146,7 @@ static void latch(IMX31IPUState *s)
     }
 }
 
-/* What keeps the IPU from sending the picture, or NULL. */
+/* What keeps the panel from showing the picture, as a clause, or NULL. */
 static const char *find_fault(IMX31IPUState *s)
 {
     const uint32_t *map = s->regs + DI_DISP3_B0_MAP;
@@ -238,7 +241,10 @@ static void end_frame(IMX31IPUState *s)
     s->regs[INT_STAT_1] |= CHANNEL_BIT;
 }
 
-/* The beam has passed the next lines, or a new frame begins. */
+/*
+ * Called by the timer when the beam has passed the next slice of lines, or when a
+ * new frame begins.
+ */
 static void imx31_ipu_beam(void *opaque)
 {
     IMX31IPUState *s = opaque;
@@ -365,7 +371,7 @@ static void imx31_ipu_init(Object *obj)
     sysbus_init_irq(SYS_BUS_DEVICE(obj), &s->irq);
     sysbus_init_irq(SYS_BUS_DEVICE(obj), &s->error_irq);
     timer_init_ns(&s->timer, QEMU_CLOCK_VIRTUAL, imx31_ipu_beam, s);
-    /* For tests: where the pictures are, how many were sent, how many torn. */
+    /* Properties for tests; README.md explains them. */
     object_property_add_uint32_ptr(obj, "picture0", &s->pictures[0],
                                    OBJ_PROP_FLAG_READ);
     object_property_add_uint32_ptr(obj, "picture1", &s->pictures[1],

@@ -59,7 +59,7 @@ static bool is_routed(const IMX31KPPState *s, unsigned pin)
     return imx31_iomux_routes(s->iomux, pin, IMX31_PIN_FUNCTION);
 }
 
-/* The columns that the port drives low, and those that float. */
+/* Gets the columns that the port drives low and those that it does not drive. */
 static void drive_columns(const IMX31KPPState *s, uint8_t *low, uint8_t *floats)
 {
     *low = *floats = 0;
@@ -79,7 +79,10 @@ static void drive_columns(const IMX31KPPState *s, uint8_t *low, uint8_t *floats)
     }
 }
 
-/* The rows that are low: current spreads until nothing changes any more. */
+/*
+ * Returns the rows that are low. A low row pulls floating columns low, and these
+ * pull further rows low, until nothing changes any more.
+ */
 static uint8_t low_rows(const IMX31KPPState *s)
 {
     uint8_t low, floats, rows = 0, before;

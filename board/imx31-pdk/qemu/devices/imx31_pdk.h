@@ -50,8 +50,8 @@ bool imx31_clock_runs(const IMX31CCMState *ccm, unsigned gate);
 
 /*
  * The result of an access to a device behind the gate: MEMTX_OK, or, when its
- * clock is off, MEMTX_ERROR, which the processor takes as an external abort.
- * The second is reported with the device's name and the offset.
+ * clock is off, MEMTX_ERROR, which the processor takes as an external abort and
+ * which is reported with the device's name and the offset.
  */
 MemTxResult imx31_clock_access(const IMX31CCMState *ccm, unsigned gate,
                                const char *name, hwaddr offset);
@@ -95,25 +95,34 @@ struct imx31_scan {
     uint32_t address;
     uint32_t width;
     uint32_t height;
-    uint32_t stride;
-    uint32_t bytes; /* a pixel; 0 for a format that the model does not have */
+    uint32_t stride; /* bytes from row to row */
+    uint32_t bytes; /* of a pixel; 0 for a format that is not modelled */
     bool is_565;
-    uint8_t offset[3]; /* of red, green and blue from the pixel's first bit */
-    uint8_t bits[3];
+    uint8_t offset[3]; /* of red, green and blue from the highest bit */
+    uint8_t bits[3]; /* of red, green and blue */
 };
 
 enum {
-    IMX31_SCAN_MAX = 4096, /* pixels of a row that are read */
+    IMX31_SCAN_MAX = 4096, /* no more pixels of a row are read */
 };
 
-/* As 16 words of the channel parameter memory say it, from buffer 0 or 1. */
+/*
+ * Decodes the 16 words that the channel parameter memory has for a channel; the
+ * picture's address is that of buffer 0 or 1.
+ */
 struct imx31_scan imx31_scan_of(const uint32_t *words, unsigned buffer);
 
-/* Reads a line as RGB565; returns how many pixels, up to IMX31_SCAN_MAX. */
+/*
+ * Reads a line into pixels[IMX31_SCAN_MAX] as RGB565. Returns the number of
+ * pixels.
+ */
 unsigned imx31_scan_read(const struct imx31_scan *scan, uint32_t line,
                          uint16_t *pixels);
 
-/* Watches its memory; whether the processor has written there since then. */
+/*
+ * The first begins to watch the picture's memory. The second tells whether it
+ * was written since then, and begins again.
+ */
 void imx31_scan_watch(const struct imx31_scan *scan);
 bool imx31_scan_was_written(const struct imx31_scan *scan);
 
@@ -151,7 +160,7 @@ const char *l4f00242t03_fault(L4F00242T03State *panel);
 bool l4f00242t03_show(L4F00242T03State *panel, int x, int y,
                       const uint16_t *pixels, int count);
 
-/* Whether it shows more colours than a console does. */
+/* Whether the panel shows more colours than a text console does. */
 bool l4f00242t03_is_drawn(const L4F00242T03State *panel);
 
 /* Makes the whole panel dark. */
@@ -166,7 +175,7 @@ enum {
     PDK_NAND_PAGES = 131072,
 };
 
-/* One cycle with a command or with a byte of the address. */
+/* One bus cycle, with a command or with a byte of the address. */
 void pdk_nand_command(PDKNandState *nand, uint8_t command);
 void pdk_nand_address(PDKNandState *nand, uint8_t byte);
 
@@ -177,7 +186,10 @@ void pdk_nand_write(PDKNandState *nand, const uint8_t *bytes, unsigned count);
 /* How long the chip stays busy after the command, in nanoseconds. */
 int64_t pdk_nand_busy_ns(const PDKNandState *nand);
 
-/* A raw page for the boot loader, PDK_NAND_RAW bytes; false outside of it. */
+/*
+ * Reads a raw page of PDK_NAND_RAW bytes. Returns false, with all bytes 0xff, if
+ * there is no such page, no file, or the file cannot be read.
+ */
 bool pdk_nand_load_page(PDKNandState *nand, unsigned page, uint8_t *raw);
 
 /* The controller stores a page in parts of 512 bytes, each with 16 spare. */
@@ -195,9 +207,10 @@ enum imx31_ecc {
 };
 
 /*
- * Computes the three bytes of the part's code: of the 4096 bits' positions,
- * for each of the 12 position bits the parity of the bits where it is 1 and
- * where it is 0, complemented, so that an erased part has an erased code.
+ * Computes the three bytes of a part's code. For each of the 12 bits of a
+ * position, which is 0 to 4095, the code has two parities: of the data bits
+ * whose position has that bit set, and of the others. It is stored complemented,
+ * so that an erased part has an erased code.
  */
 void imx31_ecc_compute(const uint8_t *part, uint8_t *code);
 

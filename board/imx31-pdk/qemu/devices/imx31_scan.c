@@ -1,7 +1,7 @@
 /*
- * How the i.MX31's IPU reads a picture from memory: what the channel parameter
- * memory says of its place and its pixels, its rows, and whether the processor
- * writes there meanwhile.
+ * How the i.MX31's IPU reads a picture from memory: decodes the picture's place
+ * and format from the channel parameter memory, reads its rows, and notices
+ * whether the processor writes there meanwhile.
  *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
@@ -34,7 +34,7 @@ struct imx31_scan imx31_scan_of(const uint32_t *words, unsigned buffer)
     return scan;
 }
 
-/* Scales a channel of the pixel to so many bits. */
+/* Returns channel i of the pixel, scaled to that many bits. */
 static unsigned channel_of(const struct imx31_scan *scan, uint32_t pixel, unsigned i,
                            unsigned bits)
 {
@@ -78,7 +78,7 @@ unsigned imx31_scan_read(const struct imx31_scan *scan, uint32_t line,
     return count;
 }
 
-/* Watches the part of memory that the frame is fetched from. */
+/* Returns the section of memory that the frame is fetched from. */
 static MemoryRegionSection watched(const struct imx31_scan *scan)
 {
     return memory_region_find(get_system_memory(), scan->address,

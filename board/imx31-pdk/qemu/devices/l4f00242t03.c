@@ -81,7 +81,7 @@ static bool is_powered(const L4F00242T03State *s)
            mc13783_millivolts(s->power, MC13783_VMMC1) == 2800;
 }
 
-/* The level of a line; a pin that is no GPIO drives nothing. */
+/* The level of an input; it is low if its pin is not routed as a GPIO. */
 static bool level_of(const L4F00242T03State *s, unsigned line)
 {
     unsigned pin = line == LINE_RESET ? PIN_RESET : PIN_ENABLE;

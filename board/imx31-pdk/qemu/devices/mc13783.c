@@ -44,9 +44,9 @@ struct MC13783State {
 
     qemu_irq irq;
     uint32_t regs[REGISTERS];
-    uint32_t value; /* of the transfer */
-    uint8_t first; /* byte of the transfer */
-    uint8_t bytes; /* of the transfer so far */
+    uint32_t value; /* the bytes of the transfer after the first */
+    uint8_t first; /* the first byte of the transfer */
+    uint8_t bytes; /* how many bytes the transfer has had so far */
     bool button;
 };
 

@@ -4,11 +4,12 @@
  *
  * Its file (-drive if=mtd,format=raw) has the raw pages one after the other, and
  * each bit of it is the complement of the chip's: an empty sparse file of
- * 131072 * 2112 bytes is an erased chip. QEMU's own NAND model is not used,
- * because it never fails: here an erase or a program of a block in the property
- * "worn-blocks" does, and "power-cut" ends the machine in the middle of the
- * N-th erase or program from then on, with a random half of its bits as they
- * were.
+ * 131072 * 2112 bytes is an erased chip.
+ *
+ * QEMU's own NAND model is not used because it never fails. Here an erase or a
+ * program fails in the blocks of the property "worn-blocks". Setting "power-cut"
+ * to N ends the machine in the middle of the N-th erase or program from then on;
+ * a random half of its bits stay as they were.
  *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
@@ -59,11 +60,11 @@ struct PDKNandState {
     BlockBackend *blk;
     uint8_t page[PDK_NAND_RAW]; /* the page register */
     uint8_t address[ADDRESS_BYTES];
-    uint8_t cycles; /* of the address so far */
+    uint8_t cycles; /* the bytes of the address so far */
     uint8_t command;
     uint8_t status;
-    uint32_t at; /* the next byte of the page register or the identity */
-    uint32_t power_cut; /* operations until then, 0 for never */
+    uint32_t at; /* the next byte of the page register or of id[] */
+    uint32_t power_cut; /* erases and programs until the cut; 0: no cut */
     int64_t busy_ns;
     unsigned long worn[BITS_TO_LONGS(BLOCKS)];
 };
@@ -106,7 +107,7 @@ bool pdk_nand_load_page(PDKNandState *s, unsigned page, uint8_t *raw)
     return true;
 }
 
-/* Whether the power goes during this operation. */
+/* Counts an operation. Ends QEMU and returns true if the power is cut in it. */
 static bool power_goes(PDKNandState *s)
 {
     if (s->power_cut == 0 || --s->power_cut > 0) {
@@ -210,7 +211,7 @@ void pdk_nand_command(PDKNandState *s, uint8_t command)
 
 void pdk_nand_address(PDKNandState *s, uint8_t byte)
 {
-    /* After the program command the driver sends an address that counts not. */
+    /* The driver sends an address after the program command; it means nothing. */
     if (s->command == COMMAND_PROGRAM) {
         return;
     }

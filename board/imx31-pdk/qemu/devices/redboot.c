@@ -1,6 +1,6 @@
 /*
- * The part of RedBoot that starts Linux from the flash. Its commands and its
- * network are its own; see board/imx31-pdk/flash.sh and tests/flash.
+ * The part of RedBoot that starts Linux from the flash. Its command line and its
+ * network are not modelled here; tests/flash simulates them for flash.sh.
  *
  * SPDX-License-Identifier: GPL-2.0-or-later
  */
@@ -23,7 +23,10 @@
 #define TAG_MEMORY 0x54410002
 #define TAG_COMMAND_LINE 0x54410009
 
-/* The main bytes of a raw page, corrected; false for an error beyond that. */
+/*
+ * Reads and corrects the main bytes of a page. Returns false if the page has an
+ * error that cannot be corrected.
+ */
 static bool read_page(PDKNandState *nand, unsigned page, uint8_t *out)
 {
     uint8_t raw[PDK_NAND_RAW];
@@ -39,7 +42,10 @@ static bool read_page(PDKNandState *nand, unsigned page, uint8_t *out)
     return good;
 }
 
-/* The mark is the first spare byte that the controller fetches of a block. */
+/*
+ * Whether the block that begins at the page is marked bad. The mark is the first
+ * spare byte that the controller fetches.
+ */
 static bool is_bad(PDKNandState *nand, unsigned page)
 {
     uint8_t raw[PDK_NAND_RAW];
@@ -48,7 +54,10 @@ static bool is_bad(PDKNandState *nand, unsigned page)
     return raw[IMX31_NFC_PART] != 0xff;
 }
 
-/* The length of a zImage and the tree behind it, 0 if there is none. */
+/*
+ * The length in bytes of a zImage and the device tree behind it, or 0 if there is
+ * no zImage or it exceeds limit.
+ */
 static uint32_t length_of(const uint8_t *image, uint32_t limit)
 {
     uint32_t length = ldl_le_p(image + ZIMAGE_MAGIC_AT + 8) -

@@ -56,7 +56,7 @@ static uint64_t executed;
 
 static uint64_t began;
 
-/* A mark's own block has been counted as a whole. */
+/* The block of the mark has been counted as a whole when a mark comes here. */
 static void on_begin(unsigned int cpu, void *user)
 {
 	(void)cpu;

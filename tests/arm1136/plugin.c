@@ -36,18 +36,18 @@ struct plugin {
 
 	bool has_processor;
 	unsigned int processor;
-	bool runs;              /* the model has started: at the first region */
-	struct block *block;    /* the one that is executing */
-	struct block *latest;   /* the same, watched or not */
-	struct block *previous; /* the one before latest */
+	bool runs;              /* the first region has begun */
+	struct block *block;    /* the executing block, if it is modelled */
+	struct block *latest;   /* the executing block in any case */
+	struct block *previous; /* the block before latest */
 	struct access access[MAX_ACCESSES];
 	size_t access_count;
 	uintptr_t guest_base; /* host address of the program's address 0 */
 	bool has_guest_base;
 
-	struct region *region; /* the one that counts now, or NULL */
-	int64_t region_began;
-	struct core_totals region_before;
+	struct region *region; /* the region that counts now, or NULL */
+	int64_t region_began;  /* the cycle */
+	struct core_totals region_before; /* the totals at that cycle */
 	uint32_t region_return; /* address at which a region of begin= ends */
 };
 
@@ -84,7 +84,7 @@ static void region_end(struct plugin *plugin)
 	plugin->core.counts_insns = false;
 }
 
-/* Returns whether the instruction is a marker; markers cost no cycle. */
+/* Obeys a marker. Returns whether it is one: markers cost no cycle. */
 static bool obey_marker(struct plugin *plugin, const struct insn *insn)
 {
 	if (insn->marker == MARKER_FLUSH) {
@@ -114,7 +114,7 @@ static uint32_t return_address(const struct plugin *plugin)
 	return plugin->core.values.value[REG_LR];
 }
 
-/* Regions of begin=: they end when the function returns, or at end=. */
+/* Begins and ends the regions of begin=: until the function returns, or end=. */
 static void obey_symbols(struct plugin *plugin, const struct insn *insn)
 {
 	if (plugin->region) {

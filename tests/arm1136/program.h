@@ -11,8 +11,8 @@
 #define PROGRAM_MAX_REGIONS 512
 
 struct region {
-	uint32_t pc; /* of the marker that begins it */
-	uint8_t id;
+	uint32_t pc; /* of the marker, or the function, that begins it */
+	uint8_t id;  /* the marker's number */
 	uint64_t entries;
 	uint64_t first, last, least, most; /* cycles of one pass */
 	uint64_t cycles;
@@ -35,8 +35,8 @@ int program_init(struct program *program, const struct params *params);
 void program_finish(struct program *program);
 
 /*
- * The instruction at pc, decoded when word differs from what was there before.
- * *is_new says whether that happened. NULL when memory is short.
+ * Returns the instruction at pc, and decodes it if there was none or another
+ * word; *is_new says whether it did. NULL when memory is short.
  */
 struct insn *program_insn(
 	struct program *program, uint32_t pc, uint32_t word, bool *is_new);

@@ -29,7 +29,7 @@ struct named_count {
 	uint64_t value;
 };
 
-/* What a function cost. */
+/* The cost of a function. */
 struct symbol_cost {
 	const struct symbol *symbol; /* NULL: outside the program */
 	struct insn_counts counts;

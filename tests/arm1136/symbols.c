@@ -90,8 +90,8 @@ static bool inside(const struct image *image, size_t offset, size_t bytes)
 }
 
 /*
- * Sets the end of the code and returns how far it was loaded from where it was
- * linked for.
+ * Sets the end of the code. Returns the difference between the address at which
+ * the code was loaded and the address for which it was linked.
  */
 static uint32_t locate_code(struct symbols *symbols, const struct image *image,
 	const Elf32_Ehdr *header, uint32_t start_code)

@@ -23,8 +23,9 @@ struct shown {
 };
 
 /*
- * Begins the demo of this name, or shows the model of this name in assets/ as
- * the character file says (NULL: the model's), and updates it once.
+ * Begins the demo of that name or, if there is none, the viewer with the model
+ * assets/NAME and a character file (NULL: the model's own), and updates it
+ * once. shown_begin() uses the model's own. The caller ends with shown_end().
  */
 void shown_begin_env(struct shown *shown, const char *name,
 	const char *character, const int size[2], bool no_labels);
@@ -32,17 +33,17 @@ void shown_begin(struct shown *shown, const char *name, const int size[2],
 	bool no_labels);
 void shown_end(struct shown *shown);
 
-/* A box of the scene as the picture shows it, -1 to 1. */
+/* Projects a box of the scene. Returns its extent in the picture, -1 to 1. */
 struct camera_region shown_project(const struct camera *camera,
 	const int size[2], const float center[3], const float half_extent[3]);
 
-/* The box that the camera frames. */
+/* The extent in the picture of the box that the camera frames. */
 struct camera_region shown_framed(const struct shown *shown, const int size[2]);
 
-/* The box of the vertices of the demo's figure. */
+/* The extent in the picture of the box around the demo's figure. */
 struct camera_region shown_now(const struct shown *shown, const int size[2]);
 
-/* The region is in the picture. */
+/* Fails the test unless the region lies within the picture. */
 void shown_check_whole(const struct camera_region *region);
 
 #endif

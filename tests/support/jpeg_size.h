@@ -4,7 +4,7 @@
 
 #include "tests/support/test.h"
 
-/* Sets it in the frame header, baseline or progressive, behind the tables. */
+/* Sets the size in the frame header (SOF0 or SOF2), which follows the tables. */
 static inline void jpeg_size_set(
 	uint8_t *data, size_t size, int width, int height)
 {

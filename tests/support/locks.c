@@ -1,14 +1,15 @@
 /*
- * In the tests of this machine and of ARM, limber's calls of these functions come
- * here (TEST_LDFLAGS): what only a locked mutex permits must find it locked. A lock
- * that is missing would otherwise show once in thousands of runs.
+ * In the tests of this machine and of ARM the linker redirects limber's calls
+ * of three functions of pthread here (--wrap in TEST_LDFLAGS). They end the
+ * program if the mutex is not locked: a lock that is missing would otherwise
+ * show once in thousands of runs.
  */
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
-/* The C library's; NULL where the linker puts nothing in between. */
+/* The C library's functions; NULL in programs linked without --wrap. */
 #define REAL __attribute__((weak))
 REAL int __real_pthread_mutex_unlock(pthread_mutex_t *mutex);
 REAL int __real_pthread_cond_wait(

@@ -7,8 +7,9 @@
 #include <stdint.h>
 
 /*
- * Where from + t * way meets a triangle whose corners are given by their
- * numbers: returns t, or -1 where it is not above 0 or the ray passes by.
+ * Intersects the ray from + t * way with a triangle, whose corners are indices
+ * into position (the algorithm of Moeller and Trumbore). Returns t, which is
+ * above 0, or -1 if the ray misses the triangle.
  */
 static inline float ray_meet(const float from[3], const float way[3],
 	const float (*position)[3], const uint16_t corner[3])

@@ -24,7 +24,7 @@ struct survey_capture {
 /*
  * Empties the capture and returns a survey that writes into it. The capture
  * must outlive the survey. system is the folder that stands for /sys; NULL
- * stands for an empty one.
+ * stands for a folder that does not exist.
  */
 struct survey survey_capture_begin(
 	struct survey_capture *capture, const char *system);

@@ -10,7 +10,7 @@ enum {
 	DESCRIPTORS = 1024
 };
 
-/* Which of the first descriptors are open. */
+/* Finds out which of the first DESCRIPTORS descriptors are open. */
 static void find_open(bool open[DESCRIPTORS])
 {
 	for (int fd = 0; fd < DESCRIPTORS; fd++) {

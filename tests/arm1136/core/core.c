@@ -84,7 +84,7 @@ static void wait_for_inputs(
 	}
 }
 
-/* Waits for earlier instructions that still write or store its results. */
+/* Waits for earlier instructions that still write, store or read the register. */
 void core_wait_to_write(const struct core *core, struct issue *issue,
 	unsigned int reg, int64_t latency)
 {
@@ -212,7 +212,7 @@ static bool condition_failed(const struct insn *insn, int access_count)
 		access_count == 0;
 }
 
-/* The cycles of an instruction from its issue; *cause of those beyond one. */
+/* Advances the time by an issued instruction's cycles; all but one are stalls. */
 static void advance(struct core *core, struct insn *insn,
 	const struct insn *next, bool failed)
 {

@@ -20,7 +20,7 @@ struct core_totals {
 	uint64_t branches;
 	uint64_t mispredicted;
 	uint64_t foretold; /* addresses that values.c computed beforehand */
-	uint64_t mistaken; /* those of them that were wrong */
+	uint64_t mistaken; /* how many of these were wrong */
 	struct memory_counts memory;
 };
 
@@ -30,23 +30,24 @@ struct core {
 	struct predict predict;
 	struct values values;
 
-	int64_t now; /* the next instruction issues no earlier */
-	int64_t memory_free;
-	enum cause memory_cause; /* of a wait for memory_free */
-	int64_t vfp_free;
-	int64_t divide_free;
-	int64_t flags_set;        /* issue of the last one that set the flags */
-	int64_t ready[REG_COUNT]; /* for a normal operand */
-	int64_t base_ready[16];   /* for an address */
-	int64_t unlocked[REG_COUNT]; /* from this cycle on, it may be written */
+	/* Cycles. */
+	int64_t now;         /* the next instruction issues no earlier */
+	int64_t memory_free; /* the load/store pipeline is free from here on */
+	enum cause memory_cause;     /* of a wait for memory_free */
+	int64_t vfp_free;            /* the same for the VFP's FMAC pipeline */
+	int64_t divide_free;         /* the same for its divide pipeline */
+	int64_t flags_set;           /* last issue of what sets the flags */
+	int64_t ready[REG_COUNT];    /* a normal operand can be read */
+	int64_t base_ready[16];      /* an address can be read */
+	int64_t unlocked[REG_COUNT]; /* the register may be written */
 	uint8_t maker[REG_COUNT];    /* enum cause of a wait for the register */
-	uint32_t fetched_line;
+	uint32_t fetched_line;       /* the line that was fetched last */
 
-	bool counts_insns; /* into insn->counts */
+	bool counts_insns; /* counts into insn->counts, too */
 	struct core_totals totals;
 };
 
-/* 0 or -ENOMEM. */
+/* Returns 0 or -ENOMEM. core_finish() frees the memory. */
 int core_init(struct core *core, const struct params *params);
 void core_finish(struct core *core);
 

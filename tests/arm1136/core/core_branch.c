@@ -21,7 +21,7 @@ static int64_t mispredicted_cycles(const struct core *core, int64_t at)
 	return cycles > WRONG_MIN_CYCLES ? cycles : WRONG_MIN_CYCLES;
 }
 
-/* All cycles of a return; its address was loaded from the stack or not. */
+/* All cycles of a return, by BX lr or by a load of pc from the stack. */
 static int64_t return_cycles(
 	const struct core *core, const struct insn *insn, enum prediction how)
 {

@@ -1,6 +1,6 @@
 #include "tests/arm1136/core/core_parts.h"
 
-/* The memory cycle of a transfer in which its word w is moved. */
+/* The memory cycle of a transfer, from 0 on, in which that word is moved. */
 static int64_t memory_cycle(int word, uint32_t first_address)
 {
 	return (word + (int)(first_address >> 2 & 1)) / 2;
@@ -41,13 +41,13 @@ static int words_of(const struct insn *insn)
 	return words ? words : 1;
 }
 
-/* The answers for the lines of a transfer; memory is asked once for each. */
+/* A load or store in progress. memory.c is asked once for each of its lines. */
 struct transfer {
 	struct core *core;
-	uint32_t address;
-	uint32_t line;
-	struct memory_answer answer;
-	bool missed;
+	uint32_t address;            /* the lowest */
+	uint32_t line;               /* the line accessed last */
+	struct memory_answer answer; /* for that line */
+	bool missed;                 /* a load had to wait for a line */
 };
 
 static void occupy(struct core *core, int64_t until, enum cause cause)

@@ -23,7 +23,7 @@ static inline void issue_wait(
 	}
 }
 
-/* The cycle from which an operand with that need can be read. */
+/* The cycle from which an instruction with that need of the register can issue. */
 int64_t core_operand_ready(
 	const struct core *core, unsigned int reg, enum need need);
 
@@ -44,14 +44,14 @@ void core_execute_memory(struct core *core, struct insn *insn,
 void core_execute_preload(
 	struct core *core, const struct insn *insn, int64_t at);
 
-/* VFP arithmetic: delay for the registers of all iterations, then execute. */
+/* VFP arithmetic: delays the issue for all iterations' registers; executes. */
 void core_wait_for_vfp(
 	struct core *core, const struct insn *insn, struct issue *issue);
 void core_execute_vfp(struct core *core, const struct insn *insn, int64_t at);
 
 /*
- * All cycles of a branch, 0 for one that was folded. *cause is set to the cause
- * of those beyond the first.
+ * Returns all cycles of a branch, 0 for one that was folded, and sets *cause to
+ * the cause of the cycles beyond the first.
  */
 int64_t core_branch_cycles(struct core *core, const struct insn *insn,
 	const struct insn *next, int64_t at, enum cause *cause);

@@ -1,6 +1,6 @@
 #include "tests/arm1136/core/core_parts.h"
 
-/* The register of an iteration of a short vector; it wraps in its bank of 8. */
+/* The register of an iteration of a short vector; it wraps in a bank of 8. */
 static unsigned int iterate(const struct insn *insn, unsigned int reg,
 	unsigned int iteration, unsigned int stride)
 {
@@ -11,9 +11,10 @@ static unsigned int iterate(const struct insn *insn, unsigned int reg,
 	return REG_S0 + index / 8 * 8 + in_bank % 8;
 }
 
+/* The iterations of an operation: 1, or those of a short vector. */
 struct vector {
 	unsigned int length;
-	unsigned int stride;
+	unsigned int stride;   /* registers from one iteration to the next */
 	unsigned int m_length; /* 1 when the second operand is a scalar */
 };
 
@@ -105,7 +106,7 @@ void core_execute_vfp(struct core *core, const struct insn *insn, int64_t at)
 	int64_t busy = (int64_t)insn->busy * vector.length;
 
 	if (insn->unit == UNIT_VFP_DIVIDE) {
-		/* The next operation waits for the last iteration to begin. */
+		/* The next operation issues after the last iteration has begun. */
 		core->vfp_free = at + 1 + busy - insn->busy;
 		core->divide_free = at + busy;
 	} else {

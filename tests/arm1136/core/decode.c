@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* The kernel's user helpers: the emulator runs each as a whole. */
+/* The kernel's user helpers; the emulator shows each as one instruction. */
 #define KERNEL_PAGE 0xffff0000u
 
 void insn_reads(struct insn *insn, unsigned int reg, enum need need)
@@ -38,7 +38,7 @@ static void mark(struct insn *insn)
 	insn->marker_id = (uint8_t)d;
 }
 
-/* Extra cycles of a branch that the ALU computes: for its shift. */
+/* Which kind of branch a data-processing instruction is whose result is pc. */
 static void data_processing_to_pc(struct insn *insn)
 {
 	bool is_move = insn_field(insn, 21, 4) == 13;
@@ -104,7 +104,7 @@ static void product(struct insn *insn, unsigned int issue, unsigned int latency,
 	insn_writes(insn, insn_field(insn, 16, 4), latency);
 }
 
-/* Products of 64 bits; late is the half whose accumulator is read late. */
+/* Products of 64 bits; late_is_high: the accumulator's high half is read late. */
 static void long_product(struct insn *insn, unsigned int issue,
 	unsigned int latency, bool accumulates, bool late_is_high)
 {

@@ -26,7 +26,7 @@ static void writes(struct insn *insn, uint8_t reg, bool dbl, unsigned int after)
 	}
 }
 
-/* The latency, from table 4.17 of the VFP11 manual. */
+/* busy and latency are those of table 4.17 of the VFP11 manual. */
 static void arithmetic(struct insn *insn, enum vfp_form form, unsigned int busy,
 	unsigned int latency)
 {
@@ -74,7 +74,7 @@ static void divide(struct insn *insn, enum vfp_form form)
 		insn->is_double ? 33 : 19);
 }
 
-/* Operations of one operand; the field of the second selects which. */
+/* Operations of one operand, m; the field of operand n selects which. */
 static void extension(struct insn *insn)
 {
 	bool n = insn_bit(insn, 7);

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Registers as the scoreboard numbers them. */
+/* The scoreboard's numbers of registers. */
 enum {
 	REG_SP = 13,
 	REG_LR = 14,
@@ -36,7 +36,7 @@ enum unit {
 	UNIT_UNKNOWN
 };
 
-/* Causes of stalls. ALU to VFP also say which unit made a result. */
+/* Causes of stalls. CAUSE_ALU to CAUSE_VFP also name the unit of a result. */
 enum cause {
 	CAUSE_ALU,          /* waits for an ALU result */
 	CAUSE_MULTIPLY,     /* waits for a product */
@@ -62,10 +62,10 @@ enum cause {
 enum need {
 	NEED_NORMAL,
 	NEED_EARLY,       /* a cycle earlier */
-	NEED_ADDRESS,     /* early, but a written-back base is in time */
+	NEED_ADDRESS,     /* a cycle earlier, unless written back as a base */
 	NEED_LATE,        /* a cycle later */
 	NEED_ACCUMULATOR, /* a cycle later if a multiplication made it */
-	NEED_STORED,      /* late; VFP results are not forwarded to it */
+	NEED_STORED,      /* a cycle later; VFP results a cycle earlier */
 };
 
 struct operand {
@@ -145,8 +145,8 @@ struct insn {
 	bool writeback;
 	bool extends; /* byte or halfword load */
 	uint8_t base;
-	uint8_t access_bytes; /* of one register; decides its alignment */
-	uint16_t list;        /* core registers */
+	uint8_t access_bytes; /* of one register; what it is aligned to */
+	uint16_t list;        /* core registers, a bit for each */
 	uint8_t range_first;  /* VFP registers, as singles */
 	uint8_t range_count;
 

@@ -42,7 +42,7 @@ static struct memory_line *cache_find(
 	return NULL;
 }
 
-/* A linear feedback shift register, as the caches have. */
+/* Steps a linear feedback shift register, which the caches have, too. */
 static uint32_t draw(struct memory *memory)
 {
 	uint32_t bit = memory->random & 1;
@@ -143,7 +143,7 @@ static int64_t write_line(struct memory *memory, uint32_t line, int64_t now)
 	return memory->l2_free;
 }
 
-/* Gives a line to the write buffer; returns when it accepted the line. */
+/* Gives a line to the write buffer. Returns the cycle at which it accepts it. */
 static int64_t buffer_line(struct memory *memory, uint32_t line, int64_t now)
 {
 	int64_t *slot = &memory->write_ends[memory->next_write];
@@ -155,7 +155,10 @@ static int64_t buffer_line(struct memory *memory, uint32_t line, int64_t now)
 	return start;
 }
 
-/* Returns when the line arrives in L1, and sets *from. L2 keeps a copy. */
+/*
+ * Returns the cycle at which the line arrives in L1, and sets *from to the
+ * level that it comes from. L2 keeps a copy.
+ */
 static int64_t fill(
 	struct memory *memory, uint32_t line, int64_t now, uint8_t *from)
 {
@@ -180,7 +183,10 @@ static int64_t fill(
 	return start + params->ddr;
 }
 
-/* Page tables are outside the program's addresses, and are cached in L2. */
+/*
+ * Reads a line of a page table, whose address is not one of the program's.
+ * Returns the cycle at which it arrives. L2 caches page tables.
+ */
 static int64_t read_table(struct memory *memory, uint32_t line, int64_t now)
 {
 	uint8_t from;
@@ -188,7 +194,7 @@ static int64_t read_table(struct memory *memory, uint32_t line, int64_t now)
 	return fill(memory, line, now, &from);
 }
 
-/* The cycles that the translation of the address takes. */
+/* Returns the extra cycles that the translation of the address takes. */
 static int64_t translate(struct memory *memory, enum pages_side side,
 	uint32_t address, int64_t now)
 {
@@ -214,7 +220,10 @@ static int64_t translate(struct memory *memory, enum pages_side side,
 	return done - now;
 }
 
-/* Loads and stores are in order: none passes one that awaits its page. */
+/*
+ * Translates the address of a load or store and returns the cycle at which that
+ * is done. No later load or store passes one that awaits its page.
+ */
 static int64_t translate_data(struct memory *memory, uint32_t address,
 	int64_t now, struct memory_answer *answer)
 {
@@ -231,7 +240,7 @@ static int64_t translate_data(struct memory *memory, uint32_t address,
 	return now + delay;
 }
 
-/* Evicts a line from L1 and starts the fill. */
+/* Evicts a line from an L1 cache and starts to fill its entry, which it returns. */
 static struct memory_line *allocate(struct memory *memory,
 	struct memory_cache *cache, uint32_t line, int64_t now)
 {

@@ -48,24 +48,24 @@ struct memory {
 	const struct params *params;
 	struct memory_cache l1i, l1d, l2;
 	struct pages pages;
-	uint32_t random;
-	int64_t miss_ends[MEMORY_MAX_MISSES];
-	int64_t write_ends[MEMORY_MAX_WRITES];
-	uint32_t next_write;
+	uint32_t random; /* state of the shift register that chooses victims */
+	int64_t miss_ends[MEMORY_MAX_MISSES]; /* cycle of each line's arrival */
+	int64_t write_ends[MEMORY_MAX_WRITES]; /* cycle each entry gets free */
+	uint32_t next_write;                   /* the entry to use next */
 	uint32_t open_line; /* the line that the write buffer still gathers */
-	bool is_open;
-	int64_t l2_free, ddr_free;
+	bool is_open;       /* there is an open line */
+	int64_t l2_free, ddr_free; /* cycles from which they are free */
 	struct memory_counts counts;
 };
 
-/* 0 or -ENOMEM. */
+/* Returns 0 or -ENOMEM. memory_finish() frees the caches. */
 int memory_init(struct memory *memory, const struct params *params);
 void memory_finish(struct memory *memory);
 
 /*
- * Empties the queues, and the caches that the level names: MEMORY_ALL all of
- * them and the TLBs, MEMORY_DATA those of data, MEMORY_L1_DATA the first of
- * those. MEMORY_PAGES empties the data TLBs and nothing else.
+ * Empties the queues and caches: MEMORY_ALL all caches and the TLBs,
+ * MEMORY_DATA L1's data cache and L2, MEMORY_L1_DATA L1's data cache alone.
+ * MEMORY_PAGES empties the data TLBs and nothing else.
  */
 enum memory_level {
 	MEMORY_ALL,

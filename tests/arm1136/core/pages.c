@@ -12,7 +12,10 @@ static bool holds(const uint32_t *entry, uint32_t count, uint32_t tag)
 	return false;
 }
 
-/* Replaces entries in turn: a mode of the MicroTLBs, assumed of the main one. */
+/*
+ * Replaces entries in turn. The MicroTLBs have such a mode; for the main TLB it
+ * is an assumption.
+ */
 static void replace(
 	uint32_t *entry, uint32_t count, uint32_t *next, uint32_t tag)
 {

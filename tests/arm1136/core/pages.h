@@ -25,7 +25,7 @@ enum pages_found {
 	PAGES_NOWHERE,
 };
 
-/* An entry is the number of a page plus 1, or 0 when it is empty. */
+/* An entry is twice the number of a page plus 1, or 0 when it is empty. */
 struct pages {
 	uint32_t micro[PAGES_SIDES][PAGES_MICRO];
 	uint32_t micro_next[PAGES_SIDES];
@@ -37,7 +37,7 @@ struct pages {
 enum pages_found pages_look_up(
 	struct pages *pages, enum pages_side side, uint32_t page);
 
-/* Empties all TLBs but the MicroTLB of code. */
+/* Empties all TLBs but the MicroTLB of code; pages_forget() empties all. */
 void pages_forget_data(struct pages *pages);
 void pages_forget(struct pages *pages);
 

@@ -20,7 +20,7 @@ struct params {
 	int predictor;  /* entries of the dynamic predictor */
 	int tlb;        /* cycles for a page that is in no MicroTLB */
 	bool pages;     /* addresses are translated */
-	bool fold;      /* predicted branches can vanish */
+	bool fold;      /* predicted branches can take no cycle */
 	bool ideal;     /* every access hits L1 */
 	bool whole;     /* count from the first instruction to the last */
 	const char *begin, *end; /* symbols to count between, or NULL */

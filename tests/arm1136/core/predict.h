@@ -28,18 +28,18 @@ struct predict {
 
 enum prediction {
 	PREDICT_NOT_BY_IT, /* a computed branch, which no predictor predicts */
-	PREDICT_DYNAMIC,   /* right */
-	PREDICT_STATIC,    /* right */
-	PREDICT_RETURN,    /* right */
-	PREDICT_NO_RETURN, /* the stack was empty */
-	PREDICT_WRONG,
-	PREDICT_WRONG_RETURN
+	PREDICT_DYNAMIC,   /* the dynamic predictor was right */
+	PREDICT_STATIC,    /* the static predictor was right */
+	PREDICT_RETURN,    /* the return stack was right */
+	PREDICT_NO_RETURN, /* the return stack was empty */
+	PREDICT_WRONG,     /* one of the predictors was wrong */
+	PREDICT_WRONG_RETURN /* the return stack was wrong */
 };
 
 void predict_init(struct predict *predict, const struct params *params);
 
 /*
- * Compares the prediction with where the branch went, which is next, and
+ * Compares the prediction with next, the address to which the branch went, and
  * updates the predictors.
  */
 enum prediction predict_branch(

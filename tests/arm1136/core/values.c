@@ -32,7 +32,10 @@ static bool get(const struct values *values, const struct insn *insn,
 	return values->known >> reg & 1;
 }
 
-/* LSR #0 and ASR #0 encode shifts by 32; ROR #0 encodes RRX. */
+/*
+ * Shifts by a constant. LSR #0 and ASR #0 encode shifts by 32. Returns false
+ * for ROR #0, which encodes RRX: the carry is not known.
+ */
 static bool shift(uint32_t *value, unsigned int kind, unsigned int amount)
 {
 	switch (kind) {
@@ -160,7 +163,7 @@ static bool offset_of(
 	return known;
 }
 
-/* LDM, STM, FLDM and FSTM: the base follows from the lowest address. */
+/* LDM and STM: computes the base from the lowest address. */
 static void step_base_multiple(struct values *values, const struct insn *insn,
 	const struct access *access, uint32_t words)
 {
@@ -227,7 +230,7 @@ static void step_base(struct values *values, const struct insn *insn,
 	}
 }
 
-/* Compares the known value of a base with the address of the access. */
+/* Compares the address that follows from a known base with the real one. */
 static void check(struct values *values, const struct insn *insn,
 	const struct access *access)
 {

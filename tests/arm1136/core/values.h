@@ -17,14 +17,14 @@ struct values {
 	uint32_t fpscr; /* without its flags; 0 until it is set */
 
 	uint64_t foretold; /* addresses computed before the access was seen */
-	uint64_t mistaken; /* those of them that were wrong */
+	uint64_t mistaken; /* how many of these were wrong */
 };
 
 /* One access as QEMU reports it. */
 struct access {
 	const struct insn *insn;
 	uint32_t address;
-	uint32_t value; /* that a word load read, if has_value */
+	uint32_t value; /* the word that a load read, if has_value */
 	uint8_t bytes;
 	bool is_store;
 	bool has_value;

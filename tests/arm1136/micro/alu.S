@@ -33,7 +33,7 @@
 	.endr
 	END
 
-	/* A shift by register takes two issue cycles; its result comes after 2. */
+	/* A shift by register issues for two cycles; its result comes after 2. */
 	CASE alu_shift_by_register, 16
 	BEGIN
 	.rept 4

@@ -11,7 +11,7 @@
 	bne 1b
 	END
 
-	/* The flags were set earlier: 6 cycles, then 5. */
+	/* The flags were set earlier, so the misprediction takes 6, then 5. */
 	CASE loop_one_between, 27
 	BEGIN
 	mov r2, #10

@@ -48,7 +48,7 @@
 	add r4, r3, #1
 	END
 
-	/* The second line waits until memory is free: 40, then 80. */
+	/* The second line waits 40 until memory is free, then takes 80. */
 	CASE two_misses, 124
 	MARKER_FLUSH(MARKER_DATA)
 	BEGIN
@@ -155,8 +155,8 @@
 
 	/*
 	 * Whole lines are written past the caches; each occupies memory for 16
-	 * cycles. The first leaves at 4; the last store that waits waits for
-	 * the tenth: 4 + 10 x 16 + 1.
+	 * cycles. The first leaves at 4. The last store waits until the tenth
+	 * has left: 4 + 10 x 16 + 1.
 	 */
 	CASE store_streaming, 165
 	MARKER_FLUSH(MARKER_DATA)

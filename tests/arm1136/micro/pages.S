@@ -12,7 +12,7 @@
 	add r3, r4, r2
 	END
 
-	/* An eleventh page evicts the first: 8 more. */
+	/* An eleventh page evicts the first, which costs 8 more than a hit. */
 	CASE eleven_pages, 12
 	.irp n, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10
 	add r5, r0, #\n * 4096
@@ -33,7 +33,7 @@
 	add r3, r4, r2
 	END
 
-	/* They come from memory, then the line: 8 + 80 + 80 + 80 more. */
+	/* The words, then the line come from memory: 8 + 80 + 80 + 80 more. */
 	CASE page_walk_in_memory, 252
 	MARKER_FLUSH(MARKER_DATA)
 	MARKER_FLUSH(MARKER_PAGES)

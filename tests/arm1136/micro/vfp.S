@@ -14,7 +14,7 @@
 	.endr
 	.endm
 
-	/* 3 x 8 + 1 */
+	/* Each waits for the result before, which takes 8: 3 x 8 + 1. */
 	CASE fmacs_chain, 25
 	CLEAR
 	BEGIN

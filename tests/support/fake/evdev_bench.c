@@ -51,7 +51,7 @@ static int open_device(const char *path)
 	assert_int_equal(socketpair(AF_UNIX, SOCK_STREAM, 0, pair), 0);
 	assert_int_equal(fcntl(pair[1], F_SETFL, O_NONBLOCK), 0);
 	close_ours(device);
-	/* A descriptor that the driver closed is given anew. */
+	/* The number may be that of a descriptor that the driver has closed. */
 	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
 		if (bench_now->device[i].theirs == pair[1]) {
 			bench_now->device[i].theirs = -1;

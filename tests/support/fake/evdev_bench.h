@@ -18,11 +18,11 @@ enum {
 
 /* One of event0 to event2; the driver reads from a socket. */
 struct evdev_bench_device {
-	int ours, theirs; /* -1: not open */
+	int ours, theirs; /* the test's and the driver's end; -1: not open */
 	int error;        /* errno of opening it, 0 for none */
 	bool gone;        /* unplugged: reading fails */
 	struct evdev_description description;
-	uint8_t down[EVDEV_KEY_BYTES];
+	uint8_t down[EVDEV_KEY_BYTES]; /* a bit for each key that is down */
 };
 
 struct evdev_bench {

@@ -396,7 +396,7 @@ void fake_card_begin(void)
 	fake_card.fourccs[2] = DRM_FORMAT_XBGR8888;
 	fake_card.encoder_count = 1;
 	fake_card.encoders[0].crtc = CRTC;
-	fake_card.encoders[0].possible = 2; /* the second */
+	fake_card.encoders[0].possible = 2; /* the second CRTC only */
 	fake_card.modes[0] = (drmModeModeInfo){
 		.hdisplay = 24, .vdisplay = 14, .vrefresh = 60};
 	fake_card.modes[1] = (drmModeModeInfo){.hdisplay = 20,

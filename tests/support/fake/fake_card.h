@@ -36,7 +36,7 @@ struct fake_card {
 	bool no_dumb, not_master, not_connected, prefers_shadow;
 	uint64_t preferred_depth;
 	uint32_t fourccs[3]; /* formats that it can show */
-	/* crtc is the one that drives it, or 0; possible has a bit for each. */
+	/* The CRTC that drives the encoder, or 0; a bit for each that could. */
 	struct {
 		uint32_t crtc, possible;
 	} encoders[FAKE_CARD_ENCODERS];
@@ -47,7 +47,7 @@ struct fake_card {
 	int fail_from; /* the first call that fails, counted from 0 */
 	int fail_error;
 	bool fail_once;
-	int calls; /* of the call that fails, so far */
+	int calls; /* how often the call of fail was made so far */
 
 	/* Two buffers. The handle and the fb of buffer i are i + 1. */
 	struct {

@@ -54,7 +54,7 @@ static int put_var(const struct fb_var_screeninfo *var)
 		return fail_with(EINVAL);
 	}
 	if ((var->activate & FB_ACTIVATE_MASK) != FB_ACTIVATE_NOW) {
-		return 0; /* as Linux does, which then sets nothing */
+		return 0; /* Linux, too, succeeds here and sets nothing */
 	}
 	fake_fb.var = *var;
 	fake_fb.var.activate = FB_ACTIVATE_NXTOPEN;

@@ -28,7 +28,7 @@ struct fake_fb {
 
 	int open_error;             /* errno of open(); 0 lets it succeed */
 	unsigned long fail_request; /* the ioctl that fails; 0 means none */
-	int fail_from;              /* its first call that fails, from 0 */
+	int fail_from; /* its first call that fails, counted from 0 */
 	int fail_error;
 	bool fail_map;
 	bool rounds_width; /* the driver narrows the next mode that is set */

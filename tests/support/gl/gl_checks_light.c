@@ -12,10 +12,10 @@ void gl_check_light_falls_off_with_the_angle(void **state)
 
 	gl_canvas_set_up_light(gl);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, diffuse);
-	/* The light is 60 degrees off the normal: half of it. */
+	/* The light is 60 degrees off the normal, so half of it counts. */
 	gl->Normal3x(56756, 0, ONE / 2);
 	gl_canvas_draw_rectangle(gl, -1, -1, 0, 1, 0);
-	/* GL makes the normal of length 2 unit length. */
+	/* GL_NORMALIZE makes the normal, of length 2, unit length. */
 	gl->Enable(GL_NORMALIZE);
 	gl->Normal3x(0, 0, 2 * ONE);
 	gl_canvas_draw_rectangle(gl, 0, -1, 1, 1, 0);
@@ -38,10 +38,13 @@ void gl_check_shininess_and_position_light_count(void **state)
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, black);
 	gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR, white);
 	gl->Materialx(GL_FRONT_AND_BACK, GL_SHININESS, 4 * ONE);
-	/* The half vector is (0, 0, 1): 0.8^4 = 0.4096. */
+	/* The half vector is (0, 0, 1), so the highlight is 0.8^4 = 0.4096. */
 	gl->Normal3x(39322, 0, 52429);
 	gl_canvas_draw_rectangle(gl, -1, -1, 0, 1, 0);
-	/* d = sqrt 17 from the ends: 4/d / (1 + d/4) = 0.478. */
+	/*
+	 * The corners are d = sqrt 17 from the light: the cosine 4/d times the
+	 * attenuation 1 / (1 + d/4) is 0.478.
+	 */
 	gl->Lightxv(GL_LIGHT0, GL_SPECULAR, black);
 	gl->Lightxv(GL_LIGHT0, GL_POSITION, at);
 	gl->Lightx(GL_LIGHT0, GL_LINEAR_ATTENUATION, ONE / 4);

@@ -89,7 +89,10 @@ void gl_clear_to(struct gl *gl, const double rgba[4])
 	gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-/* OSMesa allows one context at a time: keeps the picture, closes the context. */
+/*
+ * Draws with a driver and returns the picture, which the caller frees. The
+ * context is closed before, because OSMesa allows only one at a time.
+ */
 static uint8_t *draw_with(const char *driver,
 	void (*draw)(struct gl *gl, const void *context), const void *context)
 {
@@ -106,7 +109,7 @@ static uint8_t *draw_with(const char *driver,
 	return picture;
 }
 
-/* Whether the other picture has the colour of this pixel within reach of it. */
+/* Whether other has the colour of own's pixel at, within reach pixels of at. */
 static bool is_found(const uint8_t *own, const uint8_t *other, int at,
 	int reach, int tolerance)
 {

@@ -29,7 +29,7 @@ void gl_expect_color_alpha(const struct gl_canvas *canvas, const char *name,
 GLfixed gl_fixed(double value);
 void gl_fixed_all(const double *values, int count, GLfixed *out);
 
-/* Set the current colour, and the clear colour before a Clear. */
+/* Sets the current colour; clears the picture to a colour. */
 void gl_set_color(struct gl *gl, const double rgba[4]);
 void gl_clear_to(struct gl *gl, const double rgba[4]);
 

@@ -2,7 +2,7 @@
  * The image display, with small pictures of known content to write: a gradient,
  * and a red square that moves over it.
  *
- * A step that must not fail fails the running test when it does.
+ * Functions that return nothing fail the running test if they fail themselves.
  */
 #ifndef TESTS_SUPPORT_GL_IMAGE_SCENE_H
 #define TESTS_SUPPORT_GL_IMAGE_SCENE_H

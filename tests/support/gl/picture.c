@@ -93,7 +93,7 @@ static struct block_sum sum_block(const struct picture *a,
 	return sum;
 }
 
-/* Whether b has no colour like a's pixel within a pixel of its place. */
+/* Whether a's pixel has a colour that b does not have there (see strays). */
 static bool is_alone(const struct picture *a, const struct picture *b, int x,
 	int y, int step)
 {

@@ -36,9 +36,9 @@ struct picture_tolerance {
 };
 
 /*
- * A stray is a far pixel with a colour that the other picture does not have
- * there: a channel is more than the step outside what the 3 x 3 pixels around
- * that place span. An edge that is off by less than a pixel makes none.
+ * A stray is a far pixel whose colour the other picture does not have there: a
+ * channel lies more than step outside the range of the 3 x 3 pixels around that
+ * place. An edge that is off by less than a pixel makes no strays.
  */
 struct picture_difference {
 	bool same_size; /* if not, the members below are 0 */

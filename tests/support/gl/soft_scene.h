@@ -1,6 +1,6 @@
 /*
- * A small picture of the soft driver, to hold its short cuts against the long
- * way.
+ * A small RGB565 picture, to compare the fast paths of the soft driver with the
+ * long way: the reference, which draws a fragment at a time (soft/reference.h).
  */
 #ifndef TESTS_SUPPORT_GL_SOFT_SCENE_H
 #define TESTS_SUPPORT_GL_SOFT_SCENE_H
@@ -11,7 +11,8 @@ enum {
 	SOFT_SCENE_WIDTH = 96,
 	SOFT_SCENE_HEIGHT = 80,
 	SOFT_SCENE_PIXELS = SOFT_SCENE_WIDTH * SOFT_SCENE_HEIGHT,
-	SOFT_SCENE_GUARD = SOFT_SCENE_WIDTH * 8, /* pixels above, and below */
+	SOFT_SCENE_GUARD =
+		SOFT_SCENE_WIDTH * 8, /* pixels of above[], below[] */
 };
 
 struct soft_scene {
@@ -24,19 +25,19 @@ struct soft_scene {
 	struct pixels picture;
 };
 
-/* With a frame begun. */
+/* Opens a context and begins a frame. soft_scene_close() frees the scene. */
 struct soft_scene *soft_scene_open(void);
 
 /*
- * Calls of GL go to the context whose frame began last: this one's then. The
- * long way is that of soft/reference.h, for all fragments.
+ * Begins a frame, so that calls of GL go to this scene's context. With long_way
+ * the reference draws all triangles.
  */
 void soft_scene_use(struct soft_scene *scene, bool long_way);
 
-/* Fails the test if something was drawn above or below the picture. */
+/* Closes the scene. Fails the test if anything drew above or below the picture. */
 void soft_scene_close(struct soft_scene *scene);
 
-/* A vertex of triangles that chance makes. */
+/* A vertex of a random triangle. */
 struct soft_corner {
 	float position[3];
 	uint8_t color[4];
@@ -44,14 +45,15 @@ struct soft_corner {
 };
 
 /*
- * Triangles in any opaque colours, that begin within reach of the middle and
- * whose other corners lie within size of that, both in thousandths. Depths are
- * around 0 by the same, divided by flatten. Leaves texture coordinates alone.
+ * Makes random triangles of opaque colours. In clip space the first corner of
+ * each lies within reach thousandths of the middle, and the others within size
+ * thousandths of the first. Depths lie as far around 0, divided by flatten.
+ * Leaves texture coordinates alone.
  */
 void soft_scene_scatter(struct soft_corner *corner, int triangles,
 	uint32_t *seed, int reach, int size, float flatten);
 
-/* How far apart two pixels are, in 32nds. */
+/* The largest difference of a channel of two RGB565 pixels, in 5-bit steps. */
 int soft_scene_steps(uint16_t a, uint16_t b);
 
 #endif

@@ -24,15 +24,15 @@ struct texture_sent {
 	int level_count;
 	struct texture_sent_level level[TEXTURE_SENT_LEVELS_MAX];
 	GLfixed magnify, minify, wrap_s, wrap_t;
-	GLenum error; /* that GL reports next */
-	int deleted, named;
-	GLuint bound;     /* names begin with 70 */
-	GLfixed scale[2]; /* of texture coordinates */
+	GLenum error;       /* what GetError() returns next */
+	int deleted, named; /* how many textures so far */
+	GLuint bound;       /* the name bound last; the first name is 70 */
+	GLfixed scale[2];   /* of texture coordinates */
 };
 
 extern struct texture_sent texture_sent;
 
-/* Forgets what was sent and returns a table that keeps what will be. */
+/* Forgets what was sent. Returns a table that keeps what is sent to it. */
 struct gl texture_sent_begin(void);
 
 /* An image of arbitrary texels, whose rgba the caller frees. */

@@ -22,8 +22,8 @@ struct bones {
 };
 
 /*
- * Begins a skeleton without nodes. bones_end() releases the model's arena, in
- * which all of it is allocated.
+ * Begins a skeleton without nodes. bones_end() releases the model's arena, from
+ * which the pose is allocated.
  */
 void bones_begin(struct bones *bones);
 void bones_end(struct bones *bones);

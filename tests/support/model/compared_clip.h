@@ -17,7 +17,7 @@ struct compared_clip {
 	struct screen_view screen;
 };
 
-/* Loads the file, which must be valid. The caller ends with .._end(). */
+/* Loads the file, which must be valid; end with compared_clip_end(). */
 void compared_clip_begin(
 	struct compared_clip *compared, const char *path, const char *clip);
 

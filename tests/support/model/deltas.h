@@ -7,7 +7,7 @@
 #include "app/model/model_deltas.h"
 #include "tests/support/test.h"
 
-/* Asserts that count vertices move exactly as stated, read one by one or all. */
+/* Asserts that the deltas of count vertices are exactly those expected. */
 static inline void assert_deltas(const struct model_deltas *deltas,
 	const float (*expected)[3], int count)
 {

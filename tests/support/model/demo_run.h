@@ -22,12 +22,12 @@ struct demo_run {
 
 /*
  * Begins the demo of that name or, where there is none, the viewer with the
- * model assets/NAME. The demo takes somebody to be at the buttons, so that it
- * does nothing by itself; it writes no file. Fails the test if the demo cannot begin.
+ * model assets/NAME. The demo is not unattended, so it does nothing by itself,
+ * and it writes no file. Fails the test if the demo cannot begin.
  */
 void demo_run_begin(struct demo_run *run, const char *name);
 
-/* The same with the vertex kernel of that name; demo_run_begin() has float. */
+/* The same with the vertex kernel of that name instead of "float". */
 void demo_run_begin_by(
 	struct demo_run *run, const char *name, const char *kernel);
 

@@ -13,7 +13,7 @@ struct instance_pair {
 	struct clip_cursor cursor;
 };
 
-/* Takes the model over. The caller ends with instance_pair_end(). */
+/* Begins a pair, which then owns the model. End with instance_pair_end(). */
 void instance_pair_begin(struct instance_pair *pair, struct model *model);
 
 /* Loads the model from a file, which must be valid. */

@@ -5,17 +5,20 @@
 #include "app/compare/export/glb.h"
 
 struct written_glb {
-	uint8_t *data;
+	uint8_t *data;         /* the whole file */
 	json_t *root;          /* its JSON */
-	const uint8_t *binary; /* the begin of its binary chunk */
+	const uint8_t *binary; /* the content of its binary chunk, in data */
 };
 
-/* Writes and ends the file, whose JSON is below 64 KiB. */
+/* Writes glb into memory, which ends glb. Its JSON must be below 64 KiB. */
 struct written_glb written_glb_take(struct glb *glb);
 
 void written_glb_release(struct written_glb *written);
 
-/* The JSON of the member, with ' for ", is that; "": there is none. */
+/*
+ * Fails the test unless the file's member of that name, as compact JSON with '
+ * in place of ", is as wanted; "" stands for no such member.
+ */
 void written_glb_expect(const struct written_glb *written, const char *name,
 	const char *wanted);
 

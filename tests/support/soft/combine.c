@@ -10,7 +10,7 @@ enum {
 	SUBTRACT = 0x84E7,
 };
 
-/* The colours that meet in a fragment. */
+/* The colours that the environment of a fragment may combine. */
 struct meeting {
 	const uint8_t *texel, *primary;
 	const uint8_t *previous;
@@ -121,7 +121,7 @@ static void gather(const struct texenv *env, const struct meeting *m, int i,
 	}
 }
 
-/* 4 times the sum of (a - 1/2)(b - 1/2), of 0..255. */
+/* GL_DOT3_RGB: 4 times the sum of (a - 1/2)(b - 1/2), in 255ths. */
 static int dot(const struct texenv *env, const struct meeting *m)
 {
 	int sum = 0;

@@ -1,5 +1,5 @@
 /*
- * Random triangles of some kinds, drawn by the soft driver's fast paths and by
+ * Random triangles of three kinds, drawn by the soft driver's fast paths and by
  * the reference, in pictures of soft_scene.h.
  */
 #ifndef TESTS_SUPPORT_SOFT_FAST_SCENE_H
@@ -9,13 +9,13 @@
 #include "tests/support/gl/soft_scene.h"
 
 enum {
-	FAST_SIDE = 32, /* of the texture */
+	FAST_SIDE = 32, /* of the texture, in texels */
 };
 
 enum fast_kind {
-	FAST_PLAIN,
-	FAST_TEXTURED,
-	FAST_SHADOW,
+	FAST_PLAIN,    /* coloured, with a depth test */
+	FAST_TEXTURED, /* a texture times gray, with a depth test */
+	FAST_SHADOW,   /* one blended colour, once a pixel by the stencil */
 	FAST_KINDS,
 };
 
@@ -28,17 +28,18 @@ enum {
 struct soft_scene *fast_scene_open(uint32_t seed);
 
 /*
- * Makes FAST_TRIANGLES in random places inside of the picture and across its
- * borders, of at most size thousandths of it.
+ * Makes FAST_TRIANGLES triangles in random places inside of the picture and
+ * across its borders. In clip space the corners lie within size thousandths of
+ * the place.
  */
 void fast_scene_make_triangles(struct soft_corner *corner, uint32_t seed,
 	enum fast_kind kind, int size);
 
-/* Begins a frame in the state of a kind; the long way is the reference. */
+/* Begins a frame and sets the state of a kind; long_way as in soft_scene_use(). */
 void fast_scene_set_state(struct soft_scene *scene,
 	const struct soft_corner *corner, enum fast_kind kind, bool long_way);
 
-/* Draws the corners in the state of a kind. */
+/* Does the same and draws the triangles. */
 void fast_scene_draw(struct soft_scene *scene, const struct soft_corner *corner,
 	enum fast_kind kind, bool long_way);
 

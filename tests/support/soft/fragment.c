@@ -9,10 +9,10 @@
 #include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* The fragments of a span on their way. */
+/* The fragments of a span, as one stage leaves them to the next. */
 struct fragments {
 	uint8_t color[REFERENCE_PIXELS][4];
-	uint16_t alpha_q7[REFERENCE_PIXELS]; /* the vertices' */
+	uint16_t alpha_q7[REFERENCE_PIXELS]; /* interpolated, untextured */
 	bool passes[REFERENCE_PIXELS];
 	int left; /* how many still pass */
 };
@@ -45,7 +45,10 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-/* Whether the stencil lets a fragment through that passes the depth test or not. */
+/*
+ * The stencil test of a fragment, with what it writes. near: the fragment
+ * passes the depth test.
+ */
 static bool test_stencil(const struct stencil *s, bool near, uint8_t *stencil)
 {
 	bool through = soft_compares(
@@ -94,7 +97,7 @@ static void run_tests(const struct draw *draw, const struct span *span,
 
 static void fill_colors(const struct span *span, struct fragments *fragments)
 {
-	/* 8.8, as runs of combined colours have them */
+	/* Q8.8, as the driver's runs of combined colours have them. */
 	uint32_t c[3] = {span->value[RED] >> 8, span->value[GREEN] >> 8,
 		span->value[BLUE] >> 8};
 	uint32_t alpha_q7 = span->value[ALPHA] >> 9;
@@ -112,7 +115,10 @@ static void fill_colors(const struct span *span, struct fragments *fragments)
 	}
 }
 
-/* Texels of the first texture count with the fraction that alpha has. */
+/*
+ * Like the driver, GL_MODULATE of the first texture multiplies a texel's alpha
+ * by the interpolated alpha with its fraction.
+ */
 static void scale_alphas(const struct draw *draw, int count,
 	const uint8_t (*texel)[4], struct fragments *fragments)
 {
@@ -152,7 +158,7 @@ static void add_textures(const struct draw *draw, const struct span *span,
 			}
 		}
 	}
-	/* The second unit's, whose texture is not read. */
+	/* The second unit adds a constant colour, and its texture is not read. */
 	if (draw->added) {
 		reference_combine(&draw->texture[1], span->count,
 			(const uint8_t(*)[4])primary,
@@ -194,7 +200,7 @@ static void test_alpha(const struct draw *draw, const struct span *span,
 	}
 }
 
-/* A factor of 0..255 for channel i. */
+/* Returns a blend factor, 0..255, for channel i. */
 static int blend_factor(
 	GLenum factor, const uint8_t from[4], const uint8_t to[4], int i)
 {

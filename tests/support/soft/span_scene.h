@@ -32,13 +32,14 @@ struct span_scene *span_scene_open(enum pixel_format format);
 
 void span_scene_close(struct span_scene *scene);
 
-/* Opens a picture of noise, for one way of drawing or the other. */
+/* Opens a scene with a picture of noise, and begins a frame in it, drawn by the
+ * reference or by the driver. */
 struct span_scene *span_scene_begin(enum pixel_format format, bool reference);
 
 /* Turns linear fog on, between distances that random scenes cross. */
 void span_scene_fog(const struct gl *gl);
 
-/* Draws so many corners as triangles, with the coordinates of both units. */
+/* Draws count corners as triangles, with texture coordinates of both units. */
 void span_scene_draw(
 	const struct gl *gl, const struct span_corner *corner, int count);
 

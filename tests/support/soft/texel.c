@@ -6,13 +6,13 @@
 #include "platform/gl/soft/vertex/number.h"
 #include "tests/support/soft/reference.h"
 
-/* How a coordinate leads into a level: clamped to low..high, then masked. */
+/* How a texel's column or row is wrapped: clamped to low..high, then masked. */
 struct wrap {
 	int32_t low, high;
 	uint32_t mask;
 };
 
-/* A coordinate of a span in a level: see SOFT_TEXEL_FRACTION. */
+/* A texture coordinate along a span: texels of a level, in SOFT_TEXEL_FRACTION. */
 struct along {
 	int32_t at, step;
 	struct wrap wrap;
@@ -42,7 +42,7 @@ static uint32_t wrap_at(int32_t at, const struct wrap *wrap)
 	return (uint32_t)at & wrap->mask;
 }
 
-/* The texel so many further. */
+/* Reads the texel that is right columns and down rows from the coordinates. */
 static uint32_t read_texel(const struct level *level, const struct along *s,
 	const struct along *t, int right, int down)
 {
@@ -114,7 +114,7 @@ static void mix_texels(
 	}
 }
 
-/* One level for all of a span, as s and t run at level 0. */
+/* Samples one level for a span, whose s and t are given for level 0. */
 static void sample_level(const struct texture_input *input, int number,
 	bool linear, const struct span *span, int unit, bool wide,
 	uint8_t (*out)[4])
@@ -142,7 +142,10 @@ static void sample_level(const struct texture_input *input, int number,
 	}
 }
 
-/* GL ES 1.1 section 3.7.7: between two levels when both filters ask for it. */
+/*
+ * GL ES 1.1 section 3.7.7: samples the magnified texture, one level or, for the
+ * filters ..._MIPMAP_LINEAR, a mixture of two levels.
+ */
 void reference_sample(const struct texture_input *input,
 	const struct span *span, int unit, bool wide, uint8_t (*out)[4])
 {
@@ -170,7 +173,10 @@ void reference_sample(const struct texture_input *input,
 	sample_level(
 		input, level, soft_rows_is_linear(min), span, unit, wide, out);
 	if (level < last) {
-		/* lod runs straight between powers of two, a logarithm above. */
+		/*
+		 * lod is linear between powers of two; the share makes a
+		 * logarithm of it, which lies above that line.
+		 */
 		int line = lod & 255;
 		int share = line + (line * (256 - line) * 92 >> 16);
 

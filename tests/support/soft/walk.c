@@ -1,6 +1,7 @@
 /*
- * The rows of a triangle, of any number of attributes: cut, and divided, where
- * platform/gl/soft/span/walk.c does it.
+ * Walks the rows of a triangle with any attributes. Rows are cut into runs, and
+ * attributes divided by w, at the columns at which the driver's own
+ * platform/gl/soft/span/walk.c does so.
  */
 #include "tests/support/soft/reference.h"
 
@@ -10,7 +11,7 @@
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* The attributes that move, at a column of the row under way. */
+/* Finds the attributes that move, divided by w if needed, at a row's column x. */
 static void find_point(const struct draw *draw, int x, struct point *out)
 {
 	const struct raster *raster = &draw->raster;
@@ -42,7 +43,7 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 	}
 }
 
-/* A run whose values are these, and move by the span's steps. */
+/* Draws a run whose attributes begin at value[] and move by the span's steps. */
 static void draw_run(
 	struct draw *draw, int y, int x, int count, const int32_t value[])
 {
@@ -63,7 +64,7 @@ static void draw_run(
 	reference_draw_span(draw, span);
 }
 
-/* Runs as long as the first texture's coordinates let them be. */
+/* Draws runs, each as long as the first texture's coordinates permit. */
 static void draw_linear(
 	struct draw *draw, int y, int left, int right, int32_t value[])
 {
@@ -108,7 +109,7 @@ static uint32_t distance(int32_t a, int32_t b)
 	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
 }
 
-/* As find_spacing() in walk.c. */
+/* The same as find_spacing() of the driver's walk.c. */
 static int find_spacing(const struct draw *draw, const struct point *from,
 	const struct point *to, int steps)
 {
@@ -167,7 +168,7 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	draw_linear(draw, y, x, right, from.value);
 }
 
-/* As row_bent() in walk.c. */
+/* The same as row_bent() of the driver's walk.c. */
 static void row_bent(struct draw *draw, int y, int left, int right)
 {
 	struct raster *raster = &draw->raster;
@@ -213,7 +214,7 @@ static void skip(struct plane *plane, int rows)
 	plane->start += (uint32_t)plane->dy * (uint32_t)rows;
 }
 
-/* Moves all planes in use down. */
+/* Moves all plane equations in use down by that many rows. */
 static void skip_rows(struct draw *draw, int rows)
 {
 	struct raster *raster = &draw->raster;
@@ -227,21 +228,21 @@ static void skip_rows(struct draw *draw, int rows)
 	}
 }
 
-/* The first column whose centre is at or beyond this. */
+/* The first column whose centre is at or beyond x. */
 static int column_of(int32_t x_q16)
 {
 	return (x_q16 + 0x7FFF) >> 16;
 }
 
-/* To the next row. Below the edge's end x may wrap; no row reads it there. */
+/* Moves an edge to the next row. Below its end x may wrap, but is not read. */
 static void move_down(struct side *side)
 {
 	side->x = (int32_t)((uint32_t)side->x + (uint32_t)side->step);
 }
 
 /*
- * Calls row(draw, y, left, right) for each row with pixels, inside of
- * draw->box, whose planes it moves on.
+ * Calls row(draw, y, left, right) for each row that has pixels inside of
+ * draw->box, and moves the plane equations on from row to row.
  */
 static void walk_rows(struct draw *draw, const struct setup *setup,
 	void (*row)(struct draw *draw, int y, int left, int right))

@@ -19,7 +19,7 @@ import common
 from shapes import (arc, ball, box, drum, knob, lathe, link_outline, mirror,
                     outward, place, plate, tube, turn, without_buried)
 
-# Pivots in the parents' frames. arm.md lists them, too.
+# Pivots, in metres in the frame of the parent part. arm.md lists them, too.
 SHOULDER = (0, 0.32, 0)
 ELBOW = (0, 0.56, 0)
 WRIST = (0, 0, 0.46)
@@ -73,7 +73,7 @@ class Part:
         mesh = bpy.data.meshes.new(self.name)
         points, faces, face_colors = [], [], []
         for shape, color in zip(without_buried(self.shapes), self.colors):
-            # glTF's x, y, z are Blender's x, z, -y.
+            # Shapes have glTF's axes: x, y, z are Blender's x, z, -y.
             start = len(points)
             points += [(x, -z, y) for x, y, z in shape[0].tolist()]
             faces += [[v + start for v in f] for f in shape[1]]
@@ -356,7 +356,8 @@ def build_crate():
     for a in range(3):
         for su, sv in np.ndindex(2, 2):
             low, high = np.zeros(3), np.zeros(3)
-            # The bars along one axis are continuous; the others end at them.
+            # Only the upright bars (a == 1) have the crate's full length; the
+            # others end at them.
             for axis, s in (((a + 1) % 3, su), ((a + 2) % 3, sv)):
                 low[axis], high[axis] = (h - w, h) if s else (-h, -h + w)
             end = h if a == 1 else h - w

@@ -213,7 +213,7 @@ def bake_ao(objects, distance=0.5, samples=256, strength=1.0, rounds=1):
     for obj in objects:
         attrs = obj.data.color_attributes
         attrs.active_color = attrs.new("AO", "FLOAT_COLOR", "CORNER")
-        # Blender bakes into the attribute that it would render
+        # Blender bakes into the colour attribute that is set for rendering
         attrs.render_color_index = attrs.active_color_index
     select_only(*objects)
     bpy.ops.object.bake(type="AO")

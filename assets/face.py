@@ -22,13 +22,14 @@ from bust.model import Bust
 SCALE = 0.12  # metres for one unit of the bust
 FOOT = -2.05  # the height of the bust's base, in its own unit
 
-# The pose for the bake: an open mouth lets light onto teeth and tongue.
+# The expression in which the ambient occlusion is baked: an open mouth lets
+# light onto teeth and tongue.
 BAKE = expression.both(mouth=expression.Mouth(
     width=0.30, corner_y=0.05, upper=0.06, lower=-0.04, jaw=18))
 
 EASE_S, HOLD_S = 0.45, 0.65
 
-# Seconds, and the weights that are not 0.
+# Keyframes of the clip "talk": seconds, and the targets with a weight above 0.
 TALK = (
     (0.0, {}), (0.25, {"laugh": 0.35}), (0.4, {"kiss": 0.35}),
     (0.55, {"surprise": 0.35}), (0.7, {"smile": 0.3}),

@@ -102,7 +102,8 @@ def build_head():
              else rig.head_weights) for piece in face]
     for piece, _ in hair + face:
         piece.move(rig.place_head)
-    # pieces that move with the head and hide parts of it; the ponytail swings
+    # pieces that can hide others for good, because they move with the head;
+    # the ponytail cannot, because it swings
     solid = [p for p, weigh in hair + face if weigh != rig.tail_weights]
     hidden = hidden_behind(solid + [head.make_neck()])
     return trimmed(hair, hidden), trimmed(face, hidden)

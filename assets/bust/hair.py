@@ -84,7 +84,8 @@ def lock(keys, width, thickness=0.5, tip=0.05, steps=9, sides=7, shade=0.0):
     return still("lock", points, face, color)
 
 
-# (heading, elevation, lift) keys, width
+# Locks: keys of (heading and elevation in degrees, lift above the skull), then
+# the half-width.
 FRINGE = (
     # combed from a parting on the right to the left
     (((-30, 66, 0.10), (-8, 56, 0.17), (14, 42, 0.13), (30, 32, 0.07)), 0.17),

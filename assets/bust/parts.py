@@ -199,7 +199,8 @@ def brow(side, steps=11, sides=6):
         path = motion.brow_curve(t) + motion.brow_shift(what.brow(side), t)
         rest = surface.from_front(motion.brow_curve(t))
         ground = surface.from_front(path)
-        # The skin under the brow bulges with it.
+        # Where the skin falls back, a moved brow falls back half as far, as if
+        # it took the bulge along.
         z = np.maximum(ground[:, 2], 0.5 * (ground[:, 2] + rest[:, 2]))
         z = z + 0.012
         along = np.gradient(path, axis=0)
@@ -298,7 +299,8 @@ def ear(side, count=18):
 
 def shirt(count=30):
     angle = 2 * np.pi * np.arange(count) / count
-    # y, half-width, half-depth, z of the middle, squareness, colour
+    # y, half-width, half-depth, z of the middle, exponent of the superellipse
+    # (2: an ellipse, more: squarer), colour
     rows = [(-1.25, 0.32, 0.32, -0.20, 2.0, "shirtdark"),
             (-1.185, 0.385, 0.39, -0.19, 2.0, "collar"),
             (-1.145, 0.41, 0.415, -0.18, 2.0, "collar"),

@@ -9,16 +9,18 @@ import numpy as np
 
 from . import surface
 
-# x of the front columns at eye height, then headings in degrees to the back.
+# Columns from the middle to the back: first by x at eye height, then by
+# heading in degrees.
 FRONT_X = (0, 0.038, 0.078, 0.125, 0.19, 0.255, 0.315, 0.375, 0.435, 0.495,
            0.56, 0.63)
 SIDE_DEG = (54, 63, 73, 84, 98, 116, 137, 158, 180)
 COLUMNS = len(FRONT_X) + len(SIDE_DEG) - 1  # on each side of the middle
-# y of the rows at the front.
+# Rows from the forehead to the chin, by their y in front.
 FRONT_Y = (0.56, 0.48, 0.40, 0.32, 0.25, 0.175, 0.10, 0.03, -0.04, -0.105,
            -0.165, -0.22, -0.275, -0.325, -0.37, -0.41, -0.45, -0.50, -0.55,
            -0.60, -0.655, -0.71, -0.77, -0.83, -0.90)
-# Below: where the ray starts (y, z), its elevation in front and at the back.
+# Rows below them: y and z where the rays start; their elevation in degrees in
+# front and at the back.
 BELOW = ((-0.15, -0.05, -50, -44), (-0.22, -0.05, -56, -43),
          (-0.40, -0.08, -57, -38), (-0.60, -0.12, -50, -29),
          (-0.78, -0.15, -39, -18), (-0.92, -0.17, -27, -11),
@@ -268,14 +270,15 @@ def lip_loops(expression, count=40):
     m = expression.mouth
     angle = 2 * np.pi * np.arange(count) / count
     t = np.sin(angle)
-    # A compromise of equal steps along the lip and equal angles.
+    # s runs from 1 (left corner) to -1; its steps are the mean of equal steps
+    # along the lip and of equal angles.
     even = 1 - 2 * np.arccos(np.cos(angle)) / np.pi
     s = 0.5 * (np.cos(angle) + even)
     upper = t > -1e-9
     sign = np.where(np.abs(t) < 1e-9, 0.0, np.sign(t))
     full = np.maximum(1 - np.abs(s) ** 2.4, 0) ** 0.7
 
-    # The line where the lips part, jaw closed.
+    # The line where the lips meet while the jaw is closed.
     middle = np.where(upper, m.upper, m.lower)
     power = np.where(upper, m.upper_power, m.lower_power)
     curve = np.maximum(1 - np.abs(s) ** power, 0)

@@ -110,7 +110,7 @@ def direction(heading, elevation):
                      np.cos(heading) * c], axis=-1)
 
 
-# The edge of the hair: heading and elevation in degrees from surface.ORIGIN.
+# The edge of the hair: heading and elevation in degrees, seen from ORIGIN.
 HAIRLINE = ((0, 41), (25, 40), (45, 36), (56, 30), (64, 20), (72, 7),
             (78, 1), (84, 5), (92, 12), (100, 13), (107, 6), (114, -8),
             (124, -24), (138, -34), (160, -38), (180, -39))

@@ -23,7 +23,8 @@ TORSO = [  # z, half width, depth in front, depth behind, y of the centre
     (1.386, 0.142, 0.088, 0.098, 0.020),
 ]
 HOLE = 5  # first of those rings
-# the rise of these rings, from the shoulder (0) to the middle (3)
+# metres that these three rings rise, [ring][column]: column 0 is at the
+# shoulder, 3 in the middle of the front or back
 HOLE_RISE = [(-0.022, -0.006, 0, 0), (0, 0, 0, 0),
              (0.016, 0.006, -0.004, -0.006)]
 COLLAR = [  # as above, then the extra height behind
@@ -216,7 +217,7 @@ def make_belt(shirt, trousers, columns=24):
     for dz, out, _ in rows:
         ring = []
         for k in range(columns):
-            # half a step further, so that the middle of a face is in front
+            # turned by half a step, so that a quad has its middle in front
             a = 2 * np.pi * (k + 0.5) / columns + np.pi / 2
             r = outline(trees, BELT_Z + dz * 0.95, a) + out
             ring.append((r * np.cos(a), r * np.sin(a), BELT_Z + dz))
@@ -326,7 +327,8 @@ def add_thumb(piece, base):
     before = base
     for f, radius in ((0.30, 0.0135), (0.66, 0.0110), (1.0, 0.0085)):
         center = rig.THUMB_ROOT + rig.THUMB_DIR * 0.062 * f
-        # from the top of the wrist side, around through the palm
+        # corners: above and below on the wrist's side, then below and above
+        # on the palm's
         ring = piece.vertices([
             center + across * radius * x + rig.ARM_UP * radius * y
             for x, y in ((-1, 1), (-1, -1), (1, -1), (1, 1))])

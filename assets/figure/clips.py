@@ -303,8 +303,8 @@ def blinks(*times):
             for dt, w in ((0, 0), (2, 1), (3, 1), (7, 0))]
 
 
-# Weights of the morph targets as (seconds, weight), interpolated linearly. All
-# begin and end at rest. walk and run do not move the face.
+# [clip][morph target]: keys of (seconds, weight), interpolated linearly. All
+# weights begin and end at 0. walk and run do not move the face.
 FACES = {
     "idle": {"smile": [(0, 0), (0.9, 0.05), (1.5, 0.4), (2.2, 0.4), (3, 0)],
              "blink": blinks(0.7, 2.4)},

@@ -141,7 +141,8 @@ class Skin:
             for columns, lip in ((range(n), "upperlip"),
                                  (range(n, 2 * n), "lip")):
                 region = ("skin", lip, lip, "mouth", "mouth")[i]
-                # clockwise seen from the front: the outer ring comes first
+                # lip rings run clockwise seen from the front, so ring() gets
+                # the outer one first
                 self.ring(outer, inner, region, columns, False)
         self.half.face(rings[-1][::-1], "mouth")
 

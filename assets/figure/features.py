@@ -171,7 +171,8 @@ def lip_rings(mouth=Mouth()):
     height = np.where(above, 0.0050 * full - bow, 0.0066 * full) * mouth.thick
     height = sign * (height + 0.0006)
     wide = 0.0016 * s ** 3
-    # position across and up, depth behind the skin, fraction of that depth
+    # metres across, up and behind the skin; the share of that depth which
+    # tapers off towards the corners
     rows = {
         "outside": (2.6 * wide + 0.0006 * s, sign * (0.0052 - 0.0022 * s) + height,
                     0.0, 0.0),

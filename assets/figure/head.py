@@ -185,7 +185,7 @@ def make_cap(skin):
             (0.46, 0.0175), (0.64, 0.0170), (0.82, 0.0130), (0.965, 0.0050)]
     rings = [[] for _ in rows]
     for k in range(columns):
-        # seen from behind along the comb, rings run counter-clockwise
+        # seen from the tie, rings run counter-clockwise, as bridge() needs
         azimuth = 360 * k / columns
         side = azimuth if azimuth <= 180 else azimuth - 360
         z = float(curve(HAIRLINE, abs(side))[0])
@@ -259,7 +259,7 @@ def make_tail():
         ahead = unit(curve(key, min(1, t + 0.03))
                      - curve(key, max(0, t - 0.03)))
         size = float(curve(TAIL_SIZE, t)[0])
-        # across x side = ahead, so that rings run counter-clockwise
+        # X x side = ahead, so rings run counter-clockwise seen from the tip
         side = unit(np.cross(ahead, X))
         points = ring_points(p, X, side, (size, size * 0.9, size * 0.9), n)
         for k in range(0, n, 2):

@@ -39,7 +39,8 @@ FORWARD = np.array([0, -1.0, 0])
 REST = {n: (h, t) for n, _, h, t in rig.bone_table()}
 HIPS = REST["hips"][0]
 
-# points of the sole that touch the floor: of the foot, of the toes
+# points of the left sole at rest that can touch the floor: those that move
+# with the foot, those that move with the toes
 SOLE_FOOT = np.array([(0.103, 0.080, 0.001), (0.103, 0.050, 0.0),
                       (0.103, -0.100, 0.0), (0.103, -0.120, 0.0008)])
 SOLE_TOE = np.array([(0.103, -0.140, 0.002), (0.103, -0.165, 0.006),
@@ -84,7 +85,8 @@ class Pose:
             return m @ r @ m
 
         direction = turn("y", hang) @ rig.ARM_DIR
-        # the collar bone takes a third of the twist, which spreads it
+        # the collar bone takes a third of the twist, so that the skin twists
+        # over a longer stretch
         self.rotate("shoulder" + side, flip(turn("y", -lift)),
                     flip(turn(direction, -twist / 3)))
         self.rotate("upper_arm" + side, flip(turn("y", -out)),

@@ -48,7 +48,7 @@ def unplace_head(p):
     return HEAD_PIVOT + (p + (0, 0, HEAD_DROP) - HEAD_PIVOT) / HEAD_SCALE
 
 
-# name, parent, head, tail; the left limbs are mirrored
+# bones: name, parent, head, tail; bone_table() mirrors those of LEFT
 CENTRE = [
     ("hips", None, (0, 0.004, 0.950), (0, 0.004, 1.040)),
     ("spine", "hips", (0, 0.004, 1.040), (0, 0.012, 1.170)),

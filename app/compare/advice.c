@@ -4,7 +4,7 @@
 #include "app/compare/advice_price.h"
 #include "app/compare/advice_reason.h"
 
-/* A lower price by this much makes it worth converting the model. */
+/* The price, in percent, must fall by this to make converting worth it. */
 static const double worth_converting = 0.3;
 
 static bool is_no_worse(const struct comparison *comparison, int row, int than)
@@ -17,7 +17,10 @@ static bool is_no_worse(const struct comparison *comparison, int row, int than)
 		a->memory_bytes <= b->memory_bytes && a->peak_px <= b->peak_px;
 }
 
-/* Pareto's front: rows than which no other is at least as good in everything. */
+/*
+ * Finds the Pareto front: rows for which no other is at least as good in
+ * everything. Of equal rows, the first is on the front.
+ */
 static void find_front(struct comparison *comparison)
 {
 	for (int i = 0; i < comparison->row_count; i++) {
@@ -36,8 +39,8 @@ static void find_front(struct comparison *comparison)
 
 /*
  * Whether row a is the better choice: memory is the hardest limit, since
- * without it nothing runs, then the error, then the time. Where no row keeps the
- * time, because drawing alone takes longer, prices decide as they do otherwise.
+ * without it nothing runs, then the error, then the time. If no row keeps
+ * within the time, because drawing alone takes longer, prices decide as usual.
  */
 static bool is_better(const struct comparison *comparison, int a, int b)
 {

@@ -2,10 +2,12 @@
 
 #include "app/compare/advice_price.h"
 
-/* A lower price by this much makes a second technique worth its programming. */
+/*
+ * The price, in percent, must fall by this to make a second technique worth it.
+ */
 static const double worth_mixing = 1.0;
 
-/* Of a plan; a morph's weights are left out, as they are small. */
+/* The memory of a plan, without the weights of morphs, which are small. */
 static size_t plan_bytes(const struct comparison *comparison)
 {
 	bool used[COMPARISON_ROWS_MAX] = {false};
@@ -57,7 +59,7 @@ static bool plan_fits(const struct comparison *comparison)
 	return plan_bytes(comparison) <= comparison->memory_limit_bytes;
 }
 
-/* Gives the clip the row with the lowest price. Returns whether it changed. */
+/* Gives the clip the row with the cheapest plan; returns whether it changed. */
 static bool improve(struct comparison *comparison, int clip)
 {
 	int *row = &comparison->clip[clip].row;
@@ -86,7 +88,7 @@ static void set_all(struct comparison *comparison, int row)
 	}
 }
 
-/* From one row for all clips, gives clip after clip a better one. */
+/* Gives clip after clip a better row, until no clip has one. */
 static void improve_all(struct comparison *comparison)
 {
 	bool changed = true;
@@ -99,7 +101,7 @@ static void improve_all(struct comparison *comparison)
 	}
 }
 
-/* The row from which the plan becomes cheapest, or -1. */
+/* Returns the row from which improve_all() finds the cheapest plan, or -1. */
 static int find_start(struct comparison *comparison)
 {
 	int start = -1;

@@ -7,8 +7,8 @@
 #include "app/compare/comparison.h"
 
 /*
- * Sets clip[].row, mixed, mixed_bytes and mixed_us. comparison->advised, the
- * limits and the cost are set.
+ * Sets clip[].row, mixed, mixed_bytes and mixed_us. The caller has set advised,
+ * the limits, the cells and the totals.
  */
 void advice_plan_mix(struct comparison *comparison);
 

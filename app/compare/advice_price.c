@@ -21,7 +21,7 @@ bool advice_fits_memory(const struct comparison *comparison, int row)
 
 bool advice_is_in_time(const struct comparison *comparison, double us)
 {
-	/* Predictions are off by as much on average (figures.md). */
+	/* Predictions are off by this much on average (figures.md). */
 	static const double margin = 0.02;
 
 	return us <= comparison->time_limit_us * (1.0 + margin);

@@ -14,7 +14,7 @@ static double row_bytes(const struct comparison *comparison, int row)
 	return (double)comparison->row[row].total.memory_bytes;
 }
 
-/* Digits after the point, such that a small figure does not read as 0. */
+/* Digits after the point, so that a small figure is not printed as 0. */
 static int percent_digits(double percent)
 {
 	return percent < 0.1 ? 2 : 1;
@@ -25,7 +25,7 @@ static int figure_digits(double figure)
 	return figure < 10.0 ? 1 : 0;
 }
 
-/* Of the other rows within all limits: the one with the least, or -1. */
+/* The row with the least of() within all limits, not the advised one; or -1. */
 static int find_least(const struct comparison *comparison,
 	double (*of)(const struct comparison *comparison, int row))
 {
@@ -40,7 +40,9 @@ static int find_least(const struct comparison *comparison,
 	return best;
 }
 
-/* What a faster row would cost; it has more memory, or it would be advised. */
+/*
+ * Says why a faster row is not advised: too little saved, or too much memory.
+ */
 static void weigh_faster(
 	const struct comparison *comparison, int other, char *text, size_t size)
 {
@@ -118,7 +120,7 @@ static void write_fitting(
 	}
 }
 
-/* Nothing is as fast as wanted, often because drawing alone is not. */
+/* Says that no row is fast enough, often because drawing alone is not. */
 static void write_slow(
 	const struct comparison *comparison, char *text, size_t size)
 {

@@ -6,7 +6,7 @@
 
 #include "app/compare/comparison.h"
 
-/* Sets comparison->reason, which has no full stop. The rest is set. */
+/* Sets comparison->reason, without a full stop. All other members are set. */
 void advice_reason_write(struct comparison *comparison);
 
 #endif

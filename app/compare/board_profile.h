@@ -1,5 +1,5 @@
 /*
- * What a board has for the character that limber compares techniques for.
+ * The memory and the frame time that a board has for one character.
  */
 #ifndef APP_COMPARE_BOARD_PROFILE_H
 #define APP_COMPARE_BOARD_PROFILE_H
@@ -10,17 +10,17 @@ struct board_profile {
 	const char *name;
 	const char *summary;
 	size_t ram_bytes;   /* of the whole board */
-	size_t taken_bytes; /* of these, by the system and by limber itself */
-	double frame_ms;    /* from picture to picture */
+	size_t taken_bytes; /* of ram_bytes: used by the system and limber */
+	double frame_ms;    /* the time from one picture to the next */
 	/*
-	 * The rule of the advice: memory that is worth one hundredth of the
-	 * frame's time. A technique that needs this much more memory must be
-	 * faster by more than a hundredth of the frame.
+	 * For the advice: the memory that is worth one percent of frame_ms. A
+	 * technique that needs this much more memory must be faster by more
+	 * than one percent of a frame.
 	 */
 	size_t bytes_per_percent;
 };
 
-/* The profile of a name, or NULL. NULL as the name gives the first one. */
+/* Returns the profile of that name, or NULL; the first one if name is NULL. */
 const struct board_profile *board_profile_find(const char *name);
 
 #endif

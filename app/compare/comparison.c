@@ -8,8 +8,8 @@
 #include <errno.h>
 #include <stdlib.h>
 
-static const float rest_extent_most = 2.0f; /* of the clips' */
-static const float far_extents = 6.0f;      /* of the rest pose */
+static const float rest_extent_most = 2.0f; /* times the extent of all clips */
+static const float far_extents = 6.0f; /* times the extent of the rest pose */
 
 struct run {
 	struct comparison *comparison;
@@ -65,7 +65,7 @@ static int measure_cell(struct jobs *jobs, int job, void *context)
 	return error;
 }
 
-/* All clips that move; a clip that was asked for is taken in any case. */
+/* Chooses the requested clip, or else all clips that have a duration. */
 static int choose_clips(struct comparison *comparison, const struct log *log)
 {
 	const struct model *model = comparison->model;
@@ -97,8 +97,8 @@ static int choose_clips(struct comparison *comparison, const struct log *log)
 }
 
 /*
- * All clips are seen in one view. A rest pose far from them does not count: it
- * would leave few of a key frame's bits to the clips.
+ * Finds the box that frames all clips in one view. A rest pose far from them is
+ * left out, because key frames quantize this box and would lose precision.
  */
 static void find_box(struct comparison *comparison)
 {
@@ -118,7 +118,7 @@ static void find_box(struct comparison *comparison)
 	}
 }
 
-/* The player follows what goes far and shows it larger. */
+/* The player follows a model that goes far, and shows it larger. */
 static void warn_if_far(
 	const struct comparison *comparison, const struct log *log)
 {

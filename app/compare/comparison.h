@@ -1,9 +1,9 @@
 /*
  * Compares all techniques on the clips of a model, and recommends one.
  *
- * A row is a technique, a cell a technique that plays one clip. The clips of a
- * row share what the technique shares between them: a skin its mesh and its
- * influences, a morph its posed vertices, but each clip has its own keys.
+ * A row is a technique, and a cell is a technique that plays one clip. Memory
+ * that all clips of a row share counts once: for a skin its mesh and its
+ * influences, for a morph its posed vertices. Keys belong to one clip.
  */
 #ifndef APP_COMPARE_COMPARISON_H
 #define APP_COMPARE_COMPARISON_H
@@ -20,7 +20,7 @@ enum {
 };
 
 enum comparison_kind {
-	COMPARISON_ORIGINAL,   /* the model itself, see max_influences */
+	COMPARISON_ORIGINAL,   /* the model, maybe with fewer influences */
 	COMPARISON_MORPH,      /* key frames fitted to bound_px */
 	COMPARISON_MORPH_EVEN, /* AN4044's number of keys, evenly spaced */
 	COMPARISON_RIGID       /* rigid parts on pivots */
@@ -47,16 +47,16 @@ struct comparison_cell {
 	struct board_frame board;
 	struct candidate_bytes bytes;
 	int vertex_count;
-	struct fit_keys keys; /* of a morph */
+	struct fit_keys keys; /* the key frames of a morph */
 };
 
 /* The clips of a row together. */
 struct comparison_total {
 	float peak_px, mean_px, outline_px, normal_deg, shade_steps;
-	int peak_clip;       /* the clip with the largest error, of clip[] */
-	double frame_us;     /* here; the mean of all clips, as all below */
-	double instructions; /* negative: there is no counter */
-	struct board_cost board, draw; /* the whole frame; of it, drawing */
+	int peak_clip;       /* index in clip[] of the clip with peak_px */
+	double frame_us;     /* on this machine, a mean over the clips */
+	double instructions; /* a mean, too; negative: no counter */
+	struct board_cost board, draw; /* means: the whole frame; its drawing */
 	size_t memory_bytes, file_bytes;
 	int key_count;
 };
@@ -65,9 +65,9 @@ struct comparison_row {
 	char name[48]; /* "morph, 9 keys" */
 	enum technique technique;
 	enum comparison_kind kind;
-	bool listed; /* in the table; the others are only in the plot */
+	bool listed; /* in the table; other rows are only plotted */
 	bool front;  /* no listed row is better in time, memory and error */
-	int max_influences; /* of an original; 0: all */
+	int max_influences; /* a vertex, of an original; 0: all */
 	bool targets;       /* of an original: its morph targets are played */
 	float bound_px;     /* of a fitted morph */
 	struct comparison_cell *cell; /* [clip_count] */
@@ -79,13 +79,13 @@ struct comparison_clip {
 	struct bounds rest; /* of the model's rest pose */
 	struct time_grid grid;
 	struct screen_view screen;
-	int row; /* in the mixed plan */
+	int row; /* the row that plays it in the mixed plan */
 };
 
 struct comparison {
 	struct comparison_request request;
 	const struct model *model;
-	/* Around all clips, and the rest pose if it is near, in model units. */
+	/* Bounds of all clips and of a rest pose near them, in model units. */
 	struct bounds box;
 	int vertex_count;
 	int clip_count;
@@ -97,16 +97,17 @@ struct comparison {
 	size_t memory_limit_bytes;
 	double time_limit_us;
 	int advised; /* the row that suits all clips best */
-	bool mixed;  /* a plan of several rows is better: clip[].row */
+	bool mixed;  /* a plan of several rows, in clip[].row, is better */
 	size_t mixed_bytes;
 	double mixed_us;
 	char reason[COMPARISON_REASON_BYTES]; /* a sentence with both numbers */
 };
 
 /*
- * Bakes and measures. The model has its levels of detail (app/model/levels), which
- * exports have, too, and must outlive the comparison, which
- * comparison_destroy() releases. Returns 0, or -errno after logging an error.
+ * Converts the clips to all techniques and measures them. The caller has made
+ * the model's levels of detail (app/model/levels), which exports contain, too.
+ * The model must outlive the comparison; comparison_destroy() releases *out.
+ * Returns 0, or -errno after logging an error.
  */
 int comparison_create(const struct model *model,
 	const struct comparison_request *request, const struct log *log,

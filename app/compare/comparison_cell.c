@@ -11,11 +11,11 @@ enum {
 	/* AN4044, section 4: "20 key frames are required". */
 	AN4044_KEYS = 20,
 	FITS_MAX = 12,
-	/* What all threads together keep of poses and key frames. */
+	/* Poses and key frames that all threads together keep in memory. */
 	KEPT_BYTES = 40 * 1024 * 1024
 };
 
-/* The share of the bound that the first fit uses at the grid's moments. */
+/* The first fit uses this share of the bound, to leave room between moments. */
 static const float first_fit = 0.97f;
 
 static int make_reference(const struct comparison *comparison, int clip,
@@ -57,7 +57,7 @@ int comparison_clip_prepare(struct comparison *comparison, int clip,
 	if (!error) {
 		to->screen = screen_view_create(
 			reference, &to->grid, request->width, request->height);
-		/* Half of the bound leaves a fit some choice of keys. */
+		/* Half of the bound leaves the fit some choice of keys. */
 		error = grid_refine(reference, &to->screen,
 			0.5f * request->bound_px, &to->grid);
 	}
@@ -71,7 +71,7 @@ int comparison_clip_prepare(struct comparison *comparison, int clip,
 	return error;
 }
 
-/* What a job works with. */
+/* One job: a row and a clip, and where its result goes. */
 struct task {
 	struct comparison *comparison;
 	const struct comparison_row *row;
@@ -156,9 +156,9 @@ static bool has_moment(const struct time_grid *grid, float time_s)
 }
 
 /*
- * Fits keys until the error is within the bound between moments, too: the
- * moments that exceed it become moments of the grid, or the bound of the fit
- * shrinks where they are moments already.
+ * Fits keys until the error is within the bound between the grid's moments,
+ * too. Times at which it exceeds the bound are added to the grid; if the time
+ * of the peak is in the grid already, the bound of the fit shrinks.
  */
 static int fit_on(struct task *task, struct time_grid *grid)
 {

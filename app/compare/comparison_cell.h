@@ -1,5 +1,5 @@
 /*
- * Bakes and measures one technique on one clip.
+ * Converts one clip to one technique and measures the result.
  */
 #ifndef APP_COMPARE_COMPARISON_CELL_H
 #define APP_COMPARE_COMPARISON_CELL_H
@@ -15,7 +15,7 @@
 int comparison_clip_prepare(struct comparison *comparison, int clip,
 	struct jobs *jobs, const struct log *log);
 
-/* Fills comparison->row[row].cell[clip]. The same errors. */
+/* Fills comparison->row[row].cell[clip]. Returns 0, or -errno after logging. */
 int comparison_cell_measure(struct comparison *comparison, int row, int clip,
 	struct jobs *jobs, const struct log *log);
 

@@ -7,13 +7,13 @@
 #include <cglm/cglm.h>
 
 enum {
-	DRAWN_FRAMES = 6 /* of each clip, at even distances */
+	DRAWN_FRAMES = 6 /* of each clip, evenly spaced */
 };
 
 struct painter {
 	struct comparison *comparison;
 	const struct log *log;
-	int row; /* whose drawing it is; 0 is the model itself */
+	int row; /* that is drawn; 0 is the model itself */
 	const struct model *model;
 	struct instance *instance;
 	struct clip_cursor cursor;
@@ -21,7 +21,10 @@ struct painter {
 	float extent;
 };
 
-/* The clip of the drawn model; NULL: it has none. Exports begin at 0. */
+/*
+ * Returns the drawn model's clip for comparison->clip[index], or NULL. An
+ * exported model has only the compared clips, so that index is its clip.
+ */
 static const struct model_clip *find_clip(
 	const struct painter *painter, int index)
 {
@@ -56,7 +59,7 @@ static void count_clip(
 	gl_counts_scale(counts, 1.0 / DRAWN_FRAMES);
 }
 
-/* Key frames show the same triangles, whatever their number is. */
+/* Morphs draw the same triangles, whatever their number of keys is. */
 static bool is_morph(const struct comparison_row *row)
 {
 	return row->kind == COMPARISON_MORPH ||
@@ -145,7 +148,10 @@ static int draw_model(struct painter *painter)
 	return error;
 }
 
-/* Key frames look like the model, which draws them without being baked. */
+/*
+ * Draws a row. For key frames it draws the model, which looks the same, so that
+ * none need be baked.
+ */
 static int draw_row(
 	struct comparison *comparison, int row, const struct log *log)
 {
@@ -188,7 +194,7 @@ static bool is_drawn_before(const struct comparison *comparison, int row)
 
 int comparison_draw_predict(struct comparison *comparison, const struct log *log)
 {
-	/* The model's warnings have been shown when it was loaded. */
+	/* The model's warnings were shown when it was loaded. */
 	struct log errors = *log;
 	int error = 0;
 

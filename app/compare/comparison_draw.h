@@ -8,9 +8,9 @@
 
 /*
  * Sets board.draw of all cells, whose other members are set. It draws a few
- * moments of each clip: of the model, which has its levels of detail, for
- * itself and for key frames; for the other rows, of what is exported. Returns
- * 0, or -errno after logging an error.
+ * moments of each clip: the model with its levels of detail for row 0 and for
+ * key frames, and the exported model for the other rows. Returns 0, or -errno
+ * after logging an error.
  */
 int comparison_draw_predict(
 	struct comparison *comparison, const struct log *log);

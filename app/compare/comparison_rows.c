@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The other points of the plot, as multiples of the bound. */
+/* The bounds of morphs that are only plotted, as multiples of bound_px. */
 static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
 static const int caps[] = {4, 2, 1};
 
@@ -31,7 +31,10 @@ static bool moves_nodes(const struct model_clip *clip)
 	return false;
 }
 
-/* Parts move with nodes, and a model of nodes alone consists of them already. */
+/*
+ * Whether rigid parts are a technique of their own: some node must move, and a
+ * model that has only moving nodes consists of rigid parts already.
+ */
 static bool has_rigid_parts(const struct comparison *comparison)
 {
 	const struct model *model = comparison->model;
@@ -158,7 +161,7 @@ static void add_error(struct comparison_total *total,
 	take_larger(&total->shade_steps, error->shade_steps);
 }
 
-/* The morph's file has a weight for each key of all clips at each of its keys. */
+/* Adds the weights: at each key, a weight for every key frame of all clips. */
 static void add_weights(
 	const struct comparison *comparison, struct comparison_row *row)
 {
@@ -167,7 +170,7 @@ static void add_weights(
 
 	(void)comparison;
 	total->memory_bytes += keys * keys * sizeof(float);
-	/* In the file only those that are not 0, and their numbers. */
+	/* The file stores weights that are not 0, with their indices. */
 	total->file_bytes += keys * (sizeof(uint32_t) + sizeof(uint8_t));
 }
 

@@ -6,10 +6,10 @@
 
 #include "app/compare/comparison.h"
 
-/* Fills comparison->row with names, kinds and settings. 0 or -ENOMEM. */
+/* Sets the names, kinds and settings of all rows. Returns 0 or -ENOMEM. */
 int comparison_rows_choose(struct comparison *comparison);
 
-/* Sums up the measured cells of all rows; names the morphs by their keys. */
+/* Sums up the cells of all rows; names morphs by their number of keys. */
 void comparison_rows_sum_up(struct comparison *comparison);
 
 #endif

@@ -1,9 +1,9 @@
 /*
  * A candidate: one technique that plays one clip.
  *
- * It is made from the reference and then does for each frame what limber's
- * player does with the file that `limber compare --export` writes for it.
- * candidate_error_measure() compares it with the reference and
+ * A candidate is made from the reference. For each frame it then does what
+ * limber's player does with the file that `limber compare --export` writes for
+ * this technique. candidate_error_measure() compares it with the reference and
  * candidate_time_measure() times it.
  */
 #ifndef APP_COMPARE_CANDIDATE_CANDIDATE_H
@@ -15,7 +15,8 @@
 /*
  * Bytes of vertices, influences, targets, keys and matrices. Indices, texture
  * coordinates, colours and images are the same for every technique and are not
- * counted. Several clips of one technique share what is not the clip's own.
+ * counted. All clips of one technique share the bytes in shared; each has its
+ * own.
  */
 struct candidate_bytes {
 	size_t shared, own;           /* in memory, with the posed vertices */
@@ -27,15 +28,15 @@ struct candidate {
 	struct candidate_bytes bytes;
 	struct board_frame board; /* predicted, the same on every machine */
 
-	int vertex_count;  /* of the vertices that it shows */
-	const int *source; /* [vertex_count] of the reference; NULL: the same */
+	int vertex_count; /* of the vertices that the candidate shows */
+	const int *source; /* [vertex_count] the reference's vertex; NULL: same */
 
-	/* pose() may leave out normals, to save time where none are taken. */
+	/* pose() may leave out normals: the caller will not take() them. */
 	bool positions_only;
 
 	/*
-	 * Prepares pose() of the same time, outside of what is timed. It may
-	 * pose the reference. Or NULL.
+	 * Prepares pose() for the same time; this is not timed. It may pose the
+	 * reference. NULL: nothing to prepare.
 	 */
 	void (*seek)(struct candidate *candidate, float time_s);
 	/* Poses all vertices at time_s, in seconds of the clip. */
@@ -63,7 +64,7 @@ int candidate_original(struct candidate *candidate, struct reference *reference,
 /* Seeks and poses. */
 void candidate_pose(struct candidate *candidate, float time_s);
 
-/* A candidate of zeros is fine. */
+/* Does nothing to a candidate of zeros. */
 void candidate_destroy(struct candidate *candidate);
 
 #endif

@@ -7,14 +7,14 @@
 #include <stdlib.h>
 
 enum {
-	DIVISIONS_MAX = 10,  /* of an interval of the grid, each into halves */
-	NORMAL_SAMPLES = 500 /* at most, spread over the grid's moments */
+	DIVISIONS_MAX = 10,  /* how often an interval is halved */
+	NORMAL_SAMPLES = 500 /* at most, of the grid's moments */
 };
 
 /* Refining stops where the peak cannot be missed by more than this. */
 static const float tolerance_px = 0.025f;
 static const float tolerance_share = 0.025f;
-/* Sideways: the cosine of normal and view is at most this. */
+/* An outline: the cosine between normal and view direction is at most this. */
 static const float outline_cosine = 0.2f;
 static const float green_steps = 63.0f;
 
@@ -27,7 +27,7 @@ struct comparer {
 	float (*normal)[3];
 	struct candidate_error error;
 	struct candidate_excess *excess;
-	float chord; /* the largest distance of two unit normals */
+	float chord; /* the largest squared distance of two unit normals */
 	double sum_px;
 	double sum_count;
 };
@@ -47,7 +47,10 @@ static void keep_larger(float *most, float value)
 	*most = value > *most ? value : *most;
 }
 
-/* across[] is the screen direction of the normal, if it is seen sideways. */
+/*
+ * Writes the normal's direction on the screen to across[]. Returns false if the
+ * vertex is not on an outline.
+ */
 static bool find_across(const struct screen_view *screen,
 	const float position[3], const float normal[3], float across[2])
 {
@@ -112,7 +115,7 @@ static void note_excess(
 	}
 }
 
-/* Poses both at time_s and compares all vertices; with normals if wanted. */
+/* Poses candidate and reference at time_s and compares all vertices. */
 static struct sample compare_at(
 	struct comparer *comparer, float time_s, bool normals)
 {
@@ -134,7 +137,7 @@ static struct sample compare_at(
 			screen_view_within(comparer->screen,
 				reference->position[source],
 				comparer->position[v], sample.px, near_square)) {
-			continue; /* another vertex is the farthest */
+			continue; /* not the farthest vertex */
 		}
 		screen_view_project(
 			comparer->screen, reference->position[source], wanted);
@@ -166,7 +169,7 @@ static struct sample compare_at(
 }
 
 /*
- * The most that the error may be between three moments at even distances: a
+ * The most that the error may be between three evenly spaced moments: a
  * parabola through them exceeds them by an eighth of their second difference;
  * four times that allows for errors that are no parabolas.
  */
@@ -200,8 +203,8 @@ static void refine(
 }
 
 /*
- * Samples the grid's moments and the middles between them: 2 count - 1. Normals
- * are compared at some of the moments, which the mean is over, too.
+ * Samples the grid's moments and the times halfway between them: 2 count - 1
+ * samples. Normals and the mean are taken at some of the moments only.
  */
 static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
 	struct sample *sample)

@@ -2,9 +2,10 @@
  * Measures how far a candidate's pictures are from the reference's.
  *
  * The clip is sampled at the moments of its time grid and between them. Then
- * the intervals are divided in which the error may be larger than the largest
- * found, judged by how much it bends there, until the peak is within 5% or 0.05
- * pixels of the true one, whichever is more.
+ * each interval in which the error may exceed the largest one found is halved
+ * repeatedly; the second difference of three samples tells by how much it may.
+ * It ends when the peak is within 5% or 0.05 pixels of the true one, whichever
+ * is more.
  */
 #ifndef APP_COMPARE_CANDIDATE_CANDIDATE_ERROR_H
 #define APP_COMPARE_CANDIDATE_CANDIDATE_ERROR_H
@@ -13,14 +14,16 @@
 
 struct candidate_error {
 	float peak_px; /* the largest distance of a vertex at any time */
-	float peak_s;  /* when that is */
-	float mean_px; /* over all vertices at evenly spaced moments */
+	float peak_s;  /* the time of peak_px, in seconds of the clip */
+	float mean_px; /* over all vertices, at the moments below */
 
 	/*
-	 * The next three are found at up to 500 moments of the grid.
+	 * The mean and the next three are taken at up to 500 moments of the
+	 * grid.
 	 *
-	 * The distance for vertices whose normals face the eye sideways:
-	 * how far the outline moves across itself.
+	 * The distance, along the normal's direction on the screen, of vertices
+	 * whose normals are nearly perpendicular to the view: how far the
+	 * outline moves.
 	 */
 	float outline_px;
 	/* The largest angle between a vertex's normals. */
@@ -33,7 +36,7 @@ struct candidate_error {
 	int samples; /* moments that were compared */
 };
 
-/* The first moments at which an error exceeds a bound. */
+/* The moments, up to 512, at which the error first exceeds a bound. */
 struct candidate_excess {
 	float bound_px;
 	int count;
@@ -41,8 +44,8 @@ struct candidate_excess {
 };
 
 /*
- * Compares over the whole clip. The grid is that of the reference's clip.
- * excess->bound_px is given; NULL is fine. Returns 0 or -ENOMEM.
+ * Compares over the whole clip. grid belongs to the reference's clip. The
+ * caller sets excess->bound_px; excess may be NULL. Returns 0 or -ENOMEM.
  */
 int candidate_error_measure(struct candidate *candidate,
 	const struct screen_view *screen, const struct time_grid *grid,

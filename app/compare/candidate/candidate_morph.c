@@ -14,15 +14,15 @@ struct morph_bake {
 	struct arena arena;
 	int key_count;
 	float *key_time_s; /* [key_count] */
-	int at;            /* the key at or before the last pose's time */
-	float omega;       /* that time between this key (0) and the next (1) */
+	int at;            /* the last key not after the pose's time */
+	float omega; /* of the pose's time: 0 at this key, 1 at the next */
 
-	/* The keys in memory: slot[key % slot_count] is key slot_key[...]. */
+	/* Keys in memory: slot key % slot_count holds slot_key[slot]. */
 	int slot_count, stride;
 	int *slot_key;            /* [slot_count]; -1: none yet */
 	struct fixed_key *key[2]; /* positions, normals: [slot_count][stride] */
 	struct fixed_vector *posed[2];
-	float (*vector)[3]; /* [vertex_count]: a key while it is converted */
+	float (*vector)[3]; /* [vertex_count]: scratch of bake_key() */
 };
 
 struct fixed_placement candidate_morph_placement(const struct bounds *box)
@@ -68,7 +68,10 @@ void candidate_morph_normal(const float normal[3], int8_t out[3])
 	}
 }
 
-/* Converts the reference's pose to what the player reads from the file. */
+/*
+ * Converts the reference's pose to a key frame as the player loads it from the
+ * file: the numbers are rounded as in the file.
+ */
 static void bake_key(
 	struct morph_bake *bake, const struct reference *reference, int slot)
 {

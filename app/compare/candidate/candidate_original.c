@@ -90,7 +90,10 @@ static size_t output_bytes(const struct drawable *drawable)
 			       : vector_bytes(drawable);
 }
 
-/* In fixed point a morph keeps its base, and its targets in pairs or as keys. */
+/*
+ * The memory of the base and the targets; in fixed point these are stored in
+ * pairs of targets or as key frames.
+ */
 static size_t morph_bytes(
 	const struct model *model, const struct drawable *drawable)
 {
@@ -156,7 +159,9 @@ static void count_bytes(
 	}
 }
 
-/* Gives the copy of the model meshes of its own, maybe without targets. */
+/*
+ * Gives the copied model its own meshes, without targets if targets is false.
+ */
 static int copy_meshes(struct original *state, bool targets)
 {
 	const struct model *model = state->reference->model;
@@ -198,7 +203,7 @@ static int cap_primitive(
 	return 0;
 }
 
-/* The influences that a file with at most max of them a vertex has. */
+/* Caps the mesh's influences at max a vertex, as in the exported file. */
 static int cap_mesh(struct model_mesh *mesh, int max, struct arena *arena)
 {
 	size_t count = (size_t)mesh->primitive_count;
@@ -254,7 +259,10 @@ static int prepare(struct original *state, const struct kernel *kernel,
 	return error;
 }
 
-/* The board plays in fixed point, whatever kernel is measured here. */
+/*
+ * Predicts for the fixed-point kernel, which the board uses, whatever kernel is
+ * measured here.
+ */
 static int predict(struct candidate *candidate, struct original *state,
 	double rate_hz, const struct log *log)
 {

@@ -23,8 +23,8 @@ struct splitter {
 	const struct drawable *drawable;
 	const struct model_skin *skin; /* or NULL */
 	int triangle_count;
-	int *joint;  /* [triangle_count]: in the skin, or 0 */
-	int *copied; /* [vertex_count]: the vertex made from it last, or -1 */
+	int *joint;  /* [triangle_count]: index in the skin, or 0 */
+	int *copied; /* [vertex_count]: its last copy in rigid, or -1 */
 };
 
 static void pose_rigid(struct candidate *candidate, float time_s)
@@ -230,7 +230,9 @@ static int split_drawable(
 	return 0;
 }
 
-/* At most, every corner becomes a vertex and every joint a part. */
+/*
+ * Allocates for the worst case: every corner is a vertex, every joint a part.
+ */
 static int init_arrays(struct rigid_bake *rigid)
 {
 	const struct reference *reference = rigid->reference;
@@ -284,7 +286,10 @@ static int prepare(struct rigid_bake *rigid)
 	return error;
 }
 
-/* The clip without weights of targets, which rigid parts do not have. */
+/*
+ * Copies the clip without the weights of targets, which rigid parts do not
+ * have.
+ */
 static int find_motion(struct rigid_bake *rigid, struct model_clip *out)
 {
 	const struct model_clip *clip = rigid->reference->clip;

@@ -12,7 +12,7 @@ struct rigid_part {
 	int node;
 	int first_vertex, vertex_count;
 	int first_index, index_count;
-	int part; /* of the reference: whose material and normals it has */
+	int part; /* of the reference, which gives material and normals */
 };
 
 /* Positions and normals are in the space of the node that moves them. */

@@ -10,7 +10,7 @@ enum {
 	REPEATS = 5 /* of each frame; the fastest counts */
 };
 
-/* Frames at even distances, which do not coincide with keys. */
+/* Evenly spaced frames, which do not coincide with keys. */
 static float frame_time_s(const struct candidate *candidate, int frame)
 {
 	return candidate->reference->clip->duration_s * ((float)frame + 0.37f) /

@@ -12,8 +12,8 @@ struct candidate_time {
 };
 
 /*
- * Poses frames that are spread evenly over the clip, several times. Other
- * threads do not disturb it, but make it less exact.
+ * Poses frames that are spread evenly over the clip, several times. Only the
+ * time of this thread counts; busy other threads make it less exact.
  */
 struct candidate_time candidate_time_measure(struct candidate *candidate);
 

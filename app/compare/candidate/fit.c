@@ -7,13 +7,13 @@ enum {
 	MISSES_MAX = 8,
 	MOMENTS_MIN = 3,
 	MOMENTS_MAX = 600,
-	BLOCK = 256 /* vertices that are tested before the result is looked at */
+	BLOCK = 256 /* vertices that are tested without a branch */
 };
 
 /*
- * The eye-space positions at the moments that are looked at, in a ring. A
- * moment has all x, then all y, then all z: so a compiler tests several
- * vertices by vector instructions.
+ * A ring buffer of eye-space positions at the last moments posed. A moment has
+ * all x, then all y, then all z, so that a compiler can test several vertices
+ * at once by vector instructions.
  */
 struct window {
 	struct reference *reference;
@@ -21,7 +21,7 @@ struct window {
 	const struct time_grid *grid;
 	float bound_px;
 	int capacity;    /* moments */
-	int end;         /* of the moments that have been posed */
+	int end;         /* the first moment that is not posed yet */
 	float *position; /* [capacity][3][vertex_count] */
 	int suspect;     /* the vertex that exceeded the bound last */
 };
@@ -34,7 +34,10 @@ static float *moment_of(const struct window *window, int moment)
 		(size_t)(moment % window->capacity) * 3 * count;
 }
 
-/* moment is at least end - capacity. */
+/*
+ * Returns a moment's positions, posing up to it if needed. It must still be in
+ * the ring: moment >= end - capacity.
+ */
 static const float *positions_of(struct window *window, int moment)
 {
 	struct reference *reference = window->reference;
@@ -144,7 +147,9 @@ static bool suspect_fits(struct window *window, int from, int to)
 	return true;
 }
 
-/* The last suspect and the middle moment come first: they fail most often. */
+/*
+ * Tests the suspect vertex and the middle moment first: they fail most often.
+ */
 static bool span_fits(struct window *window, int from, int to)
 {
 	int middle = (from + to) / 2;

@@ -13,18 +13,20 @@ struct fit_keys {
 };
 
 /*
- * Chooses few moments of the grid such that every vertex, interpolated linearly
- * between them, stays within bound_px of the reference at every moment. From
- * each key it takes the farthest moment that fits, and gives up after eight
- * moments in a row that do not. It keeps as many moments as memory_bytes hold
- * and takes no longer spans than these. Returns 0 or -ENOMEM; release with
+ * Chooses few moments of the grid as keys, such that every vertex, interpolated
+ * linearly between them, stays within bound_px of the reference at every
+ * moment. The key after each key is the farthest moment that fits; the search
+ * ends after eight moments in a row that do not. A span between keys has at
+ * most as many moments as memory_bytes hold. Returns 0 or -ENOMEM; release with
  * fit_keys_release().
  */
 int fit_keys_within(struct reference *reference,
 	const struct screen_view *screen, const struct time_grid *grid,
 	float bound_px, size_t memory_bytes, struct fit_keys *out);
 
-/* Chooses count times at even distances; count is at least 2. 0 or -ENOMEM. */
+/*
+ * Chooses count evenly spaced times; count is at least 2. Returns 0 or -ENOMEM.
+ */
 int fit_keys_evenly(float duration_s, int count, struct fit_keys *out);
 
 void fit_keys_release(struct fit_keys *keys);

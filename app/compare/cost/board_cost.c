@@ -7,27 +7,28 @@
 #include <stdint.h>
 
 /*
- * Converting a joint's matrix to fixed point. The timing model has no row for
- * it: this is what cesium-normals and walker-normals cost beyond their loops.
+ * Converting a joint's matrix to fixed point. arm11_cost[] has no row for it:
+ * this is what cesium-normals and walker-normals (tests/bench/arm11.figures)
+ * cost beyond their loops.
  */
 static const struct board_cost palette_joint = {270.0, 250.0};
 
 /*
- * What has no row either: the cycles and instructions that tests/bench/
- * play_cost.c counts for models and exports of many kinds, divided among what
- * they have by least squares (figures.md).
+ * Other costs without a row, in cycles and instructions: fitted by least
+ * squares to what tests/bench/play_cost.c counts for models and exports of many
+ * kinds (figures.md).
  */
 static const struct board_cost sample_frame = {1315.0, 120.0};
 static const struct board_cost sample_node = {75.0, 7.1};
 static const struct board_cost sample_turn = {344.0, 35.4}; /* struct turn */
 static const struct board_cost wide_turn = {1245.0, 203.0};
-static const struct board_cost turn_times = {121.0, 12.4};     /* of its own */
-static const struct board_cost sample_channel = {653.0, 82.0}; /* that moves */
-static const struct board_cost sample_times = {60.0, 9.2};     /* of its own */
+static const struct board_cost turn_times = {121.0, 12.4}; /* own key times */
+static const struct board_cost sample_channel = {653.0, 82.0}; /* not constant */
+static const struct board_cost sample_times = {60.0, 9.2}; /* own key times */
 static const struct board_cost sample_weight = {72.0, 5.8};
 static const struct board_cost matrix_frame = {529.0, 68.0};
 static const struct board_cost matrix_node = {413.0, 93.0};
-static const struct board_cost palette_row = {620.0, 54.0}; /* of a joint */
+static const struct board_cost palette_row = {620.0, 54.0}; /* a joint */
 static const struct board_cost solid_drawable = {347.0, 54.0};
 static const struct board_cost keys_drawable = {1700.0, 287.0};
 static const struct board_cost keys_weight = {7.0, 7.4};
@@ -50,7 +51,7 @@ static struct board_cost cost_of(enum arm11_work work, double count)
 	};
 }
 
-/* Interpolates linearly: a at t = 0, b at 1; it extrapolates above 1. */
+/* Interpolates linearly: a at t = 0, b at t = 1; extrapolates above 1. */
 static struct board_cost lerp_cost(
 	enum arm11_work a, enum arm11_work b, double t)
 {
@@ -96,7 +97,7 @@ static void add_times(
 	sum->instructions += each->instructions * count;
 }
 
-/* What of a clip costs time. */
+/* What sampling a clip costs: numbers of nodes, channels and key times. */
 struct sampled {
 	int nodes, turns, turn_times, channels, times, weights;
 	double wide_turns;
@@ -116,7 +117,7 @@ static struct board_cost sample_of(const struct sampled *of)
 	return sum;
 }
 
-/* Whether no channel before has the same key times. */
+/* Whether no earlier channel shares this channel's key times. */
 static bool has_own_times(
 	const struct model_clip *clip, const struct model_channel *channel)
 {
@@ -203,7 +204,7 @@ struct board_cost board_cost_solid(int drawable_count)
 	return sum;
 }
 
-/* Of one vertex; each influence beyond four costs as much as the fourth. */
+/* The cost of a vertex; influences beyond the fourth cost as much as that. */
 static struct board_cost vertex_cost(int influences, bool normals)
 {
 	static const enum arm11_work plain[] = {

@@ -10,27 +10,27 @@
 #include <string.h>
 
 enum {
-	FRAMES_MAX = 10000 /* which are enough for an average */
+	FRAMES_MAX = 10000 /* enough for an average */
 };
 
-/* A skinned drawable's own costs beside its vertices, and of each run. */
+/* Added for a skinned drawable, and for each run of its vertices. */
 static const struct board_cost skin_drawable = {3200.0, 430.0};
 static const struct board_cost skin_run = {200.0, 87.0};
-static const struct board_cost skin_run_1 = {60.0, 75.0}; /* one influence */
+static const struct board_cost skin_run_1 = {60.0, 75.0}; /* if one influence */
 /*
- * Runs of vertices with the same joints take less than vertices whose joints
- * are mixed as in the rows of the loops.
+ * Runs of vertices with the same joints take this share of the cycles and
+ * instructions in arm11_cost[], whose vertices have mixed joints.
  */
 static const struct board_cost skin_share = {0.88, 0.96};
 
 /*
- * A joint's matrix for normals, which joints of uneven scale need, and its
- * conversion to fixed point for a drawable.
+ * Joints with uneven scale need a matrix of their own for normals: the cost of
+ * computing it, and of converting it to fixed point for a drawable.
  */
 static const struct board_cost uneven_joint = {660.0, 265.0};
 static const struct board_cost uneven_matrix = {220.0, 59.0};
 
-/* A drawable of weighted targets, beside its vertices. */
+/* Added for a drawable with weighted targets. */
 static const struct board_cost morph_drawable = {2090.0, 404.0};
 
 struct playback {
@@ -41,14 +41,17 @@ struct playback {
 	struct clip_cursor *cursor;
 };
 
-/* Whether the loops run for a pair, as in fixed_morph_run(). */
+/* Whether fixed_morph_run() runs its loops for this pair of targets. */
 static bool is_active(const struct fixed_deltas *deltas)
 {
 	return deltas->span_count > 0 &&
 		(deltas->weights.a != 0 || deltas->weights.b != 0);
 }
 
-/* Adds a pair's spans, in pieces as fixed_morph_run() adds them. */
+/*
+ * Counts a pair's spans, cut at chunk ends as fixed_morph_run() does. Returns
+ * the number of vertices that the pair moves.
+ */
 static double add_spans(
 	const struct fixed_deltas *deltas, struct board_targets *sum)
 {
@@ -65,7 +68,7 @@ static double add_spans(
 	return moved;
 }
 
-/* Counts one attribute of a frame, whose weights are set. */
+/* Counts one attribute of a frame. The frame's weights are set. */
 static void count_stream(const struct fixed_morph *morph,
 	const struct fixed_morph_stream *stream, struct board_targets *sum)
 {
@@ -111,7 +114,10 @@ static void count_morph(struct fixed_morph *morph, const float *weight,
 	}
 }
 
-/* A skin's base vectors are rewritten when weights have changed. */
+/*
+ * Counts the work of morphing a skin, whose base vectors are rewritten only if
+ * weights have changed.
+ */
 static void count_rebase(struct drawable_fixed *fixed, const float *weight,
 	struct board_targets *sum)
 {
@@ -169,7 +175,7 @@ static struct board_targets count_targets(
 	};
 }
 
-/* The runs of one influence a vertex, or those of more. */
+/* Counts the runs with one influence a vertex, or else those with more. */
 static double count_runs(const struct fixed_skin *skin, bool of_one)
 {
 	int runs = 0;
@@ -206,7 +212,7 @@ static bool has_scale(const struct model_clip *clip)
 	return false;
 }
 
-/* The skin's joints that need a matrix for normals, in the pose. */
+/* How many of the skin's joints need a matrix for normals in this pose. */
 static int count_uneven_now(struct instance *instance, int skin)
 {
 	const struct model_skin *s = &instance->model->skin[skin];
@@ -222,7 +228,7 @@ static int count_uneven_now(struct instance *instance, int skin)
 	return count;
 }
 
-/* The same in an average frame. */
+/* The same, as a mean over the clip's frames. */
 static double count_uneven(const struct playback *playback, int skin)
 {
 	struct instance *instance = playback->instance;

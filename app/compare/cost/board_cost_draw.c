@@ -1,5 +1,5 @@
 /*
- * Predicts what a picture costs from what it consists of.
+ * Predicts the cost of a picture from counts of its parts (gl_counts.h).
  */
 #include "app/compare/cost/board_cost.h"
 
@@ -14,11 +14,11 @@ enum draw_work {
 	DRAW_HIDDEN,
 	DRAW_SKIPPED,
 	DRAW_FINE,
-	DRAW_TRIANGLE, /* of each kind: its triangles, rows and pixels */
+	DRAW_TRIANGLE, /* for each kind: triangles, rows, pixels */
 	DRAW_WORKS = DRAW_TRIANGLE + 3 * GL_WORK_KINDS
 };
 
-/* Cycles and instructions of each, which `make bench-draw-fit` writes. */
+/* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
 	{3.353e+04, 2.111e+04}, /* frame */
 	{0.7595, 0.3395},       /* pixel */

@@ -17,7 +17,7 @@ struct drawing {
 	struct pixels pixels;
 	struct texture_set textures;
 	struct stage stage;
-	struct bounds box; /* that the camera frames */
+	struct bounds box; /* framed by the camera */
 	struct shadow_ground ground;
 	bool keys;
 };

@@ -1,6 +1,6 @@
 /*
- * Draws a model's pictures as `limber play --no-labels` does, with the driver
- * soft on any machine, and counts what they consist of.
+ * Draws a model as `limber play --no-labels` does, with the driver soft on any
+ * machine, and counts the calls, vertices, triangles and pixels.
  */
 #ifndef APP_COMPARE_COST_DRAWING_H
 #define APP_COMPARE_COST_DRAWING_H
@@ -11,11 +11,12 @@
 struct drawing;
 
 /*
- * Prepares pictures of instances of the instance's model, whose textures it
- * uploads. The camera frames the box, in scene units, in a picture of RGB565.
- * The model has its levels of detail (app/model/levels); it and the instance,
- * which is left in the rest pose, must outlive the drawing, which
- * drawing_destroy() releases. Returns 0, or -errno after logging an error.
+ * Prepares an RGB565 picture of width x height pixels and uploads the textures
+ * of the instance's model. The camera frames the box, in scene units. The
+ * caller has made the model's levels of detail (app/model/levels). The instance
+ * is left in the rest pose; it and its model must outlive the drawing. The
+ * caller releases *out with drawing_destroy(). Returns 0, or -errno after
+ * logging an error.
  */
 int drawing_create(struct instance *instance, const struct bounds *box,
 	int width, int height, const struct log *log, struct drawing **out);
@@ -24,23 +25,25 @@ int drawing_create(struct instance *instance, const struct bounds *box,
 void drawing_destroy(struct drawing *drawing);
 
 /*
- * Draws the instance as it was updated last: background, floor, shadow and the
- * model, with as many triangles as its size in the picture asks for. extent is
- * drawing_extent() of it.
+ * Draws background, floor, shadow and the instance in its last updated pose,
+ * with the level of detail that suits its size in the picture. extent is the
+ * instance's drawing_extent().
  */
 void drawing_draw(
 	struct drawing *drawing, struct instance *instance, float extent);
 
 /*
- * From now on instances stand for their key frames, which have no joints:
- * levels of detail are chosen as the player chooses them for these.
+ * From now on, levels of detail are chosen as the player chooses them for key
+ * frames, which have no joints.
  */
 void drawing_show_keys(struct drawing *drawing);
 
-/* The longest side of the rest pose in scene units, in which it is left. */
+/*
+ * The longest side, in scene units, of the rest pose, which the instance gets.
+ */
 float drawing_extent(struct instance *instance);
 
-/* Adds what is drawn from now on to *counts; NULL stops. */
+/* Adds all that is drawn from now on to *counts; NULL stops counting. */
 void drawing_count(struct drawing *drawing, struct gl_counts *counts);
 
 #endif

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The file's name; "" for the model itself, which is a file already. */
+/* Names a row's file; "" for the model itself, which is a file already. */
 static void name_file(const struct comparison_row *row, char *text, size_t size)
 {
 	switch (row->kind) {
@@ -54,7 +54,7 @@ static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	return error;
 }
 
-/* Adds what a row's file holds. */
+/* Adds all contents of a row's file. */
 static int bake_row(struct glb *glb, const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log)
 {

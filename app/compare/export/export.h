@@ -1,5 +1,5 @@
 /*
- * Writes the baked candidates as glTF files, which other programs can play.
+ * Writes the rows of a comparison as glTF files, which other programs can play.
  */
 #ifndef APP_COMPARE_EXPORT_EXPORT_H
 #define APP_COMPARE_EXPORT_EXPORT_H
@@ -13,7 +13,7 @@
 int export_make_folder(const char *folder, const struct log *log);
 
 /*
- * Loads what a row's file holds, without writing it. The caller releases *out
+ * Builds a row's glTF file in memory and loads it. The caller releases *out
  * with model_destroy(). Returns 0, or -errno after logging an error.
  */
 int export_load(const struct comparison *comparison,

@@ -12,7 +12,8 @@ void export_attribute(json_t *attributes, const char *name, int accessor)
 }
 
 /*
- * Copies elements in the order of source; the caller frees them. May be NULL.
+ * Returns a copy of elements source[0..count - 1] (NULL: the first count),
+ * which the caller frees; NULL if there is no memory.
  */
 static void *gather(const void *from, size_t size, int count, const int *source)
 {
@@ -27,7 +28,7 @@ static void *gather(const void *from, size_t size, int count, const int *source)
 	return to;
 }
 
-/* limber keeps vertex colours as sRGB, glTF keeps them linear. */
+/* Vertex colours are sRGB in limber, and linear in glTF. */
 static void add_colors(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int vertex_count,
 	const int *source)

@@ -1,6 +1,6 @@
 /*
- * Converts the two kinds of baked candidates to glTF. export.c writes the
- * files.
+ * Converts the rows of a comparison to glTF: key frames, rigid parts, and
+ * skins. export.c writes the files. Errors of writing are kept in glb->error.
  */
 #ifndef APP_COMPARE_EXPORT_EXPORT_BAKE_H
 #define APP_COMPARE_EXPORT_EXPORT_BAKE_H
@@ -10,16 +10,15 @@
 #include "app/compare/export/glb.h"
 
 /*
- * Adds one node, whose mesh has all key frames of a morph as targets, and for
- * each clip an animation that blends from each of its keys to the next. It
- * poses one key at a time. Returns 0, or -errno after logging an error.
+ * Adds one node, whose mesh has the key frames of all clips as morph targets,
+ * and for each clip an animation that blends from each of its keys to the next.
+ * It poses one key at a time. Returns 0, or -errno after logging an error;
+ * errors of glb stay in glb->error.
  */
 int export_morph(struct glb *glb, const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log);
 
-/*
- * Adds the nodes and all clips. A node that moves parts has a mesh of them.
- */
+/* Adds the nodes and all clips. A node that moves parts has a mesh of them. */
 void export_rigid(struct glb *glb, const struct rigid_bake *rigid,
 	const struct comparison *comparison);
 
@@ -31,10 +30,11 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 	int max_influences, bool targets);
 
 /*
- * Adds the model's nodes. mesh[node] is the number of the node's mesh, or -1;
- * with skins, nodes keep theirs. Adds the scene's roots, and the nodes of
- * levels (export_levels.h); the meshes are in the file. Without skins all roots
- * are in the scene, because joints show meshes then, which need not be in it.
+ * Adds the model's nodes. mesh[node] is the index of the node's mesh, or -1; if
+ * skins is true, nodes keep their skins. Adds the scene with its root nodes,
+ * and the nodes of levels (export_levels.h), so the meshes must have been
+ * added. If skins is false, all roots are in the scene, because meshes hang on
+ * joints then, whose roots need not be in the model's scene.
  */
 void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
 	bool skins, const json_t *levels);
@@ -45,19 +45,19 @@ void export_clips(
 
 /*
  * Adds the texture coordinates and colours of vertex_count vertices. source[v]
- * is the vertex of the primitive that v was made from; NULL means v.
+ * is the primitive's vertex that vertex v copies; NULL means v itself.
  */
 void export_attributes(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int vertex_count,
 	const int *source);
 
-/* Adds a list of triangles with 16 or 32 bits an index. The accessor or -1. */
+/* Adds triangle indices of 16 or 32 bits. Returns the accessor or -1. */
 int export_indices(struct glb *glb, const uint32_t *index, int count);
 
-/* Sets an attribute to the number of its accessor. */
+/* Sets an attribute to the index of its accessor. */
 void export_attribute(json_t *attributes, const char *name, int accessor);
 
-/* Adds materials, textures and images, with the numbers that the model uses. */
+/* Adds materials, textures and images, in the order of the model. */
 void export_materials(struct glb *glb, const struct model *model);
 
 #endif

@@ -7,16 +7,16 @@
 #include <stdlib.h>
 
 enum {
-	/* The loader reads 16 levels of a mesh. */
+	/* The loader reads at most 16 levels of a mesh. */
 	SHADED_MAX = 10,
 	SHADOW_MAX = 6,
 };
 
-static const double worth = 0.2; /* the part of the triangles a level saves */
-/* What the coverage of a level relates to: one pixel of a screen's 640. */
+static const double worth = 0.2; /* a level must save this share */
+/* Coverages are computed for a screen of so many pixels. */
 static const double coverage_px = 640.0;
 
-/* A mesh whose levels are made. */
+/* The state of export_level_meshes() for one mesh. */
 struct leveler {
 	struct glb *glb;
 	json_t *meshes, *levels;
@@ -57,8 +57,8 @@ static float error_of(const struct export_lists *lists, int lod)
 }
 
 /*
- * The number of a primitive's coarsest list of at most this error; -1: the full
- * one. glTF has no empty lists, which parts of a level can be.
+ * The index of a primitive's coarsest list with at most this error; -1: the
+ * full list. Empty lists, which glTF does not allow, are passed over.
  */
 static int coarsest(const struct export_lists *lists, bool shadow, float error)
 {
@@ -79,7 +79,7 @@ static int index_count(const struct export_lists *lists, int lod)
 	return lod < 0 ? lists->index_count : lists->lod[lod].index_count;
 }
 
-/* The corners of all triangles of a level. */
+/* The number of corners of all triangles of the level with this error. */
 static double count_corners(
 	const struct leveler *leveler, bool shadow, float error)
 {
@@ -100,13 +100,13 @@ static int compare_floats(const void *left, const void *right)
 	return (a > b) - (a < b);
 }
 
-/* A level that all lists share. */
+/* A level of the whole mesh. */
 struct rung {
 	float error;
-	double corners; /* of all lists of at most this error */
+	double corners; /* of all primitives' lists */
 };
 
-/* Appends a level of this error, if it saves enough. */
+/* Appends a level with this error if it saves enough. Returns the new count. */
 static int add_rung(const struct leveler *leveler, bool shadow, float error,
 	struct rung *rung, int count)
 {
@@ -120,7 +120,10 @@ static int add_rung(const struct leveler *leveler, bool shadow, float error,
 	return count;
 }
 
-/* Leaves the level out without which the fewest more corners are drawn. */
+/*
+ * Drops the level that saves the smallest share of the corners of the next
+ * finer one. Returns the new count.
+ */
 static int drop_rung(double full, struct rung *rung, int count)
 {
 	double least = 1.0;
@@ -142,8 +145,8 @@ static int drop_rung(double full, struct rung *rung, int count)
 }
 
 /*
- * Chooses at most max levels of one kind from the errors of all lists. The
- * caller frees them. Returns their number.
+ * Chooses at most max levels, of shadows or of shaded meshes, from the errors
+ * of all lists. The caller frees *out. Returns the number of levels.
  */
 static int choose_rungs(
 	const struct leveler *leveler, bool shadow, int max, struct rung **out)
@@ -184,7 +187,10 @@ static int choose_rungs(
 	return count;
 }
 
-/* The primitives of a level; lists that do not change keep their accessors. */
+/*
+ * Makes the primitives of a level; those whose list does not change share the
+ * finer level's indices.
+ */
 static json_t *level_primitives(const struct leveler *leveler,
 	const json_t *finer, bool shadow, float finer_error, float error)
 {
@@ -274,7 +280,7 @@ static double extent_of(const json_t *accessor)
 	return extent;
 }
 
-/* The longest side of a mesh's primitives. */
+/* The longest side of any primitive's bounds, in units of the file. */
 static double mesh_extent(const struct glb *glb, const json_t *meshes, int mesh)
 {
 	double extent = 0.0;
@@ -295,7 +301,10 @@ static double mesh_extent(const struct glb *glb, const json_t *meshes, int mesh)
 	return extent;
 }
 
-/* The share of the screen that a mesh covers where the error is one pixel. */
+/*
+ * The share of the screen that the mesh covers when a level's error is one
+ * pixel, which is MSFT_screencoverage.
+ */
 static double coverage_of(double extent, const json_t *extras)
 {
 	double error = json_number_value(json_object_get(extras, "error_m"));
@@ -324,7 +333,7 @@ static json_t *level_node(const json_t *node, const json_t *level, int number)
 	return copy;
 }
 
-/* Appends the nodes of one node's levels. Returns whether it has any. */
+/* Appends nodes for the levels of a node's mesh; returns whether it has any. */
 static bool add_level_nodes(const struct glb *glb, json_t *nodes, json_t *node,
 	const json_t *meshes, const json_t *levels)
 {

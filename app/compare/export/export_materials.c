@@ -5,7 +5,7 @@
 
 #include <png.h>
 
-/* The values of glTF's samplers: OpenGL's numbers. */
+/* The values of glTF's samplers, which are OpenGL's constants. */
 enum {
 	FILTER_NEAREST = 9728,
 	FILTER_LINEAR = 9729,
@@ -81,7 +81,7 @@ static json_t *sampler_json(const struct model_texture *texture)
 		wrap[texture->wrap_t]);
 }
 
-/* Returns the number of the buffer view, or -1. */
+/* Adds an image as PNG. Returns the index of its buffer view, or -1. */
 static int add_png(struct glb *glb, const struct model_image *image)
 {
 	png_image png = {

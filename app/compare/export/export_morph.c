@@ -9,14 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is needed while the keys are posed one after the other. */
+/* The state of export_morph(), which poses one key after another. */
 struct exporter {
 	struct glb *glb;
 	const struct comparison *comparison;
 	const struct comparison_row *row;
 	const struct log *log;
 	struct fixed_placement placement;
-	struct reference *reference; /* of the present clip */
+	struct reference *reference; /* of the current clip */
 	int16_t (*base)[3];          /* [vertex_count] */
 	int8_t (*base_normal)[3];
 	int16_t (*delta)[3];
@@ -46,8 +46,9 @@ static int allocate(struct exporter *exporter)
 }
 
 /*
- * The mesh itself is the rest pose, which the player frames together with the
- * clips, as it does with the model. Its normals are on the diagonals.
+ * Makes the mesh itself: the rest pose, because the player frames it together
+ * with the clips, as with the model. Its normals are the diagonals that
+ * candidate_morph.h describes.
  */
 static void take_base(struct exporter *exporter)
 {
@@ -101,7 +102,10 @@ static void add_vectors(struct exporter *exporter, json_t *to,
 	}
 }
 
-/* What a unit of the drawable's positions is at most, in the file's. */
+/*
+ * The length of the drawable's unit in the file's units: the largest of all
+ * axes, as skinned by the first joint.
+ */
 static float unit_of(
 	const struct exporter *exporter, const struct drawable *drawable)
 {
@@ -123,7 +127,10 @@ static float unit_of(
 	return most / exporter->placement.scale;
 }
 
-/* Positions are those in the world, where what mirrors turns triangles round. */
+/*
+ * Positions in the file are in world space, where a mirrored drawable's
+ * triangles have the opposite winding.
+ */
 static struct export_lists lists_of(
 	const struct exporter *exporter, const struct drawable *drawable)
 {
@@ -209,7 +216,10 @@ static int export_keys(struct exporter *exporter, int clip)
 	return error;
 }
 
-/* At each key its own weight is 1 and all others are 0. */
+/*
+ * Adds a clip's weights: at each key, the key's own weight is 1 and all others
+ * are 0. first is the index of the clip's first key among all keys.
+ */
 static int add_weights(
 	struct exporter *exporter, const struct fit_keys *keys, int first)
 {
@@ -263,7 +273,10 @@ static void add_meshes(struct exporter *exporter, json_t *levels)
 	glb_set(exporter->glb, "meshes", meshes);
 }
 
-/* The node's scale and translation turn the numbers into the model's units. */
+/*
+ * Adds the node, whose scale and translation convert the quantized positions to
+ * model units.
+ */
 static void add_nodes(struct exporter *exporter, const json_t *levels)
 {
 	const struct fixed_placement *placement = &exporter->placement;

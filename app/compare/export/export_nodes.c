@@ -114,7 +114,7 @@ static json_t *sampler_json(struct glb *glb,
 		"interpolation", interpolation[channel->interpolation]);
 }
 
-/* A node whose translation the clip leaves alone, or -1. */
+/* Finds a node whose translation the clip does not change, or -1. */
 static int find_still_node(
 	const struct model *model, const struct model_clip *clip)
 {
@@ -133,8 +133,8 @@ static int find_still_node(
 }
 
 /*
- * Without weights of targets a clip would end early or be missing: a node that
- * stays where it is keeps its duration.
+ * Without the weights of targets, a clip might end early or have no channels. A
+ * channel that holds a node at its rest translation keeps the clip's duration.
  */
 static void keep_duration(struct glb *glb, const struct model *model,
 	const struct model_clip *clip, json_t *samplers, json_t *channels)
@@ -152,7 +152,7 @@ static void keep_duration(struct glb *glb, const struct model *model,
 		json_pack("{s:i, s:{s:i, s:s}}", "sampler",
 			(int)json_array_size(samplers), "target", "node", node,
 			"path", "translation"));
-	/* One after the other, so that all compilers order the file alike. */
+	/* In two statements, so that all compilers order the file alike. */
 	input = glb_add_array(glb, time_s, 2, 1, GLB_FLOAT);
 	output = glb_add_array(glb, still, 2, 3, GLB_FLOAT);
 	json_array_append_new(samplers,

@@ -49,7 +49,7 @@ static json_t *primitive_json(struct glb *glb, const struct rigid_bake *rigid,
 	return json;
 }
 
-/* The parts that a node moves are the primitives of one mesh. */
+/* Makes a mesh whose primitives are the node's parts; NULL if it has none. */
 static json_t *mesh_json(
 	struct glb *glb, const struct rigid_bake *rigid, int node)
 {

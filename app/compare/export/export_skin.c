@@ -8,10 +8,10 @@
 #include <stdlib.h>
 
 enum {
-	SET = 4 /* influences of an attribute JOINTS_n and WEIGHTS_n */
+	SET = 4 /* influences in each JOINTS_n and WEIGHTS_n */
 };
 
-/* Adds JOINTS_n and WEIGHTS_n from influence 4 n on. */
+/* Adds JOINTS_n and WEIGHTS_n, where n is set: influences 4 n to 4 n + 3. */
 static void add_set(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int max, int set)
 {
@@ -115,7 +115,10 @@ static json_t *primitive_json(struct glb *glb,
 	return json;
 }
 
-/* The lists of all levels of a mesh; NULL after setting an error. */
+/*
+ * The lists of a mesh's primitives, which the caller frees. NULL and glb->error
+ * is set if there is no memory.
+ */
 static struct export_lists *lists_of(
 	struct glb *glb, const struct model_mesh *mesh)
 {

@@ -125,7 +125,7 @@ static const char *type_name(int width)
 	return width == 16 ? "MAT4" : names[width - 1];
 }
 
-/* Sets the smallest and the largest value of each component. */
+/* Sets min and max to the bounds of each component. */
 static void set_bounds(
 	json_t *accessor, const float *value, int count, int width)
 {
@@ -182,7 +182,7 @@ int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	return add_accessor(glb, accessor);
 }
 
-/* The components of vectors, whose type is GLB_BYTE or GLB_SHORT. */
+/* Reads a component; its type is GLB_BYTE or GLB_SHORT. */
 static int component_of(
 	const void *data, enum glb_component component, size_t index)
 {
@@ -221,7 +221,10 @@ static void set_vector_bounds(json_t *accessor, const void *data, int count,
 	json_object_set_new(accessor, "max", high);
 }
 
-/* Copies vectors that are not zero, each padded to stride bytes. */
+/*
+ * Copies vectors to out, each padded to stride bytes, and their indices to
+ * index[]; if sparse, only those that are not zero. Returns their number.
+ */
 static int pack_vectors(const void *data, int count,
 	enum glb_component component, bool sparse, uint8_t *out, size_t stride,
 	uint32_t *index)
@@ -251,7 +254,10 @@ static json_t *sparse_json(
 		"values", "bufferView", values);
 }
 
-/* The values of the vectors in scratch, in one view, sparse or not. */
+/*
+ * Makes an accessor, sparse if that is smaller. scratch has room for count
+ * padded vectors, index[] for count indices.
+ */
 static json_t *vectors_json(struct glb *glb, const void *data, int count,
 	enum glb_component component, uint8_t *scratch, uint32_t *index)
 {

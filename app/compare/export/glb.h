@@ -20,14 +20,14 @@ struct glb {
 	int error; /* 0 or -errno */
 	json_t *root;
 	json_t *accessors, *views;
-	FILE *data;   /* the binary chunk, in a temporary file or in memory */
-	char *memory; /* NULL, or where data is */
+	FILE *data;   /* the binary chunk, in a file or in memory */
+	char *memory; /* the buffer of data if in memory, else NULL */
 	size_t memory_size;
 	size_t size;
-	bool quantized; /* KHR_mesh_quantization is needed */
+	bool quantized; /* the file needs KHR_mesh_quantization */
 };
 
-/* The component types of glTF: OpenGL's numbers. */
+/* The component types of glTF, which are OpenGL's constants. */
 enum glb_component {
 	GLB_BYTE = 5120,
 	GLB_UBYTE = 5121,
@@ -40,45 +40,48 @@ enum glb_component {
 /* Begins a file whose binary chunk is kept in a temporary file. */
 void glb_begin(struct glb *glb);
 
-/* Begins a small file, kept in memory. glb must not move before it is written. */
+/*
+ * Begins a small file in memory. *glb must not be moved before it is written.
+ */
 void glb_begin_memory(struct glb *glb);
 
-/* The bytes of a component. */
+/* The size of a component in bytes. */
 size_t glb_component_bytes(enum glb_component component);
 
-/* Appends bytes to the binary chunk. Returns the buffer view's number or -1. */
+/* Appends bytes to the binary chunk. Returns the buffer view's index or -1. */
 int glb_add_view(struct glb *glb, const void *data, size_t size);
 
 /*
  * Appends count elements of width components each (1 to 4, or 16). Returns the
- * accessor's number or -1. Floats of width 1 and 3 get the bounds that glTF
- * demands of times and positions. Shorts stand for -1 to 1 (glTF's normalized).
+ * accessor's index or -1. Floats of width 1 and 3 get the bounds (min and max)
+ * that glTF demands of times and positions. Shorts are marked as normalized:
+ * they stand for -1 to 1.
  */
 int glb_add_array(struct glb *glb, const void *data, int count, int width,
 	enum glb_component component);
 
 /*
  * Appends an attribute of count vertices with 3 signed bytes or shorts each,
- * each vertex aligned to 4 bytes. normalized is glTF's. Where more vertices are
- * zero than a sparse accessor costs, the accessor is sparse. Returns its number
- * or -1.
+ * each vertex aligned to 4 bytes. normalized is glTF's flag. The accessor is
+ * sparse if that takes fewer bytes, because many vertices are zero. Returns its
+ * index or -1.
  */
 int glb_add_vectors(struct glb *glb, const void *data, int count,
 	enum glb_component component, bool normalized);
 
 /*
- * Appends a row of count numbers of one byte, normalized, of which only a few
- * are not 0: at[i] is the number of the i-th that is 1.
+ * Appends count normalized bytes as a sparse accessor: the ones elements whose
+ * indices are in at[] are 1, all others are 0. Returns its index or -1.
  */
 int glb_add_ones(struct glb *glb, const uint32_t *at, int ones, int count);
 
-/* Makes a JSON array, which the caller owns. */
+/* Makes a JSON array of count numbers, which the caller owns. */
 json_t *glb_floats(const float *value, int count);
 
 /* Sets a member of the root object and takes ownership of value. */
 void glb_set(struct glb *glb, const char *name, json_t *value);
 
-/* Lists an extension among those that the file uses, once. */
+/* Adds an extension to extensionsUsed, unless it is there already. */
 void glb_use_extension(struct glb *glb, const char *name);
 
 /*
@@ -88,8 +91,8 @@ void glb_use_extension(struct glb *glb, const char *name);
 int glb_write(struct glb *glb, const char *path, const struct log *log);
 
 /*
- * The same into memory, which the caller frees with free(). path is for
- * messages.
+ * The same into *data, which the caller frees with free(). path is used in
+ * messages only.
  */
 int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
 	uint8_t **data, size_t *size);

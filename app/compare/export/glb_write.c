@@ -12,7 +12,7 @@ enum {
 	CHUNK_BINARY = 0x004E4942,
 	MAGIC = 0x46546C67,
 	HEADER_BYTES = 12,
-	REAL_DIGITS = 15, /* more than floats have; 0.1 stays 0.1 */
+	REAL_DIGITS = 15, /* enough for floats; 0.1 stays 0.1 */
 	CHUNK_HEADER_BYTES = 8
 };
 
@@ -36,7 +36,7 @@ static void put_json(FILE *file, const char *text, size_t length)
 	}
 }
 
-/* Copies the binary data. Returns 0, or -errno when they cannot be read. */
+/* Copies the binary data. Returns 0, or -errno if it cannot be read. */
 static int put_data(const struct glb *glb, FILE *file)
 {
 	uint8_t buffer[16384];
@@ -148,7 +148,7 @@ void glb_discard(struct glb *glb)
 	*glb = (struct glb){0};
 }
 
-/* Completes the JSON: its text, or NULL after logging an error. */
+/* Completes the JSON and returns its text, or NULL after logging an error. */
 static char *finish(struct glb *glb, const char *path, const struct log *log)
 {
 	char *text = NULL;
@@ -199,7 +199,10 @@ int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
 
 	if (text && file) {
 		glb->error = put_file(glb, text, file);
-		/* glibc closes without an error where it leaves no bytes. */
+		/*
+		 * If memory is short, glibc closes without error, but with no
+		 * bytes.
+		 */
 		if ((fclose(file) != 0 || !bytes) && !glb->error) {
 			glb->error = -ENOMEM;
 		}

@@ -11,8 +11,8 @@ enum {
 };
 
 /*
- * How far the pose in reference is from the middle of two others. The box
- * contains it from now on.
+ * Returns the largest distance in pixels between the reference's pose and the
+ * mean of two others. Adds the pose to the view's box.
  */
 static float bend_px(const struct reference *reference,
 	struct screen_view *screen, const float (*from)[3], const float (*to)[3])
@@ -42,7 +42,7 @@ static void copy_pose(const struct reference *reference, float (*out)[3])
 /* A value jumps between two moments that are closer than this. */
 static const float jump_s = 1e-5f;
 
-/* A piece of an nth of the time is off by an n^2th of the distance. */
+/* If the time is divided by n, the error of interpolation is divided by n^2. */
 static int pieces_for(float gap_s, float bend, float bound_px)
 {
 	if (gap_s < jump_s) {

@@ -1,5 +1,5 @@
 /*
- * Makes a time grid finer where vertices move along a curve between two moments.
+ * Makes a time grid finer where vertices move along curves between two moments.
  */
 #ifndef APP_COMPARE_MEASURE_GRID_REFINE_H
 #define APP_COMPARE_MEASURE_GRID_REFINE_H
@@ -7,10 +7,11 @@
 #include "app/compare/measure/screen_view.h"
 
 /*
- * Adds moments, so that the straight line between two moments next to each
- * other is off by at most about bound_px, as far as the middle between them
- * tells; at most 63 moments between two, and none where a value jumps. The
- * view's box grows to contain the middles. Returns 0 or -ENOMEM.
+ * Adds moments, so that linear interpolation between two adjacent moments is
+ * off by at most about bound_px. The error is estimated from the pose halfway
+ * between them. It adds at most 63 moments between two, and none where a value
+ * jumps. The view's box grows to contain the poses halfway. Returns 0 or
+ * -ENOMEM.
  */
 int grid_refine(struct reference *reference, struct screen_view *screen,
 	float bound_px, struct time_grid *grid);

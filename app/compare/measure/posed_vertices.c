@@ -21,7 +21,7 @@ int posed_vertices_count(const struct instance *instance)
 	return count;
 }
 
-/* From the drawable's posed positions to world space: x * side + origin. */
+/* Maps the drawable's posed positions to world space: side * x + origin. */
 static void world_from_drawable(const struct instance *instance,
 	const struct drawable *drawable, mat3 side, vec3 origin)
 {
@@ -124,7 +124,10 @@ static void normalize(float v[3])
 	}
 }
 
-/* The drawable's posed normal: of the model's space if skinned, else local. */
+/*
+ * Reads a posed normal: in model space if skinned, else in the node's space.
+ * Returns false if the drawable has no normals.
+ */
 static bool posed_normal(
 	const struct drawable *drawable, int vertex, float out[3])
 {

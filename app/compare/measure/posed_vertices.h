@@ -10,11 +10,11 @@
 /* The number of vertices, or -1 when it exceeds an int. */
 int posed_vertices_count(const struct instance *instance);
 
-/* Writes the positions of the last update: [posed_vertices_count()]. */
+/* Writes [posed_vertices_count()] positions of the last instance_update(). */
 void posed_vertices_positions(
 	const struct instance *instance, float (*position)[3]);
 
-/* Writes unit normals; zeros where a primitive has none. */
+/* Writes unit normals, and zeros for primitives without normals. */
 void posed_vertices_normals(const struct instance *instance, float (*normal)[3]);
 
 /*

@@ -1,9 +1,10 @@
 /*
  * The reference: every vertex of a clip at any time.
  *
- * All techniques are compared with it. The float kernel computes it with all
- * influences and targets. Positions are in world space, in the model's units.
- * It keeps one moment at a time, so a clip of any length takes the same memory.
+ * All techniques are compared with the reference, which the float kernel
+ * computes with all influences and targets. Positions are in world space, in
+ * the model's units. One moment is in memory at a time, so a clip of any length
+ * takes the same memory.
  */
 #ifndef APP_COMPARE_MEASURE_REFERENCE_H
 #define APP_COMPARE_MEASURE_REFERENCE_H
@@ -13,7 +14,7 @@
 
 /* The vertices of one drawable. */
 struct reference_part {
-	int drawable; /* of the instance */
+	int drawable; /* index in the instance */
 	int first_vertex, vertex_count;
 	bool normals;
 };
@@ -24,14 +25,14 @@ struct reference {
 	int clip_index;
 	struct arena arena;
 
-	struct instance *instance; /* what the vertices are computed with */
+	struct instance *instance; /* computes the vertices */
 	struct clip_cursor cursor;
 
 	int part_count;
 	struct reference_part *part;
 	int vertex_count; /* of all parts */
 
-	/* Of the time that reference_pose() was given last: [vertex_count]. */
+	/* The result of the last reference_pose(): [vertex_count]. */
 	float (*position)[3];
 	float (*normal)[3]; /* unit vectors; zeros in parts without normals */
 };

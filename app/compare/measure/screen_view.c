@@ -40,8 +40,8 @@ struct screen_view screen_view_create(struct reference *reference,
 }
 
 /*
- * An upper limit of the pixels that a unit covers. Of two points of eye space,
- * d apart, the pictures p and q differ by
+ * Finds an upper limit of the pixels that a unit covers. The projections p and
+ * q of two points of eye space whose difference is d differ by
  *
  *	q - p = focal / z_q * (d.xy - p / focal * d.z),
  *
@@ -67,7 +67,7 @@ static void find_scale(struct screen_view *screen)
 		aside = square > aside ? square : aside;
 	}
 	screen->px_per_unit = 1.0f;
-	screen->near_square = -1.0f; /* none is near enough */
+	screen->near_square = -1.0f; /* no points are near enough */
 	if (nearest > 0.0f) {
 		tangent = (scalar_sqrt(aside) + 0.2f * nearest) /
 			(0.8f * nearest);

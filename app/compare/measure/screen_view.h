@@ -19,11 +19,12 @@ struct screen_view {
 	float focal_px; /* pixels that one unit at distance 1 covers */
 	float unit;     /* scene units per unit of the model */
 	/*
-	 * A point of the box and another one at a distance of at most
-	 * near_square, squared, are at most so many pixels a unit apart.
+	 * A point of the box and a second point are at most px_per_unit times
+	 * their distance apart on the screen, in pixels, if the square of their
+	 * distance is at most near_square (model units).
 	 */
 	float px_per_unit, near_square;
-	struct bounds box; /* that is framed, in the model's units */
+	struct bounds box; /* what the view frames, in model units */
 };
 
 /*
@@ -39,7 +40,7 @@ struct screen_view screen_view_create(struct reference *reference,
  */
 void screen_view_frame(struct screen_view *screen, const struct bounds *box);
 
-/* One coordinate of a point in eye space. */
+/* One coordinate (row: 0 x, 1 y, 2 z) of a point in eye space. */
 static inline float screen_view_eye(
 	const struct screen_view *screen, const float point[3], int row)
 {
@@ -50,8 +51,8 @@ static inline float screen_view_eye(
 }
 
 /*
- * From world space to eye space. The clip is in front of the eye; a bad bake
- * may leave it, and stays as far away as the nearest points that are seen.
+ * From world space to eye space. The clip is in front of the eye. A bad
+ * conversion may move points behind the eye: they are placed just before it.
  */
 static inline void screen_view_to_eye(
 	const struct screen_view *screen, const float point[3], float eye[3])
@@ -74,7 +75,7 @@ static inline bool screen_view_eyes_within(const struct screen_view *screen,
 	return (x * x + y * y) * focal * focal <= most * most;
 }
 
-/* Projects a point of world space: pixels right of and above the middle. */
+/* Projects a point of world space to pixels right of and above the middle. */
 void screen_view_project(
 	const struct screen_view *screen, const float point[3], float out[2]);
 
@@ -83,8 +84,8 @@ float screen_view_distance_px(
 	const struct screen_view *screen, const float a[3], const float b[3]);
 
 /*
- * The square of a distance in space: a point of the box and one that is not
- * farther from it are at most px pixels apart.
+ * Returns the square of a distance in model units: two points that close to
+ * each other, of which one is in the box, are at most px pixels apart.
  */
 static inline float screen_view_near_square(
 	const struct screen_view *screen, float px)
@@ -97,7 +98,8 @@ static inline float screen_view_near_square(
 
 /*
  * Whether two points are at most px pixels apart, of which a is in the box.
- * near_square is of px; points that near to each other need no projection.
+ * near_square is screen_view_near_square() of px: points that close to each
+ * other need no projection.
  */
 static inline bool screen_view_within(const struct screen_view *screen,
 	const float a[3], const float b[3], float px, float near_square)

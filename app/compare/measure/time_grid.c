@@ -38,7 +38,10 @@ static size_t count_keys(const struct model_clip *clip)
 	return count;
 }
 
-/* A jump is two moments: before the key there is the last float below it. */
+/*
+ * Collects a channel's key times. A key at which the value jumps gives two
+ * moments: its time and the last float below that.
+ */
 static size_t collect_channel(const struct model_channel *channel,
 	float duration_s, struct moment *moment)
 {
@@ -60,7 +63,10 @@ static size_t collect_channel(const struct model_channel *channel,
 	return count;
 }
 
-/* Returns the number of times: those within the clip, and its two ends. */
+/*
+ * Collects and sorts the moments: keys within the clip, and its two ends.
+ * Returns their number.
+ */
 static size_t collect(const struct model_clip *clip, struct moment *moment)
 {
 	size_t count = 0;

@@ -17,16 +17,16 @@ struct time_grid {
 
 /*
  * Two moments are at most 1/60 s apart; of keys closer than 1/80 s only one
- * becomes a moment. A key at which a value jumps always becomes one, and gives
- * a second moment, the last float before it. The clip's duration must be above
- * 0. Returns 0, -E2BIG when the clip lasts longer than five hours, or -ENOMEM.
- * The caller releases the grid with time_grid_release().
+ * becomes a moment. A key at which a value jumps always becomes a moment, and
+ * so does the last float before its time. The clip's duration must be above 0.
+ * Returns 0, -E2BIG when the clip lasts longer than five hours, or -ENOMEM. The
+ * caller releases the grid with time_grid_release().
  */
 int time_grid_make(const struct model_clip *clip, struct time_grid *out);
 
 /*
- * Adds count moments within the clip in any order; the grid may have some of
- * them. Returns 0 or -ENOMEM.
+ * Adds count moments within the clip in any order; times that the grid has
+ * already are left out. Returns 0 or -ENOMEM.
  */
 int time_grid_add(struct time_grid *grid, const float *time_s, int count);
 

@@ -14,18 +14,18 @@
 
 enum {
 	LEVELS = 4,    /* of precision, see set_precision() */
-	ROUNDS_MAX = 7 /* of the search for the error of keys */
+	ROUNDS_MAX = 7 /* of choose_keys() */
 };
 
-/* Numbers take at most this share of the bound; keys take the rest. */
+/* Rounding may cause this share of the bound; keys left out cause the rest. */
 static const float numbers_share = 0.5f;
-/* Aim below the bound, as errors do not grow evenly. */
+/* Aim below the bound, as the measured error is not proportional to key_px. */
 static const float aim = 0.9f;
 
-/* The search for the largest error of a clip's keys that keeps to the bound. */
+/* The search for the largest key_px of a clip that keeps within the bound. */
 struct clip_search {
-	float good_px; /* what has kept to the bound; 0: nothing yet */
-	float bad_px;  /* what has not; 0: nothing yet */
+	float good_px; /* the largest known to fit; 0: none yet */
+	float bad_px;  /* the last that did not fit; 0: none yet */
 	bool done;
 };
 
@@ -39,12 +39,12 @@ struct optimizer {
 	struct optimize_order order;
 	struct optimize_scale scale;
 	struct optimize_reach reach;
-	struct model *base;  /* all numbers as they were, in the new order */
-	struct model *found; /* with the plan */
+	struct model *base;  /* unrounded, in the new order */
+	struct model *found; /* built by the plan */
 	struct optimize_plan plan;
 	struct clip_search *clip;
 	float *key_px, *peak_px; /* [clip_count] */
-	int clip_count;          /* at least 1: the rest pose */
+	int clip_count;          /* at least 1; without clips, the rest pose */
 	float left_px;
 	uint8_t *data;
 	size_t size;
@@ -105,7 +105,7 @@ static int open_document(struct optimizer *optimizer)
 		&optimizer->source, optimizer->log, &optimizer->document);
 }
 
-/* Removes what is not used, and finds orders and units. */
+/* Removes unused parts, and finds the order of vertices and the units. */
 static int prepare(struct optimizer *optimizer)
 {
 	json_t *root = gltf_document_json(optimizer->document);
@@ -128,7 +128,7 @@ static int prepare(struct optimizer *optimizer)
 	return error == -ENOMEM ? fail_memory(optimizer) : error;
 }
 
-/* Builds the plan's file and loads it. */
+/* Builds a file by the plan and loads it; reduces: leaves keys out. */
 static int build(struct optimizer *optimizer, bool reduces, struct model **model)
 {
 	struct optimize_build request = {
@@ -193,7 +193,7 @@ static void set_precision(struct optimize_plan *plan, int level)
 	plan->rotations = level < 3;
 }
 
-/* The least precision of numbers that takes a small share of the bound. */
+/* Chooses the fewest bits whose error is at most numbers_share of the bound. */
 static int choose_precision(struct optimizer *optimizer)
 {
 	float most_px = 0.0f;
@@ -213,9 +213,9 @@ static int choose_precision(struct optimizer *optimizer)
 }
 
 /*
- * Learns from the error that the clip's keys have led to. The next error to try
- * is the one that would use the bound, if errors grew evenly, but not beyond
- * the middle between the best and the worst that are known.
+ * Adjusts the clip's key_px by the measured error. The next value would just
+ * reach the bound if the error were proportional to it, but is at most the
+ * geometric mean of the known good and bad values.
  */
 static void adjust(struct optimizer *optimizer, int clip)
 {
@@ -251,8 +251,8 @@ static bool is_done(const struct optimizer *optimizer)
 }
 
 /*
- * Finds the keys of all clips. What one clip needs may keep a channel in
- * another, so the last file is measured once more as a whole.
+ * Finds key_px of all clips. A channel that one clip needs may have to stay in
+ * another one, so the last file is measured once more as a whole.
  */
 static int choose_keys(struct optimizer *optimizer, float *peak_px)
 {
@@ -280,7 +280,7 @@ static int choose_keys(struct optimizer *optimizer, float *peak_px)
 	return error ? error : measure_all(optimizer, peak_px);
 }
 
-/* What is left when even that misses the bound: only the order changes. */
+/* The last resort if the bound is missed: only the order changes. */
 static int keep_numbers(struct optimizer *optimizer, float *peak_px)
 {
 	int error;
@@ -322,7 +322,7 @@ static int allocate(struct optimizer *optimizer)
 		: fail_memory(optimizer);
 }
 
-/* The file in its new order, and how far its vertices reach. */
+/* Builds the file in its new order without loss, and measures its reach. */
 static int build_base(struct optimizer *optimizer)
 {
 	const struct optimize_view_size size = {

@@ -1,9 +1,10 @@
 /*
  * Makes a glTF file smaller without changing its pictures by more than a bound.
  *
- * Keys are left out that lie between others, numbers become integers, and what
- * nothing uses is removed. The result is loaded and played beside the original,
- * and made more exact until the largest error of a vertex keeps to the bound.
+ * Keys that interpolation between other keys can replace are left out, floats
+ * become integers, and unused parts are removed. The result is loaded and
+ * played beside the original, and made more exact until the largest error of a
+ * vertex is within the bound.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_H
@@ -22,7 +23,7 @@ struct optimize_request {
 	void *progress_context;
 };
 
-/* Bytes, and the keys of all channels. */
+/* The bytes of a file by use, and the number of keys of all channels. */
 struct optimize_sizes {
 	size_t file, keys, vertices, indices, rest;
 	long key_count;
@@ -32,16 +33,17 @@ struct optimize_result {
 	struct optimize_sizes before, after;
 	float peak_px; /* the largest error of a vertex, in any clip */
 	/*
-	 * What the file states about earlier runs: their errors add up, so that
-	 * a file optimised twice keeps to the larger bound.
+	 * The bound of earlier runs, as the file states it. This run may only
+	 * add the difference to bound_px, so that errors do not add up.
 	 */
 	float earlier_px;
 	uint8_t *data; /* [after.file]: the new file; the caller frees it */
 };
 
 /*
- * Reads the glTF file at path anew; model is the same file, which has loaded.
- * Returns 0, or -errno after logging an error: -ENOTSUP for another format.
+ * Reads the file at model->path again and makes it smaller; model is the loaded
+ * file. Returns 0, or -errno after logging an error: -ENOTSUP if it is not
+ * glTF.
  */
 int optimize_model(const struct model *model,
 	const struct optimize_request *request, const struct log *log,

@@ -8,7 +8,7 @@
 /* A model and the clip to play; the copy shares the model's memory. */
 struct played {
 	struct model model;
-	struct model_clip still; /* one pose: a clip's, or that of rest */
+	struct model_clip still; /* stands for a clip without duration */
 	struct reference *reference;
 };
 

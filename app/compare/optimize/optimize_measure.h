@@ -1,5 +1,5 @@
 /*
- * How far the pictures of two models with the same vertices are apart.
+ * Measures how far two models with the same vertices are apart on the screen.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_MEASURE_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_MEASURE_H
@@ -11,17 +11,19 @@ struct optimize_view_size {
 };
 
 /*
- * Plays a clip of both, or shows the rest pose if clip is -1, in the view in
- * which limber play frames the clip. *peak_px is as exact as in
- * candidate_error.h. Returns 0, or -errno after logging an error.
+ * Plays a clip of both models, or poses them at rest if clip is -1, in the view
+ * in which `limber play` frames the clip. *peak_px is the largest distance of a
+ * vertex, as exact as in candidate_error.h; 0 if the numbers of vertices
+ * differ. Returns 0, or -errno after logging an error.
  */
 int optimize_measure(const struct model *wanted, const struct model *found,
 	int clip, struct optimize_view_size size, const struct log *log,
 	float *peak_px);
 
 /*
- * The pixels that a unit of the world has where the clip, or the rest pose,
- * comes closest to the eye. Returns 0, or -errno after logging an error.
+ * Finds how many pixels a unit of world space covers at the point of the clip
+ * (-1: the rest pose) that is closest to the eye. Returns 0, or -errno after
+ * logging an error.
  */
 int optimize_measure_unit(const struct model *model, int clip,
 	struct optimize_view_size size, const struct log *log,

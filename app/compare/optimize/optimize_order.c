@@ -8,8 +8,8 @@
 #include <string.h>
 
 enum {
-	FREE = -1,  /* no group has the accessor */
-	FIXED = -2, /* several groups have it */
+	FREE = -1,  /* no group uses the accessor */
+	FIXED = -2, /* several groups use it */
 	TRIANGLES = 4
 };
 
@@ -84,7 +84,7 @@ static bool has_triangles(
 			array.component == GLB_UINT);
 }
 
-/* The group of a primitive, which is new if it is number count; -1: no memory. */
+/* The primitive's group: order->count if it is new; -1 without memory. */
 static int find_group(struct optimize_order *order, const json_t *primitive)
 {
 	json_t *parts =
@@ -105,7 +105,7 @@ static int find_group(struct optimize_order *order, const json_t *primitive)
 	return number;
 }
 
-/* What is drawn through others depends on which comes first. */
+/* Whether triangles are blended, so that their order changes the picture. */
 static bool is_blended(
 	const struct optimize_order *order, const json_t *primitive)
 {
@@ -168,7 +168,7 @@ static int for_each_primitive(
 	return error;
 }
 
-/* Reads a list; a group with a number out of range keeps its order. */
+/* Reads a list of indices; fixes the group if one of them is out of range. */
 static int read_list(struct optimize_order *order, int list)
 {
 	struct optimize_group *group = &order->group[order->of_list[list]];
@@ -188,7 +188,7 @@ static int read_list(struct optimize_order *order, int list)
 	return 0;
 }
 
-/* The group of a list that may be reordered, or NULL. */
+/* The group of an accessor if it may be reordered, else NULL. */
 static struct optimize_group *free_group(
 	const struct optimize_order *order, const int *of, int accessor)
 {
@@ -232,7 +232,7 @@ static int begin_vertices(struct optimize_group *group)
 	return group->source && group->rename ? 0 : -ENOMEM;
 }
 
-/* Numbers the vertices as the primitive's list needs them. */
+/* Numbers vertices in the order of their first use in the primitive's list. */
 static int order_vertices(struct optimize_order *order, json_t *primitive)
 {
 	int list = list_of(order, primitive), count;

@@ -1,7 +1,6 @@
 /*
- * Puts triangles into the order in which a vertex cache serves them best,
- * unless they are blended, and vertices into the order in which the triangles
- * first need them.
+ * Finds an order of triangles that suits a vertex cache, except for blended
+ * triangles, and sorts vertices by their first use in these triangles.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_ORDER_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_ORDER_H
@@ -12,28 +11,28 @@
 
 /*
  * A group is all primitives that have the same attributes and targets, such as
- * the levels of detail of a mesh. A group that shares an accessor with another
- * group, and one with anything but lists of triangles, is fixed: it keeps its
- * order.
+ * the levels of detail of a mesh. A group is fixed, which means that it keeps
+ * its order, if it shares an accessor with another group, or if one of its
+ * primitives is not an indexed triangle list.
  */
 struct optimize_group {
 	bool fixed;
 	int vertex_count; /* in the file */
 	int used_count;   /* vertices that a triangle uses */
-	uint32_t *source; /* [used_count]: the vertex's number in the file */
-	uint32_t *rename; /* [vertex_count]: new number + 1; 0: not used */
+	uint32_t *source; /* [used_count]: the vertex's index in the file */
+	uint32_t *rename; /* [vertex_count]: new index + 1; 0: not used */
 };
 
 struct optimize_order {
 	const struct gltf_document *document;
-	json_t *by_key; /* attributes and targets as text: the group's number */
+	json_t *by_key; /* attributes and targets as text: the group */
 	int count;
 	struct optimize_group *group;
 	int *of_vertices,
-		*of_list; /* [accessors]: a group's number, or below 0 */
-	uint32_t **list;  /* [accessors]: new lists, or NULL */
-	bool *blended; /* [accessors]: lists that keep their triangles' order */
-	bool *renamed; /* [accessors]: lists that are complete */
+		*of_list; /* [accessors]: a group's index, or below 0 */
+	uint32_t **list;  /* [accessors]: new indices, or NULL */
+	bool *blended;    /* [accessors]: the triangles keep their order */
+	bool *renamed;    /* [accessors]: list has new vertex numbers */
 };
 
 /*
@@ -45,11 +44,11 @@ int optimize_order_find(
 
 void optimize_order_release(struct optimize_order *order);
 
-/* The group whose vertices the accessor belongs to; NULL: keep the order. */
+/* The group that a vertex accessor belongs to; NULL: it keeps its order. */
 const struct optimize_group *optimize_order_vertices(
 	const struct optimize_order *order, int accessor);
 
-/* The new list of triangles; NULL: keep the list. */
+/* The new indices of an accessor of indices; NULL: it keeps its own. */
 const uint32_t *optimize_order_list(
 	const struct optimize_order *order, int accessor);
 

@@ -6,18 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is used, and what is still to be searched for references. */
+/* The elements in use, and those still to be searched for references. */
 struct marks {
 	json_t *root;
 	int count[OPTIMIZE_PARTS];
 	bool *used[OPTIMIZE_PARTS];
-	int *number[OPTIMIZE_PARTS]; /* the new one */
+	int *number[OPTIMIZE_PARTS]; /* the new index */
 	int *parent;                 /* of each node, or -1 */
 	int pending;
 	struct pending {
 		enum optimize_part part;
 		int index;
-	} * stack; /* each element once */
+	} * stack; /* room for each element once */
 };
 
 static json_t *elements(const struct marks *marks, int part)
@@ -139,7 +139,7 @@ static void remove_unused(struct marks *marks, int part)
 	}
 }
 
-/* A channel without a node, or of a removed one, moves nothing. */
+/* Removes channels without a node or of a removed one; renumbers the others. */
 static void prune_channels(const struct marks *marks, json_t *animation)
 {
 	json_t *channels = json_object_get(animation, "channels");
@@ -199,8 +199,9 @@ static void renumber(struct marks *marks)
 }
 
 /*
- * Sets a bit for each set of coordinates that an object's textures read.
- * jansson reads objects of at most 2048 levels.
+ * Sets bit n for each TEXCOORD_n that textures in the object use, and *normals
+ * if there is a normal texture. The recursion is bounded: jansson reads at most
+ * 2048 levels of objects.
  */
 static void find_sets(const json_t *object, unsigned int *sets, bool *normals)
 {
@@ -244,7 +245,7 @@ static int add_material(void *context, enum optimize_part part, int index)
 	return index;
 }
 
-/* Whether the name is that of coordinates which no bit of sets asks for. */
+/* Whether name is a TEXCOORD_n, except TEXCOORD_0, whose bit is not in sets. */
 static bool is_unread_set(const char *name, unsigned int sets)
 {
 	static const char prefix[] = "TEXCOORD_";
@@ -257,7 +258,7 @@ static bool is_unread_set(const char *name, unsigned int sets)
 	return set > 0 && (set > 31 || !(sets & 1u << set));
 }
 
-/* TEXCOORD_0 stays: live pictures are drawn with it without any texture. */
+/* TEXCOORD_0 stays: live pictures need it even without any texture. */
 static void prune_attributes(json_t *attributes, unsigned int sets, bool normals)
 {
 	const char *key;
@@ -274,8 +275,8 @@ static void prune_attributes(json_t *attributes, unsigned int sets, bool normals
 }
 
 /*
- * All primitives of all meshes keep what any material needs: levels of detail
- * must have the attributes of the full mesh.
+ * Removes unused vertex attributes. All primitives keep what any material
+ * needs, because levels of detail must have the attributes of the full mesh.
  */
 static void prune_vertices(json_t *root)
 {

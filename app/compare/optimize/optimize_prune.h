@@ -1,5 +1,5 @@
 /*
- * Removes what nothing in a glTF file uses.
+ * Removes unused parts of a glTF file.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_PRUNE_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_PRUNE_H
@@ -8,8 +8,8 @@
 
 /*
  * Removes nodes that no scene, skin, camera or level of detail needs, meshes,
- * skins and materials that no node needs, textures, images and samplers that
- * no material needs, coordinates and tangents that no texture needs, and
+ * skins and materials that no node needs, textures, images and samplers that no
+ * material needs, texture coordinates and tangents that no texture needs, and
  * channels of removed nodes; then renumbers the rest. A file without scenes
  * keeps all nodes. Returns 0 or -ENOMEM.
  */

@@ -9,14 +9,14 @@
 
 #include <cglm/cglm.h>
 
-/* Of the model's size: where a node without vertices is taken to have one. */
+/* The least distance between a node and its farthest vertex, in model sizes. */
 static const float helper_reach = 0.1f;
 
 struct reacher {
 	const struct model *model;
-	mat4 *world;   /* of the nodes at rest */
-	mat4 *palette; /* of the skin in hand */
-	float *reach;  /* [node_count]: in units of the world */
+	mat4 *world;   /* [node_count]: at rest */
+	mat4 *palette; /* of the current skin */
+	float *reach; /* [node_count]: distance to the farthest vertex, world units */
 	struct bounds box;
 };
 
@@ -32,7 +32,7 @@ static float column_scale(const vec4 *matrix)
 	return most;
 }
 
-/* A vertex that follows a node follows all nodes above it as well. */
+/* Updates the reach of a node and its ancestors by a vertex that follows it. */
 static void follow(struct reacher *reacher, int node, const vec3 at)
 {
 	for (; node >= 0; node = reacher->model->node[node].parent) {
@@ -104,7 +104,7 @@ static void reach_node(struct reacher *reacher, int index)
 	}
 }
 
-/* The largest displacement of each target, times px. */
+/* Finds the largest displacement of each target; px is pixels a unit. */
 static int measure_targets(struct optimize_reach *reach,
 	struct optimize_reach_node *node, const struct model_mesh *mesh,
 	float px)
@@ -167,7 +167,7 @@ static int find(struct optimize_reach *reach, struct reacher *reacher,
 	const struct model *model = reacher->model;
 	int error = 0;
 
-	/* Nodes that are no part of the model keep their keys. */
+	/* File nodes that were not loaded keep their keys. */
 	for (int i = 0; i < reach->node_count; i++) {
 		reach->node[i].exact = true;
 	}

@@ -85,7 +85,7 @@ static void mesh_refs(const struct walk *walk, json_t *mesh)
 	}
 }
 
-/* Textures stand in objects named "...Texture", in extensions as well. */
+/* Objects named "...Texture" refer to textures, also in extensions. */
 static void texture_refs(const struct walk *walk, json_t *object, int depth)
 {
 	const char *key;
@@ -151,7 +151,7 @@ void optimize_refs_of(enum optimize_part part, json_t *element,
 	}
 }
 
-/* Extensions with no references, or with those that are found above. */
+/* Whether an extension has no references, or only those handled above. */
 static bool is_known(const char *name)
 {
 	static const char *const known[] = {
@@ -190,7 +190,7 @@ static void strip_object(json_t *extensions)
 	}
 }
 
-/* The loader's reader of JSON limits how deep values are nested. */
+/* Recursive: the JSON reader limits how deep values are nested. */
 static void strip_value(json_t *value)
 {
 	json_t *extensions = json_object_get(value, "extensions");

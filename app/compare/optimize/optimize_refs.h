@@ -1,8 +1,8 @@
 /*
- * The numbers by which the parts of a glTF file refer to each other.
+ * The indices by which the parts of a glTF file refer to each other.
  *
- * One function knows where they stand, and both the search for unused parts and
- * their renumbering use it.
+ * One function knows where these indices are. The search for unused parts uses
+ * it, and so does renumbering.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_REFS_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_REFS_H
@@ -24,19 +24,23 @@ enum optimize_part {
 	OPTIMIZE_SCENES = OPTIMIZE_PARTS
 };
 
-/* The name of the root object's array of each part, and of the scenes. */
+/* The member of the root object that is the array of each part. */
 extern const char *const optimize_part_name[OPTIMIZE_PARTS + 1];
 
-/* Returns the number to write instead of index. */
+/* Called with a reference; returns the index to write instead of index. */
 typedef int (*optimize_ref)(void *context, enum optimize_part part, int index);
 
-/* Calls ref for each number in an element of the array of this part. */
+/*
+ * Calls ref for each reference to a part in element, which is an element of the
+ * array of this part.
+ */
 void optimize_refs_of(enum optimize_part part, json_t *element,
 	optimize_ref ref, void *context);
 
 /*
- * Removes from the whole document the extensions whose references are unknown,
- * and their names from extensionsUsed. Calls removed for each name there.
+ * Removes all extensions that limber does not know, since they may refer to
+ * parts by index, and their names from extensionsUsed. Calls removed for each
+ * name.
  */
 void optimize_strip_extensions(json_t *root,
 	void (*removed)(void *context, const char *name), void *context);

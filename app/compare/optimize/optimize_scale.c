@@ -8,13 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Meshes, then skins, which are connected where a node has both. */
+/*
+ * Meshes, then skins. A union-find structure joins those that need one unit:
+ * the mesh and the skin of a node, and a mesh and its levels of detail.
+ */
 struct parts {
 	const struct gltf_document *document;
 	json_t *nodes, *meshes;
 	int mesh_count, count, node_count;
 	struct part {
-		int parent; /* of the same set; itself: the set's first */
+		int parent; /* in the set's tree; the root is its own */
 		bool skinned, unskinned;
 		bool placed;  /* some node cannot take a scale */
 		bool integer; /* some positions are integers already */
@@ -70,7 +73,7 @@ static json_t *levels_of(const json_t *node)
 		"ids");
 }
 
-/* Joints, animated scales and levels of detail. */
+/* Finds nodes that must keep their scale: joints, levels, animated scales. */
 static void find_still(const struct parts *parts)
 {
 	json_t *root = gltf_document_json(parts->document);
@@ -183,7 +186,7 @@ static int measure_mesh(const struct parts *parts, const json_t *mesh, int index
 	return error;
 }
 
-/* What each part says holds for its set. */
+/* Merges the members of each part into the root of its set. */
 static void join_sets(const struct parts *parts)
 {
 	for (int i = 0; i < parts->count; i++) {
@@ -206,7 +209,7 @@ static float unit_of(const struct part *set)
 	if (set->integer || !(set->largest > 0.0f)) {
 		return 0.0f;
 	}
-	/* Above a 16th of the unit, 11 bits and more are left. */
+	/* Above 1/16, at least 11 bits are used without scaling. */
 	if (set->largest <= 1.0f && set->largest > 1.0f / 16.0f) {
 		return 1.0f;
 	}

@@ -9,7 +9,7 @@ struct counter {
 	struct optimize_sizes *sizes;
 };
 
-/* Adds an accessor's bytes once, to the first purpose that names it. */
+/* Adds an accessor's bytes once, to the first use that is found. */
 static void count(struct counter *counter, const json_t *value, size_t *bytes)
 {
 	json_int_t index =

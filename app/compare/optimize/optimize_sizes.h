@@ -1,5 +1,5 @@
 /*
- * What the bytes of a glTF file are spent on.
+ * Counts what the bytes of a glTF file are used for.
  */
 #ifndef APP_COMPARE_OPTIMIZE_OPTIMIZE_SIZES_H
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_SIZES_H

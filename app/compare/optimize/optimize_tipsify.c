@@ -17,7 +17,10 @@ int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 	if (!fetched) {
 		return count;
 	}
-	/* fetched is the number of the miss; 16 misses later it is gone. */
+	/*
+	 * fetched[v] is the miss that fetched v; CACHE misses later it is
+	 * evicted.
+	 */
 	for (int i = 0; i < count; i++) {
 		int *at = &fetched[index[i]];
 
@@ -29,16 +32,16 @@ int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 	return misses;
 }
 
-/* The names of the members are those of the paper. */
+/* The members are named as in the paper. */
 struct tipsify {
 	const uint32_t *index;
 	int count, vertex_count;
-	int *first;    /* [vertex_count + 1]: its triangles in the list below */
-	int *triangle; /* [count] */
-	int *live;     /* triangles of a vertex that are not written yet */
-	int *stamp;    /* when a vertex entered the cache */
-	bool *written; /* of a triangle */
-	uint32_t *dead_end; /* vertices used lately: a stack */
+	int *first; /* [vertex_count + 1]: where a vertex's triangles begin */
+	int *triangle;      /* [count] */
+	int *live;          /* [vertex_count]: its triangles not yet written */
+	int *stamp;         /* [vertex_count]: when it entered the cache */
+	bool *written;      /* [triangles] */
+	uint32_t *dead_end; /* a stack of recently used vertices */
 	int dead_ends;
 	int time, cursor;
 	uint32_t *out;
@@ -59,7 +62,7 @@ static void list_triangles(struct tipsify *tipsify)
 
 		tipsify->triangle[--tipsify->first[v + 1]] = i / 3;
 	}
-	/* The fill has moved each end to the beginning of its vertex. */
+	/* The loop has moved first[v + 1] from v's end to v's beginning. */
 	for (int v = 0; v < tipsify->vertex_count; v++) {
 		tipsify->first[v] = tipsify->first[v + 1];
 	}
@@ -81,7 +84,7 @@ static void write_triangle(struct tipsify *tipsify, int triangle)
 	tipsify->written[triangle] = true;
 }
 
-/* The next vertex after those of the triangles written last, or -1. */
+/* Chooses the next fan vertex among those written since begin, or -1. */
 static int best_neighbour(const struct tipsify *tipsify, int begin)
 {
 	int best = -1, most = -1;
@@ -143,7 +146,7 @@ static void run(struct tipsify *tipsify)
 	}
 }
 
-/* One pass; *better tells whether it has saved enough to be taken. */
+/* One pass. *better: it has saved more than 2%, and index has the new order. */
 static int reorder(uint32_t *index, int count, int vertex_count, bool *better)
 {
 	size_t vertices = (size_t)vertex_count + 2, corners = (size_t)count + 1;

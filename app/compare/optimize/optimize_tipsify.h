@@ -1,5 +1,5 @@
 /*
- * The order of triangles that a vertex cache serves best.
+ * Reorders triangles so that a vertex cache has few misses.
  *
  * Sander, Nehab, Barczak: Fast Triangle Reordering for Vertex Locality and
  * Reduced Overdraw (SIGGRAPH 2007).
@@ -10,13 +10,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The vertices that a first-in-first-out cache of 16 has to fetch. */
+/* The misses of a first-in-first-out cache of 16 vertices. */
 int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count);
 
 /*
  * Reorders a list of count / 3 triangles, whose vertices are all below
- * vertex_count. Passes end when one saves less than 2% of the
- * vertices to fetch; an ordered list stays as it is. Returns 0 or -ENOMEM.
+ * vertex_count. Repeats until a pass saves less than 2% of the misses; a list
+ * that is in good order stays as it is. Returns 0 or -ENOMEM.
  */
 int optimize_tipsify(uint32_t *index, int count, int vertex_count);
 

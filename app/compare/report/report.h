@@ -14,10 +14,10 @@ struct report_format {
 	int (*print)(const struct comparison *comparison, FILE *out);
 };
 
-/* text, json, csv and md; ends with a format without a name. */
+/* The formats text, json, csv and md; ends with an entry whose name is NULL. */
 extern const struct report_format report_formats[];
 
-/* The format of that name, or NULL. */
+/* Returns the format of that name, or NULL. */
 const struct report_format *report_find(const char *name);
 
 int report_print_text(const struct comparison *comparison, FILE *out);
@@ -27,8 +27,8 @@ int report_print_markdown(const struct comparison *comparison, FILE *out);
 
 /*
  * Writes an SVG picture of two charts: error against memory, and error against
- * the cost of a frame, with a curve for each technique. Returns 0, or -errno
- * after logging an error.
+ * the predicted time of posing, with a curve for each technique. Returns 0, or
+ * -errno after logging an error.
  */
 int report_plot(const struct comparison *comparison, const char *path,
 	const struct log *log);

@@ -20,7 +20,7 @@ enum {
 	DECADES_MAX = 99
 };
 
-/* Smaller errors are drawn here, as the axis is logarithmic. */
+/* Smaller errors are drawn as this one, as the axis is logarithmic. */
 static const double min_px = 0.01;
 
 static const char *const color[TECHNIQUE_COUNT] = {
@@ -33,7 +33,7 @@ static const char *const color[TECHNIQUE_COUNT] = {
 /* One chart: error against a cost, both on logarithmic axes. */
 struct chart {
 	const char *title;
-	/* The x coordinate of a candidate. */
+	/* The cost of a row, which is its x coordinate. */
 	double (*cost)(const struct comparison *comparison,
 		const struct comparison_row *row);
 	double left;                      /* pixels */
@@ -50,7 +50,7 @@ static double memory_cost(
 static double time_cost(
 	const struct comparison *comparison, const struct comparison_row *row)
 {
-	/* Drawing takes much longer, and all techniques about the same. */
+	/* Drawing is left out: it dominates, and differs little. */
 	return advice_row_us(comparison, (int)(row - comparison->row)) -
 		board_cost_us(&row->total.draw);
 }
@@ -126,7 +126,10 @@ static void draw_axes(const struct chart *chart, double bound_px, FILE *out)
 		CHART_TOP - 14, chart->title);
 }
 
-/* qsort() passes no context, so both charts use this order. */
+/*
+ * The order of a curve's points; qsort() passes no chart, so both charts use
+ * it.
+ */
 static int by_memory(const void *a, const void *b)
 {
 	const struct comparison_row *x =
@@ -172,7 +175,7 @@ static void draw_points(const struct chart *chart,
 	}
 }
 
-/* Evenly spaced keys are a point beside the curve of fitted ones. */
+/* A morph with evenly spaced keys is a point off the curve of fitted morphs. */
 static void draw_curve(const struct chart *chart,
 	const struct comparison *comparison, enum technique technique, FILE *out)
 {

@@ -1,5 +1,5 @@
 /*
- * CSV and Markdown.
+ * Prints the listed rows as CSV and Markdown.
  */
 #include "app/compare/report/report.h"
 
@@ -22,7 +22,9 @@ static const char *const columns[] = {
 	"advised",
 };
 
-/* Prints a row of cells, each after the first preceded by separator. */
+/*
+ * Prints a row's cells with separators between them; quotes enclose the name.
+ */
 static void print_cells(const struct comparison *comparison, int index,
 	const char *separator, const char *quote, FILE *out)
 {

@@ -128,7 +128,9 @@ enum {
 	CLIP_NAME_MAX = 40
 };
 
-/* The bytes of the longest name, within limits. */
+/*
+ * The bytes of the longest clip name, between CLIP_NAME_MIN and CLIP_NAME_MAX.
+ */
 static int clip_name_width(const struct comparison *comparison)
 {
 	size_t width = CLIP_NAME_MIN;
@@ -182,7 +184,7 @@ static void print_ratings(const struct comparison *comparison, FILE *out)
 	}
 }
 
-/* Of the recommended row, the mean of all clips. */
+/* Prints the steps' times of the recommended row, as means over the clips. */
 static void print_steps(const struct comparison *comparison, FILE *out)
 {
 	const struct comparison_row *row = &comparison->row[comparison->advised];

@@ -6,7 +6,7 @@
 
 static const char quantization[] = "KHR_mesh_quantization";
 
-/* The unit by which something must be enlarged; 1: not at all. */
+/* The factor that undoes the unit: 1 if positions stay as they are. */
 static float enlargement(const struct optimize_build *build, const float *unit)
 {
 	float found = optimize_build_unit(build, unit);
@@ -101,7 +101,7 @@ static void enlarge_array(json_t *object, const char *key, float unit, int count
 	}
 }
 
-/* A node without a skin takes the unit of its mesh as a scale. */
+/* Scales a node without a skin by the unit of its mesh. */
 static void build_node(struct optimize_build *build, json_t *node)
 {
 	json_t *mesh = json_object_get(node, "mesh");
@@ -130,7 +130,7 @@ static void build_node(struct optimize_build *build, json_t *node)
 	}
 }
 
-/* Instances of EXT_mesh_gpu_instancing keep their numbers. */
+/* Copies an accessor of EXT_mesh_gpu_instancing unchanged. */
 static int copy_accessor(
 	struct optimize_build *build, json_t *attributes, const char *name)
 {
@@ -198,7 +198,8 @@ static const char *mime_of(const uint8_t *data, size_t size)
 }
 
 /*
- * An image that is missing, or has another format, keeps its URI.
+ * Stores images in the file. An image that is missing, or neither PNG nor JPEG,
+ * keeps its URI.
  */
 static int build_images(struct optimize_build *build)
 {
@@ -323,7 +324,7 @@ int optimize_build(struct optimize_build *build, const char *path,
 	}
 	json_decref(build->root);
 	build->root = NULL;
-	/* Errors of the file are logged already, those of memory are not. */
+	/* Only errors of memory have not been logged yet. */
 	if (error && error != -ENOMEM) {
 		glb_discard(glb);
 		return error;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Times of constant channels are 0 and, in one channel, the clip's end. */
+/* A constant channel has a key at 0 and maybe one at the clip's end. */
 static int put_times(const struct optimize_keys *keys,
 	const struct optimize_channel *channel)
 {
@@ -33,8 +33,8 @@ static int put_times(const struct optimize_keys *keys,
 }
 
 /*
- * Whether two successive keys are half a turn apart: rounding could then turn
- * the other way round.
+ * Whether two successive keys are half a turn apart: after rounding, the
+ * shorter way between them could be the opposite one.
  */
 static bool turns_half(const struct optimize_channel *channel,
 	const float *value, size_t count)
@@ -54,7 +54,10 @@ static bool turns_half(const struct optimize_channel *channel,
 	return false;
 }
 
-/* Rotations and weights are stored as integers where these suffice. */
+/*
+ * Stores rotations and weights as integers if they are within -1 to 1. *one is
+ * the number that stands for 1.
+ */
 static void choose_component(const struct optimize_keys *keys,
 	const struct optimize_channel *channel, const float *value,
 	size_t count, struct optimize_array *array, float *one)
@@ -148,7 +151,9 @@ static int put_sampler(const struct optimize_channel *channel, json_t *samplers)
 	return (int)json_array_size(samplers) - 1;
 }
 
-/* Channels that share times follow each other: their keys are found once. */
+/*
+ * Groups channels by their times, so that the player finds a key once for all.
+ */
 static int compare_channels(const void *a, const void *b)
 {
 	const struct optimize_channel *p = a, *q = b;
@@ -167,7 +172,10 @@ static void check(struct optimize_keys *keys, int accessor)
 	}
 }
 
-/* Writing a file anew writes the same order, since times are numbered first. */
+/*
+ * Times are added, and so numbered, first: optimizing the result again gives
+ * the same order.
+ */
 static int put_channels(struct optimize_keys *keys)
 {
 	json_t *samplers = json_array(), *channels = json_array();

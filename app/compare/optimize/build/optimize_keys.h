@@ -1,6 +1,5 @@
 /*
- * The channels of one animation: read, reduced to the keys that suffice, and
- * written.
+ * The channels of one animation: reads them, and chooses the keys to keep.
  */
 #ifndef APP_COMPARE_OPTIMIZE_BUILD_OPTIMIZE_KEYS_H
 #define APP_COMPARE_OPTIMIZE_BUILD_OPTIMIZE_KEYS_H
@@ -9,17 +8,17 @@
 #include "app/compare/optimize/build/optimize_track.h"
 
 struct optimize_channel {
-	json_t *target; /* of the file's channel; not owned */
+	json_t *target; /* of the channel in the file; not owned */
 	struct optimize_track track;
 	struct gltf_document_array output;
-	float *time_s, *value; /* of the track */
-	float unit;            /* what stands for 1 in the file */
-	int group;             /* of channels with equal times */
+	float *time_s, *value; /* the arrays of track; owned */
+	float unit; /* the integer that stands for 1 in the file, or 1 */
+	int group;  /* the first channel with equal times, or -1 */
 	bool constant, dropped;
-	int *kept; /* [kept_count]: numbers of keys */
+	int *kept; /* [kept_count]: indices of keys */
 	int kept_count;
-	int times, values; /* new accessors */
-	int number;        /* in the file */
+	int times, values; /* indices of new accessors */
+	int number;        /* the channel's index in the file */
 };
 
 /* One animation. */
@@ -32,12 +31,12 @@ struct optimize_keys {
 	float end_s;
 };
 
-/* By enum model_path and enum model_interpolation: glTF's names. */
+/* glTF's names, by enum model_path and enum model_interpolation. */
 extern const char *const optimize_path_name[4];
 extern const char *const optimize_interpolation_name[3];
 
 /*
- * Reads the animation of this number. Returns 0, or -errno after logging an
+ * Reads the animation with this index. Returns 0, or -errno after logging an
  * error; the caller calls optimize_keys_release() in either case.
  */
 int optimize_keys_read(struct optimize_build *build, json_t *animation,
@@ -46,8 +45,9 @@ int optimize_keys_read(struct optimize_build *build, json_t *animation,
 void optimize_keys_release(struct optimize_keys *keys);
 
 /*
- * Marks in moved, [nodes][4] by path, what the animation moves away from rest.
- * Only what none does is left out of all, as animations may be mixed.
+ * Sets moved[4 * node + path] for each path that the animation moves away from
+ * rest. A channel is left out only if no animation moves its path, because the
+ * player may mix animations.
  */
 void optimize_keys_find_moved(const struct optimize_keys *keys, bool *moved);
 

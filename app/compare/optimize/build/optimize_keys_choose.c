@@ -5,11 +5,11 @@
 #include <string.h>
 
 enum {
-	/* About what an accessor of times adds to the JSON. */
+	/* About the JSON text of one more accessor of times. */
 	TIMES_JSON_BYTES = 110
 };
 
-/* The node's own value of the path; false for a node with a matrix. */
+/* Reads the node's rest value of the path. False if the node has a matrix. */
 static bool read_rest(const struct optimize_keys *keys,
 	const struct optimize_channel *channel, float rest[4])
 {
@@ -32,7 +32,7 @@ static bool read_rest(const struct optimize_keys *keys,
 	return node && !json_object_get(node, "matrix");
 }
 
-/* Whether leaving the channel out would change nothing. */
+/* Whether the channel stays at the rest value, so that it can be left out. */
 static bool rests(const struct optimize_keys *keys,
 	const struct optimize_channel *channel)
 {
@@ -91,7 +91,7 @@ static bool has_same_times(
 			(size_t)a->track.key_count * sizeof(float)) == 0;
 }
 
-/* Numbers the channel by the first one with the same times that also moves. */
+/* Sets the channel's group: the first reducible channel with the same times. */
 static void find_group(struct optimize_keys *keys, int index)
 {
 	struct optimize_channel *channel = &keys->channel[index];
@@ -111,8 +111,8 @@ static void find_group(struct optimize_keys *keys, int index)
 }
 
 /*
- * Channels of a group share times where times of their own, with fewer keys,
- * would take more bytes.
+ * Makes channels of a group use the shared keys, unless their own keys and
+ * times, which are fewer, take fewer bytes.
  */
 static void share_keys(
 	struct optimize_keys *keys, int group, const int *kept, int count)
@@ -156,7 +156,7 @@ static int reduce_group(struct optimize_keys *keys, int group)
 	return error;
 }
 
-/* A clip lasts to its last key, so one channel keeps a key there. */
+/* A clip lasts to its last key, so one channel must keep a key there. */
 static void keep_end(struct optimize_keys *keys)
 {
 	struct optimize_channel *pin = NULL;

@@ -10,7 +10,7 @@
 enum {
 	TARGET_VERTICES = 34962, /* GL_ARRAY_BUFFER */
 	TARGET_INDICES = 34963,  /* GL_ELEMENT_ARRAY_BUFFER */
-	SPARSE_JSON_BYTES = 120  /* what a sparse accessor adds to the JSON */
+	SPARSE_JSON_BYTES = 120  /* the JSON text of a sparse accessor */
 };
 
 void optimize_output_begin(struct optimize_output *output)
@@ -34,7 +34,7 @@ double optimize_decimal(float value)
 	return strtod(text, NULL);
 }
 
-/* Room for size more bytes, or NULL. */
+/* Makes room for size more bytes. Returns the place, or NULL. */
 static uint8_t *reserve(struct optimize_output *output,
 	struct optimize_bytes *bytes, size_t size)
 {
@@ -149,7 +149,7 @@ static json_t *accessor_json(const struct optimize_array *array)
 	return json;
 }
 
-/* bufferView is the number of an enum optimize_view until the end. */
+/* bufferView is an enum optimize_view until optimize_output_end(). */
 static void set_place(json_t *json, enum optimize_view view, size_t offset)
 {
 	json_object_set_new(json, "bufferView", json_integer((int)view));
@@ -159,7 +159,7 @@ static void set_place(json_t *json, enum optimize_view view, size_t offset)
 	}
 }
 
-/* An accessor of the same bytes that is stored already, or -1. */
+/* Finds a stored accessor with the same bytes and type, or -1. */
 static int find_equal(
 	struct optimize_output *output, const struct optimize_accessor *wanted)
 {
@@ -277,7 +277,7 @@ static size_t put_bytes(
 	return offset;
 }
 
-/* The elements that are not 0, and their numbers, in 16 bits if they fit. */
+/* Writes the elements that are not 0 to value, and their indices to index. */
 static void pack(const struct optimize_array *array, size_t index_bytes,
 	uint8_t *index, uint8_t *value)
 {

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Relative to the values: what rounding to floats changes. */
+/* The relative error of rounding to floats. */
 static const float rounding = 1e-6f;
 
 const float *optimize_track_value(const struct optimize_track *track, int key)
@@ -50,7 +50,7 @@ static float distance_px(
 	case MODEL_TRANSLATION:
 		return distance(a, b, 3, 1.0f) * track->reach->move_px;
 	case MODEL_ROTATION:
-		/* The chord of two unit quaternions is half the angle. */
+		/* The distance of unit quaternions is half the angle. */
 		same = distance(a, b, 4, 1.0f);
 		opposite = distance(a, b, 4, -1.0f);
 		return 2.0f * (same < opposite ? same : opposite) *
@@ -78,7 +78,7 @@ bool optimize_track_is_near(
 			distance_px(track, a, b) <= track->bound_px);
 }
 
-/* A spline holds still when its tangents are 0, too. */
+/* A spline is constant only if its tangents are 0, too. */
 bool optimize_track_is_constant(const struct optimize_track *track)
 {
 	size_t width = (size_t)track->width;
@@ -102,10 +102,10 @@ bool optimize_track_is_constant(const struct optimize_track *track)
 }
 
 enum {
-	WIDTH_MAX = 4 /* of paths other than weights */
+	WIDTH_MAX = 4 /* of all paths except weights */
 };
 
-/* Whether the key lies where the keys from and to put it. */
+/* Whether interpolation between the keys from and to can replace the key. */
 static bool is_between(
 	const struct optimize_track *track, int from, int to, int key)
 {
@@ -157,8 +157,8 @@ static bool fits(
 }
 
 /*
- * The farthest key that a line from this one may lead to: steps double while
- * they fit and are halved then.
+ * Finds a far key such that all keys between it and from can be left out: steps
+ * double while they fit, then a binary search follows.
  */
 static int farthest(
 	const struct optimize_track *const *track, int count, int from)

@@ -1,5 +1,5 @@
 /*
- * One channel of an animation, and which of its keys suffice.
+ * Reduces the keys of one channel of an animation.
  */
 #ifndef APP_COMPARE_OPTIMIZE_BUILD_OPTIMIZE_TRACK_H
 #define APP_COMPARE_OPTIMIZE_BUILD_OPTIMIZE_TRACK_H
@@ -16,23 +16,23 @@ struct optimize_track {
 	const float *time_s; /* [key_count] */
 	const float *value;  /* as in struct model_channel */
 	const struct optimize_reach_node *reach;
-	float bound_px; /* the largest error of a key; 0: only of rounding */
+	float bound_px; /* the largest error; 0: only rounding */
 };
 
-/* Whether b may stand for a value a of the track. */
+/* Whether b is close enough to replace a value a of the track. */
 bool optimize_track_is_near(
 	const struct optimize_track *track, const float *a, const float *b);
 
 /* The value of a key, without tangents. */
 const float *optimize_track_value(const struct optimize_track *track, int key);
 
-/* Whether one key would do. */
+/* Whether all keys are close enough to the first one, so that it suffices. */
 bool optimize_track_is_constant(const struct optimize_track *track);
 
 /*
- * Writes to kept the numbers of the keys that suffice for all tracks, which
- * have the same times, from the first key to the last. All of them are
- * MODEL_LINEAR or MODEL_STEP. Returns how many there are.
+ * Writes to kept the indices of the keys that suffice for all count tracks,
+ * including the first and the last key, and returns their number. The tracks
+ * have the same times and are all MODEL_LINEAR or all MODEL_STEP.
  */
 int optimize_track_reduce(
 	const struct optimize_track *const *track, int count, int *kept);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An accessor's numbers in the new order, as they are to be written. */
+/* An accessor's elements in the new order, ready to be written. */
 struct numbers {
 	struct optimize_array array;
 	float *value;
@@ -26,7 +26,7 @@ static int fail(struct optimize_build *build, int error)
 	return error;
 }
 
-/* Moves the elements that the order keeps to their places. */
+/* Keeps the vertices that are used, in the group's order. */
 static void reorder(struct numbers *numbers, const struct optimize_group *group)
 {
 	size_t width = (size_t)numbers->array.width;
@@ -43,7 +43,7 @@ static void reorder(struct numbers *numbers, const struct optimize_group *group)
 	numbers->array.count = group->used_count;
 }
 
-/* Reads an accessor as it is stored, in the order of its group. */
+/* Reads an accessor's stored numbers, in the order of its group. */
 static int read_numbers(const struct optimize_build *build, int accessor,
 	const struct optimize_group *group, struct numbers *out)
 {
@@ -83,7 +83,7 @@ static bool within(const struct optimize_array *array, float low, float high)
 	return true;
 }
 
-/* Rounds values of -1..1 or 0..1 to normalised integers. */
+/* Rounds values of -1..1 or 0..1 to normalised integers; one stands for 1. */
 static void normalize_to(
 	struct numbers *numbers, enum glb_component component, float one)
 {
@@ -145,7 +145,7 @@ static bool begins(const char *string, const char *start)
 	return strncmp(string, start, strlen(start)) == 0;
 }
 
-/* Stores floats of an attribute as integers where they suffice. */
+/* Converts floats of an attribute to integers if their range allows it. */
 static void shrink(struct optimize_build *build, const char *name, bool target,
 	float unit, struct numbers *numbers)
 {
@@ -260,7 +260,7 @@ static void name_weights(int set, char name[SET_NAME])
 	snprintf(name, SET_NAME, "WEIGHTS_%d", set);
 }
 
-/* The sets up to the first that is missing; 0 if they are more than SETS. */
+/* The number of successive sets from WEIGHTS_0 on; 0 if above SETS. */
 static int count_weights(
 	const struct optimize_build *build, const json_t *attributes)
 {

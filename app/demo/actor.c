@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-/* GL's matrices end at 32,768, and a camera stands before the figure. */
+/* Numbers of GL's matrices end at 32,768; this leaves room for the camera. */
 static const float far_units = 32000.0f;
 
 static void warn_if_far(const struct actor *actor, const struct bounds *bounds,

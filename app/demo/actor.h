@@ -1,6 +1,6 @@
 /*
  * An actor is a loaded model with its instance and textures. struct demo_base
- * is what every demo consists of besides its own state.
+ * has the members that all demos share.
  */
 #ifndef APP_DEMO_ACTOR_H
 #define APP_DEMO_ACTOR_H
@@ -23,11 +23,11 @@ struct actor {
 	struct clip_cursor cursor;
 	enum clip_interpolation interpolation;
 	struct influence_cap influence_cap;
-	int influence_limit; /* overrides a higher cap; 0: no limit */
+	int influence_limit; /* lowers a higher cap; 0: no limit */
 	struct lod lod;
-	float min_error_px; /* overrides a smaller error of lod; 0: none */
-	float extent;       /* in the rest pose, scene units */
-	struct shadow_ground ground; /* of the model's own */
+	float min_error_px; /* raises a smaller error of lod; 0: no effect */
+	float extent;       /* longest side of the rest pose, scene units */
+	struct shadow_ground ground; /* a ground that is part of the model */
 };
 
 /* Every demo's struct begins with this one. */
@@ -43,9 +43,9 @@ struct demo_base {
 
 	struct log log;
 	struct overlay *overlay;        /* NULL before any is shown */
-	unsigned overlays_of_old_model; /* kinds to show for the new one */
-	struct framing_below below;     /* that labels show now */
-	float room_below; /* raises the region's bottom for what stands there */
+	unsigned overlays_of_old_model; /* kinds to show for the new model */
+	struct framing_below below; /* rows of labels below the figure now */
+	float room_below; /* part of the region's bottom that small pictures cover */
 };
 
 /*
@@ -57,23 +57,24 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 void actor_unload(struct actor *actor, const struct gl *gl);
 
 /*
- * Makes a stage that frames the box in framing_region() of a picture of the
- * base's size, and keeps the framing. Its camera's aspect and region are
- * ignored. Returns 0, or -errno after logging an error.
+ * Makes a stage whose camera frames bounds (scene units) in the part of the
+ * picture that framing_region() leaves free, and keeps framing in base. The
+ * aspect and region of framing->camera are ignored. Returns 0, or -errno after
+ * logging an error.
  */
 int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	const struct bounds *bounds, const struct framing *framing,
 	struct stage *stage);
 
 /*
- * Frames the same figures in pictures of this size, beside what labels show
- * now. Cameras that do not follow stay as they are.
+ * Frames the same figures in pictures of this size, beside the current labels.
+ * A camera whose framing has follow unset stays as it is.
  */
 void actor_reframe_stage(struct demo_base *base, int width, int height);
 
 /*
- * Updates the instance for a picture of this height, with the influences and
- * triangles that influence_cap and lod allow.
+ * Computes the instance's vertices and chooses its triangles for a picture of
+ * this height in pixels, as influence_cap and lod say.
  */
 void actor_update(
 	struct actor *actor, const struct camera *camera, int picture_height);

@@ -100,7 +100,7 @@ void demo_update_live(struct demo *demo, double time_s, int width, int height)
 	live_update(&base->live, base->gl, &base->stage, time_s, width, height);
 }
 
-/* In a small picture the overlays' labels take the place of the demo's. */
+/* In a small picture, the overlays' labels replace the demo's. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud)
 {

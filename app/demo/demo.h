@@ -30,9 +30,9 @@ struct demo_action {
 	enum button button;
 	const char *summary;
 	/*
-	 * Called with the amount when the button is pressed and, if it is held,
-	 * with 0 when it is released. NULL: a press inverts a bool that lies
-	 * this many bytes behind the demo's start.
+	 * Called with amount when the button is pressed and, if held is set,
+	 * with 0 when it is released. NULL: a press inverts the bool at offset
+	 * inverts, in bytes, of the demo's struct.
 	 */
 	void (*run)(struct demo *demo, int amount);
 	int amount;
@@ -40,7 +40,7 @@ struct demo_action {
 	size_t inverts;
 };
 
-/* Actions of a press, of a button that is held, and of one that inverts. */
+/* Actions: on a press, while a button is held, and one that inverts a bool. */
 #define DEMO_PRESS(name, text, function, with)                             \
 	{                                                                  \
 		.button = BUTTON_##name, .summary = text, .run = function, \
@@ -61,16 +61,17 @@ struct demo_action {
 struct demo_driver {
 	const char *name;
 	const char *summary;
-	const char *asset; /* a file in assets/; NULL: the user's model */
-	bool any_model;    /* shows the user's model in place of the asset */
+	const char *asset; /* the model, in assets/; NULL: the user's */
+	bool any_model;    /* may show the user's model instead */
 	const struct demo_action *action; /* ends with a NULL summary, or NULL */
 
 	/* Size of the demo's struct, which begins with a struct demo_base. */
 	size_t size;
 
 	/*
-	 * Called with a loaded actor and all else zero. Prepares the demo and,
-	 * last, makes the stage. Returns 0, or -errno after logging an error.
+	 * Called with a demo whose base has a loaded actor and whose other
+	 * members are 0. Prepares the demo and, last, makes the stage. Returns
+	 * 0, or -errno after logging an error.
 	 */
 	int (*prepare)(struct demo *demo, const struct demo_env *env);
 
@@ -78,8 +79,8 @@ struct demo_driver {
 	void (*finish)(struct demo *demo);
 
 	/*
-	 * Takes a button event, and prints what each button does. A demo has
-	 * these two or a table of actions.
+	 * press() takes a button event, print_buttons() prints what each button
+	 * does. A demo has either these two or a table of actions.
 	 */
 	void (*press)(struct demo *demo, const struct button_event *event);
 	void (*print_buttons)(const struct demo *demo, FILE *out);
@@ -88,12 +89,12 @@ struct demo_driver {
 	void (*update)(struct demo *demo, double time_s);
 
 	/*
-	 * Draws a frame of this size. Allocates nothing. Optional: the stage
-	 * with a flat shadow and a model for each figure.
+	 * Draws a frame of this size. Allocates nothing. Without this function,
+	 * the stage and all figures with flat shadows are drawn.
 	 */
 	void (*draw)(struct demo *demo, int width, int height);
 
-	/* Whether figures cast a shadow now. Optional: they do. */
+	/* Whether figures cast a shadow now. Without this function, they do. */
 	bool (*casts_shadow)(const struct demo *demo);
 
 	/* Returns the seconds after which an unattended run repeats. */
@@ -105,15 +106,16 @@ struct demo_driver {
 	const char *technique; /* for facts; NULL: the actor's */
 
 	/*
-	 * Describes the figure of this number, from 0. Returns false where
-	 * there is none. Optional: the actor's instance stands at the origin.
+	 * Describes figure number, counted from 0. Returns false if there is
+	 * none. *out is the actor's instance at the origin beforehand, which is
+	 * the only figure without this function.
 	 */
 	bool (*get_figure)(const struct demo *demo, int number,
 		struct overlay_figure *out);
 
 	/*
-	 * Describes what moves the first figure. *out describes nothing yet.
-	 * Optional.
+	 * Describes the clip and the layers that move the first figure. *out is
+	 * overlay_motion_none() beforehand. Optional.
 	 */
 	void (*get_motion)(const struct demo *demo, struct overlay_motion *out);
 };
@@ -137,7 +139,7 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 /* Frees the demo; NULL is allowed. */
 void demo_destroy(const struct demo_driver *driver, struct demo *demo);
 
-/* Sets what the demo leaves out from its next update on. */
+/* Sets by how much the demo reduces quality from its next update on. */
 void demo_set_reduction(
 	struct demo *demo, const struct demo_reduction *reduction);
 
@@ -151,8 +153,8 @@ void demo_set_rate(struct demo *demo, float frames_per_s);
 void demo_update_live(struct demo *demo, double time_s, int width, int height);
 
 /*
- * Draws a frame of this size, with the overlays that are shown. Allocates
- * nothing, unless the model has been loaded anew.
+ * Draws a frame of this size with its overlays. Allocates nothing, unless the
+ * model has been reloaded.
  */
 void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 	int height);
@@ -160,13 +162,10 @@ void demo_draw(const struct demo_driver *driver, struct demo *demo, int width,
 /* Shows the next overlay, or none after the last one. */
 void demo_show_next_overlay(const struct demo_driver *driver, struct demo *demo);
 
-/*
- * Chooses the next joint, part or morph target for overlays; the one before
- * with step -1.
- */
+/* Overlays show the next (step 1) or previous (-1) joint, part or target. */
 void demo_choose_joint(struct demo *demo, int step);
 
-/* Adds labels of the demo, of the camera's use and of overlays. */
+/* Adds labels of the demo, of the video camera and of the overlays. */
 void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud);
 
@@ -178,7 +177,7 @@ struct demo_facts demo_get_facts(
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event);
 
-/* The next of enum live_use; without a camera it does nothing. */
+/* Switches to the next enum live_use. Does nothing without a video camera. */
 void demo_next_camera_use(struct demo *demo);
 
 #endif

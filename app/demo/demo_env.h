@@ -1,6 +1,6 @@
 /*
- * What the program gives a demo: its environment when it is created, and later
- * what to leave out of its frames.
+ * What the program gives a demo: its environment when it is created, and
+ * reductions of quality later.
  */
 #ifndef APP_DEMO_DEMO_ENV_H
 #define APP_DEMO_DEMO_ENV_H
@@ -23,22 +23,22 @@ struct demo_env {
 	enum pixel_format target;
 	const struct kernel *kernel;
 	int width, height;      /* of the picture, initially */
-	bool no_labels;         /* none will be on the picture */
+	bool no_labels;         /* the picture will have no labels */
 	const char *model_path; /* the model file to show */
-	size_t memory_bytes;    /* the model's budget; 0: MODEL_MEMORY_BYTES */
+	size_t memory_bytes;    /* budget of the model; 0: MODEL_MEMORY_BYTES */
 	const char *character;  /* a character file, "none", or NULL: the one
 				   beside the model if there is one */
 	const char *clip;       /* name or index of the first clip, or NULL */
 	enum clip_interpolation interpolation;
 	enum clip_repeat repeat; /* viewer only */
 	float speed;             /* viewer only; below 0: backwards */
-	struct influence_cap influence_cap; /* influences of a vertex */
-	struct lod lod;                     /* triangles */
-	int walkers;      /* of the crowd; 0: the demo's own number */
+	struct influence_cap influence_cap; /* most influences a vertex */
+	struct lod lod;                     /* level of detail */
+	int walkers;      /* of the crowd; 0: the demo's default */
 	bool follow_file; /* reload the model when its file changes */
 	bool may_save;    /* a button may write a file, such as presets */
 	int64_t (*now_ns)(
-		void);   /* clock to measure with; NULL: do not measure */
+		void);   /* clock to measure times; NULL: do not measure */
 	bool unattended; /* nobody presses buttons: show everything */
 	const struct camera_feed *camera; /* video camera, or NULL */
 	enum live_use camera_use;         /* initially */
@@ -46,7 +46,7 @@ struct demo_env {
 	struct overlay_choice overlays;   /* initially */
 };
 
-/* The character that env asks for. */
+/* Returns the request for the character that env asks for. */
 static inline struct character_request demo_env_request(
 	const struct demo_env *env)
 {
@@ -57,10 +57,10 @@ static inline struct character_request demo_env_request(
 		.repeat = env->repeat};
 }
 
-/* What a demo leaves out to keep a frame budget; all zero: nothing. */
+/* How a demo reduces quality to keep a frame budget; all zero: not at all. */
 struct demo_reduction {
-	float error_px;     /* least error of the triangles; 0: unchanged */
-	int max_influences; /* of a vertex; 0: all */
+	float error_px;     /* error to allow for triangles; 0: unchanged */
+	int max_influences; /* a vertex; 0: all */
 	bool hold_normals;  /* see instance.hold_normals */
 };
 

@@ -34,7 +34,10 @@ struct demo_facts demo_get_facts(
 	return facts;
 }
 
-/* Figures share instances, so each is sorted as it is drawn. */
+/*
+ * Sorts a figure's blended triangles before it is drawn, as figures may share
+ * an instance.
+ */
 static void sort_blended(
 	const struct overlay_figure *figure, const struct camera *camera)
 {

@@ -7,7 +7,8 @@ enum {
 	FIGURES_MAX = 64
 };
 
-static const float least_side = 0.2f; /* of a region; the picture has 2 */
+static const float least_side =
+	0.2f; /* height of a region; the picture's is 2 */
 
 static struct overlay_motion motion_of(
 	const struct demo_driver *driver, const struct demo *demo)
@@ -38,7 +39,7 @@ int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
 		&subject, base->gl, choice, &base->log, &base->overlay);
 }
 
-/* Without memory for the overlays of a new model none are shown. */
+/* Makes the overlays for a reloaded model; shows none if there is no memory. */
 static void follow_model(const struct demo_driver *driver, struct demo *demo)
 {
 	struct demo_base *base = (struct demo_base *)demo;
@@ -61,7 +62,7 @@ void demo_overlay_release(struct demo_base *base)
 	}
 }
 
-/* Moves the figures above the small pictures that are shown. */
+/* Moves the figures up, above the row of small pictures, if that is shown. */
 static void make_room(struct demo_base *base, int width, int height)
 {
 	const struct overlay *overlay = base->overlay;
@@ -141,7 +142,7 @@ void demo_show_next_overlay(const struct demo_driver *driver, struct demo *demo)
 	const struct overlay_choice none = {0};
 
 	follow_model(driver, demo);
-	/* Without memory nothing is shown; an error has been logged. */
+	/* If this fails, nothing is shown; an error has been logged. */
 	if (base->overlay || demo_overlay_make(driver, demo, &none) == 0) {
 		overlay_show_next(base->overlay, &motion);
 	}
@@ -157,8 +158,8 @@ void demo_choose_joint(struct demo *demo, int step)
 }
 
 /*
- * The free side of the figures: the column at their left, which other labels
- * share, that at their right, or the room above or below them.
+ * Finds room for labels beside the figures: the column at their left, which
+ * other labels share, the column at their right, or the room above or below.
  */
 static struct overlay_place place_of(
 	const struct demo *demo, const struct hud *hud)

@@ -286,10 +286,7 @@ static int prepare(struct rigid_bake *rigid)
 	return error;
 }
 
-/*
- * Copies the clip without the weights of targets, which rigid parts do not
- * have.
- */
+/* Copies the clip without weights of targets, which rigid parts do not have. */
 static int find_motion(struct rigid_bake *rigid, struct model_clip *out)
 {
 	const struct model_clip *clip = rigid->reference->clip;

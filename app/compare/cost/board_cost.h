@@ -42,10 +42,7 @@ struct board_cost board_frame_posing(const struct board_frame *frame);
 struct board_cost board_cost_sample(
 	const struct model_clip *clip, int node_count);
 
-/*
- * The same for the weights of a morph, which has one node and key_count
- * targets.
- */
+/* The same for the weights of a morph: one node with key_count targets. */
 struct board_cost board_cost_sample_keys(int key_count);
 
 /* The cost of the nodes' world matrices and of the joints' palette matrices. */

@@ -200,7 +200,7 @@ int glb_write_memory(struct glb *glb, const char *path, const struct log *log,
 	if (text && file) {
 		glb->error = put_file(glb, text, file);
 		/*
-		 * If memory is short, glibc closes without error, but with no
+		 * Without memory, glibc closes without error, but leaves no
 		 * bytes.
 		 */
 		if ((fclose(file) != 0 || !bytes) && !glb->error) {

@@ -17,10 +17,7 @@ int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 	if (!fetched) {
 		return count;
 	}
-	/*
-	 * fetched[v] is the miss that fetched v; CACHE misses later it is
-	 * evicted.
-	 */
+	/* fetched[v]: the miss that fetched v, evicted CACHE misses later. */
 	for (int i = 0; i < count; i++) {
 		int *at = &fetched[index[i]];
 

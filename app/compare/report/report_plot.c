@@ -126,10 +126,7 @@ static void draw_axes(const struct chart *chart, double bound_px, FILE *out)
 		CHART_TOP - 14, chart->title);
 }
 
-/*
- * The order of a curve's points; qsort() passes no chart, so both charts use
- * it.
- */
+/* The order of a curve's points in both charts: qsort() passes no chart. */
 static int by_memory(const void *a, const void *b)
 {
 	const struct comparison_row *x =

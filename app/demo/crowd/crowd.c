@@ -2,7 +2,7 @@
  * The crowd: walkers that share one model, each with its own clip and phase.
  *
  * Each walker is an instance. Walkers that appear small cost less: they have
- * fewer triangles and influences, and poses at half or a third of the frame
+ * fewer triangles and influences, and are posed at half or a third of the frame
  * rate. figures.md lists what a frame costs.
  */
 #include "app/demo/actor.h"
@@ -31,12 +31,13 @@ static const float coarse_error_px = 2.0f, far_error_px = 4.0f;
 static const float first_yaw_rad = 0.45f;
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
-static const float ease_per_s = 3.0f; /* of the camera to its goal */
+static const float ease_per_s =
+	3.0f; /* rate at which the camera nears its goal */
 static const double period_s = 8.0;
 
 /*
- * A box whose diagonal is across the picture is as wide and as deep as the
- * circle around it, which fits the picture from all sides.
+ * The box's diagonal lies across the picture: its length is the diameter of the
+ * circle around the box, so the circle fits the picture from all sides.
  */
 static const struct framing framing = {.camera = {.yaw_rad = 0.25f * SCALAR_PI,
 					       .pitch_rad = 0.42f,
@@ -50,7 +51,7 @@ struct walker {
 	struct clip_cursor cursor;
 	struct crowd_route route;
 	struct motion motion;
-	float drift[2]; /* of the pose, see crowd_figure_matrix() */
+	float drift[2]; /* of the last pose, see crowd_figure_matrix() */
 	struct crowd_position position;
 	float height_px; /* on the screen */
 	int frames_a_pose;
@@ -62,10 +63,10 @@ struct demo {
 	const struct kernel *kernel;
 	float aspect;
 	struct crowd_figure figure;
-	struct camera_region region; /* that labels leave free */
+	struct camera_region region; /* the part that labels leave free */
 	int height;                  /* of the picture */
 	int count;
-	bool out_of_memory; /* for another walker */
+	bool out_of_memory; /* adding a walker has failed */
 	struct walker walker[CROWD_MAX];
 	unsigned frame;
 	double now_s;
@@ -76,7 +77,7 @@ struct demo {
 	int count_at_rate[RATES]; /* walkers posed at full, half, third rate */
 };
 
-/* The first walker shows the actor's instance, others create their own. */
+/* Adds a walker. The first one shows the actor's instance, others their own. */
 static int add_walker(struct demo *demo)
 {
 	const struct model *model = demo->base.actor.model;
@@ -145,7 +146,7 @@ static struct bounds bounds_of_crowd(const struct demo *demo, int count)
 	};
 }
 
-/* The camera that shows this number of walkers, from any side. */
+/* Returns the camera that shows this number of walkers from any side. */
 static struct camera camera_for(const struct demo *demo, int count)
 {
 	struct bounds bounds = bounds_of_crowd(demo, count);
@@ -160,7 +161,9 @@ static struct camera camera_for(const struct demo *demo, int count)
 	return camera;
 }
 
-/* Labels of a picture of another size leave another region free. */
+/*
+ * Finds the region that labels leave free, if the picture's size has changed.
+ */
 static void find_region(struct demo *demo)
 {
 	int width = demo->base.width, height = demo->base.height;
@@ -244,7 +247,7 @@ static int choose_rate(const struct demo *demo, float height)
 	return height >= THIRD_RATE_BELOW_PX ? 2 : 3;
 }
 
-/* Smaller walkers take shorter steps, so more of them. */
+/* The time in the clip: smaller walkers take shorter steps, so play faster. */
 static float clip_time_of(const struct demo *demo, const struct walker *walker)
 {
 	const struct model_clip *clip =
@@ -287,7 +290,7 @@ static void choose_lod(struct demo *demo, struct walker *walker)
 		walker->height_px / actor->extent);
 }
 
-/* How large a walker appears. */
+/* Returns the height of a walker on the screen, in pixels. */
 static float height_px(const struct demo *demo, const struct walker *walker)
 {
 	const struct camera *camera = &demo->base.stage.camera;
@@ -321,7 +324,9 @@ static void crowd_update(struct demo *demo, double time_s)
 		walker->frames_a_pose = choose_rate(demo, walker->height_px);
 		demo->count_at_rate[walker->frames_a_pose - 1]++;
 		choose_lod(demo, walker);
-		/* Poses are staggered, so that frames take equally long. */
+		/*
+		 * Walkers are posed in turn, so that frames take equally long.
+		 */
 		if (first || instance_is_stale(walker->instance) ||
 			(demo->frame + (unsigned)i) %
 					(unsigned)walker->frames_a_pose ==

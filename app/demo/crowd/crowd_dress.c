@@ -6,9 +6,9 @@
 #include <errno.h>
 #include <string.h>
 
-/* How a walker looks, sRGB. A colour of all zeros keeps the model's own. */
+/* A walker's look, in sRGB. A colour of all zeros keeps the model's own. */
 struct look {
-	float shirt[3]; /* factors of the stripes, or a plain shirt's colour */
+	float shirt[3]; /* factors of the stripes' colours, or the plain colour */
 	bool plain;
 	uint8_t hair[3], trousers[3], shoes[3];
 };
@@ -34,10 +34,10 @@ static const struct look looks[] = {
 		{234, 234, 230}},
 };
 
-/* Heights of the model at rest that tell hair, trousers and shoes apart. */
+/* Heights in the rest pose that tell hair, trousers and shoes apart. */
 static const float hair_from_m = 1.2f, waist_m = 1.1f, ankle_m = 0.16f;
 
-/* The target's colour, as light as the old one is of the brightest. */
+/* Replaces color by target, dimmed by the old colour's share of brightest. */
 static void recolor(uint8_t color[4], const uint8_t target[3], int brightest)
 {
 	int light = color[0] > color[2] ? color[0] : color[2];
@@ -56,7 +56,10 @@ struct dyeing {
 	const struct model_primitive *primitive;
 };
 
-/* Trousers are blue, hair and shoes are red and no skin. */
+/*
+ * Recolours a vertex. In the model, trousers are blue, and hair and shoes are
+ * of a deeper red than the skin.
+ */
 static void dye(void *user, int vertex, uint8_t color[4])
 {
 	const struct dyeing *dyeing = user;
@@ -74,7 +77,7 @@ static void dye(void *user, int vertex, uint8_t color[4])
 	}
 }
 
-/* A model whose clothes have no stripes, which the instance shows instead. */
+/* Gives the instance a copy of its model whose clothes have no texture. */
 static int use_plain_cloth(struct instance *instance)
 {
 	const struct model *model = instance->model;
@@ -107,7 +110,7 @@ static bool has_clothes(const struct model *model)
 	return false;
 }
 
-/* The whole figure, lightly. */
+/* Tints the whole figure lightly by the colour of the look's shirt. */
 static int tint(struct instance *instance, const struct look *look)
 {
 	float factor[3];

@@ -7,11 +7,11 @@
 #include "app/scene/instance/instance.h"
 
 /*
- * Gives an instance the look of walker number 0, 1 and so on; twelve looks
- * repeat, the first of which is the model's own. Some shirts lose their
- * stripes, for which the instance gets a model of its own, in its arena. The
- * clothes are those of a model with a material named "shirt"; any other model
- * gets a tint. 0 or -ENOMEM.
+ * Gives an instance the look of a walker, number 0, 1 and so on. There are
+ * twelve looks, which repeat; the first one is the model's own. Looks are
+ * clothes for a model with a material named "shirt", and a tint for any other
+ * model. For shirts without stripes, the instance gets a changed copy of its
+ * model, in its arena. Returns 0 or -ENOMEM.
  */
 int crowd_dress(struct instance *instance, int number);
 

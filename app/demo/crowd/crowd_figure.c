@@ -2,17 +2,17 @@
 
 #include "platform/base/scalar.h"
 
-/* What a person takes, in metres: to both sides, to the front, upwards. */
+/* The room of a person, in metres: to each side, to the front, upwards. */
 static const float person_side_m = 0.4f, person_front_m = 0.6f,
 		   person_height_m = 1.72f;
-/* A model that is about as large as a person is shown as it is. */
+/* A model is not scaled by factors between 1 / as_it_is and as_it_is. */
 static const float as_it_is = 1.25f;
-static const float upright = 1.8f;   /* height / width of a person at least */
-static const float corner_m = 0.25f; /* of a wide figure, beyond a person */
+static const float upright = 1.8f;   /* height / side of a person, at least */
+static const float corner_m = 0.25f; /* added to the radius for a wide figure */
 static const float fastest_m_s = 4.0f;
-static const float viewer_rad = 0.45f; /* where those look that only stand */
+static const float viewer_rad = 0.45f; /* where figures that only stand look */
 
-/* The larger distance of both sides of an axis from the middle. */
+/* The larger of the distances from center to both sides of the box. */
 static float reach(const struct bounds *bounds, int axis, float center)
 {
 	float low = center - bounds->low[axis];
@@ -21,7 +21,7 @@ static float reach(const struct bounds *bounds, int axis, float center)
 	return low > high ? low : high;
 }
 
-/* The box of all motions, each played where the figure stands. */
+/* The box of all motions, without the way that clips move the figure. */
 static struct bounds measure(
 	struct instance *instance, const struct motions *motions)
 {
@@ -35,7 +35,10 @@ static struct bounds measure(
 	return all;
 }
 
-/* A model beside or above its origin stands with its middle on the route. */
+/*
+ * Finds the point that stands on the route: the origin, or the middle of the
+ * box along axes on which the box does not contain the origin.
+ */
 static void find_center(const struct bounds *bounds, float center[3])
 {
 	float height = bounds->high[1] - bounds->low[1];

@@ -1,6 +1,6 @@
 /*
- * The model that a crowd consists of: its size, its middle, and what it does on
- * its routes. Any model is shown about as large as a person.
+ * The model that all walkers of a crowd show: its size, its middle, and its
+ * motions on the routes. Any model is scaled to about the size of a person.
  */
 #ifndef APP_DEMO_CROWD_CROWD_FIGURE_H
 #define APP_DEMO_CROWD_CROWD_FIGURE_H
@@ -12,27 +12,32 @@
 struct crowd_figure {
 	const struct model *model;
 	struct motions motions;
-	bool one_clip;   /* --clip: all play it */
-	float scale;     /* the crowd's metres a scene unit */
+	bool one_clip;   /* --clip was given: all walkers play it */
+	float scale;     /* metres of the crowd for a scene unit */
 	float center[3]; /* scene units; this point stands on the route */
-	float front_rad; /* where the figure looks; 0 is +Z */
-	float beyond_m;  /* how much farther it reaches than a person */
+	float front_rad; /* the direction it faces; 0 is +Z */
+	float beyond_m;  /* added to the crowd's radius for a wide figure */
 };
 
-/* Measures the actor's model. Returns 0, or -errno after logging an error. */
+/*
+ * Measures the actor's model, which changes its instance's pose. Returns 0, or
+ * -errno after logging an error.
+ */
 int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	struct actor *actor);
 
 /*
- * Returns the route of walker number 0 to CROWD_MAX - 1 with the speed of the
- * motion in which the figure follows it. A figure that cannot walk stands.
+ * Returns the route of a walker, number 0 to CROWD_MAX - 1, with the speed of
+ * the motion that the figure plays on it, and writes this motion to *motion. A
+ * figure that cannot walk stands.
  */
 struct crowd_route crowd_figure_route(
 	const struct crowd_figure *figure, int number, struct motion *motion);
 
 /*
- * Returns the matrix from scene units to the walker's place. drift is what the
- * clip has moved the figure, x and z.
+ * Writes the matrix from the figure's scene units to the walker's place. drift
+ * is how far the clip itself has moved the figure, x and z, in scene units; the
+ * matrix undoes this.
  */
 void crowd_figure_matrix(const struct crowd_figure *figure,
 	const struct crowd_route *route, const struct crowd_position *position,

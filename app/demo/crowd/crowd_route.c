@@ -5,15 +5,15 @@
 
 struct ring {
 	enum crowd_gait gait;
-	int count; /* of the ring's places */
-	int step;  /* from one place to the next one that is filled */
+	int count; /* places on the ring */
+	int step;  /* places from one walker to the next one added */
 	float radius_m;
-	float speed_m_s;     /* matches the clip's feet */
-	const char *clip[4]; /* of every fourth place; NULL: clip[0] */
+	float speed_m_s;     /* of the clip's feet; negative: clockwise */
+	const char *clip[4]; /* of walkers in turn; NULL: clip[0] */
 	float facing_rad;
 };
 
-/* Steps are coprime to their ring's count. */
+/* Steps are coprime to their ring's count, so all places are filled. */
 static const struct ring rings[] = {
 	{CROWD_STANDS, 1, 1, 0.0f, 0.0f, {"wave"}, 0.45f},
 	{CROWD_WALKS, 5, 2, 1.15f, 1.03f, {"walk"}, 0.0f},
@@ -27,7 +27,7 @@ static const float golden = 0.618034f;
 static const float gravity_m_s2 = 9.81f;
 static const float body_m = 0.4f; /* a walker's own radius */
 
-/* Twelve sizes repeat, in no order. */
+/* Returns one of twelve sizes, which repeat and are not in order. */
 static float size_of(int number)
 {
 	return 0.90f + 0.18f * (float)((number * 5 + 7) % 12) / 11.0f;
@@ -104,7 +104,7 @@ void crowd_matrix(const struct crowd_route *route,
 	float sy = scalar_sin(position->yaw_rad);
 	float cl = scalar_cos(position->lean_rad);
 	float sl = scalar_sin(position->lean_rad);
-	/* Leans about z, then turns about y. */
+	/* Rotates about z by lean_rad, then about y by yaw_rad. */
 	const float column[4][4] = {{cl * cy, -sl, -cl * sy, 0.0f},
 		{sl * cy, cl, -sl * sy, 0.0f}, {sy, 0.0f, cy, 0.0f},
 		{position->x, 0.0f, position->z, 1.0f}};

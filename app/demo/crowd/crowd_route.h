@@ -21,16 +21,16 @@ enum crowd_gait {
 
 struct crowd_route {
 	enum crowd_gait gait;
-	const char *clip; /* of the walker of limber */
-	float phase;      /* of the clip, 0 to 1 */
-	float radius_m;   /* of the ring */
+	const char *clip; /* its name in limber's walker.glb */
+	float phase;      /* offset in the clip, 0 to 1 */
+	float radius_m;   /* radius of the ring; 0: the middle */
 	float angle_rad;  /* on the ring at time 0 */
 	float speed_m_s;  /* along the ring; negative: the other way round */
-	float facing_rad; /* added to the angle where the speed is 0 */
+	float facing_rad; /* added to the angle if the speed is 0 */
 	float size;       /* factor of the figure's height, near 1 */
 };
 
-/* Returns the route of walker number 0 to CROWD_MAX - 1. */
+/* Returns the route of a walker, number 0 to CROWD_MAX - 1. */
 struct crowd_route crowd_route(int number);
 
 /* Returns the radius of a circle that contains the first count walkers. */
@@ -40,15 +40,15 @@ float crowd_radius_m(int count);
 struct crowd_position {
 	float x, z;
 	float yaw_rad;  /* 0 faces +Z */
-	float lean_rad; /* to its own left (+X), into the ring */
+	float lean_rad; /* to its left (+X), into the ring */
 };
 
 struct crowd_position crowd_position_at(
 	const struct crowd_route *route, double time_s);
 
 /*
- * Returns the matrix that takes a figure of the model's size at the origin to
- * its place in the crowd.
+ * Writes the matrix that scales a figure at the origin by route->size and moves
+ * it to its place in the crowd.
  */
 void crowd_matrix(const struct crowd_route *route,
 	const struct crowd_position *position, mat4 out);

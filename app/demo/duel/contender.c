@@ -8,10 +8,10 @@
 
 enum {
 	FRAMES_A_MEAN = 16,
-	KEPT_BYTES = 64 * 1024 * 1024 /* of key frames, for all of them */
+	KEPT_BYTES = 64 * 1024 * 1024 /* for all key frames together */
 };
 
-static const double rate_hz = 60.0; /* of the playback */
+static const double rate_hz = 60.0; /* playback rate */
 
 static int bake_morph(struct contender *contender,
 	const struct screen_view *screen, const struct time_grid *grid,
@@ -33,7 +33,9 @@ static int bake_morph(struct contender *contender,
 		env->kernel, &placement, keys, KEPT_BYTES, env->log);
 }
 
-/* Shows what `limber compare --export` writes of the technique. */
+/*
+ * Loads the file that `limber compare --export` would write for the technique.
+ */
 static int load_baked(struct contender *contender,
 	const struct screen_view *screen, const struct fit_keys *keys,
 	const struct demo_env *env)
@@ -58,7 +60,10 @@ static int load_baked(struct contender *contender,
 	return error;
 }
 
-/* The candidate counts bytes as `limber compare` does. */
+/*
+ * Makes the candidate, which counts bytes as `limber compare` does, and the
+ * model to show.
+ */
 static int bake(struct contender *contender, const struct screen_view *screen,
 	const struct time_grid *grid, float bound_px, const struct demo_env *env)
 {
@@ -152,13 +157,13 @@ void contender_pose(struct contender *contender, float time_s)
 	}
 }
 
-/* Which vertices of the reference a drawable shows. */
+/* The vertices of the reference that a drawable shows. */
 struct sources {
 	int first;
-	const int *vertex; /* of those from first on; NULL: in their order */
+	const int *vertex; /* vertex[first + i] is i's; NULL: first + i is */
 };
 
-/* The parts that a node moves are its mesh's primitives. */
+/* The drawable's rigid part: the parts of a node are its mesh's primitives. */
 static struct sources rigid_sources(
 	const struct contender *contender, const struct drawable *drawable)
 {
@@ -172,7 +177,10 @@ static struct sources rigid_sources(
 	return (struct sources){rigid->part[part].first_vertex, rigid->source};
 }
 
-/* A morph's only mesh has a primitive for each part of the reference. */
+/*
+ * Finds a drawable's sources. The morph's only mesh has a primitive for each
+ * part of the reference.
+ */
 static struct sources sources_of(const struct contender *contender, int drawable)
 {
 	const struct reference *reference = contender->reference;
@@ -192,12 +200,12 @@ static struct sources sources_of(const struct contender *contender, int drawable
 	return (struct sources){reference->part[part].first_vertex, NULL};
 }
 
-/* What painting the errors needs. */
+/* The state of contender_measure_error(). */
 struct measurement {
 	struct contender *contender;
 	const struct screen_view *screen;
 	float full_px;
-	int drawable; /* the last one; -1: none */
+	int drawable; /* of the last vertex; -1: none yet */
 	struct sources from;
 };
 

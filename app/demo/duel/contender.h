@@ -1,6 +1,6 @@
 /*
- * One technique of the duel. It plays the clip, is timed, and is compared with
- * the reference.
+ * One technique of the duel: plays the clip, measures the time of posing, and
+ * compares the vertices with the reference.
  */
 #ifndef APP_DEMO_DUEL_CONTENDER_H
 #define APP_DEMO_DUEL_CONTENDER_H
@@ -21,25 +21,25 @@ struct contender {
 	enum contender_kind kind;
 	const char *title; /* the technique's name */
 	struct reference *reference;
-	struct candidate candidate; /* counts bytes */
+	struct candidate candidate; /* for its counts of bytes */
 	int key_count;              /* of the morph, else 0 */
 	struct model *baked;        /* NULL: the model itself is shown */
 	struct instance *shown;
-	const struct model_clip *clip; /* of the shown model */
+	const struct model_clip *clip; /* in the shown model */
 	struct clip_cursor cursor;
 	struct overlay_heat heat;
 	int64_t (*now_ns)(void); /* NULL: not timed */
 
-	float ms; /* mean time of a frame; negative if unknown */
+	float ms; /* mean time of posing a frame; negative: unknown */
 	float sum_ms;
 	int sum_frames;
 	float peak_px; /* the largest error of the current pose */
 };
 
 /*
- * Bakes the reference's clip for the technique; a morph's error is at most
- * bound_px. Returns 0, or -errno after logging an error. Call
- * contender_finish() in either case.
+ * Converts the reference's clip to the technique; the error of a morph is at
+ * most bound_px. The reference must outlive the contender. Returns 0, or -errno
+ * after logging an error. Call contender_finish() in either case.
  */
 int contender_init(struct contender *contender, enum contender_kind kind,
 	struct reference *reference, const struct screen_view *screen,
@@ -52,8 +52,8 @@ void contender_finish(struct contender *contender);
 void contender_pose(struct contender *contender, float time_s);
 
 /*
- * Compares the pose with the reference's last one and paints each vertex by its
- * distance; full_px is painted red.
+ * Compares the pose with the reference's last pose, sets peak_px, and paints
+ * each vertex by its distance in pixels, red from full_px on.
  */
 void contender_measure_error(struct contender *contender,
 	const struct screen_view *screen, float full_px);

@@ -1,10 +1,10 @@
 /*
  * The duel plays the same clip with AN4044's three techniques side by side.
  *
- * The techniques are the model's skin, morph key frames baked from it, and
- * rigid parts cut from it. Below each figure are its time a frame, its memory
- * and its error. The error is that of `limber compare`: the distance in pixels
- * of a picture of this size.
+ * The techniques are the model's skin, morph key frames baked from the clip,
+ * and rigid parts cut from the model. Below each figure are its time a frame,
+ * its memory and its error. As in `limber compare`, the error is the distance
+ * of a vertex in pixels, in a picture of the same size.
  */
 #include "app/character/motions/motions.h"
 #include "app/character/show/character_in_place.h"
@@ -16,8 +16,8 @@
 
 #include <errno.h>
 
-static const float bound_px = 0.5f; /* the morph's greatest error */
-static const float spacing = 1.2f;  /* of a figure's width */
+static const float bound_px = 0.5f; /* the largest error of the morph */
+static const float spacing = 1.2f;  /* times a figure's width */
 static const float slant = 0.25f;   /* tan(framing.camera.yaw_rad) */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
@@ -32,18 +32,18 @@ static const struct framing framing = {.camera = {.yaw_rad = 0.25f,
 struct demo {
 	struct demo_base base;
 	struct motion motion;
-	struct model in_place; /* the model, with walks that stay */
-	struct arena arena;    /* of these walks */
-	float spacing;         /* from one figure to the next, scene units */
+	struct model in_place; /* the model, with walks on the spot */
+	struct arena arena;    /* of the clips of in_place */
+	float spacing;         /* between figures, scene units */
 	struct reference *reference;
 	struct time_grid grid; /* of the clip */
 	struct screen_view screen;
 	struct contender contender[CONTENDER_KINDS];
 	double clip_s, now_s;
 	unsigned frame;
-	int speed_halvings; /* times that the speed is halved */
+	int speed_halvings; /* the speed is divided by 2 to this power */
 	bool heat_shown, paused, autoplay;
-	int scale; /* of full_px */
+	int scale; /* index in full_px */
 	float turn;
 };
 
@@ -60,8 +60,9 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 }
 
 /*
- * The box of three figures in a row; most models stand at height 0. Long
- * figures are seen a little from the side, where they need more room.
+ * Returns the box of three figures in a row, and sets their spacing. Long
+ * figures are seen at an angle, so they need more room. A box that begins near
+ * height 0 is made to begin there.
  */
 static struct bounds bounds_of_row(struct demo *demo)
 {
@@ -87,7 +88,7 @@ static struct bounds bounds_of_row(struct demo *demo)
 	return bounds;
 }
 
-/* Chooses the clip in which the figure walks, or what it does else. */
+/* Chooses the clip in which the figure walks, or the next best motion. */
 static int choose_clip(struct demo *demo, const struct demo_env *env)
 {
 	struct motions motions;
@@ -110,12 +111,12 @@ static int choose_clip(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
-/* Takes the way out of the clip, as limber play and limber compare do. */
+/* Makes clips walk on the spot, as limber play and limber compare do. */
 static int stay_in_place(struct demo *demo, const struct demo_env *env)
 {
 	const struct model *model = demo->base.actor.model;
 	const struct character_request request = demo_env_request(env);
-	/* choose_clip() has passed on the warnings. */
+	/* choose_clip() has logged the warnings already. */
 	const struct log errors = {env->log->write, env->log->user, LOG_ERROR};
 	struct character *character;
 	float *way_m = ARENA_ARRAY(&demo->arena, float, model->clip_count);
@@ -205,7 +206,7 @@ static void measure_errors(struct demo *demo)
 	}
 }
 
-/* The ground goes backwards under a figure that walks on the spot. */
+/* Moves the ground backwards under a figure that walks on the spot. */
 static void move_ground(struct demo *demo, float step_s)
 {
 	const struct motion *motion = &demo->motion;
@@ -218,7 +219,7 @@ static void move_ground(struct demo *demo, float step_s)
 	}
 }
 
-/* All contenders get the lists of one that stands in the middle. */
+/* All contenders get the level of detail of the middle one's distance. */
 static void choose_lod(struct demo *demo)
 {
 	const struct actor *actor = &demo->base.actor;

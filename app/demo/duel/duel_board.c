@@ -8,7 +8,7 @@ enum {
 	RAMP_STEPS = 24
 };
 
-/* Lower is better; negative if unknown. */
+/* The number in a row of the board: lower is better; negative if unknown. */
 static float figure(const struct contender *contender, int row)
 {
 	return row == 0    ? contender->ms
@@ -46,7 +46,7 @@ static void write_centered(struct hud *hud, int left, int width, int y,
 		width, color, text);
 }
 
-/* What the technique plays the clip with. */
+/* Writes what the technique plays the clip with, such as its number of keys. */
 static void write_means(
 	const struct contender *contender, char *text, size_t size)
 {

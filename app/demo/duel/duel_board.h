@@ -1,5 +1,5 @@
 /*
- * The duel's scoreboard: a column of figures below each contender.
+ * The duel's scoreboard: a column of numbers below each contender.
  */
 #ifndef APP_DEMO_DUEL_DUEL_BOARD_H
 #define APP_DEMO_DUEL_DUEL_BOARD_H
@@ -8,8 +8,8 @@
 
 /*
  * Adds the time, memory and error of each contender; the best of a row is
- * green. If full_px is above 0, a colour scale up to this error takes the place
- * of what the techniques play with.
+ * green. A further line says what each technique plays (such as "9 keys") or,
+ * if full_px is above 0, shows the colours of errors up to full_px.
  */
 void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 	float full_px, struct hud *hud);

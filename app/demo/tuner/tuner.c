@@ -1,10 +1,10 @@
 /*
  * The tuner changes the parameters of shaken bones while they shake.
  *
- * It implements "Physic-based Implementation" of the document on offline and
- * physics-based animation. The first row of the panel chooses the bone of any
- * model. The bones below it are painted by the strength of their swing: red for
- * the strongest one, blue where the attenuation leaves none.
+ * The bones shake as in app/anim/procedural/procedural.h. The first row of the
+ * panel chooses the bone to shake. This bone and those below it are painted by
+ * the strength of their swing: red for the strongest one, blue where the
+ * attenuation leaves none.
  */
 #include "app/character/presets/preset_file.h"
 #include "app/demo/actor.h"
@@ -18,16 +18,17 @@
 
 enum {
 	ROW_BONE,
-	ROW_FIELDS, /* the first of the preset's fields */
+	ROW_FIELDS, /* the first field of the preset */
 	ROWS = ROW_FIELDS + PRESET_FIELDS
 };
 
 static const float person_m = 1.72f;
 static const float fade_s = 0.3f;
-static const double repeat_after_s = 0.4, repeat_s = 0.06; /* while held */
+static const double repeat_after_s = 0.4,
+		    repeat_s = 0.06; /* while a button is held */
 static const double message_s = 2.0;
 static const double autoplay_s = 6.0;
-static const int attenuation = 2; /* of preset_fields */
+static const int attenuation = 2; /* index in preset_fields */
 static const uint8_t off_chain_rgb[3] = {206, 210, 216};
 
 static const struct framing framing = {.camera = {.yaw_rad = 0.3f,
@@ -44,15 +45,15 @@ struct demo {
 	int chosen; /* the preset's index */
 	int row;
 	struct tuner_bones bones;
-	struct procedural swing[MOTION_BONES_MAX]; /* [bones.count] */
-	float unit_factor;                         /* of the presets' lengths */
+	struct procedural swing[MOTION_BONES_MAX]; /* [bones.count] are used */
+	float unit_factor;                         /* for lengths of presets */
 	struct overlay_heat heat;
 	bool painted, autoplay, shaking, may_save;
 	int clip;
 	double now_s;
 	int changing; /* while LEFT or RIGHT is held: -1 or 1, else 0 */
 	double next_change_s;
-	const char *message; /* in place of the preset's name until then */
+	const char *message; /* shown until message_end_s */
 	double message_end_s;
 };
 
@@ -61,7 +62,7 @@ static struct procedural_preset *preset_of(struct demo *demo)
 	return &demo->file.preset[demo->chosen];
 }
 
-/* The colours of the levels of bones. */
+/* The colour of each level of bones. */
 struct palette {
 	const struct tuner_bones *bones;
 	uint8_t rgb[TUNER_LEVELS_MAX + 1][3];
@@ -96,7 +97,7 @@ static void paint(struct demo *demo)
 	overlay_heat_paint(&demo->heat, color_vertex, &palette);
 }
 
-/* Call this after any change of the preset. */
+/* Applies the preset to the swings and colours, after any change of it. */
 static void use_preset(struct demo *demo)
 {
 	for (int i = 0; i < demo->bones.count; i++) {
@@ -112,7 +113,7 @@ static void show_message(struct demo *demo, const char *message)
 	demo->message_end_s = demo->now_s + message_s;
 }
 
-/* Shakes the chosen bones; those that were shaken before stop at once. */
+/* Shakes the chosen bones; bones that were shaken before stop at once. */
 static void begin_swings(struct demo *demo)
 {
 	for (int i = 0; i < demo->bones.count; i++) {
@@ -124,7 +125,7 @@ static void begin_swings(struct demo *demo)
 	}
 }
 
-/* Presets have lengths for a figure as large as a person. */
+/* The factor for the lengths of presets, which suit a figure of human size. */
 static float unit_factor(const struct actor *actor)
 {
 	float extent = actor->extent / actor->instance->unit_scale;
@@ -246,7 +247,10 @@ static double tuner_period_s(const struct demo *demo)
 	return autoplay_s;
 }
 
-/* Where not all rows are shown, the chosen one is the second or the only one. */
+/*
+ * The first row to show. If not all rows have room, the chosen row is the
+ * second, or the only one.
+ */
 static int first_row(const struct demo *demo, const struct hud *hud)
 {
 	int rows = hud_group_rows_max(hud->width, hud->height);

@@ -32,7 +32,7 @@ static void find_moving(struct tuner_bones *bones)
 	}
 }
 
-/* Parents precede their children. */
+/* Sets levels and deepest. Parents precede their children in node[]. */
 static void find_levels(struct tuner_bones *bones)
 {
 	const struct model *model = bones->instance->model;
@@ -55,7 +55,9 @@ static void find_levels(struct tuner_bones *bones)
 	}
 }
 
-/* The levels of bones below a node that move vertices. */
+/*
+ * The number of levels below a node, down to the deepest that moves vertices.
+ */
 static int depth_below(const struct tuner_bones *bones, int node)
 {
 	const struct model *model = bones->instance->model;
@@ -87,8 +89,8 @@ static int moving_children(const struct tuner_bones *bones, int node)
 }
 
 /*
- * The first bone of the longest limb, which begins where bones branch; a model
- * without branches is one limb.
+ * Returns the first bone of the longest limb. A limb begins where bones branch;
+ * a model without branches is one limb.
  */
 static int longest_limb(const struct tuner_bones *bones)
 {

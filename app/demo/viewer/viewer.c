@@ -18,25 +18,26 @@
 #include <errno.h>
 #include <stdlib.h>
 
-static const double check_s = 1.0;    /* between checks of the file */
-static const float ease_per_s = 5.0f; /* of the camera to other clips' box */
+static const double check_s = 1.0; /* between checks of the file */
+static const float ease_per_s =
+	5.0f; /* rate at which the camera nears a clip's box */
 
 /* Watches the model's file for changes, once a second. */
 struct file_watch {
-	struct demo_env env; /* to reload the model with */
+	struct demo_env env; /* for reloading the model */
 	uint64_t shown;      /* the stamp of the file last loaded or tried */
 	uint64_t last;       /* the stamp at the last check */
 	double next_s;
-	bool broken; /* the file as it is now cannot be loaded */
+	bool broken; /* the current file cannot be loaded */
 };
 
-/* What a loaded model does. */
+/* A loaded model's behaviour. */
 struct figure {
 	struct character *character;
 	struct character_drawing drawing;
 	struct character_outputs outputs;
-	const struct floor *floor; /* of the stage, once it was updated */
-	bool framed; /* the camera shows what the first update played */
+	const struct floor *floor; /* the stage's, from the first update on */
+	bool framed; /* the camera has been set by the first update */
 };
 
 struct demo {
@@ -46,7 +47,7 @@ struct demo {
 	struct file_watch watch;
 };
 
-/* The ground under a character, in metres; user is the figure. */
+/* The height of the ground under a character, in metres; user is the figure. */
 static float ground_height(void *user, float x, float z)
 {
 	const struct figure *figure = user;
@@ -100,7 +101,7 @@ static int create_figure(
 	return 0;
 }
 
-/* The stage that the character asks for. */
+/* Makes the stage that the character file describes. */
 static int init_stage(const struct figure *figure, struct demo_base *base,
 	const struct demo_env *env, struct stage *stage)
 {
@@ -120,7 +121,7 @@ static int init_stage(const struct figure *figure, struct demo_base *base,
 	return actor_init_stage(base, env, &box, &framing, stage);
 }
 
-/* The stamps of all files that are shown. */
+/* One stamp of the model's file and the character's files; 0: no model file. */
 static uint64_t stamp_files(const struct demo *demo)
 {
 	const struct character_request request =
@@ -149,7 +150,7 @@ static void viewer_finish(struct demo *demo)
 	destroy_figure(demo->figure);
 }
 
-/* The camera stays unless the model's size has changed by a quarter. */
+/* Makes a new stage if the model's size has changed by about a quarter. */
 static void reframe(struct demo *demo, float old_extent)
 {
 	struct stage *stage = &demo->base.stage;
@@ -167,8 +168,8 @@ static void reframe(struct demo *demo, float old_extent)
 }
 
 /*
- * Replaces the model and goes on with the same state; if the new one cannot be
- * loaded, the old one stays.
+ * Loads the model again and goes on in the same state. Returns 0; or -errno,
+ * and the old model stays.
  */
 static int reload(struct demo *demo)
 {
@@ -183,7 +184,7 @@ static int reload(struct demo *demo)
 	if (env.clip && model_find_clip(fresh.model, env.clip) < 0) {
 		env.clip = fresh.model->clip_count > 0 ? "0" : NULL;
 	}
-	/* The new file may drive the same lines. */
+	/* The new character may drive the same output lines. */
 	character_outputs_close(&before->outputs);
 	error = create_figure(&env, &fresh, &after);
 	if (error) {
@@ -202,7 +203,10 @@ static int reload(struct demo *demo)
 	return 0;
 }
 
-/* The stamp of a file that is still being written changes until the next check. */
+/*
+ * Reloads a changed file once its stamp is the same in two checks: a file that
+ * is still being written changes in between.
+ */
 static void check_file(struct demo *demo)
 {
 	struct file_watch *watch = &demo->watch;
@@ -222,7 +226,7 @@ static void check_file(struct demo *demo)
 	}
 }
 
-/* What the character asks of the camera and of the ground. */
+/* Moves camera and ground as the character asks. */
 static void move_scene(
 	struct figure *figure, struct stage *stage, float scale, float step_s)
 {
@@ -281,7 +285,7 @@ static void viewer_draw(struct demo *demo, int width, int height)
 
 	base->stage.content =
 		character_draw_content(&demo->figure->drawing, &base->stage);
-	/* Overlays may be anywhere. */
+	/* Overlays may be outside of the figure's bounds. */
 	if (base->overlay && base->overlay->kinds) {
 		base->stage.content.bounded = false;
 	}
@@ -290,7 +294,7 @@ static void viewer_draw(struct demo *demo, int width, int height)
 		&base->actor.textures, base->gl);
 }
 
-/* The period of the tour, or of the clip that plays. */
+/* The period of the tour, or of the current clip. */
 static double viewer_period_s(const struct demo *demo)
 {
 	const struct character *character = demo->figure->character;
@@ -332,7 +336,7 @@ static void viewer_print_buttons(const struct demo *demo, FILE *out)
 	character_print_buttons(demo->figure->character, out);
 }
 
-/* The members that are the same for a model and for demos that are data. */
+/* The members that the viewer shares with demos that are character files. */
 #define VIEWER_FUNCTIONS                                                \
 	.size = sizeof(struct demo), .prepare = viewer_prepare,         \
 	.finish = viewer_finish, .press = viewer_press,                 \
@@ -346,7 +350,7 @@ const struct demo_driver demo_driver_viewer = {
 	VIEWER_FUNCTIONS,
 };
 
-/* assets/walker.character says what it does. */
+/* assets/walker.character describes this demo. */
 const struct demo_driver demo_driver_walker = {
 	.name = "walker",
 	.summary = "skeletal: a figure that idles, walks, runs, waves, jumps",
@@ -354,7 +358,7 @@ const struct demo_driver demo_driver_walker = {
 	VIEWER_FUNCTIONS,
 };
 
-/* assets/face.character says what it does. */
+/* assets/face.character describes this demo. */
 const struct demo_driver demo_driver_face = {
 	.name = "face",
 	.summary = "morphing: a head that changes its expression",
@@ -362,7 +366,7 @@ const struct demo_driver demo_driver_face = {
 	VIEWER_FUNCTIONS,
 };
 
-/* assets/arm.character says what it does. */
+/* assets/arm.character describes this demo. */
 const struct demo_driver demo_driver_arm = {
 	.name = "arm",
 	.summary = "hierarchical: a robot arm on pivots that loads a truck",

@@ -3,7 +3,7 @@
  */
 #include "app/cmd/command.h"
 
-/* The first one runs when the command line names none. */
+/* The first one runs if the command line names none. */
 static const struct command *const commands[] = {
 	&command_play,
 	&command_render,

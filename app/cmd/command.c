@@ -96,7 +96,7 @@ static void print_help(const struct command *command)
 	options_list(stdout, command->bit);
 }
 
-/* The first argument is neither a command, nor an option, nor a file. */
+/* Refuses a first argument that is no command, no option and no file. */
 static int refuse_unknown(const struct command *const *commands,
 	const char *word, const struct log *log)
 {
@@ -114,15 +114,19 @@ static int refuse_unknown(const struct command *const *commands,
 	return EXIT_USAGE;
 }
 
-/* A missing model file shall be reported as a file, not as a command. */
+/*
+ * Whether the word looks like a file, so that a missing model file is reported
+ * as a file and not as an unknown command.
+ */
 static bool looks_like_file(const char *word)
 {
 	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
 }
 
 /*
- * Reads limber.conf and then the command line once more, which overrides it. A
- * model or a demo on the command line also discards the clip of the file.
+ * Reads limber.conf into new options and then the command line again, which
+ * overrides limber.conf. A model or a demo on the command line also discards
+ * the clip of limber.conf.
  */
 static int configure(const struct command *command, int argc, char **argv,
 	struct config *config, struct options *options, const struct log *log)

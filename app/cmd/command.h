@@ -23,7 +23,7 @@ struct command {
 	const char *summary; /* one line */
 	const char *detail;  /* paragraphs and examples for --help */
 	bool reads_config;   /* run() reads limber.conf itself */
-	bool wants_levels;   /* its model gets levels of detail, as played */
+	bool wants_levels;   /* the model gets levels of detail, as in play */
 	/* Returns one of enum exit_code; every failure has logged an error. */
 	int (*run)(const struct options *options, const struct log *log);
 };
@@ -41,32 +41,31 @@ extern const struct command command_optimize;
 extern const struct command command_levels;
 
 /*
- * Runs the command that argv[1] names; when it names none, the first of
- * commands, which ends with NULL. Returns the program's exit code; every
- * failure has logged an error.
+ * Runs the command that argv[1] names or, if it names none, commands[0].
+ * commands ends with NULL. Returns the program's exit code; every failure has
+ * logged an error.
  */
 int command_dispatch(
 	const struct command *const *commands, int argc, char **argv);
 
 /*
- * EXIT_OK for 0, EXIT_FAILED for any -errno. A command checks its options
- * before it does anything else and returns EXIT_USAGE itself where they are
- * wrong: an -EINVAL that comes later is about a file or a device.
+ * Returns EXIT_OK for 0, EXIT_FAILED for any -errno. A command checks its
+ * options first and returns EXIT_USAGE itself if they are wrong: an -EINVAL
+ * that comes later is about a file or a device.
  */
 int command_exit_code(int error);
 
 /*
- * Confines the process (confine.h): from here on only the files that the
- * options name can be written. A command calls this before it reads a model.
+ * Confines the process (confine.h): from here on it can only write the files
+ * that the options name. A command calls this before it reads a model.
  */
 void command_confine(const struct options *options, const struct log *log);
 
 /*
- * Confines the process (confine.h) to the outputs that the options name, loads
- * options->model_path, calls run() with it and releases it. run() returns
- * 0, or -errno after logging an error. This function returns an exit code: it
- * is EXIT_USAGE, after an error that shows the command's usage, when no model
- * was given.
+ * Calls command_confine(), loads options->model_path, calls run() with the
+ * model and releases it. run() returns 0, or -errno after logging an error.
+ * This function returns an exit code: EXIT_USAGE, after logging the command's
+ * usage, if no model was given.
  */
 int command_run_with_model(const struct command *command,
 	const struct options *options, const struct log *log,

@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <sys/stat.h>
 
-/* A character file is written once and then edited by hand. */
+/* Whether the file exists with content, which may have been edited by hand. */
 static bool would_replace(const char *path)
 {
 	struct stat status;

@@ -50,7 +50,7 @@ static int print(const struct comparison *comparison,
 	return error;
 }
 
-/* A long comparison shall not end with a file that cannot be written. */
+/* Checks that the outputs can be written, before the long comparison. */
 static int check_outputs(
 	const struct options_compare *wanted, const struct log *log)
 {
@@ -84,7 +84,7 @@ static int compare(const struct model *model, struct comparison_request *request
 	return error;
 }
 
-/* Says which of the clips that are compared do not go their way. */
+/* Warns about the compared clips that have been changed to walk on the spot. */
 static void tell_in_place(const struct model *model, int clip,
 	const float *way_m, const struct log *log)
 {
@@ -108,7 +108,10 @@ static void tell_in_place(const struct model *model, int clip,
 	}
 }
 
-/* The character decides what play shows; without one, clips are as in the file. */
+/*
+ * Opens the model's character, by which limber play changes clips. If it is
+ * invalid, warns and leaves *out NULL: clips are compared as in the file.
+ */
 static int open_character(struct instance *instance, const struct log *log,
 	struct character **out)
 {
@@ -131,7 +134,10 @@ static int open_character(struct instance *instance, const struct log *log,
 	return 0;
 }
 
-/* The model as limber play shows it. The copies are in the arena. */
+/*
+ * Writes to *out the model as limber play shows it: a copy, whose changed clips
+ * are in the arena.
+ */
 static int show_in_place(const struct model *model, int clip,
 	const struct kernel *kernel, struct arena *arena, struct model *out,
 	const struct log *log)

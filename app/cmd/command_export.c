@@ -8,7 +8,7 @@ enum {
 	PREFIX_BYTES = 256
 };
 
-/* "walker" for "out/walker.c". */
+/* Makes the prefix of C names: "walker" for "out/walker.c". */
 static void make_prefix(const char *path, char prefix[PREFIX_BYTES])
 {
 	const char *slash = strrchr(path, '/');

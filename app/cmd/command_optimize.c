@@ -63,7 +63,7 @@ static int run_with_model(const struct model *model,
 	};
 	struct optimize_result result;
 	struct output_file *file;
-	/* Before the work, which shall not be done in vain. */
+	/* Opened first, so that the work is not done in vain. */
 	int error = output_file_create(options->screen.output, log, &file);
 
 	if (error) {

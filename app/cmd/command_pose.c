@@ -8,7 +8,9 @@
 #include <errno.h>
 #include <stdio.h>
 
-/* The drawables that are parts of the same primitive of the file (split.h). */
+/*
+ * Successive drawables that are parts of one primitive of the file (split.h).
+ */
 struct parts {
 	const struct drawable *drawable;
 	int count;
@@ -32,7 +34,7 @@ static struct parts find_parts(const struct instance *instance, int first)
 	return parts;
 }
 
-/* The number that a vertex of a part has in the file's primitive. */
+/* The index that a part's vertex has in the file's primitive. */
 static uint32_t file_vertex(
 	const struct model_primitive *primitive, uint32_t vertex)
 {
@@ -52,7 +54,9 @@ static void write_triangles(FILE *out, const struct model_primitive *primitive,
 	}
 }
 
-/* The decimal sign is a point: limber never sets a locale. */
+/*
+ * Writes an object. printf() writes decimal points: limber never sets a locale.
+ */
 static int write_parts(FILE *out, const struct instance *instance,
 	const struct parts *parts, uint32_t first_vertex)
 {
@@ -130,12 +134,12 @@ static int pose_instance(struct instance *instance,
 		return error;
 	}
 	if (clip >= 0) {
-		/* More exact than clip_pose() where a file packs rotations. */
+		/* More exact than clip_pose() if the file packs rotations. */
 		clip_sample_as(&instance->model->clip[clip],
 			(float)options->motion.time_s,
 			options->motion.interpolation, &cursor, &instance->pose);
 	}
-	/* Without a camera, auto means all influences. */
+	/* There is no camera, so auto means all influences. */
 	if (options->vertices.influences.kind != INFLUENCE_CAP_DISTANCE) {
 		instance->max_influences = influence_cap_choose(
 			&options->vertices.influences, instance, NULL, 0.0f, 0);
@@ -150,7 +154,7 @@ static int pose_instance(struct instance *instance,
 	return 0;
 }
 
-/* Poses serve as references for other programs, so float is the default. */
+/* Poses are references for other programs, so float is the default. */
 static const struct kernel *choose_kernel(
 	const struct options *options, const struct log *log)
 {

@@ -16,10 +16,10 @@ struct progress {
 	bool visible;
 };
 
-/* There is no bar when total is below 2 or out is not a terminal. unit is not copied. */
+/* No bar if total is below 2 or out is no terminal. unit is not copied. */
 struct progress progress_begin(int total, const char *unit, FILE *out);
 
-/* Shows the bar, one second after the beginning and ten times a second then. */
+/* Shows the bar once a second has passed, and at most ten times a second. */
 void progress_step(struct progress *progress, int done);
 
 /* Erases the bar. */

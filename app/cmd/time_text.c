@@ -7,7 +7,7 @@
 static const double DAY_S = 86400;
 static const double DEFAULT_RATE_HZ = 30;
 
-/* strtod() without signs, spaces, infinity and NaN. */
+/* strtod() that refuses signs, spaces, infinity and NaN. */
 static int parse_number(const char *text, const char **end, double *out)
 {
 	char *after;
@@ -20,7 +20,7 @@ static int parse_number(const char *text, const char **end, double *out)
 	return after == text ? -EINVAL : 0;
 }
 
-/* How many of the unit make one second. */
+/* Reads the unit; *rate_hz is how many of it make one second. */
 static int parse_unit(const char *text, double *rate_hz)
 {
 	const char *end;

@@ -1,5 +1,5 @@
 /*
- * Times as people write them: in seconds, in frames at a rate, or in ticks.
+ * Reads times in seconds, in frames at a rate, or in ticks.
  */
 #ifndef APP_CMD_TIME_TEXT_H
 #define APP_CMD_TIME_TEXT_H

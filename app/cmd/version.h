@@ -6,10 +6,10 @@
 
 #include <stdio.h>
 
-/* "limber X.Y.Z (processor)". */
+/* Returns "limber X.Y.Z (processor)". */
 const char *version_text(void);
 
-/* Prints that line, the compiler and the built-in kernels and drivers. */
+/* Prints version_text(), the compiler and the built-in kernels and drivers. */
 void version_print(FILE *out);
 
 #endif

@@ -11,7 +11,7 @@ enum {
 	TABLE_BYTES_MAX = 256 * 1024 * 1024
 };
 
-/* The text of app/embed/player.inc, which the build makes. */
+/* The text of app/embed/player.inc; the build makes this array from it. */
 extern const char embed_player_text[];
 
 static void add(struct embed *embed, int *sum, int count)
@@ -54,12 +54,12 @@ static void count_part(struct embed *embed, const struct embed_part *part)
 		add_product(embed, &embed->influences, primitive->vertex_count,
 			primitive->influences);
 	}
-	/* Nodes times primitives may be more than anyone waits for. */
+	/* Stops early: nodes times primitives may be very many. */
 	embed->too_large =
 		embed->too_large || table_bytes(embed) > TABLE_BYTES_MAX;
 }
 
-/* The player has 16 bits for some of the clip's numbers. */
+/* Counts a channel; some of its numbers have 16 bits in the player. */
 static void count_channel(
 	struct embed *embed, const struct model_channel *channel)
 {

@@ -8,9 +8,9 @@
 
 #include <stdio.h>
 
-/* What the source takes on the board. */
+/* The memory that the source takes on the board. */
 struct embed_size {
-	size_t rom_bytes; /* all tables, without the player's code */
+	size_t rom_bytes; /* all tables, but not the player's code */
 	size_t ram_bytes; /* the state */
 };
 
@@ -19,9 +19,10 @@ struct embed_size {
  * All its names begin with prefix. It has the materials' colours but no
  * textures. clip is an index, or -1 for the rest pose.
  *
- * Returns 0. After an error it logs one message and returns -EINVAL: prefix is
- * no C identifier of at most 63 characters, the model has nothing to draw or it
- * has a node with a matrix (shear). The caller checks ferror(out).
+ * Returns 0 and sets *size; or, after logging an error, -EINVAL if prefix is no
+ * C identifier of at most 63 characters, the model has nothing to draw or a
+ * node has a matrix (shear); -EFBIG if the tables would be too large; or
+ * -ENOMEM. The caller checks ferror(out).
  */
 int embed_print(const struct model *model, int clip, const char *prefix,
 	const struct log *log, FILE *out, struct embed_size *size);

@@ -1,5 +1,5 @@
 /*
- * What the files of the export share.
+ * Declarations that the files of the export share.
  *
  *	embed.c           counts, parts, state, player
  *	embed_table.c     writing tables, iterating over parts
@@ -33,10 +33,10 @@ struct embed {
 	int parts, vertices, indices, influences, targets, joints, weights;
 	int channels, times, values;
 	bool wide_index, wide_joint;
-	bool too_large; /* a count does not fit its type */
+	bool too_large; /* a count exceeds its type or the limit */
 
-	int *skin_first; /* [skin_count]: the first joint in the tables */
-	struct embed_offsets next; /* of the part to list next */
+	int *skin_first; /* [skin_count]: index of its first joint in the tables */
+	struct embed_offsets next; /* of the next part to list */
 };
 
 /* One primitive of one node. */
@@ -54,7 +54,7 @@ void embed_each_part(struct embed *embed, embed_part_fn *function);
 /* Whether the part is skinned. */
 bool embed_is_skinned(const struct embed_part *part);
 
-/* The number of floats of all keys of a channel. */
+/* Returns the number of floats of all keys of a channel. */
 int embed_channel_values(const struct model_channel *channel);
 
 /*
@@ -66,7 +66,7 @@ void embed_begin_table(struct embed *embed, const char *type, const char *name,
 	const char *wide, int count, size_t size);
 void embed_end_table(struct embed *embed, int count);
 
-/* Writes numbers that are read back as the same floats. */
+/* Writes numbers so that a compiler reads the same floats back. */
 void embed_put_floats(struct embed *embed, const float *value, int count);
 
 void embed_print_vertices(struct embed *embed);

@@ -44,7 +44,7 @@ void embed_print_skins(struct embed *embed)
 	const struct model *model = embed->model;
 
 	if (embed->joints == 0) {
-		return; /* the player compiles no use of these tables */
+		return; /* the player does not use these tables then */
 	}
 	embed_begin_table(embed, "int16_t", "joint_node", "", embed->joints, 2);
 	for (int s = 0; s < model->skin_count; s++) {

@@ -49,7 +49,7 @@ void embed_end_table(struct embed *embed, int count)
 void embed_put_floats(struct embed *embed, const float *value, int count)
 {
 	for (int i = 0; i < count; i++) {
-		/* Nine digits identify a float. */
+		/* Nine digits suffice to read a float back exactly. */
 		fprintf(embed->out, "%s%.9g,", i % EMBED_ROW ? " " : "\n\t",
 			(double)value[i]);
 	}

@@ -74,7 +74,7 @@ static void by_frames(void *user)
 		s->vertex_count, s->from[0], s->to[0], 15, s->temporal[0]);
 }
 
-/* AN4044's matrices are stored by rows and have no fourth row. */
+/* Converts the palette: AN4044's matrices are row-major and have three rows. */
 static void set_joints(struct an4044_state *state, const struct bench_mesh *mesh)
 {
 	for (int j = 0; j < mesh->joint_count; j++) {
@@ -84,7 +84,7 @@ static void set_joints(struct an4044_state *state, const struct bench_mesh *mesh
 	}
 }
 
-/* The offsets count limber's larger matrices, which have a fourth row. */
+/* Converts the offsets, in bytes, from limber's 4x4 matrices to AN4044's. */
 static void set_offsets(struct skin_stream *stream)
 {
 	for (int i = 0; i < stream->influence_count; i++) {

@@ -106,7 +106,7 @@ static struct fixed_vector *vectors(struct arena *arena, int count)
 	return ARENA_ARRAY(arena, struct fixed_vector, (size_t)count);
 }
 
-/* Each frame adds a fifteenth of the way between the keys. */
+/* Sets the steps of BENCH_BY_FRAMES: 15 frames from one key to the next. */
 static void prepare_steps(struct fixed_state *state,
 	const struct fixed_vector *from, const struct fixed_vector *to)
 {
@@ -177,7 +177,7 @@ static int prepare_lerp_keys(struct fixed_state *state, struct arena *arena)
 		return -ENOTSUP;
 	}
 	for (int i = 0; i < 2; i++) {
-		/* The loop may load one more. */
+		/* The loop may load one key vector more. */
 		state->key[i] =
 			ARENA_ARRAY(arena, struct fixed_key, (size_t)count + 1);
 		if (!state->key[i]) {

@@ -100,7 +100,7 @@ static int prepare(void *user, const struct kernel *kernel,
 	return error;
 }
 
-/* The loops of kernels in float. */
+/* The loops of float kernels. */
 static const struct bench_loops float_loops = {
 	sizeof(struct kernel_state),
 	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets, NULL},

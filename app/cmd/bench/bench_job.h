@@ -17,7 +17,7 @@ enum bench_work {
 	BENCH_LERP_NORMALS,  /* and normals */
 	BENCH_TARGETS,       /* two weighted targets, positions */
 	BENCH_BY_FRAMES,     /* AN4044's increment by frames, positions */
-	BENCH_LERP_KEYS,     /* BENCH_LERP between keys as models have them */
+	BENCH_LERP_KEYS,     /* BENCH_LERP between struct fixed_key arrays */
 	BENCH_WORKS
 };
 
@@ -28,9 +28,10 @@ struct bench_job {
 };
 
 /*
- * Lays out the mesh for the kernel of that name. The arena owns the job's
- * memory; the mesh must outlive the job. Returns 0, -EINVAL when there is no
- * such kernel, -ENOTSUP when it has no such loop, or -ENOMEM.
+ * Converts the mesh to the layout of the kernel of that name. The arena owns
+ * the job's memory; the mesh must outlive the job. Returns 0, -EINVAL if there
+ * is no such kernel, -ENOTSUP if it has no such loop or the mesh exceeds the
+ * range of its numbers, or -ENOMEM.
  */
 int bench_job_prepare(const char *kernel, const struct bench_mesh *mesh,
 	enum bench_work work, struct arena *arena, struct bench_job *out);
@@ -40,16 +41,16 @@ struct bench_loops {
 	size_t state_size;
 	/* Indexed by enum bench_work; NULL: there is no such loop. */
 	void (*run[BENCH_WORKS])(void *state);
-	/* Fills a zeroed state; returns what bench_job_prepare() returns. */
+	/* Fills a zeroed state. Returns 0, -ENOTSUP or -ENOMEM. */
 	int (*prepare)(void *state, const struct kernel *kernel,
 		const struct bench_mesh *mesh, enum bench_work work,
 		struct arena *arena);
 };
 
-/* The loops as AN4044 prints them, without anything of limber. */
+/* The loops exactly as AN4044 prints them. */
 extern const struct bench_loops bench_an4044_loops;
 
-/* The loops of kernels in fixed point. */
+/* The loops of fixed-point kernels. */
 extern const struct bench_loops bench_fixed_loops;
 
 #endif

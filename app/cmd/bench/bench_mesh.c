@@ -20,7 +20,7 @@ static uint32_t draw(uint32_t *state)
 	return *state >> 16;
 }
 
-/* From -1 to 1. */
+/* Draws a number from -1 to 1. */
 static float draw_float(uint32_t *state)
 {
 	return (float)draw(state) * (2.0f / 65535.0f) - 1.0f;
@@ -52,7 +52,7 @@ static void draw_vectors(uint32_t *state, int count, float size, float (*out)[3]
 	}
 }
 
-/* Draws different joints: of a random set, or any. */
+/* Draws distinct joints, from one of joint_sets sets; 0: any joints. */
 static void draw_joints(
 	uint32_t *state, int influences, int joint_sets, uint16_t *joint)
 {
@@ -244,7 +244,7 @@ static int pose_model(
 	return 0;
 }
 
-/* A model without normals gets some: loops take the same time with any. */
+/* Adds random normals if there are none: the loops take the same time. */
 static int add_normals(struct bench_mesh *mesh, uint32_t *state)
 {
 	struct model_primitive *primitive = &mesh->primitive;

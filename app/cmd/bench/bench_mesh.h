@@ -1,7 +1,6 @@
 /*
- * The data that kernels are measured with: a mesh, a palette and key frames. It
- * is generated from pseudo-random numbers, the same on every machine, or taken
- * from a model.
+ * Data to measure kernels with: a mesh, a palette, key frames and targets. They
+ * are pseudo-random, the same on every machine, or taken from a model.
  */
 #ifndef APP_CMD_BENCH_BENCH_MESH_H
 #define APP_CMD_BENCH_BENCH_MESH_H
@@ -9,24 +8,24 @@
 #include "app/model/model.h"
 
 struct bench_mesh {
-	struct arena arena; /* owns everything below that is not the model's */
+	struct arena arena; /* owns all data below that is not the model's */
 	struct model_primitive primitive;
 	int joint_count;
 	mat4 *palette; /* [joint_count] */
 
-	/* A second key frame, and two morph targets. */
+	/* A second key frame, and two morph targets: [vertex_count]. */
 	float (*destiny)[3];
 	float (*destiny_normal)[3];
-	float (*delta[2])[3];          /* of the targets' positions */
-	struct model_target target[2]; /* with normals too */
+	float (*delta[2])[3];          /* position differences of the targets */
+	struct model_target target[2]; /* the targets, with normals */
 
-	bool is_model; /* jobs include what a model needs once a frame */
+	bool is_model; /* jobs include converting the palette */
 };
 
 /*
  * Generates a mesh with normals and tangents within a sphere of radius 1. Each
- * vertex has that many influences (1 to 4) of 24 joints. joint_sets is how many
- * different sets of joints the vertices have, in random order; 0: each vertex
+ * vertex has the given number of influences (1 to 4) of 24 joints. Vertices use
+ * joint_sets different combinations of joints, in random order; 0: each vertex
  * has random joints. Returns 0 or -ENOMEM.
  */
 int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
@@ -34,8 +33,8 @@ int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
 
 /*
  * Takes the largest skinned primitive of a model, posed in the middle of its
- * first clip. The model must outlive the mesh. Returns 0, -ENOENT when nothing
- * of the model is skinned, or -ENOMEM.
+ * first clip. The model must outlive the mesh. Returns 0, -ENOENT if no mesh of
+ * the model is skinned, or -ENOMEM.
  */
 int bench_mesh_of_model(struct bench_mesh *mesh, const struct model *model);
 

@@ -14,7 +14,7 @@ enum {
 	BENCH_RESULTS_MAX = 256
 };
 
-/* One kernel at one row, in all sizes. */
+/* The times of one kernel at one row. */
 struct bench_result {
 	const struct bench_row *row;
 	const struct kernel *kernel;
@@ -32,10 +32,7 @@ struct bench_report {
 
 void bench_print_text(const struct bench_report *report, FILE *out);
 
-/*
- * Returns 0, or -EINVAL after logging an error: the path is not UTF-8, or no
- * memory.
- */
+/* Returns 0; or logs an error: -EINVAL if the path is not UTF-8, or -ENOMEM. */
 int bench_print_json(
 	const struct bench_report *report, const struct log *log, FILE *out);
 

@@ -1,9 +1,9 @@
 #include "app/cmd/bench/bench_rows.h"
 
 /*
- * In the demos' models, 15 to 150 of 1024 vertices share the same joints; with
- * 24 sets of joints it is 43. "scattered" has joints at random, which no real
- * mesh has.
+ * In the demos' models, 15 to 150 of 1024 vertices have the same joints; in a
+ * mesh with 24 sets of joints, 43 have. "scattered" has random joints, unlike
+ * any real mesh.
  */
 /* clang-format off */
 const struct bench_row bench_rows[] = {

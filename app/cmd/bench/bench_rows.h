@@ -1,5 +1,5 @@
 /*
- * The table of what `limber bench` and the timing model measure.
+ * The measurements of `limber bench` and of the timing model.
  */
 #ifndef APP_CMD_BENCH_BENCH_ROWS_H
 #define APP_CMD_BENCH_BENCH_ROWS_H

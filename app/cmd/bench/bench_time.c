@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 enum {
-	/* More than the caches of ARM11 boards and of most PCs hold. */
+	/* Larger than the caches of ARM11 boards and of most PCs. */
 	EVICT_BYTES = 32 * 1024 * 1024,
 	LINE_WORDS = 8
 };

@@ -27,7 +27,7 @@ enum {
 	BENCH_RUNS_MAX = 1001
 };
 
-/* runs is 1 to BENCH_RUNS_MAX. */
+/* Times the job; runs is 1 to BENCH_RUNS_MAX. */
 struct bench_time bench_time_job(
 	const struct bench_job *job, struct bench_evictor *evictor, int runs);
 

@@ -4,7 +4,10 @@
 
 #include <errno.h>
 
-/* Their data fits a first-level cache, a second-level cache, or neither. */
+/*
+ * Vertices of meshes whose data fit a first-level cache, a second-level cache,
+ * or neither.
+ */
 static const int made_sizes[] = {256, 4096, 65536};
 
 struct bench {
@@ -24,8 +27,8 @@ static int make_mesh(const struct bench *bench, const struct bench_row *row,
 }
 
 /*
- * Returns 0, -ENOTSUP when the kernel has no such loop, or -ERANGE when the
- * mesh does not fit its numbers.
+ * Times one job. Returns 0, -ENOTSUP if the kernel has no such loop or the mesh
+ * exceeds the range of its numbers, or -ENOMEM.
  */
 static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	const struct bench_row *row, const struct kernel *kernel,
@@ -44,7 +47,9 @@ static int measure(struct bench *bench, const struct bench_mesh *mesh,
 	return error;
 }
 
-/* Measures all kernels at one row and size; results begin at first. */
+/*
+ * Measures all kernels at one row and size; their results begin at index first.
+ */
 static int measure_kernels(struct bench *bench, const struct bench_row *row,
 	int size, const struct bench_mesh *mesh, int first)
 {

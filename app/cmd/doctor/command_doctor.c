@@ -27,7 +27,7 @@ static void take_finding(void *context, const char *sentence)
 	}
 }
 
-/* A finding that the compiler of character files logs. */
+/* Takes an error or warning of the character file as a finding. */
 static void log_finding(
 	void *context, enum log_level level, const char *sentence)
 {
@@ -46,7 +46,7 @@ static int examine_character(const char *path, size_t memory_bytes,
 	return doctor_character_check(path, memory_bytes, &taken, log, out);
 }
 
-/* A character file that limber cannot play is a failure; it is reported. */
+/* A character file that limber cannot play, as reported, fails the command. */
 static int character_error(const struct doctor_character *character)
 {
 	return character->found && !character->right ? -EINVAL : 0;

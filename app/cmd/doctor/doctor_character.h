@@ -1,5 +1,5 @@
 /*
- * Checks the character file that lies beside a model.
+ * Checks the character file beside a model.
  */
 #ifndef APP_CMD_DOCTOR_DOCTOR_CHARACTER_H
 #define APP_CMD_DOCTOR_DOCTOR_CHARACTER_H
@@ -14,14 +14,14 @@
 struct doctor_character {
 	char path[PATH_MAX];
 	bool found; /* there is such a file */
-	bool right; /* and it fits the model */
+	bool right; /* the file is valid for the model */
 	int states, layers, effects, buttons;
 };
 
 /*
- * Compiles the character file beside the model. Its error goes to findings and
- * errors of the model to log. Returns 0, or -errno if the model cannot be
- * loaded.
+ * Loads the character file beside the model, if there is one. Logs its errors
+ * and warnings to findings, and errors of the model to log. Returns 0, or
+ * -errno if the model cannot be loaded.
  */
 int doctor_character_check(const char *model_path, size_t memory_bytes,
 	const struct log *findings, const struct log *log,

@@ -18,9 +18,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* A display that works. */
+/* The display that works, if any. */
 struct choice {
-	const char *name; /* or NULL */
+	const char *name; /* NULL: none works */
 	bool automatic;   /* limber play chooses it without --display */
 };
 
@@ -117,7 +117,7 @@ static void survey_devices(struct doctor_report *report)
 	watchdog_survey("/dev", &survey);
 }
 
-/* Whether limber play accepts the file; otherwise the log says why not. */
+/* Whether limber play accepts the file; if not, logs the reason. */
 static bool is_valid_config(const char *path, const struct log *log)
 {
 	struct config config = {arena_empty()};

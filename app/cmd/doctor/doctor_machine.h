@@ -1,5 +1,5 @@
 /*
- * `limber doctor` without a model: checks what limber needs of the machine.
+ * `limber doctor` without a model: checks displays, drivers, devices and files.
  */
 #ifndef APP_CMD_DOCTOR_DOCTOR_MACHINE_H
 #define APP_CMD_DOCTOR_DOCTOR_MACHINE_H

@@ -1,5 +1,5 @@
 /*
- * Prints what `limber doctor` finds on the machine, as text or JSON.
+ * Prints the findings of `limber doctor` about the machine, as text or JSON.
  */
 #ifndef APP_CMD_DOCTOR_DOCTOR_REPORT_H
 #define APP_CMD_DOCTOR_DOCTOR_REPORT_H
@@ -17,8 +17,8 @@ struct doctor_report {
 	json_t *findings;    /* of all sections; NULL for text */
 	bool failed;         /* there was no memory for a finding */
 	const char *section; /* the section's key in JSON */
-	const char *driver;  /* which reports the next findings, or NULL */
-	int works; /* number of findings in that state; callers reset it */
+	const char *driver;  /* that reports the next findings, or NULL */
+	int works;           /* number of SURVEY_WORKS; callers reset it */
 };
 
 /* Returns 0, or -ENOMEM after logging an error. */
@@ -29,7 +29,7 @@ int doctor_report_begin(struct doctor_report *report, FILE *out, bool json,
 void doctor_report_section(
 	struct doctor_report *report, const char *title, const char *key);
 
-/* The survey through which drivers report their findings. */
+/* Returns the survey through which drivers report their findings. */
 struct survey doctor_report_survey(struct doctor_report *report);
 
 /*

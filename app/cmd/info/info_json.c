@@ -6,7 +6,10 @@
 
 #include <jansson.h>
 
-/* json_array_append_new() and json_pack() accept NULL and then fail. */
+/*
+ * json_array_append_new() and json_pack() fail if a value is NULL, so values
+ * are not checked one by one.
+ */
 
 static json_t *levels(const struct model_mesh *mesh, float unit_m)
 {
@@ -92,7 +95,7 @@ static json_t *images(const struct model *model)
 	return array;
 }
 
-/* influences[k] is the number of vertices that k joints move. */
+/* Element k is the number of vertices with k influences. */
 static json_t *influences(const struct model_stats *stats)
 {
 	json_t *array = json_array();

@@ -14,7 +14,7 @@ static size_t posed_bytes(const struct drawable *drawable)
 		sizeof(float[3]);
 }
 
-/* The rest pose is the instance's. */
+/* Finds unit_m of each mesh. The instance is in the rest pose. */
 static void find_units(const struct instance *instance, float *unit_m)
 {
 	const struct model *model = instance->model;

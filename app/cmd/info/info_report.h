@@ -1,5 +1,5 @@
 /*
- * What `limber info` prints about a model, as text or JSON.
+ * Measures what `limber info` prints about a model, and prints it.
  */
 #ifndef APP_CMD_INFO_INFO_REPORT_H
 #define APP_CMD_INFO_INFO_REPORT_H
@@ -13,8 +13,8 @@ struct info_report {
 	struct model_stats stats;
 	int joint_count; /* of all skins */
 	/*
-	 * [mesh_count]: metres in the scene that a unit of the mesh's positions
-	 * is, where a node shows it first; 1 if none does.
+	 * [mesh_count]: the length in metres of a unit of the mesh's positions
+	 * at the first node that shows it; 1 if none does.
 	 */
 	float *unit_m;
 
@@ -25,8 +25,8 @@ struct info_report {
 };
 
 /*
- * Returns 0, or -errno after logging an error. info_release() frees what the
- * report holds.
+ * Measures the model. Returns 0, or -errno after logging an error. The caller
+ * calls info_release() after success; the model must outlive the report.
  */
 int info_measure(const struct model *model, const struct log *log,
 	struct info_report *out);
@@ -36,8 +36,8 @@ void info_release(struct info_report *report);
 void info_print_text(const struct info_report *report, FILE *out);
 
 /*
- * Returns 0, or -errno after logging an error: a name in the model is not
- * UTF-8.
+ * Returns 0, or after logging an error -EINVAL if a name in the model is not
+ * UTF-8, or -ENOMEM.
  */
 int info_print_json(
 	const struct info_report *report, const struct log *log, FILE *out);

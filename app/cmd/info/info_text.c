@@ -5,7 +5,7 @@
 #include <errno.h>
 #include <stdbool.h>
 
-/* Prints a name, which may be missing, and what follows it. */
+/* Prints a name, which may be empty, and the text after it. */
 static void print_name(const char *name, const char *after, FILE *out)
 {
 	printable_put(name[0] ? name : "(unnamed)", out);

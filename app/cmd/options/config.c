@@ -33,7 +33,7 @@ static const struct {
 	{"math", {"math", "kernel", "influences", "lod"}},
 };
 
-/* [options] refuses these: they make no sense in a file or have a section. */
+/* [options] refuses these, which make no sense in a file or have a section. */
 static const char *const not_in_options[] = {
 	"help", "version", "config", "output", "demo", "buttons"};
 
@@ -53,7 +53,7 @@ struct reader {
 	struct log log; /* puts FILE:LINE before each sentence */
 };
 
-/* Copies the name that the user gave. Returns as config_find() does. */
+/* Copies the name that the user gave. Returns the result of config_find(). */
 static int take_name(
 	const char *given, char *path, size_t size, const struct log *log)
 {
@@ -133,7 +133,7 @@ static bool is_one_of(const char *word, const char *const *names)
 	return *names;
 }
 
-/* "F9 = UP" gives F9 the action that UP has in every demo. */
+/* "F9 = UP" gives F9 the action that UP has in each demo. */
 static int set_action(struct reader *reader, const char *key, const char *value)
 {
 	enum button button = button_from_name(key);
@@ -250,7 +250,10 @@ static int take(
 	return !reader->error;
 }
 
-/* The library skips lines that it cannot read; limber reports the first one. */
+/*
+ * Whether the library can read the line. It skips invalid lines silently, so
+ * limber reports the first one itself.
+ */
 static bool is_valid(const char *line)
 {
 	if (*line == '[') {
@@ -273,7 +276,7 @@ static char *next_line(char *text, int size, void *user)
 	}
 	reader->line++;
 	length = strlen(text);
-	/* A line that holds zero bytes looks as if it had no end. */
+	/* A line with zero bytes seems to have no end, too. */
 	if ((length == 0 || text[length - 1] != '\n') && !feof(reader->file)) {
 		log_error(&reader->log,
 			"this line has more than %d characters or is no text: make it shorter",

@@ -11,7 +11,9 @@
 #include "app/cmd/options/options.h"
 #include "platform/base/arena.h"
 
-/* Owns the strings of the options that were read. It begins zeroed. */
+/*
+ * Owns the strings of the options that were read. The caller zeroes it first.
+ */
 struct config {
 	struct arena arena;
 };
@@ -20,22 +22,22 @@ struct config {
  * Finds the file to read: given (the value of --config), else $LIMBER_CONFIG,
  * else, if search, $XDG_CONFIG_HOME/limber/limber.conf, with $HOME/.config when
  * that variable is not set, else /etc/limber.conf. Writes its path to path, of
- * size bytes. Returns 1, 0 when there is none or its name is "none", or
+ * size bytes. Returns 1; 0 if there is no file or its name is "none"; or
  * -ENAMETOOLONG after logging an error.
  */
 int config_find(const char *given, bool search, char *path, size_t size,
 	const struct log *log);
 
 /*
- * Reads the file into *options, which points into *config afterwards. Options
- * that the command does not have are checked and skipped. Returns 0, or -errno
- * after logging an error that begins "FILE:LINE: ".
+ * Reads the file into *options, which keeps pointers into *config. Options that
+ * the command does not have are checked and skipped. Returns 0, or -errno after
+ * logging an error that begins "FILE:LINE: ".
  */
 int config_load(struct config *config, const char *path,
 	enum command_bit command, struct options *options,
 	const struct log *log);
 
-/* The same for an open file; path only stands in errors. */
+/* The same for an open file; path is only used in messages. */
 int config_read(struct config *config, FILE *file, const char *path,
 	enum command_bit command, struct options *options,
 	const struct log *log);

@@ -27,7 +27,7 @@ static int append(char *list, size_t size, const char *button,
 	return 0;
 }
 
-/* Lets the driver check one line or key. */
+/* Lets the button driver check one GPIO line or key. */
 static int check(const char *driver, const char *item, const struct log *log)
 {
 	char spec[600];
@@ -41,7 +41,7 @@ static int check(const char *driver, const char *item, const struct log *log)
 	return buttons_check(spec, log);
 }
 
-/* Adds "gpio CHIP LINE..." or "key NAME", which is length bytes long. */
+/* Adds a binding of length bytes: "gpio CHIP LINE..." or "key NAME". */
 static int add_binding(struct config_buttons *buttons, const char *button,
 	const char *binding, size_t length, const struct log *log)
 {

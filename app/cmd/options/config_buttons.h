@@ -18,7 +18,7 @@ enum {
 	CONFIG_LIST_BYTES = 4000
 };
 
-/* The values of the keys that were read. It begins zeroed. */
+/* The values of the keys that were read. The caller zeroes it first. */
 struct config_buttons {
 	char lines[CONFIG_LIST_BYTES]; /* ",UP=chip 18,..." */
 	char keys[CONFIG_LIST_BYTES];  /* ",UP=KEY_W,..." */

@@ -29,7 +29,7 @@ struct options options_default(void)
 	return options;
 }
 
-/* The Levenshtein distance, whatever the case; 99 beyond 31 characters. */
+/* The Levenshtein distance, ignoring case; 99 beyond 31 characters. */
 static int distance(const char *a, const char *b)
 {
 	int row[32];
@@ -92,8 +92,9 @@ void options_log_unknown(const struct log *log,
 }
 
 /*
- * Finds an option by its letter or, if that is 0, by its name. Prefers the
- * command's own to another command's of that name. Returns NULL for none.
+ * Finds an option by its letter or, if that is 0, by its name of length bytes.
+ * Prefers an option of this command to one of other commands. Returns NULL if
+ * there is none.
  */
 static const struct option_entry *find_entry(
 	enum command_bit command, char letter, const char *name, size_t length)
@@ -165,7 +166,9 @@ static bool set_float(
 	return valid;
 }
 
-/* Stores the value, which a switch ignores. Returns whether it is valid. */
+/*
+ * Stores the value, which a switch ignores. Returns whether the value is valid.
+ */
 static bool set_entry(const struct option_entry *entry, struct options *options,
 	const char *value)
 {
@@ -185,7 +188,7 @@ static bool set_entry(const struct option_entry *entry, struct options *options,
 		return entry->set(options, value);
 	default:
 		*(const char **)member = value;
-		/* Longer ones name no file that Linux would open. */
+		/* Linux opens no file with a longer name. */
 		return value[0] != '\0' && strlen(value) < PATH_MAX;
 	}
 }
@@ -205,7 +208,9 @@ static bool is_value(enum command_bit command, const char *word)
 		!find_word(command, word, strlen(word));
 }
 
-/* Reads the option at argv[*at], and moves *at to its value if that follows. */
+/*
+ * Reads the option at argv[*at]; moves *at to its value if argv[*at + 1] is it.
+ */
 static int parse_option(struct options *options, enum command_bit command,
 	int argc, char **argv, int *at, const struct log *log)
 {

@@ -61,7 +61,7 @@ struct options_common {
 
 /* Which moment of which clip to pose, and how to read the clip. */
 struct options_motion {
-	const char *clip; /* a name or a number */
+	const char *clip; /* a name, or a number from 0 */
 	double time_s;
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip; negative plays it backwards */
@@ -97,7 +97,7 @@ struct options_input {
 	const char *buttons;
 	const char *script;
 	const char *record_buttons;
-	/* The button whose action each has ([actions]); BUTTON_COUNT: none. */
+	/* [button]: whose action it has ([actions]); BUTTON_COUNT: none. */
 	enum button action[BUTTON_COUNT];
 	const char *camera;
 	enum live_use camera_use;
@@ -116,7 +116,7 @@ struct options_show {
 	const char *stats;
 	const char *watchdog;
 	const char *failsafe;
-	const char *user; /* to become, once the devices are open */
+	const char *user; /* to become this user once devices are open */
 	bool no_labels;
 	bool hud;
 	struct overlay_choice overlays;
@@ -127,7 +127,7 @@ struct options_compare {
 	float error_px;
 	size_t ram_bytes;
 	float ms;
-	int jobs; /* 0: one a processor */
+	int jobs; /* threads; 0: one for each processor */
 	const struct board_profile *board;
 	const char *format; /* of the report */
 	const char *plot;
@@ -144,7 +144,7 @@ struct options_export {
 
 /* The strings belong to the caller. */
 struct options {
-	const char *model_path; /* the word that is not an option, or NULL */
+	const char *model_path; /* the argument that is no option, or NULL */
 	struct options_common common;
 	struct options_motion motion;
 	struct options_vertices vertices;
@@ -161,7 +161,7 @@ struct options options_default(void);
 
 /*
  * Reads the arguments that follow the command's name. Returns 0, or -EINVAL
- * after logging an error, which suggests an option where one was misspelt. The
+ * after logging an error, which suggests an option if one is misspelt. The
  * strings of *options point into argv.
  */
 int options_parse(struct options *options, enum command_bit command, int argc,
@@ -170,7 +170,7 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 /*
  * Sets one option by its name without dashes; a switch takes "yes" or "no". An
  * option that the command does not have is checked, but not set. Returns 0, or
- * -EINVAL after logging an error. *options may point to value afterwards.
+ * -EINVAL after logging an error. *options may keep the pointer value.
  */
 int options_set(struct options *options, enum command_bit command,
 	const char *name, const char *value, const struct log *log);
@@ -178,31 +178,33 @@ int options_set(struct options *options, enum command_bit command,
 /* Whether the command has an option of that name. */
 bool options_takes(enum command_bit command, const char *name);
 
-/* Writes the names of the command's options to names; returns their number. */
+/*
+ * Writes up to capacity names of the command's options; returns their number.
+ */
 int options_names(enum command_bit command, const char **names, int capacity);
 
 /* Prints the command's options for --help, one on each line. */
 void options_list(FILE *out, enum command_bit command);
 
 /*
- * The candidate that differs from word by at most two letters (one, for words
- * of up to three letters) and by the fewest, or NULL. Capitals do not matter.
- * candidates ends with NULL.
+ * Returns the candidate that is nearest to word: it differs by at most two
+ * letters, or one for words of up to three letters. Returns NULL if there is
+ * none. Ignores case. candidates ends with NULL.
  */
 const char *options_closest(const char *word, const char *const *candidates);
 
-/* A word that is not one of the names it should be one of. */
+/* A word that is not a valid name, and how to report it. */
 struct options_unknown {
 	const char *option; /* printed before the word: "--demo ", or "" */
 	const char *word;
 	const char *what;   /* "demo" */
 	const char *prefix; /* printed before a suggested name: "--", or "" */
-	const char *hint;   /* what to do when no name is similar */
+	const char *hint;   /* what to do if no name is similar */
 };
 
 /*
- * Logs an error about the word, with the name that it was probably meant to be.
- * names ends with NULL.
+ * Logs an error about the word, which suggests a similar name or gives the
+ * hint. names ends with NULL.
  */
 void options_log_unknown(const struct log *log,
 	const struct options_unknown *unknown, const char *const *names);

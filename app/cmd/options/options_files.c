@@ -19,7 +19,7 @@ static bool is_same(const struct stat *a, const struct stat *b)
 	return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* Splits off the name; the folder is "." where the path has none. */
+/* Returns the path's last part, and writes its folder with a final ".". */
 static const char *split(const char *path, char folder[PATH_MAX + 1])
 {
 	const char *slash = strrchr(path, '/');
@@ -33,7 +33,9 @@ static const char *split(const char *path, char folder[PATH_MAX + 1])
 	return slash ? slash + 1 : path;
 }
 
-/* Whether two files that do not exist yet would be one. */
+/*
+ * Whether two paths of files that do not exist yet would create the same file.
+ */
 static bool is_same_place(const char *a, const char *b)
 {
 	char folder_a[PATH_MAX + 1], folder_b[PATH_MAX + 1];
@@ -57,7 +59,7 @@ static bool is_same_file(const char *a, const char *b)
 		: is_same_place(a, b);
 }
 
-/* Compares a written file with those before it. */
+/* Refuses a file to write that is one of the files before it in the array. */
 static int check_file(const struct named_file *file,
 	const struct named_file *first, const struct log *log)
 {
@@ -79,7 +81,9 @@ static bool ends_in(const char *path, const char *ending)
 	return length > count && strcasecmp(path + length - count, ending) == 0;
 }
 
-/* Refuses the name of a file of another kind: the user meant another command. */
+/*
+ * Refuses the ending of another kind of file: the user meant another command.
+ */
 static int check_ending(const struct named_file *file, enum command_bit command,
 	const struct log *log)
 {

@@ -1,6 +1,6 @@
 /*
- * The files that the options name: none is written that is also read, that
- * another option writes, or whose name is that of another kind of file.
+ * Checks the files that the options name: a file to write must not be a file to
+ * read, or the file of another option, or have another kind's ending.
  */
 #ifndef APP_CMD_OPTIONS_OPTIONS_FILES_H
 #define APP_CMD_OPTIONS_OPTIONS_FILES_H
@@ -8,11 +8,11 @@
 #include "app/cmd/options/options.h"
 
 /*
- * Compares the files that the command writes with each other and with those
- * that it reads, whatever their paths look like; devices and pipes may be named
- * twice. optimize may write over its model. pose, export, character and levels
- * write one kind of file each and refuse names that end like other kinds, such
- * as a.png. Returns 0, or -EINVAL after logging an error.
+ * Compares the files to write with each other and with the files to read, by
+ * device and inode instead of by path; devices and pipes may be named twice.
+ * optimize may overwrite its model. pose, export, character and levels write
+ * one kind of file each and refuse endings of other kinds, such as a.png.
+ * Returns 0, or -EINVAL after logging an error.
  */
 int options_check_files(const struct options *options, enum command_bit command,
 	const struct log *log);

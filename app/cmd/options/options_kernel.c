@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Kernels that only other builds have. */
+/* Kernels that this build may lack, and which build has them. */
 static const struct {
 	const char *name, *where;
 } elsewhere[] = {

@@ -8,10 +8,9 @@
 #include "app/cmd/options/options.h"
 
 /*
- * The kernel named by --kernel; without a name, the first in the registry whose
- * arithmetic is the one of --math. Returns NULL after logging an error when
- * there is no such kernel or the two options contradict each other: then the
- * command line is wrong.
+ * Returns the kernel that --kernel names or, without a name, the first in the
+ * registry with the arithmetic of --math. Returns NULL after logging an error
+ * if there is no such kernel, or if the two options contradict each other.
  */
 const struct kernel *options_kernel(
 	const struct options_vertices *options, const struct log *log);

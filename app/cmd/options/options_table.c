@@ -104,7 +104,7 @@ static bool set_lod(struct options *options, const char *value)
 }
 
 /*
- * Reads a number of bytes up to 4e9; a "k", "m" or "g" after it means KiB, MiB or GiB.
+ * Reads a number of bytes up to 4e9; a suffix k, m or g means KiB, MiB or GiB.
  */
 static bool read_bytes(const char *value, size_t *out)
 {
@@ -158,7 +158,7 @@ static bool ends_with(const char *value, const char *ending)
 	return dot && strcmp(dot, ending) == 0;
 }
 
-/* Devices such as /dev/stdout have no ending. */
+/* Any device, such as /dev/stdout, is valid, too. */
 static bool set_plot(struct options *options, const char *value)
 {
 	options->compare.plot = value;

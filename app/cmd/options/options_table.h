@@ -12,7 +12,7 @@
 #include <stddef.h>
 
 enum {
-	OPTIONS_MAX = 64 /* rows at most, for arrays of their names */
+	OPTIONS_MAX = 64 /* rows at most; the size of arrays of names */
 };
 
 /* What an option's value becomes in struct options. */
@@ -26,12 +26,12 @@ enum option_kind {
 };
 
 struct option_entry {
-	char letter;         /* of the short form, or 0 */
+	char letter;         /* the short form's, or 0 */
 	const char *name;    /* without dashes */
-	const char *value;   /* its name in the help, or NULL for a switch */
+	const char *value;   /* the value's name in the help; NULL: a switch */
 	int commands;        /* bits of enum command_bit */
 	const char *summary; /* one line of at most 73 characters */
-	/* Follows "give" in an error: what a valid value looks like. */
+	/* What a valid value is; follows "give" in an error. */
 	const char *expected;
 
 	enum option_kind kind;

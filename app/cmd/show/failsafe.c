@@ -13,12 +13,14 @@
 #include <unistd.h>
 
 enum {
-	LINE_BYTES = 4400 /* more than a path and three numbers */
+	LINE_BYTES = 4400 /* room for a path and three numbers */
 };
 
 static const char mark[] = "limber failsafe ";
 
-/* What is counted: a demo, or a model's file as it is now. */
+/*
+ * Identifies what is counted: a demo, or a model's file, size and change time.
+ */
 static void describe(const char *model, const char *demo, char *out)
 {
 	struct stat status = {0};
@@ -31,8 +33,9 @@ static void describe(const char *model, const char *demo, char *out)
 }
 
 /*
- * The counted starts of what is described; 0 for a file that does not exist or
- * is empty. Returns -errno if the file cannot be read or holds something else.
+ * Returns the number of counted starts; 0 if the file does not exist, is empty,
+ * or counts something else. Returns -errno if the file cannot be read or has
+ * other content.
  */
 static int read_count(const char *path, const char *described)
 {
@@ -41,7 +44,7 @@ static int read_count(const char *path, const char *described)
 	FILE *file;
 	int count;
 
-	/* To open a device may do something: a watchdog starts. */
+	/* Opening a device may have effects: a watchdog starts. */
 	if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
 		!S_ISDIR(status.st_mode)) {
 		return -EINVAL;
@@ -133,8 +136,8 @@ struct failsafe failsafe_begin(
 }
 
 /*
- * Deletes the file, or empties the one that a link leads to. A file that is
- * gone already, or cannot be deleted, counts at most too much.
+ * Deletes the file, or empties the file that a link leads to. If this fails,
+ * the count is too high at worst.
  */
 static void forget(struct failsafe *failsafe)
 {

@@ -3,7 +3,7 @@
 #include <stddef.h>
 
 enum {
-	CATCH_UP_MAX = 50 /* at most so many frames fill a long pause */
+	CATCH_UP_MAX = 50 /* most frames that fill a long pause */
 };
 
 int film_open(struct film *film, const char *path, const struct pixels *size,
@@ -62,7 +62,7 @@ int film_add(struct film *film, const struct pixels *picture, double now_s)
 		now_s - film->next_s > CATCH_UP_MAX / film->rate_hz) {
 		film->next_s = now_s;
 	}
-	/* Times are rounded, so a thousandth of a frame early is in time. */
+	/* Times are rounded: up to a thousandth of a frame early is in time. */
 	while (!error && film->next_s <= now_s + 0.001 / film->rate_hz) {
 		error = write_frame(film, picture);
 		film->next_s += 1.0 / film->rate_hz;

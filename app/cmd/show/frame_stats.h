@@ -1,5 +1,5 @@
 /*
- * Measures how long frames take in a run, and writes the figures at its end.
+ * Measures how long the frames of a run take, and writes the results as JSON.
  *
  * Times are of the monotonic clock, whichever clock the animation follows.
  */
@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 enum {
-	/* Of one millisecond each; the last one holds all longer frames. */
+	/* A bucket is 1 ms wide; the last one counts all longer frames. */
 	FRAME_STATS_BUCKETS = 256
 };
 
@@ -26,21 +26,19 @@ struct frame_stats {
 	int64_t apart_max_ns;   /* between the ends of two frames */
 	int64_t pressed_ns;     /* the oldest press not yet shown, or 0 */
 	int64_t latency_max_ns; /* from a press to the frame that shows it */
-	int bucket[FRAME_STATS_BUCKETS]; /* number of frames, by their work */
+	int bucket[FRAME_STATS_BUCKETS]; /* frames by their work_ns */
 };
 
-/* A frame begins. */
+/* Call this when a frame begins. */
 void frame_stats_begin(struct frame_stats *stats);
 
-/* The frame shows a press that happened at pressed_ns. */
+/* Call this if the frame shows the effect of a press at pressed_ns. */
 void frame_stats_press(struct frame_stats *stats, int64_t pressed_ns);
 
-/* The frame is complete. */
+/* Call this when the frame has been shown. */
 void frame_stats_end(struct frame_stats *stats);
 
-/*
- * The work in milliseconds that this fraction (0 to 1) of frames stays within.
- */
+/* Returns the percentile of work, in ms, for a fraction of 0 to 1. */
 int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction);
 
 /*

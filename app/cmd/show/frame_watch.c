@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-	MEMORY_FRAMES = 32 /* between two readings */
+	MEMORY_FRAMES = 32 /* between two readings of memory */
 };
 
 static const float ms_per_ns = 1e-6f;

@@ -17,18 +17,18 @@ struct frame_watch {
 	struct hud_graph graph;
 	float stage_ms[HUD_STAGES]; /* of the current frame or the last one */
 	int64_t mark_ns;            /* when the current stage began */
-	int64_t ended_ns;           /* when the last frame ended; or 0 */
+	int64_t ended_ns;           /* when the last frame ended, or 0 */
 	size_t memory_bytes;
-	int memory_wait; /* frames until it is read again */
+	int memory_wait; /* frames until memory_bytes is read again */
 };
 
-/* A frame begins. */
+/* Call this when a frame begins. */
 void frame_watch_begin(struct frame_watch *watch);
 
-/* The time since the last call belongs to this stage. */
+/* Adds the time since the last call of these functions to this stage. */
 void frame_watch_stage(struct frame_watch *watch, enum hud_stage stage);
 
-/* The frame is over. */
+/* Call this when the frame is over: adds it to the graph. */
 void frame_watch_end(struct frame_watch *watch);
 
 /* Draws the graph unless it is hidden. reduction: see governor_text(). */

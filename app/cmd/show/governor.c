@@ -5,15 +5,19 @@
 #include <stdio.h>
 
 enum {
-	SETTLING_FRAMES = 8 /* before the mean is meaningful */
+	SETTLING_FRAMES = 8 /* frames before the mean is used */
 };
 
-static const float newest_weight = 0.15f; /* of the newest frame in the mean */
-/* A step is taken back if frames would then take this part of the budget. */
+static const float newest_weight = 0.15f; /* the newest frame's, in the mean */
+/*
+ * A step is taken back if frames would then take less than this of the budget.
+ */
 static const float restore_fraction = 0.9f;
 static const double over_limit_s = 0.2;
 static const double wait_min_s = 1.0, wait_max_s = 30.0;
-/* A step that stays taken back for this long resets wait_s. */
+/*
+ * If no step is taken for this long after one was taken back, wait_s is reset.
+ */
 static const double lasting_s = 5.0;
 
 static const struct {
@@ -51,7 +55,7 @@ struct governor governor_begin(float budget_ms)
 
 static void average(struct governor *governor, float work_ms)
 {
-	/* At first all frames have equal weight. */
+	/* The first frames have equal weights. */
 	float fraction = 1.0f / (float)(governor->frames + 1);
 
 	fraction = fraction > newest_weight ? fraction : newest_weight;
@@ -93,7 +97,7 @@ static void restore(struct governor *governor, double now_s)
 	reset_mean(governor);
 }
 
-/* The time since when the condition holds; -1 if it does not. */
+/* Returns the time since which the condition holds, or -1. */
 static double since(bool is, double begun_s, double now_s)
 {
 	return !is ? -1.0 : begun_s < 0.0 ? now_s : begun_s;

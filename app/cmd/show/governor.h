@@ -3,10 +3,10 @@
  *
  * Its steps go from the least visible reduction to the most visible one:
  * triangles, influences, normals, the rate of poses. A step is taken when the
- * mean frame time has been above the budget for a moment. It is taken back when
- * the mean plus what the step saved has been below the budget for a while; the
- * while gets longer when a step had to be taken again soon. The caller provides
- * the time.
+ * mean frame time has been above the budget for 0.2 s. It is taken back when
+ * the mean plus the time that the step saves has been below 90% of the budget
+ * for wait_s, which doubles, from 1 up to 30 s, whenever a step is taken again
+ * soon. The caller provides the time.
  */
 #ifndef APP_CMD_SHOW_GOVERNOR_H
 #define APP_CMD_SHOW_GOVERNOR_H
@@ -21,30 +21,30 @@ enum {
 struct governor {
 	float budget_ms; /* 0: no budget, so quality is never reduced */
 	int level;       /* number of steps taken, 0 to GOVERNOR_STEPS */
-	float mean_ms;   /* of the frames since the last step */
+	float mean_ms;   /* mean time of frames since the last step */
 	int frames;      /* since the last step */
 	float before_ms; /* the mean before the last step */
 	bool measuring;  /* the last step's saving is not yet known */
-	float saved_ms[GOVERNOR_STEPS + 1]; /* by the step to this level */
-	/* Since when frames are above or below the budget; negative: not. */
+	float saved_ms[GOVERNOR_STEPS + 1]; /* [level]: by the step to this level */
+	/* Since when frames are above or below budget; -1: they are not. */
 	double over_s, under_s;
 	double restored_s; /* when a step was last taken back */
-	double wait_s;     /* below budget, before a step is taken back */
-	unsigned turn;     /* counts frames, for the rate of poses */
+	double wait_s;     /* time below budget before a step is taken back */
+	unsigned turn;     /* counts frames, see governor_poses() */
 };
 
 struct governor governor_begin(float budget_ms);
 
 /*
- * Adds a frame's time without waiting for the display. Returns true if the
- * level changed.
+ * Adds the time of a frame, which must not include waiting for the display.
+ * Returns true if the level has changed.
  */
 bool governor_feed(struct governor *governor, double now_s, float work_ms);
 
 /* Returns the level's reduction, for demo_set_reduction(). */
 struct demo_reduction governor_reduction(const struct governor *governor);
 
-/* Call once a frame: returns true if the frame gets a new pose. */
+/* Call this once a frame. Returns whether the frame gets a new pose. */
 bool governor_poses(struct governor *governor);
 
 /* Returns the level's name, such as "2 influences"; NULL at level 0. */

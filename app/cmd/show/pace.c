@@ -7,8 +7,8 @@
 static const double default_hz = 60.0;
 
 /*
- * The loop must not be slower than a screen that waits for its refresh. It is
- * only a little faster, as some screens claim to wait and do not.
+ * The loop must not be slower than the screen, which waits for its refresh. It
+ * is only a little faster, as some screens claim to wait and do not.
  */
 static const double headroom = 1.05;
 

@@ -1,8 +1,9 @@
 /*
  * The pace of the frame loop on the real clock.
  *
- * The loop sleeps until moments at a fixed distance, which keeps frames evenly
- * spaced and lets the processor rest. A late frame delays the moments after it.
+ * The loop sleeps until the next multiple of a period, which keeps frames
+ * evenly spaced and lets the processor rest. A late frame delays all later
+ * ones.
  */
 #ifndef APP_CMD_SHOW_PACE_H
 #define APP_CMD_SHOW_PACE_H
@@ -11,22 +12,20 @@
 
 struct pace {
 	int64_t period_ns; /* 0: never waits */
-	int64_t next_ns;   /* of the monotonic clock */
+	int64_t next_ns;   /* time to wait for, of the monotonic clock */
 };
 
 /*
- * At most fps frames a second. With fps 0 the screen's rate screen_hz decides,
- * since showing a frame waits for the screen; 60 where that is 0 too.
+ * A pace of at most fps frames a second. If fps is 0, it is 5% above the
+ * screen's rate screen_hz, since showing a frame waits for the screen, or 60 if
+ * screen_hz is 0, too.
  */
 struct pace pace_begin(double fps, double screen_hz);
 
 /* A pace that never waits. */
 struct pace pace_none(void);
 
-/*
- * Sleeps until the next moment, unless it has passed. A signal ends the sleep
- * early.
- */
+/* Sleeps until next_ns, unless it has passed. A signal ends the sleep early. */
 void pace_wait(struct pace *pace);
 
 #endif

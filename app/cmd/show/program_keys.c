@@ -7,7 +7,9 @@ static void press_f9(struct program_keys *keys, const struct button_event *event
 	keys->f9_since_ms = event->time_ms;
 }
 
-/* Passes a press and a release to the demo unless the program used F9. */
+/*
+ * Passes a press and the release of F9 to the demo, unless the program used F9.
+ */
 static int release_f9(struct program_keys *keys,
 	const struct button_event *event,
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX])
@@ -23,7 +25,7 @@ static int release_f9(struct program_keys *keys,
 	return 2;
 }
 
-/* What a button does while F9 is held. */
+/* Returns the action of a button that is pressed while F9 is held. */
 static enum program_action chord_of(enum button button)
 {
 	switch (button) {

@@ -1,5 +1,5 @@
 /*
- * What some buttons do in every demo, beside the demo's own actions.
+ * Buttons that do the same in every demo, beside the demo's own actions.
  *
  *	F9, held for PROGRAM_KEYS_HOLD_MS   shows or hides the frame times
  *	F6, pressed while F9 is held        shows the next overlay
@@ -7,9 +7,10 @@
  *	F8, pressed while F9 is held        keeps the picture in a file
  *	F10, where a camera is open         changes what its pictures are for
  *
- * The demo gets every other press. Since F9 may be held for the program, the
- * demo gets its press and release together when F9 is released in time. A
- * window has keys of its own for all but the last (struct display_events).
+ * The demo gets all other presses. Since F9 may be held for the program, the
+ * demo gets the press of F9 together with its release, if F9 was not held for
+ * long. A window has keys of its own for all but the last (struct
+ * display_events).
  */
 #ifndef APP_CMD_SHOW_PROGRAM_KEYS_H
 #define APP_CMD_SHOW_PROGRAM_KEYS_H
@@ -38,21 +39,21 @@ enum program_action {
 struct program_keys {
 	bool has_camera; /* F10 belongs to the program */
 	bool f9_held;
-	bool f9_used; /* the program acted on it: the demo does not get it */
-	/* The program acted on it while F9 was held; until it is released. */
+	bool f9_used; /* for the program: the demo does not get it */
+	/* Pressed for the program while F9 was held, and not released yet. */
 	bool used[BUTTON_COUNT];
 	int64_t f9_since_ms; /* when F9 was pressed */
 };
 
 /*
- * Takes one event. The events that the demo gets are written to passed, their
- * number to *count.
+ * Takes one event and returns what the program must do. Writes the events that
+ * the demo gets to passed, and their number to *count.
  */
 enum program_action program_keys_press(struct program_keys *keys,
 	const struct button_event *event,
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX], int *count);
 
-/* Notices when F9 has been held for long enough. Call it once a frame. */
+/* Call this once a frame: returns an action if F9 has been held for long. */
 enum program_action program_keys_update(
 	struct program_keys *keys, int64_t now_ms);
 

@@ -13,7 +13,8 @@ static const int first_picture_ms = 3000;
 static const double film_rate_hz = 25.0; /* of --record on the real clock */
 
 /*
- * Returns -EINVAL if SPEC is wrong. A camera that fails does not end the run.
+ * Returns 0, or -EINVAL if the value of --camera is wrong. A camera that fails
+ * does not end the run.
  */
 static int open_camera(struct show *show)
 {
@@ -22,7 +23,8 @@ static int open_camera(struct show *show)
 	int error = spec ? camera_feed_open(spec, show->log, camera) : 0;
 
 	/*
-	 * A fixed clock does not wait, so the first frames would lack pictures.
+	 * A fixed clock does not wait, so the first frames would have no camera
+	 * pictures.
 	 */
 	if (!error && camera->driver && show->clock.fixed &&
 		camera->driver->await) {
@@ -117,7 +119,10 @@ static int open_film(struct show *show)
 		show->log);
 }
 
-/* A signal ends play in an orderly way, but leaves render's file incomplete. */
+/*
+ * Completes a display that is a file. A signal ends play in an orderly way, but
+ * would leave render's file incomplete.
+ */
 static int complete_output(struct show *show)
 {
 	const struct show_screen *screen = &show->screen;
@@ -136,8 +141,9 @@ static int complete_output(struct show *show)
 }
 
 /*
- * Everything but the model and the films is open. A desktop's windows open
- * sockets later; the user may keep a picture anywhere.
+ * Becomes --user and confines the process. Everything but the model and the
+ * films is open. Windows of a desktop open sockets later, and the user may save
+ * pictures in any folder.
  */
 static int confine(const struct show *show)
 {
@@ -156,7 +162,7 @@ static int confine(const struct show *show)
 	return error;
 }
 
-/* Writes what was measured, unless the run failed. */
+/* Writes the file of --stats, unless the run failed. */
 static int close_stats(
 	const struct show *show, struct output_file *file, int run_error)
 {
@@ -168,7 +174,7 @@ static int close_stats(
 	return output_file_commit(file);
 }
 
-/* Plays until the end. */
+/* Runs all frames and completes the files. */
 static int play(struct show *show)
 {
 	int error = open_film(show);
@@ -191,7 +197,7 @@ static int play(struct show *show)
 	return error ? error : complete_output(show);
 }
 
-/* Runs the show once everything is open. A long run shall not end in vain. */
+/* Opens the file of --stats before a long run, plays, and writes the file. */
 static int run(struct show *show)
 {
 	const char *path = show->options->show.stats;
@@ -277,8 +283,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 	if (open_camera(&show) == 0) {
 		if (watchdog) {
 			/*
-			 * Without a watchdog it logs a warning and limber goes
-			 * on.
+			 * If this fails, it logs a warning and limber goes on.
 			 */
 			(void)watchdog_open(&show.watchdog, watchdog,
 				&device_calls_system, log);

@@ -20,7 +20,7 @@ static void log_unknown_demo(const char *name, const struct log *log)
 		names);
 }
 
-/* Checks everything that does not depend on the machine. */
+/* Checks all options that do not depend on the machine. */
 static bool are_valid(const struct options *options,
 	const struct show_plan *plan, const struct log *log)
 {

@@ -3,7 +3,7 @@
 
 #include <errno.h>
 
-/* Says over the middle of the picture why it shows the built-in demo. */
+/* Writes across the middle of the picture why it shows the built-in demo. */
 static void draw_notice(struct show *show, int width, int height)
 {
 	struct hud *hud = show->hud;
@@ -21,8 +21,7 @@ static void draw_notice(struct show *show, int width, int height)
 }
 
 /*
- * Draws the notice, the labels and the graph of frame times, unless there is
- * none of them.
+ * Draws the notice, the labels and the graph of frame times, if there are any.
  */
 static void draw_hud(struct show *show, int width, int height)
 {
@@ -47,7 +46,9 @@ static void draw_hud(struct show *show, int width, int height)
 	hud_end(show->hud, &show->screen.gl->gl);
 }
 
-/* A file that cannot be written does not end the run. */
+/*
+ * Adds the picture to the film and the snapshot. An error does not end the run.
+ */
 static void keep_frame(struct show *show)
 {
 	struct pixels picture;
@@ -69,9 +70,10 @@ static void keep_frame(struct show *show)
 }
 
 /*
- * Whether the GL had no memory for a part of the frame, such as the stencil of
- * shadows. The GL of a GPU is not asked, because it would first complete the
- * frame. A file must not hold such a picture; a screen may show it.
+ * Checks whether the GL had no memory for a part of the frame, such as the
+ * stencil of shadows. Such a picture must not get into a file, so that returns
+ * -ENOMEM; a screen may show it, so that only logs a warning. A GPU's GL is not
+ * asked, because it would have to complete the frame first.
  */
 static int check_memory(struct show *show)
 {

@@ -37,8 +37,8 @@ int show_input_close(struct show *show, int run_error)
 }
 
 /*
- * Writes the event as a line of a script. The line is in the file when this
- * returns, since a board may be switched off at any time.
+ * Writes the event as a line of a script. The line is in the file on return,
+ * since a board may be switched off at any time.
  */
 static void record(struct show *show, const struct button_event *event)
 {
@@ -52,7 +52,7 @@ static void record(struct show *show, const struct button_event *event)
 	fprintf(output_file_stream(show->record), "%" PRId64 " %s %s\n",
 		show->record_ms, button_name(event->button),
 		event->down ? "down" : "up");
-	/* show_input_close() reports what could not be written. */
+	/* show_input_close() reports errors of writing. */
 	(void)output_file_publish(show->record);
 }
 
@@ -82,7 +82,7 @@ static void act(struct show *show, enum program_action action)
 	}
 }
 
-/* Runs the action that [actions] gives to the button. */
+/* Runs the button's action, as remapped by [actions] of limber.conf. */
 static void press(struct show *show, struct button_event event)
 {
 	struct button_event passed[PROGRAM_KEYS_PASSED_MAX];

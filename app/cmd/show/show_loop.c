@@ -7,10 +7,10 @@
 #include <errno.h>
 
 enum {
-	FRAMES_MAX = 1000000 /* as --frames */
+	FRAMES_MAX = 1000000 /* as for --frames */
 };
 
-/* Feeding only here lets the watchdog act when frames stop. */
+/* The watchdog is fed once a frame only, so that it acts when frames stop. */
 static void feed_watchdog(struct show *show)
 {
 	int64_t now_ms = clock_monotonic_ns() / 1000000;
@@ -21,7 +21,7 @@ static void feed_watchdog(struct show *show)
 	}
 }
 
-/* Updates the demo up to the first frame that is shown, without drawing. */
+/* Updates the demo without drawing, up to begin_s. */
 static void skip_to_begin(struct show *show)
 {
 	double step_s = 1.0 / (show->clock.fixed ? show->clock.rate_hz : 60.0);
@@ -37,7 +37,9 @@ static void skip_to_begin(struct show *show)
 	}
 }
 
-/* Presenting counts as work unless it waits for the screen's next refresh. */
+/*
+ * Feeds the governor. Presenting counts as work unless it waits for the screen.
+ */
 static void keep_budget(struct show *show)
 {
 	const float *stage_ms = show->watch.stage_ms;
@@ -68,7 +70,7 @@ static int run_frame(struct show *show)
 		show->plan->demo->update(show->demo, show->now_s);
 	}
 	frame_watch_stage(&show->watch, HUD_ANIMATE);
-	/* A file must not lack what an error has said to be missing. */
+	/* After an error, no incomplete picture may go into a file. */
 	if (show->screen.driver->finish && atomic_load(&show->heard_error)) {
 		return -EIO;
 	}

@@ -127,7 +127,7 @@ int show_screen_complete_frame(struct show_screen *screen)
 		: screen->gl->driver->end_frame(screen->gl);
 }
 
-/* The first row of OpenGL's pictures is the lowest one. */
+/* Flips a picture that ReadPixels() read, whose first row is the lowest. */
 static void flip_rows(struct pixels *picture, uint8_t *row)
 {
 	size_t bytes = (size_t)picture->stride_bytes;
@@ -143,7 +143,9 @@ static void flip_rows(struct pixels *picture, uint8_t *row)
 	}
 }
 
-/* Reads the surface into read_back, which grows with it. */
+/*
+ * Reads the surface into read_back, which is reallocated if the size changes.
+ */
 static int read_surface(struct show_screen *screen, const struct log *log)
 {
 	struct pixels *picture = &screen->read_back;
@@ -153,7 +155,7 @@ static int read_surface(struct show_screen *screen, const struct log *log)
 	if (picture->width != width || picture->height != height) {
 		free(picture->data);
 		*picture = (struct pixels){0};
-		/* One more row, for exchanging the others. */
+		/* The extra row is scratch for flip_rows(). */
 		error = pixels_alloc(
 			picture, width, height + 1, PIXELS_RGBA8888, log);
 		if (error) {

@@ -13,23 +13,23 @@ struct show_screen {
 	struct display *display;
 	struct display_info info;
 	struct gl_context *gl;
-	struct pixels pixels;    /* of the frame under way; none on a surface */
-	struct pixels read_back; /* a copy of a surface's picture, owned */
+	struct pixels pixels;    /* of the current frame; zero with a surface */
+	struct pixels read_back; /* a copy of the surface's picture, owned */
 };
 
 /*
  * Checks --display, --gl and --output without opening anything. display is the
- * display's name, or NULL for auto. Returns false after logging an error when
- * the command line is wrong: a name is unknown, the two drivers do not fit
- * together, or the display cannot write such a file.
+ * display's name, or NULL for auto. Returns false after logging an error if the
+ * command line is wrong: a name is unknown, the GL driver cannot draw for the
+ * display, or the display cannot write such a file.
  */
 bool show_screen_check(const struct options_screen *options,
 	const char *display, const struct log *log);
 
 /*
- * Opens the display and the GL driver. frames is how many there will be, 0 if
- * unknown; rate_hz is the rate of a file's animation. Returns 0, or -errno
- * after logging an error with nothing left open.
+ * Opens the display and the GL driver. frames is their number, 0 if unknown;
+ * rate_hz is the frame rate of a file. Returns 0, or -errno after logging an
+ * error; then nothing is open.
  */
 int show_screen_open(struct show_screen *screen,
 	const struct options_screen *options, const char *display, int frames,
@@ -48,8 +48,9 @@ int show_screen_begin_frame(struct show_screen *screen, int *width, int *height)
 int show_screen_complete_frame(struct show_screen *screen);
 
 /*
- * The picture of a frame between its completion and its end. *out is valid
- * until the frame ends. Returns 0, or -errno after logging an error.
+ * Gets the frame's picture, between show_screen_complete_frame() and
+ * show_screen_end_frame(). *out is valid until the latter. Returns 0, or -errno
+ * after logging an error.
  */
 int show_screen_picture(
 	struct show_screen *screen, struct pixels *out, const struct log *log);

@@ -27,8 +27,8 @@ struct show {
 	const struct show_plan *plan;
 	const struct options *options;
 	const struct log *log;
-	const struct log *caller_log; /* which log writes to */
-	atomic_bool heard_error;      /* on the log, since the first frame */
+	const struct log *caller_log; /* where log passes messages on to */
+	atomic_bool heard_error;      /* since the first frame */
 	struct show_screen screen;
 	struct camera_feed camera;
 	struct demo *demo;
@@ -38,9 +38,9 @@ struct show {
 	/* Time. */
 	struct clock clock;
 	struct pace pace;
-	double now_s; /* of the frame under way */
-	int frames;   /* to show; 0: until closed, -1: one period of the demo */
-	bool closed;  /* the user wants to end the run */
+	double now_s; /* of the current frame */
+	int frames;   /* to show; 0: until closed; -1: a period of the demo */
+	bool closed;  /* the user has asked to end the run */
 	struct frame_stats stats;
 	struct frame_watch watch;
 	struct governor governor;
@@ -48,35 +48,35 @@ struct show {
 	/* Input. */
 	struct buttons buttons;
 	struct output_file *record; /* of --record-buttons, or NULL */
-	int64_t record_ms;          /* of the last event in it */
+	int64_t record_ms;          /* time of the last event in record */
 	struct program_keys keys;
 
 	/* Files. */
 	struct film film;
 	int film_error;     /* 0 or the -errno that ended the film */
-	bool keeps_picture; /* the frame under way goes into a file */
+	bool keeps_picture; /* the current frame goes into a file */
 	struct snapshot snapshot;
 
-	bool lacks_memory; /* a picture was incomplete, which has been logged */
+	bool lacks_memory; /* an incomplete picture has been logged */
 };
 
 /* Opens the sources of buttons. Returns 0, or -errno after logging an error. */
 int show_input_open(struct show *show);
 
 /*
- * Closes them and completes --record-buttons. When the run failed before any
- * event, the file that stood there before stays. Returns 0, or -errno after
- * logging an error.
+ * Closes the sources and completes the file of --record-buttons. If the run
+ * failed before any event, a file that existed before stays. Returns 0, or
+ * -errno after logging an error.
  */
 int show_input_close(struct show *show, int run_error);
 
-/* Reads the display's events and the buttons up to now_ms, and acts on them. */
+/* Read the display's events, or the buttons up to now_ms, and act on them. */
 void show_input_poll_display(struct show *show, int64_t now_ms);
 void show_input_poll_buttons(struct show *show, int64_t now_ms);
 
 /*
- * Draws, shows and keeps one frame. Returns 0, or -errno after logging an
- * error.
+ * Draws and shows one frame, and records it if asked to. Returns 0, or -errno
+ * after logging an error.
  */
 int show_frame_draw(struct show *show);
 

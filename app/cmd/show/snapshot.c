@@ -10,7 +10,7 @@ enum {
 	NUMBER_MAX = 9999
 };
 
-/* A picture is a film of one frame. */
+/* Writes a picture as a film of one frame. */
 static int write_picture(
 	const char *path, const struct pixels *picture, const struct log *log)
 {

@@ -15,9 +15,9 @@ struct snapshot {
 };
 
 /*
- * Copies the picture and writes the copy to limber-0001.png, or to the next
- * number that is free, in a thread of its own. It prints the file's name, or
- * logs an error. It first waits for the picture before.
+ * Copies the picture and writes the copy to limber-0001.png, or the next free
+ * number, in a thread of its own, which prints the file's name or logs an
+ * error. Waits first until the previous picture is written.
  */
 void snapshot_take(struct snapshot *snapshot, const struct pixels *picture,
 	const struct log *log);

@@ -1,5 +1,5 @@
 /*
- * Mixed plans: each clip by its own technique.
+ * Finds a mixed plan, which plays each clip by its own technique.
  */
 #ifndef APP_COMPARE_ADVICE_PLAN_H
 #define APP_COMPARE_ADVICE_PLAN_H

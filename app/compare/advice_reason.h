@@ -1,5 +1,5 @@
 /*
- * The reason of the advice in one sentence.
+ * Writes the reason of the advice in one sentence.
  */
 #ifndef APP_COMPARE_ADVICE_REASON_H
 #define APP_COMPARE_ADVICE_REASON_H

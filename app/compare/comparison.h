@@ -28,7 +28,7 @@ enum comparison_kind {
 
 struct comparison_request {
 	int clip;       /* -1: all clips */
-	double rate_hz; /* at which the clips are played */
+	double rate_hz; /* playback rate of the clips */
 	float bound_px; /* the largest error to accept */
 	const struct board_profile *board;
 	size_t memory_bytes; /* the most memory to accept; 0: the board's */
@@ -36,7 +36,7 @@ struct comparison_request {
 	int width, height;   /* of the screen, in pixels */
 	int jobs;            /* threads */
 	const struct kernel *kernel;
-	/* Called now and then with the jobs done and their number; or NULL. */
+	/* NULL, or called now and then with the jobs done and all jobs. */
 	void (*progress)(void *context, int done, int total);
 	void *progress_context;
 };
@@ -65,10 +65,10 @@ struct comparison_row {
 	char name[48]; /* "morph, 9 keys" */
 	enum technique technique;
 	enum comparison_kind kind;
-	bool listed; /* in the table; other rows are only plotted */
-	bool front;  /* no listed row is better in time, memory and error */
+	bool listed;        /* in the table; other rows are only plotted */
+	bool front;         /* on the Pareto front */
 	int max_influences; /* a vertex, of an original; 0: all */
-	bool targets;       /* of an original: its morph targets are played */
+	bool targets;       /* of an original: with its morph targets */
 	float bound_px;     /* of a fitted morph */
 	struct comparison_cell *cell; /* [clip_count] */
 	struct comparison_total total;

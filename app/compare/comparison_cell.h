@@ -8,9 +8,9 @@
 #include "platform/process/jobs.h"
 
 /*
- * Makes the clip's time grid and view. Instances are made under the lock of
- * jobs, since a model's memory budget serves one thread at a time. Returns 0,
- * or -errno after logging an error.
+ * Sets rest, grid and screen of comparison->clip[clip]. Instances are made with
+ * jobs locked, because threads share the model's memory budget. Returns 0, or
+ * -errno after logging an error.
  */
 int comparison_clip_prepare(struct comparison *comparison, int clip,
 	struct jobs *jobs, const struct log *log);

@@ -4,7 +4,7 @@
 #ifndef APP_COMPARE_TECHNIQUE_H
 #define APP_COMPARE_TECHNIQUE_H
 
-/* The three of AN4044, and the combination of two that it recommends. */
+/* AN4044's three techniques, and the combination of two that it recommends. */
 enum technique {
 	TECHNIQUE_MORPHING,
 	TECHNIQUE_HIERARCHICAL,

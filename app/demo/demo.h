@@ -85,7 +85,7 @@ struct demo_driver {
 	void (*press)(struct demo *demo, const struct button_event *event);
 	void (*print_buttons)(const struct demo *demo, FILE *out);
 
-	/* Moves on to time_s, which never decreases. Allocates nothing. */
+	/* Goes on to time_s, which never decreases. Allocates nothing. */
 	void (*update)(struct demo *demo, double time_s);
 
 	/*
@@ -103,7 +103,7 @@ struct demo_driver {
 	/* Adds labels for the technique, clip, time, weight and so on. */
 	void (*label)(const struct demo *demo, struct hud *hud);
 
-	const char *technique; /* for facts; NULL: the actor's */
+	const char *technique; /* its name; NULL: the actor's technique */
 
 	/*
 	 * Describes figure number, counted from 0. Returns false if there is

@@ -7,8 +7,7 @@ enum {
 	FIGURES_MAX = 64
 };
 
-static const float least_side =
-	0.2f; /* height of a region; the picture's is 2 */
+static const float least_side = 0.2f; /* region's height; a picture has 2 */
 
 static struct overlay_motion motion_of(
 	const struct demo_driver *driver, const struct demo *demo)

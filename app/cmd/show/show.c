@@ -10,7 +10,7 @@
 #include <string.h>
 
 static const int first_picture_ms = 3000;
-static const double film_rate_hz = 25.0; /* of --record on the real clock */
+static const double film_rate_hz = 25.0; /* for --record on the real clock */
 
 /*
  * Returns 0, or -EINVAL if the value of --camera is wrong. A camera that fails

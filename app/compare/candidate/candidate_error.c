@@ -11,7 +11,9 @@ enum {
 	NORMAL_SAMPLES = 500 /* at most, of the grid's moments */
 };
 
-/* Refining stops where the peak cannot be missed by more than this. */
+/*
+ * Refining stops once the true peak can exceed the found one by this at most.
+ */
 static const float tolerance_px = 0.025f;
 static const float tolerance_share = 0.025f;
 /* An outline: the cosine between normal and view direction is at most this. */
@@ -32,7 +34,7 @@ struct comparer {
 	double sum_count;
 };
 
-/* One moment: the largest error of a vertex there. */
+/* The largest error of any vertex at one moment. */
 struct sample {
 	float time_s, px;
 };

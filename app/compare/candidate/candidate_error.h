@@ -26,7 +26,7 @@ struct candidate_error {
 	 * outline moves.
 	 */
 	float outline_px;
-	/* The largest angle between a vertex's normals. */
+	/* The largest angle between a vertex's normal and the reference's. */
 	float normal_deg;
 	/*
 	 * The largest difference in the key light's brightness of a vertex, in

@@ -74,7 +74,7 @@ static size_t target_bytes(const struct model *model, const struct drawable *d)
 	return bytes;
 }
 
-/* Each influence is a weight record with its base vectors. */
+/* For each influence, a stream has a weight record and base vectors. */
 static size_t stream_bytes(const struct skin_stream *stream)
 {
 	size_t each = sizeof(struct joint_weight) + sizeof(float[4]) +

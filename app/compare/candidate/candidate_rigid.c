@@ -16,7 +16,7 @@ enum {
 	CHOICES_MAX = CORNERS * MODEL_INFLUENCES_MAX
 };
 
-/* A drawable while its triangles are divided among the joints. */
+/* The state of split_drawable(), which divides triangles among the joints. */
 struct splitter {
 	struct rigid_bake *rigid;
 	const struct reference_part *part;
@@ -108,10 +108,10 @@ static void choose_joints(struct splitter *splitter)
 }
 
 /*
- * A skin's normal is bind * normal in the joint's space, and the player draws
- * it transformed by the world matrix W. A node's normals are transformed by the
- * cofactors of W. Both agree at rest, and wherever joints only turn from there,
- * for transpose(W) * W * bind * normal.
+ * Converts a skinned normal n to the joint's space. With W, the joint's world
+ * matrix, skinning shows it as W * bind * n; but normals of a node's mesh are
+ * transformed by the cofactors of W. transpose(W) * W * bind * n looks the same
+ * at rest, and wherever joints only rotate from there.
  */
 static void transform_normal(vec4 *bind, vec4 *world, float normal[3])
 {

@@ -61,7 +61,7 @@ static const float *positions_of(struct window *window, int moment)
 	return moment_of(window, moment);
 }
 
-/* Two keys, and a moment between them: [3][vertex_count] each. */
+/* Positions at two keys and at a moment between them: [3][vertex_count]. */
 struct between {
 	const float *from, *to, *wanted;
 	float omega; /* 0 at from, 1 at to */

@@ -51,7 +51,7 @@ void reference_destroy(struct reference *reference);
 /* Computes the positions at time_s, and the normals if wanted. */
 void reference_pose(struct reference *reference, float time_s, bool normals);
 
-/* The same for the rest pose, with normals; before the first reference_pose(). */
+/* Computes the rest pose, with normals. Call it before reference_pose(). */
 void reference_rest(struct reference *reference);
 
 #endif

@@ -9,7 +9,7 @@
 #include "app/scene/instance/bounds.h"
 #include "app/scene/stage/camera.h"
 
-/* How `limber play` frames a model: aspect and region are left to the caller. */
+/* How `limber play` frames a model; the caller sets aspect and region. */
 extern const struct camera_framing screen_view_framing;
 
 /* The view of a camera as plain numbers. */
@@ -28,8 +28,8 @@ struct screen_view {
 };
 
 /*
- * The view that frames the whole clip. It poses the reference at every moment
- * of the grid.
+ * Returns the view that frames the whole clip. Poses the reference at every
+ * moment of the grid.
  */
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height);

@@ -83,7 +83,7 @@ static size_t collect(const struct model_clip *clip, struct moment *moment)
 	return count;
 }
 
-/* Leaves out keys too close to the one before, unless a value jumps there. */
+/* Drops moments too close to the one before, unless a value jumps there. */
 static size_t thin_out(const struct moment *moment, size_t count, float *time_s)
 {
 	size_t kept = 1;

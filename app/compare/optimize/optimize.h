@@ -14,11 +14,10 @@
 #include <stdint.h>
 
 struct optimize_request {
-	float bound_px; /* the largest error of a vertex */
-	int width,
-		height; /* of the picture in which the model fits, in pixels */
+	float bound_px;      /* the largest error of a vertex */
+	int width, height;   /* pixels of the picture that frames the model */
 	size_t memory_bytes; /* the budget of each model that is loaded */
-	/* Called now and then with the steps done and their number; or NULL. */
+	/* NULL, or called now and then with the steps done and expected. */
 	void (*progress)(void *context, int done, int total);
 	void *progress_context;
 };

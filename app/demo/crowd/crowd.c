@@ -31,8 +31,7 @@ static const float coarse_error_px = 2.0f, far_error_px = 4.0f;
 static const float first_yaw_rad = 0.45f;
 static const float turn_rad_per_s = 0.9f;
 static const float drift_rad_per_s = 0.08f;
-static const float ease_per_s =
-	3.0f; /* rate at which the camera nears its goal */
+static const float ease_per_s = 3.0f; /* of the camera's easing */
 static const double period_s = 8.0;
 
 /*
@@ -110,7 +109,7 @@ static int add_walker(struct demo *demo)
 		}
 		return error;
 	}
-	/* Normal maps are lit in world space, but GL turns the walkers. */
+	/* Normal mapping lights an unturned figure, but GL turns walkers. */
 	walker->instance->normal_mapping = false;
 	demo->count++;
 	return 0;

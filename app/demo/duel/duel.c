@@ -21,7 +21,7 @@ static const float spacing = 1.2f;  /* times a figure's width */
 static const float slant = 0.25f;   /* tan(framing.camera.yaw_rad) */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
-static const double heat_s = 3.3; /* autoplay: time with and without errors */
+static const double heat_s = 3.3; /* autoplay: time of each display */
 
 static const struct framing framing = {.camera = {.yaw_rad = 0.25f,
 					       .pitch_rad = 0.14f,

@@ -18,9 +18,8 @@
 #include <errno.h>
 #include <stdlib.h>
 
-static const double check_s = 1.0; /* between checks of the file */
-static const float ease_per_s =
-	5.0f; /* rate at which the camera nears a clip's box */
+static const double check_s = 1.0;    /* between checks of the file */
+static const float ease_per_s = 5.0f; /* of the camera's easing */
 
 /* Watches the model's file for changes, once a second. */
 struct file_watch {

@@ -18,9 +18,7 @@ enum {
 
 static const char mark[] = "limber failsafe ";
 
-/*
- * Identifies what is counted: a demo, or a model's file, size and change time.
- */
+/* Identifies what is counted: a demo, or a model's path, size and mtime. */
 static void describe(const char *model, const char *demo, char *out)
 {
 	struct stat status = {0};

@@ -36,8 +36,8 @@ static struct bounds measure(
 }
 
 /*
- * Finds the point that stands on the route: the origin, or the middle of the
- * box along axes on which the box does not contain the origin.
+ * Finds the point that stands on the route: on the ground below the origin or,
+ * where the box does not contain the origin along x or z, below its middle.
  */
 static void find_center(const struct bounds *bounds, float center[3])
 {

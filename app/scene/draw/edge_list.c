@@ -12,7 +12,10 @@ struct edges {
 	const struct gl *gl;
 	int used;
 	uint16_t line[LINES_A_CALL][2];
-	/* Both ends of edges that were drawn; equal ends are no edge. */
+	/*
+	 * A hash table of edges drawn recently: the lower vertex in the upper
+	 * 16 bits, the higher one below. Two equal ends mark a free entry.
+	 */
 	uint32_t recent[1 << RECENT_BITS];
 };
 
@@ -25,7 +28,10 @@ static void flush(struct edges *edges)
 	edges->used = 0;
 }
 
-/* Neighbours follow each other in most lists, so few edges are remembered. */
+/*
+ * Returns false if the edge was drawn recently. Triangles that share an edge
+ * are near each other in most lists, so a small table suffices.
+ */
 static bool is_new(struct edges *edges, uint16_t from, uint16_t to)
 {
 	uint32_t ends = from < to ? (uint32_t)from << 16 | to

@@ -11,9 +11,9 @@
 #include <stdint.h>
 
 /*
- * Draws the edges of count / 3 triangles of the current vertex array. Where
- * index is NULL, each three vertices are a triangle, of which those beyond
- * number 65535 are left out.
+ * Draws the edges of count / 3 triangles of the current vertex array. If index
+ * is NULL, every three vertices are a triangle, and vertices from number 65535
+ * on are left out.
  */
 void edge_list_draw(const struct gl *gl, const uint16_t *index, int count);
 

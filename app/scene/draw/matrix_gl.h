@@ -9,8 +9,8 @@
 #include <cglm/types.h>
 
 /*
- * Call LoadMatrixx() and MultMatrixx() with four columns, whose elements have
- * to be between -32768 and 32768.
+ * Call LoadMatrixx() and MultMatrixx() with a matrix of four columns, whose
+ * elements have to be between -32768 and 32768.
  */
 void matrix_gl_load(const struct gl *gl, const vec4 *matrix);
 void matrix_gl_multiply(const struct gl *gl, const vec4 *matrix);

@@ -9,8 +9,9 @@
 
 enum {
 	SIDE_MAX = 1024,
-	SMALL_MAX = 128, /* what a side of few texels becomes at most */
-	ERRORS_MAX = 16  /* a driver without a context may never run out */
+	SMALL_MAX = 128, /* a side of few texels is enlarged to this at most */
+	/* without a context, a driver may return errors for ever */
+	ERRORS_MAX = 16
 };
 
 /* An image whose sides are powers of two. */
@@ -57,8 +58,9 @@ static size_t texture_bytes(const struct model_image *image,
 }
 
 /*
- * The source column or row, in 1/256, at a texel's centre. Where the model
- * takes the nearest texel, nothing is interpolated between two.
+ * Returns the source column or row, in 1/256, at a texel's centre. If the model
+ * asks for the nearest texel, it is a whole column or row, so that texels are
+ * not interpolated.
  */
 static int source_at(int texel, int side, int source_side, enum model_wrap wrap,
 	bool nearest)
@@ -199,7 +201,7 @@ static void pack_short(
 	}
 }
 
-/* packed is a buffer of 16 bits a texel. */
+/* packed is scratch memory with 16 bits for each texel. */
 static void upload_level(const struct gl *gl, int level,
 	const struct texels *texels, enum packing packing, uint16_t *packed)
 {

@@ -18,8 +18,8 @@ struct texture_set {
 	int count;
 	GLuint *name;        /* [count], one for each of the model's textures */
 	bool normal_mapping; /* the driver can draw the model's normal maps */
-	bool two_units;      /* the driver has two, which can combine colours */
-	size_t taken_bytes;  /* from the model's budget, for the GL's memory */
+	bool two_units; /* the driver has two texture units and GL_COMBINE */
+	size_t taken_bytes; /* from the model's budget, for the GL's memory */
 };
 
 /*

@@ -10,7 +10,11 @@
 
 enum {
 	EMS_PER_HEIGHT = 40, /* ems of text in the picture's height */
-	CLIP = 16384, /* half of a short's range: text may lie beyond the edge */
+	/*
+	 * the picture's edge as a vertex coordinate: half of a short's range,
+	 * as text may lie beyond the edge
+	 */
+	CLIP = 16384,
 	ELLIPSIS = 0x2026
 };
 
@@ -77,7 +81,7 @@ void hud_finish(struct hud *hud, const struct gl *gl)
 	}
 }
 
-/* The largest face that fits, scaled where all are too small. */
+/* Takes the largest face that fits, and enlarges it if all are too small. */
 const struct font_face *hud_face_for(
 	const struct font *font, int height, int *scale)
 {
@@ -114,7 +118,10 @@ int hud_line_height(const struct hud *hud)
 	return hud->face->line_height * hud->scale;
 }
 
-/* Clamps to what a vertex holds; such a vertex is outside the picture. */
+/*
+ * Clamps a coordinate to 16 bits; a clamped vertex is outside the picture
+ * anyway.
+ */
 static int16_t to_short(int value)
 {
 	return (int16_t)(value < -INT16_MAX ? -INT16_MAX

@@ -16,7 +16,8 @@
 #include "platform/gl/gl.h"
 
 enum {
-	HUD_QUADS_MAX = 1024, /* a glyph is one, a bar or panel up to 14 */
+	/* a glyph takes one, a panel up to 7, a bar up to 14 */
+	HUD_QUADS_MAX = 1024,
 	HUD_CORNERS = 4
 };
 
@@ -50,7 +51,8 @@ struct hud {
 	int width, height;            /* of the picture */
 	const struct font_face *face; /* chosen by the picture's height */
 	int scale;                    /* pixels a texel of the face */
-	int stacked_px[HUD_CORNERS];  /* height that a corner's groups take */
+	/* height that the groups of each corner take */
+	int stacked_px[HUD_CORNERS];
 
 	int quad_count;
 	struct hud_vertex vertex[HUD_QUADS_MAX * 4];
@@ -58,19 +60,20 @@ struct hud {
 };
 
 /*
- * Makes a hud with the default font and uploads the font's atlas as a texture.
- * Returns 0, or -ENOMEM after logging an error. Release it with hud_finish().
+ * Initializes a hud with the default font and uploads the font's atlas as a
+ * texture. Returns 0, or -ENOMEM after logging an error. Release it with
+ * hud_finish().
  */
 int hud_init(struct hud *hud, const struct gl *gl, const struct log *log);
 
 /*
- * Returns the face for pictures of this height, and the pixels a texel of it in
- * *scale.
+ * Returns the face for pictures of this height, and stores in *scale how many
+ * pixels each of its texels covers.
  */
 const struct font_face *hud_face_for(
 	const struct font *font, int height, int *scale);
 
-/* Deletes the texture. A hud that is all zero is allowed. */
+/* Deletes the texture. A hud whose bytes are all zero is allowed. */
 void hud_finish(struct hud *hud, const struct gl *gl);
 
 /* Begins a frame of a picture of this size, at most 8192 a side. */

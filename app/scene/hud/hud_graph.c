@@ -185,7 +185,10 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 	}
 }
 
-/* At the right if labels leave hardly more than the graph at the left. */
+/*
+ * Returns the right corner if the labels at the left leave too little room for
+ * the graph and the picture is wide enough for two columns.
+ */
 static enum hud_corner choose_corner(const struct hud *hud)
 {
 	const int *stacked = hud->stacked_px;

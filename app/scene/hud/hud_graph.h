@@ -36,8 +36,8 @@ struct hud_graph_means {
 struct hud_graph {
 	float ms[HUD_GRAPH_FRAMES][HUD_STAGES]; /* ring buffer */
 	int next, count;
-	struct hud_graph_means sum;   /* since the texts were updated */
-	struct hud_graph_means shown; /* the means that the texts show */
+	struct hud_graph_means sum;   /* since the texts were last updated */
+	struct hud_graph_means shown; /* the means that the texts show now */
 };
 
 /* The facts below the times. */
@@ -66,8 +66,9 @@ float hud_graph_rate(const struct hud_graph *graph);
 float hud_graph_scale_ms(const struct hud_graph *graph);
 
 /*
- * Adds the graph as a group in the bottom left corner, with as many of the facts
- * as have room below the groups above; in the right one if the left has no room.
+ * Adds the graph as a group in the bottom left corner, or in the bottom right
+ * one if the left has no room. Facts that would reach the groups above are left
+ * out.
  */
 void hud_graph_show(const struct hud_graph *graph,
 	const struct hud_facts *facts, struct hud *hud);

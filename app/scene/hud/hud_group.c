@@ -68,7 +68,7 @@ static int group_width(const struct hud *hud)
 	return width_for(hud->width, hud_em(hud));
 }
 
-/* The same of a group that holds sentences. */
+/* The panel's width in a group of sentences: twice that, within the picture. */
 static int wide_width_for(int picture_width, int em)
 {
 	int whole = picture_width - 2 * (em * MARGIN / 8);
@@ -216,7 +216,7 @@ bool hud_group_fits(const struct hud_group *group, int rows, int space)
 		group->rows_left >= rows;
 }
 
-/* Whether another row may be added; it takes it. */
+/* Returns true if another row fits, and counts that row as added. */
 static bool take_row(struct hud_group *group)
 {
 	return hud_group_fits(group, 1, 0) && group->rows_left-- > 0;
@@ -258,7 +258,9 @@ static int hundredths(float value, float limit)
 	return (int)(scalar_clamp(value, 0.0f, limit) * 100.0f + 0.5f);
 }
 
-/* Whether the label is whole beside a value of this text. */
+/*
+ * Returns true if the label fits beside a value of this text without being cut.
+ */
 static bool is_whole(
 	const struct hud_group *group, const char *label, const char *value)
 {
@@ -270,7 +272,10 @@ static bool is_whole(
 		group->width;
 }
 
-/* A long label takes the place of the duration, then of the time. */
+/*
+ * Tries the texts with the longest time, so that the choice does not change as
+ * the time runs.
+ */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color)
 {

@@ -33,23 +33,24 @@ struct hud_group {
 	enum hud_corner corner;
 	int left, width; /* of the rows, pixels */
 	int y;           /* top of the next row */
-	int rows_left;   /* that may be added */
-	int room;        /* height that rows may take, pixels */
+	int rows_left;   /* rows that may still be added */
+	int room;        /* height that the group may take, pixels */
 	int first_quad;
 };
 
 /* The part of a picture that groups take, in pixels from its left and top. */
 struct hud_group_extent {
-	int column;                  /* width of the groups in a left corner */
-	int top;                     /* height of a group in a top corner */
-	int line;                    /* height of a line of text */
-	int list_width, list_height; /* of a wide group of keys, no title */
+	int column; /* width of the groups in a left corner */
+	int top;    /* height of a group in a top corner */
+	int line;   /* height of a line of text */
+	/* of a wide group of keys without a title */
+	int list_width, list_height;
 };
 
 /*
- * Returns what groups take of a picture of this size, where the one at the top
- * has a title and this number of rows, some of them with bars. A list of keys
- * has as many rows.
+ * Returns what groups take of a picture of this size. The group in the top
+ * corner has a title and this number of rows, of which bars have a bar; a list
+ * of keys has as many rows.
  */
 struct hud_group_extent hud_group_extent_of(
 	int width, int height, int rows, int bars);
@@ -59,17 +60,18 @@ enum {
 };
 
 /*
- * Returns how many rows a group shows in a picture of this size. In one that is
- * less than twice as wide as a group, figures have no room beside the labels,
- * so that these get shorter: HUD_GROUP_ROWS_NARROW, without those that follow,
- * or as many as leave figures the lower half of a small picture. Where not even
- * one does so, it is 0, and groups are not shown.
+ * Returns how many rows a group shows at most in a picture of this size;
+ * further rows are left out. In a picture less than twice as wide as a group,
+ * figures have no room beside the labels. A group is then limited to
+ * HUD_GROUP_ROWS_NARROW rows, or to fewer that leave figures the lower half of
+ * the picture. If not even one row does so, the result is 0, and groups are not
+ * shown.
  */
 int hud_group_rows_max(int width, int height);
 
 /*
- * Whether a list of keys takes the place of the other groups: in a picture in
- * which it leaves figures no room between them.
+ * Returns true if a list of keys replaces the other groups: in a picture so
+ * narrow that figures would have no room between the list and the groups.
  */
 bool hud_group_list_is_alone(int width, int height);
 
@@ -82,20 +84,25 @@ struct hud_group hud_group_begin_wide(
 	struct hud *hud, enum hud_corner corner, const char *title);
 
 /*
- * Makes a group in a left corner at most a quarter wider, so that the row of a
- * switch is not cut. Call it for all such rows before any is added.
+ * Widens a group in a left corner, by at most a quarter, so that the row of
+ * this switch (hud_group_switch()) is not cut. Call it for all switches of the
+ * group before the first row is added.
  */
 void hud_group_widen(struct hud_group *group, const char *key, const char *what);
 
-/* Leaves out rows with which the group and its margins would be higher. */
+/*
+ * Limits the group with its margins to a height in pixels; rows that would
+ * exceed it are left out.
+ */
 void hud_group_limit(struct hud_group *group, int height);
 
-/* Whether so many rows, and a space of this height, are not left out. */
+/* Returns true if this number of rows and a space of this height still fit. */
 bool hud_group_fits(const struct hud_group *group, int rows, int space);
 
 /*
  * Adds a label and a value; either may be "". A long label is cut. A row that
- * would end beyond the picture is left out, as all rows are.
+ * would end beyond the picture is left out. That holds for all kinds of rows
+ * except spaces and switches.
  */
 void hud_group_text(
 	struct hud_group *group, const char *label, const char *value);
@@ -105,8 +112,9 @@ void hud_group_bar(struct hud_group *group, const char *label,
 	const char *value, float fraction, struct hud_color color);
 
 /*
- * Adds "label    0.42 / 1.07 s" above a bar; times are clamped to 0..9999 s. For
- * a long label it leaves out the duration, then the time, which the bar shows.
+ * Adds "label    0.42 / 1.07 s" above a bar; times are clamped to 0..9999 s.
+ * Beside a long label it leaves out the duration and, if that is not enough,
+ * also the time, which the bar shows anyway.
  */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color);
@@ -126,7 +134,9 @@ void hud_group_mark(struct hud_group *group, const char *label,
  */
 int hud_group_space(struct hud_group *group, int height);
 
-/* Adds a picture of a key and what the key does, unless it is left out. */
+/*
+ * Adds a picture of a key and what the key does, if it fits below the last row.
+ */
 void hud_group_key(struct hud_group *group, const char *key, const char *what);
 
 /* Adds a picture of a key, what the key switches, and a switch on or off. */
@@ -136,7 +146,9 @@ void hud_group_switch(struct hud_group *group, const char *key,
 /* Moves the group with its panel to its place in the corner. */
 void hud_group_end(struct hud_group *group);
 
-/* What is on the display at a moment, to go back to. */
+/*
+ * The state of the display at some moment, to which hud_go_back() can return.
+ */
 struct hud_mark {
 	int quad_count;
 	int stacked_px[HUD_CORNERS];
@@ -144,10 +156,13 @@ struct hud_mark {
 
 struct hud_mark hud_mark(const struct hud *hud);
 
-/* Takes away all that was added since the mark. */
+/* Removes all elements that were added since the mark. */
 void hud_go_back(struct hud *hud, const struct hud_mark *mark);
 
-/* Whether groups in an upper corner reach those in the corner below it. */
+/*
+ * Returns true if the groups of a top corner overlap those of the bottom corner
+ * below it.
+ */
 bool hud_groups_overlap(const struct hud *hud);
 
 #endif

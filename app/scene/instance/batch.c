@@ -36,7 +36,10 @@ static bool in_primitive_order(
 	return !batch->source && !(drawable->fixed && drawable->fixed->order);
 }
 
-/* Vertex colours times the material's; without a copy if that is white. */
+/*
+ * Sets the batch's vertex colours: the primitive's times the material's colour,
+ * or the primitive's own array if that colour is white.
+ */
 static int tint(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
@@ -115,7 +118,10 @@ static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
 								     : -ENOMEM;
 }
 
-/* Sets the batch's arrays: copies attributes, allocates what updates write. */
+/*
+ * Sets the batch's arrays: copies attributes that stay, and allocates the
+ * arrays that updates write.
+ */
 static int fill(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
@@ -148,9 +154,9 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 }
 
 /*
- * Converts a list of the primitive's vertices to the order of the arrays.
- * inverse_order NULL: they are in the primitive's order. Triangles that are
- * blended stay in theirs, which shows.
+ * Converts an index of the primitive's vertices to one of the arrays.
+ * inverse_order is NULL if the arrays have the primitive's order. Triangles of
+ * a blended surface keep their order, because a change of it would be visible.
  */
 static const uint16_t *convert_list(const struct drawable *drawable,
 	const uint32_t *inverse_order, const uint32_t *list, int count,
@@ -184,8 +190,9 @@ static int convert_lod(struct batch_lod *out, const struct drawable *drawable,
 }
 
 /*
- * The model's coarser lists, and those for shadows. Facets have the latter
- * alone: their vertices have the normals of one list.
+ * Converts the model's coarser lists and its lists for shadows. Facets get only
+ * those for shadows, because their vertices hold the normals of the full list's
+ * triangles.
  */
 static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	const uint32_t *inverse_order, struct arena *arena)
@@ -213,7 +220,9 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	return error;
 }
 
-/* What casts the shadow of a primitive without lists for shadows. */
+/*
+ * Makes the shadow's triangles for a primitive that has no lists for shadows.
+ */
 static int make_proxy(struct batch *batch,
 	const struct model_primitive *primitive, const uint32_t *inverse_order,
 	struct arena *arena)
@@ -232,7 +241,10 @@ static int make_proxy(struct batch *batch,
 	return error;
 }
 
-/* A batch of all triangles, whose index is made, and its other lists. */
+/*
+ * Makes the drawable's only batch from made, whose index holds all triangles,
+ * and adds its coarser lists, lists for shadows and arrays.
+ */
 static int add_whole(struct drawable *drawable, const struct batch *made,
 	const uint32_t *inverse_order, const float base_color[4],
 	struct arena *arena)
@@ -290,8 +302,8 @@ static int make_faceted(struct drawable *drawable, const float base_color[4],
 }
 
 /*
- * Batches of at most BATCH_VERTICES_MAX vertices without an index. The
- * primitive's index is the list of their sources.
+ * Makes batches of at most BATCH_VERTICES_MAX vertices without an index. Their
+ * sources are parts of the primitive's index.
  */
 static int make_unindexed(struct drawable *drawable, const float base_color[4],
 	struct arena *arena)
@@ -322,7 +334,7 @@ static int make_unindexed(struct drawable *drawable, const float base_color[4],
 	return 0;
 }
 
-/* Whether flat shading leaves the vertex colours as they are. */
+/* Returns true if flat shading does not change the vertex colours. */
 static bool has_one_color_a_triangle(const struct model_primitive *primitive)
 {
 	const uint32_t *index = primitive->index;
@@ -348,7 +360,10 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 	if (primitive->normal && primitive->vertex_count <= BATCH_VERTICES_MAX) {
 		return make_whole(drawable, base_color, arena);
 	}
-	/* Facets are in an order of their own. */
+	/*
+	 * Facets change the order of triangles, which a blended surface must
+	 * keep.
+	 */
 	if (!primitive->normal && drawable->alpha != MODEL_BLEND &&
 		has_one_color_a_triangle(primitive)) {
 		error = make_faceted(drawable, base_color, arena);
@@ -425,7 +440,10 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 	}
 }
 
-/* A facet's normal points outwards where its triangle is turned round, too. */
+/*
+ * mirrored: the triangles' winding is reversed, so normals are negated to point
+ * outwards again.
+ */
 static void find_fixed_facets(const struct batch *batch, bool mirrored)
 {
 	struct fixed_vector *normal = batch->gathered_fixed_normal;

@@ -23,7 +23,7 @@
 int batch_make(struct drawable *drawable, const float base_color[4],
 	struct arena *arena);
 
-/* Returns the primitive's vertex that a vertex of its batch is. */
+/* Returns the number, within the primitive, of the batch's vertex v. */
 int batch_vertex(
 	const struct drawable *drawable, const struct batch *batch, int v);
 
@@ -32,7 +32,7 @@ typedef void batch_dye(void *user, int vertex, uint8_t color[4]);
 
 /*
  * Changes the drawable's vertex colours, if it has any. The model and its other
- * instances keep theirs. 0 or -ENOMEM.
+ * instances keep theirs. Returns 0 or -ENOMEM.
  */
 int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
 	struct arena *arena);
@@ -40,12 +40,15 @@ int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
 /*
  * Multiplies the drawable's vertex colours and its material's colour by an
  * sRGB-encoded factor from 0 to 1 a channel. The model and its other instances
- * keep their colours. 0 or -ENOMEM.
+ * keep their colours. Returns 0 or -ENOMEM.
  */
 int batch_tint(
 	struct drawable *drawable, const float factor[3], struct arena *arena);
 
-/* Copies posed vertices into the gathered arrays; called once a frame. */
+/*
+ * Copies posed vertices into the arrays of gathered batches and finds the
+ * normals of facets; called once a frame.
+ */
 void batch_gather(struct drawable *drawable);
 
 #endif

@@ -7,8 +7,15 @@
 
 #include <errno.h>
 
-static const float moved_fraction = 0.08f; /* of the farthest displacement */
-/* In halves of the box's sides: up to where the reach is 1, and where it is 0. */
+/*
+ * Vertices that targets move less than this part of the farthest displacement
+ * count as unmoved.
+ */
+static const float moved_fraction = 0.08f;
+/*
+ * Distances from the box's middle, in halves of its sides: the reach is 1 up to
+ * inner and 0 from outer on.
+ */
 static const float inner = 0.8f, outer = 1.45f;
 
 static bool can_bend(const struct drawable *drawable, int node)
@@ -18,7 +25,7 @@ static bool can_bend(const struct drawable *drawable, int node)
 		drawable->primitive->normal;
 }
 
-/* The primitive's vertex that the arrays have at this place. */
+/* Returns the primitive's vertex that is stored at this place of the arrays. */
 static int vertex_of(const struct drawable *drawable, int at)
 {
 	return drawable->fixed && drawable->fixed->order
@@ -140,8 +147,8 @@ static int16_t to_q14(float value)
 }
 
 /*
- * 1 in the middle of the box and behind it, falling smoothly to 0 around it.
- * Teeth and eyes thus move with the skin before them.
+ * Returns 1 inside the box, falling smoothly to 0 outside of it. Teeth and eyes
+ * inside the box thus move with the skin before them.
  */
 static float reach_of(const struct bend *bend, const float at[3])
 {

@@ -3,10 +3,14 @@
 #include "platform/base/scalar.h"
 
 enum {
-	SMOOTH_STEPS = 14 /* softens the light at the wave's ends */
+	/*
+	 * A slope is a mean over this many places to either side, which softens
+	 * the light at the wave's ends.
+	 */
+	SMOOTH_STEPS = 14
 };
 
-/* A frame's turn and wave; lengths are in the arrays' unit. */
+/* A frame's turn and wave; lengths are in local units. */
 struct motion {
 	bool waves;
 	float sine, less; /* of the turn: its sine, and 1 - its cosine */
@@ -81,7 +85,10 @@ static void bend_float(const struct motion *motion, const struct bend *bend,
 	}
 }
 
-/* The same numbers in Q14, and lengths in units of 16-bit vertices. */
+/*
+ * The same for fixed point: factors in Q14, lengths in units of the 16-bit
+ * positions.
+ */
 struct fixed_motion {
 	int32_t sine, less;
 	int32_t center_x, center_z; /* of the neck */
@@ -129,7 +136,10 @@ static int16_t to_16(int32_t value)
 					: value);
 }
 
-/* |x| < 2^17 and |sine| < 2^13, as turns are below half a radian. */
+/*
+ * Turns x and z by the part turn (Q14) of the frame's turn. Sums stay below
+ * 2^31, as |x|, |z| < 2^17 and, for turns up to half a radian, |sine| < 2^13.
+ */
 static void turn_vector(
 	const struct fixed_motion *fixed, int32_t turn, int32_t *x, int32_t *z)
 {

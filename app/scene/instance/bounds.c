@@ -9,10 +9,13 @@
 enum {
 	CLIP_STEPS = 12,
 	CLIP_STEPS_LEAST = 2,
-	POSES_MAX = 104 /* of all clips together */
+	POSES_MAX = 104 /* samples of all clips together */
 };
 
-/* A box is flat whose height is less than this part of its extent. */
+/*
+ * A box is flat if its height is less than flat_part of its extent; the ground
+ * then lies lower by hairline_part of the extent.
+ */
 static const float flat_part = 0.1f;
 static const float hairline_part = 0.001f;
 
@@ -197,8 +200,8 @@ static void take_back(struct bounds *bounds, const float way[2], float part)
 }
 
 /*
- * The box of a clip without its way at steps + 1 times, or of the rest pose.
- * sides is zero at first.
+ * Returns the box of a clip, without its way, at steps + 1 times, or of the
+ * rest pose if clip is -1. The caller sets sides to zero before.
  */
 static struct bounds sample_clip(struct instance *instance, int clip, int steps,
 	const float way[2], struct bounds_sides *sides)

@@ -27,8 +27,9 @@ void bounds_add(struct bounds *bounds, const float point[3]);
 void bounds_join(struct bounds *bounds, const struct bounds *other);
 
 /*
- * Shrinks the box of a figure that went this far, in scene units along x and z,
- * to that of the figure in its place.
+ * Shrinks the box around a figure and its way to a box around the figure in its
+ * place. way is how far the figure went along x and z, in scene units; the box
+ * gets shorter by that at the end to which the figure went.
  */
 void bounds_stay(struct bounds *bounds, const float way[2]);
 
@@ -48,18 +49,22 @@ float bounds_ground(const struct bounds *bounds);
 /* Returns the box of the last update's vertices, in scene units. */
 struct bounds bounds_of_instance(const struct instance *instance);
 
-/* The longest sides that a model's box has at a moment of a clip. */
+/*
+ * The longest side along each axis, in scene units, that a model's box has at
+ * any sampled moment of a clip.
+ */
 struct bounds_sides {
 	float side[3];
 };
 
 /*
  * Finds the box and the sides of each clip, [clip_count], and returns the box
- * of the rest pose, in scene units. A clip is shown without its way, which the
- * model goes evenly along x and z from its start to its end. The more clips
- * there are, the more coarsely they are sampled: it poses the whole instance
- * about a hundred times at most, unless there are more clips than that. Leaves
- * the instance posed at the last clip's start.
+ * of the rest pose, in scene units. way, [clip_count], is how far each clip
+ * carries the model along x and z; the model is taken to go evenly, and each
+ * sample is moved back by its part of the way. The more clips there are, the
+ * more coarsely they are sampled: it poses the whole instance about a hundred
+ * times at most, unless there are more clips than that. Leaves the instance
+ * posed at the last clip's start.
  */
 struct bounds bounds_of_model(struct instance *instance, const float (*way)[2],
 	struct bounds *clip, struct bounds_sides *sides);

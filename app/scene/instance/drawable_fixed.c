@@ -132,7 +132,7 @@ int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	return error;
 }
 
-/* normal_matrix NULL: the normals stay as they are. */
+/* If normal_matrix is NULL, the normals of the last update are kept. */
 static void run_skin(const struct drawable_fixed *fixed, int lod,
 	const struct fixed_matrix *normal_matrix, bool with_tangents)
 {
@@ -168,7 +168,10 @@ static bool set_skin_weights(
 		       weights_of(instance, drawable)) == 0;
 }
 
-/* The matrices for normals, after those for positions; NULL: hold them. */
+/*
+ * Returns the matrices for normals, or NULL if normals are not posed. Call it
+ * after fixed_palette_make(), whose matrices often serve for both.
+ */
 static const struct fixed_matrix *make_normal_matrices(
 	const struct instance *instance, const struct drawable *drawable)
 {

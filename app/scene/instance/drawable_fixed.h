@@ -8,10 +8,11 @@
 #include "app/scene/instance/instance_data.h"
 
 /*
- * Creates drawable->fixed. The drawable's node, skin, morphed and primitive are
- * set. A bump-mapped primitive gets tangents. in_tiers lets a skin be posed as
- * far as a level of detail needs it (fixed_skin.h). Returns 0, -ENOMEM, or -ERANGE
- * when 16 bits cannot represent the positions; the drawable then needs float.
+ * Creates drawable->fixed. The drawable's members node, skin, morphed and
+ * primitive must be set. A bump-mapped primitive gets tangents. in_tiers lets a
+ * skin be posed as far as a level of detail needs it (fixed_skin.h). Returns 0,
+ * -ENOMEM, or -ERANGE when 16 bits cannot represent the positions; the drawable
+ * then needs float.
  */
 int drawable_fixed_init(struct drawable *drawable, const struct model *model,
 	const struct fixed_loops *loops, bool in_tiers, struct arena *arena);

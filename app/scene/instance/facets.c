@@ -13,13 +13,15 @@ enum {
 	NOT_YET = UINT16_MAX + 1
 };
 
-/* Facets as they are made. */
+/* Facets under construction. */
 struct making {
 	int vertex_count;
-	uint32_t *source;        /* room for a copy more for each triangle */
-	uint32_t *inverse_order; /* NOT_YET: of no triangle so far */
+	uint32_t *source; /* room for one more copy for each triangle */
+	/* NOT_YET: no triangle has used this vertex so far */
+	uint32_t *inverse_order;
 	uint16_t *index;
-	uint8_t *ends; /* of each vertex: whether a triangle ends in it */
+	/* [vertex]: 1 if a triangle has this vertex as its last corner */
+	uint8_t *ends;
 };
 
 static uint32_t add_vertex(struct making *making, uint32_t from)
@@ -36,7 +38,9 @@ static uint32_t find_vertex(struct making *making, uint32_t from)
 	return making->inverse_order[from];
 }
 
-/* Turns the triangle so that it ends in a vertex in which no other ends. */
+/*
+ * Rotates the triangle's corners so that its last one ends no other triangle.
+ */
 static void add_triangle(
 	struct making *making, const uint16_t from[3], uint16_t out[3])
 {
@@ -58,7 +62,7 @@ static void add_triangle(
 	}
 }
 
-/* list is the primitive's own, in a good order. */
+/* list is the primitive's index, improved by index_order_improve(). */
 static void make(struct making *making, const struct model_primitive *primitive,
 	const uint16_t *list)
 {
@@ -68,7 +72,10 @@ static void make(struct making *making, const struct model_primitive *primitive,
 	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
 		add_triangle(making, list + i, making->index + i);
 	}
-	/* Lists for shadows may have what no triangle here has. */
+	/*
+	 * Lists for shadows may use vertices that no triangle of this list
+	 * uses.
+	 */
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		find_vertex(making, (uint32_t)v);
 	}
@@ -139,13 +146,19 @@ void facets_find_normals(const uint16_t *index, int count,
 	}
 }
 
-/* The bits that a number has, or its negative one less. */
+/*
+ * Returns the bits that the magnitudes use together; that of a negative number
+ * counts as one less.
+ */
 static ALWAYS_INLINE uint32_t bits_of(int32_t a, int32_t b, int32_t c)
 {
 	return (uint32_t)((a ^ a >> 31) | (b ^ b >> 31) | (c ^ c >> 31));
 }
 
-/* A direction whose longest part has 15 bits, from parts below 2^31. */
+/*
+ * Scales a vector, whose components are below 2^31, so that the largest
+ * component has 15 bits.
+ */
 static ALWAYS_INLINE struct fixed_vector to_shorts(
 	int32_t x, int32_t y, int32_t z)
 {
@@ -159,7 +172,10 @@ static ALWAYS_INLINE struct fixed_vector to_shorts(
 	};
 }
 
-/* Sides of more than 15 bits are halved, so that their products fit 32 bits. */
+/*
+ * Sides of more than 15 bits are divided by four, so that the sums of their
+ * products fit 32 bits.
+ */
 static ALWAYS_INLINE struct fixed_vector find_fixed_normal(
 	const struct fixed_vector *a, const struct fixed_vector *b,
 	const struct fixed_vector *c)

@@ -36,8 +36,9 @@ static int count_vertices(const uint16_t *index, int count)
 }
 
 /*
- * Triangles of one lowest vertex keep their order. first, 0 for each vertex,
- * becomes where the triangles of that lowest vertex end.
+ * Sorts triangles by counting, so that those with the same lowest vertex keep
+ * their order. first, [vertices], is 0 before the call; afterwards it says
+ * where in out the triangles of each lowest vertex end.
  */
 static void sort(const uint16_t *index, int count, int *first, int vertices,
 	uint16_t *out)

@@ -12,16 +12,20 @@
 #include <stdint.h>
 
 enum {
-	INDEX_ORDER_CACHE = 512 /* vertices kept, by their index's low bits */
+	/*
+	 * vertices in the cache; a vertex is kept in the slot given by the low
+	 * bits of its index
+	 */
+	INDEX_ORDER_CACHE = 512
 };
 
 /* Counts the vertices that a list transforms with such a cache. */
 int index_order_misses(const uint16_t *index, int count);
 
 /*
- * Sorts a list's triangles by their lowest vertex if fewer vertices are
- * transformed then; otherwise, and without memory, it stays. Triangles keep
- * their corners' order.
+ * Sorts a list's triangles by their lowest vertex if that makes a driver
+ * transform fewer vertices. Otherwise, and if memory is short, the list stays
+ * as it is. Triangles keep their corners' order.
  */
 void index_order_improve(uint16_t *index, int count);
 

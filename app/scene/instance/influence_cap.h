@@ -12,9 +12,11 @@
 #include "app/scene/stage/camera.h"
 
 enum influence_cap_kind {
-	INFLUENCE_CAP_FIXED,    /* at most value a vertex; 0 means all */
+	/* at most value influences a vertex; 0 means all */
+	INFLUENCE_CAP_FIXED,
 	INFLUENCE_CAP_DISTANCE, /* fewer for figures that appear small */
-	INFLUENCE_CAP_BUDGET,   /* at most value a frame, over all vertices */
+	/* at most value influences, summed over all vertices */
+	INFLUENCE_CAP_BUDGET,
 };
 
 struct influence_cap {
@@ -39,7 +41,7 @@ long influence_cap_cost(const struct instance *instance, int max_influences);
 
 /*
  * Returns the value for instance.max_influences. extent is the figure's height
- * in scene units; it, the camera and the picture's height are used only for
+ * in scene units; extent, the camera and the picture's height are used only for
  * INFLUENCE_CAP_DISTANCE.
  */
 int influence_cap_choose(const struct influence_cap *cap,

@@ -111,7 +111,10 @@ static void skin_drawable(
 	}
 }
 
-/* The finest level of those whose vertices are drawn. */
+/*
+ * Returns the finest level of detail whose vertices are drawn, for the drawable
+ * or for its shadow.
+ */
 static int drawn_lod(const struct drawable *drawable)
 {
 	int lod = drawable->lod < drawable->shadow_lod ? drawable->lod
@@ -128,7 +131,10 @@ static int drawn_lod(const struct drawable *drawable)
 	return lod;
 }
 
-/* The first joint that is not flat decides. */
+/*
+ * Returns true if the palette reverses the winding of triangles, judged by the
+ * first joint whose matrix has an inverse.
+ */
 static bool palette_mirrors(const mat4 *palette, int joint_count)
 {
 	float determinant = 0.0f;
@@ -139,7 +145,7 @@ static bool palette_mirrors(const mat4 *palette, int joint_count)
 	return determinant < 0.0f;
 }
 
-/* The world matrices and palettes are up to date. */
+/* Call it when the world matrices and palettes are up to date. */
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
@@ -195,7 +201,7 @@ static void scale_palette(mat4 *palette, int joint_count, float unit)
 	}
 }
 
-/* Palettes transform vertices to scene units. */
+/* The palettes transform vertices to scene units. */
 static void update_palettes(struct instance *instance)
 {
 	const struct model *model = instance->model;

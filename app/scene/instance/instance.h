@@ -16,10 +16,10 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out);
 
 /*
- * The same for an instance that is only drawn: updates leave out skinned
- * vertices that the drawables' lods do not draw. So nothing but the chosen
- * lists may be read: no bounds, no single vertices. After lod_choose() see
- * instance_is_stale().
+ * The same for an instance that is only drawn: updates do not pose skinned
+ * vertices that no chosen level of detail uses. The caller must therefore not
+ * measure the instance's bounds or read single vertices. After lod_choose(),
+ * instance_is_stale() says whether another update is needed.
  */
 int instance_create_for_drawing(const struct model *model,
 	const struct kernel *kernel, const struct log *log,
@@ -38,8 +38,9 @@ bool instance_overflowed(const struct instance *instance);
 void instance_update(struct instance *instance);
 
 /*
- * Whether the last update left out vertices that are drawn by now, because
- * the instance is only drawn and a finer level was chosen since.
+ * Returns true if the last update left out vertices that would be drawn now,
+ * because a finer level of detail was chosen since. This happens only after
+ * instance_create_for_drawing().
  */
 bool instance_is_stale(const struct instance *instance);
 
@@ -65,7 +66,7 @@ void instance_node_position(
 void instance_drawable_matrix(const struct instance *instance,
 	const struct drawable *drawable, mat4 out);
 
-/* Whether a drawable's triangles wind the other way than in the file. */
+/* Returns true if the pose reverses the winding of a drawable's triangles. */
 bool instance_is_mirrored(
 	const struct instance *instance, const struct drawable *drawable);
 

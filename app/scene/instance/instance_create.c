@@ -15,7 +15,10 @@
 
 #include <errno.h>
 
-/* The power of two that scales size into (0.5, 1]; 1 for small to large. */
+/*
+ * Returns the power of two that scales size into (0.5, 1], or 1 if size is
+ * between small and large or is absurd.
+ */
 static float near_one(float size, float small, float large)
 {
 	float scale = 1.0f;
@@ -77,7 +80,10 @@ static void *alloc_vectors(struct arena *arena, int count)
 	return arena_alloc(arena, (size_t)count, sizeof(float[3]));
 }
 
-/* Base positions are the model's own array or a scaled copy. */
+/*
+ * Base positions are the model's own array or, if vertex_scale is not 1, a
+ * scaled copy.
+ */
 static int init_base(struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -240,7 +246,10 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	return error;
 }
 
-/* Nodes share meshes, so only the sum shows whether the count fits. */
+/*
+ * Counts the primitives of all nodes. Nodes share meshes, so the sum may
+ * overflow although the count of each mesh is small.
+ */
 static int count_drawables(const struct model *model, int *out)
 {
 	*out = 0;

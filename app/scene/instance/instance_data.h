@@ -34,8 +34,11 @@ struct batch_lod {
 	float error; /* in the unit of the model's positions */
 	int index_count;
 	const uint16_t *index;
-	int posed_lod; /* of a list for shadows: posing the vertices of this
-			  level poses its own */
+	/*
+	 * of a list for shadows: the level of detail whose vertices include
+	 * those of the list
+	 */
+	int posed_lod;
 };
 
 /*
@@ -45,8 +48,8 @@ struct batch_lod {
 struct batch {
 	int vertex_count;
 	/*
-	 * The primitive's vertex for each of the batch's in a gathered batch;
-	 * NULL if the batch has the drawable's vertices in its order.
+	 * In a gathered batch, [vertex_count]: the primitive's vertex that each
+	 * is a copy of. NULL if the batch uses the drawable's own arrays.
 	 */
 	const uint32_t *source;
 	const float (*position)[3]; /* NULL: fixed_position is used */
@@ -57,11 +60,17 @@ struct batch {
 	const uint8_t (*color)[4];  /* or NULL */
 
 	int index_count;
-	const uint16_t *index; /* NULL: each three vertices are a triangle; of
-				  a gathered batch: facets, see facets.h */
+	/*
+	 * NULL: every three vertices are a triangle; a gathered batch with an
+	 * index holds facets (facets.h)
+	 */
+	const uint16_t *index;
 	int lod_count;
 	struct batch_lod *lod; /* [lod_count], finest first */
-	/* Fewer triangles with nearly the same silhouette, finest first. */
+	/*
+	 * Lists for shadows: fewer triangles with nearly the same silhouette,
+	 * finest first.
+	 */
 	int shadow_count;
 	struct batch_lod *shadow; /* [shadow_count] */
 
@@ -110,26 +119,33 @@ struct drawable {
 	bool morphed;  /* the mesh has targets */
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
-	bool mirrored;  /* the joints turned the skin's triangles round in the
-			   last update */
+	/*
+	 * in the last update the joints reversed the winding of the skin's
+	 * triangles
+	 */
+	bool mirrored;
 	int lod;        /* draws batch.lod[lod - 1]; 0: all triangles */
 	int shadow_lod; /* the same for the shadow, if that list is shorter
 			   than batch.shadow[shadow_list] */
 	int shadow_list;
-	int posed_lod; /* the last update posed the vertices that this level
-			  and coarser ones use; 0: all */
+	/*
+	 * the last update posed the vertices of this level of detail and of
+	 * coarser ones; 0: all
+	 */
+	int posed_lod;
 	enum model_alpha alpha; /* see model_alpha_of() */
-	fx16_t color[4];        /* the material's base colour, sRGB-encoded */
-	fx16_t emission[4];     /* what it emits: see emission_color() */
+	fx16_t color[4]; /* the material's base colour, sRGB-encoded, 16.16 */
+	/* the light it emits, 16.16: see emission_color() */
+	fx16_t emission[4];
 	float vertex_scale;
 	/*
-	 * Without a skin: the middle of the box around the vertices, without
-	 * targets and with each of them at its full weight, and half its size.
-	 * In local units.
+	 * Only without a skin: the middle and the half sides of a box, in local
+	 * units, around the vertices without morph targets and with each target
+	 * alone at its full weight.
 	 */
 	float box_middle[3], box_half[3];
 
-	const float (*base_position)[3]; /* times vertex_scale */
+	const float (*base_position)[3]; /* the model's times vertex_scale */
 	const float (*base_normal)[3];   /* NULL: flat shading */
 	/*
 	 * Output: in scene units if skinned, else in local units times
@@ -138,26 +154,32 @@ struct drawable {
 	float (*position)[3];
 	float (*normal)[3]; /* output; NULL: flat shading */
 
-	/* Replaces the two arrays above; vertex_scale is 1 then. Or NULL. */
+	/*
+	 * If not NULL, the drawable is posed in fixed point: this replaces the
+	 * two arrays above, and vertex_scale is 1.
+	 */
 	struct drawable_fixed *fixed;
 
 	/* If bump-mapped (see bump.h), else NULL. */
-	uint8_t (*light)[4]; /* output: the light's directions */
-	float bump_texels;   /* of the normal map on a unit of the surface */
-	bool bumps_hidden;   /* it appears too small for bumps to be seen */
-	bool bumped;         /* the last update posed what bumps need */
+	/* output: each vertex's direction to the light, see bump_encode() */
+	uint8_t (*light)[4];
+	/* texels of the normal map along a unit of the surface */
+	float bump_texels;
+	/* the drawable appears too small for bumps to be seen */
+	bool bumps_hidden;
+	bool bumped; /* the last update computed tangents and light */
 	const float (*base_tangent)[3]; /* if not skinned, in float only */
 	float (*tangent)[3];            /* output, in float only */
 	float (*bitangent)[3];          /* output, in float only */
 
-	struct skin_stream stream; /* in fixed point only its counts */
+	struct skin_stream stream; /* in fixed point only its counts are set */
 	struct morph_term *term;   /* [target_count] */
 
 	int batch_count;
 	struct batch *batch;
 };
 
-/* A drawable that is blended. */
+/* An entry of the list of blended drawables. */
 struct blended_drawable {
 	int drawable;
 	float distance_squared; /* from the eye, see alpha_sort_blended() */
@@ -194,18 +216,27 @@ struct instance {
 					pose needs another for normals */
 	struct pose_normals normals;
 	float unit_scale; /* scene units a metre */
-	/* What the drawables' lods were chosen for; 0 before the first choice. */
+	/*
+	 * The pixels a scene unit for which the drawables' levels of detail
+	 * were chosen; 0 before the first choice.
+	 */
 	float lod_px_per_unit;
 
 	int drawable_count;
 	struct drawable *drawable;
-	/* The blended ones in the order in which they are drawn: see alpha.h. */
+	/*
+	 * The blended drawables in the order in which they are drawn, see
+	 * alpha.h.
+	 */
 	int blended_count;
 	struct blended_drawable *blended; /* room for drawable_count */
 	int float_count; /* drawables in float because 16 bits do not suffice */
 };
 
-/* The list that draws a batch's shadow, or NULL: all triangles. */
+/*
+ * Returns the list that draws a batch's shadow, or NULL if all its triangles
+ * do.
+ */
 static inline const struct batch_lod *drawable_shadow(
 	const struct drawable *drawable, const struct batch *batch)
 {
@@ -247,7 +278,10 @@ static inline void drawable_position(
 		out);
 }
 
-/* The same of a vertex of one of the drawable's batches, as GL numbers it. */
+/*
+ * Does the same for a vertex of one of the drawable's batches, numbered as in
+ * the batch's arrays.
+ */
 static inline void drawable_batch_position(const struct drawable *drawable,
 	const struct batch *batch, int vertex, float out[3])
 {

@@ -101,7 +101,7 @@ static float nearest_joint(
 	return nearest;
 }
 
-/* The least depth of the box around a drawable without a skin. */
+/* Returns the least depth of the box around a drawable without a skin. */
 static float nearest_of_box(const struct instance *instance,
 	const struct drawable *drawable, const struct view *view)
 {
@@ -196,7 +196,7 @@ float lod_error_units(
 		instance->unit_scale;
 }
 
-/* How many lists there are up to the coarsest of at most this error. */
+/* Returns how many of the lists, finest first, have at most this error. */
 static int coarsest(const struct batch_lod *list, int count, float error)
 {
 	int lod = 0;
@@ -207,7 +207,10 @@ static int coarsest(const struct batch_lod *list, int count, float error)
 	return lod;
 }
 
-/* The error that the limit is at the drawable's distance; -1 for none. */
+/*
+ * Returns the setting's limit in the unit of the model's positions, or -1 if
+ * the setting does not limit errors.
+ */
 static float allowed_error(const struct instance *instance,
 	const struct drawable *drawable, const struct lod *lod)
 {

@@ -28,11 +28,11 @@ struct lod {
 };
 
 #define LOD_ERROR_PX         1.5f
-/* A shadow may be off by so many times the error that its figure may have. */
+/* A shadow's error may be this many times the limit for its figure. */
 #define LOD_SHADOW_TOLERANCE 3.0f
 /*
- * Where a pixel has more texels of a normal map along a side, the mean of their
- * normals is nearly the surface's own, and bumps are left out.
+ * Where a side of a pixel covers more texels of a normal map than this, the
+ * mean of their normals is nearly the surface's own, and bumps are left out.
  */
 #define LOD_BUMP_TEXELS      2.5f
 
@@ -44,14 +44,15 @@ bool lod_parse(const char *text, struct lod *out);
 
 /*
  * Returns the same setting with an error limit of at least min_px; 0 changes
- * nothing, nor do LOD_ALL and LOD_LEVEL change.
+ * nothing. LOD_ALL and LOD_LEVEL are returned unchanged.
  */
 struct lod lod_relax(const struct lod *lod, float min_px);
 
 /*
- * Returns the pixels of one scene unit where the updated instance is nearest to
- * the eye: its joints, and the boxes around its parts that have no skin. extent
- * is the length of its longest side in scene units.
+ * Returns the pixels of one scene unit at the depth where the updated instance
+ * is nearest to the eye, which is found from its joints and from the boxes
+ * around its drawables without a skin. extent is the length of the instance's
+ * longest side in scene units.
  */
 float lod_px_per_unit(const struct instance *instance,
 	const struct camera *camera, float extent, int picture_height);
@@ -65,15 +66,16 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 	const struct camera *camera, int picture_height);
 
 /*
- * The scene units that one unit of the errors of a drawable's levels is, as it
- * was posed last.
+ * Returns the factor that converts the errors of a drawable's levels, which are
+ * in the unit of the model's positions, to scene units in the drawable's last
+ * pose.
  */
 float lod_error_units(
 	const struct instance *instance, const struct drawable *drawable);
 
 /*
  * Chooses the triangle lists that draw the instance from now on. To avoid
- * flicker, a choice is kept while px_per_unit changes by less than a tenth.
+ * flicker, a change of px_per_unit by less than a tenth is ignored.
  */
 void lod_choose(
 	struct instance *instance, const struct lod *lod, float px_per_unit);

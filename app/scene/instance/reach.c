@@ -12,7 +12,7 @@ struct reach_box {
 	float middle[3], half[3];
 };
 
-/* The joints of a skin follow each other. */
+/* Returns the first joint of a skin; its other joints follow in the array. */
 static struct reach_joint *joints_of(
 	const struct reach *reach, const struct model *model, int skin)
 {
@@ -89,7 +89,10 @@ int reach_init(struct reach *reach, struct instance *instance)
 	return 0;
 }
 
-/* Adds a box along the view's axes around a box that a matrix moves. */
+/*
+ * Transforms a box by a matrix, by the factor unit and by the view, and adds
+ * the result's box along the view's axes to out.
+ */
 static void add_moved(struct bounds *out, const vec4 *view, const vec4 *matrix,
 	float unit, const struct reach_box *box)
 {

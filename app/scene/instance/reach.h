@@ -11,8 +11,9 @@
 #include "app/scene/instance/bounds.h"
 
 struct reach_joint {
-	int skin, number;  /* instance->palette[skin][number] */
-	struct bounds box; /* in the mesh's units, as bound */
+	int skin, number; /* instance->palette[skin][number] */
+	/* around the joint's vertices in the mesh, in its units */
+	struct bounds box;
 };
 
 struct reach {
@@ -27,9 +28,10 @@ struct reach {
 int reach_init(struct reach *reach, struct instance *instance);
 
 /*
- * Returns the box after the last update along the axes of a view, an affine
- * matrix from scene units. Targets that push a vertex together may move it
- * beyond the box; hidden drawables without a skin do not count.
+ * Returns the box around the instance's last update along the axes of a view,
+ * an affine matrix from scene units to that view. Several morph targets that
+ * push a vertex the same way may move it beyond the box. Hidden drawables
+ * without a skin are left out.
  */
 struct bounds reach_now(const struct reach *reach,
 	const struct instance *instance, const vec4 *view);

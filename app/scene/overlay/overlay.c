@@ -9,7 +9,10 @@ struct overlay_motion overlay_motion_none(void)
 	return (struct overlay_motion){.clip = -1};
 }
 
-/* The joints of all skins or, without skins, every node of the scene. */
+/*
+ * Marks as bones the joints of all skins or, without skins, every node of the
+ * scene.
+ */
 static void find_bones(struct overlay *overlay)
 {
 	const struct model *model = overlay->subject.instance->model;
@@ -233,7 +236,7 @@ void overlay_destroy(struct overlay *overlay)
 	}
 }
 
-/* Whether an overlay has anything to show. */
+/* Returns true if an overlay has anything to show for this motion. */
 static bool applies(const struct overlay *overlay, enum overlay_kind kind,
 	const struct overlay_motion *motion)
 {

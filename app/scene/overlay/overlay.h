@@ -43,11 +43,14 @@ struct overlay_motion {
 
 	/* A morph between two key frames, if morphing is true. */
 	bool morphing;
-	int node;     /* that has the morph targets */
+	int node;     /* the node that has the morph targets */
 	int from, to; /* targets; -1: the base */
 	float omega;
 	float wave; /* height of the sinusoidal part in the graph, 0: none */
-	/* The way's shape from 0 to 1 over Omega; NULL: a straight line. */
+	/*
+	 * The morph's progress, 0 to 1, as a function of Omega; NULL: a
+	 * straight line.
+	 */
 	float (*shape)(const void *shape_user, float omega);
 	const void *shape_user;
 
@@ -58,7 +61,8 @@ struct overlay_motion {
 /* One of the figures that a demo shows. */
 struct overlay_figure {
 	struct instance *instance; /* its world matrices are read */
-	bool unposed_nodes;        /* they do not follow: draw no bones */
+	/* the matrices do not follow the figure, so its bones are not drawn */
+	bool unposed_nodes;
 	mat4 place; /* from the instance's scene units to the stage's */
 };
 
@@ -73,20 +77,21 @@ struct overlay {
 	const struct gl *gl;
 	struct log log;
 	struct overlay_subject subject;
-	unsigned kinds; /* that are shown, a bit 1 << kind each */
+	/* the overlays that are shown, a bit 1 << kind for each */
+	unsigned kinds;
 
 	/* Private. */
-	const struct camera *camera; /* of the frame */
+	const struct camera *camera; /* of this frame; not owned */
 	struct arena arena;
 	uint8_t *is_bone;  /* [node_count] */
-	float *node_value; /* [node_count], that is painted */
-	float *sample;     /* a value of any channel */
+	float *node_value; /* [node_count], values that are painted as heat */
+	float *sample;     /* room for a value of the model's widest channel */
 	int chosen;        /* a node or, if chooses_target, a morph target */
 	bool chooses_target;
-	int target_count; /* the most that a mesh of the model has */
+	int target_count; /* the largest number of targets of any mesh */
 	bool painting;
 	const float *painted_mask;
-	int painted_choice; /* -1: none */
+	int painted_choice; /* the item that was painted last; -1: none */
 	struct overlay_heat heat;
 	struct overlay_ghost ghost;
 	struct overlay_sketch sketch;
@@ -121,13 +126,18 @@ static inline bool overlay_shows(
 void overlay_show_next(
 	struct overlay *overlay, const struct overlay_motion *motion);
 
-/* Chooses the next joint, part or morph target, or with step -1 the last one. */
+/*
+ * Chooses the next joint, part or morph target (step 1) or the previous one
+ * (step -1).
+ */
 void overlay_choose(struct overlay *overlay, int step);
 
 /* Returns the name of what is chosen. */
 const char *overlay_chosen_name(const struct overlay *overlay);
 
-/* Begins a frame seen by this camera, which has to stay until its end. */
+/*
+ * Begins a frame seen by this camera, which must remain until the frame's end.
+ */
 void overlay_begin(struct overlay *overlay, const struct overlay_motion *motion,
 	const struct camera *camera);
 void overlay_end(struct overlay *overlay);
@@ -137,10 +147,11 @@ void overlay_draw_surface(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
 /*
- * Multiplies the model-view matrix by the figure's place, after a push. nearer
- * moves it towards the eye, away from it if negative, by this part of the
- * figure's extent and along the lines of sight: only depth changes. Depth
- * offsets of GL would have another effect with each driver's depth buffer.
+ * Pushes the model-view matrix and multiplies it by the figure's place; the
+ * caller pops it. nearer moves the figure by this part of its extent towards
+ * the eye, or away from it if negative, along the lines of sight, so that only
+ * depths change. GL's polygon offset would have another effect with each
+ * driver's depth buffer.
  */
 void overlay_push_place(const struct overlay *overlay,
 	const struct overlay_figure *figure, float nearer);
@@ -161,14 +172,17 @@ struct overlay_row {
 struct overlay_row overlay_row_of(
 	const struct overlay *overlay, int width, int height);
 
-/* Lets what follows be drawn over the figures. */
+/*
+ * Clears the depth buffer if bones follow, so that they are drawn over the
+ * figures.
+ */
 void overlay_clear_depth(struct overlay *overlay);
 
 /* Draws the skeleton and the pivots. height is the picture's. */
 void overlay_draw_bones(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
-/* Where labels go: a corner, and the height there that figures leave free. */
+/* Where labels go: a corner, and the height that figures leave free there. */
 struct overlay_place {
 	enum hud_corner corner;
 	int room; /* pixels */

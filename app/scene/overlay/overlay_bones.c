@@ -7,7 +7,9 @@ static const uint8_t joint_color[4] = {92, 172, 255, 255};
 static const uint8_t chosen_color[4] = {250, 170, 60, 255};
 static const uint8_t link_color[4] = {255, 255, 255, 200};
 
-/* Lengths as fractions of the figure's extent, widths also of the bone's. */
+/*
+ * Fractions of the figure's extent, except bone_radius: of the bone's length.
+ */
 static const float bone_max_radius = 0.017f, bone_radius = 0.13f;
 static const float joint_radius = 0.009f;
 static const float axis_length = 0.065f, axis_radius = 0.006f;

@@ -92,7 +92,10 @@ static int row_of(const struct field *field, float value)
 			0.5f);
 }
 
-/* A column of the width of a step, as high as the curve rises or falls. */
+/*
+ * Draws one step of the curve as a column that is as high as the curve rises or
+ * falls in this step.
+ */
 static void draw_step(struct hud *hud, const struct field *field,
 	const float *value, int i, struct hud_color color)
 {
@@ -105,7 +108,7 @@ static void draw_step(struct hud *hud, const struct field *field,
 	hud_rectangle(hud, left, top - 1, right - left, bottom - top + 2, color);
 }
 
-/* The value at the present moment, between two points. */
+/* Interpolates the value at the present moment between two points. */
 static float value_now(const struct overlay_curve *curve, int c)
 {
 	float at = scalar_clamp(curve->at, 0.0f, 1.0f) *

@@ -30,16 +30,16 @@ struct overlay_way {
 };
 
 /*
- * The way from source (0) to destiny (1) over Omega: the slope and, where there
- * is a signal, the slope and the signal alone and added.
+ * Returns the way from source (0) to destiny (1) over Omega: the slope alone
+ * or, if there is a signal, three curves: slope plus signal, signal, slope.
  */
 struct overlay_curve overlay_curve_of_morph(
 	const struct overlay_way *way, float omega);
 
 /*
- * The values of a channel over its clip: x, y and z of a rotation, or those
- * of four morph targets from number first on. value has room for one of the
- * channel's values.
+ * Returns the values of a channel over its clip: x, y and z of a rotation, or
+ * those of up to four morph targets from number first on. value is scratch
+ * memory for one value of the channel, of channel->width floats.
  */
 struct overlay_curve overlay_curve_of_channel(const struct model_clip *clip,
 	const struct model_channel *channel, int first, float time_s,

@@ -8,7 +8,10 @@ enum {
 	LINE_PX_PER_HEIGHT = 640 /* a line is a pixel wide at this height */
 };
 
-/* Edges lie before their surfaces, see overlay_push_place(). */
+/*
+ * How much nearer to the eye edges are than their surfaces, see
+ * overlay_push_place().
+ */
 static const float edges_nearer = 0.003f;
 
 static const float *first_mask(const struct overlay_motion *motion)
@@ -88,7 +91,7 @@ void overlay_draw_surface(struct overlay *overlay,
 		return;
 	}
 	overlay_push_place(overlay, figure, edges_nearer);
-	/* Only for the state that it sets. */
+	/* Called only for the GL state that it sets; the sketch stays empty. */
 	overlay_sketch_begin(&overlay->sketch, gl, GL_LINES);
 	gl->DepthFunc(GL_LEQUAL);
 	gl->DepthMask(GL_FALSE);

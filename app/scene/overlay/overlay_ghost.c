@@ -64,7 +64,10 @@ void overlay_ghost_finish(struct overlay_ghost *ghost)
 	*ghost = (struct overlay_ghost){0};
 }
 
-/* Coarser than the figure by some levels: the ghosts show it several times. */
+/*
+ * Returns a level coarser than the figure's, because ghosts draw the model
+ * several times a frame.
+ */
 static int ghost_lod(const struct drawable *figure)
 {
 	int coarsest = figure->batch_count > 0 ? figure->batch[0].lod_count : 0;
@@ -100,7 +103,11 @@ void overlay_ghost_draw_solid(struct overlay_ghost *ghost, const struct gl *gl,
 	draw_instance(gl, ghost->instance, textures, DRAW_SHADED);
 }
 
-/* The channel's key nearest to a limit, on the far side of it; or negative. */
+/*
+ * Returns the time of the channel's first key at or after the limit or, if
+ * after is false, of its last key before the limit. Returns a negative time if
+ * there is none.
+ */
 static float key_beyond(
 	const struct model_channel *channel, float limit_s, bool after)
 {

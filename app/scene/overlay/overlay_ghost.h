@@ -39,9 +39,9 @@ void overlay_ghost_draw_solid(struct overlay_ghost *ghost, const struct gl *gl,
 	const struct texture_set *textures);
 
 /*
- * Returns the time of a key frame of the clip that is at least gap_s seconds
- * after time_s, or before it with a negative gap_s; the nearest one of any
- * channel. A time beyond the clip's ends is negative.
+ * Returns the time of the nearest key frame of any channel that is at least
+ * gap_s seconds after time_s or, if gap_s is negative, at least -gap_s seconds
+ * before it. Returns a negative time if the clip has no such key frame.
  */
 float overlay_ghost_key_time(
 	const struct model_clip *clip, float time_s, float gap_s);

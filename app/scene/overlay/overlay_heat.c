@@ -87,12 +87,16 @@ void overlay_heat_paint(
 	}
 }
 
-/* What a heat map shows: the values of nodes or, without, a morph target. */
+/*
+ * What a heat map shows: values of nodes or, if node_value is NULL, a morph
+ * target.
+ */
 struct subject {
 	const struct instance *instance;
 	const float *node_value;
 	int target;
-	float farthest; /* that the target moves a vertex; above 0 */
+	/* greatest distance that the target moves a vertex; above 0 */
+	float farthest;
 };
 
 /* How far the target moves a vertex; 0 in a mesh with fewer targets. */
@@ -170,7 +174,7 @@ void overlay_heat_paint_target(struct overlay_heat *heat, int target)
 	overlay_heat_paint(heat, color_subject, &subject);
 }
 
-/* Exchanges the batches' colours with those of the other array. */
+/* Gives the batches the heat map's colours, or their own ones back. */
 static void set_colors(struct overlay_heat *heat, bool painted)
 {
 	int at = 0;

@@ -47,7 +47,10 @@ void overlay_heat_paint_target(struct overlay_heat *heat, int target);
 typedef void (*overlay_heat_color_fn)(
 	void *user, int drawable, int vertex, uint8_t rgb[3]);
 
-/* Paints all vertices that are drawn; some of them may be drawn several times. */
+/*
+ * Paints the vertices of all batches. It may ask several times for the colour
+ * of a vertex that batches have several copies of.
+ */
 void overlay_heat_paint(
 	struct overlay_heat *heat, overlay_heat_color_fn color, void *user);
 

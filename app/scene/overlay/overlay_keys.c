@@ -10,9 +10,13 @@ enum {
 	ROW_FRACTION = 5 /* a picture's width is at most 1/5 of the whole */
 };
 
-/* Where a ghost and the figure nearly coincide, the figure is in front. */
+/*
+ * Ghosts are moved away by this part of the extent, so that the figure covers a
+ * ghost with which it nearly coincides.
+ */
 static const float ghost_farther = 0.025f;
-static const float ghost_gap = 0.08f; /* of a clip, between onion skins */
+/* least time between onion skins, as a part of the clip's */
+static const float ghost_gap = 0.08f;
 static const float before_color[4] = {0.30f, 0.62f, 1.0f, 0.36f};
 static const float after_color[4] = {1.0f, 0.66f, 0.22f, 0.36f};
 
@@ -47,7 +51,10 @@ static void draw_ghost(struct overlay *overlay, const struct model_clip *clip,
 		&overlay->ghost, overlay->gl, overlay->subject.textures, color);
 }
 
-/* The next key frame; beyond an end of the clip its other end goes on. */
+/*
+ * Returns the time of the next key frame; at an end of the clip the search goes
+ * on from the clip's other end.
+ */
 static float next_key(const struct model_clip *clip, float time_s, float gap_s)
 {
 	float key_s = overlay_ghost_key_time(clip, time_s, gap_s);
@@ -59,7 +66,7 @@ static float next_key(const struct model_clip *clip, float time_s, float gap_s)
 	return key_s;
 }
 
-/* Two key frames before the present moment and two after it. */
+/* Draws two key frames before the present moment and two after it. */
 static void draw_ghosts(
 	struct overlay *overlay, const struct overlay_motion *motion)
 {
@@ -97,7 +104,7 @@ struct overlay_row overlay_row_of(
 	return row;
 }
 
-/* Poses the ghost at a target alone, -1: the base. */
+/* Poses the ghost with one target at full weight; -1 is the base. */
 static void pose_target(struct overlay *overlay, int target)
 {
 	const struct model *model = overlay->subject.instance->model;

@@ -13,7 +13,8 @@
 #include <stdint.h>
 
 enum {
-	OVERLAY_SKETCH_VERTICES = 1536 /* whole lines and whole triangles */
+	/* a multiple of 2 and 3, so that no line or triangle is split */
+	OVERLAY_SKETCH_VERTICES = 1536
 };
 
 struct overlay_vertex {

@@ -18,7 +18,7 @@ enum {
 
 #define UNUSED 0xFFFFFFFFu
 
-/* The corners of the longest list that may be drawn. */
+/* Returns the number of corners of the longest list that may be drawn. */
 static int count_corners(const struct batch *batch)
 {
 	int most = batch->index ? batch->index_count : batch->vertex_count;
@@ -72,7 +72,7 @@ static int make_sheets(struct shadow_drape *drape, struct instance *instance)
 			drape->index_max += count_corners(batch);
 		}
 	}
-	/* A division adds a triangle. */
+	/* Each division adds one triangle. */
 	drape->index_max += 3 * DIVIDED_MAX;
 	return allocate(drape, &instance->arena, largest, vertices);
 }
@@ -123,8 +123,9 @@ static float find_square(const float a[3], const float b[3])
 }
 
 /*
- * Lists a triangle, or the two halves of it at its longest edge. Triangles on
- * both sides of an edge divide it at the same point.
+ * Adds a triangle to the sheet's list. If an edge is too long, it divides the
+ * triangle at the middle of its longest edge and goes on with both halves.
+ * Triangles on both sides of an edge divide it at the same point.
  */
 static void add_triangle(struct shadow_drape *drape, struct shadow_sheet *sheet,
 	uint32_t a, uint32_t b, uint32_t c)
@@ -153,7 +154,10 @@ static void add_triangle(struct shadow_drape *drape, struct shadow_sheet *sheet,
 	}
 }
 
-/* Poses the vertices of the shadow's list, and numbers them as they come. */
+/*
+ * Returns the place of a batch's vertex in the sheet. A vertex that is met for
+ * the first time gets the next place and is posed.
+ */
 static uint32_t find_place(uint32_t *place, struct shadow_sheet *sheet,
 	const vec4 *matrix, uint32_t vertex)
 {
@@ -174,7 +178,10 @@ static void list_triangles(struct shadow_drape *drape,
 	int count = lod ? lod->index_count
 		: index ? batch->index_count
 			: batch->vertex_count;
-	/* Read from the end, beyond what will have been written. */
+	/*
+	 * The corners are kept at the array's end, so that they are read before
+	 * the triangles overwrite them.
+	 */
 	uint16_t *listed = drape->index + drape->index_max - count;
 
 	memset(drape->place, 0xFF,

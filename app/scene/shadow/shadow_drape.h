@@ -1,11 +1,12 @@
 /*
  * Shadows on uneven ground: a figure's triangles, laid upon the ground.
  *
- * Each vertex of the lists that draw a figure's shadow moves down the light to
- * the ground, and edges that are long against the figure are divided, so that
- * the triangles follow the ground. The stencil counts what they cover, so that
- * it is darkened once. They are drawn when the depth buffer holds the ground
- * but not the figure, so the figure casts no shadow on itself.
+ * Each vertex of the lists that draw a figure's shadow moves along the light
+ * down to the ground, and edges that are long compared with the figure are
+ * divided, so that the triangles follow the ground. The stencil counts the
+ * triangles on each pixel, so that each pixel is darkened only once. The shadow
+ * is drawn when the depth buffer holds the ground but not the figure, so the
+ * figure casts no shadow on itself.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_DRAPE_H
 #define APP_SCENE_SHADOW_SHADOW_DRAPE_H
@@ -14,28 +15,29 @@
 #include "app/scene/shadow/shadow_lay.h"
 #include "platform/gl/gl.h"
 
-/* The shadow of one batch; the arrays are parts of the drape's. */
+/* The shadow of one batch; the arrays are parts of the drape's arrays. */
 struct shadow_sheet {
 	const struct drawable *drawable;
 	const struct batch *batch;
 	int vertex_count, index_count;
 	float (*posed)[3];
-	float (*position)[3]; /* on the ground, scene units */
+	float (*position)[3]; /* [vertex_count], on the ground, scene units */
 	uint16_t *index;
 };
 
 struct shadow_drape {
 	int sheet_count;
 	struct shadow_sheet *sheet;
-	float longest;     /* undivided edge */
+	float longest;     /* longest edge that is not divided, scene units */
 	struct bounds box; /* around all positions, hardly larger */
 	struct shadow_grid grid;
 
-	uint32_t *place; /* of a batch's vertices in posed */
+	/* scratch: where each vertex of a batch is in sheet.posed */
+	uint32_t *place;
 	float (*posed)[3], (*position)[3];
 	uint16_t *index;
 	int index_max;
-	int divisions_left; /* of an update */
+	int divisions_left; /* that the current update may still make */
 };
 
 /*
@@ -47,19 +49,18 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 	const struct log *log);
 
 /*
- * Lays the shadow of the instance, as it was last updated, upon the ground. It
- * is moved towards the eye by no more than keeps the ground's triangles from
- * hiding it. Allocates nothing. A light at or below the horizon
- * casts none.
+ * Lays the shadow of the instance, as it was last updated, upon the ground. The
+ * shadow is moved towards the eye just so far that the ground's triangles do
+ * not hide it. Allocates nothing. A light at or below the horizon casts none.
  */
 void shadow_drape_update(struct shadow_drape *drape,
 	const struct instance *instance, const struct shadow_light *light);
 
 /*
  * Darkens the ground in the shadow by strength, 0..1. Expects a cleared stencil
- * buffer and the camera's model-view matrix; if something may hide the shadow,
- * a depth buffer with it and with the ground, else no depth is tested. Leaves
- * the stencil test off and the stencil buffer changed.
+ * buffer and the camera's model-view matrix. If may_be_hidden is true, depths
+ * are tested, and the depth buffer has to hold the ground and all that may hide
+ * the shadow. Leaves the stencil test off and the stencil buffer changed.
  */
 void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
 	float strength, bool may_be_hidden);

@@ -8,11 +8,15 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/* Parts of the model's extent. */
-static const float flat_part = 0.1f;    /* that ground is high at most */
-static const float wide_part = 0.8f;    /* of each side of the model */
-static const float above_part = 0.05f;  /* that something stands above it */
-static const float level_part = 0.001f; /* between heights that are one */
+/* Parts of the model's extent, except wide_part. */
+/* greatest height of ground above the model's bottom */
+static const float flat_part = 0.1f;
+/* least width of ground, as a part of each side of the model */
+static const float wide_part = 0.8f;
+/* least height of the rest above the ground */
+static const float above_part = 0.05f;
+/* heights that differ by less count as equal */
+static const float level_part = 0.001f;
 
 /* A drawable that may be ground. */
 struct candidate {
@@ -24,12 +28,12 @@ struct search {
 	struct instance *instance;
 	struct bounds all;
 	float extent;
-	bool *moving;                /* [node_count] */
+	bool *moving; /* [node_count]: whether a clip moves the node */
 	struct candidate *candidate; /* the highest ones first */
 	int count;
 };
 
-/* Marks the nodes that a clip moves, and all below them. */
+/* Marks the nodes that a clip moves, and all their descendants. */
 static void find_moving(const struct model *model, bool *moving)
 {
 	for (int c = 0; c < model->clip_count; c++) {
@@ -45,7 +49,8 @@ static void find_moving(const struct model *model, bool *moving)
 		}
 	}
 	for (int n = 0; n < model->node_count; n++) {
-		int parent = model->node[n].parent; /* before its children */
+		/* stands before its children */
+		int parent = model->node[n].parent;
 
 		moving[n] = moving[n] || (parent >= 0 && moving[parent]);
 	}
@@ -100,7 +105,10 @@ static bool moves_vertices(
 	return false;
 }
 
-/* Whether a target moves a vertex. In files of key frames, all have targets. */
+/*
+ * Returns true if a morph target moves a vertex. It looks at the displacements,
+ * because in files of key frames every drawable has targets.
+ */
 static bool is_bent(const struct search *search, const struct drawable *drawable)
 {
 	const struct model_primitive *primitive = drawable->primitive;
@@ -177,7 +185,7 @@ static void find_candidates(struct search *search)
 		sizeof(*search->candidate), compare_heights);
 }
 
-/* How many candidates from this one on are about as high. */
+/* Returns how many candidates, from this one on, are about as high as it. */
 static int count_level(const struct search *search, int first)
 {
 	float least = search->candidate[first].box.high[1] -
@@ -190,7 +198,10 @@ static int count_level(const struct search *search, int first)
 	return i - first;
 }
 
-/* Of several surfaces, the highest one is seen. */
+/*
+ * Chooses the highest level at which the candidates together are wide enough,
+ * because it hides those below.
+ */
 static void choose(struct shadow_ground *ground, const struct search *search)
 {
 	int count;
@@ -234,7 +245,10 @@ static bool lies_below(const struct search *search,
 	return (mirrored ? -normal[1] : normal[1]) > 0.0f;
 }
 
-/* Such as the floor of a room, which is one surface with its walls. */
+/*
+ * Returns true if the model has such a triangle. An example is a room whose
+ * floor and walls are one surface.
+ */
 static bool has_bottom(const struct search *search)
 {
 	const struct instance *instance = search->instance;

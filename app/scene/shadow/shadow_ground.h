@@ -2,11 +2,11 @@
  * Ground that a model brings along: level surfaces at its bottom, below all the
  * rest, such as a floor, a lawn or the plate that a machine stands on.
  *
- * Such ground would hide the shadows that lie on the stage's floor. It is drawn
- * first; then the shadows of all else are drawn on it, where the stencil says
- * that it is seen; then all else. The stage's floor lies a little below ground,
- * and below any other bottom that is seen (stage_lower_floor()), because two
- * surfaces in one plane would fight.
+ * Such ground would hide the shadows that lie on the stage's floor. The ground
+ * is therefore drawn first; then the shadows of all else are drawn on it, where
+ * the stencil says that the ground is seen; then all else. The stage's floor
+ * lies a little below ground, and below any other bottom that is seen
+ * (stage_lower_floor()), because two surfaces in one plane would fight.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_GROUND_H
 #define APP_SCENE_SHADOW_SHADOW_GROUND_H
@@ -19,14 +19,18 @@ struct shadow_ground {
 	int count;     /* 0: the model has no ground */
 	int *drawable; /* [count], in the instance's arena */
 	float y;       /* the height of its surface, in scene units */
-	/* It has ground, or triangles at its bottom that face upwards. */
+	/*
+	 * The model has ground, or other triangles at its bottom that face
+	 * upwards: the stage's floor has to be lowered.
+	 */
 	bool in_plane;
 };
 
 /*
  * Finds opaque drawables that no clip, skin or target moves, whose vertices lie
- * at one height or at two, and which together are about as wide as the model
- * and far lower. Leaves the instance in the rest pose. Returns 0 or -ENOMEM.
+ * at one height or at two heights, and which together are about as wide as the
+ * model and far lower. Leaves the instance in the rest pose. Returns 0 or
+ * -ENOMEM.
  */
 int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
 
@@ -41,7 +45,10 @@ bool shadow_ground_begin(const struct shadow_ground *ground,
 	const struct stage *stage, const struct gl *gl,
 	struct instance *instance, const struct texture_set *textures);
 
-/* Call it after the whole instance was drawn. NULL instance is not allowed. */
+/*
+ * Shows the ground to draw_instance() again. Call it after the whole instance
+ * was drawn. instance must not be NULL.
+ */
 void shadow_ground_end(
 	const struct shadow_ground *ground, struct instance *instance);
 

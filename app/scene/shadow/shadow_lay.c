@@ -11,8 +11,9 @@ static const float nodes_a_tile = 6.0f;
 static const int points_a_node = 2;
 
 /*
- * The distance from a point to the ground, down the light's direction. One step
- * of the secant method from level ground leaves less than floor_mesh_error().
+ * Returns the distance from a point to the ground along the light. It starts at
+ * level ground and makes one step of the secant method, which leaves an error
+ * below floor_mesh_error().
  */
 static float distance_to_ground(
 	const struct shadow_light *light, const float from[3])
@@ -47,7 +48,11 @@ static void lay_point(const struct shadow_light *light, const float from[3],
 	bounds_add(box, to);
 }
 
-/* The grid over what the light through the points meets of level ground. */
+/*
+ * The grid over the part of level ground that the light through the points
+ * would meet. length is the distance of neighbouring nodes, per_length its
+ * inverse.
+ */
 struct area {
 	float low[2], per_length, length;
 	int count[2]; /* nodes along x and z */
@@ -63,7 +68,10 @@ static void find_level(
 	out[1] = from[2] - light->towards[2] * fall;
 }
 
-/* Returns false without a grid: for few points, a large area, or no numbers. */
+/*
+ * Returns false if no grid is worth while or possible: for few points, a large
+ * area, or coordinates that are not finite.
+ */
 static bool find_area(const struct shadow_light *light, const float (*from)[3],
 	int count, struct area *area)
 {
@@ -116,7 +124,7 @@ static void find_nodes(struct shadow_grid *grid, const struct area *area,
 	}
 }
 
-/* Between the four nodes around a point. */
+/* Interpolates between the four nodes around a point. */
 static void interpolate(const struct shadow_grid *grid, const struct area *area,
 	const float level[2], float out[3])
 {

@@ -1,10 +1,10 @@
 /*
  * Points of a shadow on uneven ground: where the light through points of a
- * figure meets it.
+ * figure meets the ground.
  *
- * Where it does depends only on where the light would meet level ground. For
- * many points it is found at the nodes of a grid there, and between them by
- * interpolation.
+ * Such a point depends only on where the light would meet level ground. For
+ * many points, the nodes of a grid on level ground are laid upon the uneven
+ * ground, and the points are interpolated between them.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_LAY_H
 #define APP_SCENE_SHADOW_SHADOW_LAY_H
@@ -22,7 +22,10 @@ struct shadow_light {
 	const struct floor *ground;
 };
 
-/* What is kept for the grid, of which node_count are in use; 0 without one. */
+/*
+ * Memory for the grid's nodes. node_count of them are in use, 0 if no grid was
+ * needed.
+ */
 struct shadow_grid {
 	float (*node)[3]; /* [SHADOW_NODES_MAX] */
 	int node_count;
@@ -30,9 +33,8 @@ struct shadow_grid {
 
 /*
  * Moves points down the light to the ground, and towards the eye by as much as
- * keeps the ground's triangles from hiding them; what a grid adds to their
- * error is less than a hundredth of the waves' height. Adds a box around the
- * results to box.
+ * keeps the ground's triangles from hiding them; a grid adds an error of less
+ * than a hundredth of the waves' height. Adds a box around the results to box.
  */
 void shadow_lay(struct shadow_grid *grid, const struct shadow_light *light,
 	const float (*from)[3], int count, float (*to)[3], struct bounds *box);

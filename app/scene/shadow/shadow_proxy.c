@@ -15,7 +15,7 @@ struct member {
 	float distance; /* along the octant's diagonal */
 };
 
-/* Sorts by key, the outermost first. */
+/* Sorts by key, and within a key the outermost vertex first. */
 static int compare_members(const void *left, const void *right)
 {
 	const struct member *a = left, *b = right;
@@ -60,7 +60,7 @@ static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
 	return influence[0].joint;
 }
 
-/* A file may hold any number, NaN included. */
+/* Clamps to 0..CELLS, because a file may hold any number, NaN included. */
 static uint64_t cell_at(float at)
 {
 	return at > 0.0f ? at < (float)CELLS ? (uint64_t)at : CELLS : 0;

@@ -1,12 +1,12 @@
 /*
  * Shadow proxies: fewer triangles with nearly the same silhouette.
  *
- * The triangles are a list for shadows of the model if it has any: the coarsest
- * one that is off by at most SHADOW_PROXY_ERROR, or the finest. Otherwise they
- * are made by vertex clustering: vertices in the same cell of a grid whose
- * normals are in the same octant and that follow the same joint are merged, and
- * triangles that degenerate are dropped. The remaining vertices keep their
- * positions, so a proxy needs no additional posing.
+ * If the model has lists for shadows, the proxy is the coarsest of them whose
+ * error is at most SHADOW_PROXY_ERROR, or else the finest. Otherwise the
+ * triangles are made by vertex clustering: vertices in the same cell of a grid
+ * whose normals are in the same octant and that follow the same joint are
+ * merged, and triangles that degenerate are dropped. The remaining vertices
+ * keep their positions, so a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
 #define APP_SCENE_SHADOW_SHADOW_PROXY_H
@@ -16,7 +16,9 @@
 
 #include <stdint.h>
 
-/* A fraction of the primitive's longest side. */
+/*
+ * The greatest error of a proxy, as a fraction of the primitive's longest side.
+ */
 #define SHADOW_PROXY_ERROR 0.012f
 
 /*

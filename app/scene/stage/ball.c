@@ -35,7 +35,10 @@ void ball_init(struct ball *ball)
 	}
 }
 
-/* Where the line from a point along the light meets the floor. */
+/*
+ * Finds where the line from a point along the light meets the floor, by
+ * iteration on uneven ground.
+ */
 static void fall_on_floor(const struct floor *floor, const float light[3],
 	const float from[3], float out[3])
 {
@@ -52,7 +55,10 @@ static void fall_on_floor(const struct floor *floor, const float light[3],
 	out[1] = height;
 }
 
-/* A circle across the light, as the floor cuts the light's rays through it. */
+/*
+ * Projects a circle around the ball, at right angles to the light, onto the
+ * floor along the light.
+ */
 static void find_shadow(const struct floor *floor, const float eye[3],
 	const float center[3], float radius, float out[SHADOW_CORNERS][3])
 {

@@ -8,7 +8,10 @@
 
 #include <string.h>
 
-/* Of the radius: a box that moves less is shown already. */
+/*
+ * As a part of the radius: a smaller move of the box does not change the
+ * camera.
+ */
 static const float least_move = 1e-4f;
 
 enum {
@@ -58,7 +61,7 @@ float camera_tan_half(float angle_rad)
 	return scalar_sin(0.5f * angle_rad) / scalar_cos(0.5f * angle_rad);
 }
 
-/* A corner of the box, of eight. */
+/* Computes one of the eight corners of a box around the target. */
 static void box_corner(const float half[3], int number, float out[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
@@ -66,7 +69,10 @@ static void box_corner(const float half[3], int number, float out[3])
 	}
 }
 
-/* The least distance at which a box around the target fits at every yaw. */
+/*
+ * Returns the least distance at which a box around the target fits at every
+ * yaw.
+ */
 static float distance_for_every_yaw(const struct camera *camera,
 	const float half[3], float tan_x, float tan_y)
 {
@@ -87,7 +93,7 @@ static float distance_for_every_yaw(const struct camera *camera,
 /* The box's corners in eye space, relative to the target. */
 struct seen_box {
 	float corner[8][3]; /* right, up, towards the eye */
-	float nearest;      /* the largest of the third numbers */
+	float nearest;      /* the largest third coordinate of a corner */
 	float fits_at;      /* a distance at which the box surely fits */
 };
 
@@ -115,7 +121,10 @@ static struct seen_box see_box(
 	return box;
 }
 
-/* The smallest and greatest slope of the box along an axis, at a distance. */
+/*
+ * Finds the least and the greatest slope of the box's corners for a camera at
+ * this distance: x / depth for axis 0, y / depth for axis 1.
+ */
 static void slopes(const struct seen_box *box, int axis, float distance,
 	float *low, float *high)
 {
@@ -166,7 +175,9 @@ static void fit_box(struct camera *camera)
 	camera->distance = far * camera->fit.zoom;
 }
 
-/* The region within the margin. */
+/*
+ * Returns the region, or the whole picture for an empty one, less the margin.
+ */
 static struct camera_region inner_region(
 	const struct camera_region *region, float margin)
 {
@@ -339,7 +350,9 @@ void camera_view(const struct camera *camera, mat4 out)
 	}
 }
 
-/* Such that the difference of two edges fits 16.16. */
+/*
+ * Clamps an edge of the frustum so that the difference of two edges fits 16.16.
+ */
 static fx16_t edge(float value)
 {
 	return fx16_from_float(scalar_clamp(value, -16000.0f, 16000.0f));

@@ -24,10 +24,11 @@ struct camera_region {
 /* Keeps a box in a region of the picture while the camera orbits. */
 struct camera_fit {
 	bool on;
-	float half[3];               /* of the box's sides */
-	struct camera_region region; /* without the margin */
-	float aspect;                /* of the picture */
-	float zoom; /* factor of the distance; 1 shows the whole box */
+	float half[3]; /* half the box's sides, scene units */
+	/* which the box fills; the margin is already taken off */
+	struct camera_region region;
+	float aspect; /* of the picture */
+	float zoom;   /* factor of the distance; 1 shows the whole box */
 };
 
 struct camera {
@@ -45,7 +46,10 @@ struct camera {
 	struct camera_fit fit;
 };
 
-/* Looks from the front, a little from the side and from above; 30 degrees. */
+/*
+ * Returns a camera that looks from the front, a little from the side and from
+ * above, with a vertical field of view of 30 degrees.
+ */
 struct camera camera_default(void);
 
 /* How camera_frame() shows a box. */
@@ -77,20 +81,30 @@ void camera_frame(struct camera *camera, const struct bounds *bounds,
 void camera_ease_to(
 	struct camera *camera, const struct bounds *bounds, float fraction);
 
-/* The same box in another region of a picture of another aspect. */
+/*
+ * Shows the same box in another region of a picture with this aspect. margin is
+ * that of camera_framing.
+ */
 void camera_set_region(struct camera *camera,
 	const struct camera_region *region, float margin, float aspect);
 
 /*
- * The rectangle around the box as the camera sees it now, which may reach
- * beyond the picture; for a box that must fit at every yaw the region.
+ * Returns the rectangle around the box as the camera sees it now, which may
+ * extend beyond the picture. For a camera that does not follow, it is the
+ * region.
  */
 struct camera_region camera_covered(const struct camera *camera);
 
-/* Multiplies the distance, which stays in proportion when the camera orbits. */
+/*
+ * Multiplies the distance by a factor, which stays in effect when the camera
+ * orbits.
+ */
 void camera_zoom(struct camera *camera, float factor);
 
-/* Returns the greatest distance at any yaw, for ground to reach that far. */
+/*
+ * Returns the greatest distance that the camera has at any yaw, as far as
+ * ground has to reach.
+ */
 float camera_farthest(const struct camera *camera);
 
 /*
@@ -99,7 +113,7 @@ float camera_farthest(const struct camera *camera);
  */
 void camera_orbit(struct camera *camera, float yaw_rad, float pitch_rad);
 
-/* tan(angle / 2): half the extent that a field of view has at distance 1. */
+/* Returns tan(angle / 2), half the extent of a field of view at distance 1. */
 float camera_tan_half(float angle_rad);
 
 /* Returns the position of the eye in scene units. */

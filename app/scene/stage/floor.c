@@ -14,11 +14,12 @@ enum {
 	PERIOD_TILES = 8, /* the waves repeat after this many tiles */
 };
 
-static const float level_shade = 208.0f;  /* of 255, on level ground */
-static const float opaque_part = 0.5625f; /* of the radius; it fades beyond */
-/* What lies on the ground is lifted by so many errors of the mesh, */
+static const float level_shade = 208.0f; /* of level ground, of 255 */
+/* of the radius; the ground fades beyond */
+static const float opaque_part = 0.5625f;
+/* What lies on the ground is lifted by this many times floor_mesh_error(), */
 static const float lift_errors = 4.0f;
-/* and by these parts of its distance from the eye. */
+/* but by no less and no more than these parts of its distance from the eye. */
 static const float lift_min = 0.004f, lift_max = 0.1f;
 
 /* A tile in two shades with joints, which make motion visible. */
@@ -73,7 +74,7 @@ float floor_mesh_error(
 	float across = 0.15f * (away + above) / floor->tile;
 	float ahead = 0.04f * (away / above * away + above) / floor->tile;
 
-	/* The factors were measured; test_floor.c holds them. */
+	/* The factors were measured; test_floor.c checks them. */
 	return floor->wave_height *
 		scalar_clamp(
 			0.15f * (across * across + ahead * ahead), 0.01f, 0.6f);
@@ -123,7 +124,10 @@ static float round_down(float size)
 				      : step;
 }
 
-/* The nearest point towards 0 where the pattern of tiles and waves begins. */
+/*
+ * Returns the coordinate, between 0 and center, where the period of the pattern
+ * of tiles and waves begins that contains center.
+ */
 static float find_origin(float center, float tile)
 {
 	float length = PERIOD_TILES * tile;
@@ -171,7 +175,7 @@ void floor_finish(struct floor *floor, const struct gl *gl)
 /* The pattern repeats, so the offset can be kept small. */
 static float wrap(float offset, float length)
 {
-	/* Steps that do not fit the pattern would not get smaller. */
+	/* A huge offset would not change when a length is subtracted. */
 	if (!(scalar_abs(offset) < 1000.0f * length)) {
 		return 0.0f;
 	}
@@ -197,7 +201,9 @@ void floor_set_wave_height(struct floor *floor, float wave_height)
 	floor->wave_height = wave_height;
 }
 
-/* The mesh on the ground's heights, and its shades. */
+/*
+ * Computes the mesh, its vertices' heights and shades, and its drawing order.
+ */
 static void find_mesh(const struct floor *floor, const struct camera *camera,
 	int width, int height, const struct floor_mesh_ground *ground,
 	const struct floor_content *content, struct floor_sight *out)
@@ -224,7 +230,10 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	/* The floor extends at least to below a distant camera. */
 	float min_radius = 1.1f * camera->distance;
 	float radius = floor->radius > min_radius ? floor->radius : min_radius;
-	/* Beyond the far plane it would end at once. */
+	/*
+	 * The far plane would cut off ground beyond it, which has to fade
+	 * before.
+	 */
 	float far = 0.95f *
 		fx16_to_float(camera_frustum(camera, width, height).far);
 	float eye[3], ahead;
@@ -251,7 +260,10 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	}
 }
 
-/* Small numbers, wherever the floor is: coordinates have few bits in GL. */
+/*
+ * Counts from the floor's origin, so that the coordinates are small wherever
+ * the floor is: GL has few bits for them.
+ */
 static void find_texcoord(
 	const struct floor *floor, const float position[3], float out[2])
 {

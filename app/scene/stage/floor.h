@@ -19,7 +19,7 @@
 struct floor {
 	float y;         /* the height of level ground */
 	float center[2]; /* x, z */
-	float way[2];    /* x, z; how far the middle went from the center */
+	float way[2]; /* x, z; how far the middle has moved from the center */
 	float radius;
 	float tile;        /* side of a tile */
 	float origin[2];   /* x, z of a corner of the pattern near the center */
@@ -57,13 +57,13 @@ float floor_mesh_error(
 	const struct floor *floor, const float eye[3], float x, float z);
 
 /*
- * Moves a point on the ground towards the eye, which leaves it where it is in
- * the picture, by so much that triangles of the mesh do not hide it. Drawn
- * there with the depth test, a shadow is hidden only by hills in front of it.
+ * Moves a point on the ground towards the eye, which leaves its place in the
+ * picture as it is, so far that the mesh's triangles do not hide it. A shadow
+ * drawn there with the depth test is hidden only by hills in front of it.
  */
 void floor_lift(const struct floor *floor, const float eye[3], float point[3]);
 
-/* What a camera sees of the ground: one of the two. */
+/* What a camera sees of the ground: the strips, or the other members. */
 struct floor_sight {
 	struct floor_strips strips; /* of level ground */
 	struct floor_mesh mesh;     /* of uneven ground */
@@ -72,9 +72,9 @@ struct floor_sight {
 };
 
 /*
- * Computes what a camera sees, with depths for this content. Uneven ground may
- * be anywhere in the picture: its strips are empty and have a horizon at the
- * picture's upper edge.
+ * Computes what a camera sees of the ground, and which triangles of the mesh
+ * have to write depths for this content. Uneven ground may be anywhere in the
+ * picture: its strips are empty and have a horizon at the picture's upper edge.
  */
 void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	int width, int height, const struct floor_content *content,

@@ -9,14 +9,18 @@
 #include <float.h>
 #include <string.h>
 
-/* Rows: of the nearest ground, where it begins to fade, where it ends. */
+/*
+ * Rows of the picture, as slopes (floor_view.h): of the nearest ground, where
+ * ground begins to fade, and where it ends.
+ */
 struct extent {
 	float near, fading, end;
 };
 
 /*
- * The row of the plane's point below ground that is seen in a row and rises
- * above the plane by so much. The row's ray falls.
+ * Takes the point where a row's ray, which has to fall, is this much (rise)
+ * above the plane. Returns the row that shows the plane's point right below
+ * that point.
  */
 static float find_below(const struct floor_view *view, float slope, float rise)
 {
@@ -32,13 +36,16 @@ static bool falls(const struct floor_view *view, float slope)
 	return view->sine - view->cosine * slope > 1e-3f;
 }
 
-/* The nearest row whose ground can be seen at the picture's lower edge. */
+/*
+ * Returns the row of the nearest point of the plane whose ground, at any height
+ * of the waves, can be seen at the picture's lower edge.
+ */
 static float find_near(const struct floor_view *view, float wave_height)
 {
 	float nearest = floor_view_slope(view, view->near);
 	float low, high;
 
-	/* Waves may hide whatever is beyond the near plane. */
+	/* In these cases waves may be seen anywhere beyond the near plane. */
 	if (!falls(view, view->bottom) || view->height < 1.5f * wave_height) {
 		return nearest;
 	}
@@ -149,12 +156,12 @@ void floor_mesh_list(uint16_t index[FLOOR_INDICES])
 	}
 }
 
-/* What an eye sees of a box, from above: ahead towards its middle, and across. */
+/* The sector, in a plan from above, in which an eye sees a box. */
 struct sector {
 	const float *eye;
-	float ahead[2];  /* x, z; a unit vector */
+	float ahead[2];  /* x, z; a unit vector towards the box's middle */
 	float far;       /* nothing of the box is farther ahead */
-	float low, high; /* across, by ahead */
+	float low, high; /* distance across divided by distance ahead */
 };
 
 static void find_plan(
@@ -199,7 +206,10 @@ static bool find_sector(
 	return true;
 }
 
-/* Seen from above all triangles of the mesh turn the same way. */
+/*
+ * Returns true if a triangle shows its lower side to the eye. The factor
+ * normal[1] tells which side is the upper one.
+ */
 static bool faces_away(const float *const corner[3], const float eye[3])
 {
 	float ab[3], ac[3], normal[3], to_eye[3];
@@ -211,7 +221,9 @@ static bool faces_away(const float *const corner[3], const float eye[3])
 	return !(vec_dot(normal, to_eye) * normal[1] > 0.0f);
 }
 
-/* Whether all corners are beyond the sector, or on one side of it. */
+/*
+ * Returns true if all corners are beyond the sector, or all on one side of it.
+ */
 static bool is_outside(const float *const corner[3], const struct sector *sector)
 {
 	int beyond = 0, left = 0, right = 0;
@@ -248,7 +260,10 @@ bool floor_mesh_may_hide(const struct floor_mesh *mesh,
 	return false;
 }
 
-/* A part of the picture at depth 1, to the right and upwards. */
+/*
+ * A rectangle of the picture, in coordinates to the right and upwards at depth
+ * 1.
+ */
 struct window {
 	float low[2], high[2];
 };
@@ -257,7 +272,10 @@ static const struct window everywhere = {
 	{-FLT_MAX, -FLT_MAX}, {FLT_MAX, FLT_MAX}};
 static const struct window nowhere = {{FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX}};
 
-/* What is not before the eye may be anywhere in the picture. */
+/*
+ * Extends the window to a point in eye space. A point that is not in front of
+ * the eye may be anywhere in the picture.
+ */
 static void add_to_window(struct window *window, const float eye[3])
 {
 	if (!(eye[2] < 0.0f)) {
@@ -276,7 +294,7 @@ static void add_to_window(struct window *window, const float eye[3])
 	}
 }
 
-/* view is NULL for a box along its axes. */
+/* view is NULL for a box that is in eye space. */
 static void add_box(struct window *window, mat4 *view, const struct bounds *box)
 {
 	for (int i = 0; i < 8 && !bounds_is_empty(box); i++) {
@@ -310,13 +328,16 @@ static struct window find_window(const struct floor_mesh *mesh,
 	return window;
 }
 
-/* Whether the picture of two triangles between two columns is in the window. */
+/*
+ * Returns true if the picture of a cell, which is two triangles between two
+ * columns, overlaps the window.
+ */
 static bool is_cell_in(const uint16_t *cell,
 	const float vertex[FLOOR_VERTICES][3], const struct window *window)
 {
 	struct window own = nowhere;
 
-	/* Two corners come twice. */
+	/* The first four of its six indices are the cell's four corners. */
 	for (int i = 0; i < 4; i++) {
 		add_to_window(&own, vertex[cell[i]]);
 	}
@@ -324,7 +345,10 @@ static bool is_cell_in(const uint16_t *cell,
 		own.low[1] <= window->high[1] && window->low[1] <= own.high[1];
 }
 
-/* Goes on with the last run if its triangles are drawn in the same way. */
+/*
+ * Adds a cell to the last run if that run is drawn in the same way, else to a
+ * new run.
+ */
 static void add_cell(
 	struct floor_order *order, const uint16_t *cell, struct floor_run kind)
 {
@@ -342,8 +366,9 @@ static void add_cell(
 }
 
 /*
- * Cells of one row are beside each other, so their order is free: a row goes on
- * with the kind of cells with which the one behind it ended.
+ * Cells of one row do not cover each other, so their order is free. Each row
+ * begins with the kind of cells with which the row behind it ended, which saves
+ * runs.
  */
 static void add_row(struct floor_order *order, const uint16_t *cells,
 	bool fading, const bool in[FLOOR_COLUMNS])

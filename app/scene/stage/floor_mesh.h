@@ -34,29 +34,33 @@ struct floor_mesh {
 struct floor_mesh_ground {
 	float y;           /* the height of level ground */
 	float wave_height; /* greatest distance from y */
-	/* Level distances ahead of the eye: where it fades, where it ends. */
+	/*
+	 * Level distances ahead of the eye: where ground begins to fade, where
+	 * it ends.
+	 */
 	float opaque_end, end;
 };
 
 /*
- * What is drawn after the ground and tested against its depths: what is in
- * these boxes, each of which may be empty, or, if it is not bounded, anything
- * anywhere.
+ * Where the things are that are drawn after the ground and tested against its
+ * depths: in these two boxes, each of which may be empty, or, if bounded is
+ * false, anywhere.
  */
 struct floor_content {
 	bool bounded;
-	struct bounds standing; /* along the axes of the camera's view */
+	struct bounds standing; /* in eye space */
 	struct bounds lying;    /* on the ground, in scene units */
 };
 
-/* Triangles that are drawn in one call; each is whole. */
+/* Triangles of the index that are drawn in one call. */
 struct floor_run {
 	int index_count;
 	bool fading;
-	bool with_depth; /* their depths may matter */
+	/* their depths are written, because content may need them */
+	bool with_depth;
 };
 
-/* All triangles of the mesh, of far rows first. */
+/* All triangles of the mesh in drawing order, far rows first. */
 struct floor_order {
 	int run_count, index_count;
 	struct floor_run run[FLOOR_RUNS_MAX];
@@ -64,32 +68,34 @@ struct floor_order {
 };
 
 /*
- * Computes the vertices of the level mesh: at every height up to wave_height
- * above or below it, they still surround what the camera sees. A camera in or
- * under the waves may see where the mesh begins.
+ * Computes the vertices of the level mesh. It is so large that it still covers
+ * what the camera sees when vertices move up or down by at most wave_height. A
+ * camera in or under the waves may see the mesh's near edge.
  */
 void floor_mesh_find(struct floor_mesh *mesh, const struct camera *camera,
 	int width, int height, const struct floor_mesh_ground *ground);
 
 /*
- * Writes the triangles' corners, of far rows first: in this order near hills
- * cover what is behind them without a depth test. The fading ones come first.
+ * Writes the mesh's index, far rows first: in this order near hills cover what
+ * is behind them without a depth test. The fading rows are thus first.
  */
 void floor_mesh_list(uint16_t index[FLOOR_INDICES]);
 
 /*
- * Whether a hill may hide, from the eye, something of what lies on the ground in
- * a box: a triangle of the mesh with its heights faces away from the eye, and is
- * not beyond the box or beside it. What is hidden has such a triangle before it.
+ * Returns true if a hill may hide, from the eye, a part of what lies on the
+ * ground in a box. A hill that hides something has a triangle that faces away
+ * from the eye, so it looks for such a triangle that is neither beyond the box
+ * nor beside it. The mesh must have the ground's heights.
  */
 bool floor_mesh_may_hide(const struct floor_mesh *mesh,
 	const uint16_t index[FLOOR_INDICES], const float eye[3],
 	const struct bounds *box);
 
 /*
- * Orders the triangles of floor_mesh_list() for drawing the mesh with its
- * heights. The depths of those that do not touch the picture of the content need
- * not be written. What lies on the ground counts only where a hill may hide it.
+ * Orders the triangles of floor_mesh_list() for drawing; the mesh must have the
+ * ground's heights. Triangles whose picture does not overlap that of the
+ * content are drawn without writing depths. The lying content counts only if a
+ * hill may hide a part of it.
  */
 void floor_mesh_order(const struct floor_mesh *mesh,
 	const uint16_t index[FLOOR_INDICES], const struct camera *camera,

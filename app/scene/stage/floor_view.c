@@ -5,10 +5,10 @@
 #include <cglm/cglm.h>
 
 /*
- * How far aside a point may appear, in pixels that are so large at depth 1: the
- * numbers of the view matrix are rounded, and multiplied by coordinates that
- * are about as large as the eye's. The ground at the lower edge is half as far
- * away as the target.
+ * Returns by how much rounding may displace a point in the picture, in pixels;
+ * pixel is a pixel's size at depth 1. The elements of the view matrix are
+ * rounded to 16.16 and multiplied by coordinates that are about as large as the
+ * eye's. The ground at the lower edge is half as far away as the target.
  */
 static float rounding_px(
 	const struct camera *camera, const float eye[3], float pixel)

@@ -21,15 +21,15 @@ struct floor_view {
 	float near, far;    /* depths of the clip planes, inset */
 };
 
-/* ground is the plane's height. */
+/* Initializes the view of the plane at the height ground. */
 void floor_view_init(struct floor_view *view, const struct camera *camera,
 	int width, int height, float ground);
 
 /*
- * These expect an eye above the plane and a row below the horizon: the depth in
- * eye space of the plane in a row; the row of a depth, of which there is none
- * for a camera that looks straight down; and the level distance ahead of the
- * eye in a row.
+ * These expect an eye above the plane and a row below the horizon. They return
+ * the plane's depth in eye space in a row; the row in which the plane has a
+ * depth, which a camera that looks straight down does not have; and the plane's
+ * level distance ahead of the eye in a row.
  */
 float floor_view_depth(const struct floor_view *view, float slope);
 float floor_view_slope(const struct floor_view *view, float depth);
@@ -38,7 +38,10 @@ float floor_view_ahead(const struct floor_view *view, float slope);
 /* Returns the row that shows the plane at a level distance ahead of the eye. */
 float floor_view_slope_ahead(const struct floor_view *view, float ahead);
 
-/* Computes the point of the plane at a row and across it, both at depth 1. */
+/*
+ * Computes the point of the plane that appears in a row, this far to the right
+ * of the line of sight; slope and across are taken at depth 1.
+ */
 void floor_view_unproject(
 	const struct floor_view *view, float slope, float across, float out[3]);
 

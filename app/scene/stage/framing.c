@@ -2,9 +2,10 @@
 
 #include "app/scene/hud/hud_group.h"
 
-static const float least_side = 0.4f; /* of a region; the picture has 2 */
+/* shortest side of a region; the picture's sides are 2 */
+static const float least_side = 0.4f;
 
-/* The lower edge of a region above a list of so many rows. */
+/* Returns the lower edge of a region above a list of this many rows. */
 static float above_list(int rows, int width, int height)
 {
 	int taken = hud_group_extent_of(width, height, rows, 0).list_height;
@@ -13,8 +14,8 @@ static float above_list(int rows, int width, int height)
 }
 
 /*
- * The regions that a list of keys leaves free: above it, beside the labels if
- * there are some, and beside it.
+ * Finds the regions that a list of keys leaves free: above the list (and beside
+ * the labels, if these are shown), and beside the list. Returns their number.
  */
 static int regions_of_keys(
 	int rows, int width, int height, struct camera_region out[2])
@@ -37,8 +38,9 @@ static int regions_of_keys(
 }
 
 /*
- * The regions that labels leave free: beside them and below them. Returns their
- * number; if labels leave little of a small picture, it is the whole one.
+ * Finds the regions that labels leave free: beside them and below them. Returns
+ * their number. If labels leave too little of a small picture, the only region
+ * is the whole picture above the lines of text.
  */
 static int free_regions(const struct framing *framing, int width, int height,
 	struct camera_region out[2])
@@ -56,7 +58,7 @@ static int free_regions(const struct framing *framing, int width, int height,
 	int count = 0;
 
 	if (bottom > 1.0f - least_side) {
-		bottom = -1.0f; /* the labels are larger than the picture */
+		bottom = -1.0f; /* the lines of text leave too little */
 	}
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
 	if (framing->label_rows == 0 || most == 0) {

@@ -8,23 +8,27 @@
 
 /* Rows of the groups in the corner below the labels. */
 struct framing_below {
-	int keys;     /* of a list of keys, which is wide */
+	int keys;     /* of a list of keys, which is a wide group */
 	int switches; /* of what buttons do now, and of live pictures */
 };
 
 /* How figures are framed, and what their labels take of the picture. */
 struct framing {
 	struct camera_framing camera;
-	/* In the top left corner, beside a title, and how many have bars. */
+	/*
+	 * Rows of the labels in the top left corner besides their title, and
+	 * how many of these rows have bars.
+	 */
 	int label_rows, label_bars; /* 0: there are no labels */
 	bool labels_right;          /* the labels are in the top right corner */
-	int lines_below;            /* of text along the lower edge */
+	int lines_below;            /* lines of text along the lower edge */
 	struct framing_below below;
 };
 
 /*
- * The part of a picture of this size that labels and the group below leave
- * free, beside, below or above them, in which the box appears larger.
+ * Returns a part of a picture of this size that labels and the group below
+ * leave free: of the parts beside, below or above them the one in which the box
+ * appears largest.
  */
 struct camera_region framing_region(const struct framing *framing,
 	const struct bounds *bounds, int width, int height);

@@ -4,8 +4,12 @@
 
 #include <string.h>
 
-/* Mean difference of luma, of 255, at which the motion level is 1. */
+/*
+ * Mean difference of luma between two images, of 255, at which the motion level
+ * is 1.
+ */
 static const float full_motion = 6.0f;
+/* Time constants with which smooth_level rises and falls. */
 static const float rise_s = 0.08f, fall_s = 0.45f;
 
 static const char *const names[LIVE_USES] = {
@@ -48,7 +52,10 @@ void live_set_stage(struct live *live, const struct stage *stage, float aspect)
 	monitor_place(&live->monitor, &stage->camera, aspect, stage->floor.y);
 }
 
-/* What the camera frames may have changed; orbits and zooms do not count. */
+/*
+ * Places the monitor anew, because the camera may frame another box by now. The
+ * user's orbits and zooms are undone for this: they do not move the monitor.
+ */
 static void place_monitor(
 	struct live *live, const struct stage *stage, float aspect)
 {

@@ -11,12 +11,15 @@
 #include <cglm/cglm.h>
 
 enum {
-	/* In the stencil, where counts are at most 1. */
+	/*
+	 * Marks in the stencil of surfaces that shadows lie on; elsewhere the
+	 * stencil counts to 1 at most.
+	 */
 	TOP_MARK = 128,
 	GROUND_MARK = 64
 };
 
-/* Of the extent of a model whose ground lies above the floor. */
+/* How far the floor is lowered, as a part of the model's extent. */
 static const float lowered_part = 0.001f;
 
 /* The background's gradient, sRGB. The floor fades into its lower part. */
@@ -225,7 +228,10 @@ void stage_shadow_end(const struct stage *stage, const struct gl *gl)
 	stage_draw_monitor(stage, gl);
 }
 
-/* Marks where the rectangle is seen: a little above it, so that it is. */
+/*
+ * Marks in the stencil where the rectangle is seen. It is drawn a little higher
+ * for this, so that the surface it lies on does not hide it.
+ */
 void stage_top_begin(
 	const struct stage *stage, const struct gl *gl, float corner[4][3])
 {

@@ -16,8 +16,11 @@
 struct stage {
 	struct camera camera;
 	struct floor floor;
-	struct floor_sight sight; /* of the floor, by stage_begin() */
-	/* Of this frame, set before stage_begin() where it is known. */
+	struct floor_sight sight; /* of the floor; set by stage_begin() */
+	/*
+	 * What this frame draws after the ground. Set it before stage_begin()
+	 * if it is known; all zero means anything anywhere.
+	 */
 	struct floor_content content;
 	bool has_stencil;
 	/* Replaces the background and the level floor; may be NULL. */
@@ -39,8 +42,8 @@ int stage_init(struct stage *stage, const struct gl *gl,
 void stage_finish(struct stage *stage, const struct gl *gl);
 
 /*
- * Moves the camera by the way that a figure went since the last call, and the
- * ground's middle to where it is after its whole way, both in scene units.
+ * Moves the camera by moved, how far a figure went since the last call, and the
+ * ground's middle to way, how far the figure went in all; both in scene units.
  */
 void stage_follow(struct stage *stage, const float moved[3], const float way[3]);
 
@@ -52,8 +55,8 @@ void stage_begin(
 	struct stage *stage, const struct gl *gl, int width, int height);
 
 /*
- * Whether anything that stage_begin() has drawn may hide some of what lies on
- * uneven ground in a box. If not, it needs no depth test.
+ * Returns true if something that stage_begin() has drawn may hide a part of
+ * what lies on uneven ground in a box. If not, the latter needs no depth test.
  */
 bool stage_may_hide(const struct stage *stage, const struct bounds *box);
 
@@ -65,22 +68,26 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);
 
 /*
- * The same for a level rectangle above the ground, given by its corners in
- * order, after all that hides it was drawn. It needs a stencil buffer. End it
- * with stage_top_end().
+ * Does the same for shadows on a level rectangle above the ground, given by its
+ * corners in order. Call it after all that may hide the rectangle was drawn. It
+ * needs a stencil buffer. End it with stage_top_end().
  */
 void stage_top_begin(
 	const struct stage *stage, const struct gl *gl, float corner[4][3]);
 void stage_top_end(const struct gl *gl);
 
 /*
- * The same for level ground of the model's own: what is drawn between these two
- * is where shadows lie until stage_top_end(). It needs a stencil buffer.
+ * Do the same for level ground of the model's own, at height y. The caller
+ * draws the ground between these two calls, and then, until stage_top_end(),
+ * the shadows that lie on it. They need a stencil buffer.
  */
 void stage_ground_begin(const struct gl *gl);
 void stage_ground_end(const struct gl *gl, float y);
 
-/* Lowers the floor a little, for ground of the model's own that lies on it. */
+/*
+ * Lowers the floor by a small part of the box's extent, below ground of the
+ * model's own that would lie in the same plane.
+ */
 void stage_lower_floor(struct stage *stage, const struct bounds *box);
 
 /*

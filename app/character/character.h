@@ -26,16 +26,16 @@ int character_load(const char *path, struct instance *instance,
 int character_read(FILE *file, const char *path, struct instance *instance,
 	const struct log *log, struct character **out);
 
-/* A number that changes when one of the character's files changes. */
+/* Returns a number that changes when one of the character's files changes. */
 uint64_t character_stamp(const struct character *character);
 
 /* Frees the character; NULL is allowed. */
 void character_destroy(struct character *character);
 
 /*
- * Goes on where another character was, such as the one that an older text
- * described: at the same time, and in the state of the same name if there is
- * one.
+ * Lets a new character continue where another one is, for instance after its
+ * file was edited: at the same time and, if it has a state of that name, in the
+ * same state.
  */
 void character_go_on(
 	struct character *character, const struct character *before);
@@ -51,18 +51,23 @@ struct character_frame {
 	float eye[3];       /* of the camera, in metres */
 };
 
-/* Moves on and writes the frame's pose; world matrices are up to date. */
+/*
+ * Advances the character to this frame and writes the pose into the instance.
+ * Afterwards the instance's world matrices are those of this pose.
+ */
 void character_update(
 	struct character *character, const struct character_frame *frame);
 
-/* Bends the vertices that instance_update() has made from the pose. */
+/*
+ * Bends the vertices of morphs that instance_update() has made from the pose.
+ */
 void character_bend(struct character *character);
 
 /* Writes the name of a binding's buttons, such as "UP+DOWN" or "F8 held". */
 void character_button_text(
 	const struct character_binding *binding, char *text, size_t size);
 
-/* Whether the binding's condition holds now. */
+/* Returns true if the binding's condition holds now. */
 bool character_button_acts(const struct character_binding *binding);
 
 /* Prints what each button does, one line each. */

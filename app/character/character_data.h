@@ -4,7 +4,8 @@
  * app/character/build makes it from the text and resolves all names, so that a
  * frame looks up nothing: an input is the address of a number, and what a frame
  * does to the pose is a flat list of operations. All memory comes from one
- * arena within the model's budget. Members below "Changes:" change in a frame.
+ * arena within the model's budget. Frames change only the members below
+ * "Changes:".
  */
 #ifndef APP_CHARACTER_CHARACTER_DATA_H
 #define APP_CHARACTER_CHARACTER_DATA_H
@@ -22,8 +23,9 @@
 enum character_source {
 	CHARACTER_SOURCE_ACTIONS, /* set, add and toggle */
 	CHARACTER_SOURCE_TIME,    /* seconds times scale */
-	CHARACTER_SOURCE_SINE,    /* a sine of period scale over the range */
-	CHARACTER_SOURCE_MOTION,  /* motion before the video camera, 0..1 */
+	/* a sine over the range, with a period of scale seconds */
+	CHARACTER_SOURCE_SINE,
+	CHARACTER_SOURCE_MOTION, /* motion before the video camera, 0..1 */
 	CHARACTER_SOURCE_PARAMETER,
 };
 
@@ -38,15 +40,20 @@ struct character_parameter {
 	float start;
 	float ease_s;
 	enum character_source source;
+	/* the number that CHARACTER_SOURCE_PARAMETER follows */
 	const float *other;
 	float scale, offset;
-	int choice_count;          /* 0: it is no choice */
-	const char *const *choice; /* names of its values 0, 1 ... */
-	int stop_count;            /* of values for CHARACTER_STEP */
+	int choice_count; /* 0: it is no choice */
+	/* [choice_count], names of the values 0, 1 ... */
+	const char *const *choice;
+	int stop_count; /* values of CHARACTER_STEP */
 	float stop[CHARACTER_STOPS_MAX];
 	bool unlabelled; /* labels do not show it */
 
 	/* Changes: */
+	/*
+	 * value eases from .from to .goal; elapsed_s counts since goal changed.
+	 */
 	float value, goal, from, elapsed_s;
 };
 
@@ -56,34 +63,40 @@ enum character_verb {
 	CHARACTER_ADD,    /* parameter index += amount */
 	CHARACTER_STEP,   /* parameter index: amount stops on */
 	CHARACTER_TOGGLE, /* parameter index: low or high end of its range */
-	CHARACTER_SWITCH, /* effect index: amount 1 on, 0 off, -1 the other */
+	CHARACTER_SWITCH, /* switch index: amount 1 on, 0 off, -1 toggles it */
 	CHARACTER_GO,     /* to state index */
 	CHARACTER_NEXT,   /* amount states on, in the order of the file */
 	CHARACTER_ROW,    /* plays all states in a row, or stops */
 	CHARACTER_PLAY,   /* layer index, from its start */
-	CHARACTER_MORPH,  /* morph index to key detail, or amount keys on */
+	/* morph index: to key detail or, if -1, amount keys on */
+	CHARACTER_MORPH,
 	CHARACTER_PACE,   /* morph index: amount times as fast */
 	CHARACTER_CURVE,  /* morph index: the next of its curves */
 	CHARACTER_TIMING, /* morph index: over time or by frames */
-	CHARACTER_PRESET, /* shakes by name: detail, or amount presets on */
+	/* shake index: to preset detail or, if -1, amount presets on */
+	CHARACTER_PRESET,
 	CHARACTER_MOVE,   /* part index: degree of freedom detail by amount */
 	CHARACTER_RUN,    /* sequence index */
 	CHARACTER_REPEAT, /* sequence index, again and again */
 	CHARACTER_STOP,   /* sequence index */
-	CHARACTER_ATTACH, /* part index to node detail, if it is at most amount
-			     from place, with amount 0 anyway; -1: where it was */
+	/*
+	 * part index: to node detail, if the part is at most amount metres from
+	 * place or if amount is 0; detail -1: back to its place in the model
+	 */
+	CHARACTER_ATTACH,
 	CHARACTER_DROP,   /* part index, onto node detail or the ground below */
 	CHARACTER_KEYS,   /* shows or hides what the buttons do */
 	CHARACTER_LINE,   /* writes text to standard output */
-	CHARACTER_OUTPUT, /* output line index: amount ms; 0 off, -1 on */
+	CHARACTER_OUTPUT, /* output index: on for amount ms; 0 off, -1 on */
 	CHARACTER_TURN,   /* the camera, amount radians */
 	CHARACTER_TILT,
-	CHARACTER_ZOOM,   /* amount of the distance */
-	CHARACTER_PAUSE,  /* or goes on */
+	CHARACTER_ZOOM,   /* the camera, by amount of its distance */
+	CHARACTER_PAUSE,  /* pauses or goes on */
 	CHARACTER_TOUR,   /* begins or ends the tour */
 	CHARACTER_LABELS, /* shows or hides the labels */
 };
 
+/* The meaning of index, detail and amount depends on the verb. */
 struct character_action {
 	enum character_verb verb;
 	int index, detail;
@@ -108,13 +121,21 @@ enum {
 
 /* What the file says about a clip beyond the model. */
 struct character_clip {
-	const struct model_clip *clip;   /* NULL: the rest pose */
-	int mark_count;                  /* 0: not kept in phase with others */
-	float mark[CHARACTER_MARKS_MAX]; /* seconds, increasing */
-	float travel[3];         /* of the motion's root, in its frame */
-	float carried_m[2];      /* the same in the world, along x and z */
-	float ground_m_per_s[2]; /* the clip's own speed along x and z */
-	/* Heights of the lower sole, CHARACTER_SAMPLES; NULL without feet. */
+	const struct model_clip *clip; /* NULL: the rest pose */
+	int mark_count; /* 0: the clip is not kept in phase with others */
+	/*
+	 * [mark_count], seconds, increasing: times that clips of a blend pass
+	 * together
+	 */
+	float mark[CHARACTER_MARKS_MAX];
+	/* how far the motion's root goes in the clip, in its parent's frame */
+	float travel[3];
+	float carried_m[2]; /* the same in the world along x and z */
+	/* the figure's speed over the ground along x and z */
+	float ground_m_per_s[2];
+	/*
+	 * [CHARACTER_SAMPLES], heights of the lower sole; NULL without [feet].
+	 */
 	float *sole_m;
 	struct character_event *event;
 };
@@ -126,15 +147,15 @@ struct character_entry {
 	struct clip_cursor cursor;
 
 	/* Changes: */
-	double time_s; /* since the clip began, not wrapped */
-	float shown_s; /* the time in the clip */
+	double time_s; /* since the clip began, beyond its end too */
+	float shown_s; /* the time in the clip that is shown; -1: none yet */
 	float weight;
 };
 
 /* How a state or a transition takes over from the shown pose. */
 struct character_fade {
 	float duration_s;
-	int frames; /* instead, if above 0 */
+	int frames; /* if above 0, the duration in frames of the clip before */
 	enum inertia_curve curve;
 };
 
@@ -142,8 +163,12 @@ struct character_state {
 	const char *name;
 	int entry_count;
 	struct character_entry *entry; /* sorted by .at */
-	uint8_t *paths; /* [node_count], which differ between the entries */
-	const float *position; /* in the blend space */
+	/*
+	 * [node_count], bits 1 << enum model_path of what the entries' clips
+	 * change
+	 */
+	uint8_t *paths;
+	const float *position; /* the value that chooses between the entries */
 	const float *rate;
 	enum clip_repeat repeat;
 	int next; /* the state after the end, or -1 */
@@ -151,7 +176,7 @@ struct character_state {
 	const struct character_action *enter, *leave;
 };
 
-/* One comparison of a transition's. */
+/* One of a list of comparisons, all of which have to hold. */
 struct character_condition {
 	const float *left, *right;
 	enum {
@@ -162,14 +187,14 @@ struct character_condition {
 	struct character_condition *next;
 };
 
-/* Actions that run when comparisons begin to hold, and when they end to. */
+/* Actions that run when comparisons begin to hold, and when they cease to. */
 struct character_trigger {
 	const char *name;
 	struct character_condition *when;
 	const struct character_action *then, *otherwise;
 
 	/* Changes: */
-	bool held; /* in the last frame */
+	bool held; /* the comparisons held in the last frame */
 };
 
 /* When a transition that runs may be replaced by another one. */
@@ -182,7 +207,8 @@ enum character_interrupt {
 struct character_transition {
 	int from, to;                     /* from -1: any state */
 	struct character_condition *when; /* NULL: only by an action */
-	float exit; /* fraction of the clip from which on it may begin; 0: any */
+	/* the fraction of the clip after which the transition may begin */
+	float exit;
 	float priority;
 	enum character_interrupt interrupt;
 	struct character_fade fade;
@@ -199,11 +225,11 @@ struct character_machine {
 	int current;
 	int wanted;   /* a state that an action asked for, or -1 */
 	int running;  /* the transition under way, or -1 */
-	double phase; /* in marks */
+	double phase; /* of all clips with marks, counted in marks */
 	float done;   /* fraction of the clip, 0..1 */
-	int loops;    /* ends of the clip that have passed */
+	int loops;    /* how often the clip's end has been passed */
 	bool fresh;   /* the state began in this frame */
-	bool in_row;  /* at its end the next state of the file follows */
+	bool in_row;  /* all states play in the order of the file */
 };
 
 /* See run/feet.h and run/effects.h. */
@@ -211,7 +237,10 @@ struct character_feet;
 struct character_cape;
 struct character_shake;
 
-/* A switch that fades, which layers and effects begin with. */
+/*
+ * A switch that fades. The structs of layers, expressions and effects begin
+ * with one.
+ */
 struct character_switch {
 	const char *name;
 	const char *kind;
@@ -222,7 +251,7 @@ struct character_switch {
 
 	/* Changes: */
 	bool is_on;
-	float level; /* 0..1, of the fade */
+	float level; /* of the fade, 0 (off) to 1 (on) */
 	float now;   /* eased level times *weight */
 };
 
@@ -232,9 +261,11 @@ enum character_stage {
 	CHARACTER_STAGE_MORPH,
 	CHARACTER_STAGE_SEQUENCE,
 	CHARACTER_STAGE_PART,
-	CHARACTER_STAGE_BONE,  /* changes bones by the pose alone */
-	CHARACTER_STAGE_WORLD, /* reads world matrices and from here on
-				  operations leave them up to date */
+	CHARACTER_STAGE_BONE, /* changes bones by the pose alone */
+	/*
+	 * operations from here on read world matrices and leave them up to date
+	 */
+	CHARACTER_STAGE_WORLD,
 	CHARACTER_STAGE_ATTACHED,
 	CHARACTER_STAGE_CLOTH,
 };
@@ -253,8 +284,11 @@ struct character_layer {
 	struct character_entry entry;
 	const float *rate;
 	bool additive;
-	bool once;   /* plays when an action says so, and fades at its ends */
-	float *mask; /* [node_count], or NULL */
+	/*
+	 * plays when an action says so, and fades in and out at the clip's ends
+	 */
+	bool once;
+	float *mask;           /* [node_count], or NULL */
 	struct pose reference; /* of an additive layer: the clip's start */
 
 	/* Changes: */
@@ -273,7 +307,8 @@ struct character_expression {
 struct character_target {
 	const char *name;
 	const float *place[3]; /* metres */
-	int node;              /* its origin is the point, or -1 */
+	/* the place is counted from its origin; -1: from the world's */
+	int node;
 	bool is_camera;
 	float radius_m; /* of the ball that shows it; 0: nothing */
 	float color[3];
@@ -281,7 +316,8 @@ struct character_target {
 
 	/* Changes: */
 	float point[3];
-	bool used; /* by an effect that is switched on */
+	/* an effect that is switched on uses it, or it has no users */
+	bool used;
 };
 
 /* What a press of buttons does. */
@@ -300,7 +336,8 @@ struct character_binding {
 	enum character_gesture gesture;
 	const char *label; /* what it does, for people */
 	const struct character_action *action;
-	const struct character_action *after; /* of CHARACTER_HOLD, at its end */
+	/* of CHARACTER_HOLD: undoes the actions at the release */
+	const struct character_action *after;
 	struct character_binding *next;
 };
 
@@ -310,13 +347,13 @@ enum {
 };
 
 struct character_button {
-	bool joins; /* in some CHARACTER_TOGETHER */
+	bool joins; /* some CHARACTER_TOGETHER has it */
 	bool has_long;
 
 	/* Changes: */
 	bool down;
 	bool pending; /* the press waits for another button, or for its end */
-	bool used;    /* it was a long press or two together */
+	bool used; /* this press was taken by a long press or by two together */
 	double since_s;
 };
 
@@ -336,7 +373,7 @@ enum {
 struct character_output {
 	const char *name;
 	const char *line; /* as --buttons names one: gpiochip0/18 */
-	const char *file; /* that says so, in this line */
+	const char *file; /* the character file that names it, in line number */
 	int number;
 
 	/* Changes: */
@@ -363,20 +400,26 @@ struct character_scene {
 
 /* How the ground moves under the character. */
 struct character_motion {
-	int root;           /* its translation moves the ground, or -1 */
-	int foot[2];        /* they keep to the ground, or -1 */
+	/* the node whose translation carries the figure away, or -1 */
+	int root;
+	/* nodes that the ground follows while they stand on it, or -1 */
+	int foot[2];
 	const float *speed; /* or NULL */
-	bool by_clips;      /* what their lowest vertices do moves it */
-	float low_m[2];     /* the feet's lowest heights in the clips */
-	float near_m;       /* a foot below low_m + near_m is planted */
-	float height_m;     /* of the skeleton at rest */
+	/* the ground moves as the lowest vertices of each clip do */
+	bool by_clips;
+	float low_m[2]; /* the feet's lowest heights in the clips */
+	float near_m;   /* a foot below low_m + near_m is planted */
+	float height_m; /* of the skeleton at rest */
 
 	/* Changes: */
-	float before[2][3]; /* where the feet were */
+	/* the feet's places in the last frame, valid if begun is true */
+	float before[2][3];
 	bool begun;
-	float scroll[2];   /* of the ground in this frame, along x and z */
-	float velocity[2]; /* of the ground, metres a second */
-	int planted;       /* the foot on the ground, or -1 */
+	/* how far the figure goes over the ground in this frame, x and z */
+	float scroll[2];
+	/* of the figure over the ground, m/s along x and z */
+	float velocity[2];
+	int planted; /* the foot on the ground, or -1 */
 };
 
 enum {
@@ -416,7 +459,8 @@ struct character {
 	struct character_button button[BUTTON_COUNT];
 	struct character_scene scene;
 	struct character_motion motion;
-	enum clip_interpolation interpolation; /* of all clips */
+	enum clip_interpolation interpolation; /* of the keys of all clips */
+	/* scratch: for the clips of additive layers; still: the rest pose */
 	struct pose scratch, still;
 	float ground_m; /* the height of level ground */
 	/* The height of the ground above that; NULL: it is level. */
@@ -424,22 +468,22 @@ struct character {
 	void *ground_user;
 
 	/* Changes: */
-	double seen_s;  /* of the last frame */
+	double seen_s;  /* the time of the last frame */
 	double now_s;   /* without pauses */
 	float real_s;   /* since the last frame */
 	float step_s;   /* the same, or 0 while paused */
-	double exact_s; /* the same, for sums over months */
+	double exact_s; /* the same as a double, for sums over months */
 	float motion_level;
 	float eye[3];
 	float camera_turn, camera_tilt, camera_zoom; /* in this frame */
 	bool paused, touring, labels_hidden, keys_shown;
-	bool seen_triggers; /* in an earlier frame */
+	bool seen_triggers; /* triggers were compared in an earlier frame */
 	double tour_from_s;
 	const struct character_tour *tour_next;
 	int pending_count;
 	struct {
 		const struct character_action *action;
-		float times; /* a share of the amount */
+		float times; /* a factor for the action's amount */
 	} pending[CHARACTER_PENDING_MAX];
 };
 

@@ -26,7 +26,10 @@ struct character_curve {
 	const char *name; /* for people */
 	int table_count;
 	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
-	/* Of the sine: displacement, and the way a wave of it runs. */
+	/*
+	 * Of the sine: the displacement, and how it runs through the shape as a
+	 * wave.
+	 */
 	struct morph_wave wave;
 };
 
@@ -40,18 +43,20 @@ struct character_morph {
 	struct morph_key *key; /* [key_count]: weights in groups of three */
 	const char **key_name; /* [key_count] */
 	float duration_s;
-	int frame_count; /* by frames, over so many */
+	int frame_count; /* frames that a morph takes if it goes by frames */
 	int curve_count;
 	struct character_curve curve[CHARACTER_CURVES_MAX];
 	struct bend_neck neck; /* above which the shape turns */
 	const float *turn_deg; /* or NULL */
-	const float *weight;   /* of all of it */
-	struct bend bend;      /* without parts the sine moves the node */
+	const float *weight;   /* how much of the morph is shown, 0..1 */
+	/* without parts, a sine moves the node instead of the vertices */
+	struct bend bend;
 
 	/* Changes: */
 	struct morph morph; /* of the weights */
+	/* keys: the one that the morph goes to, and the destiny before that */
 	int destiny, before;
-	int chosen; /* of the curves */
+	int chosen; /* index in curve */
 	bool by_frames;
 	float pace;
 };

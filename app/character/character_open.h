@@ -17,8 +17,8 @@ struct character_request {
 };
 
 /*
- * Writes the path of the character file. False if there is none; with a clip a
- * model plays without the file beside it.
+ * Writes the path of the character file. Returns false if there is none. If the
+ * request names a clip, the file beside the model is not used.
  */
 bool character_open_path(
 	const struct character_request *request, char *path, size_t size);
@@ -33,8 +33,8 @@ int character_open(const struct character_request *request,
 	struct character **out);
 
 /*
- * A number that changes when files of the character change, or when the model
- * gets one; 0 without a file.
+ * Returns a number that changes when files of the character change, or when a
+ * file appears beside a model that had none; 0 without a file.
  */
 uint64_t character_open_stamp(const struct character_request *request,
 	const struct character *character);

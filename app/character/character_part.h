@@ -24,11 +24,12 @@ enum {
 
 struct character_freedom {
 	float start, low, high;
-	float speed; /* a second, for move */
+	float speed; /* degrees or metres a second, for the action move */
 	bool given;
 
 	/* Changes: */
-	float value, moved; /* moved: asked for in this frame */
+	/* moved: the change that actions ask for in this frame */
+	float value, moved;
 };
 
 enum {
@@ -46,7 +47,7 @@ struct character_guard {
 	float from[3], to[3];
 };
 
-/* A rigid part on a pivot: degrees and metres. */
+/* A rigid part on a pivot. Its freedoms are in degrees and metres. */
 struct character_part {
 	const char *name;
 	int node;
@@ -64,19 +65,26 @@ struct character_part {
 	float top[CHARACTER_TOPS_MAX][5];
 
 	/* Changes: */
-	int holder;   /* the node it is attached to, -1 or CHARACTER_GROUND */
-	float rest_m; /* the pivot's height in the model */
-	struct transform held;      /* where, in the holder's frame */
-	float pull[3], pull_s;      /* from there, and how long until it is 0 */
-	float fall_m, fall_m_per_s; /* how far it is above that, and falling */
+	/*
+	 * the node it is attached to, CHARACTER_GROUND, or -1: its place in the
+	 * model
+	 */
+	int holder;
+	float rest_m;          /* the pivot's height in the model */
+	struct transform held; /* its place in the holder's frame */
+	/* offset from held at first, and the seconds until it is 0 */
+	float pull[3], pull_s;
+	/* height above held, and the speed of its fall */
+	float fall_m, fall_m_per_s;
 };
 
-/* A step of a sequence: values that parts reach. */
+/* A value that a part's freedom reaches at the end of a step of a sequence. */
 struct character_goal {
 	int part, freedom;
 	float value;
 
 	/* Changes: */
+	/* the value at the step's start */
 	float from;
 	struct character_goal *next;
 };

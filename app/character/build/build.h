@@ -43,7 +43,10 @@ struct character_key {
 	const char *right;         /* an example of a right value */
 };
 
-/* 0, or -EINVAL after logging that an earlier line of the file has this key. */
+/*
+ * Returns 0, or -EINVAL after logging that an earlier line of the same file has
+ * this key.
+ */
 int character_check_once(
 	const struct character_section *section, struct character_words *words);
 
@@ -55,11 +58,16 @@ int character_read_section(struct character_build *build,
 	const struct character_section *section,
 	const struct character_key *keys, void *out);
 
-/* A kind of section of which each one has a struct of this size. */
+/*
+ * A kind of section, and the size of the struct that each of them is read into.
+ */
 struct character_kind {
 	const char *name;
 	size_t size;
-	/* Reads one section; the struct is all zero. 0, or -errno. */
+	/*
+	 * Reads one section into its struct, which is all zero. Returns 0 or
+	 * -errno.
+	 */
 	int (*read)(struct character_build *build,
 		const struct character_section *section, void *one);
 };
@@ -67,7 +75,7 @@ struct character_kind {
 /*
  * Makes an array of all sections of a kind. *count becomes their number and
  * *(TYPE **)array their structs, both before the first one is read, so that a
- * section may name any other one. 0, or -errno after logging an error.
+ * section may name any other one. Returns 0, or -errno after logging an error.
  */
 int character_read_kind(struct character_build *build,
 	const struct character_kind *kind, int *count, void *array);
@@ -92,19 +100,25 @@ int character_fail_missing(struct character_build *build,
 int character_fail_value(
 	const struct character_words *words, const struct character_key *key);
 
-/* The next word, or NULL at the end of the line or before a comma. */
+/*
+ * Takes the next word. Returns NULL at the end of the line or before a comma.
+ */
 const char *character_next_word(struct character_words *words);
+/* Returns true if the next word, not in quotes, is this one. */
 bool character_next_is(const struct character_words *words, const char *word);
 
 /* Takes the word if it is the next one. */
 bool character_take(struct character_words *words, const char *word);
 
-/* Whether all words of the line have been read. */
+/* Returns true if all words of the line have been taken. */
 bool character_at_end(const struct character_words *words);
 
-/* Reads a finite number; false, with nothing read, for another word. */
+/*
+ * Takes a number between -1e9 and 1e9; returns false, and takes nothing, for
+ * any other word.
+ */
 bool character_take_number(struct character_words *words, float *out);
-/* The same; a number outside of low .. high is left where it is. */
+/* The same, but a number outside of low..high is not taken either. */
 bool character_take_within(
 	struct character_words *words, float low, float high, float *out);
 
@@ -157,10 +171,13 @@ struct ik_limb;
 int character_read_limb(struct character_words *words,
 	const struct character_key *key, struct ik_limb *limb);
 
-/* Whether a node is the one at the top or below it. */
+/* Returns true if a node is the one at the top or one of its descendants. */
 bool character_is_below(const struct model *model, int node, int top);
 
-/* Reads the name of one of a parameter's choices; false for another word. */
+/*
+ * Takes the name of one of a parameter's choices and stores its value; returns
+ * false for any other word.
+ */
 bool character_take_choice(struct character_words *words,
 	const struct character_parameter *parameter, float *out);
 
@@ -174,7 +191,10 @@ int character_name_target(struct character_words *words, int node);
 int character_name_section(struct character_words *words, const char *kind);
 int character_name_state(struct character_words *words);
 
-/* Finds a name of a section's heading by one of these; key is for errors. */
+/*
+ * Looks up a name of a section's heading by one of the functions above; key
+ * stands in error messages.
+ */
 int character_name_in_heading(struct character_build *build,
 	const struct character_section *section, const char *key,
 	const char *name, int (*find)(struct character_words *words));
@@ -185,10 +205,12 @@ int character_name_in_heading(struct character_build *build,
  */
 int character_read_freedom(struct character_words *words, int *part);
 
-/* The index of a switch by its section's name, or -1 without an error. */
+/*
+ * Returns the index of a switch by its section's name, or -1 without an error.
+ */
 int character_find_switch(const struct character_build *build, const char *name);
 
-/* The model's own name for a name of the file. */
+/* Returns the model's own name for a name of the file, see [names]. */
 const char *character_own_name(
 	const struct character_build *build, const char *name);
 
@@ -227,7 +249,10 @@ int character_build_sequences(struct character_build *build);
 int character_build_scene(struct character_build *build);
 int character_build_buttons(struct character_build *build);
 
-/* Adds an operation; the list has room for all sections of the text. */
+/*
+ * Adds an operation at the end of its stage. The list has room for one
+ * operation for each section of the text.
+ */
 void character_add_op(struct character_build *build, enum character_stage stage,
 	void (*run)(struct character *character, void *what), void *what);
 
@@ -241,11 +266,14 @@ int character_add_switch(struct character_build *build,
 /* Sets all switches to what their sections say. */
 void character_start_switches(struct character *character);
 
-/* A direction of the model at rest, in the frame of a bone; unit length. */
+/* Converts a direction of the model at rest to the frame of a bone at rest. */
 void character_to_bone(const struct character_build *build, int node,
 	const float direction[3], float out[3]);
 
-/* Makes an entry of a clip, an index or -2 for the rest pose. 0 or -ENOMEM. */
+/*
+ * Initialises an entry with a clip, an index or -2 for the rest pose. Returns 0
+ * or -ENOMEM.
+ */
 int character_init_entry(
 	struct character_build *build, int clip, struct character_entry *entry);
 

@@ -69,7 +69,7 @@ static int read_gesture(struct character_words *words,
 		: 0;
 }
 
-/* The opposite of an action that lasts while a button is held. */
+/* Adds the action that undoes one which lasts while a button is held. */
 static int add_after(struct character_words *words,
 	const struct character_action *action, struct character_action **after)
 {
@@ -112,7 +112,7 @@ static const char *make_label(struct character_words *words)
 	return arena_strdup(words->build->arena, text);
 }
 
-/* Motion goes on as long as the button is down. */
+/* Returns true if an action moves something as long as the button is down. */
 static bool moves(const struct character_action *action)
 {
 	while (action && action->verb != CHARACTER_MOVE &&
@@ -230,7 +230,10 @@ static int read_common(struct character_build *build,
 	return error;
 }
 
-/* Whether a file that includes this one says something else. */
+/*
+ * Returns true if a later line, of a file that includes this one, has the same
+ * key.
+ */
 static bool is_replaced(const struct character_line *line)
 {
 	const struct character_line *later = line->next;

@@ -69,7 +69,7 @@ static const struct character_key keys[] = {
 	{0},
 };
 
-/* The world positions of the nodes at a time of the clip. */
+/* Poses the nodes as they are at a fraction of the clip. */
 static void pose_at(const struct character_build *build,
 	const struct character_clip *clip, float fraction)
 {
@@ -90,7 +90,7 @@ static void copy_position(
 		sizeof(float[3]));
 }
 
-/* A level way in the world, as the node's translation has it. */
+/* Converts a level way in the world to the frame of the node's translation. */
 static void level_to_local(const struct character_build *build, int node,
 	const float way[2], float out[3])
 {
@@ -108,7 +108,9 @@ static void level_to_local(const struct character_build *build, int node,
 	}
 }
 
-/* How far the root goes over the ground, from the clip's start to its end. */
+/*
+ * Finds how far the root goes over the ground from the clip's start to its end.
+ */
 static void find_travel(const struct character_build *build, int root,
 	struct character_clip *clip)
 {
@@ -136,7 +138,9 @@ static bool is_same_way(const float a[2], const float b[2])
 	return x * x + z * z < 1e-3f * (b[0] * b[0] + b[1] * b[1]);
 }
 
-/* The uppermost node that carries the whole figure as far as it goes, or -1. */
+/*
+ * Returns the uppermost node that goes as far as the whole figure does, or -1.
+ */
 static int find_carrier(const struct character_build *build,
 	const struct character_clip *clip, const float drift[2])
 {
@@ -159,8 +163,8 @@ static int find_carrier(const struct character_build *build,
 }
 
 /*
- * How fast the ground goes under a clip, by the vertices that touch it. A clip
- * that walks away stays in its place, and the ground moves instead.
+ * Finds how fast a clip goes over the ground, by the vertices that touch it. A
+ * clip that walks away stays in its place, and the ground moves instead.
  */
 static void find_gait(const struct character_build *build,
 	const struct gait *gait, struct character_clip *clip)
@@ -199,7 +203,7 @@ static void find_gaits(const struct character_build *build)
 	}
 }
 
-/* How far the first foot is ahead of the second one, along x and z. */
+/* Samples how far the first foot is ahead of the second one, along x and z. */
 static void sample_feet(const struct character_build *build,
 	const struct character_clip *clip, float ahead[CHARACTER_SAMPLES][2])
 {
@@ -220,7 +224,10 @@ static void sample_feet(const struct character_build *build,
 	}
 }
 
-/* The samples where the value is least and largest. */
+/*
+ * Finds the samples where the value is least and largest; returns the
+ * difference.
+ */
 static float find_extremes(
 	float ahead[CHARACTER_SAMPLES][2], int axis, int *least, int *most)
 {
@@ -266,7 +273,7 @@ static void find_steps(
 	}
 }
 
-/* How high the lower sole is during the clip. */
+/* Samples the height of the lower sole during the clip. */
 static int find_soles(struct character_build *build, struct character_clip *clip)
 {
 	struct character *character = build->character;
@@ -286,7 +293,7 @@ static int find_soles(struct character_build *build, struct character_clip *clip
 	return 0;
 }
 
-/* All clips of the model, then the rest pose. */
+/* The list holds all clips of the model and, at its end, the rest pose. */
 int character_build_clip_list(struct character_build *build)
 {
 	struct character *character = build->character;

@@ -162,7 +162,7 @@ static int read_spring_bones(struct character_words *words,
 	return 0;
 }
 
-/* body = NODE NODE RADIUS: a capsule that the bones do not enter. */
+/* body = NODE NODE RADIUS [X Y Z]: a capsule that the bones do not enter. */
 static int read_body(struct character_words *words,
 	const struct character_key *key, void *member)
 {

@@ -6,9 +6,9 @@
 #include <string.h>
 
 /*
- * A sole is flat in the middle and rises at its edge. Of the flat part of each
- * bone and of two lines around the foot the outermost points are kept. Each is
- * bounded by a height above the lowest vertex, in heights of the figure.
+ * A sole is flat in the middle and rises at its edge. The outermost points are
+ * kept of the flat part of each bone and of two lines around the foot. A ring
+ * takes vertices up to a height above the lowest one, in heights of the figure.
  */
 struct ring {
 	float height;
@@ -23,7 +23,10 @@ static const struct ring rings[] = {
 static const float direction[8][2] = {
 	{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
-/* A sole is on the ground below this height. */
+/*
+ * Points of a sole below this height, in heights of the figure, are on the
+ * ground.
+ */
 static const float planted_height = 0.002f;
 
 static int read_leg(struct character_words *words,
@@ -45,13 +48,17 @@ static const struct character_key keys[] = {
 	{0},
 };
 
-/* What takes each vertex of a foot, at rest. */
+/* A visit of all vertices of a foot in the rest pose. */
 struct visit {
 	const struct character_build *build;
 	struct character_foot *foot;
-	float below; /* only lower vertices are taken; and what is lowest */
+	/*
+	 * take_lowest(): the least height so far; take_sole(): the greatest
+	 * height of a vertex that is taken
+	 */
+	float below;
 	const struct ring *ring;
-	int first; /* of the ring's points */
+	int first; /* index of the ring's first point in foot->sole */
 	void (*take)(struct visit *visit, const struct character_sole *sole,
 		const float place[3]);
 };
@@ -64,7 +71,7 @@ static void visit_vertex(struct visit *visit, const struct character_sole *sole)
 	visit->take(visit, sole, place);
 }
 
-/* Whether a node moves with the foot that is visited. */
+/* Returns true if a node moves with the foot that is visited. */
 static bool is_of_foot(const struct visit *visit, int node)
 {
 	return character_is_below(
@@ -109,7 +116,7 @@ static void take_lowest(struct visit *visit, const struct character_sole *sole,
 	visit->below = place[1] < visit->below ? place[1] : visit->below;
 }
 
-/* How far a place of the sole is in a direction. */
+/* Returns how far a place of the sole is in a direction. */
 static float towards(const float place[3], int which)
 {
 	return place[0] * direction[which][0] + place[2] * direction[which][1];
@@ -143,7 +150,9 @@ static void take_sole(struct visit *visit, const struct character_sole *sole,
 	foot->sole_count = i > foot->sole_count ? i : foot->sole_count;
 }
 
-/* A vertex may be the outermost one in several directions. */
+/*
+ * Drops equal points: a vertex may be the outermost one in several directions.
+ */
 static void drop_twins(struct character_foot *foot)
 {
 	int count = 0;
@@ -165,7 +174,7 @@ static void drop_twins(struct character_foot *foot)
 	foot->sole_count = count;
 }
 
-/* The points that are farthest back and farthest ahead. */
+/* Finds the points that are farthest back and farthest ahead. */
 static void find_ends(struct character_foot *foot)
 {
 	for (int i = 0; i < foot->sole_count; i++) {

@@ -10,7 +10,10 @@ enum {
 	MASKS_MAX = 32
 };
 
-/* What a layer's section says, of which masks and clip are made later. */
+/*
+ * What a layer's section says; the layer's mask and entry are made from it
+ * later.
+ */
 struct draft {
 	struct character_layer layer;
 	int clip; /* -1: none was given */
@@ -30,7 +33,10 @@ static int read_clip(struct character_words *words,
 	return *(int *)member == -1 ? -EINVAL : 0;
 }
 
-/* Whether node is below, or is, the one at the top; and by how many levels. */
+/*
+ * Returns true if node is the one at the top or below it, and by how many
+ * levels.
+ */
 static bool is_below(const struct model *model, int node, int top, int *levels)
 {
 	*levels = 0;
@@ -41,7 +47,10 @@ static bool is_below(const struct model *model, int node, int top, int *levels)
 	return node == top;
 }
 
-/* Nodes below the top get the weight, the first ones a part of it. */
+/*
+ * Gives the weight to the top node and all below it; the first soft levels get
+ * a growing part of it.
+ */
 static void mask_subtree(
 	float *mask, const struct model *model, int top, float weight, int soft)
 {
@@ -138,7 +147,9 @@ static int make_mask(struct character_build *build, const struct draft *draft,
 	return 0;
 }
 
-/* The pose whose difference to the clip an additive layer adds. */
+/*
+ * Makes the pose from which an additive layer's clip differs by what is added.
+ */
 static int make_reference(
 	struct character_build *build, struct character_layer *layer)
 {
@@ -193,8 +204,8 @@ static int read_layer(struct character_build *build,
 }
 
 /*
- * What a layer mixes: whatever some clip changes. The rest is at rest, in the
- * pose and in the layer's clip.
+ * Finds what layers have to mix: whatever some clip changes. All else has its
+ * rest value, both in the pose and in the layer's clip.
  */
 static int find_paths(struct character_build *build)
 {

@@ -153,13 +153,15 @@ int character_build_expressions(struct character_build *build)
 		&build->character->expression);
 }
 
-/* The morph's loops take weights in groups of three. */
+/*
+ * Returns the number of groups of three weights, which the morph's loops take.
+ */
 static int triples(const struct character_morph *morph)
 {
 	return (morph->target_count + 2) / 3;
 }
 
-/* The weight of a target in the last key frame. */
+/* Returns the address of a target's weight in the last key frame. */
 static float *last_weight(const struct character_morph *morph, int target)
 {
 	const struct morph_key *key = &morph->key[morph->key_count - 1];
@@ -282,7 +284,7 @@ static int take_memory(
 	return morph->key && morph->key_name ? 0 : character_fail_memory(build);
 }
 
-/* With both given, a morph begins over time. */
+/* Returns true if the section has a line with this key. */
 static bool has_key(const struct character_section *section, const char *key)
 {
 	const struct character_line *line = section->first;
@@ -356,6 +358,7 @@ static int read_morph(struct character_build *build,
 		error = init_bend(build, morph);
 	}
 	if (!error) {
+		/* With both keys, a morph begins over time. */
 		morph->by_frames =
 			has_key(section, "frames") && !has_key(section, "time");
 		error = morph_init(&morph->morph, triples(morph), morph->key[0],

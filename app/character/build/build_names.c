@@ -23,7 +23,9 @@ const char *character_own_name(
 	return name;
 }
 
-/* Fails because nothing has the name; the list names what there is. */
+/*
+ * Fails because nothing has the name; the list holds the names that there are.
+ */
 static int fail_name(struct character_words *words, const char *name,
 	const char *what, const struct name_list *list)
 {
@@ -280,7 +282,9 @@ int character_build_names(struct character_build *build)
 	}
 	character->switches = ARENA_ARRAY(build->arena,
 		struct character_switch *, (size_t)character->switch_count);
-	/* Two more than sections: for all parts and for those attached. */
+	/*
+	 * Two more than sections: one for all parts, one for the attached ones.
+	 */
 	character->op =
 		ARENA_ARRAY(build->arena, struct character_op, sections + 2);
 	return character->switches && character->op
@@ -288,7 +292,10 @@ int character_build_names(struct character_build *build)
 		: character_fail_memory(build);
 }
 
-/* Operations run by stages, and in the order of the file within one. */
+/*
+ * Operations run by stages, and within a stage in the order in which they were
+ * added.
+ */
 void character_add_op(struct character_build *build, enum character_stage stage,
 	void (*run)(struct character *character, void *what), void *what)
 {
@@ -302,7 +309,7 @@ void character_add_op(struct character_build *build, enum character_stage stage,
 		(struct character_op){.stage = stage, .run = run, .what = what};
 }
 
-/* The world matrices are those of the rest pose. */
+/* The world matrices must be those of the rest pose. */
 void character_to_bone(const struct character_build *build, int node,
 	const float direction[3], float out[3])
 {

@@ -4,7 +4,7 @@
 
 static const float not_given = 1e30f;
 
-/* A part's freedom or another parameter, which the parameter follows. */
+/* Reads what the parameter follows: a part's freedom or another parameter. */
 static int read_other(
 	struct character_words *words, struct character_parameter *parameter)
 {

@@ -61,7 +61,7 @@ static int fail_key(
 		list.text);
 }
 
-/* Keys whose lines add to each other. */
+/* Returns true for keys whose lines add to each other. */
 static bool may_repeat(const struct character_key *key)
 {
 	static const char *const names[] = {"body", "bone", "curve",
@@ -77,8 +77,8 @@ static bool may_repeat(const struct character_key *key)
 }
 
 /*
- * A line that an earlier one of the same file contradicts. One of another file
- * replaces what the included file says.
+ * Returns the earlier line of the same file that has the same key, or NULL. A
+ * line of another file is no error: it replaces what the included file says.
  */
 static const struct character_line *find_twin(
 	const struct character_section *section,
@@ -300,7 +300,7 @@ int character_read_switch(struct character_words *words,
 		: character_fail_value(words, key);
 }
 
-/* label = yes or no: the member is set by no. */
+/* label = yes or no; the member becomes true for no. */
 int character_read_unlabelled(struct character_words *words,
 	const struct character_key *key, void *member)
 {

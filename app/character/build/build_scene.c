@@ -121,7 +121,10 @@ int character_build_targets(struct character_build *build)
 		&build->character->target_count, &build->character->target);
 }
 
-/* Says what is wrong with a line in the words of the buttons' driver. */
+/*
+ * The GPIO driver checks the line; its message is dropped, because the one here
+ * names the file and the key.
+ */
 static int read_gpio_line(struct character_words *words,
 	const struct character_key *key, void *member)
 {

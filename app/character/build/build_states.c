@@ -121,7 +121,7 @@ static const struct character_key keys[] = {
 	{0},
 };
 
-/* Members whose values are those of character_state.repeat. */
+/* An index in repeats[] is stored in character_state.repeat. */
 _Static_assert(CLIP_ONCE == 0 && CLIP_LOOP == 1 && CLIP_PING_PONG == 2,
 	"repeats[] has the order of enum clip_repeat");
 
@@ -225,7 +225,9 @@ static int read_transition(struct character_build *build,
 	return error;
 }
 
-/* Sorted by falling priority; equal ones keep the order of the file. */
+/*
+ * Sorts transitions by falling priority; equal ones keep the order of the file.
+ */
 static int build_transitions(struct character_build *build)
 {
 	struct character_machine *machine = &build->character->machine;
@@ -282,7 +284,7 @@ static int build_state(struct character_build *build,
 	return error;
 }
 
-/* What may differ between the clips of a state, which alone is mixed. */
+/* Finds what the clips of a state change: only that has to be mixed. */
 static int find_paths(
 	struct character_build *build, struct character_state *state)
 {

@@ -6,15 +6,21 @@
 #include <string.h>
 
 enum {
-	POSES_MAX = 200, /* of all clips together, if there are few */
+	/* samples of all clips together, if there are few clips */
+	POSES_MAX = 200,
 	STEPS_LEAST = 6
 };
 
-/* Of the figure's height: what is lower touches the ground. */
+/*
+ * Points below this height, as a part of the figure's height, touch the ground.
+ */
 static const float touching = 0.03f;
-/* A figure that its clip carries less far, in heights, moves on the spot. */
+/*
+ * A figure that its clip carries less far than this, in heights, moves on the
+ * spot.
+ */
 static const float on_the_spot = 0.15f;
-/* Slower figures, in their own lengths a second, stand. */
+/* Figures that are slower than this, in their own lengths a second, stand. */
 static const float standing = 0.12f;
 /* tan() of the angle to an axis up to which a clip goes along it. */
 static const float straight = 0.2f;
@@ -100,7 +106,10 @@ static void take(const struct gait_body *body, struct instance *instance,
 	}
 }
 
-/* The point that is lowest at both times, and its higher height of the two. */
+/*
+ * Returns the point that is lowest, measured by the greater of its heights at
+ * both times, which becomes *height.
+ */
 static int lowest(int count, const struct sample *a, const struct sample *b,
 	float *height)
 {
@@ -117,7 +126,10 @@ static int lowest(int count, const struct sample *a, const struct sample *b,
 	return found;
 }
 
-/* The steps of the points that touch the ground; sum[2] counts them. */
+/*
+ * Adds the way of the lowest point from a to b if it touches the ground. sum[0]
+ * and sum[1] are along x and z; sum[2] counts.
+ */
 static void add_step(int count, const struct sample *a, const struct sample *b,
 	float ground, float sum[3])
 {
@@ -143,7 +155,10 @@ static float extent_of(const struct sample *sample)
 	return extent;
 }
 
-/* Leaves out what is too slow, or too little aside. */
+/*
+ * Sets a velocity below least to 0, and a component that is small beside the
+ * other one.
+ */
 static void straighten(float velocity[2], float least)
 {
 	float x = scalar_abs(velocity[0]), z = scalar_abs(velocity[1]);

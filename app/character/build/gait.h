@@ -19,25 +19,33 @@ struct gait_body {
 
 /* All in metres, along x and z. */
 struct gait {
-	/* Of the figure over the ground, a second; 0 0 for one that stands. */
+	/*
+	 * Of the figure over the ground, metres a second; 0 0 for a figure that
+	 * stands.
+	 */
 	float velocity[2];
 	/*
 	 * How far the clip itself carries the figure from its start to its end;
-	 * 0 0 for one on the spot.
+	 * 0 0 for a clip on the spot.
 	 */
 	float drift[2];
 };
 
+/* Chooses at most GAIT_POINTS_MAX vertices of the model. */
 void gait_body_make(struct gait_body *body, const struct model *model);
 
-/* Returns in how many steps to measure each of so many clips. */
+/*
+ * Returns the number of steps in which to measure each clip of a model that has
+ * this many.
+ */
 int gait_steps_for(int clip_count);
 
 /*
- * Measures a clip at steps + 1 times. Where the lowest points stand on the
- * ground, the figure moves against them. A direction near to an axis is that
- * axis. Changes the instance's pose and its nodes. A clip below 0, or without a
- * duration, stands.
+ * Measures a clip at steps + 1 times. Points that touch the ground stand still
+ * on it, so the figure moves opposite to their motion in the clip. A direction
+ * close to an axis is replaced by that axis. Changes the instance's pose and
+ * world matrices. The result is all zero for a clip below 0 or without a
+ * duration.
  */
 struct gait gait_measure(const struct gait_body *body,
 	struct instance *instance, int clip, int steps);

@@ -9,10 +9,13 @@
 #include <string.h>
 
 enum {
-	CLIPS_MAX = 16 /* that are measured */
+	CLIPS_MAX = 16 /* clips that are measured at most */
 };
 
-/* A speed that the file gives counts if the clip's own one is near it. */
+/*
+ * A speed that the file gives is used if it differs from the measured one by at
+ * most this factor.
+ */
 static const float near_factor = 1.5f;
 
 static const char *const role_names[MOTION_ROLES][4] = {
@@ -55,7 +58,9 @@ static bool contains(const char *text, const char *word)
 	return false;
 }
 
-/* The clip with the role's name, or one whose name contains it, or -1. */
+/*
+ * Returns the clip with the role's name, or one whose name contains it, or -1.
+ */
 static int find_named(const struct model *model, enum motion_role role)
 {
 	for (int i = 0; i < 4 && role_names[role][i]; i++) {
@@ -78,7 +83,10 @@ struct saying {
 	float speed;
 };
 
-/* Entries of a blend are sorted: the slowest clip is the first. */
+/*
+ * Finds the roles' clips in a blend over the speed. Its entries are sorted, the
+ * slowest one first.
+ */
 static void read_blend(const struct character_state *state,
 	const struct model *model, struct saying say[MOTION_ROLES])
 {
@@ -151,7 +159,7 @@ static bool is_livelier(const struct model *model, int clip, int other)
 			model->clip[clip].duration_s > 0.0f);
 }
 
-/* Roles for which neither the file nor a name has a clip. */
+/* Fills roles for which neither the file nor a name has a clip. */
 static void choose_by_speed(struct instance *instance,
 	const struct gait_body *body, int steps, struct motions *out)
 {

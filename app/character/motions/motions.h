@@ -3,8 +3,8 @@
  * and the bones that it shakes.
  *
  * The model's character file says so: by a state that blends clips over a
- * speed, and by [shake] sections. Without one the clips' names tell, and what
- * their lowest vertices do on the ground.
+ * speed, and by [shake] sections. Without a file, the clips' names tell, and
+ * the motion of their lowest vertices over the ground.
  */
 #ifndef APP_CHARACTER_MOTIONS_MOTIONS_H
 #define APP_CHARACTER_MOTIONS_MOTIONS_H
@@ -26,15 +26,16 @@ enum {
 /* A clip and where it goes. Lengths are in scene units. */
 struct motion {
 	int clip;         /* -1: the rest pose */
-	float speed;      /* over the ground, a second */
+	float speed;      /* over the ground, units a second */
 	float facing_rad; /* where it goes: 0 is +Z, to +X */
-	float drift[2];   /* x and z that the clip itself moves the figure */
+	float drift[2]; /* x and z, how far the clip itself moves the figure */
 };
 
 /* A model without a clip for a role has that of the next best one. */
 struct motions {
 	struct motion role[MOTION_ROLES];
-	int bone[MOTION_BONES_MAX]; /* that the character file shakes */
+	/* [bone_count], nodes that the character file shakes */
+	int bone[MOTION_BONES_MAX];
 	int bone_count;
 };
 
@@ -47,13 +48,16 @@ int motions_find(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct motions *out);
 
 /*
- * The box of the figure in this motion, in scene units, without what the clip
- * itself moves it.
+ * Returns the box of the figure in this motion, in scene units, without
+ * motion->drift.
  */
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion);
 
-/* What motion->drift adds at this time of the clip, x and z. */
+/*
+ * Computes how far motion->drift has moved the figure at this time of the clip,
+ * x and z.
+ */
 void motion_drift_at(const struct motion *motion, const struct model *model,
 	float time_s, float out[2]);
 

@@ -19,7 +19,7 @@ static struct capsule_at capsule_of(const struct character *character,
 	return out;
 }
 
-/* Whether the part is attached to the node or to the parent of the node. */
+/* Returns true if the part is attached to the node or to the node's parent. */
 static bool is_held_by(
 	const struct model *model, const struct character_part *part, int node)
 {
@@ -29,8 +29,8 @@ static bool is_held_by(
 }
 
 /*
- * Parts that share a joint may touch there, and a part touches its holder and
- * the fingers of that.
+ * Parts that share a joint may touch there, and a part may touch its holder and
+ * the holder's children, such as fingers.
  */
 static bool may_touch(const struct model *model, const struct character_part *a,
 	const struct character_part *b)

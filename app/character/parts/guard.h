@@ -7,9 +7,10 @@
 #include "app/character/character_data.h"
 
 /*
- * How far the capsules of all parts are inside each other and the ground, in
- * metres. Those of a part, of parts that share a joint, and of a part and its
- * holder do not count. World matrices are up to date.
+ * Returns the sum of the depths, in metres, to which capsules of parts are
+ * inside each other and inside the ground. Two capsules of one part, of parts
+ * that share a joint, or of a part and its holder do not count. World matrices
+ * must be up to date.
  */
 float character_guard_depth(const struct character *character);
 

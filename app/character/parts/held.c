@@ -7,10 +7,15 @@
 #include <string.h>
 
 static const float gravity_m_s2 = 9.81f;
+/* A free part this near to its height in the model lies on the ground. */
 static const float lies_m = 1e-4f;
-static const float pull_s = 0.2f; /* to the place where a part is held */
+/* seconds in which a part is pulled to its place at the holder */
+static const float pull_s = 0.2f;
 
-/* A point and a rotation of the world in the frame of a node, or of none. */
+/*
+ * Converts a point and a rotation of the world to the frame of a node; node -1
+ * is the world itself.
+ */
 static void to_frame(const struct instance *instance, int node,
 	const float point[3], const float rotation[4], struct transform *out)
 {
@@ -62,7 +67,10 @@ void character_part_attach(struct character *character,
 	}
 }
 
-/* The height at which a vertical line meets a triangle; false if nowhere. */
+/*
+ * Finds the height at which a vertical line through a point meets a triangle.
+ * Returns false if it does not.
+ */
 static bool height_at(float corner[3][3], const float at[3], float *height)
 {
 	const float *a = corner[0], *b = corner[1], *c = corner[2];
@@ -81,7 +89,10 @@ static bool height_at(float corner[3][3], const float at[3], float *height)
 	return u >= 0 && v >= 0 && u + v <= 1;
 }
 
-/* The highest triangle of a rigid node below a point; false if none is. */
+/*
+ * Finds the height of a rigid node's highest triangle below a point. Returns
+ * false if there is none.
+ */
 static bool find_support(const struct instance *instance, int node,
 	const float at[3], float *height)
 {

@@ -9,13 +9,16 @@
 /* An operation: lets parts fall and moves attached ones with their holders. */
 void character_held_run(struct character *character, void *unused);
 
-/* Only moves them; world matrices are up to date before and after. */
+/*
+ * Only moves attached parts with their holders. World matrices must be up to
+ * date, and they are so afterwards.
+ */
 void character_held_place(struct character *character);
 
 /*
- * Attaches a part to a node, or lets it go back to its place in the model: an
- * action of CHARACTER_ATTACH. A part that is near a place of the node is pulled
- * to it; else it stays where it is now, in the node's frame.
+ * Runs an action CHARACTER_ATTACH: attaches a part to a node, or lets it go
+ * back to its place in the model. If the action has a place, the part is pulled
+ * there; else it keeps its present place in the node's frame.
  */
 void character_part_attach(struct character *character,
 	struct character_part *part, const struct character_action *action);

@@ -6,13 +6,13 @@
 
 #include "app/character/character_data.h"
 
-/* Operations with a struct character_sequence and with NULL. */
+/* An operation (struct character_op) of a struct character_sequence. */
 void character_sequence_run(struct character *character, void *sequence);
 
 /*
- * Sets the bones of all parts from their degrees of freedom. A part that was
- * moved by an action stops where its guarded line would come into the ground or
- * into another guarded part.
+ * An operation that sets the bones of all parts from their degrees of freedom.
+ * A part that an action moves stops where its capsules (struct character_guard)
+ * would enter the ground or those of another part.
  */
 void character_parts_run(struct character *character, void *unused);
 

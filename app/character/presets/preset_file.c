@@ -70,14 +70,14 @@ int preset_file_find(struct preset_file *file, const struct log *log)
 	return error;
 }
 
-/* Begins the next line. */
+/* Returns the beginning of the next line. */
 static const char *after_line(const char *text)
 {
 	text += strcspn(text, "\n");
 	return text + (*text == '\n');
 }
 
-/* Whether the line's first word, in brackets or not, is this one. */
+/* Returns true if the line's first word, in brackets or not, is this one. */
 static bool names(const char *line, const char *word)
 {
 	const char *at = line + strspn(line, " \t[");
@@ -128,7 +128,7 @@ static void write_rest(FILE *out, const struct procedural_preset *preset,
 	}
 }
 
-/* The index of the key that the line sets, else PROCEDURAL_FIELDS. */
+/* Returns the index of the key that the line sets, or PROCEDURAL_FIELDS. */
 static int find_key(const char *line)
 {
 	int key = 0;
@@ -157,7 +157,7 @@ static void write_line(FILE *out, const char *line,
 	fputc('\n', out);
 }
 
-/* The preset's section, or the text's end. */
+/* Returns the heading of the preset's section, or the text's end. */
 static const char *find_section(const char *text, const char *name)
 {
 	while (*text && !(first_of(text) == '[' && names(text, name))) {
@@ -166,7 +166,10 @@ static const char *find_section(const char *text, const char *name)
 	return text;
 }
 
-/* Behind the section's last setting; comments after it belong to the next. */
+/*
+ * Returns the end of the section's last setting. Comments after it belong to
+ * the next section.
+ */
 static const char *find_end(const char *section)
 {
 	const char *end = section;

@@ -18,12 +18,12 @@ extern const char preset_file_asset[];
 struct preset_file {
 	char path[PRESET_PATH_SIZE]; /* "" if there is no file */
 	struct procedural_preset preset[PRESETS_MAX];
-	int count; /* at least 1 */
+	int count; /* at least 1 after preset_file_find() */
 };
 
 /*
- * Reads the presets at path; *file keeps its own. Returns 0, or -errno after
- * logging an error.
+ * Reads the presets at path, of which there may be none. Leaves file->path as
+ * it is. Returns 0, or -errno after logging an error.
  */
 int preset_file_load(
 	struct preset_file *file, const char *path, const struct log *log);
@@ -39,7 +39,7 @@ int preset_file_find(struct preset_file *file, const struct log *log);
 struct preset_field {
 	const char *name; /* on the display */
 	const char *key;  /* in the file */
-	int element;      /* of a key with three numbers */
+	int element;      /* index of the number in a key with three numbers */
 	float step, low, high;
 };
 

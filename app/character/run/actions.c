@@ -59,7 +59,10 @@ static void run_morph(
 		morph->by_frames = !morph->by_frames;
 		break;
 	default:
-		/* What happened since the last frame began with it. */
+		/*
+		 * Buttons were pressed after the last frame, so the morph
+		 * begins at that frame's time.
+		 */
 		go_morph(morph, action,
 			character->now_s - (double)character->step_s);
 	}

@@ -59,7 +59,10 @@ void character_look_run(struct character *character, void *what)
 	}
 }
 
-/* The tip's goal lies on the way from the first bone to the target. */
+/*
+ * The tip's goal lies on the line from the first bone to the target, short_m
+ * before the target.
+ */
 static void shorten(const struct character_reach *reach,
 	const struct instance *instance, float goal[3])
 {
@@ -72,7 +75,9 @@ static void shorten(const struct character_reach *reach,
 		reach->short_m < distance ? reach->short_m : distance, goal);
 }
 
-/* The elbow points down and outwards, or as it is. */
+/*
+ * The middle joint bends towards the pole or, without one, as it is animated.
+ */
 static void solve_limb(const struct character_reach *reach,
 	struct instance *instance, const float goal[3], float weight)
 {
@@ -87,9 +92,9 @@ static void solve_limb(const struct character_reach *reach,
 }
 
 /*
- * Brings a place of the tip's frame to the target, such as the palm of a hand.
- * Where it is follows from the tip's rotation, and that from the limb's: a few
- * rounds make them agree.
+ * Brings a place of the tip's frame, such as the palm of a hand, to the target.
+ * That place depends on the tip's rotation, which depends on the limb's, so a
+ * few rounds are needed.
  */
 static void grip(const struct character_reach *reach, struct instance *instance)
 {
@@ -140,7 +145,10 @@ void character_reach_run(struct character *character, void *what)
 	solve_limb(reach, instance, goal, reach->is.now);
 }
 
-/* Turns a bone from its animated rotation, or towards one turned from rest. */
+/*
+ * Turns a bone from its animated rotation, or blends it towards its rest
+ * rotation with the turn.
+ */
 static void turn_bone(
 	const struct character_turn *turn, struct pose *pose, int which)
 {

@@ -22,14 +22,14 @@ struct character_shake {
 	struct character_switch is;
 	struct procedural swing;
 	float delay_s;
-	int preset_count; /* of the file of presets; 0: there is none */
+	int preset_count; /* presets of the file; 0: there is no file */
 	struct procedural_preset *preset;
 
 	/* Changes: */
-	int chosen; /* of the presets */
+	int chosen; /* index in preset */
 };
 
-/* Bones that share a look: the first ones turn by their share of it. */
+/* Bones that share a look: each of them turns by its share of what is left. */
 struct character_look {
 	struct character_switch is;
 	struct character_target *target;
@@ -68,7 +68,7 @@ struct character_turn {
 struct character_spring {
 	struct character_switch is;
 	struct spring spring;
-	float gravity[3]; /* without the wind of the motion */
+	float gravity[3]; /* without the wind of the figure's motion */
 	int body_count;
 	struct capsule body[CHARACTER_BONES_MAX];
 };
@@ -99,7 +99,7 @@ struct character_cape {
 	float pleat; /* depth of its pleats at the hem */
 	/* How far the ends of the upper edge are below and before its middle. */
 	float shoulders[2];
-	float radius; /* kept from bodies */
+	float radius; /* distance that is kept from bodies */
 	float color[3];
 	struct cloth cloth;
 	uint16_t *index; /* of its triangles */
@@ -108,7 +108,7 @@ struct character_cape {
 	struct capsule body[CHARACTER_CAPE_BODIES];
 
 	/* Changes: */
-	bool worn; /* in the last frame */
+	bool worn; /* the cape was shown in the last frame */
 };
 
 void character_shake_run(struct character *character, void *shake);
@@ -120,11 +120,11 @@ void character_breath_run(struct character *character, void *breath);
 void character_muscle_run(struct character *character, void *muscle);
 void character_cape_run(struct character *character, void *cape);
 
-/* Makes a shake use another one of its presets. */
+/* Makes a shake use another one of its presets: an action CHARACTER_PRESET. */
 void character_shake_use(
 	struct character *character, const struct character_action *action);
 
-/* Computes where the targets are; the world matrices are up to date. */
+/* Computes where the targets are. World matrices must be up to date. */
 void character_targets_update(struct character *character);
 
 #endif

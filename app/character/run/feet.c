@@ -9,17 +9,22 @@
 #include <string.h>
 
 /* Lengths are in heights of the figure. */
-static const float far_offset = 0.03f;   /* at which a foot takes a step */
-static const float near_offset = 0.006f; /* the same where nothing moves */
+/* a foot held further than this from its animated place takes a step */
+static const float far_offset = 0.03f;
+static const float near_offset = 0.006f; /* the same while the figure stands */
 static const float far_turn_rad = 0.3f;
-static const float release = 2.5f; /* heights at which a sole is planted */
+/* a held point lets go above this many times planted_m */
+static const float release = 2.5f;
 static const float arc_least = 0.006f, arc_most = 0.04f;
-static const float arc_share = 0.25f; /* of a step's length */
+/* height of a step's arc, as a part of the step's length */
+static const float arc_share = 0.25f;
 static const float still_m_per_s = 0.1f;
 static const float step_duration_s = 0.25f;
 static const float raise_m_per_s = 1.2f;
-static const float smooth_s = 0.08f; /* of the ground's velocity */
-static const float stretch = 0.999f; /* of a leg, at most */
+/* time constant of the motion's velocity */
+static const float smooth_s = 0.08f;
+/* part of its length to which a leg may be stretched */
+static const float stretch = 0.999f;
 
 /* Where the ankle of a foot has to be, and how the foot turns. */
 struct foot_goal {
@@ -62,8 +67,8 @@ float character_feet_place(
 }
 
 /*
- * The height of the lower sole in the clips that play, by their weights. A clip
- * that plays alone has it.
+ * Returns the mean height of the lower sole in the clips that play, by their
+ * weights. If one clip plays alone, it is low, that of the present pose.
  */
 static float height_in_clips(const struct character *character, float low)
 {
@@ -85,8 +90,8 @@ static float height_in_clips(const struct character *character, float low)
 }
 
 /*
- * How far the hips have to be lifted. During a fade the height goes from the
- * one that was shown to that of the new clips.
+ * Returns how far the hips have to be lifted. During a fade the height of the
+ * lower sole goes from the one that was shown to that of the new clips.
  */
 static float find_lift(const struct character *character,
 	struct character_feet *feet, float low)
@@ -128,7 +133,10 @@ static void note_foot(const struct character *character,
 	const struct character_feet *feet, struct character_foot *foot,
 	float before[CHARACTER_SOLE_MAX][3])
 {
-	/* What is held lets go later than it takes hold. */
+	/*
+	 * A held foot lets go at a greater height than that at which it takes
+	 * hold.
+	 */
 	float near = foot->step_s < 0 && foot->low ? release : 1;
 	float above =
 		character->ground_m - feet->lift_m + near * foot->planted_m;
@@ -218,7 +226,7 @@ static void begin_step(const struct character_feet *feet,
 			  arc_most * feet->height_m);
 }
 
-/* Where a point of the foot is held, along x and z. */
+/* Computes where a point of the foot is held, along x and z. */
 static void held_place(const struct character_foot *foot, const float ankle[3],
 	const float place[3], float out[2])
 {
@@ -256,7 +264,9 @@ static void keep_place(const struct character *character,
 	}
 }
 
-/* What held the foot goes to 0 while it is in the air. */
+/*
+ * Advances a foot that is in the air: the displacement that held it goes to 0.
+ */
 static void step(const struct character *character, struct character_foot *foot,
 	const struct character_foot *other, const float ankle[3])
 {
@@ -330,7 +340,7 @@ static float ground_at(const struct character *character, const float at[3])
 		: 0;
 }
 
-/* The rotation from a level foot to the ground's slope. */
+/* Computes the rotation from a level foot to the ground's slope. */
 static void slope_rotation(const struct character *character, const float at[3],
 	float height, float out[4])
 {
@@ -342,7 +352,7 @@ static void slope_rotation(const struct character *character, const float at[3],
 		(ground_at(character, front) - height) / step_m, out);
 }
 
-/* Moves the hips by a height of the world. */
+/* Moves the hips up in the world by lift metres. */
 static void lift_hips(struct instance *instance,
 	const struct character_feet *feet, float lift)
 {
@@ -357,7 +367,9 @@ static void lift_hips(struct instance *instance,
 	instance->pose.animated[feet->hips] = true;
 }
 
-/* How far the hips have to come down for the leg to reach the target. */
+/*
+ * Returns how far the hips have to come down for the leg to reach the target.
+ */
 static float missing_height(const struct instance *instance,
 	const struct character_foot *foot, const float target[3], float lift)
 {
@@ -377,7 +389,10 @@ static bool is_displaced(const struct character_hold *hold)
 		hold->turn_rad != 0;
 }
 
-/* Where the ankles have to be; returns whether the legs have to move for it. */
+/*
+ * Finds where the ankles have to be. Returns true if the legs have to bend for
+ * this.
+ */
 static bool find_targets(const struct character *character,
 	const struct character_feet *feet, struct foot_goal goal[2])
 {

@@ -3,9 +3,10 @@
  *
  * A clip plants feet well, a mixture of two clips does not: soles sink, hover
  * and slide while the gait changes. So the hips are lifted until the lower sole
- * has the height that the clips themselves give it, and a planted foot is held
- * on the ground by the leg's inverse kinematics. The offset that holds it is
- * taken back while the foot swings; a foot that does not swing takes a step.
+ * has the height that it has in the clips themselves, and a planted foot is
+ * held on the ground by the leg's inverse kinematics. The offset that holds a
+ * foot shrinks to 0 while that foot swings; a foot that does not swing takes a
+ * step for this.
  */
 #ifndef APP_CHARACTER_RUN_FEET_H
 #define APP_CHARACTER_RUN_FEET_H
@@ -23,24 +24,29 @@ struct character_foot {
 	float length_m; /* of the stretched leg */
 	int sole_count; /* at least 1: points of the sole */
 	struct character_sole sole[CHARACTER_SOLE_MAX];
-	int heel, toe;   /* the points farthest back and ahead */
-	float planted_m; /* a lower point of the sole is on the ground */
+	int heel, toe; /* the points farthest back and ahead */
+	/* a point of the sole below this height is on the ground */
+	float planted_m;
 
 	/* Changes: */
-	float place[CHARACTER_SOLE_MAX][3]; /* in the world, as animated */
-	float shown[CHARACTER_SOLE_MAX][2]; /* the same along x and z, held */
-	unsigned low;    /* bits: the points on the ground, as animated */
-	unsigned stays;  /* the same in this frame and the last one */
-	float moved[2];  /* on the average of these, as animated */
+	/* of the sole's points in the world, as animated */
+	float place[CHARACTER_SOLE_MAX][3];
+	/* the same along x and z, with the foot held */
+	float shown[CHARACTER_SOLE_MAX][2];
+	unsigned low; /* bits: the points on the ground, as animated */
+	/* bits: the points on the ground both in this frame and in the last */
+	unsigned stays;
+	/* mean motion of these points in this frame, as animated, x and z */
+	float moved[2];
 	float turned;    /* radians about y in this frame, as animated */
 	float direction; /* of the animated foot, radians about y */
 	struct character_hold {
 		float offset[2]; /* along x and z */
 		float turn_rad;  /* about y */
-	} hold, from;            /* what holds the foot, now and when it left */
-	float step_s;   /* since it left the ground; below 0: it is held */
-	float arc_m;    /* greatest height of a step; 0: the foot swings */
-	float raised_m; /* by a step, now */
+	} hold, from;            /* displacement: now, and at take-off */
+	float step_s; /* since the foot left the ground; below 0: it is held */
+	float arc_m;  /* greatest height of a step; 0: the foot swings */
+	float raised_m; /* how far a step raises the foot now */
 };
 
 struct character_feet {
@@ -51,22 +57,25 @@ struct character_feet {
 
 	/* Changes: */
 	bool begun;
-	float lift_m;  /* of the hips, now */
+	float lift_m;  /* how far the hips are lifted now */
 	float shown_m; /* height of the lower sole in the last frame */
-	float from_m;  /* the same, above the clips', when a fade began */
+	float from_m;  /* the same less that of the clips, when a fade began */
 };
 
-/* Places the points of both soles; returns the height of the lowest one. */
+/*
+ * Places the points of both soles and returns the height of the lowest point.
+ */
 float character_feet_place(
 	struct character_feet *feet, const struct instance *instance);
 
 /*
- * Notes which feet stand, and makes the ground's velocity that of the animated
- * feet on it. World matrices are those of the animated pose.
+ * Notes which feet stand, and sets the motion's velocity so that animated feet
+ * on the ground do not slide. World matrices must be those of the animated
+ * pose.
  */
 void character_feet_follow(struct character *character);
 
-/* The operation. */
+/* The operation of a struct character_feet. */
 void character_feet_run(struct character *character, void *feet);
 
 #endif

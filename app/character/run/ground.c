@@ -6,7 +6,10 @@
 
 #include <string.h>
 
-/* Seconds of the clip a second: it may have ended, or run backwards. */
+/*
+ * Returns how many seconds of the clip pass in a second: 0 after its end, below
+ * 0 while it plays backwards.
+ */
 static float clip_rate(const struct character_state *state,
 	const struct character_entry *entry, float step_s)
 {
@@ -21,7 +24,7 @@ static float clip_rate(const struct character_state *state,
 		step_s;
 }
 
-/* The speed that the clips themselves have, by their weights. */
+/* Computes the mean speed of the clips over the ground, by their weights. */
 static void blend_speeds(const struct character *character, float out[2])
 {
 	const struct character_machine *machine = &character->machine;
@@ -39,7 +42,10 @@ static void blend_speeds(const struct character *character, float out[2])
 	}
 }
 
-/* The foot that stands on the ground: the lower one, if it is low enough. */
+/*
+ * Returns the foot that stands on the ground: the lower one if it is low
+ * enough, else -1.
+ */
 static int find_planted(const struct character *character)
 {
 	const struct character_motion *motion = &character->motion;
@@ -77,8 +83,8 @@ static void follow_feet(struct character *character)
 }
 
 /*
- * Whether feet only sway, as they do in a clip that stands: slower than the
- * height up to which a foot counts as planted, a second.
+ * Returns true if feet only sway, as in a clip that stands: if in a second they
+ * move less than near_m, the height up to which a foot counts as planted.
  */
 static bool is_standing(const struct character_motion *motion)
 {

@@ -9,7 +9,8 @@
 /*
  * Sets the motion's scroll and velocity of this frame. With feet, the ground
  * goes with the foot that stands on it, so that this foot does not skate. World
- * matrices are those of the animated pose, before any effect that reads them.
+ * matrices must be those of the animated pose, before any effect that reads
+ * them.
  */
 void character_ground_update(struct character *character);
 

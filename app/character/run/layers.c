@@ -7,7 +7,10 @@
 
 #include <string.h>
 
-/* A layer that plays once fades in and out within its clip. */
+/*
+ * Returns the layer's weight. A layer that plays once fades in and out within
+ * its clip.
+ */
 static float weight_of(struct character_layer *layer)
 {
 	float fade_s = layer->is.fade_s, duration_s, left_s, weight;
@@ -75,7 +78,10 @@ void character_expression_run(struct character *character, void *what)
 	}
 }
 
-/* One coordinate of a Bezier curve from 0 to 1 with two inner points. */
+/*
+ * Returns one coordinate, at s, of a Bezier curve from 0 to 1 whose inner
+ * control points are a and b.
+ */
 static float bezier(float a, float b, float s)
 {
 	float left = 1 - s;
@@ -144,8 +150,9 @@ float character_morph_omega(const struct character_morph *morph, double now_s)
 }
 
 /*
- * The sine that is mounted on the line (1.2.5), 0 at both ends, where vertices
- * cannot be bent one by one: it moves the node.
+ * Adds the sine that is mounted on the line (AN4044, section 1.2.5), which is 0
+ * at both ends. It moves the whole node, because the vertices cannot be bent
+ * one by one.
  */
 static void add_sine(const struct character_morph *morph,
 	const struct morph_wave *wave, float omega, struct pose *pose)

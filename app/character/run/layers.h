@@ -11,22 +11,30 @@ void character_layer_run(struct character *character, void *layer);
 void character_expression_run(struct character *character, void *expression);
 void character_morph_run(struct character *character, void *morph);
 
-/* Starts a layer that plays once, also while it plays. */
+/* Starts a layer that plays once; one that plays already starts again. */
 void character_layer_play(struct character_layer *layer);
 
-/* Makes another key frame the Destiny, also during a morph. */
+/*
+ * Begins a morph to another key frame, its new Destiny; a morph may be under
+ * way.
+ */
 void character_morph_go(struct character_morph *morph, int key, double now_s);
 
-/* The morph's Omega, 0 at the start and 1 at the end. */
+/* Returns the morph's Omega, 0 at the start and 1 at the end. */
 float character_morph_omega(const struct character_morph *morph, double now_s);
 
-/* The part of the way of a struct character_curve at omega, 0..1. */
+/*
+ * Returns the part of the way that a struct character_curve has gone at omega,
+ * 0..1.
+ */
 float character_morph_curve(const void *curve, float omega);
 
 /* Uses the curve of this number from now on. */
 void character_morph_use_curve(struct character_morph *morph, int curve);
 
-/* Bends the vertices that instance_update() has made. */
+/*
+ * Bends the vertices that instance_update() has posed, if the morph bends any.
+ */
 void character_morph_bend(struct character_morph *morph, double now_s);
 
 #endif

@@ -21,7 +21,7 @@ struct character_outputs {
 void character_outputs_open(struct character_outputs *outputs,
 	struct character *character, const struct log *log);
 
-/* Gives the lines back, for instance to the same file loaded again. */
+/* Closes the lines, for instance before the same file is loaded again. */
 void character_outputs_close(struct character_outputs *outputs);
 
 /* Switches an output: 0 off, below 0 on, or on for so many milliseconds. */

@@ -16,7 +16,10 @@ void character_parameter_step(struct character_parameter *parameter, int steps)
 {
 	int count = parameter->stop_count, at = 0;
 
-	/* A goal between two stops counts as the one behind it. */
+	/*
+	 * A goal between two stops counts as the stop that lies opposite to the
+	 * step's direction.
+	 */
 	if (steps > 0) {
 		while (at + 1 < count &&
 			parameter->stop[at + 1] <= parameter->goal) {

@@ -15,7 +15,10 @@ void character_parameters_update(struct character *character);
 /* Moves all switches on by the frame's step and sets their .now. */
 void character_switches_update(struct character *character);
 
-/* Goes to the stop so many on from the goal, at most to the last one. */
+/*
+ * Sets the goal to the stop that is this many stops further (back if negative),
+ * at most to the last or first one.
+ */
 void character_parameter_step(struct character_parameter *parameter, int steps);
 
 #endif

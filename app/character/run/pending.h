@@ -1,6 +1,6 @@
 /*
- * Actions that wait for the end of a step of the frame. What makes actions
- * (buttons, states, events) thereby need not know what runs them.
+ * Actions that wait for the end of a step of the frame. Thus the modules that
+ * cause actions (buttons, states, events) need not know those that run them.
  */
 #ifndef APP_CHARACTER_RUN_PENDING_H
 #define APP_CHARACTER_RUN_PENDING_H
@@ -8,9 +8,9 @@
 #include "app/character/character_data.h"
 
 /*
- * Adds a list of actions; NULL is fine. times multiplies the amount of those
- * that change something by an amount. The last ones are dropped beyond
- * CHARACTER_PENDING_MAX.
+ * Adds a list of actions; NULL is allowed. times multiplies the amount of
+ * actions that change something by an amount. Actions beyond
+ * CHARACTER_PENDING_MAX are dropped.
  */
 static inline void character_pending_add(struct character *character,
 	const struct character_action *action, float times)

@@ -22,7 +22,9 @@ static const struct model_skin *skin_of(const struct model *model, int node,
 						      : NULL;
 }
 
-/* The joint with the largest weight, other than one. */
+/*
+ * Returns the influence with the largest weight; other is left out (-1: none).
+ */
 static int main_influence(
 	const struct model_primitive *primitive, int vertex, int other)
 {

@@ -9,14 +9,17 @@
 
 struct character_sole {
 	int node[2];
-	float at[2][3]; /* in the nodes' frames */
+	float at[2][3]; /* the point in each node's frame */
 	float weight[2];
 };
 
-/* A point that moves with a node alone. */
+/* Returns a point that moves with one node; at is in the node's frame. */
 struct character_sole character_sole_on_node(int node, const float at[3]);
 
-/* A vertex of a primitive that a node shows, without its morph targets. */
+/*
+ * Returns the point of a vertex of a primitive that a node shows. Morph targets
+ * are left out.
+ */
 struct character_sole character_sole_of_vertex(const struct model *model,
 	int node, const struct model_primitive *primitive, int vertex);
 

@@ -6,7 +6,10 @@
 
 #include "app/character/character_data.h"
 
-/* Compares, and adds actions to the pending ones; the first frame adds none. */
+/*
+ * Compares the triggers' conditions and adds actions to the pending ones. The
+ * first frame only compares.
+ */
 void character_triggers_update(struct character *character);
 
 #endif

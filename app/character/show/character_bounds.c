@@ -6,8 +6,10 @@
 #include <errno.h>
 
 /* Parts of the model's extent. */
-static const float near_part = 0.03f; /* clips that stand equally high */
-static const float sunk_part = 0.15f; /* that a clip may be below the ground */
+/* heights of clips that differ by less count as equal */
+static const float near_part = 0.03f;
+/* depth to which a clip may be below the ground */
+static const float sunk_part = 0.15f;
 
 void character_range(const struct character *character, const float *value,
 	float *low, float *high)
@@ -23,7 +25,7 @@ void character_range(const struct character *character, const float *value,
 	}
 }
 
-/* Adds a box unless the model would be too small. */
+/* Adds a box unless the model would then be too small in the picture. */
 static void add_box(struct character_bounds *bounds, const struct bounds *box,
 	struct bounds *to)
 {
@@ -77,7 +79,7 @@ static void add_balls(
 	}
 }
 
-/* The box of the model with a node shifted along an axis. */
+/* Returns the box of the model with a node shifted along an axis. */
 static struct bounds shifted(
 	struct instance *instance, int node, int axis, float way_m)
 {
@@ -117,7 +119,10 @@ static void add_shifts(
 	instance_update(instance);
 }
 
-/* The length of a point along a direction: the axes, then the diagonals. */
+/*
+ * Returns a point's coordinate along a direction: 0 to 5 are the axes both
+ * ways, 6 to 13 the diagonals.
+ */
 static float along(const float point[3], int direction)
 {
 	float sum = 0.0f;
@@ -181,7 +186,7 @@ void character_bounds_add(const struct character_bounds *bounds,
 	}
 }
 
-/* Joins where the outermost vertices are now. */
+/* Adds where the outermost vertices are now. */
 static void add_reached(
 	struct character_bounds *bounds, const struct instance *instance)
 {
@@ -242,7 +247,9 @@ static float clip_low(const struct character_bounds *bounds, int clip)
 	return bounds->clip[clip].low[1];
 }
 
-/* How many clips stand about as high; the rest pose counts half. */
+/*
+ * Returns how many clips stand at about this height; the rest pose counts half.
+ */
 static float count_standing(
 	const struct character_bounds *bounds, int clip_count, float y)
 {
@@ -292,7 +299,9 @@ static void add_points(
 	}
 }
 
-/* The box of the springs' ends and of the capes; empty if none is on. */
+/*
+ * Returns the box of the springs' ends and of the capes; empty if none is on.
+ */
 static struct bounds swinging_now(const struct character *character)
 {
 	float scale = character->instance->unit_scale;
@@ -318,7 +327,7 @@ static struct bounds swinging_now(const struct character *character)
 	return now;
 }
 
-/* Joins where springs and capes are now if they are well outside of a box. */
+/* Adds where springs and capes are now, if they are well outside of a box. */
 static void add_swings(struct character_bounds *bounds,
 	const struct character *character, const struct bounds *box)
 {
@@ -352,7 +361,7 @@ static void add_entry(const struct character_bounds *bounds,
 				: &bounds->rest);
 }
 
-/* The clip of the current state that goes far, or -1. */
+/* Returns the clip of the current state that goes far, or -1. */
 static int find_far_clip(const struct character_bounds *bounds,
 	const struct character *character)
 {
@@ -370,7 +379,7 @@ static int find_far_clip(const struct character_bounds *bounds,
 	return -1;
 }
 
-/* The box of the far clip where its model is now. */
+/* Returns the box of the far clip where its model is now. */
 static struct bounds follow(struct character_bounds *bounds,
 	const struct instance *instance, int clip, float moved[3])
 {

@@ -10,7 +10,10 @@
 #include <errno.h>
 
 static const float shadow_strength = 0.375f;
-/* For rounding, and what bends and targets add to the box, by its extent. */
+/*
+ * How much larger the box is made, as a part of its extent: for rounding, and
+ * for what bends and morph targets add.
+ */
 static const float beyond_box = 0.02f;
 
 int character_draw_init(struct character_drawing *drawing,
@@ -54,7 +57,7 @@ void character_draw_update(
 	}
 }
 
-/* A ball is shown while something is done with it. */
+/* A ball is shown while its target is used. */
 static bool shows_ball(const struct character_target *target)
 {
 	return target->radius_m > 0.0f && target->used;
@@ -68,7 +71,7 @@ static void ball_center(
 	}
 }
 
-/* Where a ball's shadow may lie, at all heights that the ground has. */
+/* Adds where a ball's shadow may lie at any height of the ground. */
 static void add_ball_shadow(const struct floor *floor, const float center[3],
 	float radius, struct bounds *out)
 {
@@ -83,7 +86,7 @@ static void add_ball_shadow(const struct floor *floor, const float center[3],
 		for (int axis = 0; axis < 3; axis++) {
 			float at = center[axis] - light[axis] * fall;
 
-			/* No lower light makes it three times as long. */
+			/* The light is so high that three radii suffice. */
 			shadow.low[axis] = at - 3.0f * radius;
 			shadow.high[axis] = at + 3.0f * radius;
 		}
@@ -274,7 +277,10 @@ static void draw_shadows(const struct character_drawing *drawing,
 	draw_ball_shadows(character, stage, gl);
 }
 
-/* The corners of a node's top and their box; false if it is not level. */
+/*
+ * Finds the corners of a node's top and their box. Returns false if the top is
+ * not level.
+ */
 static bool find_top(const float top[5], int node,
 	const struct instance *instance, float corner[4][3], struct bounds *box)
 {
@@ -295,7 +301,7 @@ static bool find_top(const float top[5], int node,
 	return extent > 0.0f && box->high[1] - box->low[1] < 0.02f * extent;
 }
 
-/* Whether the shadow of a drawable above a top may reach it. */
+/* Returns true if the shadow of a drawable above a top may reach the top. */
 static bool casts_on(const struct character_bounds *bounds,
 	const struct instance *instance, int drawable, const struct bounds *top)
 {

@@ -17,7 +17,7 @@ struct character_drawing {
 	const struct character *character; /* not owned */
 	struct character_bounds bounds;
 	struct ball ball;
-	struct shadow_ground ground; /* of the model's own */
+	struct shadow_ground ground; /* ground that the model has itself */
 	/* If the ground may be uneven: */
 	bool may_wave;
 	struct reach reach;
@@ -34,13 +34,14 @@ int character_draw_init(struct character_drawing *drawing,
 	struct character *character, const struct shadow_ground *ground,
 	const struct log *log);
 
-/* Makes the shadow on uneven ground of the updated instance. */
+/* Lays the shadow of the updated instance upon uneven ground. */
 void character_draw_update(
 	struct character_drawing *drawing, const struct stage *stage);
 
 /*
- * The boxes, a little larger than needed, of what character_draw() will draw
- * after the last update. They are not bounded on ground that is always level.
+ * Returns the boxes, a little larger than needed, of what character_draw() will
+ * draw after the last update. On ground that is always level, the content is
+ * not bounded.
  */
 struct floor_content character_draw_content(
 	const struct character_drawing *drawing, const struct stage *stage);

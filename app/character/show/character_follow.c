@@ -11,8 +11,9 @@ enum {
 };
 
 /*
- * How many times its longest side a model goes to be followed. In a clip whose
- * travel is taken out and was uneven, the rest of it is more than it seems.
+ * A model that goes further than this many times its longest side is followed.
+ * In a clip whose travel is taken out, fewer times suffice: if that travel was
+ * uneven, a part of it is left in the clip.
  */
 static const float far_sides = 6.0f, far_sides_of_walk = 2.5f;
 
@@ -80,7 +81,10 @@ static void fill_track(
 	pose_rest(&instance->pose, instance->model);
 }
 
-/* How far the node and the middle are apart, more than at the start. */
+/*
+ * Finds the greatest change, along each axis, of the offset from the node to
+ * the middle since the start.
+ */
 static void find_error(const struct track *track, int node, float out[3])
 {
 	out[0] = out[1] = out[2] = 0.0f;
@@ -161,7 +165,10 @@ static int find(struct character_follow *follow,
 	return 0;
 }
 
-/* What to follow in a clip, whose box is then that of the model in its place. */
+/*
+ * Finds what to follow in a clip. If there is something, *box becomes the box
+ * of the model in the place of the rest pose.
+ */
 static int find_followed(struct character_follow *follow,
 	const struct character *character, int clip, const struct bounds *rest,
 	const struct bounds_sides *sides, struct bounds *box)
@@ -177,7 +184,10 @@ static int find_followed(struct character_follow *follow,
 		home[axis] -= follow->start[axis] + follow->offset[axis];
 	}
 	character_follow_box(follow, home, box);
-	/* The ground is below all of the clip. */
+	/*
+	 * The box stays as low as the clip goes, because the ground is below
+	 * all of it.
+	 */
 	box->low[1] = low;
 	return 0;
 }

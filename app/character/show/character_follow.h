@@ -2,7 +2,7 @@
  * What the camera follows in a clip that goes far: a figure whose whole way
  * were in the picture would be a dot.
  *
- * It follows one node, the one that stays nearest to the middle of the model,
+ * The camera follows one node, which stays nearest to the middle of the model,
  * along each axis on which the model goes many times its size. A clip that goes
  * less far is shown as a whole.
  */
@@ -16,12 +16,14 @@
 struct character_follow {
 	bool axis[3];    /* along which the model goes far */
 	int node;        /* that the camera follows; -1: none */
-	float start[3];  /* where it is at the clip's start */
+	float start[3];  /* where the node is at the clip's start */
 	float offset[3]; /* from there to the box's middle */
 	float half[3];   /* of the box's sides, along such an axis */
 };
 
-/* What is found of the rest pose and of each clip, [clip_count]. */
+/*
+ * Arrays that character_follow_find() fills; clip and follow are [clip_count].
+ */
 struct character_boxes {
 	struct bounds *rest, *clip;
 	struct character_follow *follow;
@@ -36,11 +38,14 @@ struct character_boxes {
 int character_follow_find(
 	const struct character *character, const struct character_boxes *out);
 
-/* How far the node is from its start, along the axes that are followed. */
+/*
+ * Computes how far the node is from its start along the followed axes; 0 along
+ * the others.
+ */
 void character_follow_way(const struct character_follow *follow,
 	const struct instance *instance, float out[3]);
 
-/* Moves the box of a clip to where the model is after that way. */
+/* Moves the box of a clip to where the model is after this way. */
 void character_follow_box(const struct character_follow *follow,
 	const float way[3], struct bounds *box);
 

@@ -7,11 +7,14 @@
 #include <stdio.h>
 
 enum {
-	VALUES_MAX = 4, /* of parts, that have a row */
+	VALUES_MAX = 4, /* rows of values of parts, at most */
 	SWITCHES_TOGETHER = 6
 };
 
-/* Whether labels name the state: not if there is nothing but one rest pose. */
+/*
+ * Returns true if labels name the state: always, except for a model with morphs
+ * or parts that has nothing but one rest pose.
+ */
 static bool names_state(const struct character *character)
 {
 	return character_machine_entry(character)->of->clip ||
@@ -25,7 +28,7 @@ static bool shows_parameter(const struct character_parameter *parameter)
 		!parameter->unlabelled;
 }
 
-/* How many of the switches that begin off are likely to be on together. */
+/* Guesses how many of the switches that begin off are on together. */
 static int count_switches(const struct character *character)
 {
 	int count = 0;
@@ -196,7 +199,7 @@ static void label_values(
 static const char *const freedom_names[CHARACTER_FREEDOMS] = {
 	"heading", "pitch", "bank", "x", "y", "z"};
 
-/* A degree of freedom that is moved, and its value. */
+/* Adds a degree of freedom and its value. */
 static void label_freedom(
 	const struct character_part *part, int freedom, struct hud_group *group)
 {
@@ -210,7 +213,7 @@ static void label_freedom(
 	hud_group_text(group, name, value);
 }
 
-/* Which degrees of freedom have a row already. */
+/* The degrees of freedom that have a row already. */
 struct shown {
 	int count;
 	struct {
@@ -234,7 +237,7 @@ static void label_once(const struct character *character, int part, int freedom,
 	}
 }
 
-/* The values that buttons move now. */
+/* Adds the values that buttons move now. */
 static void label_moves(
 	const struct character *character, struct hud_group *group)
 {
@@ -254,7 +257,7 @@ static void label_moves(
 	}
 }
 
-/* The first values that a sequence moves. */
+/* Adds a sequence's step and the first values that the sequence moves. */
 static void label_sequence(const struct character *character,
 	const struct character_sequence *sequence, struct hud_group *group)
 {
@@ -274,7 +277,7 @@ static void label_sequence(const struct character *character,
 	}
 }
 
-/* What sequences move, else what buttons move. */
+/* Adds what sequences move or, if none runs, what buttons move. */
 static void label_parts(
 	const struct character *character, struct hud_group *group)
 {
@@ -289,7 +292,7 @@ static void label_parts(
 	}
 }
 
-/* The presets of shakes that are switched on. */
+/* Adds the presets of shakes that are switched on. */
 static void label_presets(
 	const struct character *character, struct hud_group *group)
 {
@@ -304,7 +307,9 @@ static void label_presets(
 	}
 }
 
-/* Whether an action switches something, and whether that is on. */
+/*
+ * Returns true if an action switches something, and tells whether that is on.
+ */
 static bool find_switched(const struct character *character,
 	const struct character_action *action, bool *on)
 {
@@ -323,7 +328,10 @@ static bool find_switched(const struct character *character,
 	return true;
 }
 
-/* The next button from this one on that does not always do the same. */
+/*
+ * Returns the next binding from this one on that depends on a condition which
+ * holds now, and that labels show; or NULL.
+ */
 static const struct character_binding *find_changing(
 	const struct character_binding *one)
 {
@@ -335,7 +343,7 @@ static const struct character_binding *find_changing(
 	return one;
 }
 
-/* What these buttons do now. */
+/* Adds what the buttons with conditions do now. */
 static void label_changing(const struct character *character, struct hud *hud)
 {
 	const struct character_binding *first =
@@ -392,7 +400,7 @@ static bool labels_right(const struct character *character)
 	return character->scene.labels == CHARACTER_LABELS_RIGHT;
 }
 
-/* What the buttons do now. */
+/* Adds the list of what all buttons do now. */
 static void label_keys(const struct character *character, struct hud *hud)
 {
 	struct hud_group group = hud_group_begin_wide(hud,

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Height of a sine in the graph of a morph's curve. */
+/* The height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
 
 static void add_layer(struct overlay_motion *motion, const char *name,
@@ -17,7 +17,7 @@ static void add_layer(struct overlay_motion *motion, const char *name,
 	}
 }
 
-/* The clips that a state blends. */
+/* Adds the clips that a state blends as layers. */
 static void add_clips(
 	const struct character *character, struct overlay_motion *out)
 {

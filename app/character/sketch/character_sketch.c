@@ -31,7 +31,10 @@ static void write_clip_name(const struct model *model, int clip, FILE *out)
 	}
 }
 
-/* Its state is called "clip 3", unless a clip has that name. */
+/*
+ * The state of a clip without a usable name is called "clip 3", unless a clip
+ * has that name.
+ */
 static void write_state_name(const struct model *model, int clip, FILE *out)
 {
 	char number[24];
@@ -160,7 +163,10 @@ static void write_morph(const struct model *model, FILE *out)
 	}
 }
 
-/* Where bones are and where the skeleton branches, an entry a node. */
+/*
+ * [node_count] each: which nodes are joints, and how many children each node
+ * has.
+ */
 struct bones {
 	bool *is_joint;
 	int *child_count;
@@ -183,7 +189,10 @@ static int find_bones(
 	return 0;
 }
 
-/* The number of bones from a last one up to where the skeleton branches. */
+/*
+ * Returns the number of bones from the last one of a chain up to where the
+ * skeleton branches.
+ */
 static int chain_length(
 	const struct model *model, const struct bones *bones, int last)
 {
@@ -234,14 +243,17 @@ static int measure_bones(const struct model *model, const struct bones *bones,
 	return 0;
 }
 
-/* A ball before the middle of the figure, at its right hand. */
+/* Suggests a ball in front of the figure's middle, a little to its left. */
 static void write_target(const struct bone_box *box, FILE *out)
 {
 	const float *low = box->low, *high = box->high;
 	float size = box->size;
 	int decimals = 2;
 
-	/* To a hundredth of the model, however far from the origin it is. */
+	/*
+	 * Numbers are exact to a hundredth of the model, however far it is from
+	 * the origin.
+	 */
 	for (float side = size; side < 1.0f && decimals < 9; side *= 10.0f) {
 		decimals++;
 	}
@@ -305,15 +317,15 @@ static int write_chains(const struct model *model, const struct bones *bones,
 	return 0;
 }
 
-/* Nothing moves the model but its buttons. */
+/* Returns true if nothing but buttons moves the model. */
 static bool is_still(const struct model *model)
 {
 	return model->clip_count == 0 && find_shapes(model) < 0;
 }
 
 /*
- * What single nodes may do; of a model that is still, buttons move the parts
- * that are found. 0 or -ENOMEM.
+ * Writes what single nodes may do. If nothing else moves the model, buttons
+ * will move the parts that are found. Returns 0 or -ENOMEM.
  */
 static int write_nodes(
 	const struct model *model, struct sketch_parts *parts, FILE *out)
@@ -331,7 +343,7 @@ static int write_nodes(
 	return error;
 }
 
-/* What UP and DOWN do, each of which is a section of buttons. */
+/* What UP and DOWN do in one mode, which is a section [buttons] of its own. */
 static const struct mode {
 	const char *name, *up, *down;
 } mode_clips = {"clips", "previous \"play the previous clip\"",
@@ -425,7 +437,7 @@ static void write_buttons(
 		out);
 }
 
-/* An unattended picture of a model with shapes shows them all. */
+/* The tour of a model with shapes shows them all. */
 static void write_scene(const struct model *model, FILE *out)
 {
 	int node = find_shapes(model), count;

@@ -8,7 +8,10 @@
 
 #include <stdio.h>
 
-/* With more a character would be longer than one may be (character_text.h). */
+/*
+ * The most clips of a sketch; more would exceed the length that
+ * character_text.h allows.
+ */
 enum {
 	CHARACTER_SKETCH_CLIPS = 1000
 };

@@ -27,7 +27,7 @@ static void find(const struct model *model, const bool *is_joint, bool joints,
 	}
 }
 
-/* Whether a part has another one above it. */
+/* Returns true if a rigid part has another one above it. */
 static bool hangs(const struct model *model, int node)
 {
 	int above = model->node[node].parent;

@@ -7,24 +7,26 @@
 #include <stdio.h>
 
 enum {
-	SKETCH_PARTS = 12 /* of a model that has more, the first ones */
+	SKETCH_PARTS = 12 /* if a model has more, the first ones are taken */
 };
 
 struct sketch_parts {
 	int node[SKETCH_PARTS];
 	int count;
-	bool moved; /* buttons move them; else they are suggestions */
+	/* buttons move them; else they are suggestions in comments */
+	bool moved;
 };
 
 /*
- * Finds nodes with a name that a file can hold: rigid parts. Where nothing
- * moves the model, buttons are to move them if one part hangs on another; and
- * without rigid parts, joints. is_joint has an entry a node.
+ * Finds the rigid parts that have a name that a file can hold. If nothing else
+ * moves the model (still), buttons are to move the parts, provided that one of
+ * them hangs on another; otherwise joints take their place, if there are any.
+ * is_joint, [node_count], says which nodes are joints.
  */
 void sketch_find_parts(const struct model *model, const bool *is_joint,
 	bool still, struct sketch_parts *out);
 
-/* Writes a section for each. */
+/* Writes a section [part] for each, in comments if buttons do not move them. */
 void sketch_write_parts(
 	const struct model *model, const struct sketch_parts *parts, FILE *out);
 

@@ -28,7 +28,10 @@ float character_entry_sole_m(const struct character_entry *entry)
 		sole_m[(sample + 1) % CHARACTER_SAMPLES] * beyond;
 }
 
-/* The time between a mark and the next one, which may be in the next round. */
+/*
+ * Returns the time between a mark and the next one, which may be in the next
+ * round.
+ */
 static float interval_s(const struct character_clip *clip, int mark)
 {
 	if (mark + 1 < clip->mark_count) {
@@ -79,7 +82,10 @@ void character_entry_move(
 		(double)(clip->mark[mark] + beyond * interval_s(clip, mark));
 }
 
-/* Whether time_s was passed on the way from one time of a clip to another. */
+/*
+ * Returns true if time_s was passed on the way from one time of a clip to
+ * another.
+ */
 static bool is_passed(
 	float time_s, float from_s, float to_s, enum clip_repeat repeat)
 {
@@ -105,7 +111,9 @@ static void add_events(struct character *character,
 	}
 }
 
-/* Moves the time that is shown on to that of the entry. */
+/*
+ * Advances the shown time to that of the entry, and adds the events on the way.
+ */
 static void show(struct character *character, struct character_entry *entry,
 	enum clip_repeat repeat, double phase)
 {
@@ -115,7 +123,9 @@ static void show(struct character *character, struct character_entry *entry,
 	entry->shown_s =
 		clip_time(entry->time_s, character_entry_duration_s(entry),
 			in_phase ? CLIP_LOOP : repeat);
-	/* Of two clips in a blend, the one with more weight is heard. */
+	/*
+	 * Of two clips in a blend, only the one with more weight causes events.
+	 */
 	if (entry->weight > 0.5f && !(in_phase && before_s < 0)) {
 		add_events(character, entry, repeat, before_s);
 	}

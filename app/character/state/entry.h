@@ -6,18 +6,18 @@
 
 #include "app/character/character_data.h"
 
-/* The clip's duration, or 0 for the rest pose. */
+/* Returns the clip's duration, or 0 for the rest pose. */
 float character_entry_duration_s(const struct character_entry *entry);
 
 /*
- * The height of the clip's lower sole at the time that is shown, of a character
- * with feet (run/feet.h).
+ * Returns the height of the clip's lower sole at the time that is shown. Only
+ * for a character with feet (run/feet.h).
  */
 float character_entry_sole_m(const struct character_entry *entry);
 
 /*
- * How many marks a second the clip passes at a phase, which counts marks: 2.5
- * is in the middle between the marks 2 and 3.
+ * Returns how many marks a second the clip passes at a phase. A phase counts
+ * marks: 2.5 is in the middle between the marks 2 and 3.
  */
 float character_entry_marks_per_s(
 	const struct character_entry *entry, double phase);

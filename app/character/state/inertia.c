@@ -35,7 +35,9 @@ void inertia_reset(struct inertia *inertia)
 	inertia->running = false;
 }
 
-/* The rotation from one to another, with its angle in 0..pi. */
+/*
+ * Computes the rotation from one rotation to another, with its angle in 0..pi.
+ */
 static void difference(const float from[4], const float to[4], float out[4])
 {
 	float back[4];
@@ -75,7 +77,7 @@ static void shape(struct inertia_offset *offset, float velocity, float end_s)
 	offset->end_s = end_s;
 }
 
-/* The angle of a rotation about an axis, -pi..pi. */
+/* Returns the angle of a rotation about an axis. */
 static float angle_about(const float turn[4], const float axis[3])
 {
 	return 2 * scalar_atan2(vec_dot(turn, axis), turn[3]);

@@ -30,18 +30,18 @@ struct inertia_offset {
 struct inertia {
 	struct pose last, older; /* as shown in the last two frames */
 	float step_s;            /* between them */
-	int shown;               /* how many of them there are */
+	int shown;               /* how many of the two are valid */
 
 	enum inertia_curve curve;
 	float duration_s, elapsed_s;
 	bool running;
 	struct inertia_offset *turn, *shift; /* [node_count] */
 	float (*scale)[3];                   /* [node_count], differences */
-	bool scales;                         /* whether one is not 0 */
-	float *weight;                       /* [weight_count] */
+	bool scales;   /* some difference of scale is not 0 */
+	float *weight; /* [weight_count] */
 };
 
-/* Allocates for poses of the model. 0 or -ENOMEM. */
+/* Allocates memory for poses of the model. Returns 0 or -ENOMEM. */
 int inertia_init(struct inertia *inertia, const struct model *model,
 	struct arena *arena);
 

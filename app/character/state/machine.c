@@ -6,7 +6,10 @@
 #include "app/character/state/entry.h"
 #include "platform/base/scalar.h"
 
-/* The transition that fits best from the present state, or -1. */
+/*
+ * Returns the transition to a state from the present one, else one from any
+ * state, else -1.
+ */
 static int find_transition(const struct character_machine *machine, int to)
 {
 	int any = -1;
@@ -24,7 +27,7 @@ static int find_transition(const struct character_machine *machine, int to)
 	return any;
 }
 
-/* Whether the transition under way lets another one begin. */
+/* Returns true if the transition under way lets another one begin. */
 static bool may_begin(const struct character_machine *machine, int transition)
 {
 	const struct character_transition *running, *next;
@@ -74,7 +77,10 @@ static float fade_s(
 				 : 1.0f / 30);
 }
 
-/* The fade to a state, by a transition, in a row, or by the state itself. */
+/*
+ * Returns the fade to a state: that of the transition, that of a row, or the
+ * state's own.
+ */
 static const struct character_fade *fade_to(
 	const struct character_machine *machine, int to, int transition)
 {
@@ -86,7 +92,7 @@ static const struct character_fade *fade_to(
 				  : &machine->state[to].fade;
 }
 
-/* The state after the end of the present one, or -1. */
+/* Returns the state that follows at the end of the present one, or -1. */
 static int state_after(const struct character_machine *machine)
 {
 	int next = machine->state[machine->current].next;
@@ -96,7 +102,10 @@ static int state_after(const struct character_machine *machine)
 		: next;
 }
 
-/* Whether the end of the clip has come, less the fade to the next state. */
+/*
+ * Returns true if the clip is so near its end that the fade to the next state
+ * begins.
+ */
 static bool is_at_end(const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
@@ -159,7 +168,9 @@ static void begin_state(struct character *character, int to, int transition)
 	}
 }
 
-/* The phase of clips with marks, or -1 where each clip has its own time. */
+/*
+ * Returns the phase of clips with marks, or -1 if each clip has its own time.
+ */
 static double phase_of(const struct character_machine *machine)
 {
 	return machine->state[machine->current].repeat == CLIP_LOOP

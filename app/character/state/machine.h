@@ -13,7 +13,7 @@
  */
 void character_machine_update(struct character *character);
 
-/* The clip of the present state that has the largest weight. */
+/* Returns the clip of the present state that has the largest weight. */
 const struct character_entry *character_machine_entry(
 	const struct character *character);
 

@@ -56,7 +56,6 @@ static struct character_section *find_section(const struct character_text *text,
 	return section;
 }
 
-/* Begins the section "[KIND NAME OTHER]", or goes on with it. */
 /* Appends a section; word is its kind and two names, which may be empty. */
 static int add_section(struct reader *reader, const char *heading,
 	const struct character_word word[3])
@@ -88,6 +87,7 @@ static int add_section(struct reader *reader, const char *heading,
 	return 0;
 }
 
+/* Begins the section "[KIND NAME OTHER]", or goes on with it. */
 static int begin_section(struct reader *reader, const char *line)
 {
 	struct character_text *text = reader->text;
@@ -217,7 +217,8 @@ static int take(
 {
 	struct reader *reader = user;
 
-	(void)section; /* next_line() knows it, also when it has no lines */
+	/* next_line() begins sections, also those without lines */
+	(void)section;
 	if (!reader->error) {
 		reader->error = read_line(reader, key, value);
 	}
@@ -240,7 +241,10 @@ static int check_section(struct reader *reader, const char *line)
 	return begin_section(reader, line);
 }
 
-/* Whether the library accepts the line. */
+/*
+ * Returns 0 if the library will accept the line; begins a section for a
+ * heading.
+ */
 static int check_line(struct reader *reader, const char *line)
 {
 	if (*line == '[') {
@@ -253,7 +257,10 @@ static int check_line(struct reader *reader, const char *line)
 		"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
 }
 
-/* libinih would take an indented line for a continuation. */
+/*
+ * Reads a line for libinih without its indentation, because libinih would take
+ * an indented line for a continuation of the one above.
+ */
 static char *next_line(char *line, int size, void *user)
 {
 	struct reader *reader = user;

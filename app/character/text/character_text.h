@@ -53,9 +53,11 @@ struct character_text {
 	struct arena *arena; /* not owned; has all strings and lines */
 	struct character_section *first, *last;
 	int line_count;
-	bool is_file; /* not a stream, so it may name others */
+	/* read from a path and not from a stream, so it may name other files */
+	bool is_file;
 	int file_count;
-	const char *file[CHARACTER_FILES_MAX]; /* paths, the first one given */
+	/* paths; the first is that of the caller */
+	const char *file[CHARACTER_FILES_MAX];
 };
 
 /*
@@ -78,8 +80,8 @@ const struct character_section *character_text_find(
 int character_text_count(const struct character_text *text, const char *kind);
 
 /*
- * Writes the path of a file in the folder of another one. False if the name is
- * none of a file there, or the path is too long.
+ * Writes the path of a file in the folder of another one. Returns false if the
+ * name is not that of a file in this folder, or if the path is too long.
  */
 bool character_text_path_near(
 	const char *file, const char *name, char *path, size_t size);

@@ -118,10 +118,7 @@ int hud_line_height(const struct hud *hud)
 	return hud->face->line_height * hud->scale;
 }
 
-/*
- * Clamps a coordinate to 16 bits; a clamped vertex is outside the picture
- * anyway.
- */
+/* Clamps a coordinate to 16 bits; such a vertex is outside the picture. */
 static int16_t to_short(int value)
 {
 	return (int16_t)(value < -INT16_MAX ? -INT16_MAX

@@ -272,10 +272,7 @@ static bool is_whole(
 		group->width;
 }
 
-/*
- * Tries the texts with the longest time, so that the choice does not change as
- * the time runs.
- */
+/* Tries the longest time, so that the text does not change as time runs. */
 void hud_group_time(struct hud_group *group, const char *label, float time_s,
 	float duration_s, struct hud_color color)
 {

@@ -90,10 +90,7 @@ struct hud_group hud_group_begin_wide(
  */
 void hud_group_widen(struct hud_group *group, const char *key, const char *what);
 
-/*
- * Limits the group with its margins to a height in pixels; rows that would
- * exceed it are left out.
- */
+/* Leaves out rows with which group and margins would exceed this height. */
 void hud_group_limit(struct hud_group *group, int height);
 
 /* Returns true if this number of rows and a space of this height still fit. */
@@ -146,9 +143,7 @@ void hud_group_switch(struct hud_group *group, const char *key,
 /* Moves the group with its panel to its place in the corner. */
 void hud_group_end(struct hud_group *group);
 
-/*
- * The state of the display at some moment, to which hud_go_back() can return.
- */
+/* A state of the display to which hud_go_back() can return. */
 struct hud_mark {
 	int quad_count;
 	int stacked_px[HUD_CORNERS];
@@ -159,10 +154,7 @@ struct hud_mark hud_mark(const struct hud *hud);
 /* Removes all elements that were added since the mark. */
 void hud_go_back(struct hud *hud, const struct hud_mark *mark);
 
-/*
- * Returns true if the groups of a top corner overlap those of the bottom corner
- * below it.
- */
+/* Returns true if the groups of a top corner overlap those below it. */
 bool hud_groups_overlap(const struct hud *hud);
 
 #endif

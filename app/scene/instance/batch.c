@@ -37,8 +37,8 @@ static bool in_primitive_order(
 }
 
 /*
- * Sets the batch's vertex colours: the primitive's times the material's colour,
- * or the primitive's own array if that colour is white.
+ * Sets vertex colours times the material's colour; without a copy if that is
+ * white.
  */
 static int tint(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
@@ -118,10 +118,7 @@ static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
 								     : -ENOMEM;
 }
 
-/*
- * Sets the batch's arrays: copies attributes that stay, and allocates the
- * arrays that updates write.
- */
+/* Sets the batch's arrays: copies attributes, allocates what updates write. */
 static int fill(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
@@ -220,9 +217,7 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	return error;
 }
 
-/*
- * Makes the shadow's triangles for a primitive that has no lists for shadows.
- */
+/* Makes the shadow's list of a primitive that has no lists for shadows. */
 static int make_proxy(struct batch *batch,
 	const struct model_primitive *primitive, const uint32_t *inverse_order,
 	struct arena *arena)
@@ -360,10 +355,7 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 	if (primitive->normal && primitive->vertex_count <= BATCH_VERTICES_MAX) {
 		return make_whole(drawable, base_color, arena);
 	}
-	/*
-	 * Facets change the order of triangles, which a blended surface must
-	 * keep.
-	 */
+	/* Facets change the order of triangles; blended ones must keep it. */
 	if (!primitive->normal && drawable->alpha != MODEL_BLEND &&
 		has_one_color_a_triangle(primitive)) {
 		error = make_faceted(drawable, base_color, arena);
@@ -441,8 +433,7 @@ static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch
 }
 
 /*
- * mirrored: the triangles' winding is reversed, so normals are negated to point
- * outwards again.
+ * Where winding is reversed (mirrored), normals are negated to point outwards.
  */
 static void find_fixed_facets(const struct batch *batch, bool mirrored)
 {

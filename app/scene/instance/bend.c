@@ -8,8 +8,7 @@
 #include <errno.h>
 
 /*
- * Vertices that targets move less than this part of the farthest displacement
- * count as unmoved.
+ * Vertices that move less than this part of the farthest one count as unmoved.
  */
 static const float moved_fraction = 0.08f;
 /*

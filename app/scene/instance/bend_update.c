@@ -1,3 +1,6 @@
+/*
+ * Bends vertices in each frame (bend.h), in float or in fixed point.
+ */
 #include "app/scene/instance/bend.h"
 
 #include "platform/base/scalar.h"
@@ -85,10 +88,7 @@ static void bend_float(const struct motion *motion, const struct bend *bend,
 	}
 }
 
-/*
- * The same for fixed point: factors in Q14, lengths in units of the 16-bit
- * positions.
- */
+/* The same with factors in Q14 and lengths in units of 16-bit positions. */
 struct fixed_motion {
 	int32_t sine, less;
 	int32_t center_x, center_z; /* of the neck */

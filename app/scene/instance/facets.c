@@ -38,9 +38,7 @@ static uint32_t find_vertex(struct making *making, uint32_t from)
 	return making->inverse_order[from];
 }
 
-/*
- * Rotates the triangle's corners so that its last one ends no other triangle.
- */
+/* Rotates a triangle's corners so that its last one ends no other triangle. */
 static void add_triangle(
 	struct making *making, const uint16_t from[3], uint16_t out[3])
 {
@@ -72,10 +70,7 @@ static void make(struct making *making, const struct model_primitive *primitive,
 	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
 		add_triangle(making, list + i, making->index + i);
 	}
-	/*
-	 * Lists for shadows may use vertices that no triangle of this list
-	 * uses.
-	 */
+	/* Lists for shadows may use vertices that no triangle here uses. */
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		find_vertex(making, (uint32_t)v);
 	}
@@ -146,19 +141,13 @@ void facets_find_normals(const uint16_t *index, int count,
 	}
 }
 
-/*
- * Returns the bits that the magnitudes use together; that of a negative number
- * counts as one less.
- */
+/* Returns the magnitudes' bits, ORed; that of a negative number is one less. */
 static ALWAYS_INLINE uint32_t bits_of(int32_t a, int32_t b, int32_t c)
 {
 	return (uint32_t)((a ^ a >> 31) | (b ^ b >> 31) | (c ^ c >> 31));
 }
 
-/*
- * Scales a vector, whose components are below 2^31, so that the largest
- * component has 15 bits.
- */
+/* Scales components below 2^31 so that the largest one has 15 bits. */
 static ALWAYS_INLINE struct fixed_vector to_shorts(
 	int32_t x, int32_t y, int32_t z)
 {
@@ -172,10 +161,7 @@ static ALWAYS_INLINE struct fixed_vector to_shorts(
 	};
 }
 
-/*
- * Sides of more than 15 bits are divided by four, so that the sums of their
- * products fit 32 bits.
- */
+/* Sides of more than 15 bits are divided by 4, so that products fit 32 bits. */
 static ALWAYS_INLINE struct fixed_vector find_fixed_normal(
 	const struct fixed_vector *a, const struct fixed_vector *b,
 	const struct fixed_vector *c)

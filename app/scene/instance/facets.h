@@ -24,10 +24,7 @@ struct facets {
 	int vertex_count;
 	/* [vertex_count]: the primitive's vertex of which each is a copy */
 	const uint32_t *source;
-	/*
-	 * [primitive's vertex_count]: a copy of each of the primitive's
-	 * vertices
-	 */
+	/* [primitive's vertex_count]: one copy of each of its vertices */
 	const uint32_t *inverse_order;
 	const uint16_t *index; /* [primitive's index_count] */
 };

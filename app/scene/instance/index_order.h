@@ -12,10 +12,7 @@
 #include <stdint.h>
 
 enum {
-	/*
-	 * vertices in the cache; a vertex is kept in the slot given by the low
-	 * bits of its index
-	 */
+	/* vertices in the cache, one for each value of an index's low bits */
 	INDEX_ORDER_CACHE = 512
 };
 

@@ -111,10 +111,7 @@ static void skin_drawable(
 	}
 }
 
-/*
- * Returns the finest level of detail whose vertices are drawn, for the drawable
- * or for its shadow.
- */
+/* Returns the finest level whose vertices the drawable or its shadow needs. */
 static int drawn_lod(const struct drawable *drawable)
 {
 	int lod = drawable->lod < drawable->shadow_lod ? drawable->lod

@@ -1,3 +1,6 @@
+/*
+ * Creates instances (instance.h): their drawables, batches, matrices and poses.
+ */
 #include "app/scene/instance/instance.h"
 
 #include "app/anim/math/vec.h"
@@ -80,10 +83,7 @@ static void *alloc_vectors(struct arena *arena, int count)
 	return arena_alloc(arena, (size_t)count, sizeof(float[3]));
 }
 
-/*
- * Base positions are the model's own array or, if vertex_scale is not 1, a
- * scaled copy.
- */
+/* Base positions are the model's own array, or a copy times vertex_scale. */
 static int init_base(struct drawable *drawable, struct arena *arena)
 {
 	const struct model_primitive *primitive = drawable->primitive;

@@ -34,10 +34,7 @@ struct batch_lod {
 	float error; /* in the unit of the model's positions */
 	int index_count;
 	const uint16_t *index;
-	/*
-	 * of a list for shadows: the level of detail whose vertices include
-	 * those of the list
-	 */
+	/* of a list for shadows: the level whose vertices include its own */
 	int posed_lod;
 };
 
@@ -67,10 +64,7 @@ struct batch {
 	const uint16_t *index;
 	int lod_count;
 	struct batch_lod *lod; /* [lod_count], finest first */
-	/*
-	 * Lists for shadows: fewer triangles with nearly the same silhouette,
-	 * finest first.
-	 */
+	/* Lists for shadows, finest first: nearly the same silhouette. */
 	int shadow_count;
 	struct batch_lod *shadow; /* [shadow_count] */
 
@@ -105,7 +99,8 @@ struct drawable_fixed {
 	struct fixed_matrix *normal_matrix; /* the same for normals, if these
 					       have a palette of their own */
 	struct fixed_morph morph; /* if not skinned; rigid: no targets */
-	struct fixed_keys *keys;  /* instead if the targets are key frames */
+	/* instead of morph, if the targets are key frames */
+	struct fixed_keys *keys;
 	/* The last pose did not fit 16 bits: the output is an earlier one's. */
 	bool overflowed;
 };
@@ -119,19 +114,13 @@ struct drawable {
 	bool morphed;  /* the mesh has targets */
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
-	/*
-	 * in the last update the joints reversed the winding of the skin's
-	 * triangles
-	 */
+	/* the last update's joints reversed the winding of triangles */
 	bool mirrored;
 	int lod;        /* draws batch.lod[lod - 1]; 0: all triangles */
 	int shadow_lod; /* the same for the shadow, if that list is shorter
 			   than batch.shadow[shadow_list] */
 	int shadow_list;
-	/*
-	 * the last update posed the vertices of this level of detail and of
-	 * coarser ones; 0: all
-	 */
+	/* the last update posed vertices of this and coarser levels; 0: all */
 	int posed_lod;
 	enum model_alpha alpha; /* see model_alpha_of() */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded, 16.16 */
@@ -224,19 +213,13 @@ struct instance {
 
 	int drawable_count;
 	struct drawable *drawable;
-	/*
-	 * The blended drawables in the order in which they are drawn, see
-	 * alpha.h.
-	 */
+	/* The blended drawables in the order of drawing, see alpha.h. */
 	int blended_count;
 	struct blended_drawable *blended; /* room for drawable_count */
 	int float_count; /* drawables in float because 16 bits do not suffice */
 };
 
-/*
- * Returns the list that draws a batch's shadow, or NULL if all its triangles
- * do.
- */
+/* Returns the list that draws a batch's shadow, or NULL for all triangles. */
 static inline const struct batch_lod *drawable_shadow(
 	const struct drawable *drawable, const struct batch *batch)
 {
@@ -278,10 +261,7 @@ static inline void drawable_position(
 		out);
 }
 
-/*
- * Does the same for a vertex of one of the drawable's batches, numbered as in
- * the batch's arrays.
- */
+/* The same for a vertex of one of its batches, by its number in that batch. */
 static inline void drawable_batch_position(const struct drawable *drawable,
 	const struct batch *batch, int vertex, float out[3])
 {

@@ -9,10 +9,7 @@ struct overlay_motion overlay_motion_none(void)
 	return (struct overlay_motion){.clip = -1};
 }
 
-/*
- * Marks as bones the joints of all skins or, without skins, every node of the
- * scene.
- */
+/* Marks the joints of all skins or, without skins, all nodes of the scene. */
 static void find_bones(struct overlay *overlay)
 {
 	const struct model *model = overlay->subject.instance->model;

@@ -47,10 +47,7 @@ struct overlay_motion {
 	int from, to; /* targets; -1: the base */
 	float omega;
 	float wave; /* height of the sinusoidal part in the graph, 0: none */
-	/*
-	 * The morph's progress, 0 to 1, as a function of Omega; NULL: a
-	 * straight line.
-	 */
+	/* The morph's progress, 0..1, by Omega; NULL: a straight line. */
 	float (*shape)(const void *shape_user, float omega);
 	const void *shape_user;
 
@@ -126,10 +123,7 @@ static inline bool overlay_shows(
 void overlay_show_next(
 	struct overlay *overlay, const struct overlay_motion *motion);
 
-/*
- * Chooses the next joint, part or morph target (step 1) or the previous one
- * (step -1).
- */
+/* Chooses the next (step 1) or previous (-1) joint, part or morph target. */
 void overlay_choose(struct overlay *overlay, int step);
 
 /* Returns the name of what is chosen. */
@@ -172,10 +166,7 @@ struct overlay_row {
 struct overlay_row overlay_row_of(
 	const struct overlay *overlay, int width, int height);
 
-/*
- * Clears the depth buffer if bones follow, so that they are drawn over the
- * figures.
- */
+/* Clears depths if bones follow, so that these are drawn over the figures. */
 void overlay_clear_depth(struct overlay *overlay);
 
 /* Draws the skeleton and the pivots. height is the picture's. */

@@ -1,3 +1,7 @@
+/*
+ * Draws the overlays that lie on a figure: weights and masks as heat, the
+ * wireframe, bones and pivots (overlay.h).
+ */
 #include "app/scene/overlay/overlay.h"
 #include "app/scene/overlay/overlay_bones.h"
 #include "platform/base/fixed.h"
@@ -8,10 +12,7 @@ enum {
 	LINE_PX_PER_HEIGHT = 640 /* a line is a pixel wide at this height */
 };
 
-/*
- * How much nearer to the eye edges are than their surfaces, see
- * overlay_push_place().
- */
+/* How much nearer edges are than their surfaces, see overlay_push_place(). */
 static const float edges_nearer = 0.003f;
 
 static const float *first_mask(const struct overlay_motion *motion)

@@ -64,10 +64,7 @@ void overlay_ghost_finish(struct overlay_ghost *ghost)
 	*ghost = (struct overlay_ghost){0};
 }
 
-/*
- * Returns a level coarser than the figure's, because ghosts draw the model
- * several times a frame.
- */
+/* Returns a level coarser than the figure's, as a frame has several ghosts. */
 static int ghost_lod(const struct drawable *figure)
 {
 	int coarsest = figure->batch_count > 0 ? figure->batch[0].lod_count : 0;

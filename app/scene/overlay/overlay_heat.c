@@ -87,10 +87,7 @@ void overlay_heat_paint(
 	}
 }
 
-/*
- * What a heat map shows: values of nodes or, if node_value is NULL, a morph
- * target.
- */
+/* What a heat map shows: node_value or, if that is NULL, a morph target. */
 struct subject {
 	const struct instance *instance;
 	const float *node_value;

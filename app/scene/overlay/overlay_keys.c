@@ -1,3 +1,7 @@
+/*
+ * Draws key frames (overlay.h): those of a clip as onion skins, and the shapes
+ * of a morphed model as a row of small pictures.
+ */
 #include "app/anim/clip.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/overlay/overlay.h"
@@ -15,7 +19,7 @@ enum {
  * ghost with which it nearly coincides.
  */
 static const float ghost_farther = 0.025f;
-/* least time between onion skins, as a part of the clip's */
+/* least time between onion skins, as a part of the clip's duration */
 static const float ghost_gap = 0.08f;
 static const float before_color[4] = {0.30f, 0.62f, 1.0f, 0.36f};
 static const float after_color[4] = {1.0f, 0.66f, 0.22f, 0.36f};

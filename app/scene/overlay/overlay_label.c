@@ -1,3 +1,6 @@
+/*
+ * Labels of the overlays on the head-up display (overlay.h).
+ */
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/overlay/overlay.h"
 #include "app/scene/overlay/overlay_curve.h"

@@ -246,8 +246,8 @@ static bool lies_below(const struct search *search,
 }
 
 /*
- * Returns true if the model has such a triangle. An example is a room whose
- * floor and walls are one surface.
+ * Returns true if the model has a triangle in its lowest plane that faces
+ * upwards. An example is a room whose floor and walls are one surface.
  */
 static bool has_bottom(const struct search *search)
 {

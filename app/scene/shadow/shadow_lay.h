@@ -22,10 +22,7 @@ struct shadow_light {
 	const struct floor *ground;
 };
 
-/*
- * Memory for the grid's nodes. node_count of them are in use, 0 if no grid was
- * needed.
- */
+/* Memory for the grid's nodes, of which node_count are in use; 0: no grid. */
 struct shadow_grid {
 	float (*node)[3]; /* [SHADOW_NODES_MAX] */
 	int node_count;

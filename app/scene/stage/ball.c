@@ -55,10 +55,7 @@ static void fall_on_floor(const struct floor *floor, const float light[3],
 	out[1] = height;
 }
 
-/*
- * Projects a circle around the ball, at right angles to the light, onto the
- * floor along the light.
- */
+/* Projects the ball's outline, as the light sees it, onto the floor. */
 static void find_shadow(const struct floor *floor, const float eye[3],
 	const float center[3], float radius, float out[SHADOW_CORNERS][3])
 {

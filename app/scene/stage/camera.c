@@ -8,10 +8,7 @@
 
 #include <string.h>
 
-/*
- * As a part of the radius: a smaller move of the box does not change the
- * camera.
- */
+/* Moves of the box below this part of the radius do not change the camera. */
 static const float least_move = 1e-4f;
 
 enum {
@@ -69,10 +66,7 @@ static void box_corner(const float half[3], int number, float out[3])
 	}
 }
 
-/*
- * Returns the least distance at which a box around the target fits at every
- * yaw.
- */
+/* Returns the least distance at which a box at the target fits at any yaw. */
 static float distance_for_every_yaw(const struct camera *camera,
 	const float half[3], float tan_x, float tan_y)
 {
@@ -175,9 +169,7 @@ static void fit_box(struct camera *camera)
 	camera->distance = far * camera->fit.zoom;
 }
 
-/*
- * Returns the region, or the whole picture for an empty one, less the margin.
- */
+/* Returns the region, or the whole picture if it is empty, less the margin. */
 static struct camera_region inner_region(
 	const struct camera_region *region, float margin)
 {
@@ -350,9 +342,7 @@ void camera_view(const struct camera *camera, mat4 out)
 	}
 }
 
-/*
- * Clamps an edge of the frustum so that the difference of two edges fits 16.16.
- */
+/* Clamps a frustum's edge so that the difference of two edges fits 16.16. */
 static fx16_t edge(float value)
 {
 	return fx16_from_float(scalar_clamp(value, -16000.0f, 16000.0f));

@@ -95,16 +95,10 @@ void camera_set_region(struct camera *camera,
  */
 struct camera_region camera_covered(const struct camera *camera);
 
-/*
- * Multiplies the distance by a factor, which stays in effect when the camera
- * orbits.
- */
+/* Multiplies the distance; the factor also holds when the camera orbits. */
 void camera_zoom(struct camera *camera, float factor);
 
-/*
- * Returns the greatest distance that the camera has at any yaw, as far as
- * ground has to reach.
- */
+/* Returns the greatest distance at any yaw; ground has to reach that far. */
 float camera_farthest(const struct camera *camera);
 
 /*

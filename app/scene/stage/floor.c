@@ -15,7 +15,7 @@ enum {
 };
 
 static const float level_shade = 208.0f; /* of level ground, of 255 */
-/* of the radius; the ground fades beyond */
+/* the ground is opaque up to this part of its radius and fades beyond */
 static const float opaque_part = 0.5625f;
 /* What lies on the ground is lifted by this many times floor_mesh_error(), */
 static const float lift_errors = 4.0f;
@@ -230,10 +230,7 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	/* The floor extends at least to below a distant camera. */
 	float min_radius = 1.1f * camera->distance;
 	float radius = floor->radius > min_radius ? floor->radius : min_radius;
-	/*
-	 * The far plane would cut off ground beyond it, which has to fade
-	 * before.
-	 */
+	/* Ground has to fade before the far plane cuts it off. */
 	float far = 0.95f *
 		fx16_to_float(camera_frustum(camera, width, height).far);
 	float eye[3], ahead;

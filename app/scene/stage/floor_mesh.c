@@ -221,9 +221,7 @@ static bool faces_away(const float *const corner[3], const float eye[3])
 	return !(vec_dot(normal, to_eye) * normal[1] > 0.0f);
 }
 
-/*
- * Returns true if all corners are beyond the sector, or all on one side of it.
- */
+/* Returns true if all corners are beyond the sector or on one side of it. */
 static bool is_outside(const float *const corner[3], const struct sector *sector)
 {
 	int beyond = 0, left = 0, right = 0;
@@ -260,10 +258,7 @@ bool floor_mesh_may_hide(const struct floor_mesh *mesh,
 	return false;
 }
 
-/*
- * A rectangle of the picture, in coordinates to the right and upwards at depth
- * 1.
- */
+/* A rectangle of the picture at depth 1; x to the right, y upwards. */
 struct window {
 	float low[2], high[2];
 };
@@ -346,8 +341,8 @@ static bool is_cell_in(const uint16_t *cell,
 }
 
 /*
- * Adds a cell to the last run if that run is drawn in the same way, else to a
- * new run.
+ * Adds a cell to the last run if that is drawn in the same way, else to a new
+ * one.
  */
 static void add_cell(
 	struct floor_order *order, const uint16_t *cell, struct floor_run kind)

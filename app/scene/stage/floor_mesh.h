@@ -34,10 +34,7 @@ struct floor_mesh {
 struct floor_mesh_ground {
 	float y;           /* the height of level ground */
 	float wave_height; /* greatest distance from y */
-	/*
-	 * Level distances ahead of the eye: where ground begins to fade, where
-	 * it ends.
-	 */
+	/* Level distances from the eye to where ground fades, and ends. */
 	float opaque_end, end;
 };
 

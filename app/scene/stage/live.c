@@ -4,10 +4,7 @@
 
 #include <string.h>
 
-/*
- * Mean difference of luma between two images, of 255, at which the motion level
- * is 1.
- */
+/* Mean difference of two images' luma, of 255, at which the level is 1. */
 static const float full_motion = 6.0f;
 /* Time constants with which smooth_level rises and falls. */
 static const float rise_s = 0.08f, fall_s = 0.45f;

@@ -68,18 +68,20 @@ void stage_shadow_begin(const struct stage *stage, const struct gl *gl);
 void stage_shadow_end(const struct stage *stage, const struct gl *gl);
 
 /*
- * Does the same for shadows on a level rectangle above the ground, given by its
- * corners in order. Call it after all that may hide the rectangle was drawn. It
- * needs a stencil buffer. End it with stage_top_end().
+ * Does the same as stage_shadow_begin() for shadows on a level rectangle above
+ * the ground, given by its corners in order. Call it after all that may hide
+ * the rectangle was drawn. It needs a stencil buffer. End it with
+ * stage_top_end().
  */
 void stage_top_begin(
 	const struct stage *stage, const struct gl *gl, float corner[4][3]);
 void stage_top_end(const struct gl *gl);
 
 /*
- * Do the same for level ground of the model's own, at height y. The caller
- * draws the ground between these two calls, and then, until stage_top_end(),
- * the shadows that lie on it. They need a stencil buffer.
+ * Do the same as stage_top_begin() for level ground of the model's own, at
+ * height y. The caller draws the ground between these two calls, and then,
+ * until stage_top_end(), the shadows that lie on it. They need a stencil
+ * buffer.
  */
 void stage_ground_begin(const struct gl *gl);
 void stage_ground_end(const struct gl *gl, float y);

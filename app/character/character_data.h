@@ -42,6 +42,7 @@ struct character_parameter {
 	enum character_source source;
 	/* the number that CHARACTER_SOURCE_PARAMETER follows */
 	const float *other;
+	/* of the source: factor and summand, or a sine's period and phase */
 	float scale, offset;
 	int choice_count; /* 0: it is no choice */
 	/* [choice_count], names of the values 0, 1 ... */
@@ -51,9 +52,7 @@ struct character_parameter {
 	bool unlabelled; /* labels do not show it */
 
 	/* Changes: */
-	/*
-	 * value eases from .from to .goal; elapsed_s counts since goal changed.
-	 */
+	/* value eases from .from to .goal, elapsed_s after goal has changed */
 	float value, goal, from, elapsed_s;
 };
 
@@ -123,10 +122,7 @@ enum {
 struct character_clip {
 	const struct model_clip *clip; /* NULL: the rest pose */
 	int mark_count; /* 0: the clip is not kept in phase with others */
-	/*
-	 * [mark_count], seconds, increasing: times that clips of a blend pass
-	 * together
-	 */
+	/* [mark_count], increasing seconds that blended clips pass together */
 	float mark[CHARACTER_MARKS_MAX];
 	/* how far the motion's root goes in the clip, in its parent's frame */
 	float travel[3];
@@ -134,7 +130,7 @@ struct character_clip {
 	/* the figure's speed over the ground along x and z */
 	float ground_m_per_s[2];
 	/*
-	 * [CHARACTER_SAMPLES], heights of the lower sole; NULL without [feet].
+	 * [CHARACTER_SAMPLES], heights of the lower sole; NULL without [feet]
 	 */
 	float *sole_m;
 	struct character_event *event;
@@ -163,10 +159,7 @@ struct character_state {
 	const char *name;
 	int entry_count;
 	struct character_entry *entry; /* sorted by .at */
-	/*
-	 * [node_count], bits 1 << enum model_path of what the entries' clips
-	 * change
-	 */
+	/* [node_count], bits 1 << enum model_path: what the clips change */
 	uint8_t *paths;
 	const float *position; /* the value that chooses between the entries */
 	const float *rate;
@@ -237,10 +230,7 @@ struct character_feet;
 struct character_cape;
 struct character_shake;
 
-/*
- * A switch that fades. The structs of layers, expressions and effects begin
- * with one.
- */
+/* A switch that fades. Layers, expressions and effects begin with one. */
 struct character_switch {
 	const char *name;
 	const char *kind;
@@ -263,7 +253,7 @@ enum character_stage {
 	CHARACTER_STAGE_PART,
 	CHARACTER_STAGE_BONE, /* changes bones by the pose alone */
 	/*
-	 * operations from here on read world matrices and leave them up to date
+	 * from here on operations read world matrices and keep them up to date
 	 */
 	CHARACTER_STAGE_WORLD,
 	CHARACTER_STAGE_ATTACHED,
@@ -284,9 +274,7 @@ struct character_layer {
 	struct character_entry entry;
 	const float *rate;
 	bool additive;
-	/*
-	 * plays when an action says so, and fades in and out at the clip's ends
-	 */
+	/* plays when an action says so and fades at the clip's ends */
 	bool once;
 	float *mask;           /* [node_count], or NULL */
 	struct pose reference; /* of an additive layer: the clip's start */

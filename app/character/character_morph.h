@@ -26,10 +26,7 @@ struct character_curve {
 	const char *name; /* for people */
 	int table_count;
 	float table[CHARACTER_TABLE_MAX]; /* or the Bezier's x1 y1 x2 y2 */
-	/*
-	 * Of the sine: the displacement, and how it runs through the shape as a
-	 * wave.
-	 */
+	/* Of the sine: its displacement, and how it runs through the shape. */
 	struct morph_wave wave;
 };
 

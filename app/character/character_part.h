@@ -65,10 +65,7 @@ struct character_part {
 	float top[CHARACTER_TOPS_MAX][5];
 
 	/* Changes: */
-	/*
-	 * the node it is attached to, CHARACTER_GROUND, or -1: its place in the
-	 * model
-	 */
+	/* a node, CHARACTER_GROUND, or -1 for its place in the model */
 	int holder;
 	float rest_m;          /* the pivot's height in the model */
 	struct transform held; /* its place in the holder's frame */

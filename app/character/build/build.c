@@ -1,3 +1,7 @@
+/*
+ * Compiles a character: reads its text, runs the steps of the compilation in
+ * their order, and sets the character to its start.
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/character.h"

@@ -64,10 +64,7 @@ int character_read_section(struct character_build *build,
 struct character_kind {
 	const char *name;
 	size_t size;
-	/*
-	 * Reads one section into its struct, which is all zero. Returns 0 or
-	 * -errno.
-	 */
+	/* Reads one section into its struct, which is all zero. 0 or -errno. */
 	int (*read)(struct character_build *build,
 		const struct character_section *section, void *one);
 };
@@ -113,10 +110,7 @@ bool character_take(struct character_words *words, const char *word);
 /* Returns true if all words of the line have been taken. */
 bool character_at_end(const struct character_words *words);
 
-/*
- * Takes a number between -1e9 and 1e9; returns false, and takes nothing, for
- * any other word.
- */
+/* Takes a number between -1e9 and 1e9, or returns false and takes nothing. */
 bool character_take_number(struct character_words *words, float *out);
 /* The same, but a number outside of low..high is not taken either. */
 bool character_take_within(
@@ -270,10 +264,7 @@ void character_start_switches(struct character *character);
 void character_to_bone(const struct character_build *build, int node,
 	const float direction[3], float out[3]);
 
-/*
- * Initialises an entry with a clip, an index or -2 for the rest pose. Returns 0
- * or -ENOMEM.
- */
+/* Initialises an entry. clip -2 is the rest pose. Returns 0 or -ENOMEM. */
 int character_init_entry(
 	struct character_build *build, int clip, struct character_entry *entry);
 

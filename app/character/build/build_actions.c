@@ -1,3 +1,6 @@
+/*
+ * Reads actions, such as "add speed 0.5", by a table of their verbs.
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/run/effects.h"

@@ -1,3 +1,6 @@
+/*
+ * Sections [look] and [reach], and the limbs and targets that effects aim with.
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/run/effects.h"

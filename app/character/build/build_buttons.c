@@ -1,3 +1,7 @@
+/*
+ * Sections [buttons]: each line binds actions to a gesture of one or two
+ * buttons.
+ */
 #include "app/character/build/build.h"
 
 #include <errno.h>
@@ -230,10 +234,7 @@ static int read_common(struct character_build *build,
 	return error;
 }
 
-/*
- * Returns true if a later line, of a file that includes this one, has the same
- * key.
- */
+/* Returns true if a later line of an including file has the same key. */
 static bool is_replaced(const struct character_line *line)
 {
 	const struct character_line *later = line->next;

@@ -1,3 +1,6 @@
+/*
+ * Sections [cape]: shapes a grid of cloth that hangs from a bone.
+ */
 #include "app/character/build/build.h"
 #include "app/character/run/effects.h"
 

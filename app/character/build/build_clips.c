@@ -1,3 +1,8 @@
+/*
+ * Sections [clip], and what is measured of each clip: how far its root goes,
+ * how fast it goes over the ground, where its feet step and how high its soles
+ * are. For this the instance is posed at even times of the clip.
+ */
 #include "app/character/build/build.h"
 #include "app/character/build/gait.h"
 
@@ -224,10 +229,7 @@ static void sample_feet(const struct character_build *build,
 	}
 }
 
-/*
- * Finds the samples where the value is least and largest; returns the
- * difference.
- */
+/* Finds the samples of the least and the largest value; returns their range. */
 static float find_extremes(
 	float ahead[CHARACTER_SAMPLES][2], int axis, int *least, int *most)
 {

@@ -1,3 +1,6 @@
+/*
+ * Lines "curve" and "direction" of a section [morph].
+ */
 #include "app/anim/math/vec.h"
 #include "app/character/build/build.h"
 

@@ -1,3 +1,8 @@
+/*
+ * Sections of the effects, by a table of their kinds: [shake], [turn],
+ * [spring], [breath] and [muscle] are read here, the others in files of their
+ * own.
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/presets/preset_file.h"

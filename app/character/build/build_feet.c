@@ -1,3 +1,6 @@
+/*
+ * Sections [feet]: finds the points of a figure's soles in the rest pose.
+ */
 #include "app/character/build/build.h"
 
 #include "app/anim/math/vec.h"
@@ -23,10 +26,7 @@ static const struct ring rings[] = {
 static const float direction[8][2] = {
 	{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
-/*
- * Points of a sole below this height, in heights of the figure, are on the
- * ground.
- */
+/* Points of a sole below this part of the figure's height are on the ground. */
 static const float planted_height = 0.002f;
 
 static int read_leg(struct character_words *words,

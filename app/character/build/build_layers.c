@@ -1,3 +1,6 @@
+/*
+ * Sections [layer], and the masks of the bones that layers move.
+ */
 #include "app/character/build/build.h"
 
 #include "app/anim/pose_blend.h"
@@ -10,10 +13,7 @@ enum {
 	MASKS_MAX = 32
 };
 
-/*
- * What a layer's section says; the layer's mask and entry are made from it
- * later.
- */
+/* What a layer's section says. Mask and entry are made from it later. */
 struct draft {
 	struct character_layer layer;
 	int clip; /* -1: none was given */
@@ -33,10 +33,7 @@ static int read_clip(struct character_words *words,
 	return *(int *)member == -1 ? -EINVAL : 0;
 }
 
-/*
- * Returns true if node is the one at the top or below it, and by how many
- * levels.
- */
+/* Returns true if node is top or below it, and by how many levels. */
 static bool is_below(const struct model *model, int node, int top, int *levels)
 {
 	*levels = 0;

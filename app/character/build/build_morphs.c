@@ -1,3 +1,6 @@
+/*
+ * Sections [expression] and [morph].
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/run/layers.h"

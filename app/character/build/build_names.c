@@ -1,3 +1,7 @@
+/*
+ * Looks up names: of the model's nodes, clips and targets, and of the file's
+ * sections and switches. Also keeps the lists of switches and operations.
+ */
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/character/build/build.h"
@@ -292,10 +296,7 @@ int character_build_names(struct character_build *build)
 		: character_fail_memory(build);
 }
 
-/*
- * Operations run by stages, and within a stage in the order in which they were
- * added.
- */
+/* Operations run by stages, and within one in the order they were added. */
 void character_add_op(struct character_build *build, enum character_stage stage,
 	void (*run)(struct character *character, void *what), void *what)
 {

@@ -1,3 +1,6 @@
+/*
+ * Sections [parameter].
+ */
 #include "app/character/build/build.h"
 
 #include <errno.h>

@@ -1,3 +1,6 @@
+/*
+ * Sections [part] and [sequence].
+ */
 #include "app/character/build/build.h"
 
 #include "app/character/parts/held.h"

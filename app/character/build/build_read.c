@@ -1,3 +1,7 @@
+/*
+ * Reads sections by tables of their keys, takes words and numbers from lines,
+ * and logs what is wrong with them.
+ */
 #include "app/anim/math/vec.h"
 #include "app/character/build/build.h"
 #include "platform/base/name_list.h"

@@ -1,3 +1,6 @@
+/*
+ * Sections [motion], [target], [output] and [scene].
+ */
 #include "app/character/build/build.h"
 #include "platform/buttons/gpio_output.h"
 

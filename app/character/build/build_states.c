@@ -1,3 +1,6 @@
+/*
+ * Sections [state] and [transition], and the comparisons of "when".
+ */
 #include "app/character/build/build.h"
 
 #include <errno.h>

@@ -1,3 +1,6 @@
+/*
+ * Sections [trigger].
+ */
 #include "app/character/build/build.h"
 
 static const struct character_key keys[] = {

@@ -1,3 +1,7 @@
+/*
+ * Readers of values that several kinds of sections have: parameters or numbers,
+ * fades, nodes, states, choices and capsules.
+ */
 #include "app/character/build/build.h"
 
 #include <errno.h>

@@ -15,10 +15,7 @@ enum {
  * Points below this height, as a part of the figure's height, touch the ground.
  */
 static const float touching = 0.03f;
-/*
- * A figure that its clip carries less far than this, in heights, moves on the
- * spot.
- */
+/* A figure carried less far than this, in heights, moves on the spot. */
 static const float on_the_spot = 0.15f;
 /* Figures that are slower than this, in their own lengths a second, stand. */
 static const float standing = 0.12f;
@@ -155,10 +152,7 @@ static float extent_of(const struct sample *sample)
 	return extent;
 }
 
-/*
- * Sets a velocity below least to 0, and a component that is small beside the
- * other one.
- */
+/* Sets a velocity below least to 0, and a component far below the other one. */
 static void straighten(float velocity[2], float least)
 {
 	float x = scalar_abs(velocity[0]), z = scalar_abs(velocity[1]);

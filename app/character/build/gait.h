@@ -19,10 +19,7 @@ struct gait_body {
 
 /* All in metres, along x and z. */
 struct gait {
-	/*
-	 * Of the figure over the ground, metres a second; 0 0 for a figure that
-	 * stands.
-	 */
+	/* Of the figure over the ground, m/s; 0 0 for a figure that stands. */
 	float velocity[2];
 	/*
 	 * How far the clip itself carries the figure from its start to its end;
@@ -34,10 +31,7 @@ struct gait {
 /* Chooses at most GAIT_POINTS_MAX vertices of the model. */
 void gait_body_make(struct gait_body *body, const struct model *model);
 
-/*
- * Returns the number of steps in which to measure each clip of a model that has
- * this many.
- */
+/* Returns in how many steps to measure each clip of a model with this many. */
 int gait_steps_for(int clip_count);
 
 /*

@@ -12,10 +12,7 @@ enum {
 	CLIPS_MAX = 16 /* clips that are measured at most */
 };
 
-/*
- * A speed that the file gives is used if it differs from the measured one by at
- * most this factor.
- */
+/* The file's speed is used if it is within this factor of the measured one. */
 static const float near_factor = 1.5f;
 
 static const char *const role_names[MOTION_ROLES][4] = {
@@ -83,10 +80,7 @@ struct saying {
 	float speed;
 };
 
-/*
- * Finds the roles' clips in a blend over the speed. Its entries are sorted, the
- * slowest one first.
- */
+/* Finds the roles' clips in a blend over speed; the slowest entry is first. */
 static void read_blend(const struct character_state *state,
 	const struct model *model, struct saying say[MOTION_ROLES])
 {

@@ -47,17 +47,11 @@ struct motions {
 int motions_find(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct motions *out);
 
-/*
- * Returns the box of the figure in this motion, in scene units, without
- * motion->drift.
- */
+/* Returns the figure's box in this motion, scene units, without its drift. */
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion);
 
-/*
- * Computes how far motion->drift has moved the figure at this time of the clip,
- * x and z.
- */
+/* Computes how far the drift has moved the figure at this time, x and z. */
 void motion_drift_at(const struct motion *motion, const struct model *model,
 	float time_s, float out[2]);
 

@@ -1,7 +1,4 @@
-/*
- * The distance of line segments, for parts that must not pass through each
- * other.
- */
+/* The distance of segments, for parts that must not pass through each other. */
 #ifndef APP_CHARACTER_PARTS_DISTANCE_H
 #define APP_CHARACTER_PARTS_DISTANCE_H
 

@@ -166,10 +166,7 @@ static const char *find_section(const char *text, const char *name)
 	return text;
 }
 
-/*
- * Returns the end of the section's last setting. Comments after it belong to
- * the next section.
- */
+/* Returns the end of the section's last setting; later comments are not its. */
 static const char *find_end(const char *section)
 {
 	const char *end = section;

@@ -1,3 +1,6 @@
+/*
+ * The operation of a cape (effects.h).
+ */
 #include "app/character/run/effects.h"
 
 /* Air pushes with the square of the speed: a cape hangs while walking. */

@@ -59,10 +59,7 @@ void character_look_run(struct character *character, void *what)
 	}
 }
 
-/*
- * The tip's goal lies on the line from the first bone to the target, short_m
- * before the target.
- */
+/* The tip's goal lies short_m before the target, seen from the first bone. */
 static void shorten(const struct character_reach *reach,
 	const struct instance *instance, float goal[3])
 {
@@ -146,8 +143,7 @@ void character_reach_run(struct character *character, void *what)
 }
 
 /*
- * Turns a bone from its animated rotation, or blends it towards its rest
- * rotation with the turn.
+ * Turns a bone from its animated rotation, or blends to one turned from rest.
  */
 static void turn_bone(
 	const struct character_turn *turn, struct pose *pose, int which)

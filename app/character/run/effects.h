@@ -46,7 +46,7 @@ struct character_reach {
 	struct ik_chain chain;
 	float short_m; /* the tip stops this far before the target */
 	bool has_pole;
-	float pole[3]; /* from the target */
+	float pole[3]; /* from the target; the middle joint bends towards it */
 	bool has_grip;
 	float grip[3]; /* the target's place in the tip's frame */
 };

@@ -133,10 +133,7 @@ static void note_foot(const struct character *character,
 	const struct character_feet *feet, struct character_foot *foot,
 	float before[CHARACTER_SOLE_MAX][3])
 {
-	/*
-	 * A held foot lets go at a greater height than that at which it takes
-	 * hold.
-	 */
+	/* A foot lets go at a greater height than it takes hold at. */
 	float near = foot->step_s < 0 && foot->low ? release : 1;
 	float above =
 		character->ground_m - feet->lift_m + near * foot->planted_m;
@@ -367,9 +364,7 @@ static void lift_hips(struct instance *instance,
 	instance->pose.animated[feet->hips] = true;
 }
 
-/*
- * Returns how far the hips have to come down for the leg to reach the target.
- */
+/* Returns how far the hips have to come down for a leg to reach its target. */
 static float missing_height(const struct instance *instance,
 	const struct character_foot *foot, const float target[3], float lift)
 {
@@ -389,10 +384,7 @@ static bool is_displaced(const struct character_hold *hold)
 		hold->turn_rad != 0;
 }
 
-/*
- * Finds where the ankles have to be. Returns true if the legs have to bend for
- * this.
- */
+/* Finds the ankles' goals. Returns true if the legs have to bend for them. */
 static bool find_targets(const struct character *character,
 	const struct character_feet *feet, struct foot_goal goal[2])
 {

@@ -43,8 +43,7 @@ static void blend_speeds(const struct character *character, float out[2])
 }
 
 /*
- * Returns the foot that stands on the ground: the lower one if it is low
- * enough, else -1.
+ * Returns the foot on the ground: the lower one if it is low enough, else -1.
  */
 static int find_planted(const struct character *character)
 {

@@ -7,10 +7,7 @@
 
 #include <string.h>
 
-/*
- * Returns the layer's weight. A layer that plays once fades in and out within
- * its clip.
- */
+/* A layer that plays once fades in and out within its clip. */
 static float weight_of(struct character_layer *layer)
 {
 	float fade_s = layer->is.fade_s, duration_s, left_s, weight;

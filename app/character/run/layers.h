@@ -14,27 +14,21 @@ void character_morph_run(struct character *character, void *morph);
 /* Starts a layer that plays once; one that plays already starts again. */
 void character_layer_play(struct character_layer *layer);
 
-/*
- * Begins a morph to another key frame, its new Destiny; a morph may be under
- * way.
- */
+/* Begins a morph to a new Destiny, a key; a morph may be under way. */
 void character_morph_go(struct character_morph *morph, int key, double now_s);
 
 /* Returns the morph's Omega, 0 at the start and 1 at the end. */
 float character_morph_omega(const struct character_morph *morph, double now_s);
 
 /*
- * Returns the part of the way that a struct character_curve has gone at omega,
- * 0..1.
+ * Returns the part of the way that a struct character_curve goes up to omega.
  */
 float character_morph_curve(const void *curve, float omega);
 
 /* Uses the curve of this number from now on. */
 void character_morph_use_curve(struct character_morph *morph, int curve);
 
-/*
- * Bends the vertices that instance_update() has posed, if the morph bends any.
- */
+/* If the morph bends vertices, bends those that instance_update() posed. */
 void character_morph_bend(struct character_morph *morph, double now_s);
 
 #endif

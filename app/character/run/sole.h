@@ -16,10 +16,7 @@ struct character_sole {
 /* Returns a point that moves with one node; at is in the node's frame. */
 struct character_sole character_sole_on_node(int node, const float at[3]);
 
-/*
- * Returns the point of a vertex of a primitive that a node shows. Morph targets
- * are left out.
- */
+/* Returns a vertex of a primitive that a node shows, without morph targets. */
 struct character_sole character_sole_of_vertex(const struct model *model,
 	int node, const struct model_primitive *primitive, int vertex);
 

@@ -27,16 +27,10 @@ struct character_bounds {
 	 * shifts, and of what turned parts have reached until now.
 	 */
 	struct bounds extra;
-	/*
-	 * The box of what springs and capes have reached since one was switched
-	 * on.
-	 */
+	/* What springs and capes have reached since one was switched on. */
 	struct bounds swung;
 	float extent; /* of the model */
-	/*
-	 * [drawable_count]: the outermost vertex in each direction; NULL
-	 * without parts.
-	 */
+	/* [drawable_count]: the outermost vertices; NULL without parts. */
 	int (*outermost)[CHARACTER_DIRECTIONS];
 };
 

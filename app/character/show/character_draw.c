@@ -277,10 +277,7 @@ static void draw_shadows(const struct character_drawing *drawing,
 	draw_ball_shadows(character, stage, gl);
 }
 
-/*
- * Finds the corners of a node's top and their box. Returns false if the top is
- * not level.
- */
+/* Finds a node's top: its corners and box. Returns false if it is not level. */
 static bool find_top(const float top[5], int node,
 	const struct instance *instance, float corner[4][3], struct bounds *box)
 {

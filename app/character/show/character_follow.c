@@ -184,10 +184,7 @@ static int find_followed(struct character_follow *follow,
 		home[axis] -= follow->start[axis] + follow->offset[axis];
 	}
 	character_follow_box(follow, home, box);
-	/*
-	 * The box stays as low as the clip goes, because the ground is below
-	 * all of it.
-	 */
+	/* The box stays as low as the clip goes; the ground is below it. */
 	box->low[1] = low;
 	return 0;
 }

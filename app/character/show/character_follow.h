@@ -18,7 +18,7 @@ struct character_follow {
 	int node;        /* that the camera follows; -1: none */
 	float start[3];  /* where the node is at the clip's start */
 	float offset[3]; /* from there to the box's middle */
-	float half[3];   /* of the box's sides, along such an axis */
+	float half[3];   /* half the box's sides along the followed axes */
 };
 
 /*
@@ -38,10 +38,7 @@ struct character_boxes {
 int character_follow_find(
 	const struct character *character, const struct character_boxes *out);
 
-/*
- * Computes how far the node is from its start along the followed axes; 0 along
- * the others.
- */
+/* Computes how far the node is from its start; 0 on axes not followed. */
 void character_follow_way(const struct character_follow *follow,
 	const struct instance *instance, float out[3]);
 

@@ -13,10 +13,7 @@ static bool moves_root(
 		channel->interpolation != MODEL_STEP && !channel->constant;
 }
 
-/*
- * A cubic key is an in-tangent, a value and an out-tangent; tangents are per
- * second.
- */
+/* A cubic key: in-tangent (per second), value, out-tangent (per second). */
 static void take_from_key(
 	float *key, bool cubic, const float travel[3], float passed, float rate)
 {

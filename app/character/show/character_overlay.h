@@ -7,10 +7,7 @@
 #include "app/character/character_data.h"
 #include "app/scene/overlay/overlay.h"
 
-/*
- * Describes what moves the figure. The caller sets *out to
- * overlay_motion_none() before.
- */
+/* Describes what moves the figure; *out is overlay_motion_none() before. */
 void character_overlay_describe(
 	const struct character *character, struct overlay_motion *out);
 

@@ -31,10 +31,7 @@ static void write_clip_name(const struct model *model, int clip, FILE *out)
 	}
 }
 
-/*
- * The state of a clip without a usable name is called "clip 3", unless a clip
- * has that name.
- */
+/* Without a usable name, a state is called "clip 3" unless a clip is. */
 static void write_state_name(const struct model *model, int clip, FILE *out)
 {
 	char number[24];
@@ -163,10 +160,7 @@ static void write_morph(const struct model *model, FILE *out)
 	}
 }
 
-/*
- * [node_count] each: which nodes are joints, and how many children each node
- * has.
- */
+/* [node_count] each: which nodes are joints, and their numbers of children. */
 struct bones {
 	bool *is_joint;
 	int *child_count;
@@ -189,10 +183,7 @@ static int find_bones(
 	return 0;
 }
 
-/*
- * Returns the number of bones from the last one of a chain up to where the
- * skeleton branches.
- */
+/* Returns the number of bones from last up to where the skeleton branches. */
 static int chain_length(
 	const struct model *model, const struct bones *bones, int last)
 {
@@ -251,8 +242,7 @@ static void write_target(const struct bone_box *box, FILE *out)
 	int decimals = 2;
 
 	/*
-	 * Numbers are exact to a hundredth of the model, however far it is from
-	 * the origin.
+	 * Exact to a hundredth of the model, however far from the origin it is.
 	 */
 	for (float side = size; side < 1.0f && decimals < 9; side *= 10.0f) {
 		decimals++;

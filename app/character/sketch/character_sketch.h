@@ -8,10 +8,7 @@
 
 #include <stdio.h>
 
-/*
- * The most clips of a sketch; more would exceed the length that
- * character_text.h allows.
- */
+/* With more clips, the text would exceed CHARACTER_LINES_MAX. */
 enum {
 	CHARACTER_SKETCH_CLIPS = 1000
 };

@@ -28,10 +28,7 @@ float character_entry_sole_m(const struct character_entry *entry)
 		sole_m[(sample + 1) % CHARACTER_SAMPLES] * beyond;
 }
 
-/*
- * Returns the time between a mark and the next one, which may be in the next
- * round.
- */
+/* Returns the time from a mark to the next, which may be in the next round. */
 static float interval_s(const struct character_clip *clip, int mark)
 {
 	if (mark + 1 < clip->mark_count) {
@@ -82,10 +79,7 @@ void character_entry_move(
 		(double)(clip->mark[mark] + beyond * interval_s(clip, mark));
 }
 
-/*
- * Returns true if time_s was passed on the way from one time of a clip to
- * another.
- */
+/* Returns true if time_s lies on the way from one time of a clip to another. */
 static bool is_passed(
 	float time_s, float from_s, float to_s, enum clip_repeat repeat)
 {

@@ -6,10 +6,7 @@
 #include "app/character/state/entry.h"
 #include "platform/base/scalar.h"
 
-/*
- * Returns the transition to a state from the present one, else one from any
- * state, else -1.
- */
+/* Returns the transition from the present state, else one from any, or -1. */
 static int find_transition(const struct character_machine *machine, int to)
 {
 	int any = -1;
@@ -77,10 +74,7 @@ static float fade_s(
 				 : 1.0f / 30);
 }
 
-/*
- * Returns the fade to a state: that of the transition, that of a row, or the
- * state's own.
- */
+/* Returns the fade of the transition, of a row, or of the state itself. */
 static const struct character_fade *fade_to(
 	const struct character_machine *machine, int to, int transition)
 {
@@ -102,10 +96,7 @@ static int state_after(const struct character_machine *machine)
 		: next;
 }
 
-/*
- * Returns true if the clip is so near its end that the fade to the next state
- * begins.
- */
+/* Returns true if so little of the clip is left that the next fade begins. */
 static bool is_at_end(const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;

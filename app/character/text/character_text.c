@@ -241,10 +241,7 @@ static int check_section(struct reader *reader, const char *line)
 	return begin_section(reader, line);
 }
 
-/*
- * Returns 0 if the library will accept the line; begins a section for a
- * heading.
- */
+/* Returns 0 if the library will accept the line. A heading begins a section. */
 static int check_line(struct reader *reader, const char *line)
 {
 	if (*line == '[') {

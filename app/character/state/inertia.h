@@ -15,7 +15,7 @@
 
 enum inertia_curve {
 	INERTIA_SMOOTH, /* keeps position and velocity */
-	INERTIA_LINEAR, /* the second document, 3.1 */
+	INERTIA_LINEAR, /* the second paper of app/departures.md, 3.1 */
 	INERTIA_CUBIC,  /* 3 u^2 - 2 u^3 */
 };
 

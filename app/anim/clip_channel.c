@@ -28,7 +28,7 @@ static int search_key(const struct model_channel *channel, float time_s)
 	int low = 0;
 	int high = channel->key_count - 1;
 
-	/* time_s[low] <= time_s < time_s[high] */
+	/* Invariant: time_s[low] <= time_s < time_s[high]. */
 	while (high - low > 1) {
 		int middle = low + (high - low) / 2;
 
@@ -42,8 +42,9 @@ static int search_key(const struct model_channel *channel, float time_s)
 }
 
 /*
- * The key at or before time_s, which is inside the channel's range. In a
- * playback of either direction it is the cached key or one of its neighbours.
+ * Returns the last key that is not after time_s, which lies between the first
+ * key and the last. In a playback, forward or backward, this is mostly the
+ * cached key or a neighbour of it.
  */
 static int find_key(
 	const struct model_channel *channel, float time_s, int cached)
@@ -51,7 +52,7 @@ static int find_key(
 	if (holds(channel, cached, time_s)) {
 		return cached;
 	}
-	/* Checked first, since cached may have any value. */
+	/* The range is checked first, so that cached + 1 cannot overflow. */
 	if (cached >= 0 && cached < channel->key_count) {
 		if (holds(channel, cached + 1, time_s)) {
 			return cached + 1;
@@ -71,7 +72,7 @@ struct clip_moment clip_moment_search(
 	struct clip_moment moment = {
 		times, channel->key_count, last, CLIP_AT_KEY};
 
-	/* Negated, so that a NaN takes the first key. */
+	/* The comparison is negated so that a NaN takes the first key. */
 	if (!(time_s > times[0])) {
 		moment.key = 0;
 	} else if (time_s < times[last]) {
@@ -83,7 +84,10 @@ struct clip_moment clip_moment_search(
 	return moment;
 }
 
-/* A channel's value at a key. Those of packed keys are unpacked into room. */
+/*
+ * Returns a channel's value at a key. Packed keys are unpacked into room, which
+ * may be NULL for other channels.
+ */
 static const float *key_value(
 	const struct model_channel *channel, int key, float room[4])
 {
@@ -99,12 +103,15 @@ static const float *key_value(
 	return channel->value + (size_t)key * width;
 }
 
-/* The four Hermite weights at u of an interval; glTF 2.0, appendix C.5. */
+/*
+ * The weights of a cubic Hermite spline at one u (glTF 2.0, appendix C.5): of
+ * both values and both tangents.
+ */
 struct hermite {
 	float from, out_tangent, to, in_tangent;
 };
 
-/* Tangents are per second, so they are multiplied by the interval. */
+/* Tangents are per second, so their weights contain the interval's length. */
 static struct hermite hermite_at(float u, float interval_s)
 {
 	float u2 = u * u;
@@ -137,8 +144,8 @@ static void sample_tangents(
 }
 
 /*
- * The sign, 1 or -1, that brings a rotation key into the other's half of the
- * sphere.
+ * Returns the sign, 1 or -1, to multiply a rotation key by so that it lies in
+ * the same half of the sphere as the rotation `of`. For other paths it is 1.
  */
 static float side_of(
 	const struct model_channel *channel, const float *key, const float *of)
@@ -149,7 +156,10 @@ static float side_of(
 	return vec_dot(key, of) + key[3] * of[3] < 0 ? -1 : 1;
 }
 
-/* At the first and last key, the key stands for its missing neighbour. */
+/*
+ * The first key also serves as its own predecessor and the last as its own
+ * successor.
+ */
 static void sample_catmull_rom(
 	const struct model_channel *channel, int key, float u, float *out)
 {

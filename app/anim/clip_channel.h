@@ -13,18 +13,25 @@
 
 #include <stddef.h>
 
-/* u of a time at or beyond the first or last key, which gives that key. */
+/*
+ * The value of clip_moment.u for times that take the value of one key: those up
+ * to the first key and from the last key on.
+ */
 #define CLIP_AT_KEY (-1.0f)
 
-/* The position of a time among a channel's keys. */
+/* Where a time lies among a channel's keys. */
 struct clip_moment {
-	const float *time_s; /* the key times, or NULL for none yet */
+	const float *time_s; /* the channel's key times; NULL: nothing was
+				searched yet */
 	int key_count;
 	int key;
 	float u; /* 0..1 from this key to the next one, or CLIP_AT_KEY */
 };
 
-/* Of a node's channel: its value's offset in bytes in the pose's transforms. */
+/*
+ * Where a pose has the value of a channel that is not MODEL_WEIGHTS: the offset
+ * in bytes from pose.local.
+ */
 static ALWAYS_INLINE size_t clip_channel_offset(
 	const struct model_channel *channel)
 {
@@ -38,17 +45,24 @@ static ALWAYS_INLINE size_t clip_channel_offset(
 		part[channel->path];
 }
 
-/* Where the channel's value is written; the loader has checked the bounds. */
+/*
+ * Returns where the pose has the channel's value, and marks the node as
+ * animated. The loader has checked the bounds.
+ */
 float *clip_channel_target(
 	const struct model_channel *channel, struct pose *pose);
 
-/* Finds time_s among the keys. cached may have any value; a NaN gives key 0. */
+/*
+ * Finds time_s among the keys. cached is the key of the last search and may
+ * have any value. A time of NaN gives key 0.
+ */
 struct clip_moment clip_moment_search(
 	const struct model_channel *channel, float time_s, int cached);
 
 /*
- * Writes the value, by any interpolation. Cubic rotations are normalised;
- * others are as long as the file's keys.
+ * Writes the value at u between key and the next key, channel->width floats.
+ * Rotations by CLIP_CUBIC are normalised; others are as long as the file's
+ * keys.
  */
 void clip_channel_sample(const struct model_channel *channel,
 	enum clip_interpolation interpolation, int key, float u, float *out);
@@ -63,8 +77,8 @@ static ALWAYS_INLINE struct clip_moment clip_moment_between(
 }
 
 /*
- * The same as clip_moment_search(). cached may have any value, but is usually
- * the key of the last frame: that of this frame or the one before it.
+ * The same as clip_moment_search(), with a short way for a cached key that is
+ * still the right one or the one before it, as in a playback.
  */
 static ALWAYS_INLINE struct clip_moment clip_moment_find(
 	const struct model_channel *channel, float time_s, int cached)

@@ -10,11 +10,11 @@ enum {
 #define SAMPLED_GAP_MAX_S 0.101f
 
 /*
- * Frame rates by preference: that of the second document, films, video and
- * screens, and their multiples.
+ * Frame rates in the order in which they are tried: the rate of the second
+ * document (30 Hz), those of films, video and screens, and their multiples.
  */
 static const float rates_hz[] = {30, 24, 25, 60, 50, 48, 120, 100, 240};
-/* Files round times; 3ds Max to 1/4800 s. */
+/* Exporters round key times: 3ds Max to 1/4800 s. */
 static const float rounding_s = 5e-4f;
 
 static bool is_on_frame(float time_s, float rate_hz)
@@ -39,7 +39,10 @@ static bool has_rate(const struct model_clip *clip, float rate_hz)
 	return true;
 }
 
-/* The gap of a channel that was sampled at an even rate, or 0. */
+/*
+ * The time between the keys of a channel that was sampled at an even rate, else
+ * 0.
+ */
 static float sampled_gap_s(const struct model_channel *channel)
 {
 	const float *time_s = channel->time_s;

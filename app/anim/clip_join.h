@@ -1,7 +1,7 @@
 /*
  * Two clips played as one: the end of the first overlaps the start of the
- * second and is blended into it. The joined clip is shorter than both together
- * by the overlap; no frame is added or stored.
+ * second and is blended into it. The joined clip is as long as both together
+ * less the overlap. It is computed from both clips while it plays.
  */
 #ifndef APP_ANIM_CLIP_JOIN_H
 #define APP_ANIM_CLIP_JOIN_H
@@ -24,24 +24,25 @@ struct clip_join {
 /*
  * The time between a clip's original frames. If a channel has eight keys or
  * more at even distances of up to 0.1 s, the clip was sampled at that rate.
- * Otherwise programs have left out keys, and how far the others are apart says
- * little: of the rates 30, 24, 25, 60, 50, 48, 120, 100 and 240 Hz it is then
- * the first whose frames have all keys, to half a millisecond, or else 30 Hz.
+ * Otherwise the exporter has left out keys, and the gaps between the others say
+ * little. Then it is the first of the rates 30, 24, 25, 60, 50, 48, 120, 100
+ * and 240 Hz for which all keys lie on frames, to half a millisecond; if none
+ * fits, 30 Hz.
  */
 float clip_join_frame_s(const struct model_clip *clip);
 
 /*
- * A join with an overlap of that many original frames of the first clip, at
- * most as long as the shorter clip, with cubic easing and the interpolation of
- * the file.
+ * Joins two clips with an overlap of the given number of the first clip's
+ * original frames, but at most as long as the shorter clip. Easing is cubic,
+ * and channels are interpolated as the file says. The clips are not copied.
  */
 struct clip_join clip_join_frames(
 	const struct model_clip *from, const struct model_clip *to, int frames);
 
 /*
- * Writes the joined clips at time_s into pose: 0 to both durations less the
- * overlap. Nodes without a channel get their rest transform. scratch is another
- * pose of the model, whose content is lost.
+ * Writes the joined clip at time_s, 0 to both durations less the overlap, into
+ * pose. Nodes without a channel get their rest transform. scratch is another
+ * pose of the model, which is overwritten.
  */
 void clip_join_sample(const struct clip_join *join, float time_s,
 	struct clip_cursor *from_cursor, struct clip_cursor *to_cursor,

@@ -11,8 +11,8 @@
 struct clip_moving {
 	const struct model_channel *channel;
 	int key;       /* of the last sample */
-	size_t offset; /* of the value, in bytes, in the pose's transforms or
-			  weights */
+	size_t offset; /* of the value, in bytes from pose.weight for
+			  MODEL_WEIGHTS, else from pose.local */
 };
 
 struct clip_part {
@@ -43,7 +43,7 @@ int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 		: -ENOMEM;
 }
 
-/* Whether turns_set() computes the channel. */
+/* Whether the functions of turns.h can sample the channel. */
 static bool is_turn(const struct model_channel *channel)
 {
 	return channel->unit && channel->interpolation == MODEL_LINEAR &&
@@ -90,7 +90,10 @@ static bool is_still(
 		(cursor->only && cursor->only[channel->node] == 0);
 }
 
-/* Writes constant channels into cursor->still, and lists what moves. */
+/*
+ * Writes the constant channels into cursor->still and lists those that change
+ * and are no turns in moving[].
+ */
 static void divide_channels(struct clip_cursor *cursor,
 	const struct model_clip *clip, const struct model *model)
 {
@@ -108,7 +111,10 @@ static void divide_channels(struct clip_cursor *cursor,
 	}
 }
 
-/* By key times, since turns share the search among neighbours. */
+/*
+ * Orders turns by their key times: neighbours with the same key times share one
+ * search.
+ */
 static int compare_turns(const void *a, const void *b)
 {
 	const struct turn *left = a, *right = b;
@@ -146,7 +152,7 @@ static bool is_turned(const struct clip_cursor *cursor, int node)
 	return false;
 }
 
-/* Lists what clip_mix() mixes beside turns. */
+/* Fills in part[]: what clip_mix() mixes besides the turns. */
 static void list_parts(struct clip_cursor *cursor, const struct model *model)
 {
 	for (int n = 0; n < model->node_count; n++) {
@@ -188,7 +194,7 @@ static void begin_clip(struct clip_cursor *cursor,
 	list_parts(cursor, model);
 }
 
-/* Writes the channels that are no turns. */
+/* Writes the channels of moving[]. */
 static void sample_moving(
 	struct clip_cursor *cursor, float time_s, struct pose *pose)
 {
@@ -211,7 +217,7 @@ static void sample_moving(
 	}
 }
 
-/* Times are at least 0, and NaN stands for 0. */
+/* The functions of turns.h take times from 0 on; NaN becomes 0. */
 static float turn_time_s(float time_s)
 {
 	return time_s > 0 ? time_s : 0;
@@ -223,7 +229,10 @@ void clip_pose(const struct model_clip *clip, float time_s,
 {
 	int floats;
 
-	/* With a given interpolation, a constant channel may round otherwise. */
+	/*
+	 * The fast way is only for CLIP_AUTO: by another interpolation,
+	 * constant channels may be rounded differently.
+	 */
 	if (interpolation != CLIP_AUTO || !cursor->moving ||
 		clip->channel_count > cursor->channel_count) {
 		pose_rest(pose, pose->model);
@@ -298,7 +307,7 @@ static void mix_turns(const struct clip_cursor *cursor, float time_s,
 	}
 }
 
-/* The same with rotations that are in another pose. */
+/* The same with the rotations that cursor->still has already. */
 static void mix_turned(
 	const struct clip_cursor *cursor, float amount, struct pose *pose)
 {
@@ -321,7 +330,10 @@ void clip_mix(const struct model_clip *clip, float time_s,
 	if (!cursor->begun || cursor->clip != clip) {
 		begin_clip(cursor, clip, pose->model);
 	}
-	/* What changes is written over what it was, not into the pose. */
+	/*
+	 * All channels but turns are sampled into cursor->still and mixed from
+	 * there.
+	 */
 	if (clip && interpolation != CLIP_AUTO) {
 		clip_sample_as(
 			clip, time_s, interpolation, cursor, &cursor->still);
@@ -336,7 +348,7 @@ void clip_mix(const struct model_clip *clip, float time_s,
 	}
 }
 
-/* Whether the channel holds what the node has at rest. */
+/* Whether the channel never changes and has the value of the node at rest. */
 static bool is_at_rest(
 	const struct model_channel *channel, const struct model *model)
 {

@@ -115,7 +115,7 @@ static void interpolate(struct morph *morph, struct morph_key from,
 	}
 }
 
-/* A frame of 1.2.2: every frame but the last one adds the same step. */
+/* One frame of 1.2.2. The last frame copies Destiny instead. */
 static void add_step(struct morph *morph)
 {
 	const float(*source)[3] = (const float(*)[3])morph->source;

@@ -28,8 +28,8 @@ struct morph_key {
 enum morph_timing {
 	MORPH_OVER_TIME, /* 1.2.1: ends after duration_ms */
 	MORPH_BY_FRAMES, /* 1.2.2: ends after frame_count updates, each of which
-			    adds (Destiny - Source) / frame_count: linear ones
-			    without normals by the document's own arithmetic */
+			    adds (Destiny - Source) / frame_count. Linear morphs
+			    without normals use the document's own arithmetic */
 };
 
 enum morph_curve {
@@ -47,15 +47,17 @@ struct morph_motion {
 	float direction[3];
 	float amplitude; /* in the vertices' unit */
 	/*
-	 * MORPH_SHAPED: the part of the way at Omega, 0..1. It is not called at
-	 * the end, where the shape is exactly Destiny.
-	 */
+	 * For MORPH_SHAPED: maps Omega, 0..1, to the part of the way from
+	 * Source to Destiny. It is not called at the end, where the shape is
+	 * exactly
+	 Destiny. */
 	float (*shape)(const void *user, float omega);
-	const void *user; /* outlives the morph's motion */
+	const void *user; /* for shape(); stays valid until the morph ends */
 };
 
 struct morph {
-	const struct kernel *kernel; /* its float loops; may be replaced */
+	const struct kernel *kernel; /* whose float loops are used; the caller
+					may replace it */
 	int vertex_count;
 	float (*temporal)[3];        /* the shape to draw */
 	float (*temporal_normal)[3]; /* unit length, or NULL */
@@ -70,32 +72,36 @@ struct morph {
 	bool running;
 };
 
-/* Linear over half a second. A sinusoidal curve would go 0.1 along +Y. */
+/*
+ * Returns a linear motion over half a second. Direction (+Y) and amplitude
+ * (0.1) are set for callers that change the curve to MORPH_SINUSOIDAL.
+ */
 struct morph_motion morph_motion_default(void);
 
 /*
  * Makes a morph that shows the key frame rest and does not move. It has normals
- * if rest has. 0 or -ENOMEM.
+ * if rest has. The key frame must stay valid, the arena owns the arrays.
+ * Returns 0 or -ENOMEM.
  */
 int morph_init(struct morph *morph, int vertex_count, struct morph_key rest,
 	struct arena *arena);
 
 /*
  * Starts a morph from the present shape to destiny, which must have normals if
- * the rest key had. With a duration or frame count of 0 or less the next update
- * ends it.
+ * the rest key had. The key frame must stay valid until the morph ends. If the
+ * duration or frame count is 0 or less, the next update ends the morph.
  */
 void morph_trigger(struct morph *morph, struct morph_key destiny,
 	const struct morph_motion *motion, double now_ms);
 
 /*
- * Computes temporal for a frame. Returns true if it changed, which includes the
- * last step to Destiny; once that is reached the call costs nothing. now_ms may
- * not decrease.
+ * Computes temporal for a frame. Returns true if it changed, also in the frame
+ * that reaches Destiny; from then on the call costs nothing. now_ms must not
+ * decrease.
  */
 bool morph_update(struct morph *morph, double now_ms);
 
-/* Omega, 0..1; 1 once Destiny is reached. */
+/* Returns Omega, 0..1; 1 once Destiny is reached. */
 float morph_omega(const struct morph *morph, double now_ms);
 
 #endif

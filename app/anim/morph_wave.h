@@ -1,18 +1,18 @@
 /*
  * The sinusoidal part of a morph as a wave (AN4044, section 1.2.5).
  *
- * The document adds sin(pi Omega) to every vertex alike, which lets the whole
- * object glide forth and back. A wave gives each vertex a phase by its place
- * along an axis: the vertex's own Omega starts later and ends earlier than the
- * morph's. The signal is 0 where Omega is 0 or 1 for every vertex, so that the
- * morph begins and ends exactly as without it.
+ * The document adds sin(pi Omega) to every vertex alike, so the whole object
+ * glides forth and back. A wave gives each vertex an Omega of its own, by the
+ * vertex's place along an axis: it starts later and ends earlier than that of
+ * the morph. When the morph's Omega is 0 or 1, the wave is 0 at every vertex,
+ * so that the morph begins and ends exactly as without it.
  */
 #ifndef APP_ANIM_MORPH_WAVE_H
 #define APP_ANIM_MORPH_WAVE_H
 
 struct morph_wave {
-	float direction[3]; /* of the displacement, a unit vector */
-	float axis[3];      /* along which the wave runs, a unit vector */
+	float direction[3]; /* of the displacement; unit length */
+	float axis[3];      /* along which the wave runs; unit length */
 	float amplitude;    /* greatest displacement, in the vertices' unit */
 	/*
 	 * How much later the last vertex begins than the first one, in
@@ -22,12 +22,16 @@ struct morph_wave {
 };
 
 /*
- * Omega of a vertex at this place, 0 for the first one along the axis to 1 for
- * the last one: clamp(omega (1 + delay) - delay place, 0, 1).
+ * Omega of a vertex: clamp(omega * (1 + delay) - delay * place, 0, 1). omega is
+ * that of the morph. place is 0 for the first vertex along the axis and 1 for
+ * the last.
  */
 float morph_wave_omega(const struct morph_wave *wave, float omega, float place);
 
-/* The displacement along the direction: amplitude sin(pi Omega of the place). */
+/*
+ * The vertex's displacement along direction: amplitude * sin(pi * its own
+ * Omega).
+ */
 float morph_wave_at(const struct morph_wave *wave, float omega, float place);
 
 #endif

@@ -15,17 +15,22 @@
 struct pose {
 	const struct model *model; /* not owned */
 	int node_count;
-	int root_end;   /* nodes from here on have a parent */
-	int matrix_end; /* nodes from here on have no matrix in the file */
-	struct transform *local; /* [node_count], the model's node order */
-	bool *animated;          /* [node_count]: local[] was changed, so the
-				    node's matrix in the file is ignored */
+	int root_end;   /* all nodes from this index on have a parent */
+	int matrix_end; /* no node from this index on has a matrix */
+	struct transform *local; /* [node_count], in the order of model.node */
+	bool *animated;          /* [node_count]: whether local[] was changed,
+				    so that the node's matrix in the file is
+				    ignored */
 	int weight_count;
 	float *weight;     /* [weight_count], see model_node.weight_offset */
-	size_t size_bytes; /* of the arrays, which lie behind local */
+	size_t size_bytes; /* of all three arrays, one block that begins at
+			      local */
 };
 
-/* Makes a pose of this model, at rest. 0 or -ENOMEM. */
+/*
+ * Makes a pose of this model, at rest. The arena owns the arrays. Returns 0 or
+ * -ENOMEM.
+ */
 int pose_init(struct pose *pose, const struct model *model, struct arena *arena);
 
 /* Resets every node and weight to the file's rest values. */
@@ -38,15 +43,17 @@ static inline void pose_copy(struct pose *to, const struct pose *from)
 }
 
 /*
- * world[i] = world[parent] * local[i] for all nodes, parents first. For nodes
- * without a parent root stands for world[parent] (NULL: the identity).
+ * Computes world[i] = world[parent] * local[i] for all nodes, parents first.
+ * Nodes without a parent use root instead of world[parent] (NULL: the
+ * identity).
  */
 void pose_world(const struct pose *pose, const struct model *model, mat4 root,
 	mat4 *world);
 
 /*
- * The same for the nodes from first on, after a change to the local transforms
- * of first or its descendants. world[] must be up to date before first.
+ * The same for the nodes with index first and above, after a change to the
+ * local transforms of first or its descendants. The matrices below first must
+ * be up to date.
  */
 void pose_world_from(const struct pose *pose, const struct model *model,
 	mat4 root, int first, mat4 *world);

@@ -3,7 +3,10 @@
 #include "app/anim/math/quat.h"
 #include "app/anim/math/transform.h"
 
-/* The index of a node's first morph weight in a pose, and their number. */
+/*
+ * Returns the number of a node's morph weights and sets first to the index of
+ * the first one in pose.weight.
+ */
 static int weight_range(const struct pose *pose, int node, int *first)
 {
 	const struct model *model = pose->model;
@@ -13,7 +16,7 @@ static int weight_range(const struct pose *pose, int node, int *first)
 	return mesh < 0 ? 0 : model->mesh[mesh].target_count;
 }
 
-/* The pose of a node where it is wholly the one of from. */
+/* Copies one node's transform and morph weights. */
 static void copy_node(const struct pose *from, int node, struct pose *out)
 {
 	int first;
@@ -64,7 +67,7 @@ static void add_transform(struct transform *pose, const struct transform *layer,
 
 		pose->translation[i] += weight *
 			(layer->translation[i] - reference->translation[i]);
-		/* A ratio to a scale of 0 does not exist. */
+		/* There is no ratio to a scale of 0. */
 		if (scale != 0) {
 			pose->scale[i] *=
 				1 + weight * (layer->scale[i] / scale - 1);

@@ -4,7 +4,10 @@
 
 #include <errno.h>
 
-/* Half the bits by which floats may differ: 1 in 512 to 1 in 256. */
+/*
+ * Scales may differ by this many units of a float's last place, which is 1 in
+ * 512 to 1 in 256 of the value.
+ */
 static const uint32_t tolerance_bits = 0x8000;
 
 static void find_uneven_binds(
@@ -56,7 +59,9 @@ static inline uint32_t magnitude_bits(float value)
 	return bits & INT32_MAX;
 }
 
-/* As integers, since VFP11 takes long to compare floats. */
+/*
+ * The bits are compared as integers, since VFP11 takes long to compare floats.
+ */
 static inline bool is_uneven(const float scale[3])
 {
 	uint32_t x = magnitude_bits(scale[0]) + tolerance_bits;
@@ -66,7 +71,7 @@ static inline bool is_uneven(const float scale[3])
 	return (y > z ? y : z) > 2 * tolerance_bits;
 }
 
-/* A node has a matrix only if it shears. */
+/* The loader gives a node a matrix only if the matrix shears. */
 static bool is_sheared(const struct pose *pose, int node)
 {
 	return pose->model->node[node].matrix && !pose->animated[node];

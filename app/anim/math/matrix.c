@@ -30,8 +30,9 @@ void matrix_apply_direction(mat4 matrix, const float direction[3], float out[3])
 }
 
 /*
- * Of a proper rotation matrix. The root is taken of the largest of the four
- * parts, so that nothing is divided by a small number.
+ * Converts a proper rotation matrix to a quaternion. The largest of the four
+ * components is computed by a square root and divides the others, so that no
+ * divisor is small.
  */
 static void quat_from_columns(float m[3][3], float out[4])
 {
@@ -75,7 +76,7 @@ void matrix_rotation(mat4 matrix, float out[4])
 		quat_set_identity(out);
 		return;
 	}
-	/* A mirrored frame is no rotation: its third axis is reversed. */
+	/* A mirrored frame is no rotation, so its third axis is reversed. */
 	vec_cross(columns[0], columns[1], normal);
 	if (vec_dot(normal, columns[2]) < 0) {
 		for (int i = 0; i < 3; i++) {
@@ -107,7 +108,7 @@ bool matrix_is_even(const mat4 *matrix)
 	return true;
 }
 
-/* The sum of squares of a matrix's columns. */
+/* The sum of the squares of all elements. */
 static float square_of(float column[3][3])
 {
 	return vec_dot(column[0], column[0]) + vec_dot(column[1], column[1]) +
@@ -131,7 +132,7 @@ static inline float size_of(const float column[3])
 void matrix_normals(const mat4 *matrix, mat4 *out)
 {
 	const vec4 *m = *matrix;
-	/* With numbers up to 1, products do not overflow. */
+	/* The columns are divided by size so that no product overflows. */
 	float size = size_of(m[0]) + size_of(m[1]) + size_of(m[2]) + 1e-30f;
 	float column[3][3], cofactor[3][3];
 	float factor = 1 / size, square;

@@ -11,10 +11,10 @@ static float length2_of(const float q[4])
 }
 
 /*
- * sin(t angle) / sin(angle) as a series in x = cos(angle) - 1 (Eberly, "A Fast
- * and Accurate Algorithm for Computing SLERP"), which needs neither the angle
- * nor a division. Three terms are right to 2e-7 up to 36 degrees of rotation,
- * which is to say for x above this:
+ * sin(t angle) / sin(angle) is computed as a series in x = cos(angle) - 1
+ * (Eberly, "A Fast and Accurate Algorithm for Computing SLERP"), which needs
+ * neither the angle nor a division. Three terms are right to 2e-7 up to 36
+ * degrees of rotation, that is, for x above SLERP_MIDDLE.
  */
 static const float SLERP_MIDDLE = -0.05f;
 
@@ -62,7 +62,10 @@ void quat_slerp(const float a[4], const float b[4], float t, float out[4])
 	float x = cosine * side - 1;
 	float weight[2];
 
-	/* Lengths that are not quite 1 would look like a small angle. */
+	/*
+	 * For near keys x comes from their distance: an error of their lengths
+	 * would change the cosine as an angle does.
+	 */
 	if (x > -0.0005f) {
 		x = -0.5f * distance2_of(a, b, side);
 	}
@@ -159,7 +162,7 @@ void quat_between(const float from[3], const float to[3], float out[4])
 		half_turn(a, out);
 		return;
 	}
-	/* (a x b, 1 + a.b) is the rotation wanted, not yet unit length. */
+	/* (a x b, 1 + a.b) is the wanted rotation, not yet of unit length. */
 	vec_cross(a, b, out);
 	out[3] = 1 + cosine;
 	quat_normalize(out);

@@ -16,14 +16,15 @@ static inline void quat_set_identity(float out[4])
 }
 
 /*
- * Interpolates along the shorter arc, t in 0..1. Unit inputs give a unit
- * output to 1e-6. Formula: glTF 2.0, appendix C.4.
+ * Interpolates along the shorter arc, t in 0..1. If the inputs have unit
+ * length, the output has too, to 1e-6. Formula: glTF 2.0, appendix C.4.
  */
 void quat_slerp(const float a[4], const float b[4], float t, float out[4]);
 
 /*
- * The weights of both rotations, sin((1 - t) angle) / sin(angle) and
- * sin(t angle) / sin(angle). x, -1..0, is cos(angle) - 1.
+ * The weights of both rotations in a slerp: sin((1 - t) angle) / sin(angle) and
+ * sin(t angle) / sin(angle). angle is the one between the quaternions, half of
+ * the rotation's, and x, -1..0, is cos(angle) - 1.
  */
 void quat_slerp_weights(float x, float t, float weight[2]);
 
@@ -46,15 +47,16 @@ void quat_rotate(const float q[4], const float v[3], float out[3]);
 void quat_from_axis_angle(const float axis[3], float angle_rad, float out[4]);
 
 /*
- * The smallest rotation that turns direction from into direction to, which need
- * not be unit length. For opposite directions it is half a turn about some axis
- * at right angles to them; if one of them is zero it is the identity.
+ * The smallest rotation that turns the direction `from` into the direction
+ * `to`. Neither needs unit length. For opposite directions it is half a turn
+ * about some axis at right angles to them; if a direction is zero, it is the
+ * identity.
  */
 void quat_between(const float from[3], const float to[3], float out[4]);
 
 /*
- * The rotation from up, 0 1 0, to the normal of ground that rises by rise_x and
- * rise_z a unit along x and z.
+ * The rotation from up, 0 1 0, to the normal of a ground whose height rises by
+ * rise_x per unit along x and by rise_z per unit along z.
  */
 void quat_from_slope(float rise_x, float rise_z, float out[4]);
 

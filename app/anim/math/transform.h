@@ -11,7 +11,7 @@
 
 struct transform transform_identity(void);
 
-/* out = T * R * S as four columns. */
+/* out = T * R * S, the matrices of translation, rotation and scale. */
 void transform_to_matrix(const struct transform *transform, mat4 out);
 
 /*

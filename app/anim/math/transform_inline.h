@@ -2,10 +2,10 @@
  * Functions of this folder as inline bodies, for the loops that run once a
  * joint and frame.
  *
- * Inlined, they keep in registers what one loop pass hands to the next. Their
- * sums are interleaved, since VFP11 needs 8 cycles before it can add to the
- * same sum again, and every element is loaded once. figures.md says what a
- * joint costs; tests/bench/pose.sh counts it.
+ * Inlined, they keep in registers what one pass of the loop hands to the next.
+ * Their sums are interleaved, since VFP11 needs 8 cycles before it can add to
+ * the same sum again, and every element is loaded once. ../figures.md says what
+ * a joint costs; tests/bench/pose.sh counts it.
  */
 #ifndef APP_ANIM_MATH_TRANSFORM_INLINE_H
 #define APP_ANIM_MATH_TRANSFORM_INLINE_H
@@ -70,15 +70,15 @@ static ALWAYS_INLINE void inline_matrix_multiply(mat4 a, mat4 b, mat4 out)
 }
 
 /*
- * A weight of quat_slerp_weights() by one term of its series, which is right to
- * 3e-7 for rotations up to 8 degrees apart, as neighbouring keys are.
+ * A weight of quat_slerp_weights() by one term of its series. This is right to
+ * 3e-7 for rotations up to 8 degrees apart, as neighbouring keys mostly are.
  */
 static ALWAYS_INLINE float slerp_weight_near(float t, float x)
 {
 	return t + t * (t * t - 1) * (x * (1.0f / 3));
 }
 
-/* quat_slerp() of unit quaternions. */
+/* quat_slerp() of unit quaternions, with a shorter way for near ones. */
 static ALWAYS_INLINE void inline_quat_slerp(
 	const float a[4], const float b[4], float t, float out[4])
 {
@@ -101,8 +101,8 @@ static ALWAYS_INLINE void inline_quat_slerp(
 }
 
 /*
- * q = normalize(q * (1 - t) + to * t), with the sign of to that lies in q's
- * half of the sphere. Zero quaternions stay zero.
+ * q = normalize(q * (1 - t) + to * t), after `to` is negated if it lies in the
+ * other half of the sphere. If both are zero, the result is zero.
  */
 static ALWAYS_INLINE void inline_quat_mix(float q[4], const float to[4], float t)
 {

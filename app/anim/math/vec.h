@@ -67,8 +67,8 @@ static inline void vec_mix(
 }
 
 /*
- * Makes v unit length and returns its former length. A vector of length 1e-18
- * or less, or one with a NaN, is left as it is, and the result is 0.
+ * Gives v unit length and returns its former length. A vector of length 1e-18
+ * or less, or one with a NaN, is left as it is, and 0 is returned.
  */
 float vec_normalize(float v[3]);
 

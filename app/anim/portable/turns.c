@@ -4,14 +4,20 @@
 
 #include <string.h>
 
-/* Where a time lies among a turn's keys. */
+/*
+ * Where a time lies among a turn's keys; kept for the next turn with the same
+ * times.
+ */
 struct moment {
 	const float *time_s;
 	int key;
 	float u; /* 0..1 from this key to the next one */
 };
 
-/* The key at or before time_s, 0..last - 1. */
+/*
+ * Returns the last key, 0..last - 1, that is not after time_s; key 0 for
+ * earlier times.
+ */
 static int find_key(const struct turn *turn, float time_s)
 {
 	int low = 0, high = turn->last;
@@ -83,10 +89,13 @@ void turns_mix(struct turn *turn, int count, float time_s,
 	}
 }
 
-/* What packed keys at a moment are multiplied by: two numbers for both keys. */
+/*
+ * The weights of two packed keys at one u: the weight of key i is key[i] -
+ * curve[i] * cosine / 2^32, for the cosine of the angle between the keys.
+ */
 struct packed_weights {
-	int32_t key[2];   /* the weights if the keys were the same */
-	int32_t curve[2]; /* what their cosine, of 2^30 to 1, takes from that */
+	int32_t key[2];   /* Q23, a little more than 1 - u and u */
+	int32_t curve[2]; /* the cosine is an integer of which 2^30 are 1 */
 };
 
 #define HIGH_ONE   ((int64_t)1 << 32)
@@ -94,10 +103,10 @@ struct packed_weights {
 
 enum {
 	COSINE_ONE = 0x40000000,
-	/* 14 and 38 degrees of rotation */
+	/* cosines for keys that are 14 and 38 degrees of rotation apart */
 	COSINE_NEAR = 0x3f800000,
 	COSINE_MIDDLE = 0x3c800000,
-	THREE_BITS = 0x40400000, /* of the float 3 */
+	THREE_BITS = 0x40400000, /* the bits of the float 3 */
 };
 
 static int32_t multiply_16(int32_t a, int16_t b)
@@ -106,9 +115,10 @@ static int32_t multiply_16(int32_t a, int16_t b)
 }
 
 /*
- * One term of the series in quat.c for 1 - u and u, as polynomials of u: with
- * g(t) = 4/3 (t - t^3) WEIGHT_ONE, curve is g(t) and key is t WEIGHT_ONE + g(t)
- * MODEL_PACKED_UNIT^2 / 2^32. The factors of u^3 come first.
+ * Polynomials of u, the factors of u^3 first, for key[0], key[1], curve[0] and
+ * curve[1] of struct packed_weights: the series in quat.c up to its first term.
+ * With t = 1 - u or u and g(t) = 4/3 (t - t^3) WEIGHT_ONE, curve is g(t) and
+ * key is t WEIGHT_ONE + g(t) MODEL_PACKED_UNIT^2 / 2^32.
  */
 static const float WEIGHT_TERMS[4][4] = {
 	{2796117.25f, -2796117.25f, 11185152, -11185152},
@@ -132,7 +142,7 @@ static struct packed_weights weights_at(float u)
 	return (struct packed_weights){{lane[0], lane[1]}, {lane[2], lane[3]}};
 }
 
-/* The second term of the series. */
+/* Adds the second term of the series. distance2 is the square of 1 - cosine. */
 static int32_t bend(int32_t weight, int32_t curve, int32_t distance2)
 {
 	int32_t t = weight << 7;
@@ -147,7 +157,7 @@ static void choose_weights(
 	for (int i = 0; i < 2; i++) {
 		int64_t product = (int64_t)at->curve[i] * cosine;
 
-		/* SMMLS */
+		/* one SMMLS instruction on ARM */
 		weight[i] = (int32_t)((at->key[i] * HIGH_ONE - product) >> 32);
 	}
 	if (cosine >= COSINE_NEAR) {

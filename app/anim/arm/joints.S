@@ -2,17 +2,18 @@
  * app/anim/joints.h for VFP11.
  *
  * joints_to_matrices() keeps a transform and its whole matrix in registers and
- * stores the matrix at once: 39 instructions, where the compiler makes 62.
+ * stores the matrix at once, in 39 instructions. The compiler's code takes 62.
  *
- * joints_multiply() computes three rows at a time as VFP short vectors of three.
- * Bank 0 (s0-s7) holds elements of b, which the hardware treats as scalars. The
- * four columns of the result are summed in turn, because VFP11 needs 8 to 10
- * cycles before it can add to the same sum again. Three columns are in s20-s31,
- * of which every fourth register stays 0 and is stored with them as the fourth
- * row. The fourth column overwrites a's first one, which it reads last, and a's
- * fourth column is loaded late into the registers of the second. Each element
- * is ((a0 * b0 + a1 * b1) + a2 * b2) + a3, rounded after each operation, as in
- * transform_inline.h. That takes 38 instructions, where the compiler makes 86.
+ * joints_multiply() computes three rows at a time as VFP short vectors of
+ * three. Bank 0 (s0-s7) holds elements of b, which the hardware treats as
+ * scalars. The four columns of the result are summed in turn, because VFP11
+ * needs 8 to 10 cycles before it can add to the same sum again. Three columns
+ * are in s20-s31, of which every fourth register stays 0 and is stored with
+ * them as the fourth row. The fourth column overwrites a's first one, which it
+ * reads last, and a's fourth column is loaded late into the registers of the
+ * second. Each element is ((a0 * b0 + a1 * b1) + a2 * b2) + a3, rounded after
+ * each operation, as in transform_inline.h. That takes 38 instructions. The
+ * compiler's code takes 86.
  */
 	.syntax unified
 	.arch armv6

@@ -4,9 +4,9 @@
  * Operations whose result is in bank 0 (s0-s7) compute one number, all others a
  * quaternion. s8-s15 hold the two keys around the time, which are one load as
  * they lie side by side. s4 is u, the time's part of the way between the keys,
- * s5 is 1 - u, and s6 and s7 are u (u^2 - 1) and the same of 1 - u. They stay
- * from one rotation to the next if the key times are the same. Times are at
- * least 0, so their bits compare as integers.
+ * s5 is 1 - u, and s6 and s7 are u (u^2 - 1) and the same of 1 - u. s4-s7 are
+ * kept for the next rotation if it has the same key times. Times are at least
+ * 0, so their bits compare as integers.
  *
  * Every number is rounded as in inline_quat_slerp() and inline_quat_mix().
  */
@@ -54,7 +54,10 @@
 	vmla.f32	\out, \b, \to
 	.endm
 
-	/* Saves registers, makes room and sets what both kinds of keys need. */
+	/*
+	 * Saves registers, makes `room` bytes on the stack, loads the constants
+	 * and sets vectors of length 4.
+	 */
 	.macro	begin mix, room
 	push	{r4-r11, lr}
 	sub	sp, sp, #4
@@ -85,7 +88,10 @@
 	pop	{r4-r11, pc}
 	.endm
 
-	/* Finds KEY; s2 / s3 is then u. search_keys is the rest of it. */
+	/*
+	 * Finds KEY, so that u is s2 / s3. The macro search_keys has its slow
+	 * paths.
+	 */
 	.macro	find_keys
 	ldr	KEY, [TURN, TURN_KEY]
 	mov	BEFORE, TIMES
@@ -101,7 +107,7 @@
 3:
 	.endm
 
-	/* Mixes the rotation in s16-s19 with the one at `at`. */
+	/* Mixes the rotation in s16-s19 into the one at `at`. */
 	.macro	mix_into at
 	vldmia	\at, {s24-s27}
 	vldr	s2, [TURN, TURN_WEIGHT]
@@ -119,7 +125,10 @@
 	.endm
 
 	.macro	search_keys
-	/* The time is beyond these keys: tries the next ones, then all. */
+	/*
+	 * The time is beyond these keys: tries the next three, then searches
+	 * all.
+	 */
 5:	ldr	LAST, [TURN, TURN_LAST]
 	.irp	next, 8, 12, 16
 	add	KEY, KEY, #1
@@ -274,10 +283,10 @@
 	.endm
 
 	/*
-	 * Packed keys. The moment's numbers lie at sp, as in struct
-	 * packed_weights of ../portable/turns.c: both keys, both curves, then
-	 * LOCAL, the float 3 as bits and the time. The weights of both keys
-	 * are in r2 and r3.
+	 * Packed keys. The stack has at sp struct packed_weights of
+	 * ../portable/turns.c, which is key[0], key[1], curve[0], curve[1],
+	 * then LOCAL, the bits of the float 3, and the time. r2 and r3 are the
+	 * weights of both keys.
 	 */
 	.macro	turns_packed mix
 	begin	\mix, 32

@@ -36,7 +36,10 @@ static inline void store(vector *to, const vector *from)
 	to->z = from->z;
 }
 
-/* Inlined into a loop for each number of attributes. */
+/*
+ * attributes is a constant in each caller, so that the compiler makes a loop
+ * for each number of them: 1 position, 2 and normal, 3 and tangent.
+ */
 static inline void transform(struct an4044_vertex *vertex, int vertex_count,
 	const struct an4044_joint_mat *joint, const float (*const base[3])[4],
 	const struct joint_weight *weight, int attributes)

@@ -1,6 +1,6 @@
 /*
- * The document's loops as a kernel. Vertices pass through its struct Vertex in
- * blocks.
+ * AN4044's loops as a kernel. The loops write blocks of an4044_vertex, which
+ * are then copied to the caller's arrays.
  */
 #include "app/anim/kernel/an4044.h"
 #include "app/anim/kernel/float.h"
@@ -12,7 +12,10 @@ enum {
 	JOINTS_MAX = 256
 };
 
-/* Padded to the size of mat4, so that the streams' offsets are right. */
+/*
+ * Padded to the size of mat4, since joint_offset counts in matrices of that
+ * size.
+ */
 struct padded_joint {
 	struct an4044_joint_mat joint;
 	float unused[4];
@@ -20,7 +23,10 @@ struct padded_joint {
 
 _Static_assert(sizeof(struct padded_joint) == sizeof(mat4), "joint_offset");
 
-/* Copies the matrices that are used; false if there are too many. */
+/*
+ * Copies the matrices up to the last one that the stream uses. Returns false if
+ * these are more than JOINTS_MAX.
+ */
 static bool set_joints(const struct skin_stream *stream, const mat4 *palette,
 	struct padded_joint joint[JOINTS_MAX])
 {
@@ -44,7 +50,7 @@ static bool set_joints(const struct skin_stream *stream, const mat4 *palette,
 	return true;
 }
 
-/* The number of influences of the next vertex_count vertices. */
+/* Returns how many influences the vertex_count vertices from weight on have. */
 static int count_influences(const struct joint_weight *weight, int vertex_count)
 {
 	const struct joint_weight *end = weight;
@@ -101,7 +107,9 @@ static void skin(const struct skin_stream *stream, const mat4 *palette,
 {
 	struct padded_joint joint[JOINTS_MAX];
 
-	/* The document's loops have no cap that keeps the sum of weights. */
+	/*
+	 * The document's loops cannot cap influences and rescale the other weights.
+	 */
 	if (max_influences > 0 || !set_joints(stream, palette, joint)) {
 		float_skin(stream, palette, max_influences, position, normal);
 		return;

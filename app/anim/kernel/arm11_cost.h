@@ -1,5 +1,6 @@
 /*
- * The cost of the board's loops, from which `limber compare` predicts.
+ * What the loops of the armv6 kernel cost on the board. `limber compare`
+ * predicts times from these numbers.
  *
  * The numbers are for an ARM1136JF-S at 532 MHz with the data in memory and the
  * code in L1. The timing model of tests/arm1136 counted them: no hardware was
@@ -14,23 +15,24 @@ enum {
 };
 
 enum arm11_work {
-	ARM11_SKIN_1, /* a vertex's position by 1 influence, and so on */
+	ARM11_SKIN_1, /* a vertex's position, by 1 influence */
 	ARM11_SKIN_2,
 	ARM11_SKIN_3,
 	ARM11_SKIN_4,
 	ARM11_SKIN_NORMALS_1, /* and its normal */
 	ARM11_SKIN_NORMALS_2,
 	ARM11_SKIN_NORMALS_4,
-	ARM11_LERP,         /* a vertex's position between two key frames */
+	ARM11_LERP,         /* a vertex's position, between two key frames */
 	ARM11_LERP_NORMALS, /* and its normal */
-	ARM11_TARGETS_2,    /* a vertex's position by two weighted targets */
-	ARM11_POSE_CESIUM,  /* a joint: sampling, world matrix, palette */
-	ARM11_POSE_WALKER,  /* the same for another model */
+	ARM11_TARGETS_2,    /* a vertex's position, by two weighted targets */
+	ARM11_POSE_CESIUM,  /* a joint of CesiumMan: sampling, world matrix,
+			       palette */
+	ARM11_POSE_WALKER,  /* the same for the walker */
 	ARM11_WORKS
 };
 
 struct arm11_cost {
-	const char *row; /* of tests/bench/arm11.figures */
+	const char *row; /* name of the row in tests/bench/arm11.figures */
 	float cycles, instructions;
 };
 

@@ -11,9 +11,10 @@ enum {
 };
 
 /*
- * Like SMLAD, this wraps if a sum does not fit. If the compiler knows the
- * length, a multiple of 8, it makes pmaddwd of this loop, unless GCC unrolls
- * all of it before it vectorises.
+ * The dot product of length numbers. Like SMLAD it wraps if the sum does not
+ * fit. If length is a constant multiple of 8, the compiler makes pmaddwd of
+ * this loop. The pragma keeps GCC from unrolling the whole loop, which would
+ * prevent this.
  */
 static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 {
@@ -26,7 +27,10 @@ static inline uint32_t dot(int length, const int16_t *row, const int16_t *base)
 	return sum;
 }
 
-/* In words, as vectors are always loaded and stored in words. */
+/*
+ * Stores the upper halves of three sums, and the lower half of x as fraction.
+ * Vectors are always loaded and stored as two words.
+ */
 static inline void narrow(
 	uint32_t x, uint32_t y, uint32_t z, struct fixed_vector *out)
 {
@@ -37,9 +41,10 @@ static inline void narrow(
 }
 
 /*
- * The matrices of a run: first all x rows, then all y rows and all z rows. An
- * odd number of rows is made even by zeros, so that the next base vector, which
- * is loaded too, is multiplied by 0.
+ * The matrices of a run: the x rows of all matrices, then all y rows and all z
+ * rows. An odd number of matrices is made even by zeros: loops take two
+ * influences at a time, and the next vertex's base vector, which they load
+ * then, counts nothing.
  */
 struct rows {
 	int16_t row[3][4 * INFLUENCES_MAX];
@@ -55,7 +60,10 @@ static inline void skin_run(int length, int count, int stride,
 	}
 }
 
-/* A loop for each length, which the compiler knows. */
+/*
+ * Calls skin_run() with each length as a constant, so that the compiler makes a
+ * loop for each.
+ */
 static void skin_run_of(int influences, int count, const struct fixed_base *from,
 	const struct rows *rows, struct fixed_vector *out)
 {
@@ -121,7 +129,7 @@ static inline uint32_t weigh(
 	return (uint32_t)(pair->a * weights.a) + (uint32_t)(pair->b * weights.b);
 }
 
-/* A loop of its own, which compilers can vectorise. */
+/* A loop without stores of vectors, which compilers can vectorise. */
 static void weigh_pairs(int count, const struct fixed_pair *pair,
 	struct fixed_weights weights, uint32_t start, uint32_t *sum)
 {
@@ -146,7 +154,9 @@ static void lerp(int count, const struct fixed_pair (*pair)[3],
 	}
 }
 
-/* A loop over the numbers of all keys, which compilers can vectorise. */
+/*
+ * A loop over coordinates instead of vertices, which compilers can vectorise.
+ */
 static void weigh_keys(int count, const int16_t *source, const int16_t *destiny,
 	struct fixed_weights weights, uint32_t start, uint32_t *sum)
 {
@@ -195,13 +205,13 @@ static void increment(
 	}
 }
 
-/* A number and the fraction below it. */
+/* Returns number * 2^16 + fraction. */
 static inline uint32_t widen(int16_t number, int16_t fraction)
 {
 	return (uint32_t)(uint16_t)number << 16 | (uint16_t)fraction;
 }
 
-/* The inverse of narrow(), with x's fraction for all three. */
+/* The inverse of narrow(). All three sums get the fraction of x. */
 static inline void widen_all(const struct fixed_vector *vector, uint32_t out[3])
 {
 	uint32_t words[2];

@@ -1,6 +1,4 @@
-/*
- * Conversion from float to 16 bits, without the C library's maths.
- */
+/* Conversions between floats and integers, without the C library's maths. */
 #ifndef APP_ANIM_KERNEL_FIXED_NUMBER_H
 #define APP_ANIM_KERNEL_FIXED_NUMBER_H
 
@@ -8,10 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/*
- * The largest number <= value, above 0, that is 1, 1.25, 1.5 or 1.75 times a
- * power of two.
- */
+/* Rounds a value above 0 down to 1, 1.25, 1.5 or 1.75 times a power of two. */
 static inline float fixed_step(float value)
 {
 	uint32_t bits;
@@ -35,12 +30,13 @@ static inline int16_t fixed_round(float value)
 }
 
 /*
- * A faster way for values that are known to be within -32767..32767. Ties go to
- * the even number.
+ * A faster fixed_round() for values that are known to be within -32767..32767.
+ * Halves are rounded to the even number.
  */
 static inline int16_t fixed_round_fast(float value)
 {
-	const float magic = 12582912.0f; /* 1.5 * 2^23 leaves no bits below 1 */
+	const float magic = 12582912.0f; /* 1.5 * 2^23: floats of this size are
+					    integers */
 	float sum = value + magic;
 	uint32_t bits;
 
@@ -49,8 +45,9 @@ static inline int16_t fixed_round_fast(float value)
 }
 
 /*
- * An integer with the order of floats: -0 is below 0, and NaNs are beyond
- * infinity. fixed_float_of() is its inverse.
+ * Maps a float to an integer so that integers compare as the floats do. -0
+ * comes before 0, and a NaN lies beyond the infinity of its sign.
+ * fixed_float_of() is the inverse.
  */
 static inline int32_t fixed_order_of(float value)
 {
@@ -78,7 +75,10 @@ static inline int32_t fixed_order_of_abs(float value)
 	return bits & INT32_MAX;
 }
 
-/* Whether a value is no NaN and well within float's range. */
+/*
+ * Whether a value is a number of less than 1e18, so that products stay within
+ * the range of float. False for a NaN.
+ */
 static inline bool fixed_can_use(float value)
 {
 	return value > -1e18f && value < 1e18f;

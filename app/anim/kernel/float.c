@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* The offsets of struct joint_weight are in bytes (AN4044, Example 3). */
+/* offset is joint_weight.joint_offset, in bytes (AN4044, Example 3). */
 static const mat4 *joint_matrix(const mat4 *palette, int32_t offset)
 {
 	return (const mat4 *)((const char *)palette + offset);
@@ -21,8 +21,8 @@ static const struct joint_weight *next_vertex(
 }
 
 /*
- * sum += matrix * base, where base.w is the weight: MadMatVec of Example 6. In
- * this order each line is a sequence of multiply-accumulates.
+ * sum += matrix * base, where base.w is the weight (MadMatVec of AN4044's
+ * Example 6). In this order, each line is a sequence of multiply-accumulates.
  */
 static inline void add_point(
 	float sum[3], const mat4 *matrix, const float base[4])
@@ -70,7 +70,10 @@ static inline void make_unit(float v[3])
 	}
 }
 
-/* The end of the first max of a vertex's influences (0: all). */
+/*
+ * Returns the end of a vertex's first max influences (0: of all), given its
+ * first one and the next vertex's.
+ */
 static const struct joint_weight *cap(const struct joint_weight *first,
 	const struct joint_weight *next, int max)
 {
@@ -116,7 +119,9 @@ static void skin_positions(const struct skin_stream *stream,
 	}
 }
 
-/* Both in one pass, so that each matrix is loaded once. */
+/*
+ * Skins positions and normals in one pass, so that each matrix is loaded once.
+ */
 static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3])
 {
@@ -151,7 +156,7 @@ static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 	}
 }
 
-/* The sum of the weights does not matter, since the result is normalised. */
+/* Weights are not rescaled under a cap, since the results are normalised. */
 void float_skin_directions(const struct skin_stream *stream,
 	const float (*base)[4], const mat4 *palette, int max_influences,
 	float (*direction)[3])
@@ -236,7 +241,7 @@ void float_normalize(int count, float (*vector)[3])
 
 /* One vertex while it is morphed and skinned. */
 struct vertex {
-	float position[4]; /* w is 1; in normal and tangent it is 0 */
+	float position[4]; /* w is 1, but 0 in normal and tangent */
 	float normal[4];
 	float tangent[4];
 };
@@ -290,7 +295,7 @@ static void morph_vertex(const struct morph_input *input,
 	}
 }
 
-/* out = the sum of weight * matrix * v, over the influences. */
+/* out = the sum of weight * matrix * v over the influences up to end. */
 static void carry(const struct joint_weight *influence,
 	const struct joint_weight *end, const mat4 *palette, const float v[4],
 	float out[3])

@@ -1,6 +1,6 @@
 /*
- * The float loops, which every kernel's table has, for primitives that do not
- * fit fixed point. struct kernel states their contracts.
+ * The float loops. Every kernel's table has such loops, for primitives that do
+ * not fit fixed point. struct kernel (kernel.h) states their contracts.
  */
 #ifndef APP_ANIM_KERNEL_FLOAT_H
 #define APP_ANIM_KERNEL_FLOAT_H

@@ -1,8 +1,8 @@
 /*
- * The vertex loops, behind one table of functions.
+ * The vertex loops behind one table of functions, struct kernel.
  *
- * All work that is done for each vertex in each frame is in a kernel. The
- * program chooses one at start. Callers own all arrays; a kernel allocates
+ * A kernel does all work that is done for each vertex in each frame. The
+ * program chooses a kernel at start. Callers own all arrays; a kernel allocates
  * nothing, keeps no state and calls no C library maths.
  */
 #ifndef APP_ANIM_KERNEL_KERNEL_H
@@ -10,7 +10,10 @@
 
 #include "app/anim/skin.h"
 
-/* One weighted target of a morph; deltas may be NULL. */
+/*
+ * One weighted morph target. Arrays have a delta for each vertex; any may be
+ * NULL.
+ */
 struct morph_term {
 	float weight;
 	const float (*position)[3];
@@ -18,18 +21,25 @@ struct morph_term {
 	const float (*tangent)[3];
 };
 
-/* The input of skin_morphed(): a primitive's arrays and its weighted targets. */
+/*
+ * The input of skin_morphed(): a primitive's arrays, [vertex_count], and its
+ * weighted targets, [term_count].
+ */
 struct morph_input {
 	const float (*position)[3];
 	const float (*normal)[3];  /* or NULL */
 	const float (*tangent)[4]; /* or NULL */
 	const struct morph_term *term;
 	int term_count;
-	float position_scale;       /* of positions and their deltas */
-	const mat4 *normal_palette; /* for normals; NULL: the palette */
+	float position_scale;       /* factor of positions and their deltas */
+	const mat4 *normal_palette; /* matrices for normals; NULL: those of the
+				       palette */
 };
 
-/* The output of skin_morphed(). normal and tangent may be NULL. */
+/*
+ * The output of skin_morphed(): arrays of [vertex_count]. normal and tangent
+ * may be NULL.
+ */
 struct skin_output {
 	float (*position)[3];
 	float (*normal)[3];
@@ -51,8 +61,8 @@ struct kernel {
 	/*
 	 * Skins stream.vertex_count vertices by the max_influences heaviest
 	 * influences of each (0: all), whose weights are scaled to sum to 1.
-	 * normal may be NULL, and must be if the stream has none. Normals are
-	 * normalised.
+	 * normal may be NULL and must be NULL if the stream has no normals.
+	 * Normals are written with unit length.
 	 */
 	void (*skin)(const struct skin_stream *stream, const mat4 *palette,
 		int max_influences, float (*position)[3], float (*normal)[3]);
@@ -66,9 +76,9 @@ struct kernel {
 		float (*out)[3]);
 
 	/*
-	 * out = base + the sum of weight * delta, with the terms' normals if
-	 * use_normals is set, else their positions. Terms of weight 0 are
-	 * skipped. out may be base.
+	 * out = base + the sum of weight * delta. The deltas are the terms'
+	 * normals if use_normals is set, else their positions. Terms with
+	 * weight 0 or without deltas are skipped. out may be base.
 	 */
 	void (*morph_targets)(int count, const float (*base)[3],
 		const struct morph_term *term, int term_count, bool use_normals,
@@ -78,8 +88,8 @@ struct kernel {
 	void (*normalize)(int count, float (*vector)[3]);
 
 	/*
-	 * Skins a direction of each vertex, by the stream's normal or tangent
-	 * as base, and normalises them. max_influences as for skin().
+	 * Skins one direction of each vertex and normalises it. base is the
+	 * stream's normal or tangent. max_influences is that of skin().
 	 */
 	void (*skin_directions)(const struct skin_stream *stream,
 		const float (*base)[4], const mat4 *palette, int max_influences,
@@ -87,10 +97,10 @@ struct kernel {
 
 	/*
 	 * Morphs and skins in one pass, which AN4044's conclusion recommends
-	 * for the best quality. It uses the stream's influences but not its
-	 * base vectors. The result is that of morph_targets(),
-	 * skin_stream_rebase() and skin() in sequence, but for rounding.
-	 * Directions in output must be in input too.
+	 * for the best quality. Only the stream's influences are used, not its
+	 * base vectors. Apart from rounding, the result is that of
+	 * morph_targets(), skin_stream_rebase() and skin() in sequence.
+	 * Directions that output asks for must be present in input.
 	 */
 	void (*skin_morphed)(const struct skin_stream *stream,
 		const struct morph_input *input, const mat4 *palette,
@@ -98,20 +108,27 @@ struct kernel {
 
 	/*
 	 * bitangent = attribute.w * (normal x tangent): AN4044, Example 2.
-	 * normal and tangent are posed; attribute is the primitive's tangent.
+	 * normal and tangent are the skinned ones, attribute is the primitive's
+	 * tangent, whose w is the bitangent's sign.
 	 */
 	void (*bitangents)(int count, const float (*normal)[3],
 		const float (*tangent)[3], const float (*attribute)[4],
 		float (*bitangent)[3]);
 };
 
-/* The reference, plain C in float, which every target has. */
+/* The reference in plain C and float, which is built for every target. */
 extern const struct kernel kernel_float;
 
-/* All kernels of the target, best first, and NULL; see toolchain/sources.mk. */
+/*
+ * The kernels that toolchain/sources.mk lists for the target, best first, then
+ * NULL.
+ */
 extern const struct kernel *const kernel_registry[];
 
-/* The kernel of that name, or NULL; for the name NULL the first kernel. */
+/*
+ * Returns the kernel of that name or NULL. For name NULL it returns the first
+ * kernel.
+ */
 const struct kernel *kernel_find(const char *name);
 
 #endif

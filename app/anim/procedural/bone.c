@@ -18,7 +18,7 @@ void bone_parent_rotation(
 	matrix_rotation(((mat4 *)world)[parent], out);
 }
 
-/* Interpolates local to parent^-1 * rotation. */
+/* Interpolates the node's local rotation to parent^-1 * rotation. */
 static void set_rotation(struct pose *pose, int node, const float parent[4],
 	const float rotation[4], float weight)
 {
@@ -67,7 +67,10 @@ bool bone_chain(const struct model *model, int tip, int count, int *node)
 	return true;
 }
 
-/* The length that factor gives to an axis of a child. */
+/*
+ * Returns by how much factor, along the parent's axes, stretches an axis of a
+ * child.
+ */
 static float stretched(
 	const struct transform *child, int axis, const float factor[3])
 {

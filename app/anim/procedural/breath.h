@@ -7,12 +7,12 @@
 #include "app/anim/pose.h"
 
 struct breath {
-	int chest;          /* a node */
+	int chest;          /* the node that moves */
 	float rate_hz;      /* breaths a second */
 	float inhale;       /* the part of a breath spent inhaling, 0..1 */
 	float swell[3];     /* growth along the node's axes at full lungs */
-	float lift_axis[3]; /* unit, in the node's axes */
-	float lift_rad;     /* rotation about it at full lungs */
+	float lift_axis[3]; /* unit length, in the node's axes */
+	float lift_rad;     /* rotation about lift_axis at full lungs */
 	float weight;       /* 0 switches the breath off */
 };
 
@@ -23,7 +23,7 @@ struct breath {
  */
 struct breath breath_default(int chest);
 
-/* How full the lungs are at a time, 0..1. The speed is 0 at both ends. */
+/* Returns how full the lungs are at a time, 0..1, eased at both ends. */
 float breath_at(const struct breath *breath, double time_s);
 
 /* Scales and rotates the chest of a pose. */

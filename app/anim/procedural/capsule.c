@@ -20,7 +20,7 @@ void capsule_to_world(const struct capsule *capsule, int count,
 	}
 }
 
-/* The point of the segment a-b that is nearest to a point. */
+/* Finds the point of the segment a-b that is nearest to the given point. */
 static void nearest(
 	const struct capsule_world *capsule, const float point[3], float out[3])
 {
@@ -31,12 +31,14 @@ static void nearest(
 	vec_subtract(point, capsule->a, offset);
 	length2 = vec_dot(line, line);
 	along = vec_dot(offset, line);
-	/* Most points lie beyond an end, which saves the division. */
+	/* Most points are nearest to an end, where no division is needed. */
 	along = !(along > 0) ? 0 : along < length2 ? along / length2 : 1;
 	vec_add_scaled(capsule->a, line, along, out);
 }
 
-/* A unit direction at right angles to the segment. */
+/*
+ * Writes a unit direction at right angles to the segment, always the same one.
+ */
 static void any_side(const struct capsule_world *capsule, float out[3])
 {
 	float line[3];

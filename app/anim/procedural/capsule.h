@@ -1,5 +1,5 @@
 /*
- * Capsules on a skeleton, which hair and cloth collide with.
+ * Capsules on a skeleton, with which hair and cloth collide.
  *
  * A capsule is the set of points within radius of a line segment. Each end of
  * the segment is fixed to a node. With equal ends it is a sphere.
@@ -33,7 +33,10 @@ void capsule_to_world(const struct capsule *capsule, int count,
 bool capsule_push(
 	const struct capsule_world *capsule, float margin, float point[3]);
 
-/* The same for count capsules, one after the other. */
+/*
+ * The same for count capsules, one after the other. Returns true if any of them
+ * moved the point.
+ */
 bool capsule_push_all(const struct capsule_world *capsule, int count,
 	float margin, float point[3]);
 

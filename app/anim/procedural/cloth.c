@@ -7,8 +7,10 @@
 
 #include <string.h>
 
-static const float FASTEST = 30; /* the world's units a second */
-static const float GIVE = 1.02f; /* the most a column may stretch */
+static const float FASTEST = 30; /* limit of a particle's speed, in the world's
+				    units a second */
+static const float GIVE = 1.02f; /* limit of a column's length, times its rest
+				    length */
 
 void cloth_reset(struct cloth *cloth)
 {
@@ -47,7 +49,10 @@ static bool jumped(const struct cloth *cloth)
 	return !(vec_length(offset) <= limit);
 }
 
-/* Accelerates a particle along its normal by the relative wind. */
+/*
+ * Accelerates a particle along its normal by the wind relative to it. fraction,
+ * 0..0.5, is the part of the difference that it takes over.
+ */
 static void blow(struct cloth *cloth, int i, float fraction)
 {
 	const float *normal = cloth->normal[i];
@@ -79,7 +84,7 @@ static void fall(struct cloth *cloth, float part_s)
 	}
 }
 
-/* Moves the ends of a link to its length; pins do not move. */
+/* Moves the ends of a link towards its length. Pinned particles do not move. */
 static void hold_link(struct cloth *cloth, const struct cloth_link *link)
 {
 	float *a = cloth->position[link->a];
@@ -107,7 +112,7 @@ static void hold_link(struct cloth *cloth, const struct cloth_link *link)
 	vec_add_scaled(b, offset, -0.5f * excess, b);
 }
 
-/* Keeps a particle within the length of its column from the pin. */
+/* Keeps a particle no farther from its column's pin than the column is long. */
 static void hold_reach(struct cloth *cloth, int i, int column)
 {
 	const float *pin = cloth->position[column];
@@ -140,7 +145,10 @@ static void hold_together(struct cloth *cloth,
 	}
 }
 
-/* The velocity is the distance covered in the part of a step. */
+/*
+ * Computes velocities from the distances covered in this part of the step, and
+ * limits them to FASTEST.
+ */
 static void find_speed(struct cloth *cloth, float part_s)
 {
 	for (int i = cloth->settings.columns; i < cloth->count; i++) {
@@ -170,7 +178,10 @@ static void move_pins(struct cloth *cloth, float fraction)
 	}
 }
 
-/* From the neighbours; at an edge the particle replaces the missing one. */
+/*
+ * Computes normals from the neighbours. At an edge, the particle itself stands
+ * for the missing neighbour.
+ */
 static void find_normals(struct cloth *cloth)
 {
 	int columns = cloth->settings.columns;

@@ -26,10 +26,10 @@ struct cloth_settings {
 	float gravity[3];  /* the world's units a second squared */
 	float wind[3];     /* the world's units a second */
 	float air;         /* air resistance along the normal, 1/s */
-	float damping;     /* of any motion, 1/s */
+	float damping;     /* damping of any motion, 1/s */
 	float bend;        /* stiffness against folding, 0..1 */
 	float radius;      /* distance kept from capsules */
-	int passes;        /* over all links in each part of a step */
+	int passes;        /* passes over all links in each part of a step */
 };
 
 /* Two particles whose distance is kept. */
@@ -43,15 +43,17 @@ struct cloth {
 	struct cloth_settings settings;
 	int count; /* of particles */
 	float (*position)[3];
-	float (*normal)[3]; /* unit, towards a viewer who sees columns run to
-			       the right and rows downwards */
+	float (*normal)[3]; /* unit length, towards a viewer for whom columns
+			       run to the right and rows downwards */
 
 	/* Private. */
 	float (*velocity)[3];
 	float (*before)[3];
-	float (*offset)[3]; /* at rest, in the frame of the column's node */
-	float *hang;        /* length of the column above each particle */
-	int *pin;           /* [columns]: nodes */
+	float (*offset)[3]; /* rest position in the frame of the column's
+			     node */
+	float *hang;        /* [count]: length of the column from the pin to the
+			       particle */
+	int *pin;           /* [columns]: the node that holds each column */
 	float (*pin_from)[3];
 	float (*pin_to)[3];
 	int link_count;
@@ -63,9 +65,11 @@ struct cloth {
 struct cloth_settings cloth_settings_default(void);
 
 /*
- * Makes a cloth that is at rest in the given shape, the particles' positions in
- * the world, when the nodes have the matrices of world. pin has the node of
- * each column. 0, -EINVAL for columns or rows out of range, or -ENOMEM.
+ * Makes a cloth whose rest shape is given by shape[columns * rows], the
+ * particles' positions in the world while the nodes have the matrices of world.
+ * pin[columns] has the node of each column. Copies settings, shape and pin; the
+ * arena owns the arrays. Returns 0, -EINVAL for columns or rows out of range,
+ * or -ENOMEM.
  */
 int cloth_init(struct cloth *cloth, const struct cloth_settings *settings,
 	const float (*shape)[3], const int *pin, const mat4 *world,
@@ -75,16 +79,17 @@ int cloth_init(struct cloth *cloth, const struct cloth_settings *settings,
 void cloth_reset(struct cloth *cloth);
 
 /*
- * Advances by step_s, at most 0.2 s. If the pins have moved by more than four
- * times the cloth's length, the motion begins anew.
+ * Advances by step_s, at most 0.2 s. If the first pin has moved by more than
+ * four times the length of the last column since the last update, the cloth
+ * begins anew in its rest shape.
  */
 void cloth_update(struct cloth *cloth, float step_s,
 	const struct capsule_world *capsule, int capsule_count,
 	const mat4 *world);
 
 /*
- * Writes the indices of the cloth's triangles and returns their number,
- * 6 * (columns - 1) * (rows - 1).
+ * Writes the indices of the cloth's triangles, three each, and returns their
+ * number, 6 * (columns - 1) * (rows - 1).
  */
 int cloth_triangles(const struct cloth_settings *settings, uint16_t *index);
 

@@ -25,7 +25,10 @@ static bool side_is_in_range(int side)
 	return side >= CLOTH_SIDE_MIN && side <= CLOTH_SIDE_MAX;
 }
 
-/* At most: right, down, two diagonals and two to every second particle. */
+/*
+ * A particle begins at most six links: right, down, two diagonals, and two to
+ * every second particle.
+ */
 static size_t most_links(int count)
 {
 	return 6 * (size_t)count;
@@ -105,7 +108,7 @@ static void measure_columns(struct cloth *cloth, const float (*shape)[3])
 	}
 }
 
-/* The shape in the frames of the nodes that hold it. */
+/* Converts the shape to the frames of the nodes that hold its columns. */
 static void fix_to_nodes(
 	struct cloth *cloth, const float (*shape)[3], const mat4 *world)
 {

@@ -1,5 +1,6 @@
 /*
- * Inverse kinematics: bones whose end is moved to a point in the world.
+ * Inverse kinematics: rotates bones so that their end reaches a point in the
+ * world.
  *
  * Both solvers change local rotations of a pose and start from the present
  * ones, so that the result stays close to the animation. world has the pose's
@@ -19,9 +20,9 @@ struct ik_limb {
 };
 
 /*
- * Solves exactly. The middle joint bends towards pole, a point in the world, or
- * for NULL in its present direction. Returns the distance that is left between
- * tip and target at weight 1, in the world's unit.
+ * Solves exactly, by the law of cosines. The middle joint bends towards pole, a
+ * point in the world; with NULL it keeps the direction of its bend. Returns the
+ * distance that weight 1 leaves between tip and target, in the world's unit.
  */
 float ik_limb_solve(const struct ik_limb *limb, const float target[3],
 	const float pole[3], const mat4 *world, struct pose *pose);
@@ -30,13 +31,14 @@ enum {
 	IK_CHAIN_MAX = 16
 };
 
-/* A tail, a spine, an arm with its collar bone. */
+/* A chain of any length: a tail, a spine, an arm with its collar bone. */
 struct ik_chain {
-	int count;              /* of nodes with the tip; 2..IK_CHAIN_MAX */
-	int node[IK_CHAIN_MAX]; /* each the parent of the next */
+	int count;                     /* number of nodes with the tip;
+					2..IK_CHAIN_MAX */
+	int node[IK_CHAIN_MAX];        /* each the parent of the next */
 	float limit_rad[IK_CHAIN_MAX]; /* the largest angle from the rest
 					  rotation; 0 or less: no limit */
-	int iterations;                /* at most */
+	int iterations;                /* the largest number of them */
 	float tolerance; /* the distance at which it stops, in the world's unit */
 	float weight;    /* 0: as animated, 1: on the target */
 };
@@ -52,7 +54,7 @@ int ik_chain_init(
 /*
  * Solves by FABRIK (Aristidou and Lasenby, 2011), which spreads the bend over
  * all joints, and applies the limits in each iteration. Returns the distance
- * that is left between tip and target at weight 1, in the world's unit.
+ * that weight 1 leaves between tip and target, in the world's unit.
  */
 float ik_chain_solve(const struct ik_chain *chain, const float target[3],
 	const mat4 *world, struct pose *pose);

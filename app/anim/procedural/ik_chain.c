@@ -7,18 +7,20 @@
 #include <errno.h>
 #include <string.h>
 
-/* The state of a solution. */
+/* An attempt at a solution: rotations and the positions that they give. */
 struct solver {
 	int bones;
 	const struct ik_chain *chain;
 	const struct pose *pose;
 	float root[4];                /* world rotation of the first parent */
-	float local[IK_CHAIN_MAX][4]; /* rotations */
-	float bone[IK_CHAIN_MAX][3];  /* to the next joint, in own axes */
+	float local[IK_CHAIN_MAX][4]; /* local rotations */
+	float bone[IK_CHAIN_MAX][3];  /* vector to the next joint, in the bone's
+					 own axes */
 	float length[IK_CHAIN_MAX];
 	float total;
-	float joint[IK_CHAIN_MAX][3];   /* in the world */
-	float reached[IK_CHAIN_MAX][3]; /* moved to the target */
+	float joint[IK_CHAIN_MAX][3];   /* positions in the world */
+	float reached[IK_CHAIN_MAX][3]; /* positions after FABRIK's backward
+					   pass */
 };
 
 int ik_chain_init(
@@ -85,7 +87,10 @@ static void reach_backward(struct solver *solver, const float target[3])
 	}
 }
 
-/* Sets a joint's world rotation, within its limit. */
+/*
+ * Sets a joint's local rotation from its world rotation, within the joint's
+ * limit.
+ */
 static void set_joint(struct solver *solver, int i, const float parent[4],
 	const float world[4])
 {
@@ -103,7 +108,10 @@ static void set_joint(struct solver *solver, int i, const float parent[4],
 	}
 }
 
-/* The next joint's position, given the rotation of this joint's parent. */
+/*
+ * Computes this joint's world rotation and the next joint's position, given the
+ * world rotation of the parent.
+ */
 static void place_next(
 	struct solver *solver, int i, const float parent[4], float world[4])
 {
@@ -135,7 +143,10 @@ static void reach_forward(struct solver *solver)
 	}
 }
 
-/* Rotates one joint in the world, and with it the rest of the chain. */
+/*
+ * Applies a rotation in world axes to one joint and moves the rest of the chain
+ * along.
+ */
 static void turn_joint(struct solver *solver, int turned, const float turn[4])
 {
 	float above[4];
@@ -155,8 +166,9 @@ static void turn_joint(struct solver *solver, int turned, const float turn[4])
 }
 
 /*
- * Takes the parts of the chain before and after a joint as two rigid bones,
- * bends them to the target's distance and rotates the chain onto the target.
+ * Treats the parts of the chain before and after a joint as two rigid bones:
+ * bends the joint until the tip is as far away as the target, by the law of
+ * cosines, and rotates the whole chain onto the target.
  */
 static void close_triangle(struct solver *solver, int bent, const float goal[3])
 {
@@ -183,7 +195,10 @@ static void close_triangle(struct solver *solver, int bent, const float goal[3])
 	turn_joint(solver, 0, turn);
 }
 
-/* Moves the joints of a straight chain aside, as on a line none can bend. */
+/*
+ * If the chain is straight and points at the target, moves its joints aside:
+ * FABRIK would leave them on the line.
+ */
 static void buckle(struct solver *solver, const float target[3])
 {
 	float line[3], side[3], offset[3];
@@ -213,8 +228,8 @@ static void buckle(struct solver *solver, const float target[3])
 }
 
 /*
- * Moves a target that is out of reach to the length of the chain. Returns true
- * if only the straight chain reaches the target.
+ * Writes the target or, if it is out of reach, the point in its direction at
+ * the length of the chain. Returns true if only a straight chain reaches that.
  */
 static bool bring_near(
 	const struct solver *solver, const float target[3], float out[3])
@@ -232,7 +247,7 @@ static bool bring_near(
 	return true;
 }
 
-/* Puts reached[] on the line to the target. */
+/* Puts reached[] on the straight line to the target. */
 static void stretch(struct solver *solver, const float target[3])
 {
 	float offset[3];
@@ -259,7 +274,9 @@ static void store(const struct solver *solver, struct pose *pose)
 	}
 }
 
-/* Keeps the candidate if its tip is nearer to the target. */
+/*
+ * Copies the candidate to best if its tip is nearer to the target than least.
+ */
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {
@@ -272,8 +289,9 @@ static void keep_best(const struct solver *candidate, const float target[3],
 }
 
 /*
- * FABRIK converges slowly if the chain is nearly straight or folded, or at a
- * limit. The best of close_triangle() over all joints helps then.
+ * Tries close_triangle() with each joint and keeps the best result. This helps
+ * where FABRIK converges slowly: if the chain is nearly straight or folded, or
+ * at a limit.
  */
 static void close_gap(const float goal[3], const float target[3],
 	struct solver *best, float *least)

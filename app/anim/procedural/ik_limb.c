@@ -7,20 +7,29 @@
 
 #include <string.h>
 
-/* The positions of the three joints, and the new ones of the last two. */
+/*
+ * The positions of the three joints in the world, and the solved ones of the
+ * last two.
+ */
 struct limb_shape {
 	float upper[3], lower[3], tip[3];
 	float new_lower[3], new_tip[3];
-	float bend[3]; /* unit, from the line upper-tip towards lower */
+	float bend[3]; /* unit length, from the line between upper and tip
+			  towards lower */
 };
 
-/* The part of v at right angles to a unit direction, made unit length. */
+/*
+ * Writes the component of v at right angles to a unit direction, normalised.
+ * Returns false if there is none.
+ */
 static bool make_side(const float v[3], const float direction[3], float out[3])
 {
 	float length = vec_length(v);
 
 	vec_add_scaled(v, direction, -vec_dot(v, direction), out);
-	/* If v is nearly parallel to the direction, the rest is rounding. */
+	/*
+	 * If v is nearly parallel to the direction, what is left is rounding error.
+	 */
 	if (!(vec_length(out) > 1e-4f * length)) {
 		return false;
 	}
@@ -50,8 +59,8 @@ static void find_bend(
 }
 
 /*
- * Places the joints by the law of cosines. Returns the distance between the
- * target and what the limb can reach.
+ * Places the joints by the law of cosines. Returns the distance from the target
+ * to the nearest point that the limb can reach.
  */
 static float place_joints(
 	struct limb_shape *shape, const float target[3], const float pole[3])
@@ -82,7 +91,10 @@ static float place_joints(
 	return scalar_abs(distance - reach);
 }
 
-/* The rotation of a frame with x along a direction and z along a normal. */
+/*
+ * Writes the rotation of a frame with x along direction and z close to normal.
+ * Returns false if they do not define one.
+ */
 static bool frame(const float direction[3], const float normal[3], float out[4])
 {
 	mat4 m = {{0}};
@@ -97,8 +109,9 @@ static bool frame(const float direction[3], const float normal[3], float out[4])
 }
 
 /*
- * The rotation of the upper bone, which takes the plane of the bend along, so
- * that the elbow stays a hinge. A straight limb has no such plane.
+ * Writes the rotation, in world axes, from the old upper bone to the new one.
+ * It also rotates the plane of the bend, so that the elbow stays a hinge; a
+ * straight limb has no such plane.
  */
 static void upper_turn(const struct limb_shape *shape, float out[4])
 {
@@ -124,7 +137,10 @@ static void upper_turn(const struct limb_shape *shape, float out[4])
 	quat_between(old_bone, new_bone, out);
 }
 
-/* The parent of the lower bone turns with the upper bone. */
+/*
+ * Rotates the lower bone by `lower` in world axes, after its parent was rotated
+ * with the upper bone by `upper`.
+ */
 static void set_lower(const struct ik_limb *limb, const float upper[4],
 	const float lower[4], const mat4 *world, struct pose *pose)
 {

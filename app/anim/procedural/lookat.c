@@ -21,7 +21,10 @@ struct lookat lookat_default(int node)
 	};
 }
 
-/* The target's direction in the bone's axes; false at distance 0. */
+/*
+ * Writes the target's direction in the bone's axes. Returns false if the target
+ * is at the bone itself.
+ */
 static bool own_direction(const struct lookat *lookat, const float target[3],
 	const mat4 *world, const struct pose *pose, float out[3])
 {

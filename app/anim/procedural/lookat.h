@@ -12,17 +12,17 @@
 
 struct lookat {
 	int node;
-	float forward[3];      /* unit, in the bone's own axes */
-	float up[3];           /* unit, at right angles to forward */
+	float forward[3];      /* unit length, in the bone's own axes */
+	float up[3];           /* unit length, at right angles to forward */
 	float yaw_limit_rad;   /* to either side, below pi */
 	float pitch_limit_rad; /* up and down, below pi / 2 */
 	float release_rad;     /* for a target with a larger yaw the bone looks
 				  ahead instead; 0: no such limit */
-	float rate;   /* the angle left falls to 1 / e of itself in 1 / rate
-			 seconds; 0 or less: the bone follows at once */
+	float rate;   /* the remaining angle falls to 1 / e in 1 / rate seconds;
+			 0 or less: the bone follows at once */
 	float weight; /* 0..1 */
 
-	float yaw_rad, pitch_rad; /* the present turn */
+	float yaw_rad, pitch_rad; /* the present turn, before weight */
 };
 
 /*
@@ -32,9 +32,10 @@ struct lookat {
 struct lookat lookat_default(int node);
 
 /*
- * Turns the node towards the point by as much as step_s allows; target NULL
- * means to look ahead. world has the pose's matrices from before the call;
- * those of the node and its descendants are out of date after it.
+ * Turns the node towards target, a point in the world, by as much as step_s
+ * allows. With target NULL the bone looks ahead. world has the pose's matrices
+ * from before the call; those of the node and its descendants are out of date
+ * after it.
  */
 void lookat_update(struct lookat *lookat, const float target[3], float step_s,
 	const mat4 *world, struct pose *pose);

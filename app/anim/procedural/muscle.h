@@ -12,7 +12,8 @@ struct muscle {
 	float to_rad;   /* the bend at which it is fully contracted */
 	int node;       /* the node that swells, or -1 */
 	float swell[3]; /* its growth along its axes at full contraction */
-	int weight;     /* index of the pose's morph weight it adds to, or -1 */
+	int weight;     /* index in pose.weight of a morph weight to add to, or
+			   -1 */
 	float amount;   /* added to that weight at full contraction */
 };
 

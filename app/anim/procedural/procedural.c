@@ -69,21 +69,28 @@ float procedural_modifier(const struct procedural_preset *preset, int level)
 	return modifier < 0 ? 0 : modifier;
 }
 
-/* The factor at modifier 1 and fade 0, common to all bones. */
+/*
+ * Returns the factor at modifier 1 and fade 0, which is the same for all bones.
+ */
 static float swing(const struct procedural *procedural, double time_s)
 {
 	const double turn = 6.283185307179586;
 	double angle = time_s * (double)procedural->preset.speed;
 	double turns = angle / turn;
 
-	/* In double, so that the angle is still exact after hours. */
+	/*
+	 * The angle is reduced in double, so that it is still exact after hours.
+	 */
 	if (turns > -2147483647.0 && turns < 2147483647.0) {
 		angle -= (double)(int32_t)turns * turn;
 	}
 	return scalar_cos((float)angle) * procedural->preset.amplitude;
 }
 
-/* How many levels a node is below another one; -1 if it is not below it. */
+/*
+ * Returns how many levels a node is below an ancestor, 0 for the ancestor
+ * itself, or -1 if it is no descendant.
+ */
 static int levels_below(const struct model *model, int node, int ancestor)
 {
 	int level = 0;

@@ -13,30 +13,36 @@
 
 #include <stddef.h>
 
-/* The document's initial parameters, m_fAnimProcedural... */
+/*
+ * The parameters of a swing. In the document their names begin with
+ * m_fAnimProcedural.
+ */
 struct procedural_preset {
 	char name[32];
-	float speed; /* of the cosine's angle, radians a second */
+	float speed; /* radians a second of the cosine's angle */
 	float amplitude;
 	float attenuation;    /* added to the modifier at each level */
-	float translation[3]; /* at factor 1, in the document's units */
+	float translation[3]; /* at factor 1, in units of the member unit */
 	float rotation[3];    /* at factor 1, radians about x, then y, then z */
-	float modifier;       /* of the bone where the swing begins */
-	float unit;           /* the document's unit in the model's */
+	float modifier;       /* modifier of the bone where the swing begins */
+	float unit;           /* the document's unit of length, in the model's
+				 unit */
 };
 
-/* A numeric member of a preset; its key in a text is the member's name. */
+/*
+ * A numeric member of struct procedural_preset. In a text its key is its name.
+ */
 struct procedural_field {
 	const char *key;
 	size_t offset;
-	int count; /* number of floats */
+	int count; /* floats: 1 or 3 */
 };
 
 enum {
 	PROCEDURAL_FIELDS = 7
 };
 
-/* In the order in which a preset is written. */
+/* All numeric members, in the order in which a preset is written. */
 extern const struct procedural_field procedural_fields[PROCEDURAL_FIELDS];
 
 /* The document's values, named "snowboard", with modifier and unit 1. */
@@ -47,10 +53,10 @@ struct procedural_preset procedural_preset_default(void);
  *	[snowboard]           ; begins a preset with the default's values
  *	speed = 40
  *	translation = 0 1 0
- * Keys are the members' names; ; and # begin comments. path stands in messages.
- * Returns the number of presets read. After an error it logs one message with
- * the line's number and returns -EINVAL, or -ENOSPC for more than capacity
- * presets.
+ * Keys are the members' names; ; and # begin comments. path is the file's name
+ * in messages. Returns the number of presets read. After an error it logs one
+ * message with the line's number and returns -EINVAL, or -ENOSPC for more than
+ * capacity presets.
  */
 int procedural_presets_parse(const char *text, const char *path,
 	const struct log *log, struct procedural_preset *preset, int capacity);
@@ -61,9 +67,9 @@ int procedural_preset_find(
 
 /* One swing: the document's runtime parameters. */
 struct procedural {
-	struct procedural_preset preset; /* ...TYPE */
+	struct procedural_preset preset; /* in the document ...TYPE */
 	int node;   /* the bone where it begins; -1: none */
-	float fade; /* ...FADE: 1 is off, 0 is full */
+	float fade; /* in the document ...FADE: 1 is off, 0 is full */
 	float fade_goal;
 	float fade_rate; /* a second */
 };
@@ -74,7 +80,8 @@ struct procedural procedural_begin(
 
 /*
  * Starts moving the fade to goal, 0 (full) to 1 (off), at the rate that covers
- * the whole range in duration_s. With 0 or less it is there at once.
+ * the whole range 0..1 in duration_s. With a duration of 0 or less, the fade is
+ * goal at once.
  */
 void procedural_fade(
 	struct procedural *procedural, float goal, float duration_s);
@@ -83,8 +90,9 @@ void procedural_fade(
 void procedural_update(struct procedural *procedural, float step_s);
 
 /*
- * m_fBoneModifier, a number of levels below the bone: each level adds the
- * attenuation if the modifier is above 0.1. The result is at least 0.
+ * The modifier (m_fBoneModifier) of a bone that is level levels below the one
+ * where the swing begins. Each level adds the attenuation while the modifier is
+ * above 0.1. The result is at least 0.
  */
 float procedural_modifier(const struct procedural_preset *preset, int level);
 

@@ -42,7 +42,10 @@ static bool equals(struct piece piece, const char *text)
 		memcmp(piece.at, text, piece.length) == 0;
 }
 
-/* Reads count numbers and nothing else. */
+/*
+ * Reads exactly count numbers. Returns false if there are more, fewer, or one
+ * is not within -1e6..1e6.
+ */
 static bool read_numbers(struct piece piece, float *out, int count)
 {
 	const char *at = piece.at;
@@ -52,7 +55,10 @@ static bool read_numbers(struct piece piece, float *out, int count)
 		char *after;
 
 		out[i] = strtof(at, &after);
-		/* strtof skips blanks and would run on into the next line. */
+		/*
+		 * strtof skips blanks and line ends, so it may have read a
+		 * number from the next line.
+		 */
 		if (after == at || after > end ||
 			!(out[i] > -1e6f && out[i] < 1e6f)) {
 			return false;
@@ -62,7 +68,7 @@ static bool read_numbers(struct piece piece, float *out, int count)
 	return at == end;
 }
 
-/* NULL, or the text of an error. */
+/* Returns NULL, or the text of an error. */
 static const char *set_field(
 	struct procedural_preset *preset, struct piece key, struct piece value)
 {
@@ -100,7 +106,7 @@ static const char *begin_preset(
 	return NULL;
 }
 
-/* The line that begins at text, without its comment. */
+/* Returns the line that begins at text, without its comment. */
 static struct piece cut_line(const char *text)
 {
 	size_t length = strcspn(text, "\n");

@@ -13,13 +13,14 @@
 static const float HIGHEST_HZ = 15;
 static const float FASTEST_TURN = 40; /* radians a second */
 
-/* The data of one update. */
+/* The data of one call of spring_update(). */
 struct swing {
 	struct spring *spring;
 	const struct pose *pose;
 	const struct capsule_world *capsule;
 	int capsule_count;
-	float bone[SPRING_MAX][3]; /* to the end, in own axes, world units */
+	float bone[SPRING_MAX][3]; /* vector to the bone's end, in its own axes
+				      and the world's unit */
 	float length[SPRING_MAX];
 	float turned[SPRING_MAX][4]; /* new world rotations */
 	float total;
@@ -44,7 +45,9 @@ int spring_init(
 	return 0;
 }
 
-/* The bones as vectors to the next node, or of the last one to its end. */
+/*
+ * Computes bone[]: vectors to the next node, or for the last bone to its end.
+ */
 static void measure(
 	struct swing *swing, const mat4 *world, const struct pose *pose)
 {
@@ -106,7 +109,10 @@ static void pull(struct spring *spring, int i, const float goal[3], float part_s
 	}
 }
 
-/* Moves an end to the bone's length from its origin. */
+/*
+ * Moves an end along the bone so that it is length away from the bone's origin.
+ * If it is at the origin, the direction is fallback.
+ */
 static void hold_length(const float origin[3], const float fallback[3],
 	float length, float end[3])
 {
@@ -121,7 +127,7 @@ static void hold_length(const float origin[3], const float fallback[3],
 }
 
 /*
- * Removes from the velocity of an end, relative to the bone's origin, the part
+ * Takes an end's velocity relative to the bone's origin, removes the component
  * along the bone, and limits the rest to FASTEST_TURN.
  */
 static void hold_speed(const float origin[3], const float origin_velocity[3],
@@ -166,7 +172,7 @@ static void keep_out(
 	hold_length(origin, ahead, swing->length[i], end);
 }
 
-/* The origin of a bone. */
+/* The origin of a bone, in the world. */
 struct base {
 	float position[3], velocity[3];
 };
@@ -200,7 +206,10 @@ static void swing_bone(struct swing *swing, int i, const struct base *base,
 	}
 }
 
-/* Moves all bones by one part of a step. base is the first one's origin. */
+/*
+ * Moves all bones by one part of a step. base is the first bone's origin, above
+ * the world rotation of its parent.
+ */
 static void swing_chain(struct swing *swing, struct base base,
 	const float above[4], float part_s)
 {

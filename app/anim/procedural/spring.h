@@ -2,10 +2,10 @@
  * Springy bones: ponytails, tails, antennas.
  *
  * A damped spring pulls the end of each bone to its animated position, relative
- * to the bone above, so that it lags, swings and hangs. The ends keep their
- * distance, so nothing stretches. A step is divided into parts (substep.h), and
- * the spring is integrated by a rule that is stable for parts of any length:
- * nothing flies away, whatever the frame time.
+ * to the bone above, so that the end lags, swings and hangs. The ends keep
+ * their distances, so no bone stretches. A step is divided into parts
+ * (substep.h), and the spring is integrated by a rule that is stable for parts
+ * of any length: nothing flies away, whatever the frame time.
  */
 #ifndef APP_ANIM_PROCEDURAL_SPRING_H
 #define APP_ANIM_PROCEDURAL_SPRING_H
@@ -17,24 +17,25 @@ enum {
 };
 
 struct spring {
-	int count;            /* of bones */
+	int count;            /* number of bones */
 	int node[SPRING_MAX]; /* each the parent of the next */
 	float end[3];         /* the last bone's end, in its own frame */
 
-	float frequency_hz; /* of the undamped spring, at most 15; 0: limp */
-	float damping;      /* ratio; 1 is critical damping */
+	float frequency_hz; /* of the undamped spring, at most 15; 0: the bones
+			       hang limp */
+	float damping;      /* damping ratio; 1 is critical damping */
 	float gravity[3];   /* the world's units a second squared */
 	float limit_rad;    /* the largest angle from the animated direction;
 			       0 or less: no limit */
 	float radius;       /* distance kept from capsules */
-	float weight;       /* 0: as animated */
+	float weight;       /* 0: as animated, 1: all of the motion */
 
 	/* Private. */
 	bool begun;
-	float position[SPRING_MAX][3]; /* of the ends, in the world */
+	float position[SPRING_MAX][3]; /* of the bones' ends, in the world */
 	float velocity[SPRING_MAX][3];
-	float origin[3];   /* of the first bone, in the last frame */
-	float rotation[4]; /* of its parent */
+	float origin[3];   /* the first bone's position in the last frame */
+	float rotation[4]; /* world rotation of its parent then */
 };
 
 /*
@@ -50,7 +51,8 @@ int spring_init(
  * Advances by step_s, at most 0.2 s, and rotates the bones. world has the
  * pose's matrices from before the call; those of the first bone and its
  * descendants are out of date after it. If the first bone has moved by more
- * than four times the chain's length, the motion begins anew.
+ * than four times the chain's length since the last update, the motion begins
+ * anew.
  */
 void spring_update(struct spring *spring, float step_s,
 	const struct capsule_world *capsule, int capsule_count,

@@ -13,8 +13,9 @@ struct substep {
 };
 
 /*
- * Parts of at most 1/120 s, but no more than 12: otherwise a slow frame would
- * make the next one slower. Of a longer step than 0.2 s only that much counts.
+ * Divides a step into parts of at most 1/120 s, but into no more than 12 parts:
+ * otherwise a slow frame would make the next frame slower. A step is limited to
+ * 0.0001 to 0.2 s.
  */
 static inline struct substep substep_divide(float step_s)
 {

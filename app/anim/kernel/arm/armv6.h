@@ -1,5 +1,5 @@
 /*
- * The functions in assembly. struct fixed_loops states their contracts.
+ * The fixed-point loops in assembly. struct fixed_loops states their contracts.
  */
 #ifndef APP_ANIM_KERNEL_ARM_ARMV6_H
 #define APP_ANIM_KERNEL_ARM_ARMV6_H

@@ -1,6 +1,6 @@
 /*
- * Morphing for ARMv6, bit for bit as the functions of the same names in
- * fixed_loops.c. Vectors and sums are loaded and stored in words:
+ * Morphing for ARMv6. Results equal those of the functions of the same names in
+ * fixed_loops.c bit for bit. Vectors and sums are loaded and stored in words:
  *
  *   vector  { x, fraction }  { z, y }      upper half first
  *   sum     x  y  z
@@ -12,7 +12,7 @@
 
 #define AHEAD 96
 
-/* The upper halves of y and z into z. */
+/* Packs the upper halves of y and z into z, as y and z of a fixed_vector. */
 	.macro	pack y, z
 	pkhtb	\z, \z, \y, asr #16
 	.endm
@@ -23,8 +23,8 @@
  *
  *   r0 vertices left   r1 pairs   r2 weights   r3 out   r12 a half
  *
- * Three vertices at a time: each is loaded while the one before it is weighed
- * and the one before that is stored.
+ * The loop does three vertices: while it loads one, it weighs the previous one
+ * and stores the one before that.
  */
 	.macro	weigh x, y, z
 	smlad	\y, \y, r2, r12
@@ -57,7 +57,7 @@ kernel_armv6_lerp:
 	pack	r11, lr
 	stmia	r3!, {r10, lr}
 	bge	1b
-/* One vertex is loaded, and r0 + 3 more follow. */
+/* r4 r5 r6 hold a loaded vertex, and r0 + 3 more follow. */
 lerp_rest:
 	add	r0, r0, #3
 2:	weigh	r4, r5, r6
@@ -81,8 +81,8 @@ lerp_done:
  *   r0 vertices left   r1 source   r2 destiny   r3 weights   r12 a half
  *   lr out   r4-r6, r7-r9  two vertices of each key: { y, x } { x, z } { z, y }
  *
- * Two vertices at a time are three words of each key. The halves of the two
- * keys are paired by PKH, which the interleaved pairs of lerp do not need.
+ * Two vertices are three words of each key. PKH makes pairs of the two keys'
+ * halves; in lerp they are pairs already.
  */
 	.macro	pair_keys
 	pkhbt	r10, r4, r7, lsl #16
@@ -171,8 +171,8 @@ kernel_armv6_increment:
  *   r7 r11 lr  a vertex's pairs
  *   r4 r5 r6, r8 r9 r10  sums x z y of two vertices in turn, from base
  *
- * A step loads a vertex's pairs, stores the previous vertex, adds, and loads
- * the base of the next vertex.
+ * A step loads a vertex's pairs, stores the previous vertex, adds the pairs to
+ * the base, and loads the base of the next vertex.
  */
 	.macro	expand x, z, y
 	pkhbt	\y, \x, \z, lsl #16
@@ -215,7 +215,7 @@ kernel_armv6_morph_pair:
 	subs	r0, r0, #10
 	pld	[r2, #64]
 	blt	morph_rest
-/* Before the first vertex there is none to store. */
+/* The first vertex is done without a step, since there is none to store yet. */
 	ldrd	r4, r5, [r1], #8
 	ldmia	r2!, {r7, r11, lr}
 	expand	r4, r5, r6
@@ -236,7 +236,9 @@ kernel_armv6_morph_pair:
 	subs	r0, r0, #8
 	pld	[r1, #AHEAD]
 	bge	1b
-/* r4 r5 r6 are not stored yet, and one base is loaded too many. */
+/*
+ * Stores the last vertex, and goes back by the base that was loaded too early.
+ */
 	pack	r6, r5
 	stmia	r12!, {r4, r5}
 	sub	r1, r1, #8

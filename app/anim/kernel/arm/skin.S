@@ -1,6 +1,6 @@
 /*
- * Skinning for ARMv6, bit for bit as skin() of fixed_loops.c. figures.md says
- * how the schedule was found.
+ * Skinning for ARMv6. Results equal those of skin() in fixed_loops.c bit for
+ * bit. ../figures.md says how the schedule was found.
  *
  * void kernel_armv6_skin(const struct fixed_group *group, int group_count,
  *	const struct fixed_base *base, const struct fixed_matrix *palette,
@@ -31,9 +31,10 @@
 #define AHEAD      128
 
 /*
- * One influence: multiplies its matrix by its vector while it loads the next
- * influence's. matrix is the offset of the next matrix on the stack, or -1 if it
- * is the same one; vector is the offset of the next base vector from r0.
+ * One influence: multiplies its matrix by its base vector while it loads those
+ * of the next influence. `matrix` is the offset of the next matrix on the
+ * stack, or -1 if the next influence has the same matrix; `vector` is the
+ * offset of the next base vector from r0.
  */
 	.macro	influence first, matrix, vector
 	.if	\first
@@ -59,15 +60,17 @@
 	.endif
 	.endm
 
-/* x and its fraction are one word, y and z the other one. */
+/* Stores a vertex: one word is x and its fraction, the other one y and z. */
 	.macro	store
 	pkhtb	lr, lr, r12, asr #16
 	stmia	r1!, {r3, lr}
 	.endm
 
 /*
- * Two vertices at a time. The second one's influences go from the last to the
- * first, so that two consecutive products use the same matrix.
+ * The loop for runs with `count` influences, two vertices at a time. The
+ * influences of the second vertex go from the last to the first, so that the
+ * last one of the first vertex and the first one of the next pair need no other
+ * matrix.
  */
 	.macro	run count
 	.set	last, \count - 1
@@ -164,7 +167,7 @@ copy_matrix:
 	str	r12, [sp, #RUN]
 	add	pc, pc, r3, lsl #2
 	nop
-	nop				/* 0 influences do not occur */
+	nop				/* 0 influences: does not occur */
 	b	run1
 	b	run2
 	b	run3

@@ -1,5 +1,5 @@
 /*
- * A primitive's arrays and a target's deltas, by attribute.
+ * Access to a primitive's arrays and a target's deltas by enum fixed_attribute.
  */
 #ifndef APP_ANIM_KERNEL_LAYOUT_FIXED_ATTRIBUTE_H
 #define APP_ANIM_KERNEL_LAYOUT_FIXED_ATTRIBUTE_H

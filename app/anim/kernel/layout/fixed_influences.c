@@ -1,7 +1,8 @@
 #include "app/anim/kernel/layout/fixed_influences.h"
 
 /*
- * Rounds all weights down, then those up that lost most, until their sum is 1.
+ * Converts weights to Q14: rounds all of them down, then rounds up those with
+ * the largest remainders until the sum is exactly 1.
  */
 static void quantize(
 	struct fixed_influences *out, const struct skin_influence *in)

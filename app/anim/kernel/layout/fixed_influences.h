@@ -17,13 +17,13 @@ struct fixed_influences {
 };
 
 /*
- * The influences by descending weight, without those that are 0 in Q14; at most
- * cap of them (0: all), whose weights are scaled to sum to 1.
+ * Writes a vertex's influences by descending weight, without those that become
+ * 0 in Q14, and at most cap of them (0: all). Weights are scaled to sum to 1.
  */
 void fixed_influences_gather(const struct model_primitive *primitive,
 	uint32_t vertex, int cap, struct fixed_influences *out);
 
-/* Sorts them by joint, the order in which a run has them. */
+/* Sorts the influences by joint, which is their order within a run. */
 void fixed_influences_by_joint(struct fixed_influences *influences);
 
 #endif

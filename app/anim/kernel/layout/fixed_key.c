@@ -6,7 +6,7 @@
 #include <errno.h>
 
 enum {
-	KEY_MAX = 16383 /* twice that, negated, fits a pair */
+	KEY_MAX = 16383 /* pairs hold -2 times a number in 16 bits */
 };
 
 struct fixed_range fixed_range_empty(void)
@@ -22,7 +22,9 @@ void fixed_range_add(
 		for (int k = 0; k < 3; k++) {
 			float at = position[i][k];
 
-			/* Makes fixed_range_placement() fail. */
+			/*
+			 * With -1e30, fixed_range_placement() returns an error.
+			 */
 			at = fixed_can_use(at) ? at : -1e30f;
 			range->low[k] = at < range->low[k] ? at : range->low[k];
 			range->high[k] =

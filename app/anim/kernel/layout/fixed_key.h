@@ -12,7 +12,7 @@
 
 #include "app/anim/kernel/fixed.h"
 
-/* The box around key frames. */
+/* The box around the positions of key frames. */
 struct fixed_range {
 	float low[3], high[3];
 };
@@ -25,14 +25,16 @@ void fixed_range_add(
 	struct fixed_range *range, int count, const float (*position)[3]);
 
 /*
- * The placement for all key frames within the range. It makes their numbers
- * fill 15 bits, the most that a lerp can take. 0, or -ERANGE if positions were
- * not finite numbers of sensible size.
+ * Computes the placement for all key frames within the range. With it their
+ * numbers fill 15 bits, the most that a lerp can take. Returns 0, or -ERANGE if
+ * a position was not finite or not below 1e18.
  */
 int fixed_range_placement(
 	const struct fixed_range *range, struct fixed_placement *placement);
 
-/* A key frame's positions, and its normals, where 1 becomes 16383. */
+/*
+ * Convert a key frame's positions, and its normals, in which 1 becomes 16383.
+ */
 void fixed_key_positions(int count, const float (*position)[3],
 	const struct fixed_placement *placement, struct fixed_vector *out);
 void fixed_key_normals(

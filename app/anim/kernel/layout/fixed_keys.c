@@ -16,7 +16,10 @@ enum {
 const struct fixed_placement fixed_keys_directions = {
 	1.0f / KEY_MAX, {0.0f, 0.0f, 0.0f}};
 
-/* A vertex of key 0 or of a target at its full weight. */
+/*
+ * Computes one vertex of key 0, the primitive itself, or of a target at full
+ * weight.
+ */
 static void vertex_of(const struct model_primitive *primitive,
 	enum fixed_attribute attribute, int key, int vertex, float out[3])
 {
@@ -70,8 +73,8 @@ void fixed_keys_convert(int count, const float (*vector)[3],
 }
 
 /*
- * Directions are of unit length only approximately, as the sums of base and
- * delta are; those longer than 1 would be clamped on each axis apart.
+ * Shortens a direction to length 1. A sum of base and delta is often a little
+ * longer, and fixed_keys_convert() would clamp each axis on its own.
  */
 static void make_short(float v[3])
 {
@@ -123,7 +126,10 @@ static int write_keys(struct fixed_keys *keys,
 	return 0;
 }
 
-/* Uses those of the model, if it has key frames in the loop's format. */
+/*
+ * Uses the model's arrays of key frames. Returns false if one that is wanted is
+ * missing.
+ */
 static bool take_keys(struct fixed_keys *keys, const struct model_keys *from,
 	unsigned streams)
 {

@@ -8,10 +8,13 @@
 #include <errno.h>
 
 enum {
-	GAP_MAX = 3 /* unmoved vertices that do not end a span */
+	GAP_MAX = 3 /* as many unmoved vertices in a row do not end a span */
 };
 
-/* A vertex's attribute; positions are relative to the middle of all. */
+/*
+ * Reads a vertex's attribute. Positions become relative to the centre of the
+ * box around all of them.
+ */
 static void base_of(const struct fixed_morph *morph,
 	enum fixed_attribute attribute, int vertex, float out[3])
 {
@@ -25,7 +28,10 @@ static void base_of(const struct fixed_morph *morph,
 	}
 }
 
-/* A target's deltas, which are 0 for the missing half of the last pair. */
+/*
+ * Reads a target's deltas as floats. With an odd number of targets, the second
+ * one of the last pair does not exist, and its deltas are 0.
+ */
 static void read_deltas(const struct fixed_morph *morph,
 	enum fixed_attribute attribute, int target, float (*out)[3])
 {
@@ -71,14 +77,14 @@ static int find_middle(struct fixed_morph *morph)
 	return 0;
 }
 
-/* Two targets' deltas as floats, while they are converted. */
+/* Scratch memory for two targets' deltas as floats: [vertex_count] each. */
 struct buffers {
 	float (*vector[2])[3];
 };
 
 /*
- * Chooses the unit so that a vertex fits with all targets at weight 1, and so
- * does the weight of a single target (see weight_number() in
+ * Chooses the unit so that two things fit in 16 bits: a vertex with all targets
+ * at weight 1, and the weight of each target (see weight_number() in
  * fixed_morph_run.c).
  */
 static int choose_unit(struct fixed_morph *morph,
@@ -120,14 +126,17 @@ static int choose_unit(struct fixed_morph *morph,
 	return 0;
 }
 
-/* One half of a pair; the largest delta becomes 32767. */
+/*
+ * Converts one coordinate of a delta; with the target's scale, the largest one
+ * becomes 32767.
+ */
 static int16_t delta_number(
 	const float (*delta)[3], int vertex, int axis, float scale)
 {
 	return fixed_round(delta[vertex][axis] * scale);
 }
 
-/* The two targets of a pair. */
+/* The two targets of a pair, as floats, and the factors that convert them. */
 struct source {
 	const float (*delta[2])[3];
 	float scale[2];
@@ -148,7 +157,9 @@ static bool write_pair(
 	return moves;
 }
 
-/* The next span at or after a vertex; its count is 0 at the end. */
+/*
+ * Finds the next span from vertex `from` on; its count is 0 if there is none.
+ */
 static struct fixed_span next_span(
 	const struct source *source, int from, int vertex_count)
 {
@@ -231,7 +242,7 @@ static int lay_out_pairs(struct fixed_morph *morph,
 	return 0;
 }
 
-/* Base vectors in the unit that the weight limit allows. */
+/* Writes the base vectors in the largest unit that the weight limit allows. */
 static void write_base(struct fixed_morph *morph, enum fixed_attribute attribute)
 {
 	struct fixed_morph_stream *stream = &morph->stream[attribute];

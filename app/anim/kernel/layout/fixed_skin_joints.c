@@ -4,11 +4,11 @@
 
 enum {
 	JOINTS_MAX = 2048,
-	MATRIX_ONE = 28672, /* 1 in the matrices of plain rotations */
+	MATRIX_ONE = 28672, /* what 1 becomes in matrices without scale */
 	FINER_BITS = 2
 };
 
-/* One more than the largest joint index of the primitive. */
+/* Returns one more than the largest joint index of the primitive. */
 static size_t count_joint_indices(const struct fixed_skin *skin)
 {
 	const struct model_primitive *primitive = skin->primitive;
@@ -31,7 +31,10 @@ int fixed_skin_list_joints(struct fixed_skin *skin, struct arena *arena)
 	if (!skin->joint_slot) {
 		return -ENOMEM;
 	}
-	/* First a flag for each joint that moves vertices, then its slot. */
+	/*
+	 * joint_slot[] first holds a flag for each joint that moves vertices,
+	 * later the joint's index in joint[].
+	 */
 	for (uint32_t v = 0; v < (uint32_t)skin->vertex_count; v++) {
 		struct fixed_influences in;
 
@@ -60,7 +63,10 @@ int fixed_skin_list_joints(struct fixed_skin *skin, struct arena *arena)
 	return 0;
 }
 
-/* Extends a box, kept as its low and high corner in middle and half. */
+/*
+ * Extends a joint's box. While boxes are measured, middle holds the low corner
+ * and half the high one.
+ */
 static void extend_box(struct fixed_joint *joint, const float position[3],
 	const float extent[3])
 {
@@ -83,7 +89,10 @@ static struct fixed_joint *joint_of(
 	return &skin->joint[skin->joint_slot[joint]];
 }
 
-/* The box around the vertices that each joint moves, at the present cap. */
+/*
+ * Computes the box around the vertices that each joint moves at the present
+ * cap.
+ */
 static void measure_boxes(struct fixed_skin *skin)
 {
 	const struct model_primitive *primitive = skin->primitive;
@@ -145,8 +154,8 @@ static float measure_bases(const struct fixed_skin *skin)
 }
 
 /*
- * Half the largest side of the box around all vertices, and of the box around
- * the middles of all joints.
+ * Computes half the largest side of the box around all vertices, and of the box
+ * around the centres of all joints' boxes.
  */
 static void measure_bind_pose(
 	const struct fixed_skin *skin, float *vertices, float *middles)
@@ -173,10 +182,11 @@ static void measure_bind_pose(
 }
 
 /*
- * The scale at which the bind pose, enlarged by a quarter, fills the output
- * while 1 in the matrices is MATRIX_ONE. If the base vectors are small enough,
- * 1 is a half or a quarter of that, so that matrices and base vectors get a
- * similar number of bits.
+ * Chooses scale[FIXED_POSITION]: with 1 in the matrices as MATRIX_ONE, the bind
+ * pose, enlarged by a quarter, fills the output. If the base vectors are small
+ * enough, the scale is doubled up to FINER_BITS times, and 1 in the matrices
+ * becomes a half or a quarter of MATRIX_ONE, so that matrices and base vectors
+ * use a similar number of bits.
  */
 static float choose_scale(const struct fixed_skin *skin)
 {

@@ -13,44 +13,49 @@
 #include "app/anim/kernel/layout/fixed_skin.h"
 
 /*
- * Allocates joint[] and joint_slot[] and fills in which joints there are. 0,
- * -ENOMEM or -ERANGE as for fixed_skin_init().
+ * Allocates joint[] and joint_slot[] and lists the joints that move vertices.
+ * Returns 0, -ENOMEM or -ERANGE as fixed_skin_init() does.
  */
 int fixed_skin_list_joints(struct fixed_skin *skin, struct arena *arena);
 
-/* Fills in the joints' boxes and scale[FIXED_POSITION], at the present cap. */
+/* Computes the joints' boxes and scale[FIXED_POSITION] for the present cap. */
 void fixed_skin_measure_joints(struct fixed_skin *skin);
 
 /*
  * Allocates the streams, sorts the vertices into order[] and inverse_order[]
- * and allocates the runs for any cap. 0 or -ENOMEM.
+ * and allocates memory for the runs of any cap. Returns 0 or -ENOMEM.
  */
 int fixed_skin_init_streams(
 	struct fixed_skin *skin, unsigned streams, struct arena *arena);
 
-/* The last tier with vertices that a level of detail or a coarser one uses. */
+/* Returns the last tier that is needed to draw a level of detail. */
 int fixed_skin_tier_of(const struct fixed_skin *skin, int level);
 
-/* Writes runs and base vectors, at the present cap and scales. */
+/* Writes groups, runs and base vectors for the present cap and scales. */
 void fixed_skin_write_streams(struct fixed_skin *skin);
 
-/* Fills in skin->targets but for the rebase records. */
+/*
+ * Fills in skin->targets, except for the contents of the rebase records.
+ * Returns 0, -ENOMEM or -ERANGE as fixed_skin_add_targets() does.
+ */
 int fixed_skin_init_targets(
 	struct fixed_skin *skin, int target_count, struct arena *arena);
 
-/* Writes the rebase records of the present streams; all weights become 0. */
+/*
+ * Writes the rebase records for the present base vectors, which contain no
+ * targets. All target weights become 0.
+ */
 void fixed_skin_write_rebase(struct fixed_skin *skin);
 
 /*
- * The largest scale that an attribute's base vectors may have: directions with
- * all their deltas must fit 16 bits, and the vectors that targets move are at
- * most half as fine as the deltas, since a rebase record holds a weight of at
- * most a half.
+ * The largest scale that an attribute's base vectors may have. Directions with
+ * all their deltas must fit 16 bits. If there are targets, the scale is at most
+ * half the unit of the deltas, since fixed_rebase.weight_q16 is at most a half.
  */
 float fixed_skin_scale_limit(
 	const struct fixed_skin *skin, enum fixed_attribute attribute);
 
-/* How far targets may move a vertex along each axis. */
+/* Returns how far targets may move a vertex along each axis (three floats). */
 static inline const float *fixed_skin_extent(
 	const struct fixed_skin *skin, uint32_t vertex)
 {

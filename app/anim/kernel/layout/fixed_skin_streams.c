@@ -42,7 +42,10 @@ static int compare_sorted(const void *left, const void *right)
 	return a->vertex < b->vertex ? -1 : 1;
 }
 
-/* Whether both are in one run, whatever the cap. */
+/*
+ * Whether two neighbours of the sorted list are in one run with any cap: then
+ * their heaviest joints are the same too.
+ */
 static bool same_run_at_any_cap(const struct sorted *a, const struct sorted *b)
 {
 	return a->tier == b->tier && a->count == b->count &&
@@ -50,7 +53,7 @@ static bool same_run_at_any_cap(const struct sorted *a, const struct sorted *b)
 			(size_t)a->count * sizeof(a->by_weight[0])) == 0;
 }
 
-/* Enough for the runs at any cap. */
+/* Returns a number of words that is enough for the runs of any cap. */
 static size_t count_run_words(const struct sorted *list, size_t count)
 {
 	size_t words = 0;
@@ -63,7 +66,10 @@ static size_t count_run_words(const struct sorted *list, size_t count)
 	return words;
 }
 
-/* Moves the vertices of a list to the tier of its level, if that is earlier. */
+/*
+ * Moves the vertices that a triangle list uses to a tier, unless they are in an
+ * earlier one.
+ */
 static void put_into_tier(
 	struct sorted *sorted, const uint32_t *index, int index_count, int tier)
 {
@@ -75,8 +81,9 @@ static void put_into_tier(
 }
 
 /*
- * How often the number of triangles has fallen to a quarter, from the full list
- * to a level. Each time makes a tier; more tiers would make runs shorter.
+ * Counts how often the number of triangles falls to a quarter on the way from
+ * the full list to a level. Each time begins a tier; more tiers would make runs
+ * shorter.
  */
 static int count_quarterings(const struct model_primitive *primitive, int level)
 {
@@ -100,7 +107,10 @@ int fixed_skin_tier_of(const struct fixed_skin *skin, int level)
 	return count < last ? last - count : 0;
 }
 
-/* Of sorted[], which is in the primitive's order. */
+/*
+ * Sets tier_count and sorted[].tier. sorted[] is still in the primitive's
+ * order.
+ */
 static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 {
 	const struct model_primitive *primitive = skin->primitive;
@@ -122,8 +132,8 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 }
 
 /*
- * Fills order[] and inverse_order[] and allocates the runs. The list of sort
- * keys is freed again.
+ * Fills in order[], inverse_order[], tier_count and vertex_count_to[] and
+ * allocates the runs. Returns 0 or -ENOMEM.
  */
 static int sort_vertices(
 	struct fixed_skin *skin, bool in_tiers, struct arena *arena)
@@ -181,7 +191,9 @@ static int reserve(
 	struct fixed_skin *skin, unsigned streams, struct arena *arena)
 {
 	size_t vertices = (size_t)skin->vertex_count;
-	/* One more than there are, since the loops load ahead. */
+	/*
+	 * One more than there are, since the loops load the next base vector early.
+	 */
 	size_t count = (size_t)count_influences(skin) + 1;
 
 	skin->order = ARENA_ARRAY(arena, uint32_t, vertices);
@@ -210,7 +222,7 @@ int fixed_skin_init_streams(
 		     : sort_vertices(skin, (streams & FIXED_TIERS) != 0, arena);
 }
 
-/* One influence of a vertex in one stream. */
+/* Makes the base vector of one influence of a vertex. */
 static struct fixed_base make_base(const struct fixed_skin *skin,
 	enum fixed_attribute attribute, uint32_t vertex, uint16_t joint,
 	int weight_q14)
@@ -227,7 +239,7 @@ static struct fixed_base make_base(const struct fixed_skin *skin,
 		.x = fixed_round((v[0] - middle[0]) * weight),
 		.y = fixed_round((v[1] - middle[1]) * weight),
 		.z = fixed_round((v[2] - middle[2]) * weight),
-		/* Negative, as Q15 has -1 but not 1. */
+		/* -weight in Q15, which can hold -1 but not 1 */
 		.w = attribute == FIXED_POSITION ? (int16_t)(-2 * weight_q14)
 						 : 0,
 	};
@@ -252,9 +264,9 @@ static struct fixed_group *last_group(struct fixed_skin *skin)
 }
 
 /*
- * Adds a vertex to the last run, or begins another run at end, in a new group
- * if the number of influences changes. last is NULL for the first vertex of a
- * tier. Returns the run of the vertex.
+ * Adds a vertex to the run `last` or, if its joints differ, begins another run
+ * at end. A new group begins if the number of influences changes, and for the
+ * first vertex of a tier, where last is NULL. Returns the vertex's run.
  */
 static int32_t *extend_run(struct fixed_skin *skin,
 	const struct fixed_influences *in, int32_t *last, int32_t *end)

@@ -71,7 +71,7 @@ static int list_moved(
 	return 0;
 }
 
-/* The moved vertices' deltas one after the other, as floats. */
+/* Copies the deltas of the moved vertices, one after the other, as floats. */
 static int gather_deltas(const struct fixed_skin *skin,
 	const struct model_deltas *from, struct model_deltas *out,
 	struct arena *arena)
@@ -95,7 +95,10 @@ static int gather_deltas(const struct fixed_skin *skin,
 	return 0;
 }
 
-/* The largest sums of all targets' deltas, of each vertex and of any. */
+/*
+ * Computes extent[], the sums of all targets' |delta| of positions, and
+ * largest[], the largest such sum of each attribute.
+ */
 static void measure_deltas(struct fixed_skin_targets *targets, int target_count)
 {
 	for (int i = 0; i < FIXED_ATTRIBUTES * targets->moved_count * 3; i++) {
@@ -121,7 +124,7 @@ static void measure_deltas(struct fixed_skin_targets *targets, int target_count)
 	}
 }
 
-/* Copies of all targets with the moved vertices alone. */
+/* Copies all targets, but only the moved vertices. */
 static int gather_targets(const struct fixed_skin *skin, int target_count,
 	struct model_target *out, struct arena *arena)
 {
@@ -188,7 +191,10 @@ static int reserve(struct fixed_skin_targets *targets, int target_count,
 								    : -ENOMEM;
 }
 
-/* Enough for any cap: without one, a vertex has the most influences. */
+/*
+ * Allocates rebase records for all influences of the moved vertices; with a cap
+ * there are fewer.
+ */
 static int reserve_rebase(struct fixed_skin *skin, struct arena *arena)
 {
 	struct fixed_skin_targets *targets = &skin->targets;
@@ -234,7 +240,9 @@ int fixed_skin_init_targets(
 	return error;
 }
 
-/* The present base vector is the one without any target. */
+/*
+ * Called after the streams were written, when base vectors contain no targets.
+ */
 static struct fixed_rebase make_rebase(const struct fixed_skin *skin,
 	enum fixed_attribute attribute, int base_index, int delta_index,
 	int weight_q14)
@@ -246,7 +254,7 @@ static struct fixed_rebase make_rebase(const struct fixed_skin *skin,
 		.rest = skin->base[attribute][base_index],
 		.base_index = (uint32_t)base_index,
 		.delta_index = (uint16_t)delta_index,
-		/* At a ratio of a half and all the weight: 32767. */
+		/* at most 32767, for a ratio of a half and a weight of 1 */
 		.weight_q16 = fixed_round(65536.0f * ratio * (float)weight_q14 /
 			FIXED_WEIGHT_ONE_Q14),
 	};

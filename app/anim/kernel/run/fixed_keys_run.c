@@ -10,7 +10,7 @@ enum {
 	CHUNK = 64
 };
 
-/* Weights of a lerp sum to 1 but for rounding. */
+/* How far the sum of two weights may be from 1 for the loop of a lerp. */
 static const float sum_tolerance = 1e-5f;
 
 int fixed_keys_find(const struct fixed_keys *keys, const float *weight,
@@ -48,7 +48,7 @@ int fixed_keys_find(const struct fixed_keys *keys, const float *weight,
 	return 0;
 }
 
-/* Keys hold their numbers times -2. */
+/* sum += key * weight. Keys hold their numbers times -2. */
 static void add(
 	int count, const struct fixed_key *key, float weight, float (*sum)[3])
 {

@@ -1,5 +1,5 @@
 /*
- * One frame between two key frames:
+ * The weights for one frame between two key frames:
  *
  *   loops->lerp(count, pair, fixed_lerp_weights(omega), temporal)
  *
@@ -13,13 +13,13 @@
 #include "app/anim/kernel/fixed.h"
 #include "platform/base/scalar.h"
 
-/* omega is clamped to 0..1. */
+/* The weights are omega - 1 and -omega in Q15. omega is clamped to 0..1. */
 static inline struct fixed_weights fixed_lerp_weights(float omega)
 {
 	const int one_q15 = 32768;
 	int b = (int)(scalar_clamp(omega, 0, 1) * (float)one_q15 + 0.5f);
 
-	/* Negative, as Q15 has -1 but not 1. */
+	/* Weights are negative, as Q15 can hold -1 but not 1. */
 	return (struct fixed_weights){(int16_t)(b - one_q15), (int16_t)-b};
 }
 

@@ -11,8 +11,8 @@ enum {
 };
 
 /*
- * With |weight| <= weight_limit the number is at most 2 * 16383, since the
- * largest delta times unit_at_1 is at most 16383.
+ * Converts a target's weight. With |weight| <= weight_limit the number is at
+ * most 2 * 16383, since the largest delta times unit_at_1 is at most 16383.
  */
 static int16_t weight_number(const struct fixed_morph *morph,
 	const struct fixed_deltas *deltas, const float *weight, int target,
@@ -68,7 +68,10 @@ static void copy(const struct fixed_vector *from, int first, int end,
 	}
 }
 
-/* Adds a single pair and copies the vertices between its spans. */
+/*
+ * For a frame with a single active pair: adds it in one pass and copies the
+ * vertices between its spans.
+ */
 static void run_one(const struct fixed_morph *morph,
 	const struct fixed_loops *loops, const struct fixed_vector *base,
 	const struct fixed_deltas *deltas, struct fixed_vector *out)
@@ -88,7 +91,7 @@ static void run_one(const struct fixed_morph *morph,
 	copy(base, done, morph->vertex_count, out);
 }
 
-/* The first of a pair's spans that ends after a vertex. */
+/* Returns the first of a pair's spans that ends after the given vertex. */
 static int find_span(const struct fixed_deltas *deltas, int vertex)
 {
 	int low = 0, high = deltas->span_count;
@@ -106,7 +109,7 @@ static int find_span(const struct fixed_deltas *deltas, int vertex)
 	return low;
 }
 
-/* Adds the part of a pair's spans within first .. first + count. */
+/* Adds a pair's deltas for the vertices from first to first + count - 1. */
 static void add_within(const struct fixed_loops *loops,
 	const struct fixed_deltas *deltas, int first, int count,
 	struct fixed_sum *sum)

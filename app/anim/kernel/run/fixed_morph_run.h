@@ -1,5 +1,5 @@
 /*
- * One frame of a morph in fixed point.
+ * Computes one frame of a morph in fixed point.
  *
  *   fixed_morph_set_weights(&morph, weight)
  *   fixed_morph_run(&morph, loops, FIXED_POSITION, position)
@@ -12,18 +12,25 @@
 #include "app/anim/kernel/layout/fixed_morph.h"
 
 enum {
-	/* Vertices whose sums of several pairs stay in the core's L1 cache. */
+	/*
+	 * How many vertices several pairs are added to at a time, so that the
+	 * sums stay in the L1 cache.
+	 */
 	FIXED_MORPH_CHUNK = 256
 };
 
 /*
- * Sets the frame's target_count weights. Weights beyond the limit raise it for
- * good, which takes about as long as a frame in float. 0, or -ERANGE for
- * weights beyond 1024 and for NaN, in which case nothing has changed.
+ * Sets the frame's target_count weights. Weights beyond weight_limit raise this
+ * limit for good, which takes about as long as a frame in float. Returns 0, or
+ * -ERANGE if a weight is a NaN or its magnitude is above 1024; then nothing has
+ * changed.
  */
 int fixed_morph_set_weights(struct fixed_morph *morph, const float *weight);
 
-/* out = base + the sum of weight * delta, vertex_count vectors. */
+/*
+ * out = base + the sum of weight * delta, for vertex_count vectors. out must
+ * not be morph's base.
+ */
 void fixed_morph_run(const struct fixed_morph *morph,
 	const struct fixed_loops *loops, enum fixed_attribute attribute,
 	struct fixed_vector *out);

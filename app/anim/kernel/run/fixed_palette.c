@@ -11,18 +11,21 @@
 #include <errno.h>
 #include <math.h>
 
-/* Keeps scales within the range of float. */
+/*
+ * Limits of the scale of matrices, so that products stay within the range of
+ * float.
+ */
 #define ELEMENT_MIN 1e-12f
 #define ELEMENT_MAX 1e12f
 
 /*
- * What a frame's vertices can reach, as integers that are ordered as the floats
- * are (fixed_order_of()), since VFP11 takes long to compare floats.
+ * How far a frame's vertices can reach. The numbers are floats converted by
+ * fixed_order_of(), since VFP11 takes long to compare floats.
  */
 struct reach {
 	int32_t low[3], high[3]; /* the box around the joints' boxes, each
 				    transformed by its matrix */
-	int32_t from[3], to[3];  /* the box around their middles */
+	int32_t from[3], to[3];  /* the box around the centres of these boxes */
 	int32_t element;         /* the largest |element| of any matrix */
 };
 
@@ -80,7 +83,7 @@ static void measure(
 	*out = reach;
 }
 
-/* A NaN is ordered beyond infinity, so it fails too. */
+/* A NaN lies beyond infinity in this order, so it fails too. */
 static bool is_usable(const struct reach *reach)
 {
 	const int32_t most = fixed_order_of(1e18f),
@@ -96,9 +99,10 @@ static bool is_usable(const struct reach *reach)
 }
 
 /*
- * The number that 1 becomes in the matrices: as large as the largest element,
- * the box and the translations allow. It changes in steps, so that not every
- * frame rounds differently. The limits leave a margin for rounding.
+ * Returns the number that 1 becomes in the matrices, as large as the largest
+ * element, the box and the translations allow. It is rounded down to a step, so
+ * that not every frame rounds its matrices differently. The limits leave a
+ * margin for rounding.
  */
 static float choose_element(
 	const struct reach *reach, const float middle[3], float position_scale)
@@ -122,7 +126,10 @@ static float choose_element(
 	return fixed_step(limit > ELEMENT_MAX ? ELEMENT_MAX : limit);
 }
 
-/* per_unit is the number that a translation of 1 becomes. */
+/*
+ * Writes one row of a joint's matrix. per_unit is the number that a translation
+ * of 1 becomes.
+ */
 static inline void write_row(const vec4 *m, const struct fixed_joint *joint,
 	int row, float middle, float element, float per_unit, int16_t out[4])
 {
@@ -133,8 +140,8 @@ static inline void write_row(const vec4 *m, const struct fixed_joint *joint,
 	out[0] = fixed_round_fast(x * element);
 	out[1] = fixed_round_fast(y * element);
 	out[2] = fixed_round_fast(z * element);
-	/* Weights are negative. The 1 is half of the output's last bit, for
-	   rounding. */
+	/* Weights are negative, so the translation is negated. The 1 is half of
+	   the output's last bit and makes the result round. */
 	out[3] = (int16_t)(-fixed_round_fast(at * per_unit) - 1);
 }
 

@@ -1,6 +1,4 @@
-/*
- * A frame's joint matrices in 16 bits.
- */
+/* Conversion of a frame's joint matrices to 16 bits. */
 #ifndef APP_ANIM_KERNEL_RUN_FIXED_PALETTE_H
 #define APP_ANIM_KERNEL_RUN_FIXED_PALETTE_H
 
@@ -8,20 +6,20 @@
 
 /*
  * Converts the float palette of the model's skin into
- * matrix[skin->joint_count], and says in placement what the loops' positions
- * mean: they are in the unit of the palette. The palette may be in any unit and
- * be multiplied by another matrix from the left, a model-view matrix for
- * example.
+ * matrix[skin->joint_count], and sets placement, which converts the loops'
+ * positions to floats in the unit of the palette. The palette may be in any
+ * unit and be multiplied by another matrix from the left, a model-view matrix
+ * for example.
  *
- * 0, or -ERANGE if the palette has infinities or NaNs, or a scale that no
- * exponent brings into 16 bits; then the output may not be used.
+ * Returns 0, or -ERANGE if the palette has infinities or NaNs or too large a
+ * scale; then the output must not be used.
  */
 int fixed_palette_make(const struct fixed_skin *skin, const mat4 *palette,
 	struct fixed_matrix *matrix, struct fixed_placement *placement);
 
 /*
- * The same for normals that have matrices of their own (pose_normals.h), with
- * the placement of the positions.
+ * Converts the matrices for normals (pose_normals.h) after fixed_palette_make()
+ * has set placement for the positions.
  */
 void fixed_palette_make_normals(const struct fixed_skin *skin,
 	const struct fixed_placement *placement, const mat4 *palette,

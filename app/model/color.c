@@ -32,7 +32,7 @@ uint8_t color_encode_byte(struct color_bytes *known, float linear)
 
 	memcpy(&bits, &linear, sizeof(bits));
 	at = (int)(bits * 2654435761u >> 24);
-	/* The entry of 0 is right from the start. */
+	/* For linear 0, a cache of zeros has the right byte already. */
 	if (known->linear[at] != linear) {
 		known->linear[at] = linear;
 		known->byte[at] = color_to_byte(color_encode_srgb(linear));

@@ -1,5 +1,5 @@
 /*
- * Conversion between linear colours and sRGB, for load time.
+ * Conversion between linear colours and sRGB, for use while a model is loaded.
  *
  * Fixed-function GL multiplies colours without decoding them, so limber passes
  * sRGB-encoded factors. Outside the linear segment of the curve the product is
@@ -10,23 +10,30 @@
 
 #include <stdint.h>
 
-/* Both map 0..1 to 0..1 (IEC 61966-2-1). They clamp; NaN becomes 0. */
+/*
+ * Map 0..1 to 0..1 by the curve of IEC 61966-2-1. Other values are clamped; NaN
+ * becomes 0.
+ */
 float color_encode_srgb(float linear);
 float color_decode_srgb(float encoded);
 
-/* Bytes that color_encode_byte() has computed; zeroed at first. */
+/*
+ * A cache of color_encode_byte()'s results. The caller sets it to zeros at
+ * first.
+ */
 struct color_bytes {
 	float linear[256];
 	uint8_t byte[256];
 };
 
 /*
- * color_to_byte() of color_encode_srgb(), which takes 1,600 instructions
- * without hardware for double precision. Vertices share most of their colours.
+ * Returns color_to_byte(color_encode_srgb(linear)), from the cache if possible:
+ * the computation takes 1,600 instructions without hardware for double
+ * precision, and most vertices share their colours with others.
  */
 uint8_t color_encode_byte(struct color_bytes *known, float linear);
 
-/* 0..1 to 0..255, rounded. It clamps; NaN becomes 0. */
+/* Maps 0..1 to 0..255, rounded. Other values are clamped; NaN becomes 0. */
 uint8_t color_to_byte(float value);
 
 #endif

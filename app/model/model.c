@@ -15,7 +15,10 @@ const struct model_material model_plain_material = {
 	.alpha_cutoff = 0.5f,
 };
 
-/* Whether the budget allows the arena, which owns it, and the source. */
+/*
+ * Lets the arena, which owns the budget, count against it, and takes the
+ * source's bytes. Returns false if the budget is too small.
+ */
 static bool fits(struct arena *arena, struct memory_budget *budget, size_t bytes)
 {
 	return arena_set_budget(arena, budget) &&

@@ -1,9 +1,9 @@
 /*
  * The contents of a model file as plain data, and the functions that load one.
  *
- * Loaders of all file formats fill the same struct model. It does not depend on
- * the format, and contains no state of an animation. A loaded model does not
- * change; its arena owns all of it, including strings.
+ * Loaders of all file formats fill the same struct model. The struct does not
+ * depend on the format and contains no state of an animation. After the load a
+ * model does not change. Its arena owns all of it, including strings.
  *
  * The conventions are those of glTF 2.0: right-handed, +Y up, metres, radians,
  * seconds, quaternions as x y z w, matrices as four columns. Loaders convert.
@@ -21,7 +21,7 @@
 
 #include <cglm/types.h>
 
-/* T * R * S: a point is scaled, then rotated, then translated. */
+/* The matrix T * R * S: a point is scaled, then rotated, then translated. */
 struct transform {
 	float translation[3];
 	float rotation[4]; /* unit quaternion x y z w */
@@ -34,119 +34,135 @@ enum model_number {
 	MODEL_INT8,
 };
 
-/* Consecutive vertices; the values of their displacements begin at `at`. */
+/*
+ * Consecutive vertices of a primitive. Their displacements are elements `at`
+ * and following of model_deltas.value.
+ */
 struct model_span {
 	int first, count;
 	int at;
 };
 
 /*
- * Displacements of one attribute of a primitive's vertices, as small as they
- * are without loss: in the file's numbers, and only of vertices that move where
- * these are few. Read with model_deltas.h.
+ * Displacements of one attribute of a primitive's vertices, packed without
+ * loss: in the file's type of numbers and, if few vertices move, only of these.
+ * Read them with the functions of model_deltas.h.
  */
 struct model_deltas {
 	int vertex_count; /* of the primitive; 0: no displacements */
 	enum model_number number;
-	float unit; /* the number that stands for 1 */
+	float unit; /* the stored number that stands for 1 */
 	int span_count;
-	const struct model_span *span; /* in order, or NULL: all vertices */
-	const void *value;             /* of each listed vertex: x, y, z */
-	const int16_t (*base)[3];      /* NULL, or what to subtract from value,
-					  for MODEL_INT16 of all vertices */
+	const struct model_span *span; /* ascending; NULL: all vertices */
+	const void *value;             /* x, y, z of each vertex in the spans */
+	const int16_t (*base)[3];      /* NULL, or [vertex_count]: to subtract
+					  from value; only for MODEL_INT16
+					  without spans */
 };
 
-/* Displacements of a primitive's vertices at weight 1. */
+/* A morph target: the displacements of a primitive's vertices at weight 1. */
 struct model_target {
 	struct model_deltas position, normal, tangent;
 };
 
 /*
- * Targets that are key frames (model_keys.h), as the vertices that they show.
- * Key 0 is the primitive without targets, key 1 + t is target t. Numbers are
- * those of AN4044's interpolation in 16 bits (struct fixed_key in
- * app/anim/kernel/fixed.h): -2 * number * scale + offset is a position, and a
- * direction of length 1 is 16383 long.
+ * Morph targets that are key frames (model_keys.h), stored as displaced
+ * vertices. Key 0 is the primitive without targets, key 1 + t is target t at
+ * weight 1. Numbers have the format of struct fixed_key
+ * (app/anim/kernel/fixed.h), number = -2 * n: a position is n * scale + offset,
+ * and a direction of length 1 has an n of length 16383.
  */
 struct model_keys {
-	int stride; /* vertices of a key in memory: an even number */
+	int stride; /* vertices from one key to the next, an even number */
 	float scale, offset[3];
-	/* Positions, normals, tangents: [(1 + targets) * stride] or NULL. */
+	/* Of positions, normals, tangents: [(1 + targets) * stride] or NULL. */
 	const int16_t (*key[3])[3];
 };
 
 /* A level of detail: a coarser triangle list over a primitive's vertices. */
 struct model_lod {
-	float error_m;    /* distance of its surface from the full one, in the
-			     unit of the positions */
-	bool shadow_only; /* only its silhouette is right, not its shading */
+	float error_m;    /* distance of its surface from that of the full list,
+			     in the unit of the positions */
+	bool shadow_only; /* good enough for shadows only: the shape is right,
+			     not the shading */
 	int index_count;  /* a multiple of 3 */
 	uint32_t *index;  /* each below the primitive's vertex_count */
 };
 
 /* Vertices and a list of triangles. */
 struct model_primitive {
-	int file_index; /* its number in the file's mesh */
+	int file_index; /* the primitive's number in the file's mesh */
 	/*
-	 * A primitive of the file with many vertices is several of these, one
-	 * after the other (split/split.h). NULL, or the numbers that vertices
-	 * have in the file's primitive. The first repeated_count of them are
-	 * vertices of an earlier part, too.
+	 * A primitive of the file with many vertices is divided into several of
+	 * these, one after the other (split/split.h). Then
+	 * file_vertex[vertex_count] has the vertices' numbers in the file's
+	 * primitive, else it is NULL. The first repeated_count vertices are
+	 * repeated from earlier parts.
 	 */
 	const uint32_t *file_vertex;
 	int repeated_count;
-	int material; /* index; loaders add a default material */
+	int material; /* index into model.material; loaders add a default one */
 
 	int vertex_count;
 	float (*position)[3];
-	float (*normal)[3];   /* NULL: normals of the posed triangles, flat */
+	float (*normal)[3];   /* or NULL: drawn with flat normals of the posed
+				 triangles */
 	float (*tangent)[4];  /* or NULL; w is the sign of the bitangent */
 	float (*texcoord)[2]; /* or NULL; v runs down, as in glTF */
 	uint8_t (*color)[4]; /* or NULL; sRGB-encoded red, green, blue; alpha */
 
 	/*
 	 * Influences per vertex: 0 without a skin, else 4 or 8. A joint number
-	 * is an index into model_skin.joint, in range for every skin that draws
-	 * this mesh. Weights are at least 0 and sum to 1.
+	 * is an index into model_skin.joint, in range for every skin with which
+	 * a node draws this mesh. Weights are at least 0 and sum to 1.
 	 */
 	int influences;
 	uint16_t *joint; /* [vertex_count][influences] */
 	float *weight;   /* [vertex_count][influences] */
 
 	struct model_target *target; /* [mesh.target_count] */
-	/* NULL, or memory that the targets' deltas read too. */
+	/*
+	 * NULL, or the targets as key frames; then the deltas of target[] point
+	 * into the same memory.
+	 */
 	const struct model_keys *keys;
 
 	int index_count; /* a multiple of 3 */
 	uint32_t *index; /* each below vertex_count */
 
-	/* The finest level comes first; shadow_only levels come last. */
+	/* [lod_count]: the finest level first; shadow_only levels come last. */
 	int lod_count;
 	struct model_lod *lod;
 };
 
 struct model_mesh {
-	const char *name; /* "" where the file gives none, as all names */
+	const char *name; /* all names are "" where the file has none */
 	int primitive_count;
 	struct model_primitive *primitive;
 	int target_count; /* morph targets, the same for all primitives */
-	const char **target_name; /* [target_count]; "" where there is none */
-	bool key_frames; /* the file says so of the targets (model_keys.h) */
+	const char **target_name; /* [target_count] */
+	bool key_frames; /* the file says that the targets are key frames
+			    (model_keys.h) */
 };
 
 struct model_node {
 	const char *name;
 	int file_index; /* its number in the file */
-	int parent;     /* less than the node's own index, or -1 */
-	bool in_scene;  /* only nodes of the scene are drawn */
+	int parent;     /* index less than the node's own, or -1 */
+	bool in_scene;  /* whether the node belongs to the scene; others are not
+			   drawn */
 
 	struct transform rest;
-	const float (*matrix)[4]; /* NULL, or replaces rest: a matrix with shear
-				     on a node that no clip moves */
+	const float (*matrix)[4]; /* NULL, or four columns of a matrix that
+				     replaces rest: the file's matrix with
+				     shear, for a node that no clip moves */
 
-	int mesh, skin, camera; /* or -1 */
+	int mesh, skin, camera; /* indices, or -1 */
 
-	/* Where a pose has this node's mesh.target_count morph weights. */
+	/*
+	 * Index in pose.weight of this node's first morph weight; there are
+	 * mesh.target_count of them.
+	 */
 	int weight_offset;
 };
 
@@ -154,7 +170,8 @@ struct model_skin {
 	const char *name;
 	int joint_count;
 	int *joint;         /* node indices */
-	mat4 *inverse_bind; /* identity where the file gives none */
+	mat4 *inverse_bind; /* [joint_count]; identity where the file has
+			     none */
 };
 
 enum model_path {
@@ -176,22 +193,22 @@ struct model_channel {
 	int node;
 	enum model_path path;
 	enum model_interpolation interpolation;
-	bool constant;       /* no value differs from the first one by more than
-				2e-6 of the clip's largest on this path; never
-				true for MODEL_CUBICSPLINE; of a glTF file it
-				has one key in memory */
-	bool unit;           /* rotation keys are of unit length to 1e-6; never
+	/* no value differs from the first one by more than 2e-6 of the clip's
+	   largest value on this path; never true for MODEL_CUBICSPLINE. The
+	   glTF loader keeps only the first key of such a channel */
+	bool constant;
+	bool unit;           /* rotation keys have unit length to 1e-6; never
 				true for MODEL_CUBICSPLINE */
 	int width;           /* floats of a value */
 	int key_count;       /* at least 1 */
 	const float *time_s; /* strictly increasing */
-	const float *value;  /* [key_count * width], times 3 if cubic; NULL if
-				packed is not */
+	const float *value;  /* [key_count * width], three times as many if
+				cubic; NULL if packed is set */
 	/*
-	 * NULL, or the keys of a linear rotation as the file stores them, in
-	 * shorts of which MODEL_PACKED_UNIT stand for 1: [key_count][4]. Their
-	 * length is 1 to 4e-5. Consecutive keys lie in the same half of the
-	 * sphere.
+	 * NULL, or [key_count][4]: the keys of a linear rotation in shorts, as
+	 * the file stores them. MODEL_PACKED_UNIT stands for 1. The keys'
+	 * length is 1 to within 4e-5, and consecutive keys have a dot product
+	 * of at least 0.
 	 */
 	const int16_t (*packed)[4];
 };
@@ -239,7 +256,8 @@ struct model_material {
 	int texture;          /* base colour, or -1 */
 	int normal_texture;   /* tangent-space normal map, or -1 */
 	float roughness;      /* 0..1 */
-	float emissive[3];    /* linear RGB, 0..1: light that it emits, */
+	float emissive[3];    /* linear RGB, 0..1: light that the surface
+			       emits, */
 	int emissive_texture; /* times this texture, or -1 */
 	enum model_alpha alpha;
 	float alpha_cutoff;
@@ -260,10 +278,11 @@ struct model_camera {
 
 struct model {
 	struct arena arena;
-	struct arena targets; /* displacements in floats */
+	struct arena targets; /* owns the morph targets' displacements in
+			       floats */
 	/*
 	 * Limits the memory of the model and of all its instances. The arena
-	 * owns it. NULL means no limit, in a model that no loader made.
+	 * owns the budget. NULL (no limit) only in a model that no loader made.
 	 */
 	struct memory_budget *budget;
 	const char *path;
@@ -287,7 +306,8 @@ struct model {
 	struct model_camera *camera;
 
 	int weight_count;    /* morph weights of all nodes in total */
-	float *rest_weights; /* [weight_count]: the node's, the mesh's, or 0 */
+	float *rest_weights; /* [weight_count]: from the file's node, else from
+				its mesh, else 0 */
 };
 
 /*
@@ -301,11 +321,12 @@ enum {
 };
 
 /*
- * Loads a file, whose content decides its format. 0, or -errno after one error
- * that names the file, the location in it and the reason: -ENOENT for a missing
- * file, -EINVAL for a malformed one, -ENOTSUP for what limber cannot play,
- * -EFBIG beyond a limit, -EACCES for a reference outside the file's folder,
- * -ENOMEM. *out is NULL then. The caller releases *out with model_destroy().
+ * Loads a file. Its content, not its name, decides which loader reads it.
+ * Returns 0, and the caller releases *out with model_destroy(); or returns
+ * -errno, sets *out to NULL, and logs one error that names the file, the
+ * location in it and the reason: -ENOENT for a missing file, -EINVAL for a
+ * malformed one, -ENOTSUP for what limber cannot play, -EFBIG beyond a limit,
+ * -EACCES for a reference outside the file's folder, -ENOMEM.
  */
 int model_load(const char *path, const struct log *log, struct model **out);
 
@@ -317,9 +338,9 @@ int model_load_within(const char *path, size_t memory_bytes,
 	const struct log *log, struct model **out);
 
 /*
- * model_load() from memory, to which the model keeps no pointer. name serves as
- * the path in messages and in model.path. A model that refers to other files is
- * -EACCES.
+ * The same from bytes in memory, to which the model keeps no pointer. name
+ * serves as the path in messages and in model.path. Returns -EACCES if the
+ * model refers to other files.
  */
 int model_load_memory(const void *data, size_t size, const char *name,
 	const struct log *log, struct model **out);
@@ -327,46 +348,47 @@ int model_load_memory(const void *data, size_t size, const char *name,
 /* Releases a model; NULL is allowed. */
 void model_destroy(struct model *model);
 
-/* The index of the first node of that name, or -1. */
+/* Returns the index of the first node of that name, or -1. */
 int model_find_node(const struct model *model, const char *name);
 
 /*
- * The coarsest level of detail, counted from 1, whose list has at least
- * index_count indices; 0, the full list, if there is none. Lists for shadows
- * are no levels.
+ * Returns the coarsest level of detail, counted from 1, whose triangle list has
+ * at least index_count indices, or 0, the full list, if there is none. Lists
+ * for shadows do not count.
  */
 int model_lod_of_size(const struct model_primitive *primitive, int index_count);
 
 /*
- * The index of a clip given by its name or, when no clip has that name, by its
- * number. -1 when there is none.
+ * Returns the index of the clip that has this name or, if none has it, this
+ * number. Returns -1 if there is none either.
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
 
 /*
- * Writes the value of a key of a channel that is not cubic: channel->width
- * floats. Rotations that are packed become unit length.
+ * Writes the value of one key, channel->width floats, of a channel that is not
+ * MODEL_CUBICSPLINE. Packed rotations are normalised.
  */
 void model_channel_key(const struct model_channel *channel, int key, float *out);
 
-/* Whether light that a surface emits is part of what it shows. */
+/* Whether a surface of this material shows light that it emits. */
 bool model_material_emits(const struct model_material *material);
 
-/* Whether a node shows triangles. */
+/* Whether any node has a mesh with triangles. */
 bool model_has_triangles(const struct model *model);
 
 /*
- * Which nodes the skins list as joints, [node_count], in memory of the arena.
- * NULL when that is short.
+ * Returns [node_count]: whether a skin lists the node as a joint. The arena
+ * owns the array. NULL if there is not enough memory.
  */
 bool *model_find_joints(const struct model *model, struct arena *arena);
 
-/* The first node whose mesh has morph targets, or -1. */
+/* Returns the first node whose mesh has morph targets, or -1. */
 int model_find_morphed(const struct model *model);
 
 /*
- * Sets *out to the clip that the option --clip names, or to fallback when
- * wanted is NULL. 0, or -ENOENT after an error when there is no such clip.
+ * Sets *out to the index of the clip that the option --clip names (wanted, see
+ * model_find_clip()), or to fallback if wanted is NULL. Returns 0, or -ENOENT
+ * after an error on the log if there is no such clip.
  */
 int model_choose_clip(const struct model *model, const char *wanted,
 	int fallback, const struct log *log, int *out);

@@ -1,6 +1,9 @@
 #include "app/model/model_alpha.h"
 
-/* The least alpha of the primitive's surface, 0 to 1. */
+/*
+ * Returns the least alpha of the primitive's surface, 0..1; 0 if a texture has
+ * alpha.
+ */
 static float find_least(
 	const struct model *model, const struct model_primitive *primitive)
 {

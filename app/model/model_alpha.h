@@ -1,14 +1,12 @@
-/*
- * What the alpha of a primitive asks for.
- */
+/* Whether a primitive must be blended or masked. */
 #ifndef APP_MODEL_MODEL_ALPHA_H
 #define APP_MODEL_MODEL_ALPHA_H
 
 #include "app/model/model.h"
 
 /*
- * The material's way, or MODEL_OPAQUE if no alpha of the primitive's differs
- * from an opaque one's: exporters mark whole models as blended or masked.
+ * Returns the material's alpha mode, but MODEL_OPAQUE if all of the primitive
+ * is opaque: some exporters mark whole models as blended or masked.
  */
 enum model_alpha model_alpha_of(
 	const struct model *model, const struct model_primitive *primitive);

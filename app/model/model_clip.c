@@ -56,7 +56,10 @@ static bool holds_still(const struct model_channel *channel, float tolerance)
 	return true;
 }
 
-/* Exporters write keys for all bones, though most of them do not move. */
+/*
+ * Sets constant: exporters write keys for all bones, though most of them do not
+ * move.
+ */
 static void find_constant(struct model_clip *clip)
 {
 	float tolerance[MODEL_WEIGHTS + 1];
@@ -74,7 +77,7 @@ static void find_constant(struct model_clip *clip)
 	}
 }
 
-/* The numbers of all keys. */
+/* Returns how many floats all keys have together. */
 static size_t number_count(const struct model_channel *channel)
 {
 	return (size_t)channel->key_count * (size_t)channel->width *
@@ -100,7 +103,7 @@ static int64_t packed_dot(const int16_t a[4], const int16_t b[4])
 		(int64_t)a[2] * b[2] + (int64_t)a[3] * b[3];
 }
 
-/* Whether the loops over packed keys reproduce them; see turns.h. */
+/* Whether all keys have the length that model_channel.packed promises. */
 static bool can_pack(const struct model_channel *channel)
 {
 	const float one = (float)MODEL_PACKED_UNIT * (float)MODEL_PACKED_UNIT;
@@ -203,7 +206,10 @@ static void find_unit(struct model_clip *clip)
 	}
 }
 
-/* Exporters also repeat the same key times for each bone. */
+/*
+ * Lets channels with equal key times share one array, since exporters repeat
+ * the same times for each bone.
+ */
 static void share_times(struct model_clip *clip)
 {
 	for (int c = 1; c < clip->channel_count; c++) {

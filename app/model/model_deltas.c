@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-	GAP_MAX = 1 /* vertices that do not move and do not end a span */
+	GAP_MAX = 1 /* as many unmoved vertices in a row do not end a span */
 };
 
 static size_t value_bytes(enum model_number number)
@@ -27,7 +27,9 @@ static bool moves(const float value[3])
 	return value[0] != 0.0f || value[1] != 0.0f || value[2] != 0.0f;
 }
 
-/* The next span at or after a vertex; its count is 0 at the end. */
+/*
+ * Finds the next span from vertex `from` on; its count is 0 if there is none.
+ */
 static struct model_span next_span(
 	const float (*value)[3], int vertex_count, int from)
 {
@@ -45,7 +47,10 @@ static struct model_span next_span(
 	return span;
 }
 
-/* Writes the spans if list is not NULL. Counts them and their vertices. */
+/*
+ * Returns the number of spans and sets *stored to that of their vertices.
+ * Writes the spans too, unless list is NULL.
+ */
 static int find_spans(const float (*value)[3], int vertex_count,
 	struct model_span *list, int *stored)
 {
@@ -154,7 +159,9 @@ int model_deltas_copy(struct model_deltas *out, const struct model_deltas *from,
 	return 0;
 }
 
-/* The integers of a stored value; base is that of its vertex, or NULL. */
+/*
+ * Reads the stored integers number `at` and subtracts base, if it is not NULL.
+ */
 static void get_numbers(const struct model_deltas *deltas, size_t at,
 	const int16_t base[3], int out[3])
 {
@@ -167,7 +174,7 @@ static void get_numbers(const struct model_deltas *deltas, size_t at,
 	}
 }
 
-/* The floats of a stored value. */
+/* The same as floats. */
 static void get(const struct model_deltas *deltas, size_t at,
 	const int16_t base[3], float out[3])
 {
@@ -192,7 +199,7 @@ static const int16_t *base_of(const struct model_deltas *deltas, int vertex)
 	return deltas->base ? deltas->base[vertex] : NULL;
 }
 
-/* Where a vertex's value is stored, or -1. */
+/* Returns the index of a vertex's stored value, or -1. */
 static int find(const struct model_deltas *deltas, int vertex)
 {
 	const struct model_span *span = deltas->span;

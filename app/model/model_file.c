@@ -165,7 +165,7 @@ static bool has_parent_folder(const char *relative)
 	return false;
 }
 
-/* What is wrong with a path, or NULL. */
+/* Returns what is wrong with a path, or NULL. */
 static const char *find_problem(const char *relative)
 {
 	const char *at;
@@ -187,7 +187,10 @@ static const char *find_problem(const char *relative)
 	return has_parent_folder(relative) ? "the path contains \"..\"" : NULL;
 }
 
-/* The real paths of the model's folder and of the file; the caller frees them. */
+/*
+ * Finds the real paths of the model's folder and of the file, which the caller
+ * frees. Returns 0 or -errno, without a message.
+ */
 static int resolve(const struct model_source *source, const char *relative,
 	char **folder, char **file)
 {

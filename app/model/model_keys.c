@@ -5,16 +5,19 @@
 static const float tolerance = 1e-5f;
 
 /*
- * The shapes that a mix of weights shows: the mesh without targets is one too
- * while the weights sum to less than 1.
+ * The shapes that two neighbouring keys show together: up to two targets and,
+ * if the weights of a key sum to less than 1, the mesh without targets (base).
  */
 struct shown {
-	int target[2]; /* of the first two targets */
+	int target[2]; /* numbers of the first two targets */
 	int target_count;
 	bool base;
 };
 
-/* Adds what one key shows. False if it shows more than a mix of shapes. */
+/*
+ * Adds the shapes that one key shows. Returns false for a third target, and for
+ * weights that are negative or sum to more than 1.
+ */
 static bool add_key(struct shown *shown, const float *weight, int count)
 {
 	float sum = 0.0f;
@@ -38,7 +41,7 @@ static bool add_key(struct shown *shown, const float *weight, int count)
 	return sum <= 1.0f + tolerance;
 }
 
-/* Whether a mix of two shapes at most is shown at each moment. */
+/* Whether the channel shows a mix of at most two shapes at each moment. */
 static bool has_key_weights(const struct model_channel *channel)
 {
 	int width = channel->width;
@@ -62,7 +65,10 @@ static bool has_key_weights(const struct model_channel *channel)
 	return true;
 }
 
-/* Whether all clips have such weights for the node, or none of their own. */
+/*
+ * Whether each clip that has weights for the node has such weights, and at
+ * least one clip has any.
+ */
 static bool clips_have_key_weights(const struct model *model, int node)
 {
 	bool found = false;

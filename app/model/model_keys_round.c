@@ -3,7 +3,10 @@
 
 #include <errno.h>
 
-/* Whether all nodes show the mesh's targets as key frames, without a skin. */
+/*
+ * Whether all nodes with this mesh use its targets as key frames and have no
+ * skin.
+ */
 static bool is_shown_as_keys(const struct model *model, int mesh)
 {
 	bool shown = false;
@@ -20,7 +23,10 @@ static bool is_shown_as_keys(const struct model *model, int mesh)
 	return shown;
 }
 
-/* Sets *any if any of the mesh's targets are key frames now. 0 or -ENOMEM. */
+/*
+ * Stores the mesh's targets as key frames if possible; sets *any if it did so
+ * for any primitive. Returns 0 or -ENOMEM.
+ */
 static int round_mesh(struct model *model, int mesh, bool *any)
 {
 	const struct model_mesh *of = &model->mesh[mesh];
@@ -49,7 +55,10 @@ static bool keep_floats(struct model_deltas *deltas, struct arena *arena)
 		model_deltas_copy(deltas, deltas, arena) == 0;
 }
 
-/* Copies the floats that other meshes need. False if memory is short. */
+/*
+ * Copies a mesh's remaining deltas in floats to another arena. Returns false if
+ * memory is short.
+ */
 static bool keep_mesh(const struct model_mesh *mesh, struct arena *arena)
 {
 	for (int p = 0; p < mesh->primitive_count; p++) {
@@ -94,7 +103,7 @@ int model_keys_round(struct model *model, const struct log *log)
 		budget->exceeded = false;
 	}
 	error = round_all(model);
-	/* What the budget has no room for stays as floats. */
+	/* Key frames for which the budget has no room stay as floats. */
 	if (budget && budget->exceeded) {
 		error = 0;
 	}

@@ -13,10 +13,12 @@ enum {
 	KEY_OF_BYTE = KEY_MAX / BYTE_ONE
 };
 
-/* How the numbers of an attribute become those of its keys. */
+/*
+ * How numbers of the file become numbers of keys: (number - center) * factor.
+ */
 struct key_format {
 	float one;       /* the number that stands for 1 in the file */
-	float center[3]; /* that becomes 0 */
+	float center[3]; /* the file's number that becomes 0 in keys */
 	int factor;
 };
 
@@ -56,7 +58,10 @@ static const float *base_of(const struct store *store, int attribute, int vertex
 				 : primitive->tangent[vertex];
 }
 
-/* Whether all displacements are integers of one kind. Sets its 1. */
+/*
+ * Whether all displacements are integers with the same unit. Sets *one to this
+ * unit, or to 0 if there are no displacements.
+ */
 static bool are_integers(const struct store *store, int attribute, float *one)
 {
 	*one = 0.0f;
@@ -76,7 +81,10 @@ static bool are_integers(const struct store *store, int attribute, float *one)
 	return true;
 }
 
-/* Directions are of unit length only approximately, as their sums are. */
+/*
+ * Shortens a direction to length 1: a sum of base and displacement may be a
+ * little longer, which keys cannot hold.
+ */
 static void make_short(float v[3])
 {
 	float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -86,7 +94,10 @@ static void make_short(float v[3])
 	}
 }
 
-/* What a target shows, in the numbers of keys but for the centre. */
+/*
+ * Adds a target's displacement to the numbers of key 0, so that the sum is the
+ * displaced vertex, rounded. one converts to the numbers of keys.
+ */
 static void round_vertex(const struct store *store, int attribute, int target,
 	int vertex, float one, float number[3])
 {
@@ -122,7 +133,7 @@ static void add_displacement(const struct store *store, int attribute,
 	}
 }
 
-/* The box around all key frames, in the file's numbers. */
+/* Extends the box low..high by the positions of all key frames, times one. */
 static void find_box(
 	const struct store *store, float one, float low[3], float high[3])
 {
@@ -151,7 +162,10 @@ static void find_box(
 	}
 }
 
-/* Lets the box fill 15 bits; 0 if its sides have no sensible size. */
+/*
+ * Returns the unit with which the box around all key frames fills 15 bits, or 0
+ * if the box is too large.
+ */
 static float unit_of_floats(const struct store *store)
 {
 	float low[3] = {1e9f, 1e9f, 1e9f}, high[3] = {-1e9f, -1e9f, -1e9f};
@@ -165,7 +179,8 @@ static float unit_of_floats(const struct store *store)
 }
 
 /*
- * The factor is a power of two, so that displacements read from keys are those
+ * Chooses the format of positions. Returns false if they do not fit. The factor
+ * is a power of two, so that displacements that are read from keys equal those
  * of the file to the bit.
  */
 static bool choose_position_format(struct store *store)
@@ -218,8 +233,8 @@ static bool choose_direction_format(struct store *store, int attribute)
 }
 
 /*
- * Makes the numbers of a vertex in a key: those of the loop divided by -2.
- * False if they do not fit. They are written if there is memory for them.
+ * Computes the numbers of a vertex in a key. Returns false if they do not fit.
+ * Writes them, times -2, if the keys are allocated.
  */
 static bool make_vertex(
 	const struct store *store, int attribute, int key, int vertex)
@@ -261,7 +276,7 @@ static bool make_key(const struct store *store, int attribute, int key)
 	return true;
 }
 
-/* Checks all keys, or writes them once they have memory. */
+/* Checks whether all keys fit and, once they are allocated, writes them. */
 static bool make_keys(const struct store *store)
 {
 	for (int a = 0; a < ATTRIBUTES; a++) {
@@ -297,7 +312,7 @@ static int allocate(struct store *store, struct arena *arena)
 	return 0;
 }
 
-/* Lets the targets read their displacements from the keys. */
+/* Changes the targets' deltas so that they read displacements from the keys. */
 static void refer(const struct store *store)
 {
 	for (int i = 0; i < store->target_count * ATTRIBUTES; i++) {

@@ -5,7 +5,10 @@
 #include <errno.h>
 #include <limits.h>
 
-/* The first format that recognises a file loads it. */
+/*
+ * The formats, in the order in which they are asked whether they recognise a
+ * file.
+ */
 static const struct model_format formats[] = {
 	{"glTF", gltf_recognise, gltf_load, gltf_examine},
 	{"DirectX .x", xfile_recognise, xfile_load, xfile_examine},
@@ -33,7 +36,7 @@ static int find_format(const struct model_source *source, const struct log *log,
 }
 
 enum {
-	WARNINGS_MAX = 8 /* a file may cause any number of them */
+	WARNINGS_MAX = 8 /* limits the warnings about one file */
 };
 
 struct limited_log {

@@ -1,5 +1,5 @@
 /*
- * The interface of a loader, and functions that all loaders use. The table of
+ * The interface of a loader, and functions that all loaders share. The table of
  * loaders is in model_load.c.
  */
 #ifndef APP_MODEL_MODEL_LOADER_H
@@ -12,7 +12,7 @@
 struct model_format {
 	const char *name; /* for display: "glTF" */
 
-	/* Whether the bytes begin like this format. They may be anything. */
+	/* Whether the bytes begin like this format. They may be any bytes. */
 	bool (*recognise)(const uint8_t *data, size_t size);
 
 	/* See model_load(); recognise() has returned true for the bytes. */
@@ -25,29 +25,32 @@ struct model_format {
 };
 
 /*
- * An empty model in its own arena, which also holds the struct and the budget.
- * The source's bytes count as taken from the budget until the load has ended.
- * The model copies the source's name and format. NULL, after an error, when
- * there is not enough memory.
+ * Returns an empty model in an arena of its own, which also holds the struct
+ * and the budget. The source's bytes count against the budget until the load
+ * has ended. The model copies the source's name and format. Returns NULL, after
+ * an error on the log, if there is not enough memory.
  */
 struct model *model_create(const struct model_source *source,
 	const char *format, const struct log *log);
 
 /*
  * Makes the influences of a primitive satisfy model.h: negative weights become
- * 0, a weight of 0 gets joint 0, weights sum to 1. A vertex whose weights are
- * all 0 follows its first joint. Weights must be finite.
+ * 0, influences of weight 0 get joint 0, and weights are scaled to sum to 1. A
+ * vertex whose weights are all 0 follows its first joint. Weights must be
+ * finite.
  */
 void model_normalize_influences(struct model_primitive *primitive);
 
-/* The largest joint number of the primitive, or -1 without influences. */
+/*
+ * Returns the largest joint number of the primitive, or -1 without influences.
+ */
 int model_max_joint(const struct model_primitive *primitive);
 
 /*
- * Copies the keys of a clip's channels into an arena: only the first key of a
- * constant channel. Channels whose packed is set, beside value, keep one of
- * both. keys[i] holds nothing but the keys of channel i and is released once
- * they are copied. 0 or -ENOMEM.
+ * Moves the keys of a clip's channels into an arena, but only the first key of
+ * a constant channel. If a channel has both packed and value, one of them is
+ * kept and the other one becomes NULL. keys[i] is an arena with the keys of
+ * channel i alone; it is released once they are copied. Returns 0 or -ENOMEM.
  */
 int model_keep_clip(
 	struct model_clip *clip, struct arena *keys, struct arena *arena);

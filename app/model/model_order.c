@@ -24,7 +24,9 @@ static void link_children(const int *parent, int count, struct links *links)
 	}
 }
 
-/* The next node of the same root's tree, or -1. */
+/*
+ * Returns the next node, in depth-first order, of the same root's tree, or -1.
+ */
 static int next_depth_first(
 	const int *parent, const struct links *links, int node)
 {
@@ -38,7 +40,8 @@ static int next_depth_first(
 }
 
 /*
- * From a node that no root reaches, count steps to the parent end on a cycle.
+ * Returns a node on a cycle. A node that was not ordered is not below a root,
+ * so count steps from child to parent end on a cycle.
  */
 static int find_cycle(const int *parent, int count, const int *new_index)
 {

@@ -9,8 +9,8 @@
  * with the nodes in depth-first order; siblings keep their order. Fills
  * new_index[count] with the inverse: new_index[order[i]] == i.
  *
- * 0, -ENOMEM, or -ELOOP when the parents form a cycle; *node_on_cycle is then a
- * node of it. Logs nothing.
+ * Returns 0, -ENOMEM, or -ELOOP if parents form a cycle; then *node_on_cycle is
+ * a node of the cycle. Logs nothing.
  */
 int model_order_nodes(const int *parent, int count, int *order, int *new_index,
 	int *node_on_cycle);

@@ -33,7 +33,10 @@ static void any_normal(const double unit[3], double out[3])
 	}
 }
 
-/* Makes v perpendicular to unit and of unit length; false if v is parallel. */
+/*
+ * Makes v perpendicular to a unit vector and of unit length. Returns false if v
+ * is parallel to it.
+ */
 static bool make_perpendicular(double v[3], const double unit[3])
 {
 	double along = dot(v, unit);
@@ -51,8 +54,8 @@ static bool make_perpendicular(double v[3], const double unit[3])
 }
 
 /*
- * Turns the normalised columns of the matrix, some of which may be zero, into a
- * right-handed rotation; begins with the longest.
+ * Turns the normalised columns of a matrix, some of which may be zero, into a
+ * right-handed rotation. The longest column keeps its direction.
  */
 static void orthonormalize(double column[3][3], const double length[3])
 {
@@ -72,7 +75,10 @@ static void orthonormalize(double column[3][3], const double length[3])
 	}
 }
 
-/* m[column][row] is a rotation. Avoids dividing by a small component. */
+/*
+ * m[column][row] is a rotation. The largest component is found first, so that
+ * the length to divide by is not small.
+ */
 static void to_quaternion(double m[3][3], float out[4])
 {
 	double trace = m[0][0] + m[1][1] + m[2][2];

@@ -18,15 +18,15 @@ struct examiner {
 };
 
 /*
- * Loads the file and reports its findings, of which there may be none. 0, or
- * -errno after one error, as model_load_within().
+ * Loads the file and reports its findings, of which there may be none. Returns
+ * 0, or -errno after one error, as model_load_within() does.
  */
 int model_examine(const char *path, size_t memory_bytes,
 	const struct examiner *examiner, const struct log *log);
 
 /*
- * Report what a loaded model of any format shows. Loaders call them. 0, or
- * -ENOMEM after one error.
+ * Report what a loaded model of any format shows. Loaders call these functions,
+ * which return 0, or -ENOMEM after one error.
  */
 int examine_clips(const struct model *model, const struct examiner *examiner,
 	const struct log *log);

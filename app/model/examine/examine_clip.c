@@ -126,13 +126,13 @@ enum {
 	PATHS = MODEL_WEIGHTS + 1
 };
 
-/* What is known of one path of a node. */
+/* Which clips move one path of a node. */
 struct moved {
-	int clips, channels; /* that move it */
-	int last_clip;       /* from 1 */
+	int clips, channels; /* clips and channels that move it */
+	int last_clip;       /* number of the last such clip, counted from 1 */
 };
 
-/* Has room for all paths of all nodes, cleared. */
+/* moved is scratch memory of zeros, [node_count]. */
 static void report_unshared_channels(const struct model *model,
 	struct moved (*moved)[PATHS], const struct examiner *examiner)
 {

@@ -94,7 +94,7 @@ static bool is_ordered(const struct model_skin *skin)
 	return true;
 }
 
-/* With which skin a node draws a mesh. */
+/* A mesh and the skin with which a node draws it. */
 struct use {
 	int mesh, skin;
 };
@@ -106,7 +106,10 @@ static int compare_uses(const void *left, const void *right)
 	return a->mesh != b->mesh ? a->mesh - b->mesh : a->skin - b->skin;
 }
 
-/* All of them in the order of meshes; there is room for one of each node. */
+/*
+ * Lists all pairs of a mesh and its skin, sorted by mesh, and returns their
+ * number. uses has room for node_count pairs.
+ */
 static int find_uses(const struct model *model, struct use *uses)
 {
 	int count = 0;

@@ -17,9 +17,9 @@ enum {
  * (3.9.2) requires, and converts grey, palette and 16-bit images to 8-bit RGBA.
  * A damaged JPEG that can still be decoded causes a warning.
  *
- * 0, or -errno after one error that begins with where ("fox.gltf: /images/0"):
- * -EINVAL for a broken image, -ENOTSUP for another format, -EFBIG beyond
- * IMAGE_SIDE_MAX, -ENOMEM.
+ * Returns 0, or -errno after one error that begins with where ("fox.gltf:
+ * /images/0"): -EINVAL for a broken image, -ENOTSUP for another format, -EFBIG
+ * beyond IMAGE_SIDE_MAX, -ENOMEM.
  */
 int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, struct arena *arena, struct model_image *out);

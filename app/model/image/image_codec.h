@@ -2,7 +2,7 @@
  * The interface of an image decoder. Only image.c uses it.
  *
  * libpng and libjpeg report errors by longjmp(). Variables that must keep their
- * values are in a struct of the caller, not in locals of the function that
+ * values then are in a struct of the caller, not in locals of the function that
  * calls setjmp().
  */
 #ifndef APP_MODEL_IMAGE_IMAGE_CODEC_H
@@ -17,7 +17,7 @@
 struct image_input {
 	const uint8_t *data;
 	size_t size;
-	const char *where; /* the start of messages */
+	const char *where; /* start of messages: the file and the place in it */
 	const struct log *log;
 	struct memory_budget *budget; /* for the decoder's own memory, or NULL */
 };
@@ -26,10 +26,16 @@ struct image_codec {
 	const char *magic; /* the first bytes of a file */
 	size_t magic_bytes;
 
-	/* Reads the size in the header, unchecked. 0, or -errno after an error. */
+	/*
+	 * Reads the size from the header, without checking it. Returns 0, or
+	 * -errno after an error.
+	 */
 	int (*measure)(const struct image_input *input, int *width, int *height);
 
-	/* Fills rgba[height][width][4]; the size is the one from measure(). */
+	/*
+	 * Fills in rgba[height][width][4], with the size that measure()
+	 * returned.
+	 */
 	int (*decode)(const struct image_input *input, int width, int height,
 		uint8_t *rgba);
 };

@@ -8,9 +8,11 @@
 #include <jpeglib.h>
 
 enum {
-	/* Encoders write about ten. A hostile file has thousands. */
+	/* Encoders write about ten scans. A hostile file may have thousands. */
 	SCANS_MAX = 100,
-	/* A limit of pixels times scans: 32 scans of the largest image. */
+	/*
+	 * A limit of pixels times scans, as of 32 scans of the largest image.
+	 */
 	SCANNED_PIXELS_MAX = 512 * 1024 * 1024,
 };
 
@@ -111,7 +113,10 @@ static bool is_cmyk(const struct jpeg_decompress_struct *jpeg)
 		jpeg->jpeg_color_space == JCS_YCCK;
 }
 
-/* In place. Adobe's programs, which mark their files, store paper as 255. */
+/*
+ * Converts a row of CMYK to RGBA in place. Adobe's programs, which mark their
+ * files, store inverted values: 255 is no ink.
+ */
 static void convert_cmyk(uint8_t *row, int width, bool inverted)
 {
 	for (uint8_t *p = row; p < row + (size_t)width * 4; p += 4) {

@@ -8,24 +8,27 @@
 #include <string.h>
 
 enum {
-	TRIANGLES_MIN = 150, /* what fewer cost is not worth a level */
+	TRIANGLES_MIN = 150, /* primitives with fewer triangles get no levels */
 	LEVELS_MAX = 12,
 };
 
-/* The limits of collapses, in fractions of the longest side. */
+/*
+ * The limits of a collapse's error, one for each level, in fractions of the
+ * longest side.
+ */
 static const float shaded_limits[] = {
 	0.0004f, 0.0008f, 0.0016f, 0.003f, 0.0055f, 0.01f, 0.018f, 0.03f};
 static const float shadow_limits[] = {
 	0.0016f, 0.003f, 0.006f, 0.012f, 0.025f, 0.04f};
 /*
- * 99 of 100 points of the surface are at most so many limits away, as measured
- * with assets/lod/distance.mjs.
+ * A level's error_m is its limit times this factor: 99 of 100 points of the
+ * surface are at most so far away, as measured with assets/lod/distance.mjs.
  */
 static const float shaded_factor = 1.0f, shadow_factor = 2.0f;
 static const float worth =
-	0.2f; /* the part of the triangles that a level saves */
+	0.2f; /* the part of the triangles that a level must save */
 
-/* A vertex of a primitive, to find others at its position. */
+/* A vertex of a primitive, as an element to sort by position. */
 struct place {
 	float position[3];
 	int primitive, vertex;
@@ -48,12 +51,15 @@ static bool are_together(const struct place *a, const struct place *b)
 	return memcmp(a->position, b->position, sizeof(a->position)) == 0;
 }
 
-/* The primitives that share borders: those of a mesh, and all that are skinned. */
+/*
+ * Primitives that may touch each other: those of one mesh, or all skinned ones.
+ */
 struct group {
 	int count;
 	struct model_primitive **primitive;
 	int *target_count;
-	bool **shared; /* of each primitive by vertex */
+	bool **shared; /* [count][vertex_count]: another primitive has a vertex
+			  at the same position */
 	size_t vertex_count;
 	float extent; /* the longest side of the box around them */
 };
@@ -79,7 +85,7 @@ static bool is_skinned(const struct model_mesh *mesh)
 	return mesh->primitive_count > 0 && mesh->primitive[0].influences > 0;
 }
 
-/* Mesh -1 stands for all skinned ones. */
+/* Mesh -1 stands for all skinned meshes. */
 static void gather_group(
 	struct group *group, const struct model *model, int mesh)
 {
@@ -179,11 +185,15 @@ static int find_shared(const struct group *group, struct arena *arena)
 	return 0;
 }
 
-/* Levels under way, of one kind. */
+/*
+ * The levels of a primitive that are made so far, either shaded ones or lists
+ * for shadows.
+ */
 struct levels {
 	int count;
 	struct model_lod lod[LEVELS_MAX];
-	int last_count; /* indices of the finest list, or of the last level */
+	int last_count; /* indices of the last level, or of the list to begin
+			   with */
 };
 
 static int add_level(struct levels *levels, const struct simplify *simplify,
@@ -227,7 +237,10 @@ static int make_lists(struct levels *levels, const struct simplify_input *input,
 	return error;
 }
 
-/* The levels that the file has come first, and lists for shadows last. */
+/*
+ * Sets the primitive's levels: those that it has come first, and lists for
+ * shadows last.
+ */
 static int join_levels(struct model_primitive *primitive,
 	const struct levels *shaded, const struct levels *shadow,
 	struct arena *arena)
@@ -252,7 +265,10 @@ static int join_levels(struct model_primitive *primitive,
 	return 0;
 }
 
-/* Levels are a luxury where the budget refuses them, but not without memory. */
+/*
+ * Returns 0 instead of an error if the budget refused memory, since levels are
+ * optional. An error of the machine's memory stays.
+ */
 static int unless_refused(struct memory_budget *budget, int error)
 {
 	if (!error || !budget || !budget->exceeded) {
@@ -282,7 +298,10 @@ static int add_to_primitive(
 	if (primitive->index_count < 3 * TRIANGLES_MIN) {
 		return 0;
 	}
-	/* Facets would be seen to change. */
+	/*
+	 * Without normals, triangles are drawn flat, and a change of level
+	 * would be seen.
+	 */
 	if (own == 0 && primitive->normal) {
 		error = unless_refused(model->budget,
 			make_lists(&shaded, &input, shaded_limits,
@@ -328,7 +347,7 @@ static int add_to_group(struct model *model, struct group *group, int mesh)
 	return unless_refused(model->budget, error);
 }
 
-/* Instances want the rest of the budget, and levels are a luxury. */
+/* Whether half of the budget is free, since instances need memory too. */
 static bool has_room(const struct memory_budget *budget)
 {
 	return !budget || budget->used_bytes <= budget->limit_bytes / 2;
@@ -357,7 +376,9 @@ int levels_make(struct model *model)
 	if (!has_room(budget)) {
 		return 0;
 	}
-	/* What is refused here is not why anything else fails. */
+	/*
+	 * A refusal here must not be taken for the reason of a later failure.
+	 */
 	if (budget) {
 		budget->exceeded = false;
 	}

@@ -11,12 +11,12 @@
 #include "app/model/model.h"
 
 /*
- * Adds levels to the primitives of a loaded model that have none, and coarser
- * lists for shadows to all. It takes some 20,000 ARM instructions a triangle.
- * Primitives without normals or of few triangles stay as they are. Memory comes
- * from the model's budget; levels are left out when less than half of it is
- * left, or when they do not fit. 0, or -ENOMEM, with some levels, when the
- * machine has no memory.
+ * Adds levels to the primitives of a loaded model that have none, and lists for
+ * shadows to all primitives. This takes some 20,000 ARM instructions a
+ * triangle. Primitives of few triangles get neither, those without normals get
+ * only lists for shadows. Memory comes from the model's budget; levels are left
+ * out if less than half of it is free or if they do not fit. Returns 0, or
+ * -ENOMEM if the machine has no memory; then some primitives may have levels.
  */
 int levels_make(struct model *model);
 

@@ -16,7 +16,7 @@ enum {
 	SHORT_VERTICES_MAX = 65536,
 };
 
-/* FNV-1a, of whole words. */
+/* FNV-1a over words of 32 bits instead of bytes. */
 static uint32_t hash_words(uint32_t hash, const void *words, size_t count)
 {
 	const uint8_t *byte = words;
@@ -75,7 +75,7 @@ static bool is_short(const struct model_primitive *primitive)
 	return primitive->vertex_count <= SHORT_VERTICES_MAX;
 }
 
-/* The bytes of a list's indices in the file. */
+/* Returns how many bytes a list's indices take in the file. */
 static size_t index_bytes(
 	const struct model_primitive *primitive, uint32_t index_count)
 {
@@ -138,7 +138,7 @@ struct reader {
 	const uint8_t *data;
 	size_t size;
 	bool failed;    /* the file has ended too early */
-	bool no_memory; /* is left, or is allowed */
+	bool no_memory; /* memory is short, or the budget refuses it */
 };
 
 static uint32_t read_number(struct reader *reader)
@@ -282,7 +282,7 @@ int levels_read(struct model *model, const uint8_t *data, size_t size)
 	return reader.no_memory ? -ENOMEM : error;
 }
 
-/* "robot.levels" for "robot.glb". */
+/* Writes "robot.levels" for "robot.glb". Returns false if that does not fit. */
 static bool path_beside(const char *model_path, char *path, size_t size)
 {
 	const char *slash = strrchr(model_path, '/');
@@ -293,7 +293,10 @@ static bool path_beside(const char *model_path, char *path, size_t size)
 	return length > 0 && (size_t)length < size;
 }
 
-/* 0, or -errno if the levels are to be made: then the file has been reported. */
+/*
+ * Returns 0, or -errno if the levels must be made. Unless memory is short, a
+ * message about the file has been logged then.
+ */
 static int read_beside(
 	struct model *model, const char *path, const struct log *log)
 {
@@ -307,7 +310,10 @@ static int read_beside(
 	error = levels_read(model, file.data, file.size);
 	model_file_release(&file);
 	if (model->budget) {
-		/* Levels are a luxury: that they do not fit is no failure. */
+		/*
+		 * Levels are optional: a budget that is too small for them is
+		 * no failure.
+		 */
 		model->budget->exceeded = exceeded;
 	}
 	if (error == -EINVAL) {

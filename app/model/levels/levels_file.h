@@ -1,7 +1,7 @@
 /*
- * Levels of detail that were made before: the file NAME.levels beside the model
- * NAME.glb. Making levels takes a third of a second on the board for 4,000
- * triangles, reading them a few milliseconds.
+ * Levels of detail that were made in advance: the file NAME.levels beside the
+ * model NAME.glb. Making levels takes a third of a second on the board for
+ * 4,000 triangles, reading them a few milliseconds.
  *
  * The file has numbers of 32 bits, least significant byte first: FORMAT, the
  * hash of the model, the number of primitives; for each primitive the number of
@@ -17,20 +17,25 @@
 
 #include <stdio.h>
 
-/* Makes the levels of a loaded model (levels.h) and writes them. 0 or -ENOMEM. */
+/*
+ * Makes the levels of a loaded model (levels.h) and writes them. Returns 0 or
+ * -ENOMEM; the caller checks the stream for errors of writing.
+ */
 int levels_write(struct model *model, FILE *out);
 
 /*
- * Gives a loaded model the levels of these bytes. 0; -EINVAL, with the model
- * unchanged, if they are damaged or are those of other vertices or triangles;
- * or -ENOMEM, likewise, without memory or if the model's budget is exceeded.
+ * Gives a loaded model the levels of a file's bytes. Returns 0, or leaves the
+ * levels unchanged and returns -EINVAL if the bytes are damaged or belong to
+ * other vertices or triangles, -ENOMEM without memory or if the model's budget
+ * is exceeded.
  */
 int levels_read(struct model *model, const uint8_t *data, size_t size);
 
 /*
- * Gives a loaded model its levels: those of the file beside it, or, without
- * such a file, made ones. A file that does not fit the model is reported once
- * as a warning, and the levels are made. 0, or -ENOMEM after an error on the log.
+ * Gives a loaded model its levels: it reads the file beside the model or, if
+ * there is none, makes them. If the file does not fit the model, it logs a
+ * warning and makes the levels. Returns 0, or -ENOMEM after an error on the
+ * log.
  */
 int levels_prepare(struct model *model, const struct log *log);
 

@@ -11,14 +11,19 @@
 
 enum {
 	PASSES_MAX = 60,
-	/* A pass that removes fewer than one triangle of so many is the last. */
+	/*
+	 * The last pass is the one that removes fewer than one in so many
+	 * triangles.
+	 */
 	PASS_WORTH = 100,
 };
 
-/* A pass collapses up to this many times the error of its cheaper half. */
+/* A pass does collapses whose error is up to this many times the median. */
 static const float pass_factor = 1.5f;
 
-/* Relative to the first vertex, so that few digits are lost. */
+/*
+ * Positions become relative to the first vertex, so that few digits are lost.
+ */
 static void scale_positions(struct simplify *simplify)
 {
 	const struct model_primitive *primitive = simplify->primitive;
@@ -93,7 +98,7 @@ static int allocate(struct simplify *simplify, int index_count)
 		: -ENOMEM;
 }
 
-/* Triangles without area, by their corners' places, are left out. */
+/* Copies the list, without triangles that have two corners at one position. */
 static void copy_index(
 	struct simplify *simplify, const struct simplify_input *input)
 {
@@ -227,7 +232,10 @@ static bool collapse(struct simplify *simplify, uint32_t from, uint32_t to)
 	return true;
 }
 
-/* Moves corners to where their vertices went, and drops triangles. */
+/*
+ * Moves corners to the vertices that theirs collapsed to, and drops triangles
+ * that have become lines.
+ */
 static void move_corners(struct simplify *simplify)
 {
 	const uint32_t *leader = simplify->leader;

@@ -6,16 +6,17 @@
 #include <float.h>
 
 enum {
-	TRIES = 3 /* neighbours that a vertex may collapse to */
+	TRIES = 3 /* how many neighbours are compared */
 };
 
 /*
- * The planes of a border's triangles outweigh its own, so that its error is
- * stated too small; and a gap shows what is behind both parts.
+ * A factor of the error of border vertices: the planes of the adjacent
+ * triangles outweigh those of the border, which makes the error too small, and
+ * a gap shows what is behind both parts.
  */
 static const float border_factor = 3.0f;
 
-/* A triangle may turn by so much: the cosine. */
+/* The cosine of the largest angle by which a collapse may turn a triangle. */
 static const float least_cosine = 0.25f;
 
 static void keep(struct simplify *simplify, uint32_t leader)
@@ -28,7 +29,7 @@ static void keep(struct simplify *simplify, uint32_t leader)
 	} while (vertex != leader);
 }
 
-/* Whether a leader's vertex is a corner of a triangle at present. */
+/* Whether any triangle still has this vertex of the leader as a corner. */
 static bool is_used(
 	const struct simplify *simplify, uint32_t leader, uint32_t vertex)
 {
@@ -45,8 +46,9 @@ static bool is_used(
 }
 
 /*
- * Sets where each vertex of a leader goes: to the vertex of the other leader in
- * a triangle that has both. False if one has no such triangle or two choices.
+ * Sets the vertex that each vertex of leader `from` collapses to: the vertex of
+ * leader `to` in a triangle that has both. Returns false if a vertex has no
+ * such triangle or if two triangles differ.
  */
 static bool pair_vertices(struct simplify *simplify, uint32_t from, uint32_t to)
 {
@@ -92,7 +94,9 @@ static void find_normal(
 	out[2] = u[0] * v[1] - u[1] * v[0];
 }
 
-/* Whether a collapse would turn a triangle over, or far, or make it a line. */
+/*
+ * Whether a collapse would turn a triangle too far or over, or make it a line.
+ */
 static bool turns_over(
 	const struct simplify *simplify, uint32_t from, uint32_t to)
 {
@@ -127,7 +131,10 @@ static bool turns_over(
 	return false;
 }
 
-/* Both ends of an edge have only the neighbours of its triangles in common. */
+/*
+ * Whether the surface stays one: the ends of the edge may have no neighbours in
+ * common but the third corners of the edge's triangles.
+ */
 static bool stays_surface(struct simplify *simplify,
 	const struct simplify_ring *ring, uint32_t to, bool border)
 {
@@ -170,7 +177,10 @@ static bool is_allowed(struct simplify *simplify,
 		pair_vertices(simplify, from, to);
 }
 
-/* The error of a collapse; negative if it is not allowed. */
+/*
+ * Returns the error of a collapse, given that of its shape; negative if it is
+ * not allowed.
+ */
 static float measure(struct simplify *simplify, const struct simplify_ring *ring,
 	uint32_t from, uint32_t to, float shape)
 {
@@ -185,7 +195,10 @@ static float measure(struct simplify *simplify, const struct simplify_ring *ring
 		: scalar_sqrt(shape * shape + attributes * attributes);
 }
 
-/* The neighbours by their error of shape, those of a border along it alone. */
+/*
+ * Lists the neighbours with the smallest errors of shape. From a border, only
+ * neighbours along the border count.
+ */
 static int list_nearest(const struct simplify *simplify,
 	const struct simplify_ring *ring, uint32_t from,
 	struct simplify_collapse nearest[TRIES])

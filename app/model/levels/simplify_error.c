@@ -5,8 +5,10 @@
 #include <string.h>
 
 /*
- * What a unit of an attribute looks as bad as, in fractions of the longest
- * side; of weights, what bending a limb moves a vertex by.
+ * Factors that convert a difference of 1 in an attribute to the distance that
+ * looks as bad, in fractions of the longest side. For weights it is what
+ * bending a limb moves a vertex by. border_weight is the weight of a border's
+ * planes.
  */
 static const float normal_distance = 0.009f;
 static const float color_distance = 0.05f; /* from black to white */
@@ -14,7 +16,7 @@ static const float weight_distance = 0.05f;
 static const float texture_factor = 1.0f;
 static const float border_weight = 10.0f;
 
-/* How far bending a joint by 60 degrees moves what is at a distance of 1. */
+/* How far bending a joint by 60 degrees moves a point at a distance of 1. */
 static const float bend_distance = 1.0f;
 
 static void subtract(const float a[3], const float b[3], float out[3])
@@ -51,7 +53,7 @@ static void add(struct simplify_quadric *to, const struct simplify_quadric *q)
 	to->weight += q->weight;
 }
 
-/* The plane through a point, of a unit normal, with a weight. */
+/* Adds the plane with unit normal n through a point. */
 static void add_plane(struct simplify_quadric *to, const float n[3],
 	const float point[3], float weight)
 {
@@ -83,7 +85,10 @@ static bool has_unit_length(float v[3])
 	return length > 0.0f;
 }
 
-/* A border keeps its line: planes through it, upright on its triangles. */
+/*
+ * Adds a plane through a border edge, upright on its triangle, so that the
+ * border keeps its line.
+ */
 static void add_border(struct simplify *simplify, uint32_t a, uint32_t b,
 	const float normal[3])
 {
@@ -102,8 +107,8 @@ static void add_border(struct simplify *simplify, uint32_t a, uint32_t b,
 }
 
 /*
- * Whether a triangle has the edge from leader b to leader a. Where both have
- * many triangles, nobody collapses, and the answer does not matter.
+ * Whether a triangle has the edge from leader b to leader a. If both leaders
+ * have many triangles, neither collapses, and the answer does not matter.
  */
 static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b)
 {
@@ -121,7 +126,10 @@ static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b
 		int corner = simplify_mesh_corner(
 			simplify, simplify->triangle[i], own);
 
-		/* The edge runs to a: it comes before a and behind b. */
+		/*
+		 * The triangle has b before a: at a it is the previous corner,
+		 * at b the next one is a.
+		 */
 		if (simplify->leader[at[(corner + (at_a ? 2 : 1)) % 3]] ==
 			other) {
 			return true;
@@ -179,14 +187,17 @@ void simplify_error_collapse(
 	add(&simplify->quadric[to], &simplify->quadric[from]);
 }
 
-/* A point on a triangle: its corners' shares. */
+/* A point on a triangle, in barycentric coordinates. */
 struct place {
 	const uint32_t *vertex;
 	float share[3];
-	float square; /* of the distance from the point asked for */
+	float square; /* square of the distance from the given point */
 };
 
-/* The nearest point of a triangle, or one near to it at an obtuse corner. */
+/*
+ * Finds the point of a triangle that is nearest to the given point; outside an
+ * obtuse corner only approximately.
+ */
 static void find_place(const struct simplify *simplify, const float point[3],
 	struct place *place)
 {
@@ -296,7 +307,10 @@ static float weight_of(const struct model_primitive *primitive, uint32_t vertex,
 	return weight;
 }
 
-/* Weights sum to 1: what some joints have too little, others have too much. */
+/*
+ * Sums only the weights that are too small: since weights sum to 1, others are
+ * too large by as much.
+ */
 static float weight_square(const struct model_primitive *primitive,
 	uint32_t vertex, const struct place *place)
 {
@@ -316,7 +330,7 @@ static float weight_square(const struct model_primitive *primitive,
 	return lack * lack * weight_distance * weight_distance;
 }
 
-/* The sum of weights of a joint at the corners, by their shares. */
+/* Returns a joint's weight at the place, and its weights at the corners. */
 static float shared_weight(const struct simplify *simplify,
 	const struct place *place, uint16_t joint, float weight[3])
 {
@@ -331,10 +345,11 @@ static float shared_weight(const struct simplify *simplify,
 }
 
 /*
- * A skin moves a point by the products of its weights and its position. Where
- * both change along a triangle, a straight edge cuts off the curve of a bent
- * limb: by their covariance over the corners, for each joint, with its bend. A
- * joint's motion counts half, because what it loses another one gains.
+ * The error of a bent limb. A skin moves a point by products of weights and
+ * position. If both change along a triangle, a straight edge cuts off the curve
+ * of a bent limb, for each joint by the covariance of weight and position over
+ * the corners, times the bend. Each joint counts half, because the weight that
+ * one joint loses another one gains.
  */
 static float bend_square(
 	const struct simplify *simplify, const struct place *place)
@@ -352,7 +367,8 @@ static float bend_square(
 		mean = shared_weight(simplify, place, joint, weight);
 		if (weight[corner] <= 0.0f || (corner > 0 && weight[0] > 0.0f) ||
 			(corner > 1 && weight[1] > 0.0f)) {
-			continue; /* unused, or counted at a corner before */
+			continue; /* not used here, or counted at an earlier
+				     corner */
 		}
 		for (int k = 0; k < 3; k++) {
 			const float *at = simplify->position[place->vertex[k]];
@@ -383,7 +399,7 @@ static float delta_square(const float (*delta)[3], uint32_t vertex,
 		scale * scale;
 }
 
-/* At a weight of 1 of the target that changes most. */
+/* The error of the target that changes most, at its weight of 1. */
 static float target_square(const struct simplify *simplify, uint32_t vertex,
 	const struct place *place)
 {
@@ -426,7 +442,10 @@ static float square_at(const struct simplify *simplify, uint32_t vertex,
 	return square;
 }
 
-/* One of the vertices at the place of leader from; 0 if no triangle has it. */
+/*
+ * Returns the squared error of one vertex of leader `from`; 0 if no triangle
+ * has it.
+ */
 static float vertex_square(const struct simplify *simplify, uint32_t from,
 	uint32_t to, uint32_t vertex)
 {

@@ -1,24 +1,30 @@
-/* What a collapse changes, as distances. */
+/* Errors of collapses, as distances in fractions of the extent. */
 #ifndef APP_MODEL_LEVELS_SIMPLIFY_ERROR_H
 #define APP_MODEL_LEVELS_SIMPLIFY_ERROR_H
 
 #include "app/model/levels/simplify_mesh.h"
 
-/* Fills quadric from the triangles and the border edges of the whole list. */
+/*
+ * Fills in quadric[] from the triangles and the border edges of the whole list.
+ */
 void simplify_error_begin(struct simplify *simplify);
 
-/* The distance of leader to from the planes that leader from stands for. */
+/*
+ * Returns the distance of the leader `to` from the planes in the quadric of
+ * `from`: the root of their mean square.
+ */
 float simplify_error_of_shape(
 	const struct simplify *simplify, uint32_t from, uint32_t to);
 
 /*
- * The distance that stands for the change of attributes when leader from
- * collapses to leader to; at says to which vertex each of its vertices goes.
+ * Returns the change of attributes if the leader `from` collapses to the leader
+ * `to`, as a distance. simplify->to says which vertex each vertex of `from`
+ * collapses to.
  */
 float simplify_error_of_attributes(
 	const struct simplify *simplify, uint32_t from, uint32_t to);
 
-/* What leader from stands for is added to leader to. */
+/* Adds the quadric of `from` to that of `to`. */
 void simplify_error_collapse(
 	struct simplify *simplify, uint32_t from, uint32_t to);
 

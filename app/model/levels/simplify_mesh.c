@@ -5,12 +5,15 @@
 #include <errno.h>
 #include <string.h>
 
-/* A cell of a grid; the ends of a seam may differ by the rounding of floats. */
+/*
+ * A cell of a grid. Vertices in one cell count as equal, since the two sides of
+ * a seam may differ by the rounding of floats.
+ */
 struct cell {
 	int32_t at[3];
 };
 
-static const float cells = 65536.0f; /* along the extent */
+static const float cells = 65536.0f; /* cells of the grid along the extent */
 
 static struct cell cell_of(const float position[3])
 {
@@ -57,7 +60,7 @@ int simplify_mesh_weld(struct simplify *simplify)
 		uint32_t slot = hash_cell(&cell) & (size - 1);
 		uint32_t leader;
 
-		/* The table holds vertices plus 1; 0 is empty. */
+		/* An entry is a vertex's number plus 1; 0 is empty. */
 		while (table[slot] &&
 			!is_in(&cell, simplify->position[table[slot] - 1])) {
 			slot = (slot + 1) & (size - 1);
@@ -88,7 +91,7 @@ void simplify_mesh_link(struct simplify *simplify)
 	for (uint32_t v = 0; v < count; v++) {
 		first[v + 1] += first[v];
 	}
-	/* Each place moves to the next leader's while it is filled. */
+	/* Filling moves each entry of first to the start of the next leader. */
 	for (int i = 0; i < simplify->index_count; i++) {
 		uint32_t leader = simplify->leader[simplify->index[i]];
 
@@ -110,7 +113,11 @@ static int find_neighbour(const struct simplify_ring *ring, uint32_t leader)
 	return i;
 }
 
-/* Counts the triangles in which an edge runs from the leader or to it. */
+/*
+ * Adds the edge to a neighbour. bit says its direction: 1 away from the leader,
+ * 2 towards it. Returns false if there are too many neighbours or the edge
+ * occurs twice.
+ */
 static bool add_edge(struct simplify_ring *ring, uint32_t neighbour,
 	uint8_t uses[SIMPLIFY_RING_MAX], int bit)
 {
@@ -155,7 +162,9 @@ bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
 		out->border[i] = uses[i] != 3;
 		out->border_count += out->border[i];
 	}
-	/* One triangle more edges than triangles where the border passes. */
+	/*
+	 * A closed disc has as many edges as triangles, half a disc one more.
+	 */
 	return (out->border_count == 0 && (uint32_t)out->count == end - first) ||
 		(out->border_count == 2 &&
 			(uint32_t)out->count == end - first + 1);

@@ -1,12 +1,16 @@
-/* Which triangles and vertices of a simplification touch each other. */
+/* Finds which triangles and vertices of a simplification touch each other. */
 #ifndef APP_MODEL_LEVELS_SIMPLIFY_MESH_H
 #define APP_MODEL_LEVELS_SIMPLIFY_MESH_H
 
 #include "app/model/levels/simplify.h"
 
 enum {
-	SIMPLIFY_RING_MAX = 24, /* neighbours of a vertex that may collapse */
-	/* Triangles of a vertex that others may collapse to; limits the time. */
+	SIMPLIFY_RING_MAX = 24, /* the most neighbours of a vertex that may
+				   collapse */
+	/*
+	 * The most triangles of a vertex that others may collapse to, which
+	 * limits the time.
+	 */
 	SIMPLIFY_VALENCE_MAX = 64
 };
 
@@ -14,27 +18,32 @@ enum {
 struct simplify_ring {
 	int count;
 	uint32_t neighbour[SIMPLIFY_RING_MAX];
-	bool border[SIMPLIFY_RING_MAX]; /* one triangle has the edge, not two */
+	bool border[SIMPLIFY_RING_MAX]; /* whether the edge to it has one
+					   triangle, not two */
 	int border_count;
 };
 
 /*
- * Fills leader and next: vertices count as being at one position if they differ
- * by less than some hundred-thousandth of the extent. 0 or -ENOMEM.
+ * Fills in leader and next. Vertices whose positions round to the same
+ * multiples of 1/65,536 of the extent count as being at one position. Returns 0
+ * or -ENOMEM.
  */
 int simplify_mesh_weld(struct simplify *simplify);
 
-/* Fills first_triangle and triangle for the present index. */
+/* Fills in first_triangle and triangle from the present index list. */
 void simplify_mesh_link(struct simplify *simplify);
 
 /*
- * Lists the neighbours of a leader. False if it has too many, or if its
+ * Lists the neighbours of a leader. Returns false if it has too many, or if its
  * triangles do not form one disc or half a disc.
  */
 bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
 	struct simplify_ring *out);
 
-/* The corner, 0 to 2, of a triangle (its first corner's place) at a leader. */
+/*
+ * Returns which corner of a triangle, 0 to 2, is at a leader. triangle is the
+ * place of its first corner in index.
+ */
 static inline int simplify_mesh_corner(
 	const struct simplify *simplify, uint32_t triangle, uint32_t leader)
 {
@@ -45,7 +54,7 @@ static inline int simplify_mesh_corner(
 						    : 2;
 }
 
-/* The number of triangles that have a leader as a corner. */
+/* Returns the number of triangles that have a leader as a corner. */
 static inline uint32_t simplify_mesh_valence(
 	const struct simplify *simplify, uint32_t leader)
 {

@@ -7,19 +7,20 @@
 #include <errno.h>
 #include <string.h>
 
-/* A primitive, its parts, and the primitives that these become. */
+/* A large primitive, its parts, and the primitives that the parts become. */
 struct split {
 	struct model *model;
 	struct arena *integers;
 	int target_count;
 	struct model_primitive whole;
-	const struct split_part *part; /* a list */
-	struct model_primitive *out;   /* one of each of these */
+	const struct split_part *part; /* linked list of the parts */
+	struct model_primitive *out;   /* one primitive for each part, in
+					order */
 };
 
 /* The arrays of struct model_primitive with an element for each vertex. */
 static const struct {
-	size_t at; /* of the pointer */
+	size_t at; /* offset of the pointer in the struct */
 	size_t bytes, bytes_an_influence;
 } arrays[] = {
 	{offsetof(struct model_primitive, position), sizeof(float[3]), 0},
@@ -46,7 +47,10 @@ static void gather(
 	}
 }
 
-/* Divides one array, and frees it. at is that of the pointer. */
+/*
+ * Divides one array and frees it. at is the offset of its pointer in struct
+ * model_primitive.
+ */
 static int divide_array(struct split *split, size_t at, size_t bytes)
 {
 	struct arena *arena = &split->model->arena;
@@ -84,7 +88,10 @@ static int divide_arrays(struct split *split)
 	return error;
 }
 
-/* Divides the deltas of one attribute of a target; at is the attribute's place. */
+/*
+ * Divides the deltas of one attribute of a target. at is the attribute's offset
+ * in struct model_target.
+ */
 static int divide_deltas(struct split *split, const struct model_deltas *deltas,
 	size_t target, size_t at)
 {
@@ -141,7 +148,10 @@ static int divide_targets(struct split *split)
 	return error;
 }
 
-/* Each part with the members that need no division, and room for targets. */
+/*
+ * Fills in the members of each part that need no division, and allocates its
+ * targets.
+ */
 static int begin_parts(struct split *split)
 {
 	struct model_primitive *out = split->out;
@@ -198,7 +208,10 @@ static int count_parts(const struct split_part *part)
 	return count;
 }
 
-/* Finds the parts of each primitive; returns the number of all of them. */
+/*
+ * Finds the parts of each primitive (NULL: not divided) and sets *count to the
+ * number of primitives after the division. Returns 0 or -ENOMEM.
+ */
 static int find_parts(struct model *model, const struct model_mesh *mesh,
 	struct split_part **parts, int *count)
 {

@@ -5,7 +5,7 @@
  * skins number their vertices in 16 bits, too. A primitive of a file may have
  * more vertices. Each loader therefore replaces such a primitive by parts of at
  * most SPLIT_VERTICES_MAX vertices, which are primitives of the same mesh with
- * the same material, bones and targets.
+ * the same material, joints and targets.
  *
  * Triangles that are near each other stay together. A vertex at a border is
  * repeated with the same numbers in each part that needs it, so that the parts
@@ -21,11 +21,11 @@ enum {
 };
 
 /*
- * Divides the primitives of all meshes. Displacements in integers go to
- * integers, as the loader keeps them there; all else goes to the model. Levels
- * of detail of a divided primitive are dropped: levels_make() makes others for
- * its parts. Arrays are freed as soon as they are divided. Call this before
- * targets are stored as key frames. 0 or -ENOMEM.
+ * Divides the large primitives of all meshes. The arena `integers` gets
+ * displacements in integers, the model gets all other arrays. Levels of detail
+ * of a divided primitive are dropped: levels_make() makes others for its parts.
+ * Arrays are freed as soon as they are divided. Call this before targets are
+ * stored as key frames. Returns 0 or -ENOMEM.
  */
 int split_primitives(struct model *model, struct arena *integers);
 

@@ -3,7 +3,9 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/* A triangle, and where it is on the axis that divides it from others. */
+/*
+ * A triangle and its coordinate on the axis along which triangles are divided.
+ */
 struct place {
 	float at;
 	uint32_t triangle;
@@ -11,14 +13,16 @@ struct place {
 
 struct work {
 	const struct model_primitive *primitive;
-	struct arena *arena; /* of the parts */
+	struct arena *arena; /* owns the parts */
 	int vertices_max;
 	struct place *place; /* [triangles] */
-	/* Of each vertex: the number of the last set that had it. */
+	/*
+	 * [vertex_count]: the number of the last set of triangles that used it
+	 */
 	uint32_t *seen;
 	uint32_t set;
-	bool *taken;     /* of each vertex: a part has it */
-	uint32_t *local; /* of each vertex: its number in the part */
+	bool *taken;     /* [vertex_count]: a part has the vertex */
+	uint32_t *local; /* [vertex_count]: its number in the present part */
 	struct split_part **last;
 };
 
@@ -38,7 +42,9 @@ static const uint32_t *corners_of(
 	return work->primitive->index + (size_t)place->triangle * 3;
 }
 
-/* Begins a new set with the vertices of the triangles; returns their number. */
+/*
+ * Marks the vertices of a set of triangles in seen[] and returns their number.
+ */
 static int see_vertices(struct work *work, const struct place *place, int count)
 {
 	int vertices = 0;
@@ -55,7 +61,7 @@ static int see_vertices(struct work *work, const struct place *place, int count)
 	return vertices;
 }
 
-/* Three times the middle of a triangle. */
+/* Returns a coordinate of a triangle's centre, times three. */
 static float middle_of(
 	const struct work *work, const struct place *place, int axis)
 {
@@ -66,7 +72,7 @@ static float middle_of(
 		position[corner[2]][axis];
 }
 
-/* Sorts the triangles along the axis on which they extend farthest. */
+/* Sorts the triangles along the axis on which their centres extend farthest. */
 static void sort_along(struct work *work, struct place *place, int count)
 {
 	int longest = 0;
@@ -92,7 +98,10 @@ static void sort_along(struct work *work, struct place *place, int count)
 	qsort(place, (size_t)count, sizeof(*place), compare_places);
 }
 
-/* Lists the seen vertices, first those that earlier parts have. */
+/*
+ * Lists the vertices of the present set in the part, first those that earlier
+ * parts have.
+ */
 static void number_vertices(struct work *work, struct split_part *part)
 {
 	int vertices = work->primitive->vertex_count;
@@ -139,7 +148,7 @@ static int make_part(
 		return -ENOMEM;
 	}
 	number_vertices(work, part);
-	/* The order in the file may suit caches. */
+	/* Restores the order of the file, which may suit vertex caches. */
 	for (int i = 0; i < count; i++) {
 		place[i].at = 0.0f;
 	}
@@ -154,11 +163,16 @@ static int make_part(
 	return 0;
 }
 
-/* Halves the triangles until each group has few enough vertices. */
+/*
+ * Divides the triangles in two until each group has few enough vertices for a
+ * part.
+ */
 static int divide(struct work *work, struct place *place, int count)
 {
 	int vertices = see_vertices(work, place, count);
-	/* Borders repeat some vertices, so parts are a little smaller. */
+	/*
+	 * Borders repeat some vertices, so parts are planned a little smaller.
+	 */
 	int comfort = work->vertices_max - work->vertices_max / 12;
 	int parts, first, error;
 
@@ -173,7 +187,7 @@ static int divide(struct work *work, struct place *place, int count)
 	return error ? error : divide(work, place + first, count - first);
 }
 
-/* Of vertices that no triangle has. */
+/* Adds parts with the vertices that no triangle uses. */
 static int add_unused(struct work *work)
 {
 	int vertices = work->primitive->vertex_count, unused = 0;

@@ -7,13 +7,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The largest number of bytes that length characters decode to. */
+/* Returns the largest number of bytes to which length characters may decode. */
 size_t base64_decoded_max(size_t length);
 
 /*
- * Decodes length characters into out, which holds base64_decoded_max(length)
- * bytes; *size becomes the number written. Padding is optional. 0, or -EINVAL
- * for a character outside the alphabet and for an impossible length.
+ * Decodes length characters into out, which has room for
+ * base64_decoded_max(length) bytes, and sets *size to the number written.
+ * Padding is optional. Returns 0, or -EINVAL for a character outside the
+ * alphabet or an impossible length.
  */
 int base64_decode(const char *text, size_t length, uint8_t *out, size_t *size);
 

@@ -27,7 +27,7 @@ static bool is_version_2(const char *version)
 	return version[0] == '2' && (version[1] == '.' || version[1] == '\0');
 }
 
-/* Files of glTF 1.0 may have a number here. */
+/* Files of glTF 1.0 may have a number as version. */
 static int read_version(const struct gltf_at *asset, const char **out)
 {
 	const json_t *number = json_object_get(asset->json, "version");
@@ -84,7 +84,7 @@ bool gltf_knows_extension(const char *name)
 	return false;
 }
 
-/* Whether a model without the extension only looks different. */
+/* Whether the extension changes only how a model looks, by its name. */
 static bool adds_looks_only(const char *name)
 {
 	static const char *const begins[] = {
@@ -98,7 +98,10 @@ static bool adds_looks_only(const char *name)
 	return false;
 }
 
-/* Blender requires lights, which no program has to draw, of those that read it. */
+/*
+ * An extension that changes only the looks is allowed even if the file requires
+ * it, as Blender's files require lights.
+ */
 static int check_extension(const struct gltf_at *at)
 {
 	const char *name = json_string_value(at->json);
@@ -136,7 +139,10 @@ static int check_extensions(struct gltf *gltf)
 }
 
 enum {
-	/* Scratch memory is small next to the model or in large pieces. */
+	/*
+	 * Scratch memory is either little or allocated in large pieces, so
+	 * small blocks are enough.
+	 */
 	SCRATCH_BLOCK_BYTES = 8 * 1024
 };
 
@@ -151,8 +157,9 @@ static const gltf_step document_steps[] = {
 };
 
 /*
- * Frees the JSON of what gltf->view and gltf->accessor hold, two thirds of most
- * files' JSON. It takes ten times as much memory as its text.
+ * Frees the JSON that gltf->view and gltf->accessor have replaced: two thirds
+ * of the JSON in most files, and JSON takes ten times as much memory as its
+ * text.
  */
 static int drop_read_json(struct gltf *gltf)
 {
@@ -215,7 +222,10 @@ void gltf_release(struct gltf *gltf)
 	}
 }
 
-/* The scratch arena refers to the budget, which the model owns. */
+/*
+ * Frees everything after an error. The scratch arena comes first: it refers to
+ * the budget, which the model owns.
+ */
 static void discard(struct gltf *gltf)
 {
 	gltf_release(gltf);

@@ -11,9 +11,9 @@
 bool gltf_recognise(const uint8_t *data, size_t size);
 
 /*
- * See struct model_format. Messages read "FILE: /json/path: REASON". A required
- * extension that README.md does not list as supported is -ENOTSUP. README.md
- * also lists what the loader ignores.
+ * See struct model_format. Messages read "FILE: /json/path: REASON". Returns
+ * -ENOTSUP if the file requires an extension that README.md does not list as
+ * supported or ignored. README.md also lists what else the loader ignores.
  */
 int gltf_load(const struct model_source *source, const struct log *log,
 	struct model **out);

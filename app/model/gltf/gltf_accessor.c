@@ -74,7 +74,9 @@ static int read_type(const struct gltf_at *at, const struct type **type)
 		at, -EINVAL, "type \"%.40s\" is not defined by glTF 2.0", name);
 }
 
-/* Fails unless count elements of size bytes, from offset, lie in the view. */
+/*
+ * Fails unless the view contains count elements of size bytes from offset on.
+ */
 static int check_bounds(const struct gltf_at *at, const struct gltf_view *view,
 	uint64_t offset, uint64_t stride, int count, uint64_t size)
 {
@@ -89,8 +91,9 @@ static int check_bounds(const struct gltf_at *at, const struct gltf_view *view,
 }
 
 /*
- * Reads bufferView and byteOffset. The view's byteStride counts when strided is
- * true; sparse accessors are packed.
+ * Reads bufferView and byteOffset. Without a bufferView, *out stays as it is.
+ * strided says whether the view's byteStride counts; indices and values of
+ * sparse accessors are always packed.
  */
 static int read_elements(const struct gltf_at *at, int count, size_t size,
 	bool strided, struct gltf_elements *out)
@@ -215,8 +218,8 @@ static int read_sparse(
 }
 
 /*
- * Keeps count * width <= 2^26, so that the size of an accessor in bytes fits 32
- * bits, whatever budget the model has.
+ * Fails if count * width > 2^26, so that the size of an accessor in bytes fits
+ * 32 bits, whatever budget the model has.
  */
 static int check_size(const struct gltf_at *at, int64_t count, int width)
 {

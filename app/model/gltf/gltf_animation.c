@@ -17,10 +17,11 @@ struct sampler {
 struct animation_reader {
 	struct gltf_at samplers;
 	int sampler_count;
-	int number;        /* of this animation, from 1 */
-	int pointer_count; /* its channels that an extension points with */
-	int (*seen)[4];    /* [node_count][path]: the number of the last
-			      animation that has a channel for it */
+	int number;        /* number of this animation, from 1 */
+	int pointer_count; /* channels of KHR_animation_pointer in this
+			      animation */
+	int (*seen)[4];    /* [node_count][path]: number of the last animation
+			      that has such a channel */
 };
 
 static int read_path(const struct gltf_at *target, enum model_path *out)
@@ -73,7 +74,10 @@ static int check_times(const struct gltf_at *at, const float *time_s, int count)
 	return 0;
 }
 
-/* Many channels share an accessor of times, which is unpacked once. */
+/*
+ * Unpacks the key times. Many channels share an accessor of times, so it is
+ * unpacked only once.
+ */
 static int read_times(const struct gltf_at *sampler,
 	const struct gltf_accessor *input, const float **out)
 {
@@ -131,14 +135,14 @@ static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	return error;
 }
 
-/* Of the channel that is being read. */
+/* Returns the arena for the keys of the channel that is being read. */
 static struct arena *keys_arena(struct gltf *gltf)
 {
 	return gltf->all_keys ? &gltf->scratch
 			      : &gltf->key_arena[gltf->key_arena_count - 1];
 }
 
-/* Whether the file's numbers are those of model_channel.packed. */
+/* Whether the file stores the keys in the format of model_channel.packed. */
 static bool is_packed(
 	const struct gltf_accessor *output, const struct model_channel *channel)
 {
@@ -250,7 +254,10 @@ static int read_width(const struct gltf_at *target, const struct model *model,
 	return 0;
 }
 
-/* A moving node needs T R S, which cannot express the shear of a matrix. */
+/*
+ * A node that a channel moves is posed by translation, rotation and scale,
+ * which cannot express the shear of a matrix.
+ */
 static void drop_matrix(
 	const struct gltf_at *target, const struct model_channel *channel)
 {
@@ -300,7 +307,10 @@ static int read_target(const struct gltf_at *target,
 	return error;
 }
 
-/* A channel of KHR_animation_pointer may move anything but has no node. */
+/*
+ * Whether a channel belongs to KHR_animation_pointer. Such a channel may change
+ * any value but has no node.
+ */
 static bool has_pointer(const struct gltf_at *target)
 {
 	const char *path =
@@ -309,7 +319,10 @@ static bool has_pointer(const struct gltf_at *target)
 	return path && strcmp(path, "pointer") == 0;
 }
 
-/* A channel without a node belongs to an extension; it is skipped. */
+/*
+ * Reads a channel and sets *has_node. A channel without a node belongs to an
+ * extension and is skipped.
+ */
 static int read_channel(const struct gltf_at *at,
 	struct animation_reader *reader, struct model_channel *out,
 	bool *has_node)

@@ -21,7 +21,10 @@ struct chunk {
 	uint32_t type;
 };
 
-/* Reads the chunk at *offset <= length and advances *offset beyond it. */
+/*
+ * Reads the chunk at *offset, which is at most length, and advances *offset
+ * beyond it.
+ */
 static int next_chunk(
 	struct gltf *gltf, size_t length, size_t *offset, struct chunk *out)
 {
@@ -49,7 +52,10 @@ static int next_chunk(
 	return 0;
 }
 
-/* glTF 2.0, chapter 4: a JSON chunk, then optional chunks, BIN first. */
+/*
+ * Finds the chunks of a .glb (glTF 2.0, chapter 4): first the JSON chunk, then
+ * optional chunks, of which BIN comes first.
+ */
 static int open_glb(struct gltf *gltf, struct chunk *json)
 {
 	const struct model_source *source = gltf->source;
@@ -88,7 +94,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	return error;
 }
 
-/* An upper bound of the values in the text. */
+/* Returns an upper bound of the number of JSON values in the text. */
 static size_t count_values(const struct chunk *text)
 {
 	size_t count = 1;
@@ -223,7 +229,10 @@ int gltf_read_uri(const struct gltf_at *at, const char *uri,
 	return error;
 }
 
-/* Buffer 0 of a .glb may have no URI; it is then the BIN chunk. */
+/*
+ * Finds a buffer's bytes. Buffer 0 of a .glb may have no URI; then it is the
+ * BIN chunk.
+ */
 static int find_buffer(const struct gltf_at *at, struct gltf_buffer *out)
 {
 	struct gltf_at uri_at = gltf_member(at, "uri");

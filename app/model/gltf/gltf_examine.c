@@ -1,4 +1,7 @@
-/* Findings that only the file shows, because the loader normalises them. */
+/*
+ * Findings of limber doctor that only the file shows, because the loader
+ * normalises such things.
+ */
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
 
@@ -107,8 +110,9 @@ static void report_nodes(const struct examination *at)
 }
 
 /*
- * Counts vertices whose weights are all 0, and those with another sum than 1.
- * 0 or -ENOMEM.
+ * Adds the number of vertices whose weights are all 0 to *none, and the number
+ * of those whose weights have another sum than 1 to *unequal. Returns 0 or
+ * -ENOMEM.
  */
 static int count_weights(const struct examination *at, const json_t *attributes,
 	int *none, int *unequal)
@@ -144,7 +148,7 @@ static int count_weights(const struct examination *at, const json_t *attributes,
 	return 0;
 }
 
-/* 0 or -ENOMEM. */
+/* Returns 0 or -ENOMEM. */
 static int report_weights(const struct examination *at)
 {
 	size_t m, p;
@@ -154,7 +158,8 @@ static int report_weights(const struct examination *at)
 	json_array_foreach(member(at, "meshes"), m, mesh)
 	{
 		if (at->gltf->mesh_index[m] < 0) {
-			continue; /* a level shares its vertices */
+			continue; /* a level of detail, which shares its
+				     vertices */
 		}
 		json_array_foreach(
 			json_object_get(mesh, "primitives"), p, primitive)
@@ -174,7 +179,10 @@ static int report_weights(const struct examination *at)
 	return error;
 }
 
-/* MSFT_lod is read where it meets conditions of its own. */
+/*
+ * Whether limber ignores an extension. MSFT_lod is read if it meets the
+ * conditions in README.md.
+ */
 static bool is_ignored(const char *name)
 {
 	return !gltf_knows_extension(name) && strcmp(name, "MSFT_lod") != 0;
@@ -228,7 +236,10 @@ int gltf_examine(const struct model_source *source,
 		report_samplers(&at);
 		report_extensions(&at);
 	}
-	/* It gives memory back to the model's budget. */
+	/*
+	 * gltf_release() gives memory back to the model's budget, so it comes
+	 * before model_destroy().
+	 */
 	gltf_release(&gltf);
 	model_destroy(model);
 	return error;

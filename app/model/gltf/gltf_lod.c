@@ -5,20 +5,21 @@
 #include <math.h>
 
 enum {
-	LEVELS_MAX = 16 /* of a mesh */
+	LEVELS_MAX = 16 /* per mesh */
 };
 
 /* How often the file refers to each of its nodes and meshes. */
 struct references {
 	struct gltf *gltf;
 	const json_t *nodes, *meshes; /* arrays, or NULL */
-	int *node;     /* [node_count]; MSFT_lod does not count */
-	int *mesh;     /* [mesh_count]: nodes that have the mesh */
-	int *level;    /* [mesh_count]: those of them that are levels */
-	bool *refused; /* [mesh_count]: cannot be a level */
+	int *node;     /* [node_count]: references other than those of
+			MSFT_lod */
+	int *mesh;     /* [mesh_count]: number of nodes that have the mesh */
+	int *level;    /* [mesh_count]: how many of these nodes are levels */
+	bool *refused; /* [mesh_count]: the mesh cannot be a level */
 };
 
-/* The index that gltf_index() would read, or -1 where that would fail. */
+/* Returns the index that gltf_index() would read, or -1 if that would fail. */
 static int valid_index(const json_t *number, int count)
 {
 	double value = json_is_number(number) ? json_number_value(number) : -1.0;
@@ -50,7 +51,10 @@ static void count_references(
 	}
 }
 
-/* Counts the node, or nodes, in a member of each element of a root array. */
+/*
+ * Counts the node or the array of nodes in a member of each element of a root
+ * array.
+ */
 static void count_member_references(const struct references *references,
 	const char *array, const char *member)
 {
@@ -132,7 +136,7 @@ static bool members_equal(
 	return true;
 }
 
-/* Whether other is mesh with another list of indices. */
+/* Whether both meshes differ only in their lists of indices. */
 static bool have_same_vertices(const json_t *mesh, const json_t *other)
 {
 	static const char *const keys[] = {
@@ -163,7 +167,7 @@ static float positive(const json_t *number)
 	return value > 0.0 && value <= (double)FLT_MAX ? (float)value : 0.0f;
 }
 
-/* Reads how coarse a level is; false when the file does not state it. */
+/* Reads how coarse a level is. Returns false if the file does not state it. */
 static bool read_coarseness(const json_t *node, size_t level,
 	const json_t *other, struct gltf_level *out)
 {
@@ -177,7 +181,10 @@ static bool read_coarseness(const json_t *node, size_t level,
 	return out->error_m > 0.0f || out->coverage > 0.0f;
 }
 
-/* Whether the node with this number can be a level of node. */
+/*
+ * Whether the node with this number in the file can be a level of node, whose
+ * mesh is given too.
+ */
 static bool can_replace(const struct references *references, const json_t *node,
 	int number, int mesh)
 {
@@ -192,7 +199,10 @@ static bool can_replace(const struct references *references, const json_t *node,
 		members_equal(node, other, keys);
 }
 
-/* Examines each mesh once, even when several nodes have it. */
+/*
+ * Whether the node with this number is a level of node. Each mesh is compared
+ * only once, even if several nodes have it.
+ */
 static bool is_level(const struct references *references, const json_t *node,
 	size_t position, int number, int mesh)
 {
@@ -227,7 +237,9 @@ static void find_node_levels(
 	{
 		int number = valid_index(id, gltf->node_count);
 
-		/* A list of any length shall not be compared with the node. */
+		/*
+		 * This limits the time that a very long list of levels takes.
+		 */
 		if (i >= LEVELS_MAX) {
 			break;
 		}
@@ -253,7 +265,10 @@ static void add_level(struct gltf_level *levels, int level)
 	of->count++;
 }
 
-/* A mesh that a node draws on its own account is no level; nor is that node. */
+/*
+ * Accepts a mesh as a level only if all nodes with it are levels, and a node
+ * only if its mesh is accepted. Numbers the other meshes.
+ */
 static void accept_levels(const struct references *references)
 {
 	struct gltf *gltf = references->gltf;

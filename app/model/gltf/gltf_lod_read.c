@@ -5,8 +5,9 @@
 #include <math.h>
 
 /*
- * A screen coverage c corresponds to an error of side / 640 / sqrt(c): one
- * pixel when the mesh covers the fraction c of a screen of 640 x 640 pixels.
+ * A screen coverage c is converted to the error side / 640 / sqrt(c). This
+ * error is one pixel if the mesh covers the fraction c of a screen of 640 x 640
+ * pixels.
  */
 static const double coverage_px = 640.0;
 
@@ -46,7 +47,10 @@ static float error_of(
 		: (float)(side / coverage_px / sqrt((double)level->coverage));
 }
 
-/* Levels are sorted: the finest first, those for shadows last. */
+/*
+ * Returns the place of a level in the primitive's list: the finest first, those
+ * for shadows last.
+ */
 static int sorted_index(
 	const struct model_primitive *primitive, const struct model_lod *lod)
 {

@@ -7,8 +7,8 @@
 #include <string.h>
 
 /*
- * KHR_texture_transform: scale, then rotation, then offset. v runs down, so the
- * rotation is counter-clockwise in the image.
+ * Reads KHR_texture_transform: scale, then rotation, then offset. v runs down,
+ * so the rotation is counter-clockwise in the image.
  */
 static int read_uv_transform(const struct gltf_at *at, struct gltf_uv *out)
 {
@@ -41,7 +41,10 @@ static int read_uv_transform(const struct gltf_at *at, struct gltf_uv *out)
 	return 0;
 }
 
-/* A textureInfo: the texture and the transform of its coordinates. */
+/*
+ * Reads a textureInfo: the texture, -1 without one, and the transform of its
+ * coordinates.
+ */
 static int read_texture_info(const struct gltf_at *parent, const char *key,
 	int *texture, struct gltf_uv *uv)
 {
@@ -102,8 +105,9 @@ static bool is_same_uv(const struct gltf_uv *a, const struct gltf_uv *b)
 }
 
 /*
- * A vertex has one pair of coordinates: the base colour's, else the normal's,
- * else the emissive texture's.
+ * Reads the textures of base colour and normals. A vertex has one pair of
+ * texture coordinates: those of the base colour, else of the normal map, else
+ * of the emissive texture. A texture that needs others is dropped.
  */
 static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 	const char *base, struct model_material *out, struct gltf_uv *uv)
@@ -130,8 +134,9 @@ static int read_textures(const struct gltf_at *at, const struct gltf_at *pbr,
 }
 
 /*
- * The texture that shares the coordinates of those that were read before it,
- * or none. Without its texture a whole surface would shine.
+ * Reads the emissive texture if its coordinates are those of the textures that
+ * were read before. If it cannot be used, the material emits no light, since
+ * without the texture the whole surface would shine.
  */
 static int read_emissive_texture(const struct gltf_at *at,
 	struct model_material *out, struct gltf_uv *uv)
@@ -162,8 +167,8 @@ static int read_emissive_texture(const struct gltf_at *at,
 }
 
 /*
- * The light that a material emits, KHR_materials_emissive_strength included. GL
- * draws none that is brighter than white.
+ * Reads the light that a material emits, KHR_materials_emissive_strength
+ * included. GL cannot draw light brighter than white, so it is clamped to 1.
  */
 static int read_emission(const struct gltf_at *at,
 	const struct gltf_at *extensions, struct model_material *out,
@@ -191,8 +196,9 @@ static int read_emission(const struct gltf_at *at,
 }
 
 /*
- * KHR_materials_pbrSpecularGlossiness, which its files want preferred: its
- * diffuse colour becomes the base colour.
+ * Reads KHR_materials_pbrSpecularGlossiness, which the extension's
+ * specification wants preferred to pbrMetallicRoughness. Its diffuse colour
+ * becomes the base colour.
  */
 static int read_glossiness(const struct gltf_at *material,
 	const struct gltf_at *at, struct model_material *out, struct gltf_uv *uv)
@@ -256,7 +262,7 @@ static int read_material(const struct gltf_at *at)
 	return error ? error : read_emission(at, &extensions, out, uv);
 }
 
-/* One more than the file has, for the default material. */
+/* Allocates one material more than the file has, for the default material. */
 static int allocate(struct gltf *gltf, int material_count)
 {
 	struct model *model = gltf->model;

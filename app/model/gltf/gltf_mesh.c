@@ -17,7 +17,10 @@ static int keep_attribute(const struct gltf_at *at, const char *key,
 	return error;
 }
 
-/* Quantised normals and tangents are not exactly unit length. */
+/*
+ * Gives a direction unit length: quantised normals and tangents have it only
+ * about.
+ */
 static void normalize(float *direction)
 {
 	double x = direction[0];
@@ -86,7 +89,10 @@ static int read_texcoords(const struct gltf_at *at, struct model_primitive *out)
 	return 0;
 }
 
-/* Colours are 0..1, so integers count as normalised even when not marked so. */
+/*
+ * Reads colours. They are 0..1, so integers are treated as normalised even if
+ * the file does not mark them so.
+ */
 static int read_colors(const struct gltf_at *at, struct model_primitive *out)
 {
 	struct gltf_at member = gltf_member(at, "COLOR_0");
@@ -223,7 +229,7 @@ static int read_primitives(
 	return error;
 }
 
-/* Skips the meshes that are levels of detail. */
+/* Reads a mesh with its levels of detail; skips a mesh that is such a level. */
 static int read_mesh(const struct gltf_at *at)
 {
 	struct gltf *gltf = at->gltf;

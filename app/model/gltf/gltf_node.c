@@ -79,7 +79,7 @@ static int read_transform(const struct gltf_at *at, struct model_node *out)
 		     : gltf_normalize_rotation(&rotation, rest->rotation);
 }
 
-/* Skips the nodes that are levels of detail. */
+/* Reads a node, unless it is a level of detail. */
 static int read_node(const struct gltf_at *at)
 {
 	struct gltf *gltf = at->gltf;
@@ -235,8 +235,8 @@ static int mark_roots(struct gltf *gltf, const struct gltf_at *scene)
 }
 
 /*
- * Marks the nodes of the default scene, else of the first scene; without any
- * scene, all nodes.
+ * Marks the nodes of the default scene, or of the first scene if there is no
+ * default, or all nodes if there is no scene.
  */
 static int mark_scene(struct gltf *gltf)
 {
@@ -265,7 +265,10 @@ static int mark_scene(struct gltf *gltf)
 	return error;
 }
 
-/* A node's weights, else its mesh's, else 0 (glTF 2.0, 3.7.2.2). */
+/*
+ * Reads the weights of a node, else those of its mesh, else 0 (glTF 2.0,
+ * 3.7.2.2).
+ */
 static int read_node_weights(
 	const struct gltf_at *at, const struct model_node *node, float *out)
 {

@@ -43,7 +43,7 @@ static int read_joint_numbers(const struct gltf_at *at,
 	return 0;
 }
 
-/* Reads JOINTS_set and WEIGHTS_set, which the file has. */
+/* Reads JOINTS_set and WEIGHTS_set, both of which the file has. */
 static int read_set(
 	const struct gltf_at *attributes, int set, struct model_primitive *out)
 {
@@ -76,7 +76,7 @@ static int read_set(
 	return error;
 }
 
-/* The number of sets; JOINTS_n and WEIGHTS_n must come in pairs. */
+/* Counts the sets of influences. JOINTS_n and WEIGHTS_n must come in pairs. */
 static int count_sets(const struct gltf_at *attributes, int *out)
 {
 	char joints[32], weights[32];
@@ -221,7 +221,10 @@ static int read_skin(const struct gltf_at *at)
 	return error ? error : read_inverse_binds(at, out);
 }
 
-/* For each mesh: the skin with the fewest joints that draws it, or -1. */
+/*
+ * Finds for each mesh the skin with the fewest joints with which a node draws
+ * it, or -1.
+ */
 static void find_smallest_skins(const struct model *model, int *smallest)
 {
 	int i;

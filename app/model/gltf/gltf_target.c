@@ -4,7 +4,10 @@
 
 #include <errno.h>
 
-/* Integers stay integers, until all clips are read in scratch memory. */
+/*
+ * Packs deltas. Integers stay integers, and are kept in scratch memory until
+ * the clips have been read (gltf_keep_targets()).
+ */
 static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
 	const struct gltf_values *values, struct model_deltas *out)
 {
@@ -44,7 +47,10 @@ static int read_delta(const struct gltf_at *at, const char *key,
 	return error;
 }
 
-/* Ignores displacements of an attribute that the primitive lacks. */
+/*
+ * Reads a target. Displacements of an attribute that the primitive lacks are
+ * ignored.
+ */
 static int read_target(const struct gltf_at *at,
 	const struct model_primitive *primitive, struct model_target *out)
 {
@@ -88,7 +94,7 @@ int gltf_read_targets(const struct gltf_at *primitive,
 	return error;
 }
 
-/* Whether any node shows the mesh's targets as key frames, without a skin. */
+/* Whether any node without a skin uses the mesh's targets as key frames. */
 static bool is_shown_as_keys(const struct model *model, int mesh)
 {
 	for (int n = 0; n < model->node_count; n++) {
@@ -108,7 +114,10 @@ static int keep_deltas(struct model_deltas *deltas, struct arena *arena)
 		: model_deltas_copy(deltas, deltas, arena);
 }
 
-/* Moves integers from scratch memory to the model. */
+/*
+ * Moves deltas in integers from scratch memory to the model, as key frames if
+ * possible and as_keys is set.
+ */
 static int keep_targets(struct model *model, struct model_primitive *primitive,
 	int target_count, bool as_keys)
 {
@@ -149,8 +158,8 @@ int gltf_keep_targets(struct gltf *gltf)
 }
 
 /*
- * extras.targetNames is a convention, and extras.keyFrames limber's own, so a
- * malformed one is no error.
+ * Reads extras.targetNames, which is only a convention, and extras.keyFrames,
+ * which is limber's own. So it is no error if one is malformed.
  */
 static int read_names(const struct gltf_at *mesh, struct model_mesh *out)
 {

@@ -4,8 +4,8 @@
 #include <errno.h>
 
 enum {
-	NOT_READ = -2, /* no material has used it so far */
-	MISSING = -1,  /* limber cannot read it */
+	NOT_READ = -2, /* no material has used the texture or image so far */
+	MISSING = -1,  /* limber cannot read the texture's image */
 };
 
 enum {
@@ -153,7 +153,10 @@ static int use_image(struct gltf *gltf, int index, int *out)
 	return error;
 }
 
-/* A texture without a source has an image that only an extension defines. */
+/*
+ * Reads a texture. If it has no source, only an extension defines its image,
+ * and out->image becomes MISSING.
+ */
 static int read_texture(const struct gltf_at *at, struct model_texture *out)
 {
 	int source = -1;

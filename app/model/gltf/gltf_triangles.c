@@ -8,7 +8,10 @@ enum mode {
 	MODE_FAN = 6,
 };
 
-/* The positions in the list of the corners of triangle t (glTF 2.0, 3.7.2.1). */
+/*
+ * Sets corner[] to the positions, in the list of vertices, of the corners of
+ * triangle t (glTF 2.0, 3.7.2.1).
+ */
 static void triangle_corners(enum mode mode, int t, int corner[3])
 {
 	switch (mode) {
@@ -30,7 +33,10 @@ static void triangle_corners(enum mode mode, int t, int corner[3])
 	}
 }
 
-/* Drops the degenerate triangles that join strips. */
+/*
+ * Builds the triangle list. Of strips and fans it drops the degenerate
+ * triangles.
+ */
 static int build_triangles(const struct gltf_at *at, enum mode mode,
 	const uint32_t *list, int count, uint32_t **index, int *index_count)
 {

@@ -43,7 +43,10 @@ uint32_t gltf_get_uint(const struct gltf_elements *elements, int index)
 	return get_uint(element_at(elements, index), elements->component);
 }
 
-/* glTF 2.0, 3.6.2.2: normalised, both -128 and -127 are -1. */
+/*
+ * Reads a component as a float. Of normalised bytes, both -128 and -127 become
+ * -1 (glTF 2.0, 3.6.2.2), likewise of shorts.
+ */
 static float get_float(
 	const uint8_t *bytes, enum gltf_component component, bool normalized)
 {
@@ -83,8 +86,9 @@ static float get_float(
 }
 
 /*
- * Treats the columns of a matrix as adjacent. With small components they are
- * padded, but the loader reads no matrices other than MAT4 of floats.
+ * Unpacks an element. Columns of a matrix are treated as adjacent. With small
+ * components they are padded, but the loader reads no matrices other than MAT4
+ * of floats.
  */
 static void unpack_floats(const struct gltf_elements *elements, int index,
 	const struct gltf_accessor *accessor, float *out)

@@ -9,15 +9,18 @@
 /* Whether a URI begins with "data:" in upper or lower case. */
 bool uri_is_data(const char *uri);
 
-/* The text behind ";base64," in a data URI, or NULL without that. */
+/*
+ * Returns the text behind ";base64," in a data URI, or NULL if it has no such
+ * part.
+ */
 const char *uri_data_base64(const char *uri);
 
 /* Whether a URI begins with a scheme ("http:", "file:"). */
 bool uri_has_scheme(const char *uri);
 
 /*
- * Decodes percent escapes into out, which holds strlen(uri) + 1 bytes. 0, or
- * -EINVAL for a malformed escape and for %00.
+ * Decodes percent escapes into out, which has room for strlen(uri) + 1 bytes.
+ * Returns 0, or -EINVAL for a malformed escape and for %00.
  */
 int uri_unescape(const char *uri, char *out);
 

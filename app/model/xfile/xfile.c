@@ -9,7 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The header: "xof ", version, format, size of a float; four bytes each. */
+/*
+ * The header has four fields of four bytes: "xof ", version, format, bits of a
+ * float.
+ */
 static const char magic[] = "xof ";
 
 struct header {
@@ -47,7 +50,10 @@ static bool read_format(const uint8_t *format, struct header *out)
 	return false;
 }
 
-/* Copies four bytes; those that cannot be printed become "?". */
+/*
+ * Copies four bytes to buffer and returns it; bytes that cannot be printed
+ * become "?".
+ */
 static const char *printable(const uint8_t *text, char buffer[5])
 {
 	for (int i = 0; i < 4; i++) {
@@ -146,7 +152,7 @@ static int load_body(const struct model_source *source,
 	return error;
 }
 
-/* Reads what follows the header, which may be compressed. */
+/* Reads the body, which may be compressed. */
 static int load_rest(const struct model_source *source,
 	const struct header *header, const struct log *log, struct model *model)
 {

@@ -2,10 +2,10 @@
  * The loader of DirectX .x files: text and binary, plain and compressed, with
  * 32-bit and 64-bit floats, versions 03.02 and 03.03.
  *
- * A Frame becomes a node, a Mesh one primitive for each material, SkinWeights
- * a skin, an AnimationSet a clip. The file is left-handed with row vectors, so
+ * A Frame becomes a node, a Mesh one primitive for each material, SkinWeights a
+ * skin, an AnimationSet a clip. The file is left-handed with row vectors, so
  * the loader negates z and transposes matrices (xfile_convert.h). Type names
- * match in upper and lower case. Templates and unknown objects are skipped.
+ * match in upper or lower case. Templates and unknown objects are skipped.
  *
  *	xfile.c            reads the header and runs the steps below
  *	xfile_inflate.c    compressed body -> plain body

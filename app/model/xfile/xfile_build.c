@@ -100,7 +100,10 @@ static int list_instances(struct xfile_build *build)
 	return 0;
 }
 
-/* The first mesh of a frame belongs to the frame's own node. */
+/*
+ * Numbers the nodes. The first mesh of a frame is drawn by the frame's own
+ * node.
+ */
 static int number_nodes(struct xfile_build *build, int *parent)
 {
 	const struct xfile_frame *frame = build->scene->frames;
@@ -175,7 +178,10 @@ static int make_nodes(struct xfile_build *build)
 	return error ? error : order_nodes(build, parent);
 }
 
-/* Runs after the clips, because a node that a clip moves keeps no matrix. */
+/*
+ * Sets a frame's name and transform. This runs after the clips, because a node
+ * that a clip moves keeps no matrix.
+ */
 static int fill_frame(struct xfile_build *build,
 	const struct xfile_frame *frame, int node_index)
 {

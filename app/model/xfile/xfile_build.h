@@ -11,15 +11,16 @@
 
 /* A node that draws a mesh. */
 struct xfile_instance {
-	int mesh;  /* its number in the file */
-	int frame; /* or -1 */
-	int node;  /* its number in the numbering below */
+	int mesh;  /* index in xfile_build.mesh */
+	int frame; /* index of the frame with the mesh, or -1 */
+	int node;  /* number of the node, as struct xfile_build defines it */
 };
 
 /*
- * Nodes are numbered in this order: all frames, then the instances that are not
- * the first in their frame or have no frame. node_index[] maps these numbers to
- * the model's node indices.
+ * The state of xfile_build(). Nodes are numbered in this order: all frames,
+ * then all instances that need a node of their own, since they are not the
+ * first in their frame or have no frame. node_index[] maps these numbers to the
+ * model's node indices.
  */
 struct xfile_build {
 	const struct model_source *source;   /* for files beside the model */
@@ -37,15 +38,19 @@ struct xfile_build {
 	int instance_count;
 	struct xfile_instance *instance;
 	int *node_index;
-	int *mesh_index; /* [scene->mesh_count]: in the model, or -1 */
-	int *mesh_skin;  /* [scene->mesh_count], or -1 */
-	int *mesh_node;  /* [scene->mesh_count]: node of the first instance */
-	bool *moved;     /* [model->node_count]: a clip moves the node */
+	int *mesh_index; /* [scene->mesh_count]: index in the model; set if the
+			    mesh has an instance */
+	int *mesh_skin;  /* [scene->mesh_count]: index of the skin in the model,
+			    or -1 */
+	int *mesh_node;  /* [scene->mesh_count]: the model's node of the first
+			    instance, or -1 */
+	bool *moved;     /* [model->node_count]: whether a clip moves the
+			  node */
 };
 
 /*
- * Joints and weights of a mesh's vertices, the largest weights first. width is
- * the number of influences, 0 without a skin.
+ * Joints and weights of a mesh's vertices, [vertex_count], the largest weights
+ * first. width is the number of influences per vertex, 0 without a skin.
  */
 struct xfile_influences {
 	int width; /* 0, 4 or 8 */
@@ -53,17 +58,18 @@ struct xfile_influences {
 	float (*weight)[8];
 };
 
-/* Fills an empty model. 0, or -errno after an error. */
+/* Fills an empty model. Returns 0, or -errno after an error on the log. */
 int xfile_build(struct xfile_build *build);
 
-/* The steps of xfile_build(), in the order in which they run. */
+/* Steps of xfile_build(), in the order in which they run. */
 int xfile_build_materials(struct xfile_build *build);
 int xfile_build_meshes(struct xfile_build *build);
 int xfile_build_clips(struct xfile_build *build);
 
 /*
- * Adds the skin of a mesh to the model and fills *out. A bone without a frame,
- * and vertices without a bone, follow the mesh's own node.
+ * Adds the skin of a mesh to the model and fills *out; a mesh without bones
+ * gets no skin. Bones without a frame, and vertices without a bone, follow the
+ * mesh's own node.
  */
 int xfile_build_skin(struct xfile_build *build, const struct xfile_mesh *mesh,
 	int mesh_index, struct xfile_influences *out);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The time of a key; keys may be out of order in the file. */
+/* A key's time and its number in the file, where keys may be out of order. */
 struct key_time {
 	float time_s;
 	uint32_t index;
@@ -56,7 +56,10 @@ static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
 	return 0;
 }
 
-/* Adds a channel and returns its values, or NULL when there is no memory. */
+/*
+ * Adds a channel and returns its array of values, which the caller fills in;
+ * NULL if there is not enough memory.
+ */
 static float *add_channel(struct xfile_build *build, struct model_clip *clip,
 	int node, enum model_path path, const float *time_s, int count)
 {
@@ -165,7 +168,7 @@ static int add_keys(struct xfile_build *build, struct model_clip *clip,
 		: add_values(build, clip, node, keys, key_time, time_s, count);
 }
 
-/* The node that an animation moves, or -1 after a warning. */
+/* Returns the model's node that an animation moves, or -1 after a warning. */
 static int find_node(
 	struct xfile_build *build, const struct xfile_animation *animation)
 {
@@ -186,7 +189,10 @@ static int find_node(
 	return build->node_index[frame];
 }
 
-/* A matrix becomes three channels. */
+/*
+ * Returns an upper bound of a clip's channels. Matrix keys become three
+ * channels.
+ */
 static size_t count_channels(const struct xfile_set *set)
 {
 	const struct xfile_animation *animation = set->animations;

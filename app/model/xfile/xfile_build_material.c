@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A texture file; each is read once, even when several materials use it. */
+/* A texture file. Each is read once, even if several materials use it. */
 struct texture {
 	const char *file; /* as the model file spells it */
 	int texture;      /* index in the model; -1: limber cannot read it */
@@ -21,8 +21,8 @@ struct textures {
 };
 
 /*
- * A model may refer to any number of files that are not images. After this many
- * bytes of such files, limber reads no further textures.
+ * A model may refer to any number of files that are not images. After so many
+ * bytes of such files, limber reads no more textures.
  */
 enum {
 	UNUSABLE_BYTES_MAX = 64 * 1024 * 1024
@@ -37,9 +37,10 @@ static void write_warning(void *user, enum log_level level, const char *sentence
 }
 
 /*
- * Turns the path of a texture into one below the model's folder. Exporters
- * write single or doubled backslashes and absolute paths of their own machine;
- * of a path that leads outside the folder, the file name remains.
+ * Converts the path of a texture to one below the model's folder. Exporters
+ * write single or doubled backslashes and absolute paths of their own machine.
+ * If the path leads outside the folder, only the file name is kept. Returns
+ * NULL without memory.
  */
 static char *clean_file_name(struct arena *arena, const char *written)
 {
@@ -98,7 +99,10 @@ static int read_image(struct xfile_build *build, struct textures *textures,
 	return error;
 }
 
-/* Fails only without memory. *out is -1 when the texture cannot be read. */
+/*
+ * Reads a texture into the model. Returns an error only without memory. *out is
+ * -1 if the texture cannot be read.
+ */
 static int add_texture(struct xfile_build *build, struct textures *textures,
 	const struct xfile_material *material, int *out)
 {
@@ -156,8 +160,9 @@ static int find_texture(struct xfile_build *build, struct textures *textures,
 }
 
 /*
- * A Blinn-Phong exponent p corresponds to the GGX alpha sqrt(2 / (p + 2)),
- * which is the square of the roughness. Without a highlight the roughness is 1.
+ * Returns the roughness. A Blinn-Phong exponent p corresponds to the GGX alpha
+ * sqrt(2 / (p + 2)), which is the square of the roughness. Without a highlight,
+ * the roughness is 1.
  */
 static float to_roughness(const struct xfile_material *material)
 {
@@ -224,7 +229,7 @@ int xfile_build_materials(struct xfile_build *build)
 		error = fill_material(
 			build, &textures, from, &model->material[from->index]);
 	}
-	/* The default material, counted when a face needs it. */
+	/* The default material comes last; it counts once a face needs it. */
 	model->material[count] = model_plain_material;
 	model->material_count = (int)count;
 	return error;

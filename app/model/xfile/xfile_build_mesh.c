@@ -14,19 +14,21 @@ struct corner {
 	uint32_t material;
 	uint32_t position;
 	uint32_t normal;
-	uint32_t order; /* its number in the mesh */
+	uint32_t order; /* its index in xfile_faces.corner */
 };
 
 struct mesh_builder {
 	struct xfile_build *build;
 	const struct xfile_mesh *from;
 	struct xfile_influences influences;
-	uint32_t *slot_material; /* [slot_count]: the model's index */
+	uint32_t *slot_material; /* [slot_count]: index of the material in the
+				    model */
 	uint32_t slot_count;
-	struct corner *corner; /* sorted */
+	struct corner *corner; /* [corner_count], sorted by material, position,
+				  normal */
 	size_t corner_count;
-	uint32_t *vertex_of; /* corner -> vertex within its primitive */
-	int *primitive_of;   /* corner -> primitive */
+	uint32_t *vertex_of; /* [corner.order]: vertex within its primitive */
+	int *primitive_of;   /* [corner.order]: primitive */
 	struct model_mesh *mesh;
 };
 
@@ -109,7 +111,10 @@ static int compare_corners(const void *a, const void *b)
 	return order ? order : compare_numbers(left->order, right->order);
 }
 
-/* Ignores faces with fewer than three corners. */
+/*
+ * Lists and sorts the corners of all faces, except faces with fewer than three
+ * corners.
+ */
 static int sort_corners(struct mesh_builder *builder)
 {
 	const struct xfile_mesh *from = builder->from;
@@ -292,7 +297,10 @@ static void fill_vertices(struct mesh_builder *builder)
 	}
 }
 
-/* Reverses the corners, because negating z reverses the winding. */
+/*
+ * Writes the triangles of all faces, as fans. Corners are reversed, because
+ * negating z reverses the winding.
+ */
 static void fill_triangles(struct mesh_builder *builder)
 {
 	const struct xfile_faces *faces = &builder->from->faces;
@@ -319,7 +327,10 @@ static void fill_triangles(struct mesh_builder *builder)
 	}
 }
 
-/* No overflow: read_faces() limits the corners to INT_MAX / 3. */
+/*
+ * Counts the indices of each primitive. This cannot overflow, since
+ * read_faces() limits the corners to INT_MAX / 3.
+ */
 static void count_triangles(struct mesh_builder *builder)
 {
 	const struct xfile_faces *faces = &builder->from->faces;

@@ -9,7 +9,10 @@ enum {
 	JOINTS_MAX = 65535,
 };
 
-/* Inserts an influence by weight; returns whether it drops the smallest. */
+/*
+ * Inserts an influence in order of weight. Returns whether one was dropped,
+ * which is the smallest.
+ */
 static bool insert(
 	uint16_t *joint, float *weight, uint16_t new_joint, float new_weight)
 {
@@ -52,7 +55,10 @@ static void gather_influences(struct xfile_build *build,
 	}
 }
 
-/* Attaches vertices without a bone to joint; returns whether there are any. */
+/*
+ * Attaches vertices without a bone to the given joint and sets out->width.
+ * Returns whether there are such vertices.
+ */
 static bool bind_unweighted(const struct xfile_mesh *mesh, uint16_t joint,
 	struct xfile_influences *out)
 {

@@ -15,7 +15,10 @@ void xfile_convert_vector(const float in[3], float out[3])
 	out[2] = 0.0f - in[2];
 }
 
-/* The transpose of a row-major matrix is column-major in the same order. */
+/*
+ * The transpose is free: a row-major matrix has its elements in the order of
+ * its column-major transpose.
+ */
 void xfile_convert_matrix(const float in[16], mat4 out)
 {
 	for (int column = 0; column < 4; column++) {
@@ -43,8 +46,9 @@ void xfile_convert_rotation(const float wxyz[4], float out[4])
 }
 
 /*
- * Exporters write six decimals. With a small scale, their rounding errors must
- * not count as shear.
+ * Whether a transform equals a matrix to 1e-4 of its largest scale. Exporters
+ * write six decimals, and with a small scale their rounding errors must not
+ * count as shear.
  */
 static bool is_near(const mat4 matrix, const struct transform *transform)
 {

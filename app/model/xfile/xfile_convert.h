@@ -9,28 +9,33 @@
  *	matrices               Z transpose(M) Z
  *	triangles              corners in reverse order, because Z mirrors
  *
- * A rotation about the axis (x, y, z) becomes one by the same angle about
- * (-x, -y, z). Rotation keys hold w x y z of the conjugate quaternion: that of
- * D3DXMatrixRotationY(a) has y = -sin(a / 2). Together, w x y z of the file
- * becomes (x, y, -z, w) of the model.
+ * So a rotation about the axis (x, y, z) becomes one by the same angle about
+ * (-x, -y, z). Rotation keys hold w x y z of the conjugate quaternion: the key
+ * for D3DXMatrixRotationY(a) has y = -sin(a / 2). Both together, w x y z of the
+ * file becomes (x, y, -z, w) of the model.
  */
 #ifndef APP_MODEL_XFILE_XFILE_CONVERT_H
 #define APP_MODEL_XFILE_XFILE_CONVERT_H
 
 #include "app/model/model.h"
 
-/* A point, normal or translation. out may equal in. */
+/* Converts a point, normal or translation. out may be in. */
 void xfile_convert_vector(const float in[3], float out[3]);
 
-/* A row-major matrix of the file; its last column is taken as 0 0 0 1. */
+/*
+ * Converts a row-major matrix of the file. Its last column is taken as 0 0 0 1.
+ */
 void xfile_convert_matrix(const float in[16], mat4 out);
 
-/* A rotation key. The result has unit length; a key of 0 is the identity. */
+/*
+ * Converts a rotation key. The result has unit length; a key of 0 becomes the
+ * identity.
+ */
 void xfile_convert_rotation(const float wxyz[4], float out[4]);
 
 /*
  * Like transform_decompose(), with a tolerance for the six decimals of text
- * files: true when T R S equals the matrix to 1e-4 of its largest scale.
+ * files: returns true if T R S equals the matrix to 1e-4 of its largest scale.
  */
 bool xfile_decompose(const mat4 matrix, struct transform *out);
 

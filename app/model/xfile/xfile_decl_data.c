@@ -83,7 +83,10 @@ static int read_words(
 	return error;
 }
 
-/* Copies width floats of each vertex; words points to those of the first. */
+/*
+ * Copies width floats of each vertex. words points to those of the first
+ * vertex, stride is the words of a vertex.
+ */
 static int take_floats(struct xfile_reader *reader,
 	const struct xfile_mesh *mesh, const uint32_t *words, uint64_t stride,
 	int width, float **out)
@@ -133,7 +136,10 @@ static int take_colors(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	return 0;
 }
 
-/* MeshNormals, MeshTextureCoords and MeshVertexColors take precedence. */
+/*
+ * Copies the attributes that the layout has, unless MeshNormals,
+ * MeshTextureCoords and MeshVertexColors have them: these take precedence.
+ */
 static int take_layout(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	const struct layout *layout, const uint32_t *words)
 {

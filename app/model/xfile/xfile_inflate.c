@@ -8,14 +8,14 @@
 #include <zlib.h>
 
 enum {
-	BLOCK_BYTES = 32 * 1024, /* decompressed, at most */
+	BLOCK_BYTES = 32 * 1024, /* the most that a block has decompressed */
 	HISTORY_BYTES = 32 * 1024,
 	BLOCK_HEADER_BYTES = 6,
 };
 
 struct inflater {
 	const struct xfile_context *context;
-	const uint8_t *begin; /* of the compressed data, behind the header */
+	const uint8_t *begin; /* the compressed data, behind the header */
 	const uint8_t *at;
 	const uint8_t *end;
 	z_stream stream;
@@ -25,7 +25,7 @@ struct inflater {
 	size_t expected; /* bytes of the decompressed body */
 };
 
-/* Logs the offset in the compressed file. */
+/* Logs an error with the offset in the compressed file; returns -EINVAL. */
 static int fail_packed(const struct inflater *inflater, const char *reason)
 {
 	log_error(inflater->context->log, "%s: byte %zu: %s",
@@ -84,7 +84,7 @@ static bool inflate_block(
 	return inflate(stream, Z_FINISH) == Z_STREAM_END && !stream->avail_out;
 }
 
-/* Decompresses one block; at is behind its header. */
+/* Decompresses one block; inflater->at is behind the block's header. */
 static int unpack_block(
 	struct inflater *inflater, size_t packed_bytes, size_t bytes)
 {

@@ -10,8 +10,8 @@ struct index_list {
 };
 
 /*
- * Reserves memory for more items. Arrays that are replaced stay in the arena;
- * in total they are no larger than the final one.
+ * Makes room for `more` items. Arrays that are replaced stay in the arena;
+ * together they are no larger than the last one.
  */
 static int grow(
 	struct index_list *list, struct xfile_reader *reader, size_t more)
@@ -69,7 +69,10 @@ static int read_face(struct xfile_reader *reader, const char *kind,
 	return error;
 }
 
-/* Reads faces whose indices are below limit. */
+/*
+ * Reads faces. Their indices must be below limit; kind names in messages what
+ * they number.
+ */
 static int read_faces(struct xfile_reader *reader, const char *kind,
 	uint32_t limit, struct xfile_faces *out)
 {
@@ -265,7 +268,10 @@ static const struct xfile_grammar slot_grammar = {
 	.reference = refer_to_material,
 };
 
-/* Faces beyond the list get the material of the last listed face. */
+/*
+ * Reads each face's material. Faces beyond the list get the material of the
+ * last listed face.
+ */
 static int read_face_slots(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	uint32_t slots, uint32_t listed)
 {

@@ -4,9 +4,10 @@
 #include <string.h>
 
 /*
- * A node tells names apart by their byte at index byte, of which mask has all
- * bits set but one. A child is the number of a node, or -1 - the number of a
- * name. Bytes and bits grow towards the leaves.
+ * A node tells names apart by one bit of their byte at index `byte`: the only
+ * bit that is not set in mask. A child is the index of a node, or -1 - the
+ * index of a name in named[]. byte, and then mask, increases from the root to
+ * the leaves.
  */
 struct xfile_name_node {
 	size_t byte;
@@ -29,13 +30,13 @@ int xfile_names_init(
 	return names->named && names->node ? 0 : -ENOMEM;
 }
 
-/* 1 if the bit that mask leaves out is set in byte, else 0. */
+/* Returns 1 if the bit that is not set in mask is set in byte, else 0. */
 static int side(uint8_t mask, uint8_t byte)
 {
 	return (1 + (mask | byte)) >> 8;
 }
 
-/* The child of the node that a name of that length belongs to. */
+/* Returns which child of the node, 0 or 1, a name of that length belongs to. */
 static int choose(
 	const struct xfile_name_node *node, const char *name, size_t length)
 {
@@ -43,7 +44,10 @@ static int choose(
 		node->byte < length ? (uint8_t)name[node->byte] : 0);
 }
 
-/* The only name that can be equal; there is at least one. */
+/*
+ * Returns the only name of the map that can be equal. The map must not be
+ * empty.
+ */
 static const struct xfile_named *look_up(
 	const struct xfile_names *names, const char *name, size_t length)
 {
@@ -57,7 +61,9 @@ static const struct xfile_named *look_up(
 	return &names->named[-1 - at];
 }
 
-/* All bits but the highest one in which two different bytes differ. */
+/*
+ * Returns a byte with all bits set but the highest one in which a and b differ.
+ */
 static uint8_t mask_of(uint8_t a, uint8_t b)
 {
 	uint8_t bits = a ^ b;
@@ -68,7 +74,10 @@ static uint8_t mask_of(uint8_t a, uint8_t b)
 	return (uint8_t) ~(bits & ~(bits >> 1));
 }
 
-/* Adds a leaf that differs from the tree's closest name at that byte. */
+/*
+ * Adds a leaf for a name, which differs from the tree's closest name first at
+ * `byte`.
+ */
 static void insert(struct xfile_names *names, const char *name, size_t length,
 	const char *closest, size_t byte)
 {

@@ -47,7 +47,7 @@ int xfile_no_memory(const struct xfile_context *context)
 	return memory_budget_fail(context->budget, context->path, context->log);
 }
 
-/* Drops the next token and scans the one after it. */
+/* Replaces the token by the next one. */
 static int advance(struct xfile_reader *reader)
 {
 	return reader->scan(reader, &reader->token);
@@ -76,7 +76,7 @@ static char *copy_text(struct xfile_reader *reader)
 	return text;
 }
 
-/* Describes a token for messages. */
+/* Returns a clause about a token, for messages. */
 static const char *describe(const struct xfile_token *token, char buffer[48])
 {
 	static const char *const other[] = {
@@ -199,7 +199,9 @@ static size_t utf8_length(const unsigned char *text)
 			return 0;
 		}
 	}
-	/* Overlong forms, surrogates, and code points beyond U+10FFFF. */
+	/*
+	 * Refuses overlong forms, surrogates, and code points beyond U+10FFFF.
+	 */
 	if ((text[0] == 0xe0 && text[1] < 0xa0) ||
 		(text[0] == 0xed && text[1] > 0x9f) ||
 		(text[0] == 0xf0 && text[1] < 0x90) ||
@@ -253,7 +255,10 @@ int xfile_read_name(
 	return *out ? 0 : xfile_no_memory(&reader->context);
 }
 
-/* An upper bound: in text, a number takes a digit and a separator. */
+/*
+ * Returns an upper bound of the numbers in the rest of the file. In text, a
+ * number takes at least a digit and a separator.
+ */
 static size_t numbers_left(const struct xfile_reader *reader)
 {
 	size_t bytes = (size_t)(reader->end - reader->at);

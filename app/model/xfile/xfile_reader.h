@@ -3,8 +3,8 @@
  *
  * A reader always holds the next token. Text and binary files have a scan
  * function each, and share the rest. Scanning drops separators, because the
- * types of the data objects already imply them. The reader's scratch arena owns
- * all results.
+ * type of a data object already says how many values follow. The reader's
+ * scratch arena owns all results.
  */
 #ifndef APP_MODEL_XFILE_XFILE_READER_H
 #define APP_MODEL_XFILE_XFILE_READER_H
@@ -22,13 +22,16 @@ enum {
 	XFILE_MAX_DEPTH = 512, /* nesting of data objects */
 };
 
-/* The file, for messages. A location is a line or a byte offset. */
+/*
+ * What messages need to know of the file. A location is a line in text files
+ * and an offset in bytes in binary files.
+ */
 struct xfile_context {
 	const char *path;
 	const struct log *log;
 	struct memory_budget *budget; /* the model's */
 	bool binary;
-	bool unpacked; /* locations count in the decompressed data */
+	bool unpacked; /* whether locations refer to decompressed data */
 };
 
 enum xfile_token_kind {
@@ -54,24 +57,28 @@ struct xfile_reader {
 	struct xfile_context context;
 	struct arena *scratch;
 	int (*scan)(struct xfile_reader *reader, struct xfile_token *token);
-	const uint8_t *body; /* what follows the header */
+	const uint8_t *body; /* the bytes behind the header */
 	const uint8_t *at;
 	const uint8_t *end;
-	size_t line;        /* text: the line of at, counted from 1 */
+	size_t line;        /* text: line number of at, from 1 */
 	int float_bytes;    /* binary: 4 or 8 */
-	uint32_t list_left; /* binary: elements of a list still to scan */
+	uint32_t list_left; /* binary: elements of the present list that are not
+			       scanned yet */
 	bool list_float;
 	int depth;
-	struct xfile_token token; /* the next */
+	struct xfile_token token; /* the next token */
 };
 
-/* Begins with the body of a file and scans its first token. 0 or -errno. */
+/*
+ * Begins with the body of a file and scans its first token. Returns 0, or
+ * -EINVAL after an error on the log.
+ */
 int xfile_reader_begin(
 	struct xfile_reader *reader, const uint8_t *body, size_t size);
 
 /*
- * Scan the token at reader->at. 0, or -EINVAL after an error. At the end of the
- * data the token is XFILE_END.
+ * Scan the token at reader->at. Return 0, or -EINVAL after an error on the log.
+ * At the end of the data the token is XFILE_END.
  */
 int xfile_scan_text(struct xfile_reader *reader, struct xfile_token *token);
 int xfile_scan_binary(struct xfile_reader *reader, struct xfile_token *token);
@@ -89,7 +96,8 @@ int xfile_no_memory(const struct xfile_context *context);
 
 /*
  * Read members of a data object. what names the member in messages ("the vertex
- * count"). Floats are finite.
+ * count"). Return 0, or -errno after an error on the log. Floats are finite and
+ * at most MODEL_NUMBER_MAX.
  */
 int xfile_read_integer(
 	struct xfile_reader *reader, const char *what, uint32_t *out);
@@ -98,7 +106,7 @@ int xfile_read_floats(struct xfile_reader *reader, const char *what,
 int xfile_read_double(
 	struct xfile_reader *reader, const char *what, double *out);
 
-/* Reads a string or word; the bytes stay as they are. */
+/* Reads a string or word. Its bytes are copied as they are. */
 int xfile_read_string(
 	struct xfile_reader *reader, const char *what, const char **out);
 
@@ -107,27 +115,29 @@ int xfile_read_name(
 	struct xfile_reader *reader, const char *what, const char **out);
 
 /*
- * A copy in valid UTF-8: bytes that are not UTF-8 are taken as Latin-1, control
- * characters become spaces. NULL when there is not enough memory.
+ * Returns a copy in valid UTF-8: bytes that are not UTF-8 are taken as Latin-1,
+ * control characters become spaces. Returns NULL if there is not enough memory.
  */
 char *xfile_clean_name(struct arena *arena, const char *text);
 
 /*
- * Reads a count of elements of at least numbers numbers each. Fails when the
- * rest of the file is too short for them, which bounds the memory they take.
+ * Reads a count of elements, each of which has at least `numbers` numbers in
+ * the file. Fails if the rest of the file is too short for them. This bounds
+ * the memory that the caller allocates.
  */
 int xfile_read_count(struct xfile_reader *reader, const char *what,
 	size_t numbers, uint32_t *out);
 
-/* Reads a count and that many vectors of width floats. */
+/* Reads a count and so many vectors of width floats, [*count][width]. */
 int xfile_read_vectors(struct xfile_reader *reader, const char *what, int width,
 	uint32_t *count, float **out);
 
 struct xfile_scope;
 
 /*
- * A type of data object and its parser. parse() begins behind the opening brace
- * and ends behind the closing brace.
+ * A type of data object and its parser. parse() is called behind the opening
+ * brace and reads up to and including the closing brace. name is "" if the
+ * object has none.
  */
 struct xfile_kind {
 	const char *type;
@@ -135,17 +145,23 @@ struct xfile_kind {
 		const struct xfile_scope *scope, const char *name);
 };
 
-/* What a data object may contain. */
+/*
+ * Which data objects and references a data object may contain; others are
+ * skipped.
+ */
 struct xfile_grammar {
 	const struct xfile_kind *kinds; /* ends with a NULL type */
 
-	/* Handles a reference { NAME }; NULL ignores references. */
+	/* Handles a reference { NAME }. NULL: references are ignored. */
 	int (*reference)(struct xfile_reader *reader,
 		const struct xfile_scope *scope, const char *name,
 		size_t location);
 };
 
-/* Reads data objects and references up to the parent's closing brace. */
+/*
+ * Reads data objects and references up to and including the parent's closing
+ * brace.
+ */
 int xfile_read_children(struct xfile_reader *reader,
 	const struct xfile_grammar *grammar, const struct xfile_scope *scope);
 

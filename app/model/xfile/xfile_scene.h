@@ -11,7 +11,7 @@
 struct xfile_frame {
 	struct xfile_frame *next; /* in the file's order: parents first */
 	const char *name;
-	int parent; /* index in that order, or -1 */
+	int parent; /* index of the parent in this order, or -1 */
 	float matrix[16];
 	struct xfile_reference *references, *last_reference;
 };
@@ -26,7 +26,7 @@ struct xfile_reference {
 struct xfile_material {
 	struct xfile_material *next;
 	const char *name;
-	int index; /* in the file's order */
+	int index; /* number in the file's order, from 0 */
 	float color[4];
 	float power;
 	float specular[3];
@@ -35,10 +35,13 @@ struct xfile_material {
 	size_t texture_location;
 };
 
-/* One of a mesh's materials: defined in the mesh, or referred to by name. */
+/*
+ * One of a mesh's materials, which is defined in the mesh or referred to by
+ * name.
+ */
 struct xfile_slot {
 	struct xfile_slot *next;
-	const struct xfile_material *material; /* or NULL */
+	const struct xfile_material *material; /* NULL: only the name is known */
 	const char *name;
 	size_t location;
 };
@@ -70,18 +73,21 @@ struct xfile_mesh {
 	struct xfile_faces faces;
 	uint32_t normal_count;
 	float (*normal)[3];              /* or NULL */
-	struct xfile_faces normal_faces; /* if normal; same shape as faces */
+	struct xfile_faces normal_faces; /* if normal is set: indices of
+					    normals, with as many corners as
+					    faces */
 	float (*declared_normal)[3];     /* [vertex_count] or NULL */
 	float (*texcoord)[2];            /* [vertex_count] or NULL */
 	float (*color)[4];               /* [vertex_count] or NULL */
-	uint32_t *face_slot;             /* [faces.count] or NULL */
+	uint32_t *face_slot;             /* [faces.count] or NULL: index of each
+					    face's slot */
 	struct xfile_slot *slots, *last_slot;
 	struct xfile_bone *bones, *last_bone;
 	uint32_t bone_count;
 };
 
 enum xfile_key_type {
-	XFILE_KEY_ROTATION, /* w x y z */
+	XFILE_KEY_ROTATION, /* w x y z of a quaternion */
 	XFILE_KEY_SCALE,
 	XFILE_KEY_POSITION,
 	XFILE_KEY_MATRIX,
@@ -98,7 +104,7 @@ struct xfile_keys {
 
 struct xfile_animation {
 	struct xfile_animation *next;
-	const char *frame; /* the name of the frame that moves, or NULL */
+	const char *frame; /* name of the frame that it moves, or NULL */
 	size_t location;
 	struct xfile_keys *keys, *last_keys;
 };
@@ -119,7 +125,10 @@ struct xfile_scene {
 	struct xfile_set *sets, *last_set;
 };
 
-/* The objects that contain the data object being read; NULL if none. */
+/*
+ * The objects that contain the data object that is being read; NULL where there
+ * is none.
+ */
 struct xfile_scope {
 	struct xfile_scene *scene;
 	struct xfile_frame *frame;
@@ -130,13 +139,16 @@ struct xfile_scope {
 	struct xfile_animation *animation;
 };
 
-/* Ticks per second when the file does not state them. */
+/* Ticks per second if the file does not state them. */
 #define XFILE_TICKS_PER_SECOND 4800.0
 
-/* Reads the whole body into a zeroed scene. 0, or -errno after an error. */
+/*
+ * Reads the whole body into a scene, which the caller has set to zeros. Returns
+ * 0, or -errno after an error on the log.
+ */
 int xfile_parse(struct xfile_reader *reader, struct xfile_scene *scene);
 
-/* Parsers of data objects, for struct xfile_kind. */
+/* Parsers of data objects; see xfile_kind.parse. */
 int xfile_parse_mesh(struct xfile_reader *reader,
 	const struct xfile_scope *scope, const char *name);
 int xfile_parse_material(struct xfile_reader *reader,

@@ -37,7 +37,7 @@ static void skip_space(struct xfile_reader *reader)
 	}
 }
 
-/* Reads up to the closing character; at is behind the opening one. */
+/* Reads up to the closing character; reader->at is behind the opening one. */
 static int scan_enclosed(
 	struct xfile_reader *reader, struct xfile_token *token, uint8_t close)
 {
@@ -72,8 +72,8 @@ static double power_of_ten(int exponent)
 }
 
 /*
- * Only the first 18 digits count, so the mantissa is exact; further digits only
- * change the exponent. The result is within a few ulp.
+ * Returns mantissa * 10^exponent, to within a few units in the last place. The
+ * mantissa is exact, since take_digits() puts only 18 digits into it.
  */
 static double scale_by_ten(uint64_t mantissa, int exponent)
 {
@@ -94,9 +94,9 @@ struct digits {
 	const char *at;
 	const char *end;
 	uint64_t mantissa;
-	int count;   /* digits that went into the mantissa */
-	int dropped; /* digits before the point that did not */
-	int behind;  /* digits behind the point that did */
+	int count;   /* digits in the mantissa, without leading zeros */
+	int dropped; /* further digits before the point */
+	int behind;  /* digits behind the point in the mantissa */
 	bool any;
 };
 
@@ -152,9 +152,9 @@ static bool take_exponent(struct digits *digits, int *exponent)
 }
 
 /*
- * Parses a decimal number with an optional sign, fraction and exponent, in any
- * locale; false unless it fills the text. NaN and infinity as Microsoft's C
- * library prints them (1.#IND, 1.#INF) become 0.
+ * Parses a decimal number with an optional sign, fraction and exponent,
+ * whatever the locale. Returns false unless the number fills the text. NaN and
+ * infinity as Microsoft's C library prints them (1.#IND, 1.#INF) become 0.
  */
 static bool parse_number(const char *text, size_t length, double *out)
 {

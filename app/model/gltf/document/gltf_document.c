@@ -12,7 +12,7 @@ struct gltf_document {
 	int image_count;
 	struct document_image {
 		bool read; /* the members below are set */
-		int error; /* of reading it */
+		int error; /* result of reading the image */
 		struct model_file file;
 		const uint8_t *data;
 		size_t size;

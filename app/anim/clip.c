@@ -42,13 +42,13 @@ void clip_sample_as(const struct model_clip *clip, float time_s,
 	}
 }
 
-/* time_s modulo period_s: at least 0 and below period_s. */
+/* Returns time_s modulo period_s, at least 0 and below period_s. */
 static double wrap(double time_s, double period_s)
 {
 	double turns = time_s / period_s;
 	double rest_s;
 
-	/* Beyond 2^31 periods the phase is noise. */
+	/* Beyond 2^31 periods the phase would be rounding noise. */
 	if (!(turns > -2147483647.0 && turns < 2147483647.0)) {
 		return 0;
 	}

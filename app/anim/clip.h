@@ -39,8 +39,8 @@ struct clip_cursor {
 	struct pose still;             /* the rest pose with the constant
 					  channels' values */
 	int turn_count, moving_count, part_count;
-	int float_turn_count;       /* the first ones of turn[]; packed turns
-				       follow */
+	int float_turn_count;       /* the first ones of turn[] have float keys;
+				       packed turns follow */
 	struct turn *turn;          /* [channel_count]: rotations that turns.h
 				       can sample */
 	struct clip_moving *moving; /* [channel_count]: all other channels that
@@ -59,10 +59,16 @@ enum clip_interpolation {
 			 Catmull-Rom: (next - previous) / time between them */
 };
 
-/* The enum value of "auto", "nearest" and so on, or -1 for another name. */
+/*
+ * Returns the enum value of "auto", "nearest", "step", "linear" or "cubic", or
+ * -1 for another name.
+ */
 int clip_interpolation_find(const char *name);
 
-/* Makes a cursor for all clips of the model. 0 or -ENOMEM. */
+/*
+ * Makes a cursor for all clips of the model. The arena owns its arrays. Returns
+ * 0 or -ENOMEM.
+ */
 int clip_cursor_init(struct clip_cursor *cursor, const struct model *model,
 	struct arena *arena);
 

@@ -253,12 +253,12 @@ enum model_alpha {
 struct model_material {
 	const char *name;
 	float base_color[4];  /* linear RGB and alpha */
-	int texture;          /* base colour, or -1 */
-	int normal_texture;   /* tangent-space normal map, or -1 */
+	int texture;          /* index of the base colour's texture, or -1 */
+	int normal_texture;   /* index of a tangent-space normal map, or -1 */
 	float roughness;      /* 0..1 */
 	float emissive[3];    /* linear RGB, 0..1: light that the surface
-			       emits, */
-	int emissive_texture; /* times this texture, or -1 */
+			       emits */
+	int emissive_texture; /* index of a texture that multiplies it, or -1 */
 	enum model_alpha alpha;
 	float alpha_cutoff;
 	bool double_sided;

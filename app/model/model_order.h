@@ -6,7 +6,7 @@
 
 /*
  * parent[i] is the parent of node i, less than count, or -1. Fills order[count]
- * with the nodes in depth-first order; siblings keep their order. Fills
+ * with the nodes in depth-first order, in which siblings keep their order, and
  * new_index[count] with the inverse: new_index[order[i]] == i.
  *
  * Returns 0, -ENOMEM, or -ELOOP if parents form a cycle; then *node_on_cycle is

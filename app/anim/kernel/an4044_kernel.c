@@ -8,7 +8,7 @@
 #include <string.h>
 
 enum {
-	VERTICES = 64, /* in a block */
+	VERTICES = 64, /* vertices in a block */
 	JOINTS_MAX = 256
 };
 

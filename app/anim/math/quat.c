@@ -63,8 +63,8 @@ void quat_slerp(const float a[4], const float b[4], float t, float out[4])
 	float weight[2];
 
 	/*
-	 * For near keys x comes from their distance: an error of their lengths
-	 * would change the cosine as an angle does.
+	 * If both rotations are close, x is computed from their distance: an
+	 * error in their lengths would change the cosine as an angle does.
 	 */
 	if (x > -0.0005f) {
 		x = -0.5f * distance2_of(a, b, side);

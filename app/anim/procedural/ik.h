@@ -45,8 +45,8 @@ struct ik_chain {
 
 /*
  * Makes the chain of count nodes that ends at tip: no limits, 32 iterations,
- * tolerance 0.0005, weight 1. 0, or -EINVAL if tip has too few ancestors or
- * count is out of range.
+ * tolerance 0.0005, weight 1. Returns 0, or -EINVAL if tip has too few
+ * ancestors or count is out of range.
  */
 int ik_chain_init(
 	struct ik_chain *chain, const struct model *model, int tip, int count);

@@ -11,7 +11,8 @@
 #include <string.h>
 
 static const float HIGHEST_HZ = 15;
-static const float FASTEST_TURN = 40; /* radians a second */
+static const float FASTEST_TURN = 40; /* limit of a bone's speed, in radians a
+					 second */
 
 /* The data of one call of spring_update(). */
 struct swing {
@@ -149,7 +150,10 @@ static void hold_speed(const float origin[3], const float origin_velocity[3],
 	vec_add_scaled(origin_velocity, relative, 1, velocity);
 }
 
-/* Moves an end out of the capsules and stops its motion into them. */
+/*
+ * Moves an end out of the capsules and stops the part of its velocity that
+ * leads into them. ahead is the bone as it is animated.
+ */
 static void keep_out(
 	struct swing *swing, int i, const float origin[3], const float ahead[3])
 {

@@ -41,8 +41,8 @@ struct spring {
 /*
  * Makes a spring of the count bones that end with the node last: 2 Hz, damping
  * 0.3, gravity 9.81 downwards, weight 1. The last bone gets the length and
- * direction of its offset from its parent. 0, or -EINVAL if last has too few
- * ancestors or count is out of range.
+ * direction of its offset from its parent. Returns 0, or -EINVAL if last has
+ * too few ancestors or count is out of range.
  */
 int spring_init(
 	struct spring *spring, const struct model *model, int last, int count);

@@ -241,7 +241,7 @@ int gltf_maybe_floats(
 	return error;
 }
 
-/* Some exporters write integers with ".0". */
+/* Reads an integer. Some exporters write integers with ".0". */
 static int read_integer(const struct gltf_at *at, int64_t *out)
 {
 	double value;

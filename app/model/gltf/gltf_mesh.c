@@ -18,8 +18,8 @@ static int keep_attribute(const struct gltf_at *at, const char *key,
 }
 
 /*
- * Gives a direction unit length: quantised normals and tangents have it only
- * about.
+ * Gives a direction unit length, which quantised normals and tangents have only
+ * approximately.
  */
 static void normalize(float *direction)
 {

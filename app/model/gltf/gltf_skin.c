@@ -170,7 +170,10 @@ static void set_identity(mat4 matrix)
 	}
 }
 
-/* glTF 2.0, 3.7.3.3: without the accessor the matrices are identities. */
+/*
+ * Reads the inverse bind matrices. Without the accessor they are identities
+ * (glTF 2.0, 3.7.3.3).
+ */
 static int read_inverse_binds(const struct gltf_at *at, struct model_skin *out)
 {
 	struct gltf_at member = gltf_member(at, "inverseBindMatrices");

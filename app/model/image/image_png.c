@@ -11,7 +11,7 @@
 enum {
 	CHUNKS_MAX = 256,
 	CHUNK_BYTES_MAX =
-		4 * 1024 * 1024, /* of a decompressed ancillary chunk */
+		4 * 1024 * 1024, /* limit of a decompressed ancillary chunk */
 };
 
 struct decoder {

@@ -3,7 +3,10 @@
 
 #include <string.h>
 
-/* Tokens of the binary encoding: two bytes, little-endian. */
+/*
+ * Tokens of the binary encoding. A token has two bytes, least significant
+ * first.
+ */
 enum {
 	TOKEN_NAME = 1,
 	TOKEN_STRING = 2,
@@ -50,7 +53,7 @@ static int fail_short(
 		"the file ends within this token");
 }
 
-/* Reads a length and checks that length * bytes bytes follow it. */
+/* Reads a length and checks that so many elements of `bytes` bytes follow. */
 static int take_length(struct xfile_reader *reader,
 	const struct xfile_token *token, size_t bytes, uint32_t *length)
 {
@@ -81,7 +84,8 @@ static int scan_text(struct xfile_reader *reader, struct xfile_token *token)
 
 /*
  * A string ends with a separator token of two bytes, or of four in some files.
- * Two zero bytes are no token, so they identify the longer form.
+ * Two zero bytes are no token, so a separator with two zero bytes behind it is
+ * the longer form.
  */
 static void skip_terminator(struct xfile_reader *reader)
 {
@@ -160,7 +164,10 @@ static int scan_standalone(
 	return 0;
 }
 
-/* Sets *again when the code does not make a token of its own. */
+/*
+ * Scans the rest of a token with this code. Sets *again if the code yields no
+ * token: a separator, or the beginning of a list.
+ */
 static int scan_coded(struct xfile_reader *reader, struct xfile_token *token,
 	uint32_t code, bool *again)
 {

@@ -67,7 +67,7 @@ struct xfile_mesh {
 	struct xfile_mesh *next;
 	const char *name;
 	size_t location;
-	int frame; /* or -1 */
+	int frame; /* index of the frame that contains it, or -1 */
 	uint32_t vertex_count;
 	float (*position)[3];
 	struct xfile_faces faces;

@@ -68,9 +68,9 @@
 
 /*
  * The loop for runs with `count` influences, two vertices at a time. The
- * influences of the second vertex go from the last to the first, so that the
- * last one of the first vertex and the first one of the next pair need no other
- * matrix.
+ * influences of the second vertex go from the last to the first. So the matrix
+ * does not change between the two vertices, nor from one pass of the loop to
+ * the next.
  */
 	.macro	run count
 	.set	last, \count - 1

@@ -4,7 +4,7 @@
 
 #include "app/anim/kernel/layout/fixed_keys.h"
 
-/* What a frame shows: a lerp between two keys, or a mix of many. */
+/* What a frame shows: a lerp between two keys, or another mix of keys. */
 struct fixed_keys_frame {
 	bool mixed; /* a mix by weight[]; source, destiny and weights are not
 		       used */

@@ -20,8 +20,8 @@ struct gltf_document_array {
 	int width;     /* components of an element */
 	int component; /* glTF's componentType */
 	bool normalized;
-	size_t bytes; /* of the elements in the file, aligned as attributes are,
-			 without gaps of a stride */
+	size_t bytes; /* bytes that the elements take in the file, aligned to 4
+			 bytes as attributes are */
 };
 
 /*

@@ -23,14 +23,14 @@ struct clip_cursor {
 	/*
 	 * NULL or [node_count], which the caller sets before the first use:
 	 * weights from 0 to 1 for clip_mix(). Where a weight is 0, clip_pose()
-	 * gives the node's channels their first key and does not animate
-	 them. */
+	 * gives the node's channels their first key and does not animate them.
+	 */
 	const float *only;
 	/*
 	 * NULL (all paths) or [node_count], which the caller sets before the
 	 * first use: a bit 1 << enum model_path for each path that clip_mix()
-	 *
-	 mixes. */
+	 * mixes.
+	 */
 	const uint8_t *paths;
 
 	bool begun;                    /* whether the members below are valid */

@@ -49,8 +49,8 @@ struct morph_motion {
 	/*
 	 * For MORPH_SHAPED: maps Omega, 0..1, to the part of the way from
 	 * Source to Destiny. It is not called at the end, where the shape is
-	 * exactly
-	 Destiny. */
+	 * exactly Destiny.
+	 */
 	float (*shape)(const void *user, float omega);
 	const void *user; /* for shape(); stays valid until the morph ends */
 };

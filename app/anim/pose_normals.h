@@ -18,8 +18,7 @@
 
 struct pose_normals {
 	bool *uneven;      /* [node_count]: whether the node or an ancestor has
-			      uneven scale or shear in the pose that was searched
-			      last */
+			      uneven scale or shear in the last pose */
 	bool *uneven_bind; /* [skin_count]: whether a joint's inverse bind
 			      matrix has uneven scale or shear */
 	bool always;       /* whether uneven_bind is true for any skin */

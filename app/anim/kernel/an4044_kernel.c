@@ -107,9 +107,7 @@ static void skin(const struct skin_stream *stream, const mat4 *palette,
 {
 	struct padded_joint joint[JOINTS_MAX];
 
-	/*
-	 * The document's loops cannot cap influences and rescale the other weights.
-	 */
+	/* The document's loops cannot cap influences and rescale the others. */
 	if (max_influences > 0 || !set_joints(stream, palette, joint)) {
 		float_skin(stream, palette, max_influences, position, normal);
 		return;

@@ -160,7 +160,7 @@ struct fixed_loops {
 
 	/*
 	 * vector += step, where each number, the fraction too, is clamped to 16
-	 * bits. This is AN4044's morphing by frames (1.2.2), for `limber bench`.
+	 * bits: AN4044's morphing by frames (1.2.2), for `limber bench`.
 	 */
 	void (*increment)(int count, const struct fixed_vector *step,
 		struct fixed_vector *vector);

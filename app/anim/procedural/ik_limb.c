@@ -27,9 +27,7 @@ static bool make_side(const float v[3], const float direction[3], float out[3])
 	float length = vec_length(v);
 
 	vec_add_scaled(v, direction, -vec_dot(v, direction), out);
-	/*
-	 * If v is nearly parallel to the direction, what is left is rounding error.
-	 */
+	/* If v is nearly parallel to the direction, only rounding is left. */
 	if (!(vec_length(out) > 1e-4f * length)) {
 		return false;
 	}

@@ -78,9 +78,7 @@ static float swing(const struct procedural *procedural, double time_s)
 	double angle = time_s * (double)procedural->preset.speed;
 	double turns = angle / turn;
 
-	/*
-	 * The angle is reduced in double, so that it is still exact after hours.
-	 */
+	/* Reduced in double, so that the angle is still exact after hours. */
 	if (turns > -2147483647.0 && turns < 2147483647.0) {
 		angle -= (double)(int32_t)turns * turn;
 	}

@@ -41,7 +41,7 @@ struct xfile_material {
  */
 struct xfile_slot {
 	struct xfile_slot *next;
-	const struct xfile_material *material; /* NULL: only the name is known */
+	const struct xfile_material *material; /* NULL: named only */
 	const char *name;
 	size_t location;
 };

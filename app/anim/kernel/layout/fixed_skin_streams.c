@@ -191,9 +191,7 @@ static int reserve(
 	struct fixed_skin *skin, unsigned streams, struct arena *arena)
 {
 	size_t vertices = (size_t)skin->vertex_count;
-	/*
-	 * One more than there are, since the loops load the next base vector early.
-	 */
+	/* One more than there are, since the loops load one too many. */
 	size_t count = (size_t)count_influences(skin) + 1;
 
 	skin->order = ARENA_ARRAY(arena, uint32_t, vertices);

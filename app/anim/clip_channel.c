@@ -156,10 +156,7 @@ static float side_of(
 	return vec_dot(key, of) + key[3] * of[3] < 0 ? -1 : 1;
 }
 
-/*
- * The first key also serves as its own predecessor and the last as its own
- * successor.
- */
+/* The first key is its own predecessor, the last key its own successor. */
 static void sample_catmull_rom(
 	const struct model_channel *channel, int key, float u, float *out)
 {

@@ -39,10 +39,7 @@ static bool has_rate(const struct model_clip *clip, float rate_hz)
 	return true;
 }
 
-/*
- * The time between the keys of a channel that was sampled at an even rate, else
- * 0.
- */
+/* The gap between the keys of a channel that was sampled evenly, else 0. */
 static float sampled_gap_s(const struct model_channel *channel)
 {
 	const float *time_s = channel->time_s;

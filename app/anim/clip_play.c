@@ -112,8 +112,7 @@ static void divide_channels(struct clip_cursor *cursor,
 }
 
 /*
- * Orders turns by their key times: neighbours with the same key times share one
- * search.
+ * Sorts turns by key times, since neighbours with equal times share a search.
  */
 static int compare_turns(const void *a, const void *b)
 {
@@ -330,10 +329,7 @@ void clip_mix(const struct model_clip *clip, float time_s,
 	if (!cursor->begun || cursor->clip != clip) {
 		begin_clip(cursor, clip, pose->model);
 	}
-	/*
-	 * All channels but turns are sampled into cursor->still and mixed from
-	 * there.
-	 */
+	/* All other channels are sampled into still and mixed from there. */
 	if (clip && interpolation != CLIP_AUTO) {
 		clip_sample_as(
 			clip, time_s, interpolation, cursor, &cursor->still);

@@ -28,10 +28,7 @@ struct morph_wave {
  */
 float morph_wave_omega(const struct morph_wave *wave, float omega, float place);
 
-/*
- * The vertex's displacement along direction: amplitude * sin(pi * its own
- * Omega).
- */
+/* A vertex's displacement: amplitude * sin(pi * its Omega) along direction. */
 float morph_wave_at(const struct morph_wave *wave, float omega, float place);
 
 #endif

@@ -27,10 +27,7 @@ struct pose {
 			      local */
 };
 
-/*
- * Makes a pose of this model, at rest. The arena owns the arrays. Returns 0 or
- * -ENOMEM.
- */
+/* Makes a pose at rest, with arrays in the arena. Returns 0 or -ENOMEM. */
 int pose_init(struct pose *pose, const struct model *model, struct arena *arena);
 
 /* Resets every node and weight to the file's rest values. */

@@ -59,9 +59,7 @@ static inline uint32_t magnitude_bits(float value)
 	return bits & INT32_MAX;
 }
 
-/*
- * The bits are compared as integers, since VFP11 takes long to compare floats.
- */
+/* Compares bits as integers, since VFP11 takes long to compare floats. */
 static inline bool is_uneven(const float scale[3])
 {
 	uint32_t x = magnitude_bits(scale[0]) + tolerance_bits;

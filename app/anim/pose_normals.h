@@ -25,10 +25,7 @@ struct pose_normals {
 	mat4 **palette;    /* [skin_count][joint_count] */
 };
 
-/*
- * Prepares for poses of the model. The arena owns the arrays. Returns 0 or
- * -ENOMEM.
- */
+/* Makes arrays for poses of the model, in the arena. Returns 0 or -ENOMEM. */
 int pose_normals_init(struct pose_normals *normals, const struct model *model,
 	struct arena *arena);
 

@@ -67,10 +67,7 @@ static void write_influences(
 			size_t joint = (size_t)sorted[i].joint;
 			size_t left = (size_t)(count - i);
 
-			/*
-			 * The offset cannot overflow: 65,536 joints of 64 bytes
-			 * are below 2^31.
-			 */
+			/* Fits: 65,536 joints of 64 bytes are below 2^31. */
 			*out++ = (struct joint_weight){
 				.weight = sorted[i].weight,
 				.joint_offset = (int32_t)(joint * sizeof(mat4)),

@@ -7,9 +7,7 @@
 
 #include "app/model/model.h"
 
-/*
- * A rotation channel: keys of unit length, interpolated along the shorter arc.
- */
+/* A rotation channel: unit keys, interpolated along the shorter arc. */
 struct turn {
 	const float *time_s; /* [last + 1], strictly increasing; the first key
 				time is at least 0 and not -0 */

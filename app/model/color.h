@@ -17,10 +17,7 @@
 float color_encode_srgb(float linear);
 float color_decode_srgb(float encoded);
 
-/*
- * A cache of color_encode_byte()'s results. The caller sets it to zeros at
- * first.
- */
+/* A cache of color_encode_byte()'s results; at first set to zeros. */
 struct color_bytes {
 	float linear[256];
 	uint8_t byte[256];

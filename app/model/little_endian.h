@@ -1,6 +1,5 @@
 /*
- * Reads unsigned integers that are stored least significant byte first, at any
- * address.
+ * Reads unsigned integers stored least significant byte first, at any address.
  */
 #ifndef APP_MODEL_LITTLE_ENDIAN_H
 #define APP_MODEL_LITTLE_ENDIAN_H

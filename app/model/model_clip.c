@@ -56,10 +56,7 @@ static bool holds_still(const struct model_channel *channel, float tolerance)
 	return true;
 }
 
-/*
- * Sets constant: exporters write keys for all bones, though most of them do not
- * move.
- */
+/* Sets constant. Exporters write keys for all bones, but few of them move. */
 static void find_constant(struct model_clip *clip)
 {
 	float tolerance[MODEL_WEIGHTS + 1];

@@ -27,9 +27,7 @@ static bool moves(const float value[3])
 	return value[0] != 0.0f || value[1] != 0.0f || value[2] != 0.0f;
 }
 
-/*
- * Finds the next span from vertex `from` on; its count is 0 if there is none.
- */
+/* Finds the next span from a vertex on; its count is 0 if there is none. */
 static struct model_span next_span(
 	const float (*value)[3], int vertex_count, int from)
 {
@@ -159,9 +157,7 @@ int model_deltas_copy(struct model_deltas *out, const struct model_deltas *from,
 	return 0;
 }
 
-/*
- * Reads the stored integers number `at` and subtracts base, if it is not NULL.
- */
+/* Reads the integers of stored value `at`, less base unless it is NULL. */
 static void get_numbers(const struct model_deltas *deltas, size_t at,
 	const int16_t base[3], int out[3])
 {

@@ -22,10 +22,7 @@ int model_deltas_pack(struct model_deltas *deltas, const float (*value)[3],
 	int vertex_count, enum model_number number, float unit,
 	struct arena *arena);
 
-/*
- * Copies deltas, with their values and spans, into the arena. Returns 0 or
- * -ENOMEM.
- */
+/* Copies deltas, values and spans into the arena. Returns 0 or -ENOMEM. */
 int model_deltas_copy(struct model_deltas *out, const struct model_deltas *from,
 	struct arena *arena);
 

@@ -61,10 +61,7 @@ int model_file_read_beside(const struct model_source *source,
 	const char *relative, const char *where, struct memory_budget *budget,
 	const struct log *log, struct model_file *out);
 
-/*
- * Frees the bytes and gives them back to the budget. A struct of zeros is
- * allowed.
- */
+/* Frees the bytes, also in the budget; a struct of zeros is allowed. */
 void model_file_release(struct model_file *file);
 
 #endif

@@ -3,10 +3,7 @@
 
 #include <errno.h>
 
-/*
- * Whether all nodes with this mesh use its targets as key frames and have no
- * skin.
- */
+/* Whether all nodes with the mesh use its targets as keys, without a skin. */
 static bool is_shown_as_keys(const struct model *model, int mesh)
 {
 	bool shown = false;

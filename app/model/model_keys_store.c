@@ -13,9 +13,7 @@ enum {
 	KEY_OF_BYTE = KEY_MAX / BYTE_ONE
 };
 
-/*
- * How numbers of the file become numbers of keys: (number - center) * factor.
- */
+/* How the file's numbers become those of keys: (number - center) * factor. */
 struct key_format {
 	float one;       /* the number that stands for 1 in the file */
 	float center[3]; /* the file's number that becomes 0 in keys */

@@ -5,10 +5,7 @@
 #include <errno.h>
 #include <limits.h>
 
-/*
- * The formats, in the order in which they are asked whether they recognise a
- * file.
- */
+/* The first format that recognises a file loads it. */
 static const struct model_format formats[] = {
 	{"glTF", gltf_recognise, gltf_load, gltf_examine},
 	{"DirectX .x", xfile_recognise, xfile_load, xfile_examine},

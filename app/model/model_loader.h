@@ -41,9 +41,7 @@ struct model *model_create(const struct model_source *source,
  */
 void model_normalize_influences(struct model_primitive *primitive);
 
-/*
- * Returns the largest joint number of the primitive, or -1 without influences.
- */
+/* Returns the primitive's largest joint number; -1 without influences. */
 int model_max_joint(const struct model_primitive *primitive);
 
 /*

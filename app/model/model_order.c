@@ -24,9 +24,7 @@ static void link_children(const int *parent, int count, struct links *links)
 	}
 }
 
-/*
- * Returns the next node, in depth-first order, of the same root's tree, or -1.
- */
+/* Returns the root's next node in depth-first order, or -1 at the end. */
 static int next_depth_first(
 	const int *parent, const struct links *links, int node)
 {

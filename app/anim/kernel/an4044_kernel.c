@@ -12,10 +12,7 @@ enum {
 	JOINTS_MAX = 256
 };
 
-/*
- * Padded to the size of mat4, since joint_offset counts in matrices of that
- * size.
- */
+/* Padded to the size of mat4, in which joint_offset counts. */
 struct padded_joint {
 	struct an4044_joint_mat joint;
 	float unused[4];

@@ -109,10 +109,7 @@ struct fixed_key {
 	int16_t x, y, z;
 };
 
-/*
- * A vertex while targets are added to it: a fixed_vector's numbers with 16 more
- * bits of fraction.
- */
+/* A vertex while targets are added, with 16 more bits of fraction. */
 struct fixed_sum {
 	int32_t x, y, z;
 };

@@ -60,10 +60,7 @@ static inline void skin_run(int length, int count, int stride,
 	}
 }
 
-/*
- * Calls skin_run() with each length as a constant, so that the compiler makes a
- * loop for each.
- */
+/* Makes a loop for each length, as a constant in a call of skin_run(). */
 static void skin_run_of(int influences, int count, const struct fixed_base *from,
 	const struct rows *rows, struct fixed_vector *out)
 {
@@ -154,9 +151,7 @@ static void lerp(int count, const struct fixed_pair (*pair)[3],
 	}
 }
 
-/*
- * A loop over coordinates instead of vertices, which compilers can vectorise.
- */
+/* A loop over coordinates, not vertices, which compilers can vectorise. */
 static void weigh_keys(int count, const int16_t *source, const int16_t *destiny,
 	struct fixed_weights weights, uint32_t start, uint32_t *sum)
 {

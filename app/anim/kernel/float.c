@@ -119,9 +119,7 @@ static void skin_positions(const struct skin_stream *stream,
 	}
 }
 
-/*
- * Skins positions and normals in one pass, so that each matrix is loaded once.
- */
+/* Skins positions and normals in one pass, so each matrix is loaded once. */
 static void skin_both(const struct skin_stream *stream, const mat4 *palette,
 	int max_influences, float (*position)[3], float (*normal)[3])
 {

@@ -10,10 +10,7 @@
 
 #include "app/anim/skin.h"
 
-/*
- * One weighted morph target. Arrays have a delta for each vertex; any may be
- * NULL.
- */
+/* A weighted morph target: deltas of all vertices, any of them NULL. */
 struct morph_term {
 	float weight;
 	const float (*position)[3];
@@ -21,10 +18,7 @@ struct morph_term {
 	const float (*tangent)[3];
 };
 
-/*
- * The input of skin_morphed(): a primitive's arrays, [vertex_count], and its
- * weighted targets, [term_count].
- */
+/* The input of skin_morphed(): a primitive's arrays and weighted targets. */
 struct morph_input {
 	const float (*position)[3];
 	const float (*normal)[3];  /* or NULL */
@@ -36,10 +30,7 @@ struct morph_input {
 				       palette */
 };
 
-/*
- * The output of skin_morphed(): arrays of [vertex_count]. normal and tangent
- * may be NULL.
- */
+/* The output of skin_morphed(). normal and tangent may be NULL. */
 struct skin_output {
 	float (*position)[3];
 	float (*normal)[3];
@@ -119,16 +110,10 @@ struct kernel {
 /* The reference in plain C and float, which is built for every target. */
 extern const struct kernel kernel_float;
 
-/*
- * The kernels that toolchain/sources.mk lists for the target, best first, then
- * NULL.
- */
+/* The target's kernels by toolchain/sources.mk, best first, then NULL. */
 extern const struct kernel *const kernel_registry[];
 
-/*
- * Returns the kernel of that name or NULL. For name NULL it returns the first
- * kernel.
- */
+/* Returns the kernel of that name or NULL; for name NULL the first kernel. */
 const struct kernel *kernel_find(const char *name);
 
 #endif

@@ -4,20 +4,14 @@
 
 #include <string.h>
 
-/*
- * Where a time lies among a turn's keys; kept for the next turn with the same
- * times.
- */
+/* Where a time lies among keys; kept for the next turn with these times. */
 struct moment {
 	const float *time_s;
 	int key;
 	float u; /* 0..1 from this key to the next one */
 };
 
-/*
- * Returns the last key, 0..last - 1, that is not after time_s; key 0 for
- * earlier times.
- */
+/* Returns the last key, 0..last - 1, not after time_s; key 0 before all. */
 static int find_key(const struct turn *turn, float time_s)
 {
 	int low = 0, high = turn->last;

@@ -67,10 +67,7 @@ bool bone_chain(const struct model *model, int tip, int count, int *node)
 	return true;
 }
 
-/*
- * Returns by how much factor, along the parent's axes, stretches an axis of a
- * child.
- */
+/* Returns how much the parent's factor stretches an axis of a child. */
 static float stretched(
 	const struct transform *child, int axis, const float factor[3])
 {

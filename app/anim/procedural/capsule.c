@@ -36,9 +36,7 @@ static void nearest(
 	vec_add_scaled(capsule->a, line, along, out);
 }
 
-/*
- * Writes a unit direction at right angles to the segment, always the same one.
- */
+/* Writes a fixed unit direction at right angles to the segment. */
 static void any_side(const struct capsule_world *capsule, float out[3])
 {
 	float line[3];

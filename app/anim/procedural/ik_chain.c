@@ -87,10 +87,7 @@ static void reach_backward(struct solver *solver, const float target[3])
 	}
 }
 
-/*
- * Sets a joint's local rotation from its world rotation, within the joint's
- * limit.
- */
+/* Sets a joint's rotation, given in world axes, within its limit. */
 static void set_joint(struct solver *solver, int i, const float parent[4],
 	const float world[4])
 {
@@ -143,10 +140,7 @@ static void reach_forward(struct solver *solver)
 	}
 }
 
-/*
- * Applies a rotation in world axes to one joint and moves the rest of the chain
- * along.
- */
+/* Turns one joint in world axes and moves the rest of the chain along. */
 static void turn_joint(struct solver *solver, int turned, const float turn[4])
 {
 	float above[4];
@@ -274,9 +268,7 @@ static void store(const struct solver *solver, struct pose *pose)
 	}
 }
 
-/*
- * Copies the candidate to best if its tip is nearer to the target than least.
- */
+/* Keeps the candidate if its tip is nearer to the target than least. */
 static void keep_best(const struct solver *candidate, const float target[3],
 	struct solver *best, float *least)
 {

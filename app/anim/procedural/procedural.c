@@ -69,9 +69,7 @@ float procedural_modifier(const struct procedural_preset *preset, int level)
 	return modifier < 0 ? 0 : modifier;
 }
 
-/*
- * Returns the factor at modifier 1 and fade 0, which is the same for all bones.
- */
+/* Returns the factor at modifier 1 and fade 0, the same for all bones. */
 static float swing(const struct procedural *procedural, double time_s)
 {
 	const double turn = 6.283185307179586;

@@ -13,10 +13,7 @@
 
 #include <stddef.h>
 
-/*
- * The parameters of a swing. In the document their names begin with
- * m_fAnimProcedural.
- */
+/* A swing's parameters; in the document named m_fAnimProcedural... */
 struct procedural_preset {
 	char name[32];
 	float speed; /* radians a second of the cosine's angle */
@@ -29,9 +26,7 @@ struct procedural_preset {
 				 unit */
 };
 
-/*
- * A numeric member of struct procedural_preset. In a text its key is its name.
- */
+/* A numeric member of a preset. In a text its key is its name. */
 struct procedural_field {
 	const char *key;
 	size_t offset;

@@ -46,9 +46,7 @@ int spring_init(
 	return 0;
 }
 
-/*
- * Computes bone[]: vectors to the next node, or for the last bone to its end.
- */
+/* Computes bone[]: vectors to the next node; of the last, to its end. */
 static void measure(
 	struct swing *swing, const mat4 *world, const struct pose *pose)
 {

@@ -74,9 +74,7 @@ static int read_type(const struct gltf_at *at, const struct type **type)
 		at, -EINVAL, "type \"%.40s\" is not defined by glTF 2.0", name);
 }
 
-/*
- * Fails unless the view contains count elements of size bytes from offset on.
- */
+/* Fails unless the view has count elements of size bytes from offset on. */
 static int check_bounds(const struct gltf_at *at, const struct gltf_view *view,
 	uint64_t offset, uint64_t stride, int count, uint64_t size)
 {

@@ -21,10 +21,7 @@ struct chunk {
 	uint32_t type;
 };
 
-/*
- * Reads the chunk at *offset, which is at most length, and advances *offset
- * beyond it.
- */
+/* Reads the chunk at *offset <= length and advances *offset behind it. */
 static int next_chunk(
 	struct gltf *gltf, size_t length, size_t *offset, struct chunk *out)
 {

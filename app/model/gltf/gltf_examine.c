@@ -236,10 +236,7 @@ int gltf_examine(const struct model_source *source,
 		report_samplers(&at);
 		report_extensions(&at);
 	}
-	/*
-	 * gltf_release() gives memory back to the model's budget, so it comes
-	 * before model_destroy().
-	 */
+	/* First, since it gives memory back to the model's budget. */
 	gltf_release(&gltf);
 	model_destroy(model);
 	return error;

@@ -228,10 +228,7 @@ int gltf_array(const struct gltf_at *at, const char *key, struct gltf_at *out,
 int gltf_maybe_string(
 	const struct gltf_at *at, const char *key, const char **out);
 
-/*
- * Sets *out to the index of a string in names[count]; -EINVAL for any other
- * string.
- */
+/* Finds a string in names[count]; -EINVAL for any other string. */
 int gltf_maybe_choice(const struct gltf_at *at, const char *key,
 	const char *const *names, int count, int *out);
 int gltf_maybe_bool(const struct gltf_at *at, const char *key, bool *out);
@@ -330,10 +327,7 @@ int gltf_read_uri(const struct gltf_at *at, const char *uri,
 
 /* gltf_accessor.c */
 
-/*
- * Fills in gltf->accessor and checks that all elements lie in their buffer
- * views.
- */
+/* Fills in gltf->accessor; all elements lie in their buffer views. */
 int gltf_read_accessors(struct gltf *gltf);
 
 /* Whether the components are unsigned integers that are not normalised. */
@@ -369,10 +363,7 @@ void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out);
 /* Fills in the model's materials, textures and images, and gltf->uv. */
 int gltf_read_materials(struct gltf *gltf);
 
-/*
- * Returns the index of the material for primitives that name none; adds it if
- * needed.
- */
+/* Returns the material for primitives that name none; adds it if needed. */
 int gltf_default_material(struct gltf *gltf);
 
 /* gltf_texture.c */
@@ -411,10 +402,7 @@ int gltf_read_attribute(const struct gltf_at *at, const char *key,
 
 /* gltf_triangles.c */
 
-/*
- * Sets *out to whether a primitive consists of triangles; warns about lines and
- * points.
- */
+/* Whether a primitive consists of triangles; warns about lines and points. */
 int gltf_has_triangles(const struct gltf_at *primitive, bool *out);
 
 /*
@@ -469,10 +457,7 @@ int gltf_read_animations(struct gltf *gltf);
 /* Reads the nodes, their order, the scene and the morph weights. */
 int gltf_read_nodes(struct gltf *gltf);
 
-/*
- * Sets *out to the model's index of the node whose number in the file this
- * value is.
- */
+/* Finds the model's node for this value, a number of a node in the file. */
 int gltf_node(const struct gltf_at *at, int *out);
 
 /* Gives a quaternion unit length; fails if its length is 0. */

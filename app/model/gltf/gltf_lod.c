@@ -51,10 +51,7 @@ static void count_references(
 	}
 }
 
-/*
- * Counts the node or the array of nodes in a member of each element of a root
- * array.
- */
+/* Counts the node or nodes in a member of each element of a root array. */
 static void count_member_references(const struct references *references,
 	const char *array, const char *member)
 {
@@ -237,9 +234,7 @@ static void find_node_levels(
 	{
 		int number = valid_index(id, gltf->node_count);
 
-		/*
-		 * This limits the time that a very long list of levels takes.
-		 */
+		/* Limits the time for a very long list. */
 		if (i >= LEVELS_MAX) {
 			break;
 		}

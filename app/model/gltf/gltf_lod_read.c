@@ -47,10 +47,7 @@ static float error_of(
 		: (float)(side / coverage_px / sqrt((double)level->coverage));
 }
 
-/*
- * Returns the place of a level in the primitive's list: the finest first, those
- * for shadows last.
- */
+/* Returns a level's place: the finest first, those for shadows last. */
 static int sorted_index(
 	const struct model_primitive *primitive, const struct model_lod *lod)
 {

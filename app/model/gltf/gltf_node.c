@@ -265,10 +265,7 @@ static int mark_scene(struct gltf *gltf)
 	return error;
 }
 
-/*
- * Reads the weights of a node, else those of its mesh, else 0 (glTF 2.0,
- * 3.7.2.2).
- */
+/* Reads a node's weights, else its mesh's, else 0 (glTF 2.0, 3.7.2.2). */
 static int read_node_weights(
 	const struct gltf_at *at, const struct model_node *node, float *out)
 {

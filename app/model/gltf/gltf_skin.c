@@ -224,10 +224,7 @@ static int read_skin(const struct gltf_at *at)
 	return error ? error : read_inverse_binds(at, out);
 }
 
-/*
- * Finds for each mesh the skin with the fewest joints with which a node draws
- * it, or -1.
- */
+/* Finds each mesh's skin with the fewest joints, or -1 without a skin. */
 static void find_smallest_skins(const struct model *model, int *smallest)
 {
 	int i;

@@ -47,10 +47,7 @@ static int read_delta(const struct gltf_at *at, const char *key,
 	return error;
 }
 
-/*
- * Reads a target. Displacements of an attribute that the primitive lacks are
- * ignored.
- */
+/* Reads a target, without attributes that the primitive lacks. */
 static int read_target(const struct gltf_at *at,
 	const struct model_primitive *primitive, struct model_target *out)
 {

@@ -33,10 +33,7 @@ static void triangle_corners(enum mode mode, int t, int corner[3])
 	}
 }
 
-/*
- * Builds the triangle list. Of strips and fans it drops the degenerate
- * triangles.
- */
+/* Builds a list; drops the degenerate triangles of strips and fans. */
 static int build_triangles(const struct gltf_at *at, enum mode mode,
 	const uint32_t *list, int count, uint32_t **index, int *index_count)
 {

@@ -9,10 +9,7 @@
 /* Whether a URI begins with "data:" in upper or lower case. */
 bool uri_is_data(const char *uri);
 
-/*
- * Returns the text behind ";base64," in a data URI, or NULL if it has no such
- * part.
- */
+/* Returns the text behind ";base64," in a data URI, or NULL without that. */
 const char *uri_data_base64(const char *uri);
 
 /* Whether a URI begins with a scheme ("http:", "file:"). */

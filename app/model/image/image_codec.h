@@ -32,10 +32,7 @@ struct image_codec {
 	 */
 	int (*measure)(const struct image_input *input, int *width, int *height);
 
-	/*
-	 * Fills in rgba[height][width][4], with the size that measure()
-	 * returned.
-	 */
+	/* Fills rgba[height][width][4], the size that measure() returned. */
 	int (*decode)(const struct image_input *input, int width, int height,
 		uint8_t *rgba);
 };

@@ -10,9 +10,7 @@
 enum {
 	/* Encoders write about ten scans. A hostile file may have thousands. */
 	SCANS_MAX = 100,
-	/*
-	 * A limit of pixels times scans, as of 32 scans of the largest image.
-	 */
+	/* A limit of pixels times scans: 32 scans of the largest image. */
 	SCANNED_PIXELS_MAX = 512 * 1024 * 1024,
 };
 

@@ -79,10 +79,7 @@ static int end(struct decoder *decoder, bool fine)
 	return 0;
 }
 
-/*
- * Lifts libpng's limit of the image's size, because image.c has a limit of its
- * own.
- */
+/* Lifts libpng's limit of an image's size: image.c has one of its own. */
 static bool read_header(struct decoder *decoder)
 {
 	if (setjmp(png_jmpbuf(decoder->png))) {
@@ -96,9 +93,7 @@ static bool read_header(struct decoder *decoder)
 	return true;
 }
 
-/*
- * Converts every kind of PNG to 8-bit RGBA; ignores gamma and colour profiles.
- */
+/* Converts any PNG to 8-bit RGBA; ignores gamma and colour profiles. */
 static bool read_pixels(struct decoder *decoder)
 {
 	if (setjmp(png_jmpbuf(decoder->png))) {

@@ -12,10 +12,7 @@ enum {
 	LEVELS_MAX = 12,
 };
 
-/*
- * The limits of a collapse's error, one for each level, in fractions of the
- * longest side.
- */
+/* Limits of the error, one a level, in fractions of the longest side. */
 static const float shaded_limits[] = {
 	0.0004f, 0.0008f, 0.0016f, 0.003f, 0.0055f, 0.01f, 0.018f, 0.03f};
 static const float shadow_limits[] = {
@@ -51,9 +48,7 @@ static bool are_together(const struct place *a, const struct place *b)
 	return memcmp(a->position, b->position, sizeof(a->position)) == 0;
 }
 
-/*
- * Primitives that may touch each other: those of one mesh, or all skinned ones.
- */
+/* Primitives that may touch: those of one mesh, or all skinned ones. */
 struct group {
 	int count;
 	struct model_primitive **primitive;
@@ -185,10 +180,7 @@ static int find_shared(const struct group *group, struct arena *arena)
 	return 0;
 }
 
-/*
- * The levels of a primitive that are made so far, either shaded ones or lists
- * for shadows.
- */
+/* A primitive's levels made so far: shaded ones or lists for shadows. */
 struct levels {
 	int count;
 	struct model_lod lod[LEVELS_MAX];
@@ -237,10 +229,7 @@ static int make_lists(struct levels *levels, const struct simplify_input *input,
 	return error;
 }
 
-/*
- * Sets the primitive's levels: those that it has come first, and lists for
- * shadows last.
- */
+/* Sets the levels: those of the file come first, lists for shadows last. */
 static int join_levels(struct model_primitive *primitive,
 	const struct levels *shaded, const struct levels *shadow,
 	struct arena *arena)
@@ -376,9 +365,7 @@ int levels_make(struct model *model)
 	if (!has_room(budget)) {
 		return 0;
 	}
-	/*
-	 * A refusal here must not be taken for the reason of a later failure.
-	 */
+	/* A refusal here is not the reason of a later failure. */
 	if (budget) {
 		budget->exceeded = false;
 	}

@@ -310,10 +310,7 @@ static int read_beside(
 	error = levels_read(model, file.data, file.size);
 	model_file_release(&file);
 	if (model->budget) {
-		/*
-		 * Levels are optional: a budget that is too small for them is
-		 * no failure.
-		 */
+		/* Levels are optional: too small a budget is no failure. */
 		model->budget->exceeded = exceeded;
 	}
 	if (error == -EINVAL) {

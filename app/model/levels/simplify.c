@@ -11,19 +11,14 @@
 
 enum {
 	PASSES_MAX = 60,
-	/*
-	 * The last pass is the one that removes fewer than one in so many
-	 * triangles.
-	 */
+	/* The last pass removes fewer than one in so many triangles. */
 	PASS_WORTH = 100,
 };
 
 /* A pass does collapses whose error is up to this many times the median. */
 static const float pass_factor = 1.5f;
 
-/*
- * Positions become relative to the first vertex, so that few digits are lost.
- */
+/* Makes positions relative to the first vertex, so that few digits are lost. */
 static void scale_positions(struct simplify *simplify)
 {
 	const struct model_primitive *primitive = simplify->primitive;

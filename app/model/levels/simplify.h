@@ -83,10 +83,7 @@ struct simplify {
 	uint32_t *triangle;       /* [index_count]: places in index[] of first
 				     corners */
 
-	/*
-	 * [leader]: its best collapse; `to` is the leader itself if it has
-	 * none.
-	 */
+	/* [leader]: its best collapse, to itself if it has none. */
 	struct simplify_collapse *best;
 	uint8_t *known; /* [leader]: enum simplify_known */
 

@@ -94,9 +94,7 @@ static void find_normal(
 	out[2] = u[0] * v[1] - u[1] * v[0];
 }
 
-/*
- * Whether a collapse would turn a triangle too far or over, or make it a line.
- */
+/* Whether a collapse would turn a triangle too far, or make it a line. */
 static bool turns_over(
 	const struct simplify *simplify, uint32_t from, uint32_t to)
 {

@@ -442,10 +442,7 @@ static float square_at(const struct simplify *simplify, uint32_t vertex,
 	return square;
 }
 
-/*
- * Returns the squared error of one vertex of leader `from`; 0 if no triangle
- * has it.
- */
+/* Returns a vertex's squared error; 0 if no triangle has the vertex. */
 static float vertex_square(const struct simplify *simplify, uint32_t from,
 	uint32_t to, uint32_t vertex)
 {

@@ -4,9 +4,7 @@
 
 #include "app/model/levels/simplify_mesh.h"
 
-/*
- * Fills in quadric[] from the triangles and the border edges of the whole list.
- */
+/* Fills in quadric[] from the whole list's triangles and border edges. */
 void simplify_error_begin(struct simplify *simplify);
 
 /*

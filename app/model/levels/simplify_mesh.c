@@ -162,9 +162,7 @@ bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
 		out->border[i] = uses[i] != 3;
 		out->border_count += out->border[i];
 	}
-	/*
-	 * A closed disc has as many edges as triangles, half a disc one more.
-	 */
+	/* A disc has as many edges as triangles, half a disc one more. */
 	return (out->border_count == 0 && (uint32_t)out->count == end - first) ||
 		(out->border_count == 2 &&
 			(uint32_t)out->count == end - first + 1);

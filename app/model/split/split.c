@@ -148,10 +148,7 @@ static int divide_targets(struct split *split)
 	return error;
 }
 
-/*
- * Fills in the members of each part that need no division, and allocates its
- * targets.
- */
+/* Fills in what needs no division, and allocates targets, of each part. */
 static int begin_parts(struct split *split)
 {
 	struct model_primitive *out = split->out;

@@ -3,9 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-/*
- * A triangle and its coordinate on the axis along which triangles are divided.
- */
+/* A triangle and its coordinate on the axis that divides triangles. */
 struct place {
 	float at;
 	uint32_t triangle;
@@ -16,9 +14,7 @@ struct work {
 	struct arena *arena; /* owns the parts */
 	int vertices_max;
 	struct place *place; /* [triangles] */
-	/*
-	 * [vertex_count]: the number of the last set of triangles that used it
-	 */
+	/* [vertex_count]: number of the last set of triangles with it */
 	uint32_t *seen;
 	uint32_t set;
 	bool *taken;     /* [vertex_count]: a part has the vertex */
@@ -42,9 +38,7 @@ static const uint32_t *corners_of(
 	return work->primitive->index + (size_t)place->triangle * 3;
 }
 
-/*
- * Marks the vertices of a set of triangles in seen[] and returns their number.
- */
+/* Marks a set of triangles' vertices in seen[]; returns their number. */
 static int see_vertices(struct work *work, const struct place *place, int count)
 {
 	int vertices = 0;
@@ -98,10 +92,7 @@ static void sort_along(struct work *work, struct place *place, int count)
 	qsort(place, (size_t)count, sizeof(*place), compare_places);
 }
 
-/*
- * Lists the vertices of the present set in the part, first those that earlier
- * parts have.
- */
+/* Lists the present set's vertices, first those that earlier parts have. */
 static void number_vertices(struct work *work, struct split_part *part)
 {
 	int vertices = work->primitive->vertex_count;
@@ -163,16 +154,11 @@ static int make_part(
 	return 0;
 }
 
-/*
- * Divides the triangles in two until each group has few enough vertices for a
- * part.
- */
+/* Divides triangles in two until each group has few enough vertices. */
 static int divide(struct work *work, struct place *place, int count)
 {
 	int vertices = see_vertices(work, place, count);
-	/*
-	 * Borders repeat some vertices, so parts are planned a little smaller.
-	 */
+	/* Borders repeat some vertices, so parts are planned smaller. */
 	int comfort = work->vertices_max - work->vertices_max / 12;
 	int parts, first, error;
 

@@ -9,10 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/*
- * The header has four fields of four bytes: "xof ", version, format, bits of a
- * float.
- */
+/* The header has four bytes each: "xof ", version, format, bits of a float. */
 static const char magic[] = "xof ";
 
 struct header {

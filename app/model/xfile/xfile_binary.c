@@ -3,10 +3,7 @@
 
 #include <string.h>
 
-/*
- * Tokens of the binary encoding. A token has two bytes, least significant
- * first.
- */
+/* Tokens of the binary encoding: two bytes, least significant first. */
 enum {
 	TOKEN_NAME = 1,
 	TOKEN_STRING = 2,

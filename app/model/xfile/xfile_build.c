@@ -100,10 +100,7 @@ static int list_instances(struct xfile_build *build)
 	return 0;
 }
 
-/*
- * Numbers the nodes. The first mesh of a frame is drawn by the frame's own
- * node.
- */
+/* Numbers the nodes. A frame's own node draws the frame's first mesh. */
 static int number_nodes(struct xfile_build *build, int *parent)
 {
 	const struct xfile_frame *frame = build->scene->frames;

@@ -189,10 +189,7 @@ static int find_node(
 	return build->node_index[frame];
 }
 
-/*
- * Returns an upper bound of a clip's channels. Matrix keys become three
- * channels.
- */
+/* Returns a bound of a clip's channels; matrix keys become three of them. */
 static size_t count_channels(const struct xfile_set *set)
 {
 	const struct xfile_animation *animation = set->animations;

@@ -111,10 +111,7 @@ static int compare_corners(const void *a, const void *b)
 	return order ? order : compare_numbers(left->order, right->order);
 }
 
-/*
- * Lists and sorts the corners of all faces, except faces with fewer than three
- * corners.
- */
+/* Sorts the corners of all faces that have at least three corners. */
 static int sort_corners(struct mesh_builder *builder)
 {
 	const struct xfile_mesh *from = builder->from;

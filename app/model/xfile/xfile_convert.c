@@ -15,10 +15,7 @@ void xfile_convert_vector(const float in[3], float out[3])
 	out[2] = 0.0f - in[2];
 }
 
-/*
- * The transpose is free: a row-major matrix has its elements in the order of
- * its column-major transpose.
- */
+/* A row-major matrix and its column-major transpose have the same order. */
 void xfile_convert_matrix(const float in[16], mat4 out)
 {
 	for (int column = 0; column < 4; column++) {

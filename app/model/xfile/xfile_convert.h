@@ -22,15 +22,10 @@
 /* Converts a point, normal or translation. out may be in. */
 void xfile_convert_vector(const float in[3], float out[3]);
 
-/*
- * Converts a row-major matrix of the file. Its last column is taken as 0 0 0 1.
- */
+/* Converts a row-major matrix; its last column is taken as 0 0 0 1. */
 void xfile_convert_matrix(const float in[16], mat4 out);
 
-/*
- * Converts a rotation key. The result has unit length; a key of 0 becomes the
- * identity.
- */
+/* Converts a rotation key to unit length; 0 becomes the identity. */
 void xfile_convert_rotation(const float wxyz[4], float out[4]);
 
 /*

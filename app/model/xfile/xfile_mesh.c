@@ -268,10 +268,7 @@ static const struct xfile_grammar slot_grammar = {
 	.reference = refer_to_material,
 };
 
-/*
- * Reads each face's material. Faces beyond the list get the material of the
- * last listed face.
- */
+/* Reads faces' materials. Faces beyond the list get the last one listed. */
 static int read_face_slots(struct xfile_reader *reader, struct xfile_mesh *mesh,
 	uint32_t slots, uint32_t listed)
 {

@@ -44,10 +44,7 @@ static int choose(
 		node->byte < length ? (uint8_t)name[node->byte] : 0);
 }
 
-/*
- * Returns the only name of the map that can be equal. The map must not be
- * empty.
- */
+/* Returns the only name that can be equal. The map must not be empty. */
 static const struct xfile_named *look_up(
 	const struct xfile_names *names, const char *name, size_t length)
 {
@@ -61,9 +58,7 @@ static const struct xfile_named *look_up(
 	return &names->named[-1 - at];
 }
 
-/*
- * Returns a byte with all bits set but the highest one in which a and b differ.
- */
+/* Returns all bits but the highest one in which a and b differ. */
 static uint8_t mask_of(uint8_t a, uint8_t b)
 {
 	uint8_t bits = a ^ b;
@@ -74,10 +69,7 @@ static uint8_t mask_of(uint8_t a, uint8_t b)
 	return (uint8_t) ~(bits & ~(bits >> 1));
 }
 
-/*
- * Adds a leaf for a name, which differs from the tree's closest name first at
- * `byte`.
- */
+/* Adds a leaf: name differs from the closest name first at `byte`. */
 static void insert(struct xfile_names *names, const char *name, size_t length,
 	const char *closest, size_t byte)
 {

@@ -20,10 +20,7 @@ struct xfile_names {
 		   0 */
 };
 
-/*
- * Makes an empty map for at most count names. Returns 0 or -ENOMEM, without a
- * message.
- */
+/* Makes an empty map for count names. Returns 0 or -ENOMEM, logs nothing. */
 int xfile_names_init(
 	struct xfile_names *names, struct arena *arena, size_t count);
 

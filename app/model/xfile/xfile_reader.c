@@ -199,9 +199,7 @@ static size_t utf8_length(const unsigned char *text)
 			return 0;
 		}
 	}
-	/*
-	 * Refuses overlong forms, surrogates, and code points beyond U+10FFFF.
-	 */
+	/* Refuses overlong forms, surrogates, code points beyond U+10FFFF. */
 	if ((text[0] == 0xe0 && text[1] < 0xa0) ||
 		(text[0] == 0xed && text[1] > 0x9f) ||
 		(text[0] == 0xf0 && text[1] < 0x90) ||

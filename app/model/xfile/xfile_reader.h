@@ -145,10 +145,7 @@ struct xfile_kind {
 		const struct xfile_scope *scope, const char *name);
 };
 
-/*
- * Which data objects and references a data object may contain; others are
- * skipped.
- */
+/* What a data object may contain; other things are skipped. */
 struct xfile_grammar {
 	const struct xfile_kind *kinds; /* ends with a NULL type */
 
@@ -158,10 +155,7 @@ struct xfile_grammar {
 		size_t location);
 };
 
-/*
- * Reads data objects and references up to and including the parent's closing
- * brace.
- */
+/* Reads data objects and references to the parent's closing brace. */
 int xfile_read_children(struct xfile_reader *reader,
 	const struct xfile_grammar *grammar, const struct xfile_scope *scope);
 

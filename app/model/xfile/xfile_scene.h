@@ -35,10 +35,7 @@ struct xfile_material {
 	size_t texture_location;
 };
 
-/*
- * One of a mesh's materials, which is defined in the mesh or referred to by
- * name.
- */
+/* One of a mesh's materials, defined in the mesh or referred to by name. */
 struct xfile_slot {
 	struct xfile_slot *next;
 	const struct xfile_material *material; /* NULL: named only */
@@ -125,10 +122,7 @@ struct xfile_scene {
 	struct xfile_set *sets, *last_set;
 };
 
-/*
- * The objects that contain the data object that is being read; NULL where there
- * is none.
- */
+/* The objects that contain the one that is being read; NULL if none. */
 struct xfile_scope {
 	struct xfile_scene *scene;
 	struct xfile_frame *frame;

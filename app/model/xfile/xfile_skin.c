@@ -27,10 +27,7 @@ static int read_vertices(struct xfile_reader *reader,
 	return 0;
 }
 
-/*
- * Reads a bone's weights. Rounding errors of exporters, like -0.000001, count
- * as 0.
- */
+/* Reads weights. Rounding errors, like -0.000001, count as 0. */
 static int read_weights(struct xfile_reader *reader, struct xfile_bone *bone)
 {
 	int error;

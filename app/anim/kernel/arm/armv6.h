@@ -1,6 +1,4 @@
-/*
- * The fixed-point loops in assembly. struct fixed_loops states their contracts.
- */
+/* The fixed-point loops in assembly. struct fixed_loops has their contracts. */
 #ifndef APP_ANIM_KERNEL_ARM_ARMV6_H
 #define APP_ANIM_KERNEL_ARM_ARMV6_H
 

@@ -1,6 +1,4 @@
-/*
- * Access to a primitive's arrays and a target's deltas by enum fixed_attribute.
- */
+/* Access to a primitive's arrays and a target's deltas by attribute. */
 #ifndef APP_ANIM_KERNEL_LAYOUT_FIXED_ATTRIBUTE_H
 #define APP_ANIM_KERNEL_LAYOUT_FIXED_ATTRIBUTE_H
 

@@ -22,9 +22,7 @@ void fixed_range_add(
 		for (int k = 0; k < 3; k++) {
 			float at = position[i][k];
 
-			/*
-			 * With -1e30, fixed_range_placement() returns an error.
-			 */
+			/* Makes fixed_range_placement() return an error. */
 			at = fixed_can_use(at) ? at : -1e30f;
 			range->low[k] = at < range->low[k] ? at : range->low[k];
 			range->high[k] =

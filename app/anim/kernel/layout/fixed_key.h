@@ -32,9 +32,7 @@ void fixed_range_add(
 int fixed_range_placement(
 	const struct fixed_range *range, struct fixed_placement *placement);
 
-/*
- * Convert a key frame's positions, and its normals, in which 1 becomes 16383.
- */
+/* Convert a key frame's positions, and normals, in which 1 becomes 16383. */
 void fixed_key_positions(int count, const float (*position)[3],
 	const struct fixed_placement *placement, struct fixed_vector *out);
 void fixed_key_normals(

@@ -16,10 +16,7 @@ enum {
 const struct fixed_placement fixed_keys_directions = {
 	1.0f / KEY_MAX, {0.0f, 0.0f, 0.0f}};
 
-/*
- * Computes one vertex of key 0, the primitive itself, or of a target at full
- * weight.
- */
+/* Computes a vertex of key 0, or of a target at its full weight. */
 static void vertex_of(const struct model_primitive *primitive,
 	enum fixed_attribute attribute, int key, int vertex, float out[3])
 {
@@ -126,10 +123,7 @@ static int write_keys(struct fixed_keys *keys,
 	return 0;
 }
 
-/*
- * Uses the model's arrays of key frames. Returns false if one that is wanted is
- * missing.
- */
+/* Uses the model's key frames. Returns false if a wanted array is missing. */
 static bool take_keys(struct fixed_keys *keys, const struct model_keys *from,
 	unsigned streams)
 {

@@ -41,9 +41,7 @@ int fixed_keys_init(struct fixed_keys *keys,
 	const struct model_primitive *primitive, int target_count,
 	unsigned streams, struct arena *arena);
 
-/*
- * Converts count vectors to the format of keys. Numbers are clamped to 15 bits.
- */
+/* Converts vectors to the format of keys; numbers are clamped to 15 bits. */
 void fixed_keys_convert(int count, const float (*vector)[3],
 	const struct fixed_placement *placement, struct fixed_key *out);
 

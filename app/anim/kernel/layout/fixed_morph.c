@@ -126,10 +126,7 @@ static int choose_unit(struct fixed_morph *morph,
 	return 0;
 }
 
-/*
- * Converts one coordinate of a delta; with the target's scale, the largest one
- * becomes 32767.
- */
+/* Converts a coordinate of a delta. A target's largest one becomes 32767. */
 static int16_t delta_number(
 	const float (*delta)[3], int vertex, int axis, float scale)
 {
@@ -157,9 +154,7 @@ static bool write_pair(
 	return moves;
 }
 
-/*
- * Finds the next span from vertex `from` on; its count is 0 if there is none.
- */
+/* Finds the next span from a vertex on; its count is 0 if there is none. */
 static struct fixed_span next_span(
 	const struct source *source, int from, int vertex_count)
 {

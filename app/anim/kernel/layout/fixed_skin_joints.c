@@ -89,10 +89,7 @@ static struct fixed_joint *joint_of(
 	return &skin->joint[skin->joint_slot[joint]];
 }
 
-/*
- * Computes the box around the vertices that each joint moves at the present
- * cap.
- */
+/* Computes the boxes of the vertices that joints move at the present cap. */
 static void measure_boxes(struct fixed_skin *skin)
 {
 	const struct model_primitive *primitive = skin->primitive;

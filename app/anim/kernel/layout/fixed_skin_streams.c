@@ -66,10 +66,7 @@ static size_t count_run_words(const struct sorted *list, size_t count)
 	return words;
 }
 
-/*
- * Moves the vertices that a triangle list uses to a tier, unless they are in an
- * earlier one.
- */
+/* Moves a triangle list's vertices to a tier, if that is earlier. */
 static void put_into_tier(
 	struct sorted *sorted, const uint32_t *index, int index_count, int tier)
 {
@@ -107,10 +104,7 @@ int fixed_skin_tier_of(const struct fixed_skin *skin, int level)
 	return count < last ? last - count : 0;
 }
 
-/*
- * Sets tier_count and sorted[].tier. sorted[] is still in the primitive's
- * order.
- */
+/* Sets tier_count and sorted[].tier, in the primitive's order. */
 static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 {
 	const struct model_primitive *primitive = skin->primitive;

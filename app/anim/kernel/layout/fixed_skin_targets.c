@@ -240,9 +240,7 @@ int fixed_skin_init_targets(
 	return error;
 }
 
-/*
- * Called after the streams were written, when base vectors contain no targets.
- */
+/* The streams have been written, so base vectors contain no targets. */
 static struct fixed_rebase make_rebase(const struct fixed_skin *skin,
 	enum fixed_attribute attribute, int base_index, int delta_index,
 	int weight_q14)

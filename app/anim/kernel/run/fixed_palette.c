@@ -11,10 +11,7 @@
 #include <errno.h>
 #include <math.h>
 
-/*
- * Limits of the scale of matrices, so that products stay within the range of
- * float.
- */
+/* Limits of the matrices' scale, within which products fit a float. */
 #define ELEMENT_MIN 1e-12f
 #define ELEMENT_MAX 1e12f
 

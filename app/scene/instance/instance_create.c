@@ -17,6 +17,8 @@
 #include "platform/base/count.h"
 
 #include <errno.h>
+#include <stdlib.h>
+#include <string.h>
 
 /*
  * Returns the power of two that scales size into (0.5, 1], or 1 if size is
@@ -209,6 +211,40 @@ static void init_color(struct drawable *drawable, const struct model *model)
 	drawable->color[3] = fx16_from_float(material->base_color[3]);
 }
 
+/*
+ * Whether another node may show the drawable's arrays, too: no update writes
+ * them, neither for morph targets or joints nor for bumps or facets.
+ */
+static bool is_constant(const struct drawable *drawable)
+{
+	for (int i = 0; i < drawable->batch_count; i++) {
+		if (drawable->batch[i].source) {
+			return false;
+		}
+	}
+	return drawable->skin < 0 && !drawable->morphed && !drawable->light;
+}
+
+/*
+ * Makes a drawable of what another node shows: with the same arrays, but
+ * batches of its own, which may get other colours. Returns 0 or -ENOMEM.
+ */
+static int share_drawable(struct instance *instance, struct drawable *drawable,
+	int node, const struct drawable *shown)
+{
+	size_t count = (size_t)shown->batch_count;
+
+	*drawable = *shown;
+	drawable->node = node;
+	drawable->batch = ARENA_ARRAY(&instance->arena, struct batch, count);
+	if (!drawable->batch) {
+		return -ENOMEM;
+	}
+	memcpy(drawable->batch, shown->batch, count * sizeof(struct batch));
+	instance->float_count += instance->kernel->fixed && !shown->fixed;
+	return 0;
+}
+
 static int init_drawable(struct instance *instance, struct drawable *drawable,
 	int node, int primitive_index)
 {
@@ -266,39 +302,71 @@ static int count_drawables(const struct model *model, int *out)
 	return 0;
 }
 
-static int init_drawables(struct instance *instance)
+/*
+ * Makes the drawables of a node. shown, or NULL, are those of another node that
+ * has the same mesh.
+ */
+static int init_node(struct instance *instance, int node,
+	const struct drawable *shown, struct drawable *out)
+{
+	const struct model_node *n = &instance->model->node[node];
+	const struct model_mesh *mesh = &instance->model->mesh[n->mesh];
+	int error = 0;
+
+	for (int p = 0; p < mesh->primitive_count && !error; p++) {
+		bool skinned = n->skin >= 0 && mesh->primitive[p].influences > 0;
+
+		error = shown && !skinned && is_constant(&shown[p])
+			? share_drawable(instance, &out[p], node, &shown[p])
+			: init_drawable(instance, &out[p], node, p);
+	}
+	return error;
+}
+
+/* shown[mesh]: the drawables of the last node that has the mesh, or NULL. */
+static int init_nodes(struct instance *instance, const struct drawable *shown[])
 {
 	const struct model *model = instance->model;
-	int next = 0;
+	struct drawable *next = instance->drawable;
+	int error = 0;
 
-	if (count_drawables(model, &instance->drawable_count) != 0) {
-		return -ENOMEM;
-	}
-	instance->drawable = ARENA_ARRAY(&instance->arena, struct drawable,
-		(size_t)instance->drawable_count);
-	instance->blended = ARENA_ARRAY(&instance->arena,
-		struct blended_drawable, (size_t)instance->drawable_count);
-	if (!instance->drawable || !instance->blended) {
-		return -ENOMEM;
-	}
-	for (int i = 0; i < model->node_count; i++) {
+	for (int i = 0; i < model->node_count && !error; i++) {
 		const struct model_node *node = &model->node[i];
 
 		if (!node->in_scene || node->mesh < 0) {
 			continue;
 		}
-		for (int p = 0; p < model->mesh[node->mesh].primitive_count;
-			p++) {
-			int error = init_drawable(
-				instance, &instance->drawable[next++], i, p);
-
-			if (error) {
-				return error;
-			}
-		}
+		error = init_node(instance, i, shown[node->mesh], next);
+		shown[node->mesh] = next;
+		next += model->mesh[node->mesh].primitive_count;
 	}
-	alpha_list_blended(instance);
-	return 0;
+	return error;
+}
+
+static int init_drawables(struct instance *instance)
+{
+	const struct model *model = instance->model;
+	const struct drawable **shown;
+	size_t count;
+	int error;
+
+	if (count_drawables(model, &instance->drawable_count) != 0) {
+		return -ENOMEM;
+	}
+	count = (size_t)instance->drawable_count;
+	instance->drawable =
+		ARENA_ARRAY(&instance->arena, struct drawable, count);
+	instance->blended =
+		ARENA_ARRAY(&instance->arena, struct blended_drawable, count);
+	shown = calloc((size_t)model->mesh_count + 1, sizeof(*shown));
+	error = instance->drawable && instance->blended && shown
+		? init_nodes(instance, shown)
+		: -ENOMEM;
+	free(shown);
+	if (!error) {
+		alpha_list_blended(instance);
+	}
+	return error;
 }
 
 static int init_skeleton(struct instance *instance)

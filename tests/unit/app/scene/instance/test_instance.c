@@ -86,6 +86,62 @@ static void test_nodes_outside_the_scene_are_not_shown(void **state)
 	model_destroy(model);
 }
 
+/* Lets two nodes more show the mesh of the first one. */
+static void show_three_times(struct model *model)
+{
+	struct model_node *node =
+		ARENA_ARRAY(&model->arena, struct model_node, 3);
+
+	node[0] = node[1] = node[2] = model->node[0];
+	model->node = node;
+	model->node_count = 3;
+}
+
+static const struct fixed_vector *batch_vertices(
+	const struct instance *instance, int drawable)
+{
+	return instance->drawable[drawable].batch[0].fixed_position;
+}
+
+static void test_nodes_with_one_rigid_mesh_share_its_vertices(void **state)
+{
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	const float half[3] = {0.5f, 0.5f, 0.5f};
+	const struct log log = {0};
+	struct instance *instance, *floats;
+	float corner[3];
+
+	(void)state;
+	show_three_times(model);
+	assert_int_equal(
+		instance_create(model, kernel_find("fixed"), &log, &instance),
+		0);
+	floats = small_model_instance(model);
+	assert_int_equal(instance->drawable_count, 3);
+	for (int i = 1; i < 3; i++) {
+		assert_ptr_equal(batch_vertices(instance, 0),
+			batch_vertices(instance, i));
+		assert_ptr_equal(instance->drawable[0].batch[0].index,
+			instance->drawable[i].batch[0].index);
+		assert_ptr_equal(floats->drawable[0].position,
+			floats->drawable[i].position);
+	}
+	/* but each has a place and colours of its own */
+	instance->pose.local[1].translation[1] = 2.0f;
+	instance_update(instance);
+	instance_world_vertex(instance, &instance->drawable[1], 3, corner);
+	assert_all_near(corner, ((float[3]){1, 3, 0}), 3, 1e-4);
+	instance_world_vertex(instance, &instance->drawable[2], 3, corner);
+	assert_all_near(corner, ((float[3]){1, 1, 0}), 3, 1e-4);
+	assert_int_equal(
+		batch_tint(&instance->drawable[1], half, &instance->arena), 0);
+	assert_int_equal(instance->drawable[2].color[0],
+		2 * instance->drawable[1].color[0]);
+	instance_destroy(floats);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_gives_flat_normals_where_the_file_has_none(void **state)
 {
 	struct model *model = small_model_grid(2, 1, 1.0f, false);
@@ -416,6 +472,8 @@ int main(void)
 		cmocka_unit_test(test_scales_a_tiny_model_up),
 		cmocka_unit_test(test_moves_a_rigid_mesh_with_its_node),
 		cmocka_unit_test(test_nodes_outside_the_scene_are_not_shown),
+		cmocka_unit_test(
+			test_nodes_with_one_rigid_mesh_share_its_vertices),
 		cmocka_unit_test(test_gives_flat_normals_where_the_file_has_none),
 		cmocka_unit_test(
 			test_keeps_vertex_colours_apart_where_there_are_no_normals),

@@ -26,6 +26,7 @@ GUESSED = {
     "call": (12000, 5000),
     "listed": (170, 95),
     "vertex": (200, 85),
+    "again": (130, 85),
     "single": (400, 170),
     "shaded": (450, 150),
     "hidden": (10, 9),
@@ -52,6 +53,7 @@ GUESSED_KINDS = {
     "colored": ((300, 60, 5), (200, 40, 3)),
     "bent": ((1500, 150, 3), (900, 90, 2)),
     "deep": ((1, 1, 2), (1, 1, 1.6)),
+    "crossed": ((300, 250, 3), (200, 200, 2)),
 }
 for kind, guesses in GUESSED_KINDS.items():
     for what, *guess in zip(("triangle", "row", "pixel"), *guesses):

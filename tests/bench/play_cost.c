@@ -55,9 +55,10 @@ static void pose(struct instance *instance, const struct model_clip *clip,
 
 static void print_counts(const struct gl_counts *counts)
 {
-	printf("counts %.0f %.0f %.0f %.0f %.0f %.0f %.0f %.0f", counts->calls,
-		counts->listed, counts->vertices, counts->single,
-		counts->shaded, counts->hidden, counts->skipped, counts->fine);
+	printf("counts %.0f %.0f %.0f %.0f %.0f %.0f %.0f %.0f %.0f",
+		counts->calls, counts->listed, counts->vertices, counts->again,
+		counts->single, counts->shaded, counts->hidden, counts->skipped,
+		counts->fine);
 	for (int i = 0; i < GL_WORK_KINDS; i++) {
 		printf(" %.0f %.0f %.0f", counts->work[i].triangles,
 			counts->work[i].rows, counts->work[i].pixels);

@@ -9,6 +9,7 @@ enum draw_work {
 	DRAW_CALL,
 	DRAW_LISTED,
 	DRAW_VERTEX,
+	DRAW_AGAIN,
 	DRAW_SINGLE,
 	DRAW_SHADED,
 	DRAW_HIDDEN,
@@ -25,6 +26,7 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{1.736e+04, 6565},      /* call */
 	{112.4, 59.59},         /* listed */
 	{345.7, 74.23},         /* vertex */
+	{130, 74.23},           /* again */
 	{343.1, 159},           /* single */
 	{222.9, 213.3},         /* shaded */
 	{9.9, 11.35},           /* hidden */
@@ -84,6 +86,9 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{1, 1},                 /* deep triangle */
 	{1.002, 0.9976},        /* deep row */
 	{1.859, 1.319},         /* deep pixel */
+	{0, 0},                 /* crossed triangle */
+	{0, 250},               /* crossed row */
+	{0, 0},                 /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)
@@ -101,6 +106,7 @@ struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels)
 	add_work(&sum, DRAW_CALL, counts->calls);
 	add_work(&sum, DRAW_LISTED, counts->listed);
 	add_work(&sum, DRAW_VERTEX, counts->vertices);
+	add_work(&sum, DRAW_AGAIN, counts->again);
 	add_work(&sum, DRAW_SINGLE, counts->single);
 	add_work(&sum, DRAW_SHADED, counts->shaded);
 	add_work(&sum, DRAW_HIDDEN, counts->hidden);

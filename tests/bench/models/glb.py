@@ -99,9 +99,12 @@ class Model:
             "indices": self.accessor("SCALAR", SHORT, [(i,) for i in indices]),
             "material": material,
         }
-        mesh = self.add("meshes", {"primitives": [primitive]})
+        return self.show(self.add("meshes", {"primitives": [primitive]}), **place)
+
+    def show(self, mesh, **place):
         node = self.add("nodes", {"mesh": mesh, "translation": (0, 0, 0), **place})
         self.json["scenes"][0]["nodes"].append(node)
+        return mesh
 
     def save(self, path):
         used = {name: value for name, value in self.json.items() if value != []}

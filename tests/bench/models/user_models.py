@@ -18,7 +18,8 @@ a ball, rags are a sphere of which the alpha test leaves little, dice are 500 sm
 textured cubes, and shapes is a head of 52 targets. net is blended, thin and long;
 tiles are small squares of a texture each, mirrors, poster and bricks repeat a texture
 mirrored, clamped and with sides of no power of two. blocky has no filter, paper is a
-flat sphere, beads are 600 plain cubes, petals have colours with alpha, and lamp shines.
+flat sphere, beads are 600 plain cubes, petals have colours with alpha, and lamp shines. shoal is 150 nodes that
+show four meshes, and the texture of yard's 60 boxes repeats three times on each side.
 """
 import math
 import pathlib
@@ -327,6 +328,29 @@ def make_lamp(model):
     model.mesh(model.material(texture, emissiveFactor=(0.4, 0.2, 0)), blob(40, 24))
 
 
+def make_shoal(model):
+    shape = blob(10, 6, 0.2)
+    shown = []
+    for k in range(150):
+        x, y, z = (1.5 * math.sin(k * c) for c in (1.3, 2.7, 4.1))
+        place = {"translation": (x, y, z), "scale": (2, 0.7, 0.5),
+                 "rotation": (0, math.sin(k), 0, math.cos(k))}  # fmt: skip
+        if k < 4:
+            shown.append(model.mesh(model.material(color=(k / 4, 0.5, 0.8, 1)), shape, **place))
+        else:
+            model.show(shown[k % 4], **place)
+
+
+def make_yard(model):
+    positions, normals, texcoords, indices = cube()
+    shape = positions, normals, [(3 * s, 3 * t) for s, t in texcoords], indices
+    for k in range(60):
+        texture = model.texture(png(128, checks(128), 3)) if k % 15 == 0 else texture
+        size = [0.2 + (k * c % 10) / 10 for c in (3, 7, 1)]
+        at = (8 * math.sin(1.3 * k), size[1], 8 * math.sin(2.7 * k))
+        model.mesh(model.material(texture), shape, scale=size, translation=at)
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -365,6 +389,8 @@ MODELS = {
     "beads": make_beads,
     "petals": make_petals,
     "lamp": make_lamp,
+    "shoal": make_shoal,
+    "yard": make_yard,
 }
 
 

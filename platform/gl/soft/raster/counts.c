@@ -8,7 +8,9 @@
 #include <string.h>
 
 enum {
-	NOT_SET_UP = INT_MIN /* as raster.top: neither planes nor lists */
+	NOT_SET_UP = INT_MIN, /* as raster.top: neither planes nor lists */
+	/* How many vertices the second cache has room for beside the driver's own. */
+	CACHED_VERTICES = 1500
 };
 
 /* Whether span functions took the nearest texels for it. */
@@ -95,6 +97,18 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	return false;
 }
 
+/* Whether the triangle that was drawn last needs texels on both sides of an edge. */
+static bool crosses_edge(const struct draw *draw)
+{
+	const struct texture_input *input = &draw->texture[0];
+	const int32_t(*range)[2] = draw->raster.texel_range;
+	const int s = 8 + input->width_log2, t = 8 + input->height_log2;
+
+	return draw->key & KEY_TEXTURE && draw->raster.top != NOT_SET_UP &&
+		(range[0][0] >> s != range[0][1] >> s ||
+			range[1][0] >> t != range[1][1] >> t);
+}
+
 static void add_triangle(struct gl_work *work, int rows, double pixels)
 {
 	work->triangles += 1.0;
@@ -119,6 +133,10 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	}
 	if (draw->raster.bent) {
 		add_triangle(&work[GL_WORK_BENT], rows, pixels);
+	}
+	if (kind != GL_WORK_LUMINANCE && kind != GL_WORK_BACKDROP &&
+		crosses_edge(draw)) {
+		add_triangle(&work[GL_WORK_CROSSED], rows, pixels);
 	}
 }
 
@@ -252,12 +270,37 @@ void soft_count_fine(const struct draw *draw, int pixels)
 	draw->soft->counts->fine += pixels;
 }
 
+/*
+ * Whether a call of so many vertices reads an array that a recent call read,
+ * and that the cache of the second level still has.
+ */
+static bool is_read_again(struct draw *draw, double vertices)
+{
+	const uint8_t *positions = draw->view.positions;
+	double since = vertices;
+	bool again = false;
+
+	for (uint32_t i = 1; i <= RECENT_CALLS && !again; i++) {
+		const struct counted_call *call =
+			&draw->recent[(draw->recent_next - i) % RECENT_CALLS];
+
+		if (since > CACHED_VERTICES) {
+			break;
+		}
+		again = call->positions == positions;
+		since += call->vertices;
+	}
+	draw->recent[draw->recent_next++ % RECENT_CALLS] =
+		(struct counted_call){positions, vertices};
+	return again;
+}
+
 void soft_count_call(struct draw *draw, const struct source *source, GLenum mode)
 {
 	struct gl_counts *counts = draw->soft->counts;
 	bool listed = mode == GL_TRIANGLES && source->indices &&
 		source->type == GL_UNSIGNED_SHORT;
-	double *vertices = listed ? &counts->vertices : &counts->single;
+	double vertices = 0.0;
 
 	counts->calls += 1.0;
 	counts->listed +=
@@ -268,9 +311,13 @@ void soft_count_call(struct draw *draw, const struct source *source, GLenum mode
 		uint32_t index = index_at(source, i);
 		uint32_t *known = &draw->counted[index % VERTEX_CACHE];
 
-		*vertices += *known != index;
+		vertices += *known != index;
 		*known = index;
 	}
+	*(!listed                                       ? &counts->single
+			: is_read_again(draw, vertices) ? &counts->again
+							: &counts->vertices) +=
+		vertices;
 	memset(draw->counted, 0xFF, sizeof(draw->counted));
 	/* Text is drawn by its rectangles. */
 	if (!draw->rectangles) {

@@ -38,6 +38,7 @@ enum {
 	CLIP_VERTICES = 9,     /* a triangle cut by six planes */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
 	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
+	RECENT_CALLS = 32,     /* that counts.c remembers; a power of two */
 };
 
 enum attribute {
@@ -233,6 +234,12 @@ struct fast_setup {
 	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
 };
 
+/* What counts.c remembers of a call. */
+struct counted_call {
+	const uint8_t *positions;
+	double vertices;
+};
+
 struct draw {
 	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
@@ -295,6 +302,8 @@ struct draw {
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 	/* counts.c's, while a program counts */
 	fill_function counted_fill;
+	struct counted_call recent[RECENT_CALLS]; /* a ring */
+	uint32_t recent_next;
 	uint32_t counted[VERTEX_CACHE]; /* tags */
 };
 

@@ -46,7 +46,7 @@ static void expect_square(const struct gl_counts *counts, enum gl_work_kind kind
 
 	assert_true(counts->calls == 1.0);
 	assert_true(counts->listed == TRIANGLES);
-	assert_true(counts->vertices == 4.0);
+	assert_true(counts->vertices + counts->again == 4.0);
 	assert_true(work->triangles == TRIANGLES);
 	assert_true(work->rows == TRIANGLES * SIZE);
 	assert_true(work->pixels == SIZE * SIZE);
@@ -147,6 +147,80 @@ static void test_triangles_of_several_colors_count_besides(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* Draws triangles of so many vertices, each of them once. */
+static void draw_vertices(struct gl_canvas *canvas, const float (*position)[3],
+	const uint16_t *index, int count)
+{
+	canvas->gl->EnableClientState(GL_VERTEX_ARRAY);
+	canvas->gl->VertexPointer(3, GL_FLOAT, 0, position);
+	canvas->gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
+}
+
+static void test_vertices_that_a_cache_still_has_count_apart(void **state)
+{
+	static const float small[3][3], other[3][3], large[3000][3];
+	static uint16_t index[3000];
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+
+	(void)state;
+	for (int i = 0; i < 3000; i++) {
+		index[i] = (uint16_t)i;
+	}
+	count(&canvas, &counts);
+	draw_vertices(&canvas, small, index, 3);
+	draw_vertices(&canvas, small, index, 3);
+	draw_vertices(&canvas, other, index, 3);
+	draw_vertices(&canvas, small, index, 3);
+	assert_true(counts.vertices == 6.0);
+	assert_true(counts.again == 6.0);
+	/* Many vertices push others out, and the first of their own. */
+	draw_vertices(&canvas, large, index, 3000);
+	draw_vertices(&canvas, large, index, 3000);
+	draw_vertices(&canvas, small, index, 3);
+	assert_true(counts.vertices == 6009.0);
+	assert_true(counts.again == 6.0);
+	gl_canvas_close(&canvas);
+}
+
+/* A square whose texture coordinates end where they are told to. */
+static struct gl_work count_crossed(float from, float to)
+{
+	static const uint16_t texel[8 * 8];
+	const float s_t[4][2] = {{from, from}, {to, from}, {from, to}, {to, to}};
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+	GLuint name;
+
+	canvas.gl->GenTextures(1, &name);
+	canvas.gl->BindTexture(GL_TEXTURE_2D, name);
+	canvas.gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+	canvas.gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 8, 8, 0, GL_RGB,
+		GL_UNSIGNED_SHORT_5_6_5, texel);
+	canvas.gl->Enable(GL_TEXTURE_2D);
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	canvas.gl->DepthFunc(GL_ALWAYS);
+	canvas.gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	canvas.gl->TexCoordPointer(2, GL_FLOAT, 0, s_t);
+	count(&canvas, &counts);
+	draw_square(&canvas);
+	gl_canvas_close(&canvas);
+	return counts.work[GL_WORK_CROSSED];
+}
+
+static void test_triangles_across_a_textures_edge_count_besides(void **state)
+{
+	struct gl_work inside = count_crossed(0.125f, 0.875f);
+	struct gl_work across = count_crossed(0.5f, 1.5f);
+
+	(void)state;
+	assert_true(inside.triangles == 0.0);
+	assert_true(across.triangles == TRIANGLES);
+	assert_true(across.rows == TRIANGLES * SIZE);
+	assert_true(across.pixels == SIZE * SIZE);
+}
+
 static void test_nothing_is_counted_after_null(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
@@ -189,6 +263,7 @@ static void test_scaled_counts_are_all_scaled(void **state)
 	struct gl_counts counts = {.calls = 2,
 		.listed = 4,
 		.vertices = 6,
+		.again = 24,
 		.single = 20,
 		.shaded = 8,
 		.hidden = 16,
@@ -201,7 +276,7 @@ static void test_scaled_counts_are_all_scaled(void **state)
 	assert_true(counts.calls == 1 && counts.listed == 2 &&
 		counts.vertices == 3 && counts.shaded == 4 &&
 		counts.hidden == 8 && counts.skipped == 11 &&
-		counts.single == 10 && counts.fine == 9);
+		counts.again == 12 && counts.single == 10 && counts.fine == 9);
 	assert_true(counts.work[GL_WORK_LUMINANCE].triangles == 5 &&
 		counts.work[GL_WORK_LUMINANCE].rows == 6 &&
 		counts.work[GL_WORK_LUMINANCE].pixels == 7);
@@ -214,6 +289,10 @@ int main(void)
 		cmocka_unit_test(
 			test_triangles_that_are_not_set_up_count_as_skipped),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),
+		cmocka_unit_test(
+			test_vertices_that_a_cache_still_has_count_apart),
+		cmocka_unit_test(
+			test_triangles_across_a_textures_edge_count_besides),
 		cmocka_unit_test(test_nothing_is_counted_after_null),
 		cmocka_unit_test(test_counting_changes_no_pixel),
 		cmocka_unit_test(test_scaled_counts_are_all_scaled),

@@ -155,7 +155,11 @@ static void count_bytes(
 		candidate->bytes.shared_file += matrices;
 	}
 	for (int i = 0; i < state->instance->drawable_count; i++) {
-		count_drawable(candidate, model, &state->instance->drawable[i]);
+		const struct drawable *drawable = &state->instance->drawable[i];
+
+		if (!drawable->shared) {
+			count_drawable(candidate, model, drawable);
+		}
 	}
 }
 

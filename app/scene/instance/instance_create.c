@@ -236,6 +236,7 @@ static int share_drawable(struct instance *instance, struct drawable *drawable,
 
 	*drawable = *shown;
 	drawable->node = node;
+	drawable->shared = true;
 	drawable->batch = ARENA_ARRAY(&instance->arena, struct batch, count);
 	if (!drawable->batch) {
 		return -ENOMEM;

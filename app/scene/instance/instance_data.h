@@ -112,6 +112,7 @@ struct drawable {
 	const struct model_primitive *primitive;
 	int skin;      /* -1: rigid, drawn by its node's matrix */
 	bool morphed;  /* the mesh has targets */
+	bool shared;   /* its vertices are those of an earlier drawable */
 	bool external; /* shows the caller's arrays: instance_use_vertices() */
 	bool hidden;
 	/* the last update's joints reversed the winding of triangles */

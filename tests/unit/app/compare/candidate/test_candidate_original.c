@@ -63,22 +63,30 @@ static void make_grid(struct skinned_grid *grid, int joint_count)
 	grid->model->clip_count = 1;
 }
 
-static struct candidate_bytes bytes_with(int joint_count)
+static struct candidate_bytes bytes_of(const struct model *model)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
 	struct candidate_bytes bytes;
 	struct reference *reference;
-	struct skinned_grid grid;
 	struct candidate candidate;
 
-	make_grid(&grid, joint_count);
-	assert_int_equal(reference_create(grid.model, 0, &log, &reference), 0);
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
 	assert_int_equal(candidate_original(&candidate, reference,
 				 kernel_find("float"), 0, true, 60.0, &log),
 		0);
 	bytes = candidate.bytes;
 	candidate_destroy(&candidate);
 	reference_destroy(reference);
+	return bytes;
+}
+
+static struct candidate_bytes bytes_with(int joint_count)
+{
+	struct skinned_grid grid;
+	struct candidate_bytes bytes;
+
+	make_grid(&grid, joint_count);
+	bytes = bytes_of(grid.model);
 	model_destroy(grid.model);
 	return bytes;
 }
@@ -109,11 +117,33 @@ static void test_a_joint_more_takes_two_matrices_in_memory(void **state)
 	assert_int_equal(bytes_with(9).shared - bytes_with(8).shared, 128);
 }
 
+static void test_a_mesh_that_two_nodes_show_counts_once(void **state)
+{
+	struct candidate_bytes one, two;
+	struct skinned_grid grid;
+	struct model_node node[2];
+
+	(void)state;
+	make_grid(&grid, 1);
+	grid.model->skin_count = 0;
+	grid.model->node->skin = -1;
+	one = bytes_of(grid.model);
+	node[0] = node[1] = *grid.model->node;
+	grid.model->node = node;
+	grid.model->node_count = 2;
+	two = bytes_of(grid.model);
+	assert_int_equal(two.shared_file, one.shared_file);
+	assert_int_equal(two.shared - one.shared,
+		sizeof(struct transform) + sizeof(mat4));
+	model_destroy(grid.model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_joints_up_to_256_have_numbers_of_a_byte),
 		cmocka_unit_test(test_a_joint_more_takes_two_matrices_in_memory),
+		cmocka_unit_test(test_a_mesh_that_two_nodes_show_counts_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

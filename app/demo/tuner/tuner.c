@@ -319,7 +319,6 @@ static void change_value(struct demo *demo, int direction)
 {
 	demo->changing = direction;
 	if (direction != 0) {
-		demo->autoplay = false;
 		change(demo, direction);
 		demo->next_change_s = demo->now_s + repeat_after_s;
 	}
@@ -344,7 +343,6 @@ static void save(struct demo *demo, int amount)
 
 static void step_preset(struct demo *demo, int step)
 {
-	demo->autoplay = false;
 	demo->chosen = (demo->chosen + step) % demo->file.count;
 	use_preset(demo);
 }
@@ -363,7 +361,6 @@ static void read_again(struct demo *demo, int amount)
 	(void)amount;
 	if (preset_file_find(&file, demo->log) == 0 &&
 		demo->chosen < file.count) {
-		demo->autoplay = false;
 		*preset_of(demo) = file.preset[demo->chosen];
 		use_preset(demo);
 		show_message(demo, "as in the file");

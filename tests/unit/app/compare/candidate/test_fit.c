@@ -1,6 +1,7 @@
 /* Fitted key frames, compared with a plain search over all moments. */
 #include "app/compare/candidate/fit.h"
 #include "tests/support/model/compared_clip.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
@@ -129,6 +130,82 @@ static void test_each_key_is_the_farthest_that_keeps_the_bound(void **state)
 	end(&bench);
 }
 
+enum {
+	LOW_MOMENTS = 24, /* at -0.75, after one at 0 */
+	DANCE_MOMENTS = LOW_MOMENTS + MISSES + 2
+};
+
+/*
+ * A square that goes to -0.75, stays at 0.75 for so many moments, which no line
+ * from its begin reaches within 1, and ends at 0, which one does.
+ */
+struct dance {
+	struct model_clip clip;
+	struct model_channel channel;
+	float time_s[DANCE_MOMENTS];
+	float value[DANCE_MOMENTS][3];
+};
+
+static void make_dance(struct dance *dance, int high_moments)
+{
+	int last = LOW_MOMENTS + high_moments + 1;
+
+	memset(dance, 0, sizeof(*dance));
+	for (int i = 0; i <= last; i++) {
+		dance->time_s[i] = (float)i / 64.0f;
+		if (i > 0 && i < last) {
+			dance->value[i][0] = i <= LOW_MOMENTS ? -0.75f : 0.75f;
+		}
+	}
+	dance->channel = (struct model_channel){.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = last + 1,
+		.time_s = dance->time_s,
+		.value = dance->value[0]};
+	dance->clip = (struct model_clip){.name = "dance",
+		.duration_s = dance->time_s[last],
+		.channel_count = 1,
+		.channel = &dance->channel};
+}
+
+/* The first key after the begin, as a moment of the dance. */
+static int first_key_of(int high_moments)
+{
+	struct compared_clip of = {.log = log_to_stderr(LOG_WARNING)};
+	static const float begin[3] = {0}, unit[3] = {1};
+	struct fit_keys keys;
+	struct dance dance;
+	int moment;
+
+	make_dance(&dance, high_moments);
+	of.model = small_model_grid(1, 1, 1.0f, false);
+	of.model->clip = &dance.clip;
+	of.model->clip_count = 1;
+	assert_int_equal(
+		reference_create(of.model, 0, &of.log, &of.reference), 0);
+	assert_int_equal(time_grid_make(&dance.clip, &of.grid), 0);
+	assert_int_equal(of.grid.count, dance.channel.key_count);
+	of.screen = screen_view_create(of.reference, &of.grid, 480, 640);
+	assert_int_equal(
+		fit_keys_within(of.reference, &of.screen, &of.grid,
+			screen_view_distance_px(&of.screen, begin, unit),
+			PLENTY_BYTES, &keys),
+		0);
+	moment = (int)(keys.time_s[1] * 64.0f + 0.5f);
+	fit_keys_release(&keys);
+	compared_clip_end(&of);
+	return moment;
+}
+
+static void test_it_gives_up_after_eight_moments_that_do_not_fit(void **state)
+{
+	(void)state;
+	assert_int_equal(first_key_of(1), LOW_MOMENTS + 2);
+	assert_int_equal(first_key_of(MISSES - 1), LOW_MOMENTS + MISSES);
+	assert_int_equal(first_key_of(MISSES), LOW_MOMENTS);
+}
+
 static void test_the_memory_limits_the_spans(void **state)
 {
 	struct bench bench;
@@ -164,6 +241,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_each_key_is_the_farthest_that_keeps_the_bound),
+		cmocka_unit_test(
+			test_it_gives_up_after_eight_moments_that_do_not_fit),
 		cmocka_unit_test(test_the_memory_limits_the_spans),
 		cmocka_unit_test(test_even_keys_reach_from_start_to_end),
 	};

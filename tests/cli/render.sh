@@ -98,6 +98,22 @@ check 'play saves the presets' \
 LIMBER_ASSETS=$kept_assets
 [ -n "$kept_assets" ] || unset LIMBER_ASSETS
 
+# A terminal shows how many frames are written. The pipe takes the first one for more
+# than a second, after which the bar appears.
+mkfifo "$scratch/slow.y4m"
+{
+    head -c 1000 >"$scratch/begin"
+    sleep 1.1
+    cat >"$scratch/rest"
+} <"$scratch/slow.y4m" &
+reader=$!
+run script -qec "$limber render '$slider' --size 256x256 --frames 3 \
+    -o '$scratch/slow.y4m'" /dev/null
+kill "$reader" 2>/dev/null
+about 'limber render, on a terminal'
+expect_status 0
+expect_out '\[#{13}-{27}\] 1/3 frames'
+
 # A signal stops it: it reports that and leaves no file.
 half=$scratch/half.gif
 # shellcheck disable=SC2086,SC2016 # a command and its arguments

@@ -91,14 +91,15 @@ static void set_all(struct comparison *comparison, int row)
 /* Gives clip after clip a better row, until no clip has one. */
 static void improve_all(struct comparison *comparison)
 {
-	bool changed = true;
+	bool changed;
 
-	for (int round = 0; changed && round < COMPARISON_ROWS_MAX; round++) {
+	/* It ends, as each change gives a lower price or one more clip that fits. */
+	do {
 		changed = false;
 		for (int c = 0; c < comparison->clip_count; c++) {
 			changed = improve(comparison, c) || changed;
 		}
-	}
+	} while (changed);
 }
 
 /* Returns the row from which improve_all() finds the cheapest plan, or -1. */

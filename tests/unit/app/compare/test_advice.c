@@ -8,6 +8,7 @@
 
 enum {
 	CLIPS = 2,
+	CLIPS_MOST = 4,
 	ROWS = 4
 };
 
@@ -22,8 +23,8 @@ static const struct board_profile board = {
 
 struct bench {
 	struct comparison comparison;
-	struct comparison_clip clip[CLIPS];
-	struct comparison_cell cell[ROWS][CLIPS];
+	struct comparison_clip clip[CLIPS_MOST];
+	struct comparison_cell cell[ROWS][CLIPS_MOST];
 };
 
 static void begin(struct bench *bench)
@@ -290,6 +291,16 @@ static void test_a_mixed_plan_must_save_a_hundredth_of_the_frame(void **state)
 	assert_false(bench.comparison.mixed);
 	assert_int_equal(bench.comparison.mixed_bytes, 10 * 1024);
 	assert_near(bench.comparison.mixed_us, 1895.0, 1e-6);
+	/* Then all clips have the row that is advised, whatever was tried. */
+	bench.comparison.row[1].total.board.cycles = ARM11_MHZ * 1800.0;
+	advice_give(&bench.comparison);
+	assert_false(bench.comparison.mixed);
+	assert_int_equal(bench.comparison.advised, 1);
+	assert_int_equal(bench.comparison.clip[0].row, 1);
+	assert_int_equal(bench.comparison.clip[1].row, 1);
+	cross(&bench, 1000, 2800);
+	advice_give(&bench.comparison);
+	assert_false(bench.comparison.mixed);
 	cross(&bench, 1000, 2810);
 	advice_give(&bench.comparison);
 	assert_true(bench.comparison.mixed);
@@ -309,16 +320,22 @@ static void test_a_mixed_plan_keeps_the_limits_in_each_clip(void **state)
 	for (int r = 0; r < 2; r++) {
 		bench.comparison.row[r].total.peak_px = 3.0f;
 		bench.comparison.row[r].cell[1 - r].error.peak_px = 3.0f;
+		bench.comparison.row[r].cell[r].error.peak_px = 2.0f;
 	}
+	bench.comparison.request.memory_bytes = 18 * 1024;
 	advice_give(&bench.comparison);
 	assert_true(bench.comparison.mixed);
 	assert_int_equal(bench.comparison.clip[0].row, 0);
 	assert_int_equal(bench.comparison.clip[1].row, 1);
 	bench.comparison.mixed = false;
-	bench.comparison.request.memory_bytes = 17 * 1024;
+	bench.comparison.request.memory_bytes = 18 * 1024 - 1;
 	advice_give(&bench.comparison);
 	assert_false(bench.comparison.mixed);
 	bench.comparison.request.memory_bytes = 0;
+	bench.comparison.row[0].cell[0].error.peak_px = 3.0f;
+	advice_give(&bench.comparison);
+	assert_false(bench.comparison.mixed);
+	bench.comparison.row[0].cell[0].error.peak_px = 0.0f;
 	bench.comparison.row[1].listed = false;
 	advice_give(&bench.comparison);
 	assert_false(bench.comparison.mixed);
@@ -331,6 +348,85 @@ static void test_a_mixed_plan_keeps_the_limits_in_each_clip(void **state)
 	bench.comparison.request.frame_ms = 1.0;
 	advice_give(&bench.comparison);
 	assert_false(bench.comparison.mixed);
+}
+
+/* Begins with these times of each row's clips, and 8 KiB that a row's clips share. */
+static void begin_plans(
+	struct bench *bench, int rows, int clips, const double us[][CLIPS_MOST])
+{
+	begin(bench);
+	bench->comparison.clip_count = clips;
+	for (int r = 0; r < rows; r++) {
+		struct comparison_row *row = add(bench, 1.0, 8 + clips, 0.0f);
+		double sum_us = 0.0;
+
+		for (int c = 0; c < clips; c++) {
+			sum_us += us[r][c];
+			set_cell(&row->cell[c], us[r][c]);
+			row->cell[c].bytes.own = 1024;
+			row->cell[c].bytes.shared = 8 * 1024;
+		}
+		row->total.board.cycles = (double)ARM11_MHZ * sum_us / clips;
+	}
+}
+
+static void expect_plan(struct bench *bench, const int *row)
+{
+	advice_give(&bench->comparison);
+	assert_true(bench->comparison.mixed);
+	for (int c = 0; c < bench->comparison.clip_count; c++) {
+		assert_int_equal(bench->comparison.clip[c].row, row[c]);
+	}
+}
+
+/*
+ * The last two clips are faster in row 1 only together, as its shared bytes are then
+ * paid once. So the way to this plan is from row 1, and changes the first clip.
+ */
+static void test_a_mixed_plan_may_begin_with_a_row_that_is_dear_alone(
+	void **state)
+{
+	static const double us[2][CLIPS_MOST] = {
+		{1000, 4000, 4000}, {9000, 2500, 2500}};
+	struct bench bench;
+
+	(void)state;
+	begin_plans(&bench, 2, 3, us);
+	expect_plan(&bench, (const int[]){0, 1, 1});
+	assert_int_equal(bench.comparison.advised, 0);
+	assert_int_equal(bench.comparison.mixed_bytes, 19 * 1024);
+	assert_near(bench.comparison.mixed_us, 2000.0, 1e-6);
+}
+
+/*
+ * In row 0 the last two clips are faster only together. From there, the second
+ * clip gets row 1, after which the first one gains by it, too.
+ */
+static void test_a_mixed_plan_is_improved_until_nothing_changes(void **state)
+{
+	static const double us[2][CLIPS_MOST] = {
+		{4000, 8000, 1000, 1000}, {2000, 1000, 3500, 3500}};
+	struct bench bench;
+
+	(void)state;
+	begin_plans(&bench, 2, 4, us);
+	expect_plan(&bench, (const int[]){1, 1, 0, 0});
+	assert_near(bench.comparison.mixed_us, 1250.0, 1e-6);
+}
+
+/* Rows and clips beyond the last one count for nothing. */
+static void test_a_mixed_plan_has_the_first_of_equal_rows(void **state)
+{
+	static const double us[4][CLIPS_MOST] = {
+		{1000, 9000}, {9000, 1000}, {9000, 1000}, {1, 1}};
+	struct bench bench;
+
+	(void)state;
+	begin_plans(&bench, 4, 2, us);
+	bench.comparison.row_count = 3;
+	bench.clip[2].row = -1;
+	expect_plan(&bench, (const int[]){0, 1});
+	assert_int_equal(bench.clip[2].row, -1);
 }
 
 int main(void)
@@ -351,6 +447,11 @@ int main(void)
 		cmocka_unit_test(
 			test_a_mixed_plan_must_save_a_hundredth_of_the_frame),
 		cmocka_unit_test(test_a_mixed_plan_keeps_the_limits_in_each_clip),
+		cmocka_unit_test(
+			test_a_mixed_plan_may_begin_with_a_row_that_is_dear_alone),
+		cmocka_unit_test(
+			test_a_mixed_plan_is_improved_until_nothing_changes),
+		cmocka_unit_test(test_a_mixed_plan_has_the_first_of_equal_rows),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

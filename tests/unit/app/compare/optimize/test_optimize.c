@@ -245,6 +245,26 @@ static void test_fixtures_keep_their_pictures(void **state)
 	}
 }
 
+/*
+ * Weights in bytes miss both bounds here. Those and positions in shorts keep to
+ * half of the first bound; the second one takes floats.
+ */
+static void test_numbers_lose_what_the_bound_allows(void **state)
+{
+	struct optimize_result loose, strict;
+	struct model *model;
+
+	(void)state;
+	load(fixture_path("gltf/skin/no_inverse_bind.gltf").text, &model);
+	loose = optimized(model, 0.2f);
+	strict = optimized(model, 0.003f);
+	assert_true(loose.after.vertices < strict.after.vertices);
+	assert_true(strict.after.vertices <= strict.before.vertices);
+	model_destroy(model);
+	free(loose.data);
+	free(strict.data);
+}
+
 /* A clip that lasts no time is measured in its pose, not at rest. */
 static void test_a_pose_keeps_all_channels(void **state)
 {
@@ -377,6 +397,7 @@ int main(void)
 		cmocka_unit_test(test_rigid_parts_and_targets_keep_to_the_bound),
 		cmocka_unit_test(test_half_turns_keep_their_direction),
 		cmocka_unit_test(test_fixtures_keep_their_pictures),
+		cmocka_unit_test(test_numbers_lose_what_the_bound_allows),
 		cmocka_unit_test(test_a_pose_keeps_all_channels),
 		cmocka_unit_test(test_triangles_are_ordered_for_the_cache),
 		cmocka_unit_test(

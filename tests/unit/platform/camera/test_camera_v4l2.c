@@ -314,7 +314,11 @@ static void test_a_silent_device_fails_after_two_seconds(void **state)
 	int64_t from_ms;
 
 	(void)state;
+	/* The silence begins when the device is opened. */
+	fake->now_ms = V4L2_SILENCE_MS;
 	assert_true(v4l2_session_open(&session));
+	assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
+	assert_int_equal(session.state, V4L2_OPEN);
 	fake->now_ms += 500;
 	fake->ready = 1;
 	assert_true(v4l2_session_dequeue(&session, 20) >= 0);
@@ -358,10 +362,46 @@ static void test_auto_takes_the_first_device_that_captures(void **state)
 	assert_false(v4l2_session_open(&session));
 	assert_contains(session.device.reason, "no /dev/video");
 	assert_string_equal(session.path, "auto");
+	assert_int_equal(fake->opens, 64);
+	assert_string_equal(fake->path, "/dev/video63");
+	/* It is too early to look again. */
 	fake->open_error = 0;
+	assert_true(v4l2_session_open(&session));
+	assert_int_equal(fake->opens, 64);
 	fake->now_ms += V4L2_RETRY_FIRST_MS;
 	assert_true(v4l2_session_open(&session));
 	assert_string_equal(session.path, "/dev/video0");
+	assert_string_equal(fake->path, "/dev/video0");
+	end(fake, &session);
+}
+
+static void test_a_session_that_was_never_opened_closes_nothing(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+
+	(void)state;
+	v4l2_device_close(&session.device);
+	assert_int_equal(fake->closes, 0);
+	end(fake, &session);
+}
+
+static void test_a_device_that_takes_no_buffer_back_has_failed(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+	int index;
+
+	(void)state;
+	assert_true(v4l2_session_open(&session));
+	fake->ready = 2;
+	index = v4l2_session_dequeue(&session, 20);
+	v4l2_session_queue(&session, index);
+	assert_int_equal(session.state, V4L2_ALIVE);
+	index = v4l2_session_dequeue(&session, 20);
+	fake->unplugged = true;
+	v4l2_session_queue(&session, index);
+	assert_int_equal(session.state, V4L2_FAILED);
 	end(fake, &session);
 }
 
@@ -414,6 +454,10 @@ int main(void)
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
 		cmocka_unit_test(test_temporary_errors_are_no_failure),
 		cmocka_unit_test(test_auto_takes_the_first_device_that_captures),
+		cmocka_unit_test(
+			test_a_session_that_was_never_opened_closes_nothing),
+		cmocka_unit_test(
+			test_a_device_that_takes_no_buffer_back_has_failed),
 		cmocka_unit_test(test_other_formats_go_through_the_library),
 	};
 

@@ -12,10 +12,12 @@
 static struct {
 	struct timespec now, until;
 	clockid_t read, waited_by;
-	int wait_result, clock_result, mutex_result;
+	int wait_result;
+	int attributes_result, clock_result, condition_result, mutex_result;
 	const pthread_cond_t *condition;
 	const pthread_mutex_t *mutex;
-	int conditions_destroyed, mutexes_destroyed;
+	int conditions_made, conditions_destroyed, mutexes_destroyed;
+	int attributes; /* that have not been destroyed */
 } libc;
 
 int clock_gettime(clockid_t clock, struct timespec *out)
@@ -32,6 +34,29 @@ int pthread_cond_timedwait(pthread_cond_t *condition, pthread_mutex_t *mutex,
 	libc.mutex = mutex;
 	libc.until = *until;
 	return libc.wait_result;
+}
+
+int pthread_condattr_init(pthread_condattr_t *attributes)
+{
+	(void)attributes;
+	libc.attributes++;
+	return libc.attributes_result;
+}
+
+int pthread_condattr_destroy(pthread_condattr_t *attributes)
+{
+	(void)attributes;
+	libc.attributes--;
+	return 0;
+}
+
+int pthread_cond_init(
+	pthread_cond_t *condition, const pthread_condattr_t *attributes)
+{
+	(void)attributes;
+	libc.condition = condition;
+	libc.conditions_made++;
+	return libc.condition_result;
 }
 
 int pthread_condattr_setclock(pthread_condattr_t *attributes, clockid_t clock)
@@ -65,9 +90,14 @@ int pthread_mutex_destroy(pthread_mutex_t *mutex)
 
 static void begin(struct v4l2_timed_lock *lock)
 {
-	libc.clock_result = libc.mutex_result = 0;
+	libc.attributes_result = libc.clock_result = 0;
+	libc.condition_result = libc.mutex_result = 0;
 	libc.waited_by = CLOCK_REALTIME;
+	libc.conditions_made = libc.attributes = 0;
 	assert_int_equal(v4l2_timed_lock_init(lock), 0);
+	assert_int_equal(libc.conditions_made, 1);
+	assert_ptr_equal(libc.condition, &lock->changed);
+	assert_int_equal(libc.attributes, 0);
 }
 
 static void test_the_time_passes_by_the_monotonic_clock(void **state)
@@ -140,19 +170,22 @@ static void test_both_parts_of_a_lock_are_destroyed(void **state)
 	assert_ptr_equal(libc.mutex, &lock.mutex);
 }
 
+/* Each call in turn fails; what those before it made is destroyed. */
 static void test_a_lock_that_cannot_be_made_is_an_error(void **state)
 {
+	int *const results[] = {&libc.attributes_result, &libc.clock_result,
+		&libc.condition_result, &libc.mutex_result};
 	struct v4l2_timed_lock lock;
 
 	(void)state;
-	libc.conditions_destroyed = 0;
-	libc.clock_result = EINVAL;
-	assert_int_equal(v4l2_timed_lock_init(&lock), -EINVAL);
-	libc.clock_result = 0;
-	libc.mutex_result = EAGAIN;
-	assert_int_equal(libc.conditions_destroyed, 0);
-	assert_int_equal(v4l2_timed_lock_init(&lock), -EAGAIN);
-	assert_int_equal(libc.conditions_destroyed, 1);
+	for (size_t i = 0; i < ARRAY_COUNT(results); i++) {
+		begin(&lock);
+		libc.conditions_destroyed = 0;
+		*results[i] = i % 2 ? EAGAIN : ENOMEM;
+		assert_int_equal(v4l2_timed_lock_init(&lock), -*results[i]);
+		assert_int_equal(libc.attributes, i == 0);
+		assert_int_equal(libc.conditions_destroyed, i == 3);
+	}
 }
 
 int main(void)

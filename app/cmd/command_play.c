@@ -29,7 +29,7 @@ static int run(const struct options *options, const struct log *log)
 {
 	struct options shown = *options;
 	struct failsafe failsafe =
-		failsafe_begin(&shown, clock_monotonic_ns() / 1000000, log);
+		failsafe_begin(&shown, clock_monotonic_ms(), log);
 	int status = show(&shown, &failsafe, log);
 
 	failsafe_end(&failsafe, status == EXIT_OK);

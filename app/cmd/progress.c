@@ -11,15 +11,10 @@ enum {
 	REDRAW_MS = 100
 };
 
-static int64_t now_ms(void)
-{
-	return clock_monotonic_ns() / 1000000;
-}
-
 struct progress progress_begin(int total, const char *unit, FILE *out)
 {
 	struct progress progress = {
-		.total = total, .unit = unit, .start_ms = now_ms()};
+		.total = total, .unit = unit, .start_ms = clock_monotonic_ms()};
 
 	if (total > 1 && isatty(fileno(out))) {
 		progress.out = out;
@@ -36,7 +31,7 @@ void progress_step(struct progress *progress, int done)
 	if (!progress->out) {
 		return;
 	}
-	now = now_ms();
+	now = clock_monotonic_ms();
 	if (now - progress->start_ms < DELAY_MS ||
 		now - progress->shown_ms < REDRAW_MS) {
 		return;

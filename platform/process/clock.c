@@ -14,6 +14,11 @@ int64_t clock_monotonic_ns(void)
 	return (int64_t)now.tv_sec * 1000000000 + now.tv_nsec;
 }
 
+int64_t clock_monotonic_ms(void)
+{
+	return clock_monotonic_ns() / 1000000;
+}
+
 struct clock clock_real(void)
 {
 	return (struct clock){.origin_ns = clock_monotonic_ns()};

@@ -26,6 +26,9 @@ struct clock {
 /* The monotonic clock in nanoseconds. Setting the time does not change it. */
 int64_t clock_monotonic_ns(void);
 
+/* The same in whole milliseconds. */
+int64_t clock_monotonic_ms(void);
+
 /* Returns a clock of real time that starts now. */
 struct clock clock_real(void);
 

@@ -13,7 +13,7 @@ enum {
 /* The watchdog is fed once a frame only, so that it acts when frames stop. */
 static void feed_watchdog(struct show *show)
 {
-	int64_t now_ms = clock_monotonic_ns() / 1000000;
+	int64_t now_ms = clock_monotonic_ms();
 
 	watchdog_feed(&show->watchdog, now_ms);
 	if (show->plan->failsafe) {

@@ -5,6 +5,7 @@
 
 #include "platform/camera/v4l2/format.h"
 #include "platform/camera/v4l2/v4l2_thread.h"
+#include "platform/process/clock.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -81,7 +82,7 @@ static void collect_changes(
 	struct camera_source *source, struct changes *changes)
 {
 	bool quiet = source->streaming &&
-		v4l2_thread_now_ms() - source->heard_ms >= V4L2_SILENCE_MS;
+		clock_monotonic_ms() - source->heard_ms >= V4L2_SILENCE_MS;
 
 	*changes = (struct changes){
 		.outage = source->reason_new, .back = source->back_new};
@@ -150,11 +151,11 @@ static void give_back(struct camera_source *source)
 
 static void await(struct camera_source *source, int timeout_ms)
 {
-	int64_t until_ms = v4l2_thread_now_ms() + timeout_ms;
+	int64_t until_ms = clock_monotonic_ms() + timeout_ms;
 
 	pthread_mutex_lock(&source->lock.mutex);
 	while (source->ready < 0 && !source->out) {
-		int64_t left_ms = until_ms - v4l2_thread_now_ms();
+		int64_t left_ms = until_ms - clock_monotonic_ms();
 
 		if (left_ms <= 0) {
 			break;

@@ -74,7 +74,7 @@ static int real_wait(void *user, int fd, int timeout_ms)
 static int64_t real_now_ms(void *user)
 {
 	(void)user;
-	return clock_monotonic_ns() / 1000000;
+	return clock_monotonic_ms();
 }
 
 const struct v4l2_calls v4l2_calls_real = {

@@ -14,11 +14,6 @@ enum {
 	LEAVE_MS = 300, /* how long v4l2_thread_stop() waits for the thread */
 };
 
-int64_t v4l2_thread_now_ms(void)
-{
-	return clock_monotonic_ns() / 1000000;
-}
-
 bool v4l2_thread_wait(struct camera_source *source, int timeout_ms)
 {
 	return v4l2_timed_lock_wait(&source->lock, timeout_ms);
@@ -68,7 +63,7 @@ static void open_session(struct camera_source *source)
 				v4l2_device_image(&session->device, i);
 		}
 		source->streaming = true;
-		source->heard_ms = v4l2_thread_now_ms();
+		source->heard_ms = clock_monotonic_ms();
 	} else if (!source->quit) {
 		v4l2_thread_wait(source, WAIT_MS);
 	}
@@ -82,7 +77,7 @@ static void publish(struct camera_source *source, int index)
 	pthread_mutex_lock(&source->lock.mutex);
 	dropped = source->ready;
 	source->ready = index;
-	source->heard_ms = v4l2_thread_now_ms();
+	source->heard_ms = clock_monotonic_ms();
 	source->any = true;
 	if (source->out) {
 		source->out = false;
@@ -212,13 +207,13 @@ int v4l2_thread_start(struct camera_source *source)
 
 void v4l2_thread_stop(struct camera_source *source)
 {
-	int64_t until_ms = v4l2_thread_now_ms() + LEAVE_MS;
+	int64_t until_ms = clock_monotonic_ms() + LEAVE_MS;
 	bool ended;
 
 	pthread_mutex_lock(&source->lock.mutex);
 	source->quit = true;
 	pthread_cond_broadcast(&source->lock.changed);
-	while (!source->ended && v4l2_thread_now_ms() < until_ms) {
+	while (!source->ended && clock_monotonic_ms() < until_ms) {
 		v4l2_thread_wait(source, LEAVE_MS);
 	}
 	ended = source->ended;

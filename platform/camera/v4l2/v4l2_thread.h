@@ -48,9 +48,6 @@ struct camera_source {
 	struct v4l2_session session; /* for the thread only */
 };
 
-/* The monotonic clock in ms. */
-int64_t v4l2_thread_now_ms(void);
-
 /*
  * Initializes the lock and starts the thread; session must be initialized.
  * Returns 0 or -errno.

@@ -42,6 +42,24 @@ static void test_real_clock_follows_the_machine(void **state)
 	assert_true(after_s - before_s < 5);
 }
 
+/* In both units; what they have lost is less than a unit. */
+static void test_the_monotonic_clock_is_that_of_the_system(void **state)
+{
+	struct timespec before, after;
+	int64_t ns, ms;
+
+	(void)state;
+	clock_gettime(CLOCK_MONOTONIC, &before);
+	ns = clock_monotonic_ns();
+	ms = clock_monotonic_ms();
+	clock_gettime(CLOCK_MONOTONIC, &after);
+	assert_in_range(ns, before.tv_sec * INT64_C(1000000000) + before.tv_nsec,
+		after.tv_sec * INT64_C(1000000000) + after.tv_nsec);
+	assert_in_range(ms,
+		before.tv_sec * INT64_C(1000) + before.tv_nsec / 1000000,
+		after.tv_sec * INT64_C(1000) + after.tv_nsec / 1000000);
+}
+
 static void test_a_thread_spends_time_on_work_only(void **state)
 {
 	const struct timespec pause = {.tv_nsec = 100000000};
@@ -97,6 +115,7 @@ int main(void)
 		cmocka_unit_test(test_fixed_clock_counts_frames),
 		cmocka_unit_test(test_fixed_clock_does_not_drift),
 		cmocka_unit_test(test_real_clock_follows_the_machine),
+		cmocka_unit_test(test_the_monotonic_clock_is_that_of_the_system),
 		cmocka_unit_test(test_a_thread_spends_time_on_work_only),
 		cmocka_unit_test(test_parse_reads_both_kinds),
 		cmocka_unit_test(test_parse_refuses_anything_else),

@@ -8,6 +8,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* A file in memory that was taken apart. */
 struct parsed {
@@ -390,6 +391,27 @@ static void test_a_file_has_the_bytes_that_memory_has(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* The temporary file has lost its bytes; the file that it was for is left out. */
+static void test_vertices_that_cannot_be_read_again_leave_no_file(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "out.glb");
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct glb glb;
+
+	(void)state;
+	glb_begin(&glb);
+	glb_add_view(&glb, "abcd", 4);
+	assert_int_equal(fflush(glb.data), 0);
+	assert_int_equal(ftruncate(fileno(glb.data), 0), 0);
+	assert_int_equal(glb_write(&glb, path.text, &log), -EIO);
+	assert_int_equal(logged.count, 1);
+	assert_contains(logged.sentence[0], "cannot be read");
+	assert_int_equal(temp_dir_count(&folder), 0);
+	temp_dir_remove(&folder);
+}
+
 static void test_the_first_failure_is_kept_and_reported(void **state)
 {
 	static const struct {
@@ -443,6 +465,8 @@ int main(void)
 		cmocka_unit_test(test_an_extension_is_listed_once),
 		cmocka_unit_test(test_floats_have_15_digits),
 		cmocka_unit_test(test_a_file_has_the_bytes_that_memory_has),
+		cmocka_unit_test(
+			test_vertices_that_cannot_be_read_again_leave_no_file),
 		cmocka_unit_test(test_the_first_failure_is_kept_and_reported),
 	};
 

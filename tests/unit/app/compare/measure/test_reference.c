@@ -1,0 +1,68 @@
+/* What the reference of a clip takes from its model's memory, and gives back. */
+#include "app/compare/measure/reference.h"
+#include "platform/base/memory_budget.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/model/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdint.h>
+
+enum {
+	STEPS = 64
+};
+
+static void test_a_reference_without_memory_gives_back_what_it_took(void **state)
+{
+	struct model *model = model_fixture("gltf/skin/and_morph.gltf", NULL);
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX},
+			     *own = model->budget;
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct reference *reference;
+	size_t all;
+
+	(void)state;
+	model->budget = &budget;
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	all = budget.used_bytes;
+	assert_true(all > STEPS);
+	reference_destroy(reference);
+	assert_int_equal(budget.used_bytes, 0);
+	for (size_t i = 0; i < STEPS; i++) {
+		budget.limit_bytes = (all - 1) * i / (STEPS - 1);
+		log = log_capture_begin(&logged);
+		assert_int_equal(
+			reference_create(model, 0, &log, &reference), -ENOMEM);
+		assert_int_equal(budget.used_bytes, 0);
+		assert_int_equal(logged.count, 1);
+		assert_contains(logged.sentence[0], "memory");
+	}
+	model->budget = own;
+	model_destroy(model);
+}
+
+static void test_a_clip_without_a_duration_has_no_reference(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/pose.gltf", NULL);
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct reference *reference;
+
+	(void)state;
+	assert_int_equal(reference_create(model, 0, &log, &reference), -EINVAL);
+	assert_true(log_capture_has(
+		&logged, LOG_ERROR, "clip 0 has no duration: choose a clip"));
+	model_destroy(model);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_reference_without_memory_gives_back_what_it_took),
+		cmocka_unit_test(test_a_clip_without_a_duration_has_no_reference),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -265,6 +265,37 @@ static void test_numbers_lose_what_the_bound_allows(void **state)
 	free(strict.data);
 }
 
+static void count_step(void *context, int done, int total)
+{
+	int *steps = context;
+
+	assert_int_equal(done, ++*steps);
+	assert_int_equal(total, done + 1);
+}
+
+/* Without a bound to use: two files are built, and each clip is measured. */
+static void test_each_file_and_each_measured_clip_is_a_step(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	int steps = 0;
+	const struct optimize_request request = {
+		.width = 48,
+		.height = 64,
+		.memory_bytes = MODEL_MEMORY_BYTES,
+		.progress = count_step,
+		.progress_context = &steps,
+	};
+	struct optimize_result result;
+	struct model *model;
+
+	(void)state;
+	load(fixture_path("gltf/clip/cubic.gltf").text, &model);
+	assert_int_equal(optimize_model(model, &request, &log, &result), 0);
+	assert_int_equal(steps, 2 + model->clip_count);
+	model_destroy(model);
+	free(result.data);
+}
+
 /* A clip that lasts no time is measured in its pose, not at rest. */
 static void test_a_pose_keeps_all_channels(void **state)
 {
@@ -398,6 +429,7 @@ int main(void)
 		cmocka_unit_test(test_half_turns_keep_their_direction),
 		cmocka_unit_test(test_fixtures_keep_their_pictures),
 		cmocka_unit_test(test_numbers_lose_what_the_bound_allows),
+		cmocka_unit_test(test_each_file_and_each_measured_clip_is_a_step),
 		cmocka_unit_test(test_a_pose_keeps_all_channels),
 		cmocka_unit_test(test_triangles_are_ordered_for_the_cache),
 		cmocka_unit_test(

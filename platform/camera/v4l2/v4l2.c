@@ -81,7 +81,7 @@ struct changes {
 static void collect_changes(
 	struct camera_source *source, struct changes *changes)
 {
-	bool quiet = source->streaming &&
+	bool quiet = source->started &&
 		clock_monotonic_ms() - source->heard_ms >= V4L2_SILENCE_MS;
 
 	*changes = (struct changes){
@@ -129,7 +129,7 @@ static enum camera_status take(struct camera_source *source, int64_t frame_ms,
 		source->ready = -1;
 		*out = source->image[source->held];
 		found = CAMERA_NEW;
-	} else if (source->streaming && source->any && !source->out) {
+	} else if (source->any && !source->out) {
 		found = CAMERA_SAME;
 	}
 	collect_changes(source, &changes);

@@ -23,7 +23,6 @@ static void record_outage(struct camera_source *source)
 {
 	const struct v4l2_session *session = &source->session;
 
-	source->streaming = false;
 	if (source->out) {
 		return;
 	}
@@ -62,7 +61,7 @@ static void open_session(struct camera_source *source)
 			source->image[i] =
 				v4l2_device_image(&session->device, i);
 		}
-		source->streaming = true;
+		source->started = true;
 		source->heard_ms = clock_monotonic_ms();
 	} else if (!source->quit) {
 		v4l2_thread_wait(source, WAIT_MS);

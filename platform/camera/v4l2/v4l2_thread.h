@@ -31,7 +31,7 @@ struct camera_source {
 	int ready, held; /* buffers; -1 for none */
 	bool returned[V4L2_BUFFERS];
 	struct camera_image image[V4L2_BUFFERS];
-	bool streaming;
+	bool started;     /* a device streamed since the source was created */
 	int64_t heard_ms; /* time of the last picture, or of the start */
 	bool any;         /* a picture has come since the source was created */
 

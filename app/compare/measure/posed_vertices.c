@@ -71,11 +71,6 @@ static void write_fixed(const struct drawable_fixed *fixed, int count,
 static void write_skinned(const struct drawable *drawable, int count,
 	float scale, float (*position)[3])
 {
-	if (scale == 1.0f && count > 0) {
-		memcpy(position, drawable->position,
-			(size_t)count * sizeof(*position));
-		return;
-	}
 	for (int v = 0; v < count; v++) {
 		for (int axis = 0; axis < 3; axis++) {
 			position[v][axis] = scale * drawable->position[v][axis];

@@ -5,6 +5,11 @@
 
 #include <errno.h>
 
+#define ONE_PIXEL                                                        \
+	"'images':[{'uri':'data:image/png;base64,"                       \
+	"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mNgZG" \
+	"IGAAAOAAfpkjfUAAAAAElFTkSuQmCC'}],"
+
 static void test_reads_factors_and_flags(void **state)
 {
 	static const float color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
@@ -336,6 +341,38 @@ static void test_applies_a_texture_transform(void **state)
 	model_destroy(model);
 }
 
+/* Scale (2, 4), a turn whose cosine and sine are 0.8 and 0.6, offset (0.5, 0.25). */
+static void test_turns_scaled_texture_coordinates_by_any_angle(void **state)
+{
+	static const float expected[3][2] = {
+		{2.1f, -0.95f}, {2.9f, 3.45f}, {4.5f, 2.25f}};
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	/* The coordinates are (1, 0), (0, 1) and (1, 1), in bytes. */
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'buffers':[{'byteLength':12,"
+			"'uri':'data:application/octet-stream;base64,"
+			"/wAAAAD/AAD//wAA'}],'bufferViews':[{'buffer':0,"
+			"'byteLength':12,'byteStride':4}],'accessors':[{"
+			"'componentType':5126,'count':3,'type':'VEC3'},{"
+			"'bufferView':0,'componentType':5121,'count':3,"
+			"'normalized':true,'type':'VEC2'}]," ONE_PIXEL
+			"'textures':[{'source':0}],'materials':[{"
+			"'pbrMetallicRoughness':{'baseColorTexture':{'index':0,"
+			"'extensions':{'KHR_texture_transform':{'scale':[2,4],"
+			"'rotation':0.6435011,'offset':[0.5,0.25]}}}}}],"
+			"'meshes':[{'primitives':[{'material':0,'attributes':{"
+			"'POSITION':0,'TEXCOORD_0':1}}]}],'nodes':[{'mesh':0}],"
+			"'scenes':[{'nodes':[0]}]}",
+			&logged, &model),
+		0);
+	assert_all_near(model->mesh[0].primitive[0].texcoord, expected, 6, 1e-6);
+	model_destroy(model);
+}
+
 static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 {
 	struct log_capture logged;
@@ -372,11 +409,7 @@ static void test_decodes_a_shared_image_once(void **state)
 	(void)state;
 	assert_int_equal(
 		model_from_text(
-			"{'asset':{'version':'2.0'},'images':[{'uri':"
-			"'data:image/png;base64,"
-			"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQV"
-			"R4"
-			"2mNgZGIGAAAOAAfpkjfUAAAAAElFTkSuQmCC'}],"
+			"{'asset':{'version':'2.0'}," ONE_PIXEL
 			"'textures':[{'source':0},{'source':0}],'materials':[{"
 			"'normalTexture':{'index':1,'texCoord':3}},{"
 			"'pbrMetallicRoughness':{'baseColorTexture':{'index':"
@@ -415,6 +448,8 @@ int main(void)
 		cmocka_unit_test(
 			test_reads_the_texture_coordinates_of_the_texture),
 		cmocka_unit_test(test_applies_a_texture_transform),
+		cmocka_unit_test(
+			test_turns_scaled_texture_coordinates_by_any_angle),
 		cmocka_unit_test(
 			test_keeps_a_normal_map_with_the_same_coordinates),
 		cmocka_unit_test(test_ignores_a_texture_of_an_extension),

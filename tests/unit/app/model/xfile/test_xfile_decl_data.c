@@ -107,6 +107,40 @@ static void test_normals_coordinates_and_colors_are_found(void **state)
 	model_destroy(model);
 }
 
+/* Behind an element of each D3DDECLTYPE there are coordinates. */
+static void test_each_type_has_its_size(void **state)
+{
+	/* FLOAT1 to FLOAT4, D3DCOLOR, UBYTE4, SHORT2, SHORT4, UBYTE4N, SHORT2N,
+	 * SHORT4N, USHORT2N, USHORT4N, UDEC3, DEC3N, FLOAT16_2, FLOAT16_4 */
+	static const int bytes[] = {
+		4, 8, 12, 16, 4, 4, 4, 8, 4, 4, 8, 4, 8, 4, 4, 4, 8};
+
+	(void)state;
+	for (int type = 0; type < (int)ARRAY_COUNT(bytes); type++) {
+		struct log_capture logged;
+		struct words words = {.count = 0};
+		const struct model_primitive *primitive;
+		struct model *model;
+		char elements[64];
+
+		for (int c = 0; c < 3; c++) {
+			words.count += bytes[type] / 4;
+			add(&words, 0.25f * (float)(c + 1));
+			add(&words, 0.5f);
+		}
+		snprintf(elements, sizeof(elements),
+			"2; %d;0;" TANGENT "0;, " FLOAT2 TEXCOORD "0;;", type);
+		assert_int_equal(load(elements, &words, "", &logged, &model), 0);
+		primitive = model->mesh[0].primitive;
+		for (int c = 0; c < 3; c++) {
+			assert_near(
+				primitive->texcoord[vertex_of(primitive, c)][0],
+				0.25 * (c + 1), 1e-6);
+		}
+		model_destroy(model);
+	}
+}
+
 /* A second set of coordinates, and coordinates of three numbers. */
 static void test_other_sets_and_types_are_skipped(void **state)
 {
@@ -122,6 +156,18 @@ static void test_other_sets_and_types_are_skipped(void **state)
 				 &words, "", &logged, &model),
 		0);
 	assert_null(model->mesh[0].primitive[0].texcoord);
+	model_destroy(model);
+	/* Normals and colours of other types, and these types for other uses. */
+	words.count = 0;
+	for (int i = 0; i < 3 * 12; i++) {
+		add(&words, 0.5f);
+	}
+	assert_int_equal(load("4; " FLOAT4 NORMAL "0;, " FLOAT3 TANGENT
+			      "0;, " FLOAT4 DIFFUSE "0;, " COLOR TANGENT "0;;",
+				 &words, "", &logged, &model),
+		0);
+	assert_null(model->mesh[0].primitive[0].normal);
+	assert_null(model->mesh[0].primitive[0].color);
 	model_destroy(model);
 }
 
@@ -173,7 +219,13 @@ static void test_data_that_does_not_fit_is_refused(void **state)
 	add(&words, 0.5f);
 	expect_refusal("1; " FLOAT2 TEXCOORD "0;;", &words,
 		"has 7 words, but 3 vertices need 6");
-	words.count = 5;
+	words.count = 4;
+	add(&words, NAN);
+	add(&words, 0.5f);
+	expect_refusal("1; " FLOAT2 TEXCOORD "0;;", &words,
+		"a number for vertex 2 that is not finite");
+	words.count = 4;
+	add(&words, 0.5f);
 	add(&words, NAN);
 	expect_refusal("1; " FLOAT2 TEXCOORD "0;;", &words,
 		"a number for vertex 2 that is not finite");
@@ -183,6 +235,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_normals_coordinates_and_colors_are_found),
+		cmocka_unit_test(test_each_type_has_its_size),
 		cmocka_unit_test(test_other_sets_and_types_are_skipped),
 		cmocka_unit_test(test_a_member_of_the_mesh_comes_first),
 		cmocka_unit_test(test_data_that_does_not_fit_is_refused),

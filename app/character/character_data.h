@@ -143,8 +143,10 @@ struct character_entry {
 	struct clip_cursor cursor;
 
 	/* Changes: */
-	double time_s; /* since the clip began, beyond its end too */
-	float shown_s; /* the time in the clip that is shown; -1: none yet */
+	/* since the clip began; below 0 and beyond its end unless it plays once */
+	double time_s;
+	double before_s; /* time_s in the last frame */
+	float shown_s;   /* the time in the clip that is shown; -1: none yet */
 	float weight;
 };
 

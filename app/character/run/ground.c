@@ -14,13 +14,12 @@ static float clip_rate(const struct character_state *state,
 	const struct character_entry *entry, float step_s)
 {
 	float duration_s = character_entry_duration_s(entry);
-	double before_s = entry->time_s - (double)(step_s * *state->rate);
 
 	if (state->repeat == CLIP_LOOP || step_s <= 0) {
 		return *state->rate;
 	}
 	return (clip_time(entry->time_s, duration_s, state->repeat) -
-		       clip_time(before_s, duration_s, state->repeat)) /
+		       clip_time(entry->before_s, duration_s, state->repeat)) /
 		step_s;
 }
 

@@ -10,21 +10,26 @@
 /* A layer that plays once fades in and out within its clip. */
 static float weight_of(struct character_layer *layer)
 {
-	float fade_s = layer->is.fade_s, duration_s, left_s, weight;
+	float fade_s = layer->is.fade_s, time_s, left_s, weight;
 
 	if (!layer->once) {
 		return layer->is.now;
 	}
-	duration_s = character_entry_duration_s(&layer->entry);
-	left_s = duration_s - (float)layer->entry.time_s;
+	time_s = (float)layer->entry.time_s;
+	left_s = character_entry_duration_s(&layer->entry) - time_s;
+	if (*layer->rate < 0) {
+		float done_s = left_s;
+
+		left_s = time_s;
+		time_s = done_s;
+	}
 	if (!layer->playing || left_s <= 0) {
 		layer->playing = false;
 		return 0;
 	}
 	weight = *layer->is.weight;
 	if (fade_s > 0) {
-		weight *= ease_at(EASE_CUBIC,
-				  (float)layer->entry.time_s / fade_s) *
+		weight *= ease_at(EASE_CUBIC, time_s / fade_s) *
 			ease_at(EASE_CUBIC, left_s / fade_s);
 	}
 	return weight;
@@ -33,8 +38,10 @@ static float weight_of(struct character_layer *layer)
 void character_layer_play(struct character_layer *layer)
 {
 	layer->playing = true;
-	layer->entry.time_s = 0;
-	layer->entry.shown_s = -1;
+	character_entry_begin(&layer->entry,
+		*layer->rate < 0
+			? (double)character_entry_duration_s(&layer->entry)
+			: 0);
 }
 
 void character_layer_run(struct character *character, void *what)
@@ -45,7 +52,8 @@ void character_layer_run(struct character *character, void *what)
 	float weight;
 
 	if (layer->playing || !layer->once) {
-		layer->entry.time_s += character->exact_s * (double)*layer->rate;
+		character_entry_move(&layer->entry,
+			character->exact_s * (double)*layer->rate, NULL);
 	}
 	weight = weight_of(layer);
 	layer->is.now = weight;
@@ -54,13 +62,13 @@ void character_layer_run(struct character *character, void *what)
 	}
 	layer->entry.weight = 1;
 	if (layer->additive) {
-		character_entry_sample(character, &layer->entry, repeat, -1,
-			&character->scratch);
+		character_entry_sample(
+			character, &layer->entry, repeat, &character->scratch);
 		pose_add(pose, &character->scratch, &layer->reference, weight,
 			layer->mask);
 	} else {
 		character_entry_mix(
-			character, &layer->entry, repeat, -1, weight, pose);
+			character, &layer->entry, repeat, weight, pose);
 	}
 }
 

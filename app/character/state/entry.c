@@ -37,15 +37,23 @@ static float interval_s(const struct character_clip *clip, int mark)
 	return clip->clip->duration_s - clip->mark[mark] + clip->mark[0];
 }
 
+/* Returns the largest integer that is not above value, within ROUNDS_MAX. */
+static int floor_to_int(double value)
+{
+	int cut = scalar_to_int(value, -ROUNDS_MAX, ROUNDS_MAX);
+
+	return (double)cut > value ? cut - 1 : cut;
+}
+
 /*
- * Divides a phase of at least 0 into whole rounds of the clip, which it
- * returns, a mark of the clip and the way from there to the next mark, 0..1.
+ * Divides a phase into whole rounds of the clip, which it returns, a mark of
+ * the clip and the way from there to the next mark, 0..1.
  */
 static int split_phase(const struct character_clip *clip, double phase,
 	int *mark, float *beyond)
 {
 	int count = clip->mark_count;
-	int rounds = scalar_to_int(phase / (double)count, 0, ROUNDS_MAX);
+	int rounds = floor_to_int(phase / (double)count);
 	double within = phase - (double)rounds * (double)count;
 
 	*mark = scalar_to_int(within, 0, count - 1);
@@ -63,43 +71,107 @@ float character_entry_marks_per_s(
 	return 1 / interval_s(entry->of, mark);
 }
 
+void character_entry_begin(struct character_entry *entry, double time_s)
+{
+	entry->time_s = entry->before_s = time_s;
+	entry->shown_s = -1;
+}
+
 void character_entry_move(
-	struct character_entry *entry, double step_s, double phase)
+	struct character_entry *entry, double step_s, const double *phase)
 {
 	const struct character_clip *clip = entry->of;
 	float beyond;
 	int mark, rounds;
 
-	if (phase < 0 || clip->mark_count == 0) {
+	entry->before_s = entry->time_s;
+	if (!phase || clip->mark_count == 0) {
 		entry->time_s += step_s;
 		return;
 	}
-	rounds = split_phase(clip, phase, &mark, &beyond);
+	rounds = split_phase(clip, *phase, &mark, &beyond);
 	entry->time_s = (double)rounds * (double)clip->clip->duration_s +
 		(double)(clip->mark[mark] + beyond * interval_s(clip, mark));
+	/* It begins anywhere in the clip, without a way from its start. */
+	if (entry->shown_s < 0) {
+		entry->before_s = entry->time_s;
+	}
 }
 
-/* Returns true if time_s lies on the way from one time of a clip to another. */
-static bool is_passed(
-	float time_s, float from_s, float to_s, enum clip_repeat repeat)
+/* Returns true if time_s lies after from_s on the direct way to to_s. */
+static bool is_between(float time_s, float from_s, float to_s)
 {
-	if (to_s >= from_s) {
-		return time_s > from_s && time_s <= to_s;
-	}
-	if (repeat == CLIP_LOOP) {
-		return time_s > from_s || time_s <= to_s;
-	}
-	return time_s >= to_s && time_s < from_s;
+	return to_s >= from_s ? time_s > from_s && time_s <= to_s
+			      : time_s >= to_s && time_s < from_s;
 }
 
-/* Adds the actions of the events between before_s and the time shown. */
+/*
+ * Returns true if the last step reached time_s of a clip that turns at its
+ * ends. The way there and the way back are legs, counted from the start.
+ */
+static bool is_passed_to_and_fro(
+	const struct character_entry *entry, float time_s, float from_s)
+{
+	double duration_s = (double)entry->of->clip->duration_s;
+	int before = floor_to_int(entry->before_s / duration_s);
+	int now = floor_to_int(entry->time_s / duration_s);
+	bool forwards = entry->time_s >= entry->before_s;
+	bool rises = (before % 2 == 0) == forwards;
+	float end_s = rises ? (float)duration_s : 0;
+
+	if (before == now) {
+		return is_between(time_s, from_s, entry->shown_s);
+	}
+	return is_between(time_s, from_s, end_s) ||
+		is_between(time_s, end_s, entry->shown_s);
+}
+
+/* The same for a clip that begins again at its other end. */
+static bool is_passed_in_loop(
+	const struct character_entry *entry, float time_s, float from_s)
+{
+	bool forwards = entry->time_s >= entry->before_s;
+	float to_s = entry->shown_s;
+
+	if (forwards == (to_s >= from_s) || to_s == from_s) {
+		return is_between(time_s, from_s, to_s);
+	}
+	return forwards ? time_s > from_s || time_s <= to_s
+			: time_s < from_s || time_s >= to_s;
+}
+
+/* Returns true if the step from before_s to time_s reached a time of the clip. */
+static bool is_passed(const struct character_entry *entry, float time_s,
+	float from_s, enum clip_repeat repeat)
+{
+	double step_s = entry->time_s - entry->before_s;
+	double duration_s = (double)entry->of->clip->duration_s;
+
+	if (repeat == CLIP_ONCE || duration_s <= 0) {
+		return is_between(time_s, from_s, entry->shown_s);
+	}
+	if (step_s >= duration_s || -step_s >= duration_s) {
+		return true;
+	}
+	return repeat == CLIP_LOOP ? is_passed_in_loop(entry, time_s, from_s)
+				   : is_passed_to_and_fro(entry, time_s, from_s);
+}
+
+/*
+ * Adds the actions of the events on the way to the time shown, with those at
+ * the start of the way if the clip begins.
+ */
 static void add_events(struct character *character,
 	const struct character_entry *entry, enum clip_repeat repeat,
-	float before_s)
+	bool begins)
 {
+	float from_s =
+		clip_time(entry->before_s, entry->of->clip->duration_s, repeat);
+
 	for (const struct character_event *event = entry->of->event; event;
 		event = event->next) {
-		if (is_passed(event->time_s, before_s, entry->shown_s, repeat)) {
+		if ((begins && event->time_s == from_s) ||
+			is_passed(entry, event->time_s, from_s, repeat)) {
 			character_pending_add(character, event->action, 1);
 		}
 	}
@@ -109,19 +181,17 @@ static void add_events(struct character *character,
  * Advances the shown time to that of the entry, and adds the events on the way.
  */
 static void show(struct character *character, struct character_entry *entry,
-	enum clip_repeat repeat, double phase)
+	enum clip_repeat repeat)
 {
-	bool in_phase = phase >= 0 && entry->of->mark_count > 0;
-	float before_s = entry->shown_s;
+	bool begins = entry->shown_s < 0;
 
-	entry->shown_s =
-		clip_time(entry->time_s, character_entry_duration_s(entry),
-			in_phase ? CLIP_LOOP : repeat);
+	entry->shown_s = clip_time(
+		entry->time_s, character_entry_duration_s(entry), repeat);
 	/*
 	 * Of two clips in a blend, only the one with more weight causes events.
 	 */
-	if (entry->weight > 0.5f && !(in_phase && before_s < 0)) {
-		add_events(character, entry, repeat, before_s);
+	if (entry->weight > 0.5f && entry->of->event) {
+		add_events(character, entry, repeat, begins);
 	}
 }
 
@@ -140,28 +210,28 @@ static void stay(const struct character *character,
 }
 
 void character_entry_sample(struct character *character,
-	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	struct character_entry *entry, enum clip_repeat repeat,
 	struct pose *pose)
 {
 	if (!entry->of->clip) {
 		pose_copy(pose, &character->still);
 		return;
 	}
-	show(character, entry, repeat, phase);
+	show(character, entry, repeat);
 	clip_pose(entry->of->clip, entry->shown_s, character->interpolation,
 		&entry->cursor, pose);
 	stay(character, entry, 1, pose);
 }
 
 void character_entry_mix(struct character *character,
-	struct character_entry *entry, enum clip_repeat repeat, double phase,
-	float amount, struct pose *pose)
+	struct character_entry *entry, enum clip_repeat repeat, float amount,
+	struct pose *pose)
 {
 	const float *only = entry->cursor.only;
 	int root = character->motion.root;
 
 	if (entry->of->clip) {
-		show(character, entry, repeat, phase);
+		show(character, entry, repeat);
 	}
 	clip_mix(entry->of->clip, entry->shown_s, character->interpolation,
 		amount, &entry->cursor, pose);

@@ -22,24 +22,27 @@ float character_entry_sole_m(const struct character_entry *entry);
 float character_entry_marks_per_s(
 	const struct character_entry *entry, double phase);
 
+/* Begins the clip at time_s. */
+void character_entry_begin(struct character_entry *entry, double time_s);
+
 /*
- * Moves the clip on by step_s or, if it has marks, to the phase. phase below 0
- * stands for no phase.
+ * Moves the clip on by step_s, back if that is below 0, or to the phase if the
+ * clip has marks. Without marks or with phase NULL the clip has its own time.
  */
 void character_entry_move(
-	struct character_entry *entry, double step_s, double phase);
+	struct character_entry *entry, double step_s, const double *phase);
 
 /*
  * Writes the clip's pose, without the travel of the motion's root, and adds the
- * actions of the events that were passed since the last call.
+ * actions of the events that the last move passed.
  */
 void character_entry_sample(struct character *character,
-	struct character_entry *entry, enum clip_repeat repeat, double phase,
+	struct character_entry *entry, enum clip_repeat repeat,
 	struct pose *pose);
 
 /* The same, but mixes the clip into the pose by clip_mix(). */
 void character_entry_mix(struct character *character,
-	struct character_entry *entry, enum clip_repeat repeat, double phase,
-	float amount, struct pose *pose);
+	struct character_entry *entry, enum clip_repeat repeat, float amount,
+	struct pose *pose);
 
 #endif

@@ -142,7 +142,7 @@ static void choose_weights(const struct character_state *state)
 static void begin_state(struct character *character, int to, int transition)
 {
 	struct character_machine *machine = &character->machine;
-	struct character_state *state = &machine->state[to];
+	const struct character_state *state = &machine->state[to];
 
 	character_pending_add(
 		character, machine->state[machine->current].leave, 1);
@@ -153,20 +153,35 @@ static void begin_state(struct character *character, int to, int transition)
 	machine->done = 0;
 	machine->loops = 0;
 	machine->fresh = true;
+}
+
+/* Returns true if the clips play once, from their ends to their starts. */
+static bool plays_back_once(const struct character_state *state)
+{
+	return state->repeat == CLIP_ONCE && *state->rate < 0;
+}
+
+/* Begins the clips of a state at their start; played back once, at their end. */
+static void begin_clips(struct character_state *state)
+{
 	for (int i = 0; i < state->entry_count; i++) {
-		state->entry[i].time_s = 0;
-		state->entry[i].shown_s = -1;
+		struct character_entry *entry = &state->entry[i];
+
+		character_entry_begin(entry,
+			plays_back_once(state)
+				? (double)character_entry_duration_s(entry)
+				: 0);
 	}
 }
 
-/*
- * Returns the phase of clips with marks, or -1 if each clip has its own time.
- */
-static double phase_of(const struct character_machine *machine)
+/* A clip that plays once stays at its end, and may go back from there. */
+static void stay_within(struct character_entry *entry)
 {
-	return machine->state[machine->current].repeat == CLIP_LOOP
-		? machine->phase
-		: -1;
+	double duration_s = (double)character_entry_duration_s(entry);
+
+	entry->time_s = entry->time_s < 0    ? 0
+		: entry->time_s > duration_s ? duration_s
+					     : entry->time_s;
 }
 
 /* All clips with marks move on by one phase, so that they stay in step. */
@@ -179,6 +194,7 @@ static void move_on(struct character *character)
 
 	if (machine->fresh) {
 		step_s = 0;
+		begin_clips(state);
 	}
 	for (int i = 0; i < state->entry_count; i++) {
 		const struct character_entry *entry = &state->entry[i];
@@ -194,8 +210,11 @@ static void move_on(struct character *character)
 		machine->phase += step_s * (double)(speed / weight);
 	}
 	for (int i = 0; i < state->entry_count; i++) {
-		character_entry_move(
-			&state->entry[i], step_s, phase_of(machine));
+		character_entry_move(&state->entry[i], step_s,
+			state->repeat == CLIP_LOOP ? &machine->phase : NULL);
+		if (state->repeat == CLIP_ONCE) {
+			stay_within(&state->entry[i]);
+		}
 	}
 }
 
@@ -207,6 +226,9 @@ static void note_progress(struct character *character)
 	float duration_s = character_entry_duration_s(entry);
 	double turns = duration_s > 0 ? entry->time_s / (double)duration_s : 1;
 
+	if (plays_back_once(state) && duration_s > 0) {
+		turns = 1 - turns;
+	}
 	turns = turns < 0 ? -turns : turns;
 	machine->loops = scalar_to_int(turns, 0, 1 << 30);
 	machine->done = (float)(turns - (double)machine->loops);
@@ -229,11 +251,10 @@ static void sample(struct character *character, struct pose *pose)
 		}
 		if (before > 0) {
 			character_entry_mix(character, entry, state->repeat,
-				phase_of(machine),
 				entry->weight / (before + entry->weight), pose);
 		} else {
-			character_entry_sample(character, entry, state->repeat,
-				phase_of(machine), pose);
+			character_entry_sample(
+				character, entry, state->repeat, pose);
 		}
 		before += entry->weight;
 	}

@@ -329,6 +329,9 @@ struct character_binding {
 	/* of CHARACTER_HOLD: undoes the actions at the release */
 	const struct character_action *after;
 	struct character_binding *next;
+
+	/* Changes: */
+	bool held; /* of CHARACTER_HOLD: its actions have run in this press */
 };
 
 enum {

@@ -6,10 +6,11 @@
 static void add_all(struct character *character, enum button button,
 	enum character_gesture gesture, float times)
 {
-	for (const struct character_binding *one = character->binding; one;
+	for (struct character_binding *one = character->binding; one;
 		one = one->next) {
 		if (one->button == button && one->gesture == gesture &&
 			character_condition_holds(one->when)) {
+			one->held = gesture == CHARACTER_HOLD;
 			character_pending_add(character, one->action, times);
 		}
 	}
@@ -57,16 +58,18 @@ static void press(struct character *character, enum button which)
 	}
 }
 
-/* What a held button has set goes back when it is released. */
+/*
+ * What a held button has set goes back when it is released, whether or not the
+ * section's conditions still hold.
+ */
 static void end_hold(struct character *character, enum button which)
 {
-	for (const struct character_binding *one = character->binding; one;
+	for (struct character_binding *one = character->binding; one;
 		one = one->next) {
-		if (one->button != which || one->gesture != CHARACTER_HOLD ||
-			!character_condition_holds(one->when)) {
-			continue;
+		if (one->button == which && one->held) {
+			one->held = false;
+			character_pending_add(character, one->after, 1);
 		}
-		character_pending_add(character, one->after, 1);
 	}
 }
 

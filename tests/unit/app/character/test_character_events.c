@@ -58,6 +58,38 @@ static void test_gestures_of_buttons(void **state)
 	acting_end(&acting);
 }
 
+static void test_a_release_takes_back_what_holding_has_set_and_no_more(
+	void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 9\n[parameter w]\nrange = 0 9\n"
+		"[parameter mode]\nrange = 0 1\n"
+		"[buttons]\nUP = set mode 1\nDOWN = set w 3\n"
+		"[buttons a]\nwhen = mode is 0\nF6 hold = set v 5\n"
+		"[buttons b]\nwhen = mode is 1\nF8 hold = set w 7\n");
+	press_once(&acting, BUTTON_DOWN);
+	acting_press(&acting, BUTTON_F6);
+	acting_press(&acting, BUTTON_F8);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(acting_value(&acting, "v"), 5.0, 0.0);
+	assert_near(acting_value(&acting, "w"), 3.0, 0.0);
+	press_once(&acting, BUTTON_UP);
+	acting_release(&acting, BUTTON_F8); /* before "F8 hold" has run once */
+	acting_run_to(&acting, 1.0, rate_hz);
+	/* F6 would not begin now, but was held before. */
+	assert_near(acting_value(&acting, "mode"), 1.0, 0.0);
+	assert_near(acting_value(&acting, "v"), 5.0, 0.0);
+	acting_release(&acting, BUTTON_F6);
+	acting_run_to(&acting, 1.5, rate_hz);
+	assert_near(acting_value(&acting, "v"), 0.0, 0.0);
+	assert_near(acting_value(&acting, "w"), 3.0, 0.0);
+	acting_end(&acting);
+}
+
 static void test_events_run_actions_once_a_round(void **state)
 {
 	struct acting acting;
@@ -171,6 +203,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_gestures_of_buttons),
+		cmocka_unit_test(
+			test_a_release_takes_back_what_holding_has_set_and_no_more),
 		cmocka_unit_test(test_events_run_actions_once_a_round),
 		cmocka_unit_test(test_events_give_pulses_to_output_lines),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),

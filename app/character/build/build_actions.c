@@ -16,7 +16,7 @@ struct verb {
 	int (*read)(struct character_words *words,
 		struct character_action *action, const struct verb *verb);
 	const char *kind; /* of the section that the action is about */
-	bool held;        /* goes on while a button is held */
+	bool held;        /* may run in each frame while a button is held */
 	const char *right;
 };
 
@@ -323,7 +323,7 @@ static int read_camera(struct character_words *words,
 static const struct verb verbs[] = {
 	{"set", CHARACTER_SET, read_name_and_number, "parameter", true,
 		"set PARAMETER NUMBER"},
-	{"add", CHARACTER_ADD, read_name_and_number, "parameter", false,
+	{"add", CHARACTER_ADD, read_name_and_number, "parameter", true,
 		"add PARAMETER NUMBER"},
 	{"step", CHARACTER_STEP, read_stops, "parameter", false,
 		"step PARAMETER COUNT, and give the parameter stops"},
@@ -349,7 +349,7 @@ static const struct verb verbs[] = {
 	{"run", CHARACTER_RUN, read_name, "sequence", false, "run SEQUENCE"},
 	{"repeat", CHARACTER_REPEAT, read_name, "sequence", false,
 		"repeat SEQUENCE"},
-	{"stop", CHARACTER_STOP, read_name, "sequence", false, "stop SEQUENCE"},
+	{"stop", CHARACTER_STOP, read_name, "sequence", true, "stop SEQUENCE"},
 	{"attach", CHARACTER_ATTACH, read_attach, "part", false,
 		"attach PART NODE, or attach PART NODE METRES [X Y Z] for a part that is near"},
 	{"detach", CHARACTER_ATTACH, read_attach, "part", false, "detach PART"},

@@ -168,6 +168,10 @@ static int read_binding(
 	if (binding->gesture == CHARACTER_PRESS && moves(action)) {
 		binding->gesture = CHARACTER_HOLD;
 	}
+	if (binding->gesture == CHARACTER_HOLD && !all_held) {
+		return character_fail(words,
+			"an action here would run in every frame while the button is held: with hold, move or camera give only set, add, on, off, stop, move and camera");
+	}
 	binding->action = action;
 	for (; action && binding->gesture == CHARACTER_HOLD && !error;
 		action = action->next) {

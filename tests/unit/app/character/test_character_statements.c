@@ -278,6 +278,11 @@ static const struct statement buttons[] = {
 	{"UP = camera turn 60", "UP = camera pan 60",
 		"camera turn|tilt|zoom NUMBER"},
 	{"UP hold = set v 1", "UP hold = jump high", "jump is no action"},
+	{"UP hold = add v 1, on wave, off wave, stop nod",
+		"UP hold = on wave, toggle v",
+		"would run in every frame while the button is held"},
+	{"UP = move head pitch 1, stop nod", "UP = move head pitch 1, line on",
+		"would run in every frame while the button is held"},
 	{"UP = next \"what\"", "UP = next \"what\" else", "else is too much"},
 };
 

@@ -30,8 +30,8 @@ static int build_all(struct character_build *build)
 		character_build_clips,
 		character_build_sequences,
 		character_build_triggers,
-		character_build_scene,
 		character_build_buttons,
+		character_build_scene,
 	};
 	int error = 0;
 

@@ -177,6 +177,22 @@ int character_build_outputs(struct character_build *build)
 	return error;
 }
 
+/* A tour presses a button for a moment: what is held does nothing then. */
+static int check_press(struct character_words *words, enum button button)
+{
+	const struct character_binding *one = words->build->character->binding;
+
+	while (one &&
+		(one->button != button || one->gesture != CHARACTER_PRESS)) {
+		one = one->next;
+	}
+	return one
+		? 0
+		: character_fail(words,
+			  "%s does nothing when it is pressed for a moment: give actions instead, such as %s",
+			  button_name(button), "1 move Arm pitch 0.5");
+}
+
 /* tour = SECONDS BUTTON, or SECONDS ACTION, ACTION ... */
 static int read_tour(struct character_words *words,
 	const struct character_key *key, void *member)
@@ -204,6 +220,7 @@ static int read_tour(struct character_words *words,
 	for (int i = 0; i < BUTTON_COUNT; i++) {
 		if (character_take(words, button_name((enum button)i))) {
 			tour->button = (enum button)i;
+			error = check_press(words, tour->button);
 		}
 	}
 	if (tour->button == BUTTON_COUNT) {

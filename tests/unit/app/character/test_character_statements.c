@@ -221,10 +221,15 @@ static const struct statement walker[] = {
 		"metres of uneven ground"},
 	{"[scene]\nlabels = right\n", "[scene]\nlabels = top\n",
 		"left, right or none"},
-	{"[scene]\ntour = 1 UP\ntour = 2 UP\n", "[scene]\nyaw = 1\nyaw = 2\n",
+	{"[scene]\ntour = 1 UP\ntour = 2 UP\n[buttons]\nUP = pause\n",
+		"[scene]\nyaw = 1\nyaw = 2\n",
 		"says this already: remove one of both"},
-	{"[scene]\nperiod = 4\ntour = 1 UP\ntour = 2 line two, pause\n",
+	{"[scene]\nperiod = 4\ntour = 1 UP\ntour = 2 line two, pause\n"
+	 "[buttons]\nUP = pause\n",
 		"[scene]\ntour = UP\n", "begins with its time"},
+	{"[scene]\ntour = 1 UP\n[buttons]\nUP = pause\nUP long = next\n",
+		"[scene]\ntour = 1 UP\n[buttons]\nUP = camera turn 9\n",
+		"UP does nothing when it is pressed for a moment"},
 };
 
 static const struct statement buttons[] = {

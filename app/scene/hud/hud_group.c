@@ -361,13 +361,20 @@ int hud_group_space(struct hud_group *group, int height)
 	return top;
 }
 
-void hud_group_key(struct hud_group *group, const char *key, const char *what)
+/* Returns true if a row of a key fits below the last row. */
+static bool has_room_for_key(const struct hud_group *group)
 {
 	const struct hud *hud = group->hud;
+
+	return group->y + hud_line_height(hud) + eighths(hud, PADDING_Y) <=
+		group->room;
+}
+
+void hud_group_key(struct hud_group *group, const char *key, const char *what)
+{
 	int x;
 
-	if (group->y + hud_line_height(hud) + eighths(hud, PADDING_Y) >
-		group->room) {
+	if (!has_room_for_key(group)) {
 		return;
 	}
 	x = add_cap(group, key);
@@ -380,13 +387,16 @@ void hud_group_switch(struct hud_group *group, const char *key,
 	const char *what, bool on, struct hud_color color)
 {
 	struct hud *hud = group->hud;
-	int x = add_cap(group, key);
-	int width = eighths(hud, SWITCH_WIDTH);
+	int x, width = eighths(hud, SWITCH_WIDTH);
 	int height = eighths(hud, SWITCH_HEIGHT);
 	int inset = eighths(hud, KNOB_INSET), knob = height - 2 * inset;
 	int left = group->left + group->width - width;
 	int top = group->y + (hud_line_height(hud) - height) / 2;
 
+	if (!has_room_for_key(group)) {
+		return;
+	}
+	x = add_cap(group, key);
 	hud_text_cut(hud, x, group->y, left - eighths(hud, COLUMN_GAP) - x,
 		on ? hud_color_text : hud_color_dim, what);
 	hud_panel(hud, left, top, width, height, height / 2,

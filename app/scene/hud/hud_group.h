@@ -136,7 +136,10 @@ int hud_group_space(struct hud_group *group, int height);
  */
 void hud_group_key(struct hud_group *group, const char *key, const char *what);
 
-/* Adds a picture of a key, what the key switches, and a switch on or off. */
+/*
+ * Adds a picture of a key, what the key switches, and a switch on or off, if
+ * they fit below the last row.
+ */
 void hud_group_switch(struct hud_group *group, const char *key,
 	const char *what, bool on, struct hud_color color);
 

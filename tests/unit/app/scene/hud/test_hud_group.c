@@ -289,24 +289,42 @@ static void test_groups_leave_figures_half_of_a_small_picture(void **state)
 	}
 }
 
+static void add_weight(struct hud_group *group)
+{
+	hud_group_weight(group, "row", 0.5f, hud_color_green);
+}
+
+static void add_key(struct hud_group *group)
+{
+	hud_group_key(group, "UP", "go up");
+}
+
+static void add_switch(struct hud_group *group)
+{
+	hud_group_switch(group, "F8", "cape", true, hud_color_rose);
+}
+
 static void test_rows_beyond_the_picture_are_left_out(void **state)
 {
 	static const int sizes[][2] = {{320, 240}, {640, 480}, {400, 120}};
+	static void (*const add[])(struct hud_group *) = {
+		add_weight, add_key, add_switch};
 
 	(void)state;
-	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {
-		struct hud *hud = hud_of_size(sizes[i][0], sizes[i][1]);
+	for (size_t i = 0; i < 3 * sizeof(sizes) / sizeof(sizes[0]); i++) {
+		const int *size = sizes[i % 3];
+		struct hud *hud = hud_of_size(size[0], size[1]);
 		struct hud_group group =
 			hud_group_begin(hud, HUD_BOTTOM_LEFT, "title");
 		struct box box;
 
 		for (int row = 0; row < 60; row++) {
-			hud_group_weight(&group, "row", 0.5f, hud_color_green);
+			add[i / 3](&group);
 		}
 		hud_group_end(&group);
 		box = box_of(hud, 0, hud->quad_count);
-		assert_true(box.top >= 0 && box.bottom <= sizes[i][1]);
-		assert_true(box.bottom - box.top > sizes[i][1] / 2);
+		assert_true(box.top >= 0 && box.bottom <= size[1]);
+		assert_true(box.bottom - box.top > size[1] / 2);
 	}
 }
 

@@ -83,6 +83,24 @@ open(sys.argv[2], "wb").write(whole[:-len(data)] + data)
 ' "$here/../../assets/walker.glb" "$scratch/away.glb"
 }
 
+# A clip of 20,000 s.
+python3 -c '
+import base64, json, struct, sys
+model = json.load(sys.stdin)
+head, data = model["buffers"][0]["uri"].split(",")
+data = bytearray(base64.b64decode(data))
+data[44:52] = struct.pack("<2f", 0, 20000)
+model["buffers"][0]["uri"] = head + "," + base64.b64encode(data).decode()
+model["accessors"][2]["max"] = [20000]
+json.dump(model, sys.stdout)
+' <"$slider" >"$scratch/long.gltf"
+for command in compare "play --demo duel --display null --frames 1"; do
+    # shellcheck disable=SC2086 # a command and its options
+    limber $command "$scratch/long.gltf"
+    expect_status 1
+    expect_err 'lasts (more|longer) than five hours'
+done
+
 # limber play lets the ground move below a figure that walks away.
 if ! $slow; then
     walk_away

@@ -159,7 +159,9 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	error = time_grid_make(demo->reference->clip, &demo->grid);
 	if (error) {
 		log_error(env->log,
-			"%s: there is not enough memory for the clip's moments",
+			error == -E2BIG
+				? "%s: the clip of the duel lasts longer than five hours: shorten it"
+				: "%s: there is not enough memory for the clip's moments",
 			model->path);
 		return error;
 	}

@@ -79,9 +79,9 @@ const struct command command_export = {
 	.summary = "write a model and a clip as C source",
 	.detail =
 		"limber writes const tables and a small player, for boards without a file system. The file\n"
-		"needs nothing of limber, only <math.h> and <string.h>. limber prints how much ROM and RAM it\n"
-		"takes. The source has vertices with normals and colours, materials' colours, skins, morph\n"
-		"targets and one clip, but no textures.\n"
+		"needs nothing of limber, only <math.h>, <stdint.h> and <string.h>. limber prints how much ROM\n"
+		"and RAM it takes. The source has vertices with normals and colours, materials' colours, skins,\n"
+		"morph targets and one clip, but no textures.\n"
 		"\n"
 		"  limber export robot.glb --clip walk --c robot.c",
 	.run = run,

@@ -57,6 +57,12 @@ limber export "$assets/walker.glb" --c "$scratch/one.c"
 expect_out 'one\.c: it leaves out the model.s [1-9][0-9]* textures?$'
 limber export "$slider" --c "$scratch/one.c"
 check 'a model without textures loses none' sh -c "! grep textures $out_file"
+limber export --help
+sed -n 's/^#include //p' "$scratch/one.c" >"$scratch/headers"
+while read -r header; do
+    check "the player's comment and the help name $header" \
+        sh -c "grep -q '^ \*.*$header' $scratch/one.c && grep -q '$header' $out_file"
+done <"$scratch/headers"
 plays "$assets/walker.glb" walk 0 0.31 0.9
 plays "$assets/face.glb" 0 0 1.7 5
 plays "$slider" 0 0 0.4 9

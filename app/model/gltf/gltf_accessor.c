@@ -254,6 +254,7 @@ static int read_accessor(const struct gltf_at *at)
 	if (error) {
 		return error;
 	}
+	out->index = at->index;
 	out->type = type->name;
 	out->width = type->columns * type->rows;
 	error = check_size(at, count, out->width);

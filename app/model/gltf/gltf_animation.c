@@ -83,7 +83,7 @@ static int read_times(const struct gltf_at *sampler,
 {
 	struct gltf *gltf = sampler->gltf;
 	struct gltf_at at = gltf_member(sampler, "input");
-	const float **known = &gltf->times[input - gltf->accessor];
+	const float **known = &gltf->times[input->index];
 	float *time_s;
 	int error;
 

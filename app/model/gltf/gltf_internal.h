@@ -71,6 +71,7 @@ struct gltf_elements {
 };
 
 struct gltf_accessor {
+	int index; /* number in the file, also of a copy of this struct */
 	struct gltf_elements base;
 	int count;
 	const char *type; /* "VEC3" */

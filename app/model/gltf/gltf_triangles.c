@@ -129,7 +129,7 @@ int gltf_read_triangles(const struct gltf_at *at, int vertex_count,
 	if (!gltf_is_unsigned(accessor)) {
 		return gltf_fail(&member, -EINVAL,
 			"accessor %d does not hold unsigned integers",
-			(int)(accessor - at->gltf->accessor));
+			accessor->index);
 	}
 	list = GLTF_BRIEF(&member, uint32_t, accessor->count);
 	if (!list) {

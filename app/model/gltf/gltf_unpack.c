@@ -113,8 +113,7 @@ static int check_finite(const struct gltf_at *at,
 		if (!(fabsf(values[i]) <= MODEL_NUMBER_MAX)) {
 			return gltf_fail(at, -EINVAL,
 				"element %zu of accessor %d is %s",
-				i / (size_t)accessor->width,
-				(int)(accessor - at->gltf->accessor),
+				i / (size_t)accessor->width, accessor->index,
 				isfinite(values[i]) ? "larger than 1e9"
 						    : "not finite");
 		}

@@ -49,6 +49,14 @@ static void test_refuses_numbers_that_are_not_finite(void **state)
 								  "'channels':[{'sampler':0,'target':{'node':0,"
 								  "'path':'scale'}}]}]",
 			"/animations/0/samplers/0/input: element 0 of accessor 0 is not finite"},
+		{"'buffers':[{'byteLength':12,"
+		 "'uri':'data:;base64,AADAfwAAwH8AAMB/'}],"
+		 "'bufferViews':[{'buffer':0,'byteLength':12}]," ACCESSORS(ZEROS(
+			 "VEC3", "5126",
+			 "1") ","
+			      "{'bufferView':0,'type':'VEC3',"
+			      "'componentType':5126,'count':1}") "," ATTRIBUTES("'POSITION':0,'COLOR_0':1"),
+			"/attributes/COLOR_0: element 0 of accessor 1 is not finite"},
 	};
 
 	(void)state;

@@ -293,30 +293,56 @@ static bool path_beside(const char *model_path, char *path, size_t size)
 	return length > 0 && (size_t)length < size;
 }
 
-/*
- * Returns 0, or -errno if the levels must be made. Unless memory is short, a
- * message about the file has been logged then.
- */
-static int read_beside(
+/* Levels are optional, so an error of their file is a warning. */
+static void write_warning(void *user, enum log_level level, const char *sentence)
+{
+	log_write(
+		user, level == LOG_ERROR ? LOG_WARNING : level, "%s", sentence);
+}
+
+static int read_file(
 	struct model *model, const char *path, const struct log *log)
 {
-	bool exceeded = model->budget && model->budget->exceeded;
+	const struct log lenient = {
+		.write = write_warning,
+		.user = (void *)log,
+		.threshold = log->threshold,
+	};
 	struct model_file file;
-	int error = model_file_read(path, model->budget, log, &file);
+	int error = model_file_read(path, model->budget, &lenient, &file);
 
 	if (error) {
 		return error;
 	}
 	error = levels_read(model, file.data, file.size);
 	model_file_release(&file);
-	if (model->budget) {
-		/* Levels are optional: too small a budget is no failure. */
-		model->budget->exceeded = exceeded;
-	}
-	if (error == -EINVAL) {
+	if (error == -ENOMEM) {
+		(void)memory_budget_fail(model->budget, path, &lenient);
+	} else if (error) {
 		log_warning(log,
 			"%s: these are not the levels of %s: limber makes them anew, and limber levels writes them",
 			path, model->path);
+	}
+	return error;
+}
+
+/*
+ * Returns 0, or -errno if the levels must be made. A warning about the file has
+ * been logged then. Too small a budget for them is no failure of the model.
+ */
+static int read_beside(
+	struct model *model, const char *path, const struct log *log)
+{
+	struct memory_budget *budget = model->budget;
+	bool exceeded = budget && budget->exceeded;
+	int error;
+
+	if (budget) {
+		budget->exceeded = false;
+	}
+	error = read_file(model, path, log);
+	if (budget) {
+		budget->exceeded = exceeded;
 	}
 	return error;
 }

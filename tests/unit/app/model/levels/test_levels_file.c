@@ -2,6 +2,8 @@
 #include "app/model/levels/levels.h"
 #include "app/model/levels/levels_file.h"
 #include "app/model/model.h"
+#include "tests/support/files.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -142,6 +144,41 @@ static void test_wrong_numbers_never_lead_outside_the_model(void **state)
 	free(bytes.data);
 }
 
+/*
+ * Levels are optional: whether the budget refuses the file (spare 0) or the
+ * lists in it, the model plays without them, and a warning says so.
+ */
+static void test_levels_beyond_the_budget_are_left_out_with_a_warning(
+	void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "robot.levels");
+	struct test_path robot = path_join(&folder, "robot.glb");
+	struct bytes bytes = write_levels();
+
+	(void)state;
+	file_write(path.text, bytes.data, bytes.size);
+	for (size_t spare = 0; spare <= bytes.size; spare += bytes.size) {
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
+		struct model *model = load();
+		int lists = model->mesh[0].primitive[0].lod_count;
+
+		model->path = robot.text;
+		model->budget->limit_bytes = model->budget->used_bytes + spare;
+		assert_int_equal(levels_prepare(model, &log), 0);
+		assert_false(model->budget->exceeded);
+		assert_int_equal(model->mesh[0].primitive[0].lod_count, lists);
+		assert_int_equal(logged.count, 1);
+		assert_int_equal(logged.level[0], LOG_WARNING);
+		assert_contains(logged.sentence[0], path.text);
+		assert_contains(logged.sentence[0], "allow more with --memory");
+		model_destroy(model);
+	}
+	temp_dir_remove(&folder);
+	free(bytes.data);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -149,6 +186,8 @@ int main(void)
 		cmocka_unit_test(test_other_vertices_refuse_the_levels),
 		cmocka_unit_test(test_a_file_that_ends_early_is_refused),
 		cmocka_unit_test(test_wrong_numbers_never_lead_outside_the_model),
+		cmocka_unit_test(
+			test_levels_beyond_the_budget_are_left_out_with_a_warning),
 	};
 
 	return cmocka_run_group_tests_name("levels_file", tests, NULL, NULL);

@@ -81,7 +81,7 @@ static void report_nodes(const struct model *model, const bool *is_joint,
 		"meshes without a skin that are attached to joints",
 		"limber moves each rigidly with its joint");
 	examine_count(examiner, scaled, "joints with a scale",
-		"limber transforms normals by the joint matrix, scale included, and normalises them");
+		"limber transforms normals by the joint matrix, or where the scale is uneven by its inverse transpose, and normalises them");
 }
 
 static bool is_ordered(const struct model_skin *skin)

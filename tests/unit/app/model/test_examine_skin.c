@@ -167,7 +167,8 @@ static void test_scaled_joints_are_counted(void **state)
 	f.bones.node[KNEE].rest.scale[2] = 0.5f;
 	expect(&f,
 		"joints with a scale (2): limber transforms normals by the "
-		"joint matrix, scale included, and normalises them\n");
+		"joint matrix, or where the scale is uneven by its inverse "
+		"transpose, and normalises them\n");
 	end(&f);
 }
 

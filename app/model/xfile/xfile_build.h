@@ -46,6 +46,8 @@ struct xfile_build {
 			    instance, or -1 */
 	bool *moved;     /* [model->node_count]: whether a clip moves the
 			  node */
+	int (*channel)[MODEL_WEIGHTS]; /* [model->node_count][path]: index of
+			  the clip's channel; see xfile_build_clip.c */
 };
 
 /*

@@ -2,6 +2,7 @@
 #include "app/model/xfile/xfile_convert.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,10 +58,28 @@ static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
 }
 
 /*
- * Adds a channel and returns its array of values, which the caller fills in;
+ * Returns the clip's channel of a node and path, or a new one. build->channel
+ * may hold numbers of other clips' channels, so the channel itself decides.
+ */
+static struct model_channel *take_channel(struct xfile_build *build,
+	struct model_clip *clip, int node, enum model_path path)
+{
+	int *known = &build->channel[node][path];
+	struct model_channel *channel = &clip->channel[*known];
+
+	if (*known < clip->channel_count && channel->node == node &&
+		channel->path == path) {
+		return channel;
+	}
+	*known = clip->channel_count++;
+	return &clip->channel[*known];
+}
+
+/*
+ * Sets a channel and returns its array of values, which the caller fills in;
  * NULL if there is not enough memory.
  */
-static float *add_channel(struct xfile_build *build, struct model_clip *clip,
+static float *set_channel(struct xfile_build *build, struct model_clip *clip,
 	int node, enum model_path path, const float *time_s, int count)
 {
 	int width = path == MODEL_ROTATION ? 4 : 3;
@@ -68,7 +87,7 @@ static float *add_channel(struct xfile_build *build, struct model_clip *clip,
 		&build->model->arena, float, (size_t)count *(size_t)width);
 
 	if (value) {
-		clip->channel[clip->channel_count++] = (struct model_channel){
+		*take_channel(build, clip, node, path) = (struct model_channel){
 			.node = node,
 			.path = path,
 			.interpolation = MODEL_LINEAR,
@@ -85,12 +104,12 @@ static int add_matrices(struct xfile_build *build, struct model_clip *clip,
 	int node, const struct xfile_keys *keys,
 	const struct key_time *key_time, const float *time_s, int count)
 {
-	float *translation = add_channel(
+	float *translation = set_channel(
 		build, clip, node, MODEL_TRANSLATION, time_s, count);
 	float *rotation =
-		add_channel(build, clip, node, MODEL_ROTATION, time_s, count);
+		set_channel(build, clip, node, MODEL_ROTATION, time_s, count);
 	float *scale =
-		add_channel(build, clip, node, MODEL_SCALE, time_s, count);
+		set_channel(build, clip, node, MODEL_SCALE, time_s, count);
 
 	if (!translation || !rotation || !scale) {
 		return xfile_no_memory(build->context);
@@ -120,7 +139,7 @@ static int add_values(struct xfile_build *build, struct model_clip *clip,
 		[XFILE_KEY_SCALE] = MODEL_SCALE,
 		[XFILE_KEY_POSITION] = MODEL_TRANSLATION,
 	};
-	float *value = add_channel(
+	float *value = set_channel(
 		build, clip, node, paths[keys->type], time_s, count);
 
 	if (!value) {
@@ -159,9 +178,6 @@ static int add_keys(struct xfile_build *build, struct model_clip *clip,
 	for (int i = 0; i < count; i++) {
 		time_s[i] = key_time[i].time_s;
 	}
-	if (time_s[count - 1] > clip->duration_s) {
-		clip->duration_s = time_s[count - 1];
-	}
 	build->moved[node] = true;
 	return keys->type == XFILE_KEY_MATRIX
 		? add_matrices(build, clip, node, keys, key_time, time_s, count)
@@ -189,7 +205,13 @@ static int find_node(
 	return build->node_index[frame];
 }
 
-/* Returns a bound of a clip's channels; matrix keys become three of them. */
+/* Matrix keys become three channels. */
+static int channels_of(const struct xfile_keys *keys)
+{
+	return keys->type == XFILE_KEY_MATRIX ? 3 : 1;
+}
+
+/* Returns a bound of a clip's channels. */
 static size_t count_channels(const struct xfile_set *set)
 {
 	const struct xfile_animation *animation = set->animations;
@@ -199,10 +221,49 @@ static size_t count_channels(const struct xfile_set *set)
 		const struct xfile_keys *keys = animation->keys;
 
 		for (; keys; keys = keys->next) {
-			count += keys->type == XFILE_KEY_MATRIX ? 3 : 1;
+			count += (size_t)channels_of(keys);
 		}
 	}
 	return count;
+}
+
+/*
+ * Adds the channels of an animation. Several keys may move a frame in the same
+ * way, as a matrix and a position do; then the last ones count.
+ */
+static int add_animation(struct xfile_build *build, struct model_clip *clip,
+	const struct xfile_animation *animation)
+{
+	const struct xfile_keys *keys = animation->keys;
+	int node = keys ? find_node(build, animation) : -1;
+	int end = clip->channel_count;
+
+	for (; node >= 0 && keys; keys = keys->next) {
+		int error = add_keys(build, clip, node, keys);
+
+		if (error) {
+			return error;
+		}
+		end += channels_of(keys);
+	}
+	if (node >= 0 && clip->channel_count < end) {
+		xfile_warn_at(build->context, animation->location,
+			"several keys move the frame \"%.200s\" in the same way; limber takes the last ones",
+			animation->frame);
+	}
+	return 0;
+}
+
+static float find_end(const struct model_clip *clip)
+{
+	float end_s = 0;
+
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		end_s = fmaxf(end_s, channel->time_s[channel->key_count - 1]);
+	}
+	return end_s;
 }
 
 static int add_clip(struct xfile_build *build, const struct xfile_set *set)
@@ -218,17 +279,13 @@ static int add_clip(struct xfile_build *build, const struct xfile_set *set)
 		return xfile_no_memory(build->context);
 	}
 	for (; animation; animation = animation->next) {
-		const struct xfile_keys *keys = animation->keys;
-		int node = keys ? find_node(build, animation) : -1;
+		int error = add_animation(build, clip, animation);
 
-		for (; node >= 0 && keys; keys = keys->next) {
-			int error = add_keys(build, clip, node, keys);
-
-			if (error) {
-				return error;
-			}
+		if (error) {
+			return error;
 		}
 	}
+	clip->duration_s = find_end(clip);
 	if (clip->channel_count) {
 		model->clip_count++;
 	} else {
@@ -247,7 +304,9 @@ int xfile_build_clips(struct xfile_build *build)
 
 	model->clip = ARENA_ARRAY(
 		&model->arena, struct model_clip, build->scene->set_count);
-	if (!model->clip) {
+	build->channel = arena_alloc(build->scratch, (size_t)model->node_count,
+		sizeof(*build->channel));
+	if (!model->clip || !build->channel) {
 		return xfile_no_memory(build->context);
 	}
 	for (; !error && set; set = set->next) {

@@ -185,6 +185,40 @@ static void test_keys_are_sorted_and_the_last_of_a_time_counts(void **state)
 	model_destroy(model);
 }
 
+/*
+ * The first clip leaves the numbers of its channels behind, and the last
+ * position of the second one is followed neither by a longer clip nor by a
+ * second channel, which a mix of clips would count twice.
+ */
+static void test_of_several_keys_that_move_a_frame_alike_the_last_count(
+	void **state)
+{
+	static const float place[3] = {4, 5, -6};
+	struct log_capture logged;
+	struct model *model = load(HEADER
+		"AnimTicksPerSecond { 1; }\nFrame Bone { } Frame Other { }\n"
+		"AnimationSet A { Animation { { Other } AnimationKey { 1; 1; "
+		"0;3;2,2,2;;; } } Animation { { Bone } AnimationKey { 1; 1; "
+		"0;3;2,2,2;;; } } }\n"
+		"AnimationSet B { Animation { { Bone } AnimationKey { 2; 1; "
+		"9;3;1,2,3;;; } AnimationKey { 1; 1; 0;3;3,3,3;;; } } "
+		"Animation { { Bone } AnimationKey { 2; 1; 1;3;4,5,6;;; } } }",
+		&logged);
+	const struct model_clip *clip = &model->clip[1];
+
+	(void)state;
+	assert_int_equal(model->clip[0].channel_count, 2);
+	assert_int_equal(clip->channel_count, 2);
+	assert_int_equal(clip->channel[0].path, MODEL_TRANSLATION);
+	assert_all_near(clip->channel[0].value, place, 3, 0);
+	assert_int_equal(clip->channel[1].path, MODEL_SCALE);
+	assert_near(clip->duration_s, 1.0, 0);
+	assert_int_equal(logged.count, 1);
+	assert_contains(logged.sentence[0],
+		"several keys move the frame \"Bone\" in the same way");
+	model_destroy(model);
+}
+
 /* Exporters round weights of 0 to either side. */
 static void test_a_weight_just_below_zero_is_zero(void **state)
 {
@@ -259,6 +293,8 @@ int main(void)
 		cmocka_unit_test(test_names_become_utf_8),
 		cmocka_unit_test(
 			test_keys_are_sorted_and_the_last_of_a_time_counts),
+		cmocka_unit_test(
+			test_of_several_keys_that_move_a_frame_alike_the_last_count),
 		cmocka_unit_test(test_a_weight_just_below_zero_is_zero),
 		cmocka_unit_test(test_faces_of_two_corners_draw_nothing),
 		cmocka_unit_test(

@@ -117,8 +117,12 @@ static int add_texture(struct xfile_build *build, struct textures *textures,
 	}
 	error = read_image(
 		build, textures, material->texture_location, file, image);
+	/* Without memory the model does not load, so a warning is too little. */
+	if (error == -ENOMEM) {
+		return xfile_no_memory(build->context);
+	}
 	if (error) {
-		return error == -ENOMEM ? error : 0;
+		return 0;
 	}
 	image->name = xfile_clean_name(&model->arena, file);
 	if (!image->name) {

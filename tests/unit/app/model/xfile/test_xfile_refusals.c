@@ -1,9 +1,11 @@
 /* What .x files get wrong: the sentence and the line that limber names. */
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <string.h>
 
 #define HEADER "xof 0303txt 0032\n"
@@ -165,11 +167,40 @@ static void test_a_harmless_mistake_causes_a_warning(void **state)
 	}
 }
 
+/*
+ * A model loads without a texture that is missing, but not without memory for
+ * one. A warning would be too little: after some of them, others are left out.
+ */
+static void test_a_texture_beyond_the_budget_is_an_error(void **state)
+{
+	static const char text[] = HEADER
+		"Material M { 1;1;1;1;; 1; 0;0;0;; 0;0;0;; TextureFilename { "
+		"\"large.png\"; } }";
+	static char data[1024 * 1024];
+	struct test_path folder = temp_dir_make();
+	struct test_path model_path = path_join(&folder, "model.x");
+	struct test_path texture = path_join(&folder, "large.png");
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct model *model;
+
+	(void)state;
+	file_write(model_path.text, text, sizeof(text) - 1);
+	file_write(texture.text, data, sizeof(data));
+	assert_int_equal(model_load_within(model_path.text, sizeof(data) / 2,
+				 &log, &model),
+		-ENOMEM);
+	assert_null(model);
+	assert_true(log_capture_has(&logged, LOG_ERROR, "--memory"));
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_mistake_is_refused_with_its_line),
 		cmocka_unit_test(test_a_harmless_mistake_causes_a_warning),
+		cmocka_unit_test(test_a_texture_beyond_the_budget_is_an_error),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,7 @@
+#include "app/model/model.h"
 #include "app/model/xfile/xfile_scene.h"
 
+#include <math.h>
 #include <string.h>
 
 /*
@@ -103,10 +105,12 @@ static int take_floats(struct xfile_reader *reader,
 
 		memcpy(to, words + v * stride, (size_t)width * sizeof(*to));
 		for (int i = 0; i < width; i++) {
-			if (!(to[i] - to[i] == 0)) {
+			if (!(fabsf(to[i]) <= MODEL_NUMBER_MAX)) {
 				return xfile_fail_at(&reader->context, location,
-					"DeclData has a number for vertex %zu that is not finite",
-					v);
+					"DeclData has a number for vertex %zu that is %s",
+					v,
+					isfinite(to[i]) ? "larger than 1e9"
+							: "not finite");
 			}
 		}
 	}

@@ -229,6 +229,10 @@ static void test_data_that_does_not_fit_is_refused(void **state)
 	add(&words, NAN);
 	expect_refusal("1; " FLOAT2 TEXCOORD "0;;", &words,
 		"a number for vertex 2 that is not finite");
+	words.count = 5;
+	add(&words, 2e9f);
+	expect_refusal("1; " FLOAT2 TEXCOORD "0;;", &words,
+		"a number for vertex 2 that is larger than 1e9");
 }
 
 int main(void)

@@ -19,12 +19,17 @@ static json_t *member(const struct examination *at, const char *key)
 	return json_object_get(at->gltf->json, key);
 }
 
-/* The accessor number in a member of an object, or -1. */
-static int accessor_of(const json_t *object, const char *key)
+/*
+ * The number of an accessor in a member of an object, or -1. Some exporters
+ * write it with ".0".
+ */
+static int accessor_of(
+	const struct examination *at, const json_t *object, const char *key)
 {
 	const json_t *number = json_object_get(object, key);
+	double value = json_is_number(number) ? json_number_value(number) : -1;
 
-	return json_is_integer(number) ? (int)json_integer_value(number) : -1;
+	return value >= 0 && value < at->gltf->accessor_count ? (int)value : -1;
 }
 
 static void report_accessors(const struct examination *at)
@@ -60,10 +65,9 @@ static void report_samplers(const struct examination *at)
 	{
 		json_array_foreach(json_object_get(clip, "samplers"), k, sampler)
 		{
-			int output = accessor_of(sampler, "output");
+			int output = accessor_of(at, sampler, "output");
 
 			scaled += output >= 0 &&
-				output < at->gltf->accessor_count &&
 				at->gltf->accessor[output].base.component !=
 					GLTF_F32;
 		}
@@ -97,7 +101,7 @@ static void report_nodes(const struct examination *at)
 	{
 		json_array_foreach(json_object_get(node, "children"), k, child)
 		{
-			before += json_integer_value(child) < (json_int_t)i;
+			before += json_number_value(child) < (double)i;
 		}
 		own_weights += json_object_get(node, "weights") != NULL;
 	}
@@ -117,13 +121,12 @@ static void report_nodes(const struct examination *at)
 static int count_weights(const struct examination *at, const json_t *attributes,
 	int *none, int *unequal)
 {
-	int index = accessor_of(attributes, "WEIGHTS_0");
+	int index = accessor_of(at, attributes, "WEIGHTS_0");
 	const struct gltf_accessor *accessor;
 	float *weight;
 	int error;
 
-	if (index < 0 || index >= at->gltf->accessor_count ||
-		json_object_get(attributes, "WEIGHTS_1")) {
+	if (index < 0 || json_object_get(attributes, "WEIGHTS_1")) {
 		return 0;
 	}
 	accessor = &at->gltf->accessor[index];

@@ -1,10 +1,13 @@
 /* glTF nodes: scenes, decomposed matrices, cameras. */
+#include "app/model/examine/examine.h"
 #include "app/model/model.h"
 #include "app/model/transform_decompose.h"
+#include "tests/support/files.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 /* T * R * S of a transform in double precision, as four columns. */
 static void compose(const struct transform *t, double out[4][4])
@@ -280,6 +283,32 @@ static void test_reads_cameras(void **state)
 	model_destroy(model);
 }
 
+static void count_backwards(void *context, const char *finding)
+{
+	*(int *)context += strstr(finding, "before their parents") != NULL;
+}
+
+/* Some exporters write integers with ".0", which the loader allows. */
+static void test_children_written_as_reals_are_no_finding(void **state)
+{
+	static const char text[] =
+		"{\"asset\":{\"version\":\"2.0\"},\"nodes\":["
+		"{\"children\":[1.0]},{\"children\":[2.0]},{}]}";
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "reals.gltf");
+	int backwards = 0;
+	const struct examiner examiner = {count_backwards, &backwards};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	file_write(path.text, text, sizeof(text) - 1);
+	assert_int_equal(
+		model_examine(path.text, MODEL_MEMORY_BYTES, &examiner, &log),
+		0);
+	assert_int_equal(backwards, 0);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -296,6 +325,7 @@ int main(void)
 		cmocka_unit_test(test_keeps_the_numbers_and_names_of_nodes),
 		cmocka_unit_test(test_normalises_rest_rotations),
 		cmocka_unit_test(test_reads_cameras),
+		cmocka_unit_test(test_children_written_as_reals_are_no_finding),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

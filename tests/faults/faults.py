@@ -145,6 +145,8 @@ def problem(case, run, reference):
     said = run.err.decode(errors='replace')
     if b'Sanitizer' in run.err or b'runtime error' in run.err:
         return 'is reported by a sanitizer'
+    if b'image is broken' in run.err and b'image is broken' not in reference.err:
+        return 'blames an image'
     if run.status == 'no end':
         return 'does not end'
     if run.status not in (0, 1, reference.status):

@@ -13,7 +13,7 @@ BEGIN {
         "<stdnoreturn.h> <string.h> <wchar.h>", plain)
     listed("<dirent.h> <fcntl.h> <libgen.h> <signal.h> <stdio.h> " \
         "<strings.h> <sys/stat.h> <sys/types.h> <time.h> <unistd.h>", outside)
-    listed("<jansson.h> <png.h> <jpeglib.h> <zlib.h>", library_model)
+    listed("<jansson.h> <png.h> <jpeglib.h> <jerror.h> <zlib.h>", library_model)
     listed("<jansson.h> <png.h>", library_compare)
     listed("<ini.h>", library_character)
     listed("<jansson.h> <ini.h>", library_cmd)

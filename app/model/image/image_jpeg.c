@@ -7,6 +7,8 @@
 
 #include <jpeglib.h>
 
+#include <jerror.h>
+
 enum {
 	/* Encoders write about ten scans. A hostile file may have thousands. */
 	SCANS_MAX = 100,
@@ -79,6 +81,11 @@ static int end(struct decoder *decoder, bool fine)
 	const struct image_input *input = decoder->input;
 
 	jpeg_destroy_decompress(&decoder->jpeg);
+	if (!fine && decoder->errors.msg_code == JERR_OUT_OF_MEMORY) {
+		log_error(input->log, "%s: there is not enough memory",
+			input->where);
+		return -ENOMEM;
+	}
 	if (!fine) {
 		log_error(input->log, "%s: the JPEG image is broken: %s",
 			input->where, decoder->problem);

@@ -19,7 +19,7 @@ struct decoder {
 	size_t at;
 	png_structp png;
 	png_infop info;
-	png_bytep *rows;
+	bool no_memory; /* an allocation has failed */
 	char problem[128];
 };
 
@@ -37,6 +37,15 @@ static void drop_warning(png_structp png, png_const_charp message)
 	(void)message;
 }
 
+static png_voidp allocate(png_structp png, png_alloc_size_t bytes)
+{
+	struct decoder *decoder = png_get_mem_ptr(png);
+	void *memory = malloc(bytes);
+
+	decoder->no_memory = decoder->no_memory || !memory;
+	return memory;
+}
+
 static void read_bytes(png_structp png, png_bytep out, size_t count)
 {
 	struct decoder *decoder = png_get_io_ptr(png);
@@ -48,19 +57,23 @@ static void read_bytes(png_structp png, png_bytep out, size_t count)
 	decoder->at += count;
 }
 
+static int fail_memory(const struct image_input *input)
+{
+	log_error(input->log, "%s: there is not enough memory", input->where);
+	return -ENOMEM;
+}
+
 static int begin(struct decoder *decoder, const struct image_input *input)
 {
 	*decoder = (struct decoder){.input = input};
-	decoder->png = png_create_read_struct(
-		PNG_LIBPNG_VER_STRING, decoder, keep_error, drop_warning);
+	decoder->png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, decoder,
+		keep_error, drop_warning, decoder, allocate, NULL);
 	if (decoder->png) {
 		decoder->info = png_create_info_struct(decoder->png);
 	}
 	if (!decoder->info) {
 		png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
-		log_error(input->log, "%s: there is not enough memory",
-			input->where);
-		return -ENOMEM;
+		return fail_memory(input);
 	}
 	return 0;
 }
@@ -70,7 +83,9 @@ static int end(struct decoder *decoder, bool fine)
 	const struct image_input *input = decoder->input;
 
 	png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
-	free(decoder->rows);
+	if (!fine && decoder->no_memory) {
+		return fail_memory(input);
+	}
 	if (!fine) {
 		log_error(input->log, "%s: the PNG image is broken: %s",
 			input->where, decoder->problem);
@@ -94,8 +109,12 @@ static bool read_header(struct decoder *decoder)
 }
 
 /* Converts any PNG to 8-bit RGBA; ignores gamma and colour profiles. */
-static bool read_pixels(struct decoder *decoder)
+static bool read_pixels(
+	struct decoder *decoder, int width, int height, uint8_t *rgba)
 {
+	size_t row_bytes = (size_t)width * 4;
+	int passes;
+
 	if (setjmp(png_jmpbuf(decoder->png))) {
 		return false;
 	}
@@ -103,9 +122,12 @@ static bool read_pixels(struct decoder *decoder)
 	png_set_scale_16(decoder->png);
 	png_set_gray_to_rgb(decoder->png);
 	png_set_add_alpha(decoder->png, 255, PNG_FILLER_AFTER);
-	png_set_interlace_handling(decoder->png);
+	passes = png_set_interlace_handling(decoder->png);
 	png_read_update_info(decoder->png, decoder->info);
-	png_read_image(decoder->png, decoder->rows);
+	for (int row = 0; row < passes * height; row++) {
+		png_read_row(decoder->png,
+			rgba + (size_t)(row % height) * row_bytes, NULL);
+	}
 	png_read_end(decoder->png, NULL);
 	return true;
 }
@@ -133,22 +155,12 @@ static int decode(
 	struct decoder decoder;
 	bool fine;
 	int error = begin(&decoder, input);
-	int y;
 
 	if (error) {
 		return error;
 	}
-	fine = read_header(&decoder);
-	decoder.rows = malloc((size_t)height * sizeof(*decoder.rows));
-	if (!decoder.rows) {
-		snprintf(decoder.problem, sizeof(decoder.problem),
-			"there is not enough memory");
-		return end(&decoder, false);
-	}
-	for (y = 0; y < height; y++) {
-		decoder.rows[y] = rgba + (size_t)y * (size_t)width * 4;
-	}
-	fine = fine && read_pixels(&decoder);
+	fine = read_header(&decoder) &&
+		read_pixels(&decoder, width, height, rgba);
 	return end(&decoder, fine);
 }
 

@@ -43,9 +43,12 @@ static int compare_places(const void *left, const void *right)
 	return a->primitive - b->primitive;
 }
 
+/* Compares floats instead of bytes, since mirrored vertices are at -0. */
 static bool are_together(const struct place *a, const struct place *b)
 {
-	return memcmp(a->position, b->position, sizeof(a->position)) == 0;
+	return a->position[0] == b->position[0] &&
+		a->position[1] == b->position[1] &&
+		a->position[2] == b->position[2];
 }
 
 /* Primitives that may touch: those of one mesh, or all skinned ones. */

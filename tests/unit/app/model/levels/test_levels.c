@@ -242,6 +242,30 @@ static void test_primitives_that_touch_keep_their_common_border(void **state)
 	free_net(&net);
 }
 
+/* A mirrored half of a model may have its border at -0 instead of 0. */
+static void test_a_border_at_minus_zero_is_common_too(void **state)
+{
+	struct net net = make_net(shape_flat, 2);
+
+	(void)state;
+	for (int i = 0; i < COUNT; i++) {
+		net.primitive[0].position[i][0] -= 1.0f;
+		net.primitive[1].position[i][0] -= 1.0f;
+	}
+	for (int row = 0; row < ROW; row++) {
+		net.primitive[0].position[row * ROW + SIDE][0] = -0.0f;
+	}
+	assert_int_equal(levels_make(net.model), 0);
+	assert_true(net.primitive[0].lod_count > 0);
+	for (int i = 0; i < net.primitive[0].lod_count; i++) {
+		for (uint32_t row = 0; row < ROW; row++) {
+			assert_true(has_vertex(
+				&net.primitive[0].lod[i], row * ROW + SIDE));
+		}
+	}
+	free_net(&net);
+}
+
 static void test_own_levels_of_a_file_stay(void **state)
 {
 	struct net net = make_net(shape_ball, 1);
@@ -374,6 +398,7 @@ int main(void)
 			test_a_coloured_spot_stays_until_its_size_is_the_error),
 		cmocka_unit_test(
 			test_primitives_that_touch_keep_their_common_border),
+		cmocka_unit_test(test_a_border_at_minus_zero_is_common_too),
 		cmocka_unit_test(test_own_levels_of_a_file_stay),
 		cmocka_unit_test(test_any_list_of_triangles_is_taken),
 		cmocka_unit_test(test_a_hub_of_many_triangles_takes_no_longer),

@@ -18,15 +18,40 @@ void bone_parent_rotation(
 	matrix_rotation(((mat4 *)world)[parent], out);
 }
 
+bool bone_is_mirrored(const struct pose *pose, const mat4 *world, int node)
+{
+	int parent = pose->model->node[node].parent;
+
+	return parent >= 0 && matrix_determinant(&world[parent]) < 0;
+}
+
+void bone_to_axes(
+	const mat4 *world, int node, const float direction[3], float out[3])
+{
+	float back[4];
+
+	if (node < 0) {
+		memcpy(out, direction, sizeof(float[3]));
+		return;
+	}
+	matrix_rotation(((mat4 *)world)[node], back);
+	quat_conjugate(back, back);
+	quat_rotate(back, direction, out);
+	if (matrix_determinant(&world[node]) < 0) {
+		out[2] = -out[2];
+	}
+}
+
 /* Interpolates the node's local rotation to parent^-1 * rotation. */
-static void set_rotation(struct pose *pose, int node, const float parent[4],
-	const float rotation[4], float weight)
+static void set_rotation(struct pose *pose, const mat4 *world, int node,
+	const float parent[4], const float rotation[4], float weight)
 {
 	float *local = pose->local[node].rotation;
 	float goal[4];
 
 	quat_conjugate(parent, goal);
 	quat_multiply(goal, rotation, goal);
+	bone_mirror_rotation(bone_is_mirrored(pose, world, node), goal);
 	if (weight < 1) {
 		quat_slerp(local, goal, weight, goal);
 	}
@@ -41,9 +66,11 @@ void bone_turn_world(struct pose *pose, const mat4 *world, int node,
 	float parent[4], rotation[4];
 
 	bone_parent_rotation(pose, world, node, parent);
-	quat_multiply(parent, pose->local[node].rotation, rotation);
+	memcpy(rotation, pose->local[node].rotation, sizeof(rotation));
+	bone_mirror_rotation(bone_is_mirrored(pose, world, node), rotation);
+	quat_multiply(parent, rotation, rotation);
 	quat_multiply(turn, rotation, rotation);
-	set_rotation(pose, node, parent, rotation, weight);
+	set_rotation(pose, world, node, parent, rotation, weight);
 }
 
 void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
@@ -52,7 +79,7 @@ void bone_set_world_rotation(struct pose *pose, const mat4 *world, int node,
 	float parent[4];
 
 	bone_parent_rotation(pose, world, node, parent);
-	set_rotation(pose, node, parent, rotation, weight);
+	set_rotation(pose, world, node, parent, rotation, weight);
 }
 
 bool bone_chain(const struct model *model, int tip, int count, int *node)

@@ -12,10 +12,34 @@
 
 /*
  * Writes the world rotation of the node's parent, or the identity if the node
- * has none.
+ * has none. If the parent mirrors, its matrix is this rotation after a mirror
+ * of z (matrix_rotation()).
  */
 void bone_parent_rotation(
 	const struct pose *pose, const mat4 *world, int node, float out[4]);
+
+/* Whether the matrix of the node's parent mirrors. */
+bool bone_is_mirrored(const struct pose *pose, const mat4 *world, int node);
+
+/*
+ * Below a parent that mirrors, converts a local rotation to the one that has
+ * the same effect after the parent's rotation alone, or back: both are the same
+ * conversion. Otherwise the rotation stays.
+ */
+static inline void bone_mirror_rotation(bool mirrored, float rotation[4])
+{
+	if (mirrored) {
+		rotation[0] = -rotation[0];
+		rotation[1] = -rotation[1];
+	}
+}
+
+/*
+ * Converts a direction in the world to a node's own axes; its length stays.
+ * Node -1 is the world itself.
+ */
+void bone_to_axes(
+	const mat4 *world, int node, const float direction[3], float out[3]);
 
 /*
  * Applies a rotation in world axes to a node. weight, 0..1, interpolates

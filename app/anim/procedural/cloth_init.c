@@ -1,6 +1,5 @@
-#include "app/anim/math/matrix.h"
-#include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
+#include "app/anim/procedural/bone.h"
 #include "app/anim/procedural/cloth.h"
 
 #include <errno.h>
@@ -114,13 +113,11 @@ static void fix_to_nodes(
 {
 	for (int i = 0; i < cloth->count; i++) {
 		const mat4 *at = &world[cloth->pin[i % cloth->settings.columns]];
-		float rotation[4], offset[3];
+		float offset[3];
 		float scale = vec_length((*at)[0]);
 
-		matrix_rotation(*(mat4 *)at, rotation);
-		quat_conjugate(rotation, rotation);
 		vec_subtract(shape[i], (*at)[3], offset);
-		quat_rotate(rotation, offset, offset);
+		bone_to_axes(at, 0, offset, offset);
 		for (int k = 0; k < 3; k++) {
 			cloth->offset[i][k] = scale > 0 ? offset[k] / scale : 0;
 		}

@@ -13,7 +13,9 @@ struct solver {
 	const struct ik_chain *chain;
 	const struct pose *pose;
 	float root[4];                /* world rotation of the first parent */
-	float local[IK_CHAIN_MAX][4]; /* local rotations */
+	bool mirrored;                /* the first parent mirrors */
+	float local[IK_CHAIN_MAX][4]; /* local rotations as
+					 bone_mirror_rotation() makes them */
 	float bone[IK_CHAIN_MAX][3];  /* vector to the next joint, in the bone's
 					 own axes */
 	float length[IK_CHAIN_MAX];
@@ -46,11 +48,13 @@ static void begin(struct solver *solver, const struct ik_chain *chain,
 	solver->pose = pose;
 	solver->total = 0;
 	bone_parent_rotation(pose, world, chain->node[0], solver->root);
+	solver->mirrored = bone_is_mirrored(pose, world, chain->node[0]);
 	for (int i = 0; i < chain->count; i++) {
 		memcpy(solver->joint[i], world[chain->node[i]][3],
 			sizeof(solver->joint[i]));
 		memcpy(solver->local[i], pose->local[chain->node[i]].rotation,
 			sizeof(solver->local[i]));
+		bone_mirror_rotation(solver->mirrored, solver->local[i]);
 	}
 	for (int i = 0; i < solver->bones; i++) {
 		float rotation[4];
@@ -94,14 +98,16 @@ static void set_joint(struct solver *solver, int i, const float parent[4],
 	float *local = solver->local[i];
 	float limit_rad = solver->chain->limit_rad[i];
 	int node = solver->chain->node[i];
-	float back[4];
+	float back[4], rest[4];
 
 	quat_conjugate(parent, back);
 	quat_multiply(back, world, local);
 	quat_normalize(local);
 	if (limit_rad > 0) {
-		quat_limit(local, solver->pose->model->node[node].rest.rotation,
-			limit_rad);
+		memcpy(rest, solver->pose->model->node[node].rest.rotation,
+			sizeof(rest));
+		bone_mirror_rotation(solver->mirrored, rest);
+		quat_limit(local, rest, limit_rad);
 	}
 }
 
@@ -261,8 +267,11 @@ static void store(const struct solver *solver, struct pose *pose)
 
 	for (int i = 0; i < solver->bones; i++) {
 		float *local = pose->local[chain->node[i]].rotation;
+		float goal[4];
 
-		quat_slerp(local, solver->local[i], chain->weight, local);
+		memcpy(goal, solver->local[i], sizeof(goal));
+		bone_mirror_rotation(solver->mirrored, goal);
+		quat_slerp(local, goal, chain->weight, local);
 		quat_normalize(local);
 		pose->animated[chain->node[i]] = true;
 	}

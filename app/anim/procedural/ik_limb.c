@@ -143,14 +143,18 @@ static void set_lower(const struct ik_limb *limb, const float upper[4],
 	const float lower[4], const mat4 *world, struct pose *pose)
 {
 	float *local = pose->local[limb->lower].rotation;
+	bool mirrored = bone_is_mirrored(pose, world, limb->lower);
 	float parent[4], goal[4];
 
 	bone_parent_rotation(pose, world, limb->lower, parent);
 	quat_multiply(upper, parent, parent);
-	quat_multiply(parent, local, goal);
+	memcpy(goal, local, sizeof(goal));
+	bone_mirror_rotation(mirrored, goal);
+	quat_multiply(parent, goal, goal);
 	quat_multiply(lower, goal, goal);
 	quat_conjugate(parent, parent);
 	quat_multiply(parent, goal, goal);
+	bone_mirror_rotation(mirrored, goal);
 	quat_normalize(goal);
 	quat_slerp(local, goal, limb->weight, local);
 	pose->animated[limb->lower] = true;

@@ -28,13 +28,17 @@ struct lookat lookat_default(int node)
 static bool own_direction(const struct lookat *lookat, const float target[3],
 	const mat4 *world, const struct pose *pose, float out[3])
 {
-	float rotation[4];
+	bool mirrored = bone_is_mirrored(pose, world, lookat->node);
+	float parent[4], rotation[4];
 
-	bone_parent_rotation(pose, world, lookat->node, rotation);
-	quat_multiply(rotation, pose->local[lookat->node].rotation, rotation);
+	bone_parent_rotation(pose, world, lookat->node, parent);
+	memcpy(rotation, pose->local[lookat->node].rotation, sizeof(rotation));
+	bone_mirror_rotation(mirrored, rotation);
+	quat_multiply(parent, rotation, rotation);
 	quat_conjugate(rotation, rotation);
 	vec_subtract(target, world[lookat->node][3], out);
 	quat_rotate(rotation, out, out);
+	out[2] = mirrored ? -out[2] : out[2];
 	return vec_normalize(out) > 0;
 }
 

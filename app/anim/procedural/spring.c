@@ -20,8 +20,10 @@ struct swing {
 	const struct pose *pose;
 	const struct capsule_world *capsule;
 	int capsule_count;
-	float bone[SPRING_MAX][3]; /* vector to the bone's end, in its own axes
-				      and the world's unit */
+	bool mirrored;             /* the first bone's parent mirrors */
+	float bone[SPRING_MAX][3]; /* vector to the bone's end, in its own axes,
+				      mirrored if its parent mirrors, and the
+				      world's unit */
 	float length[SPRING_MAX];
 	float turned[SPRING_MAX][4]; /* new world rotations */
 	float total;
@@ -62,6 +64,9 @@ static void measure(
 
 		for (int k = 0; k < 3; k++) {
 			swing->bone[i][k] = to[k] * above;
+		}
+		if (swing->mirrored) {
+			swing->bone[i][2] = -swing->bone[i][2];
 		}
 		swing->length[i] = vec_length(swing->bone[i]);
 		swing->total += swing->length[i];
@@ -219,10 +224,12 @@ static void swing_chain(struct swing *swing, struct base base,
 	const float *parent = above;
 
 	for (int i = 0; i < spring->count; i++) {
-		const float *local =
-			swing->pose->local[spring->node[i]].rotation;
+		float *turned = swing->turned[i];
 
-		quat_multiply(parent, local, swing->turned[i]);
+		memcpy(turned, swing->pose->local[spring->node[i]].rotation,
+			sizeof(swing->turned[i]));
+		bone_mirror_rotation(swing->mirrored, turned);
+		quat_multiply(parent, turned, turned);
 		quat_normalize(swing->turned[i]);
 		swing_bone(swing, i, &base, part_s, swing->turned[i]);
 		memcpy(base.position, spring->position[i],
@@ -245,6 +252,7 @@ static void store(
 
 		quat_conjugate(parent, goal);
 		quat_multiply(goal, swing->turned[i], goal);
+		bone_mirror_rotation(swing->mirrored, goal);
 		quat_slerp(local, goal, spring->weight, local);
 		quat_normalize(local);
 		pose->animated[spring->node[i]] = true;
@@ -275,7 +283,8 @@ void spring_update(struct spring *spring, float step_s,
 	struct swing swing = {.spring = spring,
 		.pose = pose,
 		.capsule = capsule,
-		.capsule_count = capsule_count};
+		.capsule_count = capsule_count,
+		.mirrored = bone_is_mirrored(pose, world, spring->node[0])};
 	const float *origin = world[spring->node[0]][3];
 	struct base base;
 	float above[4];

@@ -2,8 +2,7 @@
  * Looks up names: of the model's nodes, clips and targets, and of the file's
  * sections and switches. Also keeps the lists of switches and operations.
  */
-#include "app/anim/math/matrix.h"
-#include "app/anim/math/quat.h"
+#include "app/anim/procedural/bone.h"
 #include "app/character/build/build.h"
 #include "platform/base/name_list.h"
 
@@ -314,9 +313,6 @@ void character_add_op(struct character_build *build, enum character_stage stage,
 void character_to_bone(const struct character_build *build, int node,
 	const float direction[3], float out[3])
 {
-	float back[4];
-
-	matrix_rotation(build->character->instance->world[node], back);
-	quat_conjugate(back, back);
-	quat_rotate(back, direction, out);
+	bone_to_axes((const mat4 *)build->character->instance->world, node,
+		direction, out);
 }

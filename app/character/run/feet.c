@@ -354,12 +354,10 @@ static void lift_hips(struct instance *instance,
 	const struct character_feet *feet, float lift)
 {
 	struct transform *local = &instance->pose.local[feet->hips];
-	float up[3] = {0, lift, 0}, back[4];
+	float up[3] = {0, lift, 0};
 
-	bone_parent_rotation(&instance->pose, (const mat4 *)instance->world,
-		feet->hips, back);
-	quat_conjugate(back, back);
-	quat_rotate(back, up, up);
+	bone_to_axes((const mat4 *)instance->world,
+		instance->pose.model->node[feet->hips].parent, up, up);
 	vec_add_scaled(local->translation, up, 1, local->translation);
 	instance->pose.animated[feet->hips] = true;
 }

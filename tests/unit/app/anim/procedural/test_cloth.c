@@ -431,6 +431,26 @@ static void test_sides_out_of_range_are_refused(void **state)
 	tear_down(&f);
 }
 
+static void test_mirrored_nodes_hold_its_shape(void **state)
+{
+	static const int pin[] = {LEFT, LEFT, RIGHT, RIGHT};
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, 4, 5);
+	f.bones.pose.local[LEFT].scale[0] = -1;
+	f.bones.pose.local[RIGHT].scale[2] = -1;
+	bones_update(&f.bones);
+	memset(f.settings.gravity, 0, sizeof(f.settings.gravity));
+	assert_int_equal(
+		cloth_init(&f.cloth, &f.settings, (const float(*)[3])f.shape,
+			pin, (const mat4 *)f.bones.world, &f.bones.model.arena),
+		0);
+	frame(&f, 0.016f);
+	assert_all_near(f.cloth.position, f.shape, 60, 1e-5);
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -450,6 +470,7 @@ int main(void)
 		cmocka_unit_test(test_a_larger_one_stays_bounded_too),
 		cmocka_unit_test(test_odd_steps_and_shapes_stay_finite),
 		cmocka_unit_test(test_sides_out_of_range_are_refused),
+		cmocka_unit_test(test_mirrored_nodes_hold_its_shape),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

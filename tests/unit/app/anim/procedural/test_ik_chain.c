@@ -226,6 +226,47 @@ static void test_a_chain_needs_enough_ancestors(void **state)
 	bones_end(&bones);
 }
 
+static void test_a_chain_below_a_mirror_reaches_and_keeps_its_limits(
+	void **state)
+{
+	struct bones bones;
+	struct ik_chain chain;
+	int tip = set_up_chain(&bones, 7);
+
+	(void)state;
+	bones.node[0].rest.scale[0] = -1;
+	for (int n = 0; n < 3; n++) {
+		bones.node[n].rest.rotation[n] = 0.6f;
+		bones.node[n].rest.rotation[3] = 0.8f;
+	}
+	assert_int_equal(ik_chain_init(&chain, &bones.model, tip, 6), 0);
+	for (int i = 0; i < 100; i++) {
+		bool limited = i % 2;
+		float direction[3], target[3];
+
+		for (int n = 0; n < 6; n++) {
+			chain.limit_rad[n] = limited ? 0.4f : 0;
+		}
+		pose_rest(&bones.pose, &bones.model);
+		bones_update(&bones);
+		scattered_direction(i, direction);
+		bones_point(&bones, 1, direction, 0.7f, target);
+		solve_chain(&bones, &chain, target);
+		if (!limited) {
+			assert_near(
+				bones_distance(&bones, tip, target), 0, 1e-3);
+		}
+		for (int n = 1; n < 6 && limited; n++) {
+			float turn[4];
+
+			quat_conjugate(bones.node[n].rest.rotation, turn);
+			quat_multiply(turn, bones.pose.local[n].rotation, turn);
+			assert_true(quat_angle(turn) < 0.401f);
+		}
+	}
+	bones_end(&bones);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -237,6 +278,8 @@ int main(void)
 		cmocka_unit_test(test_a_limited_chain_reaches_what_it_can),
 		cmocka_unit_test(test_degenerate_chains_stay_finite),
 		cmocka_unit_test(test_a_chain_needs_enough_ancestors),
+		cmocka_unit_test(
+			test_a_chain_below_a_mirror_reaches_and_keeps_its_limits),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -239,6 +239,29 @@ static void test_degenerate_limbs_stay_finite(void **state)
 	}
 }
 
+/* Exporters mirror a body, or one side of it, by a negative scale. */
+static void test_a_limb_below_a_mirror_reaches_too(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up_limb(&f);
+	for (int i = 0; i < 300; i++) {
+		float direction[3], target[3];
+
+		f.bones.node[TORSO].rest.scale[i % 3] = -1;
+		f.bones.node[TORSO].rest.scale[(i + 1) % 3] = 1;
+		f.bones.node[TORSO].rest.scale[(i + 2) % 3] = 1;
+		reset(&f);
+		scattered_direction(i, direction);
+		bones_point(&f.bones, UPPER, direction,
+			0.101f + 0.598f * fabsf(scattered(i * 3)), target);
+		assert_near(solve_limb(&f, target, NULL), 0, 1e-5);
+		assert_near(bones_distance(&f.bones, TIP, target), 0, 1e-3);
+	}
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -250,6 +273,7 @@ int main(void)
 		cmocka_unit_test(test_a_limb_on_target_is_left_as_it_is),
 		cmocka_unit_test(test_weight_blends_with_the_animation),
 		cmocka_unit_test(test_degenerate_limbs_stay_finite),
+		cmocka_unit_test(test_a_limb_below_a_mirror_reaches_too),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -204,6 +204,30 @@ static void test_a_target_in_the_head_is_harmless(void **state)
 	tear_down(&f);
 }
 
+static void test_a_head_below_a_mirror_looks_at_the_target(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	f.bones.pose.local[BODY].scale[0] = -1;
+	f.bones.pose.local[BODY].rotation[1] = sinf(0.4f);
+	f.bones.pose.local[BODY].rotation[3] = cosf(0.4f);
+	for (int i = 0; i < 100; i++) {
+		float target[3] = {5 + sinf(0.8f + (float)i * 0.01f) * 3,
+			1.5f + (float)(i % 7 - 3) * 0.5f,
+			cosf(0.8f + (float)i * 0.01f) * 3};
+		float looks[3];
+
+		f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+		f.bones.pose.local[HEAD].rotation[0] = 0.1f;
+		f.bones.pose.local[HEAD].rotation[3] = sqrtf(0.99f);
+		look(&f, target, 0.1f, looks);
+		assert_near(angle_to(&f, target, looks), 0, 1e-3);
+	}
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -215,6 +239,7 @@ int main(void)
 		cmocka_unit_test(test_weight_takes_a_share),
 		cmocka_unit_test(test_without_a_target_it_looks_ahead),
 		cmocka_unit_test(test_a_target_in_the_head_is_harmless),
+		cmocka_unit_test(test_a_head_below_a_mirror_looks_at_the_target),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -403,6 +403,30 @@ static void test_a_spring_needs_enough_ancestors(void **state)
 	tear_down(&f);
 }
 
+static void test_bones_below_a_mirror_follow_their_ends(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	f.bones.pose.local[HEAD].scale[2] = -1;
+	for (int i = FIRST; i <= LAST; i++) {
+		f.bones.node[i].rest.rotation[i % 3] = 0.28f;
+		f.bones.node[i].rest.rotation[3] = 0.96f;
+	}
+	run(&f, 0.3f, 0.016f);
+	for (int i = 0; i < BONES; i++) {
+		float at[3];
+
+		matrix_apply(
+			((mat4 *)f.bones.world)[FIRST + i], f.spring.end, at);
+		assert_all_near(at, f.spring.position[i], 3, 1e-4);
+	}
+	/* Gravity pulls the same way as without the mirror. */
+	assert_true(f.bones.world[LAST][3][1] < 1.6f);
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -423,6 +447,7 @@ int main(void)
 		cmocka_unit_test(test_a_chain_stays_bounded_too),
 		cmocka_unit_test(test_degenerate_springs_stay_finite),
 		cmocka_unit_test(test_a_spring_needs_enough_ancestors),
+		cmocka_unit_test(test_bones_below_a_mirror_follow_their_ends),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -345,6 +345,24 @@ static float shared_weight(const struct simplify *simplify,
 }
 
 /*
+ * Whether influence i of a vertex is the first one of its joint. Joints without
+ * weight, which fill up the influences of most vertices, do not count.
+ */
+static bool is_first(
+	const struct model_primitive *primitive, uint32_t vertex, size_t i)
+{
+	size_t at = vertex * (size_t)primitive->influences;
+
+	for (size_t k = at; k < at + i; k++) {
+		if (primitive->joint[k] == primitive->joint[at + i] &&
+			primitive->weight[k] > 0.0f) {
+			return false;
+		}
+	}
+	return primitive->weight[at + i] > 0.0f;
+}
+
+/*
  * The error of a bent limb. A skin moves a point by products of weights and
  * position. If both change along a triangle, a straight edge cuts off the curve
  * of a bent limb, for each joint by the covariance of weight and position over
@@ -354,18 +372,19 @@ static float shared_weight(const struct simplify *simplify,
 static float bend_square(
 	const struct simplify *simplify, const struct place *place)
 {
-	size_t count = (size_t)simplify->primitive->influences;
+	const struct model_primitive *primitive = simplify->primitive;
+	size_t count = (size_t)primitive->influences;
 	float sum = 0.0f;
 
 	for (size_t i = 0; i < 3 * count; i++) {
 		size_t corner = i / count;
-		uint16_t joint =
-			simplify->primitive->joint[place->vertex[corner] * count +
-				i % count];
+		uint32_t vertex = place->vertex[corner];
+		uint16_t joint = primitive->joint[vertex * count + i % count];
 		float weight[3], along[3] = {0.0f, 0.0f, 0.0f}, mean;
 
 		mean = shared_weight(simplify, place, joint, weight);
-		if (weight[corner] <= 0.0f || (corner > 0 && weight[0] > 0.0f) ||
+		if (!is_first(primitive, vertex, i % count) ||
+			(corner > 0 && weight[0] > 0.0f) ||
 			(corner > 1 && weight[1] > 0.0f)) {
 			continue; /* not used here, or counted at an earlier
 				     corner */

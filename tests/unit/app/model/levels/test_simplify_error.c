@@ -198,6 +198,11 @@ static void test_limbs_that_bend_count_by_their_covariance(void **state)
 	}
 	assert_true(sum > 0.1);
 	assert_near(attributes(&f), 0.5 * sum, 1e-6);
+	/* Influences without weight fill up vertices, with any joint. */
+	for (int v = 0; v < VERTICES; v++) {
+		f.joint[v][2] = f.joint[v][3] = 7;
+	}
+	assert_near(attributes(&f), 0.5 * sum, 1e-6);
 }
 
 /* Displacements are in the model's unit, of which the extent is four. */

@@ -13,6 +13,7 @@ int character_read_value(struct character_words *words,
 	const float **value = member;
 	struct character *character = words->build->character;
 	float number;
+	int index;
 
 	if (character_take_number(words, &number)) {
 		float *kept = ARENA_NEW(words->build->arena, float);
@@ -32,13 +33,12 @@ int character_read_value(struct character_words *words,
 	if (character_at_end(words) || character_next_is(words, ",")) {
 		return character_fail_value(words, key);
 	}
-	for (int i = 0; i < character->parameter_count; i++) {
-		if (character_take(words, character->parameter[i].name)) {
-			*value = &character->parameter[i].value;
-			return 0;
-		}
+	index = character_name_section(words, "parameter");
+	if (index < 0) {
+		return -EINVAL;
 	}
-	return character_name_section(words, "parameter") < 0 ? -EINVAL : 0;
+	*value = &character->parameter[index].value;
+	return 0;
 }
 
 int character_read_fade(struct character_words *words,

@@ -462,6 +462,24 @@ static void test_texts_of_all_editors_are_read(void **state)
 	acting_end(&acting);
 }
 
+/* As a blank is part of the name, it stands in quotes everywhere. */
+static void test_a_value_may_be_a_parameter_whose_name_has_blanks(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter \"my speed\"]\nrange = 0 9\nstart = 3\n"
+		"[state a]\nclip = walk\nrate = \"my speed\"\n"
+		"[state b]\nclip = run\n"
+		"[transition a b]\nwhen = \"my speed\" > 2\n");
+	assert_near(*acting.character->machine.state[0].rate, 3.0, 0.0);
+	acting_run_to(&acting, 0.1, 20.0);
+	assert_string_equal(acting_state(&acting), "b");
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -471,6 +489,8 @@ int main(void)
 		cmocka_unit_test(test_statements_about_parts),
 		cmocka_unit_test(test_an_error_names_file_line_section_and_key),
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
+		cmocka_unit_test(
+			test_a_value_may_be_a_parameter_whose_name_has_blanks),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -145,6 +145,15 @@ static const struct character_key keys[] = {
 	{0},
 };
 
+/* The range of choices is that of their numbers. */
+static bool has_other_range(const struct character_parameter *parameter)
+{
+	return parameter->choice &&
+		(parameter->range[0] != 0 ||
+			parameter->range[1] !=
+				(float)(parameter->choice_count - 1));
+}
+
 static int read_one(struct character_build *build,
 	const struct character_section *section,
 	struct character_parameter *parameter)
@@ -154,6 +163,10 @@ static int read_one(struct character_build *build,
 	if (!error && !(parameter->range[0] < parameter->range[1])) {
 		return character_fail_section(build, section,
 			"range: the second number has to be larger than the first");
+	}
+	if (!error && has_other_range(parameter)) {
+		return character_fail_section(build, section,
+			"range: choices have a range of their own: remove the range");
 	}
 	if (parameter->start == not_given) {
 		parameter->start = scalar_clamp(

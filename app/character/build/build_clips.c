@@ -34,6 +34,10 @@ static int read_marks(struct character_words *words,
 		clip->mark_count++;
 		character_take(words, ",");
 	}
+	if (clip->mark[clip->mark_count - 1] - clip->mark[0] >= duration_s) {
+		return character_fail(words,
+			"the first and the last time are the same moment of a round: leave out one of them");
+	}
 	return 0;
 }
 

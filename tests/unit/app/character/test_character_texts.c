@@ -1,4 +1,7 @@
-/* What buttons are called, and targets that are counted from a node. */
+/*
+ * What buttons are called, targets that are counted from a node, and marks of
+ * clips.
+ */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
 #include "tests/support/model/acting.h"
@@ -89,6 +92,28 @@ static void test_a_target_is_counted_from_any_node(void **state)
 	acting_end(&acting);
 }
 
+/* Between two marks time has to pass, also from the last one to the first. */
+static void test_no_marks_are_at_the_same_moment_of_a_round(void **state)
+{
+	struct acting acting;
+	const struct model_clip *clip;
+	char text[128];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	clip = &acting.model->clip[model_find_clip(acting.model, "walk")];
+	snprintf(text, sizeof(text), "[clip walk]\nmarks = 0 0.5 %.9g\n",
+		(double)clip->duration_s);
+	acting_read(&acting, text);
+	assert_null(acting.character);
+	assert_contains(acting.logged.sentence[0], "the same moment");
+	acting_read(&acting, "[clip rest]\nmarks = 0\n");
+	assert_null(acting.character);
+	acting_expect(&acting, "[clip walk]\nmarks = 0.5\n");
+	acting_run_to(&acting, 3.0, 20.0);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -96,6 +121,7 @@ int main(void)
 			test_a_button_without_a_label_is_called_as_it_acts),
 		cmocka_unit_test(test_a_label_holds_the_words_of_a_long_line),
 		cmocka_unit_test(test_a_target_is_counted_from_any_node),
+		cmocka_unit_test(test_no_marks_are_at_the_same_moment_of_a_round),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

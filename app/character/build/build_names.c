@@ -15,15 +15,16 @@ const char *character_own_name(
 {
 	const struct character_section *names =
 		character_text_find(build->text->first, "names");
+	const char *own = name;
 
+	/* The last line counts: it stands below those of included files. */
 	for (const struct character_line *line = names ? names->first : NULL;
 		line; line = line->next) {
 		if (line->word_count > 0 && strcmp(line->key, name) == 0) {
-			name = line->word[0].text;
-			break;
+			own = line->word[0].text;
 		}
 	}
-	return name;
+	return own;
 }
 
 /*

@@ -49,6 +49,7 @@ static int read_source(struct character_words *words,
 	int error = 0;
 
 	parameter->scale = 1;
+	parameter->offset = 0;
 	if (character_take(words, "buttons")) {
 		parameter->source = CHARACTER_SOURCE_ACTIONS;
 		return 0;
@@ -109,6 +110,7 @@ static int read_stops(struct character_words *words,
 {
 	struct character_parameter *parameter = member;
 
+	parameter->stop_count = 0;
 	while (!character_at_end(words)) {
 		float *stop = &parameter->stop[parameter->stop_count];
 

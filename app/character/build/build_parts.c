@@ -25,6 +25,7 @@ static int read_freedom(struct character_words *words,
 		which++;
 	}
 	freedom = &part->freedom[which];
+	part->follows[which] = NULL;
 	*freedom = (struct character_freedom){.given = true,
 		.low = range[0],
 		.high = range[1],

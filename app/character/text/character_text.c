@@ -200,7 +200,9 @@ static int read_line(struct reader *reader, const char *key, const char *value)
 	if (strcmp(key, "include") == 0 &&
 		(!reader->section ||
 			strcmp(reader->section->kind, "character") == 0)) {
-		return include(reader, value);
+		/* A name with blanks may stand in quotes. */
+		return include(reader,
+			count == 1 && word[0].quoted ? word[0].text : value);
 	}
 	if (!reader->section) {
 		return fail(reader,

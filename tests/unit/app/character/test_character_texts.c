@@ -1,9 +1,10 @@
 /*
- * What buttons are called, targets that are counted from a node, and marks of
- * clips.
+ * What buttons are called, targets that are counted from a node, marks of
+ * clips, and files that include others.
  */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -114,6 +115,49 @@ static void test_no_marks_are_at_the_same_moment_of_a_round(void **state)
 	acting_end(&acting);
 }
 
+static void load_both(struct acting *acting, const char *base, const char *own)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "own.character");
+
+	file_write(path_join(&folder, "the base.character").text, base,
+		strlen(base));
+	file_write(path.text, own, strlen(own));
+	acting_load(acting, path.text);
+	temp_dir_remove(&folder);
+	if (acting->error) {
+		fail_msg("%s", acting->logged.sentence[0]);
+	}
+}
+
+/* Nothing is left of what an included file says by the same key. */
+static void test_a_line_replaces_the_whole_line_of_an_included_file(void **state)
+{
+	const struct character_parameter *parameter;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	load_both(&acting,
+		"[names]\nmove = walk\n[state a]\nclip = move\n"
+		"[parameter p]\nrange = 0 9\nstops = 1 2 3\n"
+		"[parameter t]\nsource = time 2 0.25\n"
+		"[part hips]\nheading = p\n",
+		"include = \"the base.character\"\n[names]\nmove = run\n"
+		"[parameter p]\nstops = 4 5\n[parameter t]\nsource = sine 4\n"
+		"[part hips]\nheading = 10 -60 60\n");
+	assert_string_equal(
+		acting.character->machine.state[0].entry[0].of->clip->name,
+		"run");
+	parameter = acting.character->parameter;
+	assert_int_equal(parameter[0].stop_count, 2);
+	assert_near(parameter[0].stop[0], 4.0, 0.0);
+	assert_near(parameter[1].offset, 0.0, 0.0);
+	acting_run_to(&acting, 0.1, 20.0);
+	assert_near(acting.character->part[0].freedom[0].value, 10.0, 0.0);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -122,6 +166,8 @@ int main(void)
 		cmocka_unit_test(test_a_label_holds_the_words_of_a_long_line),
 		cmocka_unit_test(test_a_target_is_counted_from_any_node),
 		cmocka_unit_test(test_no_marks_are_at_the_same_moment_of_a_round),
+		cmocka_unit_test(
+			test_a_line_replaces_the_whole_line_of_an_included_file),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

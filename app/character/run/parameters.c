@@ -18,15 +18,17 @@ void character_parameter_step(struct character_parameter *parameter, int steps)
 
 	/*
 	 * A goal between two stops counts as the stop that lies opposite to the
-	 * step's direction.
+	 * step's direction; one outside of all stops as one before the first or
+	 * behind the last.
 	 */
 	if (steps > 0) {
+		at = -1;
 		while (at + 1 < count &&
 			parameter->stop[at + 1] <= parameter->goal) {
 			at++;
 		}
 	} else {
-		while (at + 1 < count && parameter->stop[at] < parameter->goal) {
+		while (at < count && parameter->stop[at] < parameter->goal) {
 			at++;
 		}
 	}

@@ -54,6 +54,21 @@ static void test_a_step_goes_to_the_next_stop(void **state)
 	}
 }
 
+/* A range may go beyond the outermost stops. */
+static void test_a_step_from_outside_goes_to_the_outermost_stop(void **state)
+{
+	struct character_parameter one;
+
+	(void)state;
+	for (int up = 0; up < 2; up++) {
+		one = parameter_at(up ? -1.0f : 9.0f);
+		one.range[0] = -1;
+		one.range[1] = 9;
+		character_parameter_step(&one, up ? 1 : -1);
+		assert_near(one.goal, up ? stops[0] : stops[STOPS - 1], 0.0);
+	}
+}
+
 static void test_several_steps_go_as_far_as_one_after_the_other(void **state)
 {
 	(void)state;
@@ -96,6 +111,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_step_goes_to_the_next_stop),
+		cmocka_unit_test(
+			test_a_step_from_outside_goes_to_the_outermost_stop),
 		cmocka_unit_test(
 			test_several_steps_go_as_far_as_one_after_the_other),
 		cmocka_unit_test(test_a_new_goal_begins_its_way_at_the_value),

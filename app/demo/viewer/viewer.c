@@ -235,7 +235,9 @@ static void move_scene(
 
 	camera_orbit(
 		&stage->camera, character->camera_turn, character->camera_tilt);
-	camera_zoom(&stage->camera, 1.0f + character->camera_zoom);
+	/* A frame of seconds must not bring the camera to the target. */
+	camera_zoom(&stage->camera,
+		1.0f + scalar_clamp(character->camera_zoom, -0.5f, 1.0f));
 	now = character_bounds_now(&figure->drawing.bounds, character, moved);
 	stage_follow(stage, moved, figure->drawing.bounds.way);
 	camera_ease_to(&stage->camera, &now,

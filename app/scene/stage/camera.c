@@ -10,6 +10,8 @@
 
 /* Moves of the box below this part of the radius do not change the camera. */
 static const float least_move = 1e-4f;
+/* Factors of the distance at which the box fits, between which users zoom. */
+static const float zoom_nearest = 1.0f / 32.0f, zoom_farthest = 32.0f;
 
 enum {
 	YAW_STEPS = 9,
@@ -279,8 +281,11 @@ struct camera_region camera_covered(const struct camera *camera)
 
 void camera_zoom(struct camera *camera, float factor)
 {
-	camera->fit.zoom *= factor;
-	camera->distance *= factor;
+	float zoom = scalar_clamp(
+		camera->fit.zoom * factor, zoom_nearest, zoom_farthest);
+
+	camera->distance *= zoom / camera->fit.zoom;
+	camera->fit.zoom = zoom;
 }
 
 float camera_farthest(const struct camera *camera)

@@ -95,7 +95,11 @@ void camera_set_region(struct camera *camera,
  */
 struct camera_region camera_covered(const struct camera *camera);
 
-/* Multiplies the distance; the factor also holds when the camera orbits. */
+/*
+ * Multiplies the distance; the factor also holds when the camera orbits. All
+ * factors together are kept between 1/32 and 32, where GL still has numbers for
+ * the picture.
+ */
 void camera_zoom(struct camera *camera, float factor);
 
 /* Returns the greatest distance at any yaw; ground has to reach that far. */

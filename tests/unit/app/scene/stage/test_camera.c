@@ -192,6 +192,33 @@ static void test_zoom_stays_when_the_camera_orbits(void **state)
 	assert_near(camera.distance, 0.5 * whole, 1e-3 * whole);
 }
 
+/* A button that is held for minutes, or a frame that takes seconds. */
+static void test_zoom_ends_where_a_picture_is_left(void **state)
+{
+	const struct camera_framing framing = {
+		.aspect = 0.75f, .margin = 1.1f, .follow = true};
+	static const float factors[] = {0.98f, 1.02f, -0.2f, 1e9f};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(factors); i++) {
+		struct camera camera = camera_default();
+		struct bounds bounds = box(2.0f, 1.0f, 0.5f);
+		struct camera_frustum frustum;
+		float whole;
+
+		camera_frame(&camera, &bounds, &framing);
+		whole = camera.distance;
+		for (int frame = 0; frame < 20000; frame++) {
+			camera_zoom(&camera, factors[i]);
+		}
+		frustum = camera_frustum(&camera, 240, 320);
+		assert_true(frustum.near > 0 && frustum.far > frustum.near &&
+			frustum.far < INT32_MAX);
+		camera_zoom(&camera, 1.0f / camera.fit.zoom);
+		assert_near(camera.distance, whole, 1e-3 * whole);
+	}
+}
+
 static void test_frames_nothing_without_dividing_by_zero(void **state)
 {
 	const struct camera_framing framing = {.aspect = 0.75f, .margin = 1.1f};
@@ -305,6 +332,7 @@ int main(void)
 		cmocka_unit_test(test_follows_any_box_around),
 		cmocka_unit_test(test_an_empty_region_is_the_whole_picture),
 		cmocka_unit_test(test_zoom_stays_when_the_camera_orbits),
+		cmocka_unit_test(test_zoom_ends_where_a_picture_is_left),
 		cmocka_unit_test(test_frames_nothing_without_dividing_by_zero),
 		cmocka_unit_test(test_easing_to_nothing_leaves_the_camera),
 		cmocka_unit_test(test_easing_ends_at_the_other_box),

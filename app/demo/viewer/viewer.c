@@ -194,6 +194,7 @@ static int reload(struct demo *demo)
 	}
 	character_go_on(after->character, before->character);
 	demo->base.actor = fresh;
+	demo_set_reduction(demo, &demo->base.reduction);
 	demo->figure = after;
 	reframe(demo, old.extent);
 	demo_overlay_release(&demo->base);

@@ -204,6 +204,27 @@ static void test_another_model_takes_its_place(void **state)
 	end_bench(bench);
 }
 
+/* The governor says what to leave out only when that changes. */
+static void test_a_new_file_is_reduced_as_the_old_one_was(void **state)
+{
+	const struct demo_reduction reduction = {
+		.max_influences = 1, .error_px = 3.0f, .hold_normals = true};
+	struct bench *bench = begin_bench(true);
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	const struct model *old = model_of(bench);
+
+	(void)state;
+	demo_set_reduction(bench->demo, &reduction);
+	run_to(bench, 1.5);
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 4.0);
+	assert_ptr_not_equal(model_of(bench), old);
+	assert_int_equal(base->actor.influence_limit, 1);
+	assert_near(base->actor.min_error_px, 3.0, 0.0);
+	assert_true(base->actor.instance->hold_normals);
+	end_bench(bench);
+}
+
 static void test_a_broken_file_leaves_the_old_one(void **state)
 {
 	struct bench *bench = begin_bench(true);
@@ -244,6 +265,7 @@ int main(void)
 		cmocka_unit_test(test_overlays_are_shown_for_the_new_model),
 		cmocka_unit_test(test_a_changed_character_file_is_read_anew),
 		cmocka_unit_test(test_another_model_takes_its_place),
+		cmocka_unit_test(test_a_new_file_is_reduced_as_the_old_one_was),
 		cmocka_unit_test(test_a_broken_file_leaves_the_old_one),
 		cmocka_unit_test(test_a_file_that_is_not_followed_is_left_alone),
 	};

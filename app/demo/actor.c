@@ -100,6 +100,7 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	int error;
 
 	base->framing = *framing;
+	base->room_below = 0.0f;
 	if (env->no_labels) {
 		base->framing = (struct framing){.camera = framing->camera};
 	}

@@ -225,6 +225,33 @@ static void test_a_new_file_is_reduced_as_the_old_one_was(void **state)
 	end_bench(bench);
 }
 
+/* Also if the new model is of another size, so that the stage is made anew. */
+static void test_the_row_of_shapes_has_room_below_the_new_model(void **state)
+{
+	struct bench *bench = begin_bench(true);
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	static const char *const models[] = {
+		"assets/face.glb", "tests/fixtures/gltf/mesh/weights.gltf"};
+
+	(void)state;
+	run_to(bench, 1.5);
+	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
+		struct overlay_row row;
+
+		put_model(bench, models[i]);
+		run_to(bench, bench->now_s + 2.5);
+		while (!base->overlay ||
+			!overlay_shows(base->overlay, OVERLAY_KEYS)) {
+			demo_show_next_overlay(&demo_driver_viewer, bench->demo);
+		}
+		demo_draw(&demo_driver_viewer, bench->demo, 240, 320);
+		row = overlay_row_of(base->overlay, 240, 320);
+		assert_true(base->stage.camera.fit.region.bottom >=
+			2.0f * (float)row.height / 320.0f - 1.0f);
+	}
+	end_bench(bench);
+}
+
 static void test_a_broken_file_leaves_the_old_one(void **state)
 {
 	struct bench *bench = begin_bench(true);
@@ -266,6 +293,8 @@ int main(void)
 		cmocka_unit_test(test_a_changed_character_file_is_read_anew),
 		cmocka_unit_test(test_another_model_takes_its_place),
 		cmocka_unit_test(test_a_new_file_is_reduced_as_the_old_one_was),
+		cmocka_unit_test(
+			test_the_row_of_shapes_has_room_below_the_new_model),
 		cmocka_unit_test(test_a_broken_file_leaves_the_old_one),
 		cmocka_unit_test(test_a_file_that_is_not_followed_is_left_alone),
 	};

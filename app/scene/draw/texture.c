@@ -40,7 +40,9 @@ static int power_of_two_near(int side)
 
 static int upload_side(int side, enum model_wrap wrap)
 {
-	return power_of_two_near(side) << (wrap == MODEL_MIRROR);
+	int power = power_of_two_near(side);
+
+	return wrap == MODEL_MIRROR && power < SIDE_MAX ? 2 * power : power;
 }
 
 /*

@@ -34,7 +34,9 @@ static void test_sides_become_the_nearest_power_of_two(void **state)
 		image.height = sides[i][0];
 		texture_upload(&gl, &image, &mirrored, PIXELS_RGBA8888);
 		assert_int_equal(texture_sent.level[0].width, 1);
-		assert_int_equal(texture_sent.level[0].height, 2 * sides[i][1]);
+		/* Twice as long, but no longer than a GL has to accept. */
+		assert_int_equal(texture_sent.level[0].height,
+			sides[i][1] < 1024 ? 2 * sides[i][1] : 1024);
 		free(image.rgba);
 	}
 }

@@ -31,14 +31,20 @@ static void write_clip_name(const struct model *model, int clip, FILE *out)
 	}
 }
 
-/* Without a usable name, a state is called "clip 3" unless a clip is. */
+/*
+ * Without a usable name, or with a long one, a state is called "clip 3" unless
+ * a clip is.
+ */
 static void write_state_name(const struct model *model, int clip, FILE *out)
 {
+	const char *name = model->clip[clip].name;
 	char number[24];
 
 	snprintf(number, sizeof(number), "clip %d", clip);
-	if (has_usable_name(model, clip) || model_find_clip(model, number) >= 0) {
-		write_clip_name(model, clip, out);
+	if (has_usable_name(model, clip) && sketch_fits_heading(name)) {
+		sketch_write_name(out, name);
+	} else if (model_find_clip(model, number) >= 0) {
+		fprintf(out, "%d", clip);
 	} else {
 		sketch_write_name(out, number);
 	}

@@ -5,7 +5,9 @@
 #include <string.h>
 
 enum {
-	NAME_BYTES = 64
+	NAME_BYTES = 64,
+	/* 49 bytes without "state " and two quotation marks */
+	HEADING_NAME = 41
 };
 
 void sketch_write_name(FILE *out, const char *name)
@@ -26,4 +28,9 @@ bool sketch_is_usable(const char *name)
 	strcpy(shown, name);
 	printable_make(shown);
 	return strcmp(shown, name) == 0;
+}
+
+bool sketch_fits_heading(const char *name)
+{
+	return strlen(name) <= HEADING_NAME;
 }

@@ -2,11 +2,13 @@
 
 #include "app/character/sketch/sketch_names.h"
 
+/* A part is called as its node is. */
 static bool has_own_name(const struct model *model, int node)
 {
 	const char *name = model->node[node].name;
 
-	return sketch_is_usable(name) && model_find_node(model, name) == node;
+	return sketch_is_usable(name) && sketch_fits_heading(name) &&
+		model_find_node(model, name) == node;
 }
 
 static bool is_rigid(const struct model *model, int node)

@@ -47,6 +47,34 @@ static void test_a_sketch_of_each_model_is_right(void **state)
 	}
 }
 
+/* The heading of a section has room for 49 characters. */
+static void test_names_of_any_length_have_a_sketch(void **state)
+{
+	static const char *const models[] = {"assets/walker.glb",
+		"assets/arm.glb", "tests/fixtures/gltf/mesh/weights.gltf"};
+	char name[72];
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
+		struct acting acting;
+
+		acting_begin(&acting, models[i]);
+		for (size_t length = 36; length < sizeof(name); length++) {
+			memset(name, 'a', length);
+			name[length] = '\0';
+			name[1] = length % 2 ? ' ' : 'a';
+			for (int c = 0; c < acting.model->clip_count; c++) {
+				acting.model->clip[c].name = name;
+			}
+			for (int n = 0; n < acting.model->node_count; n++) {
+				acting.model->node[n].name = name;
+			}
+			expect_sketch(&acting, NULL);
+		}
+		acting_end(&acting);
+	}
+}
+
 /* Takes away the ; of lines that a reader may switch on. */
 static void switch_on(char *text)
 {
@@ -364,6 +392,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
+		cmocka_unit_test(test_names_of_any_length_have_a_sketch),
 		cmocka_unit_test(test_what_a_sketch_suggests_is_right_too),
 		cmocka_unit_test(
 			test_a_sketch_suggests_each_chain_of_two_or_more),

@@ -67,6 +67,7 @@ struct character_part {
 	/* Changes: */
 	/* a node, CHARACTER_GROUND, or -1 for its place in the model */
 	int holder;
+	bool placed;           /* in this frame, at its holder */
 	float rest_m;          /* the pivot's height in the model */
 	struct transform held; /* its place in the holder's frame */
 	/* offset from held at first, and the seconds until it is 0 */

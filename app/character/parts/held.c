@@ -180,12 +180,47 @@ static void place(struct instance *instance, const struct character_part *part)
 		pose, instance->model, NULL, part->node, instance->world);
 }
 
+static bool is_below(const struct model *model, int node, int top)
+{
+	while (node > top) {
+		node = model->node[node].parent;
+	}
+	return node == top;
+}
+
+/* Returns true if a part moves with another one, by its holder or its parent. */
+static bool goes_with(const struct model *model,
+	const struct character_part *part, const struct character_part *other)
+{
+	return is_below(model, part->holder, other->node) ||
+		is_below(model, model->node[part->node].parent, other->node);
+}
+
+/* Places a part that is held, after the held parts with which it goes. */
+static void place_after_others(
+	struct character *character, struct character_part *part)
+{
+	if (part->holder == -1 || part->placed) {
+		return;
+	}
+	part->placed = true; /* now, as parts may hold each other */
+	for (int i = 0; i < character->part_count; i++) {
+		struct character_part *other = &character->part[i];
+
+		if (goes_with(character->instance->model, part, other)) {
+			place_after_others(character, other);
+		}
+	}
+	place(character->instance, part);
+}
+
 void character_held_place(struct character *character)
 {
 	for (int i = 0; i < character->part_count; i++) {
-		if (character->part[i].holder != -1) {
-			place(character->instance, &character->part[i]);
-		}
+		character->part[i].placed = false;
+	}
+	for (int i = 0; i < character->part_count; i++) {
+		place_after_others(character, &character->part[i]);
 	}
 }
 

@@ -6,6 +6,7 @@
 #include <cglm/cglm.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double rate_hz = 30.0;
@@ -275,9 +276,44 @@ static void test_a_part_that_is_dropped_lies_on_the_truck(void **state)
 	acting_end(&acting);
 }
 
+/* Whatever the order of the parts in the file. */
+static void test_a_part_on_a_part_that_is_held_goes_with_both(void **state)
+{
+	static const char *const lists[] = {
+		"[part Crate]\n[part Car]\n", "[part Car]\n[part Crate]\n"};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(lists); i++) {
+		float before[3], after[3], car[2][3];
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"%s[part Arm]\nheading = 0 -90 90 45\n"
+			"[buttons]\nUP = attach Crate Car, attach Car Hand\n"
+			"RIGHT hold = move Arm heading 1\n",
+			lists[i]);
+		acting_expect(&acting, text);
+		acting.now_s = 0;
+		press(&acting, BUTTON_UP, 0.5);
+		acting_place(&acting, "Crate", before);
+		acting_place(&acting, "Car", car[0]);
+		acting_tap(&acting, BUTTON_RIGHT, 1.0, rate_hz);
+		acting_place(&acting, "Crate", after);
+		acting_place(&acting, "Car", car[1]);
+		assert_true(glm_vec3_distance(car[0], car[1]) > 0.1f);
+		assert_near(glm_vec3_distance(after, car[1]),
+			glm_vec3_distance(before, car[0]), 1e-4);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_part_on_a_part_that_is_held_goes_with_both),
 		cmocka_unit_test(test_the_arm_loads_the_truck_by_a_sequence),
 		cmocka_unit_test(
 			test_what_the_arrows_move_depends_on_the_chosen_part),

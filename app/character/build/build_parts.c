@@ -12,6 +12,15 @@
 static const char *const freedom_names[CHARACTER_FREEDOMS] = {
 	"heading", "pitch", "bank", "x", "y", "z"};
 
+/* A degree of freedom without limits; angles and shifts differ in speed. */
+static struct character_freedom unlimited(int which)
+{
+	return (struct character_freedom){.given = true,
+		.low = -1e6f,
+		.high = 1e6f,
+		.speed = which < CHARACTER_X ? 45 : 0.5f};
+}
+
 /* START LOW HIGH [SPEED], or the name of a parameter that it follows. */
 static int read_freedom(struct character_words *words,
 	const struct character_key *key, void *member)
@@ -19,17 +28,13 @@ static int read_freedom(struct character_words *words,
 	struct character_part *part = member;
 	int which = 0;
 	struct character_freedom *freedom;
-	float range[2] = {-1e6f, 1e6f};
 
 	while (strcmp(freedom_names[which], key->name) != 0) {
 		which++;
 	}
 	freedom = &part->freedom[which];
 	part->follows[which] = NULL;
-	*freedom = (struct character_freedom){.given = true,
-		.low = range[0],
-		.high = range[1],
-		.speed = which < CHARACTER_X ? 45 : 0.5f};
+	*freedom = unlimited(which);
 	if (!character_take_number(words, &freedom->start)) {
 		return character_read_value(words, key, &part->follows[which]);
 	}
@@ -291,8 +296,7 @@ static int read_goal(struct character_words *words, const char *right,
 			(double)freedom->high);
 	}
 	if (!freedom->given) {
-		*freedom = (struct character_freedom){
-			.given = true, .low = -1e6f, .high = 1e6f};
+		*freedom = unlimited(goal->freedom);
 	}
 	while (*last) {
 		last = &(*last)->next;

@@ -309,9 +309,25 @@ static void test_a_part_on_a_part_that_is_held_goes_with_both(void **state)
 	acting_end(&acting);
 }
 
+/* The part's section need not name a freedom that a sequence's step does. */
+static void test_a_button_moves_what_only_a_sequence_names(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_expect(&acting,
+		"[part Arm]\n[sequence bow]\nstep = down 1, Arm pitch 20\n"
+		"[buttons]\nUP hold = move Arm pitch 1\n");
+	acting_tap(&acting, BUTTON_UP, 1.0, rate_hz);
+	assert_near(angle_of(&acting, "Arm", CHARACTER_PITCH), 45.0, 2.0);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_button_moves_what_only_a_sequence_names),
 		cmocka_unit_test(
 			test_a_part_on_a_part_that_is_held_goes_with_both),
 		cmocka_unit_test(test_the_arm_loads_the_truck_by_a_sequence),

@@ -158,11 +158,12 @@ static float reach_of(const struct bend *bend, const float at[3])
 		float middle = 0.5f * (bend->high[axis] + bend->low[axis]);
 		float part = scalar_abs(at[axis] - middle);
 
-		if (!(half > 0.0f)) {
+		/* The box of a flat shape is flat; an empty one is inside out. */
+		if (half < 0.0f || (half == 0.0f && part > 0.0f)) {
 			return 0.0f;
 		}
-		reach *= ease_at(
-			EASE_CUBIC, (outer - part / half) / (outer - inner));
+		part = half > 0.0f ? part / half : 0.0f;
+		reach *= ease_at(EASE_CUBIC, (outer - part) / (outer - inner));
 	}
 	return reach;
 }

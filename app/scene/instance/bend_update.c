@@ -45,8 +45,10 @@ static void find_motion(struct motion *motion, const struct bend *bend,
 		int to = i < BEND_STEPS - 1 - SMOOTH_STEPS ? i + SMOOTH_STEPS
 							   : BEND_STEPS - 1;
 
-		motion->slope[i] = (motion->height[to] - motion->height[from]) *
-			(BEND_STEPS - 1) / ((float)(to - from) * length);
+		motion->slope[i] = length > 0.0f
+			? (motion->height[to] - motion->height[from]) *
+				(BEND_STEPS - 1) / ((float)(to - from) * length)
+			: 0.0f;
 	}
 }
 

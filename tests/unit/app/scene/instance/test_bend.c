@@ -26,9 +26,9 @@ struct scene {
 	float (*rest)[3];
 };
 
-/* A head that stands beside the origin by x and z. */
-static void begin_beside(
-	struct scene *scene, const char *kernel, float x, float z)
+/* A head that stands beside the origin by x and z, or is pressed flat. */
+static void begin_as(
+	struct scene *scene, const char *kernel, float x, float z, bool flat)
 {
 	struct log log = log_to_stderr(LOG_ERROR);
 	struct bend_neck beside = neck;
@@ -41,6 +41,7 @@ static void begin_beside(
 	for (int v = 0; v < head->vertex_count; v++) {
 		head->position[v][0] += x;
 		head->position[v][2] += z;
+		head->position[v][1] = flat ? 0.05f : head->position[v][1];
 	}
 	beside.x += x;
 	beside.z += z;
@@ -59,6 +60,12 @@ static void begin_beside(
 		0);
 	assert_int_equal(scene->bend.part_count, 1);
 	bend_set_wave(&scene->bend, &wave);
+}
+
+static void begin_beside(
+	struct scene *scene, const char *kernel, float x, float z)
+{
+	begin_as(scene, kernel, x, z, false);
 }
 
 static void begin(struct scene *scene, const char *kernel)
@@ -152,6 +159,34 @@ static void check_rest(const char *kernel)
 		}
 	}
 	end(&scene);
+}
+
+/* Such as a flag or a pond; also if the wave's axis is across it. */
+static void test_a_flat_shape_has_a_wave_too(void **state)
+{
+	static const struct morph_wave across = {.direction = {0.0f, 0.0f, 1.0f},
+		.axis = {0.0f, 1.0f, 0.0f},
+		.amplitude = 0.02f};
+	static const char *const kernels[] = {"float", "fixed"};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		double most = 0.0;
+		struct scene scene;
+
+		begin_as(&scene, kernels[i % 2], 0, 0, true);
+		bend_set_wave(&scene.bend, i < 2 ? &wave : &across);
+		bend_update(&scene.bend, 0.0f, 0.5f);
+		for (int v = 0; v < vertex_count(&scene); v++) {
+			float normal[3];
+
+			bent_normal(&scene, v, normal);
+			assert_true(isfinite(normal[0]));
+			most = fmax(most, moved(&scene, v));
+		}
+		assert_near(most, 0.02, 1e-3);
+		end(&scene);
+	}
 }
 
 static void test_at_both_ends_of_a_morph_nothing_moves(void **state)
@@ -288,6 +323,7 @@ static void test_a_head_beside_the_origin_turns_about_its_own_neck(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_flat_shape_has_a_wave_too),
 		cmocka_unit_test(test_at_both_ends_of_a_morph_nothing_moves),
 		cmocka_unit_test(test_the_head_turns_and_the_bust_stays),
 		cmocka_unit_test(

@@ -139,17 +139,25 @@ static int bounce(int64_t distance, int span)
 {
 	int at;
 
-	if (span <= 0) {
+	if (span == 0) {
 		return 0;
 	}
 	at = (int)(distance % (2 * span));
 	return at < span ? at : 2 * span - at;
 }
 
+/* The ball fits into the picture, which may be narrow. */
+static int ball_radius(const struct camera_source *source)
+{
+	int wanted = source->height / 7, most = (source->width - 1) / 2;
+
+	return wanted < most ? wanted : most;
+}
+
 static void draw_ball(struct camera_source *source, int64_t number)
 {
 	static const uint8_t rim[3] = {20, 20, 24}, middle[3] = {250, 120, 30};
-	int radius = source->height / 7;
+	int radius = ball_radius(source);
 	int left = bounce(
 		number * source->width / 60, source->width - 2 * radius - 1);
 	int top = bounce(

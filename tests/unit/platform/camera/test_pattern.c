@@ -270,6 +270,40 @@ static void test_pictures_have_at_least_16_pixels_a_side(void **state)
 	}
 }
 
+static bool is_ball(const uint8_t rgb[3])
+{
+	return rgb[0] == 250 && rgb[1] == 120 && rgb[2] == 30;
+}
+
+/*
+ * No pixel beyond the picture may be written, and rows must not run over into
+ * the next one: the ball is symmetric in a picture whose width it fills.
+ */
+static void test_the_ball_fits_into_a_narrow_picture(void **state)
+{
+	static const int narrow[][2] = {{16, 2048}, {17, 300}, {20, 100}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(narrow); i++) {
+		int width = narrow[i][0], height = narrow[i][1];
+		struct camera_source *source =
+			open_pattern(width, height, "rgb24");
+		int side = (width - 1) / 2 * 2 + 1, pixels = 0;
+
+		for (int now_ms = 0; now_ms < 4000; now_ms += 400) {
+			struct camera_image image = take(source, now_ms);
+
+			pixels = 0;
+			for (int p = 0; p < width * height; p++) {
+				pixels += is_ball(
+					rgb_at(&image, p % width, p / width));
+			}
+			assert_in_range(pixels, side * side / 3, side * side);
+		}
+		camera_driver_pattern.destroy(source);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -279,6 +313,7 @@ int main(void)
 		cmocka_unit_test(test_a_picture_lasts_40_ms),
 		cmocka_unit_test(test_no_source_can_be_destroyed),
 		cmocka_unit_test(test_pictures_have_at_least_16_pixels_a_side),
+		cmocka_unit_test(test_the_ball_fits_into_a_narrow_picture),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -56,6 +56,10 @@ int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction)
 	int left = (int)(fraction * stats->frames);
 	int at = 0;
 
+	if (stats->frames == 0) {
+		return 0;
+	}
+	left = left < stats->frames ? left : stats->frames - 1;
 	while (at < FRAME_STATS_BUCKETS - 1 && left >= stats->bucket[at]) {
 		left -= stats->bucket[at++];
 	}

@@ -38,7 +38,10 @@ void frame_stats_press(struct frame_stats *stats, int64_t pressed_ns);
 /* Call this when the frame has been shown. */
 void frame_stats_end(struct frame_stats *stats);
 
-/* Returns the percentile of work, in ms, for a fraction of 0 to 1. */
+/*
+ * Returns the percentile of work, in ms, for a fraction of 0 to 1, which stands
+ * for the longest frame; 0 if there were no frames.
+ */
 int frame_stats_percentile_ms(const struct frame_stats *stats, double fraction);
 
 /*

@@ -74,6 +74,17 @@ static void test_percentiles_count_frames(void **state)
 		frame_stats_percentile_ms(&stats, 1.0), FRAME_STATS_BUCKETS);
 }
 
+static void test_the_last_percentile_is_the_longest_frame(void **state)
+{
+	struct frame_stats stats = {.frames = 3};
+
+	(void)state;
+	stats.bucket[4] = 2;
+	stats.bucket[7] = 1;
+	assert_int_equal(frame_stats_percentile_ms(&stats, 0.0), 5);
+	assert_int_equal(frame_stats_percentile_ms(&stats, 1.0), 8);
+}
+
 static void test_a_run_without_frames_has_figures_too(void **state)
 {
 	struct frame_stats stats = {0};
@@ -85,6 +96,7 @@ static void test_a_run_without_frames_has_figures_too(void **state)
 	fclose(out);
 	assert_true(strstr(text, "{\"frames\": 0,") == text);
 	assert_non_null(strstr(text, "\"fps\": 0.00,"));
+	assert_non_null(strstr(text, "\"p50\": 0, \"p95\": 0, "));
 	assert_null(strstr(text, "nan"));
 }
 
@@ -95,6 +107,7 @@ int main(void)
 		cmocka_unit_test(
 			test_latency_lasts_from_the_oldest_press_to_the_end_of_its_frame),
 		cmocka_unit_test(test_percentiles_count_frames),
+		cmocka_unit_test(test_the_last_percentile_is_the_longest_frame),
 		cmocka_unit_test(test_a_run_without_frames_has_figures_too),
 	};
 

@@ -31,13 +31,14 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 
 /*
  * Adds the model's nodes. mesh[node] is the index of the node's mesh, or -1; if
- * skins is true, nodes keep their skins. Adds the scene with its root nodes,
- * and the nodes of levels (export_levels.h), so the meshes must have been
- * added. If skins is false, all roots are in the scene, because meshes hang on
- * joints then, whose roots need not be in the model's scene.
+ * skins is true, nodes keep their skins, and if targets is true, the weights of
+ * their targets at rest. Adds the scene with its root nodes, and the nodes of
+ * levels (export_levels.h), so the meshes must have been added. If skins is
+ * false, all roots are in the scene, because meshes hang on joints then, whose
+ * roots need not be in the model's scene.
  */
 void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
-	bool skins, const json_t *levels);
+	bool skins, bool targets, const json_t *levels);
 
 /* Adds the comparison's clips; weights of targets only if targets is true. */
 void export_clips(

@@ -32,6 +32,23 @@ static json_t *node_json(const struct model_node *node, int mesh, bool skins)
 	return json;
 }
 
+/* The node's own weights at rest, unless all of them are 0: glTF's default. */
+static void add_rest_weights(
+	json_t *json, const struct model *model, const struct model_node *node)
+{
+	int count = node->mesh >= 0 ? model->mesh[node->mesh].target_count : 0;
+	const float *weight =
+		count > 0 ? model->rest_weights + node->weight_offset : NULL;
+
+	for (int t = 0; t < count; t++) {
+		if (weight[t] != 0.0f) {
+			json_object_set_new(
+				json, "weights", glb_floats(weight, count));
+			return;
+		}
+	}
+}
+
 static void add_child(json_t *nodes, int parent, int child)
 {
 	json_t *node = json_array_get(nodes, (size_t)parent);
@@ -45,14 +62,18 @@ static void add_child(json_t *nodes, int parent, int child)
 }
 
 void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
-	bool skins, const json_t *levels)
+	bool skins, bool targets, const json_t *levels)
 {
 	json_t *nodes = json_array(), *roots = json_array();
 
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
+		json_t *json = node_json(node, mesh[i], skins);
 
-		json_array_append_new(nodes, node_json(node, mesh[i], skins));
+		if (targets) {
+			add_rest_weights(json, model, node);
+		}
+		json_array_append_new(nodes, json);
 		if (node->parent >= 0) {
 			add_child(nodes, node->parent, i);
 		} else if (node->in_scene || !skins) {

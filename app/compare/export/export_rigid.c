@@ -90,7 +90,7 @@ void export_rigid(struct glb *glb, const struct rigid_bake *rigid,
 	}
 	export_materials(glb, model);
 	glb_set(glb, "meshes", meshes);
-	export_nodes(glb, model, mesh, false, NULL);
+	export_nodes(glb, model, mesh, false, false, NULL);
 	export_clips(glb, comparison, false);
 	free(mesh);
 }

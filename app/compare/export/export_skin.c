@@ -216,7 +216,7 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 	levels = levels_json(glb, model, meshes);
 	glb_set(glb, "meshes", meshes);
 	add_skins(glb, model);
-	export_nodes(glb, model, mesh, true, levels);
+	export_nodes(glb, model, mesh, true, targets, levels);
 	json_decref(levels);
 	export_clips(glb, comparison, targets);
 	free(mesh);

@@ -293,7 +293,7 @@ static void test_nodes_keep_what_they_are(void **state)
 		f.bones.node[2].matrix = matrix;
 		glb_begin_memory(&glb);
 		glb_set(&glb, "meshes", json_pack("[{},{}]"));
-		export_nodes(&glb, &f.bones.model, mesh, skins, levels);
+		export_nodes(&glb, &f.bones.model, mesh, skins, false, levels);
 		f.written = written_glb_take(&glb);
 #define REST "'rotation':[0.0,0.0,0.0,1.0],'scale':[1.0,1.0,1.0],"
 #define NODES(skin)                                                         \
@@ -307,6 +307,48 @@ static void test_nodes_keep_what_they_are(void **state)
 		written_glb_expect(&f.written, "scenes",
 			skins ? "[{'nodes':[0]}]" : "[{'nodes':[0,3]}]");
 		json_decref(levels);
+		end(&f);
+	}
+}
+
+/* Nodes 1 and 2 show a mesh with two targets; all weights of node 2 are 0. */
+static void test_targets_keep_their_weights_at_rest(void **state)
+{
+	static const int mesh[3] = {-1, 0, 0};
+	struct model_mesh two = {.target_count = 2};
+	float weights[4] = {0.0f, 0.5f, 0.0f, 0.0f};
+
+	(void)state;
+	for (int targets = 0; targets < 2; targets++) {
+		struct fixture f;
+		struct glb glb;
+
+		begin(&f);
+		f.bones.model.mesh = &two;
+		f.bones.model.mesh_count = 1;
+		f.bones.model.rest_weights = weights;
+		for (int i = 0; i < 3; i++) {
+			f.bones.node[i].mesh = mesh[i];
+		}
+		f.bones.node[2].weight_offset = 2;
+		glb_begin_memory(&glb);
+		glb_set(&glb, "meshes", json_pack("[{}]"));
+		export_nodes(&glb, &f.bones.model, mesh, false, targets, NULL);
+		f.written = written_glb_take(&glb);
+		written_glb_expect(&f.written, "nodes",
+			targets ? "[{'children':[1,2],'name':''," REST
+				  "'translation':[1.0,2.0,3.0]}"
+				  ",{'mesh':0,'name':''," REST
+				  "'translation':[4.0,5.0,6.0],"
+				  "'weights':[0.0,0.5]}"
+				  ",{'mesh':0,'name':''," REST
+				  "'translation':[7.0,8.0,9.0]}]"
+				: "[{'children':[1,2],'name':''," REST
+				  "'translation':[1.0,2.0,3.0]}"
+				  ",{'mesh':0,'name':''," REST
+				  "'translation':[4.0,5.0,6.0]}"
+				  ",{'mesh':0,'name':''," REST
+				  "'translation':[7.0,8.0,9.0]}]");
 		end(&f);
 	}
 }
@@ -325,6 +367,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_clip_without_duration_goes_with_its_weights),
 		cmocka_unit_test(test_nodes_keep_what_they_are),
+		cmocka_unit_test(test_targets_keep_their_weights_at_rest),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

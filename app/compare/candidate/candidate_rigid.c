@@ -166,12 +166,37 @@ static int add_vertex(struct splitter *splitter, const struct rigid_part *part,
 	return splitter->copied[vertex] - part->first_vertex;
 }
 
-/* Makes a part of all triangles of a joint, if there are any. */
+/*
+ * Appends a triangle to the part. turned: its vertices are stored mirrored, so
+ * that it must have the opposite winding to face outwards.
+ */
+static void add_triangle(struct splitter *splitter,
+	const struct rigid_part *part, int joint, int triangle, bool turned)
+{
+	const uint32_t *corner =
+		splitter->drawable->primitive->index + triangle * CORNERS;
+	struct rigid_bake *rigid = splitter->rigid;
+
+	for (int i = 0; i < CORNERS; i++) {
+		int vertex = (int)corner[turned ? (CORNERS - i) % CORNERS : i];
+
+		rigid->index[rigid->index_count++] =
+			(uint32_t)add_vertex(splitter, part, joint, vertex);
+	}
+}
+
+/*
+ * Makes a part of all triangles of a joint, if there are any. A joint that
+ * mirrors has an inverse bind matrix that does so, too.
+ */
 static void add_part(struct splitter *splitter, int joint)
 {
-	const struct model_primitive *primitive = splitter->drawable->primitive;
 	struct rigid_bake *rigid = splitter->rigid;
 	struct rigid_part *part = &rigid->part[rigid->part_count];
+	bool turned = splitter->skin &&
+		matrix_determinant(
+			(const mat4 *)&splitter->skin->inverse_bind[joint]) <
+			0.0f;
 
 	*part = (struct rigid_part){
 		.node = splitter->skin ? splitter->skin->joint[joint]
@@ -181,15 +206,8 @@ static void add_part(struct splitter *splitter, int joint)
 		.part = (int)(splitter->part - rigid->reference->part),
 	};
 	for (int t = 0; t < splitter->triangle_count; t++) {
-		if (splitter->joint[t] != joint) {
-			continue;
-		}
-		for (int corner = 0; corner < CORNERS; corner++) {
-			int vertex = (int)primitive->index[t * CORNERS + corner];
-
-			rigid->index[rigid->index_count++] =
-				(uint32_t)add_vertex(
-					splitter, part, joint, vertex);
+		if (splitter->joint[t] == joint) {
+			add_triangle(splitter, part, joint, t, turned);
 		}
 	}
 	part->vertex_count = rigid->vertex_count - part->first_vertex;

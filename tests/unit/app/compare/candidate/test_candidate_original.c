@@ -1,5 +1,5 @@
-/* What the model itself takes in a file, by hand. */
-#include "app/compare/candidate/candidate.h"
+/* What the model itself takes in a file, by hand, and parts of its skin. */
+#include "app/compare/candidate/candidate_rigid.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -138,12 +138,56 @@ static void test_a_mesh_that_two_nodes_show_counts_once(void **state)
 	model_destroy(grid.model);
 }
 
+/* Twice the area of the part's triangle, positive if its normal faces out. */
+static float facing(const struct rigid_bake *rigid, const uint32_t *corner)
+{
+	vec3 a, b, across;
+
+	glm_vec3_sub(rigid->position[corner[1]], rigid->position[corner[0]], a);
+	glm_vec3_sub(rigid->position[corner[2]], rigid->position[corner[0]], b);
+	glm_vec3_cross(a, b, across);
+	return glm_vec3_dot(across, rigid->normal[corner[0]]);
+}
+
+/* The grid faces +Z, which it also does in the space of a mirrored joint. */
+static void test_rigid_parts_of_mirrored_joints_face_outwards(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	for (float side = 1.0f; side >= -1.0f; side -= 2.0f) {
+		const struct rigid_bake *rigid;
+		struct reference *reference;
+		struct candidate candidate;
+		struct skinned_grid grid;
+
+		make_grid(&grid, 1);
+		grid.bind[0][0][0] = side;
+		grid.model->node->rest.scale[0] = side;
+		assert_int_equal(
+			reference_create(grid.model, 0, &log, &reference), 0);
+		assert_int_equal(
+			candidate_rigid(&candidate, reference, &log), 0);
+		rigid = candidate_rigid_bake(&candidate);
+		assert_int_equal(rigid->index_count, 3 * 2 * 3 * 2);
+		for (int i = 0; i < rigid->index_count; i += 3) {
+			assert_near(facing(rigid, rigid->index + i),
+				1.0f / 6.0f, 1e-6);
+		}
+		candidate_destroy(&candidate);
+		reference_destroy(reference);
+		model_destroy(grid.model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_joints_up_to_256_have_numbers_of_a_byte),
 		cmocka_unit_test(test_a_joint_more_takes_two_matrices_in_memory),
 		cmocka_unit_test(test_a_mesh_that_two_nodes_show_counts_once),
+		cmocka_unit_test(
+			test_rigid_parts_of_mirrored_joints_face_outwards),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

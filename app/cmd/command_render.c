@@ -2,6 +2,7 @@
 #include "app/cmd/show/show.h"
 
 #include <string.h>
+#include <strings.h>
 
 static const double default_rate_hz = 25.0;
 
@@ -9,7 +10,7 @@ static bool is_still(const char *file)
 {
 	const char *dot = strrchr(file, '.');
 
-	return dot && strcmp(dot, ".png") == 0;
+	return dot && strcasecmp(dot, ".png") == 0;
 }
 
 static int run(const struct options *options, const struct log *log)

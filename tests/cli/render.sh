@@ -34,6 +34,12 @@ for number in 0001 0002 0003; do
 done
 check 'no fourth picture' test ! -e "$scratch/many-0004.png"
 
+# The case of the extension does not matter.
+limber render "$slider" --size 33x17 -o "$scratch/one.PNG"
+expect_quiet
+expect_png "$scratch/one.PNG" 33 17
+check 'one picture' test ! -e "$scratch/one-0001.png"
+
 limber render "$slider" --size 33x17 --frames 3 -o "$out.gif"
 expect_quiet
 check 'a GIF of 33 x 17' test "$(bytes "$out.gif" 0 10)" = 47494638396121001100

@@ -36,7 +36,11 @@ static int print(const struct comparison *comparison,
 	int error =
 		report_find(options->compare.format)->print(comparison, stdout);
 
-	if (error) {
+	if (error == -EINVAL) {
+		log_error(log,
+			"%s: this name is not UTF-8, which JSON requires: rename the file, or choose another --format",
+			comparison->model->path);
+	} else if (error) {
 		log_error(log,
 			"compare: there is not enough memory for the report");
 	}

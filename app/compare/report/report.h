@@ -10,7 +10,10 @@
 
 struct report_format {
 	const char *name;
-	/* Returns 0 or -ENOMEM; errors of writing are in ferror(out). */
+	/*
+	 * Returns 0, -ENOMEM, or -EINVAL if the format cannot state the model's
+	 * name. Errors of writing are in ferror(out).
+	 */
 	int (*print)(const struct comparison *comparison, FILE *out);
 };
 

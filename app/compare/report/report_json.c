@@ -161,12 +161,10 @@ int report_print_json(const struct comparison *comparison, FILE *out)
 
 	json_memory_begin();
 	root = report_json(comparison);
-	if (!root) {
-		return -ENOMEM;
-	}
-	if (!json_memory_ok()) {
+	if (!root || !json_memory_ok()) {
 		json_decref(root);
-		return -ENOMEM;
+		/* With enough memory, only names that are not UTF-8 fail. */
+		return json_memory_ok() ? -EINVAL : -ENOMEM;
 	}
 	failed = json_dumpf(root, out,
 		JSON_INDENT(2) | JSON_ENSURE_ASCII | JSON_REAL_PRECISION(9));

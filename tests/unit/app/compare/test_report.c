@@ -3,6 +3,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -383,6 +384,21 @@ static void test_json_has_all_rows_and_cells(void **state)
 	free(bench.text);
 }
 
+/* In a file name any bytes are allowed, but a JSON string is UTF-8. */
+static void test_json_refuses_a_name_that_is_not_utf8(void **state)
+{
+	struct bench bench;
+	FILE *out = tmpfile();
+
+	(void)state;
+	begin(&bench);
+	assert_non_null(out);
+	bench.model.path = "dog\xff.glb";
+	assert_int_equal(report_print_json(&bench.comparison, out), -EINVAL);
+	assert_int_equal(ftell(out), 0);
+	fclose(out);
+}
+
 /* The labels of a plot's grid: of each chart the x axis, then the y axis. */
 static void expect_axes(const struct bench *bench, const char *wanted)
 {
@@ -446,6 +462,7 @@ int main(void)
 		cmocka_unit_test(test_a_single_clip_needs_no_table_of_clips),
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
+		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),
 		cmocka_unit_test(
 			test_the_axes_of_a_plot_enclose_the_numbers_in_decades),
 		cmocka_unit_test(test_formats_are_found_by_name),

@@ -62,25 +62,28 @@ static double shown_px(const struct comparison_row *row)
 	return px > min_px ? px : min_px;
 }
 
+/* Widens a range of powers of ten so that it encloses a value. */
+static void enclose(int *low, int *high, double value)
+{
+	double power = floor(log10(value));
+
+	*low = scalar_to_int(fmin(*low, power), -DECADES_MAX, DECADES_MAX);
+	*high = scalar_to_int(
+		fmax(*high, power + 1.0), -DECADES_MAX, DECADES_MAX);
+}
+
 static void fit_axes(struct chart *chart, const struct comparison *comparison)
 {
-	chart->low_x = chart->low_y = 99;
-	chart->high_x = chart->high_y = -99;
+	chart->low_x = chart->low_y = DECADES_MAX;
+	chart->high_x = chart->high_y = -DECADES_MAX;
+	enclose(&chart->low_y, &chart->high_y,
+		(double)comparison->request.bound_px);
 	for (int i = 0; i < comparison->row_count; i++) {
-		double x = log10(
-			chart->cost(comparison, &comparison->row[i]) + 1e-9);
-		double y = log10(shown_px(&comparison->row[i]));
+		const struct comparison_row *row = &comparison->row[i];
 
-		chart->low_x = scalar_to_int(fmin(chart->low_x, floor(x)),
-			-DECADES_MAX, DECADES_MAX);
-		chart->high_x =
-			scalar_to_int(fmax(chart->high_x, floor(x) + 1.0),
-				-DECADES_MAX, DECADES_MAX);
-		chart->low_y = scalar_to_int(fmin(chart->low_y, floor(y)),
-			-DECADES_MAX, DECADES_MAX);
-		chart->high_y =
-			scalar_to_int(fmax(chart->high_y, floor(y) + 1.0),
-				-DECADES_MAX, DECADES_MAX);
+		enclose(&chart->low_x, &chart->high_x,
+			chart->cost(comparison, row) + 1e-9);
+		enclose(&chart->low_y, &chart->high_y, shown_px(row));
 	}
 }
 

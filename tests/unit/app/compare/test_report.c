@@ -444,7 +444,21 @@ static void test_the_axes_of_a_plot_enclose_the_numbers_in_decades(void **state)
 		bench.comparison.row[i].total.memory_bytes /= 10000;
 		bench.comparison.row[i].total.peak_px /= 100.0f;
 	}
+	bench.comparison.request.bound_px = 0.05f;
 	expect_axes(&bench, "0.01 0.1 0.01 0.1 100 1000 10000 0.01 0.1 ");
+}
+
+/* Errors from 1.25 to 5 pixels, and the line of the accepted error. */
+static void test_a_plot_shows_the_accepted_error(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.request.bound_px = 150.0f;
+	expect_axes(&bench, "1 10 1 10 100 1000 100 1000 10000 1 10 100 1000 ");
+	bench.comparison.request.bound_px = 0.02f;
+	expect_axes(&bench, "1 10 0.01 0.1 1 10 100 1000 10000 0.01 0.1 1 10 ");
 }
 
 static void test_formats_are_found_by_name(void **state)
@@ -465,6 +479,7 @@ int main(void)
 		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),
 		cmocka_unit_test(
 			test_the_axes_of_a_plot_enclose_the_numbers_in_decades),
+		cmocka_unit_test(test_a_plot_shows_the_accepted_error),
 		cmocka_unit_test(test_formats_are_found_by_name),
 	};
 

@@ -193,6 +193,16 @@ static bool set_entry(const struct option_entry *entry, struct options *options,
 	}
 }
 
+/* Sets a switch by "yes" or "no"; returns false for other values. */
+static bool set_switch(const struct option_entry *entry,
+	struct options *options, const char *value)
+{
+	bool *member = (bool *)((char *)options + entry->member);
+
+	*member = strcmp(value, "yes") == 0;
+	return *member || strcmp(value, "no") == 0;
+}
+
 static const struct option_entry *find_word(
 	enum command_bit command, const char *word, size_t length)
 {
@@ -315,10 +325,7 @@ int options_set(struct options *options, enum command_bit command,
 	if (entry->value) {
 		good = set_entry(entry, &tried, value);
 	} else {
-		good = strcmp(value, "yes") == 0 || strcmp(value, "no") == 0;
-		if (good && value[0] == 'y') {
-			good = set_entry(entry, &tried, NULL);
-		}
+		good = set_switch(entry, &tried, value);
 	}
 	if (!good) {
 		log_error(log, "%s = %s: give %s", name, value,

@@ -103,6 +103,18 @@ static void test_keys_are_options_by_their_names(void **state)
 	assert_null(scene->options.input.buttons);
 }
 
+/* As any other key does, a switch overrides the same key above it. */
+static void test_the_last_line_of_a_switch_counts(void **state)
+{
+	struct scene *scene = *state;
+
+	load(scene, FOR_PLAY,
+		"[options]\nhud = yes\nverbose = no\nhud = no\nverbose = yes\n");
+	assert_int_equal(scene->error, 0);
+	assert_false(scene->options.show.hud);
+	assert_true(scene->options.common.verbose);
+}
+
 static void test_buttons_become_the_value_of_an_option(void **state)
 {
 	struct scene *scene = *state;
@@ -295,6 +307,7 @@ int main(void)
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 	const struct CMUnitTest tests[] = {
 		CASE(test_keys_are_options_by_their_names),
+		CASE(test_the_last_line_of_a_switch_counts),
 		CASE(test_buttons_become_the_value_of_an_option),
 		CASE(test_actions_move_to_other_buttons),
 		CASE(test_options_of_other_commands_are_checked_and_skipped),

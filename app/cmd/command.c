@@ -123,10 +123,15 @@ static bool looks_like_file(const char *word)
 	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
 }
 
+static bool names_none(const char *file)
+{
+	return file && strcmp(file, "none") == 0;
+}
+
 /*
  * Reads limber.conf into new options and then the command line again, which
  * overrides limber.conf. A model or a demo on the command line also discards
- * the clip of limber.conf.
+ * the clip and the character file of limber.conf, which belong to another model.
  */
 static int configure(const struct command *command, int argc, char **argv,
 	struct config *config, struct options *options, const struct log *log)
@@ -153,6 +158,9 @@ static int configure(const struct command *command, int argc, char **argv,
 		merged.model_path = NULL;
 		merged.show.demo = NULL;
 		merged.motion.clip = NULL;
+		if (!names_none(merged.show.character)) {
+			merged.show.character = NULL;
+		}
 	}
 	model = merged.model_path;
 	merged.model_path = NULL;

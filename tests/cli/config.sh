@@ -24,6 +24,26 @@ expect_demo arm
 limber play --config "$conf" "$slider"
 expect_demo viewer
 
+# The character file of limber.conf is that of its model, not of others.
+printf '%s\n' '[state stand]' 'clip = no such clip' \
+    >"$scratch/other.character"
+given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25' "character = $scratch/other.character"
+limber play --config "$conf"
+expect_refusal 1 'other.character:'
+limber play --config "$conf" "$slider"
+expect_demo viewer
+limber play --config "$conf" --demo arm
+expect_demo arm
+limber play --config "$conf" --demo arm --character "$scratch/other.character"
+expect_refusal 1 'other.character:'
+given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25' 'character = none'
+limber play --config "$conf" "$slider"
+expect_demo viewer
+given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25'
+
 LIMBER_CONFIG=$conf limber play
 expect_demo face
 unset LIMBER_CONFIG

@@ -163,9 +163,22 @@ static int copy_accessor(
 	return error;
 }
 
+/* An attribute may have any name that begins with an underscore. */
+static int copy_instances(struct optimize_build *build, json_t *attributes)
+{
+	const char *name;
+	json_t *value;
+	int error = 0;
+
+	json_object_foreach(attributes, name, value)
+	{
+		error = error ? error : copy_accessor(build, attributes, name);
+	}
+	return error;
+}
+
 static int build_nodes(struct optimize_build *build)
 {
-	static const char *const names[] = {"TRANSLATION", "ROTATION", "SCALE"};
 	json_t *node;
 	size_t i;
 	int error = 0;
@@ -177,11 +190,10 @@ static int build_nodes(struct optimize_build *build)
 				"EXT_mesh_gpu_instancing");
 
 		build_node(build, node);
-		for (int k = 0; k < 3 && instancing && !error; k++) {
-			error = copy_accessor(build,
-				json_object_get(instancing, "attributes"),
-				names[k]);
-		}
+		error = error
+			? error
+			: copy_instances(build,
+				  json_object_get(instancing, "attributes"));
 	}
 	return error;
 }

@@ -57,7 +57,7 @@ static const char text[] =
 	"{\"mesh\":0,\"matrix\":[1,2,4,0,-3,1,6,0,8,3,1,0,5,6,7,1]},"
 	"{\"mesh\":1,\"skin\":0},{\"mesh\":2,\"skin\":1},"
 	"{\"mesh\":3,\"extensions\":{\"EXT_mesh_gpu_instancing\":{"
-	"\"attributes\":{\"TRANSLATION\":7,\"ROTATION\":8,\"SCALE\":9}}}},"
+	"\"attributes\":{\"TRANSLATION\":7,\"ROTATION\":8,\"SCALE\":9,\"_KIND\":5}}}},"
 	"{\"name\":\"a\"},{\"name\":\"b\"},{\"name\":\"c\"}],"
 	"\"skins\":[{\"joints\":[6,7,8]},"
 	"{\"joints\":[6,7,8],\"inverseBindMatrices\":5}],"
@@ -264,6 +264,8 @@ static void test_instances_keep_their_numbers(void **state)
 			    .normalized);
 	check_floats(
 		file, integer(attributes, "SCALE"), numbers.scale[0], 3, 5126);
+	check_floats(file, integer(attributes, "_KIND"), numbers.matrix[0], 16,
+		5126);
 }
 
 /* Each mesh's points, times its unit, are those of the file before. */

@@ -182,7 +182,7 @@ static int dither_pixel(struct image_writer *gif, const uint8_t *pixel,
 	int index;
 
 	for (int i = 0; i < 3; i++) {
-		wanted[i] = limit_byte(pixel[i] + (here[i] + 8) / 16);
+		wanted[i] = limit_byte(pixel[i] + ((here[i] + 8) >> 4));
 	}
 	index = palette_nearest(gif->maker, wanted[0], wanted[1], wanted[2]);
 	color = palette_current(gif->maker)->rgb[index];

@@ -360,8 +360,8 @@ static void expect_diffused(const struct shown *shown,
 		int wanted[3];
 
 		for (int c = 0; c < 3; c++) {
-			int sum =
-				source[y][x][c] + (error[y][x + 1][c] + 8) / 16;
+			int sum = source[y][x][c] +
+				((error[y][x + 1][c] + 8) >> 4);
 			int left;
 
 			wanted[c] = sum < 0 ? 0 : sum > 255 ? 255 : sum;
@@ -377,8 +377,9 @@ static void expect_diffused(const struct shown *shown,
 	}
 }
 
-static void draw_noise(struct image_scene *scene, uint32_t *seed,
-	uint8_t source[][IMAGE_SCENE_WIDTH][3])
+/* Draws random colours of low to low + range - 1. */
+static void draw_noise(struct image_scene *scene, uint32_t *seed, int low,
+	int range, uint8_t source[][IMAGE_SCENE_WIDTH][3])
 {
 	struct pixels pixels;
 
@@ -389,8 +390,8 @@ static void draw_noise(struct image_scene *scene, uint32_t *seed,
 				pixels.data + y * pixels.stride_bytes + 4 * x;
 
 			for (int c = 0; c < 3; c++) {
-				source[y][x][c] = at[c] =
-					(uint8_t)next_random(seed);
+				source[y][x][c] = at[c] = (uint8_t)(low +
+					(uint8_t)next_random(seed) % range);
 			}
 		}
 	}
@@ -413,7 +414,7 @@ static void test_a_gif_hands_the_error_of_each_pixel_on(void **state)
 	(void)state;
 	image_scene_open(&scene, "noise.gif", FRAMES, 25);
 	for (int frame = 0; frame < FRAMES; frame++) {
-		draw_noise(&scene, &seed, source[frame]);
+		draw_noise(&scene, &seed, 0, 256, source[frame]);
 	}
 	assert_int_equal(scene.driver->finish(scene.display), 0);
 	gif = read_gif(&scene);
@@ -430,6 +431,36 @@ static void test_a_gif_hands_the_error_of_each_pixel_on(void **state)
 	image_scene_close(&scene);
 }
 
+/* The errors that pixels hand on are rounded up as often as down. */
+static void test_a_gif_is_as_bright_as_its_source(void **state)
+{
+	static uint8_t source[IMAGE_SCENE_HEIGHT][IMAGE_SCENE_WIDTH][3];
+	struct image_scene scene;
+	struct shown shown = {0};
+	uint32_t seed = 1;
+	GifFileType *gif;
+	double excess = 0.0;
+	int error;
+
+	(void)state;
+	image_scene_open(&scene, "gray.gif", 1, 25);
+	draw_noise(&scene, &seed, 96, 64, source);
+	assert_int_equal(scene.driver->finish(scene.display), 0);
+	gif = read_gif(&scene);
+	paste(gif, 0, &shown);
+	for (int y = 0; y < IMAGE_SCENE_HEIGHT; y++) {
+		for (int x = 0; x < IMAGE_SCENE_WIDTH; x++) {
+			for (int c = 0; c < 3; c++) {
+				excess += shown.rgb[y][x][c] - source[y][x][c];
+			}
+		}
+	}
+	assert_near(excess / (IMAGE_SCENE_HEIGHT * IMAGE_SCENE_WIDTH * 3), 0.0,
+		0.1);
+	DGifCloseFile(gif, &error);
+	image_scene_close(&scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -442,6 +473,7 @@ int main(void)
 			test_a_gif_shows_a_frame_for_655_seconds_at_most),
 		cmocka_unit_test(
 			test_a_gif_leaves_out_what_players_would_slow_down),
+		cmocka_unit_test(test_a_gif_is_as_bright_as_its_source),
 		cmocka_unit_test(test_a_gif_hands_the_error_of_each_pixel_on),
 		cmocka_unit_test(test_a_gif_gets_a_new_palette_for_a_new_scene),
 	};

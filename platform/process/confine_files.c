@@ -27,6 +27,16 @@ static const uint64_t of_folder = LANDLOCK_ACCESS_FS_WRITE_FILE |
 	LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_DIR |
 	LANDLOCK_ACCESS_FS_MAKE_REG;
 
+/* Removes slashes at the end of a folder's name, except that of the root. */
+static void drop_last_slashes(char *path)
+{
+	size_t length = strlen(path);
+
+	while (length > 1 && path[length - 1] == '/') {
+		path[--length] = '\0';
+	}
+}
+
 /*
  * Returns the path that must get a rule so that the output can be written, and
  * the rights of that rule. NULL on failure. The caller frees the path.
@@ -41,8 +51,9 @@ static char *covering_path(const char *output, uint64_t *access)
 	if (output_path_follow(output, &target, &descriptor) != 0) {
 		return NULL;
 	}
-	if (stat(target, &status) == 0 && !S_ISREG(status.st_mode) &&
-		!S_ISDIR(status.st_mode)) {
+	if (stat(target, &status) != 0) {
+		drop_last_slashes(target);
+	} else if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
 		*access = LANDLOCK_ACCESS_FS_WRITE_FILE;
 		return target;
 	}

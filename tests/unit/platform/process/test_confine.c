@@ -378,6 +378,29 @@ static void test_outputs_may_lie_in_this_folder_and_in_the_root(void **state)
 	}
 }
 
+static int make_new_folder(void)
+{
+	struct test_path folder = path_join(&places, "new");
+
+	return mkdir(folder.text, 0700) < 0 ? errno : 0;
+}
+
+/* Shells complete the names of folders with a slash. */
+static void test_an_output_may_be_a_new_folder(void **state)
+{
+	static const char *const ends[] = {"new", "new/", "new//"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(ends); i++) {
+		struct test_path folder = path_join(&places, ends[i]);
+		const struct confine_request request = {.output = {folder.text}};
+
+		assert_int_equal(
+			try_confined(request, make_new_folder, true), 0);
+		assert_int_equal(rmdir(folder.text), 0);
+	}
+}
+
 static void test_files_can_be_left_out(void **state)
 {
 	const struct confine_request request = {.writes_anywhere = true};
@@ -429,6 +452,7 @@ int main(void)
 		cmocka_unit_test(test_several_outputs_can_be_written),
 		cmocka_unit_test(
 			test_outputs_may_lie_in_this_folder_and_in_the_root),
+		cmocka_unit_test(test_an_output_may_be_a_new_folder),
 		cmocka_unit_test(test_files_can_be_left_out),
 		cmocka_unit_test(test_confinement_leaves_no_descriptor_open),
 		cmocka_unit_test(test_a_device_does_not_open_its_folder),

@@ -5,10 +5,9 @@
 #include <string.h>
 
 /*
- * Factors that convert a difference of 1 in an attribute to the distance that
- * looks as bad, in fractions of the longest side. For weights it is what
- * bending a limb moves a vertex by. border_weight is the weight of a border's
- * planes.
+ * The distance that looks as bad as a difference of 1 in an attribute, in
+ * fractions of the longest side; for weights, what bending a limb moves a
+ * vertex by. border_weight is the weight of a border's planes.
  */
 static const float normal_distance = 0.009f;
 static const float color_distance = 0.05f; /* from black to white */
@@ -126,10 +125,7 @@ static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b
 		int corner = simplify_mesh_corner(
 			simplify, simplify->triangle[i], own);
 
-		/*
-		 * The triangle has b before a: at a it is the previous corner,
-		 * at b the next one is a.
-		 */
+		/* The triangle has b before a. */
 		if (simplify->leader[at[(corner + (at_a ? 2 : 1)) % 3]] ==
 			other) {
 			return true;
@@ -364,10 +360,9 @@ static bool is_first(
 
 /*
  * The error of a bent limb. A skin moves a point by products of weights and
- * position. If both change along a triangle, a straight edge cuts off the curve
- * of a bent limb, for each joint by the covariance of weight and position over
- * the corners, times the bend. Each joint counts half, because the weight that
- * one joint loses another one gains.
+ * position, so a straight edge cuts off a curve: for each joint by the
+ * covariance of weight and position over the corners, times the bend. Each
+ * joint counts half, because what one loses another one gains.
  */
 static float bend_square(
 	const struct simplify *simplify, const struct place *place)
@@ -386,8 +381,7 @@ static float bend_square(
 		if (!is_first(primitive, vertex, i % count) ||
 			(corner > 0 && weight[0] > 0.0f) ||
 			(corner > 1 && weight[1] > 0.0f)) {
-			continue; /* not used here, or counted at an earlier
-				     corner */
+			continue; /* not used here, or counted already */
 		}
 		for (int k = 0; k < 3; k++) {
 			const float *at = simplify->position[place->vertex[k]];

@@ -92,6 +92,15 @@ void actor_unload(struct actor *actor, const struct gl *gl)
 	*actor = (struct actor){0};
 }
 
+void actor_reduce(struct demo_base *base)
+{
+	const struct demo_reduction *reduction = &base->reduction;
+
+	base->actor.influence_limit = reduction->max_influences;
+	base->actor.min_error_px = reduction->error_px;
+	base->actor.instance->hold_normals = reduction->hold_normals;
+}
+
 int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	const struct bounds *bounds, const struct framing *framing,
 	struct stage *stage)

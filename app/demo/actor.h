@@ -56,6 +56,9 @@ int actor_load(struct actor *actor, const struct demo_env *env);
 
 void actor_unload(struct actor *actor, const struct gl *gl);
 
+/* Leaves out of the actor what base->reduction says. */
+void actor_reduce(struct demo_base *base);
+
 /*
  * Makes a stage whose camera frames bounds (scene units) in the part of the
  * picture that framing_region() leaves free, and keeps framing in base. The

@@ -122,9 +122,7 @@ void demo_set_reduction(
 	struct demo_base *base = base_of(demo);
 
 	base->reduction = *reduction;
-	base->actor.influence_limit = reduction->max_influences;
-	base->actor.min_error_px = reduction->error_px;
-	base->actor.instance->hold_normals = reduction->hold_normals;
+	actor_reduce(base);
 }
 
 void demo_set_rate(struct demo *demo, float frames_per_s)

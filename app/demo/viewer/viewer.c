@@ -194,7 +194,7 @@ static int reload(struct demo *demo)
 	}
 	character_go_on(after->character, before->character);
 	demo->base.actor = fresh;
-	demo_set_reduction(demo, &demo->base.reduction);
+	actor_reduce(&demo->base);
 	demo->figure = after;
 	reframe(demo, old.extent);
 	demo_overlay_release(&demo->base);

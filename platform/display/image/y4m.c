@@ -22,7 +22,15 @@ static void y4m_destroy(struct image_writer *y4m)
 	}
 }
 
-/* Writes the rate as a fraction: N/1, N*1000/1001 (NTSC) or N/1000. */
+static bool is_within(double value, double wanted, double apart)
+{
+	return value - wanted < apart && wanted - value < apart;
+}
+
+/*
+ * Writes the rate as a fraction: N/1, N*1000/1001 (NTSC) or N/1000. The
+ * distance to NTSC's rate that is allowed for rounding is small beside the rate.
+ */
 static void write_header(const struct image_writer *y4m, double rate_hz)
 {
 	int whole = (int)(rate_hz + 0.5);
@@ -30,10 +38,11 @@ static void write_header(const struct image_writer *y4m, double rate_hz)
 	int numerator = (int)(rate_hz * 1000.0 + 0.5);
 	int denominator = 1000;
 
-	if (rate_hz - whole < 1e-6 && whole - rate_hz < 1e-6) {
+	if (is_within(rate_hz, whole, 1e-6)) {
 		numerator = whole;
 		denominator = 1;
-	} else if (whole > 0 && rate_hz - ntsc < 1e-2 && ntsc - rate_hz < 1e-2) {
+	} else if (is_within(rate_hz, ntsc, 1e-2) &&
+		is_within(rate_hz, ntsc, 4.2e-4 * ntsc)) {
 		numerator = whole * 1000;
 		denominator = 1001;
 	}

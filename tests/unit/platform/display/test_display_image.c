@@ -204,6 +204,9 @@ static void test_a_y4m_states_its_rate_as_a_fraction(void **state)
 	expect_rate(0.001, " F1:1000 ");
 	expect_rate(0.005, " F5:1000 ");
 	expect_rate(24.001, " F24001:1000 ");
+	expect_rate(1.005, " F1005:1000 ");
+	expect_rate(5.99, " F5990:1000 ");
+	expect_rate(9.99, " F10000:1001 ");
 	/* NTSC's rates are taken as such within a hundredth. */
 	expect_rate(23.976, " F24000:1001 ");
 	expect_rate(23.98, " F24000:1001 ");

@@ -19,9 +19,6 @@ static int show(const struct options *options, struct failsafe *failsafe,
 	if (status != EXIT_OK) {
 		return status;
 	}
-	if (plan.clock.fixed) {
-		plan.clock.start_s = plan.begin_s;
-	}
 	return show_run(&plan, options, log);
 }
 

@@ -43,7 +43,6 @@ static int run(const struct options *options, const struct log *log)
 	if (!plan.clock.fixed) {
 		plan.clock = clock_fixed(default_rate_hz, 0.0);
 	}
-	plan.clock.start_s = plan.begin_s;
 	if (plan.frames == 0) {
 		plan.frames = is_still(output) ? 1 : -1;
 	}

@@ -33,6 +33,13 @@ struct clock clock_fixed(double rate_hz, double start_s)
 	};
 }
 
+void clock_begin(struct clock *clock, double start_s)
+{
+	clock->frame = 0;
+	clock->start_s = start_s;
+	clock->origin_ns = clock_monotonic_ns() - (int64_t)(start_s * 1e9);
+}
+
 double clock_tick(struct clock *clock)
 {
 	int64_t frame = clock->frame++;

@@ -20,7 +20,7 @@ struct clock {
 	double rate_hz;    /* fixed clock: frames a second */
 	double start_s;    /* fixed clock: time of frame 0 */
 	int64_t frame;     /* frames begun so far */
-	int64_t origin_ns; /* real clock: the monotonic time of its start */
+	int64_t origin_ns; /* real clock: the monotonic time of its time 0 */
 };
 
 /* The monotonic clock in nanoseconds. Setting the time does not change it. */
@@ -37,6 +37,9 @@ struct clock clock_real(void);
  * rate_hz must be above 0.
  */
 struct clock clock_fixed(double rate_hz, double start_s);
+
+/* Lets the clock begin now: the next frame is frame 0 and at start_s. */
+void clock_begin(struct clock *clock, double start_s);
 
 /* Begins the next frame, the first of which is 0. Returns its time in seconds. */
 double clock_tick(struct clock *clock);

@@ -103,6 +103,18 @@ play --config "$conf" --script "$scratch/moved.txt" -o "$scratch/moved.y4m"
 check 'an action moves to another button' cmp "$scratch/first.y4m" \
     "$scratch/moved.y4m"
 
+# On the real clock, too, the first frame is at --time, and loading takes none.
+printf '%s\n' '200 UP down' '400 UP up' '5100 RIGHT down' >"$scratch/late.txt"
+limber play --demo arm --display null --size 60x80 --frames 1 \
+    --script "$scratch/late.txt" --record-buttons "$scratch/first.txt"
+expect_status 0
+check 'no button is pressed in the first frame' test ! -s "$scratch/first.txt"
+limber play --demo arm --display null --size 60x80 --fps 100 --frames 60 \
+    --time 5 --script "$scratch/late.txt" --record-buttons "$scratch/late-5.txt"
+expect_status 0
+check 'the third button is pressed after five seconds' \
+    cmp "$scratch/late.txt" "$scratch/late-5.txt"
+
 limber play --demo arm --display null --frames 1 \
     --record-buttons "$scratch/missing/x.txt"
 expect_status 1

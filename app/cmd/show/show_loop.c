@@ -105,6 +105,8 @@ int show_loop_run(struct show *show)
 		show->frames = period_frames(show);
 	}
 	skip_to_begin(show);
+	/* Loading has taken time, which the first frame must not show. */
+	clock_begin(&show->clock, show->plan->begin_s);
 	show->pace = show->clock.fixed
 		? pace_none()
 		: pace_begin(show->options->show.fps, show->screen.info.rate_hz);

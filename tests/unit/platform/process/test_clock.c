@@ -80,6 +80,26 @@ static void test_a_thread_spends_time_on_work_only(void **state)
 		clock() - begun, CLOCKS_PER_SEC / 100, CLOCKS_PER_SEC / 10);
 }
 
+static void test_a_clock_begins_when_and_at_what_it_is_told(void **state)
+{
+	const struct timespec pause = {.tv_nsec = 100000000};
+	struct clock real = clock_real(), fixed = clock_fixed(4, 7);
+	int64_t before_ns;
+	double time_s;
+
+	(void)state;
+	clock_tick(&fixed);
+	nanosleep(&pause, NULL);
+	before_ns = clock_monotonic_ns();
+	clock_begin(&real, 86400);
+	time_s = clock_tick(&real) - 86400;
+	assert_true(time_s >= 0);
+	assert_true(time_s <= (double)(clock_monotonic_ns() - before_ns) * 1e-9);
+	clock_begin(&fixed, 86400);
+	assert_true(clock_tick(&fixed) == 86400);
+	assert_true(clock_tick(&fixed) == 86400.25);
+}
+
 static void test_parse_reads_both_kinds(void **state)
 {
 	struct clock clock = {.fixed = true};
@@ -117,6 +137,7 @@ int main(void)
 		cmocka_unit_test(test_real_clock_follows_the_machine),
 		cmocka_unit_test(test_the_monotonic_clock_is_that_of_the_system),
 		cmocka_unit_test(test_a_thread_spends_time_on_work_only),
+		cmocka_unit_test(test_a_clock_begins_when_and_at_what_it_is_told),
 		cmocka_unit_test(test_parse_reads_both_kinds),
 		cmocka_unit_test(test_parse_refuses_anything_else),
 	};

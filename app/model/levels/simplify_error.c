@@ -5,9 +5,10 @@
 #include <string.h>
 
 /*
- * The distance that looks as bad as a difference of 1 in an attribute, in
- * fractions of the longest side; for weights, what bending a limb moves a
- * vertex by. border_weight is the weight of a border's planes.
+ * Factors that convert a difference of 1 in an attribute to the distance that
+ * looks as bad, in fractions of the longest side. For weights it is what
+ * bending a limb moves a vertex by. border_weight is the weight of a border's
+ * planes.
  */
 static const float normal_distance = 0.009f;
 static const float color_distance = 0.05f; /* from black to white */
@@ -125,7 +126,10 @@ static bool has_opposite(const struct simplify *simplify, uint32_t a, uint32_t b
 		int corner = simplify_mesh_corner(
 			simplify, simplify->triangle[i], own);
 
-		/* The triangle has b before a. */
+		/*
+		 * The triangle has b before a: at a it is the previous corner,
+		 * at b the next one is a.
+		 */
 		if (simplify->leader[at[(corner + (at_a ? 2 : 1)) % 3]] ==
 			other) {
 			return true;
@@ -340,29 +344,24 @@ static float shared_weight(const struct simplify *simplify,
 	return sum;
 }
 
-/*
- * Whether influence i of a vertex is the first one of its joint. Joints without
- * weight, which fill up the influences of most vertices, do not count.
- */
+/* Whether influence i has weight and is the first one, from `at`, of its joint. */
 static bool is_first(
-	const struct model_primitive *primitive, uint32_t vertex, size_t i)
+	const struct model_primitive *primitive, size_t at, size_t i)
 {
-	size_t at = vertex * (size_t)primitive->influences;
-
-	for (size_t k = at; k < at + i; k++) {
-		if (primitive->joint[k] == primitive->joint[at + i] &&
-			primitive->weight[k] > 0.0f) {
-			return false;
-		}
+	while (at < i &&
+		(primitive->joint[at] != primitive->joint[i] ||
+			primitive->weight[at] <= 0.0f)) {
+		at++;
 	}
-	return primitive->weight[at + i] > 0.0f;
+	return at == i && primitive->weight[i] > 0.0f;
 }
 
 /*
  * The error of a bent limb. A skin moves a point by products of weights and
- * position, so a straight edge cuts off a curve: for each joint by the
- * covariance of weight and position over the corners, times the bend. Each
- * joint counts half, because what one loses another one gains.
+ * position. If both change along a triangle, a straight edge cuts off the curve
+ * of a bent limb, for each joint by the covariance of weight and position over
+ * the corners, times the bend. Each joint counts half, because the weight that
+ * one joint loses another one gains.
  */
 static float bend_square(
 	const struct simplify *simplify, const struct place *place)
@@ -373,22 +372,22 @@ static float bend_square(
 
 	for (size_t i = 0; i < 3 * count; i++) {
 		size_t corner = i / count;
-		uint32_t vertex = place->vertex[corner];
-		uint16_t joint = primitive->joint[vertex * count + i % count];
+		size_t at = place->vertex[corner] * count;
+		uint16_t joint = primitive->joint[at + i % count];
 		float weight[3], along[3] = {0.0f, 0.0f, 0.0f}, mean;
 
 		mean = shared_weight(simplify, place, joint, weight);
-		if (!is_first(primitive, vertex, i % count) ||
+		if (!is_first(primitive, at, at + i % count) ||
 			(corner > 0 && weight[0] > 0.0f) ||
 			(corner > 1 && weight[1] > 0.0f)) {
-			continue; /* not used here, or counted already */
+			continue; /* not used here, or counted before */
 		}
 		for (int k = 0; k < 3; k++) {
-			const float *at = simplify->position[place->vertex[k]];
+			const float *p = simplify->position[place->vertex[k]];
 			float factor = place->share[k] * (weight[k] - mean);
 
 			for (int axis = 0; axis < 3; axis++) {
-				along[axis] += factor * at[axis];
+				along[axis] += factor * p[axis];
 			}
 		}
 		sum += scalar_sqrt(dot(along, along));

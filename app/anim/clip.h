@@ -118,8 +118,8 @@ void clip_add_paths(const struct model_clip *clip, const struct model *model,
 
 /*
  * Writes one channel's value, channel->width floats. *key is the key of the
- * last call (any value is valid) and is updated. Rotations by CLIP_CUBIC are
- * normalised; others are as long as the file's keys.
+ * last call (any value is valid) and is updated. Rotations by CLIP_CUBIC and
+ * those of splines are normalised; others are as long as the file's keys.
  */
 void clip_sample_channel(const struct model_channel *channel, float time_s,
 	enum clip_interpolation interpolation, int *key, float *out);

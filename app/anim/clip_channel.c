@@ -85,22 +85,30 @@ struct clip_moment clip_moment_search(
 }
 
 /*
- * Returns a channel's value at a key. Packed keys are unpacked into room, which
- * may be NULL for other channels.
+ * Returns a channel's value at a key. Packed keys are unpacked into room, and
+ * rotations of splines, whose keys may have any length, are normalised there.
+ * For other channels room may be NULL; for splines NULL gives the file's value.
  */
 static const float *key_value(
 	const struct model_channel *channel, int key, float room[4])
 {
 	size_t width = (size_t)channel->width;
+	const float *value;
 
 	if (channel->packed) {
 		model_channel_key(channel, key, room);
 		return room;
 	}
-	if (channel->interpolation == MODEL_CUBICSPLINE) {
-		return channel->value + (3 * (size_t)key + 1) * width;
+	if (channel->interpolation != MODEL_CUBICSPLINE) {
+		return channel->value + (size_t)key * width;
 	}
-	return channel->value + (size_t)key * width;
+	value = channel->value + (3 * (size_t)key + 1) * width;
+	if (!room || channel->path != MODEL_ROTATION) {
+		return value;
+	}
+	memcpy(room, value, 4 * sizeof(*room));
+	quat_normalize(room);
+	return room;
 }
 
 /*

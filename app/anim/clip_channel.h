@@ -61,8 +61,8 @@ struct clip_moment clip_moment_search(
 
 /*
  * Writes the value at u between key and the next key, channel->width floats.
- * Rotations by CLIP_CUBIC are normalised; others are as long as the file's
- * keys.
+ * Rotations by CLIP_CUBIC and those of splines are normalised; others are as
+ * long as the file's keys.
  */
 void clip_channel_sample(const struct model_channel *channel,
 	enum clip_interpolation interpolation, int key, float u, float *out);

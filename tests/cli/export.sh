@@ -68,7 +68,7 @@ plays "$assets/face.glb" 0 0 1.7 5
 plays "$slider" 0 0 0.4 9
 check 'the indices of a small model take two bytes each' \
     grep -q '^typedef uint16_t one_index_t;' "$scratch/one.c"
-plays "$here/../fixtures/gltf/clip/cubic.gltf" 0 0 0.3 1.2
+plays "$here/../fixtures/gltf/clip/cubic.gltf" 0 0 0.3 1.2 9
 if [ -d "$samples" ]; then
     for name in CesiumMan.glb BoxAnimated.glb RiggedFigure.glb SimpleSkin.gltf \
         AnimatedMorphCube.glb; do

@@ -414,6 +414,31 @@ static void test_interpolations_are_found_by_name(void **state)
 	assert_int_equal(clip_interpolation_find(""), -1);
 }
 
+/* The keys of a spline are normalised as what lies between them is. */
+static void test_a_rotation_has_unit_length_at_the_keys_of_a_spline(void **state)
+{
+	static const float value[24] = {0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0,
+		0, /* twice as long as 1 */
+		0, 0, 0, 0, 0, 0.3f, 0, 0.4f, 0, 0, 0, 0};
+	static const float first[4] = {0, 0, 0, 1}, last[4] = {0, 0.6f, 0, 0.8f};
+	const struct model_channel channel = make_channel(
+		MODEL_ROTATION, MODEL_CUBICSPLINE, 4, 2, CUBIC_TIMES, value);
+
+	(void)state;
+	for (int kind = CLIP_AUTO; kind <= CLIP_CUBIC; kind++) {
+		enum clip_interpolation as = (enum clip_interpolation)kind;
+
+		for (int i = 0; i < 4; i++) {
+			assert_near(
+				sample_as(&channel, 0, as, i), first[i], 1e-6);
+			assert_near(
+				sample_as(&channel, 1, as, i), first[i], 1e-6);
+			assert_near(
+				sample_as(&channel, 9, as, i), last[i], 1e-6);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -442,6 +467,8 @@ int main(void)
 		cmocka_unit_test(test_cubic_has_no_corners),
 		cmocka_unit_test(test_cubic_rotations_ignore_the_keys_signs),
 		cmocka_unit_test(test_interpolations_are_found_by_name),
+		cmocka_unit_test(
+			test_a_rotation_has_unit_length_at_the_keys_of_a_spline),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

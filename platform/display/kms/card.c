@@ -191,7 +191,8 @@ static void finish_flip(int fd, unsigned int sequence, unsigned int seconds,
 	*pending = false;
 }
 
-int card_wait(struct card *card)
+/* Waits for the page flip. Returns false, with errno set, if it fails. */
+static bool wait_for_flip(struct card *card)
 {
 	drmEventContext context = {
 		.version = 2,
@@ -210,10 +211,17 @@ int card_wait(struct card *card)
 		if (ready <= 0 ||
 			card->calls->handle_event(card->fd, &context) != 0) {
 			card->pending = false;
-			return failed(card, "the page flip does not complete");
+			return false;
 		}
 	}
-	return 0;
+	return true;
+}
+
+int card_wait(struct card *card)
+{
+	return wait_for_flip(card)
+		? 0
+		: failed(card, "the page flip does not complete");
 }
 
 static bool flip(struct card *card)
@@ -245,7 +253,7 @@ static void choose_method(struct card *card)
 		return;
 	}
 	card->method = CARD_PAGE_FLIP;
-	if (flip(card) && card_wait(card) == 0) {
+	if (flip(card) && wait_for_flip(card)) {
 		return;
 	}
 	card->method = set_mode_again(card) ? CARD_MODE_SET : CARD_ONE_BUFFER;

@@ -435,6 +435,35 @@ static void test_a_page_flip_without_end_is_a_timeout(void **state)
 	scene_close(&scene);
 }
 
+/* The card flips without saying so. */
+static int lose_flip(int fd, int timeout_ms)
+{
+	fake_card.flip_user = NULL;
+	fake_card.flip_fb = 0;
+	return wait_in_vain(fd, timeout_ms);
+}
+
+/* Another method works, so that nothing is wrong. */
+static void test_page_flips_that_never_complete_are_not_used(void **state)
+{
+	struct kms_calls calls = fake_card_calls;
+	struct scene scene = {.driver = &display_driver_kms};
+	struct display_info info;
+
+	(void)state;
+	calls.wait = lose_flip;
+	scene.log = log_capture_begin(&scene.capture);
+	scene.options.log = &scene.log;
+	assert_int_equal(
+		kms_create_on(&calls, &scene.options, &scene.display), 0);
+	scene.driver->get_info(scene.display, &info);
+	assert_near(info.rate_hz, 0.0, 0.0);
+	draw(&scene, 1);
+	draw(&scene, 2);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+	scene_close(&scene);
+}
+
 static void test_a_screen_without_a_former_mode_is_fine(void **state)
 {
 	struct scene scene = {0};
@@ -478,6 +507,7 @@ int main(void)
 		KMS_TEST(test_the_message_names_what_is_missing),
 		KMS_TEST(test_a_later_failure_is_logged_and_everything_closed),
 		KMS_TEST(test_a_page_flip_without_end_is_a_timeout),
+		KMS_TEST(test_page_flips_that_never_complete_are_not_used),
 		KMS_TEST(test_a_screen_without_a_former_mode_is_fine),
 		KMS_TEST(test_the_real_library_refuses_another_device),
 	};

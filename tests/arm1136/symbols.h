@@ -18,13 +18,13 @@ struct symbols {
 
 /*
  * Adds the functions of a 32-bit ELF file. start_code is the address at which
- * its code was loaded, or 0 for the address it was linked for. Returns 0, or
- * -errno and adds nothing.
+ * its code was loaded, or 0 for the address it was linked for. Returns 0 or
+ * -errno; with -ENOMEM some of the functions have been added.
  */
 int symbols_read_elf(
 	struct symbols *symbols, const char *path, uint32_t start_code);
 
-/* Adds functions from lines of nm: address, type, name. Returns 0 or -errno. */
+/* The same with lines of nm: address, type, name. */
 int symbols_read_map(struct symbols *symbols, const char *path);
 
 void symbols_finish(struct symbols *symbols);

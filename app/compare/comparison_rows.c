@@ -162,13 +162,10 @@ static void add_error(struct comparison_total *total,
 }
 
 /* Adds the weights: at each key, a weight for every key frame of all clips. */
-static void add_weights(
-	const struct comparison *comparison, struct comparison_row *row)
+static void add_weights(struct comparison_total *total)
 {
-	struct comparison_total *total = &row->total;
 	size_t keys = (size_t)total->key_count;
 
-	(void)comparison;
 	total->memory_bytes += keys * keys * sizeof(float);
 	/* The file stores weights that are not 0, with their indices. */
 	total->file_bytes += keys * (sizeof(uint32_t) + sizeof(uint8_t));
@@ -204,7 +201,7 @@ static void sum_up(
 		total->key_count += cell->keys.count;
 	}
 	if (total->key_count > 0) {
-		add_weights(comparison, row);
+		add_weights(total);
 		snprintf(row->name, sizeof(row->name), "morph, %d keys%s",
 			total->key_count,
 			row->kind == COMPARISON_MORPH && row->listed &&

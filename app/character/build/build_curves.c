@@ -93,10 +93,13 @@ int character_read_curve(struct character_words *words,
 		return character_fail(words, "a morph has at most %d curves",
 			CHARACTER_CURVES_MAX);
 	}
+	/* A new curve has the direction of the first one. */
+	if (morph->curve_count > 0) {
+		memcpy(curve->wave.direction, morph->curve[0].wave.direction,
+			sizeof(curve->wave.direction));
+	}
 	morph->curve_count++;
 	curve->name = "linear";
-	memcpy(curve->wave.direction, morph->curve[0].wave.direction,
-		sizeof(curve->wave.direction));
 	error = read_curve_kind(words, key, curve);
 	if (!error && !character_at_end(words) &&
 		words->line->word[words->next].quoted) {

@@ -9,7 +9,6 @@
 
 #include <errno.h>
 
-static const float shadow_strength = 0.375f;
 /*
  * How much larger the box is made, as a part of its extent: for rounding, and
  * for what bends and morph targets add.
@@ -266,7 +265,7 @@ static void draw_shadows(const struct character_drawing *drawing,
 	if (stage->floor.wave_height != 0.0f && stage->has_stencil) {
 		const struct shadow_drape *drape = &drawing->drape;
 
-		shadow_drape_draw(drape, gl, shadow_strength,
+		shadow_drape_draw(drape, gl, DRAW_SHADOW_ALPHA,
 			stage_may_hide(stage, &drape->box));
 	} else {
 		stage_shadow_begin(stage, gl);

@@ -74,7 +74,7 @@ static int measure_kernels(struct bench *bench, const struct bench_row *row,
 		error = measure(bench, mesh, row, kernel, &result->time[size]);
 		if (!error) {
 			report->result_count++;
-		} else if (error != -ENOTSUP && error != -ERANGE) {
+		} else if (error != -ENOTSUP) {
 			return error;
 		}
 	}

@@ -158,34 +158,15 @@ static int make_clusters(const struct model_primitive *primitive,
 	return error;
 }
 
-/* The coarsest of the model's lists for shadows that is fine enough, or NULL. */
-static const struct model_lod *find_shadow_level(
-	const struct model_primitive *primitive)
-{
-	const struct model_lod *found = NULL;
-	float low[3], limit = SHADOW_PROXY_ERROR * find_box(primitive, low);
-
-	for (int i = 0; i < primitive->lod_count; i++) {
-		const struct model_lod *lod = &primitive->lod[i];
-
-		if (lod->shadow_only && (!found || lod->error_m <= limit)) {
-			found = lod;
-		}
-	}
-	return found;
-}
-
 int shadow_proxy_make(const struct model_primitive *primitive,
 	const uint32_t *inverse_order, struct arena *arena, uint16_t **index,
 	int *index_count)
 {
-	const struct model_lod *level = find_shadow_level(primitive);
-
-	if (!level && primitive->normal) {
+	if (primitive->normal) {
 		return make_clusters(
 			primitive, inverse_order, arena, index, index_count);
 	}
-	*index_count = level ? level->index_count : primitive->index_count;
-	return copy_list(*index_count, level ? level->index : primitive->index,
-		inverse_order, arena, index);
+	*index_count = primitive->index_count;
+	return copy_list(
+		*index_count, primitive->index, inverse_order, arena, index);
 }

@@ -1,12 +1,11 @@
 /*
  * Shadow proxies: fewer triangles with nearly the same silhouette.
  *
- * If the model has lists for shadows, the proxy is the coarsest of them whose
- * error is at most SHADOW_PROXY_ERROR, or else the finest. Otherwise the
- * triangles are made by vertex clustering: vertices in the same cell of a grid
- * whose normals are in the same octant and that follow the same joint are
- * merged, and triangles that degenerate are dropped. The remaining vertices
- * keep their positions, so a proxy needs no additional posing.
+ * They are for models without lists of triangles for shadows. A proxy is made
+ * by vertex clustering: vertices in the same cell of a grid whose normals are
+ * in the same octant and that follow the same joint are merged, and triangles
+ * that degenerate are dropped. The remaining vertices keep their positions, so
+ * a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H
 #define APP_SCENE_SHADOW_SHADOW_PROXY_H
@@ -15,11 +14,6 @@
 #include "platform/base/arena.h"
 
 #include <stdint.h>
-
-/*
- * The greatest error of a proxy, as a fraction of the primitive's longest side.
- */
-#define SHADOW_PROXY_ERROR 0.012f
 
 /*
  * Makes the proxy of a primitive of at most 65,536 vertices and allocates its

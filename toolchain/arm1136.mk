@@ -32,8 +32,8 @@ build/arm1136/micro/%: tests/arm1136/micro/%.S tests/arm1136/micro/cases.h \
 	$(call say,AS,$@)
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
 
-build/arm1136/unknown: tests/arm1136/unknown.S tests/arm1136/marker.h \
-		| build/arm/packages.stamp
+build/arm1136/unknown build/arm1136/regions: build/arm1136/%: \
+		tests/arm1136/%.S tests/arm1136/marker.h | build/arm/packages.stamp
 	@mkdir -p $(@D)
 	$(call say,AS,$@)
 	$(Q)$(ARM_PREFIX)gcc $(MICRO_CFLAGS) -I. -nostdlib -static -o $@ $<
@@ -48,12 +48,12 @@ build/arm1136/an4044: tests/arm1136/an4044_run.c app/anim/kernel/an4044.c \
 		-nostdlib -static -o $@ $(filter %.c,$^)
 
 model_programs := $(MODEL) $(MICRO) build/arm1136/an4044 build/arm1136/unknown \
-	build/arm1136/insn_count.so
+	build/arm1136/regions build/arm1136/insn_count.so
 model_suites = $(foreach program,$(MICRO),$(call suite,arm1136/$(notdir \
 	$(program)),tests/arm1136/micro.sh $(MODEL) $(program) \
 	tests/arm1136/micro/$(notdir $(program)).S)) \
 	$(call suite,arm1136/plugin,tests/arm1136/plugin.sh $(MODEL) \
-	build/arm1136/an4044 build/arm1136/unknown) \
+	build/arm1136/an4044 build/arm1136/unknown build/arm1136/regions) \
 	$(call suite,arm1136/growth,tests/arm1136/growth.py build/arm1136/insn_count.so \
 	$(RUN_arm) build/arm/limber) \
 	$(call suite,arm1136/checker,tests/arm1136/checker.sh $(MODEL) \

@@ -60,6 +60,9 @@ static void region_begin(struct plugin *plugin, uint32_t pc, uint8_t id)
 		return;
 	}
 	plugin->region = program_region(&plugin->program, pc, id);
+	if (!plugin->region) {
+		return;
+	}
 	if (!plugin->runs) {
 		values_forget(&plugin->core.values);
 		plugin->runs = true;

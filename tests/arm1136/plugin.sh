@@ -2,13 +2,14 @@
 # Tests the model's options, regions and reports, and compares AN4044's loop with
 # the cycles of a separate scoreboard (figures.md).
 #
-#   plugin.sh MODEL AN4044 UNKNOWN
+#   plugin.sh MODEL AN4044 UNKNOWN REGIONS
 set -u
 . "$(dirname "$0")/../support/tap.sh"
 
 model=$1
 program=$2
 unknown=$3
+regions=$4
 
 # model_run OPTIONS: runs the program in the model.
 model_run() {
@@ -98,6 +99,20 @@ about "an instruction that is not decoded"
 expect_status 0
 expect_err '^region _start entries 1 cycles 251 instructions 3 '
 expect_err '^not decoded [0-9a-f]*: f1010000, 1 times'
+
+# What a region beyond the last that there is room for does, and what follows it,
+# counts nowhere.
+run qemu-arm -cpu arm1136 -plugin "$model,json=$scratch/regions.json" "$regions"
+about "more regions than there is room for"
+expect_status 0
+check "only regions are counted" node -e '
+    const report = JSON.parse(require("fs").readFileSync(process.argv[1]));
+    const cycles = (all) => all.reduce((sum, one) => sum + one, 0);
+    const regions = cycles(report.regions.map((one) => one.counts.cycles));
+    const symbols = cycles(report.symbols.map((one) => one.cycles));
+    if (report.regions.length !== 512 || symbols !== regions)
+        throw Error(report.regions.length + " regions of " + regions +
+            " cycles, symbols of " + symbols);' "$scratch/regions.json"
 
 for wrong in nonsense=1 ddr=much l1d=15 ideal=maybe misses=0; do
     model_run ",$wrong"

@@ -102,7 +102,7 @@ static void tell_in_place(const struct model *model, int clip,
 	}
 	if (count == 1) {
 		log_warning(log,
-			"%s: clip %d %s goes %.2g m over the ground: it is compared and exported in its place, as limber play shows it",
+			"%s: clip %d %s goes %.2g m over the ground: it is compared and exported on the spot, without this way, as limber play shows it",
 			model->path, first, model->clip[first].name,
 			(double)way_m[first]);
 	} else if (count > 1) {
@@ -132,7 +132,7 @@ static int open_character(struct instance *instance, const struct log *log,
 	}
 	if (error) {
 		log_warning(log,
-			"%s: limber play refuses its character: clips that go over the ground are compared with their way",
+			"%s: limber play refuses its character file: clips that go over the ground are compared with their way over it, not on the spot",
 			path);
 	}
 	return 0;
@@ -231,11 +231,11 @@ const struct command command_compare = {
 		"limber bakes the clips of a model as morph key frames, as rigid parts on pivots and as skins\n"
 		"with fewer influences. It measures what each costs: the time of a frame, memory, the size of\n"
 		"the file, and the error on the screen: of positions, outlines, normals and shades, between\n"
-		"keys too. Time is predicted by a timing model of an ARM1136, or measured on the board.\n"
+		"keys too. It also predicts the time on the board by a timing model of an ARM1136.\n"
 		"\n"
 		"Then it recommends one: of all that keep within --error, --ram and --ms, the one with the\n"
-		"least sum of time and memory, where 256 KiB count as 1% of the board's frame. --clip compares\n"
-		"one clip; else all clips are compared, and what a technique shares is counted once.\n"
+		"least sum of predicted time and memory, where 256 KiB count as 1% of the board's frame. --clip\n"
+		"compares one clip; else all clips are compared, and what a technique shares is counted once.\n"
 		"\n"
 		"  limber compare robot.glb\n"
 		"  limber compare robot.glb --clip walk --error 1 --ram 512k\n"

@@ -33,7 +33,7 @@ check 'the same file again' cmp "$file" "$scratch/before"
 expect_quiet
 limber doctor "$model"
 expect_status 0
-expect_out 'slider.character: it fits the model: states: 2, layers: 0, '
+expect_out 'slider.character: it fits the model. States: 2, layers: 0, '
 
 # The file that was written, none, and another one.
 frame "$scratch/beside.png"
@@ -113,7 +113,7 @@ sed -n '/^```ini$/,/^```$/p' "$assets/../app/character/format.md" | grep -v '^``
     >"$scratch/walker.character"
 limber doctor "$scratch/walker.glb"
 expect_status 0
-expect_out 'walker.character: it fits the model: states: 2, layers: 1, effects and expressions: 1, buttons: 7$'
+expect_out 'walker.character: it fits the model. States: 2, layers: 1, effects and expressions: 1, buttons: 7$'
 
 limber character
 expect_refusal 2 'character'

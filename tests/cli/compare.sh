@@ -106,9 +106,9 @@ if ! $slow; then
     walk_away
     limber compare "$scratch/away.glb" --clip walk --error 2 --format json
     expect_status 0
-    expect_err 'clip 3 walk goes 1\.[67][0-9]* m over the ground: it is compared and exported in its place'
+    expect_err 'clip 3 walk goes 1\.[67][0-9]* m over the ground: it is compared and exported on the spot'
     # shellcheck disable=SC2016 # Python
-    check 'a walk that goes away is compared in its place' python3 -c '
+    check 'a walk that goes away is compared on the spot' python3 -c '
 import json, sys
 away, still = (json.load(open(path))["candidates"] for path in sys.argv[1:])
 assert [row["name"] for row in away] == [row["name"] for row in still]
@@ -135,7 +135,7 @@ assert len(away) == len(still) and off < 100, off
     echo '[nonsense' >"$scratch/away.character"
     limber compare "$scratch/away.glb" --clip walk --error 2
     expect_status 0
-    expect_err 'away\.glb: limber play refuses its character: clips that go over the ground are compared with their way'
+    expect_err 'away\.glb: limber play refuses its character file: clips that go over the ground are compared with their way over it'
 fi
 $slow || recomputed "$samples/x/anim_test.x" 0 28
 

@@ -77,7 +77,7 @@ meshes     parts vertices triangles targets
 
 skins      joints
     0           1  (unnamed)
-influences a vertex: 1 on 3
+vertices by their number of influences: 3 with 1
 
 clips      seconds  30 Hz  ticks channels  keys
     0         1.00   30.0   4800        2     4  both
@@ -85,7 +85,7 @@ clips      seconds  30 Hz  ticks channels  keys
 REPORT
 
 limber info tests/fixtures/gltf/skin/odd_weights.gltf
-expect_out '^influences a vertex: 1 on 3 \| 2 on 1$'
+expect_out '^vertices by their number of influences: 3 with 1 \| 1 with 2$'
 limber info tests/fixtures/gltf/skin/shared_mesh.gltf
 expect_out '^    1           3  \(unnamed\)$'
 limber info tests/fixtures/gltf/material/textures.gltf

@@ -69,7 +69,7 @@ static int examine_in_words(
 			path, memory_bytes, &findings, log, &character);
 	}
 	if (!error && character.right) {
-		printf("%s: it fits the model: states: %d, layers: %d, effects and expressions: %d, buttons: %d\n",
+		printf("%s: it fits the model. States: %d, layers: %d, effects and expressions: %d, buttons: %d\n",
 			character.path, character.states, character.layers,
 			character.effects, character.buttons);
 	}

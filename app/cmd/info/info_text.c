@@ -84,10 +84,10 @@ static void print_skins(const struct info_report *report, FILE *out)
 		fprintf(out, "  %3d      %6d  ", i, model->skin[i].joint_count);
 		print_name(model->skin[i].name, "\n", out);
 	}
-	fprintf(out, "influences a vertex:");
+	fprintf(out, "vertices by their number of influences:");
 	for (int k = 1; k <= stats->max_influences; k++) {
-		fprintf(out, " %s%d on %d", k > 1 ? "| " : "", k,
-			stats->influence_histogram[k]);
+		fprintf(out, " %s%d with %d", k > 1 ? "| " : "",
+			stats->influence_histogram[k], k);
 	}
 	fprintf(out, "\n");
 }

@@ -65,7 +65,7 @@ const struct kernel *options_kernel(
 		}
 	}
 	log_error(log,
-		"--math %s: no kernel of this build computes so: leave out --math",
+		"--math %s: this build has no kernel that computes in it: leave out --math",
 		options->math == MATH_FLOAT ? "float" : "fixed");
 	return NULL;
 }

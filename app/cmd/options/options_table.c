@@ -287,7 +287,7 @@ const struct option_entry option_entries[] = {
 		"let at most N joints move a vertex; auto: by size on screen; or budget:N",
 		"a number from 1 to 8, auto or budget:N", PARSED(set_influences)},
 	{0, "lod", "PX", FOR_SHOW,
-		"draw triangles coarser by up to PX pixels, or auto (1.5), level:N or off",
+		"draw fewer triangles, up to PX pixels off; auto (1.5), level:N or off",
 		"auto, off, a number of pixels up to 100 or level:N", PARSED(set_lod)},
 	{0, "no-labels", NULL, FOR_SHOW,
 		"draw no text on the picture",

@@ -191,6 +191,67 @@ static void test_wrong_buttons_are_refused(void **state)
 	}
 }
 
+/* "gpio c 1" with so many blanks behind the chip, where one is enough. */
+static int set_line(
+	struct config_buttons *buttons, int blanks, struct log_capture *logged)
+{
+	struct log log = log_capture_begin(logged);
+	char value[700] = "gpio c";
+
+	memset(value + 6, ' ', (size_t)blanks);
+	strcpy(value + 6 + blanks, "1");
+	return config_buttons_set(buttons, "UP", value, &log);
+}
+
+static void test_a_button_that_is_too_long_is_refused(void **state)
+{
+	const int most = 255 - (int)strlen("UP=c1");
+	struct scene *scene = *state;
+	struct config_buttons buttons = {0};
+
+	assert_int_equal(set_line(&buttons, most, &scene->logged), 0);
+	assert_int_equal(set_line(&buttons, most + 1, &scene->logged), -EINVAL);
+	assert_contains(scene->logged.sentence[0], "255 characters");
+	assert_int_equal(set_line(&buttons, 690, &scene->logged), -EINVAL);
+	assert_contains(scene->logged.sentence[0], "511 characters");
+}
+
+/* What does not fit is left out, and the spec of the others is complete. */
+static void test_lists_of_buttons_have_a_greatest_length(void **state)
+{
+	struct scene *scene = *state;
+	struct config_buttons buttons = {0};
+	struct log log = log_capture_begin(&scene->logged);
+	char spec[CONFIG_LIST_BYTES + 64], name[CONFIG_LIST_BYTES];
+	int left = CONFIG_LIST_BYTES - 1, part = (int)strlen(",UP=c1");
+
+	for (; left > 2 * part + 200; left -= part + 100) {
+		assert_int_equal(set_line(&buttons, 100, &scene->logged), 0);
+	}
+	assert_int_equal(
+		set_line(&buttons, left - part + 1, &scene->logged), -EINVAL);
+	assert_contains(scene->logged.sentence[0], "too many buttons");
+	assert_int_equal(
+		strlen(buttons.lines), (size_t)(CONFIG_LIST_BYTES - 1 - left));
+	assert_int_equal(set_line(&buttons, left - part, &scene->logged), 0);
+	assert_int_equal(strlen(buttons.lines), CONFIG_LIST_BYTES - 1);
+	assert_int_equal(
+		config_buttons_spec(&buttons, spec, sizeof(spec), &log), 0);
+	assert_int_equal(
+		config_buttons_spec(&buttons, spec, strlen(spec) + 1, &log), 0);
+	assert_int_equal(config_buttons_spec(&buttons, spec, strlen(spec), &log),
+		-EINVAL);
+
+	memset(name, 'k', sizeof(name));
+	name[sizeof(buttons.keyboard)] = '\0';
+	assert_int_equal(
+		config_buttons_set(&buttons, "keyboard", name, &log), -EINVAL);
+	name[sizeof(buttons.keyboard) - 1] = '\0';
+	assert_int_equal(
+		config_buttons_set(&buttons, "keyboard", name, &log), 0);
+	assert_string_equal(buttons.keyboard, name);
+}
+
 static void test_a_file_is_found_below_the_home_folder(void **state)
 {
 	struct scene *scene = *state;
@@ -239,6 +300,8 @@ int main(void)
 		CASE(test_an_action_may_be_taken_from_a_button),
 		CASE(test_buttons_of_each_kind_are_joined),
 		CASE(test_wrong_buttons_are_refused),
+		CASE(test_a_button_that_is_too_long_is_refused),
+		CASE(test_lists_of_buttons_have_a_greatest_length),
 		CASE(test_a_file_is_found_below_the_home_folder),
 	};
 #undef CASE

@@ -7,7 +7,12 @@ enum {
 int font_find_glyph(const struct font *font, uint32_t code)
 {
 	int low = 1, high = font->glyph_count - 1;
+	/* Most codes follow one another. */
+	const uint32_t near = high > 0 ? code - font->code[1] + 1 : 0;
 
+	if (near >= 1 && near <= (uint32_t)high && font->code[near] == code) {
+		return (int)near;
+	}
 	while (low <= high) {
 		int middle = (low + high) / 2;
 

@@ -53,6 +53,8 @@ static_assert(offsetof(struct band, z_right) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, green_right) ==
 		offsetof(struct band, z_right) + 12,
 	"four registers");
+static_assert(offsetof(struct band, texel_mask) % 8 == 0, "a pair of registers");
+static_assert(offsetof(struct band, texels) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, pixels) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, more.red) % 8 == 0, "a pair of registers");
 static_assert(offsetof(struct band, more.green) ==

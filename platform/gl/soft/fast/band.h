@@ -84,16 +84,15 @@ struct band {
 	_Alignas(8) struct band_row row; /* of the next row */
 	struct band_row down;            /* a row further */
 	struct band_edges edges;
-	uint32_t stride_bytes; /* of the level, where texels are mixed */
-	uint32_t z_right;      /* a pixel further */
+	_Alignas(8) uint32_t z_right; /* a pixel further */
 	uint32_t texel_right;
 	uint32_t red_blue_right;
 	uint32_t green_right; /* less 0x10000, to count */
 	uint32_t texel_mask;  /* whole texels of the level, or part */
 	uint32_t texel_shift; /* 24 less the width's log2 */
 	const uint8_t *texels;
-	uint32_t wide_mask; /* of gray: WIDE_MASK */
-	uintptr_t pixels;   /* from behind a depth to its pixel */
+	uint32_t stride_bytes; /* of the level; of gray: WIDE_MASK */
+	uintptr_t pixels;      /* from behind a depth to its pixel */
 	struct band_more more;
 };
 

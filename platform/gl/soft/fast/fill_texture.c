@@ -61,7 +61,6 @@ static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 	band->row.red_blue = leave_column(
 		small, (uint32_t)share.start << 7, band->red_blue_right);
 	band->row.green = band->down.green = band->green_right = 0;
-	band->wide_mask = WIDE_MASK;
 	band->more.green = WIDE_ROUND;
 }
 
@@ -128,7 +127,7 @@ static ALWAYS_INLINE void set_texels(const struct small *small,
 	band->texel_mask = level->texel_mask;
 	band->texel_shift = level->texel_shift;
 	band->texels = level->texels;
-	band->stride_bytes = level->stride_bytes;
+	band->stride_bytes = linear ? level->stride_bytes : WIDE_MASK;
 }
 
 /* A band reaches so many bits of coordinates. */

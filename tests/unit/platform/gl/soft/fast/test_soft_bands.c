@@ -37,7 +37,7 @@ static void test_the_texture_band_is_as_in_c(void **state)
 			.texels = texels,
 			.texel_mask = 31u << 24 | 63u << 8,
 			.texel_shift = 24 - 6,
-			.wide_mask = WIDE_MASK,
+			.stride_bytes = WIDE_MASK,
 			.more.green = WIDE_ROUND,
 			.red_blue_right = next_random(&seed) & 0xFFFFF,
 			.edges.rows = random_between(&seed, 1, TWINS_ROWS),

@@ -82,11 +82,6 @@ int soft_matrix_exponent(float value)
 	return (int)(bits >> 23 & 255) - 127;
 }
 
-int32_t soft_matrix_to_int(float value)
-{
-	return (int32_t)scalar_clamp(value, -1073741824.0f, 1073741824.0f);
-}
-
 float soft_matrix_power_of_two(int exponent)
 {
 	uint32_t bits = (uint32_t)(exponent + 127) << 23;

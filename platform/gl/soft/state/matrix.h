@@ -7,6 +7,7 @@
 #ifndef PLATFORM_GL_SOFT_STATE_MATRIX_H
 #define PLATFORM_GL_SOFT_STATE_MATRIX_H
 
+#include "platform/base/scalar.h"
 #include "platform/gl/soft/soft.h"
 
 extern const struct matrix soft_matrix_identity;
@@ -38,7 +39,10 @@ float soft_matrix_uniform_scale(const struct matrix *m);
 int soft_matrix_exponent(float value);
 
 /* The nearest number to zero within 31 bits; NaN counts as the least. */
-int32_t soft_matrix_to_int(float value);
+static inline int32_t soft_matrix_to_int(float value)
+{
+	return (int32_t)scalar_clamp(value, -1073741824.0f, 1073741824.0f);
+}
 
 /* 2^exponent, for -126..127. */
 float soft_matrix_power_of_two(int exponent);

@@ -4,15 +4,16 @@
  */
 #include <assert.h>
 
+#include "platform/gl/soft/fast/narrow.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/cache.h"
 
-/* narrow.S */
-static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 3,
-	"the flags are the bytes of one word");
-static_assert(offsetof(struct setup, fast_setup) ==
-		offsetof(struct setup, inside) + 2,
-	"the flags are the bytes of one word");
+/* narrow_rows.S */
+static_assert(offsetof(struct narrow, down) == 20, "DOWN");
+static_assert(offsetof(struct narrow, middle_left) == 60, "MIDDLE_LEFT");
+static_assert(offsetof(struct narrow, channel) == 72, "RED");
+static_assert(offsetof(struct narrow, column) == 96, "COLUMN");
+static_assert(NARROW_LEFT == 24 && NARROW_CHUNK == 8, "");
 
 /* vertex.S */
 static_assert(offsetof(struct draw, view) == 0, "r0 is the view");
@@ -40,10 +41,11 @@ static_assert(offsetof(struct vertex, y) == 8, "");
 static_assert(offsetof(struct source, indices) == 0, "");
 static_assert(TAG_OUTSIDE == (uint32_t)-2, "");
 static_assert(SMALL_EXTENT == 2047, "");
+static_assert(offsetof(struct setup, back) == offsetof(struct setup, inside) + 2,
+	"the flags are bytes of one word");
 static_assert(offsetof(struct fast_setup, cull_mask) ==
 		offsetof(struct fast_setup, cull_side) + 4,
 	"");
-static_assert(offsetof(struct draw, provoking) < 1 << 16, "two additions");
 
 /* texture.S and tint.S */
 static_assert(sizeof(struct band_row) == 20, "five registers");

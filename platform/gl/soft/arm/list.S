@@ -27,9 +27,8 @@
 #define DRAW 116
 #define SOURCE 120
 #define CACHE 124
-#define PROVOKING 128
-#define ATTRIBUTES 132
-#define FLAGS 136
+#define ATTRIBUTES 128
+#define FLAGS 132
 #define ROOM 140
 	.if	SETUP_SIZE > ROUND
 	.error	"struct setup is larger than its place"
@@ -98,10 +97,6 @@
 	ldr	r0, [sp, #CACHE]
 	add	r2, r3, r3, lsl #1
 	add	r2, r0, r2, lsl #2
-	cmn	\tag, #2
-	ldreq	r0, [r2, #VERTEX_INDEX]
-	cmpeq	r0, r1
-	beq	.Lapart
 	ldr	r0, [sp, #DRAW]
 	mov	\tag, r2
 	bl	soft_transform
@@ -141,14 +136,10 @@ soft_list:
 	strd	r4, [sp, #BOX]
 	ldr	r3, [r0, #FAST_SETUP_CACHE]
 	str	r3, [sp, #CACHE]
-	add	r3, r0, #DRAW_PROVOKING & 0xFF00
-	add	r3, r3, #DRAW_PROVOKING & 0xFF
-	str	r3, [sp, #PROVOKING]
 	ldr	r3, [r0, #FAST_SETUP_ATTRIBUTES]
 	str	r3, [sp, #ATTRIBUTES]
 	ldr	r3, [r0, #FAST_SETUP_BACK_FLIP]
-	mov	r3, r3, lsl #24
-	orr	r3, r3, #1 << 16
+	mov	r3, r3, lsl #16
 	orr	r3, r3, #1
 	str	r3, [sp, #FLAGS]
 	ldr	r10, [r0, #FAST_SETUP_PLACE]
@@ -166,11 +157,11 @@ soft_list:
 .Lboth:
 	head	eq
 	b	.Lseen
-.Lnegative:
-	head	ge
-	b	.Lseen
 .Lpositive:
 	head	le
+	b	.Lseen
+.Lnegative:
+	head	ge
 
 	/* r6 the least, r4 the most of x and y; then of the centres, by 16 */
 .Lseen:
@@ -197,7 +188,7 @@ soft_list:
 	str	r1, [sp, #SETUP_COLUMNS]
 	ldr	r1, [sp, #FLAGS]
 	cmp	r0, #0
-	eormi	r1, r1, #1 << 24
+	eormi	r1, r1, #1 << 16
 	rsbmi	r0, r0, #0
 	str	r1, [sp, #SETUP_FLAGS]
 	mov	r1, #0
@@ -222,14 +213,13 @@ soft_list:
 
 	/* r3, r12, lr become the vertices */
 	ldr	r8, [sp, #CACHE]
-	ldr	r4, [sp, #PROVOKING]
 	add	r3, r3, r3, lsl #1
 	add	r12, r12, r12, lsl #1
 	add	lr, lr, lr, lsl #1
 	add	lr, r8, lr, lsl #2
 	add	r3, r8, r3, lsl #2
 	add	r12, r8, r12, lsl #2
-	str	lr, [r4]
+	str	lr, [sp, #SETUP_PROVOKING]
 	ldr	r8, [sp, #ATTRIBUTES]
 	cmp	r8, #0
 	beq	.Lshaded
@@ -244,8 +234,6 @@ soft_list:
 	sort	r7, r12, r9, lr
 	sort	r5, r3, r7, r12
 	stm	sp, {r3, r12, lr}
-	add	r0, sp, #SETUP_XY
-	stm	r0, {r5, r7, r9}
 	add	r7, r7, #7 << 16
 	mov	r7, r7, lsr #20
 	str	r7, [sp, #SETUP_MIDDLE]
@@ -275,6 +263,9 @@ soft_list:
 	cmp	r3, r12
 	cmpne	r3, lr
 	cmpne	r12, lr
+	cmnne	r4, #2
+	cmnne	r6, #2
+	cmnne	r8, #2
 	beq	.Lapart
 	stm	sp, {r3, r12, lr}
 	load_corner 0, r4, r5
@@ -289,7 +280,7 @@ soft_list:
 .Lother:
 	str	r2, [sp, #INDEX]
 
-	/* one lies outside of the clip volume, or two share a slot */
+	/* a slot's vertex lies outside of the clip volume, or two share a slot */
 .Lapart:
 	ldr	r1, [sp, #SOURCE]
 	ldr	r2, [sp, #INDEX]

@@ -1,13 +1,27 @@
 /*
- * fill_narrow.c's draw_rows() for ARMv6: the same bytes. A row costs 15
- * instructions, a pixel 9, whether it is seen or not.
+ * fill_narrow.c's soft_narrow_rows_c() for ARMv6: the same bytes. A row costs 15
+ * instructions, a pixel 9, whether it is seen or not. Offsets are those of struct
+ * narrow.
  */
-#include "platform/gl/soft/arm/narrow.h"
-
 	.syntax unified
 	.arch armv6
 	.arm
 	.text
+
+#define DOWN 20
+#define MIDDLE_LEFT 60
+#define RED 72
+#define GREEN 80
+#define BLUE 88
+#define COLUMN 96
+
+/* the stack, from what a row adds to r0, r4, r5, r10 and r11 */
+#define LEFT_STEP 12
+#define RIGHT_STEP 16
+#define END 20  /* r0 after the rows under way */
+#define REST 24 /* rows of the part after those, and of the chunk */
+#define MORE 32 /* rows of the next part */
+#define NARROW 40
 
 #define COLUMNS 24
 
@@ -38,19 +52,31 @@
 	strhlo	lr, [r1, r9]
 	.endm
 
-/* r2 rows, of 1 or more; leaves all at the row after them. */
+/*
+ * r0 the row's depths, r4 z, r5 the packed colour, r6 and r7 what these grow by
+ * with a pixel, r8 WIDE_MASK, r9 from behind a depth to its pixel, r10 the left
+ * edge, r11 the right one.
+ */
 	.global	soft_narrow_rows
 	.type	soft_narrow_rows, %function
 soft_narrow_rows:
-	str	lr, [sp, #RETURN]
-	ldr	r3, [sp, #CHUNK]
-.Lsegment:
-	cmp	r3, #0
-	beq	.Lafresh
+	push	{r0, r4-r11, lr}
+	add	r8, r0, #DOWN
+	ldm	r0, {r0, r4, r5, r10, r11}
+	ldm	r8!, {r1, r2, r3, r12, lr}
+	sub	sp, sp, #NARROW
+	stm	sp, {r1, r2, r3, r12, lr}
+	ldm	r8, {r6, r7, r9, r12, lr}
+	str	r12, [sp, #MORE]
+	ldr	r8, =0x07E0F81F
+	add	r10, r10, #24 << 16
+	movs	r2, lr
+	mov	r3, #8
+	beq	.Lturn
 .Lrows:	cmp	r2, r3
 	movle	r12, r2
 	movgt	r12, r3
-	ldr	r1, [sp, #STRIDE]
+	ldr	r1, [sp]
 	sub	r2, r2, r12
 	sub	r3, r3, r12
 	strd	r2, [sp, #REST]
@@ -61,7 +87,7 @@ soft_narrow_rows:
 	mla	r2, lr, r6, r4
 	add	r1, r0, lr, lsl #1
 	mla	r3, lr, r7, r5
-	ldrh	r12, [r1]
+	ldrh	r12, [r1, #-48]!
 	sub	lr, lr, r11, asr #16
 	cmp	lr, #COLUMNS - 1
 	addls	lr, lr, lr, lsl #3
@@ -83,32 +109,54 @@ soft_narrow_rows:
 
 	ldrd	r2, [sp, #REST]
 	cmp	r2, #0
-	bne	.Lsegment
-	ldr	pc, [sp, #RETURN]
+	beq	.Lturn
+.Lsegment:
+	cmp	r3, #0
+	bne	.Lrows
 
 	/* The colour of this row, where the last one was 8 rows above. */
-.Lafresh:
-	ldr	r1, [sp, #RED]
-	ldr	r3, [sp, #RED + 4]
-	ldr	r12, [sp, #GREEN]
-	ldr	lr, [sp, #GREEN + 4]
-	add	r1, r1, r3, lsl #2
-	str	r1, [sp, #RED]
-	ldr	r3, [sp, #BLUE]
-	ldr	r5, [sp, #BLUE + 4]
-	add	r12, r12, lr, lsl #2
-	str	r12, [sp, #GREEN]
+	ldr	r1, [sp, #NARROW]
+	ldr	r3, [r1, #RED]
+	ldr	r5, [r1, #RED + 4]
+	ldr	r12, [r1, #GREEN]
+	ldr	lr, [r1, #GREEN + 4]
 	add	r3, r3, r5, lsl #2
-	str	r3, [sp, #BLUE]
-	mov	r1, r1, asr #12
+	str	r3, [r1, #RED]
+	ldr	r5, [r1, #BLUE]
+	add	r12, r12, lr, lsl #2
+	ldr	lr, [r1, #BLUE + 4]
+	str	r12, [r1, #GREEN]
+	mov	r3, r3, asr #12
+	add	r5, r5, lr, lsl #2
+	str	r5, [r1, #BLUE]
+	ldr	lr, [r1, #COLUMN]
+	mov	r5, r5, asr #13
 	mov	r12, r12, asr #12
-	mov	r3, r3, asr #13
-	ldr	lr, [sp, #COLUMN]
-	add	r3, r3, r1, lsl #10
-	add	r3, r3, r12, lsl #21
-	mla	r5, r7, lr, r3
+	add	r5, r5, r3, lsl #10
+	mul	lr, r7, lr
+	add	r5, r5, r12, lsl #21
+	sub	r5, r5, lr
 	mov	r3, #8
 	b	.Lrows
+
+	/* From the middle corner on another edge is the left one, or the right. */
+.Lturn:
+	ldr	r2, [sp, #MORE]
+	cmp	r2, #0
+	beq	.Ldone
+	ldr	r12, [sp, #NARROW]
+	mov	r1, #0
+	str	r1, [sp, #MORE]
+	add	r12, r12, #MIDDLE_LEFT
+	ldm	r12, {r1, r12, lr}
+	cmp	r1, #0
+	addne	r10, r12, #24 << 16
+	strne	lr, [sp, #LEFT_STEP]
+	moveq	r11, r12
+	streq	lr, [sp, #RIGHT_STEP]
+	b	.Lsegment
+.Ldone:	add	sp, sp, #NARROW + 4
+	pop	{r4-r11, pc}
 	.size	soft_narrow_rows, . - soft_narrow_rows
 
 	.section .note.GNU-stack, "", %progbits

@@ -92,7 +92,7 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 	part.stencil_stride = buffers->width;
 	part.pixels = buffers->target.data + top * part.stride_bytes;
 	part.stencil = buffers->stencil + top * part.stencil_stride;
-	if (setup->inside && !setup->wide) {
+	if (setup->inside) {
 		frame_draw_bands(draw, setup, frame_is_middle_left(setup),
 			&part.edges, draw_rows, &part);
 		return;

@@ -108,11 +108,11 @@ static void mix_row(uint16_t *pixel, const uint8_t *texel, int count,
 	uint32_t wide_color, uint32_t share)
 {
 	for (int i = 0; i < count; i++) {
-		uint32_t alpha = ((texel[i] + 4u) >> 3) * share >> 5;
+		uint32_t alpha = (texel[i] + 4u) >> 3;
 
 		if (alpha) {
-			pixel[i] = narrow(
-				mix_wide(widen(pixel[i]), wide_color, alpha));
+			pixel[i] = narrow(mix_wide(widen(pixel[i]), wide_color,
+				alpha * share >> 5));
 		}
 	}
 }

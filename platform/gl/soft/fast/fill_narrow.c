@@ -1,40 +1,13 @@
 /*
  * Opaque triangles without a texture in a few columns: most of a character's.
  * Set up in 32 bits, with rows and colours that run as one number.
- *
- * arm/narrow.S does the same, and leaves the same bytes.
  */
-#include "platform/gl/soft/fast/band.h"
+#include "platform/gl/soft/fast/narrow.h"
+
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/rows.h"
-
-enum {
-	/*
-	 * The packed colour's steps are off by a 64th of a step of RGB565 at
-	 * most, and it is taken afresh after so many rows: it stays within
-	 * half a step for up to so many columns (one more by rounding).
-	 */
-	CHUNK_ROWS = 8,
-	NARROW_COLUMNS = 23,
-};
-
-/* A colour's channel, times 31/32 or 63/64: in 8.15 and 8.16 bits. */
-struct channel {
-	int32_t start, down;
-};
-
-struct narrow {
-	uintptr_t depth, pixel; /* addresses of column 0 */
-	uintptr_t stride_bytes; /* of both */
-	struct band_edges edges;
-	uint32_t z, z_right, z_down;
-	uint32_t packed, packed_right,
-		packed_down;       /* 6.5 green, 5.6 red, 5.5 blue */
-	struct channel channel[3]; /* where packed was taken from last */
-	int column;
-	int chunk; /* rows until it is taken afresh */
-};
+#include "platform/gl/soft/span/halves.h"
 
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
 {
@@ -53,7 +26,8 @@ bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
 }
 
 /* Mostly w differs so little that all colours run linearly. */
-static bool runs_linearly(const struct draw *draw, const struct setup *setup)
+static ALWAYS_INLINE bool runs_linearly(
+	const struct draw *draw, const struct setup *setup)
 {
 	int32_t w = setup->v[0]->clip[3];
 	int32_t d1 = setup->v[1]->clip[3] - w, d2 = setup->v[2]->clip[3] - w;
@@ -64,154 +38,214 @@ static bool runs_linearly(const struct draw *draw, const struct setup *setup)
 		soft_fill_is_linear(draw, setup);
 }
 
-static void set_depth(struct narrow *narrow, const struct setup *setup,
-	const struct frame *frame)
-{
-	const struct plane z = frame_find_depth(frame, setup);
-
-	narrow->z = z.start;
-	narrow->z_right = (uint32_t)z.dx;
-	narrow->z_down = (uint32_t)z.dy;
-}
-
-/* value * offset / 2 of sixteenths. */
-static uint32_t move_half(int32_t value, int32_t offset)
-{
-	return (uint32_t)(int32_t)((int64_t)value * (offset * 2048) >> 16);
-}
-
 /* Six or five bits of RGB565, and so many less of fraction than 8.16 have. */
-static int32_t round_off(int32_t value, int bits)
+static ALWAYS_INLINE uint32_t round_off(uint32_t value, int bits)
 {
-	return (int32_t)((uint32_t)value + (1u << (bits - 1))) >> bits;
+	return (uint32_t)((int32_t)(value + (1u << (bits - 1))) >> bits);
 }
+
+/* What the channels are found from: struct frame's, in halves of words. */
+struct corners {
+	uint32_t x,
+		y; /* of the second vertex from the first, and of the third */
+	int32_t off_x, off_y; /* times 2^11 */
+	int32_t inverse;
+	int shift;
+};
 
 /*
  * Deltas lose their lowest bit to fit 16; bits are those of five or six of
  * the colour, cut those that packing cuts.
  */
 static ALWAYS_INLINE void add_channel(struct narrow *narrow,
-	const struct setup *setup, const struct frame *frame, int name,
+	const struct setup *setup, const struct corners *corners, int name,
 	int bits, int cut, int place)
 {
-	int32_t first = setup->v[0]->attribute[name];
-	int32_t d1 = (setup->v[1]->attribute[name] - first) >> 1;
-	int32_t d2 = (setup->v[2]->attribute[name] - first) >> 1;
-	int32_t inverse = frame->inverse - (frame->inverse >> bits);
-	int32_t right =
-		shift_by(mul_high(frame_find_right(frame, d1, d2), inverse),
-			frame->shift + 1);
-	int32_t down =
-		shift_by(mul_high(frame_find_down(frame, d1, d2), inverse),
-			frame->shift + 1);
+	const int32_t first = setup->v[0]->attribute[name];
+	const int32_t d1 = setup->v[1]->attribute[name] - first;
+	const int32_t d2 = setup->v[2]->attribute[name] - first;
+	const uint32_t d = LOWER_HALVES(d1 >> 1, d2 >> 1);
+	const int32_t inverse = corners->inverse - (corners->inverse >> bits);
+	const uint32_t right =
+		(uint32_t)mul_high(cross_halves(d, corners->y), inverse)
+		<< (corners->shift + 1);
+	const uint32_t down =
+		(uint32_t)mul_high(cross_halves(corners->x, d), inverse)
+		<< (corners->shift + 1);
 	/* half a step of RGB565, and half of what is cut */
-	uint32_t round = (1u << (22 - bits)) + (1u << (cut - 2));
+	const int32_t round = (1 << (22 - bits)) + (1 << (cut - 2));
+	int32_t start = round + ((first << 7) - (first << (7 - bits)));
 
-	narrow->channel[name].start = (int32_t)(round +
-		(uint32_t)((first << 7) - (first << (7 - bits))) +
-		move_half(right, frame->off_x) + move_half(down, frame->off_y));
-	narrow->channel[name].down = down;
-	narrow->packed_right += (uint32_t)round_off(right, cut) << place;
-	narrow->packed_down += (uint32_t)round_off(down, cut) << place;
+	start = MULTIPLY_ADD_HALF(start, (int32_t)right, corners->off_x);
+	start = MULTIPLY_ADD_HALF(start, (int32_t)down, corners->off_y);
+	narrow->channel[name] = (struct narrow_channel){start, (int32_t)down};
+	narrow->packed_right += round_off(right, cut) << place;
+	narrow->down.packed += round_off(down, cut) << place;
 }
 
-static void pack(struct narrow *narrow)
+static ALWAYS_INLINE uint32_t pack(const struct narrow *narrow)
 {
-	const struct channel *channel = narrow->channel;
+	const struct narrow_channel *channel = narrow->channel;
 
-	narrow->packed = ((uint32_t)(channel[GREEN].start >> 12) << 21) +
+	return ((uint32_t)(channel[GREEN].start >> 12) << 21) +
 		((uint32_t)(channel[RED].start >> 12) << 10) +
 		(uint32_t)(channel[BLUE].start >> 13) -
 		narrow->packed_right * (uint32_t)narrow->column;
-	narrow->chunk = CHUNK_ROWS;
 }
 
-/* From the colour of the row that packed was taken from to that of this one. */
-static void pack_again(struct narrow *narrow)
+static ALWAYS_INLINE void set_edge(
+	struct narrow *narrow, bool left, struct side side)
 {
-	for (int i = 0; i < 3; i++) {
-		narrow->channel[i].start =
-			(int32_t)((uint32_t)narrow->channel[i].start +
-				(uint32_t)narrow->channel[i].down *
-					(CHUNK_ROWS / 2));
+	if (left) {
+		narrow->row.left = (uint32_t)side.x;
+		narrow->down.left = (uint32_t)side.step;
+	} else {
+		narrow->row.right = (uint32_t)side.x;
+		narrow->down.right = (uint32_t)side.step;
 	}
-	pack(narrow);
+}
+
+static ALWAYS_INLINE void set_edges(const struct draw *draw,
+	const struct setup *setup, bool middle_left, struct narrow *narrow)
+{
+	const struct vertex *const *v = setup->v;
+	const int32_t *inverse = draw->inverse_q31;
+
+	OPAQUE(inverse); /* else it is found from draw for each side */
+	narrow->rows = setup->middle - setup->top;
+	narrow->more = setup->bottom - setup->middle;
+	narrow->middle_left = middle_left;
+	set_edge(narrow, !middle_left, frame_find_side(inverse, v[0], v[2]));
+	if (narrow->rows > 0) {
+		set_edge(narrow, middle_left,
+			frame_find_side(inverse, v[0], v[1]));
+	}
+	if (narrow->more > 0) {
+		narrow->lower = frame_find_side(inverse, v[1], v[2]);
+	}
+}
+
+static ALWAYS_INLINE void set_depth(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame,
+	struct narrow *narrow)
+{
+	const struct vertex *const *v = setup->v;
+	const struct run z = frame_find_run(
+		frame, v[0]->z, v[1]->z - v[0]->z, v[2]->z - v[0]->z);
+
+	narrow->z_right = (uint32_t)z.right << 6;
+	narrow->down.z = (uint32_t)z.down << 6;
+	narrow->row.z = ((uint32_t)z.start << 6) -
+		narrow->z_right * (uint32_t)narrow->column;
+	narrow->down.depth = draw->fast_setup.stride_bytes;
+	narrow->row.depth = draw->fast_setup.depth +
+		(uintptr_t)setup->top * narrow->down.depth;
+	narrow->pixels = draw->fast_setup.pixels;
+}
+
+static ALWAYS_INLINE bool begin(const struct draw *draw,
+	const struct setup *setup, struct narrow *narrow)
+{
+	struct frame frame;
+	struct corners corners;
+
+	if (!setup->inside || setup->columns > NARROW_COLUMNS ||
+		!runs_linearly(draw, setup)) {
+		return false;
+	}
+	frame_find(setup, &frame);
+	set_edges(draw, setup, frame.middle_left, narrow);
+	narrow->column = frame.column + NARROW_LEFT;
+	set_depth(draw, setup, &frame, narrow);
+	corners = (struct corners){
+		.x = LOWER_HALVES(frame.x1, -frame.less_x2),
+		.y = LOWER_HALVES(-frame.less_y1, frame.y2),
+		.off_x = frame.off_x * 2048,
+		.off_y = frame.off_y * 2048,
+		.inverse = frame.inverse,
+		.shift = frame.shift,
+	};
+	narrow->packed_right = narrow->down.packed = 0;
+	add_channel(narrow, setup, &corners, BLUE, 5, 14, 0);
+	add_channel(narrow, setup, &corners, RED, 5, 13, 10);
+	add_channel(narrow, setup, &corners, GREEN, 6, 13, 21);
+	narrow->row.packed = pack(narrow);
+	return true;
+}
+
+bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
+	struct narrow *narrow)
+{
+	return begin(draw, setup, narrow);
 }
 
 /* Green is in 31..21, red in 20..10, blue in 9..0. */
-static ALWAYS_INLINE uint16_t unpack(uint32_t packed)
+static uint16_t unpack(uint32_t packed)
 {
-	uint32_t wide = (packed >> 5 | packed << 27) & WIDE_MASK;
-
-	return narrow(wide);
+	return narrow((packed >> 5 | packed << 27) & WIDE_MASK);
 }
 
-static void draw_row(const struct narrow *narrow, int left, int right)
+static void draw_row(const struct narrow *narrow)
 {
-	uint16_t *depth = (uint16_t *)narrow->depth;
-	uint16_t *pixel = (uint16_t *)narrow->pixel;
-	uint32_t z = narrow->z + narrow->z_right * (uint32_t)left;
-	uint32_t packed = narrow->packed + narrow->packed_right * (uint32_t)left;
+	const struct narrow_row *row = &narrow->row;
+	const int left = ((int32_t)row->left >> 16) + NARROW_LEFT;
+	const int right = ((int32_t)row->right >> 16) + NARROW_LEFT;
+	uint16_t *depth =
+		(uint16_t *)(row->depth + 2 * (uintptr_t)(left - NARROW_LEFT));
+	uint32_t z = row->z + narrow->z_right * (uint32_t)left;
+	uint32_t packed = row->packed + narrow->packed_right * (uint32_t)left;
 
-	for (int i = left; i < right; i++) {
-		if (z < (uint32_t)depth[i] << 16) {
-			depth[i] = (uint16_t)(z >> 16);
-			pixel[i] = unpack(packed);
+	for (int i = left; i < right; i++, depth++) {
+		if (z < (uint32_t)*depth << 16) {
+			*depth = (uint16_t)(z >> 16);
+			*(uint16_t *)((uintptr_t)(depth + 1) + narrow->pixels) =
+				unpack(packed);
 		}
 		z += narrow->z_right;
 		packed += narrow->packed_right;
 	}
 }
 
-static void draw_rows(void *band)
+/* From the colour of the row that packed was taken from to that of this one. */
+static void pack_again(struct narrow *narrow)
 {
-	struct narrow *narrow = band;
+	for (int i = 0; i < 3; i++) {
+		struct narrow_channel *channel = &narrow->channel[i];
 
-	for (; narrow->edges.rows > 0; band_next_row(&narrow->edges)) {
-		if (narrow->chunk == 0) {
+		channel->start = (int32_t)((uint32_t)channel->start +
+			(uint32_t)channel->down * (NARROW_CHUNK / 2));
+	}
+	narrow->row.packed = pack(narrow);
+}
+
+void soft_narrow_rows_c(struct narrow *narrow)
+{
+	struct narrow_row *row = &narrow->row, *down = &narrow->down;
+	const int rows = narrow->rows + narrow->more;
+
+	for (int y = 0; y < rows; y++) {
+		if (y == narrow->rows) {
+			set_edge(narrow, narrow->middle_left, narrow->lower);
+		}
+		if (y > 0 && y % NARROW_CHUNK == 0) {
 			pack_again(narrow);
 		}
-		draw_row(narrow, band_column(&narrow->edges, BAND_LEFT),
-			band_column(&narrow->edges, BAND_RIGHT));
-		narrow->depth += narrow->stride_bytes;
-		narrow->pixel += narrow->stride_bytes;
-		narrow->z += narrow->z_down;
-		narrow->packed += narrow->packed_down;
-		narrow->chunk--;
+		draw_row(narrow);
+		row->depth += down->depth;
+		row->z += down->z;
+		row->packed += down->packed;
+		row->left += down->left;
+		row->right += down->right;
 	}
 }
 
-static void set_up(const struct draw *draw, const struct setup *setup,
-	const struct frame *frame, struct narrow *narrow)
-{
-	const struct fast_setup *fast_setup = &draw->fast_setup;
-
-	*narrow = (struct narrow){
-		.depth = fast_setup->depth +
-			(uintptr_t)setup->top * fast_setup->stride_bytes,
-		.stride_bytes = fast_setup->stride_bytes,
-		.column = frame->column,
-	};
-	narrow->pixel = narrow->depth + 2 + fast_setup->pixels;
-	set_depth(narrow, setup, frame);
-	add_channel(narrow, setup, frame, RED, 5, 13, 10);
-	add_channel(narrow, setup, frame, GREEN, 6, 13, 21);
-	add_channel(narrow, setup, frame, BLUE, 5, 14, 0);
-	pack(narrow);
-}
-
-void soft_fill_narrow_c(struct draw *draw, struct setup *setup)
+void soft_fill_narrow(struct draw *draw, struct setup *setup)
 {
 	struct narrow narrow;
-	struct frame frame;
 
-	if (!setup->fast_setup || setup->columns > NARROW_COLUMNS ||
-		!runs_linearly(draw, setup)) {
+	if (begin(draw, setup, &narrow)) {
+		soft_narrow_rows(&narrow);
+	} else {
 		soft_rows_fill(draw, setup);
-		return;
 	}
-	frame_find(setup, &frame);
-	set_up(draw, setup, &frame, &narrow);
-	raster_draw_bands(draw, setup, frame.middle_left, &narrow.edges,
-		draw_rows, &narrow);
 }

@@ -205,7 +205,7 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 	uint32_t most = in_s > in_t ? in_s : in_t;
 	struct perspective perspective;
 
-	if (most >= SMALL_DELTA || !draw->fast_setup.perspective) {
+	if (most >= SMALL_DELTA || !draw->perspective) {
 		return most >= SMALL_DELTA;
 	}
 	perspective = raster_find_perspective(setup);

@@ -1,5 +1,5 @@
 /* For machines without the assembly of arm/: C alone, and lists one by one. */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/fast/narrow.h"
 #include "platform/gl/soft/vertex/cache.h"
 
 void soft_list(struct draw *draw, const struct source *source)
@@ -9,9 +9,9 @@ void soft_list(struct draw *draw, const struct source *source)
 	}
 }
 
-void soft_fill_narrow(struct draw *draw, struct setup *setup)
+void soft_narrow_rows(struct narrow *narrow)
 {
-	soft_fill_narrow_c(draw, setup);
+	soft_narrow_rows_c(narrow);
 }
 
 void soft_band_gray(struct band *band)

@@ -247,7 +247,7 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 
 	if (draw->soft->fragment.flat && draw->attributes) {
 		/* What copies of the corners take is about another one. */
-		counts->shaded += 1 + is_new(draw, draw->provoking);
+		counts->shaded += 1 + is_new(draw, setup->provoking);
 	} else {
 		for (int i = 0; i < 3 && draw->attributes; i++) {
 			counts->shaded += is_new(draw, setup->v[i]);

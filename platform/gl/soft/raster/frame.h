@@ -118,13 +118,15 @@ static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 	return (uint32_t)((high > 0 ? high : 0) - (low < 0 ? low : 0));
 }
 
-/* raster_side() of a triangle whose first row is shown; rounded up. */
-static ALWAYS_INLINE struct side frame_find_side(
-	const struct draw *draw, const struct vertex *a, const struct vertex *b)
+/*
+ * raster_side() of a triangle whose first row is shown; rounded up.
+ * inverse_q31 is struct draw's.
+ */
+static ALWAYS_INLINE struct side frame_find_side(const int32_t *inverse_q31,
+	const struct vertex *a, const struct vertex *b)
 {
 	int32_t dy = b->y - a->y;
-	int32_t step =
-		mul_high((b->x - a->x) * (1 << 17), draw->inverse_q31[dy]);
+	int32_t step = mul_high((b->x - a->x) * (1 << 17), inverse_q31[dy]);
 
 	return (struct side){
 		a->x * (1 << 12) + (step >> 4) * ((8 - a->y) & 15) + 0x7FFF,
@@ -144,18 +146,22 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	void (*function)(void *band), void *band)
 {
 	const struct vertex *const *v = setup->v;
+	const int32_t *inverse = draw->inverse_q31;
 	const int part = middle_left ? BAND_LEFT : BAND_RIGHT;
 	const int upper = setup->middle - setup->top;
 	const int lower = setup->bottom - setup->middle;
 
-	frame_set_edge(edges, !part, frame_find_side(draw, v[0], v[2]));
+	OPAQUE(inverse); /* else it is found from draw for each side */
+	frame_set_edge(edges, !part, frame_find_side(inverse, v[0], v[2]));
 	if (upper > 0) {
-		frame_set_edge(edges, part, frame_find_side(draw, v[0], v[1]));
+		frame_set_edge(
+			edges, part, frame_find_side(inverse, v[0], v[1]));
 		edges->rows = upper;
 		function(band);
 	}
 	if (lower > 0) {
-		frame_set_edge(edges, part, frame_find_side(draw, v[1], v[2]));
+		frame_set_edge(
+			edges, part, frame_find_side(inverse, v[1], v[2]));
 		edges->rows = lower;
 		function(band);
 	}

@@ -22,20 +22,19 @@ enum {
 
 /*
  * A triangle on its way to the rows: its vertices by y, those of one row by x,
- * and its rows. Offsets on ARM are known to arm/narrow.S.
+ * and its rows. arm/list.S fills it, too.
  */
 struct setup {
-	const struct vertex *v[3]; /* 0 */
-	uint32_t xy[3];            /* 12: of struct cache_tag, if fast_setup */
-	int top, middle, bottom;   /* 24 */
-	int columns;               /* 36: how many can be covered */
-	int32_t extent; /* 40: how wide or high it is, in sixteenths */
-	/* 44: all of it lies in draw->box with a pixel to spare at the sides */
+	const struct vertex *v[3];
+	struct vertex *provoking; /* whose colour is flat */
+	int top, middle, bottom;
+	int columns;    /* how many can be covered */
+	int32_t extent; /* how wide or high it is, in sixteenths */
+	/* not wide, and in draw->box with a pixel to spare at the sides */
 	bool inside;
-	bool wide;       /* extent > SMALL_EXTENT */
-	bool fast_setup; /* inside, not wide, with xy */
+	bool wide; /* extent > SMALL_EXTENT */
 	bool back;
-	_Alignas(8) uint64_t area; /* 48: twice of it, in 1/256 of pixels */
+	_Alignas(8) uint64_t area; /* twice of it, in 1/256 of pixels */
 	bool middle_left;          /* of struct frame */
 };
 
@@ -264,8 +263,6 @@ void soft_fill_textured(struct draw *draw, struct setup *setup);
 void soft_fill_textured_begin(struct draw *draw);
 
 /* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
-void soft_fill_narrow_c(struct draw *draw, struct setup *setup);
-/* arm/narrow.S or portable/triangles.c: the same. */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
 /* Whether colours run linearly, to a step of 255. */
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);

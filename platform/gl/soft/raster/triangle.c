@@ -54,21 +54,12 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 	setup->columns = raster_centre(right) - raster_centre(left);
 	setup->extent = width > height ? width : height;
 	setup->wide = setup->extent > SMALL_EXTENT;
-	setup->inside = draw->same_stride && setup->top >= box->top &&
-		setup->bottom <= box->bottom &&
+	setup->inside = draw->same_stride && !setup->wide &&
+		setup->top >= box->top && setup->bottom <= box->bottom &&
 		raster_centre(left) > box->left &&
 		raster_centre(right) < box->right;
 	return setup->top < setup->bottom && setup->top < box->bottom &&
 		setup->bottom > box->top && setup->columns > 0;
-}
-
-/* Where their numbers fit, setup->xy is there too. */
-static void pack_corners(const struct draw *draw, struct setup *setup)
-{
-	setup->fast_setup = draw->packed && setup->inside && !setup->wide;
-	for (int i = 0; i < 3 && setup->fast_setup; i++) {
-		setup->xy[i] = vertex_xy(setup->v[i]);
-	}
 }
 
 /* Twice the area in sixteenths squared; rarely more than 32 bits. */
@@ -81,7 +72,8 @@ static int64_t find_area(
 
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 {
-	struct setup setup = {.v = {v[0], v[1], v[2]}};
+	struct setup setup = {
+		.v = {v[0], v[1], v[2]}, .provoking = draw->provoking};
 	int64_t area = find_area(v[0], v[1], v[2]);
 	bool clockwise = area > 0; /* y runs downwards here */
 
@@ -93,7 +85,6 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 	if (!find_extent(draw, &setup)) {
 		return;
 	}
-	pack_corners(draw, &setup);
 	for (int i = 0; i < 3; i++) {
 		if (!v[i]->shaded && draw->fast_setup.attributes) {
 			soft_shade(draw, v[i]);
@@ -126,7 +117,7 @@ static uint32_t pack_pixels(int x, int y)
  */
 static void fill_in_one_color(struct draw *draw, struct setup *setup)
 {
-	struct vertex *from = draw->provoking;
+	struct vertex *from = setup->provoking;
 
 	soft_shade(draw, from);
 	for (int i = 0; i < 3; i++) {
@@ -158,7 +149,6 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.fill = flat ? fill_in_one_color : draw->fill,
 		.place = draw->place,
 		.cache = draw->cache,
-		.inverse = draw->inverse_q31,
 		.cull_side = clockwise_culled ? UINT32_MAX : 0,
 		.cull_mask = draw->cull_front || draw->cull_back ? 1u << 31 : 0,
 		.depth = (uintptr_t)buffers->depth,
@@ -166,7 +156,6 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.pixels = (uintptr_t)buffers->target.data -
 			(uintptr_t)buffers->depth - 2,
 		.attributes = flat ? 0 : draw->attributes,
-		.perspective = draw->perspective,
 		.back_flip = draw->front_is_ccw,
 	};
 	/* Nothing is inside of an empty box. */

@@ -39,6 +39,15 @@ static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
 	return halves;
 }
 #define UPPER_HALVES(a, b) soft_upper_halves((int32_t)(a), (int32_t)(b))
+/* The lower half of a, and that of b above it */
+static inline uint32_t soft_lower_halves(int32_t a, int32_t b)
+{
+	uint32_t halves;
+
+	__asm__("pkhbt %0, %1, %2, lsl #16" : "=r"(halves) : "r"(a), "r"(b));
+	return halves;
+}
+#define LOWER_HALVES(a, b) soft_lower_halves((int32_t)(a), (int32_t)(b))
 /* Found where it is wanted, not kept in a register from before */
 static inline uint32_t soft_upper_half(uint32_t word)
 {
@@ -130,6 +139,7 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	((uint32_t)LIMIT_TO_BITS((word) >> (shift), bits))
 #define KEEP_IN_MEMORY(object)    ((void)0)
 #define UPPER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
+#define LOWER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF) | (uint32_t)(b) << 16)
 #define HALVES_ADD_LIMITED(a, b)  soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)          soft_halves_sum(a, b)
 #define HALVES_SUM_ADD(a, b, sum) (soft_halves_sum(a, b) + (sum))

@@ -67,8 +67,8 @@ enum {
 
 /*
  * Three cache lines: what every triangle wants, what textured ones want
- * besides, and what clipping and two sides want. arm/vertex.S and
- * arm/narrow.S know the offsets.
+ * besides, and what clipping and two sides want. arm/vertex.S knows the
+ * offsets.
  */
 struct vertex {
 	_Alignas(32) uint8_t w_zeros;
@@ -211,27 +211,21 @@ struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
-/*
- * What rejects triangles, and sets small ones up, in one place. Offsets are
- * known to arm/narrow.S.
- */
+/* What rejects triangles, and sets small ones up, in one place; for arm/list.S. */
 struct fast_setup {
-	fill_function fill;      /* 0 */
-	struct cache_tag *place; /* 4 */
-	struct vertex *cache;    /* 8 */
-	const int32_t *inverse;  /* 12: draw->inverse_q31 */
+	fill_function fill;
+	struct cache_tag *place;
+	struct vertex *cache;
 	/* positive areas are clockwise as they are seen */
-	_Alignas(8) uint32_t cull_side; /* 16: all ones: of negative areas */
-	uint32_t cull_mask;             /* 20: the sign's bit, or 0 for none */
+	_Alignas(8) uint32_t cull_side; /* all ones: of negative areas */
+	uint32_t cull_mask;             /* the sign's bit, or 0 for none */
 	/* draw->box, as struct cache_tag has xy, a column narrower at both sides */
-	uint32_t box_low;       /* 24 */
-	uint32_t box_high;      /* 28 */
-	uintptr_t depth;        /* 32: of column and row 0 */
-	uintptr_t stride_bytes; /* 36 */
-	uintptr_t pixels;       /* 40: from behind a depth to its pixel */
-	uint32_t attributes;    /* 44: 0 where no vertex is shaded */
-	uint32_t perspective;   /* 48 */
-	uint32_t back_flip; /* 52: 1 where positive areas are back, else 0 */
+	uint32_t box_low, box_high;
+	uintptr_t depth; /* of column and row 0 */
+	uintptr_t stride_bytes;
+	uintptr_t pixels;    /* from behind a depth to its pixel */
+	uint32_t attributes; /* 0 where no vertex is shaded */
+	uint32_t back_flip;  /* 1 where positive areas are back, else 0 */
 };
 
 /* What counts.c remembers of a call. */

@@ -10,7 +10,8 @@
 #include "platform/base/compiler.h"
 
 /* 2^38 / (512 + 2 i + 1): the middle of each 256th of 0.5..1, in Q29. */
-extern const uint16_t soft_reciprocal_table[256];
+extern const uint16_t soft_reciprocal_table[256]
+	__attribute__((visibility("hidden")));
 
 /* The upper half of the product; rounds down. */
 static inline int32_t mul_high(int32_t a, int32_t b)

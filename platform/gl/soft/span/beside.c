@@ -7,20 +7,17 @@
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 
-/* Which depths the runs of a call are drawn with. */
-enum depths {
-	COPIED, /* those that are there, which the function tests */
-	TESTED, /* 65535 where a fragment passes all tests, else 0 */
-	LAST,   /* 65535: an alpha test comes before the stencil's */
-	ANY,    /* not set: nothing is tested, or asked afterwards */
-};
-
-/* The runs of one call, drawn with depths beside the buffer. */
+/*
+ * The runs of one call, drawn with depths beside the buffer: copies, if the
+ * function tests them; else 65535 where a fragment passes all tests, and 0; or
+ * 65535 where the tests come last.
+ */
 struct batch {
 	struct draw *draw;
 	const struct soft_row *from; /* as they are */
 	uint32_t count;
-	enum depths depths;
+	bool copied;
+	bool last;   /* an alpha test comes before the stencil's */
 	bool marked; /* which fragments are drawn has to be known */
 	struct soft_row row[SOFT_BATCH_RUNS]; /* as the function gets them */
 	/* Depths that differ afterwards are those of fragments that are drawn. */
@@ -48,24 +45,19 @@ static struct soft_tested find_tested(
 static bool set_aside(const struct batch *batch, const struct soft_row *from,
 	struct soft_row *row)
 {
-	struct soft_tested tested;
+	const struct soft_tested tested = find_tested(batch->draw, from);
 
-	switch (batch->depths) {
-	case COPIED:
+	if (batch->copied) {
 		memcpy(row->depth, from->depth, row->count * 2);
 		return true;
-	case LAST:
-		row->z = 0;
+	}
+	row->z = 0;
+	/* Where nothing is tested all depths do. */
+	if (batch->last || batch->draw->spans.untested) {
 		memset(row->depth, 0xFF, row->count * 2);
 		return true;
-	case ANY:
-		row->z = 0;
-		return true;
-	default:
-		row->z = 0;
-		tested = find_tested(batch->draw, from);
-		return soft_test(batch->draw->soft, &tested, row->depth);
 	}
+	return soft_test(batch->draw->soft, &tested, row->depth);
 }
 
 static bool begin_batch(struct batch *batch)
@@ -111,7 +103,7 @@ static void draw_batch(struct batch *batch, soft_span_function function)
 	const uint32_t z_right = run->z_right;
 
 	run->rows = batch->row;
-	run->z_right = batch->depths == COPIED ? z_right : 0;
+	run->z_right = batch->copied ? z_right : 0;
 	function(run);
 	run->rows = batch->from;
 	run->z_right = z_right;
@@ -149,9 +141,8 @@ static void test_drawn(const struct batch *batch, uint32_t i,
 }
 
 /* Takes the pixels beside the picture that are drawn. */
-static ALWAYS_INLINE void copy_drawn(const struct soft_row *row,
-	const uint8_t *own, const size_t pixel_bytes, const uint16_t *before,
-	const uint16_t *aside)
+static void copy_drawn(const struct soft_row *row, const uint8_t *own,
+	size_t pixel_bytes, const uint16_t *before, const uint16_t *aside)
 {
 	for (uint32_t i = 0; i < row->count; i++) {
 		if (before[i] != aside[i]) {
@@ -184,15 +175,14 @@ static void end_batch(struct batch *batch)
 		const struct soft_row *from = &batch->from[i];
 		const uint8_t *own = batch->row[i].pixel;
 
-		if (batch->depths == LAST) {
+		if (batch->last) {
 			test_drawn(batch, i, before, aside);
 		}
 		if (spans->blended_last) {
 			soft_blend_row(draw, from, own, before, aside);
-		} else if (batch->depths == LAST && spans->pixel_log2 == 1) {
-			copy_drawn(from, own, 2, before, aside);
-		} else if (batch->depths == LAST) {
-			copy_drawn(from, own, 4, before, aside);
+		} else if (batch->last) {
+			copy_drawn(from, own, 1u << spans->pixel_log2, before,
+				aside);
 		}
 		if (spans->depth_written) {
 			write_depths(from, spans->run.z_right, before, aside);
@@ -217,23 +207,18 @@ static NEVER_INLINE void draw_beside(struct draw *draw, enum soft_place place)
 	batch.draw = draw;
 	batch.from = spans->run.rows;
 	batch.count = spans->run.row_count;
-	batch.depths = spans->tested_by_functions         ? COPIED
-		: spans->stenciled && spans->alpha_tested ? LAST
-		: spans->untested && !spans->blended_last ? ANY
-							  : TESTED;
-	batch.marked = batch.depths == LAST || spans->blended_last ||
-		spans->depth_written;
+	batch.copied = spans->tested_by_functions;
+	batch.last = spans->stenciled && spans->alpha_tested;
+	batch.marked = batch.last || spans->blended_last || spans->depth_written;
 	if (!begin_batch(&batch)) {
 		return;
 	}
-	if (batch.depths == LAST || spans->blended_last) {
+	if (batch.last || spans->blended_last) {
 		begin_pixels(&batch);
 	}
 	draw_batch(&batch,
-		batch.depths == COPIED ? testing_functions(spans)[place]
-			: batch.depths == ANY
-			? spans->function[SOFT_LEQUAL + place]
-			: spans->function[place]);
+		batch.copied ? testing_functions(spans)[place]
+			     : spans->function[place]);
 	if (batch.marked) {
 		end_batch(&batch);
 	}

@@ -165,22 +165,17 @@ void soft_set_window(struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
-	const int32_t spare = 1 << (SOFT_TEXEL_FRACTION - 3);
+	const int32_t spare = 1
+		<< (SOFT_TEXEL_FRACTION - (raster->bent ? 0 : 3));
 
 	spans->window = spans->view.window;
 	spans->run.first_texel = spans->run.texels;
-	if (!find_window_part(spans, raster, raster->bent ? 8 * spare : spare) ||
-		cut_part(spans)) {
-		if (!find_window_part(spans, raster, spare)) {
-			spans->part = spans->window;
-			spans->part_texel = spans->run.texels;
-			spans->part_s = spans->part_t = 0;
-			return;
-		}
-		if (cut_part(spans)) {
-			return;
-		}
+	if (!find_window_part(spans, raster, spare)) {
+		spans->part = spans->window;
+		spans->part_texel = spans->run.texels;
+		spans->part_s = spans->part_t = 0;
+	} else if (!cut_part(spans)) {
+		spans->window = spans->part;
+		spans->run.first_texel = spans->part_texel;
 	}
-	spans->window = spans->part;
-	spans->run.first_texel = spans->part_texel;
 }

@@ -167,17 +167,11 @@ static void draw_strip(struct draw *draw, const struct source *source)
 	}
 }
 
-static void draw_triangles(struct draw *draw, const struct source *source)
+static void draw_triangles(
+	struct draw *draw, const struct source *source, bool fan)
 {
-	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
-		soft_draw_triangle(draw, source, i, i + 1, i + 2);
-	}
-}
-
-static void draw_fan(struct draw *draw, const struct source *source)
-{
-	for (uint32_t i = 0; i + 2 < source->count; i++) {
-		soft_draw_triangle(draw, source, 0, i + 1, i + 2);
+	for (uint32_t i = 0; i + 2 < source->count; i += fan ? 1 : 3) {
+		soft_draw_triangle(draw, source, fan ? 0 : i, i + 1, i + 2);
 	}
 }
 
@@ -207,11 +201,9 @@ static void draw_primitives(
 		soft_list(draw, source);
 	} else if (mode == GL_TRIANGLE_STRIP) {
 		draw_strip(draw, source);
-	} else if (mode == GL_TRIANGLE_FAN) {
-		draw_fan(draw, source);
-	} else if (source->indices ||
+	} else if (mode == GL_TRIANGLE_FAN || source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
-		draw_triangles(draw, source);
+		draw_triangles(draw, source, mode == GL_TRIANGLE_FAN);
 	}
 }
 

@@ -13,12 +13,12 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state buffers cache draw fog_state key"
+    "transform and light": "array array_state buffers cache draw fog_state"
     " largest_float light light_state matrix number parameter paths prepare"
     " prepare_light prepare_spans query shade soft state texenv_state"
     " unindexed vertex vertices",
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list narrow raster triangle walk"
+    " fill_texture hidden layout line list raster triangle walk"
     " walk_list",
     "pixels": "band bands beside blend_row combine_rows coverage cut fill level luminance"
     " made mix narrow_rows read rows samplers spans_565 spans_8888 tests"

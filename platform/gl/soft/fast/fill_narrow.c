@@ -25,7 +25,7 @@ bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
 	return !raster_bends(&perspective, most, rows_color_tolerance(draw));
 }
 
-/* Mostly w differs so little that all colours run linearly. */
+/* Mostly w differs by less than a 16th: so all colours run linearly. */
 static ALWAYS_INLINE bool runs_linearly(
 	const struct draw *draw, const struct setup *setup)
 {
@@ -34,7 +34,7 @@ static ALWAYS_INLINE bool runs_linearly(
 
 	d1 = d1 < 0 ? -d1 : d1;
 	d2 = d2 < 0 ? -d2 : d2;
-	return !draw->perspective || d1 + d2 <= w >> 6 ||
+	return !draw->perspective || d1 + d2 <= w >> 5 ||
 		soft_fill_is_linear(draw, setup);
 }
 
@@ -46,8 +46,8 @@ static ALWAYS_INLINE uint32_t round_off(uint32_t value, int bits)
 
 /* What the channels are found from: struct frame's, in halves of words. */
 struct corners {
-	uint32_t x,
-		y; /* of the second vertex from the first, and of the third */
+	/* of the second vertex from the first, and of the third */
+	uint32_t x, y;
 	int32_t off_x, off_y; /* times 2^11 */
 	int32_t inverse;
 	int shift;

@@ -220,7 +220,7 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 	}
 	/* Colours differ by less than 2^16. */
 	return raster_bends(&perspective, most, 0) ||
-		(perspective.w_spread > perspective.w_least >> 6 &&
+		(perspective.w_spread > perspective.w_least >> 4 &&
 			!soft_fill_is_linear(draw, setup));
 }
 

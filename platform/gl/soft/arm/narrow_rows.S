@@ -1,7 +1,6 @@
 /*
- * fill_narrow.c's soft_narrow_rows_c() for ARMv6: the same bytes. A row costs 15
- * instructions, a pixel 9, whether it is seen or not. Offsets are those of struct
- * narrow.
+ * fast/narrow_rows.c for ARMv6: the same bytes. A row costs 15 instructions, a pixel
+ * 9, whether it is seen or not. Offsets are those of struct narrow.
  */
 	.syntax unified
 	.arch armv6

@@ -5,7 +5,6 @@
 #include "platform/gl/soft/fast/narrow.h"
 
 #include "platform/gl/soft/raster/frame.h"
-#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/halves.h"
 
@@ -83,28 +82,6 @@ static ALWAYS_INLINE void add_channel(struct narrow *narrow,
 	narrow->down.packed += round_off(down, cut) << place;
 }
 
-static ALWAYS_INLINE uint32_t pack(const struct narrow *narrow)
-{
-	const struct narrow_channel *channel = narrow->channel;
-
-	return ((uint32_t)(channel[GREEN].start >> 12) << 21) +
-		((uint32_t)(channel[RED].start >> 12) << 10) +
-		(uint32_t)(channel[BLUE].start >> 13) -
-		narrow->packed_right * (uint32_t)narrow->column;
-}
-
-static ALWAYS_INLINE void set_edge(
-	struct narrow *narrow, bool left, struct side side)
-{
-	if (left) {
-		narrow->row.left = (uint32_t)side.x;
-		narrow->down.left = (uint32_t)side.step;
-	} else {
-		narrow->row.right = (uint32_t)side.x;
-		narrow->down.right = (uint32_t)side.step;
-	}
-}
-
 static ALWAYS_INLINE void set_edges(const struct draw *draw,
 	const struct setup *setup, bool middle_left, struct narrow *narrow)
 {
@@ -115,9 +92,10 @@ static ALWAYS_INLINE void set_edges(const struct draw *draw,
 	narrow->rows = setup->middle - setup->top;
 	narrow->more = setup->bottom - setup->middle;
 	narrow->middle_left = middle_left;
-	set_edge(narrow, !middle_left, frame_find_side(inverse, v[0], v[2]));
+	narrow_set_edge(
+		narrow, !middle_left, frame_find_side(inverse, v[0], v[2]));
 	if (narrow->rows > 0) {
-		set_edge(narrow, middle_left,
+		narrow_set_edge(narrow, middle_left,
 			frame_find_side(inverse, v[0], v[1]));
 	}
 	if (narrow->more > 0) {
@@ -169,7 +147,7 @@ static ALWAYS_INLINE bool begin(const struct draw *draw,
 	add_channel(narrow, setup, &corners, BLUE, 5, 14, 0);
 	add_channel(narrow, setup, &corners, RED, 5, 13, 10);
 	add_channel(narrow, setup, &corners, GREEN, 6, 13, 21);
-	narrow->row.packed = pack(narrow);
+	narrow->row.packed = narrow_pack(narrow);
 	return true;
 }
 
@@ -177,66 +155,6 @@ bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
 	struct narrow *narrow)
 {
 	return begin(draw, setup, narrow);
-}
-
-/* Green is in 31..21, red in 20..10, blue in 9..0. */
-static uint16_t unpack(uint32_t packed)
-{
-	return narrow((packed >> 5 | packed << 27) & WIDE_MASK);
-}
-
-static void draw_row(const struct narrow *narrow)
-{
-	const struct narrow_row *row = &narrow->row;
-	const int left = ((int32_t)row->left >> 16) + NARROW_LEFT;
-	const int right = ((int32_t)row->right >> 16) + NARROW_LEFT;
-	uint16_t *depth =
-		(uint16_t *)(row->depth + 2 * (uintptr_t)(left - NARROW_LEFT));
-	uint32_t z = row->z + narrow->z_right * (uint32_t)left;
-	uint32_t packed = row->packed + narrow->packed_right * (uint32_t)left;
-
-	for (int i = left; i < right; i++, depth++) {
-		if (z < (uint32_t)*depth << 16) {
-			*depth = (uint16_t)(z >> 16);
-			*(uint16_t *)((uintptr_t)(depth + 1) + narrow->pixels) =
-				unpack(packed);
-		}
-		z += narrow->z_right;
-		packed += narrow->packed_right;
-	}
-}
-
-/* From the colour of the row that packed was taken from to that of this one. */
-static void pack_again(struct narrow *narrow)
-{
-	for (int i = 0; i < 3; i++) {
-		struct narrow_channel *channel = &narrow->channel[i];
-
-		channel->start = (int32_t)((uint32_t)channel->start +
-			(uint32_t)channel->down * (NARROW_CHUNK / 2));
-	}
-	narrow->row.packed = pack(narrow);
-}
-
-void soft_narrow_rows_c(struct narrow *narrow)
-{
-	struct narrow_row *row = &narrow->row, *down = &narrow->down;
-	const int rows = narrow->rows + narrow->more;
-
-	for (int y = 0; y < rows; y++) {
-		if (y == narrow->rows) {
-			set_edge(narrow, narrow->middle_left, narrow->lower);
-		}
-		if (y > 0 && y % NARROW_CHUNK == 0) {
-			pack_again(narrow);
-		}
-		draw_row(narrow);
-		row->depth += down->depth;
-		row->z += down->z;
-		row->packed += down->packed;
-		row->left += down->left;
-		row->right += down->right;
-	}
 }
 
 void soft_fill_narrow(struct draw *draw, struct setup *setup)

@@ -48,13 +48,36 @@ struct narrow {
 	int32_t column;                   /* 96: the same, see NARROW_LEFT */
 };
 
+/* From the channels. */
+static ALWAYS_INLINE uint32_t narrow_pack(const struct narrow *narrow)
+{
+	const struct narrow_channel *channel = narrow->channel;
+
+	return ((uint32_t)(channel[GREEN].start >> 12) << 21) +
+		((uint32_t)(channel[RED].start >> 12) << 10) +
+		(uint32_t)(channel[BLUE].start >> 13) -
+		narrow->packed_right * (uint32_t)narrow->column;
+}
+
+static ALWAYS_INLINE void narrow_set_edge(
+	struct narrow *narrow, bool left, struct side side)
+{
+	if (left) {
+		narrow->row.left = (uint32_t)side.x;
+		narrow->down.left = (uint32_t)side.step;
+	} else {
+		narrow->row.right = (uint32_t)side.x;
+		narrow->down.right = (uint32_t)side.step;
+	}
+}
+
 /* fill_narrow.c: false where the triangle is not one for these rows. */
 bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
 	struct narrow *narrow);
 
 /* arm/narrow_rows.S or portable/triangles.c: draws all rows; uses narrow up. */
 void soft_narrow_rows(struct narrow *narrow);
-/* fill_narrow.c: the same bytes. */
+/* narrow_rows.c: the same bytes. */
 void soft_narrow_rows_c(struct narrow *narrow);
 
 #endif

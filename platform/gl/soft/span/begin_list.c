@@ -166,8 +166,8 @@ static ALWAYS_INLINE void begin_colors(
 		list->green.start = spans->run.row.green_alpha;
 	}
 	list->fog = spans->run.row.fog;
-	list->rare = list->colors_exact || spans->made || spans->alpha_moves ||
-		spans->fog_moves;
+	list->rare = list->colors_exact || spans->made || spans->second ||
+		spans->alpha_moves || spans->fog_moves;
 }
 
 void soft_draw_list(

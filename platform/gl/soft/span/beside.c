@@ -321,4 +321,7 @@ void soft_set_functions(struct soft_spans *spans,
 	if (spans->untested) {
 		set_untested(spans);
 	}
+	if (spans->second) {
+		soft_set_second(spans);
+	}
 }

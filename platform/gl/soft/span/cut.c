@@ -1,6 +1,7 @@
 /* Runs across the edges of a level. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/stages/made.h"
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
@@ -69,6 +70,7 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->row.green_alpha += run->green_alpha_right * count;
 	run->row.fog += run->fog_right * count;
 	run->row.place += count;
+	run->second += 4 * count;
 }
 
 static void set_coordinates(
@@ -123,8 +125,12 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 
 void soft_draw_across(struct soft_spans *spans)
 {
-	const soft_span_function function[2] = {
-		spans->draw_anywhere, spans->draw};
+	const soft_span_function function[2] = {spans->draw_anywhere,
+		spans->second ? spans->seconded : spans->draw};
+	uint32_t second[SOFT_RUN_PIXELS];
 
+	if (spans->second) {
+		soft_read_second(spans->run.draw, second);
+	}
 	soft_cut_run(&spans->run, &spans->view, function, spans->pixel_log2);
 }

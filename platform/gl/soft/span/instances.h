@@ -12,14 +12,17 @@
  * The texels' part of a kind is known to a function of its own, which the
  * compiler makes short before it copies it for each finish and depth test.
  */
-#define SOFT_KIND(name, ...)                                                \
+#define SOFT_TEXELS(name, ...)                                              \
 	static ALWAYS_INLINE void name(const struct soft_run *run,          \
 		const enum soft_finish finish_, const bool lequal_)         \
 	{                                                                   \
 		soft_draw_run(run,                                          \
 			(struct soft_kind){.finish = finish_,               \
 				.lequal = lequal_, __VA_ARGS__});           \
-	}                                                                   \
+	}
+
+#define SOFT_KIND(name, ...)                                                \
+	SOFT_TEXELS(name, __VA_ARGS__)                                      \
 	SOFT_EACH_FINISH(SOFT_FINISH_FUNCTIONS, name)
 
 #define SOFT_EACH_FINISH(make, ...)                                         \
@@ -30,6 +33,16 @@
 	make(tested_fog, SOFT_TESTED_FOG, __VA_ARGS__)                      \
 	make(blended_fog, SOFT_BLENDED_FOG, __VA_ARGS__)                    \
 	make(mixed, SOFT_MIXED, __VA_ARGS__)
+
+/* Those with a second texture, which few pictures and formats have. */
+#define SOFT_EACH_SECOND(make, ...)                                         \
+	make(scaled, SOFT_SCALED, __VA_ARGS__)                              \
+	make(summed, SOFT_SUMMED, __VA_ARGS__)                              \
+	make(tested_summed, SOFT_TESTED_SUMMED, __VA_ARGS__)                \
+	make(blended_summed, SOFT_BLENDED_SUMMED, __VA_ARGS__)
+
+#define SOFT_EACH_SECOND_FORMAT(make)                                       \
+	make(565, TEXEL_565) make(4444, TEXEL_4444) make(8888, TEXEL_8888)
 
 #define SOFT_FINISH_FUNCTIONS(suffix, finish, name)                         \
 	static void name##_##suffix(const struct soft_run *run)             \
@@ -55,6 +68,20 @@
 	SOFT_KIND(plain, .wide = is_wide)                                   \
 	SOFT_EACH_FORMAT(SOFT_FORMAT_FUNCTIONS, is_wide)
 
+#define SOFT_SECOND_KIND(name, ...)                                         \
+	SOFT_TEXELS(name, .textured = true, __VA_ARGS__)                    \
+	SOFT_EACH_SECOND(SOFT_FINISH_FUNCTIONS, name)
+
+#define SOFT_SECOND_FORMAT(name, texels)                                    \
+	SOFT_SECOND_KIND(nearest_##name, .format = texels)                  \
+	SOFT_SECOND_KIND(                                                   \
+		nearest_##name##_inside, .format = texels, .inside = true)  \
+	SOFT_SECOND_KIND(linear_##name, .format = texels, .linear = true)   \
+	SOFT_SECOND_KIND(linear_##name##_inside, .format = texels,          \
+		.linear = true, .inside = true)
+
+#define SOFT_SECOND_FUNCTIONS SOFT_EACH_SECOND_FORMAT(SOFT_SECOND_FORMAT)
+
 /* clang-format off */
 #define SOFT_FINISH_ROW(suffix, finish, name, inside)                       \
 	[finish] = {name##_##suffix, inside##_##suffix,                     \
@@ -74,6 +101,14 @@
 		[SOFT_NO_TEXTURE] = SOFT_FINISH_ROWS(plain, plain)          \
 		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, )                        \
 	}
+
+#define SOFT_SECOND_ROWS(name, texels)                                      \
+	[SOFT_NEAREST + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,    \
+		nearest_##name, nearest_##name##_inside)},                  \
+	[SOFT_LINEAR + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,     \
+		linear_##name, linear_##name##_inside)},
+
+#define SOFT_SECOND_TABLE { SOFT_EACH_SECOND_FORMAT(SOFT_SECOND_ROWS) }
 /* clang-format on */
 
 #endif

@@ -77,8 +77,8 @@ struct soft_row {
 	/* t in the upper half and s in the lower one, from first_texel on */
 	uint32_t texel, texel_right;
 	/*
-	 * In states of soft_spans.made: the column, and in the upper half the
-	 * row, counted from the triangle's first one.
+	 * In states of soft_spans.made or second: the column, and in the upper
+	 * half the row, counted from the triangle's first one.
 	 */
 	uint32_t place;
 };
@@ -99,6 +99,11 @@ struct soft_run {
 	int32_t s, t, s_right, t_right;
 	uint32_t s_last, t_last; /* texels, and masks of coordinates */
 	uint32_t stride_log2;    /* of the level, in bytes */
+	/*
+	 * With a second texture: the address of its texels, a word for each
+	 * pixel, row by row.
+	 */
+	uintptr_t second;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
 };
@@ -121,7 +126,12 @@ enum soft_finish {
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
-	SOFT_MIXED, /* tested, then blended by any factors that alpha makes */
+	SOFT_MIXED,  /* tested, then blended by any factors that alpha makes */
+	SOFT_SCALED, /* by a second texture's texel; opaque */
+	/* A second texture's texel is added: opaque, tested, blended. */
+	SOFT_SUMMED,
+	SOFT_TESTED_SUMMED,
+	SOFT_BLENDED_SUMMED,
 	SOFT_FINISHES,
 };
 
@@ -140,9 +150,16 @@ enum soft_place {
 typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES]
 					  [SOFT_PLACES];
 
-extern const soft_span_table soft_spans_565, soft_spans_8888;
+/* spans_second has the finishes with a second texture, and a few formats. */
+extern const soft_span_table soft_spans_565, soft_spans_8888, soft_spans_second;
 
 /* stages/samplers.c: the same for a run's texels alone, which become RGBA8888 at pixel. */
 extern const soft_span_function soft_samplers[SOFT_SOURCES][2];
+
+/*
+ * The same of RGB565 texels, nearest and linear, which become words for
+ * soft_run.second: red of 5.5, green of 6.5 and blue of 5.6 bits, from the top.
+ */
+extern const soft_span_function soft_second_samplers[2][2];
 
 #endif

@@ -51,7 +51,8 @@ struct soft_made_at {
 struct soft_made_levels {
 	int level; /* -1: none yet */
 	bool linear;
-	int share; /* of next_view, of 256 */
+	int share;   /* of next_view, of 256 */
+	bool packed; /* as words of soft_run.second, not bytes */
 	const soft_span_function *sampler;
 	struct soft_view view, next_view;
 };
@@ -115,7 +116,13 @@ struct soft_spans {
 	bool made, combined;
 	/* How made runs choose their level; NULL for all others. */
 	void (*set_level)(struct draw *draw, int lod);
-	bool multiplied;   /* made: the product of both textures */
+	bool multiplied; /* made: the product of both textures */
+	/*
+	 * The functions read the second texture's texels, which draw reads
+	 * before it calls seconded.
+	 */
+	bool second;
+	soft_span_function seconded;
 	uint32_t white[2]; /* red_blue and green_alpha of a run */
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];

@@ -67,12 +67,25 @@ static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
 static ALWAYS_INLINE bool soft_is_tested(struct soft_kind kind)
 {
 	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG ||
-		kind.finish == SOFT_MIXED;
+		kind.finish == SOFT_MIXED || kind.finish == SOFT_TESTED_SUMMED;
 }
 
 static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 {
-	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG;
+	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG ||
+		kind.finish == SOFT_BLENDED_SUMMED;
+}
+
+/* Times a texel of a second texture. */
+static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
+{
+	return kind.textured && kind.finish == SOFT_SCALED;
+}
+
+/* And a texel of a second texture. */
+static ALWAYS_INLINE bool soft_is_summed(struct soft_kind kind)
+{
+	return kind.textured && kind.finish >= SOFT_SUMMED;
 }
 
 static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)
@@ -122,7 +135,8 @@ static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
 
 /*
  * RGB565 in a picture of RGB565: channels are moved, or mixed where they lie,
- * so that each has 16 bits of fraction after it is multiplied with the colour.
+ * so that each has 16 bits of fraction after it is multiplied with the colour,
+ * unless it is scaled by a second texture.
  */
 static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 {
@@ -160,6 +174,13 @@ static ALWAYS_INLINE int soft_fraction(
 {
 	int bits = kind.wide ? 8 : channel == SOFT_GREEN ? 6 : 5;
 
+	if (soft_is_scaled(kind)) {
+		return (soft_is_aligned(kind)                ? 18 - 16
+				       : soft_is_mixed(kind) ? 13
+							     : 0) +
+			(channel == SOFT_RED ? 10 : 11) + 14 - 16 +
+			soft_field(kind.format, channel).bits - bits;
+	}
 	if (soft_is_aligned(kind)) {
 		return 16;
 	}
@@ -352,6 +373,46 @@ static ALWAYS_INLINE void soft_finish_texel(
 			soft_mix_half(&texel->four, false, kind.wide);
 	}
 #endif
+}
+
+/* The channels of a second texture's texel, of 10, 11 and 11 bits. */
+static ALWAYS_INLINE uint32_t soft_second_field(
+	uint32_t texel, enum soft_channel channel)
+{
+	return channel == SOFT_RED      ? texel >> 22
+		: channel == SOFT_GREEN ? texel << 10 >> 21
+					: texel << 21 >> 21;
+}
+
+static ALWAYS_INLINE uint32_t soft_scale_channel(struct soft_kind kind,
+	const struct soft_texel *texel, uint32_t second,
+	enum soft_channel channel)
+{
+	const uint32_t by = soft_second_field(second, channel);
+	const struct soft_lanes *lanes = &texel->lanes;
+
+	if (kind.format == TEXEL_8888) {
+		return by *
+			(channel == SOFT_RED ? lanes->red_blue & 0xFFFF
+					: channel == SOFT_GREEN
+					? lanes->green_alpha & 0xFFFF
+					: lanes->red_blue >> 16);
+	}
+	return soft_is_aligned(kind)
+		? (uint32_t)WORD_BY_BOTTOM(texel->channel[channel], by, 0)
+		: by * texel->channel[channel];
+}
+
+static ALWAYS_INLINE void soft_scale_texel(
+	struct soft_kind kind, uint32_t second, struct soft_texel *texel)
+{
+	const uint32_t red = soft_scale_channel(kind, texel, second, SOFT_RED);
+	const uint32_t green =
+		soft_scale_channel(kind, texel, second, SOFT_GREEN);
+
+	texel->channel[2] = soft_scale_channel(kind, texel, second, SOFT_BLUE);
+	texel->channel[0] = red;
+	texel->channel[1] = green;
 }
 
 #endif

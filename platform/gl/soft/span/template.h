@@ -3,8 +3,9 @@
  * function of a table is a call with constants of its own, in which the
  * compiler leaves nothing but what that function needs.
  *
- * A pixel: the depth test; the texel (nearest, or four mixed); times the
- * colour; fog; the alpha test; depth, and the colour, blended or not.
+ * A pixel: the depth test; the texel (nearest, or four mixed); times a second
+ * texture's texel; times the colour; fog, or a second texel added; the alpha
+ * test; depth, and the colour, blended or not.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
@@ -30,7 +31,38 @@ struct soft_constants {
 	uint32_t alpha_low, alpha_range;
 	uint32_t factors_base, factors_by;
 	uint32_t unseen;
+	/* Where second texels of the row are, less twice where depths are. */
+	uintptr_t second;
 };
+
+/* The depth's pixel's. */
+static ALWAYS_INLINE uint32_t soft_find_second(
+	const struct soft_constants *constants, const uint16_t *depth)
+{
+	return *(const uint32_t *)(constants->second + 2 * (uintptr_t)depth);
+}
+
+/* With soft_fraction() bits of fraction, below which there may be more. */
+static ALWAYS_INLINE int32_t soft_second_channel(
+	struct soft_kind kind, uint32_t second, enum soft_channel channel)
+{
+	const int fraction = soft_fraction(kind, channel);
+
+	return (int32_t)(channel == SOFT_RED ? second >> (27 - fraction)
+			: channel == SOFT_GREEN
+			? second << 10 >> (26 - fraction)
+			: second << 21 >> (27 - fraction));
+}
+
+static ALWAYS_INLINE void soft_add_second(
+	struct soft_kind kind, uint32_t second, struct soft_color *color)
+{
+	int32_t *c = color->channel;
+
+	c[0] += soft_second_channel(kind, second, SOFT_RED);
+	c[1] += soft_second_channel(kind, second, SOFT_GREEN);
+	c[2] += soft_second_channel(kind, second, SOFT_BLUE);
+}
 
 static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
 	const struct soft_constants *constants, enum soft_channel channel)
@@ -56,7 +88,8 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 		red += (int32_t)(rb & 0xFFFF);
 		green += (int32_t)(ga & 0xFFFF);
 		blue += (int32_t)(rb >> 16);
-	} else if (soft_is_mixed(kind) || soft_is_aligned(kind)) {
+	} else if (soft_is_mixed(kind) || soft_is_aligned(kind) ||
+		soft_is_scaled(kind)) {
 		red = WORD_BY_BOTTOM(c[0], rb, red);
 		green = WORD_BY_BOTTOM(c[1], ga, green);
 		blue = WORD_BY_TOP(c[2], rb, blue);
@@ -137,7 +170,7 @@ static ALWAYS_INLINE uint32_t soft_whole(struct soft_kind kind,
 	int bits = kind.wide ? 8 : i == SOFT_GREEN ? 6 : 5;
 	int fraction = soft_last_fraction(kind, i);
 
-	return soft_is_fogged(kind)
+	return soft_is_fogged(kind) || soft_is_summed(kind)
 		? LIMIT_SHIFTED(color->channel[i], fraction, bits)
 		: (uint32_t)color->channel[i] >> fraction;
 }
@@ -151,7 +184,8 @@ static ALWAYS_INLINE void soft_store_565(
 	uint32_t mask = WIDE_MASK, to = *pixel;
 
 	if (!soft_is_blended(kind) && soft_is_aligned(kind) &&
-		!soft_is_fogged(kind)) {
+		!soft_is_fogged(kind) && !soft_is_scaled(kind) &&
+		!soft_is_summed(kind)) {
 		to = UPPER_HALVES(c[0], c[2]);
 		*pixel = (uint16_t)(to | to >> 5 | g << 5);
 		return;
@@ -342,10 +376,18 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_store_8888(kind, constants, &lanes, alpha, pixel);
 		return;
 	}
+	if (soft_is_scaled(kind)) {
+		soft_scale_texel(
+			kind, soft_find_second(constants, depth), &texel);
+	}
 	color = soft_modulate(kind, constants, &texel, at);
 	color.alpha = alpha;
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);
+	}
+	if (soft_is_summed(kind)) {
+		soft_add_second(
+			kind, soft_find_second(constants, depth), &color);
 	}
 	if (soft_is_blended_freely(kind)) {
 		soft_mix_565(kind, constants, &color, (uint16_t *)(void *)pixel);
@@ -391,6 +433,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	const uint32_t count = row->count;
 	const uint16_t *end = depth + count;
 
+	constants->second = run->second - 2 * (uintptr_t)depth;
 	steps->z_texel[1] = row->texel_right;
 	/*
 	 * The count is above green, which stays below 2^15, and leaves 2^15 for
@@ -423,7 +466,8 @@ static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
 {
 	/* Pixels do not lie in it, which the compiler cannot know. */
-	const struct soft_run own = *given, *run = &own;
+	struct soft_run own = *given;
+	const struct soft_run *run = &own;
 	struct soft_constants constants = soft_find_constants(run, kind);
 	struct soft_steps steps = soft_find_steps(run);
 	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
@@ -439,6 +483,7 @@ static SOFT_TEXT void soft_draw_rows(
 		KEEP_IN_MEMORY(end); /* Pixels need the registers. */
 		KEEP_IN_MEMORY(row);
 		soft_draw_row(run, &its, kind, &rows, &constants, &steps);
+		own.second += 4 * its.count;
 	}
 }
 

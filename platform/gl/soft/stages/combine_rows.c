@@ -171,17 +171,16 @@ GLenum soft_find_mode(const struct texenv *env, GLenum format, bool first)
 	return GL_COMBINE;
 }
 
-bool soft_adds_constant(const struct texture_input *input)
+bool soft_adds(const struct texture_input *input, GLenum source)
 {
-	static const struct soft_combiner sum = {GL_ADD,
-		{GL_PREVIOUS, GL_CONSTANT}, {GL_SRC_COLOR, GL_SRC_COLOR}, 0};
+	const struct soft_combiner sum = {
+		GL_ADD, {GL_PREVIOUS, source}, {GL_SRC_COLOR, GL_SRC_COLOR}, 0};
 	static const struct soft_combiner own = {
 		GL_REPLACE, {GL_PREVIOUS}, {GL_SRC_ALPHA}, 0};
-	struct soft_environment given = {0};
+	struct soft_environment given;
 
-	find_combine(input->env, &given);
-	return input->mode == GL_COMBINE && does(&given.rgb, &sum, false) &&
-		does(&given.alpha, &own, false);
+	soft_find_environment(input, &given);
+	return does(&given.rgb, &sum, false) && does(&given.alpha, &own, false);
 }
 
 void soft_find_environment(

@@ -41,8 +41,11 @@ void soft_find_environment(
 /* Whether a texture multiplies the colour, or takes its place. */
 bool soft_is_simple_environment(const struct texture_input *input);
 
-/* Whether it adds a colour to the previous one, and keeps its alpha. */
-bool soft_adds_constant(const struct texture_input *input);
+/*
+ * Whether it adds GL_CONSTANT or GL_TEXTURE to the previous colour, and keeps
+ * its alpha.
+ */
+bool soft_adds(const struct texture_input *input, GLenum source);
 
 /* Colours, of which previous has those of the stage before; it may be color. */
 void soft_combine_row(const struct soft_environment *environment,

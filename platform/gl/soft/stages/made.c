@@ -47,8 +47,10 @@ static void choose_levels(const struct texture_input *input, int lod,
 	}
 	levels->level = level;
 	levels->linear = linear;
-	levels->sampler = soft_samplers[(linear ? SOFT_LINEAR : SOFT_NEAREST) +
-		(int)input->base->format - 1];
+	levels->sampler = levels->packed
+		? soft_second_samplers[linear]
+		: soft_samplers[(linear ? SOFT_LINEAR : SOFT_NEAREST) +
+			  (int)input->base->format - 1];
 	levels->view = soft_find_view(input, level, linear);
 	levels->next_view =
 		soft_find_view(input, level < last ? level + 1 : level, linear);
@@ -83,7 +85,10 @@ static NEVER_INLINE struct soft_made_at find_second(
 		.x = (int)(row->place & 0xFFFF), .count = (int)row->count};
 
 	soft_rows_find_second(draw, (int)(row->place >> 16), &span);
-	soft_set_made_levels(draw, 1, span.lod[1]);
+	if (draw->spans.made_levels[1].level < 0 ||
+		soft_rows_want_lod(&draw->texture[1])) {
+		soft_set_made_levels(draw, 1, span.lod[1]);
+	}
 	return (struct soft_made_at){(int32_t)span.value[TEX_S + 2],
 		(int32_t)span.value[TEX_S + 3], span.step[TEX_S + 2],
 		span.step[TEX_S + 3]};
@@ -136,6 +141,7 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 	/* What is stepped along, but not read. */
 	run.z_right = run.red_blue_right = run.green_alpha_right = 0;
 	run.fog_right = 0;
+	run.second = 0;
 	run.row.z = run.row.red_blue = run.row.green_alpha = run.row.fog = 0;
 	run.row.place = 0;
 	run.row.depth = (uint16_t *)out;
@@ -333,6 +339,42 @@ static void draw_made(const struct soft_run *given)
 	run->green_alpha_right = green_alpha_right;
 }
 
+/* From bytes to words of soft_run.second. */
+static void pack_second(uint32_t *texel, uint32_t count)
+{
+	for (uint32_t i = 0; i < count; i++) {
+		const uint32_t red_blue = BYTES_AS_HALVES(texel[i]) * 249;
+		const uint32_t green = (texel[i] >> 8 & 255) * 253;
+
+		/* 8 bits of fraction, nearly: white is 31, 63 and 31. */
+		texel[i] = (red_blue & 0xFFC0) << 16 | (green & 0xFFE0) << 6 |
+			red_blue >> 21;
+	}
+}
+
+void soft_read_second(struct draw *draw, uint32_t *texel)
+{
+	sample(draw, 1, texel);
+	if (!draw->spans.made_levels[1].packed) {
+		pack_second(texel, count_pixels(&draw->spans.run));
+	}
+	draw->spans.run.second = (uintptr_t)texel;
+}
+
+static void draw_second(const struct soft_run *run)
+{
+	uint32_t texel[SOFT_BATCH_PIXELS];
+
+	soft_read_second(run->draw, texel);
+	run->draw->spans.seconded(run);
+}
+
+void soft_set_second(struct soft_spans *spans)
+{
+	spans->seconded = spans->draw;
+	spans->draw = draw_second;
+}
+
 static void prepare_combined(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -364,7 +406,6 @@ void soft_prepare_made(struct draw *draw)
 	}
 	spans->set_level = set_first_levels;
 	spans->made_levels[0].level = -1;
-	spans->made_levels[1].level = -1;
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;

@@ -24,6 +24,12 @@ struct soft_made_at soft_find_made_at(
 /* A texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int unit, int lod);
 
+/* Has spans.draw read the second texture's texels of runs before it draws them. */
+void soft_set_second(struct soft_spans *spans);
+
+/* Reads those of the runs under way, for the functions. */
+void soft_read_second(struct draw *draw, uint32_t *texel);
+
 /*
  * blend_row.c: blends a run's colours, RGBA8888 drawn beside the picture, with
  * the picture: GL ES 1.1 section 4.1.6. Those are blended whose depth before

@@ -1,4 +1,7 @@
-/* Functions that read a run's texels alone, one for each format and filter. */
+/*
+ * Functions that read a run's texels alone, one for each format and filter: as
+ * bytes, or of RGB565 as words of soft_second_samplers.
+ */
 #include "platform/gl/soft/span/stages.h"
 
 static ALWAYS_INLINE uint32_t widen_channel(struct soft_kind kind,
@@ -23,6 +26,19 @@ static ALWAYS_INLINE uint32_t widen_texel(
 		widen_channel(kind, SOFT_BLUE, texel) << 16 | texel->alpha << 24;
 }
 
+/* What struct soft_run's second has, of an RGB565 texel. */
+static ALWAYS_INLINE uint32_t pack_second(
+	struct soft_kind kind, const struct soft_texel *texel)
+{
+	const uint32_t *c = texel->channel;
+
+	/* Mixed channels are 2^18 times what they are. */
+	return kind.linear
+		? (c[0] & 0x7FE000) << 9 | (c[1] & 0xFFE000) >> 2 | c[2] >> 12
+		: c[0] << 27 | c[1] << 16 | c[2] << 6;
+}
+
+/* Of kinds that are not wide words for a second texture. */
 static ALWAYS_INLINE void read_texels(
 	const struct soft_run *given, const struct soft_kind kind)
 {
@@ -45,27 +61,30 @@ static ALWAYS_INLINE void read_texels(
 			t += (uint32_t)run->t_right;
 		}
 		soft_finish_texel(kind, &texel);
-		bytes = widen_texel(kind, &texel);
+		bytes = kind.wide ? widen_texel(kind, &texel)
+				  : pack_second(kind, &texel);
 		memcpy(out, &bytes, sizeof(bytes));
 	}
 }
 
-#define READ_TEXELS(name, ...)                                                 \
-	static void name(const struct soft_run *run)                           \
-	{                                                                      \
-		read_texels(run,                                               \
-			(struct soft_kind){                                    \
-				.textured = true, .wide = true, __VA_ARGS__}); \
+#define READ_TEXELS(name, ...)                                              \
+	static void name(const struct soft_run *run)                        \
+	{                                                                   \
+		read_texels(run,                                            \
+			(struct soft_kind){.textured = true, __VA_ARGS__}); \
 	}
 
-#define BOTH_FUNCTIONS(name, texels, ...)                                      \
-	READ_TEXELS(nearest_##name, .format = texels)                          \
-	READ_TEXELS(nearest_##name##_inside, .format = texels, .inside = true) \
-	READ_TEXELS(linear_##name, .format = texels, .linear = true)           \
-	READ_TEXELS(linear_##name##_inside, .format = texels, .linear = true,  \
-		.inside = true)
+#define BOTH_FUNCTIONS(name, texels, is_wide)                                 \
+	READ_TEXELS(nearest_##name, .format = texels, .wide = is_wide)        \
+	READ_TEXELS(nearest_##name##_inside, .format = texels,                \
+		.wide = is_wide, .inside = true)                              \
+	READ_TEXELS(linear_##name, .format = texels, .linear = true,          \
+		.wide = is_wide)                                              \
+	READ_TEXELS(linear_##name##_inside, .format = texels, .linear = true, \
+		.wide = is_wide, .inside = true)
 
-SOFT_EACH_FORMAT(BOTH_FUNCTIONS, )
+SOFT_EACH_FORMAT(BOTH_FUNCTIONS, true)
+BOTH_FUNCTIONS(second, TEXEL_565, false)
 
 /* clang-format off */
 #define ROWS(name, texels, ...)                                              \
@@ -76,3 +95,7 @@ SOFT_EACH_FORMAT(BOTH_FUNCTIONS, )
 
 const soft_span_function soft_samplers[SOFT_SOURCES][2] = {
 	SOFT_EACH_FORMAT(ROWS, )};
+
+const soft_span_function soft_second_samplers[2][2] = {
+	{nearest_second, nearest_second_inside},
+	{linear_second, linear_second_inside}};

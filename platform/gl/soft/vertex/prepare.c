@@ -241,7 +241,7 @@ static void prepare_addition(struct draw *draw)
 	struct texture_input *last = &draw->texture[1];
 
 	draw->added = NULL;
-	if (last->used && !draw->fogged && soft_adds_constant(last)) {
+	if (last->used && !draw->fogged && soft_adds(last, GL_CONSTANT)) {
 		last->used = false;
 		draw->added = last->env->color;
 	}

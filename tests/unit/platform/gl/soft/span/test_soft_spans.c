@@ -306,6 +306,38 @@ static void test_a_small_triangle_leaves_the_next_its_level(void **state)
 	}
 }
 
+static void add_texture(const struct gl *gl, uint32_t *seed)
+{
+	const bool swapped = random_one_in(seed, 2);
+
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		random_one_in(seed, 3) ? GL_ADD : GL_COMBINE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC1_RGB : GL_SRC0_RGB,
+		GL_PREVIOUS);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC0_RGB : GL_SRC1_RGB,
+		GL_TEXTURE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
+}
+
+/* Opaque, alpha-tested or blended by alpha. */
+static void give_alpha(const struct gl *gl, uint32_t *seed)
+{
+	switch (random_between(seed, 0, 2)) {
+	case 1:
+		gl->Enable(GL_ALPHA_TEST);
+		gl->AlphaFuncx(GL_GEQUAL, random_between(seed, 0, 65536));
+		break;
+	case 2:
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+		break;
+	default:
+		break;
+	}
+}
+
 static struct span_scene *draw_pair(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
@@ -323,29 +355,37 @@ static struct span_scene *draw_pair(
 			unit == 0 ? (GLfixed)one_of(&seed, modes, 3)
 				  : GL_MODULATE);
 	}
+	if (random_one_in(&seed, 2)) {
+		add_texture(gl, &seed);
+		give_alpha(gl, &seed);
+	}
 	give_triangles(gl, &seed);
 	return scene;
 }
 
-/* Two textures that multiply each other and the colours. */
+/* Two textures that multiply each other and the colours, or whose sum is drawn. */
 static void test_two_textures_are_those_of_fragments(void **state)
 {
-	int multiplied = 0, listed = 0;
+	int read[SOFT_FINISHES] = {0}, multiplied = 0, listed = 0;
 
 	(void)state;
-	for (uint32_t seed = 1; seed <= 600; seed++) {
+	for (uint32_t seed = 1; seed <= 1000; seed++) {
 		enum pixel_format format =
 			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
 		struct span_scene *fast = draw_pair(format, seed * 7919, false);
 		struct span_scene *slow = draw_pair(format, seed * 7919, true);
 
 		multiplied += fast->soft->draw->spans.multiplied;
+		read[fast->soft->draw->spans.finish]++;
 		listed += fast->soft->draw->raster.top == RASTER_LISTED;
 		span_scene_compare(fast, slow, seed);
 		span_scene_close(fast);
 		span_scene_close(slow);
 	}
-	assert_true(multiplied > 200);
+	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
+		assert_true(read[i] > 40);
+	}
+	assert_true(multiplied > 80);
 	assert_true(listed > 100);
 }
 

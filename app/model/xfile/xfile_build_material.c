@@ -28,12 +28,21 @@ enum {
 	UNUSABLE_BYTES_MAX = 64 * 1024 * 1024
 };
 
-/* Logs errors as warnings, because a model loads without its textures. */
-static void write_warning(void *user, enum log_level level, const char *sentence)
-{
-	const struct log *log = user;
+/* Keeps an error about a texture until its level is known. */
+struct kept_error {
+	const struct log *log;
+	char sentence[1024];
+};
 
-	log_write(log, level == LOG_ERROR ? LOG_WARNING : level, "%s", sentence);
+static void keep_error(void *user, enum log_level level, const char *sentence)
+{
+	struct kept_error *kept = user;
+
+	if (level == LOG_ERROR) {
+		snprintf(kept->sentence, sizeof(kept->sentence), "%s", sentence);
+	} else {
+		log_write(kept->log, level, "%s", sentence);
+	}
 }
 
 /*
@@ -67,13 +76,9 @@ static char *clean_file_name(struct arena *arena, const char *written)
 }
 
 static int read_image(struct xfile_build *build, struct textures *textures,
-	size_t location, const char *file, struct model_image *out)
+	size_t location, const char *file, const struct log *log,
+	struct model_image *out)
 {
-	const struct log warnings_only = {
-		.write = write_warning,
-		.user = (void *)(uintptr_t)build->log,
-		.threshold = LOG_NOTE,
-	};
 	struct model_file bytes;
 	char where[512];
 	int error;
@@ -85,15 +90,15 @@ static int read_image(struct xfile_build *build, struct textures *textures,
 	if (textures->unusable_bytes > UNUSABLE_BYTES_MAX) {
 		return -EFBIG;
 	}
-	error = model_file_read_beside(build->source, file, where,
-		build->model->budget, &warnings_only, &bytes);
+	error = model_file_read_beside(
+		build->source, file, where, build->model->budget, log, &bytes);
 	if (error) {
 		return error;
 	}
 	snprintf(where + strlen(where), sizeof(where) - strlen(where),
 		" %.120s", file);
-	error = image_decode(bytes.data, bytes.size, where, &warnings_only,
-		&build->model->arena, out);
+	error = image_decode(
+		bytes.data, bytes.size, where, log, &build->model->arena, out);
 	textures->unusable_bytes += error ? bytes.size : 0;
 	model_file_release(&bytes);
 	return error;
@@ -109,6 +114,12 @@ static int add_texture(struct xfile_build *build, struct textures *textures,
 	struct model *model = build->model;
 	struct model_image *image = &model->image[model->image_count];
 	char *file = clean_file_name(build->scratch, material->texture);
+	struct kept_error kept = {.log = build->log};
+	const struct log log = {
+		.write = keep_error,
+		.user = &kept,
+		.threshold = LOG_NOTE,
+	};
 	int error;
 
 	*out = -1;
@@ -116,13 +127,14 @@ static int add_texture(struct xfile_build *build, struct textures *textures,
 		return xfile_no_memory(build->context);
 	}
 	error = read_image(
-		build, textures, material->texture_location, file, image);
-	/* Without memory the model does not load, so a warning is too little. */
-	if (error == -ENOMEM) {
-		return xfile_no_memory(build->context);
+		build, textures, material->texture_location, file, &log, image);
+	if (kept.sentence[0]) {
+		/* Without its textures a model loads, without memory not. */
+		log_write(build->log, error == -ENOMEM ? LOG_ERROR : LOG_WARNING,
+			"%s", kept.sentence);
 	}
 	if (error) {
-		return 0;
+		return error == -ENOMEM ? error : 0;
 	}
 	image->name = xfile_clean_name(&model->arena, file);
 	if (!image->name) {

@@ -191,6 +191,7 @@ static void test_a_texture_beyond_the_budget_is_an_error(void **state)
 				 &log, &model),
 		-ENOMEM);
 	assert_null(model);
+	assert_int_equal(logged.count, 1);
 	assert_true(log_capture_has(&logged, LOG_ERROR, "--memory"));
 	temp_dir_remove(&folder);
 }

@@ -26,15 +26,16 @@ static bool is_nearest(const struct draw *draw)
 /* Of the triangle that the span functions drew last. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
+	uint32_t bits = draw->key;
 	bool planes = draw->raster.top != NOT_SET_UP &&
 		draw->raster.top != RASTER_LISTED;
-	bool mixed = draw->blended || draw->spans.alpha_tested ||
-		(planes && draw->added);
+	bool mixed = (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) != 0 ||
+		(planes && (bits & KEY_ADDED) != 0);
 
-	if (!draw->texture[0].used) {
+	if (!(bits & KEY_TEXTURE)) {
 		return mixed ? GL_WORK_MIXED : GL_WORK_SPANS;
 	}
-	if (draw->spans.alpha_tested) {
+	if (bits & KEY_ALPHA_TEST) {
 		return planes ? GL_WORK_TESTED_SPANS : GL_WORK_TESTED;
 	}
 	if (!mixed && is_nearest(draw)) {
@@ -126,7 +127,8 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	if (colors_move(draw, kind, setup)) {
 		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
 	}
-	if (kind == GL_WORK_LUMINANCE && draw->spans.depth_written) {
+	if (kind == GL_WORK_LUMINANCE && draw->key & KEY_DEPTH_TEST &&
+		draw->soft->fragment.depth_mask) {
 		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
 	}
 	if (draw->raster.bent) {

@@ -203,8 +203,11 @@ static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct setup *setup, const int32_t *corner[3])
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	const bool behind = setup->back && draw->shading.two_side;
+	bool behind = false;
 
+	if (draw->key & KEY_BY_TRIANGLE) {
+		behind = setup->back && draw->shading.two_side;
+	}
 	corner[0] = behind ? a->back : a->attribute;
 	corner[1] = behind ? b->back : b->attribute;
 	corner[2] = behind ? c->back : c->attribute;

@@ -22,6 +22,7 @@
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/vertex/key.h"
 #include "platform/gl/soft/vertex/shading.h"
 
 enum {
@@ -269,6 +270,7 @@ struct draw {
 	struct flat_color flat;   /* for soft_fill_flat() */
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
+	uint32_t key;             /* see key.h */
 	bool divides;    /* never bends: levels of detail change by row */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;
@@ -379,7 +381,10 @@ void soft_count_call(
 /* Counts pixels that finer tiles drew; soft->counts is set. */
 void soft_count_fine(const struct draw *draw, int pixels);
 
-/* fast/paths.c: the first path that takes a prepared call, and what it needs. */
+/*
+ * fast/paths.c: draw->key and the first path that takes it, of which draw->fill
+ * and what else it needs are.
+ */
 void soft_choose_path(struct draw *draw);
 
 /* triangle.c: draw->fast_setup, once a call, after all else. */

@@ -14,7 +14,8 @@ CFLAGS_fuzz := -O1 -gline-tables-only -fno-omit-frame-pointer \
 $(foreach folder,app/model app/character platform/camera platform/display,\
 	build/fuzz/obj/$(folder)/%): CFLAGS_fuzz += -fsanitize=unsigned-shift-base
 # As in the sanitizers' build (host.mk).
-build/fuzz/obj/platform/gl/soft/span/spans_%.o: CFLAGS_fuzz += -DSOFT_SHARED_TEXT
+build/fuzz/obj/platform/gl/soft/span/spans_%.o \
+	build/fuzz/obj/platform/gl/soft/stages/spans_%.o: CFLAGS_fuzz += -DSOFT_SHARED_TEXT
 SETS_fuzz := host font fuzz
 PACKAGES_fuzz := jansson libpng libjpeg zlib libgpiod libdrm inih
 LIBS_fuzz := -lgif -lm -ldl

@@ -37,9 +37,12 @@ RUN_asan :=
 # The span loops are hundreds of functions from one template. Without the sanitizers
 # they take GCC two thirds of the time with line numbers alone as debug information.
 # With them the functions share the template's text: a tenth of the time.
-build/host/obj/platform/gl/soft/span/spans_%.o: CFLAGS_host += -g1
-build/arm/obj/platform/gl/soft/span/spans_%.o: CFLAGS_arm += -g1
-build/asan/obj/platform/gl/soft/span/spans_%.o: CFLAGS_asan += -DSOFT_SHARED_TEXT
+build/host/obj/platform/gl/soft/span/spans_%.o \
+	build/host/obj/platform/gl/soft/stages/spans_%.o: CFLAGS_host += -g1
+build/arm/obj/platform/gl/soft/span/spans_%.o \
+	build/arm/obj/platform/gl/soft/stages/spans_%.o: CFLAGS_arm += -g1
+build/asan/obj/platform/gl/soft/span/spans_%.o \
+	build/asan/obj/platform/gl/soft/stages/spans_%.o: CFLAGS_asan += -DSOFT_SHARED_TEXT
 # The tests share one library: linked into each, it would take 13 GB.
 TEST_LIBRARY_asan := liblimber.so
 TEST_LDFLAGS_asan := -Wl,-rpath,'$$ORIGIN/..'

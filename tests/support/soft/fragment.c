@@ -158,6 +158,13 @@ static void add_textures(const struct draw *draw, const struct span *span,
 			}
 		}
 	}
+	/* The second unit's, with the first one's coordinates. */
+	if (draw->spans.joined) {
+		reference_sample(&draw->texture[1], span, 0, true, texel);
+		reference_combine(&draw->texture[1], span->count,
+			(const uint8_t(*)[4])texel,
+			(const uint8_t(*)[4])primary, fragments->color);
+	}
 	/* The second unit adds a constant colour, and its texture is not read. */
 	if (draw->added) {
 		reference_combine(&draw->texture[1], span->count,

@@ -46,8 +46,8 @@ void span_scene_fog(const struct gl *gl)
 	gl->Fogxv(GL_FOG_COLOR, color);
 }
 
-void span_scene_draw(
-	const struct gl *gl, const struct span_corner *corner, int count)
+static void draw(const struct gl *gl, const struct span_corner *corner,
+	int count, bool joined)
 {
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_COLOR_ARRAY);
@@ -56,10 +56,22 @@ void span_scene_draw(
 	for (GLenum unit = 0; unit < 2; unit++) {
 		gl->ClientActiveTexture(GL_TEXTURE0 + unit);
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->TexCoordPointer(
-			2, GL_FLOAT, sizeof(*corner), corner->texcoord[unit]);
+		gl->TexCoordPointer(2, GL_FLOAT, sizeof(*corner),
+			corner->texcoord[joined ? 0 : unit]);
 	}
 	gl->DrawArrays(GL_TRIANGLES, 0, count);
+}
+
+void span_scene_draw(
+	const struct gl *gl, const struct span_corner *corner, int count)
+{
+	draw(gl, corner, count, false);
+}
+
+void span_scene_draw_joined(
+	const struct gl *gl, const struct span_corner *corner, int count)
+{
+	draw(gl, corner, count, true);
 }
 
 struct span_scene *span_scene_begin(enum pixel_format format, bool reference)

@@ -43,6 +43,10 @@ void span_scene_fog(const struct gl *gl);
 void span_scene_draw(
 	const struct gl *gl, const struct span_corner *corner, int count);
 
+/* The same, but both units get the first one's texture coordinates. */
+void span_scene_draw_joined(
+	const struct gl *gl, const struct span_corner *corner, int count);
+
 /* Whether pixel i of a differs from pixel k of b by at most a step of five bits. */
 bool span_scene_is_near(
 	const struct span_scene *a, int i, const struct span_scene *b, int k);

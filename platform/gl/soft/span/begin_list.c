@@ -166,7 +166,7 @@ static ALWAYS_INLINE void begin_colors(
 		list->green.start = spans->run.row.green_alpha;
 	}
 	list->fog = spans->run.row.fog;
-	list->rare = list->colors_exact || spans->made || spans->second ||
+	list->rare = list->colors_exact || spans->made || spans->read_second ||
 		spans->alpha_moves || spans->fog_moves;
 }
 

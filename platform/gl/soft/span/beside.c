@@ -292,6 +292,15 @@ static void draw_inside(const struct soft_run *run)
 	draw_other(run, SOFT_INSIDE);
 }
 
+static void draw_second(const struct soft_run *run)
+{
+	const struct soft_spans *spans = &run->draw->spans;
+	uint32_t texel[SOFT_BATCH_PIXELS];
+
+	spans->read_second(run->draw, texel);
+	spans->seconded(run);
+}
+
 /* Where nothing is tested whole rows may be known. */
 static void set_untested(struct soft_spans *spans)
 {
@@ -321,7 +330,8 @@ void soft_set_functions(struct soft_spans *spans,
 	if (spans->untested) {
 		set_untested(spans);
 	}
-	if (spans->second) {
-		soft_set_second(spans);
+	if (spans->read_second) {
+		spans->seconded = spans->draw;
+		spans->draw = draw_second;
 	}
 }

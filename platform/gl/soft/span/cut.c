@@ -1,7 +1,6 @@
 /* Runs across the edges of a level. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
-#include "platform/gl/soft/stages/made.h"
 
 /* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
@@ -126,11 +125,11 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 void soft_draw_across(struct soft_spans *spans)
 {
 	const soft_span_function function[2] = {spans->draw_anywhere,
-		spans->second ? spans->seconded : spans->draw};
+		spans->read_second ? spans->seconded : spans->draw};
 	uint32_t second[SOFT_RUN_PIXELS];
 
-	if (spans->second) {
-		soft_read_second(spans->run.draw, second);
+	if (spans->read_second) {
+		spans->read_second(spans->run.draw, second);
 	}
 	soft_cut_run(&spans->run, &spans->view, function, spans->pixel_log2);
 }

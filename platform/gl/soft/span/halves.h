@@ -11,10 +11,14 @@
 
 #include "platform/gl/soft/span/vectors.h"
 
-/* A level's texels, from one on, and the bytes from row to row. */
+/*
+ * A level's texels, from one on, and the bytes from row to row; and of a second
+ * texture from the same texel of the first one.
+ */
 struct soft_rows {
 	_Alignas(8) const uint8_t *first;
 	uint32_t stride;
+	uintptr_t joint;
 };
 
 #ifdef __ARM_FEATURE_DSP
@@ -23,9 +27,18 @@ struct soft_rows {
 /* the same added to sum */
 #define HALVES_SUM_ADD(a, b, sum) \
 	((uint32_t)__smlad((int32_t)(a), (int32_t)(b), (int32_t)(sum)))
-/* (word * bottom half >> 16) + sum, (word * top half >> 16) + sum */
+/* (word * bottom half >> 16) + sum, the same without sum, and of the top half */
 #define WORD_BY_BOTTOM(word, half, sum) \
 	__smlawb((int32_t)(word), (int32_t)(half), sum)
+static ALWAYS_INLINE uint32_t soft_word_times_bottom(
+	uint32_t word, uint32_t half)
+{
+	uint32_t product;
+
+	__asm__("smulwb %0, %1, %2" : "=r"(product) : "r"(word), "r"(half));
+	return product;
+}
+#define WORD_TIMES_BOTTOM(word, half) soft_word_times_bottom(word, half)
 #define WORD_BY_TOP(word, half, sum) \
 	__smlawt((int32_t)(word), (int32_t)(half), sum)
 /* a + b of both halves, unsigned, 65535 at most */
@@ -83,8 +96,8 @@ static ALWAYS_INLINE uint32_t soft_limit_shifted(
 }
 #define LIMIT_SHIFTED(word, shift, bits) soft_limit_shifted(word, shift, bits)
 /*
- * The words at x bytes of a row and of the row below, or two words of each.
- * What rows says is read here, where registers are scarce.
+ * The words at x bytes of a row and of the row below, or two words of each; or
+ * one of each texture. What rows says is read here, where registers are scarce.
  */
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])
@@ -103,6 +116,23 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 			"ldr %0, [%Q2, %0]!\n\tldr %1, [%Q2, %R2]"
 			: "+&r"(above[0]), "=&r"(below[0]), "+&r"(pair));
 	}
+}
+
+static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
+	uint32_t row, uint32_t x, uint32_t above[2], uint32_t below[2])
+{
+	uint64_t pair;
+	uint32_t at;
+
+	__asm__ volatile("ldrd %Q0, %R0, %1" : "=&r"(pair) : "Uq"(*rows));
+	at = x + row * (uint32_t)(pair >> 32) + (uint32_t)pair;
+	__asm__ volatile("ldr %0, [%2]\n\tldr %1, [%2, %3]"
+			 : "=&r"(above[0]), "=&r"(below[0])
+			 : "r"(at), "r"((uint32_t)(pair >> 32)));
+	__asm__ volatile("ldr %0, %3\n\tldr %1, %4\n\t"
+			 "ldr %0, [%2, %0]!\n\tldr %1, [%2, %1]"
+			 : "=&r"(above[1]), "=&r"(below[1]), "+&r"(at)
+			 : "m"(rows->joint), "m"(rows->stride));
 }
 #else
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
@@ -133,6 +163,18 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	memcpy(below, at + rows->stride, two ? 8 : 4);
 }
 
+static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
+	uint32_t row, uint32_t x, uint32_t above[2], uint32_t below[2])
+{
+	const uint8_t *at = rows->first + (row * rows->stride + x);
+	const uint8_t *second = (const uint8_t *)((uintptr_t)at + rows->joint);
+
+	memcpy(&above[0], at, 4);
+	memcpy(&below[0], at + rows->stride, 4);
+	memcpy(&above[1], second, 4);
+	memcpy(&below[1], second + rows->stride, 4);
+}
+
 #define UPPER_HALF(word)       ((word) >> 16)
 #define SHIFT_HERE(word, bits) ((word) >> (bits))
 #define LIMIT_SHIFTED(word, shift, bits) \
@@ -145,6 +187,8 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 #define HALVES_SUM_ADD(a, b, sum) (soft_halves_sum(a, b) + (sum))
 #define WORD_BY_BOTTOM(word, half, sum) \
 	(soft_word_by_half((uint32_t)(word), half) + (sum))
+#define WORD_TIMES_BOTTOM(word, half) \
+	((uint32_t)soft_word_by_half((uint32_t)(word), half))
 #define WORD_BY_TOP(word, half, sum) \
 	(soft_word_by_half((uint32_t)(word), (half) >> 16) + (sum))
 #endif

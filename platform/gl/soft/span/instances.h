@@ -41,8 +41,8 @@
 	make(tested_summed, SOFT_TESTED_SUMMED, __VA_ARGS__)                \
 	make(blended_summed, SOFT_BLENDED_SUMMED, __VA_ARGS__)
 
-#define SOFT_EACH_SECOND_FORMAT(make)                                       \
-	make(565, TEXEL_565) make(4444, TEXEL_4444) make(8888, TEXEL_8888)
+#define SOFT_EACH_SHORT(make, ...)                                          \
+	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__)
 
 #define SOFT_FINISH_FUNCTIONS(suffix, finish, name)                         \
 	static void name##_##suffix(const struct soft_run *run)             \
@@ -72,15 +72,21 @@
 	SOFT_TEXELS(name, .textured = true, __VA_ARGS__)                    \
 	SOFT_EACH_SECOND(SOFT_FINISH_FUNCTIONS, name)
 
-#define SOFT_SECOND_FORMAT(name, texels)                                    \
-	SOFT_SECOND_KIND(nearest_##name, .format = texels)                  \
+#define SOFT_SECOND_FORMAT(name, texels, is_joined)                         \
 	SOFT_SECOND_KIND(                                                   \
-		nearest_##name##_inside, .format = texels, .inside = true)  \
-	SOFT_SECOND_KIND(linear_##name, .format = texels, .linear = true)   \
+		nearest_##name, .format = texels, .joined = is_joined)      \
+	SOFT_SECOND_KIND(nearest_##name##_inside, .format = texels,         \
+		.joined = is_joined, .inside = true)                        \
+	SOFT_SECOND_KIND(linear_##name, .format = texels,                   \
+		.joined = is_joined, .linear = true)                        \
 	SOFT_SECOND_KIND(linear_##name##_inside, .format = texels,          \
-		.linear = true, .inside = true)
+		.joined = is_joined, .linear = true, .inside = true)
 
-#define SOFT_SECOND_FUNCTIONS SOFT_EACH_SECOND_FORMAT(SOFT_SECOND_FORMAT)
+#define SOFT_SECOND_FUNCTIONS                                               \
+	SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, false)                          \
+	SOFT_SECOND_FORMAT(8888, TEXEL_8888, false)
+
+#define SOFT_JOINED_FUNCTIONS SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, true)
 
 /* clang-format off */
 #define SOFT_FINISH_ROW(suffix, finish, name, inside)                       \
@@ -102,13 +108,19 @@
 		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, )                        \
 	}
 
-#define SOFT_SECOND_ROWS(name, texels)                                      \
+#define SOFT_SECOND_ROWS(name, texels, ...)                                 \
 	[SOFT_NEAREST + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,    \
 		nearest_##name, nearest_##name##_inside)},                  \
 	[SOFT_LINEAR + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,     \
 		linear_##name, linear_##name##_inside)},
 
-#define SOFT_SECOND_TABLE { SOFT_EACH_SECOND_FORMAT(SOFT_SECOND_ROWS) }
+#define SOFT_SECOND_TABLE                                                   \
+	{                                                                   \
+		SOFT_EACH_SHORT(SOFT_SECOND_ROWS, )                         \
+		SOFT_SECOND_ROWS(8888, TEXEL_8888)                          \
+	}
+
+#define SOFT_JOINED_TABLE { SOFT_EACH_SHORT(SOFT_SECOND_ROWS, ) }
 /* clang-format on */
 
 #endif

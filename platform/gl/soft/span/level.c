@@ -94,6 +94,12 @@ static void choose_level(struct draw *draw, int number, bool small)
 	soft_set_functions(spans, small ? spans->min : spans->mag);
 	soft_use_view(&spans->view, &spans->run);
 	spans->window = spans->view.window;
+	if (spans->joined) {
+		const struct texture *second = draw->texture[1].texture;
+
+		spans->run.joint = (uintptr_t)second->level[number].texels -
+			(uintptr_t)spans->view.texels;
+	}
 }
 
 void soft_set_level(struct draw *draw, int lod)

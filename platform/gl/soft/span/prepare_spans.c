@@ -322,33 +322,6 @@ static bool is_multiplied(const struct draw *draw)
 		draw->texture[1].base->format != TEXEL_A8;
 }
 
-/*
- * How a span function draws a second texture after a finish without one; the
- * same finish where none does. Alpha is not wanted of opaque fragments.
- */
-static enum soft_finish find_second_finish(
-	const struct draw *draw, enum soft_finish finish)
-{
-	const struct texture_input *input = &draw->texture[1];
-	const bool first = draw->spans.table == &soft_spans_565 &&
-		draw->spans.textured && !draw->smooth &&
-		soft_is_simple_environment(&draw->texture[0]) &&
-		draw->texture[0].base->format != TEXEL_A8;
-
-	if (!first || !input->used || input->base->format == TEXEL_A8) {
-		return finish;
-	}
-	if (soft_adds(input, GL_TEXTURE) ||
-		(input->mode == GL_ADD && finish == SOFT_OPAQUE)) {
-		return finish == SOFT_OPAQUE     ? SOFT_SUMMED
-			: finish == SOFT_TESTED  ? SOFT_TESTED_SUMMED
-			: finish == SOFT_BLENDED ? SOFT_BLENDED_SUMMED
-						 : finish;
-	}
-	return input->mode == GL_MODULATE && finish == SOFT_OPAQUE ? SOFT_SCALED
-								   : finish;
-}
-
 /* Attributes that are not wanted are white's, and nothing is hidden by fog. */
 static void set_white(struct span *span, struct soft_spans *spans)
 {
@@ -366,11 +339,13 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	}
 }
 
-/* Whether span functions that read a second texture's texels read the first's. */
-static bool has_second_format(const struct texture_input *first)
+/* Those with a second texture read few formats of the first one. */
+static bool has_functions(const struct draw *draw)
 {
-	return soft_spans_second[SOFT_NEAREST + first->base->format - 1]
-				[SOFT_SCALED][SOFT_ANYWHERE] != NULL;
+	const struct soft_spans *spans = &draw->spans;
+	const int source = SOFT_NEAREST + (int)draw->texture[0].base->format - 1;
+
+	return (*spans->table)[source][spans->finish][SOFT_ANYWHERE] != NULL;
 }
 
 /* Whether colours are made beforehand, in stages/, and what is done with them. */
@@ -378,24 +353,14 @@ static void choose_making(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	bool colored = draw->attributes != 0;
-	const enum soft_finish finish = find_second_finish(draw, spans->finish);
+	bool second = soft_choose_second(draw);
 
-	spans->second = finish != spans->finish;
-	spans->finish = finish;
-	spans->made_levels[1].level = -1;
-	spans->made_levels[1].packed = false;
-	if (spans->second) {
-		spans->table = &soft_spans_second;
-		spans->made_levels[1].packed =
-			draw->texture[1].base->format == TEXEL_565 &&
-			!soft_mixes_levels(&draw->texture[1]);
-	}
-	spans->multiplied = colored && !spans->second && is_multiplied(draw);
-	spans->combined = colored && !spans->second && !spans->multiplied &&
-		is_combined(draw);
+	spans->multiplied = colored && !second && is_multiplied(draw);
+	spans->combined =
+		colored && !second && !spans->multiplied && is_combined(draw);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_mixes_levels(&draw->texture[0])) ||
-		(spans->second && !has_second_format(&draw->texture[0]));
+		(second && !has_functions(draw));
 }
 
 /* How long a run may be, and whose colours are stepped from row to row. */

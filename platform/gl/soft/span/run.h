@@ -104,6 +104,8 @@ struct soft_run {
 	 * pixel, row by row.
 	 */
 	uintptr_t second;
+	/* Or, where it has the first one's coordinates: from its texels to those. */
+	uintptr_t joint;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
 };
@@ -151,7 +153,8 @@ typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES]
 					  [SOFT_PLACES];
 
 /* spans_second has the finishes with a second texture, and a few formats. */
-extern const soft_span_table soft_spans_565, soft_spans_8888, soft_spans_second;
+extern const soft_span_table soft_spans_565, soft_spans_8888, soft_spans_second,
+	soft_spans_joined;
 
 /* stages/samplers.c: the same for a run's texels alone, which become RGBA8888 at pixel. */
 extern const soft_span_function soft_samplers[SOFT_SOURCES][2];

@@ -118,11 +118,12 @@ struct soft_spans {
 	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied; /* made: the product of both textures */
 	/*
-	 * The functions read the second texture's texels, which draw reads
-	 * before it calls seconded.
+	 * How draw reads the second texture's texels of runs, before it calls
+	 * seconded; NULL where that does not read them.
 	 */
-	bool second;
+	void (*read_second)(struct draw *draw, uint32_t *texel);
 	soft_span_function seconded;
+	bool joined;       /* they find them where the first texture's are */
 	uint32_t white[2]; /* red_blue and green_alpha of a run */
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
@@ -139,6 +140,12 @@ struct soft_spans {
  * test lets nothing through.
  */
 bool soft_prepare_spans(struct draw *draw);
+
+/*
+ * stages/prepare_second.c: lets span functions read the second texture's
+ * texels, if they have a finish for that; false where they have none.
+ */
+bool soft_choose_second(struct draw *draw);
 
 /*
  * beside.c: sets the functions that draw runs anywhere in the texture, and

@@ -16,6 +16,7 @@ struct soft_kind {
 	bool wide;   /* the picture is RGBA8888 */
 	bool lequal; /* what is as far passes the depth test, too */
 	bool still;  /* see soft_is_still() */
+	bool joined; /* a second texture is read where the first is */
 };
 
 /*
@@ -178,8 +179,8 @@ static ALWAYS_INLINE int soft_fraction(
 		return (soft_is_aligned(kind)                ? 18 - 16
 				       : soft_is_mixed(kind) ? 13
 							     : 0) +
-			(channel == SOFT_RED ? 10 : 11) + 14 - 16 +
-			soft_field(kind.format, channel).bits - bits;
+			11 + 14 - 16 + soft_field(kind.format, channel).bits -
+			bits;
 	}
 	if (soft_is_aligned(kind)) {
 		return 16;
@@ -280,16 +281,24 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
-/* rows are those of the run. */
+/* A second texture has RGB565 texels where it is joined. */
+static ALWAYS_INLINE struct soft_kind soft_second_kind(struct soft_kind kind)
+{
+	return (struct soft_kind){
+		.textured = true, .format = TEXEL_565, .linear = kind.linear};
+}
+
+/* rows are those of the run; second is for kinds that are joined. */
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	const struct soft_rows *rows, struct soft_kind kind, uint32_t texel,
-	struct soft_texel *out)
+	struct soft_texel *out, struct soft_texel *second)
 {
 	const int bytes_log2 = soft_texel_bytes_log2(kind.format);
 	const uint32_t row = texel >> (16 + SOFT_TEXEL_FRACTION);
 	const uint32_t x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 		((SOFT_RUN_TEXELS - 1u) << bytes_log2);
 	uint32_t above[2], below[2];
+	struct soft_weights weights;
 
 	if (!kind.linear || bytes_log2 == 0) {
 		uint32_t at = (row << run->stride_log2) + x;
@@ -300,11 +309,19 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		if (!kind.linear) {
 			soft_split_texel(kind,
 				soft_load_texel(kind.format, texel_at), out);
+			if (kind.joined) {
+				soft_split_texel(soft_second_kind(kind),
+					load_16((const uint8_t *)((uintptr_t)texel_at +
+						rows->joint)),
+					second);
+			}
 			return;
 		}
 		above[0] = soft_load_pair(kind.format, texel_at);
 		below[0] = soft_load_pair(
 			kind.format, texel_at + (1u << run->stride_log2));
+	} else if (kind.joined) {
+		soft_load_joined(rows, row, x, above, below);
 	} else {
 		soft_load_rows(rows, row, x, bytes_log2 == 2, above, below);
 	}
@@ -312,20 +329,24 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		soft_mix_green(kind, above, below, texel, texel >> 16, out);
 		return;
 	}
-	soft_mix_pairs(kind, above[0], below[0],
-		soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
-			SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8)),
-		out);
+	weights = soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
+		SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8));
+	if (kind.joined) {
+		soft_mix_pairs(soft_second_kind(kind), above[1], below[1],
+			weights, second);
+	}
+	soft_mix_pairs(kind, above[0], below[0], weights, out);
 }
 
 /* As coordinates repeat. */
 static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
-	struct soft_kind kind, uint32_t s, uint32_t t, struct soft_texel *out)
+	const uint8_t *texels, struct soft_kind kind, uint32_t s, uint32_t t,
+	struct soft_texel *out)
 {
 	int bytes_log2 = soft_texel_bytes_log2(kind.format);
 	uint32_t x = s >> SOFT_TEXEL_FRACTION & run->s_last;
 	uint32_t y = t >> SOFT_TEXEL_FRACTION & run->t_last;
-	const uint8_t *above = run->texels + (y << run->stride_log2);
+	const uint8_t *above = texels + (y << run->stride_log2);
 	const uint8_t *below = above;
 	uint32_t next = x, a[2], b[2];
 
@@ -336,7 +357,7 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 		return;
 	}
 	y = (y + 1) & run->t_last;
-	below = run->texels + (y << run->stride_log2);
+	below = texels + (y << run->stride_log2);
 	if (kind.format != TEXEL_8888) {
 		a[0] = soft_load_pair(kind.format, above + (x << bytes_log2));
 		b[0] = soft_load_pair(kind.format, below + (x << bytes_log2));
@@ -373,46 +394,6 @@ static ALWAYS_INLINE void soft_finish_texel(
 			soft_mix_half(&texel->four, false, kind.wide);
 	}
 #endif
-}
-
-/* The channels of a second texture's texel, of 10, 11 and 11 bits. */
-static ALWAYS_INLINE uint32_t soft_second_field(
-	uint32_t texel, enum soft_channel channel)
-{
-	return channel == SOFT_RED      ? texel >> 22
-		: channel == SOFT_GREEN ? texel << 10 >> 21
-					: texel << 21 >> 21;
-}
-
-static ALWAYS_INLINE uint32_t soft_scale_channel(struct soft_kind kind,
-	const struct soft_texel *texel, uint32_t second,
-	enum soft_channel channel)
-{
-	const uint32_t by = soft_second_field(second, channel);
-	const struct soft_lanes *lanes = &texel->lanes;
-
-	if (kind.format == TEXEL_8888) {
-		return by *
-			(channel == SOFT_RED ? lanes->red_blue & 0xFFFF
-					: channel == SOFT_GREEN
-					? lanes->green_alpha & 0xFFFF
-					: lanes->red_blue >> 16);
-	}
-	return soft_is_aligned(kind)
-		? (uint32_t)WORD_BY_BOTTOM(texel->channel[channel], by, 0)
-		: by * texel->channel[channel];
-}
-
-static ALWAYS_INLINE void soft_scale_texel(
-	struct soft_kind kind, uint32_t second, struct soft_texel *texel)
-{
-	const uint32_t red = soft_scale_channel(kind, texel, second, SOFT_RED);
-	const uint32_t green =
-		soft_scale_channel(kind, texel, second, SOFT_GREEN);
-
-	texel->channel[2] = soft_scale_channel(kind, texel, second, SOFT_BLUE);
-	texel->channel[0] = red;
-	texel->channel[1] = green;
 }
 
 #endif

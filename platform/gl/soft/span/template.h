@@ -11,8 +11,8 @@
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/span/stages.h"
 #include "platform/gl/soft/stages/bytes.h"
+#include "platform/gl/soft/stages/second.h"
 
 /* A half in the picture's last bit. */
 static ALWAYS_INLINE int32_t soft_half(
@@ -34,35 +34,6 @@ struct soft_constants {
 	/* Where second texels of the row are, less twice where depths are. */
 	uintptr_t second;
 };
-
-/* The depth's pixel's. */
-static ALWAYS_INLINE uint32_t soft_find_second(
-	const struct soft_constants *constants, const uint16_t *depth)
-{
-	return *(const uint32_t *)(constants->second + 2 * (uintptr_t)depth);
-}
-
-/* With soft_fraction() bits of fraction, below which there may be more. */
-static ALWAYS_INLINE int32_t soft_second_channel(
-	struct soft_kind kind, uint32_t second, enum soft_channel channel)
-{
-	const int fraction = soft_fraction(kind, channel);
-
-	return (int32_t)(channel == SOFT_RED ? second >> (27 - fraction)
-			: channel == SOFT_GREEN
-			? second << 10 >> (26 - fraction)
-			: second << 21 >> (27 - fraction));
-}
-
-static ALWAYS_INLINE void soft_add_second(
-	struct soft_kind kind, uint32_t second, struct soft_color *color)
-{
-	int32_t *c = color->channel;
-
-	c[0] += soft_second_channel(kind, second, SOFT_RED);
-	c[1] += soft_second_channel(kind, second, SOFT_GREEN);
-	c[2] += soft_second_channel(kind, second, SOFT_BLUE);
-}
 
 static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
 	const struct soft_constants *constants, enum soft_channel channel)
@@ -254,28 +225,6 @@ static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
 		: green_alpha >> 23;
 }
 
-/* From one to the other of bytes 0 and 2, exactly as scale_byte() has it. */
-static ALWAYS_INLINE uint32_t soft_blend_lanes(
-	uint32_t to, uint32_t own, uint32_t alpha)
-{
-	uint32_t sum = own * alpha + to * (255 - alpha) + 0x00800080;
-
-	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
-}
-
-static ALWAYS_INLINE uint32_t soft_blend_8888(
-	uint32_t to, uint32_t own, uint32_t alpha)
-{
-#ifdef HAS_COLOR_VECTORS
-	return vector_blend(to, own, alpha);
-#else
-	const uint32_t mask = 0x00FF00FF;
-
-	return soft_blend_lanes(to & mask, own & mask, alpha) |
-		soft_blend_lanes(to >> 8 & mask, own >> 8 & mask, alpha) << 8;
-#endif
-}
-
 static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_lanes *lanes,
 	uint32_t alpha, uint8_t *pixel)
@@ -283,7 +232,7 @@ static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
 	uint32_t own = lanes->red_blue | lanes->green_alpha << 8 | alpha << 24;
 
 	if (soft_is_blended(kind)) {
-		own = soft_blend_8888(load_32(pixel), own, alpha);
+		own = soft_blend_bytes(load_32(pixel), own, alpha);
 	} else if (soft_is_blended_freely(kind)) {
 		uint32_t factors = soft_find_factors(constants, alpha);
 
@@ -341,14 +290,21 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	const struct soft_constants *constants, const struct soft_pixel *at,
 	uint16_t *depth, uint8_t *pixel)
 {
-	struct soft_texel texel = {.alpha = 255};
+	struct soft_texel texel = {.alpha = 255}, second;
 	struct soft_color color;
 	uint32_t alpha = 255;
 
 	if (kind.textured && kind.inside) {
-		soft_sample_inside(run, rows, kind, at->texel, &texel);
+		soft_sample_inside(run, rows, kind, at->texel, &texel, &second);
 	} else if (kind.textured) {
-		soft_sample_anywhere(run, kind, at->s, at->t, &texel);
+		soft_sample_anywhere(
+			run, run->texels, kind, at->s, at->t, &texel);
+		if (kind.joined) {
+			soft_sample_anywhere(run,
+				(const uint8_t *)((uintptr_t)run->texels +
+					run->joint),
+				soft_second_kind(kind), at->s, at->t, &second);
+		}
 	}
 	if (soft_wants_alpha(kind)) {
 		alpha = kind.wide || soft_is_tested(kind)
@@ -376,9 +332,13 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_store_8888(kind, constants, &lanes, alpha, pixel);
 		return;
 	}
+	if ((soft_is_scaled(kind) || soft_is_summed(kind)) && !kind.joined) {
+		soft_split_second(*(const uint32_t *)(constants->second +
+					  2 * (uintptr_t)depth),
+			&second);
+	}
 	if (soft_is_scaled(kind)) {
-		soft_scale_texel(
-			kind, soft_find_second(constants, depth), &texel);
+		soft_scale_texel(kind, &second, &texel);
 	}
 	color = soft_modulate(kind, constants, &texel, at);
 	color.alpha = alpha;
@@ -386,8 +346,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_add_fog(constants, at->fog, &color);
 	}
 	if (soft_is_summed(kind)) {
-		soft_add_second(
-			kind, soft_find_second(constants, depth), &color);
+		soft_add_second(kind, &second, &color);
 	}
 	if (soft_is_blended_freely(kind)) {
 		soft_mix_565(kind, constants, &color, (uint16_t *)(void *)pixel);
@@ -470,7 +429,8 @@ static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *run = &own;
 	struct soft_constants constants = soft_find_constants(run, kind);
 	struct soft_steps steps = soft_find_steps(run);
-	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
+	const struct soft_rows rows = {
+		run->first_texel, 1u << run->stride_log2, run->joint};
 	const struct soft_row *row = run->rows, *end = row + run->row_count;
 
 	if (kind.textured && !kind.inside) {

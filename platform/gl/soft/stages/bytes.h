@@ -71,4 +71,26 @@ static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 #endif
 }
 
+/* From one to the other of bytes 0 and 2, exactly as scale_byte() has it. */
+static ALWAYS_INLINE uint32_t soft_blend_lanes(
+	uint32_t to, uint32_t own, uint32_t alpha)
+{
+	uint32_t sum = own * alpha + to * (255 - alpha) + 0x00800080;
+
+	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
+}
+
+static ALWAYS_INLINE uint32_t soft_blend_bytes(
+	uint32_t to, uint32_t own, uint32_t alpha)
+{
+#ifdef HAS_COLOR_VECTORS
+	return vector_blend(to, own, alpha);
+#else
+	const uint32_t mask = 0x00FF00FF;
+
+	return soft_blend_lanes(to & mask, own & mask, alpha) |
+		soft_blend_lanes(to >> 8 & mask, own >> 8 & mask, alpha) << 8;
+#endif
+}
+
 #endif

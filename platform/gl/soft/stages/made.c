@@ -361,20 +361,6 @@ void soft_read_second(struct draw *draw, uint32_t *texel)
 	draw->spans.run.second = (uintptr_t)texel;
 }
 
-static void draw_second(const struct soft_run *run)
-{
-	uint32_t texel[SOFT_BATCH_PIXELS];
-
-	soft_read_second(run->draw, texel);
-	run->draw->spans.seconded(run);
-}
-
-void soft_set_second(struct soft_spans *spans)
-{
-	spans->seconded = spans->draw;
-	spans->draw = draw_second;
-}
-
 static void prepare_combined(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;

@@ -24,10 +24,7 @@ struct soft_made_at soft_find_made_at(
 /* A texture's levels for a level of detail with 8 bits of fraction. */
 void soft_set_made_levels(struct draw *draw, int unit, int lod);
 
-/* Has spans.draw read the second texture's texels of runs before it draws them. */
-void soft_set_second(struct soft_spans *spans);
-
-/* Reads those of the runs under way, for the functions. */
+/* The second texture's texels of the runs under way, for the span functions. */
 void soft_read_second(struct draw *draw, uint32_t *texel);
 
 /*

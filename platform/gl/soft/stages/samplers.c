@@ -44,7 +44,8 @@ static ALWAYS_INLINE void read_texels(
 {
 	const struct soft_run own = *given, *run = &own;
 	uint32_t at = run->row.texel;
-	const struct soft_rows rows = {run->first_texel, 1u << run->stride_log2};
+	const struct soft_rows rows = {
+		.first = run->first_texel, .stride = 1u << run->stride_log2};
 	uint32_t s = (uint32_t)run->s, t = (uint32_t)run->t;
 	uint8_t *out = run->row.pixel, *end = out + run->row.count * 4;
 
@@ -53,10 +54,11 @@ static ALWAYS_INLINE void read_texels(
 		uint32_t bytes;
 
 		if (kind.inside) {
-			soft_sample_inside(run, &rows, kind, at, &texel);
+			soft_sample_inside(run, &rows, kind, at, &texel, NULL);
 			at += run->row.texel_right;
 		} else {
-			soft_sample_anywhere(run, kind, s, t, &texel);
+			soft_sample_anywhere(
+				run, run->texels, kind, s, t, &texel);
 			s += (uint32_t)run->s_right;
 			t += (uint32_t)run->t_right;
 		}

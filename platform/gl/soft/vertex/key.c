@@ -106,5 +106,6 @@ uint32_t soft_find_key(const struct draw *draw)
 	return find_target(draw) | find_vertices(draw) | find_fragments(draw) |
 		find_depth(draw) | find_stencil(draw) |
 		find_texture(&draw->texture[0]) |
-		bit_if(draw->texture[1].used, KEY_TEXTURES);
+		bit_if(draw->texture[1].used || draw->spans.joined,
+			KEY_TEXTURES);
 }

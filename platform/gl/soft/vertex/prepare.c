@@ -341,6 +341,11 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (!soft_prepare_spans(draw)) {
 		return false;
 	}
+	/* Span functions find the second texture's texels by the first's place. */
+	if (draw->spans.joined) {
+		draw->texture[1].used = false;
+		draw->attributes &= ~(3u << (TEX_S + 2));
+	}
 	/* No alpha where nobody asks for it. */
 	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);

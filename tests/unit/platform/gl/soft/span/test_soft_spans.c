@@ -5,75 +5,10 @@
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "tests/support/random.h"
-#include "tests/support/soft/span_scene.h"
+#include "tests/support/soft/span_random.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-enum {
-	TRIANGLES = 1, /* others on top would add to the difference */
-	SIDE_MOST = 256,
-};
-
-/* A format, and how many bytes of it a texel takes. */
-static const struct texel_case {
-	GLenum format, type;
-	int bytes;
-} texels[] = {
-	{GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 2},
-	{GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 2},
-	{GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 2},
-	{GL_RGBA, GL_UNSIGNED_BYTE, 4},
-	{GL_LUMINANCE, GL_UNSIGNED_BYTE, 1},
-	{GL_ALPHA, GL_UNSIGNED_BYTE, 1},
-	{GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2},
-	{GL_RGB, GL_UNSIGNED_BYTE, 3},
-};
-
-static GLenum one_of(uint32_t *seed, const GLenum *values, int count)
-{
-	return values[random_between(seed, 0, count - 1)];
-}
-
-static void give_texture(const struct gl *gl, uint32_t *seed)
-{
-	static uint8_t bytes[SIDE_MOST * SIDE_MOST * 4];
-	static const GLenum min[] = {GL_NEAREST, GL_LINEAR,
-		GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
-		GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
-	static const GLenum mag[] = {GL_NEAREST, GL_LINEAR};
-	static const GLenum wrap[] = {GL_REPEAT, GL_CLAMP_TO_EDGE};
-	const struct texel_case *texel = &texels[random_between(seed, 0, 7)];
-	int width = 1 << random_between(seed, 0, 8);
-	int height = 1 << random_between(seed, 0, 8);
-	GLuint name;
-
-	for (size_t i = 0; i < sizeof(bytes); i++) {
-		bytes[i] = (uint8_t)next_random(seed);
-	}
-	gl->GenTextures(1, &name);
-	gl->BindTexture(GL_TEXTURE_2D, name);
-	gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-		(GLfixed)one_of(seed, min, 6));
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
-		(GLfixed)one_of(seed, mag, 2));
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S,
-		(GLfixed)one_of(seed, wrap, 2));
-	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T,
-		(GLfixed)one_of(seed, wrap, 2));
-	for (int level = 0;; level++) {
-		gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)texel->format,
-			width, height, 0, texel->format, texel->type, bytes);
-		if (width == 1 && height == 1) {
-			break;
-		}
-		width = width > 1 ? width / 2 : 1;
-		height = height > 1 ? height / 2 : 1;
-	}
-	gl->Enable(GL_TEXTURE_2D);
-}
 
 static void give_combiner(const struct gl *gl, uint32_t *seed)
 {
@@ -86,18 +21,18 @@ static void give_combiner(const struct gl *gl, uint32_t *seed)
 		GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR};
 
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB,
-		(GLfixed)one_of(seed, functions, 8));
+		(GLfixed)span_one_of(seed, functions, 8));
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA,
-		(GLfixed)one_of(seed, functions, 6));
+		(GLfixed)span_one_of(seed, functions, 6));
 	for (GLenum i = 0; i < 3; i++) {
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_RGB + i,
-			(GLfixed)one_of(seed, sources, 4));
+			(GLfixed)span_one_of(seed, sources, 4));
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA + i,
-			(GLfixed)one_of(seed, sources, 4));
+			(GLfixed)span_one_of(seed, sources, 4));
 		gl->TexEnvx(GL_TEXTURE_ENV, GL_OPERAND0_RGB + i,
-			(GLfixed)one_of(seed, operands, 4));
+			(GLfixed)span_one_of(seed, operands, 4));
 		gl->TexEnvx(GL_TEXTURE_ENV, 0x8598 /* GL_OPERAND0_ALPHA */ + i,
-			(GLfixed)one_of(seed, operands, 2));
+			(GLfixed)span_one_of(seed, operands, 2));
 	}
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_RGB_SCALE,
 		65536 << random_between(seed, 0, 2));
@@ -115,7 +50,7 @@ static void give_environment(const struct gl *gl, uint32_t *seed)
 		color[i] = random_between(seed, 0, 65536);
 	}
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-		(GLfixed)one_of(seed, modes, 7));
+		(GLfixed)span_one_of(seed, modes, 7));
 	gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
 	give_combiner(gl, seed);
 }
@@ -130,7 +65,7 @@ static void give_textures(const struct gl *gl, uint32_t *seed)
 		if (which >> unit & 1) {
 			gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
 			gl->ClientActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-			give_texture(gl, seed);
+			span_give_texture(gl, seed);
 			give_environment(gl, seed);
 			gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 		}
@@ -151,13 +86,13 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
 
 	if (random_one_in(seed, 3)) {
-		GLenum from = one_of(seed, source, 10);
+		GLenum from = span_one_of(seed, source, 10);
 
 		gl->Enable(GL_BLEND);
-		gl->BlendFunc(from, one_of(seed, destination, 10));
+		gl->BlendFunc(from, span_one_of(seed, destination, 10));
 	}
 	if (random_one_in(seed, 3)) {
-		GLenum function = one_of(seed, functions, 7);
+		GLenum function = span_one_of(seed, functions, 7);
 
 		gl->Enable(GL_ALPHA_TEST);
 		gl->AlphaFuncx(function, random_between(seed, 0, 65536));
@@ -169,7 +104,7 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		gl->Enable(GL_DEPTH_TEST);
 		gl->DepthFunc(random_one_in(seed, 2)
 				? GL_LESS
-				: one_of(seed, functions, 7));
+				: span_one_of(seed, functions, 7));
 		gl->DepthMask(!random_one_in(seed, 4));
 	}
 	if (random_one_in(seed, 8)) {
@@ -185,69 +120,20 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 	}
 }
 
-/* At depths around 4: w differs by up to half, hardly, or not at all. */
-static void give_triangles(const struct gl *gl, uint32_t *seed)
+static void give_triangle(const struct gl *gl, uint32_t *seed)
 {
-	static struct span_corner corner[TRIANGLES * 3];
-	static const int sizes[] = {3, 8, 30, 120, 400};
-	int size = sizes[random_between(seed, 0, 4)];
-	int bend = random_between(seed, 0, 2) * 40;
-	int texels_wide = random_between(seed, 1, 30);
-	bool one_color = random_one_in(seed, 4);
-
-	for (int i = 0; i < TRIANGLES * 3; i++) {
-		struct span_corner *c = &corner[i];
-		float depth = 4.0f +
-			(float)random_between(seed, -bend, bend) / 100.0f;
-		float x = (float)random_between(seed, -80, 80);
-		float y = (float)random_between(seed, -80, 80);
-
-		if (i % 3 != 0) {
-			const float *first = corner[i / 3 * 3].position;
-
-			x = first[0] * 50.0f +
-				(float)random_between(seed, -size, size);
-			y = first[1] * 50.0f +
-				(float)random_between(seed, -size, size);
-		}
-		c->position[0] = x / 50.0f;
-		c->position[1] = y / 50.0f;
-		c->position[2] = -depth;
-		for (int k = 0; k < 4; k++) {
-			c->color[k] = (uint8_t)(one_color
-					? 200
-					: random_between(seed, 0, 255));
-		}
-		for (int k = 0; k < 4; k++) {
-			c->texcoord[k / 2][k % 2] =
-				(float)random_between(seed, -100, 100) /
-				100.0f * (float)texels_wide / 8.0f;
-		}
-	}
-	span_scene_draw(gl, corner, TRIANGLES * 3);
-}
-
-static struct span_scene *begin_in_perspective(
-	enum pixel_format format, bool reference)
-{
-	struct span_scene *scene = span_scene_begin(format, reference);
-	const struct gl *gl = scene->gl;
-
-	gl->MatrixMode(GL_PROJECTION);
-	gl->Frustumx(-20000, 20000, -16000, 16000, 65536, 8 * 65536);
-	gl->MatrixMode(GL_MODELVIEW);
-	return scene;
+	span_scene_draw(gl, span_make_triangle(seed), 3);
 }
 
 static struct span_scene *draw(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct span_scene *scene = begin_in_perspective(format, reference);
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
 	give_textures(gl, &seed);
 	give_fragments(gl, &seed);
-	give_triangles(gl, &seed);
+	give_triangle(gl, &seed);
 	return scene;
 }
 
@@ -306,89 +192,6 @@ static void test_a_small_triangle_leaves_the_next_its_level(void **state)
 	}
 }
 
-static void add_texture(const struct gl *gl, uint32_t *seed)
-{
-	const bool swapped = random_one_in(seed, 2);
-
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-		random_one_in(seed, 3) ? GL_ADD : GL_COMBINE);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
-	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC1_RGB : GL_SRC0_RGB,
-		GL_PREVIOUS);
-	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC0_RGB : GL_SRC1_RGB,
-		GL_TEXTURE);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
-}
-
-/* Opaque, alpha-tested or blended by alpha. */
-static void give_alpha(const struct gl *gl, uint32_t *seed)
-{
-	switch (random_between(seed, 0, 2)) {
-	case 1:
-		gl->Enable(GL_ALPHA_TEST);
-		gl->AlphaFuncx(GL_GEQUAL, random_between(seed, 0, 65536));
-		break;
-	case 2:
-		gl->Enable(GL_BLEND);
-		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-		break;
-	default:
-		break;
-	}
-}
-
-static struct span_scene *draw_pair(
-	enum pixel_format format, uint32_t seed, bool reference)
-{
-	static const GLenum modes[] = {GL_MODULATE, GL_MODULATE, GL_REPLACE};
-	struct span_scene *scene = begin_in_perspective(format, reference);
-	const struct gl *gl = scene->gl;
-
-	gl->Enable(GL_DEPTH_TEST);
-	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
-	gl->DepthMask(!random_one_in(&seed, 4));
-	for (GLenum unit = 0; unit < 2; unit++) {
-		gl->ActiveTexture(GL_TEXTURE0 + unit);
-		give_texture(gl, &seed);
-		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-			unit == 0 ? (GLfixed)one_of(&seed, modes, 3)
-				  : GL_MODULATE);
-	}
-	if (random_one_in(&seed, 2)) {
-		add_texture(gl, &seed);
-		give_alpha(gl, &seed);
-	}
-	give_triangles(gl, &seed);
-	return scene;
-}
-
-/* Two textures that multiply each other and the colours, or whose sum is drawn. */
-static void test_two_textures_are_those_of_fragments(void **state)
-{
-	int read[SOFT_FINISHES] = {0}, multiplied = 0, listed = 0;
-
-	(void)state;
-	for (uint32_t seed = 1; seed <= 1000; seed++) {
-		enum pixel_format format =
-			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
-		struct span_scene *fast = draw_pair(format, seed * 7919, false);
-		struct span_scene *slow = draw_pair(format, seed * 7919, true);
-
-		multiplied += fast->soft->draw->spans.multiplied;
-		read[fast->soft->draw->spans.finish]++;
-		listed += fast->soft->draw->raster.top == RASTER_LISTED;
-		span_scene_compare(fast, slow, seed);
-		span_scene_close(fast);
-		span_scene_close(slow);
-	}
-	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
-		assert_true(read[i] > 40);
-	}
-	assert_true(multiplied > 80);
-	assert_true(listed > 100);
-}
-
 /* The second unit's texture is any; its environment does not read it. */
 static void add_color(const struct gl *gl, uint32_t *seed)
 {
@@ -399,7 +202,7 @@ static void add_color(const struct gl *gl, uint32_t *seed)
 		color[i] = random_between(seed, 0, 65536);
 	}
 	gl->ActiveTexture(GL_TEXTURE1);
-	give_texture(gl, seed);
+	span_give_texture(gl, seed);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
 	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC1_RGB : GL_SRC0_RGB,
@@ -414,17 +217,17 @@ static void add_color(const struct gl *gl, uint32_t *seed)
 static struct span_scene *draw_sum(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct span_scene *scene = begin_in_perspective(format, reference);
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
-	give_texture(gl, &seed);
+	span_give_texture(gl, &seed);
 	if (random_one_in(&seed, 4)) {
 		give_environment(gl, &seed);
 	}
 	gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
 	add_color(gl, &seed);
 	give_fragments(gl, &seed);
-	give_triangles(gl, &seed);
+	give_triangle(gl, &seed);
 	return scene;
 }
 
@@ -452,14 +255,14 @@ static void test_added_colours_are_those_of_fragments(void **state)
 static struct span_scene *draw_heap(
 	enum pixel_format format, uint32_t seed, bool reference)
 {
-	struct span_scene *scene = begin_in_perspective(format, reference);
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
 	const struct gl *gl = scene->gl;
 
 	gl->Enable(GL_DEPTH_TEST);
 	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
-	give_texture(gl, &seed);
+	span_give_texture(gl, &seed);
 	for (int i = 0; i < 60; i++) {
-		give_triangles(gl, &seed);
+		give_triangle(gl, &seed);
 	}
 	return scene;
 }
@@ -486,7 +289,6 @@ int main(void)
 		cmocka_unit_test(test_spans_of_565_are_those_of_fragments),
 		cmocka_unit_test(test_spans_of_8888_are_those_of_fragments),
 		cmocka_unit_test(test_a_small_triangle_leaves_the_next_its_level),
-		cmocka_unit_test(test_two_textures_are_those_of_fragments),
 		cmocka_unit_test(test_added_colours_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 	};

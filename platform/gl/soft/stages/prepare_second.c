@@ -1,0 +1,84 @@
+/* Which span functions read a second texture's texels, and how. */
+#include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/stages/made.h"
+#include "platform/gl/soft/vertex/draw.h"
+
+#include <string.h>
+
+/*
+ * How a span function draws a second texture after a finish without one; the
+ * same finish where none does. Alpha is not wanted of opaque fragments.
+ */
+static enum soft_finish find_second_finish(
+	const struct draw *draw, enum soft_finish finish)
+{
+	const struct texture_input *input = &draw->texture[1];
+	const bool first = draw->spans.table == &soft_spans_565 &&
+		draw->spans.textured && !draw->smooth &&
+		soft_is_simple_environment(&draw->texture[0]) &&
+		draw->texture[0].base->format != TEXEL_A8;
+
+	if (!first || !input->used || input->base->format == TEXEL_A8) {
+		return finish;
+	}
+	if (soft_adds(input, GL_TEXTURE) ||
+		(input->mode == GL_ADD && finish == SOFT_OPAQUE)) {
+		return finish == SOFT_OPAQUE     ? SOFT_SUMMED
+			: finish == SOFT_TESTED  ? SOFT_TESTED_SUMMED
+			: finish == SOFT_BLENDED ? SOFT_BLENDED_SUMMED
+						 : finish;
+	}
+	return input->mode == GL_MODULATE && finish == SOFT_OPAQUE ? SOFT_SCALED
+								   : finish;
+}
+
+static bool is_same_array(const struct array *a, const struct array *b)
+{
+	return a->enabled && b->enabled && a->size == b->size &&
+		a->type == b->type && a->stride_bytes == b->stride_bytes &&
+		a->pointer == b->pointer;
+}
+
+/* Whether both textures' texels lie in the same places, for spans_joined.c. */
+static bool are_joined(const struct draw *draw)
+{
+	const struct texture_input *a = &draw->texture[0], *b = a + 1;
+	const struct texture *first = a->texture, *second = b->texture;
+
+	return (a->base->format == TEXEL_565 || a->base->format == TEXEL_4444) &&
+		b->base->format == TEXEL_565 && a->levels == b->levels &&
+		!soft_mixes_levels(a) && a->width_log2 == b->width_log2 &&
+		a->height_log2 == b->height_log2 &&
+		first->min_filter == second->min_filter &&
+		first->mag_filter == second->mag_filter &&
+		first->wrap_s == second->wrap_s &&
+		first->wrap_t == second->wrap_t &&
+		is_same_array(a->array, b->array) &&
+		a->identity == b->identity &&
+		(a->identity ||
+			(a->matrix_q == b->matrix_q &&
+				memcmp(a->matrix, b->matrix,
+					sizeof(a->matrix)) == 0));
+}
+
+bool soft_choose_second(struct draw *draw)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_made_levels *levels = &spans->made_levels[1];
+	const enum soft_finish finish = find_second_finish(draw, spans->finish);
+
+	levels->level = -1;
+	levels->packed = false;
+	spans->read_second = NULL;
+	spans->joined = false;
+	if (finish == spans->finish) {
+		return false;
+	}
+	spans->finish = finish;
+	spans->joined = are_joined(draw);
+	spans->read_second = spans->joined ? NULL : soft_read_second;
+	spans->table = spans->joined ? &soft_spans_joined : &soft_spans_second;
+	levels->packed = draw->texture[1].base->format == TEXEL_565 &&
+		!soft_mixes_levels(&draw->texture[1]);
+	return true;
+}

@@ -1,0 +1,72 @@
+/*
+ * The stage of the span functions' text (template.h) for a second texture,
+ * whose texels multiply those of the first one, or are added to the colour.
+ */
+#ifndef PLATFORM_GL_SOFT_STAGES_SECOND_H
+#define PLATFORM_GL_SOFT_STAGES_SECOND_H
+
+#include "platform/gl/soft/span/stages.h"
+
+/* Of a second texture's texel, the fraction of its 5, 6 and 5 bits. */
+static ALWAYS_INLINE int soft_second_fraction(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	return kind.joined              ? (kind.linear ? 18 : 0)
+		: channel == SOFT_GREEN ? 5
+					: 6;
+}
+
+/* Shifted to so many bits of fraction. */
+static ALWAYS_INLINE uint32_t soft_second_channel(struct soft_kind kind,
+	const struct soft_texel *second, enum soft_channel channel, int fraction)
+{
+	const int up = fraction - soft_second_fraction(kind, channel);
+
+	return up >= 0 ? second->channel[channel] << up
+		       : second->channel[channel] >> -up;
+}
+
+/* The words of soft_run.second. */
+static ALWAYS_INLINE void soft_split_second(
+	uint32_t word, struct soft_texel *out)
+{
+	out->channel[0] = word >> 21; /* its last bit is green's first one */
+	out->channel[1] = word << 10 >> 21;
+	out->channel[2] = word << 21 >> 21;
+}
+
+/* Channels times those of a second texture, which have 11 bits. */
+static ALWAYS_INLINE void soft_scale_texel(struct soft_kind kind,
+	const struct soft_texel *second, struct soft_texel *texel)
+{
+	const uint32_t red = soft_second_channel(kind, second, SOFT_RED, 6);
+	const uint32_t green = soft_second_channel(kind, second, SOFT_GREEN, 5);
+	const uint32_t blue = soft_second_channel(kind, second, SOFT_BLUE, 6);
+	uint32_t *c = texel->channel;
+
+	if (kind.format == TEXEL_8888) {
+		c[0] = texel->lanes.red_blue & 0xFFFF;
+		c[1] = texel->lanes.green_alpha & 0xFFFF;
+		c[2] = texel->lanes.red_blue >> 16;
+	}
+	if (soft_is_aligned(kind)) {
+		c[0] = WORD_TIMES_BOTTOM(c[0], red);
+		c[1] = WORD_TIMES_BOTTOM(c[1], green);
+		c[2] = WORD_TIMES_BOTTOM(c[2], blue);
+	} else {
+		c[0] *= red;
+		c[1] *= green;
+		c[2] *= blue;
+	}
+}
+
+static ALWAYS_INLINE void soft_add_second(struct soft_kind kind,
+	const struct soft_texel *second, struct soft_color *color)
+{
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		color->channel[i] += (int32_t)soft_second_channel(
+			kind, second, i, soft_fraction(kind, i));
+	}
+}
+
+#endif

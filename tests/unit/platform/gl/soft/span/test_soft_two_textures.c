@@ -1,0 +1,150 @@
+/*
+ * Span functions that read two textures against the reference: random textures,
+ * sizes and places. Coverage and depth are equal, colours within a step of RGB565.
+ */
+#include "platform/gl/soft/raster/raster.h"
+#include "tests/support/random.h"
+#include "tests/support/soft/span_random.h"
+#include "tests/support/test.h"
+
+/* The second texture's to the first one's, whose alpha stays. */
+static void add_texture(const struct gl *gl, uint32_t *seed)
+{
+	const bool swapped = random_one_in(seed, 2);
+
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+		random_one_in(seed, 3) ? GL_ADD : GL_COMBINE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_RGB, GL_ADD);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC1_RGB : GL_SRC0_RGB,
+		GL_PREVIOUS);
+	gl->TexEnvx(GL_TEXTURE_ENV, swapped ? GL_SRC0_RGB : GL_SRC1_RGB,
+		GL_TEXTURE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
+}
+
+/* Opaque, alpha-tested or blended by alpha. */
+static void give_alpha(const struct gl *gl, uint32_t *seed)
+{
+	switch (random_between(seed, 0, 2)) {
+	case 1:
+		gl->Enable(GL_ALPHA_TEST);
+		gl->AlphaFuncx(GL_GEQUAL, random_between(seed, 0, 65536));
+		break;
+	case 2:
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+		break;
+	default:
+		break;
+	}
+}
+
+static struct span_scene *draw_pair(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	static const GLenum modes[] = {GL_MODULATE, GL_MODULATE, GL_REPLACE};
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
+	const struct gl *gl = scene->gl;
+
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
+	gl->DepthMask(!random_one_in(&seed, 4));
+	for (GLenum unit = 0; unit < 2; unit++) {
+		gl->ActiveTexture(GL_TEXTURE0 + unit);
+		span_give_texture(gl, &seed);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
+			unit == 0 ? (GLfixed)span_one_of(&seed, modes, 3)
+				  : GL_MODULATE);
+	}
+	if (random_one_in(&seed, 2)) {
+		add_texture(gl, &seed);
+		give_alpha(gl, &seed);
+	}
+	span_scene_draw(gl, span_make_triangle(&seed), 3);
+	return scene;
+}
+
+/* Two textures of the same size and sampling, with the same coordinates. */
+static struct span_scene *draw_joined(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
+	const struct gl *gl = scene->gl;
+	uint32_t first = seed, second = seed;
+	GLenum mode = random_one_in(&seed, 3) ? GL_REPLACE : GL_MODULATE;
+
+	gl->Enable(GL_DEPTH_TEST);
+	gl->DepthFunc(seed % 2 ? GL_LESS : GL_LEQUAL);
+	gl->DepthMask(!random_one_in(&seed, 4));
+	span_give_texels(gl, &first, random_between(&seed, 0, 1), 0);
+	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, (GLfixed)mode);
+	gl->ActiveTexture(GL_TEXTURE1);
+	span_give_texels(gl, &second, 0, 0x5A);
+	if (random_one_in(&seed, 2)) {
+		add_texture(gl, &seed);
+		give_alpha(gl, &seed);
+	}
+	span_scene_draw_joined(gl, span_make_triangle(&seed), 3);
+	return scene;
+}
+
+/* Two textures that multiply each other and the colours, or whose sum is drawn. */
+static void test_two_textures_are_those_of_fragments(void **state)
+{
+	int read[SOFT_FINISHES] = {0}, multiplied = 0, listed = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 1000; seed++) {
+		enum pixel_format format =
+			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *fast = draw_pair(format, seed * 7919, false);
+		struct span_scene *slow = draw_pair(format, seed * 7919, true);
+
+		multiplied += fast->soft->draw->spans.multiplied;
+		read[fast->soft->draw->spans.finish]++;
+		listed += fast->soft->draw->raster.top == RASTER_LISTED;
+		span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
+		assert_true(read[i] > 40);
+	}
+	assert_true(multiplied > 80);
+	assert_true(listed > 100);
+}
+
+static void test_joined_textures_are_those_of_fragments(void **state)
+{
+	int read[SOFT_FINISHES] = {0}, joined = 0, drawn = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= 1000; seed++) {
+		struct span_scene *fast =
+			draw_joined(PIXELS_RGB565, seed * 7919, false);
+		struct span_scene *slow =
+			draw_joined(PIXELS_RGB565, seed * 7919, true);
+
+		joined += fast->soft->draw->spans.joined;
+		read[fast->soft->draw->spans.finish]++;
+		drawn += span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
+		assert_true(read[i] > 40);
+	}
+	assert_true(joined > 400);
+	assert_true(drawn > 30000);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_two_textures_are_those_of_fragments),
+		cmocka_unit_test(test_joined_textures_are_those_of_fragments),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

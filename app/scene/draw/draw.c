@@ -75,7 +75,8 @@ static void enable_array(const struct gl *gl, GLenum array, const void *data)
 
 /* What one pass draws besides positions; the pointers may be NULL. */
 struct arrays {
-	bool lit; /* pass the batch's normals */
+	bool lit;        /* pass the batch's normals */
+	bool both_units; /* pass texcoord to the second unit, too */
 	const float (*texcoord)[2];
 	const uint8_t (*color)[4];
 	bool edges;                   /* draw the triangles' edges */
@@ -115,6 +116,14 @@ static void draw_list(
 	}
 }
 
+static void set_texcoords(const struct gl *gl, const void *texcoord)
+{
+	enable_array(gl, GL_TEXTURE_COORD_ARRAY, texcoord);
+	if (texcoord) {
+		gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	}
+}
+
 static void draw_batch(const struct gl *gl, const struct batch *batch,
 	const struct arrays *arrays)
 {
@@ -123,11 +132,13 @@ static void draw_batch(const struct gl *gl, const struct batch *batch,
 
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	set_vertices(gl, batch, arrays->lit);
-	enable_array(gl, GL_TEXTURE_COORD_ARRAY, texcoord);
-	enable_array(gl, GL_COLOR_ARRAY, color);
-	if (texcoord) {
-		gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
+	set_texcoords(gl, texcoord);
+	if (arrays->both_units) {
+		gl->ClientActiveTexture(GL_TEXTURE1);
+		set_texcoords(gl, texcoord);
+		gl->ClientActiveTexture(GL_TEXTURE0);
 	}
+	enable_array(gl, GL_COLOR_ARRAY, color);
 	if (color) {
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	}
@@ -175,7 +186,8 @@ static const struct batch_lod *shaded_list(
 }
 
 static void draw_shaded(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, const struct batch *batch)
+	const struct drawable *drawable, const struct batch *batch,
+	enum emission emission)
 {
 	bool textured = is_textured(instance, drawable);
 	bool faceted = batch->source && batch->index;
@@ -186,6 +198,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 	draw_batch(gl, batch,
 		&(struct arrays){
 			.lit = true,
+			.both_units = emission == EMISSION_BY_TEXTURE,
 			.texcoord = textured ? batch->texcoord : NULL,
 			.color = batch->color,
 			.list = shaded_list(drawable, batch),
@@ -230,11 +243,12 @@ static void draw_masked_shadow(const struct gl *gl,
 	gl->Disable(GL_TEXTURE_2D);
 }
 
-static void draw_all_shaded(const struct gl *gl,
-	const struct instance *instance, const struct drawable *drawable)
+static void draw_all_shaded(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, enum emission emission)
 {
 	for (int i = 0; i < drawable->batch_count; i++) {
-		draw_shaded(gl, instance, drawable, &drawable->batch[i]);
+		draw_shaded(
+			gl, instance, drawable, &drawable->batch[i], emission);
 	}
 }
 
@@ -244,7 +258,7 @@ static void draw_all_shaded(const struct gl *gl,
  * alone.
  */
 static void draw_two_sided(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable)
+	const struct drawable *drawable, enum emission emission)
 {
 	bool blended = drawable->alpha == MODEL_BLEND;
 
@@ -254,7 +268,7 @@ static void draw_two_sided(const struct gl *gl, const struct instance *instance,
 
 		gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, back);
 		gl->CullFace(back ? GL_FRONT : GL_BACK);
-		draw_all_shaded(gl, instance, drawable);
+		draw_all_shaded(gl, instance, drawable, emission);
 	}
 	gl->CullFace(GL_BACK);
 }
@@ -264,21 +278,22 @@ static void draw_lit(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum emission emission)
 {
-	const struct model_material *material = material_of(instance, drawable);
+	const bool by_unit = emission == EMISSION_OVER_TEXTURE ||
+		emission == EMISSION_BY_TEXTURE;
 
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_begin_light(gl, drawable);
-	} else if (emission == EMISSION_OVER_TEXTURE) {
-		emission_begin_unit(gl, drawable, textures, material->texture);
+	} else if (by_unit) {
+		emission_begin_unit(gl, instance->model, drawable, textures);
 	}
-	if (material->double_sided) {
-		draw_two_sided(gl, instance, drawable);
+	if (material_of(instance, drawable)->double_sided) {
+		draw_two_sided(gl, instance, drawable, emission);
 	} else {
-		draw_all_shaded(gl, instance, drawable);
+		draw_all_shaded(gl, instance, drawable, emission);
 	}
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_end_light(gl);
-	} else if (emission == EMISSION_OVER_TEXTURE) {
+	} else if (by_unit) {
 		emission_end_unit(gl);
 	}
 }
@@ -288,7 +303,7 @@ static void draw_emission(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures)
 {
 	const struct model_material *material = material_of(instance, drawable);
-	bool textured = material->emissive_texture >= 0;
+	bool textured = emission_pass_is_textured(instance->model, drawable);
 
 	if (material->double_sided) {
 		gl->Disable(GL_CULL_FACE);
@@ -306,24 +321,13 @@ static void draw_emission(const struct gl *gl, const struct instance *instance,
 	emission_end_pass(gl);
 }
 
-/* Without a second unit, or over bumps, it takes a pass of its own. */
-static enum emission find_emission(const struct instance *instance,
-	const struct drawable *drawable, bool has_unit)
-{
-	enum emission emission =
-		emission_of(instance->model, drawable->primitive);
-
-	return emission == EMISSION_OVER_TEXTURE && !has_unit ? EMISSION_ADDED
-							      : emission;
-}
-
 static void draw_drawable(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum draw_pass pass)
 {
 	const struct model_material *material = material_of(instance, drawable);
-	enum emission emission =
-		find_emission(instance, drawable, textures->two_units);
+	enum emission emission = emission_of(
+		instance->model, drawable->primitive, textures->two_units);
 	bool edges = pass == DRAW_EDGES;
 
 	/*
@@ -359,7 +363,7 @@ static void draw_back(const struct gl *gl, const struct instance *instance,
 {
 	set_surface(gl, instance, drawable, textures);
 	gl->CullFace(GL_FRONT);
-	draw_shaded(gl, instance, drawable, drawable->batch);
+	draw_shaded(gl, instance, drawable, drawable->batch, EMISSION_NONE);
 	gl->CullFace(GL_BACK);
 }
 
@@ -370,7 +374,8 @@ static void draw_bump_mapped(const struct gl *gl,
 {
 	const struct model_material *material = material_of(instance, drawable);
 	const struct batch *batch = drawable->batch;
-	enum emission emission = find_emission(instance, drawable, false);
+	enum emission emission =
+		emission_of(instance->model, drawable->primitive, false);
 
 	gl->Enable(GL_CULL_FACE);
 	texture_bind(textures, gl, material->normal_texture);
@@ -383,12 +388,12 @@ static void draw_bump_mapped(const struct gl *gl,
 		});
 	set_surface(gl, instance, drawable, textures);
 	bump_begin_color_pass(gl);
-	draw_shaded(gl, instance, drawable, batch);
+	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE);
 	bump_begin_remaining_pass(gl);
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_begin_light(gl, drawable);
 	}
-	draw_shaded(gl, instance, drawable, batch);
+	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE);
 	bump_end(gl);
 	if (material->double_sided) {
 		draw_back(gl, instance, drawable, textures);

@@ -6,6 +6,9 @@
 /* Of a stage's lights together, sRGB-encoded; they are at most 1. */
 static const float medium_light = 0.6f, least_light = 0.38f;
 
+/* What 8 bits round to white. */
+static const float white = 254.5f / 255.0f;
+
 static const struct model_material *material_of(
 	const struct model *model, const struct model_primitive *primitive)
 {
@@ -22,8 +25,18 @@ static bool share_texture(
 		(!primitive->texcoord && material->emissive_texture < 0);
 }
 
-enum emission emission_of(
+/* Units do not multiply a texture by a colour to add it to another texture. */
+static bool is_white(
 	const struct model *model, const struct model_primitive *primitive)
+{
+	float color[3];
+
+	emission_color(model, primitive, color);
+	return color[0] >= white && color[1] >= white && color[2] >= white;
+}
+
+enum emission emission_of(const struct model *model,
+	const struct model_primitive *primitive, bool two_units)
 {
 	const struct model_material *material = material_of(model, primitive);
 
@@ -34,8 +47,12 @@ enum emission emission_of(
 	if (share_texture(model, primitive)) {
 		return EMISSION_WITH_LIGHT;
 	}
-	return material->emissive_texture < 0 ? EMISSION_OVER_TEXTURE
-					      : EMISSION_ADDED;
+	if (two_units && material->emissive_texture < 0) {
+		return EMISSION_OVER_TEXTURE;
+	}
+	return two_units && material->texture >= 0 && is_white(model, primitive)
+		? EMISSION_BY_TEXTURE
+		: EMISSION_ADDED;
 }
 
 /* Whether what the surface reflects is known but for a shared texture. */
@@ -89,17 +106,21 @@ static void set_environment(const struct gl *gl, GLenum name, GLenum value)
 	gl->TexEnvx(GL_TEXTURE_ENV, name, (GLfixed)value);
 }
 
-/* GL wants a texture where an environment does something: any will do. */
-void emission_begin_unit(const struct gl *gl, const struct drawable *drawable,
-	const struct texture_set *textures, int texture)
+/* GL wants a texture where an environment does something, even by a constant. */
+void emission_begin_unit(const struct gl *gl, const struct model *model,
+	const struct drawable *drawable, const struct texture_set *textures)
 {
+	const struct model_material *material =
+		material_of(model, drawable->primitive);
+	const bool by_texture = material->emissive_texture >= 0;
+
 	gl->ActiveTexture(GL_TEXTURE1);
-	gl->BindTexture(GL_TEXTURE_2D, textures->name[texture]);
-	gl->Enable(GL_TEXTURE_2D);
+	texture_bind(textures, gl,
+		by_texture ? material->emissive_texture : material->texture);
 	set_environment(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
 	set_environment(gl, GL_COMBINE_RGB, GL_ADD);
 	set_environment(gl, GL_SRC0_RGB, GL_PREVIOUS);
-	set_environment(gl, GL_SRC1_RGB, GL_CONSTANT);
+	set_environment(gl, GL_SRC1_RGB, by_texture ? GL_TEXTURE : GL_CONSTANT);
 	set_environment(gl, GL_COMBINE_ALPHA, GL_REPLACE);
 	set_environment(gl, GL_SRC0_ALPHA, GL_PREVIOUS);
 	gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, drawable->emission);
@@ -111,6 +132,9 @@ void emission_end_unit(const struct gl *gl)
 	gl->ActiveTexture(GL_TEXTURE1);
 	gl->Disable(GL_TEXTURE_2D);
 	gl->ActiveTexture(GL_TEXTURE0);
+	gl->ClientActiveTexture(GL_TEXTURE1);
+	gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
+	gl->ClientActiveTexture(GL_TEXTURE0);
 }
 
 /*
@@ -128,6 +152,17 @@ static void set_blending(const struct gl *gl, enum model_alpha alpha)
 					       : GL_EQUAL);
 }
 
+bool emission_pass_is_textured(
+	const struct model *model, const struct drawable *drawable)
+{
+	const struct model_material *material =
+		material_of(model, drawable->primitive);
+
+	return material->emissive_texture >= 0 ||
+		(drawable->alpha == MODEL_BLEND && material->texture >= 0 &&
+			drawable->primitive->texcoord);
+}
+
 void emission_begin_pass(const struct gl *gl, const struct model *model,
 	const struct drawable *drawable, const struct texture_set *textures)
 {
@@ -140,7 +175,12 @@ void emission_begin_pass(const struct gl *gl, const struct model *model,
 	set_blending(gl, drawable->alpha);
 	if (material->emissive_texture >= 0) {
 		texture_bind(textures, gl, material->emissive_texture);
-		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+		set_environment(gl, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+	} else if (emission_pass_is_textured(model, drawable)) {
+		/* From one color to the same, by the texture's; alpha by its alpha. */
+		texture_bind(textures, gl, material->texture);
+		set_environment(gl, GL_TEXTURE_ENV_MODE, GL_BLEND);
+		gl->TexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
 	} else {
 		gl->Disable(GL_TEXTURE_2D);
 	}

@@ -26,7 +26,7 @@ struct surface {
 	int emissive_texture;
 	enum model_alpha alpha;
 	bool unlit, double_sided;
-	bool transparent; /* by its texture, which a second pass does not see */
+	bool transparent; /* where one unit shows no base texture under another */
 	double left[3], right[3]; /* expected */
 };
 
@@ -63,7 +63,13 @@ static const struct surface surfaces[] = {
 		.right = {1, 0.5, 0.5}},
 	{"light over glass with a texture", {1, 1, 1, 0.5f}, BASE,
 		{0.2140411f, 0, 0}, NONE, MODEL_BLEND, .left = {0.2, 0.2, 0.2},
-		.right = {0.6, 0.35, 0.35}, .transparent = true},
+		.right = {0.6, 0.35, 0.35}},
+	{"a screen over glass with a texture", {1, 1, 1, 0.5f}, BASE, {1, 1, 1},
+		SHINE, MODEL_BLEND, .left = {0.2, 0.2, 0.2},
+		.right = {0.35, 0.35, 0.35}, .transparent = true},
+	{"a dim screen over a texture", {1, 1, 1, 1}, BASE,
+		{0.2140411f, 0.2140411f, 0.2140411f}, SHINE, MODEL_OPAQUE,
+		.left = {0, 0.5, 0}, .right = {0.5, 0.5, 0.5}},
 };
 
 /* The left texel of the base is transparent, which only masks notice. */
@@ -162,8 +168,11 @@ static void test_light_is_added_to_what_a_surface_reflects(void **state)
 	}
 }
 
-/* A lamp without a texture, or with the base colour's, is drawn at once. */
-static void test_only_textures_that_differ_take_a_second_pass(void **state)
+/*
+ * A lamp without a texture, or with the base colour's, is drawn at once; others
+ * are by two units.
+ */
+static void test_only_dim_textures_and_one_unit_take_a_second_pass(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(surfaces); i++) {
@@ -175,10 +184,17 @@ static void test_only_textures_that_differ_take_a_second_pass(void **state)
 			? EMISSION_WITH_LIGHT
 			: surface->emissive_texture == NONE
 			? EMISSION_OVER_TEXTURE
+			: surface->texture != NONE && surface->emissive[0] == 1
+			? EMISSION_BY_TEXTURE
 			: EMISSION_ADDED;
 
 		assert_int_equal(
-			emission_of(model, model->mesh[0].primitive), expected);
+			emission_of(model, model->mesh[0].primitive, true),
+			expected);
+		assert_int_equal(
+			emission_of(model, model->mesh[0].primitive, false),
+			expected >= EMISSION_OVER_TEXTURE ? EMISSION_ADDED
+							  : expected);
 		model_destroy(model);
 	}
 }
@@ -190,11 +206,11 @@ static void test_nothing_shines_without_the_texture_that_limits_it(void **state)
 
 	(void)state;
 	model->mesh[0].primitive->texcoord = NULL;
-	assert_int_equal(
-		emission_of(model, model->mesh[0].primitive), EMISSION_NONE);
+	assert_int_equal(emission_of(model, model->mesh[0].primitive, true),
+		EMISSION_NONE);
 	model->material[0].emissive_texture = NONE;
 	model->material[0].texture = BASE;
-	assert_int_equal(emission_of(model, model->mesh[0].primitive),
+	assert_int_equal(emission_of(model, model->mesh[0].primitive, true),
 		EMISSION_WITH_LIGHT);
 	model_destroy(model);
 }
@@ -272,7 +288,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_light_is_added_to_what_a_surface_reflects),
 		cmocka_unit_test(
-			test_only_textures_that_differ_take_a_second_pass),
+			test_only_dim_textures_and_one_unit_take_a_second_pass),
 		cmocka_unit_test(
 			test_nothing_shines_without_the_texture_that_limits_it),
 		cmocka_unit_test(test_the_colour_of_a_lamp_is_kept),

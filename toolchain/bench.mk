@@ -59,8 +59,8 @@ build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.st
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
 	blocks prism signs bush gem mosaic worm tail shapes hair rags dice \
-	net tiles mirrors poster bricks blocky paper beads petals lamp shoal \
-	yard)
+	net tiles mirrors poster bricks blocky paper beads petals lamp \
+	tower shoal yard)
 $(BENCH_MODELS) &: $(wildcard tests/bench/models/*.py)
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B tests/bench/models/user_models.py build/bench-models

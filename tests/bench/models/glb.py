@@ -41,6 +41,14 @@ def discs(side):
     return texel
 
 
+def windows(side):
+    def texel(x, y):
+        lit = x * 32 // side % 4 == 1 and y * 16 // side % 2 == 1
+        return (255, 200 - y * 100 // side, x * 160 // side, 255) if lit else (0, 0, 0, 255)
+
+    return texel
+
+
 class Model:
     def __init__(self):
         self.bytes = b""

@@ -18,14 +18,15 @@ a ball, rags are a sphere of which the alpha test leaves little, dice are 500 sm
 textured cubes, and shapes is a head of 52 targets. net is blended, thin and long;
 tiles are small squares of a texture each, mirrors, poster and bricks repeat a texture
 mirrored, clamped and with sides of no power of two. blocky has no filter, paper is a
-flat sphere, beads are 600 plain cubes, petals have colours with alpha, and lamp shines. shoal is 150 nodes that
-show four meshes, and the texture of yard's 60 boxes repeats three times on each side.
+flat sphere, beads are 600 plain cubes, petals have colours with alpha, lamp shines, and
+tower has lit windows. shoal is 150 nodes that show four meshes, and the texture of
+yard's 60 boxes repeats three times on each side.
 """
 import math
 import pathlib
 import sys
 
-from glb import BYTE, FLOAT, Model, checks, discs, png
+from glb import BYTE, FLOAT, Model, checks, discs, png, windows
 from shapes import blob, cube, grid, quad, rope, strips
 
 MIRRORED, CLAMPED = 33648, 33071
@@ -351,6 +352,11 @@ def make_yard(model):
         model.mesh(model.material(texture), shape, scale=size, translation=at)
 
 
+def make_tower(model):
+    lit = {"index": model.texture(png(512, windows(512), 3))}
+    make_duck(model, emissiveTexture=lit, emissiveFactor=(1, 1, 1))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -391,6 +397,7 @@ MODELS = {
     "lamp": make_lamp,
     "shoal": make_shoal,
     "yard": make_yard,
+    "tower": make_tower,
 }
 
 

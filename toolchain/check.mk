@@ -13,6 +13,9 @@ CFLAGS_fuzz := -O1 -gline-tables-only -fno-omit-frame-pointer \
 # What reads files and devices shifts no bit out; fixed point and hashes do.
 $(foreach folder,app/model app/character platform/camera platform/display,\
 	build/fuzz/obj/$(folder)/%): CFLAGS_fuzz += -fsanitize=unsigned-shift-base
+# Clang takes twice as long for optimized code in which all comparisons are counted.
+# Without optimization, only what draws and converts pixels would run far slower.
+build/fuzz/obj/app/%: CFLAGS_fuzz += -O0
 # As in the sanitizers' build (host.mk).
 build/fuzz/obj/platform/gl/soft/span/spans_%.o \
 	build/fuzz/obj/platform/gl/soft/stages/spans_%.o: CFLAGS_fuzz += -DSOFT_SHARED_TEXT

@@ -133,6 +133,7 @@ PICTURES_SOFTPIPE := $(subst $(empty) ,|,arm-1 face-4 viewer walker-cape camera-
 	camera-screen crowd duel-heat show-skeleton show-weights show-wireframe show-keys \
 	show-curve ground arm-top)
 
+# Short suites come last, so that both processors are busy until the end.
 define CHECK_SUITES
 $(call suite,build,cat build/check-build.tap)
 $(foreach fuzzer,$(FUZZERS),$(call \
@@ -155,10 +156,6 @@ $(call suite,conformance-fixed,tests/conformance/fixed.sh $(SAMPLES) \
 $(call conformance_suite,host)
 $(call conformance_suite,asan)
 $(call conformance_suite,arm)
-$(call unit_suites,host)
-$(call unit_suites,asan)
-$(call unit_suites,arm)
-$(memcheck_suites) $(helgrind_suites)
 $(call script_suites,cli,host/,LIMBER=build/host/limber)
 $(call script_suites,cli,asan/,LIMBER=build/asan/limber)
 $(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber")
@@ -188,6 +185,10 @@ $(bench_suites)
 $(trust_suites)
 $(board_suites)
 $(virtual_pdk_suite)
+$(call unit_suites,arm)
+$(call unit_suites,asan)
+$(memcheck_suites) $(helgrind_suites)
+$(call unit_suites,host)
 endef
 
 # Tests run without a desktop and without this machine's options, in one locale;
@@ -198,13 +199,12 @@ CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
 	LSAN_OPTIONS=print_suppressions=0:suppressions=tests/support/lsan.supp
 
 .PHONY: check-build golden-build
-check-build: build/host/limber build/asan/limber build/arm/limber \
+check-build: image emulator build/host/limber build/asan/limber build/arm/limber \
 		$(foreach target,$(TARGETS),$(patsubst \
 		%,build/$(target)/unit/%,$(TESTS_$(target)))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \
 		build/host/compare_png build/validator/stamp $(model_programs) $(BENCH_ARM) $(BENCH_MODELS) \
-		image emulator build/board/guest \
-		build/virtual-pdk-test/stamp
+		build/board/guest build/virtual-pdk-test/stamp
 golden-build: build/host/limber build/host/compare_png \
 		build/host/unit/test_demo_runs build/host/unit/test_character_mistakes
 

@@ -105,6 +105,24 @@ configure() {
     cd "$directory"
 }
 
+# Compiles the header with which every file of QEMU begins: for files that are
+# optimized and for others (cc.sh), each with and without the processor's
+# definitions. GCC takes the one that fits, or else reads the header's text.
+precompile() {
+    header=$source/include/qemu/osdep.h
+    mkdir -p "$header.gch"
+    cd "$directory/obj"
+    ninja config-poison.h >>"$log" 2>&1 || fail
+    for object in libqemu-arm-softmmu.fa.p/tcg_tcg.c.o \
+        libqemu-arm-softmmu.fa.p/gdbstub_gdbstub.c.o \
+        libcommon.fa.p/hw_core_loader.c.o libblock.fa.p/block.c.o; do
+        command=$(ninja -t commands -s "$object")
+        eval "${command%% -MD *}" -x c-header \
+            -o '"$header.gch/${object##*/}" "$header"' >>"$log" 2>&1 || fail
+    done
+    cd "$directory"
+}
+
 # Copies the devices that differ, so that only these are compiled again.
 copy_devices() {
     devices=$source/hw/arm/imx31-pdk
@@ -119,6 +137,7 @@ if [ ! -f "$source/made-from" ] || [ "$(cat "$source/made-from")" != "$base" ]; 
     unpack
     copy_devices
     configure
+    precompile
     echo "$base" >"$source/made-from"
 fi
 copy_devices

@@ -12,7 +12,7 @@ shift
 [ $# -gt 0 ] || set -- tests/fixtures assets
 name=$(basename "$fuzzer")
 runs=${RUNS:-20000}
-seconds=${FUZZ_SECONDS:-8}
+seconds=${FUZZ_SECONDS:-9}
 found=${CORPUS:-}
 findings=$(dirname "$0")/findings
 

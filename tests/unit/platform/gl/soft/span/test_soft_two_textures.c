@@ -95,7 +95,7 @@ static void test_two_textures_are_those_of_fragments(void **state)
 	int read[SOFT_FINISHES] = {0}, multiplied = 0, listed = 0;
 
 	(void)state;
-	for (uint32_t seed = 1; seed <= 1000; seed++) {
+	for (uint32_t seed = 1; seed <= 600; seed++) {
 		enum pixel_format format =
 			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
 		struct span_scene *fast = draw_pair(format, seed * 7919, false);
@@ -109,9 +109,9 @@ static void test_two_textures_are_those_of_fragments(void **state)
 		span_scene_close(slow);
 	}
 	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
-		assert_true(read[i] > 40);
+		assert_true(read[i] > 20);
 	}
-	assert_true(multiplied > 80);
+	assert_true(multiplied > 40);
 	assert_true(listed > 100);
 }
 
@@ -120,7 +120,7 @@ static void test_joined_textures_are_those_of_fragments(void **state)
 	int read[SOFT_FINISHES] = {0}, joined = 0, drawn = 0;
 
 	(void)state;
-	for (uint32_t seed = 1; seed <= 1000; seed++) {
+	for (uint32_t seed = 1; seed <= 500; seed++) {
 		struct span_scene *fast =
 			draw_joined(PIXELS_RGB565, seed * 7919, false);
 		struct span_scene *slow =
@@ -133,10 +133,10 @@ static void test_joined_textures_are_those_of_fragments(void **state)
 		span_scene_close(slow);
 	}
 	for (int i = SOFT_SCALED; i < SOFT_FINISHES; i++) {
-		assert_true(read[i] > 40);
+		assert_true(read[i] > 20);
 	}
-	assert_true(joined > 400);
-	assert_true(drawn > 30000);
+	assert_true(joined > 200);
+	assert_true(drawn > 15000);
 }
 
 int main(void)

@@ -44,6 +44,11 @@ bool soft_is_one_color(const uint16_t *pixel, int count)
 			return false;
 		}
 	}
+	for (; end - at >= 4; at += 4) {
+		if (load_two_words(at) != four) {
+			return false;
+		}
+	}
 	while (at < end && *at == *pixel) {
 		at++;
 	}

@@ -32,6 +32,7 @@ enum gl_work_kind {
 	GL_WORK_COLORED, /* their corners have different colours */
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
 	GL_WORK_DEEP,    /* they have a luminance texture and write depths */
+	GL_WORK_SECOND,  /* they have a second texture */
 	GL_WORK_CROSSED, /* their texture coordinates cross the texture's edges */
 	GL_WORK_KINDS
 };
@@ -46,7 +47,7 @@ struct gl_counts {
 	double calls;    /* of DrawArrays and DrawElements */
 	double listed;   /* triangles in these calls */
 	double vertices; /* transformed for GL_TRIANGLES with 16-bit indices */
-	double again;    /* the same, of an array that a recent call has read */
+	double again;    /* the same, of an array that recent calls have read */
 	double single;   /* transformed one by one, for all other calls */
 	double shaded;   /* vertices of all kinds that were lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */

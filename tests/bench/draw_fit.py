@@ -53,6 +53,7 @@ GUESSED_KINDS = {
     "colored": ((300, 60, 5), (200, 40, 3)),
     "bent": ((1500, 150, 3), (900, 90, 2)),
     "deep": ((1, 1, 2), (1, 1, 1.6)),
+    "second": ((500, 100, 30), (300, 60, 18)),
     "crossed": ((300, 250, 3), (200, 200, 2)),
 }
 for kind, guesses in GUESSED_KINDS.items():

@@ -86,9 +86,12 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{1, 1},                 /* deep triangle */
 	{1.002, 0.9976},        /* deep row */
 	{1.859, 1.319},         /* deep pixel */
-	{0, 0},                 /* crossed triangle */
-	{0, 250},               /* crossed row */
-	{0, 0},                 /* crossed pixel */
+	{681, 368.2},           /* second triangle */
+	{168.7, 84.88},         /* second row */
+	{46.2, 23.39},          /* second pixel */
+	{316.1, 212.2},         /* crossed triangle */
+	{191.4, 125.6},         /* crossed row */
+	{3.273, 2.646},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

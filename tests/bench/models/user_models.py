@@ -330,12 +330,12 @@ def make_lamp(model):
 
 
 def make_shoal(model):
-    shape = blob(10, 6, 0.2)
+    positions, normals, *rest = blob(10, 6, 0.2)
+    shape = [(2 * x, 0.7 * y, 0.5 * z) for x, y, z in positions], normals, *rest
     shown = []
     for k in range(150):
         x, y, z = (1.5 * math.sin(k * c) for c in (1.3, 2.7, 4.1))
-        place = {"translation": (x, y, z), "scale": (2, 0.7, 0.5),
-                 "rotation": (0, math.sin(k), 0, math.cos(k))}  # fmt: skip
+        place = {"translation": (x, y, z), "rotation": (0, math.sin(k), 0, math.cos(k))}
         if k < 4:
             shown.append(model.mesh(model.material(color=(k / 4, 0.5, 0.8, 1)), shape, **place))
         else:

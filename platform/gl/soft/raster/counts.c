@@ -97,16 +97,25 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	return false;
 }
 
+/*
+ * Whether texels between two coordinates, in 1/256 of texels, lie on both sides
+ * of an edge of the texture. Up to a texel beyond it costs next to nothing.
+ */
+static bool crosses(const int32_t range[2], int size_log2)
+{
+	return (range[0] + 256) >> (8 + size_log2) < (range[1] - 256) >>
+		(8 + size_log2);
+}
+
 /* Whether the triangle that was drawn last needs texels on both sides of an edge. */
 static bool crosses_edge(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
-	const int32_t(*range)[2] = draw->raster.texel_range;
-	const int s = 8 + input->width_log2, t = 8 + input->height_log2;
+	const struct raster *raster = &draw->raster;
 
-	return draw->key & KEY_TEXTURE && draw->raster.top != NOT_SET_UP &&
-		(range[0][0] >> s != range[0][1] >> s ||
-			range[1][0] >> t != range[1][1] >> t);
+	return draw->key & KEY_TEXTURE && raster->top != NOT_SET_UP &&
+		(crosses(raster->texel_range[0], input->width_log2) ||
+			crosses(raster->texel_range[1], input->height_log2));
 }
 
 static void add_triangle(struct gl_work *work, int rows, double pixels)
@@ -133,6 +142,9 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	}
 	if (draw->raster.bent) {
 		add_triangle(&work[GL_WORK_BENT], rows, pixels);
+	}
+	if (draw->texture[1].used || draw->spans.joined) {
+		add_triangle(&work[GL_WORK_SECOND], rows, pixels);
 	}
 	if (kind != GL_WORK_LUMINANCE && kind != GL_WORK_BACKDROP &&
 		crosses_edge(draw)) {
@@ -271,28 +283,29 @@ void soft_count_fine(const struct draw *draw, int pixels)
 }
 
 /*
- * Whether a call of so many vertices reads an array that a recent call read,
- * and that the cache of the second level still has.
+ * Whether a call of so many vertices reads an array that two recent calls have
+ * read, and that the cache of the second level still has. One is not enough: a
+ * shadow and its figure are two calls, between which others may lie.
  */
 static bool is_read_again(struct draw *draw, double vertices)
 {
 	const uint8_t *positions = draw->view.positions;
 	double since = vertices;
-	bool again = false;
+	int found = 0;
 
-	for (uint32_t i = 1; i <= RECENT_CALLS && !again; i++) {
+	for (uint32_t i = 1; i <= RECENT_CALLS; i++) {
 		const struct counted_call *call =
 			&draw->recent[(draw->recent_next - i) % RECENT_CALLS];
 
 		if (since > CACHED_VERTICES) {
 			break;
 		}
-		again = call->positions == positions;
+		found += call->positions == positions;
 		since += call->vertices;
 	}
 	draw->recent[draw->recent_next++ % RECENT_CALLS] =
 		(struct counted_call){positions, vertices};
-	return again;
+	return found >= 2;
 }
 
 void soft_count_call(struct draw *draw, const struct source *source, GLenum mode)

@@ -113,7 +113,7 @@ static int soft_begin_frame(
 	return 0;
 }
 
-/* Nothing of the target is touched after this. */
+/* After this the driver does not touch the target. */
 static int soft_end_frame(struct gl_context *context)
 {
 	struct soft *soft = (struct soft *)context;

@@ -1,11 +1,11 @@
 /*
- * The fixed-point driver's context and what its chapters share.
+ * The fixed-point driver's context, which all of its files share.
  *
- * README.md tells the way of a triangle. State is kept as GL tells it; what
- * drawing needs is derived from it once a draw call (struct draw, draw.h).
+ * README.md tells the way of a triangle. State is kept as the program sets it;
+ * each draw call derives from it what drawing needs (struct draw, draw.h).
  *
- * Calls of GL carry no context: soft_current() is what they work on, and it
- * is the one thing here that is not passed.
+ * GL functions have no parameter for a context: they work on soft_current().
+ * All other functions are given the context or the draw call.
  */
 #ifndef PLATFORM_GL_SOFT_SOFT_H
 #define PLATFORM_GL_SOFT_SOFT_H
@@ -34,9 +34,9 @@ struct matrix {
 };
 
 struct matrix_stack {
-	struct matrix *top; /* of one of the arrays of struct matrices */
-	struct matrix *bottom;
-	int room;
+	struct matrix *top; /* the current matrix, in an array of struct matrices */
+	struct matrix *bottom; /* the array's first element */
+	int room;              /* its number of elements */
 };
 
 struct matrices {
@@ -49,7 +49,7 @@ struct matrices {
 	struct matrix_stack texture_stack[SOFT_UNITS];
 };
 
-/* Colours are 16.16 as given; positions and directions in eye space. */
+/* Colours are 16.16, not clamped; position and direction are in eye space. */
 struct light {
 	bool enabled;
 	GLfixed ambient[4], diffuse[4], specular[4];
@@ -68,7 +68,7 @@ struct lighting {
 	struct light light[SOFT_LIGHTS];
 	struct material material; /* ES has one for both faces */
 	GLfixed ambient[4];
-	GLfixed two_side; /* unless 0 */
+	GLfixed two_side; /* GL_LIGHT_MODEL_TWO_SIDE: 0 is off */
 	bool enabled, color_material, normalize, rescale;
 };
 
@@ -92,7 +92,7 @@ struct arrays {
 	GLfixed current_color[4], current_normal[3];
 };
 
-/* Texels as they are kept. */
+/* How the driver stores texels. */
 enum texel_format {
 	TEXEL_NONE,
 	TEXEL_565,
@@ -109,7 +109,7 @@ struct level {
 	GLenum base_format; /* GL_RGB and so on, for the environment */
 	int width_log2, height_log2;
 	uint8_t *texels;     /* owned; row by row, first row first */
-	struct tiles *tiles; /* of luminance, see tiles.h; or NULL; owned */
+	struct tiles *tiles; /* owned; NULL unless luminance, see tiles.h */
 };
 
 struct texture {
@@ -138,7 +138,7 @@ struct textures {
 	struct unit unit[SOFT_UNITS];
 	int active;
 	struct texture none; /* name 0 */
-	/* The others: lists, by the name's remainder. */
+	/* [name % SOFT_TEXTURE_LISTS]: lists of all other textures */
 	struct texture *first[SOFT_TEXTURE_LISTS];
 	GLuint last_name;
 	int unpack_alignment, pack_alignment;
@@ -154,7 +154,7 @@ struct rectangle {
 	int x, y, width, height; /* GL's: y upwards */
 };
 
-/* What happens to fragments, and to triangles before they are some. */
+/* The state of rasterization and of fragment operations. */
 struct fragment_state {
 	bool alpha_test, blend, depth_test, scissor_test, cull, offset_fill;
 	bool flat, dither, point_smooth, line_smooth;
@@ -170,14 +170,14 @@ struct fragment_state {
 	struct rectangle scissor, viewport;
 };
 
-/* The picture and the buffers beside it, which grow only in begin_frame(). */
+/* The picture, given for each frame, and the driver's own buffers for it. */
 struct buffers {
 	struct pixels target; /* data NULL between frames */
 	uint16_t *depth;      /* [height][width], owned */
-	uint8_t *stencil;     /* the same; NULL until it is asked for */
-	size_t room;          /* pixels there is depth for */
-	size_t stencil_room;
-	int width, height; /* of the last frame */
+	uint8_t *stencil; /* [height][width], owned; NULL until first enabled */
+	size_t room;      /* pixels that depth has memory for */
+	size_t stencil_room; /* pixels that stencil has memory for */
+	int width, height;   /* of the last frame */
 };
 
 struct draw;
@@ -195,7 +195,7 @@ struct soft {
 	struct arrays arrays;
 	struct textures textures;
 	struct fragment_state fragment;
-	/* Draws triangles in place of the driver: a test's reference, or NULL. */
+	/* NULL, or a test's function that draws all triangles instead. */
 	void (*fill)(struct draw *draw, struct setup *setup);
 	struct draw *draw;        /* scratch of the draw call, owned */
 	struct gl_counts *counts; /* or NULL */
@@ -207,32 +207,33 @@ void soft_make_current(struct soft *soft);
 /* Remembers the first error since GetError(). */
 void soft_set_error(struct soft *soft, GLenum error);
 
-/* defaults.c: all calls of the context's table, and GL's defaults. */
+/* defaults.c: sets the context's table of functions and GL's initial state. */
 void soft_init_state(struct soft *soft);
 
-/* texture.c */
+/* texture.c: a texture without levels, with GL's initial parameters. */
 struct texture soft_new_texture(GLuint name);
 void soft_release_textures(struct soft *soft);
 
-/* The stencil buffer, made when it is first wanted; NULL without memory. */
+/* state.c: allocates the stencil buffer, or enlarges it; NULL without memory. */
 uint8_t *soft_stencil(struct soft *soft);
 
-/* The picture's part inside a rectangle of GL's, in rows from the top. */
+/* A rectangle of the picture; row 0 is at the top. */
 struct clip_box {
 	int left, top, right, bottom; /* right and bottom are outside */
 };
+/* state.c: the picture inside the scissor box and, if asked, the viewport. */
 struct clip_box soft_clip_box(const struct soft *soft, bool viewport);
 
 /*
- * A depth of 0..65536 as the buffer has it. The ends are left free, so that
- * what interpolation rounds never wraps.
+ * Converts a depth, 16.16 in 0 to 1, to units of the depth buffer: 1 to 65533,
+ * or 65535 for 1. So rounding errors of interpolation never wrap around.
  */
 static inline int soft_depth_units(GLfixed depth)
 {
 	return depth >= 65536 ? 65535 : 1 + (int)((int64_t)depth * 65533 >> 16);
 }
 
-/* 0..65536 to 0..255, clamped. */
+/* Converts 16.16 in 0 to 1 to a byte of 0 to 255; other values are clamped. */
 static inline int soft_byte(GLfixed value)
 {
 	if (value <= 0) {

@@ -1,20 +1,20 @@
 /*
- * Gradients of triangles. Those of small ones are found in 32 bits: of up to
- * SMALL_EXTENT, of values that differ by less than SMALL_DELTA.
+ * Gradients of small triangles, in 32 bits: those of at most SMALL_EXTENT, of
+ * values that differ by less than SMALL_DELTA. set_up.c has those of others.
  */
 #ifndef PLATFORM_GL_SOFT_RASTER_FRAME_H
 #define PLATFORM_GL_SOFT_RASTER_FRAME_H
 
 #include "platform/gl/soft/raster/raster.h"
 
-/* How a value runs a pixel, from the centre of frame.column in the first row. */
+/* A value at frame.column's centre in the first row, and its step a pixel. */
 struct run {
 	int32_t start, right, down;
 };
 
 /*
- * Of an area that has so many zeros before it. A triangle of less than half a
- * pixel gets no gradients, by an inverse of 0: they would only be noise.
+ * Sets frame: inverse is 2^62 / (area << zeros); or 0 for triangles of less
+ * than half a pixel, which get no gradients because these would only be noise.
  */
 static ALWAYS_INLINE void frame_begin(const struct setup *setup,
 	int32_t inverse, int zeros, bool middle_left, struct frame *frame)
@@ -36,7 +36,7 @@ static ALWAYS_INLINE void frame_begin(const struct setup *setup,
 	frame->middle_left = middle_left;
 }
 
-/* Of a small triangle: whether its long edge is right of the middle vertex. */
+/* Whether a small triangle's middle vertex lies left of its long edge. */
 static ALWAYS_INLINE bool frame_is_middle_left(const struct setup *setup)
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
@@ -44,7 +44,7 @@ static ALWAYS_INLINE bool frame_is_middle_left(const struct setup *setup)
 	return (b->x - a->x) * (c->y - a->y) < (c->x - a->x) * (b->y - a->y);
 }
 
-/* Of a small triangle. */
+/* Finds the frame of a small triangle. */
 static ALWAYS_INLINE void frame_find(
 	const struct setup *setup, struct frame *out)
 {
@@ -55,7 +55,7 @@ static ALWAYS_INLINE void frame_find(
 		frame_is_middle_left(setup), out);
 }
 
-/* What a value changes by to the right, times the area. */
+/* A value's change by pixel to the right, times the area; then down. */
 static ALWAYS_INLINE int32_t frame_find_right(
 	const struct frame *f, int32_t d1, int32_t d2)
 {
@@ -68,7 +68,7 @@ static ALWAYS_INLINE int32_t frame_find_down(
 	return d2 * f->x1 + d1 * f->less_x2;
 }
 
-/* 8 bits of fraction more than the values. */
+/* The run of a value, with 8 bits of fraction more than the value has. */
 static ALWAYS_INLINE struct run frame_find_run(
 	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
 {
@@ -85,7 +85,7 @@ static ALWAYS_INLINE struct run frame_find_run(
 	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
 }
 
-/* The same from column 0 on. */
+/* The same as a plane, which starts in column 0. */
 static ALWAYS_INLINE struct plane frame_find_plane(
 	const struct frame *f, const struct delta *delta)
 {
@@ -97,7 +97,7 @@ static ALWAYS_INLINE struct plane frame_find_plane(
 		run.right, run.down};
 }
 
-/* A small triangle's depth in 16.16. */
+/* The plane of a small triangle's depth, 16.16. */
 static ALWAYS_INLINE struct plane frame_find_depth(
 	const struct frame *f, const struct setup *setup)
 {
@@ -110,7 +110,7 @@ static ALWAYS_INLINE struct plane frame_find_depth(
 		(int32_t)((uint32_t)plane.dy << 6)};
 }
 
-/* From 0 to the two. */
+/* The largest minus the least of the values 0, d1 and d2. */
 static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 {
 	int32_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1;
@@ -119,8 +119,8 @@ static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 }
 
 /*
- * raster_side() of a triangle whose first row is shown; rounded up.
- * inverse_q31 is struct draw's.
+ * The edge from a down to b in its first row, as raster_side() finds it, but
+ * with 0x7FFF added as struct band_edges has it. inverse_q31 is struct draw's.
  */
 static ALWAYS_INLINE struct side frame_find_side(const int32_t *inverse_q31,
 	const struct vertex *a, const struct vertex *b)
@@ -140,7 +140,7 @@ static ALWAYS_INLINE void frame_set_edge(
 	edges->step[which] = (uint32_t)side.step;
 }
 
-/* raster_draw_bands() of a triangle that is all in the box. */
+/* As raster_draw_bands(), for a small triangle that lies inside draw->box. */
 static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	const struct setup *setup, bool middle_left, struct band_edges *edges,
 	void (*function)(void *band), void *band)
@@ -151,7 +151,7 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	const int upper = setup->middle - setup->top;
 	const int lower = setup->bottom - setup->middle;
 
-	OPAQUE(inverse); /* else it is found from draw for each side */
+	OPAQUE(inverse); /* else compilers find it from draw for each edge */
 	frame_set_edge(edges, !part, frame_find_side(inverse, v[0], v[2]));
 	if (upper > 0) {
 		frame_set_edge(
@@ -167,10 +167,10 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	}
 }
 
-/* A coordinate: its slope and its ends, in 1/256 of the base's texels. */
+/* A triangle's texture coordinate, in 1/256 of the base level's texels. */
 struct frame_texels {
 	struct delta delta;
-	int32_t low, high;
+	int32_t low, high; /* at any corner */
 };
 
 static ALWAYS_INLINE struct frame_texels frame_find_texels(
@@ -198,7 +198,7 @@ static ALWAYS_INLINE struct frame_texels frame_find_texels(
 		raster_least(a, b, c), raster_most(a, b, c)};
 }
 
-/* The colours of a triangle's corners, of either side. */
+/* The colours of v[0] to v[2], front or back. */
 static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct setup *setup, const int32_t *corner[3])
 {

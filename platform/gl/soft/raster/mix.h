@@ -1,7 +1,7 @@
 /*
- * Two pixels of RGB565 at a time: each becomes a mix of itself and a colour.
- * Where two pixels are spread to wide ones (see pixel.h), each has the other's
- * green.
+ * Blends two pixels of RGB565, the halves of a word, at a time. Masking the
+ * word gives one wide pixel (see pixel.h) of this pixel's red and blue and the
+ * other one's green; masking it with its halves swapped gives the rest.
  */
 #ifndef PLATFORM_GL_SOFT_RASTER_MIX_H
 #define PLATFORM_GL_SOFT_RASTER_MIX_H
@@ -27,7 +27,7 @@ static ALWAYS_INLINE uint32_t soft_swap_halves(uint32_t word)
 	return word >> 16 | word << 16;
 }
 
-/* (wide pixel keep + own) >> 5, of the two pixels that a word of own has. */
+/* (pixel * keep + own) >> 5 of two pixels, own being wide: as it is, swapped. */
 static ALWAYS_INLINE uint32_t soft_keep_two(
 	uint32_t two, uint32_t keep, uint32_t own, uint32_t own_swapped)
 {
@@ -38,7 +38,7 @@ static ALWAYS_INLINE uint32_t soft_keep_two(
 	return a | soft_swap_halves(b);
 }
 
-/* From two pixels to two others by 0 to 32 of 32. */
+/* Blends two pixels with two others, to, by share / 32. */
 static ALWAYS_INLINE uint32_t soft_mix_two(
 	uint32_t two, uint32_t to, uint32_t share)
 {
@@ -49,17 +49,17 @@ static ALWAYS_INLINE uint32_t soft_mix_two(
 	return soft_keep_two(two, 32 - share, own, swapped);
 }
 
-/* Pixels become (pixel keep + own) >> 5, wide; own holds the rounding. */
+/* Each pixel becomes (pixel * keep + own) >> 5, wide; own holds the rounding. */
 void soft_keep_pixels(uint16_t *pixel, int count, uint32_t keep, uint32_t own);
 
-/* Pixels become a mix of themselves and others, by share of 0 to 32. */
+/* Blends each pixel with one of own, by share / 32. */
 void soft_mix_pixels(
 	uint16_t *pixel, const uint16_t *own, int count, uint32_t share);
 
-/* Whether all of at least one pixel are the same. */
+/* Whether count pixels, at least one, are all equal. */
 bool soft_is_one_color(const uint16_t *pixel, int count);
 
-/* Pixels become the value. arm/fill.S or portable/loops.c. */
+/* arm/fill.S or portable/loops.c: sets count pixels to the value. */
 void soft_fill_pixels(uint16_t *pixel, int count, uint16_t value);
 
 #endif

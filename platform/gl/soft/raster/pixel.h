@@ -1,4 +1,4 @@
-/* Pixels of both formats, one at a time. */
+/* Pixels of RGB565 and RGBA8888, one at a time. */
 #ifndef PLATFORM_GL_SOFT_RASTER_PIXEL_H
 #define PLATFORM_GL_SOFT_RASTER_PIXEL_H
 
@@ -13,8 +13,8 @@ static inline uint16_t pack_565(int red, int green, int blue)
 }
 
 /*
- * Planes of 8.16 whose upper five or six of eight bits are the nearest of 31
- * or 63 steps: times 31/32 or 63/64, and a half.
+ * Scale a colour of 8.16 by 31/32 or 63/64 and add half a step, so that its
+ * upper five or six bits are the nearest of 0 to 31 or 0 to 63.
  */
 static inline uint32_t round_to_5(uint32_t value)
 {
@@ -26,7 +26,7 @@ static inline uint32_t round_to_6(uint32_t value)
 	return value - (value >> 6) + (1 << 17);
 }
 
-/* Five and six bits to eight, so that all ones are 255. */
+/* Expands five and six bits to eight: all ones become 255. */
 static inline void unpack_565(uint16_t pixel, uint8_t out[3])
 {
 	int red = pixel >> 11, green = pixel >> 5 & 63, blue = pixel & 31;
@@ -37,12 +37,12 @@ static inline void unpack_565(uint16_t pixel, uint8_t out[3])
 }
 
 /*
- * RGB565 with room between its fields: green moved up by 16. One
- * multiplication scales all three, in steps of 1/32.
+ * A wide pixel is RGB565 with green moved up by 16 bits: five bits of room
+ * above each field, so that one multiplication scales all three by n / 32.
  */
 enum {
 	WIDE_MASK = 0x07E0F81F,
-	WIDE_ROUND = 0x02008010, /* a half of every field, before >> 5 */
+	WIDE_ROUND = 0x02008010, /* 1/2 for every field, before >> 5 */
 };
 
 static inline uint32_t widen(uint32_t pixel)
@@ -55,13 +55,13 @@ static inline uint16_t narrow(uint32_t wide)
 	return (uint16_t)(wide | wide >> 16);
 }
 
-/* From a to b by 0..32 of 32. */
+/* Blends wide pixels: a + (b - a) * share / 32. */
 static inline uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
 {
 	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
 }
 
-/* A colour of planes, 8.16 each. */
+/* The wide pixel of a colour, 8.16 each. */
 static inline uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
 {
 	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
@@ -73,7 +73,7 @@ static inline uint16_t color_565(uint32_t r, uint32_t g, uint32_t b)
 	return narrow(widen_color(r, g, b));
 }
 
-/* In both halves of a word. */
+/* A pixel in both halves of a word. */
 static inline uint32_t twice_565(uint32_t pixel)
 {
 	return pixel | pixel << 16;

@@ -1,5 +1,5 @@
 /*
- * Setting triangles up and walking their rows.
+ * Set-up of triangles: edges, planes, level of detail; the fill functions.
  */
 #ifndef PLATFORM_GL_SOFT_RASTER_RASTER_H
 #define PLATFORM_GL_SOFT_RASTER_RASTER_H
@@ -9,36 +9,36 @@
 
 enum {
 	/*
-	 * 1/512 of a texel: what gradients lose to rounding, so that centres
-	 * on the border of two texels fall to the same one always.
+	 * 1/512 of a texel, added to coordinates: more than gradients lose to
+	 * rounding, so pixel centres on a texel's border always get that texel.
 	 */
 	TEXEL_NUDGE = 128,
 	/*
-	 * Four steps of 255, as rows_color_tolerance() has it, where the
-	 * picture has five bits.
+	 * rows_color_tolerance() for RGB565, whose channels have 5 or 6 bits:
+	 * four steps of 255.
 	 */
 	RASTER_TOLERANCE_565 = 4,
 };
 
 /*
- * A triangle on its way to the rows: its vertices by y, those of one row by x,
- * and its rows. arm/list.S fills it, too.
+ * A triangle that is seen: its vertices, sorted by y and, where y is equal, by
+ * x, and the pixels that it may cover. arm/list.S fills this, too.
  */
 struct setup {
 	const struct vertex *v[3];
-	struct vertex *provoking; /* whose colour is flat */
-	int top, middle, bottom;
-	int columns;    /* how many can be covered */
-	int32_t extent; /* how wide or high it is, in sixteenths */
-	/* not wide, and in draw->box with a pixel to spare at the sides */
+	struct vertex *provoking; /* whose colour GL_FLAT uses */
+	int top, middle, bottom;  /* first row at or below v[0], v[1], v[2] */
+	int columns;              /* number of columns that it may cover */
+	int32_t extent; /* the larger of width and height, in 1/16 pixels */
+	/* not wide, same_stride, and in draw->box, with a column at both sides */
 	bool inside;
 	bool wide; /* extent > SMALL_EXTENT */
 	bool back;
-	_Alignas(8) uint64_t area; /* twice of it, in 1/256 of pixels */
-	bool middle_left;          /* of struct frame */
+	_Alignas(8) uint64_t area; /* twice the area, in 1/256 of pixels */
+	bool middle_left;          /* as in struct frame */
 };
 
-/* One side of the triangle, in 16.16 pixels. */
+/* An edge of the triangle, in 16.16 pixels: x in a row, and its step a row. */
 struct side {
 	int32_t x, step;
 };
@@ -57,18 +57,18 @@ static inline int32_t raster_most(int32_t a, int32_t b, int32_t c)
 	return ab > c ? ab : c;
 }
 
-/* The first pixel whose centre is at or beyond this. */
+/* The first column (row) whose centre is at or right of (below) a coordinate. */
 static inline int raster_centre(int32_t sixteenths)
 {
 	return (sixteenths + 7) >> 4;
 }
 
-/* A value at the first corner, and how much more it is at the others. */
+/* A value at v[0], and its differences to there at v[1] and v[2]. */
 struct delta {
 	int32_t first, d1, d2;
 };
 
-/* How far a triangle is in perspective. */
+/* A triangle's largest w minus its least one, and the least one. */
 struct perspective {
 	uint32_t w_spread, w_least;
 };
@@ -85,9 +85,9 @@ static ALWAYS_INLINE struct perspective raster_find_perspective(
 }
 
 /*
- * Whether running linearly is off by more than what nobody sees, see
- * rows_color_tolerance(), or a quarter of a texel: by up to
- * spread (wmax - wmin) / 4 wmin.
+ * Whether a value that differs by most within the triangle needs perspective
+ * correction. Linear interpolation is off by up to most (wmax - wmin) / 4 wmin;
+ * allowed are 2^(6 + tolerance): 0 is a quarter of a texel, of 256 units.
  */
 static ALWAYS_INLINE bool raster_bends(
 	const struct perspective *perspective, uint32_t most, int tolerance)
@@ -97,24 +97,24 @@ static ALWAYS_INLINE bool raster_bends(
 }
 
 /*
- * bend.c: of a small triangle whose w is at most twice as large in one corner
- * as in another, bends texture coordinates instead of dividing them. False
- * where that is off by more than a quarter of a texel. delta are those of
- * attributes, texel is the largest spread in 1/256 of texels.
+ * bend.c: of a small triangle whose largest w is at most twice its least one,
+ * interpolates texture coordinates by polynomials instead of a division. False
+ * where they would be off by more than a quarter of a texel. delta is indexed
+ * by attribute; texel is the largest difference of one, in 1/256 of texels.
  */
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], uint32_t texel);
 
-/* Those that have planes where these move: red, green and blue all together. */
+/* The attributes that need planes if moving change: red, green, blue together. */
 static ALWAYS_INLINE uint32_t raster_color_planes(uint32_t moving)
 {
 	return moving ? moving | 7u << RED : 0;
 }
 
-/* set_up.c: fills draw->raster. */
+/* set_up.c: fills draw->raster: planes and what is constant. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
-/* dx / dy in 16.16, of sixteenths; dy > 0. */
+/* dx / dy in 16.16, of a vector in 1/16 pixels; dy > 0. */
 static ALWAYS_INLINE int32_t raster_slope(
 	const struct draw *draw, int32_t dx, int32_t dy)
 {
@@ -125,8 +125,8 @@ static ALWAYS_INLINE int32_t raster_slope(
 }
 
 /*
- * The edge from a down to b, at the centre of the row, by nothing but the edge
- * itself: the triangles on both sides see the same.
+ * The edge from a down to b at the row's centre. It depends on the edge alone,
+ * so that triangles on both sides of it cover all pixels, and none twice.
  */
 static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	const struct vertex *a, const struct vertex *b, int row)
@@ -140,7 +140,7 @@ static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 		return (struct side){(int32_t)x, 0};
 	}
 	step = raster_slope(draw, b->x - a->x, dy);
-	/* To the first row's centre, less than a pixel down; then by rows. */
+	/* from a to the first row's centre, less than a pixel; then by rows */
 	x += (uint32_t)(step >> 4) * (uint32_t)(first * 16 + 8 - a->y);
 	x += (uint32_t)step * (uint32_t)(row - first);
 	return (struct side){(int32_t)x, step};
@@ -151,7 +151,7 @@ static inline uint32_t raster_size(int32_t value)
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;
 }
 
-/* The first row that the box shows. */
+/* The first of the triangle's rows inside draw->box. */
 static inline int raster_first_row(
 	const struct draw *draw, const struct setup *setup)
 {
@@ -184,8 +184,8 @@ static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
 }
 
 /*
- * Draws a band from raster_first_row() to the middle corner and another from
- * there on, as far as the box shows them.
+ * Draws the triangle as two bands, above and below its middle vertex, as far as
+ * they lie in draw->box: sets the edges and calls function for each of them.
  */
 static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 	const struct setup *setup, bool middle_left, struct band_edges *edges,
@@ -214,7 +214,7 @@ static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
 	}
 }
 
-/* log2 of 16.16 with 8 bits of fraction; the mantissa stands for its log. */
+/* log2 of a 16.16 number, with 8 bits of fraction, linear between powers of 2. */
 static inline int raster_log2_q8(uint32_t value_q16)
 {
 	int zeros = LEADING_ZEROS_32(value_q16 | 1);
@@ -222,13 +222,13 @@ static inline int raster_log2_q8(uint32_t value_q16)
 	return ((15 - zeros) * 256) + (int)(value_q16 << zeros >> 23 & 255);
 }
 
-/* How long a vector is, from the sizes of both parts: within 7 %. */
+/* A vector's length, within 7%, from the magnitudes of its components. */
 static inline uint32_t raster_length(uint32_t a, uint32_t b)
 {
 	return a > b ? a + (b >> 2) + (b >> 3) : b + (a >> 2) + (a >> 3);
 }
 
-/* The level of detail of the longer of two ways: a pixel across, or down. */
+/* The level of detail of the larger step in the texture, a pixel right or down. */
 static ALWAYS_INLINE int raster_find_lod(
 	int32_t s_right, int32_t t_right, int32_t s_down, int32_t t_down)
 {
@@ -239,7 +239,7 @@ static ALWAYS_INLINE int raster_find_lod(
 	return raster_log2_q8(right > down ? right : down);
 }
 
-/* A plane's value at column x of the row under way. */
+/* A plane's value at column x in the triangle's first row. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {
 	const struct plane *p = &raster->plane[plane];
@@ -248,33 +248,32 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 }
 
 /*
- * hidden.c: whether a small triangle lies behind all of the depths around it,
- * so that no depth or pixel changes.
+ * hidden.c: whether a small triangle lies behind all depths of its bounding
+ * box, so that no depth or pixel changes. May return false where it does.
  */
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 
-/* span/walk.c: any state. */
+/* span/walk.c: draws a triangle in any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
-/* The paths of fast/, each in a file of its name; fast/paths.c chooses. */
+/* fast/luminance.c, fast/fill_texture.c: see there; paths.c chooses them. */
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
-/* fill_texture.c: its begin is called once a draw call. */
+/* fill_texture.c: prepares draw->textured, once a draw call. */
 void soft_fill_textured_begin(struct draw *draw);
 
-/* fill_narrow.c: what it does not take is soft_rows_fill()'s. */
+/* fill_narrow.c: leaves triangles that it cannot draw to soft_rows_fill(). */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
-/* Whether colours run linearly, to a step of 255. */
+/* Whether colours are linear within rows_color_tolerance(), in spite of w. */
 bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 
-/* fill_flat.c: see there; begin is called once a draw call. */
+/* fill_flat.c: begin prepares draw->flat, once a draw call. */
 void soft_fill_flat_begin(struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
 
 /*
- * fill_glyph.c: two triangles, v[0] v[1] v[2] and
- * v[2] v[1] v[3]. False, with nothing drawn, where they are no upright
- * rectangle that it can draw as one.
+ * fill_glyph.c: draws the triangles v[0] v[1] v[2] and v[2] v[1] v[3]. False,
+ * with nothing drawn, if they are no upright rectangle that it can draw.
  */
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4]);
 

@@ -1,33 +1,33 @@
-/* What is true at single columns of the row under way. */
+/* Values at single columns of a row: perspective division, level of detail. */
 #ifndef PLATFORM_GL_SOFT_RASTER_ROWS_H
 #define PLATFORM_GL_SOFT_RASTER_ROWS_H
 
 #include "platform/gl/soft/raster/raster.h"
 
 /*
- * The attributes that move, divided by q where the triangle is in perspective;
- * and q itself, with its reciprocal.
+ * A column of a row: q, which is the plane of 1 / w, with its reciprocal, and
+ * the attributes that are divided by it.
  */
 struct point {
-	int32_t q, inverse;
+	int32_t q, inverse; /* inverse is 2^62 / (q << zeros) */
 	int zeros;
 	int32_t value[ATTRIBUTES];
 };
 
-/* Whether an attribute's plane is of its product with 1 / w. */
+/* Whether an attribute's plane interpolates its product with 1 / w. */
 static ALWAYS_INLINE bool rows_is_divided(const struct raster *raster, int name)
 {
 	return name >= TEX_S ? raster->perspective : raster->colors_divided;
 }
 
-/* A value, and its step to where it leads count pixels from there. */
+/* A polynomial's value, and a linear step to its value count pixels further. */
 struct bent {
 	int32_t value, step;
 };
 
 /*
- * Of a row that counts from the triangle's first one, at whose column 0 the
- * plane is what start says.
+ * At column x of a row, counted from the triangle's first one. start is the
+ * plane's value at the row's column 0.
  */
 static ALWAYS_INLINE struct bent rows_find_bent(const struct raster *raster,
 	int name, uint32_t start, int row, int x, int count)
@@ -43,9 +43,9 @@ static ALWAYS_INLINE struct bent rows_find_bent(const struct raster *raster,
 }
 
 /*
- * How far a colour may be off where it runs linearly though it should bend: a
- * step of 255, or four of them where the picture has five bits; as the
- * logarithm of that and 4, which is what 16.16 is compared with.
+ * The tolerance of raster_bends() for colours: how far a colour may be off if
+ * it is interpolated linearly. That is a step of 255, or four steps in RGB565,
+ * as log2(4 steps).
  */
 static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 {
@@ -53,15 +53,15 @@ static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 }
 
 /*
- * In perspective the first row of a triangle that is drawn chooses its level of
- * detail, and then each whose number in the picture is a multiple of this, so
- * that triangles side by side change it together.
+ * Where texture coordinates are divided, a triangle's first visible row finds
+ * its level of detail, and then each row of the picture that is a multiple of
+ * this, so that neighbouring triangles change levels in the same rows.
  */
 enum {
 	ROWS_OF_LEVEL = 4,
 };
 
-/* A quarter of 1/255 to spare at either end for what steps lose. */
+/* Limits of colours, 8.16: 1/4 at either end for the rounding of steps. */
 enum {
 	ROWS_LEAST_COLOR = 0x4000,
 	ROWS_MOST_COLOR = 0xFFBFFF,
@@ -74,7 +74,7 @@ static ALWAYS_INLINE void rows_find_divisor(int32_t q, struct point *out)
 	out->inverse = reciprocal((uint32_t)out->q << out->zeros);
 }
 
-/* numerator / q times 2^up. */
+/* numerator / q * 2^up. */
 static ALWAYS_INLINE int32_t rows_divide(
 	const struct point *point, int32_t numerator, int up)
 {
@@ -88,7 +88,7 @@ static ALWAYS_INLINE int32_t rows_divide(
 	return (int32_t)((uint64_t)product << (-down > 31 ? 31 : -down) >> 32);
 }
 
-/* A step between two values, where inverse is 2^31 over the number of steps. */
+/* The step from one value to another; inverse is 2^31 / number of steps. */
 static ALWAYS_INLINE int32_t rows_find_step(
 	int32_t from, int32_t to, int32_t inverse)
 {
@@ -96,8 +96,9 @@ static ALWAYS_INLINE int32_t rows_find_step(
 }
 
 /*
- * How many pixels apart exact divisions are, of a row of so many steps: the error
- * is that of none between its ends, and twice what is allowed is half a texel.
+ * How many pixels apart the exact divisions of a row are: 16 to 64. error is
+ * that of a row of so many steps divided at its ends alone, in the same scale
+ * as allowed, of which twice is half a texel.
  */
 static ALWAYS_INLINE int rows_find_spacing(
 	uint64_t error, uint64_t allowed, int steps)
@@ -116,8 +117,8 @@ static ALWAYS_INLINE int rows_find_spacing(
 }
 
 /*
- * The most pixels of a run whose coordinates change so much a pixel: its texels
- * have to fit SOFT_RUN_TEXELS, as those of levels do.
+ * The longest run, in pixels, whose texels fit SOFT_RUN_TEXELS, for coordinates
+ * that change by these steps a pixel, 16.16. With mipmaps texels always fit.
  */
 static ALWAYS_INLINE int rows_find_run_pixels(
 	const struct draw *draw, int32_t s_step, int32_t t_step)
@@ -131,29 +132,29 @@ static ALWAYS_INLINE int rows_find_run_pixels(
 		: SOFT_RUN_PIXELS / 2;
 }
 
-/* The levels of detail of a triangle that is linear all over. */
+/* Finds a triangle's levels of detail where nothing is divided. */
 void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
 
 /*
- * In perspective: the second texture's coordinates along the span's pixels, and
- * its level of detail, of a row so many below the one that planes are at.
+ * In perspective: finds the second texture's coordinates along the span, and
+ * its level of detail. row is counted from the triangle's first one.
  */
 void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
 
-/* The most that one of them changes between two columns. */
+/* The larger change of s and t of the second texture between two columns. */
 uint32_t soft_rows_find_second_change(
 	const struct draw *draw, int row, int left, int right);
 
-/* Whether a filter mixes the texels of a level. */
+/* Whether a filter is bilinear within a level. */
 bool soft_rows_is_linear(GLenum filter);
 
-/* Whether levels, or the minifying filter, make a used texture look different. */
+/* Whether a used texture has mipmaps, or a minifying filter of its own. */
 bool soft_rows_want_lod(const struct texture_input *input);
 
-/* Whether a level of detail, as struct span has it, asks for that filter. */
+/* Whether the minifying filter applies at a level of detail, 8 fraction bits. */
 bool soft_rows_is_small(const struct texture_input *input, int lod);
 
-/* The levels of detail there, into span->lod; linear ones have no point. */
+/* Finds span->lod, at the point if the triangle is in perspective. */
 void soft_rows_find_lod(
 	const struct draw *draw, const struct point *point, struct span *span);
 

@@ -1,4 +1,4 @@
-/* Where vertices come from, and the current colour and normal. */
+/* Vertex arrays' pointers and enables; the current colour and normal. */
 #include <string.h>
 
 #include "platform/gl/soft/state/state.h"

@@ -24,7 +24,7 @@ void soft_gl_ClearStencil(GLint value)
 	soft_current()->fragment.stencil.clear = (uint8_t)value;
 }
 
-/* Rows that follow one another without a gap are one. */
+/* Fills rows; where no gap lies between them, as one long row. */
 static void fill_rows(
 	uint16_t *first, int width, ptrdiff_t stride, int rows, uint16_t value)
 {
@@ -89,7 +89,7 @@ static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
 	int width = box->right - box->left, rows = box->bottom - box->top;
 	uint8_t keep = (uint8_t)~stencil->write_mask;
 
-	/* By two, where rows begin and end with a pair. */
+	/* whole rows without a gap: two bytes at a time */
 	if (keep == 0 && width == (int)stride && width % 2 == 0) {
 		soft_fill_pixels((uint16_t *)(void *)first, width / 2 * rows,
 			(uint16_t)(stencil->clear * 0x101u));
@@ -133,7 +133,7 @@ void soft_gl_Clear(GLbitfield mask)
 	}
 }
 
-/* Of ES 1.1's formats: GL_RGBA of bytes. */
+/* Reads GL_RGBA of bytes, the only format that is supported. */
 void soft_gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
 	GLenum format, GLenum type, void *pixels)
 {
@@ -155,7 +155,7 @@ void soft_gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
 		for (int column = 0; column < width; column++) {
 			int64_t from_x = (int64_t)x + column;
 
-			/* Outside of the picture nothing is defined. */
+			/* Values outside of the picture are undefined. */
 			if (from_x >= 0 && from_x < target->width &&
 				from_y >= 0 && from_y < target->height) {
 				load_pixel(target->format,

@@ -1,4 +1,4 @@
-/* The table of a context's calls, and what GL's state is at first. */
+/* The context's table of GL functions, and GL's initial state. */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/state/state.h"

@@ -207,7 +207,7 @@ void soft_gl_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 	multiply(&turn);
 }
 
-/* A frustum, or a box, between two ends along each axis. */
+/* Multiplies by glFrustum's matrix, or glOrtho's; ends has two for each axis. */
 static void project(const GLfixed ends[6], bool perspective)
 {
 	struct matrix matrix = {{0}};

@@ -1,6 +1,6 @@
 /*
- * What has a name: parameters of lights, materials, fog, textures and their
- * environments, by a table for each kind of object; and what programs may ask.
+ * Setters of named parameters, by a table for each kind of object (lights,
+ * materials, fog, textures, texture environments); glGetIntegerv, glGetString.
  */
 #include "platform/gl/soft/state/state.h"
 
@@ -9,7 +9,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
 
-/* Of ES 1.1, but of no call that limber makes by name. */
+/* Names of ES 1.1 that gl.h does not have. */
 enum {
 	ALPHA_SCALE = 0x0D1C,
 	SRC2_RGB = 0x8582,
@@ -23,14 +23,14 @@ enum {
 	SUBTRACT = 0x84E7,
 };
 
-/* Values of 32 bits, enumerants or 16.16, that follow one another in a struct. */
+/* A parameter: count values of 32 bits, enumerants or 16.16, in a struct. */
 struct parameter {
 	GLenum name;
 	int count;
 	size_t offset;
-	GLenum error;        /* of values that are not allowed */
-	GLfixed least, most; /* those in between are allowed, */
-	GLenum allowed[8];   /* and those listed */
+	GLenum error;        /* that a value sets which is not allowed */
+	GLfixed least, most; /* allowed are values from least to most, */
+	GLenum allowed[8];   /* and those of this list */
 	size_t allowed_count;
 };
 
@@ -52,8 +52,8 @@ struct parameter {
 	LISTED(name, type, member, GL_INVALID_ENUM, __VA_ARGS__)
 
 /*
- * Sets the parameter of an object that has the name, or GL's error. given is
- * how many values there are: 1 by the calls for scalars, else 4.
+ * Sets the object's parameter of that name, or GL's error. given is the number
+ * of values: 1 from glFogx and its like, 4 from glFogxv and its like.
  */
 static void set_parameter(const struct parameter *table, size_t count,
 	void *object, GLenum name, const GLfixed *values, int given)
@@ -76,7 +76,7 @@ static void set_parameter(const struct parameter *table, size_t count,
 #define SET_PARAMETER(table, ...) \
 	set_parameter(table, ARRAY_COUNT(table), __VA_ARGS__)
 
-/* Two calls, for one value and for several, of parameters of an object. */
+/* Defines two GL functions, for a scalar parameter and for a vector. */
 #define TWO_CALLS(call, set)                                        \
 	void soft_gl_##call##x(GLenum name, GLfixed value)          \
 	{                                                           \
@@ -122,7 +122,7 @@ static void set_model(GLenum name, const GLfixed *values, int given)
 }
 TWO_CALLS(LightModel, set_model)
 
-/* Positions and directions go into eye space as they are given. */
+/* Transforms a light's position or direction to eye space when it is set. */
 static void set_place(float *out, size_t count, const GLfixed *values)
 {
 	float given[4] = {0.0f}, eye[4];
@@ -168,7 +168,7 @@ static void set_light(GLenum name, GLenum what, const GLfixed *values, int given
 }
 TWO_CALLS_OF(Light, set_light)
 
-/* ES sets both faces at once only. */
+/* ES 1.1 allows no face but GL_FRONT_AND_BACK. */
 static void set_material(
 	GLenum face, GLenum name, const GLfixed *values, int given)
 {
@@ -194,7 +194,7 @@ static void set_material(
 }
 TWO_CALLS_OF(Material, set_material)
 
-/* stages/ carries the texture environment out. */
+/* Texture environments; stages/combine_rows.c computes them. */
 static void set_env(GLenum target, GLenum name, const GLfixed *values, int given)
 {
 #define COMBINERS \

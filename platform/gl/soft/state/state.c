@@ -1,6 +1,6 @@
 /*
- * The context that calls of GL work on, with its error and its stencil;
- * capabilities, the fragment's state and where it may go.
+ * The current context, its error and its stencil buffer; glEnable's flags; the
+ * state of fragment operations; scissor box and viewport.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,10 +10,10 @@
 #include "platform/gl/soft/vertex/number.h"
 
 enum {
-	SRC_ALPHA_SATURATE = 0x0308, /* of ES 1.1; limber does not ask for it */
+	SRC_ALPHA_SATURATE = 0x0308, /* gl.h does not have it */
 };
 
-/* What GL's calls on this thread work on: they have no parameter to say it. */
+/* The context that this thread's GL functions work on. */
 static _Thread_local struct soft *current;
 
 struct soft *soft_current(void)
@@ -43,7 +43,7 @@ bool soft_is_one_of(GLenum value, const GLenum *known, size_t count)
 	return false;
 }
 
-/* It keeps the size of the depth. */
+/* The stencil buffer has room for as many pixels as the depth buffer. */
 uint8_t *soft_stencil(struct soft *soft)
 {
 	struct buffers *buffers = &soft->buffers;
@@ -78,7 +78,7 @@ void soft_gl_Finish(void)
 		capability, offsetof(struct soft, member) \
 	}
 
-/* The flags behind capabilities that are no light or texture unit. */
+/* The flags of all capabilities but lights and texture units. */
 static const struct {
 	GLenum capability;
 	size_t offset;
@@ -144,7 +144,7 @@ static bool is_comparison(GLenum function)
 	return function >= GL_NEVER && function <= GL_ALWAYS;
 }
 
-/* A call that sets a member of the fragment's state to what it may be. */
+/* A GL function that sets a member of struct fragment_state if may_be is true. */
 #define CALL(name, type, member, may_be, error)                  \
 	void soft_gl_##name(type value)                          \
 	{                                                        \
@@ -178,7 +178,7 @@ void soft_gl_AlphaFuncx(GLenum function, GLfixed reference)
 	}
 }
 
-/* GL_ZERO and GL_ONE, or from the first of the others to the last. */
+/* Whether a blend factor is GL_ZERO, GL_ONE, or one of first to last. */
 static bool is_factor(GLenum factor, GLenum first, GLenum last)
 {
 	return factor <= GL_ONE || (factor >= first && factor <= last);
@@ -225,7 +225,7 @@ void soft_gl_Scissor(GLint x, GLint y, GLsizei width, GLsizei height)
 	set_rectangle(&soft_current()->fragment.scissor, x, y, width, height);
 }
 
-/* Larger ones are cut to PIXELS_SIZE_MAX, as GL allows. */
+/* Limits the viewport to +-PIXELS_SIZE_MAX, as GL allows. */
 void soft_gl_Viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
 	const int most = PIXELS_SIZE_MAX;
@@ -270,7 +270,7 @@ void soft_gl_StencilOp(GLenum fail, GLenum depth_fail, GLenum pass)
 	}
 }
 
-/* A box inside of a rectangle, which may lie anywhere: sums have 64 bits. */
+/* The box's part in a GL rectangle, whose corners may need 64 bits. */
 static struct clip_box cut(
 	struct clip_box box, const struct rectangle *r, int height)
 {

@@ -1,6 +1,6 @@
 /*
- * What calls of GL share: their names here, soft_gl_ and that of struct gl, and
- * how they refuse what GL does not allow.
+ * Declares the driver's GL functions, soft_gl_ followed by the name in struct
+ * gl, and the checks by which they refuse parameters that GL does not allow.
  */
 #ifndef PLATFORM_GL_SOFT_STATE_STATE_H
 #define PLATFORM_GL_SOFT_STATE_STATE_H
@@ -12,7 +12,7 @@
 #include "platform/gl/gl_functions.h"
 #undef GL_FUNCTION
 
-/* Whether a call of the current context may go on; else it sets the error. */
+/* Returns may_go_on; where it is false, sets the current context's error. */
 static inline bool soft_check(bool may_go_on, GLenum error)
 {
 	if (!may_go_on) {

@@ -1,4 +1,4 @@
-/* Texture objects and their pictures. */
+/* Texture objects and their images. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,7 +25,7 @@ static void free_levels(struct texture *texture)
 	}
 }
 
-/* The link to the texture that has the name, or to nothing. */
+/* Where the list points to the texture of that name, or its end: NULL. */
 static struct texture **find_link(struct soft *soft, GLuint name)
 {
 	struct texture **link = &soft->textures.first[name % SOFT_TEXTURE_LISTS];
@@ -127,10 +127,10 @@ static struct texture *bound_texture(struct soft *soft)
 	return soft->textures.unit[soft->textures.active].bound;
 }
 
-/* How a program's picture is read and kept. */
+/* A format and type of glTexImage2D, and how the driver stores its texels. */
 struct transfer {
 	GLenum format, type;
-	int source_bytes; /* a pixel */
+	int source_bytes; /* of a pixel in the program's image */
 	enum texel_format kept;
 };
 
@@ -145,7 +145,7 @@ static const struct transfer transfers[] = {
 	{GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, 2, TEXEL_LA88},
 };
 
-/* False, with GL's error, where there is no such pair. */
+/* Finds the entry; false, with GL's error set, where there is none. */
 static bool choose_transfer(const struct soft *soft, GLenum format, GLenum type,
 	struct transfer *out)
 {
@@ -161,7 +161,7 @@ static bool choose_transfer(const struct soft *soft, GLenum format, GLenum type,
 			*out = *known;
 		}
 	}
-	/* Bytes lose nothing in a picture of bytes. */
+	/* In pictures of RGBA8888, RGB bytes are not cut to RGB565. */
 	if (pair_known && out->source_bytes == 3 &&
 		soft->format == PIXELS_RGBA8888) {
 		out->kept = TEXEL_8888;
@@ -175,7 +175,7 @@ static int kept_bytes(enum texel_format format)
 	return 1 << soft_texel_bytes_log2(format);
 }
 
-/* One row of texels into the kept format. */
+/* Converts a row of the program's pixels to the stored format. */
 static void convert_row(const struct transfer *transfer, const uint8_t *from,
 	uint8_t *to, int width)
 {
@@ -213,7 +213,7 @@ static void copy_rows(const struct soft *soft, const struct transfer *transfer,
 	}
 }
 
-/* The logarithm of a power of two up to the largest size, or -1. */
+/* log2 of a size; -1 unless it is a power of two up to the largest size. */
 static int size_log2(GLsizei size)
 {
 	for (int i = 0; i < SOFT_LEVELS; i++) {
@@ -228,7 +228,7 @@ static void define_level(struct soft *soft, struct level *level,
 	const struct transfer *transfer, GLsizei width, GLsizei height,
 	const void *pixels)
 {
-	/* A row and a texel more: they are read, with weights of 0. */
+	/* Filters read a row and a texel more, with weights of 0. */
 	size_t size = ((size_t)width * (size_t)height + (size_t)width + 1) *
 		(size_t)kept_bytes(transfer->kept);
 	const struct rectangle all = {0, 0, width, height};

@@ -1,4 +1,4 @@
-/* From vertices of the cache to primitives: what the kinds of lists share. */
+/* The vertex cache, and triangles of its vertices, by index. */
 #ifndef PLATFORM_GL_SOFT_VERTEX_CACHE_H
 #define PLATFORM_GL_SOFT_VERTEX_CACHE_H
 
@@ -7,21 +7,21 @@
 
 #include <string.h>
 
-/* cache.c: the vertex of an index into a slot of the cache. */
+/* cache.c: transforms the vertex of an index into a slot of the cache. */
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 
 /*
- * unindexed.c: triangles without indices, count vertices from first on; finds
- * those that come again by what they are made of. False, with nothing drawn,
- * where arrays do not lie together, are not words to compare, or are so long
- * that 16 bits do not number their vertices.
+ * unindexed.c: draws GL_TRIANGLES without indices, count vertices from first
+ * on; vertices with equal array elements are transformed once. False, with
+ * nothing drawn, where the arrays are not interleaved, do not consist of 32-bit
+ * words, or have more vertices than 16 bits can number.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 
-/* Where the vertices of a call come from. */
+/* The vertices of a draw call: count indices, or count vertices from first on. */
 struct source {
-	const uint8_t *indices; /* NULL: from first on */
-	GLenum type;
+	const uint8_t *indices; /* NULL: first, first + 1, ... */
+	GLenum type;            /* of indices */
 	uint32_t first, count;
 };
 
@@ -59,20 +59,21 @@ static inline struct vertex *find_vertex(
 }
 
 /*
- * cache.c: vertices of one primitive whose indices share a slot of the cache:
- * all but the last move to places of their own.
+ * cache.c: finds the vertices of a primitive, at[] being numbers in the source.
+ * Where two need the same slot of the cache, the last one gets it, and the
+ * others are transformed into draw->apart.
  */
 void soft_find_vertices(struct draw *draw, const struct source *source,
 	const uint32_t *at, int count, struct vertex **out);
 
-/* cache.c: the triangle of three of a source's vertices, where it is seen. */
+/* cache.c: draws the triangle of a source's vertices number a, b and c. */
 void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
 /*
- * arm/list.S or portable/triangles.c: triangles by 16-bit indices at an even
- * address, while draw->packed; does what soft_draw_triangle() does, in assembly
- * faster.
+ * arm/list.S or portable/triangles.c: draws GL_TRIANGLES of 16-bit indices at
+ * an even address, while draw->packed, as soft_draw_triangle() does one by one;
+ * the assembly is faster.
  */
 void soft_list(struct draw *draw, const struct source *source);
 

@@ -1,17 +1,17 @@
 /*
- * A draw call: what is derived from the state for it, its vertices and the
- * triangle under way. All of it is scratch of fixed size.
+ * A draw call: what it derives from the state, its vertices and the triangle
+ * under way. All of this is scratch memory of fixed size.
  *
- * Numbers, by their names' endings or here:
- *	position    block floating: the array's largest coordinate is just below
- *	            2^30; position_q says where the point is
- *	clip        block floating for all of the draw, |coordinate| < 2^29
- *	window x, y 4 bits of fraction, y downwards; 0 to 2^17. Below 2^15 they
- *	            also go as one number, see struct cache_tag
- *	window z    2 bits of fraction: 18 bits
- *	attributes  colours and fog 8.8 with 0x80 to spare at either end,
- *	            texture coordinates 16.16, then texels with 8 bits of
- *	            fraction
+ * Number formats, where no suffix of a name, such as _q16, says them:
+ *	position    one exponent a call: its largest coordinate is just below
+ *	            2^30; position_q is the number of fraction bits
+ *	clip        one exponent a call, |coordinate| < 2^29
+ *	window x, y 4 bits of fraction, y downwards; 0 to 2^17. Where both stay
+ *	            below 2^15 a word holds both, see struct cache_tag
+ *	window z    18 bits, 2 of them fraction
+ *	attributes  colours and fog 8.8, 0x80 to 0xFF80; texture coordinates
+ *	            16.16 in vertices, in triangles texels of the base level
+ *	            with 8 bits of fraction
  *	planes      8 bits of fraction more than the attributes; they wrap, and
  *	            are right modulo 2^32 inside of their triangle
  */
@@ -28,16 +28,16 @@
 enum {
 	VERTEX_CACHE = 512, /* a power of two */
 	/*
-	 * Up to so many sixteenths of a pixel, and with attributes that differ
-	 * by less than SMALL_DELTA, products of a triangle's set-up fit 32 bits.
+	 * Triangles up to this width and height, in 1/16 of pixels, are set up
+	 * in 32 bits where attributes differ by less than SMALL_DELTA.
 	 */
 	SMALL_EXTENT = 2047,
 	SMALL_DELTA = 1 << 18,
-	/* Viewports that end there have their x and y as one number. */
+	/* In viewports that end here, a word holds a vertex's x and y. */
 	PACKED_PIXELS = 2047,
 	CLIP_VERTICES = 9,     /* a triangle cut by six planes */
 	PERSPECTIVE_STEP = 16, /* pixels between exact divisions */
-	LUMINANCE_RUN = 512,   /* pixels of luminance.c's at a time */
+	LUMINANCE_RUN = 512,   /* longest run of luminance.c, in pixels */
 	RECENT_CALLS = 32,     /* that counts.c remembers; a power of two */
 };
 
@@ -47,15 +47,15 @@ enum attribute {
 	BLUE,
 	ALPHA,
 	FOG,
-	TEX_S, /* and T; then the next unit's */
+	TEX_S, /* s and t of unit 0, then those of unit 1 */
 	ATTRIBUTES = TEX_S + 2 * SOFT_UNITS,
-	/* planes have two more */
+	/* planes of values that are no attributes */
 	DEPTH = ATTRIBUTES,
 	INVERSE_W,
 	PLANES,
 };
 
-/* Outside of which planes of the clip volume. */
+/* Outcodes: the planes of the clip volume that a vertex lies outside of. */
 enum {
 	OUT_LEFT = 1,
 	OUT_RIGHT = 2,
@@ -66,108 +66,107 @@ enum {
 };
 
 /*
- * Three cache lines: what every triangle wants, what textured ones want
- * besides, and what clipping and two sides want. arm/vertex.S knows the
- * offsets.
+ * Three cache lines: all triangles read the first one, those with textures or
+ * fog the second one; clipping and two-sided lighting use the third one.
+ * arm/vertex.S knows the offsets.
  */
 struct vertex {
-	_Alignas(32) uint8_t w_zeros;
+	_Alignas(32) uint8_t w_zeros; /* leading zeros of clip[3] */
 	uint8_t outcode;
-	bool shaded;     /* attributes and back are there */
-	int32_t x, y, z; /* window, where outcode is 0 */
+	bool shaded;     /* attribute and back are computed */
+	int32_t x, y, z; /* window coordinates, if outcode is 0 */
 	int32_t attribute[ATTRIBUTES];
-	int32_t inverse_w_q30; /* 2^62 / (w << w_zeros) */
+	int32_t inverse_w_q30; /* 2^62 / (clip[3] << w_zeros) */
 	uint32_t index;
 	_Alignas(32) int32_t clip[4];
-	int32_t back[4]; /* colour of the other side, if there are two */
+	int32_t back[4]; /* colour of the back, if lighting is two-sided */
 };
 
 /*
- * Which vertex is in a slot of the cache, and its window x and y as one number,
- * y in the upper half, while draw->packed. A tag of TAG_OUTSIDE says that the
- * vertex lies outside of the clip volume: then xy is nothing, and the vertex
- * itself has the index.
+ * Which vertex a slot of the cache holds and, while draw->packed, its window x
+ * and y in one word, y in the upper half. TAG_OUTSIDE marks a vertex outside of
+ * the clip volume: xy is undefined then, and struct vertex has the index.
  */
 #define PLACE_EMPTY UINT32_MAX
 #define TAG_OUTSIDE (UINT32_MAX - 1)
 struct cache_tag {
-	_Alignas(8) uint32_t tag; /* else the index */
+	_Alignas(8) uint32_t tag; /* index, PLACE_EMPTY or TAG_OUTSIDE */
 	uint32_t xy;
 };
 
 struct texture_input {
 	bool used, identity;
-	bool plain_floats; /* coordinates that no matrix changes */
+	bool plain_floats; /* coordinates are GL_FLOAT, the matrix identity */
 	const struct array *array;
 	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
 	int matrix_q;
 	int width_log2, height_log2;
 	const struct texture *texture;
 	const struct level *base;
-	int levels; /* how many there are to choose from */
+	int levels; /* number of mipmap levels; 1 without mipmaps */
 	const struct texenv *env;
-	GLenum mode; /* the environment's: see combine_rows.h */
+	GLenum mode; /* of the environment, simplified: see combine_rows.h */
 };
 
 struct plane {
-	uint32_t start; /* at the centre of column 0, of the row under way */
-	int32_t dx, dy;
+	uint32_t start; /* at the centre of column 0 in the first row */
+	int32_t dx, dy; /* change by pixel to the right, and down */
 };
 
 /*
- * What a plane is less than a value that bends: xx x^2 + xy x y + yy y^2, of
- * columns x and rows y from where the plane starts. It wraps as the plane does.
+ * The terms of degree two that a polynomial has besides its plane: xx x^2 +
+ * xy x y + yy y^2 at column x, row y from the plane's start. Wraps as planes do.
  */
 struct bend {
 	int32_t xx, xy, yy;
 };
 
-/* Fragments of a row, and how their values run. */
+/* Fragments of a row: values of the first one, and their step a pixel. */
 struct span {
 	int x, y, count;
 	uint32_t value[PLANES];
 	int32_t step[PLANES];
-	int lod[SOFT_UNITS]; /* level, 8 bits of fraction */
+	int lod[SOFT_UNITS]; /* level of detail, 8 bits of fraction */
 };
 
-/* What all gradients of a triangle share; frame.h finds and uses it. */
+/* What a triangle's gradients have in common; frame.h finds and uses it. */
 struct frame {
-	int32_t x1, less_y1, less_x2, y2; /* from the first vertex */
-	/* 2^62 over the area << zeros, with its sign; 0 of too small an area */
+	int32_t x1, less_y1, less_x2, y2; /* from v[0]: x1, -y1, -x2, y2 */
+	/* 2^62 / (area << zeros), negative if middle_left; 0 of tiny areas */
 	int32_t inverse_area;
-	int32_t inverse; /* the same << shift, of areas of 32 bits */
+	int32_t inverse; /* inverse << shift is 2^44 / area, below 2^32 */
 	int zeros, shift;
-	int32_t off_x, off_y; /* to the centre of column, of the first row */
-	int column;
-	bool middle_left; /* the middle vertex lies left of the long edge */
+	int32_t off_x, off_y; /* from v[0] to column's centre, first row */
+	int column;           /* that v[0] lies in */
+	bool middle_left;     /* the middle vertex lies left of the long edge */
 };
 
 enum {
 	RASTER_LISTED =
-		INT32_MIN + 1 /* raster.top: it was small, and is drawn */
+		INT32_MIN + 1 /* raster.top of a small triangle that is drawn */
 };
 
 /* The triangle under way. */
 struct raster {
 	struct frame frame;
 	struct plane plane[PLANES];
-	bool perspective;    /* texture coordinates are divided by 1 / w */
-	bool colors_divided; /* and colours too; see rows_is_divided() */
-	bool bent;           /* texture coordinates bend instead; see bend.c */
-	int bent_pixels;     /* that run linearly then, at most */
-	struct bend bend[ATTRIBUTES];  /* of texture coordinates */
-	int middle_column, middle_row; /* of the triangle then */
-	/* the least and the largest, in 1/256 of texels */
+	bool perspective;    /* planes of s / w and t / w, divided by 1 / w */
+	bool colors_divided; /* colours too; see rows_is_divided() */
+	bool bent;           /* s and t are polynomials instead; see bend.c */
+	int bent_pixels;     /* if bent: the longest run drawn linearly */
+	struct bend bend[ATTRIBUTES];  /* if bent: of s and t */
+	int middle_column, middle_row; /* if bent: the triangle's centre */
+	/* least and largest s and t, in 1/256 of the base's texels */
 	int32_t texel_range[2 * SOFT_UNITS][2];
-	int tex_shift[2 * SOFT_UNITS]; /* of perspective coordinates */
+	int tex_shift[2 * SOFT_UNITS]; /* scale of s / w and t / w */
 	int moving[ATTRIBUTES];        /* the attributes that have planes */
 	int moving_count;
-	int top; /* the row that planes begin in, or RASTER_LISTED */
-	uint32_t moving_bits;
-	struct span span; /* of the row under way, and what is the same in all */
+	int top;              /* the planes' first row, or RASTER_LISTED */
+	uint32_t moving_bits; /* bits of attributes that are not constant */
+	struct span span; /* constant attributes, and values of single rows */
 };
 
-/* How positions are given; all but the last are fast to fetch. */
+/* The position array's type; arm/vertex.S fetches all kinds but the last. */
 enum position_kind {
 	POSITION_SHORTS, /* three */
 	POSITION_FLOATS, /* three, in range and aligned */
@@ -175,9 +174,9 @@ enum position_kind {
 };
 
 /*
- * From positions to the window; arm/vertex.S knows the offsets. A row of the
- * matrix gives a clip coordinate: moved + row . position, the products shifted
- * by 16 for shorts, else by 32.
+ * Transforms positions to window coordinates; arm/vertex.S knows the offsets. A
+ * clip coordinate is moved + row . position, with the products shifted right by
+ * 16 for shorts, else by 32.
  */
 struct view {
 	_Alignas(32) int32_t moved_x;
@@ -186,49 +185,49 @@ struct view {
 	const uint8_t *positions;
 	int stride_bytes;
 	enum position_kind kind;
-	float scale; /* of floats */
+	float scale; /* 2^position_q, which floats are multiplied by */
 	int32_t center_x_q8, center_y_q8, width_q10, height_q10;
-	int32_t center_z, depth;     /* 2 bits of fraction; for z / w in Q29 */
+	int32_t center_z, depth; /* window z of 0, its scale of z / w in Q29 */
 	const uint16_t *reciprocals; /* soft_reciprocal_table */
 };
 
 /* The triangle under way, drawn from a luminance texture. */
 struct tiled {
-	bool by_share;             /* in shades of gray */
-	int level;                 /* of the texture; -1: none yet */
+	bool by_share;             /* luminance times a gray that varies */
+	int level;                 /* of detail; -1: none is chosen yet */
 	const struct tiles *tiles; /* of the level */
-	int from_fine; /* pixels that are drawn as one from there, or 0 */
+	int from_fine; /* pixels drawn for each place of run.fine; 0: not read */
 	void (*draw)(const struct tile_run *run, int by_fine);
 	uint32_t mixed; /* what draw->mixed was made of, see make_mixed() */
-	/* Pixels of a row; share, how much of 256 a texel counts, is 8.8. */
+	/* The run under way; share is the gray as a factor, 8.8 of 256. */
 	struct tile_run run;
 	uint16_t *pixel;
-	uint32_t alpha, share; /* of the first one; alpha is 8.16 */
-	int32_t alpha_right, share_right;
+	uint32_t alpha, share; /* at the first pixel; alpha is 8.16 */
+	int32_t alpha_right, share_right; /* steps a pixel */
 };
 
 struct setup; /* raster.h */
 
 typedef void (*fill_function)(struct draw *draw, struct setup *setup);
 
-/* What rejects triangles, and sets small ones up, in one place; for arm/list.S. */
+/* All that rejecting and setting up small triangles needs, for arm/list.S. */
 struct fast_setup {
 	fill_function fill;
 	struct cache_tag *place;
 	struct vertex *cache;
-	/* positive areas are clockwise as they are seen */
-	_Alignas(8) uint32_t cull_side; /* all ones: of negative areas */
-	uint32_t cull_mask;             /* the sign's bit, or 0 for none */
-	/* draw->box, as struct cache_tag has xy, a column narrower at both sides */
+	/* positive areas are clockwise in the picture */
+	_Alignas(8) uint32_t cull_side; /* culls areas > 0: all ones; < 0: 0 */
+	uint32_t cull_mask;             /* 1 << 31; 0: nothing is culled */
+	/* draw->box in cache_tag.xy's format, a column narrower at both sides */
 	uint32_t box_low, box_high;
-	uintptr_t depth; /* of column and row 0 */
+	uintptr_t depth; /* address of column 0, row 0 */
 	uintptr_t stride_bytes;
-	uintptr_t pixels;    /* from behind a depth to its pixel */
-	uint32_t attributes; /* 0 where no vertex is shaded */
-	uint32_t back_flip;  /* 1 where positive areas are back, else 0 */
+	uintptr_t pixels;    /* from a depth's address + 2 to its pixel's */
+	uint32_t attributes; /* draw->attributes; 0: no corner is shaded */
+	uint32_t back_flip;  /* 1: positive areas are back faces; else 0 */
 };
 
-/* What counts.c remembers of a call. */
+/* What counts.c remembers of a draw call. */
 struct counted_call {
 	const uint8_t *positions;
 	double vertices;
@@ -240,96 +239,96 @@ struct draw {
 	struct soft *soft;
 	int32_t eye_q16[3][4];
 	int position_q;
-	bool checked; /* positions may be out of range */
+	bool checked; /* positions may be out of range: each is checked */
 	struct clip_box box;
-	bool same_stride; /* the rows of depth and picture are as far apart */
+	bool same_stride; /* depth and picture have the same stride in bytes */
 	/*
-	 * x and y of all that is inside are below 2^15, and no state is in the
-	 * way of soft_list(): places have tags
+	 * Window x and y of vertices inside of the clip volume are below 2^15,
+	 * so cache_tag.xy is valid, and the state is one that soft_list() draws
 	 */
 	bool packed;
 	bool perspective, eye_needed, fogged;
 	bool shade_more; /* vertices have fog or texture coordinates */
 	int32_t fog_end_q16;
-	int32_t fog_scale; /* of linear fog, of fog_scale_q bits */
+	int32_t fog_scale; /* 1 / (end - start), fog_scale_q fraction bits */
 	int fog_scale_q;
 	struct shading shading;
 	struct spec_table spec_table[SPEC_TABLES];
-	unsigned spec_table_next; /* to be made over */
+	unsigned spec_table_next; /* the one to replace next, modulo SPEC_TABLES */
 	struct texture_input texture[SOFT_UNITS];
-	const GLfixed *added; /* to all fragments' colours, unless NULL */
+	const GLfixed *added; /* colour added to all fragments, or NULL */
 	uint32_t attributes;  /* bits of those that are interpolated */
 	/* fragments */
-	bool offset; /* depths of triangles are moved */
-	bool hides;  /* nothing behind what is there changes anything */
-	bool smooth; /* points or lines with soft edges */
+	bool offset; /* polygon offset applies */
+	bool hides;  /* what lies behind the depth buffer changes nothing */
+	bool smooth; /* smooth (antialiased) points or lines */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
-	fill_function fill;       /* lists call that of fast_setup */
-	bool thin_lines;          /* raster/thin_line.c draws lines */
-	struct flat_color flat;   /* for soft_fill_flat() */
+	fill_function fill;     /* the chosen path; called by fast_setup.fill */
+	bool thin_lines;        /* raster/thin_line.c draws lines */
+	struct flat_color flat; /* for soft_fill_flat() */
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
 	uint32_t key;             /* see key.h */
-	bool divides;    /* never bends: levels of detail change by row */
+	bool divides;    /* s and t are divided, not bent: see soft_bend() */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;
-	struct vertex *provoking;      /* whose colour is flat */
-	struct vertex flat_corners[3]; /* of the triangle that is drawn */
+	struct vertex *provoking;      /* whose colour GL_FLAT uses */
+	struct vertex flat_corners[3]; /* copies of corners under GL_FLAT */
 	/*
-	 * NULL, or a rectangle is drawn as a triangle of its left, its right
-	 * and its lower left corner whose right edge ends here.
+	 * NULL, or a rectangle's lower right corner: the rectangle is drawn as
+	 * the triangle of its other corners, but its right edge ends here.
 	 */
 	const struct vertex *fourth;
 	struct raster raster;
 	/*
-	 * luminance.c's: halves of 127ths as colours of shade_color, those
-	 * mixed into a colour, and 0 to 255
+	 * luminance.c's tables [luminance in halves of 127ths]: its RGB565 in
+	 * shade_color; the same blended with a pixel; its value of 0 to 255
 	 */
 	uint32_t shade_color[3], shade[255], mixed[255], luminance[255];
-	uint32_t gray[256];                 /* pixels of each shade of gray */
-	uint16_t shaded[LUMINANCE_RUN + 1]; /* to be varied or blended */
-	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n, of 2 and more */
-	struct cache_tag place[VERTEX_CACHE];  /* of cache, slot by slot */
-	struct vertex cache[VERTEX_CACHE];
-	struct vertex apart[3]; /* vertices that shared a place in it */
+	uint32_t gray[256];                    /* RGB565 of each gray */
+	uint16_t shaded[LUMINANCE_RUN + 1];    /* a run before gray or alpha */
+	int32_t inverse_q31[SMALL_EXTENT + 1]; /* 2^31 / n; of 0 and 1 the most */
+	struct cache_tag place[VERTEX_CACHE]; /* [slot of cache] */
+	struct vertex cache[VERTEX_CACHE];    /* [index % VERTEX_CACHE] */
+	struct vertex apart[3]; /* corners whose slot another corner takes */
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 	/* counts.c's, while a program counts */
 	fill_function counted_fill;
-	struct counted_call recent[RECENT_CALLS]; /* a ring */
+	struct counted_call recent[RECENT_CALLS]; /* ring buffer */
 	uint32_t recent_next;
-	uint32_t counted[VERTEX_CACHE]; /* tags */
+	uint32_t counted[VERTEX_CACHE]; /* tags of vertices counted already */
 };
 
-/* Of a vertex inside of the clip volume, while draw->packed. */
+/* cache_tag.xy of a vertex inside of the clip volume, while draw->packed. */
 static inline uint32_t vertex_xy(const struct vertex *vertex)
 {
 	return (uint32_t)vertex->y << 16 | (uint32_t)vertex->x;
 }
 
-/* prepare.c: what stays the same for good. */
+/* prepare.c: sets what no draw call changes: tables and constants. */
 void soft_init_scratch(struct draw *draw);
 
 /*
- * prepare.c: derives all of this for a mode of DrawArrays(). False when there
- * is nothing to draw.
+ * prepare.c: derives struct draw from the state for a call of count vertices
+ * from first on, in a mode of DrawArrays(). False when there is nothing to draw.
  */
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count);
 
-/* prepare_light.c */
+/* prepare_light.c: fills draw->shading. */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
-/* vertex.c: fetches and transforms; attributes follow when they are wanted. */
+/* arm/vertex.S or portable/vertices.c: fetches, transforms, does not shade. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
-/* The same in C; arm/vertex.S has another for the fast kinds. */
+/* vertex.c: the same in C, for all kinds of positions. */
 void soft_transform_c(
 	const struct draw *draw, uint32_t index, struct vertex *out);
-/* From clip coordinates inside of the volume to the window. */
+/* Finds window coordinates of a vertex inside of the clip volume. */
 void soft_project(const struct draw *draw, struct vertex *vertex);
-/* light.c: fills the attributes of a vertex. */
+/* light.c: computes the vertex's attributes, and back if two-sided. */
 void soft_shade_vertex(const struct draw *draw, struct vertex *vertex);
-/* Unless they are there, or nobody wants them. */
+/* The same, unless the vertex is shaded or no attribute is interpolated. */
 static inline void soft_shade(const struct draw *draw, struct vertex *vertex)
 {
 	if (!vertex->shaded && draw->attributes != 0) {
@@ -337,7 +336,7 @@ static inline void soft_shade(const struct draw *draw, struct vertex *vertex)
 	}
 }
 
-/* array.c: elements of arrays as fixed point. */
+/* array.c: an array's element, or the current value, in fixed point. */
 void soft_array_position(
 	const struct draw *draw, uint32_t index, int32_t out[3]);
 void soft_array_normal_q30(
@@ -347,52 +346,52 @@ void soft_array_color_q16(
 void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
 /*
- * The largest of count times so many floats, as bits without their sign,
- * shifted to the left by one.
+ * The largest magnitude of count elements of size floats each, as the float's
+ * bits shifted left by one, so without the sign.
  */
 uint32_t soft_largest_float(
 	const uint8_t *at, int stride_bytes, uint32_t count, int size);
-/* arm/largest_float.S or portable/loops.c: of three aligned ones each. */
+/* arm/largest_float.S or portable/loops.c: the same of three aligned floats. */
 uint32_t soft_largest_aligned_float(
 	const uint8_t *at, int stride_bytes, uint32_t count);
-/* The exponent of the largest coordinate of these positions, within 1. */
+/* e, where the positions' coordinates are below 2^(e + 1) in magnitude. */
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);
 
-/* shade.c: the colour of a vertex that is not lit, and all else of any vertex. */
+/* shade.c: the colour without lighting; then fog and texture coordinates. */
 void soft_shade_color(const struct draw *draw, struct vertex *vertex);
 void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
 /* shade.c: a vertex's position in eye space, 16.16. */
 void soft_shade_find_eye(
 	const struct draw *draw, uint32_t index, int32_t out[3]);
 
-/* clip.c: cuts a triangle and hands on what is left. */
+/* clip.c: shades and cuts a triangle; fills what is inside. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);
-/* Ends are shaded. */
+/* The same of a line whose ends are shaded. */
 void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
 
 /*
- * counts.c: counts a prepared call and lets draw->fill count its triangles;
- * soft->counts is set.
+ * counts.c: counts a prepared call's vertices in soft->counts, and replaces
+ * draw->fill by a function that also counts triangles.
  */
 struct source;
 void soft_count_call(
 	struct draw *draw, const struct source *source, GLenum mode);
-/* Counts pixels that finer tiles drew; soft->counts is set. */
+/* Counts pixels that were read from tiles.fine, in soft->counts. */
 void soft_count_fine(const struct draw *draw, int pixels);
 
 /*
- * fast/paths.c: draw->key and the first path that takes it, of which draw->fill
- * and what else it needs are.
+ * fast/paths.c: finds draw->key and sets draw->fill to the first path that
+ * draws this state, with whatever else the path needs.
  */
 void soft_choose_path(struct draw *draw);
 
-/* triangle.c: draw->fast_setup, once a call, after all else. */
+/* triangle.c: sets draw->packed and draw->fast_setup, after all else. */
 void soft_prepare_fast_setup(struct draw *draw);
 
 /*
- * triangle.c: from three projected vertices to rows of pixels. Shades them once
- * it is known that they are seen.
+ * triangle.c: draws the triangle of three projected vertices. Shades them if it
+ * is not culled and may cover a pixel's centre.
  */
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
 
@@ -402,11 +401,11 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
  * lines, as GL ES 1.1 section 3.4.1 has it; line.c makes two triangles of others.
  */
 bool soft_lines_are_thin(const struct draw *draw, GLenum mode);
-/* thin_line.c: one between two shaded vertices at different places. */
+/* thin_line.c: draws one, between shaded vertices at different places. */
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);
 
-/* line.c */
+/* line.c: draw a point; a line between shaded vertices inside the volume. */
 void soft_draw_point(struct draw *draw, struct vertex *v);
 void soft_draw_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);

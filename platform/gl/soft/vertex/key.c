@@ -1,4 +1,4 @@
-/* Each part of the key from the part of the state it stands for. */
+/* Finds the key's bits, each group from the state that it stands for. */
 #include "platform/gl/soft/vertex/key.h"
 
 #include "platform/gl/soft/vertex/draw.h"
@@ -50,7 +50,7 @@ static uint32_t find_depth(const struct draw *draw)
 		bit_if(state->depth_function == GL_ALWAYS, KEY_DEPTH_ALWAYS);
 }
 
-/* Of the stencil that fill_flat.c has rows for. */
+/* KEY_STENCIL_ONCE: the stencil states that fill_flat.c can draw. */
 static uint32_t find_stencil(const struct draw *draw)
 {
 	const struct stencil *stencil = &draw->soft->fragment.stencil;

@@ -1,6 +1,6 @@
 /*
- * What a draw call's state is to the paths of fast/: a set of bits, so that a
- * path tells by a mask and a value which states it takes; see paths.c.
+ * A draw call's state as a set of bits. Each path of fast/ says by a mask and a
+ * value of these bits which states it draws; see paths.c.
  */
 #ifndef PLATFORM_GL_SOFT_VERTEX_KEY_H
 #define PLATFORM_GL_SOFT_VERTEX_KEY_H
@@ -17,19 +17,20 @@ enum {
 	KEY_LIT = 1 << 2,
 	KEY_COLOR_ARRAY = 1 << 3,
 	KEY_PERSPECTIVE = 1 << 4,
-	/* two sides or a depth offset: planes differ by triangle */
+	/* two-sided lighting or polygon offset, which depend on the triangle */
 	KEY_BY_TRIANGLE = 1 << 5,
 	/* fragments */
 	KEY_ALPHA_TEST = 1 << 6,
 	KEY_FOG = 1 << 7,
 	KEY_BLENDED = 1 << 8,
-	KEY_BLENDED_OTHER = 1 << 9, /* not from alpha to 1 - alpha */
+	KEY_BLENDED_OTHER = 1 << 9, /* not SRC_ALPHA, ONE_MINUS_SRC_ALPHA */
 	KEY_DEPTH_TEST = 1 << 10,
 	KEY_DEPTH_LESS = 1 << 11,   /* tested LESS, and written */
 	KEY_DEPTH_ALWAYS = 1 << 12, /* not tested, or ALWAYS */
 	KEY_STENCIL = 1 << 13,
-	KEY_STENCIL_ONCE = 1 << 14, /* where it is EQUAL; gets another value */
-	KEY_ADDED = 1 << 15,        /* a colour is added to all fragments */
+	KEY_STENCIL_ONCE = 1
+		<< 14,       /* EQUAL, in a state that fill_flat.c draws */
+	KEY_ADDED = 1 << 15, /* a colour is added to all fragments */
 	/* the first texture */
 	KEY_TEXTURE = 1 << 16,
 	KEY_TEXTURE_565 = 1 << 17,
@@ -38,12 +39,12 @@ enum {
 	KEY_MODULATE = 1 << 21,
 	KEY_REPEAT = 1 << 23,
 	KEY_NEAREST = 1 << 24,
-	KEY_LINEAR = 1 << 25,   /* and of one level */
-	KEY_MIPMAPS = 1 << 26,  /* KEY_LINEAR of the nearest level */
+	KEY_LINEAR = 1 << 25,   /* bilinear, levels not mixed */
+	KEY_MIPMAPS = 1 << 26,  /* KEY_LINEAR, in the nearest mipmap level */
 	KEY_TEXTURES = 1 << 27, /* the second texture is used */
 };
 
-/* Of a draw call whose textures, fragments and shading are prepared. */
+/* The key of a draw call whose textures, fragments and shading are prepared. */
 uint32_t soft_find_key(const struct draw *draw);
 
 #endif

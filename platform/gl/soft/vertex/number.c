@@ -1,4 +1,4 @@
-/* Tables and functions that are too long to be inline. */
+/* Tables of number.h, and its functions that are too long to be inline. */
 #include "platform/gl/soft/vertex/number.h"
 
 #define EACH_4(f, i) f(i), f((i) + 1), f((i) + 2), f((i) + 3)
@@ -88,7 +88,7 @@ struct root soft_reciprocal_root(uint64_t value)
 	};
 }
 
-/* log2 of a number above 0 in Q28, as Q16; negative below 1. */
+/* log2 of a number above 0 in Q28; the result is Q16 and may be negative. */
 static int32_t log2_q16(uint32_t value_q28)
 {
 	int zeros = LEADING_ZEROS_32(value_q28);

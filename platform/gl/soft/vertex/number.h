@@ -9,17 +9,17 @@
 
 #include "platform/base/compiler.h"
 
-/* 2^38 / (512 + 2 i + 1): the middle of each 256th of 0.5..1, in Q29. */
+/* Q15: 1 / x at the middle of the i-th 256th of 0.5..1, 2^25 / (513 + 2 i). */
 extern const uint16_t soft_reciprocal_table[256]
 	__attribute__((visibility("hidden")));
 
-/* The upper half of the product; rounds down. */
+/* The upper 32 bits of the 64-bit product, rounded down. */
 static inline int32_t mul_high(int32_t a, int32_t b)
 {
 	return multiply_high(a, b);
 }
 
-/* The same added to a sum; wraps. */
+/* sum + mul_high(a, b); wraps around. */
 static inline int32_t mul_high_add(int32_t sum, int32_t a, int32_t b)
 {
 	return multiply_add_high(sum, a, b);
@@ -31,8 +31,8 @@ static inline uint32_t mul_high_unsigned(uint32_t a, uint32_t b)
 }
 
 /*
- * 2^62 / value for a value with its top bit set, within 32: 2^-25 of it. The
- * result is at most 2^31 - 1.
+ * 2^62 / value, for a value with its top bit set. The error is at most 32,
+ * which is 2^-25 of the result; the result is at most 2^31 - 1.
  */
 static inline int32_t reciprocal(uint32_t value)
 {
@@ -44,7 +44,7 @@ static inline int32_t reciprocal(uint32_t value)
 	return (int32_t)(r > INT32_MAX ? INT32_MAX : r);
 }
 
-/* value times 2^shift, 0 where nothing is left; wraps. */
+/* value * 2^shift for any shift, rounded down; to the left it wraps around. */
 static inline int32_t shift_by(int32_t value, int shift)
 {
 	if (shift >= 0) {
@@ -53,7 +53,7 @@ static inline int32_t shift_by(int32_t value, int shift)
 	return value >> (shift > -31 ? -shift : 31);
 }
 
-/* a b / 255 of bytes, rounded; 255 is one. */
+/* a * b / 255 of two bytes, rounded to the nearest. */
 static inline int scale_byte(int a, int b)
 {
 	int product = a * b + 128;
@@ -66,7 +66,7 @@ static inline int32_t clamp_int(int32_t value, int32_t low, int32_t high)
 	return value < low ? low : value > high ? high : value;
 }
 
-/* A colour or fog, 16.16, as vertices have it: 8.8, a bit inside of its range. */
+/* Converts a colour or fog of 0 to 1, 16.16, to an attribute: 0x80 to 0xFF80. */
 static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
 {
 	value_q16 = LIMIT_TO_BITS(value_q16, 16);
@@ -80,20 +80,20 @@ static inline int32_t saturate_64(int64_t value)
 				     : (int32_t)value;
 }
 
-/* 1 / sqrt(value) of a 64-bit number above 0; see number.c. */
+/* 1 / sqrt(value) of a 64-bit number above 0, by a table and two Newton steps. */
 struct root {
 	int32_t mantissa_q30; /* 2^29..2^30 */
-	int shift;            /* the result is mantissa / 2^30 / 2^shift */
+	int shift;            /* the result is mantissa_q30 / 2^(30 + shift) */
 };
 struct root soft_reciprocal_root(uint64_t value);
 
 /* 1 / sqrt((64.5 + i) / 256) in Q15. */
 extern const uint16_t soft_root_table[192];
 
-/* base to the power of exponent (Q16), base in 0..1 of Q28; result Q28. */
+/* base ^ exponent, base in 0..1, exponent >= 0; the result is Q28. */
 int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);
 
-/* dx / dy in Q16, |dx| < 2^18, dy > 0; 2^31 - 1 or its negative where it is more. */
+/* dx / dy in Q16, |dx| < 2^18, dy > 0; limited to +-(2^31 - 1). */
 int32_t soft_slope_q16(int32_t dx, int32_t dy);
 
 #endif

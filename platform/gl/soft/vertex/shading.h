@@ -1,6 +1,6 @@
 /*
- * What vertices are lit by: what prepare_light.c derives from the state once a
- * draw call. Numbers are named as in draw.h.
+ * Lights and materials as vertices use them, which prepare_light.c derives from
+ * the state once a draw call. A name's suffix says its Q format.
  */
 #ifndef PLATFORM_GL_SOFT_VERTEX_SHADING_H
 #define PLATFORM_GL_SOFT_VERTEX_SHADING_H
@@ -11,8 +11,8 @@
 #include "platform/gl/soft/soft.h"
 
 /*
- * The powers of cosines for one shininess: 64 steps from where they begin to
- * count, 2^-10, to 1.
+ * cosine ^ shininess for one shininess, interpolated linearly in 64 steps from
+ * the cosine whose power is 2^-10 up to 1.
  */
 enum {
 	SPEC_TABLE_STEPS = 64,
@@ -21,26 +21,26 @@ enum {
 
 struct spec_table {
 	int32_t shininess_q16;
-	int32_t least_q26; /* the cosine where they begin */
-	int32_t scale; /* from there, Q26, to steps with 8 bits, Q-18; 0: none */
+	int32_t least_q26; /* the cosine at step 0 */
+	int32_t scale; /* of (cosine - least) to steps in Q8; 0: table unused */
 	struct spec_table_step {
 		_Alignas(8) int32_t value_q28;
-		int32_t rise_q28; /* a 256th of the way to the next */
+		int32_t rise_q28; /* 1/256 of the difference to the next value */
 	} step[SPEC_TABLE_STEPS];
 };
 
 /*
- * A light in the space that normals are lit in; directions are shorter than 2.
- * Diffuse and ambient colours are 257/256 of what they are, so that a byte's
- * 255 makes 1 of them; all are less by 2^shift, so that they stay below 2.
+ * A light in the space of the normals; directions are shorter than 2. Colours
+ * are light times material, divided by 2^shift to stay below 2; diffuse and
+ * ambient ones times 257/256, so that a vertex colour's byte of 255 keeps them.
  */
 struct light_source {
 	int32_t towards_q30[3], diffuse_q30[3];
 	const struct spec_table_step *step; /* NULL: no highlights */
 	int32_t half_q30[3], least_q26, scale;
-	int32_t specular_q20[3]; /* as it is */
+	int32_t specular_q20[3]; /* without the factor of 257/256 */
 	int shift;
-	/* positional ones, in eye space; for each vertex they become as above */
+	/* positional lights, in eye space; meet() finds the above by vertex */
 	bool positional, spot;
 	int32_t ambient_q24[3];
 	int32_t position_q16[3], direction_q28[3];
@@ -49,35 +49,35 @@ struct light_source {
 
 struct shading {
 	/*
-	 * Most vertices are lit the fast way: by directional lights and normals
-	 * that are not rotated, three GL_SHORTs of any length or three aligned
-	 * floats, and colours of four bytes.
+	 * If fast, vertices are lit in 32 bits: all lights are directional, no
+	 * normal is rotated, normals are three GL_SHORTs of any length or three
+	 * aligned floats, and colours are four bytes.
 	 */
 	_Alignas(32) const uint8_t *normals;
 	int normal_stride;
 	const uint8_t *colors;
-	int color_stride;      /* 0: all of the same colour, below */
+	int color_stride;      /* 0: colors points to color below, for all */
 	const uint16_t *roots; /* soft_root_table */
-	const struct light_source *end;
-	int floats;
+	const struct light_source *end; /* of light_source's used elements */
+	int floats;                     /* normals are floats, else shorts */
 	/*
-	 * Floats whose squares, Q24, are not from least on and less than range
-	 * above it are not taken; the sum is at most 2^26.
+	 * Normals of floats are lit here if their length squared, Q24, minus
+	 * square_least is less than square_range; their sum is at most 2^26.
 	 */
 	uint32_t square_least, square_range;
-	int32_t ambient_q24[3], emission_q16[3]; /* the latter as it is */
+	int32_t ambient_q24[3], emission_q16[3]; /* ambient_q24 times 257/256 */
 	struct light_source light_source[SOFT_LIGHTS];
 	uint8_t color[4];
 
 	bool lit, fast, two_side, tracked, color_array;
 	bool normalize, rotate_normals;
-	int32_t normal_q28[9]; /* rotates normals where lights stay behind */
-	int32_t ambient_q16[3], alpha_q16; /* without light sources */
+	int32_t normal_q28[9]; /* if rotate_normals: to eye space, column-major */
+	int32_t ambient_q16[3], alpha_q16; /* added once, not for each light */
 };
 
 /*
- * Colours beyond +-1024 change no picture. Without them every sum of colours in
- * light.c stays below 2^31.
+ * Limits a colour to +-1024. Larger ones change no picture, but without them
+ * every sum of colours in light.c stays below 2^31.
  */
 static inline int32_t shading_bound(int64_t color_q16)
 {

@@ -1,8 +1,8 @@
 /*
- * Perspective without a division: in a small triangle a value v that is linear
- * before the division by w is close to a polynomial of degree two. The one taken
- * here is exact at the corners and in the middle of the edges, so triangles at
- * an edge agree about it. With barycentric coordinates l0, l1, l2 it is
+ * Perspective without a division: in a small triangle a value v whose v / w is
+ * linear is close to a polynomial of degree two. The polynomial taken here is
+ * exact at the corners and in the middle of the edges, so that triangles with a
+ * common edge agree there. With barycentric coordinates l0, l1, l2 it is
  *
  *	l0 v0 + l1 v1 + l2 v2 + l0 l1 f01 + l0 l2 f02 + l1 l2 f12
  *
@@ -11,12 +11,12 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
-/* Products of the steps of l1 and l2 from pixel to pixel, Q26. */
+/* Coefficients of x^2, x y and y^2 in l1^2, l2^2 and l1 l2, Q26. */
 struct products {
-	int32_t xx[3], xy[3], yy[3]; /* of l1 l1, l2 l2, l1 l2 */
+	int32_t xx[3], xy[3], yy[3]; /* [l1^2, l2^2, l1 l2] */
 };
 
-/* (wb - wa) / (wa + wb), Q16: no more than a third. */
+/* (wb - wa) / (wa + wb), Q16: at most 1/3, as w differs by a factor of 2. */
 static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
 {
 	uint32_t sum = (uint32_t)a->clip[3] + (uint32_t)b->clip[3];
@@ -28,8 +28,8 @@ static int32_t find_ratio(const struct vertex *a, const struct vertex *b)
 }
 
 /*
- * What is left out of a value that changes by spread along an edge: spread
- * ratio^2 / 5 at most. A quarter of a texel is 256 / 4.
+ * Whether the polynomial's error, at most texel ratio^2 / 5 for a coordinate
+ * that changes by texel, in 1/256 texels, is below a quarter of a texel: 64.
  */
 static bool is_exact(const int32_t ratio[3], uint32_t texel)
 {
@@ -42,21 +42,21 @@ static bool is_exact(const int32_t ratio[3], uint32_t texel)
 	return (uint64_t)texel * most <= 5u << 22;
 }
 
-/* One step by another: Q29 by Q29. */
+/* The product of two steps; factors and result are Q26. */
 static int32_t multiply(int32_t a, int32_t b)
 {
 	return mul_high(a * 8, b * 8);
 }
 
-/* False where the triangle is so thin that a step is four or more. */
+/* False if the triangle is so thin that a step of l1 or l2 is 4 or more. */
 static bool find_products(const struct frame *frame, struct products *out)
 {
 	const int32_t corner[4] = {
 		frame->y2, frame->less_y1, frame->less_x2, frame->x1};
-	int32_t step[4]; /* of l1 and l2 across, then down */
+	int32_t step[4]; /* of l1 and l2 to the right, then down; Q26 */
 
 	for (int i = 0; i < 4; i++) {
-		/* 2^18 more than sixteenths, as frame_find_run() scales */
+		/* 2^30 / area times a corner in 1/16: Q26 a pixel */
 		int32_t high = mul_high(corner[i] * (1 << 18), frame->inverse);
 
 		if (raster_size(high) >> (28 - frame->shift) != 0) {
@@ -76,7 +76,7 @@ static bool find_products(const struct frame *frame, struct products *out)
 	return true;
 }
 
-/* The polynomial's part of degree two, by products of the steps. */
+/* A coefficient of degree two, from the products' for l1^2, l2^2, l1 l2. */
 static int32_t add_up(
 	const int32_t product[3], int32_t f01, int32_t f02, int32_t g)
 {
@@ -86,11 +86,11 @@ static int32_t add_up(
 	return (int32_t)(sum >> 26);
 }
 
-/* From where the first vertex is to column 0, whose pixels' centres count. */
+/* Moves the origin from v[0] to the centre of column 0 in the first row. */
 static void move_bend(
 	const struct frame *frame, struct plane *plane, const struct bend *bend)
 {
-	/* Of thin triangles these wrap, as planes do. */
+	/* These wrap around in thin triangles, as planes do. */
 	uint32_t x = (uint32_t)frame->off_x, y = (uint32_t)frame->off_y;
 	uint32_t xx = (uint32_t)bend->xx, xy = (uint32_t)bend->xy;
 	uint32_t yy = (uint32_t)bend->yy, column = (uint32_t)frame->column;
@@ -123,7 +123,7 @@ static void bend_plane(struct raster *raster, const struct products *products,
 	move_bend(&raster->frame, plane, bend);
 }
 
-/* Across n pixels what bends is off a straight line by n^2 xx / 4. */
+/* A chord across n pixels is off the polynomial by xx n^2 / 4 at most. */
 static bool is_straight(
 	const struct raster *raster, int name, int columns, int pixels)
 {

@@ -1,4 +1,4 @@
-/* Counts what is drawn, if a program has asked for it. */
+/* Counts what is drawn, in soft->counts, if a program has asked for that. */
 #include "platform/gl/gl_counts.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
@@ -8,12 +8,13 @@
 #include <string.h>
 
 enum {
-	NOT_SET_UP = INT_MIN, /* as raster.top: neither planes nor lists */
-	/* How many vertices the second cache has room for beside the driver's own. */
+	NOT_SET_UP =
+		INT_MIN, /* in raster.top: neither planes nor lists were made */
+	/* vertices that the processor's second-level cache is taken to hold */
 	CACHED_VERTICES = 1500
 };
 
-/* Whether span functions took the nearest texels for it. */
+/* Whether span functions drew the last triangle with nearest texels. */
 static bool is_nearest(const struct draw *draw)
 {
 	const struct texture *texture = draw->texture[0].texture;
@@ -23,7 +24,7 @@ static bool is_nearest(const struct draw *draw)
 						       : texture->mag_filter);
 }
 
-/* Of the triangle that the span functions drew last. */
+/* The kind of work of the last triangle, which span functions drew. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
 	uint32_t bits = draw->key;
@@ -50,7 +51,7 @@ static enum gl_work_kind kind_of_spans(const struct draw *draw)
 	return mixed ? GL_WORK_MIXED_SPANS : GL_WORK_SPANS_TEXTURED;
 }
 
-/* Of the triangle that was drawn last. */
+/* The kind of work of the last triangle. */
 static enum gl_work_kind kind_of(const struct draw *draw)
 {
 	fill_function fill = draw->counted_fill;
@@ -71,8 +72,8 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 }
 
 /*
- * Whether a colour is interpolated: not where one colour or luminance is
- * drawn, and by span functions not where it is one colour.
+ * Whether the last triangle's colours were interpolated. Paths for one colour
+ * and for luminance never do that; span functions only if corners differ.
  */
 static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	const struct setup *setup)
@@ -125,7 +126,7 @@ static void add_triangle(struct gl_work *work, int rows, double pixels)
 	work->pixels += pixels;
 }
 
-/* A triangle that was drawn. */
+/* Counts a triangle that was drawn. */
 static void add_work(const struct draw *draw, const struct setup *setup,
 	int rows, double pixels)
 {
@@ -152,7 +153,7 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	}
 }
 
-/* Vertices that are clipped lie outside of the cache. */
+/* Whether a vertex is counted for the first time; clipped ones always are. */
 static bool is_new(struct draw *draw, const struct vertex *vertex)
 {
 	uintptr_t at = (uintptr_t)vertex - (uintptr_t)draw->cache;
@@ -167,7 +168,7 @@ static bool is_new(struct draw *draw, const struct vertex *vertex)
 	return !is_known;
 }
 
-/* The paths that drop hidden triangles. */
+/* Whether the path drops hidden triangles. */
 static bool skips_hidden(const struct draw *draw)
 {
 	return draw->counted_fill == soft_fill_textured ||
@@ -189,7 +190,7 @@ static struct clip_box box_of(const struct draw *draw, const struct setup *setup
 	return box;
 }
 
-/* Whether a depth is behind the one that is there, up to a unit of rounding. */
+/* Whether a depth is behind the buffer's, apart from a unit of rounding. */
 static bool is_behind(const struct draw *draw, int32_t depth, int32_t there)
 {
 	GLenum function = draw->soft->fragment.depth_function;
@@ -207,8 +208,8 @@ static double find_area(
 }
 
 /*
- * Whether the triangle covers the pixel, and is behind what is drawn there. The
- * pixel's centre is moved a little, so that it lies on no edge.
+ * Whether the triangle covers the pixel and lies behind the depth buffer there.
+ * The pixel's centre is moved a little, so that it lies on no edge.
  */
 static bool is_pixel_hidden(
 	const struct draw *draw, const struct setup *setup, int x, int y)
@@ -231,8 +232,8 @@ static bool is_pixel_hidden(
 }
 
 /*
- * How many of the triangle's pixels are behind others. Its area may be a little
- * smaller, but not that of all triangles.
+ * The number of the triangle's hidden pixels. It may be a little more than the
+ * triangle's area, but on average of many triangles it is not.
  */
 static double count_hidden(const struct draw *draw, const struct setup *setup,
 	const struct clip_box *box)
@@ -258,7 +259,7 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	const struct clip_box box = box_of(draw, setup);
 
 	if (draw->soft->fragment.flat && draw->attributes) {
-		/* What copies of the corners take is about another one. */
+		/* Copying the corners costs about as much as shading one. */
 		counts->shaded += 1 + is_new(draw, setup->provoking);
 	} else {
 		for (int i = 0; i < 3 && draw->attributes; i++) {
@@ -332,7 +333,7 @@ void soft_count_call(struct draw *draw, const struct source *source, GLenum mode
 							: &counts->vertices) +=
 		vertices;
 	memset(draw->counted, 0xFF, sizeof(draw->counted));
-	/* Text is drawn by its rectangles. */
+	/* Text is drawn as rectangles, without fill. */
 	if (!draw->rectangles) {
 		draw->fill = fill_and_count;
 	}

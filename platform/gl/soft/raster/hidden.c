@@ -1,12 +1,12 @@
-/* Triangles that lie behind what is there, before anything is set up for them. */
+/* Finds triangles that lie behind the depth buffer, before their set-up. */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/raster.h"
 
 enum {
-	COLUMNS_MOST = 32, /* of triangles that are looked at */
+	COLUMNS_MOST = 32, /* wider triangles are not tested */
 };
 
-/* The largest of so many depths, of at least two. */
+/* The largest of count depths; count is at least two. */
 static ALWAYS_INLINE int32_t find_farthest(const uint16_t *depth, int count)
 {
 	const uint16_t *last = depth + count - 2;
@@ -43,10 +43,10 @@ bool soft_is_hidden(const struct draw *draw, const struct setup *setup)
 		!raster_is_in_box(draw, setup)) {
 		return false;
 	}
-	/* Planes lose less than a unit to rounding. */
+	/* Rounding moves a plane's depths by less than one unit. */
 	z = (raster_least(v[0]->z, v[1]->z, v[2]->z) >> 2) - 1;
 	depth += setup->top * width;
-	/* Most that are seen are seen in the middle. */
+	/* Most visible triangles are visible in the middle: test that first. */
 	return depth[(rows >> 1) * width + (columns >> 1)] < z &&
 		is_behind_all(depth, width, rows, columns, z);
 }

@@ -1,7 +1,7 @@
-/* Single columns of a row, and levels of detail. */
+/* Perspective division at single columns; levels of detail. */
 #include "platform/gl/soft/raster/rows.h"
 
-/* How a coordinate changes across, or down: in the middle where it bends. */
+/* A coordinate's derivative in x, or y; of polynomials at the centre. */
 static int32_t find_slope(const struct raster *raster, int name, bool down)
 {
 	const struct plane *p = &raster->plane[name];
@@ -35,7 +35,7 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 	}
 }
 
-/* d(S / q) = (dS - S / q dq) / q */
+/* The level of detail at a point, by d(S / q) = (dS - S / q dq) / q. */
 static int find_lod(
 	const struct raster *raster, const struct point *point, int unit)
 {
@@ -47,7 +47,7 @@ static int find_lod(
 		const struct plane *p = &raster->plane[name];
 		int shift = raster->tex_shift[name - TEX_S];
 		int64_t u = point->value[name];
-		/* u is in 16.16: back to the plane's scale */
+		/* u is 16.16: the shift leads back to the plane's scale */
 		int64_t x = p->dx - (u * q->dx >> (shift + 8));
 		int64_t y = p->dy - (u * q->dy >> (shift + 8));
 

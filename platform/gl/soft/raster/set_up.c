@@ -1,8 +1,8 @@
-/* How attributes run across a triangle. */
+/* Finds a triangle's planes: how depth and attributes change across it. */
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/rows.h"
 
-/* num / area, times 2^scale; see struct frame. */
+/* num / area * 2^scale, of an area of any size; see struct frame. */
 static int32_t divide_by_area(const struct frame *frame, int64_t num, int scale)
 {
 	uint64_t size = (uint64_t)(num < 0 ? -num : num);
@@ -34,7 +34,7 @@ static NEVER_INLINE void find_wide_frame(
 		out);
 }
 
-/* A plane through three values; 2^scale over 16 is a unit of the plane. */
+/* A plane through the values at three corners, times 2^scale / 16. */
 static NEVER_INLINE void set_wide_plane(const struct frame *f,
 	const struct delta *delta, int scale, struct plane *plane)
 {
@@ -42,7 +42,7 @@ static NEVER_INLINE void set_wide_plane(const struct frame *f,
 
 	plane->dx = divide_by_area(f, d1 * f->y2 + d2 * f->less_y1, scale);
 	plane->dy = divide_by_area(f, d2 * f->x1 + d1 * f->less_x2, scale);
-	/* To column 0; both products before are within 16: less than a pixel. */
+	/* off_x and off_y are less than a pixel; then on to column 0 */
 	plane->start = ((uint32_t)delta->first << (scale - 4)) +
 		(uint32_t)(plane->dx >> 4) * (uint32_t)f->off_x +
 		(uint32_t)(plane->dy >> 4) * (uint32_t)f->off_y -
@@ -65,15 +65,15 @@ static ALWAYS_INLINE void set_plane(
 	}
 }
 
-/* How attributes differ, and the most that those that move differ by. */
+/* Attributes' differences; the largest one of colours, and of texels. */
 struct moving {
 	struct delta delta[ATTRIBUTES];
 	uint32_t color, texel;
 };
 
 /*
- * Of colours and fog; what stays the same goes into the span once and for all,
- * as white did once a call.
+ * Finds the differences of colours and fog. Values that are constant go into
+ * raster->span; white, in place of colours, is there since the call began.
  */
 static ALWAYS_INLINE void gather_colors(
 	struct draw *draw, const struct setup *setup, struct moving *moving)
@@ -115,7 +115,7 @@ static ALWAYS_INLINE void gather_colors(
 	raster->moving_bits = bits;
 }
 
-/* Texture coordinates, in 1/256 of texels. */
+/* Finds the differences and ranges of texture coordinates, in 1/256 texels. */
 static ALWAYS_INLINE void gather_texels(
 	struct draw *draw, const struct setup *setup, struct moving *moving)
 {
@@ -146,7 +146,7 @@ static ALWAYS_INLINE void gather_texels(
 	raster->moving_bits |= wanted & (UINT32_MAX << TEX_S);
 }
 
-/* 1 / w of the three in a common scale, below 2^29. */
+/* 1 / w of the three corners in a common scale, below 2^29, at least 1. */
 static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 {
 	int most = 0;
@@ -164,7 +164,7 @@ static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 	}
 }
 
-/* What has to be divided: everything, or texels alone unless they bend, or nothing. */
+/* Chooses what is divided by 1 / w: all attributes, only s and t, or none. */
 static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	const struct setup *setup, const struct moving *moving)
 {
@@ -176,7 +176,7 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	if (raster->colors_divided) {
 		raster->perspective = true;
 	} else if (raster_bends(&perspective, moving->texel, 0)) {
-		/* in a small triangle texels bend instead of being divided */
+		/* small triangles use polynomials instead of a division */
 		raster->perspective = setup->wide || draw->divides ||
 			moving->texel >= SMALL_DELTA ||
 			perspective.w_spread > perspective.w_least ||
@@ -184,7 +184,7 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	}
 }
 
-/* Values times q, scaled to stay below 2^29; exact again after a division. */
+/* Sets the plane of a value times q = 1 / w, scaled to stay below 2^29. */
 static void set_perspective(struct raster *raster, const struct delta *delta,
 	const int32_t q[3], int name)
 {
@@ -253,8 +253,8 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 }
 
 /*
- * What a depth that changes so from pixel to pixel is moved by, as planes have
- * it. GL ES 1.1 section 3.5.5; cut so that no depth wraps.
+ * The polygon offset for a depth plane's dx and dy, in the plane's format: GL
+ * ES 1.1 section 3.5.5, limited so that no depth wraps around.
  */
 static int32_t find_offset(const struct draw *draw, const struct setup *setup,
 	int32_t dx, int32_t dy)

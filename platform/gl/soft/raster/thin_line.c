@@ -1,4 +1,4 @@
-/* Lines that are one pixel wide, without a texture. */
+/* Draws lines that are one pixel wide and have no texture. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/points.h"
@@ -7,24 +7,24 @@
 #include "platform/gl/soft/span/walk.h"
 
 enum {
-	WIDTH_TWO_Q16 = 0x18000, /* the least width that is rounded to two */
-	DIVIDED_STEP = 2, /* pixels of a run whose ends are divided exactly */
-	HEIGHT = 256,     /* of a triangle, in sixteenths; see set_planes() */
+	WIDTH_TWO_Q16 = 0x18000, /* widths from here on round to two pixels */
+	DIVIDED_STEP = 2, /* pixels of a run if colours are divided by 1 / w */
+	HEIGHT = 256,     /* of set_planes()'s triangle, in 1/16 pixels */
 };
 
 /*
- * The line's pixels (Bresenham's algorithm) and its values, which raster->plane
- * has by pixel along it. Each step leads one pixel along; whenever error, which
- * grows by add, reaches full, it is less by full and the step leads one pixel
- * across besides.
+ * The line's pixels, by Bresenham's algorithm. Each step goes one pixel along
+ * and adds add to error; where error reaches full, full is subtracted and the
+ * step goes one pixel across, too. raster->plane has the line's values, with x
+ * the number of the pixel.
  */
 struct walk {
 	uint32_t error, add, full;
 	int x, y;                /* of the next pixel */
 	int along[2], across[2]; /* steps in x and y */
 	int count;               /* pixels */
-	int32_t length;          /* along, in sixteenths */
-	int32_t off;             /* from the line's start to a centre, too */
+	int32_t length;          /* along the longer axis, in 1/16 pixels */
+	int32_t off; /* from the line's start to the first centre, the same */
 };
 
 bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
@@ -58,15 +58,15 @@ static ALWAYS_INLINE void step(struct walk *walk)
 	}
 }
 
-/* A coordinate of both ends. */
+/* One coordinate of the line's ends, in 1/16 pixels. */
 struct ends {
 	int32_t from, to;
 };
 
 /*
- * Finds the pixels: along u those whose centres lie from the first end on and
- * before the second; of v the pixel where the line meets their centres, of
- * borders between pixels the one to the left or below, as GL has it.
+ * Finds the pixels. Along u, the longer axis, they are those whose centres lie
+ * from the first end on and before the second; in v, each is the one that the
+ * line crosses there; on a border the left or lower one, as in GL.
  */
 static void find_pixels(
 	struct walk *walk, struct ends u, struct ends v, bool flat)
@@ -99,9 +99,9 @@ static void find_pixels(
 }
 
 /*
- * Finds how values change along the line, as those of a triangle with the line
- * as its upper side: in column 0 and row 0 the line's first pixel, to the right
- * the others, and below nothing changes.
+ * Sets up planes as of a triangle whose upper side is the line, laid level: its
+ * first pixel is at column 0 and row 0, the others follow to the right, and
+ * downwards values are constant.
  */
 static void set_planes(struct draw *draw, const struct walk *walk,
 	const struct vertex *a, const struct vertex *b)
@@ -144,7 +144,7 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 		state->depth_test ? state->depth_function : GL_ALWAYS;
 	const bool writes_depth = state->depth_test && state->depth_mask;
 	const struct soft_run *run = &draw->spans.run;
-	/* No pixel lies in it, which the compiler cannot know. */
+	/* a local copy: the compiler sees that no pixel overwrites it */
 	const struct soft_run own = {
 		.fog_right = run->fog_right, .stages = run->stages};
 	const struct buffers *buffers = &draw->soft->buffers;
@@ -175,8 +175,9 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 }
 
 /*
- * The next pixels, whose values change linearly from the run's. The lines that
- * limber shows on the board are blended in RGB565: they have a loop of their own.
+ * Draws the next count pixels; values change linearly from those of spans.run.
+ * Lines that limber shows on the board are blended in RGB565: these have a loop
+ * of their own.
  */
 static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
 {

@@ -1,9 +1,9 @@
 /*
- * Triangles: what is seen of them, how their attributes run, and their rows.
+ * Culls triangles, sorts their vertices and finds the pixels they may cover.
  *
- * A pixel belongs to the triangle its centre lies in; centres on an edge
- * belong to the triangle right of or below it. Edges are stepped from their
- * upper end always, so both triangles at an edge see the same numbers.
+ * Fill rule: a pixel belongs to the triangle its centre lies in; centres on an
+ * edge belong to the triangle right of or below it. Edges are always stepped
+ * from their upper end, so both triangles at an edge compute the same numbers.
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -39,7 +39,7 @@ static void order_all(const struct vertex *v[3])
 	order(&v[0], &v[1]);
 }
 
-/* The rows and columns whose centres can be covered; false if none. */
+/* Finds rows and columns that may be covered; false if there are none. */
 static bool find_extent(const struct draw *draw, struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;
@@ -62,7 +62,7 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 		setup->bottom > box->top && setup->columns > 0;
 }
 
-/* Twice the area in sixteenths squared; rarely more than 32 bits. */
+/* Twice the signed area, in 1/256 of pixels; rarely needs more than 32 bits. */
 static int64_t find_area(
 	const struct vertex *a, const struct vertex *b, const struct vertex *c)
 {
@@ -105,15 +105,15 @@ static bool is_packed(const struct draw *draw)
 		!(draw->cull_front && draw->cull_back);
 }
 
-/* Sixteenths, as struct cache_tag has them. */
+/* A pixel's corner in cache_tag.xy's format, in 1/16 pixels. */
 static uint32_t pack_pixels(int x, int y)
 {
 	return (uint32_t)y << 20 | (uint32_t)x << 4;
 }
 
 /*
- * GL_FLAT: draws copies of the corners, all in one corner's colour. Of the
- * others no colour is computed.
+ * GL_FLAT: draws copies of the corners, all in the provoking vertex's colour.
+ * The other corners' colours are not computed.
  */
 static void fill_in_one_color(struct draw *draw, struct setup *setup)
 {
@@ -158,7 +158,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.attributes = flat ? 0 : draw->attributes,
 		.back_flip = draw->front_is_ccw,
 	};
-	/* Nothing is inside of an empty box. */
+	/* By default an empty box: no triangle lies inside. */
 	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;
 	if (draw->packed && draw->same_stride && box->right - box->left > 2) {
 		draw->fast_setup.box_low = pack_pixels(box->left + 1, box->top);

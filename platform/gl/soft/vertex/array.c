@@ -8,7 +8,7 @@
 
 static const float two_16 = 65536.0f, two_30 = 1073741824.0f;
 
-/* An element of an array, or what stands for all of them: so many values. */
+/* An element of an array, or the current value if the array is disabled. */
 struct element {
 	const uint8_t *at;
 	GLenum type;
@@ -36,7 +36,7 @@ static float load_float(const struct element *from, int i)
 	return value;
 }
 
-/* Any float; what is too large is cut, NaN is 0. */
+/* value * scale as an integer; limited to 32 bits, and 0 for NaN. */
 static int32_t scale_float(float value, float scale)
 {
 	value *= scale;
@@ -49,7 +49,7 @@ static int32_t scale_float(float value, float scale)
 	return value == value ? (int32_t)value : 0;
 }
 
-/* Floats by a scale, others as they are. */
+/* The i-th value: floats are multiplied by scale, all others are not. */
 static int32_t load_value(const struct element *from, int i, float scale)
 {
 	int16_t value;
@@ -91,7 +91,7 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 {
 	const struct array *array = &draw->soft->arrays.vertex;
 	const struct element from = {element_at(array, index), array->type};
-	/* 8 and 16 bits up to 2^29, 16.16 less two bits. */
+	/* Bytes and shorts are shifted to 2^29, 16.16 loses two bits. */
 	const int up = from.type == GL_BYTE ? 22
 		: from.type == GL_SHORT     ? 14
 					    : 0;
@@ -101,13 +101,13 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 	for (int i = 0; i < 3 && i < array->size; i++) {
 		int32_t value = load_value(&from, i, draw->view.scale);
 
-		/* Floats may be larger, shifted ones are not. */
+		/* Only floats can be larger than 2^30. */
 		out[i] = clamp_int(
 			value * (1 << up) >> down, -(1 << 30), 1 << 30);
 	}
 }
 
-/* A direction of any length becomes one with components up to 1/4. */
+/* Scales a direction of any length: its largest component becomes 1/4, Q30. */
 static void load_any_length(const struct element *from, int32_t out[3])
 {
 	float n[3], most = 0.0f;
@@ -118,7 +118,7 @@ static void load_any_length(const struct element *from, int32_t out[3])
 		most = scalar_abs(n[i]) > most ? scalar_abs(n[i]) : most;
 	}
 	for (int i = 0; i < 3; i++) {
-		/* Infinite ones leave no direction. */
+		/* Infinite components give NaN, which becomes 0. */
 		out[i] = scale_float(n[i] / most, two_30 / 4.0f);
 	}
 }
@@ -139,7 +139,7 @@ void soft_array_normal_q30(
 	for (int i = 0; i < 3; i++) {
 		int32_t value = load_value(&from, i, two_30);
 
-		/* Of integers c it is (2 c + 1) / (2^bits - 1). */
+		/* integers c mean (2 c + 1) / (2^bits - 1) */
 		out[i] = from.type == GL_FLOAT ? value
 			: from.type == GL_BYTE ? (2 * value + 1) * 4210752
 			: from.type == GL_SHORT

@@ -1,4 +1,4 @@
-/* The cache of vertices, and single triangles of what is in it. */
+/* The vertex cache: loading its slots, and drawing triangles one by one. */
 #include "platform/gl/soft/vertex/cache.h"
 
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index)

@@ -1,12 +1,12 @@
 /*
- * Cutting at the planes of the clip volume (Sutherland and Hodgman), always
- * from the inner vertex of an edge to the outer one, so that two triangles cut
- * their common edge at the same point.
+ * Clips polygons at the planes of the clip volume (Sutherland and Hodgman).
+ * Cuts are computed from an edge's inner vertex to its outer one, so that
+ * triangles with a common edge cut it at the same point.
  */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* Above 0 inside of plane i; order as the OUT_ bits. */
+/* Distance from a plane, 0 or more inside; planes are numbered as OUT_ bits. */
 static int64_t distance(const struct vertex *v, int plane)
 {
 	int64_t value = v->clip[plane / 2];
@@ -20,7 +20,7 @@ static int32_t mix(int32_t a, int32_t b, uint32_t share_q31)
 	return (int32_t)(a + (((int64_t)b - a) * share_q31 >> 31));
 }
 
-/* Where the edge from inside (da >= 0) to outside (db < 0) meets the plane. */
+/* Sets out to where the edge from a, inside, to b, outside, meets the plane. */
 static void cut_edge(const struct draw *draw, const struct vertex *a,
 	const struct vertex *b, int plane, struct vertex *out)
 {
@@ -82,7 +82,7 @@ static void cut_polygon(struct draw *draw, const struct polygon *from,
 	}
 }
 
-/* Rounding may have left it a little outside. */
+/* Moves a cut that rounding left outside into the volume, and projects it. */
 static void settle(const struct draw *draw, struct vertex *v)
 {
 	int32_t w = v->clip[3] < 1 ? 1 : v->clip[3];
@@ -94,7 +94,7 @@ static void settle(const struct draw *draw, struct vertex *v)
 	soft_project(draw, v);
 }
 
-/* Cuts a polygon, or a line as one of two corners, at planes that it crosses. */
+/* Clips a polygon, or a line as one of two corners, at the planes of out. */
 static void cut_all(struct draw *draw, struct polygon *polygon, unsigned out)
 {
 	struct polygon from;
@@ -123,7 +123,7 @@ void soft_clip_triangle(struct draw *draw, struct vertex *const v[3])
 		struct vertex *corners[3] = {polygon.corner[0],
 			polygon.corner[i], polygon.corner[i + 1]};
 
-		/* A corner of all zeros is inside of all planes. */
+		/* skip corners with w = 0: their distance from all planes is 0 */
 		if (!(corners[0]->outcode | corners[1]->outcode |
 			    corners[2]->outcode)) {
 			soft_fill_triangle(draw, corners);
@@ -135,7 +135,7 @@ void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b)
 {
 	struct polygon line = {{a, b}, 2};
 
-	/* Cuts come twice, there and back: the first corners are the ends. */
+	/* A polygon of two corners gets each cut twice; the first two are ends. */
 	cut_all(draw, &line, a->outcode | b->outcode);
 	if (line.count >= 2 &&
 		!(line.corner[0]->outcode | line.corner[1]->outcode)) {

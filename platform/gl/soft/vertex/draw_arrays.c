@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* Two triangles from the i-th index on as one rectangle of text, if they are. */
+/* Draws two triangles from the i-th index on if they are a rectangle of text. */
 static bool draw_rectangle(
 	struct draw *draw, const struct source *source, uint32_t i)
 {
@@ -26,7 +26,7 @@ static bool draw_rectangle(
 		v[2]->index == index[2] && soft_fill_rectangle(draw, v);
 }
 
-/* Triangles of text by 16-bit indices, most of them two to a rectangle. */
+/* Draws text by 16-bit indices: mostly pairs of triangles that are rectangles. */
 static void draw_rectangles(struct draw *draw, const struct source *source)
 {
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
@@ -70,7 +70,7 @@ static void draw_lines(
 	}
 }
 
-/* All but texture coordinates, of corners in the same row. */
+/* Whether y, z, w and all attributes but texture coordinates are the same. */
 static bool are_alike(
 	const struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
@@ -86,7 +86,7 @@ static bool are_alike(
 		-w <= a->clip[3] >> 16;
 }
 
-/* Whether a coordinate changes in one row, v[0] and v[1], as in the other. */
+/* Whether a coordinate's change from v[0] to v[1] is that from v[2] to v[3]. */
 static bool changes_alike(struct vertex *const v[4], int name)
 {
 	int64_t there = (int64_t)v[3]->attribute[name] - v[2]->attribute[name];
@@ -99,8 +99,8 @@ static bool changes_alike(struct vertex *const v[4], int name)
 
 /*
  * Whether two triangles of a strip are an upright rectangle of the picture, as
- * level planes and gradients are. Of less than what is wide, values might bend,
- * for which all corners count.
+ * level planes and gradients are. Rectangles of up to SMALL_EXTENT are refused:
+ * their texture coordinates might be polynomials, which depend on all corners.
  */
 static bool is_upright(struct draw *draw, struct vertex *const v[4])
 {
@@ -117,7 +117,7 @@ static bool is_upright(struct draw *draw, struct vertex *const v[4])
 			(changes_alike(v, TEX_S) && changes_alike(v, TEX_S + 1)));
 }
 
-/* Two triangles of a strip at once, so that each row is one run, not two. */
+/* Draws two triangles of a strip at once, so that each row is a single run. */
 static bool draw_upright(
 	struct draw *draw, const struct source *source, uint32_t first)
 {
@@ -130,7 +130,7 @@ static bool draw_upright(
 	if (!is_upright(draw, v)) {
 		return false;
 	}
-	/* Of the same winding as the strip's first. */
+	/* both triangles have the winding of the strip's first one */
 	upwards = v[0]->y > v[2]->y;
 	draw->fourth = upwards ? v[1] : v[3];
 	draw->provoking = v[3];
@@ -141,7 +141,7 @@ static bool draw_upright(
 	return true;
 }
 
-/* Of which rows' own costs are worth it. */
+/* Whether the state's rows cost so much that joining triangles is worth it. */
 static bool fills_whole_rows(const struct draw *draw)
 {
 	return !draw->cull_front && !draw->cull_back &&
@@ -161,7 +161,7 @@ static void draw_strip(struct draw *draw, const struct source *source)
 			i++;
 			continue;
 		}
-		/* Every second one is listed the other way round. */
+		/* Every second triangle has its first two vertices swapped. */
 		soft_draw_triangle(
 			draw, source, i + i % 2, i + 1 - i % 2, i + 2);
 	}
@@ -181,7 +181,7 @@ static void draw_primitives(
 	bool listed = mode == GL_TRIANGLES && source->indices &&
 		source->type == GL_UNSIGNED_SHORT;
 
-	/* No slot has a vertex: PLACE_EMPTY. */
+	/* Empty all slots: PLACE_EMPTY is all ones. */
 	soft_fill_pixels((uint16_t *)(void *)draw->place,
 		VERTEX_CACHE * (sizeof(struct cache_tag) / 2), UINT16_MAX);
 	if (draw->soft->counts) {
@@ -207,7 +207,7 @@ static void draw_primitives(
 	}
 }
 
-/* What both calls refuse; false ends them. */
+/* Checks what both calls have in common; false where nothing is to be drawn. */
 static bool may_draw(GLenum mode, GLsizei count)
 {
 	return soft_check(mode <= GL_TRIANGLE_FAN, GL_INVALID_ENUM) &&
@@ -253,7 +253,7 @@ void soft_gl_DrawElements(
 		!may_draw(mode, count)) {
 		return;
 	}
-	/* Floats alone have a scale that their range decides. */
+	/* Only floats need the range of indices: it decides their scale. */
 	if (soft->arrays.vertex.type == GL_FLOAT) {
 		find_range(&source, &low, &high);
 	}

@@ -1,4 +1,4 @@
-/* Which of many floats is the largest; arm/largest_float.S is faster. */
+/* The largest magnitude of many floats; arm/largest_float.S is faster. */
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 

@@ -1,13 +1,13 @@
 /*
- * The colour of a lit vertex, by GL ES 1.1 section 2.12.1: normals of Q28,
- * their cosines with lights Q26, diffuse light Q24, what highlights add Q16.
+ * The colour of a lit vertex, by GL ES 1.1 section 2.12.1. Normals are Q28,
+ * cosines Q26, diffuse light is Q24 and specular light Q16.
  */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
 #include <string.h>
 
-/* A normal or a colour, in registers. */
+/* A normal or a colour, as values that stay in registers. */
 struct triple {
 	int32_t x, y, z;
 };
@@ -41,15 +41,15 @@ static ALWAYS_INLINE int16_t load_short(const void *at)
 }
 
 /*
- * To unit length, from halves: c is (2 c + 1) / 65535. Their sum of squares is
- * a quarter of the length's, within 2^-9 where any is 256 or more.
+ * Normalizes a normal of shorts c, which mean (2 c + 1) / 65535. The sum of c^2
+ * is a quarter of the sum of (2 c + 1)^2, within 2^-9 if any |c| is 256 or more.
  */
 static ALWAYS_INLINE struct triple normalize_shorts(
 	const struct shading *shading, const void *at)
 {
 	int32_t x = load_short(at), y = load_short((const char *)at + 2);
 	int32_t z = load_short((const char *)at + 4);
-	/* Below 2^32: three of at most 2^30. */
+	/* below 2^32: three squares of at most 2^30 */
 	uint32_t square =
 		1 + (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
 	int zeros = LEADING_ZEROS_32(square) & ~1;
@@ -59,14 +59,14 @@ static ALWAYS_INLINE struct triple normalize_shorts(
 	/* |2 c + 1| << zeros / 2 is below 2^17. */
 	int32_t up = 1 << (14 + zeros / 2), root;
 
-	/* r (3 - v r^2) / 2: 7 bits become 14; Q29. */
+	/* Newton step r (3 - v r^2) / 2: 7 exact bits become 14; Q29 */
 	root = (int32_t)(mul_high_unsigned(r, (3u << 24) - product_q24) << 8);
 	return (struct triple){mul_high((2 * x + 1) * up, root),
 		mul_high((2 * y + 1) * up, root),
 		mul_high((2 * z + 1) * up, root)};
 }
 
-/* Q28; what is no number is 0. What is too large has a square of 4 or more. */
+/* Converts to Q28; NaN gives 0, |value| >= 2 a number with a square near 64. */
 static ALWAYS_INLINE int32_t take_float(float value)
 {
 	if (value >= 2.0f || value <= -2.0f) {
@@ -75,7 +75,7 @@ static ALWAYS_INLINE int32_t take_float(float value)
 	return value == value ? (int32_t)(value * 268435456.0f) : 0;
 }
 
-/* Adds to what highlights there were, at shine, and puts the sum at out. */
+/* Adds specular light to shine, into out; returns out, or shine if it is 0. */
 static ALWAYS_INLINE const int32_t *add_highlight(
 	const struct light_source *light_source, struct triple n,
 	const int32_t *shine, int32_t *out)
@@ -113,7 +113,7 @@ static ALWAYS_INLINE const int32_t *add_light(
 				  : shine;
 }
 
-/* Of a colour of four bytes, the first one lowest. */
+/* Lights a side whose colour is four bytes, red in the lowest one. */
 static ALWAYS_INLINE void light_side(const struct shading *shading,
 	struct triple n, uint32_t color, int32_t out[4])
 {
@@ -148,7 +148,7 @@ static ALWAYS_INLINE bool take_floats(
 	return (uint32_t)square - shading->square_least < shading->square_range;
 }
 
-/* The lit colour of a side the fast way; false where the normal is not for it. */
+/* Lights a side in 32 bits; false if the normal is a float out of range. */
 static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 	uint32_t index, bool back, int32_t out[4])
 {
@@ -159,7 +159,7 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 	uint32_t bytes;
 	struct triple n;
 
-	/* The colour comes from memory while the normal is made ready. */
+	/* loaded early: the cache fetches it while the normal is normalized */
 	memcpy(&bytes, color, sizeof(bytes));
 	PRELOAD(normal + 40);
 	if (!shading->floats) {
@@ -175,7 +175,7 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 	return true;
 }
 
-/* Its length in 16.16; the vector itself becomes Q30 of unit length. */
+/* Returns a vector's length, 16.16, and normalizes the vector to Q30. */
 static int32_t take_length(int32_t v[3])
 {
 	uint64_t square = 0;
@@ -183,7 +183,7 @@ static int32_t take_length(int32_t v[3])
 	int64_t length;
 
 	for (int i = 0; i < 3; i++) {
-		/* |v| < 2^31 / 2 a component, so that three squares fit. */
+		/* so that the sum of three squares fits 64 bits */
 		v[i] = clamp_int(v[i], -(1 << 30), 1 << 30);
 		square += (uint64_t)((int64_t)v[i] * v[i]);
 	}
@@ -191,7 +191,7 @@ static int32_t take_length(int32_t v[3])
 		return 0;
 	}
 	root = soft_reciprocal_root(square);
-	/* square / sqrt(square), square = high 2^32 + low */
+	/* square / sqrt(square) */
 	length =
 		(int64_t)((square >> 16) * (uint64_t)(root.mantissa_q30 >> 14) >>
 			root.shift);
@@ -214,7 +214,7 @@ static int32_t invert_q16(int64_t value)
 		(62 - zeros > 31 ? 31 : 62 - zeros);
 }
 
-/* How much of a positional light source arrives, 16.16. */
+/* A positional light's attenuation and spotlight factor, 16.16. */
 static int32_t attenuate(const struct light_source *light_source,
 	int32_t distance_q16, const int32_t towards_q30[3])
 {
@@ -245,7 +245,7 @@ static int32_t attenuate(const struct light_source *light_source,
 		28);
 }
 
-/* Makes a positional light directional for a vertex; returns its share, 16.16. */
+/* Finds a positional light's directions from a vertex; returns attenuate(). */
 static int32_t meet(struct light_source *light_source, const int32_t eye_q16[3])
 {
 	int32_t *towards = light_source->towards_q30;
@@ -264,9 +264,9 @@ static int32_t meet(struct light_source *light_source, const int32_t eye_q16[3])
 	return attenuate(light_source, distance, towards);
 }
 
-/* What falls on a vertex so far, 16.16. */
+/* Sums of light on a vertex, 16.16. */
 struct lit {
-	int32_t diffuse[3]; /* by the colour, where it is tracked */
+	int32_t diffuse[3]; /* still to be multiplied by the vertex's colour */
 	int32_t specular[3];
 };
 
@@ -312,7 +312,7 @@ static void light_any_side(const struct draw *draw, struct triple n,
 	out[3] = to_attribute(color[3]);
 }
 
-/* Any normal, ready to be lit: components up to 8. */
+/* Fetches a normal of any type, rotates and normalizes it; Q28, within +-8. */
 static struct triple find_any_normal(const struct draw *draw, uint32_t index)
 {
 	const struct shading *shading = &draw->shading;
@@ -331,7 +331,7 @@ static struct triple find_any_normal(const struct draw *draw, uint32_t index)
 			: n[i] * ((int64_t)1 << 28);
 		sizes |= sum[i] ^ (sum[i] >> 63);
 	}
-	/* To be normalised it may have any length, else it is Q28 at once. */
+	/* >> 30 gives Q28; a normal to be normalized may have any scale */
 	shift = !shading->normalize ? 30 : sizes >> 59 ? 32 : 28;
 	for (int i = 0; i < 3; i++) {
 		n[i] = saturate_64(sum[i] >> shift);
@@ -347,7 +347,7 @@ static struct triple find_any_normal(const struct draw *draw, uint32_t index)
 	return load_triple(n);
 }
 
-/* What the fast way does not take. */
+/* Lights a vertex that light_fast() cannot, in 64 bits. */
 static NEVER_INLINE void light_any(
 	const struct draw *draw, struct vertex *vertex)
 {

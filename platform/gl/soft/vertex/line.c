@@ -1,11 +1,11 @@
 /*
- * Points and lines: rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4.
- * raster/thin_line.c draws most of one pixel.
+ * Points and lines as rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4.
+ * raster/thin_line.c draws most lines that are one pixel wide.
  */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* In sixteenths, 1 to 64 pixels; whole ones unless the edges are smooth. */
+/* A size in 1/16 pixels: 1 to 64 pixels, whole ones unless smooth. */
 static int32_t find_size(GLfixed size, bool smooth)
 {
 	int32_t size_q4 = smooth
@@ -20,8 +20,8 @@ struct offset {
 };
 
 /*
- * Two triangles between two vertices: the first corner lies off the first one,
- * the second one's further along, and the other side across from there.
+ * Draws a parallelogram of two triangles: corner 0 is a + off, corner 1 is b +
+ * off + along; corners 2 and 3 are these two + across.
  */
 static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 	const struct vertex *b, struct offset off, struct offset along,
@@ -70,7 +70,7 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 			size + 32);
 		return;
 	}
-	/* GL's y runs upwards: a centre on a border is that of the pixel below. */
+	/* GL's y points up: a centre on a border belongs to the pixel below. */
 	fill_square(draw, v,
 		(struct offset){((v->x - half) & ~15) - v->x,
 			((v->y + half + 15) & ~15) - size - v->y},
@@ -78,10 +78,10 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 }
 
 /*
- * A parallelogram whose ends are upright or level, whichever is more across:
- * each column of pixels, or each row, has as many as the line is wide. Points
- * on borders of pixels are moved as GL's are: to the left and down, and so that
- * the first pixel belongs to the line and the last does not.
+ * Draws a line as a parallelogram with vertical ends if it is flat, else with
+ * horizontal ones: each column, or row, gets as many pixels as the line is wide.
+ * It is moved by 1/16 so that ties are broken as in GL: to the left and down;
+ * and so that the first pixel belongs to the line and the last one does not.
  */
 static void draw_sharp(struct draw *draw, const struct vertex *a,
 	const struct vertex *b, int32_t width)
@@ -94,7 +94,7 @@ static void draw_sharp(struct draw *draw, const struct vertex *a,
 		(struct offset){flat ? 0 : width, flat ? width : 0});
 }
 
-/* A rectangle that reaches a pixel further than what coverage leaves of it. */
+/* Draws a rectangle a pixel larger than the line; coverage fades its edges. */
 static void draw_smooth(struct draw *draw, const struct vertex *a,
 	const struct vertex *b, int32_t width)
 {
@@ -102,7 +102,7 @@ static void draw_smooth(struct draw *draw, const struct vertex *a,
 	uint64_t length2 = (uint64_t)((int64_t)dx * dx + (int64_t)dy * dy);
 	struct root root = soft_reciprocal_root(length2);
 	int shift = root.shift + 16;
-	/* along the line, 1.14 */
+	/* unit vector along the line, 1.14 */
 	int32_t u = (int32_t)((int64_t)dx * root.mantissa_q30 >> shift);
 	int32_t v = (int32_t)((int64_t)dy * root.mantissa_q30 >> shift);
 	int32_t out = width / 2 + 16, x = u * 16 >> 14, y = v * 16 >> 14;
@@ -114,7 +114,7 @@ static void draw_smooth(struct draw *draw, const struct vertex *a,
 		.y = (a->y + b->y) / 2,
 		.u_q14 = u,
 		.v_q14 = v,
-		/* half of the length, u dx + v dy */
+		/* half of the length u dx + v dy */
 		.half_length_q8 =
 			(int32_t)(((int64_t)u * dx + (int64_t)v * dy) >> 11),
 		.half_width_q8 = width * 8,

@@ -1,4 +1,4 @@
-/* What a draw call needs, from the state. */
+/* Derives from the state what a draw call needs (struct draw). */
 #include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -9,7 +9,7 @@
 #include "platform/base/scalar.h"
 
 enum {
-	/* Positions are taken as at least, and cut at, 2 to these powers. */
+	/* exponents of the largest coordinate that positions are scaled for */
 	EXPONENT_LEAST = -20,
 	EXPONENT_MOST = 29,
 };
@@ -34,7 +34,7 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 	exponent = exponent > EXPONENT_MOST ? EXPONENT_MOST
 		: exponent < EXPONENT_LEAST ? EXPONENT_LEAST
 					    : exponent;
-	/* |position| < 2^30; integers have fixed places, see soft_array_position(). */
+	/* |position| < 2^30; integers have a fixed scale: soft_array_position() */
 	draw->position_q = array->type == GL_BYTE ? 22
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
@@ -47,7 +47,7 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 	view->stride_bytes = array->stride_bytes;
 }
 
-/* The largest that a row can give for coordinates up to most. */
+/* The largest clip coordinate that a row gives for positions up to most. */
 static float row_bound(const struct matrix *m, int row, float most)
 {
 	return (scalar_abs(m->m[row]) + scalar_abs(m->m[4 + row]) +
@@ -57,8 +57,8 @@ static float row_bound(const struct matrix *m, int row, float most)
 }
 
 /*
- * The matrix with its products shifted by 32, so that clip coordinates stay
- * below 2^28: entries are below 2^30, as positions are.
+ * Scales the matrix so that clip coordinates, sums of products shifted right by
+ * 32, stay below 2^28. Positions and the matrix's elements are below 2^30.
  */
 static void prepare_clip(const struct soft *soft, struct draw *draw)
 {
@@ -66,7 +66,7 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	float bound = 0.0f, scale, moved;
 	struct view *view = &draw->view;
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
-	/* position_q is 14 for them: m (p << 14) >> 32 is (m >> 2) p >> 16 */
+	/* shorts have a position_q of 14: m (p << 14) >> 32 is (m >> 2) p >> 16 */
 	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
 	struct matrix m;
 	int clip_q;
@@ -120,7 +120,7 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 	int height = soft->buffers.target.height;
 	struct view *view = &draw->view;
 
-	/* Half of a sixteenth more, so that cutting to 4 bits rounds. */
+	/* 8 is half of 1/16 in Q8, so that shifting to 4 fraction bits rounds. */
 	view->center_x_q8 = r->x * 256 + r->width * 128 + 8;
 	view->center_y_q8 = (height - r->y) * 256 - r->height * 128 + 8;
 	view->width_q10 = r->width * 1024;
@@ -138,7 +138,7 @@ static void prepare_fog(const struct soft *soft, struct draw *draw)
 
 	draw->fogged = fog->enabled;
 	draw->fog_end_q16 = fog->end;
-	/* 2^28 to 2^29, whatever the range. */
+	/* fog_scale is 2^28 to 2^29, whatever the range */
 	draw->fog_scale_q = 28 - soft_matrix_exponent(scale);
 	draw->fog_scale = soft_matrix_to_int(
 		scale * soft_matrix_power_of_two(draw->fog_scale_q));
@@ -149,7 +149,7 @@ static bool is_mipmap(GLenum filter)
 	return filter >= GL_NEAREST_MIPMAP_NEAREST;
 }
 
-/* How many levels follow the base as they must; 0 when it cannot be used. */
+/* The number of levels to use: 0 if the texture is not complete, as in GL. */
 static int count_levels(const struct texture *texture)
 {
 	const struct level *base = &texture->level[0];
@@ -199,7 +199,7 @@ static void prepare_texture_matrix(
 	}
 }
 
-/* A unit that is used alone counts as the first one. */
+/* Fills draw->texture; a unit that is used alone becomes the first one. */
 static void prepare_textures(const struct soft *soft, struct draw *draw)
 {
 	int used = 0;
@@ -233,8 +233,8 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 }
 
 /*
- * The second texture is not read where its environment only adds a colour to
- * all fragments: the span functions do that as they do fog.
+ * If the second texture's environment only adds a constant colour, the texture
+ * is not read: span functions add the colour by the same code as fog.
  */
 static void prepare_addition(struct draw *draw)
 {
@@ -278,7 +278,7 @@ static void prepare_fragments(
 	draw->blended = reads_destination(state);
 }
 
-/* Which attributes fragments ask for. */
+/* Bits of the attributes that are interpolated. */
 static uint32_t choose_attributes(const struct draw *draw)
 {
 	uint32_t mask = 0;
@@ -301,7 +301,7 @@ void soft_init_scratch(struct draw *draw)
 {
 	draw->view.reciprocals = soft_reciprocal_table;
 	draw->shading.roots = soft_root_table;
-	/* 4 (1 + 65533 (z/w + 1) / 2) */
+	/* window z is 4 (1 + 65533 (z/w + 1) / 2), 2 fraction bits */
 	draw->view.center_z = 131070;
 	draw->view.depth = 1048528;
 	soft_luminance_init(draw);
@@ -332,7 +332,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);
 	soft_prepare_shading(soft, draw);
-	/* Points and lines have one side. */
+	/* Points and lines have no back. */
 	draw->shading.two_side &= mode > GL_LINE_STRIP;
 	draw->shade_more = draw->fogged || draw->texture[0].used;
 	if (draw->eye_needed || draw->fogged) {
@@ -341,12 +341,12 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (!soft_prepare_spans(draw)) {
 		return false;
 	}
-	/* Span functions find the second texture's texels by the first's place. */
+	/* Span functions use the first texture's coordinates for both. */
 	if (draw->spans.joined) {
 		draw->texture[1].used = false;
 		draw->attributes &= ~(3u << (TEX_S + 2));
 	}
-	/* No alpha where nobody asks for it. */
+	/* Alpha is interpolated only if fragments read it. */
 	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);
 	}

@@ -1,9 +1,9 @@
 /*
- * Lights as vertices meet them.
+ * Derives struct shading from lights and materials.
  *
- * Where the model-view matrix keeps angles and the lights are directional,
- * they are turned into the normals' space instead of every normal into
- * theirs: n_eye . l = (N n) . l = n . (transpose(N) l). Otherwise normals are
+ * Where the model-view matrix keeps angles and all lights are directional, the
+ * lights are transformed to the normals' space, instead of every normal to eye
+ * space: n_eye . l = (N n) . l = n . (transpose(N) l). Otherwise normals are
  * rotated and lights stay in eye space.
  */
 #include "platform/gl/soft/state/matrix.h"
@@ -30,7 +30,7 @@ static void normalize(float v[3])
 	}
 }
 
-/* transpose(m) v, both column-major 3x3; m NULL changes nothing. */
+/* transpose(m) v, in Q30; m is a column-major 3x3, or NULL for the identity. */
 static void turn(const float *m, const float v[3], int32_t out_q30[3])
 {
 	for (int i = 0; i < 3; i++) {
@@ -71,7 +71,7 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 	}
 }
 
-/* Tables are kept, as materials take turns. */
+/* Finds or makes the table; a few are kept, as several materials are in use. */
 static const struct spec_table *find_spec_table(
 	struct draw *draw, int32_t shininess_q16)
 {
@@ -119,13 +119,13 @@ static void prepare_directional(const struct light *light, const float *normal,
 	memcpy(towards, light->position, sizeof(towards));
 	normalize(towards);
 	memcpy(half, towards, sizeof(half));
-	half[2] += 1.0f; /* the viewer is infinitely far along z */
+	half[2] += 1.0f; /* towards the viewer, infinitely far along z */
 	normalize(half);
 	turn(normal, towards, light_source->towards_q30);
 	turn(normal, half, light_source->half_q30);
 }
 
-/* What is tracked by vertex comes later; else the current colour is known. */
+/* The material's colour, or the current one; 1 if vertices have their own. */
 static const GLfixed *choose_color(const struct soft *soft,
 	const struct shading *shading, const GLfixed *material)
 {
@@ -138,7 +138,7 @@ static const GLfixed *choose_color(const struct soft *soft,
 					     : material;
 }
 
-/* material times light, Q32; the size of all is in *sizes. */
+/* material times light, Q32; ORs the magnitudes of all into *sizes. */
 static void multiply_colors(const GLfixed *material, const GLfixed *light,
 	int64_t out[3], uint64_t *sizes)
 {
@@ -172,7 +172,7 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 			light_source->ambient_q24[i] =
 				saturate_64((ambient[i] >> (16 + shift)) * 257);
 		} else {
-			/* No distance to fade with: into the base at once. */
+			/* without attenuation it is the same for all vertices */
 			shading->ambient_q16[i] +=
 				shading_bound(ambient[i] >> 16);
 		}
@@ -203,8 +203,8 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 }
 
 /*
- * The matrix for normals, in normal_q28 where they are to be rotated; what is
- * to turn the lights otherwise, in turned. Whole is the scale put in.
+ * Finds the matrix of normals, scaled for GL_NORMALIZE or GL_RESCALE_NORMAL: in
+ * normal_q28 to rotate normals by, and in turned to transform lights by.
  */
 static void prepare_normals(
 	const struct soft *soft, struct draw *draw, float turned[9])
@@ -222,7 +222,7 @@ static void prepare_normals(
 	} else if (lighting->normalize || lighting->rescale) {
 		float most = 0.0f;
 
-		/* Any length does; the normals' own is found by vertex. */
+		/* Any scale does: vertices normalize their normals. */
 		for (int i = 0; i < 9; i++) {
 			float value = scalar_abs(turned[i]);
 
@@ -230,7 +230,7 @@ static void prepare_normals(
 		}
 		factor = lighting->normalize && most > 0.0f ? 1.0f / most : 1.0f;
 	}
-	/* Directions of turned lights have to be shorter than 2. */
+	/* Directions of transformed lights must be shorter than 2. */
 	shading->rotate_normals =
 		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
 	for (int i = 0; i < 9; i++) {
@@ -263,7 +263,7 @@ static bool are_within(const int32_t value[3], int32_t most)
 	return true;
 }
 
-/* Of colours below 2 sums of 8 lights fit, see light.c. */
+/* Whether light.c can light in 32 bits: sums of 8 lights below 2 fit there. */
 static bool is_fast(const struct arrays *arrays, const struct shading *shading)
 {
 	const struct array *normal = &arrays->normal;
@@ -290,7 +290,7 @@ static void prepare_fast(const struct arrays *arrays, struct shading *shading)
 	shading->normals = arrays->normal.pointer;
 	shading->normal_stride = arrays->normal.stride_bytes;
 	shading->floats = arrays->normal.type == GL_FLOAT;
-	/* Within 2^-10 of unit length, or any below 2. */
+	/* lengths within 2^-10 of 1; without GL_NORMALIZE any below 2 */
 	shading->square_least = shading->normalize ? (1u << 24) - (1u << 15) : 0;
 	shading->square_range = shading->normalize ? 1u << 16 : 1u << 26;
 	for (int i = 0; i < 3; i++) {

@@ -1,4 +1,4 @@
-/* The attributes of vertices but lit colours: colours, fog, texture coordinates. */
+/* Vertices' attributes without lighting: colours, fog, texture coordinates. */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -37,7 +37,7 @@ static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
 	return soft_power_q28(98749918, saturate_64(thickness_q16)) >> 12;
 }
 
-/* The share of the fragment's own colour, like a colour. */
+/* The fog factor, how much of a fragment's own colour stays, as an attribute. */
 static NEVER_INLINE int32_t find_fog(
 	const struct draw *draw, const struct vertex *vertex)
 {
@@ -61,7 +61,7 @@ static NEVER_INLINE void find_any_texcoord(
 
 		out[i] = input->identity ? st[i]
 					 : saturate_64(sum >> input->matrix_q);
-		/* So that differences fit 32 bits. */
+		/* so that differences fit 32 bits */
 		out[i] = clamp_int(out[i], -(1 << 30), 1 << 30);
 	}
 }
@@ -79,7 +79,7 @@ static ALWAYS_INLINE void find_texcoord(
 	if (input->plain_floats) {
 		PRELOAD(at + 40);
 		memcpy(bits, at, sizeof(bits));
-		/* Below 2^14, as the bits of 2^14 tell, without their signs. */
+		/* |s|, |t| < 2^14: compares their bits without the sign */
 		if (bits[0] << 1 < 0x8D000000 && bits[1] << 1 < 0x8D000000) {
 			memcpy(st, bits, sizeof(st));
 			out[0] = (int32_t)(st[0] * 65536.0f);
@@ -90,7 +90,7 @@ static ALWAYS_INLINE void find_texcoord(
 	find_any_texcoord(draw, unit, vertex->index, out);
 }
 
-/* Bytes become what to_attribute() makes of them, or one below. */
+/* Bytes become what to_attribute() gives for them, or one less. */
 void soft_shade_color(const struct draw *draw, struct vertex *vertex)
 {
 	const struct array *array = &draw->soft->arrays.color;

@@ -1,29 +1,29 @@
 /*
- * Lists of triangles without indices: finds vertices that come again, so that
- * they are drawn as lists with indices are.
+ * Lists of triangles without indices: finds repeated vertices by comparing
+ * their array elements, and gives all vertices indices for soft_list().
  */
 #include "platform/gl/soft/vertex/cache.h"
 
 enum {
 	INDICES_MOST = 1 << 16,
-	LIST_VERTICES = 192, /* that are given indices at a time */
+	LIST_VERTICES = 192, /* drawn by one call of soft_list() */
 };
 
-/* Vertices whose arrays lie together, as words to compare. */
+/* Interleaved arrays, as vertices of words that can be compared. */
 struct stream {
 	const uint8_t *pointer;
 	size_t stride_bytes;
 	int words;
 };
 
-/* Whole words alone are compared, and seldom is something else given. */
+/* Whether elements consist of 32-bit words, as they nearly always do. */
 static bool is_of_words(const struct array *array)
 {
 	return array->type == GL_FLOAT || array->type == GL_FIXED ||
 		(array->type == GL_UNSIGNED_BYTE && array->size == 4);
 }
 
-/* False where the arrays in use do not lie together. */
+/* False unless the enabled arrays are interleaved words, four or more in all. */
 static bool find_stream(const struct arrays *arrays, struct stream *stream)
 {
 	const struct array *const all[] = {&arrays->vertex, &arrays->normal,
@@ -55,8 +55,8 @@ static bool find_stream(const struct arrays *arrays, struct stream *stream)
 }
 
 /*
- * Whether vertices of four words or more are equal; the first has these. Of an
- * odd number the last pair has a word of the one before.
+ * Whether two vertices of four or more words are equal; xy and z are the left
+ * one's first four words. Of an odd number of words the last pair overlaps.
  */
 static ALWAYS_INLINE bool are_equal_pairs(const uint8_t *left,
 	const uint8_t *right, uint64_t xy, uint64_t z, int words)
@@ -81,8 +81,8 @@ static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 }
 
 /*
- * The index of the first vertex that is equal, as far as it is known: known has
- * indices by what their vertices are made of.
+ * The index of an equal vertex that came before, or the vertex's own. known is
+ * a hash table: [hash of position] the index of the last vertex with that hash.
  */
 static ALWAYS_INLINE uint32_t find_index(
 	const struct stream *stream, uint32_t *known, const uint8_t *at)
@@ -138,7 +138,7 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 		draw_pairs(draw, stream, words, stride_bytes, first, count); \
 	}
 
-/* The sizes that most programs use are constants of the loop. */
+/* In loops for the sizes that most programs use, the size is a constant. */
 DRAW_PAIRS(eight, 8, 32)
 DRAW_PAIRS(six_of_eight, 6, 32)
 DRAW_PAIRS(any, stream->words, stream->stride_bytes)

@@ -1,4 +1,4 @@
-/* From positions to clip coordinates, and from there to the window. */
+/* Transforms positions to clip coordinates and to window coordinates. */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -21,8 +21,8 @@ static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
 	unsigned out = 0;
 
 	/*
-	 * Inside when no sum has a sign bit. Where w > 0, a sum that wraps has
-	 * one, and the comparisons below decide.
+	 * A vertex is inside if none of these sums has its sign bit set. If w >
+	 * 0, sums that wrap around have it set: then the comparisons decide.
 	 */
 	if ((((uw - ux) | (uw + ux) | (uw - uy) | (uw + uy) | (uw - uz) |
 		     (uw + uz) | (uw - 1)) >>
@@ -38,7 +38,7 @@ static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
 	return (uint8_t)out;
 }
 
-/* |x| <= w: x / w in Q29, from x << (zeros - 1) that fits 32 bits. */
+/* x / w in Q29, where |x| <= w, so that x << (w_zeros - 1) fits 32 bits. */
 static ALWAYS_INLINE int32_t divide_q29(int32_t x, const struct vertex *vertex)
 {
 	return mul_high((int32_t)((uint32_t)x << (vertex->w_zeros - 1)),
@@ -81,7 +81,7 @@ static ALWAYS_INLINE void find_clip(
 		memcpy(half, at, sizeof(half));
 		for (int i = 0; i < 3; i++) {
 			p[i] = half[i] *
-				65536; /* their matrix is made for that */
+				65536; /* the matrix is scaled for that */
 		}
 	} else if (view->kind == POSITION_FLOATS) {
 		float f[3];

@@ -1,14 +1,14 @@
-/* What stays the same in all of a triangle's rows. */
+/* Sets what all runs of a triangle have in common. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/stages/made.h"
 
-/* 32 steps of 255 a pixel, 8.16. */
+/* A steep colour's change a pixel: 32 steps of 255, in 8.16. */
 #define STEEP (1u << 21)
 
-/* What of alpha and fog stays the same; see set_colors(). */
+/* Sets alpha and fog, if they are constant; set_colors() sets the rest. */
 static void set_still(struct draw *draw)
 {
 	const uint32_t *value = draw->raster.span.value;
@@ -25,7 +25,7 @@ static void set_still(struct draw *draw)
 	}
 }
 
-/* Whether a colour that moves is steep. */
+/* Whether a colour of moving changes faster than STEEP to the right. */
 static bool is_steep(const struct plane *plane, uint32_t moving)
 {
 	for (int i = RED; moving >> i; i++) {
@@ -45,7 +45,7 @@ static void set_level(struct draw *draw)
 	spans->level_by_row = spans->lod_wanted && raster->perspective;
 	spans->level_unknown = spans->level_by_row;
 	if (spans->level_by_row) {
-		spans->level = -1; /* whose window may be another triangle's */
+		spans->level = -1; /* the window may be another triangle's */
 	}
 	if (!spans->lod_wanted) {
 		soft_set_level(draw, 0);
@@ -58,7 +58,7 @@ static void set_level(struct draw *draw)
 	}
 }
 
-/* What stays the same in all of the triangle. */
+/* Sets constant values, and the level where the triangle has only one. */
 static void set_constants(struct draw *draw, uint32_t moving)
 {
 	const struct raster *raster = &draw->raster;

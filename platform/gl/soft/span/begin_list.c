@@ -1,7 +1,7 @@
 /*
- * What the runs of a triangle's list are made of, from its planes. Colours of
- * small triangles run in the run's own numbers: such triangles are too small to
- * lose more of them to rounding than they have to spare.
+ * Sets up a triangle's list of runs from its planes. In small triangles colours
+ * are stepped in the run's number format, with steps rounded to it: there, the
+ * rounding errors stay within the range that colours have to spare.
  */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/colors.h"
@@ -9,7 +9,7 @@
 #include "platform/gl/soft/span/walk.h"
 
 enum {
-	/* An eighth of a texel; a texel where values bend, see bend.c. */
+	/* margin of a window: 1/8 texel; a texel for polynomials, see bend.c */
 	SPARE = 1 << (SOFT_TEXEL_FRACTION - 3),
 	SPARE_BENT = 8 * SPARE,
 };
@@ -47,7 +47,7 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 		raster->bent ? SPARE_BENT : SPARE, mask);
 }
 
-/* What of the window the triangle may need, where texels may lie outside. */
+/* Finds the part of the window that the triangle may need: spans->part. */
 static NEVER_INLINE void begin_part(struct run_list *list)
 {
 	const struct soft_spans *spans = &list->draw->spans;
@@ -58,17 +58,17 @@ static NEVER_INLINE void begin_part(struct run_list *list)
 	list->t.offset = spans->part_t + (uint32_t)spans->view.t_half;
 	list->s.mask = part->s_mask;
 	list->t.mask = part->t_mask;
-	/* In a large window each run has a first texel of its own. */
+	/* In a large window each run has its own first texel: none is listed. */
 	list->s.room = part->large ? 0 : part->s_room;
 	list->t.room = part->t_room;
 	list->first_texel = spans->part_texel;
 }
 
 /*
- * Whether all texels lie in the window and a row is one run. Coordinates have
- * to change by less than 16 texels a pixel for that, so that rounding at edges
- * cannot lead out of it: the triangle is as thick as twice its area over its
- * extent.
+ * Whether all texels lie in the window and each row is one run. For this,
+ * coordinates must change by less than 16 texels a pixel, so that rounding at
+ * edges cannot leave the window: the triangle's thickness is twice its area
+ * over its extent.
  */
 static ALWAYS_INLINE bool is_certain(const struct run_list *list,
 	const struct setup *setup, const struct texel_place *s,
@@ -77,7 +77,7 @@ static ALWAYS_INLINE bool is_certain(const struct run_list *list,
 	const struct soft_window *window = &list->draw->spans.view.window;
 	uint32_t room = s->room > t->room ? s->room : t->room;
 
-	/* below 2^16 times 2^11 */
+	/* the product is below 2^16 * 2^11 */
 	return is_within(s, window->s_room) && is_within(t, window->t_room) &&
 		setup->columns <= list->most && !setup->wide &&
 		raster_is_in_box(list->draw, setup) &&
@@ -107,14 +107,14 @@ static ALWAYS_INLINE void begin_texels(
 	list->t.value.start -= (uint32_t)(t.low + view->t_half) << view->t_shift;
 }
 
-/* A step of 8.16, to the nearest of what a scale makes of it. */
+/* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */
 static ALWAYS_INLINE uint32_t round_step(int32_t step, int32_t scale)
 {
 	return (uint32_t)((mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >>
 		1);
 }
 
-/* A colour in the run's numbers, scaled where the first vertex is. */
+/* A colour's plane in the run's number format, exact in v[0]'s column. */
 static ALWAYS_INLINE struct list_value scale_color(
 	const struct raster *raster, int name, int32_t half, int32_t scale)
 {
@@ -129,7 +129,7 @@ static ALWAYS_INLINE struct list_value scale_color(
 		round_step(plane->dy, scale)};
 }
 
-/* Red, green and blue of a small triangle, and the steps of all that moves. */
+/* Sets a small triangle's colours, and their steps in spans->run. */
 static ALWAYS_INLINE void begin_moving(struct run_list *list)
 {
 	const struct raster *raster = &list->draw->raster;
@@ -192,7 +192,7 @@ void soft_draw_list(
 	if (spans->textured && !spans->made) {
 		begin_texels(&list, setup);
 	}
-	/* The steps of steep colours are each run's own. */
+	/* Each run of steep colours has its own steps: it is drawn alone. */
 	list.end = list.row +
 		(spans->steep           ? 1
 				: small ? SOFT_BATCH_RUNS

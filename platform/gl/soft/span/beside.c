@@ -1,6 +1,6 @@
 /*
- * Runs with tests that the span functions do not do, or that are blended in
- * another way: drawn with depths, and pixels, beside the buffers.
+ * Draws runs with tests or blend functions that span functions lack: these draw
+ * with copies of depths, or of pixels, and the results are merged afterwards.
  */
 #include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/span/texels.h"
@@ -8,21 +8,21 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 /*
- * The runs of one call, drawn with depths beside the buffer: copies, if the
- * function tests them; else 65535 where a fragment passes all tests, and 0; or
- * 65535 where the tests come last.
+ * The runs of one call, drawn with depths in aside instead of the buffer's. These
+ * are copies of the buffer's if span functions test depths; else 65535 where a
+ * fragment passes all tests and 0 where not; or all 65535 if tests come last.
  */
 struct batch {
 	struct draw *draw;
-	const struct soft_row *from; /* as they are */
+	const struct soft_row *from; /* the runs with the buffers' addresses */
 	uint32_t count;
-	bool copied;
-	bool last;   /* an alpha test comes before the stencil's */
-	bool marked; /* which fragments are drawn has to be known */
-	struct soft_row row[SOFT_BATCH_RUNS]; /* as the function gets them */
-	/* Depths that differ afterwards are those of fragments that are drawn. */
+	bool copied; /* depths are copies */
+	bool last;   /* tests come last: an alpha test precedes the stencil's */
+	bool marked; /* it must be known which fragments were drawn */
+	struct soft_row row[SOFT_BATCH_RUNS]; /* runs for the span function */
+	/* a fragment was drawn if its depths in aside and before differ */
 	uint16_t aside[SOFT_BATCH_PIXELS], before[SOFT_BATCH_PIXELS];
-	uint32_t own[SOFT_BATCH_PIXELS];
+	uint32_t own[SOFT_BATCH_PIXELS]; /* pixels drawn beside the picture */
 };
 
 static const struct soft_row *end_of(const struct soft_run *run)
@@ -41,7 +41,7 @@ static struct soft_tested find_tested(
 	};
 }
 
-/* Gives a run its depths; false where no fragment passes. */
+/* Sets a run's depths in aside; false if no fragment passes. */
 static bool set_aside(const struct batch *batch, const struct soft_row *from,
 	struct soft_row *row)
 {
@@ -52,7 +52,7 @@ static bool set_aside(const struct batch *batch, const struct soft_row *from,
 		return true;
 	}
 	row->z = 0;
-	/* Where nothing is tested all depths do. */
+	/* without tests all fragments pass */
 	if (batch->last || batch->draw->spans.untested) {
 		memset(row->depth, 0xFF, row->count * 2);
 		return true;
@@ -80,7 +80,7 @@ static bool begin_batch(struct batch *batch)
 	return any;
 }
 
-/* Draws beside the picture what is to be blended, or to be tested. */
+/* Lets runs draw beside the picture, where they are blended or tested last. */
 static void begin_pixels(struct batch *batch)
 {
 	const struct soft_spans *spans = &batch->draw->spans;
@@ -110,8 +110,8 @@ static void draw_batch(struct batch *batch, soft_span_function function)
 }
 
 /*
- * With an alpha test a stencil is tested last: fragments that fail the former
- * must not touch it.
+ * Makes depth and stencil tests of the fragments that were drawn, if an alpha
+ * test came first: fragments that fail it must not change the stencil.
  */
 static void test_drawn(const struct batch *batch, uint32_t i,
 	const uint16_t *before, uint16_t *aside)
@@ -140,7 +140,7 @@ static void test_drawn(const struct batch *batch, uint32_t i,
 	}
 }
 
-/* Takes the pixels beside the picture that are drawn. */
+/* Copies those pixels to the picture whose fragments were drawn. */
 static void copy_drawn(const struct soft_row *row, const uint8_t *own,
 	size_t pixel_bytes, const uint16_t *before, const uint16_t *aside)
 {
@@ -152,7 +152,7 @@ static void copy_drawn(const struct soft_row *row, const uint8_t *own,
 	}
 }
 
-/* Writes depths of the fragments that are drawn. */
+/* Writes the depths of the fragments that were drawn. */
 static void write_depths(const struct soft_row *row, uint32_t z_right,
 	const uint16_t *before, const uint16_t *aside)
 {
@@ -192,7 +192,7 @@ static void end_batch(struct batch *batch)
 	}
 }
 
-/* Those whose depth test is the state's. */
+/* The functions whose depth test, LESS or LEQUAL, is the state's. */
 static const soft_span_function *testing_functions(
 	const struct soft_spans *spans)
 {
@@ -235,7 +235,7 @@ static void draw_tested(struct draw *draw, enum soft_place place)
 	}
 }
 
-/* Takes back what the mask does not let through. */
+/* Restores the bits of pixels that are not in mask. */
 static void restore(
 	uint8_t *pixel, const uint8_t *old, uint32_t bytes, uint32_t mask)
 {
@@ -272,7 +272,7 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 	}
 }
 
-/* As a span function: with all that these do not do themselves. */
+/* Draws as a span function does, with colour mask and any tests. */
 static void draw_other(const struct soft_run *run, enum soft_place place)
 {
 	if (run->draw->spans.color_mask != UINT32_MAX) {
@@ -301,7 +301,7 @@ static void draw_second(const struct soft_run *run)
 	spans->seconded(run);
 }
 
-/* Where nothing is tested whole rows may be known. */
+/* Without tests, whole rows may be filled or copied. */
 static void set_untested(struct soft_spans *spans)
 {
 	spans->draw_tested = spans->draw;

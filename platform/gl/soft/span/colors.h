@@ -1,6 +1,6 @@
 /*
- * The row under way, and its colours as runs have them. Included by walk.c
- * alone, into the functions that it makes.
+ * The row under way, and its colours in the number formats of struct soft_run.
+ * Its functions are inlined into each walk over rows.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_COLORS_H
 #define PLATFORM_GL_SOFT_SPAN_COLORS_H
@@ -10,16 +10,16 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* A row under way; row counts from the triangle's first one. */
+/* The row under way. */
 struct line {
 	struct draw *draw;
-	int row;
-	int top;         /* the picture's row that is its first one */
-	uint16_t *depth; /* of column 0 */
+	int row;         /* counted from the triangle's first row */
+	int top;         /* the triangle's first row in the picture */
+	uint16_t *depth; /* the row's column 0 */
 	uint8_t *pixel;
 };
 
-/* Colours and fog, 8.16; their values at a pixel, or their steps. */
+/* Colours and fog, 8.16: their values at a pixel, or their steps a pixel. */
 struct colors {
 	int32_t red, green, blue, alpha, fog;
 };
@@ -34,19 +34,19 @@ static ALWAYS_INLINE int32_t find_value(
 		(uint32_t)p->dx * (uint32_t)x);
 }
 
-/* Coordinates far outside of the texture wrap around. */
+/* at + step * count; wraps around far outside of the texture. */
 static ALWAYS_INLINE int32_t step_by(int32_t at, int32_t step, int count)
 {
 	return (int32_t)((uint32_t)at + (uint32_t)step * (uint32_t)count);
 }
 
-/* Cut towards zero, so that what moves stays between its ends. */
+/* Scales a step, rounding towards zero, so that values stay between their ends. */
 static ALWAYS_INLINE uint32_t scale_step(int32_t step, int32_t scale)
 {
 	return (uint32_t)mul_high(step, scale) + ((uint32_t)step >> 31);
 }
 
-/* Alpha and fog stay what they are, see set_still(), unless they move. */
+/* Sets a run's red, green and blue; and alpha if it is constant: set_still(). */
 static ALWAYS_INLINE void set_colors(
 	struct soft_spans *spans, int32_t red, int32_t green, int32_t blue)
 {
@@ -147,8 +147,8 @@ static ALWAYS_INLINE struct colors find_color_steps(
 }
 
 /*
- * Alpha and fog that move, and colours that are steep: these run from one end
- * of the run to the other, both in range.
+ * Sets a run's colours where alpha or fog change, or where colours are steep:
+ * steep ones are limited at both ends of the run, and linear between these.
  */
 static NEVER_INLINE void place_rare_colors(
 	const struct line *line, int x, int count)
@@ -167,7 +167,7 @@ static NEVER_INLINE void place_rare_colors(
 	set_more_colors(spans, &from);
 }
 
-/* Colours that run linearly in all of the triangle. */
+/* Sets a run's colours, where they are linear in the triangle. */
 static ALWAYS_INLINE void place_colors(const struct line *line, int x, int count)
 {
 	struct soft_spans *spans = &line->draw->spans;

@@ -1,8 +1,8 @@
-/* Runs across the edges of a level. */
+/* Cuts runs at the edges of a level's texels that are clamped. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
 
-/* How many whole steps fit the distance: at most SOFT_RUN_PIXELS - 1. */
+/* How many whole steps fit into distance, at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
 {
 	uint32_t count = 0;
@@ -19,16 +19,16 @@ static uint32_t count_steps(uint32_t distance, uint32_t step)
 	return count;
 }
 
-/* Pixels side by side whose texels lie inside of the window, or do not. */
+/* Neighbouring pixels whose texels all lie inside of the window, or do not. */
 struct stretch {
 	uint32_t count;
-	int32_t at, right; /* as the pixels are to be drawn */
+	int32_t at, right; /* clamped coordinate and step to draw them with */
 	bool inside;
 };
 
 /*
- * From a coordinate on that does not repeat: what lies beyond the first or the
- * last texel stays there.
+ * The stretch from a coordinate on that is beyond the first or the last texel:
+ * its pixels show that texel.
  */
 static NEVER_INLINE struct stretch find_clamped(
 	int32_t at, int32_t right, uint32_t step, uint32_t room, uint32_t last)
@@ -42,7 +42,7 @@ static NEVER_INLINE struct stretch find_clamped(
 		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
 }
 
-/* From a coordinate on, up to an edge that does not repeat, of so many pixels. */
+/* The stretch from a coordinate on to the next clamped edge; left is the most. */
 static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
 	uint32_t room, uint32_t mask, uint32_t last, uint32_t left)
 {
@@ -86,7 +86,7 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2)
 {
 	const struct soft_window *window = &view->window;
-	/* Of texels that count, which may be the last ones. */
+	/* coordinates are clamped by now: no wrapping, and no limit */
 	const struct soft_window all = {.s_mask = UINT32_MAX,
 		.t_mask = UINT32_MAX,
 		.s_room = INT32_MAX,

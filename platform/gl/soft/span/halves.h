@@ -1,7 +1,6 @@
 /*
- * Products of halves of words: one instruction of ARMv6 each, by
- * arm_acle.h, and the same bits in C elsewhere. No sum overflows where these
- * are used.
+ * Products of the signed 16-bit halves of words: one ARMv6 instruction each, by
+ * arm_acle.h; elsewhere C with the same results. No caller lets a sum overflow.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_HALVES_H
 #define PLATFORM_GL_SOFT_SPAN_HALVES_H
@@ -12,8 +11,8 @@
 #include "platform/gl/soft/span/vectors.h"
 
 /*
- * A level's texels, from one on, and the bytes from row to row; and of a second
- * texture from the same texel of the first one.
+ * A level's texels from first on, the bytes from row to row, and joint: the
+ * bytes from there to a second texture's texel at the same place.
  */
 struct soft_rows {
 	_Alignas(8) const uint8_t *first;
@@ -27,7 +26,7 @@ struct soft_rows {
 /* the same added to sum */
 #define HALVES_SUM_ADD(a, b, sum) \
 	((uint32_t)__smlad((int32_t)(a), (int32_t)(b), (int32_t)(sum)))
-/* (word * bottom half >> 16) + sum, the same without sum, and of the top half */
+/* sum + (word * half >> 16), of the bottom half, or the top one; TIMES: no sum */
 #define WORD_BY_BOTTOM(word, half, sum) \
 	__smlawb((int32_t)(word), (int32_t)(half), sum)
 static ALWAYS_INLINE uint32_t soft_word_times_bottom(
@@ -41,9 +40,9 @@ static ALWAYS_INLINE uint32_t soft_word_times_bottom(
 #define WORD_TIMES_BOTTOM(word, half) soft_word_times_bottom(word, half)
 #define WORD_BY_TOP(word, half, sum) \
 	__smlawt((int32_t)(word), (int32_t)(half), sum)
-/* a + b of both halves, unsigned, 65535 at most */
+/* a + b of both halves, unsigned, limited to 65535 */
 #define HALVES_ADD_LIMITED(a, b) ((uint32_t)__uqadd16(a, b))
-/* The upper half of a, and that of b below it */
+/* the upper half of a above the upper half of b */
 static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
 {
 	uint32_t halves;
@@ -52,7 +51,7 @@ static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
 	return halves;
 }
 #define UPPER_HALVES(a, b) soft_upper_halves((int32_t)(a), (int32_t)(b))
-/* The lower half of a, and that of b above it */
+/* the lower half of b above the lower half of a */
 static inline uint32_t soft_lower_halves(int32_t a, int32_t b)
 {
 	uint32_t halves;
@@ -61,7 +60,7 @@ static inline uint32_t soft_lower_halves(int32_t a, int32_t b)
 	return halves;
 }
 #define LOWER_HALVES(a, b) soft_lower_halves((int32_t)(a), (int32_t)(b))
-/* Found where it is wanted, not kept in a register from before */
+/* word >> 16, computed where it is used, so that it takes no register before */
 static inline uint32_t soft_upper_half(uint32_t word)
 {
 	uint32_t half;
@@ -70,9 +69,9 @@ static inline uint32_t soft_upper_half(uint32_t word)
 	return half;
 }
 #define UPPER_HALF(word)       soft_upper_half(word)
-/* Has an object read from memory, not kept in a register */
+/* makes the compiler read an object from memory, not keep it in a register */
 #define KEEP_IN_MEMORY(object) __asm__("" : "+m"(object))
-/* A shift that is not begun before a test which it stands behind */
+/* word >> bits, not moved by the compiler before a test that it stands behind */
 static ALWAYS_INLINE uint32_t soft_shift_here(uint32_t word, int bits)
 {
 	uint32_t shifted;
@@ -83,7 +82,7 @@ static ALWAYS_INLINE uint32_t soft_shift_here(uint32_t word, int bits)
 	return shifted;
 }
 #define SHIFT_HERE(word, bits) soft_shift_here(word, bits)
-/* A signed word, shifted and limited to so many unsigned bits */
+/* word >> shift, limited to 0 to 2^bits - 1 */
 static ALWAYS_INLINE uint32_t soft_limit_shifted(
 	int32_t word, int shift, int bits)
 {
@@ -96,8 +95,9 @@ static ALWAYS_INLINE uint32_t soft_limit_shifted(
 }
 #define LIMIT_SHIFTED(word, shift, bits) soft_limit_shifted(word, shift, bits)
 /*
- * The words at x bytes of a row and of the row below, or two words of each; or
- * one of each texture. What rows says is read here, where registers are scarce.
+ * Loads a word, or two, x bytes from the row's start, and as many from the row
+ * below; soft_load_joined() one of each texture. rows stays in memory until
+ * here, as registers are scarce.
  */
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])

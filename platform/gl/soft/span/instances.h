@@ -1,7 +1,7 @@
 /*
- * Names and makes a picture format's span functions, and lists them: for each
- * texel format and filter a function a finish and a depth test, for runs anywhere
- * and inside of the level.
+ * Defines the span functions of a picture format and their table: one for each
+ * texel format, filter, finish and depth test (LESS, LEQUAL), for runs anywhere
+ * in the texture and for runs inside of the window.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_INSTANCES_H
 #define PLATFORM_GL_SOFT_SPAN_INSTANCES_H
@@ -9,8 +9,8 @@
 #include "platform/gl/soft/span/template.h"
 
 /*
- * The texels' part of a kind is known to a function of its own, which the
- * compiler makes short before it copies it for each finish and depth test.
+ * A function for each texel format and filter, which the compiler simplifies
+ * before it inlines a copy for each finish and depth test.
  */
 #define SOFT_TEXELS(name, ...)                                              \
 	static ALWAYS_INLINE void name(const struct soft_run *run,          \
@@ -34,7 +34,7 @@
 	make(blended_fog, SOFT_BLENDED_FOG, __VA_ARGS__)                    \
 	make(mixed, SOFT_MIXED, __VA_ARGS__)
 
-/* Those with a second texture, which few pictures and formats have. */
+/* Finishes with a second texture, which only a few formats have. */
 #define SOFT_EACH_SECOND(make, ...)                                         \
 	make(scaled, SOFT_SCALED, __VA_ARGS__)                              \
 	make(summed, SOFT_SUMMED, __VA_ARGS__)                              \

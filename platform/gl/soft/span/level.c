@@ -1,6 +1,6 @@
 /*
- * The level of detail that runs are drawn from: its texels, how coordinates
- * lead there, and its window.
+ * Chooses the level of detail that runs read: its texels, the conversion of
+ * coordinates to it, and its window.
  */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/texels.h"
@@ -9,8 +9,8 @@
 #include "platform/gl/soft/vertex/number.h"
 
 /*
- * The masks of coordinates that repeat, else all ones. Those in one texel are 0
- * however they wrap.
+ * The mask of coordinates that repeat, else all ones; 0 for a side of one
+ * texel, where all coordinates give that texel.
  */
 static uint32_t find_mask(GLenum mode, int log2)
 {
@@ -37,7 +37,7 @@ static struct soft_window find_window(
 	};
 }
 
-/* Coordinates do not move in one texel. */
+/* The shift from 16.16 base texels to the level's; 31 for a side of one texel. */
 static int find_shift(int base_log2, int log2)
 {
 	return log2 == 0 ? 31 : base_log2 - log2 + 16 - SOFT_TEXEL_FRACTION;
@@ -121,8 +121,8 @@ void soft_set_level(struct draw *draw, int lod)
 }
 
 /*
- * What of the window the triangle needs, with so much to spare, up to the
- * level's edges. False where no run can lie in it.
+ * Sets part to what the triangle needs of the window, with spare at both ends.
+ * False if it is too large for soft_row.texel or begins outside of the window.
  */
 static bool find_window_part(
 	struct soft_spans *spans, const struct raster *raster, int32_t spare)
@@ -151,7 +151,7 @@ static bool find_window_part(
 	return true;
 }
 
-/* Cuts it off at the level's edges. False where nothing is cut off. */
+/* Cuts the part off at the window's ends; false if nothing is cut off. */
 static bool cut_part(struct soft_spans *spans)
 {
 	struct soft_window *part = &spans->part;
@@ -166,7 +166,7 @@ static bool cut_part(struct soft_spans *spans)
 	return true;
 }
 
-/* An eighth of a texel; a texel where values bend, see bend.c. */
+/* The spare is 1/8 texel; a texel for polynomials, see bend.c. */
 void soft_set_window(struct draw *draw)
 {
 	const struct raster *raster = &draw->raster;

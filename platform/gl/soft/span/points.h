@@ -1,6 +1,6 @@
 /*
- * What is divided by 1 / w at single pixels of a row, and how it changes from
- * one to the next. Included by walk.c alone, into the functions that it makes.
+ * Perspective division at single pixels of a row, and linear steps between
+ * them. Only walk.c and thin_line.c include this header.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_POINTS_H
 #define PLATFORM_GL_SOFT_SPAN_POINTS_H
@@ -8,18 +8,18 @@
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 
-/* What moves in a triangle; texture coordinates are divided by 1 / w always. */
+/* What is interpolated; texture coordinates are always divided by 1 / w. */
 struct walk_kind {
 	bool textured, colored, colors_divided;
 };
 
 struct row_point {
-	struct point divisor; /* q and its reciprocal alone */
+	struct point divisor; /* only q and its reciprocal are set */
 	struct texels texels;
 	struct colors colors;
 };
 
-/* plane is the attribute's; of textures it tells the scale, too. */
+/* An attribute's value at column x: its plane's value divided by 1 / w's. */
 static ALWAYS_INLINE int32_t divide(
 	const struct line *line, const struct point *divisor, int plane, int x)
 {
@@ -66,7 +66,7 @@ static ALWAYS_INLINE uint32_t larger(uint32_t a, uint32_t b)
 	return a > b ? a : b;
 }
 
-/* The most that a colour changes, in what counts as much of a texel. */
+/* The largest change of a colour, scaled to weigh as much as one of texels. */
 static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
 	const struct colors *from, const struct colors *to)
 {
@@ -84,9 +84,9 @@ static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
 }
 
 /*
- * How many pixels apart the exact divisions of a row may be, where other
- * coordinates change by most: what runs
- * linearly is off by |dv dq| / 4 q at most, a quarter of that in halves of it.
+ * How many pixels apart a row's exact divisions may be; most is the change of
+ * other coordinates. Linear values are off by |dv dq| / 4 q at most, and in
+ * halves of the row by a quarter of that.
  */
 static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	const struct walk_kind kind, const struct row_point *from,
@@ -113,7 +113,7 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 	return rows_find_spacing(error, allowed, steps);
 }
 
-/* How values change between two points. */
+/* Steps a pixel between two points. */
 struct change {
 	struct texels texels;
 	struct colors colors;

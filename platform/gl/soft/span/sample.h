@@ -1,9 +1,9 @@
 /*
- * Texels as all who read them see them: the span functions and tests.
+ * Reads and filters texels, for span functions and for the tests' reference, so
+ * that alpha has the same 8 bits in both and alpha tests pass the same fragments.
  *
- * Bilinear weights are 1/32 across and 1/256 down; of four bytes a texel 1/256
- * both ways. So alpha has the same 8 bits everywhere,
- * and an alpha test passes the same fragments.
+ * Bilinear filter weights are multiples of 1/32 across and 1/256 down; for
+ * RGBA8888 texels of 1/256 both ways.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_SAMPLE_H
 #define PLATFORM_GL_SOFT_SPAN_SAMPLE_H
@@ -15,7 +15,7 @@
 #include "platform/gl/soft/span/halves.h"
 
 enum {
-	SOFT_TEXEL_FRACTION = 9, /* bits, of coordinates in a level */
+	SOFT_TEXEL_FRACTION = 9, /* fraction bits of coordinates in a level */
 };
 
 enum soft_channel {
@@ -25,7 +25,7 @@ enum soft_channel {
 	SOFT_ALPHA,
 };
 
-/* Where a channel lies in a texel, and its width; 0 where there is none. */
+/* A channel's lowest bit in a texel and its width; 0 bits: there is none. */
 struct soft_field {
 	int shift, bits;
 };
@@ -87,7 +87,7 @@ static ALWAYS_INLINE uint32_t soft_load_texel(
 	}
 }
 
-/* Two texels side by side, the left one in the lower half; not of 8888. */
+/* Loads two neighbouring texels, left in the lower half; not RGBA8888. */
 static ALWAYS_INLINE uint32_t soft_load_pair(
 	enum texel_format format, const uint8_t *at)
 {
@@ -99,15 +99,15 @@ static ALWAYS_INLINE uint32_t soft_load_pair(
 	return load_32(at);
 }
 
-/* How far from one texel to the next. */
+/* A coordinate's fraction, which is the next texel's filter weight, of 256. */
 static ALWAYS_INLINE uint32_t soft_fraction_q8(uint32_t at)
 {
 	return at >> (SOFT_TEXEL_FRACTION - 8) & 255;
 }
 
 /*
- * What bilinear coordinates are less: half a texel, but for half of a weight's
- * last bit, so that weights are the nearest ones.
+ * What is subtracted from coordinates for bilinear filters: half a texel, minus
+ * half of a weight's last bit, so that weights are rounded to the nearest.
  */
 static ALWAYS_INLINE int32_t soft_half_texel(
 	enum texel_format format, bool linear, bool across)
@@ -119,12 +119,12 @@ static ALWAYS_INLINE int32_t soft_half_texel(
 		      : 0;
 }
 
-/* The weights of two pairs of texels, left and right in the halves. */
+/* Filter weights of two pairs of texels: left in the lower half, and right. */
 struct soft_weights {
-	uint32_t above, below; /* 8192 in all */
+	uint32_t above, below; /* the sum of all four is 8192 */
 };
 
-/* Of coordinates that have 5 and 8 bits of fraction. */
+/* The weights for coordinates s with 5 and t with 8 bits of fraction. */
 static ALWAYS_INLINE struct soft_weights soft_weigh(uint32_t s, uint32_t t)
 {
 	uint32_t right = s & 31;
@@ -141,7 +141,7 @@ static ALWAYS_INLINE uint32_t soft_mix_masked(uint32_t above, uint32_t below,
 		HALVES_SUM(above & mask, weights.above));
 }
 
-/* 8192 times a channel, of two pairs. */
+/* A channel of two pairs of texels, filtered: 8192 times its value. */
 static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
 	enum soft_channel channel, uint32_t above, uint32_t below,
 	struct soft_weights weights)
@@ -163,7 +163,7 @@ static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
 		BYTES_AS_HALVES(texel), ODD_BYTES_AS_HALVES(texel)};
 }
 
-/* Four texels of four bytes, and their weights: 256 in all. */
+/* Four texels of RGBA8888 and their filter weights, whose sum is 256. */
 struct soft_four {
 	uint32_t texel[4], weight[4];
 };
@@ -186,8 +186,8 @@ static ALWAYS_INLINE uint32_t soft_get_half(uint32_t texel, bool odd)
 }
 
 /*
- * Bytes 0 and 2 of the mixture, or 1 and 3, the odd ones: rounded down, but to
- * the nearest where the picture has bytes, which would show it.
+ * Filters bytes 0 and 2, or 1 and 3 if odd. Rounds down, but to the nearest in
+ * RGBA8888 pictures (wide), where the difference would be seen.
  */
 static ALWAYS_INLINE uint32_t soft_mix_half(
 	const struct soft_four *four, bool odd, bool wide)
@@ -202,7 +202,7 @@ static ALWAYS_INLINE uint32_t soft_mix_half(
 	return ODD_BYTES_AS_HALVES(sum);
 }
 
-/* 255 times a channel of so many bits, of one texel. */
+/* Expands a channel of so many bits to 8 bits. */
 static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
 {
 	return bits == 4    ? value * 17
@@ -212,7 +212,7 @@ static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
 			    : value;
 }
 
-/* The byte that 8192 times a channel of so many bits is. */
+/* Converts a filtered channel, 8192 times its value of so many bits, to 8 bits. */
 static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
 {
 	uint32_t most = (1u << bits) - 1;
@@ -223,30 +223,30 @@ static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
 			    : (mixed * (255 * 64 / most) + (1 << 18)) >> 19;
 }
 
-/* A texel's alpha by the fragment's, 8.7 and a half of 1/255: a byte. */
+/* texel's alpha, a byte, times the fragment's, 8.7 with a half added: a byte. */
 static ALWAYS_INLINE uint32_t soft_scale_alpha(uint32_t alpha_q7, uint32_t texel)
 {
-	/* 128, so that 255 leaves what there is */
+	/* 128, so that 255 leaves the other factor as it is */
 	uint32_t product = alpha_q7 * texel + 128;
 
 	return (product + (product >> 8)) >> 15;
 }
 
-/* A step of 8.16 in one of 8.7, cut towards zero. */
+/* Converts an alpha's step of 8.16 to 8.7, rounded towards zero. */
 static ALWAYS_INLINE int32_t soft_alpha_step(int32_t step)
 {
 	return (step >> 9) + (int32_t)((uint32_t)step >> 31);
 }
 
-/* A step of 16.16 in one of a level's coordinates, the nearest one. */
+/* Converts a step of 16.16 base texels to the level's, rounded to the nearest. */
 static ALWAYS_INLINE int32_t soft_texel_step(int32_t step, int shift)
 {
 	return (int32_t)((uint32_t)step + (1u << (shift - 1))) >> shift;
 }
 
 /*
- * Where a run begins, so that its middle, half_count pixels on, is where it
- * should be; right is the step in the level.
+ * A run's first coordinate in the level, such that the coordinate in its middle,
+ * half_count pixels on, is exact; right is the rounded step in the level.
  */
 static ALWAYS_INLINE int32_t soft_find_start(int32_t at, int32_t step,
 	uint32_t half_count, int32_t right, int shift, int32_t half_texel)

@@ -1,6 +1,6 @@
 /*
- * From a triangle's planes to runs: what of the state the span functions need,
- * and the walk along a triangle's rows.
+ * What span functions need of a draw call and of the triangle under way (struct
+ * soft_spans), and the walk along a triangle's rows, which makes runs.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_SPANS_H
 #define PLATFORM_GL_SOFT_SPAN_SPANS_H
@@ -11,165 +11,164 @@
 struct draw;
 struct setup;
 
-/* From fog's 8.16 to a run's 1.15. */
+/* Factor of mul_high() from fog in 8.16 to a run's 1.15. */
 enum {
 	SOFT_FOG_SCALE = 8402980
 };
 
 /*
- * The coordinates of a level from which no texel wraps around: counted from the
- * first ones and masked they are less than the rooms. None where the span
- * functions that need that are missing.
+ * The coordinates of a level for which no texel of the filter wraps around:
+ * (s - s_first) & s_mask is less than s_room, and the same of t.
  */
 struct soft_window {
 	uint32_t s_first, t_first, s_mask, t_mask, s_room, t_room;
-	bool large; /* a run's texels count from its own first one */
+	bool large; /* too large for soft_row.texel: each run has a first texel */
 };
 
-/* A level of a texture as runs read it, by a filter. */
+/* A level of a texture as runs read it with a filter. */
 struct soft_view {
 	const uint8_t *texels;
-	uint32_t stride_log2; /* bytes, as texel_log2 */
+	uint32_t stride_log2; /* of bytes, as texel_log2 */
 	int texel_log2;
-	int s_shift, t_shift; /* from 16.16 of the base's texels to 23.9 */
-	int32_t s_half, t_half;
-	uint32_t s_last, t_last;   /* texels */
-	struct soft_window window; /* as large as it can be */
+	int s_shift, t_shift;   /* from 16.16 of base texels to 23.9 of these */
+	int32_t s_half, t_half; /* subtracted: see soft_half_texel() */
+	uint32_t s_last, t_last;   /* the last column and row of texels */
+	struct soft_window window; /* all of the level that it can be */
 };
 
-/* From 8.16 to struct soft_run's: the product's upper half, and a half more. */
+/* Colours of 8.16 become struct soft_run's by mul_high_add(half, color, scale). */
 struct soft_scales {
 	int32_t red_blue, green, red_blue_half, green_half;
 };
 
-/* Where a run's texels are in the base, and how they run: 16.16. */
+/* A run's first texture coordinates in base texels and their steps, 16.16. */
 struct soft_made_at {
 	int32_t s, t, s_step, t_step;
 };
 
-/* One level of a texture, or two of which texels are mixed. */
+/* The level that a made row reads, or the two levels that it mixes. */
 struct soft_made_levels {
-	int level; /* -1: none yet */
+	int level; /* -1: none is chosen yet */
 	bool linear;
-	int share;   /* of next_view, of 256 */
-	bool packed; /* as words of soft_run.second, not bytes */
+	int share;   /* weight of next_view, of 256; 0: it is not read */
+	bool packed; /* texels become words of soft_run.second, not bytes */
 	const soft_span_function *sampler;
 	struct soft_view view, next_view;
 };
 
-/* What of a draw call is the same for all of its runs. */
+/* What all runs of a draw call have in common, or all runs of a triangle. */
 struct soft_spans {
-	bool colored;        /* the vertices' colours are wanted */
+	bool colored;        /* vertices' colours are interpolated */
 	bool alpha;          /* and their alpha */
-	bool alpha_read;     /* by the span function, if only as white's */
-	uint32_t white_bits; /* colours that a texture takes the place of */
+	bool alpha_read;     /* span functions read alpha, if only white's */
+	uint32_t white_bits; /* attributes that a texture replaces: white */
 	bool textured;
-	bool lod_wanted; /* levels, or filters, differ */
+	bool lod_wanted; /* mipmaps, or min_filter is unlike mag_filter */
 	/* Colours change so fast that rounding at edges may leave their range. */
 	bool steep;
-	/* Columns and rows of triangles whose colours a list steps, at most. */
+	/* largest sum of columns and rows where a list may step colours */
 	int stepped_size;
-	/* Of the triangle under way: rows choose levels, and none has yet */
+	/* of the triangle: rows choose levels of detail; none has done so yet */
 	bool level_by_row, level_unknown;
-	bool alpha_moves, fog_moves;
-	bool rare;           /* either of them, or steep colours */
-	int32_t green_start; /* green_half, and the alpha that stays the same */
-	int color_tolerance; /* see rows_color_tolerance() */
-	bool tested_by_functions; /* but they write depths, too */
-	bool equal_passes;        /* LEQUAL, else LESS is their depth test */
-	bool depth_by_less;       /* or LEQUAL: what is behind shows nothing */
+	bool alpha_moves, fog_moves; /* they are not constant in the triangle */
+	bool rare;                   /* alpha_moves, fog_moves or steep */
+	int32_t green_start;      /* green_half, plus alpha if it is constant */
+	int color_tolerance;      /* see rows_color_tolerance() */
+	bool tested_by_functions; /* span functions test depths, and write them */
+	bool equal_passes;        /* their depth test is LEQUAL, else LESS */
+	bool depth_by_less; /* LESS or LEQUAL, no stencil: hidden changes nothing */
 	bool depth_written;
-	bool direct; /* the functions themselves do all that fragments need */
+	bool direct; /* span functions do all that fragments need */
 	bool stenciled, alpha_tested;
-	bool untested;   /* by depth or stencil, and no depth is written */
-	bool whole_rows; /* see soft_fill_untested() */
+	bool untested;   /* no depth or stencil test, no depth is written */
+	bool whole_rows; /* draw is one of untested.c's functions */
 	/*
-	 * The functions draw RGBA8888 beside the picture, which stages/blend_row.c
-	 * blends: after an alpha test, or by another function than by alpha.
+	 * Span functions draw RGBA8888 beside the picture, and then
+	 * stages/blend_row.c blends these pixels, by any blend function.
 	 */
 	bool blended_last;
-	uint32_t color_mask; /* bits of pixels that are written, twice of 565 */
+	uint32_t color_mask; /* pixels' bits that are written; 565 in both halves */
 	enum soft_finish finish;
-	const soft_span_table *table; /* of all of the state's functions */
-	int plain_pixels;             /* the most of a run without a texture */
-	int longest;                  /* and with one */
+	const soft_span_table *table; /* that has the state's functions */
+	int plain_pixels;             /* longest run without a texture */
+	int longest;                  /* longest run with one */
 	struct soft_scales scales;
-	/* of minified and magnified textures, by enum soft_place */
+	/* [enum soft_place]: functions of the minifying, magnifying filter */
 	const soft_span_function *min, *mag;
 	/* The level and filter under way */
-	int level; /* -1: none yet */
-	bool small;
-	const soft_span_function *function;
-	/* the same, with the depth test before them that they do not do */
+	int level;                          /* -1: none is chosen yet */
+	bool small;                         /* minified */
+	const soft_span_function *function; /* min or mag */
+	/* draw runs anywhere or in the window, with all of the state's tests */
 	soft_span_function draw_anywhere, draw;
-	soft_span_function draw_tested; /* what untested.c does not draw */
+	soft_span_function draw_tested; /* draws what untested.c does not */
 	struct soft_view view;
-	struct soft_window window; /* of the triangle */
+	struct soft_window window; /* the view's, or the triangle's part of it */
 	/*
-	 * Where the texels of a small triangle's listed runs lie: all of the
-	 * window, or what of it the triangle needs, up to the level's edge.
+	 * Where the texels of listed runs lie: all of the view's window, or the
+	 * part that the triangle needs, cut off at the level's edge.
 	 */
 	struct soft_window part;
-	const uint8_t *part_texel; /* its first one */
-	uint32_t part_s, part_t;   /* its first coordinates, unless masked */
-	/* Texels are made beforehand, see made.h, or whole colours */
+	const uint8_t *part_texel; /* its first texel */
+	uint32_t part_s, part_t;   /* its first coordinates, not masked */
+	/* stages/ makes texels, or whole colours, before the run: see made.h */
 	bool made, combined;
 	/* How made runs choose their level; NULL for all others. */
 	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied; /* made: the product of both textures */
 	/*
-	 * How draw reads the second texture's texels of runs, before it calls
-	 * seconded; NULL where that does not read them.
+	 * Reads the second texture's texels for seconded, which draw calls
+	 * next; NULL where the span function has no texels from there.
 	 */
 	void (*read_second)(struct draw *draw, uint32_t *texel);
 	soft_span_function seconded;
-	bool joined;       /* they find them where the first texture's are */
-	uint32_t white[2]; /* red_blue and green_alpha of a run */
+	bool joined;       /* functions read both textures in the same place */
+	uint32_t white[2]; /* a run's red_blue and green_alpha for white */
 	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
-	struct soft_made_at made_at;   /* of the first texture, in run */
-	struct soft_coverage coverage; /* of the point or line under way */
-	soft_span_function draw_row;   /* what is made */
-	int pixel_log2;                /* bytes */
+	struct soft_made_at made_at;   /* of the first texture, for run.row */
+	struct soft_coverage coverage; /* of the smooth point or line */
+	soft_span_function draw_row;   /* draws a made row */
+	int pixel_log2;                /* log2 of a pixel's bytes */
 	struct soft_fragment_stages stages;
 	struct soft_run run;
 };
 
 /*
- * Which functions draw the state, and all that they need. False where the alpha
- * test lets nothing through.
+ * prepare_spans.c: fills draw->spans for the state. False where no alpha can
+ * pass the alpha test, so that nothing is drawn.
  */
 bool soft_prepare_spans(struct draw *draw);
 
 /*
- * stages/prepare_second.c: lets span functions read the second texture's
- * texels, if they have a finish for that; false where they have none.
+ * stages/prepare_second.c: chooses the finish and the table of functions that
+ * read a second texture; false where there is none for the state.
  */
 bool soft_choose_second(struct draw *draw);
 
 /*
- * beside.c: sets the functions that draw runs anywhere in the texture, and
- * inside of the window, with the tests that they do not do by themselves.
+ * beside.c: sets draw and draw_anywhere: span functions of a table's row, or
+ * functions that call these and make the tests which they lack.
  */
 void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES]);
 
 /*
- * untested.c: span functions without a texture, and of the nearest texels of an
- * RGB565 texture. They leave runs to draw_tested where the colours of a row
- * differ, or where its texels are tinted or of several rows.
+ * untested.c: span functions that fill runs with one colour, and that copy
+ * nearest texels of RGB565. They leave runs to draw_tested where colours
+ * change, or where texels are tinted or lie in several rows.
  */
 void soft_fill_untested(const struct soft_run *run);
 void soft_copy_untested(const struct soft_run *run);
 
 /*
- * untested.c: a row of pixels from a row of texels, at s_q16 and steps further,
- * which are all there.
+ * untested.c: copies to count pixels the texels at s_q16, s_q16 + s_right_q16
+ * and so on of a row; all must lie in the row.
  */
 void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);
 
-/* All rows of a triangle whose planes are set up. */
+/* walk.c: draws all rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);
 
 #endif

@@ -33,7 +33,7 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-/* Those pass of which the function is true, or if inverted those of the others. */
+/* Fragments pass if GL's comparison is true, or if inverted, where it is false. */
 static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
 	const struct soft_tested *tested, const uint16_t *depth,
 	uint16_t *passes)
@@ -53,7 +53,7 @@ static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
 	return any != 0;
 }
 
-/* The depth test alone; false where none passes. */
+/* Makes the depth test; false if no fragment passes. */
 static bool test_depths(const struct fragment_state *state,
 	const struct soft_tested *tested, const uint16_t *depth,
 	uint16_t *passes)
@@ -77,11 +77,12 @@ static bool test_depths(const struct fragment_state *state,
 	}
 }
 
-/* The same with the stencil test before it. */
+/* Makes the stencil test of fragments whose depth test is in passes. */
 static bool test_stencils(const struct stencil *s, uint8_t *stencil,
 	uint32_t count, uint16_t *passes)
 {
-	uint8_t old = 0, far = 0, near = 0; /* and what it becomes */
+	uint8_t old = 0, far = 0,
+		near = 0; /* stencil; if depth fails; passes */
 	uint16_t through = 0, any = 0;
 
 	for (uint32_t i = 0; i < count; i++) {

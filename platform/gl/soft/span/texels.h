@@ -1,6 +1,6 @@
 /*
- * Where a run's texels lie in its level: coordinates of the level from those of
- * the base, and the window in which no texel wraps around.
+ * Where a run's texels lie in its level: converts texture coordinates from base
+ * texels to the level's, and tests whether they lie in the window.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_TEXELS_H
 #define PLATFORM_GL_SOFT_SPAN_TEXELS_H
@@ -14,27 +14,28 @@ struct texels {
 };
 
 /*
- * What a row does for texels besides, out of line: draws the run that is set up
- * where some of its texels lie outside of the window.
+ * cut.c: draws the run that is set up, spans->run, some of whose texels lie
+ * outside of the window.
  */
 void soft_draw_across(struct soft_spans *spans);
 
 /*
- * Draws a run of which any texels may lie outside of the level by functions for
- * what repeats, and for what lies inside. The run is used up, but for its steps.
+ * cut.c: draws a run whose texels may lie outside of the level, with
+ * function[0] where they wrap around and function[1] where they lie inside.
+ * Changes the run, except for its steps.
  */
 void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2);
 
-/* Where a triangle's texels lie along one side of a level. */
+/* A triangle's range of one coordinate in a level, 9 fraction bits. */
 struct texel_place {
-	int32_t low; /* the texel's edge that is below all of them */
-	uint32_t first, room;
+	int32_t low; /* a whole texel at or below the least coordinate */
+	uint32_t first, room; /* low masked; the largest one minus low */
 };
 
 /*
- * From the triangle's least and largest coordinate, in 1/256 of the base's texels,
- * and so much to spare. Far outside of the texture it wraps, as the planes do.
+ * Finds it from a triangle's least and largest coordinate, in 1/256 base texels,
+ * with spare more at both ends. Far outside of the texture it wraps around.
  */
 static ALWAYS_INLINE struct texel_place soft_find_place(int32_t least,
 	int32_t most, int shift, int32_t half, int32_t spare, uint32_t mask)
@@ -47,7 +48,7 @@ static ALWAYS_INLINE struct texel_place soft_find_place(int32_t least,
 		low, (uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
 }
 
-/* Sets a run's steps in the level, each the nearest. */
+/* Sets a run's steps in the level from those in base texels, rounded. */
 static ALWAYS_INLINE void soft_set_texel_steps(
 	struct soft_spans *spans, struct texels step)
 {
@@ -79,9 +80,9 @@ static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
 }
 
 /*
- * Whether all texels of the run lie in the window; sets first_texel and texel
- * then. A window of more texels than the halves of a word can count is entered
- * anew by each run.
+ * Whether all texels of the run lie in the window; if so, sets row.texel and,
+ * in a large window, first_texel: there, each run counts from a texel of its
+ * own, as the halves of row.texel have room for SOFT_RUN_TEXELS only.
  */
 static ALWAYS_INLINE bool soft_find_window(
 	const struct soft_window *window, int texel_log2, struct soft_run *run)

@@ -1,6 +1,6 @@
 /*
- * Opaque runs in RGB565 that nothing tests: those of one colour are filled, and
- * those that show a row of nearest texels as they are, such as a camera's
+ * Opaque runs in RGB565 without depth or stencil test: runs of one colour are
+ * filled; runs that show a row of nearest texels unchanged, such as a camera's
  * picture, are copied.
  */
 #include "platform/gl/soft/raster/mix.h"
@@ -8,7 +8,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 enum {
-	/* Factors of 1.14 from which on every texel of 5 or 6 bits stays. */
+	/* factors of 1.14 above which texels of 5 or 6 bits do not change */
 	RED_BLUE_WHITE = 16384 - 16384 / 62,
 	GREEN_WHITE = 16384 - 16384 / 126,
 };
@@ -20,7 +20,7 @@ void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t even = 0x1FFFE;
 	int i = 0;
 
-	/* else it becomes two shifts */
+	/* else compilers replace the mask by two shifts */
 	OPAQUE(even);
 	for (; i < count - 1; i += 2) {
 		uint32_t left = load_16(bytes + (s_q16 >> 15 & even)), right;
@@ -52,7 +52,7 @@ void soft_fill_untested(const struct soft_run *run)
 	}
 }
 
-/* Whether a row shows texels of one row, as they are. */
+/* Whether a run shows texels of a single row, not tinted. */
 static bool is_copy(const struct soft_row *row)
 {
 	return (row->texel_right + 0x8000) >> 16 == 0 &&

@@ -1,6 +1,6 @@
 /*
- * The four bytes of a colour at once, by the SSE2 that every x86-64 has. Where
- * HAS_COLOR_VECTORS is not defined, callers have C of the same results.
+ * Arithmetic on a colour's four bytes at once, by SSE2, which every x86-64 has.
+ * Where HAS_COLOR_VECTORS is not defined, callers use C with the same results.
  *
  * Lanes are 16 bits each in a 64-bit word: red, blue, green and alpha from the
  * lowest bits on.
@@ -35,8 +35,8 @@ static ALWAYS_INLINE __m128i vector_widen(uint64_t bytes)
 }
 
 /*
- * Four colours, two in each argument, by four weights, 256 in all: the upper
- * bytes of the sums as lanes, after a rounding of up to 128 is added.
+ * (sum of four colours times weights + rounding) / 256 as lanes. Each argument
+ * has two colours; the sum of weights is 256; rounding is at most 128.
  */
 static ALWAYS_INLINE uint64_t vector_mix(uint64_t first, uint64_t second,
 	const uint32_t weight[4], uint32_t rounding)
@@ -55,7 +55,7 @@ static ALWAYS_INLINE uint64_t vector_mix(uint64_t first, uint64_t second,
 	return vector_store(_mm_shufflelo_epi16(_mm_srli_epi16(sum, 8), 0xD8));
 }
 
-/* Lanes by lanes below 2^15, and 2^13, over 2^14; below 2^15. */
+/* (lanes * factors + 2^13) / 2^14; factors and results are below 2^15. */
 static ALWAYS_INLINE uint64_t vector_scale(uint64_t lanes, uint64_t factors)
 {
 	__m128i by = _mm_unpacklo_epi16(
@@ -67,7 +67,7 @@ static ALWAYS_INLINE uint64_t vector_scale(uint64_t lanes, uint64_t factors)
 	return vector_store(_mm_packs_epi32(sum, sum));
 }
 
-/* Lanes of products of bytes over 255, to the nearest, as bytes. */
+/* Lanes of products of two bytes, divided by 255 and rounded, as bytes. */
 static ALWAYS_INLINE uint32_t vector_divide(__m128i products)
 {
 	__m128i sum = _mm_add_epi16(products, _mm_set1_epi16(128));
@@ -76,13 +76,13 @@ static ALWAYS_INLINE uint32_t vector_divide(__m128i products)
 	return (uint32_t)_mm_cvtsi128_si32(_mm_packus_epi16(sum, sum));
 }
 
-/* The products of four bytes over 255. */
+/* a * b / 255 of each of four bytes. */
 static ALWAYS_INLINE uint32_t vector_multiply(uint32_t a, uint32_t b)
 {
 	return vector_divide(_mm_mullo_epi16(vector_widen(a), vector_widen(b)));
 }
 
-/* From one colour to another by alpha of 255. */
+/* Blends colour to with own by alpha / 255. */
 static ALWAYS_INLINE uint32_t vector_blend(
 	uint32_t to, uint32_t own, uint32_t alpha)
 {

@@ -1,13 +1,13 @@
 /*
- * The rows of a triangle, cut into runs for the span functions. Where
- * perspective bends values so much that it shows, see set_up.c, they are
- * divided exactly every 16 to 64 pixels; else walk_list.c walks the rows.
+ * Walks the rows of a triangle that needs perspective correction (set_up.c),
+ * and cuts them into runs for the span functions: values are divided by 1 / w
+ * every 16 to 64 pixels. walk_list.c walks the rows of all other triangles.
  */
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/points.h"
 
-/* Draws a run of so many pixels from x on, whose values and steps are set. */
+/* Draws a run of count pixels from x on, whose values and steps are set. */
 static ALWAYS_INLINE void draw_run(
 	const struct line *line, const struct walk_kind kind, int x, int count)
 {
@@ -31,7 +31,7 @@ static ALWAYS_INLINE void draw_run(
 	}
 }
 
-/* Moves on by so many pixels. */
+/* Steps a point's values by count pixels. */
 static ALWAYS_INLINE void step_point(const struct walk_kind kind,
 	struct row_point *at, const struct change *change, int count)
 {
@@ -50,8 +50,8 @@ static ALWAYS_INLINE void step_point(const struct walk_kind kind,
 }
 
 /*
- * Draws from left to right what runs linearly between two points, so many
- * steps apart.
+ * Draws the pixels from x to right, whose values are linear between two points
+ * that are so many steps apart.
  */
 static ALWAYS_INLINE void draw_between(const struct line *line,
 	const struct walk_kind kind, int x, int right,
@@ -113,7 +113,7 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 			line->draw->spans.level_unknown)) {
 		set_row_level(line->draw, from.divisor, from.texels);
 	}
-	/* Where 1 / w stays the same, values run linearly all along the row. */
+	/* If 1 / w is the same at both ends, the whole row is linear. */
 	if (steps >= PERSPECTIVE_STEP &&
 		(from.divisor.q != end.divisor.q || steps > SMALL_EXTENT)) {
 		uint32_t most = line->draw->texture[1].used
@@ -133,13 +133,13 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	draw_between(line, kind, x, right, &from, &end, right - x - 1);
 }
 
-/* The row under way, and the edges of the rows from there on. */
+/* The row under way, and the edges from there on. */
 struct rows {
 	struct line line;
 	struct band_edges edges;
 };
 
-/* Rows between two edges. */
+/* Walks the rows between two edges. */
 static ALWAYS_INLINE void walk_part(
 	struct rows *rows, const struct walk_kind kind)
 {
@@ -219,7 +219,7 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 						 : part_colored);
 }
 
-/* The template's way, which is that of every state that has no other. */
+/* Draws a triangle by span functions, in any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup)
 {
 	if (!soft_is_hidden(draw, setup)) {

@@ -1,4 +1,4 @@
-/* What the walk over a triangle's rows calls. */
+/* Functions and data of the walk over a triangle's rows. */
 #ifndef PLATFORM_GL_SOFT_SPAN_WALK_H
 #define PLATFORM_GL_SOFT_SPAN_WALK_H
 
@@ -6,64 +6,64 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 /*
- * begin.c: what of a triangle's runs is the same for all; which of colours,
- * alpha and fog move, as bits. Red, green and blue do so together.
+ * begin.c: sets what all runs of the triangle have in common. Returns the bits
+ * of colours, alpha and fog that are not constant in the triangle.
  */
 uint32_t soft_begin_walk(struct draw *draw);
-/* And the steps of what runs linearly, of which soft_begin_walk() told. */
+/* Sets steps of colours that are linear; moving is soft_begin_walk()'s. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
 
-/* level.c: the level and filter for a level of detail. */
+/* level.c: chooses level and filter for a level of detail, 8 fraction bits. */
 void soft_set_level(struct draw *draw, int lod);
 
-/* level.c: a level by a filter, which soft_use_view() gives a run to read. */
+/* level.c: describes a level and filter; and lets a run read that level. */
 struct soft_view soft_find_view(
 	const struct texture_input *input, int number, bool linear);
 void soft_use_view(const struct soft_view *view, struct soft_run *run);
 
-/* level.c: a window of few texels, if the triangle has few; else the level's. */
+/* level.c: sets window and part, to the triangle's texels if these are few. */
 void soft_set_window(struct draw *draw);
 
 /*
- * The runs of a triangle that is not divided by w: many are listed, so that one
- * call of the span function draws them. begin_list.c sets the list up,
- * walk_list.c walks the triangle's rows.
+ * A list of the runs of a triangle in which nothing is divided by w, so that
+ * one call of the span function draws many runs. begin_list.c sets the list up,
+ * and walk_list.c walks the triangle's rows.
  */
 
-/* A value of a run's, at column 0 of the first row; wraps. */
+/* A plane in a run's number format; start is at column 0, first row; wraps. */
 struct list_value {
 	uint32_t start, right, down;
 };
 
-/* How a coordinate leads from the base's texels into the window. */
+/* A texture coordinate, and how it is converted to the window's texels. */
 struct list_coordinate {
-	struct list_value value;
+	struct list_value value; /* 16.16 of base texels */
 	struct bend bend;
-	uint32_t level_right; /* where it does not bend */
-	/* unless all is certain: the window's, and half a texel */
+	uint32_t level_right; /* step in the level, unless it is a polynomial */
+	/* unless certain: (at - offset) & mask must be less than room */
 	uint32_t offset, mask, room;
-	uint32_t round; /* half of what shift drops */
-	int shift;
+	uint32_t round; /* 1 << (shift - 1), to round steps */
+	int shift;      /* to the right, to 9 fraction bits of the level */
 };
 
 struct run_list {
 	struct draw *draw;
 	struct list_value z, red_blue, green;
 	struct list_coordinate s, t;
-	uint32_t fog;      /* that stays the same */
-	bool rare;         /* a run needs more than these values */
-	bool colors_exact; /* its colours are found from planes, run by run */
-	/* No texel lies outside of the window, and a row is one run. */
+	uint32_t fog;      /* if it is constant */
+	bool rare;         /* runs need set_rare() besides these values */
+	bool colors_exact; /* colours are found from planes for each run */
+	/* No texel lies outside of the window, and each row is one run. */
 	bool certain;
-	int most;                   /* pixels of a run */
-	const uint8_t *first_texel; /* of the runs; see struct soft_run */
-	/* Of the row under way, which counts from the triangle's first one. */
+	int most;                   /* longest run, in pixels */
+	const uint8_t *first_texel; /* soft_run.first_texel of all runs */
+	/* the row under way, counted from the triangle's first one */
 	int y;
-	uint16_t *depth; /* of column 0 */
+	uint16_t *depth; /* the row's column 0 */
 	uint8_t *pixel;
 	struct band_edges edges;
-	struct soft_row *next; /* of the list, and where it is full */
-	struct soft_row *end;
+	struct soft_row *next; /* the first free element of row */
+	struct soft_row *end;  /* next is end: the list is full */
 	struct soft_row row[SOFT_BATCH_RUNS];
 };
 
@@ -71,8 +71,8 @@ struct run_list {
 void soft_walk_list(struct run_list *list, const struct setup *setup);
 
 /*
- * begin_list.c: the same, of a triangle that soft_begin_walk() has begun;
- * moving is what that returned.
+ * begin_list.c: sets a list up and draws it. soft_begin_walk() was called and
+ * has returned moving.
  */
 void soft_draw_list(
 	struct draw *draw, const struct setup *setup, uint32_t moving);

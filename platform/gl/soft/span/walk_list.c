@@ -1,19 +1,19 @@
 /*
- * The rows of triangles that are not divided by w: one loop lists their runs,
- * and the span function draws many in one call.
+ * Walks the rows of triangles in which nothing is divided by w: lists their
+ * runs, and calls the span function for many runs at once.
  */
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/span/colors.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 
-/* How the runs of a triangle are made; constants of the loop. */
+/* The kind of a triangle's list, which is a constant of the loop. */
 struct list_kind {
 	bool textured, bent;
 	bool certain; /* see struct run_list */
 };
 
-/* One instruction: compilers add all products up first, then the rest. */
+/* to + a * b as one instruction: compilers would sum all products first. */
 static ALWAYS_INLINE uint32_t add_product(uint32_t to, uint32_t a, uint32_t b)
 {
 	to += a * b;
@@ -21,7 +21,7 @@ static ALWAYS_INLINE uint32_t add_product(uint32_t to, uint32_t a, uint32_t b)
 	return to;
 }
 
-/* What a value is at a row's column. */
+/* A value at column x of row y. */
 static ALWAYS_INLINE uint32_t find_there(
 	const struct list_value *value, uint32_t x, uint32_t y)
 {
@@ -29,7 +29,7 @@ static ALWAYS_INLINE uint32_t find_there(
 		add_product(value->start, value->down, y), value->right, x);
 }
 
-/* A run's coordinate in the window, and its step there. */
+/* A run's first coordinate in the window, and its step a pixel. */
 struct found {
 	uint32_t at, right;
 };
@@ -69,7 +69,7 @@ static ALWAYS_INLINE bool is_outside(
 		found.at + found.right * (count - 1) >= c->room;
 }
 
-/* A run that leaves the window is drawn at once, and not listed. */
+/* Draws a run that leaves the window at once, instead of listing it. */
 static NEVER_INLINE void draw_outside(struct run_list *list,
 	const struct soft_row *row, struct found s, struct found t)
 {
@@ -88,7 +88,7 @@ static NEVER_INLINE void draw_outside(struct run_list *list,
 	}
 }
 
-/* Where the run is, and colours that are found from planes. */
+/* Sets a run's place, and those colours that are found from planes. */
 static NEVER_INLINE void set_rare(
 	const struct run_list *list, struct soft_row *row, int x, int y)
 {
@@ -114,7 +114,7 @@ static NEVER_INLINE void set_rare(
 	}
 }
 
-/* False where the run is drawn already. */
+/* Sets a run's texels; false if it left the window and is drawn already. */
 static ALWAYS_INLINE bool set_texel(struct run_list *list,
 	const struct list_kind kind, struct soft_row *row, uint32_t x,
 	uint32_t y)
@@ -134,7 +134,7 @@ static ALWAYS_INLINE bool set_texel(struct run_list *list,
 	return true;
 }
 
-/* A run whose place and count are set. */
+/* Sets a run at column x, row y, whose count is set; false if it is drawn. */
 static ALWAYS_INLINE bool set_run(struct run_list *list,
 	const struct list_kind kind, struct soft_row *row, uint32_t x,
 	uint32_t y)
@@ -149,7 +149,7 @@ static ALWAYS_INLINE bool set_run(struct run_list *list,
 	return !kind.textured || set_texel(list, kind, row, x, y);
 }
 
-/* Draws the runs up to one, and begins the list anew. */
+/* Draws the runs before end; returns the list's first element, now free. */
 static NEVER_INLINE struct soft_row *draw_listed(
 	struct run_list *list, const struct soft_row *end)
 {
@@ -163,12 +163,12 @@ static NEVER_INLINE struct soft_row *draw_listed(
 	spans->draw(run);
 	run->rows = &run->row;
 	run->row_count = 1;
-	/* A triangle of the same level keeps the window that this belongs to. */
+	/* It belongs to the window, which triangles of the same level keep. */
 	run->first_texel = first_texel;
 	return list->row;
 }
 
-/* Lists the runs of a part's rows. */
+/* Lists the runs of the rows between list->edges. */
 static ALWAYS_INLINE void list_rows(
 	struct run_list *list, const struct list_kind kind)
 {

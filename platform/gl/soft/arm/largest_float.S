@@ -18,7 +18,7 @@
 	larger	r5
 	.endm
 
-/* r0 the first, r1 bytes to the next, r2 how many; 9 instructions each */
+/* r0 address, r1 stride in bytes, r2 count; 9 instructions each */
 	.global	soft_largest_aligned_float
 	.type	soft_largest_aligned_float, %function
 soft_largest_aligned_float:

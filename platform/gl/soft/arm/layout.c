@@ -1,6 +1,6 @@
 /*
- * What the assembly knows besides the offsets of offsets.inc: which members lie
- * side by side, and what vertex.S counts by itself.
+ * Asserts what the assembly assumes besides the offsets of offsets.inc: which
+ * members lie side by side, and the offsets that vertex.S counts by itself.
  */
 #include <assert.h>
 

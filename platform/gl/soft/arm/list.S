@@ -1,11 +1,11 @@
 /*
- * Lists of triangles by 16-bit indices, for ARMv6: finds, culls and sets up a
- * triangle in one loop as long as all of its vertices are in the cache and on the
- * screen. portable/triangles.c draws the same one by one. Offsets are those of
- * struct fast_setup, struct setup, struct vertex, struct cache_tag, struct source.
+ * Triangles of 16-bit indices, for ARMv6: one loop finds vertices in the cache,
+ * culls triangles and sets those up that are small and inside of the clip volume
+ * and of draw->box; it leaves the others to soft_draw_triangle(). In C that draws
+ * all triangles (portable/triangles.c).
  *
- * A triangle that is culled costs 21 instructions, one that covers no centre 34,
- * one that is drawn 115 until it is filled, a vertex 25 besides its transformation.
+ * A triangle that is culled costs 21 instructions, one that covers no pixel's centre
+ * 34, others 115 until they are filled; a vertex 25 besides its transformation.
  */
 #include "platform/gl/soft/arm/offsets.h"
 
@@ -15,14 +15,14 @@
 	.text
 
 #define CACHE_SLOTS 512
-#define FOUND 64 /* bytes of head until all vertices are there */
+#define FOUND 64 /* bytes of head up to label 2: all vertices are in the cache */
 
-/* the stack, behind a struct setup at sp */
+/* offsets from sp of locals behind a struct setup, which lies at sp */
 #define ROUND 88
 #define WHOLE 92
 #define BOX 96 /* two words */
 #define END 104
-#define INDEX 108 /* r2, while something is called */
+#define INDEX 108 /* r2 during calls */
 #define HEAD 112
 #define DRAW 116
 #define SOURCE 120
@@ -35,9 +35,9 @@
 	.endif
 
 /*
- * r2 indices, r10 place, r11 the slots' mask. Finds three vertices: r3, r12, lr
- * where they are in place, r5, r7, r9 their x and y. r0 is twice the area; none
- * is wanted where the condition holds.
+ * In: r2 indices, r10 place, r11 mask of slots. Finds a triangle's vertices: r3,
+ * r12, lr are their offsets in place, r4, r6, r8 their tags, r5, r7, r9 their xy.
+ * r0 is twice the area; where condition unwanted holds, the next one is taken.
  */
 	.macro	head unwanted
 1:	ldr	r0, [sp, #END]
@@ -66,7 +66,7 @@
 	.endif
 	.endm
 
-	/* Vertices of two registers each change places if they are not sorted. */
+	/* Swaps two vertices, xy and address each, if they are not sorted by xy. */
 	.macro	sort xy, vertex, next_xy, next_vertex
 	cmp	\xy, \next_xy
 	movhi	r0, \xy
@@ -87,7 +87,7 @@
 1:
 	.endm
 
-	/* A vertex into its slot, which has another tag, and its x and y. */
+	/* If a slot's tag is not the index, transforms the vertex into it; sets xy. */
 	.macro	load_corner number, tag, xy
 	ldr	r2, [sp, #INDEX]
 	ldrh	r1, [r2, #2 * \number - 6]
@@ -163,7 +163,7 @@ soft_list:
 .Lnegative:
 	head	ge
 
-	/* r6 the least, r4 the most of x and y; then of the centres, by 16 */
+	/* r6, r4: least and largest x and y; then times 16 the first columns, rows */
 .Lseen:
 	usub16	r1, r5, r7
 	sel	r4, r5, r7
@@ -211,7 +211,7 @@ soft_list:
 	mov	r4, r4, lsr #20
 	str	r4, [sp, #SETUP_BOTTOM]
 
-	/* r3, r12, lr become the vertices */
+	/* r3, r12, lr become the vertices' addresses */
 	ldr	r8, [sp, #CACHE]
 	add	r3, r3, r3, lsl #1
 	add	r12, r12, r12, lsl #1
@@ -257,7 +257,7 @@ soft_list:
 	ldr	r2, [sp, #INDEX]
 	b	.Lshaded
 
-	/* one is not there */
+	/* a vertex is not in its slot */
 .Lload:
 	str	r2, [sp, #INDEX]
 	cmp	r3, r12
@@ -276,11 +276,11 @@ soft_list:
 	ldr	r0, [sp, #HEAD]
 	add	pc, r0, #FOUND
 
-	/* partly outside of the box, or large */
+	/* the triangle is partly outside of the box, or large */
 .Lother:
 	str	r2, [sp, #INDEX]
 
-	/* a slot's vertex lies outside of the clip volume, or two share a slot */
+	/* a vertex lies outside of the clip volume, or two need the same slot */
 .Lapart:
 	ldr	r1, [sp, #SOURCE]
 	ldr	r2, [sp, #INDEX]

@@ -1,6 +1,6 @@
 /*
- * fast/narrow_rows.c for ARMv6: the same bytes. A row costs 15 instructions, a pixel
- * 9, whether it is seen or not. Offsets are those of struct narrow.
+ * fast/narrow_rows.c for ARMv6, with the same results. A row costs 15 instructions,
+ * a pixel 9, whether it is visible or not. arm/layout.c asserts these offsets.
  */
 	.syntax unified
 	.arch armv6
@@ -14,20 +14,20 @@
 #define BLUE 88
 #define COLUMN 96
 
-/* the stack, from what a row adds to r0, r4, r5, r10 and r11 */
+/* offsets from sp; at sp are five words: a row's steps of r0, r4, r5, r10, r11 */
 #define LEFT_STEP 12
 #define RIGHT_STEP 16
 #define END 20  /* r0 after the rows under way */
-#define REST 24 /* rows of the part after those, and of the chunk */
-#define MORE 32 /* rows of the next part */
-#define NARROW 40
+#define REST 24 /* two words: rows left of the band, and of the chunk */
+#define MORE 32 /* rows of the band below the middle vertex */
+#define NARROW 40 /* address of struct narrow */
 
 #define COLUMNS 24
 
 /*
- * A pixel: r1 the depth's address, r12 the depth, r2 z, r3 the packed colour.
- * Loads the next depth, which takes as long as the rest; 9 instructions, which
- * the jump to them knows.
+ * A pixel: r1 address of the depth, r12 the depth, r2 z, r3 packed colour. Loads
+ * the next pixel's depth early, to hide the latency. The jump to pixels relies on
+ * there being 9 instructions.
  */
 	.macro	pixel
 	cmp	r2, r12, lsl #16
@@ -41,7 +41,7 @@
 	add	r3, r3, r7
 	.endm
 
-/* The last of a row. */
+/* The last pixel of a row: loads and steps nothing for a next one. */
 	.macro	last_pixel
 	cmp	r2, r12, lsl #16
 	movlo	lr, r2, lsr #16
@@ -52,9 +52,9 @@
 	.endm
 
 /*
- * r0 the row's depths, r4 z, r5 the packed colour, r6 and r7 what these grow by
- * with a pixel, r8 WIDE_MASK, r9 from behind a depth to its pixel, r10 the left
- * edge, r11 the right one.
+ * r0 the row's depths, r4 z, r5 packed colour, r6 and r7 their steps a pixel, r8
+ * WIDE_MASK, r9 the distance from a depth + 2 to its pixel, r10 left edge, r11
+ * right edge.
  */
 	.global	soft_narrow_rows
 	.type	soft_narrow_rows, %function
@@ -113,7 +113,7 @@ soft_narrow_rows:
 	cmp	r3, #0
 	bne	.Lrows
 
-	/* The colour of this row, where the last one was 8 rows above. */
+	/* Steps the channels' colour by 8 rows and packs it, as pack_again(). */
 	ldr	r1, [sp, #NARROW]
 	ldr	r3, [r1, #RED]
 	ldr	r5, [r1, #RED + 4]
@@ -138,7 +138,7 @@ soft_narrow_rows:
 	mov	r3, #8
 	b	.Lrows
 
-	/* From the middle corner on another edge is the left one, or the right. */
+	/* At the middle vertex, replaces the left edge or the right one. */
 .Lturn:
 	ldr	r2, [sp, #MORE]
 	cmp	r2, #0

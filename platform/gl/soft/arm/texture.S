@@ -1,6 +1,6 @@
 /*
- * band.c's soft_band_gray_c() for ARMv6: the same bytes. Offsets are those of
- * struct band. A pixel costs 20 instructions, 6 where it is hidden.
+ * band.c's soft_band_gray_c() for ARMv6, with the same results. A pixel costs 20
+ * instructions, 6 where it is hidden.
  */
 #include "platform/gl/soft/arm/offsets.h"
 
@@ -10,9 +10,9 @@
 	.text
 
 /*
- * The pixel in \wide's lower half, whose upper half is 0, becomes one mixed as
- * pixel.h mixes wide ones: \fraction of it, in 32nds, and \own, which is the rest
- * and WIDE_ROUND. \mask is WIDE_MASK.
+ * Blends the pixel in \wide, whose upper half is 0, as pixel.h does: the result
+ * is (pixel * \fraction + \own) >> 5, where \own is wide and holds WIDE_ROUND.
+ * \mask is WIDE_MASK.
  */
 	.macro	mix_wide wide, fraction, own, mask
 	orr	\wide, \wide, \wide, lsl #16
@@ -23,9 +23,9 @@
 	.endm
 
 /*
- * r1 behind the depth, r2 z, r3 texel, r4 share and its step, r6 z_right,
- * r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11 wide_mask,
- * r12 pixels, lr WIDE_ROUND; 20 instructions, which the jump to them knows.
+ * r1 the depth's address + 2 after its load, r2 z, r3 texel, r4 share above its
+ * step, r6 z_right, r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11
+ * WIDE_MASK, r12 pixels, lr WIDE_ROUND. The jump relies on 20 instructions.
  */
 	.macro	texture_pixel
 	ldrh	r5, [r1], #2
@@ -53,7 +53,7 @@ soft_band_gray:
 	ldr	r1, [r0, #BAND_ROWS]
 	push	{r0, r1}
 
-	/* this row's values; the next one's go back at once */
+	/* r1 to r4: this row's values; stores the next row's */
 .Lrow:
 	add	lr, r0, #BAND_DOWN
 	ldm	r0, {r1-r4}
@@ -73,7 +73,7 @@ soft_band_gray:
 	strd	r10, [r0, #BAND_EDGE]
 	ble	.Lnext
 
-	/* from column 0 to column r12; r5 pixels are left */
+	/* steps from column 0 to column r12; r5 is the number of pixels */
 	ldrd	r6, [r0, #BAND_RIGHT]
 	ldr	r8, [r0, #BAND_COLORS_RIGHT]
 	mla	r2, r12, r6, r2

@@ -1,7 +1,7 @@
 /*
- * tile_row.c for ARMv6: the same bytes. Offsets are those of struct tile_run.
- * A pixel of its own costs 23 instructions, one or two from fine 11, those in a
- * patch 45, or 60, and 3 for eight of them.
+ * tile_row.c for ARMv6, with the same results. A filtered pixel costs 23
+ * instructions, one or two from fine 11; the pixels of a patch cost 45, with fine
+ * 60, and 3 for every eight of them.
  */
 #include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
@@ -10,9 +10,9 @@
 	.text
 
 /*
- * Pixels in the patch of quad r12, this one and those that are inside as well,
- * one or two a step. What follows to_32 makes 2^32 all of the texture. r2, r7,
- * r8, r11, r12, lr are lost. The run's address is at sp + 12.
+ * Fills the pixels from this one on that lie in the patch of quad r12, one or two
+ * a step. to_32 is a shift of coordinates that makes the texture 2^32 wide. r2,
+ * r7, r8, r11, r12, lr are overwritten. The run's address is at sp + 12.
  */
 	.macro	fill_patch by_two, to_32:vararg
 	ldr	lr, [sp, #12]
@@ -72,9 +72,9 @@
 	.endm
 
 /*
- * r0 pixel, r1 count, r2 quads, r3 s, r4 t, r5, r6 their steps, r7 the columns'
- * mask, r8 the rows' where it lies in an index, r9 shade, r10 from 16.16 to
- * 2^32; the run's address is at sp.
+ * r0 pixel, r1 count, r2 quads, r3 s, r4 t, r5 and r6 their steps, r7 the columns'
+ * mask, r8 the rows' mask shifted to its place in an index, r9 shade, r10 16 -
+ * width_log2: the shift from 16.16 to 2^32; the run's address is at sp.
  */
 	.global	soft_tile_row
 	.type	soft_tile_row, %function
@@ -127,9 +127,9 @@ soft_tile_row:
 	pop	{r0, r4-r11, pc}
 
 /*
- * The same, two pixels a step or one, but r2 is fine, of r3 to r6 2^32 are all of
- * the texture, and r7 and r10 lead from there to the column and to the row where
- * it lies in an index, whose mask r8 is.
+ * The same from fine, two pixels a step or one: r2 is fine; in r3 to r6, 2^32 is
+ * the whole texture; r7 and r10 are shifts from there to the column, and to the
+ * row at its place in an index, whose mask is r8.
  */
 	.macro	from_fine by_two
 	push	{r0, r4-r11, lr}
@@ -170,7 +170,7 @@ soft_tile_row:
 	.endif
 	pop	{r0, r4-r11, pc}
 
-	/* its quad */
+	/* in a patch: finds the quad, which has the patch's number */
 4:	push	{r2, r7, r8}
 	ldr	lr, [sp, #12]
 	sub	r3, r3, r5

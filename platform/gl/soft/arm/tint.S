@@ -1,8 +1,7 @@
 /*
- * band.c's soft_band_tint_c() for ARMv6: the same bytes. Offsets are those of
- * struct band.
+ * band.c's soft_band_tint_c() for ARMv6, with the same results.
  *
- * A row costs 40 instructions, a pixel 53, or 9 unseen.
+ * A row costs 40 instructions, a pixel 53, or 9 if it is hidden.
  */
 #include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
@@ -10,7 +9,7 @@
 	.arm
 	.text
 
-/* Of what r0 + BAND_RIGHT leads to. */
+/* An offset in struct band while r0 has BAND_RIGHT added. */
 #define BEHIND(offset) (offset) - BAND_RIGHT
 
 	.global	soft_band_tint
@@ -35,7 +34,7 @@ soft_band_tint:
 	mla	r5, r6, lr, r5
 	pkhbt	r5, r5, r7, lsl #16
 
-	/* r1 depth, r2 z, r3 texel, r4 red and blue, r5 green under the pixels left */
+	/* r1 depth, r2 z, r3 texel, r4 red_blue, r5 green below the pixels left */
 .Lpixel:
 	ldrh	r6, [r1], #2
 	cmp	r2, r6, lsl #16
@@ -43,7 +42,7 @@ soft_band_tint:
 	mov	r6, r2, lsr #16
 	strh	r6, [r1, #-2]
 
-	/* r8 the weights of the texels above, r9 of those below */
+	/* filter weights: r8 of the two texels above, r9 of those below */
 	ldrd	r6, [r0, #BEHIND(BAND_MASK)]
 	mov	r8, r3, lsr #3
 	and	r8, r8, #31
@@ -114,7 +113,7 @@ soft_band_tint:
 	bgt	.Lrow
 	pop	{r3-r11, pc}
 
-	/* lr lies at the level's edge */
+	/* texel lr lies at the level's edge */
 .Lacross:
 	sub	sp, sp, #8
 	mov	r6, sp

@@ -1,6 +1,6 @@
 /*
- * vertex.c for ARMv6: the same numbers. Offsets are those of struct view and
- * struct vertex.
+ * soft_transform_c() for ARMv6, with the same results, for three shorts or floats;
+ * it calls the C function for other positions and for vertices outside.
  *
  * A vertex of three shorts costs 67 instructions, one of three floats 78.
  */
@@ -11,7 +11,7 @@
 	.arm
 	.text
 
-#define MATRIX_SIZE 64 /* of the view, which r0 is behind then */
+#define MATRIX_SIZE 64 /* of struct view's first members; r0 is past them then */
 
 /* r0 draw, r1 index, r2 vertex */
 	.global	soft_transform
@@ -26,7 +26,7 @@ soft_transform:
 	bhi	.Lother
 	beq	.Lfloats
 
-	/* r1 x, r4 y, r12 z, lr w; r3 the position's x and y, r11 its z */
+	/* clip coordinates: r1 x, r4 y, r12 z, lr w; position: r3 x and y, r11 z */
 	ldrsh	r11, [r3, #4]
 	pld	[r3, #64]
 	ldr	r3, [r3]
@@ -45,7 +45,7 @@ soft_transform:
 	smlawb	lr, r10, r11, lr
 	smlawb	r12, r7, r11, r12
 
-	/* Sums stay below 2^31: comparing is as good as subtracting. */
+	/* |coordinates| < 2^29, so comparisons with w and -w cannot overflow. */
 .Lclip:
 	cmp	lr, #1
 	cmpge	lr, r1
@@ -58,7 +58,7 @@ soft_transform:
 	stmia	r3, {r1, r4, r12, lr}
 	blt	.Loutside
 
-	/* r6 1/w, r7 its zeros */
+	/* r6 inverse_w_q30, r7 w_zeros */
 	ldr	r11, [r0, #VIEW_RECIPROCALS - MATRIX_SIZE]
 	clz	r7, lr
 	lsl	r8, lr, r7
@@ -93,7 +93,7 @@ soft_transform:
 	str	r6, [r2, #VERTEX_INVERSE_W]
 	asr	r8, r8, #4
 	asr	r9, r9, #4
-	/* outcode and shaded are zeros' upper bytes */
+	/* sets outcode and shaded to 0: they are the upper bytes of w_zeros' word */
 	stmia	r2, {r7-r10}
 	pop	{r2, r4-r11, pc}
 
@@ -127,7 +127,7 @@ soft_transform:
 	ldr	r2, [sp]
 	b	.Lclip
 
-	/* The same again, and on which sides. */
+	/* Outside: C computes all again, and the outcode. */
 .Loutside:
 	ldr	r1, [r2, #VERTEX_INDEX]
 	sub	r0, r0, #MATRIX_SIZE

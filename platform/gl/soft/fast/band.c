@@ -1,4 +1,4 @@
-/* Bands with a texture in C, which arm/texture.S and arm/tint.S draw again. */
+/* Bands with a texture in C; arm/texture.S and arm/tint.S do the same. */
 #include "platform/gl/soft/fast/band.h"
 
 #include "platform/base/compiler.h"
@@ -27,7 +27,7 @@ static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
 	}
 }
 
-/* What moves on with every pixel; green has the pixels that follow above it. */
+/* A pixel's values; green's upper half counts the pixels that follow. */
 struct band_pixel {
 	uint32_t z, texel, red_blue, green;
 };
@@ -44,7 +44,7 @@ static ALWAYS_INLINE struct band_pixel find_pixel(
 		row->green + band->green_right * n};
 }
 
-/* Addresses are numbers: the assembly adds them up like all else. */
+/* Addresses are integers here, because the assembly adds them up so, too. */
 static ALWAYS_INLINE uint16_t *find_depth(const struct band *band, int column)
 {
 	return (uint16_t *)(band->row.depth + 2 * (uintptr_t)column);
@@ -97,7 +97,7 @@ void soft_band_gray_c(struct band *band)
 	draw_rows(band, draw_gray);
 }
 
-/* A texel's channels times 2^18: 5 or 6 bits, and 13 of fraction. */
+/* A filtered texel's channels of 5 or 6 bits, times 2^18 = 32 * 8192. */
 struct channels {
 	uint32_t red, green, blue;
 };
@@ -139,7 +139,7 @@ static ALWAYS_INLINE struct channels load_linear(
 	};
 }
 
-/* The channels by a colour, and more: 17 bits of fraction. */
+/* Channels times the colour plus more, with 17 fraction bits, as RGB565. */
 static ALWAYS_INLINE uint16_t shade(
 	const struct band *band, struct channels c, const struct band_pixel *at)
 {

@@ -1,8 +1,8 @@
 /*
- * Bands: rows of a triangle between two of its edges. Those with an RGB565
- * texture have a depth that is tested LESS and written; the picture is RGB565.
+ * Bands: the rows of a triangle above or below its middle vertex. A struct band
+ * has an RGB565 texture; its depth is tested LESS; the picture is RGB565.
  *
- * Functions draw all rows, and leave row and edge at the row after them.
+ * Functions draw all rows of a band, and leave row and edges at the next row.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_BAND_H
 #define PLATFORM_GL_SOFT_FAST_BAND_H
@@ -19,12 +19,12 @@ enum {
 };
 
 /*
- * A band's edges: 16.16, and 0x7FFF more than where they are, so that the upper
- * half is the first column inside of it, or outside; and how many rows follow.
+ * A band's edges in a row, 16.16 with 0x7FFF added, so that the upper half is
+ * the first column inside of the left edge, or outside of the right one.
  */
 struct band_edges {
 	uint32_t at[2], step[2];
-	int32_t rows;
+	int32_t rows; /* that are left */
 };
 
 static inline int band_column(const struct band_edges *edges, int side)
@@ -32,7 +32,7 @@ static inline int band_column(const struct band_edges *edges, int side)
 	return (int32_t)edges->at[side] >> 16;
 }
 
-/* To the next row. Below an edge's end it may wrap; no row reads it there. */
+/* Steps to the next row. Below an edge's end, at may wrap: no row reads it. */
 static inline void band_next_row(struct band_edges *edges)
 {
 	edges->at[BAND_LEFT] += edges->step[BAND_LEFT];
@@ -41,103 +41,104 @@ static inline void band_next_row(struct band_edges *edges)
 }
 
 /*
- * What moves on with every row; all but the depth's address is at column 0, and
- * right modulo 2^32. Colours are 1.15 and stay below 1, so that each is a
- * factor of a signed multiplication of 16 bits.
+ * Values at column 0 of a row, right modulo 2^32; or their steps a row. Colours
+ * are 1.15 and stay below 1, so that each is a factor of a signed
+ * multiplication of 16 bits.
  */
 struct band_row {
-	uintptr_t depth;
+	uintptr_t depth; /* address */
 	uint32_t z_q16;
 	/*
 	 * t in the upper half, s in the lower one, in 1/256 of the level's
-	 * texels; where four are mixed, half a texel less
+	 * texels; for bilinear filters half a texel less
 	 */
 	uint32_t texel;
-	uint32_t red_blue; /* red in the upper half; of gray a share of 6.26 */
-	uint32_t green;    /* in the lower half; of gray unused */
+	uint32_t red_blue; /* red in the upper half; gray: its factor, 6.26 */
+	uint32_t green;    /* in the lower half; gray: unused */
 };
 
 enum {
-	/* The most of a gray row: rounding may add one to 32. */
+	/* longest gray row: 32, and one more by rounding */
 	BAND_GRAY_PIXELS = 33,
-	/* The next texel in both directions of struct band_row. */
+	/* one texel in s and t of band_row.texel */
 	TINT_NEXT = 0x01000100,
 	/*
-	 * A channel of two texels side by side, at bits 5 to 9, or 10, of both
-	 * halves: green as it is, red down by six, blue up by five.
+	 * Masks of a channel of two neighbouring texels, at bits 5 to 9, or 10,
+	 * of both halves: green unshifted, red >> 6, blue << 5.
 	 */
 	TINT_RED_BLUE = 0x03E003E0,
 	TINT_GREEN = 0x07E007E0,
 };
 
-/* Of tinted channels: a half, and what is added to all fragments. */
+/* Added to tinted channels, Q17: a half, and a colour added to all fragments. */
 struct band_more {
-	uint32_t green; /* of gray: WIDE_ROUND */
+	uint32_t green; /* gray: WIDE_ROUND */
 	uint32_t red, blue;
 };
 
 /*
- * Levels of up to 256 texels that repeat, or parts of other levels in which no
- * coordinate leaves the mask. arm/layout.c says what is fixed.
+ * A band with a texture: a level of up to 256 x 256 texels that repeats, or a
+ * part of a level whose coordinates stay within the mask. arm/layout.c asserts
+ * which members the assembly expects side by side.
  */
 struct band {
-	_Alignas(8) struct band_row row; /* of the next row */
-	struct band_row down;            /* a row further */
+	_Alignas(8) struct band_row row; /* the next row to draw */
+	struct band_row down;            /* steps a row */
 	struct band_edges edges;
-	_Alignas(8) uint32_t z_right; /* a pixel further */
+	_Alignas(8) uint32_t z_right; /* steps a pixel */
 	uint32_t texel_right;
 	uint32_t red_blue_right;
-	uint32_t green_right; /* less 0x10000, to count */
-	uint32_t texel_mask;  /* whole texels of the level, or part */
-	uint32_t texel_shift; /* 24 less the width's log2 */
+	uint32_t green_right; /* minus 0x10000, which counts pixels */
+	uint32_t texel_mask;  /* of whole texels in band_row.texel */
+	uint32_t texel_shift; /* 24 - log2 of the level's width */
 	const uint8_t *texels;
-	uint32_t stride_bytes; /* of the level; of gray: WIDE_MASK */
-	uintptr_t pixels;      /* from behind a depth to its pixel */
+	uint32_t stride_bytes; /* of the level; gray: WIDE_MASK */
+	uintptr_t pixels;      /* from a depth's address + 2 to its pixel's */
 	struct band_more more;
 };
 
-/* A level as struct band has it. */
+/* A level's part of struct band. */
 struct textured_level {
 	uint32_t texel_mask, texel_shift;
 	const uint8_t *texels;
 	uint32_t stride_bytes;
-	/* from 16.16 of the base's texels to 8 bits of its own */
+	/* shifts from 16.16 base texels to 8 fraction bits of the level */
 	int32_t s_down, t_down;
-	bool whole; /* it repeats and is no larger than 256 */
+	bool whole; /* the level repeats and is at most 256 x 256 */
 };
 
 /*
- * What small textured triangles of a draw call share, so that setting one up
- * looks nothing else up. fill_texture.c makes it.
+ * What the small textured triangles of a draw call have in common, prepared so
+ * that setting one up reads nothing else. fill_texture.c fills it.
  */
 struct textured {
-	int32_t last_level;    /* of those to choose from */
-	struct band_more more; /* of tints */
+	int32_t last_level;    /* 0 without mipmaps */
+	struct band_more more; /* for bilinear, tinted triangles */
 	struct textured_level level[SOFT_LEVELS];
 };
 
 /*
- * What fill_flat.c draws without a depth test, opaque or blended, where the
- * stencil has a reference value, which becomes another.
+ * What fill_flat.c does to pixels, opaque or blended, where the stencil is
+ * reference, which becomes next.
  */
 struct flat_color {
-	uint8_t reference, next; /* what the stencil has, and gets */
-	/* (picture keep + own) >> 5, wide; own holds the rounding */
+	uint8_t reference, next;
+	/* (pixel * keep + own) >> 5, wide; own holds the rounding */
 	uint32_t keep, own;
 };
 
 /*
- * Nearest texels under a shade of gray, in rows of up to BAND_GRAY_PIXELS, and
- * four mixed ones under a colour, of at least one row: arm/texture.S and
- * arm/tint.S, or portable/triangles.c. Rows lie inside of the picture, whose
- * rows are as far apart as the depth's.
+ * arm/texture.S and arm/tint.S, or portable/triangles.c: draw a band of at
+ * least one row. gray: nearest texels times a gray, rows of up to
+ * BAND_GRAY_PIXELS; tint: bilinear ones times a colour. Rows lie inside of the
+ * picture, which has the same stride as the depth buffer.
  */
 void soft_band_gray(struct band *band);
 void soft_band_tint(struct band *band);
-/* band.c: the same bytes. */
+/* band.c: the same in C, with the same results. */
 void soft_band_gray_c(struct band *band);
 void soft_band_tint_c(struct band *band);
-/* The pairs above and below where one lies across the edge of the level. */
+/* Loads the texels at and right of at, and the pair below, across level edges. */
 void soft_tint_across(const struct band *band, uint32_t at, uint32_t pair[2]);
 
 #endif

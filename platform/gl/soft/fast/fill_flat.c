@@ -1,6 +1,6 @@
 /*
- * Triangles of any size in one colour for all of a call, without a depth test,
- * where a stencil lets each pixel through once.
+ * Triangles of any size, all of a call in one colour, without a depth test,
+ * where the stencil test is EQUAL: shadows, which darken each pixel once.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/raster/frame.h"
@@ -16,7 +16,7 @@ static uint8_t next_stencil(const struct stencil *stencil)
 void soft_fill_flat_begin(struct draw *draw)
 {
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
-	/* Where all of a call has one colour, no vertex is shaded. */
+	/* no vertex is shaded: the call's colour is the current one */
 	const GLfixed *color = draw->soft->arrays.current_color;
 	uint32_t own = widen(pack_565(
 		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2])));
@@ -41,10 +41,10 @@ static ALWAYS_INLINE void draw_pixel(
 	}
 }
 
-/* Rows between two edges, and the row under way. */
+/* A band, and the addresses of its next row. */
 struct part {
 	const struct draw *draw;
-	uint8_t *pixels, *stencil; /* of column 0 */
+	uint8_t *pixels, *stencil; /* the row's column 0 */
 	ptrdiff_t stride_bytes, stencil_stride;
 	struct band_edges edges;
 };
@@ -97,7 +97,7 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 			&part.edges, draw_rows, &part);
 		return;
 	}
-	/* The long edge is left of the middle vertex or right of it. */
+	/* whether the middle vertex lies left of the long edge */
 	middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
 		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
 	raster_draw_bands(

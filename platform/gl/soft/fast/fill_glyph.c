@@ -1,13 +1,13 @@
 /*
- * Upright rectangles of two triangles in one colour through the alpha of a
- * texture's nearest texels, without tests: text, and panels, whose corners all
- * have the same texel.
+ * Draws upright rectangles of two triangles in one colour, blended by the alpha
+ * of nearest texels, without tests: text; and panels, all of whose corners have
+ * the same texture coordinates.
  */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
-/* 0 to 32, of a texel in place or the one where coordinates wrap to. */
+/* A texel's alpha as 0 to 32; its coordinates are wrapped or clamped. */
 static uint32_t load_alpha(const struct texture_input *input, int s, int t)
 {
 	const struct texture *texture = input->texture;
@@ -19,7 +19,7 @@ static uint32_t load_alpha(const struct texture_input *input, int s, int t)
 	return (input->base->texels[(t << input->width_log2) + s] + 4u) >> 3;
 }
 
-/* Attributes are 8.8 with a bit to spare at their ends. */
+/* Converts an alpha attribute, 8.8, to 0 to 32. */
 static uint32_t share_of(int32_t attribute)
 {
 	return ((uint32_t)attribute + (4 << 8)) >> 11;
@@ -30,7 +30,7 @@ static int texel_of(int32_t at_q16, int log2)
 	return (int)((int64_t)at_q16 * (1 << log2) >> 16);
 }
 
-/* Of a single texel and the colour's alpha. */
+/* The alpha, 0 to 32, of a vertex's texel times that of its colour. */
 static uint32_t share_through(const struct draw *draw, const int32_t *attribute)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -47,7 +47,7 @@ static bool are_upright(struct vertex *const v[4])
 		v[1]->y == v[3]->y && v[0]->x < v[2]->x && v[0]->y < v[1]->y;
 }
 
-/* One colour, and coordinates that run along with the sides. */
+/* Whether all corners have one colour, and s changes only in x, t only in y. */
 static bool are_equal(struct vertex *const v[4])
 {
 	const int32_t *a = v[0]->attribute, *b = v[1]->attribute;
@@ -62,8 +62,8 @@ static bool are_equal(struct vertex *const v[4])
 }
 
 /*
- * From which texel on pixels of a side run, from a centre on; -1 where texels
- * are not as wide as pixels, or not all there. Ends in sixteenths and 16.16.
+ * The texel of pixel first along a side from begin to end, in 1/16 pixels; -1
+ * unless texels are as wide as pixels and count of them lie in the texture.
  */
 static int find_texel(int first, int count, int32_t begin, int32_t end,
 	int32_t from_q16, int32_t to_q16, int log2)
@@ -81,8 +81,8 @@ static int find_texel(int first, int count, int32_t begin, int32_t end,
 }
 
 /*
- * All of it through one texel: share, 0 to 32, is the color's. Behind panels rows
- * are often of one colour, as of a gradient, and so is what becomes of them.
+ * Blends a box with a colour by share, 0 to 32. Behind panels, rows often have one
+ * colour, as those of a gradient: then one pixel is blended, and fills the row.
  */
 static void mix_box(const struct draw *draw, const struct clip_box *box,
 	uint16_t color, uint32_t share)
@@ -103,7 +103,7 @@ static void mix_box(const struct draw *draw, const struct clip_box *box,
 	}
 }
 
-/* A row through so many texels, of whose alpha share, 0 to 32, counts. */
+/* Blends a row by its texels' alpha times share / 32. */
 static void mix_row(uint16_t *pixel, const uint8_t *texel, int count,
 	uint32_t wide_color, uint32_t share)
 {
@@ -117,7 +117,7 @@ static void mix_row(uint16_t *pixel, const uint8_t *texel, int count,
 	}
 }
 
-/* False where texels are no pixels. */
+/* Draws a letter; false unless each texel is one pixel. */
 static bool draw_letter(const struct draw *draw, struct vertex *const v[4],
 	const struct clip_box *box, uint16_t color)
 {

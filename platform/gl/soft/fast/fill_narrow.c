@@ -1,6 +1,6 @@
 /*
- * Opaque triangles without a texture in a few columns: most of a character's.
- * Set up in 32 bits, with rows and colours that run as one number.
+ * Opaque triangles without a texture, up to 23 columns wide, as most of a
+ * character's are: set up in 32 bits, with the colour packed into one word.
  */
 #include "platform/gl/soft/fast/narrow.h"
 
@@ -24,7 +24,7 @@ bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
 	return !raster_bends(&perspective, most, rows_color_tolerance(draw));
 }
 
-/* Mostly w differs by less than a 16th: so all colours run linearly. */
+/* Whether colours are linear; known at once if w differs by at most 1/32. */
 static ALWAYS_INLINE bool runs_linearly(
 	const struct draw *draw, const struct setup *setup)
 {
@@ -37,24 +37,25 @@ static ALWAYS_INLINE bool runs_linearly(
 		soft_fill_is_linear(draw, setup);
 }
 
-/* Six or five bits of RGB565, and so many less of fraction than 8.16 have. */
+/* Drops a step's lowest bits, rounded to the nearest. */
 static ALWAYS_INLINE uint32_t round_off(uint32_t value, int bits)
 {
 	return (uint32_t)((int32_t)(value + (1u << (bits - 1))) >> bits);
 }
 
-/* What the channels are found from: struct frame's, in halves of words. */
+/* struct frame's values for channels, differences in halves of words. */
 struct corners {
-	/* of the second vertex from the first, and of the third */
+	/* from v[0] to v[1] in the lower half, to v[2] in the upper one */
 	uint32_t x, y;
-	int32_t off_x, off_y; /* times 2^11 */
+	int32_t off_x, off_y; /* struct frame's, times 2^11 */
 	int32_t inverse;
 	int shift;
 };
 
 /*
- * Deltas lose their lowest bit to fit 16; bits are those of five or six of
- * the colour, cut those that packing cuts.
+ * Sets a channel's plane and adds its steps to the packed ones. Differences
+ * lose their lowest bit to fit 16 bits. bits is 5 or 6, as in RGB565; cut is
+ * how many fraction bits packing drops; place is the field's lowest bit.
  */
 static ALWAYS_INLINE void add_channel(struct narrow *narrow,
 	const struct setup *setup, const struct corners *corners, int name,
@@ -71,7 +72,7 @@ static ALWAYS_INLINE void add_channel(struct narrow *narrow,
 	const uint32_t down =
 		(uint32_t)mul_high(cross_halves(corners->x, d), inverse)
 		<< (corners->shift + 1);
-	/* half a step of RGB565, and half of what is cut */
+	/* half a step of RGB565, and half of what packing drops */
 	const int32_t round = (1 << (22 - bits)) + (1 << (cut - 2));
 	int32_t start = round + ((first << 7) - (first << (7 - bits)));
 
@@ -88,7 +89,7 @@ static ALWAYS_INLINE void set_edges(const struct draw *draw,
 	const struct vertex *const *v = setup->v;
 	const int32_t *inverse = draw->inverse_q31;
 
-	OPAQUE(inverse); /* else it is found from draw for each side */
+	OPAQUE(inverse); /* else compilers find it from draw for each edge */
 	narrow->rows = setup->middle - setup->top;
 	narrow->more = setup->bottom - setup->middle;
 	narrow->middle_left = middle_left;

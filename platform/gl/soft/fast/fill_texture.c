@@ -1,23 +1,23 @@
 /*
  * Small opaque triangles with one RGB565 texture, set up as bands: nearest
- * texels under one share of all colours, or four mixed under three. Larger
- * ones, and those at the edges of levels that do not repeat or are larger than
- * 256, are drawn by the span template.
+ * texels times a gray, or bilinear ones times a colour. Span functions draw
+ * larger triangles, and those at the edges of levels that are clamped or larger
+ * than 256 texels.
  */
 #include "platform/gl/soft/fast/band.h"
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/pixel.h"
 
 enum {
-	/* So many sixteenths of a pixel, so that 1/256 of texels are enough. */
+	/* largest size in 1/16 pixels for which 1/256 texels are exact enough */
 	BAND_EXTENT = 32 * 16,
-	/* Half of 1/32, so that 255 is 32/32. */
+	/* half of 1/32, so that 255 becomes 32/32 */
 	SHARE_ROUND = 4 << 8,
-	/* Half a texel, and what rounding in a band can add up to. */
+	/* half a texel, and the sum of rounding errors in a band */
 	TEXEL_SPARE = 128 + 80,
 };
 
-/* A triangle on its way into a band. */
+/* A small triangle whose band is being set up. */
 struct small {
 	const struct setup *setup;
 	struct frame frame;
@@ -33,7 +33,7 @@ static ALWAYS_INLINE struct run find_color(
 		v[1]->attribute[name] - first, v[2]->attribute[name] - first);
 }
 
-/* In 16.16 of the base's texels. */
+/* A texture coordinate's run, in 16.16 base texels. */
 static ALWAYS_INLINE struct run find_texels(
 	const struct small *small, const struct delta *delta)
 {
@@ -44,14 +44,14 @@ static ALWAYS_INLINE struct run find_texels(
 	return out;
 }
 
-/* What a value is at column 0. */
+/* Moves a run's start from frame.column to column 0. */
 static ALWAYS_INLINE uint32_t leave_column(
 	const struct small *small, uint32_t start, uint32_t right)
 {
 	return start - right * (uint32_t)small->frame.column;
 }
 
-/* A shade of gray, as shares. */
+/* Sets up a gray, as factors of 6.26, of 32. */
 static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 {
 	const struct run share = find_color(small, RED, SHARE_ROUND);
@@ -64,7 +64,7 @@ static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 	band->more.green = WIDE_ROUND;
 }
 
-/* 1.15 of a plane's colour. */
+/* Converts a plane's colour, 8.16, to 1.15, rounded. */
 static ALWAYS_INLINE int32_t weight(int32_t color)
 {
 	return (color + 256) >> 9;
@@ -86,7 +86,7 @@ static ALWAYS_INLINE void set_tint(const struct small *small,
 	band->down.red_blue = pair_weights(r.down, b.down);
 	band->row.red_blue = leave_column(
 		small, pair_weights(r.start, b.start), band->red_blue_right);
-	/* Steps that leave 16 bits are of rows of one pixel. */
+	/* Steps that do not fit 16 bits occur only in rows of one pixel. */
 	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
 	band->down.green = (uint32_t)weight(g.down);
 	band->row.green = leave_column(
@@ -94,7 +94,7 @@ static ALWAYS_INLINE void set_tint(const struct small *small,
 	band->more = textured->more;
 }
 
-/* The level whose texels are nearest in size to pixels; see choose_level(). */
+/* The level whose texels are nearest in size to pixels, as soft_set_level(). */
 static ALWAYS_INLINE int find_level(
 	int last, const struct run *s, const struct run *t)
 {
@@ -103,7 +103,7 @@ static ALWAYS_INLINE int find_level(
 	return clamp_int((lod + 127) >> 8, 0, last);
 }
 
-/* 256ths of the level's texels: the nearest ones, or cut. */
+/* s and t in 1/256 of the level's texels, in a word; rounded if nearest. */
 static ALWAYS_INLINE uint32_t pair_texels(
 	const struct textured_level *level, int32_t s, int32_t t, bool nearest)
 {
@@ -130,16 +130,16 @@ static ALWAYS_INLINE void set_texels(const struct small *small,
 	band->stride_bytes = linear ? level->stride_bytes : WIDE_MASK;
 }
 
-/* A band reaches so many bits of coordinates. */
+/* How many bits of a level's texel coordinates a band's mask can have. */
 static int find_reach(int log2, int most)
 {
 	return log2 < most ? log2 : most;
 }
 
 /*
- * The first texel that a triangle needs, if the band reaches all others from
- * there, and none of them is the last one. Levels that repeat, and which the
- * band reaches as a whole, stay where they are.
+ * Finds the first texel that a triangle needs. False unless the band reaches
+ * all others from there, without the level's last one. In levels that repeat
+ * and have up to 256 texels the first one stays 0.
  */
 static bool find_first(const struct frame_texels *texels, int down,
 	bool repeats, int log2, int reach, int32_t *first)
@@ -156,7 +156,7 @@ static bool find_first(const struct frame_texels *texels, int down,
 		(high >> 8) - *first < (1 << reach) - 1;
 }
 
-/* Lets the band begin there; false where it does not reach all texels. */
+/* Lets the band begin at that texel; false if it does not reach all texels. */
 static NEVER_INLINE bool move_texels(const struct draw *draw,
 	const struct setup *setup, const struct textured_level *level,
 	struct band *band)
@@ -194,7 +194,7 @@ static ALWAYS_INLINE uint32_t find_red_spread(const struct setup *setup)
 		v[1]->attribute[RED] - first, v[2]->attribute[RED] - first);
 }
 
-/* Whether texels leave their range, or perspective shows. */
+/* Whether texels differ too much, or perspective correction is needed. */
 static ALWAYS_INLINE bool bends(const struct draw *draw,
 	const struct setup *setup, bool linear, const struct delta *s,
 	const struct delta *t)
@@ -214,11 +214,11 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 
 		return raster_bends(&perspective, most > gray ? most : gray, 0);
 	}
-	/* Of levels texels are no smaller than pixels. */
+	/* with mipmaps, a texel of the chosen level is about a pixel wide */
 	if (most > extent && draw->texture[0].levels > 1) {
 		most = extent;
 	}
-	/* Colours differ by less than 2^16. */
+	/* Colours differ by < 2^16: linear enough if w differs by up to 1/16 */
 	return raster_bends(&perspective, most, 0) ||
 		(perspective.w_spread > perspective.w_least >> 4 &&
 			!soft_fill_is_linear(draw, setup));
@@ -239,8 +239,8 @@ static ALWAYS_INLINE void set_rows(
 }
 
 /*
- * Whether a triangle has so many pixels that the span template, which takes
- * longer to begin a triangle and a row, but less for a pixel, is faster.
+ * Whether a triangle has so many pixels that a span function is faster, which
+ * needs more time to begin a triangle and a row, but less for a pixel.
  */
 static ALWAYS_INLINE bool is_full(const struct setup *setup)
 {
@@ -321,7 +321,7 @@ static bool is_gray(const struct setup *setup)
 		       (c[0] ^ c[1]) | (c[0] ^ c[2])) == 0;
 }
 
-/* Nearest texels under three colours are left to the span template. */
+/* Span functions draw nearest texels times a colour that is no gray. */
 void soft_fill_textured(struct draw *draw, struct setup *setup)
 {
 	bool linear = draw->texture[0].texture->mag_filter == GL_LINEAR;
@@ -357,7 +357,7 @@ static void set_levels(
 	}
 }
 
-/* 17 bits of fraction. */
+/* A channel of struct band_more. */
 static uint32_t find_more(const struct draw *draw, int channel)
 {
 	return (1 << 16) -

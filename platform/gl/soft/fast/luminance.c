@@ -1,4 +1,4 @@
-/* From runs of the span walk to rows of tiles: depth, level, shade and alpha. */
+/* Draws the span walk's runs by rows of tiles: depth, level, gray and alpha. */
 #include "platform/gl/soft/fast/tile_row.h"
 
 #include "platform/gl/soft/fast/tiles.h"
@@ -10,10 +10,10 @@
 #include "platform/gl/soft/stages/made.h"
 
 enum {
-	/* Half of 1/32, so that 255 is 32/32. */
+	/* half of 1/32 in 8.16, so that 255 becomes 32/32 */
 	SHARE_ROUND = 4 << 16,
-	SHARE_STEP = 1 << 19,
-	/* Shares may move on by more than a step every so many pixels. */
+	SHARE_STEP = 1 << 19, /* 1/32 in 8.16 */
+	/* most pixels that share an alpha where it changes by more than a step */
 	SHARE_PIXELS = 8,
 };
 
@@ -22,7 +22,7 @@ static int choose_level(const struct draw *draw, int lod)
 	const struct texture_input *input = &draw->texture[0];
 	int side = input->width_log2 < input->height_log2 ? input->width_log2
 							  : input->height_log2;
-	/* Down to two texels: less has no quads. */
+	/* the smallest level has two texels a side: one has no quads */
 	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
 	int number = clamp_int((lod + 127) >> 8, 0, most);
 
@@ -52,7 +52,7 @@ static void set_level(struct draw *draw, int lod)
 	tiled->draw = square ? soft_tile_row : soft_tile_row_c;
 }
 
-/* So many that one share is less than a step off for each, or as will do. */
+/* How many pixels may share an alpha, so that each is off by less than a step. */
 static int share_pixels(int32_t alpha_right)
 {
 	uint32_t step = raster_size(alpha_right);
@@ -64,7 +64,7 @@ static int share_pixels(int32_t alpha_right)
 	return count;
 }
 
-/* Of the middle of so many pixels. */
+/* The alpha, 0 to 32, in the middle of count pixels from number from on. */
 static uint32_t find_share(
 	const struct tiled *tiled, uint32_t from, uint32_t count)
 {
@@ -74,7 +74,7 @@ static uint32_t find_share(
 	return (middle + SHARE_ROUND) >> 19;
 }
 
-/* Mixes what is shaded into the picture, with one alpha for as many as will do. */
+/* Blends shaded pixels into the picture, with one alpha for several pixels. */
 static void blend(const struct tiled *tiled, const uint16_t *shaded)
 {
 	uint32_t size = raster_size(tiled->alpha_right);
@@ -91,7 +91,7 @@ static void blend(const struct tiled *tiled, const uint16_t *shaded)
 	}
 }
 
-/* Grays of luminance by shares, 8.8, which move on by right. */
+/* Converts luminance to pixels of gray: luminance * share, 8.8, right a step. */
 struct grays {
 	const uint32_t *gray;
 	const uint16_t *luminance;
@@ -106,7 +106,7 @@ static ALWAYS_INLINE void make_one_gray(struct grays *at)
 	at->share += at->right;
 }
 
-/* The two of a word. */
+/* Two pixels at once, which are a word. */
 static ALWAYS_INLINE void make_two_grays(struct grays *at)
 {
 	uint32_t two = soft_load_two(at->luminance);
@@ -121,8 +121,8 @@ static ALWAYS_INLINE void make_two_grays(struct grays *at)
 }
 
 /*
- * Luminance becomes gray; both pointers lie equally in words. A function by
- * itself, so that the loop has all registers.
+ * Converts a run's luminance to gray. Both pointers have the same alignment in
+ * words. Not inlined, so that the loop has all registers.
  */
 static NEVER_INLINE void make_gray(
 	const struct draw *draw, const uint16_t *luminance, uint16_t *out)
@@ -146,7 +146,7 @@ static NEVER_INLINE void make_gray(
 	}
 }
 
-/* The shades that the level has, each mixed into a pixel by a share. */
+/* Fills draw->mixed: each shade of the level, blended with a pixel by share. */
 static NEVER_INLINE void make_mixed(
 	struct draw *draw, uint16_t pixel, uint32_t share)
 {
@@ -166,8 +166,8 @@ static NEVER_INLINE void make_mixed(
 }
 
 /*
- * Draws what is blended at once where it has one alpha and all that is there is
- * one colour, as in a row of a gradient; else returns false.
+ * Draws a blended run by a table, draw->mixed, if it has one alpha and the
+ * picture has one colour there, as rows of a gradient do; else returns false.
  */
 static bool draw_mixed(struct draw *draw)
 {
@@ -193,7 +193,7 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 {
 	struct tiled *tiled = &draw->tiled;
 	uint16_t *pixel = tiled->pixel;
-	/* Words lie in one as they do in the other. */
+	/* aside has the same alignment in words as pixel */
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
 	if (tiled->from_fine == 2 && draw->soft->counts) {
@@ -212,13 +212,13 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 	}
 }
 
-/* Of 255 parts into 256, 8.8; the half that planes have rounds. */
+/* Converts a colour, 8.8 of 255, to 8.8 of 256; planes have a half added. */
 static int32_t to_share(int32_t color_q8)
 {
 	return color_q8 * 257 >> 8;
 }
 
-/* Of 8.7 above green, which may have taken one from it. */
+/* alpha's step in 8.16, from 8.7 above green, which may have borrowed one. */
 static int32_t find_alpha_right(const struct soft_run *run)
 {
 	const uint32_t right = run->green_alpha_right;
@@ -227,9 +227,9 @@ static int32_t find_alpha_right(const struct soft_run *run)
 }
 
 /*
- * Two pixels a step where neither is far off from the middle between them; of
- * the base, which may be seen from so near that places show, one pixel a step
- * where none is wider than a pixel.
+ * Chooses from_fine: two pixels a step where both differ little from the middle
+ * between them. Not in the base level, which may be magnified: there, one pixel
+ * a step, if no place of fine is wider than a pixel.
  */
 static ALWAYS_INLINE void choose_places(struct tiled *tiled)
 {
@@ -251,7 +251,7 @@ static ALWAYS_INLINE void choose_places(struct tiled *tiled)
 	}
 }
 
-/* Texels of the level from those of the base, 16.16. */
+/* Sets a run's coordinates in the level from those in base texels, 16.16. */
 static ALWAYS_INLINE void set_texels(
 	struct tiled *tiled, const struct soft_made_at *at)
 {
@@ -270,8 +270,8 @@ static ALWAYS_INLINE void set_texels(
 }
 
 /*
- * The same depth for all pixels of a row if rounding alone makes them differ,
- * as in level planes.
+ * Writes a row's depths; a single value if they differ by less than a unit, as
+ * in level planes.
  */
 static void write_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
@@ -285,7 +285,7 @@ static void write_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right
 		z += z_right;
 		count--;
 	}
-	/* Four words a turn, as the loop's own work counts. */
+	/* four words an iteration, to lessen the loop's overhead */
 	for (; count >= 8; count -= 8) {
 		for (int i = 0; i < 4; i++, depth += 2) {
 			uint32_t next = z + z_right;
@@ -333,7 +333,7 @@ static NEVER_INLINE void draw_listed(const struct soft_run *run)
 	}
 }
 
-/* Runs as span functions get them, their colours in bytes. */
+/* Draws runs in place of a span function; their colours are 8.8. */
 static void draw_rows(const struct soft_run *run)
 {
 	if (run->draw->raster.perspective) {
@@ -343,7 +343,7 @@ static void draw_rows(const struct soft_run *run)
 	draw_listed(run);
 }
 
-/* Of halves of 127ths, 0 to 255. */
+/* Converts luminance in halves of 127ths to 0 to 255. */
 static uint32_t luminance_of(uint32_t halves)
 {
 	return (halves * 257 + 128) >> 8;
@@ -370,7 +370,7 @@ static bool is_same_plane(const struct plane *a, const struct plane *b)
 	return a->start == b->start && a->dx == b->dx && a->dy == b->dy;
 }
 
-/* Whether red, green and blue move, and are the same all over. */
+/* Whether red, green and blue change, and are equal everywhere. */
 static bool is_gray(const struct raster *raster)
 {
 	const uint32_t colors = 7u << RED;
@@ -381,7 +381,7 @@ static bool is_gray(const struct raster *raster)
 		is_same_plane(&plane[RED], &plane[BLUE]);
 }
 
-/* Whether the triangle is taken: in one colour, or in gray. */
+/* Whether this path draws the triangle: in one colour or in varying gray. */
 static bool begin(struct draw *draw)
 {
 	struct raster *raster = &draw->raster;
@@ -401,7 +401,7 @@ static bool begin(struct draw *draw)
 
 void soft_luminance_init(struct draw *draw)
 {
-	draw->shade_color[0] = UINT32_MAX; /* no colour */
+	draw->shade_color[0] = UINT32_MAX; /* no colour is equal to it */
 	for (uint32_t i = 0; i < 255; i++) {
 		draw->luminance[i] = twice_565(luminance_of(i));
 	}
@@ -410,7 +410,7 @@ void soft_luminance_init(struct draw *draw)
 	}
 }
 
-/* The walk over rows, with runs that are longer and drawn here. */
+/* Walks the rows with longer runs, which are drawn here. */
 static void walk(struct draw *draw, const struct setup *setup)
 {
 	static const struct soft_scales bytes = {1 << 24, 1 << 24, 0, 0};

@@ -1,6 +1,6 @@
 /*
- * Opaque triangles without a texture in a few columns: their rows, with colours
- * that run as one number. fill_narrow.c sets them up.
+ * Rows of opaque triangles without a texture, up to 23 columns wide, whose
+ * colour is stepped as one packed word. fill_narrow.c sets them up.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_NARROW_H
 #define PLATFORM_GL_SOFT_FAST_NARROW_H
@@ -9,46 +9,46 @@
 
 enum {
 	/*
-	 * The packed colour's steps are off by a 64th of a step of RGB565 at
-	 * most, and it is taken afresh after so many rows: it stays within
-	 * half a step for up to so many columns (one more by rounding).
+	 * The packed colour's steps are off by at most 1/64 of a step of RGB565,
+	 * and it is computed anew every NARROW_CHUNK rows, so that it is off by
+	 * at most half a step in NARROW_COLUMNS columns, or one more by rounding.
 	 */
 	NARROW_CHUNK = 8,
 	NARROW_COLUMNS = 23,
-	/* All that moves on with a row is given so many columns further left. */
+	/* z and packed of a row are those of so many columns left of column 0. */
 	NARROW_LEFT = 24,
 };
 
 /*
- * What moves on with a row; packed is 6.5 green, 5.6 red, 5.5 blue. Edges are
- * those of struct band_edges.
+ * A row's values, or their steps a row. packed is 6.5 of green, 5.6 of red and
+ * 5.5 of blue, from the top. left and right are as in struct band_edges.
  */
 struct narrow_row {
-	uintptr_t depth; /* an address */
+	uintptr_t depth; /* address of column 0 */
 	uint32_t z, packed, left, right;
 };
 
-/* A colour's channel, times 31/32 or 63/64: in 8.15 and 8.16 bits. */
+/* A colour's channel times 31/32 or 63/64: start is 8.15, its step down 8.16. */
 struct narrow_channel {
 	int32_t start, down;
 };
 
 /* Offsets on ARM are known to arm/narrow_rows.S. */
 struct narrow {
-	struct narrow_row row, down; /* 0, 20: the first one, and the steps */
+	struct narrow_row row, down; /* 0, 20: the first row, and steps a row */
 	uint32_t z_right;            /* 40 */
 	uint32_t packed_right;       /* 44 */
-	uintptr_t pixels;            /* 48: from behind a depth to its pixel */
-	int32_t more;                /* 52: rows from the middle corner on */
-	int32_t rows;                /* 56: as far as there */
-	/* 60: the left edge from there on, or the right one */
+	uintptr_t pixels;            /* 48: from a depth + 2 to its pixel */
+	int32_t more;                /* 52: rows below the middle vertex */
+	int32_t rows;                /* 56: rows above the middle vertex */
+	/* 60: below the middle vertex, lower is the left edge, else the right */
 	int32_t middle_left;
 	struct side lower;
-	struct narrow_channel channel[3]; /* 72: where packed is from; RED first */
-	int32_t column;                   /* 96: the same, see NARROW_LEFT */
+	struct narrow_channel channel[3]; /* 72: RED first; packed's source */
+	int32_t column;                   /* 96: of channel, from NARROW_LEFT */
 };
 
-/* From the channels. */
+/* Packs the channels' colour, moved left to where rows have their values. */
 static ALWAYS_INLINE uint32_t narrow_pack(const struct narrow *narrow)
 {
 	const struct narrow_channel *channel = narrow->channel;
@@ -71,13 +71,13 @@ static ALWAYS_INLINE void narrow_set_edge(
 	}
 }
 
-/* fill_narrow.c: false where the triangle is not one for these rows. */
+/* fill_narrow.c: sets narrow up; false if the triangle is not for these rows. */
 bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
 	struct narrow *narrow);
 
-/* arm/narrow_rows.S or portable/triangles.c: draws all rows; uses narrow up. */
+/* arm/narrow_rows.S or portable/triangles.c: draws all rows; changes narrow. */
 void soft_narrow_rows(struct narrow *narrow);
-/* narrow_rows.c: the same bytes. */
+/* narrow_rows.c: the same in C, with the same results. */
 void soft_narrow_rows_c(struct narrow *narrow);
 
 #endif

@@ -1,4 +1,4 @@
-/* The rows of narrow triangles in C, which arm/narrow_rows.S draws again. */
+/* Rows of narrow triangles in C; arm/narrow_rows.S has the same in assembly. */
 #include "platform/gl/soft/fast/narrow.h"
 #include "platform/gl/soft/raster/pixel.h"
 
@@ -29,7 +29,7 @@ static void draw_row(const struct narrow *narrow)
 	}
 }
 
-/* From the colour of the row that packed was taken from to that of this one. */
+/* Steps the channels' colour by NARROW_CHUNK rows to this one and packs it. */
 static void pack_again(struct narrow *narrow)
 {
 	for (int i = 0; i < 3; i++) {

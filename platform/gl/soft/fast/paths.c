@@ -1,26 +1,26 @@
-/* The table of paths, and the choice of one for a draw call. */
+/* The paths of triangles: a table, from which each draw call takes one. */
 #include "platform/gl/soft/raster/raster.h"
 
-/* Which way triangles of a draw call go: one of fast/, or the template's. */
+/* A path of a draw call's triangles: one of fast/, or span functions. */
 struct path {
-	/* It takes a key of which the bits of mask are these. */
+	/* the path draws states with (key & mask) == bits */
 	uint32_t mask, bits;
 	fill_function fill;
 	void (*begin)(struct draw *draw); /* once a draw call, or NULL */
-	bool one_color; /* no vertex is shaded: all of a call has one colour */
-	bool divides;   /* of struct draw */
+	bool one_color; /* the call has one colour: no vertex is shaded */
+	bool divides;   /* for struct draw, as is the next one */
 	bool rectangles;
 };
 
 enum {
-	/* What no path has a stage for. */
+	/* states that most paths cannot draw, and the picture's format */
 	OTHERS = KEY_565 | KEY_COLOR_MASKED | KEY_TEXTURES | KEY_FOG |
 		KEY_ALPHA_TEST | KEY_BLENDED_OTHER | KEY_ADDED,
 	FLAT = OTHERS | KEY_LIT | KEY_COLOR_ARRAY | KEY_TEXTURE |
 		KEY_DEPTH_TEST | KEY_STENCIL,
 	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
 		KEY_BLENDED,
-	/* Opaque, tested LESS. */
+	/* opaque, depth test LESS */
 	SMALL = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_BY_TRIANGLE |
 		KEY_DEPTH_LESS,
 	TILES = KEY_TEXTURE | KEY_TEXTURE_TILES | KEY_MODULATE | KEY_REPEAT |
@@ -28,7 +28,7 @@ enum {
 	TEXELS = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_MODULATE,
 };
 
-/* The first that takes a key; the last one takes every key. */
+/* The first path that matches the key is taken; the last one always matches. */
 static const struct path path[] = {
 	{
 		.mask = FLAT | KEY_STENCIL_ONCE,

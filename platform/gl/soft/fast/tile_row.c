@@ -1,4 +1,4 @@
-/* Rows of tiles in C, of which arm/tile_row.S has a copy in assembly. */
+/* Rows of luminance textures in C; arm/tile_row.S has the same in assembly. */
 #include "platform/gl/soft/fast/tile_row.h"
 
 #include "platform/gl/soft/fast/tiles.h"
@@ -24,7 +24,7 @@ static ALWAYS_INLINE uint32_t load_fine(
 	return run->fine[(row << (run->width_log2 + 2)) + column];
 }
 
-/* How many steps further a coordinate stays before its end. */
+/* How many more steps a coordinate makes before its end. */
 static ALWAYS_INLINE uint32_t room(
 	uint32_t end, uint32_t at, int32_t step, uint32_t pixels)
 {
@@ -33,7 +33,7 @@ static ALWAYS_INLINE uint32_t room(
 	return mul_high_unsigned(step < 0 ? ~left : left, pixels);
 }
 
-/* From one in a patch on, that one included. */
+/* How many steps, this one included, lie in the quad's patch; at most most. */
 static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 	uint32_t s, uint32_t t, int most)
 {
@@ -48,7 +48,7 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 	return further < (uint32_t)most ? (int)further + 1 : most;
 }
 
-/* Each is pixels of a step. */
+/* Draws a run; each is the number of pixels a step. */
 static ALWAYS_INLINE void draw_run(
 	const struct tile_run *run, bool fine, const int each)
 {

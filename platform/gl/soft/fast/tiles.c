@@ -1,16 +1,16 @@
-/* Makes tiles of a texture as it is given: once, so that it may take long. */
+/* Makes a texture's tiles when its image is set: rarely, so it may be slow. */
 #include "platform/gl/soft/fast/tiles.h"
 
 #include "platform/gl/soft/soft.h"
 
 #include <stdlib.h>
 
-/* A grid of quads that are to be shared out among patches. */
+/* The quads of a level, among which patches are searched. */
 struct grid {
 	uint32_t *quads;
 	struct patch *patches;
 	int width, height;
-	int s_shift, t_shift; /* from texels to coordinates */
+	int s_shift, t_shift; /* from texels to 2^32 for the whole texture */
 };
 
 struct rectangle_of_quads {
@@ -26,7 +26,7 @@ static void fill_quads(struct level *level)
 {
 	int width = 1 << level->width_log2, height = 1 << level->height_log2;
 	uint32_t low = 127, high = 0, most;
-	/* of the texture: two steps at once have to be less than half of it */
+	/* of the texture, 16.16: steps of two pixels must be less than half */
 	uint32_t quarter = (width < height ? (uint32_t)width : (uint32_t)height)
 		<< 14;
 
@@ -52,7 +52,7 @@ static void fill_quads(struct level *level)
 	level->tiles->by_two_most = most < quarter ? most : quarter - 1;
 }
 
-/* Of the same texels, and of no patch yet. */
+/* Whether a quad's four texels are equal and it belongs to no patch yet. */
 static bool is_even(uint32_t quad)
 {
 	return quad == (quad & 127) * 0x01010101u;
@@ -69,7 +69,7 @@ static bool is_row_of(
 	return true;
 }
 
-/* As far right, then as far down as quads are like this one. */
+/* Grows a rectangle of equal quads from (x, y): first right, then down. */
 static struct rectangle_of_quads grow(const struct grid *grid, int x, int y)
 {
 	uint32_t quad = grid->quads[y * grid->width + x];
@@ -103,7 +103,7 @@ static struct rectangle_of_quads find_largest(const struct grid *grid)
 				r = grow(grid, x, y);
 			}
 			largest = area_of(&r) > area_of(&largest) ? r : largest;
-			/* Of each run the left end is enough of a try. */
+			/* other starts in this row would give smaller ones */
 			x += r.width ? r.width - 1 : 0;
 		}
 	}
@@ -180,7 +180,7 @@ void soft_tiles_make(struct level *level)
 	size_t quads_bytes;
 	bool fine;
 
-	/* Of one texel no shift can tell. */
+	/* a side of one texel would need a shift by 32 */
 	if (level->format != TEXEL_L8 || width > TILE_SIDE_MAX ||
 		height > TILE_SIDE_MAX || width < 2 || height < 2) {
 		return;

@@ -1,6 +1,6 @@
 /*
- * Luminance textures as luminance.c wants them: quads of texels, and patches
- * where they are the same.
+ * Luminance textures, rearranged for luminance.c: a quad of four texels for
+ * each texel, and patches: rectangles in which all texels are equal.
  */
 #ifndef PLATFORM_GL_SOFT_FAST_TILES_H
 #define PLATFORM_GL_SOFT_FAST_TILES_H
@@ -10,24 +10,24 @@
 struct level;
 
 /*
- * A quad is a texel with those right of it, below and below right, from the low
- * byte up, as the texture repeats: the four around a pixel, in 127ths. Or, with
- * QUAD_PATCH set, one of a patch: its texels are the same, as are those of all
- * quads of the patch.
+ * A quad is the four texels that a bilinear filter reads, in 127ths: a texel, and
+ * those right of it, below and below right, from the low byte up; the texture
+ * repeats. With QUAD_PATCH set, all four texels are equal, as in all quads of the
+ * patch: bits 0 to 6 are their luminance, bits 8 to 13 the patch's number.
  */
 #define QUAD_PATCH 0x80000000u
 
 enum {
 	TILE_SIDE_MAX = 128,
-	PATCHES_MOST = 63, /* larger ones first; their numbers begin at 1 */
+	PATCHES_MOST = 63, /* the largest rectangles; numbered from 1 on */
 	FINE_SIDE_MAX = 64,
-	FINE_PATCH = 255,
+	FINE_PATCH = 255, /* in fine: the quad belongs to a patch */
 	/*
-	 * What a pixel and the next may differ by, of 255, in 16.16. From the
-	 * middle between them either is less than a step of red or blue off.
+	 * Largest difference of two neighbouring pixels, of 255, in 16.16, that
+	 * are drawn as one: each is off by less than a step of red or blue.
 	 */
 	BY_TWO_MOST = 20 << 16,
-	/* A place of fine is as wide, in 16.16 of texels. */
+	/* the width of a place of fine, in 16.16 texels */
 	FINE_PLACE = 1 << 14,
 };
 
@@ -37,9 +37,9 @@ static inline uint32_t quad_luminance(uint32_t patch_quad)
 }
 
 /*
- * The mean, in halves of 127ths, cut, of a quad that is none of a patch; places
- * between its texels in 256ths. Both rows are mixed at once; what one borrows
- * from the other the sum gives back.
+ * Filters a quad without QUAD_PATCH bilinearly: across and down are weights of
+ * 256; the result is in halves of 127ths, rounded down. Both rows are mixed in
+ * one word; the final sum cancels what the lower half borrows from the upper.
  */
 static inline uint32_t quad_mix(uint32_t quad, uint32_t across, uint32_t down)
 {
@@ -55,34 +55,34 @@ static inline uint32_t quad_patch(uint32_t patch_quad)
 }
 
 /*
- * A rectangle of quads, by coordinates of upper left texels, where 2^32 are all
- * of the texture: the last one before it and the last one inside of it.
+ * A rectangle of quads: [0] is the last coordinate before it and [1] the last
+ * one inside of it, where 2^32 is the whole texture.
  */
 struct patch {
 	uint32_t s[2], t[2];
 };
 
 /*
- * Of a level; row by row. Of smaller ones the mean of four texels is there for
- * each of 4 x 4 places between them as well, in halves of 127ths, or FINE_PATCH
- * inside of a patch.
+ * A level's quads, [height][width], and its patches. Levels up to FINE_SIDE_MAX
+ * also have fine, [4 * height][4 * width]: filtered values at 4 x 4 places of
+ * each quad, in halves of 127ths, or FINE_PATCH inside of a patch.
  */
 struct tiles {
 	struct patch patch[PATCHES_MOST + 1];
-	uint8_t *fine; /* behind the quads, or NULL */
-	/* the least and the most of all means, in halves of 127ths */
+	uint8_t *fine; /* in the same allocation behind quad, or NULL */
+	/* least and largest luminance, in halves of 127ths */
 	uint8_t low, high;
-	uint32_t by_two_most; /* steps up to which two pixels are drawn as one */
+	uint32_t by_two_most; /* largest step, 16.16, to draw two pixels as one */
 	uint32_t quad[];
 };
 
 /*
- * Makes those of a level of luminance that is small enough, which owns them; of
- * others, and without memory, it makes none.
+ * Allocates level->tiles, which level owns, if it is luminance of 2 to 128
+ * texels a side; else, or without memory, level->tiles stays NULL.
  */
 void soft_tiles_make(struct level *level);
 
-/* Makes them again from changed texels, if there are any. */
+/* Makes level->tiles again, unless NULL, after texels have changed. */
 void soft_tiles_update(struct level *level);
 
 #endif

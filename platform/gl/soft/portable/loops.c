@@ -1,4 +1,4 @@
-/* For machines without the assembly of arm/: loops that call nothing else. */
+/* Small loops, for processors that the assembly in arm/ is not for. */
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/vertex/draw.h"
 

@@ -1,4 +1,4 @@
-/* For machines without the assembly of arm/: C alone, and lists one by one. */
+/* Lists and rows of triangles in C, for processors that arm/ is not for. */
 #include "platform/gl/soft/fast/narrow.h"
 #include "platform/gl/soft/vertex/cache.h"
 

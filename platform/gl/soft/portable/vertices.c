@@ -1,4 +1,4 @@
-/* For machines without the assembly of arm/: C alone. */
+/* The transformation in C, for processors that arm/vertex.S is not for. */
 #include "platform/gl/soft/vertex/draw.h"
 
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out)

@@ -1,4 +1,4 @@
-/* Which span function draws a state, and the constants that it looks up. */
+/* Chooses the span function for a state, and finds its constants. */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
@@ -9,19 +9,19 @@
 enum {
 	SRC_ALPHA_SATURATE = 0x0308,
 	/*
-	 * From colours of 8.16 with a half of 1/255 to factors of 1.14: white
-	 * is a 2,000th more than 1, so that rounding leaves all of a texel.
+	 * mul_high() factor from 8.16, with half of 1/255, to factors of 1.14.
+	 * White is 1/2000 more than 1, so that rounding does not change texels.
 	 */
 	FACTOR_SCALE = 4204558,
 	BYTE_SCALE = 1 << 24, /* to 8.8 */
-	/* Becomes the largest 1.15. */
+	/* fog's 8.16 that becomes the largest 1.15 */
 	FOG_NONE = 255 << 16 | 0x8F00,
 };
 
 /*
- * Of the alpha test: fragments whose alpha is low to low + range pass, modulo
- * 256. False where none does. The bits of a function tell whether less, equal
- * or greater passes.
+ * Finds the range of the alpha test: alpha passes if it is low to low + range,
+ * modulo 256. False if none passes. Bits 0 to 2 of a GL comparison let less,
+ * equal and greater pass.
  */
 static bool find_alpha_range(
 	const struct fragment_state *state, struct soft_fragment_stages *stages)
@@ -53,7 +53,7 @@ static bool is_replaced(const struct texture_input *input)
 		soft_is_simple_environment(input);
 }
 
-/* RGB565 has no alpha: it reads as 1. */
+/* The factor's equivalent in RGB565, whose destination alpha is 1. */
 static GLenum find_opaque_factor(GLenum factor)
 {
 	switch (factor) {
@@ -67,12 +67,12 @@ static GLenum find_opaque_factor(GLenum factor)
 	}
 }
 
-/* A factor that the fragment's alpha makes: base, and alpha times by. */
+/* A blend factor that depends on the fragment's alpha: base + alpha * by. */
 struct factor {
 	uint32_t base, by;
 };
 
-/* False for all other factors. */
+/* Expresses a blend factor so; false if it depends on anything else. */
 static bool find_factor(GLenum factor, uint32_t one, struct factor *out)
 {
 	switch (factor) {
@@ -99,7 +99,7 @@ static bool is_blended_by_alpha(const struct fragment_state *state)
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 }
 
-/* Whether the span functions blend, and by which factors. */
+/* Finds blend factors; false unless span functions can blend by them. */
 static bool find_factors(
 	const struct draw *draw, struct soft_fragment_stages *stages)
 {
@@ -125,7 +125,7 @@ static bool find_factors(
 	return !draw->fogged && !draw->added;
 }
 
-/* What the span functions do with fragments. */
+/* Sets the finish: what span functions do with fragments after the texture. */
 static void choose_finish(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -169,7 +169,7 @@ static void choose_tests(
 		!spans->stenciled && spans->color_mask == UINT32_MAX;
 }
 
-/* The bits of pixels that are written; of RGB565 in both halves. */
+/* The bits of pixels that glColorMask lets through; RGB565 in both halves. */
 static uint32_t find_color_mask(const struct soft *soft)
 {
 	const GLboolean *mask = soft->fragment.color_mask;
@@ -183,11 +183,11 @@ static uint32_t find_color_mask(const struct soft *soft)
 		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
 }
 
-/* The largest value of so many bits, as template.h's shifts have it. */
+/* The largest value of so many bits, in the upper bits of 16. */
 #define MOST(bits)      ((int64_t)((1 << (bits)) - 1) << (16 - (bits)))
 #define RATIO(from, to) ((int32_t)(FACTOR_SCALE * MOST(to) / MOST(from)))
 
-/* From a texel's largest value to the picture's, of 5, 6 and 8 bits. */
+/* FACTOR_SCALE times the ratio of a pixel's and a texel's largest values. */
 static int32_t scale_factor(int texel_bits, int pixel_bits)
 {
 	static const int32_t ratio[9][3] = {
@@ -200,7 +200,7 @@ static int32_t scale_factor(int texel_bits, int pixel_bits)
 	return ratio[texel_bits][pixel_bits == 8 ? 2 : pixel_bits - 5];
 }
 
-/* From 8.16 to struct soft_run's, for fragments of a format of texels. */
+/* Scales from colours of 8.16 to struct soft_run's, for a texel format. */
 static struct soft_scales find_format_scales(
 	enum texel_format format, bool wide, bool combined)
 {
@@ -231,7 +231,7 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	spans->white[1] = (uint32_t)mul_high(white, row.green);
 	spans->scales = find_format_scales(format, wide, spans->combined);
 	if (spans->finish == SOFT_SCALED) {
-		/* A second texture's fields make 31/32 and 63/64 of white. */
+		/* white of a second texture scales by 31/32 and 63/64 */
 		spans->scales.red_blue += spans->scales.red_blue / 31;
 		spans->scales.green += spans->scales.green / 63;
 	}
@@ -280,7 +280,7 @@ static void find_functions(const struct draw *draw, struct soft_spans *spans)
 	soft_set_functions(spans, spans->mag);
 }
 
-/* What the vertices' colours are asked for. */
+/* Finds whether vertices' colours and alpha are needed. */
 static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -299,7 +299,7 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
 }
 
-/* Fragments that no span function has a stage for: see made.h. */
+/* Whether colours need stages that no span function has: see made.h. */
 static bool is_combined(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
@@ -311,10 +311,10 @@ static bool is_combined(const struct draw *draw)
 					input->base->format == TEXEL_A8)));
 }
 
-/* Textures that only multiply each other and the colour. */
+/* Whether two textures only multiply each other and the colour. */
 static bool is_multiplied(const struct draw *draw)
 {
-	/* An alpha test knows alpha as stages round it. */
+	/* an alpha test needs alpha rounded after each stage */
 	return draw->texture[1].used && !draw->spans.alpha_tested &&
 		!draw->smooth && draw->texture[1].mode == GL_MODULATE &&
 		soft_is_simple_environment(&draw->texture[0]) &&
@@ -322,7 +322,7 @@ static bool is_multiplied(const struct draw *draw)
 		draw->texture[1].base->format != TEXEL_A8;
 }
 
-/* Attributes that are not wanted are white's, and nothing is hidden by fog. */
+/* Sets attributes that are not needed: white, and a fog that hides nothing. */
 static void set_white(struct span *span, struct soft_spans *spans)
 {
 	if (!spans->colored) {
@@ -339,7 +339,7 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	}
 }
 
-/* Those with a second texture read few formats of the first one. */
+/* Whether the table has functions for the first texture's format. */
 static bool has_functions(const struct draw *draw)
 {
 	const struct soft_spans *spans = &draw->spans;
@@ -348,7 +348,7 @@ static bool has_functions(const struct draw *draw)
 	return (*spans->table)[source][spans->finish][SOFT_ANYWHERE] != NULL;
 }
 
-/* Whether colours are made beforehand, in stages/, and what is done with them. */
+/* Chooses whether stages/ makes texels or colours, and how. */
 static void choose_making(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -363,14 +363,14 @@ static void choose_making(struct draw *draw)
 		(second && !has_functions(draw));
 }
 
-/* How long a run may be, and whose colours are stepped from row to row. */
+/* Sets the longest runs, and which triangles' colours a list may step. */
 static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 {
 	/*
-	 * A step is off by half of 1/16384 in each column and row: in 128 by a
-	 * quarter of the picture's. White times 255 leaves less room below 256
-	 * than times 31 below 32. Colours that are combined have half a step of
-	 * 255 to spare.
+	 * Rounded steps are off by half of 1/16384 a column or row: after 128
+	 * by a quarter of the picture's step. White times 255 leaves less room
+	 * below 256 than white times 31 leaves below 32. Combined colours have
+	 * half a step of 255 to spare.
 	 */
 	bool wide = draw->soft->format == PIXELS_RGBA8888 && !spans->combined;
 
@@ -380,7 +380,7 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 		: SOFT_RUN_PIXELS;
 	spans->longest = SOFT_RUN_PIXELS;
 	spans->stepped_size = wide ? 40 : 128;
-	/* An alpha test needs the alpha of planes, to the bit. */
+	/* an alpha test needs exactly the alpha of planes */
 	if (spans->alpha_tested && spans->combined) {
 		spans->stepped_size = 0;
 	}

@@ -1,20 +1,20 @@
 /*
  * Runs: up to SOFT_RUN_PIXELS pixels of one row whose values change linearly,
  * and the functions that draw them, one for each combination of texture,
- * filter, fragment state and picture format. walk.c makes runs from
- * triangles; template.h is the text that all functions are made of.
+ * filter, fragment state and picture format. walk.c and walk_list.c make runs
+ * from triangles; template.h has the code of all functions.
  *
  * Number formats:
  *	z           16.16
- *	red, blue   in the halves of one word, and green in the lower half
- *	            of another: what a texel's channel is multiplied with,
+ *	red, blue   in the halves of one word, and green in the lower half of
+ *	            another. With a texture: the factor of a texel's channel,
  *	            1.14, times the ratio of the picture's and the texel's
- *	            largest values; without a texture what is drawn: 5.11 and
- *	            6.9, a half added, or 8.8
- *	alpha       8.7, above green
+ *	            largest values. Without one: the pixel's channel, 5.11 and
+ *	            6.9 (green) with a half added, or 8.8 for RGBA8888
+ *	alpha       8.7, in the upper half above green
  *	fog         1.15: how much of the fragment's own colour stays
  *	s, t        in texels of the level, 9 bits of fraction; for bilinear
- *	            textures half a texel less
+ *	            filters half a texel less
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_RUN_H
 #define PLATFORM_GL_SOFT_SPAN_RUN_H
@@ -26,46 +26,47 @@
 
 enum {
 	/*
-	 * s and t, which are exact in the middle, lose up to 1/1024 of a texel
-	 * a pixel to rounding.
+	 * s and t are exact in the run's middle; rounded steps make them lose
+	 * up to 1/1024 of a texel a pixel from there.
 	 */
 	SOFT_RUN_PIXELS = 64,
 	/* Colours lose up to 1/2048 of a step of RGB565 a pixel. */
 	SOFT_PLAIN_PIXELS = 512,
-	/* Columns and rows of small triangles, whose runs are one list, at most. */
+	/* largest sum of columns and rows of triangles whose runs fit one list */
 	SOFT_LISTED_SIZE = 62,
-	/* Of all runs of a list that one call draws, and how many these are. */
+	/* most pixels and runs of a list that one call draws */
 	SOFT_BATCH_PIXELS = 1024,
 	SOFT_BATCH_RUNS = 64,
-	/* As many texels fit a half of a word, with 9 bits of fraction. */
+	/* 2^7 texels, with 9 bits of fraction, fit half of a word */
 	SOFT_RUN_TEXELS = 128,
 };
 
 /*
- * What all fragments of a draw call go through after their texture, where a
- * span function has no constants for it.
+ * A draw call's values for the stages after the texture: fog, alpha test and
+ * blending.
  */
 struct soft_fragment_stages {
 	/*
-	 * Red, green and blue of the picture, times 2^14: the fog's colour and
-	 * a half; or less than 0 what is added to all fragments, without fog
+	 * Red, green and blue in the picture's 5, 6 or 8 bits, times 2^14. With
+	 * fog, both are its colour and a half; else far is -1 times the colour
+	 * that is added to all fragments, and fog is 0.
 	 */
 	int32_t far[3], fog[3];
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
-	bool alpha_scaled; /* the first texture's alpha times the fragment's */
+	bool alpha_scaled; /* the first texture's alpha scales the fragment's */
 	GLenum blend_source, blend_destination;
 	/*
-	 * SOFT_MIXED: the factors of the fragment's colour, and in the upper
-	 * half of the picture's, are base and alpha times by.
+	 * SOFT_MIXED: blend factors are base + alpha * by; the source's in the
+	 * lower half, the destination's in the upper one.
 	 */
 	uint32_t factors_base, factors_by;
-	uint32_t unseen; /* an alpha that changes nothing; 256: there is none */
+	uint32_t unseen; /* an alpha that leaves pixels unchanged; 256: none */
 };
 
 struct draw;
 
-/* What of a run is its own where others of its triangle follow. */
+/* The part of a run that differs between the runs of a triangle. */
 struct soft_row {
 	uint16_t *depth;
 	uint8_t *pixel;
@@ -74,37 +75,37 @@ struct soft_row {
 	uint32_t red_blue; /* blue in the upper half */
 	uint32_t green_alpha;
 	uint32_t fog;
-	/* t in the upper half and s in the lower one, from first_texel on */
+	/* t in the upper half, s in the lower one, relative to first_texel */
 	uint32_t texel, texel_right;
 	/*
-	 * In states of soft_spans.made or second: the column, and in the upper
-	 * half the row, counted from the triangle's first one.
+	 * If soft_spans.made or read_second: the column and, in the upper half,
+	 * the row, counted from the triangle's first one.
 	 */
 	uint32_t place;
 };
 
 struct soft_run {
-	/* The runs that are drawn: row alone, but where first_texel is used. */
+	/* the runs to draw; several only for functions that read first_texel */
 	const struct soft_row *rows;
 	uint32_t row_count;
 	struct soft_row row;
 	uint32_t z_right, red_blue_right, green_alpha_right, fog_right;
 	/*
-	 * Where all texels that are wanted lie in the level, both coordinates
-	 * below SOFT_RUN_TEXELS from here.
+	 * SOFT_INSIDE: texels lie in the level, and both coordinates of
+	 * row.texel count from this texel and are below SOFT_RUN_TEXELS.
 	 */
 	const uint8_t *first_texel;
-	/* Elsewhere */
+	/* SOFT_ANYWHERE: the level and coordinates that may wrap around */
 	const uint8_t *texels;
 	int32_t s, t, s_right, t_right;
-	uint32_t s_last, t_last; /* texels, and masks of coordinates */
-	uint32_t stride_log2;    /* of the level, in bytes */
+	uint32_t s_last, t_last; /* last column and row, which are also masks */
+	uint32_t stride_log2; /* log2 of bytes from row to row of the level */
 	/*
-	 * With a second texture: the address of its texels, a word for each
-	 * pixel, row by row.
+	 * With a second texture: address of its texels, one word for each
+	 * pixel, run after run.
 	 */
 	uintptr_t second;
-	/* Or, where it has the first one's coordinates: from its texels to those. */
+	/* Joined textures: bytes from a texel of the first to the second's. */
 	uintptr_t joint;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
@@ -112,10 +113,10 @@ struct soft_run {
 
 typedef void (*soft_span_function)(const struct soft_run *run);
 
-/* Textures as a span function reads them. */
+/* The texture's filter and format that a span function reads. */
 enum soft_source {
 	SOFT_NO_TEXTURE,
-	SOFT_NEAREST, /* and enum texel_format - 1 */
+	SOFT_NEAREST, /* plus enum texel_format - 1 */
 	SOFT_LINEAR = SOFT_NEAREST + TEXEL_LA88,
 	SOFT_SOURCES = SOFT_LINEAR + TEXEL_LA88,
 };
@@ -123,14 +124,14 @@ enum soft_source {
 /* What happens to a fragment after its texture. */
 enum soft_finish {
 	SOFT_OPAQUE,
-	SOFT_TESTED,  /* by alpha; then opaque */
+	SOFT_TESTED,  /* alpha test; then opaque */
 	SOFT_BLENDED, /* by GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA */
 	SOFT_OPAQUE_FOG,
 	SOFT_TESTED_FOG,
 	SOFT_BLENDED_FOG,
-	SOFT_MIXED,  /* tested, then blended by any factors that alpha makes */
-	SOFT_SCALED, /* by a second texture's texel; opaque */
-	/* A second texture's texel is added: opaque, tested, blended. */
+	SOFT_MIXED,  /* alpha test; blended by any factors of 0, 1 and alpha */
+	SOFT_SCALED, /* times a second texture's texel; opaque */
+	/* a second texture's texel is added; opaque, tested, blended */
 	SOFT_SUMMED,
 	SOFT_TESTED_SUMMED,
 	SOFT_BLENDED_SUMMED,
@@ -138,30 +139,30 @@ enum soft_finish {
 };
 
 /*
- * Which runs a span function takes, anywhere in the texture or only those with
- * first_texel; and its depth test, LESS or LEQUAL. Without a texture the first
- * two are the same.
+ * Which runs a span function draws, with texels anywhere or only inside of the
+ * window, from first_texel; and its depth test, LESS or LEQUAL. Without a
+ * texture the first two are the same.
  */
 enum soft_place {
 	SOFT_ANYWHERE,
 	SOFT_INSIDE,
-	SOFT_LEQUAL, /* and one of the above */
+	SOFT_LEQUAL, /* added to one of the above; else LESS */
 	SOFT_PLACES = 2 * SOFT_LEQUAL,
 };
 
 typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES]
 					  [SOFT_PLACES];
 
-/* spans_second has the finishes with a second texture, and a few formats. */
+/* second and joined have only finishes with a second texture, few formats. */
 extern const soft_span_table soft_spans_565, soft_spans_8888, soft_spans_second,
 	soft_spans_joined;
 
-/* stages/samplers.c: the same for a run's texels alone, which become RGBA8888 at pixel. */
+/* stages/samplers.c: [source][place]: write a run's texels as RGBA8888 to pixel. */
 extern const soft_span_function soft_samplers[SOFT_SOURCES][2];
 
 /*
- * The same of RGB565 texels, nearest and linear, which become words for
- * soft_run.second: red of 5.5, green of 6.5 and blue of 5.6 bits, from the top.
+ * [linear][place]: write a run's RGB565 texels as words for soft_run.second:
+ * red of 5.5, green of 6.5 and blue of 5.6 bits, from the top.
  */
 extern const soft_span_function soft_second_samplers[2][2];
 

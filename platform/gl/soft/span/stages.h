@@ -1,6 +1,6 @@
 /*
- * The first stages of the span functions' text (template.h): which stages a
- * function has, and its texels.
+ * The first stages of span functions (template.h): which stages a function has,
+ * and how it reads and filters texels.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_STAGES_H
 #define PLATFORM_GL_SOFT_SPAN_STAGES_H
@@ -11,18 +11,18 @@
 struct soft_kind {
 	bool textured, linear;
 	enum texel_format format;
-	bool inside; /* the run has first_texel */
+	bool inside; /* texels lie in the window; soft_run.first_texel is set */
 	enum soft_finish finish;
-	bool wide;   /* the picture is RGBA8888 */
-	bool lequal; /* what is as far passes the depth test, too */
+	bool wide;   /* the picture is RGBA8888, else RGB565 */
+	bool lequal; /* the depth test is LEQUAL, else LESS */
 	bool still;  /* see soft_is_still() */
-	bool joined; /* a second texture is read where the first is */
+	bool joined; /* a second texture is read at the first one's place */
 };
 
 /*
- * Each span function gets a copy of its own of template.h. Builds that check
- * memory accesses share one, whose kind is known when it runs: their compilers
- * take half a minute a table for the copies.
+ * Each span function is an inlined copy of template.h's code. In builds with
+ * sanitizers, all share one copy, whose kind is no constant: there, compilers
+ * would need half a minute for each table of copies.
  */
 #ifdef SOFT_SHARED_TEXT
 #define SOFT_TEXT __attribute__((noinline))
@@ -30,7 +30,7 @@ struct soft_kind {
 #define SOFT_TEXT ALWAYS_INLINE
 #endif
 
-/* What a macro makes of each format of texels. */
+/* Expands the macro make for each texel format. */
 #define SOFT_EACH_FORMAT(make, ...)                                           \
 	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__) \
 		make(5551, TEXEL_5551, __VA_ARGS__) make(8888, TEXEL_8888,    \
@@ -38,24 +38,24 @@ struct soft_kind {
 			make(a8, TEXEL_A8, __VA_ARGS__)                       \
 				make(la88, TEXEL_LA88, __VA_ARGS__)
 
-/* What moves on with every pixel. */
+/* A pixel's values, in struct soft_row's formats. */
 struct soft_pixel {
 	uint32_t z, red_blue, green_alpha, fog;
-	uint32_t texel; /* inside */
-	uint32_t s, t;  /* elsewhere */
+	uint32_t texel; /* kind.inside */
+	uint32_t s, t;  /* else */
 };
 
-/* A texel: as bytes, or by channels, 8192 times where texels are mixed. */
+/* A texel: RGBA8888 in lanes, others in channel, times 8192 if filtered. */
 struct soft_texel {
 	struct soft_lanes lanes;
-	struct soft_four four; /* whose red and blue are mixed last */
+	struct soft_four four; /* red and blue are filtered later */
 	uint32_t channel[3];
 	uint32_t alpha; /* 8 bits */
 };
 
 struct soft_color {
 	int32_t channel[3]; /* with soft_fraction() bits of fraction */
-	uint32_t alpha;     /* of 255, or of 32 */
+	uint32_t alpha;     /* 0 to 255, or 0 to 32 if blended in RGB565 */
 };
 
 static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
@@ -77,13 +77,13 @@ static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 		kind.finish == SOFT_BLENDED_SUMMED;
 }
 
-/* Times a texel of a second texture. */
+/* Whether the texel is multiplied by a second texture's. */
 static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
 {
 	return kind.textured && kind.finish == SOFT_SCALED;
 }
 
-/* And a texel of a second texture. */
+/* Whether a second texture's texel is added to the colour. */
 static ALWAYS_INLINE bool soft_is_summed(struct soft_kind kind)
 {
 	return kind.textured && kind.finish >= SOFT_SUMMED;
@@ -99,13 +99,13 @@ static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
 	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
 }
 
-/* All of the colour stays the same. */
+/* Whether the colour is constant in the run, alpha included. */
 static ALWAYS_INLINE bool soft_is_constant(struct soft_kind kind)
 {
 	return kind.still && !soft_is_tested(kind);
 }
 
-/* A fragment's alpha is its texel's. */
+/* Whether the alpha test uses the texel's alpha, the colour's being 255. */
 static ALWAYS_INLINE bool soft_tests_texel(struct soft_kind kind)
 {
 	return soft_is_tested(kind) && kind.still;
@@ -117,7 +117,7 @@ static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
 		soft_is_blended(kind) || kind.wide;
 }
 
-/* Where nothing else is wanted of the upper half of green, the count is there. */
+/* Whether green_alpha's upper half counts pixels, as no alpha is needed. */
 static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
 {
 	return !soft_wants_alpha(kind);
@@ -128,16 +128,16 @@ static ALWAYS_INLINE bool soft_has_color(struct soft_kind kind)
 	return kind.textured && kind.format != TEXEL_A8;
 }
 
-/* Channels are mixed 8192 times what they are. */
+/* Whether channels are filtered, and so are 8192 times their values. */
 static ALWAYS_INLINE bool soft_is_mixed(struct soft_kind kind)
 {
 	return kind.linear && kind.format != TEXEL_8888;
 }
 
 /*
- * RGB565 in a picture of RGB565: channels are moved, or mixed where they lie,
- * so that each has 16 bits of fraction after it is multiplied with the colour,
- * unless it is scaled by a second texture.
+ * RGB565 texels in an RGB565 picture: channels are shifted, or filtered in
+ * place, so that each has 16 fraction bits after it is multiplied with the
+ * colour, unless it is scaled by a second texture.
  */
 static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 {
@@ -145,7 +145,7 @@ static ALWAYS_INLINE bool soft_is_aligned(struct soft_kind kind)
 		!kind.wide;
 }
 
-/* How values change from pixel to pixel: struct soft_pixel's, in pairs. */
+/* Steps a pixel of struct soft_pixel's values, in pairs. */
 struct soft_steps {
 	_Alignas(8) uint32_t z_texel[2];
 	uint32_t colors[2], s_t[2];
@@ -159,7 +159,7 @@ static ALWAYS_INLINE struct soft_steps soft_find_steps(
 		{(uint32_t)run->s_right, (uint32_t)run->t_right}};
 }
 
-/* Where texels need the registers, each pixel reads its steps anew. */
+/* Reads a pair of steps: from memory, if texels need the registers. */
 static ALWAYS_INLINE uint64_t soft_get_steps(
 	struct soft_kind kind, uint32_t pair[2])
 {
@@ -170,6 +170,7 @@ static ALWAYS_INLINE uint64_t soft_get_steps(
 	return load_two_words(pair);
 }
 
+/* Fraction bits of soft_color.channel, whose integer part the picture stores. */
 static ALWAYS_INLINE int soft_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {
@@ -186,7 +187,7 @@ static ALWAYS_INLINE int soft_fraction(
 		return 16;
 	}
 	if (!soft_has_color(kind)) {
-		/* Green leaves room for a step, see soft_draw_run(). */
+		/* Green leaves room for a step, see soft_draw_row(). */
 		return channel == SOFT_GREEN && !kind.wide ? 15 - bits
 							   : 16 - bits;
 	}
@@ -194,7 +195,7 @@ static ALWAYS_INLINE int soft_fraction(
 		soft_field(kind.format, channel).bits - bits;
 }
 
-/* Fog halves a channel. */
+/* The same after fog, which halves channels. */
 static ALWAYS_INLINE int soft_last_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {
@@ -214,7 +215,7 @@ static ALWAYS_INLINE void soft_split_texel(
 	if (soft_is_aligned(kind)) {
 		uint32_t five = 0x1F << 18, six = 0x3F << 18;
 
-		OPAQUE(five); /* else each is two shifts or more */
+		OPAQUE(five); /* else compilers use two or more shifts */
 		OPAQUE(six);
 		out->channel[0] = texel << 7 & five;
 		out->channel[1] = texel << 13 & six;
@@ -239,7 +240,7 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 	if (soft_is_aligned(kind)) {
 		uint32_t green = 0x07E007E0;
 
-		OPAQUE(green); /* else it is loaded twice */
+		OPAQUE(green); /* else compilers load it twice */
 		*out = (struct soft_texel){
 			.channel = {soft_mix_masked(above >> 6, below >> 6,
 					    0x03E003E0, weights),
@@ -262,7 +263,7 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 			  alpha.bits);
 }
 
-/* Of four bytes: green and alpha alone, until the fragment has passed. */
+/* Filters RGBA8888: only green and alpha, until the fragment has passed. */
 static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	const uint32_t above[2], const uint32_t below[2], uint32_t s,
 	uint32_t t, struct soft_texel *out)
@@ -281,14 +282,14 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
-/* A second texture has RGB565 texels where it is joined. */
+/* The kind of a joined second texture, which is always RGB565. */
 static ALWAYS_INLINE struct soft_kind soft_second_kind(struct soft_kind kind)
 {
 	return (struct soft_kind){
 		.textured = true, .format = TEXEL_565, .linear = kind.linear};
 }
 
-/* rows are those of the run; second is for kinds that are joined. */
+/* Reads the texel of a run in the window; and second's, if joined. */
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	const struct soft_rows *rows, struct soft_kind kind, uint32_t texel,
 	struct soft_texel *out, struct soft_texel *second)
@@ -304,7 +305,7 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		uint32_t at = (row << run->stride_log2) + x;
 		const uint8_t *texel_at;
 
-		OPAQUE(at); /* else the sum takes two more registers */
+		OPAQUE(at); /* else compilers need two more registers */
 		texel_at = run->first_texel + at;
 		if (!kind.linear) {
 			soft_split_texel(kind,
@@ -338,7 +339,7 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	soft_mix_pairs(kind, above[0], below[0], weights, out);
 }
 
-/* As coordinates repeat. */
+/* Reads a texel of coordinates that may wrap around. */
 static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 	const uint8_t *texels, struct soft_kind kind, uint32_t s, uint32_t t,
 	struct soft_texel *out)
@@ -381,7 +382,7 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 	soft_mix_green(kind, a, b, s, t, out);
 }
 
-/* Mixes what waits for the fragment to pass. */
+/* Filters red and blue of RGBA8888, when the fragment has passed. */
 static ALWAYS_INLINE void soft_finish_texel(
 	struct soft_kind kind, struct soft_texel *texel)
 {

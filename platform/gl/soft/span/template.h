@@ -1,11 +1,11 @@
 /*
- * The span functions' one text. Its stages are switched by constants: each
- * function of a table is a call with constants of its own, in which the
- * compiler leaves nothing but what that function needs.
+ * The code of all span functions. struct soft_kind switches its stages: each
+ * function of a table inlines this code with a constant kind, so that the
+ * compiler removes all that the function does not need.
  *
- * A pixel: the depth test; the texel (nearest, or four mixed); times a second
- * texture's texel; times the colour; fog, or a second texel added; the alpha
- * test; depth, and the colour, blended or not.
+ * A pixel's stages: depth test; texel, nearest or bilinear; alpha test; depth
+ * is written; times a second texture's texel; times the colour; fog, or a
+ * second texel is added; blending; the pixel is written.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
@@ -14,7 +14,7 @@
 #include "platform/gl/soft/stages/bytes.h"
 #include "platform/gl/soft/stages/second.h"
 
-/* A half in the picture's last bit. */
+/* Half of the picture's lowest bit, in the channel's unit. */
 static ALWAYS_INLINE int32_t soft_half(
 	struct soft_kind kind, enum soft_channel channel)
 {
@@ -22,16 +22,16 @@ static ALWAYS_INLINE int32_t soft_half(
 }
 
 /*
- * What a run looks up once. Fog makes fog + (color - far) * share of a channel,
- * where a color that is added to all fragments is a far below 0.
+ * Constants of a run, from soft_fragment_stages. Fog computes fog + (color - far)
+ * * share for a channel; to add a colour to all fragments, -far is that colour.
  */
 struct soft_constants {
-	int32_t start[3]; /* of the texel times colour: a half, less far */
-	int32_t fog[3];   /* half of the far colour and a half */
+	int32_t start[3]; /* added to texel times colour: a half, minus far */
+	int32_t fog[3];   /* half of (fog's colour and a half) */
 	uint32_t alpha_low, alpha_range;
 	uint32_t factors_base, factors_by;
 	uint32_t unseen;
-	/* Where second texels of the row are, less twice where depths are. */
+	/* address of the row's second texels minus twice that of its depths */
 	uintptr_t second;
 };
 
@@ -43,7 +43,7 @@ static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
 				       : 0;
 }
 
-/* Texel times colour, and a half; see struct soft_run. */
+/* Texel times colour, with a half added; formats are those of run.h. */
 static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
 	const struct soft_pixel *at)
@@ -134,7 +134,7 @@ static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
 	c[2] = WORD_BY_BOTTOM(c[2], fog, to[2]);
 }
 
-/* A channel as the picture has it; one that is added to may leave its range. */
+/* A channel in the picture's bits; limited if something was added to it. */
 static ALWAYS_INLINE uint32_t soft_whole(struct soft_kind kind,
 	const struct soft_color *color, enum soft_channel i)
 {
@@ -165,7 +165,7 @@ static ALWAYS_INLINE void soft_store_565(
 		*pixel = (uint16_t)((r << 6 | g) << 5 | b);
 		return;
 	}
-	OPAQUE(mask); /* else it becomes several instructions */
+	OPAQUE(mask); /* else compilers replace it by several instructions */
 	to = (to | to << 16) & mask;
 	to = (to * 32 + ((g << 21 | r << 11 | b) - to) * color->alpha +
 		     WIDE_ROUND) >>
@@ -174,7 +174,7 @@ static ALWAYS_INLINE void soft_store_565(
 	*pixel = narrow(to);
 }
 
-/* Of the fragment, and in the upper half of the picture. */
+/* Blend factors: the source's, and the destination's in the upper half. */
 static ALWAYS_INLINE uint32_t soft_find_factors(
 	const struct soft_constants *constants, uint32_t alpha)
 {
@@ -182,8 +182,8 @@ static ALWAYS_INLINE uint32_t soft_find_factors(
 }
 
 /*
- * Sums have RGB565's fields in the upper bits of 16, by factors of 256. The
- * half that the colour has already is left out of what is scaled.
+ * Blends by any two factors of 256: sums have RGB565's fields in the upper bits
+ * of 16. The half that the colour includes is taken out before it is scaled.
  */
 static ALWAYS_INLINE void soft_mix_565(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_color *color,
@@ -208,7 +208,7 @@ static ALWAYS_INLINE void soft_mix_565(struct soft_kind kind,
 	*pixel = (uint16_t)((rb & 0xF800) | rb >> 27 | g >> 10 << 5);
 }
 
-/* 0 to 32. */
+/* The fragment's alpha as 0 to 32, for blending in RGB565. */
 static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
 	const struct soft_texel *texel, uint32_t green_alpha)
 {
@@ -242,7 +242,7 @@ static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
 	memcpy(pixel, &own, sizeof(own));
 }
 
-/* Red, green and blue of a picture of bytes; alpha is 0. */
+/* Red, green and blue of an RGBA8888 pixel; alpha is 0. */
 static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
 	const struct soft_pixel *at)
@@ -275,7 +275,7 @@ static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
 	const uint32_t low = constants->alpha_low;
 
 	if (soft_tests_texel(kind)) {
-		/* Below alpha there may be green. */
+		/* The bits below alpha may be those of green. */
 		alpha = kind.format == TEXEL_8888 ? texel->lanes.green_alpha << 8
 						  : texel->alpha << 24;
 		return alpha - low <= constants->alpha_range;
@@ -284,7 +284,7 @@ static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
 		((alpha - low) & 255) <= constants->alpha_range;
 }
 
-/* Tests and draws one pixel whose depth passes. */
+/* Draws one pixel whose depth has passed; makes the alpha test. */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	const struct soft_rows *rows, struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_pixel *at,
@@ -315,7 +315,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		return;
 	}
 	if (soft_tests_texel(kind) && kind.format == TEXEL_8888) {
-		/* Else the compiler begins what few fragments may need. */
+		/* else compilers filter red and blue before the test */
 		OPAQUE(texel.lanes.red_blue);
 		OPAQUE(texel.lanes.green_alpha);
 	}
@@ -359,7 +359,7 @@ static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 	struct soft_kind kind, struct soft_steps *steps, struct soft_pixel *at)
 {
 	const uint64_t place = soft_get_steps(kind, steps->z_texel);
-	uint64_t two = (uint64_t)-0x10000 << 32; /* the count's */
+	uint64_t two = (uint64_t)-0x10000 << 32; /* counts in green_alpha */
 
 	if (!soft_is_constant(kind)) {
 		two = soft_get_steps(kind, steps->colors);
@@ -385,7 +385,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 {
 	uint16_t *depth = row->depth;
 	uint8_t *pixel = row->pixel;
-	/* Depths are as far apart as pixels of RGB565. */
+	/* a depth has as many bytes as a pixel of RGB565 */
 	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
 	struct soft_pixel at = {row->z, row->red_blue, row->green_alpha,
 		row->fog, row->texel, (uint32_t)run->s, (uint32_t)run->t};
@@ -395,9 +395,9 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	constants->second = run->second - 2 * (uintptr_t)depth;
 	steps->z_texel[1] = row->texel_right;
 	/*
-	 * The count is above green, which stays below 2^15, and leaves 2^15 for
-	 * the step behind the last pixel; across one pixel alone values may
-	 * change by more than they have.
+	 * The upper half counts pixels. Green below it is less than 2^15, so
+	 * that the step behind the last pixel does not carry. In a run of one
+	 * pixel that step may be larger: it is left out.
 	 */
 	if (soft_counts_by_green(kind)) {
 		steps->colors[1] =
@@ -424,7 +424,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
 {
-	/* Pixels do not lie in it, which the compiler cannot know. */
+	/* a local copy: the compiler sees that no pixel overwrites it */
 	struct soft_run own = *given;
 	const struct soft_run *run = &own;
 	struct soft_constants constants = soft_find_constants(run, kind);
@@ -440,7 +440,7 @@ static SOFT_TEXT void soft_draw_rows(
 	for (; row < end; row++) {
 		const struct soft_row its = *row;
 
-		KEEP_IN_MEMORY(end); /* Pixels need the registers. */
+		KEEP_IN_MEMORY(end); /* leaves registers to the pixels */
 		KEEP_IN_MEMORY(row);
 		soft_draw_row(run, &its, kind, &rows, &constants, &steps);
 		own.second += 4 * its.count;
@@ -448,20 +448,20 @@ static SOFT_TEXT void soft_draw_rows(
 }
 
 enum {
-	/* From 255 << 7 on a texel's alpha stays what it is when it is scaled. */
+	/* 8.7; from 255 << 7 on, soft_scale_alpha() does not change a texel's */
 	SOFT_SOLID_ALPHA = (255 << 7) + SOFT_LISTED_SIZE,
 };
 
 /*
- * Whether a loop of its own is for faces of one colour, or with an alpha test
- * for those whose own alpha is 255.
+ * Whether the faster loop of kind.still can draw the runs: opaque ones of one
+ * colour, or alpha-tested ones whose own alpha is 255.
  */
 static ALWAYS_INLINE bool soft_is_still(
 	const struct soft_run *run, struct soft_kind kind)
 {
 	const struct soft_row *row = run->rows;
 
-	/* States may leave none of a triangle's rows. */
+	/* coverage may have removed all of a triangle's runs */
 	if (!kind.inside || run->row_count == 0) {
 		return false;
 	}
@@ -470,8 +470,8 @@ static ALWAYS_INLINE bool soft_is_still(
 			(run->red_blue_right | run->green_alpha_right) == 0;
 	}
 	/*
-	 * Alpha that does not move across, in whole units, is below that of the
-	 * first and last rows by less than a unit a pixel.
+	 * If alpha's step across is 0 in whole units, alpha is at most a unit a
+	 * pixel below that of the first and the last run.
 	 */
 	return (kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG) &&
 		soft_has_alpha(kind) &&

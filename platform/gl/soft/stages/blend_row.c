@@ -8,7 +8,7 @@ enum {
 	SRC_ALPHA_SATURATE = 0x0308,
 };
 
-/* A colour times its factor. */
+/* A colour times a blend factor; from is the source, to the destination. */
 static ALWAYS_INLINE uint32_t scale_by_factor(
 	GLenum factor, uint32_t color, uint32_t from, uint32_t to)
 {
@@ -42,7 +42,7 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 	}
 }
 
-/* A pixel of RGB565 as four bytes, as load_pixel() has it. */
+/* A pixel of RGB565 as RGBA8888, as load_pixel() expands it. */
 static ALWAYS_INLINE uint32_t load_565(const uint8_t *pixel)
 {
 	const uint32_t old = load_16(pixel);
@@ -53,7 +53,7 @@ static ALWAYS_INLINE uint32_t load_565(const uint8_t *pixel)
 		(green >> 6 & 0x0300);
 }
 
-/* pack_565(), of red and blue in both halves of a word at once. */
+/* Stores pack_565() of a colour; red and blue are packed in one word. */
 static ALWAYS_INLINE void store_565(uint8_t *pixel, uint32_t color)
 {
 	const uint32_t red_blue = BYTES_AS_HALVES(color) * 249 + 1014 * 0x10001;
@@ -71,7 +71,7 @@ static ALWAYS_INLINE uint32_t blend_colors(
 		scale_by_factor(destination, to, from, to));
 }
 
-/* The loop for two factors: a function of its own where they are constants. */
+/* Blends a row; inlined with constant factors for the common ones. */
 static ALWAYS_INLINE void blend(const struct soft_row *row,
 	const uint32_t *color, const uint16_t *before, const uint16_t *after,
 	GLenum source, GLenum destination, bool wide)

@@ -1,6 +1,6 @@
 /*
- * The four bytes of a word at once: one instruction of ARMv6 each, or the same
- * bits in C.
+ * Arithmetic on the four bytes of a word at once: one ARMv6 instruction each,
+ * or C with the same results.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_BYTES_H
 #define PLATFORM_GL_SOFT_STAGES_BYTES_H
@@ -8,10 +8,10 @@
 #include "platform/gl/soft/span/halves.h"
 
 #ifdef __ARM_FEATURE_SIMD32
-/* a + b, 255 at most, and a - b, 0 at least, of unsigned bytes */
+/* a + b limited to 255, and a - b limited to 0, of each unsigned byte */
 #define BYTES_ADD_LIMITED(a, b)  ((uint32_t)__uqadd8(a, b))
 #define BYTES_LESS_LIMITED(a, b) ((uint32_t)__uqsub8(a, b))
-/* a - b of both halves, which wrap */
+/* a - b of both halves, each modulo 2^16 */
 static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
 {
 	return (uint32_t)__usub16(a, b);
@@ -35,13 +35,13 @@ static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
 #define BYTES_LESS_LIMITED(a, b) (~soft_bytes_add_limited(~(a), b))
 #endif
 
-/* Bytes 0 and 2 of two products of 16 bits, a half added, over 255. */
+/* Divides two 16-bit products of bytes, 128 added, by 255: bytes 0 and 2. */
 static ALWAYS_INLINE uint32_t soft_divide_lanes(uint32_t product)
 {
 	return ODD_BYTES_AS_HALVES(product + ODD_BYTES_AS_HALVES(product));
 }
 
-/* All four bytes times one. */
+/* color * by / 255 of each byte, rounded. */
 static ALWAYS_INLINE uint32_t soft_scale_bytes(uint32_t color, uint32_t by)
 {
 #ifdef HAS_COLOR_VECTORS
@@ -54,7 +54,7 @@ static ALWAYS_INLINE uint32_t soft_scale_bytes(uint32_t color, uint32_t by)
 #endif
 }
 
-/* a b / 255 of each byte, as scale_byte() has it. */
+/* a * b / 255 of each byte, rounded as scale_byte() does. */
 static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 {
 #ifdef HAS_COLOR_VECTORS
@@ -71,7 +71,7 @@ static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 #endif
 }
 
-/* From one to the other of bytes 0 and 2, exactly as scale_byte() has it. */
+/* Blends bytes 0 and 2 of to with own by alpha / 255, rounded. */
 static ALWAYS_INLINE uint32_t soft_blend_lanes(
 	uint32_t to, uint32_t own, uint32_t alpha)
 {

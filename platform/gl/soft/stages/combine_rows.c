@@ -14,7 +14,7 @@ enum {
 	RGB = 0x00FFFFFF,
 };
 
-/* The colours that meet in a stage. */
+/* The sources that a stage's arguments may have. */
 struct meeting {
 	const uint32_t *texel, *primary, *previous;
 	uint32_t constant;
@@ -45,7 +45,7 @@ static void set(
 	combiner->operand[i] = operand;
 }
 
-/* The modes other than GL_COMBINE as functions of it. */
+/* Expresses a mode other than GL_COMBINE as GL_COMBINE's rgb function. */
 static void find_rgb(GLenum mode, struct soft_combiner *rgb)
 {
 	rgb->function = mode == GL_REPLACE ? GL_REPLACE
@@ -72,7 +72,7 @@ static void find_mode(GLenum mode, GLenum format, struct soft_environment *out)
 		out->alpha.function = GL_REPLACE;
 		set(&out->alpha, 0, GL_PREVIOUS, GL_SRC_ALPHA);
 	}
-	/* Without an alpha of its own a texel's is 255. */
+	/* Texels without alpha have 255: rgb and alpha become alike. */
 	if (has_color(format) && mode == GL_MODULATE) {
 		out->alpha.function = GL_MODULATE;
 		set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
@@ -113,7 +113,7 @@ static bool is_dot(GLenum function)
 	return function == GL_DOT3_RGB || function == GL_DOT3_RGBA;
 }
 
-/* Alpha's function on all four bytes does what both do. */
+/* Whether the rgb function, on all four bytes, also gives the right alpha. */
 static bool are_alike(
 	const struct soft_combiner *rgb, const struct soft_combiner *alpha)
 {
@@ -138,7 +138,7 @@ static bool is_argument(const struct soft_combiner *a, int i,
 	return source == b->source[j] && a->operand[i] == b->operand[j];
 }
 
-/* Of functions whose arguments may be exchanged, or GL_REPLACE. */
+/* Whether a combiner has the wanted effect; wanted is commutative or REPLACE. */
 static bool does(const struct soft_combiner *combiner,
 	const struct soft_combiner *wanted, bool first)
 {
@@ -209,7 +209,7 @@ static void fill(uint32_t *out, uint32_t value, uint32_t count)
 	}
 }
 
-/* An argument's row: a source's own, or made of it in out. */
+/* An argument's row: the source's own one, or computed from that in out. */
 static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 	GLenum operand, bool for_alpha, uint32_t *out, uint32_t count)
 {
@@ -237,23 +237,23 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 	return out;
 }
 
-/* 4 times the sum of (a - 1/2)(b - 1/2), of 0..255, in all four bytes. */
+/* GL_DOT3: 4 * sum of (a - 1/2)(b - 1/2), limited, in all four bytes. */
 static uint32_t dot(uint32_t a, uint32_t b)
 {
 	const uint32_t one = 0x00FF00FF;
-	/* 2 a - 255 of bytes 0 and 2: 511 keeps the lower half from borrowing */
+	/* 2 a - 255 of bytes 0 and 2, without a borrow between the halves */
 	uint32_t a_rb = soft_halves_minus(BYTES_AS_HALVES(a) * 2, one);
 	uint32_t b_rb = soft_halves_minus(BYTES_AS_HALVES(b) * 2, one);
 	int32_t a_g = (int32_t)(a >> 8 & 255) * 2 - 255;
 	int32_t b_g = (int32_t)(b >> 8 & 255) * 2 - 255;
 	int32_t sum = (int32_t)HALVES_SUM_ADD(a_rb, b_rb, (uint32_t)(a_g * b_g));
 
-	/* sum / 255 towards zero, wherever that is below 256 */
+	/* sum / 255 rounded down, exact while that is below 256 */
 	sum = sum <= 0 ? 0 : (sum * 257 + 257) >> 16;
 	return (uint32_t)(sum > 255 ? 255 : sum) * 0x01010101;
 }
 
-/* (a share + b (255 - share)) / 255 of each byte, to the nearest. */
+/* (a * share + b * (255 - share)) / 255 of each byte, rounded. */
 static ALWAYS_INLINE uint32_t mix_bytes(uint32_t a, uint32_t b, uint32_t share)
 {
 #ifdef HAS_COLOR_VECTORS
@@ -295,7 +295,7 @@ static void run_function(GLenum function, const uint32_t *const a[3],
 		}
 		break;
 	case ADD_SIGNED:
-		/* one of the differences is 0 */
+		/* x + y - 128: more or less is 0 */
 		for (; i < count; i++) {
 			uint32_t more = BYTES_LESS_LIMITED(x[i], half);
 			uint32_t less = BYTES_LESS_LIMITED(half, x[i]);
@@ -346,7 +346,7 @@ static void run_combiner(const struct soft_combiner *combiner,
 	}
 }
 
-/* Of up to SOFT_RUN_PIXELS. */
+/* Combines up to SOFT_RUN_PIXELS fragments. */
 static void combine(const struct soft_environment *environment,
 	const struct meeting *m, uint32_t *color, uint32_t count)
 {

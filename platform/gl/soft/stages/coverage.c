@@ -1,7 +1,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* Of 256: how far inside of an edge this is; less between two close edges. */
+/* Coverage, of 256, between two edges half_q8 from the middle; thin ones less. */
 static int32_t find_share(int32_t half_q8, int32_t from_middle_q8)
 {
 	return clamp_int(half_q8 + 128 - from_middle_q8, 0,
@@ -13,7 +13,7 @@ static int32_t size_of(int32_t value)
 	return value < 0 ? -value : value;
 }
 
-/* Of 256, of the pixel whose centre is so many sixteenths from the middle. */
+/* Coverage, of 256, of a pixel whose centre is (x, y) / 16 from the middle. */
 static int32_t find_coverage(
 	const struct soft_coverage *coverage, int32_t x, int32_t y)
 {

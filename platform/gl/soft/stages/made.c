@@ -8,7 +8,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/* White's alpha, 8.7. */
+/* White's alpha in 8.7, with a half added. */
 enum {
 	WHITE_ALPHA = 0x7FC0,
 };
@@ -24,7 +24,7 @@ bool soft_mixes_levels(const struct texture_input *input)
 	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
 }
 
-/* GL ES 1.1 section 3.7.7: the level, or two and their shares. */
+/* Chooses the level, or two and their weights: GL ES 1.1 section 3.7.7. */
 static void choose_levels(const struct texture_input *input, int lod,
 	struct soft_made_levels *levels)
 {
@@ -38,7 +38,7 @@ static void choose_levels(const struct texture_input *input, int lod,
 		? clamp_int(mixed ? lod >> 8 : (lod + 127) >> 8, 0, last)
 		: 0;
 
-	/* lod runs straight between powers of two, a logarithm above. */
+	/* lod is linear between powers of two: this approximates log2 */
 	levels->share = !mixed || !small || level == last
 		? 0
 		: line + (line * (256 - line) * 92 >> 16);
@@ -61,7 +61,7 @@ void soft_set_made_levels(struct draw *draw, int unit, int lod)
 	choose_levels(&draw->texture[unit], lod, &draw->spans.made_levels[unit]);
 }
 
-/* Where a row's texels are in the base, where nothing is divided. */
+/* A coordinate at a run's start and its step, where nothing is divided. */
 static ALWAYS_INLINE struct bent find_coordinate(
 	const struct raster *raster, int name, const struct soft_row *row)
 {
@@ -77,7 +77,7 @@ static ALWAYS_INLINE struct bent find_coordinate(
 		(int32_t)(start + (uint32_t)plane->dx * x), plane->dx};
 }
 
-/* The second texture's, in perspective, whose row may have a level of its own. */
+/* The second texture's coordinates in perspective; chooses the row's level. */
 static NEVER_INLINE struct soft_made_at find_second(
 	struct draw *draw, const struct soft_row *row)
 {
@@ -104,7 +104,7 @@ struct soft_made_at soft_find_made_at(
 	return (struct soft_made_at){s.value, t.value, s.step, t.step};
 }
 
-/* The texels of a row of a level, as bytes. */
+/* Reads a run's texels from a level, as RGBA8888 or packed words. */
 static ALWAYS_INLINE void sample_row(const struct soft_made_levels *levels,
 	const struct soft_view *view, const struct soft_made_at *at,
 	struct soft_run *run)
@@ -127,8 +127,8 @@ static ALWAYS_INLINE void sample_row(const struct soft_made_levels *levels,
 }
 
 /*
- * The texels of all rows of the runs, one behind the other. Where the only
- * row's texels are may be known.
+ * Reads the texels of all runs, one run behind the other, from a unit's level or
+ * the next one. known are the coordinates, if there is a single run; else NULL.
  */
 static void sample_level(const struct draw *draw, int unit, bool next,
 	const struct soft_made_at *known, uint32_t *out)
@@ -138,7 +138,7 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 	const struct soft_view *view = next ? &levels->next_view : &levels->view;
 	struct soft_run run;
 
-	/* What is stepped along, but not read. */
+	/* values that soft_cut_run() steps, but nothing reads */
 	run.z_right = run.red_blue_right = run.green_alpha_right = 0;
 	run.fog_right = 0;
 	run.second = 0;
@@ -159,7 +159,7 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 	}
 }
 
-/* From one to the other of four bytes by 0..255 of 256. */
+/* Blends the four bytes of from with to by share / 256; share is below 256. */
 static uint32_t mix(uint32_t from, uint32_t to, uint32_t share)
 {
 	const uint32_t mask = 0x00FF00FF, half = 0x00800080;
@@ -180,7 +180,7 @@ static uint32_t count_pixels(const struct soft_run *runs)
 	return count;
 }
 
-/* The texels of a texture for all rows, of two levels where they are mixed. */
+/* Reads a unit's texels for all runs; mixes two levels where the filter does. */
 static void sample(struct draw *draw, int unit, uint32_t *texel)
 {
 	const struct soft_spans *spans = &draw->spans;
@@ -207,7 +207,7 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 	}
 }
 
-/* The vertices' colours. */
+/* Sets out to the vertices' colours of all runs, as RGBA8888. */
 static void fill_primary(const struct soft_run *run, uint32_t *out)
 {
 	uint32_t rb_right = run->red_blue_right;
@@ -226,7 +226,7 @@ static void fill_primary(const struct soft_run *run, uint32_t *out)
 	}
 }
 
-/* Alpha by the texel's with its fraction, as the span functions have it. */
+/* Sets alpha to the fragment's, with its fraction, times the texel's. */
 static void scale_alphas(
 	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
 {
@@ -246,7 +246,7 @@ static void scale_alphas(
 	}
 }
 
-/* What the environments make of the vertices' colours and the textures. */
+/* Computes colours by the environments from vertices' colours and textures. */
 static void combine(
 	struct draw *draw, uint32_t *texel, uint32_t *color, uint32_t count)
 {
@@ -271,7 +271,7 @@ static void combine(
 	}
 }
 
-/* The runs of a row of colours, which is their texture. */
+/* Makes runs whose texture is a row of colours; returns their number. */
 static uint32_t place_rows(
 	const struct draw *draw, uint32_t *color, struct soft_row *out)
 {
@@ -339,14 +339,14 @@ static void draw_made(const struct soft_run *given)
 	run->green_alpha_right = green_alpha_right;
 }
 
-/* From bytes to words of soft_run.second. */
+/* Converts RGBA8888 to words of soft_run.second. */
 static void pack_second(uint32_t *texel, uint32_t count)
 {
 	for (uint32_t i = 0; i < count; i++) {
 		const uint32_t red_blue = BYTES_AS_HALVES(texel[i]) * 249;
 		const uint32_t green = (texel[i] >> 8 & 255) * 253;
 
-		/* 8 bits of fraction, nearly: white is 31, 63 and 31. */
+		/* times 31 / 255 and 63 / 255, nearly: white is 31, 63 and 31 */
 		texel[i] = (red_blue & 0xFFC0) << 16 | (green & 0xFFE0) << 6 |
 			red_blue >> 21;
 	}
@@ -396,6 +396,6 @@ void soft_prepare_made(struct draw *draw)
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;
 	spans->draw = draw_made;
-	/* Rows of so many texels of four bytes */
+	/* rows of SOFT_RUN_PIXELS texels of four bytes */
 	spans->run.stride_log2 = 8;
 }

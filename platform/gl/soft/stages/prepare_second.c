@@ -1,4 +1,4 @@
-/* Which span functions read a second texture's texels, and how. */
+/* Chooses span functions that read a second texture's texels, and how. */
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -6,8 +6,8 @@
 #include <string.h>
 
 /*
- * How a span function draws a second texture after a finish without one; the
- * same finish where none does. Alpha is not wanted of opaque fragments.
+ * The finish that also draws the second texture; finish where there is none.
+ * The alpha of opaque fragments does not matter.
  */
 static enum soft_finish find_second_finish(
 	const struct draw *draw, enum soft_finish finish)
@@ -39,7 +39,7 @@ static bool is_same_array(const struct array *a, const struct array *b)
 		a->pointer == b->pointer;
 }
 
-/* Whether both textures' texels lie in the same places, for spans_joined.c. */
+/* Whether both textures have the same coordinates, sizes, levels and filters. */
 static bool are_joined(const struct draw *draw)
 {
 	const struct texture_input *a = &draw->texture[0], *b = a + 1;

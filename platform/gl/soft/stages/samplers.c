@@ -1,6 +1,6 @@
 /*
- * Functions that read a run's texels alone, one for each format and filter: as
- * bytes, or of RGB565 as words of soft_second_samplers.
+ * Functions that only read a run's texels, one for each format and filter, and
+ * write them as RGBA8888; or RGB565 ones as words for soft_run.second.
  */
 #include "platform/gl/soft/span/stages.h"
 
@@ -14,7 +14,7 @@ static ALWAYS_INLINE uint32_t widen_channel(struct soft_kind kind,
 				       : soft_widen_field(value, bits);
 }
 
-/* The bytes of a texel. */
+/* A texel as RGBA8888. */
 static ALWAYS_INLINE uint32_t widen_texel(
 	struct soft_kind kind, const struct soft_texel *texel)
 {
@@ -26,19 +26,19 @@ static ALWAYS_INLINE uint32_t widen_texel(
 		widen_channel(kind, SOFT_BLUE, texel) << 16 | texel->alpha << 24;
 }
 
-/* What struct soft_run's second has, of an RGB565 texel. */
+/* An RGB565 texel as a word for soft_run.second. */
 static ALWAYS_INLINE uint32_t pack_second(
 	struct soft_kind kind, const struct soft_texel *texel)
 {
 	const uint32_t *c = texel->channel;
 
-	/* Mixed channels are 2^18 times what they are. */
+	/* filtered channels are 2^18 times their values */
 	return kind.linear
 		? (c[0] & 0x7FE000) << 9 | (c[1] & 0xFFE000) >> 2 | c[2] >> 12
 		: c[0] << 27 | c[1] << 16 | c[2] << 6;
 }
 
-/* Of kinds that are not wide words for a second texture. */
+/* Reads a run's texels; kinds that are not wide give words for second. */
 static ALWAYS_INLINE void read_texels(
 	const struct soft_run *given, const struct soft_kind kind)
 {

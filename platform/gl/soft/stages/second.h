@@ -1,13 +1,13 @@
 /*
- * The stage of the span functions' text (template.h) for a second texture,
- * whose texels multiply those of the first one, or are added to the colour.
+ * The stage of span functions (template.h) for a second texture, whose texels
+ * multiply those of the first one, or are added to the colour.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_SECOND_H
 #define PLATFORM_GL_SOFT_STAGES_SECOND_H
 
 #include "platform/gl/soft/span/stages.h"
 
-/* Of a second texture's texel, the fraction of its 5, 6 and 5 bits. */
+/* Fraction bits of a second texel's channel, besides its 5, 6 and 5 bits. */
 static ALWAYS_INLINE int soft_second_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {
@@ -16,7 +16,7 @@ static ALWAYS_INLINE int soft_second_fraction(
 					: 6;
 }
 
-/* Shifted to so many bits of fraction. */
+/* A second texel's channel, shifted to so many fraction bits. */
 static ALWAYS_INLINE uint32_t soft_second_channel(struct soft_kind kind,
 	const struct soft_texel *second, enum soft_channel channel, int fraction)
 {
@@ -26,16 +26,16 @@ static ALWAYS_INLINE uint32_t soft_second_channel(struct soft_kind kind,
 		       : second->channel[channel] >> -up;
 }
 
-/* The words of soft_run.second. */
+/* Splits a word of soft_run.second into channels. */
 static ALWAYS_INLINE void soft_split_second(
 	uint32_t word, struct soft_texel *out)
 {
-	out->channel[0] = word >> 21; /* its last bit is green's first one */
+	out->channel[0] = word >> 21; /* the lowest bit belongs to green */
 	out->channel[1] = word << 10 >> 21;
 	out->channel[2] = word << 21 >> 21;
 }
 
-/* Channels times those of a second texture, which have 11 bits. */
+/* Multiplies channels by a second texel's, which have 11 bits. */
 static ALWAYS_INLINE void soft_scale_texel(struct soft_kind kind,
 	const struct soft_texel *second, struct soft_texel *texel)
 {

@@ -6,24 +6,25 @@
 
 GLenum span_one_of(uint32_t *seed, const GLenum *values, int count);
 
-/* Formats of texels: RGB565, RGBA4444, and others. */
+/* The number of texel formats; 0 is RGB565, 1 is RGBA4444. */
 enum {
 	SPAN_TEXELS = 8
 };
 
 /*
- * Enables a texture of one of these formats; the seed tells all else, but bytes
- * are others if flip is not 0.
+ * Makes and enables a random texture of one of these formats. All its bytes are
+ * XORed with flip, so that another flip gives other texels for the same seed.
  */
 void span_give_texels(
 	const struct gl *gl, uint32_t *seed, int format, uint32_t flip);
 
-/* The same, of any format. */
+/* The same in a random format, with a flip of 0. */
 void span_give_texture(const struct gl *gl, uint32_t *seed);
 
-/* Three corners at depths around 4: w differs by up to half, hardly, or not. */
+/* A random triangle, valid until the next call; w is 4, 3.6-4.4 or 3.2-4.8. */
 const struct span_corner *span_make_triangle(uint32_t *seed);
 
+/* span_scene_begin() with a perspective projection. */
 struct span_scene *span_begin_in_perspective(
 	enum pixel_format format, bool reference);
 

@@ -1,7 +1,7 @@
 /*
  * Walks the rows of a triangle with any attributes. Rows are cut into runs, and
- * attributes divided by w, at the columns at which the driver's own
- * platform/gl/soft/span/walk.c does so.
+ * attributes divided by w, at the same columns as in the driver, by walk.c and
+ * walk_list.c of platform/gl/soft/span.
  */
 #include "tests/support/soft/reference.h"
 
@@ -109,7 +109,7 @@ static uint32_t distance(int32_t a, int32_t b)
 	return a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
 }
 
-/* The same as find_spacing() of the driver's walk.c. */
+/* The same as find_spacing() of the driver's span/points.h. */
 static int find_spacing(const struct draw *draw, const struct point *from,
 	const struct point *to, int steps)
 {
@@ -168,7 +168,7 @@ static void row_divided(struct draw *draw, int y, int left, int right)
 	draw_linear(draw, y, x, right, from.value);
 }
 
-/* The same as row_bent() of the driver's walk.c. */
+/* Draws a row of polynomials in the same runs as the driver's walk_list.c. */
 static void row_bent(struct draw *draw, int y, int left, int right)
 {
 	struct raster *raster = &draw->raster;

@@ -239,7 +239,7 @@ static ALWAYS_INLINE int raster_find_lod(
 	return raster_log2_q8(right > down ? right : down);
 }
 
-/* A plane's value at column x in the triangle's first row. */
+/* A plane's value at column x of the row in which it starts, the first one. */
 static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 {
 	const struct plane *p = &raster->plane[plane];

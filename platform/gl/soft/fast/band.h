@@ -77,9 +77,8 @@ struct band_more {
 };
 
 /*
- * A band with a texture: a level of up to 256 x 256 texels that repeats, or a
- * part of a level whose coordinates stay within the mask. arm/layout.c asserts
- * which members the assembly expects side by side.
+ * A band with a texture: a level of up to 256 x 256 texels that repeats, or part
+ * of one, whose coordinates stay in the mask. arm/layout.c asserts the layout.
  */
 struct band {
 	_Alignas(8) struct band_row row; /* the next row to draw */

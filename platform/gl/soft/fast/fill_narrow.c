@@ -53,9 +53,8 @@ struct corners {
 };
 
 /*
- * Sets a channel's plane and adds its steps to the packed ones. Differences
- * lose their lowest bit to fit 16 bits. bits is 5 or 6, as in RGB565; cut is
- * how many fraction bits packing drops; place is the field's lowest bit.
+ * Sets a channel's plane and packed steps, from differences of 16 bits: halved.
+ * bits is RGB565's 5 or 6; packing drops cut bits; place is the field's first bit.
  */
 static ALWAYS_INLINE void add_channel(struct narrow *narrow,
 	const struct setup *setup, const struct corners *corners, int name,

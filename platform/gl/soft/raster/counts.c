@@ -8,8 +8,7 @@
 #include <string.h>
 
 enum {
-	NOT_SET_UP =
-		INT_MIN, /* in raster.top: neither planes nor lists were made */
+	NOT_SET_UP = INT_MIN, /* in raster.top: no planes or list were made */
 	/* vertices that the processor's second-level cache is taken to hold */
 	CACHED_VERTICES = 1500
 };

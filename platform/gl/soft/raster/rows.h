@@ -96,9 +96,8 @@ static ALWAYS_INLINE int32_t rows_find_step(
 }
 
 /*
- * How many pixels apart the exact divisions of a row are: 16 to 64. error is
- * that of a row of so many steps divided at its ends alone, in the same scale
- * as allowed, of which twice is half a texel.
+ * How many pixels apart a row's exact divisions are: 16 to 64. error is that of a
+ * row of so many steps divided at its ends alone; half a texel is allowed * 2.
  */
 static ALWAYS_INLINE int rows_find_spacing(
 	uint64_t error, uint64_t allowed, int steps)

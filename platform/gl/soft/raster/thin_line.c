@@ -175,9 +175,8 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 }
 
 /*
- * Draws the next count pixels; values change linearly from those of spans.run.
- * Lines that limber shows on the board are blended in RGB565: these have a loop
- * of their own.
+ * Draws the next count pixels, linear from spans.run's values. A loop of its
+ * own draws blended lines in RGB565, which limber shows on the board.
  */
 static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
 {

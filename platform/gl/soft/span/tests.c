@@ -81,8 +81,7 @@ static bool test_depths(const struct fragment_state *state,
 static bool test_stencils(const struct stencil *s, uint8_t *stencil,
 	uint32_t count, uint16_t *passes)
 {
-	uint8_t old = 0, far = 0,
-		near = 0; /* stencil; if depth fails; passes */
+	uint8_t old = 0, far = 0, near = 0; /* far, near: depth fails, passes */
 	uint16_t through = 0, any = 0;
 
 	for (uint32_t i = 0; i < count; i++) {

@@ -20,9 +20,8 @@ struct texels {
 void soft_draw_across(struct soft_spans *spans);
 
 /*
- * cut.c: draws a run whose texels may lie outside of the level, with
- * function[0] where they wrap around and function[1] where they lie inside.
- * Changes the run, except for its steps.
+ * cut.c: draws a run whose texels may lie outside of the level: by function[0]
+ * where they wrap around, else by function[1]. Changes the run, but not its steps.
  */
 void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2);

@@ -22,9 +22,8 @@ struct draw;
 struct soft_row;
 
 /*
- * Multiplies the alpha of a run's colours by the coverage. Removes pixels that
- * are not covered from both ends of the run, maybe all of them; returns how
- * many it removed from the left end.
+ * Multiplies a run's alpha by the coverage. Removes uncovered pixels from both
+ * ends of the run, maybe all; returns how many it removed from the left end.
  */
 uint32_t soft_cover(
 	const struct draw *draw, struct soft_row *run, uint32_t *color);

@@ -28,9 +28,8 @@ enum {
 	KEY_DEPTH_LESS = 1 << 11,   /* tested LESS, and written */
 	KEY_DEPTH_ALWAYS = 1 << 12, /* not tested, or ALWAYS */
 	KEY_STENCIL = 1 << 13,
-	KEY_STENCIL_ONCE = 1
-		<< 14,       /* EQUAL, in a state that fill_flat.c draws */
-	KEY_ADDED = 1 << 15, /* a colour is added to all fragments */
+	KEY_STENCIL_ONCE = 1 << 14, /* EQUAL, as fill_flat.c can draw it */
+	KEY_ADDED = 1 << 15,        /* a colour is added to all fragments */
 	/* the first texture */
 	KEY_TEXTURE = 1 << 16,
 	KEY_TEXTURE_565 = 1 << 17,

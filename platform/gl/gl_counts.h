@@ -52,7 +52,7 @@ struct gl_counts {
 	double shaded;   /* vertices of all kinds that were lit or coloured */
 	double hidden;   /* pixels of triangles that lie behind others */
 	double skipped;  /* triangles found behind others before their set-up */
-	double fine;     /* pixels of luminance textures drawn by finer tiles */
+	double fine;     /* pixels of luminance textures drawn two at a time */
 	struct gl_work work[GL_WORK_KINDS];
 };
 

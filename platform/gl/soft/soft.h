@@ -184,7 +184,7 @@ struct draw;
 struct setup;
 
 struct soft {
-	struct gl_context base; /* first: the two share their address */
+	struct gl_context base; /* first: pointers to it are cast to soft */
 	struct log log;
 	enum pixel_format format;
 	GLenum error;

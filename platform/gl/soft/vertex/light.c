@@ -134,7 +134,7 @@ static ALWAYS_INLINE void light_side(const struct shading *shading,
 	out[3] = 128 + (int32_t)(green_alpha >> 16 << 8);
 }
 
-/* Q28; false where the normal is not taken. */
+/* Loads a normal of floats in Q28; false if its length is out of range. */
 static ALWAYS_INLINE bool take_floats(
 	const struct shading *shading, const float f[3], struct triple *n)
 {

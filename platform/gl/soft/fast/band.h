@@ -1,6 +1,6 @@
 /*
  * Bands: the rows of a triangle above or below its middle vertex. A struct band
- * has an RGB565 texture; its depth is tested LESS; the picture is RGB565.
+ * has an RGB565 texture and picture, and depths that are tested LESS and written.
  *
  * Functions draw all rows of a band, and leave row and edges at the next row.
  */

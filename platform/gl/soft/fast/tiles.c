@@ -103,7 +103,7 @@ static struct rectangle_of_quads find_largest(const struct grid *grid)
 				r = grow(grid, x, y);
 			}
 			largest = area_of(&r) > area_of(&largest) ? r : largest;
-			/* other starts in this row would give smaller ones */
+			/* tries only the left end of each run of equal quads */
 			x += r.width ? r.width - 1 : 0;
 		}
 	}

@@ -42,7 +42,7 @@ static NEVER_INLINE struct stretch find_clamped(
 		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
 }
 
-/* The stretch from a coordinate on to the next clamped edge; left is the most. */
+/* The stretch from a coordinate to the next clamped edge, at most left pixels. */
 static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
 	uint32_t room, uint32_t mask, uint32_t last, uint32_t left)
 {

@@ -45,7 +45,7 @@ struct gl_work {
 
 struct gl_counts {
 	double calls;    /* of DrawArrays and DrawElements */
-	double listed;   /* triangles in these calls */
+	double listed;   /* their triangles, or the vertices of other lists */
 	double vertices; /* transformed for GL_TRIANGLES with 16-bit indices */
 	double again;    /* the same, of an array that recent calls have read */
 	double single;   /* transformed one by one, for all other calls */

@@ -194,4 +194,15 @@ static inline uint32_t most_halves(uint32_t a, uint32_t b)
 }
 #endif
 
+/*
+ * Data that no other library shares: position-independent code then reaches it
+ * without a table of addresses. Tests with sanitizers take all data from a
+ * shared library.
+ */
+#ifdef __SANITIZE_ADDRESS__
+#define OWN_DATA
+#else
+#define OWN_DATA __attribute__((visibility("hidden")))
+#endif
+
 #endif

@@ -10,8 +10,7 @@
 #include "platform/base/compiler.h"
 
 /* Q15: 1 / x at the middle of the i-th 256th of 0.5..1, 2^25 / (513 + 2 i). */
-extern const uint16_t soft_reciprocal_table[256]
-	__attribute__((visibility("hidden")));
+extern const uint16_t soft_reciprocal_table[256] OWN_DATA;
 
 /* The upper 32 bits of the 64-bit product, rounded down. */
 static inline int32_t mul_high(int32_t a, int32_t b)

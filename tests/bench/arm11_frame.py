@@ -13,16 +13,15 @@ BOARD_INSTRUCTIONS_S = 250e6  # QEMU's -icount shift=2
 SOFT = "platform/gl/soft/"
 # Files of platform/gl/soft by stage, without their folders.
 STAGES = {
-    "transform and light": "array array_state buffers cache draw fog_state"
-    " largest_float light light_state matrix number parameter paths prepare"
-    " prepare_light prepare_spans query shade soft state texenv_state"
-    " unindexed vertex vertices",
+    "transform and light": "array array_state cache context defaults draw_arrays key"
+    " largest_float light matrix number parameter paths prepare prepare_light"
+    " prepare_second prepare_spans shade state unindexed vertex vertices",
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
-    " fill_texture hidden layout line list raster triangle walk"
-    " walk_list",
-    "pixels": "band bands beside blend_row combine_rows coverage cut fill level luminance"
-    " made mix narrow_rows read rows samplers spans_565 spans_8888 tests"
-    " texture tile_row thin_line tiles tint untested",
+    " fill_texture hidden layout line list set_up triangle triangles walk walk_list",
+    "pixels": "band beside blend_row combine_rows coverage cut fill level loops"
+    " luminance made mix narrow_rows rows samplers spans_565 spans_8888"
+    " spans_joined spans_second tests texture tile_row thin_line tiles tint"
+    " untested",
     "clear": "clear",
 }
 ORDER = ("animate", *STAGES, "present")

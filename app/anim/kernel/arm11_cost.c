@@ -12,6 +12,6 @@ const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_LERP] = {"lerp", 20.60f, 7.03f},
 	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.46f, 14.05f},
 	[ARM11_TARGETS_2] = {"targets-2", 30.56f, 9.97f},
-	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 504.63f, 183.52f},
-	[ARM11_POSE_WALKER] = {"pose-walker-walk", 492.43f, 175.97f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 502.86f, 185.13f},
+	[ARM11_POSE_WALKER] = {"pose-walker-walk", 492.41f, 177.04f},
 };

@@ -21,71 +21,71 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.448e+04, 2.155e+04}, /* frame */
-	{0.6578, 0.2476},       /* pixel */
-	{1.922e+04, 7017},      /* call */
-	{84.69, 49.2},          /* listed */
-	{336.7, 75.62},         /* vertex */
+	{3.353e+04, 2.111e+04}, /* frame */
+	{0.7595, 0.3395},       /* pixel */
+	{1.736e+04, 6565},      /* call */
+	{112.4, 59.59},         /* listed */
+	{345.7, 74.23},         /* vertex */
 	{150.9, 77.25},         /* again */
-	{336.7, 155.5},         /* single */
-	{272.8, 242.3},         /* shaded */
-	{14.04, 14.4},          /* hidden */
-	{1293, 493.8},          /* skipped */
-	{3.729, 2.787},         /* fine */
-	{169.1, 75.82},         /* flat triangle */
-	{78.14, 46.34},         /* flat row */
-	{15.71, 11.58},         /* flat pixel */
-	{580.2, 211.8},         /* plain triangle */
-	{36.78, 27.04},         /* plain row */
-	{11.04, 4.958},         /* plain pixel */
-	{741.4, 524.5},         /* textured triangle */
-	{116.2, 0},             /* textured row */
-	{98.12, 66.53},         /* textured pixel */
-	{3.309e+04, 8068},      /* backdrop triangle */
-	{69.27, 24.88},         /* backdrop row */
-	{0, 0},                 /* backdrop pixel */
-	{4.007e+04, 1.155e+04}, /* ground triangle */
-	{129.5, 54.49},         /* ground row */
-	{8.516, 1.326},         /* ground pixel */
-	{633.4, 271.3},         /* spans triangle */
-	{203.9, 134.7},         /* spans row */
-	{21.82, 14.47},         /* spans pixel */
-	{1563, 356.1},          /* spans textured triangle */
-	{164.3, 40.72},         /* spans textured row */
-	{78.19, 52.46},         /* spans textured pixel */
-	{6559, 4096},           /* spans divided triangle */
-	{643.8, 365.1},         /* spans divided row */
-	{94.19, 58.17},         /* spans divided pixel */
-	{3121, 1178},           /* spans nearest triangle */
-	{321.5, 146.8},         /* spans nearest row */
-	{37.93, 27.51},         /* spans nearest pixel */
-	{3193, 1880},           /* mixed triangle */
-	{210.6, 114.9},         /* mixed row */
-	{49.5, 32.26},          /* mixed pixel */
-	{3600, 1373},           /* tested triangle */
-	{276.5, 158.8},         /* tested row */
-	{126, 84.38},           /* tested pixel */
-	{3660, 2412},           /* tested spans triangle */
-	{393.9, 248.7},         /* tested spans row */
-	{135.3, 83.62},         /* tested spans pixel */
-	{3390, 1053},           /* mixed textured triangle */
-	{241.6, 114.7},         /* mixed textured row */
-	{144.2, 97.9},          /* mixed textured pixel */
-	{3313, 2157},           /* mixed spans triangle */
-	{237.9, 161},           /* mixed spans row */
-	{151.7, 84.16},         /* mixed spans pixel */
-	{5096, 4104},           /* mixed divided triangle */
-	{1139, 603.4},          /* mixed divided row */
-	{134.1, 86.23},         /* mixed divided pixel */
-	{261.6, 96.29},         /* colored triangle */
+	{343.1, 159},           /* single */
+	{222.9, 213.3},         /* shaded */
+	{9.9, 11.35},           /* hidden */
+	{1202, 461.1},          /* skipped */
+	{4.11, 3.08},           /* fine */
+	{227, 109},             /* flat triangle */
+	{85.45, 57.25},         /* flat row */
+	{16.96, 12.33},         /* flat pixel */
+	{612.5, 187.7},         /* plain triangle */
+	{20.32, 21.4},          /* plain row */
+	{14.67, 6.262},         /* plain pixel */
+	{747.7, 545.4},         /* textured triangle */
+	{110.8, 0},             /* textured row */
+	{100.6, 67.05},         /* textured pixel */
+	{3.256e+04, 9453},      /* backdrop triangle */
+	{70.87, 26.98},         /* backdrop row */
+	{1.477, 0.5064},        /* backdrop pixel */
+	{3.783e+04, 1.111e+04}, /* ground triangle */
+	{123.9, 49.61},         /* ground row */
+	{6.086, 0.4912},        /* ground pixel */
+	{457.3, 337.4},         /* spans triangle */
+	{204.9, 132.4},         /* spans row */
+	{22.21, 14.64},         /* spans pixel */
+	{2151, 1036},           /* spans textured triangle */
+	{210.5, 79.43},         /* spans textured row */
+	{78.77, 52.1},          /* spans textured pixel */
+	{9740, 7340},           /* spans divided triangle */
+	{691.1, 359.6},         /* spans divided row */
+	{93.58, 58.11},         /* spans divided pixel */
+	{2976, 1161},           /* spans nearest triangle */
+	{311.4, 145.2},         /* spans nearest row */
+	{39.13, 27.54},         /* spans nearest pixel */
+	{2853, 1788},           /* mixed triangle */
+	{203.8, 108.1},         /* mixed row */
+	{49.63, 32.24},         /* mixed pixel */
+	{3308, 1321},           /* tested triangle */
+	{259.4, 157.1},         /* tested row */
+	{126.3, 84.05},         /* tested pixel */
+	{3761, 2464},           /* tested spans triangle */
+	{415.2, 254.4},         /* tested spans row */
+	{123.2, 78.26},         /* tested spans pixel */
+	{4053, 1426},           /* mixed textured triangle */
+	{287.2, 166.6},         /* mixed textured row */
+	{131.2, 85.5},          /* mixed textured pixel */
+	{3689, 2570},           /* mixed spans triangle */
+	{151.5, 124},           /* mixed spans row */
+	{152.6, 81.49},         /* mixed spans pixel */
+	{5079, 4088},           /* mixed divided triangle */
+	{1152, 597},            /* mixed divided row */
+	{132.8, 85.73},         /* mixed divided pixel */
+	{299, 123.5},           /* colored triangle */
 	{0, 0},                 /* colored row */
-	{3.476, 1.384},         /* colored pixel */
-	{2749, 1367},           /* bent triangle */
-	{388.5, 227.9},         /* bent row */
-	{3.959, 2.701},         /* bent pixel */
+	{3.39, 1.463},          /* colored pixel */
+	{2580, 1316},           /* bent triangle */
+	{352.8, 200.9},         /* bent row */
+	{4.046, 2.734},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.003, 0.9994},        /* deep row */
-	{2.128, 1.73},          /* deep pixel */
+	{1.002, 0.9976},        /* deep row */
+	{1.859, 1.319},         /* deep pixel */
 	{671.1, 360.2},         /* second triangle */
 	{166, 83.03},           /* second row */
 	{46.08, 23.51},         /* second pixel */

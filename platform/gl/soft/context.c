@@ -99,6 +99,8 @@ static int soft_begin_frame(
 		log_error(&soft->log, "--gl soft: out of memory for stencil");
 		return -ENOMEM;
 	}
+	/* Between frames others use the cache: see is_read_again() in counts.c. */
+	memset(soft->draw->recent, 0, sizeof(soft->draw->recent));
 	if (target->width != buffers->width ||
 		target->height != buffers->height) {
 		const struct rectangle all = {

@@ -100,7 +100,9 @@ static int soft_begin_frame(
 		return -ENOMEM;
 	}
 	/* Between frames others use the cache: see is_read_again() in counts.c. */
-	memset(soft->draw->recent, 0, sizeof(soft->draw->recent));
+	if (soft->counts) {
+		memset(soft->draw->recent, 0, sizeof(soft->draw->recent));
+	}
 	if (target->width != buffers->width ||
 		target->height != buffers->height) {
 		const struct rectangle all = {

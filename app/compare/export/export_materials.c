@@ -81,7 +81,10 @@ static json_t *sampler_json(const struct model_texture *texture)
 		wrap[texture->wrap_t]);
 }
 
-/* Adds an image as PNG. Returns the index of its buffer view, or -1. */
+/*
+ * Adds an image as PNG. Returns the index of its buffer view, or -1. The fast
+ * way takes a fifth of the instructions; files on disk are better small.
+ */
 static int add_png(struct glb *glb, const struct model_image *image)
 {
 	png_image png = {
@@ -89,6 +92,7 @@ static int add_png(struct glb *glb, const struct model_image *image)
 		.width = (png_uint_32)image->width,
 		.height = (png_uint_32)image->height,
 		.format = PNG_FORMAT_RGBA,
+		.flags = glb->is_read_at_once ? PNG_IMAGE_FLAG_FAST : 0,
 	};
 	png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
 	void *data = malloc(size);

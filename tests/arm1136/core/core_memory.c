@@ -117,10 +117,9 @@ static void move_registers(struct core *core, const struct insn *insn,
 {
 	int word = 0;
 
-	for (unsigned int reg = 0; insn->list >> reg; reg++) {
-		if (!(insn->list >> reg & 1)) {
-			continue;
-		}
+	for (unsigned int left = insn->list; left; left &= left - 1) {
+		unsigned int reg = (unsigned int)__builtin_ctz(left);
+
 		transfer_word(transfer, insn, word, at);
 		if (insn->unit == UNIT_STORE) {
 			core->unlocked[reg] = at + 1 + (word + 1) / 2;
@@ -147,10 +146,10 @@ void core_wait_for_registers(
 {
 	bool many = (insn->list & (insn->list - 1)) != 0;
 
-	for (unsigned int reg = 0; insn->list >> reg; reg++) {
-		if (!(insn->list >> reg & 1) || reg == REG_PC) {
-			continue;
-		}
+	for (unsigned int left = insn->list & ~(1u << REG_PC); left;
+		left &= left - 1) {
+		unsigned int reg = (unsigned int)__builtin_ctz(left);
+
 		if (insn->unit == UNIT_LOAD) {
 			core_wait_to_write(core, issue, reg, 3);
 		} else if (many) {

@@ -252,10 +252,9 @@ static void step_loaded(struct values *values, const struct insn *insn,
 {
 	int index = 0;
 
-	for (unsigned int reg = 0; reg < 16; reg++) {
-		if (!(insn->list >> reg & 1)) {
-			continue;
-		}
+	for (unsigned int left = insn->list; left; left &= left - 1) {
+		unsigned int reg = (unsigned int)__builtin_ctz(left);
+
 		if (index < count && access[index].has_value &&
 			insn->value_rule == VALUE_LOAD) {
 			set(values, reg, access[index].value);

@@ -226,6 +226,10 @@ int character_build_feet(struct character_build *build,
 	struct character_feet *feet = what;
 	int error;
 
+	if (build->character->feet) {
+		return character_fail_section(build, section,
+			"a character has one pair of feet: there is a section [feet] already");
+	}
 	feet->hips = feet->foot[0].leg.upper = feet->foot[1].leg.upper = -1;
 	error = character_read_section(build, section, keys, feet);
 	if (error) {

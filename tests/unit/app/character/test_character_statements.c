@@ -196,6 +196,10 @@ static const struct statement walker[] = {
 	{"[muscle a]\njoint = forearm.L\nbone = upper_arm.L\nfrom = 17\nto = 90\nswell = 0.1 0 0.1\n",
 		"[muscle a]\njoint = forearm.L\n", "add joint = NODE and bone"},
 	{"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
+		"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n"
+		"[feet b]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
+		"a character has one pair of feet"},
+	{"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
 		"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\n",
 		"right = UPPER LOWER TIP"},
 	{"[cape a]\nbone = chest\nplace = 0 1.45 -0.12\nwidth = 0.4\nlength = 0.8\n",

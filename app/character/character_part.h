@@ -55,6 +55,7 @@ struct character_part {
 	bool rotates_first; /* the position turns with the angles */
 	struct character_freedom freedom[CHARACTER_FREEDOMS];
 	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
+	bool has_radius; /* guard[0] is the capsule of `radius` and `tip` */
 	int guard_count;
 	struct character_guard guard[CHARACTER_GUARDS_MAX];
 	/*

@@ -87,23 +87,47 @@ static int read_first(struct character_words *words,
 	return error;
 }
 
-/* radius and tip describe the first capsule, each guard a further one. */
+static int fail_guards(const struct character_words *words)
+{
+	return character_fail(
+		words, "a part has at most %d capsules", CHARACTER_GUARDS_MAX);
+}
+
+/*
+ * radius and tip describe the first capsule, each guard a further one, in any
+ * order of the lines. Returns NULL if there is no room.
+ */
 static struct character_guard *first_guard(struct character_part *part)
 {
-	part->guard_count += part->guard_count == 0;
+	if (!part->has_radius) {
+		if (part->guard_count == CHARACTER_GUARDS_MAX) {
+			return NULL;
+		}
+		memmove(&part->guard[1], &part->guard[0],
+			(size_t)part->guard_count * sizeof(part->guard[0]));
+		part->guard[0] = (struct character_guard){0};
+		part->guard_count++;
+		part->has_radius = true;
+	}
 	return &part->guard[0];
 }
 
 static int read_radius(struct character_words *words,
 	const struct character_key *key, void *member)
 {
-	return character_read_number(words, key, &first_guard(member)->radius_m);
+	struct character_guard *guard = first_guard(member);
+
+	return guard ? character_read_number(words, key, &guard->radius_m)
+		     : fail_guards(words);
 }
 
 static int read_tip(struct character_words *words,
 	const struct character_key *key, void *member)
 {
-	return character_read_numbers3(words, key, first_guard(member)->to);
+	struct character_guard *guard = first_guard(member);
+
+	return guard ? character_read_numbers3(words, key, guard->to)
+		     : fail_guards(words);
 }
 
 /* guard = METRES [X Y Z [X Y Z]] */
@@ -115,8 +139,7 @@ static int read_guard(struct character_words *words,
 	int error;
 
 	if (part->guard_count == CHARACTER_GUARDS_MAX) {
-		return character_fail(words, "a part has at most %d capsules",
-			CHARACTER_GUARDS_MAX);
+		return fail_guards(words);
 	}
 	part->guard_count++;
 	error = character_read_number(words, key, &guard->radius_m);

@@ -60,6 +60,7 @@ struct group {
 			  at the same position */
 	size_t vertex_count;
 	float extent; /* the longest side of the box around them */
+	bool refused; /* the budget left levels out */
 };
 
 static int init_group(
@@ -261,17 +262,18 @@ static int join_levels(struct model_primitive *primitive,
  * Returns 0 instead of an error if the budget refused memory, since levels are
  * optional. An error of the machine's memory stays.
  */
-static int unless_refused(struct memory_budget *budget, int error)
+static int unless_refused(
+	struct group *group, struct memory_budget *budget, int error)
 {
 	if (!error || !budget || !budget->exceeded) {
 		return error;
 	}
 	budget->exceeded = false;
+	group->refused = true;
 	return 0;
 }
 
-static int add_to_primitive(
-	struct model *model, const struct group *group, int number)
+static int add_to_primitive(struct model *model, struct group *group, int number)
 {
 	struct model_primitive *primitive = group->primitive[number];
 	int own = primitive->lod_count;
@@ -295,7 +297,7 @@ static int add_to_primitive(
 	 * would be seen.
 	 */
 	if (own == 0 && primitive->normal) {
-		error = unless_refused(model->budget,
+		error = unless_refused(group, model->budget,
 			make_lists(&shaded, &input, shaded_limits,
 				(int)ARRAY_COUNT(shaded_limits), model));
 		if (error) {
@@ -314,7 +316,7 @@ static int add_to_primitive(
 		input.index = primitive->lod[own - 1].index;
 		input.index_count = primitive->lod[own - 1].index_count;
 	}
-	error = unless_refused(model->budget,
+	error = unless_refused(group, model->budget,
 		make_lists(&shadow, &input, shadow_limits,
 			(int)ARRAY_COUNT(shadow_limits), model));
 	return error ? error
@@ -331,12 +333,12 @@ static int add_to_group(struct model *model, struct group *group, int mesh)
 	if (group->extent > 0.0f) {
 		error = find_shared(group, &scratch);
 		for (int p = 0; !error && p < group->count; p++) {
-			error = unless_refused(model->budget,
+			error = unless_refused(group, model->budget,
 				add_to_primitive(model, group, p));
 		}
 	}
 	arena_release(&scratch);
-	return unless_refused(model->budget, error);
+	return unless_refused(group, model->budget, error);
 }
 
 /* Whether half of the budget is free, since instances need memory too. */
@@ -357,17 +359,15 @@ static int add_to_all(struct model *model, struct group *group)
 	return error;
 }
 
-int levels_make(struct model *model)
+/* Sets *refused if the budget left levels out. */
+static int make(struct model *model, bool *refused)
 {
 	struct memory_budget *budget = model->budget;
 	struct arena scratch = arena_within(budget);
 	bool exceeded = budget && budget->exceeded;
-	struct group group;
+	struct group group = {0};
 	int error;
 
-	if (!has_room(budget)) {
-		return 0;
-	}
 	/* A refusal here is not the reason of a later failure. */
 	if (budget) {
 		budget->exceeded = false;
@@ -376,10 +376,30 @@ int levels_make(struct model *model)
 	if (!error) {
 		error = add_to_all(model, &group);
 	}
-	error = unless_refused(budget, error);
+	error = unless_refused(&group, budget, error);
 	arena_release(&scratch);
 	if (budget) {
 		budget->exceeded = exceeded;
+	}
+	*refused = group.refused;
+	return error;
+}
+
+int levels_make(struct model *model)
+{
+	bool refused;
+
+	return has_room(model->budget) ? make(model, &refused) : 0;
+}
+
+int levels_make_all(struct model *model)
+{
+	bool refused;
+	int error = make(model, &refused);
+
+	if (!error && refused) {
+		model->budget->exceeded = true;
+		error = -ENOMEM;
 	}
 	return error;
 }

@@ -20,4 +20,10 @@
  */
 int levels_make(struct model *model);
 
+/*
+ * The same for levels that are kept: uses all of the budget, and fails with
+ * -ENOMEM and budget->exceeded if levels do not fit.
+ */
+int levels_make_all(struct model *model);
+
 #endif

@@ -111,7 +111,7 @@ static void write_list(FILE *out, const struct model_primitive *primitive,
 
 int levels_write(struct model *model, FILE *out)
 {
-	int error = levels_make(model);
+	int error = levels_make_all(model);
 
 	if (error) {
 		return error;

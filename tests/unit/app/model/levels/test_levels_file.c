@@ -37,6 +37,36 @@ static struct bytes write_levels(void)
 	return bytes;
 }
 
+static void test_no_file_is_written_of_levels_that_the_budget_refused(
+	void **state)
+{
+	static char data[1 << 18];
+	int refused = 0, written = 0;
+
+	(void)state;
+	/* From a budget that the model fills to one with room for all. */
+	for (size_t kib = 0; kib <= 2048; kib += 256) {
+		struct model *model = load();
+		FILE *out = fmemopen(data, sizeof(data), "w");
+		int error;
+
+		assert_non_null(out);
+		model->budget->limit_bytes =
+			model->budget->used_bytes + kib * 1024;
+		error = levels_write(model, out);
+		assert_int_equal(error, error ? -ENOMEM : 0);
+		assert_int_equal(model->budget->exceeded, error != 0);
+		assert_true(error || model->mesh[0].primitive[0].lod_count > 0);
+		assert_false(error && written);
+		refused += error != 0;
+		written += error == 0;
+		model_destroy(model);
+		fclose(out);
+	}
+	assert_true(refused > 0);
+	assert_true(written > 0);
+}
+
 static void assert_same_lists(
 	const struct model_primitive *a, const struct model_primitive *b)
 {
@@ -182,6 +212,8 @@ static void test_levels_beyond_the_budget_are_left_out_with_a_warning(
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_no_file_is_written_of_levels_that_the_budget_refused),
 		cmocka_unit_test(test_read_levels_are_the_made_ones),
 		cmocka_unit_test(test_other_vertices_refuse_the_levels),
 		cmocka_unit_test(test_a_file_that_ends_early_is_refused),

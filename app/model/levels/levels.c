@@ -60,7 +60,8 @@ struct group {
 			  at the same position */
 	size_t vertex_count;
 	float extent; /* the longest side of the box around them */
-	bool refused; /* the budget left levels out */
+	struct memory_budget *budget; /* the model's, or NULL */
+	bool refused;                 /* it left levels out */
 };
 
 static int init_group(
@@ -262,13 +263,12 @@ static int join_levels(struct model_primitive *primitive,
  * Returns 0 instead of an error if the budget refused memory, since levels are
  * optional. An error of the machine's memory stays.
  */
-static int unless_refused(
-	struct group *group, struct memory_budget *budget, int error)
+static int unless_refused(struct group *group, int error)
 {
-	if (!error || !budget || !budget->exceeded) {
+	if (!error || !group->budget || !group->budget->exceeded) {
 		return error;
 	}
-	budget->exceeded = false;
+	group->budget->exceeded = false;
 	group->refused = true;
 	return 0;
 }
@@ -297,7 +297,7 @@ static int add_to_primitive(struct model *model, struct group *group, int number
 	 * would be seen.
 	 */
 	if (own == 0 && primitive->normal) {
-		error = unless_refused(group, model->budget,
+		error = unless_refused(group,
 			make_lists(&shaded, &input, shaded_limits,
 				(int)ARRAY_COUNT(shaded_limits), model));
 		if (error) {
@@ -316,7 +316,7 @@ static int add_to_primitive(struct model *model, struct group *group, int number
 		input.index = primitive->lod[own - 1].index;
 		input.index_count = primitive->lod[own - 1].index_count;
 	}
-	error = unless_refused(group, model->budget,
+	error = unless_refused(group,
 		make_lists(&shadow, &input, shadow_limits,
 			(int)ARRAY_COUNT(shadow_limits), model));
 	return error ? error
@@ -333,12 +333,12 @@ static int add_to_group(struct model *model, struct group *group, int mesh)
 	if (group->extent > 0.0f) {
 		error = find_shared(group, &scratch);
 		for (int p = 0; !error && p < group->count; p++) {
-			error = unless_refused(group, model->budget,
-				add_to_primitive(model, group, p));
+			error = unless_refused(
+				group, add_to_primitive(model, group, p));
 		}
 	}
 	arena_release(&scratch);
-	return unless_refused(group, model->budget, error);
+	return unless_refused(group, error);
 }
 
 /* Whether half of the budget is free, since instances need memory too. */
@@ -365,7 +365,7 @@ static int make(struct model *model, bool *refused)
 	struct memory_budget *budget = model->budget;
 	struct arena scratch = arena_within(budget);
 	bool exceeded = budget && budget->exceeded;
-	struct group group = {0};
+	struct group group = {.budget = budget};
 	int error;
 
 	/* A refusal here is not the reason of a later failure. */
@@ -376,7 +376,7 @@ static int make(struct model *model, bool *refused)
 	if (!error) {
 		error = add_to_all(model, &group);
 	}
-	error = unless_refused(&group, budget, error);
+	error = unless_refused(&group, error);
 	arena_release(&scratch);
 	if (budget) {
 		budget->exceeded = exceeded;

@@ -117,8 +117,8 @@ static void move_registers(struct core *core, const struct insn *insn,
 {
 	int word = 0;
 
-	for (unsigned int left = insn->list; left; left &= left - 1) {
-		unsigned int reg = (unsigned int)__builtin_ctz(left);
+	for (unsigned int list = insn->list; list;) {
+		unsigned int reg = insn_take_register(&list);
 
 		transfer_word(transfer, insn, word, at);
 		if (insn->unit == UNIT_STORE) {
@@ -146,9 +146,8 @@ void core_wait_for_registers(
 {
 	bool many = (insn->list & (insn->list - 1)) != 0;
 
-	for (unsigned int left = insn->list & ~(1u << REG_PC); left;
-		left &= left - 1) {
-		unsigned int reg = (unsigned int)__builtin_ctz(left);
+	for (unsigned int list = insn->list & ~(1u << REG_PC); list;) {
+		unsigned int reg = insn_take_register(&list);
 
 		if (insn->unit == UNIT_LOAD) {
 			core_wait_to_write(core, issue, reg, 3);

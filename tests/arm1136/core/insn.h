@@ -181,6 +181,15 @@ static inline uint32_t insn_field(
 	return insn->word >> low & ((1u << bits) - 1);
 }
 
+/* Takes the lowest register out of a list that is not empty. */
+static inline unsigned int insn_take_register(unsigned int *list)
+{
+	unsigned int reg = (unsigned int)__builtin_ctz(*list);
+
+	*list &= *list - 1;
+	return reg;
+}
+
 static inline bool insn_bit(const struct insn *insn, unsigned int bit)
 {
 	return insn->word >> bit & 1;

@@ -252,8 +252,8 @@ static void step_loaded(struct values *values, const struct insn *insn,
 {
 	int index = 0;
 
-	for (unsigned int left = insn->list; left; left &= left - 1) {
-		unsigned int reg = (unsigned int)__builtin_ctz(left);
+	for (unsigned int list = insn->list; list;) {
+		unsigned int reg = insn_take_register(&list);
 
 		if (index < count && access[index].has_value &&
 			insn->value_rule == VALUE_LOAD) {

@@ -5,6 +5,7 @@
 
 #include <cglm/cglm.h>
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -161,6 +162,34 @@ static void test_a_choice_goes_round(void **state)
 		press(&acting, BUTTON_ENTER, 0.5 * i);
 		assert_near(acting_value(&acting, "moving"), i % 5, 0.0);
 	}
+	acting_end(&acting);
+}
+
+static void test_capsules_of_a_part_may_stand_in_any_order(void **state)
+{
+	static const char *const order[] = {
+		"[part Arm]\nradius = 0.2\ntip = 0 0.5 0\nguard = 0.1 1 2 3\n",
+		"[part Arm]\nguard = 0.1 1 2 3\ntip = 0 0.5 0\nradius = 0.2\n",
+	};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	for (int i = 0; i < 2; i++) {
+		const struct character_part *part;
+
+		acting_expect(&acting, order[i]);
+		part = part_of(&acting, "Arm");
+		assert_int_equal(part->guard_count, 2);
+		assert_near(part->guard[0].radius_m, 0.2, 1e-6);
+		assert_near(part->guard[0].to[1], 0.5, 1e-6);
+		assert_near(part->guard[1].radius_m, 0.1, 1e-6);
+		assert_near(part->guard[1].to[2], 3.0, 1e-6);
+	}
+	acting_read(&acting,
+		"[part Arm]\nguard = 1\nguard = 2\nguard = 3\nguard = 4\nradius = 5\n");
+	assert_int_equal(acting.error, -EINVAL);
+	assert_contains(acting.logged.sentence[0], "at most 4 capsules");
 	acting_end(&acting);
 }
 
@@ -333,6 +362,7 @@ int main(void)
 		cmocka_unit_test(test_the_arm_loads_the_truck_by_a_sequence),
 		cmocka_unit_test(
 			test_what_the_arrows_move_depends_on_the_chosen_part),
+		cmocka_unit_test(test_capsules_of_a_part_may_stand_in_any_order),
 		cmocka_unit_test(test_guarded_parts_stay_above_the_floor),
 		cmocka_unit_test(test_the_crate_changes_hands_without_a_jump),
 		cmocka_unit_test(

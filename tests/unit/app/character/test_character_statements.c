@@ -435,34 +435,6 @@ static void test_statements_about_parts(void **state)
 	check_all("assets/arm.glb", "", arm, ARRAY_COUNT(arm));
 }
 
-static void test_capsules_of_a_part_may_stand_in_any_order(void **state)
-{
-	static const char *const order[] = {
-		"[part Arm]\nradius = 0.2\ntip = 0 0.5 0\nguard = 0.1 1 2 3\n",
-		"[part Arm]\nguard = 0.1 1 2 3\ntip = 0 0.5 0\nradius = 0.2\n",
-	};
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/arm.glb");
-	for (int i = 0; i < 2; i++) {
-		const struct character_part *part;
-
-		acting_expect(&acting, order[i]);
-		part = &acting.character->part[0];
-		assert_int_equal(part->guard_count, 2);
-		assert_near(part->guard[0].radius_m, 0.2, 1e-6);
-		assert_near(part->guard[0].to[1], 0.5, 1e-6);
-		assert_near(part->guard[1].radius_m, 0.1, 1e-6);
-		assert_near(part->guard[1].to[2], 3.0, 1e-6);
-	}
-	acting_read(&acting,
-		"[part Arm]\nguard = 1\nguard = 2\nguard = 3\nguard = 4\nradius = 5\n");
-	assert_int_equal(acting.error, -EINVAL);
-	assert_contains(acting.logged.sentence[0], "at most 4 capsules");
-	acting_end(&acting);
-}
-
 static void test_an_error_names_file_line_section_and_key(void **state)
 {
 	struct acting acting;
@@ -473,27 +445,6 @@ static void test_an_error_names_file_line_section_and_key(void **state)
 		"; a comment\n[state go]\nclip = walk\n  fade = soon\n");
 	assert_string_equal(acting.logged.sentence[0],
 		"test.character:4: [state go] fade: soon is not right here: give 0.3 or 4 frames, and smooth, linear or cubic");
-	acting_end(&acting);
-}
-
-/* What editors of other systems write, and names with odd letters. */
-static void test_texts_of_all_editors_are_read(void **state)
-{
-	static const char *const texts[] = {
-		"\xEF\xBB\xBF[state a]\r\nclip = walk\r\n",
-		"\xEF\xBB\xBF; comment\n[state a]\nclip = walk",
-		"  [state a]  ; comment\n\tclip=walk ; comment\n# comment\n",
-		"[names]\nhips = mixamorig:Hips\n"
-		"[state a]\nclip = \"walk\"\nenter = line \"a = b, c: d\"\n",
-	};
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
-		acting_expect(&acting, texts[i]);
-		assert_string_equal(acting_state(&acting), "a");
-	}
 	acting_end(&acting);
 }
 
@@ -522,9 +473,7 @@ int main(void)
 		cmocka_unit_test(test_statements_about_buttons),
 		cmocka_unit_test(test_statements_about_morphs),
 		cmocka_unit_test(test_statements_about_parts),
-		cmocka_unit_test(test_capsules_of_a_part_may_stand_in_any_order),
 		cmocka_unit_test(test_an_error_names_file_line_section_and_key),
-		cmocka_unit_test(test_texts_of_all_editors_are_read),
 		cmocka_unit_test(
 			test_a_value_may_be_a_parameter_whose_name_has_blanks),
 	};

@@ -1,6 +1,6 @@
 /*
  * What buttons are called, targets that are counted from a node, marks of
- * clips, and files that include others.
+ * clips, files that include others, and the letters that editors write.
  */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
@@ -158,6 +158,27 @@ static void test_a_line_replaces_the_whole_line_of_an_included_file(void **state
 	acting_end(&acting);
 }
 
+/* What editors of other systems write, and names with odd letters. */
+static void test_texts_of_all_editors_are_read(void **state)
+{
+	static const char *const texts[] = {
+		"\xEF\xBB\xBF[state a]\r\nclip = walk\r\n",
+		"\xEF\xBB\xBF; comment\n[state a]\nclip = walk",
+		"  [state a]  ; comment\n\tclip=walk ; comment\n# comment\n",
+		"[names]\nhips = mixamorig:Hips\n"
+		"[state a]\nclip = \"walk\"\nenter = line \"a = b, c: d\"\n",
+	};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
+		acting_expect(&acting, texts[i]);
+		assert_string_equal(acting_state(&acting), "a");
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -168,6 +189,7 @@ int main(void)
 		cmocka_unit_test(test_no_marks_are_at_the_same_moment_of_a_round),
 		cmocka_unit_test(
 			test_a_line_replaces_the_whole_line_of_an_included_file),
+		cmocka_unit_test(test_texts_of_all_editors_are_read),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

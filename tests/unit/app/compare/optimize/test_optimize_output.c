@@ -167,20 +167,40 @@ static void test_many_arrays_are_told_apart(void **state)
 	assert_int_equal(output->view[OPTIMIZE_DATA].size, COUNT * 8);
 }
 
-/* Where few elements are not 0, those and their numbers take fewer bytes. */
-static void test_few_elements_are_stored_sparsely(void **state)
+enum {
+	SPARSE_COUNT = 300
+};
+
+static struct optimize_array sparse_array(const uint32_t *index)
 {
-	enum {
-		COUNT = 300
-	};
-	struct optimize_output *output = *state;
-	static uint32_t index[COUNT * 3];
-	struct optimize_array array = {.count = COUNT,
+	return (struct optimize_array){.count = SPARSE_COUNT,
 		.width = 3,
 		.component = GLB_USHORT,
 		.sparse = true,
 		.index = index};
-	const uint8_t *data;
+}
+
+/* Expects that an accessor's sparse values are these shorts, zeros included. */
+static void expect_values(const struct optimize_output *output,
+	const json_t *sparse, const uint32_t *wanted, size_t count)
+{
+	json_t *json = json_object_get(sparse, "values");
+	const uint8_t *data =
+		output->view[OPTIMIZE_DATA].data + integer(json, "byteOffset");
+
+	for (size_t i = 0; i < count; i++) {
+		assert_int_equal(read_number(data + 2 * i, 2), wanted[i]);
+	}
+}
+
+/* Where few elements are not 0, those and their numbers take fewer bytes. */
+static void test_few_elements_are_stored_sparsely(void **state)
+{
+	static const uint32_t wanted[10] = {0, 0, 5, 0, 6, 0, 0x1234, 0, 0, 0};
+	static uint32_t index[SPARSE_COUNT * 3];
+	struct optimize_output *output = *state;
+	const struct optimize_array array = sparse_array(index);
+	const uint8_t *numbers;
 	json_t *json, *sparse;
 
 	index[3 * 7 + 2] = 5;
@@ -191,51 +211,57 @@ static void test_few_elements_are_stored_sparsely(void **state)
 	assert_null(json_object_get(json, "bufferView"));
 	sparse = json_object_get(json, "sparse");
 	assert_int_equal(integer(sparse, "count"), 3);
-	data = output->view[OPTIMIZE_DATA].data;
 	json = json_object_get(sparse, "indices");
 	assert_int_equal(integer(json, "componentType"), GLB_USHORT);
-	assert_int_equal(read_number(data + integer(json, "byteOffset"), 2), 7);
-	assert_int_equal(
-		read_number(data + integer(json, "byteOffset") + 2, 2), 8);
+	numbers = output->view[OPTIMIZE_DATA].data + integer(json, "byteOffset");
+	assert_int_equal(read_number(numbers, 2), 7);
+	assert_int_equal(read_number(numbers + 2, 2), 8);
 	/* The last one, and zeros up to a multiple of 4 bytes. */
-	assert_int_equal(
-		read_number(data + integer(json, "byteOffset") + 4, 4), 299);
-	json = json_object_get(sparse, "values");
-	data += integer(json, "byteOffset");
-	for (size_t i = 0; i < 10; i++) {
-		static const uint32_t wanted[10] = {
-			0, 0, 5, 0, 6, 0, 0x1234, 0, 0, 0};
+	assert_int_equal(read_number(numbers + 4, 4), 299);
+	expect_values(output, sparse, wanted, ARRAY_COUNT(wanted));
+}
 
-		assert_int_equal(read_number(data + 2 * i, 2), wanted[i]);
-	}
-	/* The first one, of two. */
-	memset(index, 0, sizeof(index));
+static void test_a_sparse_array_may_begin_with_its_first_element(void **state)
+{
+	static const uint32_t wanted[6] = {0, 0, 8, 0, 9, 0};
+	static uint32_t index[SPARSE_COUNT * 3];
+	struct optimize_output *output = *state;
+	const struct optimize_array array = sparse_array(index);
+	json_t *json, *sparse;
+
+	/* Another one lies before it. */
+	index[3 * 7 + 2] = 5;
+	optimize_output_add(output, OPTIMIZE_VERTICES, &array);
+	index[3 * 7 + 2] = 0;
 	index[2] = 8;
 	index[3 * 299 + 1] = 9;
 	json = accessor(
 		output, optimize_output_add(output, OPTIMIZE_VERTICES, &array));
 	sparse = json_object_get(json, "sparse");
 	assert_int_equal(integer(sparse, "count"), 2);
-	data = output->view[OPTIMIZE_DATA].data;
 	json = json_object_get(sparse, "indices");
-	assert_int_equal(
-		read_number(data + integer(json, "byteOffset"), 4), 299 << 16);
-	json = json_object_get(sparse, "values");
-	for (size_t i = 0; i < 6; i++) {
-		static const uint32_t wanted[6] = {0, 0, 8, 0, 9, 0};
+	assert_int_equal(read_number(output->view[OPTIMIZE_DATA].data +
+					 integer(json, "byteOffset"),
+				 4),
+		299 << 16);
+	expect_values(output, sparse, wanted, ARRAY_COUNT(wanted));
+}
 
-		assert_int_equal(
-			read_number(
-				data + integer(json, "byteOffset") + 2 * i, 2),
-			wanted[i]);
-	}
-	/* One that may not be sparse, and one that is full. */
+static void test_full_arrays_and_those_of_others_are_not_sparse(void **state)
+{
+	static uint32_t index[SPARSE_COUNT * 3];
+	struct optimize_output *output = *state;
+	struct optimize_array array = sparse_array(index);
+	json_t *json;
+
+	index[2] = 8;
+	index[3 * 299 + 1] = 9;
 	array.sparse = false;
 	json = accessor(
 		output, optimize_output_add(output, OPTIMIZE_VERTICES, &array));
 	assert_null(json_object_get(json, "sparse"));
 	array.sparse = true;
-	for (int i = 0; i < COUNT * 3; i++) {
+	for (int i = 0; i < SPARSE_COUNT * 3; i++) {
 		index[i] = 1;
 	}
 	json = accessor(
@@ -279,6 +305,8 @@ int main(void)
 		CASE(test_equal_arrays_are_stored_once),
 		CASE(test_many_arrays_are_told_apart),
 		CASE(test_few_elements_are_stored_sparsely),
+		CASE(test_a_sparse_array_may_begin_with_its_first_element),
+		CASE(test_full_arrays_and_those_of_others_are_not_sparse),
 		CASE(test_bounds_are_the_least_and_the_most),
 	};
 #undef CASE

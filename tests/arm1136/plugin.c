@@ -263,7 +263,9 @@ static struct insn *translate(
 		word = 0xffffffff;
 	}
 	insn = program_insn(&plugin->program, pc, word, &is_new);
-	if (insn && is_new) {
+	/* Only these are listed with their text, which takes long to make. */
+	if (insn && is_new &&
+		(plugin->params.profile || insn->unit == UNIT_UNKNOWN)) {
 		insn->text = qemu_plugin_insn_disas(from);
 	}
 	return insn;

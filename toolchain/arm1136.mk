@@ -8,7 +8,7 @@ MODEL := build/arm1136/model.so
 
 # The model is optimized as a whole: its files call each other for every
 # instruction.
-MODEL_CFLAGS := -O2 -g -flto -fPIC -fvisibility=hidden
+MODEL_CFLAGS := -O3 -g -flto -fPIC -fvisibility=hidden
 
 build/arm1136/obj/%.o: %.c | build/host/packages.stamp
 	@mkdir -p $(@D)

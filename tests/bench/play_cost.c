@@ -80,19 +80,13 @@ static void count(struct instance *instance, const struct model_clip *clip,
 	print_counts(&counts);
 }
 
-static int draw(struct instance *instance, int clip, struct clip_cursor *cursor,
-	char **size, const struct log *log)
+/* Draws the moments; counts what the pictures consist of if they are given. */
+static void draw(struct instance *instance, const struct model_clip *played,
+	struct clip_cursor *cursor, struct drawing *drawing, const char *given)
 {
-	const struct model_clip *played =
-		clip < 0 ? NULL : &instance->model->clip[clip];
-	int moments = size[2] ? atoi(size[2]) : MOMENTS;
-	struct drawing *drawing;
-	float extent;
+	int moments = given ? atoi(given) : MOMENTS;
+	float extent = drawing_extent(instance);
 
-	if (begin_drawing(instance, clip, size, log, &drawing) != 0) {
-		return -1;
-	}
-	extent = drawing_extent(instance);
 	pose(instance, played, cursor, 0.0);
 	drawing_draw(drawing, instance, extent); /* loads the code */
 	for (int i = 0; i < moments; i++) {
@@ -101,11 +95,9 @@ static int draw(struct instance *instance, int clip, struct clip_cursor *cursor,
 		drawing_draw(drawing, instance, extent);
 		MARKER_END(3);
 	}
-	if (size[2]) {
+	if (given) {
 		count(instance, played, cursor, drawing, moments);
 	}
-	drawing_destroy(drawing);
-	return 0;
 }
 
 static int play(struct instance *instance, const struct model_clip *clip,
@@ -140,6 +132,8 @@ int main(int argc, char **argv)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
 	struct clip_cursor cursor;
+	const struct model_clip *played;
+	struct drawing *drawing = NULL;
 	struct instance *instance;
 	struct model *model;
 	bool rests;
@@ -169,14 +163,21 @@ int main(int argc, char **argv)
 	if (clip_cursor_init(&cursor, model, &instance->arena) != 0) {
 		return EXIT_FAILURE;
 	}
-	if (!rests) {
-		printf("frames %d\n",
-			play(instance, &model->clip[clip], &cursor,
-				atof(argv[3])));
-	}
-	if (argc > 6 && draw(instance, clip, &cursor, argv + 5, &log) != 0) {
+	/* The model would take as long for this as for all pictures: it waits
+	   for the first region. */
+	if (argc > 6 &&
+		begin_drawing(instance, clip, argv + 5, &log, &drawing) != 0) {
 		return EXIT_FAILURE;
 	}
+	played = rests ? NULL : &model->clip[clip];
+	if (played) {
+		printf("frames %d\n",
+			play(instance, played, &cursor, atof(argv[3])));
+	}
+	if (drawing) {
+		draw(instance, played, &cursor, drawing, argv[7]);
+	}
+	drawing_destroy(drawing);
 	instance_destroy(instance);
 	model_destroy(model);
 	return EXIT_SUCCESS;

@@ -69,6 +69,14 @@ static int bake_row(struct glb *glb, const struct comparison *comparison,
 	}
 }
 
+/* Replaces the pixels of shared_image(): the loader keeps used images alone. */
+static void share_images(const struct model *from, struct model *to)
+{
+	for (int i = 0; i < to->image_count; i++) {
+		to->image[i] = from->image[atoi(to->image[i].name)];
+	}
+}
+
 int export_load(const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log,
 	struct model **out)
@@ -80,6 +88,7 @@ int export_load(const struct comparison *comparison,
 	int error;
 
 	glb_begin_memory(&glb);
+	glb.shares_images = true;
 	error = bake_row(&glb, comparison, row, log);
 	if (error) {
 		glb_discard(&glb);
@@ -89,6 +98,9 @@ int export_load(const struct comparison *comparison,
 	if (!error) {
 		error = model_load_memory(data, size, path, log, out);
 		free(data);
+	}
+	if (!error) {
+		share_images(comparison->model, *out);
 	}
 	return error;
 }

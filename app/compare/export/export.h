@@ -13,8 +13,9 @@
 int export_make_folder(const char *folder, const struct log *log);
 
 /*
- * Builds a row's glTF file in memory and loads it. The caller releases *out
- * with model_destroy(). Returns 0, or -errno after logging an error.
+ * Builds a row's glTF file in memory and loads it. *out shares the images of
+ * the comparison's model, which must outlive it; the caller releases *out with
+ * model_destroy(). Returns 0, or -errno after logging an error.
  */
 int export_load(const struct comparison *comparison,
 	const struct comparison_row *row, const struct log *log,

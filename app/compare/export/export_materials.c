@@ -1,6 +1,7 @@
 #include "app/compare/export/export_bake.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include <png.h>
@@ -81,10 +82,7 @@ static json_t *sampler_json(const struct model_texture *texture)
 		wrap[texture->wrap_t]);
 }
 
-/*
- * Adds an image as PNG. Returns the index of its buffer view, or -1. The fast
- * way takes a fifth of the instructions; files on disk are better small.
- */
+/* Adds an image as PNG. Returns the index of its buffer view, or -1. */
 static int add_png(struct glb *glb, const struct model_image *image)
 {
 	png_image png = {
@@ -92,7 +90,6 @@ static int add_png(struct glb *glb, const struct model_image *image)
 		.width = (png_uint_32)image->width,
 		.height = (png_uint_32)image->height,
 		.format = PNG_FORMAT_RGBA,
-		.flags = glb->is_read_at_once ? PNG_IMAGE_FLAG_FAST : 0,
 	};
 	png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
 	void *data = malloc(size);
@@ -110,6 +107,28 @@ static int add_png(struct glb *glb, const struct model_image *image)
 	return view;
 }
 
+/*
+ * An image that the loaded model takes from the exported one: its name is its index
+ * there. A transparent pixel leaves every material the alpha mode that it has.
+ */
+static json_t *shared_image(struct glb *glb, int index)
+{
+	uint8_t transparent[4] = {0};
+	const struct model_image pixel = {
+		.width = 1, .height = 1, .rgba = transparent};
+	char name[16];
+
+	snprintf(name, sizeof(name), "%d", index);
+	return json_pack("{s:s, s:i, s:s}", "name", name, "bufferView",
+		add_png(glb, &pixel), "mimeType", "image/png");
+}
+
+static json_t *whole_image(struct glb *glb, const struct model_image *image)
+{
+	return json_pack("{s:i, s:s}", "bufferView", add_png(glb, image),
+		"mimeType", "image/png");
+}
+
 static void export_textures(struct glb *glb, const struct model *model)
 {
 	json_t *textures = json_array(), *samplers = json_array();
@@ -124,9 +143,8 @@ static void export_textures(struct glb *glb, const struct model *model)
 	}
 	for (int i = 0; i < model->image_count; i++) {
 		json_array_append_new(images,
-			json_pack("{s:i, s:s}", "bufferView",
-				add_png(glb, &model->image[i]), "mimeType",
-				"image/png"));
+			glb->shares_images ? shared_image(glb, i)
+					   : whole_image(glb, &model->image[i]));
 	}
 	glb_set(glb, "textures", textures);
 	glb_set(glb, "samplers", samplers);

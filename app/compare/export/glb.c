@@ -29,7 +29,7 @@ void glb_begin(struct glb *glb)
 
 void glb_begin_memory(struct glb *glb)
 {
-	*glb = (struct glb){.is_read_at_once = true};
+	*glb = (struct glb){0};
 	begin(glb, open_memstream(&glb->memory, &glb->memory_size));
 }
 

@@ -23,8 +23,8 @@ struct glb {
 	FILE *data;   /* the binary chunk, in a file or in memory */
 	char *memory; /* the buffer of data if in memory, else NULL */
 	size_t memory_size;
-	bool is_read_at_once; /* begun in memory: few instructions matter more
-				 than few bytes */
+	bool shares_images; /* export_load() gives the loaded model the images
+			       of the exported one */
 	size_t size;
 	bool quantized; /* the file needs KHR_mesh_quantization */
 };

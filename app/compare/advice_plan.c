@@ -1,25 +1,31 @@
 #include "app/compare/advice_plan.h"
 
 #include "app/compare/advice_price.h"
+#include "app/compare/comparison_rows.h"
 
 /*
  * The price, in percent, must fall by this to make a second technique worth it.
  */
 static const double worth_mixing = 1.0;
 
-/* The memory of a plan, without the weights of morphs, which are small. */
+/* The memory of a plan, in which a morph has the keys of its clips alone. */
 static size_t plan_bytes(const struct comparison *comparison)
 {
 	bool used[COMPARISON_ROWS_MAX] = {false};
+	int keys[COMPARISON_ROWS_MAX] = {0};
 	size_t bytes = 0;
 
 	for (int c = 0; c < comparison->clip_count; c++) {
 		int row = comparison->clip[c].row;
-		const struct candidate_bytes *cell =
-			&comparison->row[row].cell[c].bytes;
+		const struct comparison_cell *cell =
+			&comparison->row[row].cell[c];
 
-		bytes += cell->own + (used[row] ? 0 : cell->shared);
+		bytes += cell->bytes.own + (used[row] ? 0 : cell->bytes.shared);
+		keys[row] += cell->keys.count;
 		used[row] = true;
+	}
+	for (int row = 0; row < comparison->row_count; row++) {
+		bytes += comparison_rows_weight_bytes(keys[row]);
 	}
 	return bytes;
 }

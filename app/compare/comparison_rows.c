@@ -161,12 +161,16 @@ static void add_error(struct comparison_total *total,
 	take_larger(&total->shade_steps, error->shade_steps);
 }
 
-/* Adds the weights: at each key, a weight for every key frame of all clips. */
+size_t comparison_rows_weight_bytes(int key_count)
+{
+	return (size_t)key_count * (size_t)key_count * sizeof(float);
+}
+
 static void add_weights(struct comparison_total *total)
 {
 	size_t keys = (size_t)total->key_count;
 
-	total->memory_bytes += keys * keys * sizeof(float);
+	total->memory_bytes += comparison_rows_weight_bytes(total->key_count);
 	/* The file stores weights that are not 0, with their indices. */
 	total->file_bytes += keys * (sizeof(uint32_t) + sizeof(uint8_t));
 }

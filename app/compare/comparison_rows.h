@@ -9,6 +9,12 @@
 /* Sets the names, kinds and settings of all rows. Returns 0 or -ENOMEM. */
 int comparison_rows_choose(struct comparison *comparison);
 
+/*
+ * Returns the memory of a morph's weights: at each key, one for every key frame
+ * of all clips.
+ */
+size_t comparison_rows_weight_bytes(int key_count);
+
 /* Sums up the cells of all rows; names morphs by their number of keys. */
 void comparison_rows_sum_up(struct comparison *comparison);
 

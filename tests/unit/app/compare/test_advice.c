@@ -429,6 +429,27 @@ static void test_a_mixed_plan_has_the_first_of_equal_rows(void **state)
 	assert_int_equal(bench.clip[2].row, -1);
 }
 
+/* A morph with 3 keys in one clip and 5 in the other one, which is dearer. */
+static void test_a_plan_has_the_weights_of_the_keys_that_it_plays(void **state)
+{
+	static const double us[2][CLIPS_MOST] = {{1000, 9000}, {9000, 1000}};
+	struct bench bench;
+
+	(void)state;
+	begin_plans(&bench, 2, 2, us);
+	bench.cell[0][0].keys.count = 3;
+	bench.cell[0][1].keys.count = 5;
+	expect_plan(&bench, (const int[]){0, 1});
+	assert_int_equal(bench.comparison.mixed_bytes,
+		18 * 1024 + 3 * 3 * (int)sizeof(float));
+	/* With a weight for 8 keys at each of 8, the whole row has its total. */
+	bench.comparison.row[1].listed = false;
+	bench.comparison.row[0].total.memory_bytes = 10 * 1024 + 8 * 8 * 4;
+	advice_give(&bench.comparison);
+	assert_int_equal(bench.comparison.mixed_bytes,
+		bench.comparison.row[0].total.memory_bytes);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -452,6 +473,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_mixed_plan_is_improved_until_nothing_changes),
 		cmocka_unit_test(test_a_mixed_plan_has_the_first_of_equal_rows),
+		cmocka_unit_test(
+			test_a_plan_has_the_weights_of_the_keys_that_it_plays),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,7 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A constant channel has a key at 0 and maybe one at the clip's end. */
+/* A constant channel has a key at 0, at the clip's end, or at both. */
+static float constant_time_s(const struct optimize_keys *keys,
+	const struct optimize_channel *channel, int key)
+{
+	return channel->ends && key == channel->kept_count - 1 ? keys->end_s
+							       : 0.0f;
+}
+
 static int put_times(const struct optimize_keys *keys,
 	const struct optimize_channel *channel)
 {
@@ -20,7 +27,7 @@ static int put_times(const struct optimize_keys *keys,
 
 	for (int k = 0; time_s && k < array.count; k++) {
 		time_s[k] = channel->constant
-			? (k > 0 ? keys->end_s : 0.0f)
+			? constant_time_s(keys, channel, k)
 			: channel->time_s[channel->kept[k]];
 	}
 	if (time_s) {

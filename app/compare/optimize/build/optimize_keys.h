@@ -15,6 +15,7 @@ struct optimize_channel {
 	float unit; /* the integer that stands for 1 in the file, or 1 */
 	int group;  /* the first channel with equal times, or -1 */
 	bool constant, dropped;
+	bool ends; /* a constant channel whose last key is the clip's end */
 	int *kept; /* [kept_count]: indices of keys */
 	int kept_count;
 	int times, values; /* indices of new accessors */

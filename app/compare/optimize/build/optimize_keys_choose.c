@@ -179,7 +179,8 @@ static void keep_end(struct optimize_keys *keys)
 		return;
 	}
 	pin->dropped = false;
-	if (pin->constant && keys->end_s > 0.0f) {
+	pin->ends = pin->constant;
+	if (pin->constant && keys->end_s > 0.0f && pin->track.key_count > 1) {
 		pin->kept_count = 2;
 	}
 }

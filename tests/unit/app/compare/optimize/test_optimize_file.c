@@ -391,6 +391,45 @@ static void test_all_sets_of_weights_are_kept(void **state)
 	}
 }
 
+/* Two channels of one key each, at 3 s, in accessors 0 (time) and 1 (values). */
+static const char poses_text[] =
+	"{\"asset\":{\"version\":\"2.0\"},"
+	"\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+	"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
+	"\"nodes\":[{\"mesh\":0},{\"mesh\":0}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2}}]}],"
+	"\"animations\":[{\"samplers\":[{\"input\":0,\"output\":1}],"
+	"\"channels\":["
+	"{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}},"
+	"{\"sampler\":0,\"target\":{\"node\":1,\"path\":\"translation\"}}]}],"
+	"\"accessors\":["
+	"{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,"
+	"\"count\":1,\"type\":\"SCALAR\",\"min\":[3],\"max\":[3]},"
+	"{\"bufferView\":0,\"byteOffset\":24,\"componentType\":5126,"
+	"\"count\":1,\"type\":\"VEC3\"},"
+	"{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]}";
+
+/* A clip of poses lasts as long as before, with as many keys. */
+static void test_single_keys_do_not_become_more(void **state)
+{
+	const struct log log = log_to_stderr(LOG_ERROR);
+	struct test_path path;
+	struct model *model;
+	struct file file;
+
+	(void)state;
+	open_optimized(&file, poses_text);
+	assert_int_equal(file.result.before.key_count, 2);
+	assert_int_equal(file.result.after.key_count, 2);
+	path = path_join(&file.folder, "small.glb");
+	file_write(path.text, file.result.data, file.result.after.file);
+	assert_int_equal(model_load(path.text, &log, &model), 0);
+	assert_near(model->clip[0].duration_s, 3.0, 0.0);
+	model_destroy(model);
+	close_optimized(&file);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -401,6 +440,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_file_states_what_it_needs_and_how_exact_it_is),
 		cmocka_unit_test(test_all_sets_of_weights_are_kept),
+		cmocka_unit_test(test_single_keys_do_not_become_more),
 	};
 
 	return cmocka_run_group_tests(tests, begin, end);

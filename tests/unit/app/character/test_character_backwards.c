@@ -131,6 +131,38 @@ static void test_a_clip_that_plays_once_comes_back_with_its_rate(void **state)
 	acting_end(&acting);
 }
 
+/* From the clip's end to its start, and then on as after any end. */
+static void test_a_state_that_ends_backwards_goes_on_with_the_next(void **state)
+{
+	struct acting acting;
+	const struct character_entry *entry;
+	float duration_s;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter first]\nrange = 0 99\n"
+		"[state a]\nclip = jump\nrate = -1\nrepeat = once\nnext = b\n"
+		"fade = 0.1\n[state b]\nclip = idle\nfade = 0.1\n"
+		"[clip jump]\nevent = 0.4 add first 1\n"
+		"[buttons]\nUP = go a\n");
+	entry = acting.character->machine.state[0].entry;
+	duration_s = entry->of->clip->duration_s;
+	for (int round = 0; round < 2; round++) {
+		double from_s = acting.now_s;
+
+		acting_run_to(&acting, from_s + 0.3, rate_hz);
+		assert_string_equal(acting_state(&acting), "a");
+		assert_near(entry->shown_s, duration_s - 0.3f, 0.05);
+		assert_near(acting_value(&acting, "first"), round, 0.0);
+		acting_run_to(&acting, from_s + (double)duration_s, rate_hz);
+		assert_string_equal(acting_state(&acting), "b");
+		assert_near(acting_value(&acting, "first"), round + 1, 0.0);
+		press_once(&acting, BUTTON_UP);
+	}
+	acting_end(&acting);
+}
+
 static void test_a_layer_that_plays_once_may_play_backwards(void **state)
 {
 	const struct character_layer *layer;
@@ -161,6 +193,8 @@ int main(void)
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase_backwards),
 		cmocka_unit_test(
 			test_a_clip_that_plays_once_comes_back_with_its_rate),
+		cmocka_unit_test(
+			test_a_state_that_ends_backwards_goes_on_with_the_next),
 		cmocka_unit_test(test_a_layer_that_plays_once_may_play_backwards),
 	};
 

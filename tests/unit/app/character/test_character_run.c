@@ -426,53 +426,9 @@ static void test_an_additive_layer_adds_to_the_state(void **state)
 	acting_end(&acting);
 }
 
-/* From the clip's end to its start, and then on as after any end. */
-static void test_what_plays_once_and_backwards_begins_at_the_end(void **state)
-{
-	struct acting acting;
-	const struct character_layer *layer;
-	const struct character_entry *entry;
-	float duration_s;
-
-	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	acting_expect(&acting,
-		"[parameter first]\nrange = 0 99\n"
-		"[state a]\nclip = jump\nrate = -1\nrepeat = once\nnext = b\n"
-		"fade = 0.1\n[state b]\nclip = idle\nfade = 0.1\n"
-		"[clip jump]\nevent = 0.4 add first 1\n"
-		"[layer wave]\nclip = wave\nrate = -1\nplay = once\n"
-		"[buttons]\nUP = go a\nLEFT = play wave\n");
-	entry = acting.character->machine.state[0].entry;
-	duration_s = entry->of->clip->duration_s;
-	for (int round = 0; round < 2; round++) {
-		double from_s = acting.now_s;
-
-		acting_run_to(&acting, from_s + 0.3, rate_hz);
-		assert_string_equal(acting_state(&acting), "a");
-		assert_near(entry->shown_s, duration_s - 0.3f, 0.05);
-		assert_near(acting_value(&acting, "first"), round, 0.0);
-		acting_run_to(&acting, from_s + (double)duration_s, rate_hz);
-		assert_string_equal(acting_state(&acting), "b");
-		assert_near(acting_value(&acting, "first"), round + 1, 0.0);
-		press_once(&acting, BUTTON_UP);
-	}
-	layer = &acting.character->layer[0];
-	press_once(&acting, BUTTON_LEFT);
-	acting_run_to(&acting, acting.now_s + 0.6, rate_hz);
-	assert_near(layer->is.now, 1.0, 1e-3);
-	acting_run_to(&acting,
-		acting.now_s + (double)layer->entry.of->clip->duration_s,
-		rate_hz);
-	assert_false(layer->playing);
-	acting_end(&acting);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(
-			test_what_plays_once_and_backwards_begins_at_the_end),
 		cmocka_unit_test(test_a_parameter_eases_to_its_goal),
 		cmocka_unit_test(test_sources_of_parameters),
 		cmocka_unit_test(test_no_transition_makes_a_bone_jump),

@@ -2,6 +2,7 @@
 
 #include "app/character/run/effects.h"
 #include "app/character/run/layers.h"
+#include "app/character/show/label_name.h"
 #include "app/character/state/machine.h"
 
 #include <stdio.h>
@@ -93,7 +94,7 @@ static const struct hud_color *color_of(int number)
 static void label_pace(
 	const struct character_morph *morph, struct hud_group *group)
 {
-	char pace[32];
+	char pace[32], number[HUD_NAME_BYTES];
 
 	if (morph->by_frames) {
 		snprintf(pace, sizeof(pace), "%d frames",
@@ -102,16 +103,10 @@ static void label_pace(
 		snprintf(pace, sizeof(pace), "%.0f ms",
 			(double)(1000 * morph->duration_s / morph->pace));
 	}
-	hud_group_text(group, morph->curve[morph->chosen].name, pace);
-}
-
-/* The state's name, or that of the clip with the most weight in it. */
-static const char *motion_name(
-	const struct character_machine *machine, const struct model_clip *clip)
-{
-	const struct character_state *state = &machine->state[machine->current];
-
-	return state->entry_count > 1 ? clip->name : state->name;
+	hud_group_text(group,
+		hud_name(morph->curve[morph->chosen].name, "curve",
+			morph->chosen + 1, number),
+		pace);
 }
 
 static void label_motion(
@@ -120,12 +115,14 @@ static void label_motion(
 	const struct character_entry *entry = character_machine_entry(character);
 	const struct character_machine *machine = &character->machine;
 	const struct model_clip *clip = entry->of->clip;
+	char number[HUD_NAME_BYTES];
 
 	if (clip) {
-		hud_group_time(group, motion_name(machine, clip),
+		hud_group_time(group, label_name_motion(character, clip, number),
 			entry->shown_s, clip->duration_s, hud_color_blue);
 	} else if (names_state(character)) {
-		hud_group_text(group, machine->state[machine->current].name, "");
+		hud_group_text(
+			group, label_name_motion(character, NULL, number), "");
 	}
 	if (machine->inertia.running) {
 		hud_group_weight(group, "fade",
@@ -140,10 +137,11 @@ static void label_motion(
 			continue;
 		}
 		if (!names_state(character)) {
-			hud_group_text(
-				group, "from", morph->key_name[morph->before]);
+			hud_group_text(group, "from",
+				label_name_key(morph, morph->before, number));
 		}
-		hud_group_weight(group, morph->key_name[morph->destiny],
+		hud_group_weight(group,
+			label_name_key(morph, morph->destiny, number),
 			character_morph_omega(morph, character->now_s),
 			hud_color_rose);
 		if (!names_state(character)) {
@@ -162,36 +160,43 @@ static bool runs_sequence(const struct character *character)
 	return false;
 }
 
+static void label_parameter(
+	const struct character *character, int index, struct hud_group *group)
+{
+	const struct character_parameter *one = &character->parameter[index];
+	char number[HUD_NAME_BYTES], value[HUD_NAME_BYTES];
+	const char *name = hud_name(one->name, "parameter", index + 1, number);
+	int choice = (int)(one->value + 0.5f);
+
+	if (!one->choice) {
+		snprintf(value, sizeof(value), "%.2f", (double)one->value);
+		hud_group_bar(group, name, value,
+			(one->value - one->range[0]) /
+				(one->range[1] - one->range[0]),
+			*color_of(index));
+	} else if (!runs_sequence(character)) {
+		hud_group_text(group, name,
+			hud_name(one->choice[choice], "choice", choice + 1,
+				value));
+	}
+}
+
 static void label_values(
 	const struct character *character, struct hud_group *group)
 {
 	for (int i = 0; i < character->parameter_count; i++) {
-		const struct character_parameter *one = &character->parameter[i];
-		char value[32];
-
-		if (!shows_parameter(one)) {
-			continue;
-		}
-		if (one->choice) {
-			if (!runs_sequence(character)) {
-				hud_group_text(group, one->name,
-					one->choice[(int)(one->value + 0.5f)]);
-			}
-		} else {
-			snprintf(value, sizeof(value), "%.2f",
-				(double)one->value);
-			hud_group_bar(group, one->name, value,
-				(one->value - one->range[0]) /
-					(one->range[1] - one->range[0]),
-				*color_of(i));
+		if (shows_parameter(&character->parameter[i])) {
+			label_parameter(character, i, group);
 		}
 	}
 	for (int i = 0; i < character->switch_count; i++) {
 		const struct character_switch *is = character->switches[i];
+		char number[HUD_NAME_BYTES];
 
 		if (is->now > 0 && !is->unlabelled && !(is->on && is->now >= 1)) {
-			hud_group_weight(
-				group, is->name, is->now, *color_of(i + 1));
+			hud_group_weight(group,
+				label_name_switch(character, i, number),
+				is->now, *color_of(i + 1));
 		}
 	}
 }
@@ -200,12 +205,14 @@ static const char *const freedom_names[CHARACTER_FREEDOMS] = {
 	"heading", "pitch", "bank", "x", "y", "z"};
 
 /* Adds a degree of freedom and its value. */
-static void label_freedom(
-	const struct character_part *part, int freedom, struct hud_group *group)
+static void label_freedom(const struct character *character, int index,
+	int freedom, struct hud_group *group)
 {
-	char name[64], value[32];
+	const struct character_part *part = &character->part[index];
+	char name[64], number[HUD_NAME_BYTES], value[32];
 
-	snprintf(name, sizeof(name), "%s %s", part->name,
+	snprintf(name, sizeof(name), "%s %s",
+		hud_name(part->name, "part", index + 1, number),
 		freedom_names[freedom]);
 	snprintf(value, sizeof(value),
 		freedom < CHARACTER_X ? "%.0f\u00b0" : "%.2f m",
@@ -233,7 +240,7 @@ static void label_once(const struct character *character, int part, int freedom,
 	if (shown->count < VALUES_MAX) {
 		shown->at[shown->count].part = part;
 		shown->at[shown->count++].freedom = freedom;
-		label_freedom(&character->part[part], freedom, group);
+		label_freedom(character, part, freedom, group);
 	}
 }
 
@@ -262,9 +269,10 @@ static void label_sequence(const struct character *character,
 	const struct character_sequence *sequence, struct hud_group *group)
 {
 	const struct character_step *now = sequence->now;
+	char number[HUD_NAME_BYTES];
 	struct shown shown = {0};
 
-	hud_group_text(group, now->name, "");
+	hud_group_text(group, label_name_step(sequence, number), "");
 	hud_group_time(group, "", sequence->elapsed_s, now->duration_s,
 		hud_color_amber);
 	for (const struct character_step *step = sequence->step;
@@ -298,11 +306,13 @@ static void label_presets(
 {
 	for (int i = 0; i < character->shake_count; i++) {
 		const struct character_shake *shake = character->shake[i];
+		char number[HUD_NAME_BYTES];
 
 		if (shake->is.is_on && !shake->is.unlabelled &&
 			shake->preset_count > 0) {
 			hud_group_text(group, "preset",
-				shake->preset[shake->chosen].name);
+				hud_name(shake->preset[shake->chosen].name,
+					"preset", shake->chosen + 1, number));
 		}
 	}
 }

@@ -1,5 +1,7 @@
 #include "app/character/show/character_overlay.h"
 
+#include "app/character/show/label_name.h"
+
 #include "app/character/run/layers.h"
 #include "app/character/state/machine.h"
 
@@ -8,12 +10,11 @@
 /* The height of a sine in the graph of a morph's curve. */
 static const float graph_wave = 0.35f;
 
-static void add_layer(struct overlay_motion *motion, const char *name,
-	float weight, const float *mask)
+static void add_layer(
+	struct overlay_motion *motion, const struct overlay_layer *layer)
 {
 	if (motion->layer_count < OVERLAY_LAYERS_MAX) {
-		motion->layer[motion->layer_count++] =
-			(struct overlay_layer){name, weight, mask};
+		motion->layer[motion->layer_count++] = *layer;
 	}
 }
 
@@ -26,11 +27,17 @@ static void add_clips(
 
 	for (int i = 0; i < state->entry_count && state->entry_count > 1; i++) {
 		const struct character_entry *entry = &state->entry[i];
+		const struct model_clip *clip = entry->of->clip;
 
 		if (entry->weight > 0) {
 			add_layer(out,
-				entry->of->clip ? entry->of->clip->name : "rest",
-				entry->weight, NULL);
+				&(struct overlay_layer){
+					clip ? clip->name : "rest", "clip",
+					clip ? (int)(clip -
+						       character->instance
+							       ->model->clip)
+					     : 0,
+					entry->weight, NULL});
 		}
 	}
 }
@@ -67,8 +74,9 @@ void character_overlay_describe(
 		const struct character_layer *layer = &character->layer[i];
 
 		if (layer->is.now > 0) {
-			add_layer(out, layer->is.name, layer->is.now,
-				layer->mask);
+			add_layer(out,
+				&(struct overlay_layer){layer->is.name, "layer",
+					i + 1, layer->is.now, layer->mask});
 		}
 	}
 	for (int i = 0; i < character->switch_count; i++) {
@@ -76,11 +84,16 @@ void character_overlay_describe(
 
 		if (is->now > 0 && !is->unlabelled &&
 			strcmp(is->kind, "layer") != 0) {
-			add_layer(out, is->name, is->now, NULL);
+			add_layer(out,
+				&(struct overlay_layer){is->name, is->kind,
+					label_name_rank(character, i), is->now,
+					NULL});
 		}
 	}
 	if (inertia->running) {
-		add_layer(out, "fade", inertia->elapsed_s / inertia->duration_s,
-			NULL);
+		add_layer(out,
+			&(struct overlay_layer){.name = "fade",
+				.weight = inertia->elapsed_s /
+					inertia->duration_s});
 	}
 }

@@ -1,6 +1,7 @@
 #include "app/character/sketch/sketch_parts.h"
 
 #include "app/character/sketch/sketch_names.h"
+#include "app/scene/hud/hud_name.h"
 
 /* A part is called as its node is. */
 static bool has_own_name(const struct model *model, int node)
@@ -89,6 +90,9 @@ void sketch_write_part_buttons(const struct model *model,
 		{"RIGHT", "heading", "right", 1},
 	};
 	const char *name = model->node[parts->node[part]].name;
+	char number[HUD_NAME_BYTES];
+	/* The labels are for the screen. */
+	const char *shown = hud_name(name, "part", part + 1, number);
 
 	fprintf(out, "[buttons part%d]\nwhen = arrows is part%d\n", part + 1,
 		part + 1);
@@ -96,7 +100,7 @@ void sketch_write_part_buttons(const struct model *model,
 		fprintf(out, "%s = move ", moves[i].button);
 		sketch_write_name(out, name);
 		fprintf(out, " %s %d \"turn %s %s\"\n", moves[i].freedom,
-			moves[i].factor, name, moves[i].how);
+			moves[i].factor, shown, moves[i].how);
 	}
 	fputc('\n', out);
 }

@@ -10,6 +10,7 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/tuner/tuner_bones.h"
+#include "app/scene/hud/hud_name.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "platform/base/scalar.h"
 
@@ -274,10 +275,12 @@ static const char *write_row(
 
 static void tuner_label(const struct demo *demo, struct hud *hud)
 {
+	char number[HUD_NAME_BYTES];
 	struct hud_group group = hud_group_begin(hud, HUD_TOP_LEFT,
 		demo->now_s < demo->message_end_s
 			? demo->message
-			: demo->file.preset[demo->chosen].name);
+			: hud_name(demo->file.preset[demo->chosen].name,
+				  "preset", demo->chosen + 1, number));
 
 	for (int i = first_row(demo, hud); i < ROWS; i++) {
 		char value[64];
@@ -304,8 +307,8 @@ static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out
 	for (int i = 0;
 		i < demo->bones.count && i < (int)ARRAY_COUNT(out->layer); i++) {
 		out->layer[i] = (struct overlay_layer){
-			model->node[demo->bones.node[i]].name,
-			1.0f - demo->swing[i].fade, NULL};
+			model->node[demo->bones.node[i]].name, "node",
+			demo->bones.node[i], 1.0f - demo->swing[i].fade, NULL};
 		out->layer_count = i + 1;
 	}
 }

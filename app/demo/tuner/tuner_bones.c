@@ -1,6 +1,7 @@
 #include "app/demo/tuner/tuner_bones.h"
 
 #include "app/character/run/sole.h"
+#include "app/scene/hud/hud_name.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -179,17 +180,15 @@ void tuner_bones_step(struct tuner_bones *bones, int step)
 
 void tuner_bones_name(const struct tuner_bones *bones, char *text, size_t size)
 {
-	const char *name = bones->count > 0
-		? bones->instance->model->node[bones->node[0]].name
-		: "none";
-	char number[24], more[24] = "";
+	int node = bones->count > 0 ? bones->node[0] : -1;
+	char number[HUD_NAME_BYTES], more[24] = "";
 
 	if (bones->count > 1) {
 		snprintf(more, sizeof(more), " +%d", bones->count - 1);
 	}
-	if (!name[0]) {
-		snprintf(number, sizeof(number), "node %d", bones->node[0]);
-		name = number;
-	}
-	snprintf(text, size, "%s%s", name, more);
+	snprintf(text, size, "%s%s",
+		node < 0 ? "none"
+			 : hud_name(bones->instance->model->node[node].name,
+				   "node", node, number),
+		more);
 }

@@ -77,11 +77,12 @@ static const char *name_of(const struct overlay *overlay, int item)
 	return "";
 }
 
-const char *overlay_chosen_name(const struct overlay *overlay)
+const char *overlay_chosen_name(
+	const struct overlay *overlay, char number[HUD_NAME_BYTES])
 {
-	const char *name = name_of(overlay, overlay->chosen);
-
-	return name[0] ? name : "(unnamed)";
+	return hud_name(name_of(overlay, overlay->chosen),
+		overlay->chooses_target ? "target" : "node", overlay->chosen,
+		number);
 }
 
 /*

@@ -19,6 +19,7 @@
 #define APP_SCENE_OVERLAY_OVERLAY_H
 
 #include "app/scene/hud/hud_group.h"
+#include "app/scene/hud/hud_name.h"
 #include "app/scene/overlay/overlay_ghost.h"
 #include "app/scene/overlay/overlay_heat.h"
 #include "app/scene/overlay/overlay_kind.h"
@@ -32,6 +33,9 @@ enum {
 /* A layer of a pose. */
 struct overlay_layer {
 	const char *name;
+	/* what labels call it if the font lacks the name's letters */
+	const char *kind;
+	int number;
 	float weight;
 	const float *mask; /* [node_count], 0..1; NULL: all nodes */
 };
@@ -126,8 +130,9 @@ void overlay_show_next(
 /* Chooses the next (step 1) or previous (-1) joint, part or morph target. */
 void overlay_choose(struct overlay *overlay, int step);
 
-/* Returns the name of what is chosen. */
-const char *overlay_chosen_name(const struct overlay *overlay);
+/* Returns the name of what is chosen, for labels. */
+const char *overlay_chosen_name(
+	const struct overlay *overlay, char number[HUD_NAME_BYTES]);
 
 /*
  * Begins a frame seen by this camera, which must remain until the frame's end.

@@ -98,6 +98,7 @@ static void show_clip_curve(struct overlay *overlay,
 	const struct model_clip *clip = &model->clip[motion->clip];
 	const struct model_channel *channel = find_channel(overlay, clip);
 	struct overlay_curve curve;
+	char number[HUD_NAME_BYTES];
 	int first = 0;
 
 	if (!channel) {
@@ -109,8 +110,9 @@ static void show_clip_curve(struct overlay *overlay,
 	}
 	hud_group_text(group,
 		first || channel->path == MODEL_WEIGHTS
-			? overlay_chosen_name(overlay)
-			: model->node[channel->node].name,
+			? overlay_chosen_name(overlay, number)
+			: hud_name(model->node[channel->node].name, "node",
+				  channel->node, number),
 		path_name[channel->path]);
 	curve = overlay_curve_of_channel(
 		clip, channel, first, motion->time_s, overlay->sample);
@@ -139,8 +141,13 @@ static void show_layers(
 {
 	for (int i = 0; i < motion->layer_count; i++) {
 		const struct overlay_layer *layer = &motion->layer[i];
+		char number[HUD_NAME_BYTES];
 
-		hud_group_weight(group, layer->name, layer->weight,
+		hud_group_weight(group,
+			layer->kind ? hud_name(layer->name, layer->kind,
+					      layer->number, number)
+				    : layer->name,
+			layer->weight,
 			layer->mask ? hud_color_rose : hud_color_green);
 	}
 	if (motion->layer_count == 0) {
@@ -199,7 +206,7 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	const struct overlay_place *place, struct hud *hud)
 {
 	struct hud_group group;
-	char title[64];
+	char title[64], number[HUD_NAME_BYTES];
 
 	if (!overlay->kinds) {
 		return;
@@ -218,7 +225,7 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 		hud_group_fits(&group, 1, hud_em(hud) / 2)) {
 		hud_group_text(&group,
 			overlay->chooses_target ? "target" : "joint",
-			overlay_chosen_name(overlay));
+			overlay_chosen_name(overlay, number));
 		show_ramp(&group);
 	}
 	if (overlay_shows(overlay, OVERLAY_KEYS) &&

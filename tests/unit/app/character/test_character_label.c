@@ -1,9 +1,11 @@
 /* How much room a character asks for, for its labels. */
 #include "app/character/show/character_label.h"
+#include "app/scene/hud/hud_group.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* The walker with so many parameters of each kind. */
 static void begin(struct acting *acting, int shown, int hidden)
@@ -56,11 +58,64 @@ static void test_a_fade_has_a_bar(void **state)
 	acting_end(&acting);
 }
 
+/* Returns how many boxes labels show in place of letters that the font lacks. */
+static int count_boxes(const struct character *character)
+{
+	static struct hud hud;
+	const struct font_glyph *box;
+	int count = 0;
+
+	memset(&hud, 0, sizeof(hud));
+	hud.font = &font_default;
+	hud_begin(&hud, 480, 640);
+	character_label_all(character, "title", &hud);
+	box = &hud.face->glyph[FONT_UNKNOWN];
+	assert_true(hud.quad_count > 10);
+	for (int i = 0; i < hud.quad_count; i++) {
+		const struct hud_vertex *corner = &hud.vertex[4 * i];
+
+		count += corner->s == (float)box->s &&
+			corner->t == (float)box->t;
+	}
+	return count;
+}
+
+/* Names that the font lacks, of all that labels show beside a model. */
+static void test_no_label_is_a_row_of_boxes(void **state)
+{
+	static const char *const texts[][2] = {
+		{"assets/walker.glb", "[state \u6b69]\nclip = walk\n"},
+		{"assets/walker.glb",
+			"[parameter \u6b69]\nchoices = \u6b69 \u304f\n"
+			"[parameter \u304f]\nrange = 0 1\n"
+			"[layer \u8d70]\nclip = wave\n"},
+		{"assets/face.glb",
+			"[state a]\nclip = rest\n"
+			"[morph \u9854]\nnode = Face\ntime = 1\n"
+			"key = \u7b11, smile 1\n"},
+		{"assets/arm.glb",
+			"[part \u8155]\nnode = Base\nheading = 0 -90 90 45\n"
+			"[buttons]\nUP = move \u8155 heading 1 \"up\"\n"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
+		struct acting acting;
+
+		acting_begin(&acting, texts[i][0]);
+		acting_expect(&acting, texts[i][1]);
+		acting_run_to(&acting, 0.1, 20.0);
+		assert_int_equal(count_boxes(acting.character), 0);
+		acting_end(&acting);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_parameter_that_buttons_move_has_a_bar),
 		cmocka_unit_test(test_a_fade_has_a_bar),
+		cmocka_unit_test(test_no_label_is_a_row_of_boxes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
+#include "app/anim/procedural/bone.h"
 
 #include <string.h>
 
@@ -12,6 +13,12 @@ static const float lies_m = 1e-4f;
 /* seconds in which a part is pulled to its place at the holder */
 static const float pull_s = 0.2f;
 
+/* A mirrored node is a rotated one whose z axis has the opposite direction. */
+static bool is_mirrored(const struct instance *instance, int node)
+{
+	return matrix_determinant((const mat4 *)&instance->world[node]) < 0;
+}
+
 /*
  * Converts a point and a rotation of the world to the frame of a node; node -1
  * is the world itself.
@@ -20,6 +27,7 @@ static void to_frame(const struct instance *instance, int node,
 	const float point[3], const float rotation[4], struct transform *out)
 {
 	float back[4] = {0, 0, 0, 1}, offset[3];
+	bool mirrored = node >= 0 && is_mirrored(instance, node);
 	float scale = 1;
 
 	memcpy(offset, point, sizeof(offset));
@@ -30,10 +38,12 @@ static void to_frame(const struct instance *instance, int node,
 		scale = matrix_scale((const mat4 *)&instance->world[node]);
 	}
 	quat_rotate(back, offset, offset);
+	offset[2] = mirrored ? -offset[2] : offset[2];
 	for (int i = 0; i < 3; i++) {
 		out->translation[i] = scale > 0 ? offset[i] / scale : offset[i];
 	}
 	quat_multiply(back, rotation, out->rotation);
+	bone_mirror_rotation(mirrored, out->rotation);
 }
 
 void character_part_attach(struct character *character,
@@ -167,10 +177,13 @@ static void place(struct instance *instance, const struct character_part *part)
 	memcpy(rotation, part->held.rotation, sizeof(rotation));
 	if (part->holder >= 0) {
 		mat4 *holder = &instance->world[part->holder];
+		float turn[4];
 
 		matrix_apply(*holder, point, point);
-		matrix_rotation(*holder, rotation);
-		quat_multiply(rotation, part->held.rotation, rotation);
+		matrix_rotation(*holder, turn);
+		bone_mirror_rotation(
+			is_mirrored(instance, part->holder), rotation);
+		quat_multiply(turn, rotation, rotation);
 	}
 	point[1] += part->fall_m;
 	to_frame(instance, instance->model->node[part->node].parent, point,

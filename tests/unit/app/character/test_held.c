@@ -1,0 +1,129 @@
+/* Parts that are attached to nodes which mirror, or which hang below such. */
+#include "app/anim/math/matrix.h"
+#include "app/anim/math/vec.h"
+#include "tests/support/files.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const double rate_hz = 50.0;
+
+/* Hand and Box turn; the two nodes above them may mirror along one axis. */
+static const char format[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0,2]}],\"nodes\":["
+	"{\"name\":\"Arm\",\"children\":[1],\"scale\":%s,"
+	"\"rotation\":[0.1826,0.3651,0.5477,0.7303]},"
+	"{\"name\":\"Hand\",\"translation\":[0.1,0.5,0.2]},"
+	"{\"name\":\"Shelf\",\"children\":[3],\"scale\":%s,"
+	"\"rotation\":[0.5,-0.5,0.1,0.7]},"
+	"{\"name\":\"Box\",\"translation\":[0.4,0.3,-0.6],"
+	"\"rotation\":[0,0.6,0,0.8]}]}";
+
+static const char text[] =
+	"[part Hand]\nheading = 0 -90 90 45\npitch = 0 -45 45 45\n[part Box]\n"
+	"[buttons]\nUP = attach Box Hand\n"
+	"DOWN = move Hand heading 1, move Hand pitch 1\n";
+
+static int node_of(const struct acting *acting, const char *name)
+{
+	int node = model_find_node(acting->model, name);
+
+	assert_true(node >= 0);
+	return node;
+}
+
+/* The box's corner, in the axes of the hand. */
+static void find_corner(struct acting *acting, const float corner[3],
+	float world[3], float in_hand[3])
+{
+	mat4 *hand = &acting->instance->world[node_of(acting, "Hand")];
+	float offset[3];
+
+	matrix_apply(
+		acting->instance->world[node_of(acting, "Box")], corner, world);
+	for (int i = 0; i < 3; i++) {
+		offset[i] = world[i] - (*hand)[3][i];
+	}
+	for (int axis = 0; axis < 3; axis++) {
+		in_hand[axis] = 0;
+		for (int i = 0; i < 3; i++) {
+			in_hand[axis] += (*hand)[axis][i] * offset[i];
+		}
+	}
+}
+
+/* The box neither jumps when it is attached nor moves in the hand that turns. */
+static void check(const char *arm, const char *shelf)
+{
+	static const float corner[4][3] = {
+		{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+	float before[4][3], at[4][3], held[4][3], now[3], later[3];
+	char json[2048];
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "held.gltf");
+	struct acting acting;
+
+	snprintf(json, sizeof(json), format, arm, shelf);
+	file_write(path.text, json, strlen(json));
+	acting_begin(&acting, path.text);
+	acting_expect(&acting, text);
+	acting_run_to(&acting, 0.1, rate_hz);
+	for (int i = 0; i < 4; i++) {
+		find_corner(&acting, corner[i], before[i], held[i]);
+	}
+	acting_tap(&acting, BUTTON_UP, 1.0 / rate_hz, rate_hz);
+	acting_run_to(&acting, 0.5, rate_hz);
+	for (int i = 0; i < 4; i++) {
+		find_corner(&acting, corner[i], at[i], later);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(at[i][axis], before[i][axis], 1e-4);
+		}
+	}
+	acting_tap(&acting, BUTTON_DOWN, 0.8, rate_hz);
+	for (int i = 0; i < 4; i++) {
+		find_corner(&acting, corner[i], now, later);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(later[axis], held[i][axis], 1e-4);
+		}
+	}
+	vec_subtract(now, at[3], later);
+	assert_true(vec_length(later) > 0.1f);
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
+static void test_a_part_stays_in_a_hand_that_turns(void **state)
+{
+	(void)state;
+	check("[1,1,1]", "[1,1,1]");
+}
+
+static void test_a_part_stays_in_a_mirrored_hand(void **state)
+{
+	(void)state;
+	check("[-1,1,1]", "[1,1,1]");
+	check("[1,-1,1]", "[1,1,1]");
+	check("[1,1,-1]", "[1,1,1]");
+}
+
+static void test_a_part_that_its_parent_mirrors_stays_in_a_hand(void **state)
+{
+	(void)state;
+	check("[1,1,1]", "[-1,1,1]");
+	check("[-1,1,1]", "[1,-1,1]");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_part_stays_in_a_hand_that_turns),
+		cmocka_unit_test(test_a_part_stays_in_a_mirrored_hand),
+		cmocka_unit_test(
+			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

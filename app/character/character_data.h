@@ -321,6 +321,7 @@ enum character_gesture {
 
 struct character_binding {
 	const struct character_condition *when; /* NULL: always */
+	const struct character_line *line;      /* of the file, which says so */
 	bool unlabelled;            /* shown only in the list of all buttons */
 	enum button button, second; /* second: of CHARACTER_TOGETHER */
 	enum character_gesture gesture;

@@ -249,6 +249,35 @@ static bool is_replaced(const struct character_line *line)
 	return later;
 }
 
+static bool is_same_gesture(
+	const struct character_binding *a, const struct character_binding *b)
+{
+	bool same = a->button == b->button && a->second == b->second;
+	bool crossed = a->button == b->second && a->second == b->button;
+
+	return a->gesture == b->gesture && (same || crossed);
+}
+
+/*
+ * Refuses a second line for a gesture: where neither depends on a condition,
+ * both would act, which nobody wants to say in two places.
+ */
+static int check_gesture(
+	struct character_words *words, const struct character_binding *binding)
+{
+	const struct character_binding *one = words->build->character->binding;
+
+	while (one &&
+		(one->when || binding->when || !is_same_gesture(one, binding))) {
+		one = one->next;
+	}
+	return one
+		? character_fail(words,
+			  "%s:%d gives the same buttons something to do: write both actions in one line, or give a section a line when",
+			  one->line->file, one->line->number)
+		: 0;
+}
+
 static int build_section(struct character_build *build,
 	const struct character_section *section,
 	struct character_binding ***last)
@@ -276,6 +305,10 @@ static int build_section(struct character_build *build,
 		if (!error) {
 			binding->when = common.when;
 			binding->unlabelled = common.unlabelled;
+			binding->line = line;
+			error = check_gesture(&words, binding);
+		}
+		if (!error) {
 			note(build->character, binding);
 			**last = binding;
 			*last = &binding->next;

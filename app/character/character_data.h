@@ -130,9 +130,10 @@ struct character_clip {
 	/* the figure's speed over the ground along x and z */
 	float ground_m_per_s[2];
 	/*
-	 * [CHARACTER_SAMPLES], heights of the lower sole; NULL without [feet]
+	 * [pairs of feet][CHARACTER_SAMPLES], heights of the lower sole; NULL
+	 * without [feet]
 	 */
-	float *sole_m;
+	float (*sole_m)[CHARACTER_SAMPLES];
 	struct character_event *event;
 };
 
@@ -443,7 +444,7 @@ struct character {
 	struct character_target *target;
 	int cape_count;
 	struct character_cape *cape;
-	struct character_feet *feet; /* or NULL */
+	struct character_feet *feet; /* the first pair, or NULL */
 	int shake_count;
 	struct character_shake **shake;     /* in the order of the file */
 	struct character_switch **switches; /* of layers, expressions, effects */

@@ -279,22 +279,27 @@ static void find_steps(
 	}
 }
 
-/* Samples the height of the lower sole during the clip. */
+/* Samples the height of each pair's lower sole during the clip. */
 static int find_soles(struct character_build *build, struct character_clip *clip)
 {
 	struct character *character = build->character;
+	int pairs = character_text_count(build->text, "feet");
 
-	if (!character->feet) {
+	if (pairs == 0) {
 		return 0;
 	}
-	clip->sole_m = ARENA_ARRAY(build->arena, float, CHARACTER_SAMPLES);
+	clip->sole_m =
+		arena_alloc(build->arena, (size_t)pairs, sizeof(*clip->sole_m));
 	if (!clip->sole_m) {
 		return character_fail_memory(build);
 	}
 	for (int i = 0; i < CHARACTER_SAMPLES; i++) {
 		pose_at(build, clip, (float)i / CHARACTER_SAMPLES);
-		clip->sole_m[i] = character_feet_place(
-			character->feet, character->instance);
+		for (struct character_feet *feet = character->feet; feet;
+			feet = feet->next) {
+			clip->sole_m[feet->pair][i] =
+				character_feet_place(feet, character->instance);
+		}
 	}
 	return 0;
 }

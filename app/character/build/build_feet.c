@@ -220,16 +220,53 @@ static float distance(const struct character_build *build, int a, int b)
 	return vec_length(apart);
 }
 
+/* Returns true if hips that move would move the feet of another pair. */
+static bool carries(
+	const struct model *model, int hips, const struct character_feet *other)
+{
+	return character_is_below(model, other->foot[0].leg.upper, hips) ||
+		character_is_below(model, other->foot[1].leg.upper, hips);
+}
+
+static bool is_below(const struct character_build *build,
+	const struct character_feet *feet, const struct character_feet *other)
+{
+	return character_is_below(build->model, feet->hips, other->hips);
+}
+
+/*
+ * Adds a pair behind the others, whose feet are placed first: its hips may hang
+ * below theirs, but not the other way round.
+ */
+static int add_pair(struct character_build *build,
+	const struct character_section *section, struct character_feet *feet)
+{
+	struct character_feet **last = &build->character->feet;
+
+	for (; *last; last = &(*last)->next) {
+		const struct character_feet *carrier = feet->carrier;
+
+		if (carries(build->model, feet->hips, *last)) {
+			return character_fail_section(build, section,
+				"its hips carry the feet of [feet %s], too: name a node that carries only these legs, or put this section before that one",
+				(*last)->is.name);
+		}
+		if (is_below(build, feet, *last) &&
+			(!carrier || is_below(build, *last, carrier))) {
+			feet->carrier = *last;
+		}
+		feet->pair++;
+	}
+	*last = feet;
+	return 0;
+}
+
 int character_build_feet(struct character_build *build,
 	const struct character_section *section, void *what)
 {
 	struct character_feet *feet = what;
 	int error;
 
-	if (build->character->feet) {
-		return character_fail_section(build, section,
-			"a character has one pair of feet: there is a section [feet] already");
-	}
 	feet->hips = feet->foot[0].leg.upper = feet->foot[1].leg.upper = -1;
 	error = character_read_section(build, section, keys, feet);
 	if (error) {
@@ -239,6 +276,10 @@ int character_build_feet(struct character_build *build,
 		feet->foot[1].leg.upper < 0) {
 		return character_fail_missing(build, section,
 			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
+	}
+	error = add_pair(build, section, feet);
+	if (error) {
+		return error;
 	}
 	feet->height_m = build->character->motion.height_m;
 	for (int side = 0; side < 2; side++) {
@@ -251,6 +292,5 @@ int character_build_feet(struct character_build *build,
 			distance(build, foot->leg.upper, foot->leg.lower) +
 			distance(build, foot->leg.lower, foot->leg.tip);
 	}
-	build->character->feet = feet;
 	return 0;
 }

@@ -33,6 +33,17 @@ struct foot_goal {
 	float ground_m; /* above level ground */
 };
 
+float character_feet_level(const struct character *character)
+{
+	float level = 0;
+
+	for (const struct character_feet *feet = character->feet; feet;
+		feet = feet->next) {
+		level = feet->is.now > level ? feet->is.now : level;
+	}
+	return level;
+}
+
 static void update_world_from(struct instance *instance, int node)
 {
 	pose_world_from(
@@ -70,7 +81,8 @@ float character_feet_place(
  * Returns the mean height of the lower sole in the clips that play, by their
  * weights. If one clip plays alone, it is low, that of the present pose.
  */
-static float height_in_clips(const struct character *character, float low)
+static float height_in_clips(const struct character *character,
+	const struct character_feet *feet, float low)
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_state *state = &machine->state[machine->current];
@@ -83,7 +95,8 @@ static float height_in_clips(const struct character *character, float low)
 			return low;
 		}
 		if (entry->weight > 0) {
-			sum += entry->weight * character_entry_sole_m(entry);
+			sum += entry->weight *
+				character_entry_sole_m(entry, feet->pair);
 		}
 	}
 	return sum;
@@ -97,7 +110,7 @@ static float find_lift(const struct character *character,
 	struct character_feet *feet, float low)
 {
 	const struct inertia *inertia = &character->machine.inertia;
-	float wanted = height_in_clips(character, low);
+	float wanted = height_in_clips(character, feet, low);
 
 	if (inertia->running) {
 		float left = 1 -
@@ -166,14 +179,10 @@ static bool is_held(const struct character_foot *foot)
 	return foot->stays && foot->step_s < 0;
 }
 
-void character_feet_follow(struct character *character)
+/* Notes which feet of a pair stand. */
+static void note_feet(struct character *character, struct character_feet *feet)
 {
-	struct character_motion *motion = &character->motion;
-	struct character_feet *feet = character->feet;
 	float before[2][CHARACTER_SOLE_MAX][3], low;
-	float fraction =
-		character->step_s < smooth_s ? character->step_s / smooth_s : 1;
-	int standing = 0;
 
 	for (int side = 0; side < 2; side++) {
 		memcpy(before[side], feet->foot[side].place,
@@ -182,25 +191,38 @@ void character_feet_follow(struct character *character)
 	low = character_feet_place(feet, character->instance);
 	feet->lift_m = find_lift(character, feet, low);
 	for (int side = 0; side < 2; side++) {
-		struct character_foot *foot = &feet->foot[side];
-
-		note_foot(character, feet, foot, before[side]);
-		standing += is_held(foot);
+		note_foot(character, feet, &feet->foot[side], before[side]);
 	}
 	feet->begun = true;
+}
+
+void character_feet_follow(struct character *character)
+{
+	struct character_motion *motion = &character->motion;
+	float fraction =
+		character->step_s < smooth_s ? character->step_s / smooth_s : 1;
+	float sum[2] = {0, 0};
+	int standing = 0;
+
+	for (struct character_feet *feet = character->feet; feet;
+		feet = feet->next) {
+		note_feet(character, feet);
+		for (int side = 0; side < 2; side++) {
+			const struct character_foot *foot = &feet->foot[side];
+
+			if (is_held(foot)) {
+				sum[0] += foot->moved[0];
+				sum[1] += foot->moved[1];
+				standing++;
+			}
+		}
+	}
 	if (standing == 0 || character->step_s <= 0 || motion->foot[0] < 0) {
 		return;
 	}
 	for (int axis = 0; axis < 2; axis++) {
-		float sum = 0;
-
-		for (int side = 0; side < 2; side++) {
-			const struct character_foot *foot = &feet->foot[side];
-
-			sum += is_held(foot) ? foot->moved[axis] : 0;
-		}
 		motion->velocity[axis] += fraction *
-			(-sum / ((float)standing * character->step_s) -
+			(-sum[axis] / ((float)standing * character->step_s) -
 				motion->velocity[axis]);
 	}
 }
@@ -349,6 +371,12 @@ static void slope_rotation(const struct character *character, const float at[3],
 		(ground_at(character, front) - height) / step_m, out);
 }
 
+/* How far up the hips are already, as others that carry them have moved. */
+static float carried_m(const struct character_feet *feet)
+{
+	return feet->carrier ? feet->carrier->moved_m : 0;
+}
+
 /* Moves the hips up in the world by lift metres. */
 static void lift_hips(struct instance *instance,
 	const struct character_feet *feet, float lift)
@@ -403,8 +431,8 @@ static bool find_targets(const struct character *character,
 			character, at, goal[side].ground_m, goal[side].turn);
 		quat_from_axis_angle(up, foot->hold.turn_rad * weight, turn);
 		quat_multiply(goal[side].turn, turn, goal[side].turn);
-		at[1] += feet->lift_m * weight + goal[side].ground_m +
-			foot->raised_m * weight;
+		at[1] += feet->lift_m * weight - carried_m(feet) +
+			goal[side].ground_m + foot->raised_m * weight;
 		moves = moves || goal[side].ground_m != 0 ||
 			foot->raised_m != 0 || is_displaced(&foot->hold);
 	}
@@ -432,9 +460,11 @@ void character_feet_run(struct character *character, void *what)
 	struct character_feet *feet = what;
 	struct instance *instance = character->instance;
 	struct foot_goal goal[2];
-	float lift = feet->lift_m * feet->is.now, lower = 0;
+	float lift = feet->lift_m * feet->is.now - carried_m(feet);
+	float lower = 0;
 	bool moves;
 
+	feet->moved_m = carried_m(feet);
 	if (feet->is.now == 0) {
 		return;
 	}
@@ -453,6 +483,7 @@ void character_feet_run(struct character *character, void *what)
 	if (lift != lower) {
 		lift_hips(instance, feet, lift - lower);
 		update_world_from(instance, feet->hips);
+		feet->moved_m += lift - lower;
 	}
 	for (int side = 0; side < 2 && moves; side++) {
 		place_foot(instance, &feet->foot[side], &goal[side]);

@@ -53,14 +53,22 @@ struct character_feet {
 	struct character_switch is;
 	int hips;
 	struct character_foot foot[2];
-	float height_m; /* of the figure */
+	float height_m;              /* of the figure */
+	int pair;                    /* 0, 1 ... in the order of the file */
+	struct character_feet *next; /* or NULL */
+	/* an earlier pair whose hips carry the hips of this one, or NULL */
+	const struct character_feet *carrier;
 
 	/* Changes: */
 	bool begun;
-	float lift_m;  /* how far the hips are lifted now */
+	float lift_m;  /* how far the hips are lifted now, on level ground */
+	float moved_m; /* how far up the hips are from their animated place */
 	float shown_m; /* height of the lower sole in the last frame */
 	float from_m;  /* the same less that of the clips, when a fade began */
 };
+
+/* How far feet are switched on, 0 to 1; 0 without any. */
+float character_feet_level(const struct character *character);
 
 /*
  * Places the points of both soles and returns the height of the lowest point.

@@ -100,7 +100,7 @@ void character_ground_update(struct character *character)
 		character_feet_follow(character);
 	}
 	if (motion->foot[0] >= 0) {
-		if (!character->feet || character->feet->is.now == 0) {
+		if (character_feet_level(character) == 0) {
 			follow_feet(character);
 		}
 		stands = is_standing(motion);

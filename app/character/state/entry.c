@@ -12,9 +12,9 @@ float character_entry_duration_s(const struct character_entry *entry)
 	return entry->of->clip ? entry->of->clip->duration_s : 0;
 }
 
-float character_entry_sole_m(const struct character_entry *entry)
+float character_entry_sole_m(const struct character_entry *entry, int pair)
 {
-	const float *sole_m = entry->of->sole_m;
+	const float *sole_m = entry->of->sole_m[pair];
 	float duration_s = character_entry_duration_s(entry), at, beyond;
 	int sample;
 

@@ -13,7 +13,7 @@ float character_entry_duration_s(const struct character_entry *entry);
  * Returns the height of the clip's lower sole at the time that is shown. Only
  * for a character with feet (run/feet.h).
  */
-float character_entry_sole_m(const struct character_entry *entry);
+float character_entry_sole_m(const struct character_entry *entry, int pair);
 
 /*
  * Returns how many marks a second the clip passes at a phase. A phase counts

@@ -263,7 +263,8 @@ static void viewer_update(struct demo *demo, double time_s)
 	character->ground_m = base->stage.floor.y / scale;
 	floor_set_wave_height(&base->stage.floor,
 		*character->scene.wave_m * scale *
-			(character->feet ? character->feet->is.now : 1.0f));
+			(character->feet ? character_feet_level(character)
+					 : 1.0f));
 	frame.motion_level = live_controls_motion(&base->live)
 		? base->live.smooth_level
 		: 0.0f;

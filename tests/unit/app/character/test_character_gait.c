@@ -109,7 +109,7 @@ static bool is_flight(const struct acting *acting)
 	const struct character_entry *run =
 		&acting->character->machine.state[0].entry[2];
 
-	return run->weight > 0.0f && character_entry_sole_m(run) > 0.008f;
+	return run->weight > 0.0f && character_entry_sole_m(run, 0) > 0.008f;
 }
 
 static void set_speed(struct acting *acting, float speed)

@@ -198,7 +198,7 @@ static const struct statement walker[] = {
 	{"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
 		"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n"
 		"[feet b]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
-		"a character has one pair of feet"},
+		"its hips carry the feet of [feet a], too"},
 	{"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\nright = thigh.R shin.R foot.R\n",
 		"[feet a]\nhips = hips\nleft = thigh.L shin.L foot.L\n",
 		"right = UPPER LOWER TIP"},

@@ -17,13 +17,13 @@ struct show_plan {
 	char asset_path[PATH_MAX]; /* storage for model_path of a demo */
 	const char *display;       /* its name, or NULL for auto */
 	struct clock clock;
-	double begin_s;   /* seconds; earlier frames are not drawn */
-	int frames;       /* 0: until closed; -1: one period of the demo */
-	bool unattended;  /* no user will press a button */
-	bool print_keys;  /* print what the buttons do */
-	bool follow_file; /* reload the model when its file changes */
-	bool may_save;    /* a button may write a file */
-	bool progress;    /* show a progress bar on a terminal */
+	double begin_s;  /* seconds; earlier frames are not drawn */
+	int frames;      /* 0: until closed; -1: one period, by a fixed clock */
+	bool unattended; /* no user will press a button */
+	bool print_keys; /* print what the buttons do */
+	bool follow_file;          /* reload the model when its file changes */
+	bool may_save;             /* a button may write a file */
+	bool progress;             /* show a progress bar on a terminal */
 	struct failsafe *failsafe; /* to be fed, or NULL */
 };
 

@@ -91,9 +91,9 @@ static int run_frame(struct show *show)
 static int period_frames(const struct show *show)
 {
 	double period_s = show->plan->demo->period_s(show->demo);
-	double rate_hz = show->clock.fixed ? show->clock.rate_hz : 30.0;
 
-	return scalar_to_int(period_s * rate_hz + 0.5, 1, FRAMES_MAX);
+	return scalar_to_int(
+		period_s * show->clock.rate_hz + 0.5, 1, FRAMES_MAX);
 }
 
 int show_loop_run(struct show *show)

@@ -331,9 +331,8 @@ static int build_base(struct optimizer *optimizer)
 	int error = build(optimizer, false, &optimizer->base);
 
 	if (!error) {
-		error = optimize_measure_unit(optimizer->base,
-			optimizer->base->clip_count > 0 ? 0 : -1, size,
-			optimizer->log, &px_per_unit);
+		error = optimize_measure_unit(
+			optimizer->base, size, optimizer->log, &px_per_unit);
 	}
 	if (!error) {
 		error = optimize_reach_find(
@@ -430,9 +429,7 @@ int optimize_model(const struct model *model,
 	model_destroy(optimizer.found);
 	optimize_reach_release(&optimizer.reach);
 	optimize_scale_release(&optimizer.scale);
-	if (optimizer.document) {
-		optimize_order_release(&optimizer.order);
-	}
+	optimize_order_release(&optimizer.order);
 	gltf_document_close(optimizer.document);
 	model_file_release(&optimizer.file);
 	return error;

@@ -42,7 +42,7 @@ struct optimize_result {
 /*
  * Reads the file at model->path again and makes it smaller; model is the loaded
  * file. Returns 0, or -errno after logging an error: -ENOTSUP if it is not
- * glTF.
+ * glTF. Then *out has no data.
  */
 int optimize_model(const struct model *model,
 	const struct optimize_request *request, const struct log *log,

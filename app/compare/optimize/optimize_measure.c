@@ -121,14 +121,15 @@ static float closest_px(const struct screen_view *screen)
 	return screen->focal_px / (nearest > 1e-3f ? nearest : 1e-3f);
 }
 
-int optimize_measure_unit(const struct model *model, int clip,
+int optimize_measure_unit(const struct model *model,
 	struct optimize_view_size size, const struct log *log,
 	float *px_per_unit)
 {
+	int first = model->clip_count > 0 ? 0 : -1;
 	struct played played = {.reference = NULL};
 	struct screen_view screen;
 	struct time_grid grid;
-	int error = begin(&played, model, clip, log);
+	int error = begin(&played, model, first, log);
 
 	*px_per_unit = 1.0f;
 	if (!error && played.reference->vertex_count > 0) {

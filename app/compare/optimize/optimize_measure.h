@@ -21,11 +21,11 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 	float *peak_px);
 
 /*
- * Finds how many pixels a unit of world space covers at the point of the clip
- * (-1: the rest pose) that is closest to the eye. Returns 0, or -errno after
- * logging an error.
+ * Finds how many pixels a unit of world space covers at the point of the
+ * first clip that is closest to the eye; without clips, of the rest pose. It is
+ * 1 without vertices. Returns 0, or -errno after logging an error.
  */
-int optimize_measure_unit(const struct model *model, int clip,
+int optimize_measure_unit(const struct model *model,
 	struct optimize_view_size size, const struct log *log,
 	float *px_per_unit);
 

@@ -1,5 +1,6 @@
 /* How many pixels a unit of a model is. */
 #include "app/compare/optimize/optimize_measure.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -9,7 +10,7 @@ static float px_per_unit(const struct model *model, int width, int height)
 	const struct optimize_view_size size = {width, height};
 	float px = -1;
 
-	assert_int_equal(optimize_measure_unit(model, -1, size, &log, &px), 0);
+	assert_int_equal(optimize_measure_unit(model, size, &log, &px), 0);
 	return px;
 }
 
@@ -35,10 +36,38 @@ static void test_a_unit_of_a_model_without_vertices_is_a_pixel(void **state)
 	model_destroy(model);
 }
 
+/* Its first clip moves far, so that the whole way fits the picture. */
+static void test_a_unit_is_that_of_the_first_clip(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	struct model_clip *clips = model->clip;
+	struct model_clip still = {.name = "still", .duration_s = 1};
+	struct model_clip still_first[2] = {still, clips[0]};
+	struct model_clip still_last[2] = {clips[0], still};
+	int count = model->clip_count;
+	float moving_px, resting_px;
+
+	(void)state;
+	model->clip_count = 1;
+	moving_px = px_per_unit(model, 300, 300);
+	model->clip_count = 0;
+	resting_px = px_per_unit(model, 300, 300);
+	assert_true(moving_px < 0.5f * resting_px);
+	model->clip_count = 2;
+	model->clip = still_last;
+	assert_near(px_per_unit(model, 300, 300), moving_px, 0);
+	model->clip = still_first;
+	assert_near(px_per_unit(model, 300, 300), resting_px, 0);
+	model->clip = clips;
+	model->clip_count = count;
+	model_destroy(model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_unit_grows_with_the_picture),
+		cmocka_unit_test(test_a_unit_is_that_of_the_first_clip),
 		cmocka_unit_test(
 			test_a_unit_of_a_model_without_vertices_is_a_pixel),
 	};

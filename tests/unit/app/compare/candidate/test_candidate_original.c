@@ -1,5 +1,6 @@
 /* What the model itself takes in a file, by hand, and parts of its skin. */
 #include "app/compare/candidate/candidate_rigid.h"
+#include "app/model/model_deltas.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -138,6 +139,35 @@ static void test_a_mesh_that_two_nodes_show_counts_once(void **state)
 	model_destroy(grid.model);
 }
 
+/* A target has an array for what it moves, in a file and in memory. */
+static void test_a_target_counts_the_arrays_that_it_has(void **state)
+{
+	static const float moved[VERTICES][3] = {{1.0f}};
+	struct model_deltas deltas = model_deltas_view(moved, VERTICES);
+	struct model_target target[2] = {{.position = {0}}};
+	struct candidate_bytes least;
+	struct skinned_grid grid;
+
+	(void)state;
+	make_grid(&grid, 1);
+	grid.model->mesh->target_count = 2;
+	grid.model->mesh->primitive->target = target;
+	target[0].position = deltas;
+	least = bytes_of(grid.model);
+	for (int arrays = 1; arrays <= 3; arrays++) {
+		size_t more = (size_t)(arrays - 1) * VERTICES * 12;
+		struct candidate_bytes bytes;
+
+		if (arrays > 1) {
+			target[arrays - 2].normal = deltas;
+		}
+		bytes = bytes_of(grid.model);
+		assert_int_equal(bytes.shared_file, least.shared_file + more);
+		assert_int_equal(bytes.shared, least.shared + more);
+	}
+	model_destroy(grid.model);
+}
+
 /* Twice the area of the part's triangle, positive if its normal faces out. */
 static float facing(const struct rigid_bake *rigid, const uint32_t *corner)
 {
@@ -186,6 +216,7 @@ int main(void)
 		cmocka_unit_test(test_joints_up_to_256_have_numbers_of_a_byte),
 		cmocka_unit_test(test_a_joint_more_takes_two_matrices_in_memory),
 		cmocka_unit_test(test_a_mesh_that_two_nodes_show_counts_once),
+		cmocka_unit_test(test_a_target_counts_the_arrays_that_it_has),
 		cmocka_unit_test(
 			test_rigid_parts_of_mirrored_joints_face_outwards),
 	};

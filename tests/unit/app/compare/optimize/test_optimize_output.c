@@ -297,6 +297,19 @@ static void test_bounds_are_the_least_and_the_most(void **state)
 		json_string_value(json_object_get(json, "type")), "VEC2");
 }
 
+/* The text is what JSON holds; each needs one digit more than the one before. */
+static void test_a_decimal_has_the_fewest_digits(void **state)
+{
+	static const double decimals[] = {0.0, 0.1, -1.1, 4.56, 123.4, 4.5678,
+		0.300001, 0.1000001, 0.10000001, 0.100000024, 3e38, -1e-40};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(decimals); i++) {
+		assert_near(
+			optimize_decimal((float)decimals[i]), decimals[i], 0);
+	}
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, begin, end)
@@ -308,6 +321,7 @@ int main(void)
 		CASE(test_a_sparse_array_may_begin_with_its_first_element),
 		CASE(test_full_arrays_and_those_of_others_are_not_sparse),
 		CASE(test_bounds_are_the_least_and_the_most),
+		cmocka_unit_test(test_a_decimal_has_the_fewest_digits),
 	};
 #undef CASE
 

@@ -58,17 +58,16 @@ static int count_pieces(struct reference *reference, struct screen_view *screen,
 	size_t bytes = (size_t)reference->vertex_count * sizeof(float[3]) + 1;
 	float(*from)[3] = malloc(bytes);
 	float(*to)[3] = malloc(bytes);
+	float(*passed)[3];
 	int error = from && to ? 0 : -ENOMEM;
 
+	if (!error) {
+		reference_pose(reference, grid->time_s[0], false);
+		copy_pose(reference, from);
+	}
 	for (int i = 0; !error && i < grid->count - 1; i++) {
 		const float *at = grid->time_s + i;
 
-		if (i == 0) {
-			reference_pose(reference, at[0], false);
-			copy_pose(reference, from);
-		} else {
-			memcpy(from, to, bytes - 1);
-		}
 		reference_pose(reference, at[1], false);
 		copy_pose(reference, to);
 		reference_pose(reference, 0.5f * (at[0] + at[1]), false);
@@ -76,6 +75,9 @@ static int count_pieces(struct reference *reference, struct screen_view *screen,
 			bend_px(reference, screen, (const float(*)[3])from,
 				(const float(*)[3])to),
 			bound_px);
+		passed = from;
+		from = to;
+		to = passed;
 	}
 	free(from);
 	free(to);

@@ -1,0 +1,344 @@
+/* Comparing the clips of small models, and exporting the techniques. */
+#include "app/compare/comparison.h"
+#include "app/compare/export/export.h"
+#include "app/model/levels/levels.h"
+#include "tests/support/files.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/model/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* A triangle of size 1 on a node that the clips of far.gltf move. */
+enum {
+	CLIMB = 1 /* its clip from 0 up to a height */
+};
+
+struct compared {
+	struct model *model;
+	struct comparison_request request;
+	struct comparison *comparison;
+	struct log_capture said;
+	int done, total;
+};
+
+static void note_progress(void *context, int done, int total)
+{
+	struct compared *compared = context;
+
+	assert_int_equal(done, ++compared->done);
+	assert_true(compared->total == 0 || compared->total == total);
+	compared->total = total;
+}
+
+static void begin(struct compared *compared, const char *fixture)
+{
+	*compared = (struct compared){
+		.model = model_fixture(fixture, NULL),
+		.request = {.clip = -1,
+			.rate_hz = 30.0,
+			.bound_px = 0.5f,
+			.board = board_profile_find(NULL),
+			.width = 48,
+			.height = 64,
+			.jobs = 1,
+			.kernel = &kernel_float,
+			.progress = note_progress,
+			.progress_context = compared},
+	};
+	assert_int_equal(levels_make(compared->model), 0);
+}
+
+static int compare(struct compared *compared)
+{
+	const struct log log = log_capture_begin(&compared->said);
+
+	compared->done = compared->total = 0;
+	compared->comparison = NULL;
+	return comparison_create(compared->model, &compared->request, &log,
+		&compared->comparison);
+}
+
+static void end(struct compared *compared)
+{
+	comparison_destroy(compared->comparison);
+	model_destroy(compared->model);
+}
+
+static void refuse(struct compared *compared, const char *why)
+{
+	assert_int_equal(compare(compared), -EINVAL);
+	assert_null(compared->comparison);
+	assert_int_equal(compared->said.count, 1);
+	assert_contains(compared->said.sentence[0], compared->model->path);
+	assert_contains(compared->said.sentence[0], why);
+}
+
+static void test_the_wanted_clip_or_those_that_last_are_compared(void **state)
+{
+	static const int lasting[] = {0, 2, 3};
+	struct compared compared;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	compared.request.clip = 2;
+	assert_int_equal(compare(&compared), 0);
+	assert_int_equal(compared.comparison->clip_count, 1);
+	assert_int_equal(compared.comparison->clip[0].clip, 2);
+	comparison_destroy(compared.comparison);
+	compared.request.clip = -1;
+	compared.model->clip[1].duration_s = 0.0f;
+	assert_int_equal(compare(&compared), 0);
+	assert_int_equal(compared.comparison->clip_count, 3);
+	for (int i = 0; i < 3; i++) {
+		assert_int_equal(compared.comparison->clip[i].clip, lasting[i]);
+	}
+	end(&compared);
+}
+
+static void test_a_model_without_motion_or_triangles_is_refused(void **state)
+{
+	struct compared compared;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	for (int i = 0; i < compared.model->clip_count; i++) {
+		compared.model->clip[i].duration_s = 0.0f;
+	}
+	refuse(&compared, "none of its clips has a duration");
+	for (int i = 0; i < compared.model->node_count; i++) {
+		compared.model->node[i].mesh = -1;
+	}
+	refuse(&compared, "it shows no triangles");
+	end(&compared);
+}
+
+/* Each clip is prepared, and then measured once for each row. */
+static void test_progress_counts_all_jobs(void **state)
+{
+	struct compared compared;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	compared.model->clip_count = 2;
+	assert_int_equal(compare(&compared), 0);
+	assert_int_equal(
+		compared.total, (compared.comparison->row_count + 1) * 2);
+	assert_int_equal(compared.done, compared.total);
+	end(&compared);
+}
+
+static void test_threads_find_the_same_errors(void **state)
+{
+	struct compared one, three;
+
+	(void)state;
+	begin(&one, "gltf/skin/and_morph.gltf");
+	begin(&three, "gltf/skin/and_morph.gltf");
+	three.request.jobs = 3;
+	assert_int_equal(compare(&one), 0);
+	assert_int_equal(compare(&three), 0);
+	assert_int_equal(one.comparison->row_count, three.comparison->row_count);
+	for (int r = 0; r < one.comparison->row_count; r++) {
+		const struct comparison_row *a = &one.comparison->row[r];
+		const struct comparison_row *b = &three.comparison->row[r];
+
+		assert_string_equal(a->name, b->name);
+		assert_near(a->total.peak_px, b->total.peak_px, 0);
+		assert_near(a->total.board.cycles, b->total.board.cycles, 0);
+		assert_int_equal(a->total.memory_bytes, b->total.memory_bytes);
+	}
+	end(&one);
+	end(&three);
+}
+
+/* AN4044 has 20 keys, evenly spaced; a fitted morph keeps to its bound. */
+static void test_morphs_have_keys_by_number_or_by_error(void **state)
+{
+	struct compared compared;
+	int even = 0, fitted = 0;
+
+	(void)state;
+	begin(&compared, "gltf/clip/cubic.gltf");
+	assert_int_equal(compare(&compared), 0);
+	for (int r = 0; r < compared.comparison->row_count; r++) {
+		const struct comparison_row *row = &compared.comparison->row[r];
+		const struct fit_keys *keys = &row->cell[0].keys;
+
+		if (row->kind == COMPARISON_MORPH_EVEN) {
+			assert_int_equal(keys->count, 20);
+			for (int k = 0; k < 20; k++) {
+				assert_near(
+					keys->time_s[k], k * 2.0 / 19.0, 1e-6);
+			}
+			even++;
+		} else if (row->kind == COMPARISON_MORPH && row->listed) {
+			assert_true(row->total.peak_px <= 0.5f);
+			assert_true(keys->count >= 2);
+			fitted++;
+		}
+	}
+	assert_int_equal(even, 1);
+	assert_int_equal(fitted, 1);
+	end(&compared);
+}
+
+/* All morphs draw the same triangles; other rows are drawn themselves. */
+static void test_each_row_has_a_prediction_of_drawing(void **state)
+{
+	struct compared compared;
+	double morph = 0.0;
+
+	(void)state;
+	begin(&compared, "gltf/skin/and_morph.gltf");
+	assert_int_equal(compare(&compared), 0);
+	for (int r = 0; r < compared.comparison->row_count; r++) {
+		const struct comparison_row *row = &compared.comparison->row[r];
+		double cycles = row->cell[0].board.draw.cycles;
+
+		assert_true(cycles > 1e5 && cycles < 1e7);
+		if (row->kind == COMPARISON_MORPH ||
+			row->kind == COMPARISON_MORPH_EVEN) {
+			morph = morph > 0.0 ? morph : cycles;
+			assert_near(cycles, morph, 0);
+		}
+	}
+	assert_true(morph > 0.0);
+	end(&compared);
+}
+
+/* Compares the climb alone, between two heights above the rest pose. */
+static void climb(struct compared *compared, float low, float high)
+{
+	struct model_channel *channel = compared->model->clip[CLIMB].channel;
+	float *value = (float *)(uintptr_t)channel->value;
+
+	assert_int_equal(channel->key_count, 2);
+	value[1] = low;
+	value[4] = high;
+	compared->request.clip = CLIMB;
+	assert_int_equal(compare(compared), 0);
+}
+
+static void test_a_way_of_six_times_the_size_is_far(void **state)
+{
+	struct compared compared;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	climb(&compared, 0.0f, 4.9f);
+	assert_int_equal(compared.said.count, 0);
+	comparison_destroy(compared.comparison);
+	climb(&compared, 0.0f, 6.0f);
+	assert_int_equal(compared.said.count, 1);
+	assert_true(log_capture_has(&compared.said, LOG_WARNING,
+		"its clips go 7 times as far as it is large"));
+	end(&compared);
+}
+
+/* A rest pose that would double the picture is left out of it. */
+static void test_the_picture_contains_a_rest_pose_that_is_near(void **state)
+{
+	struct compared compared;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	climb(&compared, 1.9f, 2.9f);
+	assert_near(compared.comparison->box.low[1], 0.0, 1e-6);
+	assert_near(compared.comparison->box.high[1], 3.9, 1e-5);
+	comparison_destroy(compared.comparison);
+	climb(&compared, 2.1f, 3.1f);
+	assert_near(compared.comparison->box.low[1], 2.1, 1e-5);
+	assert_near(compared.comparison->box.high[1], 4.1, 1e-5);
+	assert_near(compared.comparison->clip[0].screen.box.low[1], 2.1, 1e-5);
+	end(&compared);
+}
+
+static void test_each_listed_row_but_the_model_becomes_a_file(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct test_path folder = temp_dir_make();
+	struct test_path out = path_join(&folder, "out");
+	struct compared compared;
+	char names[3][32];
+
+	(void)state;
+	begin(&compared, "gltf/skin/and_morph.gltf");
+	assert_int_equal(compare(&compared), 0);
+	assert_int_equal(
+		export_comparison(compared.comparison, out.text, &log), 0);
+	for (int r = 0; r < compared.comparison->row_count; r++) {
+		const struct comparison_row *row = &compared.comparison->row[r];
+
+		if (row->kind == COMPARISON_MORPH && row->listed) {
+			snprintf(names[0], sizeof(names[0]), "morph-%d.glb",
+				row->total.key_count);
+		}
+	}
+	strcpy(names[1], "morph-even-20.glb");
+	strcpy(names[2], "skin.glb");
+	for (int i = 0; i < 3; i++) {
+		struct test_path path = path_join(&out, names[i]);
+		struct model *model;
+
+		assert_int_equal(model_load(path.text, &log, &model), 0);
+		assert_int_equal(model->clip_count, 1);
+		model_destroy(model);
+	}
+	assert_int_equal(access(path_join(&out, "rigid.glb").text, F_OK), 0);
+	assert_int_equal(temp_dir_count(&out), 4);
+	end(&compared);
+	temp_dir_remove(&folder);
+}
+
+static void test_a_folder_for_files_is_made_or_used(void **state)
+{
+	struct log_capture said;
+	const struct log log = log_capture_begin(&said);
+	struct test_path folder = temp_dir_make();
+	struct test_path made = path_join(&folder, "made");
+	struct test_path file = path_join(&folder, "file");
+	struct test_path lost = path_join(&folder, "lost/made");
+	struct stat found;
+
+	(void)state;
+	assert_int_equal(export_make_folder(made.text, &log), 0);
+	assert_int_equal(stat(made.text, &found), 0);
+	assert_true(S_ISDIR(found.st_mode));
+	assert_int_equal(export_make_folder(made.text, &log), 0);
+	assert_int_equal(said.count, 0);
+	file_write(file.text, "", 0);
+	assert_int_equal(export_make_folder(file.text, &log), -ENOTDIR);
+	assert_int_equal(export_make_folder(lost.text, &log), -ENOENT);
+	assert_int_equal(log_capture_count(&said, LOG_ERROR), 2);
+	assert_contains(said.sentence[0], "the folder cannot be made");
+	assert_contains(said.sentence[0], strerror(ENOTDIR));
+	assert_contains(said.sentence[1], lost.text);
+	temp_dir_remove(&folder);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_the_wanted_clip_or_those_that_last_are_compared),
+		cmocka_unit_test(
+			test_a_model_without_motion_or_triangles_is_refused),
+		cmocka_unit_test(test_progress_counts_all_jobs),
+		cmocka_unit_test(test_threads_find_the_same_errors),
+		cmocka_unit_test(test_morphs_have_keys_by_number_or_by_error),
+		cmocka_unit_test(test_each_row_has_a_prediction_of_drawing),
+		cmocka_unit_test(test_a_way_of_six_times_the_size_is_far),
+		cmocka_unit_test(
+			test_the_picture_contains_a_rest_pose_that_is_near),
+		cmocka_unit_test(
+			test_each_listed_row_but_the_model_becomes_a_file),
+		cmocka_unit_test(test_a_folder_for_files_is_made_or_used),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -230,6 +230,35 @@ static void test_the_limits_are_the_boards_unless_given(void **state)
 	assert_near(bench.comparison.time_limit_us, 500.0, 1e-9);
 }
 
+/* Predictions are off by as much, so that the slower row may keep the limit. */
+static void test_a_frame_may_take_two_percent_longer(void **state)
+{
+	(void)state;
+	for (int over = 0; over <= 1; over++) {
+		struct bench bench;
+
+		begin(&bench);
+		add(&bench, 9000, 40, 0.0f);
+		add(&bench, over ? 10201 : 10199, 10, 0.0f);
+		advice_give(&bench.comparison);
+		assert_int_equal(bench.comparison.advised, over ? 0 : 1);
+	}
+}
+
+static void test_the_default_board_is_the_pdk(void **state)
+{
+	const struct board_profile *pdk = board_profile_find(NULL);
+
+	(void)state;
+	assert_string_equal(pdk->name, "imx31-pdk");
+	assert_ptr_equal(board_profile_find("imx31-pdk"), pdk);
+	assert_null(board_profile_find("imx31"));
+	assert_int_equal(pdk->ram_bytes, 134217728);
+	assert_int_equal(pdk->taken_bytes, 50331648);
+	assert_int_equal(pdk->bytes_per_percent, 262144);
+	assert_near(pdk->frame_ms, 33.3333, 1e-4);
+}
+
 /* The plot has rows that the table does not list. */
 static void test_rows_that_are_not_listed_are_not_advised(void **state)
 {
@@ -463,6 +492,8 @@ int main(void)
 		cmocka_unit_test(test_memory_counts_more_than_the_error),
 		cmocka_unit_test(test_time_counts_less_than_the_error),
 		cmocka_unit_test(test_the_limits_are_the_boards_unless_given),
+		cmocka_unit_test(test_a_frame_may_take_two_percent_longer),
+		cmocka_unit_test(test_the_default_board_is_the_pdk),
 		cmocka_unit_test(test_rows_that_are_not_listed_are_not_advised),
 		cmocka_unit_test(test_the_front_has_the_rows_that_no_other_beats),
 		cmocka_unit_test(

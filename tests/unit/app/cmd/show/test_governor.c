@@ -170,6 +170,161 @@ static void test_poses_come_as_often_as_the_level_says(void **state)
 	}
 }
 
+/* Frames at 64 Hz, whose times are exact, of one cost; returns the changes. */
+static int feed(struct bench *bench, int frames, float work_ms)
+{
+	int changes = 0;
+
+	for (int i = 0; i < frames; i++) {
+		bench->now_s += 1.0 / 64.0;
+		changes +=
+			governor_feed(&bench->governor, bench->now_s, work_ms);
+	}
+	return changes;
+}
+
+/* The first frames weigh the same, and later the newest has 15%. */
+static void test_the_mean_follows_the_newest_frames(void **state)
+{
+	struct bench bench = begin(100.0f);
+
+	(void)state;
+	for (int i = 1; i <= 6; i++) {
+		feed(&bench, 1, 10.0f * (float)i);
+		assert_near(bench.governor.mean_ms, 5.0 + 5.0 * i, 1e-4);
+	}
+	feed(&bench, 1, 75.0f);
+	assert_near(bench.governor.mean_ms, 0.85 * 35.0 + 0.15 * 75.0, 1e-4);
+	feed(&bench, 1, 0.0f);
+	assert_near(bench.governor.mean_ms, 0.85 * 41.0, 1e-4);
+}
+
+/* Eight frames, the last of which is over the budget, and 0.2 s more. */
+static void test_a_step_is_taken_after_a_fifth_of_a_second(void **state)
+{
+	struct bench bench = begin(10.0f);
+
+	(void)state;
+	for (int level = 1; level <= GOVERNOR_STEPS; level++) {
+		assert_int_equal(feed(&bench, 20, 10.5f), 0);
+		assert_int_equal(feed(&bench, 1, 10.5f), 1);
+		assert_int_equal(bench.governor.level, level);
+	}
+	bench = begin(10.0f);
+	assert_int_equal(feed(&bench, 1000, 10.0f), 0);
+}
+
+/* A frame that is not over the budget begins the fifth of a second anew. */
+static void test_the_time_over_the_budget_is_without_a_break(void **state)
+{
+	struct bench bench = begin(10.0f);
+
+	(void)state;
+	feed(&bench, 20, 10.5f);
+	assert_int_equal(feed(&bench, 1, 1.0f), 0);
+	/* The mean is over 10 ms again at the seventh frame. */
+	assert_int_equal(feed(&bench, 7 + 12, 10.5f), 0);
+	assert_int_equal(feed(&bench, 1, 10.5f), 1);
+}
+
+/* Begins at the first level, whose step is known to save some time. */
+static struct bench begin_reduced(float saved_ms)
+{
+	struct bench bench = begin(10.0f);
+
+	bench.governor.level = 1;
+	bench.governor.saved_ms[1] = saved_ms;
+	return bench;
+}
+
+/* 90% of the budget is 9 ms; it must be left for a second. */
+static void test_a_step_is_taken_back_after_a_second_that_leaves_room(
+	void **state)
+{
+	struct bench bench = begin_reduced(2.0f);
+
+	(void)state;
+	assert_int_equal(feed(&bench, 8 + 63, 6.9f), 0);
+	assert_int_equal(feed(&bench, 1, 6.9f), 1);
+	assert_int_equal(bench.governor.level, 0);
+	bench = begin_reduced(2.0f);
+	assert_int_equal(feed(&bench, 1000, 7.1f), 0);
+}
+
+static void test_what_a_step_saves_is_measured_after_it(void **state)
+{
+	struct bench bench = begin(10.0f);
+
+	(void)state;
+	feed(&bench, 21, 12.0f);
+	feed(&bench, 7, 9.0f);
+	assert_near(bench.governor.saved_ms[1], 0.0, 0.0);
+	feed(&bench, 1, 9.0f);
+	assert_near(bench.governor.saved_ms[1], 3.0, 1e-4);
+	/* Later frames do not change it, and no step saves less than nothing. */
+	feed(&bench, 10, 11.0f);
+	assert_near(bench.governor.saved_ms[1], 3.0, 1e-4);
+	bench = begin(10.0f);
+	feed(&bench, 21, 12.0f);
+	feed(&bench, 8, 13.0f);
+	assert_near(bench.governor.saved_ms[1], 0.0, 0.0);
+}
+
+/* Takes a step, and returns after how many seconds of 1 ms it is taken back. */
+static double seconds_reduced(struct bench *bench)
+{
+	int frames = 1;
+
+	while (feed(bench, 1, 20.0f) == 0) {
+	}
+	assert_int_equal(bench->governor.level, 1);
+	bench->governor.measuring = false;
+	while (feed(bench, 1, 1.0f) == 0) {
+		frames++;
+	}
+	assert_int_equal(bench->governor.level, 0);
+	return (frames - 8) / 64.0;
+}
+
+static void test_the_wait_doubles_up_to_half_a_minute(void **state)
+{
+	static const double wanted_s[] = {1, 2, 4, 8, 16, 30, 30};
+	struct bench bench = begin(10.0f);
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(wanted_s); i++) {
+		assert_near(seconds_reduced(&bench), wanted_s[i], 0.0);
+	}
+}
+
+/* It is the first second again after more than five without a step. */
+static void test_five_seconds_without_a_step_end_the_doubling(void **state)
+{
+	(void)state;
+	for (int more = 0; more <= 1; more++) {
+		struct bench bench = begin(10.0f);
+
+		seconds_reduced(&bench);
+		/* The step comes at the seventeenth frame of 20 ms. */
+		feed(&bench, 5 * 64 - 17 + more, 1.0f);
+		assert_near(seconds_reduced(&bench), more ? 1.0 : 2.0, 0.0);
+	}
+}
+
+static void test_each_level_has_a_name(void **state)
+{
+	static const char *const names[GOVERNOR_STEPS] = {"triangles to 2 px",
+		"triangles to 4 px", "2 influences", "1 influence",
+		"normals held", "half the poses", "a quarter of poses"};
+	struct governor governor = governor_begin(10.0f);
+
+	(void)state;
+	for (int i = 0; i < GOVERNOR_STEPS; i++) {
+		governor.level = i + 1;
+		assert_string_equal(governor_text(&governor), names[i]);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -185,6 +340,17 @@ int main(void)
 		cmocka_unit_test(
 			test_steps_that_do_not_last_come_ever_less_often),
 		cmocka_unit_test(test_poses_come_as_often_as_the_level_says),
+		cmocka_unit_test(test_the_mean_follows_the_newest_frames),
+		cmocka_unit_test(test_a_step_is_taken_after_a_fifth_of_a_second),
+		cmocka_unit_test(
+			test_the_time_over_the_budget_is_without_a_break),
+		cmocka_unit_test(
+			test_a_step_is_taken_back_after_a_second_that_leaves_room),
+		cmocka_unit_test(test_what_a_step_saves_is_measured_after_it),
+		cmocka_unit_test(test_the_wait_doubles_up_to_half_a_minute),
+		cmocka_unit_test(
+			test_five_seconds_without_a_step_end_the_doubling),
+		cmocka_unit_test(test_each_level_has_a_name),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

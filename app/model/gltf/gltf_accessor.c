@@ -257,6 +257,7 @@ static int read_accessor(const struct gltf_at *at)
 	out->index = at->index;
 	out->type = type->name;
 	out->width = type->columns * type->rows;
+	out->rows = type->rows;
 	error = check_size(at, count, out->width);
 	if (error) {
 		return error;

@@ -76,6 +76,7 @@ struct gltf_accessor {
 	int count;
 	const char *type; /* "VEC3" */
 	int width;        /* components of an element */
+	int rows;         /* components of a matrix's column, or width */
 	bool normalized;
 
 	int sparse_count;

@@ -85,21 +85,20 @@ static float get_float(
 	return value < -1 ? -1 : value;
 }
 
-/*
- * Unpacks an element. Columns of a matrix are treated as adjacent. With small
- * components they are padded, but the loader reads no matrices other than MAT4
- * of floats.
- */
+/* Unpacks an element, without the bytes that align a matrix's columns. */
 static void unpack_floats(const struct gltf_elements *elements, int index,
 	const struct gltf_accessor *accessor, float *out)
 {
 	const uint8_t *bytes = element_at(elements, index);
 	size_t size = gltf_component_bytes(elements->component);
-	int i;
+	size_t column = ((size_t)accessor->rows * size + 3) & ~(size_t)3;
 
-	for (i = 0; i < accessor->width; i++) {
-		out[i] = get_float(bytes + (size_t)i * size,
-			elements->component, accessor->normalized);
+	for (int i = 0; i < accessor->width; i += accessor->rows) {
+		for (int row = 0; row < accessor->rows; row++) {
+			out[i + row] = get_float(bytes + (size_t)row * size,
+				elements->component, accessor->normalized);
+		}
+		bytes += column;
 	}
 }
 

@@ -27,6 +27,7 @@ static int put_matrices(struct optimize_build *build, json_t *skin,
 	const struct optimize_array array = {
 		.count = count,
 		.width = 16,
+		.rows = 4,
 		.component = GLB_FLOAT,
 		.value = matrix,
 	};
@@ -153,6 +154,7 @@ static int copy_accessor(
 	array = (struct optimize_array){
 		.count = from.count,
 		.width = from.width,
+		.rows = from.rows,
 		.component = (enum glb_component)from.component,
 		.normalized = from.normalized,
 		.value = value,

@@ -70,14 +70,32 @@ static void put_component(
 	}
 }
 
+static size_t aligned(size_t bytes)
+{
+	return (bytes + 3) & ~(size_t)3;
+}
+
+/* Columns of a matrix are aligned to 4 bytes (glTF 2.0, 3.6.2.4). */
+static size_t element_bytes(const struct optimize_array *array)
+{
+	size_t size = glb_component_bytes(array->component);
+
+	return array->rows > 0 ? (size_t)(array->width / array->rows) *
+			aligned((size_t)array->rows * size)
+			       : (size_t)array->width * size;
+}
+
 static void put_element(
 	uint8_t *out, const struct optimize_array *array, int element)
 {
 	size_t size = glb_component_bytes(array->component);
+	size_t width = (size_t)array->width;
+	size_t rows = array->rows > 0 ? (size_t)array->rows : width;
 
-	for (int i = 0; i < array->width; i++) {
-		put_component(out + (size_t)i * size, array,
-			(size_t)element * (size_t)array->width + (size_t)i);
+	for (size_t i = 0; i < width; i++) {
+		put_component(
+			out + i / rows * aligned(rows * size) + i % rows * size,
+			array, (size_t)element * width + i);
 	}
 }
 
@@ -135,10 +153,12 @@ static void set_bounds(json_t *json, const struct optimize_array *array)
 
 static json_t *accessor_json(const struct optimize_array *array)
 {
-	static const char *const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+	static const char *const vectors[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+	static const char *const matrices[] = {"MAT2", "MAT3", "MAT4"};
 	json_t *json = json_pack("{s:i, s:i, s:s}", "componentType",
 		(int)array->component, "count", array->count, "type",
-		array->width == 16 ? "MAT4" : types[array->width - 1]);
+		array->rows > 0 ? matrices[array->rows - 2]
+				: vectors[array->width - 1]);
 
 	if (array->normalized) {
 		json_object_set_new(json, "normalized", json_true());
@@ -173,6 +193,7 @@ static int find_equal(
 			have->size == wanted->size &&
 			have->view == wanted->view &&
 			have->width == wanted->width &&
+			have->rows == wanted->rows &&
 			have->component == wanted->component &&
 			have->normalized == wanted->normalized &&
 			memcmp(base + have->offset, base + wanted->offset,
@@ -216,10 +237,8 @@ static int append(
 static int add_dense(struct optimize_output *output, enum optimize_view view,
 	const struct optimize_array *array)
 {
-	size_t element =
-		(size_t)array->width * glb_component_bytes(array->component);
-	size_t stride = view >= OPTIMIZE_VERTICES ? (element + 3) & ~(size_t)3
-						  : element;
+	size_t element = element_bytes(array);
+	size_t stride = view >= OPTIMIZE_VERTICES ? aligned(element) : element;
 	size_t size = stride * (size_t)array->count;
 	struct optimize_bytes *bytes;
 	struct optimize_accessor accessor;
@@ -246,6 +265,7 @@ static int add_dense(struct optimize_output *output, enum optimize_view view,
 		.hash = hash_of(out, size),
 		.component = (int)array->component,
 		.width = array->width,
+		.rows = array->rows,
 		.normalized = array->normalized,
 		.dense = true,
 	};
@@ -258,7 +278,7 @@ static int add_dense(struct optimize_output *output, enum optimize_view view,
 	}
 	accessor.json = accessor_json(array);
 	set_place(accessor.json, view, accessor.offset);
-	bytes->size += (size + 3) & ~(size_t)3;
+	bytes->size += aligned(size);
 	return append(output, accessor);
 }
 
@@ -272,7 +292,7 @@ static size_t put_bytes(
 	if (out) {
 		memset(out, 0, size + 4);
 		memcpy(out, data, size);
-		bytes->size += (size + 3) & ~(size_t)3;
+		bytes->size += aligned(size);
 	}
 	return offset;
 }
@@ -281,8 +301,7 @@ static size_t put_bytes(
 static void pack(const struct optimize_array *array, size_t index_bytes,
 	uint8_t *index, uint8_t *value)
 {
-	size_t element =
-		(size_t)array->width * glb_component_bytes(array->component);
+	size_t element = element_bytes(array);
 
 	for (int i = 0; i < array->count; i++) {
 		if (is_zero(array, i)) {
@@ -299,10 +318,9 @@ static void pack(const struct optimize_array *array, size_t index_bytes,
 static int add_sparse(struct optimize_output *output,
 	const struct optimize_array *array, size_t index_bytes, int moved)
 {
-	size_t element =
-		(size_t)array->width * glb_component_bytes(array->component);
+	size_t element = element_bytes(array);
 	uint8_t *index = malloc((size_t)moved * index_bytes + 1);
-	uint8_t *value = malloc((size_t)moved * element + 1);
+	uint8_t *value = calloc((size_t)moved, element);
 	json_t *json = accessor_json(array), *indices, *values;
 
 	if (!index || !value) {
@@ -329,9 +347,8 @@ int optimize_output_add(struct optimize_output *output, enum optimize_view view,
 	const struct optimize_array *array)
 {
 	size_t index_bytes = array->count <= 65535 ? 2 : 4;
-	size_t element =
-		(size_t)array->width * glb_component_bytes(array->component);
-	size_t dense = ((element + 3) & ~(size_t)3) * (size_t)array->count;
+	size_t element = element_bytes(array);
+	size_t dense = aligned(element) * (size_t)array->count;
 	int moved = 0;
 
 	if (output->glb.error) {

@@ -19,6 +19,7 @@ enum optimize_view {
 /* An accessor's elements: numbers that fit the component's type. */
 struct optimize_array {
 	int count, width;
+	int rows; /* components of a matrix's column; 0: no matrix */
 	enum glb_component component;
 	bool normalized;
 	bool bounded;          /* write min and max */
@@ -38,7 +39,7 @@ struct optimize_output {
 		enum optimize_view view;
 		size_t offset, size;
 		uint64_t hash;
-		int component, width;
+		int component, width, rows;
 		bool normalized;
 		json_t *json; /* glb.accessors owns it */
 		bool dense;

@@ -55,6 +55,7 @@ static int read_numbers(const struct optimize_build *build, int accessor,
 	*out = (struct numbers){
 		.array = {.count = from.count,
 			.width = from.width,
+			.rows = from.rows,
 			.component = (enum glb_component)from.component,
 			.normalized = from.normalized},
 		.value = malloc(count * sizeof(float)),

@@ -125,6 +125,7 @@ struct gltf_document_array gltf_document_array(
 	return (struct gltf_document_array){
 		.count = accessor->count,
 		.width = accessor->width,
+		.rows = accessor->rows < accessor->width ? accessor->rows : 0,
 		.component = (int)accessor->base.component,
 		.normalized = accessor->normalized,
 		.bytes = stored_bytes(accessor),

@@ -18,6 +18,7 @@ struct gltf_document;
 struct gltf_document_array {
 	int count;     /* elements */
 	int width;     /* components of an element */
+	int rows;      /* components of a matrix's column; 0: no matrix */
 	int component; /* glTF's componentType */
 	bool normalized;
 	size_t bytes; /* bytes that the elements take in the file, aligned to 4

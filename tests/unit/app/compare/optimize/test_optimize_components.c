@@ -126,7 +126,8 @@ static struct gltf_document_array expect(const struct file *file,
 		file->document, (int)json_integer_value(index));
 	assert_int_equal(array.component, component);
 	assert_int_equal(array.normalized,
-		component != FLOAT && strncmp(key, "JOINTS", 6) != 0);
+		component != FLOAT && strncmp(key, "JOINTS", 6) != 0 &&
+			key[0] != '_');
 	assert_true(array.count * array.width <= 64);
 	assert_int_equal(gltf_document_floats(file->document,
 				 (int)json_integer_value(index), found),
@@ -209,6 +210,86 @@ static void test_colours_within_0_and_1_are_shorts(void **state)
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(attributes); i++) {
 		check_attribute(&attributes[i]);
+	}
+}
+
+/* Where the columns of a matrix lie, of an element and of the next ones. */
+struct matrix {
+	const char *type;
+	int rows, component;
+	size_t column; /* bytes, of which the last may only fill up */
+};
+
+/*
+ * An attribute of matrices whose numbers are 1, 2, 3..., with bytes of 0xEE
+ * between their columns.
+ */
+static void check_matrix(const struct matrix *matrix)
+{
+	int width = matrix->rows * matrix->rows;
+	int size = matrix->component == FLOAT ? 4
+		: matrix->component == USHORT ? 2
+					      : 1;
+	size_t bytes = matrix->column * (size_t)(matrix->rows * VERTICES);
+	uint8_t data[64 * VERTICES];
+	float wanted[16 * VERTICES];
+	struct file file;
+	json_t *accessor, *number;
+
+	memset(data, 0xEE, sizeof(data));
+	for (int i = 0; i < width * VERTICES; i++) {
+		uint8_t *to = data +
+			(size_t)(i / matrix->rows) * matrix->column +
+			(size_t)(i % matrix->rows * size);
+		uint16_t integer = (uint16_t)(i + 1);
+
+		wanted[i] = (float)(i + 1);
+		memcpy(to, size == 4 ? (void *)&wanted[i] : &integer,
+			(size_t)size);
+	}
+	begin(&file);
+	/* The view has as many bytes as these floats. */
+	number = json_integer(
+		add(&file, data, (int)(bytes / 4), 1, FLOAT, "SCALAR"));
+	accessor = json_array_get(
+		file.accessors, (size_t)json_integer_value(number));
+	json_object_set_new(file.attributes, "_MATRIX", number);
+	json_object_set_new(accessor, "type", json_string(matrix->type));
+	json_object_set_new(
+		accessor, "componentType", json_integer(matrix->component));
+	json_object_set_new(accessor, "count", json_integer(VERTICES));
+	optimize(&file, loose_px);
+	number = json_object_get(
+		json_object_get(primitive_of(&file), "attributes"), "_MATRIX");
+	accessor = at(gltf_document_json(file.document), "accessors",
+		(size_t)json_integer_value(number));
+	assert_string_equal(json_string_value(json_object_get(accessor, "type")),
+		matrix->type);
+	assert_int_equal(
+		expect(&file, json_object_get(primitive_of(&file), "attributes"),
+			"_MATRIX", matrix->component, wanted)
+			.rows,
+		matrix->rows);
+	end(&file);
+}
+
+static void test_matrices_keep_their_type_and_numbers(void **state)
+{
+	static const struct matrix matrices[] = {
+		{"MAT2", 2, FLOAT, 8},
+		{"MAT3", 3, FLOAT, 12},
+		{"MAT4", 4, FLOAT, 16},
+		{"MAT2", 2, USHORT, 4},
+		{"MAT3", 3, USHORT, 8},
+		{"MAT4", 4, USHORT, 8},
+		{"MAT2", 2, UBYTE, 4},
+		{"MAT3", 3, UBYTE, 4},
+		{"MAT4", 4, UBYTE, 4},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(matrices); i++) {
+		check_matrix(&matrices[i]);
 	}
 }
 
@@ -380,6 +461,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_directions_are_bytes),
 		cmocka_unit_test(test_colours_within_0_and_1_are_shorts),
+		cmocka_unit_test(test_matrices_keep_their_type_and_numbers),
 		cmocka_unit_test(test_weights_are_bytes_whose_sum_is_1),
 		cmocka_unit_test(test_targets_within_1_are_integers),
 		cmocka_unit_test(test_rotations_are_shorts_unless_they_turn_half),

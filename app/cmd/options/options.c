@@ -29,14 +29,14 @@ struct options options_default(void)
 	return options;
 }
 
-/* The Levenshtein distance, ignoring case; 99 beyond 31 characters. */
+/* The Levenshtein distance, ignoring case; INT_MAX beyond 31 characters. */
 static int distance(const char *a, const char *b)
 {
 	int row[32];
 	int columns = (int)strlen(b);
 
 	if (columns > 31 || strlen(a) > 31) {
-		return 99;
+		return INT_MAX;
 	}
 	for (int j = 0; j <= columns; j++) {
 		row[j] = j;

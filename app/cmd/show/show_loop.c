@@ -5,10 +5,7 @@
 #include "platform/process/stop.h"
 
 #include <errno.h>
-
-enum {
-	FRAMES_MAX = 1000000 /* as for --frames */
-};
+#include <limits.h>
 
 /* The watchdog is fed once a frame only, so that it acts when frames stop. */
 static void feed_watchdog(struct show *show)
@@ -92,8 +89,7 @@ static int period_frames(const struct show *show)
 {
 	double period_s = show->plan->demo->period_s(show->demo);
 
-	return scalar_to_int(
-		period_s * show->clock.rate_hz + 0.5, 1, FRAMES_MAX);
+	return scalar_to_int(period_s * show->clock.rate_hz + 0.5, 1, INT_MAX);
 }
 
 int show_loop_run(struct show *show)

@@ -265,6 +265,25 @@ static void test_the_closest_name_is_the_one_with_fewest_changes(void **state)
 	assert_null(options_closest("a-name-of-thirty-one-charactersx", names));
 }
 
+/* No option is that long, so that such words are not compared. */
+static void test_words_of_more_than_31_letters_are_close_to_none(void **state)
+{
+	(void)state;
+	for (int letters = 30; letters <= 33; letters++) {
+		for (int more = -1; more <= 1; more++) {
+			char word[40] = "", name[40] = "";
+			const char *const names[] = {name, NULL};
+			bool compared = letters <= 31 && letters + more <= 31;
+
+			memset(word, 'a', (size_t)letters);
+			memset(name, 'a', (size_t)(letters + more));
+			name[5] = 'b';
+			assert_ptr_equal(options_closest(word, names),
+				compared ? name : NULL);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -276,6 +295,8 @@ int main(void)
 		cmocka_unit_test(test_nothing_given_leaves_the_defaults),
 		cmocka_unit_test(
 			test_the_closest_name_is_the_one_with_fewest_changes),
+		cmocka_unit_test(
+			test_words_of_more_than_31_letters_are_close_to_none),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -159,6 +159,8 @@ static void test_pictures_of_another_size_are_left_out(void **state)
 	add(scene, 50, 0.0);
 	scene->picture.width = WIDTH - 1;
 	add(scene, 100, 0.1);
+	/* Of many such pictures, the first is warned about. */
+	assert_int_equal(scene->logged.count, 1);
 	scene->picture.width = WIDTH;
 	scene->picture.height = HEIGHT - 1;
 	add(scene, 100, 0.2);

@@ -71,6 +71,31 @@ static void test_a_frame_lasts_since_the_end_of_the_one_before(void **state)
 	assert_true(watch.ended_ns - first_ns >= 15 * INT64_C(1000000));
 }
 
+/* Reading the memory takes time, and it changes slowly. */
+static void test_memory_is_read_every_33_frames(void **state)
+{
+	const struct demo_facts facts = {.technique = "Skeletal"};
+	struct frame_watch watch = {.shown = true};
+	static struct hud hud;
+
+	(void)state;
+	hud.font = &font_default;
+	for (int frame = 0; frame < 100; frame++) {
+		watch.memory_bytes = 1;
+		hud_begin(&hud, 480, 640);
+		frame_watch_show(&watch, &facts, "soft", NULL, &hud);
+		assert_int_equal(watch.memory_bytes > 1, frame % 33 == 0);
+		assert_true(hud.quad_count > 0);
+	}
+	watch.shown = false;
+	watch.memory_wait = 0;
+	watch.memory_bytes = 1;
+	hud_begin(&hud, 480, 640);
+	frame_watch_show(&watch, &facts, "soft", NULL, &hud);
+	assert_int_equal(watch.memory_bytes, 1);
+	assert_int_equal(hud.quad_count, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -78,6 +103,7 @@ int main(void)
 			test_each_stage_has_the_time_since_the_one_before),
 		cmocka_unit_test(
 			test_a_frame_lasts_since_the_end_of_the_one_before),
+		cmocka_unit_test(test_memory_is_read_every_33_frames),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -100,8 +100,7 @@ static int prepare(void *user, const struct kernel *kernel,
 	return error;
 }
 
-/* The loops of float kernels. */
-static const struct bench_loops float_loops = {
+const struct bench_loops bench_float_loops = {
 	sizeof(struct kernel_state),
 	{skin, skin_normals, skin_tangents, lerp, lerp_normals, targets, NULL},
 	prepare,
@@ -116,7 +115,7 @@ static const struct bench_loops *loops_of(
 	if (!kernel) {
 		return NULL;
 	}
-	return kernel->fixed ? &bench_fixed_loops : &float_loops;
+	return kernel->fixed ? &bench_fixed_loops : &bench_float_loops;
 }
 
 int bench_job_prepare(const char *name, const struct bench_mesh *mesh,

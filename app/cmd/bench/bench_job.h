@@ -50,6 +50,9 @@ struct bench_loops {
 /* The loops exactly as AN4044 prints them. */
 extern const struct bench_loops bench_an4044_loops;
 
+/* The loops of float kernels. */
+extern const struct bench_loops bench_float_loops;
+
 /* The loops of fixed-point kernels. */
 extern const struct bench_loops bench_fixed_loops;
 

@@ -6,8 +6,11 @@
 #define TESTS_UNIT_APP_CMD_BENCH_LOOPS_H
 
 #include "app/cmd/bench/bench_job.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -62,6 +65,34 @@ static inline void run(struct loops *loops, const struct bench_loops *bench,
 	memset(&noted, 0, sizeof(noted));
 	noted.mesh = &loops->mesh;
 	bench->run[work](loops->state);
+}
+
+/* With ever more memory, a loop is refused until all of it is prepared. */
+static inline void check_memory(const struct bench_loops *bench,
+	const struct kernel *kernel, enum bench_work work)
+{
+	struct bench_mesh mesh;
+	int error = -ENOMEM, refused = 0;
+
+	/* Large arrays have blocks of their own. */
+	assert_int_equal(
+		bench_mesh_make(&mesh, 64 * VERTICES, INFLUENCES, 0), 0);
+	for (size_t limit = 0; error == -ENOMEM; limit += 1 << 15) {
+		struct memory_budget budget = {.limit_bytes = limit};
+		struct arena arena = arena_within(&budget);
+		void *state = calloc(1, bench->state_size);
+
+		assert_non_null(state);
+		error = bench->prepare(state, kernel, &mesh, work, &arena);
+		refused += error == -ENOMEM;
+		assert_true(error == 0 || budget.exceeded);
+		assert_true(error != 0 || !budget.exceeded);
+		free(state);
+		arena_release(&arena);
+	}
+	assert_int_equal(error, 0);
+	assert_true(refused > 1);
+	bench_mesh_release(&mesh);
 }
 
 static inline void end(struct loops *loops)

@@ -172,11 +172,22 @@ static void test_fixed_loops_compute_what_they_are_named_for(void **state)
 	}
 }
 
+static void test_loops_without_memory_are_refused(void **state)
+{
+	const struct kernel kernel = {.name = "c", .fixed = &fixed_loops_c};
+
+	(void)state;
+	for (int work = BENCH_SKIN; work < BENCH_WORKS; work++) {
+		check_memory(&bench_fixed_loops, &kernel, (enum bench_work)work);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_fixed_loops_compute_what_they_are_named_for),
+		cmocka_unit_test(test_loops_without_memory_are_refused),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -212,6 +212,16 @@ static void test_an4044s_skins_get_matrices_and_directions(void **state)
 	}
 }
 
+static void test_loops_without_memory_are_refused(void **state)
+{
+	(void)state;
+	for (int work = BENCH_SKIN; work <= BENCH_TARGETS; work++) {
+		check_memory(&bench_float_loops, &float_kernel,
+			(enum bench_work)work);
+		check_memory(&bench_an4044_loops, NULL, (enum bench_work)work);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -219,6 +229,7 @@ int main(void)
 			test_float_loops_compute_what_they_are_named_for),
 		cmocka_unit_test(test_an4044s_loops_get_what_they_are_named_for),
 		cmocka_unit_test(test_an4044s_skins_get_matrices_and_directions),
+		cmocka_unit_test(test_loops_without_memory_are_refused),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -149,11 +149,19 @@ static void test_buttons_of_each_kind_are_joined(void **state)
 		{"UP = key KEY_W\n", "evdev:,UP=KEY_W"},
 		{"UP = key KEY_W\nkeyboard = kpp\n", "evdev:kpp,UP=KEY_W"},
 		{"keyboard = kpp\n", "evdev:kpp"},
+		{"keyboard = k\n", "evdev:k"},
 		{"keyboard = all\n", "evdev"},
 		{"UP = key KEY_W\nkeyboard = none\n", NULL},
 		{"sources = script:x\n", "script:x"},
 		{"keyboard = all\nsources = script:x\n", "evdev,script:x"},
 		{"UP = gpio a 1\nkeyboard = all\n", "gpiod:UP=a 1,evdev"},
+		{"UP = gpio a 1\nsources = script:x\n", "gpiod:UP=a 1,script:x"},
+		{"UP = key KEY_W\nsources = script:x\n",
+			"evdev:,UP=KEY_W,script:x"},
+		{"UP = key KEY_W\nkeyboard = none\nsources = script:x\n",
+			"script:x"},
+		{"UP = gpio a 1\nkeyboard = kpp\nsources = script:x\n",
+			"gpiod:UP=a 1,evdev:kpp,script:x"},
 	};
 	struct scene *scene = *state;
 

@@ -141,14 +141,15 @@ static void test_heat_is_red_where_a_part_is_far_off(void **state)
 	end(&bench);
 }
 
-static int64_t a_millisecond_later(void)
+/* Each frame takes a millisecond more than the one before. */
+static int64_t later_each_time(void)
 {
-	static int64_t now_ns;
+	static int64_t now_ns, frames;
 
-	return now_ns += 1000000;
+	return now_ns += ++frames % 2 ? 0 : 500000 * frames;
 }
 
-static void test_times_come_from_the_clock_it_is_given(void **state)
+static void test_times_are_means_by_the_clock_it_is_given(void **state)
 {
 	struct bench bench;
 
@@ -156,9 +157,18 @@ static void test_times_come_from_the_clock_it_is_given(void **state)
 	begin(&bench, CONTENDER_SKIN);
 	contender_pose(&bench.contender, 0.1f);
 	assert_true(bench.contender.ms < 0.0f);
-	bench.contender.now_ns = a_millisecond_later;
+	bench.contender.now_ns = later_each_time;
 	contender_pose(&bench.contender, 0.2f);
 	assert_near(bench.contender.ms, 1.0, 1e-6);
+	/* Then the means of 16 frames: of 2 to 17 ms, and of 18 to 33 ms. */
+	for (int i = 1; i <= 32; i++) {
+		contender_pose(&bench.contender, 0.2f);
+		assert_near(bench.contender.ms,
+			i < 16           ? 1.0
+				: i < 32 ? 9.5
+					 : 25.5,
+			1e-4);
+	}
 	end(&bench);
 }
 
@@ -224,7 +234,7 @@ int main(void)
 			test_the_rigid_parts_shown_are_as_far_off_as_measured),
 		cmocka_unit_test(test_rigid_parts_keep_every_triangle),
 		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
-		cmocka_unit_test(test_times_come_from_the_clock_it_is_given),
+		cmocka_unit_test(test_times_are_means_by_the_clock_it_is_given),
 		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
 		cmocka_unit_test(test_buttons_run_through_the_duel),
 	};

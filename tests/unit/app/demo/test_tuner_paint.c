@@ -1,4 +1,4 @@
-/* The colours of a chain of bones in the demo tuner, level by level. */
+/* A chain of bones in the demo tuner: its colours, and how far it swings. */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/scene/overlay/overlay_heat.h"
@@ -16,8 +16,8 @@ enum {
 	BONES = 20
 };
 
-/* Each bone is a triangle and the parent of the next one. */
-static void write_chain(const char *path, int bones)
+/* Each bone is a triangle and the parent of the next one, 1 above it. */
+static void write_chain(const char *path, int bones, double scale)
 {
 	char text[4096];
 	size_t used = (size_t)snprintf(text, sizeof(text),
@@ -34,7 +34,8 @@ static void write_chain(const char *path, int bones)
 	for (int i = 0; i + 1 < bones; i++) {
 		used += (size_t)snprintf(text + used, sizeof(text) - used,
 			"{\"mesh\":0,\"translation\":[0,1,0],"
-			"\"children\":[%d]},",
+			"\"scale\":[%g,%g,%g],\"children\":[%d]},",
+			i ? 1.0 : scale, i ? 1.0 : scale, i ? 1.0 : scale,
 			i + 1);
 	}
 	used += (size_t)snprintf(text + used, sizeof(text) - used,
@@ -100,10 +101,50 @@ static void test_each_level_has_its_colour(void **state)
 		struct gl gl = gl_recorder_begin();
 		struct demo *demo;
 
-		write_chain(model.text, bones);
+		write_chain(model.text, bones, 1.0);
 		demo = begin(model.text, &log, &gl);
 		expect_colors(demo, bones);
 		demo_destroy(demo_find("tuner"), demo);
+	}
+	temp_dir_remove(&folder);
+	unsetenv("LIMBER_ASSETS");
+}
+
+/* Presets suit a person of 1.72 m; figures of 0.5 to 4 m take them as they are. */
+static void test_a_swing_is_as_long_as_the_figure(void **state)
+{
+	static const char presets[] =
+		"[stays]\nspeed = 0\namplitude = 1\nattenuation = 0\n"
+		"translation = 0 0.5 0\nrotation = 0 0 0\n";
+	static const struct {
+		int bones;
+		double scale, factor;
+	} chains[] = {{2, 0.25, 0.5 / 1.72}, {2, 0.26, 1}, {3, 1, 1},
+		{4, 0.99, 1}, {4, 1, 4 / 1.72}, {10, 1, 10 / 1.72}};
+	struct test_path folder = temp_dir_make();
+	struct test_path model = path_join(&folder, "chain.gltf");
+	struct test_path file = path_join(&folder, "presets.ini");
+	struct log log = log_to_stderr(LOG_WARNING);
+	const struct demo_driver *tuner = demo_find("tuner");
+
+	(void)state;
+	file_write(file.text, presets, strlen(presets));
+	assert_int_equal(setenv("LIMBER_ASSETS", folder.text, 1), 0);
+	for (size_t i = 0; i < ARRAY_COUNT(chains); i++) {
+		struct gl gl = gl_recorder_begin();
+		const struct pose *pose;
+		struct demo *demo;
+
+		write_chain(model.text, chains[i].bones, chains[i].scale);
+		demo = begin(model.text, &log, &gl);
+		pose = &((const struct demo_base *)demo)->actor.instance->pose;
+		/* Frames do not add up. */
+		for (double time_s = 1.0; time_s < 4.0; time_s += 1.0) {
+			tuner->update(demo, time_s);
+			assert_near(pose->local[1].translation[1],
+				1.0 + 0.5 * chains[i].factor, 1e-5);
+		}
+		demo_destroy(tuner, demo);
 	}
 	temp_dir_remove(&folder);
 	unsetenv("LIMBER_ASSETS");
@@ -113,6 +154,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_level_has_its_colour),
+		cmocka_unit_test(test_a_swing_is_as_long_as_the_figure),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

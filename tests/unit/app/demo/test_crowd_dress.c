@@ -1,5 +1,6 @@
 /* The looks of the crowd's walkers. */
 #include "app/demo/crowd/crowd_dress.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -79,6 +80,59 @@ static void test_each_walker_has_colours_of_its_own(void **state)
 	model_destroy(model);
 }
 
+/* A board in clothes whose vertices have this colour, rows of 2 cm one by one. */
+static struct model *make_board(int rows, const uint8_t color[4])
+{
+	struct model *model = small_model_grid(1, rows, 2, true);
+	struct model_primitive *body = model->mesh[0].primitive;
+
+	model->material[0].name = "shirt";
+	body->color = arena_alloc(&model->arena, (size_t)body->vertex_count, 4);
+	for (int v = 0; v < body->vertex_count; v++) {
+		memcpy(body->color[v], color, 4);
+	}
+	return model;
+}
+
+/* Writes the colour of the board's vertices when the second walker wears it. */
+static void wear(const uint8_t color[4], uint8_t worn[4])
+{
+	struct model *model = make_board(1, color);
+	struct instance *instance = small_model_instance(model);
+
+	assert_int_equal(crowd_dress(instance, 1), 0);
+	memcpy(worn, instance->drawable[0].batch->color[0], 4);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/*
+ * Trousers have 9 more of blue than of red, and shoes less than six tenths of
+ * red's green. The look's colours are as bright as the model's, which are at
+ * most 118 and 222.
+ */
+static void test_clothes_are_told_apart_by_their_colour(void **state)
+{
+	static const uint8_t cases[][2][4] = {
+		{{90, 90, 98, 255}, {90, 90, 98, 255}},
+		{{90, 90, 99, 255}, {58, 60, 67, 255}},
+		{{20, 0, 118, 255}, {70, 72, 80, 255}},
+		{{20, 0, 119, 255}, {70, 72, 80, 255}},
+		{{100, 60, 60, 255}, {100, 60, 60, 255}},
+		{{100, 59, 60, 7}, {103, 103, 101, 7}},
+		{{222, 0, 0, 255}, {230, 230, 226, 255}},
+		{{250, 0, 0, 255}, {230, 230, 226, 255}},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		uint8_t worn[4];
+
+		wear(cases[i][0], worn);
+		assert_memory_equal(worn, cases[i][1], 4);
+	}
+}
+
 /* What vertices of a figure in clothes become, by their colour and height. */
 static void test_hair_trousers_and_shoes_are_told_apart_by_their_height(
 	void **state)
@@ -93,17 +147,11 @@ static void test_hair_trousers_and_shoes_are_told_apart_by_their_height(
 
 	(void)state;
 	for (int i = 0; i < 3; i++) {
-		struct model *model = small_model_grid(1, ROWS, 2, true);
+		struct model *model = make_board(ROWS, was[i]);
 		struct model_primitive *body = model->mesh[0].primitive;
 		struct instance *instance;
 		uint8_t(*now)[4];
 
-		model->material[0].name = "shirt";
-		body->color = arena_alloc(
-			&model->arena, (size_t)body->vertex_count, 4);
-		for (int v = 0; v < body->vertex_count; v++) {
-			memcpy(body->color[v], was[i], 4);
-		}
 		instance = small_model_instance(model);
 		assert_int_equal(crowd_dress(instance, 1), 0);
 		now = (uint8_t(*)[4])instance->drawable[0].batch->color;
@@ -124,6 +172,7 @@ int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_walker_has_colours_of_its_own),
+		cmocka_unit_test(test_clothes_are_told_apart_by_their_colour),
 		cmocka_unit_test(
 			test_hair_trousers_and_shoes_are_told_apart_by_their_height),
 	};

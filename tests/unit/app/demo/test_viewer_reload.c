@@ -2,11 +2,13 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/model/model_file.h"
+#include "app/scene/hud/hud_group.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -190,6 +192,137 @@ static void test_a_changed_character_file_is_read_anew(void **state)
 	end_bench(bench);
 }
 
+/* A check a second, two of which have to see the same file. */
+static void test_a_file_is_reloaded_once_it_has_not_changed_for_a_second(
+	void **state)
+{
+	struct bench *bench = begin_bench(true);
+	const struct model *old = model_of(bench);
+
+	(void)state;
+	run_to(bench, 1.5);
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 2.8);
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 3.9);
+	assert_ptr_equal(model_of(bench), old);
+	run_to(bench, 4.4);
+	assert_ptr_not_equal(model_of(bench), old);
+	old = model_of(bench);
+	run_to(bench, 9.0);
+	assert_ptr_equal(model_of(bench), old);
+	end_bench(bench);
+}
+
+/* A triangle whose longest side is this long. */
+static void put_triangle(const struct bench *bench, double side)
+{
+	char text[1024];
+	int length = snprintf(text, sizeof(text),
+		"{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],"
+		"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+		"octet-stream;base64,"
+		"AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
+		"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+		"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
+		"\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],"
+		"\"max\":[1,1,0]}],\"meshes\":[{\"primitives\":"
+		"[{\"attributes\":{\"POSITION\":0}}]}],"
+		"\"nodes\":[{\"mesh\":0,\"scale\":[%g,%g,%g]}]}",
+		side, side, side);
+
+	put(bench, text, (size_t)length);
+}
+
+/* The stage stays for what is a little larger or smaller. */
+static void test_a_model_of_another_size_gets_a_stage_of_its_own(void **state)
+{
+	static const struct {
+		double ratio;
+		bool stays;
+	} changes[] = {{1.24, true}, {1.26, false}, {0.81, true}, {0.79, false},
+		{10, false}, {0.1, false}};
+	struct bench *bench =
+		begin_bench_as(true, NULL, "[state a]\nclip = rest\n");
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	double side = 1.0;
+
+	(void)state;
+	run_to(bench, 0.5);
+	put_triangle(bench, side);
+	run_to(bench, 3.5);
+	assert_near(base->actor.extent, side, 1e-6);
+	for (size_t i = 0; i < ARRAY_COUNT(changes); i++) {
+		const float before = base->stage.camera.radius;
+
+		side *= changes[i].ratio;
+		put_triangle(bench, side);
+		run_to(bench, bench->now_s + 3.0);
+		assert_near(base->actor.extent, side, 1e-5);
+		assert_int_equal(
+			base->stage.camera.radius == before, changes[i].stays);
+	}
+	end_bench(bench);
+}
+
+static void test_a_label_says_that_the_new_file_is_broken(void **state)
+{
+	struct bench *bench =
+		begin_bench_as(true, NULL, "[state a]\nclip = rest\n");
+	static struct hud shown, wanted;
+	struct hud *const both[] = {&shown, &wanted};
+	struct hud_group group;
+
+	(void)state;
+	bench->log = log_to_nowhere();
+	for (int i = 0; i < 2; i++) {
+		both[i]->font = &font_default;
+		hud_begin(both[i], 240, 320);
+	}
+	run_to(bench, 1.5);
+	demo_driver_viewer.label(bench->demo, &wanted);
+	group = hud_group_begin(&wanted, HUD_BOTTOM_LEFT, NULL);
+	hud_group_mark(&group, "new file is broken", "", hud_color_rose);
+	hud_group_end(&group);
+	put(bench, "glTF, but not really", 20);
+	run_to(bench, 4.0);
+	demo_driver_viewer.label(bench->demo, &shown);
+	assert_int_equal(shown.quad_count, wanted.quad_count);
+	assert_memory_equal(shown.vertex, wanted.vertex,
+		(size_t)shown.quad_count * 4 * sizeof(shown.vertex[0]));
+	put_model(bench, "assets/walker.glb");
+	run_to(bench, 7.0);
+	hud_begin(&shown, 240, 320);
+	demo_driver_viewer.label(bench->demo, &shown);
+	assert_true(shown.quad_count < wanted.quad_count);
+	end_bench(bench);
+}
+
+/* What an unattended run repeats: the tour, the clip, or else a second. */
+static void test_a_run_repeats_after_its_tour_or_its_clip(void **state)
+{
+	static const struct {
+		const char *clip, *character;
+		double period_s;
+	} runs[] = {{"walk", NULL, 0.0}, {NULL, "[state a]\nclip = rest\n", 1.0},
+		{NULL, "[scene]\nperiod = 7\n[state a]\nclip = walk\n", 7.0}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(runs); i++) {
+		struct bench *bench =
+			begin_bench_as(false, runs[i].clip, runs[i].character);
+		const struct model *model = model_of(bench);
+		const double walk_s =
+			(double)model->clip[model_find_clip(model, "walk")]
+				.duration_s;
+
+		assert_near(demo_driver_viewer.period_s(bench->demo),
+			runs[i].period_s > 0.0 ? runs[i].period_s : walk_s,
+			1e-6);
+		end_bench(bench);
+	}
+}
+
 static void test_another_model_takes_its_place(void **state)
 {
 	struct bench *bench = begin_bench(true);
@@ -291,6 +424,12 @@ int main(void)
 			test_a_new_file_is_shown_at_the_same_clip_and_time),
 		cmocka_unit_test(test_overlays_are_shown_for_the_new_model),
 		cmocka_unit_test(test_a_changed_character_file_is_read_anew),
+		cmocka_unit_test(
+			test_a_file_is_reloaded_once_it_has_not_changed_for_a_second),
+		cmocka_unit_test(
+			test_a_model_of_another_size_gets_a_stage_of_its_own),
+		cmocka_unit_test(test_a_label_says_that_the_new_file_is_broken),
+		cmocka_unit_test(test_a_run_repeats_after_its_tour_or_its_clip),
 		cmocka_unit_test(test_another_model_takes_its_place),
 		cmocka_unit_test(test_a_new_file_is_reduced_as_the_old_one_was),
 		cmocka_unit_test(

@@ -1,11 +1,26 @@
-#define _DEFAULT_SOURCE /* getpriority() */
+#define _GNU_SOURCE /* RTLD_NEXT, getpriority() */
 
 #include "platform/process/background.h"
 #include "tests/support/test.h"
 
+#include <dlfcn.h>
+#include <errno.h>
 #include <stdatomic.h>
 #include <sys/resource.h>
 #include <time.h>
+
+static bool no_threads; /* can be created */
+
+/* Takes the place of the C library's, which it calls. */
+int pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
+	void *(*run)(void *context), void *context)
+{
+	int (*create)(
+		pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
+
+	*(void **)&create = dlsym(RTLD_NEXT, "pthread_create");
+	return no_threads ? EAGAIN : create(thread, attributes, run, context);
+}
 
 struct task {
 	atomic_bool may_end;
@@ -96,6 +111,39 @@ static void test_waiting_without_a_task_returns(void **state)
 	assert_int_equal(task.value, 1);
 }
 
+struct place {
+	pthread_t thread;
+	int runs, priority;
+};
+
+static void note_place(void *context)
+{
+	struct place *place = context;
+
+	place->thread = pthread_self();
+	place->priority = getpriority(PRIO_PROCESS, 0);
+	place->runs++;
+}
+
+static void test_without_a_thread_the_task_runs_at_once(void **state)
+{
+	struct background background = {0};
+	struct place place = {0};
+
+	(void)state;
+	no_threads = true;
+	background_begin(&background, note_place, &place);
+	no_threads = false;
+	assert_int_equal(place.runs, 1);
+	assert_true(pthread_equal(place.thread, pthread_self()));
+	assert_int_equal(place.priority, getpriority(PRIO_PROCESS, 0));
+	background_wait(&background);
+	background_begin(&background, note_place, &place);
+	background_wait(&background);
+	assert_int_equal(place.runs, 2);
+	assert_false(pthread_equal(place.thread, pthread_self()));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -103,6 +151,7 @@ int main(void)
 		cmocka_unit_test(test_beginning_waits_for_the_former_task),
 		cmocka_unit_test(test_the_task_has_a_lower_priority),
 		cmocka_unit_test(test_waiting_without_a_task_returns),
+		cmocka_unit_test(test_without_a_thread_the_task_runs_at_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

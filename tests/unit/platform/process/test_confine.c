@@ -416,6 +416,25 @@ static void test_confinement_leaves_no_descriptor_open(void **state)
 	assert_int_equal(try_confined(nothing, keep_descriptors, false), 0);
 }
 
+/* With the sanitizers alone: whether it finds memory that nothing points to. */
+__attribute__((weak)) int __lsan_do_recoverable_leak_check(void);
+
+static int find_leaks(void)
+{
+	return __lsan_do_recoverable_leak_check
+		? __lsan_do_recoverable_leak_check()
+		: 0;
+}
+
+static void test_confinement_gives_its_memory_back(void **state)
+{
+	const struct confine_request request = {
+		.output = {"there", "/dev/null", forbidden, "/nowhere/x"}};
+
+	(void)state;
+	assert_int_equal(try_confined(request, find_leaks, false), 0);
+}
+
 static void test_work_goes_on(void **state)
 {
 	(void)state;
@@ -455,6 +474,7 @@ int main(void)
 		cmocka_unit_test(test_an_output_may_be_a_new_folder),
 		cmocka_unit_test(test_files_can_be_left_out),
 		cmocka_unit_test(test_confinement_leaves_no_descriptor_open),
+		cmocka_unit_test(test_confinement_gives_its_memory_back),
 		cmocka_unit_test(test_a_device_does_not_open_its_folder),
 		cmocka_unit_test(test_work_goes_on),
 	};

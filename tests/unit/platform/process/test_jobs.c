@@ -126,6 +126,62 @@ static void test_one_job_runs_in_the_callers_thread(void **state)
 	}
 }
 
+struct room {
+	atomic_int within, most;
+};
+
+static int stay_a_moment(struct jobs *jobs, int job, void *context)
+{
+	const struct timespec moment = {.tv_nsec = 1000000};
+	struct room *room = context;
+
+	(void)job;
+	jobs_lock(jobs);
+	if (atomic_fetch_add(&room->within, 1) + 1 > atomic_load(&room->most)) {
+		atomic_fetch_add(&room->most, 1);
+	}
+	nanosleep(&moment, NULL);
+	atomic_fetch_sub(&room->within, 1);
+	jobs_unlock(jobs);
+	return 0;
+}
+
+static void test_one_job_at_a_time_holds_the_lock(void **state)
+{
+	struct room room = {0, 0};
+
+	(void)state;
+	assert_int_equal(jobs_run(8, 4, stay_a_moment, &room), 0);
+	assert_int_equal(room.most, 1);
+	assert_int_equal(room.within, 0);
+}
+
+/* The first ends when the second has failed, and fails, too. */
+static int fail_after_the_second(struct jobs *jobs, int job, void *context)
+{
+	const struct timespec moment = {.tv_nsec = 20000000};
+	atomic_int *begun = context;
+
+	(void)jobs;
+	atomic_fetch_add(begun, 1);
+	while (atomic_load(begun) < 2) {
+		nanosleep(&moment, NULL);
+	}
+	if (job == 0) {
+		nanosleep(&moment, NULL);
+	}
+	return -1 - job;
+}
+
+static void test_the_first_error_is_returned(void **state)
+{
+	atomic_int begun = 0;
+
+	(void)state;
+	assert_int_equal(jobs_run(8, 2, fail_after_the_second, &begun), -2);
+	assert_int_equal(begun, 2);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -135,6 +191,8 @@ int main(void)
 			test_as_many_jobs_run_at_once_as_there_are_threads),
 		cmocka_unit_test(test_one_job_runs_in_the_callers_thread),
 		cmocka_unit_test(test_no_job_begins_after_an_error),
+		cmocka_unit_test(test_one_job_at_a_time_holds_the_lock),
+		cmocka_unit_test(test_the_first_error_is_returned),
 		cmocka_unit_test(test_no_jobs_are_fine),
 	};
 

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <time.h>
+#include <unistd.h>
 
 enum {
 	JOBS = 500
@@ -60,7 +61,17 @@ static void test_no_jobs_are_fine(void **state)
 
 	(void)state;
 	assert_int_equal(jobs_run(0, 4, count_job, &count), 0);
-	assert_true(jobs_processors() >= 1);
+}
+
+static void test_processors_are_those_of_the_system(void **state)
+{
+	const long count = sysconf(_SC_NPROCESSORS_ONLN);
+
+	(void)state;
+	assert_int_equal(jobs_processors(),
+		count < 1                          ? 1
+			: count > JOBS_THREADS_MAX ? JOBS_THREADS_MAX
+						   : count);
 }
 
 struct meeting {
@@ -194,6 +205,7 @@ int main(void)
 		cmocka_unit_test(test_one_job_at_a_time_holds_the_lock),
 		cmocka_unit_test(test_the_first_error_is_returned),
 		cmocka_unit_test(test_no_jobs_are_fine),
+		cmocka_unit_test(test_processors_are_those_of_the_system),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,101 @@
+/* Confinement by a kernel that lacks some of it, which a filter simulates. */
+#define _GNU_SOURCE
+
+#include "platform/process/confine.h"
+#include "tests/support/log_capture.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <linux/filter.h>
+#include <linux/landlock.h>
+#include <linux/seccomp.h>
+#include <stddef.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static bool has_seccomp(void)
+{
+	uint32_t action = SECCOMP_RET_ERRNO;
+
+	return syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0;
+}
+
+static bool has_landlock(void)
+{
+	return syscall(SYS_landlock_create_ruleset, NULL, 0,
+		       LANDLOCK_CREATE_RULESET_VERSION) > 0;
+}
+
+/* The call fails from now on as in a kernel that does not know it. */
+static void forget_call(int number)
+{
+	struct sock_filter filter[] = {
+		BPF_STMT(BPF_LD | BPF_W | BPF_ABS,
+			(uint32_t)offsetof(struct seccomp_data, nr)),
+		BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, (uint32_t)number, 0, 1),
+		BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+		BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+	};
+	const struct sock_fprog program = {ARRAY_COUNT(filter), filter};
+
+	if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+		prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0) {
+		_exit(2);
+	}
+}
+
+/* Exits with 0 if confinement says of this kernel what it lacks. */
+static void confine_without(bool calls, bool files)
+{
+	static const char *const notes[2][2] = {
+		{"confinement: this kernel has no seccomp and no Landlock",
+			"confinement: this kernel has no seccomp"},
+		{"confinement: this kernel has no Landlock", NULL}};
+	const struct confine_request request = {.connects = false};
+	struct log_capture heard;
+	const struct log log = log_capture_begin(&heard);
+	bool has_files = has_landlock() && !files;
+	bool has_calls = has_seccomp() && !calls;
+	const char *note = notes[has_calls][has_files];
+	struct confinement held;
+
+	if (files) {
+		forget_call(SYS_landlock_create_ruleset);
+	}
+	if (calls) {
+		forget_call(SYS_seccomp);
+	}
+	held = confine_process(&request, &log);
+	_exit(held.calls == has_calls && held.files == has_files &&
+				heard.count == (note != NULL) &&
+				(!note || strcmp(heard.sentence[0], note) == 0)
+			? 0
+			: 1);
+}
+
+static void test_a_note_says_what_the_kernel_lacks(void **state)
+{
+	(void)state;
+	for (int i = 0; i < (has_seccomp() ? 4 : 1); i++) {
+		pid_t child = fork();
+		int status = -1;
+
+		if (child == 0) {
+			confine_without(i & 1, i & 2);
+		}
+		assert_int_equal(waitpid(child, &status, 0), child);
+		assert_int_equal(status, 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_note_says_what_the_kernel_lacks),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

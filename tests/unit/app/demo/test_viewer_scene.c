@@ -1,0 +1,152 @@
+/* How the viewer moves its camera and its ground. */
+#include "app/demo/actor.h"
+#include "app/demo/demo_figures.h"
+#include "tests/support/files.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+struct bench {
+	struct log log;
+	struct gl gl;
+	struct test_path folder;
+	struct demo *demo;
+	struct demo_base *base;
+	double now_s;
+};
+
+static void begin(struct bench *bench, const char *character)
+{
+	struct test_path path;
+	struct demo_env env;
+
+	*bench = (struct bench){.log = log_to_stderr(LOG_ERROR)};
+	bench->gl = gl_recorder_begin();
+	bench->folder = temp_dir_make();
+	path = path_join(&bench->folder, "scene.character");
+	file_write(path.text, character, strlen(character));
+	env = (struct demo_env){
+		.log = &bench->log,
+		.gl = &bench->gl,
+		.target = PIXELS_RGBA8888,
+		.kernel = &kernel_float,
+		.width = 480,
+		.height = 640,
+		.model_path = "assets/walker.glb",
+		.character = path.text,
+		.repeat = CLIP_LOOP,
+		.speed = 1.0f,
+	};
+	assert_int_equal(
+		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
+	bench->base = (struct demo_base *)bench->demo;
+}
+
+static void end(struct bench *bench)
+{
+	demo_destroy(&demo_driver_viewer, bench->demo);
+	temp_dir_remove(&bench->folder);
+}
+
+static void step(struct bench *bench, double by_s)
+{
+	bench->now_s += by_s;
+	demo_driver_viewer.update(bench->demo, bench->now_s);
+}
+
+static void put(struct bench *bench, enum button button, bool down)
+{
+	const struct button_event event = {.button = button, .down = down};
+
+	demo_press(&demo_driver_viewer, bench->demo, &event);
+}
+
+/* Holds a button for one frame, and returns the camera's zoom. */
+static double zoom_after(struct bench *bench, enum button button, double by_s)
+{
+	put(bench, button, true);
+	step(bench, by_s);
+	put(bench, button, false);
+	step(bench, 0.01);
+	return (double)bench->base->stage.camera.fit.zoom;
+}
+
+/* By its percentage a second; a long frame halves or doubles it at most. */
+static void test_a_frame_zooms_by_at_most_a_factor_of_two(void **state)
+{
+	struct bench bench;
+	double zoom;
+
+	(void)state;
+	begin(&bench,
+		"[state a]\nclip = rest\n[buttons]\n"
+		"UP hold = camera zoom 40\nDOWN hold = camera zoom -40\n");
+	step(&bench, 0.1);
+	zoom = zoom_after(&bench, BUTTON_UP, 0.5);
+	assert_near(zoom, 1.2, 1e-3);
+	zoom = zoom_after(&bench, BUTTON_DOWN, 0.5) / zoom;
+	assert_near(zoom, 0.8, 1e-3);
+	zoom = (double)bench.base->stage.camera.fit.zoom;
+	zoom = zoom_after(&bench, BUTTON_UP, 2.0) / zoom;
+	assert_near(zoom, 1.8, 1e-3);
+	zoom = (double)bench.base->stage.camera.fit.zoom;
+	zoom = zoom_after(&bench, BUTTON_UP, 3.0) / zoom;
+	assert_near(zoom, 2.0, 1e-3);
+	zoom = (double)bench.base->stage.camera.fit.zoom;
+	zoom = zoom_after(&bench, BUTTON_DOWN, 3.0) / zoom;
+	assert_near(zoom, 0.5, 1e-3);
+	end(&bench);
+}
+
+/* What remains of its way shrinks by e^-5 in a second. */
+static void test_the_camera_eases_to_what_a_clip_needs(void **state)
+{
+	struct bench bench;
+	float half[4];
+
+	(void)state;
+	begin(&bench,
+		"[state a]\nclip = rest\n[state b]\nclip = jump\n"
+		"[buttons]\nUP = go b\n");
+	step(&bench, 0.1);
+	put(&bench, BUTTON_UP, true);
+	for (int i = 0; i < 4; i++) {
+		step(&bench, 0.05);
+		half[i] = bench.base->stage.camera.fit.half[1];
+	}
+	assert_true(half[1] > half[0] + 0.01f);
+	for (int i = 2; i < 4; i++) {
+		assert_near(
+			(half[i] - half[i - 1]) / (half[i - 1] - half[i - 2]),
+			expf(-5.0f * 0.05f), 1e-3);
+	}
+	end(&bench);
+}
+
+/* The box of the first update is that of the first state. */
+static void test_the_first_frame_does_not_ease(void **state)
+{
+	struct bench bench;
+	float half;
+
+	(void)state;
+	begin(&bench, "[state b]\nclip = jump\n");
+	step(&bench, 0.001);
+	half = bench.base->stage.camera.fit.half[1];
+	step(&bench, 1.0);
+	assert_near(bench.base->stage.camera.fit.half[1], half, 1e-4);
+	end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_frame_zooms_by_at_most_a_factor_of_two),
+		cmocka_unit_test(test_the_camera_eases_to_what_a_clip_needs),
+		cmocka_unit_test(test_the_first_frame_does_not_ease),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -11,6 +11,7 @@
 
 enum {
 	CROWD = 50, /* the most */
+	SOME = 24,
 	FEW = 6,
 	RATES = 3
 };
@@ -143,15 +144,15 @@ static void test_small_walkers_are_posed_in_every_second_or_third_frame(
 	struct demo_run run;
 
 	(void)state;
-	begin(&run, CROWD);
+	begin(&run, SOME);
 	for (size_t k = 0; k < ARRAY_COUNT(heights); k++) {
 		actor_reframe_stage(base_of(&run), heights[k], heights[k]);
 		step(&run);
-		look_at_all(&run, CROWD, before);
+		look_at_all(&run, SOME, before);
 		for (int last = frame++ + 6; frame <= last; frame++) {
 			step(&run);
-			look_at_all(&run, CROWD, now);
-			for (int i = 0; i < CROWD; i++) {
+			look_at_all(&run, SOME, now);
+			for (int i = 0; i < SOME; i++) {
 				if (!is_near_a_bound(now[i].height_px)) {
 					bool due =
 						(frame + i) % now[i].rate == 0;
@@ -168,7 +169,7 @@ static void test_small_walkers_are_posed_in_every_second_or_third_frame(
 		}
 	}
 	for (int rate = 1; rate <= RATES; rate++) {
-		assert_true(at_rate[rate] > CROWD);
+		assert_true(at_rate[rate] > SOME);
 	}
 	demo_run_end(&run);
 }
@@ -309,7 +310,8 @@ static void test_labels_count_the_walkers_at_each_rate(void **state)
 	struct demo_run run;
 
 	(void)state;
-	begin(&run, CROWD);
+	begin(&run, 1);
+	press(&run, BUTTON_RIGHT, 12);
 	for (size_t k = 0; k < ARRAY_COUNT(heights); k++) {
 		int at_rate[RATES] = {0};
 		struct seen seen[CROWD];
@@ -331,9 +333,6 @@ static void test_labels_count_the_walkers_at_each_rate(void **state)
 	step(&run);
 	demo_set_rate(run.demo, 0.0f);
 	expect_label(&run, "1 walker", (const int[]){1, 0, 0});
-	press(&run, BUTTON_RIGHT, 12);
-	step(&run);
-	expect_label(&run, "50 walkers", (const int[]){CROWD, 0, 0});
 	demo_run_end(&run);
 }
 
@@ -345,7 +344,7 @@ static void test_the_camera_eases_to_a_larger_crowd(void **state)
 
 	(void)state;
 	begin(&run, 1);
-	press(&run, BUTTON_UP, 40);
+	press(&run, BUTTON_UP, 11);
 	for (int i = 0; i < 4; i++) {
 		const struct camera *camera = &base_of(&run)->stage.camera;
 

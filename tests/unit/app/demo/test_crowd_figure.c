@@ -149,11 +149,13 @@ static void test_figures_get_a_persons_size_unless_they_nearly_have_it(
 		{{-0.1f, 0, -0.1f}, {0.8f, 1.4f, 0.1f}, 0.5f, 0.25f},
 		{{-0.1f, 0, -0.1f}, {0.1f, 1, 2.4f}, 0.25f, 0},
 		{{-0.1f, 0, -2.4f}, {0.1f, 1, 0.1f}, 0.25f, 0},
-		/* Up to a quarter more or less stays. */
+		/* Less than a quarter more or less stays. */
 		{{-0.1f, 0, -0.1f}, {0.1f, 2.1f, 0.1f}, 1, 0},
 		{{-0.1f, 0, -0.1f}, {0.1f, 2.2f, 0.1f}, 1.72f / 2.2f, 0},
 		{{-0.1f, 0, -0.1f}, {0.1f, 1.4f, 0.1f}, 1, 0},
 		{{-0.1f, 0, -0.1f}, {0.1f, 1.3f, 0.1f}, 1.72f / 1.3f, 0},
+		{{-0.1f, 0, -0.1f}, {0.5f, 1.5f, 0.1f}, 0.8f, 0},
+		{{-0.1f, 0, -0.1f}, {0.32f, 1.3f, 0.1f}, 1.25f, 0},
 		/* a point */
 		{{0, 0, 0}, {0, 0, 0}, 1, 0.25f},
 		/* Heights count from the ground: this one floats. */

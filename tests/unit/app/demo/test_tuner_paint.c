@@ -150,11 +150,74 @@ static void test_a_swing_is_as_long_as_the_figure(void **state)
 	unsetenv("LIMBER_ASSETS");
 }
 
+static void press(struct demo *demo, enum button button)
+{
+	struct button_event event = {.button = button, .down = true};
+
+	demo_press(demo_find("tuner"), demo, &event);
+	event.down = false;
+	demo_press(demo_find("tuner"), demo, &event);
+}
+
+/* How far the second bone is shifted, and the colour of the last one. */
+static void expect_shift(struct demo *demo, double shift, double fraction)
+{
+	const struct instance *instance =
+		((const struct demo_base *)demo)->actor.instance;
+	const uint8_t *shown = instance->drawable[2].batch[0].color[0];
+	static double now_s;
+	uint8_t rgb[3];
+
+	demo_find("tuner")->update(demo, now_s += 1.0);
+	assert_near(instance->pose.local[1].translation[1], 1.0 + shift, 1e-5);
+	overlay_heat_ramp((float)fraction, rgb);
+	for (int c = 0; c < 3; c++) {
+		assert_near(shown[c], rgb[c], 1.0);
+	}
+}
+
+/* Attenuations reach the second level below the first bone. */
+static void test_a_preset_acts_as_soon_as_it_is_chosen_or_changed(void **state)
+{
+#define PRESET(name, attenuation)                                          \
+	"[" name "]\nspeed = 0\namplitude = 1\nattenuation = " attenuation \
+	"\ntranslation = 0 1 0\nrotation = 0 0 0\n"
+	static const char presets[] = PRESET("a", "0") PRESET("b", "-0.25");
+	static const char saved[] = PRESET("a", "0") PRESET("b", "-0.1");
+	struct test_path folder = temp_dir_make();
+	struct test_path model = path_join(&folder, "chain.gltf");
+	struct test_path file = path_join(&folder, "presets.ini");
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct gl gl = gl_recorder_begin();
+	struct demo *demo;
+
+	(void)state;
+	file_write(file.text, presets, strlen(presets));
+	assert_int_equal(setenv("LIMBER_ASSETS", folder.text, 1), 0);
+	write_chain(model.text, 3, 1.0);
+	demo = begin(model.text, &log, &gl);
+	expect_shift(demo, 1.0, 1.0);
+	press(demo, BUTTON_F6);
+	expect_shift(demo, 0.75, 0.5);
+	press(demo, BUTTON_RIGHT);
+	expect_shift(demo, 0.8, 0.6);
+	file_write(file.text, saved, strlen(saved));
+	press(demo, BUTTON_F9);
+	expect_shift(demo, 0.9, 0.8);
+	press(demo, BUTTON_F6);
+	expect_shift(demo, 1.0, 1.0);
+	demo_destroy(demo_find("tuner"), demo);
+	temp_dir_remove(&folder);
+	unsetenv("LIMBER_ASSETS");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_level_has_its_colour),
 		cmocka_unit_test(test_a_swing_is_as_long_as_the_figure),
+		cmocka_unit_test(
+			test_a_preset_acts_as_soon_as_it_is_chosen_or_changed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

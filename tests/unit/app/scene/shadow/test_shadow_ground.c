@@ -132,6 +132,47 @@ static void test_a_bottom_that_is_seen_is_in_the_floors_plane(void **state)
 	model_destroy(model);
 }
 
+/* In its own unit; GL gets a model of about a metre. */
+static void test_ground_of_a_tiny_or_huge_model_is_found(void **state)
+{
+	static const float sizes[] = {1e-3f, 1e3f};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct model *model = load();
+		float y;
+
+		for (int mesh = LAWN; mesh <= LAMP; mesh++) {
+			struct model_primitive *primitive =
+				model->mesh[mesh].primitive;
+
+			for (int v = 0; v < primitive->vertex_count; v++) {
+				float *at = primitive->position[v];
+
+				for (int axis = 0; axis < 3; axis++) {
+					at[axis] *= sizes[i];
+				}
+				at[1] += 0.5f * sizes[i];
+			}
+		}
+		for (int n = 0; n < model->node_count; n++) {
+			for (int axis = 0; axis < 3; axis++) {
+				model->node[n].rest.translation[axis] *=
+					sizes[i];
+			}
+		}
+		assert_int_equal(count_ground(model, &y), 2);
+		assert_near(y / sizes[i], 0.5, 1e-4);
+		assert_true(is_in_plane(model));
+		for (int v = 0; v < 2; v++) {
+			model->mesh[LAWN].primitive->position[v][1] +=
+				0.1f * (float)(v + 1) * sizes[i];
+		}
+		assert_int_equal(count_ground(model, NULL), 0);
+		model_destroy(model);
+	}
+}
+
 static void stretch_lamp(const struct model *model, int axis, float factor)
 {
 	const struct model_primitive *lamp = model->mesh[LAMP].primitive;
@@ -204,6 +245,7 @@ static void test_ground_narrower_than_the_model_is_none(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_ground_of_a_tiny_or_huge_model_is_found),
 		cmocka_unit_test(test_level_surfaces_at_the_bottom_are_ground),
 		cmocka_unit_test(test_uneven_ground_is_none),
 		cmocka_unit_test(test_a_slab_is_ground),

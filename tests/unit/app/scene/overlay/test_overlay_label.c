@@ -1,0 +1,133 @@
+/* What the labels of overlays say: the same as rows that a test adds. */
+#include "app/scene/hud/hud_group.h"
+#include "app/scene/overlay/overlay.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+static struct hud shown, wanted;
+static struct hud_group group;
+
+static const struct overlay_place place = {HUD_TOP_LEFT, 640};
+
+/* Labels of these kinds, and a group with the wanted title. */
+static void begin(const struct overlay *overlay,
+	const struct overlay_motion *motion, const char *title)
+{
+	struct overlay copy = *overlay;
+	struct hud *const both[] = {&shown, &wanted};
+
+	for (int i = 0; i < 2; i++) {
+		both[i]->font = &font_default;
+		hud_begin(both[i], 480, 640);
+	}
+	overlay_label(&copy, motion, &place, &shown);
+	group = hud_group_begin(&wanted, HUD_TOP_LEFT, title);
+}
+
+static void expect_wanted(void)
+{
+	hud_group_end(&group);
+	assert_int_equal(shown.quad_count, wanted.quad_count);
+	assert_memory_equal(shown.vertex, wanted.vertex,
+		(size_t)shown.quad_count * 4 * sizeof(shown.vertex[0]));
+}
+
+static void test_overlays_without_rows_are_named(void **state)
+{
+	const struct overlay_motion motion = overlay_motion_none();
+	const struct overlay none = {.kinds = 0};
+	const struct overlay two = {
+		.kinds = 1U << OVERLAY_SKELETON | 1U << OVERLAY_WIREFRAME};
+
+	(void)state;
+	begin(&two, &motion, NULL);
+	hud_group_text(&group, "Skeleton, wireframe", "");
+	expect_wanted();
+	begin(&none, &motion, NULL);
+	assert_int_equal(shown.quad_count, 0);
+}
+
+static void test_layers_have_their_weight_and_a_colour_for_masks(void **state)
+{
+	const struct overlay overlay = {.kinds = 1U << OVERLAY_LAYERS};
+	const float mask[1] = {1.0f};
+	struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	begin(&overlay, &motion, "Layers");
+	hud_group_text(&group, "no layers", "");
+	expect_wanted();
+	motion.layer[0] = (struct overlay_layer){"wave", 0.25f, mask};
+	motion.layer[1] = (struct overlay_layer){"breath", 1.0f, NULL};
+	motion.layer_count = 2;
+	begin(&overlay, &motion, "Layers");
+	hud_group_weight(&group, "wave", 0.25f, hud_color_rose);
+	hud_group_weight(&group, "breath", 1.0f, hud_color_green);
+	expect_wanted();
+}
+
+static void test_a_curve_of_nothing_is_a_sentence(void **state)
+{
+	const struct overlay overlay = {
+		.kinds = 1U << OVERLAY_SKELETON | 1U << OVERLAY_CURVE};
+	const struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	begin(&overlay, &motion, "Skeleton, curve");
+	hud_group_text(&group, "nothing moves", "");
+	expect_wanted();
+}
+
+/* Of a clip the frames before and after, of a morph its ends. */
+static void test_key_frames_have_two_colours(void **state)
+{
+	struct overlay overlay = {
+		.kinds = 1U << OVERLAY_KEYS, .target_count = 2};
+	struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	begin(&overlay, &motion, "Keys");
+	hud_group_mark(&group, "before", "", hud_color_blue);
+	hud_group_mark(&group, "after", "", hud_color_amber);
+	expect_wanted();
+	overlay.chooses_target = true;
+	begin(&overlay, &motion, "Keys");
+	expect_wanted();
+	motion.morphing = true;
+	/* They are in no picture of the row. */
+	motion.from = motion.to = 12;
+	begin(&overlay, &motion, "Keys");
+	hud_group_mark(&group, "source", "", hud_color_blue);
+	hud_group_mark(&group, "destiny", "", hud_color_amber);
+	expect_wanted();
+}
+
+static void test_axes_have_their_colours(void **state)
+{
+	const struct overlay overlay = {
+		.kinds = 1U << OVERLAY_PIVOTS | 1U << OVERLAY_LAYERS};
+	const struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	begin(&overlay, &motion, "Pivots, layers");
+	hud_group_mark(&group, "x", "", hud_color_rose);
+	hud_group_mark(&group, "y", "", hud_color_green);
+	hud_group_mark(&group, "z", "", hud_color_blue);
+	hud_group_text(&group, "no layers", "");
+	expect_wanted();
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_overlays_without_rows_are_named),
+		cmocka_unit_test(
+			test_layers_have_their_weight_and_a_colour_for_masks),
+		cmocka_unit_test(test_a_curve_of_nothing_is_a_sentence),
+		cmocka_unit_test(test_key_frames_have_two_colours),
+		cmocka_unit_test(test_axes_have_their_colours),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -79,6 +79,32 @@ static void test_the_walkers_feet_tell_its_speeds(void **state)
 	release(&found);
 }
 
+/* A walker that is turned to its left goes there, and so in the crowd. */
+static void test_a_figure_faces_where_its_feet_take_it(void **state)
+{
+	static const float turned[4] = {0.0f, 0.70710678f, 0.0f, 0.70710678f};
+	struct found found;
+	struct crowd_figure figure = {0};
+	const struct demo_env env = {.log = &found.log,
+		.model_path = "assets/walker.glb",
+		.character = "none"};
+
+	(void)state;
+	load(&found, "assets/walker.glb");
+	for (int i = 0; i < found.actor.model->node_count; i++) {
+		struct model_node *node = &found.actor.model->node[i];
+
+		if (node->parent < 0) {
+			memcpy(node->rest.rotation, turned, sizeof(turned));
+		}
+	}
+	find_in(&found, "assets/walker.glb", NULL, "none");
+	assert_near(found.motions.role[MOTION_WALK].facing_rad, acos(0), 1e-3);
+	assert_int_equal(crowd_figure_make(&figure, &env, &found.actor), 0);
+	assert_near(figure.front_rad, acos(0), 1e-3);
+	release(&found);
+}
+
 /* Whatever place the clip with a role's name has. */
 static void test_a_named_walk_is_the_run_where_none_is_named(void **state)
 {
@@ -278,6 +304,7 @@ static void test_the_tuner_begins_with_the_longest_limb(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_figure_faces_where_its_feet_take_it),
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
 		cmocka_unit_test(
 			test_a_named_walk_is_the_run_where_none_is_named),

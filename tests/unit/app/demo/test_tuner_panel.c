@@ -266,6 +266,27 @@ static void test_bones_fade_in_and_out(void **state)
 	end(tuner);
 }
 
+/* Other bones begin as still as those before. */
+static void test_bones_that_are_held_still_stay_so(void **state)
+{
+	struct overlay_motion motion = overlay_motion_none();
+	struct tuner *tuner = begin(false);
+
+	(void)state;
+	press(tuner, BUTTON_F10);
+	for (int i = 0; i <= ATTENUATION; i++) {
+		press(tuner, BUTTON_UP);
+	}
+	for (int i = 0; i < 2; i++) {
+		press(tuner, i ? BUTTON_F10 : BUTTON_RIGHT);
+		run_for(tuner, 1.0);
+		tuner->run.driver->get_motion(tuner->run.demo, &motion);
+		assert_int_equal(motion.layer_count, 1);
+		assert_near(motion.layer[0].weight, i, 0.0);
+	}
+	end(tuner);
+}
+
 /* From -0.35 to 0.35 and back, in six seconds. */
 static void test_an_unattended_tuner_moves_the_attenuation(void **state)
 {
@@ -303,6 +324,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_held_button_changes_the_number_at_its_times),
 		cmocka_unit_test(test_bones_fade_in_and_out),
+		cmocka_unit_test(test_bones_that_are_held_still_stay_so),
 		cmocka_unit_test(test_an_unattended_tuner_moves_the_attenuation),
 	};
 

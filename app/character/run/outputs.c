@@ -24,6 +24,7 @@ void character_outputs_open(struct character_outputs *outputs,
 		if (!outputs->line[i]) {
 			outputs->line[i] = gpio_output_open(
 				where, output->name, output->line, log);
+			gpio_output_set(outputs->line[i], output->on);
 		}
 	}
 	character->drive = drive;

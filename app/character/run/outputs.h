@@ -14,9 +14,9 @@ struct character_outputs {
 };
 
 /*
- * Opens the character's lines that are not open yet, and lets it drive them. A
- * line that cannot be opened stays NULL, after a warning. outputs must outlive
- * the character's updates.
+ * Opens the character's lines that are not open yet, on or off as its outputs
+ * are, and lets it drive them. A line that cannot be opened stays NULL, after a
+ * warning. outputs must outlive the character's updates.
  */
 void character_outputs_open(struct character_outputs *outputs,
 	struct character *character, const struct log *log);

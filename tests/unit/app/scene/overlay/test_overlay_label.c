@@ -58,8 +58,10 @@ static void test_layers_have_their_weight_and_a_colour_for_masks(void **state)
 	begin(&overlay, &motion, "Layers");
 	hud_group_text(&group, "no layers", "");
 	expect_wanted();
-	motion.layer[0] = (struct overlay_layer){"wave", 0.25f, mask};
-	motion.layer[1] = (struct overlay_layer){"breath", 1.0f, NULL};
+	motion.layer[0] = (struct overlay_layer){
+		.name = "wave", .weight = 0.25f, .mask = mask};
+	motion.layer[1] =
+		(struct overlay_layer){.name = "breath", .weight = 1.0f};
 	motion.layer_count = 2;
 	begin(&overlay, &motion, "Layers");
 	hud_group_weight(&group, "wave", 0.25f, hud_color_rose);

@@ -216,6 +216,7 @@ void character_start_switches(struct character *character)
 
 		is->is_on = is->on;
 		is->level = is->on ? 1 : 0;
+		is->now = is->level * *is->weight;
 	}
 }
 

@@ -150,6 +150,25 @@ static void test_overlays_are_shown_for_the_new_model(void **state)
 	end_bench(bench);
 }
 
+/* Hills that come with the feet are there at once. */
+static void test_the_first_picture_has_the_hills(void **state)
+{
+	struct bench *bench = begin_bench_as(true, NULL,
+		"[state a]\nclip = walk\n[scene]\nwaves = 0.1\n"
+		"[feet f]\nhips = hips\nleft = thigh.L shin.L foot.L\n"
+		"right = thigh.R shin.R foot.R\n");
+	const struct demo_base *base = (const struct demo_base *)bench->demo;
+	float first;
+
+	(void)state;
+	demo_driver_viewer.update(bench->demo, 0.0);
+	first = base->stage.floor.wave_height;
+	assert_true(first > 0.0f);
+	run_to(bench, 1.0);
+	assert_near(base->stage.floor.wave_height, first, 0.0);
+	end_bench(bench);
+}
+
 static void put_character(
 	const struct bench *bench, const char *name, const char *text)
 {
@@ -423,6 +442,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_new_file_is_shown_at_the_same_clip_and_time),
 		cmocka_unit_test(test_overlays_are_shown_for_the_new_model),
+		cmocka_unit_test(test_the_first_picture_has_the_hills),
 		cmocka_unit_test(test_a_changed_character_file_is_read_anew),
 		cmocka_unit_test(
 			test_a_file_is_reloaded_once_it_has_not_changed_for_a_second),

@@ -2,6 +2,7 @@
 
 #include "app/anim/clip.h"
 #include "app/cmd/options/options_kernel.h"
+#include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
 #include "platform/base/output_file.h"
 
@@ -54,11 +55,30 @@ static void write_triangles(FILE *out, const struct model_primitive *primitive,
 	}
 }
 
+enum {
+	DECIMALS = 6,
+	DECIMALS_MOST = 45 /* of the least float */
+};
+
+/* Returns more decimals than usual for a model so small that it needs them. */
+static int choose_decimals(const struct instance *instance)
+{
+	struct bounds box = bounds_of_instance(instance);
+	float extent = bounds_extent(&box) / instance->unit_scale;
+	int decimals = DECIMALS;
+
+	while (extent > 0.0f && extent < 0.1f && decimals < DECIMALS_MOST) {
+		extent *= 10.0f;
+		decimals++;
+	}
+	return decimals;
+}
+
 /*
  * Writes an object. printf() writes decimal points: limber never sets a locale.
  */
 static int write_parts(FILE *out, const struct instance *instance,
-	const struct parts *parts, uint32_t first_vertex)
+	const struct parts *parts, int decimals, uint32_t first_vertex)
 {
 	struct arena scratch = arena_within(instance->model->budget);
 	float(*position)[3] = arena_alloc(
@@ -82,7 +102,8 @@ static int write_parts(FILE *out, const struct instance *instance,
 	for (int v = 0; v < parts->vertex_count; v++) {
 		const float *p = position[v];
 
-		fprintf(out, "v %.6f %.6f %.6f\n", p[0], p[1], p[2]);
+		fprintf(out, "v %.*f %.*f %.*f\n", decimals, p[0], decimals,
+			p[1], decimals, p[2]);
 	}
 	arena_release(&scratch);
 	for (int i = 0; i < parts->count; i++) {
@@ -97,6 +118,7 @@ static int write_obj(const struct instance *instance, const char *path,
 	struct output_file *file;
 	struct parts parts;
 	uint32_t first_vertex = 1;
+	int decimals = choose_decimals(instance);
 	int error = output_file_create(path, log, &file);
 
 	if (error) {
@@ -105,7 +127,7 @@ static int write_obj(const struct instance *instance, const char *path,
 	for (int i = 0; i < instance->drawable_count; i += parts.count) {
 		parts = find_parts(instance, i);
 		error = write_parts(output_file_stream(file), instance, &parts,
-			first_vertex);
+			decimals, first_vertex);
 		if (error) {
 			output_file_discard(file);
 			return memory_budget_fail(instance->model->budget,

@@ -52,6 +52,14 @@ check 'without --math, poses are computed in float' \
 check 'fixed point gives other digits' \
     test "$(cksum <"$scratch/float.obj")" != "$(cksum <"$scratch/fixed.obj")"
 
+# A model smaller than a micrometre has as many digits as others.
+sed 's/"name": "slider",/&"scale": [1.25e-7, 1.25e-7, 1.25e-7],/' \
+    "$slider" >"$scratch/small.gltf"
+limber pose "$scratch/small.gltf" -o "$scratch/out.obj"
+expect_quiet
+check 'a small model keeps its digits' \
+    grep -qx 'v 0.000000125000 0.000000000000 0.000000000000' "$scratch/out.obj"
+
 # The first primitive of this model is points, which limber does not draw.
 limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0

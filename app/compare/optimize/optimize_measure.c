@@ -118,7 +118,8 @@ static float closest_px(const struct screen_view *screen)
 		}
 		nearest = corner == 0 || depth < nearest ? depth : nearest;
 	}
-	return screen->focal_px / (nearest > 1e-3f ? nearest : 1e-3f);
+	return screen->unit * screen->focal_px /
+		(nearest > 1e-3f ? nearest : 1e-3f);
 }
 
 int optimize_measure_unit(const struct model *model,

@@ -26,6 +26,24 @@ static void test_a_unit_grows_with_the_picture(void **state)
 	model_destroy(model);
 }
 
+/* limber frames a model of any size in the same way. */
+static void test_a_unit_grows_as_the_model_shrinks(void **state)
+{
+	static const float sides[] = {1e-6f, 1e-3f, 0.1f, 100.0f, 1e5f};
+	struct model *model = small_model_grid(2, 2, 1, true);
+	float one = px_per_unit(model, 100, 100);
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sides); i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			model->node[0].rest.scale[axis] = sides[i];
+		}
+		assert_near(px_per_unit(model, 100, 100) * sides[i], one,
+			0.1 * (double)one);
+	}
+	model_destroy(model);
+}
+
 static void test_a_unit_of_a_model_without_vertices_is_a_pixel(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1, true);
@@ -68,6 +86,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_unit_grows_with_the_picture),
 		cmocka_unit_test(test_a_unit_is_that_of_the_first_clip),
+		cmocka_unit_test(test_a_unit_grows_as_the_model_shrinks),
 		cmocka_unit_test(
 			test_a_unit_of_a_model_without_vertices_is_a_pixel),
 	};

@@ -7,6 +7,7 @@
 
 /* The relative error of rounding to floats. */
 static const float rounding = 1e-6f;
+static const float screen_px = 1000.0f;
 
 const float *optimize_track_value(const struct optimize_track *track, int key)
 {
@@ -63,13 +64,28 @@ static float distance_px(
 	return weights_px(track, a, b);
 }
 
+/*
+ * Returns the size to which the rounding of small values is relative: 1, or the
+ * screen's in the units of a model that is smaller.
+ */
+static float least_size(const struct optimize_track *track)
+{
+	float move_px = track->reach->move_px;
+
+	return track->path == MODEL_TRANSLATION && move_px > screen_px
+		? screen_px / move_px
+		: 1.0f;
+}
+
 bool optimize_track_is_near(
 	const struct optimize_track *track, const float *a, const float *b)
 {
+	float least = least_size(track);
 	bool equal = true;
 
 	for (int i = 0; i < track->width; i++) {
-		float size = scalar_abs(a[i]) > 1.0f ? scalar_abs(a[i]) : 1.0f;
+		float own = scalar_abs(a[i]);
+		float size = own > least ? own : least;
 
 		equal = equal && scalar_abs(a[i] - b[i]) <= rounding * size;
 	}

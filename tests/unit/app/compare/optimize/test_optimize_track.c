@@ -122,6 +122,24 @@ static void test_exact_values_may_differ_by_rounding(void **state)
 	}
 }
 
+/* A model of a micrometre moves by less than the rounding of 1. */
+static void test_rounding_is_small_beside_a_small_model(void **state)
+{
+	struct optimize_reach_node small = reach;
+	struct optimize_track track =
+		track_of(MODEL_TRANSLATION, 3, NULL, 0, 0.0f);
+	const float rest[3] = {0.0f};
+	float moved[3] = {0.0f, 1e-7f, 0.0f};
+
+	(void)state;
+	small.move_px = 1e8f;
+	track.reach = &small;
+	assert_false(optimize_track_is_near(&track, rest, moved));
+	assert_false(optimize_track_is_near(&track, moved, rest));
+	moved[1] = 5e-12f;
+	assert_true(optimize_track_is_near(&track, rest, moved));
+}
+
 static void test_a_track_is_constant_if_all_keys_are_near_the_first(void **state)
 {
 	float value[4] = {1.0f, 1.0f, 1.0f, 1.0f};
@@ -280,6 +298,7 @@ int main(void)
 		cmocka_unit_test(test_values_are_near_within_the_bound_of_pixels),
 		cmocka_unit_test(test_opposite_quaternions_are_near),
 		cmocka_unit_test(test_exact_values_may_differ_by_rounding),
+		cmocka_unit_test(test_rounding_is_small_beside_a_small_model),
 		cmocka_unit_test(
 			test_a_track_is_constant_if_all_keys_are_near_the_first),
 		cmocka_unit_test(test_a_spline_is_constant_without_tangents),

@@ -1,5 +1,8 @@
 #include "app/model/model_alpha.h"
 
+/* Half a step of a picture's colours. */
+static const float least_seen = 0.5f / 255.0f;
+
 /*
  * Returns the least alpha of the primitive's surface, 0..1; 0 if a texture has
  * alpha.
@@ -38,4 +41,22 @@ enum model_alpha model_alpha_of(
 			find_least(model, primitive) >= opaque
 		? MODEL_OPAQUE
 		: material->alpha;
+}
+
+bool model_alpha_is_seen(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material =
+		&model->material[primitive->material];
+	int most = primitive->color ? 0 : 255;
+	float needed = material->alpha == MODEL_MASK ? material->alpha_cutoff
+		: material->alpha == MODEL_BLEND     ? least_seen
+						     : 0.0f;
+
+	for (int v = 0; primitive->color && v < primitive->vertex_count; v++) {
+		int alpha = primitive->color[v][3];
+
+		most = alpha > most ? alpha : most;
+	}
+	return material->base_color[3] * (float)most / 255.0f >= needed;
 }

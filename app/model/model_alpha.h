@@ -11,4 +11,12 @@
 enum model_alpha model_alpha_of(
 	const struct model *model, const struct model_primitive *primitive);
 
+/*
+ * Returns false if nothing of the primitive can be seen: if it is masked or
+ * blended, and its base colour and the colours of its vertices have too little
+ * alpha.
+ */
+bool model_alpha_is_seen(
+	const struct model *model, const struct model_primitive *primitive);
+
 #endif

@@ -330,6 +330,9 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 		instance->model, drawable->primitive, textures->two_units);
 	bool edges = pass == DRAW_EDGES;
 
+	if (pass == DRAW_SHADOW && drawable->unseen) {
+		return;
+	}
 	/*
 	 * Shadows are culled too: the triangles that face the light cover the
 	 * whole silhouette.

@@ -143,6 +143,38 @@ static void check_masked_shadow(const char *driver)
 	gl_canvas_close(&canvas);
 }
 
+/* What is masked or blended away, as exporters hide helpers, is not there. */
+static void test_what_is_not_seen_casts_no_shadow(void **state)
+{
+	static const struct {
+		enum model_alpha alpha;
+		float base_alpha;
+		bool shadow;
+	} surfaces[] = {
+		{MODEL_MASK, 0.4f, false},
+		{MODEL_MASK, 0.6f, true},
+		{MODEL_BLEND, 0.0f, false},
+		{MODEL_BLEND, 0.4f, true},
+		{MODEL_OPAQUE, 0.0f, true},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(surfaces); i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+		struct model *model = small_model_grid(1, 1, 1.0f, true);
+		uint8_t level = surfaces[i].shadow ? 159 : 255;
+
+		model->material[0].alpha = surfaces[i].alpha;
+		model->material[0].alpha_cutoff = 0.5f;
+		model->material[0].base_color[3] = surfaces[i].base_alpha;
+		draw_shadow(&canvas, model);
+		gl_canvas_expect(&canvas, 2, 2, level, level, level, 2);
+		model_destroy(model);
+		gl_canvas_close(&canvas);
+	}
+}
+
 static void test_a_masked_surface_casts_a_shadow_with_its_holes(void **state)
 {
 	(void)state;
@@ -160,6 +192,7 @@ int main(void)
 		cmocka_unit_test(test_blended_surfaces_come_after_opaque_ones),
 		cmocka_unit_test(
 			test_a_masked_surface_casts_a_shadow_with_its_holes),
+		cmocka_unit_test(test_what_is_not_seen_casts_no_shadow),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

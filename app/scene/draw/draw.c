@@ -230,12 +230,13 @@ static void draw_masked_shadow(const struct gl *gl,
 	const struct texture_set *textures)
 {
 	const struct model_material *material = material_of(instance, drawable);
+	/* Above 0, as the surface is seen. */
+	float cutoff = material->alpha_cutoff / material->base_color[3];
 
 	texture_bind(textures, gl, material->texture);
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 	gl->Enable(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_GEQUAL,
-		fx16_from_float(material->alpha_cutoff * DRAW_SHADOW_ALPHA));
+	gl->AlphaFuncx(GL_GEQUAL, fx16_from_float(cutoff * DRAW_SHADOW_ALPHA));
 	for (int i = 0; i < drawable->batch_count; i++) {
 		draw_flat(gl, drawable, &drawable->batch[i], false, true);
 	}

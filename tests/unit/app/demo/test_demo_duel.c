@@ -2,10 +2,12 @@
 #include "app/compare/candidate/candidate_error.h"
 #include "app/demo/duel/contender.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/model/compared_clip.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <string.h>
 
 struct bench {
@@ -188,6 +190,51 @@ static void test_buttons_run_through_the_duel(void **state)
 	demo_run_end(&run);
 }
 
+/* Whether the duel begins with a model of the fixtures. */
+static int begin_with(const char *model_path, struct log_capture *heard)
+{
+	struct log log = log_capture_begin(heard);
+	struct gl gl = gl_recorder_begin();
+	const struct demo_env env = {.log = &log,
+		.gl = &gl,
+		.target = PIXELS_RGBA8888,
+		.kernel = &kernel_float,
+		.width = 480,
+		.height = 640,
+		.model_path = model_path,
+		.character = "none",
+		.speed = 1.0f};
+	const struct demo_driver *duel = demo_find("duel");
+	struct demo *demo;
+	int error = demo_create(duel, &env, &demo);
+
+	if (!error) {
+		duel->update(demo, 0.1);
+		demo_destroy(duel, demo);
+	}
+	return error;
+}
+
+static void test_it_needs_a_model_with_clips_and_triangles(void **state)
+{
+	struct log_capture heard;
+
+	(void)state;
+	/* Its first clip is its walk. */
+	assert_int_equal(
+		begin_with("tests/fixtures/gltf/clip/far.gltf", &heard), 0);
+	assert_int_equal(log_capture_count(&heard, LOG_ERROR), 0);
+	assert_int_equal(
+		begin_with("tests/fixtures/gltf/mesh/weights.gltf", &heard),
+		-EINVAL);
+	assert_true(log_capture_has(&heard, LOG_ERROR, "has no clip: give"));
+	assert_int_equal(
+		begin_with("tests/fixtures/gltf/scene/matrices.gltf", &heard),
+		-EINVAL);
+	assert_true(
+		log_capture_has(&heard, LOG_ERROR, "has no triangles: give"));
+}
+
 static bool are_equal(const struct hud *a, const struct hud *b)
 {
 	return a->quad_count == b->quad_count &&
@@ -236,6 +283,7 @@ int main(void)
 		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
 		cmocka_unit_test(test_times_are_means_by_the_clock_it_is_given),
 		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
+		cmocka_unit_test(test_it_needs_a_model_with_clips_and_triangles),
 		cmocka_unit_test(test_buttons_run_through_the_duel),
 	};
 

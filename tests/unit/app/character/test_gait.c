@@ -1,0 +1,126 @@
+/* How a board of a metre goes over the ground, from what its clip says. */
+#include "app/character/build/gait.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+enum {
+	STEPS = 8
+};
+
+/* Where its clip takes the board, from here to the middle and the end. */
+struct way {
+	float middle[3], end[3];
+};
+
+static struct gait measure(const struct way *way, float duration_s)
+{
+	const float time_s[3] = {0.0f, 0.5f * duration_s, duration_s};
+	const float value[9] = {0, 0, 0, way->middle[0], way->middle[1],
+		way->middle[2], way->end[0], way->end[1], way->end[2]};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.width = 3,
+		.key_count = 3,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip = {.name = "way",
+		.duration_s = duration_s,
+		.channel_count = 1,
+		.channel = &channel};
+	struct model *model = small_model_grid(1, 1, 1, true);
+	struct instance *instance;
+	struct gait_body body;
+	struct gait gait;
+
+	model->clip = &clip;
+	model->clip_count = 1;
+	for (int v = 0; v < 4; v++) {
+		model->mesh[0].primitive->position[v][0] = 0.0f;
+	}
+	instance = small_model_instance(model);
+	gait_body_make(&body, model);
+	assert_int_equal(body.count, 4);
+	gait = gait_measure(&body, instance, 0, STEPS);
+	instance_destroy(instance);
+	model->clip_count = 0;
+	model_destroy(model);
+	return gait;
+}
+
+/* A straight way over level ground, in a second. */
+static struct gait measure_straight(float x, float z)
+{
+	return measure(&(struct way){{0.5f * x, 0, 0.5f * z}, {x, 0, z}}, 1.0f);
+}
+
+static void expect(
+	struct gait gait, float drift_x, float drift_z, float x, float z)
+{
+	assert_near(gait.drift[0], drift_x, 1e-5);
+	assert_near(gait.drift[1], drift_z, 1e-5);
+	assert_near(gait.velocity[0], x, 1e-5);
+	assert_near(gait.velocity[1], z, 1e-5);
+}
+
+/* A board that drags its foot along stands where the clip takes it. */
+static void test_a_clip_carries_what_goes_further_than_a_seventh_of_its_height(
+	void **state)
+{
+	(void)state;
+	expect(measure_straight(0.15f, 0), 0, 0, -0.15f, 0);
+	expect(measure_straight(0.151f, 0), 0.151f, 0, 0, 0);
+	expect(measure_straight(-0.15f, 0), 0, 0, 0.15f, 0);
+	expect(measure_straight(-0.151f, 0), -0.151f, 0, 0, 0);
+	expect(measure_straight(0, 0.15f), 0, 0, 0, -0.15f);
+	expect(measure_straight(0, -0.151f), 0, -0.151f, 0, 0);
+}
+
+static void test_what_is_slower_than_an_eighth_of_its_length_stands(void **state)
+{
+	(void)state;
+	expect(measure_straight(0.119f, 0), 0, 0, 0, 0);
+	expect(measure_straight(0, -0.119f), 0, 0, 0, 0);
+	expect(measure_straight(0, 0.121f), 0, 0, 0, -0.121f);
+	/* In a second. */
+	expect(measure(&(struct way){{0.07f, 0, 0}, {0.14f, 0, 0}}, 2.0f), 0, 0,
+		0, 0);
+	expect(measure(&(struct way){{0.035f, 0, 0}, {0.07f, 0, 0}}, 0.5f), 0,
+		0, -0.14f, 0);
+}
+
+static void test_a_way_near_an_axis_is_along_it(void **state)
+{
+	(void)state;
+	expect(measure_straight(0.14f, 0.027f), 0, 0, -0.14f, 0);
+	expect(measure_straight(0.14f, 0.029f), 0, 0, -0.14f, -0.029f);
+	expect(measure_straight(-0.027f, 0.14f), 0, 0, 0, -0.14f);
+	expect(measure_straight(-0.029f, 0.14f), 0, 0, 0.029f, -0.14f);
+}
+
+/* At first it only rises, and then it goes at that height. */
+static void test_feet_touch_the_ground_up_to_3_percent_above_it(void **state)
+{
+	(void)state;
+	expect(measure(&(struct way){{0, 0.029f, 0}, {0.149f, 0.029f, 0}}, 0.5f),
+		0, 0, -0.298f, 0);
+	expect(measure(&(struct way){{0, 0.05f, 0}, {0.149f, 0.05f, 0}}, 0.5f),
+		0, 0, 0, 0);
+	expect(measure(&(struct way){{0, 0.031f, 0}, {0.149f, 0.031f, 0}}, 0.5f),
+		0, 0, 0, 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_clip_carries_what_goes_further_than_a_seventh_of_its_height),
+		cmocka_unit_test(
+			test_what_is_slower_than_an_eighth_of_its_length_stands),
+		cmocka_unit_test(test_a_way_near_an_axis_is_along_it),
+		cmocka_unit_test(
+			test_feet_touch_the_ground_up_to_3_percent_above_it),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

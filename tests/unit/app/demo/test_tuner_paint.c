@@ -4,6 +4,7 @@
 #include "app/scene/overlay/overlay_heat.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/triangle_file.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
@@ -19,28 +20,19 @@ enum {
 /* Each bone is a triangle and the parent of the next one, 1 above it. */
 static void write_chain(const char *path, int bones, double scale)
 {
-	char text[4096];
-	size_t used = (size_t)snprintf(text, sizeof(text),
-		"{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],"
-		"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
-		"octet-stream;base64,"
-		"AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}],"
-		"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
-		"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,"
-		"\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],"
-		"\"max\":[1,1,0]}],\"meshes\":[{\"primitives\":"
-		"[{\"attributes\":{\"POSITION\":0}}]}],\"nodes\":[");
+	char nodes[3072];
+	size_t used = 0;
 
 	for (int i = 0; i + 1 < bones; i++) {
-		used += (size_t)snprintf(text + used, sizeof(text) - used,
+		used += (size_t)snprintf(nodes + used, sizeof(nodes) - used,
 			"{\"mesh\":0,\"translation\":[0,1,0],"
 			"\"scale\":[%g,%g,%g],\"children\":[%d]},",
 			i ? 1.0 : scale, i ? 1.0 : scale, i ? 1.0 : scale,
 			i + 1);
 	}
-	used += (size_t)snprintf(text + used, sizeof(text) - used,
-		"{\"mesh\":0,\"translation\":[0,1,0]}]}");
-	file_write(path, text, used);
+	snprintf(nodes + used, sizeof(nodes) - used,
+		"{\"mesh\":0,\"translation\":[0,1,0]}");
+	triangle_file_write(path, nodes);
 }
 
 static struct demo *begin(const char *path, const struct log *log, struct gl *gl)

@@ -1,6 +1,7 @@
 /* What a demo says of the model that it loads, and the pictures it frames. */
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/demo/demo_overlay.h"
 #include "tests/support/demo_shown.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
@@ -8,7 +9,6 @@
 #include "tests/support/model/triangle_file.h"
 #include "tests/support/test.h"
 
-#include <errno.h>
 #include <math.h>
 #include <string.h>
 
@@ -100,43 +100,62 @@ static double bottom_of(const struct shown *shown)
 		->stage.camera.fit.region.bottom;
 }
 
-/* The row of a face's shapes takes the picture's lower edge while it is shown. */
+/* While the row of a face's shapes is shown. */
 static void test_small_pictures_take_room_below_the_figure(void **state)
 {
-	static const int sizes[][2] = {{480, 640}, {320, 240}, {640, 120}};
+	/* Heights of the region, of which 0.2 are left, and the row's room. */
+	static const double regions[][2] = {
+		{1.5, 1.0}, {0.3, 0.1}, {0.2, 0.0}, {0.1, 0.0}};
+	static const int size[2] = {480, 640};
+	struct shown shown;
+	struct demo_base *base;
+	struct overlay_row row;
+	double before, room;
 
 	(void)state;
-	for (size_t s = 0; s < ARRAY_COUNT(sizes); s++) {
-		const int *size = sizes[s];
-		struct shown shown;
-		const struct demo_base *base;
-		struct overlay_row row;
-		double before, room, most;
-
-		shown_begin(&shown, "face", size, false);
-		base = (const struct demo_base *)shown.demo;
-		demo_draw(shown.driver, shown.demo, size[0], size[1]);
-		before = bottom_of(&shown);
-		/* A fifth of half the picture is left for the figure. */
-		most = (double)base->stage.camera.fit.region.top - before - 0.2;
+	shown_begin(&shown, "face", size, false);
+	base = (struct demo_base *)shown.demo;
+	demo_draw(shown.driver, shown.demo, size[0], size[1]);
+	before = bottom_of(&shown);
+	for (size_t i = 0; i < ARRAY_COUNT(regions); i++) {
+		base->stage.camera.fit.region.top =
+			(float)(before + regions[i][0]);
 		while (!base->overlay ||
 			!overlay_shows(base->overlay, OVERLAY_KEYS)) {
 			demo_show_next_overlay(shown.driver, shown.demo);
 		}
 		row = overlay_row_of(base->overlay, size[0], size[1]);
-		room = fmax(0.0,
-			fmin(most, 2.0 * (double)row.height / (double)size[1]));
-		for (int i = 0; i < 2; i++) {
+		room = 2.0 * (double)row.height / (double)size[1];
+		for (int k = 0; k < 2; k++) {
 			demo_draw(shown.driver, shown.demo, size[0], size[1]);
-			assert_near(bottom_of(&shown), before + room, 1e-5);
+			assert_near(bottom_of(&shown),
+				before + fmin(room, regions[i][1]), 1e-5);
 		}
 		while (overlay_shows(base->overlay, OVERLAY_KEYS)) {
 			demo_show_next_overlay(shown.driver, shown.demo);
 		}
 		demo_draw(shown.driver, shown.demo, size[0], size[1]);
 		assert_near(bottom_of(&shown), before, 1e-5);
-		shown_end(&shown);
 	}
+	shown_end(&shown);
+}
+
+static void test_a_picture_of_another_size_has_its_own_room(void **state)
+{
+	static const int sizes[][2] = {{480, 640}, {320, 240}, {480, 640}};
+	const struct overlay_choice keys = {.kinds = 1U << OVERLAY_KEYS};
+	double bottom[ARRAY_COUNT(sizes)];
+	struct shown shown;
+
+	(void)state;
+	shown_begin(&shown, "face", sizes[0], false);
+	assert_int_equal(demo_overlay_make(shown.driver, shown.demo, &keys), 0);
+	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
+		demo_draw(shown.driver, shown.demo, sizes[i][0], sizes[i][1]);
+		bottom[i] = bottom_of(&shown);
+	}
+	assert_near(bottom[2], bottom[0], 1e-5);
+	shown_end(&shown);
 }
 
 static void test_only_a_camera_has_uses(void **state)
@@ -168,6 +187,7 @@ int main(void)
 		cmocka_unit_test(test_a_model_has_to_fit_its_memory),
 		cmocka_unit_test(test_demos_are_found_by_their_names),
 		cmocka_unit_test(test_small_pictures_take_room_below_the_figure),
+		cmocka_unit_test(test_a_picture_of_another_size_has_its_own_room),
 		cmocka_unit_test(test_only_a_camera_has_uses),
 	};
 

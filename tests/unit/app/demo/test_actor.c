@@ -158,6 +158,35 @@ static void test_a_picture_of_another_size_has_its_own_room(void **state)
 	shown_end(&shown);
 }
 
+/* --influences gives a cap, and the frame's budget a limit; 0 is none. */
+static void test_the_lower_of_cap_and_limit_holds(void **state)
+{
+	static const int cases[][3] = {{0, 0, 0}, {0, 2, 2}, {3, 0, 3},
+		{3, 2, 2}, {3, 3, 3}, {3, 4, 3}};
+	struct shown shown;
+	struct actor *actor;
+
+	(void)state;
+	shown_begin(&shown, "arm.glb", (const int[]){320, 240}, false);
+	actor = &((struct demo_base *)shown.demo)->actor;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		const struct demo_reduction reduction = {
+			.max_influences = cases[i][1],
+			.error_px = 2.0f * (float)i,
+			.hold_normals = i % 2 == 0};
+
+		actor->influence_cap = (struct influence_cap){
+			INFLUENCE_CAP_FIXED, cases[i][0]};
+		demo_set_reduction(shown.demo, &reduction);
+		shown.driver->update(shown.demo, 0.1 * (double)(1 + i));
+		assert_int_equal(actor->instance->max_influences, cases[i][2]);
+		assert_near(actor->min_error_px, reduction.error_px, 0.0);
+		assert_int_equal(
+			actor->instance->hold_normals, reduction.hold_normals);
+	}
+	shown_end(&shown);
+}
+
 static void test_only_a_camera_has_uses(void **state)
 {
 	static const struct camera_feed feed = {0};
@@ -188,6 +217,7 @@ int main(void)
 		cmocka_unit_test(test_demos_are_found_by_their_names),
 		cmocka_unit_test(test_small_pictures_take_room_below_the_figure),
 		cmocka_unit_test(test_a_picture_of_another_size_has_its_own_room),
+		cmocka_unit_test(test_the_lower_of_cap_and_limit_holds),
 		cmocka_unit_test(test_only_a_camera_has_uses),
 	};
 

@@ -99,20 +99,35 @@ struct scene {
 	struct show show;
 };
 
-static int begin(void **state)
+/* All tests share the demo, as loading it takes longest. */
+static int load(void **state)
 {
 	static const int size[2] = {WIDTH, HEIGHT};
-	struct scene *scene = calloc(1, sizeof(*scene));
+	static struct scene scene;
 
-	assert_non_null(scene);
+	shown_begin(&scene.shown, "arm", size, false);
+	*state = &scene;
+	return 0;
+}
+
+static int unload(void **state)
+{
+	shown_end(&((struct scene *)*state)->shown);
+	return 0;
+}
+
+static int begin(void **state)
+{
+	struct scene *scene = *state;
+
 	memset(&noted, 0, sizeof(noted));
-	shown_begin(&scene->shown, "arm", size, false);
+	scene->failsafe = (struct failsafe){.path = NULL};
 	scene->log = log_capture_begin(&scene->said);
 	scene->options = options_default();
 	scene->options.show.no_labels = true;
-	scene->plan.demo = scene->shown.driver;
-	scene->gl.driver = &gl_driver;
-	scene->gl.gl = scene->shown.gl;
+	scene->plan = (struct show_plan){.demo = scene->shown.driver};
+	scene->gl = (struct gl_context){
+		.driver = &gl_driver, .gl = scene->shown.gl};
 	noted.draw = scene->gl.gl.DrawElements;
 	scene->gl.gl.DrawElements = note_elements;
 	scene->gl.gl.GetError = get_error;
@@ -127,7 +142,6 @@ static int begin(void **state)
 		.screen = {.driver = &screen, .gl = &scene->gl},
 		.governor = governor_begin(0.0f),
 	};
-	*state = scene;
 	return 0;
 }
 
@@ -136,8 +150,6 @@ static int end(void **state)
 	struct scene *scene = *state;
 
 	hud_finish(&scene->hud, &scene->gl.gl);
-	shown_end(&scene->shown);
-	free(scene);
 	return 0;
 }
 
@@ -294,5 +306,5 @@ int main(void)
 	};
 #undef CASE
 
-	return cmocka_run_group_tests(tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, load, unload);
 }

@@ -242,6 +242,35 @@ static void test_targets_of_a_skin_are_as_large_as_its_first_joint(void **state)
 	end(&f);
 }
 
+/* Another node shows the mesh by a skin that makes it five times as large. */
+static void test_targets_of_each_node_are_as_large_as_its_skin(void **state)
+{
+	mat4 bind[2] = {GLM_MAT4_IDENTITY_INIT, GLM_MAT4_IDENTITY_INIT};
+	struct model_skin skins[2];
+	struct fixture f;
+
+	(void)state;
+	for (int first = 0; first <= 1; first++) {
+		begin(&f);
+		add_skin(&f, 0.0f);
+		add_targets(&f);
+		glm_scale_uni(bind[0], first ? 1.0f : 5.0f);
+		skins[first] = skins[!first] = *f.bones.model.skin;
+		skins[!first].inverse_bind = bind;
+		f.bones.model.skin = skins;
+		f.bones.model.skin_count = 2;
+		f.bones.node[1].skin = first;
+		f.bones.node[2].mesh = 0;
+		f.bones.node[2].skin = !first;
+		find(&f);
+		assert_near(
+			f.reach.node[1].target_px[0], 12 * px_per_unit, 1e-3);
+		assert_near(
+			f.reach.node[2].target_px[0], 20 * px_per_unit, 1e-3);
+		end(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -253,6 +282,8 @@ int main(void)
 		cmocka_unit_test(test_vertices_of_a_skin_follow_their_joints),
 		cmocka_unit_test(
 			test_targets_of_a_skin_are_as_large_as_its_first_joint),
+		cmocka_unit_test(
+			test_targets_of_each_node_are_as_large_as_its_skin),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -281,6 +281,29 @@ static void test_a_models_largest_skinned_part_is_taken(void **state)
 	model_destroy(model);
 }
 
+/* In the middle of its first clip, or at rest if it has none. */
+static void test_a_model_may_have_one_clip_or_none(void **state)
+{
+	const struct log log = log_to_stderr(LOG_ERROR);
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_load(fixture_path("gltf/skin/and_morph.gltf").text, &log,
+			&model),
+		0);
+	assert_int_equal(model->clip_count, 1);
+	for (; model->clip_count >= 0; model->clip_count--) {
+		struct bench_mesh mesh;
+
+		assert_int_equal(bench_mesh_of_model(&mesh, model), 0);
+		check_palette(&mesh, model, 0);
+		bench_mesh_release(&mesh);
+	}
+	model->clip_count = 0;
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -290,6 +313,7 @@ int main(void)
 		cmocka_unit_test(test_the_palette_turns_and_moves),
 		cmocka_unit_test(test_keys_follow_the_palette),
 		cmocka_unit_test(test_a_models_largest_skinned_part_is_taken),
+		cmocka_unit_test(test_a_model_may_have_one_clip_or_none),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

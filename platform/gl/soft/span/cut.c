@@ -1,6 +1,11 @@
-/* Cuts runs at the edges of a level's texels that are clamped. */
+/* Cuts runs at the edges of a level's texels. */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/span/texels.h"
+
+enum {
+	/* runs and repetitions of a texture that are shorter are not cut */
+	FEW_PIXELS = 32,
+};
 
 /* How many whole steps fit into distance, at most SOFT_RUN_PIXELS - 1. */
 static uint32_t count_steps(uint32_t distance, uint32_t step)
@@ -42,22 +47,31 @@ static NEVER_INLINE struct stretch find_clamped(
 		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
 }
 
-/* The stretch from a coordinate to the next clamped edge, at most left pixels. */
+/*
+ * The stretch from a coordinate to the next edge of the window, at most left
+ * pixels. Runs that repeat are only cut if few stretches follow, as a call for
+ * each takes longer than wrapping a few pixels.
+ */
 static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
 	uint32_t room, uint32_t mask, uint32_t last, uint32_t left)
 {
-	uint32_t at = (uint32_t)given & mask, step = raster_size(right);
-	bool inside = at < room && at + (uint32_t)right * (left - 1) < room;
+	const uint32_t at = (uint32_t)given & mask, step = raster_size(right);
+	const bool inside = at < room, clamped = mask == UINT32_MAX;
+	const bool whole = inside && at + (uint32_t)right * (left - 1) < room;
+	uint32_t first = inside ? 0 : room, end = inside ? room - 1 : mask;
 
-	if (inside || mask != UINT32_MAX) {
-		return (struct stretch){left, (int32_t)at, right, inside};
+	if (whole ||
+		(!clamped &&
+			(room > mask || step > mask / FEW_PIXELS ||
+				left < FEW_PIXELS))) {
+		return (struct stretch){left, (int32_t)at, right, whole};
 	}
-	if (at < room) {
-		return (struct stretch){
-			count_steps(right < 0 ? at : room - 1 - at, step) + 1,
-			(int32_t)at, right, true};
+	if (clamped && !inside) {
+		return find_clamped(given, right, step, room, last);
 	}
-	return find_clamped(given, right, step, room, last);
+	return (struct stretch){
+		count_steps(right < 0 ? at - first : end - at, step) + 1,
+		(int32_t)at, right, inside};
 }
 
 static void advance(struct soft_run *run, uint32_t count, int pixel_log2)

@@ -36,10 +36,13 @@
 
 /* Finishes with a second texture, which only a few formats have. */
 #define SOFT_EACH_SECOND(make, ...)                                         \
-	make(scaled, SOFT_SCALED, __VA_ARGS__)                              \
+	SOFT_EACH_SCALED(make, __VA_ARGS__)                                 \
 	make(summed, SOFT_SUMMED, __VA_ARGS__)                              \
 	make(tested_summed, SOFT_TESTED_SUMMED, __VA_ARGS__)                \
 	make(blended_summed, SOFT_BLENDED_SUMMED, __VA_ARGS__)
+
+/* The one that RGBA8888 pictures have. */
+#define SOFT_EACH_SCALED(make, ...) make(scaled, SOFT_SCALED, __VA_ARGS__)
 
 #define SOFT_EACH_SHORT(make, ...)                                          \
 	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__)
@@ -68,25 +71,20 @@
 	SOFT_KIND(plain, .wide = is_wide)                                   \
 	SOFT_EACH_FORMAT(SOFT_FORMAT_FUNCTIONS, is_wide)
 
-#define SOFT_SECOND_KIND(name, ...)                                         \
+#define SOFT_SECOND_KIND(name, each, ...)                                   \
 	SOFT_TEXELS(name, .textured = true, __VA_ARGS__)                    \
-	SOFT_EACH_SECOND(SOFT_FINISH_FUNCTIONS, name)
+	each(SOFT_FINISH_FUNCTIONS, name)
 
-#define SOFT_SECOND_FORMAT(name, texels, is_joined)                         \
-	SOFT_SECOND_KIND(                                                   \
-		nearest_##name, .format = texels, .joined = is_joined)      \
-	SOFT_SECOND_KIND(nearest_##name##_inside, .format = texels,         \
-		.joined = is_joined, .inside = true)                        \
-	SOFT_SECOND_KIND(linear_##name, .format = texels,                   \
-		.joined = is_joined, .linear = true)                        \
-	SOFT_SECOND_KIND(linear_##name##_inside, .format = texels,          \
-		.joined = is_joined, .linear = true, .inside = true)
-
-#define SOFT_SECOND_FUNCTIONS                                               \
-	SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, false)                          \
-	SOFT_SECOND_FORMAT(8888, TEXEL_8888, false)
-
-#define SOFT_JOINED_FUNCTIONS SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, true)
+/* each: SOFT_EACH_SECOND or SOFT_EACH_SCALED; then members of the kind. */
+#define SOFT_SECOND_FORMAT(name, texels, each, ...)                         \
+	SOFT_SECOND_KIND(nearest_##name, each, .format = texels,            \
+		__VA_ARGS__)                                                \
+	SOFT_SECOND_KIND(nearest_##name##_inside, each, .format = texels,   \
+		.inside = true, __VA_ARGS__)                                \
+	SOFT_SECOND_KIND(linear_##name, each, .format = texels,             \
+		.linear = true, __VA_ARGS__)                                \
+	SOFT_SECOND_KIND(linear_##name##_inside, each, .format = texels,    \
+		.linear = true, .inside = true, __VA_ARGS__)
 
 /* clang-format off */
 #define SOFT_FINISH_ROW(suffix, finish, name, inside)                       \
@@ -108,19 +106,11 @@
 		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, )                        \
 	}
 
-#define SOFT_SECOND_ROWS(name, texels, ...)                                 \
-	[SOFT_NEAREST + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,    \
+#define SOFT_SECOND_ROWS(name, texels, each)                                \
+	[SOFT_NEAREST + texels - 1] = {each(SOFT_FINISH_ROW,                \
 		nearest_##name, nearest_##name##_inside)},                  \
-	[SOFT_LINEAR + texels - 1] = {SOFT_EACH_SECOND(SOFT_FINISH_ROW,     \
+	[SOFT_LINEAR + texels - 1] = {each(SOFT_FINISH_ROW,                 \
 		linear_##name, linear_##name##_inside)},
-
-#define SOFT_SECOND_TABLE                                                   \
-	{                                                                   \
-		SOFT_EACH_SHORT(SOFT_SECOND_ROWS, )                         \
-		SOFT_SECOND_ROWS(8888, TEXEL_8888)                          \
-	}
-
-#define SOFT_JOINED_TABLE { SOFT_EACH_SHORT(SOFT_SECOND_ROWS, ) }
 /* clang-format on */
 
 #endif

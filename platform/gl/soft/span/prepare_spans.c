@@ -220,7 +220,7 @@ static struct soft_scales find_format_scales(
 
 static void find_scales(const struct draw *draw, struct soft_spans *spans)
 {
-	bool wide = spans->table == &soft_spans_8888;
+	const bool wide = spans->wide;
 	enum texel_format format = !spans->textured ? TEXEL_NONE
 		: spans->made                       ? TEXEL_8888
 			      : draw->texture[0].base->format;
@@ -230,7 +230,7 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	spans->white[0] = (uint32_t)mul_high(white, row.red_blue) * 0x10001;
 	spans->white[1] = (uint32_t)mul_high(white, row.green);
 	spans->scales = find_format_scales(format, wide, spans->combined);
-	if (spans->finish == SOFT_SCALED) {
+	if (spans->finish == SOFT_SCALED && !wide) {
 		/* white of a second texture scales by 31/32 and 63/64 */
 		spans->scales.red_blue += spans->scales.red_blue / 31;
 		spans->scales.green += spans->scales.green / 63;
@@ -242,10 +242,9 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	const GLfixed *color = draw->added ? draw->added : draw->soft->fog.color;
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
-	const bool wide = spans->table == &soft_spans_8888;
 
 	for (int i = 0; i < 3 && (draw->fogged || draw->added); i++) {
-		int most = wide ? 255 : i == 1 ? 63 : 31;
+		int most = spans->wide ? 255 : i == 1 ? 63 : 31;
 		int32_t value = soft_byte(color[i]) * most * 16384 / 255;
 
 		stages->far[i] = draw->added ? -value : value + 8192;
@@ -285,12 +284,11 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 {
 	const struct texture_input *input = &draw->texture[0];
 	bool combined = spans->combined;
-	bool wide = spans->table == &soft_spans_8888;
 	GLenum format = input->used ? input->base->base_format : GL_RGB;
 	bool replaced = !combined && is_replaced(input);
 
 	spans->colored = !replaced || format == GL_ALPHA;
-	spans->alpha_read = wide || combined ||
+	spans->alpha_read = spans->wide || combined ||
 		(spans->finish != SOFT_OPAQUE &&
 			spans->finish != SOFT_OPAQUE_FOG &&
 			spans->finish != SOFT_SCALED &&
@@ -401,10 +399,9 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->set_level = NULL;
 	spans->white_bits = 0;
 	choose_finish(draw);
-	spans->table =
-		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last
-		? &soft_spans_8888
-		: &soft_spans_565;
+	spans->wide =
+		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last;
+	spans->table = spans->wide ? &soft_spans_8888 : &soft_spans_565;
 	spans->stenciled = state->stencil.enabled;
 	spans->alpha_tested = is_tested(state);
 	spans->color_tolerance = rows_color_tolerance(draw);

@@ -102,7 +102,7 @@ struct soft_run {
 	uint32_t stride_log2; /* log2 of bytes from row to row of the level */
 	/*
 	 * With a second texture: address of its texels, one word for each
-	 * pixel, run after run.
+	 * pixel, run after run: RGBA8888, or packed for RGB565 pictures.
 	 */
 	uintptr_t second;
 	/* Joined textures: bytes from a texel of the first to the second's. */
@@ -153,9 +153,12 @@ enum soft_place {
 typedef soft_span_function soft_span_table[SOFT_SOURCES][SOFT_FINISHES]
 					  [SOFT_PLACES];
 
-/* second and joined have only finishes with a second texture, few formats. */
+/*
+ * second, scaled (for RGBA8888 pictures) and joined have only finishes with a
+ * second texture, and few formats.
+ */
 extern const soft_span_table soft_spans_565, soft_spans_8888, soft_spans_second,
-	soft_spans_joined;
+	soft_spans_joined, soft_spans_scaled;
 
 /* stages/samplers.c: [source][place]: write a run's texels as RGBA8888 to pixel. */
 extern const soft_span_function soft_samplers[SOFT_SOURCES][2];

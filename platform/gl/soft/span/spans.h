@@ -51,7 +51,7 @@ struct soft_made_levels {
 	int level; /* -1: none is chosen yet */
 	bool linear;
 	int share;   /* weight of next_view, of 256; 0: it is not read */
-	bool packed; /* texels become words of soft_run.second, not bytes */
+	bool packed; /* the sampler packs texels for soft_run.second */
 	const soft_span_function *sampler;
 	struct soft_view view, next_view;
 };
@@ -89,6 +89,7 @@ struct soft_spans {
 	bool blended_last;
 	uint32_t color_mask; /* pixels' bits that are written; 565 in both halves */
 	enum soft_finish finish;
+	bool wide; /* span functions draw RGBA8888, else RGB565 */
 	const soft_span_table *table; /* that has the state's functions */
 	int plain_pixels;             /* longest run without a texture */
 	int longest;                  /* longest run with one */

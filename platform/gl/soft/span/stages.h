@@ -45,8 +45,14 @@ struct soft_pixel {
 	uint32_t s, t;  /* else */
 };
 
-/* A texel: RGBA8888 in lanes, others in channel, times 8192 if filtered. */
+/*
+ * A texel: RGBA8888 in lanes, and in a vector of lanes; others in channel,
+ * times 8192 if filtered.
+ */
 struct soft_texel {
+#ifdef HAS_COLOR_VECTORS
+	__m128i vector;
+#endif
 	struct soft_lanes lanes;
 	struct soft_four four; /* red and blue are filtered later */
 	uint32_t channel[3];
@@ -77,10 +83,10 @@ static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 		kind.finish == SOFT_BLENDED_SUMMED;
 }
 
-/* Whether the texel is multiplied by a second texture's. */
+/* Whether channels are multiplied by those of a second texture's texel. */
 static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
 {
-	return kind.textured && kind.finish == SOFT_SCALED;
+	return kind.textured && kind.finish == SOFT_SCALED && !kind.wide;
 }
 
 /* Whether a second texture's texel is added to the colour. */
@@ -208,6 +214,9 @@ static ALWAYS_INLINE void soft_split_texel(
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
 	if (kind.format == TEXEL_8888) {
+#ifdef HAS_COLOR_VECTORS
+		out->vector = vector_widen(texel);
+#endif
 		out->lanes = soft_split(texel);
 		out->alpha = out->lanes.green_alpha >> 16;
 		return;
@@ -270,23 +279,29 @@ static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
 {
 	out->four = soft_weigh_8888(above, below, s, t, kind.wide);
 #ifdef HAS_COLOR_VECTORS
-	const uint64_t mixed = vector_mix(above[0] | (uint64_t)above[1] << 32,
+	out->vector = vector_mix(above[0] | (uint64_t)above[1] << 32,
 		below[0] | (uint64_t)below[1] << 32, out->four.weight,
 		kind.wide ? 128 : 0);
-
-	out->lanes.red_blue = (uint32_t)mixed;
-	out->lanes.green_alpha = (uint32_t)(mixed >> 32);
+	out->lanes = soft_split(vector_narrow(out->vector));
 #else
 	out->lanes.green_alpha = soft_mix_half(&out->four, true, kind.wide);
 #endif
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
-/* The kind of a joined second texture, which is always RGB565. */
+/* A texel of RGBA8888 as a word. */
+static ALWAYS_INLINE uint32_t soft_join(const struct soft_texel *texel)
+{
+	return texel->lanes.red_blue | texel->lanes.green_alpha << 8;
+}
+
+/* The kind of a joined second texture: RGB565, or RGBA8888 in such pictures. */
 static ALWAYS_INLINE struct soft_kind soft_second_kind(struct soft_kind kind)
 {
-	return (struct soft_kind){
-		.textured = true, .format = TEXEL_565, .linear = kind.linear};
+	return (struct soft_kind){.textured = true,
+		.format = kind.wide ? TEXEL_8888 : TEXEL_565,
+		.linear = kind.linear,
+		.wide = kind.wide};
 }
 
 /* Reads the texel of a run in the window; and second's, if joined. */
@@ -311,9 +326,13 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 			soft_split_texel(kind,
 				soft_load_texel(kind.format, texel_at), out);
 			if (kind.joined) {
-				soft_split_texel(soft_second_kind(kind),
-					load_16((const uint8_t *)((uintptr_t)texel_at +
-						rows->joint)),
+				const struct soft_kind its =
+					soft_second_kind(kind);
+
+				soft_split_texel(its,
+					soft_load_texel(its.format,
+						(const uint8_t *)((uintptr_t)texel_at +
+							rows->joint)),
 					second);
 			}
 			return;
@@ -321,13 +340,23 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 		above[0] = soft_load_pair(kind.format, texel_at);
 		below[0] = soft_load_pair(
 			kind.format, texel_at + (1u << run->stride_log2));
-	} else if (kind.joined) {
+	} else if (kind.joined && !kind.wide) {
 		soft_load_joined(rows, row, x, above, below);
 	} else {
 		soft_load_rows(rows, row, x, bytes_log2 == 2, above, below);
 	}
 	if (kind.format == TEXEL_8888) {
 		soft_mix_green(kind, above, below, texel, texel >> 16, out);
+		if (kind.joined) {
+			const struct soft_rows other = {
+				(const uint8_t *)((uintptr_t)rows->first +
+					rows->joint),
+				rows->stride, 0};
+
+			soft_load_rows(&other, row, x, true, above, below);
+			soft_mix_green(
+				kind, above, below, texel, texel >> 16, second);
+		}
 		return;
 	}
 	weights = soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),

@@ -226,10 +226,9 @@ static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
 }
 
 static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_lanes *lanes,
-	uint32_t alpha, uint8_t *pixel)
+	const struct soft_constants *constants, uint32_t own, uint8_t *pixel)
 {
-	uint32_t own = lanes->red_blue | lanes->green_alpha << 8 | alpha << 24;
+	const uint32_t alpha = own >> 24;
 
 	if (soft_is_blended(kind)) {
 		own = soft_blend_bytes(load_32(pixel), own, alpha);
@@ -242,30 +241,26 @@ static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
 	memcpy(pixel, &own, sizeof(own));
 }
 
-/* Red, green and blue of an RGBA8888 pixel; alpha is 0. */
-static ALWAYS_INLINE struct soft_lanes soft_find_lanes(struct soft_kind kind,
+/* The colour for an RGBA8888 picture; alpha is the fragment's. */
+static ALWAYS_INLINE uint32_t soft_find_bytes(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
-	const struct soft_pixel *at)
+	const struct soft_pixel *at, uint32_t alpha)
 {
 	struct soft_color color;
 
 #ifdef HAS_COLOR_VECTORS
 	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind)) {
-		uint64_t lanes = vector_scale(texel->lanes.red_blue |
-				(uint64_t)texel->lanes.green_alpha << 32,
-			at->red_blue | (uint64_t)at->green_alpha << 32);
-
-		return (struct soft_lanes){
-			(uint32_t)lanes, (uint32_t)(lanes >> 32) & 255};
+		return vector_scale(texel->vector, at->red_blue,
+			       at->green_alpha & 0xFFFF) |
+			alpha << 24;
 	}
 #endif
 	color = soft_modulate(kind, constants, texel, at);
 	if (soft_is_fogged(kind)) {
 		soft_add_fog(constants, at->fog, &color);
 	}
-	return (struct soft_lanes){
-		soft_whole(kind, &color, 0) | soft_whole(kind, &color, 2) << 16,
-		soft_whole(kind, &color, 1)};
+	return soft_whole(kind, &color, 0) | soft_whole(kind, &color, 1) << 8 |
+		soft_whole(kind, &color, 2) << 16 | alpha << 24;
 }
 
 static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
@@ -282,6 +277,13 @@ static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
 	}
 	return !soft_is_tested(kind) ||
 		((alpha - low) & 255) <= constants->alpha_range;
+}
+
+/* The second texture's word for the pixel with that depth. */
+static ALWAYS_INLINE uint32_t soft_load_second(
+	const struct soft_constants *constants, const uint16_t *depth)
+{
+	return *(const uint32_t *)(constants->second + 2 * (uintptr_t)depth);
 }
 
 /* Draws one pixel whose depth has passed; makes the alpha test. */
@@ -326,16 +328,23 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	}
 	soft_finish_texel(kind, &texel);
 	if (kind.wide) {
-		const struct soft_lanes lanes =
-			soft_find_lanes(kind, constants, &texel, at);
-
-		soft_store_8888(kind, constants, &lanes, alpha, pixel);
+		if (kind.finish == SOFT_SCALED) {
+			if (kind.joined) {
+				soft_finish_texel(kind, &second);
+			}
+			soft_multiply_texel(kind,
+				kind.joined ? soft_join(&second)
+					    : soft_load_second(constants, depth),
+				&texel);
+			alpha = soft_find_alpha(kind, &texel, at->green_alpha);
+		}
+		soft_store_8888(kind, constants,
+			soft_find_bytes(kind, constants, &texel, at, alpha),
+			pixel);
 		return;
 	}
 	if ((soft_is_scaled(kind) || soft_is_summed(kind)) && !kind.joined) {
-		soft_split_second(*(const uint32_t *)(constants->second +
-					  2 * (uintptr_t)depth),
-			&second);
+		soft_split_second(soft_load_second(constants, depth), &second);
 	}
 	if (soft_is_scaled(kind)) {
 		soft_scale_texel(kind, &second, &texel);

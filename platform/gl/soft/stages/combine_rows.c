@@ -257,9 +257,9 @@ static uint32_t dot(uint32_t a, uint32_t b)
 static ALWAYS_INLINE uint32_t mix_bytes(uint32_t a, uint32_t b, uint32_t share)
 {
 #ifdef HAS_COLOR_VECTORS
-	return vector_divide(_mm_add_epi16(
+	return vector_narrow(vector_divide(_mm_add_epi16(
 		_mm_mullo_epi16(vector_widen(a), vector_widen(share)),
-		_mm_mullo_epi16(vector_widen(b), vector_widen(~share))));
+		_mm_mullo_epi16(vector_widen(b), vector_widen(~share)))));
 #else
 	const uint32_t rest = ~share;
 	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);

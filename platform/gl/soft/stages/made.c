@@ -355,7 +355,7 @@ static void pack_second(uint32_t *texel, uint32_t count)
 void soft_read_second(struct draw *draw, uint32_t *texel)
 {
 	sample(draw, 1, texel);
-	if (!draw->spans.made_levels[1].packed) {
+	if (!draw->spans.wide && !draw->spans.made_levels[1].packed) {
 		pack_second(texel, count_pixels(&draw->spans.run));
 	}
 	draw->spans.run.second = (uintptr_t)texel;
@@ -367,7 +367,7 @@ static void prepare_combined(struct draw *draw)
 	bool alpha = spans->finish != SOFT_OPAQUE &&
 		spans->finish != SOFT_OPAQUE_FOG;
 
-	alpha |= spans->table == &soft_spans_8888;
+	alpha |= spans->wide;
 	for (int i = 0; i < SOFT_UNITS; i++) {
 		if (draw->texture[i].used) {
 			soft_find_environment(

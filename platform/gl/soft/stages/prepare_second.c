@@ -13,16 +13,16 @@ static enum soft_finish find_second_finish(
 	const struct draw *draw, enum soft_finish finish)
 {
 	const struct texture_input *input = &draw->texture[1];
-	const bool first = draw->spans.table == &soft_spans_565 &&
-		draw->spans.textured && !draw->smooth &&
+	const bool first = draw->spans.textured && !draw->smooth &&
 		soft_is_simple_environment(&draw->texture[0]) &&
 		draw->texture[0].base->format != TEXEL_A8;
 
 	if (!first || !input->used || input->base->format == TEXEL_A8) {
 		return finish;
 	}
-	if (soft_adds(input, GL_TEXTURE) ||
-		(input->mode == GL_ADD && finish == SOFT_OPAQUE)) {
+	if (!draw->spans.wide &&
+		(soft_adds(input, GL_TEXTURE) ||
+			(input->mode == GL_ADD && finish == SOFT_OPAQUE))) {
 		return finish == SOFT_OPAQUE     ? SOFT_SUMMED
 			: finish == SOFT_TESTED  ? SOFT_TESTED_SUMMED
 			: finish == SOFT_BLENDED ? SOFT_BLENDED_SUMMED
@@ -39,14 +39,23 @@ static bool is_same_array(const struct array *a, const struct array *b)
 		a->pointer == b->pointer;
 }
 
+static bool has_joined_formats(const struct draw *draw)
+{
+	const enum texel_format first = draw->texture[0].base->format;
+	const enum texel_format second = draw->texture[1].base->format;
+
+	return draw->spans.wide ? first == TEXEL_8888 && second == TEXEL_8888
+				: (first == TEXEL_565 || first == TEXEL_4444) &&
+			second == TEXEL_565;
+}
+
 /* Whether both textures have the same coordinates, sizes, levels and filters. */
 static bool are_joined(const struct draw *draw)
 {
 	const struct texture_input *a = &draw->texture[0], *b = a + 1;
 	const struct texture *first = a->texture, *second = b->texture;
 
-	return (a->base->format == TEXEL_565 || a->base->format == TEXEL_4444) &&
-		b->base->format == TEXEL_565 && a->levels == b->levels &&
+	return has_joined_formats(draw) && a->levels == b->levels &&
 		!soft_mixes_levels(a) && a->width_log2 == b->width_log2 &&
 		a->height_log2 == b->height_log2 &&
 		first->min_filter == second->min_filter &&
@@ -77,8 +86,11 @@ bool soft_choose_second(struct draw *draw)
 	spans->finish = finish;
 	spans->joined = are_joined(draw);
 	spans->read_second = spans->joined ? NULL : soft_read_second;
-	spans->table = spans->joined ? &soft_spans_joined : &soft_spans_second;
-	levels->packed = draw->texture[1].base->format == TEXEL_565 &&
+	spans->table = spans->joined ? &soft_spans_joined
+		: spans->wide        ? &soft_spans_scaled
+				     : &soft_spans_second;
+	levels->packed = !spans->wide &&
+		draw->texture[1].base->format == TEXEL_565 &&
 		!soft_mixes_levels(&draw->texture[1]);
 	return true;
 }

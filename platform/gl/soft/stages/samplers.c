@@ -19,7 +19,7 @@ static ALWAYS_INLINE uint32_t widen_texel(
 	struct soft_kind kind, const struct soft_texel *texel)
 {
 	if (kind.format == TEXEL_8888) {
-		return texel->lanes.red_blue | texel->lanes.green_alpha << 8;
+		return soft_join(texel);
 	}
 	return widen_channel(kind, SOFT_RED, texel) |
 		widen_channel(kind, SOFT_GREEN, texel) << 8 |

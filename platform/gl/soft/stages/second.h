@@ -6,6 +6,7 @@
 #define PLATFORM_GL_SOFT_STAGES_SECOND_H
 
 #include "platform/gl/soft/span/stages.h"
+#include "platform/gl/soft/stages/bytes.h"
 
 /* Fraction bits of a second texel's channel, besides its 5, 6 and 5 bits. */
 static ALWAYS_INLINE int soft_second_fraction(
@@ -33,6 +34,14 @@ static ALWAYS_INLINE void soft_split_second(
 	out->channel[0] = word >> 21; /* the lowest bit belongs to green */
 	out->channel[1] = word << 10 >> 21;
 	out->channel[2] = word << 21 >> 21;
+}
+
+/* Multiplies a texel of RGBA8888 by a second one's bytes. */
+static ALWAYS_INLINE void soft_multiply_texel(
+	struct soft_kind kind, uint32_t second, struct soft_texel *texel)
+{
+	soft_split_texel(
+		kind, soft_multiply_bytes(soft_join(texel), second), texel);
 }
 
 /* Multiplies channels by a second texel's, which have 11 bits. */

@@ -84,14 +84,15 @@ static void choose_level(struct draw *draw, int number, bool small)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct texture_input *input = &draw->texture[0];
-	GLenum min = input->texture->min_filter;
-	bool linear = small ? min == GL_LINEAR || min == GL_LINEAR_MIPMAP_NEAREST
-			    : input->texture->mag_filter == GL_LINEAR;
+	const bool linear = soft_rows_is_linear(
+		small ? input->texture->min_filter : input->texture->mag_filter);
+	const int source = (linear ? SOFT_LINEAR : SOFT_NEAREST) +
+		(int)input->base->format - 1;
 
 	spans->level = number;
 	spans->small = small;
 	spans->view = soft_find_view(input, number, linear);
-	soft_set_functions(spans, small ? spans->min : spans->mag);
+	soft_set_functions(spans, (*spans->table)[source][spans->finish]);
 	soft_use_view(&spans->view, &spans->run);
 	spans->window = spans->view.window;
 	if (spans->joined) {

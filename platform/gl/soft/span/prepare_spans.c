@@ -254,31 +254,6 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		soft_base_has_alpha(input->base->base_format);
 }
 
-static const soft_span_function *find_filter_functions(
-	const struct draw *draw, GLenum filter)
-{
-	const struct soft_spans *spans = &draw->spans;
-	int source = SOFT_NO_TEXTURE;
-
-	if (spans->textured) {
-		source = (soft_rows_is_linear(filter) ? SOFT_LINEAR
-						      : SOFT_NEAREST) +
-			(int)draw->texture[0].base->format - 1;
-	}
-	return (*spans->table)[source][spans->finish];
-}
-
-static void find_functions(const struct draw *draw, struct soft_spans *spans)
-{
-	const struct texture *texture = draw->texture[0].texture;
-
-	spans->min = find_filter_functions(
-		draw, spans->textured ? texture->min_filter : GL_NEAREST);
-	spans->mag = find_filter_functions(
-		draw, spans->textured ? texture->mag_filter : GL_NEAREST);
-	soft_set_functions(spans, spans->mag);
-}
-
 /* Finds whether vertices' colours and alpha are needed. */
 static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 {
@@ -421,8 +396,9 @@ bool soft_prepare_spans(struct draw *draw)
 	find_stages(draw, spans);
 	if (spans->made) {
 		soft_prepare_made(draw);
-	} else {
-		find_functions(draw, spans);
+	} else if (!spans->textured) {
+		soft_set_functions(
+			spans, (*spans->table)[SOFT_NO_TEXTURE][spans->finish]);
 	}
 	return true;
 }

@@ -94,12 +94,10 @@ struct soft_spans {
 	int plain_pixels;             /* longest run without a texture */
 	int longest;                  /* longest run with one */
 	struct soft_scales scales;
-	/* [enum soft_place]: functions of the minifying, magnifying filter */
-	const soft_span_function *min, *mag;
 	/* The level and filter under way */
 	int level;                          /* -1: none is chosen yet */
 	bool small;                         /* minified */
-	const soft_span_function *function; /* min or mag */
+	const soft_span_function *function; /* [enum soft_place] */
 	/* draw runs anywhere or in the window, with all of the state's tests */
 	soft_span_function draw_anywhere, draw;
 	soft_span_function draw_tested; /* draws what untested.c does not */

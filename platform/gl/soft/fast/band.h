@@ -130,10 +130,11 @@ struct flat_color {
  * arm/texture.S and arm/tint.S, or portable/triangles.c: draw a band of at
  * least one row. gray: nearest texels times a gray, rows of up to
  * BAND_GRAY_PIXELS; tint: bilinear ones times a colour. Rows lie inside of the
- * picture, which has the same stride as the depth buffer.
+ * picture, which has the same stride as the depth buffer. band is a struct
+ * band: this is what frame_draw_bands() calls.
  */
-void soft_band_gray(struct band *band);
-void soft_band_tint(struct band *band);
+void soft_band_gray(void *band);
+void soft_band_tint(void *band);
 /* band.c: the same in C, with the same results. */
 void soft_band_gray_c(struct band *band);
 void soft_band_tint_c(struct band *band);

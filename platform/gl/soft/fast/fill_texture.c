@@ -249,16 +249,6 @@ static ALWAYS_INLINE bool is_full(const struct setup *setup)
 	return setup->area > (14 + rows) << 11;
 }
 
-static void draw_gray(void *band)
-{
-	soft_band_gray(band);
-}
-
-static void draw_tinted(void *band)
-{
-	soft_band_tint(band);
-}
-
 static ALWAYS_INLINE bool fill(
 	const struct draw *draw, const struct setup *setup, bool linear)
 {
@@ -297,18 +287,8 @@ static ALWAYS_INLINE bool fill(
 	}
 	set_rows(draw, &small, &band);
 	frame_draw_bands(draw, setup, small.frame.middle_left, &band.edges,
-		linear ? draw_tinted : draw_gray, &band);
+		linear ? soft_band_tint : soft_band_gray, &band);
 	return true;
-}
-
-static bool fill_gray(const struct draw *draw, const struct setup *setup)
-{
-	return fill(draw, setup, false);
-}
-
-static bool fill_tinted(const struct draw *draw, const struct setup *setup)
-{
-	return fill(draw, setup, true);
 }
 
 static bool is_gray(const struct setup *setup)
@@ -327,8 +307,8 @@ void soft_fill_textured(struct draw *draw, struct setup *setup)
 	bool linear = draw->texture[0].texture->mag_filter == GL_LINEAR;
 
 	if (!soft_is_hidden(draw, setup) &&
-		!(linear ? fill_tinted(draw, setup)
-			 : is_gray(setup) && fill_gray(draw, setup))) {
+		!(linear ? fill(draw, setup, true)
+			 : is_gray(setup) && fill(draw, setup, false))) {
 		soft_rows_fill(draw, setup);
 	}
 }

@@ -14,12 +14,12 @@ void soft_narrow_rows(struct narrow *narrow)
 	soft_narrow_rows_c(narrow);
 }
 
-void soft_band_gray(struct band *band)
+void soft_band_gray(void *band)
 {
 	soft_band_gray_c(band);
 }
 
-void soft_band_tint(struct band *band)
+void soft_band_tint(void *band)
 {
 	soft_band_tint_c(band);
 }

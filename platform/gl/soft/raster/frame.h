@@ -203,11 +203,8 @@ static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
 	const struct setup *setup, const int32_t *corner[3])
 {
 	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	bool behind = false;
+	const bool behind = setup->back && draw->shading.two_side;
 
-	if (draw->key & KEY_BY_TRIANGLE) {
-		behind = setup->back && draw->shading.two_side;
-	}
 	corner[0] = behind ? a->back : a->attribute;
 	corner[1] = behind ? b->back : b->attribute;
 	corner[2] = behind ? c->back : c->attribute;

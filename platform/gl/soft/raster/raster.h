@@ -105,12 +105,6 @@ static ALWAYS_INLINE bool raster_bends(
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], uint32_t texel);
 
-/* The attributes that need planes if moving change: red, green, blue together. */
-static ALWAYS_INLINE uint32_t raster_color_planes(uint32_t moving)
-{
-	return moving ? moving | 7u << RED : 0;
-}
-
 /* set_up.c: fills draw->raster: planes and what is constant. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 

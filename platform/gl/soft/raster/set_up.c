@@ -100,7 +100,8 @@ static ALWAYS_INLINE void gather_colors(
 		raster->span.value[i] = (uint32_t)delta[i].first << 8;
 		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
 	}
-	planes = raster_color_planes(bits);
+	/* red, green and blue have planes together */
+	planes = bits ? bits | 7u << RED : 0;
 	for (int i = RED; planes >> i; i++) {
 		if (planes >> i & 1) {
 			uint32_t own =

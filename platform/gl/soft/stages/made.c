@@ -25,9 +25,10 @@ bool soft_mixes_levels(const struct texture_input *input)
 }
 
 /* Chooses the level, or two and their weights: GL ES 1.1 section 3.7.7. */
-static void choose_levels(const struct texture_input *input, int lod,
-	struct soft_made_levels *levels)
+void soft_set_made_levels(struct draw *draw, int unit, int lod)
 {
+	const struct texture_input *input = &draw->texture[unit];
+	struct soft_made_levels *levels = &draw->spans.made_levels[unit];
 	const struct texture *texture = input->texture;
 	bool small = soft_rows_is_small(input, lod),
 	     mixed = soft_mixes_levels(input);
@@ -54,11 +55,6 @@ static void choose_levels(const struct texture_input *input, int lod,
 	levels->view = soft_find_view(input, level, linear);
 	levels->next_view =
 		soft_find_view(input, level < last ? level + 1 : level, linear);
-}
-
-void soft_set_made_levels(struct draw *draw, int unit, int lod)
-{
-	choose_levels(&draw->texture[unit], lod, &draw->spans.made_levels[unit]);
 }
 
 /* A coordinate at a run's start and its step, where nothing is divided. */

@@ -45,8 +45,9 @@ static ALWAYS_INLINE int32_t divide_q29(int32_t x, const struct vertex *vertex)
 		vertex->inverse_w_q30);
 }
 
-static ALWAYS_INLINE void project(const struct view *view, struct vertex *vertex)
+void soft_project(const struct draw *draw, struct vertex *vertex)
 {
+	const struct view *view = &draw->view;
 	const int32_t *c = vertex->clip;
 	int zeros = LEADING_ZEROS_32((uint32_t)c[3]);
 
@@ -60,11 +61,6 @@ static ALWAYS_INLINE void project(const struct view *view, struct vertex *vertex
 		4;
 	vertex->z = mul_high_add(
 		view->center_z, divide_q29(c[2], vertex), view->depth);
-}
-
-void soft_project(const struct draw *draw, struct vertex *vertex)
-{
-	project(&draw->view, vertex);
 }
 
 static ALWAYS_INLINE void find_clip(
@@ -107,6 +103,6 @@ void soft_transform_c(
 	out->shaded = false;
 	out->outcode = find_outcode(out->clip);
 	if (out->outcode == 0) {
-		project(&draw->view, out);
+		soft_project(draw, out);
 	}
 }

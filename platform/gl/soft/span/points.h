@@ -67,9 +67,10 @@ static ALWAYS_INLINE uint32_t larger(uint32_t a, uint32_t b)
 }
 
 /* The largest change of a colour, scaled to weigh as much as one of texels. */
-static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
+static ALWAYS_INLINE uint32_t find_change(const struct draw *draw,
 	const struct colors *from, const struct colors *to)
 {
+	const struct soft_spans *spans = &draw->spans;
 	uint32_t most = larger(distance(from->red, to->red),
 		larger(distance(from->green, to->green),
 			distance(from->blue, to->blue)));
@@ -80,7 +81,7 @@ static ALWAYS_INLINE uint32_t find_change(const struct soft_spans *spans,
 	if (spans->fog_moves) {
 		most = larger(most, distance(from->fog, to->fog));
 	}
-	return most >> spans->color_tolerance;
+	return most >> rows_color_tolerance(draw);
 }
 
 /*
@@ -103,8 +104,8 @@ static ALWAYS_INLINE int find_spacing(const struct draw *draw,
 				distance(from->texels.t, to->texels.t)));
 	}
 	if (kind.colors_divided) {
-		most = larger(most,
-			find_change(&draw->spans, &from->colors, &to->colors));
+		most = larger(
+			most, find_change(draw, &from->colors, &to->colors));
 	}
 	error = (uint64_t)most * distance(from->divisor.q, to->divisor.q);
 	if (error <= allowed && steps <= SMALL_EXTENT) {

@@ -379,7 +379,6 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->table = spans->wide ? &soft_spans_8888 : &soft_spans_565;
 	spans->stenciled = state->stencil.enabled;
 	spans->alpha_tested = is_tested(state);
-	spans->color_tolerance = rows_color_tolerance(draw);
 	choose_making(draw);
 	spans->coverage.used = false;
 	spans->color_mask = find_color_mask(draw->soft);

@@ -73,7 +73,6 @@ struct soft_spans {
 	bool alpha_moves, fog_moves; /* they are not constant in the triangle */
 	bool rare;                   /* alpha_moves, fog_moves or steep */
 	int32_t green_start;      /* green_half, plus alpha if it is constant */
-	int color_tolerance;      /* see rows_color_tolerance() */
 	bool tested_by_functions; /* span functions test depths, and write them */
 	bool equal_passes;        /* their depth test is LEQUAL, else LESS */
 	bool depth_by_less; /* LESS or LEQUAL, no stencil: hidden changes nothing */

@@ -30,8 +30,7 @@ static uint32_t find_fragments(const struct draw *draw)
 	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 
-	return bit_if(state->alpha_test && state->alpha_function != GL_ALWAYS,
-		       KEY_ALPHA_TEST) |
+	return bit_if(draw->spans.alpha_tested, KEY_ALPHA_TEST) |
 		bit_if(draw->fogged, KEY_FOG) | bit_if(draw->added, KEY_ADDED) |
 		bit_if(draw->blended, KEY_BLENDED) |
 		bit_if(draw->blended && !by_alpha, KEY_BLENDED_OTHER);

@@ -266,10 +266,6 @@ static void prepare_fragments(
 	draw->offset = triangles && state->offset_fill;
 	draw->smooth = mode == GL_POINTS ? state->point_smooth
 					 : !triangles && state->line_smooth;
-	draw->hides = state->depth_test && !state->stencil.enabled &&
-		!draw->offset &&
-		(state->depth_function == GL_LESS ||
-			state->depth_function == GL_LEQUAL);
 	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = cull && (both || state->cull_face == GL_BACK);
@@ -341,6 +337,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (!soft_prepare_spans(draw)) {
 		return false;
 	}
+	draw->hides = draw->spans.depth_by_less && !draw->offset;
 	/* Span functions use the first texture's coordinates for both. */
 	if (draw->spans.joined) {
 		draw->texture[1].used = false;

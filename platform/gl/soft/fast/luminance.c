@@ -258,10 +258,10 @@ static ALWAYS_INLINE void set_texels(
 	const int level = tiled->level;
 	struct tile_run *run = &tiled->run;
 
-	run->s = (uint32_t)(at->s >> level) - 0x8000;
-	run->t = (uint32_t)(at->t >> level) - 0x8000;
-	run->s_right = at->s_step >> level;
-	run->t_right = at->t_step >> level;
+	run->s = (uint32_t)(at->at.s >> level) - 0x8000;
+	run->t = (uint32_t)(at->at.t >> level) - 0x8000;
+	run->s_right = at->step.s >> level;
+	run->t_right = at->step.t >> level;
 	choose_places(tiled);
 	run->s_end = &tiled->tiles->patch->s[run->s_right >= 0];
 	run->t_end = &tiled->tiles->patch->t[run->t_right >= 0];

@@ -133,7 +133,10 @@ static ALWAYS_INLINE struct change set_steps(const struct line *line,
 			rows_find_step(from->texels.s, to->texels.s, inverse);
 		out.texels.t =
 			rows_find_step(from->texels.t, to->texels.t, inverse);
-		soft_set_texel_steps(spans, out.texels);
+		if (!spans->made) {
+			soft_set_texel_steps(
+				&spans->view, out.texels, &spans->run);
+		}
 	}
 	if (kind.colors_divided) {
 		out.colors = find_color_steps(

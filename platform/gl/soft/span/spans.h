@@ -41,9 +41,14 @@ struct soft_scales {
 	int32_t red_blue, green, red_blue_half, green_half;
 };
 
-/* A run's first texture coordinates in base texels and their steps, 16.16. */
+/* Coordinates in the base's texels, 16.16. */
+struct texels {
+	int32_t s, t;
+};
+
+/* A run's first texture coordinates and their steps. */
 struct soft_made_at {
-	int32_t s, t, s_step, t_step;
+	struct texels at, step;
 };
 
 /* The level that a made row reads, or the two levels that it mixes. */

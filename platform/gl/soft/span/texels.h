@@ -8,11 +8,6 @@
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
 
-/* Coordinates in the base's texels, 16.16. */
-struct texels {
-	int32_t s, t;
-};
-
 /*
  * cut.c: draws the run that is set up, spans->run, some of whose texels lie
  * outside of the window.
@@ -49,33 +44,23 @@ static ALWAYS_INLINE struct texel_place soft_find_place(int32_t least,
 
 /* Sets a run's steps in the level from those in base texels, rounded. */
 static ALWAYS_INLINE void soft_set_texel_steps(
-	struct soft_spans *spans, struct texels step)
+	const struct soft_view *view, struct texels step, struct soft_run *run)
 {
-	struct soft_run *run = &spans->run;
-
-	if (spans->made) {
-		return;
-	}
-	run->s_right = soft_texel_step(step.s, spans->view.s_shift);
-	run->t_right = soft_texel_step(step.t, spans->view.t_shift);
+	run->s_right = soft_texel_step(step.s, view->s_shift);
+	run->t_right = soft_texel_step(step.t, view->t_shift);
 	run->row.texel_right =
 		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
 }
 
-static ALWAYS_INLINE void soft_set_texels(struct soft_spans *spans,
-	struct texels at, struct texels step, uint32_t count)
+/* Sets the first coordinates of a run of count pixels, whose steps are set. */
+static ALWAYS_INLINE void soft_set_texels(const struct soft_view *view,
+	struct texels at, struct texels step, uint32_t count,
+	struct soft_run *run)
 {
-	struct soft_run *run = &spans->run;
-
-	if (spans->made) {
-		spans->made_at =
-			(struct soft_made_at){at.s, at.t, step.s, step.t};
-		return;
-	}
 	run->s = soft_find_start(at.s, step.s, count >> 1, run->s_right,
-		spans->view.s_shift, spans->view.s_half);
+		view->s_shift, view->s_half);
 	run->t = soft_find_start(at.t, step.t, count >> 1, run->t_right,
-		spans->view.t_shift, spans->view.t_half);
+		view->t_shift, view->t_half);
 }
 
 /*

@@ -68,9 +68,12 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 	for (;; x += most) {
 		const int count = right - x < most ? right - x : most;
 
-		if (kind.textured) {
-			soft_set_texels(spans, at.texels, change.texels,
-				(uint32_t)count);
+		if (kind.textured && spans->made) {
+			spans->made_at =
+				(struct soft_made_at){at.texels, change.texels};
+		} else if (kind.textured) {
+			soft_set_texels(&spans->view, at.texels, change.texels,
+				(uint32_t)count, &spans->run);
 		}
 		if (kind.colors_divided) {
 			set_colors(spans, at.colors.red, at.colors.green,

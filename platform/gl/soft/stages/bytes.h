@@ -75,9 +75,7 @@ static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 static ALWAYS_INLINE uint32_t soft_blend_lanes(
 	uint32_t to, uint32_t own, uint32_t alpha)
 {
-	uint32_t sum = own * alpha + to * (255 - alpha) + 0x00800080;
-
-	return (sum + (sum >> 8 & 0x00FF00FF)) >> 8 & 0x00FF00FF;
+	return soft_divide_lanes(own * alpha + to * (255 - alpha) + 0x00800080);
 }
 
 static ALWAYS_INLINE uint32_t soft_blend_bytes(

@@ -85,9 +85,9 @@ static NEVER_INLINE struct soft_made_at find_second(
 		soft_rows_want_lod(&draw->texture[1])) {
 		soft_set_made_levels(draw, 1, span.lod[1]);
 	}
-	return (struct soft_made_at){(int32_t)span.value[TEX_S + 2],
-		(int32_t)span.value[TEX_S + 3], span.step[TEX_S + 2],
-		span.step[TEX_S + 3]};
+	return (struct soft_made_at){
+		{(int32_t)span.value[TEX_S + 2], (int32_t)span.value[TEX_S + 3]},
+		{span.step[TEX_S + 2], span.step[TEX_S + 3]}};
 }
 
 struct soft_made_at soft_find_made_at(
@@ -97,7 +97,7 @@ struct soft_made_at soft_find_made_at(
 	const struct bent s = find_coordinate(raster, TEX_S + 2 * unit, row);
 	const struct bent t = find_coordinate(raster, TEX_S + 2 * unit + 1, row);
 
-	return (struct soft_made_at){s.value, t.value, s.step, t.step};
+	return (struct soft_made_at){{s.value, t.value}, {s.step, t.step}};
 }
 
 /* Reads a run's texels from a level, as RGBA8888 or packed words. */
@@ -105,16 +105,8 @@ static ALWAYS_INLINE void sample_row(const struct soft_made_levels *levels,
 	const struct soft_view *view, const struct soft_made_at *at,
 	struct soft_run *run)
 {
-	const uint32_t half_count = run->row.count >> 1;
-
-	run->s_right = soft_texel_step(at->s_step, view->s_shift);
-	run->t_right = soft_texel_step(at->t_step, view->t_shift);
-	run->row.texel_right =
-		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
-	run->s = soft_find_start(at->s, at->s_step, half_count, run->s_right,
-		view->s_shift, view->s_half);
-	run->t = soft_find_start(at->t, at->t_step, half_count, run->t_right,
-		view->t_shift, view->t_half);
+	soft_set_texel_steps(view, at->step, run);
+	soft_set_texels(view, at->at, at->step, run->row.count, run);
 	if (soft_find_window(&view->window, view->texel_log2, run)) {
 		levels->sampler[1](run);
 	} else {

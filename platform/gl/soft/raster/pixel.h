@@ -12,20 +12,6 @@ static inline uint16_t pack_565(int red, int green, int blue)
 		(green * 253 + 505) >> 10 << 5 | (blue * 249 + 1014) >> 11);
 }
 
-/*
- * Scale a colour of 8.16 by 31/32 or 63/64 and add half a step, so that its
- * upper five or six bits are the nearest of 0 to 31 or 0 to 63.
- */
-static inline uint32_t round_to_5(uint32_t value)
-{
-	return value - (value >> 5) + (1 << 18);
-}
-
-static inline uint32_t round_to_6(uint32_t value)
-{
-	return value - (value >> 6) + (1 << 17);
-}
-
 /* Expands five and six bits to eight: all ones become 255. */
 static inline void unpack_565(uint16_t pixel, uint8_t out[3])
 {
@@ -61,16 +47,16 @@ static inline uint32_t mix_wide(uint32_t a, uint32_t b, uint32_t share)
 	return (a * 32 + (b - a) * share + WIDE_ROUND) >> 5 & WIDE_MASK;
 }
 
-/* The wide pixel of a colour, 8.16 each. */
-static inline uint32_t widen_color(uint32_t r, uint32_t g, uint32_t b)
-{
-	return (round_to_5(r) >> 19 << 11) | (round_to_6(g) >> 18 << 21) |
-		round_to_5(b) >> 19;
-}
-
+/*
+ * A pixel of colours of 8.16: 31/32 or 63/64 of them and half a step have the
+ * nearest of 0 to 31 or 0 to 63 in their upper bits.
+ */
 static inline uint16_t color_565(uint32_t r, uint32_t g, uint32_t b)
 {
-	return narrow(widen_color(r, g, b));
+	r += (1 << 18) - (r >> 5);
+	g += (1 << 17) - (g >> 6);
+	b += (1 << 18) - (b >> 5);
+	return (uint16_t)(r >> 19 << 11 | g >> 18 << 5 | b >> 19);
 }
 
 /* A pixel in both halves of a word. */

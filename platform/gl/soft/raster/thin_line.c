@@ -133,7 +133,8 @@ static void place_divided_colors(const struct line *values, int x, int count)
 
 	set_steps(values, kind, &from, &to, count - 1);
 	set_colors(spans, from.colors.red, from.colors.green, from.colors.blue);
-	set_more_colors(spans, &from.colors);
+	set_more_colors(
+		spans, &spans->run.row, from.colors.alpha, from.colors.fog);
 }
 
 static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,

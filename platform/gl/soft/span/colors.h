@@ -60,16 +60,14 @@ static ALWAYS_INLINE void set_colors(
 		spans->green_start, green, spans->scales.green);
 }
 
-static ALWAYS_INLINE void set_more_colors(
-	struct soft_spans *spans, const struct colors *at)
+static ALWAYS_INLINE void set_more_colors(const struct soft_spans *spans,
+	struct soft_row *row, int32_t alpha, int32_t fog)
 {
-	struct soft_run *run = &spans->run;
-
 	if (spans->alpha_moves) {
-		run->row.green_alpha += (uint32_t)at->alpha >> 9 << 16;
+		row->green_alpha += (uint32_t)alpha >> 9 << 16;
 	}
 	if (spans->fog_moves) {
-		run->row.fog = (uint32_t)mul_high(at->fog, SOFT_FOG_SCALE);
+		row->fog = (uint32_t)mul_high(fog, SOFT_FOG_SCALE);
 	}
 }
 
@@ -164,7 +162,7 @@ static NEVER_INLINE void place_rare_colors(
 		set_color_steps(spans, &step);
 	}
 	set_colors(spans, from.red, from.green, from.blue);
-	set_more_colors(spans, &from);
+	set_more_colors(spans, &spans->run.row, from.alpha, from.fog);
 }
 
 /* Sets a run's colours, where they are linear in the triangle. */

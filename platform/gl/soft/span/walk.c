@@ -78,7 +78,8 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 		if (kind.colors_divided) {
 			set_colors(spans, at.colors.red, at.colors.green,
 				at.colors.blue);
-			set_more_colors(spans, &at.colors);
+			set_more_colors(spans, &spans->run.row, at.colors.alpha,
+				at.colors.fog);
 		} else if (kind.colored) {
 			place_colors(line, x, count);
 		}

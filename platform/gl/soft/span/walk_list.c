@@ -104,14 +104,8 @@ static NEVER_INLINE void set_rare(
 		row->fog = own->fog;
 		return;
 	}
-	if (spans->alpha_moves) {
-		row->green_alpha += (uint32_t)find_value(&line, ALPHA, x) >> 9
-				<< 16;
-	}
-	if (spans->fog_moves) {
-		row->fog = (uint32_t)mul_high(
-			find_value(&line, FOG, x), SOFT_FOG_SCALE);
-	}
+	set_more_colors(spans, row, find_value(&line, ALPHA, x),
+		find_value(&line, FOG, x));
 }
 
 /* Sets a run's texels; false if it left the window and is drawn already. */

@@ -71,23 +71,19 @@ static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
 #endif
 }
 
-/* Blends bytes 0 and 2 of to with own by alpha / 255, rounded. */
-static ALWAYS_INLINE uint32_t soft_blend_lanes(
-	uint32_t to, uint32_t own, uint32_t alpha)
-{
-	return soft_divide_lanes(own * alpha + to * (255 - alpha) + 0x00800080);
-}
-
+/* Blends each byte of to with own by alpha / 255, rounded. */
 static ALWAYS_INLINE uint32_t soft_blend_bytes(
 	uint32_t to, uint32_t own, uint32_t alpha)
 {
 #ifdef HAS_COLOR_VECTORS
 	return vector_blend(to, own, alpha);
 #else
-	const uint32_t mask = 0x00FF00FF;
+	const uint32_t half = 0x00800080, rest = 255 - alpha;
+	uint32_t rb = BYTES_AS_HALVES(own) * alpha + BYTES_AS_HALVES(to) * rest;
+	uint32_t ga = ODD_BYTES_AS_HALVES(own) * alpha +
+		ODD_BYTES_AS_HALVES(to) * rest;
 
-	return soft_blend_lanes(to & mask, own & mask, alpha) |
-		soft_blend_lanes(to >> 8 & mask, own >> 8 & mask, alpha) << 8;
+	return soft_divide_lanes(rb + half) | soft_divide_lanes(ga + half) << 8;
 #endif
 }
 

@@ -42,11 +42,6 @@ static bool find_alpha_range(
 	return count > 0;
 }
 
-static bool is_tested(const struct fragment_state *state)
-{
-	return state->alpha_test && state->alpha_function != GL_ALWAYS;
-}
-
 static bool is_replaced(const struct texture_input *input)
 {
 	return input->used && input->mode != GL_MODULATE &&
@@ -130,7 +125,7 @@ static void choose_finish(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	const struct fragment_state *state = &draw->soft->fragment;
-	bool tested = is_tested(state), known;
+	bool tested = spans->alpha_tested, known;
 	enum soft_finish finish = tested ? SOFT_TESTED : SOFT_OPAQUE;
 
 	spans->finish = SOFT_OPAQUE;
@@ -373,12 +368,13 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->level = -1;
 	spans->set_level = NULL;
 	spans->white_bits = 0;
+	spans->alpha_tested =
+		state->alpha_test && state->alpha_function != GL_ALWAYS;
 	choose_finish(draw);
 	spans->wide =
 		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last;
 	spans->table = spans->wide ? &soft_spans_8888 : &soft_spans_565;
 	spans->stenciled = state->stencil.enabled;
-	spans->alpha_tested = is_tested(state);
 	choose_making(draw);
 	spans->coverage.used = false;
 	spans->color_mask = find_color_mask(draw->soft);

@@ -248,8 +248,7 @@ struct draw {
 	 */
 	bool packed;
 	bool perspective, eye_needed, fogged;
-	bool shade_more; /* vertices have fog or texture coordinates */
-	int32_t fog_end_q16;
+	bool shade_more;   /* vertices have fog or texture coordinates */
 	int32_t fog_scale; /* 1 / (end - start), fog_scale_q fraction bits */
 	int fog_scale_q;
 	struct shading shading;

@@ -137,7 +137,6 @@ static void prepare_fog(const struct soft *soft, struct draw *draw)
 	float scale = range != 0.0f ? 1.0f / range : 32768.0f;
 
 	draw->fogged = fog->enabled;
-	draw->fog_end_q16 = fog->end;
 	/* fog_scale is 2^28 to 2^29, whatever the range */
 	draw->fog_scale_q = 28 - soft_matrix_exponent(scale);
 	draw->fog_scale = soft_matrix_to_int(

@@ -25,8 +25,8 @@ static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
 
 	if (fog->mode == GL_LINEAR) {
 		/* |difference| < 2^32, |scale| <= 2^29 */
-		return saturate_64(((int64_t)draw->fog_end_q16 - distance_q16) *
-				draw->fog_scale >>
+		return saturate_64(
+			((int64_t)fog->end - distance_q16) * draw->fog_scale >>
 			draw->fog_scale_q);
 	}
 	if (fog->mode == GL_EXP2) {

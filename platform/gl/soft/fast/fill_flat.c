@@ -55,12 +55,12 @@ static void draw_rows(void *given)
 	const struct draw *draw = part->draw;
 	const int from = draw->box.left, to = draw->box.right;
 	const struct flat_color color = draw->flat;
-	struct band_edges edges = part->edges;
+	uint32_t left = part->edges.at[BAND_LEFT];
+	uint32_t right = part->edges.at[BAND_RIGHT];
 	uint8_t *stencil = part->stencil, *pixels = part->pixels;
 
-	for (; edges.rows > 0; band_next_row(&edges)) {
-		int x = band_column(&edges, BAND_LEFT);
-		int end = band_column(&edges, BAND_RIGHT);
+	for (int rows = part->edges.rows; rows > 0; rows--) {
+		int x = (int32_t)left >> 16, end = (int32_t)right >> 16;
 		uint16_t *pixel = (uint16_t *)(void *)pixels;
 
 		x = x > from ? x : from;
@@ -68,10 +68,13 @@ static void draw_rows(void *given)
 		for (; x < end; x++) {
 			draw_pixel(stencil + x, pixel + x, &color);
 		}
+		left += part->edges.step[BAND_LEFT];
+		right += part->edges.step[BAND_RIGHT];
 		stencil += part->stencil_stride;
 		pixels += part->stride_bytes;
 	}
-	part->edges = edges;
+	part->edges.at[BAND_LEFT] = left;
+	part->edges.at[BAND_RIGHT] = right;
 	part->stencil = stencil;
 	part->pixels = pixels;
 }

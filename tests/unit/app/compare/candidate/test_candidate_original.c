@@ -145,6 +145,7 @@ static void test_a_target_counts_the_arrays_that_it_has(void **state)
 	static const float moved[VERTICES][3] = {{1.0f}};
 	struct model_deltas deltas = model_deltas_view(moved, VERTICES);
 	struct model_target target[2] = {{.position = {0}}};
+	float weight[2] = {0, 0};
 	struct candidate_bytes least;
 	struct skinned_grid grid;
 
@@ -152,6 +153,8 @@ static void test_a_target_counts_the_arrays_that_it_has(void **state)
 	make_grid(&grid, 1);
 	grid.model->mesh->target_count = 2;
 	grid.model->mesh->primitive->target = target;
+	grid.model->weight_count = 2;
+	grid.model->rest_weights = weight;
 	target[0].position = deltas;
 	least = bytes_of(grid.model);
 	for (int arrays = 1; arrays <= 3; arrays++) {

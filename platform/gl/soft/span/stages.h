@@ -201,7 +201,14 @@ static ALWAYS_INLINE int soft_fraction(
 		soft_field(kind.format, channel).bits - bits;
 }
 
-/* The same after fog, which halves channels. */
+/* Half of the picture's lowest bit, in the channel's unit. */
+static ALWAYS_INLINE int32_t soft_half(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	return 1 << (soft_fraction(kind, channel) - 1);
+}
+
+/* soft_fraction() after fog, which halves channels. */
 static ALWAYS_INLINE int soft_last_fraction(
 	struct soft_kind kind, enum soft_channel channel)
 {

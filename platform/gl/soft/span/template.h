@@ -14,13 +14,6 @@
 #include "platform/gl/soft/stages/bytes.h"
 #include "platform/gl/soft/stages/second.h"
 
-/* Half of the picture's lowest bit, in the channel's unit. */
-static ALWAYS_INLINE int32_t soft_half(
-	struct soft_kind kind, enum soft_channel channel)
-{
-	return 1 << (soft_fraction(kind, channel) - 1);
-}
-
 /*
  * Constants of a run, from soft_fragment_stages. Fog computes fog + (color - far)
  * * share for a channel; to add a colour to all fragments, -far is that colour.
@@ -411,8 +404,6 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	if (soft_counts_by_green(kind)) {
 		steps->colors[1] =
 			(count > 1 ? run->green_alpha_right : 0) - 0x10000;
-	}
-	if (soft_counts_by_green(kind)) {
 		at.green_alpha &= soft_tests_texel(kind) ? 0xFFFF : UINT32_MAX;
 		at.green_alpha += (count - 1) << 16;
 	}

@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.353e+04, 2.111e+04}, /* frame */
-	{0.7595, 0.3395},       /* pixel */
-	{1.736e+04, 6565},      /* call */
-	{112.4, 59.59},         /* listed */
-	{345.7, 74.23},         /* vertex */
-	{150.9, 77.25},         /* again */
-	{343.1, 159},           /* single */
-	{222.9, 213.3},         /* shaded */
-	{9.9, 11.35},           /* hidden */
-	{1202, 461.1},          /* skipped */
-	{4.11, 3.08},           /* fine */
-	{227, 109},             /* flat triangle */
-	{85.45, 57.25},         /* flat row */
-	{16.96, 12.33},         /* flat pixel */
-	{612.5, 187.7},         /* plain triangle */
-	{20.32, 21.4},          /* plain row */
-	{14.67, 6.262},         /* plain pixel */
-	{747.7, 545.4},         /* textured triangle */
-	{110.8, 0},             /* textured row */
-	{100.6, 67.05},         /* textured pixel */
-	{3.256e+04, 9453},      /* backdrop triangle */
-	{70.87, 26.98},         /* backdrop row */
-	{1.477, 0.5064},        /* backdrop pixel */
-	{3.783e+04, 1.111e+04}, /* ground triangle */
-	{123.9, 49.61},         /* ground row */
-	{6.086, 0.4912},        /* ground pixel */
-	{457.3, 337.4},         /* spans triangle */
-	{204.9, 132.4},         /* spans row */
-	{22.21, 14.64},         /* spans pixel */
-	{2151, 1036},           /* spans textured triangle */
-	{210.5, 79.43},         /* spans textured row */
-	{78.77, 52.1},          /* spans textured pixel */
-	{9740, 7340},           /* spans divided triangle */
-	{691.1, 359.6},         /* spans divided row */
-	{93.58, 58.11},         /* spans divided pixel */
-	{2976, 1161},           /* spans nearest triangle */
-	{311.4, 145.2},         /* spans nearest row */
-	{39.13, 27.54},         /* spans nearest pixel */
-	{2853, 1788},           /* mixed triangle */
-	{203.8, 108.1},         /* mixed row */
-	{49.63, 32.24},         /* mixed pixel */
-	{3308, 1321},           /* tested triangle */
-	{259.4, 157.1},         /* tested row */
-	{126.3, 84.05},         /* tested pixel */
-	{3761, 2464},           /* tested spans triangle */
-	{415.2, 254.4},         /* tested spans row */
-	{123.2, 78.26},         /* tested spans pixel */
-	{4053, 1426},           /* mixed textured triangle */
-	{287.2, 166.6},         /* mixed textured row */
-	{131.2, 85.5},          /* mixed textured pixel */
-	{3689, 2570},           /* mixed spans triangle */
-	{151.5, 124},           /* mixed spans row */
-	{152.6, 81.49},         /* mixed spans pixel */
-	{5079, 4088},           /* mixed divided triangle */
-	{1152, 597},            /* mixed divided row */
-	{132.8, 85.73},         /* mixed divided pixel */
-	{299, 123.5},           /* colored triangle */
+	{3.305e+04, 2.153e+04}, /* frame */
+	{0.6623, 0.2468},       /* pixel */
+	{1.823e+04, 6876},      /* call */
+	{104.5, 50.74},         /* listed */
+	{351.3, 77.47},         /* vertex */
+	{125.2, 70.97},         /* again */
+	{331.7, 155.1},         /* single */
+	{267.7, 242.1},         /* shaded */
+	{13.57, 14.11},         /* hidden */
+	{1316, 484.9},          /* skipped */
+	{3.897, 2.777},         /* fine */
+	{192.2, 84.59},         /* flat triangle */
+	{74.36, 45.84},         /* flat row */
+	{15.47, 11.86},         /* flat pixel */
+	{612.8, 223.9},         /* plain triangle */
+	{26.03, 25.18},         /* plain row */
+	{12.95, 5.293},         /* plain pixel */
+	{683.7, 512.6},         /* textured triangle */
+	{105.3, 0},             /* textured row */
+	{101.2, 66.77},         /* textured pixel */
+	{2.993e+04, 8037},      /* backdrop triangle */
+	{66.89, 24.67},         /* backdrop row */
+	{0.0589, 0},            /* backdrop pixel */
+	{3.669e+04, 1.153e+04}, /* ground triangle */
+	{124.4, 53.84},         /* ground row */
+	{8.222, 1.306},         /* ground pixel */
+	{458.1, 276.5},         /* spans triangle */
+	{204.6, 135.7},         /* spans row */
+	{22.48, 14.44},         /* spans pixel */
+	{1687, 416.5},          /* spans textured triangle */
+	{136.7, 28.04},         /* spans textured row */
+	{78.56, 51.91},         /* spans textured pixel */
+	{6395, 4214},           /* spans divided triangle */
+	{714.7, 382.9},         /* spans divided row */
+	{92.38, 55.94},         /* spans divided pixel */
+	{3142, 1177},           /* spans nearest triangle */
+	{324.1, 146.7},         /* spans nearest row */
+	{38.12, 27.51},         /* spans nearest pixel */
+	{3225, 1894},           /* mixed triangle */
+	{209.6, 115.7},         /* mixed row */
+	{50, 32.24},            /* mixed pixel */
+	{3685, 1375},           /* tested triangle */
+	{263.7, 155.8},         /* tested row */
+	{121.1, 81.66},         /* tested pixel */
+	{3414, 2221},           /* tested spans triangle */
+	{351.3, 224.4},         /* tested spans row */
+	{135, 80.98},           /* tested spans pixel */
+	{3677, 956.8},          /* mixed textured triangle */
+	{247, 113},             /* mixed textured row */
+	{143.8, 100.8},         /* mixed textured pixel */
+	{3380, 2156},           /* mixed spans triangle */
+	{209.4, 142.7},         /* mixed spans row */
+	{156.2, 87.47},         /* mixed spans pixel */
+	{5099, 4108},           /* mixed divided triangle */
+	{1178, 611.6},          /* mixed divided row */
+	{133.9, 85.34},         /* mixed divided pixel */
+	{254.1, 90},            /* colored triangle */
 	{0, 0},                 /* colored row */
-	{3.39, 1.463},          /* colored pixel */
-	{2580, 1316},           /* bent triangle */
-	{352.8, 200.9},         /* bent row */
-	{4.046, 2.734},         /* bent pixel */
+	{3.708, 1.32},          /* colored pixel */
+	{2998, 1502},           /* bent triangle */
+	{409.9, 241.7},         /* bent row */
+	{3.971, 2.744},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.002, 0.9976},        /* deep row */
-	{1.859, 1.319},         /* deep pixel */
-	{671.1, 360.2},         /* second triangle */
-	{166, 83.03},           /* second row */
-	{46.08, 23.51},         /* second pixel */
-	{315.8, 211.9},         /* crossed triangle */
-	{186.8, 120.2},         /* crossed row */
-	{3.289, 2.669},         /* crossed pixel */
+	{1.002, 0.9993},        /* deep row */
+	{2.107, 1.731},         /* deep pixel */
+	{659.8, 355.8},         /* second triangle */
+	{162.5, 82.16},         /* second row */
+	{45.6, 23.68},          /* second pixel */
+	{314.6, 210.9},         /* crossed triangle */
+	{185.4, 119.8},         /* crossed row */
+	{3.342, 2.8},           /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

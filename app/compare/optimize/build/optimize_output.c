@@ -153,12 +153,13 @@ static void set_bounds(json_t *json, const struct optimize_array *array)
 
 static json_t *accessor_json(const struct optimize_array *array)
 {
-	static const char *const vectors[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
-	static const char *const matrices[] = {"MAT2", "MAT3", "MAT4"};
+	static const char *const vectors[] = {
+		[1] = "SCALAR", [2] = "VEC2", [3] = "VEC3", [4] = "VEC4"};
+	static const char *const matrices[] = {
+		[2] = "MAT2", [3] = "MAT3", [4] = "MAT4"};
 	json_t *json = json_pack("{s:i, s:i, s:s}", "componentType",
 		(int)array->component, "count", array->count, "type",
-		array->rows > 0 ? matrices[array->rows - 2]
-				: vectors[array->width - 1]);
+		array->rows > 0 ? matrices[array->rows] : vectors[array->width]);
 
 	if (array->normalized) {
 		json_object_set_new(json, "normalized", json_true());

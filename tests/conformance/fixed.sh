@@ -8,7 +8,7 @@
 samples=$1
 host=$2
 shift 2
-times='0 0.21 0.5 1.3'
+times='0.21 1.3'
 influences='--influences 2'
 
 # pose_with NAME COMMAND...: writes the pose to $scratch/NAME.obj.

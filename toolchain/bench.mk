@@ -19,7 +19,7 @@ BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
 PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
-	build/bench-models/worm.glb build/bench-models/tail.glb \
+	build/bench-models/tail.glb \
 	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))

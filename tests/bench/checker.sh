@@ -36,18 +36,18 @@ expect_no_err
 
 awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.07 } { print }' \
     "$figures" >"$scratch/faster"
-check_against "$scratch/faster" --rows lerp
+check_against "$scratch/faster" --rows lerp --kernel fixed
 expect_failures 'a loop that got 7% slower is noticed' 'lerp fixed warm'
 
 awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 * 1.3 } { print }' \
     "$figures" >"$scratch/slower"
-check_against "$scratch/slower" --rows lerp
+check_against "$scratch/slower" --rows lerp --kernel fixed
 expect_failures 'a loop that takes far less than before is noticed' \
     'lerp fixed warm'
 
 awk '$1 == "lerp" && $2 == "fixed" && $3 == "warm" { $4 = $4 / 1.03 } { print }' \
     "$figures" >"$scratch/near"
-check_against "$scratch/near" --rows lerp
+check_against "$scratch/near" --rows lerp --kernel fixed
 expect_status 0
 
 check_against "$figures" --rows skin-1 --kernel an4044 --model-options ddr=110
@@ -55,12 +55,12 @@ expect_failures 'slower memory is noticed where memory is used' \
     'skin-1 an4044 cold'
 
 grep -v '^lerp float' "$figures" >"$scratch/fewer"
-check_against "$scratch/fewer" --rows lerp
+check_against "$scratch/fewer" --rows lerp --kernel float
 expect_failures 'a figure that was never recorded is noticed' \
     'lerp float warm,lerp float cold,lerp float instructions'
 
 echo 'lerp float hot 1' | cat "$figures" - >"$scratch/more"
-check_against "$scratch/more" --rows lerp
+check_against "$scratch/more" --rows lerp --kernel float
 expect_failures 'a figure that is measured no more is noticed' \
     'lerp float hot is recorded'
 

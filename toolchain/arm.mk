@@ -19,7 +19,7 @@ LIBS_arm := -L$(SYSROOT)/usr/lib/arm-linux-gnueabi \
 	-l:libjansson.a -l:libpng16.a -l:libz.a -l:libgif.a \
 	-l:libgpiod.a -l:libdrm.a -l:libinih.a \
 	-l:libjpeg.so -lm -ldl $(HARDENING_LIBS)
-TEST_LDFLAGS_arm := -Wl,--strip-debug $(CHECKED_LOCKS)
+TEST_LDFLAGS_arm = -Wl,--strip-debug $(CHECKED_LOCKS) $(call gold,$(ARM_PREFIX)ld.gold)
 RUN_arm := qemu-arm -cpu arm1136 -L $(SYSROOT)
 build/sysroot.stamp: toolchain/sysroot.sh toolchain/packages/sysroot.txt \
 		toolchain/packages/sysroot.sha256 \

@@ -22,7 +22,7 @@ LIBS_host := -lgif -lm -ldl $(HARDENING_LIBS)
 RUN_host :=
 # Two hundred test programs with debug information of their own would take 3 GB.
 # With make TEST_LDFLAGS_host= a debugger knows their lines.
-TEST_LDFLAGS_host := -Wl,--strip-debug $(CHECKED_LOCKS)
+TEST_LDFLAGS_host = -Wl,--strip-debug $(CHECKED_LOCKS) $(call gold,ld.gold)
 
 # The sanitizers check memory accesses, leaks and undefined behaviour. Their reports
 # need lines alone: to follow variables, too, takes GCC two thirds more time.
@@ -52,7 +52,7 @@ build/arm/obj/tests/unit/%.o: CFLAGS_arm += -O1 -g1
 build/asan/obj/tests/unit/%.o: CFLAGS_asan += -O0 -Wno-maybe-uninitialized
 # The tests share one library: linked into each, it would take 13 GB.
 TEST_LIBRARY_asan := liblimber.so
-TEST_LDFLAGS_asan := -Wl,-rpath,'$$ORIGIN/..'
+TEST_LDFLAGS_asan = -Wl,-rpath,'$$ORIGIN/..' $(call gold,ld.gold)
 GL_DRIVERS_asan := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_asan := $(DISPLAY_DRIVERS_host)
 BUTTON_DRIVERS_asan := $(BUTTON_DRIVERS_host)

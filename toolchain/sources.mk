@@ -84,3 +84,5 @@ SUPPORT_SOURCES := $(call c_files,tests/support)
 # What tests/support/locks.c checks.
 CHECKED_LOCKS := -Wl,--wrap=pthread_mutex_unlock -Wl,--wrap=pthread_cond_wait \
 	-Wl,--wrap=pthread_cond_timedwait
+# Links tests in half of the time, where this linker is installed.
+gold = $(if $(shell command -v $(1)),-fuse-ld=gold)

@@ -94,14 +94,17 @@ suite = $(1) $(2)$(newline)
 # These take minutes in qemu-arm. What they test is the same C in floats on every
 # machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels
 # to the pixel, characters to the byte, and the figures of limber compare.
-TESTS_arm := $(filter-out test_framing test_candidate_error test_character_gait,$(TESTS))
+TESTS_arm := $(filter-out test_framing test_framing_motion test_candidate_error \
+	test_character_gait test_demo_crowd test_optimize test_lod_models \
+	test_viewer_reload,$(TESTS))
 TESTS_host := $(TESTS)
-TESTS_asan := $(TESTS)
+# These judge what others run with the sanitizers, over thousands of pictures and poses.
+TESTS_asan := $(filter-out test_framing test_candidate_error test_character_gait,$(TESTS))
 unit_suites = $(foreach test,$(TESTS_$(1)),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
 # Tests of what reads files, run by valgrind, which finds values that are used and
 # were never written. The sanitizers do not.
-MEMCHECK_TESTS := $(filter test_model_% test_xfile% test_levels% test_split \
+MEMCHECK_TESTS := $(filter test_model_% test_xfile% test_levels_file test_split \
 	test_config% test_preset_file test_option% test_%_spec \
 	test_character_mistakes test_character_statements test_button%,$(TESTS))
 memcheck_suites = $(foreach test,$(MEMCHECK_TESTS),$(call \
@@ -129,9 +132,8 @@ golden_suite = $(call suite,$(1)/golden-$(2),PICTURES='$(3)' tests/golden/golden
 # Mesa takes seconds for each picture in qemu-arm, where it is softpipe. These use all
 # of GL that the others do; golden-exact draws all of them on ARM.
 empty :=
-PICTURES_SOFTPIPE := $(subst $(empty) ,|,arm-1 face-4 viewer walker-cape camera-behind \
-	camera-screen crowd duel-heat show-skeleton show-weights show-wireframe show-keys \
-	show-curve ground arm-top)
+PICTURES_SOFTPIPE := $(subst $(empty) ,|,arm-1 walker-cape camera-screen show-wireframe \
+	show-curve ground)
 
 # Short suites come last, so that both processors are busy until the end.
 define CHECK_SUITES

@@ -8,7 +8,7 @@ import re
 from harness import (BY_HAND, booted, check, done, limber_memory_kib, links,
                      note, pause, save, start_limber, stop_limber)
 
-SECONDS = float(os.environ.get("SOAK_S", 60))
+SECONDS = float(os.environ.get("SOAK_S", 36))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = 100
 # A frame of the walker's hills takes up to 50 ms.

@@ -11,6 +11,9 @@ define driver_list
 	$(Q)cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 endef
 
+# $(call flags_of,OPTION,PACKAGES): the command that prints a compiler's flags.
+flags_of = $(if $(strip $(2)),pkg-config $(1) $(2))
+
 # The file that sets a target's packages, where that is not host.mk.
 packages_of_arm := arm
 packages_of_fuzz := check
@@ -42,13 +45,13 @@ build/$(1)/gen/kernel_drivers.h: toolchain/sources.mk | build/$(1)/packages.stam
 
 # Installs the target's packages, then asks pkg-config for the libraries' flags.
 build/$(1)/packages.stamp: $$(patsubst %,toolchain/packages/%.txt,$$(SETS_$(1))) \
-		toolchain/$(or $(packages_of_$(1)),host).mk
+		toolchain/$(or $(packages_of_$(1)),host).mk toolchain/build.mk
 	$$(Q)mkdir -p $$(@D)
 	$$(Q)toolchain/install.sh $$(SETS_$(1))
-	$$(Q)$$(if $$(PACKAGES_$(1)),pkg-config --cflags $$(PACKAGES_$(1))) \
+	$$(Q)$$(call flags_of,--cflags,$$(PACKAGES_$(1)) $$(OPENED_$(1))) \
 		>build/$(1)/cflags
-	$$(Q)$$(if $$(PACKAGES_$(1)),pkg-config --libs $$(PACKAGES_$(1))) \
-		>build/$(1)/libs
+	$$(Q)$$(call flags_of,--libs,$$(PACKAGES_$(1))) >build/$(1)/libs
+	$$(Q)$$(call flags_of,--libs,$$(OPENED_$(1))) >build/$(1)/opened
 	$$(Q)touch $$@
 
 build/$(1)/obj/%.o: %.c | build/$(1)/packages.stamp $$(LISTS_$(1))
@@ -87,7 +90,7 @@ build/$(1)/unit/test_%: \
 	$$(call say,LINK,$$@)
 	$$(Q)$$(CC_$(1)) $$(CFLAGS_$(1)) $$(TEST_LDFLAGS_$(1)) -o $$@ \
 		$$(filter %.o,$$^) $$(filter %.a %.so,$$^) @build/$(1)/libs \
-		$$(LIBS_$(1)) -lcmocka
+		$$(LIBS_$(1)) -lcmocka -Wl,--as-needed @build/$(1)/opened
 
 -include $$(shell find build/$(1)/obj -name '*.d' 2>/dev/null)
 endef

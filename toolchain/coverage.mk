@@ -12,6 +12,7 @@ build/coverage/obj/platform/process/confine_files.o: \
 	CFLAGS_coverage += -DCOUNTERS='"$(CURDIR)/build/coverage/obj/counters"'
 SETS_coverage := host font coverage
 PACKAGES_coverage := $(PACKAGES_host)
+OPENED_coverage := $(OPENED_host)
 LIBS_coverage := -lgif -lm -ldl --coverage
 RUN_coverage :=
 GL_DRIVERS_coverage := $(GL_DRIVERS_host)

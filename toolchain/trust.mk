@@ -49,6 +49,7 @@ CFLAGS_reached := -O1 -g1 -fPIE -fno-inline -finstrument-functions \
 	-Wno-maybe-uninitialized
 SETS_reached := host font
 PACKAGES_reached := $(PACKAGES_host)
+OPENED_reached := $(OPENED_host)
 LIBS_reached := $(LIBS_host)
 GL_DRIVERS_reached := $(GL_DRIVERS_host)
 DISPLAY_DRIVERS_reached := $(DISPLAY_DRIVERS_host)

@@ -11,6 +11,9 @@
 #define PRINTF_LIKE(format_index, first_argument) \
 	__attribute__((format(printf, format_index, first_argument)))
 
+/* The type of a pointer to a function that a header declares. */
+#define POINTER_TO(function) __typeof__(function) *
+
 #define ARRAY_COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* For small functions whose constant arguments must be folded by inlining. */

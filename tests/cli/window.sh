@@ -25,6 +25,32 @@ expect_refusal 1 '/dev/null: does not answer as a framebuffer'
 DISPLAY=:59000 limber "$slider" --display window --frames 1
 expect_refusal 1 'there is no desktop|the desktop that .* names does not answer'
 
+# Where SDL's library is missing: the loader takes this file for it.
+mkdir "$scratch/broken"
+: >"$scratch/broken/libSDL2-2.0.so.0"
+for command in "play $slider --display window --frames 1" doctor; do
+    # shellcheck disable=SC2086 # a command and its arguments
+    SDL_VIDEODRIVER=dummy LD_LIBRARY_PATH=$scratch/broken limber $command
+    expect_status 1
+    cat "$out_file" >>"$err_file"
+    expect_err 'there is no libSDL2-2\.0\.so\.0 on this machine .*'
+    expect_err 'install .*libsdl2-2\.0-0'
+done
+if [ -e /dev/fb0 ] || [ -e /dev/dri/card0 ]; then
+    skip 'limber without SDL and without a screen' 'this machine has a screen'
+else
+    SDL_VIDEODRIVER=dummy LD_LIBRARY_PATH=$scratch/broken limber "$slider" --frames 1
+    expect_status 1
+    expect_err '^limber: --display: found no screen '
+fi
+SDL_VIDEODRIVER=dummy limber play "$slider" --display window --frames 2
+expect_status 0
+expect_no_err
+# What shows nothing opens no library of the desktop.
+LD_LIBRARY_PATH=$scratch/broken limber play "$slider" --display null --frames 2
+expect_status 0
+expect_no_err
+
 mkfifo "$scratch/number"
 Xvfb -displayfd 3 -screen 0 800x600x24 -noreset -nolisten tcp \
     3>"$scratch/number" >"$scratch/xvfb.log" 2>&1 &

@@ -38,6 +38,7 @@ class Case:
     arguments: list
     files: tuple = ()
     given: dict = dataclasses.field(default_factory=dict)  # copies of files
+    variables: dict = dataclasses.field(default_factory=dict)  # of the environment
     varying: tuple = ()           # files that hold times
     prints_the_same: bool = True  # not if it prints times
     statuses: tuple = (0,)
@@ -138,7 +139,10 @@ CASES = [
     Case('play-image', PLAY + ['--display', 'image', '-o', 'x.png', SLIDER],
          files=('x.png',)),
     Case('play-osmesa', PLAY + ['--gl', 'osmesa', SLIDER], own_memory=True,
-         kinds=('alloc',)),
+         kinds=('alloc', 'library')),
+    Case('play-window', PLAY + ['--display', 'window', SLIDER],
+         variables={'SDL_VIDEODRIVER': 'dummy'}, own_memory=True,
+         kinds=('alloc', 'library')),
     Case('show-walker', RENDER + ['--demo', 'walker', '--show',
                                   'skeleton,weights,wireframe,layers'],
          files=('x.png',)),

@@ -1,4 +1,4 @@
-/* Calls of files, devices and threads that fail. */
+/* Calls of files, devices, threads and libraries that fail. */
 #include "faults.h"
 
 #include <errno.h>
@@ -198,4 +198,16 @@ int pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
 
 	return faults_next_fails(THREAD) ? EAGAIN
 					 : next(thread, attributes, run, user);
+}
+
+/* dlerror() then names a library that does not exist. */
+void *dlopen(const char *path, int flags)
+{
+	FAULTS_NEXT(dlopen)
+
+	if (faults_watches(__builtin_return_address(0)) &&
+		faults_next_fails(LIBRARY)) {
+		path = "libfault.so";
+	}
+	return next(path, flags);
 }

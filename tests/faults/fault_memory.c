@@ -65,17 +65,17 @@ int pthread_getattr_np(pthread_t thread, pthread_attr_t *attributes)
 	return status;
 }
 
-static bool allocation_fails(const void *caller)
+bool faults_watches(const void *caller)
 {
 	const char *at = caller;
 
-	if (asks_for_bounds) {
-		return false;
-	}
-	if (program_end && (at < program_begin || at >= program_end)) {
-		return false;
-	}
-	return faults_next_fails(ALLOC);
+	return !program_end || (at >= program_begin && at < program_end);
+}
+
+static bool allocation_fails(const void *caller)
+{
+	return !asks_for_bounds && faults_watches(caller) &&
+		faults_next_fails(ALLOC);
 }
 
 void faults_watch_program(void)

@@ -5,8 +5,8 @@
  * start of main(); KIND:N+ makes that call and all later ones fail. Without
  * FAULT nothing fails. README.md lists the kinds. Four more variables:
  *
- *	FAULT_CALLER=program  only allocations that the program itself asks for
- *	                      count, not those of its libraries
+ *	FAULT_CALLER=program  only allocations and libraries that the program
+ *	                      itself asks for count, not those of its libraries
  *	FAULT_REPORT=FILE     gets the number of calls of each kind
  *	FAULT_SITES=N         the report also names the first call of each site
  *	FAULT_TRACE=1         prints where the call failed, in a program under
@@ -24,7 +24,7 @@
 
 static const char *const kind_names[KINDS] = {"alloc", "open", "stat", "read",
 	"read-short", "write", "write-short", "fsync", "close", "rename",
-	"mmap", "ioctl", "thread"};
+	"mmap", "ioctl", "thread", "library"};
 
 static atomic_bool counting; /* between the start and the end of main() */
 static atomic_long calls[KINDS];

@@ -27,6 +27,7 @@ enum kind {
 	MMAP,
 	IOCTL,
 	THREAD,
+	LIBRARY,
 	KINDS
 };
 
@@ -54,8 +55,11 @@ FILE *faults_open_stream(const char *path, const char *mode);
 /* Makes standard output such a stream. */
 void faults_watch_stdout(void);
 
-/* Lets only allocations that the program itself asks for count. */
+/* Lets only allocations and libraries that the program itself asks for count. */
 void faults_watch_program(void);
+
+/* Whether an allocation or a library that this caller asks for counts. */
+bool faults_watches(const void *caller);
 
 /* Begins a replacement of a function: next is what it forwards to. */
 #define FAULTS_NEXT(name)                                  \

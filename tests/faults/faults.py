@@ -83,6 +83,7 @@ class Run:
         environment.pop('WAYLAND_DISPLAY', None)
         if not fault and not options.every:
             environment['FAULT_SITES'] = str(options.frames)
+        environment.update(case.variables)
         if case.own_memory:
             environment['FAULT_CALLER'] = 'program'
         if fault:

@@ -69,6 +69,9 @@ expect_status 0
 deb=$(echo build/package/limber_*_"$(dpkg --print-architecture)".deb)
 check 'the package names what it needs' sh -c \
     "dpkg-deb -f '$deb' Depends | grep -q 'libc6 .*libjansson4'"
+check 'the package can do without SDL, which windows need' sh -c \
+    "dpkg-deb -f '$deb' Recommends | grep -qx libsdl2-2.0-0 &&
+    ! dpkg-deb -f '$deb' Depends | grep -q sdl"
 mkdir -p "$scratch/system" "$scratch/admin/info" "$scratch/admin/updates" \
     "$scratch/admin/triggers"
 : >"$scratch/admin/status"

@@ -24,5 +24,7 @@ depends=$(cd "$work" && dpkg-shlibdeps -O "$program" 2>/dev/null |
     exit 1
 }
 
-made=$("$(dirname "$0")/pack.sh" "$stage" "$out" "$version" "$architecture" "$depends")
+# dpkg-shlibdeps does not see SDL, which limber opens with its first window.
+made=$("$(dirname "$0")/pack.sh" "$stage" "$out" "$version" "$architecture" \
+    "$depends" libsdl2-2.0-0)
 echo "  DEB     $made"

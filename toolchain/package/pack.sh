@@ -1,18 +1,20 @@
 #!/bin/sh
-# pack.sh STAGE OUT VERSION ARCHITECTURE DEPENDS: packs the tree STAGE as
-# limber's Debian package in the folder OUT and prints the package's name. The
-# same tree always gives the same bytes.
+# pack.sh STAGE OUT VERSION ARCHITECTURE DEPENDS [RECOMMENDS]: packs the tree
+# STAGE as limber's Debian package in the folder OUT and prints the package's
+# name. The same tree always gives the same bytes.
 set -eu
 stage=$1
 package=$2/limber_$3_$4.deb
 
 mkdir -p "$stage/DEBIAN"
-cat >"$stage/DEBIAN/control" <<END
+# A field without a value is left out.
+sed '/: $/d' >"$stage/DEBIAN/control" <<END
 Package: limber
 Version: $3
 Architecture: $4
 Maintainer: The limber project <limber@localhost>
 Depends: $5
+Recommends: ${6-}
 Suggests: libosmesa6, libegl1, libgles1
 Section: graphics
 Priority: optional

@@ -1,12 +1,14 @@
 #include "platform/camera/v4l2/convert_library.h"
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/types.h>
 
 #include <libv4l-plugin.h>
+
+#include "platform/base/compiler.h"
+#include "platform/process/library.h"
 
 enum {
 	LIST_MAX = 64
@@ -27,28 +29,22 @@ struct convert_library {
 		int from_size, unsigned char *to, int to_size);
 };
 
-/* Writes the function's address to out. ISO C cannot convert a data pointer to
- * a function pointer, but POSIX guarantees that they are represented alike. */
-static int find_function(void *handle, const char *name, void *out, size_t size)
-{
-	void *address = dlsym(handle, name);
+static const struct library_slot slots[] = {
+	{"v4lconvert_create_with_dev_ops",
+		offsetof(struct convert_library, create)},
+	{"v4lconvert_destroy", offsetof(struct convert_library, destroy)},
+	{"v4lconvert_convert", offsetof(struct convert_library, convert)},
+};
 
-	memcpy(out, &address, size);
-	return address ? 0 : -ENOENT;
-}
-
+/* The functions of library must be NULL. */
 static int load(struct convert_library *library)
 {
-	void *handle = dlopen(
-		"libv4lconvert.so.0", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+	static const char *const names[] = {"libv4lconvert.so.0", NULL};
+	void *handle = library_open(names, NULL);
 
 	if (!handle ||
-		find_function(handle, "v4lconvert_create_with_dev_ops",
-			&library->create, sizeof(library->create)) ||
-		find_function(handle, "v4lconvert_destroy", &library->destroy,
-			sizeof(library->destroy)) ||
-		find_function(handle, "v4lconvert_convert", &library->convert,
-			sizeof(library->convert))) {
+		library_fill(library, slots, (int)ARRAY_COUNT(slots),
+			library_find, handle)) {
 		return -ENOENT;
 	}
 	return 0;
@@ -56,7 +52,7 @@ static int load(struct convert_library *library)
 
 bool convert_library_is_available(void)
 {
-	struct convert_library library;
+	struct convert_library library = {NULL};
 
 	return load(&library) == 0;
 }

@@ -5,17 +5,18 @@
  * --gl osmesa would bring a second copy of Mesa into the same thread, and each
  * copy would use the other's context.
  */
-#include <SDL.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "platform/base/compiler.h"
 #include "platform/display/display.h"
+#include "platform/display/window/sdl.h"
 #include "platform/display/window/window_survey.h"
 
 struct display {
 	struct log log;
+	struct sdl sdl;
 	SDL_Window *window;
 	enum pixel_format format;
 	struct pixels pixels;
@@ -53,9 +54,9 @@ static bool window_probe(void)
 }
 
 /* Without a desktop SDL chooses a driver that shows nothing. */
-static bool is_visible(void)
+static bool is_visible(const struct display *display)
 {
-	const char *driver = SDL_GetCurrentVideoDriver();
+	const char *driver = display->sdl.GetCurrentVideoDriver();
 
 	return is_set("SDL_VIDEODRIVER") ||
 		(driver &&
@@ -67,7 +68,7 @@ static int failed(const struct display *display, const char *what)
 {
 	log_error(&display->log,
 		"--display window: %s: %s: choose another --display, or write a file with limber render",
-		what, SDL_GetError());
+		what, display->sdl.GetError());
 	return -EIO;
 }
 
@@ -76,11 +77,11 @@ static void window_destroy(struct display *display)
 	if (!display) {
 		return;
 	}
-	SDL_FreeSurface(display->picture);
+	display->sdl.FreeSurface(display->picture);
 	if (display->window) {
-		SDL_DestroyWindow(display->window);
+		display->sdl.DestroyWindow(display->window);
 	}
-	SDL_QuitSubSystem(SDL_INIT_VIDEO);
+	display->sdl.QuitSubSystem(SDL_INIT_VIDEO);
 	free(display->pixels.data);
 	free(display);
 }
@@ -95,16 +96,16 @@ static int resize(struct display *display, int width, int height)
 	if (error) {
 		return error;
 	}
-	picture = SDL_CreateRGBSurfaceWithFormatFrom(pixels.data, width, height,
-		8 * pixel_bytes(pixels.format), pixels.stride_bytes,
+	picture = display->sdl.CreateRGBSurfaceWithFormatFrom(pixels.data, width,
+		height, 8 * pixel_bytes(pixels.format), pixels.stride_bytes,
 		pixels.format == PIXELS_RGB565 ? SDL_PIXELFORMAT_RGB565
 					       : SDL_PIXELFORMAT_RGBA32);
 	if (!picture) {
 		free(pixels.data);
 		return failed(display, "SDL cannot create a picture");
 	}
-	SDL_SetSurfaceBlendMode(picture, SDL_BLENDMODE_NONE);
-	SDL_FreeSurface(display->picture);
+	display->sdl.SetSurfaceBlendMode(picture, SDL_BLENDMODE_NONE);
+	display->sdl.FreeSurface(display->picture);
 	free(display->pixels.data);
 	display->picture = picture;
 	display->pixels = pixels;
@@ -114,17 +115,42 @@ static int resize(struct display *display, int width, int height)
 static int open_window(
 	struct display *display, const struct display_options *options)
 {
-	SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-	display->window =
-		SDL_CreateWindow(options->title ? options->title : "limber",
-			SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-			options->width, options->height, SDL_WINDOW_RESIZABLE);
+	display->sdl.SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+	display->window = display->sdl.CreateWindow(
+		options->title ? options->title : "limber",
+		SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, options->width,
+		options->height, SDL_WINDOW_RESIZABLE);
 	if (!display->window) {
 		return failed(display, "SDL cannot open a window");
 	}
 	/* Fails on Wayland without Xwayland, which has no such surface. */
-	if (!SDL_GetWindowSurface(display->window)) {
+	if (!display->sdl.GetWindowSurface(display->window)) {
 		return failed(display, "SDL cannot draw in its window");
+	}
+	return 0;
+}
+
+/* Starts SDL's part for windows, unless there is no desktop to show them. */
+static int start_sdl(struct display *display)
+{
+	int error = sdl_load(&display->sdl, &display->log);
+
+	if (error) {
+		return error;
+	}
+	if (!is_set("SDL_VIDEODRIVER") && !is_set("WAYLAND_DISPLAY")) {
+		/* Otherwise Wayland's library prints an error of its own. */
+		display->sdl.SetHint(SDL_HINT_VIDEODRIVER, "x11");
+	}
+	if (display->sdl.InitSubSystem(SDL_INIT_VIDEO) != 0) {
+		failed(display, "there is no desktop");
+		return -ENODEV;
+	}
+	if (!is_visible(display)) {
+		log_error(&display->log,
+			"--display window: the desktop that DISPLAY or WAYLAND_DISPLAY names does not answer: start limber in a terminal of the desktop, or write a file with limber render");
+		display->sdl.QuitSubSystem(SDL_INIT_VIDEO);
+		return -ENODEV;
 	}
 	return 0;
 }
@@ -148,20 +174,10 @@ static int window_create(
 		free(display);
 		return -ENODEV;
 	}
-	if (!is_set("SDL_VIDEODRIVER") && !is_set("WAYLAND_DISPLAY")) {
-		/* Otherwise Wayland's library prints an error of its own. */
-		SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
-	}
-	if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) {
-		failed(display, "there is no desktop");
+	error = start_sdl(display);
+	if (error) {
 		free(display);
-		return -ENODEV;
-	}
-	if (!is_visible()) {
-		log_error(&display->log,
-			"--display window: the desktop that DISPLAY or WAYLAND_DISPLAY names does not answer: start limber in a terminal of the desktop, or write a file with limber render");
-		window_destroy(display);
-		return -ENODEV;
+		return error;
 	}
 	error = open_window(display, options);
 	if (!error) {
@@ -189,7 +205,7 @@ static int window_begin_frame(struct display *display, struct pixels *out)
 {
 	int width = 0, height = 0;
 
-	SDL_GetWindowSize(display->window, &width, &height);
+	display->sdl.GetWindowSize(display->window, &width, &height);
 	if (width > 0 && height > 0 &&
 		(width != display->pixels.width ||
 			height != display->pixels.height)) {
@@ -206,11 +222,12 @@ static int window_begin_frame(struct display *display, struct pixels *out)
 static int window_end_frame(struct display *display)
 {
 	/* SDL owns the surface and replaces it when the size changes. */
-	SDL_Surface *screen = SDL_GetWindowSurface(display->window);
+	SDL_Surface *screen = display->sdl.GetWindowSurface(display->window);
 
 	if (!screen ||
-		SDL_BlitSurface(display->picture, NULL, screen, NULL) != 0 ||
-		SDL_UpdateWindowSurface(display->window) != 0) {
+		display->sdl.UpperBlit(display->picture, NULL, screen, NULL) !=
+			0 ||
+		display->sdl.UpdateWindowSurface(display->window) != 0) {
 		return failed(display, "SDL cannot show a picture");
 	}
 	return 0;
@@ -292,7 +309,7 @@ static void window_poll(struct display *display, int64_t now_ms,
 	SDL_Event event;
 
 	*events = (struct display_events){0};
-	while (SDL_PollEvent(&event)) {
+	while (display->sdl.PollEvent(&event)) {
 		switch (event.type) {
 		case SDL_QUIT:
 			events->close = true;

@@ -4,7 +4,6 @@
  */
 #include "platform/display/window/window_survey.h"
 
-#include <SDL.h>
 #include <arpa/inet.h>
 #include <errno.h>
 #include <netinet/in.h>
@@ -17,6 +16,8 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
+
+#include "platform/display/window/sdl.h"
 
 enum {
 	X_PORT = 6000,
@@ -153,13 +154,13 @@ static void report_wayland(const char *display, const struct survey *survey)
 }
 
 /* names are drivers of SDL, separated by commas. */
-static bool is_driver_of_sdl(const char *names)
+static bool is_driver_of_sdl(const struct sdl *sdl, const char *names)
 {
 	while (*names) {
 		size_t length = strcspn(names, ",");
 
-		for (int i = 0; i < SDL_GetNumVideoDrivers(); i++) {
-			const char *driver = SDL_GetVideoDriver(i);
+		for (int i = 0; i < sdl->GetNumVideoDrivers(); i++) {
+			const char *driver = sdl->GetVideoDriver(i);
 
 			if (strlen(driver) == length &&
 				strncasecmp(names, driver, length) == 0) {
@@ -171,9 +172,10 @@ static bool is_driver_of_sdl(const char *names)
 	return false;
 }
 
-static void report_sdl(const char *driver, const struct survey *survey)
+static void report_driver(
+	const struct sdl *sdl, const char *driver, const struct survey *survey)
 {
-	if (is_driver_of_sdl(driver)) {
+	if (is_driver_of_sdl(sdl, driver)) {
 		survey_report(survey, SURVEY_WORKS, "window", NULL,
 			"SDL_VIDEODRIVER=%s", driver);
 	} else {
@@ -184,22 +186,46 @@ static void report_sdl(const char *driver, const struct survey *survey)
 	}
 }
 
+/* Returns whether SDL can be used, and else reports why not. */
+static bool has_sdl(struct sdl *sdl, const struct survey *survey)
+{
+	struct survey_message message;
+	const struct log log = survey_log(&message);
+	int error = sdl_load(sdl, &log);
+
+	if (error) {
+		survey_report_message(survey,
+			error == -ENOENT ? SURVEY_MISSING : SURVEY_BROKEN,
+			"window", &message, "sudo apt install " SDL_PACKAGE);
+	}
+	return error == 0;
+}
+
+static bool is_set(const char *value)
+{
+	return value && value[0];
+}
+
 void window_survey(const struct survey *survey)
 {
 	const char *driver = getenv("SDL_VIDEODRIVER");
 	const char *x = getenv("DISPLAY");
 	const char *wayland = getenv("WAYLAND_DISPLAY");
+	bool other = is_set(driver) && strcmp(driver, "x11") != 0 &&
+		strcmp(driver, "wayland") != 0;
+	struct sdl sdl;
 
-	if (driver && driver[0] && strcmp(driver, "x11") != 0 &&
-		strcmp(driver, "wayland") != 0) {
-		report_sdl(driver, survey);
-	} else if (x && x[0]) {
-		report_x(x, survey);
-	} else if (wayland && wayland[0]) {
-		report_wayland(wayland, survey);
-	} else {
+	if (!other && !is_set(x) && !is_set(wayland)) {
 		survey_report(survey, SURVEY_MISSING, "window",
 			"start limber in a terminal of the desktop, or export DISPLAY=:0",
 			"there is no desktop: DISPLAY and WAYLAND_DISPLAY are not set");
+	} else if (!has_sdl(&sdl, survey)) {
+		return;
+	} else if (other) {
+		report_driver(&sdl, driver, survey);
+	} else if (is_set(x)) {
+		report_x(x, survey);
+	} else {
+		report_wayland(wayland, survey);
 	}
 }

@@ -22,7 +22,7 @@ EGL_FUNCTION(EGLBoolean, GetConfigAttrib,
 	(EGLDisplay display, EGLConfig config, EGLint attribute, EGLint *value))
 EGL_FUNCTION(EGLDisplay, GetDisplay, (EGLNativeDisplayType native))
 EGL_FUNCTION(EGLint, GetError, (void))
-EGL_FUNCTION(gl_function, GetProcAddress, (const char *name))
+EGL_FUNCTION(library_function, GetProcAddress, (const char *name))
 EGL_FUNCTION(EGLBoolean, Initialize,
 	(EGLDisplay display, EGLint *major, EGLint *minor))
 EGL_FUNCTION(EGLBoolean, MakeCurrent,

@@ -84,7 +84,7 @@ static int open_context(
 	if (error) {
 		return error;
 	}
-	missing = gl_load(
+	missing = library_fill(
 		gl, gl_slots, gl_slot_count, egl_get_function, &gles1->egl);
 	if (missing) {
 		log_error(&gles1->log,

@@ -17,7 +17,7 @@ enum {
 	CONFIGS_MAX = 128
 };
 
-static const struct gl_slot egl_slots[] = {
+static const struct library_slot egl_slots[] = {
 #define EGL_FUNCTION(result, name, parameters) \
 	{"egl" #name, offsetof(struct egl_api, name)},
 #define EGL_OPTIONAL(result, name, parameters)
@@ -26,7 +26,7 @@ static const struct gl_slot egl_slots[] = {
 #undef EGL_OPTIONAL
 };
 
-static const struct gl_slot optional_slots[] = {
+static const struct library_slot optional_slots[] = {
 #define EGL_FUNCTION(result, name, parameters)
 #define EGL_OPTIONAL(result, name, parameters) \
 	{"egl" #name, offsetof(struct egl_api, name)},
@@ -80,8 +80,8 @@ static int open_libraries(struct egl *egl, const struct gl_request *request)
 	if (!egl->gles) {
 		return -ENOENT;
 	}
-	missing = gl_load(&egl->api, egl_slots, (int)ARRAY_COUNT(egl_slots),
-		gl_library_find, library);
+	missing = library_fill(&egl->api, egl_slots,
+		(int)ARRAY_COUNT(egl_slots), library_find, library);
 	if (missing) {
 		log_error(&egl->log,
 			"--gl gles1: the machine's EGL has no %s: choose another --gl",
@@ -89,7 +89,7 @@ static int open_libraries(struct egl *egl, const struct gl_request *request)
 		return -ENOSYS;
 	}
 	for (size_t i = 0; i < ARRAY_COUNT(optional_slots); i++) {
-		gl_load(&egl->api, &optional_slots[i], 1, gl_library_find,
+		library_fill(&egl->api, &optional_slots[i], 1, library_find,
 			library);
 	}
 	return 0;
@@ -372,10 +372,10 @@ int egl_swap(struct egl *egl)
 	return 0;
 }
 
-gl_function egl_get_function(void *user, const char *name)
+library_function egl_get_function(void *user, const char *name)
 {
 	struct egl *egl = user;
-	gl_function function = gl_library_find(egl->gles, name);
+	library_function function = library_find(egl->gles, name);
 
 	return function ? function : egl->api.GetProcAddress(name);
 }

@@ -69,8 +69,8 @@ int egl_swap(struct egl *egl);
  */
 int egl_make_current(struct egl *egl);
 
-/* gl_load()'s find(): the GL call of that name ("glClear"), or NULL. */
-gl_function egl_get_function(void *egl, const char *name);
+/* library_fill()'s find(): the GL call of that name ("glClear"), or NULL. */
+library_function egl_get_function(void *egl, const char *name);
 
 /* Closes everything. Fine after egl_open() has failed. */
 void egl_close(struct egl *egl);

@@ -10,7 +10,7 @@
  */
 static _Thread_local struct desktop *current;
 
-const struct gl_slot desktop_slots[] = {
+const struct library_slot desktop_slots[] = {
 #define DESKTOP_FUNCTION(result, name, parameters) \
 	{"gl" #name, offsetof(struct desktop_gl, name)},
 #include "platform/gl/osmesa/desktop_functions.h"

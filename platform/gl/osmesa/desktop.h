@@ -53,7 +53,7 @@ struct desktop {
 };
 
 /* The slots of struct desktop_gl. */
-extern const struct gl_slot desktop_slots[];
+extern const struct library_slot desktop_slots[];
 extern const int desktop_slot_count;
 
 /* Sets the members of gl that have fixed-point parameters to shims. */

@@ -33,7 +33,7 @@ struct osmesa_api {
 	void (*PixelStore)(GLint name, GLint value);
 };
 
-static const struct gl_slot osmesa_slots[] = {
+static const struct library_slot osmesa_slots[] = {
 	{"OSMesaCreateContextExt", offsetof(struct osmesa_api, CreateContextExt)},
 	{"OSMesaDestroyContext", offsetof(struct osmesa_api, DestroyContext)},
 	{"OSMesaMakeCurrent", offsetof(struct osmesa_api, MakeCurrent)},
@@ -69,17 +69,17 @@ static int load_functions(struct osmesa_context *osmesa)
 			why);
 		return -ENOENT;
 	}
-	missing = gl_load(&osmesa->api, osmesa_slots,
-		(int)ARRAY_COUNT(osmesa_slots), gl_library_find, library);
+	missing = library_fill(&osmesa->api, osmesa_slots,
+		(int)ARRAY_COUNT(osmesa_slots), library_find, library);
 	if (!missing) {
-		missing = gl_load(&osmesa->desktop.gl, desktop_slots,
-			desktop_slot_count, gl_library_find, library);
+		missing = library_fill(&osmesa->desktop.gl, desktop_slots,
+			desktop_slot_count, library_find, library);
 	}
 	if (!missing) {
 		desktop_set_fixed_shims(&osmesa->base.gl);
 		desktop_set_array_shims(&osmesa->base.gl);
-		missing = gl_load(&osmesa->base.gl, gl_slots, gl_slot_count,
-			gl_library_find, library);
+		missing = library_fill(&osmesa->base.gl, gl_slots,
+			gl_slot_count, library_find, library);
 	}
 	if (missing) {
 		log_error(&osmesa->log,

@@ -121,7 +121,7 @@ script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
 exact_suite = $(call suite,$(1)/golden-exact,tests/golden/golden.sh exact \
 	$(CHECK)/$(1)/golden-exact $(RUN_$(1)) build/$(1)/limber)
 # On ARM some texts name other kernels or sizes of pointers, and some take minutes.
-TEXTS_ARM := (?!film|.*walker|bench|wrong|help|buttons|(info|doctor)-m|.*coarse|compare-[ef])
+TEXTS_ARM := (?!film|.*walker|bench|wrong|help|buttons|(info|doctor)-m|.*coarse|compare-[efl])
 texts_suite = $(call suite,$(1)/golden-$(2),TEXTS='$(3)' \
 	tests/golden/texts.py check $(CHECK)/$(1)/golden-$(2) $(RUN_$(1)) \
 	build/$(1)/limber)

@@ -18,9 +18,11 @@ static const float release = 2.5f;
 static const float arc_least = 0.006f, arc_most = 0.04f;
 /* height of a step's arc, as a part of the step's length */
 static const float arc_share = 0.25f;
-static const float still_m_per_s = 0.1f;
+static const float still_per_s = 0.0605f; /* a slower figure stands */
+static const float raise_per_s = 0.726f;  /* at most */
+/* from a foot to the two places that show how the ground slopes there */
+static const float slope_step = 0.0484f;
 static const float step_duration_s = 0.25f;
-static const float raise_m_per_s = 1.2f;
 /* time constant of the motion's velocity */
 static const float smooth_s = 0.08f;
 /* part of its length to which a leg may be stretched */
@@ -316,9 +318,9 @@ static void return_home(const struct character *character,
 	const struct character_feet *feet, struct character_foot *foot,
 	const struct character_foot *other)
 {
-	float share = length_of(character->motion.velocity) < still_m_per_s
-		? near_offset
-		: far_offset;
+	float speed = length_of(character->motion.velocity);
+	float share =
+		speed < still_per_s * feet->height_m ? near_offset : far_offset;
 
 	if (is_held(other) &&
 		(length_of(foot->hold.offset) > share * feet->height_m ||
@@ -332,7 +334,7 @@ static void move_foot(const struct character *character,
 	const struct character_foot *other)
 {
 	const float *ankle = character->instance->world[foot->leg.tip][3];
-	float goal = 0, most = raise_m_per_s * character->step_s;
+	float goal = 0, most = raise_per_s * feet->height_m * character->step_s;
 
 	if (foot->step_s >= 0) {
 		step(character, foot, other, ankle);
@@ -361,9 +363,8 @@ static float ground_at(const struct character *character, const float at[3])
 
 /* Computes the rotation from a level foot to the ground's slope. */
 static void slope_rotation(const struct character *character, const float at[3],
-	float height, float out[4])
+	float height, float step_m, float out[4])
 {
-	const float step_m = 0.08f;
 	const float right[3] = {at[0] + step_m, at[1], at[2]};
 	const float front[3] = {at[0], at[1], at[2] + step_m};
 
@@ -381,12 +382,15 @@ static float carried_m(const struct character_feet *feet)
 static void lift_hips(struct instance *instance,
 	const struct character_feet *feet, float lift)
 {
+	const mat4 *world = (const mat4 *)instance->world;
 	struct transform *local = &instance->pose.local[feet->hips];
+	int parent = instance->pose.model->node[feet->hips].parent;
 	float up[3] = {0, lift, 0};
+	float scale = parent < 0 ? 1 : matrix_scale(&world[parent]);
 
-	bone_to_axes((const mat4 *)instance->world,
-		instance->pose.model->node[feet->hips].parent, up, up);
-	vec_add_scaled(local->translation, up, 1, local->translation);
+	bone_to_axes(world, parent, up, up);
+	vec_add_scaled(local->translation, up, scale > 0 ? 1 / scale : 1,
+		local->translation);
 	instance->pose.animated[feet->hips] = true;
 }
 
@@ -427,8 +431,8 @@ static bool find_targets(const struct character *character,
 		at[0] += foot->hold.offset[0] * weight;
 		at[2] += foot->hold.offset[1] * weight;
 		goal[side].ground_m = ground_at(character, at);
-		slope_rotation(
-			character, at, goal[side].ground_m, goal[side].turn);
+		slope_rotation(character, at, goal[side].ground_m,
+			slope_step * feet->height_m, goal[side].turn);
 		quat_from_axis_angle(up, foot->hold.turn_rad * weight, turn);
 		quat_multiply(goal[side].turn, turn, goal[side].turn);
 		at[1] += feet->lift_m * weight - carried_m(feet) +

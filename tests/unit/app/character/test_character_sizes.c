@@ -1,0 +1,120 @@
+/*
+ * A character of any unit moves alike: a model made in centimetres, or a toy,
+ * only has other lengths.
+ */
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double rate_hz = 30.0;
+static const float sizes[] = {100.0f, 0.05f, 0.01f};
+
+struct actor {
+	struct acting acting;
+	float size;
+};
+
+/* Loads the walker, size times as large. */
+static void begin(struct actor *actor, float size)
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct acting *acting = &actor->acting;
+
+	*actor = (struct actor){.size = size};
+	assert_int_equal(
+		model_load("assets/walker.glb", &log, &acting->model), 0);
+	for (int i = 0; i < acting->model->node_count; i++) {
+		struct model_node *node = &acting->model->node[i];
+
+		for (int axis = 0; axis < 3 && node->parent < 0; axis++) {
+			node->rest.translation[axis] *= size;
+			node->rest.scale[axis] *= size;
+		}
+	}
+	assert_int_equal(instance_create(acting->model, &kernel_float, &log,
+				 &acting->instance),
+		0);
+}
+
+/* Hills that move with the ground under the walker. */
+static float hills(void *user, float x, float z)
+{
+	const struct actor *actor = user;
+
+	x /= actor->size;
+	z /= actor->size;
+	return actor->size *
+		(0.1f * sinf(2.0f * x) +
+			0.1f *
+				cosf(3.0f *
+					(z - 1.03f * (float)actor->acting.now_s)));
+}
+
+/* Compares the places of nodes with those of the walker in its own size. */
+static void expect_alike(
+	struct actor *actor, struct actor *own, const char *const node[])
+{
+	for (int frame = 0; frame < 150; frame++) {
+		acting_run_to(&actor->acting, (frame + 0.5) / rate_hz, rate_hz);
+		acting_run_to(&own->acting, (frame + 0.5) / rate_hz, rate_hz);
+		for (int i = 0; node[i]; i++) {
+			float at[3], wanted[3];
+
+			acting_place(&actor->acting, node[i], at);
+			acting_place(&own->acting, node[i], wanted);
+			for (int axis = 0; axis < 3; axis++) {
+				assert_near(at[axis] / actor->size,
+					wanted[axis], 0.002);
+			}
+		}
+	}
+}
+
+static void walk(struct actor *actor)
+{
+	double size = (double)actor->size;
+	char text[700];
+
+	snprintf(text, sizeof(text),
+		"[parameter speed]\nrange = 0 %.9g\nease = 0.5\n"
+		"[state move]\nblend = speed, idle 0, walk %.9g, run %.9g\n"
+		"[feet steps]\nhips = hips\nleft = thigh.L shin.L foot.L\n"
+		"right = thigh.R shin.R foot.R\n"
+		"[motion]\nfeet = toe.L toe.R\n"
+		"[scene]\ntour = 1 set speed %.9g\ntour = 3 set speed 0\n"
+		"period = 100\n",
+		2.6 * size, 1.03 * size, 2.6 * size, 1.03 * size);
+	acting_expect(&actor->acting, text);
+	actor->acting.character->ground_height = hills;
+	actor->acting.character->ground_user = actor;
+}
+
+static void test_feet_step_alike_on_uneven_ground(void **state)
+{
+	static const char *const node[] = {
+		"hips", "foot.L", "foot.R", "toe.L", "toe.R", NULL};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
+		struct actor actor, own;
+
+		begin(&actor, sizes[i]);
+		begin(&own, 1.0f);
+		walk(&actor);
+		walk(&own);
+		expect_alike(&actor, &own, node);
+		acting_end(&own.acting);
+		acting_end(&actor.acting);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_feet_step_alike_on_uneven_ground),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

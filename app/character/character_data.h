@@ -458,6 +458,12 @@ struct character {
 	/* scratch: for the clips of additive layers; still: the rest pose */
 	struct pose scratch, still;
 	float ground_m; /* the height of level ground */
+	/*
+	 * The length of a metre in the model's units, for gravity and for
+	 * lengths that the file leaves out: 1 if the skeleton has a likely size
+	 * in metres, else what makes a human of it.
+	 */
+	float metre;
 	/* The height of the ground above that; NULL: it is level. */
 	float (*ground_height)(void *user, float x, float z);
 	void *ground_user;

@@ -110,6 +110,9 @@ bool character_take(struct character_words *words, const char *word);
 /* Returns true if all words of the line have been taken. */
 bool character_at_end(const struct character_words *words);
 
+/* The longest length of a file, whatever unit the model has. */
+#define CHARACTER_LENGTH_MAX 1e6f
+
 /* Takes a number between -1e9 and 1e9, or returns false and takes nothing. */
 bool character_take_number(struct character_words *words, float *out);
 /* The same, but a number outside of low..high is not taken either. */

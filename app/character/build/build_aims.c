@@ -186,6 +186,7 @@ static int read_chain(struct character_words *words,
 			"the number of bones is from 2 to %d, and the tip has so many above it: give %s",
 			IK_CHAIN_MAX, key->right);
 	}
+	reach->chain.tolerance *= words->build->character->metre;
 	reach->is_chain = true;
 	return 0;
 }
@@ -236,7 +237,8 @@ static const struct character_key reach_keys[] = {
 	{"target", read_target, offsetof(struct character_reach, target), 0, 0,
 		NULL, "the name of a [target]"},
 	{"short", character_read_number,
-		offsetof(struct character_reach, short_m), 0, 1000, NULL,
+		offsetof(struct character_reach, short_m), 0,
+		CHARACTER_LENGTH_MAX, NULL,
 		"metres that the tip stops before the target"},
 	{"grip", read_grip, 0, 0, 0, NULL,
 		"x y z of the target in the tip's frame, such as 0 0.06 0"},

@@ -33,18 +33,19 @@ static const struct character_key keys[] = {
 		"the name of a node"},
 	{"place", character_read_numbers3, CAPE(place), 0, 0, NULL,
 		"x y z of the middle of its upper edge, such as 0 1.45 -0.12"},
-	{"width", character_read_number, CAPE(width), 0.001f, 1000, NULL,
-		"metres of its upper edge"},
-	{"length", character_read_number, CAPE(length), 0.001f, 1000, NULL,
+	{"width", character_read_number, CAPE(width), 1e-6f,
+		CHARACTER_LENGTH_MAX, NULL, "metres of its upper edge"},
+	{"length", character_read_number, CAPE(length), 1e-6f,
+		CHARACTER_LENGTH_MAX, NULL,
 		"metres from the upper edge to the hem"},
 	{"flare", character_read_number, CAPE(flare), 0.1f, 10, NULL,
 		"the hem's width in upper edges, such as 1.4"},
-	{"pleat", character_read_number, CAPE(pleat), 0, 100, NULL,
-		"metres of depth at the hem, such as 0.03"},
+	{"pleat", character_read_number, CAPE(pleat), 0, CHARACTER_LENGTH_MAX,
+		NULL, "metres of depth at the hem, such as 0.03"},
 	{"shoulders", character_read_numbers2, CAPE(shoulders), 0, 0, NULL,
 		"metres that the ends of its upper edge are below and before its middle, such as 0.045 0.06"},
-	{"radius", character_read_number, CAPE(radius), 0, 100, NULL,
-		"metres kept from bodies, such as 0.02"},
+	{"radius", character_read_number, CAPE(radius), 0, CHARACTER_LENGTH_MAX,
+		NULL, "metres kept from bodies, such as 0.02"},
 	{"color", character_read_numbers3, CAPE(color), 0, 1, NULL,
 		"red, green and blue from 0 to 1"},
 	{"body", read_body, 0, 0, 0, NULL,
@@ -82,6 +83,7 @@ static int make_cloth(struct character_build *build, struct character_cape *cape
 	settings.columns = COLUMNS;
 	settings.rows = ROWS;
 	settings.radius = cape->radius;
+	settings.gravity[1] *= build->character->metre;
 	settings.bend = 0.45f;
 	for (int i = 0; i < COLUMNS; i++) {
 		pin[i] = cape->bone;
@@ -104,14 +106,15 @@ static int read_cape(struct character_build *build,
 	const struct character_section *section, void *one)
 {
 	struct character_cape *cape = one;
+	float metre = build->character->metre;
 	int error = character_add_switch(build, section, &cape->is);
 
 	cape->bone = -1;
-	cape->width = 0.33f;
-	cape->length = 0.8f;
+	cape->width = 0.33f * metre;
+	cape->length = 0.8f * metre;
 	cape->flare = 1.35f;
-	cape->pleat = 0.034f;
-	cape->radius = 0.02f;
+	cape->pleat = 0.034f * metre;
+	cape->radius = 0.02f * metre;
 	cape->color[0] = 0.82f;
 	cape->color[1] = 0.15f;
 	cape->color[2] = 0.19f;

@@ -13,7 +13,8 @@ static int read_sine(struct character_words *words,
 {
 	float axis[3] = {0, 1, 0};
 
-	if (!character_take_within(words, 0.0f, 1000.0f, &wave->amplitude)) {
+	if (!character_take_within(
+		    words, 0.0f, CHARACTER_LENGTH_MAX, &wave->amplitude)) {
 		return character_fail_value(words, key);
 	}
 	if (character_take_number(words, &axis[0])) {

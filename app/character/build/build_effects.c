@@ -5,6 +5,7 @@
  */
 #include "app/character/build/build.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/character/presets/preset_file.h"
 #include "app/character/run/effects.h"
 #include "app/character/run/feet.h"
@@ -45,8 +46,27 @@ static int read_presets(struct character_words *words,
 	}
 	shake->preset = file->preset;
 	shake->preset_count = file->count;
+	for (int i = 0; i < file->count; i++) {
+		shake->preset[i].unit *= build->character->metre;
+	}
 	shake->swing.preset = shake->preset[0];
 	return 0;
+}
+
+/* Bones are shifted in their own units, which differ below a scaled node. */
+static void use_units_of_bone(
+	const struct character_build *build, struct character_shake *shake)
+{
+	float scale = matrix_scale((const mat4 *)&build->character->instance
+					   ->world[shake->swing.node]);
+
+	if (!(scale > 0)) {
+		return;
+	}
+	shake->swing.preset.unit /= scale;
+	for (int i = 0; i < shake->preset_count; i++) {
+		shake->preset[i].unit /= scale;
+	}
 }
 
 static const struct character_key shake_keys[] = {
@@ -82,12 +102,16 @@ static int build_shake(struct character_build *build,
 	int error;
 
 	build->character->shake[build->character->shake_count++] = shake;
-	preset.unit = 0.01f;
+	preset.unit = 0.01f * build->character->metre;
 	shake->swing = procedural_begin(&preset, -1);
 	error = character_read_section(build, section, shake_keys, shake);
-	return error || shake->swing.node >= 0
-		? error
-		: character_fail_missing(build, section, "bone = NODE");
+	if (!error && shake->swing.node < 0) {
+		error = character_fail_missing(build, section, "bone = NODE");
+	}
+	if (!error) {
+		use_units_of_bone(build, shake);
+	}
+	return error;
 }
 
 static int read_turn_bones(struct character_words *words,
@@ -163,6 +187,7 @@ static int read_spring_bones(struct character_words *words,
 			"the number of bones is from 1 to %d, and the last one has so many above it: give %s",
 			SPRING_MAX, key->right);
 	}
+	made.gravity[1] *= words->build->character->metre;
 	effect->spring = made;
 	return 0;
 }
@@ -195,8 +220,8 @@ static const struct character_key spring_keys[] = {
 		"x y z in m/s2, such as 0 -9.81 0"},
 	{"limit", character_read_angle, SPRING(limit_rad), 0, 180, NULL,
 		"degrees from 0 to 180"},
-	{"radius", character_read_number, SPRING(radius), 0, 1000, NULL,
-		"metres kept from bodies"},
+	{"radius", character_read_number, SPRING(radius), 0,
+		CHARACTER_LENGTH_MAX, NULL, "metres kept from bodies"},
 	{"body", read_body, 0, 0, 0, NULL,
 		"two nodes and a radius, such as hips chest 0.13"},
 	{0},

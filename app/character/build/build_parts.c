@@ -13,12 +13,12 @@ static const char *const freedom_names[CHARACTER_FREEDOMS] = {
 	"heading", "pitch", "bank", "x", "y", "z"};
 
 /* A degree of freedom without limits; angles and shifts differ in speed. */
-static struct character_freedom unlimited(int which)
+static struct character_freedom unlimited(int which, float metre)
 {
 	return (struct character_freedom){.given = true,
 		.low = -1e6f,
 		.high = 1e6f,
-		.speed = which < CHARACTER_X ? 45 : 0.5f};
+		.speed = which < CHARACTER_X ? 45 : 0.5f * metre};
 }
 
 /* START LOW HIGH [SPEED], or the name of a parameter that it follows. */
@@ -34,7 +34,7 @@ static int read_freedom(struct character_words *words,
 	}
 	freedom = &part->freedom[which];
 	part->follows[which] = NULL;
-	*freedom = unlimited(which);
+	*freedom = unlimited(which, words->build->character->metre);
 	if (!character_take_number(words, &freedom->start)) {
 		return character_read_value(words, key, &part->follows[which]);
 	}
@@ -197,7 +197,7 @@ static const struct character_key keys[] = {
 	{"x", read_freedom, 0, 0, 0, NULL, SHIFT},
 	{"y", read_freedom, 0, 0, 0, NULL, SHIFT},
 	{"z", read_freedom, 0, 0, 0, NULL, SHIFT},
-	{"radius", read_radius, 0, 0, 1000, NULL,
+	{"radius", read_radius, 0, 0, CHARACTER_LENGTH_MAX, NULL,
 		"metres that other parts and the ground keep away"},
 	{"tip", read_tip, 0, 0, 0, NULL, "x y z in metres from the pivot"},
 	{"guard", read_guard, 0, 0, 0, NULL,
@@ -319,7 +319,8 @@ static int read_goal(struct character_words *words, const char *right,
 			(double)freedom->high);
 	}
 	if (!freedom->given) {
-		*freedom = unlimited(goal->freedom);
+		*freedom = unlimited(
+			goal->freedom, words->build->character->metre);
 	}
 	while (*last) {
 		last = &(*last)->next;

@@ -36,21 +36,34 @@ static const struct character_key motion_keys[] = {
 	{0},
 };
 
-/* The height of the skeleton at rest, over all nodes. */
+/* The largest side of a skeleton that is likely to be in metres, and a human's. */
+static const float size_least_m = 0.3f, size_most_m = 10, human_m = 1.65f;
+
+/* The size of the skeleton at rest, over all nodes. */
 static void measure(struct character_build *build)
 {
 	struct character *character = build->character;
 	mat4 *world = character->instance->world;
-	float low = 0, high = 0;
+	float side[3], size = 0;
 
-	for (int i = 0; i < build->model->node_count; i++) {
-		float y = world[i][3][1];
+	for (int axis = 0; axis < 3; axis++) {
+		float low = 0, high = 0;
 
-		low = i == 0 || y < low ? y : low;
-		high = i == 0 || y > high ? y : high;
+		for (int i = 0; i < build->model->node_count; i++) {
+			float at = world[i][3][axis];
+
+			low = i == 0 || at < low ? at : low;
+			high = i == 0 || at > high ? at : high;
+		}
+		side[axis] = high - low;
+		size = side[axis] > size ? side[axis] : size;
 	}
-	character->motion.height_m = high - low;
-	character->motion.near_m = 0.025f * (high - low);
+	character->motion.height_m = side[1];
+	character->motion.near_m = 0.025f * side[1];
+	character->metre =
+		size <= 0 || (size >= size_least_m && size <= size_most_m)
+		? 1
+		: size / human_m;
 }
 
 int character_build_motion(struct character_build *build)
@@ -92,7 +105,8 @@ static const struct character_key target_keys[] = {
 		offsetof(struct character_target, is_camera), 0, 0, NULL,
 		"yes or no"},
 	{"radius", character_read_number,
-		offsetof(struct character_target, radius_m), 0, 1000, NULL,
+		offsetof(struct character_target, radius_m), 0,
+		CHARACTER_LENGTH_MAX, NULL,
 		"metres of the ball that shows the target; 0 shows none"},
 	{"color", character_read_numbers3,
 		offsetof(struct character_target, color), 0, 1, NULL,
@@ -265,8 +279,8 @@ static const char *const labels[] = {"left", "right", "none", NULL};
 #define SCENE(name) offsetof(struct character_scene, name)
 
 static const struct character_key scene_keys[] = {
-	{"waves", character_read_value, SCENE(wave_m), 0, 10, NULL,
-		"metres of uneven ground from 0 to 10, or a parameter"},
+	{"waves", character_read_value, SCENE(wave_m), 0, CHARACTER_LENGTH_MAX,
+		NULL, "metres of uneven ground from 0 to 10, or a parameter"},
 	{"yaw", character_read_angle, SCENE(yaw_rad), -360, 360, NULL,
 		"degrees from -360 to 360"},
 	{"pitch", character_read_angle, SCENE(pitch_rad), 0, 89, NULL,

@@ -143,7 +143,8 @@ void character_part_drop(
 
 	instance_update_nodes(instance);
 	memcpy(point, instance->world[part->node][3], sizeof(point));
-	if (part->holder < 0 && scalar_abs(point[1] - part->rest_m) < lies_m) {
+	if (part->holder < 0 &&
+		scalar_abs(point[1] - part->rest_m) < lies_m * character->metre) {
 		return; /* it lies on the ground already */
 	}
 	/* It stands upright, turned as it was. */
@@ -246,7 +247,8 @@ void character_held_run(struct character *character, void *unused)
 		part->pull_s = scalar_clamp(
 			part->pull_s - character->step_s, 0, pull_s);
 		if (part->holder != -1 && part->fall_m > 0) {
-			part->fall_m_per_s += gravity_m_s2 * character->step_s;
+			part->fall_m_per_s += gravity_m_s2 * character->metre *
+				character->step_s;
 			part->fall_m = scalar_clamp(part->fall_m -
 					part->fall_m_per_s * character->step_s,
 				0, 1e6f);

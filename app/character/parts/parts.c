@@ -79,7 +79,8 @@ static void move(struct character *character, struct character_part *part,
 		place(character, part, &instance->pose);
 		instance_update_nodes(instance);
 		character_held_place(character);
-		if (character_guard_depth(character) > depth + 1e-5f) {
+		if (character_guard_depth(character) >
+			depth + 1e-5f * character->metre) {
 			freedom->value = before;
 		}
 	}

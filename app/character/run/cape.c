@@ -12,7 +12,9 @@ void character_cape_run(struct character *character, void *what)
 	struct capsule_world body[CHARACTER_CAPE_BODIES];
 	const float *ground = character->motion.velocity;
 	mat4 *world = character->instance->world;
-	float speed = scalar_sqrt(ground[0] * ground[0] + ground[1] * ground[1]);
+	float speed =
+		scalar_sqrt(ground[0] * ground[0] + ground[1] * ground[1]) /
+		character->metre;
 
 	if (cape->is.now == 0) {
 		cape->worn = false;

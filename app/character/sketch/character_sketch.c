@@ -261,21 +261,6 @@ static void write_target(const struct bone_box *box, FILE *out)
 		(double)(0.03f * size));
 }
 
-/*
- * Springs of a model that is far smaller or larger than a human would hang
- * limp or not move, unless gravity is in proportion to its size.
- */
-static void write_gravity(const struct bone_box *box, FILE *out)
-{
-	bool small = box->size < 0.3f;
-
-	if (box->size > 0.0f && (small || box->size > 10.0f)) {
-		fprintf(out, "\n;gravity = 0 %.*f 0 ; of a model so %s",
-			small ? 4 : 0, (double)(-9.81f * box->size / 1.5f),
-			small ? "small" : "large");
-	}
-}
-
 /* 0 or -ENOMEM. */
 static int write_chains(const struct model *model, const struct bones *bones,
 	struct arena *arena, FILE *out)
@@ -304,7 +289,6 @@ static int write_chains(const struct model *model, const struct bones *bones,
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		sketch_write_name(out, model->node[i].name);
 		fprintf(out, " %d", length < 16 ? length : 16);
-		write_gravity(&box, out);
 		fprintf(out, "\n\n;[reach reach%d]\n;chain = ", written);
 		sketch_write_name(out, model->node[i].name);
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",

@@ -2,12 +2,14 @@
  * A character of any unit moves alike: a model made in centimetres, or a toy,
  * only has other lengths.
  */
+#include "app/character/run/effects.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
 #include <math.h>
 #include <stdio.h>
 
+static const char walker[] = "assets/walker.glb";
 static const double rate_hz = 30.0;
 static const float sizes[] = {100.0f, 0.05f, 0.01f};
 
@@ -16,15 +18,14 @@ struct actor {
 	float size;
 };
 
-/* Loads the walker, size times as large. */
-static void begin(struct actor *actor, float size)
+/* Loads a model, size times as large. */
+static void begin(struct actor *actor, const char *path, float size)
 {
 	struct log log = log_to_stderr(LOG_ERROR);
 	struct acting *acting = &actor->acting;
 
 	*actor = (struct actor){.size = size};
-	assert_int_equal(
-		model_load("assets/walker.glb", &log, &acting->model), 0);
+	assert_int_equal(model_load(path, &log, &acting->model), 0);
 	for (int i = 0; i < acting->model->node_count; i++) {
 		struct model_node *node = &acting->model->node[i];
 
@@ -52,11 +53,40 @@ static float hills(void *user, float x, float z)
 					(z - 1.03f * (float)actor->acting.now_s)));
 }
 
-/* Compares the places of nodes with those of the walker in its own size. */
-static void expect_alike(
-	struct actor *actor, struct actor *own, const char *const node[])
+static void expect_cape_alike(
+	const struct actor *actor, const struct actor *own, double tolerance)
+{
+	for (int c = 0; c < own->acting.character->cape_count; c++) {
+		const struct cloth *cloth =
+			&actor->acting.character->cape[c].cloth;
+		const struct cloth *wanted =
+			&own->acting.character->cape[c].cloth;
+
+		for (int i = 0; i < wanted->count; i++) {
+			for (int axis = 0; axis < 3; axis++) {
+				assert_near(
+					cloth->position[i][axis] / actor->size,
+					wanted->position[i][axis], tolerance);
+			}
+		}
+	}
+}
+
+/*
+ * Compares the places of nodes, and of capes, with those of the walker in its
+ * own size.
+ */
+static void expect_alike(struct actor *actor, struct actor *own,
+	const char *const node[], double tolerance)
 {
 	for (int frame = 0; frame < 150; frame++) {
+		if (frame == 30 || frame == 90) {
+			enum button button =
+				frame == 30 ? BUTTON_UP : BUTTON_DOWN;
+
+			acting_press(&actor->acting, button);
+			acting_press(&own->acting, button);
+		}
 		acting_run_to(&actor->acting, (frame + 0.5) / rate_hz, rate_hz);
 		acting_run_to(&own->acting, (frame + 0.5) / rate_hz, rate_hz);
 		for (int i = 0; node[i]; i++) {
@@ -66,9 +96,10 @@ static void expect_alike(
 			acting_place(&own->acting, node[i], wanted);
 			for (int axis = 0; axis < 3; axis++) {
 				assert_near(at[axis] / actor->size,
-					wanted[axis], 0.002);
+					wanted[axis], tolerance);
 			}
 		}
+		expect_cape_alike(actor, own, tolerance);
 	}
 }
 
@@ -83,9 +114,9 @@ static void walk(struct actor *actor)
 		"[feet steps]\nhips = hips\nleft = thigh.L shin.L foot.L\n"
 		"right = thigh.R shin.R foot.R\n"
 		"[motion]\nfeet = toe.L toe.R\n"
-		"[scene]\ntour = 1 set speed %.9g\ntour = 3 set speed 0\n"
-		"period = 100\n",
-		2.6 * size, 1.03 * size, 2.6 * size, 1.03 * size);
+		"[buttons]\nUP = set speed %.9g\nDOWN = set speed 0\n"
+		"[scene]\nwaves = %.9g\n",
+		2.6 * size, 1.03 * size, 2.6 * size, 1.03 * size, 0.2 * size);
 	acting_expect(&actor->acting, text);
 	actor->acting.character->ground_height = hills;
 	actor->acting.character->ground_user = actor;
@@ -100,11 +131,74 @@ static void test_feet_step_alike_on_uneven_ground(void **state)
 	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
 		struct actor actor, own;
 
-		begin(&actor, sizes[i]);
-		begin(&own, 1.0f);
+		begin(&actor, walker, sizes[i]);
+		begin(&own, walker, 1.0f);
 		walk(&actor);
 		walk(&own);
-		expect_alike(&actor, &own, node);
+		expect_alike(&actor, &own, node, 0.002);
+		acting_end(&own.acting);
+		acting_end(&actor.acting);
+	}
+}
+
+/* Lengths that the file leaves out, and gravity. */
+static void swing(struct actor *actor)
+{
+	double size = (double)actor->size;
+	char text[700];
+
+	snprintf(text, sizeof(text),
+		"[state walk]\nclip = walk\n[motion]\nspeed = %.9g\n"
+		"[spring tail]\nbones = ponytail.4 4\n"
+		"[shake left]\nbone = shoulder.L\ntranslation = 0 3 0\n"
+		"[cape cape]\nbone = chest\nplace = 0 %.9g %.9g\n",
+		1.03 * size, 1.45 * size, -0.118 * size);
+	acting_expect(&actor->acting, text);
+}
+
+static void test_springs_shakes_and_capes_move_alike(void **state)
+{
+	static const char *const node[] = {
+		"ponytail.2", "ponytail.4", "hand.L", NULL};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
+		struct actor actor, own;
+
+		begin(&actor, walker, sizes[i]);
+		begin(&own, walker, 1.0f);
+		swing(&actor);
+		swing(&own);
+		expect_alike(&actor, &own, node, 0.02);
+		acting_end(&own.acting);
+		acting_end(&actor.acting);
+	}
+}
+
+static void fall(struct actor *actor)
+{
+	double size = (double)actor->size;
+	char text[200];
+
+	snprintf(text, sizeof(text),
+		"[part walker_head]\ny = %.9g 0 %.9g\n[buttons]\nUP = drop walker_head\n",
+		2.0 * size, 2.0 * size);
+	acting_expect(&actor->acting, text);
+}
+
+static void test_parts_fall_alike(void **state)
+{
+	static const char *const node[] = {"walker_head", NULL};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
+		struct actor actor, own;
+
+		begin(&actor, walker, sizes[i]);
+		begin(&own, walker, 1.0f);
+		fall(&actor);
+		fall(&own);
+		expect_alike(&actor, &own, node, 0.02);
 		acting_end(&own.acting);
 		acting_end(&actor.acting);
 	}
@@ -114,6 +208,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_feet_step_alike_on_uneven_ground),
+		cmocka_unit_test(test_springs_shakes_and_capes_move_alike),
+		cmocka_unit_test(test_parts_fall_alike),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

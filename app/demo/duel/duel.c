@@ -176,6 +176,10 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	bounds = bounds_of_row(demo);
 	error = actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
+	if (!error) {
+		floor_fit_tiles(&demo->base.stage.floor, &bounds,
+			demo->base.actor.instance->unit_scale);
+	}
 	return error;
 }
 

@@ -172,8 +172,13 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
 	overlay_heat_switch(&demo->heat, demo->painted);
-	return actor_init_stage(
+	error = actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
+	if (!error) {
+		floor_fit_tiles(
+			&demo->base.stage.floor, &bounds, instance->unit_scale);
+	}
+	return error;
 }
 
 static void change(struct demo *demo, int steps)

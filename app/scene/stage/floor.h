@@ -37,6 +37,14 @@ int floor_init(struct floor *floor, const struct gl *gl,
 	const struct bounds *bounds, float min_radius, enum pixel_format target,
 	const struct log *log);
 
+/*
+ * Chooses tiles, and waves with them, whose side is a round number of units; a
+ * unit is so many scene units long. floor_init() does this with 1. The box must
+ * be that of floor_init().
+ */
+void floor_fit_tiles(
+	struct floor *floor, const struct bounds *bounds, float unit);
+
 void floor_finish(struct floor *floor, const struct gl *gl);
 
 /* Scrolls the floor by a distance along x and z. */

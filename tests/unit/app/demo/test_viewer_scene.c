@@ -6,6 +6,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 struct bench {
@@ -17,7 +18,8 @@ struct bench {
 	double now_s;
 };
 
-static void begin(struct bench *bench, const char *character)
+static void begin_model(
+	struct bench *bench, const char *model, const char *character)
 {
 	struct test_path path;
 	struct demo_env env;
@@ -34,7 +36,7 @@ static void begin(struct bench *bench, const char *character)
 		.kernel = &kernel_float,
 		.width = 480,
 		.height = 640,
-		.model_path = "assets/walker.glb",
+		.model_path = model,
 		.character = path.text,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
@@ -42,6 +44,11 @@ static void begin(struct bench *bench, const char *character)
 	assert_int_equal(
 		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
 	bench->base = (struct demo_base *)bench->demo;
+}
+
+static void begin(struct bench *bench, const char *character)
+{
+	begin_model(bench, "assets/walker.glb", character);
 }
 
 static void end(struct bench *bench)
@@ -140,12 +147,52 @@ static void test_the_first_frame_does_not_ease(void **state)
 	end(&bench);
 }
 
+/* A triangle of 1.9 units, so many times as large. */
+static const char triangle[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+	"\"nodes\":[{\"mesh\":0,\"scale\":[%d,%d,%d]}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
+	"\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[1,1.9,0]}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+	"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+	"octet-stream;base64,%s\"}]}";
+static const char corners[] = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAADMz8z8AAAAA";
+
+/* In the unit of the model, which the scene may draw at another size. */
+static float tile_of(int size)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "triangle.gltf");
+	struct bench bench;
+	char text[1000];
+	float tile;
+
+	snprintf(text, sizeof(text), triangle, size, size, size, corners);
+	file_write(path.text, text, strlen(text));
+	begin_model(&bench, path.text, "[state a]\nclip = rest\n");
+	tile = bench.base->stage.floor.tile /
+		bench.base->actor.instance->unit_scale;
+	end(&bench);
+	temp_dir_remove(&folder);
+	return tile;
+}
+
+static void test_tiles_do_not_depend_on_the_unit_of_the_model(void **state)
+{
+	(void)state;
+	assert_near(tile_of(1), 0.5, 1e-4);
+	assert_near(tile_of(100), 50, 1e-2);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_frame_zooms_by_at_most_a_factor_of_two),
 		cmocka_unit_test(test_the_camera_eases_to_what_a_clip_needs),
 		cmocka_unit_test(test_the_first_frame_does_not_ease),
+		cmocka_unit_test(
+			test_tiles_do_not_depend_on_the_unit_of_the_model),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-static const float FASTEST = 30; /* limit of a particle's speed, in the world's
-				    units a second */
 static const float GIVE = 1.02f; /* limit of a column's length, times its rest
 				    length */
 
@@ -147,10 +145,12 @@ static void hold_together(struct cloth *cloth,
 
 /*
  * Computes velocities from the distances covered in this part of the step, and
- * limits them to FASTEST.
+ * limits them.
  */
 static void find_speed(struct cloth *cloth, float part_s)
 {
+	float fastest = cloth->settings.fastest;
+
 	for (int i = cloth->settings.columns; i < cloth->count; i++) {
 		float *velocity = cloth->velocity[i];
 		float speed;
@@ -160,8 +160,8 @@ static void find_speed(struct cloth *cloth, float part_s)
 			velocity[k] /= part_s;
 		}
 		speed = vec_length(velocity);
-		if (!(speed <= FASTEST)) {
-			float scale = speed > 0 ? FASTEST / speed : 0;
+		if (!(speed <= fastest)) {
+			float scale = speed > 0 ? fastest / speed : 0;
 
 			for (int k = 0; k < 3; k++) {
 				velocity[k] *= scale;

@@ -29,6 +29,8 @@ struct cloth_settings {
 	float damping;     /* damping of any motion, 1/s */
 	float bend;        /* stiffness against folding, 0..1 */
 	float radius;      /* distance kept from capsules */
+	float fastest;     /* limit of a particle's speed, the world's units a
+			      second */
 	int passes;        /* passes over all links in each part of a step */
 };
 

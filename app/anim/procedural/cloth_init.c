@@ -15,6 +15,7 @@ struct cloth_settings cloth_settings_default(void)
 		.damping = 0.6f,
 		.bend = 0.2f,
 		.radius = 0.01f,
+		.fastest = 30,
 		.passes = 4,
 	};
 }

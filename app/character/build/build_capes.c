@@ -84,6 +84,7 @@ static int make_cloth(struct character_build *build, struct character_cape *cape
 	settings.rows = ROWS;
 	settings.radius = cape->radius;
 	settings.gravity[1] *= build->character->metre;
+	settings.fastest *= build->character->metre;
 	settings.bend = 0.45f;
 	for (int i = 0; i < COLUMNS; i++) {
 		pin[i] = cape->bone;

@@ -148,11 +148,11 @@ static void swing(struct actor *actor)
 	char text[700];
 
 	snprintf(text, sizeof(text),
-		"[state walk]\nclip = walk\n[motion]\nspeed = %.9g\n"
+		"[state run]\nclip = run\n[motion]\nspeed = %.9g\n"
 		"[spring tail]\nbones = ponytail.4 4\n"
 		"[shake left]\nbone = shoulder.L\ntranslation = 0 3 0\n"
 		"[cape cape]\nbone = chest\nplace = 0 %.9g %.9g\n",
-		1.03 * size, 1.45 * size, -0.118 * size);
+		2.6 * size, 1.45 * size, -0.118 * size);
 	acting_expect(&actor->acting, text);
 }
 

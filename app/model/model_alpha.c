@@ -60,3 +60,18 @@ bool model_alpha_is_seen(
 	}
 	return material->base_color[3] * (float)most / 255.0f >= needed;
 }
+
+float model_alpha_mean(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	float alpha = model->material[primitive->material].base_color[3];
+	int64_t sum = 0;
+
+	if (!primitive->color || primitive->vertex_count == 0) {
+		return alpha;
+	}
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		sum += primitive->color[v][3];
+	}
+	return alpha * (float)sum / (255.0f * (float)primitive->vertex_count);
+}

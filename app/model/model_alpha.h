@@ -19,4 +19,10 @@ enum model_alpha model_alpha_of(
 bool model_alpha_is_seen(
 	const struct model *model, const struct model_primitive *primitive);
 
+/*
+ * Returns the mean alpha of the primitive's surface without its texture, 0..1.
+ */
+float model_alpha_mean(
+	const struct model *model, const struct model_primitive *primitive);
+
 #endif

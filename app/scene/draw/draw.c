@@ -2,13 +2,16 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
-#include "app/scene/draw/edge_list.h"
+#include "app/scene/draw/draw_batch.h"
 #include "app/scene/draw/emission.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
+
+/* A fainter shadow is not seen, and must not keep others from a pixel. */
+static const float least_shadow = 1.0f / 255;
 
 /* Smoother surfaces get a stronger and narrower highlight. */
 static void set_highlight(const struct gl *gl, float roughness)
@@ -64,94 +67,6 @@ static void set_material(const struct gl *gl, const struct model_material *m,
 	}
 }
 
-static void enable_array(const struct gl *gl, GLenum array, const void *data)
-{
-	if (data) {
-		gl->EnableClientState(array);
-	} else {
-		gl->DisableClientState(array);
-	}
-}
-
-/* What one pass draws besides positions; the pointers may be NULL. */
-struct arrays {
-	bool lit;        /* pass the batch's normals */
-	bool both_units; /* pass texcoord to the second unit, too */
-	const float (*texcoord)[2];
-	const uint8_t (*color)[4];
-	bool edges;                   /* draw the triangles' edges */
-	const struct batch_lod *list; /* NULL: all triangles */
-};
-
-static void set_vertices(
-	const struct gl *gl, const struct batch *batch, bool with_normals)
-{
-	const struct fixed_vector *position = batch->fixed_position;
-	const struct fixed_vector *normal = batch->fixed_normal;
-	const GLsizei stride = sizeof(*position);
-
-	enable_array(gl, GL_NORMAL_ARRAY, with_normals ? batch : NULL);
-	if (position) {
-		gl->VertexPointer(3, GL_SHORT, stride, &position->x);
-	} else {
-		gl->VertexPointer(3, GL_FLOAT, 0, batch->position);
-	}
-	if (with_normals && position) {
-		gl->NormalPointer(GL_SHORT, stride, &normal->x);
-	} else if (with_normals) {
-		gl->NormalPointer(GL_FLOAT, 0, batch->normal);
-	}
-}
-
-/* index is NULL where each three vertices are a triangle. */
-static void draw_list(
-	const struct gl *gl, const uint16_t *index, int count, bool edges)
-{
-	if (edges) {
-		edge_list_draw(gl, index, count);
-	} else if (index) {
-		gl->DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, index);
-	} else {
-		gl->DrawArrays(GL_TRIANGLES, 0, count);
-	}
-}
-
-static void set_texcoords(const struct gl *gl, const void *texcoord)
-{
-	enable_array(gl, GL_TEXTURE_COORD_ARRAY, texcoord);
-	if (texcoord) {
-		gl->TexCoordPointer(2, GL_FLOAT, 0, texcoord);
-	}
-}
-
-static void draw_batch(const struct gl *gl, const struct batch *batch,
-	const struct arrays *arrays)
-{
-	const void *texcoord = arrays->texcoord;
-	const void *color = arrays->color;
-
-	gl->EnableClientState(GL_VERTEX_ARRAY);
-	set_vertices(gl, batch, arrays->lit);
-	set_texcoords(gl, texcoord);
-	if (arrays->both_units) {
-		gl->ClientActiveTexture(GL_TEXTURE1);
-		set_texcoords(gl, texcoord);
-		gl->ClientActiveTexture(GL_TEXTURE0);
-	}
-	enable_array(gl, GL_COLOR_ARRAY, color);
-	if (color) {
-		gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
-	}
-	if (arrays->list) {
-		draw_list(gl, arrays->list->index, arrays->list->index_count,
-			arrays->edges);
-	} else {
-		draw_list(gl, batch->index,
-			batch->index ? batch->index_count : batch->vertex_count,
-			arrays->edges);
-	}
-}
-
 static const struct model_material *material_of(
 	const struct instance *instance, const struct drawable *drawable)
 {
@@ -196,7 +111,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 		gl->ShadeModel(GL_FLAT);
 	}
 	draw_batch(gl, batch,
-		&(struct arrays){
+		&(struct draw_arrays){
 			.lit = true,
 			.both_units = emission == EMISSION_BY_TEXTURE,
 			.texcoord = textured ? batch->texcoord : NULL,
@@ -213,7 +128,7 @@ static void draw_flat(const struct gl *gl, const struct drawable *drawable,
 	const struct batch *batch, bool edges, bool textured)
 {
 	draw_batch(gl, batch,
-		&(struct arrays){
+		&(struct draw_arrays){
 			.texcoord = textured ? batch->texcoord : NULL,
 			.edges = edges,
 			.list = edges ? shaded_list(drawable, batch)
@@ -221,27 +136,61 @@ static void draw_flat(const struct gl *gl, const struct drawable *drawable,
 		});
 }
 
+void draw_set_shadow_color(const struct gl *gl, float strength)
+{
+	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
+		fx16_from_float(strength));
+}
+
+/* Draws a shadow, and only where the texture has at least this alpha. */
+static void draw_textured_shadow(const struct gl *gl,
+	const struct instance *instance, const struct drawable *drawable,
+	const struct texture_set *textures, GLfixed least)
+{
+	bool textured = is_textured(instance, drawable);
+
+	if (textured) {
+		texture_bind(
+			textures, gl, material_of(instance, drawable)->texture);
+		gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+		gl->Enable(GL_ALPHA_TEST);
+		gl->AlphaFuncx(GL_GEQUAL, least);
+	}
+	for (int i = 0; i < drawable->batch_count; i++) {
+		draw_flat(gl, drawable, &drawable->batch[i], false, textured);
+	}
+	gl->Disable(GL_ALPHA_TEST);
+	gl->Disable(GL_TEXTURE_2D);
+}
+
 /*
- * Draws shadows of masked materials with the holes that their texture has. The
- * alpha that is tested is the texel's times the shadow's.
+ * Draws shadows of masked materials with the holes that their texture has, and
+ * of blended ones as faint as their surface. The alpha that is tested is the
+ * texel's times the shadow's. Returns false if the surface is opaque.
  */
-static void draw_masked_shadow(const struct gl *gl,
+static bool draw_partial_shadow(const struct gl *gl,
 	const struct instance *instance, const struct drawable *drawable,
 	const struct texture_set *textures)
 {
 	const struct model_material *material = material_of(instance, drawable);
-	/* Above 0, as the surface is seen. */
-	float cutoff = material->alpha_cutoff / material->base_color[3];
 
-	texture_bind(textures, gl, material->texture);
-	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-	gl->Enable(GL_ALPHA_TEST);
-	gl->AlphaFuncx(GL_GEQUAL, fx16_from_float(cutoff * DRAW_SHADOW_ALPHA));
-	for (int i = 0; i < drawable->batch_count; i++) {
-		draw_flat(gl, drawable, &drawable->batch[i], false, true);
+	if (drawable->alpha == MODEL_BLEND) {
+		draw_set_shadow_color(
+			gl, drawable->mean_alpha * DRAW_SHADOW_ALPHA);
+		draw_textured_shadow(gl, instance, drawable, textures,
+			fx16_from_float(least_shadow));
+		draw_set_shadow_color(gl, DRAW_SHADOW_ALPHA);
+		return true;
 	}
-	gl->Disable(GL_ALPHA_TEST);
-	gl->Disable(GL_TEXTURE_2D);
+	if (drawable->alpha == MODEL_MASK && is_textured(instance, drawable)) {
+		/* Above 0, as the surface is seen. */
+		float cutoff = material->alpha_cutoff / material->base_color[3];
+
+		draw_textured_shadow(gl, instance, drawable, textures,
+			fx16_from_float(cutoff * DRAW_SHADOW_ALPHA));
+		return true;
+	}
+	return false;
 }
 
 static void draw_all_shaded(const struct gl *gl, const struct instance *instance,
@@ -314,7 +263,7 @@ static void draw_emission(const struct gl *gl, const struct instance *instance,
 		const struct batch *batch = &drawable->batch[i];
 
 		draw_batch(gl, batch,
-			&(struct arrays){
+			&(struct draw_arrays){
 				.texcoord = textured ? batch->texcoord : NULL,
 				.list = shaded_list(drawable, batch),
 			});
@@ -351,9 +300,8 @@ static void draw_drawable(const struct gl *gl, const struct instance *instance,
 		}
 		return;
 	}
-	if (pass == DRAW_SHADOW && is_textured(instance, drawable) &&
-		drawable->alpha == MODEL_MASK) {
-		draw_masked_shadow(gl, instance, drawable, textures);
+	if (pass == DRAW_SHADOW && drawable->alpha != MODEL_OPAQUE &&
+		draw_partial_shadow(gl, instance, drawable, textures)) {
 		return;
 	}
 	for (int i = 0; i < drawable->batch_count; i++) {
@@ -385,7 +333,7 @@ static void draw_bump_mapped(const struct gl *gl,
 	texture_bind(textures, gl, material->normal_texture);
 	bump_begin_dot3_pass(gl);
 	draw_batch(gl, batch,
-		&(struct arrays){
+		&(struct draw_arrays){
 			.texcoord = batch->texcoord,
 			.color = (const uint8_t(*)[4])drawable->light,
 			.list = shaded_list(drawable, batch),

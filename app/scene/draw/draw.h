@@ -16,8 +16,8 @@
 
 enum draw_pass {
 	DRAW_SHADED, /* with materials, textures and light */
-	DRAW_SHADOW, /* the list for shadows in the current colour, whose alpha
-			is DRAW_SHADOW_ALPHA */
+	DRAW_SHADOW, /* the list for shadows in the current colour, which is
+			that of draw_set_shadow_color(DRAW_SHADOW_ALPHA) */
 	DRAW_EDGES,  /* the shaded triangles' edges in the current colour */
 };
 
@@ -31,6 +31,9 @@ enum draw_pass {
  */
 void draw_instance(const struct gl *gl, const struct instance *instance,
 	const struct texture_set *textures, enum draw_pass pass);
+
+/* Sets the current colour to that of shadows, with this alpha. */
+void draw_set_shadow_color(const struct gl *gl, float strength);
 
 /* Draws one drawable of an instance, hidden or not. */
 void draw_instance_part(const struct gl *gl, const struct instance *instance,

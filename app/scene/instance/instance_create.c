@@ -269,6 +269,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 		measure_box(drawable, mesh->target_count);
 	}
 	drawable->alpha = model_alpha_of(model, drawable->primitive);
+	drawable->mean_alpha = model_alpha_mean(model, drawable->primitive);
 	drawable->unseen = !model_alpha_is_seen(model, drawable->primitive);
 	init_color(drawable, model);
 	error = init_vertices(instance, drawable);

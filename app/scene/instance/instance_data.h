@@ -124,6 +124,7 @@ struct drawable {
 	/* the last update posed vertices of this and coarser levels; 0: all */
 	int posed_lod;
 	enum model_alpha alpha; /* see model_alpha_of() */
+	float mean_alpha;       /* of the surface without its texture, 0..1 */
 	bool unseen;            /* casts no shadow: see model_alpha_is_seen() */
 	fx16_t color[4]; /* the material's base colour, sRGB-encoded, 16.16 */
 	/* the light it emits, 16.16: see emission_color() */

@@ -1,6 +1,7 @@
 #include "app/scene/shadow/shadow_drape.h"
 
 #include "app/anim/math/vec.h"
+#include "app/scene/draw/draw.h"
 #include "app/scene/draw/triangle_list.h"
 #include "app/scene/instance/bounds.h"
 #include "platform/base/fixed.h"
@@ -53,13 +54,18 @@ static int allocate(struct shadow_drape *drape, struct arena *arena,
 		: -ENOMEM;
 }
 
+/* The sheets of what is blended come last: opaque shadows hide theirs. */
 static int make_sheets(struct shadow_drape *drape, struct instance *instance)
 {
-	int largest = 1, vertices = 0;
+	int largest = 1, vertices = 0, drawables = instance->drawable_count;
 
-	for (int i = 0; i < instance->drawable_count; i++) {
-		const struct drawable *drawable = &instance->drawable[i];
+	for (int i = 0; i < 2 * drawables; i++) {
+		const struct drawable *drawable =
+			&instance->drawable[i % drawables];
 
+		if ((drawable->alpha == MODEL_BLEND) != (i >= drawables)) {
+			continue;
+		}
 		for (int k = 0; k < drawable->batch_count; k++) {
 			const struct batch *batch = &drawable->batch[k];
 			int count = batch->vertex_count;
@@ -222,7 +228,8 @@ void shadow_drape_update(struct shadow_drape *drape,
 		sheet->posed = drape->posed + vertices;
 		sheet->position = drape->position + vertices;
 		sheet->index = drape->index + indices;
-		if (!sheet->drawable->hidden && light->towards[1] > 0.0f) {
+		if (!sheet->drawable->hidden && !sheet->drawable->unseen &&
+			light->towards[1] > 0.0f) {
 			pose_sheet(drape, sheet, instance);
 		}
 		vertices += sheet->vertex_count;
@@ -236,15 +243,13 @@ void shadow_drape_update(struct shadow_drape *drape,
  * Blends a dark colour over the ground where the stencil is 0, and counts
  * there: a pixel that many triangles cover is darkened by the first one.
  */
-static void begin_darkening(const struct gl *gl, float strength)
+static void begin_darkening(const struct gl *gl)
 {
 	gl->Enable(GL_STENCIL_TEST);
 	gl->StencilFunc(GL_EQUAL, 0, 255);
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
-		fx16_from_float(strength));
 	gl->DepthMask(GL_FALSE);
 	gl->Enable(GL_CULL_FACE);
 }
@@ -269,10 +274,15 @@ void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
 	if (!may_be_hidden) {
 		gl->Disable(GL_DEPTH_TEST);
 	}
-	begin_darkening(gl, strength);
+	begin_darkening(gl);
+	draw_set_shadow_color(gl, strength);
 	for (int i = 0; i < drape->sheet_count; i++) {
 		const struct shadow_sheet *sheet = &drape->sheet[i];
 
+		if (sheet->drawable->alpha == MODEL_BLEND) {
+			draw_set_shadow_color(
+				gl, strength * sheet->drawable->mean_alpha);
+		}
 		if (sheet->index_count > 0) {
 			gl->VertexPointer(3, GL_FLOAT, 0, sheet->position);
 			gl->DrawElements(GL_TRIANGLES, sheet->index_count,

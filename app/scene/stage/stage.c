@@ -190,8 +190,7 @@ static void begin_shadow(
 	use_plain_state(gl);
 	gl->DisableClientState(GL_COLOR_ARRAY);
 	gl->Disable(GL_DEPTH_TEST); /* the shadow lies in the surface's plane */
-	gl->Color4x(FX16_ONE / 16, FX16_ONE / 16, FX16_ONE / 12,
-		fx16_from_float(DRAW_SHADOW_ALPHA));
+	draw_set_shadow_color(gl, DRAW_SHADOW_ALPHA);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	gl->DepthMask(GL_FALSE);

@@ -101,7 +101,7 @@ static void test_blended_surfaces_come_after_opaque_ones(void **state)
 	model_destroy(model);
 }
 
-/* Draws a quad over the whole picture as a black shadow on white. */
+/* Draws a quad over the whole picture as a shadow on white. */
 static void draw_shadow(struct gl_canvas *canvas, const struct model *model)
 {
 	struct instance *instance = small_model_instance(model);
@@ -115,7 +115,7 @@ static void draw_shadow(struct gl_canvas *canvas, const struct model *model)
 		0);
 	gl->ClearColorx(65536, 65536, 65536, 65536);
 	gl->Clear(GL_COLOR_BUFFER_BIT);
-	gl->Color4x(0, 0, 0, (GLfixed)(DRAW_SHADOW_ALPHA * 65536));
+	draw_set_shadow_color(gl, DRAW_SHADOW_ALPHA);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 	draw_instance(gl, instance, &textures, DRAW_SHADOW);
@@ -141,25 +141,27 @@ static void check_masked_shadow(
 	model->material[0].alpha_cutoff = cutoff;
 	model->material[0].base_color[3] = base_alpha;
 	draw_shadow(&canvas, model);
-	gl_canvas_expect(&canvas, 2, 2, 159, 159, 159, 2); /* 255 * 0.625 */
+	gl_canvas_expect(&canvas, 2, 2, 166, 166, 166, 2); /* 255 * 0.625 + 16 * 0.375 */
 	gl_canvas_expect(&canvas, GL_CANVAS_WIDTH - 3, 2, 255, 255, 255, 0);
 	model_destroy(model);
 	gl_canvas_close(&canvas);
 }
 
 /* What is masked or blended away, as exporters hide helpers, is not there. */
-static void test_what_is_not_seen_casts_no_shadow(void **state)
+static void test_a_shadow_is_as_faint_as_its_surface(void **state)
 {
 	static const struct {
 		enum model_alpha alpha;
 		float base_alpha;
-		bool shadow;
+		uint8_t level; /* of white ground in the shadow */
 	} surfaces[] = {
-		{MODEL_MASK, 0.4f, false},
-		{MODEL_MASK, 0.6f, true},
-		{MODEL_BLEND, 0.0f, false},
-		{MODEL_BLEND, 0.4f, true},
-		{MODEL_OPAQUE, 0.0f, true},
+		{MODEL_MASK, 0.4f, 255},
+		{MODEL_MASK, 0.6f, 166},
+		{MODEL_BLEND, 0.0f, 255},
+		/* as faint as the surface: 255 * 0.85 + 16 * 0.15 */
+		{MODEL_BLEND, 0.4f, 219},
+		{MODEL_BLEND, 0.8f, 184},
+		{MODEL_OPAQUE, 0.0f, 166},
 	};
 
 	(void)state;
@@ -167,7 +169,7 @@ static void test_what_is_not_seen_casts_no_shadow(void **state)
 		struct gl_canvas canvas =
 			gl_canvas_open("soft", PIXELS_RGBA8888);
 		struct model *model = small_model_grid(1, 1, 1.0f, true);
-		uint8_t level = surfaces[i].shadow ? 159 : 255;
+		uint8_t level = surfaces[i].level;
 
 		model->material[0].alpha = surfaces[i].alpha;
 		model->material[0].alpha_cutoff = 0.5f;
@@ -188,6 +190,32 @@ static void test_a_masked_surface_casts_a_shadow_with_its_holes(void **state)
 	check_masked_shadow("osmesa", 128, 0.8f, 0.45f);
 }
 
+/* The texture's holes and the alpha of its other texels, on both drivers. */
+static void test_a_blended_texture_casts_a_shadow_by_its_alpha(void **state)
+{
+	static const char *const drivers[] = {"soft", "osmesa"};
+	const uint8_t faint[2][4] = {{255, 255, 255, 128}, {255, 255, 255, 0}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(drivers); i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open(drivers[i], PIXELS_RGBA8888);
+		struct model *model = small_model_grid(1, 1, 1.0f, true);
+
+		small_model_add_normal_map(model, 2, faint);
+		model->image[0].opaque = false;
+		model->material[0].normal_texture = -1;
+		model->material[0].texture = 0;
+		model->material[0].alpha = MODEL_BLEND;
+		draw_shadow(&canvas, model);
+		gl_canvas_expect(&canvas, 2, 2, 210, 210, 210, 3);
+		gl_canvas_expect(
+			&canvas, GL_CANVAS_WIDTH - 3, 2, 255, 255, 255, 0);
+		model_destroy(model);
+		gl_canvas_close(&canvas);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -198,7 +226,9 @@ int main(void)
 		cmocka_unit_test(test_blended_surfaces_come_after_opaque_ones),
 		cmocka_unit_test(
 			test_a_masked_surface_casts_a_shadow_with_its_holes),
-		cmocka_unit_test(test_what_is_not_seen_casts_no_shadow),
+		cmocka_unit_test(
+			test_a_blended_texture_casts_a_shadow_by_its_alpha),
+		cmocka_unit_test(test_a_shadow_is_as_faint_as_its_surface),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

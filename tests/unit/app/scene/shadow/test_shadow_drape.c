@@ -348,6 +348,14 @@ static void test_ground_that_is_seen_is_darkened_once(void **state)
 	/* Without a depth test, the roof gets what the ground does. */
 	assert_int_equal(draw_shadow(context, &picture, &cast.drape, 1, false),
 		draw_shadow(context, &picture, &cast.drape, -3, true));
+	/* The shadow of glass is as faint as the glass. */
+	cast.instance->drawable[0].alpha = MODEL_BLEND;
+	cast.instance->drawable[0].mean_alpha = 0.6f; /* darkens to 183 */
+	assert_in_range(draw_shadow(context, &picture, &cast.drape, -3, true),
+		270, 330);
+	cast.instance->drawable[0].mean_alpha = 0.2f; /* to 231 */
+	assert_int_equal(
+		draw_shadow(context, &picture, &cast.drape, -3, true), 0);
 	free(picture.data);
 	context->driver->destroy(context);
 	end(&cast);

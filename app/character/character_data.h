@@ -327,6 +327,11 @@ struct character_binding {
 	enum button button, second; /* second: of CHARACTER_TOGETHER */
 	enum character_gesture gesture;
 	const char *label; /* what it does, for people */
+	/*
+	 * The same for pictures: where their font lacks the letters, the line's
+	 * actions or a number.
+	 */
+	const char *shown;
 	const struct character_action *action;
 	/* of CHARACTER_HOLD: undoes the actions at the release */
 	const struct character_action *after;

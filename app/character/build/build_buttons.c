@@ -4,6 +4,8 @@
  */
 #include "app/character/build/build.h"
 
+#include "app/scene/hud/hud_name.h"
+
 #include <errno.h>
 #include <string.h>
 
@@ -97,13 +99,13 @@ static int add_after(struct character_words *words,
 	return 0;
 }
 
-/* The words of the line as the file has them, for people. */
-static const char *make_label(struct character_words *words)
+/* The first words of the line as the file has them, for people. */
+static const char *make_label(struct character_words *words, int count)
 {
 	char text[256] = "";
 	size_t used = 0;
 
-	for (int i = 0; i < words->line->word_count; i++) {
+	for (int i = 0; i < count; i++) {
 		const char *word = words->line->word[i].text;
 		int length = snprintf(text + used, sizeof(text) - used, "%s%s",
 			used && *word != ',' ? " " : "", word);
@@ -114,6 +116,45 @@ static const char *make_label(struct character_words *words)
 		used += (size_t)length;
 	}
 	return arena_strdup(words->build->arena, text);
+}
+
+/*
+ * Finds what pictures show of the label, and says so of the first one that they
+ * cannot show.
+ */
+static int find_shown(struct character_words *words,
+	struct character_binding *binding, int action_words)
+{
+	const struct character_build *build = words->build;
+	const struct character_binding *one = build->character->binding;
+	char number[HUD_NAME_BYTES];
+	const char *label = binding->label;
+	bool first = true;
+	int count = 1;
+
+	for (; one; one = one->next) {
+		first = first && one->shown == one->label;
+		count++;
+	}
+	binding->shown = label;
+	if (hud_name(label, "action", count, number) == label) {
+		return 0;
+	}
+	label = make_label(words, action_words);
+	binding->shown = label
+		? arena_strdup(build->arena,
+			  hud_name(label, "action", count, number))
+		: NULL;
+	if (!binding->shown) {
+		return character_fail_memory(build);
+	}
+	if (first && build->text->is_file) {
+		log_warning(build->log,
+			"%s:%d: the font of pictures has no letters for \"%s\", so labels show \"%s\": write it in Latin letters",
+			words->line->file, words->line->number, binding->label,
+			binding->shown);
+	}
+	return 0;
 }
 
 /* Returns true if an action moves something as long as the button is down. */
@@ -136,6 +177,7 @@ static int read_binding(
 	const char *gesture;
 	bool all_held = true;
 	int error = read_buttons(words, binding, &gesture);
+	int action_words;
 
 	if (!error) {
 		error = read_gesture(words, binding, gesture);
@@ -152,13 +194,18 @@ static int read_binding(
 	if (error) {
 		return error;
 	}
+	action_words = words->next;
 	if (!character_at_end(words) && words->line->word[words->next].quoted) {
 		binding->label = character_next_word(words);
 	} else {
-		binding->label = make_label(words);
+		binding->label = make_label(words, words->line->word_count);
 	}
 	if (!binding->label) {
 		return character_fail_memory(words->build);
+	}
+	error = find_shown(words, binding, action_words);
+	if (error) {
+		return error;
 	}
 	if (!character_at_end(words)) {
 		return character_fail(words,

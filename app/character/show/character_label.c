@@ -368,7 +368,7 @@ static void label_changing(const struct character *character, struct hud *hud)
 	group = hud_group_begin(hud, HUD_BOTTOM_LEFT, NULL);
 	for (one = first; one; one = find_changing(one->next)) {
 		character_button_text(one, name, sizeof(name));
-		hud_group_widen(&group, name, one->label);
+		hud_group_widen(&group, name, one->shown);
 	}
 	for (one = first; one; one = find_changing(one->next)) {
 		bool on;
@@ -376,9 +376,9 @@ static void label_changing(const struct character *character, struct hud *hud)
 		character_button_text(one, name, sizeof(name));
 		if (find_switched(character, one->action, &on)) {
 			hud_group_switch(
-				&group, name, one->label, on, hud_color_green);
+				&group, name, one->shown, on, hud_color_green);
 		} else {
-			hud_group_key(&group, name, one->label);
+			hud_group_key(&group, name, one->shown);
 		}
 	}
 	hud_group_end(&group);
@@ -423,7 +423,7 @@ static void label_keys(const struct character *character, struct hud *hud)
 
 		if (character_button_acts(one)) {
 			character_button_text(one, name, sizeof(name));
-			hud_group_key(&group, name, one->label);
+			hud_group_key(&group, name, one->shown);
 		}
 	}
 	hud_group_end(&group);

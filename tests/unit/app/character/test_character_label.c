@@ -1,6 +1,7 @@
 /* How much room a character asks for, for its labels. */
 #include "app/character/show/character_label.h"
 #include "app/scene/hud/hud_group.h"
+#include "tests/support/files.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -110,12 +111,61 @@ static void test_no_label_is_a_row_of_boxes(void **state)
 	}
 }
 
+/* By its actions, or by a number if they cannot be shown either. */
+static void test_a_sentence_that_the_font_lacks_is_replaced(void **state)
+{
+	static const char *const shown[] = {
+		"go faster", "set speed 1", "action 3", "go b"};
+	const struct character_binding *one;
+	struct acting acting;
+	size_t i = 0;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter speed]\n[parameter \u901f\u5ea6\u901f\u5ea6\u901f]\n"
+		"[state a]\nclip = walk\n[state b]\nclip = run\n[buttons]\n"
+		"UP = set speed 1 \"go faster\"\n"
+		"DOWN = set speed 1 \"\u8dd1\u5f97\u66f4\u5feb\"\n"
+		"LEFT = add \u901f\u5ea6\u901f\u5ea6\u901f 1 \"\u8d70\"\n"
+		"RIGHT = go b\n");
+	for (one = acting.character->binding; one; one = one->next) {
+		assert_string_equal(one->shown, shown[i]);
+		i++;
+	}
+	assert_int_equal(i, ARRAY_COUNT(shown));
+	acting_end(&acting);
+}
+
+static void test_the_first_such_sentence_is_reported(void **state)
+{
+	static const char text[] =
+		"[state a]\nclip = walk\n[buttons]\n"
+		"UP = pause \"\u505c\"\nDOWN = tour \"\u770b\"\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "a.character");
+	struct acting acting;
+
+	(void)state;
+	file_write(path.text, text, strlen(text));
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, path.text);
+	assert_int_equal(acting.error, 0);
+	assert_int_equal(acting.logged.count, 1);
+	assert_non_null(strstr(acting.logged.sentence[0],
+		":4: the font of pictures has no letters for \"\u505c\", so labels show \"pause\""));
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_parameter_that_buttons_move_has_a_bar),
 		cmocka_unit_test(test_a_fade_has_a_bar),
 		cmocka_unit_test(test_no_label_is_a_row_of_boxes),
+		cmocka_unit_test(test_a_sentence_that_the_font_lacks_is_replaced),
+		cmocka_unit_test(test_the_first_such_sentence_is_reported),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

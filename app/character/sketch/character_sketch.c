@@ -1,6 +1,7 @@
 #include "app/character/sketch/character_sketch.h"
 
 #include "app/anim/pose.h"
+#include "app/character/sketch/sketch_feet.h"
 #include "app/character/sketch/sketch_names.h"
 #include "app/character/sketch/sketch_parts.h"
 #include "platform/base/printable.h"
@@ -317,6 +318,9 @@ static int write_nodes(
 	if (!error) {
 		sketch_find_parts(model, bones.is_joint, is_still(model), parts);
 		sketch_write_parts(model, parts, out);
+		error = sketch_write_feet(model, bones.is_joint, &arena, out);
+	}
+	if (!error) {
 		error = write_chains(model, &bones, &arena, out);
 	}
 	arena_release(&arena);

@@ -166,6 +166,92 @@ static void test_a_sketch_suggests_each_chain_of_two_or_more(void **state)
 		20, ";bones = j19 16\n\n;[reach reach1]\n;chain = j19 16\n");
 }
 
+/* Hips with hind legs, which carry a spine with front legs. */
+static char *sketch_four_legs(float right_x, float ankle_y)
+{
+	static const struct {
+		const char *name;
+		int parent;
+		float x, y, z;
+	} bone[] = {{"all", -1, 0, 0, 0}, {"hips", 0, 0, 0.9f, -0.4f},
+		{"spine", 1, 0, 0.05f, 0.4f}, {"thigh l", 1, 0.2f, -0.1f, 0},
+		{"shin l", 3, 0, -0.4f, 0.1f}, {"foot l", 4, 0, 0, -0.1f},
+		{"thigh r", 1, 0, -0.1f, 0}, {"shin r", 6, 0, -0.4f, 0.1f},
+		{"foot r", 7, 0, 0, -0.1f}, {"arm l", 2, 0.2f, -0.1f, 0.4f},
+		{"hand l", 9, 0, -0.4f, 0}, {"paw l", 10, 0, 0, 0},
+		{"arm r", 2, 0, -0.1f, 0.4f}, {"hand r", 12, 0, -0.4f, 0},
+		{"paw r", 13, 0, 0, 0}};
+	struct model_node node[ARRAY_COUNT(bone)];
+	int joint[ARRAY_COUNT(bone)];
+	struct model_skin skin = {
+		.joint = joint, .joint_count = ARRAY_COUNT(bone)};
+	struct model model = {.path = "four",
+		.node_count = ARRAY_COUNT(bone),
+		.node = node,
+		.skin_count = 1,
+		.skin = &skin};
+
+	for (size_t i = 0; i < ARRAY_COUNT(bone); i++) {
+		node[i] = (struct model_node){.name = bone[i].name,
+			.parent = bone[i].parent,
+			.in_scene = true,
+			.rest = {{bone[i].x, bone[i].y, bone[i].z},
+				{0, 0, 0, 1}, {1, 1, 1}},
+			.mesh = -1,
+			.skin = -1,
+			.camera = -1};
+		joint[i] = (int)i;
+	}
+	node[6].rest.translation[0] = node[12].rest.translation[0] = right_x;
+	for (int i = 5; i <= 14; i += 3) {
+		node[i].rest.translation[1] = ankle_y;
+	}
+	return make_sketch(&model, NULL);
+}
+
+static void test_a_sketch_suggests_feet_for_pairs_of_legs(void **state)
+{
+	struct acting acting;
+	char *text;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	text = make_sketch(acting.model, NULL);
+	assert_contains(text,
+		";[feet feet1]\n;hips = hips\n;left = thigh.L shin.L foot.L\n"
+		";right = thigh.R shin.R foot.R\n\n");
+	assert_null(strstr(text, "feet2"));
+	free(text);
+	acting_end(&acting);
+	/* What carries other legs has to come first. */
+	text = sketch_four_legs(-0.2f, -0.35f);
+	assert_contains(text,
+		";[feet feet1]\n;hips = hips\n"
+		";left = \"thigh l\" \"shin l\" \"foot l\"\n"
+		";right = \"thigh r\" \"shin r\" \"foot r\"\n\n"
+		";[feet feet2]\n;hips = spine\n"
+		";left = \"arm l\" \"hand l\" \"paw l\"\n"
+		";right = \"arm r\" \"hand r\" \"paw r\"\n\n");
+	free(text);
+}
+
+static void test_a_sketch_suggests_no_feet_without_legs(void **state)
+{
+	static const struct {
+		float right_x, ankle_y;
+	} wrong[] = {{0.1f, -0.35f}, {-0.6f, -0.35f}, {-0.2f, 0.35f},
+		{-0.2f, -0.02f}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(wrong); i++) {
+		char *text =
+			sketch_four_legs(wrong[i].right_x, wrong[i].ankle_y);
+
+		assert_null(strstr(text, "[feet"));
+		free(text);
+	}
+}
+
 static void test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first(
 	void **state)
 {
@@ -398,6 +484,8 @@ int main(void)
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 		cmocka_unit_test(
 			test_a_sketch_of_very_many_clips_is_short_enough),
+		cmocka_unit_test(test_a_sketch_suggests_feet_for_pairs_of_legs),
+		cmocka_unit_test(test_a_sketch_suggests_no_feet_without_legs),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

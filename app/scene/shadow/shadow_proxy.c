@@ -1,9 +1,11 @@
 #include "app/scene/shadow/shadow_proxy.h"
 
+#include "app/anim/math/vec.h"
 #include "app/anim/skin.h"
 
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
 	CELLS = 40, /* along the longest side */
@@ -60,23 +62,67 @@ static uint32_t main_joint(const struct model_primitive *primitive, int vertex)
 	return influence[0].joint;
 }
 
+/* A vertex's place, and the sum of the normals of all vertices at that place. */
+struct spot {
+	float at[3];
+	uint32_t vertex;
+	float normal[3];
+};
+
+static int compare_spots(const void *left, const void *right)
+{
+	const struct spot *a = left, *b = right;
+	int order = memcmp(a->at, b->at, sizeof(a->at));
+
+	return order != 0 ? order
+			  : (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+/*
+ * Vertices at one place, where a hard edge or a seam divides them, get the same
+ * normal: they have to be merged into the same vertex, or the proxy has gaps.
+ */
+static void sum_normals(
+	const struct model_primitive *primitive, struct spot *spot)
+{
+	int count = primitive->vertex_count, end;
+
+	for (int v = 0; v < count; v++) {
+		memcpy(spot[v].at, primitive->position[v], sizeof(spot[v].at));
+		spot[v].vertex = (uint32_t)v;
+	}
+	qsort(spot, (size_t)count, sizeof(*spot), compare_spots);
+	for (int first = 0; first < count; first = end) {
+		float sum[3] = {0.0f, 0.0f, 0.0f};
+
+		for (end = first; end < count &&
+			memcmp(spot[end].at, spot[first].at,
+				sizeof(spot->at)) == 0;
+			end++) {
+			vec_add_scaled(sum, primitive->normal[spot[end].vertex],
+				1.0f, sum);
+		}
+		for (int i = first; i < end; i++) {
+			memcpy(spot[i].normal, sum, sizeof(sum));
+		}
+	}
+}
+
 /* Clamps to 0..CELLS, because a file may hold any number, NaN included. */
 static uint64_t cell_at(float at)
 {
 	return at > 0.0f ? at < (float)CELLS ? (uint64_t)at : CELLS : 0;
 }
 
-static void describe(const struct model_primitive *primitive, int vertex,
-	const float low[3], float scale, struct member *out)
+static void describe(const struct model_primitive *primitive,
+	const struct spot *spot, const float low[3], float scale,
+	struct member *out)
 {
-	const float *position = primitive->position[vertex];
-	const float *normal = primitive->normal[vertex];
-
-	*out = (struct member){.key = main_joint(primitive, vertex),
-		.vertex = (uint32_t)vertex};
+	*out = (struct member){.key = main_joint(primitive, (int)spot->vertex),
+		.vertex = spot->vertex};
 	for (int axis = 0; axis < 3; axis++) {
-		float at = position[axis] - low[axis];
-		bool back = normal[axis] < 0.0f;
+		float at = spot->at[axis] - low[axis];
+		bool back = spot->normal[axis] < 0.0f;
 
 		out->key = out->key << 8 | cell_at(at * scale);
 		out->key = out->key << 1 | back;
@@ -86,14 +132,15 @@ static void describe(const struct model_primitive *primitive, int vertex,
 
 /* leader[v] becomes the vertex that vertex v is merged into. */
 static void find_leaders(const struct model_primitive *primitive,
-	struct member *members, uint32_t *leader)
+	struct spot *spot, struct member *members, uint32_t *leader)
 {
 	float low[3], longest = find_box(primitive, low);
 	float scale = longest > 0.0f ? (float)CELLS / longest : 0.0f;
 	int count = primitive->vertex_count, first = 0;
 
+	sum_normals(primitive, spot);
 	for (int v = 0; v < count; v++) {
-		describe(primitive, v, low, scale, &members[v]);
+		describe(primitive, &spot[v], low, scale, &members[v]);
 	}
 	qsort(members, (size_t)count, sizeof(*members), compare_members);
 	for (int i = 0; i < count; i++) {
@@ -138,6 +185,7 @@ static int make_clusters(const struct model_primitive *primitive,
 	int *index_count)
 {
 	size_t count = (size_t)primitive->vertex_count;
+	struct spot *spot = malloc((count + 1) * sizeof(*spot));
 	struct member *members = malloc((count + 1) * sizeof(*members));
 	uint32_t *leader = malloc((count + 1) * sizeof(*leader));
 	uint32_t *list =
@@ -146,8 +194,8 @@ static int make_clusters(const struct model_primitive *primitive,
 
 	*index = NULL;
 	*index_count = 0;
-	if (members && leader && list) {
-		find_leaders(primitive, members, leader);
+	if (spot && members && leader && list) {
+		find_leaders(primitive, spot, members, leader);
 		*index_count = list_triangles(primitive, leader, list);
 		error = copy_list(
 			*index_count, list, inverse_order, arena, index);
@@ -155,6 +203,7 @@ static int make_clusters(const struct model_primitive *primitive,
 	free(list);
 	free(leader);
 	free(members);
+	free(spot);
 	return error;
 }
 

@@ -4,7 +4,8 @@
  * They are for models without lists of triangles for shadows. A proxy is made
  * by vertex clustering: vertices in the same cell of a grid whose normals are
  * in the same octant and that follow the same joint are merged, and triangles
- * that degenerate are dropped. The remaining vertices keep their positions, so
+ * that degenerate are dropped. Vertices at the same place count as one, with the
+ * sum of their normals. The remaining vertices keep their positions, so
  * a proxy needs no additional posing.
  */
 #ifndef APP_SCENE_SHADOW_SHADOW_PROXY_H

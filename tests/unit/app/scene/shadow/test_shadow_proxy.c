@@ -133,6 +133,47 @@ static void test_vertices_are_named_where_they_are_drawn_from(void **state)
 	free_net(net);
 }
 
+/*
+ * A box that is thinner than a cell, with hard edges: four vertices a side. No
+ * triangle may get lost, or the shadow would be in pieces.
+ */
+static void test_a_thin_box_with_hard_edges_stays_closed(void **state)
+{
+	float position[24][3], normal[24][3] = {{0}};
+	uint32_t index[36];
+	struct model_primitive primitive = {.vertex_count = 24,
+		.position = position,
+		.normal = normal,
+		.index_count = 36,
+		.index = index};
+	struct arena arena = arena_empty();
+	uint16_t *kept;
+	int count;
+
+	(void)state;
+	for (int i = 0; i < 24; i++) {
+		static const float size[3] = {0.015f, 1.0f, 0.015f};
+		static const uint32_t corner[6] = {0, 1, 2, 2, 1, 3};
+		int axis = i / 8, side = i / 4 % 2;
+		bool on[3];
+
+		on[axis] = side;
+		on[(axis + 1) % 3] = i & 1;
+		on[(axis + 2) % 3] = i >> 1 & 1;
+		for (int k = 0; k < 3; k++) {
+			position[i][k] = on[k] ? size[k] : 0.0f;
+		}
+		normal[i][axis] = side ? 1.0f : -1.0f;
+		for (int k = 0; i % 4 == 0 && k < 6; k++) {
+			index[i / 4 * 6 + k] = (uint32_t)i + corner[k];
+		}
+	}
+	assert_int_equal(
+		shadow_proxy_make(&primitive, NULL, &arena, &kept, &count), 0);
+	assert_int_equal(count, 36);
+	arena_release(&arena);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -141,6 +182,7 @@ int main(void)
 		cmocka_unit_test(test_joints_stay_apart),
 		cmocka_unit_test(
 			test_vertices_are_named_where_they_are_drawn_from),
+		cmocka_unit_test(test_a_thin_box_with_hard_edges_stays_closed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -117,10 +117,10 @@ struct drawable {
 	bool hidden;
 	/* the last update's joints reversed the winding of triangles */
 	bool mirrored;
-	int lod;        /* draws batch.lod[lod - 1]; 0: all triangles */
-	int shadow_lod; /* the same for the shadow, if that list is shorter
-			   than batch.shadow[shadow_list] */
-	int shadow_list;
+	int lod;         /* draws batch.lod[lod - 1]; 0: all triangles */
+	int shadow_lod;  /* the same for the shadow, if that list is shorter
+			    than batch.shadow[shadow_list] */
+	int shadow_list; /* batch.shadow_count: none is good enough */
 	/* the last update posed vertices of this and coarser levels; 0: all */
 	int posed_lod;
 	enum model_alpha alpha; /* see model_alpha_of() */

@@ -242,7 +242,7 @@ static void choose_of_drawable(const struct instance *instance,
 	error *= LOD_SHADOW_TOLERANCE;
 	drawable->shadow_lod = coarsest(batch->lod, batch->lod_count, error);
 	shadow = coarsest(batch->shadow, batch->shadow_count, error);
-	drawable->shadow_list = shadow > 0 ? shadow - 1 : 0;
+	drawable->shadow_list = shadow > 0 ? shadow - 1 : batch->shadow_count;
 }
 
 void lod_choose(

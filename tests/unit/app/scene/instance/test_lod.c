@@ -88,6 +88,21 @@ static void test_takes_the_coarsest_level_within_a_pixel(void **state)
 	end(&scene);
 }
 
+/* Even the finest list for shadows may be too coarse for a near one. */
+static void test_a_near_shadow_needs_all_triangles(void **state)
+{
+	struct scene scene = begin();
+	const struct batch *batch = &scene.drawable->batch[0];
+
+	(void)state;
+	lod_choose(scene.instance, &by_itself, 1000.0f);
+	assert_null(drawable_shadow(scene.drawable, batch));
+	lod_choose(scene.instance, &by_itself, 99.0f * LOD_ERROR_PX);
+	assert_non_null(drawable_shadow(scene.drawable, batch));
+	assert_int_equal(drawable_shadow(scene.drawable, batch)->index_count, 3);
+	end(&scene);
+}
+
 static void test_obeys_a_chosen_error_or_level(void **state)
 {
 	static const struct lod all = {.kind = LOD_ALL};
@@ -188,6 +203,7 @@ int main(void)
 		cmocka_unit_test(test_a_larger_instance_needs_finer_levels),
 		cmocka_unit_test(test_a_budget_asks_for_less_but_never_for_more),
 		cmocka_unit_test(test_half_as_far_has_twice_the_pixels),
+		cmocka_unit_test(test_a_near_shadow_needs_all_triangles),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

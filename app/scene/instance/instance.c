@@ -142,15 +142,28 @@ static bool palette_mirrors(const mat4 *palette, int joint_count)
 	return determinant < 0.0f;
 }
 
+/*
+ * A mesh below a mirroring node is inside out even where its joints do not
+ * mirror, as Blender writes it: the node's matrix decides about winding (glTF
+ * 2.0, section 3.7.4), although it places no vertex of a skinned mesh.
+ */
+static bool is_skin_mirrored(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	return matrix_determinant(
+		       (const mat4 *)&instance->world[drawable->node]) < 0.0f ||
+		palette_mirrors((const mat4 *)instance->palette[drawable->skin],
+			instance->model->skin[drawable->skin].joint_count);
+}
+
 /* Call it when the world matrices and palettes are up to date. */
 static void pose_drawable(
 	const struct instance *instance, struct drawable *drawable)
 {
 	drawable->bumped = drawable->light && instance->normal_mapping &&
 		!drawable->bumps_hidden;
-	drawable->mirrored = drawable->skin >= 0 &&
-		palette_mirrors((const mat4 *)instance->palette[drawable->skin],
-			instance->model->skin[drawable->skin].joint_count);
+	drawable->mirrored =
+		drawable->skin >= 0 && is_skin_mirrored(instance, drawable);
 	if (drawable->fixed) {
 		drawable_fixed_pose(instance, drawable);
 	} else if (drawable->skin >= 0 && drawable->morphed) {

@@ -46,6 +46,27 @@ static void test_mirrored_joints_turn_the_front_face(void **state)
 	instance_pair_end(&pair);
 }
 
+/* Node 0 has the mesh and carries no joint. */
+static void test_a_mirrored_node_of_the_mesh_turns_it_too(void **state)
+{
+	struct instance_pair pair;
+
+	(void)state;
+	instance_pair_load(
+		&pair, "tests/fixtures/gltf/skin/no_inverse_bind.gltf");
+	for (int i = 0; i < 2; i++) {
+		struct instance *instance = i ? pair.fixed : pair.exact;
+
+		instance->pose.local[0].scale[0] = -1.0f;
+		instance->pose.animated[0] = true;
+		instance_update(instance);
+		assert_int_equal(drawn_front_face(instance), GL_CW);
+		mirror_root(instance, -1.0f);
+		assert_int_equal(drawn_front_face(instance), GL_CW);
+	}
+	instance_pair_end(&pair);
+}
+
 static void test_a_joint_that_is_flat_does_not_decide(void **state)
 {
 	struct instance_pair pair;
@@ -119,6 +140,7 @@ int main(void)
 		cmocka_unit_test(test_a_joint_that_is_flat_does_not_decide),
 		cmocka_unit_test(
 			test_flat_normals_of_mirrored_skins_point_outwards),
+		cmocka_unit_test(test_a_mirrored_node_of_the_mesh_turns_it_too),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

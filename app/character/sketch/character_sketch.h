@@ -22,12 +22,12 @@ struct character_sketch_play {
 
 /*
  * Writes the text: clips, but no more than CHARACTER_SKETCH_CLIPS, become
- * states, morph targets expressions and a morph; pivots, legs and chains of bones
- * become suggestions in comments. Buttons use what there is: where neither
- * clips nor shapes move the model, they turn parts that hang on each other, or
- * joints. character_read() accepts the text for this model. play NULL: the
- * first clip begins, at its own rate, and all repeat. 0, or -ENOMEM with a part
- * of the text.
+ * states, morph targets expressions and a morph; pivots, legs and chains of
+ * bones become suggestions in comments. Buttons use what there is: where
+ * neither clips nor shapes move the model, they turn parts that hang on each
+ * other, or joints. character_read() accepts the text for this model. play
+ * NULL: the first clip begins, at its own rate, and all repeat. 0, or -ENOMEM
+ * with a part of the text.
  */
 int character_sketch(const struct model *model,
 	const struct character_sketch_play *play, FILE *out);

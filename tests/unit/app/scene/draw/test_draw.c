@@ -141,7 +141,8 @@ static void check_masked_shadow(
 	model->material[0].alpha_cutoff = cutoff;
 	model->material[0].base_color[3] = base_alpha;
 	draw_shadow(&canvas, model);
-	gl_canvas_expect(&canvas, 2, 2, 166, 166, 166, 2); /* 255 * 0.625 + 16 * 0.375 */
+	gl_canvas_expect(
+		&canvas, 2, 2, 166, 166, 166, 2); /* 255 * 0.625 + 16 * 0.375 */
 	gl_canvas_expect(&canvas, GL_CANVAS_WIDTH - 3, 2, 255, 255, 255, 0);
 	model_destroy(model);
 	gl_canvas_close(&canvas);

@@ -5,6 +5,8 @@
 #include "app/compare/comparison_draw.h"
 #include "app/compare/comparison_rows.h"
 
+#include "app/model/model_stats.h"
+
 #include <errno.h>
 #include <stdlib.h>
 
@@ -157,9 +159,46 @@ static int measure_all(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
+static int count_model_vertices(const struct model *model)
+{
+	struct model_stats stats;
+
+	model_measure(model, &stats);
+	return stats.vertex_count;
+}
+
+/* Finds the moments of all clips, and how many of them to compare. */
+static int choose_moments(struct comparison *comparison, const struct log *log)
+{
+	const struct model *model = comparison->model;
+	double moments = 0.0;
+
+	for (int i = 0; i < comparison->clip_count; i++) {
+		struct comparison_clip *to = &comparison->clip[i];
+		int error = time_grid_make(&model->clip[to->clip], &to->grid);
+
+		if (error == -E2BIG) {
+			log_error(log,
+				"%s: clip %d is too long to compare: it lasts more than five hours",
+				model->path, to->clip);
+		}
+		if (error) {
+			return error;
+		}
+		moments += (double)to->grid.count;
+	}
+	comparison->sampling = sampling_choose(
+		count_model_vertices(model), comparison->clip_count, moments);
+	return 0;
+}
+
 static int prepare(struct comparison *comparison, const struct log *log)
 {
 	int error = choose_clips(comparison, log);
+
+	if (!error) {
+		error = choose_moments(comparison, log);
+	}
 
 	if (!error) {
 		error = comparison_rows_choose(comparison);

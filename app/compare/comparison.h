@@ -12,6 +12,7 @@
 #include "app/compare/candidate/candidate_error.h"
 #include "app/compare/candidate/candidate_time.h"
 #include "app/compare/candidate/fit.h"
+#include "app/compare/measure/sampling.h"
 #include "app/compare/technique.h"
 
 enum {
@@ -90,6 +91,7 @@ struct comparison {
 	int vertex_count;
 	int clip_count;
 	struct comparison_clip *clip;
+	struct sampling sampling;
 	int row_count;
 	struct comparison_row row[COMPARISON_ROWS_MAX];
 

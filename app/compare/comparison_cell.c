@@ -37,10 +37,49 @@ static void end_reference(struct reference *reference, struct jobs *jobs)
 	jobs_unlock(jobs);
 }
 
+/*
+ * Frames the clip at the moments that are compared, and at even keys, so that
+ * the box contains all that these show.
+ */
+static int frame_sampled(const struct comparison *comparison,
+	struct comparison_clip *to, struct reference *reference)
+{
+	struct time_grid framed = {0};
+	struct fit_keys keys = {0};
+	int error;
+
+	time_grid_thin(&to->grid, comparison->sampling.share);
+	error = fit_keys_evenly(reference->clip->duration_s, AN4044_KEYS, &keys);
+	if (!error) {
+		error = time_grid_add(&framed, to->grid.time_s, to->grid.count);
+	}
+	if (!error) {
+		error = time_grid_add(&framed, keys.time_s, keys.count);
+	}
+	if (!error) {
+		to->screen = screen_view_create(reference, &framed,
+			comparison->request.width, comparison->request.height);
+	}
+	time_grid_release(&framed);
+	fit_keys_release(&keys);
+	return error;
+}
+
+/* Half of the bound leaves the fit some choice of keys. */
+static int frame_all(const struct comparison *comparison,
+	struct comparison_clip *to, struct reference *reference)
+{
+	const struct comparison_request *request = &comparison->request;
+
+	to->screen = screen_view_create(
+		reference, &to->grid, request->width, request->height);
+	return grid_refine(
+		reference, &to->screen, 0.5f * request->bound_px, &to->grid);
+}
+
 int comparison_clip_prepare(struct comparison *comparison, int clip,
 	struct jobs *jobs, const struct log *log)
 {
-	const struct comparison_request *request = &comparison->request;
 	struct comparison_clip *to = &comparison->clip[clip];
 	struct reference *reference;
 	int error = make_reference(comparison, clip, jobs, log, &reference);
@@ -53,19 +92,13 @@ int comparison_clip_prepare(struct comparison *comparison, int clip,
 	for (int v = 0; v < reference->vertex_count; v++) {
 		bounds_add(&to->rest, reference->position[v]);
 	}
-	error = time_grid_make(reference->clip, &to->grid);
-	if (!error) {
-		to->screen = screen_view_create(
-			reference, &to->grid, request->width, request->height);
-		/* Half of the bound leaves the fit some choice of keys. */
-		error = grid_refine(reference, &to->screen,
-			0.5f * request->bound_px, &to->grid);
-	}
+	error = comparison->sampling.share < 1.0
+		? frame_sampled(comparison, to, reference)
+		: frame_all(comparison, to, reference);
 	if (error) {
-		log_error(log, "%s: clip %d is too long to compare: %s",
-			comparison->model->path, to->clip,
-			error == -E2BIG ? "it lasts more than five hours"
-					: "there is not enough memory");
+		log_error(log,
+			"%s: clip %d is too long to compare: there is not enough memory",
+			comparison->model->path, to->clip);
 	}
 	end_reference(reference, jobs);
 	return error;
@@ -122,7 +155,11 @@ static int fail(const struct task *task)
 	return -ENOMEM;
 }
 
-static int measure(struct task *task, struct candidate_excess *excess)
+/*
+ * Measures the error; and the time if this was the last fit or if the error
+ * keeps to the bound, so that there will be no other fit.
+ */
+static int measure(struct task *task, struct candidate_excess *excess, bool last)
 {
 	struct comparison_cell *cell = task->cell;
 	struct candidate candidate = {0};
@@ -130,11 +167,16 @@ static int measure(struct task *task, struct candidate_excess *excess)
 
 	if (!error &&
 		candidate_error_measure(&candidate, &task->clip->screen,
-			&task->clip->grid, excess, &cell->error) != 0) {
+			&task->clip->grid,
+			task->comparison->sampling.normal_moments, excess,
+			&cell->error) != 0) {
 		error = fail(task);
 	}
 	if (!error) {
-		cell->time = candidate_time_measure(&candidate);
+		if (last || cell->error.peak_px <= excess->bound_px) {
+			cell->time = candidate_time_measure(&candidate,
+				task->comparison->sampling.timed_frames);
+		}
 		cell->board = candidate.board;
 		cell->bytes = candidate.bytes;
 		cell->vertex_count = candidate.vertex_count;
@@ -172,7 +214,9 @@ static int fit_on(struct task *task, struct time_grid *grid)
 		fit_keys_release(&cell->keys);
 		error = fit_keys_within(task->reference, &task->clip->screen,
 			grid, fit_px, kept_bytes(task), &cell->keys);
-		error = error ? fail(task) : measure(task, &excess);
+		error = error ? fail(task)
+			      : measure(task, &excess,
+					!task->row->listed || i == FITS_MAX - 1);
 		if (error || cell->error.peak_px <= bound_px ||
 			!task->row->listed) {
 			break;
@@ -208,9 +252,9 @@ static int fill(struct task *task)
 	case COMPARISON_MORPH_EVEN:
 		error = fit_keys_evenly(task->reference->clip->duration_s,
 			AN4044_KEYS, &task->cell->keys);
-		return error ? fail(task) : measure(task, NULL);
+		return error ? fail(task) : measure(task, NULL, true);
 	default:
-		return measure(task, NULL);
+		return measure(task, NULL, true);
 	}
 }
 

@@ -6,10 +6,6 @@
 
 #include <cglm/cglm.h>
 
-enum {
-	DRAWN_FRAMES = 6 /* of each clip, evenly spaced */
-};
-
 struct painter {
 	struct comparison *comparison;
 	const struct log *log;
@@ -42,21 +38,22 @@ static void count_clip(
 {
 	struct instance *instance = painter->instance;
 	const struct model_clip *clip = find_clip(painter, index);
+	int frames = painter->comparison->sampling.drawn_frames;
 
 	*counts = (struct gl_counts){0};
 	drawing_count(painter->drawing, counts);
-	for (int i = 0; i < DRAWN_FRAMES; i++) {
+	for (int i = 0; i < frames; i++) {
 		if (clip) {
 			clip_pose(clip,
 				clip->duration_s * ((float)i + 0.5f) /
-					(float)DRAWN_FRAMES,
+					(float)frames,
 				CLIP_AUTO, &painter->cursor, &instance->pose);
 		}
 		instance_update(instance);
 		drawing_draw(painter->drawing, instance, painter->extent);
 	}
 	drawing_count(painter->drawing, NULL);
-	gl_counts_scale(counts, 1.0 / DRAWN_FRAMES);
+	gl_counts_scale(counts, 1.0 / frames);
 }
 
 /* Morphs draw the same triangles, whatever their number of keys is. */

@@ -105,6 +105,8 @@ static void add_rows(struct comparison *comparison)
 {
 	const struct model *model = comparison->model;
 	float bound_px = comparison->request.bound_px;
+	/* Key frames are fitted to all moments. */
+	bool fits = comparison->sampling.share >= 1.0;
 	struct model_stats stats;
 
 	model_measure(model, &stats);
@@ -117,12 +119,14 @@ static void add_rows(struct comparison *comparison)
 			add_original(comparison, caps[i], true);
 		}
 	}
-	add_row(comparison, COMPARISON_MORPH, true)->bound_px = bound_px;
+	if (fits) {
+		add_row(comparison, COMPARISON_MORPH, true)->bound_px = bound_px;
+	}
 	add_row(comparison, COMPARISON_MORPH_EVEN, true);
 	if (has_rigid_parts(comparison)) {
 		add_row(comparison, COMPARISON_RIGID, true);
 	}
-	for (size_t i = 0; i < ARRAY_COUNT(other_bounds); i++) {
+	for (size_t i = 0; fits && i < ARRAY_COUNT(other_bounds); i++) {
 		add_row(comparison, COMPARISON_MORPH, false)->bound_px =
 			bound_px * other_bounds[i];
 	}

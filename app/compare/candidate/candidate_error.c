@@ -7,8 +7,7 @@
 #include <stdlib.h>
 
 enum {
-	DIVISIONS_MAX = 10,  /* how often an interval is halved */
-	NORMAL_SAMPLES = 500 /* at most, of the grid's moments */
+	DIVISIONS_MAX = 10 /* how often an interval is halved */
 };
 
 /*
@@ -205,25 +204,29 @@ static void refine(
 }
 
 /*
- * Samples the grid's moments and the times halfway between them: 2 count - 1
- * samples. Normals and the mean are taken at some of the moments only.
+ * Samples the grid's moments and the times halfway between them, but for gaps:
+ * up to 2 count - 1 samples. Normals and the mean are taken at some of the
+ * moments only.
  */
 static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
-	struct sample *sample)
+	int normal_moments, struct sample *sample)
 {
-	int step = 2 * (grid->count / NORMAL_SAMPLES + 1);
+	int step = 2 * (grid->count / normal_moments + 1);
 
 	for (int i = 0; i < 2 * grid->count - 1; i++) {
 		const float *at = grid->time_s + i / 2;
 		float time_s = i % 2 ? 0.5f * (at[0] + at[1]) : at[0];
 
-		sample[i] = compare_at(comparer, time_s, i % step == 0);
+		if (i % 2 == 0 || !time_grid_is_gap(grid, i / 2)) {
+			sample[i] = compare_at(comparer, time_s, i % step == 0);
+		}
 	}
 }
 
 int candidate_error_measure(struct candidate *candidate,
 	const struct screen_view *screen, const struct time_grid *grid,
-	struct candidate_excess *excess, struct candidate_error *out)
+	int normal_moments, struct candidate_excess *excess,
+	struct candidate_error *out)
 {
 	size_t count = (size_t)candidate->vertex_count;
 	struct sample *sample =
@@ -240,9 +243,11 @@ int candidate_error_measure(struct candidate *candidate,
 
 	if (sample && comparer.position && comparer.normal) {
 		light_direction(comparer.light);
-		sample_grid(&comparer, grid, sample);
+		sample_grid(&comparer, grid, normal_moments, sample);
 		for (int i = 0; i + 2 < 2 * grid->count - 1; i += 2) {
-			refine(&comparer, sample + i, DIVISIONS_MAX);
+			if (!time_grid_is_gap(grid, i / 2)) {
+				refine(&comparer, sample + i, DIVISIONS_MAX);
+			}
 		}
 		comparer.error.mean_px =
 			(float)(comparer.sum_px / comparer.sum_count);

@@ -1,11 +1,11 @@
 /*
  * Measures how far a candidate's pictures are from the reference's.
  *
- * The clip is sampled at the moments of its time grid and between them. Then
- * each interval in which the error may exceed the largest one found is halved
- * repeatedly; the second difference of three samples tells by how much it may.
- * It ends when the peak is within 5% or 0.05 pixels of the true one, whichever
- * is more.
+ * The clip is sampled at the moments of its time grid and between them, except
+ * in gaps of the grid. Then each interval in which the error may exceed the
+ * largest one found is halved repeatedly; the second difference of three
+ * samples tells by how much it may. It ends when the peak is within 5% or 0.05
+ * pixels of the true one, whichever is more.
  */
 #ifndef APP_COMPARE_CANDIDATE_CANDIDATE_ERROR_H
 #define APP_COMPARE_CANDIDATE_CANDIDATE_ERROR_H
@@ -18,8 +18,7 @@ struct candidate_error {
 	float mean_px; /* over all vertices, at the moments below */
 
 	/*
-	 * The mean and the next three are taken at up to 500 moments of the
-	 * grid.
+	 * The mean and the next three are taken at some moments of the grid.
 	 *
 	 * The distance, along the normal's direction on the screen, of vertices
 	 * whose normals are nearly perpendicular to the view: how far the
@@ -44,11 +43,13 @@ struct candidate_excess {
 };
 
 /*
- * Compares over the whole clip. grid belongs to the reference's clip. The
+ * Compares over the whole clip. grid belongs to the reference's clip; normals
+ * are compared at up to normal_moments of its moments, 1 or more. The
  * caller sets excess->bound_px; excess may be NULL. Returns 0 or -ENOMEM.
  */
 int candidate_error_measure(struct candidate *candidate,
 	const struct screen_view *screen, const struct time_grid *grid,
-	struct candidate_excess *excess, struct candidate_error *out);
+	int normal_moments, struct candidate_excess *excess,
+	struct candidate_error *out);
 
 #endif

@@ -1,20 +1,21 @@
 #include "app/compare/candidate/candidate_time.h"
 
+#include "app/compare/measure/sampling.h"
 #include "platform/process/clock.h"
 #include "platform/process/instruction_count.h"
 
 #include <stdlib.h>
 
 enum {
-	TIMED_FRAMES = 48,
 	REPEATS = 5 /* of each frame; the fastest counts */
 };
 
 /* Evenly spaced frames, which do not coincide with keys. */
-static float frame_time_s(const struct candidate *candidate, int frame)
+static float frame_time_s(
+	const struct candidate *candidate, int frame, int frames)
 {
 	return candidate->reference->clip->duration_s * ((float)frame + 0.37f) /
-		(float)TIMED_FRAMES;
+		(float)frames;
 }
 
 static int compare_times(const void *a, const void *b)
@@ -38,27 +39,27 @@ static double pose_s(struct candidate *candidate, float time_s)
 	return least_s;
 }
 
-static double median_s(struct candidate *candidate)
+static double median_s(struct candidate *candidate, int frames)
 {
-	double frame_s[TIMED_FRAMES];
+	double frame_s[SAMPLING_TIMED_MAX];
 
-	for (int i = 0; i < TIMED_FRAMES; i++) {
-		float time_s = frame_time_s(candidate, i);
+	for (int i = 0; i < frames; i++) {
+		float time_s = frame_time_s(candidate, i, frames);
 
 		candidate_pose(candidate, time_s);
 		frame_s[i] = pose_s(candidate, time_s);
 	}
-	qsort(frame_s, TIMED_FRAMES, sizeof(*frame_s), compare_times);
-	return frame_s[TIMED_FRAMES / 2];
+	qsort(frame_s, (size_t)frames, sizeof(*frame_s), compare_times);
+	return frame_s[frames / 2];
 }
 
 /* Counts one frame at a time, so that seek() is not counted. */
-static double count_instructions(struct candidate *candidate)
+static double count_instructions(struct candidate *candidate, int frames)
 {
 	double sum = 0.0;
 
-	for (int i = 0; i < TIMED_FRAMES; i++) {
-		float time_s = frame_time_s(candidate, i);
+	for (int i = 0; i < frames; i++) {
+		float time_s = frame_time_s(candidate, i, frames);
 		struct instruction_count count;
 		double counted;
 
@@ -75,13 +76,14 @@ static double count_instructions(struct candidate *candidate)
 		}
 		sum += counted;
 	}
-	return sum / TIMED_FRAMES;
+	return sum / frames;
 }
 
-struct candidate_time candidate_time_measure(struct candidate *candidate)
+struct candidate_time candidate_time_measure(
+	struct candidate *candidate, int frames)
 {
 	return (struct candidate_time){
-		.frame_us = median_s(candidate) * 1e6,
-		.instructions = count_instructions(candidate),
+		.frame_us = median_s(candidate, frames) * 1e6,
+		.instructions = count_instructions(candidate, frames),
 	};
 }

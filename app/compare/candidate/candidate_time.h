@@ -12,9 +12,11 @@ struct candidate_time {
 };
 
 /*
- * Poses frames that are spread evenly over the clip, several times. Only the
- * time of this thread counts; busy other threads make it less exact.
+ * Poses frames that are spread evenly over the clip, several times. There may
+ * be up to SAMPLING_TIMED_MAX of them. Only the time of this thread counts;
+ * busy other threads make it less exact.
  */
-struct candidate_time candidate_time_measure(struct candidate *candidate);
+struct candidate_time candidate_time_measure(
+	struct candidate *candidate, int frames);
 
 #endif

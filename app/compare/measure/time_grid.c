@@ -1,5 +1,7 @@
 #include "app/compare/measure/time_grid.h"
 
+#include "platform/base/scalar.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdbool.h>
@@ -179,6 +181,40 @@ int time_grid_add(struct time_grid *grid, const float *time_s, int count)
 	}
 	grid->count = kept;
 	return 0;
+}
+
+/*
+ * Of each run of intervals one is kept. Its place in the run changes by the
+ * golden ratio, so that a motion that repeats is not met at one phase alone.
+ */
+void time_grid_thin(struct time_grid *grid, double share)
+{
+	static const double golden = 0.6180339887498949;
+	int intervals = grid->count - 1, kept = 1, last = 0;
+	int runs = scalar_to_int(0.5 * share * intervals, 1, intervals);
+	double phase = 0.5;
+
+	for (int run = 0; run < runs; run++) {
+		int at = (int)(((double)run + phase) * intervals / runs);
+
+		for (int i = at > last ? at : last + 1; i <= at + 1; i++) {
+			grid->time_s[kept++] = grid->time_s[i];
+			last = i;
+		}
+		phase += golden;
+		phase -= phase >= 1.0 ? 1.0 : 0.0;
+	}
+	if (last < intervals) {
+		grid->time_s[kept++] = grid->time_s[intervals];
+	}
+	grid->count = kept;
+	grid->thinned = true;
+}
+
+bool time_grid_is_gap(const struct time_grid *grid, int i)
+{
+	return grid->thinned &&
+		grid->time_s[i + 1] - grid->time_s[i] > 1.25f * gap_most_s;
 }
 
 void time_grid_release(struct time_grid *grid)

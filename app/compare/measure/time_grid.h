@@ -13,6 +13,7 @@
 struct time_grid {
 	int count;     /* at least 2 */
 	float *time_s; /* [count], increasing, from 0 to the clip's end */
+	bool thinned;  /* by time_grid_thin() */
 };
 
 /*
@@ -29,6 +30,15 @@ int time_grid_make(const struct model_clip *clip, struct time_grid *out);
  * already are left out. Returns 0 or -ENOMEM.
  */
 int time_grid_add(struct time_grid *grid, const float *time_s, int count);
+
+/*
+ * Keeps a share of the intervals between moments, spread evenly over the clip,
+ * and both ends of the clip. What is left out becomes gaps.
+ */
+void time_grid_thin(struct time_grid *grid, double share);
+
+/* Whether time_grid_thin() left out what is between moment i and the next. */
+bool time_grid_is_gap(const struct time_grid *grid, int i);
 
 void time_grid_release(struct time_grid *grid);
 

@@ -1,4 +1,5 @@
 #include "app/compare/optimize/optimize_measure.h"
+#include "app/compare/measure/sampling.h"
 
 #include "app/compare/candidate/candidate_error.h"
 
@@ -65,8 +66,8 @@ static int measure(struct reference *wanted, struct reference *found,
 		return error;
 	}
 	screen = screen_view_create(wanted, &grid, size.width, size.height);
-	error = candidate_error_measure(
-		&candidate, &screen, &grid, NULL, &measured);
+	error = candidate_error_measure(&candidate, &screen, &grid,
+		SAMPLING_NORMALS_MAX, NULL, &measured);
 	time_grid_release(&grid);
 	*peak_px = measured.peak_px;
 	return error;

@@ -138,7 +138,7 @@ static json_t *report_json(const struct comparison *comparison)
 		json_array_append_new(clips, clip_json(comparison, c));
 	}
 	return json_pack(
-		"{s:s, s:i, s:f, s:f, s:s, s:I, s:f, s:f, s:I, s:s, s:s, s:s, s:s, s:{s:b, s:I, s:f}, s:o, s:o}",
+		"{s:s, s:i, s:f, s:f, s:s, s:I, s:f, s:f, s:I, s:s, s:s, s:s, s:s, s:{s:b, s:I, s:f}, s:f, s:o, s:o}",
 		"model", comparison->model->path, "vertices",
 		comparison->vertex_count, "bound_px", (double)request->bound_px,
 		"rate_hz", request->rate_hz, "board", request->board->name,
@@ -151,7 +151,8 @@ static json_t *report_json(const struct comparison *comparison)
 		comparison->reason, "advised_by", "arm11_predicted",
 		"mixed_plan", "better", comparison->mixed, "ram_bytes",
 		(json_int_t)comparison->mixed_bytes, "us_per_frame",
-		comparison->mixed_us, "clips", clips, "candidates", rows);
+		comparison->mixed_us, "compared_share",
+		comparison->sampling.share, "clips", clips, "candidates", rows);
 }
 
 int report_print_json(const struct comparison *comparison, FILE *out)

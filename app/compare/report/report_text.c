@@ -31,6 +31,18 @@ static void print_clip_name(
 	printable_put(name, out);
 }
 
+static void print_sampling(const struct comparison *comparison, FILE *out)
+{
+	if (comparison->sampling.share < 1.0) {
+		fprintf(out,
+			"The clips are long together: errors are those of %.2g%% of their moments, and no key\n"
+			"frames were fitted to all of them.%s\n",
+			100.0 * comparison->sampling.share,
+			comparison->clip_count > 1 ? " --clip compares one clip."
+						   : "");
+	}
+}
+
 static void print_head(const struct comparison *comparison, FILE *out)
 {
 	const struct comparison_request *request = &comparison->request;
@@ -56,10 +68,12 @@ static void print_head(const struct comparison *comparison, FILE *out)
 		"\"ARM11\" is the whole frame without labels, which is posing and drawing, predicted\n"
 		"for an ARM1136 at %d MHz by the timing model, not measured. Errors are in pixels\n"
 		"of a %dx%d screen, normals in degrees, shades in 63rds of white.\n"
-		"Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n\n",
+		"Board %s: %s; limits: %.0f KiB, %.3g ms, %g px.\n",
 		ARM11_MHZ, request->width, request->height, board->name,
 		board->summary, kilobytes(comparison->memory_limit_bytes),
 		comparison->time_limit_us * 1e-3, (double)request->bound_px);
+	print_sampling(comparison, out);
+	fprintf(out, "\n");
 }
 
 static void print_instructions(double instructions, FILE *out)

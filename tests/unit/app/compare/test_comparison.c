@@ -187,6 +187,31 @@ static void test_morphs_have_keys_by_number_or_by_error(void **state)
 	end(&compared);
 }
 
+/* A clip of an hour is sampled: an even morph needs no other moments. */
+static void test_a_clip_of_an_hour_is_compared_in_part(void **state)
+{
+	struct compared compared;
+	const struct comparison *comparison;
+	bool even = false;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	compared.request.clip = CLIMB;
+	compared.model->clip[CLIMB].duration_s = 3600.0f;
+	assert_int_equal(compare(&compared), 0);
+	comparison = compared.comparison;
+	assert_true(comparison->sampling.share < 0.3);
+	for (int r = 0; r < comparison->row_count; r++) {
+		const struct comparison_row *row = &comparison->row[r];
+
+		assert_in_range(row->cell[0].error.samples, 50000, 100000);
+		assert_int_not_equal(row->kind, COMPARISON_MORPH);
+		even = even || row->kind == COMPARISON_MORPH_EVEN;
+	}
+	assert_true(even);
+	end(&compared);
+}
+
 /* All morphs draw the same triangles; other rows are drawn themselves. */
 static void test_each_row_has_a_prediction_of_drawing(void **state)
 {
@@ -331,6 +356,7 @@ int main(void)
 		cmocka_unit_test(test_progress_counts_all_jobs),
 		cmocka_unit_test(test_threads_find_the_same_errors),
 		cmocka_unit_test(test_morphs_have_keys_by_number_or_by_error),
+		cmocka_unit_test(test_a_clip_of_an_hour_is_compared_in_part),
 		cmocka_unit_test(test_each_row_has_a_prediction_of_drawing),
 		cmocka_unit_test(test_a_way_of_six_times_the_size_is_far),
 		cmocka_unit_test(

@@ -55,6 +55,7 @@ static void begin(struct fixture *f, int influences, int targets)
 	f->comparison = (struct comparison){.model = &f->bones.model,
 		.clip = f->compared,
 		.clip_count = CLIPS,
+		.sampling = {.share = 1.0},
 		.request = {.bound_px = 0.5f}};
 }
 

@@ -211,6 +211,7 @@ static void begin(struct bench *bench)
 		.clip = bench->clip,
 		.node_count = 1};
 	*comparison = (struct comparison){
+		.sampling = {.share = 1.0},
 		.request = {.clip = -1,
 			.rate_hz = 30.0,
 			.bound_px = 1.5f,
@@ -232,7 +233,8 @@ static void begin(struct bench *bench)
 	for (int c = 0; c < CLIPS; c++) {
 		bench->compared[c].clip = c + 1;
 		bench->compared[c].row = c;
-		bench->compared[c].grid = (struct time_grid){3, bench->time_s};
+		bench->compared[c].grid =
+			(struct time_grid){3, bench->time_s, false};
 	}
 	add_row(bench, "skin", TECHNIQUE_SKELETAL, 1.0);
 	add_row(bench, "morph, 9 keys", TECHNIQUE_MORPHING, 2.0);
@@ -277,6 +279,18 @@ static void test_a_single_clip_needs_no_table_of_clips(void **state)
 	bench.model.node_count = 2;
 	bench.comparison.row[0].listed = false;
 	expect(&bench, "text", text_of_one_clip);
+}
+
+static void test_the_text_says_that_clips_were_compared_in_part(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.sampling.share = 0.0277;
+	assert_contains(print(&bench, "text"),
+		"1.5 px.\nThe clips are long together: errors are those of 2.8% of their moments");
+	free(bench.text);
 }
 
 static void test_csv_leaves_unknown_instructions_empty(void **state)
@@ -474,6 +488,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_text_has_each_figure_in_its_column),
 		cmocka_unit_test(test_a_single_clip_needs_no_table_of_clips),
+		cmocka_unit_test(
+			test_the_text_says_that_clips_were_compared_in_part),
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
 		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),

@@ -1,5 +1,6 @@
 /* The duel's contenders compared with the figures of `limber compare`. */
 #include "app/compare/candidate/candidate_error.h"
+#include "app/compare/measure/sampling.h"
 #include "app/demo/duel/contender.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
@@ -64,7 +65,8 @@ static void agrees(enum contender_kind kind)
 	begin(&bench, kind);
 	shown_px = largest_error(&bench, 4.0f);
 	assert_int_equal(candidate_error_measure(&bench.contender.candidate,
-				 &bench.of.screen, &bench.of.grid, NULL, &error),
+				 &bench.of.screen, &bench.of.grid,
+				 SAMPLING_NORMALS_MAX, NULL, &error),
 		0);
 	/* The figure shown is posed at the grid's moments alone. */
 	assert_true(shown_px <= error.peak_px + 2e-3f);

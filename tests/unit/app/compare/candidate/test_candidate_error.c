@@ -3,6 +3,7 @@
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/candidate/candidate_rigid.h"
 #include "app/compare/measure/grid_refine.h"
+#include "app/compare/measure/sampling.h"
 #include "tests/support/model/compared_clip.h"
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
@@ -143,8 +144,9 @@ static void agrees(struct compared_clip *bench, struct candidate *candidate,
 	struct candidate_error error;
 	float allowed_px = 0.05f * dense_px;
 
-	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
-				 &bench->grid, NULL, &error),
+	assert_int_equal(
+		candidate_error_measure(candidate, &bench->screen, &bench->grid,
+			SAMPLING_NORMALS_MAX, NULL, &error),
 		0);
 	allowed_px = allowed_px > 0.05f ? allowed_px : 0.05f;
 	if (error.peak_px < dense_px - allowed_px) {
@@ -302,8 +304,9 @@ static void test_a_sharp_peak_within_an_interval_is_found(void **state)
 			.take = cusp_take,
 			.state = &cusp};
 
-		assert_int_equal(candidate_error_measure(&candidate,
-					 &bench.screen, &grid, NULL, &error),
+		assert_int_equal(
+			candidate_error_measure(&candidate, &bench.screen,
+				&grid, SAMPLING_NORMALS_MAX, NULL, &error),
 			0);
 		largest_px = largest_at(&bench, &candidate, cusp.peak_s);
 		assert_in_range(100.0f * error.peak_px / largest_px, 96, 100);
@@ -335,9 +338,9 @@ static void test_keys_that_are_baked_again_are_the_same(void **state)
 					 kernel_find(NULL), &placement, &keys,
 					 (size_t)i * KEPT_BYTES, &bench.log),
 			0);
-		assert_int_equal(
-			candidate_error_measure(&candidate, &bench.screen,
-				&bench.grid, NULL, &error[i]),
+		assert_int_equal(candidate_error_measure(&candidate,
+					 &bench.screen, &bench.grid,
+					 SAMPLING_NORMALS_MAX, NULL, &error[i]),
 			0);
 		candidate_destroy(&candidate);
 		fit_keys_release(&keys);

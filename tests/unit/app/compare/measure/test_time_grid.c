@@ -186,6 +186,61 @@ static void test_added_moments_are_sorted_and_not_repeated(void **state)
 	time_grid_release(&bench.grid);
 }
 
+/* The clip's phases, in tenths of a motion that repeats each second. */
+static unsigned phases_of(const struct time_grid *grid)
+{
+	unsigned met = 0;
+
+	for (int i = 0; i < grid->count - 1; i++) {
+		if (!time_grid_is_gap(grid, i)) {
+			met |= 1u << (int)(fmodf(grid->time_s[i], 1.0f) * 10.0f);
+		}
+	}
+	return met;
+}
+
+static void test_a_thinned_grid_meets_all_phases_of_its_clip(void **state)
+{
+	static const float keys_s[] = {0.0f, 200.0f};
+	struct bench bench;
+	const struct time_grid *grid = &bench.grid;
+	int whole, gaps = 0;
+
+	(void)state;
+	begin(&bench, MODEL_LINEAR, 200.0f, 2, keys_s);
+	make(&bench);
+	whole = grid->count;
+	for (int i = 0; i < whole - 1; i++) {
+		assert_false(time_grid_is_gap(grid, i));
+	}
+	/* One interval of each second. */
+	time_grid_thin(&bench.grid, 2.0 / 60.0);
+	assert_in_range(grid->count, whole / 32, whole / 28);
+	assert_near(grid->time_s[0], 0.0, 0.0);
+	assert_near(grid->time_s[grid->count - 1], 200.0, 0.0);
+	for (int i = 0; i < grid->count - 1; i++) {
+		assert_true(grid->time_s[i] < grid->time_s[i + 1]);
+		gaps += time_grid_is_gap(grid, i);
+	}
+	assert_in_range(gaps, 195, 201);
+	assert_int_equal(phases_of(grid), (1 << 10) - 1);
+	time_grid_release(&bench.grid);
+}
+
+static void test_a_grid_of_one_interval_stays(void **state)
+{
+	static const float keys_s[] = {0.0f, 0.01f};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, MODEL_LINEAR, 0.01f, 2, keys_s);
+	make(&bench);
+	time_grid_thin(&bench.grid, 1e-3);
+	assert_int_equal(bench.grid.count, 2);
+	assert_near(bench.grid.time_s[1], 0.01, 1e-9);
+	time_grid_release(&bench.grid);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -197,6 +252,9 @@ int main(void)
 		cmocka_unit_test(test_keys_outside_the_clip_do_not_count),
 		cmocka_unit_test(test_a_clip_of_more_than_five_hours_is_refused),
 		cmocka_unit_test(test_added_moments_are_sorted_and_not_repeated),
+		cmocka_unit_test(
+			test_a_thinned_grid_meets_all_phases_of_its_clip),
+		cmocka_unit_test(test_a_grid_of_one_interval_stays),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,28 @@
+/*
+ * How many moments of its clips a comparison looks at.
+ *
+ * A comparison poses all vertices at each moment, for each technique. Clips of
+ * an hour, or hundreds of clips, have more moments than errors, times and
+ * drawing need: then a part of them, spread evenly over the clips, is compared.
+ */
+#ifndef APP_COMPARE_MEASURE_SAMPLING_H
+#define APP_COMPARE_MEASURE_SAMPLING_H
+
+enum {
+	SAMPLING_TIMED_MAX = 48,   /* frames of a clip */
+	SAMPLING_NORMALS_MAX = 500 /* moments of a clip */
+};
+
+struct sampling {
+	/* The part of the moments that is compared; 1: all of them. */
+	double share;
+	int normal_moments; /* of each clip, at least 1; normals are compared */
+	int timed_frames;
+	int drawn_frames;
+};
+
+/* moments are those of the time grids of all clips. */
+struct sampling sampling_choose(
+	int vertex_count, int clip_count, double moments);
+
+#endif

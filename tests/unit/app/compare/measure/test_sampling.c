@@ -1,0 +1,57 @@
+/* How many moments and frames of clips a comparison looks at. */
+#include "app/compare/measure/sampling.h"
+#include "tests/support/test.h"
+
+static void test_ordinary_clips_are_compared_as_a_whole(void **state)
+{
+	struct sampling sampling = sampling_choose(5000, 5, 1200.0);
+
+	(void)state;
+	assert_near(sampling.share, 1.0, 0.0);
+	assert_int_equal(sampling.normal_moments, SAMPLING_NORMALS_MAX);
+	assert_int_equal(sampling.timed_frames, SAMPLING_TIMED_MAX);
+	assert_int_equal(sampling.drawn_frames, 6);
+	/* Half a minute of a large model, and a quarter of an hour of a cube. */
+	assert_near(sampling_choose(65000, 1, 1800.0).share, 1.0, 0.0);
+	assert_near(sampling_choose(8, 1, 54000.0).share, 1.0, 0.0);
+	assert_near(sampling_choose(0, 1, 54000.0).share, 1.0, 0.0);
+}
+
+static void test_an_hour_is_compared_in_part(void **state)
+{
+	(void)state;
+	assert_near(
+		sampling_choose(5000, 1, 216000.0).share, 6000.0 / 216e3, 1e-9);
+	assert_near(
+		sampling_choose(8, 1, 216000.0).share, 60000.0 / 216e3, 1e-9);
+	assert_near(sampling_choose(65000, 1, 216000.0).share, 2000.0 / 216e3,
+		1e-9);
+	assert_int_equal(sampling_choose(5000, 1, 216000.0).normal_moments,
+		SAMPLING_NORMALS_MAX);
+}
+
+static void test_many_clips_share_the_frames(void **state)
+{
+	struct sampling sampling = sampling_choose(5000, 300, 32000.0);
+
+	(void)state;
+	assert_near(sampling.share, 6000.0 / 32e3, 1e-9);
+	assert_int_equal(sampling.normal_moments, 6);
+	assert_int_equal(sampling.timed_frames, 6);
+	assert_int_equal(sampling.drawn_frames, 1);
+	sampling = sampling_choose(5000, 40, 4000.0);
+	assert_int_equal(sampling.timed_frames, SAMPLING_TIMED_MAX);
+	assert_int_equal(sampling.drawn_frames, 6);
+	assert_int_equal(sampling_choose(8, 100000, 1e7).timed_frames, 1);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_ordinary_clips_are_compared_as_a_whole),
+		cmocka_unit_test(test_an_hour_is_compared_in_part),
+		cmocka_unit_test(test_many_clips_share_the_frames),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

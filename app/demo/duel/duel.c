@@ -7,6 +7,7 @@
  * of a vertex in pixels, in a picture of the same size.
  */
 #include "app/character/motions/motions.h"
+#include "app/character/show/character_follow.h"
 #include "app/character/show/character_in_place.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -35,6 +36,9 @@ struct demo {
 	struct model in_place; /* the model, with walks on the spot */
 	struct arena arena;    /* of the clips of in_place */
 	float spacing;         /* between figures, scene units */
+	struct bounds box;     /* of a figure, or of its start if it goes far */
+	struct character_follow follow; /* what the camera follows in the clip */
+	float way[3];                   /* how far that went */
 	struct reference *reference;
 	struct time_grid grid; /* of the clip */
 	struct screen_view screen;
@@ -59,33 +63,39 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
-/*
- * Returns the box of three figures in a row, and sets their spacing. Long
- * figures are seen at an angle, so they need more room. A box that begins near
- * height 0 is made to begin there.
- */
-static struct bounds bounds_of_row(struct demo *demo)
+/* Finds the box of the clip by any technique, unless the camera follows it. */
+static void find_box(struct demo *demo)
 {
-	struct bounds bounds = bounds_empty();
-	float height, width, slanted;
+	struct bounds *box = &demo->box;
 
-	for (int i = 0; i < CONTENDER_KINDS; i++) {
+	for (int i = 0; demo->follow.node < 0 && i < CONTENDER_KINDS; i++) {
 		const struct contender *one = &demo->contender[i];
 		int clip = (int)(one->clip - one->shown->model->clip);
-		struct bounds box = bounds_of_clip(one->shown, clip);
+		struct bounds more = bounds_of_clip(one->shown, clip);
 
-		bounds_join(&bounds, &box);
+		bounds_join(box, &more);
 	}
-	height = bounds.high[1] - bounds.low[1];
-	width = bounds.high[0] - bounds.low[0];
-	slanted = width + slant * (bounds.high[2] - bounds.low[2]);
+	if (scalar_abs(box->low[1]) < 0.05f * (box->high[1] - box->low[1])) {
+		box->low[1] = 0.0f;
+	}
+}
+
+/* Long figures are seen at an angle, so they need more room. */
+static void find_spacing(struct demo *demo)
+{
+	const struct bounds *box = &demo->box;
+	float width = box->high[0] - box->low[0];
+	float slanted = width + slant * (box->high[2] - box->low[2]);
+
 	demo->spacing = spacing * width > slanted ? spacing * width : slanted;
-	bounds.low[0] -= demo->spacing;
-	bounds.high[0] += demo->spacing;
-	if (scalar_abs(bounds.low[1]) < 0.05f * height) {
-		bounds.low[1] = 0.0f;
-	}
-	return bounds;
+}
+
+/* Returns the box of three figures in a row, each in this box. */
+static struct bounds bounds_of_row(const struct demo *demo, struct bounds box)
+{
+	box.low[0] -= demo->spacing;
+	box.high[0] += demo->spacing;
+	return box;
 }
 
 /* Chooses the clip in which the figure walks, or the next best motion. */
@@ -111,6 +121,31 @@ static int choose_clip(struct demo *demo, const struct demo_env *env)
 	return 0;
 }
 
+/* Finds what the camera follows, as in the viewer, and the box around it. */
+static int find_followed(struct demo *demo, const struct character *character)
+{
+	struct instance *instance = character->instance;
+	int count = instance->model->clip_count;
+	struct bounds rest;
+	const struct character_boxes boxes = {.rest = &rest,
+		.clip = ARENA_ARRAY(&demo->arena, struct bounds, count),
+		.follow = ARENA_ARRAY(
+			&demo->arena, struct character_follow, count)};
+	int error = !boxes.clip || !boxes.follow
+		? -ENOMEM
+		: character_follow_find(character, &boxes);
+
+	if (!error) {
+		demo->follow = boxes.follow[demo->motion.clip];
+		demo->box = demo->follow.node >= 0
+			? boxes.clip[demo->motion.clip]
+			: bounds_empty();
+	}
+	pose_rest(&instance->pose, instance->model);
+	instance_update(instance);
+	return error;
+}
+
 /* Makes clips walk on the spot, as limber play and limber compare do. */
 static int stay_in_place(struct demo *demo, const struct demo_env *env)
 {
@@ -129,6 +164,9 @@ static int stay_in_place(struct demo *demo, const struct demo_env *env)
 	error = !way_m ? -ENOMEM
 		       : character_in_place(character, model, &demo->arena,
 				 &demo->in_place, way_m);
+	if (!error) {
+		error = find_followed(demo, character);
+	}
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory for a copy of its clips",
@@ -173,7 +211,9 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	if (error) {
 		return error;
 	}
-	bounds = bounds_of_row(demo);
+	find_box(demo);
+	find_spacing(demo);
+	bounds = bounds_of_row(demo, demo->box);
 	error = actor_init_stage(
 		&demo->base, env, &bounds, &framing, &demo->base.stage);
 	if (!error) {
@@ -225,12 +265,37 @@ static void move_ground(struct demo *demo, float step_s)
 	}
 }
 
+/* Keeps figures that go far in the picture, as the reference is posed now. */
+static void follow_figures(struct demo *demo)
+{
+	struct stage *stage = &demo->base.stage;
+	struct bounds box = demo->box;
+	float way[3], moved[3];
+
+	if (demo->follow.node < 0) {
+		return;
+	}
+	character_follow_way(&demo->follow, demo->reference->instance, way);
+	for (int axis = 0; axis < 3; axis++) {
+		moved[axis] = way[axis] - demo->way[axis];
+		demo->way[axis] = way[axis];
+	}
+	character_follow_box(&demo->follow, way, &box);
+	box = bounds_of_row(demo, box);
+	stage_follow(stage, moved, way);
+	camera_ease_to(&stage->camera, &box, 1.0f);
+}
+
 /* All contenders get the level of detail of the middle one's distance. */
 static void choose_lod(struct demo *demo)
 {
 	const struct actor *actor = &demo->base.actor;
+	/* A figure that stays in its place is taken as it stood at first. */
+	const struct instance *figure = demo->follow.node >= 0
+		? demo->contender[CONTENDER_SKIN].shown
+		: actor->instance;
 	struct lod lod = lod_relax(&actor->lod, actor->min_error_px);
-	float px = lod_px_per_unit(actor->instance, &demo->base.stage.camera,
+	float px = lod_px_per_unit(figure, &demo->base.stage.camera,
 		actor->extent, demo->base.height);
 
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
@@ -261,6 +326,7 @@ static void duel_update(struct demo *demo, double time_s)
 	}
 	reference_pose(reference, at_s, false);
 	measure_errors(demo);
+	follow_figures(demo);
 	choose_lod(demo);
 	demo->frame++;
 }

@@ -1,6 +1,7 @@
 /* The duel's contenders compared with the figures of `limber compare`. */
 #include "app/compare/candidate/candidate_error.h"
 #include "app/compare/measure/sampling.h"
+#include "app/demo/actor.h"
 #include "app/demo/duel/contender.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
@@ -9,6 +10,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <math.h>
 #include <string.h>
 
 struct bench {
@@ -192,7 +194,43 @@ static void test_buttons_run_through_the_duel(void **state)
 	demo_run_end(&run);
 }
 
-/* Whether the duel begins with a model of the fixtures. */
+/*
+ * The figure in the middle stays in the middle of a picture that shows it as
+ * large as at the beginning, however far it goes.
+ */
+static void expect_followed(const struct demo_driver *duel, struct demo *demo)
+{
+	const struct camera *camera =
+		&((const struct demo_base *)demo)->stage.camera;
+	float first = 0.0f, from[3], way = 0.0f;
+
+	for (int step = 1; step <= 20; step++) {
+		struct overlay_figure figure;
+		struct bounds box;
+		float at[3], extent;
+
+		duel->update(demo, 0.15 * step);
+		assert_true(duel->get_figure(demo, 1, &figure));
+		box = bounds_of_instance(figure.instance);
+		bounds_center(&box, at);
+		extent = bounds_extent(&box);
+		if (step == 1) {
+			first = camera->distance;
+			memcpy(from, at, sizeof(from));
+		}
+		for (int i = 0; i < 3; i++) {
+			assert_near(camera->target[i], at[i], extent);
+			way = fmaxf(way, fabsf(at[i] - from[i]) / extent);
+		}
+		assert_near(camera->distance, first, 1e-3f * first);
+	}
+	assert_true(way > 6.0f);
+}
+
+/*
+ * Whether the duel begins with a model of the fixtures. If it does, the camera
+ * has to follow the model.
+ */
 static int begin_with(const char *model_path, struct log_capture *heard)
 {
 	struct log log = log_capture_begin(heard);
@@ -205,19 +243,20 @@ static int begin_with(const char *model_path, struct log_capture *heard)
 		.height = 640,
 		.model_path = model_path,
 		.character = "none",
+		.repeat = CLIP_LOOP,
 		.speed = 1.0f};
 	const struct demo_driver *duel = demo_find("duel");
 	struct demo *demo;
 	int error = demo_create(duel, &env, &demo);
 
 	if (!error) {
-		duel->update(demo, 0.1);
+		expect_followed(duel, demo);
 		demo_destroy(duel, demo);
 	}
 	return error;
 }
 
-static void test_it_needs_a_model_with_clips_and_triangles(void **state)
+static void test_it_follows_a_model_and_needs_clips_and_triangles(void **state)
 {
 	struct log_capture heard;
 
@@ -285,7 +324,8 @@ int main(void)
 		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
 		cmocka_unit_test(test_times_are_means_by_the_clock_it_is_given),
 		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
-		cmocka_unit_test(test_it_needs_a_model_with_clips_and_triangles),
+		cmocka_unit_test(
+			test_it_follows_a_model_and_needs_clips_and_triangles),
 		cmocka_unit_test(test_buttons_run_through_the_duel),
 	};
 

@@ -79,8 +79,24 @@ limber play --demo arm --display null --frames 2 --stats /dev/null \
     --record-buttons /dev/null
 expect_status 0
 limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
+cp "$scratch/same.glb" "$scratch/kept.glb"
 limber optimize "$scratch/same.glb" -o "$scratch/same.glb"
+expect_refusal 2 'names the same file'
+mkdir "$scratch/baked"
+cp "$scratch/same.glb" "$scratch/baked/skin-2.glb"
+limber compare "$scratch/baked/skin-2.glb" --export "$scratch/baked/../baked"
+expect_refusal 2 'skin-2\.glb would be overwritten: give another folder'
+check 'a model is not written over by optimize' \
+    cmp "$scratch/same.glb" "$scratch/kept.glb"
+check 'a model is not written over by compare' \
+    cmp "$scratch/baked/skin-2.glb" "$scratch/kept.glb"
+mv "$scratch/baked/skin-2.glb" "$scratch/baked/own.glb"
+limber compare "$scratch/baked/own.glb" --size 48x64 --export "$scratch/baked"
 expect_status 0
+# A file that the command only writes is replaced.
+limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
+expect_status 0
+check 'a file is written again' cmp "$scratch/same.glb" "$scratch/kept.glb"
 
 # Names of another kind of file: limber writes no C source into a picture.
 for wrong in "pose -o $scratch/new.png" "pose -o $scratch/new.c" \

@@ -125,7 +125,7 @@ CASES = [
                                      '--stats', 'x.json'],
          files=('x-0001.png', 'x-0002.png', 'x-0003.png', 'x.json'),
          varying=('x.json',)),
-    Case('optimize-in-place', ['optimize', 'x.glb', '-o', 'x.glb'],
+    Case('optimize-again', ['optimize', BINARY, '-o', 'x.glb'],
          files=('x.glb',), given={'x.glb': BINARY}),
     Case('compare-threads', ['compare', SKIN, '--fps', '4', '--jobs', '3'],
          prints_the_same=False),

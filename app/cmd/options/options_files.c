@@ -1,7 +1,10 @@
 #include "app/cmd/options/options_files.h"
 
+#include "app/compare/export/export.h"
+
 #include <errno.h>
 #include <limits.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
@@ -121,12 +124,31 @@ static int check_ending(const struct named_file *file, enum command_bit command,
 	return 0;
 }
 
+/* Refuses a folder where a file would be written over the model. */
+static int check_export(const struct options *options, const struct log *log)
+{
+	const char *model = options->model_path;
+	const char *folder = options->compare.export;
+	char path[PATH_MAX + 1], beside[PATH_MAX + 1];
+	const char *name = model ? split(model, beside) : "";
+	int length = snprintf(
+		path, sizeof(path), "%s/%s", folder ? folder : "", name);
+
+	if (folder && length < (int)sizeof(path) && export_names(name) &&
+		is_same_file(model, path)) {
+		log_error(log,
+			"--export %s: %s would be overwritten: give another folder",
+			folder, model);
+		return -EINVAL;
+	}
+	return 0;
+}
+
 int options_check_files(const struct options *options, enum command_bit command,
 	const struct log *log)
 {
-	const bool in_place = command == FOR_OPTIMIZE;
 	const struct named_file files[] = {
-		{"MODEL", in_place ? NULL : options->model_path, false},
+		{"MODEL", options->model_path, false},
 		{"--config", options->common.config, false},
 		{"--character", options->show.character, false},
 		{"--script", options->input.script, false},
@@ -147,5 +169,5 @@ int options_check_files(const struct options *options, enum command_bit command,
 			return -EINVAL;
 		}
 	}
-	return 0;
+	return check_export(options, log);
 }

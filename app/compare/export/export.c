@@ -34,6 +34,20 @@ static void name_file(const struct comparison_row *row, char *text, size_t size)
 	}
 }
 
+bool export_names(const char *name)
+{
+	static const char *const begin[] = {
+		"morph-", "rigid.", "skin-", "skin."};
+	const char *ending = strrchr(name, '.');
+
+	for (size_t i = 0; i < ARRAY_COUNT(begin); i++) {
+		if (strncmp(name, begin[i], strlen(begin[i])) == 0) {
+			return strcmp(ending ? ending : "", ".glb") == 0;
+		}
+	}
+	return false;
+}
+
 static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	const struct log *log)
 {

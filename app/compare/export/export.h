@@ -6,6 +6,9 @@
 
 #include "app/compare/comparison.h"
 
+/* Whether export_comparison() may write a file of this name. */
+bool export_names(const char *name);
+
 /*
  * Creates the folder if it does not exist. Returns 0, or -errno after logging
  * an error.

@@ -18,16 +18,16 @@ static const struct type types[] = {
 	{"MAT4", 4, 4},
 };
 
-/* Columns of a matrix are aligned to 4 bytes (glTF 2.0, 3.6.2.4). */
-static size_t element_bytes(
-	const struct type *type, enum gltf_component component)
+size_t gltf_element_bytes(const struct gltf_accessor *accessor)
 {
-	size_t column = (size_t)type->rows * gltf_component_bytes(component);
+	size_t column = (size_t)accessor->rows *
+		gltf_component_bytes(accessor->base.component);
 
-	if (type->columns > 1) {
-		column = (column + 3) & ~(size_t)3;
+	if (accessor->rows == accessor->width) {
+		return column;
 	}
-	return column * (size_t)type->columns;
+	column = (column + 3) & ~(size_t)3;
+	return column * (size_t)(accessor->width / accessor->rows);
 }
 
 static int read_component(
@@ -263,7 +263,7 @@ static int read_accessor(const struct gltf_at *at)
 		return error;
 	}
 	out->count = (int)count;
-	size = element_bytes(type, out->base.component);
+	size = gltf_element_bytes(out);
 	error = read_elements(at, out->count, size, true, &out->base);
 	return error ? error : read_sparse(at, size, out);
 }

@@ -332,6 +332,12 @@ int gltf_read_uri(const struct gltf_at *at, const char *uri,
 /* Fills in gltf->accessor; all elements lie in their buffer views. */
 int gltf_read_accessors(struct gltf *gltf);
 
+/*
+ * The bytes of an element. Columns of a matrix are aligned to 4 bytes (glTF
+ * 2.0, 3.6.2.4), vectors are not.
+ */
+size_t gltf_element_bytes(const struct gltf_accessor *accessor);
+
 /* Whether the components are unsigned integers that are not normalised. */
 bool gltf_is_unsigned(const struct gltf_accessor *accessor);
 

@@ -104,8 +104,7 @@ int gltf_document_array_count(const struct gltf_document *document)
 
 static size_t stored_bytes(const struct gltf_accessor *accessor)
 {
-	size_t element = (size_t)accessor->width *
-		gltf_component_bytes(accessor->base.component);
+	size_t element = gltf_element_bytes(accessor);
 	/* Attributes are aligned to 4 bytes. */
 	size_t aligned =
 		accessor->width > 1 ? (element + 3) & ~(size_t)3 : element;

@@ -19,7 +19,7 @@ static const char accessors[] =
 	"{\"bufferView\":0,\"componentType\":5121,\"count\":32,\"type\":\"SCALAR\"},"
 	"{\"bufferView\":0,\"componentType\":5121,\"count\":64,\"type\":\"SCALAR\"}]}";
 
-static struct optimize_sizes sizes_of(const char *users)
+static struct optimize_sizes sizes_with(const char *users, const char *arrays)
 {
 	/* A binary glTF file: two headers, the JSON, one header, the bytes. */
 	static uint8_t file[4096];
@@ -37,8 +37,9 @@ static struct optimize_sizes sizes_of(const char *users)
 	memset(file, ' ', sizeof(file));
 	memcpy(file, head, sizeof(head));
 	memcpy(file + 20 + json_bytes, binary, sizeof(binary));
+	memset(file + 20 + json_bytes + sizeof(binary), 0, 512);
 	snprintf((char *)file + 20, json_bytes,
-		"{\"asset\":{\"version\":\"2.0\"},%s%s", users, accessors);
+		"{\"asset\":{\"version\":\"2.0\"},%s%s", users, arrays);
 	file[20 + strlen((char *)file + 20)] = ' ';
 	assert_int_equal(gltf_document_open(&source, &log, &document), 0);
 	assert_int_equal(optimize_sizes_of(document, &sizes), 0);
@@ -52,7 +53,7 @@ static struct optimize_sizes sizes_of(const char *users)
 static void expect(const char *users, size_t keys, long key_count,
 	size_t vertices, size_t indices)
 {
-	struct optimize_sizes sizes = sizes_of(users);
+	struct optimize_sizes sizes = sizes_with(users, accessors);
 
 	assert_int_equal(sizes.keys, keys);
 	assert_int_equal(sizes.key_count, key_count);
@@ -87,6 +88,34 @@ static void test_an_accessor_counts_once(void **state)
 		0, 0, 1 + 2, 8 + 16);
 }
 
+/*
+ * Columns of matrices are aligned to 4 bytes, those of sparse values too: three
+ * MAT2 of bytes, one MAT3 of shorts, one of floats, and of two MAT3 of bytes
+ * the second alone with its index.
+ */
+static void test_columns_of_matrices_are_padded(void **state)
+{
+	struct optimize_sizes sizes = sizes_with(
+		"\"meshes\":[{\"primitives\":[{\"attributes\":"
+		"{\"_A\":0,\"_B\":1,\"_C\":2,\"_D\":3}}]}],",
+		"\"buffers\":[{\"byteLength\":512}],\"bufferViews\":["
+		"{\"buffer\":0,\"byteLength\":64},"
+		"{\"buffer\":0,\"byteOffset\":64,\"byteLength\":64}],"
+		"\"accessors\":["
+		"{\"bufferView\":0,\"componentType\":5121,\"count\":3,"
+		"\"type\":\"MAT2\"},"
+		"{\"bufferView\":0,\"componentType\":5123,\"count\":1,"
+		"\"type\":\"MAT3\"},"
+		"{\"bufferView\":0,\"componentType\":5126,\"count\":1,"
+		"\"type\":\"MAT3\"},"
+		"{\"componentType\":5121,\"count\":2,\"type\":\"MAT3\","
+		"\"sparse\":{\"count\":1,\"indices\":{\"bufferView\":1,"
+		"\"componentType\":5121},\"values\":{\"bufferView\":1}}}]}");
+
+	(void)state;
+	assert_int_equal(sizes.vertices, 3 * 8 + 3 * 8 + 36 + (12 + 1));
+}
+
 /* The bytes of shared times count once, the keys of each channel. */
 static void test_channels_count_their_samplers(void **state)
 {
@@ -118,6 +147,7 @@ int main(void)
 		cmocka_unit_test(test_a_file_without_users_is_all_rest),
 		cmocka_unit_test(test_attributes_and_targets_are_vertices),
 		cmocka_unit_test(test_an_accessor_counts_once),
+		cmocka_unit_test(test_columns_of_matrices_are_padded),
 		cmocka_unit_test(test_channels_count_their_samplers),
 		cmocka_unit_test(test_numbers_of_no_accessor_count_nothing),
 	};

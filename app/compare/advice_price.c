@@ -34,6 +34,11 @@ bool advice_fits_time(const struct comparison *comparison, int row)
 
 bool advice_fits_error(const struct comparison *comparison, int row)
 {
+	for (int c = 0; c < comparison->clip_count; c++) {
+		if (comparison_shows_inside(comparison, row, c)) {
+			return false;
+		}
+	}
 	return comparison->row[row].total.peak_px <=
 		comparison->request.bound_px;
 }

@@ -32,6 +32,19 @@ bool comparison_has(
 	return false;
 }
 
+bool comparison_is_morph(const struct comparison_row *row)
+{
+	return row->kind == COMPARISON_MORPH ||
+		row->kind == COMPARISON_MORPH_EVEN;
+}
+
+bool comparison_shows_inside(
+	const struct comparison *comparison, int row, int clip)
+{
+	return comparison->clip[clip].turns &&
+		comparison_is_morph(&comparison->row[row]);
+}
+
 static void count_done(struct run *run, struct jobs *jobs)
 {
 	struct comparison *comparison = run->comparison;
@@ -134,6 +147,22 @@ static void warn_if_far(
 	}
 }
 
+/* The winding of a morph's triangles is the same in all key frames. */
+static void warn_if_turned(
+	const struct comparison *comparison, const struct log *log)
+{
+	for (int i = 0; i < comparison->clip_count; i++) {
+		const struct comparison_clip *clip = &comparison->clip[i];
+
+		if (clip->turns) {
+			log_warning(log,
+				"%s: clip %d %s turns a surface inside out, as the sign of a scale changes: a morph shows it from inside for a part of the time and is not recommended",
+				comparison->model->path, clip->clip,
+				comparison->model->clip[clip->clip].name);
+		}
+	}
+}
+
 static int count_vertices(const struct comparison *comparison)
 {
 	const struct comparison_cell *cell = &comparison->row[0].cell[0];
@@ -150,6 +179,7 @@ static int measure_all(struct comparison *comparison, const struct log *log)
 	if (!error) {
 		find_box(comparison);
 		warn_if_far(comparison, log);
+		warn_if_turned(comparison, log);
 		error = jobs_run(comparison->row_count * clips, jobs,
 			measure_cell, &run);
 	}

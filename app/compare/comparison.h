@@ -80,7 +80,8 @@ struct comparison_clip {
 	struct bounds rest; /* of the model's rest pose */
 	struct time_grid grid;
 	struct screen_view screen;
-	int row; /* the row that plays it in the mixed plan */
+	bool turns; /* inside out for a part of the time: see measure/winding.h */
+	int row;    /* the row that plays it in the mixed plan */
 };
 
 struct comparison {
@@ -118,6 +119,13 @@ int comparison_create(const struct model *model,
 /* Whether a listed row uses the technique. */
 bool comparison_has(
 	const struct comparison *comparison, enum technique technique);
+
+/* Whether the row is a morph, which draws key frames. */
+bool comparison_is_morph(const struct comparison_row *row);
+
+/* Whether the row shows a clip's surfaces from inside for a part of the time. */
+bool comparison_shows_inside(
+	const struct comparison *comparison, int row, int clip);
 
 /* NULL is fine. */
 void comparison_destroy(struct comparison *comparison);

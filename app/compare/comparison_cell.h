@@ -8,7 +8,7 @@
 #include "platform/process/jobs.h"
 
 /*
- * Sets rest and screen of comparison->clip[clip], whose grid is made, and
+ * Sets rest, screen and turns of comparison->clip[clip], whose grid is made, and
  * thins or refines the grid. Instances are made with
  * jobs locked, because threads share the model's memory budget. Returns 0, or
  * -errno after logging an error.

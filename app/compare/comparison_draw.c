@@ -56,13 +56,6 @@ static void count_clip(
 	gl_counts_scale(counts, 1.0 / frames);
 }
 
-/* Morphs draw the same triangles, whatever their number of keys is. */
-static bool is_morph(const struct comparison_row *row)
-{
-	return row->kind == COMPARISON_MORPH ||
-		row->kind == COMPARISON_MORPH_EVEN;
-}
-
 static bool draw_alike(const struct comparison *comparison, int a, int b)
 {
 	const struct comparison_row *one = &comparison->row[a];
@@ -71,8 +64,9 @@ static bool draw_alike(const struct comparison *comparison, int a, int b)
 	if (a == 0 || b == 0) {
 		return a == b;
 	}
-	if (is_morph(one)) {
-		return is_morph(other);
+	/* Morphs draw the same triangles, whatever their number of keys is. */
+	if (comparison_is_morph(one)) {
+		return comparison_is_morph(other);
 	}
 	return one->kind == other->kind &&
 		one->max_influences == other->max_influences &&
@@ -134,7 +128,8 @@ static int draw_model(struct painter *painter)
 	if (!error) {
 		error = begin_drawing(painter);
 	}
-	if (!error && is_morph(&painter->comparison->row[painter->row])) {
+	if (!error &&
+		comparison_is_morph(&painter->comparison->row[painter->row])) {
 		drawing_show_keys(painter->drawing);
 	}
 	if (!error) {
@@ -158,7 +153,7 @@ static int draw_row(
 	int error = 0;
 
 	painter.model = comparison->model;
-	if (row > 0 && !is_morph(&comparison->row[row])) {
+	if (row > 0 && !comparison_is_morph(&comparison->row[row])) {
 		error = export_load(
 			comparison, &comparison->row[row], log, &exported);
 		if (error) {

@@ -2,6 +2,7 @@
 
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/export/export_levels.h"
+#include "app/compare/measure/winding.h"
 
 #include <cglm/cglm.h>
 
@@ -21,6 +22,9 @@ struct exporter {
 	int8_t (*base_normal)[3];
 	int16_t (*delta)[3];
 	int8_t (*delta_normal)[3];
+	/* [part_count]: how many key frames need the opposite winding; NULL:
+	   all have that of the rest pose */
+	int *mirrored;
 	json_t *primitives;         /* each with an array "targets" */
 	struct export_lists *lists; /* of each primitive */
 };
@@ -129,11 +133,14 @@ static float unit_of(
 
 /*
  * Positions in the file are in world space, where a mirrored drawable's
- * triangles have the opposite winding.
+ * triangles have the opposite winding. If key frames differ, most of them are
+ * right.
  */
-static struct export_lists lists_of(
-	const struct exporter *exporter, const struct drawable *drawable)
+static struct export_lists lists_of(const struct exporter *exporter, int part)
 {
+	const struct instance *instance = exporter->reference->instance;
+	const struct drawable *drawable =
+		&instance->drawable[exporter->reference->part[part].drawable];
 	const struct model_primitive *primitive = drawable->primitive;
 
 	return (struct export_lists){
@@ -141,8 +148,10 @@ static struct export_lists lists_of(
 		.lod_count = primitive->lod_count,
 		.lod = primitive->lod,
 		.scale = unit_of(exporter, drawable),
-		.mirrored = instance_is_mirrored(
-			exporter->reference->instance, drawable),
+		.mirrored = exporter->mirrored
+			? 2 * exporter->mirrored[part] >
+				exporter->row->total.key_count
+			: instance_is_mirrored(instance, drawable),
 	};
 }
 
@@ -158,7 +167,7 @@ static void add_primitives(struct exporter *exporter)
 		json_t *attributes = json_object();
 		struct export_lists *lists = &exporter->lists[i];
 
-		*lists = lists_of(exporter, drawable);
+		*lists = lists_of(exporter, i);
 
 		add_vectors(exporter, attributes, part,
 			(const int16_t(*)[3])exporter->base,
@@ -189,6 +198,51 @@ static void add_targets(struct exporter *exporter)
 		json_array_append_new(
 			json_object_get(primitive, "targets"), target);
 	}
+}
+
+static int count_mirrored(struct exporter *exporter, int clip)
+{
+	const struct comparison *comparison = exporter->comparison;
+	const struct fit_keys *keys = &exporter->row->cell[clip].keys;
+	struct reference *reference;
+	int error = reference_create(comparison->model,
+		comparison->clip[clip].clip, exporter->log, &reference);
+
+	if (error) {
+		return error;
+	}
+	if (!exporter->mirrored) {
+		exporter->mirrored = calloc((size_t)reference->part_count,
+			sizeof(*exporter->mirrored));
+	}
+	if (exporter->mirrored) {
+		winding_count(reference, keys->time_s, keys->count,
+			exporter->mirrored);
+	} else {
+		error = memory_budget_fail(comparison->model->budget,
+			comparison->model->path, exporter->log);
+	}
+	reference_destroy(reference);
+	return error;
+}
+
+/* Fills mirrored, if any clip may reverse the winding. */
+static int find_mirrored(struct exporter *exporter)
+{
+	const struct comparison *comparison = exporter->comparison;
+	const struct model *model = comparison->model;
+	bool any = false;
+	int error = 0;
+
+	for (int c = 0; c < comparison->clip_count; c++) {
+		any = any ||
+			winding_may_change(
+				model, &model->clip[comparison->clip[c].clip]);
+	}
+	for (int c = 0; any && !error && c < comparison->clip_count; c++) {
+		error = count_mirrored(exporter, c);
+	}
+	return error;
 }
 
 static int export_keys(struct exporter *exporter, int clip)
@@ -305,7 +359,7 @@ int export_morph(struct glb *glb, const struct comparison *comparison,
 		.primitives = json_array(),
 	};
 	json_t *levels = json_array();
-	int error = 0;
+	int error = find_mirrored(&exporter);
 
 	for (int c = 0; !error && c < comparison->clip_count; c++) {
 		error = export_keys(&exporter, c);
@@ -323,5 +377,6 @@ int export_morph(struct glb *glb, const struct comparison *comparison,
 	free(exporter.delta);
 	free(exporter.delta_normal);
 	free(exporter.lists);
+	free(exporter.mirrored);
 	return error;
 }

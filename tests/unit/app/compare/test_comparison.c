@@ -1,4 +1,5 @@
 /* Comparing the clips of small models, and exporting the techniques. */
+#include "app/compare/advice_price.h"
 #include "app/compare/comparison.h"
 #include "app/compare/export/export.h"
 #include "app/model/levels/levels.h"
@@ -187,6 +188,71 @@ static void test_morphs_have_keys_by_number_or_by_error(void **state)
 	end(&compared);
 }
 
+/* Whether the corners of the only triangle are in the opposite order. */
+static bool is_turned(const struct model *model)
+{
+	const uint32_t *index = model->mesh[0].primitive[0].index;
+
+	return (index[1] + 3 - index[0]) % 3 == 2;
+}
+
+static struct comparison_row *find_kind(
+	struct comparison *comparison, enum comparison_kind kind)
+{
+	struct comparison_row *row = comparison->row;
+
+	while (row->kind != kind) {
+		row++;
+	}
+	return row;
+}
+
+static void test_a_morph_of_a_mirroring_clip_is_seen_from_outside(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct compared compared;
+	struct model *morph;
+
+	(void)state;
+	begin(&compared, "gltf/clip/mirror.gltf");
+	compared.request.clip = 0;
+	assert_int_equal(compare(&compared), 0);
+	assert_int_equal(compared.said.count, 0);
+	assert_int_equal(
+		export_load(compared.comparison,
+			find_kind(compared.comparison, COMPARISON_MORPH), &log,
+			&morph),
+		0);
+	assert_false(is_turned(compared.model));
+	assert_true(is_turned(morph));
+	model_destroy(morph);
+	end(&compared);
+}
+
+static void test_a_morph_that_turns_inside_out_is_not_recommended(void **state)
+{
+	struct compared compared;
+	struct comparison *comparison;
+
+	(void)state;
+	begin(&compared, "gltf/clip/mirror.gltf");
+	compared.request.clip = 1;
+	assert_int_equal(compare(&compared), 0);
+	comparison = compared.comparison;
+	assert_true(log_capture_has(&compared.said, LOG_WARNING,
+		"clip 1 turning turns a surface inside out"));
+	assert_true(
+		find_kind(comparison, COMPARISON_MORPH)->total.peak_px <= 0.5f);
+	for (int r = 0; r < comparison->row_count; r++) {
+		assert_int_equal(advice_fits_error(comparison, r),
+			!comparison_is_morph(&comparison->row[r]));
+		assert_int_equal(comparison_shows_inside(comparison, r, 0),
+			comparison_is_morph(&comparison->row[r]));
+	}
+	assert_false(comparison_is_morph(&comparison->row[comparison->advised]));
+	end(&compared);
+}
+
 /* A clip of an hour is sampled: an even morph needs no other moments. */
 static void test_a_clip_of_an_hour_is_compared_in_part(void **state)
 {
@@ -356,6 +422,10 @@ int main(void)
 		cmocka_unit_test(test_progress_counts_all_jobs),
 		cmocka_unit_test(test_threads_find_the_same_errors),
 		cmocka_unit_test(test_morphs_have_keys_by_number_or_by_error),
+		cmocka_unit_test(
+			test_a_morph_of_a_mirroring_clip_is_seen_from_outside),
+		cmocka_unit_test(
+			test_a_morph_that_turns_inside_out_is_not_recommended),
 		cmocka_unit_test(test_a_clip_of_an_hour_is_compared_in_part),
 		cmocka_unit_test(test_each_row_has_a_prediction_of_drawing),
 		cmocka_unit_test(test_a_way_of_six_times_the_size_is_far),

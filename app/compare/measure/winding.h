@@ -1,0 +1,26 @@
+/*
+ * Clips that mirror a model: a scale below 0 reverses the winding of triangles.
+ *
+ * Key frames have one winding. It is right in a clip that mirrors the model all
+ * the time, but not in one in which a scale changes its sign.
+ */
+#ifndef APP_COMPARE_MEASURE_WINDING_H
+#define APP_COMPARE_MEASURE_WINDING_H
+
+#include "app/compare/measure/reference.h"
+
+/*
+ * Returns false if the winding surely is that of the rest pose throughout the
+ * clip.
+ */
+bool winding_may_change(
+	const struct model *model, const struct model_clip *clip);
+
+/*
+ * Adds to mirrored, [part_count], at how many of the times each part's winding
+ * is reversed. Leaves the reference in any pose.
+ */
+void winding_count(struct reference *reference, const float *time_s, int count,
+	int *mirrored);
+
+#endif

@@ -10,8 +10,8 @@
 /*
  * Compares the files to write with each other and with the files to read, by
  * device and inode instead of by path; devices and pipes may be named twice.
- * No file of --export may be the model. pose, export, character and levels write
- * one kind of file each and refuse endings of other kinds, such as a.png.
+ * No file of --export may be the model. pose, export, character and levels
+ * write one kind of file each and refuse endings of other kinds, such as a.png.
  * Returns 0, or -EINVAL after logging an error.
  */
 int options_check_files(const struct options *options, enum command_bit command,

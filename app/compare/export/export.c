@@ -1,6 +1,7 @@
 #include "app/compare/export/export.h"
 
 #include "app/compare/export/export_bake.h"
+#include "app/model/model_file.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -167,6 +168,20 @@ int export_make_folder(const char *folder, const struct log *log)
 	return error;
 }
 
+/* Warns about a file that limber would write but could not load. */
+static bool is_too_large(const struct comparison_row *row, const char *folder,
+	const char *name, const struct log *log)
+{
+	if (row->total.file_bytes <= MODEL_FILE_BYTES_MAX) {
+		return false;
+	}
+	log_warning(log,
+		"--export %s: %s is not written: it would have %zu MiB, and limber reads up to %d MiB: compare fewer clips, by --clip",
+		folder, name, row->total.file_bytes >> 20,
+		MODEL_FILE_BYTES_MAX >> 20);
+	return true;
+}
+
 int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log)
 {
@@ -178,7 +193,8 @@ int export_comparison(const struct comparison *comparison, const char *folder,
 		int length;
 
 		name_file(row, name, sizeof(name));
-		if (!row->listed || !name[0]) {
+		if (!row->listed || !name[0] ||
+			is_too_large(row, folder, name, log)) {
 			continue;
 		}
 		length = snprintf(path, sizeof(path), "%s/%s", folder, name);

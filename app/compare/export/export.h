@@ -28,8 +28,9 @@ int export_load(const struct comparison *comparison,
  * Writes a file for each listed row but the model itself: FOLDER/morph-N.glb
  * with N fitted keys, morph-even-N.glb, rigid.glb, skin-K.glb with K
  * influences a vertex, and skin.glb without morph targets. Each has all clips
- * that were compared. Creates the folder if it does not exist. Returns 0, or
- * -errno after logging an error.
+ * that were compared. A file that limber could not load, because it is
+ * larger than MODEL_FILE_BYTES_MAX, is left out with a warning. Creates the
+ * folder if it does not exist. Returns 0, or -errno after logging an error.
  */
 int export_comparison(const struct comparison *comparison, const char *folder,
 	const struct log *log);

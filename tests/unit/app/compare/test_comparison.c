@@ -386,6 +386,35 @@ static void test_each_listed_row_but_the_model_becomes_a_file(void **state)
 	temp_dir_remove(&folder);
 }
 
+static void test_a_file_too_large_to_load_is_not_written(void **state)
+{
+	struct log_capture said;
+	const struct log log = log_capture_begin(&said);
+	struct test_path folder = temp_dir_make();
+	struct compared compared;
+	struct comparison_total *total;
+
+	(void)state;
+	begin(&compared, "gltf/skin/and_morph.gltf");
+	assert_int_equal(compare(&compared), 0);
+	total = &find_kind(compared.comparison, COMPARISON_MORPH_EVEN)->total;
+	total->file_bytes = 256u << 20;
+	assert_int_equal(
+		export_comparison(compared.comparison, folder.text, &log), 0);
+	assert_int_equal(temp_dir_count(&folder), 4);
+	assert_int_equal(
+		unlink(path_join(&folder, "morph-even-20.glb").text), 0);
+	total->file_bytes = (256u << 20) + 1;
+	assert_int_equal(said.count, 0);
+	assert_int_equal(
+		export_comparison(compared.comparison, folder.text, &log), 0);
+	assert_int_equal(temp_dir_count(&folder), 3);
+	assert_true(log_capture_has(&said, LOG_WARNING,
+		"morph-even-20.glb is not written: it would have 256 MiB"));
+	end(&compared);
+	temp_dir_remove(&folder);
+}
+
 static void test_a_folder_for_files_is_made_or_used(void **state)
 {
 	struct log_capture said;
@@ -433,6 +462,7 @@ int main(void)
 			test_the_picture_contains_a_rest_pose_that_is_near),
 		cmocka_unit_test(
 			test_each_listed_row_but_the_model_becomes_a_file),
+		cmocka_unit_test(test_a_file_too_large_to_load_is_not_written),
 		cmocka_unit_test(test_a_folder_for_files_is_made_or_used),
 	};
 

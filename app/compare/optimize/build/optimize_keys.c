@@ -50,11 +50,7 @@ static bool turns_half(const struct optimize_channel *channel,
 		return false;
 	}
 	for (size_t i = 4; i < count; i += 4) {
-		const float *a = value + i - 4, *b = value + i;
-		float cosine =
-			a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-
-		if (fabsf(cosine) < 1e-3f) {
+		if (optimize_track_is_half_turn(value + i - 4, value + i)) {
 			return true;
 		}
 	}

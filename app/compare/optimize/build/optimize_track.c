@@ -94,6 +94,13 @@ bool optimize_track_is_near(
 			distance_px(track, a, b) <= track->bound_px);
 }
 
+bool optimize_track_is_half_turn(const float a[4], const float b[4])
+{
+	float cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+
+	return scalar_abs(cosine) < 1e-3f;
+}
+
 /* A spline is constant only if its tangents are 0, too. */
 bool optimize_track_is_constant(const struct optimize_track *track)
 {
@@ -138,7 +145,8 @@ static bool is_between(
 	}
 	if (track->path == MODEL_ROTATION) {
 		quat_slerp(a, b, u, between);
-		return optimize_track_is_near(track, wanted, between);
+		return optimize_track_is_near(track, wanted, between) &&
+			!optimize_track_is_half_turn(a, b);
 	}
 	if (track->path != MODEL_WEIGHTS) {
 		for (int i = 0; i < track->width; i++) {

@@ -26,12 +26,19 @@ bool optimize_track_is_near(
 /* The value of a key, without tangents. */
 const float *optimize_track_value(const struct optimize_track *track, int key);
 
+/*
+ * Whether two rotations are half a turn apart: rounding decides which way a
+ * player takes between them.
+ */
+bool optimize_track_is_half_turn(const float a[4], const float b[4]);
+
 /* Whether all keys are close enough to the first one, so that it suffices. */
 bool optimize_track_is_constant(const struct optimize_track *track);
 
 /*
  * Writes to kept the indices of the keys that suffice for all count tracks,
- * including the first and the last key, and returns their number. The tracks
+ * including the first and the last key, and returns their number. Keys that are
+ * left out bring no two rotations half a turn apart. The tracks
  * have the same times and are all MODEL_LINEAR or all MODEL_STEP.
  */
 int optimize_track_reduce(

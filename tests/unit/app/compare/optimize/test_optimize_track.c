@@ -292,6 +292,40 @@ static void test_a_turn_is_interpolated_on_the_sphere(void **state)
 	expect_kept(&track, NULL, (const int[]){0, 8}, 2);
 }
 
+/* Keys of a turn about Y, so many degrees apart. */
+static int kept_of_turn(int degrees, int keys, int *kept)
+{
+	static float value[KEYS_MAX][4];
+	const struct optimize_track track =
+		track_of(MODEL_ROTATION, 4, value[0], keys, 0.5f);
+	const struct optimize_track *const tracks[] = {&track};
+
+	for (int k = 0; k < keys; k++) {
+		float half = (float)(degrees * k) * 3.14159265f / 360.0f;
+
+		value[k][0] = value[k][2] = 0.0f;
+		value[k][1] = sinf(half);
+		value[k][3] = cosf(half);
+	}
+	return optimize_track_reduce(tracks, 1, kept);
+}
+
+static void test_keys_left_out_make_no_half_turns(void **state)
+{
+	int kept[KEYS_MAX];
+
+	(void)state;
+	assert_int_equal(kept_of_turn(90, 9, kept), 9);
+	/* 135 degrees are a shorter way than 225. */
+	assert_int_equal(kept_of_turn(45, 13, kept), 5);
+	for (int i = 0; i < 5; i++) {
+		assert_int_equal(kept[i], 3 * i);
+	}
+	/* A still node may keep its ends alone, and so may a turn of 170. */
+	assert_int_equal(kept_of_turn(0, 9, kept), 2);
+	assert_int_equal(kept_of_turn(17, 11, kept), 2);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -308,6 +342,7 @@ int main(void)
 		cmocka_unit_test(test_a_stair_keeps_the_key_of_each_step),
 		cmocka_unit_test(test_a_path_keeps_within_the_bound),
 		cmocka_unit_test(test_a_turn_is_interpolated_on_the_sphere),
+		cmocka_unit_test(test_keys_left_out_make_no_half_turns),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -17,9 +17,10 @@
 
 #include <errno.h>
 
-static const float bound_px = 0.5f; /* the largest error of the morph */
-static const float spacing = 1.2f;  /* times a figure's width */
-static const float slant = 0.25f;   /* tan(framing.camera.yaw_rad) */
+static const float bound_px = 0.5f;   /* the largest error of the morph */
+static const float spacing = 1.2f;    /* times a figure's width */
+static const float slant = 0.25f;     /* tan(framing.camera.yaw_rad) */
+static const float longest_s = 30.0f; /* that key frames are fitted to */
 static const float turn_rad_per_s = 1.2f;
 static const float full_px[] = {1.0f, 2.0f, 4.0f, 8.0f, 16.0f};
 static const double heat_s = 3.3; /* autoplay: time of each display */
@@ -178,6 +179,23 @@ static int stay_in_place(struct demo *demo, const struct demo_env *env)
 	return error;
 }
 
+/*
+ * Shortens a long clip, whose key frames would take minutes to fit and more
+ * memory than there is. The clips of in_place are copies.
+ */
+static void shorten(struct demo *demo, const struct log *log)
+{
+	struct model_clip *clip = &demo->in_place.clip[demo->motion.clip];
+
+	if (clip->duration_s > longest_s) {
+		log_warning(log,
+			"%s: clip %d lasts %.0f s: the duel plays its first %.0f s",
+			demo->in_place.path, demo->motion.clip,
+			(double)clip->duration_s, (double)longest_s);
+		clip->duration_s = longest_s;
+	}
+}
+
 static int duel_prepare(struct demo *demo, const struct demo_env *env)
 {
 	const struct model *model = demo->base.actor.model;
@@ -188,6 +206,7 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 		error = stay_in_place(demo, env);
 	}
 	if (!error) {
+		shorten(demo, env->log);
 		error = reference_create(&demo->in_place, demo->motion.clip,
 			env->log, &demo->reference);
 	}
@@ -197,9 +216,7 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	error = time_grid_make(demo->reference->clip, &demo->grid);
 	if (error) {
 		log_error(env->log,
-			error == -E2BIG
-				? "%s: the clip of the duel lasts longer than five hours: shorten it"
-				: "%s: there is not enough memory for the clip's moments",
+			"%s: there is not enough memory for the clip's moments",
 			model->path);
 		return error;
 	}

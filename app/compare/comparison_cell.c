@@ -7,7 +7,6 @@
 #include "app/compare/measure/winding.h"
 
 #include <errno.h>
-#include <stdlib.h>
 
 enum {
 	/* AN4044, section 4: "20 key frames are required". */
@@ -79,29 +78,6 @@ static int frame_all(const struct comparison *comparison,
 		reference, &to->screen, 0.5f * request->bound_px, &to->grid);
 }
 
-/* Finds out whether the clip turns a part inside out. */
-static int find_turns(const struct comparison *comparison,
-	struct comparison_clip *to, struct reference *reference)
-{
-	const struct time_grid *grid = &to->grid;
-	int *mirrored;
-
-	if (!winding_may_change(comparison->model, reference->clip)) {
-		return 0;
-	}
-	mirrored = calloc((size_t)reference->part_count, sizeof(*mirrored));
-	if (!mirrored) {
-		return -ENOMEM;
-	}
-	winding_count(reference, grid->time_s, grid->count, mirrored);
-	for (int i = 0; i < reference->part_count; i++) {
-		to->turns = to->turns ||
-			(mirrored[i] > 0 && mirrored[i] < grid->count);
-	}
-	free(mirrored);
-	return 0;
-}
-
 int comparison_clip_prepare(struct comparison *comparison, int clip,
 	struct jobs *jobs, const struct log *log)
 {
@@ -121,7 +97,7 @@ int comparison_clip_prepare(struct comparison *comparison, int clip,
 		? frame_sampled(comparison, to, reference)
 		: frame_all(comparison, to, reference);
 	if (!error) {
-		error = find_turns(comparison, to, reference);
+		error = winding_find_turns(reference, &to->grid, &to->turns);
 	}
 	if (error) {
 		log_error(log,

@@ -1,5 +1,8 @@
 #include "app/compare/measure/winding.h"
 
+#include <errno.h>
+#include <stdlib.h>
+
 static bool has_sign_of(const float value[3], const float rest[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
@@ -50,4 +53,26 @@ void winding_count(struct reference *reference, const float *time_s, int count,
 				&instance->drawable[reference->part[p].drawable]);
 		}
 	}
+}
+
+int winding_find_turns(
+	struct reference *reference, const struct time_grid *grid, bool *turns)
+{
+	int *mirrored;
+
+	*turns = false;
+	if (!winding_may_change(reference->model, reference->clip)) {
+		return 0;
+	}
+	mirrored = calloc((size_t)reference->part_count, sizeof(*mirrored));
+	if (!mirrored) {
+		return -ENOMEM;
+	}
+	winding_count(reference, grid->time_s, grid->count, mirrored);
+	for (int i = 0; i < reference->part_count; i++) {
+		*turns = *turns ||
+			(mirrored[i] > 0 && mirrored[i] < grid->count);
+	}
+	free(mirrored);
+	return 0;
 }

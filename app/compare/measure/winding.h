@@ -8,6 +8,7 @@
 #define APP_COMPARE_MEASURE_WINDING_H
 
 #include "app/compare/measure/reference.h"
+#include "app/compare/measure/time_grid.h"
 
 /*
  * Returns false if the winding surely is that of the rest pose throughout the
@@ -22,5 +23,12 @@ bool winding_may_change(
  */
 void winding_count(struct reference *reference, const float *time_s, int count,
 	int *mirrored);
+
+/*
+ * Finds out whether some part's winding is reversed at some moments of the grid
+ * but not at all of them. Returns 0 or -ENOMEM without a message.
+ */
+int winding_find_turns(
+	struct reference *reference, const struct time_grid *grid, bool *turns);
 
 #endif

@@ -9,6 +9,7 @@
 #include "app/character/motions/motions.h"
 #include "app/character/show/character_follow.h"
 #include "app/character/show/character_in_place.h"
+#include "app/compare/measure/winding.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/duel/contender.h"
@@ -196,9 +197,30 @@ static void shorten(struct demo *demo, const struct log *log)
 	}
 }
 
+/* Finds the clip's moments, and warns if no morph is right at all of them. */
+static int make_grid(struct demo *demo, const struct demo_env *env)
+{
+	const char *path = demo->base.actor.model->path;
+	bool turns = false;
+	int error = time_grid_make(demo->reference->clip, &demo->grid);
+
+	if (!error) {
+		error = winding_find_turns(demo->reference, &demo->grid, &turns);
+	}
+	if (error) {
+		log_error(env->log,
+			"%s: there is not enough memory for the clip's moments",
+			path);
+	} else if (turns) {
+		log_warning(env->log,
+			"%s: clip %d turns a surface inside out, as the sign of a scale changes: the morph shows it from inside for a part of the time",
+			path, demo->motion.clip);
+	}
+	return error;
+}
+
 static int duel_prepare(struct demo *demo, const struct demo_env *env)
 {
-	const struct model *model = demo->base.actor.model;
 	struct bounds bounds;
 	int error = choose_clip(demo, env);
 
@@ -210,14 +232,10 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 		error = reference_create(&demo->in_place, demo->motion.clip,
 			env->log, &demo->reference);
 	}
-	if (error) {
-		return error;
+	if (!error) {
+		error = make_grid(demo, env);
 	}
-	error = time_grid_make(demo->reference->clip, &demo->grid);
 	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory for the clip's moments",
-			model->path);
 		return error;
 	}
 	demo->screen = screen_view_create(

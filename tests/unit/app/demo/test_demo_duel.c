@@ -276,6 +276,36 @@ static void test_it_follows_a_model_and_needs_clips_and_triangles(void **state)
 		log_capture_has(&heard, LOG_ERROR, "has no triangles: give"));
 }
 
+static void test_a_morph_that_turns_inside_out_is_told(void **state)
+{
+	static const char turned[] = "tests/fixtures/gltf/clip/mirror.gltf";
+	static const char *const clips[] = {"mirrored", "turning"};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct log_capture heard;
+		struct log log = log_capture_begin(&heard);
+		struct gl gl = gl_recorder_begin();
+		const struct demo_env env = {.log = &log,
+			.gl = &gl,
+			.target = PIXELS_RGBA8888,
+			.kernel = &kernel_float,
+			.width = 48,
+			.height = 64,
+			.model_path = turned,
+			.character = "none",
+			.clip = clips[i],
+			.speed = 1.0f};
+		struct demo *demo;
+
+		assert_int_equal(demo_create(demo_find("duel"), &env, &demo), 0);
+		assert_int_equal(log_capture_has(&heard, LOG_WARNING,
+					 "clip 1 turns a surface inside out"),
+			i == 1);
+		demo_destroy(demo_find("duel"), demo);
+	}
+}
+
 static bool are_equal(const struct hud *a, const struct hud *b)
 {
 	return a->quad_count == b->quad_count &&
@@ -324,6 +354,7 @@ int main(void)
 		cmocka_unit_test(test_heat_is_red_where_a_part_is_far_off),
 		cmocka_unit_test(test_times_are_means_by_the_clock_it_is_given),
 		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
+		cmocka_unit_test(test_a_morph_that_turns_inside_out_is_told),
 		cmocka_unit_test(
 			test_it_follows_a_model_and_needs_clips_and_triangles),
 		cmocka_unit_test(test_buttons_run_through_the_duel),

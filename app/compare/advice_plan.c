@@ -49,7 +49,7 @@ static double plan_price(const struct comparison *comparison)
 static bool cell_fits(const struct comparison *comparison, int row, int clip)
 {
 	return comparison->row[row].listed &&
-		!comparison_shows_inside(comparison, row, clip) &&
+		!comparison_rows_show_inside(comparison, row, clip) &&
 		comparison->row[row].cell[clip].error.peak_px <=
 		comparison->request.bound_px &&
 		advice_is_in_time(

@@ -1,5 +1,7 @@
 #include "app/compare/advice_price.h"
 
+#include "app/compare/comparison_rows.h"
+
 double advice_row_us(const struct comparison *comparison, int row)
 {
 	return board_cost_us(&comparison->row[row].total.board);
@@ -35,7 +37,7 @@ bool advice_fits_time(const struct comparison *comparison, int row)
 bool advice_fits_error(const struct comparison *comparison, int row)
 {
 	for (int c = 0; c < comparison->clip_count; c++) {
-		if (comparison_shows_inside(comparison, row, c)) {
+		if (comparison_rows_show_inside(comparison, row, c)) {
 			return false;
 		}
 	}

@@ -32,19 +32,6 @@ bool comparison_has(
 	return false;
 }
 
-bool comparison_is_morph(const struct comparison_row *row)
-{
-	return row->kind == COMPARISON_MORPH ||
-		row->kind == COMPARISON_MORPH_EVEN;
-}
-
-bool comparison_shows_inside(
-	const struct comparison *comparison, int row, int clip)
-{
-	return comparison->clip[clip].turns &&
-		comparison_is_morph(&comparison->row[row]);
-}
-
 static void count_done(struct run *run, struct jobs *jobs)
 {
 	struct comparison *comparison = run->comparison;

@@ -120,13 +120,6 @@ int comparison_create(const struct model *model,
 bool comparison_has(
 	const struct comparison *comparison, enum technique technique);
 
-/* Whether the row is a morph, which draws key frames. */
-bool comparison_is_morph(const struct comparison_row *row);
-
-/* Whether the row shows a clip's surfaces from inside for a part of the time. */
-bool comparison_shows_inside(
-	const struct comparison *comparison, int row, int clip);
-
 /* NULL is fine. */
 void comparison_destroy(struct comparison *comparison);
 

@@ -1,5 +1,6 @@
 #include "app/compare/comparison_draw.h"
 
+#include "app/compare/comparison_rows.h"
 #include "app/compare/cost/drawing.h"
 #include "app/compare/export/export.h"
 #include "app/model/levels/levels.h"
@@ -65,8 +66,8 @@ static bool draw_alike(const struct comparison *comparison, int a, int b)
 		return a == b;
 	}
 	/* Morphs draw the same triangles, whatever their number of keys is. */
-	if (comparison_is_morph(one)) {
-		return comparison_is_morph(other);
+	if (comparison_rows_is_morph(one)) {
+		return comparison_rows_is_morph(other);
 	}
 	return one->kind == other->kind &&
 		one->max_influences == other->max_influences &&
@@ -129,7 +130,8 @@ static int draw_model(struct painter *painter)
 		error = begin_drawing(painter);
 	}
 	if (!error &&
-		comparison_is_morph(&painter->comparison->row[painter->row])) {
+		comparison_rows_is_morph(
+			&painter->comparison->row[painter->row])) {
 		drawing_show_keys(painter->drawing);
 	}
 	if (!error) {
@@ -153,7 +155,7 @@ static int draw_row(
 	int error = 0;
 
 	painter.model = comparison->model;
-	if (row > 0 && !comparison_is_morph(&comparison->row[row])) {
+	if (row > 0 && !comparison_rows_is_morph(&comparison->row[row])) {
 		error = export_load(
 			comparison, &comparison->row[row], log, &exported);
 		if (error) {

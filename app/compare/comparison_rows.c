@@ -10,6 +10,19 @@
 static const float other_bounds[] = {0.25f, 0.5f, 2.0f, 4.0f};
 static const int caps[] = {4, 2, 1};
 
+bool comparison_rows_is_morph(const struct comparison_row *row)
+{
+	return row->kind == COMPARISON_MORPH ||
+		row->kind == COMPARISON_MORPH_EVEN;
+}
+
+bool comparison_rows_show_inside(
+	const struct comparison *comparison, int row, int clip)
+{
+	return comparison->clip[clip].turns &&
+		comparison_rows_is_morph(&comparison->row[row]);
+}
+
 static bool has_targets(const struct model *model)
 {
 	for (int i = 0; i < model->mesh_count; i++) {

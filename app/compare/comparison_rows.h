@@ -18,4 +18,11 @@ size_t comparison_rows_weight_bytes(int key_count);
 /* Sums up the cells of all rows; names morphs by their number of keys. */
 void comparison_rows_sum_up(struct comparison *comparison);
 
+/* Whether the row is a morph, which draws key frames. */
+bool comparison_rows_is_morph(const struct comparison_row *row);
+
+/* Whether the row shows a clip's surfaces from inside for a part of the time. */
+bool comparison_rows_show_inside(
+	const struct comparison *comparison, int row, int clip);
+
 #endif

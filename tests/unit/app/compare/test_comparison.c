@@ -1,6 +1,7 @@
 /* Comparing the clips of small models, and exporting the techniques. */
 #include "app/compare/advice_price.h"
 #include "app/compare/comparison.h"
+#include "app/compare/comparison_rows.h"
 #include "app/compare/export/export.h"
 #include "app/model/levels/levels.h"
 #include "tests/support/files.h"
@@ -245,11 +246,12 @@ static void test_a_morph_that_turns_inside_out_is_not_recommended(void **state)
 		find_kind(comparison, COMPARISON_MORPH)->total.peak_px <= 0.5f);
 	for (int r = 0; r < comparison->row_count; r++) {
 		assert_int_equal(advice_fits_error(comparison, r),
-			!comparison_is_morph(&comparison->row[r]));
-		assert_int_equal(comparison_shows_inside(comparison, r, 0),
-			comparison_is_morph(&comparison->row[r]));
+			!comparison_rows_is_morph(&comparison->row[r]));
+		assert_int_equal(comparison_rows_show_inside(comparison, r, 0),
+			comparison_rows_is_morph(&comparison->row[r]));
 	}
-	assert_false(comparison_is_morph(&comparison->row[comparison->advised]));
+	assert_false(
+		comparison_rows_is_morph(&comparison->row[comparison->advised]));
 	end(&compared);
 }
 

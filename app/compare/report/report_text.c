@@ -35,8 +35,8 @@ static void print_sampling(const struct comparison *comparison, FILE *out)
 {
 	if (comparison->sampling.share < 1.0) {
 		fprintf(out,
-			"The clips are long together: errors are those of %.2g%% of their moments, and no key\n"
-			"frames were fitted to all of them.%s\n",
+			"The clips are long together: errors are those of %.2g%% of their moments. Key frames\n"
+			"are not fitted to an error, which needs all moments.%s\n",
 			100.0 * comparison->sampling.share,
 			comparison->clip_count > 1 ? " --clip compares one clip."
 						   : "");

@@ -164,7 +164,7 @@ static drmModeConnectorPtr get_connector(int fd, uint32_t id)
 	connector->encoder_id = ENCODER + (uint32_t)fake_card.connected_encoder;
 	connector->connection = fake_card.not_connected ? DRM_MODE_DISCONNECTED
 							: DRM_MODE_CONNECTED;
-	connector->count_modes = FAKE_CARD_MODES;
+	connector->count_modes = fake_card.mode_count;
 	connector->modes = fake_card.modes;
 	connector->count_encoders = fake_card.encoder_count;
 	connector->encoders = encoders;
@@ -405,6 +405,7 @@ void fake_card_begin(void)
 		.type = DRM_MODE_TYPE_PREFERRED};
 	fake_card.modes[2] = (drmModeModeInfo){
 		.hdisplay = 10, .vdisplay = 8, .vrefresh = 75};
+	fake_card.mode_count = FAKE_CARD_MODES;
 	fake_card.fail_error = EINVAL;
 	for (int i = 0; i < 2; i++) {
 		memset(fake_card.buffers[i].memory, 0xEE,

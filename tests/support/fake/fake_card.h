@@ -42,6 +42,7 @@ struct fake_card {
 	} encoders[FAKE_CARD_ENCODERS];
 	int encoder_count, connected_encoder;
 	drmModeModeInfo modes[FAKE_CARD_MODES];
+	int mode_count;
 
 	enum fake_card_call fail;
 	int fail_from; /* the first call that fails, counted from 0 */

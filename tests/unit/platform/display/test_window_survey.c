@@ -2,6 +2,7 @@
 #include "tests/support/survey_capture.h"
 #include "tests/support/test.h"
 
+#include <netinet/in.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,19 +92,111 @@ static void test_a_survey_connects_to_an_x_server(void **state)
 	survey_window(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
 		"does not answer", "export DISPLAY=");
-	setenv("DISPLAY", "rubbish", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"names no display", "export DISPLAY=");
-	setenv("DISPLAY", "elsewhere.example:0", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_UNUSED, "window",
-		"another machine", "--display window");
-	setenv("DISPLAY", "localhost:59000", 1);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"does not answer", "export DISPLAY=");
 	unsetenv("DISPLAY");
+}
+
+/* The port of display 0 is 6000; fd listens at that of the display returned. */
+static int listen_at_port(int *fd)
+{
+	struct sockaddr_in address = {.sin_family = AF_INET,
+		.sin_addr.s_addr = htonl(INADDR_LOOPBACK)};
+	socklen_t size = sizeof(address);
+
+	*fd = socket(AF_INET, SOCK_STREAM, 0);
+	assert_int_equal(
+		bind(*fd, (const struct sockaddr *)&address, sizeof(address)),
+		0);
+	assert_int_equal(listen(*fd, 1), 0);
+	assert_int_equal(
+		getsockname(*fd, (struct sockaddr *)&address, &size), 0);
+	return ntohs(address.sin_port) - 6000;
+}
+
+static void test_a_survey_connects_to_an_x_server_by_its_port(void **state)
+{
+	static const char *const hosts[] = {"localhost", "127.0.0.1"};
+	struct survey_capture capture;
+	char display[32];
+
+	(void)state;
+	unsetenv("SDL_VIDEODRIVER");
+	for (size_t i = 0; i < ARRAY_COUNT(hosts); i++) {
+		int fd, number = listen_at_port(&fd);
+
+		snprintf(display, sizeof(display), "%s:%d", hosts[i], number);
+		setenv("DISPLAY", display, 1);
+		survey_window(&capture);
+		survey_capture_expect(
+			&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
+		close(fd);
+		survey_window(&capture);
+		survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+			"does not answer", "export DISPLAY=");
+	}
+	unsetenv("DISPLAY");
+}
+
+static void test_a_survey_reads_any_name_of_a_display(void **state)
+{
+	static const struct {
+		const char *display, *text;
+		enum survey_state state;
+	} cases[] = {
+		{"rubbish", "names no display", SURVEY_BROKEN},
+		{":-1", "names no display", SURVEY_BROKEN},
+		{"localhost:59535", "does not answer", SURVEY_BROKEN},
+		{"localhost:59536", "names no display", SURVEY_BROKEN},
+		{"unix:59000", "does not answer", SURVEY_BROKEN},
+		{"unit:59000", "another machine", SURVEY_UNUSED},
+		{"unix2:59000", "another machine", SURVEY_UNUSED},
+		{"local:0", "another machine", SURVEY_UNUSED},
+		{"localhost2:0", "another machine", SURVEY_UNUSED},
+		{"localnest:0", "another machine", SURVEY_UNUSED},
+		{"elsewhere.example:0", "another machine", SURVEY_UNUSED},
+	};
+
+	(void)state;
+	unsetenv("SDL_VIDEODRIVER");
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct survey_capture capture;
+
+		setenv("DISPLAY", cases[i].display, 1);
+		survey_window(&capture);
+		survey_capture_expect(&capture, 0, cases[i].state, "window",
+			cases[i].text,
+			cases[i].state == SURVEY_BROKEN ? "export DISPLAY="
+							: "--display window");
+		assert_contains(capture.finding[0].text, cases[i].display);
+	}
+	unsetenv("DISPLAY");
+}
+
+/* The kernel takes names below 108 bytes; 255 fit into the survey's own path. */
+static void test_a_survey_refuses_long_names_of_sockets(void **state)
+{
+	static const size_t lengths[] = {107, 108, 255, 256, 400};
+	struct survey_capture capture;
+	char name[401];
+
+	(void)state;
+	unsetenv("SDL_VIDEODRIVER");
+	unsetenv("DISPLAY");
+	for (size_t i = 0; i < ARRAY_COUNT(lengths); i++) {
+		memset(name, 'x', lengths[i]);
+		name[0] = '/';
+		name[lengths[i]] = '\0';
+		setenv("WAYLAND_DISPLAY", name, 1);
+		survey_window(&capture);
+		survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+			"does not answer: File name too long",
+			"terminal of the desktop");
+	}
+	name[106] = '\0';
+	setenv("WAYLAND_DISPLAY", name, 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"does not answer: No such file", "terminal of the desktop");
+	unsetenv("WAYLAND_DISPLAY");
 }
 
 static void test_a_survey_connects_to_wayland(void **state)
@@ -125,6 +218,11 @@ static void test_a_survey_connects_to_wayland(void **state)
 	survey_window(&capture);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
 		"DISPLAY is not set", "apt install xwayland");
+	setenv("WAYLAND_DISPLAY", path_join(&folder, "wayland-7").text, 1);
+	setenv("XDG_RUNTIME_DIR", "/nonexistent", 1);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"DISPLAY is not set", "apt install xwayland");
 	close(fd);
 	unsetenv("WAYLAND_DISPLAY");
 	unsetenv("XDG_RUNTIME_DIR");
@@ -138,7 +236,11 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_survey_connects_to_an_x_server),
+		cmocka_unit_test(
+			test_a_survey_connects_to_an_x_server_by_its_port),
+		cmocka_unit_test(test_a_survey_reads_any_name_of_a_display),
 		cmocka_unit_test(test_a_survey_knows_the_drivers_of_sdl),
+		cmocka_unit_test(test_a_survey_refuses_long_names_of_sockets),
 		cmocka_unit_test(test_a_survey_connects_to_wayland),
 	};
 

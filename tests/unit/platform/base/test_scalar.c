@@ -2,6 +2,8 @@
 #include "tests/support/test.h"
 
 #include <float.h>
+#include <stdint.h>
+#include <string.h>
 
 static const double TOLERANCE = 2e-6;
 
@@ -132,6 +134,42 @@ static void test_exponential_is_close_in_proportion(void **state)
 	assert_true(scalar_exp(1000) == FLT_MAX);
 }
 
+/* FNV-1a of a float's bits. */
+static uint32_t add_bits(uint32_t hash, float value)
+{
+	uint32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	for (int i = 0; i < 4; i++) {
+		hash = (hash ^ (bits >> 8 * i & 0xFF)) * 16777619u;
+	}
+	return hash;
+}
+
+/* Poses and pictures are the same everywhere only if each bit of these is. */
+static void test_every_machine_gives_the_same_bits(void **state)
+{
+	uint32_t sine, cosine, arc_cosine, arc_tangent, exponential;
+
+	(void)state;
+	sine = cosine = arc_cosine = arc_tangent = exponential = 2166136261u;
+	for (int i = -2000; i <= 2000; i++) {
+		float x = (float)i / 2000.0f;
+
+		sine = add_bits(sine, scalar_sin(x * 50));
+		cosine = add_bits(cosine, scalar_cos(x * 50));
+		arc_cosine = add_bits(arc_cosine, scalar_acos(x));
+		arc_tangent = add_bits(arc_tangent, scalar_atan2(x, 0.5f));
+		arc_tangent = add_bits(arc_tangent, scalar_atan2(x, -0.5f));
+		exponential = add_bits(exponential, scalar_exp(x * 87));
+	}
+	assert_int_equal(sine, 0xC1CF41B9);
+	assert_int_equal(cosine, 0xCDB5224);
+	assert_int_equal(arc_cosine, 0xC71DDAC5);
+	assert_int_equal(arc_tangent, 0x5992EA6E);
+	assert_int_equal(exponential, 0x54253C4D);
+}
+
 static void test_clamp_keeps_to_its_limits(void **state)
 {
 	(void)state;
@@ -169,6 +207,7 @@ int main(void)
 		cmocka_unit_test(test_square_root_never_gives_a_nan),
 		cmocka_unit_test(test_floor_rounds_down_at_both_signs),
 		cmocka_unit_test(test_exponential_is_close_in_proportion),
+		cmocka_unit_test(test_every_machine_gives_the_same_bits),
 		cmocka_unit_test(test_clamp_keeps_to_its_limits),
 	};
 

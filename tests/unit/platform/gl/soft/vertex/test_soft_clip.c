@@ -116,7 +116,7 @@ static const struct clip_case {
 static void draw_clipped(struct gl *gl, const void *context)
 {
 	static const GLubyte colors[3][4] = {
-		{255, 40, 40, 255}, {40, 255, 40, 255}, {40, 40, 255, 255}};
+		{255, 40, 40, 255}, {40, 255, 40, 190}, {40, 40, 255, 120}};
 	const struct clip_case *c = context;
 
 	gl->MatrixMode(GL_PROJECTION);
@@ -140,6 +140,59 @@ static void test_each_plane_cuts_as_osmesas_does(void **state)
 		if (count > clips[i].off) {
 			fail_msg("%s: %d pixels differ", clips[i].name, count);
 		}
+	}
+}
+
+/* Draws in the colours themselves, or with each side lit to the full. */
+static struct gl_canvas open_blended(
+	const struct clip_case *c, enum pixel_format format, bool lit)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", format);
+	struct gl *gl = canvas.gl;
+
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ZERO);
+	if (lit) {
+		static const GLfixed white[] = {ONE, ONE, ONE, ONE};
+		static const GLfixed from_behind[] = {0, 0, -ONE, 0};
+
+		gl_canvas_set_up_light(gl);
+		gl->Lightxv(GL_LIGHT1, GL_DIFFUSE, white);
+		gl->Lightxv(GL_LIGHT1, GL_POSITION, from_behind);
+		gl->Enable(GL_LIGHT1);
+		gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+		gl->Enable(GL_COLOR_MATERIAL);
+		gl->Normal3x(0, 0, -ONE);
+		gl->FrontFace(GL_CW);
+	}
+	draw_clipped(gl, c);
+	return canvas;
+}
+
+static void test_cuts_keep_the_colours_of_both_sides(void **state)
+{
+	static uint8_t plain[GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT][4];
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(clips) / sizeof(clips[0]); i++) {
+		const struct clip_case *c = &clips[i];
+		enum pixel_format format = gl_expect_formats[i % 2];
+		struct gl_canvas canvas = open_blended(c, format, false);
+
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			gl_expect_read(&canvas, p % GL_CANVAS_WIDTH,
+				p / GL_CANVAS_WIDTH, plain[p]);
+		}
+		gl_canvas_end_and_close(&canvas);
+		canvas = open_blended(c, format, true);
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			gl_expect_color(&canvas, c->name, p % GL_CANVAS_WIDTH,
+				p / GL_CANVAS_WIDTH,
+				(double[]){plain[p][0] / 255.0,
+					plain[p][1] / 255.0,
+					plain[p][2] / 255.0});
+		}
+		gl_canvas_end_and_close(&canvas);
 	}
 }
 
@@ -264,6 +317,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_nearer_of_crossing_triangles_is_seen),
 		cmocka_unit_test(test_each_plane_cuts_as_osmesas_does),
+		cmocka_unit_test(test_cuts_keep_the_colours_of_both_sides),
 		cmocka_unit_test(test_viewports_place_the_picture),
 		cmocka_unit_test(test_viewports_cut_triangles),
 		cmocka_unit_test(test_pixels_are_read_as_they_were_drawn),

@@ -38,11 +38,43 @@ static struct {
 	struct filled filled[TRIANGLES * 4];
 } seen;
 
+/* Whether rows and columns lie in the box that loops of assembly look at. */
+static bool is_in_packed_box(
+	const struct fast_setup *fast, const struct setup *setup)
+{
+	const struct vertex *const *v = setup->v;
+	uint32_t left = (uint32_t)raster_centre(
+		raster_least(v[0]->x, v[1]->x, v[2]->x));
+
+	return left >= (fast->box_low & 0xFFFF) >> 4 &&
+		left + (uint32_t)setup->columns <= (fast->box_high & 0xFFFF) >>
+		4 &&
+		(uint32_t)setup->top >= fast->box_low >> 20 &&
+		(uint32_t)setup->bottom <= fast->box_high >> 20;
+}
+
+/* What the assembly reads agrees with what C finds, on every machine. */
+static void check_fast_setup(const struct draw *draw, const struct setup *setup)
+{
+	const struct fast_setup *fast = &draw->fast_setup;
+	bool clockwise = setup->back == draw->front_is_ccw;
+
+	assert_true(draw->packed);
+	assert_int_equal((fast->box_low | fast->box_high) & 0xF000F, 0);
+	assert_int_equal(
+		setup->inside, !setup->wide && is_in_packed_box(fast, setup));
+	assert_int_equal(fast->back_flip, draw->front_is_ccw);
+	assert_int_equal(
+		fast->cull_mask != 0, draw->cull_front || draw->cull_back);
+	assert_true(!fast->cull_mask ||
+		fast->cull_side != (clockwise ? UINT32_MAX : 0));
+}
+
 static void record(struct draw *draw, struct setup *setup)
 {
 	struct filled *filled = &seen.filled[seen.count++];
 
-	(void)draw;
+	check_fast_setup(draw, setup);
 	*filled = (struct filled){
 		.provoking = setup->provoking->index,
 		.top = setup->top,
@@ -127,6 +159,9 @@ static void set_state(const struct gl *gl, const struct corner *pool, int round)
 	(round % 3 ? gl->Enable : gl->Disable)(GL_CULL_FACE);
 	gl->CullFace(round % 3 == 1 ? GL_BACK : GL_FRONT);
 	gl->FrontFace(round % 5 < 2 ? GL_CW : GL_CCW);
+	(round % 7 < 3 ? gl->Enable : gl->Disable)(GL_SCISSOR_TEST);
+	gl->Scissor(SOFT_SCENE_WIDTH / 4, SOFT_SCENE_HEIGHT / 5,
+		SOFT_SCENE_WIDTH / 2 + round, SOFT_SCENE_HEIGHT / 2 + round);
 }
 
 static void test_lists_hand_on_what_single_triangles_are(void **state)

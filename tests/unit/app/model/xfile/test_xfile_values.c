@@ -9,9 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HEADER "xof 0303txt 0032\n"
-#define FACE   "3; 0;0;0;, 1;0;0;, 0;1;0;; 1; 3;0,1,2;; "
-#define UNIT   "1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1;; "
+#define HEADER  "xof 0303txt 0032\n"
+#define CORNERS "3; 0;0;0;, 1;0;0;, 0;1;0;; "
+#define FACE    CORNERS "1; 3;0,1,2;; "
+#define UNIT    "1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1;; "
 
 static struct model *load(const char *text, struct log_capture *logged)
 {
@@ -260,6 +261,51 @@ static void test_faces_of_two_corners_draw_nothing(void **state)
 	model_destroy(model);
 }
 
+/* A count's elements, each as short as can be, are the last of the file. */
+static void test_counts_that_just_fit_into_the_file_are_read(void **state)
+{
+	enum {
+		COUNT = 90
+	};
+	static const struct {
+		const char *name, *before, *element, *after;
+	} cases[] = {
+		{"faces", HEADER "Mesh T{" CORNERS "90;", "0;", "}"},
+		{"corners", HEADER "Mesh T{" CORNERS "1;90;", "0;", "}"},
+		{"colours", HEADER "Mesh T{" FACE "MeshVertexColors{90;",
+			"0;0;0;0;0;", "}}"},
+		{"weighted vertices",
+			HEADER "Frame A{}Mesh T{" FACE "SkinWeights{\"A\";90;",
+			"0;0;", UNIT "}}"},
+		{"keys",
+			HEADER "Frame A{}AnimationSet S{Animation{{A}"
+			       "AnimationKey{2;90;",
+			"0;3;0;0;0;", "}}}"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
+		struct model *model = NULL;
+		char text[2000];
+		size_t used = (size_t)snprintf(
+			text, sizeof(text), "%s", cases[i].before);
+
+		for (int n = 0; n < COUNT; n++) {
+			used += (size_t)snprintf(text + used,
+				sizeof(text) - used, "%s", cases[i].element);
+		}
+		used += (size_t)snprintf(
+			text + used, sizeof(text) - used, "%s", cases[i].after);
+		assert_true(used < sizeof(text));
+		if (model_load_memory(text, used, "test.x", &log, &model) != 0) {
+			fail_msg("%s: %s", cases[i].name, logged.sentence[0]);
+		}
+		model_destroy(model);
+	}
+}
+
 static void test_normals_get_unit_length_and_zero_faces_the_viewer(void **state)
 {
 	static const float up[3] = {0, 1, 0}, viewer[3] = {0, 0, 1};
@@ -297,6 +343,8 @@ int main(void)
 			test_of_several_keys_that_move_a_frame_alike_the_last_count),
 		cmocka_unit_test(test_a_weight_just_below_zero_is_zero),
 		cmocka_unit_test(test_faces_of_two_corners_draw_nothing),
+		cmocka_unit_test(
+			test_counts_that_just_fit_into_the_file_are_read),
 		cmocka_unit_test(
 			test_normals_get_unit_length_and_zero_faces_the_viewer),
 	};

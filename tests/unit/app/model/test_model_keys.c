@@ -89,6 +89,37 @@ static void test_sampled_changes_between_two_targets_are_key_frames(void **state
 	assert_false(model_has_key_frames(&b.model, 0));
 }
 
+/* A hundred thousandth more or less, and no further, is taken as rounding. */
+static void test_rounding_of_weights_is_tolerated(void **state)
+{
+	static const float within = 1e-5f, beyond = 2e-5f;
+	struct bench b;
+
+	(void)state;
+	set_up(&b);
+	b.channel.interpolation = MODEL_STEP;
+	memcpy(b.weight[1], (float[]){0.5f, 1.0f - within - 0.5f, 0},
+		sizeof(b.weight[1])); /* none of the mesh */
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 1.0f - beyond - 0.5f;
+	assert_false(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 1.0f + within - 0.5f;
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 1.0f + beyond - 0.5f;
+	assert_false(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 0.5f;
+	b.weight[1][2] = within; /* no third target */
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 0.5f - beyond;
+	b.weight[1][2] = beyond;
+	assert_false(model_has_key_frames(&b.model, 0));
+	b.weight[1][1] = 0.5f;
+	b.weight[1][2] = -within;
+	assert_true(model_has_key_frames(&b.model, 0));
+	b.weight[1][2] = -beyond;
+	assert_false(model_has_key_frames(&b.model, 0));
+}
+
 static void test_mixed_targets_are_no_key_frames(void **state)
 {
 	struct bench b;
@@ -149,6 +180,7 @@ int main(void)
 		cmocka_unit_test(test_targets_shown_one_by_one_are_key_frames),
 		cmocka_unit_test(
 			test_sampled_changes_between_two_targets_are_key_frames),
+		cmocka_unit_test(test_rounding_of_weights_is_tolerated),
 		cmocka_unit_test(test_mixed_targets_are_no_key_frames),
 		cmocka_unit_test(test_targets_without_a_clip_are_no_key_frames),
 		cmocka_unit_test(

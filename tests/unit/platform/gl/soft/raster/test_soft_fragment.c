@@ -271,6 +271,11 @@ static void test_polygon_offset_moves_depth(void **state)
 		{"factor farther", 1, 0, true, false},
 		{"factor wins", -1, 100, true, true},
 		{"units win", 0.01, -200, true, true},
+		/* beyond either end of depths, where nothing wraps around */
+		{"units much nearer", 0, -32767, true, true},
+		{"units much farther", 0, 32767, true, false},
+		{"factor much nearer", -32767, 0, true, true},
+		{"factor much farther", 32767, 0, true, false},
 	};
 	static const float sloped[] = {
 		-1, -1, -0.5f, 1, -1, 0.5f, -1, 1, -0.5f, 1, 1, 0.5f};
@@ -294,6 +299,67 @@ static void test_polygon_offset_moves_depth(void **state)
 		for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
 			gl_expect_color(&canvas, cases[i / 2].name, x, 11,
 				cases[i / 2].nearer ? green : red);
+		}
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
+/*
+ * An offset as large as the distance of two planes, whose depths rise by 1024
+ * units a pixel, but for a little. The second plane is green.
+ */
+static void test_polygon_offset_has_its_size(void **state)
+{
+	static const struct {
+		const char *name;
+		double behind, factor,
+			units; /* behind: the red plane, in units */
+		bool nearer;
+	} cases[] = {
+		{"units too few", 3000, 0, -2990, false},
+		{"units enough", 3000, 0, -3010, true},
+		{"units back too few", -3000, 0, 2990, true},
+		{"units back enough", -3000, 0, 3010, false},
+		{"factor too small", 10240, -9.97, 0, false},
+		{"factor enough", 10240, -10.03, 0, true},
+		{"factor back too small", -10240, 9.97, 0, true},
+		{"factor back enough", -10240, 10.03, 0, false},
+		{"both", 0, -10, 10210, true},
+		{"both, back", 0, -10, 10270, false},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < 4 * sizeof(cases) / sizeof(cases[0]); i++) {
+		const bool down = i % 4 >= 2;
+		struct gl_canvas canvas = open_red((int)i % 2);
+		struct gl *gl = canvas.gl;
+		const float rise = down ? 0.75f : 1.0f; /* in all */
+
+		gl->Enable(GL_DEPTH_TEST);
+		for (int n = 0; n < 2; n++) {
+			float moved =
+				n ? (float)(cases[i / 4].behind * 2 / 65535) : 0;
+			float corner[4][3];
+
+			for (int c = 0; c < 4; c++) {
+				int rises = down ? c / 2 : c % 2;
+
+				corner[c][0] = c % 2 ? 1 : -1;
+				corner[c][1] = c / 2 ? 1 : -1;
+				corner[c][2] =
+					(rises ? rise : -rise) / 2 + moved;
+			}
+			gl->EnableClientState(GL_VERTEX_ARRAY);
+			gl->VertexPointer(3, GL_FLOAT, 0, corner);
+			gl_set_color(gl, n ? green : red);
+			gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+			gl->Enable(GL_POLYGON_OFFSET_FILL);
+			gl->PolygonOffsetx(gl_fixed(cases[i / 4].factor),
+				gl_fixed(cases[i / 4].units));
+		}
+		for (int x = 0; x < GL_CANVAS_WIDTH; x++) {
+			gl_expect_color(&canvas, cases[i / 4].name, x, 11,
+				cases[i / 4].nearer ? green : red);
 		}
 		gl_canvas_end_and_close(&canvas);
 	}
@@ -342,6 +408,7 @@ int main(void)
 		cmocka_unit_test(test_scissors_cut_drawing_and_clearing),
 		cmocka_unit_test(test_culling_goes_by_face_and_winding),
 		cmocka_unit_test(test_polygon_offset_moves_depth),
+		cmocka_unit_test(test_polygon_offset_has_its_size),
 		cmocka_unit_test(test_flat_shading_takes_the_last_vertex),
 	};
 

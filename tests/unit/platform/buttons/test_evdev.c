@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <linux/input-event-codes.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -413,6 +414,35 @@ static void test_a_survey_reports_which_keys_are_buttons(void **state)
 		&capture, 3, SURVEY_BROKEN, "/event2", "no permission", "root");
 }
 
+static int devices_denied;
+
+static int deny(const char *path)
+{
+	char name[32];
+
+	snprintf(name, sizeof(name), "/event%d", devices_denied++);
+	assert_contains(path, name);
+	return -EPERM;
+}
+
+static void ignore_finding(void *user, const struct survey_finding *finding)
+{
+	(void)user;
+	assert_contains(finding->text, "no permission");
+}
+
+static void test_a_survey_tries_256_devices(void **state)
+{
+	struct evdev_bench *bench = *state;
+	struct evdev_system system = bench->system;
+	const struct survey survey = {.take = ignore_finding};
+
+	system.open = deny;
+	devices_denied = 0;
+	evdev_survey_on(&system, &survey);
+	assert_int_equal(devices_denied, 256);
+}
+
 int main(void)
 {
 #define CASE(name)                       \
@@ -438,6 +468,7 @@ int main(void)
 		cmocka_unit_test(test_time_stamps_become_the_programs_time),
 		CASE(test_a_press_has_the_time_of_its_stamp),
 		CASE(test_a_survey_reports_which_keys_are_buttons),
+		CASE(test_a_survey_tries_256_devices),
 	};
 #undef CASE
 

@@ -215,6 +215,28 @@ static void test_cards_without_permission_are_broken(void **state)
 	assert_true(capture.count > 0);
 	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/dri/card0",
 		"no permission", "root");
+	survey_capture_expect(&capture, 7, SURVEY_BROKEN, "/dev/dri/card7",
+		"no permission", "root");
+	assert_int_equal(capture.count, 8);
+	capture.count = 0;
+	fake_card.open_error = EPERM;
+	kms_survey_on(&fake_card_calls, &survey);
+	assert_int_equal(capture.count, 8);
+}
+
+static void test_framebuffers_without_permission_are_broken(void **state)
+{
+	struct survey_capture capture;
+	const struct survey survey = survey_capture_begin(&capture, NULL);
+
+	(void)state;
+	fake_fb.open_error = EPERM;
+	fbdev_survey_on(&fake_fb_calls, &survey);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "/dev/fb0",
+		"no permission", "root");
+	survey_capture_expect(&capture, 7, SURVEY_BROKEN, "/dev/fb7",
+		"no permission", "root");
+	assert_int_equal(capture.count, 8);
 }
 
 /* Returns the index of the finding with that subject. */
@@ -281,6 +303,8 @@ int main(void)
 		cmocka_unit_test_setup(
 			test_a_framebuffer_of_planes_is_broken, setup),
 		cmocka_unit_test_setup(test_no_framebuffer_is_one_finding, setup),
+		cmocka_unit_test_setup(
+			test_framebuffers_without_permission_are_broken, setup),
 		cmocka_unit_test_setup(test_a_cards_screen_is_described, setup),
 		cmocka_unit_test_setup(
 			test_a_finding_names_what_a_card_lacks, setup),

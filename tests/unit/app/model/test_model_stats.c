@@ -92,6 +92,50 @@ static void test_counts_images(void **state)
 	model_destroy(model);
 }
 
+/* A primitive that limber split at loading counts once, without copies. */
+static void test_counts_what_the_file_has(void **state)
+{
+	static struct model_target target[2];
+	static float weight[8] = {0, 0, 0, 1, 1, 1, 1, 1};
+	struct model_primitive primitive[] = {
+		{.file_index = 4,
+			.vertex_count = 9,
+			.index_count = 15,
+			.target = target},
+		{.file_index = 4,
+			.vertex_count = 8,
+			.repeated_count = 3,
+			.index_count = 6,
+			.influences = 1,
+			.weight = weight,
+			.target = target},
+		{.file_index = 5,
+			.vertex_count = 7,
+			.repeated_count = 2,
+			.index_count = 3,
+			.target = target},
+	};
+	struct model_mesh mesh = {
+		.primitive = primitive, .primitive_count = 3, .target_count = 2};
+	struct model_stats stats = {0};
+
+	(void)state;
+	model_stats_add_mesh(&stats, &mesh);
+	assert_int_equal(stats.primitive_count, 2);
+	assert_int_equal(stats.vertex_count, 9 + 5 + 5);
+	assert_int_equal(stats.morph_vertex_count, 9 + 5 + 5);
+	assert_int_equal(stats.triangle_count, 5 + 2 + 1);
+	assert_int_equal(
+		stats.geometry_bytes, (9 + 8 + 7) * 12 + (15 + 6 + 3) * 4);
+	assert_int_equal(stats.target_count, 2);
+	assert_int_equal(stats.influence_histogram[0], 0);
+	assert_int_equal(stats.influence_histogram[1], 5);
+	mesh.target_count = 0;
+	stats = (struct model_stats){0};
+	model_stats_add_mesh(&stats, &mesh);
+	assert_int_equal(stats.morph_vertex_count, 0);
+}
+
 static void test_counts_mesh_by_mesh(void **state)
 {
 	struct model *model = model_fixture("gltf/mesh/modes.gltf", NULL);
@@ -115,6 +159,7 @@ int main(void)
 		cmocka_unit_test(test_counts_five_of_eight_influences),
 		cmocka_unit_test(test_counts_targets_and_keys),
 		cmocka_unit_test(test_counts_images),
+		cmocka_unit_test(test_counts_what_the_file_has),
 		cmocka_unit_test(test_counts_mesh_by_mesh),
 	};
 

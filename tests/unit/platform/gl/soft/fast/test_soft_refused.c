@@ -125,12 +125,58 @@ static void replace(const struct gl *gl)
 	gl->TexEnvx(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
 }
 
-static const struct {
+static void clamp_s(const struct gl *gl)
+{
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+}
+
+static void clamp_t(const struct gl *gl)
+{
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+static void filter_nearest(const struct gl *gl)
+{
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+static void filter_one_level(const struct gl *gl)
+{
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+}
+
+/* A ramp of luminance with mipmaps, which repeats and is filtered. */
+static void use_luminance(const struct gl *gl)
+{
+	uint8_t texel[FAST_SIDE * FAST_SIDE];
+	GLuint name;
+
+	gl->GenTextures(1, &name);
+	gl->BindTexture(GL_TEXTURE_2D, name);
+	for (int level = 0; FAST_SIDE >> level > 0; level++) {
+		int side = FAST_SIDE >> level;
+
+		for (int i = 0; i < side * side; i++) {
+			texel[i] = (uint8_t)(256 / (2 * side) *
+				(i % side + i / side));
+		}
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, side, side,
+			0, GL_LUMINANCE, GL_UNSIGNED_BYTE, texel);
+	}
+	gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+	gl->TexParameterx(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	gl->Disable(GL_DEPTH_TEST);
+}
+
+struct state_case {
 	const char *name;
 	enum fast_kind kind;
 	void (*set)(const struct gl *gl);
 	int size; /* of triangles, in thousandths of clip space */
-} cases[] = {
+};
+
+static const struct state_case cases[] = {
 	{"offset", FAST_PLAIN, offset, 200},
 	{"two sides", FAST_PLAIN, light_both_sides, 200},
 	{"no red", FAST_PLAIN, mask_red, 200},
@@ -157,23 +203,39 @@ static const struct {
 	{"shadow with depth", FAST_SHADOW, test_depth, 300},
 };
 
+static const struct state_case luminance_cases[] = {
+	{"s clamped", FAST_TEXTURED, clamp_s, 900},
+	{"t clamped", FAST_TEXTURED, clamp_t, 900},
+	{"alone", FAST_TEXTURED, replace, 900},
+	{"nearest", FAST_TEXTURED, filter_nearest, 900},
+	{"one level", FAST_TEXTURED, filter_one_level, 200},
+	{"stencil", FAST_TEXTURED, test_stencil, 900},
+	{"depth", FAST_TEXTURED, test_depth, 900},
+	{"alpha test", FAST_TEXTURED, test_alpha, 900},
+	{"no red", FAST_TEXTURED, mask_red, 900},
+	{"added", FAST_TEXTURED, add, 900},
+};
+
 /* How many pixels differ by more than rounding; seen counts all drawn ones. */
-static int count_others(size_t number, int *seen)
+static int count_others(
+	const struct state_case *c, uint32_t seed, bool luminance, int *seen)
 {
 	struct soft_scene *fast = fast_scene_open(7), *slow = fast_scene_open(7);
 	struct soft_corner corner[FAST_CORNERS];
 	int others = 0;
 
-	fast_scene_make_triangles(corner, (uint32_t)number + 1,
-		cases[number].kind, cases[number].size);
+	fast_scene_make_triangles(corner, seed, c->kind, c->size);
 	for (int i = 0; i < FAST_CORNERS; i++) {
 		corner[i].color[3] = (uint8_t)(i * 37);
 	}
 	for (int i = 0; i < 2; i++) {
 		struct soft_scene *scene = i ? slow : fast;
 
-		fast_scene_set_state(scene, corner, cases[number].kind, i);
-		cases[number].set(scene->gl);
+		fast_scene_set_state(scene, corner, c->kind, i);
+		if (luminance) {
+			use_luminance(scene->gl);
+		}
+		c->set(scene->gl);
 		scene->gl->DrawArrays(GL_TRIANGLES, 0, FAST_CORNERS);
 	}
 	assert_memory_equal(fast->soft->buffers.depth,
@@ -192,19 +254,34 @@ static int count_others(size_t number, int *seen)
 	return others;
 }
 
+static void check_cases(
+	const struct state_case *list, size_t count, bool luminance)
+{
+	for (size_t i = 0; i < count; i++) {
+		const struct state_case *c = &list[i];
+		int seen,
+			others = count_others(
+				c, (uint32_t)i + 1, luminance, &seen);
+		/* either of two texels at their edge; sums of blending */
+		int most = seen / (c->kind == FAST_TEXTURED ? 30 : 200);
+
+		if (others > most || seen < 100) {
+			fail_msg("%s: %d of %d pixels differ", c->name, others,
+				seen);
+		}
+	}
+}
+
 static void test_states_that_no_path_draws_look_as_the_long_way(void **state)
 {
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
-		int seen, others = count_others(i, &seen);
-		/* either of two texels at their edge; sums of blending */
-		int most = seen / (cases[i].kind == FAST_TEXTURED ? 30 : 200);
+	check_cases(cases, ARRAY_COUNT(cases), false);
+}
 
-		if (others > most || seen < 100) {
-			fail_msg("%s: %d of %d pixels differ", cases[i].name,
-				others, seen);
-		}
-	}
+static void test_other_states_of_luminance_look_as_the_long_way(void **state)
+{
+	(void)state;
+	check_cases(luminance_cases, ARRAY_COUNT(luminance_cases), true);
 }
 
 int main(void)
@@ -212,6 +289,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_states_that_no_path_draws_look_as_the_long_way),
+		cmocka_unit_test(
+			test_other_states_of_luminance_look_as_the_long_way),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

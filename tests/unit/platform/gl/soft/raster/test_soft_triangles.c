@@ -283,6 +283,38 @@ static void test_every_plane_cuts(void **state)
 	}
 }
 
+/* Of one column, one row or one pixel, too. */
+static void test_small_rectangles_cover_their_pixels(void **state)
+{
+	static const int sizes[][2] = {
+		{1, 1}, {1, 2}, {2, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 7}};
+	const float left = 5, below = 3;
+
+	(void)state;
+	for (size_t i = 0; i < 2 * sizeof(sizes) / sizeof(sizes[0]); i++) {
+		const int *size = sizes[i / 2];
+		struct gl_canvas canvas = gl_canvas_open(
+			"soft", i % 2 ? PIXELS_RGB565 : PIXELS_RGBA8888);
+
+		gl_canvas_draw_rectangle(canvas.gl,
+			left * 2 / GL_CANVAS_WIDTH - 1,
+			below * 2 / GL_CANVAS_HEIGHT - 1,
+			(left + (float)size[0]) * 2 / GL_CANVAS_WIDTH - 1,
+			(below + (float)size[1]) * 2 / GL_CANVAS_HEIGHT - 1, 0);
+		gl_canvas_end_frame(&canvas);
+		for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+			int x = p % GL_CANVAS_WIDTH, y = p / GL_CANVAS_WIDTH;
+			int up = GL_CANVAS_HEIGHT - 1 - y;
+			int white = x >= 5 && x < 5 + size[0] && up >= 3 &&
+				up < 3 + size[1];
+
+			gl_canvas_expect(&canvas, x, y, 255 * white,
+				255 * white, 255 * white, 0);
+		}
+		gl_canvas_close(&canvas);
+	}
+}
+
 static void test_the_same_depth_loses_to_less(void **state)
 {
 	static const float square[] = {-1, -1, 1, -1, -1, 1, 1, 1};
@@ -352,6 +384,7 @@ int main(void)
 			test_a_line_along_the_edge_covers_the_first_column),
 		cmocka_unit_test(test_nothing_is_written_outside_the_picture),
 		cmocka_unit_test(test_every_plane_cuts),
+		cmocka_unit_test(test_small_rectangles_cover_their_pixels),
 		cmocka_unit_test(test_the_same_depth_loses_to_less),
 		cmocka_unit_test(test_lines_and_points_have_their_size),
 	};

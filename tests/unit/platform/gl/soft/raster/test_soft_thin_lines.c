@@ -2,6 +2,8 @@
  * Lines and points of one pixel against the same as triangles, which the
  * reference draws, in random states and places; and which pixels they cover.
  */
+#include "platform/base/fixed.h"
+#include "tests/support/gl/gl_expect.h"
 #include "tests/support/random.h"
 #include "tests/support/soft/reference.h"
 #include "tests/support/soft/span_scene.h"
@@ -360,9 +362,78 @@ static void test_no_state_changes_the_pixels(void **state)
 	}
 }
 
+/* A white line from left to right, in the middle of row 11. */
+static void draw_level_line(struct gl *gl)
+{
+	static const float ends[] = {-1, 1.0f / 24, 1, 1.0f / 24};
+
+	gl->Color4x(FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE);
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->VertexPointer(2, GL_FLOAT, 0, ends);
+	gl->DrawArrays(GL_LINES, 0, 2);
+}
+
+static int count_rows(const struct gl_canvas *canvas)
+{
+	int rows = 0;
+
+	for (int y = 0; y < GL_CANVAS_HEIGHT; y++) {
+		uint8_t rgba[4];
+
+		gl_expect_read(canvas, 9, y, rgba);
+		rows += rgba[1] > 0;
+	}
+	return rows;
+}
+
+static void test_widths_are_rounded(void **state)
+{
+	static const GLfixed one_and_a_half = FX16_ONE * 3 / 2;
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i / 2]);
+
+		canvas.gl->LineWidthx(one_and_a_half - (i % 2 == 0));
+		draw_level_line(canvas.gl);
+		assert_int_equal(count_rows(&canvas), i % 2 ? 2 : 1);
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
+static void test_lines_obey_masks_and_the_stencil(void **state)
+{
+	static const double cyan[3] = {0, 1, 1};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i]);
+		struct gl *gl = canvas.gl;
+
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_EQUAL, 1, 255);
+		draw_level_line(gl);
+		assert_int_equal(count_rows(&canvas), 0);
+		gl->StencilFunc(GL_EQUAL, 0, 255);
+		gl->ColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
+		draw_level_line(gl);
+		assert_int_equal(count_rows(&canvas), 1);
+		gl_expect_color(&canvas, "a line without red", 9, 11, cyan);
+		gl->Disable(GL_STENCIL_TEST);
+		gl->Clear(GL_COLOR_BUFFER_BIT);
+		draw_level_line(gl);
+		gl_expect_color(&canvas, "the same alone", 9, 11, cyan);
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_widths_are_rounded),
+		cmocka_unit_test(test_lines_obey_masks_and_the_stencil),
 		cmocka_unit_test(test_lines_of_565_are_those_of_triangles),
 		cmocka_unit_test(test_lines_of_8888_are_those_of_triangles),
 		cmocka_unit_test(test_pixels_depths_and_colours_are_exact),

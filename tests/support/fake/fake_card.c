@@ -346,7 +346,11 @@ static int wait_for_event(int fd, int timeout_ms)
 		errno = EINTR;
 		return -1;
 	}
-	return fails(CALL_WAIT) ? 0 : 1;
+	if (fails(CALL_WAIT)) {
+		errno = EINTR; /* of an earlier call: a timeout leaves errno */
+		return 0;
+	}
+	return 1;
 }
 
 static int handle_event(int fd, drmEventContextPtr context)

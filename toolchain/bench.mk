@@ -60,7 +60,7 @@ BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
 	blocks prism signs bush gem mosaic worm tail shapes hair rags dice \
 	net tiles mirrors poster bricks blocky paper beads petals lamp \
-	tower shoal yard)
+	tower shoal yard tube drums)
 $(BENCH_MODELS) &: $(wildcard tests/bench/models/*.py)
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B tests/bench/models/user_models.py build/bench-models

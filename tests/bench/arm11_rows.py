@@ -153,7 +153,7 @@ ROWS = (
     user_model("duck-two-sided", "the same on both sides", 23),
     user_model("colors", "colours and a texture", 10.5),
     user_model("cards", "quads in all alpha modes", 12.2),
-    user_model("layers", "six blended quads", 73),
+    user_model("layers", "six blended quads", 85),
     # A press waits for a frame and is seen in the next: two in 100 ms at 250 million a second.
     picture("gl-walker-ground", "the walker on uneven ground", 12.5, "demo_frames", "walker@13"),
 )

@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.305e+04, 2.153e+04}, /* frame */
-	{0.6623, 0.2468},       /* pixel */
-	{1.823e+04, 6876},      /* call */
-	{104.5, 50.74},         /* listed */
-	{351.3, 77.47},         /* vertex */
-	{125.2, 70.97},         /* again */
-	{331.7, 155.1},         /* single */
-	{267.7, 242.1},         /* shaded */
-	{13.57, 14.11},         /* hidden */
-	{1316, 484.9},          /* skipped */
-	{3.897, 2.777},         /* fine */
-	{192.2, 84.59},         /* flat triangle */
-	{74.36, 45.84},         /* flat row */
-	{15.47, 11.86},         /* flat pixel */
-	{612.8, 223.9},         /* plain triangle */
-	{26.03, 25.18},         /* plain row */
-	{12.95, 5.293},         /* plain pixel */
-	{683.7, 512.6},         /* textured triangle */
-	{105.3, 0},             /* textured row */
-	{101.2, 66.77},         /* textured pixel */
-	{2.993e+04, 8037},      /* backdrop triangle */
-	{66.89, 24.67},         /* backdrop row */
-	{0.0589, 0},            /* backdrop pixel */
-	{3.669e+04, 1.153e+04}, /* ground triangle */
-	{124.4, 53.84},         /* ground row */
-	{8.222, 1.306},         /* ground pixel */
-	{458.1, 276.5},         /* spans triangle */
-	{204.6, 135.7},         /* spans row */
-	{22.48, 14.44},         /* spans pixel */
-	{1687, 416.5},          /* spans textured triangle */
-	{136.7, 28.04},         /* spans textured row */
-	{78.56, 51.91},         /* spans textured pixel */
-	{6395, 4214},           /* spans divided triangle */
-	{714.7, 382.9},         /* spans divided row */
-	{92.38, 55.94},         /* spans divided pixel */
-	{3142, 1177},           /* spans nearest triangle */
-	{324.1, 146.7},         /* spans nearest row */
-	{38.12, 27.51},         /* spans nearest pixel */
-	{3225, 1894},           /* mixed triangle */
-	{209.6, 115.7},         /* mixed row */
-	{50, 32.24},            /* mixed pixel */
-	{3685, 1375},           /* tested triangle */
-	{263.7, 155.8},         /* tested row */
-	{121.1, 81.66},         /* tested pixel */
-	{3414, 2221},           /* tested spans triangle */
-	{351.3, 224.4},         /* tested spans row */
-	{135, 80.98},           /* tested spans pixel */
-	{3677, 956.8},          /* mixed textured triangle */
-	{247, 113},             /* mixed textured row */
-	{143.8, 100.8},         /* mixed textured pixel */
-	{3380, 2156},           /* mixed spans triangle */
-	{209.4, 142.7},         /* mixed spans row */
-	{156.2, 87.47},         /* mixed spans pixel */
-	{5099, 4108},           /* mixed divided triangle */
-	{1178, 611.6},          /* mixed divided row */
-	{133.9, 85.34},         /* mixed divided pixel */
-	{254.1, 90},            /* colored triangle */
-	{0, 0},                 /* colored row */
-	{3.708, 1.32},          /* colored pixel */
-	{2998, 1502},           /* bent triangle */
-	{409.9, 241.7},         /* bent row */
-	{3.971, 2.744},         /* bent pixel */
+	{3.329e+04, 2.188e+04}, /* frame */
+	{0.6, 0.2097},          /* pixel */
+	{1.91e+04, 6614},       /* call */
+	{92.85, 48.54},         /* listed */
+	{347.3, 87.61},         /* vertex */
+	{122.2, 76.42},         /* again */
+	{329.4, 157.1},         /* single */
+	{305.9, 249.6},         /* shaded */
+	{15.73, 16.65},         /* hidden */
+	{1309, 486.6},          /* skipped */
+	{4.078, 2.769},         /* fine */
+	{195.7, 105},           /* flat triangle */
+	{78.23, 44.87},         /* flat row */
+	{15.81, 11.92},         /* flat pixel */
+	{594.3, 218.4},         /* plain triangle */
+	{27.16, 22.72},         /* plain row */
+	{9.979, 4.526},         /* plain pixel */
+	{717.3, 485.5},         /* textured triangle */
+	{93.64, 0},             /* textured row */
+	{100.2, 65.4},          /* textured pixel */
+	{3.014e+04, 8322},      /* backdrop triangle */
+	{66.24, 24.07},         /* backdrop row */
+	{0, 0},                 /* backdrop pixel */
+	{3.726e+04, 1.188e+04}, /* ground triangle */
+	{127.3, 55.4},          /* ground row */
+	{8.235, 1.315},         /* ground pixel */
+	{425.9, 171.3},         /* spans triangle */
+	{206.2, 134.3},         /* spans row */
+	{22.19, 14.24},         /* spans pixel */
+	{1252, 0},              /* spans textured triangle */
+	{312.2, 165.5},         /* spans textured row */
+	{72.52, 47.16},         /* spans textured pixel */
+	{6773, 4621},           /* spans divided triangle */
+	{676.9, 390.2},         /* spans divided row */
+	{92.39, 55.67},         /* spans divided pixel */
+	{3097, 1176},           /* spans nearest triangle */
+	{317.7, 144.4},         /* spans nearest row */
+	{37.42, 26.93},         /* spans nearest pixel */
+	{3290, 1895},           /* mixed triangle */
+	{204.4, 112.1},         /* mixed row */
+	{49.83, 31.92},         /* mixed pixel */
+	{3687, 1305},           /* tested triangle */
+	{253.4, 158.9},         /* tested row */
+	{121.5, 81.58},         /* tested pixel */
+	{3512, 2078},           /* tested spans triangle */
+	{411.7, 229},           /* tested spans row */
+	{133.2, 81.96},         /* tested spans pixel */
+	{4059, 1136},           /* mixed textured triangle */
+	{279.2, 145.8},         /* mixed textured row */
+	{192.8, 132.1},         /* mixed textured pixel */
+	{3708, 2501},           /* mixed spans triangle */
+	{314.2, 190.4},         /* mixed spans row */
+	{186.2, 109.8},         /* mixed spans pixel */
+	{5094, 4093},           /* mixed divided triangle */
+	{1385, 711.7},          /* mixed divided row */
+	{151.2, 100.2},         /* mixed divided pixel */
+	{261.9, 77.38},         /* colored triangle */
+	{0.1189, 0},            /* colored row */
+	{4.826, 1.967},         /* colored pixel */
+	{3119, 1599},           /* bent triangle */
+	{372.6, 214.8},         /* bent row */
+	{3.928, 2.721},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.002, 0.9993},        /* deep row */
-	{2.107, 1.731},         /* deep pixel */
-	{659.8, 355.8},         /* second triangle */
-	{162.5, 82.16},         /* second row */
-	{45.6, 23.68},          /* second pixel */
-	{314.6, 210.9},         /* crossed triangle */
-	{185.4, 119.8},         /* crossed row */
-	{3.342, 2.8},           /* crossed pixel */
+	{1.003, 0.9999},        /* deep row */
+	{2.196, 1.868},         /* deep pixel */
+	{671.1, 368.1},         /* second triangle */
+	{165.5, 84.64},         /* second row */
+	{45.7, 23.25},          /* second pixel */
+	{319.3, 210.3},         /* crossed triangle */
+	{176.5, 92.2},          /* crossed row */
+	{3.598, 3.135},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

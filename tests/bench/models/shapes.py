@@ -78,6 +78,18 @@ def rope(around, along):
     return positions, normals, texcoords, indices
 
 
+def tube(around, along):
+    """An upright tube of radius 1, six units high."""
+    positions, normals, texcoords = [], [], []
+    for j in range(along + 1):
+        for i in range(around + 1):
+            a = 2 * math.pi * i / around
+            normals.append((math.cos(a), 0, math.sin(a)))
+            positions.append((math.cos(a), 6 - 6 * j / along, math.sin(a)))
+            texcoords.append((i / around, j / along))
+    return positions, normals, texcoords, squares_of(around, along)
+
+
 def grid(squares, repeats):
     """Hilly ground that stands upright; texture coordinates go from -repeats / 2."""
     positions, normals, texcoords = [], [], []

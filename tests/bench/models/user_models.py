@@ -20,14 +20,15 @@ tiles are small squares of a texture each, mirrors, poster and bricks repeat a t
 mirrored, clamped and with sides of no power of two. blocky has no filter, paper is a
 flat sphere, beads are 600 plain cubes, petals have colours with alpha, lamp shines, and
 tower has lit windows. shoal is 150 nodes that show four meshes, and the texture of
-yard's 60 boxes repeats three times on each side.
+yard's 60 boxes repeats three times on each side. tube and drums show a small texture
+large from outside and inside, by 672 triangles and by few.
 """
 import math
 import pathlib
 import sys
 
 from glb import BYTE, FLOAT, Model, checks, discs, png, windows
-from shapes import blob, cube, grid, quad, rope, strips
+from shapes import blob, cube, grid, quad, rope, strips, tube
 
 MIRRORED, CLAMPED = 33648, 33071
 
@@ -357,6 +358,20 @@ def make_tower(model):
     make_duck(model, emissiveTexture=lit, emissiveFactor=(1, 1, 1))
 
 
+def make_tube(model):
+    texture = model.texture(png(32, checks(32), 3))
+    model.mesh(model.material(texture, doubleSided=True), tube(14, 24))
+
+
+def make_drums(model):
+    texture = model.texture(png(32, checks(32), 3))
+    material = model.material(texture, doubleSided=True)
+    for k in range(4):
+        turn = (0, 0, math.sin(0.2 * k), math.cos(0.2 * k))
+        place = (k - 1.5, 2.2 * k, 0.3 * k)
+        model.mesh(material, tube(8, 1), rotation=turn, translation=place, scale=(1, 0.4, 1))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -398,6 +413,8 @@ MODELS = {
     "shoal": make_shoal,
     "yard": make_yard,
     "tower": make_tower,
+    "tube": make_tube,
+    "drums": make_drums,
 }
 
 

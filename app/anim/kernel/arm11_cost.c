@@ -10,8 +10,8 @@ const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_SKIN_NORMALS_2] = {"skin-normals-2", 56.36f, 43.59f},
 	[ARM11_SKIN_NORMALS_4] = {"skin-normals-4", 106.60f, 85.37f},
 	[ARM11_LERP] = {"lerp", 20.60f, 7.03f},
-	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.45f, 14.05f},
+	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.46f, 14.05f},
 	[ARM11_TARGETS_2] = {"targets-2", 30.56f, 9.97f},
-	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 503.81f, 185.13f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 502.86f, 185.13f},
 	[ARM11_POSE_WALKER] = {"pose-walker-walk", 492.41f, 177.04f},
 };

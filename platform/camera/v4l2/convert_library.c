@@ -52,7 +52,7 @@ static int load(struct convert_library *library)
 
 bool convert_library_is_available(void)
 {
-	struct convert_library library = {NULL};
+	struct convert_library library = {.data = NULL};
 
 	return load(&library) == 0;
 }

@@ -4,6 +4,7 @@
 #include "platform/base/compiler.h"
 
 #include <errno.h>
+#include <float.h>
 #include <string.h>
 
 /* A walker's look, in sRGB. A colour of all zeros keeps the model's own. */
@@ -34,8 +35,8 @@ static const struct look looks[] = {
 		{234, 234, 230}},
 };
 
-/* Heights in the rest pose that tell hair, trousers and shoes apart. */
-static const float hair_from_m = 1.2f, waist_m = 1.1f, ankle_m = 0.16f;
+/* Parts of the height, at rest, that tell hair, trousers and shoes apart. */
+static const float hair_from = 0.683f, waist = 0.626f, ankle = 0.091f;
 
 /* Replaces color by target, dimmed by the old colour's share of brightest. */
 static void recolor(uint8_t color[4], const uint8_t target[3], int brightest)
@@ -54,6 +55,7 @@ static void recolor(uint8_t color[4], const uint8_t target[3], int brightest)
 struct dyeing {
 	const struct look *look;
 	const struct model_primitive *primitive;
+	float height; /* of the highest vertex of all meshes, above 0 */
 };
 
 /*
@@ -64,15 +66,15 @@ static void dye(void *user, int vertex, uint8_t color[4])
 {
 	const struct dyeing *dyeing = user;
 	const struct look *look = dyeing->look;
-	float height_m = dyeing->primitive->position[vertex][1];
+	float height = dyeing->primitive->position[vertex][1] / dyeing->height;
 	bool blue = color[2] > color[0] + 8;
 	bool red = 10 * color[1] < 6 * color[0];
 
-	if (blue && height_m < waist_m) {
+	if (blue && height < waist) {
 		recolor(color, look->trousers, 118);
-	} else if (red && height_m > hair_from_m) {
+	} else if (red && height > hair_from) {
 		recolor(color, look->hair, 124);
-	} else if (red && height_m < ankle_m) {
+	} else if (red && height < ankle) {
 		recolor(color, look->shoes, 222);
 	}
 }
@@ -126,10 +128,28 @@ static int tint(struct instance *instance, const struct look *look)
 	return error;
 }
 
+static float find_height(const struct instance *instance)
+{
+	float height = FLT_MIN;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct model_primitive *primitive =
+			instance->drawable[i].primitive;
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			if (primitive->position[v][1] > height) {
+				height = primitive->position[v][1];
+			}
+		}
+	}
+	return height;
+}
+
 int crowd_dress(struct instance *instance, int number)
 {
 	const struct look *look = &looks[number % (int)ARRAY_COUNT(looks)];
 	const struct model *model = instance->model;
+	struct dyeing dyeing = {look, NULL, find_height(instance)};
 	int error;
 
 	if (!has_clothes(model)) {
@@ -145,8 +165,7 @@ int crowd_dress(struct instance *instance, int number)
 			error = batch_tint(
 				drawable, look->shirt, &instance->arena);
 		} else if (material->texture < 0 && !drawable->morphed) {
-			struct dyeing dyeing = {look, drawable->primitive};
-
+			dyeing.primitive = drawable->primitive;
 			error = batch_recolor(
 				drawable, dye, &dyeing, &instance->arena);
 		}

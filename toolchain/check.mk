@@ -116,7 +116,8 @@ helgrind_suites = $(foreach test,test_background test_jobs,$(call \
 	--error-exitcode=9 build/host/unit/$(test)))
 conformance_suite = $(call suite,$(1)/conformance,build/host/conformance \
 	$(SAMPLES) $(CHECK)/$(1) $(RUN_$(1)) build/$(1)/limber)
-script_suites = $(foreach script,$(sort $(wildcard tests/$(1)/*.sh)),$(call \
+script_suites = $(foreach script,$(filter-out $(4),$(sort $(wildcard \
+	tests/$(1)/*.sh))),$(call \
 	suite,$(2)$(1)/$(basename $(notdir $(script))),$(3) $(script)))
 exact_suite = $(call suite,$(1)/golden-exact,tests/golden/golden.sh exact \
 	$(CHECK)/$(1)/golden-exact $(RUN_$(1)) build/$(1)/limber)
@@ -160,7 +161,8 @@ $(call conformance_suite,asan)
 $(call conformance_suite,arm)
 $(call script_suites,cli,host/,LIMBER=build/host/limber)
 $(call script_suites,cli,asan/,LIMBER=build/asan/limber)
-$(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber")
+$(call script_suites,cli,arm/,GL_DRIVERS=osmesa LIMBER="$(RUN_arm) build/arm/limber",\
+	tests/cli/config.sh tests/cli/optimize.sh)
 $(call suite,assets,NODE_PATH=build/validator/node_modules \
 	node tests/validator/validate.js $(sort $(wildcard assets/*.glb)))
 $(call script_suites,toolchain)

@@ -30,7 +30,7 @@ expect_failures() {
     fi
 }
 
-check_against "$figures" --rows lerp,targets-2
+check_against "$figures" --rows lerp,targets-2 --kernel fixed,float
 expect_status 0
 expect_no_err
 

@@ -2,7 +2,7 @@
 """Makes each call of limber fail in turn, and checks how limber ends.
 
     faults.py LIBRARY LIMBER [--every | --once] [--frames N] [--most N]
-              [--later N] [--jobs N] [--case NAME] [--table FILE]
+              [--later N] [--jobs N] [--own | --case NAME] [--table FILE]
 
 Every case is a command line. Without a fault it writes its reference: what it
 prints and its files, and the sites of its calls: the chains of functions that
@@ -12,6 +12,7 @@ calls from one on; cases.py says which commands, README.md which kinds.
 --every     lets every call fail, not only the first of each site
 --once      lets a site fail only in the first case that reaches it
 --frames N  tells sites apart by the N nearest frames of limber alone
+--own       leaves out the command lines of tests/golden
 --most N    tries N faults of each kind of a case, evenly spread
 --later N   tries N faults after which all calls fail, and N sizes of a disk
 
@@ -301,6 +302,7 @@ def main():
     parser.add_argument('--frames', type=int, default=FRAMES)
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
     parser.add_argument('--case', action='append')
+    parser.add_argument('--own', action='store_true')
     parser.add_argument('--table')
     parser.add_argument('--verbose', action='store_true')
     options = parser.parse_args()
@@ -314,7 +316,9 @@ def main():
                 file.write(content)
         suite = Suite(options)
         for case in CASES:
-            if not options.case or case.name in options.case:
+            if options.case and case.name not in options.case:
+                continue
+            if not (options.own and case.reference):
                 suite.run_case(case)
         print(f'# {suite.faults} faults in {suite.tests} tests')
         print(f'1..{suite.tests}')

@@ -5,8 +5,9 @@ Fits what drawing costs. It plays each file, and its rigid parts as `limber
 compare` exports them, in pictures of several sizes on the timing model
 (play_cost.c). It divides the cycles and the instructions of drawing among what
 the pictures consist of (platform/gl/gl_counts.h) by least squares of relative
-errors, with no cost below zero. It writes the costs into TABLE.c and prints how
-far each picture is from them. The clip "-" is the rest pose.
+errors, with no cost below zero; pictures of the board's size count most. It writes
+the costs into TABLE.c and prints how far each picture is from them. The clip "-" is
+the rest pose.
 """
 import os
 import re
@@ -18,6 +19,8 @@ from concurrent.futures import ThreadPoolExecutor
 from play_check import run_play_cost
 
 SIZES = ((480, 640), (240, 320), (800, 480))
+# How much a picture counts: those of the board's panel more.
+WEIGHTS = {SIZES[0]: 1.5}
 # What each takes about, in cycles and instructions, as the functions' profiles
 # show it: where pictures do not tell, a cost stays near it.
 GUESSED = {
@@ -73,14 +76,16 @@ def play(tools, path, clip, size):
             [regions[3][name] / moments for name in ("cycles", "instructions")])
 
 
-def fit(rows, wanted, guessed):
-    """The costs x >= 0 with the least sum of (row . x / wanted - 1) squared."""
+def fit(rows, wanted, guessed, weights):
+    """The costs x >= 0 with the least sum of (weight * (row . x / wanted - 1))
+    squared."""
     count = len(rows[0])
-    scaled = [[value / y for value in row] for row, y in zip(rows, wanted)]
+    scaled = [[weight * value / y for value in row]
+              for row, y, weight in zip(rows, wanted, weights)]
     for j in range(count):
         scaled.append([0.0] * count)
         scaled[-1][j] = GUESS_WEIGHT / guessed[j]
-    rest = [1.0] * len(rows) + [GUESS_WEIGHT] * count
+    rest = list(weights) + [GUESS_WEIGHT] * count
     norm = [sum(row[j] ** 2 for row in scaled) for j in range(count)]
     cost = [0.0] * count
     left = rest
@@ -140,8 +145,10 @@ def main():
             played = list(pool.map(
                 lambda job: play(tools, *job), jobs))
     rows = [row for row, _ in played]
+    weights = [WEIGHTS.get(size, 1.0) for *_, size in jobs]
     costs = [fit(rows, [cost[i] for _, cost in played],
-                 [guess[i] for guess in GUESSED.values()]) for i in range(2)]
+                 [guess[i] for guess in GUESSED.values()], weights)
+             for i in range(2)]
     write_table(table, costs)
     for (path, clip, size), (row, cost) in zip(jobs, played):
         told = [sum(a * b for a, b in zip(row, x)) for x in costs]

@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.329e+04, 2.188e+04}, /* frame */
-	{0.6, 0.2097},          /* pixel */
-	{1.91e+04, 6614},       /* call */
-	{92.85, 48.54},         /* listed */
-	{347.3, 87.61},         /* vertex */
-	{122.2, 76.42},         /* again */
-	{329.4, 157.1},         /* single */
-	{305.9, 249.6},         /* shaded */
-	{15.73, 16.65},         /* hidden */
-	{1309, 486.6},          /* skipped */
-	{4.078, 2.769},         /* fine */
-	{195.7, 105},           /* flat triangle */
-	{78.23, 44.87},         /* flat row */
-	{15.81, 11.92},         /* flat pixel */
-	{594.3, 218.4},         /* plain triangle */
-	{27.16, 22.72},         /* plain row */
-	{9.979, 4.526},         /* plain pixel */
-	{717.3, 485.5},         /* textured triangle */
-	{93.64, 0},             /* textured row */
-	{100.2, 65.4},          /* textured pixel */
-	{3.014e+04, 8322},      /* backdrop triangle */
-	{66.24, 24.07},         /* backdrop row */
+	{3.386e+04, 2.193e+04}, /* frame */
+	{0.5199, 0.1332},       /* pixel */
+	{1.955e+04, 6770},      /* call */
+	{80.23, 44.06},         /* listed */
+	{347.9, 92.75},         /* vertex */
+	{136.3, 86},            /* again */
+	{334.5, 160.5},         /* single */
+	{301.3, 254.4},         /* shaded */
+	{14.82, 15.15},         /* hidden */
+	{1511, 557.4},          /* skipped */
+	{3.702, 2.86},          /* fine */
+	{176.9, 90},            /* flat triangle */
+	{76.67, 38.69},         /* flat row */
+	{16.79, 12.45},         /* flat pixel */
+	{623.2, 229.2},         /* plain triangle */
+	{25.78, 26.75},         /* plain row */
+	{9.008, 4.591},         /* plain pixel */
+	{744.7, 479.6},         /* textured triangle */
+	{79.85, 0},             /* textured row */
+	{101.2, 66.16},         /* textured pixel */
+	{3.065e+04, 7702},      /* backdrop triangle */
+	{64.75, 20.72},         /* backdrop row */
 	{0, 0},                 /* backdrop pixel */
-	{3.726e+04, 1.188e+04}, /* ground triangle */
-	{127.3, 55.4},          /* ground row */
-	{8.235, 1.315},         /* ground pixel */
-	{425.9, 171.3},         /* spans triangle */
-	{206.2, 134.3},         /* spans row */
-	{22.19, 14.24},         /* spans pixel */
-	{1252, 0},              /* spans textured triangle */
-	{312.2, 165.5},         /* spans textured row */
-	{72.52, 47.16},         /* spans textured pixel */
-	{6773, 4621},           /* spans divided triangle */
-	{676.9, 390.2},         /* spans divided row */
-	{92.39, 55.67},         /* spans divided pixel */
-	{3097, 1176},           /* spans nearest triangle */
-	{317.7, 144.4},         /* spans nearest row */
-	{37.42, 26.93},         /* spans nearest pixel */
-	{3290, 1895},           /* mixed triangle */
-	{204.4, 112.1},         /* mixed row */
-	{49.83, 31.92},         /* mixed pixel */
-	{3687, 1305},           /* tested triangle */
-	{253.4, 158.9},         /* tested row */
-	{121.5, 81.58},         /* tested pixel */
-	{3512, 2078},           /* tested spans triangle */
-	{411.7, 229},           /* tested spans row */
-	{133.2, 81.96},         /* tested spans pixel */
-	{4059, 1136},           /* mixed textured triangle */
-	{279.2, 145.8},         /* mixed textured row */
-	{192.8, 132.1},         /* mixed textured pixel */
-	{3708, 2501},           /* mixed spans triangle */
-	{314.2, 190.4},         /* mixed spans row */
-	{186.2, 109.8},         /* mixed spans pixel */
-	{5094, 4093},           /* mixed divided triangle */
-	{1385, 711.7},          /* mixed divided row */
-	{151.2, 100.2},         /* mixed divided pixel */
-	{261.9, 77.38},         /* colored triangle */
-	{0.1189, 0},            /* colored row */
-	{4.826, 1.967},         /* colored pixel */
-	{3119, 1599},           /* bent triangle */
-	{372.6, 214.8},         /* bent row */
-	{3.928, 2.721},         /* bent pixel */
+	{3.86e+04, 1.193e+04},  /* ground triangle */
+	{129.9, 51.31},         /* ground row */
+	{8.749, 1.174},         /* ground pixel */
+	{134.9, 22.65},         /* spans triangle */
+	{208.8, 136.5},         /* spans row */
+	{21.17, 14.1},          /* spans pixel */
+	{1078, 0},              /* spans textured triangle */
+	{300.6, 165.4},         /* spans textured row */
+	{72.59, 47.14},         /* spans textured pixel */
+	{6647, 4554},           /* spans divided triangle */
+	{681.8, 397.1},         /* spans divided row */
+	{90.53, 54.98},         /* spans divided pixel */
+	{3185, 1226},           /* spans nearest triangle */
+	{316.2, 145.8},         /* spans nearest row */
+	{34.24, 26.01},         /* spans nearest pixel */
+	{3410, 1942},           /* mixed triangle */
+	{201, 117.1},           /* mixed row */
+	{48.48, 31.4},          /* mixed pixel */
+	{3599, 1288},           /* tested triangle */
+	{251.2, 155.2},         /* tested row */
+	{121.7, 82.46},         /* tested pixel */
+	{3191, 1916},           /* tested spans triangle */
+	{306.3, 188.4},         /* tested spans row */
+	{139, 84.63},           /* tested spans pixel */
+	{4284, 1163},           /* mixed textured triangle */
+	{275.6, 140.8},         /* mixed textured row */
+	{198.2, 136.8},         /* mixed textured pixel */
+	{3676, 2525},           /* mixed spans triangle */
+	{315.2, 187.4},         /* mixed spans row */
+	{179, 108.6},           /* mixed spans pixel */
+	{5082, 4082},           /* mixed divided triangle */
+	{1391, 712.5},          /* mixed divided row */
+	{147.8, 98.71},         /* mixed divided pixel */
+	{251.1, 57.16},         /* colored triangle */
+	{4.627, 0},             /* colored row */
+	{4.812, 1.888},         /* colored pixel */
+	{3235, 1660},           /* bent triangle */
+	{381.4, 218.3},         /* bent row */
+	{3.89, 2.705},          /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.003, 0.9999},        /* deep row */
-	{2.196, 1.868},         /* deep pixel */
-	{671.1, 368.1},         /* second triangle */
-	{165.5, 84.64},         /* second row */
-	{45.7, 23.25},          /* second pixel */
-	{319.3, 210.3},         /* crossed triangle */
-	{176.5, 92.2},          /* crossed row */
-	{3.598, 3.135},         /* crossed pixel */
+	{1.003, 0.9994},        /* deep row */
+	{2.337, 2.136},         /* deep pixel */
+	{675.5, 369.5},         /* second triangle */
+	{166.3, 84.66},         /* second row */
+	{45.53, 23.01},         /* second pixel */
+	{324.7, 217.6},         /* crossed triangle */
+	{150.5, 89.52},         /* crossed row */
+	{3.542, 3.202},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -95,18 +95,20 @@ suite = $(1) $(2)$(newline)
 # machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels
 # to the pixel, characters to the byte, and the figures of limber compare.
 TESTS_arm := $(filter-out test_framing test_framing_motion test_candidate_error \
-	test_character_gait test_demo_crowd test_optimize test_lod_models \
-	test_viewer_reload,$(TESTS))
+	test_character_gait test_character_mistakes test_character_sketch \
+	test_demo_crowd test_demo_duel test_crowd_costs test_tuner_panel \
+	test_levels test_lod_models test_optimize test_viewer_reload,$(TESTS))
 TESTS_host := $(TESTS)
 # These judge what others run with the sanitizers, over thousands of pictures and poses.
-TESTS_asan := $(filter-out test_framing test_candidate_error test_character_gait,$(TESTS))
+TESTS_asan := $(filter-out test_framing test_framing_motion test_candidate_error \
+	test_character_gait test_demo_crowd test_lod_models,$(TESTS))
 unit_suites = $(foreach test,$(TESTS_$(1)),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
 # Tests of what reads files, run by valgrind, which finds values that are used and
 # were never written. The sanitizers do not.
 MEMCHECK_TESTS := $(filter test_model_% test_xfile% test_levels_file test_split \
 	test_config% test_preset_file test_option% test_%_spec \
-	test_character_mistakes test_character_statements test_button%,$(TESTS))
+	test_character_statements test_button%,$(TESTS))
 memcheck_suites = $(foreach test,$(MEMCHECK_TESTS),$(call \
 	suite,memcheck/$(test),valgrind --quiet --error-exitcode=9 \
 	build/host/unit/$(test)))

@@ -280,7 +280,7 @@ static const char *const labels[] = {"left", "right", "none", NULL};
 
 static const struct character_key scene_keys[] = {
 	{"waves", character_read_value, SCENE(wave_m), 0, CHARACTER_LENGTH_MAX,
-		NULL, "metres of uneven ground from 0 to 10, or a parameter"},
+		NULL, "metres of uneven ground, 0 or more, or a parameter"},
 	{"yaw", character_read_angle, SCENE(yaw_rad), -360, 360, NULL,
 		"degrees from -360 to 360"},
 	{"pitch", character_read_angle, SCENE(pitch_rad), 0, 89, NULL,

@@ -102,7 +102,7 @@ void actor_reduce(struct demo_base *base)
 }
 
 int actor_init_stage(struct demo_base *base, const struct demo_env *env,
-	const struct bounds *bounds, const struct framing *framing,
+	const struct bounds *bounds, float unit, const struct framing *framing,
 	struct stage *stage)
 {
 	struct camera_framing camera = framing->camera;
@@ -117,7 +117,7 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	camera.region = framing_region(
 		&base->framing, bounds, base->width, base->height);
 	error = stage_init(
-		stage, env->gl, bounds, &camera, env->target, env->log);
+		stage, env->gl, bounds, unit, &camera, env->target, env->log);
 	if (!error && base->actor.ground.in_plane) {
 		stage_lower_floor(stage, bounds);
 	}

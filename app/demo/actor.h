@@ -62,11 +62,11 @@ void actor_reduce(struct demo_base *base);
 /*
  * Makes a stage whose camera frames bounds (scene units) in the part of the
  * picture that framing_region() leaves free, and keeps framing in base. The
- * aspect and region of framing->camera are ignored. Returns 0, or -errno after
- * logging an error.
+ * aspect and region of framing->camera are ignored. unit is that of
+ * floor_init(). Returns 0, or -errno after logging an error.
  */
 int actor_init_stage(struct demo_base *base, const struct demo_env *env,
-	const struct bounds *bounds, const struct framing *framing,
+	const struct bounds *bounds, float unit, const struct framing *framing,
 	struct stage *stage);
 
 /*

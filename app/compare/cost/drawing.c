@@ -46,21 +46,21 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	return 0;
 }
 
-static int prepare(struct drawing *drawing, const struct model *model,
+static int prepare(struct drawing *drawing, const struct instance *instance,
 	const struct bounds *box, const struct log *log)
 {
 	const struct gl *gl = &drawing->context->gl;
 	struct camera_framing framing = screen_view_framing;
 	int error = texture_set_create(
-		&drawing->textures, model, gl, PIXELS_RGB565, log);
+		&drawing->textures, instance->model, gl, PIXELS_RGB565, log);
 
 	if (error) {
 		return error;
 	}
 	framing.aspect =
 		(float)drawing->pixels.width / (float)drawing->pixels.height;
-	error = stage_init(
-		&drawing->stage, gl, box, &framing, PIXELS_RGB565, log);
+	error = stage_init(&drawing->stage, gl, box, instance->unit_scale,
+		&framing, PIXELS_RGB565, log);
 	if (error) {
 		texture_set_destroy(&drawing->textures, gl);
 	}
@@ -84,7 +84,7 @@ int drawing_create(struct instance *instance, const struct bounds *box,
 		goto fail_picture;
 	}
 	drawing->box = *box;
-	error = prepare(drawing, model, box, log);
+	error = prepare(drawing, instance, box, log);
 	if (error) {
 		goto fail_context;
 	}

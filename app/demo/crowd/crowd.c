@@ -196,7 +196,7 @@ static int crowd_prepare(struct demo *demo, const struct demo_env *env)
 	/* The floor is made for the largest crowd. */
 	bounds = bounds_of_crowd(demo, CROWD_MAX);
 	error = actor_init_stage(
-		&demo->base, env, &bounds, &framing, &demo->base.stage);
+		&demo->base, env, &bounds, 1.0f, &framing, &demo->base.stage);
 	find_region(demo);
 	demo->base.stage.camera = camera_for(demo, demo->count);
 	return error;

@@ -249,13 +249,9 @@ static int duel_prepare(struct demo *demo, const struct demo_env *env)
 	find_box(demo);
 	find_spacing(demo);
 	bounds = bounds_of_row(demo, demo->box);
-	error = actor_init_stage(
-		&demo->base, env, &bounds, &framing, &demo->base.stage);
-	if (!error) {
-		floor_fit_tiles(&demo->base.stage.floor, &bounds,
-			demo->base.actor.instance->unit_scale);
-	}
-	return error;
+	return actor_init_stage(&demo->base, env, &bounds,
+		demo->base.actor.instance->unit_scale, &framing,
+		&demo->base.stage);
 }
 
 static void duel_finish(struct demo *demo)

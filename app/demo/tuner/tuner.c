@@ -172,13 +172,8 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);
 	overlay_heat_switch(&demo->heat, demo->painted);
-	error = actor_init_stage(
-		&demo->base, env, &bounds, &framing, &demo->base.stage);
-	if (!error) {
-		floor_fit_tiles(
-			&demo->base.stage.floor, &bounds, instance->unit_scale);
-	}
-	return error;
+	return actor_init_stage(&demo->base, env, &bounds, instance->unit_scale,
+		&framing, &demo->base.stage);
 }
 
 static void change(struct demo *demo, int steps)

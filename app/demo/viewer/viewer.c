@@ -112,18 +112,13 @@ static int init_stage(const struct figure *figure, struct demo_base *base,
 					  .follow = true},
 		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
 	struct bounds box = bounds->all;
-	int error;
 
 	framing.label_rows =
 		character_label_count(figure->character, &framing.label_bars);
 	box.low[1] =
 		character_bounds_ground(bounds, base->actor.model->clip_count);
-	error = actor_init_stage(base, env, &box, &framing, stage);
-	if (!error) {
-		floor_fit_tiles(
-			&stage->floor, &box, base->actor.instance->unit_scale);
-	}
-	return error;
+	return actor_init_stage(base, env, &box,
+		base->actor.instance->unit_scale, &framing, stage);
 }
 
 /* One stamp of the model's file and the character's files; 0: no model file. */

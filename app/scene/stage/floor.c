@@ -138,35 +138,23 @@ static float find_origin(float center, float tile)
 		: 0.0f;
 }
 
-static float extent_of(const struct bounds *bounds)
-{
-	float extent = bounds_extent(bounds);
-
-	return extent > 1e-9f ? extent : 1.0f;
-}
-
-void floor_fit_tiles(
-	struct floor *floor, const struct bounds *bounds, float unit)
-{
-	floor->tile = unit * round_down(0.5f * extent_of(bounds) / unit);
-	floor->origin[0] = find_origin(floor->center[0], floor->tile);
-	floor->origin[1] = find_origin(floor->center[1], floor->tile);
-}
-
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, float min_radius, enum pixel_format target,
-	const struct log *log)
+	const struct bounds *bounds, float unit, float min_radius,
+	enum pixel_format target, const struct log *log)
 {
-	float middle[3], extent = extent_of(bounds);
+	float middle[3], extent = bounds_extent(bounds);
 
+	extent = extent > 1e-9f ? extent : 1.0f;
 	bounds_center(bounds, middle);
 	*floor = (struct floor){
 		.y = bounds_ground(bounds),
 		.center = {middle[0], middle[2]},
 		.radius =
 			2.2f * extent > min_radius ? 2.2f * extent : min_radius,
+		.tile = unit * round_down(0.5f * extent / unit),
 	};
-	floor_fit_tiles(floor, bounds, 1.0f);
+	floor->origin[0] = find_origin(middle[0], floor->tile);
+	floor->origin[1] = find_origin(middle[2], floor->tile);
 	floor_mesh_list(floor->index);
 	if (make_texture(floor, gl, target) != 0) {
 		log_error(log,

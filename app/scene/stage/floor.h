@@ -30,20 +30,14 @@ struct floor {
 };
 
 /*
- * Makes level ground under the box with at least the given radius. Returns 0,
- * or -ENOMEM after logging an error. Release it with floor_finish().
+ * Makes level ground under the box with at least the given radius. The side of
+ * a tile, which waves have too, is a round number of the model's units; unit is
+ * one of these in scene units. Returns 0, or -ENOMEM after logging an error.
+ * Release it with floor_finish().
  */
 int floor_init(struct floor *floor, const struct gl *gl,
-	const struct bounds *bounds, float min_radius, enum pixel_format target,
-	const struct log *log);
-
-/*
- * Chooses tiles, and waves with them, whose side is a round number of units; a
- * unit is so many scene units long. floor_init() does this with 1. The box must
- * be that of floor_init().
- */
-void floor_fit_tiles(
-	struct floor *floor, const struct bounds *bounds, float unit);
+	const struct bounds *bounds, float unit, float min_radius,
+	enum pixel_format target, const struct log *log);
 
 void floor_finish(struct floor *floor, const struct gl *gl);
 

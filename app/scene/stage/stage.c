@@ -28,8 +28,9 @@ static const uint8_t middle_color[3] = {146, 158, 172};
 static const uint8_t ground_color[3] = {104, 114, 128};
 
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, const struct camera_framing *framing,
-	enum pixel_format target, const struct log *log)
+	const struct bounds *bounds, float unit,
+	const struct camera_framing *framing, enum pixel_format target,
+	const struct log *log)
 {
 	GLint stencil_bits = 0;
 
@@ -38,7 +39,7 @@ int stage_init(struct stage *stage, const struct gl *gl,
 	gl->GetIntegerv(GL_STENCIL_BITS, &stencil_bits);
 	stage->has_stencil = stencil_bits > 0;
 	/* The floor extends to below the camera. */
-	return floor_init(&stage->floor, gl, bounds,
+	return floor_init(&stage->floor, gl, bounds, unit,
 		1.1f * camera_farthest(&stage->camera), target, log);
 }
 

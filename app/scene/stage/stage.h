@@ -32,12 +32,13 @@ struct stage {
 
 /*
  * Makes a stage whose floor lies under the box and whose camera frames the box,
- * see camera_frame(). Returns 0, or -ENOMEM after logging an error. Release it
- * with stage_finish().
+ * see camera_frame(). unit is that of floor_init(). Returns 0, or -ENOMEM after
+ * logging an error. Release it with stage_finish().
  */
 int stage_init(struct stage *stage, const struct gl *gl,
-	const struct bounds *bounds, const struct camera_framing *framing,
-	enum pixel_format target, const struct log *log);
+	const struct bounds *bounds, float unit,
+	const struct camera_framing *framing, enum pixel_format target,
+	const struct log *log);
 
 void stage_finish(struct stage *stage, const struct gl *gl);
 

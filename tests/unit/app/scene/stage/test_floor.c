@@ -35,7 +35,7 @@ static void begin(struct scene *scene)
 				 &scene->context),
 		0);
 	assert_int_equal(floor_init(&scene->floor, &scene->context->gl, &bounds,
-				 4.8f, PIXELS_RGB565, &log),
+				 1.0f, 4.8f, PIXELS_RGB565, &log),
 		0);
 	floor_set_wave_height(&scene->floor, 0.2f);
 	scene->camera = camera_default();

@@ -66,8 +66,9 @@ static void draw(float away)
 	gl.TexCoordPointer = keep_coordinate;
 	gl.VertexPointer = keep_vertex;
 	gl.DrawArrays = check_arrays;
-	assert_int_equal(
-		floor_init(&floor, &gl, &bounds, 4.8f, PIXELS_RGB565, &log), 0);
+	assert_int_equal(floor_init(&floor, &gl, &bounds, 1.0f, 4.8f,
+				 PIXELS_RGB565, &log),
+		0);
 	camera_frame(&camera, &bounds,
 		&(struct camera_framing){.aspect = (float)WIDTH / HEIGHT,
 			.pitch_rad = 0.3f,

@@ -72,6 +72,15 @@ int model_find_node(const struct model *model, const char *name)
 	return -1;
 }
 
+bool model_is_below(const struct model *model, int node, int top)
+{
+	/* Parents come before their children. */
+	while (node > top) {
+		node = model->node[node].parent;
+	}
+	return node == top;
+}
+
 int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 {
 	int level = 0;

@@ -351,6 +351,9 @@ void model_destroy(struct model *model);
 /* Returns the index of the first node of that name, or -1. */
 int model_find_node(const struct model *model, const char *name);
 
+/* Whether a node is the one at the top or one of its descendants. */
+bool model_is_below(const struct model *model, int node, int top);
+
 /*
  * Returns the coarsest level of detail, counted from 1, whose triangle list has
  * at least index_count indices, or 0, the full list, if there is none. Lists

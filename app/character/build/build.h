@@ -168,9 +168,6 @@ struct ik_limb;
 int character_read_limb(struct character_words *words,
 	const struct character_key *key, struct ik_limb *limb);
 
-/* Returns true if a node is the one at the top or one of its descendants. */
-bool character_is_below(const struct model *model, int node, int top);
-
 /*
  * Takes the name of one of a parameter's choices and stores its value; returns
  * false for any other word.

@@ -220,7 +220,7 @@ static int read_holder(
 	if (action->detail < 0) {
 		return -EINVAL;
 	}
-	return character_is_below(build->model, action->detail, part->node)
+	return model_is_below(build->model, action->detail, part->node)
 		? character_fail(words,
 			  "%s moves with the part %s: name another node",
 			  build->model->node[action->detail].name, part->name)

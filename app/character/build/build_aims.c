@@ -23,14 +23,6 @@ static int read_target(struct character_words *words,
 	return 0;
 }
 
-bool character_is_below(const struct model *model, int node, int top)
-{
-	while (node > top) {
-		node = model->node[node].parent;
-	}
-	return node == top;
-}
-
 /* Where a model looks at rest. */
 static const float front[3] = {0, 0, 1};
 static const float up[3] = {0, 1, 0};
@@ -148,8 +140,8 @@ int character_read_limb(struct character_words *words,
 		}
 		if (i > 0 &&
 			(node[i] == node[i - 1] ||
-				!character_is_below(words->build->model,
-					node[i], node[i - 1]))) {
+				!model_is_below(words->build->model, node[i],
+					node[i - 1]))) {
 			return character_fail(words,
 				"each bone has to be below the one before it: give %s",
 				key->right);

@@ -74,8 +74,7 @@ static void visit_vertex(struct visit *visit, const struct character_sole *sole)
 /* Returns true if a node moves with the foot that is visited. */
 static bool is_of_foot(const struct visit *visit, int node)
 {
-	return character_is_below(
-		visit->build->model, node, visit->foot->leg.tip);
+	return model_is_below(visit->build->model, node, visit->foot->leg.tip);
 }
 
 static void visit_primitive(
@@ -224,14 +223,14 @@ static float distance(const struct character_build *build, int a, int b)
 static bool carries(
 	const struct model *model, int hips, const struct character_feet *other)
 {
-	return character_is_below(model, other->foot[0].leg.upper, hips) ||
-		character_is_below(model, other->foot[1].leg.upper, hips);
+	return model_is_below(model, other->foot[0].leg.upper, hips) ||
+		model_is_below(model, other->foot[1].leg.upper, hips);
 }
 
 static bool is_below(const struct character_build *build,
 	const struct character_feet *feet, const struct character_feet *other)
 {
-	return character_is_below(build->model, feet->hips, other->hips);
+	return model_is_below(build->model, feet->hips, other->hips);
 }
 
 /*

@@ -167,21 +167,31 @@ static void write_morph(const struct model *model, FILE *out)
 	}
 }
 
-/* [node_count] each: which nodes are joints, and their numbers of children. */
+/*
+ * [node_count] each: which nodes are joints, their numbers of children, and
+ * where they are at rest.
+ */
 struct bones {
 	bool *is_joint;
 	int *child_count;
+	mat4 *world;
 };
 
 /* 0 or -ENOMEM. */
 static int find_bones(
 	struct bones *bones, const struct model *model, struct arena *arena)
 {
+	struct pose pose;
+
 	bones->is_joint = model_find_joints(model, arena);
 	bones->child_count = ARENA_ARRAY(arena, int, model->node_count);
-	if (!bones->is_joint || !bones->child_count) {
+	bones->world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
+	if (!bones->is_joint || !bones->child_count || !bones->world ||
+		pose_init(&pose, model, arena) != 0) {
 		return -ENOMEM;
 	}
+	pose_rest(&pose, model);
+	pose_world(&pose, model, NULL, bones->world);
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].parent >= 0) {
 			bones->child_count[model->node[i].parent]++;
@@ -210,23 +220,15 @@ struct bone_box {
 	float low[3], high[3], size;
 };
 
-/* 0 or -ENOMEM. */
-static int measure_bones(const struct model *model, const struct bones *bones,
-	struct arena *arena, struct bone_box *box)
+static struct bone_box measure_bones(
+	const struct model *model, const struct bones *bones)
 {
-	float *low = box->low, *high = box->high;
+	struct bone_box box = {.size = 0.0f};
+	float *low = box.low, *high = box.high;
 
-	struct pose pose;
-	mat4 *world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
-
-	if (!world || pose_init(&pose, model, arena) != 0) {
-		return -ENOMEM;
-	}
-	pose_rest(&pose, model);
-	pose_world(&pose, model, NULL, world);
 	for (int i = 0, found = 0; i < model->node_count; i++) {
 		for (int axis = 0; axis < 3 && bones->is_joint[i]; axis++) {
-			float at = world[i][3][axis];
+			float at = bones->world[i][3][axis];
 
 			low[axis] = !found || at < low[axis] ? at : low[axis];
 			high[axis] = !found || at > high[axis] ? at : high[axis];
@@ -236,9 +238,9 @@ static int measure_bones(const struct model *model, const struct bones *bones,
 	for (int axis = 0; axis < 3; axis++) {
 		float side = high[axis] - low[axis];
 
-		box->size = side > box->size ? side : box->size;
+		box.size = side > box.size ? side : box.size;
 	}
-	return 0;
+	return box;
 }
 
 /* Suggests a ball in front of the figure's middle, a little to its left. */
@@ -262,12 +264,10 @@ static void write_target(const struct bone_box *box, FILE *out)
 		(double)(0.03f * size));
 }
 
-/* 0 or -ENOMEM. */
-static int write_chains(const struct model *model, const struct bones *bones,
-	struct arena *arena, FILE *out)
+static void write_chains(
+	const struct model *model, const struct bones *bones, FILE *out)
 {
-	struct bone_box box = {.size = 0.0f};
-	int written = 0, length, error;
+	int written = 0, length;
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
 		if (!bones->is_joint[i] || bones->child_count[i] > 0 ||
@@ -279,12 +279,10 @@ static int write_chains(const struct model *model, const struct bones *bones,
 			continue;
 		}
 		if (written++ == 0) {
+			struct bone_box box = measure_bones(model, bones);
+
 			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
-			error = measure_bones(model, bones, arena, &box);
-			if (error) {
-				return error;
-			}
 			write_target(&box, out);
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
@@ -295,7 +293,6 @@ static int write_chains(const struct model *model, const struct bones *bones,
 		fprintf(out, " %d\n;target = ball\n;on = no\n\n",
 			length < 16 ? length : 16);
 	}
-	return 0;
 }
 
 /* Returns true if nothing but buttons moves the model. */
@@ -318,10 +315,9 @@ static int write_nodes(
 	if (!error) {
 		sketch_find_parts(model, bones.is_joint, is_still(model), parts);
 		sketch_write_parts(model, parts, out);
-		error = sketch_write_feet(model, bones.is_joint, &arena, out);
-	}
-	if (!error) {
-		error = write_chains(model, &bones, &arena, out);
+		sketch_write_feet(
+			model, bones.is_joint, (const mat4 *)bones.world, out);
+		write_chains(model, &bones, out);
 	}
 	arena_release(&arena);
 	return error;

@@ -1,15 +1,14 @@
 #include "app/character/sketch/sketch_feet.h"
 
 #include "app/anim/math/vec.h"
-#include "app/anim/pose.h"
 #include "app/character/sketch/sketch_names.h"
 #include "platform/base/scalar.h"
 
-#include <errno.h>
 #include <float.h>
 #include <string.h>
 
 enum {
+	LEGS_MAX = 64,
 	PAIRS_MAX = 4,
 	/* three in quotation marks fit into a line of 198 characters */
 	NAME_MAX_BYTES = 60
@@ -112,11 +111,6 @@ static int find_common(const struct model *model, int a, int b)
 	return a;
 }
 
-static bool is_above(const struct model *model, int node, int below)
-{
-	return find_common(model, node, below) == node;
-}
-
 /*
  * Adds a pair; hips that carry others come first, as [feet] needs it. Of two
  * pairs with the same hips, the one with longer legs stays.
@@ -134,7 +128,7 @@ static void add(struct search *search, const struct pair *pair)
 			}
 			return;
 		}
-		if (!is_above(search->model, pair->hips, other->hips)) {
+		if (!model_is_below(search->model, other->hips, pair->hips)) {
 			at = i + 1;
 		}
 	}
@@ -166,8 +160,8 @@ static void try_pair(
 
 static void find_pairs(struct search *search)
 {
-	int count = search->model->node_count;
-	struct leg left, right;
+	int count = search->model->node_count, legs = 0;
+	struct leg leg[LEGS_MAX];
 
 	search->low = FLT_MAX;
 	for (int i = 0; i < count; i++) {
@@ -176,10 +170,13 @@ static void find_pairs(struct search *search)
 		search->low =
 			search->is_joint[i] && y < search->low ? y : search->low;
 	}
-	for (int i = 0; i < count; i++) {
-		for (int k = 0; find_leg(search, i, &left) && k < count; k++) {
-			if (k != i && find_leg(search, k, &right)) {
-				try_pair(search, &left, &right);
+	for (int i = 0; i < count && legs < LEGS_MAX; i++) {
+		legs += find_leg(search, i, &leg[legs]);
+	}
+	for (int i = 0; i < legs; i++) {
+		for (int k = 0; k < legs; k++) {
+			if (k != i) {
+				try_pair(search, &leg[i], &leg[k]);
 			}
 		}
 	}
@@ -197,19 +194,12 @@ static void write_leg(const struct model *model, const char *side,
 	}
 }
 
-int sketch_write_feet(const struct model *model, const bool *is_joint,
-	struct arena *arena, FILE *out)
+void sketch_write_feet(const struct model *model, const bool *is_joint,
+	const mat4 *world, FILE *out)
 {
-	struct search search = {.model = model, .is_joint = is_joint};
-	mat4 *world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
-	struct pose pose;
+	struct search search = {
+		.model = model, .is_joint = is_joint, .world = world};
 
-	if (!world || pose_init(&pose, model, arena) != 0) {
-		return -ENOMEM;
-	}
-	pose_rest(&pose, model);
-	pose_world(&pose, model, NULL, world);
-	search.world = (const mat4 *)world;
 	find_pairs(&search);
 	if (search.count > 0) {
 		fputs("; Legs. Feet on the ground neither slide nor sink while clips change, and they\n"
@@ -225,5 +215,4 @@ int sketch_write_feet(const struct model *model, const bool *is_joint,
 		write_leg(model, "right", &pair->right, out);
 		fputs("\n\n", out);
 	}
-	return 0;
 }

@@ -3,7 +3,6 @@
 #define APP_CHARACTER_SKETCH_SKETCH_FEET_H
 
 #include "app/model/model.h"
-#include "platform/base/arena.h"
 
 #include <stdio.h>
 
@@ -11,9 +10,9 @@
  * Writes a section [feet], in comments, for each pair of legs that is found at
  * rest: chains of two bones that hang from the same one, mirror each other and
  * end near the lowest joint. is_joint, [node_count], says which nodes are
- * joints. Returns 0, or -ENOMEM without having written anything.
+ * joints; world, [node_count], has their places at rest.
  */
-int sketch_write_feet(const struct model *model, const bool *is_joint,
-	struct arena *arena, FILE *out);
+void sketch_write_feet(const struct model *model, const bool *is_joint,
+	const mat4 *world, FILE *out);
 
 #endif

@@ -149,12 +149,13 @@ int crowd_dress(struct instance *instance, int number)
 {
 	const struct look *look = &looks[number % (int)ARRAY_COUNT(looks)];
 	const struct model *model = instance->model;
-	struct dyeing dyeing = {look, NULL, find_height(instance)};
+	struct dyeing dyeing = {.look = look};
 	int error;
 
 	if (!has_clothes(model)) {
 		return tint(instance, look);
 	}
+	dyeing.height = find_height(instance);
 	error = look->plain ? use_plain_cloth(instance) : 0;
 	for (int i = 0; !error && i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];

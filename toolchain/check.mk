@@ -91,17 +91,16 @@ FUZZERS := $(patsubst tests/fuzz/%.c,%,$(filter-out %_calls.c,$(sort \
 
 # A suite is a line with a name and a command (tests/support/tally/tally.sh).
 suite = $(1) $(2)$(newline)
-# These take minutes in qemu-arm. What they test is the same C in floats on every
-# machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels
-# to the pixel, characters to the byte, and the figures of limber compare.
-TESTS_arm := $(filter-out test_framing test_framing_motion test_candidate_error \
-	test_character_gait test_character_mistakes test_character_sketch \
-	test_demo_crowd test_demo_duel test_crowd_costs test_tuner_panel \
-	test_levels test_lod_models test_optimize test_viewer_reload,$(TESTS))
 TESTS_host := $(TESTS)
 # These judge what others run with the sanitizers, over thousands of pictures and poses.
 TESTS_asan := $(filter-out test_framing test_framing_motion test_candidate_error \
 	test_character_gait test_demo_crowd test_lod_models,$(TESTS))
+# These, too, take minutes in qemu-arm. What they test is the same C in floats on every
+# machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels
+# to the pixel, characters to the byte, and the figures of limber compare.
+TESTS_arm := $(filter-out test_character_mistakes test_character_sketch \
+	test_demo_duel test_crowd_costs test_tuner_panel test_levels test_optimize \
+	test_viewer_reload,$(TESTS_asan))
 unit_suites = $(foreach test,$(TESTS_$(1)),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
 # Tests of what reads files, run by valgrind, which finds values that are used and

@@ -216,7 +216,6 @@ static int prepare(struct comparison *comparison, const struct log *log)
 	if (!error) {
 		error = choose_moments(comparison, log);
 	}
-
 	if (!error) {
 		error = comparison_rows_choose(comparison);
 	}

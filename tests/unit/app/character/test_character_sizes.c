@@ -103,6 +103,23 @@ static void expect_alike(struct actor *actor, struct actor *own,
 	}
 }
 
+/* act() reads the file of an actor, with lengths of its size. */
+static void expect_alike_at_any_size(void (*act)(struct actor *actor),
+	const char *const *node, double tolerance)
+{
+	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
+		struct actor actor, own;
+
+		begin(&actor, walker, sizes[i]);
+		begin(&own, walker, 1.0f);
+		act(&actor);
+		act(&own);
+		expect_alike(&actor, &own, node, tolerance);
+		acting_end(&own.acting);
+		acting_end(&actor.acting);
+	}
+}
+
 static void walk(struct actor *actor)
 {
 	double size = (double)actor->size;
@@ -128,17 +145,7 @@ static void test_feet_step_alike_on_uneven_ground(void **state)
 		"hips", "foot.L", "foot.R", "toe.L", "toe.R", NULL};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
-		struct actor actor, own;
-
-		begin(&actor, walker, sizes[i]);
-		begin(&own, walker, 1.0f);
-		walk(&actor);
-		walk(&own);
-		expect_alike(&actor, &own, node, 0.002);
-		acting_end(&own.acting);
-		acting_end(&actor.acting);
-	}
+	expect_alike_at_any_size(walk, node, 0.002);
 }
 
 /* Lengths that the file leaves out, and gravity. */
@@ -162,17 +169,7 @@ static void test_springs_shakes_and_capes_move_alike(void **state)
 		"ponytail.2", "ponytail.4", "hand.L", NULL};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
-		struct actor actor, own;
-
-		begin(&actor, walker, sizes[i]);
-		begin(&own, walker, 1.0f);
-		swing(&actor);
-		swing(&own);
-		expect_alike(&actor, &own, node, 0.02);
-		acting_end(&own.acting);
-		acting_end(&actor.acting);
-	}
+	expect_alike_at_any_size(swing, node, 0.02);
 }
 
 static void fall(struct actor *actor)
@@ -191,17 +188,7 @@ static void test_parts_fall_alike(void **state)
 	static const char *const node[] = {"walker_head", NULL};
 
 	(void)state;
-	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
-		struct actor actor, own;
-
-		begin(&actor, walker, sizes[i]);
-		begin(&own, walker, 1.0f);
-		fall(&actor);
-		fall(&own);
-		expect_alike(&actor, &own, node, 0.02);
-		acting_end(&own.acting);
-		acting_end(&actor.acting);
-	}
+	expect_alike_at_any_size(fall, node, 0.02);
 }
 
 int main(void)

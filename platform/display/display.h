@@ -56,6 +56,7 @@ struct display_driver {
 	const char *name;
 	const char *summary;  /* one line for the help text */
 	const char *argument; /* what follows "NAME:", or NULL for nothing */
+	bool needs_keyboard;  /* shows on a screen, but reads no keys itself */
 
 	/*
 	 * Whether --display auto may try this driver: a quick check of the

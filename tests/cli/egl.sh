@@ -12,7 +12,7 @@ fi
 FAKE_GLES_LOG=$scratch/calls
 export FAKE_GLES_LOG
 
-limber play "$slider" --display egl --frames 3 --egl-library "$fake" \
+limber play "$slider" --script /dev/null --display egl --frames 3 --egl-library "$fake" \
     --gles-library "$fake"
 expect_status 0
 expect_no_err
@@ -28,7 +28,7 @@ check 'everything that was created is destroyed' \
 rm "$FAKE_GLES_LOG"
 LIMBER_EGL=$fake LIMBER_GLES=$fake
 export LIMBER_EGL LIMBER_GLES
-limber play "$slider" --display egl:0x42 --frames 1 --format rgba8888
+limber play "$slider" --script /dev/null --display egl:0x42 --frames 1 --format rgba8888
 expect_status 0
 expect_no_err
 check 'the given window is used' grep -q \

@@ -251,7 +251,7 @@ const struct option_entry option_entries[] = {
 		"as root, become this user once the devices are open",
 		"the name of a user", TEXT(show.user)},
 	{0, "buttons", "SPEC", FOR_SHOW,
-		"read buttons from these sources too, such as evdev or script:FILE",
+		"read buttons from these sources, such as evdev or script:FILE",
 		"sources such as evdev or script:FILE", TEXT(input.buttons)},
 	{0, "script", "FILE", FOR_SHOW,
 		"press the buttons that this file lists in lines TIME_MS BUTTON down|up",

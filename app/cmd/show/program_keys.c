@@ -112,7 +112,7 @@ void program_keys_print(FILE *out, const struct demo_driver *driver,
 	      "  F9+F6  show skeleton, weights, wireframe... (F7 in a window)\n"
 	      "  F9+UP, F9+DOWN  choose their joint (Page Up and Page Down)\n"
 	      "  F9+F8  keep the picture in a file (P in a window)\n"
-	      "  Esc    quit\n",
+	      "  Ctrl-C quit (Esc in a window)\n",
 		out);
 	fflush(out);
 }

@@ -227,7 +227,10 @@ static int open_and_run(struct show *show)
 	if (error) {
 		goto out_input;
 	}
-	error = open_hud(show);
+	error = show_input_add_keyboards(show);
+	if (!error) {
+		error = open_hud(show);
+	}
 	if (error) {
 		goto out_screen;
 	}

@@ -23,6 +23,17 @@ int show_input_open(struct show *show)
 	return error;
 }
 
+int show_input_add_keyboards(struct show *show)
+{
+	const struct options_input *input = &show->options->input;
+
+	if (input->buttons || input->script ||
+		!show->screen.driver->needs_keyboard) {
+		return 0;
+	}
+	return buttons_add(&show->buttons, "evdev", NULL, show->log);
+}
+
 int show_input_close(struct show *show, int run_error)
 {
 	buttons_close(&show->buttons);

@@ -64,6 +64,12 @@ struct show {
 int show_input_open(struct show *show);
 
 /*
+ * Opens all keyboards, if the options name no source and the display, which is
+ * open, reads no keys itself. Returns 0, or -errno after logging an error.
+ */
+int show_input_add_keyboards(struct show *show);
+
+/*
  * Closes the sources and completes the file of --record-buttons. If the run
  * failed before any event, a file that existed before stays. Returns 0, or
  * -errno after logging an error.

@@ -95,6 +95,7 @@ const struct display_driver display_driver_egl = {
 	.name = "egl",
 	.summary = "the screen of a vendor's EGL, for --gl gles1",
 	.argument = "WINDOW",
+	.needs_keyboard = true,
 	.probe = egl_probe,
 	.check = egl_check,
 	.create = egl_create,

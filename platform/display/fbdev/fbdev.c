@@ -202,6 +202,7 @@ const struct display_driver display_driver_fbdev = {
 	.name = "fbdev",
 	.summary = "a Linux framebuffer, by default /dev/fb0",
 	.argument = "DEVICE",
+	.needs_keyboard = true,
 	.probe = fbdev_probe,
 	.create = fbdev_create,
 	.get_info = fbdev_get_info,

@@ -177,6 +177,7 @@ const struct display_driver display_driver_kms = {
 	.name = "kms",
 	.summary = "a screen through kernel mode setting, /dev/dri/card*",
 	.argument = "DEVICE",
+	.needs_keyboard = true,
 	.probe = kms_probe,
 	.create = kms_create,
 	.get_info = kms_get_info,

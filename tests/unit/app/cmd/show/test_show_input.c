@@ -215,6 +215,28 @@ static void test_recorded_times_never_decrease(void **state)
 	temp_dir_remove(&folder);
 }
 
+static void test_a_screen_without_keys_takes_those_of_keyboards(void **state)
+{
+	static const struct display_driver screen = {.needs_keyboard = true};
+	struct scene *scene = *state;
+	struct show *show = &scene->show;
+
+	assert_int_equal(show_input_add_keyboards(show), 0);
+	assert_int_equal(show->buttons.source_count, 0);
+	show->screen.driver = &screen;
+	scene->options.input.buttons = "gpiod:UP=chip/3";
+	assert_int_equal(show_input_add_keyboards(show), 0);
+	assert_int_equal(show->buttons.source_count, 0);
+	scene->options.input.buttons = NULL;
+	scene->options.input.script = "script.txt";
+	assert_int_equal(show_input_add_keyboards(show), 0);
+	assert_int_equal(show->buttons.source_count, 0);
+	scene->options.input.script = NULL;
+	assert_int_equal(show_input_add_keyboards(show), 0);
+	assert_int_equal(show->buttons.source_count, 1);
+	assert_string_equal(show->buttons.source[0].driver->name, "evdev");
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, begin, end)
@@ -226,6 +248,7 @@ int main(void)
 		CASE(test_buttons_with_f9_act_as_the_windows_keys),
 		CASE(test_f9_held_alone_shows_the_graph),
 		CASE(test_recorded_times_never_decrease),
+		CASE(test_a_screen_without_keys_takes_those_of_keyboards),
 	};
 #undef CASE
 

@@ -79,6 +79,24 @@ build/board/guest: tests/board/guest.c build/arm/packages.stamp build/sysroot.st
 	$(Q)$(CC_arm) $(WARNINGS) -std=c11 -D_DEFAULT_SOURCE -O2 \
 		$(filter-out -g -O2,$(CFLAGS_arm)) -o $@ $<
 
+# Debian's kernel for the Raspberry Pi Zero, its device tree and two drivers
+# for keyboards, for the test of that board.
+PI := build/raspberry-pi
+$(PI)/stamp: toolchain/sysroot.sh toolchain/packages/raspberry-pi.txt \
+		toolchain/packages/arm.txt
+	@mkdir -p $(@D)
+	$(Q)toolchain/install.sh arm
+	$(call say,KERNEL,$(PI))
+	$(Q)PACKAGES=toolchain/packages/raspberry-pi.txt RECORD= \
+		toolchain/sysroot.sh $(PI)/packages
+	$(Q)cp $(PI)/packages/boot/vmlinuz-* $(PI)/vmlinuz
+	$(Q)cp $(PI)/packages/usr/lib/linux-image-*/bcm2835-rpi-zero.dtb $(PI)
+	$(Q)for name in evdev uinput; do \
+		find $(PI)/packages -name $$name.ko.xz -exec xz -dc {} + \
+		>$(PI)/$$name.ko || exit 1; done
+	$(Q)rm -rf $(PI)/packages
+	$(Q)touch $@
+
 # SOAK_S is the length in seconds of the board's time; SOAK_SEED=N gives other
 # buttons.
 soak: image emulator build/board/guest
@@ -92,4 +110,6 @@ power-cuts: image emulator
 
 board_suites = $(foreach test,$(sort $(wildcard tests/board/test_*.py)),\
 	$(call suite,board/$(patsubst test_%.py,%,$(notdir $(test))),\
-	python3 -B $(test)))
+	python3 -B $(test))) \
+	$(call suite,other-boards/raspberry-pi,\
+	python3 -B tests/other-boards/raspberry_pi.py)

@@ -204,7 +204,7 @@ CHECK_ENVIRONMENT := env -u DISPLAY -u WAYLAND_DISPLAY LC_ALL=C.UTF-8 \
 	LSAN_OPTIONS=print_suppressions=0:suppressions=tests/support/lsan.supp
 
 .PHONY: check-build golden-build
-check-build: image emulator build/host/limber build/asan/limber build/arm/limber \
+check-build: image emulator bundle $(PI)/stamp build/host/limber build/asan/limber build/arm/limber \
 		$(foreach target,$(TARGETS),$(patsubst \
 		%,build/$(target)/unit/%,$(TESTS_$(target)))) \
 		$(FUZZERS:%=build/fuzz/%) build/host/conformance \

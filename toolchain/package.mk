@@ -1,4 +1,5 @@
-# make install installs limber on this machine; make deb makes a package of it.
+# make install installs limber on this machine; make deb makes a package of it, and
+# make bundle an archive for boards.
 
 prefix ?= /usr/local
 DESTDIR ?=
@@ -49,3 +50,9 @@ deb: build/host/limber build/package/packages.stamp
 	$(Q)$(MAKE) --no-print-directory install DESTDIR=build/package/stage \
 		prefix=/usr
 	$(Q)$(PACKAGE)/deb.sh build/package/stage build/package
+
+# Phony, because bundle.sh takes two seconds.
+.PHONY: bundle
+bundle: build/arm/limber build/host/limber
+	$(Q)$(PACKAGE)/bundle.sh build/sysroot build/arm/limber build/host/limber \
+		build/package

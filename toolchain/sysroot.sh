@@ -1,7 +1,7 @@
 #!/bin/sh
 # sysroot.sh DIR: makes the armel sysroot: unpacks the packages of
-# packages/sysroot.txt from Debian 13 into DIR, without configuring them. It
-# takes about 20 seconds.
+# packages/sysroot.txt, or of the file that the environment's PACKAGES names, from
+# Debian 13 into DIR, without configuring them. It takes about 20 seconds.
 #
 # Debian 13 is the last release with an armel port. It cannot be added to the
 # build machine as a foreign architecture, because shared packages would need the
@@ -11,12 +11,13 @@
 # DIR/packages.sha256 lists what was unpacked. packages/sysroot.sha256 is the list
 # that limber's own figures and packages were made with: a package of the same name
 # and version with other bytes is refused, and other versions are named, since a
-# mirror keeps only the newest. The environment's RECORD is that list.
+# mirror keeps only the newest. The environment's RECORD is that list; if it is empty,
+# any version is accepted.
 set -eu
 
 directory=${1:?usage: sysroot.sh DIR}
 here=$(dirname "$0")
-record=${RECORD:-$here/packages/sysroot.sha256}
+record=${RECORD-$here/packages/sysroot.sha256}
 keyring=${KEYRING:-/usr/share/keyrings/debian-archive-trixie-stable.gpg}
 
 # Prints the mirrors that apt uses; the second form works before an apt-get
@@ -43,7 +44,8 @@ fi
 mode=chrootless
 [ "$(id -u)" -ne 0 ] || mode=root
 
-packages=$(sed '/^#/d; /^$/d' "$here/packages/sysroot.txt" | paste -sd, -)
+packages=$(sed '/^#/d; /^$/d' "${PACKAGES:-$here/packages/sysroot.txt}" |
+    paste -sd, -)
 scratch=$directory.new
 rm -rf "$scratch" "$directory"
 trap 'rm -rf "$scratch"' EXIT
@@ -78,12 +80,12 @@ compare() {
         { found = !($2 in known) ? "new" : known[$2] != $1 ? "changed" : "" }
         found == state { print $2 }' "$record" "$scratch/packages.sha256"
 }
-changed=$(compare changed)
+changed=$([ -z "$record" ] || compare changed)
 if [ -n "$changed" ]; then
     echo "limber: $mirror has other bytes than $record lists for" $changed >&2
     exit 1
 fi
-new=$(compare new)
+new=$([ -z "$record" ] || compare new)
 if [ -n "$new" ]; then
     echo "limber: $mirror has other versions than $record lists, so the board's files will differ from a release's: make sysroot-record accepts" $new >&2
 fi

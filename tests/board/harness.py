@@ -170,6 +170,12 @@ def flash_write(loader, path, *faults):
     return run.returncode, run.stdout
 
 
+def stopped_at_end(machine):
+    """Stops a machine with the test; its console is shown if the test fails."""
+    _machines.append(machine)
+    return machine
+
+
 def booted(files=None, drivers=False, tree=None, shell=True, kind=None, **how):
     """A machine that runs the image; files lie over its root file system. Its
     time is a count of instructions, so a busy host changes nothing. kind names
@@ -182,8 +188,8 @@ def booted(files=None, drivers=False, tree=None, shell=True, kind=None, **how):
         extra.append(overlay)
     if drivers:
         extra.append(DRIVERS)
-    machine = emulation.Machine(FOLDER / f"machine-{len(_machines)}", kind)
-    _machines.append(machine)
+    machine = stopped_at_end(
+        emulation.Machine(FOLDER / f"machine-{len(_machines)}", kind))
     machine.start(IMAGE, extra, tree=tree, icount=True, **how)
     if shell:
         machine.wait(PROMPT)

@@ -102,6 +102,19 @@ expect_status 1
 expect_err_lines 1
 expect_err '^limber: .* has other bytes than .* lists for libtwo_2_armel.deb$'
 check 'there is no sysroot of it' test ! -e "$root" -a ! -e "$root.new"
+# Other packages than those of the sysroot have no record.
+echo linux-image >"$scratch/list"
+record=$RECORD
+RECORD=
+PACKAGES=$scratch/list
+export PACKAGES
+sysroot
+about 'a list of packages without a record'
+expect_status 0
+expect_no_err
+called '--include=linux-image '
+RECORD=$record
+unset PACKAGES
 cp "$RECORD" "$scratch/packages"
 
 stub mmdebstrap "echo \"\$*\" >$scratch/call

@@ -7,6 +7,8 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <sys/ioctl.h>
+#include <termios.h>
 
 #include "platform/base/compiler.h"
 
@@ -176,6 +178,9 @@ void console_release(struct console *console)
 	if (console->fd < 0) {
 		return;
 	}
+	/* The shell must not read the keys that were pressed as buttons. */
+	(void)device_control(console->calls, console->fd, TCFLSH,
+		(void *)(uintptr_t)TCIFLUSH);
 	set_mode(console->calls, console->fd, KD_TEXT);
 	release_endings();
 	console->calls->close(console->fd);

@@ -36,7 +36,10 @@ extern const char console_in_use_remedy[];
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
 
-/* Switches back to text mode. Does nothing when no console was acquired. */
+/*
+ * Drops what was typed meanwhile and switches back to text mode. Does nothing
+ * when no console was acquired.
+ */
 void console_release(struct console *console);
 
 #endif

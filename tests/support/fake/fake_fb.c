@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <termios.h>
 #include <unistd.h>
 
 enum {
@@ -142,6 +143,9 @@ static int control_console(unsigned long request, void *argument)
 			write(fake_fb.report_fd, &mode, 1) != 1) {
 			return fail_with(EIO);
 		}
+		return 0;
+	case TCFLSH:
+		fake_fb.console_flushes += mode == TCIFLUSH;
 		return 0;
 	default:
 		return fail_with(ENOTTY);

@@ -35,6 +35,7 @@ struct fake_fb {
 	bool has_wait;
 	bool has_console;
 	int console_mode;
+	int console_flushes;  /* of what was typed */
 	bool console_watched; /* another program handles console switches */
 	int report_fd; /* also gets each console mode as a byte; -1 means none */
 

@@ -73,6 +73,8 @@ static void test_a_console_is_released_once(void **state)
 			fake_fb.console_mode = KD_GRAPHICS;
 		}
 		fake_fb.console_mode = KD_TEXT;
+		/* The keys that were pressed are not for the shell. */
+		assert_int_equal(fake_fb.console_flushes, has);
 	}
 }
 

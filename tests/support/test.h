@@ -45,6 +45,14 @@
 	test_run_group((name), (tests), sizeof(tests) / sizeof((tests)[0]), \
 		(setup), (teardown))
 
+/* Of so many random cases, those that a test tries: a third of them in
+ * qemu-arm, where they take minutes. */
+#ifdef __arm__
+#define RANDOM_CASES(count) ((count) / 3)
+#else
+#define RANDOM_CASES(count) (count)
+#endif
+
 /* Ends the test as skipped and gives the reason to the tally. */
 #define skip_because(reason) test_skip_because((reason), __FILE__, __LINE__)
 

@@ -176,6 +176,7 @@ static struct figures compare_ways_of(
 {
 	struct figures figures = {0};
 
+	rounds = RANDOM_CASES(rounds);
 	for (uint32_t round = 1; round <= rounds; round++) {
 		struct soft_scene *fast_setup = open_scene(&given);
 		struct soft_scene *slow = open_scene(&given);

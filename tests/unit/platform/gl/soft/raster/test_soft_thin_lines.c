@@ -14,7 +14,7 @@
 #include <string.h>
 
 enum {
-	SEEDS = 1500,
+	SEEDS = RANDOM_CASES(1500),
 	LINES = 6,
 	ENDS = 2 * LINES,
 	DEPTH_APART = 600, /* of pixels next to each other */

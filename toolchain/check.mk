@@ -148,6 +148,8 @@ $(call golden_suite,host,gles1)
 $(call golden_suite,host,soft)
 $(call exact_suite,host)
 $(call exact_suite,arm)
+$(call suite,arm/later-core,PICTURES='walker-1|arm-1' tests/golden/golden.sh check exact \
+	$(CHECK)/arm/later-core $(RUN_arm:arm1136=cortex-a7) build/arm/limber)
 $(call texts_suite,host,films,film-)
 $(call texts_suite,host,texts,(?!film-))
 $(call texts_suite,arm,films,film-(.*-(all|tour)|curves|effects|parts|states))

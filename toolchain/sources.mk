@@ -16,11 +16,12 @@ PLAYER_SOURCE := build/gen/player_text.c
 SHARED_SOURCES := $(APP_SOURCES) $(BASE_SOURCES) $(SEAM_SOURCES) $(FONT_SOURCE) \
 	$(PLAYER_SOURCE)
 
-# The loops over joints: C, or assembly for the board's core.
+# The loops over joints: C, or for ARM11 cores assembly (choose.c).
 JOINT_SOURCES_host := app/anim/portable/joints.c app/anim/portable/turns.c
 JOINT_SOURCES_asan := $(JOINT_SOURCES_host)
 JOINT_SOURCES_fuzz := $(JOINT_SOURCES_host)
-JOINT_SOURCES_arm := app/anim/arm/joints.S app/anim/arm/turns.S
+JOINT_SOURCES_arm := app/anim/arm/joints.S app/anim/arm/turns.S \
+	app/anim/arm/choose.c app/anim/arm/in_c.c
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.

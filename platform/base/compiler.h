@@ -11,8 +11,15 @@
 #define PRINTF_LIKE(format_index, first_argument) \
 	__attribute__((format(printf, format_index, first_argument)))
 
-/* The type of a pointer to a function that a header declares. */
+/* The type of a function that a header declares, and of a pointer to it. */
+#define TYPE_OF(function)    __typeof__(function)
 #define POINTER_TO(function) __typeof__(function) *
+
+/*
+ * Lets the dynamic loader take the function whose address the function of this name
+ * returns, which gets the kernel's HWCAP bits and may call nothing (GNU ifunc).
+ */
+#define CHOSEN_BY(name) __attribute__((ifunc(name)))
 
 #define ARRAY_COUNT(array) (sizeof(array) / sizeof((array)[0]))
 

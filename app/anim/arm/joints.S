@@ -1,5 +1,5 @@
 /*
- * app/anim/joints.h for VFP11.
+ * app/anim/joints.h for VFP11, under names that end in _vfp (choose.c).
  *
  * joints_to_matrices() keeps a transform and its whole matrix in registers and
  * stores the matrix at once, in 39 instructions. The compiler's code takes 62.
@@ -25,10 +25,10 @@
 #define PLACED r2
 #define ONE_   r3
 
-	.global joints_to_matrices
-	.hidden joints_to_matrices
-	.type joints_to_matrices, %function
-joints_to_matrices:
+	.global joints_to_matrices_vfp
+	.hidden joints_to_matrices_vfp
+	.type joints_to_matrices_vfp, %function
+joints_to_matrices_vfp:
 	mov	ONE_, #0
 	vpush	{s16-s31}
 	vmov	s19, ONE_
@@ -79,7 +79,7 @@ joints_to_matrices:
 	bge	1b
 2:	vpop	{s16-s31}
 	bx	lr
-	.size joints_to_matrices, . - joints_to_matrices
+	.size joints_to_matrices_vfp, . - joints_to_matrices_vfp
 
 #define A      r0
 #define INDEX  r1
@@ -91,10 +91,10 @@ joints_to_matrices:
 #define ONE    r7
 #define I      r12
 
-	.global joints_multiply
-	.hidden joints_multiply
-	.type joints_multiply, %function
-joints_multiply:
+	.global joints_multiply_vfp
+	.hidden joints_multiply_vfp
+	.type joints_multiply_vfp, %function
+joints_multiply_vfp:
 	push	{r4-r8, lr}
 	ldr	OUT, [sp, #24]
 	ldr	COUNT, [sp, #28]
@@ -153,6 +153,6 @@ joints_multiply:
 4:	add	B, B, #64
 	add	OUT, OUT, #64
 	b	2b
-	.size joints_multiply, . - joints_multiply
+	.size joints_multiply_vfp, . - joints_multiply_vfp
 
 	.section .note.GNU-stack, "", %progbits

@@ -1,5 +1,6 @@
 /*
- * The rotations of app/anim/turns.h for VFP11, in vectors of four.
+ * The rotations of app/anim/turns.h for VFP11, in vectors of four, under names
+ * that end in _vfp (choose.c).
  *
  * Operations whose result is in bank 0 (s0-s7) compute one number, all others a
  * quaternion. s8-s15 hold the two keys around the time, which are one load as
@@ -416,32 +417,32 @@
 	.ltorg
 	.endm
 
-	.global turns_set
-	.hidden turns_set
-	.type turns_set, %function
-turns_set:
+	.global turns_set_vfp
+	.hidden turns_set_vfp
+	.type turns_set_vfp, %function
+turns_set_vfp:
 	turns	0
-	.size turns_set, . - turns_set
+	.size turns_set_vfp, . - turns_set_vfp
 
-	.global turns_mix
-	.hidden turns_mix
-	.type turns_mix, %function
-turns_mix:
+	.global turns_mix_vfp
+	.hidden turns_mix_vfp
+	.type turns_mix_vfp, %function
+turns_mix_vfp:
 	turns	1
-	.size turns_mix, . - turns_mix
+	.size turns_mix_vfp, . - turns_mix_vfp
 
-	.global turns_set_packed
-	.hidden turns_set_packed
-	.type turns_set_packed, %function
-turns_set_packed:
+	.global turns_set_packed_vfp
+	.hidden turns_set_packed_vfp
+	.type turns_set_packed_vfp, %function
+turns_set_packed_vfp:
 	turns_packed	0
-	.size turns_set_packed, . - turns_set_packed
+	.size turns_set_packed_vfp, . - turns_set_packed_vfp
 
-	.global turns_mix_packed
-	.hidden turns_mix_packed
-	.type turns_mix_packed, %function
-turns_mix_packed:
+	.global turns_mix_packed_vfp
+	.hidden turns_mix_packed_vfp
+	.type turns_mix_packed_vfp, %function
+turns_mix_packed_vfp:
 	turns_packed	1
-	.size turns_mix_packed, . - turns_mix_packed
+	.size turns_mix_packed_vfp, . - turns_mix_packed_vfp
 
 	.section .note.GNU-stack, "", %progbits

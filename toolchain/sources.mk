@@ -21,7 +21,7 @@ JOINT_SOURCES_host := app/anim/portable/joints.c app/anim/portable/turns.c
 JOINT_SOURCES_asan := $(JOINT_SOURCES_host)
 JOINT_SOURCES_fuzz := $(JOINT_SOURCES_host)
 JOINT_SOURCES_arm := app/anim/arm/joints.S app/anim/arm/turns.S \
-	app/anim/arm/choose.c app/anim/arm/in_c.c
+	$(addprefix app/anim/arm/,choose.c joints_c.c turns_c.c)
 
 # Drivers, best first. A driver NAME is the folder platform/SEAM/NAME and
 # exports SEAM_driver_NAME.

@@ -1,6 +1,6 @@
 /*
- * The loops over joints. toolchain/sources.mk chooses arm/ for the board and
- * portable/ for other targets; both compute the same floats.
+ * The loops over joints: arm/ for ARM11 cores, portable/ for others; both
+ * compute the same floats.
  */
 #ifndef APP_ANIM_JOINTS_H
 #define APP_ANIM_JOINTS_H

@@ -1,6 +1,6 @@
 /*
- * The loops over rotations of clips. toolchain/sources.mk chooses arm/ for the
- * board and portable/ for other targets; both compute the same floats.
+ * The loops over rotations of clips: arm/ for ARM11 cores, portable/ for
+ * others; both compute the same floats.
  */
 #ifndef APP_ANIM_TURNS_H
 #define APP_ANIM_TURNS_H

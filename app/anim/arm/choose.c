@@ -7,13 +7,15 @@
 #include "app/anim/turns.h"
 #include "platform/base/compiler.h"
 
-#include <asm/hwcap.h>
+enum {
+	HWCAP_VFPV3 = 1 << 13 /* of <asm/hwcap.h> */
+};
 
 #define CHOOSE(name)                                                       \
 	extern TYPE_OF(name) name##_vfp, name##_c;                         \
 	static POINTER_TO(name) choose_##name(unsigned long capabilities)  \
 	{                                                                  \
-		return capabilities & HWCAP_VFPv3 ? name##_c : name##_vfp; \
+		return capabilities & HWCAP_VFPV3 ? name##_c : name##_vfp; \
 	}                                                                  \
 	TYPE_OF(name) name CHOSEN_BY("choose_" #name);
 

@@ -85,8 +85,9 @@ static void visit_primitive(
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		if (is_of_foot(visit,
 			    character_sole_mover(model, node, primitive, v))) {
-			struct character_sole sole = character_sole_of_vertex(
-				model, node, primitive, v);
+			struct character_sole sole =
+				character_sole_of_vertex(model, node, primitive,
+					v, primitive->position[v]);
 
 			visit_vertex(visit, &sole);
 		}

@@ -1,6 +1,8 @@
 #include "app/character/build/gait.h"
 
 #include "app/anim/clip.h"
+#include "app/anim/math/vec.h"
+#include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
@@ -28,14 +30,20 @@ struct sample {
 	float low[3], high[3], mean[3];
 };
 
+/* Returns the mesh that the scene shows at a node, or NULL. */
+static const struct model_mesh *mesh_at(const struct model *model, int node)
+{
+	const struct model_node *of = &model->node[node];
+
+	return of->in_scene && of->mesh >= 0 ? &model->mesh[of->mesh] : NULL;
+}
+
 static int count_vertices(const struct model *model)
 {
 	int count = 0;
 
 	for (int n = 0; n < model->node_count; n++) {
-		const struct model_mesh *mesh = model->node[n].mesh >= 0
-			? &model->mesh[model->node[n].mesh]
-			: NULL;
+		const struct model_mesh *mesh = mesh_at(model, n);
 
 		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
 			count += mesh->primitive[i].vertex_count;
@@ -44,15 +52,25 @@ static int count_vertices(const struct model *model)
 	return count;
 }
 
+static struct gait_point point_at(const struct model *model, int node,
+	const struct model_primitive *primitive, int vertex)
+{
+	return (struct gait_point){
+		.node = node,
+		.vertex = vertex,
+		.primitive = primitive,
+		.sole = character_sole_of_vertex(model, node, primitive, vertex,
+			primitive->position[vertex]),
+	};
+}
+
 void gait_body_make(struct gait_body *body, const struct model *model)
 {
 	int stride = count_vertices(model) / GAIT_POINTS_MAX + 1, skip = 0;
 
 	body->count = 0;
 	for (int n = 0; n < model->node_count; n++) {
-		const struct model_mesh *mesh = model->node[n].mesh >= 0
-			? &model->mesh[model->node[n].mesh]
-			: NULL;
+		const struct model_mesh *mesh = mesh_at(model, n);
 
 		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
 			const struct model_primitive *primitive =
@@ -61,8 +79,7 @@ void gait_body_make(struct gait_body *body, const struct model *model)
 
 			for (; v < primitive->vertex_count; v += stride) {
 				body->point[body->count++] =
-					character_sole_of_vertex(
-						model, n, primitive, v);
+					point_at(model, n, primitive, v);
 			}
 			skip = v - primitive->vertex_count;
 		}
@@ -78,6 +95,34 @@ int gait_steps_for(int clip_count)
 					  : steps;
 }
 
+/* Computes where a point is in the world, moved by morph targets too. */
+static void place_point(const struct gait_point *point,
+	const struct instance *instance, float out[3])
+{
+	const struct model *model = instance->model;
+	const struct model_primitive *primitive = point->primitive;
+	const struct model_node *node = &model->node[point->node];
+	const float *weight = &instance->pose.weight[node->weight_offset];
+	struct character_sole sole = point->sole;
+	float at[3], way[3];
+	bool moved = false;
+
+	memcpy(at, primitive->position[point->vertex], sizeof(at));
+	for (int i = 0; i < model->mesh[node->mesh].target_count; i++) {
+		if (weight[i] != 0.0f) {
+			model_deltas_get(&primitive->target[i].position,
+				point->vertex, way);
+			vec_add_scaled(at, way, weight[i], at);
+			moved = true;
+		}
+	}
+	if (moved) {
+		sole = character_sole_of_vertex(
+			model, point->node, primitive, point->vertex, at);
+	}
+	character_sole_place(&sole, instance, out);
+}
+
 static void take(const struct gait_body *body, struct instance *instance,
 	int clip, float time_s, struct sample *sample)
 {
@@ -91,7 +136,7 @@ static void take(const struct gait_body *body, struct instance *instance,
 	for (int i = 0; i < body->count; i++) {
 		float *at = sample->at[i];
 
-		character_sole_place(&body->point[i], instance, at);
+		place_point(&body->point[i], instance, at);
 		for (int axis = 0; axis < 3; axis++) {
 			float *low = &sample->low[axis],
 			      *high = &sample->high[axis];

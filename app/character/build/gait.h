@@ -11,10 +11,16 @@ enum {
 	GAIT_STEPS_MOST = 20
 };
 
+struct gait_point {
+	int node, vertex;
+	const struct model_primitive *primitive;
+	struct character_sole sole; /* without morph targets */
+};
+
 /* Vertices of a model, evenly spread. */
 struct gait_body {
 	int count;
-	struct character_sole point[GAIT_POINTS_MAX];
+	struct gait_point point[GAIT_POINTS_MAX];
 };
 
 /* All in metres, along x and z. */
@@ -28,7 +34,10 @@ struct gait {
 	float drift[2];
 };
 
-/* Chooses at most GAIT_POINTS_MAX vertices of the model. */
+/*
+ * Chooses at most GAIT_POINTS_MAX vertices of the model, which must outlive the
+ * body.
+ */
 void gait_body_make(struct gait_body *body, const struct model *model);
 
 /* Returns in how many steps to measure each clip of a model with this many. */

@@ -49,7 +49,8 @@ int character_sole_mover(const struct model *model, int node,
 }
 
 struct character_sole character_sole_of_vertex(const struct model *model,
-	int node, const struct model_primitive *primitive, int vertex)
+	int node, const struct model_primitive *primitive, int vertex,
+	const float at[3])
 {
 	const struct model_skin *skin = skin_of(model, node, primitive);
 	int first = vertex * primitive->influences, influence = -1;
@@ -57,7 +58,7 @@ struct character_sole character_sole_of_vertex(const struct model *model,
 	float sum = 0;
 
 	if (!skin) {
-		return character_sole_on_node(node, primitive->position[vertex]);
+		return character_sole_on_node(node, at);
 	}
 	for (int i = 0; i < 2; i++) {
 		int joint;
@@ -67,8 +68,7 @@ struct character_sole character_sole_of_vertex(const struct model *model,
 		sole.node[i] = skin->joint[joint];
 		sole.weight[i] = primitive->weight[first + influence];
 		sum += sole.weight[i];
-		matrix_apply(skin->inverse_bind[joint],
-			primitive->position[vertex], sole.at[i]);
+		matrix_apply(skin->inverse_bind[joint], at, sole.at[i]);
 	}
 	for (int i = 0; i < 2; i++) {
 		sole.weight[i] = sum > 0 ? sole.weight[i] / sum : 0.5f;

@@ -16,9 +16,13 @@ struct character_sole {
 /* Returns a point that moves with one node; at is in the node's frame. */
 struct character_sole character_sole_on_node(int node, const float at[3]);
 
-/* Returns a vertex of a primitive that a node shows, without morph targets. */
+/*
+ * Returns a vertex of a primitive that a node shows; at is where the vertex is
+ * in the mesh: primitive->position[vertex], perhaps moved by morph targets.
+ */
 struct character_sole character_sole_of_vertex(const struct model *model,
-	int node, const struct model_primitive *primitive, int vertex);
+	int node, const struct model_primitive *primitive, int vertex,
+	const float at[3]);
 
 /* Returns the node that moves such a vertex most. */
 int character_sole_mover(const struct model *model, int node,

@@ -1,5 +1,6 @@
 /* How a board of a metre goes over the ground, from what its clip says. */
 #include "app/character/build/gait.h"
+#include "app/model/model_deltas.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -13,6 +14,36 @@ enum {
 struct way {
 	float middle[3], end[3];
 };
+
+/* A board that stands on two corners and has no width. */
+static struct model *make_board(void)
+{
+	struct model *model = small_model_grid(1, 1, 1, true);
+
+	for (int v = 0; v < 4; v++) {
+		model->mesh[0].primitive->position[v][0] = 0.0f;
+	}
+	return model;
+}
+
+/* Measures the only clip of a board, which it destroys. */
+static struct gait measure_clip(struct model *model, struct model_clip *clip)
+{
+	struct instance *instance;
+	struct gait_body body;
+	struct gait gait;
+
+	model->clip = clip;
+	model->clip_count = 1;
+	instance = small_model_instance(model);
+	gait_body_make(&body, model);
+	assert_int_equal(body.count, 4);
+	gait = gait_measure(&body, instance, 0, STEPS);
+	instance_destroy(instance);
+	model->clip_count = 0;
+	model_destroy(model);
+	return gait;
+}
 
 static struct gait measure(const struct way *way, float duration_s)
 {
@@ -28,24 +59,35 @@ static struct gait measure(const struct way *way, float duration_s)
 		.duration_s = duration_s,
 		.channel_count = 1,
 		.channel = &channel};
-	struct model *model = small_model_grid(1, 1, 1, true);
-	struct instance *instance;
-	struct gait_body body;
-	struct gait gait;
 
-	model->clip = &clip;
-	model->clip_count = 1;
-	for (int v = 0; v < 4; v++) {
-		model->mesh[0].primitive->position[v][0] = 0.0f;
-	}
-	instance = small_model_instance(model);
-	gait_body_make(&body, model);
-	assert_int_equal(body.count, 4);
-	gait = gait_measure(&body, instance, 0, STEPS);
-	instance_destroy(instance);
-	model->clip_count = 0;
-	model_destroy(model);
-	return gait;
+	return measure_clip(make_board(), &clip);
+}
+
+/* The same in a second for a board that only a morph target moves along x. */
+static struct gait measure_morphed(float x)
+{
+	static const float moved[4][3] = {
+		{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+	const float time_s[3] = {0.0f, 0.5f, 1.0f};
+	const float value[3] = {0, 0.5f * x, x};
+	float rest = 0.0f;
+	struct model_channel channel = {.path = MODEL_WEIGHTS,
+		.width = 1,
+		.key_count = 3,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip = {.name = "way",
+		.duration_s = 1.0f,
+		.channel_count = 1,
+		.channel = &channel};
+	struct model_target target = {.position = model_deltas_view(moved, 4)};
+	struct model *model = make_board();
+
+	model->mesh->target_count = 1;
+	model->mesh->primitive->target = &target;
+	model->weight_count = 1;
+	model->rest_weights = &rest;
+	return measure_clip(model, &clip);
 }
 
 /* A straight way over level ground, in a second. */
@@ -110,6 +152,27 @@ static void test_feet_touch_the_ground_up_to_3_percent_above_it(void **state)
 		0, 0, 0, 0);
 }
 
+static void test_vertices_that_morph_targets_move_go_over_the_ground(
+	void **state)
+{
+	(void)state;
+	expect(measure_morphed(0.14f), 0, 0, -0.14f, 0);
+	expect(measure_morphed(-0.14f), 0, 0, 0.14f, 0);
+	expect(measure_morphed(0.2f), 0.2f, 0, 0, 0);
+}
+
+static void test_what_the_scene_does_not_show_touches_no_ground(void **state)
+{
+	struct model *model = make_board();
+	struct gait_body body;
+
+	(void)state;
+	model->node->in_scene = false;
+	gait_body_make(&body, model);
+	assert_int_equal(body.count, 0);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -120,6 +183,10 @@ int main(void)
 		cmocka_unit_test(test_a_way_near_an_axis_is_along_it),
 		cmocka_unit_test(
 			test_feet_touch_the_ground_up_to_3_percent_above_it),
+		cmocka_unit_test(
+			test_vertices_that_morph_targets_move_go_over_the_ground),
+		cmocka_unit_test(
+			test_what_the_scene_does_not_show_touches_no_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

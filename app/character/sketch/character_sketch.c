@@ -138,6 +138,29 @@ static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
 	}
 }
 
+/*
+ * A section, whose lines begin with mark. Beside a clip that moves the same
+ * shapes it is a suggestion: the camera would leave room for all shapes.
+ */
+static void write_morph_section(const struct model *model, int node, FILE *out)
+{
+	const char *mark = is_animated(model, node) ? ";" : "";
+	const char *name = model->node[node].name;
+
+	fprintf(out,
+		"; The shape goes from key frame to key frame: the neutral shape and each\n"
+		"; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
+		"%s[morph shape]\n",
+		mark);
+	if (sketch_is_usable(name) && model_find_node(model, name) == node) {
+		fprintf(out, "%snode = ", mark);
+		sketch_write_name(out, name);
+		fputc('\n', out);
+	}
+	fprintf(out, "%stime = 0.6\n%scurve = bezier 0.4 0 0.2 1\n\n", mark,
+		mark);
+}
+
 static void write_morph(const struct model *model, FILE *out)
 {
 	int node = model_find_morphed(model);
@@ -147,19 +170,8 @@ static void write_morph(const struct model *model, FILE *out)
 		return;
 	}
 	mesh = &model->mesh[model->node[node].mesh];
-	fputs("; The shape goes from key frame to key frame: the neutral shape and each\n"
-	      "; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
-	      "[morph shape]\n",
-		out);
-	if (sketch_is_usable(model->node[node].name) &&
-		model_find_node(model, model->node[node].name) == node) {
-		fputs("node = ", out);
-		sketch_write_name(out, model->node[node].name);
-		fputc('\n', out);
-	}
-	fputs("time = 0.6\ncurve = bezier 0.4 0 0.2 1\n\n"
-	      "; Expressions are mixed, each with a weight of its own.\n",
-		out);
+	write_morph_section(model, node, out);
+	fputs("; Expressions are mixed, each with a weight of its own.\n", out);
 	for (int i = 0; i < mesh->target_count && i < EXPRESSIONS_MAX; i++) {
 		fprintf(out, ";[expression face%d]\n;targets = ", i);
 		write_shape(mesh, i, out);

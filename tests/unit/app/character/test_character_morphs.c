@@ -1,4 +1,5 @@
 /* Morphs of a character: over time and by frames. */
+#include "app/character/character_open.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -81,12 +82,43 @@ static void test_a_linear_morph_by_frames_adds_equal_steps(void **state)
 	acting_end(&acting);
 }
 
+/* Of a model without a character file. */
+static int count_morphs(const char *model_path)
+{
+	const struct character_request request = {
+		.model_path = model_path, .rate = 1, .repeat = CLIP_LOOP};
+	struct acting acting;
+	struct log log;
+	int count;
+
+	acting_begin(&acting, model_path);
+	log = log_capture_begin(&acting.logged);
+	assert_int_equal(character_open(&request, acting.instance, &log,
+				 &acting.character),
+		0);
+	count = acting.character->morph_count;
+	acting_end(&acting);
+	return count;
+}
+
+/* Else the camera would leave room for shapes that no button shows. */
+static void test_shapes_that_a_clip_moves_get_no_morph_of_their_own(void **state)
+{
+	(void)state;
+	assert_int_equal(
+		count_morphs("tests/fixtures/gltf/mesh/weights.gltf"), 1);
+	assert_int_equal(
+		count_morphs("tests/fixtures/gltf/skin/and_morph.gltf"), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_morph_goes_from_key_frame_to_key_frame),
 		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
 		cmocka_unit_test(test_a_linear_morph_by_frames_adds_equal_steps),
+		cmocka_unit_test(
+			test_shapes_that_a_clip_moves_get_no_morph_of_their_own),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

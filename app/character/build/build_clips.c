@@ -173,14 +173,15 @@ static int find_carrier(const struct character_build *build,
 
 /*
  * Finds how fast a clip goes over the ground, by the vertices that touch it. A
- * clip that walks away stays in its place, and the ground moves instead.
+ * clip that walks away stays in its place, and the ground moves instead. Below
+ * a model that slides along, such as a crate that is pushed, the ground rests.
  */
 static void find_gait(const struct character_build *build,
 	const struct gait *gait, struct character_clip *clip)
 {
 	struct character_motion *motion = &build->character->motion;
-	bool walks_away = (gait->velocity[0] != 0 || gait->velocity[1] != 0) &&
-		(gait->drift[0] != 0 || gait->drift[1] != 0);
+	bool walks = gait->velocity[0] != 0 || gait->velocity[1] != 0;
+	bool walks_away = walks && (gait->drift[0] != 0 || gait->drift[1] != 0);
 
 	if (walks_away && motion->root < 0) {
 		motion->root = find_carrier(build, clip, gait->drift);
@@ -190,7 +191,7 @@ static void find_gait(const struct character_build *build,
 	}
 	for (int axis = 0; axis < 2; axis++) {
 		clip->ground_m_per_s[axis] = gait->velocity[axis];
-		if (gait->drift[axis] != 0) {
+		if (walks && gait->drift[axis] != 0) {
 			clip->ground_m_per_s[axis] -=
 				(gait->drift[axis] - clip->carried_m[axis]) /
 				clip->clip->duration_s;

@@ -265,6 +265,23 @@ static void test_a_clip_that_walks_away_moves_the_ground(void **state)
 	acting_end(&acting);
 }
 
+/* Else the ground would go with it, as if it stood on a belt. */
+static void test_the_ground_rests_below_what_slides_along(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	acting_expect(
+		&acting, "[state a]\nclip = leave\n[motion]\nclips = yes\n");
+	for (double time_s = 0.1; time_s < 2.0; time_s += 0.1) {
+		acting_run_to(&acting, time_s, rate_hz);
+		assert_near(acting.character->motion.scroll[0], 0, 0);
+		assert_near(acting.character->motion.scroll[1], 0, 0);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -274,6 +291,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_lowest_vertices_tell_how_the_ground_moves),
 		cmocka_unit_test(test_a_clip_that_walks_away_moves_the_ground),
+		cmocka_unit_test(test_the_ground_rests_below_what_slides_along),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -67,6 +67,26 @@ static int measure_cell(struct jobs *jobs, int job, void *context)
 	return error;
 }
 
+/* Says which clips are missing in the report and in exported files. */
+static void warn_if_still(const struct model *model, const struct log *log)
+{
+	int count = 0, first = -1;
+
+	for (int i = 0; i < model->clip_count; i++) {
+		if (model->clip[i].duration_s <= 0.0f) {
+			first = first < 0 ? i : first;
+			count++;
+		}
+	}
+	if (count > 0) {
+		log_warning(log,
+			"%s: clips without a duration (%d of %d, the first is clip %d%s%s) are poses: they are neither compared nor exported",
+			model->path, count, model->clip_count, first,
+			*model->clip[first].name ? " " : "",
+			model->clip[first].name);
+	}
+}
+
 /* Chooses the requested clip, or else all clips that have a duration. */
 static int choose_clips(struct comparison *comparison, const struct log *log)
 {
@@ -94,6 +114,9 @@ static int choose_clips(struct comparison *comparison, const struct log *log)
 			"%s: none of its clips has a duration: give a model with a clip that moves",
 			model->path);
 		return -EINVAL;
+	}
+	if (wanted < 0) {
+		warn_if_still(model, log);
 	}
 	return 0;
 }

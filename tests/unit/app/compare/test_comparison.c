@@ -91,10 +91,14 @@ static void test_the_wanted_clip_or_those_that_last_are_compared(void **state)
 	assert_int_equal(compare(&compared), 0);
 	assert_int_equal(compared.comparison->clip_count, 1);
 	assert_int_equal(compared.comparison->clip[0].clip, 2);
+	assert_false(log_capture_has(
+		&compared.said, LOG_WARNING, "clips without a duration"));
 	comparison_destroy(compared.comparison);
 	compared.request.clip = -1;
 	compared.model->clip[1].duration_s = 0.0f;
 	assert_int_equal(compare(&compared), 0);
+	assert_true(log_capture_has(&compared.said, LOG_WARNING,
+		"(1 of 4, the first is clip 1 climb)"));
 	assert_int_equal(compared.comparison->clip_count, 3);
 	for (int i = 0; i < 3; i++) {
 		assert_int_equal(compared.comparison->clip[i].clip, lasting[i]);

@@ -3,6 +3,7 @@
 #include "app/compare/candidate/capped_influences.h"
 
 #include "app/compare/measure/posed_vertices.h"
+#include "app/model/model_deltas.h"
 #include "app/model/model_stats.h"
 
 #include <cglm/cglm.h>
@@ -74,6 +75,22 @@ static size_t target_bytes(const struct model *model, const struct drawable *d)
 	return bytes;
 }
 
+/* Of the displacements that the model stores: those of vertices that move. */
+static size_t target_file_bytes(
+	const struct model *model, const struct drawable *d)
+{
+	const struct model_mesh *mesh = &model->mesh[model->node[d->node].mesh];
+	size_t bytes = 0;
+
+	for (int t = 0; t < mesh->target_count; t++) {
+		const struct model_target *target = &d->primitive->target[t];
+
+		bytes += model_deltas_bytes(&target->position) +
+			model_deltas_bytes(&target->normal);
+	}
+	return bytes;
+}
+
 /* For each influence, a stream has a weight record and base vectors. */
 static size_t stream_bytes(const struct skin_stream *stream)
 {
@@ -121,7 +138,8 @@ static void count_drawable(struct candidate *candidate,
 	const struct model_primitive *primitive = drawable->primitive;
 	size_t vectors = vector_bytes(drawable);
 
-	candidate->bytes.shared_file += vectors + target_bytes(model, drawable);
+	candidate->bytes.shared_file +=
+		vectors + target_file_bytes(model, drawable);
 	candidate->bytes.shared += output_bytes(drawable);
 	if (drawable->skin >= 0) {
 		size_t joint =

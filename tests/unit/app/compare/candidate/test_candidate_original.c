@@ -171,6 +171,32 @@ static void test_a_target_counts_the_arrays_that_it_has(void **state)
 	model_destroy(grid.model);
 }
 
+static void test_a_file_holds_only_the_displacements_of_what_moves(void **state)
+{
+	static const float moved[VERTICES][3] = {{1.0f}};
+	struct model_target target = {.position = {0}};
+	float weight = 0;
+	struct candidate_bytes none;
+	struct skinned_grid grid;
+	struct arena arena = arena_empty();
+
+	(void)state;
+	make_grid(&grid, 1);
+	grid.model->mesh->target_count = 1;
+	grid.model->mesh->primitive->target = &target;
+	grid.model->weight_count = 1;
+	grid.model->rest_weights = &weight;
+	none = bytes_of(grid.model);
+	assert_int_equal(model_deltas_pack(&target.position, moved, VERTICES,
+				 MODEL_FLOAT, 1.0f, &arena),
+		0);
+	assert_int_equal(bytes_of(grid.model).shared_file,
+		none.shared_file + model_deltas_bytes(&target.position));
+	assert_true(model_deltas_bytes(&target.position) < VERTICES * 12);
+	arena_release(&arena);
+	model_destroy(grid.model);
+}
+
 /* Twice the area of the part's triangle, positive if its normal faces out. */
 static float facing(const struct rigid_bake *rigid, const uint32_t *corner)
 {
@@ -220,6 +246,8 @@ int main(void)
 		cmocka_unit_test(test_a_joint_more_takes_two_matrices_in_memory),
 		cmocka_unit_test(test_a_mesh_that_two_nodes_show_counts_once),
 		cmocka_unit_test(test_a_target_counts_the_arrays_that_it_has),
+		cmocka_unit_test(
+			test_a_file_holds_only_the_displacements_of_what_moves),
 		cmocka_unit_test(
 			test_rigid_parts_of_mirrored_joints_face_outwards),
 	};

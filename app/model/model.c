@@ -159,6 +159,38 @@ int model_find_clip(const struct model *model, const char *name_or_index)
 	return (int)number;
 }
 
+static bool moves_any(const struct model_clip *clip, const bool *moved)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (moved[clip->channel[i].node]) {
+			return true;
+		}
+	}
+	return false;
+}
+
+int model_clips_apart(
+	const struct model *model, int first, bool *moved, int *list)
+{
+	int count = 0;
+
+	for (int i = -1; i < model->clip_count; i++) {
+		int number = i < 0 ? first : i;
+		const struct model_clip *clip = &model->clip[number];
+
+		if (i >= 0 &&
+			(clip->channel_count == 0 || i == first ||
+				moves_any(clip, moved))) {
+			continue;
+		}
+		list[count++] = number;
+		for (int c = 0; c < clip->channel_count; c++) {
+			moved[clip->channel[c].node] = true;
+		}
+	}
+	return count;
+}
+
 int model_choose_clip(const struct model *model, const char *wanted,
 	int fallback, const struct log *log, int *out)
 {

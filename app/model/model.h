@@ -368,6 +368,14 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count);
 int model_find_clip(const struct model *model, const char *name_or_index);
 
 /*
+ * Lists clips of which no two move the same node, beginning with first, in
+ * list, [clip_count]. moved, [node_count], is scratch memory of zeros. Returns
+ * how many clips it lists.
+ */
+int model_clips_apart(
+	const struct model *model, int first, bool *moved, int *list);
+
+/*
  * Writes the value of one key, channel->width floats, of a channel that is not
  * MODEL_CUBICSPLINE. Packed rotations are normalised.
  */

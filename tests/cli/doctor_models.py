@@ -119,6 +119,11 @@ def two_clips(m):
     m.json["animations"].append(clip)
 
 
+def apart(m):
+    two_clips(m)
+    del m.json["animations"][0]["channels"][0]
+
+
 def integers(m):
     sampler(m, output=m.array([0, 0, 0, 127, 0, 0, 76, 102], "b", 4,
                               normalized=True))
@@ -221,6 +226,7 @@ PITFALLS = [
     (step, "STEP channels"),
     (far, "rotation keys with a negative dot product"),
     (two_clips, "a node that another clip does not move"),
+    (apart, "each move nodes of their own .2 of 2."),
     (integers, "samplers with integer outputs"),
     (placed, "skinned nodes with a transform of their own"),
     (ancestor, "joints whose parent is not a joint"),

@@ -16,8 +16,9 @@ enum {
 /* What a layer's section says. Mask and entry are made from it later. */
 struct draft {
 	struct character_layer layer;
-	int clip; /* -1: none was given */
-	int soft; /* levels over which the mask's edge fades */
+	int clip;   /* -1: none was given */
+	bool moved; /* only nodes that the clip moves */
+	int soft;   /* levels over which the mask's edge fades */
 	int mask_count;
 	struct {
 		int node;
@@ -92,6 +93,7 @@ static int read_mask(struct character_words *words,
 
 static const char *const modes[] = {"override", "additive", NULL};
 static const char *const plays[] = {"loop", "once", NULL};
+static const char *const extents[] = {"all", "moved", NULL};
 
 /* Reads one of two words; the second one is true. */
 static int read_either(struct character_words *words,
@@ -116,6 +118,8 @@ static const struct character_key keys[] = {
 		100, NULL, "a number from -100 to 100, or a parameter"},
 	{"mask", read_mask, 0, 0, 0, NULL,
 		"a node and perhaps a weight, such as shoulder.R 1"},
+	{"nodes", read_either, offsetof(struct draft, moved), 0, 0, extents,
+		"all or moved"},
 	{"soft", character_read_count, offsetof(struct draft, soft), 0, 16,
 		NULL, "a whole number of levels from 0 to 16"},
 	{0},
@@ -124,12 +128,26 @@ static const struct character_key keys[] = {
 _Static_assert(offsetof(struct draft, layer) == 0,
 	"keys of a layer are keys of a draft");
 
+/* Takes the nodes that no channel of the clip moves out of the mask. */
+static void keep_moved(
+	float *mask, const struct model *model, const struct model_clip *clip)
+{
+	for (int i = 0; i < model->node_count; i++) {
+		bool moved = false;
+
+		for (int c = 0; clip && c < clip->channel_count; c++) {
+			moved = moved || clip->channel[c].node == i;
+		}
+		mask[i] = moved ? mask[i] : 0;
+	}
+}
+
 static int make_mask(struct character_build *build, const struct draft *draft,
 	struct character_layer *layer)
 {
 	const struct model *model = build->model;
 
-	if (draft->mask_count == 0) {
+	if (draft->mask_count == 0 && !draft->moved) {
 		return 0;
 	}
 	layer->mask =
@@ -137,9 +155,15 @@ static int make_mask(struct character_build *build, const struct draft *draft,
 	if (!layer->mask) {
 		return character_fail_memory(build);
 	}
+	for (int i = 0; draft->mask_count == 0 && i < model->node_count; i++) {
+		layer->mask[i] = 1;
+	}
 	for (int i = 0; i < draft->mask_count; i++) {
 		mask_subtree(layer->mask, model, draft->mask[i].node,
 			draft->mask[i].weight, draft->soft);
+	}
+	if (draft->moved) {
+		keep_moved(layer->mask, model, layer->entry.of->clip);
 	}
 	return 0;
 }

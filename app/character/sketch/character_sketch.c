@@ -2,6 +2,7 @@
 
 #include "app/anim/pose.h"
 #include "app/character/sketch/sketch_feet.h"
+#include "app/character/sketch/sketch_layers.h"
 #include "app/character/sketch/sketch_names.h"
 #include "app/character/sketch/sketch_parts.h"
 #include "platform/base/printable.h"
@@ -14,43 +15,6 @@ enum {
 	CHAINS_MAX = 6
 };
 
-/* Whether a file can hold the clip's name, and no earlier clip has it. */
-static bool has_usable_name(const struct model *model, int clip)
-{
-	const char *name = model->clip[clip].name;
-
-	return sketch_is_usable(name) && model_find_clip(model, name) == clip;
-}
-
-/* A number stands for a clip without a usable name. */
-static void write_clip_name(const struct model *model, int clip, FILE *out)
-{
-	if (has_usable_name(model, clip)) {
-		sketch_write_name(out, model->clip[clip].name);
-	} else {
-		fprintf(out, "%d", clip);
-	}
-}
-
-/*
- * Without a usable name, or with a long one, a state is called "clip 3" unless
- * a clip is.
- */
-static void write_state_name(const struct model *model, int clip, FILE *out)
-{
-	const char *name = model->clip[clip].name;
-	char number[24];
-
-	snprintf(number, sizeof(number), "clip %d", clip);
-	if (has_usable_name(model, clip) && sketch_fits_heading(name)) {
-		sketch_write_name(out, name);
-	} else if (model_find_clip(model, number) >= 0) {
-		fprintf(out, "%d", clip);
-	} else {
-		sketch_write_name(out, number);
-	}
-}
-
 static void write_state(const struct model *model, int clip,
 	const struct character_sketch_play *play, FILE *out)
 {
@@ -61,9 +25,9 @@ static void write_state(const struct model *model, int clip,
 	};
 
 	fputs("[state ", out);
-	write_state_name(model, clip, out);
+	sketch_write_heading(out, model, clip);
 	fputs("]\nclip = ", out);
-	write_clip_name(model, clip, out);
+	sketch_write_clip(out, model, clip);
 	fprintf(out, "\n%s", repeats[play->repeat]);
 	if (model->clip_count == 1) {
 		fputs("rate = rate\n", out);
@@ -468,6 +432,10 @@ int character_sketch(const struct model *model,
 	      "; suggestions.\n\n",
 		out);
 	write_states(model, play ? play : &plain, out);
+	error = sketch_write_layers(model, play ? play->clip : 0, out);
+	if (error) {
+		return error;
+	}
 	if (model->clip_count > 0) {
 		fputs("; The ground moves as the lowest vertices of each clip do. With the names\n"
 		      "; of two feet, feet = LEFT RIGHT, it goes with the foot on it.\n"

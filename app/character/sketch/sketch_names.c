@@ -34,3 +34,35 @@ bool sketch_fits_heading(const char *name)
 {
 	return strlen(name) <= HEADING_NAME;
 }
+
+/* Whether a file can hold the clip's name, and no earlier clip has it. */
+static bool has_usable_name(const struct model *model, int clip)
+{
+	const char *name = model->clip[clip].name;
+
+	return sketch_is_usable(name) && model_find_clip(model, name) == clip;
+}
+
+void sketch_write_clip(FILE *out, const struct model *model, int clip)
+{
+	if (has_usable_name(model, clip)) {
+		sketch_write_name(out, model->clip[clip].name);
+	} else {
+		fprintf(out, "%d", clip);
+	}
+}
+
+void sketch_write_heading(FILE *out, const struct model *model, int clip)
+{
+	const char *name = model->clip[clip].name;
+	char number[24];
+
+	snprintf(number, sizeof(number), "clip %d", clip);
+	if (has_usable_name(model, clip) && sketch_fits_heading(name)) {
+		sketch_write_name(out, name);
+	} else if (model_find_clip(model, number) >= 0) {
+		fprintf(out, "%d", clip);
+	} else {
+		sketch_write_name(out, number);
+	}
+}

@@ -2,7 +2,8 @@
 #ifndef APP_CHARACTER_SKETCH_SKETCH_NAMES_H
 #define APP_CHARACTER_SKETCH_SKETCH_NAMES_H
 
-#include <stdbool.h>
+#include "app/model/model.h"
+
 #include <stdio.h>
 
 /* Writes a name, in quotes if it has blanks or commas. */
@@ -13,5 +14,17 @@ bool sketch_is_usable(const char *name);
 
 /* Whether it is so short that it can stand in the heading of a section. */
 bool sketch_fits_heading(const char *name);
+
+/*
+ * Writes the name of a clip, or its number if a file cannot hold the name or an
+ * earlier clip has it.
+ */
+void sketch_write_clip(FILE *out, const struct model *model, int clip);
+
+/*
+ * Writes the name of a section about a clip: that of the clip, or "clip 3" for
+ * one without a usable or with a long name, unless a clip is called that.
+ */
+void sketch_write_heading(FILE *out, const struct model *model, int clip);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "platform/base/scalar.h"
 
+#include <errno.h>
 #include <string.h>
 
 static const char *clip_name(const struct model_clip *clip)
@@ -165,6 +166,27 @@ static void report_unshared_channels(const struct model *model,
 	}
 }
 
+/* Returns 0 or -ENOMEM. */
+static int report_apart(const struct model *model, struct arena *arena,
+	const struct examiner *examiner)
+{
+	bool *moved = ARENA_ARRAY(arena, bool, (size_t)model->node_count);
+	int *clip = ARENA_ARRAY(arena, int, (size_t)model->clip_count);
+	int count;
+
+	if (!moved || !clip) {
+		return -ENOMEM;
+	}
+	count = model->clip_count > 0 ? model_clips_apart(model, 0, moved, clip)
+				      : 0;
+	if (count > 1) {
+		examine_report(examiner,
+			"clips that each move nodes of their own (%d of %d), such as a clip for each object: limber plays one at a time; limber character suggests layers that play them together",
+			count, model->clip_count);
+	}
+	return 0;
+}
+
 static void report_matrices(
 	const struct model *model, const struct examiner *examiner)
 {
@@ -183,6 +205,7 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 	struct arena arena = arena_empty();
 	struct moved(*moved)[PATHS] =
 		arena_alloc(&arena, (size_t)model->node_count, sizeof(*moved));
+	int error;
 
 	if (!moved) {
 		return memory_budget_fail(model->budget, model->path, log);
@@ -196,7 +219,8 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 		report_long_arcs(clip, examiner);
 	}
 	report_unshared_channels(model, moved, examiner);
+	error = report_apart(model, &arena, examiner);
 	report_matrices(model, examiner);
 	arena_release(&arena);
-	return 0;
+	return error ? memory_budget_fail(model->budget, model->path, log) : 0;
 }

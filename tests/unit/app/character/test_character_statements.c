@@ -107,6 +107,8 @@ static const struct statement walker[] = {
 		"[layer a]\nclip = wave\nmode = add\n", "override or additive"},
 	{"[layer a]\nclip = wave\nplay = once\n",
 		"[layer a]\nclip = wave\nplay = never\n", "loop or once"},
+	{"[layer a]\nclip = wave\nnodes = moved\n",
+		"[layer a]\nclip = wave\nnodes = some\n", "all or moved"},
 	{"[layer a]\nclip = wave\nsoft = 2\n",
 		"[layer a]\nclip = wave\nsoft = 1.5\n", "no whole number"},
 	{"[layer a]\nclip = wave\nrate = 2\n",

@@ -1,0 +1,103 @@
+/* Clips of different nodes: layers that a sketch suggests, and their play. */
+#include "app/character/sketch/character_sketch.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double rate_hz = 50.0;
+
+static char *make_sketch(const struct model *model)
+{
+	char *text = NULL;
+	size_t size;
+	FILE *file = open_memstream(&text, &size);
+
+	assert_non_null(file);
+	assert_int_equal(character_sketch(model, NULL, file), 0);
+	fclose(file);
+	return text;
+}
+
+/* A clip "late" of two triangles, and a clip "other" of the first one. */
+static void begin(struct acting *acting)
+{
+	acting_begin(acting, "tests/fixtures/gltf/clip/late_start.gltf");
+	assert_int_equal(acting->model->clip_count, 2);
+	assert_int_equal(acting->model->clip[0].channel_count, 2);
+	assert_int_equal(acting->model->clip[1].channel_count, 1);
+}
+
+static void test_clips_of_the_same_node_are_no_layers(void **state)
+{
+	struct acting acting;
+	char *text;
+
+	(void)state;
+	begin(&acting);
+	text = make_sketch(acting.model);
+	assert_null(strstr(text, "[layer"));
+	free(text);
+	acting_end(&acting);
+}
+
+static void test_a_sketch_suggests_clips_of_other_nodes_as_layers(void **state)
+{
+	struct acting acting;
+	char *text, *layer;
+
+	(void)state;
+	begin(&acting);
+	acting.model->clip[0].channel_count = 1;
+	acting.model->clip[1].channel[0].node =
+		!acting.model->clip[0].channel[0].node;
+	text = make_sketch(acting.model);
+	layer = strstr(
+		text, "\n;[layer other]\n;clip = other\n;nodes = moved\n\n");
+	assert_non_null(layer);
+	while ((layer = strstr(layer, "\n;")) && layer[2] != ' ') {
+		memmove(layer + 1, layer + 2, strlen(layer + 1));
+	}
+	acting_expect(&acting, text);
+	assert_int_equal(acting.character->layer_count, 1);
+	free(text);
+	acting_end(&acting);
+}
+
+/* Where the second triangle is after two seconds in which both clips play. */
+static float place_beside(const char *nodes)
+{
+	struct acting acting;
+	char text[100];
+	float x;
+
+	begin(&acting);
+	snprintf(text, sizeof(text),
+		"[state a]\nclip = late\n[layer b]\nclip = other\n%s", nodes);
+	acting_expect(&acting, text);
+	acting_run_to(&acting, 2.0, rate_hz);
+	x = acting.instance->world[1][3][0];
+	acting_end(&acting);
+	return x;
+}
+
+static void test_a_layer_of_moved_nodes_leaves_others_alone(void **state)
+{
+	(void)state;
+	assert_near(place_beside(""), 5, 1e-5);
+	assert_near(place_beside("nodes = all\n"), 5, 1e-5);
+	assert_near(place_beside("nodes = moved\n"), 1.5, 0.02);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_clips_of_the_same_node_are_no_layers),
+		cmocka_unit_test(
+			test_a_sketch_suggests_clips_of_other_nodes_as_layers),
+		cmocka_unit_test(test_a_layer_of_moved_nodes_leaves_others_alone),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -152,10 +152,48 @@ static void report_skins(const struct model *model, struct use *uses,
 	}
 }
 
+/*
+ * Returns the product of a triangle's normal, by the order of its corners, and
+ * of the sum of its corners' normals.
+ */
+static float facing(
+	const struct model_primitive *primitive, const uint32_t corner[3])
+{
+	float side[2][3], sum[3];
+
+	for (int axis = 0; axis < 3; axis++) {
+		float from = primitive->position[corner[0]][axis];
+
+		sum[axis] = primitive->normal[corner[0]][axis];
+		for (int i = 0; i < 2; i++) {
+			uint32_t v = corner[i + 1];
+
+			side[i][axis] = primitive->position[v][axis] - from;
+			sum[axis] += primitive->normal[v][axis];
+		}
+	}
+	return sum[0] * (side[0][1] * side[1][2] - side[0][2] * side[1][1]) +
+		sum[1] * (side[0][2] * side[1][0] - side[0][0] * side[1][2]) +
+		sum[2] * (side[0][0] * side[1][1] - side[0][1] * side[1][0]);
+}
+
+/* Whether the normals of most triangles point to the side that is not drawn. */
+static bool has_reversed_normals(const struct model_primitive *primitive)
+{
+	int reversed = 0;
+
+	for (int i = 0; primitive->normal && i < primitive->index_count; i += 3) {
+		float product = facing(primitive, &primitive->index[i]);
+
+		reversed += product < 0.0f ? 1 : product > 0.0f ? -1 : 0;
+	}
+	return reversed > 0;
+}
+
 static void report_meshes(
 	const struct model *model, const struct examiner *examiner)
 {
-	int flat = 0, many = 0;
+	int flat = 0, many = 0, reversed = 0;
 
 	for (int m = 0; m < model->mesh_count; m++) {
 		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
@@ -164,6 +202,7 @@ static void report_meshes(
 
 			flat += primitive->normal == NULL;
 			many += primitive->influences > 4;
+			reversed += has_reversed_normals(primitive);
 		}
 	}
 	if (!model_has_triangles(model)) {
@@ -172,6 +211,9 @@ static void report_meshes(
 	}
 	examine_count(examiner, flat, "primitives without normals",
 		"limber lights the posed triangles with flat normals, as glTF requires");
+	examine_count(examiner, reversed,
+		"primitives whose normals point to the back of their triangles",
+		"limber lights them as the file says, so that the lit side is dark; export them with the normals turned");
 	examine_count(examiner, many,
 		"primitives with a second set of joints and weights",
 		"limber uses all eight influences of a vertex");

@@ -268,6 +268,27 @@ static void test_nodes_that_are_morphed_and_skinned_are_named(void **state)
 	end(&f);
 }
 
+static void test_normals_that_point_to_the_back_are_counted(void **state)
+{
+	static float corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+	static float front[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0.6f, 0.8f}};
+	static float back[3][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0.6f, 0.8f}};
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.primitive.vertex_count = 3;
+	f.primitive.position = corner;
+	f.index[1] = 1;
+	f.index[2] = 2;
+	f.primitive.normal = front;
+	expect(&f, "");
+	f.primitive.normal = back;
+	expect(&f,
+		"primitives whose normals point to the back of their triangles (1): limber lights them as the file says, so that the lit side is dark; export them with the normals turned\n");
+	end(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -279,6 +300,7 @@ int main(void)
 		cmocka_unit_test(test_joints_in_another_order_are_counted),
 		cmocka_unit_test(test_the_skins_of_a_mesh_are_counted),
 		cmocka_unit_test(test_what_primitives_lack_or_have_is_counted),
+		cmocka_unit_test(test_normals_that_point_to_the_back_are_counted),
 		cmocka_unit_test(test_a_file_without_triangles_shows_nothing),
 		cmocka_unit_test(
 			test_nodes_that_are_morphed_and_skinned_are_named),

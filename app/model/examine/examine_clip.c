@@ -42,10 +42,27 @@ static void report_cubic(
 	}
 }
 
+/* Programs whose animations begin at frame 1 write such clips. */
+static void report_late_start(const struct model_clip *clip, float earliest_s,
+	float latest_s, const struct examiner *examiner)
+{
+	if (earliest_s > 0.0f) {
+		examine_report(examiner,
+			"clip %s: no key lies before %.4f s; limber holds the first pose until then, each time the clip begins again: export it from frame 0",
+			clip_name(clip), (double)earliest_s);
+	}
+	if (latest_s > earliest_s) {
+		examine_report(examiner,
+			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
+			clip_name(clip), (double)latest_s);
+	}
+}
+
 static void report_first_and_last_keys(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
 	float latest_s = 0.0f, soonest_end_s = clip->duration_s;
+	float earliest_s = clip->channel_count > 0 ? clip->duration_s : 0.0f;
 
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
@@ -53,15 +70,12 @@ static void report_first_and_last_keys(
 		float end_s = channel->time_s[channel->key_count - 1];
 
 		latest_s = begin_s > latest_s ? begin_s : latest_s;
+		earliest_s = begin_s < earliest_s ? begin_s : earliest_s;
 		if (channel->key_count > 1 && end_s < soonest_end_s) {
 			soonest_end_s = end_s;
 		}
 	}
-	if (latest_s > 0.0f) {
-		examine_report(examiner,
-			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
-			clip_name(clip), (double)latest_s);
-	}
+	report_late_start(clip, earliest_s, latest_s, examiner);
 	if (soonest_end_s < clip->duration_s) {
 		examine_report(examiner,
 			"clip %s: some channels end at %.4f s of %.4f s; limber holds the value of their last key",

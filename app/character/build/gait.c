@@ -95,28 +95,47 @@ int gait_steps_for(int clip_count)
 					  : steps;
 }
 
+/* The morph targets of a node's mesh that have a weight: first to end - 1. */
+struct active {
+	int node, first, end;
+};
+
+/* There may be a thousand targets, of which key frames use two at a time. */
+static struct active find_active(const struct instance *instance, int node)
+{
+	const struct model *model = instance->model;
+	const struct model_node *of = &model->node[node];
+	const float *weight = &instance->pose.weight[of->weight_offset];
+	struct active active = {.node = node};
+
+	for (int i = 0; i < model->mesh[of->mesh].target_count; i++) {
+		if (weight[i] != 0.0f) {
+			active.first = active.end == 0 ? i : active.first;
+			active.end = i + 1;
+		}
+	}
+	return active;
+}
+
 /* Computes where a point is in the world, moved by morph targets too. */
 static void place_point(const struct gait_point *point,
-	const struct instance *instance, float out[3])
+	const struct active *active, const struct instance *instance,
+	float out[3])
 {
 	const struct model *model = instance->model;
 	const struct model_primitive *primitive = point->primitive;
-	const struct model_node *node = &model->node[point->node];
-	const float *weight = &instance->pose.weight[node->weight_offset];
+	const float *weight =
+		&instance->pose.weight[model->node[point->node].weight_offset];
 	struct character_sole sole = point->sole;
 	float at[3], way[3];
-	bool moved = false;
 
 	memcpy(at, primitive->position[point->vertex], sizeof(at));
-	for (int i = 0; i < model->mesh[node->mesh].target_count; i++) {
-		if (weight[i] != 0.0f) {
-			model_deltas_get(&primitive->target[i].position,
-				point->vertex, way);
-			vec_add_scaled(at, way, weight[i], at);
-			moved = true;
-		}
+	for (int i = active->first; i < active->end; i++) {
+		model_deltas_get(
+			&primitive->target[i].position, point->vertex, way);
+		vec_add_scaled(at, way, weight[i], at);
 	}
-	if (moved) {
+	if (active->end > 0) {
 		sole = character_sole_of_vertex(
 			model, point->node, primitive, point->vertex, at);
 	}
@@ -127,6 +146,7 @@ static void take(const struct gait_body *body, struct instance *instance,
 	int clip, float time_s, struct sample *sample)
 {
 	struct clip_cursor none = {0};
+	struct active active = {.node = -1};
 
 	pose_rest(&instance->pose, instance->model);
 	clip_sample(
@@ -136,7 +156,10 @@ static void take(const struct gait_body *body, struct instance *instance,
 	for (int i = 0; i < body->count; i++) {
 		float *at = sample->at[i];
 
-		place_point(&body->point[i], instance, at);
+		if (body->point[i].node != active.node) {
+			active = find_active(instance, body->point[i].node);
+		}
+		place_point(&body->point[i], &active, instance, at);
 		for (int axis = 0; axis < 3; axis++) {
 			float *low = &sample->low[axis],
 			      *high = &sample->high[axis];

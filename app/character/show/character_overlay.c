@@ -4,6 +4,7 @@
 
 #include "app/character/run/layers.h"
 #include "app/character/state/machine.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -57,6 +58,53 @@ static void describe_morph(const struct character_morph *morph, double now_s,
 	out->shape_user = curve;
 }
 
+static bool moves_weights(const struct model_clip *clip, int node)
+{
+	for (int i = 0; clip && i < clip->channel_count; i++) {
+		if (clip->channel[i].path == MODEL_WEIGHTS &&
+			clip->channel[i].node == node) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * Describes how a clip goes from one key frame to the next: the weights are 0
+ * but for one target, or for two whose sum is 1. Of a clip that mixes its
+ * targets in another way there is nothing to say.
+ */
+static void describe_key_frames(const struct character *character,
+	const struct model_clip *clip, struct overlay_motion *out)
+{
+	const struct model *model = character->instance->model;
+	int node = model_find_morphed(model), count = 0, shown[2] = {-1, -1};
+	const float *weight = node < 0
+		? NULL
+		: &character->instance->pose
+			   .weight[model->node[node].weight_offset];
+	float sum = 0;
+
+	if (!weight || !moves_weights(clip, node)) {
+		return;
+	}
+	for (int i = 0; i < model->mesh[model->node[node].mesh].target_count;
+		i++) {
+		if (weight[i] != 0 && count++ < 2) {
+			shown[count - 1] = i;
+			sum += weight[i];
+		}
+	}
+	if (count > 2 || (count == 2 && scalar_abs(sum - 1) > 1e-3f)) {
+		return;
+	}
+	out->morphing = true;
+	out->node = node;
+	out->from = count == 2 ? shown[0] : -1;
+	out->to = count == 2 ? shown[1] : shown[0];
+	out->omega = count > 0 ? weight[out->to] : 0;
+}
+
 void character_overlay_describe(
 	const struct character *character, struct overlay_motion *out)
 {
@@ -68,6 +116,8 @@ void character_overlay_describe(
 	out->time_s = entry->shown_s;
 	if (character->morph_count > 0 && character->morph[0].plain_keys) {
 		describe_morph(&character->morph[0], character->now_s, out);
+	} else {
+		describe_key_frames(character, entry->of->clip, out);
 	}
 	add_clips(character, out);
 	for (int i = 0; i < character->layer_count; i++) {

@@ -1,5 +1,6 @@
 /* Morphs of a character: over time and by frames. */
 #include "app/character/character_open.h"
+#include "app/character/show/character_overlay.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -111,6 +112,48 @@ static void test_shapes_that_a_clip_moves_get_no_morph_of_their_own(void **state
 		count_morphs("tests/fixtures/gltf/skin/and_morph.gltf"), 0);
 }
 
+/* What overlays show of a clip of 1 s that goes between these weights. */
+static struct overlay_motion describe(const float weights[4], double time_s)
+{
+	struct acting acting;
+	struct overlay_motion motion = overlay_motion_none();
+
+	acting_begin(&acting, "tests/fixtures/gltf/skin/and_morph.gltf");
+	for (int i = 0; i < acting.model->clip[0].channel_count; i++) {
+		struct model_channel *channel =
+			&acting.model->clip[0].channel[i];
+
+		if (channel->path == MODEL_WEIGHTS) {
+			channel->value = weights;
+		}
+	}
+	acting_expect(&acting, "[state a]\nclip = both\n");
+	acting_run_to(&acting, time_s, rate_hz);
+	character_overlay_describe(acting.character, &motion);
+	acting_end(&acting);
+	return motion;
+}
+
+static void test_overlays_show_the_key_frames_between_which_a_clip_is(
+	void **state)
+{
+	static const float first[4] = {0, 0, 1, 0}, second[4] = {1, 0, 0, 1};
+	static const float mixed[4] = {0, 0, 1, 1};
+	struct overlay_motion motion = describe(first, 0.5);
+
+	(void)state;
+	assert_true(motion.morphing);
+	assert_int_equal(motion.from, -1);
+	assert_int_equal(motion.to, 0);
+	assert_near(motion.omega, 0.5, 0.03);
+	motion = describe(second, 0.75);
+	assert_true(motion.morphing);
+	assert_int_equal(motion.from, 0);
+	assert_int_equal(motion.to, 1);
+	assert_near(motion.omega, 0.75, 0.03);
+	assert_false(describe(mixed, 0.25).morphing);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -119,6 +162,8 @@ int main(void)
 		cmocka_unit_test(test_a_linear_morph_by_frames_adds_equal_steps),
 		cmocka_unit_test(
 			test_shapes_that_a_clip_moves_get_no_morph_of_their_own),
+		cmocka_unit_test(
+			test_overlays_show_the_key_frames_between_which_a_clip_is),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,7 @@
 #include "app/character/run/layers.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -128,18 +129,26 @@ static const struct character_key keys[] = {
 _Static_assert(offsetof(struct draft, layer) == 0,
 	"keys of a layer are keys of a draft");
 
-/* Takes the nodes that no channel of the clip moves out of the mask. */
-static void keep_moved(
+/*
+ * Takes the nodes that no channel of the clip moves out of the mask. Returns 0
+ * or -ENOMEM.
+ */
+static int keep_moved(
 	float *mask, const struct model *model, const struct model_clip *clip)
 {
-	for (int i = 0; i < model->node_count; i++) {
-		bool moved = false;
+	bool *moved = calloc((size_t)model->node_count + 1, sizeof(*moved));
 
-		for (int c = 0; clip && c < clip->channel_count; c++) {
-			moved = moved || clip->channel[c].node == i;
-		}
-		mask[i] = moved ? mask[i] : 0;
+	if (!moved) {
+		return -ENOMEM;
 	}
+	for (int c = 0; clip && c < clip->channel_count; c++) {
+		moved[clip->channel[c].node] = true;
+	}
+	for (int i = 0; i < model->node_count; i++) {
+		mask[i] = moved[i] ? mask[i] : 0;
+	}
+	free(moved);
+	return 0;
 }
 
 static int make_mask(struct character_build *build, const struct draft *draft,
@@ -162,8 +171,9 @@ static int make_mask(struct character_build *build, const struct draft *draft,
 		mask_subtree(layer->mask, model, draft->mask[i].node,
 			draft->mask[i].weight, draft->soft);
 	}
-	if (draft->moved) {
-		keep_moved(layer->mask, model, layer->entry.of->clip);
+	if (draft->moved &&
+		keep_moved(layer->mask, model, layer->entry.of->clip) != 0) {
+		return character_fail_memory(build);
 	}
 	return 0;
 }

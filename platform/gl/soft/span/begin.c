@@ -44,9 +44,6 @@ static void set_level(struct draw *draw)
 
 	spans->level_by_row = spans->lod_wanted && raster->perspective;
 	spans->level_unknown = spans->level_by_row;
-	if (spans->level_by_row) {
-		spans->level = -1; /* the window may be another triangle's */
-	}
 	if (!spans->lod_wanted) {
 		soft_set_level(draw, 0);
 	} else if (!spans->level_by_row) {

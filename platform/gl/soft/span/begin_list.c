@@ -18,13 +18,18 @@ _Static_assert((SOFT_LISTED_SIZE / 2 + 1) * (SOFT_LISTED_SIZE / 2) <=
 		SOFT_BATCH_PIXELS,
 	"a small triangle's runs fit a batch");
 
+/* Whether a triangle's texels fit the halves of soft_row.texel. */
+static ALWAYS_INLINE bool begins_in(
+	const struct texel_place *place, uint32_t room)
+{
+	return place->room < SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION &&
+		place->first < room;
+}
+
 static ALWAYS_INLINE bool is_within(
 	const struct texel_place *place, uint32_t room)
 {
-	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
-
-	return place->room < most && place->room <= room &&
-		place->first <= room - place->room;
+	return begins_in(place, room) && place->room <= room - place->first;
 }
 
 static ALWAYS_INLINE struct texel_place begin_coordinate(
@@ -45,23 +50,6 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 	}
 	return soft_find_place(range[0], range[1], shift, half,
 		raster->bent ? SPARE_BENT : SPARE, mask);
-}
-
-/* Finds the part of the window that the triangle may need: spans->part. */
-static NEVER_INLINE void begin_part(struct run_list *list)
-{
-	const struct soft_spans *spans = &list->draw->spans;
-	const struct soft_window *part = &spans->part;
-
-	soft_set_window(list->draw);
-	list->s.offset = spans->part_s + (uint32_t)spans->view.s_half;
-	list->t.offset = spans->part_t + (uint32_t)spans->view.t_half;
-	list->s.mask = part->s_mask;
-	list->t.mask = part->t_mask;
-	/* In a large window each run has its own first texel: none is listed. */
-	list->s.room = part->large ? 0 : part->s_room;
-	list->t.room = part->t_room;
-	list->first_texel = spans->part_texel;
 }
 
 /*
@@ -94,17 +82,35 @@ static ALWAYS_INLINE void begin_texels(
 		view->s_shift, view->s_half, window->s_mask, &list->s);
 	const struct texel_place t = begin_coordinate(raster, TEX_S + 1,
 		view->t_shift, view->t_half, window->t_mask, &list->t);
+	/* the first texel that listed runs count from, by default the level's */
+	struct texel_place from_s = {0}, from_t = {0};
 
 	list->certain = is_certain(list, setup, &s, &t);
-	if (!list->certain) {
-		begin_part(list);
-		return;
+	if (list->certain ||
+		(window->large && begins_in(&s, window->s_room) &&
+			begins_in(&t, window->t_room))) {
+		from_s = s;
+		from_t = t;
 	}
 	list->first_texel = view->texels +
-		(t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
-		(s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
-	list->s.value.start -= (uint32_t)(s.low + view->s_half) << view->s_shift;
-	list->t.value.start -= (uint32_t)(t.low + view->t_half) << view->t_shift;
+		(from_t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
+		(from_s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
+	list->s.offset = (uint32_t)(from_s.low + view->s_half);
+	list->t.offset = (uint32_t)(from_t.low + view->t_half);
+	if (list->certain) {
+		list->s.value.start -= list->s.offset << view->s_shift;
+		list->t.value.start -= list->t.offset << view->t_shift;
+		return;
+	}
+	list->s.first = from_s.first;
+	list->t.first = from_t.first;
+	list->s.mask = window->s_mask;
+	list->t.mask = window->t_mask;
+	/* Else each run has its own first texel: none is listed. */
+	list->s.room = window->large && from_s.room == 0
+		? 0
+		: window->s_room - from_s.first;
+	list->t.room = window->t_room - from_t.first;
 }
 
 /* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */

@@ -32,8 +32,8 @@ static struct soft_window find_window(
 		.t_mask = find_mask(texture->wrap_t, level->height_log2),
 		.s_room = find_room(level->width_log2, linear),
 		.t_room = find_room(level->height_log2, linear),
-		.large = (1 << level->width_log2) >= SOFT_RUN_TEXELS ||
-			(1 << level->height_log2) >= SOFT_RUN_TEXELS,
+		.large = (1 << level->width_log2) > SOFT_RUN_TEXELS ||
+			(1 << level->height_log2) > SOFT_RUN_TEXELS,
 	};
 }
 
@@ -94,7 +94,6 @@ static void choose_level(struct draw *draw, int number, bool small)
 	spans->view = soft_find_view(input, number, linear);
 	soft_set_functions(spans, (*spans->table)[source][spans->finish]);
 	soft_use_view(&spans->view, &spans->run);
-	spans->window = spans->view.window;
 	if (spans->joined) {
 		const struct texture *second = draw->texture[1].texture;
 
@@ -118,71 +117,5 @@ void soft_set_level(struct draw *draw, int lod)
 	number = small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
 	if (number != spans->level || small != spans->small) {
 		choose_level(draw, number, small);
-	}
-}
-
-/*
- * Sets part to what the triangle needs of the window, with spare at both ends.
- * False if it is too large for soft_row.texel or begins outside of the window.
- */
-static bool find_window_part(
-	struct soft_spans *spans, const struct raster *raster, int32_t spare)
-{
-	const struct soft_view *view = &spans->view;
-	const struct soft_window *whole = &view->window;
-	const uint32_t most = SOFT_RUN_TEXELS << SOFT_TEXEL_FRACTION;
-	const struct texel_place s = soft_find_place(raster->texel_range[0][0],
-		raster->texel_range[0][1], view->s_shift, view->s_half, spare,
-		whole->s_mask);
-	const struct texel_place t = soft_find_place(raster->texel_range[1][0],
-		raster->texel_range[1][1], view->t_shift, view->t_half, spare,
-		whole->t_mask);
-
-	if (s.room >= most || t.room >= most || s.first >= whole->s_room ||
-		t.first >= whole->t_room) {
-		return false;
-	}
-	spans->part = (struct soft_window){s.first, t.first, whole->s_mask,
-		whole->t_mask, s.room, t.room, false};
-	spans->part_s = (uint32_t)s.low;
-	spans->part_t = (uint32_t)t.low;
-	spans->part_texel = view->texels +
-		(t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
-		(s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
-	return true;
-}
-
-/* Cuts the part off at the window's ends; false if nothing is cut off. */
-static bool cut_part(struct soft_spans *spans)
-{
-	struct soft_window *part = &spans->part;
-	uint32_t s_room = spans->view.window.s_room - part->s_first;
-	uint32_t t_room = spans->view.window.t_room - part->t_first;
-
-	if (part->s_room <= s_room && part->t_room <= t_room) {
-		return false;
-	}
-	part->s_room = part->s_room < s_room ? part->s_room : s_room;
-	part->t_room = part->t_room < t_room ? part->t_room : t_room;
-	return true;
-}
-
-/* The spare is 1/8 texel; a texel for polynomials, see bend.c. */
-void soft_set_window(struct draw *draw)
-{
-	const struct raster *raster = &draw->raster;
-	struct soft_spans *spans = &draw->spans;
-	const int32_t spare = 1
-		<< (SOFT_TEXEL_FRACTION - (raster->bent ? 0 : 3));
-
-	spans->window = spans->view.window;
-	spans->run.first_texel = spans->run.texels;
-	if (!find_window_part(spans, raster, spare)) {
-		spans->part = spans->window;
-		spans->part_texel = spans->run.texels;
-		spans->part_s = spans->part_t = 0;
-	} else if (!cut_part(spans)) {
-		spans->window = spans->part;
-		spans->run.first_texel = spans->part_texel;
 	}
 }

@@ -18,10 +18,10 @@ enum {
 
 /*
  * The coordinates of a level for which no texel of the filter wraps around:
- * (s - s_first) & s_mask is less than s_room, and the same of t.
+ * s & s_mask is less than s_room, and the same of t.
  */
 struct soft_window {
-	uint32_t s_first, t_first, s_mask, t_mask, s_room, t_room;
+	uint32_t s_mask, t_mask, s_room, t_room;
 	bool large; /* too large for soft_row.texel: each run has a first texel */
 };
 
@@ -106,14 +106,6 @@ struct soft_spans {
 	soft_span_function draw_anywhere, draw;
 	soft_span_function draw_tested; /* draws what untested.c does not */
 	struct soft_view view;
-	struct soft_window window; /* the view's, or the triangle's part of it */
-	/*
-	 * Where the texels of listed runs lie: all of the view's window, or the
-	 * part that the triangle needs, cut off at the level's edge.
-	 */
-	struct soft_window part;
-	const uint8_t *part_texel; /* its first texel */
-	uint32_t part_s, part_t;   /* its first coordinates, not masked */
 	/* stages/ makes texels, or whole colours, before the run: see made.h */
 	bool made, combined;
 	/* How made runs choose their level; NULL for all others. */

@@ -72,8 +72,8 @@ static ALWAYS_INLINE bool soft_find_window(
 	const struct soft_window *window, int texel_log2, struct soft_run *run)
 {
 	uint32_t last = run->row.count - 1;
-	uint32_t s = ((uint32_t)run->s - window->s_first) & window->s_mask;
-	uint32_t t = ((uint32_t)run->t - window->t_first) & window->t_mask;
+	uint32_t s = (uint32_t)run->s & window->s_mask;
+	uint32_t t = (uint32_t)run->t & window->t_mask;
 	uint32_t s_end = s + (uint32_t)run->s_right * last;
 	uint32_t t_end = t + (uint32_t)run->t_right * last;
 

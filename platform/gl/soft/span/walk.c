@@ -24,7 +24,8 @@ static ALWAYS_INLINE void draw_run(
 	}
 	run->row.place = (uint32_t)line->row << 16 | (uint32_t)x;
 	if (spans->made ||
-		soft_find_window(&spans->window, spans->view.texel_log2, run)) {
+		soft_find_window(
+			&spans->view.window, spans->view.texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
@@ -213,9 +214,6 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 	if (!draw->spans.textured) {
 		walk(draw, setup, part_plain);
 		return;
-	}
-	if (!draw->spans.level_by_row && !draw->spans.made) {
-		soft_set_window(draw);
 	}
 	walk(draw, setup,
 		!moving                          ? part_still

@@ -21,9 +21,6 @@ struct soft_view soft_find_view(
 	const struct texture_input *input, int number, bool linear);
 void soft_use_view(const struct soft_view *view, struct soft_run *run);
 
-/* level.c: sets window and part, to the triangle's texels if these are few. */
-void soft_set_window(struct draw *draw);
-
 /*
  * A list of the runs of a triangle in which nothing is divided by w, so that
  * one call of the span function draws many runs. begin_list.c sets the list up,
@@ -42,6 +39,7 @@ struct list_coordinate {
 	uint32_t level_right; /* step in the level, unless it is a polynomial */
 	/* unless certain: (at - offset) & mask must be less than room */
 	uint32_t offset, mask, room;
+	uint32_t first; /* the window's coordinate that offset leads to */
 	uint32_t round; /* 1 << (shift - 1), to round steps */
 	int shift;      /* to the right, to 9 fraction bits of the level */
 };

@@ -77,11 +77,11 @@ static NEVER_INLINE void draw_outside(struct run_list *list,
 	struct soft_run *run = &spans->run;
 
 	run->row = *row;
-	run->s = (int32_t)(s.at + spans->part.s_first);
-	run->t = (int32_t)(t.at + spans->part.t_first);
+	run->s = (int32_t)(s.at + list->s.first);
+	run->t = (int32_t)(t.at + list->t.first);
 	run->s_right = (int32_t)s.right;
 	run->t_right = (int32_t)t.right;
-	if (soft_find_window(&spans->window, spans->view.texel_log2, run)) {
+	if (soft_find_window(&spans->view.window, spans->view.texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);

@@ -1,95 +1,123 @@
-/* The paths of triangles: a table, from which each draw call takes one. */
+/* Chooses the path of a draw call's triangles: of fast/, or span functions. */
 #include "platform/gl/soft/raster/raster.h"
 
-/* A path of a draw call's triangles: one of fast/, or span functions. */
-struct path {
-	/* the path draws states with (key & mask) == bits */
-	uint32_t mask, bits;
-	fill_function fill;
-	void (*begin)(struct draw *draw); /* once a draw call, or NULL */
-	bool one_color; /* the call has one colour: no vertex is shaded */
-	bool divides;   /* for struct draw, as is the next one */
-	bool rectangles;
-};
+/* RGB565, one texture at most; opaque, or blended by alpha. */
+static bool is_common(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const GLboolean *mask = state->color_mask;
+	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 
-enum {
-	/* states that most paths cannot draw, and the picture's format */
-	OTHERS = KEY_565 | KEY_COLOR_MASKED | KEY_TEXTURES | KEY_FOG |
-		KEY_ALPHA_TEST | KEY_BLENDED_OTHER | KEY_ADDED,
-	FLAT = OTHERS | KEY_LIT | KEY_COLOR_ARRAY | KEY_TEXTURE |
-		KEY_DEPTH_TEST | KEY_STENCIL,
-	GLYPHS = KEY_TEXTURE | KEY_TEXTURE_ALPHA | KEY_MODULATE | KEY_NEAREST |
-		KEY_BLENDED,
-	/* opaque, depth test LESS */
-	SMALL = OTHERS | KEY_BLENDED | KEY_STENCIL | KEY_BY_TRIANGLE |
-		KEY_DEPTH_LESS,
-	TILES = KEY_TEXTURE | KEY_TEXTURE_TILES | KEY_MODULATE | KEY_REPEAT |
-		KEY_LINEAR | KEY_MIPMAPS,
-	TEXELS = KEY_TEXTURE | KEY_TEXTURE_565 | KEY_MODULATE,
-};
+	return draw->soft->format == PIXELS_RGB565 && mask[0] && mask[1] &&
+		mask[2] && !draw->texture[1].used && !draw->spans.joined &&
+		!draw->fogged && !draw->spans.alpha_tested && !draw->smooth &&
+		!draw->thin_lines && (!draw->blended || by_alpha);
+}
 
-/* The first path that matches the key is taken; the last one always matches. */
-static const struct path path[] = {
-	{
-		.mask = FLAT | KEY_STENCIL_ONCE,
-		.bits = KEY_565 | KEY_STENCIL | KEY_STENCIL_ONCE,
-		.fill = soft_fill_flat,
-		.begin = soft_fill_flat_begin,
-		.one_color = true,
-	},
-	{
-		.mask = OTHERS | GLYPHS | KEY_LIT | KEY_PERSPECTIVE |
-			KEY_DEPTH_TEST | KEY_STENCIL,
-		.bits = KEY_565 | GLYPHS,
-		.fill = soft_rows_fill,
-		.rectangles = true,
-	},
-	{
-		.mask = SMALL | KEY_TEXTURE,
-		.bits = KEY_565 | KEY_DEPTH_LESS,
-		.fill = soft_fill_narrow,
-	},
-	{
-		.mask = SMALL | TEXELS | KEY_NEAREST,
-		.bits = KEY_565 | KEY_DEPTH_LESS | TEXELS | KEY_NEAREST,
-		.fill = soft_fill_textured,
-		.begin = soft_fill_textured_begin,
-	},
-	{
-		.mask = (SMALL & ~KEY_ADDED) | TEXELS | KEY_LINEAR,
-		.bits = KEY_565 | KEY_DEPTH_LESS | TEXELS | KEY_LINEAR,
-		.fill = soft_fill_textured,
-		.begin = soft_fill_textured_begin,
-	},
-	{
-		.mask = OTHERS | TILES | KEY_STENCIL | KEY_DEPTH_ALWAYS,
-		.bits = KEY_565 | TILES | KEY_DEPTH_ALWAYS,
-		.fill = soft_fill_luminance,
-		.divides = true,
-	},
-	{
-		.fill = soft_rows_fill,
-	},
-};
+/* The stencil states that fill_flat.c can draw. */
+static bool is_drawn_once(const struct draw *draw)
+{
+	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	GLenum pass = stencil->pass;
+
+	return stencil->enabled && draw->soft->buffers.stencil &&
+		stencil->function == GL_EQUAL && stencil->mask == 255 &&
+		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
+		stencil->reference < 255 &&
+		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO);
+}
+
+static bool is_shadow(const struct draw *draw)
+{
+	return is_drawn_once(draw) && !draw->soft->fragment.depth_test &&
+		!draw->shading.lit && !draw->shading.color_array &&
+		!draw->texture[0].used;
+}
+
+static bool is_modulated(const struct draw *draw, enum texel_format format,
+	GLenum mag_filter, GLenum min_filter)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	return input->used && input->base->format == format &&
+		input->mode == GL_MODULATE &&
+		input->texture->mag_filter == mag_filter &&
+		input->texture->min_filter == min_filter;
+}
+
+static bool is_text(const struct draw *draw)
+{
+	return is_modulated(draw, TEXEL_A8, GL_NEAREST, GL_NEAREST) &&
+		draw->blended && !draw->shading.lit && !draw->perspective &&
+		!draw->soft->fragment.depth_test;
+}
+
+/* Opaque, by a depth test LESS that writes; no state depends on the face. */
+static bool is_solid(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+
+	return state->depth_test && state->depth_function == GL_LESS &&
+		state->depth_mask && !draw->blended && !draw->offset &&
+		!draw->shading.two_side;
+}
+
+static bool is_bilinear(const struct draw *draw)
+{
+	return is_modulated(draw, TEXEL_565, GL_LINEAR, GL_LINEAR) ||
+		is_modulated(
+			draw, TEXEL_565, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST);
+}
+
+static bool is_tiled(const struct draw *draw)
+{
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct texture_input *input = &draw->texture[0];
+
+	return is_modulated(
+		       draw, TEXEL_L8, GL_LINEAR, GL_LINEAR_MIPMAP_NEAREST) &&
+		input->base->tiles && input->texture->wrap_s == GL_REPEAT &&
+		input->texture->wrap_t == GL_REPEAT &&
+		(!state->depth_test || state->depth_function == GL_ALWAYS);
+}
+
+/* The path of a state that is_common(), or NULL. */
+static fill_function choose(struct draw *draw)
+{
+	if (!draw->added && is_shadow(draw)) {
+		draw->attributes = 0; /* one colour: no vertex is shaded */
+		soft_fill_flat_begin(draw);
+		return soft_fill_flat;
+	}
+	if (draw->spans.stenciled) {
+		return NULL;
+	}
+	if (is_solid(draw) &&
+		(is_bilinear(draw) ||
+			(!draw->added &&
+				is_modulated(draw, TEXEL_565, GL_NEAREST,
+					GL_NEAREST)))) {
+		soft_fill_textured_begin(draw);
+		return soft_fill_textured;
+	}
+	if (draw->added) {
+		return NULL;
+	}
+	draw->rectangles = is_text(draw);
+	draw->divides = is_tiled(draw);
+	return draw->divides                               ? soft_fill_luminance
+		: is_solid(draw) && !draw->texture[0].used ? soft_fill_narrow
+							   : NULL;
+}
 
 void soft_choose_path(struct draw *draw)
 {
-	const struct path *chosen = path;
+	fill_function fill = draw->soft->fill;
 
-	draw->key = soft_find_key(draw);
-	if (draw->soft->fill || draw->smooth || draw->thin_lines) {
-		chosen = &path[ARRAY_COUNT(path) - 1];
+	draw->divides = draw->rectangles = false;
+	if (!fill && is_common(draw)) {
+		fill = choose(draw);
 	}
-	while ((draw->key & chosen->mask) != chosen->bits) {
-		chosen++;
-	}
-	draw->fill = draw->soft->fill ? draw->soft->fill : chosen->fill;
-	draw->divides = chosen->divides;
-	draw->rectangles = chosen->rectangles;
-	if (chosen->one_color) {
-		draw->attributes = 0;
-	}
-	if (chosen->begin) {
-		chosen->begin(draw);
-	}
+	draw->fill = fill ? fill : soft_rows_fill;
 }

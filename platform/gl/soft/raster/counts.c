@@ -26,16 +26,15 @@ static bool is_nearest(const struct draw *draw)
 /* The kind of work of the last triangle, which span functions drew. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
-	uint32_t bits = draw->key;
 	bool planes = draw->raster.top != NOT_SET_UP &&
 		draw->raster.top != RASTER_LISTED;
-	bool mixed = (bits & (KEY_BLENDED | KEY_ALPHA_TEST)) != 0 ||
-		(planes && (bits & KEY_ADDED) != 0);
+	bool tested = draw->spans.alpha_tested;
+	bool mixed = draw->blended || tested || (planes && draw->added);
 
-	if (!(bits & KEY_TEXTURE)) {
+	if (!draw->texture[0].used) {
 		return mixed ? GL_WORK_MIXED : GL_WORK_SPANS;
 	}
-	if (bits & KEY_ALPHA_TEST) {
+	if (tested) {
 		return planes ? GL_WORK_TESTED_SPANS : GL_WORK_TESTED;
 	}
 	if (!mixed && is_nearest(draw)) {
@@ -113,7 +112,7 @@ static bool crosses_edge(const struct draw *draw)
 	const struct texture_input *input = &draw->texture[0];
 	const struct raster *raster = &draw->raster;
 
-	return draw->key & KEY_TEXTURE && raster->top != NOT_SET_UP &&
+	return draw->texture[0].used && raster->top != NOT_SET_UP &&
 		(crosses(raster->texel_range[0], input->width_log2) ||
 			crosses(raster->texel_range[1], input->height_log2));
 }
@@ -136,8 +135,7 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	if (colors_move(draw, kind, setup)) {
 		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
 	}
-	if (kind == GL_WORK_LUMINANCE && draw->key & KEY_DEPTH_TEST &&
-		draw->soft->fragment.depth_mask) {
+	if (kind == GL_WORK_LUMINANCE && draw->spans.depth_written) {
 		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
 	}
 	if (draw->raster.bent) {

@@ -22,7 +22,6 @@
 #include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
-#include "platform/gl/soft/vertex/key.h"
 #include "platform/gl/soft/vertex/shading.h"
 
 enum {
@@ -268,7 +267,6 @@ struct draw {
 	struct flat_color flat; /* for soft_fill_flat() */
 	struct textured textured; /* for soft_fill_textured() */
 	struct tiled tiled;       /* luminance.c's */
-	uint32_t key;             /* see key.h */
 	bool divides;    /* s and t are divided, not bent: see soft_bend() */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;
@@ -380,8 +378,8 @@ void soft_count_call(
 void soft_count_fine(const struct draw *draw, int pixels);
 
 /*
- * fast/paths.c: finds draw->key and sets draw->fill to the first path that
- * draws this state, with whatever else the path needs.
+ * fast/paths.c: sets draw->fill to the fastest path that draws this state, with
+ * whatever else the path needs.
  */
 void soft_choose_path(struct draw *draw);
 

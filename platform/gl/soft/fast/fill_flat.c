@@ -93,13 +93,13 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 	part.pixels = buffers->target.data + top * part.stride_bytes;
 	part.stencil = buffers->stencil + top * part.stencil_stride;
 	if (setup->inside) {
-		frame_draw_bands(draw, setup, frame_is_middle_left(setup),
+		frame_draw_bands(draw, setup, true, frame_is_middle_left(setup),
 			&part.edges, draw_rows, &part);
 		return;
 	}
 	/* whether the middle vertex lies left of the long edge */
 	middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
 		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
-	raster_draw_bands(
-		draw, setup, middle_left, &part.edges, draw_rows, &part);
+	frame_draw_bands(
+		draw, setup, false, middle_left, &part.edges, draw_rows, &part);
 }

@@ -286,8 +286,8 @@ static ALWAYS_INLINE bool fill(
 		return false;
 	}
 	set_rows(draw, &small, &band);
-	frame_draw_bands(draw, setup, small.frame.middle_left, &band.edges,
-		linear ? soft_band_tint : soft_band_gray, &band);
+	frame_draw_bands(draw, setup, true, small.frame.middle_left,
+		&band.edges, linear ? soft_band_tint : soft_band_gray, &band);
 	return true;
 }
 

@@ -133,36 +133,49 @@ static ALWAYS_INLINE struct side frame_find_side(const int32_t *inverse_q31,
 		step};
 }
 
-static ALWAYS_INLINE void frame_set_edge(
-	struct band_edges *edges, int which, struct side side)
+static ALWAYS_INLINE void frame_set_edge(const struct draw *draw,
+	struct band_edges *edges, int which, const struct vertex *from,
+	const struct vertex *to, int row, bool inside, const int32_t *inverse)
 {
-	edges->at[which] = (uint32_t)side.x;
+	struct side side = inside ? frame_find_side(inverse, from, to)
+				  : raster_side(draw, from, to, row);
+
+	edges->at[which] = (uint32_t)side.x + (inside ? 0 : 0x7FFF);
 	edges->step[which] = (uint32_t)side.step;
 }
 
-/* As raster_draw_bands(), for a small triangle that lies inside draw->box. */
+/*
+ * Draws the triangle as two bands, above and below its middle vertex, as far as
+ * they lie in draw->box: sets the edges and calls function for each of them.
+ * inside: the triangle is small and lies in draw->box, and is no rectangle.
+ */
 static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
-	const struct setup *setup, bool middle_left, struct band_edges *edges,
-	void (*function)(void *band), void *band)
+	const struct setup *setup, bool inside, bool middle_left,
+	struct band_edges *edges, void (*function)(void *band), void *band)
 {
 	const struct vertex *const *v = setup->v;
 	const int32_t *inverse = draw->inverse_q31;
 	const int part = middle_left ? BAND_LEFT : BAND_RIGHT;
-	const int upper = setup->middle - setup->top;
-	const int lower = setup->bottom - setup->middle;
+	const int top = inside ? setup->top : raster_first_row(draw, setup);
+	const int bottom = inside || setup->bottom < draw->box.bottom
+		? setup->bottom
+		: draw->box.bottom;
+	const int turn =
+		inside ? setup->middle : clamp_int(setup->middle, top, bottom);
 
 	OPAQUE(inverse); /* else compilers find it from draw for each edge */
-	frame_set_edge(edges, !part, frame_find_side(inverse, v[0], v[2]));
-	if (upper > 0) {
+	frame_set_edge(draw, edges, !part, v[0], v[2], top, inside, inverse);
+	if (turn > top) {
 		frame_set_edge(
-			edges, part, frame_find_side(inverse, v[0], v[1]));
-		edges->rows = upper;
+			draw, edges, part, v[0], v[1], top, inside, inverse);
+		edges->rows = turn - top;
 		function(band);
 	}
-	if (lower > 0) {
-		frame_set_edge(
-			edges, part, frame_find_side(inverse, v[1], v[2]));
-		edges->rows = lower;
+	if (bottom > turn) {
+		frame_set_edge(draw, edges, part, v[1],
+			!inside && draw->fourth ? draw->fourth : v[2], turn,
+			inside, inverse);
+		edges->rows = bottom - turn;
 		function(band);
 	}
 }

@@ -167,47 +167,6 @@ static ALWAYS_INLINE bool raster_is_in_box(
 		setup->top >= box->top && setup->bottom <= box->bottom;
 }
 
-static ALWAYS_INLINE void raster_set_edge(const struct draw *draw,
-	struct band_edges *edges, int which, const struct vertex *from,
-	const struct vertex *to, int row)
-{
-	struct side side = raster_side(draw, from, to, row);
-
-	edges->at[which] = (uint32_t)side.x + 0x7FFF;
-	edges->step[which] = (uint32_t)side.step;
-}
-
-/*
- * Draws the triangle as two bands, above and below its middle vertex, as far as
- * they lie in draw->box: sets the edges and calls function for each of them.
- */
-static ALWAYS_INLINE void raster_draw_bands(const struct draw *draw,
-	const struct setup *setup, bool middle_left, struct band_edges *edges,
-	void (*function)(void *band), void *band)
-{
-	const struct vertex *const *v = setup->v;
-	int top = raster_first_row(draw, setup);
-	int bottom = setup->bottom < draw->box.bottom ? setup->bottom
-						      : draw->box.bottom;
-	int turn = setup->middle < top   ? top
-		: setup->middle > bottom ? bottom
-					 : setup->middle;
-	int part = middle_left ? BAND_LEFT : BAND_RIGHT;
-
-	raster_set_edge(draw, edges, !part, v[0], v[2], top);
-	if (turn > top) {
-		raster_set_edge(draw, edges, part, v[0], v[1], top);
-		edges->rows = turn - top;
-		function(band);
-	}
-	if (bottom > turn) {
-		raster_set_edge(draw, edges, part, v[1],
-			draw->fourth ? draw->fourth : v[2], turn);
-		edges->rows = bottom - turn;
-		function(band);
-	}
-}
-
 /* log2 of a 16.16 number, with 8 bits of fraction, linear between powers of 2. */
 static inline int raster_log2_q8(uint32_t value_q16)
 {

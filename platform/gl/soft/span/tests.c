@@ -33,26 +33,6 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-/* Fragments pass if GL's comparison is true, or if inverted, where it is false. */
-static ALWAYS_INLINE bool test_by(GLenum function, bool inverted,
-	const struct soft_tested *tested, const uint16_t *depth,
-	uint16_t *passes)
-{
-	uint32_t z = tested->z, any = 0;
-
-	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
-		uint32_t own = z >> 16, there = depth[i];
-		uint32_t near = inverted ^
-			(function == GL_LESS                    ? own < there
-					: function == GL_LEQUAL ? own <= there
-								: own == there);
-
-		passes[i] = (uint16_t)-near;
-		any |= near;
-	}
-	return any != 0;
-}
-
 /* Makes the depth test; false if no fragment passes. */
 static bool test_depths(const struct fragment_state *state,
 	const struct soft_tested *tested, const uint16_t *depth,
@@ -60,21 +40,15 @@ static bool test_depths(const struct fragment_state *state,
 {
 	const GLenum function =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
-	/* GL_GREATER to GL_ALWAYS are the opposites of GL_LEQUAL to GL_NEVER. */
-	const bool inverted = function >= GL_GREATER;
+	uint32_t z = tested->z, any = 0;
 
-	switch (inverted ? GL_NEVER + GL_ALWAYS - function : function) {
-	case GL_LESS:
-		return test_by(GL_LESS, inverted, tested, depth, passes);
-	case GL_LEQUAL:
-		return test_by(GL_LEQUAL, inverted, tested, depth, passes);
-	case GL_EQUAL:
-		return test_by(GL_EQUAL, inverted, tested, depth, passes);
-	default:
-		memset(passes, inverted ? 0xFF : 0,
-			tested->count * sizeof(*passes));
-		return inverted;
+	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
+		bool near = soft_compares(function, z >> 16, depth[i]);
+
+		passes[i] = near ? UINT16_MAX : 0;
+		any |= near;
 	}
+	return any;
 }
 
 /* Makes the stencil test of fragments whose depth test is in passes. */

@@ -4,7 +4,7 @@
  * every 16 to 64 pixels. walk_list.c walks the rows of all other triangles.
  */
 #include "platform/gl/soft/span/walk.h"
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/span/points.h"
 
 /* Draws a run of count pixels from x on, whose values and steps are set. */
@@ -186,8 +186,8 @@ static void walk(
 				(ptrdiff_t)y * buffers->target.stride_bytes,
 		}};
 
-	raster_draw_bands(
-		draw, setup, setup->middle_left, &rows.edges, part, &rows);
+	frame_draw_bands(draw, setup, false, setup->middle_left, &rows.edges,
+		part, &rows);
 }
 
 #define PART(name, ...)                                           \

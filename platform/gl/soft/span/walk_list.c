@@ -243,11 +243,11 @@ void soft_walk_list(struct run_list *list, const struct setup *setup)
 	list->pixel = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
 	if (list->certain && !draw->fourth) {
-		frame_draw_bands(draw, setup, draw->raster.frame.middle_left,
+		frame_draw_bands(draw, setup, true, setup->middle_left,
 			&list->edges, function, list);
 	} else {
-		raster_draw_bands(draw, setup, setup->middle_left, &list->edges,
-			function, list);
+		frame_draw_bands(draw, setup, false, setup->middle_left,
+			&list->edges, function, list);
 	}
 	if (list->next != list->row) {
 		draw_listed(list, list->next);

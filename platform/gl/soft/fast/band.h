@@ -96,26 +96,6 @@ struct band {
 	struct band_more more;
 };
 
-/* A level's part of struct band. */
-struct textured_level {
-	uint32_t texel_mask, texel_shift;
-	const uint8_t *texels;
-	uint32_t stride_bytes;
-	/* shifts from 16.16 base texels to 8 fraction bits of the level */
-	int32_t s_down, t_down;
-	bool whole; /* the level repeats and is at most 256 x 256 */
-};
-
-/*
- * What the small textured triangles of a draw call have in common, prepared so
- * that setting one up reads nothing else. fill_texture.c fills it.
- */
-struct textured {
-	int32_t last_level;    /* 0 without mipmaps */
-	struct band_more more; /* for bilinear, tinted triangles */
-	struct textured_level level[SOFT_LEVELS];
-};
-
 /*
  * What fill_flat.c does to pixels, opaque or blended, where the stencil is
  * reference, which becomes next.

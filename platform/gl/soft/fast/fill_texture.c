@@ -21,6 +21,9 @@ enum {
 struct small {
 	const struct setup *setup;
 	struct frame frame;
+	const struct level *level;
+	/* shifts from 16.16 base texels to 8 fraction bits of the level */
+	int s_down, t_down;
 };
 
 static ALWAYS_INLINE struct run find_color(
@@ -75,9 +78,10 @@ static ALWAYS_INLINE uint32_t pair_weights(int32_t red, int32_t blue)
 	return ((uint32_t)weight(red) << 16) + (uint32_t)weight(blue);
 }
 
-static ALWAYS_INLINE void set_tint(const struct small *small,
-	const struct textured *textured, struct band *band)
+static ALWAYS_INLINE void set_tint(
+	const struct draw *draw, const struct small *small, struct band *band)
 {
+	const int32_t *far = draw->spans.stages.far;
 	const struct run r = find_color(small, RED, 0);
 	const struct run g = find_color(small, GREEN, 0);
 	const struct run b = find_color(small, BLUE, 0);
@@ -91,7 +95,10 @@ static ALWAYS_INLINE void set_tint(const struct small *small,
 	band->down.green = (uint32_t)weight(g.down);
 	band->row.green = leave_column(
 		small, (uint32_t)weight(g.start), band->green_right);
-	band->more = textured->more;
+	band->more =
+		(struct band_more){.green = (1 << 16) - ((uint32_t)far[1] << 3),
+			.red = (1 << 16) - ((uint32_t)far[0] << 3),
+			.blue = (1 << 16) - ((uint32_t)far[2] << 3)};
 }
 
 /* The level whose texels are nearest in size to pixels, as soft_set_level(). */
@@ -105,35 +112,37 @@ static ALWAYS_INLINE int find_level(
 
 /* s and t in 1/256 of the level's texels, in a word; rounded if nearest. */
 static ALWAYS_INLINE uint32_t pair_texels(
-	const struct textured_level *level, int32_t s, int32_t t, bool nearest)
+	const struct small *small, int32_t s, int32_t t, bool nearest)
 {
-	int32_t s_round = nearest ? 1 << (level->s_down - 1) : 0;
-	int32_t t_round = nearest ? 1 << (level->t_down - 1) : 0;
+	int32_t s_round = nearest ? 1 << (small->s_down - 1) : 0;
+	int32_t t_round = nearest ? 1 << (small->t_down - 1) : 0;
 
-	return ((uint32_t)((t + t_round) >> level->t_down) << 16) +
-		(uint32_t)((s + s_round) >> level->s_down);
+	return ((uint32_t)((t + t_round) >> small->t_down) << 16) +
+		(uint32_t)((s + s_round) >> small->s_down);
+}
+
+/* The mask of whole texels in coordinates of so many bits. */
+static ALWAYS_INLINE uint32_t find_mask(int s_bits, int t_bits)
+{
+	return ((1u << t_bits) - 1) << 24 | ((1u << s_bits) - 1) << 8;
 }
 
 static ALWAYS_INLINE void set_texels(const struct small *small,
-	const struct textured_level *level, const struct run *s,
-	const struct run *t, bool linear, struct band *band)
+	const struct run *s, const struct run *t, bool linear, struct band *band)
 {
-	band->texel_right = pair_texels(level, s->right, t->right, linear);
-	band->down.texel = pair_texels(level, s->down, t->down, linear);
+	const struct level *level = small->level;
+	const int width = level->width_log2;
+
+	band->texel_right = pair_texels(small, s->right, t->right, linear);
+	band->down.texel = pair_texels(small, s->down, t->down, linear);
 	band->row.texel = leave_column(small,
-		pair_texels(level, s->start, t->start, linear) -
+		pair_texels(small, s->start, t->start, linear) -
 			(linear ? TINT_NEXT / 2 : 0),
 		band->texel_right);
-	band->texel_mask = level->texel_mask;
-	band->texel_shift = level->texel_shift;
+	band->texel_mask = find_mask(width, level->height_log2);
+	band->texel_shift = (uint32_t)(24 - width);
 	band->texels = level->texels;
-	band->stride_bytes = linear ? level->stride_bytes : WIDE_MASK;
-}
-
-/* How many bits of a level's texel coordinates a band's mask can have. */
-static int find_reach(int log2, int most)
-{
-	return log2 < most ? log2 : most;
+	band->stride_bytes = linear ? 2u << width : WIDE_MASK;
 }
 
 /*
@@ -156,33 +165,44 @@ static bool find_first(const struct frame_texels *texels, int down,
 		(high >> 8) - *first < (1 << reach) - 1;
 }
 
-/* Lets the band begin at that texel; false if it does not reach all texels. */
-static NEVER_INLINE bool move_texels(const struct draw *draw,
-	const struct setup *setup, const struct textured_level *level,
-	struct band *band)
+/*
+ * If the level is clamped or larger than 256 texels, lets the band begin at
+ * that texel; false if it does not reach all texels.
+ */
+static NEVER_INLINE bool move_texels(
+	const struct draw *draw, const struct small *small, struct band *band)
 {
 	const struct texture_input *input = &draw->texture[0];
 	const struct texture *texture = input->texture;
 	const bool s_repeats = texture->wrap_s == GL_REPEAT;
 	const bool t_repeats = texture->wrap_t == GL_REPEAT;
-	const int width = input->width_log2 + 8 - level->s_down;
-	const int height = input->height_log2 + 8 - level->t_down;
-	const struct frame_texels s =
-		frame_find_texels(setup, TEX_S, input->width_log2, s_repeats);
+	const int width = small->level->width_log2;
+	const int height = small->level->height_log2;
+	const int s_bits = width < 16 - width ? width : 16 - width;
+	const int t_bits = height < 8 ? height : 8;
+	const struct frame_texels s = frame_find_texels(
+		small->setup, TEX_S, input->width_log2, s_repeats);
 	const struct frame_texels t = frame_find_texels(
-		setup, TEX_S + 1, input->height_log2, t_repeats);
+		small->setup, TEX_S + 1, input->height_log2, t_repeats);
 	int32_t column, row;
 
-	if (!find_first(&s, level->s_down - 8, s_repeats, width,
-		    find_reach(width, 16 - width), &column) ||
-		!find_first(&t, level->t_down - 8, t_repeats, height,
-			find_reach(height, 8), &row)) {
+	if (!find_first(
+		    &s, small->s_down - 8, s_repeats, width, s_bits, &column) ||
+		!find_first(&t, small->t_down - 8, t_repeats, height, t_bits,
+			&row)) {
 		return false;
 	}
+	band->texel_mask = find_mask(s_bits, t_bits);
 	band->row.texel -= ((uint32_t)row << 24) + ((uint32_t)column << 8);
-	band->texels +=
-		(uint32_t)row * level->stride_bytes + 2 * (uint32_t)column;
+	band->texels += ((uint32_t)row << (width + 1)) + 2 * (uint32_t)column;
 	return true;
+}
+
+static ALWAYS_INLINE bool is_whole(
+	const struct texture *texture, const struct level *level)
+{
+	return texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT &&
+		level->width_log2 <= 8 && level->height_log2 <= 8;
 }
 
 static ALWAYS_INLINE uint32_t find_red_spread(const struct setup *setup)
@@ -238,36 +258,22 @@ static ALWAYS_INLINE void set_rows(
 	band->pixels = draw->fast_setup.pixels;
 }
 
-/*
- * Whether a triangle has so many pixels that a span function is faster, which
- * needs more time to begin a triangle and a row, but less for a pixel.
- */
-static ALWAYS_INLINE bool is_full(const struct setup *setup)
-{
-	uint32_t rows = (uint32_t)(setup->bottom - setup->top);
-
-	return setup->area > (14 + rows) << 11;
-}
-
 static ALWAYS_INLINE bool fill(
 	const struct draw *draw, const struct setup *setup, bool linear)
 {
 	const struct texture_input *input = &draw->texture[0];
-	const struct textured *textured = &draw->textured;
-	const struct textured_level *level = textured->level;
 	struct delta s, t;
 	struct run s_run, t_run;
 	struct small small;
 	struct band band;
 
-	if (!setup->inside || setup->extent > BAND_EXTENT ||
-		(linear && is_full(setup))) {
+	if (!setup->inside || setup->extent > BAND_EXTENT) {
 		return false;
 	}
 	small.setup = setup;
 	frame_find(setup, &small.frame);
 	if (linear) {
-		set_tint(&small, textured, &band);
+		set_tint(draw, &small, &band);
 	} else {
 		set_gray(&small, &band);
 	}
@@ -278,11 +284,15 @@ static ALWAYS_INLINE bool fill(
 	}
 	s_run = find_texels(&small, &s);
 	t_run = find_texels(&small, &t);
-	if (linear && textured->last_level > 0) {
-		level += find_level(textured->last_level, &s_run, &t_run);
+	small.level = input->base;
+	if (linear && input->levels > 1) {
+		small.level += find_level(input->levels - 1, &s_run, &t_run);
 	}
-	set_texels(&small, level, &s_run, &t_run, linear, &band);
-	if (!level->whole && !move_texels(draw, setup, level, &band)) {
+	small.s_down = input->width_log2 - small.level->width_log2 + 8;
+	small.t_down = input->height_log2 - small.level->height_log2 + 8;
+	set_texels(&small, &s_run, &t_run, linear, &band);
+	if (!is_whole(input->texture, small.level) &&
+		!move_texels(draw, &small, &band)) {
 		return false;
 	}
 	set_rows(draw, &small, &band);
@@ -311,50 +321,4 @@ void soft_fill_textured(struct draw *draw, struct setup *setup)
 			 : is_gray(setup) && fill(draw, setup, false))) {
 		soft_rows_fill(draw, setup);
 	}
-}
-
-static void set_levels(
-	const struct texture_input *input, struct textured_level *out)
-{
-	const struct texture *texture = input->texture;
-	bool repeats =
-		texture->wrap_s == GL_REPEAT && texture->wrap_t == GL_REPEAT;
-
-	for (int i = 0; i < input->levels; i++) {
-		const struct level *level = &texture->level[i];
-		int width = level->width_log2, height = level->height_log2;
-
-		out[i] = (struct textured_level){
-			.texel_mask = ((1u << find_reach(height, 8)) - 1) << 24 |
-				((1u << find_reach(width, 16 - width)) - 1) << 8,
-			.texel_shift = (uint32_t)(24 - width),
-			.texels = level->texels,
-			.stride_bytes = 2u << width,
-			.s_down = input->width_log2 - width + 8,
-			.t_down = input->height_log2 - height + 8,
-			.whole = repeats && width <= 8 && height <= 8,
-		};
-	}
-}
-
-/* A channel of struct band_more. */
-static uint32_t find_more(const struct draw *draw, int channel)
-{
-	return (1 << 16) -
-		(draw->added ? (uint32_t)draw->spans.stages.far[channel] << 3
-			     : 0);
-}
-
-void soft_fill_textured_begin(struct draw *draw)
-{
-	const struct texture_input *input = &draw->texture[0];
-	bool linear = input->texture->mag_filter == GL_LINEAR;
-
-	draw->textured.last_level = linear ? input->levels - 1 : 0;
-	draw->textured.more = (struct band_more){
-		.green = find_more(draw, 1),
-		.red = find_more(draw, 0),
-		.blue = find_more(draw, 2),
-	};
-	set_levels(input, draw->textured.level);
 }

@@ -98,7 +98,6 @@ static fill_function choose(struct draw *draw)
 			(!draw->added &&
 				is_modulated(draw, TEXEL_565, GL_NEAREST,
 					GL_NEAREST)))) {
-		soft_fill_textured_begin(draw);
 		return soft_fill_textured;
 	}
 	if (draw->added) {

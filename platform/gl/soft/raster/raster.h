@@ -212,9 +212,6 @@ void soft_rows_fill(struct draw *draw, struct setup *setup);
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
-/* fill_texture.c: prepares draw->textured, once a draw call. */
-void soft_fill_textured_begin(struct draw *draw);
-
 /* fill_narrow.c: leaves triangles that it cannot draw to soft_rows_fill(). */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
 /* Whether colours are linear within rows_color_tolerance(), in spite of w. */

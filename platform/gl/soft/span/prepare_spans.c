@@ -238,6 +238,7 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	struct soft_fragment_stages *stages = &spans->stages;
 	const struct texture_input *input = &draw->texture[0];
 
+	memset(stages->far, 0, sizeof(stages->far));
 	for (int i = 0; i < 3 && (draw->fogged || draw->added); i++) {
 		int most = spans->wide ? 255 : i == 1 ? 63 : 31;
 		int32_t value = soft_byte(color[i]) * most * 16384 / 255;

@@ -49,7 +49,7 @@ struct soft_fragment_stages {
 	/*
 	 * Red, green and blue in the picture's 5, 6 or 8 bits, times 2^14. With
 	 * fog, both are its colour and a half; else far is -1 times the colour
-	 * that is added to all fragments, and fog is 0.
+	 * that is added to all fragments, or 0, and fog is 0.
 	 */
 	int32_t far[3], fog[3];
 	/* alpha passes when (alpha - low) modulo 256 is at most range */

@@ -265,8 +265,7 @@ struct draw {
 	fill_function fill;     /* the chosen path; called by fast_setup.fill */
 	bool thin_lines;        /* raster/thin_line.c draws lines */
 	struct flat_color flat; /* for soft_fill_flat() */
-	struct textured textured; /* for soft_fill_textured() */
-	struct tiled tiled;       /* luminance.c's */
+	struct tiled tiled;     /* luminance.c's */
 	bool divides;    /* s and t are divided, not bent: see soft_bend() */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;

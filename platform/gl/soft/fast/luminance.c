@@ -91,58 +91,20 @@ static void blend(const struct tiled *tiled, const uint16_t *shaded)
 	}
 }
 
-/* Converts luminance to pixels of gray: luminance * share, 8.8, right a step. */
-struct grays {
-	const uint32_t *gray;
-	const uint16_t *luminance;
-	uint16_t *out;
-	uint32_t share, right;
-};
-
-static ALWAYS_INLINE void make_one_gray(struct grays *at)
-{
-	*at->out++ =
-		(uint16_t)at->gray[WORD_BY_BOTTOM(at->share, *at->luminance++, 0)];
-	at->share += at->right;
-}
-
-/* Two pixels at once, which are a word. */
-static ALWAYS_INLINE void make_two_grays(struct grays *at)
-{
-	uint32_t two = soft_load_two(at->luminance);
-	uint32_t next = at->share + at->right;
-	uint32_t pixels = at->gray[WORD_BY_TOP(next, two, 0)] << 16;
-
-	pixels |= at->gray[WORD_BY_BOTTOM(at->share, two, 0)];
-	soft_store_two(at->out, pixels);
-	at->share = next + at->right;
-	at->luminance += 2;
-	at->out += 2;
-}
-
-/*
- * Converts a run's luminance to gray. Both pointers have the same alignment in
- * words. Not inlined, so that the loop has all registers.
- */
+/* Converts a run's luminance to gray. Not inlined: the loop has all registers. */
 static NEVER_INLINE void make_gray(
 	const struct draw *draw, const uint16_t *luminance, uint16_t *out)
 {
-	const struct tiled *tiled = &draw->tiled;
-	struct grays at = {draw->gray, luminance, out, tiled->share,
-		(uint32_t)tiled->share_right};
-	int left = tiled->run.count;
+	const uint32_t *gray = draw->gray;
+	const uint32_t right = (uint32_t)draw->tiled.share_right;
+	const int count = draw->tiled.run.count;
+	uint32_t share = draw->tiled.share;
 
-	if ((uintptr_t)out % sizeof(uint32_t) != 0) {
-		make_one_gray(&at);
-		left--;
-	}
-	for (; left >= 8; left -= 8) {
-		for (int i = 0; i < 4; i++) {
-			make_two_grays(&at);
-		}
-	}
-	for (; left > 0; left--) {
-		make_one_gray(&at);
+	OPAQUE(gray); /* else compilers find it from draw for each pixel */
+#pragma GCC unroll 8
+	for (int i = 0; i < count; i++) {
+		out[i] = (uint16_t)gray[WORD_BY_BOTTOM(share, luminance[i], 0)];
+		share += right;
 	}
 }
 
@@ -280,22 +242,9 @@ static void write_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right
 		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
 		return;
 	}
-	if ((uintptr_t)depth % sizeof(uint32_t) != 0) {
-		*depth++ = (uint16_t)(z >> 16);
-		z += z_right;
-		count--;
-	}
-	/* four words an iteration, to lessen the loop's overhead */
-	for (; count >= 8; count -= 8) {
-		for (int i = 0; i < 4; i++, depth += 2) {
-			uint32_t next = z + z_right;
-
-			soft_store_two(depth, UPPER_HALVES(next, z));
-			z = next + z_right;
-		}
-	}
-	for (; count > 0; count--) {
-		*depth++ = (uint16_t)(z >> 16);
+#pragma GCC unroll 8
+	for (int i = 0; i < count; i++) {
+		depth[i] = (uint16_t)(z >> 16);
 		z += z_right;
 	}
 }

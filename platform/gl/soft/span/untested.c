@@ -18,20 +18,13 @@ void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 {
 	const uint8_t *bytes = (const uint8_t *)texels;
 	uint32_t even = 0x1FFFE;
-	int i = 0;
 
 	/* else compilers replace the mask by two shifts */
 	OPAQUE(even);
-	for (; i < count - 1; i += 2) {
-		uint32_t left = load_16(bytes + (s_q16 >> 15 & even)), right;
-
+#pragma GCC unroll 8
+	for (int i = 0; i < count; i++) {
+		pixel[i] = load_16(bytes + (s_q16 >> 15 & even));
 		s_q16 += s_right_q16;
-		right = load_16(bytes + (s_q16 >> 15 & even));
-		soft_store_two(pixel + i, left | right << 16);
-		s_q16 += s_right_q16;
-	}
-	if (i < count) {
-		pixel[i] = texels[s_q16 >> 16];
 	}
 }
 

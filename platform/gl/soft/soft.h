@@ -28,6 +28,14 @@ enum {
 	SOFT_TEXTURE_DEPTH = 4,
 };
 
+/* Names of ES 1.1 that gl.h does not have. */
+enum {
+	GL_SRC_ALPHA_SATURATE = 0x0308,
+	GL_ADD_SIGNED = 0x8574,
+	GL_INTERPOLATE = 0x8575,
+	GL_SUBTRACT = 0x84E7,
+};
+
 /* Column-major, column vectors, as in GL. */
 struct matrix {
 	float m[16];

@@ -13,10 +13,6 @@ struct grid {
 	int s_shift, t_shift; /* from texels to 2^32 for the whole texture */
 };
 
-struct rectangle_of_quads {
-	int x, y, width, height;
-};
-
 static uint32_t luminance(uint8_t texel)
 {
 	return (texel * 127u + 127) / 255;
@@ -70,10 +66,10 @@ static bool is_row_of(
 }
 
 /* Grows a rectangle of equal quads from (x, y): first right, then down. */
-static struct rectangle_of_quads grow(const struct grid *grid, int x, int y)
+static struct rectangle grow(const struct grid *grid, int x, int y)
 {
 	uint32_t quad = grid->quads[y * grid->width + x];
-	struct rectangle_of_quads r = {x, y, 1, 1};
+	struct rectangle r = {x, y, 1, 1};
 
 	while (x + r.width < grid->width &&
 		grid->quads[y * grid->width + x + r.width] == quad) {
@@ -86,18 +82,18 @@ static struct rectangle_of_quads grow(const struct grid *grid, int x, int y)
 	return r;
 }
 
-static int area_of(const struct rectangle_of_quads *r)
+static int area_of(const struct rectangle *r)
 {
 	return r->width * r->height;
 }
 
-static struct rectangle_of_quads find_largest(const struct grid *grid)
+static struct rectangle find_largest(const struct grid *grid)
 {
-	struct rectangle_of_quads largest = {0};
+	struct rectangle largest = {0};
 
 	for (int y = 0; y < grid->height; y++) {
 		for (int x = 0; x < grid->width; x++) {
-			struct rectangle_of_quads r = {0};
+			struct rectangle r = {0};
 
 			if (is_even(grid->quads[y * grid->width + x])) {
 				r = grow(grid, x, y);
@@ -110,8 +106,7 @@ static struct rectangle_of_quads find_largest(const struct grid *grid)
 	return largest;
 }
 
-static void set_patch(
-	struct grid *grid, int number, const struct rectangle_of_quads *r)
+static void set_patch(struct grid *grid, int number, const struct rectangle *r)
 {
 	for (int i = 0; i < area_of(r); i++) {
 		uint32_t *quad = grid->quads +
@@ -146,7 +141,7 @@ static void fill_fine(const struct grid *grid, uint8_t *fine)
 static void fill_patches(struct grid *grid)
 {
 	for (int number = 1; number <= PATCHES_MOST; number++) {
-		struct rectangle_of_quads r = find_largest(grid);
+		struct rectangle r = find_largest(grid);
 
 		if (area_of(&r) == 0) {
 			return;

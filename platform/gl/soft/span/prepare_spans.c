@@ -7,7 +7,6 @@
 #include "platform/gl/soft/vertex/number.h"
 
 enum {
-	SRC_ALPHA_SATURATE = 0x0308,
 	/*
 	 * mul_high() factor from 8.16, with half of 1/255, to factors of 1.14.
 	 * White is 1/2000 more than 1, so that rounding does not change texels.
@@ -55,7 +54,7 @@ static GLenum find_opaque_factor(GLenum factor)
 	case GL_DST_ALPHA:
 		return GL_ONE;
 	case GL_ONE_MINUS_DST_ALPHA:
-	case SRC_ALPHA_SATURATE:
+	case GL_SRC_ALPHA_SATURATE:
 		return GL_ZERO;
 	default:
 		return factor;

@@ -4,10 +4,6 @@
 #include "platform/gl/soft/stages/bytes.h"
 #include "platform/gl/soft/vertex/draw.h"
 
-enum {
-	SRC_ALPHA_SATURATE = 0x0308,
-};
-
 /* A colour times a blend factor; from is the source, to the destination. */
 static ALWAYS_INLINE uint32_t scale_by_factor(
 	GLenum factor, uint32_t color, uint32_t from, uint32_t to)
@@ -33,7 +29,7 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 		return soft_scale_bytes(color, 255 - left);
 	case GL_ONE_MINUS_DST_ALPHA:
 		return soft_scale_bytes(color, left);
-	case SRC_ALPHA_SATURATE:
+	case GL_SRC_ALPHA_SATURATE:
 		return (color & 0xFF000000) |
 			(soft_scale_bytes(color, own < left ? own : left) &
 				0x00FFFFFF);

@@ -8,9 +8,6 @@
 #include "platform/gl/soft/vertex/number.h"
 
 enum {
-	ADD_SIGNED = 0x8574,
-	INTERPOLATE = 0x8575,
-	SUBTRACT = 0x84E7,
 	RGB = 0x00FFFFFF,
 };
 
@@ -50,8 +47,8 @@ static void find_rgb(GLenum mode, struct soft_combiner *rgb)
 {
 	rgb->function = mode == GL_REPLACE ? GL_REPLACE
 		: mode == GL_ADD           ? GL_ADD
-		: mode == GL_DECAL         ? INTERPOLATE
-		: mode == GL_BLEND         ? INTERPOLATE
+		: mode == GL_DECAL         ? GL_INTERPOLATE
+		: mode == GL_BLEND         ? GL_INTERPOLATE
 					   : GL_MODULATE;
 	set(rgb, 0, mode == GL_BLEND ? GL_CONSTANT : GL_TEXTURE, GL_SRC_COLOR);
 	set(rgb, 1, GL_PREVIOUS, GL_SRC_COLOR);
@@ -94,7 +91,7 @@ static void find_combine(const struct texenv *env, struct soft_environment *out)
 
 static int count_arguments(GLenum function)
 {
-	return function == GL_REPLACE ? 1 : function == INTERPOLATE ? 3 : 2;
+	return function == GL_REPLACE ? 1 : function == GL_INTERPOLATE ? 3 : 2;
 }
 
 static bool is_inverted(GLenum operand)
@@ -294,7 +291,7 @@ static void run_function(GLenum function, const uint32_t *const a[3],
 			out[i] = BYTES_ADD_LIMITED(x[i], y[i]);
 		}
 		break;
-	case ADD_SIGNED:
+	case GL_ADD_SIGNED:
 		/* x + y - 128: more or less is 0 */
 		for (; i < count; i++) {
 			uint32_t more = BYTES_LESS_LIMITED(x[i], half);
@@ -304,12 +301,12 @@ static void run_function(GLenum function, const uint32_t *const a[3],
 				BYTES_ADD_LIMITED(y[i], more), less);
 		}
 		break;
-	case SUBTRACT:
+	case GL_SUBTRACT:
 		for (; i < count; i++) {
 			out[i] = BYTES_LESS_LIMITED(x[i], y[i]);
 		}
 		break;
-	case INTERPOLATE:
+	case GL_INTERPOLATE:
 		for (; i < count; i++) {
 			out[i] = mix_bytes(x[i], y[i], z[i]);
 		}

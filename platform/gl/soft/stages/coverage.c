@@ -1,4 +1,4 @@
-#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/number.h"
 
 /* Coverage, of 256, between two edges half_q8 from the middle; thin ones less. */
@@ -6,11 +6,6 @@ static int32_t find_share(int32_t half_q8, int32_t from_middle_q8)
 {
 	return clamp_int(half_q8 + 128 - from_middle_q8, 0,
 		half_q8 < 128 ? 2 * half_q8 : 256);
-}
-
-static int32_t size_of(int32_t value)
-{
-	return value < 0 ? -value : value;
 }
 
 /* Coverage, of 256, of a pixel whose centre is (x, y) / 16 from the middle. */
@@ -33,8 +28,9 @@ static int32_t find_coverage(
 	across = (int32_t)(((int64_t)x * coverage->v_q14 -
 				   (int64_t)y * coverage->u_q14) >>
 		10);
-	return find_share(coverage->half_length_q8, size_of(along)) *
-		find_share(coverage->half_width_q8, size_of(across)) >>
+	return find_share(coverage->half_length_q8, (int32_t)raster_size(along)) *
+		find_share(coverage->half_width_q8,
+			(int32_t)raster_size(across)) >>
 		8;
 }
 

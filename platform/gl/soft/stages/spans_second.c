@@ -1,4 +1,4 @@
-/* The span functions of RGB565 pictures that read a second texture's texels. */
+/* The span functions that read a second texture's texels, for both pictures. */
 #include "platform/gl/soft/span/instances.h"
 
 SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, SOFT_EACH_SECOND, .wide = false)
@@ -6,3 +6,8 @@ SOFT_SECOND_FORMAT(8888, TEXEL_8888, SOFT_EACH_SECOND, .wide = false)
 
 const soft_span_table soft_spans_second = {SOFT_EACH_SHORT(SOFT_SECOND_ROWS,
 	SOFT_EACH_SECOND) SOFT_SECOND_ROWS(8888, TEXEL_8888, SOFT_EACH_SECOND)};
+
+SOFT_SECOND_FORMAT(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED, .wide = true)
+
+const soft_span_table soft_spans_scaled = {
+	SOFT_SECOND_ROWS(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED)};

@@ -9,7 +9,7 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/state/matrix.h"
 
-/* Names of ES 1.1 that gl.h does not have. */
+/* More names of ES 1.1 that gl.h does not have. */
 enum {
 	ALPHA_SCALE = 0x0D1C,
 	SRC2_RGB = 0x8582,
@@ -18,9 +18,6 @@ enum {
 	OPERAND0_ALPHA = 0x8598,
 	OPERAND1_ALPHA = 0x8599,
 	OPERAND2_ALPHA = 0x859A,
-	ADD_SIGNED = 0x8574,
-	INTERPOLATE = 0x8575,
-	SUBTRACT = 0x84E7,
 };
 
 /* A parameter: count values of 32 bits, enumerants or 16.16, in a struct. */
@@ -197,8 +194,9 @@ TWO_CALLS_OF(Material, set_material)
 /* Texture environments; stages/combine_rows.c computes them. */
 static void set_env(GLenum target, GLenum name, const GLfixed *values, int given)
 {
-#define COMBINERS \
-	GL_REPLACE, GL_MODULATE, GL_ADD, ADD_SIGNED, INTERPOLATE, SUBTRACT
+#define COMBINERS                                                       \
+	GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, \
+		GL_SUBTRACT
 #define SOURCE(name, member)                                       \
 	ENUM(name, struct texenv, member, GL_TEXTURE, GL_CONSTANT, \
 		GL_PRIMARY_COLOR, GL_PREVIOUS)

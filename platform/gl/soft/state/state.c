@@ -9,10 +9,6 @@
 #include "platform/gl/soft/state/state.h"
 #include "platform/gl/soft/vertex/number.h"
 
-enum {
-	SRC_ALPHA_SATURATE = 0x0308, /* gl.h does not have it */
-};
-
 /* The context that this thread's GL functions work on. */
 static _Thread_local struct soft *current;
 
@@ -186,7 +182,7 @@ static bool is_factor(GLenum factor, GLenum first, GLenum last)
 
 void soft_gl_BlendFunc(GLenum source, GLenum destination)
 {
-	if (soft_check(is_factor(source, GL_SRC_ALPHA, SRC_ALPHA_SATURATE) &&
+	if (soft_check(is_factor(source, GL_SRC_ALPHA, GL_SRC_ALPHA_SATURATE) &&
 			    is_factor(destination, GL_SRC_COLOR,
 				    GL_ONE_MINUS_DST_ALPHA),
 		    GL_INVALID_ENUM)) {

@@ -16,19 +16,8 @@ static ALWAYS_INLINE int32_t transform_row(
 static ALWAYS_INLINE uint8_t find_outcode(const int32_t c[4])
 {
 	int32_t x = c[0], y = c[1], z = c[2], w = c[3];
-	uint32_t ux = (uint32_t)x, uy = (uint32_t)y, uz = (uint32_t)z;
-	uint32_t uw = (uint32_t)w;
 	unsigned out = 0;
 
-	/*
-	 * A vertex is inside if none of these sums has its sign bit set. If w >
-	 * 0, sums that wrap around have it set: then the comparisons decide.
-	 */
-	if ((((uw - ux) | (uw + ux) | (uw - uy) | (uw + uy) | (uw - uz) |
-		     (uw + uz) | (uw - 1)) >>
-		    31) == 0) {
-		return 0;
-	}
 	out |= x < -w ? OUT_LEFT : 0;
 	out |= x > w ? OUT_RIGHT : 0;
 	out |= y < -w ? OUT_BOTTOM : 0;

@@ -7,38 +7,20 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/raster/raster.h"
 
-/* A texel's alpha as 0 to 32; its coordinates are wrapped or clamped. */
-static uint32_t load_alpha(const struct texture_input *input, int s, int t)
-{
-	const struct texture *texture = input->texture;
-	int last_s = (1 << input->width_log2) - 1;
-	int last_t = (1 << input->height_log2) - 1;
-
-	s = texture->wrap_s == GL_REPEAT ? s & last_s : clamp_int(s, 0, last_s);
-	t = texture->wrap_t == GL_REPEAT ? t & last_t : clamp_int(t, 0, last_t);
-	return (input->base->texels[(t << input->width_log2) + s] + 4u) >> 3;
-}
-
 /* Converts an alpha attribute, 8.8, to 0 to 32. */
 static uint32_t share_of(int32_t attribute)
 {
 	return ((uint32_t)attribute + (4 << 8)) >> 11;
 }
 
-static int texel_of(int32_t at_q16, int log2)
+/* The alpha, 0 to 32, of the texel at coordinates from 0 to 1. */
+static uint32_t load_alpha(
+	const struct texture_input *input, const int32_t *attribute)
 {
-	return (int)((int64_t)at_q16 * (1 << log2) >> 16);
-}
+	int32_t s = attribute[TEX_S] << input->width_log2 >> 16;
+	int32_t t = attribute[TEX_S + 1] << input->height_log2 >> 16;
 
-/* The alpha, 0 to 32, of a vertex's texel times that of its colour. */
-static uint32_t share_through(const struct draw *draw, const int32_t *attribute)
-{
-	const struct texture_input *input = &draw->texture[0];
-	uint32_t texel =
-		load_alpha(input, texel_of(attribute[TEX_S], input->width_log2),
-			texel_of(attribute[TEX_S + 1], input->height_log2));
-
-	return texel * share_of(attribute[ALPHA]) >> 5;
+	return (input->base->texels[(t << input->width_log2) + s] + 4u) >> 3;
 }
 
 static bool are_upright(struct vertex *const v[4])
@@ -157,7 +139,7 @@ static struct clip_box box_of(const struct draw *draw, struct vertex *const v[4]
 
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 {
-	const int32_t *a = v[0]->attribute;
+	const int32_t *a = v[0]->attribute, *d = v[3]->attribute;
 	struct clip_box box;
 	uint16_t color;
 
@@ -178,10 +160,13 @@ bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 	}
 	color = color_565((uint32_t)a[RED] << 8, (uint32_t)a[GREEN] << 8,
 		(uint32_t)a[BLUE] << 8);
-	if (a[TEX_S] == v[3]->attribute[TEX_S] &&
-		a[TEX_S + 1] == v[3]->attribute[TEX_S + 1]) {
-		mix_box(draw, &box, color, share_through(draw, a));
-		return true;
+	if (a[TEX_S] != d[TEX_S] || a[TEX_S + 1] != d[TEX_S + 1]) {
+		return draw_letter(draw, v, &box, color);
 	}
-	return draw_letter(draw, v, &box, color);
+	if ((a[TEX_S] | a[TEX_S + 1]) >> 16 != 0) {
+		return false;
+	}
+	mix_box(draw, &box, color,
+		load_alpha(&draw->texture[0], a) * share_of(a[ALPHA]) >> 5);
+	return true;
 }

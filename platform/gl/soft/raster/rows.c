@@ -1,5 +1,6 @@
 /* Perspective division at single columns; levels of detail. */
 #include "platform/gl/soft/raster/rows.h"
+#include "platform/gl/soft/span/points.h"
 
 /* A coordinate's derivative in x, or y; of polynomials at the centre. */
 static int32_t find_slope(const struct raster *raster, int name, bool down)
@@ -67,56 +68,27 @@ void soft_rows_find_lod(
 	}
 }
 
-static int32_t value_at(const struct raster *raster, int plane, int row, int x)
+void soft_rows_find_second(struct draw *draw, int row, struct span *span)
 {
-	return (int32_t)(plane_at(raster, plane, x) +
-		(uint32_t)raster->plane[plane].dy * (uint32_t)row);
-}
+	const struct walk_kind kind = {.textured = true};
+	const struct line line = {.draw = draw, .row = row};
+	const int steps = span->count - 1;
+	const int32_t inverse = draw->inverse_q31[steps];
+	struct row_point from = find_point(&line, kind, 1, span->x);
+	const struct row_point to = find_point(&line, kind, 1, span->x + steps);
+	int32_t *texels = &from.divisor.value[TEX_S + 2];
 
-static void find_second_point(
-	const struct raster *raster, int row, int x, struct point *out)
-{
-	rows_find_divisor(value_at(raster, INVERSE_W, row, x), out);
-	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
-		out->value[i] = rows_divide(out, value_at(raster, i, row, x),
-			raster->tex_shift[i - TEX_S] + 8);
-	}
-}
-
-void soft_rows_find_second(const struct draw *draw, int row, struct span *span)
-{
-	const struct raster *raster = &draw->raster;
-	int steps = span->count - 1;
-	struct point from, to;
-
-	find_second_point(raster, row, span->x, &from);
-	find_second_point(raster, row, span->x + steps, &to);
-	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
-		span->value[i] = (uint32_t)from.value[i];
-		span->step[i] = rows_find_step(
-			from.value[i], to.value[i], draw->inverse_q31[steps]);
-	}
+	texels[0] = from.texels.s;
+	texels[1] = from.texels.t;
+	span->value[TEX_S + 2] = (uint32_t)from.texels.s;
+	span->value[TEX_S + 3] = (uint32_t)from.texels.t;
+	span->step[TEX_S + 2] =
+		rows_find_step(from.texels.s, to.texels.s, inverse);
+	span->step[TEX_S + 3] =
+		rows_find_step(from.texels.t, to.texels.t, inverse);
 	if (soft_rows_want_lod(&draw->texture[1])) {
-		span->lod[1] = find_lod(raster, &from, 1);
+		span->lod[1] = find_lod(&draw->raster, &from.divisor, 1);
 	}
-}
-
-uint32_t soft_rows_find_second_change(
-	const struct draw *draw, int row, int left, int right)
-{
-	struct point from, to;
-	uint32_t most = 0;
-
-	find_second_point(&draw->raster, row, left, &from);
-	find_second_point(&draw->raster, row, right, &to);
-	for (int i = TEX_S + 2; i < TEX_S + 4; i++) {
-		int32_t a = from.value[i], b = to.value[i];
-		uint32_t own = a < b ? (uint32_t)b - (uint32_t)a
-				     : (uint32_t)a - (uint32_t)b;
-
-		most = own > most ? own : most;
-	}
-	return most;
 }
 
 bool soft_rows_is_linear(GLenum filter)

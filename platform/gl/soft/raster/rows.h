@@ -138,11 +138,7 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
  * In perspective: finds the second texture's coordinates along the span, and
  * its level of detail. row is counted from the triangle's first one.
  */
-void soft_rows_find_second(const struct draw *draw, int row, struct span *span);
-
-/* The larger change of s and t of the second texture between two columns. */
-uint32_t soft_rows_find_second_change(
-	const struct draw *draw, int row, int left, int right);
+void soft_rows_find_second(struct draw *draw, int row, struct span *span);
 
 /* Whether a filter is bilinear within a level. */
 bool soft_rows_is_linear(GLenum filter);

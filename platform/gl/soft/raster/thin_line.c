@@ -127,8 +127,8 @@ static void set_planes(struct draw *draw, const struct walk *walk,
 static void place_divided_colors(const struct line *values, int x, int count)
 {
 	const struct walk_kind kind = {.colored = true, .colors_divided = true};
-	const struct row_point from = find_point(values, kind, x);
-	const struct row_point to = find_point(values, kind, x + count - 1);
+	const struct row_point from = find_point(values, kind, 0, x);
+	const struct row_point to = find_point(values, kind, 0, x + count - 1);
 	struct soft_spans *spans = &values->draw->spans;
 
 	set_steps(values, kind, &from, &to, count - 1);

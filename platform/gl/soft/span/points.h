@@ -1,6 +1,6 @@
 /*
  * Perspective division at single pixels of a row, and linear steps between
- * them. Only walk.c and thin_line.c include this header.
+ * them. Only walk.c, thin_line.c and rows.c include this header.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_POINTS_H
 #define PLATFORM_GL_SOFT_SPAN_POINTS_H
@@ -30,8 +30,9 @@ static ALWAYS_INLINE int32_t divide(
 	return plane >= TEX_S ? value : limit_color(value);
 }
 
+/* At column x; texels are those of a texture unit. */
 static ALWAYS_INLINE struct row_point find_point(
-	const struct line *line, const struct walk_kind kind, int x)
+	const struct line *line, const struct walk_kind kind, int unit, int x)
 {
 	const struct soft_spans *spans = &line->draw->spans;
 	struct row_point out;
@@ -39,8 +40,8 @@ static ALWAYS_INLINE struct row_point find_point(
 
 	rows_find_divisor(find_value(line, INVERSE_W, x), &out.divisor);
 	if (kind.textured) {
-		out.texels.s = divide(line, by, TEX_S, x);
-		out.texels.t = divide(line, by, TEX_S + 1, x);
+		out.texels.s = divide(line, by, TEX_S + 2 * unit, x);
+		out.texels.t = divide(line, by, TEX_S + 2 * unit + 1, x);
 	}
 	if (kind.colors_divided) {
 		out.colors.red = divide(line, by, RED, x);

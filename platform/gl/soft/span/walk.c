@@ -104,14 +104,29 @@ static NEVER_INLINE void set_row_level(
 	soft_set_level(draw, raster->span.lod[0]);
 }
 
+/*
+ * The larger change of s and t of the second texture between two columns. The
+ * caller's line stays in registers, as no pointer to it is given.
+ */
+static NEVER_INLINE uint32_t find_second_change(
+	struct draw *draw, int row, int left, int right)
+{
+	const struct walk_kind kind = {.textured = true};
+	const struct line line = {.draw = draw, .row = row};
+	const struct texels from = find_point(&line, kind, 1, left).texels;
+	const struct texels to = find_point(&line, kind, 1, right).texels;
+
+	return larger(distance(from.s, to.s), distance(from.t, to.t));
+}
+
 static ALWAYS_INLINE void row_divided(const struct line *line,
 	const struct walk_kind kind, int left, int right)
 {
 	int steps = right - left - 1, x = left;
-	struct row_point from = find_point(line, kind, left), to, end = from;
+	struct row_point from = find_point(line, kind, 0, left), to, end = from;
 
 	if (steps > 0) {
-		end = find_point(line, kind, right - 1);
+		end = find_point(line, kind, 0, right - 1);
 	}
 	if (kind.textured && line->draw->spans.level_by_row &&
 		((line->row + line->top) % ROWS_OF_LEVEL == 0 ||
@@ -122,14 +137,14 @@ static ALWAYS_INLINE void row_divided(const struct line *line,
 	if (steps >= PERSPECTIVE_STEP &&
 		(from.divisor.q != end.divisor.q || steps > SMALL_EXTENT)) {
 		uint32_t most = line->draw->texture[1].used
-			? soft_rows_find_second_change(
+			? find_second_change(
 				  line->draw, line->row, left, right - 1)
 			: 0;
 		int spacing = find_spacing(
 			line->draw, kind, &from, &end, steps, most);
 
 		for (; right - x > spacing; x += spacing) {
-			to = find_point(line, kind, x + spacing);
+			to = find_point(line, kind, 0, x + spacing);
 			draw_between(line, kind, x, x + spacing, &from, &to,
 				spacing);
 			from = to;

@@ -251,8 +251,7 @@ struct draw {
 	int32_t fog_scale; /* 1 / (end - start), fog_scale_q fraction bits */
 	int fog_scale_q;
 	struct shading shading;
-	struct spec_table spec_table[SPEC_TABLES];
-	unsigned spec_table_next; /* the one to replace next, modulo SPEC_TABLES */
+	struct spec_table spec_table; /* of the last shininess */
 	struct texture_input texture[SOFT_UNITS];
 	const GLfixed *added; /* colour added to all fragments, or NULL */
 	uint32_t attributes;  /* bits of those that are interpolated */

@@ -71,23 +71,6 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 	}
 }
 
-/* Finds or makes the table; a few are kept, as several materials are in use. */
-static const struct spec_table *find_spec_table(
-	struct draw *draw, int32_t shininess_q16)
-{
-	struct spec_table *spec_table = draw->spec_table;
-
-	for (int i = 0; i < SPEC_TABLES; i++) {
-		if (spec_table[i].scale != 0 &&
-			spec_table[i].shininess_q16 == shininess_q16) {
-			return &spec_table[i];
-		}
-	}
-	spec_table += draw->spec_table_next++ % SPEC_TABLES;
-	make_spec_table(spec_table, shininess_q16);
-	return spec_table;
-}
-
 static void prepare_positional(
 	const struct light *light, struct light_source *light_source)
 {
@@ -193,9 +176,13 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 	}
 	prepare_colors(soft, light, &draw->shading, light_source);
 	if (specular[0] | specular[1] | specular[2]) {
-		const struct spec_table *spec_table = find_spec_table(
-			draw, soft->lighting.material.shininess);
+		struct spec_table *spec_table = &draw->spec_table;
+		int32_t shininess = soft->lighting.material.shininess;
 
+		if (spec_table->scale == 0 ||
+			spec_table->shininess_q16 != shininess) {
+			make_spec_table(spec_table, shininess);
+		}
 		light_source->least_q26 = spec_table->least_q26;
 		light_source->scale = spec_table->scale;
 		light_source->step = spec_table->step;

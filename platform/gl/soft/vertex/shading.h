@@ -15,14 +15,13 @@
  * the cosine whose power is 2^-10 up to 1.
  */
 enum {
-	SPEC_TABLE_STEPS = 64,
-	SPEC_TABLES = 4
+	SPEC_TABLE_STEPS = 64
 };
 
 struct spec_table {
 	int32_t shininess_q16;
 	int32_t least_q26; /* the cosine at step 0 */
-	int32_t scale; /* of (cosine - least) to steps in Q8; 0: table unused */
+	int32_t scale; /* of (cosine - least) to steps in Q8; 0: table not made */
 	struct spec_table_step {
 		_Alignas(8) int32_t value_q28;
 		int32_t rise_q28; /* 1/256 of the difference to the next value */

@@ -314,11 +314,6 @@ static void make_shades(struct draw *draw, const uint32_t color[3])
 	memcpy(draw->shade_color, color, sizeof(draw->shade_color));
 }
 
-static bool is_same_plane(const struct plane *a, const struct plane *b)
-{
-	return a->start == b->start && a->dx == b->dx && a->dy == b->dy;
-}
-
 /* Whether red, green and blue change, and are equal everywhere. */
 static bool is_gray(const struct raster *raster)
 {
@@ -326,8 +321,8 @@ static bool is_gray(const struct raster *raster)
 	const struct plane *plane = raster->plane;
 
 	return (raster->moving_bits & colors) == colors &&
-		is_same_plane(&plane[RED], &plane[GREEN]) &&
-		is_same_plane(&plane[RED], &plane[BLUE]);
+		memcmp(&plane[RED], &plane[GREEN], sizeof(*plane)) == 0 &&
+		memcmp(&plane[RED], &plane[BLUE], sizeof(*plane)) == 0;
 }
 
 /* Whether this path draws the triangle: in one colour or in varying gray. */

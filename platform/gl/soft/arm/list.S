@@ -2,7 +2,7 @@
  * Triangles of 16-bit indices, for ARMv6: one loop finds vertices in the cache,
  * culls triangles and sets those up that are small and inside of the clip volume
  * and of draw->box; it leaves the others to soft_draw_triangle(). In C that draws
- * all triangles (portable/loops.c).
+ * all triangles (portable/triangles.c).
  *
  * A triangle that is culled costs 21 instructions, one that covers no pixel's centre
  * 34, others 115 until they are filled; a vertex 25 besides its transformation.

@@ -107,7 +107,7 @@ struct flat_color {
 };
 
 /*
- * arm/texture.S and arm/tint.S, or portable/loops.c: draw a band of at
+ * arm/texture.S and arm/tint.S, or portable/triangles.c: draw a band of at
  * least one row. gray: nearest texels times a gray, rows of up to
  * BAND_GRAY_PIXELS; tint: bilinear ones times a colour. Rows lie inside of the
  * picture, which has the same stride as the depth buffer. band is a struct

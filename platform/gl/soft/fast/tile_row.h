@@ -59,7 +59,7 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
  * once, with the same result. With fine, steps are less than half the texture.
  */
 void soft_tile_row_c(const struct tile_run *run, int by_fine);
-/* arm/tile_row.S or portable/loops.c: the same, for square levels only. */
+/* arm/tile_row.S or portable/triangles.c: the same, for square levels only. */
 void soft_tile_row(const struct tile_run *run, int by_fine);
 
 /* luminance.c: fills draw's tables of luminance and grays, once for good. */

@@ -71,7 +71,7 @@ void soft_draw_triangle(struct draw *draw, const struct source *source,
 	uint32_t a, uint32_t b, uint32_t c);
 
 /*
- * arm/list.S or portable/loops.c: draws GL_TRIANGLES of 16-bit indices at
+ * arm/list.S or portable/triangles.c: draws GL_TRIANGLES of 16-bit indices at
  * an even address, while draw->packed, as soft_draw_triangle() does one by one;
  * the assembly is faster.
  */

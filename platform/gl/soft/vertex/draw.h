@@ -314,7 +314,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 /* prepare_light.c: fills draw->shading. */
 void soft_prepare_shading(const struct soft *soft, struct draw *draw);
 
-/* arm/vertex.S or portable/loops.c: fetches, transforms, does not shade. */
+/* arm/vertex.S or portable/vertices.c: fetches, transforms, does not shade. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
 /* vertex.c: the same in C, for all kinds of positions. */
 void soft_transform_c(

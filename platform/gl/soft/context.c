@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 
 extern const struct gl_driver gl_driver_soft;
@@ -70,6 +71,15 @@ static int grow_depth(struct soft *soft, size_t count)
 	return 0;
 }
 
+/* The last address of four pixels. */
+static uintptr_t find_last(const struct pixels *target)
+{
+	const int last_row = target->stride_bytes < 0 ? 0 : target->height - 1;
+
+	return (uintptr_t)pixel_at(target, target->width, last_row) -
+		4 * (uintptr_t)pixel_bytes(target->format);
+}
+
 static int soft_begin_frame(
 	struct gl_context *context, const struct pixels *target)
 {
@@ -91,7 +101,9 @@ static int soft_begin_frame(
 			target->width, target->height);
 		return -EINVAL;
 	}
-	error = grow_depth(soft, (size_t)target->width * (size_t)target->height);
+	/* the last depths are read as four */
+	error = grow_depth(
+		soft, (size_t)target->width * (size_t)target->height + 3);
 	if (error) {
 		return error;
 	}
@@ -114,6 +126,7 @@ static int soft_begin_frame(
 		buffers->height = target->height;
 	}
 	buffers->target = *target;
+	soft->draw->spans.run.last = find_last(target);
 	return 0;
 }
 

@@ -165,7 +165,7 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 			(seen ? (ptrdiff_t)walk.y * buffers->width + walk.x : 0);
 
 		if (seen && soft_compares(compares, at.z >> 16, *depth)) {
-			soft_shade_pixel(&own, NULL, kind, &constants, &at,
+			soft_shade_pixel(&own, NULL, kind, &constants, &at, 1,
 				writes_depth ? depth : &unwritten,
 				pixel_at(&buffers->target, walk.x, walk.y));
 		}

@@ -21,8 +21,8 @@ struct batch {
 	bool marked; /* it must be known which fragments were drawn */
 	struct soft_row row[SOFT_BATCH_RUNS]; /* runs for the span function */
 	/* a fragment was drawn if its depths in aside and before differ */
-	uint16_t aside[SOFT_BATCH_PIXELS], before[SOFT_BATCH_PIXELS];
-	uint32_t own[SOFT_BATCH_PIXELS]; /* pixels drawn beside the picture */
+	uint16_t aside[SOFT_BATCH_ROOM], before[SOFT_BATCH_ROOM];
+	uint32_t own[SOFT_BATCH_ROOM]; /* pixels drawn beside the picture */
 };
 
 static const struct soft_row *end_of(const struct soft_run *run)
@@ -257,7 +257,7 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
-	uint32_t own[SOFT_BATCH_PIXELS], *old = own;
+	uint32_t own[SOFT_BATCH_ROOM], *old = own;
 
 	for (const struct soft_row *row = run->rows; row < end_of(run); row++) {
 		memcpy(old, row->pixel, row->count << spans->pixel_log2);
@@ -295,7 +295,7 @@ static void draw_inside(const struct soft_run *run)
 static void draw_second(const struct soft_run *run)
 {
 	const struct soft_spans *spans = &run->draw->spans;
-	uint32_t texel[SOFT_BATCH_PIXELS];
+	uint32_t texel[SOFT_BATCH_ROOM];
 
 	spans->read_second(run->draw, texel);
 	spans->seconded(run);

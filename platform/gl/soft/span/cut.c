@@ -140,7 +140,7 @@ void soft_draw_across(struct soft_spans *spans)
 {
 	const soft_span_function function[2] = {spans->draw_anywhere,
 		spans->read_second ? spans->seconded : spans->draw};
-	uint32_t second[SOFT_RUN_PIXELS];
+	uint32_t second[SOFT_RUN_PIXELS + 3]; /* see SOFT_BATCH_ROOM */
 
 	if (spans->read_second) {
 		spans->read_second(spans->run.draw, second);

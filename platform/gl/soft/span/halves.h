@@ -100,10 +100,12 @@ static ALWAYS_INLINE uint32_t soft_limit_shifted(
  * here, as registers are scarce.
  */
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])
+	uint32_t row, uint32_t x, uint32_t stride_log2, bool two,
+	uint32_t above[2], uint32_t below[2])
 {
 	uint64_t pair;
 
+	(void)stride_log2;
 	__asm__ volatile("ldrd %Q0, %R0, %1" : "=&r"(pair) : "Uq"(*rows));
 	above[0] = x + row * (uint32_t)(pair >> 32);
 	if (two) {
@@ -134,7 +136,7 @@ static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
 			 : "=&r"(above[1]), "=&r"(below[1]), "+&r"(at)
 			 : "m"(rows->joint), "m"(rows->stride));
 }
-#else
+#elif SOFT_LANES == 1
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
 {
 	return (uint32_t)((int16_t)a * (int16_t)b +
@@ -155,9 +157,10 @@ static inline uint32_t soft_halves_add_limited(uint32_t a, uint32_t b)
 }
 
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, bool two, uint32_t above[2], uint32_t below[2])
+	uint32_t row, uint32_t x, uint32_t stride_log2, bool two,
+	uint32_t above[2], uint32_t below[2])
 {
-	const uint8_t *at = rows->first + (row * rows->stride + x);
+	const uint8_t *at = rows->first + ((row << stride_log2) + x);
 
 	memcpy(above, at, two ? 8 : 4);
 	memcpy(below, at + rows->stride, two ? 8 : 4);
@@ -191,6 +194,35 @@ static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
 	((uint32_t)soft_word_by_half((uint32_t)(word), half))
 #define WORD_BY_TOP(word, half, sum) \
 	(soft_word_by_half((uint32_t)(word), (half) >> 16) + (sum))
+#else
+static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
+	soft_word row, soft_word x, uint32_t stride_log2, bool two,
+	soft_word above[2], soft_word below[2])
+{
+	const struct soft_places from =
+		soft_find_places(rows->first, (row << stride_log2) + x);
+
+	if (two) {
+		soft_load_pairs(from, 0, above);
+		soft_load_pairs(from, rows->stride, below);
+	} else {
+		above[0] = soft_load_each(from, 0, 2);
+		below[0] = soft_load_each(from, rows->stride, 2);
+	}
+}
+
+static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
+	soft_word row, soft_word x, soft_word above[2], soft_word below[2])
+{
+	const struct soft_places from =
+		soft_find_places(rows->first, row * rows->stride + x);
+	const ptrdiff_t joint = (ptrdiff_t)rows->joint;
+
+	above[0] = soft_load_each(from, 0, 2);
+	below[0] = soft_load_each(from, rows->stride, 2);
+	above[1] = soft_load_each(from, joint, 2);
+	below[1] = soft_load_each(from, joint + rows->stride, 2);
+}
 #endif
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_INSTANCES_H
 #define PLATFORM_GL_SOFT_SPAN_INSTANCES_H
 
+#define SOFT_BY_FOUR
+
 #include "platform/gl/soft/span/template.h"
 
 /*
@@ -47,14 +49,26 @@
 #define SOFT_EACH_SHORT(make, ...)                                          \
 	make(565, TEXEL_565, __VA_ARGS__) make(4444, TEXEL_4444, __VA_ARGS__)
 
+/* By four, LEQUAL costs an addition, and both functions share one text. */
+#if SOFT_LANES > 1
+#define SOFT_BOTH_TESTS NEVER_INLINE
+#else
+#define SOFT_BOTH_TESTS ALWAYS_INLINE
+#endif
+
 #define SOFT_FINISH_FUNCTIONS(suffix, finish, name)                         \
+	static SOFT_BOTH_TESTS void name##_both_##suffix(                   \
+		const struct soft_run *run, const bool lequal)              \
+	{                                                                   \
+		name(run, finish, lequal);                                  \
+	}                                                                   \
 	static void name##_##suffix(const struct soft_run *run)             \
 	{                                                                   \
-		name(run, finish, false);                                   \
+		name##_both_##suffix(run, false);                           \
 	}                                                                   \
 	static void name##_lequal_##suffix(const struct soft_run *run)      \
 	{                                                                   \
-		name(run, finish, true);                                    \
+		name##_both_##suffix(run, true);                            \
 	}
 
 #define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \

@@ -37,6 +37,7 @@ enum {
 	/* most pixels and runs of a list that one call draws */
 	SOFT_BATCH_PIXELS = 1024,
 	SOFT_BATCH_RUNS = 64,
+	SOFT_BATCH_ROOM = SOFT_BATCH_PIXELS + 3, /* drawn as four to the end */
 	/* 2^7 texels, with 9 bits of fraction, fit half of a word */
 	SOFT_RUN_TEXELS = 128,
 };
@@ -107,6 +108,8 @@ struct soft_run {
 	uintptr_t second;
 	/* Joined textures: bytes from a texel of the first to the second's. */
 	uintptr_t joint;
+	/* the last address from which four pixels may be read and written */
+	uintptr_t last;
 	const struct soft_fragment_stages *stages;
 	struct draw *draw; /* whose run it is */
 };

@@ -59,8 +59,8 @@ static ALWAYS_INLINE struct soft_field soft_field(
 	}
 }
 
-static ALWAYS_INLINE uint32_t soft_get_field(
-	enum texel_format format, enum soft_channel channel, uint32_t texel)
+static ALWAYS_INLINE soft_word soft_get_field(
+	enum texel_format format, enum soft_channel channel, soft_word texel)
 {
 	struct soft_field field = soft_field(format, channel);
 
@@ -87,20 +87,33 @@ static ALWAYS_INLINE uint32_t soft_load_texel(
 	}
 }
 
-/* Loads two neighbouring texels, left in the lower half; not RGBA8888. */
-static ALWAYS_INLINE uint32_t soft_load_pair(
-	enum texel_format format, const uint8_t *at)
+/* Loads texels, or only one, so many bytes from first. */
+static ALWAYS_INLINE soft_word soft_load_texels(
+	enum texel_format format, const uint8_t *first, soft_word offset)
 {
-	if (soft_texel_bytes_log2(format) == 0) {
-		uint32_t two = load_16(at);
+#if SOFT_LANES > 1
+	return soft_load_each(soft_find_places(first, offset), 0,
+		soft_texel_bytes_log2(format));
+#else
+	return soft_load_texel(format, first + offset);
+#endif
+}
 
+/* Loads two neighbouring texels, left in the lower half; not RGBA8888. */
+static ALWAYS_INLINE soft_word soft_load_pair(
+	enum texel_format format, const uint8_t *first, soft_word offset)
+{
+	soft_word two;
+
+	if (soft_texel_bytes_log2(format) == 0) {
+		two = soft_load_texels(TEXEL_565, first, offset);
 		return (two | two << 8) & 0x00FF00FF;
 	}
-	return load_32(at);
+	return soft_load_texels(TEXEL_8888, first, offset);
 }
 
 /* A coordinate's fraction, which is the next texel's filter weight, of 256. */
-static ALWAYS_INLINE uint32_t soft_fraction_q8(uint32_t at)
+static ALWAYS_INLINE soft_word soft_fraction_q8(soft_word at)
 {
 	return at >> (SOFT_TEXEL_FRACTION - 8) & 255;
 }
@@ -121,20 +134,20 @@ static ALWAYS_INLINE int32_t soft_half_texel(
 
 /* Filter weights of two pairs of texels: left in the lower half, and right. */
 struct soft_weights {
-	uint32_t above, below; /* the sum of all four is 8192 */
+	soft_word above, below; /* the sum of all four is 8192 */
 };
 
 /* The weights for coordinates s with 5 and t with 8 bits of fraction. */
-static ALWAYS_INLINE struct soft_weights soft_weigh(uint32_t s, uint32_t t)
+static ALWAYS_INLINE struct soft_weights soft_weigh(soft_word s, soft_word t)
 {
-	uint32_t right = s & 31;
-	uint32_t across = (right << 16) - right + 32;
-	uint32_t below = across * (t & 255);
+	soft_word right = s & 31;
+	soft_word across = (right << 16) - right + 32;
+	soft_word below = HALVES_TIMES(across, HALVES_TWICE(t & 255));
 
 	return (struct soft_weights){(across << 8) - below, below};
 }
 
-static ALWAYS_INLINE uint32_t soft_mix_masked(uint32_t above, uint32_t below,
+static ALWAYS_INLINE soft_word soft_mix_masked(soft_word above, soft_word below,
 	uint32_t mask, struct soft_weights weights)
 {
 	return HALVES_SUM_ADD(below & mask, weights.below,
@@ -142,8 +155,8 @@ static ALWAYS_INLINE uint32_t soft_mix_masked(uint32_t above, uint32_t below,
 }
 
 /* A channel of two pairs of texels, filtered: 8192 times its value. */
-static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
-	enum soft_channel channel, uint32_t above, uint32_t below,
+static ALWAYS_INLINE soft_word soft_mix_channel(enum texel_format format,
+	enum soft_channel channel, soft_word above, soft_word below,
 	struct soft_weights weights)
 {
 	struct soft_field field = soft_field(format, channel);
@@ -154,33 +167,37 @@ static ALWAYS_INLINE uint32_t soft_mix_channel(enum texel_format format,
 }
 
 struct soft_lanes {
-	uint32_t red_blue, green_alpha;
+	soft_word red_blue, green_alpha;
 };
 
-static ALWAYS_INLINE struct soft_lanes soft_split(uint32_t texel)
+static ALWAYS_INLINE struct soft_lanes soft_split(soft_word texel)
 {
 	return (struct soft_lanes){
 		BYTES_AS_HALVES(texel), ODD_BYTES_AS_HALVES(texel)};
 }
 
-/* Four texels of RGBA8888 and their filter weights, whose sum is 256. */
+/* Four texels of RGBA8888 and their filter weights, HALVES_TWICE() of 256 in all. */
 struct soft_four {
-	uint32_t texel[4], weight[4];
+	soft_word texel[4], weight[4];
 };
 
-static ALWAYS_INLINE struct soft_four soft_weigh_8888(const uint32_t above[2],
-	const uint32_t below[2], uint32_t s, uint32_t t, bool wide)
+static ALWAYS_INLINE struct soft_four soft_weigh_8888(const soft_word above[2],
+	const soft_word below[2], soft_word s, soft_word t, bool wide)
 {
-	uint32_t right = soft_fraction_q8(s), down = soft_fraction_q8(t);
-	uint32_t both = (right * down + (wide ? 128 : 0)) >> 8;
+	const uint32_t rounding = wide ? 128 : 0;
+	soft_word right = HALVES_TWICE(soft_fraction_q8(s));
+	soft_word down = HALVES_TWICE(soft_fraction_q8(t));
+	soft_word both = HALVES_SHIFT(
+		HALVES_TIMES(right, down) + HALVES_TWICE(rounding), 8);
 
 	return (struct soft_four){
 		{above[0], above[1], below[0], below[1]},
-		{256 - down - (right - both), right - both, down - both, both},
+		{HALVES_TWICE(256u) - down - (right - both), right - both,
+			down - both, both},
 	};
 }
 
-static ALWAYS_INLINE uint32_t soft_get_half(uint32_t texel, bool odd)
+static ALWAYS_INLINE soft_word soft_get_half(soft_word texel, bool odd)
 {
 	return odd ? ODD_BYTES_AS_HALVES(texel) : BYTES_AS_HALVES(texel);
 }
@@ -189,21 +206,21 @@ static ALWAYS_INLINE uint32_t soft_get_half(uint32_t texel, bool odd)
  * Filters bytes 0 and 2, or 1 and 3 if odd. Rounds down, but to the nearest in
  * RGBA8888 pictures (wide), where the difference would be seen.
  */
-static ALWAYS_INLINE uint32_t soft_mix_half(
+static ALWAYS_INLINE soft_word soft_mix_half(
 	const struct soft_four *four, bool odd, bool wide)
 {
-	const uint32_t *texel = four->texel, *weight = four->weight;
-	uint32_t sum = soft_get_half(texel[0], odd) * weight[0];
+	const soft_word *texel = four->texel, *weight = four->weight;
+	soft_word sum = HALVES_TIMES(soft_get_half(texel[0], odd), weight[0]);
 
-	sum += wide ? 0x00800080 : 0;
-	sum += soft_get_half(texel[1], odd) * weight[1];
-	sum += soft_get_half(texel[2], odd) * weight[2];
-	sum += soft_get_half(texel[3], odd) * weight[3];
+	sum += wide ? 0x00800080u : 0u;
+	sum += HALVES_TIMES(soft_get_half(texel[1], odd), weight[1]);
+	sum += HALVES_TIMES(soft_get_half(texel[2], odd), weight[2]);
+	sum += HALVES_TIMES(soft_get_half(texel[3], odd), weight[3]);
 	return ODD_BYTES_AS_HALVES(sum);
 }
 
 /* Expands a channel of so many bits to 8 bits. */
-static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
+static ALWAYS_INLINE soft_word soft_widen_field(soft_word value, int bits)
 {
 	return bits == 4    ? value * 17
 		: bits == 1 ? value * 255
@@ -213,7 +230,7 @@ static ALWAYS_INLINE uint32_t soft_widen_field(uint32_t value, int bits)
 }
 
 /* Converts a filtered channel, 8192 times its value of so many bits, to 8 bits. */
-static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
+static ALWAYS_INLINE soft_word soft_narrow_mixed(soft_word mixed, int bits)
 {
 	uint32_t most = (1u << bits) - 1;
 
@@ -224,10 +241,11 @@ static ALWAYS_INLINE uint32_t soft_narrow_mixed(uint32_t mixed, int bits)
 }
 
 /* texel's alpha, a byte, times the fragment's, 8.7 with a half added: a byte. */
-static ALWAYS_INLINE uint32_t soft_scale_alpha(uint32_t alpha_q7, uint32_t texel)
+static ALWAYS_INLINE soft_word soft_scale_alpha(
+	soft_word alpha_q7, soft_word texel)
 {
 	/* 128, so that 255 leaves the other factor as it is */
-	uint32_t product = alpha_q7 * texel + 128;
+	soft_word product = WORD_PRODUCT(alpha_q7, texel) + 128;
 
 	return (product + (product >> 8)) >> 15;
 }

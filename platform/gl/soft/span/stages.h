@@ -38,30 +38,27 @@ struct soft_kind {
 			make(a8, TEXEL_A8, __VA_ARGS__)                       \
 				make(la88, TEXEL_LA88, __VA_ARGS__)
 
+/* A texel's alpha where the format has none. */
+#define SOFT_OPAQUE_ALPHA ((soft_word){0} + 255)
+
 /* A pixel's values, in struct soft_row's formats. */
 struct soft_pixel {
-	uint32_t z, red_blue, green_alpha, fog;
-	uint32_t texel; /* kind.inside */
-	uint32_t s, t;  /* else */
+	soft_word z, red_blue, green_alpha, fog;
+	soft_word texel; /* kind.inside */
+	soft_word s, t;  /* else */
 };
 
-/*
- * A texel: RGBA8888 in lanes, and in a vector of lanes; others in channel,
- * times 8192 if filtered.
- */
+/* A texel: RGBA8888 in lanes; others in channel, times 8192 if filtered. */
 struct soft_texel {
-#ifdef HAS_COLOR_VECTORS
-	__m128i vector;
-#endif
 	struct soft_lanes lanes;
 	struct soft_four four; /* red and blue are filtered later */
-	uint32_t channel[3];
-	uint32_t alpha; /* 8 bits */
+	soft_word channel[3];
+	soft_word alpha; /* 8 bits */
 };
 
 struct soft_color {
-	int32_t channel[3]; /* with soft_fraction() bits of fraction */
-	uint32_t alpha;     /* 0 to 255, or 0 to 32 if blended in RGB565 */
+	soft_int channel[3]; /* with soft_fraction() bits of fraction */
+	soft_word alpha;     /* 0 to 255, or 0 to 32 if blended in RGB565 */
 };
 
 static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
@@ -216,14 +213,11 @@ static ALWAYS_INLINE int soft_last_fraction(
 }
 
 static ALWAYS_INLINE void soft_split_texel(
-	struct soft_kind kind, uint32_t texel, struct soft_texel *out)
+	struct soft_kind kind, soft_word texel, struct soft_texel *out)
 {
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
 	if (kind.format == TEXEL_8888) {
-#ifdef HAS_COLOR_VECTORS
-		out->vector = vector_widen(texel);
-#endif
 		out->lanes = soft_split(texel);
 		out->alpha = out->lanes.green_alpha >> 16;
 		return;
@@ -242,14 +236,14 @@ static ALWAYS_INLINE void soft_split_texel(
 	out->channel[1] = soft_get_field(kind.format, SOFT_GREEN, texel);
 	out->channel[2] = soft_get_field(kind.format, SOFT_BLUE, texel);
 	out->alpha = alpha.bits == 0
-		? 255
+		? SOFT_OPAQUE_ALPHA
 		: soft_widen_field(
 			  soft_get_field(kind.format, SOFT_ALPHA, texel),
 			  alpha.bits);
 }
 
-static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
-	uint32_t below, struct soft_weights weights, struct soft_texel *out)
+static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, soft_word above,
+	soft_word below, struct soft_weights weights, struct soft_texel *out)
 {
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
@@ -263,7 +257,7 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 				soft_mix_masked(above, below, green, weights),
 				soft_mix_masked(above << 5, below << 5,
 					0x03E003E0, weights)},
-			.alpha = 255};
+			.alpha = SOFT_OPAQUE_ALPHA};
 		return;
 	}
 	out->channel[0] =
@@ -273,7 +267,7 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 	out->channel[2] =
 		soft_mix_channel(kind.format, SOFT_BLUE, above, below, weights);
 	out->alpha = alpha.bits == 0
-		? 255
+		? SOFT_OPAQUE_ALPHA
 		: soft_narrow_mixed(soft_mix_channel(kind.format, SOFT_ALPHA,
 					    above, below, weights),
 			  alpha.bits);
@@ -281,23 +275,16 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, uint32_t above,
 
 /* Filters RGBA8888: only green and alpha, until the fragment has passed. */
 static ALWAYS_INLINE void soft_mix_green(struct soft_kind kind,
-	const uint32_t above[2], const uint32_t below[2], uint32_t s,
-	uint32_t t, struct soft_texel *out)
+	const soft_word above[2], const soft_word below[2], soft_word s,
+	soft_word t, struct soft_texel *out)
 {
 	out->four = soft_weigh_8888(above, below, s, t, kind.wide);
-#ifdef HAS_COLOR_VECTORS
-	out->vector = vector_mix(above[0] | (uint64_t)above[1] << 32,
-		below[0] | (uint64_t)below[1] << 32, out->four.weight,
-		kind.wide ? 128 : 0);
-	out->lanes = soft_split(vector_narrow(out->vector));
-#else
 	out->lanes.green_alpha = soft_mix_half(&out->four, true, kind.wide);
-#endif
 	out->alpha = out->lanes.green_alpha >> 16;
 }
 
 /* A texel of RGBA8888 as a word. */
-static ALWAYS_INLINE uint32_t soft_join(const struct soft_texel *texel)
+static ALWAYS_INLINE soft_word soft_join(const struct soft_texel *texel)
 {
 	return texel->lanes.red_blue | texel->lanes.green_alpha << 8;
 }
@@ -313,44 +300,44 @@ static ALWAYS_INLINE struct soft_kind soft_second_kind(struct soft_kind kind)
 
 /* Reads the texel of a run in the window; and second's, if joined. */
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
-	const struct soft_rows *rows, struct soft_kind kind, uint32_t texel,
+	const struct soft_rows *rows, struct soft_kind kind, soft_word texel,
 	struct soft_texel *out, struct soft_texel *second)
 {
 	const int bytes_log2 = soft_texel_bytes_log2(kind.format);
-	const uint32_t row = texel >> (16 + SOFT_TEXEL_FRACTION);
-	const uint32_t x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
+	const soft_word row = texel >> (16 + SOFT_TEXEL_FRACTION);
+	const soft_word x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 		((SOFT_RUN_TEXELS - 1u) << bytes_log2);
-	uint32_t above[2], below[2];
+	soft_word above[2], below[2];
 	struct soft_weights weights;
 
 	if (!kind.linear || bytes_log2 == 0) {
-		uint32_t at = (row << run->stride_log2) + x;
-		const uint8_t *texel_at;
+		const uint8_t *first = run->first_texel;
+		soft_word at = (row << run->stride_log2) + x;
 
 		OPAQUE(at); /* else compilers need two more registers */
-		texel_at = run->first_texel + at;
 		if (!kind.linear) {
 			soft_split_texel(kind,
-				soft_load_texel(kind.format, texel_at), out);
+				soft_load_texels(kind.format, first, at), out);
 			if (kind.joined) {
 				const struct soft_kind its =
 					soft_second_kind(kind);
 
+				first = (const uint8_t *)((uintptr_t)first +
+					rows->joint);
 				soft_split_texel(its,
-					soft_load_texel(its.format,
-						(const uint8_t *)((uintptr_t)texel_at +
-							rows->joint)),
+					soft_load_texels(its.format, first, at),
 					second);
 			}
 			return;
 		}
-		above[0] = soft_load_pair(kind.format, texel_at);
+		above[0] = soft_load_pair(kind.format, first, at);
 		below[0] = soft_load_pair(
-			kind.format, texel_at + (1u << run->stride_log2));
+			kind.format, first + (1u << run->stride_log2), at);
 	} else if (kind.joined && !kind.wide) {
 		soft_load_joined(rows, row, x, above, below);
 	} else {
-		soft_load_rows(rows, row, x, bytes_log2 == 2, above, below);
+		soft_load_rows(rows, row, x, run->stride_log2, bytes_log2 == 2,
+			above, below);
 	}
 	if (kind.format == TEXEL_8888) {
 		soft_mix_green(kind, above, below, texel, texel >> 16, out);
@@ -360,7 +347,8 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 					rows->joint),
 				rows->stride, 0};
 
-			soft_load_rows(&other, row, x, true, above, below);
+			soft_load_rows(&other, row, x, run->stride_log2, true,
+				above, below);
 			soft_mix_green(
 				kind, above, below, texel, texel >> 16, second);
 		}
@@ -377,32 +365,31 @@ static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 
 /* Reads a texel of coordinates that may wrap around. */
 static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
-	const uint8_t *texels, struct soft_kind kind, uint32_t s, uint32_t t,
+	const uint8_t *texels, struct soft_kind kind, soft_word s, soft_word t,
 	struct soft_texel *out)
 {
-	int bytes_log2 = soft_texel_bytes_log2(kind.format);
-	uint32_t x = s >> SOFT_TEXEL_FRACTION & run->s_last;
-	uint32_t y = t >> SOFT_TEXEL_FRACTION & run->t_last;
-	const uint8_t *above = texels + (y << run->stride_log2);
-	const uint8_t *below = above;
-	uint32_t next = x, a[2], b[2];
+	const enum texel_format format = kind.format;
+	const int bytes_log2 = soft_texel_bytes_log2(format);
+	const soft_word x = s >> SOFT_TEXEL_FRACTION & run->s_last;
+	const soft_word y = t >> SOFT_TEXEL_FRACTION & run->t_last;
+	const soft_word above = y << run->stride_log2;
+	const soft_word below = ((y + 1) & run->t_last) << run->stride_log2;
+	const soft_word left = x << bytes_log2, last = x == run->s_last;
+	soft_word right, a[2], b[2];
 
 	if (!kind.linear) {
-		soft_split_texel(kind,
-			soft_load_texel(kind.format, above + (x << bytes_log2)),
-			out);
+		a[0] = soft_load_texels(format, texels, above + left);
+		soft_split_texel(kind, a[0], out);
 		return;
 	}
-	y = (y + 1) & run->t_last;
-	below = texels + (y << run->stride_log2);
-	if (kind.format != TEXEL_8888) {
-		a[0] = soft_load_pair(kind.format, above + (x << bytes_log2));
-		b[0] = soft_load_pair(kind.format, below + (x << bytes_log2));
-		if (x == run->s_last) {
-			a[0] = (a[0] & 0xFFFF) |
-				soft_load_texel(kind.format, above) << 16;
-			b[0] = (b[0] & 0xFFFF) |
-				soft_load_texel(kind.format, below) << 16;
+	if (format != TEXEL_8888) {
+		a[0] = soft_load_pair(format, texels, above + left);
+		b[0] = soft_load_pair(format, texels, below + left);
+		if (soft_any(last)) {
+			a[1] = soft_load_texels(format, texels, above) << 16;
+			b[1] = soft_load_texels(format, texels, below) << 16;
+			a[0] = soft_choose(last, (a[0] & 0xFFFF) | a[1], a[0]);
+			b[0] = soft_choose(last, (b[0] & 0xFFFF) | b[1], b[0]);
 		}
 		soft_mix_pairs(kind, a[0], b[0],
 			soft_weigh(s >> (SOFT_TEXEL_FRACTION - 5),
@@ -410,11 +397,11 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 			out);
 		return;
 	}
-	next = (x + 1) & run->s_last;
-	a[0] = soft_load_texel(kind.format, above + (x << bytes_log2));
-	a[1] = soft_load_texel(kind.format, above + (next << bytes_log2));
-	b[0] = soft_load_texel(kind.format, below + (x << bytes_log2));
-	b[1] = soft_load_texel(kind.format, below + (next << bytes_log2));
+	right = ((x + 1) & run->s_last) << bytes_log2;
+	a[0] = soft_load_texels(format, texels, above + left);
+	a[1] = soft_load_texels(format, texels, above + right);
+	b[0] = soft_load_texels(format, texels, below + left);
+	b[1] = soft_load_texels(format, texels, below + right);
 	soft_mix_green(kind, a, b, s, t, out);
 }
 
@@ -422,15 +409,10 @@ static ALWAYS_INLINE void soft_sample_anywhere(const struct soft_run *run,
 static ALWAYS_INLINE void soft_finish_texel(
 	struct soft_kind kind, struct soft_texel *texel)
 {
-#ifdef HAS_COLOR_VECTORS
-	(void)kind;
-	(void)texel;
-#else
 	if (kind.format == TEXEL_8888 && kind.linear) {
 		texel->lanes.red_blue =
 			soft_mix_half(&texel->four, false, kind.wide);
 	}
-#endif
 }
 
 #endif

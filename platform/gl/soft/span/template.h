@@ -10,255 +10,12 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 #define PLATFORM_GL_SOFT_SPAN_TEMPLATE_H
 
-#include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/stages/bytes.h"
-#include "platform/gl/soft/stages/second.h"
+#include "platform/gl/soft/stages/finish.h"
 
-/*
- * Constants of a run, from soft_fragment_stages. Fog computes fog + (color - far)
- * * share for a channel; to add a colour to all fragments, -far is that colour.
- */
-struct soft_constants {
-	int32_t start[3]; /* added to texel times colour: a half, minus far */
-	int32_t fog[3];   /* half of (fog's colour and a half) */
-	uint32_t alpha_low, alpha_range;
-	uint32_t factors_base, factors_by;
-	uint32_t unseen;
-	/* address of the row's second texels minus twice that of its depths */
-	uintptr_t second;
-};
-
-static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
-	const struct soft_constants *constants, enum soft_channel channel)
-{
-	return soft_is_fogged(kind)    ? constants->start[channel]
-		: soft_has_color(kind) ? soft_half(kind, channel)
-				       : 0;
-}
-
-/* Texel times colour, with a half added; formats are those of run.h. */
-static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
+/* The mask of fragments that pass the alpha test. */
+static ALWAYS_INLINE soft_word soft_passes(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
-	const struct soft_pixel *at)
-{
-	uint32_t rb = at->red_blue, ga = at->green_alpha;
-	int32_t red = soft_start(kind, constants, SOFT_RED);
-	int32_t green = soft_start(kind, constants, SOFT_GREEN);
-	int32_t blue = soft_start(kind, constants, SOFT_BLUE);
-	const uint32_t *c = texel->channel;
-	struct soft_color out;
-
-	if (!soft_has_color(kind)) {
-		red += (int32_t)(rb & 0xFFFF);
-		green += (int32_t)(ga & 0xFFFF);
-		blue += (int32_t)(rb >> 16);
-	} else if (soft_is_mixed(kind) || soft_is_aligned(kind) ||
-		soft_is_scaled(kind)) {
-		red = WORD_BY_BOTTOM(c[0], rb, red);
-		green = WORD_BY_BOTTOM(c[1], ga, green);
-		blue = WORD_BY_TOP(c[2], rb, blue);
-	} else if (kind.format == TEXEL_8888) {
-		red = HALVES_BB(texel->lanes.red_blue, rb, red);
-		green = HALVES_BB(texel->lanes.green_alpha, ga, green);
-		blue = HALVES_TT(texel->lanes.red_blue, rb, blue);
-	} else {
-		red = HALVES_BB(c[0], rb, red);
-		green = HALVES_BB(c[1], ga, green);
-		blue = HALVES_BT(c[2], rb, blue);
-	}
-	out.channel[0] = red;
-	out.channel[1] = green;
-	out.channel[2] = blue;
-	return out;
-}
-
-static ALWAYS_INLINE int32_t soft_shift(int32_t value, int bits)
-{
-	return bits >= 0 ? value * (1 << bits) : value >> -bits;
-}
-
-static ALWAYS_INLINE void soft_find_fog(const struct soft_run *run,
-	struct soft_kind kind, enum soft_channel channel,
-	struct soft_constants *out)
-{
-	const struct soft_fragment_stages *stages = run->stages;
-	int fraction = soft_fraction(kind, channel);
-
-	out->start[channel] =
-		(soft_has_color(kind) ? soft_half(kind, channel) : 0) -
-		soft_shift(stages->far[channel], fraction - 14);
-	out->fog[channel] = soft_shift(stages->fog[channel], fraction - 15);
-}
-
-static ALWAYS_INLINE struct soft_constants soft_find_constants(
-	const struct soft_run *run, struct soft_kind kind)
-{
-	struct soft_constants out = {0};
-
-	if (soft_is_fogged(kind)) {
-		soft_find_fog(run, kind, SOFT_RED, &out);
-		soft_find_fog(run, kind, SOFT_GREEN, &out);
-		soft_find_fog(run, kind, SOFT_BLUE, &out);
-	}
-	if (soft_is_tested(kind)) {
-		out.alpha_low = run->stages->alpha_low;
-		out.alpha_range = run->stages->alpha_range;
-	}
-	if (soft_tests_texel(kind)) {
-		out.alpha_low <<= 24;
-		out.alpha_range = out.alpha_range << 24 | 0xFFFFFF;
-	}
-	if (soft_is_blended_freely(kind)) {
-		out.factors_base = run->stages->factors_base;
-		out.factors_by = run->stages->factors_by;
-		out.unseen = run->stages->unseen;
-	}
-	return out;
-}
-
-static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
-	uint32_t fog, struct soft_color *color)
-{
-	const int32_t *to = constants->fog;
-	int32_t *c = color->channel;
-
-	c[0] = WORD_BY_BOTTOM(c[0], fog, to[0]);
-	c[1] = WORD_BY_BOTTOM(c[1], fog, to[1]);
-	c[2] = WORD_BY_BOTTOM(c[2], fog, to[2]);
-}
-
-/* A channel in the picture's bits; limited if something was added to it. */
-static ALWAYS_INLINE uint32_t soft_whole(struct soft_kind kind,
-	const struct soft_color *color, enum soft_channel i)
-{
-	int bits = kind.wide ? 8 : i == SOFT_GREEN ? 6 : 5;
-	int fraction = soft_last_fraction(kind, i);
-
-	return soft_is_fogged(kind) || soft_is_summed(kind)
-		? LIMIT_SHIFTED(color->channel[i], fraction, bits)
-		: (uint32_t)color->channel[i] >> fraction;
-}
-
-static ALWAYS_INLINE void soft_store_565(
-	struct soft_kind kind, const struct soft_color *color, uint16_t *pixel)
-{
-	const int32_t *c = color->channel;
-	uint32_t r = soft_whole(kind, color, 0), g = soft_whole(kind, color, 1);
-	uint32_t b = soft_whole(kind, color, 2);
-	uint32_t mask = WIDE_MASK, to = *pixel;
-
-	if (!soft_is_blended(kind) && soft_is_aligned(kind) &&
-		!soft_is_fogged(kind) && !soft_is_scaled(kind) &&
-		!soft_is_summed(kind)) {
-		to = UPPER_HALVES(c[0], c[2]);
-		*pixel = (uint16_t)(to | to >> 5 | g << 5);
-		return;
-	}
-	if (!soft_is_blended(kind)) {
-		*pixel = (uint16_t)((r << 6 | g) << 5 | b);
-		return;
-	}
-	OPAQUE(mask); /* else compilers replace it by several instructions */
-	to = (to | to << 16) & mask;
-	to = (to * 32 + ((g << 21 | r << 11 | b) - to) * color->alpha +
-		     WIDE_ROUND) >>
-			5 &
-		mask;
-	*pixel = narrow(to);
-}
-
-/* Blend factors: the source's, and the destination's in the upper half. */
-static ALWAYS_INLINE uint32_t soft_find_factors(
-	const struct soft_constants *constants, uint32_t alpha)
-{
-	return constants->factors_base + constants->factors_by * alpha;
-}
-
-/*
- * Blends by any two factors of 256: sums have RGB565's fields in the upper bits
- * of 16. The half that the colour includes is taken out before it is scaled.
- */
-static ALWAYS_INLINE void soft_mix_565(struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_color *color,
-	uint16_t *pixel)
-{
-	const uint32_t alpha = color->alpha + (color->alpha >> 7);
-	const uint32_t factors = soft_find_factors(constants, alpha);
-	const uint32_t own = factors & 0xFFFF, old = factors >> 16;
-	const uint32_t to = *pixel;
-	const uint32_t red_blue =
-		(uint32_t)color->channel[0] >> (soft_fraction(kind, 0) - 3) |
-		(uint32_t)color->channel[2] >> (soft_fraction(kind, 2) - 3)
-				<< 16;
-	const uint32_t green =
-		(uint32_t)color->channel[1] >> (soft_fraction(kind, 1) - 2);
-	uint32_t rb =
-		HALVES_ADD_LIMITED((red_blue - 0x00040004) * own + 0x04000400,
-			(((to & 0xF800) | to << 27) >> 8) * old);
-	uint32_t g = HALVES_ADD_LIMITED(
-		(green - 2) * own + 0x0200, ((to & 0x07E0) >> 3) * old);
-
-	*pixel = (uint16_t)((rb & 0xF800) | rb >> 27 | g >> 10 << 5);
-}
-
-/* The fragment's alpha as 0 to 32, for blending in RGB565. */
-static ALWAYS_INLINE uint32_t soft_find_alpha_32(struct soft_kind kind,
-	const struct soft_texel *texel, uint32_t green_alpha)
-{
-	return soft_has_alpha(kind)
-		? ((green_alpha >> 16) * texel->alpha + (1 << 17)) >> 18
-		: (green_alpha + (1 << 25)) >> 26;
-}
-
-static ALWAYS_INLINE uint32_t soft_find_alpha(struct soft_kind kind,
-	const struct soft_texel *texel, uint32_t green_alpha)
-{
-	return soft_has_alpha(kind)
-		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
-		: green_alpha >> 23;
-}
-
-static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
-	const struct soft_constants *constants, uint32_t own, uint8_t *pixel)
-{
-	const uint32_t alpha = own >> 24;
-
-	if (soft_is_blended(kind)) {
-		own = soft_blend_bytes(load_32(pixel), own, alpha);
-	} else if (soft_is_blended_freely(kind)) {
-		uint32_t factors = soft_find_factors(constants, alpha);
-
-		own = BYTES_ADD_LIMITED(soft_scale_bytes(own, factors & 0xFFFF),
-			soft_scale_bytes(load_32(pixel), factors >> 16));
-	}
-	memcpy(pixel, &own, sizeof(own));
-}
-
-/* The colour for an RGBA8888 picture; alpha is the fragment's. */
-static ALWAYS_INLINE uint32_t soft_find_bytes(struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_texel *texel,
-	const struct soft_pixel *at, uint32_t alpha)
-{
-	struct soft_color color;
-
-#ifdef HAS_COLOR_VECTORS
-	if (kind.format == TEXEL_8888 && !soft_is_fogged(kind)) {
-		return vector_scale(texel->vector, at->red_blue,
-			       at->green_alpha & 0xFFFF) |
-			alpha << 24;
-	}
-#endif
-	color = soft_modulate(kind, constants, texel, at);
-	if (soft_is_fogged(kind)) {
-		soft_add_fog(constants, at->fog, &color);
-	}
-	return soft_whole(kind, &color, 0) | soft_whole(kind, &color, 1) << 8 |
-		soft_whole(kind, &color, 2) << 16 | alpha << 24;
-}
-
-static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_texel *texel,
-	uint32_t alpha)
+	soft_word alpha)
 {
 	const uint32_t low = constants->alpha_low;
 
@@ -266,31 +23,45 @@ static ALWAYS_INLINE bool soft_passes(struct soft_kind kind,
 		/* The bits below alpha may be those of green. */
 		alpha = kind.format == TEXEL_8888 ? texel->lanes.green_alpha << 8
 						  : texel->alpha << 24;
-		return alpha - low <= constants->alpha_range;
+		return (soft_word)(alpha - low <= constants->alpha_range);
 	}
-	return !soft_is_tested(kind) ||
-		((alpha - low) & 255) <= constants->alpha_range;
+	return (soft_word)(((alpha - low) & 255) <= constants->alpha_range);
 }
 
 /* The second texture's word for the pixel with that depth. */
-static ALWAYS_INLINE uint32_t soft_load_second(
+static ALWAYS_INLINE soft_word soft_load_second(
 	const struct soft_constants *constants, const uint16_t *depth)
 {
-	return *(const uint32_t *)(constants->second + 2 * (uintptr_t)depth);
+	return soft_get_words(
+		(const void *)(constants->second + 2 * (uintptr_t)depth));
 }
 
-/* Draws one pixel whose depth has passed; makes the alpha test. */
+/* Whether blending leaves the pixel, or all four, as it is. */
+static ALWAYS_INLINE bool soft_is_unseen(struct soft_kind kind,
+	const struct soft_constants *constants, soft_word alpha)
+{
+	return (soft_is_blended(kind) && soft_all((soft_word)(alpha == 0))) ||
+		(soft_is_blended_freely(kind) &&
+			soft_all((soft_word)(alpha == constants->unseen)));
+}
+
+/*
+ * Draws one pixel whose depth has passed, or four, of which those in pass have;
+ * makes the alpha test.
+ */
 static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	const struct soft_rows *rows, struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_pixel *at,
-	uint16_t *depth, uint8_t *pixel)
+	soft_word pass, uint16_t *depth, uint8_t *pixel)
 {
-	struct soft_texel texel = {.alpha = 255}, second;
+	struct soft_texel texel = {.alpha = SOFT_OPAQUE_ALPHA}, second;
+	uint16_t *const pixel_565 = (uint16_t *)(void *)pixel;
 	struct soft_color color;
-	uint32_t alpha = 255;
+	soft_word alpha = SOFT_OPAQUE_ALPHA;
 
 	if (kind.textured && kind.inside) {
-		soft_sample_inside(run, rows, kind, at->texel, &texel, &second);
+		soft_sample_inside(run, rows, kind, soft_safe(at->texel, pass),
+			&texel, &second);
 	} else if (kind.textured) {
 		soft_sample_anywhere(
 			run, run->texels, kind, at->s, at->t, &texel);
@@ -306,17 +77,20 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 			? soft_find_alpha(kind, &texel, at->green_alpha)
 			: soft_find_alpha_32(kind, &texel, at->green_alpha);
 	}
-	if (!soft_passes(kind, constants, &texel, alpha)) {
-		return;
+	if (soft_is_tested(kind)) {
+		pass &= soft_passes(kind, constants, &texel, alpha);
+		if (!soft_any(pass)) {
+			return;
+		}
 	}
 	if (soft_tests_texel(kind) && kind.format == TEXEL_8888) {
 		/* else compilers filter red and blue before the test */
 		OPAQUE(texel.lanes.red_blue);
 		OPAQUE(texel.lanes.green_alpha);
 	}
-	*depth = (uint16_t)(kind.textured ? UPPER_HALF(at->z) : at->z >> 16);
-	if ((soft_is_blended(kind) && alpha == 0) ||
-		(soft_is_blended_freely(kind) && alpha == constants->unseen)) {
+	soft_store_halves(
+		kind.textured ? UPPER_HALF(at->z) : at->z >> 16, pass, depth);
+	if (soft_is_unseen(kind, constants, alpha)) {
 		return;
 	}
 	soft_finish_texel(kind, &texel);
@@ -333,7 +107,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		}
 		soft_store_8888(kind, constants,
 			soft_find_bytes(kind, constants, &texel, at, alpha),
-			pixel);
+			pass, pixel);
 		return;
 	}
 	if ((soft_is_scaled(kind) || soft_is_summed(kind)) && !kind.joined) {
@@ -351,12 +125,17 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		soft_add_second(kind, &second, &color);
 	}
 	if (soft_is_blended_freely(kind)) {
-		soft_mix_565(kind, constants, &color, (uint16_t *)(void *)pixel);
+		soft_store_halves(soft_mix_565(kind, constants, &color,
+					  soft_get_halves(pixel)),
+			pass, pixel_565);
 	} else {
-		soft_store_565(kind, &color, (uint16_t *)(void *)pixel);
+		soft_store_halves(
+			soft_find_565(kind, &color, soft_get_halves(pixel)),
+			pass, pixel_565);
 	}
 }
 
+#if SOFT_LANES == 1
 static ALWAYS_INLINE void soft_step_pixel(const struct soft_run *run,
 	struct soft_kind kind, struct soft_steps *steps, struct soft_pixel *at)
 {
@@ -409,7 +188,8 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	}
 	do {
 		if (kind.lequal ? at.z >> 16 <= *depth : at.z >> 16 < *depth) {
-			soft_shade_pixel(run, rows, kind, constants, &at, depth,
+			soft_shade_pixel(run, rows, kind, constants, &at, 1,
+				depth,
 				kind.wide ? pixel
 					  : (uint8_t *)((uintptr_t)depth +
 						    distance));
@@ -420,6 +200,90 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	} while (soft_counts_by_green(kind) ? (int32_t)at.green_alpha >= 0
 					    : depth != end);
 }
+#else
+/* Adds steps; texel's is the row's. */
+static ALWAYS_INLINE void soft_step_pixel(
+	const struct soft_pixel *steps, struct soft_pixel *at)
+{
+	at->z += steps->z;
+	at->red_blue += steps->red_blue;
+	at->green_alpha += steps->green_alpha;
+	at->fog += steps->fog;
+	at->texel += steps->texel;
+	at->s += steps->s;
+	at->t += steps->t;
+}
+
+static ALWAYS_INLINE struct soft_pixel soft_spread_steps(
+	const struct soft_run *run, uint32_t texel_right, bool next)
+{
+	return (struct soft_pixel){soft_spread(run->z_right, next),
+		soft_spread(run->red_blue_right, next),
+		soft_spread(run->green_alpha_right, next),
+		soft_spread(run->fog_right, next),
+		soft_spread(texel_right, next),
+		soft_spread((uint32_t)run->s_right, next),
+		soft_spread((uint32_t)run->t_right, next)};
+}
+
+/*
+ * The last pixels of a row as four, where memory may end behind them: tails
+ * beyond run->last are drawn here and copied back.
+ */
+struct soft_tail {
+	uint16_t depth[SOFT_LANES];
+	uint32_t pixel[SOFT_LANES];
+};
+
+static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
+	const struct soft_row *row, const struct soft_kind kind,
+	const struct soft_rows *rows, struct soft_constants *constants,
+	struct soft_steps *steps)
+{
+	const soft_word zero = {0};
+	const int pixel_log2 = kind.wide ? 2 : 1;
+	struct soft_pixel at = {zero + row->z, zero + row->red_blue,
+		zero + row->green_alpha, zero + row->fog, zero + row->texel,
+		zero + (uint32_t)run->s, zero + (uint32_t)run->t};
+	struct soft_pixel step = soft_spread_steps(run, row->texel_right, false);
+	uint16_t *depth = row->depth;
+	uint8_t *pixel = row->pixel;
+	struct soft_tail tail = {{0}, {0}};
+
+	(void)steps;
+	constants->second = run->second - 2 * (uintptr_t)depth;
+	soft_step_pixel(&step, &at);
+	step = soft_spread_steps(run, row->texel_right, true);
+	for (int left = (int)row->count; left > 0; left -= SOFT_LANES) {
+		const bool copied =
+			left < SOFT_LANES && (uintptr_t)pixel > run->last;
+		soft_word pass = soft_live(left), there, z;
+
+		if (copied) {
+			memcpy(tail.depth, depth, (size_t)left * 2);
+			memcpy(tail.pixel, pixel, (size_t)left << pixel_log2);
+			constants->second +=
+				2 * ((uintptr_t)depth - (uintptr_t)tail.depth);
+		}
+		there = soft_get_halves(copied ? tail.depth : depth);
+		z = at.z >> 16;
+		pass &= (soft_word)((soft_int)z <
+			(soft_int)there + (int)kind.lequal);
+		if (soft_any(pass)) {
+			soft_shade_pixel(run, rows, kind, constants, &at, pass,
+				copied ? tail.depth : depth,
+				copied ? (uint8_t *)tail.pixel : pixel);
+		}
+		if (copied) {
+			memcpy(depth, tail.depth, (size_t)left * 2);
+			memcpy(pixel, tail.pixel, (size_t)left << pixel_log2);
+		}
+		depth += SOFT_LANES;
+		pixel += SOFT_LANES << pixel_log2;
+		soft_step_pixel(&step, &at);
+	}
+}
+#endif
 
 static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *given, const struct soft_kind kind)
@@ -462,7 +326,7 @@ static ALWAYS_INLINE bool soft_is_still(
 	const struct soft_row *row = run->rows;
 
 	/* coverage may have removed all of a triangle's runs */
-	if (!kind.inside || run->row_count == 0) {
+	if (!kind.inside || run->row_count == 0 || SOFT_LANES > 1) {
 		return false;
 	}
 	if (kind.finish == SOFT_OPAQUE) {

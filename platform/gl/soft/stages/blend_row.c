@@ -1,3 +1,5 @@
+#define SOFT_BY_FOUR
+
 #include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/pixel.h"
@@ -5,14 +7,15 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 /* A colour times a blend factor; from is the source, to the destination. */
-static ALWAYS_INLINE uint32_t scale_by_factor(
-	GLenum factor, uint32_t color, uint32_t from, uint32_t to)
+static ALWAYS_INLINE soft_word scale_by_factor(
+	GLenum factor, soft_word color, soft_word from, soft_word to)
 {
-	uint32_t own = from >> 24, left = 255 - (to >> 24);
+	const soft_word zero = {0};
+	soft_word own = from >> 24, left = 255 - (to >> 24);
 
 	switch (factor) {
 	case GL_ZERO:
-		return 0;
+		return zero;
 	case GL_SRC_COLOR:
 		return soft_multiply_bytes(color, from);
 	case GL_ONE_MINUS_SRC_COLOR:
@@ -31,7 +34,8 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 		return soft_scale_bytes(color, left);
 	case GL_SRC_ALPHA_SATURATE:
 		return (color & 0xFF000000) |
-			(soft_scale_bytes(color, own < left ? own : left) &
+			(soft_scale_bytes(
+				 color, own - BYTES_LESS_LIMITED(own, left)) &
 				0x00FFFFFF);
 	default:
 		return color;
@@ -39,29 +43,27 @@ static ALWAYS_INLINE uint32_t scale_by_factor(
 }
 
 /* A pixel of RGB565 as RGBA8888, as load_pixel() expands it. */
-static ALWAYS_INLINE uint32_t load_565(const uint8_t *pixel)
+static ALWAYS_INLINE soft_word load_565(const void *pixel)
 {
-	const uint32_t old = load_16(pixel);
-	const uint32_t red_blue = ((old & 0xF800) | old << 27) >> 8;
-	const uint32_t green = (old & 0x07E0) << 5;
+	const soft_word old = soft_get_halves(pixel);
+	const soft_word red_blue = ((old & 0xF800) | old << 27) >> 8;
+	const soft_word green = (old & 0x07E0) << 5;
 
 	return 0xFF000000 | red_blue | (red_blue >> 5 & 0x00070007) | green |
 		(green >> 6 & 0x0300);
 }
 
-/* Stores pack_565() of a colour; red and blue are packed in one word. */
-static ALWAYS_INLINE void store_565(uint8_t *pixel, uint32_t color)
+/* pack_565() of a colour; red and blue are packed in one word. */
+static ALWAYS_INLINE soft_word narrow_565(soft_word color)
 {
-	const uint32_t red_blue = BYTES_AS_HALVES(color) * 249 + 1014 * 0x10001;
-	const uint32_t green = (color >> 8 & 255) * 253 + 505;
+	const soft_word red_blue = BYTES_AS_HALVES(color) * 249 + 1014 * 0x10001;
+	const soft_word green = (color >> 8 & 255) * 253 + 505;
 
-	store_16(pixel,
-		(uint16_t)((red_blue & 0xF800) | green >> 10 << 5 |
-			red_blue >> 27));
+	return (red_blue & 0xF800) | green >> 10 << 5 | red_blue >> 27;
 }
 
-static ALWAYS_INLINE uint32_t blend_colors(
-	uint32_t to, uint32_t from, GLenum source, GLenum destination)
+static ALWAYS_INLINE soft_word blend_colors(
+	soft_word to, soft_word from, GLenum source, GLenum destination)
 {
 	return BYTES_ADD_LIMITED(scale_by_factor(source, from, from, to),
 		scale_by_factor(destination, to, from, to));
@@ -72,21 +74,40 @@ static ALWAYS_INLINE void blend(const struct soft_row *row,
 	const uint32_t *color, const uint16_t *before, const uint16_t *after,
 	GLenum source, GLenum destination, bool wide)
 {
-	const uint32_t *end = color + row->count;
+	const size_t pixel_bytes = wide ? 4 : 2;
 	uint8_t *pixel = row->pixel;
-	uint32_t to;
+	uint32_t tail[SOFT_LANES] = {0};
 
-	for (; color != end; color++, pixel += wide ? 4 : 2) {
-		if (*before++ == *after++) {
-			continue;
+	for (int left = (int)row->count; left > 0; left -= SOFT_LANES) {
+		const size_t bytes = (size_t)left * pixel_bytes;
+		const bool copied = left < SOFT_LANES;
+		const soft_word unseen = (soft_word)(soft_get_halves(before) ==
+			soft_get_halves(after));
+		void *at = pixel;
+		soft_word old, to;
+
+		if (copied) {
+			at = memcpy(tail, pixel, bytes);
 		}
-		to = blend_colors(wide ? load_32(pixel) : load_565(pixel),
-			*color, source, destination);
-		if (wide) {
-			memcpy(pixel, &to, sizeof(to));
-		} else {
-			store_565(pixel, to);
+		if (!soft_all(unseen)) {
+			old = wide ? soft_get_words(at) : load_565(at);
+			to = blend_colors(old, soft_get_words(color), source,
+				destination);
+			if (wide) {
+				soft_put_words(at, soft_choose(unseen, old, to));
+			} else {
+				soft_put_halves(at,
+					soft_choose(unseen, soft_get_halves(at),
+						narrow_565(to)));
+			}
 		}
+		if (copied) {
+			memcpy(pixel, at, bytes);
+		}
+		before += SOFT_LANES;
+		after += SOFT_LANES;
+		color += SOFT_LANES;
+		pixel += SOFT_LANES * pixel_bytes;
 	}
 }
 

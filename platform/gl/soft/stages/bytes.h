@@ -16,7 +16,7 @@ static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
 {
 	return (uint32_t)__usub16(a, b);
 }
-#else
+#elif SOFT_LANES == 1
 static inline uint32_t soft_bytes_add_limited(uint32_t a, uint32_t b)
 {
 	const uint32_t top = 0x80808080;
@@ -35,56 +35,61 @@ static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
 #define BYTES_LESS_LIMITED(a, b) (~soft_bytes_add_limited(~(a), b))
 #endif
 
+/* a * b + 128 of each half, 16 bits; and a * x + b * y + 128 */
+#if SOFT_LANES == 1
+#define HALVES_BY_HALVES(a, b) \
+	((uint32_t)HALVES_BB(a, b, 128) | (uint32_t)HALVES_TT(a, b, 128) << 16)
+#define HALVES_MIX(a, x, b, y)                             \
+	((uint32_t)HALVES_BB(a, x, HALVES_BB(b, y, 128)) | \
+		(uint32_t)HALVES_TT(a, x, HALVES_TT(b, y, 128)) << 16)
+#else
+#define HALVES_BY_HALVES(a, b) (HALVES_TIMES(a, b) + 0x00800080)
+#define HALVES_MIX(a, x, b, y) \
+	(HALVES_TIMES(a, x) + HALVES_TIMES(b, y) + 0x00800080)
+/* a - b of both halves, each modulo 2^16 */
+#define soft_halves_minus(a, b) SOFT_VECTOR(sub_epi16, a, b)
+#endif
+
 /* Divides two 16-bit products of bytes, 128 added, by 255: bytes 0 and 2. */
-static ALWAYS_INLINE uint32_t soft_divide_lanes(uint32_t product)
+static ALWAYS_INLINE soft_word soft_divide_lanes(soft_word product)
 {
 	return ODD_BYTES_AS_HALVES(product + ODD_BYTES_AS_HALVES(product));
 }
 
 /* color * by / 255 of each byte, rounded. */
-static ALWAYS_INLINE uint32_t soft_scale_bytes(uint32_t color, uint32_t by)
+static ALWAYS_INLINE soft_word soft_scale_bytes(soft_word color, soft_word by)
 {
-#ifdef HAS_COLOR_VECTORS
-	return vector_multiply(color, by * 0x01010101);
-#else
+	const soft_word twice = HALVES_TWICE(by);
 	const uint32_t half = 0x00800080;
+	soft_word rb = HALVES_TIMES(BYTES_AS_HALVES(color), twice);
+	soft_word ga = HALVES_TIMES(ODD_BYTES_AS_HALVES(color), twice);
 
-	return soft_divide_lanes(BYTES_AS_HALVES(color) * by + half) |
-		soft_divide_lanes(ODD_BYTES_AS_HALVES(color) * by + half) << 8;
-#endif
+	return soft_divide_lanes(rb + half) | soft_divide_lanes(ga + half) << 8;
 }
 
 /* a * b / 255 of each byte, rounded as scale_byte() does. */
-static ALWAYS_INLINE uint32_t soft_multiply_bytes(uint32_t a, uint32_t b)
+static ALWAYS_INLINE soft_word soft_multiply_bytes(soft_word a, soft_word b)
 {
-#ifdef HAS_COLOR_VECTORS
-	return vector_multiply(a, b);
-#else
-	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
-	uint32_t b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
-	uint32_t rb = (uint32_t)HALVES_BB(a_rb, b_rb, 128) |
-		(uint32_t)HALVES_TT(a_rb, b_rb, 128) << 16;
-	uint32_t ga = (uint32_t)HALVES_BB(a_ga, b_ga, 128) |
-		(uint32_t)HALVES_TT(a_ga, b_ga, 128) << 16;
+	soft_word a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
+	soft_word b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
 
-	return soft_divide_lanes(rb) | soft_divide_lanes(ga) << 8;
-#endif
+	return soft_divide_lanes(HALVES_BY_HALVES(a_rb, b_rb)) |
+		soft_divide_lanes(HALVES_BY_HALVES(a_ga, b_ga)) << 8;
 }
 
 /* Blends each byte of to with own by alpha / 255, rounded. */
-static ALWAYS_INLINE uint32_t soft_blend_bytes(
-	uint32_t to, uint32_t own, uint32_t alpha)
+static ALWAYS_INLINE soft_word soft_blend_bytes(
+	soft_word to, soft_word own, soft_word alpha)
 {
-#ifdef HAS_COLOR_VECTORS
-	return vector_blend(to, own, alpha);
-#else
-	const uint32_t half = 0x00800080, rest = 255 - alpha;
-	uint32_t rb = BYTES_AS_HALVES(own) * alpha + BYTES_AS_HALVES(to) * rest;
-	uint32_t ga = ODD_BYTES_AS_HALVES(own) * alpha +
-		ODD_BYTES_AS_HALVES(to) * rest;
+	const uint32_t half = 0x00800080;
+	const soft_word by = HALVES_TWICE(alpha),
+			rest = HALVES_TWICE(255 - alpha);
+	soft_word rb = HALVES_TIMES(BYTES_AS_HALVES(own), by) +
+		HALVES_TIMES(BYTES_AS_HALVES(to), rest);
+	soft_word ga = HALVES_TIMES(ODD_BYTES_AS_HALVES(own), by) +
+		HALVES_TIMES(ODD_BYTES_AS_HALVES(to), rest);
 
 	return soft_divide_lanes(rb + half) | soft_divide_lanes(ga + half) << 8;
-#endif
 }
 
 #endif

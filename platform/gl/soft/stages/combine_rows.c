@@ -1,3 +1,5 @@
+#define SOFT_BY_FOUR
+
 #include "platform/gl/soft/stages/combine_rows.h"
 
 #include <string.h>
@@ -7,9 +9,7 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-enum {
-	RGB = 0x00FFFFFF,
-};
+static const uint32_t RGB = 0x00FFFFFF;
 
 /* The sources that a stage's arguments may have. */
 struct meeting {
@@ -201,8 +201,8 @@ void soft_find_environment(
 
 static void fill(uint32_t *out, uint32_t value, uint32_t count)
 {
-	for (uint32_t i = 0; i < count; i++) {
-		out[i] = value;
+	for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+		soft_put_words(out + i, (soft_word){0} + value);
 	}
 }
 
@@ -220,107 +220,116 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 		from = out;
 	}
 	if (is_alpha(operand) && !for_alpha) {
-		for (uint32_t i = 0; i < count; i++) {
-			out[i] = ((from[i] >> 24) * 0x01010101) ^ invert;
+		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+			const soft_word alpha = soft_get_words(from + i) >> 24;
+
+			soft_put_words(out + i, (alpha * 0x01010101) ^ invert);
 		}
 		return out;
 	}
 	if (!invert) {
 		return from;
 	}
-	for (uint32_t i = 0; i < count; i++) {
-		out[i] = ~from[i];
+	for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+		soft_put_words(out + i, ~soft_get_words(from + i));
 	}
 	return out;
 }
 
 /* GL_DOT3: 4 * sum of (a - 1/2)(b - 1/2), limited, in all four bytes. */
-static uint32_t dot(uint32_t a, uint32_t b)
+static ALWAYS_INLINE soft_word dot(soft_word a, soft_word b)
 {
-	const uint32_t one = 0x00FF00FF;
+	const soft_word one = (soft_word){0} + 0x00FF00FF;
 	/* 2 a - 255 of bytes 0 and 2, without a borrow between the halves */
-	uint32_t a_rb = soft_halves_minus(BYTES_AS_HALVES(a) * 2, one);
-	uint32_t b_rb = soft_halves_minus(BYTES_AS_HALVES(b) * 2, one);
-	int32_t a_g = (int32_t)(a >> 8 & 255) * 2 - 255;
-	int32_t b_g = (int32_t)(b >> 8 & 255) * 2 - 255;
-	int32_t sum = (int32_t)HALVES_SUM_ADD(a_rb, b_rb, (uint32_t)(a_g * b_g));
+	soft_word a_rb = soft_halves_minus(BYTES_AS_HALVES(a) * 2, one);
+	soft_word b_rb = soft_halves_minus(BYTES_AS_HALVES(b) * 2, one);
+	soft_word a_g = (a >> 8 & 255) * 2 - 255, b_g = (b >> 8 & 255) * 2 - 255;
+	soft_word green = (soft_word)HALVES_BB(a_g, b_g, 0);
+	soft_int sum = (soft_int)HALVES_SUM_ADD(a_rb, b_rb, green);
 
 	/* sum / 255 rounded down, exact while that is below 256 */
-	sum = sum <= 0 ? 0 : (sum * 257 + 257) >> 16;
-	return (uint32_t)(sum > 255 ? 255 : sum) * 0x01010101;
+	return LIMIT_SHIFTED(sum * 257 + 257, 16, 8) * 0x01010101;
 }
 
 /* (a * share + b * (255 - share)) / 255 of each byte, rounded. */
-static ALWAYS_INLINE uint32_t mix_bytes(uint32_t a, uint32_t b, uint32_t share)
+static ALWAYS_INLINE soft_word mix_bytes(
+	soft_word a, soft_word b, soft_word share)
 {
-#ifdef HAS_COLOR_VECTORS
-	return vector_narrow(vector_divide(_mm_add_epi16(
-		_mm_mullo_epi16(vector_widen(a), vector_widen(share)),
-		_mm_mullo_epi16(vector_widen(b), vector_widen(~share)))));
-#else
-	const uint32_t rest = ~share;
-	uint32_t a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
-	uint32_t b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
-	uint32_t s_rb = BYTES_AS_HALVES(share);
-	uint32_t s_ga = ODD_BYTES_AS_HALVES(share);
-	uint32_t r_rb = BYTES_AS_HALVES(rest), r_ga = ODD_BYTES_AS_HALVES(rest);
-	uint32_t rb =
-		(uint32_t)HALVES_BB(a_rb, s_rb, HALVES_BB(b_rb, r_rb, 128));
-	uint32_t ga =
-		(uint32_t)HALVES_BB(a_ga, s_ga, HALVES_BB(b_ga, r_ga, 128));
+	const soft_word rest = ~share;
+	soft_word a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);
+	soft_word b_rb = BYTES_AS_HALVES(b), b_ga = ODD_BYTES_AS_HALVES(b);
+	soft_word s_rb = BYTES_AS_HALVES(share);
+	soft_word s_ga = ODD_BYTES_AS_HALVES(share);
+	soft_word r_rb = BYTES_AS_HALVES(rest), r_ga = ODD_BYTES_AS_HALVES(rest);
 
-	rb |= (uint32_t)HALVES_TT(a_rb, s_rb, HALVES_TT(b_rb, r_rb, 128)) << 16;
-	ga |= (uint32_t)HALVES_TT(a_ga, s_ga, HALVES_TT(b_ga, r_ga, 128)) << 16;
-	return soft_divide_lanes(rb) | soft_divide_lanes(ga) << 8;
-#endif
+	return soft_divide_lanes(HALVES_MIX(a_rb, s_rb, b_rb, r_rb)) |
+		soft_divide_lanes(HALVES_MIX(a_ga, s_ga, b_ga, r_ga)) << 8;
+}
+
+static ALWAYS_INLINE soft_word apply(
+	GLenum function, soft_word x, soft_word y, soft_word z)
+{
+	const soft_word half = (soft_word){0} + 0x80808080;
+
+	switch (function) {
+	case GL_ADD:
+		return BYTES_ADD_LIMITED(x, y);
+	case GL_ADD_SIGNED:
+		/* x + y - 128: what is more or less than 128 */
+		return BYTES_LESS_LIMITED(
+			BYTES_ADD_LIMITED(y, BYTES_LESS_LIMITED(x, half)),
+			BYTES_LESS_LIMITED(half, x));
+	case GL_SUBTRACT:
+		return BYTES_LESS_LIMITED(x, y);
+	case GL_INTERPOLATE:
+		return mix_bytes(x, y, z);
+	case GL_DOT3_RGB:
+		return dot(x, y);
+	default:
+		return soft_multiply_bytes(x, y);
+	}
+}
+
+/* Inlined with a constant function. */
+static ALWAYS_INLINE void apply_all(GLenum function, const uint32_t *const a[3],
+	uint32_t *out, uint32_t count)
+{
+	const uint32_t *x = a[0], *y = a[1], *end = x + count;
+	const uint32_t *z = function == GL_INTERPOLATE ? a[2] : y;
+
+	for (; x < end; x += SOFT_LANES, y += SOFT_LANES, z += SOFT_LANES) {
+		soft_put_words(out,
+			apply(function, soft_get_words(x), soft_get_words(y),
+				soft_get_words(z)));
+		out += SOFT_LANES;
+	}
 }
 
 static void run_function(GLenum function, const uint32_t *const a[3],
 	uint32_t *out, uint32_t count)
 {
-	const uint32_t *x = a[0], *y = a[1], *z = a[2];
-	const uint32_t half = 0x80808080;
-	uint32_t i = 0;
-
 	switch (function) {
 	case GL_REPLACE:
-		memmove(out, x, count * sizeof(*out));
+		memmove(out, a[0], count * sizeof(*out));
 		break;
 	case GL_ADD:
-		for (; i < count; i++) {
-			out[i] = BYTES_ADD_LIMITED(x[i], y[i]);
-		}
-		break;
-	case GL_ADD_SIGNED:
-		/* x + y - 128: more or less is 0 */
-		for (; i < count; i++) {
-			uint32_t more = BYTES_LESS_LIMITED(x[i], half);
-			uint32_t less = BYTES_LESS_LIMITED(half, x[i]);
-
-			out[i] = BYTES_LESS_LIMITED(
-				BYTES_ADD_LIMITED(y[i], more), less);
-		}
-		break;
-	case GL_SUBTRACT:
-		for (; i < count; i++) {
-			out[i] = BYTES_LESS_LIMITED(x[i], y[i]);
-		}
+		apply_all(GL_ADD, a, out, count);
 		break;
 	case GL_INTERPOLATE:
-		for (; i < count; i++) {
-			out[i] = mix_bytes(x[i], y[i], z[i]);
-		}
+		apply_all(GL_INTERPOLATE, a, out, count);
 		break;
 	case GL_DOT3_RGB:
 	case GL_DOT3_RGBA:
-		for (; i < count; i++) {
-			out[i] = dot(x[i], y[i]);
-		}
+		apply_all(GL_DOT3_RGB, a, out, count);
+		break;
+	case GL_ADD_SIGNED:
+		apply_all(GL_ADD_SIGNED, a, out, count);
+		break;
+	case GL_SUBTRACT:
+		apply_all(GL_SUBTRACT, a, out, count);
 		break;
 	default:
-		for (; i < count; i++) {
-			out[i] = soft_multiply_bytes(x[i], y[i]);
-		}
+		apply_all(GL_MODULATE, a, out, count);
 		break;
 	}
 }
@@ -337,8 +346,10 @@ static void run_combiner(const struct soft_combiner *combiner,
 	}
 	run_function(combiner->function, argument, out, count);
 	for (int n = 0; n < combiner->doublings; n++) {
-		for (uint32_t i = 0; i < count; i++) {
-			out[i] = BYTES_ADD_LIMITED(out[i], out[i]);
+		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+			const soft_word color = soft_get_words(out + i);
+
+			soft_put_words(out + i, BYTES_ADD_LIMITED(color, color));
 		}
 	}
 }
@@ -355,8 +366,10 @@ static void combine(const struct soft_environment *environment,
 	}
 	run_combiner(&environment->rgb, m, false, rgb, count);
 	run_combiner(&environment->alpha, m, true, color, count);
-	for (uint32_t i = 0; i < count; i++) {
-		color[i] = (rgb[i] & RGB) | (color[i] & ~(uint32_t)RGB);
+	for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+		soft_put_words(color + i,
+			(soft_get_words(rgb + i) & RGB) |
+				(soft_get_words(color + i) & ~RGB));
 	}
 }
 

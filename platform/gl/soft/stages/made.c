@@ -1,3 +1,5 @@
+#define SOFT_BY_FOUR
+
 #include "platform/gl/soft/stages/made.h"
 
 #include "platform/gl/soft/raster/rows.h"
@@ -148,12 +150,15 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 }
 
 /* Blends the four bytes of from with to by share / 256; share is below 256. */
-static uint32_t mix(uint32_t from, uint32_t to, uint32_t share)
+static ALWAYS_INLINE soft_word mix(soft_word from, soft_word to, uint32_t share)
 {
 	const uint32_t mask = 0x00FF00FF, half = 0x00800080;
-	uint32_t low = (from & mask) * (256 - share) + (to & mask) * share;
-	uint32_t high =
-		(from >> 8 & mask) * (256 - share) + (to >> 8 & mask) * share;
+	const soft_word by = (soft_word){0} + HALVES_TWICE(share);
+	const soft_word rest = HALVES_TWICE(256u) - by;
+	soft_word low =
+		HALVES_TIMES(from & mask, rest) + HALVES_TIMES(to & mask, by);
+	soft_word high = HALVES_TIMES(from >> 8 & mask, rest) +
+		HALVES_TIMES(to >> 8 & mask, by);
 
 	return ((low + half) >> 8 & mask) | ((high + half) & ~mask);
 }
@@ -175,7 +180,7 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 	const struct soft_row *rows = spans->run.rows;
 	const struct soft_made_at *known = NULL;
 	struct soft_made_at at;
-	uint32_t next[SOFT_BATCH_PIXELS], share;
+	uint32_t next[SOFT_BATCH_ROOM], share;
 
 	if (unit == 0 && rows == &spans->run.row) {
 		known = &spans->made_at;
@@ -189,8 +194,10 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 		const uint32_t count = count_pixels(&spans->run);
 
 		sample_level(draw, unit, true, known, next);
-		for (uint32_t i = 0; i < count; i++) {
-			texel[i] = mix(texel[i], next[i], share);
+		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+			soft_put_words(texel + i,
+				mix(soft_get_words(texel + i),
+					soft_get_words(next + i), share));
 		}
 	}
 }
@@ -203,14 +210,19 @@ static void fill_primary(const struct soft_run *run, uint32_t *out)
 
 	for (uint32_t i = 0; i < run->row_count; i++) {
 		const struct soft_row *row = &run->rows[i];
-		uint32_t rb = row->red_blue, ga = row->green_alpha;
+		soft_word rb = row->red_blue + soft_spread(rb_right, false);
+		soft_word ga = row->green_alpha + soft_spread(ga_right, false);
 
-		for (const uint32_t *end = out + row->count; out != end; out++) {
-			*out = ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) |
-				ga >> 23 << 24;
-			rb += rb_right;
-			ga += ga_right;
+		uint32_t *const end = out + row->count;
+
+		for (; out < end; out += SOFT_LANES) {
+			soft_put_words(out,
+				ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) |
+					ga >> 23 << 24);
+			rb += soft_spread(rb_right, true);
+			ga += soft_spread(ga_right, true);
 		}
+		out = end;
 	}
 }
 
@@ -222,15 +234,22 @@ static void scale_alphas(
 
 	for (uint32_t i = 0; i < run->row_count; i++) {
 		const struct soft_row *row = &run->rows[i];
-		const uint32_t *end = color + row->count;
-		uint32_t ga = row->green_alpha;
+		soft_word ga = row->green_alpha + soft_spread(ga_right, false);
 
-		for (; color != end; color++, texel++, ga += ga_right) {
-			uint32_t alpha =
-				soft_scale_alpha(ga >> 16, *texel >> 24);
+		const uint32_t *own = texel;
+		uint32_t *const end = color + row->count;
 
-			*color = (*color & 0x00FFFFFF) | alpha << 24;
+		for (; color < end; color += SOFT_LANES, own += SOFT_LANES) {
+			const soft_word alpha = soft_scale_alpha(
+				ga >> 16, soft_get_words(own) >> 24);
+
+			soft_put_words(color,
+				(soft_get_words(color) & 0x00FFFFFF) |
+					alpha << 24);
+			ga += soft_spread(ga_right, true);
 		}
+		color = end;
+		texel += row->count;
 	}
 }
 
@@ -240,7 +259,7 @@ static void combine(
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
-	uint32_t primary[SOFT_BATCH_PIXELS];
+	uint32_t primary[SOFT_BATCH_ROOM];
 
 	if (!draw->texture[0].used) {
 		fill_primary(run, color);
@@ -299,7 +318,7 @@ static void draw_made(const struct soft_run *given)
 	const uint32_t red_blue_right = run->red_blue_right;
 	const uint32_t green_alpha_right = run->green_alpha_right;
 	const uint32_t count = count_pixels(run);
-	uint32_t texel[SOFT_BATCH_PIXELS], color[SOFT_BATCH_PIXELS];
+	uint32_t texel[SOFT_BATCH_ROOM], color[SOFT_BATCH_ROOM];
 	uint32_t *made = texel;
 	struct soft_row row[SOFT_BATCH_RUNS];
 
@@ -308,8 +327,10 @@ static void draw_made(const struct soft_run *given)
 	}
 	if (spans->multiplied) {
 		sample(draw, 1, color);
-		for (uint32_t i = 0; i < count; i++) {
-			texel[i] = soft_multiply_bytes(texel[i], color[i]);
+		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+			soft_put_words(texel + i,
+				soft_multiply_bytes(soft_get_words(texel + i),
+					soft_get_words(color + i)));
 		}
 	} else if (spans->combined) {
 		combine(draw, texel, color, count);

@@ -2,20 +2,22 @@
  * Functions that only read a run's texels, one for each format and filter, and
  * write them as RGBA8888; or RGB565 ones as words for soft_run.second.
  */
+#define SOFT_BY_FOUR
+
 #include "platform/gl/soft/span/stages.h"
 
-static ALWAYS_INLINE uint32_t widen_channel(struct soft_kind kind,
+static ALWAYS_INLINE soft_word widen_channel(struct soft_kind kind,
 	enum soft_channel channel, const struct soft_texel *texel)
 {
 	int bits = soft_field(kind.format, channel).bits;
-	uint32_t value = texel->channel[channel];
+	soft_word value = texel->channel[channel];
 
 	return kind.linear && bits > 0 ? soft_narrow_mixed(value, bits)
 				       : soft_widen_field(value, bits);
 }
 
 /* A texel as RGBA8888. */
-static ALWAYS_INLINE uint32_t widen_texel(
+static ALWAYS_INLINE soft_word widen_texel(
 	struct soft_kind kind, const struct soft_texel *texel)
 {
 	if (kind.format == TEXEL_8888) {
@@ -27,10 +29,10 @@ static ALWAYS_INLINE uint32_t widen_texel(
 }
 
 /* An RGB565 texel as a word for soft_run.second. */
-static ALWAYS_INLINE uint32_t pack_second(
+static ALWAYS_INLINE soft_word pack_second(
 	struct soft_kind kind, const struct soft_texel *texel)
 {
-	const uint32_t *c = texel->channel;
+	const soft_word *c = texel->channel;
 
 	/* filtered channels are 2^18 times their values */
 	return kind.linear
@@ -38,34 +40,43 @@ static ALWAYS_INLINE uint32_t pack_second(
 		: c[0] << 27 | c[1] << 16 | c[2] << 6;
 }
 
-/* Reads a run's texels; kinds that are not wide give words for second. */
+/*
+ * Reads a run's texels; kinds that are not wide give words for second. May
+ * write three words behind them, too.
+ */
 static ALWAYS_INLINE void read_texels(
 	const struct soft_run *given, const struct soft_kind kind)
 {
 	const struct soft_run own = *given, *run = &own;
-	uint32_t at = run->row.texel;
+	const uint32_t at_right = run->row.texel_right;
+	const uint32_t s_right = (uint32_t)run->s_right;
+	const uint32_t t_right = (uint32_t)run->t_right;
+	soft_word at = run->row.texel + soft_spread(at_right, false);
+	soft_word s = (uint32_t)run->s + soft_spread(s_right, false);
+	soft_word t = (uint32_t)run->t + soft_spread(t_right, false);
 	const struct soft_rows rows = {
 		.first = run->first_texel, .stride = 1u << run->stride_log2};
-	uint32_t s = (uint32_t)run->s, t = (uint32_t)run->t;
-	uint8_t *out = run->row.pixel, *end = out + run->row.count * 4;
+	uint32_t *out = (uint32_t *)(void *)run->row.pixel;
+	uint32_t *const end = out + run->row.count;
 
-	for (; out != end; out += 4) {
-		struct soft_texel texel = {.alpha = 255};
-		uint32_t bytes;
+	for (; out < end; out += SOFT_LANES) {
+		struct soft_texel texel = {.alpha = SOFT_OPAQUE_ALPHA};
 
 		if (kind.inside) {
-			soft_sample_inside(run, &rows, kind, at, &texel, NULL);
-			at += run->row.texel_right;
+			soft_sample_inside(run, &rows, kind,
+				soft_safe(at, soft_live(end - out)), &texel,
+				NULL);
+			at += soft_spread(at_right, true);
 		} else {
 			soft_sample_anywhere(
 				run, run->texels, kind, s, t, &texel);
-			s += (uint32_t)run->s_right;
-			t += (uint32_t)run->t_right;
+			s += soft_spread(s_right, true);
+			t += soft_spread(t_right, true);
 		}
 		soft_finish_texel(kind, &texel);
-		bytes = kind.wide ? widen_texel(kind, &texel)
-				  : pack_second(kind, &texel);
-		memcpy(out, &bytes, sizeof(bytes));
+		soft_put_words(out,
+			kind.wide ? widen_texel(kind, &texel)
+				  : pack_second(kind, &texel));
 	}
 }
 

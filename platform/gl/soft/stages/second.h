@@ -18,7 +18,7 @@ static ALWAYS_INLINE int soft_second_fraction(
 }
 
 /* A second texel's channel, shifted to so many fraction bits. */
-static ALWAYS_INLINE uint32_t soft_second_channel(struct soft_kind kind,
+static ALWAYS_INLINE soft_word soft_second_channel(struct soft_kind kind,
 	const struct soft_texel *second, enum soft_channel channel, int fraction)
 {
 	const int up = fraction - soft_second_fraction(kind, channel);
@@ -29,7 +29,7 @@ static ALWAYS_INLINE uint32_t soft_second_channel(struct soft_kind kind,
 
 /* Splits a word of soft_run.second into channels. */
 static ALWAYS_INLINE void soft_split_second(
-	uint32_t word, struct soft_texel *out)
+	soft_word word, struct soft_texel *out)
 {
 	out->channel[0] = word >> 21; /* the lowest bit belongs to green */
 	out->channel[1] = word << 10 >> 21;
@@ -38,7 +38,7 @@ static ALWAYS_INLINE void soft_split_second(
 
 /* Multiplies a texel of RGBA8888 by a second one's bytes. */
 static ALWAYS_INLINE void soft_multiply_texel(
-	struct soft_kind kind, uint32_t second, struct soft_texel *texel)
+	struct soft_kind kind, soft_word second, struct soft_texel *texel)
 {
 	soft_split_texel(
 		kind, soft_multiply_bytes(soft_join(texel), second), texel);
@@ -48,10 +48,10 @@ static ALWAYS_INLINE void soft_multiply_texel(
 static ALWAYS_INLINE void soft_scale_texel(struct soft_kind kind,
 	const struct soft_texel *second, struct soft_texel *texel)
 {
-	const uint32_t red = soft_second_channel(kind, second, SOFT_RED, 6);
-	const uint32_t green = soft_second_channel(kind, second, SOFT_GREEN, 5);
-	const uint32_t blue = soft_second_channel(kind, second, SOFT_BLUE, 6);
-	uint32_t *c = texel->channel;
+	const soft_word red = soft_second_channel(kind, second, SOFT_RED, 6);
+	const soft_word green = soft_second_channel(kind, second, SOFT_GREEN, 5);
+	const soft_word blue = soft_second_channel(kind, second, SOFT_BLUE, 6);
+	soft_word *c = texel->channel;
 
 	if (kind.format == TEXEL_8888) {
 		c[0] = texel->lanes.red_blue & 0xFFFF;
@@ -73,7 +73,7 @@ static ALWAYS_INLINE void soft_add_second(struct soft_kind kind,
 	const struct soft_texel *second, struct soft_color *color)
 {
 	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
-		color->channel[i] += (int32_t)soft_second_channel(
+		color->channel[i] += (soft_int)soft_second_channel(
 			kind, second, i, soft_fraction(kind, i));
 	}
 }

@@ -1,0 +1,259 @@
+/*
+ * The last stages of span functions (span/template.h): times the colour, fog,
+ * blending, and how pixels of both formats are stored.
+ */
+#ifndef PLATFORM_GL_SOFT_STAGES_FINISH_H
+#define PLATFORM_GL_SOFT_STAGES_FINISH_H
+
+#include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/stages/second.h"
+
+/*
+ * Constants of a run, from soft_fragment_stages. Fog computes fog + (color - far)
+ * * share for a channel; to add a colour to all fragments, -far is that colour.
+ */
+struct soft_constants {
+	int32_t start[3]; /* added to texel times colour: a half, minus far */
+	int32_t fog[3];   /* half of (fog's colour and a half) */
+	uint32_t alpha_low, alpha_range;
+	uint32_t factors_base, factors_by;
+	uint32_t unseen;
+	/* address of the row's second texels minus twice that of its depths */
+	uintptr_t second;
+};
+
+static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
+	const struct soft_constants *constants, enum soft_channel channel)
+{
+	return soft_is_fogged(kind)    ? constants->start[channel]
+		: soft_has_color(kind) ? soft_half(kind, channel)
+				       : 0;
+}
+
+/* Texel times colour, with a half added; formats are those of run.h. */
+static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	const struct soft_pixel *at)
+{
+	const soft_int zero = {0};
+	soft_word rb = at->red_blue, ga = at->green_alpha;
+	soft_int red = zero + soft_start(kind, constants, SOFT_RED);
+	soft_int green = zero + soft_start(kind, constants, SOFT_GREEN);
+	soft_int blue = zero + soft_start(kind, constants, SOFT_BLUE);
+	const soft_word *c = texel->channel;
+	struct soft_color out;
+
+	if (!soft_has_color(kind)) {
+		red += (soft_int)(rb & 0xFFFF);
+		green += (soft_int)(ga & 0xFFFF);
+		blue += (soft_int)(rb >> 16);
+	} else if (soft_is_mixed(kind) || soft_is_aligned(kind) ||
+		soft_is_scaled(kind)) {
+		red = WORD_BY_BOTTOM(c[0], rb, red);
+		green = WORD_BY_BOTTOM(c[1], ga, green);
+		blue = WORD_BY_TOP(c[2], rb, blue);
+	} else if (kind.format == TEXEL_8888) {
+		red = HALVES_BB(texel->lanes.red_blue, rb, red);
+		green = HALVES_BB(texel->lanes.green_alpha, ga, green);
+		blue = HALVES_TT(texel->lanes.red_blue, rb, blue);
+	} else {
+		red = HALVES_BB(c[0], rb, red);
+		green = HALVES_BB(c[1], ga, green);
+		blue = HALVES_BT(c[2], rb, blue);
+	}
+	out.channel[0] = red;
+	out.channel[1] = green;
+	out.channel[2] = blue;
+	return out;
+}
+
+static ALWAYS_INLINE int32_t soft_shift(int32_t value, int bits)
+{
+	return bits >= 0 ? value * (1 << bits) : value >> -bits;
+}
+
+static ALWAYS_INLINE void soft_find_fog(const struct soft_run *run,
+	struct soft_kind kind, enum soft_channel channel,
+	struct soft_constants *out)
+{
+	const struct soft_fragment_stages *stages = run->stages;
+	int fraction = soft_fraction(kind, channel);
+
+	out->start[channel] =
+		(soft_has_color(kind) ? soft_half(kind, channel) : 0) -
+		soft_shift(stages->far[channel], fraction - 14);
+	out->fog[channel] = soft_shift(stages->fog[channel], fraction - 15);
+}
+
+static ALWAYS_INLINE struct soft_constants soft_find_constants(
+	const struct soft_run *run, struct soft_kind kind)
+{
+	struct soft_constants out = {0};
+
+	if (soft_is_fogged(kind)) {
+		soft_find_fog(run, kind, SOFT_RED, &out);
+		soft_find_fog(run, kind, SOFT_GREEN, &out);
+		soft_find_fog(run, kind, SOFT_BLUE, &out);
+	}
+	if (soft_is_tested(kind)) {
+		out.alpha_low = run->stages->alpha_low;
+		out.alpha_range = run->stages->alpha_range;
+	}
+	if (soft_tests_texel(kind)) {
+		out.alpha_low <<= 24;
+		out.alpha_range = out.alpha_range << 24 | 0xFFFFFF;
+	}
+	if (soft_is_blended_freely(kind)) {
+		out.factors_base = run->stages->factors_base;
+		out.factors_by = run->stages->factors_by;
+		out.unseen = run->stages->unseen;
+	}
+	return out;
+}
+
+static ALWAYS_INLINE void soft_add_fog(const struct soft_constants *constants,
+	soft_word fog, struct soft_color *color)
+{
+	const int32_t *to = constants->fog;
+	soft_int *c = color->channel;
+
+	c[0] = WORD_BY_BOTTOM(c[0], fog, to[0]);
+	c[1] = WORD_BY_BOTTOM(c[1], fog, to[1]);
+	c[2] = WORD_BY_BOTTOM(c[2], fog, to[2]);
+}
+
+/* A channel in the picture's bits; limited if something was added to it. */
+static ALWAYS_INLINE soft_word soft_whole(struct soft_kind kind,
+	const struct soft_color *color, enum soft_channel i)
+{
+	int bits = kind.wide ? 8 : i == SOFT_GREEN ? 6 : 5;
+	int fraction = soft_last_fraction(kind, i);
+
+	return soft_is_fogged(kind) || soft_is_summed(kind)
+		? LIMIT_SHIFTED(color->channel[i], fraction, bits)
+		: (soft_word)color->channel[i] >> fraction;
+}
+
+/* The pixel for RGB565, blended with to. */
+static ALWAYS_INLINE soft_word soft_find_565(
+	struct soft_kind kind, const struct soft_color *color, soft_word to)
+{
+	const soft_int *c = color->channel;
+	soft_word r = soft_whole(kind, color, 0), g = soft_whole(kind, color, 1);
+	soft_word b = soft_whole(kind, color, 2);
+	uint32_t mask = WIDE_MASK;
+
+	if (!soft_is_blended(kind) && soft_is_aligned(kind) &&
+		!soft_is_fogged(kind) && !soft_is_scaled(kind) &&
+		!soft_is_summed(kind)) {
+		to = (soft_word)UPPER_HALVES(c[0], c[2]);
+		return to | to >> 5 | g << 5;
+	}
+	if (!soft_is_blended(kind)) {
+		return (r << 6 | g) << 5 | b;
+	}
+	OPAQUE(mask); /* else compilers replace it by several instructions */
+	to = (to | to << 16) & mask;
+	to = (to * 32 + ((g << 21 | r << 11 | b) - to) * color->alpha +
+		     WIDE_ROUND) >>
+			5 &
+		mask;
+	return to | to >> 16;
+}
+
+/* Blend factors: the source's, and the destination's in the upper half. */
+static ALWAYS_INLINE soft_word soft_find_factors(
+	const struct soft_constants *constants, soft_word alpha)
+{
+	return constants->factors_base + constants->factors_by * alpha;
+}
+
+/*
+ * Blends by any two factors of 256: sums have RGB565's fields in the upper bits
+ * of 16. The half that the colour includes is taken out before it is scaled.
+ */
+static ALWAYS_INLINE soft_word soft_mix_565(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_color *color,
+	soft_word to)
+{
+	const soft_word alpha = color->alpha + (color->alpha >> 7);
+	const soft_word factors = soft_find_factors(constants, alpha);
+	const soft_word own = factors & 0xFFFF, old = factors >> 16;
+	const soft_word red_blue =
+		(soft_word)color->channel[0] >> (soft_fraction(kind, 0) - 3) |
+		(soft_word)color->channel[2] >> (soft_fraction(kind, 2) - 3)
+				<< 16;
+	const soft_word green =
+		(soft_word)color->channel[1] >> (soft_fraction(kind, 1) - 2);
+	soft_word rb =
+		HALVES_ADD_LIMITED((red_blue - 0x00040004) * own + 0x04000400,
+			(((to & 0xF800) | to << 27) >> 8) * old);
+	soft_word g = HALVES_ADD_LIMITED(
+		(green - 2) * own + 0x0200, ((to & 0x07E0) >> 3) * old);
+
+	return (rb & 0xF800) | rb >> 27 | g >> 10 << 5;
+}
+
+/* The fragment's alpha as 0 to 32, for blending in RGB565. */
+static ALWAYS_INLINE soft_word soft_find_alpha_32(struct soft_kind kind,
+	const struct soft_texel *texel, soft_word green_alpha)
+{
+	return soft_has_alpha(kind)
+		? (WORD_PRODUCT(green_alpha >> 16, texel->alpha) + (1 << 17)) >>
+			18
+		: (green_alpha + (1 << 25)) >> 26;
+}
+
+static ALWAYS_INLINE soft_word soft_find_alpha(struct soft_kind kind,
+	const struct soft_texel *texel, soft_word green_alpha)
+{
+	return soft_has_alpha(kind)
+		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
+		: green_alpha >> 23;
+}
+
+static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
+	const struct soft_constants *constants, soft_word own, soft_word pass,
+	uint8_t *pixel)
+{
+	const soft_word alpha = own >> 24;
+
+	if (soft_is_blended(kind)) {
+		own = soft_blend_bytes(soft_get_words(pixel), own, alpha);
+	} else if (soft_is_blended_freely(kind)) {
+		soft_word factors = soft_find_factors(constants, alpha);
+
+		own = BYTES_ADD_LIMITED(soft_scale_bytes(own, factors & 0xFFFF),
+			soft_scale_bytes(soft_get_words(pixel), factors >> 16));
+	}
+	if (!soft_all(pass)) {
+		own = soft_choose(pass, own, soft_get_words(pixel));
+	}
+	soft_put_words(pixel, own);
+}
+
+/* Stores pixels of RGB565, or depths, where they pass. */
+static ALWAYS_INLINE void soft_store_halves(
+	soft_word own, soft_word pass, uint16_t *to)
+{
+	if (!soft_all(pass)) {
+		own = soft_choose(pass, own, soft_get_halves(to));
+	}
+	soft_put_halves(to, own);
+}
+
+/* The colour for an RGBA8888 picture; alpha is the fragment's. */
+static ALWAYS_INLINE soft_word soft_find_bytes(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	const struct soft_pixel *at, soft_word alpha)
+{
+	struct soft_color color = soft_modulate(kind, constants, texel, at);
+
+	if (soft_is_fogged(kind)) {
+		soft_add_fog(constants, at->fog, &color);
+	}
+	return soft_whole(kind, &color, 0) | soft_whole(kind, &color, 1) << 8 |
+		soft_whole(kind, &color, 2) << 16 | alpha << 24;
+}
+
+#endif

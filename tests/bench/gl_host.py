@@ -14,7 +14,10 @@ import subprocess
 import sys
 
 DEMOS = ("walker", "walker@13", "arm", "face", "crowd", "duel")
-SCENES = ("S1a S1b S2 S4a S4b S5b blend-a blend-b test-a test-b fog-b mip mip2 two-a two-b").split()
+SCENES = (
+    "S1a S1b S1c S1yb S2 S4a S4b S5b S5s blend-a blend-b blend4-b test-a test-b fog-a fog-b "
+    "mip mip2 two-a two-b inter-b add-b decal-b glow-b"
+).split()
 FRAMES = 30
 RUNS = 3
 

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "platform/base/file.h"
+
 static int read_all(int fd, size_t size, uint8_t *data)
 {
 	size_t done = 0;
@@ -87,6 +89,7 @@ static int open_path(const char *path, const char *where, const struct log *log,
 		close(fd);
 		return error;
 	}
+	file_note_read(fd);
 	return fd;
 }
 

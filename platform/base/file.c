@@ -1,8 +1,11 @@
+#define _GNU_SOURCE /* statx() */
+
 #include "platform/base/file.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,10 +58,84 @@ FILE *file_open(const char *path)
 
 		close(fd);
 		errno = error;
-	} else if (first != NONE_YET) {
-		ungetc(first, file);
+	} else {
+		file_note_read(fd);
+		if (first != NONE_YET) {
+			ungetc(first, file);
+		}
 	}
 	return file;
+}
+
+/* A file system may give the inode of a deleted file to a new one. */
+struct identity {
+	uint64_t inode;
+	int64_t born_ns; /* 0 where the file system does not tell */
+	uint32_t major, minor;
+};
+
+static pthread_mutex_t noted_lock = PTHREAD_MUTEX_INITIALIZER;
+static struct identity noted[FILES_NOTED];
+static unsigned noted_count; /* ever; the oldest ones are overwritten */
+
+/* Of the file at path or, if path is "", of the open file. */
+static bool identify(int fd, const char *path, struct identity *out)
+{
+	struct statx status;
+
+	if (statx(fd, path, AT_EMPTY_PATH, STATX_INO | STATX_BTIME, &status) !=
+		0) {
+		return false;
+	}
+	*out = (struct identity){
+		.inode = status.stx_ino,
+		.major = status.stx_dev_major,
+		.minor = status.stx_dev_minor,
+	};
+	if (status.stx_mask & STATX_BTIME) {
+		out->born_ns = status.stx_btime.tv_sec * 1000000000 +
+			status.stx_btime.tv_nsec;
+	}
+	return true;
+}
+
+/* The caller holds the lock. */
+static bool is_noted(const struct identity *file)
+{
+	for (unsigned i = 0; i < FILES_NOTED && i < noted_count; i++) {
+		if (memcmp(&noted[i], file, sizeof(*file)) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void file_note_read(int fd)
+{
+	struct identity file;
+
+	if (!identify(fd, "", &file)) {
+		return;
+	}
+	pthread_mutex_lock(&noted_lock);
+	if (!is_noted(&file)) {
+		memcpy(&noted[noted_count++ % FILES_NOTED], &file, sizeof(file));
+	}
+	pthread_mutex_unlock(&noted_lock);
+}
+
+bool file_was_read(const char *path)
+{
+	struct identity file;
+	bool found;
+
+	if (!identify(AT_FDCWD, path, &file)) {
+		return false;
+	}
+	pthread_mutex_lock(&noted_lock);
+	found = is_noted(&file);
+	pthread_mutex_unlock(&noted_lock);
+	return found;
 }
 
 /* FNV-1a, with the lowest bit set so that it is never 0. */

@@ -1,5 +1,9 @@
 /*
  * Looking for files, opening them, and finding those that come with the program.
+ *
+ * Which files the process has read is known to the process as a whole, as those
+ * are that it has open: whatever reads a file notes it here, so that no output
+ * replaces it (output_file.h).
  */
 #ifndef PLATFORM_BASE_FILE_H
 #define PLATFORM_BASE_FILE_H
@@ -18,8 +22,22 @@ bool file_exists(const char *path);
  * Opens a file for reading, as fopen() does, but never waits for another
  * program to open a named pipe: one that no program writes to is refused.
  * Returns NULL with errno set; EPIPE for such a pipe. The caller closes it.
+ * Notes the file as read.
  */
 FILE *file_open(const char *path);
+
+enum {
+	FILES_NOTED = 4096
+};
+
+/*
+ * Notes the open file as one that this process reads. It is known by its device,
+ * inode and time of birth, whatever links lead to it. Threads may call this at once.
+ */
+void file_note_read(int fd);
+
+/* Whether the path leads to one of the last FILES_NOTED files that were noted. */
+bool file_was_read(const char *path);
 
 /*
  * A number that changes when the file is written or replaced: a hash of its

@@ -2,6 +2,7 @@
 
 #include "platform/base/output_file.h"
 
+#include "platform/base/file.h"
 #include "platform/base/output_path.h"
 
 #include <errno.h>
@@ -24,6 +25,8 @@ struct output_file {
 	int fd;
 	int error;     /* errno of the first write that failed */
 	bool reported; /* the failure has been logged */
+	bool edits;    /* the file may be one that the program has read */
+	bool begun;    /* the first bytes have been written */
 };
 
 static const char *advice(int error)
@@ -43,6 +46,8 @@ static const char *advice(int error)
 		return ": create its folder first, or choose another one";
 	case EISDIR:
 		return ": name a file in it";
+	case ETXTBSY:
+		return ": give another name";
 	case EPIPE:
 		return ": the program that reads it has ended";
 	default:
@@ -54,7 +59,17 @@ static void log_failure(
 	const struct log *log, const char *option, const char *path, int error)
 {
 	log_error(log, "%s%s%s: cannot be written: %s%s", option ? option : "",
-		option ? " " : "", path, strerror(error), advice(error));
+		option ? " " : "", path,
+		error == ETXTBSY ? "limber reads this file" : strerror(error),
+		advice(error));
+}
+
+/* Returns 0, or ETXTBSY if the output would replace a file that was read. */
+static int check_unread(const struct output_file *file)
+{
+	return file->temporary && !file->edits && file_was_read(file->target)
+		? ETXTBSY
+		: 0;
 }
 
 /*
@@ -67,6 +82,10 @@ static ssize_t write_bytes(void *cookie, const char *bytes, size_t size)
 	struct output_file *file = cookie;
 	size_t written = 0;
 
+	if (!file->begun && !file->error) {
+		file->begun = true;
+		file->error = check_unread(file);
+	}
 	while (written < size && !file->error) {
 		ssize_t count = write(file->fd, bytes + written, size - written);
 
@@ -162,8 +181,11 @@ static int open_path(struct output_file *file)
 	if (S_ISDIR(status.st_mode)) {
 		return -EISDIR;
 	}
-	return S_ISREG(status.st_mode) ? create_temporary(file, &status)
-				       : open_in_place(file, file->path);
+	if (!S_ISREG(status.st_mode)) {
+		return open_in_place(file, file->path);
+	}
+	error = create_temporary(file, &status);
+	return error ? error : -check_unread(file);
 }
 
 static int open_stream(struct output_file *file)
@@ -174,13 +196,7 @@ static int open_stream(struct output_file *file)
 	return file->stream ? 0 : -ENOMEM;
 }
 
-int output_file_create(
-	const char *path, const struct log *log, struct output_file **out)
-{
-	return output_file_create_for(NULL, path, log, out);
-}
-
-int output_file_create_for(const char *option, const char *path,
+static int create(const char *option, const char *path, bool edits,
 	const struct log *log, struct output_file **out)
 {
 	struct output_file *file = calloc(1, sizeof(*file));
@@ -190,6 +206,7 @@ int output_file_create_for(const char *option, const char *path,
 	if (file) {
 		file->log = *log;
 		file->option = option;
+		file->edits = edits;
 		file->fd = -1;
 		file->path = strdup(path);
 		error = file->path ? open_path(file) : -ENOMEM;
@@ -204,6 +221,24 @@ int output_file_create_for(const char *option, const char *path,
 	}
 	*out = file;
 	return 0;
+}
+
+int output_file_create(
+	const char *path, const struct log *log, struct output_file **out)
+{
+	return create(NULL, path, false, log, out);
+}
+
+int output_file_create_for(const char *option, const char *path,
+	const struct log *log, struct output_file **out)
+{
+	return create(option, path, false, log, out);
+}
+
+int output_file_edit(const char *option, const char *path,
+	const struct log *log, struct output_file **out)
+{
+	return create(option, path, true, log, out);
 }
 
 FILE *output_file_stream(const struct output_file *file)
@@ -225,8 +260,10 @@ int output_file_failed(struct output_file *file, const char *reason)
 
 static int move_into_place(struct output_file *file)
 {
-	if (!file->temporary) {
-		return 0;
+	int error = check_unread(file);
+
+	if (error || !file->temporary) {
+		return -error;
 	}
 	if (rename(file->temporary, file->target) != 0) {
 		return -errno;

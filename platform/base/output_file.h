@@ -9,6 +9,10 @@
  * link. A new file has the permissions that the umask leaves. A replaced file
  * keeps its permissions, owner and group as far as the user may set them.
  *
+ * A file that this process has read (file.h) is never replaced: neither when
+ * the output begins, nor when it is read while the output is being written. The
+ * first write fails then, so that a long work ends early.
+ *
  * A process that is killed before it can clean up (by SIGKILL or a power cut)
  * leaves its temporary file behind; it is safe to delete.
  *
@@ -38,6 +42,13 @@ int output_file_create(
  * string option must outlive the file.
  */
 int output_file_create_for(const char *option, const char *path,
+	const struct log *log, struct output_file **out);
+
+/*
+ * The same for a file that the program has read in order to change it. option
+ * may be NULL.
+ */
+int output_file_edit(const char *option, const char *path,
 	const struct log *log, struct output_file **out);
 
 /*

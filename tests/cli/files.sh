@@ -98,6 +98,55 @@ limber optimize "$scratch/kept.gltf" -o "$scratch/same.glb"
 expect_status 0
 check 'a file is written again' cmp "$scratch/same.glb" "$scratch/kept.glb"
 
+# Nor is a file that the model, a demo or another option names: by its own path,
+# by links, or as one of several pictures.
+cat >"$scratch/outer.py" <<'END'
+"""outer.py MODEL: writes outer/own.gltf with its buffer in the file film.gif."""
+import base64, json, os, sys
+model = json.load(open(sys.argv[1], encoding="utf-8"))
+raw = base64.b64decode(model["buffers"][0]["uri"].split(",")[1])
+model["buffers"][0]["uri"] = "film.gif"
+folder = os.path.dirname(os.path.abspath(sys.argv[0])) + "/outer"
+os.mkdir(folder)
+open(folder + "/film.gif", "wb").write(raw)
+json.dump(model, open(folder + "/own.gltf", "w", encoding="utf-8"))
+END
+python3 "$scratch/outer.py" "$slider"
+outer=$scratch/outer
+cp "$outer/film.gif" "$scratch/film.kept"
+for ending in png obj c glb y4m svg levels character; do
+    ln "$outer/film.gif" "$outer/hard.$ending"
+done
+ln "$outer/film.gif" "$outer/still-0002.png"
+ln -s film.gif "$outer/soft.glb"
+mkdir "$outer/baked"
+ln "$outer/film.gif" "$outer/baked/morph.glb"
+echo '[character]' >"$outer/own.character"
+cp "$outer/own.character" "$scratch/character.kept"
+for wrong in "render -o $outer/film.gif" "render -o $outer/../outer/film.gif" \
+    "render -o $outer/hard.png" "render --frames 9 -o $outer/still.png" \
+    "render -o $outer/hard.y4m" "pose -o $outer/hard.obj" \
+    "export --c $outer/hard.c" "optimize -o $outer/hard.glb" \
+    "optimize -o $outer/soft.glb" "levels -o $outer/hard.levels" \
+    "compare --plot $outer/hard.svg" \
+    "play --display null --frames 2 --record $outer/film.gif" \
+    "play --display null --frames 2 --stats $outer/film.gif" \
+    "play --display null --frames 2 --stats $outer/own.character" \
+    "play --display null --frames 2 --record-buttons $outer/own.character" \
+    "play --display null --frames 2 --buttons script:$scratch/kept.txt --record-buttons $scratch/kept.txt"; do
+    words=${wrong#* }
+    # shellcheck disable=SC2086 # a command and its options
+    limber ${wrong%% *} "$outer/own.gltf" $words
+    expect_status 1
+    expect_err '^limber: .*: cannot be written: limber reads this file: give another name$'
+    check 'limber prints one sentence' test "$(wc -l <"$err_file")" -eq 1
+done
+check 'the buffer is as it was' cmp "$scratch/film.kept" "$outer/film.gif"
+check 'the character file is as it was' \
+    cmp "$scratch/character.kept" "$outer/own.character"
+check 'the script is as it was' grep -q UP "$scratch/kept.txt"
+check 'no temporary file is left' sh -c "! ls '$outer' | grep part"
+
 # Names of another kind of file: limber writes no C source into a picture.
 for wrong in "pose -o $scratch/new.png" "pose -o $scratch/new.c" \
     "export --c $scratch/new.cpp" "export --c $scratch/new.GLB" \

@@ -211,7 +211,7 @@ int preset_file_save(const char *path, const struct procedural_preset *preset,
 	if (error) {
 		return error;
 	}
-	error = output_file_create(path, log, &file);
+	error = output_file_edit(NULL, path, log, &file);
 	if (!error) {
 		rewrite(output_file_stream(file), (const char *)text.data,
 			preset);

@@ -70,7 +70,7 @@ static int write_count(const char *path, int count, const char *described,
 	const struct log *log)
 {
 	struct output_file *file;
-	int error = output_file_create_for("--failsafe", path, log, &file);
+	int error = output_file_edit("--failsafe", path, log, &file);
 
 	if (error) {
 		return error;

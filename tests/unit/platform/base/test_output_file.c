@@ -1,5 +1,6 @@
 #define _DEFAULT_SOURCE /* mknod() */
 
+#include "platform/base/file.h"
 #include "platform/base/output_path.h"
 #include "tests/support/output_scene.h"
 #include "tests/support/test.h"
@@ -371,6 +372,52 @@ static void test_writers_at_the_same_time_leave_one_whole_file(void **state)
 	assert_int_equal(temp_dir_count(&scene->folder), 1);
 }
 
+static void note_read(const char *path)
+{
+	FILE *read = file_open(path);
+
+	assert_non_null(read);
+	fclose(read);
+}
+
+static void test_a_file_that_was_read_is_only_edited(void **state)
+{
+	struct output_scene *scene = *state;
+	const char *path = scene->path.text;
+	struct output_file *begun = output_scene_begin(scene, path), *file;
+
+	file_write(path, "read", 4);
+	note_read(path);
+	output_scene_expect_refusal(
+		scene, path, ETXTBSY, "limber reads this file");
+	/* It was begun before. */
+	fputs("other", output_file_stream(begun));
+	assert_int_not_equal(fflush(output_file_stream(begun)), 0);
+	assert_int_equal(output_file_commit(begun), -ETXTBSY);
+	output_scene_expect(path, "read");
+	assert_int_equal(output_file_edit(NULL, path, &scene->log, &file), 0);
+	fputs("edited", output_file_stream(file));
+	assert_int_equal(output_file_commit(file), 0);
+	output_scene_expect(path, "edited");
+	assert_int_equal(temp_dir_count(&scene->folder), 1);
+}
+
+static void test_a_file_that_is_read_after_the_first_bytes_stays(void **state)
+{
+	struct output_scene *scene = *state;
+	const char *path = scene->path.text;
+	struct output_file *file = output_scene_begin(scene, path);
+
+	fputs("first", output_file_stream(file));
+	assert_int_equal(fflush(output_file_stream(file)), 0);
+	file_write(path, "read", 4);
+	note_read(path);
+	assert_int_equal(output_file_publish(file), -ETXTBSY);
+	assert_int_equal(output_file_commit(file), -ETXTBSY);
+	output_scene_expect(path, "read");
+	assert_int_equal(temp_dir_count(&scene->folder), 1);
+}
+
 static void test_a_scratch_file_is_read_again(void **state)
 {
 	FILE *file = output_file_scratch();
@@ -440,6 +487,8 @@ int main(void)
 		cmocka_unit_test(test_standard_output_is_recognized),
 		cmocka_unit_test(test_a_scratch_file_is_read_again),
 		CASE(test_standard_output_that_is_full_is_reported),
+		CASE(test_a_file_that_was_read_is_only_edited),
+		CASE(test_a_file_that_is_read_after_the_first_bytes_stays),
 		CASE(test_two_writers_do_not_interfere),
 		CASE(test_writers_at_the_same_time_leave_one_whole_file),
 	};

@@ -252,6 +252,7 @@ def main(folder):
         "many-clips.gltf": many_clips(),
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
+        "nothing.gltf": gltf(),
     }
     for name, model in made.items():
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:

@@ -55,6 +55,15 @@ for model in nested-scales edge; do
     done
 done
 
+# A model without a node has no joint to show.
+for words in '' '--demo crowd' '--demo tuner'; do
+    # shellcheck disable=SC2086 # an option and its value
+    limber play $words --display null --frames 2 \
+        --show skeleton,weights,wireframe,keys,pivots,curve,layers \
+        "$scratch/nothing.gltf"
+    expect_status 0
+done
+
 # The time that a file takes grows with its size, not with the square.
 RUN_SECONDS=10 limber info "$scratch/repeated-levels.gltf"
 expect_refusal 1 'has 20000 numbers instead of 3'

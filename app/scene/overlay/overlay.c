@@ -80,6 +80,9 @@ static const char *name_of(const struct overlay *overlay, int item)
 const char *overlay_chosen_name(
 	const struct overlay *overlay, char number[HUD_NAME_BYTES])
 {
+	if (item_count(overlay) == 0) {
+		return "none";
+	}
 	return hud_name(name_of(overlay, overlay->chosen),
 		overlay->chooses_target ? "target" : "node", overlay->chosen,
 		number);

@@ -130,7 +130,7 @@ void overlay_show_next(
 /* Chooses the next (step 1) or previous (-1) joint, part or morph target. */
 void overlay_choose(struct overlay *overlay, int step);
 
-/* Returns the name of what is chosen, for labels. */
+/* Returns the name of what is chosen, for labels; "none" without any node. */
 const char *overlay_chosen_name(
 	const struct overlay *overlay, char number[HUD_NAME_BYTES]);
 

@@ -188,6 +188,38 @@ def many_clips():
     )
 
 
+def long_clip():
+    """An hour, in which a node trembles a little and jerks once."""
+    count, vertices = 3600, 200
+    jerk = 1351
+    times = [float(i) for i in range(count)]
+    moved = []
+    times[jerk - 1], times[jerk + 1] = jerk - 0.02, jerk + 0.02
+    for i in range(count):
+        moved += [0, 1e-3 * (i * 7919 % 97) / 97 + 0.06 * (i == jerk), 0]
+    corners = [c for i in range(vertices) for c in (i % 20, i // 20, i % 7)]
+    ends = (4 * count, 16 * count)
+    return gltf(
+        **data(*times, *moved, *corners),
+        accessors=[
+            {"type": "SCALAR", "componentType": 5126, "count": count,
+             "bufferView": 0, "min": [0], "max": [count - 1]},
+            {"type": "VEC3", "componentType": 5126, "count": count,
+             "bufferView": 0, "byteOffset": ends[0]},
+            {"type": "VEC3", "componentType": 5126, "count": vertices - 2,
+             "bufferView": 0, "byteOffset": ends[1],
+             "min": [0, 0, 0], "max": [19, 9, 6]},
+        ],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 2}}]}],
+        nodes=[{"mesh": 0}],
+        animations=[{
+            "samplers": [{"input": 0, "output": 1}],
+            "channels": [{"sampler": 0,
+                          "target": {"node": 0, "path": "translation"}}],
+        }],
+    )
+
+
 def png(side):
     """A black picture, compressed about a thousand times."""
     def chunk(kind, body):
@@ -252,6 +284,7 @@ def main(folder):
         "many-clips.gltf": many_clips(),
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
+        "long-clip.gltf": long_clip(),
         "nothing.gltf": gltf(),
     }
     for name, model in made.items():

@@ -74,6 +74,14 @@ expect_status 0
 RUN_SECONDS=30 limber character "$scratch/long-chain.gltf"
 expect_out ';bones = joint11999 16'
 
+# Keys of a long clip are searched at a part of its moments; what is found holds at
+# all of them. The search misses the jerk and comes back for it.
+if ! $emulated; then
+    limber optimize -o "$scratch/x.glb" "$scratch/long-clip.gltf"
+    expect_status 0
+    expect_out '^5 of 3600 keys are left. No vertex moves by more than 0\.0'
+fi
+
 # A model's own character reaches the clips that a character may hold.
 RUN_SECONDS=30 limber play --display null --frames 2 \
     --clip 2500 "$scratch/many-clips.gltf"

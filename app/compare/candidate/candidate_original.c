@@ -28,6 +28,7 @@ static void pose_original(struct candidate *candidate, float time_s)
 	clip_pose(state->reference->clip, time_s, CLIP_AUTO, &state->cursor,
 		&state->instance->pose);
 	state->instance->hold_normals = candidate->positions_only;
+	state->instance->undrawn = candidate->positions_only;
 	instance_update(state->instance);
 }
 

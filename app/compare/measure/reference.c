@@ -43,6 +43,7 @@ static int prepare(struct reference *reference, const struct log *log)
 		return error;
 	}
 	reference->instance->normal_mapping = false;
+	reference->instance->undrawn = true;
 	error = init_parts(reference);
 	if (!error) {
 		error = clip_cursor_init(

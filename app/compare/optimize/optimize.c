@@ -1,6 +1,7 @@
 #include "app/compare/optimize/optimize.h"
 
 #include "app/compare/optimize/build/optimize_build.h"
+#include "app/compare/optimize/optimize_known.h"
 #include "app/compare/optimize/optimize_measure.h"
 #include "app/compare/optimize/optimize_prune.h"
 #include "app/compare/optimize/optimize_refs.h"
@@ -13,8 +14,9 @@
 #include <stdlib.h>
 
 enum {
-	LEVELS = 4,    /* of precision, see set_precision() */
-	ROUNDS_MAX = 7 /* of choose_keys() */
+	LEVELS = 4,     /* of precision, see set_precision() */
+	ROUNDS_MAX = 7, /* of choose_keys() */
+	LAST_MAX = 3    /* of settle_keys() */
 };
 
 /* Rounding may cause this share of the bound; keys left out cause the rest. */
@@ -24,6 +26,9 @@ static const float aim = 0.9f;
 
 /* The search for the largest key_px of a clip that keeps within the bound. */
 struct clip_search {
+	struct bounds box; /* of the clip, once it has been measured */
+	struct optimize_known known; /* with these vertices and moments */
+
 	float good_px; /* the largest known to fit; 0: none yet */
 	float bad_px;  /* the last that did not fit; 0: none yet */
 	bool done;
@@ -46,6 +51,7 @@ struct optimizer {
 	float *key_px, *peak_px; /* [clip_count] */
 	int clip_count;          /* at least 1; without clips, the rest pose */
 	float left_px;
+	double share; /* of the moments that the search looks at */
 	uint8_t *data;
 	size_t size;
 	int steps;
@@ -156,17 +162,24 @@ static int build(struct optimizer *optimizer, bool reduces, struct model **model
 			       &errors, model);
 }
 
+/* Measures a clip, unless the same keys have been measured before. */
 static int measure(struct optimizer *optimizer, int clip)
 {
-	const struct optimize_view_size size = {
-		optimizer->request->width, optimizer->request->height};
+	const struct optimize_measure_view view = {optimizer->request->width,
+		optimizer->request->height, optimizer->share};
+	struct clip_search *search = &optimizer->clip[clip];
+	float *peak_px = &optimizer->peak_px[clip];
 	bool moves = clip < optimizer->base->clip_count &&
 		clip < optimizer->found->clip_count;
-	int error = optimize_measure(optimizer->base, optimizer->found,
-		moves ? clip : -1, size, optimizer->log,
-		&optimizer->peak_px[clip]);
+	int played = moves ? clip : -1, error = 0;
+	uint64_t stamp = optimize_known_stamp(optimizer->found, played);
 
-	step(optimizer);
+	if (!optimize_known_find(&search->known, stamp, peak_px)) {
+		error = optimize_measure(optimizer->base, optimizer->found,
+			played, view, &search->box, optimizer->log, peak_px);
+		optimize_known_add(&search->known, stamp, *peak_px);
+		step(optimizer);
+	}
 	return error;
 }
 
@@ -193,6 +206,14 @@ static void set_precision(struct optimize_plan *plan, int level)
 	plan->rotations = level < 3;
 }
 
+/* What is known of clips was measured with other vertices, or more coarsely. */
+static void forget(struct optimizer *optimizer)
+{
+	for (int c = 0; c < optimizer->clip_count; c++) {
+		optimizer->clip[c].known.count = 0;
+	}
+}
+
 /* Chooses the fewest bits whose error is at most numbers_share of the bound. */
 static int choose_precision(struct optimizer *optimizer)
 {
@@ -201,6 +222,7 @@ static int choose_precision(struct optimizer *optimizer)
 
 	for (int level = 0; level < LEVELS && !error; level++) {
 		set_precision(&optimizer->plan, level);
+		forget(optimizer);
 		error = build(optimizer, true, &optimizer->found);
 		if (!error) {
 			error = measure_all(optimizer, &most_px);
@@ -251,9 +273,51 @@ static bool is_done(const struct optimizer *optimizer)
 }
 
 /*
- * Finds key_px of all clips. A channel that one clip needs may have to stay in
- * another one, so the last file is measured once more as a whole.
+ * Makes good_px of a clip smaller if the clip exceeds the bound. Where few keys
+ * are left, a good_px far above the bound may have fitted.
  */
+static void keep_more(struct optimizer *optimizer, int clip)
+{
+	float *good_px = &optimizer->clip[clip].good_px;
+	float peak_px = optimizer->peak_px[clip];
+	float most_px = aim * optimizer->left_px;
+
+	if (peak_px > optimizer->left_px) {
+		*good_px = *good_px < peak_px ? *good_px * most_px / peak_px
+					      : most_px;
+	}
+}
+
+/*
+ * Builds the file that was found and measures all of it. It may exceed the
+ * bound at moments that the search has not looked at, or as a channel that one
+ * clip needs may have to stay in another one: then these clips keep more keys.
+ */
+static int settle_keys(struct optimizer *optimizer, float *peak_px)
+{
+	if (optimizer->share < 1.0) {
+		optimizer->share = 1.0;
+		forget(optimizer);
+	}
+	for (int round = 1;; round++) {
+		int error;
+
+		for (int c = 0; c < optimizer->clip_count; c++) {
+			optimizer->key_px[c] = optimizer->clip[c].good_px;
+		}
+		error = build(optimizer, true, &optimizer->found);
+		error = error ? error : measure_all(optimizer, peak_px);
+		if (error || *peak_px <= optimizer->left_px ||
+			round == LAST_MAX) {
+			return error;
+		}
+		for (int c = 0; c < optimizer->clip_count; c++) {
+			keep_more(optimizer, c);
+		}
+	}
+}
+
+/* Finds key_px of all clips. */
 static int choose_keys(struct optimizer *optimizer, float *peak_px)
 {
 	int error = 0;
@@ -271,13 +335,7 @@ static int choose_keys(struct optimizer *optimizer, float *peak_px)
 			}
 		}
 	}
-	for (int c = 0; c < optimizer->clip_count; c++) {
-		optimizer->key_px[c] = optimizer->clip[c].good_px;
-	}
-	if (!error) {
-		error = build(optimizer, true, &optimizer->found);
-	}
-	return error ? error : measure_all(optimizer, peak_px);
+	return error ? error : settle_keys(optimizer, peak_px);
 }
 
 /* The last resort if the bound is missed: only the order changes. */
@@ -292,6 +350,7 @@ static int keep_numbers(struct optimizer *optimizer, float *peak_px)
 	for (int c = 0; c < optimizer->clip_count; c++) {
 		optimizer->key_px[c] = 0.0f;
 	}
+	forget(optimizer);
 	error = build(optimizer, true, &optimizer->found);
 	return error ? error : measure_all(optimizer, peak_px);
 }
@@ -317,6 +376,10 @@ static int allocate(struct optimizer *optimizer)
 	optimizer->key_px = calloc(count, sizeof(float));
 	optimizer->peak_px = calloc(count, sizeof(float));
 	optimizer->plan.key_px = optimizer->key_px;
+	optimizer->share = optimize_measure_share(optimizer->base);
+	for (size_t c = 0; optimizer->clip && c < count; c++) {
+		optimizer->clip[c].box = bounds_empty();
+	}
 	return optimizer->clip && optimizer->key_px && optimizer->peak_px
 		? 0
 		: fail_memory(optimizer);
@@ -325,14 +388,14 @@ static int allocate(struct optimizer *optimizer)
 /* Builds the file in its new order without loss, and measures its reach. */
 static int build_base(struct optimizer *optimizer)
 {
-	const struct optimize_view_size size = {
-		optimizer->request->width, optimizer->request->height};
+	const struct optimize_measure_view view = {
+		optimizer->request->width, optimizer->request->height, 1.0};
 	float px_per_unit;
 	int error = build(optimizer, false, &optimizer->base);
 
 	if (!error) {
 		error = optimize_measure_unit(
-			optimizer->base, size, optimizer->log, &px_per_unit);
+			optimizer->base, view, optimizer->log, &px_per_unit);
 	}
 	if (!error) {
 		error = optimize_reach_find(

@@ -1,10 +1,17 @@
 #include "app/compare/optimize/optimize_measure.h"
-#include "app/compare/measure/sampling.h"
 
 #include "app/compare/candidate/candidate_error.h"
 
 #include <errno.h>
 #include <string.h>
+
+/*
+ * Vertices times moments that a search measures at once, within a second or so;
+ * but at least half a minute of clips.
+ */
+static const double vertices_most = 1e7;
+static const double moments_least = 2000.0;
+static const double rate_hz = 60.0; /* of a time grid, about */
 
 /* A model and the clip to play; the copy shares the model's memory. */
 struct played {
@@ -48,7 +55,7 @@ static void take(const struct candidate *candidate, float (*position)[3],
 }
 
 static int measure(struct reference *wanted, struct reference *found,
-	struct optimize_view_size size, float *peak_px)
+	struct optimize_measure_view view, struct bounds *box, float *peak_px)
 {
 	struct candidate candidate = {
 		.reference = wanted,
@@ -65,9 +72,22 @@ static int measure(struct reference *wanted, struct reference *found,
 	if (error) {
 		return error;
 	}
-	screen = screen_view_create(wanted, &grid, size.width, size.height);
-	error = candidate_error_measure(&candidate, &screen, &grid,
-		SAMPLING_NORMALS_MAX, NULL, &measured);
+	if (bounds_is_empty(box)) {
+		*box = screen_view_create(wanted, &grid, view.width, view.height)
+			       .box;
+	}
+	screen = (struct screen_view){
+		.width = view.width,
+		.height = view.height,
+		.unit = wanted->instance->unit_scale,
+	};
+	screen_view_frame(&screen, box);
+	if (view.share < 1.0) {
+		time_grid_thin(&grid, view.share);
+	}
+	/* No error of normals is asked for, and they take longest. */
+	error = candidate_error_measure(
+		&candidate, &screen, &grid, 1, NULL, &measured);
 	time_grid_release(&grid);
 	*peak_px = measured.peak_px;
 	return error;
@@ -84,8 +104,8 @@ static int fail(const struct model *model, int error, const struct log *log)
 }
 
 int optimize_measure(const struct model *wanted, const struct model *found,
-	int clip, struct optimize_view_size size, const struct log *log,
-	float *peak_px)
+	int clip, struct optimize_measure_view view, struct bounds *box,
+	const struct log *log, float *peak_px)
 {
 	struct played a = {.reference = NULL}, b = {.reference = NULL};
 	int error = begin(&a, wanted, clip, log);
@@ -96,7 +116,7 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 	*peak_px = 0.0f;
 	if (!error && a.reference->vertex_count > 0 &&
 		a.reference->vertex_count == b.reference->vertex_count) {
-		error = measure(a.reference, b.reference, size, peak_px);
+		error = measure(a.reference, b.reference, view, box, peak_px);
 		error = error ? fail(wanted, error, log) : 0;
 	}
 	reference_destroy(a.reference);
@@ -124,7 +144,7 @@ static float closest_px(const struct screen_view *screen)
 }
 
 int optimize_measure_unit(const struct model *model,
-	struct optimize_view_size size, const struct log *log,
+	struct optimize_measure_view size, const struct log *log,
 	float *px_per_unit)
 {
 	int first = model->clip_count > 0 ? 0 : -1;
@@ -147,4 +167,25 @@ int optimize_measure_unit(const struct model *model,
 	}
 	reference_destroy(played.reference);
 	return error;
+}
+
+double optimize_measure_share(const struct model *model)
+{
+	double vertices = 1.0, moments = 1.0, most;
+
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_mesh *mesh = model->node[n].mesh < 0
+			? NULL
+			: &model->mesh[model->node[n].mesh];
+
+		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
+			vertices += (double)mesh->primitive[i].vertex_count;
+		}
+	}
+	for (int c = 0; c < model->clip_count; c++) {
+		moments += 2.0 + rate_hz * (double)model->clip[c].duration_s;
+	}
+	most = vertices_most / vertices;
+	most = most > moments_least ? most : moments_least;
+	return most < moments ? most / moments : 1.0;
 }

@@ -6,19 +6,22 @@
 
 #include "app/compare/measure/screen_view.h"
 
-struct optimize_view_size {
+struct optimize_measure_view {
 	int width, height; /* pixels */
+	/* The part of a clip's moments that is measured, at most 1: all. */
+	double share;
 };
 
 /*
  * Plays a clip of both models, or poses them at rest if clip is -1, in the view
  * in which `limber play` frames the clip. *peak_px is the largest distance of a
  * vertex, as exact as in candidate_error.h; 0 if the numbers of vertices
- * differ. Returns 0, or -errno after logging an error.
+ * differ. *box is what the view frames: the wanted clip is posed for it only if
+ * it is empty. Returns 0, or -errno after logging an error.
  */
 int optimize_measure(const struct model *wanted, const struct model *found,
-	int clip, struct optimize_view_size size, const struct log *log,
-	float *peak_px);
+	int clip, struct optimize_measure_view view, struct bounds *box,
+	const struct log *log, float *peak_px);
 
 /*
  * Finds how many pixels a unit of world space covers at the point of the
@@ -26,7 +29,14 @@ int optimize_measure(const struct model *wanted, const struct model *found,
  * 1 without vertices. Returns 0, or -errno after logging an error.
  */
 int optimize_measure_unit(const struct model *model,
-	struct optimize_view_size size, const struct log *log,
+	struct optimize_measure_view size, const struct log *log,
 	float *px_per_unit);
+
+/*
+ * Returns the part of the moments at which a search measures all clips of a
+ * model: 1, unless they are long or many. What it finds has to be measured at
+ * all moments then.
+ */
+double optimize_measure_share(const struct model *model);
 
 #endif

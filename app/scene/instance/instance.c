@@ -176,7 +176,7 @@ static void pose_drawable(
 	if (drawable->bumped) {
 		bump_update(instance, drawable);
 	}
-	if (drawable->morphed || drawable->skin >= 0) {
+	if (!instance->undrawn && (drawable->morphed || drawable->skin >= 0)) {
 		batch_gather(drawable);
 	}
 }

@@ -189,6 +189,12 @@ struct instance {
 	 */
 	bool hold_normals;
 
+	/*
+	 * If true, updates pose the vertices but not the batches, from which
+	 * an instance is drawn.
+	 */
+	bool undrawn;
+
 	bool drawn_vertices_only; /* set by instance_create_for_drawing() */
 
 	/*

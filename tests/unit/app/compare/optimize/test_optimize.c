@@ -296,6 +296,31 @@ static void test_each_file_and_each_measured_clip_is_a_step(void **state)
 	free(result.data);
 }
 
+/* However often a file is built, clips whose keys all stay are measured once. */
+static void test_clips_that_stay_as_they_are_are_measured_once(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	int steps = 0, builds = 2 + 7 + 1;
+	const struct optimize_request request = {
+		.bound_px = 1e-3f,
+		.width = 48,
+		.height = 64,
+		.memory_bytes = MODEL_MEMORY_BYTES,
+		.progress = count_step,
+		.progress_context = &steps,
+	};
+	struct optimize_result result;
+	struct model *model;
+
+	(void)state;
+	load(fixture_path("gltf/clip/cubic.gltf").text, &model);
+	assert_int_equal(optimize_model(model, &request, &log, &result), 0);
+	assert_int_equal(result.after.key_count, result.before.key_count);
+	assert_int_equal(steps, builds + model->clip_count);
+	model_destroy(model);
+	free(result.data);
+}
+
 /* A clip that lasts no time is measured in its pose, not at rest. */
 static void test_a_pose_keeps_all_channels(void **state)
 {
@@ -430,6 +455,8 @@ int main(void)
 		cmocka_unit_test(test_fixtures_keep_their_pictures),
 		cmocka_unit_test(test_numbers_lose_what_the_bound_allows),
 		cmocka_unit_test(test_each_file_and_each_measured_clip_is_a_step),
+		cmocka_unit_test(
+			test_clips_that_stay_as_they_are_are_measured_once),
 		cmocka_unit_test(test_a_pose_keeps_all_channels),
 		cmocka_unit_test(test_triangles_are_ordered_for_the_cache),
 		cmocka_unit_test(

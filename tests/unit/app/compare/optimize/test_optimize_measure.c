@@ -7,7 +7,7 @@
 static float px_per_unit(const struct model *model, int width, int height)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
-	const struct optimize_view_size size = {width, height};
+	const struct optimize_measure_view size = {width, height, 1.0};
 	float px = -1;
 
 	assert_int_equal(optimize_measure_unit(model, size, &log, &px), 0);
@@ -81,10 +81,66 @@ static void test_a_unit_is_that_of_the_first_clip(void **state)
 	model_destroy(model);
 }
 
+/* Long clips and many vertices: the search looks at a part of the moments. */
+static void test_a_search_measures_a_part_of_long_clips(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	double share;
+
+	(void)state;
+	model->clip_count = 1;
+	model->clip[0].duration_s = 30.0f;
+	assert_near(optimize_measure_share(model), 1, 0);
+	model->clip[0].duration_s = 1e6f;
+	share = optimize_measure_share(model);
+	assert_true(share > 0 && share < 1);
+	model->clip[0].duration_s = 2e6f;
+	assert_near(optimize_measure_share(model), 0.5 * share, 1e-6 * share);
+	model_destroy(model);
+}
+
+/* The first model moves, the second one stays where it is at the start. */
+static float apart_px(const struct model *model, const struct model *still,
+	double share, struct bounds *box)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	const struct optimize_measure_view view = {48, 64, share};
+	float px;
+
+	assert_int_equal(
+		optimize_measure(model, still, 0, view, box, &log, &px), 0);
+	return px;
+}
+
+static void test_a_part_of_the_moments_shows_about_the_same_error(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	struct model_clip rest = {.name = "rest"};
+	struct model still = *model;
+	struct bounds box = bounds_empty(), empty = bounds_empty();
+	float all, part;
+
+	(void)state;
+	rest.duration_s = model->clip[0].duration_s;
+	still.clip = &rest;
+	still.clip_count = 1;
+	all = apart_px(model, &still, 1.0, &box);
+	assert_false(bounds_is_empty(&box));
+	part = apart_px(model, &still, 0.2, &box);
+	assert_true(all > 5.0f);
+	assert_true(part <= all && part > 0.8f * all);
+	/* The view frames the whole clip in any case. */
+	assert_near(apart_px(model, &still, 0.2, &empty), part, 0);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_unit_grows_with_the_picture),
+		cmocka_unit_test(test_a_search_measures_a_part_of_long_clips),
+		cmocka_unit_test(
+			test_a_part_of_the_moments_shows_about_the_same_error),
 		cmocka_unit_test(test_a_unit_is_that_of_the_first_clip),
 		cmocka_unit_test(test_a_unit_grows_as_the_model_shrinks),
 		cmocka_unit_test(

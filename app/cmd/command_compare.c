@@ -58,16 +58,9 @@ static int print(const struct comparison *comparison,
 static int check_outputs(
 	const struct options_compare *wanted, const struct log *log)
 {
-	struct output_file *file;
-	int error = 0;
+	int error =
+		wanted->plot ? output_file_try("--plot", wanted->plot, log) : 0;
 
-	if (wanted->plot) {
-		error = output_file_create_for(
-			"--plot", wanted->plot, log, &file);
-		if (!error) {
-			output_file_discard(file);
-		}
-	}
 	return error || !wanted->export
 		? error
 		: export_make_folder(wanted->export, log);

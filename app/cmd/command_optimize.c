@@ -14,9 +14,15 @@ static void show_progress(void *context, int done, int total)
 	progress_step(progress, done);
 }
 
-static int write_file(
-	const struct optimize_result *result, struct output_file *file)
+static int write_file(const struct optimize_result *result, const char *path,
+	const struct log *log)
 {
+	struct output_file *file;
+	int error = output_file_create(path, log, &file);
+
+	if (error) {
+		return error;
+	}
 	fwrite(result->data, 1, result->after.file, output_file_stream(file));
 	return output_file_commit(file);
 }
@@ -62,19 +68,16 @@ static int run_with_model(const struct model *model,
 		.progress_context = &progress,
 	};
 	struct optimize_result result;
-	struct output_file *file;
-	/* Opened first, so that the work is not done in vain. */
-	int error = output_file_create(options->screen.output, log, &file);
+	const char *output = options->screen.output;
+	int error = output_file_try(NULL, output, log);
 
 	if (error) {
 		return error;
 	}
 	error = optimize_model(model, &request, log, &result);
 	progress_end(&progress);
-	if (error) {
-		output_file_discard(file);
-	} else {
-		error = write_file(&result, file);
+	if (!error) {
+		error = write_file(&result, output, log);
 	}
 	if (!error) {
 		print_result(&result, options);

@@ -241,6 +241,21 @@ int output_file_edit(const char *option, const char *path,
 	return create(option, path, true, log, out);
 }
 
+int output_file_try(const char *option, const char *path, const struct log *log)
+{
+	struct output_file *file;
+	struct stat status;
+	int error;
+
+	if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
+		!S_ISDIR(status.st_mode)) {
+		return 0;
+	}
+	error = create(option, path, false, log, &file);
+	output_file_discard(file);
+	return error;
+}
+
 FILE *output_file_stream(const struct output_file *file)
 {
 	return file->stream;

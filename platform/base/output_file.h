@@ -52,6 +52,14 @@ int output_file_edit(const char *option, const char *path,
 	const struct log *log, struct output_file **out);
 
 /*
+ * Whether the file could be written now: begins and discards it, so that long
+ * work is not done in vain, and a signal meanwhile leaves no temporary file
+ * behind. Devices and pipes are not opened, as closing them would end their
+ * reader. Returns 0, or -errno after logging an error. option may be NULL.
+ */
+int output_file_try(const char *option, const char *path, const struct log *log);
+
+/*
  * The stream to write the content to. The file owns it. The caller need not
  * check for errors of the stream, because output_file_commit() reports the
  * first of them. A long write may check ferror() in order to end early.

@@ -277,6 +277,14 @@ about 'limber pose into a pipe'
 expect_status 0
 expect_out '^o node0_prim0$'
 check 'the pipe is still a pipe' test -p "$scratch/pipe"
+# It is not opened before the plot is ready, which would end its reader.
+# shellcheck disable=SC2086,SC2016 # a command and its arguments
+run sh -c 'mkfifo "$1"; cat "$1" & shift; "$@" >/dev/null; wait' sh \
+    "$scratch/pipe.svg" $limber compare "$slider" --size 48x64 \
+    --plot "$scratch/pipe.svg"
+about 'limber compare --plot into a pipe'
+expect_status 0
+expect_out '</svg>'
 limber pose "$slider" -o /dev/stdout
 expect_status 0
 expect_out '^o node0_prim0$'

@@ -130,6 +130,19 @@ check 'SIGTERM ends a long preparation within a second' test $took -le 2
 check 'the watchdog is disabled then' \
     test "$(tail -c 1 "$scratch/watchdog")" = V
 
+# Nothing is left of a file whose content is still computed.
+if ! $emulated; then
+    # shellcheck disable=SC2086 # a command and its arguments
+    $limber optimize -o "$scratch/stopped.glb" "$scratch/long-clip.gltf" \
+        >"$out_file" 2>"$err_file" &
+    child=$!
+    sleep 1
+    kill -TERM $child
+    wait $child
+    check 'SIGTERM leaves no temporary file of optimize' \
+        sh -c "! ls '$scratch' | grep stopped"
+fi
+
 # So does a reader of standard output that goes away.
 : >"$scratch/watchdog"
 # shellcheck disable=SC2086 # a command and its arguments

@@ -1,7 +1,8 @@
 /*
  * Runs a whole command on any bytes as a model: loads it, poses it, draws it
  * with the soft driver, compares or exports it. A hash of the bytes chooses the
- * command and its options, so that a file repeats its run.
+ * command and its options, so that a file repeats its run. What a command writes
+ * as input for limber is read again: an optimized model, and a character.
  */
 #define _GNU_SOURCE /* memfd_create() */
 
@@ -27,7 +28,8 @@ struct confinement confine_process(
 
 static const struct command *const commands[] = {&command_play, &command_render,
 	&command_pose, &command_info, &command_compare, &command_doctor,
-	&command_export, &command_optimize, NULL};
+	&command_export, &command_optimize, &command_character, &command_levels,
+	NULL};
 
 /* Each run takes one value of each row; "" leaves the option out. */
 static const char *const option_values[][9] = {
@@ -41,9 +43,11 @@ static const char *const option_values[][9] = {
 	{"--influences", "", "", "1", "3", "auto", "budget:200"},
 	{"--lod", "", "", "auto", "off", "level:1", "3"},
 	{"--format", "", "rgb565", "rgba8888"},
+	{"--show", "", "", "skeleton,weights,wireframe",
+		"keys,pivots,curve,layers"},
 };
 
-static char film[64]; /* a file's name */
+static char film[64], optimized[64], behaviour[64]; /* names of files */
 
 static const char *const command_lines[][12] = {
 	{"render", "--frames", "2", "-o", film},
@@ -56,7 +60,15 @@ static const char *const command_lines[][12] = {
 	{"doctor", "--json"},
 	{"compare", "--fps", "3", "--format", "json"},
 	{"export", "--c", "/dev/null"},
-	{"optimize", "-o", "/dev/null"},
+	{"optimize", "-o", optimized},
+	{"character", "-o", behaviour},
+	{"levels", "-o", "/dev/null"},
+	{"play", "--demo", "crowd", "--walkers", "3", "--display", "null",
+		"--clock", "fixed:5", "--frames", "3"},
+	{"play", "--demo", "duel", "--display", "null", "--clock", "fixed:5",
+		"--frames", "3"},
+	{"play", "--demo", "tuner", "--display", "null", "--clock", "fixed:5",
+		"--frames", "3"},
 };
 
 /* F8 while F9 is held would keep pictures in this folder. */
@@ -136,6 +148,36 @@ static int add_options(const char **argv, int argc, uint64_t choice)
 	return argc;
 }
 
+/* Returns the status of a command line that ends with NULL. */
+static int status_of(const char **argv)
+{
+	int argc = 0;
+
+	while (argv[argc]) {
+		argc++;
+	}
+	return command_dispatch(commands, argc, (char **)argv);
+}
+
+static int play_with(const char *model, const char *character)
+{
+	return status_of((const char *[]){"limber", "play", "--display", "null",
+		"--clock", "fixed:5", "--frames", "3", "--size", "8x8",
+		"--config", "none", "--character", character, model, NULL});
+}
+
+/* limber reads what it has written. */
+static void read_again(const char *command, const char *model)
+{
+	if (strcmp(command, "optimize") == 0) {
+		fuzz_expect(status_of((const char *[]){"limber", "info",
+				    optimized, NULL}) == EXIT_OK);
+	} else if (strcmp(command, "character") == 0) {
+		fuzz_expect(play_with(model, behaviour) ==
+			play_with(model, "none"));
+	}
+}
+
 static void run(const char *model, uint64_t choice)
 {
 	const char *const *line = command_lines[choice % COMMAND_LINES];
@@ -155,6 +197,9 @@ static void run(const char *model, uint64_t choice)
 		dprintf(STDERR_FILENO, "%s ", argv[i]);
 	}
 	fuzz_expect(status == EXIT_OK || status == EXIT_FAILED);
+	if (status == EXIT_OK) {
+		read_again(line[0], model);
+	}
 }
 
 /* A file in memory with the content, or -1. */
@@ -169,6 +214,11 @@ static int file_of(const void *data, size_t size)
 	return fd;
 }
 
+static void name_file(char name[64], const char *ending)
+{
+	snprintf(name, 64, "/tmp/limber-fuzz-%d.%s", (int)getpid(), ending);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	char model[32];
@@ -180,8 +230,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	if (lseek(SCRIPT_FD, 0, SEEK_SET) != 0) {
 		fd = file_of(script, sizeof(script) - 1);
 		dup2(fd, SCRIPT_FD);
-		snprintf(film, sizeof(film), "/tmp/limber-fuzz-%d.gif",
-			(int)getpid());
+		name_file(film, "gif");
+		name_file(optimized, "glb");
+		name_file(behaviour, "character");
 		close(fd);
 		/* Not freopen(): the sanitizers write to the descriptor. */
 		stdout = fopen("/dev/null", "w");
@@ -195,5 +246,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	run(model, hash(data, size));
 	close(fd);
 	unlink(film);
+	unlink(optimized);
+	unlink(behaviour);
 	return 0;
 }

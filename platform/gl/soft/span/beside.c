@@ -228,7 +228,8 @@ static void draw_tested(struct draw *draw, enum soft_place place)
 {
 	struct soft_spans *spans = &draw->spans;
 
-	if (spans->tested_by_functions && spans->depth_written) {
+	if (spans->tested_by_functions &&
+		(spans->depth_written || SOFT_KEEPS_DEPTH)) {
 		testing_functions(spans)[place](&spans->run);
 	} else {
 		draw_beside(draw, place);

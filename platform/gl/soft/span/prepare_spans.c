@@ -157,7 +157,12 @@ static void choose_tests(
 	spans->depth_written = state->depth_test && state->depth_mask;
 	spans->tested_by_functions =
 		spans->depth_by_less && !spans->blended_last;
-	spans->direct = spans->tested_by_functions && spans->depth_written &&
+	if (SOFT_KEEPS_DEPTH) {
+		spans->run.depth_kept =
+			spans->tested_by_functions && !spans->depth_written;
+	}
+	spans->direct = spans->tested_by_functions &&
+		(spans->depth_written || SOFT_KEEPS_DEPTH) &&
 		spans->color_mask == UINT32_MAX;
 	spans->untested = function == GL_ALWAYS && !spans->depth_written &&
 		!spans->stenciled && spans->color_mask == UINT32_MAX;

@@ -37,6 +37,12 @@ enum {
 	/* most pixels and runs of a list that one call draws */
 	SOFT_BATCH_PIXELS = 1024,
 	SOFT_BATCH_RUNS = 64,
+#ifdef __x86_64__
+	SOFT_KEEPS_DEPTH =
+		true, /* span functions can leave depths as they are */
+#else
+	SOFT_KEEPS_DEPTH = false,
+#endif
 	SOFT_BATCH_ROOM = SOFT_BATCH_PIXELS + 3, /* drawn as four to the end */
 	/* 2^7 texels, with 9 bits of fraction, fit half of a word */
 	SOFT_RUN_TEXELS = 128,
@@ -108,6 +114,7 @@ struct soft_run {
 	uintptr_t second;
 	/* Joined textures: bytes from a texel of the first to the second's. */
 	uintptr_t joint;
+	bool depth_kept; /* functions that draw four pixels write no depths */
 	/* the last address from which four pixels may be read and written */
 	uintptr_t last;
 	const struct soft_fragment_stages *stages;

@@ -88,8 +88,11 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		OPAQUE(texel.lanes.red_blue);
 		OPAQUE(texel.lanes.green_alpha);
 	}
-	soft_store_halves(
-		kind.textured ? UPPER_HALF(at->z) : at->z >> 16, pass, depth);
+	if (!SOFT_KEEPS_DEPTH || !run->depth_kept) {
+		soft_store_halves(
+			kind.textured ? UPPER_HALF(at->z) : at->z >> 16, pass,
+			depth);
+	}
 	if (soft_is_unseen(kind, constants, alpha)) {
 		return;
 	}

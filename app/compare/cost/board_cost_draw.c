@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.386e+04, 2.193e+04}, /* frame */
-	{0.5199, 0.1332},       /* pixel */
-	{1.955e+04, 6770},      /* call */
-	{80.23, 44.06},         /* listed */
-	{347.9, 92.75},         /* vertex */
-	{136.3, 86},            /* again */
-	{334.5, 160.5},         /* single */
-	{301.3, 254.4},         /* shaded */
-	{14.82, 15.15},         /* hidden */
-	{1511, 557.4},          /* skipped */
-	{3.702, 2.86},          /* fine */
-	{176.9, 90},            /* flat triangle */
-	{76.67, 38.69},         /* flat row */
-	{16.79, 12.45},         /* flat pixel */
-	{623.2, 229.2},         /* plain triangle */
-	{25.78, 26.75},         /* plain row */
-	{9.008, 4.591},         /* plain pixel */
-	{744.7, 479.6},         /* textured triangle */
-	{79.85, 0},             /* textured row */
-	{101.2, 66.16},         /* textured pixel */
-	{3.065e+04, 7702},      /* backdrop triangle */
-	{64.75, 20.72},         /* backdrop row */
+	{3.317e+04, 2.145e+04}, /* frame */
+	{0.3735, 0.06395},      /* pixel */
+	{1.946e+04, 6681},      /* call */
+	{73.02, 56.22},         /* listed */
+	{347.3, 92.09},         /* vertex */
+	{126.3, 78.6},          /* again */
+	{355.6, 167.1},         /* single */
+	{336.6, 255},           /* shaded */
+	{14.76, 15.19},         /* hidden */
+	{1496, 593.6},          /* skipped */
+	{3.668, 3.045},         /* fine */
+	{170.8, 65.73},         /* flat triangle */
+	{78.21, 43.18},         /* flat row */
+	{18.19, 13.1},          /* flat pixel */
+	{676.9, 206.1},         /* plain triangle */
+	{24.18, 22.32},         /* plain row */
+	{9.579, 4.236},         /* plain pixel */
+	{751.9, 583.2},         /* textured triangle */
+	{137, 0.6196},          /* textured row */
+	{78.88, 58.27},         /* textured pixel */
+	{2.712e+04, 6237},      /* backdrop triangle */
+	{63.39, 20.77},         /* backdrop row */
 	{0, 0},                 /* backdrop pixel */
-	{3.86e+04, 1.193e+04},  /* ground triangle */
-	{129.9, 51.31},         /* ground row */
-	{8.749, 1.174},         /* ground pixel */
-	{134.9, 22.65},         /* spans triangle */
-	{208.8, 136.5},         /* spans row */
-	{21.17, 14.1},          /* spans pixel */
-	{1078, 0},              /* spans textured triangle */
-	{300.6, 165.4},         /* spans textured row */
-	{72.59, 47.14},         /* spans textured pixel */
-	{6647, 4554},           /* spans divided triangle */
-	{681.8, 397.1},         /* spans divided row */
-	{90.53, 54.98},         /* spans divided pixel */
-	{3185, 1226},           /* spans nearest triangle */
-	{316.2, 145.8},         /* spans nearest row */
-	{34.24, 26.01},         /* spans nearest pixel */
-	{3410, 1942},           /* mixed triangle */
-	{201, 117.1},           /* mixed row */
-	{48.48, 31.4},          /* mixed pixel */
-	{3599, 1288},           /* tested triangle */
-	{251.2, 155.2},         /* tested row */
-	{121.7, 82.46},         /* tested pixel */
-	{3191, 1916},           /* tested spans triangle */
-	{306.3, 188.4},         /* tested spans row */
-	{139, 84.63},           /* tested spans pixel */
-	{4284, 1163},           /* mixed textured triangle */
-	{275.6, 140.8},         /* mixed textured row */
-	{198.2, 136.8},         /* mixed textured pixel */
-	{3676, 2525},           /* mixed spans triangle */
-	{315.2, 187.4},         /* mixed spans row */
-	{179, 108.6},           /* mixed spans pixel */
-	{5082, 4082},           /* mixed divided triangle */
-	{1391, 712.5},          /* mixed divided row */
-	{147.8, 98.71},         /* mixed divided pixel */
-	{251.1, 57.16},         /* colored triangle */
-	{4.627, 0},             /* colored row */
-	{4.812, 1.888},         /* colored pixel */
-	{3235, 1660},           /* bent triangle */
-	{381.4, 218.3},         /* bent row */
-	{3.89, 2.705},          /* bent pixel */
+	{3.698e+04, 1.145e+04}, /* ground triangle */
+	{137.5, 58.89},         /* ground row */
+	{8.875, 1.051},         /* ground pixel */
+	{149.1, 94.05},         /* spans triangle */
+	{205.7, 129.3},         /* spans row */
+	{20.53, 13.92},         /* spans pixel */
+	{1847, 8.571},          /* spans textured triangle */
+	{308.6, 154.5},         /* spans textured row */
+	{71.27, 46.73},         /* spans textured pixel */
+	{7542, 5290},           /* spans divided triangle */
+	{673.5, 384.5},         /* spans divided row */
+	{89.48, 54.34},         /* spans divided pixel */
+	{3084, 1160},           /* spans nearest triangle */
+	{308.9, 139.6},         /* spans nearest row */
+	{35.04, 26.2},          /* spans nearest pixel */
+	{3195, 1838},           /* mixed triangle */
+	{213.3, 116.5},         /* mixed row */
+	{47.39, 30.92},         /* mixed pixel */
+	{3363, 1202},           /* tested triangle */
+	{228.8, 145},           /* tested row */
+	{134.4, 88.81},         /* tested pixel */
+	{3094, 1873},           /* tested spans triangle */
+	{323.7, 191.5},         /* tested spans row */
+	{133.2, 81.51},         /* tested spans pixel */
+	{3112, 843.5},          /* mixed textured triangle */
+	{249.2, 120.4},         /* mixed textured row */
+	{212.8, 144},           /* mixed textured pixel */
+	{3703, 2602},           /* mixed spans triangle */
+	{283.7, 166.4},         /* mixed spans row */
+	{180.5, 106.5},         /* mixed spans pixel */
+	{5058, 4066},           /* mixed divided triangle */
+	{1331, 701},            /* mixed divided row */
+	{151.7, 101.2},         /* mixed divided pixel */
+	{225.2, 58.15},         /* colored triangle */
+	{0, 4.708},             /* colored row */
+	{4.411, 1.707},         /* colored pixel */
+	{2808, 1481},           /* bent triangle */
+	{319.6, 191.5},         /* bent row */
+	{3.801, 2.702},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.003, 0.9994},        /* deep row */
-	{2.337, 2.136},         /* deep pixel */
-	{675.5, 369.5},         /* second triangle */
-	{166.3, 84.66},         /* second row */
-	{45.53, 23.01},         /* second pixel */
-	{324.7, 217.6},         /* crossed triangle */
-	{150.5, 89.52},         /* crossed row */
-	{3.542, 3.202},         /* crossed pixel */
+	{1.004, 1.002},         /* deep row */
+	{2.553, 2.378},         /* deep pixel */
+	{671.2, 365.5},         /* second triangle */
+	{169.5, 87.4},          /* second row */
+	{48.55, 25.65},         /* second pixel */
+	{320, 210.6},           /* crossed triangle */
+	{199.5, 105.7},         /* crossed row */
+	{4.189, 3.833},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

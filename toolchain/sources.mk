@@ -5,7 +5,7 @@
 c_files = $(sort $(shell find $(1) -name '*.c'))
 
 # Folders named after an architecture are chosen below, for each target.
-APP_SOURCES := $(filter-out app/main.c app/anim/portable/% \
+APP_SOURCES := $(filter-out app/main.c app/anim/arm/% app/anim/portable/% \
 	app/anim/kernel/arm/%,$(call c_files,app))
 BASE_SOURCES := $(call c_files,platform/base platform/process)
 # Files beside a registry are shared by its drivers.

@@ -53,7 +53,7 @@ typedef int32_t soft_int __attribute__((vector_size(16)));
 #define LIMIT_SHIFTED(word, shift, bits)                                  \
 	SOFT_VECTOR(min_epi16,                                            \
 		SOFT_VECTOR(max_epi16, (word) >> (shift), (soft_int){0}), \
-		(soft_int){0} + ((1 << (bits)) - 1))
+		(soft_word){0} + ((1u << (bits)) - 1))
 #define UPPER_HALF(word)       ((word) >> 16)
 #define SHIFT_HERE(word, bits) ((word) >> (bits))
 #define UPPER_HALVES(a, b)     (((a) & (int32_t)0xFFFF0000) | ((b) >> 16 & 0xFFFF))

@@ -66,8 +66,10 @@ typedef int32_t soft_int __attribute__((vector_size(16)));
 /* A step to each of the four pixels, or to the next four. */
 static ALWAYS_INLINE soft_word soft_spread(uint32_t step, bool next)
 {
-	return next ? (soft_word){0} + step * SOFT_LANES
-		    : (soft_word){0, step, 2 * step, 3 * step};
+	if (next) {
+		return (soft_word){0} + step * SOFT_LANES;
+	}
+	return (soft_word){0, step, 2 * step, 3 * step};
 }
 
 /* Four words from addresses at which no alignment is needed. */

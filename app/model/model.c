@@ -159,6 +159,24 @@ int model_find_clip(const struct model *model, const char *name_or_index)
 	return (int)number;
 }
 
+bool model_clip_moves_weights(const struct model_clip *clip, int node)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (clip->channel[i].path == MODEL_WEIGHTS &&
+			clip->channel[i].node == node) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void model_clip_mark_moved(const struct model_clip *clip, bool *moved)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		moved[clip->channel[i].node] = true;
+	}
+}
+
 static bool moves_any(const struct model_clip *clip, const bool *moved)
 {
 	for (int i = 0; i < clip->channel_count; i++) {
@@ -184,9 +202,7 @@ int model_clips_apart(
 			continue;
 		}
 		list[count++] = number;
-		for (int c = 0; c < clip->channel_count; c++) {
-			moved[clip->channel[c].node] = true;
-		}
+		model_clip_mark_moved(clip, moved);
 	}
 	return count;
 }

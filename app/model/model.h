@@ -367,6 +367,12 @@ int model_lod_of_size(const struct model_primitive *primitive, int index_count);
  */
 int model_find_clip(const struct model *model, const char *name_or_index);
 
+/* Whether a clip moves the weights of a node's morph targets. */
+bool model_clip_moves_weights(const struct model_clip *clip, int node);
+
+/* Sets moved, [node_count], to true for each node that a clip moves. */
+void model_clip_mark_moved(const struct model_clip *clip, bool *moved);
+
 /*
  * Lists clips of which no two move the same node, beginning with first, in
  * list, [clip_count]. moved, [node_count], is scratch memory of zeros. Returns

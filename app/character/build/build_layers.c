@@ -141,8 +141,8 @@ static int keep_moved(
 	if (!moved) {
 		return -ENOMEM;
 	}
-	for (int c = 0; clip && c < clip->channel_count; c++) {
-		moved[clip->channel[c].node] = true;
+	if (clip) {
+		model_clip_mark_moved(clip, moved);
 	}
 	for (int i = 0; i < model->node_count; i++) {
 		mask[i] = moved[i] ? mask[i] : 0;

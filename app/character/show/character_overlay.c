@@ -58,17 +58,6 @@ static void describe_morph(const struct character_morph *morph, double now_s,
 	out->shape_user = curve;
 }
 
-static bool moves_weights(const struct model_clip *clip, int node)
-{
-	for (int i = 0; clip && i < clip->channel_count; i++) {
-		if (clip->channel[i].path == MODEL_WEIGHTS &&
-			clip->channel[i].node == node) {
-			return true;
-		}
-	}
-	return false;
-}
-
 /*
  * Describes how a clip goes from one key frame to the next: the weights are 0
  * but for one target, or for two whose sum is 1. Of a clip that mixes its
@@ -85,7 +74,7 @@ static void describe_key_frames(const struct character *character,
 			   .weight[model->node[node].weight_offset];
 	float sum = 0;
 
-	if (!weight || !moves_weights(clip, node)) {
+	if (!weight || !clip || !model_clip_moves_weights(clip, node)) {
 		return;
 	}
 	for (int i = 0; i < model->mesh[model->node[node].mesh].target_count;

@@ -73,13 +73,8 @@ static void write_states(const struct model *model,
 static bool is_animated(const struct model *model, int node)
 {
 	for (int c = 0; c < model->clip_count; c++) {
-		const struct model_clip *clip = &model->clip[c];
-
-		for (int i = 0; i < clip->channel_count; i++) {
-			if (clip->channel[i].path == MODEL_WEIGHTS &&
-				clip->channel[i].node == node) {
-				return true;
-			}
+		if (model_clip_moves_weights(&model->clip[c], node)) {
+			return true;
 		}
 	}
 	return false;

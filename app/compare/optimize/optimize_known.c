@@ -1,11 +1,10 @@
 #include "app/compare/optimize/optimize_known.h"
 
-/* FNV-1a. */
+#include "app/compare/optimize/optimize_hash.h"
+
 static void add_bytes(uint64_t *stamp, const void *bytes, size_t size)
 {
-	for (size_t i = 0; i < size; i++) {
-		*stamp = (*stamp ^ ((const uint8_t *)bytes)[i]) * 1099511628211u;
-	}
+	*stamp = optimize_hash(*stamp, bytes, size);
 }
 
 static void add_channel(uint64_t *stamp, const struct model_channel *channel)
@@ -29,7 +28,7 @@ static void add_channel(uint64_t *stamp, const struct model_channel *channel)
 
 uint64_t optimize_known_stamp(const struct model *model, int clip)
 {
-	uint64_t stamp = 14695981039346656037u;
+	uint64_t stamp = optimize_hash_empty;
 
 	for (int n = 0; n < model->node_count; n++) {
 		const struct model_node *node = &model->node[n];

@@ -1,5 +1,6 @@
 #include "app/compare/optimize/build/optimize_output.h"
 
+#include "app/compare/optimize/optimize_hash.h"
 #include "platform/base/compiler.h"
 
 #include <errno.h>
@@ -114,11 +115,8 @@ static bool is_zero(const struct optimize_array *array, int element)
 
 static uint64_t hash_of(const uint8_t *data, size_t size)
 {
-	uint64_t hash = 0xcbf29ce484222325u;
+	uint64_t hash = optimize_hash(optimize_hash_empty, data, size);
 
-	for (size_t i = 0; i < size; i++) {
-		hash = (hash ^ data[i]) * 0x100000001b3u;
-	}
 	return hash ^ hash >> 29;
 }
 

@@ -1,5 +1,6 @@
 #include "tests/support/model/acting.h"
 
+#include "app/character/sketch/character_sketch.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
@@ -21,6 +22,19 @@ static void replace(struct acting *acting)
 	character_destroy(acting->character);
 	acting->character = NULL;
 	acting->now_s = 0.0;
+}
+
+char *acting_sketch(
+	const struct model *model, const struct character_sketch_play *play)
+{
+	char *text = NULL;
+	size_t size;
+	FILE *file = open_memstream(&text, &size);
+
+	assert_non_null(file);
+	assert_int_equal(character_sketch(model, play, file), 0);
+	fclose(file);
+	return text;
 }
 
 void acting_read(struct acting *acting, const char *text)

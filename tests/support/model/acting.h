@@ -7,6 +7,8 @@
 #include "app/character/character.h"
 #include "tests/support/log_capture.h"
 
+struct character_sketch_play;
+
 struct acting {
 	struct model *model;
 	struct instance *instance;
@@ -18,6 +20,10 @@ struct acting {
 
 /* Loads the model file. Fails the test if that is not possible. */
 void acting_begin(struct acting *acting, const char *model_path);
+
+/* The character file that limber sketches for a model; the caller frees it. */
+char *acting_sketch(
+	const struct model *model, const struct character_sketch_play *play);
 
 /* Replaces the character by that of a text named "test.character". */
 void acting_read(struct acting *acting, const char *text);

@@ -7,24 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The caller frees it. */
-static char *make_sketch(
-	const struct model *model, const struct character_sketch_play *play)
-{
-	char *text = NULL;
-	size_t size;
-	FILE *file = open_memstream(&text, &size);
-
-	assert_non_null(file);
-	assert_int_equal(character_sketch(model, play, file), 0);
-	fclose(file);
-	return text;
-}
-
 static void expect_sketch(
 	struct acting *acting, const struct character_sketch_play *play)
 {
-	char *text = make_sketch(acting->model, play);
+	char *text = acting_sketch(acting->model, play);
 
 	acting_expect(acting, text);
 	free(text);
@@ -103,7 +89,7 @@ static void test_what_a_sketch_suggests_is_right_too(void **state)
 		char *text;
 
 		acting_begin(&acting, models[i]);
-		text = make_sketch(acting.model, NULL);
+		text = acting_sketch(acting.model, NULL);
 		switch_on(text);
 		acting_expect(&acting, text);
 		acting_run_to(&acting, 1.0, 20.0);
@@ -141,7 +127,7 @@ static void expect_chains(int joints, const char *expected)
 		snprintf(name[i], sizeof(name[i]), "j%d", i);
 		joint[i] = i;
 	}
-	text = make_sketch(&model, NULL);
+	text = acting_sketch(&model, NULL);
 	assert_contains(text, expected);
 	free(text);
 }
@@ -206,7 +192,7 @@ static char *sketch_four_legs(float right_x, float ankle_y)
 	for (int i = 5; i <= 14; i += 3) {
 		node[i].rest.translation[1] = ankle_y;
 	}
-	return make_sketch(&model, NULL);
+	return acting_sketch(&model, NULL);
 }
 
 static void test_a_sketch_suggests_feet_for_pairs_of_legs(void **state)
@@ -216,7 +202,7 @@ static void test_a_sketch_suggests_feet_for_pairs_of_legs(void **state)
 
 	(void)state;
 	acting_begin(&acting, "assets/walker.glb");
-	text = make_sketch(acting.model, NULL);
+	text = acting_sketch(acting.model, NULL);
 	assert_contains(text,
 		";[feet feet1]\n;hips = hips\n;left = thigh.L shin.L foot.L\n"
 		";right = thigh.R shin.R foot.R\n\n");
@@ -264,13 +250,13 @@ static void test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first(
 		acting.model->node[i].name = i ? "other" : "shape";
 	}
 	acting.model->node[model_find_morphed(acting.model)].name = "face";
-	text = make_sketch(acting.model, NULL);
+	text = acting_sketch(acting.model, NULL);
 	assert_contains(text, "[morph shape]\nnode = face\ntime = 0.6\n");
 	free(text);
 	/* An earlier node of that name would be taken for it. */
 	if (model_find_morphed(acting.model) > 0) {
 		acting.model->node[0].name = "face";
-		text = make_sketch(acting.model, NULL);
+		text = acting_sketch(acting.model, NULL);
 		assert_contains(text, "[morph shape]\ntime = 0.6\n");
 		free(text);
 	}
@@ -337,7 +323,7 @@ static char *sketch_moved(const float shift[3], float scale)
 								 : 0.0f;
 		}
 	}
-	text = make_sketch(acting.model, NULL);
+	text = acting_sketch(acting.model, NULL);
 	acting_end(&acting);
 	return text;
 }

@@ -8,18 +8,6 @@
 
 static const double rate_hz = 50.0;
 
-static char *make_sketch(const struct model *model)
-{
-	char *text = NULL;
-	size_t size;
-	FILE *file = open_memstream(&text, &size);
-
-	assert_non_null(file);
-	assert_int_equal(character_sketch(model, NULL, file), 0);
-	fclose(file);
-	return text;
-}
-
 /* A clip "late" of two triangles, and a clip "other" of the first one. */
 static void begin(struct acting *acting)
 {
@@ -36,7 +24,7 @@ static void test_clips_of_the_same_node_are_no_layers(void **state)
 
 	(void)state;
 	begin(&acting);
-	text = make_sketch(acting.model);
+	text = acting_sketch(acting.model, NULL);
 	assert_null(strstr(text, "[layer"));
 	free(text);
 	acting_end(&acting);
@@ -52,7 +40,7 @@ static void test_a_sketch_suggests_clips_of_other_nodes_as_layers(void **state)
 	acting.model->clip[0].channel_count = 1;
 	acting.model->clip[1].channel[0].node =
 		!acting.model->clip[0].channel[0].node;
-	text = make_sketch(acting.model);
+	text = acting_sketch(acting.model, NULL);
 	layer = strstr(
 		text, "\n;[layer other]\n;clip = other\n;nodes = moved\n\n");
 	assert_non_null(layer);

@@ -51,8 +51,8 @@ deb: build/host/limber build/package/packages.stamp
 		prefix=/usr
 	$(Q)$(PACKAGE)/deb.sh build/package/stage build/package
 
-# Phony, because bundle.sh takes two seconds.
+# Phony, because bundle.py takes two seconds.
 .PHONY: bundle
 bundle: build/arm/limber build/host/limber
-	$(Q)$(PACKAGE)/bundle.sh build/sysroot build/arm/limber build/host/limber \
+	$(Q)python3 -B $(PACKAGE)/bundle.py build/sysroot build/arm/limber build/host/limber \
 		build/package

@@ -3,67 +3,32 @@
 
 It writes the tree to DIR/root, for the flash image, and to DIR/list a list of
 it for the kernel's gen_init_cpio, which can make device nodes and owners
-without being root. The libraries that a program needs (DT_NEEDED) are copied
-from the sysroot, and those that they need; OPENED names the libraries that
-limber opens at run time. The limber of this machine makes the levels of detail of
-the models, which would take the board half a second at every start. The
-environment's CONSOLE_PASSWORD lets root log in on the console.
+without being root. Libraries come from the sysroot (programs.py). The environment's
+CONSOLE_PASSWORD lets root log in on the console.
 """
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-PREFIX = "arm-linux-gnueabi-"
-LIBRARIES = "usr/lib/arm-linux-gnueabi"
-# Mesa is not among them, because its drivers alone are larger than all the rest.
-OPENED = ("libv4lconvert.so.0",)
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(HERE.parents[2] / "toolchain/package"))
+from programs import Programs, run  # noqa: E402
+
 FOLDERS = ("bin", "dev", "etc", "lib", "proc", "run", "sbin", "sys", "usr",
            "usr/bin", "usr/lib", "usr/sbin", "usr/share", "usr/share/limber")
 
 
-def run(*command):
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE,
-                          text=True).stdout
-
-
-def needed(program):
-    out = run(PREFIX + "readelf", "-d", str(program))
-    return re.findall(r"\(NEEDED\).*\[(.+)\]", out)
-
-
-class Tree:
+class Tree(Programs):
     def __init__(self, sysroot, root):
-        self.sysroot = sysroot
-        self.root = root
-        self.libraries = set()
+        super().__init__(sysroot, root)
         for folder in FOLDERS:
             (root / folder).mkdir(parents=True)
 
     def link(self, name, target):
         os.symlink(target, self.root / name)
-
-    def file(self, source, name, mode):
-        shutil.copyfile(source, self.root / name)
-        (self.root / name).chmod(mode)
-
-    def program(self, source, name):
-        run(PREFIX + "strip", "-o", str(self.root / name), str(source))
-        (self.root / name).chmod(0o755)
-        for library in needed(source):
-            self.library(library)
-
-    def library(self, name):
-        if name in self.libraries:
-            return
-        self.libraries.add(name)
-        source = self.sysroot / LIBRARIES / name
-        if not source.exists():
-            sys.exit(f"limber: {source} is missing: make build/sysroot.stamp")
-        self.program(source, "lib/" + name)
 
     def busybox(self):
         source = self.sysroot / "usr/bin/busybox"
@@ -89,16 +54,8 @@ class Tree:
 def collect(sysroot, limber, host_limber, assets, root):
     tree = Tree(sysroot, root)
     tree.busybox()
-    tree.program(limber, "usr/bin/limber")
-    for library in OPENED:
-        tree.library(library)
-    kinds = ("*.glb", "*.ini", "*.character")
-    for asset in sorted(a for kind in kinds for a in assets.glob(kind)):
-        tree.file(asset, "usr/share/limber/" + asset.name, 0o644)
-        if asset.suffix == ".glb":
-            levels = root / "usr/share/limber" / (asset.stem + ".levels")
-            run(host_limber, "levels", asset, "-o", levels)
-            levels.chmod(0o644)
+    tree.limber(limber, "usr/bin/limber")
+    tree.models(assets, host_limber, "usr/share/limber")
     for path in sorted(HERE.glob("etc/*")) + sorted(HERE.glob("usr/sbin/*")):
         mode = 0o755 if os.access(path, os.X_OK) else 0o644
         if path.name == "shadow":

@@ -42,15 +42,17 @@ NAND_ARGUMENTS = ("console=ttymxc0,115200 panic=5 ubi.mtd=rootfs "
                   "root=ubi0:rootfs rootfstype=ubifs ro")
 
 
+# What Machine.launch() expects of any machine of QEMU.
+LINKS = ("-display", "none", "-monitor", "none", "-S", "-accel", "tcg",
+         "-chardev", "socket,id=console,path=console.sock,server=on,"
+         "wait=off,logfile=console.log", "-serial", "chardev:console",
+         "-qmp", "unix:qmp.sock,server=on,wait=off",
+         "-qtest", "unix:qtest.sock,server=on,wait=off", "-qtest-log", "none")
+
+
 def qemu_command(machine, start, icount, reboot, more):
     command = [machine.program, *machine.arguments, *start, "-m", "128",
-               "-display", "none", "-nic", "none", "-monitor", "none", "-S",
-               "-accel", "tcg",
-               "-chardev", "socket,id=console,path=console.sock,server=on,"
-               "wait=off,logfile=console.log", "-serial", "chardev:console",
-               "-qmp", "unix:qmp.sock,server=on,wait=off",
-               "-qtest", "unix:qtest.sock,server=on,wait=off",
-               "-qtest-log", "none"]
+               "-nic", "none", *LINKS]
     if icount:
         command += ["-icount", "shift=2,sleep=off"]
     if not reboot:
@@ -82,24 +84,13 @@ class Machine:
         takes 4 ns of the guest's time. Without reboot a reset ends QEMU. Without
         power the board waits for power_on(). more are further arguments for
         QEMU."""
-        self.folder.mkdir(parents=True, exist_ok=True)
-        if self.pid():
-            raise Error(f"a board runs in {self.folder} already: stop it first")
-        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log",
-                     "devices.log"):
-            (self.folder / name).unlink(missing_ok=True)
+        self.clear_folder()
         if nand:
             start = self.from_nand(nand, arguments, open_shell)
         else:
             start = self.from_files(pathlib.Path(image).resolve(), extra,
                                     arguments, tree, open_shell)
-        command = qemu_command(self.kind, start, icount, reboot, more)
-        with open(self.folder / "qemu.log", "wb") as log:
-            self.process = subprocess.Popen(
-                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
-                stderr=log, start_new_session=True)
-        (self.folder / "pid").write_text(str(self.process.pid))
-        self.wait_for_sockets()
+        self.launch(qemu_command(self.kind, start, icount, reboot, more))
         try:
             self.wires.start_timer()
         except Error:
@@ -107,6 +98,25 @@ class Machine:
         if power:
             self.power_on()
         return self
+
+    def clear_folder(self):
+        """Makes the folder, without what an earlier board has left there."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        if self.pid():
+            raise Error(f"a board runs in {self.folder} already: stop it first")
+        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log",
+                     "devices.log"):
+            (self.folder / name).unlink(missing_ok=True)
+
+    def launch(self, command):
+        """Starts QEMU, with LINKS among its arguments, in the folder; its
+        processor waits for power_on()."""
+        with open(self.folder / "qemu.log", "wb") as log:
+            self.process = subprocess.Popen(
+                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
+                stderr=log, start_new_session=True)
+        (self.folder / "pid").write_text(str(self.process.pid))
+        self.wait_for_sockets()
 
     def from_files(self, image, extra, arguments, tree, shell):
         with open(self.folder / "initrd", "wb") as out:
@@ -308,10 +318,9 @@ class Machine:
         return [self.picture(address)
                 for address in self.kind.pictures(self.monitor)]
 
-    def picture(self, address):
+    def picture(self, address, size=FRAME_BYTES):
         name = f"frame-{os.getpid()}.raw"
-        self.monitor.run("pmemsave", val=address, size=FRAME_BYTES,
-                         filename=name)
+        self.monitor.run("pmemsave", val=address, size=size, filename=name)
         path = self.folder / name
         data = path.read_bytes()
         path.unlink()

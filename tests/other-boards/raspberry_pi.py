@@ -40,26 +40,13 @@ class Pi(emulation.Machine):
 
     def __init__(self, folder, files):
         super().__init__(folder)
-        self.folder.mkdir(parents=True, exist_ok=True)
+        self.clear_folder()
         (self.folder / "initrd").write_bytes(archive(files))
-        for name in ("qmp.sock", "qtest.sock", "console.sock", "console.log"):
-            (self.folder / name).unlink(missing_ok=True)
-        command = [
-            "qemu-system-arm", "-M", "raspi0", "-display", "none", "-S",
-            "-accel", "tcg", "-monitor", "none",
+        self.launch([
+            "qemu-system-arm", "-M", "raspi0", *emulation.LINKS,
             "-kernel", str(PI / "vmlinuz"), "-dtb", str(self.tree()),
             "-initrd", "initrd", "-append",
-            "console=ttyAMA0,115200 rdinit=/init quiet",
-            "-chardev", "socket,id=console,path=console.sock,server=on,"
-            "wait=off,logfile=console.log", "-serial", "chardev:console",
-            "-qmp", "unix:qmp.sock,server=on,wait=off",
-            "-qtest", "unix:qtest.sock,server=on,wait=off", "-qtest-log", "none"]
-        with open(self.folder / "qemu.log", "wb") as log:
-            self.process = subprocess.Popen(
-                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=log,
-                stderr=log, start_new_session=True)
-        (self.folder / "pid").write_text(str(self.process.pid))
-        self.wait_for_sockets()
+            "console=ttyAMA0,115200 rdinit=/init quiet"])
         self.power_on()
 
     def tree(self):
@@ -89,9 +76,7 @@ class Pi(emulation.Machine):
         return tree
 
     def screen(self):
-        self.monitor.run("pmemsave", val=PICTURE_AT, size=PICTURE_BYTES,
-                         filename="picture.raw")
-        return (self.folder / "picture.raw").read_bytes()
+        return self.picture(PICTURE_AT, PICTURE_BYTES)
 
 
 def bundle():

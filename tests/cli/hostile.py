@@ -189,9 +189,9 @@ def many_clips():
 
 
 def long_clip():
-    """An hour, in which a node trembles a little and jerks once."""
-    count, vertices = 3600, 200
-    jerk = 1351
+    """Half an hour, in which a node trembles a little and jerks once."""
+    count, vertices = 1800, 200
+    jerk = 1350
     times = [float(i) for i in range(count)]
     moved = []
     times[jerk - 1], times[jerk + 1] = jerk - 0.02, jerk + 0.02

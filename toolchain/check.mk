@@ -99,8 +99,9 @@ TESTS_asan := $(filter-out test_framing test_framing_motion test_candidate_error
 # machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels
 # to the pixel, characters to the byte, and the figures of limber compare.
 TESTS_arm := $(filter-out test_character_mistakes test_character_sketch \
-	test_demo_duel test_crowd_costs test_tuner_panel test_levels test_optimize \
-	test_viewer_reload,$(TESTS_asan))
+	test_character_walker test_cloth test_crowd_costs test_demo_duel test_levels \
+	test_levels_file test_optimize test_overlay test_overlay_place test_spring \
+	test_tuner test_tuner_panel test_viewer_reload,$(TESTS_asan))
 unit_suites = $(foreach test,$(TESTS_$(1)),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
 # Tests of what reads files, run by valgrind, which finds values that are used and
@@ -218,7 +219,7 @@ golden-build: build/host/limber build/host/compare_png \
 # There are as many jobs as processors, unless make got -j.
 processors := $(shell nproc)
 # Some suites wait half of their time, for a board or a browser.
-suites_at_once := $(shell echo $$((1 + $(processors))))
+suites_at_once := $(shell echo $$((2 + $(processors))))
 make_all := $(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(processors))
 
 check: | build

@@ -111,6 +111,6 @@ trust_suites = $(call suite,mutants/checker,tests/mutants/checker.sh) \
 	$(call suite,months/host,DAYS=2 $(months_host)) \
 	$(call suite,months/arm,DAYS=1 $(months_arm)) \
 	$(call suite,faults/asan,$(FAULTS_RUN) build/faults/asan/limber \
-	--once --own --frames 1 --most 40 --later 3 --jobs 1) \
+	--once --own --frames 1 --most 25 --later 2 --jobs 1) \
 	$(call suite,faults/host,$(FAULTS_RUN) build/faults/host/limber \
 	--once --frames 2 --later 3 --jobs 1)

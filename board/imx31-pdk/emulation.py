@@ -25,8 +25,10 @@ from machines import FRAME_BYTES, HEIGHT, WIDTH
 # The prompt of the shell on the console.
 PROMPT = r"limber:/\S*# "
 
-# How long QEMU may take to end.
-END_S = 10
+# How long QEMU may take to end, and the console to show what is waited for: a busy
+# machine is slow.
+END_S = 30
+WAIT_S = 180
 
 # The word that opens a shell on the console (rootfs/usr/sbin/console).
 SHELL = "limber.shell"
@@ -231,7 +233,7 @@ class Machine:
         """Makes wait() ignore the output so far."""
         self.seen = len(self.log())
 
-    def wait(self, pattern, seconds=60):
+    def wait(self, pattern, seconds=WAIT_S):
         """Waits until the output since mark() matches; returns the match."""
         deadline = time.monotonic() + seconds
         while True:
@@ -243,7 +245,7 @@ class Machine:
                             + self.log()[self.seen:][-2000:])
             time.sleep(0.02)
 
-    def shell(self, command, seconds=60):
+    def shell(self, command, seconds=WAIT_S):
         """Runs a command in the console's shell; returns status and output."""
         self.asked += 1
         end = f"done-{self.asked}-"

@@ -20,7 +20,7 @@ TIMER_HZ = 32768.0
 TIMER_START = 0xFFFFFFFF
 
 # How long QEMU may take to answer, even on a busy machine.
-ANSWER_S = 60
+ANSWER_S = 180
 
 
 class Error(Exception):

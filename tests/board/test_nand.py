@@ -128,7 +128,7 @@ for page in written:
         chip.flip(page, 8 * nand.RAW_PART + 100, 8 * nand.RAW_PART + 300)
 chip.close()
 machine = booted(nand=path, shell=False)
-found = machine.wait("Kernel panic|VFS: Cannot open root", 60)
+found = machine.wait("Kernel panic|VFS: Cannot open root")
 check("two wrong bits in every page of the root file system: the kernel says "
       "so and stops", bool(found) and "ECC" in machine.log(),
       machine.log()[-3000:])

@@ -5,7 +5,7 @@ from harness import BY_HAND, PROMPT, booted, check, done
 machine = booted(BY_HAND, shell=False,
                  arguments="console=ttymxc0,115200 panic=5 limber_ipu "
                  "ubi.mtd=rootfs")
-machine.wait(PROMPT, 120)
+machine.wait(PROMPT)
 log = machine.log()
 check("mx3fb has the panel's mode", "using mode Epson-VGA" in log, log[-3000:])
 status, said = machine.shell("cat /sys/class/graphics/fb*/name "

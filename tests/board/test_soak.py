@@ -8,7 +8,7 @@ import re
 from harness import (BY_HAND, booted, check, done, limber_memory_kib, links,
                      note, pause, save, start_limber, stop_limber)
 
-SECONDS = float(os.environ.get("SOAK_S", 36))
+SECONDS = float(os.environ.get("SOAK_S", 24))
 SEED = int(os.environ.get("SOAK_SEED", 1))
 FRAME_MS = LATENCY_MS = 100
 # After this time the picture of the last press has been drawn.

@@ -37,9 +37,16 @@ commands_for() {
         ;;
     esac
     echo "info --json"
-    echo "play --demo crowd $demo_frames"
-    echo "play --demo duel $demo_frames"
-    echo "play --demo tuner $demo_frames"
+    # In qemu-arm one demo after the other gets a model.
+    case $limber:$((turn % 3)) in
+    qemu-*:0) demos=crowd ;;
+    qemu-*:1) demos=duel ;;
+    qemu-*:2) demos=tuner ;;
+    *) demos="crowd duel tuner" ;;
+    esac
+    for demo in $demos; do
+        echo "play --demo $demo $demo_frames"
+    done
     echo "export --c $out.c"
     echo "bench --runs 1"
     [ "$size" -ge 200000 ] || echo "compare --size 32x32 --fps 4"
@@ -49,7 +56,9 @@ find "$samples/models" "$(dirname "$0")/../fixtures" \
     "$(dirname "$0")/slider.gltf" -name '*.glb' -o -name '*.gltf' -o \
     -name '*.x' 2>/dev/null | sort >"$scratch/models"
 out=$scratch/out
+turn=0
 while read -r model; do
+    turn=$((turn + 1))
     commands_for "$model" >"$scratch/commands"
     while read -r command; do
         # shellcheck disable=SC2086 # a command and its options

@@ -34,7 +34,7 @@ GUEST = TOP / "build/board/guest"
 DRIVERS = IMAGE / "test-drivers.cpio.lz4"
 NAME = pathlib.Path(sys.argv[0]).stem.removeprefix("test_")
 FOLDER = TOP / "build/check-board" / NAME
-PATIENCE_S = int(os.environ.get("PATIENCE_S", 1200))
+PATIENCE_S = int(os.environ.get("PATIENCE_S", 1150))
 PROMPT = emulation.PROMPT
 
 # With this inittab limber does not start by itself.

@@ -46,7 +46,7 @@ fi
 [ ! -e "$folder/$suite.key" ] || rm "$folder/$suite.key"
 
 # The slowest suite takes a tenth of this; one that hangs must not stop the rest.
-limit=${SUITE_SECONDS:-600}
+limit=${SUITE_SECONDS:-1200}
 read -r begin _ </proc/uptime
 status=0
 timeout -k 10 "$limit" sh -c "$command" </dev/null >"$log" 2>&1 || status=$?

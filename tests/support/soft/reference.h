@@ -13,6 +13,14 @@ enum {
 	REFERENCE_PIXELS = SOFT_RUN_PIXELS, /* the most fragments of a span */
 };
 
+/* Fragments of a row: values of the first one, and their step a pixel. */
+struct span {
+	int x, y, count;
+	uint32_t value[PLANES];
+	int32_t step[PLANES];
+	int lod[SOFT_UNITS]; /* level of detail, 8 bits of fraction */
+};
+
 /* Makes the reference draw a context's triangles or, if !on, the driver again. */
 void reference_use(struct soft *soft, bool on);
 

@@ -11,8 +11,20 @@
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/number.h"
 
+/* A column of a row: what divides its attributes, and these. */
+struct column {
+	struct point by;
+	int32_t value[ATTRIBUTES];
+};
+
+/* A triangle under way, and its next run. */
+struct walk {
+	struct draw *draw;
+	struct span span;
+};
+
 /* Finds the attributes that move, divided by w if needed, at a row's column x. */
-static void find_point(const struct draw *draw, int x, struct point *out)
+static void find_point(const struct draw *draw, int x, struct column *out)
 {
 	const struct raster *raster = &draw->raster;
 	int32_t q;
@@ -26,7 +38,7 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 		return;
 	}
 	q = (int32_t)plane_at(raster, INVERSE_W, x);
-	rows_find_divisor(q, out);
+	rows_find_divisor(q, &out->by);
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 		int32_t at = (int32_t)plane_at(raster, i, x);
@@ -35,9 +47,9 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 			out->value[i] = at;
 		} else if (i >= TEX_S) {
 			out->value[i] = rows_divide(
-				out, at, raster->tex_shift[i - TEX_S] + 8);
+				&out->by, at, raster->tex_shift[i - TEX_S] + 8);
 		} else {
-			out->value[i] = clamp_int(rows_divide(out, at, 24),
+			out->value[i] = clamp_int(rows_divide(&out->by, at, 24),
 				ROWS_LEAST_COLOR, ROWS_MOST_COLOR);
 		}
 	}
@@ -45,10 +57,11 @@ static void find_point(const struct draw *draw, int x, struct point *out)
 
 /* Draws a run whose attributes begin at value[] and move by the span's steps. */
 static void draw_run(
-	struct draw *draw, int y, int x, int count, const int32_t value[])
+	struct walk *walk, int y, int x, int count, const int32_t value[])
 {
-	struct raster *raster = &draw->raster;
-	struct span *span = &raster->span;
+	struct draw *draw = walk->draw;
+	const struct raster *raster = &draw->raster;
+	struct span *span = &walk->span;
 
 	for (int n = 0; n < raster->moving_count; n++) {
 		span->value[raster->moving[n]] =
@@ -59,27 +72,34 @@ static void draw_run(
 	span->count = count;
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
 	if (draw->texture[1].used && raster->perspective) {
-		soft_rows_find_second(draw, 0, span);
+		const struct soft_made_at at =
+			soft_rows_find_second(draw, 0, x, count, &span->lod[1]);
+
+		span->value[TEX_S + 2] = (uint32_t)at.at.s;
+		span->value[TEX_S + 3] = (uint32_t)at.at.t;
+		span->step[TEX_S + 2] = at.step.s;
+		span->step[TEX_S + 3] = at.step.t;
 	}
 	reference_draw_span(draw, span);
 }
 
 /* Draws runs, each as long as the first texture's coordinates permit. */
 static void draw_linear(
-	struct draw *draw, int y, int left, int right, int32_t value[])
+	struct walk *walk, int y, int left, int right, int32_t value[])
 {
+	const struct draw *draw = walk->draw;
 	const struct raster *raster = &draw->raster;
-	const int32_t *step = raster->span.step;
+	const int32_t *step = walk->span.step;
 	int most = draw->texture[0].used
 		? rows_find_run_pixels(draw, step[TEX_S], step[TEX_S + 1])
 		: SOFT_RUN_PIXELS;
 
 	for (int x = left;; x += most) {
 		if (right - x <= most) {
-			draw_run(draw, y, x, right - x, value);
+			draw_run(walk, y, x, right - x, value);
 			return;
 		}
-		draw_run(draw, y, x, most, value);
+		draw_run(walk, y, x, most, value);
 		for (int n = 0; n < raster->moving_count; n++) {
 			int i = raster->moving[n];
 
@@ -89,15 +109,16 @@ static void draw_linear(
 	}
 }
 
-static void set_steps(struct draw *draw, const struct point *from,
-	const struct point *to, int steps)
+static void set_steps(struct walk *walk, const struct column *from,
+	const struct column *to, int steps)
 {
-	struct raster *raster = &draw->raster;
+	const struct draw *draw = walk->draw;
+	const struct raster *raster = &draw->raster;
 
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 
-		raster->span.step[i] = rows_is_divided(raster, i)
+		walk->span.step[i] = rows_is_divided(raster, i)
 			? rows_find_step(from->value[i], to->value[i],
 				  draw->inverse_q31[steps])
 			: raster->plane[i].dx;
@@ -110,13 +131,12 @@ static uint32_t distance(int32_t a, int32_t b)
 }
 
 /* The same as find_spacing() of the driver's span/points.h. */
-static int find_spacing(const struct draw *draw, const struct point *from,
-	const struct point *to, int steps)
+static int find_spacing(const struct draw *draw, const struct column *from,
+	const struct column *to, int steps)
 {
 	const struct raster *raster = &draw->raster;
-	uint32_t q = (uint32_t)(from->q < to->q ? from->q : to->q);
-	uint32_t dq =
-		(uint32_t)(from->q < to->q ? to->q - from->q : from->q - to->q);
+	int32_t a = from->by.q, b = to->by.q;
+	uint32_t q = (uint32_t)(a < b ? a : b), dq = distance(a, b);
 	uint64_t error, allowed = (uint64_t)q << 16;
 	uint32_t most = 0;
 
@@ -139,39 +159,44 @@ static int find_spacing(const struct draw *draw, const struct point *from,
 	return rows_find_spacing(error, allowed, steps);
 }
 
-static void row_divided(struct draw *draw, int y, int left, int right)
+static void row_divided(struct walk *walk, int y, int left, int right)
 {
+	const struct draw *draw = walk->draw;
 	int steps = right - left - 1, spacing, x = left;
-	struct point from = {0}, to, end;
+	struct column from = {0}, to, end;
 
 	find_point(draw, left, &from);
 	end = from;
 	if (steps > 0) {
 		find_point(draw, right - 1, &end);
 	}
-	if (draw->raster.span.y < 0 || y % ROWS_OF_LEVEL == 0) {
-		soft_rows_find_lod(draw, &from, &draw->raster.span);
+	if (draw->texture[0].used &&
+		(walk->span.y < 0 || y % ROWS_OF_LEVEL == 0)) {
+		walk->span.lod[0] =
+			soft_rows_find_lod(&draw->raster, &from.by, 0,
+				(struct texels){from.value[TEX_S],
+					from.value[TEX_S + 1]});
 	}
 	spacing = find_spacing(draw, &from, &end, steps);
 	if (spacing > steps) {
-		set_steps(draw, &from, &end, steps);
-		draw_linear(draw, y, left, right, from.value);
+		set_steps(walk, &from, &end, steps);
+		draw_linear(walk, y, left, right, from.value);
 		return;
 	}
 	for (; right - x > spacing; x += spacing) {
 		find_point(draw, x + spacing, &to);
-		set_steps(draw, &from, &to, spacing);
-		draw_linear(draw, y, x, x + spacing, from.value);
+		set_steps(walk, &from, &to, spacing);
+		draw_linear(walk, y, x, x + spacing, from.value);
 		from = to;
 	}
-	set_steps(draw, &from, &end, right - x - 1);
-	draw_linear(draw, y, x, right, from.value);
+	set_steps(walk, &from, &end, right - x - 1);
+	draw_linear(walk, y, x, right, from.value);
 }
 
 /* Draws a row of polynomials in the same runs as the driver's walk_list.c. */
-static void row_bent(struct draw *draw, int y, int left, int right)
+static void row_bent(struct walk *walk, int y, int left, int right)
 {
-	struct raster *raster = &draw->raster;
+	const struct raster *raster = &walk->draw->raster;
 	int most = raster->bent_pixels;
 	int row = y - raster->top;
 
@@ -190,15 +215,15 @@ static void row_bent(struct draw *draw, int y, int left, int right)
 					raster->plane[i].start, row, x, count);
 			}
 			value[i] = at.value;
-			raster->span.step[i] = at.step;
+			walk->span.step[i] = at.step;
 		}
-		draw_run(draw, y, x, count, value);
+		draw_run(walk, y, x, count, value);
 	}
 }
 
-static void row_linear(struct draw *draw, int y, int left, int right)
+static void row_linear(struct walk *walk, int y, int left, int right)
 {
-	const struct raster *raster = &draw->raster;
+	const struct raster *raster = &walk->draw->raster;
 	int32_t value[ATTRIBUTES];
 
 	for (int n = 0; n < raster->moving_count; n++) {
@@ -206,7 +231,7 @@ static void row_linear(struct draw *draw, int y, int left, int right)
 
 		value[i] = (int32_t)plane_at(raster, i, left);
 	}
-	draw_linear(draw, y, left, right, value);
+	draw_linear(walk, y, left, right, value);
 }
 
 static void skip(struct plane *plane, int rows)
@@ -241,12 +266,13 @@ static void move_down(struct side *side)
 }
 
 /*
- * Calls row(draw, y, left, right) for each row that has pixels inside of
+ * Calls row(walk, y, left, right) for each row that has pixels inside of
  * draw->box, and moves the plane equations on from row to row.
  */
-static void walk_rows(struct draw *draw, const struct setup *setup,
-	void (*row)(struct draw *draw, int y, int left, int right))
+static void walk_rows(struct walk *walk, const struct setup *setup,
+	void (*row)(struct walk *walk, int y, int left, int right))
 {
+	struct draw *draw = walk->draw;
 	const struct clip_box box = draw->box;
 	int y = setup->top, end = setup->bottom, turn = setup->middle;
 	struct side whole = {0}, part = {0};
@@ -272,7 +298,7 @@ static void walk_rows(struct draw *draw, const struct setup *setup,
 		left = left > box.left ? left : box.left;
 		right = right < box.right ? right : box.right;
 		if (left < right) {
-			row(draw, y, left, right);
+			row(walk, y, left, right);
 		}
 		skip_rows(draw, 1);
 		move_down(&whole);
@@ -282,28 +308,27 @@ static void walk_rows(struct draw *draw, const struct setup *setup,
 
 void reference_fill(struct draw *draw, struct setup *setup)
 {
-	struct raster *raster = &draw->raster;
+	const struct raster *raster = &draw->raster;
+	struct walk walk = {.draw = draw, .span = {.y = -1 /* no row yet */}};
 
 	soft_raster_set_up(draw, setup);
-	memset(raster->span.step, 0, sizeof(raster->span.step));
-	raster->span.step[DEPTH] = raster->plane[DEPTH].dx;
-	raster->span.y = -1; /* no row is drawn yet */
-	if (raster->bent) {
-		soft_rows_find_affine_lod(draw, &raster->span);
-		walk_rows(draw, setup, row_bent);
-		return;
+	for (int i = RED; i <= FOG; i++) {
+		walk.span.value[i] = raster->constant[i];
 	}
-	if (raster->perspective) {
-		walk_rows(draw, setup, row_divided);
-		return;
+	walk.span.step[DEPTH] = raster->plane[DEPTH].dx;
+	if (!raster->perspective) {
+		soft_rows_find_affine_lod(draw);
+		memcpy(walk.span.lod, raster->lod, sizeof(raster->lod));
 	}
 	for (int n = 0; n < raster->moving_count; n++) {
 		int i = raster->moving[n];
 
-		raster->span.step[i] = raster->plane[i].dx;
+		walk.span.step[i] = raster->plane[i].dx;
 	}
-	soft_rows_find_affine_lod(draw, &raster->span);
-	walk_rows(draw, setup, row_linear);
+	walk_rows(&walk, setup,
+		raster->bent                  ? row_bent
+			: raster->perspective ? row_divided
+					      : row_linear);
 }
 
 void reference_use(struct soft *soft, bool on)

@@ -336,9 +336,9 @@ static bool begin(struct draw *draw)
 	}
 	draw->tiled.by_share = !still;
 	if (!draw->tiled.by_share &&
-		memcmp(raster->span.value, draw->shade_color,
+		memcmp(raster->constant, draw->shade_color,
 			sizeof(draw->shade_color)) != 0) {
-		make_shades(draw, raster->span.value);
+		make_shades(draw, raster->constant);
 	}
 	return true;
 }

@@ -16,11 +16,7 @@ enum {
 /* Whether span functions drew the last triangle with nearest texels. */
 static bool is_nearest(const struct draw *draw)
 {
-	const struct texture *texture = draw->texture[0].texture;
-
-	return draw->raster.top != NOT_SET_UP &&
-		!soft_rows_is_linear(draw->spans.small ? texture->min_filter
-						       : texture->mag_filter);
+	return draw->raster.top != NOT_SET_UP && !draw->spans.levels[0].linear;
 }
 
 /* The kind of work of the last triangle, which span functions drew. */

@@ -19,15 +19,15 @@ static int32_t find_slope(const struct raster *raster, int name, bool down)
 	return (int32_t)change;
 }
 
-void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
+void soft_rows_find_affine_lod(struct draw *draw)
 {
-	const struct raster *raster = &draw->raster;
+	struct raster *raster = &draw->raster;
 
 	for (int unit = 0; unit < SOFT_UNITS; unit++) {
 		const int s = TEX_S + 2 * unit;
 
 		if (draw->texture[unit].used) {
-			span->lod[unit] =
+			raster->lod[unit] =
 				raster_find_lod(find_slope(raster, s, false),
 					find_slope(raster, s + 1, false),
 					find_slope(raster, s, true),
@@ -37,8 +37,8 @@ void soft_rows_find_affine_lod(const struct draw *draw, struct span *span)
 }
 
 /* The level of detail at a point, by d(S / q) = (dS - S / q dq) / q. */
-static int find_lod(
-	const struct raster *raster, const struct point *point, int unit)
+int soft_rows_find_lod(const struct raster *raster, const struct point *point,
+	int unit, struct texels texels)
 {
 	const struct plane *q = &raster->plane[INVERSE_W];
 	int32_t across[2], down[2];
@@ -47,7 +47,7 @@ static int find_lod(
 		int name = TEX_S + 2 * unit + i;
 		const struct plane *p = &raster->plane[name];
 		int shift = raster->tex_shift[name - TEX_S];
-		int64_t u = point->value[name];
+		int64_t u = i == 0 ? texels.s : texels.t;
 		/* u is 16.16: the shift leads back to the plane's scale */
 		int64_t x = p->dx - (u * q->dx >> (shift + 8));
 		int64_t y = p->dy - (u * q->dy >> (shift + 8));
@@ -58,37 +58,22 @@ static int find_lod(
 	return raster_find_lod(across[0], across[1], down[0], down[1]);
 }
 
-void soft_rows_find_lod(
-	const struct draw *draw, const struct point *point, struct span *span)
-{
-	if (!draw->raster.perspective) {
-		soft_rows_find_affine_lod(draw, span);
-	} else if (draw->texture[0].used) {
-		span->lod[0] = find_lod(&draw->raster, point, 0);
-	}
-}
-
-void soft_rows_find_second(struct draw *draw, int row, struct span *span)
+struct soft_made_at soft_rows_find_second(
+	struct draw *draw, int row, int x, int count, int *lod)
 {
 	const struct walk_kind kind = {.textured = true};
 	const struct line line = {.draw = draw, .row = row};
-	const int steps = span->count - 1;
-	const int32_t inverse = draw->inverse_q31[steps];
-	struct row_point from = find_point(&line, kind, 1, span->x);
-	const struct row_point to = find_point(&line, kind, 1, span->x + steps);
-	int32_t *texels = &from.divisor.value[TEX_S + 2];
+	const int32_t inverse = draw->inverse_q31[count - 1];
+	const struct row_point from = find_point(&line, kind, 1, x);
+	const struct texels at = from.texels,
+			    to = find_point(&line, kind, 1, x + count - 1).texels;
 
-	texels[0] = from.texels.s;
-	texels[1] = from.texels.t;
-	span->value[TEX_S + 2] = (uint32_t)from.texels.s;
-	span->value[TEX_S + 3] = (uint32_t)from.texels.t;
-	span->step[TEX_S + 2] =
-		rows_find_step(from.texels.s, to.texels.s, inverse);
-	span->step[TEX_S + 3] =
-		rows_find_step(from.texels.t, to.texels.t, inverse);
 	if (soft_rows_want_lod(&draw->texture[1])) {
-		span->lod[1] = find_lod(&draw->raster, &from.divisor, 1);
+		*lod = soft_rows_find_lod(&draw->raster, &from.divisor, 1, at);
 	}
+	return (struct soft_made_at){at,
+		{rows_find_step(at.s, to.s, inverse),
+			rows_find_step(at.t, to.t, inverse)}};
 }
 
 bool soft_rows_is_linear(GLenum filter)

@@ -5,13 +5,12 @@
 #include "platform/gl/soft/raster/raster.h"
 
 /*
- * A column of a row: q, which is the plane of 1 / w, with its reciprocal, and
- * the attributes that are divided by it.
+ * A column of a row: q, which is the plane of 1 / w, with its reciprocal, by
+ * which attributes are divided.
  */
 struct point {
 	int32_t q, inverse; /* inverse is 2^62 / (q << zeros) */
 	int zeros;
-	int32_t value[ATTRIBUTES];
 };
 
 /* Whether an attribute's plane interpolates its product with 1 / w. */
@@ -131,14 +130,19 @@ static ALWAYS_INLINE int rows_find_run_pixels(
 		: SOFT_RUN_PIXELS / 2;
 }
 
-/* Finds a triangle's levels of detail where nothing is divided. */
-void soft_rows_find_affine_lod(const struct draw *draw, struct span *span);
+/* Finds a triangle's levels of detail, raster.lod, where nothing is divided. */
+void soft_rows_find_affine_lod(struct draw *draw);
+
+/* The level of detail at a point of a triangle in perspective. */
+int soft_rows_find_lod(const struct raster *raster, const struct point *point,
+	int unit, struct texels texels);
 
 /*
- * In perspective: finds the second texture's coordinates along the span, and
- * its level of detail. row is counted from the triangle's first one.
+ * In perspective: the second texture's coordinates in count pixels from column x
+ * on of a row, counted from the triangle's first one; and its level of detail.
  */
-void soft_rows_find_second(struct draw *draw, int row, struct span *span);
+struct soft_made_at soft_rows_find_second(
+	struct draw *draw, int row, int x, int count, int *lod);
 
 /* Whether a filter is bilinear within a level. */
 bool soft_rows_is_linear(GLenum filter);
@@ -148,9 +152,5 @@ bool soft_rows_want_lod(const struct texture_input *input);
 
 /* Whether the minifying filter applies at a level of detail, 8 fraction bits. */
 bool soft_rows_is_small(const struct texture_input *input, int lod);
-
-/* Finds span->lod, at the point if the triangle is in perspective. */
-void soft_rows_find_lod(
-	const struct draw *draw, const struct point *point, struct span *span);
 
 #endif

@@ -89,7 +89,7 @@ static ALWAYS_INLINE void gather_colors(
 	for (int i = RED; i <= FOG; i++) {
 		if (!(wanted >> i & 1)) {
 			delta[i] = (struct delta){
-				(int32_t)(raster->span.value[i] >> 8), 0, 0};
+				(int32_t)(raster->constant[i] >> 8), 0, 0};
 			continue;
 		}
 		delta[i] = i == FOG
@@ -97,7 +97,7 @@ static ALWAYS_INLINE void gather_colors(
 				  setup->v[1]->attribute[FOG],
 				  setup->v[2]->attribute[FOG])
 			: find_delta(color[0][i], color[1][i], color[2][i]);
-		raster->span.value[i] = (uint32_t)delta[i].first << 8;
+		raster->constant[i] = (uint32_t)delta[i].first << 8;
 		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
 	}
 	/* red, green and blue have planes together */

@@ -11,7 +11,7 @@
 /* Sets alpha and fog, if they are constant; set_colors() sets the rest. */
 static void set_still(struct draw *draw)
 {
-	const uint32_t *value = draw->raster.span.value;
+	const uint32_t *value = draw->raster.constant;
 	struct soft_spans *spans = &draw->spans;
 
 	spans->green_start = spans->scales.green_half;
@@ -45,13 +45,15 @@ static void set_level(struct draw *draw)
 	spans->level_by_row = spans->lod_wanted && raster->perspective;
 	spans->level_unknown = spans->level_by_row;
 	if (!spans->lod_wanted) {
-		soft_set_level(draw, 0);
+		if (spans->levels[0].level < 0) {
+			soft_set_level(draw, 0, 0);
+		}
 	} else if (!spans->level_by_row) {
-		soft_rows_find_affine_lod(draw, &raster->span);
-		soft_set_level(draw, raster->span.lod[0]);
+		soft_rows_find_affine_lod(draw);
+		soft_set_level(draw, 0, raster->lod[0]);
 	}
 	if (draw->texture[1].used && !raster->perspective) {
-		soft_set_made_levels(draw, 1, raster->span.lod[1]);
+		soft_set_level(draw, 1, raster->lod[1]);
 	}
 }
 
@@ -65,7 +67,7 @@ static void set_constants(struct draw *draw, uint32_t moving)
 	set_still(draw);
 	spans->steep = false;
 	if (!moving) {
-		const uint32_t *value = raster->span.value;
+		const uint32_t *value = raster->constant;
 
 		set_colors(spans, (int32_t)value[RED], (int32_t)value[GREEN],
 			(int32_t)value[BLUE]);

@@ -62,7 +62,8 @@ static ALWAYS_INLINE bool is_certain(const struct run_list *list,
 	const struct setup *setup, const struct texel_place *s,
 	const struct texel_place *t)
 {
-	const struct soft_window *window = &list->draw->spans.view.window;
+	const struct soft_window *window =
+		&list->draw->spans.levels[0].view.window;
 	uint32_t room = s->room > t->room ? s->room : t->room;
 
 	/* the product is below 2^16 * 2^11 */
@@ -76,7 +77,7 @@ static ALWAYS_INLINE void begin_texels(
 	struct run_list *list, const struct setup *setup)
 {
 	const struct raster *raster = &list->draw->raster;
-	const struct soft_view *view = &list->draw->spans.view;
+	const struct soft_view *view = &list->draw->spans.levels[0].view;
 	const struct soft_window *window = &view->window;
 	const struct texel_place s = begin_coordinate(raster, TEX_S,
 		view->s_shift, view->s_half, window->s_mask, &list->s);

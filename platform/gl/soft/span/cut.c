@@ -145,5 +145,6 @@ void soft_draw_across(struct soft_spans *spans)
 	if (spans->read_second) {
 		spans->read_second(spans->run.draw, second);
 	}
-	soft_cut_run(&spans->run, &spans->view, function, spans->pixel_log2);
+	soft_cut_run(&spans->run, &spans->levels[0].view, function,
+		spans->pixel_log2);
 }

@@ -5,6 +5,7 @@
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
+#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -49,7 +50,7 @@ static int32_t find_half(
 	return log2 == 0 ? 0 : soft_half_texel(level->format, linear, across);
 }
 
-struct soft_view soft_find_view(
+static struct soft_view find_view(
 	const struct texture_input *input, int number, bool linear)
 {
 	const struct texture *texture = input->texture;
@@ -80,42 +81,72 @@ void soft_use_view(const struct soft_view *view, struct soft_run *run)
 	run->t_last = view->t_last;
 }
 
-static void choose_level(struct draw *draw, int number, bool small)
+/* Lets span functions read the first texture's level. */
+static void use_level(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	const struct texture_input *input = &draw->texture[0];
-	const bool linear = soft_rows_is_linear(
-		small ? input->texture->min_filter : input->texture->mag_filter);
-	const int source = (linear ? SOFT_LINEAR : SOFT_NEAREST) +
-		(int)input->base->format - 1;
+	const struct soft_levels *levels = &spans->levels[0];
+	const int source = (levels->linear ? SOFT_LINEAR : SOFT_NEAREST) +
+		(int)draw->texture[0].base->format - 1;
 
-	spans->level = number;
-	spans->small = small;
-	spans->view = soft_find_view(input, number, linear);
 	soft_set_functions(spans, (*spans->table)[source][spans->finish]);
-	soft_use_view(&spans->view, &spans->run);
+	soft_use_view(&levels->view, &spans->run);
 	if (spans->joined) {
 		const struct texture *second = draw->texture[1].texture;
 
-		spans->run.joint = (uintptr_t)second->level[number].texels -
-			(uintptr_t)spans->view.texels;
+		spans->run.joint =
+			(uintptr_t)second->level[levels->level].texels -
+			(uintptr_t)levels->view.texels;
 	}
 }
 
-void soft_set_level(struct draw *draw, int lod)
+static void set_sampler(
+	const struct texture_input *input, struct soft_levels *levels)
+{
+	const int next = levels->level + 1, last = input->levels - 1;
+
+	levels->sampler = levels->packed
+		? soft_second_samplers[levels->linear]
+		: soft_samplers[(levels->linear ? SOFT_LINEAR : SOFT_NEAREST) +
+			  (int)input->base->format - 1];
+	levels->next_view =
+		find_view(input, next < last ? next : last, levels->linear);
+}
+
+void soft_set_level(struct draw *draw, int unit, int lod)
 {
 	struct soft_spans *spans = &draw->spans;
-	const struct texture_input *input = &draw->texture[0];
-	bool small;
-	int number;
+	const struct texture_input *input = &draw->texture[unit];
+	struct soft_levels *levels = &spans->levels[unit];
+	const int last = input->levels - 1, line = lod & 255;
+	bool mixed, linear, small;
+	int level = 0;
 
-	if (spans->set_level) {
+	if (unit == 0 && spans->set_level) {
 		spans->set_level(draw, lod);
 		return;
 	}
 	small = soft_rows_is_small(input, lod);
-	number = small ? clamp_int((lod + 127) >> 8, 0, input->levels - 1) : 0;
-	if (number != spans->level || small != spans->small) {
-		choose_level(draw, number, small);
+	/* span functions read one level */
+	mixed = small && (unit > 0 || spans->made) && soft_mixes_levels(input);
+	linear = soft_rows_is_linear(small ? input->texture->min_filter
+					   : input->texture->mag_filter);
+	if (small) {
+		level = clamp_int(mixed ? lod >> 8 : (lod + 127) >> 8, 0, last);
+	}
+	/* lod is linear between powers of two: this approximates log2 */
+	levels->share = mixed && level < last
+		? line + (line * (256 - line) * 92 >> 16)
+		: 0;
+	if (level == levels->level && linear == levels->linear) {
+		return;
+	}
+	levels->level = level;
+	levels->linear = linear;
+	levels->view = find_view(input, level, linear);
+	if (unit == 0 && !spans->made) {
+		use_level(draw);
+	} else {
+		set_sampler(input, levels);
 	}
 }

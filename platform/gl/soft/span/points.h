@@ -135,8 +135,8 @@ static ALWAYS_INLINE struct change set_steps(const struct line *line,
 		out.texels.t =
 			rows_find_step(from->texels.t, to->texels.t, inverse);
 		if (!spans->made) {
-			soft_set_texel_steps(
-				&spans->view, out.texels, &spans->run);
+			soft_set_texel_steps(&spans->levels[0].view, out.texels,
+				&spans->run);
 		}
 	}
 	if (kind.colors_divided) {

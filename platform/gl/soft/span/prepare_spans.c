@@ -296,7 +296,7 @@ static bool is_multiplied(const struct draw *draw)
 }
 
 /* Sets attributes that are not needed: white, and a fog that hides nothing. */
-static void set_white(struct span *span, struct soft_spans *spans)
+static void set_white(uint32_t *constant, struct soft_spans *spans)
 {
 	if (!spans->colored) {
 		spans->white_bits |= 1u << RED | 1u << GREEN | 1u << BLUE;
@@ -304,10 +304,10 @@ static void set_white(struct span *span, struct soft_spans *spans)
 	if (!spans->alpha) {
 		spans->white_bits |= 1u << ALPHA;
 	}
-	span->value[FOG] = FOG_NONE;
+	constant[FOG] = FOG_NONE;
 	for (int i = RED; i <= ALPHA; i++) {
 		if (spans->white_bits >> i & 1) {
-			span->value[i] = 0xFF80 << 8;
+			constant[i] = 0xFF80 << 8;
 		}
 	}
 }
@@ -370,7 +370,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->textured = draw->texture[0].used && draw->attributes != 0;
 	spans->lod_wanted = soft_rows_want_lod(&draw->texture[0]) ||
 		soft_rows_want_lod(&draw->texture[1]);
-	spans->level = -1;
+	spans->levels[0].level = -1;
 	spans->set_level = NULL;
 	spans->white_bits = 0;
 	spans->alpha_tested =
@@ -391,7 +391,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
 	find_wanted(draw, spans);
-	set_white(&draw->raster.span, spans);
+	set_white(draw->raster.constant, spans);
 	find_scales(draw, spans);
 	find_stages(draw, spans);
 	if (spans->made) {

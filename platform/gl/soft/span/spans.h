@@ -51,14 +51,16 @@ struct soft_made_at {
 	struct texels at, step;
 };
 
-/* The level that a made row reads, or the two levels that it mixes. */
-struct soft_made_levels {
+/* The level that runs read and its filter, or the two levels that they mix. */
+struct soft_levels {
 	int level; /* -1: none is chosen yet */
 	bool linear;
+	struct soft_view view;
+	/* where stages/ makes rows: */
+	struct soft_view next_view;
 	int share;   /* weight of next_view, of 256; 0: it is not read */
 	bool packed; /* the sampler packs texels for soft_run.second */
 	const soft_span_function *sampler;
-	struct soft_view view, next_view;
 };
 
 /* What all runs of a draw call have in common, or all runs of a triangle. */
@@ -98,17 +100,14 @@ struct soft_spans {
 	int plain_pixels;             /* longest run without a texture */
 	int longest;                  /* longest run with one */
 	struct soft_scales scales;
-	/* The level and filter under way */
-	int level;                          /* -1: none is chosen yet */
-	bool small;                         /* minified */
+	struct soft_levels levels[SOFT_UNITS];
 	const soft_span_function *function; /* [enum soft_place] */
 	/* draw runs anywhere or in the window, with all of the state's tests */
 	soft_span_function draw_anywhere, draw;
 	soft_span_function draw_tested; /* draws what untested.c does not */
-	struct soft_view view;
 	/* stages/ makes texels, or whole colours, before the run: see made.h */
 	bool made, combined;
-	/* How made runs choose their level; NULL for all others. */
+	/* how luminance.c chooses the first texture's level; else NULL */
 	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied; /* made: the product of both textures */
 	/*
@@ -119,7 +118,6 @@ struct soft_spans {
 	soft_span_function seconded;
 	bool joined;       /* functions read both textures in the same place */
 	uint32_t white[2]; /* a run's red_blue and green_alpha for white */
-	struct soft_made_levels made_levels[SOFT_UNITS];
 	struct soft_environment environment[SOFT_UNITS];
 	struct soft_made_at made_at;   /* of the first texture, for run.row */
 	struct soft_coverage coverage; /* of the smooth point or line */

@@ -12,6 +12,7 @@ static ALWAYS_INLINE void draw_run(
 	const struct line *line, const struct walk_kind kind, int x, int count)
 {
 	struct soft_spans *spans = &line->draw->spans;
+	const struct soft_view *view = &spans->levels[0].view;
 	struct soft_run *run = &spans->run;
 
 	run->row.count = (uint32_t)count;
@@ -24,8 +25,7 @@ static ALWAYS_INLINE void draw_run(
 	}
 	run->row.place = (uint32_t)line->row << 16 | (uint32_t)x;
 	if (spans->made ||
-		soft_find_window(
-			&spans->view.window, spans->view.texel_log2, run)) {
+		soft_find_window(&view->window, view->texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
@@ -73,8 +73,8 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 			spans->made_at =
 				(struct soft_made_at){at.texels, change.texels};
 		} else if (kind.textured) {
-			soft_set_texels(&spans->view, at.texels, change.texels,
-				(uint32_t)count, &spans->run);
+			soft_set_texels(&spans->levels[0].view, at.texels,
+				change.texels, (uint32_t)count, &spans->run);
 		}
 		if (kind.colors_divided) {
 			set_colors(spans, at.colors.red, at.colors.green,
@@ -93,15 +93,11 @@ static ALWAYS_INLINE void draw_between(const struct line *line,
 }
 
 static NEVER_INLINE void set_row_level(
-	struct draw *draw, struct point point, struct texels texels)
+	struct draw *draw, struct point divisor, struct texels texels)
 {
-	struct raster *raster = &draw->raster;
-
-	point.value[TEX_S] = texels.s;
-	point.value[TEX_S + 1] = texels.t;
 	draw->spans.level_unknown = false;
-	soft_rows_find_lod(draw, &point, &raster->span);
-	soft_set_level(draw, raster->span.lod[0]);
+	soft_set_level(draw, 0,
+		soft_rows_find_lod(&draw->raster, &divisor, 0, texels));
 }
 
 /*

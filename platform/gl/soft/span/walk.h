@@ -13,12 +13,13 @@ uint32_t soft_begin_walk(struct draw *draw);
 /* Sets steps of colours that are linear; moving is soft_begin_walk()'s. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
 
-/* level.c: chooses level and filter for a level of detail, 8 fraction bits. */
-void soft_set_level(struct draw *draw, int lod);
+/*
+ * level.c: chooses the level, or two and their weights, and the filter of a
+ * unit for a level of detail with 8 fraction bits: GL ES 1.1 section 3.7.7.
+ */
+void soft_set_level(struct draw *draw, int unit, int lod);
 
-/* level.c: describes a level and filter; and lets a run read that level. */
-struct soft_view soft_find_view(
-	const struct texture_input *input, int number, bool linear);
+/* level.c: lets a run read a level. */
 void soft_use_view(const struct soft_view *view, struct soft_run *run);
 
 /*

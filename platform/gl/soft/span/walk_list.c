@@ -74,6 +74,7 @@ static NEVER_INLINE void draw_outside(struct run_list *list,
 	const struct soft_row *row, struct found s, struct found t)
 {
 	struct soft_spans *spans = &list->draw->spans;
+	const struct soft_view *view = &spans->levels[0].view;
 	struct soft_run *run = &spans->run;
 
 	run->row = *row;
@@ -81,7 +82,7 @@ static NEVER_INLINE void draw_outside(struct run_list *list,
 	run->t = (int32_t)(t.at + list->t.first);
 	run->s_right = (int32_t)s.right;
 	run->t_right = (int32_t)t.right;
-	if (soft_find_window(&spans->view.window, spans->view.texel_log2, run)) {
+	if (soft_find_window(&view->window, view->texel_log2, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);

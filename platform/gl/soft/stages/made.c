@@ -26,39 +26,6 @@ bool soft_mixes_levels(const struct texture_input *input)
 	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
 }
 
-/* Chooses the level, or two and their weights: GL ES 1.1 section 3.7.7. */
-void soft_set_made_levels(struct draw *draw, int unit, int lod)
-{
-	const struct texture_input *input = &draw->texture[unit];
-	struct soft_made_levels *levels = &draw->spans.made_levels[unit];
-	const struct texture *texture = input->texture;
-	bool small = soft_rows_is_small(input, lod),
-	     mixed = soft_mixes_levels(input);
-	GLenum filter = small ? texture->min_filter : texture->mag_filter;
-	bool linear = soft_rows_is_linear(filter);
-	int last = input->levels - 1, line = lod & 255;
-	int level = small
-		? clamp_int(mixed ? lod >> 8 : (lod + 127) >> 8, 0, last)
-		: 0;
-
-	/* lod is linear between powers of two: this approximates log2 */
-	levels->share = !mixed || !small || level == last
-		? 0
-		: line + (line * (256 - line) * 92 >> 16);
-	if (level == levels->level && linear == levels->linear) {
-		return;
-	}
-	levels->level = level;
-	levels->linear = linear;
-	levels->sampler = levels->packed
-		? soft_second_samplers[linear]
-		: soft_samplers[(linear ? SOFT_LINEAR : SOFT_NEAREST) +
-			  (int)input->base->format - 1];
-	levels->view = soft_find_view(input, level, linear);
-	levels->next_view =
-		soft_find_view(input, level < last ? level + 1 : level, linear);
-}
-
 /* A coordinate at a run's start and its step, where nothing is divided. */
 static ALWAYS_INLINE struct bent find_coordinate(
 	const struct raster *raster, int name, const struct soft_row *row)
@@ -79,17 +46,16 @@ static ALWAYS_INLINE struct bent find_coordinate(
 static NEVER_INLINE struct soft_made_at find_second(
 	struct draw *draw, const struct soft_row *row)
 {
-	struct span span = {
-		.x = (int)(row->place & 0xFFFF), .count = (int)row->count};
+	int lod = draw->raster.lod[1];
+	const struct soft_made_at at =
+		soft_rows_find_second(draw, (int)(row->place >> 16),
+			(int)(row->place & 0xFFFF), (int)row->count, &lod);
 
-	soft_rows_find_second(draw, (int)(row->place >> 16), &span);
-	if (draw->spans.made_levels[1].level < 0 ||
+	if (draw->spans.levels[1].level < 0 ||
 		soft_rows_want_lod(&draw->texture[1])) {
-		soft_set_made_levels(draw, 1, span.lod[1]);
+		soft_set_level(draw, 1, lod);
 	}
-	return (struct soft_made_at){
-		{(int32_t)span.value[TEX_S + 2], (int32_t)span.value[TEX_S + 3]},
-		{span.step[TEX_S + 2], span.step[TEX_S + 3]}};
+	return at;
 }
 
 struct soft_made_at soft_find_made_at(
@@ -103,7 +69,7 @@ struct soft_made_at soft_find_made_at(
 }
 
 /* Reads a run's texels from a level, as RGBA8888 or packed words. */
-static ALWAYS_INLINE void sample_row(const struct soft_made_levels *levels,
+static ALWAYS_INLINE void sample_row(const struct soft_levels *levels,
 	const struct soft_view *view, const struct soft_made_at *at,
 	struct soft_run *run)
 {
@@ -124,7 +90,7 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 	const struct soft_made_at *known, uint32_t *out)
 {
 	const struct soft_run *runs = &draw->spans.run;
-	const struct soft_made_levels *levels = &draw->spans.made_levels[unit];
+	const struct soft_levels *levels = &draw->spans.levels[unit];
 	const struct soft_view *view = next ? &levels->next_view : &levels->view;
 	struct soft_run run;
 
@@ -189,7 +155,7 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 		known = &at;
 	}
 	sample_level(draw, unit, false, known, texel);
-	share = (uint32_t)spans->made_levels[unit].share;
+	share = (uint32_t)spans->levels[unit].share;
 	if (share > 0) {
 		const uint32_t count = count_pixels(&spans->run);
 
@@ -364,7 +330,7 @@ static void pack_second(uint32_t *texel, uint32_t count)
 void soft_read_second(struct draw *draw, uint32_t *texel)
 {
 	sample(draw, 1, texel);
-	if (!draw->spans.wide && !draw->spans.made_levels[1].packed) {
+	if (!draw->spans.wide && !draw->spans.levels[1].packed) {
 		pack_second(texel, count_pixels(&draw->spans.run));
 	}
 	draw->spans.run.second = (uintptr_t)texel;
@@ -387,11 +353,6 @@ static void prepare_combined(struct draw *draw)
 	spans->white[1] |= alpha ? WHITE_ALPHA << 16 : 0;
 }
 
-static void set_first_levels(struct draw *draw, int lod)
-{
-	soft_set_made_levels(draw, 0, lod);
-}
-
 void soft_prepare_made(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -399,8 +360,6 @@ void soft_prepare_made(struct draw *draw)
 	if (spans->combined) {
 		prepare_combined(draw);
 	}
-	spans->set_level = set_first_levels;
-	spans->made_levels[0].level = -1;
 	soft_set_functions(spans,
 		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
 	spans->draw_row = spans->draw;

@@ -21,9 +21,6 @@ void soft_prepare_made(struct draw *draw);
 struct soft_made_at soft_find_made_at(
 	const struct draw *draw, int unit, const struct soft_row *row);
 
-/* Chooses a unit's levels for a level of detail with 8 fraction bits. */
-void soft_set_made_levels(struct draw *draw, int unit, int lod);
-
 /* Sets texel and run.second to the second texture's texels of the run's rows. */
 void soft_read_second(struct draw *draw, uint32_t *texel);
 

@@ -73,7 +73,7 @@ static bool are_joined(const struct draw *draw)
 bool soft_choose_second(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	struct soft_made_levels *levels = &spans->made_levels[1];
+	struct soft_levels *levels = &spans->levels[1];
 	const enum soft_finish finish = find_second_finish(draw, spans->finish);
 
 	levels->level = -1;

@@ -120,14 +120,6 @@ struct bend {
 	int32_t xx, xy, yy;
 };
 
-/* Fragments of a row: values of the first one, and their step a pixel. */
-struct span {
-	int x, y, count;
-	uint32_t value[PLANES];
-	int32_t step[PLANES];
-	int lod[SOFT_UNITS]; /* level of detail, 8 bits of fraction */
-};
-
 /* What a triangle's gradients have in common; frame.h finds and uses it. */
 struct frame {
 	int32_t x1, less_y1, less_x2, y2; /* from v[0]: x1, -y1, -x2, y2 */
@@ -162,7 +154,8 @@ struct raster {
 	int moving_count;
 	int top;              /* the planes' first row, or RASTER_LISTED */
 	uint32_t moving_bits; /* bits of attributes that are not constant */
-	struct span span; /* constant attributes, and values of single rows */
+	uint32_t constant[FOG + 1]; /* colours and fog that have no planes */
+	int lod[SOFT_UNITS];        /* levels of detail, 8 bits of fraction */
 };
 
 /* The position array's type; arm/vertex.S fetches all kinds but the last. */

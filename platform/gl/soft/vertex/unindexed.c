@@ -83,9 +83,11 @@ static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 /*
  * The index of an equal vertex that came before, or the vertex's own. known is
  * a hash table: [hash of position] the index of the last vertex with that hash.
+ * number is the vertex's index, or NULL if the stride is a constant: then the
+ * compiler divides by it without a division.
  */
-static ALWAYS_INLINE uint32_t find_index(
-	const struct stream *stream, uint32_t *known, const uint8_t *at)
+static ALWAYS_INLINE uint32_t find_index(const struct stream *stream,
+	uint32_t *known, const uint8_t *at, const uint32_t *number)
 {
 	uint64_t xy = load_two_words(at), z = load_two_words(at + 8);
 	uint32_t *slot = known +
@@ -94,8 +96,9 @@ static ALWAYS_INLINE uint32_t find_index(
 
 	if (!are_equal_pairs(at, stream->pointer + index * stream->stride_bytes,
 		    xy, z, stream->words)) {
-		index = (uint32_t)((size_t)(at - stream->pointer) /
-			stream->stride_bytes);
+		index = number ? *number
+			       : (uint32_t)((size_t)(at - stream->pointer) /
+					 stream->stride_bytes);
 		*slot = index;
 	}
 	return index;
@@ -103,11 +106,11 @@ static ALWAYS_INLINE uint32_t find_index(
 
 static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 	const struct stream *stream, int words, size_t stride_bytes,
-	uint32_t first, uint32_t count)
+	uint32_t first, uint32_t count, bool counted)
 {
 	const struct stream own = {stream->pointer, stride_bytes, words};
 	const uint8_t *at = own.pointer + first * stride_bytes;
-	uint32_t known[VERTEX_CACHE];
+	uint32_t known[VERTEX_CACHE], number = first;
 	uint16_t index[LIST_VERTICES];
 	struct source source = {
 		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
@@ -124,24 +127,27 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 		while (at != end) {
 			PRELOAD(at + 4 * stride_bytes);
 			for (int i = 0; i < 3; i++, at += stride_bytes) {
-				*next++ = (uint16_t)find_index(&own, known, at);
+				*next++ = (uint16_t)find_index(&own, known, at,
+					counted ? &number : NULL);
+				number++;
 			}
 		}
 		soft_list(draw, &source);
 	}
 }
 
-#define DRAW_PAIRS(name, words, stride_bytes)                                \
+#define DRAW_PAIRS(name, words, stride_bytes, counted)                       \
 	static NEVER_INLINE void draw_##name(struct draw *draw,              \
 		const struct stream *stream, uint32_t first, uint32_t count) \
 	{                                                                    \
-		draw_pairs(draw, stream, words, stride_bytes, first, count); \
+		draw_pairs(draw, stream, words, stride_bytes, first, count,  \
+			counted);                                            \
 	}
 
 /* In loops for the sizes that most programs use, the size is a constant. */
-DRAW_PAIRS(eight, 8, 32)
-DRAW_PAIRS(six_of_eight, 6, 32)
-DRAW_PAIRS(any, stream->words, stream->stride_bytes)
+DRAW_PAIRS(eight, 8, 32, false)
+DRAW_PAIRS(six_of_eight, 6, 32, false)
+DRAW_PAIRS(any, stream->words, stream->stride_bytes, true)
 
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 {

@@ -85,7 +85,6 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 	const struct vertex *const *v = setup->v;
 	const int top = raster_first_row(draw, setup);
 	struct part part;
-	bool middle_left;
 
 	part.draw = draw;
 	part.stride_bytes = buffers->target.stride_bytes;
@@ -97,9 +96,7 @@ void soft_fill_flat(struct draw *draw, struct setup *setup)
 			&part.edges, draw_rows, &part);
 		return;
 	}
-	/* whether the middle vertex lies left of the long edge */
-	middle_left = (int64_t)(v[1]->x - v[0]->x) * (v[2]->y - v[0]->y) <
-		(int64_t)(v[2]->x - v[0]->x) * (v[1]->y - v[0]->y);
-	frame_draw_bands(
-		draw, setup, false, middle_left, &part.edges, draw_rows, &part);
+	frame_draw_bands(draw, setup, false,
+		raster_find_area(v[0], v[1], v[2]) < 0, &part.edges, draw_rows,
+		&part);
 }

@@ -124,19 +124,6 @@ static bool draw_letter(const struct draw *draw, struct vertex *const v[4],
 	return true;
 }
 
-static struct clip_box box_of(const struct draw *draw, struct vertex *const v[4])
-{
-	struct clip_box box = {raster_centre(v[0]->x), raster_centre(v[0]->y),
-		raster_centre(v[3]->x), raster_centre(v[3]->y)};
-
-	box.left = box.left > draw->box.left ? box.left : draw->box.left;
-	box.top = box.top > draw->box.top ? box.top : draw->box.top;
-	box.right = box.right < draw->box.right ? box.right : draw->box.right;
-	box.bottom =
-		box.bottom < draw->box.bottom ? box.bottom : draw->box.bottom;
-	return box;
-}
-
 bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 {
 	const int32_t *a = v[0]->attribute, *d = v[3]->attribute;
@@ -154,7 +141,9 @@ bool soft_fill_rectangle(struct draw *draw, struct vertex *const v[4])
 	if (!are_equal(v)) {
 		return false;
 	}
-	box = box_of(draw, v);
+	box = raster_clip(draw,
+		(struct clip_box){raster_centre(v[0]->x), raster_centre(v[0]->y),
+			raster_centre(v[3]->x), raster_centre(v[3]->y)});
 	if (box.left >= box.right || box.top >= box.bottom) {
 		return true;
 	}

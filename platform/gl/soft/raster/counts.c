@@ -173,14 +173,10 @@ static struct clip_box box_of(const struct draw *draw, const struct setup *setup
 {
 	const struct vertex *const *v = setup->v;
 	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
-	struct clip_box box = draw->box;
-	int right = left + setup->columns;
 
-	box.left = left > box.left ? left : box.left;
-	box.right = right < box.right ? right : box.right;
-	box.top = setup->top > box.top ? setup->top : box.top;
-	box.bottom = setup->bottom < box.bottom ? setup->bottom : box.bottom;
-	return box;
+	return raster_clip(draw,
+		(struct clip_box){left, setup->top, left + setup->columns,
+			setup->bottom});
 }
 
 /* Whether a depth is behind the buffer's, apart from a unit of rounding. */

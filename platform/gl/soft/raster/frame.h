@@ -105,9 +105,7 @@ static ALWAYS_INLINE struct plane frame_find_depth(
 	const struct delta delta = {z, setup->v[1]->z - z, setup->v[2]->z - z};
 	const struct plane plane = frame_find_plane(f, &delta);
 
-	return (struct plane){plane.start << 6,
-		(int32_t)((uint32_t)plane.dx << 6),
-		(int32_t)((uint32_t)plane.dy << 6)};
+	return raster_depth_q16(&plane);
 }
 
 /* The largest minus the least of the values 0, d1 and d2. */

@@ -63,6 +63,26 @@ static inline int raster_centre(int32_t sixteenths)
 	return (sixteenths + 7) >> 4;
 }
 
+/* Twice the signed area, in 1/256 of pixels; rarely needs more than 32 bits. */
+static inline int64_t raster_find_area(
+	const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+	return (int64_t)(b->x - a->x) * (c->y - a->y) -
+		(int64_t)(c->x - a->x) * (b->y - a->y);
+}
+
+/* The part of a box that lies in draw->box. */
+static inline struct clip_box raster_clip(
+	const struct draw *draw, struct clip_box box)
+{
+	const struct clip_box *by = &draw->box;
+
+	return (struct clip_box){box.left > by->left ? box.left : by->left,
+		box.top > by->top ? box.top : by->top,
+		box.right < by->right ? box.right : by->right,
+		box.bottom < by->bottom ? box.bottom : by->bottom};
+}
+
 /* A value at v[0], and its differences to there at v[1] and v[2]. */
 struct delta {
 	int32_t first, d1, d2;
@@ -198,6 +218,14 @@ static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
 	const struct plane *p = &raster->plane[plane];
 
 	return p->start + (uint32_t)p->dx * (uint32_t)x;
+}
+
+/* A depth's plane as 16.16. */
+static inline struct plane raster_depth_q16(const struct plane *plane)
+{
+	return (struct plane){plane->start << 6,
+		(int32_t)((uint32_t)plane->dx << 6),
+		(int32_t)((uint32_t)plane->dy << 6)};
 }
 
 /*

@@ -22,16 +22,13 @@ static int32_t divide_by_area(const struct frame *frame, int64_t num, int scale)
 static NEVER_INLINE void find_wide_frame(
 	const struct setup *setup, struct frame *out)
 {
-	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
+	const struct vertex *const *v = setup->v;
 	uint64_t area = setup->area;
 	int zeros = LEADING_ZEROS_64(area);
 
 	frame_begin(setup,
 		area < 256 ? 0 : reciprocal((uint32_t)(area << zeros >> 32)),
-		zeros - 32,
-		(int64_t)(b->x - a->x) * (c->y - a->y) <
-			(int64_t)(c->x - a->x) * (b->y - a->y),
-		out);
+		zeros - 32, raster_find_area(v[0], v[1], v[2]) < 0, out);
 }
 
 /* A plane through the values at three corners, times 2^scale / 16. */

@@ -62,19 +62,11 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 		setup->bottom > box->top && setup->columns > 0;
 }
 
-/* Twice the signed area, in 1/256 of pixels; rarely needs more than 32 bits. */
-static int64_t find_area(
-	const struct vertex *a, const struct vertex *b, const struct vertex *c)
-{
-	return (int64_t)(b->x - a->x) * (c->y - a->y) -
-		(int64_t)(c->x - a->x) * (b->y - a->y);
-}
-
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 {
 	struct setup setup = {
 		.v = {v[0], v[1], v[2]}, .provoking = draw->provoking};
-	int64_t area = find_area(v[0], v[1], v[2]);
+	int64_t area = raster_find_area(v[0], v[1], v[2]);
 	bool clockwise = area > 0; /* y runs downwards here */
 
 	setup.back = clockwise == draw->front_is_ccw;

@@ -39,8 +39,7 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 	const struct plane *plane = &raster->plane[name];
 	const int32_t *range = raster->texel_range[name - TEX_S];
 
-	out->value = (struct list_value){
-		plane->start, (uint32_t)plane->dx, (uint32_t)plane->dy};
+	out->plane = *plane;
 	out->shift = shift;
 	if (raster->bent) {
 		out->bend = raster->bend[name];
@@ -99,8 +98,8 @@ static ALWAYS_INLINE void begin_texels(
 	list->s.offset = (uint32_t)(from_s.low + view->s_half);
 	list->t.offset = (uint32_t)(from_t.low + view->t_half);
 	if (list->certain) {
-		list->s.value.start -= list->s.offset << view->s_shift;
-		list->t.value.start -= list->t.offset << view->t_shift;
+		list->s.plane.start -= list->s.offset << view->s_shift;
+		list->t.plane.start -= list->t.offset << view->t_shift;
 		return;
 	}
 	list->s.first = from_s.first;
@@ -115,25 +114,24 @@ static ALWAYS_INLINE void begin_texels(
 }
 
 /* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */
-static ALWAYS_INLINE uint32_t round_step(int32_t step, int32_t scale)
+static ALWAYS_INLINE int32_t round_step(int32_t step, int32_t scale)
 {
-	return (uint32_t)((mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >>
-		1);
+	return (mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >> 1;
 }
 
 /* A colour's plane in the run's number format, exact in v[0]'s column. */
-static ALWAYS_INLINE struct list_value scale_color(
+static ALWAYS_INLINE struct plane scale_color(
 	const struct raster *raster, int name, int32_t half, int32_t scale)
 {
 	const struct plane *plane = &raster->plane[name];
 	const uint32_t column = (uint32_t)raster->frame.column;
-	const uint32_t right = round_step(plane->dx, scale);
+	const int32_t right = round_step(plane->dx, scale);
 	const int32_t at =
 		(int32_t)(plane->start + (uint32_t)plane->dx * column);
 
-	return (struct list_value){
-		(uint32_t)mul_high_add(half, at, scale) - right * column, right,
-		round_step(plane->dy, scale)};
+	return (struct plane){(uint32_t)mul_high_add(half, at, scale) -
+			(uint32_t)right * column,
+		right, round_step(plane->dy, scale)};
 }
 
 /* Sets a small triangle's colours, and their steps in spans->run. */
@@ -142,17 +140,18 @@ static ALWAYS_INLINE void begin_moving(struct run_list *list)
 	const struct raster *raster = &list->draw->raster;
 	struct soft_spans *spans = &list->draw->spans;
 	const struct soft_scales *scales = &spans->scales;
-	const struct list_value red = scale_color(
+	const struct plane red = scale_color(
 		raster, RED, scales->red_blue_half, scales->red_blue);
-	const struct list_value blue = scale_color(
+	const struct plane blue = scale_color(
 		raster, BLUE, scales->red_blue_half, scales->red_blue);
 
-	list->red_blue = (struct list_value){(blue.start << 16) + red.start,
-		(blue.right << 16) + red.right, (blue.down << 16) + red.down};
+	list->red_blue = (struct plane){(blue.start << 16) + red.start,
+		(int32_t)(((uint32_t)blue.dx << 16) + (uint32_t)red.dx),
+		(int32_t)(((uint32_t)blue.dy << 16) + (uint32_t)red.dy)};
 	list->green =
 		scale_color(raster, GREEN, spans->green_start, scales->green);
-	spans->run.red_blue_right = list->red_blue.right;
-	spans->run.green_alpha_right = list->green.right;
+	spans->run.red_blue_right = (uint32_t)list->red_blue.dx;
+	spans->run.green_alpha_right = (uint32_t)list->green.dx;
 	set_more_color_steps(
 		spans, raster->plane[ALPHA].dx, raster->plane[FOG].dx);
 }
@@ -163,7 +162,7 @@ static ALWAYS_INLINE void begin_colors(
 	const struct soft_spans *spans = &list->draw->spans;
 
 	list->colors_exact = moving && (spans->steep || !small);
-	list->red_blue = list->green = (struct list_value){0};
+	list->red_blue = list->green = (struct plane){0};
 	if (list->colors_exact) {
 		soft_begin_steps(list->draw, moving);
 	} else if (moving) {
@@ -194,8 +193,7 @@ void soft_draw_list(
 				    : rows_find_run_pixels(draw, plane[TEX_S].dx,
 					      plane[TEX_S + 1].dx);
 	begin_colors(&list, moving, size <= spans->stepped_size);
-	list.z = (struct list_value){plane[DEPTH].start << 6,
-		(uint32_t)plane[DEPTH].dx << 6, (uint32_t)plane[DEPTH].dy << 6};
+	list.z = raster_depth_q16(&plane[DEPTH]);
 	if (spans->textured && !spans->made) {
 		begin_texels(&list, setup);
 	}

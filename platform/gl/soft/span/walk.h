@@ -28,14 +28,9 @@ void soft_use_view(const struct soft_view *view, struct soft_run *run);
  * and walk_list.c walks the triangle's rows.
  */
 
-/* A plane in a run's number format; start is at column 0, first row; wraps. */
-struct list_value {
-	uint32_t start, right, down;
-};
-
 /* A texture coordinate, and how it is converted to the window's texels. */
 struct list_coordinate {
-	struct list_value value; /* 16.16 of base texels */
+	struct plane plane; /* 16.16 of base texels */
 	struct bend bend;
 	uint32_t level_right; /* step in the level, unless it is a polynomial */
 	/* unless certain: (at - offset) & mask must be less than room */
@@ -47,7 +42,7 @@ struct list_coordinate {
 
 struct run_list {
 	struct draw *draw;
-	struct list_value z, red_blue, green;
+	struct plane z, red_blue, green; /* in a run's number formats */
 	struct list_coordinate s, t;
 	uint32_t fog;      /* if it is constant */
 	bool rare;         /* runs need set_rare() besides these values */

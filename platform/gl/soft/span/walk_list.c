@@ -23,10 +23,10 @@ static ALWAYS_INLINE uint32_t add_product(uint32_t to, uint32_t a, uint32_t b)
 
 /* A value at column x of row y. */
 static ALWAYS_INLINE uint32_t find_there(
-	const struct list_value *value, uint32_t x, uint32_t y)
+	const struct plane *plane, uint32_t x, uint32_t y)
 {
-	return add_product(
-		add_product(value->start, value->down, y), value->right, x);
+	return add_product(add_product(plane->start, (uint32_t)plane->dy, y),
+		(uint32_t)plane->dx, x);
 }
 
 /* A run's first coordinate in the window, and its step a pixel. */
@@ -43,19 +43,19 @@ static ALWAYS_INLINE struct found find_coordinate(
 
 	if (kind.bent) {
 		const uint32_t xx = (uint32_t)c->bend.xx;
-		uint32_t slope = add_product(
-			add_product(c->value.right, (uint32_t)c->bend.xy, y),
+		uint32_t slope = add_product(add_product((uint32_t)c->plane.dx,
+						     (uint32_t)c->bend.xy, y),
 			xx, x);
 		uint32_t step = add_product(slope, xx, x + count);
-		uint32_t down =
-			add_product(c->value.down, (uint32_t)c->bend.yy, y);
+		uint32_t down = add_product(
+			(uint32_t)c->plane.dy, (uint32_t)c->bend.yy, y);
 
-		middle = add_product(c->value.start, down, y);
+		middle = add_product(c->plane.start, down, y);
 		middle = add_product(middle, slope, x);
 		middle = add_product(middle, step, half);
 		right = (uint32_t)((int32_t)(step + c->round) >> c->shift);
 	} else {
-		middle = find_there(&c->value, x + half, y);
+		middle = find_there(&c->plane, x + half, y);
 	}
 	at = (uint32_t)((int32_t)middle >> c->shift) - right * half;
 	return (struct found){

@@ -230,6 +230,11 @@ static void draw_tested(struct draw *draw, enum soft_place place)
 
 	if (spans->tested_by_functions &&
 		(spans->depth_written || SOFT_KEEPS_DEPTH)) {
+		for (const struct soft_row *row = spans->run.rows;
+			spans->depth_replaced && row < end_of(&spans->run);
+			row++) {
+			memset(row->depth, 0xFF, row->count * 2);
+		}
 		testing_functions(spans)[place](&spans->run);
 	} else {
 		draw_beside(draw, place);

@@ -155,15 +155,18 @@ static void choose_tests(
 	spans->depth_by_less = !spans->stenciled &&
 		(function == GL_LESS || function == GL_LEQUAL);
 	spans->depth_written = state->depth_test && state->depth_mask;
+	spans->depth_replaced = function == GL_ALWAYS && spans->depth_written &&
+		!spans->stenciled && !spans->alpha_tested;
 	spans->tested_by_functions =
-		spans->depth_by_less && !spans->blended_last;
+		(spans->depth_by_less || spans->depth_replaced) &&
+		!spans->blended_last;
 	if (SOFT_KEEPS_DEPTH) {
 		spans->run.depth_kept =
 			spans->tested_by_functions && !spans->depth_written;
 	}
 	spans->direct = spans->tested_by_functions &&
 		(spans->depth_written || SOFT_KEEPS_DEPTH) &&
-		spans->color_mask == UINT32_MAX;
+		!spans->depth_replaced && spans->color_mask == UINT32_MAX;
 	spans->untested = function == GL_ALWAYS && !spans->depth_written &&
 		!spans->stenciled && spans->color_mask == UINT32_MAX;
 }

@@ -81,7 +81,9 @@ struct soft_spans {
 	bool rare;                   /* alpha_moves, fog_moves or steep */
 	int32_t green_start;      /* green_half, plus alpha if it is constant */
 	bool tested_by_functions; /* span functions test depths, and write them */
-	bool equal_passes;        /* their depth test is LEQUAL, else LESS */
+	/* All fragments pass: before, the buffer's depths are set to 65535. */
+	bool depth_replaced;
+	bool equal_passes; /* their depth test is LEQUAL, else LESS */
 	bool depth_by_less; /* LESS or LEQUAL, no stencil: hidden changes nothing */
 	bool depth_written;
 	bool direct; /* span functions do all that fragments need */

@@ -228,8 +228,7 @@ static void draw_tested(struct draw *draw, enum soft_place place)
 {
 	struct soft_spans *spans = &draw->spans;
 
-	if (spans->tested_by_functions &&
-		(spans->depth_written || SOFT_KEEPS_DEPTH)) {
+	if (spans->unmasked) {
 		for (const struct soft_row *row = spans->run.rows;
 			spans->depth_replaced && row < end_of(&spans->run);
 			row++) {

@@ -150,23 +150,24 @@ static void choose_tests(
 {
 	const GLenum function =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
+	bool whole;
 
 	spans->equal_passes = function == GL_LEQUAL;
 	spans->depth_by_less = !spans->stenciled &&
 		(function == GL_LESS || function == GL_LEQUAL);
 	spans->depth_written = state->depth_test && state->depth_mask;
 	spans->depth_replaced = function == GL_ALWAYS && spans->depth_written &&
-		!spans->stenciled && !spans->alpha_tested;
-	spans->tested_by_functions =
-		(spans->depth_by_less || spans->depth_replaced) &&
+		!spans->stenciled && !spans->alpha_tested &&
 		!spans->blended_last;
-	if (SOFT_KEEPS_DEPTH) {
-		spans->run.depth_kept =
-			spans->tested_by_functions && !spans->depth_written;
-	}
-	spans->direct = spans->tested_by_functions &&
-		(spans->depth_written || SOFT_KEEPS_DEPTH) &&
-		!spans->depth_replaced && spans->color_mask == UINT32_MAX;
+	/* What is blended last has to change its depth, as LESS does. */
+	spans->tested_by_functions = spans->depth_replaced ||
+		(spans->depth_by_less &&
+			(!spans->blended_last || function == GL_LESS));
+	whole = spans->tested_by_functions && !spans->blended_last;
+	spans->run.depth_kept = whole && !spans->depth_written;
+	spans->unmasked = whole && (spans->depth_written || SOFT_KEEPS_DEPTH);
+	spans->direct = spans->unmasked && !spans->depth_replaced &&
+		spans->color_mask == UINT32_MAX;
 	spans->untested = function == GL_ALWAYS && !spans->depth_written &&
 		!spans->stenciled && spans->color_mask == UINT32_MAX;
 }

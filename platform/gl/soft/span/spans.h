@@ -86,7 +86,8 @@ struct soft_spans {
 	bool equal_passes; /* their depth test is LEQUAL, else LESS */
 	bool depth_by_less; /* LESS or LEQUAL, no stencil: hidden changes nothing */
 	bool depth_written;
-	bool direct; /* span functions do all that fragments need */
+	bool unmasked; /* span functions do all but depth_replaced and masks */
+	bool direct;   /* span functions do all that fragments need */
 	bool stenciled, alpha_tested;
 	bool untested;   /* no depth or stencil test, no depth is written */
 	bool whole_rows; /* draw is one of untested.c's functions */

@@ -1,7 +1,9 @@
 /*
- * Points and lines as rectangles of two triangles, GL ES 1.1 sections 3.3, 3.4.
+ * Points and lines as rectangles, GL ES 1.1 sections 3.3, 3.4: of two triangles,
+ * or of one that draws a rectangle, as draw->fourth has it.
  * raster/thin_line.c draws most lines that are one pixel wide.
  */
+#include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -35,10 +37,17 @@ static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 		corner[i].y +=
 			off.y + (i % 2 ? along.y : 0) + (i / 2 ? across.y : 0);
 	}
+	/* span functions draw a point's square as one triangle: see fourth */
+	if (a == b && draw->fast_setup.fill == soft_rows_fill) {
+		draw->fourth = &corner[3];
+	}
 	soft_fill_triangle(
 		draw, (struct vertex *[]){&corner[0], &corner[1], &corner[2]});
-	soft_fill_triangle(
-		draw, (struct vertex *[]){&corner[2], &corner[1], &corner[3]});
+	if (!draw->fourth) {
+		soft_fill_triangle(draw,
+			(struct vertex *[]){&corner[2], &corner[1], &corner[3]});
+	}
+	draw->fourth = NULL;
 }
 
 static void fill_square(struct draw *draw, const struct vertex *v,

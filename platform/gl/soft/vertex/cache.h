@@ -7,6 +7,12 @@
 
 #include <string.h>
 
+enum {
+	CACHE_INDICES =
+		1 << 16,  /* vertices that indices of 16 bits can number */
+	CACHE_LIST = 192, /* indices that are made for a call of soft_list() */
+};
+
 /* cache.c: transforms the vertex of an index into a slot of the cache. */
 void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 

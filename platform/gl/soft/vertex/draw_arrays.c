@@ -151,28 +151,49 @@ static bool fills_whole_rows(const struct draw *draw)
 				!draw->texture[0].used));
 }
 
-static void draw_strip(struct draw *draw, const struct source *source)
+/* Whether soft_list() can draw triangles by indices that are made for it. */
+static bool may_list(
+	const struct draw *draw, const struct source *source, bool upright)
 {
-	bool upright = fills_whole_rows(draw);
+	return draw->packed && !upright &&
+		(source->indices ||
+			source->first + source->count <= CACHE_INDICES);
+}
 
-	for (uint32_t i = 0; i + 2 < source->count; i++) {
+/* Draws triangles of any mode: as lists of 16-bit indices, or one by one. */
+static void draw_triangles(
+	struct draw *draw, const struct source *source, GLenum mode)
+{
+	const bool strip = mode == GL_TRIANGLE_STRIP;
+	const bool upright = strip && fills_whole_rows(draw);
+	const bool listed = may_list(draw, source, upright);
+	uint16_t index[CACHE_LIST];
+	struct source list = {
+		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
+
+	for (uint32_t i = 0; i + 2 < source->count;
+		i += mode == GL_TRIANGLES ? 3 : 1) {
+		/* Every second one of a strip has its first vertices swapped. */
+		const uint32_t odd = strip ? i % 2 : 0;
+		const uint32_t a = mode == GL_TRIANGLE_FAN ? 0 : i + odd;
+		const uint32_t b = i + 1 - odd;
+
 		if (upright && i + 3 < source->count &&
 			draw_upright(draw, source, i)) {
 			i++;
-			continue;
+		} else if (!listed) {
+			soft_draw_triangle(draw, source, a, b, i + 2);
+		} else {
+			index[list.count++] = (uint16_t)index_at(source, a);
+			index[list.count++] = (uint16_t)index_at(source, b);
+			index[list.count++] = (uint16_t)index_at(source, i + 2);
 		}
-		/* Every second triangle has its first two vertices swapped. */
-		soft_draw_triangle(
-			draw, source, i + i % 2, i + 1 - i % 2, i + 2);
+		if (list.count == CACHE_LIST) {
+			soft_list(draw, &list);
+			list.count = 0;
+		}
 	}
-}
-
-static void draw_triangles(
-	struct draw *draw, const struct source *source, bool fan)
-{
-	for (uint32_t i = 0; i + 2 < source->count; i += fan ? 1 : 3) {
-		soft_draw_triangle(draw, source, fan ? 0 : i, i + 1, i + 2);
-	}
+	soft_list(draw, &list);
 }
 
 static void draw_primitives(
@@ -199,11 +220,9 @@ static void draw_primitives(
 	} else if (listed && draw->packed &&
 		(uintptr_t)source->indices % 2 == 0) {
 		soft_list(draw, source);
-	} else if (mode == GL_TRIANGLE_STRIP) {
-		draw_strip(draw, source);
-	} else if (mode == GL_TRIANGLE_FAN || source->indices ||
+	} else if (mode != GL_TRIANGLES || source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
-		draw_triangles(draw, source, mode == GL_TRIANGLE_FAN);
+		draw_triangles(draw, source, mode);
 	}
 }
 

@@ -4,11 +4,6 @@
  */
 #include "platform/gl/soft/vertex/cache.h"
 
-enum {
-	INDICES_MOST = 1 << 16,
-	LIST_VERTICES = 192, /* drawn by one call of soft_list() */
-};
-
 /* Interleaved arrays, as vertices of words that can be compared. */
 struct stream {
 	const uint8_t *pointer;
@@ -111,7 +106,7 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 	const struct stream own = {stream->pointer, stride_bytes, words};
 	const uint8_t *at = own.pointer + first * stride_bytes;
 	uint32_t known[VERTEX_CACHE], number = first;
-	uint16_t index[LIST_VERTICES];
+	uint16_t index[CACHE_LIST];
 	struct source source = {
 		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
 
@@ -122,7 +117,7 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 		const uint8_t *end;
 		uint16_t *next = index;
 
-		source.count = left < LIST_VERTICES ? left : LIST_VERTICES;
+		source.count = left < CACHE_LIST ? left : CACHE_LIST;
 		end = at + source.count * stride_bytes;
 		while (at != end) {
 			PRELOAD(at + 4 * stride_bytes);
@@ -155,7 +150,7 @@ bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 	struct stream stream;
 
 	if (!draw->packed || arrays->vertex.size != 3 ||
-		first + count > INDICES_MOST || !find_stream(arrays, &stream)) {
+		first + count > CACHE_INDICES || !find_stream(arrays, &stream)) {
 		return false;
 	}
 	if (stream.words == 8 && stream.stride_bytes == 32) {

@@ -15,9 +15,11 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 from dataclasses import dataclass, field
 
 from arm11_frame import places, print_split, split_as_json
@@ -62,44 +64,49 @@ class Bench:
     def __init__(self, options):
         self.options = options
         self.scratch = tempfile.TemporaryDirectory(prefix="limber-bench-")
+        self.copying = threading.Lock()
 
-    def command(self, row, kernel, memory, report):
-        parameters = [f"json={report}"]
-        if MEMORIES[memory]:
-            parameters.append(MEMORIES[memory])
-        if self.options.model_options:
-            parameters.append(self.options.model_options)
-        return [
-            "qemu-arm", "-cpu", "arm1136", "-L", self.options.sysroot,
-            "-plugin", ",".join([self.options.model, *parameters]),
-            *row.command(self.options, kernel),
-        ]  # fmt: skip
+    def plugin(self, number, memory, report):
+        """The argument for the model with this memory. A process loads a file
+        once, so each memory has a copy of its own."""
+        copy = pathlib.Path(self.scratch.name, f"model-{number}.so")
+        with self.copying:
+            if not copy.exists():
+                shutil.copy(self.options.model, copy)
+        words = [str(copy), f"json={report}", MEMORIES[memory], self.options.model_options]
+        return ["-plugin", ",".join(filter(None, words))]
 
-    def run(self, row, kernel, memory):
-        """The program's count and the model's report, or None when the kernel
-        has no such loop."""
-        name = f"{row.name}-{kernel}-{memory}.json".replace(" ", "-")
-        report = pathlib.Path(self.scratch.name, name)
+    def run(self, row, kernel):
+        """The program's count and the model's report for each memory, or None
+        when the kernel has no such loop. One process serves all memories."""
+        reports = {}
+        plugins = []
+        for number, memory in enumerate(row.short if self.options.short else row.full):
+            name = f"{row.name}-{kernel}-{memory}.json".replace(" ", "-")
+            reports[memory] = pathlib.Path(self.scratch.name, name)
+            plugins += self.plugin(number, memory, reports[memory])
         result = subprocess.run(
-            self.command(row, kernel, memory, report),
+            ["qemu-arm", "-cpu", "arm1136", "-L", self.options.sysroot, *plugins,
+             *row.command(self.options, kernel)],
             capture_output=True, text=True, check=False,
             env={"LC_ALL": "C"},  # the same everywhere, as in play_check.py
         )  # fmt: skip
         if result.returncode == 3:
             return None
-        if result.returncode or not report.exists():
+        if result.returncode or not all(r.exists() for r in reports.values()):
             raise RuntimeError(f"{row.name}, {kernel}: {result.stderr.strip()}")
         count = re.search(r"^(?:count|joints) (\d+)", result.stdout, re.M)
-        return int(count[1]) if count else 1, json.loads(report.read_text())
+        return int(count[1]) if count else 1, {
+            memory: json.loads(report.read_text()) for memory, report in reports.items()
+        }
 
     def figures(self, row, kernel):
-        figures = Figures(row, kernel)
-        for memory in row.short if self.options.short else row.full:
-            answer = self.run(row, kernel, memory)
-            if not answer:
-                return None
-            figures.per, figures.report = answer
-            per = figures.per * row.scale
+        answer = self.run(row, kernel)
+        if not answer:
+            return None
+        figures = Figures(row, kernel, answer[0])
+        per = figures.per * row.scale
+        for memory, figures.report in answer[1].items():
             counts = [counts_of(figures.report, number) for number in row.region(memory)]
             figures.cycles[memory] = sum(c["cycles"] / c["entries"] for c in counts) / per
             figures.instructions = (
@@ -148,7 +155,7 @@ def wanted_rows(options):
 
 
 def wanted_kernels(row, options):
-    return [k for k in row.kernels if not options.kernel or k in options.kernel]
+    return [k for k in row.kernels_of(options) if not options.kernel or k in options.kernel]
 
 
 def counts_of(report, number):

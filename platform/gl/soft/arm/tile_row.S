@@ -74,7 +74,7 @@
 /*
  * r0 pixel, r1 count, r2 quads, r3 s, r4 t, r5 and r6 their steps, r7 the columns'
  * mask, r8 the rows' mask shifted to its place in an index, r9 shade, r10 16 -
- * width_log2: the shift from 16.16 to 2^32; the run's address is at sp.
+ * side_log2: the shift from 16.16 to 2^32; the run's address is at sp.
  */
 	.global	soft_tile_row
 	.type	soft_tile_row, %function
@@ -85,7 +85,7 @@ soft_tile_row:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #TILE_SHADE]
-	ldr	r10, [r0, #TILE_WIDTH_LOG2]
+	ldr	r10, [r0, #TILE_SIDE_LOG2]
 	ldm	r12, {r0-r6}
 	mov	r7, #1
 	rsb	r7, r7, r7, lsl r10
@@ -135,7 +135,7 @@ soft_tile_row:
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #TILE_SHADE]
-	ldr	r10, [r0, #TILE_WIDTH_LOG2]
+	ldr	r10, [r0, #TILE_SIDE_LOG2]
 	ldm	r12, {r0-r6}
 	ldr	r2, [r12, #TILE_FINE]
 	rsb	r7, r10, #16
@@ -176,7 +176,7 @@ soft_tile_row:
 	sub	r3, r3, r5
 	sub	r4, r4, r6
 	ldr	r2, [lr, #TILE_QUADS]
-	ldr	lr, [lr, #TILE_WIDTH_LOG2]
+	ldr	lr, [lr, #TILE_SIDE_LOG2]
 	add	r7, r7, #2
 	mov	r8, r4, lsr r7
 	mov	r8, r8, lsl lr

@@ -37,7 +37,6 @@ static void set_level(struct draw *draw, int lod)
 	struct tiled *tiled = &draw->tiled;
 	const int number = choose_level(draw, lod);
 	const struct level *level = &draw->texture[0].texture->level[number];
-	const bool square = level->width_log2 == level->height_log2;
 
 	if (number == tiled->level) {
 		return;
@@ -46,10 +45,8 @@ static void set_level(struct draw *draw, int lod)
 	tiled->tiles = level->tiles;
 	tiled->run.quads = level->tiles->quad;
 	tiled->run.fine = level->tiles->fine;
-	tiled->run.width_log2 = level->width_log2;
-	tiled->run.height_log2 = level->height_log2;
+	tiled->run.side_log2 = level->tiles->side_log2;
 	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
-	tiled->draw = square ? soft_tile_row : soft_tile_row_c;
 }
 
 /* How many pixels may share an alpha, so that each is off by less than a step. */
@@ -146,7 +143,7 @@ static bool draw_mixed(struct draw *draw)
 	make_mixed(draw, *tiled->pixel, find_share(tiled, 0, (uint32_t)count));
 	tiled->run.pixel = tiled->pixel;
 	tiled->run.shade = draw->mixed;
-	tiled->draw(&tiled->run, tiled->from_fine);
+	soft_tile_row(&tiled->run, tiled->from_fine);
 	tiled->run.shade = draw->shade;
 	return true;
 }
@@ -165,7 +162,7 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 		return;
 	}
 	tiled->run.pixel = tiled->by_share || draw->blended ? aside : pixel;
-	tiled->draw(&tiled->run, tiled->from_fine);
+	soft_tile_row(&tiled->run, tiled->from_fine);
 	if (tiled->by_share) {
 		make_gray(draw, aside, draw->blended ? aside : pixel);
 	}
@@ -227,8 +224,8 @@ static ALWAYS_INLINE void set_texels(
 	choose_places(tiled);
 	run->s_end = &tiled->tiles->patch->s[run->s_right >= 0];
 	run->t_end = &tiled->tiles->patch->t[run->t_right >= 0];
-	run->s_pixels = soft_tile_pixels(run->s_right, run->width_log2);
-	run->t_pixels = soft_tile_pixels(run->t_right, run->height_log2);
+	run->s_pixels = soft_tile_pixels(run->s_right, run->side_log2);
+	run->t_pixels = soft_tile_pixels(run->t_right, run->side_log2);
 }
 
 /*

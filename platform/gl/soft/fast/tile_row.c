@@ -9,19 +9,18 @@
 static ALWAYS_INLINE uint32_t load_quad(
 	const struct tile_run *run, uint32_t s, uint32_t t)
 {
-	uint32_t column = s >> 16 & ((1u << run->width_log2) - 1);
-	uint32_t row = t >> 16 & ((1u << run->height_log2) - 1);
+	uint32_t mask = (1u << run->side_log2) - 1;
 
-	return run->quads[(row << run->width_log2) + column];
+	return run->quads[((t >> 16 & mask) << run->side_log2) + (s >> 16 & mask)];
 }
 
 static ALWAYS_INLINE uint32_t load_fine(
 	const struct tile_run *run, uint32_t s, uint32_t t)
 {
-	uint32_t column = s >> 14 & ((4u << run->width_log2) - 1);
-	uint32_t row = t >> 14 & ((4u << run->height_log2) - 1);
+	uint32_t mask = (4u << run->side_log2) - 1;
 
-	return run->fine[(row << (run->width_log2 + 2)) + column];
+	return run->fine[((t >> 14 & mask) << (run->side_log2 + 2)) +
+		(s >> 14 & mask)];
 }
 
 /* How many more steps a coordinate makes before its end. */
@@ -39,9 +38,9 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 {
 	size_t end = (size_t)quad_patch(quad) *
 		(sizeof(struct patch) / sizeof(uint32_t));
-	uint32_t across = room(run->s_end[end], s << (16 - run->width_log2),
+	uint32_t across = room(run->s_end[end], s << (16 - run->side_log2),
 		run->s_right, run->s_pixels);
-	uint32_t down = room(run->t_end[end], t << (16 - run->height_log2),
+	uint32_t down = room(run->t_end[end], t << (16 - run->side_log2),
 		run->t_right, run->t_pixels);
 	uint32_t further = across < down ? across : down;
 

@@ -29,8 +29,8 @@ struct tile_run {
 	const uint32_t *s_end; /* 32: patch[0].s[0 or 1], which s moves towards */
 	const uint32_t *t_end;       /* 36: the same of t */
 	uint32_t s_pixels, t_pixels; /* 40: see soft_tile_pixels() */
-	int width_log2, height_log2; /* 48 */
-	const uint8_t *fine;         /* 56: tiles.fine, or NULL */
+	int side_log2;               /* 48 */
+	const uint8_t *fine;         /* 52: tiles.fine, or NULL */
 };
 
 /*
@@ -59,7 +59,7 @@ static ALWAYS_INLINE uint32_t soft_tile_pixels(int32_t step_q16, int log2)
  * once, with the same result. With fine, steps are less than half the texture.
  */
 void soft_tile_row_c(const struct tile_run *run, int by_fine);
-/* arm/tile_row.S or portable/triangles.c: the same, for square levels only. */
+/* arm/tile_row.S or portable/triangles.c: the same. */
 void soft_tile_row(const struct tile_run *run, int by_fine);
 
 /* luminance.c: fills draw's tables of luminance and grays, once for good. */

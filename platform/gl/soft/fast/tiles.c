@@ -9,8 +9,8 @@
 struct grid {
 	uint32_t *quads;
 	struct patch *patches;
-	int width, height;
-	int s_shift, t_shift; /* from texels to 2^32 for the whole texture */
+	int side;
+	int shift; /* from texels to 2^32 for the whole square */
 };
 
 static uint32_t luminance(uint8_t texel)
@@ -21,24 +21,25 @@ static uint32_t luminance(uint8_t texel)
 static void fill_quads(struct level *level)
 {
 	int width = 1 << level->width_log2, height = 1 << level->height_log2;
+	int side = 1 << level->tiles->side_log2;
 	uint32_t low = 127, high = 0, most;
 	/* of the texture, 16.16: steps of two pixels must be less than half */
 	uint32_t quarter = (width < height ? (uint32_t)width : (uint32_t)height)
 		<< 14;
 
-	for (int y = 0; y < height; y++) {
-		const uint8_t *row = level->texels + y * width;
+	for (int y = 0; y < side; y++) {
+		const uint8_t *row = level->texels + y % height * width;
 		const uint8_t *next = level->texels + (y + 1) % height * width;
 
-		for (int x = 0; x < width; x++) {
-			int right = (x + 1) % width;
+		for (int x = 0; x < side; x++) {
+			int left = x % width, right = (x + 1) % width;
+			uint32_t own = luminance(row[left]);
 
-			low = luminance(row[x]) < low ? luminance(row[x]) : low;
-			high = luminance(row[x]) > high ? luminance(row[x])
-							: high;
-			level->tiles->quad[y * width + x] = luminance(row[x]) |
+			low = own < low ? own : low;
+			high = own > high ? own : high;
+			level->tiles->quad[y * side + x] = own |
 				luminance(row[right]) << 8 |
-				luminance(next[x]) << 16 |
+				luminance(next[left]) << 16 |
 				luminance(next[right]) << 24;
 		}
 	}
@@ -58,7 +59,7 @@ static bool is_row_of(
 	const struct grid *grid, int x, int y, int width, uint32_t quad)
 {
 	for (int i = 0; i < width; i++) {
-		if (grid->quads[y * grid->width + x + i] != quad) {
+		if (grid->quads[y * grid->side + x + i] != quad) {
 			return false;
 		}
 	}
@@ -68,14 +69,14 @@ static bool is_row_of(
 /* Grows a rectangle of equal quads from (x, y): first right, then down. */
 static struct rectangle grow(const struct grid *grid, int x, int y)
 {
-	uint32_t quad = grid->quads[y * grid->width + x];
+	uint32_t quad = grid->quads[y * grid->side + x];
 	struct rectangle r = {x, y, 1, 1};
 
-	while (x + r.width < grid->width &&
-		grid->quads[y * grid->width + x + r.width] == quad) {
+	while (x + r.width < grid->side &&
+		grid->quads[y * grid->side + x + r.width] == quad) {
 		r.width++;
 	}
-	while (y + r.height < grid->height &&
+	while (y + r.height < grid->side &&
 		is_row_of(grid, x, y + r.height, r.width, quad)) {
 		r.height++;
 	}
@@ -91,11 +92,11 @@ static struct rectangle find_largest(const struct grid *grid)
 {
 	struct rectangle largest = {0};
 
-	for (int y = 0; y < grid->height; y++) {
-		for (int x = 0; x < grid->width; x++) {
+	for (int y = 0; y < grid->side; y++) {
+		for (int x = 0; x < grid->side; x++) {
 			struct rectangle r = {0};
 
-			if (is_even(grid->quads[y * grid->width + x])) {
+			if (is_even(grid->quads[y * grid->side + x])) {
 				r = grow(grid, x, y);
 			}
 			largest = area_of(&r) > area_of(&largest) ? r : largest;
@@ -110,26 +111,25 @@ static void set_patch(struct grid *grid, int number, const struct rectangle *r)
 {
 	for (int i = 0; i < area_of(r); i++) {
 		uint32_t *quad = grid->quads +
-			(r->y + i / r->width) * grid->width + r->x +
-			i % r->width;
+			(r->y + i / r->width) * grid->side + r->x + i % r->width;
 
 		*quad = QUAD_PATCH | (uint32_t)number << 8 | (*quad & 127);
 	}
 	grid->patches[number] = (struct patch){
-		.s = {((uint32_t)r->x << grid->s_shift) - 1,
-			((uint32_t)(r->x + r->width) << grid->s_shift) - 1},
-		.t = {((uint32_t)r->y << grid->t_shift) - 1,
-			((uint32_t)(r->y + r->height) << grid->t_shift) - 1},
+		.s = {((uint32_t)r->x << grid->shift) - 1,
+			((uint32_t)(r->x + r->width) << grid->shift) - 1},
+		.t = {((uint32_t)r->y << grid->shift) - 1,
+			((uint32_t)(r->y + r->height) << grid->shift) - 1},
 	};
 }
 
 static void fill_fine(const struct grid *grid, uint8_t *fine)
 {
-	int width = 4 * grid->width, height = 4 * grid->height;
+	int side = 4 * grid->side;
 
-	for (int i = 0; i < width * height; i++) {
-		int x = i % width, y = i / width;
-		uint32_t quad = grid->quads[y / 4 * grid->width + x / 4];
+	for (int i = 0; i < side * side; i++) {
+		int x = i % side, y = i / side;
+		uint32_t quad = grid->quads[y / 4 * grid->side + x / 4];
 
 		fine[i] = (uint8_t)(quad & QUAD_PATCH
 				? FINE_PATCH
@@ -158,9 +158,8 @@ void soft_tiles_update(struct level *level)
 	if (!tiles) {
 		return;
 	}
-	grid = (struct grid){tiles->quad, tiles->patch, 1 << level->width_log2,
-		1 << level->height_log2, 32 - level->width_log2,
-		32 - level->height_log2};
+	grid = (struct grid){tiles->quad, tiles->patch, 1 << tiles->side_log2,
+		32 - tiles->side_log2};
 	fill_quads(level);
 	fill_patches(&grid);
 	if (tiles->fine) {
@@ -170,23 +169,24 @@ void soft_tiles_update(struct level *level)
 
 void soft_tiles_make(struct level *level)
 {
-	size_t width = (size_t)1 << level->width_log2;
-	size_t height = (size_t)1 << level->height_log2;
-	size_t quads_bytes;
-	bool fine;
+	const int width = level->width_log2, height = level->height_log2;
+	const int side = width > height ? width : height;
+	const size_t quads = (size_t)1 << 2 * side;
+	const size_t quads_bytes = quads * sizeof(level->tiles->quad[0]);
+	const bool fine = 1 << side <= FINE_SIDE_MAX;
 
 	/* a side of one texel would need a shift by 32 */
-	if (level->format != TEXEL_L8 || width > TILE_SIDE_MAX ||
-		height > TILE_SIDE_MAX || width < 2 || height < 2) {
+	if (level->format != TEXEL_L8 || 1 << side > TILE_SIDE_MAX ||
+		width == 0 || height == 0) {
 		return;
 	}
-	quads_bytes = width * height * sizeof(level->tiles->quad[0]);
-	fine = width <= FINE_SIDE_MAX && height <= FINE_SIDE_MAX;
 	level->tiles = calloc(1,
-		sizeof(*level->tiles) + quads_bytes +
-			(fine ? 16 * width * height : 0));
-	if (level->tiles && fine) {
-		level->tiles->fine = (uint8_t *)level->tiles->quad + quads_bytes;
+		sizeof(*level->tiles) + quads_bytes + (fine ? 16 * quads : 0));
+	if (!level->tiles) {
+		return;
 	}
+	level->tiles->side_log2 = side;
+	level->tiles->fine =
+		fine ? (uint8_t *)level->tiles->quad + quads_bytes : NULL;
 	soft_tiles_update(level);
 }

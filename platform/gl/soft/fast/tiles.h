@@ -63,11 +63,13 @@ struct patch {
 };
 
 /*
- * A level's quads, [height][width], and its patches. Levels up to FINE_SIDE_MAX
- * also have fine, [4 * height][4 * width]: filtered values at 4 x 4 places of
- * each quad, in halves of 127ths, or FINE_PATCH inside of a patch.
+ * A level's quads, [side][side], and its patches. The side is the level's
+ * longer one: along the other one quads repeat, as the texture does. Levels up
+ * to FINE_SIDE_MAX also have fine, [4 * side][4 * side]: filtered values at 4 x
+ * 4 places of each quad, in halves of 127ths, or FINE_PATCH inside of a patch.
  */
 struct tiles {
+	int side_log2;
 	struct patch patch[PATCHES_MOST + 1];
 	uint8_t *fine; /* in the same allocation behind quad, or NULL */
 	/* least and largest luminance, in halves of 127ths */

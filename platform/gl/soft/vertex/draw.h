@@ -189,7 +189,6 @@ struct tiled {
 	int level;                 /* of detail; -1: none is chosen yet */
 	const struct tiles *tiles; /* of the level */
 	int from_fine; /* pixels drawn for each place of run.fine; 0: not read */
-	void (*draw)(const struct tile_run *run, int by_fine);
 	uint32_t mixed; /* what draw->mixed was made of, see make_mixed() */
 	/* The run under way; share is the gray as a factor, 8.8 of 256. */
 	struct tile_run run;

@@ -16,7 +16,8 @@
 void stop_unblock(void);
 
 /*
- * Clears the flag. From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE only set it.
+ * Clears the flag. From now on SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXCPU
+ * (the limit of `ulimit -St`) only set it.
  * A signal that the process ignores stays ignored, as nohup requires. If the
  * program does not call stop_requested() within a second after the signal,
  * SIGALRM ends it.

@@ -4,8 +4,10 @@
 #include <fcntl.h>
 #include <linux/watchdog.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 
 enum {
 	EARLIER_S = 2,
@@ -50,8 +52,21 @@ struct watchdog watchdog_none(void)
 	return (struct watchdog){.fd = -1};
 }
 
+/* Whether a byte that is written to that path would replace another one. */
+static bool holds_data(const char *path)
+{
+	struct stat status;
+
+	return stat(path, &status) == 0 &&
+		(S_ISBLK(status.st_mode) ||
+			(S_ISREG(status.st_mode) && status.st_size > 0));
+}
+
 static void say_why(const char *path, int error, const struct log *log)
 {
+	const char *reason = error == EEXIST
+		? "this is no watchdog: it holds data"
+		: strerror(error);
 	const char *advice = "give a watchdog's device, such as /dev/watchdog";
 
 	if (error == ENOENT || error == ENODEV) {
@@ -64,18 +79,20 @@ static void say_why(const char *path, int error, const struct log *log)
 
 	log_warning(log,
 		"--watchdog %s: %s: limber continues without it: %s, or leave --watchdog out",
-		path, strerror(error), advice);
+		path, reason, advice);
 }
 
 int watchdog_open(struct watchdog *out, const char *path,
 	const struct device_calls *calls, const struct log *log)
 {
-	int fd = calls->open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+	bool refused = holds_data(path);
+	int fd = refused ? -1
+			 : calls->open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
 	int timeout_s = 0;
 
 	*out = watchdog_none();
 	if (fd < 0) {
-		int error = errno;
+		int error = refused ? EEXIST : errno;
 
 		say_why(path, error, log);
 		return -error;

@@ -37,7 +37,9 @@ struct watchdog watchdog_none(void);
 
 /*
  * Opens the watchdog device, which starts its timer. path must outlive *out.
- * Returns 0, or -errno after logging a warning; *out is then watchdog_none().
+ * A block device or a file that is not empty is refused with -EEXIST, as
+ * feeding it would destroy what it holds. Returns 0, or -errno after logging a
+ * warning; *out is then watchdog_none().
  */
 int watchdog_open(struct watchdog *out, const char *path,
 	const struct device_calls *calls, const struct log *log);

@@ -339,6 +339,15 @@ check 'a watchdog is fed and disabled' \
 limber play "$slider" --display null --frames 2 --watchdog "$scratch/none"
 expect_status 0
 expect_err '^limber: --watchdog .*none: No such file'
+# What holds data is no watchdog: feeding it would destroy the data.
+for file in film.gif hard.png own.character; do
+    cp "$outer/$file" "$scratch/held"
+    limber play "$outer/own.gltf" --display null --frames 2 \
+        --watchdog "$outer/$file"
+    expect_status 0
+    expect_err "^limber: --watchdog .*$file: this is no watchdog: it holds data"
+    check "$file is as it was" cmp "$scratch/held" "$outer/$file"
+done
 
 # Button scripts.
 limber render "$slider" --script "$scratch/none.txt" -o "$out.png"

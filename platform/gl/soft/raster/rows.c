@@ -99,3 +99,14 @@ bool soft_rows_is_small(const struct texture_input *input, int lod)
 
 	return lod > (sharp ? 128 : 0);
 }
+
+bool soft_rows_mixes_levels(const struct texture_input *input)
+{
+	GLenum min;
+
+	if (!input->used || input->levels <= 1) {
+		return false;
+	}
+	min = input->texture->min_filter;
+	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
+}

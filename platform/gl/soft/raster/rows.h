@@ -150,6 +150,9 @@ bool soft_rows_is_linear(GLenum filter);
 /* Whether a used texture has mipmaps, or a minifying filter of its own. */
 bool soft_rows_want_lod(const struct texture_input *input);
 
+/* Whether a texture's minifying filter mixes two levels. */
+bool soft_rows_mixes_levels(const struct texture_input *input);
+
 /* Whether the minifying filter applies at a level of detail, 8 fraction bits. */
 bool soft_rows_is_small(const struct texture_input *input, int lod);
 

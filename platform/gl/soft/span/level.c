@@ -5,7 +5,6 @@
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
-#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -128,7 +127,8 @@ void soft_set_level(struct draw *draw, int unit, int lod)
 	}
 	small = soft_rows_is_small(input, lod);
 	/* span functions read one level */
-	mixed = small && (unit > 0 || spans->made) && soft_mixes_levels(input);
+	mixed = small && (unit > 0 || spans->made) &&
+		soft_rows_mixes_levels(input);
 	linear = soft_rows_is_linear(small ? input->texture->min_filter
 					   : input->texture->mag_filter);
 	if (small) {

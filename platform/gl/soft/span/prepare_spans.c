@@ -284,7 +284,7 @@ static bool is_combined(const struct draw *draw)
 	return draw->texture[1].used || draw->smooth ||
 		(input->used &&
 			(!soft_is_simple_environment(input) ||
-				(soft_mixes_levels(input) &&
+				(soft_rows_mixes_levels(input) &&
 					input->base->format == TEXEL_A8)));
 }
 
@@ -336,7 +336,7 @@ static void choose_making(struct draw *draw)
 	spans->combined =
 		colored && !second && !spans->multiplied && is_combined(draw);
 	spans->made = spans->combined || spans->multiplied ||
-		(spans->textured && soft_mixes_levels(&draw->texture[0])) ||
+		(spans->textured && soft_rows_mixes_levels(&draw->texture[0])) ||
 		(second && !has_functions(draw));
 }
 

@@ -15,17 +15,6 @@ enum {
 	WHITE_ALPHA = 0x7FC0,
 };
 
-bool soft_mixes_levels(const struct texture_input *input)
-{
-	GLenum min;
-
-	if (!input->used || input->levels <= 1) {
-		return false;
-	}
-	min = input->texture->min_filter;
-	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
-}
-
 /* A coordinate at a run's start and its step, where nothing is divided. */
 static ALWAYS_INLINE struct bent find_coordinate(
 	const struct raster *raster, int name, const struct soft_row *row)

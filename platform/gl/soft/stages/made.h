@@ -9,11 +9,6 @@
 
 #include "platform/gl/soft/span/spans.h"
 
-struct texture_input;
-
-/* Whether a texture's minifying filter mixes two levels. */
-bool soft_mixes_levels(const struct texture_input *input);
-
 /* Prepares made runs, once a draw call, after all else of struct soft_spans. */
 void soft_prepare_made(struct draw *draw);
 

@@ -1,4 +1,5 @@
 /* Chooses span functions that read a second texture's texels, and how. */
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -56,7 +57,7 @@ static bool are_joined(const struct draw *draw)
 	const struct texture *first = a->texture, *second = b->texture;
 
 	return has_joined_formats(draw) && a->levels == b->levels &&
-		!soft_mixes_levels(a) && a->width_log2 == b->width_log2 &&
+		!soft_rows_mixes_levels(a) && a->width_log2 == b->width_log2 &&
 		a->height_log2 == b->height_log2 &&
 		first->min_filter == second->min_filter &&
 		first->mag_filter == second->mag_filter &&
@@ -91,6 +92,6 @@ bool soft_choose_second(struct draw *draw)
 				     : &soft_spans_second;
 	levels->packed = !spans->wide &&
 		draw->texture[1].base->format == TEXEL_565 &&
-		!soft_mixes_levels(&draw->texture[1]);
+		!soft_rows_mixes_levels(&draw->texture[1]);
 	return true;
 }

@@ -12,6 +12,6 @@ const struct arm11_cost arm11_cost[ARM11_WORKS] = {
 	[ARM11_LERP] = {"lerp", 20.68f, 7.03f},
 	[ARM11_LERP_NORMALS] = {"lerp-normals", 40.52f, 14.05f},
 	[ARM11_TARGETS_2] = {"targets-2", 30.68f, 9.97f},
-	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 505.00f, 185.77f},
-	[ARM11_POSE_WALKER] = {"pose-walker-walk", 493.01f, 177.42f},
+	[ARM11_POSE_CESIUM] = {"pose-cesiumman-0", 505.63f, 185.77f},
+	[ARM11_POSE_WALKER] = {"pose-walker-walk", 492.99f, 177.42f},
 };

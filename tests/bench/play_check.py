@@ -121,16 +121,14 @@ class Tap:
 
 def check_frames(tap, limber, tools, model, clip, baked, alone):
     """The rows, in pictures of the first size."""
-    # What was drawn: key frames show the same however many there are, and skins
-    # however few influences they have.
-    drawings = {}
+    drawings = {}  # played: key frames show the same, however many there are
     rows = compare(limber, model, clip, "--error", "1", "--size", SIZES[0],
                    "--export", baked)
     for row in rows[:1] if alone else rows:
         path = file_of(row, model, baked)
         if row["name"] == "rigid parts" and not has_clips(path):
             continue  # the clip has nothing but weights of targets
-        shown = row["name"].split(",")[0] if "," in row["name"] else path
+        shown = row["name"].split(",")[0] if "keys" in row["name"] else path
         posing, *drawing = played(
             tools, path, clip if path == model else "0", RATE_HZ,
             None if shown in drawings else SIZES[0])

@@ -4,14 +4,13 @@
  *
  *	play_cost MODEL CLIP RATE [INFLUENCES [WIDTH HEIGHT [MOMENTS]]]
  *
- * Plays RATE frames a second from the clip's start to its end, but at most 300,
- * and of many frames about 12, spread evenly, each after the one before it; CLIP
- * "-" shows the rest pose once. Each frame finds its data in memory, as after a
- * whole picture is drawn, and the code in L1. With a size, region 3 draws 2 or so
- * many moments of the clip without labels; with MOMENTS, the last line prints
- * what these pictures consist of, in the order of struct gl_counts. Prints
- * "frames N". play_check.py compares the cycles with those that limber compare
- * predicts.
+ * Plays RATE frames a second from the clip's start to its end, but at most 300;
+ * CLIP "-" shows the rest pose once. Each frame finds its data in memory, as
+ * after a whole picture is drawn, and the code in L1. With a size, region 3
+ * draws 6 or so many moments of the clip without labels; with MOMENTS, the last
+ * line prints what these pictures consist of, in the order of struct gl_counts.
+ * Prints "frames N". play_check.py compares the cycles with those that
+ * limber compare predicts.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,9 +25,7 @@
 
 enum {
 	FRAMES_MAX = 300,
-	SAMPLED =
-		12, /* of these frames are played, if they are three times as many */
-	MOMENTS = 2,
+	MOMENTS = 6,
 	WARM_FRAMES = 2 /* before the first: they load the code */
 };
 
@@ -103,49 +100,32 @@ static void draw(struct instance *instance, const struct model_clip *played,
 	}
 }
 
-static void play_frame(struct instance *instance, const struct model_clip *clip,
-	struct clip_cursor *cursor, float time_s)
-{
-	clip_pose(clip, time_s, CLIP_AUTO, cursor, &instance->pose);
-	instance_update(instance);
-}
-
-static void measure_frame(struct instance *instance,
-	const struct model_clip *clip, struct clip_cursor *cursor, float time_s)
-{
-	MARKER_FLUSH(MARKER_DATA);
-	MARKER_BEGIN(1);
-	clip_pose(clip, time_s, CLIP_AUTO, cursor, &instance->pose);
-	MARKER_END(1);
-	MARKER_BEGIN(2);
-	instance_update(instance);
-	MARKER_END(2);
-}
-
-/* Returns how many frames it measured. */
 static int play(struct instance *instance, const struct model_clip *clip,
 	struct clip_cursor *cursor, double rate_hz)
 {
 	int frames = (int)((double)clip->duration_s * rate_hz);
-	int step, measured = 0;
 
 	frames = frames < FRAMES_MAX ? frames : FRAMES_MAX;
 	frames = frames > 1 ? frames : 1;
-	step = frames / SAMPLED < 3 ? 1 : frames / SAMPLED;
-	for (int i = WARM_FRAMES; i > 0; i--) {
-		play_frame(instance, clip, cursor,
-			clip->duration_s * 0.5f * (float)i);
-	}
-	for (int i = 0; i < frames; i += step) {
-		if (step > 1 && i > 0) {
-			play_frame(instance, clip, cursor,
-				(float)((double)(i - 1) / rate_hz));
+	for (int i = -WARM_FRAMES; i < frames; i++) {
+		float time_s = i < 0 ? clip->duration_s * 0.5f * (float)-i
+				     : (float)((double)i / rate_hz);
+
+		if (i < 0) {
+			clip_pose(clip, time_s, CLIP_AUTO, cursor,
+				&instance->pose);
+			instance_update(instance);
+			continue;
 		}
-		measure_frame(
-			instance, clip, cursor, (float)((double)i / rate_hz));
-		measured++;
+		MARKER_FLUSH(MARKER_DATA);
+		MARKER_BEGIN(1);
+		clip_pose(clip, time_s, CLIP_AUTO, cursor, &instance->pose);
+		MARKER_END(1);
+		MARKER_BEGIN(2);
+		instance_update(instance);
+		MARKER_END(2);
 	}
-	return measured;
+	return frames;
 }
 
 int main(int argc, char **argv)

@@ -73,6 +73,10 @@ for wrong in "pose $scratch/kept.gltf -o $scratch/../${scratch##*/}/kept.gltf" \
     limber $wrong
     expect_refusal 2 'names the same file'
 done
+ln -s new.json "$scratch/to-new.json"
+limber play --demo arm --display null --frames 2 --record-buttons \
+    "$scratch/new.json" --stats "$scratch/to-new.json"
+expect_refusal 2 'names the same file'
 check 'the files are as they were' cmp "$slider" "$scratch/kept.gltf"
 check 'no other is written' sh -c "! ls $scratch/new*"
 limber play --demo arm --display null --frames 2 --stats /dev/null \

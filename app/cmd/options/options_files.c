@@ -5,11 +5,13 @@
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 
 #include "platform/base/compiler.h"
+#include "platform/base/output_path.h"
 
 struct named_file {
 	const char *option;
@@ -36,10 +38,7 @@ static const char *split(const char *path, char folder[PATH_MAX + 1])
 	return slash ? slash + 1 : path;
 }
 
-/*
- * Whether two paths of files that do not exist yet would create the same file.
- */
-static bool is_same_place(const char *a, const char *b)
+static bool is_same_name(const char *a, const char *b)
 {
 	char folder_a[PATH_MAX + 1], folder_b[PATH_MAX + 1];
 	const char *name_a = split(a, folder_a), *name_b = split(b, folder_b);
@@ -47,6 +46,27 @@ static bool is_same_place(const char *a, const char *b)
 
 	return strcmp(name_a, name_b) == 0 && stat(folder_a, &status_a) == 0 &&
 		stat(folder_b, &status_b) == 0 && is_same(&status_a, &status_b);
+}
+
+/*
+ * Whether two paths of files that do not exist yet would create the same file,
+ * also through links that lead to it.
+ */
+static bool is_same_place(const char *a, const char *b)
+{
+	char *target_a, *target_b;
+	int descriptor;
+	bool same = false;
+
+	/* A path that cannot be followed cannot be written to either. */
+	if (output_path_follow(a, &target_a, &descriptor) == 0) {
+		if (output_path_follow(b, &target_b, &descriptor) == 0) {
+			same = is_same_name(target_a, target_b);
+			free(target_b);
+		}
+		free(target_a);
+	}
+	return same;
 }
 
 static bool is_same_file(const char *a, const char *b)

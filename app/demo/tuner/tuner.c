@@ -27,6 +27,7 @@ static const float person_m = 1.72f;
 static const float fade_s = 0.3f;
 static const double repeat_after_s = 0.4,
 		    repeat_s = 0.06; /* while a button is held */
+static const double longest_frame_s = 1.0;
 static const double message_s = 2.0;
 static const double autoplay_s = 6.0;
 static const int attenuation = 2; /* index in preset_fields */
@@ -198,6 +199,10 @@ static void change(struct demo *demo, int steps)
 
 static void repeat_change(struct demo *demo)
 {
+	/* The machine was suspended: nobody held the button for that long. */
+	if (demo->now_s - demo->next_change_s > longest_frame_s) {
+		demo->next_change_s = demo->now_s;
+	}
 	while (demo->changing && demo->now_s >= demo->next_change_s) {
 		change(demo, demo->changing);
 		demo->next_change_s += repeat_s;

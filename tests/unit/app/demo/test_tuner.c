@@ -168,6 +168,22 @@ static void test_a_held_button_goes_on_changing(void **state)
 	assert_near(file.preset[1].attenuation, 2.0, 1e-6);
 }
 
+static void test_a_suspended_machine_does_not_go_on_changing(void **state)
+{
+	struct tuner *tuner = *state;
+	struct button_event event = {.button = BUTTON_RIGHT, .down = true};
+	struct preset_file file;
+
+	press(tuner, BUTTON_F6);
+	demo_press(tuner->run.driver, tuner->run.demo, &event);
+	demo_run_to(
+		&tuner->run, tuner->run.now_s + 3600.0, 1.0 / 3600.0, NULL, 0);
+	event.down = false;
+	demo_press(tuner->run.driver, tuner->run.demo, &event);
+	read_saved(tuner, &file);
+	assert_near(file.preset[1].attenuation, -0.5 + 2 * 0.05, 1e-6);
+}
+
 /* Below the row of the bone there is one for each number, then the bone again. */
 static void test_each_row_changes_its_number_by_a_step(void **state)
 {
@@ -218,6 +234,7 @@ int main(void)
 		TUNER_TEST(test_f9_takes_back_what_was_not_saved),
 		TUNER_TEST(test_each_row_changes_its_number_by_a_step),
 		TUNER_TEST(test_a_held_button_goes_on_changing),
+		TUNER_TEST(test_a_suspended_machine_does_not_go_on_changing),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -13,6 +13,11 @@ static const float newest_weight = 0.15f; /* the newest frame's, in the mean */
  * A step is taken back if frames would then take less than this of the budget.
  */
 static const float restore_fraction = 0.9f;
+/*
+ * A longer frame that takes many times as long as the one before tells nothing
+ * of the work: the process was stopped. If the next one is as long, it counts.
+ */
+static const float stopped_ms = 1000.0f, stopped_times = 8.0f;
 static const double over_limit_s = 0.2;
 static const double wait_min_s = 1.0, wait_max_s = 30.0;
 /*
@@ -65,6 +70,14 @@ static void average(struct governor *governor, float work_ms)
 	governor->frames++;
 }
 
+static bool was_stopped(struct governor *governor, float work_ms)
+{
+	float before_ms = governor->last_ms;
+
+	governor->last_ms = work_ms;
+	return work_ms > stopped_ms && work_ms > stopped_times * before_ms;
+}
+
 static void measure_saving(struct governor *governor)
 {
 	float saved_ms = governor->before_ms - governor->mean_ms;
@@ -108,7 +121,7 @@ bool governor_feed(struct governor *governor, double now_s, float work_ms)
 	int level = governor->level;
 	float restored_ms;
 
-	if (governor->budget_ms <= 0.0f) {
+	if (governor->budget_ms <= 0.0f || was_stopped(governor, work_ms)) {
 		return false;
 	}
 	average(governor, work_ms);

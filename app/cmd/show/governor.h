@@ -6,7 +6,8 @@
  * mean frame time has been above the budget for 0.2 s. It is taken back when
  * the mean plus the time that the step saves has been below 90% of the budget
  * for wait_s, which doubles, from 1 up to 30 s, whenever a step is taken again
- * soon. The caller provides the time.
+ * soon. A frame in which the process was stopped for a second or more does not
+ * count. The caller provides the time.
  */
 #ifndef APP_CMD_SHOW_GOVERNOR_H
 #define APP_CMD_SHOW_GOVERNOR_H
@@ -21,6 +22,7 @@ enum {
 struct governor {
 	float budget_ms; /* 0: no budget, so quality is never reduced */
 	int level;       /* number of steps taken, 0 to GOVERNOR_STEPS */
+	float last_ms;   /* time of the last frame */
 	float mean_ms;   /* mean time of frames since the last step */
 	int frames;      /* since the last step */
 	float before_ms; /* the mean before the last step */

@@ -119,6 +119,34 @@ static void test_a_single_slow_frame_changes_nothing(void **state)
 	assert_int_equal(bench.changes, 0);
 }
 
+static void test_a_stopped_process_changes_nothing(void **state)
+{
+	static const float stops_ms[] = {1500.0f, 60e3f, 3600e3f};
+	struct bench bench = begin(33.0f);
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		run(&bench, 10.0, cheap);
+		bench.now_s += stops_ms[i] / 1000.0;
+		bench.changes += governor_feed(
+			&bench.governor, bench.now_s, stops_ms[i]);
+		run(&bench, 10.0, cheap);
+		assert_int_equal(bench.changes, 0);
+	}
+}
+
+static void test_frames_of_seconds_are_reduced(void **state)
+{
+	static const float seconds_ms[GOVERNOR_STEPS + 1] = {3000.0f, 3000.0f,
+		3000.0f, 3000.0f, 3000.0f, 3000.0f, 3000.0f, 3000.0f};
+	struct bench bench = begin(33.0f);
+
+	(void)state;
+	run(&bench, 10.0, cheap);
+	run(&bench, 10.0, seconds_ms);
+	assert_int_equal(bench.governor.level, GOVERNOR_STEPS);
+}
+
 static void test_it_does_not_flutter_at_the_edge(void **state)
 {
 	struct bench bench = begin(33.0f);
@@ -336,6 +364,8 @@ int main(void)
 		cmocka_unit_test(
 			test_quality_is_restored_when_frames_get_cheaper),
 		cmocka_unit_test(test_a_single_slow_frame_changes_nothing),
+		cmocka_unit_test(test_a_stopped_process_changes_nothing),
+		cmocka_unit_test(test_frames_of_seconds_are_reduced),
 		cmocka_unit_test(test_it_does_not_flutter_at_the_edge),
 		cmocka_unit_test(
 			test_steps_that_do_not_last_come_ever_less_often),

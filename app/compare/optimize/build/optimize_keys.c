@@ -128,30 +128,52 @@ static int put_values(const struct optimize_keys *keys,
 	return accessor;
 }
 
-static int put_sampler(const struct optimize_channel *channel, json_t *samplers)
+static enum model_interpolation interpolation_of(
+	const struct optimize_channel *channel)
 {
-	enum model_interpolation interpolation = channel->constant &&
-			channel->track.interpolation != MODEL_LINEAR
+	return channel->constant && channel->track.interpolation != MODEL_LINEAR
 		? MODEL_STEP
 		: channel->track.interpolation;
-	json_t *sampler = json_pack("{s:i, s:i}", "input", channel->times,
-		       "output", channel->values),
-	       *known;
-	size_t i;
+}
 
-	if (interpolation != MODEL_LINEAR) {
-		json_object_set_new(sampler, "interpolation",
-			json_string(optimize_interpolation_name[interpolation]));
-	}
-	json_array_foreach(samplers, i, known)
-	{
-		if (json_equal(known, sampler)) {
-			json_decref(sampler);
-			return (int)i;
+/* Returns the sampler of an earlier channel that has the same keys, or -1. */
+static int find_sampler(const struct optimize_keys *keys,
+	const struct optimize_channel *channel, int bucket)
+{
+	for (int i = keys->bucket[bucket]; i >= 0; i = keys->channel[i].next) {
+		const struct optimize_channel *known = &keys->channel[i];
+
+		if (known->times == channel->times &&
+			known->values == channel->values &&
+			interpolation_of(known) == interpolation_of(channel)) {
+			return known->sampler;
 		}
 	}
+	return -1;
+}
+
+static void put_sampler(struct optimize_keys *keys,
+	struct optimize_channel *channel, json_t *samplers)
+{
+	/* Few samplers share their values but not their times. */
+	int bucket = channel->values >= 0 ? channel->values % keys->count : 0;
+	json_t *sampler;
+
+	channel->sampler = find_sampler(keys, channel, bucket);
+	if (channel->sampler >= 0) {
+		return;
+	}
+	channel->sampler = (int)json_array_size(samplers);
+	channel->next = keys->bucket[bucket];
+	keys->bucket[bucket] = (int)(channel - keys->channel);
+	sampler = json_pack("{s:i, s:i}", "input", channel->times, "output",
+		channel->values);
+	if (interpolation_of(channel) != MODEL_LINEAR) {
+		json_object_set_new(sampler, "interpolation",
+			json_string(optimize_interpolation_name[interpolation_of(
+				channel)]));
+	}
 	json_array_append_new(samplers, sampler);
-	return (int)json_array_size(samplers) - 1;
 }
 
 /*
@@ -193,16 +215,18 @@ static int put_channels(struct optimize_keys *keys)
 	}
 	qsort(keys->channel, (size_t)keys->count, sizeof(*keys->channel),
 		compare_channels);
+	memset(keys->bucket, 0xFF, (size_t)keys->count * sizeof(*keys->bucket));
 	for (int i = 0; i < keys->count; i++) {
 		struct optimize_channel *channel = &keys->channel[i];
 
 		if (!channel->dropped) {
 			channel->values = put_values(keys, channel);
 			check(keys, channel->values);
+			put_sampler(keys, channel, samplers);
 			json_array_append_new(channels,
 				json_pack("{s:i, s:O}", "sampler",
-					put_sampler(channel, samplers),
-					"target", channel->target));
+					channel->sampler, "target",
+					channel->target));
 		}
 	}
 	json_object_set_new(keys->json, "samplers", samplers);

@@ -19,6 +19,8 @@ struct optimize_channel {
 	int *kept; /* [kept_count]: indices of keys */
 	int kept_count;
 	int times, values; /* indices of new accessors */
+	int sampler;       /* the index of the new sampler */
+	int next;          /* the next channel in the same bucket, or -1 */
 	int number;        /* the channel's index in the file */
 };
 
@@ -29,6 +31,8 @@ struct optimize_keys {
 	float bound_px;
 	int count;
 	struct optimize_channel *channel;
+	/* [count]: channels with a sampler of their own, by values; or -1 */
+	int *bucket;
 	float end_s;
 };
 

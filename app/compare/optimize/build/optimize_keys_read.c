@@ -127,6 +127,7 @@ void optimize_keys_release(struct optimize_keys *keys)
 		free(keys->channel[i].kept);
 	}
 	free(keys->channel);
+	free(keys->bucket);
 }
 
 static int read_channels(struct optimize_keys *keys)
@@ -136,7 +137,8 @@ static int read_channels(struct optimize_keys *keys)
 	int error = 0;
 
 	keys->channel = calloc(count + 1, sizeof(*keys->channel));
-	if (!keys->channel) {
+	keys->bucket = calloc(count + 1, sizeof(*keys->bucket));
+	if (!keys->channel || !keys->bucket) {
 		return -ENOMEM;
 	}
 	for (size_t i = 0; i < count && !error; i++) {

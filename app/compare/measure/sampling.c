@@ -9,6 +9,10 @@
  * which takes about half a minute on a PC with two cores.
  */
 static const double vertices_most = 3e7;
+/* Models of up to 65,000 vertices are compared at MOMENTS_MIN or more. */
+static const double vertices_least = 1.3e8;
+/* Normals take longest. */
+static const double normals_most = 4e7;
 
 enum {
 	MOMENTS_MIN = 2000, /* half a minute of a clip */
@@ -22,16 +26,19 @@ enum {
 
 struct sampling sampling_choose(int vertex_count, int clip_count, double moments)
 {
+	int least = scalar_to_int(
+		vertices_least / (double)vertex_count, 1, MOMENTS_MIN);
 	int most = scalar_to_int(
-		vertices_most / (double)vertex_count, MOMENTS_MIN, MOMENTS_MAX);
-
+		vertices_most / (double)vertex_count, least, MOMENTS_MAX);
+	int normals = scalar_to_int(
+		normals_most / (double)vertex_count, 1, NORMALS_TOTAL);
 	bool all = moments <= (double)most;
 
 	return (struct sampling){
 		.share = all ? 1.0 : (double)most / moments,
 		.normal_moments = all
 			? SAMPLING_NORMALS_MAX
-			: scalar_to_int((double)NORMALS_TOTAL / clip_count, 1,
+			: scalar_to_int((double)normals / clip_count, 1,
 				  SAMPLING_NORMALS_MAX),
 		.timed_frames = scalar_to_int((double)TIMED_TOTAL / clip_count,
 			1, SAMPLING_TIMED_MAX),

@@ -30,6 +30,20 @@ static void test_an_hour_is_compared_in_part(void **state)
 		SAMPLING_NORMALS_MAX);
 }
 
+/* So many vertices that even a few seconds would take minutes. */
+static void test_a_huge_model_is_compared_in_part(void **state)
+{
+	struct sampling sampling = sampling_choose(360000, 3, 900.0);
+
+	(void)state;
+	assert_near(sampling.share, 361.0 / 900.0, 1e-9);
+	assert_int_equal(sampling.normal_moments, 37);
+	assert_near(
+		sampling_choose(2000000000, 3, 900.0).share, 1.0 / 900.0, 1e-9);
+	assert_int_equal(
+		sampling_choose(2000000000, 3, 900.0).normal_moments, 1);
+}
+
 static void test_many_clips_share_the_frames(void **state)
 {
 	struct sampling sampling = sampling_choose(5000, 300, 32000.0);
@@ -50,6 +64,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ordinary_clips_are_compared_as_a_whole),
 		cmocka_unit_test(test_an_hour_is_compared_in_part),
+		cmocka_unit_test(test_a_huge_model_is_compared_in_part),
 		cmocka_unit_test(test_many_clips_share_the_frames),
 	};
 

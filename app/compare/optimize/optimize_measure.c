@@ -7,10 +7,11 @@
 
 /*
  * Vertices times moments that a search measures at once, within a second or so;
- * but at least half a minute of clips.
+ * but at least half a minute of clips, as far as these have not too many.
  */
-static const double vertices_most = 1e7;
+static const double vertices_least = 1e7;
 static const double moments_least = 2000.0;
+static const double vertices_most = 3e7;
 static const double rate_hz = 60.0; /* of a time grid, about */
 
 /* A model and the clip to play; the copy shares the model's memory. */
@@ -186,6 +187,9 @@ double optimize_measure_share(const struct model *model)
 		moments += 2.0 + rate_hz * (double)model->clip[c].duration_s;
 	}
 	most = vertices_most / vertices;
-	most = most > moments_least ? most : moments_least;
+	most = most < moments_least ? most : moments_least;
+	if (most < vertices_least / vertices) {
+		most = vertices_least / vertices;
+	}
 	return most < moments ? most / moments : 1.0;
 }

@@ -99,6 +99,24 @@ static void test_a_search_measures_a_part_of_long_clips(void **state)
 	model_destroy(model);
 }
 
+/* Of a few seconds, too, if there are very many vertices. */
+static void test_a_search_measures_a_part_of_a_huge_model(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	int count = primitive->vertex_count;
+
+	(void)state;
+	model->clip_count = 1;
+	model->clip[0].duration_s = 30.0f;
+	primitive->vertex_count = 15000;
+	assert_near(optimize_measure_share(model), 1, 0);
+	primitive->vertex_count = 360000;
+	assert_near(optimize_measure_share(model), 3e7 / 360e3 / 1803.0, 1e-4);
+	primitive->vertex_count = count;
+	model_destroy(model);
+}
+
 /* The first model moves, the second one stays where it is at the start. */
 static float apart_px(const struct model *model, const struct model *still,
 	double share, struct bounds *box)
@@ -139,6 +157,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_unit_grows_with_the_picture),
 		cmocka_unit_test(test_a_search_measures_a_part_of_long_clips),
+		cmocka_unit_test(test_a_search_measures_a_part_of_a_huge_model),
 		cmocka_unit_test(
 			test_a_part_of_the_moments_shows_about_the_same_error),
 		cmocka_unit_test(test_a_unit_is_that_of_the_first_clip),

@@ -430,6 +430,52 @@ static void test_single_keys_do_not_become_more(void **state)
 	close_optimized(&file);
 }
 
+static const char shared_text[] =
+	"{\"asset\":{\"version\":\"2.0\"},"
+	"\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2,3]}],"
+	"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
+	"\"nodes\":[{\"mesh\":0},{\"mesh\":0},{\"mesh\":0},{\"mesh\":0}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2}}]}],"
+	"\"animations\":[{\"samplers\":[{\"input\":0,\"output\":1},"
+	"{\"input\":0,\"output\":1,\"interpolation\":\"STEP\"},"
+	"{\"input\":0,\"output\":1}],"
+	"\"channels\":["
+	"{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}},"
+	"{\"sampler\":1,\"target\":{\"node\":1,\"path\":\"translation\"}},"
+	"{\"sampler\":2,\"target\":{\"node\":2,\"path\":\"translation\"}},"
+	"{\"sampler\":0,\"target\":{\"node\":3,\"path\":\"translation\"}}]}],"
+	"\"accessors\":["
+	"{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,"
+	"\"count\":1,\"type\":\"SCALAR\",\"min\":[3],\"max\":[3]},"
+	"{\"bufferView\":0,\"byteOffset\":24,\"componentType\":5126,"
+	"\"count\":1,\"type\":\"VEC3\"},"
+	"{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]}";
+
+/* Channels share a sampler if its times, values and interpolation are equal. */
+static void test_equal_channels_share_a_sampler(void **state)
+{
+	/* The first one keeps a key at the end of the clip. */
+	static const int sampler[] = {0, 1, 2, 2};
+	struct file file;
+	json_t *animation;
+
+	(void)state;
+	open_optimized(&file, shared_text);
+	animation = json_array_get(json_object_get(file.root, "animations"), 0);
+	assert_int_equal(
+		json_array_size(json_object_get(animation, "samplers")), 3);
+	for (size_t i = 0; i < 4; i++) {
+		json_t *channel = json_array_get(
+			json_object_get(animation, "channels"), i);
+
+		assert_int_equal(
+			json_integer_value(json_object_get(channel, "sampler")),
+			sampler[i]);
+	}
+	close_optimized(&file);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -441,6 +487,7 @@ int main(void)
 			test_the_file_states_what_it_needs_and_how_exact_it_is),
 		cmocka_unit_test(test_all_sets_of_weights_are_kept),
 		cmocka_unit_test(test_single_keys_do_not_become_more),
+		cmocka_unit_test(test_equal_channels_share_a_sampler),
 	};
 
 	return cmocka_run_group_tests(tests, begin, end);

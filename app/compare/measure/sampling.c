@@ -6,11 +6,10 @@
 
 /*
  * All moments are compared as long as they have this many vertices together,
- * which takes about half a minute on a PC with two cores.
+ * which takes about half a minute on a PC with two cores. Half a minute of
+ * clips may have vertices_most, as that of a model of 65,000 vertices.
  */
-static const double vertices_most = 3e7;
-/* Models of up to 65,000 vertices are compared at MOMENTS_MIN or more. */
-static const double vertices_least = 1.3e8;
+static const double vertices_usual = 3e7, vertices_most = 1.3e8;
 /* Normals take longest. */
 static const double normals_most = 4e7;
 
@@ -24,12 +23,19 @@ enum {
 	DRAWN_TOTAL = 40 * DRAWN_FRAMES
 };
 
+double sampling_moments(double vertices, double usual, double most)
+{
+	double least = most / vertices;
+
+	least = least < MOMENTS_MIN ? least : MOMENTS_MIN;
+	return usual / vertices > least ? usual / vertices : least;
+}
+
 struct sampling sampling_choose(int vertex_count, int clip_count, double moments)
 {
-	int least = scalar_to_int(
-		vertices_least / (double)vertex_count, 1, MOMENTS_MIN);
-	int most = scalar_to_int(
-		vertices_most / (double)vertex_count, least, MOMENTS_MAX);
+	int most = scalar_to_int(sampling_moments((double)vertex_count,
+					 vertices_usual, vertices_most),
+		1, MOMENTS_MAX);
 	int normals = scalar_to_int(
 		normals_most / (double)vertex_count, 1, NORMALS_TOTAL);
 	bool all = moments <= (double)most;

@@ -21,6 +21,13 @@ struct sampling {
 	int drawn_frames;
 };
 
+/*
+ * At how many moments a model may be posed: their poses have at most usual
+ * vertices together, but 2,000 moments, half a minute of clips, may have up to
+ * most vertices. May be less than 1.
+ */
+double sampling_moments(double vertices, double usual, double most);
+
 /* moments are those of the time grids of all clips. */
 struct sampling sampling_choose(
 	int vertex_count, int clip_count, double moments);

@@ -1,17 +1,16 @@
 #include "app/compare/optimize/optimize_measure.h"
 
 #include "app/compare/candidate/candidate_error.h"
+#include "app/compare/measure/sampling.h"
 
 #include <errno.h>
 #include <string.h>
 
 /*
- * Vertices times moments that a search measures at once, within a second or so;
- * but at least half a minute of clips, as far as these have not too many.
+ * Vertices times moments that a search measures at once, within a second or so
+ * (sampling_moments()).
  */
-static const double vertices_least = 1e7;
-static const double moments_least = 2000.0;
-static const double vertices_most = 3e7;
+static const double vertices_usual = 1e7, vertices_most = 3e7;
 static const double rate_hz = 60.0; /* of a time grid, about */
 
 /* A model and the clip to play; the copy shares the model's memory. */
@@ -186,10 +185,6 @@ double optimize_measure_share(const struct model *model)
 	for (int c = 0; c < model->clip_count; c++) {
 		moments += 2.0 + rate_hz * (double)model->clip[c].duration_s;
 	}
-	most = vertices_most / vertices;
-	most = most < moments_least ? most : moments_least;
-	if (most < vertices_least / vertices) {
-		most = vertices_least / vertices;
-	}
+	most = sampling_moments(vertices, vertices_usual, vertices_most);
 	return most < moments ? most / moments : 1.0;
 }

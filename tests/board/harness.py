@@ -29,6 +29,7 @@ import nand  # noqa: E402
 
 Error = emulation.Error
 IMAGE = pathlib.Path(os.environ.get("IMAGE", TOP / "build/board/imx31-pdk"))
+MODELS = pathlib.Path(os.environ.get("SAMPLES", TOP.parent / "shared")) / "models"
 HOST = os.environ.get("LIMBER", str(TOP / "build/host/limber"))
 GUEST = TOP / "build/board/guest"
 DRIVERS = IMAGE / "test-drivers.cpio.lz4"

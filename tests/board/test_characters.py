@@ -1,16 +1,13 @@
 """Character files played on the board by its GPIO buttons: each button changes
 the picture, and the host, with the same presses, shows the same bytes. GPIO
 outputs follow the events of the file, which limber also prints."""
-import os
-import pathlib
 import re
 import subprocess
 
-from harness import (BY_HAND, FOLDER, HOST, TOP, booted, check, difference,
-                     done, frame_of_png, is_drawn, links, note, pause,
+from harness import (BY_HAND, FOLDER, HOST, MODELS, TOP, booted, check,
+                     difference, done, frame_of_png, is_drawn, links, note, pause,
                      save, wait_until)
 
-MODELS = pathlib.Path(os.environ.get("SAMPLES", TOP.parent / "shared")) / "models"
 CHARACTERS = TOP / "assets/characters"
 RUNS = (("CesiumMan", "UP ENTER RIGHT F6"),
         ("RiggedFigure", "DOWN ENTER LEFT RIGHT"),

@@ -1,15 +1,12 @@
 """limber compare gives the same figures on the board as on the host."""
 import json
-import os
-import pathlib
 import re
 import subprocess
 
-from harness import BY_HAND, HOST, TOP, booted, check, done
+from harness import BY_HAND, HOST, MODELS, booted, check, done
 
 # Where an instruction of the board takes several of this machine, a small model goes
 # the same ways as a large one.
-MODELS = pathlib.Path(os.environ.get("SAMPLES", TOP.parent / "shared")) / "models"
 QUESTION = ("compare", "--clip", "0", "--error", "2", "--format", "json",
             "--kernel", "float", "--size", "160x96", "RiggedFigure.glb")
 

@@ -45,7 +45,7 @@ if [ -n "${REMEMBER-}" ]; then
 fi
 [ ! -e "$folder/$suite.key" ] || rm "$folder/$suite.key"
 
-# The slowest suite takes a tenth of this; one that hangs must not stop the rest.
+# The slowest suite takes a fifth of this; one that hangs must not stop the rest.
 limit=${SUITE_SECONDS:-1200}
 read -r begin _ </proc/uptime
 status=0

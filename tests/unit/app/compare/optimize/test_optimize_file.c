@@ -391,24 +391,27 @@ static void test_all_sets_of_weights_are_kept(void **state)
 	}
 }
 
-/* Two channels of one key each, at 3 s, in accessors 0 (time) and 1 (values). */
+/* What models have whose keys are those at 3 s, in accessors 0 (time) and 1. */
+#define POSE_DATA                                                            \
+	"\"asset\":{\"version\":\"2.0\"},"                                   \
+	"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"           \
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"               \
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2}}]}]," \
+	"\"accessors\":["                                                    \
+	"{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,"        \
+	"\"count\":1,\"type\":\"SCALAR\",\"min\":[3],\"max\":[3]},"          \
+	"{\"bufferView\":0,\"byteOffset\":24,\"componentType\":5126,"        \
+	"\"count\":1,\"type\":\"VEC3\"},"                                    \
+	"{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+
+/* Two channels of one key each. */
 static const char poses_text[] =
-	"{\"asset\":{\"version\":\"2.0\"},"
-	"\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
-	"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"
-	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
+	"{" POSE_DATA "\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
 	"\"nodes\":[{\"mesh\":0},{\"mesh\":0}],"
-	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2}}]}],"
 	"\"animations\":[{\"samplers\":[{\"input\":0,\"output\":1}],"
 	"\"channels\":["
 	"{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}},"
-	"{\"sampler\":0,\"target\":{\"node\":1,\"path\":\"translation\"}}]}],"
-	"\"accessors\":["
-	"{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,"
-	"\"count\":1,\"type\":\"SCALAR\",\"min\":[3],\"max\":[3]},"
-	"{\"bufferView\":0,\"byteOffset\":24,\"componentType\":5126,"
-	"\"count\":1,\"type\":\"VEC3\"},"
-	"{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]}";
+	"{\"sampler\":0,\"target\":{\"node\":1,\"path\":\"translation\"}}]}]}";
 
 /* A clip of poses lasts as long as before, with as many keys. */
 static void test_single_keys_do_not_become_more(void **state)
@@ -430,13 +433,10 @@ static void test_single_keys_do_not_become_more(void **state)
 	close_optimized(&file);
 }
 
+/* Channels whose samplers are equal, differ in interpolation, or are the same. */
 static const char shared_text[] =
-	"{\"asset\":{\"version\":\"2.0\"},"
-	"\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2,3]}],"
-	"\"buffers\":[{\"uri\":\"data.bin\",\"byteLength\":384}],"
-	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":384}],"
+	"{" POSE_DATA "\"scene\":0,\"scenes\":[{\"nodes\":[0,1,2,3]}],"
 	"\"nodes\":[{\"mesh\":0},{\"mesh\":0},{\"mesh\":0},{\"mesh\":0}],"
-	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":2}}]}],"
 	"\"animations\":[{\"samplers\":[{\"input\":0,\"output\":1},"
 	"{\"input\":0,\"output\":1,\"interpolation\":\"STEP\"},"
 	"{\"input\":0,\"output\":1}],"
@@ -444,13 +444,7 @@ static const char shared_text[] =
 	"{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}},"
 	"{\"sampler\":1,\"target\":{\"node\":1,\"path\":\"translation\"}},"
 	"{\"sampler\":2,\"target\":{\"node\":2,\"path\":\"translation\"}},"
-	"{\"sampler\":0,\"target\":{\"node\":3,\"path\":\"translation\"}}]}],"
-	"\"accessors\":["
-	"{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,"
-	"\"count\":1,\"type\":\"SCALAR\",\"min\":[3],\"max\":[3]},"
-	"{\"bufferView\":0,\"byteOffset\":24,\"componentType\":5126,"
-	"\"count\":1,\"type\":\"VEC3\"},"
-	"{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]}";
+	"{\"sampler\":0,\"target\":{\"node\":3,\"path\":\"translation\"}}]}]}";
 
 /* Channels share a sampler if its times, values and interpolation are equal. */
 static void test_equal_channels_share_a_sampler(void **state)

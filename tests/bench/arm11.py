@@ -155,7 +155,7 @@ def wanted_rows(options):
 
 
 def wanted_kernels(row, options):
-    return [k for k in row.kernels_of(options) if not options.kernel or k in options.kernel]
+    return [k for k in row.kernels if not options.kernel or k in options.kernel]
 
 
 def counts_of(report, number):

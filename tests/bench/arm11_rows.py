@@ -18,7 +18,6 @@ class Row:
     program: str
     arguments: tuple  # KERNEL stands for the kernel's name
     kernels: tuple = LOOPS
-    short_kernels: tuple = None  # those that the short form runs, if not all
     unit: str = "vertex"
     scale: float = 1  # of the figures
     regions: dict = None  # by the memory's name; "" stands for all others
@@ -50,9 +49,6 @@ class Row:
 
     def region(self, memory):
         return self.regions.get(memory, self.regions[""])
-
-    def kernels_of(self, options):
-        return options.short and self.short_kernels or self.kernels
 
     def is_best(self, kernel):
         return kernel == self.kernels[-1]
@@ -102,9 +98,6 @@ def user_model(name, title, aim):
     return picture(f"gl-{name}", title, aim, "demo_frames", f"build/bench-models/{name}.glb")
 
 
-# What the rows of made meshes show of all kernels is not shown again.
-MODELS_SHORT = {"short_kernels": ("fixed", "armv6")}
-
 # fmt: off
 ROWS = (
     loop("skin-1", "skin positions, 1 influence", bound=14, limit={"warm": 15}, times={"warm": 3.5}),
@@ -122,9 +115,9 @@ ROWS = (
     loop("targets-2", "morph two targets, positions", bound=9, limit={"warm": 10}, times={"warm": 8}),
     loop("by-frames", "morph by frames, positions"),
     loop("cesium", "CesiumMan, positions", "CesiumMan.glb", "skin-1", limit={"warm": 36}, times={"warm": 3, "cold": 2.8}),
-    loop("cesium-normals", "CesiumMan, with normals", "CesiumMan.glb", "skin-normals-1", **MODELS_SHORT),
-    loop("walker-normals", "walker's body, with normals", "assets/walker.glb", "skin-normals-1", **MODELS_SHORT),
-    loop("walker-update", "walker, all that moves", "assets/walker.glb", "update", **MODELS_SHORT),
+    loop("cesium-normals", "CesiumMan, with normals", "CesiumMan.glb", "skin-normals-1"),
+    loop("walker-normals", "walker's body, with normals", "assets/walker.glb", "skin-normals-1"),
+    loop("walker-update", "walker, all that moves", "assets/walker.glb", "update"),
     pose("CesiumMan.glb", "0"),
     pose("assets/walker.glb", "walk"),
     picture("gl-A", "A: lit sphere, Gouraud", 9, "gl_scenes", "A"),

@@ -19,9 +19,11 @@ enum arm11_work {
 	ARM11_SKIN_2,
 	ARM11_SKIN_3,
 	ARM11_SKIN_4,
+	ARM11_SKIN_8,
 	ARM11_SKIN_NORMALS_1, /* and its normal */
 	ARM11_SKIN_NORMALS_2,
 	ARM11_SKIN_NORMALS_4,
+	ARM11_SKIN_NORMALS_8,
 	ARM11_LERP,         /* a vertex's position, between two key frames */
 	ARM11_LERP_NORMALS, /* and its normal */
 	ARM11_TARGETS_2,    /* a vertex's position, by two weighted targets */

@@ -10,7 +10,6 @@
 
 enum {
 	JOINTS = 24,
-	INFLUENCES = 4,
 };
 
 /* One step of a linear congruential generator. */
@@ -76,8 +75,8 @@ static void draw_influences(uint32_t *state, struct model_primitive *primitive,
 	int influences, int joint_sets)
 {
 	for (int v = 0; v < primitive->vertex_count; v++) {
-		uint16_t *joint = primitive->joint + v * INFLUENCES;
-		float *weight = primitive->weight + v * INFLUENCES;
+		uint16_t *joint = primitive->joint + v * primitive->influences;
+		float *weight = primitive->weight + v * primitive->influences;
 		float sum = 0.0f;
 
 		draw_joints(state, influences, joint_sets, joint);
@@ -114,7 +113,7 @@ static int allocate(struct bench_mesh *mesh, int count)
 {
 	struct model_primitive *primitive = &mesh->primitive;
 	struct arena *arena = &mesh->arena;
-	size_t influences = (size_t)count * INFLUENCES;
+	size_t influences = (size_t)count * (size_t)primitive->influences;
 
 	primitive->position = vectors(arena, count);
 	primitive->normal = vectors(arena, count);
@@ -167,7 +166,8 @@ int bench_mesh_make(struct bench_mesh *mesh, int vertex_count, int influences,
 	*mesh = (struct bench_mesh){
 		.arena = arena_empty(),
 		.primitive.vertex_count = vertex_count,
-		.primitive.influences = INFLUENCES,
+		/* As in glTF files, whose sets have four. */
+		.primitive.influences = (influences + 3) / 4 * 4,
 		.joint_count = JOINTS,
 	};
 	error = allocate(mesh, vertex_count);

@@ -24,7 +24,7 @@ struct bench_mesh {
 
 /*
  * Generates a mesh with normals and tangents within a sphere of radius 1. Each
- * vertex has the given number of influences (1 to 4) of 24 joints. Vertices use
+ * vertex has the given number of influences (1 to 8) of 24 joints. Vertices use
  * joint_sets different combinations of joints, in random order; 0: each vertex
  * has random joints. Returns 0 or -ENOMEM.
  */

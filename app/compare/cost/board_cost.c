@@ -1,6 +1,7 @@
 #include "app/compare/cost/board_cost.h"
 
 #include "app/anim/kernel/arm11_cost.h"
+#include "app/anim/skin.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -51,7 +52,7 @@ static struct board_cost cost_of(enum arm11_work work, double count)
 	};
 }
 
-/* Interpolates linearly: a at t = 0, b at t = 1; extrapolates above 1. */
+/* Interpolates linearly: a at t = 0, b at t = 1. */
 static struct board_cost lerp_cost(
 	enum arm11_work a, enum arm11_work b, double t)
 {
@@ -204,17 +205,16 @@ struct board_cost board_cost_solid(int drawable_count)
 	return sum;
 }
 
-/* The cost of a vertex; influences beyond the fourth cost as much as that. */
+/* The cost of a vertex that has 1 to SKIN_INFLUENCES_MAX influences. */
 static struct board_cost vertex_cost(int influences, bool normals)
 {
 	static const enum arm11_work plain[] = {
 		ARM11_SKIN_1, ARM11_SKIN_2, ARM11_SKIN_3, ARM11_SKIN_4};
 
 	if (influences > 4) {
-		return normals
-			? lerp_cost(ARM11_SKIN_NORMALS_2, ARM11_SKIN_NORMALS_4,
-				  0.5 * (influences - 2))
-			: lerp_cost(ARM11_SKIN_3, ARM11_SKIN_4, influences - 3);
+		return lerp_cost(normals ? ARM11_SKIN_NORMALS_4 : ARM11_SKIN_4,
+			normals ? ARM11_SKIN_NORMALS_8 : ARM11_SKIN_8,
+			0.25 * (influences - 4));
 	}
 	if (!normals) {
 		return cost_of(plain[influences - 1], 1.0);
@@ -231,14 +231,13 @@ static int influences_of(
 {
 	const float *weight = primitive->weight +
 		(size_t)vertex * (size_t)primitive->influences;
+	int most = max_influences > 0 ? max_influences : SKIN_INFLUENCES_MAX;
 	int count = 0;
 
 	for (int i = 0; i < primitive->influences; i++) {
 		count += weight[i] > 0.0f;
 	}
-	if (max_influences > 0 && count > max_influences) {
-		count = max_influences;
-	}
+	count = count < most ? count : most;
 	return count > 0 ? count : 1;
 }
 

@@ -102,11 +102,11 @@ static void test_vectors_have_their_lengths(void **state)
 }
 
 /* The weights are drawn from 0.25 to 2.25 and then add up to 1. */
-static void check_weights(const float *weight, int influences)
+static void check_weights(const float *weight, int influences, int stored)
 {
 	float least = 1.0f, most = 0.0f;
 
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < stored; i++) {
 		if (i < influences) {
 			least = weight[i] < least ? weight[i] : least;
 			most = weight[i] > most ? weight[i] : most;
@@ -120,18 +120,21 @@ static void check_weights(const float *weight, int influences)
 static void test_joints_differ_and_weights_are_within_nine_times(void **state)
 {
 	(void)state;
-	for (int influences = 1; influences <= 4; influences++) {
+	for (int influences = 1; influences <= 8; influences++) {
+		const int stored = influences > 4 ? 8 : 4;
 		struct bench_mesh mesh;
 		int used[24] = {0};
 		float ratio = 1.0f;
 
 		assert_int_equal(
 			bench_mesh_make(&mesh, COUNT, influences, 0), 0);
+		assert_int_equal(mesh.primitive.influences, stored);
 		for (int v = 0; v < COUNT; v++) {
-			const uint16_t *joint = mesh.primitive.joint + 4 * v;
-			const float *weight = mesh.primitive.weight + 4 * v;
+			const uint16_t *joint =
+				mesh.primitive.joint + stored * v;
+			const float *weight = mesh.primitive.weight + stored * v;
 
-			check_weights(weight, influences);
+			check_weights(weight, influences, stored);
 			for (int i = 0; i < influences; i++) {
 				used[joint[i]]++;
 				for (int k = 0; k < i; k++) {

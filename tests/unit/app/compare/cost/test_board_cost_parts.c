@@ -123,15 +123,37 @@ static void test_vertices_of_a_skin_by_their_influences(void **state)
 	for (int i = 1; i <= 4; i++) {
 		expect_rows(i, false, plain[i - 1], 1, ARM11_SKIN_1, 0);
 	}
-	/* The fifth and later ones cost as much as the fourth. */
-	expect_rows(5, false, ARM11_SKIN_4, 2, ARM11_SKIN_3, -1);
-	expect_rows(7, false, ARM11_SKIN_4, 4, ARM11_SKIN_3, -3);
+	expect_rows(5, false, ARM11_SKIN_4, 0.75, ARM11_SKIN_8, 0.25);
+	expect_rows(7, false, ARM11_SKIN_4, 0.25, ARM11_SKIN_8, 0.75);
+	expect_rows(8, false, ARM11_SKIN_8, 1, ARM11_SKIN_1, 0);
 	expect_rows(1, true, ARM11_SKIN_NORMALS_1, 1, ARM11_SKIN_1, 0);
 	expect_rows(2, true, ARM11_SKIN_NORMALS_2, 1, ARM11_SKIN_1, 0);
 	expect_rows(
 		3, true, ARM11_SKIN_NORMALS_2, 0.5, ARM11_SKIN_NORMALS_4, 0.5);
 	expect_rows(4, true, ARM11_SKIN_NORMALS_4, 1, ARM11_SKIN_1, 0);
-	expect_rows(6, true, ARM11_SKIN_NORMALS_4, 2, ARM11_SKIN_NORMALS_2, -1);
+	expect_rows(
+		6, true, ARM11_SKIN_NORMALS_4, 0.5, ARM11_SKIN_NORMALS_8, 0.5);
+	expect_rows(8, true, ARM11_SKIN_NORMALS_8, 1, ARM11_SKIN_1, 0);
+}
+
+/* Loops take the eight heaviest influences, so that more cost no more. */
+static void test_no_more_than_eight_influences_cost(void **state)
+{
+	float position[1][3] = {{0}}, weight[12];
+	uint16_t joint[12] = {0};
+	const struct model_primitive primitive = {.vertex_count = 1,
+		.position = position,
+		.influences = 12,
+		.joint = joint,
+		.weight = weight};
+
+	(void)state;
+	for (int i = 0; i < 12; i++) {
+		weight[i] = 1.0f / 12.0f;
+	}
+	expect_cost(board_cost_skin(&primitive, 0),
+		270 + (double)arm11_cost[ARM11_SKIN_8].cycles,
+		250 + (double)arm11_cost[ARM11_SKIN_8].instructions);
 }
 
 /* A joint counts once, and a vertex without weights has one influence. */
@@ -247,6 +269,7 @@ int main(void)
 		cmocka_unit_test(test_weighted_targets),
 		cmocka_unit_test(test_gathered_vertices_and_facets),
 		cmocka_unit_test(test_vertices_of_a_skin_by_their_influences),
+		cmocka_unit_test(test_no_more_than_eight_influences_cost),
 		cmocka_unit_test(test_joints_count_once),
 		cmocka_unit_test(test_channels_that_move_have_times_once),
 		cmocka_unit_test(test_turns_cost_by_how_far_they_are),

@@ -20,7 +20,8 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
 	build/bench-models/tail.glb \
-	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk
+	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk \
+	$(patsubst %,build/bench-models/%.glb,vanes plate bird)
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of
@@ -30,7 +31,7 @@ DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycl
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \
 	x/anim_test.x) \
 	$(addsuffix @-,$(filter-out %/tail.glb \
-	%/shapes.glb,$(BENCH_MODELS)))
+	%/shapes.glb %/vanes.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -60,7 +61,7 @@ BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
 	blocks prism signs bush gem mosaic worm tail shapes hair rags dice \
 	net tiles mirrors poster bricks blocky paper beads petals lamp \
-	tower shoal yard tube drums)
+	tower shoal yard tube drums mast pipe plate speck bird vanes)
 $(BENCH_MODELS) &: $(wildcard tests/bench/models/*.py)
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B tests/bench/models/user_models.py build/bench-models

@@ -39,7 +39,7 @@ enum gl_work_kind {
 
 struct gl_work {
 	double triangles; /* that were drawn, not skipped as hidden */
-	double rows;      /* of the triangles' bounding boxes */
+	double rows;      /* with pixels of the triangles; others count less */
 	double pixels;    /* not hidden by what was drawn before */
 };
 

@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.317e+04, 2.145e+04}, /* frame */
-	{0.3735, 0.06395},      /* pixel */
-	{1.946e+04, 6681},      /* call */
-	{73.02, 56.22},         /* listed */
-	{347.3, 92.09},         /* vertex */
-	{126.3, 78.6},          /* again */
-	{355.6, 167.1},         /* single */
-	{336.6, 255},           /* shaded */
-	{14.76, 15.19},         /* hidden */
-	{1496, 593.6},          /* skipped */
-	{3.668, 3.045},         /* fine */
-	{170.8, 65.73},         /* flat triangle */
-	{78.21, 43.18},         /* flat row */
-	{18.19, 13.1},          /* flat pixel */
-	{676.9, 206.1},         /* plain triangle */
-	{24.18, 22.32},         /* plain row */
-	{9.579, 4.236},         /* plain pixel */
-	{751.9, 583.2},         /* textured triangle */
-	{137, 0.6196},          /* textured row */
-	{78.88, 58.27},         /* textured pixel */
-	{2.712e+04, 6237},      /* backdrop triangle */
-	{63.39, 20.77},         /* backdrop row */
-	{0, 0},                 /* backdrop pixel */
-	{3.698e+04, 1.145e+04}, /* ground triangle */
-	{137.5, 58.89},         /* ground row */
-	{8.875, 1.051},         /* ground pixel */
-	{149.1, 94.05},         /* spans triangle */
-	{205.7, 129.3},         /* spans row */
-	{20.53, 13.92},         /* spans pixel */
-	{1847, 8.571},          /* spans textured triangle */
-	{308.6, 154.5},         /* spans textured row */
-	{71.27, 46.73},         /* spans textured pixel */
-	{7542, 5290},           /* spans divided triangle */
-	{673.5, 384.5},         /* spans divided row */
-	{89.48, 54.34},         /* spans divided pixel */
-	{3084, 1160},           /* spans nearest triangle */
-	{308.9, 139.6},         /* spans nearest row */
-	{35.04, 26.2},          /* spans nearest pixel */
-	{3195, 1838},           /* mixed triangle */
-	{213.3, 116.5},         /* mixed row */
-	{47.39, 30.92},         /* mixed pixel */
-	{3363, 1202},           /* tested triangle */
-	{228.8, 145},           /* tested row */
-	{134.4, 88.81},         /* tested pixel */
-	{3094, 1873},           /* tested spans triangle */
-	{323.7, 191.5},         /* tested spans row */
-	{133.2, 81.51},         /* tested spans pixel */
-	{3112, 843.5},          /* mixed textured triangle */
-	{249.2, 120.4},         /* mixed textured row */
-	{212.8, 144},           /* mixed textured pixel */
-	{3703, 2602},           /* mixed spans triangle */
-	{283.7, 166.4},         /* mixed spans row */
-	{180.5, 106.5},         /* mixed spans pixel */
-	{5058, 4066},           /* mixed divided triangle */
-	{1331, 701},            /* mixed divided row */
-	{151.7, 101.2},         /* mixed divided pixel */
-	{225.2, 58.15},         /* colored triangle */
-	{0, 4.708},             /* colored row */
-	{4.411, 1.707},         /* colored pixel */
-	{2808, 1481},           /* bent triangle */
-	{319.6, 191.5},         /* bent row */
-	{3.801, 2.702},         /* bent pixel */
+	{3.915e+04, 2.087e+04}, /* frame */
+	{0.7724, 0},            /* pixel */
+	{1.892e+04, 6458},      /* call */
+	{73.86, 50.5},          /* listed */
+	{386.5, 104.5},         /* vertex */
+	{161.4, 90.68},         /* again */
+	{370.2, 169.9},         /* single */
+	{288.4, 251.2},         /* shaded */
+	{13.49, 15.79},         /* hidden */
+	{1474, 574.9},          /* skipped */
+	{5.437, 2.515},         /* fine */
+	{193.2, 99.54},         /* flat triangle */
+	{79.35, 49.87},         /* flat row */
+	{23.63, 14.16},         /* flat pixel */
+	{647.5, 228.4},         /* plain triangle */
+	{22.01, 16.63},         /* plain row */
+	{8.911, 3.515},         /* plain pixel */
+	{749.7, 583},           /* textured triangle */
+	{151.5, 0},             /* textured row */
+	{79.07, 57.7},          /* textured pixel */
+	{2.032e+04, 8529},      /* backdrop triangle */
+	{66.8, 16.16},          /* backdrop row */
+	{1.422, 0},             /* backdrop pixel */
+	{5.113e+04, 1.087e+04}, /* ground triangle */
+	{149.6, 30.37},         /* ground row */
+	{4.713, 1.375},         /* ground pixel */
+	{899, 460.4},           /* spans triangle */
+	{228.7, 145.7},         /* spans row */
+	{19.97, 13.33},         /* spans pixel */
+	{1512, 0},              /* spans textured triangle */
+	{339.4, 174.1},         /* spans textured row */
+	{70.18, 45.61},         /* spans textured pixel */
+	{7199, 5036},           /* spans divided triangle */
+	{704.5, 386.8},         /* spans divided row */
+	{88.75, 54.47},         /* spans divided pixel */
+	{3090, 1209},           /* spans nearest triangle */
+	{313.9, 151.1},         /* spans nearest row */
+	{38.16, 25.44},         /* spans nearest pixel */
+	{2999, 1878},           /* mixed triangle */
+	{236.9, 119.6},         /* mixed row */
+	{47.35, 31.07},         /* mixed pixel */
+	{3406, 1264},           /* tested triangle */
+	{243.4, 162.1},         /* tested row */
+	{135.5, 86.66},         /* tested pixel */
+	{3088, 1848},           /* tested spans triangle */
+	{323.3, 195.8},         /* tested spans row */
+	{137.2, 82.2},          /* tested spans pixel */
+	{3170, 903},            /* mixed textured triangle */
+	{256.5, 141.4},         /* mixed textured row */
+	{214.2, 139.2},         /* mixed textured pixel */
+	{3658, 2593},           /* mixed spans triangle */
+	{394.8, 233.3},         /* mixed spans row */
+	{176.3, 104.1},         /* mixed spans pixel */
+	{5055, 4066},           /* mixed divided triangle */
+	{1451, 755.3},          /* mixed divided row */
+	{150.4, 100.6},         /* mixed divided pixel */
+	{195.7, 23.78},         /* colored triangle */
+	{18.78, 19.23},         /* colored row */
+	{1.726, 0},             /* colored pixel */
+	{2888, 1510},           /* bent triangle */
+	{333.3, 195.2},         /* bent row */
+	{3.727, 2.609},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.004, 1.002},         /* deep row */
-	{2.553, 2.378},         /* deep pixel */
-	{671.2, 365.5},         /* second triangle */
-	{169.5, 87.4},          /* second row */
-	{48.55, 25.65},         /* second pixel */
-	{320, 210.6},           /* crossed triangle */
-	{199.5, 105.7},         /* crossed row */
-	{4.189, 3.833},         /* crossed pixel */
+	{1.005, 0.9941},        /* deep row */
+	{1.775, 2.561},         /* deep pixel */
+	{701, 390.7},           /* second triangle */
+	{172.3, 90.46},         /* second row */
+	{52.72, 26.68},         /* second pixel */
+	{317.4, 205.9},         /* crossed triangle */
+	{239.2, 128.3},         /* crossed row */
+	{3.987, 3.579},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

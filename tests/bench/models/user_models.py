@@ -21,7 +21,9 @@ mirrored, clamped and with sides of no power of two. blocky has no filter, paper
 flat sphere, beads are 600 plain cubes, petals have colours with alpha, lamp shines, and
 tower has lit windows. shoal is 150 nodes that show four meshes, and the texture of
 yard's 60 boxes repeats three times on each side. tube and drums show a small texture
-large from outside and inside, by 672 triangles and by few.
+large from outside and inside, by 672 triangles and by few. mast is a thin pole,
+pipe a thin tube that lies, plate a flat box and speck a dense ball seen from afar, so
+that the floor is most of the picture. bird has thin wings, and 60 vanes turn.
 """
 import math
 import pathlib
@@ -372,6 +374,66 @@ def make_drums(model):
         model.mesh(material, tube(8, 1), rotation=turn, translation=place, scale=(1, 0.4, 1))
 
 
+def sized(shape, x, y, z):
+    positions, *rest = shape
+    return [(a * x, b * y, c * z) for a, b, c in positions], *rest
+
+
+def add_turns(model, count, size):
+    """A clip in which so many nodes turn by up to twice this angle between keys."""
+    times = model.accessor("SCALAR", FLOAT, [(0,), (1,), (2,)], min=[0], max=[2])
+    animation = {"name": "turn", "samplers": [], "channels": []}
+    for k in range(count):
+        angles = [size * math.sin(3 * t + 0.3 * k) for t in range(3)]
+        turns = [(0, math.sin(a), 0, math.cos(a)) for a in angles]
+        output = model.accessor("VEC4", FLOAT, turns)
+        animation["samplers"].append({"input": times, "output": output})
+        animation["channels"].append({"sampler": k, "target": {"node": k, "path": "rotation"}})
+    model.add("animations", animation)
+
+
+def make_mast(model):
+    texture = model.texture(png(256, checks(256), 3))
+    model.mesh(model.material(texture), sized(cube(), 0.02, 5, 0.02))
+    add_turns(model, 1, 0.1)
+
+
+def make_pipe(model):
+    lying = (0, 0, -math.sqrt(0.5), math.sqrt(0.5))
+    material = model.material(color=(0.3, 0.7, 0.3, 1))
+    model.mesh(material, sized(tube(16, 160), 0.25, 1, 0.25), rotation=lying)
+
+
+def make_plate(model):
+    model.mesh(model.material(color=(0.8, 0.6, 0.4, 1)), sized(cube(), 5, 0.05, 5))
+    add_turns(model, 1, 0.1)
+
+
+def make_speck(model):
+    material = model.material(color=(0.6, 0.6, 0.2, 1))
+    model.mesh(material, blob(96, 48))
+    model.mesh(material, sized(cube(), 0.3, 0.3, 0.3), translation=(40, 0, 0))
+
+
+def make_bird(model):
+    color = {"color": (0.5, 0.4, 0.3, 1)}
+    model.mesh(model.material(**color), sized(blob(16, 8), 0.3, 0.3, 1))
+    wing = model.material(**color, doubleSided=True)
+    for side in (-1, 1):
+        positions, normals, texcoords, indices = grid(8, 1)
+        places = [(side * (x + 1) * 1.2, z * 0.1, y * 0.4) for x, y, z in positions]
+        model.mesh(wing, (places, [(0, 1, 0)] * len(normals), texcoords, indices))
+    add_turns(model, 1, 0.1)
+
+
+def make_vanes(model):
+    count = 60
+    mesh = model.mesh(model.material(color=(0.8, 0.5, 0.3, 1)), cube())
+    for k in range(1, count):
+        model.show(mesh, translation=(k % 10 * 2.5, 0, k // 10 * 2.5))
+    add_turns(model, count, 1.5)
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -415,6 +477,12 @@ MODELS = {
     "tower": make_tower,
     "tube": make_tube,
     "drums": make_drums,
+    "mast": make_mast,
+    "pipe": make_pipe,
+    "plate": make_plate,
+    "speck": make_speck,
+    "bird": make_bird,
+    "vanes": make_vanes,
 }
 
 

@@ -5,6 +5,7 @@
 #include "platform/gl/soft/vertex/cache.h"
 
 #include <limits.h>
+#include <math.h>
 #include <string.h>
 
 enum {
@@ -12,6 +13,9 @@ enum {
 	/* vertices that the processor's second-level cache is taken to hold */
 	CACHED_VERTICES = 1500
 };
+
+/* What a row without pixels costs of one with some: its edges are found. */
+static const double EMPTY_ROW = 0.25;
 
 /* Whether span functions drew the last triangle with nearest texels. */
 static bool is_nearest(const struct draw *draw)
@@ -113,7 +117,7 @@ static bool crosses_edge(const struct draw *draw)
 			crosses(raster->texel_range[1], input->height_log2));
 }
 
-static void add_triangle(struct gl_work *work, int rows, double pixels)
+static void add_triangle(struct gl_work *work, double rows, double pixels)
 {
 	work->triangles += 1.0;
 	work->rows += rows;
@@ -122,7 +126,7 @@ static void add_triangle(struct gl_work *work, int rows, double pixels)
 
 /* Counts a triangle that was drawn. */
 static void add_work(const struct draw *draw, const struct setup *setup,
-	int rows, double pixels)
+	double rows, double pixels)
 {
 	struct gl_work *work = draw->soft->counts->work;
 	enum gl_work_kind kind = kind_of(draw);
@@ -240,6 +244,41 @@ static double count_hidden(const struct draw *draw, const struct setup *setup,
 	return count;
 }
 
+/* Whether a pixel's centre lies in the triangle, or on an edge, in this row. */
+static bool covers_row(
+	const struct setup *setup, const struct clip_box *box, int row)
+{
+	double y = 16.0 * row + 8.0, left = INFINITY, right = -INFINITY;
+
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *a = setup->v[i], *b = setup->v[(i + 1) % 3];
+		double x;
+
+		if ((a->y < y) == (b->y < y)) {
+			continue;
+		}
+		x = a->x + (y - a->y) * (double)(b->x - a->x) / (b->y - a->y);
+		left = fmin(left, (x - 8.0) / 16.0);
+		right = fmax(right, (x - 8.0) / 16.0);
+	}
+	left = fmax(ceil(left), box->left);
+	return left <= right && left < box->right;
+}
+
+/*
+ * The rows in which the triangle has pixels, and a share of the others: a
+ * triangle that is thinner than a pixel passes between the centres of most.
+ */
+static double count_rows(const struct setup *setup, const struct clip_box *box)
+{
+	double count = 0.0;
+
+	for (int y = box->top; y < box->bottom; y++) {
+		count += covers_row(setup, box, y) ? 1.0 : EMPTY_ROW;
+	}
+	return count;
+}
+
 static void fill_and_count(struct draw *draw, struct setup *setup)
 {
 	struct gl_counts *counts = draw->soft->counts;
@@ -262,7 +301,7 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	if (skipped) {
 		counts->skipped += 1.0;
 	} else {
-		add_work(draw, setup, box.bottom - box.top, pixels - hidden);
+		add_work(draw, setup, count_rows(setup, &box), pixels - hidden);
 		counts->hidden += hidden;
 	}
 }

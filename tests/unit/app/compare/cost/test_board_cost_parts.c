@@ -217,15 +217,21 @@ static void test_channels_that_move_have_times_once(void **state)
 		2 * 82 + 2 * 9.2 + 3 * 5.8);
 }
 
-/* Turns by more than 36 degrees need sines while they last. */
+/*
+ * Turns by more than 38 degrees need sines while they last, and those by more
+ * than 14 another term. The sines' constants are read once a frame.
+ */
 static void test_turns_cost_by_how_far_they_are(void **state)
 {
-	/* Half of each angle: none, 90, 17.9 and 18.5 degrees. */
+	/* Half of each angle: none, 90, 17.9 and 19.2 degrees. */
 	static const float keys[4][12] = {{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1},
 		{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0},
 		{0, 0, 0, 1, 0.307f, 0, 0, 0.9517f, 0.307f, 0, 0, 0.9517f},
-		{0, 0, 0, 1, 0.317f, 0, 0, 0.9483f, 0.317f, 0, 0, 0.9483f}};
+		{0, 0, 0, 1, 0.329f, 0, 0, 0.9443f, 0.329f, 0, 0, 0.9443f}};
 	static const double wide[4] = {0, 0.75, 0, 0.25};
+	static const double middle[4] = {0, 0, 0.25, 0};
+	struct model_channel four[4];
+	struct model_clip clip = {.channel_count = 4, .channel = four};
 	struct model_channel channel = {.path = MODEL_ROTATION,
 		.interpolation = MODEL_LINEAR,
 		.unit = true,
@@ -236,9 +242,17 @@ static void test_turns_cost_by_how_far_they_are(void **state)
 	(void)state;
 	for (int i = 0; i < 4; i++) {
 		channel.value = keys[i];
-		expect_sample(&channel, 1, 344 + 121 + 1245 * wide[i],
-			35.4 + 12.4 + 203 * wide[i]);
+		expect_sample(&channel, 1,
+			344 + 121 + (1150 + 480) * wide[i] + 40 * middle[i],
+			35.4 + 12.4 + 203 * wide[i] + 11.5 * middle[i]);
 	}
+	channel.value = keys[1];
+	for (int i = 0; i < 4; i++) {
+		four[i] = channel;
+	}
+	expect_cost(board_cost_sample(&clip, 0),
+		1315 + 4 * 344 + 121 + 1150 + 480 * 3,
+		120 + 4 * 35.4 + 12.4 + 203 * 3);
 	channel.key_count = 1;
 	expect_sample(&channel, 1, 344 + 121, 35.4 + 12.4);
 	/* Only linear rotations of unit length are turns. */

@@ -99,6 +99,39 @@ static void test_a_square_counts_as_what_it_is(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* The rows of a strip a fifth of a pixel wide, which leans by so many pixels. */
+static double count_thin_rows(struct gl_canvas *canvas, float lean)
+{
+	float width = (float)canvas->pixels.width;
+	float bottom = place(FIRST, canvas->pixels.height);
+	float top = place(FIRST + SIZE, canvas->pixels.height);
+	float left = place(FIRST, canvas->pixels.width) + 1.2f / width;
+	float thick = 0.4f / width, right = left + 2.0f * lean / width;
+	const float corner[4][2] = {{left, bottom}, {left + thick, bottom},
+		{right, top}, {right + thick, top}};
+	struct gl_counts counts = {0};
+
+	canvas->gl->VertexPointer(2, GL_FLOAT, 0, corner);
+	count(canvas, &counts);
+	canvas->gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+	assert_true(counts.work[GL_WORK_SPANS].triangles == TRIANGLES);
+	return counts.work[GL_WORK_SPANS].rows;
+}
+
+/* A thin triangle passes between the centres of pixels in most rows. */
+static void test_rows_without_pixels_count_less(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+
+	(void)state;
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	canvas.gl->DepthFunc(GL_LEQUAL);
+	canvas.gl->EnableClientState(GL_VERTEX_ARRAY);
+	/* Four centres lie in its way, and less than a row at each. */
+	assert_in_range((int)count_thin_rows(&canvas, 4), SIZE / 2, SIZE);
+	gl_canvas_close(&canvas);
+}
+
 /* Small triangles behind all depths around them cost less than their rows. */
 static void test_triangles_that_are_not_set_up_count_as_skipped(void **state)
 {
@@ -288,6 +321,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_square_counts_as_what_it_is),
+		cmocka_unit_test(test_rows_without_pixels_count_less),
 		cmocka_unit_test(
 			test_triangles_that_are_not_set_up_count_as_skipped),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),

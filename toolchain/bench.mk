@@ -21,7 +21,7 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
 	build/bench-models/tail.glb \
 	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk \
-	$(patsubst %,build/bench-models/%.glb,vanes plate bird)
+	$(patsubst %,build/bench-models/%.glb,vanes pipe bird)
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of

@@ -402,11 +402,11 @@ def make_pipe(model):
     lying = (0, 0, -math.sqrt(0.5), math.sqrt(0.5))
     material = model.material(color=(0.3, 0.7, 0.3, 1))
     model.mesh(material, sized(tube(16, 160), 0.25, 1, 0.25), rotation=lying)
+    add_turns(model, 1, 0.1)
 
 
 def make_plate(model):
     model.mesh(model.material(color=(0.8, 0.6, 0.4, 1)), sized(cube(), 5, 0.05, 5))
-    add_turns(model, 1, 0.1)
 
 
 def make_speck(model):

@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.915e+04, 2.087e+04}, /* frame */
-	{0.7724, 0},            /* pixel */
-	{1.892e+04, 6458},      /* call */
-	{73.86, 50.5},          /* listed */
-	{386.5, 104.5},         /* vertex */
-	{161.4, 90.68},         /* again */
-	{370.2, 169.9},         /* single */
-	{288.4, 251.2},         /* shaded */
-	{13.49, 15.79},         /* hidden */
-	{1474, 574.9},          /* skipped */
-	{5.437, 2.515},         /* fine */
-	{193.2, 99.54},         /* flat triangle */
-	{79.35, 49.87},         /* flat row */
-	{23.63, 14.16},         /* flat pixel */
-	{647.5, 228.4},         /* plain triangle */
-	{22.01, 16.63},         /* plain row */
-	{8.911, 3.515},         /* plain pixel */
-	{749.7, 583},           /* textured triangle */
-	{151.5, 0},             /* textured row */
-	{79.07, 57.7},          /* textured pixel */
-	{2.032e+04, 8529},      /* backdrop triangle */
-	{66.8, 16.16},          /* backdrop row */
-	{1.422, 0},             /* backdrop pixel */
-	{5.113e+04, 1.087e+04}, /* ground triangle */
-	{149.6, 30.37},         /* ground row */
-	{4.713, 1.375},         /* ground pixel */
-	{899, 460.4},           /* spans triangle */
-	{228.7, 145.7},         /* spans row */
-	{19.97, 13.33},         /* spans pixel */
-	{1512, 0},              /* spans textured triangle */
-	{339.4, 174.1},         /* spans textured row */
-	{70.18, 45.61},         /* spans textured pixel */
-	{7199, 5036},           /* spans divided triangle */
-	{704.5, 386.8},         /* spans divided row */
-	{88.75, 54.47},         /* spans divided pixel */
-	{3090, 1209},           /* spans nearest triangle */
-	{313.9, 151.1},         /* spans nearest row */
-	{38.16, 25.44},         /* spans nearest pixel */
-	{2999, 1878},           /* mixed triangle */
-	{236.9, 119.6},         /* mixed row */
-	{47.35, 31.07},         /* mixed pixel */
-	{3406, 1264},           /* tested triangle */
-	{243.4, 162.1},         /* tested row */
-	{135.5, 86.66},         /* tested pixel */
-	{3088, 1848},           /* tested spans triangle */
-	{323.3, 195.8},         /* tested spans row */
-	{137.2, 82.2},          /* tested spans pixel */
-	{3170, 903},            /* mixed textured triangle */
-	{256.5, 141.4},         /* mixed textured row */
-	{214.2, 139.2},         /* mixed textured pixel */
-	{3658, 2593},           /* mixed spans triangle */
-	{394.8, 233.3},         /* mixed spans row */
-	{176.3, 104.1},         /* mixed spans pixel */
-	{5055, 4066},           /* mixed divided triangle */
-	{1451, 755.3},          /* mixed divided row */
-	{150.4, 100.6},         /* mixed divided pixel */
-	{195.7, 23.78},         /* colored triangle */
-	{18.78, 19.23},         /* colored row */
-	{1.726, 0},             /* colored pixel */
-	{2888, 1510},           /* bent triangle */
-	{333.3, 195.2},         /* bent row */
-	{3.727, 2.609},         /* bent pixel */
+	{3.948e+04, 2.088e+04}, /* frame */
+	{0.7657, 0},            /* pixel */
+	{1.872e+04, 6470},      /* call */
+	{81.83, 49.7},          /* listed */
+	{393.2, 105.5},         /* vertex */
+	{163.7, 91.93},         /* again */
+	{292.8, 115.1},         /* single */
+	{288.9, 251.2},         /* shaded */
+	{13.08, 15.93},         /* hidden */
+	{1488, 576.5},          /* skipped */
+	{5.65, 2.527},          /* fine */
+	{194.4, 96.33},         /* flat triangle */
+	{78.68, 49.6},          /* flat row */
+	{23.28, 14.18},         /* flat pixel */
+	{662.1, 230.5},         /* plain triangle */
+	{18.12, 15.59},         /* plain row */
+	{9.419, 3.526},         /* plain pixel */
+	{694.3, 580.7},         /* textured triangle */
+	{155.5, 0},             /* textured row */
+	{78.73, 57.65},         /* textured pixel */
+	{2.199e+04, 8513},      /* backdrop triangle */
+	{67.97, 15.92},         /* backdrop row */
+	{1.4, 0},               /* backdrop pixel */
+	{5.191e+04, 1.088e+04}, /* ground triangle */
+	{151.5, 30.03},         /* ground row */
+	{4.643, 1.337},         /* ground pixel */
+	{842.3, 467.7},         /* spans triangle */
+	{230.7, 144.7},         /* spans row */
+	{20.06, 13.34},         /* spans pixel */
+	{1582, 0},              /* spans textured triangle */
+	{331.6, 172.3},         /* spans textured row */
+	{70.71, 45.67},         /* spans textured pixel */
+	{7088, 5012},           /* spans divided triangle */
+	{722.1, 387.7},         /* spans divided row */
+	{88.61, 54.44},         /* spans divided pixel */
+	{2923, 1183},           /* spans nearest triangle */
+	{302.8, 149.1},         /* spans nearest row */
+	{38.94, 25.51},         /* spans nearest pixel */
+	{2958, 1879},           /* mixed triangle */
+	{229.2, 119.1},         /* mixed row */
+	{46.89, 31.06},         /* mixed pixel */
+	{3314, 1278},           /* tested triangle */
+	{239.5, 162.9},         /* tested row */
+	{136.3, 86.39},         /* tested pixel */
+	{3065, 1852},           /* tested spans triangle */
+	{305.4, 195.8},         /* tested spans row */
+	{136.8, 82.22},         /* tested spans pixel */
+	{3149, 920.5},          /* mixed textured triangle */
+	{252.5, 142.2},         /* mixed textured row */
+	{211.3, 139.2},         /* mixed textured pixel */
+	{3635, 2596},           /* mixed spans triangle */
+	{372.4, 232.4},         /* mixed spans row */
+	{177.2, 104.1},         /* mixed spans pixel */
+	{5047, 4065},           /* mixed divided triangle */
+	{1402, 754.1},          /* mixed divided row */
+	{150, 100.6},           /* mixed divided pixel */
+	{174.7, 21.97},         /* colored triangle */
+	{20.66, 20.22},         /* colored row */
+	{1.582, 0},             /* colored pixel */
+	{2848, 1523},           /* bent triangle */
+	{332.5, 195.9},         /* bent row */
+	{3.747, 2.603},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
 	{1.005, 0.9941},        /* deep row */
-	{1.775, 2.561},         /* deep pixel */
-	{701, 390.7},           /* second triangle */
-	{172.3, 90.46},         /* second row */
-	{52.72, 26.68},         /* second pixel */
-	{317.4, 205.9},         /* crossed triangle */
-	{239.2, 128.3},         /* crossed row */
-	{3.987, 3.579},         /* crossed pixel */
+	{1.777, 2.584},         /* deep pixel */
+	{708.4, 395.4},         /* second triangle */
+	{173.6, 91.49},         /* second row */
+	{52.55, 26.75},         /* second pixel */
+	{316.1, 206},           /* crossed triangle */
+	{249, 128.7},           /* crossed row */
+	{4.016, 3.575},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

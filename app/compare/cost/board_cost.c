@@ -22,7 +22,10 @@ static const struct board_cost palette_joint = {270.0, 250.0};
 static const struct board_cost sample_frame = {1315.0, 120.0};
 static const struct board_cost sample_node = {75.0, 7.1};
 static const struct board_cost sample_turn = {344.0, 35.4}; /* struct turn */
-static const struct board_cost wide_turn = {1245.0, 203.0};
+/* Keys far apart need sines, whose constants are read anew once a frame. */
+static const struct board_cost wide_frame = {1150.0, 0.0};
+static const struct board_cost wide_turn = {480.0, 203.0};
+static const struct board_cost middle_turn = {40.0, 11.5};
 static const struct board_cost turn_times = {121.0, 12.4}; /* own key times */
 static const struct board_cost sample_channel = {653.0, 82.0}; /* not constant */
 static const struct board_cost sample_times = {60.0, 9.2}; /* own key times */
@@ -101,7 +104,8 @@ static void add_times(
 /* What sampling a clip costs: numbers of nodes, channels and key times. */
 struct sampled {
 	int nodes, turns, turn_times, channels, times, weights;
-	double wide_turns;
+	double middle_turns,
+		wide_turns; /* weighted with their share of the time */
 };
 
 static struct board_cost sample_of(const struct sampled *of)
@@ -111,7 +115,9 @@ static struct board_cost sample_of(const struct sampled *of)
 	add_times(&sum, &sample_node, of->nodes);
 	add_times(&sum, &sample_turn, of->turns);
 	add_times(&sum, &turn_times, of->turn_times);
+	add_times(&sum, &middle_turn, of->middle_turns);
 	add_times(&sum, &wide_turn, of->wide_turns);
+	add_times(&sum, &wide_frame, fmin(of->wide_turns, 1.0));
 	add_times(&sum, &sample_channel, of->channels);
 	add_times(&sum, &sample_times, of->times);
 	add_times(&sum, &sample_weight, of->weights);
@@ -131,28 +137,34 @@ static bool has_own_times(
 	return true;
 }
 
+/* 1 less the cosines of keys that app/anim/portable/turns.c treats alike. */
+static const float middle_apart = 0.0078125f; /* 14 degrees of rotation */
+static const float wide_apart = 0.055f;       /* 38 degrees */
+
 /*
- * The share of the channel's time in which it turns between keys that are so
- * far apart that quat_slerp_weights() needs sines: more than 36 degrees.
+ * The share of the channel's time in which it turns between keys of which 1
+ * less the cosine is above from and at most to.
  */
-static double find_wide_share(const struct model_channel *channel)
+static double find_share(
+	const struct model_channel *channel, float from, float to)
 {
 	const float *time_s = channel->time_s;
 	int last = channel->key_count - 1;
-	double wide_s = 0.0;
+	double share_s = 0.0;
 
 	for (int i = 0; i < last; i++) {
-		float a[4], b[4], cosine;
+		float a[4], b[4], apart;
 
 		model_channel_key(channel, i, a);
 		model_channel_key(channel, i + 1, b);
-		cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-
-		if (fabsf(cosine) - 1.0f <= -0.05f) {
-			wide_s += (double)(time_s[i + 1] - time_s[i]);
+		apart = 1.0f -
+			fabsf(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
+				a[3] * b[3]);
+		if (apart > from && apart <= to) {
+			share_s += (double)(time_s[i + 1] - time_s[i]);
 		}
 	}
-	return last > 0 ? wide_s / (double)(time_s[last] - time_s[0]) : 0.0;
+	return last > 0 ? share_s / (double)(time_s[last] - time_s[0]) : 0.0;
 }
 
 struct board_cost board_cost_sample(
@@ -169,7 +181,9 @@ struct board_cost board_cost_sample(
 		}
 		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
 			sum.turns++;
-			sum.wide_turns += find_wide_share(channel);
+			sum.middle_turns +=
+				find_share(channel, middle_apart, wide_apart);
+			sum.wide_turns += find_share(channel, wide_apart, 2.0f);
 			sum.turn_times += own;
 		} else {
 			sum.channels++;

@@ -30,7 +30,7 @@ DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycl
 	assets/arm.glb@- $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \
 	x/anim_test.x) \
-	$(addsuffix @-,$(filter-out %/tail.glb \
+	build/bench-models/pipe.glb@0 $(addsuffix @-,$(filter-out %/tail.glb \
 	%/shapes.glb %/vanes.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)

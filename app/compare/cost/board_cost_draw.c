@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.948e+04, 2.088e+04}, /* frame */
-	{0.7657, 0},            /* pixel */
-	{1.872e+04, 6470},      /* call */
-	{81.83, 49.7},          /* listed */
-	{393.2, 105.5},         /* vertex */
-	{163.7, 91.93},         /* again */
-	{292.8, 115.1},         /* single */
-	{288.9, 251.2},         /* shaded */
-	{13.08, 15.93},         /* hidden */
-	{1488, 576.5},          /* skipped */
-	{5.65, 2.527},          /* fine */
-	{194.4, 96.33},         /* flat triangle */
-	{78.68, 49.6},          /* flat row */
-	{23.28, 14.18},         /* flat pixel */
-	{662.1, 230.5},         /* plain triangle */
-	{18.12, 15.59},         /* plain row */
-	{9.419, 3.526},         /* plain pixel */
-	{694.3, 580.7},         /* textured triangle */
-	{155.5, 0},             /* textured row */
-	{78.73, 57.65},         /* textured pixel */
-	{2.199e+04, 8513},      /* backdrop triangle */
-	{67.97, 15.92},         /* backdrop row */
-	{1.4, 0},               /* backdrop pixel */
-	{5.191e+04, 1.088e+04}, /* ground triangle */
-	{151.5, 30.03},         /* ground row */
-	{4.643, 1.337},         /* ground pixel */
-	{842.3, 467.7},         /* spans triangle */
-	{230.7, 144.7},         /* spans row */
-	{20.06, 13.34},         /* spans pixel */
-	{1582, 0},              /* spans textured triangle */
-	{331.6, 172.3},         /* spans textured row */
-	{70.71, 45.67},         /* spans textured pixel */
-	{7088, 5012},           /* spans divided triangle */
-	{722.1, 387.7},         /* spans divided row */
-	{88.61, 54.44},         /* spans divided pixel */
-	{2923, 1183},           /* spans nearest triangle */
-	{302.8, 149.1},         /* spans nearest row */
-	{38.94, 25.51},         /* spans nearest pixel */
-	{2958, 1879},           /* mixed triangle */
-	{229.2, 119.1},         /* mixed row */
-	{46.89, 31.06},         /* mixed pixel */
-	{3314, 1278},           /* tested triangle */
-	{239.5, 162.9},         /* tested row */
-	{136.3, 86.39},         /* tested pixel */
-	{3065, 1852},           /* tested spans triangle */
-	{305.4, 195.8},         /* tested spans row */
-	{136.8, 82.22},         /* tested spans pixel */
-	{3149, 920.5},          /* mixed textured triangle */
-	{252.5, 142.2},         /* mixed textured row */
-	{211.3, 139.2},         /* mixed textured pixel */
-	{3635, 2596},           /* mixed spans triangle */
-	{372.4, 232.4},         /* mixed spans row */
-	{177.2, 104.1},         /* mixed spans pixel */
+	{3.95e+04, 2.122e+04},  /* frame */
+	{0.8121, 0},            /* pixel */
+	{1.863e+04, 6478},      /* call */
+	{89.74, 49.29},         /* listed */
+	{396.2, 105.7},         /* vertex */
+	{162.5, 92.61},         /* again */
+	{293.4, 115.1},         /* single */
+	{283.4, 251.5},         /* shaded */
+	{13.06, 16.01},         /* hidden */
+	{1475, 576.4},          /* skipped */
+	{5.544, 2.474},         /* fine */
+	{180.3, 97.97},         /* flat triangle */
+	{84.93, 47.61},         /* flat row */
+	{23.27, 14.31},         /* flat pixel */
+	{643.6, 227.3},         /* plain triangle */
+	{24.82, 15.47},         /* plain row */
+	{8.892, 3.539},         /* plain pixel */
+	{701.4, 577.8},         /* textured triangle */
+	{158.7, 0},             /* textured row */
+	{78.33, 57.68},         /* textured pixel */
+	{1.922e+04, 9051},      /* backdrop triangle */
+	{68.35, 15.39},         /* backdrop row */
+	{1.264, 0},             /* backdrop pixel */
+	{5.195e+04, 1.122e+04}, /* ground triangle */
+	{153, 28.36},           /* ground row */
+	{4.741, 1.322},         /* ground pixel */
+	{877.8, 484.4},         /* spans triangle */
+	{223.4, 144.4},         /* spans row */
+	{20.54, 13.33},         /* spans pixel */
+	{1627, 0},              /* spans textured triangle */
+	{335.2, 171.8},         /* spans textured row */
+	{70.69, 45.69},         /* spans textured pixel */
+	{7112, 5000},           /* spans divided triangle */
+	{725.5, 387.5},         /* spans divided row */
+	{88.73, 54.44},         /* spans divided pixel */
+	{2943, 1177},           /* spans nearest triangle */
+	{303.9, 149},           /* spans nearest row */
+	{38.73, 25.6},          /* spans nearest pixel */
+	{2994, 1872},           /* mixed triangle */
+	{225.5, 119.3},         /* mixed row */
+	{47.21, 31.07},         /* mixed pixel */
+	{3331, 1273},           /* tested triangle */
+	{240.3, 162.9},         /* tested row */
+	{136.1, 86.41},         /* tested pixel */
+	{3067, 1851},           /* tested spans triangle */
+	{305, 195.2},           /* tested spans row */
+	{137.2, 82.24},         /* tested spans pixel */
+	{3202, 917.8},          /* mixed textured triangle */
+	{253.6, 141.9},         /* mixed textured row */
+	{210.6, 139.4},         /* mixed textured pixel */
+	{3639, 2594},           /* mixed spans triangle */
+	{372.3, 232.1},         /* mixed spans row */
+	{177.5, 104},           /* mixed spans pixel */
 	{5047, 4065},           /* mixed divided triangle */
-	{1402, 754.1},          /* mixed divided row */
-	{150, 100.6},           /* mixed divided pixel */
-	{174.7, 21.97},         /* colored triangle */
-	{20.66, 20.22},         /* colored row */
-	{1.582, 0},             /* colored pixel */
-	{2848, 1523},           /* bent triangle */
-	{332.5, 195.9},         /* bent row */
-	{3.747, 2.603},         /* bent pixel */
+	{1401, 754.2},          /* mixed divided row */
+	{150.1, 100.6},         /* mixed divided pixel */
+	{169.4, 24.96},         /* colored triangle */
+	{16.12, 20.5},          /* colored row */
+	{2.116, 0},             /* colored pixel */
+	{2864, 1520},           /* bent triangle */
+	{331.5, 196.3},         /* bent row */
+	{3.75, 2.604},          /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.005, 0.9941},        /* deep row */
-	{1.777, 2.584},         /* deep pixel */
-	{708.4, 395.4},         /* second triangle */
-	{173.6, 91.49},         /* second row */
-	{52.55, 26.75},         /* second pixel */
-	{316.1, 206},           /* crossed triangle */
-	{249, 128.7},           /* crossed row */
-	{4.016, 3.575},         /* crossed pixel */
+	{1.005, 0.9937},        /* deep row */
+	{1.72, 2.608},          /* deep pixel */
+	{708.9, 394.8},         /* second triangle */
+	{173.5, 91.4},          /* second row */
+	{52.45, 26.77},         /* second pixel */
+	{316.4, 206},           /* crossed triangle */
+	{251.6, 128.6},         /* crossed row */
+	{4.005, 3.575},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -1,6 +1,7 @@
 #include "app/anim/clip.h"
 
 #include "app/anim/clip_channel.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -79,4 +80,24 @@ float clip_time(double time_s, float duration_s, enum clip_repeat repeat)
 		return duration_s;
 	}
 	return time_s > 0 ? (float)time_s : 0;
+}
+
+float clip_round_time(
+	const struct model_clip *clip, double time_s, enum clip_repeat repeat)
+{
+	float duration_s = clip->duration_s, lead_s = clip->lead_s;
+	float at_s = clip_time(time_s, duration_s, repeat);
+	bool is_first = time_s >= 0 && time_s < (double)duration_s;
+
+	return repeat == CLIP_LOOP && lead_s > 0 && !is_first
+		? lead_s + at_s * (1 - lead_s / duration_s)
+		: at_s;
+}
+
+float clip_share(const struct model_clip *clip, float time_s)
+{
+	float way_s = clip->duration_s - clip->lead_s;
+
+	return way_s > 0 ? scalar_clamp((time_s - clip->lead_s) / way_s, 0, 1)
+			 : 0;
 }

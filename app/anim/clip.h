@@ -137,4 +137,18 @@ enum clip_repeat {
  */
 float clip_time(double time_s, float duration_s, enum clip_repeat repeat);
 
+/*
+ * The same, except that later rounds of a loop begin at the clip's first key
+ * (model_clip.lead_s) and are so much slower that a round takes as long. A pose
+ * that stood still from 0 to that key would be a jolt in each round.
+ */
+float clip_round_time(
+	const struct model_clip *clip, double time_s, enum clip_repeat repeat);
+
+/*
+ * Returns which share of the way from its first key to its end a clip has done
+ * at time_s: 0 to 1. 0 for a clip that lasts no time.
+ */
+float clip_share(const struct model_clip *clip, float time_s);
+
 #endif

@@ -220,6 +220,10 @@ enum {
 struct model_clip {
 	const char *name;
 	float duration_s; /* the time of the last key; a clip starts at 0 */
+	/* when the first key of a channel that is not constant comes, if that
+	   is within 0.1 s and before the end; else 0. Blender's clips begin at
+	   frame 1 */
+	float lead_s;
 	int channel_count;
 	struct model_channel *channel;
 };

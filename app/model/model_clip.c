@@ -203,6 +203,23 @@ static void find_unit(struct model_clip *clip)
 	}
 }
 
+static void find_lead(struct model_clip *clip)
+{
+	float first_s = clip->duration_s;
+
+	for (int c = 0; c < clip->channel_count; c++) {
+		const struct model_channel *channel = &clip->channel[c];
+
+		if (!channel->constant && channel->time_s[0] < first_s) {
+			first_s = channel->time_s[0];
+		}
+	}
+	clip->lead_s =
+		first_s > 0 && first_s <= 0.1f && first_s < clip->duration_s
+		? first_s
+		: 0;
+}
+
 /*
  * Lets channels with equal key times share one array, since exporters repeat
  * the same times for each bone.
@@ -232,6 +249,7 @@ void model_prepare_clips(struct model *model)
 	for (int i = 0; i < model->clip_count; i++) {
 		find_constant(&model->clip[i]);
 		find_unit(&model->clip[i]);
+		find_lead(&model->clip[i]);
 		share_times(&model->clip[i]);
 	}
 }

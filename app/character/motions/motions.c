@@ -267,9 +267,8 @@ struct bounds motion_bounds(
 void motion_drift_at(const struct motion *motion, const struct model *model,
 	float time_s, float out[2])
 {
-	float share =
-		motion->clip >= 0 && model->clip[motion->clip].duration_s > 0.0f
-		? time_s / model->clip[motion->clip].duration_s
+	float share = motion->clip >= 0
+		? clip_share(&model->clip[motion->clip], time_s)
 		: 0.0f;
 
 	out[0] = motion->drift[0] * share;

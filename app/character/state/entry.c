@@ -165,8 +165,7 @@ static void add_events(struct character *character,
 	const struct character_entry *entry, enum clip_repeat repeat,
 	bool begins)
 {
-	float from_s =
-		clip_time(entry->before_s, entry->of->clip->duration_s, repeat);
+	float from_s = clip_round_time(entry->of->clip, entry->before_s, repeat);
 
 	for (const struct character_event *event = entry->of->event; event;
 		event = event->next) {
@@ -185,8 +184,7 @@ static void show(struct character *character, struct character_entry *entry,
 {
 	bool begins = entry->shown_s < 0;
 
-	entry->shown_s = clip_time(
-		entry->time_s, character_entry_duration_s(entry), repeat);
+	entry->shown_s = clip_round_time(entry->of->clip, entry->time_s, repeat);
 	/*
 	 * Of two clips in a blend, only the one with more weight causes events.
 	 */
@@ -199,12 +197,12 @@ static void show(struct character *character, struct character_entry *entry,
 static void stay(const struct character *character,
 	const struct character_entry *entry, float amount, struct pose *pose)
 {
+	const struct model_clip *clip = entry->of->clip;
 	int root = character->motion.root;
-	float duration_s = character_entry_duration_s(entry);
 
-	if (root >= 0 && duration_s > 0) {
+	if (root >= 0 && clip) {
 		vec_add_scaled(pose->local[root].translation, entry->of->travel,
-			-entry->shown_s / duration_s * amount,
+			-clip_share(clip, entry->shown_s) * amount,
 			pose->local[root].translation);
 	}
 }

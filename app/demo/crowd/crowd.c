@@ -252,9 +252,10 @@ static float clip_time_of(const struct demo *demo, const struct walker *walker)
 	const struct model_clip *clip =
 		&demo->base.actor.model->clip[walker->motion.clip];
 
-	return clip_time(demo->now_s / (double)walker->route.size +
+	return clip_round_time(clip,
+		demo->now_s / (double)walker->route.size +
 			(double)(walker->route.phase * clip->duration_s),
-		clip->duration_s, CLIP_LOOP);
+		CLIP_LOOP);
 }
 
 static void pose_walker(struct demo *demo, struct walker *walker)

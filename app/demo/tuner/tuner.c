@@ -233,7 +233,7 @@ static void tuner_update(struct demo *demo, double time_s)
 	if (demo->clip >= 0) {
 		const struct model_clip *clip = &actor->model->clip[demo->clip];
 
-		clip_pose(clip, clip_time(time_s, clip->duration_s, CLIP_LOOP),
+		clip_pose(clip, clip_round_time(clip, time_s, CLIP_LOOP),
 			actor->interpolation, &actor->cursor,
 			&actor->instance->pose);
 	} else {
@@ -306,8 +306,8 @@ static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out
 
 	out->clip = demo->clip;
 	if (demo->clip >= 0) {
-		out->time_s = clip_time(demo->now_s,
-			model->clip[demo->clip].duration_s, CLIP_LOOP);
+		out->time_s = clip_round_time(
+			&model->clip[demo->clip], demo->now_s, CLIP_LOOP);
 	}
 	for (int i = 0;
 		i < demo->bones.count && i < (int)ARRAY_COUNT(out->layer); i++) {

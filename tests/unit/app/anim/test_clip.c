@@ -341,6 +341,47 @@ static void test_a_clip_without_length_stays_at_zero(void **state)
 	assert_true(clip_time(5, NAN, CLIP_LOOP) == 0);
 }
 
+/* The first key lies at 0.04 s of 2 s, and a round takes 2 s all the same. */
+static void test_later_rounds_begin_at_the_first_key(void **state)
+{
+	const struct model_clip clip = {.duration_s = 2, .lead_s = 0.04f};
+
+	(void)state;
+	assert_near(clip_round_time(&clip, 0.01, CLIP_LOOP), 0.01, 1e-7);
+	assert_near(clip_round_time(&clip, 1.99, CLIP_LOOP), 1.99, 1e-6);
+	assert_near(clip_round_time(&clip, 2, CLIP_LOOP), 0.04, 1e-7);
+	assert_near(clip_round_time(&clip, 3, CLIP_LOOP), 1.02, 1e-6);
+	assert_near(clip_round_time(&clip, 7.999, CLIP_LOOP), 1.99902, 1e-5);
+	assert_near(clip_round_time(&clip, -0.5, CLIP_LOOP), 1.51, 1e-6);
+	assert_near(clip_round_time(&clip, 5, CLIP_ONCE), 2, 0);
+	assert_near(clip_round_time(&clip, 4, CLIP_PING_PONG), 0, 1e-6);
+}
+
+static void test_without_a_lead_all_rounds_are_the_same(void **state)
+{
+	const struct model_clip clip = {.duration_s = 2};
+
+	(void)state;
+	for (double time_s = -5; time_s < 9; time_s += 0.37) {
+		assert_true(clip_round_time(&clip, time_s, CLIP_LOOP) ==
+			clip_time(time_s, 2, CLIP_LOOP));
+	}
+}
+
+static void test_a_share_counts_from_the_first_key(void **state)
+{
+	const struct model_clip clip = {.duration_s = 2, .lead_s = 0.04f};
+	const struct model_clip pose = {.duration_s = 0};
+
+	(void)state;
+	assert_near(clip_share(&clip, 0), 0, 0);
+	assert_near(clip_share(&clip, 0.04f), 0, 0);
+	assert_near(clip_share(&clip, 1.02f), 0.5, 1e-6);
+	assert_near(clip_share(&clip, 2), 1, 0);
+	assert_near(clip_share(&clip, 3), 1, 0);
+	assert_near(clip_share(&pose, 0), 0, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -358,6 +399,9 @@ int main(void)
 		cmocka_unit_test(test_loops_stay_in_range_and_precise_for_days),
 		cmocka_unit_test(test_ping_pong_turns_round_at_both_ends),
 		cmocka_unit_test(test_a_clip_without_length_stays_at_zero),
+		cmocka_unit_test(test_later_rounds_begin_at_the_first_key),
+		cmocka_unit_test(test_without_a_lead_all_rounds_are_the_same),
+		cmocka_unit_test(test_a_share_counts_from_the_first_key),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

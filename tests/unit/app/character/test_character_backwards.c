@@ -53,6 +53,54 @@ static void test_events_run_once_a_round_backwards_and_to_and_fro(void **state)
 	assert_near(count_events(layers, "rate = -1", 5.45), 55.0, 0.0);
 }
 
+/*
+ * Plays the clip "go" for a time: keys at 1/24, 1/2 and 1 s move a node from 0 to 1
+ * and back. Returns where the node is, and in *want where it is expected to be.
+ */
+static float slide(double time_s, double *want, float *steps)
+{
+	const double lead_s = 1 / 24.0;
+	struct acting acting;
+	double at_s;
+	float place[3];
+
+	acting_begin(&acting, "tests/fixtures/gltf/clip/frame_one.gltf");
+	acting_expect(&acting,
+		"[parameter steps]\nrange = 0 999\n[state a]\nclip = go\n"
+		"[clip go]\nevent = 0.5 add steps 1\n"
+		"event = 0.02 add steps 10\nevent = 0 add steps 100\n");
+	acting_run_to(&acting, time_s, 240.0);
+	acting_place(&acting, "slider", place);
+	*steps = acting_value(&acting, "steps");
+	at_s = acting.character->machine.state[0].entry[0].time_s;
+	acting_end(&acting);
+	if (at_s >= 1) {
+		at_s = lead_s + (at_s - floor(at_s)) * (1 - lead_s);
+	}
+	*want = at_s < lead_s ? 0
+		: at_s < 0.5  ? (at_s - lead_s) / (0.5 - lead_s)
+			      : 2 * (1 - at_s);
+	return place[0];
+}
+
+/* A loop that stood still until its first key would be a jolt in each round. */
+static void test_a_loop_of_blender_does_not_pause(void **state)
+{
+	static const double times_s[] = {
+		0.025, 0.2, 0.8, 1.02, 1.2, 3.975, 4.025, 4.4};
+	double want;
+	float steps;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(times_s); i++) {
+		float place = slide(times_s[i], &want, &steps);
+
+		assert_near(place, want, 1e-4);
+	}
+	/* Five rounds begin, and four of them reach the middle. */
+	assert_near(steps, 554, 0);
+}
+
 /* Two clips of the state are as far between the same two marks. */
 static void expect_in_phase(const struct acting *acting)
 {
@@ -188,6 +236,7 @@ static void test_a_layer_that_plays_once_may_play_backwards(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_loop_of_blender_does_not_pause),
 		cmocka_unit_test(
 			test_events_run_once_a_round_backwards_and_to_and_fro),
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase_backwards),

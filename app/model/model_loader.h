@@ -54,8 +54,9 @@ int model_keep_clip(
 	struct model_clip *clip, struct arena *keys, struct arena *arena);
 
 /*
- * Called once for each loaded model: sets constant and unit of all channels,
- * and makes successive channels with equal key times share one array.
+ * Called for each model that is loaded or examined: sets constant and unit of
+ * all channels and lead_s of all clips, and makes successive channels with
+ * equal key times share one array.
  */
 void model_prepare_clips(struct model *model);
 

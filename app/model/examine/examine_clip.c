@@ -46,12 +46,16 @@ static void report_cubic(
 static void report_late_start(const struct model_clip *clip, float earliest_s,
 	float latest_s, const struct examiner *examiner)
 {
-	if (earliest_s > 0.0f) {
+	if (clip->lead_s > 0.0f) {
+		examine_report(examiner,
+			"clip %s: nothing moves before %.4f s; limber holds the first pose until then when the clip begins, but later rounds of a loop begin there",
+			clip_name(clip), (double)clip->lead_s);
+	} else if (earliest_s > 0.0f) {
 		examine_report(examiner,
 			"clip %s: no key lies before %.4f s; limber holds the first pose until then, each time the clip begins again: export it from frame 0",
 			clip_name(clip), (double)earliest_s);
 	}
-	if (latest_s > earliest_s) {
+	if (latest_s > earliest_s && latest_s > clip->lead_s) {
 		examine_report(examiner,
 			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
 			clip_name(clip), (double)latest_s);

@@ -230,6 +230,7 @@ int gltf_examine(const struct model_source *source,
 		const struct examination at = {&gltf, examiner};
 
 		model = gltf.model;
+		model_prepare_clips(model);
 		error = examine_clips(model, examiner, log);
 		error = error ? error : examine_skins(model, examiner, log);
 		report_skins(&at);

@@ -212,6 +212,7 @@ int xfile_examine(const struct model_source *source,
 	}
 	examine_report(examiner,
 		"DirectX .x is left-handed with row vectors; limber negates z, transposes matrices and reverses the triangles");
+	model_prepare_clips(model);
 	error = examine_clips(model, examiner, log);
 	error = error ? error : examine_skins(model, examiner, log);
 	model_destroy(model);

@@ -1,5 +1,6 @@
 /* What limber doctor says about the keys of clips. */
 #include "app/model/examine/examine.h"
+#include "app/model/model_loader.h"
 #include "tests/support/test.h"
 
 #include <stdio.h>
@@ -58,10 +59,57 @@ static void test_keys_that_take_the_longer_arc_are_counted(void **state)
 	}
 }
 
+static void append_finding(void *context, const char *finding)
+{
+	char *heard = context;
+	size_t length = strlen(heard);
+
+	snprintf(heard + length, 400 - length, "%s; ", finding);
+}
+
+/* Examines a clip of a second that moves a node from first_s on. */
+static const char *examine_start(float first_s)
+{
+	static char heard[400];
+	float time_s[2] = {first_s, 1};
+	float value[6] = {0, 0, 0, 1, 0, 0};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.key_count = 2,
+		.width = 3,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip = {.name = "go",
+		.duration_s = 1,
+		.channel_count = 1,
+		.channel = &channel};
+	struct model_node node = {.name = "arm", .mesh = -1, .skin = -1};
+	struct model model = {
+		.node_count = 1, .node = &node, .clip_count = 1, .clip = &clip};
+	const struct examiner examiner = {append_finding, heard};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	heard[0] = '\0';
+	model_prepare_clips(&model);
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	return heard;
+}
+
+static void test_a_late_start_tells_what_a_loop_does(void **state)
+{
+	(void)state;
+	assert_string_equal(examine_start(0), "");
+	assert_string_equal(examine_start(0.0417f),
+		"clip go: nothing moves before 0.0417 s; limber holds the first pose until then when the clip begins, but later rounds of a loop begin there; ");
+	assert_string_equal(examine_start(0.5f),
+		"clip go: no key lies before 0.5000 s; limber holds the first pose until then, each time the clip begins again: export it from frame 0; ");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_keys_that_take_the_longer_arc_are_counted),
+		cmocka_unit_test(test_a_late_start_tells_what_a_loop_does),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

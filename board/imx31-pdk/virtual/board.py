@@ -19,12 +19,15 @@ LOOK_S, REST_S = 1 / 30, 1 / 6
 # The time between two checks of QEMU while no page is visible.
 UNSEEN_S = 0.5
 # A press lasts at least SHORTEST_PRESS_S, and until the board has drawn
-# SHORTEST_DRAWN pictures or SLOWEST_PRESS_S have passed. On a busy host QEMU may
-# stand still for longer than a click, and would not notice it.
+# SHORTEST_DRAWN pictures, or UNCERTAIN_DRAWN and SLOWEST_PRESS_S have passed. On a
+# busy host QEMU may stand still for longer than a click, and would not notice it.
 SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S = 0.1, 2, 0.4
 # The same for a key: the keypad's driver must see it in four scans in a row, and
 # a picture of the panel may be read twice while it is sent.
 SHORTEST_KEY_S, SHORTEST_KEY_DRAWN, SLOWEST_KEY_S = 0.15, 5, 0.6
+# One picture may have been drawn before the press. A board that shows no second one
+# may have nothing new to show, or stand still.
+UNCERTAIN_DRAWN, STANDING_S = 2, 1.5
 # The time between two presses of a button.
 PAUSE_S = 0.05
 LOG_KEPT = 100_000
@@ -291,8 +294,10 @@ class Board:
             (SHORTEST_KEY_S, SHORTEST_KEY_DRAWN, SLOWEST_KEY_S)
             if self.machine.kind.keys else
             (SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S))
-        return lasted_s >= slowest_s or (
-            lasted_s >= shortest_s and self.drawn >= drawn + shortest_drawn)
+        drawn = self.drawn - drawn
+        return (lasted_s >= shortest_s and drawn >= shortest_drawn or
+                lasted_s >= slowest_s and drawn >= UNCERTAIN_DRAWN or
+                lasted_s >= STANDING_S)
 
     def held(self):
         return [name for name in LINES if self.pressed[name]]

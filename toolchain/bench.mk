@@ -25,7 +25,7 @@ PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of
-# user_models.py have no clip.
+# user_models.py are at rest, but the pipe stands in its clip, too.
 DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycle \
 	assets/arm.glb@- $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \

@@ -104,8 +104,8 @@ static void add_times(
 /* What sampling a clip costs: numbers of nodes, channels and key times. */
 struct sampled {
 	int nodes, turns, turn_times, channels, times, weights;
-	double middle_turns,
-		wide_turns; /* weighted with their share of the time */
+	/* turns between keys so far apart, by their shares of the time */
+	double middle_turns, wide_turns;
 };
 
 static struct board_cost sample_of(const struct sampled *of)
@@ -142,17 +142,18 @@ static const float middle_apart = 0.0078125f; /* 14 degrees of rotation */
 static const float wide_apart = 0.055f;       /* 38 degrees */
 
 /*
- * The share of the channel's time in which it turns between keys of which 1
- * less the cosine is above from and at most to.
+ * Adds the shares of the channel's time in which it turns between keys that are
+ * middle_apart or wide_apart.
  */
-static double find_share(
-	const struct model_channel *channel, float from, float to)
+static void add_turn_shares(
+	struct sampled *sum, const struct model_channel *channel)
 {
 	const float *time_s = channel->time_s;
 	int last = channel->key_count - 1;
-	double share_s = 0.0;
+	double middle_s = 0.0, wide_s = 0.0;
 
 	for (int i = 0; i < last; i++) {
+		double step_s = (double)(time_s[i + 1] - time_s[i]);
 		float a[4], b[4], apart;
 
 		model_channel_key(channel, i, a);
@@ -160,11 +161,18 @@ static double find_share(
 		apart = 1.0f -
 			fabsf(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
 				a[3] * b[3]);
-		if (apart > from && apart <= to) {
-			share_s += (double)(time_s[i + 1] - time_s[i]);
+		if (apart > wide_apart) {
+			wide_s += step_s;
+		} else if (apart > middle_apart) {
+			middle_s += step_s;
 		}
 	}
-	return last > 0 ? share_s / (double)(time_s[last] - time_s[0]) : 0.0;
+	if (last > 0) {
+		double whole_s = (double)(time_s[last] - time_s[0]);
+
+		sum->middle_turns += middle_s / whole_s;
+		sum->wide_turns += wide_s / whole_s;
+	}
 }
 
 struct board_cost board_cost_sample(
@@ -181,9 +189,7 @@ struct board_cost board_cost_sample(
 		}
 		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
 			sum.turns++;
-			sum.middle_turns +=
-				find_share(channel, middle_apart, wide_apart);
-			sum.wide_turns += find_share(channel, wide_apart, 2.0f);
+			add_turn_shares(&sum, channel);
 			sum.turn_times += own;
 		} else {
 			sum.channels++;

@@ -18,16 +18,14 @@ ROW_BYTES = emulation.WIDTH * 2
 LOOK_S, REST_S = 1 / 30, 1 / 6
 # The time between two checks of QEMU while no page is visible.
 UNSEEN_S = 0.5
-# A press lasts at least SHORTEST_PRESS_S, and until the board has drawn
-# SHORTEST_DRAWN pictures, or UNCERTAIN_DRAWN and SLOWEST_PRESS_S have passed. On a
-# busy host QEMU may stand still for longer than a click, and would not notice it.
-SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S = 0.1, 2, 0.4
+# A press lasts until one of these holds: so many seconds have passed, and the board
+# has drawn so many pictures since. On a busy host QEMU may stand still for longer than
+# a click, and would not notice it. One picture may have been drawn before the press; a
+# board that shows no second one may have nothing new to show.
+PRESS_NOTICED = ((0.1, 2), (1.5, 0))
 # The same for a key: the keypad's driver must see it in four scans in a row, and
 # a picture of the panel may be read twice while it is sent.
-SHORTEST_KEY_S, SHORTEST_KEY_DRAWN, SLOWEST_KEY_S = 0.15, 5, 0.6
-# One picture may have been drawn before the press. A board that shows no second one
-# may have nothing new to show, or stand still.
-UNCERTAIN_DRAWN, STANDING_S = 2, 1.5
+KEY_NOTICED = ((0.15, 5), (0.6, 2), (1.5, 0))
 # The time between two presses of a button.
 PAUSE_S = 0.05
 LOG_KEPT = 100_000
@@ -290,14 +288,10 @@ class Board:
     def is_noticed(self, pressed_s, drawn):
         """Whether the board had enough time to notice the press."""
         lasted_s = time.monotonic() - pressed_s
-        shortest_s, shortest_drawn, slowest_s = (
-            (SHORTEST_KEY_S, SHORTEST_KEY_DRAWN, SLOWEST_KEY_S)
-            if self.machine.kind.keys else
-            (SHORTEST_PRESS_S, SHORTEST_DRAWN, SLOWEST_PRESS_S))
         drawn = self.drawn - drawn
-        return (lasted_s >= shortest_s and drawn >= shortest_drawn or
-                lasted_s >= slowest_s and drawn >= UNCERTAIN_DRAWN or
-                lasted_s >= STANDING_S)
+        noticed = KEY_NOTICED if self.machine.kind.keys else PRESS_NOTICED
+        return any(lasted_s >= seconds and drawn >= pictures
+                   for seconds, pictures in noticed)
 
     def held(self):
         return [name for name in LINES if self.pressed[name]]

@@ -15,7 +15,7 @@ enum {
 };
 
 /* What a row without pixels costs of one with some: its edges are found. */
-static const double EMPTY_ROW = 0.25;
+static const double empty_row = 0.25;
 
 /* Whether span functions drew the last triangle with nearest texels. */
 static bool is_nearest(const struct draw *draw)
@@ -274,7 +274,7 @@ static double count_rows(const struct setup *setup, const struct clip_box *box)
 	double count = 0.0;
 
 	for (int y = box->top; y < box->bottom; y++) {
-		count += covers_row(setup, box, y) ? 1.0 : EMPTY_ROW;
+		count += covers_row(setup, box, y) ? 1.0 : empty_row;
 	}
 	return count;
 }

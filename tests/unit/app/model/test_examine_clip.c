@@ -6,39 +6,57 @@
 #include <stdio.h>
 #include <string.h>
 
+static void append_finding(void *context, const char *finding)
+{
+	char *heard = context;
+	size_t length = strlen(heard);
+
+	snprintf(heard + length, 400 - length, "%s; ", finding);
+}
+
 /* Keeps the finding about long arcs; the others are let go. */
 static void keep_long_arcs(void *context, const char *finding)
 {
 	if (strstr(finding, "negative dot product")) {
-		snprintf(context, 200, "%s", finding);
+		append_finding(context, finding);
 	}
 }
 
-/* Examines a clip that turns one node from the first key to the second. */
-static const char *examine_keys(
-	enum model_interpolation interpolation, float *value)
+/* Examines a clip of a second that moves one node. */
+static const char *examine(const struct model_channel *moved,
+	void (*keep)(void *context, const char *finding))
 {
-	static char heard[200];
-	float time_s[2] = {0, 1};
-	struct model_channel channel = {.path = MODEL_ROTATION,
-		.interpolation = interpolation,
-		.key_count = 2,
-		.width = 4,
-		.time_s = time_s,
-		.value = value};
-	struct model_clip clip = {.name = "turn",
+	static char heard[400];
+	struct model_channel channel = *moved;
+	struct model_clip clip = {.name = "go",
 		.duration_s = 1,
 		.channel_count = 1,
 		.channel = &channel};
 	struct model_node node = {.name = "arm", .mesh = -1, .skin = -1};
 	struct model model = {
 		.node_count = 1, .node = &node, .clip_count = 1, .clip = &clip};
-	const struct examiner examiner = {keep_long_arcs, heard};
+	const struct examiner examiner = {keep, heard};
 	struct log log = log_to_stderr(LOG_WARNING);
 
 	heard[0] = '\0';
+	model_prepare_clips(&model);
 	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
 	return heard;
+}
+
+/* Examines a clip that turns the node from the first key to the second. */
+static const char *examine_keys(
+	enum model_interpolation interpolation, float *value)
+{
+	static const float time_s[2] = {0, 1};
+
+	return examine(&(struct model_channel){.path = MODEL_ROTATION,
+			       .interpolation = interpolation,
+			       .key_count = 2,
+			       .width = 4,
+			       .time_s = time_s,
+			       .value = value},
+		keep_long_arcs);
 }
 
 /* Each of the four numbers decides alone about the sign of the product. */
@@ -59,40 +77,19 @@ static void test_keys_that_take_the_longer_arc_are_counted(void **state)
 	}
 }
 
-static void append_finding(void *context, const char *finding)
-{
-	char *heard = context;
-	size_t length = strlen(heard);
-
-	snprintf(heard + length, 400 - length, "%s; ", finding);
-}
-
-/* Examines a clip of a second that moves a node from first_s on. */
+/* Examines a clip that moves the node from first_s on. */
 static const char *examine_start(float first_s)
 {
-	static char heard[400];
-	float time_s[2] = {first_s, 1};
-	float value[6] = {0, 0, 0, 1, 0, 0};
-	struct model_channel channel = {.path = MODEL_TRANSLATION,
-		.interpolation = MODEL_LINEAR,
-		.key_count = 2,
-		.width = 3,
-		.time_s = time_s,
-		.value = value};
-	struct model_clip clip = {.name = "go",
-		.duration_s = 1,
-		.channel_count = 1,
-		.channel = &channel};
-	struct model_node node = {.name = "arm", .mesh = -1, .skin = -1};
-	struct model model = {
-		.node_count = 1, .node = &node, .clip_count = 1, .clip = &clip};
-	const struct examiner examiner = {append_finding, heard};
-	struct log log = log_to_stderr(LOG_WARNING);
+	static const float value[6] = {0, 0, 0, 1, 0, 0};
+	const float time_s[2] = {first_s, 1};
 
-	heard[0] = '\0';
-	model_prepare_clips(&model);
-	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
-	return heard;
+	return examine(&(struct model_channel){.path = MODEL_TRANSLATION,
+			       .interpolation = MODEL_LINEAR,
+			       .key_count = 2,
+			       .width = 3,
+			       .time_s = time_s,
+			       .value = value},
+		append_finding);
 }
 
 static void test_a_late_start_tells_what_a_loop_does(void **state)

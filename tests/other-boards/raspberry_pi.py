@@ -42,8 +42,12 @@ class Pi(emulation.Machine):
         super().__init__(folder)
         self.clear_folder()
         (self.folder / "initrd").write_bytes(archive(files))
+        # Time counts instructions: Linux sets the timer by reading the clock and
+        # writing the sum, and if the host pauses the emulator between both, the
+        # time has passed, and the timer stands still for an hour.
         self.launch([
-            "qemu-system-arm", "-M", "raspi0", *emulation.LINKS,
+            "qemu-system-arm", "-M", "raspi0", "-icount", "shift=2,sleep=off",
+            *emulation.LINKS,
             "-kernel", str(PI / "vmlinuz"), "-dtb", str(self.tree()),
             "-initrd", "initrd", "-append",
             "console=ttyAMA0,115200 rdinit=/init quiet"])

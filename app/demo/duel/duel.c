@@ -334,13 +334,17 @@ static void choose_lod(struct demo *demo)
 	}
 }
 
+static float clip_time_of(const struct demo *demo)
+{
+	return clip_round_time(demo->reference->clip, demo->clip_s, CLIP_LOOP);
+}
+
 static void duel_update(struct demo *demo, double time_s)
 {
 	float step_s = (float)(time_s - demo->now_s);
 	float clip_step_s = demo->paused
 		? 0.0f
 		: step_s / (float)(1 << demo->speed_halvings);
-	struct reference *reference = demo->reference;
 	float at_s;
 
 	demo->now_s = time_s;
@@ -351,11 +355,11 @@ static void duel_update(struct demo *demo, double time_s)
 	camera_orbit(&demo->base.stage.camera,
 		demo->turn * turn_rad_per_s * step_s, 0.0f);
 	move_ground(demo, clip_step_s);
-	at_s = clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP);
+	at_s = clip_time_of(demo);
 	for (int i = 0; i < CONTENDER_KINDS; i++) {
 		contender_pose(&demo->contender[i], at_s);
 	}
-	reference_pose(reference, at_s, false);
+	reference_pose(demo->reference, at_s, false);
 	measure_errors(demo);
 	follow_figures(demo);
 	choose_lod(demo);
@@ -376,11 +380,8 @@ static bool duel_get_figure(
 
 static void duel_get_motion(const struct demo *demo, struct overlay_motion *out)
 {
-	const struct reference *reference = demo->reference;
-
-	out->clip = reference->clip_index;
-	out->time_s =
-		clip_time(demo->clip_s, reference->clip->duration_s, CLIP_LOOP);
+	out->clip = demo->reference->clip_index;
+	out->time_s = clip_time_of(demo);
 }
 
 static double duel_period_s(const struct demo *demo)

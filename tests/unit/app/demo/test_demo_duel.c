@@ -227,11 +227,9 @@ static void expect_followed(const struct demo_driver *duel, struct demo *demo)
 	assert_true(way > 6.0f);
 }
 
-/*
- * Whether the duel begins with a model of the fixtures. If it does, the camera
- * has to follow the model.
- */
-static int begin_with(const char *model_path, struct log_capture *heard)
+/* Creates the duel of a clip of a model of the fixtures; NULL: of its walk. */
+static int create_duel(const char *model_path, const char *clip,
+	struct log_capture *heard, struct demo **demo)
 {
 	struct log log = log_capture_begin(heard);
 	struct gl gl = gl_recorder_begin();
@@ -243,11 +241,22 @@ static int begin_with(const char *model_path, struct log_capture *heard)
 		.height = 640,
 		.model_path = model_path,
 		.character = "none",
+		.clip = clip,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f};
+
+	return demo_create(demo_find("duel"), &env, demo);
+}
+
+/*
+ * Whether the duel begins with a model of the fixtures. If it does, the camera
+ * has to follow the model.
+ */
+static int begin_with(const char *model_path, struct log_capture *heard)
+{
 	const struct demo_driver *duel = demo_find("duel");
 	struct demo *demo;
-	int error = demo_create(duel, &env, &demo);
+	int error = create_duel(model_path, NULL, heard, &demo);
 
 	if (!error) {
 		expect_followed(duel, demo);
@@ -284,26 +293,48 @@ static void test_a_morph_that_turns_inside_out_is_told(void **state)
 	(void)state;
 	for (int i = 0; i < 2; i++) {
 		struct log_capture heard;
-		struct log log = log_capture_begin(&heard);
-		struct gl gl = gl_recorder_begin();
-		const struct demo_env env = {.log = &log,
-			.gl = &gl,
-			.target = PIXELS_RGBA8888,
-			.kernel = &kernel_float,
-			.width = 48,
-			.height = 64,
-			.model_path = turned,
-			.character = "none",
-			.clip = clips[i],
-			.speed = 1.0f};
 		struct demo *demo;
 
-		assert_int_equal(demo_create(demo_find("duel"), &env, &demo), 0);
+		assert_int_equal(
+			create_duel(turned, clips[i], &heard, &demo), 0);
 		assert_int_equal(log_capture_has(&heard, LOG_WARNING,
 					 "clip 1 turns a surface inside out"),
 			i == 1);
 		demo_destroy(demo_find("duel"), demo);
 	}
+}
+
+/* Its keys are at 1/24, 1/2 and 1 s, of which the second moves it by 1. */
+static void test_a_loop_of_blender_does_not_pause(void **state)
+{
+	static const float lead_s = 1 / 24.0f;
+	const struct demo_driver *duel = demo_find("duel");
+	struct log_capture heard;
+	struct demo *demo;
+
+	(void)state;
+	assert_int_equal(create_duel("tests/fixtures/gltf/clip/frame_one.gltf",
+				 NULL, &heard, &demo),
+		0);
+	for (int round = 0; round < 3; round++) {
+		struct overlay_motion motion = overlay_motion_none();
+		float at_s = round == 0 ? 0.02f : lead_s + 0.02f * (1 - lead_s);
+		float place = round == 0 ? 0 : (at_s - lead_s) / (0.5f - lead_s);
+
+		duel->update(demo, round + 0.02);
+		duel->get_motion(demo, &motion);
+		assert_near(motion.time_s, at_s, 1e-5);
+		for (int i = 0; i < CONTENDER_KINDS; i++) {
+			struct overlay_figure figure;
+			float at[3];
+
+			assert_true(duel->get_figure(demo, i, &figure));
+			instance_world_vertex(figure.instance,
+				&figure.instance->drawable[0], 0, at);
+			assert_near(at[0], place, 1e-4);
+		}
+	}
+	demo_destroy(duel, demo);
 }
 
 static bool are_equal(const struct hud *a, const struct hud *b)
@@ -355,6 +386,7 @@ int main(void)
 		cmocka_unit_test(test_times_are_means_by_the_clock_it_is_given),
 		cmocka_unit_test(test_the_scale_of_errors_has_five_steps),
 		cmocka_unit_test(test_a_morph_that_turns_inside_out_is_told),
+		cmocka_unit_test(test_a_loop_of_blender_does_not_pause),
 		cmocka_unit_test(
 			test_it_follows_a_model_and_needs_clips_and_triangles),
 		cmocka_unit_test(test_buttons_run_through_the_duel),

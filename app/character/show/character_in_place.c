@@ -1,5 +1,6 @@
 #include "app/character/show/character_in_place.h"
 
+#include "app/anim/clip.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -28,8 +29,9 @@ static void take_from_key(
 	}
 }
 
-static int take_way(struct model_channel *channel, const float travel[3],
-	float duration_s, struct arena *arena)
+/* As the states do: from the clip's first key on. */
+static int take_way(const struct model_clip *clip, struct model_channel *channel,
+	const float travel[3], struct arena *arena)
 {
 	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
 	size_t size = cubic ? 9 : 3;
@@ -42,7 +44,8 @@ static int take_way(struct model_channel *channel, const float travel[3],
 	memcpy(value, channel->value, count * size * sizeof(*value));
 	for (size_t key = 0; key < count; key++) {
 		take_from_key(value + key * size, cubic, travel,
-			channel->time_s[key] / duration_s, 1.0f / duration_s);
+			clip_share(clip, channel->time_s[key]),
+			1.0f / (clip->duration_s - clip->lead_s));
 	}
 	channel->value = value;
 	return 0;
@@ -69,8 +72,7 @@ static int copy_clip(const struct character *character, int clip,
 		if (moves_root(character, &channel[i])) {
 			*way_m = scalar_sqrt(of->carried_m[0] * of->carried_m[0] +
 				of->carried_m[1] * of->carried_m[1]);
-			error = take_way(&channel[i], of->travel,
-				out->duration_s, arena);
+			error = take_way(out, &channel[i], of->travel, arena);
 		}
 	}
 	return error;

@@ -8,6 +8,7 @@
 #include "app/character/show/character_draw.h"
 #include "app/character/show/character_label.h"
 #include "app/character/show/character_overlay.h"
+#include "app/character/state/entry.h"
 #include "app/character/state/machine.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -298,17 +299,26 @@ static void viewer_draw(struct demo *demo, int width, int height)
 		&base->actor.textures, base->gl);
 }
 
+/* How long the present clip takes, there and back if it plays to and fro. */
+static double clip_period_s(const struct character *character)
+{
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	double duration_s = (double)character_entry_duration_s(
+		character_machine_entry(character));
+	double rate = (double)scalar_abs(*state->rate);
+	double ways = state->repeat == CLIP_PING_PONG ? 2.0 : 1.0;
+
+	return duration_s > 0.0 && rate > 0.0 ? ways * duration_s / rate : 1.0;
+}
+
 /* The period of the tour, or of the current clip. */
 static double viewer_period_s(const struct demo *demo)
 {
 	const struct character *character = demo->figure->character;
-	const struct model_clip *clip =
-		character_machine_entry(character)->of->clip;
 
-	if (character->scene.tour_s > 0.0) {
-		return character->scene.tour_s;
-	}
-	return clip && clip->duration_s > 0.0f ? clip->duration_s : 1.0;
+	return character->scene.tour_s > 0.0 ? character->scene.tour_s
+					     : clip_period_s(character);
 }
 
 static void viewer_label(const struct demo *demo, struct hud *hud)

@@ -308,14 +308,22 @@ static void test_a_label_says_that_the_new_file_is_broken(void **state)
 	end_bench(bench);
 }
 
-/* What an unattended run repeats: the tour, the clip, or else a second. */
+/*
+ * What an unattended run repeats: the tour, the clip as it is played, or else a
+ * second.
+ */
 static void test_a_run_repeats_after_its_tour_or_its_clip(void **state)
 {
 	static const struct {
 		const char *clip, *character;
-		double period_s;
-	} runs[] = {{"walk", NULL, 0.0}, {NULL, "[state a]\nclip = rest\n", 1.0},
-		{NULL, "[scene]\nperiod = 7\n[state a]\nclip = walk\n", 7.0}};
+		double period_s, walks;
+	} runs[] = {{"walk", NULL, 0.0, 1.0},
+		{NULL, "[state a]\nclip = rest\n", 1.0, 0.0},
+		{NULL, "[state a]\nclip = walk\nrate = 0\n", 1.0, 0.0},
+		{NULL, "[state a]\nclip = walk\nrate = -2\n", 0.0, 0.5},
+		{NULL, "[state a]\nclip = walk\nrepeat = ping-pong\n", 0.0, 2.0},
+		{NULL, "[scene]\nperiod = 7\n[state a]\nclip = walk\n", 7.0,
+			0.0}};
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(runs); i++) {
@@ -327,8 +335,7 @@ static void test_a_run_repeats_after_its_tour_or_its_clip(void **state)
 				.duration_s;
 
 		assert_near(demo_driver_viewer.period_s(bench->demo),
-			runs[i].period_s > 0.0 ? runs[i].period_s : walk_s,
-			1e-6);
+			runs[i].period_s + runs[i].walks * walk_s, 1e-6);
 		end_bench(bench);
 	}
 }

@@ -149,6 +149,8 @@ struct character_entry {
 	double before_s; /* time_s in the last frame */
 	float shown_s;   /* the time in the clip that is shown; -1: none yet */
 	float weight;
+	/* another clip of the blend causes the events: it has no less weight */
+	bool follows;
 };
 
 /* How a state or a transition takes over from the shown pose. */

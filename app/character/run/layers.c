@@ -49,6 +49,7 @@ void character_layer_run(struct character *character, void *what)
 	struct character_layer *layer = what;
 	struct pose *pose = &character->instance->pose;
 	enum clip_repeat repeat = layer->once ? CLIP_ONCE : CLIP_LOOP;
+	bool played = layer->playing;
 	float weight;
 
 	if (layer->playing || !layer->once) {
@@ -58,9 +59,13 @@ void character_layer_run(struct character *character, void *what)
 	weight = weight_of(layer);
 	layer->is.now = weight;
 	if (weight == 0) {
+		/* The frame in which it ends shows nothing but causes events. */
+		if (played && !layer->playing && layer->entry.of->clip &&
+			*layer->is.weight > 0) {
+			character_entry_show(character, &layer->entry, repeat);
+		}
 		return;
 	}
-	layer->entry.weight = 1;
 	if (layer->additive) {
 		character_entry_sample(
 			character, &layer->entry, repeat, &character->scratch);

@@ -176,19 +176,13 @@ static void add_events(struct character *character,
 	}
 }
 
-/*
- * Advances the shown time to that of the entry, and adds the events on the way.
- */
-static void show(struct character *character, struct character_entry *entry,
-	enum clip_repeat repeat)
+void character_entry_show(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat)
 {
 	bool begins = entry->shown_s < 0;
 
 	entry->shown_s = clip_round_time(entry->of->clip, entry->time_s, repeat);
-	/*
-	 * Of two clips in a blend, only the one with more weight causes events.
-	 */
-	if (entry->weight > 0.5f && entry->of->event) {
+	if (entry->of->event && !entry->follows) {
 		add_events(character, entry, repeat, begins);
 	}
 }
@@ -215,7 +209,7 @@ void character_entry_sample(struct character *character,
 		pose_copy(pose, &character->still);
 		return;
 	}
-	show(character, entry, repeat);
+	character_entry_show(character, entry, repeat);
 	clip_pose(entry->of->clip, entry->shown_s, character->interpolation,
 		&entry->cursor, pose);
 	stay(character, entry, 1, pose);
@@ -229,7 +223,7 @@ void character_entry_mix(struct character *character,
 	int root = character->motion.root;
 
 	if (entry->of->clip) {
-		show(character, entry, repeat);
+		character_entry_show(character, entry, repeat);
 	}
 	clip_mix(entry->of->clip, entry->shown_s, character->interpolation,
 		amount, &entry->cursor, pose);

@@ -33,8 +33,14 @@ void character_entry_move(
 	struct character_entry *entry, double step_s, const double *phase);
 
 /*
- * Writes the clip's pose, without the travel of the motion's root, and adds the
- * actions of the events that the last move passed.
+ * Advances the time that is shown to where the last move has led, and adds the
+ * actions of the events on the way. The entry has a clip.
+ */
+void character_entry_show(struct character *character,
+	struct character_entry *entry, enum clip_repeat repeat);
+
+/*
+ * Shows the clip and writes its pose, without the travel of the motion's root.
  */
 void character_entry_sample(struct character *character,
 	struct character_entry *entry, enum clip_repeat repeat,

@@ -124,6 +124,7 @@ static void choose_weights(const struct character_state *state)
 
 	for (int i = 0; i < state->entry_count; i++) {
 		state->entry[i].weight = 0;
+		state->entry[i].follows = false;
 	}
 	while (upper < state->entry_count && state->entry[upper].at < at) {
 		upper++;
@@ -136,6 +137,8 @@ static void choose_weights(const struct character_state *state)
 		state->entry[upper].weight =
 			(at - low->at) / (state->entry[upper].at - low->at);
 		low->weight = 1 - state->entry[upper].weight;
+		low->follows = low->weight < 0.5f;
+		state->entry[upper].follows = !low->follows;
 	}
 }
 

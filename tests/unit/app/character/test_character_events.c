@@ -3,6 +3,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const double rate_hz = 50.0;
 
@@ -114,6 +115,56 @@ static void test_events_run_actions_once_a_round(void **state)
 	acting_end(&acting);
 }
 
+/* Also where the two clips of a blend have the same weight. */
+static void test_one_clip_of_a_blend_causes_events(void **state)
+{
+	static const char *const values[] = {"0.2", "0.5", "0.8"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(values); i++) {
+		struct acting acting;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[parameter steps]\nrange = 0 99\n"
+			"[state a]\nblend = %s, walk 0, run 1\n"
+			"[clip walk]\nmarks = 0\nevent = 0.3 add steps 1\n"
+			"[clip run]\nmarks = 0\nevent = 0.3 add steps 10\n",
+			values[i]);
+		acting_begin(&acting, "assets/walker.glb");
+		acting_expect(&acting, text);
+		acting_run_to(&acting, 0.6, rate_hz);
+		assert_near(acting_value(&acting, "steps"), i < 2 ? 1.0 : 10.0,
+			0.0);
+		acting_end(&acting);
+	}
+}
+
+/* The clip wave ends between two frames, and so do both of its last events. */
+static void test_a_layer_that_plays_once_causes_its_last_events(void **state)
+{
+	struct acting acting;
+	char text[256];
+	float wave_s;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	wave_s = acting.model->clip[model_find_clip(acting.model, "wave")]
+			 .duration_s;
+	snprintf(text, sizeof(text),
+		"[parameter waves]\nrange = 0 999\n[state a]\nclip = idle\n"
+		"[layer b]\nclip = wave\nplay = once\n"
+		"[clip wave]\nevent = 0 add waves 1\n"
+		"event = %.9g add waves 10\nevent = %.9g add waves 100\n"
+		"[buttons]\nUP = play b\n",
+		(double)wave_s - 0.001, (double)wave_s);
+	acting_expect(&acting, text);
+	press_once(&acting, BUTTON_UP);
+	acting_run_to(&acting, (double)wave_s + 1.0, rate_hz);
+	assert_near(acting_value(&acting, "waves"), 111.0, 0.0);
+	acting_end(&acting);
+}
+
 /* What a board's output line would do. */
 struct line {
 	bool on;
@@ -206,6 +257,9 @@ int main(void)
 		cmocka_unit_test(
 			test_a_release_takes_back_what_holding_has_set_and_no_more),
 		cmocka_unit_test(test_events_run_actions_once_a_round),
+		cmocka_unit_test(test_one_clip_of_a_blend_causes_events),
+		cmocka_unit_test(
+			test_a_layer_that_plays_once_causes_its_last_events),
 		cmocka_unit_test(test_events_give_pulses_to_output_lines),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
 		cmocka_unit_test(test_a_pause_holds_the_pose),

@@ -43,6 +43,16 @@ static int read_buttons(struct character_words *words,
 	return 0;
 }
 
+/* limber itself uses F9 while it is held. */
+static int check_f9(
+	struct character_words *words, const struct character_binding *binding)
+{
+	return binding->gesture != CHARACTER_PRESS && binding->button == BUTTON_F9
+		? character_fail(words,
+			  "limber uses F9 while it is held: choose another button")
+		: 0;
+}
+
 static int read_gesture(struct character_words *words,
 	struct character_binding *binding, const char *gesture)
 {
@@ -57,12 +67,7 @@ static int read_gesture(struct character_words *words,
 		if (binding->gesture != CHARACTER_TOGETHER &&
 			strcmp(gesture, names[i]) == 0) {
 			binding->gesture = (enum character_gesture)i;
-			/* limber itself uses F9 while it is held. */
-			return i != CHARACTER_PRESS &&
-					binding->button == BUTTON_F9
-				? character_fail(words,
-					  "limber uses F9 while it is held: choose another button")
-				: 0;
+			return 0;
 		}
 	}
 	if (binding->gesture != CHARACTER_TOGETHER) {
@@ -169,6 +174,21 @@ static bool moves(const struct character_action *action)
 	return action;
 }
 
+/* What moves something acts as long as the button is held, as do others then. */
+static int check_hold(struct character_words *words,
+	struct character_binding *binding,
+	const struct character_action *action, bool all_held)
+{
+	if (binding->gesture == CHARACTER_PRESS && moves(action)) {
+		binding->gesture = CHARACTER_HOLD;
+	}
+	if (binding->gesture == CHARACTER_HOLD && !all_held) {
+		return character_fail(words,
+			"an action here would run in every frame while the button is held: with hold, move or camera give only set, add, on, off, stop, move and camera");
+	}
+	return check_f9(words, binding);
+}
+
 /* BUTTON = ACTION, ACTION ... ["what it does"] */
 static int read_binding(
 	struct character_words *words, struct character_binding *binding)
@@ -212,12 +232,9 @@ static int read_binding(
 			"%s is too much: give actions with commas between and what they do in quotes",
 			words->line->word[words->next].text);
 	}
-	if (binding->gesture == CHARACTER_PRESS && moves(action)) {
-		binding->gesture = CHARACTER_HOLD;
-	}
-	if (binding->gesture == CHARACTER_HOLD && !all_held) {
-		return character_fail(words,
-			"an action here would run in every frame while the button is held: with hold, move or camera give only set, add, on, off, stop, move and camera");
+	error = check_hold(words, binding, action, all_held);
+	if (error) {
+		return error;
 	}
 	binding->action = action;
 	for (; action && binding->gesture == CHARACTER_HOLD && !error;

@@ -259,6 +259,7 @@ static const struct statement buttons[] = {
 		"DOWN = next\n[buttons b]\nlabel = never\nUP = row",
 		"give yes or no"},
 	{"UP release = pause", "F9 release = pause", "limber uses F9"},
+	{"F10 = camera turn 60", "F9 = camera turn 60", "limber uses F9"},
 	{"UP+DOWN = tour", "UP+UP = tour", "this is no button"},
 	{"LEFT+RIGHT = labels", "F9+UP = labels", "limber uses F9"},
 	{"UP = set v 1, add v -0.5", "UP = set v", "write set PARAMETER NUMBER"},

@@ -364,7 +364,7 @@ struct character_tour {
 	double time_s;
 	enum button button; /* to press, or BUTTON_COUNT */
 	const struct character_action *action;
-	struct character_tour *next;
+	struct character_tour *next; /* not earlier */
 };
 
 enum {

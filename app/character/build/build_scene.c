@@ -207,7 +207,10 @@ static int check_press(struct character_words *words, enum button button)
 			  button_name(button), "1 move Arm pitch 0.5");
 }
 
-/* tour = SECONDS BUTTON, or SECONDS ACTION, ACTION ... */
+/*
+ * tour = SECONDS BUTTON, or SECONDS ACTION, ACTION ... The lines may stand in
+ * any order, as a file may add to those of one that it includes.
+ */
 static int read_tour(struct character_words *words,
 	const struct character_key *key, void *member)
 {
@@ -221,13 +224,13 @@ static int read_tour(struct character_words *words,
 	if (!tour) {
 		return character_fail_memory(words->build);
 	}
-	while (*last) {
-		last = &(*last)->next;
-	}
 	if (!character_take_number(words, &time_s) || time_s < 0) {
 		return character_fail(words,
 			"a line begins with its time in seconds: give %s",
 			key->right);
+	}
+	while (*last && (*last)->time_s <= (double)time_s) {
+		last = &(*last)->next;
 	}
 	tour->time_s = (double)time_s;
 	tour->button = BUTTON_COUNT;
@@ -243,6 +246,7 @@ static int read_tour(struct character_words *words,
 		} while (!error && character_take(words, ","));
 	}
 	tour->action = action;
+	tour->next = *last;
 	*last = tour;
 	return error;
 }
@@ -304,12 +308,11 @@ static const struct character_key scene_keys[] = {
 static double tour_end_s(const struct character_tour *tour)
 {
 	const double rest_s = 2.0;
-	double last_s = 0.0;
 
-	for (const struct character_tour *one = tour; one; one = one->next) {
-		last_s = one->time_s > last_s ? one->time_s : last_s;
+	while (tour && tour->next) {
+		tour = tour->next;
 	}
-	return tour ? last_s + rest_s : 0.0;
+	return tour ? tour->time_s + rest_s : 0.0;
 }
 
 int character_build_scene(struct character_build *build)

@@ -137,6 +137,18 @@ void character_gestures_update(struct character *character)
 	}
 }
 
+static void tour_to(struct character *character, double elapsed_s)
+{
+	while (character->tour_next &&
+		character->tour_next->time_s <= elapsed_s) {
+		character_pending_add(
+			character, character->tour_next->action, 1);
+		add_all(character, character->tour_next->button,
+			CHARACTER_PRESS, 1);
+		character->tour_next = character->tour_next->next;
+	}
+}
+
 void character_tour_update(struct character *character)
 {
 	double period_s = character->scene.tour_s;
@@ -146,16 +158,11 @@ void character_tour_update(struct character *character)
 		return;
 	}
 	if (elapsed_s >= period_s) {
+		/* What is due between the last frame and the period's end. */
+		tour_to(character, period_s);
 		character->tour_from_s += period_s;
 		character->tour_next = character->scene.tour;
 		elapsed_s -= period_s;
 	}
-	while (character->tour_next &&
-		character->tour_next->time_s <= elapsed_s) {
-		character_pending_add(
-			character, character->tour_next->action, 1);
-		add_all(character, character->tour_next->button,
-			CHARACTER_PRESS, 1);
-		character->tour_next = character->tour_next->next;
-	}
+	tour_to(character, elapsed_s);
 }

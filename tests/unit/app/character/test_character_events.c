@@ -228,6 +228,28 @@ static void test_a_tour_presses_buttons_until_somebody_does(void **state)
 	acting_end(&acting);
 }
 
+/* In any order of the lines, and up to the very end of the period. */
+static void test_each_line_of_a_tour_acts_at_its_time(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 999\n[scene]\nperiod = 2\n"
+		"tour = 1.99 add v 100\ntour = 0.5 add v 1\n"
+		"tour = 1 add v 10\n");
+	acting.character->touring = true;
+	acting.character->tour_next = acting.character->scene.tour;
+	acting_run_to(&acting, 0.7, rate_hz);
+	assert_near(acting_value(&acting, "v"), 1.0, 0.0);
+	acting_run_to(&acting, 1.5, rate_hz);
+	assert_near(acting_value(&acting, "v"), 11.0, 0.0);
+	acting_run_to(&acting, 6.2, rate_hz);
+	assert_near(acting_value(&acting, "v"), 333.0, 0.0);
+	acting_end(&acting);
+}
+
 static void test_a_pause_holds_the_pose(void **state)
 {
 	struct acting acting;
@@ -262,6 +284,7 @@ int main(void)
 			test_a_layer_that_plays_once_causes_its_last_events),
 		cmocka_unit_test(test_events_give_pulses_to_output_lines),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
+		cmocka_unit_test(test_each_line_of_a_tour_acts_at_its_time),
 		cmocka_unit_test(test_a_pause_holds_the_pose),
 	};
 

@@ -68,8 +68,10 @@ struct character_part {
 	/* Changes: */
 	/* a node, CHARACTER_GROUND, or -1 for its place in the model */
 	int holder;
-	bool placed;           /* in this frame, at its holder */
-	float rest_m;          /* the pivot's height in the model */
+	bool placed; /* in this frame, at its holder */
+	/* the pivot's height in the model, and that of the lowest vertex */
+	float rest_m, low_m;
+	float upright[4];      /* the rotation in the model, of the world */
 	struct transform held; /* its place in the holder's frame */
 	/* offset from held at first, and the seconds until it is 0 */
 	float pull[3], pull_s;

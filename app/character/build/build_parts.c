@@ -225,8 +225,7 @@ static int build_part(struct character_build *build,
 		error = part->node < 0 ? -EINVAL : 0;
 	}
 	if (!error) {
-		part->rest_m =
-			build->character->instance->world[part->node][3][1];
+		character_held_init(build->character->instance, part);
 	}
 	return error;
 }

@@ -8,8 +8,10 @@
 #include <string.h>
 
 static const float gravity_m_s2 = 9.81f;
-/* A free part this near to its height in the model lies on the ground. */
+/* A free part this near to its height on the ground lies there. */
 static const float lies_m = 1e-4f;
+/* A part lies on the model's ground if its lowest vertex is this near to it. */
+static const float near_ground_m = 0.02f;
 /* seconds in which a part is pulled to its place at the holder */
 static const float pull_s = 0.2f;
 
@@ -77,6 +79,60 @@ void character_part_attach(struct character *character,
 	}
 }
 
+void character_held_init(
+	const struct instance *instance, struct character_part *part)
+{
+	const struct model *model = instance->model;
+	mat4 *world = instance->world;
+	bool found = false;
+
+	matrix_rotation(world[part->node], part->upright);
+	part->rest_m = part->low_m = world[part->node][3][1];
+	for (int d = 0; d < instance->drawable_count; d++) {
+		const struct drawable *drawable = &instance->drawable[d];
+		const struct model_primitive *shape = drawable->primitive;
+
+		if (drawable->skin >= 0 ||
+			!model_is_below(model, drawable->node, part->node)) {
+			continue;
+		}
+		for (int v = 0; v < shape->vertex_count; v++) {
+			float at[3];
+
+			matrix_apply(
+				world[drawable->node], shape->position[v], at);
+			if (!found || at[1] < part->low_m) {
+				part->low_m = at[1];
+				found = true;
+			}
+		}
+	}
+}
+
+/* Returns the height of a part's pivot above what the part lies on. */
+static float height_above(
+	const struct character *character, const struct character_part *part)
+{
+	bool floats = scalar_abs(part->low_m - character->ground_m) >
+		near_ground_m * character->metre;
+
+	return part->rest_m - (floats ? part->low_m : character->ground_m);
+}
+
+/* Computes the rotation of the part, turned as it is now, that is upright. */
+static void upright(const struct instance *instance,
+	const struct character_part *part, float out[4])
+{
+	float now[4], back[4];
+
+	matrix_rotation(instance->world[part->node], now);
+	quat_conjugate(part->upright, back);
+	quat_multiply(now, back, out);
+	out[0] = out[2] = 0;
+	quat_normalize(out);
+	quat_multiply(out, part->upright, out);
+}
+
 /*
  * Finds the height at which a vertical line through a point meets a triangle.
  * Returns false if it does not.
@@ -137,31 +193,29 @@ void character_part_drop(
 	struct character *character, struct character_part *part, int node)
 {
 	struct instance *instance = character->instance;
-	float above_m = part->rest_m - character->ground_m;
-	float support = character->ground_m, from;
+	float above_m = height_above(character, part);
+	float ground = character->ground_m, support = ground, from;
 	float point[3], rotation[4];
 
 	instance_update_nodes(instance);
 	memcpy(point, instance->world[part->node][3], sizeof(point));
 	if (part->holder < 0 &&
-		scalar_abs(point[1] - part->rest_m) < lies_m * character->metre) {
+		scalar_abs(point[1] - (ground + above_m)) <
+			lies_m * character->metre) {
 		return; /* it lies on the ground already */
 	}
-	/* It stands upright, turned as it was. */
-	matrix_rotation(instance->world[part->node], rotation);
-	rotation[0] = rotation[2] = 0;
-	quat_normalize(rotation);
+	upright(instance, part, rotation);
 	from = point[1];
 	if (node >= 0 && find_support(instance, node, point, &support) &&
-		support > character->ground_m) {
-		point[1] = support + above_m;
-		to_frame(instance, node, point, rotation, &part->held);
+		support > ground) {
 		part->holder = node;
 	} else {
-		point[1] = part->rest_m;
-		to_frame(instance, -1, point, rotation, &part->held);
+		support = ground;
+		node = -1;
 		part->holder = CHARACTER_GROUND;
 	}
+	point[1] = support + above_m;
+	to_frame(instance, node, point, rotation, &part->held);
 	part->fall_m = scalar_clamp(from - point[1], 0, 1e6f);
 	part->fall_m_per_s = part->pull_s = 0;
 }

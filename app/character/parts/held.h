@@ -6,6 +6,10 @@
 
 #include "app/character/character_data.h"
 
+/* Notes how a part lies in the rest pose, whose world matrices are needed. */
+void character_held_init(
+	const struct instance *instance, struct character_part *part);
+
 /* An operation: lets parts fall and moves attached ones with their holders. */
 void character_held_run(struct character *character, void *unused);
 
@@ -24,8 +28,9 @@ void character_part_attach(struct character *character,
 	struct character_part *part, const struct character_action *action);
 
 /*
- * Lets a part fall, upright, onto the triangles of a node that are below it or,
- * where there are none or with node -1, onto the ground.
+ * Lets a part fall onto the triangles of a node that are below it or, where
+ * there are none or with node -1, onto the ground. It keeps its bearing and is
+ * upright as it is in the model.
  */
 void character_part_drop(
 	struct character *character, struct character_part *part, int node);

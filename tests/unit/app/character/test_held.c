@@ -5,6 +5,7 @@
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -116,6 +117,59 @@ static void test_a_part_that_its_parent_mirrors_stays_in_a_hand(void **state)
 	check("[-1,1,1]", "[1,-1,1]");
 }
 
+/*
+ * A model whose z axis is up below its root, with a box 1.2 m above the ground
+ * whose lowest vertex is 0.2 m below its pivot.
+ */
+static const char shelf[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
+	"{\"name\":\"Root\",\"children\":[1,2],"
+	"\"rotation\":[-0.70710678,0,0,0.70710678]},"
+	"{\"name\":\"Hand\",\"translation\":[0.3,0,1.5]},"
+	"{\"name\":\"Box\",\"mesh\":0,\"translation\":[0,0,1.2]}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
+	"\"type\":\"VEC3\",\"min\":[-0.1,-0.1,-0.2],\"max\":[0.1,0.1,0.3]}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+	"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+	"octet-stream;base64,"
+	"zczMPQAAAADNzEy+zczMvc3MzD3NzEy+zczMvc3MzL2amZk+\"}]}";
+
+/* It is upright as in the model, and not at its height there. */
+static void test_a_part_from_a_shelf_lies_on_the_ground(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "shelf.gltf");
+	struct acting acting;
+	const mat4 *box;
+	float bearing;
+
+	(void)state;
+	file_write(path.text, shelf, strlen(shelf));
+	acting_begin(&acting, path.text);
+	acting_expect(&acting,
+		"[part Hand]\nbank = 0 -90 90 45\npitch = 0 -45 45 30\n"
+		"[part Box]\n[buttons]\nUP = attach Box Hand\n"
+		"DOWN = move Hand bank 1, move Hand pitch 1\nLEFT = drop Box\n");
+	box = (const mat4 *)&acting.instance->world[node_of(&acting, "Box")];
+	acting_run_to(&acting, 0.1, rate_hz);
+	acting_tap(&acting, BUTTON_UP, 1.0 / rate_hz, rate_hz);
+	acting_tap(&acting, BUTTON_DOWN, 1.0, rate_hz);
+	assert_true((*box)[2][1] < 0.9f);
+	bearing = atan2f((*box)[0][2], (*box)[0][0]);
+	assert_true(fabsf(bearing) > 0.5f);
+	acting_tap(&acting, BUTTON_LEFT, 1.0 / rate_hz, rate_hz);
+	acting_run_to(&acting, acting.now_s + 2.0, rate_hz);
+	assert_near((*box)[2][1], 1.0, 1e-5);
+	assert_near((*box)[3][1], 0.2, 1e-5);
+	assert_near(atan2f((*box)[0][2], (*box)[0][0]), bearing, 0.15);
+	acting_tap(&acting, BUTTON_LEFT, 1.0 / rate_hz, rate_hz);
+	assert_near((*box)[3][1], 0.2, 1e-5);
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -123,6 +177,7 @@ int main(void)
 		cmocka_unit_test(test_a_part_stays_in_a_mirrored_hand),
 		cmocka_unit_test(
 			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
+		cmocka_unit_test(test_a_part_from_a_shelf_lies_on_the_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -83,6 +83,14 @@ float character_feet_place(
  */
 void character_feet_follow(struct character *character);
 
+/*
+ * Moves on what holds each foot of a pair at its place on the ground: planted
+ * feet stay, and others go back to their animated places. Feet that are
+ * switched off are not held.
+ */
+void character_feet_hold(
+	const struct character *character, struct character_feet *feet);
+
 /* The operation of a struct character_feet. */
 void character_feet_run(struct character *character, void *feet);
 

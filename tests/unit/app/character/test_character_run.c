@@ -1,6 +1,7 @@
 /* What a character does from frame to frame. */
 #include "app/anim/clip_join.h"
 #include "app/anim/math/quat.h"
+#include "app/character/run/feet.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -177,6 +178,52 @@ static void test_planted_feet_do_not_skate(void **state)
 		}
 	}
 	acting_end(&acting);
+}
+
+/*
+ * Returns how far the feet are held from their animated places at most, in a
+ * walk from 3 to 5 s after its start, with the effect switched off for a time
+ * before if it pauses.
+ */
+static double held_most(bool pauses)
+{
+	struct acting acting;
+	double most = 0.0;
+
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[motion]\nfeet = toe.L toe.R\n"
+		"[feet f]\nhips = hips\nleft = thigh.L shin.L foot.L\n"
+		"right = thigh.R shin.R foot.R\nfade = 0.1\n"
+		"[buttons]\nUP = toggle f\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	if (pauses) {
+		acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+		acting_run_to(&acting, 2.7, rate_hz);
+		acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+	}
+	while (acting.now_s < 5.0) {
+		acting_run_to(&acting, acting.now_s + 0.02, rate_hz);
+		for (int side = 0; side < 2; side++) {
+			const float *offset =
+				acting.character->feet->foot[side].hold.offset;
+
+			most = acting.now_s < 3.0
+				? most
+				: fmax(most,
+					  hypot((double)offset[0],
+						  (double)offset[1]));
+		}
+	}
+	acting_end(&acting);
+	return most;
+}
+
+/* Not where they stood when the effect was switched off. */
+static void test_feet_are_held_anew_when_they_are_switched_on(void **state)
+{
+	(void)state;
+	assert_near(held_most(true), held_most(false), 0.01);
 }
 
 static void test_the_ground_runs_as_fast_as_the_clips(void **state)
@@ -433,6 +480,8 @@ int main(void)
 		cmocka_unit_test(test_sources_of_parameters),
 		cmocka_unit_test(test_no_transition_makes_a_bone_jump),
 		cmocka_unit_test(test_planted_feet_do_not_skate),
+		cmocka_unit_test(
+			test_feet_are_held_anew_when_they_are_switched_on),
 		cmocka_unit_test(test_the_ground_runs_as_fast_as_the_clips),
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
 		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),

@@ -101,6 +101,7 @@ static bool is_at_end(const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_entry *entry = character_machine_entry(character);
+	float rate = scalar_abs(*machine->state[machine->current].rate);
 	float duration_s = character_entry_duration_s(entry);
 	int next = state_after(machine);
 	float overlap_s;
@@ -111,8 +112,10 @@ static bool is_at_end(const struct character *character)
 	if (machine->loops > 0) {
 		return true;
 	}
-	overlap_s = fade_s(
-		fade_to(machine, next, find_transition(machine, next)), entry);
+	/* Seconds of the clip pass at its rate, and those of the fade do not. */
+	overlap_s = rate *
+		fade_s(fade_to(machine, next, find_transition(machine, next)),
+			entry);
 	return duration_s * (1 - machine->done) <=
 		(overlap_s < 0.5f * duration_s ? overlap_s : 0.5f * duration_s);
 }

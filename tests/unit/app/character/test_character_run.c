@@ -6,6 +6,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double rate_hz = 50.0;
@@ -304,6 +305,34 @@ static void test_a_state_that_ends_goes_on_with_the_next(void **state)
 	acting_end(&acting);
 }
 
+/* Whatever its rate: the fade is as long as at the rate 1. */
+static void test_a_state_ends_early_by_the_length_of_the_fade(void **state)
+{
+	static const double rates[] = {1.0, 0.5, 2.0, -0.5};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rates); i++) {
+		struct acting acting;
+		char text[256];
+		double jump_s;
+
+		snprintf(text, sizeof(text),
+			"[state a]\nclip = jump\nrepeat = once\nnext = b\n"
+			"rate = %g\n[state b]\nclip = idle\nfade = 0.2\n",
+			rates[i]);
+		acting_begin(&acting, "assets/walker.glb");
+		acting_expect(&acting, text);
+		jump_s = (double)acting.model
+				 ->clip[model_find_clip(acting.model, "jump")]
+				 .duration_s;
+		while (acting_state(&acting)[0] == 'a') {
+			acting_run_to(&acting, acting.now_s + 0.01, 100.0);
+		}
+		assert_near(acting.now_s, jump_s / fabs(rates[i]) - 0.2, 0.025);
+		acting_end(&acting);
+	}
+}
+
 static void test_steps_add_up_to_the_time(void **state)
 {
 	const struct character_entry *entry;
@@ -485,6 +514,8 @@ int main(void)
 		cmocka_unit_test(test_the_ground_runs_as_fast_as_the_clips),
 		cmocka_unit_test(test_clips_with_marks_stay_in_phase),
 		cmocka_unit_test(test_a_state_that_ends_goes_on_with_the_next),
+		cmocka_unit_test(
+			test_a_state_ends_early_by_the_length_of_the_fade),
 		cmocka_unit_test(test_steps_add_up_to_the_time),
 		cmocka_unit_test(
 			test_without_a_state_the_first_clip_or_the_rest_pose_plays),

@@ -77,14 +77,17 @@ static const char *after_line(const char *text)
 	return text + (*text == '\n');
 }
 
-/* Returns true if the line's first word, in brackets or not, is this one. */
-static bool names(const char *line, const char *word)
+/* Returns true if the name follows the line's blanks and brackets, and then end. */
+static bool names(const char *line, const char *name, char end)
 {
 	const char *at = line + strspn(line, " \t[");
-	size_t length = strlen(word);
+	size_t length = strlen(name);
 
-	return strncmp(at, word, length) == 0 && at[length] != '\0' &&
-		strchr(" \t=]", at[length]) != NULL;
+	if (strncmp(at, name, length) != 0) {
+		return false;
+	}
+	at += length;
+	return at[strspn(at, " \t")] == end;
 }
 
 static char first_of(const char *line)
@@ -134,7 +137,7 @@ static int find_key(const char *line)
 	int key = 0;
 
 	while (key < PROCEDURAL_FIELDS &&
-		!names(line, procedural_fields[key].key)) {
+		!names(line, procedural_fields[key].key, '=')) {
 		key++;
 	}
 	return key;
@@ -160,7 +163,7 @@ static void write_line(FILE *out, const char *line,
 /* Returns the heading of the preset's section, or the text's end. */
 static const char *find_section(const char *text, const char *name)
 {
-	while (*text && !(first_of(text) == '[' && names(text, name))) {
+	while (*text && !(first_of(text) == '[' && names(text, name, ']'))) {
 		text = after_line(text);
 	}
 	return text;

@@ -86,6 +86,23 @@ static void test_saving_changes_only_the_section(void **state)
 	assert_string_equal(text, after);
 }
 
+/* A name may have blanks, and begin as another one does. */
+static void test_saving_finds_the_section_by_its_whole_name(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	char text[1024];
+
+	write_file(bench, "[cold wind]\nspeed = 1\n[ cold ]\nspeed = 2\n");
+	strcpy(preset.name, "cold");
+	preset.speed = 3.0f;
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(
+		text, "[cold wind]\nspeed = 1\n[ cold ]\nspeed = 3\n");
+}
+
 static void test_a_saved_preset_is_read_back(void **state)
 {
 	struct bench *bench = *state;
@@ -217,6 +234,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
 			test_saving_changes_only_the_section, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_saving_finds_the_section_by_its_whole_name, begin,
+			end),
 		cmocka_unit_test_setup_teardown(
 			test_a_saved_preset_is_read_back, begin, end),
 		cmocka_unit_test_setup_teardown(

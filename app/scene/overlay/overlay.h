@@ -44,6 +44,12 @@ struct overlay_layer {
 struct overlay_motion {
 	int clip; /* or -1 */
 	float time_s;
+	/*
+	 * If not NULL, the clip moves a node this far and the figures leave
+	 * that out of it.
+	 */
+	const float *travel;
+	int traveller; /* the node */
 
 	/* A morph between two key frames, if morphing is true. */
 	bool morphing;

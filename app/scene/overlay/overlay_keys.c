@@ -3,6 +3,7 @@
  * of a morphed model as a row of small pictures.
  */
 #include "app/anim/clip.h"
+#include "app/anim/math/vec.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/overlay/overlay.h"
 #include "platform/base/fixed.h"
@@ -43,14 +44,22 @@ void overlay_push_place(const struct overlay *overlay,
 	matrix_gl_multiply(overlay->gl, (const vec4 *)figure->place);
 }
 
-static void draw_ghost(struct overlay *overlay, const struct model_clip *clip,
-	float time_s, const float color[4])
+static void draw_ghost(struct overlay *overlay,
+	const struct overlay_motion *motion, float time_s, const float color[4])
 {
+	const struct model_clip *clip =
+		&overlay->subject.instance->model->clip[motion->clip];
 	struct pose *pose = &overlay->ghost.instance->pose;
 	struct clip_cursor none = {0};
 
 	pose_rest(pose, overlay->subject.instance->model);
 	clip_sample(clip, time_s, &none, pose);
+	if (motion->travel) {
+		float *at = pose->local[motion->traveller].translation;
+
+		vec_add_scaled(
+			at, motion->travel, -clip_share(clip, time_s), at);
+	}
 	overlay_ghost_draw(
 		&overlay->ghost, overlay->gl, overlay->subject.textures, color);
 }
@@ -88,7 +97,7 @@ static void draw_ghosts(
 			if (at_s < 0.0f) {
 				break;
 			}
-			draw_ghost(overlay, clip, at_s, color);
+			draw_ghost(overlay, motion, at_s, color);
 			color[3] *= 0.6f;
 		}
 	}

@@ -1,6 +1,7 @@
 /* How the viewer moves its camera and its ground. */
 #include "app/demo/actor.h"
 #include "app/demo/demo_figures.h"
+#include "app/demo/demo_overlay.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
@@ -185,6 +186,27 @@ static void test_tiles_do_not_depend_on_the_unit_of_the_model(void **state)
 	assert_near(tile_of(100), 50, 1e-2);
 }
 
+/* Those of a walk that stays in its place do, too. */
+static void test_key_frames_are_shown_where_the_figure_is(void **state)
+{
+	const struct overlay_choice keys = {.kinds = 1U << OVERLAY_KEYS};
+	const struct instance *ghost;
+	struct bench bench;
+
+	(void)state;
+	begin_model(&bench, "tests/cli/slider.gltf",
+		"[state a]\nclip = slide\n[motion]\nroot = slider\n");
+	assert_int_equal(
+		demo_overlay_make(&demo_driver_viewer, bench.demo, &keys), 0);
+	step(&bench, 0.0);
+	step(&bench, 1.0);
+	demo_draw(&demo_driver_viewer, bench.demo, 480, 640);
+	ghost = bench.base->overlay->ghost.instance;
+	assert_near(bench.base->actor.instance->world[0][3][0], 0.0, 1e-6);
+	assert_near(ghost->world[0][3][0], 0.0, 1e-6);
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -193,6 +215,7 @@ int main(void)
 		cmocka_unit_test(test_the_first_frame_does_not_ease),
 		cmocka_unit_test(
 			test_tiles_do_not_depend_on_the_unit_of_the_model),
+		cmocka_unit_test(test_key_frames_are_shown_where_the_figure_is),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -88,15 +88,6 @@ static int find_shapes(const struct model *model)
 	return node >= 0 && is_animated(model, node) ? -1 : node;
 }
 
-static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
-{
-	if (sketch_is_usable(mesh->target_name[target])) {
-		sketch_write_name(out, mesh->target_name[target]);
-	} else {
-		fprintf(out, "%d", target);
-	}
-}
-
 /*
  * A section, whose lines begin with mark. Beside a clip that moves the same
  * shapes it is a suggestion: the camera would leave room for all shapes.
@@ -104,16 +95,15 @@ static void write_shape(const struct model_mesh *mesh, int target, FILE *out)
 static void write_morph_section(const struct model *model, int node, FILE *out)
 {
 	const char *mark = is_animated(model, node) ? ";" : "";
-	const char *name = model->node[node].name;
 
 	fprintf(out,
 		"; The shape goes from key frame to key frame: the neutral shape and each\n"
 		"; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
 		"%s[morph shape]\n",
 		mark);
-	if (sketch_is_usable(name) && model_find_node(model, name) == node) {
+	if (sketch_can_name_node(model, node)) {
 		fprintf(out, "%snode = ", mark);
-		sketch_write_name(out, name);
+		sketch_write_name(out, model->node[node].name);
 		fputc('\n', out);
 	}
 	fprintf(out, "%stime = 0.6\n%scurve = bezier 0.4 0 0.2 1\n\n", mark,
@@ -133,7 +123,7 @@ static void write_morph(const struct model *model, FILE *out)
 	fputs("; Expressions are mixed, each with a weight of its own.\n", out);
 	for (int i = 0; i < mesh->target_count && i < EXPRESSIONS_MAX; i++) {
 		fprintf(out, ";[expression face%d]\n;targets = ", i);
-		write_shape(mesh, i, out);
+		sketch_write_target(out, mesh, i);
 		fputs(" 1\n;on = no\n\n", out);
 	}
 }
@@ -242,7 +232,7 @@ static void write_chains(
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
 		if (!bones->is_joint[i] || bones->child_count[i] > 0 ||
-			!sketch_is_usable(model->node[i].name)) {
+			!sketch_can_name_node(model, i)) {
 			continue;
 		}
 		length = chain_length(model, bones, i);

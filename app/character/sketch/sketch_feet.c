@@ -57,7 +57,7 @@ static bool is_bone(const struct search *search, int node)
 {
 	return node >= 0 && search->is_joint[node] &&
 		strlen(search->model->node[node].name) <= NAME_MAX_BYTES &&
-		sketch_is_usable(search->model->node[node].name);
+		sketch_can_name_node(search->model, node);
 }
 
 /* Takes a node for an ankle. Returns false if it does not end a leg. */

@@ -6,6 +6,7 @@
 
 enum {
 	NAME_BYTES = 64,
+	NUMBER_BYTES = 24,
 	/* 49 bytes without "state " and two quotation marks */
 	HEADING_NAME = 41
 };
@@ -35,6 +36,13 @@ bool sketch_fits_heading(const char *name)
 	return strlen(name) <= HEADING_NAME;
 }
 
+bool sketch_can_name_node(const struct model *model, int node)
+{
+	const char *name = model->node[node].name;
+
+	return sketch_is_usable(name) && model_find_node(model, name) == node;
+}
+
 /* Whether a file can hold the clip's name, and no earlier clip has it. */
 static bool has_usable_name(const struct model *model, int clip)
 {
@@ -43,26 +51,71 @@ static bool has_usable_name(const struct model *model, int clip)
 	return sketch_is_usable(name) && model_find_clip(model, name) == clip;
 }
 
+/* Zeros make a clip's number differ from the names that other clips have. */
+static void find_number(
+	const struct model *model, int clip, char out[NUMBER_BYTES])
+{
+	int digits = 0;
+
+	do {
+		snprintf(out, NUMBER_BYTES, "%0*d", ++digits, clip);
+	} while (digits < NUMBER_BYTES - 1 &&
+		model_find_clip(model, out) != clip);
+}
+
 void sketch_write_clip(FILE *out, const struct model *model, int clip)
 {
+	char number[NUMBER_BYTES];
+
 	if (has_usable_name(model, clip)) {
 		sketch_write_name(out, model->clip[clip].name);
 	} else {
-		fprintf(out, "%d", clip);
+		find_number(model, clip, number);
+		fputs(number, out);
 	}
 }
 
 void sketch_write_heading(FILE *out, const struct model *model, int clip)
 {
 	const char *name = model->clip[clip].name;
-	char number[24];
+	char number[NUMBER_BYTES];
 
 	snprintf(number, sizeof(number), "clip %d", clip);
 	if (has_usable_name(model, clip) && sketch_fits_heading(name)) {
 		sketch_write_name(out, name);
 	} else if (model_find_clip(model, number) >= 0) {
-		fprintf(out, "%d", clip);
+		find_number(model, clip, number);
+		fputs(number, out);
 	} else {
 		sketch_write_name(out, number);
 	}
+}
+
+/* Returns whether no target before the given one has this name. */
+static bool is_first_target(
+	const struct model_mesh *mesh, int target, const char *name)
+{
+	int i = 0;
+
+	while (i < target && strcmp(mesh->target_name[i], name) != 0) {
+		i++;
+	}
+	return i == target;
+}
+
+void sketch_write_target(FILE *out, const struct model_mesh *mesh, int target)
+{
+	const char *name = mesh->target_name[target];
+	char number[NUMBER_BYTES];
+	int digits = 0;
+
+	if (sketch_is_usable(name) && is_first_target(mesh, target, name)) {
+		sketch_write_name(out, name);
+		return;
+	}
+	do {
+		snprintf(number, sizeof(number), "%0*d", ++digits, target);
+	} while (digits < NUMBER_BYTES - 1 &&
+		!is_first_target(mesh, mesh->target_count, number));
+	fputs(number, out);
 }

@@ -15,11 +15,17 @@ bool sketch_is_usable(const char *name);
 /* Whether it is so short that it can stand in the heading of a section. */
 bool sketch_fits_heading(const char *name);
 
+/* Whether a file can hold the node's name, and no earlier node has it. */
+bool sketch_can_name_node(const struct model *model, int node);
+
 /*
  * Writes the name of a clip, or its number if a file cannot hold the name or an
  * earlier clip has it.
  */
 void sketch_write_clip(FILE *out, const struct model *model, int clip);
+
+/* The same for a morph target. */
+void sketch_write_target(FILE *out, const struct model_mesh *mesh, int target);
 
 /*
  * Writes the name of a section about a clip: that of the clip, or "clip 3" for

@@ -6,10 +6,8 @@
 /* A part is called as its node is. */
 static bool has_own_name(const struct model *model, int node)
 {
-	const char *name = model->node[node].name;
-
-	return sketch_is_usable(name) && sketch_fits_heading(name) &&
-		model_find_node(model, name) == node;
+	return sketch_can_name_node(model, node) &&
+		sketch_fits_heading(model->node[node].name);
 }
 
 static bool is_rigid(const struct model *model, int node)

@@ -1,5 +1,6 @@
 /* Character files that limber sketches for a model. */
 #include "app/character/sketch/character_sketch.h"
+#include "app/character/sketch/sketch_names.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -266,7 +267,7 @@ static void test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first(
 /* Clips in which a sketch has to write numbers in place of names. */
 static void test_a_sketch_holds_any_names(void **state)
 {
-	static const char *const names[] = {"", "rest", "a ;b] \"c\"", "rest",
+	static const char *const names[] = {"", "0", "a ;b] \"c\"", "0",
 		"Armature|walk, \xc3\xa9 # = [1] and a name that is longer than a line"};
 	struct acting acting;
 
@@ -283,6 +284,49 @@ static void test_a_sketch_holds_any_names(void **state)
 
 		assert_ptr_equal(one->entry[0].of->clip, &acting.model->clip[i]);
 	}
+	acting_end(&acting);
+}
+
+/* Targets without a name of their own, and one that is called as a number. */
+static void test_a_sketch_names_each_target(void **state)
+{
+	const char *names[] = {"", "smile", "smile", "0"};
+	struct model_mesh mesh = {.target_count = 4, .target_name = names};
+	char *text = NULL;
+	size_t size = 0;
+	FILE *out = open_memstream(&text, &size);
+
+	(void)state;
+	assert_non_null(out);
+	for (int i = 0; i < 4; i++) {
+		sketch_write_target(out, &mesh, i);
+		fputc(' ', out);
+	}
+	fclose(out);
+	assert_string_equal(text, "00 smile 2 0 ");
+	free(text);
+}
+
+/* Of two bones with a name, only the first can be suggested. */
+static void test_a_sketch_suggests_no_bone_that_a_name_does_not_find(
+	void **state)
+{
+	struct acting acting;
+	char *text;
+	int foot, other;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	foot = model_find_node(acting.model, "foot.R");
+	other = model_find_node(acting.model, "foot.L");
+	text = acting_sketch(acting.model, NULL);
+	assert_non_null(strstr(text, ";right = thigh.R shin.R foot.R"));
+	free(text);
+	acting.model->node[foot > other ? foot : other].name =
+		acting.model->node[foot > other ? other : foot].name;
+	text = acting_sketch(acting.model, NULL);
+	assert_null(strstr(text, ";[feet"));
+	free(text);
 	acting_end(&acting);
 }
 
@@ -462,6 +506,9 @@ int main(void)
 			test_a_sketch_suggests_each_chain_of_two_or_more),
 		cmocka_unit_test(
 			test_a_sketch_names_the_node_of_a_morph_if_it_is_the_first),
+		cmocka_unit_test(test_a_sketch_names_each_target),
+		cmocka_unit_test(
+			test_a_sketch_suggests_no_bone_that_a_name_does_not_find),
 		cmocka_unit_test(test_a_sketch_holds_any_names),
 		cmocka_unit_test(
 			test_a_sketch_fits_models_anywhere_and_of_any_size),

@@ -53,6 +53,9 @@ void character_go_on(struct character *character, const struct character *before
 	character->seen_s = before->seen_s;
 	character->now_s = character->tour_from_s = before->now_s;
 	character->paused = before->paused;
+	character->touring = before->touring;
+	character->labels_hidden = before->labels_hidden;
+	character->keys_shown = before->keys_shown;
 	for (int i = 0; i < machine->state_count; i++) {
 		struct character_state *state = &machine->state[i];
 

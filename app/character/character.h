@@ -34,8 +34,8 @@ void character_destroy(struct character *character);
 
 /*
  * Lets a new character continue where another one is, for instance after its
- * file was edited: at the same time and, if it has a state of that name, in the
- * same state.
+ * file was edited: at the same time, with the same labels and, if it has a
+ * state of that name, in the same state. A tour begins again.
  */
 void character_go_on(
 	struct character *character, const struct character *before);

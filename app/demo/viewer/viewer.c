@@ -101,23 +101,35 @@ static int create_figure(
 	return 0;
 }
 
-/* Makes the stage that the character file describes. */
-static int init_stage(const struct figure *figure, struct demo_base *base,
-	const struct demo_env *env, struct stage *stage)
+/* How the character file wants the figure and its labels in the picture. */
+static struct framing framing_of(const struct figure *figure)
 {
-	const struct character_bounds *bounds = &figure->drawing.bounds;
 	const struct character_scene *scene = &figure->character->scene;
 	struct framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
 					  .pitch_rad = scene->pitch_rad,
 					  .margin = scene->margin,
 					  .follow = true},
 		.labels_right = scene->labels == CHARACTER_LABELS_RIGHT};
-	struct bounds box = bounds->all;
 
 	framing.label_rows =
 		character_label_count(figure->character, &framing.label_bars);
-	box.low[1] =
-		character_bounds_ground(bounds, base->actor.model->clip_count);
+	return framing;
+}
+
+static float ground_of(const struct figure *figure)
+{
+	return character_bounds_ground(&figure->drawing.bounds,
+		figure->character->instance->model->clip_count);
+}
+
+/* Makes the stage that the character file describes. */
+static int init_stage(const struct figure *figure, struct demo_base *base,
+	const struct demo_env *env, struct stage *stage)
+{
+	struct framing framing = framing_of(figure);
+	struct bounds box = figure->drawing.bounds.all;
+
+	box.low[1] = ground_of(figure);
 	return actor_init_stage(base, env, &box,
 		base->actor.instance->unit_scale, &framing, stage);
 }
@@ -151,18 +163,36 @@ static void viewer_finish(struct demo *demo)
 	destroy_figure(demo->figure);
 }
 
-/* Makes a new stage if the model's size has changed by about a quarter. */
-static void reframe(struct demo *demo, float old_extent)
+/*
+ * Returns true if the stage of one figure suits another: it asks for the same
+ * picture, is about as large, and stands at about the same height.
+ */
+static bool suits(const struct figure *a, float extent, const struct figure *b,
+	float other_extent)
+{
+	const struct framing one = framing_of(a), other = framing_of(b);
+	float ratio = other_extent / extent;
+
+	return ratio > 0.8f && ratio < 1.25f &&
+		scalar_abs(ground_of(a) - ground_of(b)) < 0.005f * extent &&
+		one.camera.yaw_rad == other.camera.yaw_rad &&
+		one.camera.pitch_rad == other.camera.pitch_rad &&
+		one.camera.margin == other.camera.margin &&
+		one.label_rows == other.label_rows &&
+		one.label_bars == other.label_bars &&
+		one.labels_right == other.labels_right;
+}
+
+/* Makes a new stage where the old figure's does not suit the new one. */
+static void reframe(
+	struct demo *demo, const struct figure *before, float old_extent)
 {
 	struct stage *stage = &demo->base.stage;
-	float ratio = demo->base.actor.extent / old_extent;
 	struct stage fresh;
 
-	if (ratio > 0.8f && ratio < 1.25f) {
-		return;
-	}
-	if (init_stage(demo->figure, &demo->base, &demo->watch.env, &fresh) ==
-		0) {
+	if (!suits(before, old_extent, demo->figure, demo->base.actor.extent) &&
+		init_stage(demo->figure, &demo->base, &demo->watch.env,
+			&fresh) == 0) {
 		stage_finish(stage, demo->base.gl);
 		*stage = fresh;
 	}
@@ -198,7 +228,7 @@ static int reload(struct demo *demo)
 	demo->base.actor = fresh;
 	actor_reduce(&demo->base);
 	demo->figure = after;
-	reframe(demo, old.extent);
+	reframe(demo, before, old.extent);
 	demo_overlay_release(&demo->base);
 	destroy_figure(before);
 	actor_unload(&old, env.gl);

@@ -13,23 +13,27 @@
 struct bench {
 	struct log log;
 	struct gl gl;
-	struct test_path folder;
+	struct test_path folder, character;
 	struct demo *demo;
 	struct demo_base *base;
 	double now_s;
 };
 
+static void put_character(const struct bench *bench, const char *text)
+{
+	file_write(bench->character.text, text, strlen(text));
+}
+
 static void begin_model(
 	struct bench *bench, const char *model, const char *character)
 {
-	struct test_path path;
 	struct demo_env env;
 
 	*bench = (struct bench){.log = log_to_stderr(LOG_ERROR)};
 	bench->gl = gl_recorder_begin();
 	bench->folder = temp_dir_make();
-	path = path_join(&bench->folder, "scene.character");
-	file_write(path.text, character, strlen(character));
+	bench->character = path_join(&bench->folder, "scene.character");
+	put_character(bench, character);
 	env = (struct demo_env){
 		.log = &bench->log,
 		.gl = &bench->gl,
@@ -38,9 +42,10 @@ static void begin_model(
 		.width = 480,
 		.height = 640,
 		.model_path = model,
-		.character = path.text,
+		.character = bench->character.text,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f,
+		.follow_file = true,
 	};
 	assert_int_equal(
 		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
@@ -207,6 +212,78 @@ static void test_key_frames_are_shown_where_the_figure_is(void **state)
 	end(&bench);
 }
 
+static void run_to(struct bench *bench, double time_s)
+{
+	while (bench->now_s < time_s) {
+		step(bench, 0.05);
+	}
+}
+
+/* The camera, and on which side labels take room, but not for other changes. */
+static void test_a_changed_scene_is_framed_anew(void **state)
+{
+	struct bench bench;
+	const struct camera *camera;
+	float distance, turned;
+
+	(void)state;
+	begin(&bench, "[state a]\nclip = rest\n[scene]\nyaw = 10\n");
+	camera = &bench.base->stage.camera;
+	run_to(&bench, 1.0);
+	assert_near(camera->yaw_rad, 0.174533, 1e-5);
+	distance = camera->distance;
+	put_character(&bench,
+		"[state a]\nclip = rest\n[scene]\nyaw = 60\nmargin = 2\n");
+	run_to(&bench, 4.3);
+	assert_near(camera->yaw_rad, 1.047198, 1e-5);
+	assert_true(camera->distance > 1.3f * distance);
+	assert_false(bench.base->framing.labels_right);
+	put_character(&bench,
+		"[state a]\nclip = rest\n[scene]\nyaw = 60\nmargin = 2\n"
+		"labels = right\n");
+	run_to(&bench, 7.5);
+	assert_true(bench.base->framing.labels_right);
+	camera_orbit(&bench.base->stage.camera, 0.3f, 0.0f);
+	turned = camera->yaw_rad;
+	put_character(&bench,
+		"[state a]\nclip = idle\n[scene]\nyaw = 60\nmargin = 2\n"
+		"labels = right\n");
+	run_to(&bench, 10.5);
+	assert_near(camera->yaw_rad, turned, 0.0);
+	end(&bench);
+}
+
+static int count_label_quads(const struct bench *bench)
+{
+	static struct hud hud;
+
+	hud.font = &font_default;
+	hud_begin(&hud, 240, 320);
+	demo_driver_viewer.label(bench->demo, &hud);
+	return hud.quad_count;
+}
+
+static void test_labels_stay_hidden_when_the_file_changes(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "[state a]\nclip = rest\n[buttons]\nUP = labels\n");
+	run_to(&bench, 1.0);
+	assert_true(count_label_quads(&bench) > 0);
+	put(&bench, BUTTON_UP, true);
+	run_to(&bench, 1.5);
+	assert_int_equal(count_label_quads(&bench), 0);
+	put_character(
+		&bench, "[state b]\nclip = walk\n[buttons]\nUP = labels\n");
+	run_to(&bench, 4.3);
+	assert_int_equal(count_label_quads(&bench), 0);
+	put(&bench, BUTTON_UP, true);
+	run_to(&bench, 4.5);
+	assert_true(count_label_quads(&bench) > 0);
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -216,6 +293,8 @@ int main(void)
 		cmocka_unit_test(
 			test_tiles_do_not_depend_on_the_unit_of_the_model),
 		cmocka_unit_test(test_key_frames_are_shown_where_the_figure_is),
+		cmocka_unit_test(test_a_changed_scene_is_framed_anew),
+		cmocka_unit_test(test_labels_stay_hidden_when_the_file_changes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -380,7 +380,7 @@ struct character_output {
 
 	/* Changes: */
 	bool on;
-	double until_s; /* when it goes off; below 0: it stays on */
+	double until_s; /* it goes off then, also in a pause; below 0: never */
 };
 
 /* Which side of the picture labels take. */

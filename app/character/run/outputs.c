@@ -45,7 +45,7 @@ void character_output_drive(struct character *character, int index, float amount
 
 	output->on = amount != 0;
 	output->until_s =
-		amount > 0 ? character->now_s + (double)amount / 1000 : -1;
+		amount > 0 ? character->seen_s + (double)amount / 1000 : -1;
 	if (character->drive) {
 		character->drive(character->drive_user, index, output->on);
 	}
@@ -57,7 +57,7 @@ void character_outputs_update(struct character *character)
 		struct character_output *output = &character->output[i];
 
 		if (output->on && output->until_s >= 0 &&
-			character->now_s >= output->until_s) {
+			character->seen_s >= output->until_s) {
 			character_output_drive(character, i, 0);
 		}
 	}

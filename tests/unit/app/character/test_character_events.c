@@ -209,6 +209,29 @@ static void test_events_give_pulses_to_output_lines(void **state)
 	acting_end(&acting);
 }
 
+/* What a line drives must not stay on because the figure stands still. */
+static void test_a_pulse_ends_during_a_pause(void **state)
+{
+	struct acting acting;
+	struct line line = {0};
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[output led]\nline = gpiochip0/18\n"
+		"[buttons]\nUP = output led 200\nDOWN = pause\n");
+	acting.character->drive = drive;
+	acting.character->drive_user = &line;
+	acting_run_to(&acting, 0.5, rate_hz);
+	press_once(&acting, BUTTON_UP);
+	press_once(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 0.65, rate_hz);
+	assert_true(line.on);
+	acting_run_to(&acting, 0.8, rate_hz);
+	assert_false(line.on);
+	acting_end(&acting);
+}
+
 static void test_a_tour_presses_buttons_until_somebody_does(void **state)
 {
 	struct acting acting;
@@ -283,6 +306,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_layer_that_plays_once_causes_its_last_events),
 		cmocka_unit_test(test_events_give_pulses_to_output_lines),
+		cmocka_unit_test(test_a_pulse_ends_during_a_pause),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
 		cmocka_unit_test(test_each_line_of_a_tour_acts_at_its_time),
 		cmocka_unit_test(test_a_pause_holds_the_pose),

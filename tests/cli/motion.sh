@@ -56,10 +56,32 @@ film() {
         "$(grep -ao 'FRAME' "$scratch/film.y4m" | wc -l)"
 }
 film 5 10 "$slider"
+film 5 20 "$slider" --speed 0.5
+film 5 20 "$slider" --repeat ping-pong
 film 1 18 --demo walker
 film 1 15 --demo arm
 film 1 14 --demo face
 film 1 8 --demo crowd
 film 1 7 --demo duel
 film 1 6 --demo tuner
+
+# Where a character file or a demo says how clips play, options do not.
+cp "$slider" "$scratch/slider.gltf"
+echo '[state a]' >"$scratch/slider.character"
+echo 'clip = slide' >>"$scratch/slider.character"
+one() {
+    limber render "$@" --size 16x16 --gl soft -o "$scratch/one.png"
+    expect_status 0
+}
+one "$scratch/slider.gltf" --speed 2
+check 'the character file is named' grep -q \
+    'change nothing, as .*slider.character says how clips play' "$err_file"
+one "$scratch/slider.gltf" --speed 2 --character none
+expect_no_err
+one "$scratch/slider.gltf" --repeat once --clip rise
+expect_no_err
+one "$slider" --speed 2
+expect_no_err
+one --demo tuner --repeat once
+check 'the demo is named' grep -q 'change nothing in the demo tuner' "$err_file"
 tap_done

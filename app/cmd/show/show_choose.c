@@ -1,9 +1,12 @@
+#include "app/character/character_open.h"
 #include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show.h"
 #include "app/cmd/show/show_screen.h"
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
+
+#include <limits.h>
 
 static void log_unknown_demo(const char *name, const struct log *log)
 {
@@ -38,10 +41,48 @@ static bool are_valid(const struct options *options,
 	return true;
 }
 
+/* Only a model without a character file plays its clips as options say. */
+static void warn_of_motion(const struct options *options,
+	const struct show_plan *plan, const struct log *log)
+{
+	const struct character_request request = {.model_path = plan->model_path,
+		.file = options->show.character,
+		.clip = options->motion.clip};
+	char path[PATH_MAX];
+
+	if (options->motion.speed == 1.0f &&
+		options->motion.repeat == CLIP_LOOP) {
+		return;
+	}
+	if (plan->demo->any_model) {
+		log_warning(log,
+			"--speed and --repeat change nothing in the demo %s, which plays clips in its own way",
+			plan->demo->name);
+	} else if (character_open_path(&request, path, sizeof(path))) {
+		log_warning(log,
+			"--speed and --repeat change nothing, as %s says how clips play: give --character none or --clip to play the model without it",
+			path);
+	}
+}
+
+static int find_model(const struct options *options, const struct log *log,
+	struct show_plan *plan)
+{
+	if (options->model_path) {
+		plan->model_path = options->model_path;
+		return command_exit_code(
+			model_file_check(plan->model_path, log));
+	}
+	plan->model_path = plan->asset_path;
+	return command_exit_code(file_find_asset(plan->demo->asset, log,
+		plan->asset_path, sizeof(plan->asset_path)));
+}
+
 int show_choose(const struct options *options, const struct log *log,
 	struct show_plan *plan)
 {
 	const char *demo = options->show.demo;
+	int status;
 
 	if (!are_valid(options, plan, log)) {
 		return EXIT_USAGE;
@@ -53,18 +94,15 @@ int show_choose(const struct options *options, const struct log *log,
 		log_unknown_demo(demo, log);
 		return EXIT_USAGE;
 	}
-	if (options->model_path) {
-		if (plan->demo->asset && !plan->demo->any_model) {
-			log_error(log,
-				"%s: the demo %s has a model of its own: leave out one of them, or choose --demo crowd, duel or tuner",
-				options->model_path, demo);
-			return EXIT_USAGE;
-		}
-		plan->model_path = options->model_path;
-		return command_exit_code(
-			model_file_check(plan->model_path, log));
+	if (options->model_path && plan->demo->asset && !plan->demo->any_model) {
+		log_error(log,
+			"%s: the demo %s has a model of its own: leave out one of them, or choose --demo crowd, duel or tuner",
+			options->model_path, demo);
+		return EXIT_USAGE;
 	}
-	plan->model_path = plan->asset_path;
-	return command_exit_code(file_find_asset(plan->demo->asset, log,
-		plan->asset_path, sizeof(plan->asset_path)));
+	status = find_model(options, log, plan);
+	if (status == 0) {
+		warn_of_motion(options, plan, log);
+	}
+	return status;
 }

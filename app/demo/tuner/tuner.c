@@ -365,14 +365,19 @@ static void toggle_paint(struct demo *demo, int amount)
 static void read_again(struct demo *demo, int amount)
 {
 	struct preset_file file;
+	int at;
 
 	(void)amount;
-	if (preset_file_find(&file, demo->log) == 0 &&
-		demo->chosen < file.count) {
-		*preset_of(demo) = file.preset[demo->chosen];
-		use_preset(demo);
-		show_message(demo, "as in the file");
+	if (preset_file_find(&file, demo->log) != 0) {
+		return;
 	}
+	at = procedural_preset_find(
+		file.preset, file.count, preset_of(demo)->name);
+	if (at >= 0) {
+		*preset_of(demo) = file.preset[at];
+		use_preset(demo);
+	}
+	show_message(demo, at >= 0 ? "as in the file" : "not in the file");
 }
 
 static void toggle_shake(struct demo *demo, int amount)

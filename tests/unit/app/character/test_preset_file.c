@@ -229,6 +229,27 @@ static void test_a_tuner_that_may_not_save_writes_nothing(void **state)
 	assert_near(read[0].amplitude, 0.3, 1e-6);
 }
 
+/* The file may have other presets in its place by now. */
+static void test_the_tuner_reads_its_preset_again(void **state)
+{
+	static const struct demo_press presses[] = {
+		{0.2, BUTTON_F9}, {0.6, BUTTON_RIGHT}, {1.0, BUTTON_ENTER}};
+	struct bench *bench = *state;
+	struct demo_run run;
+	char text[1024];
+
+	write_file(bench, "[mine]\nspeed = 7\n");
+	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder.text, 1), 0);
+	demo_run_begin_saving(&run, "tuner");
+	write_file(bench, "[other]\nspeed = 3\n[mine]\nspeed = 9\n");
+	demo_run_to(&run, 2.0, 20, presses, (int)ARRAY_COUNT(presses));
+	demo_run_end(&run);
+	read_back(bench, text, sizeof(text));
+	assert_string_equal(text,
+		"[other]\nspeed = 3\n[mine]\nspeed = 9\n"
+		"attenuation = 0.35\n");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -251,6 +272,8 @@ int main(void)
 		cmocka_unit_test_setup_teardown(
 			test_a_tuner_that_may_not_save_writes_nothing, begin,
 			end),
+		cmocka_unit_test_setup_teardown(
+			test_the_tuner_reads_its_preset_again, begin, end),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -54,6 +54,8 @@ struct character_parameter {
 	/* Changes: */
 	/* value eases from .from to .goal, elapsed_s after goal has changed */
 	float value, goal, from, elapsed_s;
+	float last_goal; /* in the last frame */
+	int changes;     /* frames in a row in which the goal has changed */
 };
 
 /* What an action does. */

@@ -183,6 +183,7 @@ static int read_one(struct character_build *build,
 			(double)parameter->range[1]);
 	}
 	parameter->value = parameter->goal = parameter->from = parameter->start;
+	parameter->last_goal = parameter->start;
 	return error;
 }
 

@@ -2,6 +2,13 @@
 
 #include "platform/base/scalar.h"
 
+enum {
+	MOVES_AFTER = 3 /* changes in a row after which a goal moves */
+};
+
+/* The time to ease to a goal, in time constants of the decay. */
+static const float decays_an_ease = 3;
+
 void character_parameter_set(struct character_parameter *parameter, float goal)
 {
 	goal = scalar_clamp(goal, parameter->range[0], parameter->range[1]);
@@ -64,10 +71,35 @@ static float source_value(const struct character *character,
 	}
 }
 
+/* Counts the frames in which the goal keeps moving, as by a held button. */
+static bool has_moving_goal(struct character_parameter *parameter)
+{
+	bool changed = parameter->goal != parameter->last_goal;
+
+	parameter->last_goal = parameter->goal;
+	parameter->changes = !changed              ? 0
+		: parameter->changes < MOVES_AFTER ? parameter->changes + 1
+						   : MOVES_AFTER;
+	return parameter->changes == MOVES_AFTER;
+}
+
+/*
+ * The way to a goal begins slowly, so that one which began anew in every frame
+ * would get nowhere: behind a goal that moves, the value decays towards it.
+ */
 static void ease(struct character_parameter *parameter, float step_s)
 {
 	float u;
 
+	if (has_moving_goal(parameter) && parameter->ease_s > 0) {
+		parameter->value += (parameter->goal - parameter->value) *
+			(1 -
+				scalar_exp(-decays_an_ease * step_s /
+					parameter->ease_s));
+		parameter->from = parameter->value;
+		parameter->elapsed_s = 0;
+		return;
+	}
 	parameter->elapsed_s += step_s;
 	if (parameter->elapsed_s >= parameter->ease_s) {
 		parameter->value = parameter->goal;

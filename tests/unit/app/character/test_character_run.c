@@ -25,43 +25,6 @@ static void press_once(struct acting *acting, enum button button)
 	acting_tap(acting, button, 1.0 / rate_hz, rate_hz);
 }
 
-static void test_a_parameter_eases_to_its_goal(void **state)
-{
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	acting_expect(&acting,
-		"[parameter v]\nrange = 0 2\nease = 1\n[buttons]\nUP = add v 1\n");
-	press_once(&acting, BUTTON_UP);
-	acting_run_to(&acting, 0.5, rate_hz);
-	assert_near(acting_value(&acting, "v"), 0.5, 0.05);
-	acting_run_to(&acting, 1.2, rate_hz);
-	assert_near(acting_value(&acting, "v"), 1.0, 0.0);
-	press_once(&acting, BUTTON_UP);
-	press_once(&acting, BUTTON_UP);
-	acting_run_to(&acting, 4.0, rate_hz);
-	assert_near(acting_value(&acting, "v"), 2.0, 0.0);
-	acting_end(&acting);
-}
-
-static void test_sources_of_parameters(void **state)
-{
-	struct acting acting;
-
-	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	acting_expect(&acting,
-		"[parameter t]\nrange = 0 100\nsource = time 2 1\n"
-		"[parameter s]\nrange = -1 3\nsource = sine 4\n"
-		"[parameter p]\nrange = -9 9\nsource = s 2 -1\n");
-	acting_run_to(&acting, 1.0, rate_hz);
-	assert_near(acting_value(&acting, "t"), 3.0, 1e-4);
-	assert_near(acting_value(&acting, "s"), 3.0, 1e-4);
-	assert_near(acting_value(&acting, "p"), 5.0, 1e-3);
-	acting_end(&acting);
-}
-
 /* The largest angle that a bone turns from frame to frame, degrees. */
 static double largest_turn(const struct pose *a, const struct pose *b)
 {
@@ -505,8 +468,6 @@ static void test_an_additive_layer_adds_to_the_state(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_a_parameter_eases_to_its_goal),
-		cmocka_unit_test(test_sources_of_parameters),
 		cmocka_unit_test(test_no_transition_makes_a_bone_jump),
 		cmocka_unit_test(test_planted_feet_do_not_skate),
 		cmocka_unit_test(

@@ -1,6 +1,12 @@
-/* The action "step" against a search among all stops. */
+/*
+ * How parameters ease and what they follow, and the action "step" against a
+ * search among all stops.
+ */
 #include "app/character/run/parameters.h"
+#include "tests/support/model/acting.h"
 #include "tests/support/test.h"
+
+static const double rate_hz = 50.0;
 
 enum {
 	STOPS = 4
@@ -107,6 +113,73 @@ static void test_a_new_goal_begins_its_way_at_the_value(void **state)
 	assert_near(one.goal, 0.0, 0.0);
 }
 
+static void test_a_parameter_eases_to_its_goal(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 2\nease = 1\n[buttons]\nUP = add v 1\n");
+	acting_tap(&acting, BUTTON_UP, 1.0 / rate_hz, rate_hz);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(acting_value(&acting, "v"), 0.5, 0.05);
+	acting_run_to(&acting, 1.2, rate_hz);
+	assert_near(acting_value(&acting, "v"), 1.0, 0.0);
+	acting_tap(&acting, BUTTON_UP, 1.0 / rate_hz, rate_hz);
+	acting_tap(&acting, BUTTON_UP, 1.0 / rate_hz, rate_hz);
+	acting_run_to(&acting, 4.0, rate_hz);
+	assert_near(acting_value(&acting, "v"), 2.0, 0.0);
+	acting_end(&acting);
+}
+
+/* As long as a button is held, the goal changes in every frame. */
+static double follow(double frames_a_second)
+{
+	struct acting acting;
+	double value;
+
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 10\nease = 0.4\n"
+		"[buttons]\nUP hold = add v 2\n");
+	acting_press(&acting, BUTTON_UP);
+	acting_run_to(&acting, 2.0, frames_a_second);
+	value = acting_value(&acting, "v");
+	acting_release(&acting, BUTTON_UP);
+	acting_run_to(&acting, 2.6, frames_a_second);
+	assert_near(acting_value(&acting, "v"), 4.0, 0.1);
+	acting_end(&acting);
+	return value;
+}
+
+static void test_a_parameter_keeps_up_with_a_goal_that_moves(void **state)
+{
+	double slow = follow(25.0), fast = follow(100.0);
+
+	(void)state;
+	/* It has no more delay than it takes to ease to a goal that stays. */
+	assert_true(slow > 4.0 - 0.4 * 2.0);
+	assert_near(slow, fast, 0.15);
+}
+
+static void test_sources_of_parameters(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter t]\nrange = 0 100\nsource = time 2 1\n"
+		"[parameter s]\nrange = -1 3\nsource = sine 4\n"
+		"[parameter p]\nrange = -9 9\nsource = s 2 -1\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	assert_near(acting_value(&acting, "t"), 3.0, 1e-4);
+	assert_near(acting_value(&acting, "s"), 3.0, 1e-4);
+	assert_near(acting_value(&acting, "p"), 5.0, 1e-3);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -116,6 +189,10 @@ int main(void)
 		cmocka_unit_test(
 			test_several_steps_go_as_far_as_one_after_the_other),
 		cmocka_unit_test(test_a_new_goal_begins_its_way_at_the_value),
+		cmocka_unit_test(test_a_parameter_eases_to_its_goal),
+		cmocka_unit_test(
+			test_a_parameter_keeps_up_with_a_goal_that_moves),
+		cmocka_unit_test(test_sources_of_parameters),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -255,6 +255,18 @@ int motions_find(const struct character_request *request,
 	return 0;
 }
 
+struct motion motion_of_clip(struct instance *instance, int clip)
+{
+	struct gait_body body;
+	struct motion motion;
+
+	gait_body_make(&body, instance->model);
+	motion = measure(instance, &body, clip, GAIT_STEPS_MOST);
+	pose_rest(&instance->pose, instance->model);
+	instance_update(instance);
+	return motion;
+}
+
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion)
 {

@@ -47,6 +47,9 @@ struct motions {
 int motions_find(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct motions *out);
 
+/* Measures a clip of the model and leaves the instance in the rest pose. */
+struct motion motion_of_clip(struct instance *instance, int clip);
+
 /* Returns the figure's box in this motion, scene units, without its drift. */
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion);

@@ -78,6 +78,31 @@ static void fit(struct crowd_figure *figure, const struct bounds *bounds)
 	figure->beyond_m = height > upright * side ? 0.0f : corner_m;
 }
 
+/*
+ * Finds the clips of walkers that stand, by their names. Such a clip may move
+ * the figure, as a jump does.
+ */
+static void find_named(struct crowd_figure *figure, struct instance *instance)
+{
+	int count = 0;
+
+	for (int number = 0; number < CROWD_MAX; number++) {
+		struct crowd_route route = crowd_route(number);
+		int clip = route.gait == CROWD_STANDS
+			? model_find_clip(instance->model, route.clip)
+			: -1;
+		int at = 0;
+
+		while (at < count && figure->named[at].clip != clip) {
+			at++;
+		}
+		if (clip >= 0 && at == count && count < CROWD_NAMED_MAX) {
+			figure->named[count++] = motion_of_clip(instance, clip);
+		}
+		figure->named_clip[number] = clip >= 0 && at < count ? at : -1;
+	}
+}
+
 int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	struct actor *actor)
 {
@@ -89,8 +114,8 @@ int crowd_figure_make(struct crowd_figure *figure, const struct demo_env *env,
 	if (error) {
 		return error;
 	}
-	figure->model = actor->model;
 	figure->one_clip = env->clip;
+	find_named(figure, actor->instance);
 	figure->front_rad = figure->motions.role[MOTION_WALK].facing_rad;
 	bounds = measure(actor->instance, &figure->motions);
 	if (!bounds_is_empty(&bounds)) {
@@ -109,15 +134,14 @@ struct crowd_route crowd_figure_route(
 		[CROWD_RUNS] = MOTION_RUN,
 	};
 	struct crowd_route route = crowd_route(number);
-	int named = route.gait == CROWD_STANDS && !figure->one_clip
-		? model_find_clip(figure->model, route.clip)
-		: -1;
+	int named = figure->one_clip ? -1 : figure->named_clip[number];
 	bool stood = route.speed_m_s == 0.0f;
 	float speed;
 
 	*motion = figure->motions.role[roles[route.gait]];
 	if (named >= 0) {
-		*motion = (struct motion){.clip = named};
+		*motion = figure->named[named];
+		motion->speed = 0.0f;
 	}
 	speed = scalar_clamp(motion->speed * figure->scale, 0.0f, fastest_m_s);
 	if (route.radius_m == 0.0f) {

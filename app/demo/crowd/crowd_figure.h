@@ -9,11 +9,17 @@
 #include "app/demo/actor.h"
 #include "app/demo/crowd/crowd_route.h"
 
+enum {
+	CROWD_NAMED_MAX = 4
+};
+
 struct crowd_figure {
-	const struct model *model;
 	struct motions motions;
-	bool one_clip;   /* --clip was given: all walkers play it */
-	float scale;     /* metres of the crowd for a scene unit */
+	bool one_clip; /* --clip was given: all walkers play it */
+	/* clips that standing walkers play because of their names */
+	struct motion named[CROWD_NAMED_MAX];
+	int named_clip[CROWD_MAX]; /* index in named of each walker, or -1 */
+	float scale;               /* metres of the crowd for a scene unit */
 	float center[3]; /* scene units; this point stands on the route */
 	float front_rad; /* the direction it faces; 0 is +Z */
 	float beyond_m;  /* added to the crowd's radius for a wide figure */

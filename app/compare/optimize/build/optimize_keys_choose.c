@@ -156,31 +156,32 @@ static int reduce_group(struct optimize_keys *keys, int group)
 	return error;
 }
 
-/* A clip lasts to its last key, so one channel must keep a key there. */
+/*
+ * A clip lasts to its last key, so one channel must keep a key there: one that
+ * moves until then or, if there is none, a constant channel.
+ */
 static void keep_end(struct optimize_keys *keys)
 {
 	struct optimize_channel *pin = NULL;
 
-	for (int i = 0; i < keys->count; i++) {
-		const struct optimize_channel *channel = &keys->channel[i];
+	for (int i = keys->count; i-- > 0;) {
+		struct optimize_channel *channel = &keys->channel[i];
 		int last = channel->track.key_count - 1;
 
-		if (!channel->constant && !channel->dropped &&
+		if (channel->constant) {
+			pin = !pin || pin->dropped || !channel->dropped ? channel
+									: pin;
+		} else if (!channel->dropped &&
 			channel->time_s[last] == keys->end_s) {
 			return;
-		}
-	}
-	for (int i = keys->count; i-- > 0;) {
-		if (!pin || pin->dropped || !keys->channel[i].dropped) {
-			pin = &keys->channel[i];
 		}
 	}
 	if (!pin) {
 		return;
 	}
 	pin->dropped = false;
-	pin->ends = pin->constant;
-	if (pin->constant && keys->end_s > 0.0f && pin->track.key_count > 1) {
+	pin->ends = true;
+	if (keys->end_s > 0.0f && pin->track.key_count > 1) {
 		pin->kept_count = 2;
 	}
 }

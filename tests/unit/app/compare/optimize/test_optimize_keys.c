@@ -142,13 +142,17 @@ static void test_an_animation_keeps_its_end(void **state)
 	}
 }
 
-/* Any channel that moves until then will do; a dropped one will not. */
+/*
+ * Any channel that moves until then will do; a dropped one, or one that moves
+ * but ends earlier, will not.
+ */
 static void test_a_channel_that_moves_keeps_the_end(void **state)
 {
 	(void)state;
 	for (int mover = 0; mover < CHANNELS; mover++) {
 		for (int later = 0; later <= 1; later++) {
 			struct fixture f;
+			int still = mover ? 0 : 1;
 
 			begin(&f);
 			bend(&f, mover, 7, 20);
@@ -156,9 +160,11 @@ static void test_a_channel_that_moves_keeps_the_end(void **state)
 			choose(&f);
 			for (int c = 0; c < CHANNELS; c++) {
 				assert_int_equal(f.channel[c].kept_count,
-					c == mover                ? 4
-						: later && c == 0 ? 2
-								  : 1);
+					c == mover                    ? 4
+						: later && c == still ? 2
+								      : 1);
+				assert_int_equal(
+					f.channel[c].ends, later && c == still);
 			}
 			end(&f);
 			begin(&f);
@@ -167,7 +173,7 @@ static void test_a_channel_that_moves_keeps_the_end(void **state)
 			f.moved[mover][MODEL_TRANSLATION] = false;
 			choose(&f);
 			assert_true(f.channel[mover].dropped);
-			assert_int_equal(f.channel[mover ? 0 : 1].kept_count, 2);
+			assert_int_equal(f.channel[still].kept_count, 2);
 			end(&f);
 		}
 	}

@@ -97,7 +97,10 @@ struct gltf_at {
 	const json_t *json; /* NULL if the file does not have the value */
 };
 
-/* KHR_texture_transform as the two rows of an affine matrix. */
+/*
+ * KHR_texture_transform as the two rows of an affine matrix; the identity
+ * without the extension.
+ */
 struct gltf_uv {
 	int set; /* the number in TEXCOORD_set */
 	bool transformed;

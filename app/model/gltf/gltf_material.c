@@ -75,7 +75,10 @@ static int read_texture_info(const struct gltf_at *parent, const char *key,
 	if (!error) {
 		error = gltf_use_texture(at.gltf, index, texture);
 	}
-	uv->set = (int)set;
+	*uv = (struct gltf_uv){
+		.set = (int)set,
+		.row = {{1, 0, 0}, {0, 1, 0}},
+	};
 	return error || !transform.json ? error
 					: read_uv_transform(&transform, uv);
 }
@@ -98,10 +101,18 @@ static int read_alpha(const struct gltf_at *at, struct model_material *out)
 	return gltf_maybe_number(at, "alphaCutoff", &out->alpha_cutoff);
 }
 
+/*
+ * Compares floats instead of bytes: a transform without effect, which some
+ * exporters write, has a -0 where a texture without a transform has 0.
+ */
 static bool is_same_uv(const struct gltf_uv *a, const struct gltf_uv *b)
 {
-	return a->set == b->set && a->transformed == b->transformed &&
-		memcmp(a->row, b->row, sizeof(a->row)) == 0;
+	bool same = a->set == b->set;
+
+	for (int i = 0; i < 6; i++) {
+		same = same && a->row[i / 3][i % 3] == b->row[i / 3][i % 3];
+	}
+	return same;
 }
 
 /*

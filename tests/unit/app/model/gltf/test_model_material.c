@@ -387,6 +387,30 @@ static void test_keeps_a_normal_map_with_the_same_coordinates(void **state)
 	model_destroy(model);
 }
 
+/* A transform without effect gives the same coordinates as none. */
+static void test_keeps_textures_with_a_transform_without_effect(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'}," ONE_PIXEL
+			"'textures':[{'source':0}],'materials':[{"
+			"'emissiveFactor':[1,1,1],'emissiveTexture':{'index':0},"
+			"'normalTexture':{'index':0,'extensions':{"
+			"'KHR_texture_transform':{'offset':[0,0]}}},"
+			"'pbrMetallicRoughness':{'baseColorTexture':{"
+			"'index':0}}}]}",
+			&logged, &model),
+		0);
+	assert_int_equal(model->material[0].normal_texture, 0);
+	assert_int_equal(model->material[0].emissive_texture, 0);
+	assert_int_equal(log_capture_count(&logged, LOG_WARNING), 0);
+	model_destroy(model);
+}
+
 static void test_ignores_a_texture_of_an_extension(void **state)
 {
 	struct log_capture logged;
@@ -452,6 +476,8 @@ int main(void)
 			test_turns_scaled_texture_coordinates_by_any_angle),
 		cmocka_unit_test(
 			test_keeps_a_normal_map_with_the_same_coordinates),
+		cmocka_unit_test(
+			test_keeps_textures_with_a_transform_without_effect),
 		cmocka_unit_test(test_ignores_a_texture_of_an_extension),
 		cmocka_unit_test(test_decodes_a_shared_image_once),
 	};

@@ -37,6 +37,24 @@ static int write_source(const struct model *model, int clip, const char *path,
 	return output_file_commit(file);
 }
 
+static void print_result(const struct model *model, const char *path,
+	const struct embed_size *size)
+{
+	printf("%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
+		path, size->rom_bytes, size->ram_bytes);
+	if (model->texture_count > 0) {
+		printf("%s: it leaves out the model's %d texture%s\n", path,
+			model->texture_count,
+			model->texture_count == 1 ? "" : "s");
+	}
+	if (size->dark_parts > 0) {
+		printf("%s: %d part%s no normals, so light leaves %s dark: export the model with normals, or draw without light\n",
+			path, size->dark_parts,
+			size->dark_parts == 1 ? " has" : "s have",
+			size->dark_parts == 1 ? "it" : "them");
+	}
+}
+
 static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
@@ -50,13 +68,7 @@ static int run_with_model(const struct model *model,
 		error = write_source(model, clip, options->export.c, log, &size);
 	}
 	if (!error) {
-		printf("%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
-			options->export.c, size.rom_bytes, size.ram_bytes);
-		if (model->texture_count > 0) {
-			printf("%s: it leaves out the model's %d texture%s\n",
-				options->export.c, model->texture_count,
-				model->texture_count == 1 ? "" : "s");
-		}
+		print_result(model, options->export.c, &size);
 	}
 	return error;
 }

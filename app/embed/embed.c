@@ -45,6 +45,8 @@ static void count_part(struct embed *embed, const struct embed_part *part)
 	int values = 0;
 
 	add(embed, &embed->parts, 1);
+	embed->dark_parts += !primitive->normal &&
+		!embed->model->material[primitive->material].unlit;
 	add(embed, &embed->vertices, primitive->vertex_count);
 	add(embed, &embed->indices, primitive->index_count);
 	add_product(embed, &values, part->mesh->target_count, 6);
@@ -305,7 +307,8 @@ int embed_print(const struct model *model, int clip, const char *prefix,
 	}
 	if (!error) {
 		print_all(&embed);
-		*size = (struct embed_size){embed.rom_bytes, ram_bytes(&embed)};
+		*size = (struct embed_size){
+			embed.rom_bytes, ram_bytes(&embed), embed.dark_parts};
 	}
 	arena_release(&arena);
 	return error;

@@ -8,10 +8,11 @@
 
 #include <stdio.h>
 
-/* The memory that the source takes on the board. */
+/* The memory that the source takes on the board, and what it lacks. */
 struct embed_size {
 	size_t rom_bytes; /* all tables, but not the player's code */
 	size_t ram_bytes; /* the state */
+	int dark_parts;   /* parts that need light but have no normals */
 };
 
 /*

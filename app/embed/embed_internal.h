@@ -32,6 +32,7 @@ struct embed {
 	/* Counts of elements. */
 	int parts, vertices, indices, influences, targets, joints, weights;
 	int channels, times, values;
+	int dark_parts; /* parts that need light but have no normals */
 	bool wide_index, wide_joint;
 	bool too_large; /* a count exceeds its type or the limit */
 

@@ -57,6 +57,11 @@ limber export "$assets/walker.glb" --c "$scratch/one.c"
 expect_out 'one\.c: it leaves out the model.s [1-9][0-9]* textures?$'
 limber export "$slider" --c "$scratch/one.c"
 check 'a model without textures loses none' sh -c "! grep textures $out_file"
+expect_out 'one\.c: 1 part has no normals, so light leaves it dark: '
+limber export "$here/../fixtures/gltf/material/kinds.gltf" --c "$scratch/one.c"
+expect_out 'one\.c: 3 parts have no normals, so light leaves them dark: '
+limber export "$assets/walker.glb" --c "$scratch/one.c"
+check 'a model with normals is not dark' sh -c "! grep normals $out_file"
 limber export --help
 sed -n 's/^#include //p' "$scratch/one.c" >"$scratch/headers"
 while read -r header; do

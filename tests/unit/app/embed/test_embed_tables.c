@@ -224,6 +224,21 @@ static void fills_tables_that_would_be_empty(void **state)
 	embed_scene_end(&s);
 }
 
+/* Three of four parts have no normals; what is unlit does not need any. */
+static void counts_the_parts_that_light_leaves_dark(void **state)
+{
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	embed_scene_print(&s, 0);
+	assert_int_equal(s.size.dark_parts, 3);
+	s.material[0].unlit = true;
+	embed_scene_print(&s, 0);
+	assert_int_equal(s.size.dark_parts, 1);
+	embed_scene_end(&s);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -236,6 +251,7 @@ int main(void)
 		cmocka_unit_test(parts_without_influences_have_no_skin),
 		cmocka_unit_test(states_counts_and_bytes),
 		cmocka_unit_test(fills_tables_that_would_be_empty),
+		cmocka_unit_test(counts_the_parts_that_light_leaves_dark),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -260,7 +260,7 @@ static int check_nodes(const struct model *model, const struct log *log)
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].matrix) {
 			log_error(log,
-				"%s: node %d has a matrix, which the C player does not support",
+				"%s: node %d has a sheared matrix, which the C player does not support",
 				model->path, model->node[i].file_index);
 			return -EINVAL;
 		}

@@ -99,7 +99,8 @@ static void refuses_what_the_player_cannot_show(void **state)
 	s.node[3].file_index = 7;
 	s.node[3].matrix = matrix;
 	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
-	assert_contains(s.logged.sentence[0], "a.glb: node 7 has a matrix");
+	assert_contains(
+		s.logged.sentence[0], "a.glb: node 7 has a sheared matrix");
 	/* The one behind the last node is not the model's. */
 	s.node[3].matrix = NULL;
 	s.node[4].matrix = matrix;

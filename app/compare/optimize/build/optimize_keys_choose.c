@@ -158,22 +158,27 @@ static int reduce_group(struct optimize_keys *keys, int group)
 
 /*
  * A clip lasts to its last key, so one channel must keep a key there: one that
- * moves until then or, if there is none, a constant channel.
+ * moves until then or, if there is none, a constant channel. If possible, that
+ * is one which stays anyway and ends there already: then another run chooses it
+ * again.
  */
 static void keep_end(struct optimize_keys *keys)
 {
 	struct optimize_channel *pin = NULL;
+	int best = 0;
 
-	for (int i = keys->count; i-- > 0;) {
+	for (int i = 0; i < keys->count; i++) {
 		struct optimize_channel *channel = &keys->channel[i];
-		int last = channel->track.key_count - 1;
+		bool at_end = channel->time_s[channel->track.key_count - 1] ==
+			keys->end_s;
+		int rank = 1 + 2 * !channel->dropped + at_end;
 
-		if (channel->constant) {
-			pin = !pin || pin->dropped || !channel->dropped ? channel
-									: pin;
-		} else if (!channel->dropped &&
-			channel->time_s[last] == keys->end_s) {
+		if (!channel->constant && !channel->dropped && at_end) {
 			return;
+		}
+		if (channel->constant && rank > best) {
+			pin = channel;
+			best = rank;
 		}
 	}
 	if (!pin) {

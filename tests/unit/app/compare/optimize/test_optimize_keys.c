@@ -120,13 +120,16 @@ static void test_a_channel_that_nothing_moves_is_dropped(void **state)
 	end(&f);
 }
 
-/* Where no channel that moves ends last, the first that stays keeps two keys. */
+/*
+ * Where no channel that moves ends last, one that stays keeps two keys: that
+ * which ended last or, if nothing moves it, the first one.
+ */
 static void test_an_animation_keeps_its_end(void **state)
 {
 	(void)state;
 	for (int dropped = -1; dropped < CHANNELS; dropped++) {
 		struct fixture f;
-		int pinned = dropped == 0 ? 1 : 0;
+		int pinned = dropped == CHANNELS - 1 ? 0 : CHANNELS - 1;
 
 		begin(&f);
 		if (dropped >= 0) {
@@ -152,7 +155,8 @@ static void test_a_channel_that_moves_keeps_the_end(void **state)
 	for (int mover = 0; mover < CHANNELS; mover++) {
 		for (int later = 0; later <= 1; later++) {
 			struct fixture f;
-			int still = mover ? 0 : 1;
+			/* One that ends there, else the first one. */
+			int still = mover == 0 ? 2 : 0;
 
 			begin(&f);
 			bend(&f, mover, 7, 20);
@@ -173,7 +177,7 @@ static void test_a_channel_that_moves_keeps_the_end(void **state)
 			f.moved[mover][MODEL_TRANSLATION] = false;
 			choose(&f);
 			assert_true(f.channel[mover].dropped);
-			assert_int_equal(f.channel[still].kept_count, 2);
+			assert_int_equal(f.channel[mover ? 0 : 1].kept_count, 2);
 			end(&f);
 		}
 	}
@@ -187,10 +191,10 @@ static void test_the_last_channel_stays_for_its_end(void **state)
 	begin(&f);
 	memset(f.moved, 0, sizeof(f.moved));
 	choose(&f);
-	assert_false(f.channel[0].dropped);
+	assert_true(f.channel[0].dropped);
 	assert_true(f.channel[1].dropped);
-	assert_true(f.channel[2].dropped);
-	assert_int_equal(f.channel[0].kept_count, 2);
+	assert_false(f.channel[2].dropped);
+	assert_int_equal(f.channel[2].kept_count, 2);
 	end(&f);
 	begin(&f);
 	memset(f.moved, 0, sizeof(f.moved));

@@ -337,6 +337,23 @@ shown = gltf["scenes"][0]["nodes"]
 assert any("mesh" in gltf["nodes"][i] for i in shown), gltf["nodes"]
 ' "$scratch/joints/rigid.glb"
 
+# A strip of one vertex has no triangle. glTF has no lists without any.
+python3 - "$here/../fixtures/gltf/skin/and_morph.gltf" "$scratch/strip.gltf" <<'EOF'
+import json, sys
+gltf = json.load(open(sys.argv[1]))
+gltf["accessors"].append({"componentType": 5123, "count": 3, "type": "SCALAR"})
+primitives = gltf["meshes"][0]["primitives"]
+primitives.append(dict(primitives[0], mode=5, indices=len(gltf["accessors"]) - 1))
+json.dump(gltf, open(sys.argv[2], "w"))
+EOF
+compare "$scratch/strip.gltf" --export "$scratch/strip"
+expect_status 0
+expect_no_err
+for file in "$scratch"/strip/*.glb; do
+    limber info "$file"
+    expect_status 0
+done
+
 limber compare
 expect_refusal 2 'no model'
 compare "$slider" --format xml

@@ -75,10 +75,13 @@ void export_attributes(struct glb *glb, json_t *attributes,
 
 int export_indices(struct glb *glb, const uint32_t *index, int count)
 {
+	static const uint32_t nothing[3] = {0, 0, 0};
 	uint16_t *small;
 	uint32_t most = 0;
 	int accessor;
 
+	index = count > 0 ? index : nothing;
+	count = count > 0 ? count : 3;
 	for (int i = 0; i < count; i++) {
 		most = index[i] > most ? index[i] : most;
 	}

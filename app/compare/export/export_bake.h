@@ -52,7 +52,10 @@ void export_attributes(struct glb *glb, json_t *attributes,
 	const struct model_primitive *primitive, int vertex_count,
 	const int *source);
 
-/* Adds triangle indices of 16 or 32 bits. Returns the accessor or -1. */
+/*
+ * Adds triangle indices of 16 or 32 bits. Returns the accessor or -1. Without
+ * any index it adds a triangle of one vertex, as glTF has no empty lists.
+ */
 int export_indices(struct glb *glb, const uint32_t *index, int count);
 
 /* Sets an attribute to the index of its accessor. */

@@ -220,6 +220,24 @@ static void test_indices_are_short_up_to_65534(void **state)
 	written_glb_release(&written);
 }
 
+/* glTF has no accessors without elements. */
+static void test_no_triangles_become_one_of_one_vertex(void **state)
+{
+	static const uint16_t stored[3] = {0, 0, 0};
+	struct written_glb written;
+	struct glb glb;
+
+	(void)state;
+	glb_begin_memory(&glb);
+	assert_int_equal(export_indices(&glb, NULL, 0), 0);
+	written = written_glb_take(&glb);
+	written_glb_expect(&written, "accessors",
+		"[{'bufferView':0,'componentType':5123,'count':3,"
+		"'type':'SCALAR'}]");
+	assert_memory_equal(written.binary, stored, 6);
+	written_glb_release(&written);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -229,6 +247,7 @@ int main(void)
 		cmocka_unit_test(test_textures_keep_their_samplers_and_pixels),
 		cmocka_unit_test(test_attributes_follow_their_sources),
 		cmocka_unit_test(test_indices_are_short_up_to_65534),
+		cmocka_unit_test(test_no_triangles_become_one_of_one_vertex),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -159,6 +159,10 @@ int gltf_open(struct gltf *gltf)
 		text.data += 3;
 		text.size -= 3;
 	}
+	/* Some programs fill up the chunk with zeros instead of spaces. */
+	while (text.size > 0 && text.data[text.size - 1] == 0) {
+		text.size--;
+	}
 	return error ? error : parse(gltf, &text);
 }
 

@@ -57,6 +57,22 @@ static void test_accepts_a_byte_order_mark_and_spaces(void **state)
 	model_destroy(model);
 }
 
+/* The zero that ends the string fills up the chunk to 28 bytes. */
+static void test_accepts_zeros_behind_the_json(void **state)
+{
+	static const char glb[48] = "glTF\2\0\0\0\x30\0\0\0\x1c\0\0\0JSON"
+				    "{\"asset\":{\"version\":\"2.0\"}}";
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_load_memory(glb, sizeof(glb), "filled", &log, &model), 0);
+	assert_int_equal(logged.count, 0);
+	model_destroy(model);
+}
+
 static void test_reports_a_missing_file(void **state)
 {
 	struct log_capture logged;
@@ -308,6 +324,7 @@ int main(void)
 		cmocka_unit_test(test_reads_a_buffer_beside_the_file),
 		cmocka_unit_test(test_keeps_the_path_and_the_format),
 		cmocka_unit_test(test_accepts_a_byte_order_mark_and_spaces),
+		cmocka_unit_test(test_accepts_zeros_behind_the_json),
 		cmocka_unit_test(test_reports_a_missing_file),
 		cmocka_unit_test(test_refuses_a_glb_truncated_at_any_length),
 		cmocka_unit_test(test_refuses_broken_glb_headers),

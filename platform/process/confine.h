@@ -5,7 +5,8 @@
  * programs, change the machine, look into other processes or gain rights. A
  * decoder that such a file has taken over can do no more than the request
  * allows. Linux offers this since 3.17 (seccomp for all threads) and 5.13
- * (Landlock); without them the process goes on unconfined, and a note says so.
+ * (Landlock); without them the process goes on unconfined, and a note says so. So
+ * it does, with a warning, if memory or descriptors are too few to confine it.
  */
 #ifndef PLATFORM_PROCESS_CONFINE_H
 #define PLATFORM_PROCESS_CONFINE_H

@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/landlock.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,33 +39,41 @@ static void drop_last_slashes(char *path)
 }
 
 /*
- * Returns the path that must get a rule so that the output can be written, and
- * the rights of that rule. NULL on failure. The caller frees the path.
+ * Finds the path that must get a rule so that the output can be written, and
+ * the rights of that rule. The caller frees the path. Returns 0 or -errno.
  */
-static char *covering_path(const char *output, uint64_t *access)
+static int covering_path(const char *output, char **path, uint64_t *access)
 {
 	struct stat status;
-	char *target = NULL;
 	char *slash;
 	int descriptor;
+	int error = output_path_follow(output, path, &descriptor);
 
-	if (output_path_follow(output, &target, &descriptor) != 0) {
-		return NULL;
+	if (error) {
+		*path = NULL;
+		return error;
 	}
-	if (stat(target, &status) != 0) {
-		drop_last_slashes(target);
+	if (stat(*path, &status) != 0) {
+		drop_last_slashes(*path);
 	} else if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
 		*access = LANDLOCK_ACCESS_FS_WRITE_FILE;
-		return target;
+		return 0;
 	}
 	*access = of_folder;
-	slash = strrchr(target, '/');
+	slash = strrchr(*path, '/');
 	if (!slash) {
-		free(target);
-		return strdup(".");
+		free(*path);
+		*path = strdup(".");
+		return *path ? 0 : -ENOMEM;
 	}
-	slash[slash == target] = '\0';
-	return target;
+	slash[slash == *path] = '\0';
+	return 0;
+}
+
+/* Whether the same call would succeed if more of something were free. */
+static bool is_shortage(int error)
+{
+	return error == -ENOMEM || error == -EMFILE || error == -ENFILE;
 }
 
 /*
@@ -73,19 +82,19 @@ static char *covering_path(const char *output, uint64_t *access)
  */
 static int allow(int rules, const char *output)
 {
-	struct landlock_path_beneath_attr beneath = {0};
+	struct landlock_path_beneath_attr beneath = {.parent_fd = -1};
 	uint64_t access = 0;
-	char *path = covering_path(output, &access);
-	int error = 0;
+	char *path;
+	int error = covering_path(output, &path, &access);
 
-	if (!path) {
-		return 0;
+	if (!error) {
+		beneath.allowed_access = access;
+		beneath.parent_fd = open(path, O_PATH | O_CLOEXEC);
+		error = beneath.parent_fd < 0 ? -errno : 0;
 	}
-	beneath.allowed_access = access;
-	beneath.parent_fd = open(path, O_PATH | O_CLOEXEC);
 	free(path);
-	if (beneath.parent_fd < 0) {
-		return 0;
+	if (error) {
+		return is_shortage(error) ? error : 0;
 	}
 	if (syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH,
 		    &beneath, 0) != 0) {

@@ -2,8 +2,10 @@
 
 #include "app/compare/candidate/candidate_error.h"
 #include "app/compare/measure/sampling.h"
+#include "app/compare/optimize/optimize_match.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 /*
@@ -55,11 +57,13 @@ static void take(const struct candidate *candidate, float (*position)[3],
 }
 
 static int measure(struct reference *wanted, struct reference *found,
-	struct optimize_measure_view view, struct bounds *box, float *peak_px)
+	const int *source, struct optimize_measure_view view,
+	struct bounds *box, float *peak_px)
 {
 	struct candidate candidate = {
 		.reference = wanted,
-		.vertex_count = wanted->vertex_count,
+		.vertex_count = found->vertex_count,
+		.source = source,
 		.pose = pose,
 		.take = take,
 		.state = found,
@@ -93,11 +97,30 @@ static int measure(struct reference *wanted, struct reference *found,
 	return error;
 }
 
+/* As measure(), but finds out which vertices are to be compared. */
+static int compare(struct reference *wanted, struct reference *found,
+	struct optimize_measure_view view, struct bounds *box, float *peak_px)
+{
+	int *source =
+		malloc(((size_t)found->vertex_count + 1) * sizeof(*source));
+	int error = source
+		? optimize_match(wanted->instance, found->instance, source)
+		: -ENOMEM;
+
+	if (!error && found->vertex_count > 0) {
+		error = measure(wanted, found, source, view, box, peak_px);
+	}
+	free(source);
+	return error;
+}
+
 static int fail(const struct model *model, int error, const struct log *log)
 {
 	log_error(log,
 		error == -E2BIG
 			? "%s: a clip lasts longer than five hours: shorten it"
+			: error == -EINVAL
+			? "%s: limber cannot compare models with other vertices"
 			: "%s: there is not enough memory to compare it",
 		model->path);
 	return error;
@@ -114,9 +137,8 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 		error = begin(&b, found, clip, log);
 	}
 	*peak_px = 0.0f;
-	if (!error && a.reference->vertex_count > 0 &&
-		a.reference->vertex_count == b.reference->vertex_count) {
-		error = measure(a.reference, b.reference, view, box, peak_px);
+	if (!error) {
+		error = compare(a.reference, b.reference, view, box, peak_px);
 		error = error ? fail(wanted, error, log) : 0;
 	}
 	reference_destroy(a.reference);

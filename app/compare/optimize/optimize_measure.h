@@ -15,9 +15,10 @@ struct optimize_measure_view {
 /*
  * Plays a clip of both models, or poses them at rest if clip is -1, in the view
  * in which `limber play` frames the clip. *peak_px is the largest distance of a
- * vertex, as exact as in candidate_error.h; 0 if the numbers of vertices
- * differ. *box is what the view frames: the wanted clip is posed for it only if
- * it is empty. Returns 0, or -errno after logging an error.
+ * vertex, as exact as in candidate_error.h; 0 without vertices. *box is what
+ * the view frames: the wanted clip is posed for it only if it is empty. Returns
+ * 0, or -errno after logging an error: -EINVAL if the files of the models have
+ * other vertices.
  */
 int optimize_measure(const struct model *wanted, const struct model *found,
 	int clip, struct optimize_measure_view view, struct bounds *box,

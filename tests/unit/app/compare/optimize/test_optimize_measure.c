@@ -1,8 +1,11 @@
-/* How many pixels a unit of a model is. */
+/* How many pixels a unit of a model is, and how far two models are apart. */
 #include "app/compare/optimize/optimize_measure.h"
+#include "app/model/split/split.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
+
+#include <errno.h>
 
 static float px_per_unit(const struct model *model, int width, int height)
 {
@@ -152,6 +155,67 @@ static void test_a_part_of_the_moments_shows_about_the_same_error(void **state)
 	model_destroy(model);
 }
 
+/* A grid that is divided by its places, stretched along +Y. */
+static struct model *divided_grid(float height)
+{
+	struct model *model = small_model_grid(300, 300, 1, true);
+	struct model_primitive *primitive = model->mesh[0].primitive;
+	struct arena integers = arena_empty();
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		primitive->position[v][1] *= height;
+	}
+	assert_int_equal(split_primitives(model, &integers), 0);
+	assert_true(model->mesh[0].primitive_count > 1);
+	arena_release(&integers);
+	return model;
+}
+
+static int measure_rest(
+	const struct model *wanted, const struct model *found, float *px)
+{
+	const struct log log = log_to_nowhere();
+	const struct optimize_measure_view view = {480, 640, 1.0};
+	struct bounds box = bounds_empty();
+
+	return optimize_measure(wanted, found, -1, view, &box, &log, px);
+}
+
+/* The longer side is halved first, so that the grids have other parts. */
+static void test_vertices_of_other_parts_are_compared(void **state)
+{
+	struct model *wide = divided_grid(0.9999f);
+	struct model *high = divided_grid(1.0001f);
+	float px = -1;
+
+	(void)state;
+	assert_int_equal(measure_rest(wide, high, &px), 0);
+	assert_true(px > 0.02f && px < 0.2f);
+	assert_int_equal(measure_rest(high, wide, &px), 0);
+	assert_true(px > 0.02f && px < 0.2f);
+	model_destroy(wide);
+	model_destroy(high);
+}
+
+static void test_models_with_other_vertices_are_refused(void **state)
+{
+	struct model *model = small_model_grid(3, 3, 1, true);
+	struct model *other = small_model_grid(3, 4, 1, true);
+	float px;
+
+	(void)state;
+	assert_int_equal(measure_rest(model, other, &px), -EINVAL);
+	assert_int_equal(measure_rest(other, model, &px), -EINVAL);
+	other->node[0].mesh = -1;
+	assert_int_equal(measure_rest(model, other, &px), -EINVAL);
+	assert_int_equal(measure_rest(other, model, &px), -EINVAL);
+	model->node[0].mesh = -1;
+	assert_int_equal(measure_rest(model, other, &px), 0);
+	assert_near(px, 0, 0);
+	model_destroy(model);
+	model_destroy(other);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -164,6 +228,8 @@ int main(void)
 		cmocka_unit_test(test_a_unit_grows_as_the_model_shrinks),
 		cmocka_unit_test(
 			test_a_unit_of_a_model_without_vertices_is_a_pixel),
+		cmocka_unit_test(test_vertices_of_other_parts_are_compared),
+		cmocka_unit_test(test_models_with_other_vertices_are_refused),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

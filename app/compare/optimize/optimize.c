@@ -393,16 +393,17 @@ static int build_base(struct optimizer *optimizer)
 	float px_per_unit;
 	int error = build(optimizer, false, &optimizer->base);
 
+	error = error ? error : allocate(optimizer);
 	if (!error) {
-		error = optimize_measure_unit(
-			optimizer->base, view, optimizer->log, &px_per_unit);
+		error = optimize_measure_unit(optimizer->base, view,
+			optimizer->log, &optimizer->clip[0].box, &px_per_unit);
 	}
 	if (!error) {
 		error = optimize_reach_find(
 			&optimizer->reach, optimizer->base, px_per_unit);
 		error = error ? fail_memory(optimizer) : 0;
 	}
-	return error ? error : allocate(optimizer);
+	return error;
 }
 
 static int search(struct optimizer *optimizer, struct optimize_result *out)

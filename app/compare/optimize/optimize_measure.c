@@ -167,7 +167,7 @@ static float closest_px(const struct screen_view *screen)
 
 int optimize_measure_unit(const struct model *model,
 	struct optimize_measure_view size, const struct log *log,
-	float *px_per_unit)
+	struct bounds *box, float *px_per_unit)
 {
 	int first = model->clip_count > 0 ? 0 : -1;
 	struct played played = {.reference = NULL};
@@ -176,6 +176,7 @@ int optimize_measure_unit(const struct model *model,
 	int error = begin(&played, model, first, log);
 
 	*px_per_unit = 1.0f;
+	*box = bounds_empty();
 	if (!error && played.reference->vertex_count > 0) {
 		error = time_grid_make(played.reference->clip, &grid);
 		if (error) {
@@ -184,6 +185,7 @@ int optimize_measure_unit(const struct model *model,
 			screen = screen_view_create(played.reference, &grid,
 				size.width, size.height);
 			*px_per_unit = closest_px(&screen);
+			*box = screen.box;
 			time_grid_release(&grid);
 		}
 	}

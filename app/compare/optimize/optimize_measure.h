@@ -27,11 +27,12 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 /*
  * Finds how many pixels a unit of world space covers at the point of the
  * first clip that is closest to the eye; without clips, of the rest pose. It is
- * 1 without vertices. Returns 0, or -errno after logging an error.
+ * 1 without vertices. *box is what the view frames, for optimize_measure() of
+ * that clip. Returns 0, or -errno after logging an error.
  */
 int optimize_measure_unit(const struct model *model,
 	struct optimize_measure_view size, const struct log *log,
-	float *px_per_unit);
+	struct bounds *box, float *px_per_unit);
 
 /*
  * Returns the part of the moments at which a search measures all clips of a

@@ -11,9 +11,10 @@ static float px_per_unit(const struct model *model, int width, int height)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
 	const struct optimize_measure_view size = {width, height, 1.0};
+	struct bounds box;
 	float px = -1;
 
-	assert_int_equal(optimize_measure_unit(model, size, &log, &px), 0);
+	assert_int_equal(optimize_measure_unit(model, size, &log, &box, &px), 0);
 	return px;
 }
 
@@ -81,6 +82,24 @@ static void test_a_unit_is_that_of_the_first_clip(void **state)
 	assert_near(px_per_unit(model, 300, 300), resting_px, 0);
 	model->clip = clips;
 	model->clip_count = count;
+	model_destroy(model);
+}
+
+/* So that the clip need not be posed for it again. */
+static void test_a_unit_comes_with_the_view_of_the_first_clip(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	const struct optimize_measure_view view = {48, 64, 1.0};
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	struct bounds of_unit, of_clip = bounds_empty();
+	float px;
+
+	(void)state;
+	assert_int_equal(
+		optimize_measure_unit(model, view, &log, &of_unit, &px), 0);
+	assert_int_equal(
+		optimize_measure(model, model, 0, view, &of_clip, &log, &px), 0);
+	assert_memory_equal(&of_unit, &of_clip, sizeof(of_unit));
 	model_destroy(model);
 }
 
@@ -228,6 +247,8 @@ int main(void)
 		cmocka_unit_test(test_a_unit_grows_as_the_model_shrinks),
 		cmocka_unit_test(
 			test_a_unit_of_a_model_without_vertices_is_a_pixel),
+		cmocka_unit_test(
+			test_a_unit_comes_with_the_view_of_the_first_clip),
 		cmocka_unit_test(test_vertices_of_other_parts_are_compared),
 		cmocka_unit_test(test_models_with_other_vertices_are_refused),
 	};

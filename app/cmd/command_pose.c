@@ -42,16 +42,20 @@ static uint32_t file_vertex(
 	return primitive->file_vertex ? primitive->file_vertex[vertex] : vertex;
 }
 
-static void write_triangles(FILE *out, const struct model_primitive *primitive,
-	uint32_t first_vertex)
+/* A mirrored drawable's triangles are turned, so that they face outwards. */
+static void write_triangles(FILE *out, const struct instance *instance,
+	const struct drawable *drawable, uint32_t first_vertex)
 {
+	const struct model_primitive *primitive = drawable->primitive;
+	int second = instance_is_mirrored(instance, drawable) ? 2 : 1;
+
 	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
 		const uint32_t *index = primitive->index + i;
 
 		fprintf(out, "f %u %u %u\n",
 			file_vertex(primitive, index[0]) + first_vertex,
-			file_vertex(primitive, index[1]) + first_vertex,
-			file_vertex(primitive, index[2]) + first_vertex);
+			file_vertex(primitive, index[second]) + first_vertex,
+			file_vertex(primitive, index[3 - second]) + first_vertex);
 	}
 }
 
@@ -107,7 +111,8 @@ static int write_parts(FILE *out, const struct instance *instance,
 	}
 	arena_release(&scratch);
 	for (int i = 0; i < parts->count; i++) {
-		write_triangles(out, parts->drawable[i].primitive, first_vertex);
+		write_triangles(
+			out, instance, &parts->drawable[i], first_vertex);
 	}
 	return 0;
 }

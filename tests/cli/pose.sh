@@ -60,6 +60,12 @@ expect_quiet
 check 'a small model keeps its digits' \
     grep -qx 'v 0.000000125000 0.000000000000 0.000000000000' "$scratch/out.obj"
 
+# Programs that read the file know nothing of a node that mirrors.
+sed 's/"name": "slider",/&"scale": [-1, 1, 1],/' "$slider" >"$scratch/mirror.gltf"
+limber pose "$scratch/mirror.gltf" -o "$scratch/out.obj"
+expect_quiet
+check 'a mirrored triangle faces outwards' grep -qx 'f 1 3 2' "$scratch/out.obj"
+
 # The first primitive of this model is points, which limber does not draw.
 limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0

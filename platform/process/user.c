@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <grp.h>
 #include <pwd.h>
+#include <stdbool.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -17,11 +18,22 @@ static int refuse(const char *name, int error, const struct log *log)
 	return -error;
 }
 
+/* Whether getpwnam() failed; the other errors say that there is no such user. */
+static bool is_failure(int error)
+{
+	return error == EMFILE || error == ENFILE || error == ENOMEM ||
+		error == EIO;
+}
+
 int user_become(const char *name, const struct log *log)
 {
 	const struct passwd *user;
 
+	errno = 0;
 	user = getpwnam(name);
+	if (!user && is_failure(errno)) {
+		return refuse(name, errno, log);
+	}
 	if (!user) {
 		log_error(log,
 			"--user %s: there is no such user: see /etc/passwd",

@@ -11,7 +11,8 @@
  * groups and without capabilities; open files stay open. Does nothing for a
  * process that is this user already. Returns 0, or -errno after logging an
  * error that names the option --user: -ENOENT if there is no such user, -EPERM
- * if the process is not root. After an error the process must not go on.
+ * if the process is not root, -EMFILE if the list of users cannot be opened for
+ * lack of descriptors. After an error the process must not go on.
  */
 int user_become(const char *name, const struct log *log);
 

@@ -172,9 +172,12 @@ static void survey_file(const struct survey *survey, const char *name)
 			"export LIMBER_ASSETS=FOLDER with the folder of limber's models",
 			"this file was not found");
 	} else if (access(path, R_OK) != 0) {
+		int error = errno;
+
 		snprintf(remedy, sizeof(remedy), "sudo chmod a+r %s", path);
-		survey_report(survey, SURVEY_BROKEN, name, remedy,
-			"%s: you may not read this file", path);
+		survey_report(survey, SURVEY_BROKEN, name,
+			error == EACCES ? remedy : NULL,
+			"%s: cannot be read: %s", path, strerror(error));
 	} else {
 		survey_report(survey, SURVEY_WORKS, name, NULL, "%s", path);
 	}

@@ -7,6 +7,8 @@
 #include <errno.h>
 #include <linux/capability.h>
 #include <pwd.h>
+#include <string.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -56,6 +58,35 @@ static void become_other(const struct log *log)
 		}
 	}
 	_exit(0);
+}
+
+/* The list of users cannot be opened, which does not mean that one is missing. */
+static void become_other_without_descriptors(const struct log *log)
+{
+	int next;
+	struct rlimit limit;
+
+	if (!getpwnam(other)) {
+		_exit(1);
+	}
+	next = dup(STDERR_FILENO);
+	close(next);
+	limit = (struct rlimit){(rlim_t)next, (rlim_t)next};
+	if (setrlimit(RLIMIT_NOFILE, &limit) != 0) {
+		_exit(2);
+	}
+	if (user_become(other, log) != -EMFILE || heard.count != 1 ||
+		strcmp(heard.sentence[0],
+			"--user nobody: Too many open files") != 0) {
+		_exit(3);
+	}
+	_exit(0);
+}
+
+static void test_a_lack_of_descriptors_is_told(void **state)
+{
+	(void)state;
+	assert_int_equal(in_child(become_other_without_descriptors), 0);
 }
 
 static void become_root_again(const struct log *log)
@@ -159,6 +190,7 @@ static void test_an_unknown_user_is_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_lack_of_descriptors_is_told),
 		cmocka_unit_test(
 			test_a_process_with_the_rights_of_root_becomes_root),
 		cmocka_unit_test(test_root_becomes_another_user_for_good),

@@ -5,8 +5,6 @@
 #include "app/compare/comparison_draw.h"
 #include "app/compare/comparison_rows.h"
 
-#include "app/model/model_stats.h"
-
 #include <errno.h>
 #include <stdlib.h>
 
@@ -199,14 +197,6 @@ static int measure_all(struct comparison *comparison, const struct log *log)
 	return error;
 }
 
-static int count_model_vertices(const struct model *model)
-{
-	struct model_stats stats;
-
-	model_measure(model, &stats);
-	return stats.vertex_count;
-}
-
 /* Finds the moments of all clips, and how many of them to compare. */
 static int choose_moments(struct comparison *comparison, const struct log *log)
 {
@@ -228,7 +218,7 @@ static int choose_moments(struct comparison *comparison, const struct log *log)
 		moments += (double)to->grid.count;
 	}
 	comparison->sampling = sampling_choose(
-		count_model_vertices(model), comparison->clip_count, moments);
+		sampling_vertices(model), comparison->clip_count, moments);
 	return 0;
 }
 

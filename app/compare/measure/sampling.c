@@ -2,6 +2,7 @@
 
 #include "platform/base/scalar.h"
 
+#include <limits.h>
 #include <stdbool.h>
 
 /*
@@ -22,6 +23,23 @@ enum {
 	TIMED_TOTAL = 40 * SAMPLING_TIMED_MAX,
 	DRAWN_TOTAL = 40 * DRAWN_FRAMES
 };
+
+int sampling_vertices(const struct model *model)
+{
+	double count = 0.0;
+
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_node *node = &model->node[n];
+		const struct model_mesh *mesh = node->in_scene && node->mesh >= 0
+			? &model->mesh[node->mesh]
+			: NULL;
+
+		for (int p = 0; mesh && p < mesh->primitive_count; p++) {
+			count += (double)mesh->primitive[p].vertex_count;
+		}
+	}
+	return scalar_to_int(count, 0, INT_MAX);
+}
 
 double sampling_moments(double vertices, double usual, double most)
 {

@@ -8,6 +8,8 @@
 #ifndef APP_COMPARE_MEASURE_SAMPLING_H
 #define APP_COMPARE_MEASURE_SAMPLING_H
 
+#include "app/model/model.h"
+
 enum {
 	SAMPLING_TIMED_MAX = 48,   /* frames of a clip */
 	SAMPLING_NORMALS_MAX = 500 /* moments of a clip */
@@ -20,6 +22,12 @@ struct sampling {
 	int timed_frames;
 	int drawn_frames;
 };
+
+/*
+ * How many vertices a pose of the model has: those of a mesh count for each
+ * node of the scene that shows it. INT_MAX stands for more.
+ */
+int sampling_vertices(const struct model *model);
 
 /*
  * At how many moments a model may be posed: their poses have at most usual

@@ -195,17 +195,9 @@ int optimize_measure_unit(const struct model *model,
 
 double optimize_measure_share(const struct model *model)
 {
-	double vertices = 1.0, moments = 1.0, most;
+	double vertices = 1.0 + (double)sampling_vertices(model);
+	double moments = 1.0, most;
 
-	for (int n = 0; n < model->node_count; n++) {
-		const struct model_mesh *mesh = model->node[n].mesh < 0
-			? NULL
-			: &model->mesh[model->node[n].mesh];
-
-		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
-			vertices += (double)mesh->primitive[i].vertex_count;
-		}
-	}
 	for (int c = 0; c < model->clip_count; c++) {
 		moments += 2.0 + rate_hz * (double)model->clip[c].duration_s;
 	}

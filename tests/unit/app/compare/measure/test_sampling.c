@@ -1,6 +1,9 @@
 /* How many moments and frames of clips a comparison looks at. */
 #include "app/compare/measure/sampling.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
+
+#include <limits.h>
 
 static void test_ordinary_clips_are_compared_as_a_whole(void **state)
 {
@@ -59,6 +62,28 @@ static void test_many_clips_share_the_frames(void **state)
 	assert_int_equal(sampling_choose(8, 100000, 1e7).timed_frames, 1);
 }
 
+/* Each node that shows a mesh poses its vertices, outside of the scene none. */
+static void test_a_shared_mesh_counts_for_each_node(void **state)
+{
+	struct model *model = small_model_grid(4, 2, 1, true);
+	struct model_node *one = model->node;
+	struct model_node nodes[4] = {*one, *one, *one, *one};
+
+	(void)state;
+	assert_int_equal(sampling_vertices(model), 15);
+	nodes[2].mesh = -1;
+	nodes[3].in_scene = false;
+	model->node = nodes;
+	model->node_count = 4;
+	assert_int_equal(sampling_vertices(model), 30);
+	model->mesh->primitive->vertex_count = 2000000000;
+	assert_int_equal(sampling_vertices(model), INT_MAX);
+	model->mesh->primitive->vertex_count = 15;
+	model->node = one;
+	model->node_count = 1;
+	model_destroy(model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -66,6 +91,7 @@ int main(void)
 		cmocka_unit_test(test_an_hour_is_compared_in_part),
 		cmocka_unit_test(test_a_huge_model_is_compared_in_part),
 		cmocka_unit_test(test_many_clips_share_the_frames),
+		cmocka_unit_test(test_a_shared_mesh_counts_for_each_node),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

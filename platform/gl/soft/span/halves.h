@@ -10,14 +10,10 @@
 
 #include "platform/gl/soft/span/vectors.h"
 
-/*
- * A level's texels from first on, the bytes from row to row, and joint: the
- * bytes from there to a second texture's texel at the same place.
- */
+/* A level's texels from first on, and the bytes from row to row. */
 struct soft_rows {
 	_Alignas(8) const uint8_t *first;
 	uint32_t stride;
-	uintptr_t joint;
 };
 
 #ifdef __ARM_FEATURE_DSP
@@ -96,8 +92,7 @@ static ALWAYS_INLINE uint32_t soft_limit_shifted(
 #define LIMIT_SHIFTED(word, shift, bits) soft_limit_shifted(word, shift, bits)
 /*
  * Loads a word, or two, x bytes from the row's start, and as many from the row
- * below; soft_load_joined() one of each texture. rows stays in memory until
- * here, as registers are scarce.
+ * below. rows stays in memory until here, as registers are scarce.
  */
 static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 	uint32_t row, uint32_t x, uint32_t stride_log2, bool two,
@@ -118,23 +113,6 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 			"ldr %0, [%Q2, %0]!\n\tldr %1, [%Q2, %R2]"
 			: "+&r"(above[0]), "=&r"(below[0]), "+&r"(pair));
 	}
-}
-
-static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, uint32_t above[2], uint32_t below[2])
-{
-	uint64_t pair;
-	uint32_t at;
-
-	__asm__ volatile("ldrd %Q0, %R0, %1" : "=&r"(pair) : "Uq"(*rows));
-	at = x + row * (uint32_t)(pair >> 32) + (uint32_t)pair;
-	__asm__ volatile("ldr %0, [%2]\n\tldr %1, [%2, %3]"
-			 : "=&r"(above[0]), "=&r"(below[0])
-			 : "r"(at), "r"((uint32_t)(pair >> 32)));
-	__asm__ volatile("ldr %0, %3\n\tldr %1, %4\n\t"
-			 "ldr %0, [%2, %0]!\n\tldr %1, [%2, %1]"
-			 : "=&r"(above[1]), "=&r"(below[1]), "+&r"(at)
-			 : "m"(rows->joint), "m"(rows->stride));
 }
 #elif SOFT_LANES == 1
 static inline uint32_t soft_halves_sum(uint32_t a, uint32_t b)
@@ -164,18 +142,6 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 
 	memcpy(above, at, two ? 8 : 4);
 	memcpy(below, at + rows->stride, two ? 8 : 4);
-}
-
-static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
-	uint32_t row, uint32_t x, uint32_t above[2], uint32_t below[2])
-{
-	const uint8_t *at = rows->first + (row * rows->stride + x);
-	const uint8_t *second = (const uint8_t *)((uintptr_t)at + rows->joint);
-
-	memcpy(&above[0], at, 4);
-	memcpy(&below[0], at + rows->stride, 4);
-	memcpy(&above[1], second, 4);
-	memcpy(&below[1], second + rows->stride, 4);
 }
 
 #define UPPER_HALF(word)       ((word) >> 16)
@@ -209,19 +175,6 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 		above[0] = soft_load_each(from, 0, 2);
 		below[0] = soft_load_each(from, rows->stride, 2);
 	}
-}
-
-static ALWAYS_INLINE void soft_load_joined(const struct soft_rows *rows,
-	soft_word row, soft_word x, soft_word above[2], soft_word below[2])
-{
-	const struct soft_places from =
-		soft_find_places(rows->first, row * rows->stride + x);
-	const ptrdiff_t joint = (ptrdiff_t)rows->joint;
-
-	above[0] = soft_load_each(from, 0, 2);
-	below[0] = soft_load_each(from, rows->stride, 2);
-	above[1] = soft_load_each(from, joint, 2);
-	below[1] = soft_load_each(from, joint + rows->stride, 2);
 }
 #endif
 

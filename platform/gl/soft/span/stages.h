@@ -16,7 +16,7 @@ struct soft_kind {
 	bool wide;   /* the picture is RGBA8888, else RGB565 */
 	bool lequal; /* the depth test is LEQUAL, else LESS */
 	bool still;  /* see soft_is_still() */
-	bool joined; /* a second texture is read at the first one's place */
+	bool joined; /* two textures are read at the same place */
 };
 
 /*
@@ -295,72 +295,49 @@ static ALWAYS_INLINE struct soft_kind soft_second_kind(struct soft_kind kind)
 	return (struct soft_kind){.textured = true,
 		.format = kind.wide ? TEXEL_8888 : TEXEL_565,
 		.linear = kind.linear,
-		.wide = kind.wide};
+		.wide = kind.wide,
+		.joined = true};
 }
 
-/* Reads the texel of a run in the window; and second's, if joined. */
+/* Reads the texel of a run in the window. */
 static ALWAYS_INLINE void soft_sample_inside(const struct soft_run *run,
 	const struct soft_rows *rows, struct soft_kind kind, soft_word texel,
-	struct soft_texel *out, struct soft_texel *second)
+	struct soft_texel *out)
 {
 	const int bytes_log2 = soft_texel_bytes_log2(kind.format);
 	const soft_word row = texel >> (16 + SOFT_TEXEL_FRACTION);
 	const soft_word x = texel >> (SOFT_TEXEL_FRACTION - bytes_log2) &
 		((SOFT_RUN_TEXELS - 1u) << bytes_log2);
-	soft_word above[2], below[2];
-	struct soft_weights weights;
+	soft_word above[2], below[2], s, t;
 
 	if (!kind.linear || bytes_log2 == 0) {
-		const uint8_t *first = run->first_texel;
+		const uint8_t *first = rows->first;
 		soft_word at = (row << run->stride_log2) + x;
 
 		OPAQUE(at); /* else compilers need two more registers */
 		if (!kind.linear) {
 			soft_split_texel(kind,
 				soft_load_texels(kind.format, first, at), out);
-			if (kind.joined) {
-				const struct soft_kind its =
-					soft_second_kind(kind);
-
-				first = (const uint8_t *)((uintptr_t)first +
-					rows->joint);
-				soft_split_texel(its,
-					soft_load_texels(its.format, first, at),
-					second);
-			}
 			return;
 		}
 		above[0] = soft_load_pair(kind.format, first, at);
 		below[0] = soft_load_pair(
 			kind.format, first + (1u << run->stride_log2), at);
-	} else if (kind.joined && !kind.wide) {
-		soft_load_joined(rows, row, x, above, below);
 	} else {
 		soft_load_rows(rows, row, x, run->stride_log2, bytes_log2 == 2,
 			above, below);
 	}
 	if (kind.format == TEXEL_8888) {
 		soft_mix_green(kind, above, below, texel, texel >> 16, out);
-		if (kind.joined) {
-			const struct soft_rows other = {
-				(const uint8_t *)((uintptr_t)rows->first +
-					rows->joint),
-				rows->stride, 0};
-
-			soft_load_rows(&other, row, x, run->stride_log2, true,
-				above, below);
-			soft_mix_green(
-				kind, above, below, texel, texel >> 16, second);
-		}
 		return;
 	}
-	weights = soft_weigh(SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5),
-		SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8));
-	if (kind.joined) {
-		soft_mix_pairs(soft_second_kind(kind), above[1], below[1],
-			weights, second);
+	s = texel >> (SOFT_TEXEL_FRACTION - 5);
+	t = texel >> (16 + SOFT_TEXEL_FRACTION - 8);
+	if (!kind.joined) { /* joined textures share their weights */
+		s = SHIFT_HERE(texel, SOFT_TEXEL_FRACTION - 5);
+		t = SHIFT_HERE(texel, 16 + SOFT_TEXEL_FRACTION - 8);
 	}
-	soft_mix_pairs(kind, above[0], below[0], weights, out);
+	soft_mix_pairs(kind, above[0], below[0], soft_weigh(s, t), out);
 }
 
 /* Reads a texel of coordinates that may wrap around. */

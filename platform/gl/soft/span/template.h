@@ -60,15 +60,18 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	soft_word alpha = SOFT_OPAQUE_ALPHA;
 
 	if (kind.textured && kind.inside) {
-		soft_sample_inside(run, rows, kind, soft_safe(at->texel, pass),
-			&texel, &second);
+		const soft_word place = soft_safe(at->texel, pass);
+
+		if (kind.joined) {
+			soft_sample_inside(run, &rows[1],
+				soft_second_kind(kind), place, &second);
+		}
+		soft_sample_inside(run, &rows[0], kind, place, &texel);
 	} else if (kind.textured) {
 		soft_sample_anywhere(
 			run, run->texels, kind, at->s, at->t, &texel);
 		if (kind.joined) {
-			soft_sample_anywhere(run,
-				(const uint8_t *)((uintptr_t)run->texels +
-					run->joint),
+			soft_sample_anywhere(run, rows[1].first,
 				soft_second_kind(kind), at->s, at->t, &second);
 		}
 	}
@@ -296,12 +299,17 @@ static SOFT_TEXT void soft_draw_rows(
 	const struct soft_run *run = &own;
 	struct soft_constants constants = soft_find_constants(run, kind);
 	struct soft_steps steps = soft_find_steps(run);
-	const struct soft_rows rows = {
-		run->first_texel, 1u << run->stride_log2, run->joint};
+	const uint8_t *first = kind.inside ? run->first_texel : run->texels;
+	/* of the texture, and of a joined second one */
+	struct soft_rows rows[2] = {{first, 1u << run->stride_log2}};
 	const struct soft_row *row = run->rows, *end = row + run->row_count;
 
+	if (kind.joined) {
+		rows[1].first = (const uint8_t *)((uintptr_t)first + run->joint);
+		rows[1].stride = rows[0].stride;
+	}
 	if (kind.textured && !kind.inside) {
-		soft_draw_row(run, row, kind, &rows, &constants, &steps);
+		soft_draw_row(run, row, kind, rows, &constants, &steps);
 		return;
 	}
 	for (; row < end; row++) {
@@ -309,7 +317,7 @@ static SOFT_TEXT void soft_draw_rows(
 
 		KEEP_IN_MEMORY(end); /* leaves registers to the pixels */
 		KEEP_IN_MEMORY(row);
-		soft_draw_row(run, &its, kind, &rows, &constants, &steps);
+		soft_draw_row(run, &its, kind, rows, &constants, &steps);
 		own.second += 4 * its.count;
 	}
 }

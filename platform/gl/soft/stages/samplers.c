@@ -64,8 +64,7 @@ static ALWAYS_INLINE void read_texels(
 
 		if (kind.inside) {
 			soft_sample_inside(run, &rows, kind,
-				soft_safe(at, soft_live(end - out)), &texel,
-				NULL);
+				soft_safe(at, soft_live(end - out)), &texel);
 			at += soft_spread(at_right, true);
 		} else {
 			soft_sample_anywhere(

@@ -11,27 +11,25 @@ static ALWAYS_INLINE soft_word scale_by_factor(
 	GLenum factor, soft_word color, soft_word from, soft_word to)
 {
 	const soft_word zero = {0};
-	soft_word own = from >> 24, left = 255 - (to >> 24);
+	/* GL_ONE_MINUS_ factors have odd numbers */
+	const uint32_t invert = factor & 1 ? UINT32_MAX : 0;
+	const soft_word own = from >> 24, left = 255 - (to >> 24);
 
 	switch (factor) {
 	case GL_ZERO:
 		return zero;
 	case GL_SRC_COLOR:
-		return soft_multiply_bytes(color, from);
 	case GL_ONE_MINUS_SRC_COLOR:
-		return soft_multiply_bytes(color, ~from);
-	case GL_DST_COLOR:
-		return soft_multiply_bytes(color, to);
+		return soft_multiply_bytes(color, from ^ invert);
 	case GL_ONE_MINUS_DST_COLOR:
-		return soft_multiply_bytes(color, ~to);
+	case GL_DST_COLOR:
+		return soft_multiply_bytes(color, to ^ invert);
 	case GL_SRC_ALPHA:
-		return soft_scale_bytes(color, own);
 	case GL_ONE_MINUS_SRC_ALPHA:
-		return soft_scale_bytes(color, 255 - own);
+		return soft_scale_bytes(color, (from ^ invert) >> 24);
 	case GL_DST_ALPHA:
-		return soft_scale_bytes(color, 255 - left);
 	case GL_ONE_MINUS_DST_ALPHA:
-		return soft_scale_bytes(color, left);
+		return soft_scale_bytes(color, (to ^ invert) >> 24);
 	case GL_SRC_ALPHA_SATURATE:
 		return (color & 0xFF000000) |
 			(soft_scale_bytes(
@@ -62,13 +60,6 @@ static ALWAYS_INLINE soft_word narrow_565(soft_word color)
 	return (red_blue & 0xF800) | green >> 10 << 5 | red_blue >> 27;
 }
 
-static ALWAYS_INLINE soft_word blend_colors(
-	soft_word to, soft_word from, GLenum source, GLenum destination)
-{
-	return BYTES_ADD_LIMITED(scale_by_factor(source, from, from, to),
-		scale_by_factor(destination, to, from, to));
-}
-
 /* Blends a row; inlined with constant factors for the common ones. */
 static ALWAYS_INLINE void blend(const struct soft_row *row,
 	const uint32_t *color, const uint16_t *before, const uint16_t *after,
@@ -84,15 +75,17 @@ static ALWAYS_INLINE void blend(const struct soft_row *row,
 		const soft_word unseen = (soft_word)(soft_get_halves(before) ==
 			soft_get_halves(after));
 		void *at = pixel;
-		soft_word old, to;
+		soft_word from, old, to;
 
 		if (copied) {
 			at = memcpy(tail, pixel, bytes);
 		}
 		if (!soft_all(unseen)) {
+			from = soft_get_words(color);
 			old = wide ? soft_get_words(at) : load_565(at);
-			to = blend_colors(old, soft_get_words(color), source,
-				destination);
+			to = BYTES_ADD_LIMITED(
+				scale_by_factor(source, from, from, old),
+				scale_by_factor(destination, old, from, old));
 			if (wide) {
 				soft_put_words(at, soft_choose(unseen, old, to));
 			} else {
@@ -111,18 +104,28 @@ static ALWAYS_INLINE void blend(const struct soft_row *row,
 	}
 }
 
-static ALWAYS_INLINE void blend_by_factors(const struct soft_row *row,
-	const uint32_t *color, const uint16_t *before, const uint16_t *after,
-	GLenum source, GLenum destination, bool wide)
+void soft_blend_row(const struct draw *draw, const struct soft_row *row,
+	const uint8_t *color, const uint16_t *before, const uint16_t *after)
 {
+	const bool wide = draw->soft->format == PIXELS_RGBA8888;
+	const uint32_t *colors = (const uint32_t *)(const void *)color;
+	GLenum source = draw->spans.stages.blend_source;
+	GLenum destination = draw->spans.stages.blend_destination;
+
 	if (source == GL_DST_COLOR && destination == GL_ZERO) {
 		source = GL_ZERO;
 		destination = GL_SRC_COLOR;
 	}
-#define PAIR(s, d)                                                \
-	if (source == (s) && destination == (d)) {                \
-		blend(row, color, before, after, (s), (d), wide); \
-		return;                                           \
+#define BLEND(s, d)                                                 \
+	if (wide) {                                                 \
+		blend(row, colors, before, after, (s), (d), true);  \
+	} else {                                                    \
+		blend(row, colors, before, after, (s), (d), false); \
+	}
+#define PAIR(s, d)                                 \
+	if (source == (s) && destination == (d)) { \
+		BLEND(s, d)                        \
+		return;                            \
 	}
 	PAIR(GL_SRC_ALPHA, GL_ONE)
 	PAIR(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
@@ -130,22 +133,6 @@ static ALWAYS_INLINE void blend_by_factors(const struct soft_row *row,
 	PAIR(GL_ZERO, GL_SRC_COLOR)
 	PAIR(GL_ONE, GL_ONE_MINUS_SRC_COLOR)
 #undef PAIR
-	blend(row, color, before, after, source, destination, wide);
-}
-
-void soft_blend_row(const struct draw *draw, const struct soft_row *row,
-	const uint8_t *color, const uint16_t *before, const uint16_t *after)
-{
-	const struct soft_fragment_stages *stages = &draw->spans.stages;
-	const uint32_t *colors = (const uint32_t *)(const void *)color;
-	GLenum source = stages->blend_source;
-	GLenum destination = stages->blend_destination;
-
-	if (draw->soft->format == PIXELS_RGBA8888) {
-		blend_by_factors(
-			row, colors, before, after, source, destination, true);
-	} else {
-		blend_by_factors(
-			row, colors, before, after, source, destination, false);
-	}
+	BLEND(source, destination)
+#undef BLEND
 }

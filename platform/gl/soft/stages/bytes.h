@@ -11,11 +11,6 @@
 /* a + b limited to 255, and a - b limited to 0, of each unsigned byte */
 #define BYTES_ADD_LIMITED(a, b)  ((uint32_t)__uqadd8(a, b))
 #define BYTES_LESS_LIMITED(a, b) ((uint32_t)__uqsub8(a, b))
-/* a - b of both halves, each modulo 2^16 */
-static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
-{
-	return (uint32_t)__usub16(a, b);
-}
 #elif SOFT_LANES == 1
 static inline uint32_t soft_bytes_add_limited(uint32_t a, uint32_t b)
 {
@@ -24,11 +19,6 @@ static inline uint32_t soft_bytes_add_limited(uint32_t a, uint32_t b)
 	uint32_t over = ((a & b) | ((a | b) & ~sum)) & top;
 
 	return sum | ((over << 1) - (over >> 7));
-}
-
-static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
-{
-	return ((a & 0xFFFF0000) - (b & 0xFFFF0000)) | ((a - b) & 0xFFFF);
 }
 
 #define BYTES_ADD_LIMITED(a, b)  soft_bytes_add_limited(a, b)
@@ -46,8 +36,6 @@ static inline uint32_t soft_halves_minus(uint32_t a, uint32_t b)
 #define HALVES_BY_HALVES(a, b) (HALVES_TIMES(a, b) + 0x00800080)
 #define HALVES_MIX(a, x, b, y) \
 	(HALVES_TIMES(a, x) + HALVES_TIMES(b, y) + 0x00800080)
-/* a - b of both halves, each modulo 2^16 */
-#define soft_halves_minus(a, b) SOFT_VECTOR(sub_epi16, a, b)
 #endif
 
 /* Divides two 16-bit products of bytes, 128 added, by 255: bytes 0 and 2. */

@@ -17,11 +17,6 @@ struct meeting {
 	uint32_t constant;
 };
 
-static bool has_color(GLenum format)
-{
-	return format != GL_ALPHA;
-}
-
 bool soft_base_has_alpha(GLenum format)
 {
 	return format != GL_RGB && format != GL_LUMINANCE;
@@ -29,10 +24,7 @@ bool soft_base_has_alpha(GLenum format)
 
 bool soft_is_simple_environment(const struct texture_input *input)
 {
-	GLenum mode = input->mode, format = input->base->base_format;
-
-	return mode == GL_MODULATE || mode == GL_REPLACE ||
-		(mode == GL_DECAL && format == GL_RGB);
+	return input->mode == GL_MODULATE || input->mode == GL_REPLACE;
 }
 
 static void set(
@@ -57,24 +49,20 @@ static void find_rgb(GLenum mode, struct soft_combiner *rgb)
 
 static void find_mode(GLenum mode, GLenum format, struct soft_environment *out)
 {
-	out->rgb.function = GL_REPLACE;
-	set(&out->rgb, 0, GL_PREVIOUS, GL_SRC_COLOR);
-	if (has_color(format)) {
+	/* Texels without alpha have 255: GL_MODULATE's rgb and alpha are alike. */
+	const bool kept = mode == GL_DECAL ||
+		(mode != GL_MODULATE && !soft_base_has_alpha(format));
+
+	if (format == GL_ALPHA) {
+		out->rgb.function = GL_REPLACE;
+		set(&out->rgb, 0, GL_PREVIOUS, GL_SRC_COLOR);
+	} else {
 		find_rgb(mode, &out->rgb);
 	}
-	out->alpha.function = mode == GL_REPLACE ? GL_REPLACE : GL_MODULATE;
-	set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
+	out->alpha.function =
+		kept || mode == GL_REPLACE ? GL_REPLACE : GL_MODULATE;
+	set(&out->alpha, 0, kept ? GL_PREVIOUS : GL_TEXTURE, GL_SRC_ALPHA);
 	set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
-	if (!soft_base_has_alpha(format) || mode == GL_DECAL) {
-		out->alpha.function = GL_REPLACE;
-		set(&out->alpha, 0, GL_PREVIOUS, GL_SRC_ALPHA);
-	}
-	/* Texels without alpha have 255: rgb and alpha become alike. */
-	if (has_color(format) && mode == GL_MODULATE) {
-		out->alpha.function = GL_MODULATE;
-		set(&out->alpha, 0, GL_TEXTURE, GL_SRC_ALPHA);
-		set(&out->alpha, 1, GL_PREVIOUS, GL_SRC_ALPHA);
-	}
 }
 
 static void find_combine(const struct texenv *env, struct soft_environment *out)
@@ -105,17 +93,12 @@ static bool is_alpha(GLenum operand)
 	return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
 }
 
-static bool is_dot(GLenum function)
-{
-	return function == GL_DOT3_RGB || function == GL_DOT3_RGBA;
-}
-
 /* Whether the rgb function, on all four bytes, also gives the right alpha. */
 static bool are_alike(
 	const struct soft_combiner *rgb, const struct soft_combiner *alpha)
 {
 	bool alike = rgb->function == alpha->function &&
-		rgb->doublings == alpha->doublings && !is_dot(rgb->function);
+		rgb->doublings == alpha->doublings;
 
 	for (int i = 0; i < count_arguments(rgb->function); i++) {
 		alike = alike && rgb->source[i] == alpha->source[i] &&
@@ -154,6 +137,9 @@ GLenum soft_find_mode(const struct texenv *env, GLenum format, bool first)
 	static const GLenum simple[] = {GL_MODULATE, GL_REPLACE};
 	struct soft_environment given = {0}, wanted = {0};
 
+	if (env->mode == GL_DECAL && !soft_base_has_alpha(format)) {
+		return GL_REPLACE;
+	}
 	if (env->mode != GL_COMBINE) {
 		return env->mode;
 	}
@@ -195,14 +181,10 @@ void soft_find_environment(
 		find_mode(input->mode, input->base->base_format, out);
 	}
 	out->alpha_wanted = true;
-	out->alike = out->rgb.function == GL_DOT3_RGBA ||
-		are_alike(&out->rgb, &out->alpha);
-}
-
-static void fill(uint32_t *out, uint32_t value, uint32_t count)
-{
-	for (uint32_t i = 0; i < count; i += SOFT_LANES) {
-		soft_put_words(out + i, (soft_word){0} + value);
+	out->alike = are_alike(&out->rgb, &out->alpha);
+	if (out->rgb.function == GL_DOT3_RGBA) {
+		out->rgb.function = GL_DOT3_RGB;
+		out->alike = true;
 	}
 }
 
@@ -213,25 +195,25 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 	const uint32_t *from = source == GL_TEXTURE ? m->texel
 		: source == GL_PRIMARY_COLOR        ? m->primary
 						    : m->previous;
-	uint32_t invert = is_inverted(operand) ? UINT32_MAX : 0;
+	const uint32_t invert = is_inverted(operand) ? UINT32_MAX : 0;
+	const bool spread = is_alpha(operand) && !for_alpha;
 
 	if (source == GL_CONSTANT) {
-		fill(out, m->constant, count);
+		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
+			soft_put_words(out + i, (soft_word){0} + m->constant);
+		}
 		from = out;
 	}
-	if (is_alpha(operand) && !for_alpha) {
-		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
-			const soft_word alpha = soft_get_words(from + i) >> 24;
-
-			soft_put_words(out + i, (alpha * 0x01010101) ^ invert);
-		}
-		return out;
-	}
-	if (!invert) {
+	if (!spread && !invert) {
 		return from;
 	}
 	for (uint32_t i = 0; i < count; i += SOFT_LANES) {
-		soft_put_words(out + i, ~soft_get_words(from + i));
+		soft_word argument = soft_get_words(from + i);
+
+		if (spread) {
+			argument = (argument >> 24) * 0x01010101;
+		}
+		soft_put_words(out + i, argument ^ invert);
 	}
 	return out;
 }
@@ -239,13 +221,15 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 /* GL_DOT3: 4 * sum of (a - 1/2)(b - 1/2), limited, in all four bytes. */
 static ALWAYS_INLINE soft_word dot(soft_word a, soft_word b)
 {
-	const soft_word one = (soft_word){0} + 0x00FF00FF;
-	/* 2 a - 255 of bytes 0 and 2, without a borrow between the halves */
-	soft_word a_rb = soft_halves_minus(BYTES_AS_HALVES(a) * 2, one);
-	soft_word b_rb = soft_halves_minus(BYTES_AS_HALVES(b) * 2, one);
-	soft_word a_g = (a >> 8 & 255) * 2 - 255, b_g = (b >> 8 & 255) * 2 - 255;
-	soft_word green = (soft_word)HALVES_BB(a_g, b_g, 0);
-	soft_int sum = (soft_int)HALVES_SUM_ADD(a_rb, b_rb, green);
+	const soft_word one = (soft_word){0} + 0x00010001;
+	const soft_word a_rb = BYTES_AS_HALVES(a), b_rb = BYTES_AS_HALVES(b);
+	const soft_word a_g = a >> 8 & 255, b_g = b >> 8 & 255;
+	const soft_word products =
+		HALVES_SUM_ADD(a_rb, b_rb, WORD_PRODUCT(a_g, b_g));
+	const soft_word terms = HALVES_SUM_ADD(a_rb + b_rb, one, a_g + b_g);
+	/* of (2 a - 255)(2 b - 255) */
+	const soft_int sum =
+		(soft_int)(products * 4 - terms * 510 + 3 * 255 * 255);
 
 	/* sum / 255 rounded down, exact while that is below 256 */
 	return LIMIT_SHIFTED(sum * 257 + 257, 16, 8) * 0x01010101;
@@ -294,7 +278,7 @@ static ALWAYS_INLINE soft_word apply(
 static ALWAYS_INLINE void apply_all(GLenum function, const uint32_t *const a[3],
 	uint32_t *out, uint32_t count)
 {
-	const uint32_t *x = a[0], *y = a[1], *end = x + count;
+	const uint32_t *x = a[0], *y = a[1], *const end = x + count;
 	const uint32_t *z = function == GL_INTERPOLATE ? a[2] : y;
 
 	for (; x < end; x += SOFT_LANES, y += SOFT_LANES, z += SOFT_LANES) {
@@ -308,30 +292,20 @@ static ALWAYS_INLINE void apply_all(GLenum function, const uint32_t *const a[3],
 static void run_function(GLenum function, const uint32_t *const a[3],
 	uint32_t *out, uint32_t count)
 {
-	switch (function) {
-	case GL_REPLACE:
+	if (function == GL_REPLACE) {
 		memmove(out, a[0], count * sizeof(*out));
-		break;
-	case GL_ADD:
-		apply_all(GL_ADD, a, out, count);
-		break;
-	case GL_INTERPOLATE:
-		apply_all(GL_INTERPOLATE, a, out, count);
-		break;
-	case GL_DOT3_RGB:
-	case GL_DOT3_RGBA:
-		apply_all(GL_DOT3_RGB, a, out, count);
-		break;
-	case GL_ADD_SIGNED:
-		apply_all(GL_ADD_SIGNED, a, out, count);
-		break;
-	case GL_SUBTRACT:
-		apply_all(GL_SUBTRACT, a, out, count);
-		break;
-	default:
-		apply_all(GL_MODULATE, a, out, count);
-		break;
 	}
+#define FUNCTION(name)                          \
+	if (function == (name)) {               \
+		apply_all(name, a, out, count); \
+	}
+	FUNCTION(GL_MODULATE)
+	FUNCTION(GL_ADD)
+	FUNCTION(GL_ADD_SIGNED)
+	FUNCTION(GL_SUBTRACT)
+	FUNCTION(GL_INTERPOLATE)
+	FUNCTION(GL_DOT3_RGB)
+#undef FUNCTION
 }
 
 static void run_combiner(const struct soft_combiner *combiner,

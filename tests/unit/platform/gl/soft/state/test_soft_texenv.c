@@ -442,7 +442,8 @@ static void test_combiners_that_a_mode_has_are_that_mode(void **state)
 	env.source_alpha[0] = GL_PREVIOUS;
 	expect_mode(&env, GL_RGB, true, GL_REPLACE);
 	env.mode = GL_DECAL;
-	expect_mode(&env, GL_RGB, true, GL_DECAL);
+	expect_mode(&env, GL_RGB, true, GL_REPLACE);
+	expect_mode(&env, GL_RGBA, true, GL_DECAL);
 }
 
 int main(void)

@@ -41,12 +41,6 @@ static bool find_alpha_range(
 	return count > 0;
 }
 
-static bool is_replaced(const struct texture_input *input)
-{
-	return input->used && input->mode != GL_MODULATE &&
-		soft_is_simple_environment(input);
-}
-
 /* The factor's equivalent in RGB565, whose destination alpha is 1. */
 static GLenum find_opaque_factor(GLenum factor)
 {
@@ -244,7 +238,6 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 {
 	const GLfixed *color = draw->added ? draw->added : draw->soft->fog.color;
 	struct soft_fragment_stages *stages = &spans->stages;
-	const struct texture_input *input = &draw->texture[0];
 
 	memset(stages->far, 0, sizeof(stages->far));
 	for (int i = 0; i < 3 && (draw->fogged || draw->added); i++) {
@@ -254,8 +247,6 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 		stages->far[i] = draw->added ? -value : value + 8192;
 		stages->fog[i] = draw->added ? 0 : value + 8192;
 	}
-	stages->alpha_scaled = input->used && input->mode == GL_MODULATE &&
-		soft_base_has_alpha(input->base->base_format);
 }
 
 /* Finds whether vertices' colours and alpha are needed. */
@@ -264,7 +255,7 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	const struct texture_input *input = &draw->texture[0];
 	bool combined = spans->combined;
 	GLenum format = input->used ? input->base->base_format : GL_RGB;
-	bool replaced = !combined && is_replaced(input);
+	bool replaced = !combined && input->used && input->mode == GL_REPLACE;
 
 	spans->colored = !replaced || format == GL_ALPHA;
 	spans->alpha_read = spans->wide || combined ||

@@ -61,7 +61,6 @@ struct soft_fragment_stages {
 	int32_t far[3], fog[3];
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
-	bool alpha_scaled; /* the first texture's alpha scales the fragment's */
 	GLenum blend_source, blend_destination;
 	/*
 	 * SOFT_MIXED: blend factors are base + alpha * by; the source's in the
@@ -141,7 +140,7 @@ enum soft_finish {
 	SOFT_BLENDED_FOG,
 	SOFT_MIXED,  /* alpha test; blended by any factors of 0, 1 and alpha */
 	SOFT_SCALED, /* times a second texture's texel; opaque */
-	/* a second texture's texel is added; opaque, tested, blended */
+	/* a second texture's texel is added; else as the first three */
 	SOFT_SUMMED,
 	SOFT_TESTED_SUMMED,
 	SOFT_BLENDED_SUMMED,

@@ -72,15 +72,17 @@ static ALWAYS_INLINE void sample_row(const struct soft_levels *levels,
 }
 
 /*
- * Reads the texels of all runs, one run behind the other, from a unit's level or
- * the next one. known are the coordinates, if there is a single run; else NULL.
+ * Reads the texels of all runs, one run behind the other, from a unit's level
+ * or the next one. known are the coordinates, if there is a single run; else
+ * NULL. Returns the number of texels.
  */
-static void sample_level(const struct draw *draw, int unit, bool next,
+static uint32_t sample_level(const struct draw *draw, int unit, bool next,
 	const struct soft_made_at *known, uint32_t *out)
 {
 	const struct soft_run *runs = &draw->spans.run;
 	const struct soft_levels *levels = &draw->spans.levels[unit];
 	const struct soft_view *view = next ? &levels->next_view : &levels->view;
+	uint32_t all = 0;
 	struct soft_run run;
 
 	/* values that soft_cut_run() steps, but nothing reads */
@@ -97,11 +99,12 @@ static void sample_level(const struct draw *draw, int unit, bool next,
 			known ? *known : soft_find_made_at(draw, unit, row);
 		const uint32_t count = row->count;
 
-		run.row.pixel = (uint8_t *)out;
+		run.row.pixel = (uint8_t *)(out + all);
 		run.row.count = count;
 		sample_row(levels, view, &at, &run);
-		out += count;
+		all += count;
 	}
+	return all;
 }
 
 /* Blends the four bytes of from with to by share / 256; share is below 256. */
@@ -118,24 +121,17 @@ static ALWAYS_INLINE soft_word mix(soft_word from, soft_word to, uint32_t share)
 	return ((low + half) >> 8 & mask) | ((high + half) & ~mask);
 }
 
-static uint32_t count_pixels(const struct soft_run *runs)
-{
-	uint32_t count = 0;
-
-	for (uint32_t i = 0; i < runs->row_count; i++) {
-		count += runs->rows[i].count;
-	}
-	return count;
-}
-
-/* Reads a unit's texels for all runs; mixes two levels where the filter does. */
-static void sample(struct draw *draw, int unit, uint32_t *texel)
+/*
+ * Reads a unit's texels for all runs, and returns their number. Mixes two
+ * levels where the filter does.
+ */
+static uint32_t sample(struct draw *draw, int unit, uint32_t *texel)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_row *rows = spans->run.rows;
 	const struct soft_made_at *known = NULL;
 	struct soft_made_at at;
-	uint32_t next[SOFT_BATCH_ROOM], share;
+	uint32_t next[SOFT_BATCH_ROOM], share, count;
 
 	if (unit == 0 && rows == &spans->run.row) {
 		known = &spans->made_at;
@@ -143,11 +139,9 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 		at = find_second(draw, rows);
 		known = &at;
 	}
-	sample_level(draw, unit, false, known, texel);
+	count = sample_level(draw, unit, false, known, texel);
 	share = (uint32_t)spans->levels[unit].share;
 	if (share > 0) {
-		const uint32_t count = count_pixels(&spans->run);
-
 		sample_level(draw, unit, true, known, next);
 		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
 			soft_put_words(texel + i,
@@ -155,56 +149,41 @@ static void sample(struct draw *draw, int unit, uint32_t *texel)
 					soft_get_words(next + i), share));
 		}
 	}
+	return count;
 }
 
-/* Sets out to the vertices' colours of all runs, as RGBA8888. */
-static void fill_primary(const struct soft_run *run, uint32_t *out)
+/*
+ * Sets out to the vertices' colours of all runs, as RGBA8888. With texels, sets
+ * only alpha, to the fragments' one, with its fraction, times the texels'.
+ */
+static ALWAYS_INLINE void fill_primary(
+	const struct soft_run *run, const uint32_t *texel, uint32_t *out)
 {
-	uint32_t rb_right = run->red_blue_right;
-	uint32_t ga_right = run->green_alpha_right;
+	const uint32_t rb_right = run->red_blue_right;
+	const uint32_t ga_right = run->green_alpha_right;
 
 	for (uint32_t i = 0; i < run->row_count; i++) {
 		const struct soft_row *row = &run->rows[i];
 		soft_word rb = row->red_blue + soft_spread(rb_right, false);
 		soft_word ga = row->green_alpha + soft_spread(ga_right, false);
+		soft_word color;
 
-		uint32_t *const end = out + row->count;
-
-		for (; out < end; out += SOFT_LANES) {
-			soft_put_words(out,
-				ODD_BYTES_AS_HALVES(rb) | (ga & 0xFF00) |
-					ga >> 23 << 24);
+		for (uint32_t x = 0; x < row->count; x += SOFT_LANES) {
+			if (texel) {
+				color = (soft_get_words(out + x) & 0x00FFFFFF) |
+					soft_scale_alpha(ga >> 16,
+						soft_get_words(texel + x) >> 24)
+						<< 24;
+			} else {
+				color = ODD_BYTES_AS_HALVES(rb) |
+					(ga & 0xFF00) | ga >> 23 << 24;
+			}
+			soft_put_words(out + x, color);
 			rb += soft_spread(rb_right, true);
 			ga += soft_spread(ga_right, true);
 		}
-		out = end;
-	}
-}
-
-/* Sets alpha to the fragment's, with its fraction, times the texel's. */
-static void scale_alphas(
-	const struct soft_run *run, const uint32_t *texel, uint32_t *color)
-{
-	uint32_t ga_right = run->green_alpha_right;
-
-	for (uint32_t i = 0; i < run->row_count; i++) {
-		const struct soft_row *row = &run->rows[i];
-		soft_word ga = row->green_alpha + soft_spread(ga_right, false);
-
-		const uint32_t *own = texel;
-		uint32_t *const end = color + row->count;
-
-		for (; color < end; color += SOFT_LANES, own += SOFT_LANES) {
-			const soft_word alpha = soft_scale_alpha(
-				ga >> 16, soft_get_words(own) >> 24);
-
-			soft_put_words(color,
-				(soft_get_words(color) & 0x00FFFFFF) |
-					alpha << 24);
-			ga += soft_spread(ga_right, true);
-		}
-		color = end;
-		texel += row->count;
+		out += row->count;
+		texel += texel ? row->count : 0;
 	}
 }
 
@@ -214,17 +193,18 @@ static void combine(
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
-	uint32_t primary[SOFT_BATCH_ROOM];
+	const struct texture_input *input = &draw->texture[0];
+	uint32_t own[SOFT_BATCH_ROOM], *primary = input->used ? own : color;
 
-	if (!draw->texture[0].used) {
-		fill_primary(run, color);
+	fill_primary(run, NULL, primary);
+	if (!input->used) {
 		return;
 	}
-	fill_primary(run, primary);
 	soft_combine_row(
 		&spans->environment[0], texel, primary, primary, color, count);
-	if (spans->stages.alpha_scaled) {
-		scale_alphas(run, texel, color);
+	if (input->mode == GL_MODULATE &&
+		soft_base_has_alpha(input->base->base_format)) {
+		fill_primary(run, texel, color);
 	}
 	if (draw->texture[1].used) {
 		sample(draw, 1, texel);
@@ -272,13 +252,12 @@ static void draw_made(const struct soft_run *given)
 	const uint32_t row_count = run->row_count;
 	const uint32_t red_blue_right = run->red_blue_right;
 	const uint32_t green_alpha_right = run->green_alpha_right;
-	const uint32_t count = count_pixels(run);
 	uint32_t texel[SOFT_BATCH_ROOM], color[SOFT_BATCH_ROOM];
-	uint32_t *made = texel;
+	uint32_t *made = texel, count = 0;
 	struct soft_row row[SOFT_BATCH_RUNS];
 
 	if (spans->textured) {
-		sample(draw, 0, texel);
+		count = sample(draw, 0, texel);
 	}
 	if (spans->multiplied) {
 		sample(draw, 1, color);
@@ -318,9 +297,10 @@ static void pack_second(uint32_t *texel, uint32_t count)
 
 void soft_read_second(struct draw *draw, uint32_t *texel)
 {
-	sample(draw, 1, texel);
+	const uint32_t count = sample(draw, 1, texel);
+
 	if (!draw->spans.wide && !draw->spans.levels[1].packed) {
-		pack_second(texel, count_pixels(&draw->spans.run));
+		pack_second(texel, count);
 	}
 	draw->spans.run.second = (uintptr_t)texel;
 }

@@ -6,7 +6,6 @@
 #define PLATFORM_GL_SOFT_SPAN_SPANS_H
 
 #include "platform/gl/soft/stages/combine_rows.h"
-#include "platform/gl/soft/stages/coverage.h"
 
 struct draw;
 struct setup;
@@ -61,6 +60,18 @@ struct soft_levels {
 	int share;   /* weight of next_view, of 256; 0: it is not read */
 	bool packed; /* the sampler packs texels for soft_run.second */
 	const soft_span_function *sampler;
+};
+
+/*
+ * The smooth point or line that a triangle belongs to, a disk or a rectangle:
+ * see stages/coverage.c. x and y are window coordinates, in 1/16 pixels.
+ */
+struct soft_coverage {
+	bool used;
+	int32_t x, y;         /* the centre */
+	int32_t radius_q8;    /* of a disk, in 1/256 pixels; else 0 */
+	int32_t u_q14, v_q14; /* unit vector along a line */
+	int32_t half_length_q8, half_width_q8;
 };
 
 /* What all runs of a draw call have in common, or all runs of a triangle. */

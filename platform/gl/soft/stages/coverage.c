@@ -1,4 +1,10 @@
+/*
+ * The coverage of pixels by smooth points and lines, which multiplies fragments'
+ * alpha (GL ES 1.1 sections 3.3.1, 3.4.2 and 3.9). It is linear in the distance of
+ * the pixel's centre from the edge, from 1/2 pixel outside to 1/2 inside.
+ */
 #include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/number.h"
 
 /* Coverage, of 256, between two edges half_q8 from the middle; thin ones less. */

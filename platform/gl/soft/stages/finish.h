@@ -1,12 +1,14 @@
 /*
- * The last stages of span functions (span/template.h): times the colour, fog,
- * blending, and how pixels of both formats are stored.
+ * The last stages of span functions (span/template.h): times a second texture's
+ * texel, times the colour, fog, blending, and how pixels of both formats are
+ * stored.
  */
 #ifndef PLATFORM_GL_SOFT_STAGES_FINISH_H
 #define PLATFORM_GL_SOFT_STAGES_FINISH_H
 
 #include "platform/gl/soft/raster/pixel.h"
-#include "platform/gl/soft/stages/second.h"
+#include "platform/gl/soft/span/stages.h"
+#include "platform/gl/soft/stages/bytes.h"
 
 /*
  * Constants of a run, from soft_fragment_stages. Fog computes fog + (color - far)
@@ -21,6 +23,71 @@ struct soft_constants {
 	/* address of the row's second texels minus twice that of its depths */
 	uintptr_t second;
 };
+
+/* Fraction bits of a second texel's channel, besides its 5, 6 and 5 bits. */
+static ALWAYS_INLINE int soft_second_fraction(
+	struct soft_kind kind, enum soft_channel channel)
+{
+	return kind.joined              ? (kind.linear ? 18 : 0)
+		: channel == SOFT_GREEN ? 5
+					: 6;
+}
+
+/* A second texel's channel, shifted to so many fraction bits. */
+static ALWAYS_INLINE soft_word soft_second_channel(struct soft_kind kind,
+	const struct soft_texel *second, enum soft_channel channel, int fraction)
+{
+	const int up = fraction - soft_second_fraction(kind, channel);
+
+	return up >= 0 ? second->channel[channel] << up
+		       : second->channel[channel] >> -up;
+}
+
+/* Splits a word of soft_run.second into channels. */
+static ALWAYS_INLINE void soft_split_second(
+	soft_word word, struct soft_texel *out)
+{
+	out->channel[0] = word >> 21; /* the lowest bit belongs to green */
+	out->channel[1] = word << 10 >> 21;
+	out->channel[2] = word << 21 >> 21;
+}
+
+/* Multiplies a texel of RGBA8888 by a second one's bytes. */
+static ALWAYS_INLINE void soft_multiply_texel(
+	struct soft_kind kind, soft_word second, struct soft_texel *texel)
+{
+	soft_split_texel(
+		kind, soft_multiply_bytes(soft_join(texel), second), texel);
+}
+
+/* Multiplies channels by a second texel's, which have 11 bits. */
+static ALWAYS_INLINE void soft_scale_texel(struct soft_kind kind,
+	const struct soft_texel *second, struct soft_texel *texel)
+{
+	soft_word *c = texel->channel;
+
+	if (kind.format == TEXEL_8888) {
+		c[0] = texel->lanes.red_blue & 0xFFFF;
+		c[1] = texel->lanes.green_alpha & 0xFFFF;
+		c[2] = texel->lanes.red_blue >> 16;
+	}
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		const soft_word by = soft_second_channel(
+			kind, second, i, i == SOFT_GREEN ? 5 : 6);
+
+		c[i] = soft_is_aligned(kind) ? WORD_TIMES_BOTTOM(c[i], by)
+					     : c[i] * by;
+	}
+}
+
+static ALWAYS_INLINE void soft_add_second(struct soft_kind kind,
+	const struct soft_texel *second, struct soft_color *color)
+{
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		color->channel[i] += (soft_int)soft_second_channel(
+			kind, second, i, soft_fraction(kind, i));
+	}
+}
 
 static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
 	const struct soft_constants *constants, enum soft_channel channel)
@@ -72,41 +139,32 @@ static ALWAYS_INLINE int32_t soft_shift(int32_t value, int bits)
 	return bits >= 0 ? value * (1 << bits) : value >> -bits;
 }
 
-static ALWAYS_INLINE void soft_find_fog(const struct soft_run *run,
-	struct soft_kind kind, enum soft_channel channel,
-	struct soft_constants *out)
-{
-	const struct soft_fragment_stages *stages = run->stages;
-	int fraction = soft_fraction(kind, channel);
-
-	out->start[channel] =
-		(soft_has_color(kind) ? soft_half(kind, channel) : 0) -
-		soft_shift(stages->far[channel], fraction - 14);
-	out->fog[channel] = soft_shift(stages->fog[channel], fraction - 15);
-}
-
 static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	const struct soft_run *run, struct soft_kind kind)
 {
+	const struct soft_fragment_stages *stages = run->stages;
 	struct soft_constants out = {0};
 
-	if (soft_is_fogged(kind)) {
-		soft_find_fog(run, kind, SOFT_RED, &out);
-		soft_find_fog(run, kind, SOFT_GREEN, &out);
-		soft_find_fog(run, kind, SOFT_BLUE, &out);
+	for (enum soft_channel i = SOFT_RED;
+		i < SOFT_ALPHA && soft_is_fogged(kind); i++) {
+		const int fraction = soft_fraction(kind, i);
+
+		out.start[i] = (soft_has_color(kind) ? soft_half(kind, i) : 0) -
+			soft_shift(stages->far[i], fraction - 14);
+		out.fog[i] = soft_shift(stages->fog[i], fraction - 15);
 	}
 	if (soft_is_tested(kind)) {
-		out.alpha_low = run->stages->alpha_low;
-		out.alpha_range = run->stages->alpha_range;
+		out.alpha_low = stages->alpha_low;
+		out.alpha_range = stages->alpha_range;
 	}
 	if (soft_tests_texel(kind)) {
 		out.alpha_low <<= 24;
 		out.alpha_range = out.alpha_range << 24 | 0xFFFFFF;
 	}
 	if (soft_is_blended_freely(kind)) {
-		out.factors_base = run->stages->factors_base;
-		out.factors_by = run->stages->factors_by;
-		out.unseen = run->stages->unseen;
+		out.factors_base = stages->factors_base;
+		out.factors_by = stages->factors_by;
+		out.unseen = stages->unseen;
 	}
 	return out;
 }

@@ -20,6 +20,13 @@ struct soft_made_at soft_find_made_at(
 void soft_read_second(struct draw *draw, uint32_t *texel);
 
 /*
+ * coverage.c: multiplies a run's alpha by the coverage. Removes uncovered pixels
+ * from both ends of the run, maybe all; returns how many from the left end.
+ */
+uint32_t soft_cover(
+	const struct draw *draw, struct soft_row *run, uint32_t *color);
+
+/*
  * blend_row.c: blends a run's colours, RGBA8888, with the picture: GL ES 1.1
  * section 4.1.6. Only pixels are blended that were drawn: those whose depth
  * before and after drawing is not the same.

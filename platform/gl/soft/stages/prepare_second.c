@@ -24,10 +24,9 @@ static enum soft_finish find_second_finish(
 	if (!draw->spans.wide &&
 		(soft_adds(input, GL_TEXTURE) ||
 			(input->mode == GL_ADD && finish == SOFT_OPAQUE))) {
-		return finish == SOFT_OPAQUE     ? SOFT_SUMMED
-			: finish == SOFT_TESTED  ? SOFT_TESTED_SUMMED
-			: finish == SOFT_BLENDED ? SOFT_BLENDED_SUMMED
-						 : finish;
+		return finish <= SOFT_BLENDED
+			? (enum soft_finish)(SOFT_SUMMED + finish)
+			: finish;
 	}
 	return input->mode == GL_MODULATE && finish == SOFT_OPAQUE ? SOFT_SCALED
 								   : finish;

@@ -21,6 +21,14 @@ struct span {
 	int lod[SOFT_UNITS]; /* level of detail, 8 bits of fraction */
 };
 
+/* a * b / 255 of two bytes, rounded to the nearest. */
+static inline int scale_byte(int a, int b)
+{
+	int product = a * b + 128;
+
+	return (product + (product >> 8)) >> 8;
+}
+
 /* Makes the reference draw a context's triangles or, if !on, the driver again. */
 void reference_use(struct soft *soft, bool on);
 

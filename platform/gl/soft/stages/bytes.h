@@ -55,7 +55,7 @@ static ALWAYS_INLINE soft_word soft_scale_bytes(soft_word color, soft_word by)
 	return soft_divide_lanes(rb + half) | soft_divide_lanes(ga + half) << 8;
 }
 
-/* a * b / 255 of each byte, rounded as scale_byte() does. */
+/* a * b / 255 of each byte, rounded. */
 static ALWAYS_INLINE soft_word soft_multiply_bytes(soft_word a, soft_word b)
 {
 	soft_word a_rb = BYTES_AS_HALVES(a), a_ga = ODD_BYTES_AS_HALVES(a);

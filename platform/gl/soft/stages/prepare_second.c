@@ -63,11 +63,8 @@ static bool are_joined(const struct draw *draw)
 		first->wrap_s == second->wrap_s &&
 		first->wrap_t == second->wrap_t &&
 		is_same_array(a->array, b->array) &&
-		a->identity == b->identity &&
-		(a->identity ||
-			(a->matrix_q == b->matrix_q &&
-				memcmp(a->matrix, b->matrix,
-					sizeof(a->matrix)) == 0));
+		a->matrix_q == b->matrix_q &&
+		memcmp(a->matrix, b->matrix, sizeof(a->matrix)) == 0;
 }
 
 bool soft_choose_second(struct draw *draw)

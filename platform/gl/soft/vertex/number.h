@@ -52,14 +52,6 @@ static inline int32_t shift_by(int32_t value, int shift)
 	return value >> (shift > -31 ? -shift : 31);
 }
 
-/* a * b / 255 of two bytes, rounded to the nearest. */
-static inline int scale_byte(int a, int b)
-{
-	int product = a * b + 128;
-
-	return (product + (product >> 8)) >> 8;
-}
-
 static inline int32_t clamp_int(int32_t value, int32_t low, int32_t high)
 {
 	return value < low ? low : value > high ? high : value;

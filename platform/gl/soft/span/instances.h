@@ -23,9 +23,10 @@
 				.lequal = lequal_, __VA_ARGS__});           \
 	}
 
-#define SOFT_KIND(name, ...)                                                \
+/* each: SOFT_EACH_FINISH, SOFT_EACH_SECOND or SOFT_EACH_SCALED. */
+#define SOFT_KIND(name, each, ...)                                          \
 	SOFT_TEXELS(name, __VA_ARGS__)                                      \
-	SOFT_EACH_FINISH(SOFT_FINISH_FUNCTIONS, name)
+	each(SOFT_FINISH_FUNCTIONS, name)
 
 #define SOFT_EACH_FINISH(make, ...)                                         \
 	make(opaque, SOFT_OPAQUE, __VA_ARGS__)                              \
@@ -71,60 +72,39 @@
 		name##_both_##suffix(run, true);                            \
 	}
 
-#define SOFT_BOTH_FUNCTIONS(name, texels, is_linear, is_wide)               \
-	SOFT_KIND(name, .textured = true, .format = texels,                 \
-		.linear = is_linear, .wide = is_wide)                       \
-	SOFT_KIND(name##_inside, .textured = true, .format = texels,        \
-		.linear = is_linear, .wide = is_wide, .inside = true)
-
-#define SOFT_FORMAT_FUNCTIONS(name, texels, is_wide)                        \
-	SOFT_BOTH_FUNCTIONS(nearest_##name, texels, false, is_wide)         \
-	SOFT_BOTH_FUNCTIONS(linear_##name, texels, true, is_wide)
+/* A format's functions; behind each, members of the kind. */
+#define SOFT_FORMAT_FUNCTIONS(name, texels, each, ...)                      \
+	SOFT_KIND(nearest_##name, each, .textured = true, .format = texels, \
+		__VA_ARGS__)                                                \
+	SOFT_KIND(nearest_##name##_inside, each, .textured = true,          \
+		.format = texels, .inside = true, __VA_ARGS__)              \
+	SOFT_KIND(linear_##name, each, .textured = true, .format = texels,  \
+		.linear = true, __VA_ARGS__)                                \
+	SOFT_KIND(linear_##name##_inside, each, .textured = true,           \
+		.format = texels, .linear = true, .inside = true, __VA_ARGS__)
 
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
-	SOFT_KIND(plain, .wide = is_wide)                                   \
-	SOFT_EACH_FORMAT(SOFT_FORMAT_FUNCTIONS, is_wide)
-
-#define SOFT_SECOND_KIND(name, each, ...)                                   \
-	SOFT_TEXELS(name, .textured = true, __VA_ARGS__)                    \
-	each(SOFT_FINISH_FUNCTIONS, name)
-
-/* each: SOFT_EACH_SECOND or SOFT_EACH_SCALED; then members of the kind. */
-#define SOFT_SECOND_FORMAT(name, texels, each, ...)                         \
-	SOFT_SECOND_KIND(nearest_##name, each, .format = texels,            \
-		__VA_ARGS__)                                                \
-	SOFT_SECOND_KIND(nearest_##name##_inside, each, .format = texels,   \
-		.inside = true, __VA_ARGS__)                                \
-	SOFT_SECOND_KIND(linear_##name, each, .format = texels,             \
-		.linear = true, __VA_ARGS__)                                \
-	SOFT_SECOND_KIND(linear_##name##_inside, each, .format = texels,    \
-		.linear = true, .inside = true, __VA_ARGS__)
+	SOFT_KIND(plain, SOFT_EACH_FINISH, .wide = is_wide)                 \
+	SOFT_EACH_FORMAT(                                                   \
+		SOFT_FORMAT_FUNCTIONS, SOFT_EACH_FINISH, .wide = is_wide)
 
 /* clang-format off */
 #define SOFT_FINISH_ROW(suffix, finish, name, inside)                       \
 	[finish] = {name##_##suffix, inside##_##suffix,                     \
 		name##_lequal_##suffix, inside##_lequal_##suffix},
 
-#define SOFT_FINISH_ROWS(name, inside)                                      \
-	{ SOFT_EACH_FINISH(SOFT_FINISH_ROW, name, inside) },
-
-#define SOFT_FORMAT_ROWS(name, texels, ...)                                 \
-	[SOFT_NEAREST + texels - 1] =                                       \
-		SOFT_FINISH_ROWS(nearest_##name, nearest_##name##_inside)   \
-	[SOFT_LINEAR + texels - 1] =                                        \
-		SOFT_FINISH_ROWS(linear_##name, linear_##name##_inside)
-
-#define SOFT_SPAN_TABLE                                                     \
-	{                                                                   \
-		[SOFT_NO_TEXTURE] = SOFT_FINISH_ROWS(plain, plain)          \
-		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, )                        \
-	}
-
-#define SOFT_SECOND_ROWS(name, texels, each)                                \
+#define SOFT_FORMAT_ROWS(name, texels, each)                                \
 	[SOFT_NEAREST + texels - 1] = {each(SOFT_FINISH_ROW,                \
 		nearest_##name, nearest_##name##_inside)},                  \
 	[SOFT_LINEAR + texels - 1] = {each(SOFT_FINISH_ROW,                 \
 		linear_##name, linear_##name##_inside)},
+
+#define SOFT_SPAN_TABLE                                                     \
+	{                                                                   \
+		[SOFT_NO_TEXTURE] =                                         \
+			{SOFT_EACH_FINISH(SOFT_FINISH_ROW, plain, plain)},  \
+		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, SOFT_EACH_FINISH)        \
+	}
 /* clang-format on */
 
 #endif

@@ -1,13 +1,13 @@
 /* The span functions that read a second texture's texels, for both pictures. */
 #include "platform/gl/soft/span/instances.h"
 
-SOFT_EACH_SHORT(SOFT_SECOND_FORMAT, SOFT_EACH_SECOND, .wide = false)
-SOFT_SECOND_FORMAT(8888, TEXEL_8888, SOFT_EACH_SECOND, .wide = false)
+SOFT_EACH_SHORT(SOFT_FORMAT_FUNCTIONS, SOFT_EACH_SECOND, .wide = false)
+SOFT_FORMAT_FUNCTIONS(8888, TEXEL_8888, SOFT_EACH_SECOND, .wide = false)
 
-const soft_span_table soft_spans_second = {SOFT_EACH_SHORT(SOFT_SECOND_ROWS,
-	SOFT_EACH_SECOND) SOFT_SECOND_ROWS(8888, TEXEL_8888, SOFT_EACH_SECOND)};
+const soft_span_table soft_spans_second = {SOFT_EACH_SHORT(SOFT_FORMAT_ROWS,
+	SOFT_EACH_SECOND) SOFT_FORMAT_ROWS(8888, TEXEL_8888, SOFT_EACH_SECOND)};
 
-SOFT_SECOND_FORMAT(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED, .wide = true)
+SOFT_FORMAT_FUNCTIONS(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED, .wide = true)
 
 const soft_span_table soft_spans_scaled = {
-	SOFT_SECOND_ROWS(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED)};
+	SOFT_FORMAT_ROWS(scaled_8888, TEXEL_8888, SOFT_EACH_SCALED)};

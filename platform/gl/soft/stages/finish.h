@@ -89,48 +89,38 @@ static ALWAYS_INLINE void soft_add_second(struct soft_kind kind,
 	}
 }
 
-static ALWAYS_INLINE int32_t soft_start(struct soft_kind kind,
-	const struct soft_constants *constants, enum soft_channel channel)
-{
-	return soft_is_fogged(kind)    ? constants->start[channel]
-		: soft_has_color(kind) ? soft_half(kind, channel)
-				       : 0;
-}
-
 /* Texel times colour, with a half added; formats are those of run.h. */
 static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
 	const struct soft_pixel *at)
 {
 	const soft_int zero = {0};
-	soft_word rb = at->red_blue, ga = at->green_alpha;
-	soft_int red = zero + soft_start(kind, constants, SOFT_RED);
-	soft_int green = zero + soft_start(kind, constants, SOFT_GREEN);
-	soft_int blue = zero + soft_start(kind, constants, SOFT_BLUE);
+	const soft_word rb = at->red_blue, ga = at->green_alpha;
 	const soft_word *c = texel->channel;
 	struct soft_color out;
+	soft_int *to = out.channel;
 
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		to[i] = zero + constants->start[i];
+	}
 	if (!soft_has_color(kind)) {
-		red += (soft_int)(rb & 0xFFFF);
-		green += (soft_int)(ga & 0xFFFF);
-		blue += (soft_int)(rb >> 16);
+		to[0] += (soft_int)(rb & 0xFFFF);
+		to[1] += (soft_int)(ga & 0xFFFF);
+		to[2] += (soft_int)(rb >> 16);
 	} else if (soft_is_mixed(kind) || soft_is_aligned(kind) ||
 		soft_is_scaled(kind)) {
-		red = WORD_BY_BOTTOM(c[0], rb, red);
-		green = WORD_BY_BOTTOM(c[1], ga, green);
-		blue = WORD_BY_TOP(c[2], rb, blue);
+		to[0] = WORD_BY_BOTTOM(c[0], rb, to[0]);
+		to[1] = WORD_BY_BOTTOM(c[1], ga, to[1]);
+		to[2] = WORD_BY_TOP(c[2], rb, to[2]);
 	} else if (kind.format == TEXEL_8888) {
-		red = HALVES_BB(texel->lanes.red_blue, rb, red);
-		green = HALVES_BB(texel->lanes.green_alpha, ga, green);
-		blue = HALVES_TT(texel->lanes.red_blue, rb, blue);
+		to[0] = HALVES_BB(texel->lanes.red_blue, rb, to[0]);
+		to[1] = HALVES_BB(texel->lanes.green_alpha, ga, to[1]);
+		to[2] = HALVES_TT(texel->lanes.red_blue, rb, to[2]);
 	} else {
-		red = HALVES_BB(c[0], rb, red);
-		green = HALVES_BB(c[1], ga, green);
-		blue = HALVES_BT(c[2], rb, blue);
+		to[0] = HALVES_BB(c[0], rb, to[0]);
+		to[1] = HALVES_BB(c[1], ga, to[1]);
+		to[2] = HALVES_BT(c[2], rb, to[2]);
 	}
-	out.channel[0] = red;
-	out.channel[1] = green;
-	out.channel[2] = blue;
 	return out;
 }
 
@@ -145,13 +135,15 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	const struct soft_fragment_stages *stages = run->stages;
 	struct soft_constants out = {0};
 
-	for (enum soft_channel i = SOFT_RED;
-		i < SOFT_ALPHA && soft_is_fogged(kind); i++) {
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
 		const int fraction = soft_fraction(kind, i);
 
-		out.start[i] = (soft_has_color(kind) ? soft_half(kind, i) : 0) -
-			soft_shift(stages->far[i], fraction - 14);
-		out.fog[i] = soft_shift(stages->fog[i], fraction - 15);
+		out.start[i] = soft_has_color(kind) ? soft_half(kind, i) : 0;
+		if (soft_is_fogged(kind)) {
+			out.start[i] -=
+				soft_shift(stages->far[i], fraction - 14);
+			out.fog[i] = soft_shift(stages->fog[i], fraction - 15);
+		}
 	}
 	if (soft_is_tested(kind)) {
 		out.alpha_low = stages->alpha_low;

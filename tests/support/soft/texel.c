@@ -49,9 +49,9 @@ static uint32_t read_texel(const struct level *level, const struct along *s,
 	uint32_t x = wrap_at((s->at >> SOFT_TEXEL_FRACTION) + right, &s->wrap);
 	uint32_t y = wrap_at((t->at >> SOFT_TEXEL_FRACTION) + down, &t->wrap);
 	size_t at = ((size_t)y << level->width_log2) + x;
+	int bytes_log2 = soft_texel_bytes_log2(level->format);
 
-	return soft_load_texel(level->format,
-		level->texels + (at << soft_texel_bytes_log2(level->format)));
+	return soft_load_bytes(level->texels + (at << bytes_log2), bytes_log2);
 }
 
 static void sample_nearest(const struct level *level, const struct along *s,

@@ -74,28 +74,16 @@ static ALWAYS_INLINE int soft_texel_bytes_log2(enum texel_format format)
 							   : 1;
 }
 
-static ALWAYS_INLINE uint32_t soft_load_texel(
-	enum texel_format format, const uint8_t *at)
-{
-	switch (soft_texel_bytes_log2(format)) {
-	case 0:
-		return *at;
-	case 1:
-		return load_16(at);
-	default:
-		return load_32(at);
-	}
-}
-
 /* Loads texels, or only one, so many bytes from first. */
 static ALWAYS_INLINE soft_word soft_load_texels(
 	enum texel_format format, const uint8_t *first, soft_word offset)
 {
+	const int bytes_log2 = soft_texel_bytes_log2(format);
+
 #if SOFT_LANES > 1
-	return soft_load_each(soft_find_places(first, offset), 0,
-		soft_texel_bytes_log2(format));
+	return soft_load_each(soft_find_places(first, offset), 0, bytes_log2);
 #else
-	return soft_load_texel(format, first + offset);
+	return soft_load_bytes(first + offset, bytes_log2);
 #endif
 }
 

@@ -260,12 +260,10 @@ static ALWAYS_INLINE void soft_mix_pairs(struct soft_kind kind, soft_word above,
 			.alpha = SOFT_OPAQUE_ALPHA};
 		return;
 	}
-	out->channel[0] =
-		soft_mix_channel(kind.format, SOFT_RED, above, below, weights);
-	out->channel[1] = soft_mix_channel(
-		kind.format, SOFT_GREEN, above, below, weights);
-	out->channel[2] =
-		soft_mix_channel(kind.format, SOFT_BLUE, above, below, weights);
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		out->channel[i] =
+			soft_mix_channel(kind.format, i, above, below, weights);
+	}
 	out->alpha = alpha.bits == 0
 		? SOFT_OPAQUE_ALPHA
 		: soft_narrow_mixed(soft_mix_channel(kind.format, SOFT_ALPHA,

@@ -12,6 +12,24 @@
 
 #include "platform/base/compiler.h"
 
+/* Loads one, two or four bytes, which need no alignment. */
+static ALWAYS_INLINE uint32_t soft_load_bytes(const uint8_t *at, int bytes_log2)
+{
+	uint16_t half;
+	uint32_t word;
+
+	switch (bytes_log2) {
+	case 0:
+		return *at;
+	case 1:
+		memcpy(&half, at, sizeof(half));
+		return half;
+	default:
+		memcpy(&word, at, sizeof(word));
+		return word;
+	}
+}
+
 #if defined(SOFT_BY_FOUR) && defined(__x86_64__)
 #include <emmintrin.h>
 
@@ -136,23 +154,6 @@ static ALWAYS_INLINE struct soft_places soft_find_places(
 
 	return (struct soft_places){first + (uint32_t)low, first + (low >> 32),
 		first + (uint32_t)high, first + (high >> 32)};
-}
-
-static ALWAYS_INLINE uint32_t soft_load_bytes(const uint8_t *at, int bytes_log2)
-{
-	uint16_t half;
-	uint32_t word;
-
-	switch (bytes_log2) {
-	case 0:
-		return *at;
-	case 1:
-		memcpy(&half, at, sizeof(half));
-		return half;
-	default:
-		memcpy(&word, at, sizeof(word));
-		return word;
-	}
 }
 
 /* Loads so many bytes from each place. */

@@ -279,17 +279,6 @@ static bool is_combined(const struct draw *draw)
 					input->base->format == TEXEL_A8)));
 }
 
-/* Whether two textures only multiply each other and the colour. */
-static bool is_multiplied(const struct draw *draw)
-{
-	/* an alpha test needs alpha rounded after each stage */
-	return draw->texture[1].used && !draw->spans.alpha_tested &&
-		!draw->smooth && draw->texture[1].mode == GL_MODULATE &&
-		soft_is_simple_environment(&draw->texture[0]) &&
-		draw->texture[0].base->format != TEXEL_A8 &&
-		draw->texture[1].base->format != TEXEL_A8;
-}
-
 /* Sets attributes that are not needed: white, and a fog that hides nothing. */
 static void set_white(uint32_t *constant, struct soft_spans *spans)
 {
@@ -320,12 +309,10 @@ static bool has_functions(const struct draw *draw)
 static void choose_making(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	bool colored = draw->attributes != 0;
-	bool second = soft_choose_second(draw);
+	const bool second = soft_choose_second(draw);
 
-	spans->multiplied = colored && !second && is_multiplied(draw);
-	spans->combined =
-		colored && !second && !spans->multiplied && is_combined(draw);
+	spans->combined = draw->attributes != 0 && !second &&
+		!spans->multiplied && is_combined(draw);
 	spans->made = spans->combined || spans->multiplied ||
 		(spans->textured && soft_rows_mixes_levels(&draw->texture[0])) ||
 		(second && !has_functions(draw));

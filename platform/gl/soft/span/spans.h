@@ -149,7 +149,8 @@ bool soft_prepare_spans(struct draw *draw);
 
 /*
  * stages/prepare_second.c: chooses the finish and the table of functions that
- * read a second texture; false where there is none for the state.
+ * read a second texture; false where there is none for the state, and then
+ * finds whether both textures are multiplied.
  */
 bool soft_choose_second(struct draw *draw);
 

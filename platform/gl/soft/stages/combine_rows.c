@@ -93,7 +93,10 @@ static bool is_alpha(GLenum operand)
 	return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
 }
 
-/* Whether the rgb function, on all four bytes, also gives the right alpha. */
+/*
+ * Whether the rgb function, on all four bytes, also gives the right alpha: if
+ * it has the colours of those sources whose alphas the alpha function has.
+ */
 static bool are_alike(
 	const struct soft_combiner *rgb, const struct soft_combiner *alpha)
 {
@@ -102,9 +105,8 @@ static bool are_alike(
 
 	for (int i = 0; i < count_arguments(rgb->function); i++) {
 		alike = alike && rgb->source[i] == alpha->source[i] &&
-			!is_alpha(rgb->operand[i]) &&
-			is_inverted(rgb->operand[i]) ==
-				is_inverted(alpha->operand[i]);
+			rgb->operand[i] + GL_SRC_ALPHA - GL_SRC_COLOR ==
+				alpha->operand[i];
 	}
 	return alike;
 }

@@ -6,21 +6,27 @@
 
 #include <string.h>
 
+/* Whether both textures have colours, and the first's environment is simple. */
+static bool is_pair(const struct draw *draw)
+{
+	const struct texture_input *first = &draw->texture[0];
+	const struct texture_input *second = &draw->texture[1];
+
+	return draw->spans.textured && second->used && !draw->smooth &&
+		soft_is_simple_environment(first) &&
+		first->base->format != TEXEL_A8 &&
+		second->base->format != TEXEL_A8;
+}
+
 /*
- * The finish that also draws the second texture; finish where there is none.
+ * The finish that also draws the second of a pair; finish where there is none.
  * The alpha of opaque fragments does not matter.
  */
 static enum soft_finish find_second_finish(
 	const struct draw *draw, enum soft_finish finish)
 {
 	const struct texture_input *input = &draw->texture[1];
-	const bool first = draw->spans.textured && !draw->smooth &&
-		soft_is_simple_environment(&draw->texture[0]) &&
-		draw->texture[0].base->format != TEXEL_A8;
 
-	if (!first || !input->used || input->base->format == TEXEL_A8) {
-		return finish;
-	}
 	if (!draw->spans.wide &&
 		(soft_adds(input, GL_TEXTURE) ||
 			(input->mode == GL_ADD && finish == SOFT_OPAQUE))) {
@@ -71,13 +77,19 @@ bool soft_choose_second(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	struct soft_levels *levels = &spans->levels[1];
-	const enum soft_finish finish = find_second_finish(draw, spans->finish);
+	const bool pair = is_pair(draw);
+	const enum soft_finish finish =
+		pair ? find_second_finish(draw, spans->finish) : spans->finish;
 
 	levels->level = -1;
 	levels->packed = false;
 	spans->read_second = NULL;
 	spans->joined = false;
+	spans->multiplied = false;
 	if (finish == spans->finish) {
+		/* an alpha test needs alpha rounded after each stage */
+		spans->multiplied = pair && !spans->alpha_tested &&
+			draw->texture[1].mode == GL_MODULATE;
 		return false;
 	}
 	spans->finish = finish;

@@ -20,12 +20,9 @@ enum {
 static int choose_level(const struct draw *draw, int lod)
 {
 	const struct texture_input *input = &draw->texture[0];
-	int side = input->width_log2 < input->height_log2 ? input->width_log2
-							  : input->height_log2;
-	/* the smallest level has two texels a side: one has no quads */
-	int most = input->levels - 1 < side - 1 ? input->levels - 1 : side - 1;
-	int number = clamp_int((lod + 127) >> 8, 0, most);
+	int number = clamp_int((lod + 127) >> 8, 0, input->levels - 1);
 
+	/* levels with a side of one texel have none */
 	while (!input->texture->level[number].tiles) {
 		number--;
 	}
@@ -49,18 +46,6 @@ static void set_level(struct draw *draw, int lod)
 	tiled->run.shade = tiled->by_share ? draw->luminance : draw->shade;
 }
 
-/* How many pixels may share an alpha, so that each is off by less than a step. */
-static int share_pixels(int32_t alpha_right)
-{
-	uint32_t step = raster_size(alpha_right);
-	int count = SHARE_PIXELS;
-
-	while (count > 1 && step * (uint32_t)count >= 2 * SHARE_STEP) {
-		count /= 2;
-	}
-	return count;
-}
-
 /* The alpha, 0 to 32, in the middle of count pixels from number from on. */
 static uint32_t find_share(
 	const struct tiled *tiled, uint32_t from, uint32_t count)
@@ -71,12 +56,18 @@ static uint32_t find_share(
 	return (middle + SHARE_ROUND) >> 19;
 }
 
-/* Blends shaded pixels into the picture, with one alpha for several pixels. */
+/*
+ * Blends shaded pixels into the picture, with one alpha for as many pixels as
+ * are off by less than a step.
+ */
 static void blend(const struct tiled *tiled, const uint16_t *shaded)
 {
 	uint32_t size = raster_size(tiled->alpha_right);
-	int most = share_pixels(tiled->alpha_right), count;
+	int most = SHARE_PIXELS, count;
 
+	while (most > 1 && size * (uint32_t)most >= 2 * SHARE_STEP) {
+		most /= 2;
+	}
 	for (int i = 0; i < tiled->run.count; i += count) {
 		count = tiled->run.count - i;
 		if ((uint64_t)size * (uint32_t)count >= SHARE_STEP &&
@@ -177,14 +168,6 @@ static int32_t to_share(int32_t color_q8)
 	return color_q8 * 257 >> 8;
 }
 
-/* alpha's step in 8.16, from 8.7 above green, which may have borrowed one. */
-static int32_t find_alpha_right(const struct soft_run *run)
-{
-	const uint32_t right = run->green_alpha_right;
-
-	return (int32_t)((right + 0x8000) & 0xFFFF0000) >> 7;
-}
-
 /*
  * Chooses from_fine: two pixels a step where both differ little from the middle
  * between them. Not in the base level, which may be magnified: there, one pixel
@@ -257,7 +240,11 @@ static ALWAYS_INLINE void draw_row(
 	tiled->run.count = (int)row->count;
 	if (draw->blended) {
 		tiled->alpha = row->green_alpha >> 16 << 9;
-		tiled->alpha_right = find_alpha_right(run);
+		/* to 8.16 from 8.7 above green, which may have borrowed one */
+		tiled->alpha_right =
+			(int32_t)((run->green_alpha_right + 0x8000) &
+				0xFFFF0000) >>
+			7;
 	}
 	if (tiled->by_share) {
 		tiled->share = (uint32_t)to_share(row->red_blue & 0xFFFF);
@@ -269,7 +256,13 @@ static ALWAYS_INLINE void draw_row(
 	draw_visible(draw);
 }
 
-static NEVER_INLINE void draw_listed(const struct soft_run *run)
+/* These draw runs in place of a span function; their colours are 8.8. */
+static void draw_divided(const struct soft_run *run)
+{
+	draw_row(run, &run->row);
+}
+
+static void draw_listed(const struct soft_run *run)
 {
 	struct draw *draw = run->draw;
 
@@ -277,16 +270,6 @@ static NEVER_INLINE void draw_listed(const struct soft_run *run)
 		draw->spans.made_at = soft_find_made_at(draw, 0, &run->rows[i]);
 		draw_row(run, &run->rows[i]);
 	}
-}
-
-/* Draws runs in place of a span function; their colours are 8.8. */
-static void draw_rows(const struct soft_run *run)
-{
-	if (run->draw->raster.perspective) {
-		draw_row(run, &run->row);
-		return;
-	}
-	draw_listed(run);
 }
 
 /* Converts luminance in halves of 127ths to 0 to 255. */
@@ -322,24 +305,6 @@ static bool is_gray(const struct raster *raster)
 		memcmp(&plane[RED], &plane[BLUE], sizeof(*plane)) == 0;
 }
 
-/* Whether this path draws the triangle: in one colour or in varying gray. */
-static bool begin(struct draw *draw)
-{
-	struct raster *raster = &draw->raster;
-	bool still = (raster->moving_bits & 7u << RED) == 0;
-
-	if (!still && !is_gray(raster)) {
-		return false;
-	}
-	draw->tiled.by_share = !still;
-	if (!draw->tiled.by_share &&
-		memcmp(raster->constant, draw->shade_color,
-			sizeof(draw->shade_color)) != 0) {
-		make_shades(draw, raster->constant);
-	}
-	return true;
-}
-
 void soft_luminance_init(struct draw *draw)
 {
 	draw->shade_color[0] = UINT32_MAX; /* no colour is equal to it */
@@ -363,7 +328,7 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->set_level = set_level;
 	spans->longest = LUMINANCE_RUN;
 	spans->scales = bytes;
-	spans->draw = draw_rows;
+	spans->draw = draw->raster.perspective ? draw_divided : draw_listed;
 	draw->tiled.level = -1;
 	draw->tiled.mixed = 0;
 	soft_walk_rows(draw, setup);
@@ -374,12 +339,21 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->draw = function;
 }
 
+/* Triangles in one colour or in varying gray are drawn here. */
 void soft_fill_luminance(struct draw *draw, struct setup *setup)
 {
+	const struct raster *raster = &draw->raster;
+
 	soft_raster_set_up(draw, setup);
-	if (begin(draw)) {
-		walk(draw, setup);
-	} else {
+	draw->tiled.by_share = raster->moving_bits & 7u << RED;
+	if (draw->tiled.by_share && !is_gray(raster)) {
 		soft_walk_rows(draw, setup);
+		return;
 	}
+	if (!draw->tiled.by_share &&
+		memcmp(raster->constant, draw->shade_color,
+			sizeof(draw->shade_color)) != 0) {
+		make_shades(draw, raster->constant);
+	}
+	walk(draw, setup);
 }

@@ -23,6 +23,14 @@ struct walk {
 	struct span span;
 };
 
+/* A plane's value at column x of the row in which it starts, the first one. */
+static uint32_t plane_at(const struct raster *raster, int plane, int x)
+{
+	const struct plane *p = &raster->plane[plane];
+
+	return p->start + (uint32_t)p->dx * (uint32_t)x;
+}
+
 /* Finds the attributes that move, divided by w if needed, at a row's column x. */
 static void find_point(const struct draw *draw, int x, struct column *out)
 {

@@ -146,55 +146,45 @@ static ALWAYS_INLINE void set_texels(const struct small *small,
 }
 
 /*
- * Finds the first texel that a triangle needs. False unless the band reaches
- * all others from there, without the level's last one. In levels that repeat
- * and have up to 256 texels the first one stays 0.
- */
-static bool find_first(const struct frame_texels *texels, int down,
-	bool repeats, int log2, int reach, int32_t *first)
-{
-	int32_t low = (texels->low >> down) - TEXEL_SPARE;
-	int32_t high = (texels->high >> down) + TEXEL_SPARE;
-
-	*first = 0;
-	if (repeats && log2 <= 8) {
-		return true;
-	}
-	*first = low >> 8;
-	return low >= 0 && (high >> 8) < (1 << log2) - 1 &&
-		(high >> 8) - *first < (1 << reach) - 1;
-}
-
-/*
- * If the level is clamped or larger than 256 texels, lets the band begin at
- * that texel; false if it does not reach all texels.
+ * If the level is clamped or larger than 256 texels, lets the band begin at the
+ * first texel that the triangle needs. False unless the band reaches all others
+ * from there, without the level's last one.
  */
 static NEVER_INLINE bool move_texels(
 	const struct draw *draw, const struct small *small, struct band *band)
 {
 	const struct texture_input *input = &draw->texture[0];
 	const struct texture *texture = input->texture;
-	const bool s_repeats = texture->wrap_s == GL_REPEAT;
-	const bool t_repeats = texture->wrap_t == GL_REPEAT;
-	const int width = small->level->width_log2;
-	const int height = small->level->height_log2;
-	const int s_bits = width < 16 - width ? width : 16 - width;
-	const int t_bits = height < 8 ? height : 8;
-	const struct frame_texels s = frame_find_texels(
-		small->setup, TEX_S, input->width_log2, s_repeats);
-	const struct frame_texels t = frame_find_texels(
-		small->setup, TEX_S + 1, input->height_log2, t_repeats);
-	int32_t column, row;
+	const int base[2] = {input->width_log2, input->height_log2};
+	const int log2[2] = {
+		small->level->width_log2, small->level->height_log2};
+	const int bits[2] = {log2[0] < 16 - log2[0] ? log2[0] : 16 - log2[0],
+		log2[1] < 8 ? log2[1] : 8};
+	int32_t first[2] = {0, 0};
 
-	if (!find_first(
-		    &s, small->s_down - 8, s_repeats, width, s_bits, &column) ||
-		!find_first(&t, small->t_down - 8, t_repeats, height, t_bits,
-			&row)) {
-		return false;
+	for (int i = 0; i < 2; i++) {
+		const bool repeats =
+			(i ? texture->wrap_t : texture->wrap_s) == GL_REPEAT;
+		const struct frame_texels texels = frame_find_texels(
+			small->setup, TEX_S + i, base[i], repeats);
+		const int down = base[i] - log2[i];
+		const int32_t low = (texels.low >> down) - TEXEL_SPARE;
+		const int32_t last = ((texels.high >> down) + TEXEL_SPARE) >> 8;
+
+		if (repeats && log2[i] <= 8) {
+			continue;
+		}
+		first[i] = low >> 8;
+		if (low < 0 || last >= (1 << log2[i]) - 1 ||
+			last - first[i] >= (1 << bits[i]) - 1) {
+			return false;
+		}
 	}
-	band->texel_mask = find_mask(s_bits, t_bits);
-	band->row.texel -= ((uint32_t)row << 24) + ((uint32_t)column << 8);
-	band->texels += ((uint32_t)row << (width + 1)) + 2 * (uint32_t)column;
+	band->texel_mask = find_mask(bits[0], bits[1]);
+	band->row.texel -=
+		((uint32_t)first[1] << 24) + ((uint32_t)first[0] << 8);
+	band->texels +=
+		((uint32_t)first[1] << (log2[0] + 1)) + 2 * (uint32_t)first[0];
 	return true;
 }
 
@@ -205,19 +195,9 @@ static ALWAYS_INLINE bool is_whole(
 		level->width_log2 <= 8 && level->height_log2 <= 8;
 }
 
-static ALWAYS_INLINE uint32_t find_red_spread(const struct setup *setup)
-{
-	const struct vertex *const *v = setup->v;
-	const int32_t first = v[0]->attribute[RED];
-
-	return frame_find_spread(
-		v[1]->attribute[RED] - first, v[2]->attribute[RED] - first);
-}
-
 /* Whether texels differ too much, or perspective correction is needed. */
 static ALWAYS_INLINE bool bends(const struct draw *draw,
-	const struct setup *setup, bool linear, const struct delta *s,
-	const struct delta *t)
+	const struct setup *setup, const struct delta *s, const struct delta *t)
 {
 	const uint32_t extent = (uint32_t)setup->extent << 4;
 	uint32_t in_s = frame_find_spread(s->d1, s->d2);
@@ -229,11 +209,6 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 		return most >= SMALL_DELTA;
 	}
 	perspective = raster_find_perspective(setup);
-	if (!linear) {
-		uint32_t gray = find_red_spread(setup) >> RASTER_TOLERANCE_565;
-
-		return raster_bends(&perspective, most > gray ? most : gray, 0);
-	}
 	/* with mipmaps, a texel of the chosen level is about a pixel wide */
 	if (most > extent && draw->texture[0].levels > 1) {
 		most = extent;
@@ -279,7 +254,7 @@ static ALWAYS_INLINE bool fill(
 	}
 	s = frame_find_texels(setup, TEX_S, input->width_log2, true).delta;
 	t = frame_find_texels(setup, TEX_S + 1, input->height_log2, true).delta;
-	if (bends(draw, setup, linear, &s, &t)) {
+	if (bends(draw, setup, &s, &t)) {
 		return false;
 	}
 	s_run = find_texels(&small, &s);

@@ -13,11 +13,6 @@ enum {
 	 * rounding, so pixel centres on a texel's border always get that texel.
 	 */
 	TEXEL_NUDGE = 128,
-	/*
-	 * rows_color_tolerance() for RGB565, whose channels have 5 or 6 bits:
-	 * four steps of 255.
-	 */
-	RASTER_TOLERANCE_565 = 4,
 };
 
 /*
@@ -128,16 +123,6 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 /* set_up.c: fills draw->raster: planes and what is constant. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
-/* dx / dy in 16.16, of a vector in 1/16 pixels; dy > 0. */
-static ALWAYS_INLINE int32_t raster_slope(
-	const struct draw *draw, int32_t dx, int32_t dy)
-{
-	if ((uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT || dy > SMALL_EXTENT) {
-		return soft_slope_q16(dx, dy);
-	}
-	return mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
-}
-
 /*
  * The edge from a down to b at the row's centre. It depends on the edge alone,
  * so that triangles on both sides of it cover all pixels, and none twice.
@@ -145,15 +130,18 @@ static ALWAYS_INLINE int32_t raster_slope(
 static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	const struct vertex *a, const struct vertex *b, int row)
 {
-	int32_t dy = b->y - a->y;
+	int32_t dx = b->x - a->x, dy = b->y - a->y;
 	int first = raster_centre(a->y);
 	uint32_t x = (uint32_t)a->x << 12;
-	int32_t step;
+	int32_t step; /* dx / dy */
 
 	if (dy <= 0) {
 		return (struct side){(int32_t)x, 0};
 	}
-	step = raster_slope(draw, b->x - a->x, dy);
+	step = (uint32_t)dx + SMALL_EXTENT > 2 * SMALL_EXTENT ||
+			dy > SMALL_EXTENT
+		? soft_slope_q16(dx, dy)
+		: mul_high(dx * (1 << 17), draw->inverse_q31[dy]);
 	/* from a to the first row's centre, less than a pixel; then by rows */
 	x += (uint32_t)(step >> 4) * (uint32_t)(first * 16 + 8 - a->y);
 	x += (uint32_t)step * (uint32_t)(row - first);
@@ -210,14 +198,6 @@ static ALWAYS_INLINE int raster_find_lod(
 	uint32_t down = raster_length(raster_size(s_down), raster_size(t_down));
 
 	return raster_log2_q8(right > down ? right : down);
-}
-
-/* A plane's value at column x of the row in which it starts, the first one. */
-static inline uint32_t plane_at(const struct raster *raster, int plane, int x)
-{
-	const struct plane *p = &raster->plane[plane];
-
-	return p->start + (uint32_t)p->dx * (uint32_t)x;
 }
 
 /* A depth's plane as 16.16. */

@@ -48,7 +48,7 @@ static ALWAYS_INLINE struct bent rows_find_bent(const struct raster *raster,
  */
 static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 {
-	return draw->soft->format == PIXELS_RGB565 ? RASTER_TOLERANCE_565 : 2;
+	return draw->soft->format == PIXELS_RGB565 ? 4 : 2;
 }
 
 /*

@@ -108,13 +108,13 @@ static ALWAYS_INLINE void set_depth(const struct draw *draw,
 	struct narrow *narrow)
 {
 	const struct vertex *const *v = setup->v;
-	const struct run z = frame_find_run(
+	const struct plane z = frame_find_near(
 		frame, v[0]->z, v[1]->z - v[0]->z, v[2]->z - v[0]->z);
 
-	narrow->z_right = (uint32_t)z.right << 6;
-	narrow->down.z = (uint32_t)z.down << 6;
-	narrow->row.z = ((uint32_t)z.start << 6) -
-		narrow->z_right * (uint32_t)narrow->column;
+	narrow->z_right = (uint32_t)z.dx << 6;
+	narrow->down.z = (uint32_t)z.dy << 6;
+	narrow->row.z =
+		(z.start << 6) - narrow->z_right * (uint32_t)narrow->column;
 	narrow->down.depth = draw->fast_setup.stride_bytes;
 	narrow->row.depth = draw->fast_setup.depth +
 		(uintptr_t)setup->top * narrow->down.depth;

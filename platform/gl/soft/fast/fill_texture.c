@@ -26,28 +26,29 @@ struct small {
 	int s_down, t_down;
 };
 
-static ALWAYS_INLINE struct run find_color(
+/* A colour's plane; this and find_texels()'s start in frame.column. */
+static ALWAYS_INLINE struct plane find_color(
 	const struct small *small, int name, int32_t round)
 {
 	const struct vertex *const *v = small->setup->v;
 	int32_t first = v[0]->attribute[name];
 
-	return frame_find_run(&small->frame, first + round,
+	return frame_find_near(&small->frame, first + round,
 		v[1]->attribute[name] - first, v[2]->attribute[name] - first);
 }
 
-/* A texture coordinate's run, in 16.16 base texels. */
-static ALWAYS_INLINE struct run find_texels(
+/* A texture coordinate's plane, in 16.16 base texels. */
+static ALWAYS_INLINE struct plane find_texels(
 	const struct small *small, const struct delta *delta)
 {
-	struct run out = frame_find_run(
+	struct plane out = frame_find_near(
 		&small->frame, delta->first, delta->d1, delta->d2);
 
 	out.start += TEXEL_NUDGE;
 	return out;
 }
 
-/* Moves a run's start from frame.column to column 0. */
+/* Moves a plane's start from frame.column to column 0. */
 static ALWAYS_INLINE uint32_t leave_column(
 	const struct small *small, uint32_t start, uint32_t right)
 {
@@ -57,12 +58,12 @@ static ALWAYS_INLINE uint32_t leave_column(
 /* Sets up a gray, as factors of 6.26, of 32. */
 static ALWAYS_INLINE void set_gray(const struct small *small, struct band *band)
 {
-	const struct run share = find_color(small, RED, SHARE_ROUND);
+	const struct plane share = find_color(small, RED, SHARE_ROUND);
 
-	band->red_blue_right = (uint32_t)share.right << 7;
-	band->down.red_blue = (uint32_t)share.down << 7;
-	band->row.red_blue = leave_column(
-		small, (uint32_t)share.start << 7, band->red_blue_right);
+	band->red_blue_right = (uint32_t)share.dx << 7;
+	band->down.red_blue = (uint32_t)share.dy << 7;
+	band->row.red_blue =
+		leave_column(small, share.start << 7, band->red_blue_right);
 	band->row.green = band->down.green = band->green_right = 0;
 	band->more.green = WIDE_ROUND;
 }
@@ -82,19 +83,20 @@ static ALWAYS_INLINE void set_tint(
 	const struct draw *draw, const struct small *small, struct band *band)
 {
 	const int32_t *far = draw->spans.stages.far;
-	const struct run r = find_color(small, RED, 0);
-	const struct run g = find_color(small, GREEN, 0);
-	const struct run b = find_color(small, BLUE, 0);
+	const struct plane r = find_color(small, RED, 0);
+	const struct plane g = find_color(small, GREEN, 0);
+	const struct plane b = find_color(small, BLUE, 0);
 
-	band->red_blue_right = pair_weights(r.right, b.right);
-	band->down.red_blue = pair_weights(r.down, b.down);
-	band->row.red_blue = leave_column(
-		small, pair_weights(r.start, b.start), band->red_blue_right);
+	band->red_blue_right = pair_weights(r.dx, b.dx);
+	band->down.red_blue = pair_weights(r.dy, b.dy);
+	band->row.red_blue = leave_column(small,
+		pair_weights((int32_t)r.start, (int32_t)b.start),
+		band->red_blue_right);
 	/* Steps that do not fit 16 bits occur only in rows of one pixel. */
-	band->green_right = (uint32_t)(int16_t)weight(g.right) - 0x10000;
-	band->down.green = (uint32_t)weight(g.down);
+	band->green_right = (uint32_t)(int16_t)weight(g.dx) - 0x10000;
+	band->down.green = (uint32_t)weight(g.dy);
 	band->row.green = leave_column(
-		small, (uint32_t)weight(g.start), band->green_right);
+		small, (uint32_t)weight((int32_t)g.start), band->green_right);
 	band->more =
 		(struct band_more){.green = (1 << 16) - ((uint32_t)far[1] << 3),
 			.red = (1 << 16) - ((uint32_t)far[0] << 3),
@@ -103,9 +105,9 @@ static ALWAYS_INLINE void set_tint(
 
 /* The level whose texels are nearest in size to pixels, as soft_set_level(). */
 static ALWAYS_INLINE int find_level(
-	int last, const struct run *s, const struct run *t)
+	int last, const struct plane *s, const struct plane *t)
 {
-	int lod = raster_find_lod(s->right, t->right, s->down, t->down);
+	int lod = raster_find_lod(s->dx, t->dx, s->dy, t->dy);
 
 	return clamp_int((lod + 127) >> 8, 0, last);
 }
@@ -128,15 +130,16 @@ static ALWAYS_INLINE uint32_t find_mask(int s_bits, int t_bits)
 }
 
 static ALWAYS_INLINE void set_texels(const struct small *small,
-	const struct run *s, const struct run *t, bool linear, struct band *band)
+	const struct plane *s, const struct plane *t, bool linear,
+	struct band *band)
 {
 	const struct level *level = small->level;
 	const int width = level->width_log2;
 
-	band->texel_right = pair_texels(small, s->right, t->right, linear);
-	band->down.texel = pair_texels(small, s->down, t->down, linear);
+	band->texel_right = pair_texels(small, s->dx, t->dx, linear);
+	band->down.texel = pair_texels(small, s->dy, t->dy, linear);
 	band->row.texel = leave_column(small,
-		pair_texels(small, s->start, t->start, linear) -
+		pair_texels(small, (int32_t)s->start, (int32_t)t->start, linear) -
 			(linear ? TINT_NEXT / 2 : 0),
 		band->texel_right);
 	band->texel_mask = find_mask(width, level->height_log2);
@@ -222,11 +225,14 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 static ALWAYS_INLINE void set_rows(
 	const struct draw *draw, const struct small *small, struct band *band)
 {
-	const struct plane z = frame_find_depth(&small->frame, small->setup);
+	const struct vertex *const *v = small->setup->v;
+	const int32_t first = v[0]->z;
+	const struct delta delta = {first, v[1]->z - first, v[2]->z - first};
+	const struct plane z = frame_find_plane(&small->frame, &delta);
 
-	band->z_right = (uint32_t)z.dx;
-	band->down.z_q16 = (uint32_t)z.dy;
-	band->row.z_q16 = z.start;
+	band->z_right = (uint32_t)z.dx << 6;
+	band->down.z_q16 = (uint32_t)z.dy << 6;
+	band->row.z_q16 = z.start << 6;
 	band->row.depth = draw->fast_setup.depth +
 		(uintptr_t)small->setup->top * draw->fast_setup.stride_bytes;
 	band->down.depth = draw->fast_setup.stride_bytes;
@@ -238,7 +244,7 @@ static ALWAYS_INLINE bool fill(
 {
 	const struct texture_input *input = &draw->texture[0];
 	struct delta s, t;
-	struct run s_run, t_run;
+	struct plane s_plane, t_plane;
 	struct small small;
 	struct band band;
 
@@ -257,15 +263,15 @@ static ALWAYS_INLINE bool fill(
 	if (bends(draw, setup, &s, &t)) {
 		return false;
 	}
-	s_run = find_texels(&small, &s);
-	t_run = find_texels(&small, &t);
+	s_plane = find_texels(&small, &s);
+	t_plane = find_texels(&small, &t);
 	small.level = input->base;
 	if (linear && input->levels > 1) {
-		small.level += find_level(input->levels - 1, &s_run, &t_run);
+		small.level += find_level(input->levels - 1, &s_plane, &t_plane);
 	}
 	small.s_down = input->width_log2 - small.level->width_log2 + 8;
 	small.t_down = input->height_log2 - small.level->height_log2 + 8;
-	set_texels(&small, &s_run, &t_run, linear, &band);
+	set_texels(&small, &s_plane, &t_plane, linear, &band);
 	if (!is_whole(input->texture, small.level) &&
 		!move_texels(draw, &small, &band)) {
 		return false;

@@ -7,11 +7,6 @@
 
 #include "platform/gl/soft/raster/raster.h"
 
-/* A value at frame.column's centre in the first row, and its step a pixel. */
-struct run {
-	int32_t start, right, down;
-};
-
 /*
  * Sets frame: inverse is 2^62 / (area << zeros); or 0 for triangles of less
  * than half a pixel, which get no gradients because these would only be noise.
@@ -55,57 +50,33 @@ static ALWAYS_INLINE void frame_find(
 		frame_is_middle_left(setup), out);
 }
 
-/* A value's change by pixel to the right, times the area; then down. */
-static ALWAYS_INLINE int32_t frame_find_right(
-	const struct frame *f, int32_t d1, int32_t d2)
-{
-	return d1 * f->y2 + d2 * f->less_y1;
-}
-
-static ALWAYS_INLINE int32_t frame_find_down(
-	const struct frame *f, int32_t d1, int32_t d2)
-{
-	return d2 * f->x1 + d1 * f->less_x2;
-}
-
-/* The run of a value, with 8 bits of fraction more than the value has. */
-static ALWAYS_INLINE struct run frame_find_run(
+/*
+ * The plane of a value that is first at v[0] and differs by d1 and d2 at v[1] and
+ * v[2]; it has 8 bits of fraction more than the value, and starts in frame.column.
+ */
+static ALWAYS_INLINE struct plane frame_find_near(
 	const struct frame *f, int32_t first, int32_t d1, int32_t d2)
 {
-	uint32_t right =
-		(uint32_t)mul_high(frame_find_right(f, d1, d2), f->inverse)
-		<< f->shift;
-	uint32_t down =
-		(uint32_t)mul_high(frame_find_down(f, d1, d2), f->inverse)
-		<< f->shift;
-	uint32_t start = ((uint32_t)first << 8) +
-		(uint32_t)((int32_t)right >> 4) * (uint32_t)f->off_x +
-		(uint32_t)((int32_t)down >> 4) * (uint32_t)f->off_y;
+	const int32_t right = d1 * f->y2 + d2 * f->less_y1;
+	const int32_t down = d2 * f->x1 + d1 * f->less_x2;
+	const uint32_t dx = (uint32_t)mul_high(right, f->inverse) << f->shift;
+	const uint32_t dy = (uint32_t)mul_high(down, f->inverse) << f->shift;
 
-	return (struct run){(int32_t)start, (int32_t)right, (int32_t)down};
+	return (struct plane){((uint32_t)first << 8) +
+			(uint32_t)((int32_t)dx >> 4) * (uint32_t)f->off_x +
+			(uint32_t)((int32_t)dy >> 4) * (uint32_t)f->off_y,
+		(int32_t)dx, (int32_t)dy};
 }
 
-/* The same as a plane, which starts in column 0. */
+/* The same plane from column 0 on. */
 static ALWAYS_INLINE struct plane frame_find_plane(
 	const struct frame *f, const struct delta *delta)
 {
-	const struct run run =
-		frame_find_run(f, delta->first, delta->d1, delta->d2);
+	struct plane plane =
+		frame_find_near(f, delta->first, delta->d1, delta->d2);
 
-	return (struct plane){
-		(uint32_t)run.start - (uint32_t)run.right * (uint32_t)f->column,
-		run.right, run.down};
-}
-
-/* The plane of a small triangle's depth, 16.16. */
-static ALWAYS_INLINE struct plane frame_find_depth(
-	const struct frame *f, const struct setup *setup)
-{
-	const int32_t z = setup->v[0]->z;
-	const struct delta delta = {z, setup->v[1]->z - z, setup->v[2]->z - z};
-	const struct plane plane = frame_find_plane(f, &delta);
-
-	return raster_depth_q16(&plane);
+	plane.start -= (uint32_t)plane.dx * (uint32_t)f->column;
+	return plane;
 }
 
 /* The largest minus the least of the values 0, d1 and d2. */
@@ -207,18 +178,6 @@ static ALWAYS_INLINE struct frame_texels frame_find_texels(
 		{a, (int32_t)((uint32_t)b - (uint32_t)a),
 			(int32_t)((uint32_t)c - (uint32_t)a)},
 		raster_least(a, b, c), raster_most(a, b, c)};
-}
-
-/* The colours of v[0] to v[2], front or back. */
-static ALWAYS_INLINE void frame_choose_colors(const struct draw *draw,
-	const struct setup *setup, const int32_t *corner[3])
-{
-	const struct vertex *a = setup->v[0], *b = setup->v[1], *c = setup->v[2];
-	const bool behind = setup->back && draw->shading.two_side;
-
-	corner[0] = behind ? a->back : a->attribute;
-	corner[1] = behind ? b->back : b->attribute;
-	corner[2] = behind ? c->back : c->attribute;
 }
 
 #endif

@@ -78,11 +78,15 @@ static ALWAYS_INLINE void gather_colors(
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
 	struct delta *delta = moving->delta;
+	const bool behind = setup->back && draw->shading.two_side;
+	const struct vertex *const *v = setup->v;
 	const int32_t *color[3];
 	uint32_t bits = 0, planes;
 	int count = 0;
 
-	frame_choose_colors(draw, setup, color);
+	for (int i = 0; i < 3; i++) {
+		color[i] = behind ? v[i]->back : v[i]->attribute;
+	}
 	for (int i = RED; i <= FOG; i++) {
 		if (!(wanted >> i & 1)) {
 			delta[i] = (struct delta){
@@ -90,9 +94,8 @@ static ALWAYS_INLINE void gather_colors(
 			continue;
 		}
 		delta[i] = i == FOG
-			? find_delta(setup->v[0]->attribute[FOG],
-				  setup->v[1]->attribute[FOG],
-				  setup->v[2]->attribute[FOG])
+			? find_delta(v[0]->attribute[FOG], v[1]->attribute[FOG],
+				  v[2]->attribute[FOG])
 			: find_delta(color[0][i], color[1][i], color[2][i]);
 		raster->constant[i] = (uint32_t)delta[i].first << 8;
 		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;

@@ -5,14 +5,6 @@
 
 #include <stdlib.h>
 
-/* The quads of a level, among which patches are searched. */
-struct grid {
-	uint32_t *quads;
-	struct patch *patches;
-	int side;
-	int shift; /* from texels to 2^32 for the whole square */
-};
-
 static uint32_t luminance(uint8_t texel)
 {
 	return (texel * 127u + 127) / 255;
@@ -49,37 +41,26 @@ static void fill_quads(struct level *level)
 	level->tiles->by_two_most = most < quarter ? most : quarter - 1;
 }
 
-/* Whether a quad's four texels are equal and it belongs to no patch yet. */
-static bool is_even(uint32_t quad)
-{
-	return quad == (quad & 127) * 0x01010101u;
-}
-
-static bool is_row_of(
-	const struct grid *grid, int x, int y, int width, uint32_t quad)
-{
-	for (int i = 0; i < width; i++) {
-		if (grid->quads[y * grid->side + x + i] != quad) {
-			return false;
-		}
-	}
-	return true;
-}
-
 /* Grows a rectangle of equal quads from (x, y): first right, then down. */
-static struct rectangle grow(const struct grid *grid, int x, int y)
+static struct rectangle grow(const struct tiles *tiles, int x, int y)
 {
-	uint32_t quad = grid->quads[y * grid->side + x];
-	struct rectangle r = {x, y, 1, 1};
+	const int side = 1 << tiles->side_log2;
+	const uint32_t *row = tiles->quad + y * side + x, quad = *row;
+	struct rectangle r = {x, y, 1, 0};
+	int equal;
 
-	while (x + r.width < grid->side &&
-		grid->quads[y * grid->side + x + r.width] == quad) {
+	while (x + r.width < side && row[r.width] == quad) {
 		r.width++;
 	}
-	while (y + r.height < grid->side &&
-		is_row_of(grid, x, y + r.height, r.width, quad)) {
+	do {
 		r.height++;
-	}
+		row += side;
+		equal = 0;
+		while (y + r.height < side && equal < r.width &&
+			row[equal] == quad) {
+			equal++;
+		}
+	} while (equal == r.width);
 	return r;
 }
 
@@ -88,82 +69,81 @@ static int area_of(const struct rectangle *r)
 	return r->width * r->height;
 }
 
-static struct rectangle find_largest(const struct grid *grid)
+/* The largest rectangle of equal quads, of equal texels, that is no patch yet. */
+static struct rectangle find_largest(const struct tiles *tiles)
 {
+	const int side = 1 << tiles->side_log2;
 	struct rectangle largest = {0};
 
-	for (int y = 0; y < grid->side; y++) {
-		for (int x = 0; x < grid->side; x++) {
+	for (int y = 0; y < side; y++) {
+		for (int x = 0; x < side; x++) {
+			const uint32_t quad = tiles->quad[y * side + x];
 			struct rectangle r = {0};
 
-			if (is_even(grid->quads[y * grid->side + x])) {
-				r = grow(grid, x, y);
+			if (quad == (quad & 127) * 0x01010101u) {
+				r = grow(tiles, x, y);
+				/* the left end of equal quads stands for all */
+				x += r.width - 1;
 			}
 			largest = area_of(&r) > area_of(&largest) ? r : largest;
-			/* tries only the left end of each run of equal quads */
-			x += r.width ? r.width - 1 : 0;
 		}
 	}
 	return largest;
 }
 
-static void set_patch(struct grid *grid, int number, const struct rectangle *r)
+/* Sets the two coordinates of a patch, one way. */
+static void set_range(uint32_t range[2], int from, int size, int side_log2)
 {
-	for (int i = 0; i < area_of(r); i++) {
-		uint32_t *quad = grid->quads +
-			(r->y + i / r->width) * grid->side + r->x + i % r->width;
-
-		*quad = QUAD_PATCH | (uint32_t)number << 8 | (*quad & 127);
-	}
-	grid->patches[number] = (struct patch){
-		.s = {((uint32_t)r->x << grid->shift) - 1,
-			((uint32_t)(r->x + r->width) << grid->shift) - 1},
-		.t = {((uint32_t)r->y << grid->shift) - 1,
-			((uint32_t)(r->y + r->height) << grid->shift) - 1},
-	};
+	range[0] = ((uint32_t)from << (32 - side_log2)) - 1;
+	range[1] = ((uint32_t)(from + size) << (32 - side_log2)) - 1;
 }
 
-static void fill_fine(const struct grid *grid, uint8_t *fine)
+static void fill_patches(struct tiles *tiles)
 {
-	int side = 4 * grid->side;
+	for (uint32_t number = 1; number <= PATCHES_MOST; number++) {
+		const struct rectangle r = find_largest(tiles);
+
+		if (area_of(&r) == 0) {
+			return;
+		}
+		for (int i = 0; i < area_of(&r); i++) {
+			const int x = r.x + i % r.width, y = r.y + i / r.width;
+			uint32_t *quad =
+				&tiles->quad[(y << tiles->side_log2) + x];
+
+			*quad = QUAD_PATCH | number << 8 | (*quad & 127);
+		}
+		set_range(
+			tiles->patch[number].s, r.x, r.width, tiles->side_log2);
+		set_range(tiles->patch[number].t, r.y, r.height,
+			tiles->side_log2);
+	}
+}
+
+static void fill_fine(struct tiles *tiles)
+{
+	const int side = 4 << tiles->side_log2;
 
 	for (int i = 0; i < side * side; i++) {
 		int x = i % side, y = i / side;
-		uint32_t quad = grid->quads[y / 4 * grid->side + x / 4];
+		uint32_t quad = tiles->quad[(y / 4 << tiles->side_log2) + x / 4];
 
-		fine[i] = (uint8_t)(quad & QUAD_PATCH
+		tiles->fine[i] = (uint8_t)(quad & QUAD_PATCH
 				? FINE_PATCH
 				: quad_mix(quad, (uint32_t)(x % 4) * 64 + 32,
 					  (uint32_t)(y % 4) * 64 + 32));
 	}
 }
 
-static void fill_patches(struct grid *grid)
-{
-	for (int number = 1; number <= PATCHES_MOST; number++) {
-		struct rectangle r = find_largest(grid);
-
-		if (area_of(&r) == 0) {
-			return;
-		}
-		set_patch(grid, number, &r);
-	}
-}
-
 void soft_tiles_update(struct level *level)
 {
-	struct tiles *tiles = level->tiles;
-	struct grid grid;
-
-	if (!tiles) {
+	if (!level->tiles) {
 		return;
 	}
-	grid = (struct grid){tiles->quad, tiles->patch, 1 << tiles->side_log2,
-		32 - tiles->side_log2};
 	fill_quads(level);
-	fill_patches(&grid);
-	if (tiles->fine) {
-		fill_fine(&grid, tiles->fine);
+	fill_patches(level->tiles);
+	if (level->tiles->fine) {
+		fill_fine(level->tiles);
 	}
 }
 

@@ -1,6 +1,4 @@
 /* Draws the span walk's runs by rows of tiles: depth, level, gray and alpha. */
-#include "platform/gl/soft/fast/tile_row.h"
-
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"

@@ -1,6 +1,4 @@
 /* Rows of luminance textures in C; arm/tile_row.S has the same in assembly. */
-#include "platform/gl/soft/fast/tile_row.h"
-
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"

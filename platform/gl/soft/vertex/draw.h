@@ -19,7 +19,7 @@
 #define PLATFORM_GL_SOFT_VERTEX_DRAW_H
 
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/tile_row.h"
+#include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/soft.h"
 #include "platform/gl/soft/span/spans.h"
 #include "platform/gl/soft/vertex/shading.h"

@@ -1,6 +1,5 @@
 /* Luminance textures in patches, and the rows that are drawn with them. */
 #include "platform/gl/soft/fast/band.h"
-#include "platform/gl/soft/fast/tile_row.h"
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"

@@ -63,13 +63,13 @@
 	.type	soft_tile_row, %function
 soft_tile_row:
 	cmp	r1, #1
-	beq	.Lplaces
-	bhi	.Lfine
 	push	{r0, r4-r11, lr}
 	mov	r12, r0
 	ldr	r9, [r0, #TILE_SHADE]
 	ldr	r10, [r0, #TILE_SIDE_LOG2]
 	ldm	r12, {r0-r6}
+	beq	.Lplaces
+	bhi	.Lfine
 	mov	r7, #1
 	rsb	r7, r7, r7, lsl r10
 	mov	r8, r7, lsl r10
@@ -115,11 +115,6 @@ soft_tile_row:
  * row at its place in an index, whose mask is r8.
  */
 	.macro	from_fine by_two
-	push	{r0, r4-r11, lr}
-	mov	r12, r0
-	ldr	r9, [r0, #TILE_SHADE]
-	ldr	r10, [r0, #TILE_SIDE_LOG2]
-	ldm	r12, {r0-r6}
 	ldr	r2, [r12, #TILE_FINE]
 	rsb	r7, r10, #16
 	mov	r3, r3, lsl r7

@@ -5,44 +5,10 @@
 #include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/span/sample.h"
 
-typedef void (*row_function)(const struct band *band, int column, int count);
-
-static ALWAYS_INLINE void draw_rows(struct band *band, row_function draw_row)
-{
-	const struct band_row *down = &band->down;
-	struct band_row *row = &band->row;
-
-	for (; band->edges.rows > 0; band_next_row(&band->edges)) {
-		int left = band_column(&band->edges, BAND_LEFT);
-		int right = band_column(&band->edges, BAND_RIGHT);
-
-		if (left < right) {
-			draw_row(band, left, right - left);
-		}
-		row->depth += down->depth;
-		row->z_q16 += down->z_q16;
-		row->texel += down->texel;
-		row->red_blue += down->red_blue;
-		row->green += down->green;
-	}
-}
-
-/* A pixel's values; green's upper half counts the pixels that follow. */
+/* A pixel's values, those of green in the lower half alone. */
 struct band_pixel {
 	uint32_t z, texel, red_blue, green;
 };
-
-static ALWAYS_INLINE struct band_pixel find_pixel(
-	const struct band *band, int column)
-{
-	const struct band_row *row = &band->row;
-	const uint32_t n = (uint32_t)column;
-
-	return (struct band_pixel){row->z_q16 + band->z_right * n,
-		row->texel + band->texel_right * n,
-		row->red_blue + band->red_blue_right * n,
-		row->green + band->green_right * n};
-}
 
 /* Addresses are integers here, because the assembly adds them up so, too. */
 static ALWAYS_INLINE uint16_t *find_depth(const struct band *band, int column)
@@ -65,36 +31,13 @@ static ALWAYS_INLINE const uint8_t *find_texel(
 	return band->texels + 2 * index;
 }
 
-static uint16_t shade_gray(
-	const struct band *band, uint32_t texel, uint32_t share)
+static uint16_t shade_gray(const struct band *band, const struct band_pixel *at)
 {
 	uint32_t wide =
-		widen(load_16(find_texel(band, texel & band->texel_mask)));
+		widen(load_16(find_texel(band, at->texel & band->texel_mask)));
 
-	return narrow((wide * share + WIDE_ROUND) >> 5 & WIDE_MASK);
-}
-
-static void draw_gray(const struct band *band, int column, int count)
-{
-	uint16_t *depth = find_depth(band, column);
-	struct band_pixel at = find_pixel(band, column);
-	uint32_t share = at.red_blue >> 16;
-
-	for (; count > 0; count--, depth++) {
-		if (at.z < (uint32_t)*depth << 16) {
-			write_pixel(band, depth, at.z,
-				shade_gray(band, at.texel,
-					(share & 0xFFFF) >> 10));
-		}
-		at.z += band->z_right;
-		at.texel += band->texel_right;
-		share += band->red_blue_right >> 16;
-	}
-}
-
-void soft_band_gray_c(struct band *band)
-{
-	draw_rows(band, draw_gray);
+	return narrow(
+		(wide * (at->red_blue >> 26) + WIDE_ROUND) >> 5 & WIDE_MASK);
 }
 
 /* A filtered texel's channels of 5 or 6 bits, times 2^18 = 32 * 8192. */
@@ -140,9 +83,10 @@ static ALWAYS_INLINE struct channels load_linear(
 }
 
 /* Channels times the colour plus more, with 17 fraction bits, as RGB565. */
-static ALWAYS_INLINE uint16_t shade(
-	const struct band *band, struct channels c, const struct band_pixel *at)
+static ALWAYS_INLINE uint16_t shade_tinted(
+	const struct band *band, const struct band_pixel *at)
 {
+	const struct channels c = load_linear(band, at->texel);
 	const int32_t red =
 		WORD_BY_TOP(c.red, at->red_blue, (int32_t)band->more.red);
 	const int32_t green =
@@ -154,26 +98,56 @@ static ALWAYS_INLINE uint16_t shade(
 		LIMIT_SHIFTED(green, 17, 6) << 5 | LIMIT_SHIFTED(blue, 17, 5));
 }
 
-static void draw_tinted(const struct band *band, int column, int count)
+static ALWAYS_INLINE void draw_row(
+	const struct band *band, int column, int count, bool tinted)
 {
+	const struct band_row *row = &band->row;
+	const uint32_t n = (uint32_t)column;
+	/* a gray has its fraction in the upper half alone */
+	const uint32_t mask = tinted ? UINT32_MAX : 0xFFFF0000;
 	uint16_t *depth = find_depth(band, column);
-	struct band_pixel at = find_pixel(band, column);
+	struct band_pixel at = {row->z_q16 + band->z_right * n,
+		row->texel + band->texel_right * n,
+		(row->red_blue + band->red_blue_right * n) & mask,
+		row->green + band->green_right * n};
 
-	at.green = (at.green & 0xFFFF) + ((uint32_t)(count - 1) << 16);
-	do {
+	for (; count > 0; count--, depth++) {
 		if (at.z < (uint32_t)*depth << 16) {
 			write_pixel(band, depth, at.z,
-				shade(band, load_linear(band, at.texel), &at));
+				tinted ? shade_tinted(band, &at)
+				       : shade_gray(band, &at));
 		}
-		depth++;
 		at.z += band->z_right;
 		at.texel += band->texel_right;
-		at.red_blue += band->red_blue_right;
+		at.red_blue += band->red_blue_right & mask;
 		at.green += band->green_right;
-	} while ((int32_t)at.green >= 0);
+	}
+}
+
+static ALWAYS_INLINE void draw_rows(struct band *band, bool tinted)
+{
+	const struct band_row *down = &band->down;
+	struct band_row *row = &band->row;
+
+	for (; band->edges.rows > 0; band_next_row(&band->edges)) {
+		int left = band_column(&band->edges, BAND_LEFT);
+		int right = band_column(&band->edges, BAND_RIGHT);
+
+		draw_row(band, left, right - left, tinted);
+		row->depth += down->depth;
+		row->z_q16 += down->z_q16;
+		row->texel += down->texel;
+		row->red_blue += down->red_blue;
+		row->green += down->green;
+	}
+}
+
+void soft_band_gray_c(struct band *band)
+{
+	draw_rows(band, false);
 }
 
 void soft_band_tint_c(struct band *band)
 {
-	draw_rows(band, draw_tinted);
+	draw_rows(band, true);
 }

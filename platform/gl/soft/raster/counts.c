@@ -17,12 +17,6 @@ enum {
 /* What a row without pixels costs of one with some: its edges are found. */
 static const double empty_row = 0.25;
 
-/* Whether span functions drew the last triangle with nearest texels. */
-static bool is_nearest(const struct draw *draw)
-{
-	return draw->raster.top != NOT_SET_UP && !draw->spans.levels[0].linear;
-}
-
 /* The kind of work of the last triangle, which span functions drew. */
 static enum gl_work_kind kind_of_spans(const struct draw *draw)
 {
@@ -37,7 +31,8 @@ static enum gl_work_kind kind_of_spans(const struct draw *draw)
 	if (tested) {
 		return planes ? GL_WORK_TESTED_SPANS : GL_WORK_TESTED;
 	}
-	if (!mixed && is_nearest(draw)) {
+	if (!mixed && draw->raster.top != NOT_SET_UP &&
+		!draw->spans.levels[0].linear) {
 		return GL_WORK_SPANS_NEAREST;
 	}
 	if (!planes) {
@@ -97,56 +92,50 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 }
 
 /*
- * Whether texels between two coordinates, in 1/256 of texels, lie on both sides
- * of an edge of the texture. Up to a texel beyond it costs next to nothing.
+ * Whether the triangle that was drawn last needs texels on both sides of an
+ * edge of the texture. Up to a texel beyond it costs next to nothing.
  */
-static bool crosses(const int32_t range[2], int size_log2)
-{
-	return (range[0] + 256) >> (8 + size_log2) < (range[1] - 256) >>
-		(8 + size_log2);
-}
-
-/* Whether the triangle that was drawn last needs texels on both sides of an edge. */
 static bool crosses_edge(const struct draw *draw)
 {
 	const struct texture_input *input = &draw->texture[0];
-	const struct raster *raster = &draw->raster;
+	const int log2[2] = {input->width_log2, input->height_log2};
+	bool crosses = false;
 
-	return draw->texture[0].used && raster->top != NOT_SET_UP &&
-		(crosses(raster->texel_range[0], input->width_log2) ||
-			crosses(raster->texel_range[1], input->height_log2));
+	if (!input->used || draw->raster.top == NOT_SET_UP) {
+		return false;
+	}
+	for (int i = 0; i < 2; i++) {
+		const int32_t *range = draw->raster.texel_range[i];
+
+		crosses |= (range[0] + 256) >> (8 + log2[i]) <
+			(range[1] - 256) >> (8 + log2[i]);
+	}
+	return crosses;
 }
 
-static void add_triangle(struct gl_work *work, double rows, double pixels)
-{
-	work->triangles += 1.0;
-	work->rows += rows;
-	work->pixels += pixels;
-}
-
-/* Counts a triangle that was drawn. */
+/* Counts a triangle that was drawn, as each kind of work that it is. */
 static void add_work(const struct draw *draw, const struct setup *setup,
 	double rows, double pixels)
 {
 	struct gl_work *work = draw->soft->counts->work;
-	enum gl_work_kind kind = kind_of(draw);
+	const enum gl_work_kind kind = kind_of(draw);
+	const bool luminance = kind == GL_WORK_LUMINANCE;
+	bool is[GL_WORK_KINDS] = {
+		[GL_WORK_COLORED] = colors_move(draw, kind, setup),
+		[GL_WORK_DEEP] = luminance && draw->spans.depth_written,
+		[GL_WORK_BENT] = draw->raster.bent,
+		[GL_WORK_SECOND] = draw->texture[1].used || draw->spans.joined,
+		[GL_WORK_CROSSED] = !luminance && kind != GL_WORK_BACKDROP &&
+			crosses_edge(draw),
+	};
 
-	add_triangle(&work[kind], rows, pixels);
-	if (colors_move(draw, kind, setup)) {
-		add_triangle(&work[GL_WORK_COLORED], rows, pixels);
-	}
-	if (kind == GL_WORK_LUMINANCE && draw->spans.depth_written) {
-		add_triangle(&work[GL_WORK_DEEP], rows, pixels);
-	}
-	if (draw->raster.bent) {
-		add_triangle(&work[GL_WORK_BENT], rows, pixels);
-	}
-	if (draw->texture[1].used || draw->spans.joined) {
-		add_triangle(&work[GL_WORK_SECOND], rows, pixels);
-	}
-	if (kind != GL_WORK_LUMINANCE && kind != GL_WORK_BACKDROP &&
-		crosses_edge(draw)) {
-		add_triangle(&work[GL_WORK_CROSSED], rows, pixels);
+	is[kind] = true;
+	for (int i = 0; i < GL_WORK_KINDS; i++) {
+		if (is[i]) {
+			work[i].triangles += 1.0;
+			work[i].rows += rows;
+			work[i].pixels += pixels;
+		}
 	}
 }
 
@@ -163,24 +152,6 @@ static bool is_new(struct draw *draw, const struct vertex *vertex)
 	is_known = draw->counted[slot] == draw->place[slot].tag;
 	draw->counted[slot] = draw->place[slot].tag;
 	return !is_known;
-}
-
-/* Whether the path drops hidden triangles. */
-static bool skips_hidden(const struct draw *draw)
-{
-	return draw->counted_fill == soft_fill_textured ||
-		draw->counted_fill == soft_rows_fill;
-}
-
-/* The pixels in which the triangle can lie. */
-static struct clip_box box_of(const struct draw *draw, const struct setup *setup)
-{
-	const struct vertex *const *v = setup->v;
-	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
-
-	return raster_clip(draw,
-		(struct clip_box){left, setup->top, left + setup->columns,
-			setup->bottom});
 }
 
 /* Whether a depth is behind the buffer's, apart from a unit of rounding. */
@@ -282,9 +253,17 @@ static double count_rows(const struct setup *setup, const struct clip_box *box)
 static void fill_and_count(struct draw *draw, struct setup *setup)
 {
 	struct gl_counts *counts = draw->soft->counts;
-	bool skipped = skips_hidden(draw) && soft_is_hidden(draw, setup);
+	/* the paths that drop hidden triangles */
+	bool skipped = (draw->counted_fill == soft_fill_textured ||
+			       draw->counted_fill == soft_rows_fill) &&
+		soft_is_hidden(draw, setup);
 	double pixels = (double)setup->area / (2.0 * 16.0 * 16.0), hidden;
-	const struct clip_box box = box_of(draw, setup);
+	const struct vertex *const *v = setup->v;
+	int left = raster_centre(raster_least(v[0]->x, v[1]->x, v[2]->x));
+	/* the pixels in which the triangle can lie */
+	const struct clip_box box = raster_clip(draw,
+		(struct clip_box){left, setup->top, left + setup->columns,
+			setup->bottom});
 
 	if (draw->soft->fragment.flat && draw->attributes) {
 		/* Copying the corners costs about as much as shading one. */

@@ -6,13 +6,6 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/mix.h"
 
-static uint8_t next_stencil(const struct stencil *stencil)
-{
-	return stencil->pass == GL_INCR    ? (uint8_t)(stencil->reference + 1)
-		: stencil->pass == GL_ZERO ? 0
-					   : stencil->reference;
-}
-
 void soft_fill_flat_begin(struct draw *draw)
 {
 	const struct stencil *stencil = &draw->soft->fragment.stencil;
@@ -25,20 +18,12 @@ void soft_fill_flat_begin(struct draw *draw)
 
 	draw->flat = (struct flat_color){
 		.reference = stencil->reference,
-		.next = next_stencil(stencil),
+		.next = (uint8_t)(stencil->pass == GL_ZERO ? 0
+							   : stencil->reference +
+					(stencil->pass == GL_INCR)),
 		.keep = 32 - alpha,
 		.own = own * alpha + WIDE_ROUND,
 	};
-}
-
-static ALWAYS_INLINE void draw_pixel(
-	uint8_t *stencil, uint16_t *pixel, const struct flat_color *color)
-{
-	if (*stencil == color->reference) {
-		*stencil = color->next;
-		*pixel = narrow((widen(*pixel) * color->keep + color->own) >> 5 &
-			WIDE_MASK);
-	}
 }
 
 /* A band, and the addresses of its next row. */
@@ -66,7 +51,13 @@ static void draw_rows(void *given)
 		x = x > from ? x : from;
 		end = end < to ? end : to;
 		for (; x < end; x++) {
-			draw_pixel(stencil + x, pixel + x, &color);
+			if (stencil[x] == color.reference) {
+				uint32_t wide = widen(pixel[x]);
+
+				wide = (wide * color.keep + color.own) >> 5;
+				stencil[x] = color.next;
+				pixel[x] = narrow(wide & WIDE_MASK);
+			}
 		}
 		left += part->edges.step[BAND_LEFT];
 		right += part->edges.step[BAND_RIGHT];

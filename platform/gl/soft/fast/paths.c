@@ -15,24 +15,20 @@ static bool is_common(const struct draw *draw)
 		!draw->thin_lines && (!draw->blended || by_alpha);
 }
 
-/* The stencil states that fill_flat.c can draw. */
-static bool is_drawn_once(const struct draw *draw)
+/* One colour, drawn once where the stencil test is EQUAL. */
+static bool is_shadow(const struct draw *draw)
 {
-	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	const struct fragment_state *state = &draw->soft->fragment;
+	const struct stencil *stencil = &state->stencil;
 	GLenum pass = stencil->pass;
 
 	return stencil->enabled && draw->soft->buffers.stencil &&
 		stencil->function == GL_EQUAL && stencil->mask == 255 &&
 		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
 		stencil->reference < 255 &&
-		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO);
-}
-
-static bool is_shadow(const struct draw *draw)
-{
-	return is_drawn_once(draw) && !draw->soft->fragment.depth_test &&
-		!draw->shading.lit && !draw->shading.color_array &&
-		!draw->texture[0].used;
+		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO) &&
+		!state->depth_test && !draw->shading.lit &&
+		!draw->shading.color_array && !draw->texture[0].used;
 }
 
 static bool is_modulated(const struct draw *draw, enum texel_format format,

@@ -189,10 +189,9 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 static void set_perspective(struct raster *raster, const struct delta *delta,
 	const int32_t q[3], int name)
 {
-	const int32_t value[3] = {delta->first,
+	int32_t value[3] = {delta->first,
 		(int32_t)((uint32_t)delta->first + (uint32_t)delta->d1),
 		(int32_t)((uint32_t)delta->first + (uint32_t)delta->d2)};
-	int32_t product[3];
 	struct delta scaled;
 	int shift = 16;
 
@@ -200,16 +199,15 @@ static void set_perspective(struct raster *raster, const struct delta *delta,
 		uint32_t all = 1;
 
 		for (int i = 0; i < 3; i++) {
-			all |= (uint32_t)(value[i] < 0 ? -(value[i] + 1)
-						       : value[i]);
+			all |= (uint32_t)(value[i] ^ value[i] >> 31);
 		}
 		shift = 32 - LEADING_ZEROS_32(all);
 		raster->tex_shift[name - TEX_S] = shift;
 	}
 	for (int i = 0; i < 3; i++) {
-		product[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
+		value[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	scaled = find_delta(product[0], product[1], product[2]);
+	scaled = find_delta(value[0], value[1], value[2]);
 	set_wide_plane(&raster->frame, &scaled, 4, &raster->plane[name]);
 }
 

@@ -12,31 +12,14 @@
 #include <stddef.h>
 #include <string.h>
 
-static bool is_culled(const struct draw *draw, bool back)
-{
-	return back ? draw->cull_back : draw->cull_front;
-}
-
-static bool is_after(const struct vertex *a, const struct vertex *b)
-{
-	return a->y != b->y ? a->y > b->y : a->x > b->x;
-}
-
 static void order(const struct vertex **a, const struct vertex **b)
 {
-	if (is_after(*a, *b)) {
-		const struct vertex *first = *b;
+	const struct vertex *first = *b, *second = *a;
 
-		*b = *a;
+	if (second->y != first->y ? second->y > first->y : second->x > first->x) {
 		*a = first;
+		*b = second;
 	}
-}
-
-static void order_all(const struct vertex *v[3])
-{
-	order(&v[0], &v[1]);
-	order(&v[1], &v[2]);
-	order(&v[0], &v[1]);
 }
 
 /* Finds rows and columns that may be covered; false if there are none. */
@@ -67,13 +50,15 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])
 	struct setup setup = {
 		.v = {v[0], v[1], v[2]}, .provoking = draw->provoking};
 	int64_t area = raster_find_area(v[0], v[1], v[2]);
-	bool clockwise = area > 0; /* y runs downwards here */
 
-	setup.back = clockwise == draw->front_is_ccw;
-	if (area == 0 || is_culled(draw, setup.back)) {
+	/* positive areas are clockwise: y runs downwards here */
+	setup.back = (area > 0) == draw->front_is_ccw;
+	if (area == 0 || (setup.back ? draw->cull_back : draw->cull_front)) {
 		return;
 	}
-	order_all(setup.v);
+	order(&setup.v[0], &setup.v[1]);
+	order(&setup.v[1], &setup.v[2]);
+	order(&setup.v[0], &setup.v[1]);
 	if (!find_extent(draw, &setup)) {
 		return;
 	}

@@ -137,9 +137,11 @@ static void place_divided_colors(const struct line *values, int x, int count)
 		spans, &spans->run.row, from.colors.alpha, from.colors.fog);
 }
 
-static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
-	int count, const struct soft_kind kind)
+/* Draws the next count pixels, linear from spans.run's values. */
+static void draw_pixels(const struct draw *draw, struct walk *given, int count)
 {
+	const struct soft_kind kind = {.finish = draw->spans.finish,
+		.wide = draw->spans.pixel_log2 == 2};
 	const struct fragment_state *state = &draw->soft->fragment;
 	const GLenum compares =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
@@ -173,23 +175,6 @@ static ALWAYS_INLINE void draw_kind(const struct draw *draw, struct walk *given,
 		step(&walk);
 	}
 	*given = walk;
-}
-
-/*
- * Draws the next count pixels, linear from spans.run's values. A loop of its
- * own draws blended lines in RGB565, which limber shows on the board.
- */
-static void draw_pixels(const struct draw *draw, struct walk *walk, int count)
-{
-	const struct soft_kind kind = {.finish = draw->spans.finish,
-		.wide = draw->spans.pixel_log2 == 2};
-
-	if (kind.finish == SOFT_BLENDED && !kind.wide) {
-		draw_kind(draw, walk, count,
-			(struct soft_kind){.finish = SOFT_BLENDED});
-	} else {
-		draw_kind(draw, walk, count, kind);
-	}
 }
 
 /* Draws runs of pixels whose values change linearly. */

@@ -163,14 +163,6 @@ static bool is_behind(const struct draw *draw, int32_t depth, int32_t there)
 		(function == GL_LEQUAL && depth - 1 > there);
 }
 
-/* Twice the signed area of a, b and the point (x, y). */
-static double find_area(
-	const struct vertex *a, const struct vertex *b, double x, double y)
-{
-	return (double)(b->x - a->x) * (y - a->y) -
-		(double)(b->y - a->y) * (x - a->x);
-}
-
 /*
  * Whether the triangle covers the pixel and lies behind the depth buffer there.
  * The pixel's centre is moved a little, so that it lies on no edge.
@@ -180,19 +172,23 @@ static bool is_pixel_hidden(
 {
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct vertex *const *v = setup->v;
-	double centre_x = 16.0 * x + 8.25, centre_y = 16.0 * y + 8.125;
-	double a = find_area(v[1], v[2], centre_x, centre_y);
-	double b = find_area(v[2], v[0], centre_x, centre_y);
-	double c = find_area(v[0], v[1], centre_x, centre_y);
-	double z;
+	double sum = 0.0, z = 0.0;
+	int signs = 0;
 
-	if (!(a > 0.0 && b > 0.0 && c > 0.0) &&
-		!(a < 0.0 && b < 0.0 && c < 0.0)) {
-		return false;
+	for (int i = 0; i < 3; i++) {
+		const struct vertex *a = v[(i + 1) % 3], *b = v[(i + 2) % 3];
+		/* v[i]'s barycentric coordinate, times the area */
+		double share =
+			(double)(b->x - a->x) * (16.0 * y + 8.125 - a->y) -
+			(double)(b->y - a->y) * (16.0 * x + 8.25 - a->x);
+
+		signs += (share > 0.0) - (share < 0.0);
+		sum += share;
+		z += share * v[i]->z;
 	}
-	z = (a * v[0]->z + b * v[1]->z + c * v[2]->z) / (a + b + c);
-	return is_behind(draw, (int32_t)(z / 4.0),
-		buffers->depth[y * buffers->width + x]);
+	return (signs == 3 || signs == -3) &&
+		is_behind(draw, (int32_t)(z / sum / 4.0),
+			buffers->depth[y * buffers->width + x]);
 }
 
 /*

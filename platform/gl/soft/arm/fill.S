@@ -6,18 +6,18 @@
 
 /*
  * r0 address, r1 count, r2 value. soft_fill_some is for tile_row.S: a count of at
- * least 1; r0 becomes the end, and r1, r2 and r12 are overwritten.
+ * least 1, the value in both halves; r0 becomes the end, r1 and r12 are overwritten.
  */
 	.global	soft_fill_pixels, soft_fill_some
 	.type	soft_fill_pixels, %function
 soft_fill_pixels:
 	cmp	r1, #0
 	bxle	lr
+	pkhbt	r2, r2, r2, lsl #16
 soft_fill_some:
 	tst	r0, #2
 	strhne	r2, [r0], #2
 	subne	r1, r1, #1
-	pkhbt	r2, r2, r2, lsl #16
 	mov	r12, r2
 	subs	r1, r1, #16
 	blt	3f

@@ -1,7 +1,7 @@
 /*
  * tile_row.c for ARMv6, with the same results. A filtered pixel costs 23
- * instructions, one or two from fine 11; the pixels of a patch cost 55, with fine
- * 70, and what fill.S takes.
+ * instructions, one or two from fine 11; the pixels of a patch cost 35, with fine
+ * 45, and what fill.S takes.
  */
 #include "platform/gl/soft/arm/offsets.h"
 	.syntax unified
@@ -12,13 +12,13 @@
 /*
  * Fills the pixels from this one on that lie in the patch of quad r12, one or two
  * a step. to_32 is a shift of coordinates that makes the texture 2^32 wide. r2,
- * r7, r8, r11, r12, lr are overwritten. The run's address is at sp + 12.
+ * r7, r8, r11, r12, lr are overwritten; the flags become those of r1, the pixels
+ * left. At sp + 12 is the address of tile_run.s_end.
  */
 	.macro	fill_patch by_two, to_32:vararg
 	ldr	lr, [sp, #12]
 	uxtb	r11, r12, ror #8
 	uxtb	r12, r12
-	add	lr, lr, #TILE_S_END
 	ldm	lr, {r2, r7, r8, lr}
 	ldr	r2, [r2, r11, lsl #4]
 	ldr	r7, [r7, r11, lsl #4]
@@ -51,22 +51,23 @@
 	mov	r1, r2
 	ldr	r2, [r9, r12, lsl #3]
 	bl	soft_fill_some
-	mov	r1, r11
+	movs	r1, r11
 	.endm
 
 /*
  * r0 pixel, r1 count, r2 quads, r3 s, r4 t, r5 and r6 their steps, r7 the columns'
  * mask, r8 the rows' mask shifted to its place in an index, r9 shade, r10 16 -
- * side_log2: the shift from 16.16 to 2^32; the run's address is at sp.
+ * side_log2: the shift from 16.16 to 2^32; the address of tile_run.s_end is at sp.
  */
 	.global	soft_tile_row
 	.type	soft_tile_row, %function
 soft_tile_row:
 	cmp	r1, #1
-	push	{r0, r4-r11, lr}
 	mov	r12, r0
-	ldr	r9, [r0, #TILE_SHADE]
-	ldr	r10, [r0, #TILE_SIDE_LOG2]
+	add	r0, r0, #TILE_S_END
+	push	{r0, r4-r11, lr}
+	ldr	r9, [r12, #TILE_SHADE]
+	ldr	r10, [r12, #TILE_SIDE_LOG2]
 	ldm	r12, {r0-r6}
 	beq	.Lplaces
 	bhi	.Lfine
@@ -105,7 +106,6 @@ soft_tile_row:
 	push	{r2, r7, r8}
 	fill_patch 0, , lsl r10
 	pop	{r2, r7, r8}
-	cmp	r1, #0
 	bne	.Lpixel
 	pop	{r0, r4-r11, pc}
 
@@ -153,8 +153,8 @@ soft_tile_row:
 	ldr	lr, [sp, #12]
 	sub	r3, r3, r5
 	sub	r4, r4, r6
-	ldr	r2, [lr, #TILE_QUADS]
-	ldr	lr, [lr, #TILE_SIDE_LOG2]
+	ldr	r2, [lr, #TILE_QUADS - TILE_S_END]
+	ldr	lr, [lr, #TILE_SIDE_LOG2 - TILE_S_END]
 	add	r7, r7, #2
 	mov	r8, r4, lsr r7
 	mov	r8, r8, lsl lr
@@ -162,7 +162,6 @@ soft_tile_row:
 	ldr	r12, [r2, r12, lsl #2]
 	fill_patch \by_two
 	pop	{r2, r7, r8}
-	cmp	r1, #0
 	bne	3b
 	pop	{r0, r4-r11, pc}
 	.endm

@@ -150,17 +150,14 @@ static ALWAYS_INLINE void gather_texels(
 /* 1 / w of the three corners in a common scale, below 2^29, at least 1. */
 static void gather_inverse_w(const struct setup *setup, int32_t q[3])
 {
-	int most = 0;
+	const struct vertex *const *v = setup->v;
+	const int most =
+		raster_most(v[0]->w_zeros, v[1]->w_zeros, v[2]->w_zeros);
 
 	for (int i = 0; i < 3; i++) {
-		int zeros = setup->v[i]->w_zeros;
+		int down = most - v[i]->w_zeros + 2;
 
-		most = zeros > most ? zeros : most;
-	}
-	for (int i = 0; i < 3; i++) {
-		int down = most - setup->v[i]->w_zeros + 2;
-
-		q[i] = setup->v[i]->inverse_w_q30 >> (down > 31 ? 31 : down);
+		q[i] = v[i]->inverse_w_q30 >> (down > 31 ? 31 : down);
 		q[i] = q[i] > 0 ? q[i] : 1;
 	}
 }

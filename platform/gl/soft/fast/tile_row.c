@@ -45,10 +45,9 @@ static ALWAYS_INLINE int count_patch(const struct tile_run *run, uint32_t quad,
 	return further < (uint32_t)most ? (int)further + 1 : most;
 }
 
-/* Draws a run; each is the number of pixels a step. */
-static ALWAYS_INLINE void draw_run(
-	const struct tile_run *run, bool fine, const int each)
+void soft_tile_row_c(const struct tile_run *run, int by_fine)
 {
+	const int by_two = by_fine == 2; /* log2 of the pixels a step */
 	uint16_t *pixel = run->pixel;
 	uint32_t s = run->s, t = run->t;
 
@@ -58,27 +57,18 @@ static ALWAYS_INLINE void draw_run(
 
 		if (quad & QUAD_PATCH) {
 			steps = count_patch(
-				run, quad, s, t, (left + each - 1) / each);
+				run, quad, s, t, (left + by_two) >> by_two);
 			place = 2 * quad_luminance(quad);
 		} else {
-			place = fine
+			place = by_fine
 				? load_fine(run, s, t)
 				: quad_mix(quad, s >> 8 & 255, t >> 8 & 255);
 		}
-		count = steps * each < left ? steps * each : left;
+		count = steps << by_two < left ? steps << by_two : left;
 		soft_fill_pixels(pixel, count, (uint16_t)run->shade[place]);
 		pixel += count;
 		left -= count;
 		s += (uint32_t)run->s_right * (uint32_t)steps;
 		t += (uint32_t)run->t_right * (uint32_t)steps;
-	}
-}
-
-void soft_tile_row_c(const struct tile_run *run, int by_fine)
-{
-	if (by_fine == 2) {
-		draw_run(run, true, 2);
-	} else {
-		draw_run(run, by_fine == 1, 1);
 	}
 }

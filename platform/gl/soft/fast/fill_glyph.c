@@ -69,7 +69,6 @@ static int find_texel(int first, int count, int32_t begin, int32_t end,
 static void mix_box(const struct draw *draw, const struct clip_box *box,
 	uint16_t color, uint32_t share)
 {
-	uint32_t own = widen(color) * share + WIDE_ROUND;
 	int count = box->right - box->left;
 
 	for (int y = box->top; y < box->bottom && share; y++) {
@@ -77,10 +76,10 @@ static void mix_box(const struct draw *draw, const struct clip_box *box,
 			&draw->soft->buffers.target, box->left, y);
 
 		if (soft_is_one_color(pixel, count)) {
-			soft_keep_pixels(pixel, 1, 32 - share, own);
+			soft_mix_color(pixel, color, 1, share);
 			soft_fill_pixels(pixel, count, *pixel);
 		} else {
-			soft_keep_pixels(pixel, count, 32 - share, own);
+			soft_mix_color(pixel, color, count, share);
 		}
 	}
 }

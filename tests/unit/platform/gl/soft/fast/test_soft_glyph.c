@@ -27,8 +27,7 @@ static void test_panels_are_mixed_pixel_by_pixel(void **state)
 	(void)state;
 	for (int round = 0; round < 4000; round++) {
 		uint32_t alpha = (uint32_t)random_between(&seed, 0, 32);
-		uint32_t own =
-			widen(next_random(&seed) & 0xFFFF) * alpha + WIDE_ROUND;
+		uint32_t color = next_random(&seed) & 0xFFFF;
 		int at = random_between(&seed, 0, 5);
 		int count = random_between(&seed, 0, SIDE * 2 - 10);
 
@@ -40,10 +39,13 @@ static void test_panels_are_mixed_pixel_by_pixel(void **state)
 			uint16_t *pixel = (uint16_t *)expected + at + i;
 
 			*pixel = narrow(
-				(widen(*pixel) * (32 - alpha) + own) >> 5 &
+				(widen(*pixel) * (32 - alpha) +
+					widen(color) * alpha + WIDE_ROUND) >>
+					5 &
 				WIDE_MASK);
 		}
-		soft_keep_pixels((uint16_t *)drawn + at, count, 32 - alpha, own);
+		soft_mix_color(
+			(uint16_t *)drawn + at, (uint16_t)color, count, alpha);
 		assert_memory_equal(drawn, expected, sizeof(drawn));
 	}
 }

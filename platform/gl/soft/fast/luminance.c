@@ -1,4 +1,5 @@
 /* Draws the span walk's runs by rows of tiles: depth, level, gray and alpha. */
+#include "platform/gl/gl_counts.h"
 #include "platform/gl/soft/fast/tiles.h"
 #include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/raster/pixel.h"
@@ -145,7 +146,7 @@ static ALWAYS_INLINE void draw_visible(struct draw *draw)
 	uint16_t *aside = draw->shaded + ((uintptr_t)pixel / sizeof(*pixel)) % 2;
 
 	if (tiled->from_fine == 2 && draw->soft->counts) {
-		soft_count_fine(draw, tiled->run.count);
+		draw->soft->counts->fine += tiled->run.count;
 	}
 	if (draw->blended && draw_mixed(draw)) {
 		return;

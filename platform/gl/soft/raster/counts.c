@@ -281,11 +281,6 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	}
 }
 
-void soft_count_fine(const struct draw *draw, int pixels)
-{
-	draw->soft->counts->fine += pixels;
-}
-
 /*
  * Whether a call of so many vertices reads an array that two recent calls have
  * read, and that the cache of the second level still has. One is not enough: a

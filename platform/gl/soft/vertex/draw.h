@@ -364,8 +364,6 @@ void soft_clip_line(struct draw *draw, struct vertex *a, struct vertex *b);
 struct source;
 void soft_count_call(
 	struct draw *draw, const struct source *source, GLenum mode);
-/* Counts pixels drawn two at a time from tiles.fine, in soft->counts. */
-void soft_count_fine(const struct draw *draw, int pixels);
 
 /*
  * fast/paths.c: sets draw->fill to the fastest path that draws this state, with

@@ -2,8 +2,6 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-#include <string.h>
-
 static ALWAYS_INLINE int32_t transform_row(
 	int32_t moved, const int32_t m[3], const int32_t p[3])
 {
@@ -56,27 +54,11 @@ static ALWAYS_INLINE void find_clip(
 	const struct draw *draw, uint32_t index, int32_t out[4])
 {
 	const struct view *view = &draw->view;
-	const void *at =
-		view->positions + (size_t)index * (size_t)view->stride_bytes;
 	int32_t p[3];
 
-	if (view->kind == POSITION_SHORTS) {
-		int16_t half[3];
-
-		memcpy(half, at, sizeof(half));
-		for (int i = 0; i < 3; i++) {
-			p[i] = half[i] *
-				65536; /* the matrix is scaled for that */
-		}
-	} else if (view->kind == POSITION_FLOATS) {
-		float f[3];
-
-		memcpy(f, at, sizeof(f));
-		for (int i = 0; i < 3; i++) {
-			p[i] = (int32_t)(f[i] * view->scale);
-		}
-	} else {
-		soft_array_position(draw, index, p);
+	soft_array_position(draw, index, p);
+	for (int i = 0; i < 3 && view->kind == POSITION_SHORTS; i++) {
+		p[i] *= 4; /* the matrix is scaled for that */
 	}
 	out[0] = transform_row(view->moved_x, view->row_x, p);
 	out[1] = transform_row(view->moved_y, view->row_y, p);

@@ -26,6 +26,19 @@ static struct draw *make_draw(void)
 	return draw;
 }
 
+/* Both ways to the positions: soft_transform_c() reads the array's state. */
+static void set_positions(struct draw *draw, struct soft *soft, GLenum type,
+	const void *pointer, int stride_bytes)
+{
+	soft->arrays.vertex = (struct array){.size = 3,
+		.type = type,
+		.stride_bytes = stride_bytes,
+		.pointer = pointer};
+	draw->soft = soft;
+	draw->view.positions = pointer;
+	draw->view.stride_bytes = stride_bytes;
+}
+
 /* Coordinates below 2^28 for positions below 2^30, or 2^15 * 2^16. */
 static void make_view(
 	struct view *view, enum position_kind kind, bool affine, uint32_t *seed)
@@ -114,11 +127,12 @@ static void check_vertices(struct draw *draw, uint32_t count)
 static void check_shorts(bool affine)
 {
 	struct draw *draw = make_draw();
+	struct soft soft;
 	int16_t position[VERTICES][4];
 	uint32_t seed = 7;
 
-	draw->view.positions = (const uint8_t *)&position[0][1];
-	draw->view.stride_bytes = sizeof(position[0]);
+	set_positions(
+		draw, &soft, GL_SHORT, &position[0][1], sizeof(position[0]));
 	for (int round = 0; round < 300; round++) {
 		make_view(&draw->view, POSITION_SHORTS, affine, &seed);
 		for (int i = 0; i < 4 * VERTICES; i++) {
@@ -149,12 +163,12 @@ static void test_flat_projections_are_transformed_as_in_c(void **state)
 static void test_floats_are_transformed_as_in_c(void **state)
 {
 	struct draw *draw = make_draw();
+	struct soft soft;
 	float position[VERTICES][5];
 	uint32_t seed = 11;
 
 	(void)state;
-	draw->view.positions = (const uint8_t *)position;
-	draw->view.stride_bytes = sizeof(position[0]);
+	set_positions(draw, &soft, GL_FLOAT, position, sizeof(position[0]));
 	draw->view.scale = 1 << 24;
 	for (int round = 0; round < 300; round++) {
 		make_view(&draw->view, POSITION_FLOATS, round % 4 == 0, &seed);
@@ -175,6 +189,7 @@ static void test_floats_are_transformed_as_in_c(void **state)
 static void test_outcodes_name_the_planes(void **state)
 {
 	struct draw *draw = make_draw();
+	struct soft soft;
 	int16_t position[1][3] = {{0, 0, 0}};
 	static const int32_t some[] = {
 		-(1 << 27), -1001, -1000, -1, 0, 1, 1000, 1001, 1 << 27};
@@ -182,8 +197,7 @@ static void test_outcodes_name_the_planes(void **state)
 
 	(void)state;
 	view->kind = POSITION_SHORTS;
-	view->positions = (const uint8_t *)position;
-	view->stride_bytes = sizeof(position[0]);
+	set_positions(draw, &soft, GL_SHORT, position, sizeof(position[0]));
 	for (int i = 0; i < 9 * 9 * 9 * 9; i++) {
 		view->moved_x = some[i % 9];
 		view->moved_y = some[i / 9 % 9];

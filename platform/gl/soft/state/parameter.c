@@ -12,52 +12,51 @@
 /* More names of ES 1.1 that gl.h does not have. */
 enum {
 	ALPHA_SCALE = 0x0D1C,
-	SRC2_RGB = 0x8582,
-	SRC2_ALPHA = 0x858A,
-	OPERAND2_RGB = 0x8592,
 	OPERAND0_ALPHA = 0x8598,
-	OPERAND1_ALPHA = 0x8599,
-	OPERAND2_ALPHA = 0x859A,
 };
 
-/* A parameter: count values of 32 bits, enumerants or 16.16, in a struct. */
+/*
+ * A parameter: count values of 32 bits, enumerants or 16.16, in a struct; or
+ * several of one value each with consecutive names.
+ */
 struct parameter {
-	GLenum name;
-	int count;
-	size_t offset;
+	GLenum name, names; /* the first of consecutive names, how many */
+	size_t count;
+	size_t offset;       /* of the first name's; the others' follow it */
 	GLenum error;        /* that a value sets which is not allowed */
 	GLfixed least, most; /* allowed are values from least to most, */
 	GLenum allowed[8];   /* and those of this list */
 	size_t allowed_count;
 };
 
-#define PARAMETER(name, type, member, ...)                                  \
+#define PARAMETER(name, names, type, member, ...)                           \
 	{                                                                   \
-		name, (int)(sizeof(((type *)0)->member) / sizeof(GLfixed)), \
+		name, names, sizeof(((type *)0)->member) / sizeof(GLfixed), \
 			offsetof(type, member), __VA_ARGS__                 \
 	}
-#define ANY(name, type, member) \
-	PARAMETER(name, type, member, GL_NO_ERROR, INT32_MIN, INT32_MAX, {0}, 0)
-#define RANGE(name, type, member, least, most) \
-	PARAMETER(name, type, member, GL_INVALID_VALUE, least, most, {0}, 0)
-#define LISTED(name, type, member, error, ...)                     \
-	PARAMETER(name, type, member, error, INT32_MAX, INT32_MIN, \
+#define ANY(name, type, member)                                             \
+	PARAMETER(name, 1, type, member, GL_NO_ERROR, INT32_MIN, INT32_MAX, \
+		{0}, 0)
+#define RANGE(name, names, type, member, most) \
+	PARAMETER(name, names, type, member, GL_INVALID_VALUE, 0, most, {0}, 0)
+#define LISTED(name, names, type, member, error, ...)                     \
+	PARAMETER(name, names, type, member, error, INT32_MAX, INT32_MIN, \
 		{__VA_ARGS__}, ARRAY_COUNT(((const GLenum[]){__VA_ARGS__})))
 #define NUMBER(name, type, member, ...) \
-	LISTED(name, type, member, GL_INVALID_VALUE, __VA_ARGS__)
+	LISTED(name, 1, type, member, GL_INVALID_VALUE, __VA_ARGS__)
 #define ENUM(name, type, member, ...) \
-	LISTED(name, type, member, GL_INVALID_ENUM, __VA_ARGS__)
+	LISTED(name, 1, type, member, GL_INVALID_ENUM, __VA_ARGS__)
 
 /*
  * Sets the object's parameter of that name, or GL's error. given is the number
  * of values: 1 from glFogx and its like, 4 from glFogxv and its like.
  */
 static void set_parameter(const struct parameter *table, size_t count,
-	void *object, GLenum name, const GLfixed *values, int given)
+	void *object, GLenum name, const GLfixed *values, size_t given)
 {
 	const struct parameter *p = table, *end = table + count;
 
-	while (p != end && (p->name != name || p->count > given)) {
+	while (p != end && (name - p->name >= p->names || p->count > given)) {
 		p++;
 	}
 	if (soft_check(p != end, GL_INVALID_ENUM) &&
@@ -65,8 +64,9 @@ static void set_parameter(const struct parameter *table, size_t count,
 				soft_is_one_of((GLenum)values[0], p->allowed,
 					p->allowed_count),
 			p->error)) {
-		memcpy((char *)object + p->offset, values,
-			(size_t)p->count * sizeof(*values));
+		memcpy((char *)object + p->offset +
+				(name - p->name) * sizeof(*values),
+			values, p->count * sizeof(*values));
 	}
 }
 
@@ -94,11 +94,11 @@ static void set_parameter(const struct parameter *table, size_t count,
 		set(object, name, values, 4);                             \
 	}
 
-static void set_fog(GLenum name, const GLfixed *values, int given)
+static void set_fog(GLenum name, const GLfixed *values, size_t given)
 {
 	static const struct parameter of_fog[] = {
 		ENUM(GL_FOG_MODE, struct fog, mode, GL_LINEAR, GL_EXP, GL_EXP2),
-		RANGE(GL_FOG_DENSITY, struct fog, density, 0, INT32_MAX),
+		RANGE(GL_FOG_DENSITY, 1, struct fog, density, INT32_MAX),
 		ANY(GL_FOG_START, struct fog, start),
 		ANY(GL_FOG_END, struct fog, end),
 		ANY(GL_FOG_COLOR, struct fog, color),
@@ -108,7 +108,7 @@ static void set_fog(GLenum name, const GLfixed *values, int given)
 }
 TWO_CALLS(Fog, set_fog)
 
-static void set_model(GLenum name, const GLfixed *values, int given)
+static void set_model(GLenum name, const GLfixed *values, size_t given)
 {
 	static const struct parameter of_model[] = {
 		ANY(GL_LIGHT_MODEL_AMBIENT, struct lighting, ambient),
@@ -132,21 +132,18 @@ static void set_place(float *out, size_t count, const GLfixed *values)
 	memcpy(out, eye, count * sizeof(*out));
 }
 
-static void set_light(GLenum name, GLenum what, const GLfixed *values, int given)
+static void set_light(
+	GLenum name, GLenum what, const GLfixed *values, size_t given)
 {
 	static const struct parameter of_light[] = {
 		ANY(GL_AMBIENT, struct light, ambient),
 		ANY(GL_DIFFUSE, struct light, diffuse),
 		ANY(GL_SPECULAR, struct light, specular),
-		RANGE(GL_SPOT_EXPONENT, struct light, exponent, 0,
+		RANGE(GL_SPOT_EXPONENT, 1, struct light, exponent,
 			128 * FX16_ONE),
-		PARAMETER(GL_SPOT_CUTOFF, struct light, cutoff,
+		PARAMETER(GL_SPOT_CUTOFF, 1, struct light, cutoff,
 			GL_INVALID_VALUE, 0, 90 * FX16_ONE, {180 * FX16_ONE}, 1),
-		RANGE(GL_CONSTANT_ATTENUATION, struct light, attenuation[0], 0,
-			INT32_MAX),
-		RANGE(GL_LINEAR_ATTENUATION, struct light, attenuation[1], 0,
-			INT32_MAX),
-		RANGE(GL_QUADRATIC_ATTENUATION, struct light, attenuation[2], 0,
+		RANGE(GL_CONSTANT_ATTENUATION, 3, struct light, attenuation[0],
 			INT32_MAX),
 	};
 	struct light *light;
@@ -167,14 +164,14 @@ TWO_CALLS_OF(Light, set_light)
 
 /* ES 1.1 allows no face but GL_FRONT_AND_BACK. */
 static void set_material(
-	GLenum face, GLenum name, const GLfixed *values, int given)
+	GLenum face, GLenum name, const GLfixed *values, size_t given)
 {
 	static const struct parameter of_material[] = {
 		ANY(GL_AMBIENT, struct material, ambient),
 		ANY(GL_DIFFUSE, struct material, diffuse),
 		ANY(GL_SPECULAR, struct material, specular),
 		ANY(GL_EMISSION, struct material, emission),
-		RANGE(GL_SHININESS, struct material, shininess, 0,
+		RANGE(GL_SHININESS, 1, struct material, shininess,
 			128 * FX16_ONE),
 	};
 	struct material *material = &soft_current()->lighting.material;
@@ -192,18 +189,18 @@ static void set_material(
 TWO_CALLS_OF(Material, set_material)
 
 /* Texture environments; stages/combine_rows.c computes them. */
-static void set_env(GLenum target, GLenum name, const GLfixed *values, int given)
+static void set_env(
+	GLenum target, GLenum name, const GLfixed *values, size_t given)
 {
 #define COMBINERS                                                       \
 	GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, \
 		GL_SUBTRACT
-#define SOURCE(name, member)                                       \
-	ENUM(name, struct texenv, member, GL_TEXTURE, GL_CONSTANT, \
-		GL_PRIMARY_COLOR, GL_PREVIOUS)
-#define OPERAND(name, member, ...)                                  \
-	ENUM(name, struct texenv, member, __VA_ARGS__ GL_SRC_ALPHA, \
-		GL_ONE_MINUS_SRC_ALPHA)
-#define COLORS GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+#define SOURCES(name, member)                                                  \
+	LISTED(name, 3, struct texenv, member[0], GL_INVALID_ENUM, GL_TEXTURE, \
+		GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS)
+#define OPERANDS(name, member, ...)                                \
+	LISTED(name, 3, struct texenv, member[0], GL_INVALID_ENUM, \
+		__VA_ARGS__ GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
 #define SCALE(name, member)                                         \
 	NUMBER(name, struct texenv, member, FX16_ONE, 2 * FX16_ONE, \
 		4 * FX16_ONE)
@@ -213,18 +210,11 @@ static void set_env(GLenum target, GLenum name, const GLfixed *values, int given
 		ENUM(GL_COMBINE_RGB, struct texenv, combine_rgb, COMBINERS,
 			GL_DOT3_RGB, GL_DOT3_RGBA),
 		ENUM(GL_COMBINE_ALPHA, struct texenv, combine_alpha, COMBINERS),
-		SOURCE(GL_SRC0_RGB, source_rgb[0]),
-		SOURCE(GL_SRC1_RGB, source_rgb[1]),
-		SOURCE(SRC2_RGB, source_rgb[2]),
-		SOURCE(GL_SRC0_ALPHA, source_alpha[0]),
-		SOURCE(GL_SRC1_ALPHA, source_alpha[1]),
-		SOURCE(SRC2_ALPHA, source_alpha[2]),
-		OPERAND(GL_OPERAND0_RGB, operand_rgb[0], COLORS),
-		OPERAND(GL_OPERAND1_RGB, operand_rgb[1], COLORS),
-		OPERAND(OPERAND2_RGB, operand_rgb[2], COLORS),
-		OPERAND(OPERAND0_ALPHA, operand_alpha[0], ),
-		OPERAND(OPERAND1_ALPHA, operand_alpha[1], ),
-		OPERAND(OPERAND2_ALPHA, operand_alpha[2], ),
+		SOURCES(GL_SRC0_RGB, source_rgb),
+		SOURCES(GL_SRC0_ALPHA, source_alpha),
+		OPERANDS(GL_OPERAND0_RGB, operand_rgb, GL_SRC_COLOR,
+			GL_ONE_MINUS_SRC_COLOR, ),
+		OPERANDS(OPERAND0_ALPHA, operand_alpha, ),
 		SCALE(GL_RGB_SCALE, scale_rgb),
 		SCALE(ALPHA_SCALE, scale_alpha),
 		ANY(GL_TEXTURE_ENV_COLOR, struct texenv, color),

@@ -212,9 +212,6 @@ struct soft {
 struct soft *soft_current(void);
 void soft_make_current(struct soft *soft);
 
-/* Remembers the first error since GetError(). */
-void soft_set_error(struct soft *soft, GLenum error);
-
 /* defaults.c: sets the context's table of functions and GL's initial state. */
 void soft_init_state(struct soft *soft);
 

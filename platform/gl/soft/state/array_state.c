@@ -55,13 +55,6 @@ void soft_gl_TexCoordPointer(
 		is_signed_type(type), type, stride, pointer);
 }
 
-void soft_gl_ClientActiveTexture(GLenum unit)
-{
-	if (soft_check(unit - GL_TEXTURE0 < SOFT_UNITS, GL_INVALID_ENUM)) {
-		soft_current()->arrays.client_unit = (int)(unit - GL_TEXTURE0);
-	}
-}
-
 static void set_enabled(GLenum name, bool on)
 {
 	struct arrays *arrays = &soft_current()->arrays;

@@ -14,16 +14,6 @@ void soft_gl_ClearColorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha
 	memcpy(soft_current()->fragment.clear_color, given, sizeof(given));
 }
 
-void soft_gl_ClearDepthx(GLfixed depth)
-{
-	soft_current()->fragment.clear_depth = clamp_int(depth, 0, FX16_ONE);
-}
-
-void soft_gl_ClearStencil(GLint value)
-{
-	soft_current()->fragment.stencil.clear = (uint8_t)value;
-}
-
 /* Fills rows; where no gap lies between them, as one long row. */
 static void fill_rows(
 	uint16_t *first, int width, ptrdiff_t stride, int rows, uint16_t value)

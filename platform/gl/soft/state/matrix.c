@@ -60,18 +60,16 @@ static float dot3(const float *a, const float *b)
 
 float soft_matrix_uniform_scale(const struct matrix *m)
 {
-	const float *a = m->m, *b = m->m + 4, *c = m->m + 8;
-	float square = dot3(a, a);
-	float slack = square * (1.0f / 1024.0f);
+	const float square = dot3(m->m, m->m);
+	bool uniform = square > 0.0f;
 
-	if (square > 0.0f && scalar_abs(dot3(b, b) - square) < slack &&
-		scalar_abs(dot3(c, c) - square) < slack &&
-		scalar_abs(dot3(a, b)) < slack &&
-		scalar_abs(dot3(a, c)) < slack &&
-		scalar_abs(dot3(b, c)) < slack) {
-		return scalar_sqrt(square);
+	for (int i = 0; i < 9; i++) {
+		float wanted = i % 4 == 0 ? square : 0.0f;
+		float found = dot3(m->m + 4 * (i / 3), m->m + 4 * (i % 3));
+
+		uniform &= scalar_abs(found - wanted) < square / 1024.0f;
 	}
-	return 0.0f;
+	return uniform ? scalar_sqrt(square) : 0.0f;
 }
 
 int soft_matrix_exponent(float value)
@@ -106,24 +104,24 @@ static struct matrix_stack *current_stack(void)
 	}
 }
 
-void soft_gl_MatrixMode(GLenum mode)
-{
-	if (soft_check(IS_ONE_OF(mode, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE),
-		    GL_INVALID_ENUM)) {
-		soft_current()->matrices.mode = mode;
-	}
-}
-
 void soft_gl_LoadIdentity(void)
 {
 	*current_stack()->top = soft_matrix_identity;
 }
 
+static struct matrix take_matrix(const GLfixed *values)
+{
+	struct matrix matrix;
+
+	for (int i = 0; i < 16; i++) {
+		matrix.m[i] = fx16_to_float(values[i]);
+	}
+	return matrix;
+}
+
 void soft_gl_LoadMatrixx(const GLfixed *values)
 {
-	for (int i = 0; i < 16; i++) {
-		current_stack()->top->m[i] = fx16_to_float(values[i]);
-	}
+	*current_stack()->top = take_matrix(values);
 }
 
 static void multiply(const struct matrix *by)
@@ -135,11 +133,8 @@ static void multiply(const struct matrix *by)
 
 void soft_gl_MultMatrixx(const GLfixed *values)
 {
-	struct matrix matrix;
+	struct matrix matrix = take_matrix(values);
 
-	for (int i = 0; i < 16; i++) {
-		matrix.m[i] = fx16_to_float(values[i]);
-	}
 	multiply(&matrix);
 }
 

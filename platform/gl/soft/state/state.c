@@ -1,6 +1,6 @@
 /*
  * The current context, its error and its stencil buffer; glEnable's flags; the
- * state of fragment operations; scissor box and viewport.
+ * state of fragment operations; scissor box and viewport; setters of one value.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -20,13 +20,6 @@ struct soft *soft_current(void)
 void soft_make_current(struct soft *soft)
 {
 	current = soft;
-}
-
-void soft_set_error(struct soft *soft, GLenum error)
-{
-	if (soft->error == GL_NO_ERROR) {
-		soft->error = error;
-	}
 }
 
 bool soft_is_one_of(GLenum value, const GLenum *known, size_t count)
@@ -140,30 +133,45 @@ static bool is_comparison(GLenum function)
 	return function >= GL_NEVER && function <= GL_ALWAYS;
 }
 
-/* A GL function that sets a member of struct fragment_state if may_be is true. */
-#define CALL(name, type, member, may_be, error)                  \
-	void soft_gl_##name(type value)                          \
-	{                                                        \
-		if (soft_check(may_be, error)) {                 \
-			soft_current()->fragment.member = value; \
-		}                                                \
-	}
-
-CALL(DepthFunc, GLenum, depth_function, is_comparison(value), GL_INVALID_ENUM)
-CALL(CullFace, GLenum, cull_face,
-	IS_ONE_OF(value, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK), GL_INVALID_ENUM)
-CALL(FrontFace, GLenum, front_face, IS_ONE_OF(value, GL_CW, GL_CCW),
-	GL_INVALID_ENUM)
-CALL(LineWidthx, GLfixed, line_width, value > 0, GL_INVALID_VALUE)
-CALL(PointSizex, GLfixed, point_size, value > 0, GL_INVALID_VALUE)
-CALL(DepthMask, GLboolean, depth_mask, true, GL_NO_ERROR)
-
-void soft_gl_ShadeModel(GLenum mode)
+static bool is_unit(GLenum name)
 {
-	if (soft_check(IS_ONE_OF(mode, GL_FLAT, GL_SMOOTH), GL_INVALID_ENUM)) {
-		soft_current()->fragment.flat = mode == GL_FLAT;
-	}
+	return name - GL_TEXTURE0 < SOFT_UNITS;
 }
+
+/* A GL function that sets a member of struct soft if may_be is true. */
+#define CALL(name, type, may_be, error, member, set)    \
+	void soft_gl_##name(type value)                 \
+	{                                               \
+		if (soft_check(may_be, error)) {        \
+			soft_current()->member = (set); \
+		}                                       \
+	}
+#define ENUM_CALL(name, may_be, member, set) \
+	CALL(name, GLenum, may_be, GL_INVALID_ENUM, member, set)
+#define ANY_CALL(name, type, member, set) \
+	CALL(name, type, true, GL_NO_ERROR, member, set)
+
+ENUM_CALL(DepthFunc, is_comparison(value), fragment.depth_function, value)
+ENUM_CALL(CullFace, IS_ONE_OF(value, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK),
+	fragment.cull_face, value)
+ENUM_CALL(FrontFace, IS_ONE_OF(value, GL_CW, GL_CCW), fragment.front_face, value)
+ENUM_CALL(ShadeModel, IS_ONE_OF(value, GL_FLAT, GL_SMOOTH), fragment.flat,
+	value == GL_FLAT)
+ENUM_CALL(MatrixMode, IS_ONE_OF(value, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE),
+	matrices.mode, value)
+ENUM_CALL(ActiveTexture, is_unit(value), textures.active,
+	(int)(value - GL_TEXTURE0))
+ENUM_CALL(ClientActiveTexture, is_unit(value), arrays.client_unit,
+	(int)(value - GL_TEXTURE0))
+CALL(LineWidthx, GLfixed, value > 0, GL_INVALID_VALUE, fragment.line_width,
+	value)
+CALL(PointSizex, GLfixed, value > 0, GL_INVALID_VALUE, fragment.point_size,
+	value)
+ANY_CALL(DepthMask, GLboolean, fragment.depth_mask, value)
+ANY_CALL(ClearDepthx, GLfixed, fragment.clear_depth,
+	clamp_int(value, 0, FX16_ONE))
+ANY_CALL(ClearStencil, GLint, fragment.stencil.clear, (uint8_t)value)
+ANY_CALL(StencilMask, GLuint, fragment.stencil.write_mask, (uint8_t)value)
 
 void soft_gl_AlphaFuncx(GLenum function, GLfixed reference)
 {
@@ -240,11 +248,6 @@ void soft_gl_StencilFunc(GLenum function, GLint reference, GLuint mask)
 		stencil->reference = (uint8_t)clamp_int(reference, 0, 255);
 		stencil->mask = (uint8_t)mask;
 	}
-}
-
-void soft_gl_StencilMask(GLuint mask)
-{
-	soft_current()->fragment.stencil.write_mask = (uint8_t)mask;
 }
 
 static bool is_stencil_action(GLenum action)

@@ -12,11 +12,14 @@
 #include "platform/gl/gl_functions.h"
 #undef GL_FUNCTION
 
-/* Returns may_go_on; where it is false, sets the current context's error. */
+/*
+ * Returns may_go_on; where it is false, sets the current context's error,
+ * unless one is set since GetError().
+ */
 static inline bool soft_check(bool may_go_on, GLenum error)
 {
-	if (!may_go_on) {
-		soft_set_error(soft_current(), error);
+	if (!may_go_on && soft_current()->error == GL_NO_ERROR) {
+		soft_current()->error = error;
 	}
 	return may_go_on;
 }

@@ -115,13 +115,6 @@ void soft_gl_BindTexture(GLenum target, GLuint name)
 	}
 }
 
-void soft_gl_ActiveTexture(GLenum unit)
-{
-	if (soft_check(unit - GL_TEXTURE0 < SOFT_UNITS, GL_INVALID_ENUM)) {
-		soft_current()->textures.active = (int)(unit - GL_TEXTURE0);
-	}
-}
-
 static struct texture *bound_texture(struct soft *soft)
 {
 	return soft->textures.unit[soft->textures.active].bound;

@@ -52,22 +52,25 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 	return 0;
 }
 
-static int grow_depth(struct soft *soft, size_t count)
+/* Makes room in the depth buffer and, if there is one, in the stencil buffer. */
+static int grow_buffers(struct soft *soft, size_t count)
 {
 	struct buffers *buffers = &soft->buffers;
-	uint16_t *depth;
+	const bool stencil = buffers->stencil != NULL;
 
 	if (count <= buffers->room) {
 		return 0;
 	}
-	depth = calloc(count, sizeof(*depth));
-	if (!depth) {
-		log_error(&soft->log, "--gl soft: out of memory for depth");
+	free(buffers->depth);
+	free(buffers->stencil);
+	buffers->stencil = NULL;
+	buffers->depth = calloc(count, sizeof(*buffers->depth));
+	buffers->room = buffers->depth ? count : 0;
+	if (!buffers->depth || (stencil && !soft_stencil(soft))) {
+		log_error(&soft->log, "--gl soft: out of memory for %s",
+			buffers->depth ? "stencil" : "depth");
 		return -ENOMEM;
 	}
-	free(buffers->depth);
-	buffers->depth = depth;
-	buffers->room = count;
 	return 0;
 }
 
@@ -102,14 +105,10 @@ static int soft_begin_frame(
 		return -EINVAL;
 	}
 	/* the last depths are read as four */
-	error = grow_depth(
+	error = grow_buffers(
 		soft, (size_t)target->width * (size_t)target->height + 3);
 	if (error) {
 		return error;
-	}
-	if (buffers->stencil && !soft_stencil(soft)) {
-		log_error(&soft->log, "--gl soft: out of memory for stencil");
-		return -ENOMEM;
 	}
 	/* Between frames others use the cache: see is_read_again() in counts.c. */
 	if (soft->counts) {

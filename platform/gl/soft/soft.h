@@ -183,9 +183,8 @@ struct buffers {
 	struct pixels target; /* data NULL between frames */
 	uint16_t *depth;      /* [height][width], owned */
 	uint8_t *stencil; /* [height][width], owned; NULL until first enabled */
-	size_t room;      /* pixels that depth has memory for */
-	size_t stencil_room; /* pixels that stencil has memory for */
-	int width, height;   /* of the last frame */
+	size_t room;      /* pixels that each has memory for */
+	int width, height; /* of the last frame */
 };
 
 struct draw;
@@ -219,7 +218,7 @@ void soft_init_state(struct soft *soft);
 struct texture soft_new_texture(GLuint name);
 void soft_release_textures(struct soft *soft);
 
-/* state.c: allocates the stencil buffer, or enlarges it; NULL without memory. */
+/* state.c: the stencil buffer, allocated when needed; NULL without memory. */
 uint8_t *soft_stencil(struct soft *soft);
 
 /* A rectangle of the picture; row 0 is at the top. */

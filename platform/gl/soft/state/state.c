@@ -38,10 +38,8 @@ uint8_t *soft_stencil(struct soft *soft)
 	struct buffers *buffers = &soft->buffers;
 	size_t room = buffers->room ? buffers->room : 1;
 
-	if (buffers->stencil_room < room) {
-		free(buffers->stencil);
+	if (!buffers->stencil) {
 		buffers->stencil = malloc(room);
-		buffers->stencil_room = buffers->stencil ? room : 0;
 		if (buffers->stencil) {
 			memset(buffers->stencil, soft->fragment.stencil.clear,
 				room);

@@ -1,6 +1,6 @@
 /* Small loops, for processors that the assembly in arm/ is not for. */
 #include "platform/gl/soft/raster/mix.h"
-#include "platform/gl/soft/vertex/draw.h"
+#include "platform/gl/soft/vertex/number.h"
 
 void soft_fill_pixels(uint16_t *at, int count, uint16_t value)
 {

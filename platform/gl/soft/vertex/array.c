@@ -49,7 +49,10 @@ static int32_t scale_float(float value, float scale)
 	return value == value ? (int32_t)value : 0;
 }
 
-/* The i-th value: floats are multiplied by scale, all others are not. */
+/*
+ * The i-th value: floats times scale, the others as 16.16, of which unsigned
+ * bytes are 0 to 1.
+ */
 static int32_t load_value(const struct element *from, int i, float scale)
 {
 	int16_t value;
@@ -58,12 +61,12 @@ static int32_t load_value(const struct element *from, int i, float scale)
 	case GL_FLOAT:
 		return scale_float(load_float(from, i), scale);
 	case GL_BYTE:
-		return (int8_t)from->at[i];
+		return (int8_t)from->at[i] * 65536;
 	case GL_UNSIGNED_BYTE:
-		return from->at[i];
+		return from->at[i] * 257 + (from->at[i] >> 7);
 	case GL_SHORT:
 		memcpy(&value, from->at + 2 * i, sizeof(value));
-		return value;
+		return value * 65536;
 	default:
 		return (int32_t)load_32(from->at + 4 * i);
 	}
@@ -91,19 +94,16 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 {
 	const struct array *array = &draw->soft->arrays.vertex;
 	const struct element from = {element_at(array, index), array->type};
-	/* Bytes and shorts are shifted to 2^29, 16.16 loses two bits. */
-	const int up = from.type == GL_BYTE ? 22
-		: from.type == GL_SHORT     ? 14
-					    : 0;
-	const int down = from.type == GL_FIXED ? 2 : 0;
 
 	out[2] = 0;
 	for (int i = 0; i < 3 && i < array->size; i++) {
 		int32_t value = load_value(&from, i, draw->view.scale);
 
-		/* Only floats can be larger than 2^30. */
-		out[i] = clamp_int(
-			value * (1 << up) >> down, -(1 << 30), 1 << 30);
+		/* Bytes become 2^29, 16.16 loses two bits; floats may be larger. */
+		out[i] = from.type == GL_BYTE ? value * (1 << 6)
+			: from.type == GL_FLOAT
+			? clamp_int(value, -(1 << 30), 1 << 30)
+			: value >> 2;
 	}
 }
 
@@ -141,9 +141,10 @@ void soft_array_normal_q30(
 
 		/* integers c mean (2 c + 1) / (2^bits - 1) */
 		out[i] = from.type == GL_FLOAT ? value
-			: from.type == GL_BYTE ? (2 * value + 1) * 4210752
+			: from.type == GL_BYTE
+			? (2 * (value >> 16) + 1) * 4210752
 			: from.type == GL_SHORT
-			? (2 * value + 1) * 16384
+			? (value >> 1) + 16384
 			: saturate_64((int64_t)value * 16384);
 	}
 }
@@ -156,11 +157,7 @@ void soft_array_color_q16(
 		find_element(&arrays->color, index, arrays->current_color);
 
 	for (int i = 0; i < 4; i++) {
-		int32_t value = load_value(&from, i, two_16);
-
-		out[i] = from.type == GL_UNSIGNED_BYTE
-			? value * 257 + (value >> 7)
-			: value;
+		out[i] = load_value(&from, i, two_16);
 	}
 }
 
@@ -170,9 +167,8 @@ void soft_array_texcoord_q16(
 	static const GLfixed nothing[2] = {0, 0};
 	const struct element from =
 		find_element(draw->texture[unit].array, index, nothing);
-	bool whole = from.type == GL_BYTE || from.type == GL_SHORT;
 
 	for (int i = 0; i < 2; i++) {
-		out[i] = load_value(&from, i, two_16) * (whole ? 65536 : 1);
+		out[i] = load_value(&from, i, two_16);
 	}
 }

@@ -332,15 +332,6 @@ void soft_array_color_q16(
 	const struct draw *draw, uint32_t index, int32_t out[4]);
 void soft_array_texcoord_q16(
 	const struct draw *draw, int unit, uint32_t index, int32_t out[2]);
-/*
- * The largest magnitude of count elements of size floats each, as the float's
- * bits shifted left by one, so without the sign.
- */
-uint32_t soft_largest_float(
-	const uint8_t *at, int stride_bytes, uint32_t count, int size);
-/* arm/largest_float.S or portable/loops.c: the same of three aligned floats. */
-uint32_t soft_largest_aligned_float(
-	const uint8_t *at, int stride_bytes, uint32_t count);
 /* e, where the positions' coordinates are below 2^(e + 1) in magnitude. */
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count);

@@ -1,6 +1,8 @@
 /* Tables of number.h, and its functions that are too long to be inline. */
 #include "platform/gl/soft/vertex/number.h"
 
+#include <string.h>
+
 #define EACH_4(f, i) f(i), f((i) + 1), f((i) + 2), f((i) + 3)
 #define EACH_16(f, i)                                         \
 	EACH_4(f, i), EACH_4(f, (i) + 4), EACH_4(f, (i) + 8), \
@@ -104,4 +106,18 @@ int32_t soft_slope_q16(int32_t dx, int32_t dy)
 	/* the product is below 2^49 */
 	return saturate_64((int64_t)dx * reciprocal((uint32_t)dy << zeros) >>
 		(46 - zeros));
+}
+
+uint32_t soft_largest_float(
+	const uint8_t *at, int stride_bytes, uint32_t count, int size)
+{
+	uint32_t most = 0, bits;
+
+	for (; count > 0; count--, at += stride_bytes) {
+		for (int i = 0; i < size; i++) {
+			memcpy(&bits, at + 4 * i, sizeof(bits));
+			most = bits << 1 > most ? bits << 1 : most;
+		}
+	}
+	return most;
 }

@@ -87,4 +87,14 @@ int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);
 /* dx / dy in Q16, |dx| < 2^18, dy > 0; limited to +-(2^31 - 1). */
 int32_t soft_slope_q16(int32_t dx, int32_t dy);
 
+/*
+ * The largest magnitude of count elements of size floats each, as the float's
+ * bits shifted left by one, so without the sign.
+ */
+uint32_t soft_largest_float(
+	const uint8_t *at, int stride_bytes, uint32_t count, int size);
+/* arm/largest_float.S or portable/loops.c: the same of three aligned floats. */
+uint32_t soft_largest_aligned_float(
+	const uint8_t *at, int stride_bytes, uint32_t count);
+
 #endif

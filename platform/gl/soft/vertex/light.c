@@ -178,13 +178,11 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 /* Returns a vector's length, 16.16, and normalizes the vector to Q30. */
 static int32_t take_length(int32_t v[3])
 {
-	uint64_t square = 0;
+	uint64_t square = 0; /* three squares of at most 2^62 fit */
 	struct root root;
 	int64_t length;
 
 	for (int i = 0; i < 3; i++) {
-		/* so that the sum of three squares fits 64 bits */
-		v[i] = clamp_int(v[i], -(1 << 30), 1 << 30);
 		square += (uint64_t)((int64_t)v[i] * v[i]);
 	}
 	if (square == 0) {
@@ -318,8 +316,6 @@ static struct triple find_any_normal(const struct draw *draw, uint32_t index)
 	const struct shading *shading = &draw->shading;
 	const int32_t *m = shading->normal_q28;
 	int64_t sum[3], sizes = 0;
-	uint64_t square = 0;
-	struct root root;
 	int32_t n[3];
 	int shift;
 
@@ -335,14 +331,12 @@ static struct triple find_any_normal(const struct draw *draw, uint32_t index)
 	shift = !shading->normalize ? 30 : sizes >> 59 ? 32 : 28;
 	for (int i = 0; i < 3; i++) {
 		n[i] = saturate_64(sum[i] >> shift);
-		square += (uint64_t)((int64_t)n[i] * n[i]);
 	}
-	if (shading->normalize && square > 0) {
-		root = soft_reciprocal_root(square);
-		for (int i = 0; i < 3; i++) {
-			n[i] = (int32_t)((int64_t)n[i] * root.mantissa_q30 >>
-				(root.shift + 2));
-		}
+	if (shading->normalize) {
+		take_length(n);
+		n[0] >>= 2;
+		n[1] >>= 2;
+		n[2] >>= 2;
 	}
 	return load_triple(n);
 }

@@ -1,6 +1,7 @@
 /* The soft driver's vertices: lit as in double. */
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
+#include "tests/support/gl/gl_expect.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
@@ -285,10 +286,33 @@ static void test_vertices_are_lit_as_in_double(void **state)
 	free(mesh);
 }
 
+/* A light 32000 units right of the vertices and 24000 above them. */
+static void test_a_far_light_keeps_its_direction(void **state)
+{
+	static const GLfixed place[] = {16000 * 65536, 12000 * 65536, 0, 65536};
+	static const GLfixed white[] = {65536, 65536, 65536, 65536};
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
+
+	(void)state;
+	gl_canvas_set_up_light(gl);
+	gl->Materialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, white);
+	gl->Lightxv(GL_LIGHT0, GL_POSITION, place);
+	gl->Normal3x(0, 65536, 0);
+	gl->Translatex(-16000 * 65536, -12000 * 65536, 0);
+	gl->MatrixMode(GL_PROJECTION);
+	gl->Translatex(16000 * 65536, 12000 * 65536, 0);
+	gl_canvas_draw_all(gl);
+	gl_expect_color(&canvas, "far", 9, 9, (double[]){0.6, 0.6, 0.6});
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_vertices_are_lit_as_in_double),
+		cmocka_unit_test(test_a_far_light_keeps_its_direction),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -206,17 +206,6 @@ static void copy_rows(const struct soft *soft, const struct transfer *transfer,
 	}
 }
 
-/* log2 of a size; -1 unless it is a power of two up to the largest size. */
-static int size_log2(GLsizei size)
-{
-	for (int i = 0; i < SOFT_LEVELS; i++) {
-		if (size == 1 << i) {
-			return i;
-		}
-	}
-	return -1;
-}
-
 static void define_level(struct soft *soft, struct level *level,
 	const struct transfer *transfer, GLsizei width, GLsizei height,
 	const void *pixels)
@@ -238,17 +227,19 @@ static void define_level(struct soft *soft, struct level *level,
 	}
 	level->format = transfer->kept;
 	level->base_format = transfer->format;
-	level->width_log2 = size_log2(width);
-	level->height_log2 = size_log2(height);
+	level->width_log2 = 31 - LEADING_ZEROS_32((unsigned)width);
+	level->height_log2 = 31 - LEADING_ZEROS_32((unsigned)height);
 	if (pixels) {
 		copy_rows(soft, transfer, level, &all, pixels);
 	}
 	soft_tiles_make(level);
 }
 
+/* Whether a size is 0 or a power of two, and not too large. */
 static bool is_size(GLsizei size)
 {
-	return size == 0 || size_log2(size) >= 0;
+	return size >= 0 && size <= SOFT_TEXTURE_SIZE_MAX &&
+		(size & (size - 1)) == 0;
 }
 
 static bool is_internal_format(GLint format)

@@ -45,10 +45,10 @@ static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
 	return index;
 }
 
-static ALWAYS_INLINE struct vertex *find_by_index(
-	struct draw *draw, uint32_t index)
+static inline struct vertex *find_vertex(
+	struct draw *draw, const struct source *source, uint32_t i)
 {
-	uint32_t slot = index % VERTEX_CACHE;
+	uint32_t index = index_at(source, i), slot = index % VERTEX_CACHE;
 	struct vertex *vertex = &draw->cache[slot];
 	uint32_t tag = draw->place[slot].tag;
 
@@ -56,12 +56,6 @@ static ALWAYS_INLINE struct vertex *find_by_index(
 		soft_load_slot(draw, slot, index);
 	}
 	return vertex;
-}
-
-static inline struct vertex *find_vertex(
-	struct draw *draw, const struct source *source, uint32_t i)
-{
-	return find_by_index(draw, index_at(source, i));
 }
 
 /*

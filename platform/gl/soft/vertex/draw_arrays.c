@@ -4,29 +4,28 @@
 #include "platform/gl/soft/state/state.h"
 #include "platform/gl/soft/vertex/cache.h"
 
-#include <string.h>
-
 /* Draws two triangles from the i-th index on if they are a rectangle of text. */
 static bool draw_rectangle(
 	struct draw *draw, const struct source *source, uint32_t i)
 {
-	uint16_t index[6];
 	struct vertex *v[4];
 
 	if (i + 5 >= source->count) {
 		return false;
 	}
-	memcpy(index, source->indices + 2 * i, sizeof(index));
-	v[0] = find_by_index(draw, index[0]);
-	v[1] = find_by_index(draw, index[1]);
-	v[2] = find_by_index(draw, index[2]);
-	v[3] = find_by_index(draw, index[5]);
-	return index[3] == index[2] && index[4] == index[1] &&
-		v[0]->index == index[0] && v[1]->index == index[1] &&
-		v[2]->index == index[2] && soft_fill_rectangle(draw, v);
+	for (uint32_t j = 0; j < 4; j++) {
+		v[j] = find_vertex(draw, source, j < 3 ? i + j : i + 5);
+	}
+	/* the second triangle is v[2] v[1] v[3]; two may need the same slot */
+	for (uint32_t j = 0; j < 5; j++) {
+		if (v[j < 3 ? j : 5 - j]->index != index_at(source, i + j)) {
+			return false;
+		}
+	}
+	return soft_fill_rectangle(draw, v);
 }
 
-/* Draws text by 16-bit indices: mostly pairs of triangles that are rectangles. */
+/* Draws text: mostly pairs of triangles that are rectangles. */
 static void draw_rectangles(struct draw *draw, const struct source *source)
 {
 	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
@@ -199,9 +198,6 @@ static void draw_triangles(
 static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
-	bool listed = mode == GL_TRIANGLES && source->indices &&
-		source->type == GL_UNSIGNED_SHORT;
-
 	/* Empty all slots: PLACE_EMPTY is all ones. */
 	soft_fill_pixels((uint16_t *)(void *)draw->place,
 		VERTEX_CACHE * (sizeof(struct cache_tag) / 2), UINT16_MAX);
@@ -215,12 +211,14 @@ static void draw_primitives(
 		}
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
-	} else if (listed && draw->rectangles) {
+	} else if (mode != GL_TRIANGLES) {
+		draw_triangles(draw, source, mode);
+	} else if (draw->rectangles) {
 		draw_rectangles(draw, source);
-	} else if (listed && draw->packed &&
-		(uintptr_t)source->indices % 2 == 0) {
+	} else if (source->indices && source->type == GL_UNSIGNED_SHORT &&
+		draw->packed && (uintptr_t)source->indices % 2 == 0) {
 		soft_list(draw, source);
-	} else if (mode != GL_TRIANGLES || source->indices ||
+	} else if (source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
 		draw_triangles(draw, source, mode);
 	}

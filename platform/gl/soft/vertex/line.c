@@ -50,17 +50,11 @@ static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 	draw->fourth = NULL;
 }
 
-static void fill_square(struct draw *draw, const struct vertex *v,
-	struct offset off, int32_t size)
-{
-	fill_between(draw, v, v, off, (struct offset){size, 0},
-		(struct offset){0, size});
-}
-
 void soft_draw_point(struct draw *draw, struct vertex *v)
 {
 	int32_t size = find_size(draw->soft->fragment.point_size, draw->smooth);
 	int32_t half = (size - 16) / 2;
+	struct offset off;
 
 	if (v->outcode) {
 		return;
@@ -74,16 +68,15 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 			.y = v->y,
 			.radius_q8 = size * 8,
 		};
-		fill_square(draw, v,
-			(struct offset){-size / 2 - 16, -size / 2 - 16},
-			size + 32);
-		return;
+		off = (struct offset){-size / 2 - 16, -size / 2 - 16};
+		size += 32;
+	} else {
+		/* GL's y points up: a centre on a border belongs to the pixel below. */
+		off.x = ((v->x - half) & ~15) - v->x;
+		off.y = ((v->y + half + 15) & ~15) - size - v->y;
 	}
-	/* GL's y points up: a centre on a border belongs to the pixel below. */
-	fill_square(draw, v,
-		(struct offset){((v->x - half) & ~15) - v->x,
-			((v->y + half + 15) & ~15) - size - v->y},
-		size);
+	fill_between(draw, v, v, off, (struct offset){size, 0},
+		(struct offset){0, size});
 }
 
 /*

@@ -23,9 +23,7 @@ enum {
 	SOFT_LEVELS = 11, /* 1024 down to 1 */
 	SOFT_TEXTURE_SIZE_MAX = 1024,
 	SOFT_WIDTH_MAX = 64, /* of points and lines, in pixels */
-	SOFT_MODELVIEW_DEPTH = 32,
-	SOFT_PROJECTION_DEPTH = 4,
-	SOFT_TEXTURE_DEPTH = 4,
+	SOFT_STACK_DEPTH = 32,
 };
 
 /* Names of ES 1.1 that gl.h does not have. */
@@ -42,19 +40,13 @@ struct matrix {
 };
 
 struct matrix_stack {
-	struct matrix *top; /* the current matrix, in an array of struct matrices */
-	struct matrix *bottom; /* the array's first element */
-	int room;              /* its number of elements */
+	struct matrix *top; /* the current matrix, an element of the next member */
+	struct matrix matrix[SOFT_STACK_DEPTH];
 };
 
 struct matrices {
 	GLenum mode;
-	struct matrix modelview[SOFT_MODELVIEW_DEPTH];
-	struct matrix projection[SOFT_PROJECTION_DEPTH];
-	struct matrix texture[SOFT_UNITS][SOFT_TEXTURE_DEPTH];
-	struct matrix_stack modelview_stack;
-	struct matrix_stack projection_stack;
-	struct matrix_stack texture_stack[SOFT_UNITS];
+	struct matrix_stack modelview, projection, texture[SOFT_UNITS];
 };
 
 /* Colours are 16.16, not clamped; position and direction are in eye space. */
@@ -196,7 +188,6 @@ struct soft {
 	enum pixel_format format;
 	GLenum error;
 	struct buffers buffers;
-	struct matrices matrices;
 	struct lighting lighting;
 	struct fog fog;
 	struct arrays arrays;
@@ -206,6 +197,7 @@ struct soft {
 	void (*fill)(struct draw *draw, struct setup *setup);
 	struct draw *draw;        /* scratch of the draw call, owned */
 	struct gl_counts *counts; /* or NULL */
+	struct matrices matrices; /* last: offsets of the others stay short */
 };
 
 struct soft *soft_current(void);

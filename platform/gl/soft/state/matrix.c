@@ -10,8 +10,8 @@
 const struct matrix soft_matrix_identity = {
 	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 
-void soft_matrix_multiply(
-	const struct matrix *a, const struct matrix *b, struct matrix *out)
+struct matrix soft_matrix_multiply(
+	const struct matrix *a, const struct matrix *b)
 {
 	struct matrix product;
 
@@ -19,7 +19,7 @@ void soft_matrix_multiply(
 		soft_matrix_transform(
 			a, b->m + 4 * column, product.m + 4 * column);
 	}
-	*out = product;
+	return product;
 }
 
 void soft_matrix_transform(
@@ -96,11 +96,11 @@ static struct matrix_stack *current_stack(void)
 
 	switch (matrices->mode) {
 	case GL_PROJECTION:
-		return &matrices->projection_stack;
+		return &matrices->projection;
 	case GL_TEXTURE:
-		return &matrices->texture_stack[soft->textures.active];
+		return &matrices->texture[soft->textures.active];
 	default:
-		return &matrices->modelview_stack;
+		return &matrices->modelview;
 	}
 }
 
@@ -128,7 +128,7 @@ static void multiply(const struct matrix *by)
 {
 	struct matrix *top = current_stack()->top;
 
-	soft_matrix_multiply(top, by, top);
+	*top = soft_matrix_multiply(top, by);
 }
 
 void soft_gl_MultMatrixx(const GLfixed *values)
@@ -142,7 +142,7 @@ void soft_gl_PushMatrix(void)
 {
 	struct matrix_stack *stack = current_stack();
 
-	if (soft_check(stack->top - stack->bottom + 1 < stack->room,
+	if (soft_check(stack->top < &stack->matrix[SOFT_STACK_DEPTH - 1],
 		    GL_STACK_OVERFLOW)) {
 		stack->top[1] = stack->top[0];
 		stack->top++;
@@ -153,7 +153,7 @@ void soft_gl_PopMatrix(void)
 {
 	struct matrix_stack *stack = current_stack();
 
-	if (soft_check(stack->top != stack->bottom, GL_STACK_UNDERFLOW)) {
+	if (soft_check(stack->top != stack->matrix, GL_STACK_UNDERFLOW)) {
 		stack->top--;
 	}
 }
@@ -248,19 +248,18 @@ void soft_gl_Orthox(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	project((GLfixed[]){left, right, bottom, top, near, far}, false);
 }
 
-static struct matrix_stack stack_of(struct matrix *bottom, int room)
+static void init_stack(struct matrix_stack *stack)
 {
-	*bottom = soft_matrix_identity;
-	return (struct matrix_stack){bottom, bottom, room};
+	stack->top = stack->matrix;
+	*stack->top = soft_matrix_identity;
 }
 
-void soft_init_matrices(struct matrices *m)
+void soft_init_matrices(struct matrices *matrices)
 {
-	m->mode = GL_MODELVIEW;
-	m->modelview_stack = stack_of(m->modelview, SOFT_MODELVIEW_DEPTH);
-	m->projection_stack = stack_of(m->projection, SOFT_PROJECTION_DEPTH);
+	matrices->mode = GL_MODELVIEW;
+	init_stack(&matrices->modelview);
+	init_stack(&matrices->projection);
 	for (int i = 0; i < SOFT_UNITS; i++) {
-		m->texture_stack[i] =
-			stack_of(m->texture[i], SOFT_TEXTURE_DEPTH);
+		init_stack(&matrices->texture[i]);
 	}
 }

@@ -15,9 +15,8 @@ extern const struct matrix soft_matrix_identity;
 /* Sets each stack to a single identity matrix. */
 void soft_init_matrices(struct matrices *matrices);
 
-/* out may be a or b. */
-void soft_matrix_multiply(
-	const struct matrix *a, const struct matrix *b, struct matrix *out);
+struct matrix soft_matrix_multiply(
+	const struct matrix *a, const struct matrix *b);
 
 /* out = m v. */
 void soft_matrix_transform(

@@ -128,7 +128,7 @@ static void set_place(float *out, size_t count, const GLfixed *values)
 		given[i] = fx16_to_float(values[i]);
 	}
 	soft_matrix_transform(
-		soft_current()->matrices.modelview_stack.top, given, eye);
+		soft_current()->matrices.modelview.top, given, eye);
 	memcpy(out, eye, count * sizeof(*out));
 }
 
@@ -271,7 +271,7 @@ void soft_gl_GetIntegerv(GLenum name, GLint *values)
 	} numbers[] = {
 		{GL_MAX_TEXTURE_SIZE, 1, {SOFT_TEXTURE_SIZE_MAX}},
 		{GL_MAX_TEXTURE_UNITS, 1, {SOFT_UNITS}},
-		{GL_MAX_MODELVIEW_STACK_DEPTH, 1, {SOFT_MODELVIEW_DEPTH}},
+		{GL_MAX_MODELVIEW_STACK_DEPTH, 1, {SOFT_STACK_DEPTH}},
 		{GL_STENCIL_BITS, 1, {8}},
 		{GL_SUBPIXEL_BITS, 1, {4}},
 		{GL_DEPTH_BITS, 1, {16}},

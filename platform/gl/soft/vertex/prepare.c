@@ -14,35 +14,29 @@ enum {
 	EXPONENT_MOST = 29,
 };
 
-static bool are_fast_setup_floats(
-	const struct draw *draw, const struct array *array)
-{
-	uintptr_t places =
-		(uintptr_t)array->pointer | (uintptr_t)array->stride_bytes;
-
-	return array->type == GL_FLOAT && !draw->checked && places % 4 == 0;
-}
-
 static void prepare_positions(const struct soft *soft, struct draw *draw,
 	uint32_t first, uint32_t count)
 {
 	const struct array *array = &soft->arrays.vertex;
 	struct view *view = &draw->view;
 	int exponent = soft_array_position_exponent(array, first, count);
+	bool aligned;
 
 	draw->checked = exponent > EXPONENT_MOST;
-	exponent = exponent > EXPONENT_MOST ? EXPONENT_MOST
-		: exponent < EXPONENT_LEAST ? EXPONENT_LEAST
-					    : exponent;
+	exponent = clamp_int(exponent, EXPONENT_LEAST, EXPONENT_MOST);
 	/* |position| < 2^30; integers have a fixed scale: soft_array_position() */
 	draw->position_q = array->type == GL_BYTE ? 22
 		: array->type == GL_FLOAT         ? 29 - exponent
 						  : 14;
 	view->scale = soft_matrix_power_of_two(draw->position_q);
-	view->kind = array->size < 3                 ? POSITION_OTHER
-		: array->type == GL_SHORT            ? POSITION_SHORTS
-		: are_fast_setup_floats(draw, array) ? POSITION_FLOATS
-						     : POSITION_OTHER;
+	aligned = ((uintptr_t)array->pointer | (uintptr_t)array->stride_bytes) %
+			4 ==
+		0;
+	view->kind = array->size < 3      ? POSITION_OTHER
+		: array->type == GL_SHORT ? POSITION_SHORTS
+		: array->type == GL_FLOAT && aligned && !draw->checked
+		? POSITION_FLOATS
+		: POSITION_OTHER;
 	view->positions = array->pointer;
 	view->stride_bytes = array->stride_bytes;
 }
@@ -68,11 +62,10 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
 	/* shorts have a position_q of 14: m (p << 14) >> 32 is (m >> 2) p >> 16 */
 	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
-	struct matrix m;
+	const struct matrix m = soft_matrix_multiply(
+		soft->matrices.projection.top, soft->matrices.modelview.top);
 	int clip_q;
 
-	soft_matrix_multiply(soft->matrices.projection_stack.top,
-		soft->matrices.modelview_stack.top, &m);
 	for (int row = 0; row < 4; row++) {
 		float b = row_bound(&m, row, most);
 
@@ -97,19 +90,17 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
 }
 
-static int32_t to_q16(float value)
-{
-	return soft_matrix_to_int(
-		scalar_clamp(value, -16383.0f, 16383.0f) * 65536.0f);
-}
-
 static void prepare_eye(const struct soft *soft, struct draw *draw)
 {
-	const float *m = soft->matrices.modelview_stack.top->m;
+	const float *m = soft->matrices.modelview.top->m;
 
 	for (int row = 0; row < 3; row++) {
 		for (int column = 0; column < 4; column++) {
-			draw->eye_q16[row][column] = to_q16(m[4 * column + row]);
+			float value = scalar_clamp(
+				m[4 * column + row], -16383.0f, 16383.0f);
+
+			draw->eye_q16[row][column] =
+				soft_matrix_to_int(value * 65536.0f);
 		}
 	}
 }
@@ -143,11 +134,6 @@ static void prepare_fog(const struct soft *soft, struct draw *draw)
 		scale * soft_matrix_power_of_two(draw->fog_scale_q));
 }
 
-static bool is_mipmap(GLenum filter)
-{
-	return filter >= GL_NEAREST_MIPMAP_NEAREST;
-}
-
 /* The number of levels to use: 0 if the texture is not complete, as in GL. */
 static int count_levels(const struct texture *texture)
 {
@@ -158,7 +144,7 @@ static int count_levels(const struct texture *texture)
 	if (!base->texels) {
 		return 0;
 	}
-	if (!is_mipmap(texture->min_filter)) {
+	if (texture->min_filter < GL_NEAREST_MIPMAP_NEAREST) {
 		return 1;
 	}
 	for (int i = 1; i <= most; i++) {
@@ -177,7 +163,7 @@ static int count_levels(const struct texture *texture)
 static void prepare_texture_matrix(
 	const struct soft *soft, struct texture_input *input, int unit)
 {
-	const struct matrix *m = soft->matrices.texture_stack[unit].top;
+	const struct matrix *m = soft->matrices.texture[unit].top;
 	static const int column[3] = {0, 4, 12};
 	float most = 0.0f, scale;
 
@@ -246,13 +232,6 @@ static void prepare_addition(struct draw *draw)
 	}
 }
 
-static bool reads_destination(const struct fragment_state *state)
-{
-	return state->blend &&
-		(state->blend_source != GL_ONE ||
-			state->blend_destination != GL_ZERO);
-}
-
 static void prepare_fragments(
 	const struct soft *soft, struct draw *draw, GLenum mode)
 {
@@ -270,7 +249,9 @@ static void prepare_fragments(
 	draw->cull_back = cull && (both || state->cull_face == GL_BACK);
 	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
 	draw->early_tests = !state->alpha_test;
-	draw->blended = reads_destination(state);
+	draw->blended = state->blend &&
+		(state->blend_source != GL_ONE ||
+			state->blend_destination != GL_ZERO);
 }
 
 /* Bits of the attributes that are interpolated. */

@@ -197,7 +197,7 @@ static void prepare_normals(
 	const struct soft *soft, struct draw *draw, float turned[9])
 {
 	const struct lighting *lighting = &soft->lighting;
-	const struct matrix *m = soft->matrices.modelview_stack.top;
+	const struct matrix *m = soft->matrices.modelview.top;
 	struct shading *shading = &draw->shading;
 	float scale = soft_matrix_uniform_scale(m);
 	float factor = 1.0f;
@@ -206,7 +206,7 @@ static void prepare_normals(
 	shading->normalize = lighting->normalize;
 	if (scale != 0.0f && (lighting->normalize || lighting->rescale)) {
 		factor = scale;
-	} else if (lighting->normalize || lighting->rescale) {
+	} else if (lighting->normalize) {
 		float most = 0.0f;
 
 		/* Any scale does: vertices normalize their normals. */
@@ -215,7 +215,7 @@ static void prepare_normals(
 
 			most = value > most ? value : most;
 		}
-		factor = lighting->normalize && most > 0.0f ? 1.0f / most : 1.0f;
+		factor = most > 0.0f ? 1.0f / most : 1.0f;
 	}
 	/* Directions of transformed lights must be shorter than 2. */
 	shading->rotate_normals =

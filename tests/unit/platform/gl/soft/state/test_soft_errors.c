@@ -132,8 +132,8 @@ static void test_stacks_end(void **state)
 	canvas.gl->GetIntegerv(GL_MAX_MODELVIEW_STACK_DEPTH, &depth);
 	assert_true(depth >= 16);
 	check_stack(canvas.gl, GL_MODELVIEW, depth);
-	check_stack(canvas.gl, GL_PROJECTION, 4);
-	check_stack(canvas.gl, GL_TEXTURE, 4);
+	check_stack(canvas.gl, GL_PROJECTION, depth);
+	check_stack(canvas.gl, GL_TEXTURE, depth);
 	gl_canvas_close(&canvas);
 }
 

@@ -194,9 +194,9 @@ static const struct matrix *top_of(const struct gl_canvas *canvas, GLenum mode)
 	const struct soft *soft = (const struct soft *)canvas->context;
 	const struct matrices *m = &soft->matrices;
 
-	return mode == GL_MODELVIEW     ? m->modelview_stack.top
-		: mode == GL_PROJECTION ? m->projection_stack.top
-					: m->texture_stack[0].top;
+	return mode == GL_MODELVIEW     ? m->modelview.top
+		: mode == GL_PROJECTION ? m->projection.top
+					: m->texture[0].top;
 }
 
 static void expect_matrix(const struct gl_canvas *canvas, GLenum mode,
@@ -257,8 +257,6 @@ static void test_stacks_are_apart(void **state)
 /* As deep as it goes: each level comes back as it was. */
 static void test_popping_brings_each_level_back(void **state)
 {
-	static const int depths[] = {SOFT_MODELVIEW_DEPTH,
-		SOFT_PROJECTION_DEPTH, SOFT_TEXTURE_DEPTH};
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
 	struct gl *gl = canvas.gl;
 
@@ -268,7 +266,7 @@ static void test_popping_brings_each_level_back(void **state)
 		int level = 0;
 
 		gl->MatrixMode(modes[n]);
-		for (; level < depths[n] - 1; level++) {
+		for (; level < SOFT_STACK_DEPTH - 1; level++) {
 			gl->PushMatrix();
 			gl->Translatex(ONE, 0, 0);
 		}
@@ -298,8 +296,8 @@ static void test_each_unit_has_a_texture_matrix(void **state)
 	gl->Scalex(2 * ONE, ONE, ONE);
 	gl->ActiveTexture(GL_TEXTURE1);
 	gl->Scalex(3 * ONE, ONE, ONE);
-	assert_near(soft->matrices.texture_stack[0].top->m[0], 2, 0);
-	assert_near(soft->matrices.texture_stack[1].top->m[0], 3, 0);
+	assert_near(soft->matrices.texture[0].top->m[0], 2, 0);
+	assert_near(soft->matrices.texture[1].top->m[0], 3, 0);
 	gl_canvas_close(&canvas);
 }
 

@@ -151,7 +151,7 @@ static void refuse_matrices(struct trial *trial, struct gl *gl)
 {
 	ENUM(MatrixMode, GL_TEXTURE_2D);
 	REFUSED(GL_STACK_UNDERFLOW, PopMatrix);
-	for (int i = 0; i < SOFT_MODELVIEW_DEPTH - 1; i++) {
+	for (int i = 0; i < SOFT_STACK_DEPTH - 1; i++) {
 		gl->PushMatrix();
 	}
 	REFUSED(GL_STACK_OVERFLOW, PushMatrix);

@@ -28,7 +28,7 @@ static bool is_shadow(const struct draw *draw)
 		stencil->reference < 255 &&
 		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO) &&
 		!state->depth_test && !draw->shading.lit &&
-		!draw->shading.color_array && !draw->texture[0].used;
+		!draw->soft->arrays.color.enabled && !draw->texture[0].used;
 }
 
 static bool is_modulated(const struct draw *draw, enum texel_format format,

@@ -146,6 +146,7 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 	multiply_colors(material->specular, light->specular, specular, &sizes);
 	shift = clamp_int(31 - LEADING_ZEROS_64(sizes), 0, SHIFT_MOST);
 	light_source->shift = shift;
+	shading->fast &= shift == 0;
 	for (int i = 0; i < 3; i++) {
 		light_source->diffuse_q30[i] =
 			saturate_64((diffuse[i] >> (10 + shift)) * 257);
@@ -250,7 +251,7 @@ static bool are_within(const int32_t value[3], int32_t most)
 	return true;
 }
 
-/* Whether light.c can light in 32 bits: sums of 8 lights below 2 fit there. */
+/* Whether light.c can light in 32 bits, where sums of 8 lights below 2 fit. */
 static bool is_fast(const struct arrays *arrays, const struct shading *shading)
 {
 	const struct array *normal = &arrays->normal;
@@ -259,12 +260,6 @@ static bool is_fast(const struct arrays *arrays, const struct shading *shading)
 	bool shorts = normal->type == GL_SHORT && shading->normalize;
 	bool floats = normal->type == GL_FLOAT && places % 4 == 0;
 
-	for (const struct light_source *light_source = shading->light_source;
-		light_source != shading->end; light_source++) {
-		if (light_source->shift != 0) {
-			return false;
-		}
-	}
 	return normal->enabled && (shorts || floats) &&
 		!shading->rotate_normals &&
 		(!shading->tracked || arrays->color.type == GL_UNSIGNED_BYTE) &&
@@ -305,8 +300,7 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 	shading->two_side = lighting->enabled && lighting->two_side;
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	shading->fast = false;
-	shading->color_array = soft->arrays.color.enabled;
+	shading->fast = true;
 	draw->eye_needed = false;
 	if (!shading->lit) {
 		return;
@@ -325,7 +319,7 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 		}
 	}
 	shading->end = next;
-	shading->fast = is_fast(&soft->arrays, shading);
+	shading->fast = shading->fast && is_fast(&soft->arrays, shading);
 	if (shading->fast) {
 		prepare_fast(&soft->arrays, shading);
 	}

@@ -68,7 +68,7 @@ struct shading {
 	struct light_source light_source[SOFT_LIGHTS];
 	uint8_t color[4];
 
-	bool lit, fast, two_side, tracked, color_array;
+	bool lit, fast, two_side, tracked;
 	bool normalize, rotate_normals;
 	int32_t normal_q28[9]; /* if rotate_normals: to eye space, column-major */
 	int32_t ambient_q16[3], alpha_q16; /* added once, not for each light */

@@ -28,9 +28,6 @@ static_assert(
 	"six registers");
 static_assert(POSITION_SHORTS == 0 && POSITION_FLOATS == 1, "by KIND");
 static_assert(offsetof(struct vertex, x) == 4, "");
-static_assert(offsetof(struct vertex, attribute) == 16, "");
-static_assert(offsetof(struct vertex, inverse_w_q30) == 52, "");
-static_assert(offsetof(struct vertex, clip) == 64, "");
 
 /* list.S */
 static_assert(VERTEX_CACHE == 512, "CACHE_SLOTS");

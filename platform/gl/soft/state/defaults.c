@@ -14,10 +14,8 @@ static const struct gl calls = {
 		(value), (value), (value), FX16_ONE \
 	}
 
+/* black: the alpha of lights, and of specular and emitted light, is not read */
 static const struct light dark = {
-	.ambient = GRAY(0),
-	.diffuse = GRAY(0),
-	.specular = GRAY(0),
 	.position = {0.0f, 0.0f, 1.0f, 0.0f},
 	.direction = {0.0f, 0.0f, -1.0f},
 	.cutoff = 180 * FX16_ONE,
@@ -27,8 +25,6 @@ static const struct light dark = {
 static const struct material material = {
 	.ambient = GRAY(FX16_ONE / 5),
 	.diffuse = GRAY(FX16_ONE / 5 * 4),
-	.specular = GRAY(0),
-	.emission = GRAY(0),
 };
 
 static const struct texenv modulate = {

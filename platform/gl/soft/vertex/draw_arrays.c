@@ -150,22 +150,16 @@ static bool fills_whole_rows(const struct draw *draw)
 				!draw->texture[0].used));
 }
 
-/* Whether soft_list() can draw triangles by indices that are made for it. */
-static bool may_list(
-	const struct draw *draw, const struct source *source, bool upright)
-{
-	return draw->packed && !upright &&
-		(source->indices ||
-			source->first + source->count <= CACHE_INDICES);
-}
-
 /* Draws triangles of any mode: as lists of 16-bit indices, or one by one. */
 static void draw_triangles(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
 	const bool strip = mode == GL_TRIANGLE_STRIP;
 	const bool upright = strip && fills_whole_rows(draw);
-	const bool listed = may_list(draw, source, upright);
+	/* soft_list() can draw them by indices that are made for it */
+	const bool listed = draw->packed && !upright &&
+		(source->indices ||
+			source->first + source->count <= CACHE_INDICES);
 	uint16_t index[CACHE_LIST];
 	struct source list = {
 		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
@@ -244,19 +238,6 @@ void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 	}
 }
 
-static void find_range(
-	const struct source *source, uint32_t *low, uint32_t *high)
-{
-	*low = UINT32_MAX;
-	*high = 0;
-	for (uint32_t i = 0; i < source->count; i++) {
-		uint32_t index = index_at(source, i);
-
-		*low = index < *low ? index : *low;
-		*high = index > *high ? index : *high;
-	}
-}
-
 void soft_gl_DrawElements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
@@ -272,7 +253,12 @@ void soft_gl_DrawElements(
 	}
 	/* Only floats need the range of indices: it decides their scale. */
 	if (soft->arrays.vertex.type == GL_FLOAT) {
-		find_range(&source, &low, &high);
+		for (uint32_t i = 0; i < source.count; i++) {
+			uint32_t index = index_at(&source, i);
+
+			low = index < low ? index : low;
+			high = index > high ? index : high;
+		}
 	}
 	if (soft_prepare(soft, soft->draw, mode, low, high - low + 1)) {
 		draw_primitives(soft->draw, &source, mode);

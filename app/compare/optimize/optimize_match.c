@@ -32,8 +32,10 @@ static bool next(struct run *run)
 	return run->end > run->begin;
 }
 
-/* Writes the numbers in the file of the run's vertices. Returns how many the
- * file has. */
+/*
+ * Writes the numbers in the file of the run's vertices. Returns the largest one
+ * plus 1.
+ */
 static int number_vertices(const struct run *run, uint32_t *number)
 {
 	uint32_t count = 0;
@@ -56,13 +58,14 @@ static int number_vertices(const struct run *run, uint32_t *number)
 static int match_run(
 	const struct run *wanted, const struct run *found, int *source)
 {
-	size_t most = (size_t)wanted->vertex_count + (size_t)found->vertex_count;
+	size_t most = wanted->vertex_count > found->vertex_count
+		? (size_t)wanted->vertex_count
+		: (size_t)found->vertex_count;
 	uint32_t *number = malloc((most + 1) * sizeof(*number));
-	int *place = malloc((most + 1) * sizeof(*place));
+	int count = number ? number_vertices(wanted, number) : 0;
+	int *place = calloc((size_t)count + 1, sizeof(*place));
 	int error = number && place ? 0 : -ENOMEM;
-	int count = error ? 0 : number_vertices(wanted, number);
 
-	/* The file's vertices are all in use, so place[] gets no gaps. */
 	for (int v = 0; v < wanted->vertex_count && !error; v++) {
 		place[number[v]] = wanted->first_vertex + v;
 	}

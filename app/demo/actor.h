@@ -46,6 +46,7 @@ struct demo_base {
 	unsigned overlays_of_old_model; /* kinds to show for the new model */
 	struct framing_below below; /* rows of labels below the figure now */
 	float room_below; /* part of the region's bottom that small pictures cover */
+	unsigned held; /* a bit for each enum button that is down */
 };
 
 /*

@@ -130,11 +130,25 @@ void demo_set_rate(struct demo *demo, float frames_per_s)
 	base_of(demo)->frames_per_s = frames_per_s;
 }
 
+/* Returns the amount of a button that does the same and is still held, or 0. */
+static int amount_held(const struct demo_driver *driver, unsigned held,
+	const struct demo_action *released)
+{
+	const struct demo_action *action = driver->action;
+
+	while (action->summary &&
+		!(action->held && action->run == released->run &&
+			(held >> action->button & 1))) {
+		action++;
+	}
+	return action->summary ? action->amount : 0;
+}
+
 static void run_action(
-	struct demo *demo, const struct demo_action *action, bool down)
+	struct demo *demo, const struct demo_action *action, int amount)
 {
 	if (action->run) {
-		action->run(demo, down ? action->amount : 0);
+		action->run(demo, amount);
 	} else {
 		bool *inverted = (bool *)((char *)demo + action->inverts);
 
@@ -145,15 +159,22 @@ static void run_action(
 void demo_press(const struct demo_driver *driver, struct demo *demo,
 	const struct button_event *event)
 {
+	struct demo_base *base = base_of(demo);
+	unsigned bit = 1u << event->button;
+
 	if (driver->press) {
 		driver->press(demo, event);
 		return;
 	}
+	base->held = event->down ? base->held | bit : base->held & ~bit;
 	for (const struct demo_action *action = driver->action; action->summary;
 		action++) {
 		if (action->button == event->button &&
 			(event->down || action->held)) {
-			run_action(demo, action, event->down);
+			run_action(demo, action,
+				event->down ? action->amount
+					    : amount_held(driver, base->held,
+						      action));
 		}
 	}
 }

@@ -31,7 +31,8 @@ struct demo_action {
 	const char *summary;
 	/*
 	 * Called with amount when the button is pressed and, if held is set,
-	 * with 0 when it is released. NULL: a press inverts the bool at offset
+	 * when it is released: with the amount of another held button that
+	 * calls it, or with 0. NULL: a press inverts the bool at offset
 	 * inverts, in bytes, of the demo's struct.
 	 */
 	void (*run)(struct demo *demo, int amount);

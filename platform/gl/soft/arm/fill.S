@@ -4,21 +4,17 @@
 	.arm
 	.text
 
-/*
- * r0 address, r1 count, r2 value. soft_fill_some is for tile_row.S: a count of at
- * least 1, the value in both halves; r0 becomes the end, r1 and r12 are overwritten.
- */
-	.global	soft_fill_pixels, soft_fill_some
+/* r0 address, r1 count, r2 value */
+	.global	soft_fill_pixels
 	.type	soft_fill_pixels, %function
 soft_fill_pixels:
 	cmp	r1, #0
 	bxle	lr
-	pkhbt	r2, r2, r2, lsl #16
-soft_fill_some:
 	tst	r0, #2
 	strhne	r2, [r0], #2
 	subne	r1, r1, #1
-	mov	r12, r2
+	pkhbt	r2, r2, r2, lsl #16
+	mov	r3, r2
 	subs	r1, r1, #16
 	blt	3f
 	push	{r4-r9}
@@ -30,27 +26,28 @@ soft_fill_some:
 	mov	r9, r2
 	subs	r1, r1, #48
 	blt	2f
-1:	stmia	r0!, {r2, r4-r9, r12}
+1:	stmia	r0!, {r2-r9}
 	subs	r1, r1, #64
-	stmia	r0!, {r2, r4-r9, r12}
-	stmia	r0!, {r2, r4-r9, r12}
-	stmia	r0!, {r2, r4-r9, r12}
+	stmia	r0!, {r2-r9}
+	stmia	r0!, {r2-r9}
+	stmia	r0!, {r2-r9}
 	bge	1b
 2:	adds	r1, r1, #48
-	stmiage	r0!, {r2, r4-r9, r12}
+	stmiage	r0!, {r2-r9}
 	subsge	r1, r1, #16
-	stmiage	r0!, {r2, r4-r9, r12}
+	stmiage	r0!, {r2-r9}
 	subsge	r1, r1, #16
-	stmiage	r0!, {r2, r4-r9, r12}
+	stmiage	r0!, {r2-r9}
 	pop	{r4-r9}
-	/* from bit 3 down: the carry flag has a bit, the sign the next one */
-3:	movs	r1, r1, lsl #29
-	stmiacs	r0!, {r2, r12}
-	stmiacs	r0!, {r2, r12}
-	stmiami	r0!, {r2, r12}
-	movs	r1, r1, lsl #2
-	strcs	r2, [r0], #4
-	strhmi	r2, [r0], #2
+3:	tst	r1, #8
+	stmiane	r0!, {r2, r3}
+	stmiane	r0!, {r2, r3}
+	tst	r1, #4
+	stmiane	r0!, {r2, r3}
+	tst	r1, #2
+	strne	r2, [r0], #4
+	tst	r1, #1
+	strhne	r2, [r0], #2
 	bx	lr
 	.size	soft_fill_pixels, . - soft_fill_pixels
 

@@ -199,10 +199,11 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 						    : m->previous;
 	const uint32_t invert = is_inverted(operand) ? UINT32_MAX : 0;
 	const bool spread = is_alpha(operand) && !for_alpha;
+	const soft_word constant = (soft_word){0} + m->constant;
 
 	if (source == GL_CONSTANT) {
 		for (uint32_t i = 0; i < count; i += SOFT_LANES) {
-			soft_put_words(out + i, (soft_word){0} + m->constant);
+			soft_put_words(out + i, constant);
 		}
 		from = out;
 	}

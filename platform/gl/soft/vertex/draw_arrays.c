@@ -205,14 +205,13 @@ static void draw_primitives(
 		}
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
-	} else if (mode != GL_TRIANGLES) {
-		draw_triangles(draw, source, mode);
-	} else if (draw->rectangles) {
+	} else if (mode == GL_TRIANGLES && draw->rectangles) {
 		draw_rectangles(draw, source);
-	} else if (source->indices && source->type == GL_UNSIGNED_SHORT &&
-		draw->packed && (uintptr_t)source->indices % 2 == 0) {
+	} else if (mode == GL_TRIANGLES && draw->packed && source->indices &&
+		source->type == GL_UNSIGNED_SHORT &&
+		(uintptr_t)source->indices % 2 == 0) {
 		soft_list(draw, source);
-	} else if (source->indices ||
+	} else if (mode != GL_TRIANGLES || source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
 		draw_triangles(draw, source, mode);
 	}

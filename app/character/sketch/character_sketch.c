@@ -95,15 +95,16 @@ static int find_shapes(const struct model *model)
 static void write_morph_section(const struct model *model, int node, FILE *out)
 {
 	const char *mark = is_animated(model, node) ? ";" : "";
+	const char *name = model->node[node].name;
 
 	fprintf(out,
 		"; The shape goes from key frame to key frame: the neutral shape and each\n"
 		"; morph target. curve = sine 0.02, table 0 1.2 1 or bezier 0.4 0 0.2 1.\n"
 		"%s[morph shape]\n",
 		mark);
-	if (sketch_can_name_node(model, node)) {
+	if (sketch_is_usable(name) && model_find_node(model, name) == node) {
 		fprintf(out, "%snode = ", mark);
-		sketch_write_name(out, model->node[node].name);
+		sketch_write_name(out, name);
 		fputc('\n', out);
 	}
 	fprintf(out, "%stime = 0.6\n%scurve = bezier 0.4 0 0.2 1\n\n", mark,
@@ -129,11 +130,11 @@ static void write_morph(const struct model *model, FILE *out)
 }
 
 /*
- * [node_count] each: which nodes are joints, their numbers of children, and
- * where they are at rest.
+ * [node_count] each: which nodes are joints, which can be named, their numbers
+ * of children, and where they are at rest.
  */
 struct bones {
-	bool *is_joint;
+	bool *is_joint, *is_named;
 	int *child_count;
 	mat4 *world;
 };
@@ -145,10 +146,11 @@ static int find_bones(
 	struct pose pose;
 
 	bones->is_joint = model_find_joints(model, arena);
+	bones->is_named = sketch_find_named_nodes(model, arena);
 	bones->child_count = ARENA_ARRAY(arena, int, model->node_count);
 	bones->world = ARENA_ARRAY(arena, mat4, (size_t)model->node_count);
-	if (!bones->is_joint || !bones->child_count || !bones->world ||
-		pose_init(&pose, model, arena) != 0) {
+	if (!bones->is_joint || !bones->is_named || !bones->child_count ||
+		!bones->world || pose_init(&pose, model, arena) != 0) {
 		return -ENOMEM;
 	}
 	pose_rest(&pose, model);
@@ -232,7 +234,7 @@ static void write_chains(
 
 	for (int i = 0; i < model->node_count && written < CHAINS_MAX; i++) {
 		if (!bones->is_joint[i] || bones->child_count[i] > 0 ||
-			!sketch_can_name_node(model, i)) {
+			!bones->is_named[i]) {
 			continue;
 		}
 		length = chain_length(model, bones, i);
@@ -274,10 +276,11 @@ static int write_nodes(
 	int error = find_bones(&bones, model, &arena);
 
 	if (!error) {
-		sketch_find_parts(model, bones.is_joint, is_still(model), parts);
+		sketch_find_parts(model, bones.is_joint, bones.is_named,
+			is_still(model), parts);
 		sketch_write_parts(model, parts, out);
-		sketch_write_feet(
-			model, bones.is_joint, (const mat4 *)bones.world, out);
+		sketch_write_feet(model, bones.is_joint, bones.is_named,
+			(const mat4 *)bones.world, out);
 		write_chains(model, &bones, out);
 	}
 	arena_release(&arena);

@@ -33,7 +33,7 @@ struct pair {
 
 struct search {
 	const struct model *model;
-	const bool *is_joint;
+	const bool *is_joint, *is_named;
 	const mat4 *world;
 	float low; /* height of the lowest joint */
 	int count;
@@ -55,9 +55,8 @@ static float distance(const struct search *search, int a, int b)
 
 static bool is_bone(const struct search *search, int node)
 {
-	return node >= 0 && search->is_joint[node] &&
-		strlen(search->model->node[node].name) <= NAME_MAX_BYTES &&
-		sketch_can_name_node(search->model, node);
+	return node >= 0 && search->is_joint[node] && search->is_named[node] &&
+		strlen(search->model->node[node].name) <= NAME_MAX_BYTES;
 }
 
 /* Takes a node for an ankle. Returns false if it does not end a leg. */
@@ -195,10 +194,12 @@ static void write_leg(const struct model *model, const char *side,
 }
 
 void sketch_write_feet(const struct model *model, const bool *is_joint,
-	const mat4 *world, FILE *out)
+	const bool *is_named, const mat4 *world, FILE *out)
 {
-	struct search search = {
-		.model = model, .is_joint = is_joint, .world = world};
+	struct search search = {.model = model,
+		.is_joint = is_joint,
+		.is_named = is_named,
+		.world = world};
 
 	find_pairs(&search);
 	if (search.count > 0) {

@@ -10,9 +10,10 @@
  * Writes a section [feet], in comments, for each pair of legs that is found at
  * rest: chains of two bones that hang from the same one, mirror each other and
  * end near the lowest joint. is_joint, [node_count], says which nodes are
- * joints; world, [node_count], has their places at rest.
+ * joints, is_named which can be named (sketch_find_named_nodes()); world,
+ * [node_count], has their places at rest.
  */
 void sketch_write_feet(const struct model *model, const bool *is_joint,
-	const mat4 *world, FILE *out);
+	const bool *is_named, const mat4 *world, FILE *out);
 
 #endif

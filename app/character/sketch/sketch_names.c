@@ -2,6 +2,7 @@
 
 #include "platform/base/printable.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -36,11 +37,39 @@ bool sketch_fits_heading(const char *name)
 	return strlen(name) <= HEADING_NAME;
 }
 
-bool sketch_can_name_node(const struct model *model, int node)
-{
-	const char *name = model->node[node].name;
+struct named {
+	const char *name;
+	int node;
+};
 
-	return sketch_is_usable(name) && model_find_node(model, name) == node;
+/* By name; nodes of the same name by their numbers. */
+static int compare_named(const void *a, const void *b)
+{
+	const struct named *one = a, *other = b;
+	int order = strcmp(one->name, other->name);
+
+	return order != 0 ? order : one->node - other->node;
+}
+
+bool *sketch_find_named_nodes(const struct model *model, struct arena *arena)
+{
+	const size_t count = (size_t)model->node_count;
+	bool *named = ARENA_ARRAY(arena, bool, count);
+	struct named *sorted = ARENA_ARRAY(arena, struct named, count);
+
+	if (!named || !sorted) {
+		return NULL;
+	}
+	for (size_t i = 0; i < count; i++) {
+		sorted[i] = (struct named){model->node[i].name, (int)i};
+	}
+	qsort(sorted, count, sizeof(*sorted), compare_named);
+	for (size_t i = 0; i < count; i++) {
+		named[sorted[i].node] = sketch_is_usable(sorted[i].name) &&
+			(i == 0 ||
+				strcmp(sorted[i - 1].name, sorted[i].name) != 0);
+	}
+	return named;
 }
 
 /* Whether a file can hold the clip's name, and no earlier clip has it. */

@@ -15,8 +15,11 @@ bool sketch_is_usable(const char *name);
 /* Whether it is so short that it can stand in the heading of a section. */
 bool sketch_fits_heading(const char *name);
 
-/* Whether a file can hold the node's name, and no earlier node has it. */
-bool sketch_can_name_node(const struct model *model, int node);
+/*
+ * Returns [node_count] from the arena: whether a file can hold a node's name,
+ * and no earlier node has it. NULL without memory.
+ */
+bool *sketch_find_named_nodes(const struct model *model, struct arena *arena);
 
 /*
  * Writes the name of a clip, or its number if a file cannot hold the name or an

@@ -3,26 +3,21 @@
 #include "app/character/sketch/sketch_names.h"
 #include "app/scene/hud/hud_name.h"
 
-/* A part is called as its node is. */
-static bool has_own_name(const struct model *model, int node)
-{
-	return sketch_can_name_node(model, node) &&
-		sketch_fits_heading(model->node[node].name);
-}
-
 static bool is_rigid(const struct model *model, int node)
 {
 	return model->node[node].mesh >= 0 && model->node[node].skin < 0;
 }
 
-static void find(const struct model *model, const bool *is_joint, bool joints,
-	struct sketch_parts *out)
+/* A part is called as its node is. */
+static void find(const struct model *model, const bool *is_joint,
+	const bool *is_named, bool joints, struct sketch_parts *out)
 {
 	for (int i = 0; i < model->node_count && out->count < SKETCH_PARTS; i++) {
 		bool fits = joints ? is_joint[i]
 				   : is_rigid(model, i) && !is_joint[i];
 
-		if (fits && has_own_name(model, i)) {
+		if (fits && is_named[i] &&
+			sketch_fits_heading(model->node[i].name)) {
 			out->node[out->count++] = i;
 		}
 	}
@@ -40,17 +35,17 @@ static bool hangs(const struct model *model, int node)
 }
 
 void sketch_find_parts(const struct model *model, const bool *is_joint,
-	bool still, struct sketch_parts *out)
+	const bool *is_named, bool still, struct sketch_parts *out)
 {
 	struct sketch_parts joints = {.moved = true};
 
 	*out = (struct sketch_parts){.count = 0};
-	find(model, is_joint, false, out);
+	find(model, is_joint, is_named, false, out);
 	for (int i = 0; i < out->count; i++) {
 		out->moved = out->moved || (still && hangs(model, out->node[i]));
 	}
 	if (still && !out->moved) {
-		find(model, is_joint, true, &joints);
+		find(model, is_joint, is_named, true, &joints);
 		*out = joints.count > 0 ? joints : *out;
 	}
 }

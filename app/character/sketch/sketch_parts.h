@@ -21,10 +21,11 @@ struct sketch_parts {
  * Finds the rigid parts that have a name that a file can hold. If nothing else
  * moves the model (still), buttons are to move the parts, provided that one of
  * them hangs on another; otherwise joints take their place, if there are any.
- * is_joint, [node_count], says which nodes are joints.
+ * is_joint, [node_count], says which nodes are joints, is_named which can be
+ * named (sketch_find_named_nodes()).
  */
 void sketch_find_parts(const struct model *model, const bool *is_joint,
-	bool still, struct sketch_parts *out);
+	const bool *is_named, bool still, struct sketch_parts *out);
 
 /* Writes a section [part] for each, in comments if buttons do not move them. */
 void sketch_write_parts(

@@ -196,9 +196,11 @@ static void apply_node(
 			size_at(inertia, shift, left), local->translation);
 		pose->animated[node] = true;
 	}
-	if (inertia->scales) {
+	if (inertia->scales &&
+		vec_dot(inertia->scale[node], inertia->scale[node]) > 0) {
 		vec_add_scaled(
 			local->scale, inertia->scale[node], left, local->scale);
+		pose->animated[node] = true;
 	}
 }
 

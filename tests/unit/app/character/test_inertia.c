@@ -114,12 +114,33 @@ static void test_differences_end_at_the_duration(void **state)
 	bones_end(&f.bones);
 }
 
+/* The matrix that a file gives a node holds neither of the scales. */
+static void test_a_difference_in_scale_replaces_the_nodes_matrix(void **state)
+{
+	struct fixture f;
+	struct pose *pose = &f.bones.pose;
+
+	(void)state;
+	begin(&f);
+	pose->local[0].scale[1] = 3.0f;
+	inertia_keep(&f.inertia, pose, 0.1f);
+	pose->local[0].scale[1] = 1.0f;
+	pose->animated[0] = false;
+	change(&f, 1.0f);
+	after(&f, 0.0f);
+	assert_near(pose->local[0].scale[1], 3.0, 1e-6);
+	assert_true(pose->animated[0]);
+	bones_end(&f.bones);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_transition_needs_a_pose_that_was_shown),
 		cmocka_unit_test(test_velocity_needs_two_poses),
 		cmocka_unit_test(test_differences_end_at_the_duration),
+		cmocka_unit_test(
+			test_a_difference_in_scale_replaces_the_nodes_matrix),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

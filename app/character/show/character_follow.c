@@ -66,11 +66,11 @@ static void fill_track(
 	pose_rest(&instance->pose, instance->model);
 	for (int step = 0; step <= STEPS; step++) {
 		float(*node)[3] = &track->node[step * track->node_count];
+		float time_s = c->duration_s * (float)step / (float)STEPS;
 		struct bounds now;
 
-		clip_sample(c, c->duration_s * (float)step / (float)STEPS,
-			&none, &instance->pose);
-		take_back(character, clip, (float)step / (float)STEPS);
+		clip_sample(c, time_s, &none, &instance->pose);
+		take_back(character, clip, clip_share(c, time_s));
 		instance_update(instance);
 		now = bounds_of_instance(instance);
 		bounds_center(&now, track->middle[step]);

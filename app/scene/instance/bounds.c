@@ -218,16 +218,16 @@ static struct bounds sample_clip(struct instance *instance, int clip, int steps,
 	}
 	for (int step = steps; step >= 0; step--) {
 		const struct model_clip *c = &instance->model->clip[clip];
+		float time_s = c->duration_s * (float)step / (float)steps;
 		struct bounds now;
 
-		clip_sample(c, c->duration_s * (float)step / (float)steps,
-			&none, &instance->pose);
+		clip_sample(c, time_s, &none, &instance->pose);
 		/* Only the last sample's normals and tangents are kept. */
 		instance->hold_normals = hold_normals || step > 0;
 		instance->normal_mapping = normal_mapping && step == 0;
 		instance_update(instance);
 		now = bounds_of_instance(instance);
-		take_back(&now, way, (float)step / (float)steps);
+		take_back(&now, way, clip_share(c, time_s));
 		bounds_join(&all, &now);
 		keep_longest(sides, &now);
 	}

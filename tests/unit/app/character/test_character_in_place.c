@@ -1,10 +1,12 @@
 /* Clips that walk away, as limber play shows them: in their place. */
 #include "app/anim/clip.h"
 #include "app/character/show/character_in_place.h"
+#include "app/scene/instance/bounds.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const float way[3] = {0.5f, 0.0f, -1.5f};
@@ -187,12 +189,54 @@ static void test_other_clips_and_ways_in_steps_stay_as_they_are(void **state)
 	end(&walk);
 }
 
+/* The box of the walk as it is shown, when the model goes this way in it. */
+static struct bounds shown_box(const struct walk *walk, const float go[2])
+{
+	struct instance *instance = walk->acting.instance;
+	size_t count = (size_t)instance->model->clip_count;
+	float(*gone)[2] = calloc(count, sizeof(*gone));
+	struct bounds *box = calloc(count, sizeof(*box)), found;
+	struct bounds_sides *sides = calloc(count, sizeof(*sides));
+
+	assert_true(gone && box && sides);
+	memcpy(gone[walk->clip], go, sizeof(*gone));
+	bounds_of_model(instance, (const float(*)[2])gone, box, sides);
+	found = box[walk->clip];
+	free(sides);
+	free(box);
+	free(gone);
+	return found;
+}
+
+/* The model stands until the first key, so it goes only from there on. */
+static void test_the_box_of_a_late_walk_is_that_in_its_place(void **state)
+{
+	static const float nowhere[2] = {0.0f, 0.0f};
+	const float away[2] = {way[0], way[2]};
+	struct bounds before, after;
+	struct walk walk;
+
+	(void)state;
+	begin(&walk, MODEL_LINEAR);
+	begin_late(&walk, 0.5f * walk.acting.model->clip[walk.clip].duration_s);
+	before = shown_box(&walk, nowhere);
+	walk_away(&walk);
+	after = shown_box(&walk, away);
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(after.low[axis], (double)before.low[axis], 1e-3);
+		assert_near(after.high[axis], (double)before.high[axis], 1e-3);
+	}
+	end(&walk);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_walk_that_goes_away_stays_in_its_place),
 		cmocka_unit_test(
 			test_other_clips_and_ways_in_steps_stay_as_they_are),
+		cmocka_unit_test(
+			test_the_box_of_a_late_walk_is_that_in_its_place),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

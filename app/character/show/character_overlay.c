@@ -103,6 +103,7 @@ void character_overlay_describe(
 
 	out->clip = entry->of->clip ? (int)(entry->of->clip - model->clip) : -1;
 	out->time_s = entry->shown_s;
+	out->interpolation = character->interpolation;
 	out->traveller = character->motion.root;
 	out->travel = out->traveller >= 0 ? entry->of->travel : NULL;
 	if (character->morph_count > 0 && character->morph[0].plain_keys) {

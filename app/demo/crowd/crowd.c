@@ -364,6 +364,7 @@ static void crowd_get_motion(const struct demo *demo, struct overlay_motion *out
 	out->clip = walker->motion.clip;
 	if (walker->motion.clip >= 0) {
 		out->time_s = clip_time_of(demo, walker);
+		out->interpolation = demo->base.actor.interpolation;
 	}
 }
 

@@ -305,6 +305,7 @@ static void tuner_get_motion(const struct demo *demo, struct overlay_motion *out
 	const struct model *model = demo->base.actor.model;
 
 	out->clip = demo->clip;
+	out->interpolation = demo->base.actor.interpolation;
 	if (demo->clip >= 0) {
 		out->time_s = clip_round_time(
 			&model->clip[demo->clip], demo->now_s, CLIP_LOOP);

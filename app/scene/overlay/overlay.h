@@ -18,6 +18,7 @@
 #ifndef APP_SCENE_OVERLAY_OVERLAY_H
 #define APP_SCENE_OVERLAY_OVERLAY_H
 
+#include "app/anim/clip.h"
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/hud/hud_name.h"
 #include "app/scene/overlay/overlay_ghost.h"
@@ -44,6 +45,7 @@ struct overlay_layer {
 struct overlay_motion {
 	int clip; /* or -1 */
 	float time_s;
+	enum clip_interpolation interpolation; /* of the clip's keys */
 	/*
 	 * If not NULL, the clip moves a node this far and the figures leave
 	 * that out of it.

@@ -27,7 +27,7 @@ struct overlay_curve overlay_curve_of_morph(
 
 struct overlay_curve overlay_curve_of_channel(const struct model_clip *clip,
 	const struct model_channel *channel, int first, float time_s,
-	float *value)
+	enum clip_interpolation interpolation, float *value)
 {
 	struct overlay_curve curve = {0};
 	int key = 0;
@@ -45,7 +45,7 @@ struct overlay_curve overlay_curve_of_channel(const struct model_clip *clip,
 		float at = clip->duration_s * (float)i /
 			(OVERLAY_CURVE_POINTS - 1);
 
-		clip_sample_channel(channel, at, CLIP_AUTO, &key, value);
+		clip_sample_channel(channel, at, interpolation, &key, value);
 		for (int c = 0; c < curve.count; c++) {
 			curve.value[c][i] = value[first + c];
 		}

@@ -43,7 +43,7 @@ struct overlay_curve overlay_curve_of_morph(
  */
 struct overlay_curve overlay_curve_of_channel(const struct model_clip *clip,
 	const struct model_channel *channel, int first, float time_s,
-	float *value);
+	enum clip_interpolation interpolation, float *value);
 
 /* Adds a row with the graph to a group. */
 void overlay_curve_show(

@@ -2,7 +2,6 @@
  * Draws key frames (overlay.h): those of a clip as onion skins, and the shapes
  * of a morphed model as a row of small pictures.
  */
-#include "app/anim/clip.h"
 #include "app/anim/math/vec.h"
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/overlay/overlay.h"
@@ -53,7 +52,7 @@ static void draw_ghost(struct overlay *overlay,
 	struct clip_cursor none = {0};
 
 	pose_rest(pose, overlay->subject.instance->model);
-	clip_sample(clip, time_s, &none, pose);
+	clip_sample_as(clip, time_s, motion->interpolation, &none, pose);
 	if (motion->travel) {
 		float *at = pose->local[motion->traveller].translation;
 

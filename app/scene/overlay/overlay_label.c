@@ -114,8 +114,8 @@ static void show_clip_curve(struct overlay *overlay,
 			: hud_name(model->node[channel->node].name, "node",
 				  channel->node, number),
 		path_name[channel->path]);
-	curve = overlay_curve_of_channel(
-		clip, channel, first, motion->time_s, overlay->sample);
+	curve = overlay_curve_of_channel(clip, channel, first, motion->time_s,
+		motion->interpolation, overlay->sample);
 	overlay_curve_show(&curve, group);
 }
 

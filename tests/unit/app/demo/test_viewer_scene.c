@@ -24,8 +24,8 @@ static void put_character(const struct bench *bench, const char *text)
 	file_write(bench->character.text, text, strlen(text));
 }
 
-static void begin_model(
-	struct bench *bench, const char *model, const char *character)
+static void begin_as(struct bench *bench, const char *model,
+	const char *character, enum clip_interpolation interpolation)
 {
 	struct demo_env env;
 
@@ -44,12 +44,19 @@ static void begin_model(
 		.model_path = model,
 		.character = bench->character.text,
 		.repeat = CLIP_LOOP,
+		.interpolation = interpolation,
 		.speed = 1.0f,
 		.follow_file = true,
 	};
 	assert_int_equal(
 		demo_create(&demo_driver_viewer, &env, &bench->demo), 0);
 	bench->base = (struct demo_base *)bench->demo;
+}
+
+static void begin_model(
+	struct bench *bench, const char *model, const char *character)
+{
+	begin_as(bench, model, character, CLIP_AUTO);
 }
 
 static void begin(struct bench *bench, const char *character)
@@ -212,6 +219,56 @@ static void test_key_frames_are_shown_where_the_figure_is(void **state)
 	end(&bench);
 }
 
+/* Whether the rotation is one of the channel's keys. */
+static bool is_key(const struct model_channel *channel, const float rotation[4])
+{
+	for (int k = 0; k < channel->key_count; k++) {
+		const float *key = channel->value + (size_t)k * 4;
+		float dot = 0.0f;
+
+		for (int i = 0; i < 4; i++) {
+			dot += key[i] * rotation[i];
+		}
+		if (fabsf(dot) > 1.0f - 1e-6f) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The channels of the walk have keys at different times. */
+static void test_key_frames_are_interpolated_as_the_figure_is(void **state)
+{
+	const struct overlay_choice keys = {.kinds = 1U << OVERLAY_KEYS};
+	const struct model_clip *clip;
+	const struct pose *ghost;
+	struct bench bench;
+	int turned = 0;
+
+	(void)state;
+	begin_as(&bench, "assets/walker.glb", "[state a]\nclip = walk\n",
+		CLIP_STEP);
+	assert_int_equal(
+		demo_overlay_make(&demo_driver_viewer, bench.demo, &keys), 0);
+	step(&bench, 0.0);
+	step(&bench, 0.3);
+	demo_draw(&demo_driver_viewer, bench.demo, 480, 640);
+	ghost = &bench.base->overlay->ghost.instance->pose;
+	clip = &ghost->model->clip[model_find_clip(ghost->model, "walk")];
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_channel *channel = &clip->channel[i];
+
+		if (channel->path == MODEL_ROTATION && !channel->constant &&
+			channel->interpolation == MODEL_LINEAR) {
+			assert_true(is_key(
+				channel, ghost->local[channel->node].rotation));
+			turned++;
+		}
+	}
+	assert_true(turned > 0);
+	end(&bench);
+}
+
 static void run_to(struct bench *bench, double time_s)
 {
 	while (bench->now_s < time_s) {
@@ -293,6 +350,8 @@ int main(void)
 		cmocka_unit_test(
 			test_tiles_do_not_depend_on_the_unit_of_the_model),
 		cmocka_unit_test(test_key_frames_are_shown_where_the_figure_is),
+		cmocka_unit_test(
+			test_key_frames_are_interpolated_as_the_figure_is),
 		cmocka_unit_test(test_a_changed_scene_is_framed_anew),
 		cmocka_unit_test(test_labels_stay_hidden_when_the_file_changes),
 	};

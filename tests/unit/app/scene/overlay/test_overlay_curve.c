@@ -122,7 +122,7 @@ static void test_a_channels_curves_are_its_weights_over_the_clip(void **state)
 		shown = weights.channel.width - first;
 		shown = shown < OVERLAY_CURVES_MAX ? shown : OVERLAY_CURVES_MAX;
 		curve = overlay_curve_of_channel(&weights.clip,
-			&weights.channel, first, (float)now_s, room);
+			&weights.channel, first, (float)now_s, CLIP_AUTO, room);
 		assert_int_equal(curve.count, shown);
 		assert_near(curve.at, fmin(fmax(now_s / duration_s, 0.0), 1.0),
 			1e-6);
@@ -137,12 +137,37 @@ static void test_a_channels_curves_are_its_weights_over_the_clip(void **state)
 	}
 }
 
+/* The curves are those that the figure follows. */
+static void test_curves_obey_the_interpolation(void **state)
+{
+	uint32_t seed = 1;
+	struct weights weights;
+	struct overlay_curve curve;
+	float room[TARGETS_MAX];
+
+	(void)state;
+	make_weights(&weights, &seed);
+	curve = overlay_curve_of_channel(
+		&weights.clip, &weights.channel, 0, 0.0f, CLIP_STEP, room);
+	for (int p = 0; p < OVERLAY_CURVE_POINTS; p++) {
+		bool of_a_key = false;
+
+		for (int k = 0; k < weights.channel.key_count; k++) {
+			of_a_key = of_a_key ||
+				curve.value[0][p] ==
+					weights.value[k * weights.channel.width];
+		}
+		assert_true(of_a_key);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_morphs_curves_are_slope_signal_and_sum),
 		cmocka_unit_test(
 			test_a_channels_curves_are_its_weights_over_the_clip),
+		cmocka_unit_test(test_curves_obey_the_interpolation),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,6 +14,11 @@ enum {
 static const float hysteresis = 1.1f;
 /* How far a surface extends beyond its joints, as a fraction of the extent. */
 static const float joint_margin = 0.06f;
+/*
+ * The first joint tells how large a skin is, unless it is scaled by less than
+ * this part of the greatest scale of a joint.
+ */
+static const float least_share = 0.5f;
 
 bool lod_parse(const char *text, struct lod *out)
 {
@@ -172,15 +177,18 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 	return lod_px_per_unit_at(camera, depth, picture_height);
 }
 
-/* The matrix's greatest scale along an axis. */
-static float scale_of(const vec4 *matrix)
+/* The greatest scale along an axis of any of the matrices. */
+static float scale_of(const mat4 *matrix, int count)
 {
 	float max = 0.0f;
 
-	for (int column = 0; column < 3; column++) {
-		float square = vec_dot(matrix[column], matrix[column]);
+	for (int i = 0; i < count; i++) {
+		for (int column = 0; column < 3; column++) {
+			const float *axis = matrix[i][column];
+			float square = vec_dot(axis, axis);
 
-		max = square > max ? square : max;
+			max = square > max ? square : max;
+		}
 	}
 	return scalar_sqrt(max);
 }
@@ -188,12 +196,20 @@ static float scale_of(const vec4 *matrix)
 float lod_error_units(
 	const struct instance *instance, const struct drawable *drawable)
 {
-	if (drawable->skin >= 0) {
-		return scale_of(
-			(const vec4 *)instance->palette[drawable->skin][0]);
+	const mat4 *joint;
+	float first, least;
+
+	if (drawable->skin < 0) {
+		return instance->unit_scale *
+			scale_of((const mat4 *)&instance->world[drawable->node],
+				1);
 	}
-	return scale_of((const vec4 *)instance->world[drawable->node]) *
-		instance->unit_scale;
+	joint = (const mat4 *)instance->palette[drawable->skin];
+	first = scale_of(joint, 1);
+	least = least_share *
+		scale_of(joint,
+			instance->model->skin[drawable->skin].joint_count);
+	return first > least ? first : least;
 }
 
 /* Returns how many of the lists, finest first, have at most this error. */
@@ -208,25 +224,20 @@ static int coarsest(const struct batch_lod *list, int count, float error)
 }
 
 /*
- * Returns the setting's limit in the unit of the model's positions, or -1 if
- * the setting does not limit errors.
+ * Returns the setting's limit in the unit of the model's positions, of which
+ * one has px pixels, or -1 if the setting does not limit errors.
  */
-static float allowed_error(const struct instance *instance,
-	const struct drawable *drawable, const struct lod *lod)
+static float allowed_error(const struct lod *lod, float px)
 {
-	float units =
-		lod_error_units(instance, drawable) * instance->lod_px_per_unit;
-
-	return (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) && units > 0.0f
-		? error_px(lod) / units
+	return (lod->kind == LOD_AUTO || lod->kind == LOD_ERROR) && px > 0.0f
+		? error_px(lod) / px
 		: -1.0f;
 }
 
-static void choose_of_drawable(const struct instance *instance,
-	struct drawable *drawable, const struct lod *lod)
+static void choose_of_drawable(
+	struct drawable *drawable, const struct lod *lod, float error)
 {
 	const struct batch *batch = drawable->batch;
-	float error = allowed_error(instance, drawable, lod);
 	int level = lod->kind == LOD_LEVEL ? lod->level : 0;
 	int shadow;
 
@@ -248,7 +259,8 @@ static void choose_of_drawable(const struct instance *instance,
 void lod_choose(
 	struct instance *instance, const struct lod *lod, float px_per_unit)
 {
-	float held = instance->lod_px_per_unit;
+	float held = instance->lod_px_per_unit, units = 0.0f;
+	int skin = -1; /* of which units is known */
 
 	if (px_per_unit > held * hysteresis || px_per_unit * hysteresis < held) {
 		instance->lod_px_per_unit = px_per_unit;
@@ -258,9 +270,15 @@ void lod_choose(
 
 		drawable->lod = drawable->shadow_lod = 0;
 		drawable->shadow_list = 0;
-		if (drawable->batch_count > 0) {
-			choose_of_drawable(instance, drawable, lod);
+		if (drawable->batch_count == 0) {
+			continue;
 		}
+		if (drawable->skin < 0 || drawable->skin != skin) {
+			units = lod_error_units(instance, drawable);
+			skin = drawable->skin;
+		}
+		choose_of_drawable(drawable, lod,
+			allowed_error(lod, units * instance->lod_px_per_unit));
 	}
 }
 

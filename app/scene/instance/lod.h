@@ -68,7 +68,7 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 /*
  * Returns the factor that converts the errors of a drawable's levels, which are
  * in the unit of the model's positions, to scene units in the drawable's last
- * pose.
+ * pose. That of a skin is at least half of what its largest joint has.
  */
 float lod_error_units(
 	const struct instance *instance, const struct drawable *drawable);

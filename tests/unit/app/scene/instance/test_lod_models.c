@@ -459,6 +459,34 @@ static void test_parts_without_joints_have_the_pixels_of_their_boxes(
 	assert_pixels_of_the_nearest_vertex("assets/face.glb");
 }
 
+/* A helper joint may be scaled to nothing, while the others move the skin. */
+static void test_no_joint_alone_decides_how_coarse_a_skin_is(void **state)
+{
+	const struct lod by_itself = {.kind = LOD_AUTO};
+	struct model *model = load(assets[0]);
+	struct instance *instance = small_model_instance(model);
+	const int *joint = model->skin[0].joint;
+	long all;
+
+	(void)state;
+	instance_update(instance);
+	lod_choose(instance, &by_itself, 200.0f);
+	all = lod_triangles(instance);
+	for (int i = 0; i < model->skin[0].joint_count; i++) {
+		struct transform *local = &instance->pose.local[joint[i]];
+
+		if (model->node[joint[i]].parent == joint[0] || i == 0) {
+			glm_vec3_scale(local->scale, i == 0 ? 1e-3f : 1e3f,
+				local->scale);
+		}
+	}
+	instance_update(instance);
+	lod_choose(instance, &by_itself, 400.0f);
+	assert_int_equal(lod_triangles(instance), all);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -469,6 +497,8 @@ int main(void)
 		cmocka_unit_test(test_levels_have_no_cracks),
 		cmocka_unit_test(test_levels_keep_their_error_in_motion),
 		cmocka_unit_test(test_no_level_changes_while_the_walker_moves),
+		cmocka_unit_test(
+			test_no_joint_alone_decides_how_coarse_a_skin_is),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

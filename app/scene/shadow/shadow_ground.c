@@ -73,6 +73,22 @@ static struct bounds box_of(
 	return box;
 }
 
+/* The heights that the box around a drawable without a skin spans now. */
+static struct shadow_ground_span span_of(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	const vec4 *world = (const vec4 *)instance->world[drawable->node];
+	float middle = world[3][1], half = 0.0f;
+
+	for (int i = 0; i < 3; i++) {
+		middle += world[i][1] * drawable->box_middle[i];
+		half += scalar_abs(world[i][1]) * drawable->box_half[i];
+	}
+	return (struct shadow_ground_span){
+		(middle - half) * instance->unit_scale,
+		(middle + half) * instance->unit_scale};
+}
+
 /* Whether all vertices are at the box's top or bottom. */
 static bool is_level(const struct search *search,
 	const struct drawable *drawable, const struct bounds *box)
@@ -215,11 +231,14 @@ static void choose(struct shadow_ground *ground, const struct search *search)
 				&search->candidate[first + i];
 
 			ground->drawable[i] = candidate->drawable;
+			ground->span[i] = span_of(search->instance,
+				&search->instance->drawable[candidate->drawable]);
 			bounds_join(&together, &candidate->box);
 		}
 		if (is_wide(search, &together)) {
 			ground->count = count;
 			ground->y = together.high[1];
+			ground->level = level_part * search->extent;
 			return;
 		}
 	}
@@ -289,8 +308,11 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)
 	bool has_memory;
 
 	*ground = (struct shadow_ground){
-		.drawable = ARENA_ARRAY(&instance->arena, int, count)};
-	has_memory = ground->drawable && search.moving && search.candidate;
+		.drawable = ARENA_ARRAY(&instance->arena, int, count),
+		.span = ARENA_ARRAY(
+			&instance->arena, struct shadow_ground_span, count)};
+	has_memory = ground->drawable && ground->span && search.moving &&
+		search.candidate;
 	if (has_memory) {
 		find(ground, &search);
 	}
@@ -299,11 +321,38 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)
 	return has_memory ? 0 : -ENOMEM;
 }
 
+/*
+ * Finds how far the ground was lifted since it was found. Returns false if it
+ * was tilted or if its drawables lie at different heights now.
+ */
+static bool find_lift(const struct shadow_ground *ground,
+	const struct instance *instance, float *lift)
+{
+	*lift = 0.0f;
+	for (int i = 0; i < ground->count; i++) {
+		const struct shadow_ground_span *rest = &ground->span[i];
+		struct shadow_ground_span now = span_of(
+			instance, &instance->drawable[ground->drawable[i]]);
+		float up = now.high - rest->high;
+
+		*lift = i == 0 ? up : *lift;
+		if (!(scalar_abs(up - *lift) <= ground->level &&
+			    scalar_abs(now.low - rest->low - up) <=
+				    ground->level)) {
+			return false;
+		}
+	}
+	return true;
+}
+
 bool shadow_ground_begin(const struct shadow_ground *ground,
 	const struct stage *stage, const struct gl *gl,
 	struct instance *instance, const struct texture_set *textures)
 {
-	if (ground->count == 0 || !stage->has_stencil) {
+	float lift;
+
+	if (ground->count == 0 || !stage->has_stencil ||
+		!find_lift(ground, instance, &lift)) {
 		return false;
 	}
 	stage_ground_begin(gl);
@@ -315,7 +364,7 @@ bool shadow_ground_begin(const struct shadow_ground *ground,
 			gl, instance, drawable, textures, DRAW_SHADED);
 		drawable->hidden = true;
 	}
-	stage_ground_end(gl, ground->y);
+	stage_ground_end(gl, ground->y + lift);
 	return true;
 }
 

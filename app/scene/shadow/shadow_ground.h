@@ -18,7 +18,12 @@
 struct shadow_ground {
 	int count;     /* 0: the model has no ground */
 	int *drawable; /* [count], in the instance's arena */
-	float y;       /* the height of its surface, in scene units */
+	/* In scene units, at rest: the height of its surface, */
+	float y;
+	float level; /* by how little heights may differ, */
+	struct shadow_ground_span {
+		float low, high;
+	} * span; /* and what each drawable's box spans, [count] */
 	/*
 	 * The model has ground, or other triangles at its bottom that face
 	 * upwards: the stage's floor has to be lowered.
@@ -38,8 +43,9 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
  * Draws the ground and begins its shadows: until stage_top_end(), whatever is
  * drawn with DRAW_SHADOW is projected on it. Call it after the shadows on the
  * stage's floor and before all else is drawn. The ground is hidden from
- * draw_instance() until shadow_ground_end(). Does nothing and returns false
- * without ground or without a stencil buffer.
+ * draw_instance() until shadow_ground_end(). Ground that was lifted since it
+ * was found keeps its shadows. Does nothing and returns false without a stencil
+ * buffer, and without ground or when its drawables lie in no level plane now.
  */
 bool shadow_ground_begin(const struct shadow_ground *ground,
 	const struct stage *stage, const struct gl *gl,

@@ -1,5 +1,8 @@
 /* Ground of the model's own: a lawn and a plate, and a lamp above them. */
+#include "app/anim/math/quat.h"
+#include "app/scene/draw/draw.h"
 #include "app/scene/shadow/shadow_ground.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
@@ -242,6 +245,57 @@ static void test_ground_narrower_than_the_model_is_none(void **state)
 	model_destroy(model);
 }
 
+/*
+ * Begins the shadows on the ground and returns whether it has any; *y becomes
+ * the height at which the lamp's shadow lies.
+ */
+static bool begin_shadows(struct instance *instance,
+	const struct shadow_ground *ground, double *y)
+{
+	const struct stage stage = {.has_stencil = true};
+	const struct texture_set textures = {0};
+	struct gl gl = gl_recorder_begin();
+	const struct gl_recording *drawn = gl_recorder_result();
+	bool begun;
+
+	instance_update(instance);
+	begun = shadow_ground_begin(ground, &stage, &gl, instance, &textures);
+	if (begun) {
+		draw_instance(&gl, instance, &textures, DRAW_SHADOW);
+		assert_true(drawn->draw_count > ground->count);
+		*y = drawn->draw[drawn->draw_count - 1].matrix[13] /
+			(double)instance->unit_scale;
+		stage_top_end(&gl);
+	}
+	shadow_ground_end(ground, instance);
+	return begun;
+}
+
+/* A part of a character may lift it, such as the platform of a lift. */
+static void test_shadows_lie_on_ground_that_was_lifted(void **state)
+{
+	struct model *model = load();
+	struct instance *instance = small_model_instance(model);
+	struct transform *lawn = &instance->pose.local[LAWN];
+	struct transform *plate = &instance->pose.local[PLATE];
+	struct shadow_ground ground;
+	double y = 9.0;
+
+	(void)state;
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	assert_true(begin_shadows(instance, &ground, &y));
+	assert_near(y, 0, 1e-4);
+	lawn->translation[1] += 0.25f;
+	assert_false(begin_shadows(instance, &ground, &y));
+	plate->translation[1] += 0.25f;
+	assert_true(begin_shadows(instance, &ground, &y));
+	assert_near(y, 0.25, 1e-4);
+	quat_from_axis_angle((const float[3]){1, 0, 0}, 0.2f, lawn->rotation);
+	assert_false(begin_shadows(instance, &ground, &y));
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -257,6 +311,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_small_surface_above_it_is_not_taken_for_it),
 		cmocka_unit_test(test_ground_narrower_than_the_model_is_none),
+		cmocka_unit_test(test_shadows_lie_on_ground_that_was_lifted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

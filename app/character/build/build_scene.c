@@ -304,15 +304,27 @@ static const struct character_key scene_keys[] = {
 	{0},
 };
 
-/* A tour without a period begins again a little after its last line. */
-static double tour_end_s(const struct character_tour *tour)
+/*
+ * A tour without a period begins again a little after its last line. Lines
+ * after the period would never act.
+ */
+static void end_tour(const struct character_build *build,
+	const struct character_section *section, struct character_scene *scene)
 {
 	const double rest_s = 2.0;
+	const struct character_tour *last = scene->tour;
 
-	while (tour && tour->next) {
-		tour = tour->next;
+	while (last && last->next) {
+		last = last->next;
 	}
-	return tour ? tour->time_s + rest_s : 0.0;
+	if (last && scene->tour_s == 0.0) {
+		scene->tour_s = last->time_s + rest_s;
+	} else if (last && last->time_s > scene->tour_s) {
+		log_warning(build->log,
+			"%s:%d: [scene] tour: the line at %g s never acts, as the tour begins again after period = %g: give a longer period",
+			section->file, section->number, last->time_s,
+			scene->tour_s);
+	}
 }
 
 int character_build_scene(struct character_build *build)
@@ -333,8 +345,6 @@ int character_build_scene(struct character_build *build)
 	error = section
 		? character_read_section(build, section, scene_keys, scene)
 		: 0;
-	if (scene->tour_s == 0.0) {
-		scene->tour_s = tour_end_s(scene->tour);
-	}
+	end_tour(build, section, scene);
 	return error;
 }

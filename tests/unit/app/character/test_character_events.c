@@ -295,6 +295,24 @@ static void test_a_pause_holds_the_pose(void **state)
 	acting_end(&acting);
 }
 
+static void test_a_line_after_the_tours_period_is_reported(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[scene]\ntour = 3 go rest\ntour = 1 go rest\nperiod = 3\n"
+		"[state rest]\nclip = rest\n");
+	assert_int_equal(acting.logged.count, 0);
+	acting_expect(&acting,
+		"[scene]\ntour = 3.5 go rest\ntour = 1 go rest\nperiod = 3\n"
+		"[state rest]\nclip = rest\n");
+	assert_true(log_capture_has(&acting.logged, LOG_WARNING,
+		"[scene] tour: the line at 3.5 s never acts"));
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -309,6 +327,7 @@ int main(void)
 		cmocka_unit_test(test_a_pulse_ends_during_a_pause),
 		cmocka_unit_test(test_a_tour_presses_buttons_until_somebody_does),
 		cmocka_unit_test(test_each_line_of_a_tour_acts_at_its_time),
+		cmocka_unit_test(test_a_line_after_the_tours_period_is_reported),
 		cmocka_unit_test(test_a_pause_holds_the_pose),
 	};
 

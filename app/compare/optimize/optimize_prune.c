@@ -93,9 +93,68 @@ static void find_parents(struct marks *marks)
 	}
 }
 
+static int node_of(const struct marks *marks, const json_t *channel)
+{
+	json_t *node =
+		json_object_get(json_object_get(channel, "target"), "node");
+	json_int_t index = json_is_integer(node) ? json_integer_value(node) : -1;
+
+	return index >= 0 && index < marks->count[OPTIMIZE_NODES] ? (int)index
+								  : -1;
+}
+
+/* Returns the time of a channel's last key, or 0 if the file does not say it. */
+static double end_of(const struct marks *marks, const json_t *animation,
+	const json_t *channel)
+{
+	json_t *sampler = json_array_get(json_object_get(animation, "samplers"),
+		(size_t)json_integer_value(json_object_get(channel, "sampler")));
+	json_t *accessor = json_array_get(
+		json_object_get(marks->root, "accessors"),
+		(size_t)json_integer_value(json_object_get(sampler, "input")));
+
+	return json_number_value(
+		json_array_get(json_object_get(accessor, "max"), 0));
+}
+
+/*
+ * Marks the node of a clip's last channel if the clip, without the channels of
+ * unused nodes, would end earlier or vanish: then other clips would get its
+ * number, by which people name clips too.
+ */
+static void mark_last_channel(struct marks *marks, const json_t *animation)
+{
+	double used_end_s = -1.0, end_s = -1.0;
+	int last = -1;
+	json_t *channel;
+	size_t i;
+
+	json_array_foreach(json_object_get(animation, "channels"), i, channel)
+	{
+		double at_s = end_of(marks, animation, channel);
+		int node = node_of(marks, channel);
+
+		if (node < 0) {
+			continue;
+		}
+		if (marks->used[OPTIMIZE_NODES][node] && at_s > used_end_s) {
+			used_end_s = at_s;
+		}
+		if (at_s > end_s) {
+			end_s = at_s;
+			last = node;
+		}
+	}
+	if (end_s > used_end_s) {
+		mark(marks, OPTIMIZE_NODES, last);
+		search(marks);
+	}
+}
+
 static void mark_all(struct marks *marks)
 {
-	json_t *scenes = elements(marks, OPTIMIZE_SCENES), *scene, *node;
+	json_t *scenes = elements(marks, OPTIMIZE_SCENES);
+	json_t *scene, *node, *animation;
 	size_t i;
 
 	json_array_foreach(scenes, i, scene)
@@ -109,6 +168,11 @@ static void mark_all(struct marks *marks)
 		}
 	}
 	search(marks);
+	json_array_foreach(
+		json_object_get(marks->root, "animations"), i, animation)
+	{
+		mark_last_channel(marks, animation);
+	}
 }
 
 static int new_number(void *context, enum optimize_part part, int index)
@@ -145,17 +209,14 @@ static void prune_channels(const struct marks *marks, json_t *animation)
 	json_t *channels = json_object_get(animation, "channels");
 
 	for (size_t i = json_array_size(channels); i-- > 0;) {
-		json_t *target =
-			json_object_get(json_array_get(channels, i), "target");
-		json_t *node = json_object_get(target, "node");
-		int index = json_is_integer(node) ? (int)json_integer_value(node)
-						  : -1;
+		json_t *channel = json_array_get(channels, i);
+		int index = node_of(marks, channel);
 
-		if (index < 0 || index >= marks->count[OPTIMIZE_NODES] ||
-			!marks->used[OPTIMIZE_NODES][index]) {
+		if (index < 0 || !marks->used[OPTIMIZE_NODES][index]) {
 			json_array_remove(channels, i);
 		} else {
-			json_object_set_new(target, "node",
+			json_object_set_new(json_object_get(channel, "target"),
+				"node",
 				json_integer(
 					marks->number[OPTIMIZE_NODES][index]));
 		}

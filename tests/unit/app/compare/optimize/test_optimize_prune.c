@@ -187,7 +187,6 @@ static void test_channels_of_unused_nodes_go(void **state)
 {
 	(void)state;
 	expect_pruned("{'scenes':[{'nodes':[1]}],'nodes':[{},{}],'animations':["
-		      "{'channels':[{'target':{'node':0}}]},"
 		      "{'name':'kept','channels':[{'target':{'path':'weights'}},"
 		      "{'target':{'node':1}},{'target':{'node':2}},"
 		      "{'target':{'node':-1}},{'target':{'node':0}}]},"
@@ -195,8 +194,38 @@ static void test_channels_of_unused_nodes_go(void **state)
 		"{'scenes':[{'nodes':[0]}],'nodes':[{}],'animations':["
 		"{'name':'kept','channels':[{'target':{'node':0}}]}]}");
 	expect_pruned("{'scenes':[{'nodes':[1]}],'nodes':[{},{}],"
-		      "'animations':[{'channels':[{'target':{'node':0}}]}]}",
+		      "'animations':[{'channels':[{'target':{'node':2}}]}]}",
 		"{'scenes':[{'nodes':[0]}],'nodes':[{}]}");
+}
+
+/* Node 1 ends the first clip, node 3 the last one; node 2 ends none. */
+static void test_clips_keep_their_numbers_and_durations(void **state)
+{
+	(void)state;
+	expect_pruned("{'scenes':[{'nodes':[0]}],"
+		      "'nodes':[{},{'name':'a'},{'name':'b'},{'name':'c'}],"
+		      "'accessors':[{'max':[1]},{'max':[2.5]}],"
+		      "'animations':["
+		      "{'name':'hidden','samplers':[{'input':0},{'input':1}],"
+		      "'channels':[{'sampler':0,'target':{'node':2}},"
+		      "{'sampler':1,'target':{'node':1}}]},"
+		      "{'name':'seen','samplers':[{'input':0}],"
+		      "'channels':[{'sampler':0,'target':{'node':0}},"
+		      "{'sampler':0,'target':{'node':2}}]},"
+		      "{'name':'longer','samplers':[{'input':0},{'input':1}],"
+		      "'channels':[{'sampler':0,'target':{'node':0}},"
+		      "{'sampler':1,'target':{'node':3}}]}]}",
+		"{'scenes':[{'nodes':[0]}],"
+		"'nodes':[{},{'name':'a'},{'name':'c'}],"
+		"'accessors':[{'max':[1]},{'max':[2.5]}],"
+		"'animations':["
+		"{'name':'hidden','samplers':[{'input':0},{'input':1}],"
+		"'channels':[{'sampler':1,'target':{'node':1}}]},"
+		"{'name':'seen','samplers':[{'input':0}],"
+		"'channels':[{'sampler':0,'target':{'node':0}}]},"
+		"{'name':'longer','samplers':[{'input':0},{'input':1}],"
+		"'channels':[{'sampler':0,'target':{'node':0}},"
+		"{'sampler':1,'target':{'node':2}}]}]}");
 }
 
 int main(void)
@@ -213,6 +242,7 @@ int main(void)
 		cmocka_unit_test(test_coordinates_that_no_texture_reads_go),
 		cmocka_unit_test(test_tangents_stay_for_maps_of_normals),
 		cmocka_unit_test(test_channels_of_unused_nodes_go),
+		cmocka_unit_test(test_clips_keep_their_numbers_and_durations),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -57,7 +57,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->influence_cap = env->influence_cap;
 	actor->lod = env->lod;
 	bounds = bounds_of_instance(actor->instance);
-	actor->extent = bounds_extent(&bounds);
+	actor->extent = bounds_extent_of_model(actor->instance);
 	warn_if_far(actor, &bounds, env);
 	actor->interpolation = env->interpolation;
 	error = shadow_ground_find(&actor->ground, actor->instance);

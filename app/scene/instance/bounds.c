@@ -18,6 +18,8 @@ enum {
  */
 static const float flat_part = 0.1f;
 static const float hairline_part = 0.001f;
+/* A box smaller than this part of its distance from the origin is a point. */
+static const float rounding_part = 1e-6f;
 
 struct bounds bounds_empty(void)
 {
@@ -257,6 +259,28 @@ struct bounds bounds_of_model(struct instance *instance, const float (*way)[2],
 		clip[i] = sample_clip(instance, i, steps, way[i], &sides[i]);
 	}
 	return rest;
+}
+
+float bounds_extent_of_model(struct instance *instance)
+{
+	struct bounds rest = bounds_of_clip(instance, -1);
+	float extent = bounds_extent(&rest), away = 0.0f;
+
+	for (int axis = 0; axis < 3 && !bounds_is_empty(&rest); axis++) {
+		away += scalar_abs(rest.low[axis]);
+	}
+	if (extent > rounding_part * away) {
+		return extent;
+	}
+	for (int i = 0; i < instance->model->clip_count; i++) {
+		struct bounds box = bounds_of_clip(instance, i);
+		float side = bounds_extent(&box);
+
+		extent = side > extent ? side : extent;
+	}
+	pose_rest(&instance->pose, instance->model);
+	instance_update(instance);
+	return extent > rounding_part * away ? extent : 0.0f;
 }
 
 struct bounds bounds_of_targets(struct instance *instance, int node)

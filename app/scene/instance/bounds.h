@@ -77,6 +77,13 @@ struct bounds bounds_of_model(struct instance *instance, const float (*way)[2],
 struct bounds bounds_of_clip(struct instance *instance, int clip);
 
 /*
+ * Returns the model's size in scene units: the longest side of the rest pose's
+ * box or, where the model has no size at rest but for rounding, of the largest
+ * clip's box, as clips may let it grow. Leaves the instance in the rest pose.
+ */
+float bounds_extent_of_model(struct instance *instance);
+
+/*
  * Returns the box of the rest pose with each morph target of a node's mesh in
  * turn at its full weight, in scene units; of the first 104 targets when there
  * are more. Leaves the instance posed at rest. It poses the whole instance each

@@ -400,12 +400,9 @@ static int init_skeleton(struct instance *instance)
 /* Measures the posed vertices: a file's units may be anything. */
 static void choose_unit_scale(struct instance *instance)
 {
-	struct bounds bounds;
-
 	instance->unit_scale = 1.0f;
-	instance_update(instance);
-	bounds = bounds_of_instance(instance);
-	instance->unit_scale = near_one(bounds_extent(&bounds), 0.25f, 16.0f);
+	instance->unit_scale =
+		near_one(bounds_extent_of_model(instance), 0.25f, 16.0f);
 	instance_update(instance);
 }
 

@@ -464,6 +464,38 @@ static void test_bounds_of_nothing_are_empty(void **state)
 	assert_all_near(center, ((float[3]){0, 0, 0}), 3, 0.0);
 }
 
+/* A model may grow out of a point that is far from the origin. */
+static void test_a_model_without_size_at_rest_has_that_of_its_clip(void **state)
+{
+	static const float time_s[] = {0, 1};
+	static const float size[] = {1e-8f, 1e-8f, 1e-8f, 1, 1, 1};
+	struct model_channel channel = {.path = MODEL_SCALE,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = size};
+	struct model_clip grow = {.name = "grow",
+		.duration_s = 1,
+		.channel_count = 1,
+		.channel = &channel};
+	struct model *model = small_model_grid(2, 2, 1.0f, true);
+	struct transform *rest = &model->node[0].rest;
+	struct instance *instance;
+
+	(void)state;
+	model->clip = &grow;
+	model->clip_count = 1;
+	rest->translation[0] = 3.0f;
+	rest->scale[0] = rest->scale[1] = rest->scale[2] = 1e-8f;
+	instance = small_model_instance(model);
+	assert_near(instance->unit_scale, 1.0, 0.0);
+	assert_near(bounds_extent_of_model(instance), 1.0, 1e-6);
+	assert_near(instance->world[0][0][0], 1e-8, 1e-12);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -487,6 +519,8 @@ int main(void)
 		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),
 		cmocka_unit_test(test_leaves_tangents_alone_without_normal_maps),
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
+		cmocka_unit_test(
+			test_a_model_without_size_at_rest_has_that_of_its_clip),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,7 @@
 
 #include "app/model/levels/levels.h"
 #include "app/model/little_endian.h"
+#include "app/model/model_deltas.h"
 #include "app/model/model_file.h"
 #include "platform/base/file.h"
 
@@ -16,45 +17,99 @@ enum {
 	SHORT_VERTICES_MAX = 65536,
 };
 
-/* FNV-1a over words of 32 bits instead of bytes. */
-static uint32_t hash_words(uint32_t hash, const void *words, size_t count)
+/* FNV-1a over words of 32 bits instead of bytes; zeros fill the last word. */
+static uint32_t hash_bytes(uint32_t hash, const void *bytes, size_t size)
 {
-	const uint8_t *byte = words;
+	const uint8_t *byte = bytes;
+	size_t whole = size / 4 * 4;
+	uint32_t word = 0;
 
-	for (size_t i = 0; i < count; i++) {
-		uint32_t word;
-
-		memcpy(&word, byte + 4 * i, sizeof(word));
+	for (size_t at = 0; at < whole; at += 4) {
+		memcpy(&word, byte + at, sizeof(word));
+		hash = (hash ^ word) * 16777619u;
+	}
+	if (size > whole) {
+		word = 0;
+		memcpy(&word, byte + whole, size - whole);
 		hash = (hash ^ word) * 16777619u;
 	}
 	return hash;
 }
 
-static uint32_t hash_primitive(
-	uint32_t hash, const struct model_primitive *primitive)
+/* Hashes an array of the primitive, and whether there is one. */
+static uint32_t hash_array(
+	uint32_t hash, const void *array, size_t count, size_t each)
 {
-	size_t vertices = (size_t)primitive->vertex_count;
-	const uint32_t counts[] = {(uint32_t)primitive->vertex_count,
-		(uint32_t)primitive->index_count,
-		(uint32_t)primitive->influences, primitive->normal != NULL};
+	uint32_t size = array ? (uint32_t)(count * each) : 0;
 
-	hash = hash_words(hash, counts, sizeof(counts) / sizeof(counts[0]));
-	hash = hash_words(hash, primitive->position, 3 * vertices);
-	if (primitive->normal) {
-		hash = hash_words(hash, primitive->normal, 3 * vertices);
-	}
-	return hash_words(
-		hash, primitive->index, (size_t)primitive->index_count);
+	hash = hash_bytes(hash, &size, sizeof(size));
+	return array ? hash_bytes(hash, array, count * each) : hash;
 }
 
+static uint32_t hash_deltas(uint32_t hash, const struct model_deltas *deltas)
+{
+	size_t spans = (size_t)deltas->span_count;
+	size_t span_bytes = spans * sizeof(*deltas->span);
+
+	hash = hash_bytes(hash, &deltas->unit, sizeof(deltas->unit));
+	hash = hash_array(hash, deltas->span, spans, sizeof(*deltas->span));
+	return hash_array(hash, deltas->value, 1,
+		model_deltas_bytes(deltas) - span_bytes);
+}
+
+/* The lists of the model's file; those that are made depend on them. */
+static uint32_t hash_lists(
+	uint32_t hash, const struct model_primitive *primitive)
+{
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+
+		hash = hash_bytes(hash, &lod->error_m, sizeof(lod->error_m));
+		hash = hash_array(hash, lod->index, (size_t)lod->index_count,
+			sizeof(*lod->index));
+	}
+	return hash;
+}
+
+/* Hashes all that simplify.c reads. */
+static uint32_t hash_primitive(uint32_t hash,
+	const struct model_primitive *primitive, int target_count)
+{
+	size_t vertices = (size_t)primitive->vertex_count;
+	size_t influences = vertices * (size_t)primitive->influences;
+
+	hash = hash_array(hash, primitive->position, vertices,
+		sizeof(*primitive->position));
+	hash = hash_array(
+		hash, primitive->normal, vertices, sizeof(*primitive->normal));
+	hash = hash_array(hash, primitive->texcoord, vertices,
+		sizeof(*primitive->texcoord));
+	hash = hash_array(
+		hash, primitive->color, vertices, sizeof(*primitive->color));
+	hash = hash_array(
+		hash, primitive->joint, influences, sizeof(*primitive->joint));
+	hash = hash_array(hash, primitive->weight, influences,
+		sizeof(*primitive->weight));
+	for (int t = 0; t < target_count; t++) {
+		hash = hash_deltas(hash, &primitive->target[t].position);
+		hash = hash_deltas(hash, &primitive->target[t].normal);
+	}
+	hash = hash_array(hash, primitive->index,
+		(size_t)primitive->index_count, sizeof(*primitive->index));
+	return hash_lists(hash, primitive);
+}
+
+/* To be called before levels are made or read. */
 static uint32_t hash_model(const struct model *model)
 {
 	uint32_t hash = 2166136261u;
 
 	for (int m = 0; m < model->mesh_count; m++) {
-		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
+		const struct model_mesh *mesh = &model->mesh[m];
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
 			hash = hash_primitive(
-				hash, &model->mesh[m].primitive[p]);
+				hash, &mesh->primitive[p], mesh->target_count);
 		}
 	}
 	return hash;
@@ -111,13 +166,14 @@ static void write_list(FILE *out, const struct model_primitive *primitive,
 
 int levels_write(struct model *model, FILE *out)
 {
+	uint32_t hash = hash_model(model);
 	int error = levels_make_all(model);
 
 	if (error) {
 		return error;
 	}
 	write_number(out, FORMAT, 4);
-	write_number(out, hash_model(model), 4);
+	write_number(out, hash, 4);
 	write_number(out, count_primitives(model), 4);
 	for (int m = 0; m < model->mesh_count; m++) {
 		for (int p = 0; p < model->mesh[m].primitive_count; p++) {

@@ -50,20 +50,6 @@ static int check_capabilities(const struct v4l2_device *device)
 		: -ENOTTY;
 }
 
-int v4l2_device_check(const struct v4l2_calls *calls, const char *path)
-{
-	struct v4l2_device device = {.calls = calls};
-	int result;
-
-	device.fd = calls->open(calls->user, path);
-	if (device.fd < 0) {
-		return device.fd;
-	}
-	result = check_capabilities(&device);
-	calls->close(calls->user, device.fd);
-	return result;
-}
-
 static int open_path(struct v4l2_device *device, const char *path)
 {
 	int error;
@@ -74,7 +60,7 @@ static int open_path(struct v4l2_device *device, const char *path)
 		if (error == -ENOTTY || error == -EINVAL) {
 			snprintf(device->reason, sizeof(device->reason),
 				"it captures no video into mapped buffers: choose another device");
-			return error;
+			return -ENOTTY;
 		}
 		return error
 			? fail(device, error, "it does not tell what it can do")
@@ -115,7 +101,7 @@ static int set_layout(struct v4l2_device *device)
 		snprintf(device->reason, sizeof(device->reason),
 			"its format %s needs libv4lconvert (%s): install libv4lconvert0",
 			text, error == -ENOENT ? "not found" : strerror(-error));
-		return error;
+		return -ENOTSUP;
 	}
 	device->format = CAMERA_RGB24;
 	device->layout = camera_layout_of(

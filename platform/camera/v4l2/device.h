@@ -51,7 +51,8 @@ struct v4l2_device {
 
 /*
  * Opens the device, sets its format, maps its buffers and starts streaming.
- * Returns 0, or -errno with device->reason set and nothing left open.
+ * Returns 0, or -errno with device->reason set and nothing left open: -ENOTTY
+ * if it captures no video into mapped buffers.
  */
 int v4l2_device_open(struct v4l2_device *device, const struct v4l2_calls *calls,
 	const struct v4l2_request *request);
@@ -76,8 +77,5 @@ struct camera_image v4l2_device_image(
 
 /* Stops streaming and closes the device. A closed device is fine. */
 void v4l2_device_close(struct v4l2_device *device);
-
-/* Returns 0 if the device captures video into mapped buffers, else -errno. */
-int v4l2_device_check(const struct v4l2_calls *calls, const char *path);
 
 #endif

@@ -21,22 +21,6 @@ void v4l2_session_init(struct v4l2_session *session,
 	snprintf(session->path, sizeof(session->path), "%s", request->path);
 }
 
-/* Writes the path of the first device that captures video. */
-static bool find_device(struct v4l2_session *session)
-{
-	for (int i = 0; i < DEVICES_MAX; i++) {
-		snprintf(session->path, sizeof(session->path), "/dev/video%d",
-			i);
-		if (v4l2_device_check(session->calls, session->path) == 0) {
-			return true;
-		}
-	}
-	snprintf(session->path, sizeof(session->path), "auto");
-	snprintf(session->device.reason, sizeof(session->device.reason),
-		"no /dev/video device captures video: plug a camera in");
-	return false;
-}
-
 static int64_t now_ms(const struct v4l2_session *session)
 {
 	return session->calls->now_ms(session->calls->user);
@@ -52,20 +36,63 @@ static void retry_later(struct v4l2_session *session)
 	}
 }
 
-bool v4l2_session_open(struct v4l2_session *session)
+static int open_path(struct v4l2_session *session)
 {
 	struct v4l2_request request = session->request;
+
+	memcpy(request.path, session->path, sizeof(request.path));
+	return v4l2_device_open(&session->device, session->calls, &request);
+}
+
+static bool is_no_camera(int error)
+{
+	return error == -ENOENT || error == -ENODEV || error == -ENXIO ||
+		error == -ENOTTY;
+}
+
+/*
+ * Opens the first camera that can be used: others may be taken or have formats
+ * that limber cannot read. If there is none, the path and the reason are those
+ * of the first camera.
+ */
+static int open_any(struct v4l2_session *session)
+{
+	char path[V4L2_PATH_BYTES] = "auto";
+	char reason[V4L2_REASON_BYTES] =
+		"no /dev/video device captures video: plug a camera in";
+	int first_error = 0;
+
+	for (int i = 0; i < DEVICES_MAX; i++) {
+		int error;
+
+		snprintf(session->path, sizeof(session->path), "/dev/video%d",
+			i);
+		error = open_path(session);
+		if (!error) {
+			return 0;
+		}
+		if (!first_error && !is_no_camera(error)) {
+			memcpy(path, session->path, sizeof(path));
+			memcpy(reason, session->device.reason, sizeof(reason));
+			first_error = error;
+		}
+	}
+	memcpy(session->path, path, sizeof(path));
+	memcpy(session->device.reason, reason, sizeof(reason));
+	return first_error ? first_error : -ENOENT;
+}
+
+bool v4l2_session_open(struct v4l2_session *session)
+{
+	int error;
 
 	if (session->state != V4L2_CLOSED ||
 		now_ms(session) < session->retry_at_ms) {
 		return true;
 	}
-	if (request.path[0] == '\0' && !find_device(session)) {
-		retry_later(session);
-		return false;
-	}
-	memcpy(request.path, session->path, sizeof(request.path));
-	if (v4l2_device_open(&session->device, session->calls, &request) != 0) {
+	error = session->request.path[0] ? open_path(session)
+					 : open_any(session);
+	if (error) {
 		retry_later(session);
 		return false;
 	}

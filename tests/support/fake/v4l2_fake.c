@@ -112,7 +112,8 @@ static int set_format(struct v4l2_fake *fake, struct v4l2_format *format)
 	uint32_t row;
 
 	fake->dirty_priv = fake->dirty_priv || pix->priv != 0;
-	if (fake->format_error) {
+	if (fake->format_error &&
+		(!fake->useless[0] || strcmp(fake->path, fake->useless) == 0)) {
 		return fake->format_error;
 	}
 	if (!offers(fake, pix->pixelformat)) {

@@ -40,6 +40,7 @@ struct v4l2_fake {
 	/* What goes wrong from now on. */
 	int open_error; /* -errno */
 	int format_error;
+	char useless[16]; /* "" or the path of a device with format_error */
 	int dequeue_error;
 	bool unplugged;
 	bool damaged;  /* pictures carry an error flag */

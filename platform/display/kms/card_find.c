@@ -11,8 +11,14 @@ enum {
 	CARDS_MAX = 8
 };
 
-drmModeConnectorPtr card_next_screen(
-	const struct card *card, drmModeResPtr resources, int *at)
+static bool has_screen(drmModeConnectorPtr connector, drmModeConnection wanted)
+{
+	return connector->connection == wanted && connector->count_modes > 0;
+}
+
+/* The next connector in that state, or NULL. */
+static drmModeConnectorPtr next_in_state(const struct card *card,
+	drmModeResPtr resources, drmModeConnection wanted, int *at)
 {
 	const struct kms_calls *calls = card->calls;
 
@@ -23,13 +29,32 @@ drmModeConnectorPtr card_next_screen(
 		if (!connector) {
 			continue;
 		}
-		if (connector->connection == DRM_MODE_CONNECTED &&
-			connector->count_modes > 0) {
+		if (has_screen(connector, wanted)) {
 			return connector;
 		}
 		calls->free_connector(connector);
 	}
 	return NULL;
+}
+
+/*
+ * Connectors that cannot tell whether they have a screen, such as VGA and
+ * composite ones, count from index count_connectors on, behind all that can.
+ */
+drmModeConnectorPtr card_next_screen(
+	const struct card *card, drmModeResPtr resources, int *at)
+{
+	int count = resources->count_connectors;
+	drmModeConnectorPtr connector =
+		next_in_state(card, resources, DRM_MODE_CONNECTED, at);
+	int behind = *at - count;
+
+	if (!connector) {
+		connector = next_in_state(
+			card, resources, DRM_MODE_UNKNOWNCONNECTION, &behind);
+		*at = count + behind;
+	}
+	return connector;
 }
 
 uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,

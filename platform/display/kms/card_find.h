@@ -13,9 +13,10 @@
 int card_find(struct card *card, const struct display_options *options);
 
 /*
- * Returns the next connector with a screen and modes, from index *at on, and
- * sets *at to the index behind it. The caller frees the connector. NULL when
- * there is none.
+ * Returns the next connector with a screen and modes, and NULL behind the last
+ * one. *at is 0 for the first call and keeps the place between calls.
+ * Connectors that cannot tell whether they have a screen come last. The caller
+ * frees the connector.
  */
 drmModeConnectorPtr card_next_screen(
 	const struct card *card, drmModeResPtr resources, int *at);

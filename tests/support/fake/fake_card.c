@@ -12,6 +12,7 @@
 
 enum {
 	CARD_FD = 0, /* a descriptor like any other */
+	UNSURE_CONNECTOR = 30,
 	CONNECTOR = 31,
 	ENCODER = 41,
 	CRTC = 51,
@@ -127,7 +128,7 @@ static void *hand_out(size_t size)
 static drmModeResPtr get_resources(int fd)
 {
 	static uint32_t crtcs[] = {OTHER_CRTC, CRTC};
-	static uint32_t connectors[] = {CONNECTOR};
+	static uint32_t connectors[] = {UNSURE_CONNECTOR, CONNECTOR};
 	drmModeResPtr resources;
 
 	(void)fd;
@@ -137,8 +138,8 @@ static drmModeResPtr get_resources(int fd)
 	resources = hand_out(sizeof(*resources));
 	resources->count_crtcs = 2;
 	resources->crtcs = crtcs;
-	resources->count_connectors = 1;
-	resources->connectors = connectors;
+	resources->count_connectors = fake_card.two_connectors ? 2 : 1;
+	resources->connectors = connectors + !fake_card.two_connectors;
 	return resources;
 }
 
@@ -155,15 +156,18 @@ static drmModeConnectorPtr get_connector(int fd, uint32_t id)
 	drmModeConnectorPtr connector;
 
 	(void)fd;
-	assert_int_equal(id, CONNECTOR);
+	assert_true(id == CONNECTOR ||
+		(id == UNSURE_CONNECTOR && fake_card.two_connectors));
 	if (fails(CALL_CONNECTOR)) {
 		return NULL;
 	}
 	connector = hand_out(sizeof(*connector));
-	connector->connector_id = CONNECTOR;
+	connector->connector_id = id;
 	connector->encoder_id = ENCODER + (uint32_t)fake_card.connected_encoder;
-	connector->connection = fake_card.not_connected ? DRM_MODE_DISCONNECTED
-							: DRM_MODE_CONNECTED;
+	connector->connection = id == UNSURE_CONNECTOR || fake_card.unsure
+		? DRM_MODE_UNKNOWNCONNECTION
+		: fake_card.not_connected ? DRM_MODE_DISCONNECTED
+					  : DRM_MODE_CONNECTED;
 	connector->count_modes = fake_card.mode_count;
 	connector->modes = fake_card.modes;
 	connector->count_encoders = fake_card.encoder_count;

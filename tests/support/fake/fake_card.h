@@ -34,6 +34,8 @@ struct fake_card {
 	int number; /* of /dev/dri/cardN */
 	int open_error;
 	bool no_dumb, not_master, not_connected, prefers_shadow;
+	bool unsure;         /* it cannot tell whether it has a screen */
+	bool two_connectors; /* the one before its screen's is like it, unsure */
 	uint64_t preferred_depth;
 	uint32_t fourccs[3]; /* formats that it can show */
 	/* The CRTC that drives the encoder, or 0; a bit for each that could. */

@@ -1,5 +1,6 @@
 /* Which mode and which CRTC of any card limber chooses, and what it says. */
 #include "platform/base/compiler.h"
+#include "platform/display/kms/card_find.h"
 #include "platform/display/kms/kms_calls.h"
 #include "tests/support/fake/fake_card.h"
 #include "tests/support/fake/fake_fb.h"
@@ -143,6 +144,48 @@ static void test_a_crtc_of_any_encoders_is_used(void **state)
 	}
 }
 
+static void test_a_connector_that_cannot_tell_is_used_if_no_other_can(
+	void **state)
+{
+	(void)state;
+	for (int unsure = 0; unsure < 2; unsure++) {
+		struct scene scene = {0};
+
+		begin();
+		fake_card.unsure = unsure;
+		/* The card checks that the mode is set for the right one. */
+		fake_card.two_connectors = !unsure;
+		assert_true(card_is_available(&fake_card_calls));
+		assert_int_equal(scene_open(&scene), 0);
+		assert_int_equal(fake_card.shown_mode.hdisplay, 20);
+		scene_close(&scene);
+	}
+}
+
+static void test_every_screen_is_listed_once(void **state)
+{
+	struct card card = {.calls = &fake_card_calls};
+	drmModeResPtr resources;
+	drmModeConnectorPtr connector;
+	int at = 0, count = 0;
+
+	(void)state;
+	begin();
+	fake_card.two_connectors = true;
+	resources = fake_card_calls.get_resources(card.fd);
+	assert_non_null(resources);
+	while ((connector = card_next_screen(&card, resources, &at))) {
+		assert_int_equal(connector->connection,
+			count ? DRM_MODE_UNKNOWNCONNECTION : DRM_MODE_CONNECTED);
+		fake_card_calls.free_connector(connector);
+		count++;
+	}
+	assert_int_equal(count, 2);
+	assert_null(card_next_screen(&card, resources, &at));
+	fake_card_calls.free_resources(resources);
+	assert_int_equal(fake_card.resource_count, 0);
+}
+
 static void test_a_note_says_how_pictures_are_shown(void **state)
 {
 	static const struct {
@@ -177,6 +220,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_best_of_any_modes_is_set),
 		cmocka_unit_test(test_a_crtc_of_any_encoders_is_used),
+		cmocka_unit_test(
+			test_a_connector_that_cannot_tell_is_used_if_no_other_can),
+		cmocka_unit_test(test_every_screen_is_listed_once),
 		cmocka_unit_test(test_a_note_says_how_pictures_are_shown),
 	};
 

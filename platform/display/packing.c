@@ -32,10 +32,15 @@ static void fill(uint32_t *table, uint32_t max, struct pixel_field field,
 	}
 }
 
+/*
+ * Layouts with alpha never are the same: blending leaves any alpha in pictures,
+ * which such a screen could show as holes.
+ */
 static bool is_same(
 	const struct pixel_layout *layout, const struct pixel_layout *own)
 {
 	return layout->bits == own->bits && !layout->gray &&
+		layout->alpha.length == 0 &&
 		pixel_layout_mask(layout->red) == pixel_layout_mask(own->red) &&
 		pixel_layout_mask(layout->green) ==
 		pixel_layout_mask(own->green) &&

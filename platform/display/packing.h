@@ -9,7 +9,8 @@
 /* Tables that convert pixels: the screen's pixel is the sum of three entries. */
 struct packing {
 	enum pixel_format from;
-	bool same; /* the layout is that of the format: rows are copied */
+	bool same; /* the layout is that of the format without alpha: rows are
+		      copied */
 	int bytes; /* of a pixel of the layout */
 	uint32_t red[256], green[256], blue[256]; /* [value of the channel] */
 };

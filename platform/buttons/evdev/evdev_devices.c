@@ -156,28 +156,36 @@ static void lose_device(struct button_source *source, int index, int64_t now_ms)
 	source->scan_ms = now_ms + EVDEV_SCAN_MS;
 }
 
+/* Sets the buttons by the keys that are down: several may be one button. */
+static void update_buttons(
+	struct button_source *source, int index, int64_t time_ms)
+{
+	struct evdev_device *device = &source->device[index];
+	bool down[BUTTON_COUNT + 1] = {false};
+
+	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
+		if (evdev_key_bit(device->key, code)) {
+			down[evdev_keys_find(&source->keys, code)] = true;
+		}
+	}
+	for (int i = 0; i < BUTTON_COUNT; i++) {
+		set_button(source, device, time_ms, (enum button)i, down[i]);
+	}
+}
+
 /* After lost events the device is asked which keys are down. */
 static void resynchronize(
 	struct button_source *source, int index, int64_t time_ms)
 {
 	struct evdev_device *device = &source->device[index];
-	bool down[BUTTON_COUNT] = {false};
 	uint8_t bits[EVDEV_KEY_BYTES];
 
 	device->dropped = false;
 	if (source->system->keys_down(source->fd[index].fd, bits) < 0) {
 		return;
 	}
-	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
-		enum button button = evdev_keys_find(&source->keys, code);
-
-		if (button != BUTTON_COUNT && evdev_key_bit(bits, code)) {
-			down[button] = true;
-		}
-	}
-	for (int i = 0; i < BUTTON_COUNT; i++) {
-		set_button(source, device, time_ms, (enum button)i, down[i]);
-	}
+	memcpy(device->key, bits, sizeof(bits));
+	update_buttons(source, index, time_ms);
 }
 
 static void handle_event(struct button_source *source, int index,
@@ -191,14 +199,13 @@ static void handle_event(struct button_source *source, int index,
 		if (event->type == EV_SYN && event->code == SYN_REPORT) {
 			resynchronize(source, index, time_ms);
 		}
-	} else if (event->type == EV_KEY &&
+	} else if (event->type == EV_KEY && event->code < EVDEV_KEYS &&
 		(event->value == 0 || event->value == 1)) {
-		enum button button = evdev_keys_find(&source->keys, event->code);
+		uint8_t bit = (uint8_t)(1u << event->code % 8);
 
-		if (button != BUTTON_COUNT) {
-			set_button(
-				source, device, time_ms, button, event->value);
-		}
+		device->key[event->code / 8] &= (uint8_t)~bit;
+		device->key[event->code / 8] |= event->value ? bit : 0;
+		update_buttons(source, index, time_ms);
 	}
 }
 

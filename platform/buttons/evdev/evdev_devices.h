@@ -20,7 +20,8 @@ enum {
 struct evdev_device {
 	char path[EVDEV_PATH_BYTES];
 	char name[80];
-	bool down[BUTTON_COUNT];
+	uint8_t key[EVDEV_KEY_BYTES]; /* a bit for each key that is down */
+	bool down[BUTTON_COUNT];      /* one of the button's keys is down */
 	bool dropped; /* events were lost; ignore the rest of this report */
 };
 

@@ -21,6 +21,7 @@ static const struct {
 struct reference {
 	struct {
 		bool plugged, dropped;
+		bool held[ARRAY_COUNT(keys)];
 		bool down[BUTTON_COUNT];
 	} device[EVDEV_BENCH_DEVICES];
 	bool shown[BUTTON_COUNT]; /* by the queue */
@@ -50,7 +51,12 @@ static void press_any(struct evdev_bench *bench, struct reference *reference,
 	evdev_bench_poll(bench);
 	if (!reference->device[number].dropped && value < 2 &&
 		keys[key].button != BUTTON_COUNT) {
-		expect_change(bench, reference, number, keys[key].button, value);
+		bool *held = reference->device[number].held;
+
+		held[key] = value;
+		/* The first two keys are one button. */
+		expect_change(bench, reference, number, keys[key].button,
+			key < 2 ? held[0] || held[1] : value);
 	}
 }
 
@@ -67,10 +73,12 @@ static void report(struct evdev_bench *bench, struct reference *reference,
 	int number, uint32_t *seed)
 {
 	bool down[BUTTON_COUNT + 1] = {false};
+	bool all[ARRAY_COUNT(keys)];
 
 	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
 		bool held = random_one_in(seed, 2);
 
+		all[i] = held;
 		evdev_bench_set_key(
 			bench->device[number].down, keys[i].code, held);
 		down[keys[i].button] = down[keys[i].button] || held;
@@ -81,6 +89,7 @@ static void report(struct evdev_bench *bench, struct reference *reference,
 		return;
 	}
 	reference->device[number].dropped = false;
+	memcpy(reference->device[number].held, all, sizeof(all));
 	for (int i = 0; i < BUTTON_COUNT; i++) {
 		expect_change(bench, reference, number, (enum button)i, down[i]);
 	}

@@ -26,8 +26,8 @@ int levels_write(struct model *model, FILE *out);
 /*
  * Gives a loaded model the levels of a file's bytes. Returns 0, or leaves the
  * levels unchanged and returns -EINVAL if the bytes are damaged or belong to
- * other vertices, targets, triangles or lists of the file, -ENOMEM without memory or if the model's budget
- * is exceeded.
+ * other vertices, targets, triangles or lists of the file, -ENOMEM without
+ * memory or if the model's budget is exceeded.
  */
 int levels_read(struct model *model, const uint8_t *data, size_t size);
 

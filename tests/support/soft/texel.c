@@ -22,14 +22,15 @@ static struct along find_along(const struct span *span, int name, int log2,
 	int level_log2, GLenum mode, int32_t half)
 {
 	int shift = log2 - level_log2 + 16 - SOFT_TEXEL_FRACTION;
+	uint32_t right = soft_texel_step(span->step[name], shift);
 	int32_t last = (1 << level_log2) - 1;
 	bool repeats = mode == GL_REPEAT;
 
 	return (struct along){
-		.at = soft_find_start((int32_t)span->value[name],
-			span->step[name], (uint32_t)span->count >> 1,
-			soft_texel_step(span->step[name], shift), shift, half),
-		.step = soft_texel_step(span->step[name], shift),
+		.at = (int32_t)soft_find_start((int32_t)span->value[name],
+			span->step[name], (uint32_t)span->count >> 1, right,
+			shift, half),
+		.step = (int32_t)right,
 		.wrap = {repeats ? INT32_MIN : 0, repeats ? INT32_MAX : last,
 			(uint32_t)last},
 	};

@@ -18,6 +18,12 @@ _Static_assert((SOFT_LISTED_SIZE / 2 + 1) * (SOFT_LISTED_SIZE / 2) <=
 		SOFT_BATCH_PIXELS,
 	"a small triangle's runs fit a batch");
 
+/* A triangle's range of one coordinate in a level, 9 fraction bits. */
+struct texel_place {
+	int32_t low; /* a whole texel at or below the least coordinate */
+	uint32_t first, room; /* low masked; the largest one minus low */
+};
+
 /* Whether a triangle's texels fit the halves of soft_row.texel. */
 static ALWAYS_INLINE bool begins_in(
 	const struct texel_place *place, uint32_t room)
@@ -32,12 +38,20 @@ static ALWAYS_INLINE bool is_within(
 	return begins_in(place, room) && place->room <= room - place->first;
 }
 
+/* Finds the range. Far outside of the texture it wraps around. */
 static ALWAYS_INLINE struct texel_place begin_coordinate(
-	const struct raster *raster, int name, int shift, int32_t half,
-	uint32_t mask, struct list_coordinate *out)
+	const struct raster *raster, int name, const struct soft_axis *axis,
+	struct list_coordinate *out)
 {
 	const struct plane *plane = &raster->plane[name];
+	/* the least and the largest coordinate, in 1/256 base texels */
 	const int32_t *range = raster->texel_range[name - TEX_S];
+	const int32_t spare = raster->bent ? SPARE_BENT : SPARE;
+	const int shift = axis->shift;
+	int32_t low = ((int32_t)((uint32_t)range[0] * 256) >> shift) -
+		axis->half - spare;
+	int32_t high = ((int32_t)((uint32_t)range[1] * 256) >> shift) -
+		axis->half + spare;
 
 	out->plane = *plane;
 	out->shift = shift;
@@ -45,10 +59,11 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 		out->bend = raster->bend[name];
 		out->round = 1u << (shift - 1);
 	} else {
-		out->level_right = (uint32_t)soft_texel_step(plane->dx, shift);
+		out->level_right = soft_texel_step(plane->dx, shift);
 	}
-	return soft_find_place(range[0], range[1], shift, half,
-		raster->bent ? SPARE_BENT : SPARE, mask);
+	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
+	return (struct texel_place){low, (uint32_t)low & axis->mask,
+		(uint32_t)high - (uint32_t)low};
 }
 
 /*
@@ -61,15 +76,28 @@ static ALWAYS_INLINE bool is_certain(const struct run_list *list,
 	const struct setup *setup, const struct texel_place *s,
 	const struct texel_place *t)
 {
-	const struct soft_window *window =
-		&list->draw->spans.levels[0].view.window;
+	const struct soft_view *view = &list->draw->spans.levels[0].view;
 	uint32_t room = s->room > t->room ? s->room : t->room;
 
 	/* the product is below 2^16 * 2^11 */
-	return is_within(s, window->s_room) && is_within(t, window->t_room) &&
+	return is_within(s, view->s.room) && is_within(t, view->t.room) &&
 		setup->columns <= list->most && !setup->wide &&
 		raster_is_in_box(list->draw, setup) &&
 		room * (uint32_t)setup->extent <= (uint32_t)setup->area << 9;
+}
+
+/* Lets coordinates of listed runs count from a texel. */
+static ALWAYS_INLINE void count_from(const struct texel_place *from,
+	const struct soft_axis *axis, bool certain, struct list_coordinate *out)
+{
+	out->offset = (uint32_t)(from->low + axis->half);
+	if (certain) {
+		out->plane.start -= out->offset << axis->shift;
+		return;
+	}
+	out->first = from->first;
+	out->mask = axis->mask;
+	out->room = axis->room - from->first;
 }
 
 static ALWAYS_INLINE void begin_texels(
@@ -77,40 +105,27 @@ static ALWAYS_INLINE void begin_texels(
 {
 	const struct raster *raster = &list->draw->raster;
 	const struct soft_view *view = &list->draw->spans.levels[0].view;
-	const struct soft_window *window = &view->window;
-	const struct texel_place s = begin_coordinate(raster, TEX_S,
-		view->s_shift, view->s_half, window->s_mask, &list->s);
-	const struct texel_place t = begin_coordinate(raster, TEX_S + 1,
-		view->t_shift, view->t_half, window->t_mask, &list->t);
-	/* the first texel that listed runs count from, by default the level's */
-	struct texel_place from_s = {0}, from_t = {0};
+	struct texel_place s =
+		begin_coordinate(raster, TEX_S, &view->s, &list->s);
+	struct texel_place t =
+		begin_coordinate(raster, TEX_S + 1, &view->t, &list->t);
+	const bool near = view->large && begins_in(&s, view->s.room) &&
+		begins_in(&t, view->t.room);
 
 	list->certain = is_certain(list, setup, &s, &t);
-	if (list->certain ||
-		(window->large && begins_in(&s, window->s_room) &&
-			begins_in(&t, window->t_room))) {
-		from_s = s;
-		from_t = t;
+	if (!list->certain && !near) {
+		/* runs count from the level's first texel */
+		s = t = (struct texel_place){0};
 	}
 	list->first_texel = view->texels +
-		(from_t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
-		(from_s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
-	list->s.offset = (uint32_t)(from_s.low + view->s_half);
-	list->t.offset = (uint32_t)(from_t.low + view->t_half);
-	if (list->certain) {
-		list->s.plane.start -= list->s.offset << view->s_shift;
-		list->t.plane.start -= list->t.offset << view->t_shift;
-		return;
+		(t.first >> SOFT_TEXEL_FRACTION << view->stride_log2) +
+		(s.first >> SOFT_TEXEL_FRACTION << view->texel_log2);
+	count_from(&s, &view->s, list->certain, &list->s);
+	count_from(&t, &view->t, list->certain, &list->t);
+	if (view->large && !list->certain && !near) {
+		/* each run has its own first texel: none is listed */
+		list->s.room = 0;
 	}
-	list->s.first = from_s.first;
-	list->t.first = from_t.first;
-	list->s.mask = window->s_mask;
-	list->t.mask = window->t_mask;
-	/* Else each run has its own first texel: none is listed. */
-	list->s.room = window->large && from_s.room == 0
-		? 0
-		: window->s_room - from_s.first;
-	list->t.room = window->t_room - from_t.first;
 }
 
 /* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */

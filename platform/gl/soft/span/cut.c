@@ -27,7 +27,7 @@ static uint32_t count_steps(uint32_t distance, uint32_t step)
 /* Neighbouring pixels whose texels all lie inside of the window, or do not. */
 struct stretch {
 	uint32_t count;
-	int32_t at, right; /* clamped coordinate and step to draw them with */
+	struct soft_coordinate from; /* clamped, to draw them with */
 	bool inside;
 };
 
@@ -35,16 +35,17 @@ struct stretch {
  * The stretch from a coordinate on that is beyond the first or the last texel:
  * its pixels show that texel.
  */
-static NEVER_INLINE struct stretch find_clamped(
-	int32_t at, int32_t right, uint32_t step, uint32_t room, uint32_t last)
+static NEVER_INLINE struct stretch find_clamped(struct soft_coordinate given,
+	const struct soft_axis *axis, uint32_t step)
 {
-	bool below = at < 0;
-	uint32_t beyond = below ? ~(uint32_t)at : (uint32_t)at - room;
+	const bool below = (int32_t)given.at < 0;
+	const int32_t right = (int32_t)given.right;
+	uint32_t beyond = below ? ~given.at : given.at - axis->room;
 	bool returns = below ? right > 0 : right < 0;
 
 	return (struct stretch){
 		returns ? count_steps(beyond, step) + 1 : SOFT_RUN_PIXELS,
-		below ? 0 : (int32_t)(last << SOFT_TEXEL_FRACTION), 0, true};
+		{below ? 0 : axis->last << SOFT_TEXEL_FRACTION, 0}, true};
 }
 
 /*
@@ -52,26 +53,28 @@ static NEVER_INLINE struct stretch find_clamped(
  * pixels. Runs that repeat are only cut if few stretches follow, as a call for
  * each takes longer than wrapping a few pixels.
  */
-static ALWAYS_INLINE struct stretch find_stretch(int32_t given, int32_t right,
-	uint32_t room, uint32_t mask, uint32_t last, uint32_t left)
+static ALWAYS_INLINE struct stretch find_stretch(struct soft_coordinate given,
+	const struct soft_axis *axis, uint32_t left)
 {
-	const uint32_t at = (uint32_t)given & mask, step = raster_size(right);
+	const uint32_t room = axis->room, mask = axis->mask;
+	const uint32_t at = given.at & mask, right = given.right;
+	const uint32_t step = raster_size((int32_t)right);
 	const bool inside = at < room, clamped = mask == UINT32_MAX;
-	const bool whole = inside && at + (uint32_t)right * (left - 1) < room;
+	const bool whole = inside && at + right * (left - 1) < room;
 	uint32_t first = inside ? 0 : room, end = inside ? room - 1 : mask;
 
 	if (whole ||
 		(!clamped &&
 			(room > mask || step > mask / FEW_PIXELS ||
 				left < FEW_PIXELS))) {
-		return (struct stretch){left, (int32_t)at, right, whole};
+		return (struct stretch){left, {at, right}, whole};
 	}
 	if (clamped && !inside) {
-		return find_clamped(given, right, step, room, last);
+		return find_clamped(given, axis, step);
 	}
 	return (struct stretch){
-		count_steps(right < 0 ? at - first : end - at, step) + 1,
-		(int32_t)at, right, inside};
+		count_steps((int32_t)right < 0 ? at - first : end - at, step) + 1,
+		{at, right}, inside};
 }
 
 static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
@@ -86,53 +89,47 @@ static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
 	run->second += 4 * count;
 }
 
-static void set_coordinates(
-	struct soft_run *run, const struct stretch *s, const struct stretch *t)
+static void set_coordinates(struct soft_run *run, struct soft_coordinate s,
+	struct soft_coordinate t)
 {
-	run->s = s->at;
-	run->t = t->at;
-	run->s_right = s->right;
-	run->t_right = t->right;
-	run->row.texel_right = ((uint32_t)t->right << 16) + (uint32_t)s->right;
+	run->s = s;
+	run->t = t;
+	run->row.texel_right = (t.right << 16) + s.right;
 }
 
 void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2)
 {
-	const struct soft_window *window = &view->window;
 	/* coordinates are clamped by now: no wrapping, and no limit */
-	const struct soft_window all = {.s_mask = UINT32_MAX,
-		.t_mask = UINT32_MAX,
-		.s_room = INT32_MAX,
-		.t_room = INT32_MAX,
-		.large = window->large};
+	const struct soft_axis any = {.mask = UINT32_MAX, .room = INT32_MAX};
+	const struct soft_view all = {.texel_log2 = view->texel_log2,
+		.large = view->large,
+		.s = any,
+		.t = any};
 	const uint8_t *first_texel = run->first_texel;
-	struct stretch own_s = {.at = run->s, .right = run->s_right};
-	struct stretch own_t = {.at = run->t, .right = run->t_right};
+	struct soft_coordinate own_s = run->s, own_t = run->t;
 	uint32_t left = run->row.count, count;
 
 	run->first_texel = run->texels;
 	for (;;) {
-		const struct stretch s = find_stretch(own_s.at, own_s.right,
-			window->s_room, window->s_mask, view->s_last, left);
-		const struct stretch t = find_stretch(own_t.at, own_t.right,
-			window->t_room, window->t_mask, view->t_last, left);
+		const struct stretch s = find_stretch(own_s, &view->s, left);
+		const struct stretch t = find_stretch(own_t, &view->t, left);
 
 		count = s.count < t.count ? s.count : t.count;
 		count = count < left ? count : left;
 		run->row.count = count;
-		set_coordinates(run, &s, &t);
-		function[s.inside && t.inside &&
-			soft_find_window(&all, view->texel_log2, run)](run);
+		set_coordinates(run, s.from, t.from);
+		function[s.inside && t.inside && soft_find_window(&all, run)](
+			run);
 		left -= count;
 		if (left == 0) {
 			break;
 		}
 		advance(run, count, pixel_log2);
-		own_s.at += own_s.right * (int32_t)count;
-		own_t.at += own_t.right * (int32_t)count;
+		own_s.at += own_s.right * count;
+		own_t.at += own_t.right * count;
 	}
-	set_coordinates(run, &own_s, &own_t);
+	set_coordinates(run, own_s, own_t);
 	run->first_texel = first_texel;
 }
 

@@ -8,45 +8,24 @@
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-/*
- * The mask of coordinates that repeat, else all ones; 0 for a side of one
- * texel, where all coordinates give that texel.
- */
-static uint32_t find_mask(GLenum mode, int log2)
+/* A coordinate along sides of 1 << log2 texels; across: s, else t. */
+static struct soft_axis find_axis(const struct level *level, bool linear,
+	bool across, int log2, int base_log2, GLenum wrap)
 {
-	return log2 == 0            ? 0
-		: mode == GL_REPEAT ? (1u << (log2 + SOFT_TEXEL_FRACTION)) - 1
-				    : UINT32_MAX;
-}
+	const uint32_t texels = 1u << log2;
 
-static uint32_t find_room(int log2, bool linear)
-{
-	return log2 == 0 ? 1 : ((1u << log2) - linear) << SOFT_TEXEL_FRACTION;
-}
-
-static struct soft_window find_window(
-	const struct texture *texture, const struct level *level, bool linear)
-{
-	return (struct soft_window){
-		.s_mask = find_mask(texture->wrap_s, level->width_log2),
-		.t_mask = find_mask(texture->wrap_t, level->height_log2),
-		.s_room = find_room(level->width_log2, linear),
-		.t_room = find_room(level->height_log2, linear),
-		.large = (1 << level->width_log2) > SOFT_RUN_TEXELS ||
-			(1 << level->height_log2) > SOFT_RUN_TEXELS,
+	if (log2 == 0) {
+		/* all coordinates give the only texel */
+		return (struct soft_axis){.shift = 31, .room = 1};
+	}
+	return (struct soft_axis){
+		.shift = base_log2 - log2 + 16 - SOFT_TEXEL_FRACTION,
+		.half = soft_half_texel(level->format, linear, across),
+		.last = texels - 1,
+		.mask = wrap == GL_REPEAT ? (texels << SOFT_TEXEL_FRACTION) - 1
+					  : UINT32_MAX,
+		.room = (texels - linear) << SOFT_TEXEL_FRACTION,
 	};
-}
-
-/* The shift from 16.16 base texels to the level's; 31 for a side of one texel. */
-static int find_shift(int base_log2, int log2)
-{
-	return log2 == 0 ? 31 : base_log2 - log2 + 16 - SOFT_TEXEL_FRACTION;
-}
-
-static int32_t find_half(
-	const struct level *level, bool linear, bool across, int log2)
-{
-	return log2 == 0 ? 0 : soft_half_texel(level->format, linear, across);
 }
 
 static struct soft_view find_view(
@@ -61,13 +40,12 @@ static struct soft_view find_view(
 		.texels = level->texels,
 		.stride_log2 = (uint32_t)(s_log2 + texel_log2),
 		.texel_log2 = texel_log2,
-		.s_shift = find_shift(input->width_log2, s_log2),
-		.t_shift = find_shift(input->height_log2, t_log2),
-		.s_half = find_half(level, linear, true, s_log2),
-		.t_half = find_half(level, linear, false, t_log2),
-		.s_last = (1u << s_log2) - 1,
-		.t_last = (1u << t_log2) - 1,
-		.window = find_window(texture, level, linear),
+		.large = (1 << s_log2) > SOFT_RUN_TEXELS ||
+			(1 << t_log2) > SOFT_RUN_TEXELS,
+		.s = find_axis(level, linear, true, s_log2, input->width_log2,
+			texture->wrap_s),
+		.t = find_axis(level, linear, false, t_log2, input->height_log2,
+			texture->wrap_t),
 	};
 }
 
@@ -76,8 +54,8 @@ void soft_use_view(const struct soft_view *view, struct soft_run *run)
 	run->stride_log2 = view->stride_log2;
 	run->texels = view->texels;
 	run->first_texel = view->texels;
-	run->s_last = view->s_last;
-	run->t_last = view->t_last;
+	run->s_last = view->s.last;
+	run->t_last = view->t.last;
 }
 
 /* Lets span functions read the first texture's level. */

@@ -90,6 +90,11 @@ struct soft_row {
 	uint32_t place;
 };
 
+/* A texture coordinate in the level at a run's first pixel, and its step. */
+struct soft_coordinate {
+	uint32_t at, right;
+};
+
 struct soft_run {
 	/* the runs to draw; several only for functions that read first_texel */
 	const struct soft_row *rows;
@@ -103,7 +108,7 @@ struct soft_run {
 	const uint8_t *first_texel;
 	/* SOFT_ANYWHERE: the level and coordinates that may wrap around */
 	const uint8_t *texels;
-	int32_t s, t, s_right, t_right;
+	struct soft_coordinate s, t;
 	uint32_t s_last, t_last; /* last column and row, which are also masks */
 	uint32_t stride_log2; /* log2 of bytes from row to row of the level */
 	/*

@@ -245,22 +245,23 @@ static ALWAYS_INLINE int32_t soft_alpha_step(int32_t step)
 }
 
 /* Converts a step of 16.16 base texels to the level's, rounded to the nearest. */
-static ALWAYS_INLINE int32_t soft_texel_step(int32_t step, int shift)
+static ALWAYS_INLINE uint32_t soft_texel_step(int32_t step, int shift)
 {
-	return (int32_t)((uint32_t)step + (1u << (shift - 1))) >> shift;
+	return (uint32_t)((int32_t)((uint32_t)step + (1u << (shift - 1))) >>
+		shift);
 }
 
 /*
  * A run's first coordinate in the level, such that the coordinate in its middle,
  * half_count pixels on, is exact; right is the rounded step in the level.
  */
-static ALWAYS_INLINE int32_t soft_find_start(int32_t at, int32_t step,
-	uint32_t half_count, int32_t right, int shift, int32_t half_texel)
+static ALWAYS_INLINE uint32_t soft_find_start(int32_t at, int32_t step,
+	uint32_t half_count, uint32_t right, int shift, int32_t half_texel)
 {
 	uint32_t middle = (uint32_t)at + (uint32_t)step * half_count;
 
-	return (int32_t)((uint32_t)((int32_t)middle >> shift) -
-		(uint32_t)right * half_count - (uint32_t)half_texel);
+	return (uint32_t)((int32_t)middle >> shift) - right * half_count -
+		(uint32_t)half_texel;
 }
 
 #endif

@@ -15,13 +15,13 @@ enum {
 	SOFT_FOG_SCALE = 8402980
 };
 
-/*
- * The coordinates of a level for which no texel of the filter wraps around:
- * s & s_mask is less than s_room, and the same of t.
- */
-struct soft_window {
-	uint32_t s_mask, t_mask, s_room, t_room;
-	bool large; /* too large for soft_row.texel: each run has a first texel */
+/* One coordinate of a level, as runs read the level with a filter. */
+struct soft_axis {
+	int shift;     /* from 16.16 of base texels to 23.9 of the level's */
+	int32_t half;  /* subtracted: see soft_half_texel() */
+	uint32_t last; /* the last column or row of texels */
+	/* The window: if at & mask is below room, no texel wraps around. */
+	uint32_t mask, room;
 };
 
 /* A level of a texture as runs read it with a filter. */
@@ -29,10 +29,8 @@ struct soft_view {
 	const uint8_t *texels;
 	uint32_t stride_log2; /* of bytes, as texel_log2 */
 	int texel_log2;
-	int s_shift, t_shift;   /* from 16.16 of base texels to 23.9 of these */
-	int32_t s_half, t_half; /* subtracted: see soft_half_texel() */
-	uint32_t s_last, t_last;   /* the last column and row of texels */
-	struct soft_window window; /* all of the level that it can be */
+	bool large; /* too large for soft_row.texel: each run has a first texel */
+	struct soft_axis s, t;
 };
 
 /* Colours of 8.16 become struct soft_run's by mul_high_add(half, color, scale). */

@@ -159,7 +159,7 @@ static ALWAYS_INLINE struct soft_steps soft_find_steps(
 {
 	return (struct soft_steps){{run->z_right, 0},
 		{run->red_blue_right, run->green_alpha_right},
-		{(uint32_t)run->s_right, (uint32_t)run->t_right}};
+		{run->s.right, run->t.right}};
 }
 
 /* Reads a pair of steps: from memory, if texels need the registers. */

@@ -175,7 +175,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	/* a depth has as many bytes as a pixel of RGB565 */
 	uintptr_t distance = (uintptr_t)pixel - (uintptr_t)depth;
 	struct soft_pixel at = {row->z, row->red_blue, row->green_alpha,
-		row->fog, row->texel, (uint32_t)run->s, (uint32_t)run->t};
+		row->fog, row->texel, run->s.at, run->t.at};
 	const uint32_t count = row->count;
 	const uint16_t *end = depth + count;
 
@@ -227,9 +227,8 @@ static ALWAYS_INLINE struct soft_pixel soft_spread_steps(
 		soft_spread(run->red_blue_right, next),
 		soft_spread(run->green_alpha_right, next),
 		soft_spread(run->fog_right, next),
-		soft_spread(texel_right, next),
-		soft_spread((uint32_t)run->s_right, next),
-		soft_spread((uint32_t)run->t_right, next)};
+		soft_spread(texel_right, next), soft_spread(run->s.right, next),
+		soft_spread(run->t.right, next)};
 }
 
 /*
@@ -250,7 +249,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	const int pixel_log2 = kind.wide ? 2 : 1;
 	struct soft_pixel at = {zero + row->z, zero + row->red_blue,
 		zero + row->green_alpha, zero + row->fog, zero + row->texel,
-		zero + (uint32_t)run->s, zero + (uint32_t)run->t};
+		zero + run->s.at, zero + run->t.at};
 	struct soft_pixel step = soft_spread_steps(run, row->texel_right, false);
 	uint16_t *depth = row->depth;
 	uint8_t *pixel = row->pixel;

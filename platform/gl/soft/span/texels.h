@@ -21,35 +21,13 @@ void soft_draw_across(struct soft_spans *spans);
 void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 	const soft_span_function function[2], int pixel_log2);
 
-/* A triangle's range of one coordinate in a level, 9 fraction bits. */
-struct texel_place {
-	int32_t low; /* a whole texel at or below the least coordinate */
-	uint32_t first, room; /* low masked; the largest one minus low */
-};
-
-/*
- * Finds it from a triangle's least and largest coordinate, in 1/256 base texels,
- * with spare more at both ends. Far outside of the texture it wraps around.
- */
-static ALWAYS_INLINE struct texel_place soft_find_place(int32_t least,
-	int32_t most, int shift, int32_t half, int32_t spare, uint32_t mask)
-{
-	int32_t low = ((int32_t)((uint32_t)least * 256) >> shift) - half - spare;
-	int32_t high = ((int32_t)((uint32_t)most * 256) >> shift) - half + spare;
-
-	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
-	return (struct texel_place){
-		low, (uint32_t)low & mask, (uint32_t)high - (uint32_t)low};
-}
-
 /* Sets a run's steps in the level from those in base texels, rounded. */
 static ALWAYS_INLINE void soft_set_texel_steps(
 	const struct soft_view *view, struct texels step, struct soft_run *run)
 {
-	run->s_right = soft_texel_step(step.s, view->s_shift);
-	run->t_right = soft_texel_step(step.t, view->t_shift);
-	run->row.texel_right =
-		((uint32_t)run->t_right << 16) + (uint32_t)run->s_right;
+	run->s.right = soft_texel_step(step.s, view->s.shift);
+	run->t.right = soft_texel_step(step.t, view->t.shift);
+	run->row.texel_right = (run->t.right << 16) + run->s.right;
 }
 
 /* Sets the first coordinates of a run of count pixels, whose steps are set. */
@@ -57,10 +35,10 @@ static ALWAYS_INLINE void soft_set_texels(const struct soft_view *view,
 	struct texels at, struct texels step, uint32_t count,
 	struct soft_run *run)
 {
-	run->s = soft_find_start(at.s, step.s, count >> 1, run->s_right,
-		view->s_shift, view->s_half);
-	run->t = soft_find_start(at.t, step.t, count >> 1, run->t_right,
-		view->t_shift, view->t_half);
+	run->s.at = soft_find_start(at.s, step.s, count >> 1, run->s.right,
+		view->s.shift, view->s.half);
+	run->t.at = soft_find_start(at.t, step.t, count >> 1, run->t.right,
+		view->t.shift, view->t.half);
 }
 
 /*
@@ -69,24 +47,22 @@ static ALWAYS_INLINE void soft_set_texels(const struct soft_view *view,
  * own, as the halves of row.texel have room for SOFT_RUN_TEXELS only.
  */
 static ALWAYS_INLINE bool soft_find_window(
-	const struct soft_window *window, int texel_log2, struct soft_run *run)
+	const struct soft_view *view, struct soft_run *run)
 {
 	uint32_t last = run->row.count - 1;
-	uint32_t s = (uint32_t)run->s & window->s_mask;
-	uint32_t t = (uint32_t)run->t & window->t_mask;
-	uint32_t s_end = s + (uint32_t)run->s_right * last;
-	uint32_t t_end = t + (uint32_t)run->t_right * last;
+	uint32_t s = run->s.at & view->s.mask, s_end = s + run->s.right * last;
+	uint32_t t = run->t.at & view->t.mask, t_end = t + run->t.right * last;
 
-	if (s >= window->s_room || s_end >= window->s_room ||
-		t >= window->t_room || t_end >= window->t_room) {
+	if (s >= view->s.room || s_end >= view->s.room || t >= view->t.room ||
+		t_end >= view->t.room) {
 		return false;
 	}
-	if (window->large) {
+	if (view->large) {
 		uint32_t x = (s < s_end ? s : s_end) >> SOFT_TEXEL_FRACTION;
 		uint32_t y = (t < t_end ? t : t_end) >> SOFT_TEXEL_FRACTION;
 
 		run->first_texel = run->texels + (y << run->stride_log2) +
-			(x << texel_log2);
+			(x << view->texel_log2);
 		x <<= SOFT_TEXEL_FRACTION;
 		y <<= SOFT_TEXEL_FRACTION;
 		s -= x;

@@ -12,7 +12,6 @@ static ALWAYS_INLINE void draw_run(
 	const struct line *line, const struct walk_kind kind, int x, int count)
 {
 	struct soft_spans *spans = &line->draw->spans;
-	const struct soft_view *view = &spans->levels[0].view;
 	struct soft_run *run = &spans->run;
 
 	run->row.count = (uint32_t)count;
@@ -24,8 +23,7 @@ static ALWAYS_INLINE void draw_run(
 		return;
 	}
 	run->row.place = (uint32_t)line->row << 16 | (uint32_t)x;
-	if (spans->made ||
-		soft_find_window(&view->window, view->texel_log2, run)) {
+	if (spans->made || soft_find_window(&spans->levels[0].view, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);

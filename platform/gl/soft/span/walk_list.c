@@ -29,12 +29,8 @@ static ALWAYS_INLINE uint32_t find_there(
 		(uint32_t)plane->dx, x);
 }
 
-/* A run's first coordinate in the window, and its step a pixel. */
-struct found {
-	uint32_t at, right;
-};
-
-static ALWAYS_INLINE struct found find_coordinate(
+/* A run's first coordinate, counted from the window's, and its step. */
+static ALWAYS_INLINE struct soft_coordinate find_coordinate(
 	const struct list_coordinate *c, const struct list_kind kind,
 	uint32_t x, uint32_t y, uint32_t count)
 {
@@ -58,12 +54,12 @@ static ALWAYS_INLINE struct found find_coordinate(
 		middle = find_there(&c->plane, x + half, y);
 	}
 	at = (uint32_t)((int32_t)middle >> c->shift) - right * half;
-	return (struct found){
+	return (struct soft_coordinate){
 		kind.certain ? at : (at - c->offset) & c->mask, right};
 }
 
-static ALWAYS_INLINE bool is_outside(
-	const struct list_coordinate *c, struct found found, uint32_t count)
+static ALWAYS_INLINE bool is_outside(const struct list_coordinate *c,
+	struct soft_coordinate found, uint32_t count)
 {
 	return found.at >= c->room ||
 		found.at + found.right * (count - 1) >= c->room;
@@ -71,18 +67,16 @@ static ALWAYS_INLINE bool is_outside(
 
 /* Draws a run that leaves the window at once, instead of listing it. */
 static NEVER_INLINE void draw_outside(struct run_list *list,
-	const struct soft_row *row, struct found s, struct found t)
+	const struct soft_row *row, struct soft_coordinate s,
+	struct soft_coordinate t)
 {
 	struct soft_spans *spans = &list->draw->spans;
-	const struct soft_view *view = &spans->levels[0].view;
 	struct soft_run *run = &spans->run;
 
 	run->row = *row;
-	run->s = (int32_t)(s.at + list->s.first);
-	run->t = (int32_t)(t.at + list->t.first);
-	run->s_right = (int32_t)s.right;
-	run->t_right = (int32_t)t.right;
-	if (soft_find_window(&view->window, view->texel_log2, run)) {
+	run->s = (struct soft_coordinate){s.at + list->s.first, s.right};
+	run->t = (struct soft_coordinate){t.at + list->t.first, t.right};
+	if (soft_find_window(&spans->levels[0].view, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);
@@ -115,8 +109,10 @@ static ALWAYS_INLINE bool set_texel(struct run_list *list,
 	uint32_t y)
 {
 	const uint32_t count = row->count;
-	const struct found s = find_coordinate(&list->s, kind, x, y, count);
-	const struct found t = find_coordinate(&list->t, kind, x, y, count);
+	const struct soft_coordinate s =
+		find_coordinate(&list->s, kind, x, y, count);
+	const struct soft_coordinate t =
+		find_coordinate(&list->t, kind, x, y, count);
 
 	row->texel = (t.at << 16) + s.at;
 	row->texel_right = (t.right << 16) + s.right;

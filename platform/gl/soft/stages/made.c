@@ -64,7 +64,7 @@ static ALWAYS_INLINE void sample_row(const struct soft_levels *levels,
 {
 	soft_set_texel_steps(view, at->step, run);
 	soft_set_texels(view, at->at, at->step, run->row.count, run);
-	if (soft_find_window(&view->window, view->texel_log2, run)) {
+	if (soft_find_window(view, run)) {
 		levels->sampler[1](run);
 	} else {
 		soft_cut_run(run, view, levels->sampler, 2);

@@ -49,11 +49,9 @@ static ALWAYS_INLINE void read_texels(
 {
 	const struct soft_run own = *given, *run = &own;
 	const uint32_t at_right = run->row.texel_right;
-	const uint32_t s_right = (uint32_t)run->s_right;
-	const uint32_t t_right = (uint32_t)run->t_right;
 	soft_word at = run->row.texel + soft_spread(at_right, false);
-	soft_word s = (uint32_t)run->s + soft_spread(s_right, false);
-	soft_word t = (uint32_t)run->t + soft_spread(t_right, false);
+	soft_word s = run->s.at + soft_spread(run->s.right, false);
+	soft_word t = run->t.at + soft_spread(run->t.right, false);
 	const struct soft_rows rows = {
 		.first = run->first_texel, .stride = 1u << run->stride_log2};
 	uint32_t *out = (uint32_t *)(void *)run->row.pixel;
@@ -69,8 +67,8 @@ static ALWAYS_INLINE void read_texels(
 		} else {
 			soft_sample_anywhere(
 				run, run->texels, kind, s, t, &texel);
-			s += soft_spread(s_right, true);
-			t += soft_spread(t_right, true);
+			s += soft_spread(run->s.right, true);
+			t += soft_spread(run->t.right, true);
 		}
 		soft_finish_texel(kind, &texel);
 		soft_put_words(out,

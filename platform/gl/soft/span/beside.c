@@ -140,26 +140,26 @@ static void test_drawn(const struct batch *batch, uint32_t i,
 	}
 }
 
-/* Copies those pixels to the picture whose fragments were drawn. */
-static void copy_drawn(const struct soft_row *row, const uint8_t *own,
-	size_t pixel_bytes, const uint16_t *before, const uint16_t *aside)
+/*
+ * Writes the depths of the fragments that were drawn and, if own is not NULL,
+ * copies their pixels from there to the picture.
+ */
+static void write_drawn(const struct soft_spans *spans,
+	const struct soft_row *row, const uint8_t *own, const uint16_t *before,
+	const uint16_t *aside)
 {
-	for (uint32_t i = 0; i < row->count; i++) {
-		if (before[i] != aside[i]) {
+	const size_t pixel_bytes = (size_t)1 << spans->pixel_log2;
+	uint32_t z = row->z;
+
+	for (uint32_t i = 0; i < row->count; i++, z += spans->run.z_right) {
+		if (before[i] == aside[i]) {
+			continue;
+		}
+		if (own) {
 			memcpy(row->pixel + i * pixel_bytes,
 				own + i * pixel_bytes, pixel_bytes);
 		}
-	}
-}
-
-/* Writes the depths of the fragments that were drawn. */
-static void write_depths(const struct soft_row *row, uint32_t z_right,
-	const uint16_t *before, const uint16_t *aside)
-{
-	uint32_t z = row->z;
-
-	for (uint32_t i = 0; i < row->count; i++, z += z_right) {
-		if (before[i] != aside[i]) {
+		if (spans->depth_written) {
 			row->depth[i] = (uint16_t)(z >> 16);
 		}
 	}
@@ -167,8 +167,7 @@ static void write_depths(const struct soft_row *row, uint32_t z_right,
 
 static void end_batch(struct batch *batch)
 {
-	const struct draw *draw = batch->draw;
-	const struct soft_spans *spans = &draw->spans;
+	const struct soft_spans *spans = &batch->draw->spans;
 	uint16_t *before = batch->before, *aside = batch->aside;
 
 	for (uint32_t i = 0; i < batch->count; i++) {
@@ -179,14 +178,11 @@ static void end_batch(struct batch *batch)
 			test_drawn(batch, i, before, aside);
 		}
 		if (spans->blended_last) {
-			soft_blend_row(draw, from, own, before, aside);
-		} else if (batch->last) {
-			copy_drawn(from, own, 1u << spans->pixel_log2, before,
-				aside);
+			soft_blend_row(batch->draw, from, own, before, aside);
 		}
-		if (spans->depth_written) {
-			write_depths(from, spans->run.z_right, before, aside);
-		}
+		write_drawn(spans, from,
+			batch->last && !spans->blended_last ? own : NULL,
+			before, aside);
 		before += from->count;
 		aside += from->count;
 	}

@@ -41,18 +41,17 @@ static bool find_alpha_range(
 	return count > 0;
 }
 
-/* The factor's equivalent in RGB565, whose destination alpha is 1. */
-static GLenum find_opaque_factor(GLenum factor)
+/* The factor's equivalent in opaque pictures, whose destination alpha is 1. */
+static GLenum find_equivalent(GLenum factor, bool opaque)
 {
-	switch (factor) {
-	case GL_DST_ALPHA:
+	if (opaque && factor == GL_DST_ALPHA) {
 		return GL_ONE;
-	case GL_ONE_MINUS_DST_ALPHA:
-	case GL_SRC_ALPHA_SATURATE:
-		return GL_ZERO;
-	default:
-		return factor;
 	}
+	return opaque &&
+			(factor == GL_ONE_MINUS_DST_ALPHA ||
+				factor == GL_SRC_ALPHA_SATURATE)
+		? GL_ZERO
+		: factor;
 }
 
 /* A blend factor that depends on the fragment's alpha: base + alpha * by. */
@@ -63,22 +62,11 @@ struct factor {
 /* Expresses a blend factor so; false if it depends on anything else. */
 static bool find_factor(GLenum factor, uint32_t one, struct factor *out)
 {
-	switch (factor) {
-	case GL_ZERO:
-		*out = (struct factor){0, 0};
-		return true;
-	case GL_ONE:
-		*out = (struct factor){one, 0};
-		return true;
-	case GL_SRC_ALPHA:
-		*out = (struct factor){0, 1};
-		return true;
-	case GL_ONE_MINUS_SRC_ALPHA:
-		*out = (struct factor){one, UINT32_MAX};
-		return true;
-	default:
-		return false;
-	}
+	const bool inverse = factor == GL_ONE_MINUS_SRC_ALPHA;
+
+	out->base = factor == GL_ONE || inverse ? one : 0;
+	out->by = inverse ? UINT32_MAX : factor == GL_SRC_ALPHA;
+	return out->base != 0 || out->by != 0 || factor == GL_ZERO;
 }
 
 static bool is_blended_by_alpha(const struct fragment_state *state)
@@ -96,13 +84,9 @@ static bool find_factors(
 	const uint32_t one = is_565 ? 256 : 255;
 	struct factor own, old;
 
-	stages->blend_source = state->blend_source;
-	stages->blend_destination = state->blend_destination;
-	if (is_565) {
-		stages->blend_source = find_opaque_factor(state->blend_source);
-		stages->blend_destination =
-			find_opaque_factor(state->blend_destination);
-	}
+	stages->blend_source = find_equivalent(state->blend_source, is_565);
+	stages->blend_destination =
+		find_equivalent(state->blend_destination, is_565);
 	if (!find_factor(stages->blend_source, one, &own) ||
 		!find_factor(stages->blend_destination, one, &old)) {
 		return false;

@@ -227,14 +227,19 @@ static void expect_followed(const struct demo_driver *duel, struct demo *demo)
 	assert_true(way > 6.0f);
 }
 
+/* What a duel uses for as long as it lives. */
+struct around {
+	struct log_capture heard;
+	struct log log;
+	struct gl gl;
+};
+
 /* Creates the duel of a clip of a model of the fixtures; NULL: of its walk. */
 static int create_duel(const char *model_path, const char *clip,
-	struct log_capture *heard, struct demo **demo)
+	struct around *around, struct demo **demo)
 {
-	struct log log = log_capture_begin(heard);
-	struct gl gl = gl_recorder_begin();
-	const struct demo_env env = {.log = &log,
-		.gl = &gl,
+	const struct demo_env env = {.log = &around->log,
+		.gl = &around->gl,
 		.target = PIXELS_RGBA8888,
 		.kernel = &kernel_float,
 		.width = 480,
@@ -245,6 +250,8 @@ static int create_duel(const char *model_path, const char *clip,
 		.repeat = CLIP_LOOP,
 		.speed = 1.0f};
 
+	around->log = log_capture_begin(&around->heard);
+	around->gl = gl_recorder_begin();
 	return demo_create(demo_find("duel"), &env, demo);
 }
 
@@ -252,11 +259,11 @@ static int create_duel(const char *model_path, const char *clip,
  * Whether the duel begins with a model of the fixtures. If it does, the camera
  * has to follow the model.
  */
-static int begin_with(const char *model_path, struct log_capture *heard)
+static int begin_with(const char *model_path, struct around *around)
 {
 	const struct demo_driver *duel = demo_find("duel");
 	struct demo *demo;
-	int error = create_duel(model_path, NULL, heard, &demo);
+	int error = create_duel(model_path, NULL, around, &demo);
 
 	if (!error) {
 		expect_followed(duel, demo);
@@ -267,22 +274,23 @@ static int begin_with(const char *model_path, struct log_capture *heard)
 
 static void test_it_follows_a_model_and_needs_clips_and_triangles(void **state)
 {
-	struct log_capture heard;
+	struct around around;
 
 	(void)state;
 	/* Its first clip is its walk. */
 	assert_int_equal(
-		begin_with("tests/fixtures/gltf/clip/far.gltf", &heard), 0);
-	assert_int_equal(log_capture_count(&heard, LOG_ERROR), 0);
+		begin_with("tests/fixtures/gltf/clip/far.gltf", &around), 0);
+	assert_int_equal(log_capture_count(&around.heard, LOG_ERROR), 0);
 	assert_int_equal(
-		begin_with("tests/fixtures/gltf/mesh/weights.gltf", &heard),
-		-EINVAL);
-	assert_true(log_capture_has(&heard, LOG_ERROR, "has no clip: give"));
-	assert_int_equal(
-		begin_with("tests/fixtures/gltf/scene/matrices.gltf", &heard),
+		begin_with("tests/fixtures/gltf/mesh/weights.gltf", &around),
 		-EINVAL);
 	assert_true(
-		log_capture_has(&heard, LOG_ERROR, "has no triangles: give"));
+		log_capture_has(&around.heard, LOG_ERROR, "has no clip: give"));
+	assert_int_equal(
+		begin_with("tests/fixtures/gltf/scene/matrices.gltf", &around),
+		-EINVAL);
+	assert_true(log_capture_has(
+		&around.heard, LOG_ERROR, "has no triangles: give"));
 }
 
 static void test_a_morph_that_turns_inside_out_is_told(void **state)
@@ -292,12 +300,12 @@ static void test_a_morph_that_turns_inside_out_is_told(void **state)
 
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct log_capture heard;
+		struct around around;
 		struct demo *demo;
 
 		assert_int_equal(
-			create_duel(turned, clips[i], &heard, &demo), 0);
-		assert_int_equal(log_capture_has(&heard, LOG_WARNING,
+			create_duel(turned, clips[i], &around, &demo), 0);
+		assert_int_equal(log_capture_has(&around.heard, LOG_WARNING,
 					 "clip 1 turns a surface inside out"),
 			i == 1);
 		demo_destroy(demo_find("duel"), demo);
@@ -309,12 +317,12 @@ static void test_a_loop_of_blender_does_not_pause(void **state)
 {
 	static const float lead_s = 1 / 24.0f;
 	const struct demo_driver *duel = demo_find("duel");
-	struct log_capture heard;
+	struct around around;
 	struct demo *demo;
 
 	(void)state;
 	assert_int_equal(create_duel("tests/fixtures/gltf/clip/frame_one.gltf",
-				 NULL, &heard, &demo),
+				 NULL, &around, &demo),
 		0);
 	for (int round = 0; round < 3; round++) {
 		struct overlay_motion motion = overlay_motion_none();

@@ -173,6 +173,8 @@ static void end_batch(struct batch *batch)
 	for (uint32_t i = 0; i < batch->count; i++) {
 		const struct soft_row *from = &batch->from[i];
 		const uint8_t *own = batch->row[i].pixel;
+		const uint8_t *copied =
+			batch->last && !spans->blended_last ? own : NULL;
 
 		if (batch->last) {
 			test_drawn(batch, i, before, aside);
@@ -180,9 +182,9 @@ static void end_batch(struct batch *batch)
 		if (spans->blended_last) {
 			soft_blend_row(batch->draw, from, own, before, aside);
 		}
-		write_drawn(spans, from,
-			batch->last && !spans->blended_last ? own : NULL,
-			before, aside);
+		if (copied || spans->depth_written) {
+			write_drawn(spans, from, copied, before, aside);
+		}
 		before += from->count;
 		aside += from->count;
 	}

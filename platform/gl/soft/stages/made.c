@@ -183,7 +183,9 @@ static ALWAYS_INLINE void fill_primary(
 			ga += soft_spread(ga_right, true);
 		}
 		out += row->count;
-		texel += texel ? row->count : 0;
+		if (texel) {
+			texel += row->count;
+		}
 	}
 }
 

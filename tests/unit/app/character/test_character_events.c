@@ -180,20 +180,27 @@ static void drive(void *user, int output, bool on)
 	line->on = on;
 }
 
+/* Begins a character whose output drives the line. */
+static void begin_with_line(
+	struct acting *acting, struct line *line, const char *text)
+{
+	acting_begin(acting, "assets/walker.glb");
+	acting_expect(acting, text);
+	acting->character->drive = drive;
+	acting->character->drive_user = line;
+}
+
 static void test_events_give_pulses_to_output_lines(void **state)
 {
 	struct acting acting;
 	struct line line = {0};
 
 	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	acting_expect(&acting,
+	begin_with_line(&acting, &line,
 		"[state a]\nclip = walk\n[output led]\nline = gpiochip0/18\n"
 		"[clip walk]\nevent = 0.3 output led 100\n"
 		"event = 0.8 output led 100\n"
 		"[buttons]\nUP = output led on\nDOWN = output led off\n");
-	acting.character->drive = drive;
-	acting.character->drive_user = &line;
 	acting_run_to(&acting, 0.36, rate_hz);
 	assert_true(line.on);
 	acting_run_to(&acting, 0.5, rate_hz);
@@ -216,12 +223,9 @@ static void test_a_pulse_ends_during_a_pause(void **state)
 	struct line line = {0};
 
 	(void)state;
-	acting_begin(&acting, "assets/walker.glb");
-	acting_expect(&acting,
+	begin_with_line(&acting, &line,
 		"[state a]\nclip = walk\n[output led]\nline = gpiochip0/18\n"
 		"[buttons]\nUP = output led 200\nDOWN = pause\n");
-	acting.character->drive = drive;
-	acting.character->drive_user = &line;
 	acting_run_to(&acting, 0.5, rate_hz);
 	press_once(&acting, BUTTON_UP);
 	press_once(&acting, BUTTON_DOWN);

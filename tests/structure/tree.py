@@ -104,10 +104,23 @@ def rings(uses):
     return [" and ".join(ring) for ring in sorted(found)]
 
 
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]*)"', re.M)
+
+
 def rings_of_headers(tree):
-    include = re.compile(r'^\s*#\s*include\s*"([^"]*)"', re.M)
     headers = [p for p in files_below(tree, {".h"}) if is_program(p)]
-    return rings({p: set(include.findall(read(tree, p))) for p in headers})
+    return rings({p: set(INCLUDE.findall(read(tree, p))) for p in headers})
+
+
+def rings_of_driver(tree):
+    """Rings of the GL driver's files, where a .c file and its header are one."""
+    uses = {}
+    for path in files_below(tree, {".c", ".h"}):
+        if path.startswith("platform/gl/soft/"):
+            name = path[:-2]
+            headers = INCLUDE.findall(read(tree, path))
+            uses.setdefault(name, set()).update({h[:-2] for h in headers} - {name})
+    return rings(uses)
 
 
 def symbols_of(tree, folder):
@@ -205,6 +218,10 @@ def main():
         (f"a folder has at most {FOLDER_FILES} source files", large_folders(tree)),
         (f"a file of the program has at most {FILE_LINES} lines", long_files(tree)),
         ("headers do not include each other in rings", rings_of_headers(tree)),
+        (
+            "files of the GL driver do not include each other in rings",
+            rings_of_driver(tree),
+        ),
         (
             "files do not call each other in rings",
             sorted({ring for rows in symbols for ring in rings_of_calls(rows)}),

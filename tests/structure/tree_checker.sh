@@ -42,7 +42,7 @@ refuses() {
 given
 check_tree 'a clean tree'
 expect_status 0
-expect_out '^1\.\.7$'
+expect_out '^1\.\.8$'
 
 given
 for number in $(seq 25); do add "app/anim/pose_$number.h" ''; done
@@ -57,6 +57,14 @@ add app/anim/pose.h '#include "app/anim/clip.h"'
 add app/anim/clip.h '#pragma once'
 add app/anim/clip.h '#include "app/anim/pose.h"'
 refuses 'headers that include each other' 'app/anim/clip.h and app/anim/pose.h'
+
+given
+mkdir "$TREE/platform/gl/soft"
+add platform/gl/soft/row.h '#include "platform/gl/soft/point.h"'
+add platform/gl/soft/point.h 'int gl_point(void);'
+add platform/gl/soft/point.c '#include "platform/gl/soft/row.h"'
+refuses 'a source file that includes what includes its header' \
+    'platform/gl/soft/point and platform/gl/soft/row'
 
 given
 add platform/gl/gl.c 'int pose_mix(int); int gl_flush(void); int gl_flush(void) { return pose_mix(1); }'

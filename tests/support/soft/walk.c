@@ -81,7 +81,7 @@ static void draw_run(
 	span->value[DEPTH] = plane_at(raster, DEPTH, x);
 	if (draw->texture[1].used && raster->perspective) {
 		const struct soft_made_at at =
-			soft_rows_find_second(draw, 0, x, count, &span->lod[1]);
+			soft_find_second(draw, 0, x, count, &span->lod[1]);
 
 		span->value[TEX_S + 2] = (uint32_t)at.at.s;
 		span->value[TEX_S + 3] = (uint32_t)at.at.t;

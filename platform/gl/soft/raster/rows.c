@@ -1,6 +1,5 @@
 /* Perspective division at single columns; levels of detail. */
 #include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/points.h"
 
 /* A coordinate's derivative in x, or y; of polynomials at the centre. */
 static int32_t find_slope(const struct raster *raster, int name, bool down)
@@ -56,24 +55,6 @@ int soft_rows_find_lod(const struct raster *raster, const struct point *point,
 		down[i] = rows_divide(point, saturate_64(y), shift + 8);
 	}
 	return raster_find_lod(across[0], across[1], down[0], down[1]);
-}
-
-struct soft_made_at soft_rows_find_second(
-	struct draw *draw, int row, int x, int count, int *lod)
-{
-	const struct walk_kind kind = {.textured = true};
-	const struct line line = {.draw = draw, .row = row};
-	const int32_t inverse = draw->inverse_q31[count - 1];
-	const struct row_point from = find_point(&line, kind, 1, x);
-	const struct texels at = from.texels,
-			    to = find_point(&line, kind, 1, x + count - 1).texels;
-
-	if (soft_rows_want_lod(&draw->texture[1])) {
-		*lod = soft_rows_find_lod(&draw->raster, &from.divisor, 1, at);
-	}
-	return (struct soft_made_at){at,
-		{rows_find_step(at.s, to.s, inverse),
-			rows_find_step(at.t, to.t, inverse)}};
 }
 
 bool soft_rows_is_linear(GLenum filter)

@@ -137,13 +137,6 @@ void soft_rows_find_affine_lod(struct draw *draw);
 int soft_rows_find_lod(const struct raster *raster, const struct point *point,
 	int unit, struct texels texels);
 
-/*
- * In perspective: the second texture's coordinates in count pixels from column x
- * on of a row, counted from the triangle's first one; and its level of detail.
- */
-struct soft_made_at soft_rows_find_second(
-	struct draw *draw, int row, int x, int count, int *lod);
-
 /* Whether a filter is bilinear within a level. */
 bool soft_rows_is_linear(GLenum filter);
 

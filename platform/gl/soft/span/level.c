@@ -2,8 +2,7 @@
  * Chooses the level of detail that runs read: its texels, the conversion of
  * coordinates to it, and its window.
  */
-#include "platform/gl/soft/raster/rows.h"
-#include "platform/gl/soft/span/texels.h"
+#include "platform/gl/soft/span/points.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -127,4 +126,22 @@ void soft_set_level(struct draw *draw, int unit, int lod)
 	} else {
 		set_sampler(input, levels);
 	}
+}
+
+struct soft_made_at soft_find_second(
+	struct draw *draw, int row, int x, int count, int *lod)
+{
+	const struct walk_kind kind = {.textured = true};
+	const struct line line = {.draw = draw, .row = row};
+	const int32_t inverse = draw->inverse_q31[count - 1];
+	const struct row_point from = find_point(&line, kind, 1, x);
+	const struct texels at = from.texels,
+			    to = find_point(&line, kind, 1, x + count - 1).texels;
+
+	if (soft_rows_want_lod(&draw->texture[1])) {
+		*lod = soft_rows_find_lod(&draw->raster, &from.divisor, 1, at);
+	}
+	return (struct soft_made_at){at,
+		{rows_find_step(at.s, to.s, inverse),
+			rows_find_step(at.t, to.t, inverse)}};
 }

@@ -2,6 +2,7 @@
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/sample.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"

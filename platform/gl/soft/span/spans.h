@@ -5,7 +5,7 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_SPANS_H
 #define PLATFORM_GL_SOFT_SPAN_SPANS_H
 
-#include "platform/gl/soft/stages/combine_rows.h"
+#include "platform/gl/soft/span/run.h"
 
 struct draw;
 struct setup;
@@ -13,6 +13,21 @@ struct setup;
 /* Factor of mul_high() from fog in 8.16 to a run's 1.15. */
 enum {
 	SOFT_FOG_SCALE = 8402980
+};
+
+/* A function of GL_COMBINE and its arguments. */
+struct soft_combiner {
+	GLenum function;
+	GLenum source[3], operand[3];
+	int doublings; /* log2 of the scale: 0 to 2 */
+};
+
+/* An environment of any mode, as functions of GL_COMBINE. */
+struct soft_environment {
+	struct soft_combiner rgb, alpha;
+	bool alike;        /* rgb on all four bytes gives alpha, too */
+	bool alpha_wanted; /* else the result's alpha is undefined */
+	uint32_t constant; /* the environment's colour */
 };
 
 /* One coordinate of a level, as runs read the level with a filter. */

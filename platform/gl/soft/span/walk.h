@@ -19,6 +19,14 @@ void soft_begin_steps(struct draw *draw, uint32_t moving);
  */
 void soft_set_level(struct draw *draw, int unit, int lod);
 
+/*
+ * level.c, in perspective: the second texture's coordinates in count pixels
+ * from column x on of a row, counted from the triangle's first one; and its
+ * level of detail.
+ */
+struct soft_made_at soft_find_second(
+	struct draw *draw, int row, int x, int count, int *lod);
+
 /* level.c: lets a run read a level. */
 void soft_use_view(const struct soft_view *view, struct soft_run *run);
 

@@ -6,27 +6,12 @@
 #ifndef PLATFORM_GL_SOFT_STAGES_COMBINE_ROWS_H
 #define PLATFORM_GL_SOFT_STAGES_COMBINE_ROWS_H
 
-#include "platform/gl/soft/span/run.h"
+#include "platform/gl/soft/span/spans.h"
 
 struct texture_input;
 
 /* Whether a base format, such as GL_RGBA, has alpha. */
 bool soft_base_has_alpha(GLenum format);
-
-/* A function of GL_COMBINE and its arguments. */
-struct soft_combiner {
-	GLenum function;
-	GLenum source[3], operand[3];
-	int doublings; /* log2 of the scale: 0 to 2 */
-};
-
-/* An environment of any mode, as functions of GL_COMBINE. */
-struct soft_environment {
-	struct soft_combiner rgb, alpha;
-	bool alike;        /* rgb on all four bytes gives alpha, too */
-	bool alpha_wanted; /* else the result's alpha is undefined */
-	uint32_t constant; /* the environment's colour */
-};
 
 /*
  * An environment's mode; GL_MODULATE or GL_REPLACE where GL_COMBINE has the same

@@ -7,6 +7,7 @@
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/stages/bytes.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -37,7 +38,7 @@ static NEVER_INLINE struct soft_made_at find_second(
 {
 	int lod = draw->raster.lod[1];
 	const struct soft_made_at at =
-		soft_rows_find_second(draw, (int)(row->place >> 16),
+		soft_find_second(draw, (int)(row->place >> 16),
 			(int)(row->place & 0xFFFF), (int)row->count, &lod);
 
 	if (draw->spans.levels[1].level < 0 ||

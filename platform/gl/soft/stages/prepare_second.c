@@ -1,6 +1,7 @@
 /* Chooses span functions that read a second texture's texels, and how. */
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/spans.h"
+#include "platform/gl/soft/stages/combine_rows.h"
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 

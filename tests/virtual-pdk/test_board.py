@@ -218,11 +218,27 @@ async def test_messages(virtual):
         check(f"message with {name}: ignored", page.is_ready and not jobs, why)
 
 
+async def test_console(virtual):
+    """The console's characters are whole, wherever the line divides them."""
+    line = asyncio.StreamReader()
+    reader = asyncio.create_task(virtual.read_console(line))
+    for part in (b"R\xc3", b"\xb6hre 5 \xe2", b"\x80", b"\xa6 \xff\n"):
+        line.feed_data(part)
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+    line.feed_eof()
+    await reader
+    check("console: characters that arrive in parts are whole",
+          virtual.log == "R\u00f6hre 5 \u2026 \ufffd\n", ascii(virtual.log))
+    virtual.log = ""
+
+
 async def test_all():
     listener = Listener()
     virtual = listener.board = board.Board(IMAGE, STATE, listener)
     try:
         await test_messages(virtual)
+        await test_console(virtual)
         await test_reset(virtual)
         await test_deaths(virtual)
         await test_hanging(virtual)

@@ -5,6 +5,7 @@ the event loop. The board calls listener.state(), listener.log(text) and
 listener.picture(first_row, rows) when something changes.
 """
 import asyncio
+import codecs
 import concurrent.futures
 import contextlib
 import pathlib
@@ -315,9 +316,11 @@ class Board:
         self.listener.log(text)
 
     async def read_console(self, line):
+        # A character may arrive in two parts.
+        decoder = codecs.getincrementaldecoder("utf-8")(errors="replace")
         tail = ""
         while data := await line.read(65536):
-            text = data.decode(errors="replace")
+            text = decoder.decode(data)
             self.say(text)
             tail = tail[-200:] + text
             for words, why in LAST_WORDS.items():

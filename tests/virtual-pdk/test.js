@@ -140,6 +140,37 @@ async function testButtons(page, other) {
 	check("then that one", await until(async () => !await isDown(other, "LEFT")));
 }
 
+// What a console shows of a text, line by line.
+function shown(page, text) {
+	return page.evaluate(async (said) => {
+		const { Console } = await import("/console.js");
+		const form = document.createElement("form");
+		form.append(document.createElement("input"));
+		const log = new Console(document.createElement("pre"), form, () => {});
+		log.say(said);
+		return log.log.textContent;
+	}, text);
+}
+
+async function testEscapes(page) {
+	const texts = {
+		"colours": ["\x1b[1;31mred\x1b[0m", "red"],
+		"a mode of the cursor": ["\x1b[?25lhidden", "hidden"],
+		"a soft reset": ["\x1b[!pafter", "after"],
+		"two characters": ["\x1b7saved", "saved"],
+		"one that a line's end breaks": ["\x1b[12\nnext", "\nnext"],
+		"one that another one breaks": ["\x1b[1\x1b[0mplain", "plain"],
+	};
+	for (const [name, [said, wanted]] of Object.entries(texts)) {
+		const got = await shown(page, said);
+		check(`escapes of a terminal are left out: ${name}`, got === wanted,
+			JSON.stringify(got));
+	}
+	const face = await shown(page, "\u{1f600}a");
+	check("a character of two code units stays whole", face === "\u{1f600}a",
+		JSON.stringify(face));
+}
+
 async function testConsole(page) {
 	await page.fill("#text", "echo $((6 * 7))-from-the-board");
 	await page.keyboard.press("Enter");
@@ -300,6 +331,7 @@ async function testAll() {
 		await page.bringToFront();
 		await testButtons(page, other);
 		await other.close();
+		await testEscapes(page);
 		await testConsole(page);
 		await testCamera(page);
 		await testLayout(page);

@@ -65,13 +65,17 @@ export class Console {
 	}
 
 	take(letter) {
-		if (this.escape) {
+		// ESC [ parameters and a character, or ESC and one character (ECMA-48
+		// section 5.4). A control character ends a sequence that is broken.
+		if (this.escape && letter >= " ") {
 			this.escape += letter;
-			// ESC [ numbers character, or ESC and one character.
-			if (/^\x1b(\[[\d;?]*[@-~]|[^[])$/.test(this.escape)) {
+			if (!/^\x1b\[[0-?]*[ -/]*$/.test(this.escape)) {
 				this.escape = "";
 			}
-		} else if (letter === "\x1b") {
+			return;
+		}
+		this.escape = "";
+		if (letter === "\x1b") {
 			this.escape = letter;
 		} else if (letter === "\n") {
 			this.lines.push("");
@@ -83,8 +87,8 @@ export class Console {
 		} else if (letter >= " " || letter === "\t") {
 			const line = this.lines.at(-1);
 			this.lines[this.lines.length - 1] = line.slice(0, this.column) +
-				letter + line.slice(this.column + 1);
-			this.column++;
+				letter + line.slice(this.column + letter.length);
+			this.column += letter.length;
 		}
 	}
 }

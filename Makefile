@@ -6,6 +6,11 @@ MAKEFLAGS += --no-builtin-rules
 .DELETE_ON_ERROR:
 SHELL := /bin/sh
 
+# Commands name this folder between apostrophes.
+ifneq ($(findstring ',$(CURDIR)),)
+$(error limber cannot be built in a folder whose path has an apostrophe: rename it)
+endif
+
 # V=1 shows the commands.
 V ?= 0
 Q := $(if $(filter 1,$(V)),,@)

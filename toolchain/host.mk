@@ -10,7 +10,7 @@ COMMON_CFLAGS := -std=c11 -D_POSIX_C_SOURCE=200809L -DCGLM_ALL_UNALIGNED \
 # the stack and of the C library's functions. No path of this machine gets into
 # the program (tests/package/hardening.sh).
 HARDENING := -fPIE -fstack-protector-strong -U_FORTIFY_SOURCE \
-	-D_FORTIFY_SOURCE=2 -Wdate-time -ffile-prefix-map=$(CURDIR)=.
+	-D_FORTIFY_SOURCE=2 -Wdate-time '-ffile-prefix-map=$(CURDIR)=.'
 HARDENING_LIBS := -pie -Wl,-z,relro,-z,now,-z,noexecstack
 
 CC_host ?= gcc

@@ -16,6 +16,12 @@ if [ -f "$directory/made-from" ] && [ "$(cat "$directory/made-from")" = "$hash" 
 fi
 mkdir -p "$directory"
 directory=$(cd "$directory" && pwd)
+case $directory in
+*[[:space:]:]*)
+    echo "limber: the kernel cannot be built in $directory: Linux does not build in a folder whose path has a space or a colon; move limber to another folder" >&2
+    exit 1
+    ;;
+esac
 source=$directory/source
 log=$directory/build.log
 : >"$log"

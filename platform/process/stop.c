@@ -13,7 +13,7 @@ enum {
 };
 
 /* A signal handler can reach static variables only. */
-static volatile sig_atomic_t wanted;
+static volatile sig_atomic_t wanted; /* the first signal, or 0 */
 static volatile sig_atomic_t watchdog_fd = -1;
 static struct sigaction before[SIGNAL_COUNT];
 
@@ -21,9 +21,8 @@ static void raise_flag(int number)
 {
 	int kept = errno;
 
-	(void)number;
 	if (!wanted) {
-		wanted = 1;
+		wanted = number;
 		(void)alarm(GRACE_S);
 	}
 	/* If this write fails, watchdog_close() reports it. */
@@ -82,4 +81,16 @@ bool stop_requested(void)
 		(void)alarm(0);
 	}
 	return wanted != 0;
+}
+
+const char *stop_failure(void)
+{
+	switch (wanted) {
+	case SIGPIPE:
+		return "the program that read its output has ended (SIGPIPE)";
+	case SIGXCPU:
+		return "it has used up its processor time (SIGXCPU): allow more with ulimit -St";
+	default:
+		return NULL;
+	}
 }

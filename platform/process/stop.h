@@ -40,4 +40,11 @@ void stop_release(void);
  */
 bool stop_requested(void);
 
+/*
+ * Why the first of these signals is a failure: SIGPIPE and SIGXCPU are, and
+ * what they ended is not complete. NULL for SIGINT, SIGTERM and SIGHUP, by
+ * which a user or the system asks for the end, and before any signal.
+ */
+const char *stop_failure(void);
+
 #endif

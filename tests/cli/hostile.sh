@@ -1,7 +1,7 @@
 #!/bin/sh
 # Models that are small and valid in each number, but that would make a program
 # overflow, hang or fill the memory (hostile.py writes them). Each command ends
-# within seconds, with a picture or with one sentence.
+# within seconds, with a picture or with one sentence. And what each signal does.
 . "$(dirname "$0")/../support/cli.sh"
 RUN_SECONDS=${RUN_SECONDS:-60}
 
@@ -154,6 +154,56 @@ kill -PIPE $child
 wait $child
 check 'SIGPIPE leaves the watchdog disabled' \
     test "$(tail -c 1 "$scratch/watchdog")" = V
+
+# end_by SIGNAL [OPTION...]: a signal ends limber play while it shows pictures. A
+# shell lets what it starts with "&" ignore some signals, which env undoes.
+end_by() {
+    signal=$1
+    shift
+    run sh -c 'ulimit -c 0
+        env --default-signal "$@" & pid=$!; n=0
+        until [ -s "$0" ] || [ $n = 1000 ]; do sleep 0.02; n=$((n + 1)); done
+        kill -'"$signal"' $pid; wait $pid' "$out_file" \
+        $limber play --demo arm --size 64x64 --display null "$@"
+    about "limber play that SIG$signal ends"
+}
+
+for name in INT TERM HUP; do
+    end_by $name
+    expect_status 0
+    expect_no_err
+done
+
+end_by PIPE
+expect_status 1
+expect_err 'play: ended early: .*SIGPIPE'
+expect_err_lines 1
+
+end_by XCPU
+expect_status 1
+expect_err 'play: ended early: .*SIGXCPU.*ulimit -St'
+expect_err_lines 1
+
+for ending in QUIT:131 ALRM:142 USR1:138; do
+    end_by ${ending%:*}
+    expect_status ${ending#*:}
+done
+
+# What is recorded is complete in any case.
+end_by XCPU --record-buttons "$scratch/run.txt" --record "$scratch/film.gif"
+expect_status 1
+check 'the film of an early end is complete' \
+    sh -c 'tail -c 1 "$1" | od -An -tx1 | grep -q 3b' sh "$scratch/film.gif"
+check 'the buttons of an early end are kept' test -e "$scratch/run.txt"
+
+# A limit of files is an error of writing.
+end_by XFSZ --frames 20
+expect_status 0
+run sh -c 'ulimit -f 8; "$@"' sh $limber play --demo arm --size 320x240 \
+    --display null --frames 40 --clock fixed:25 --record "$scratch/long.gif"
+about 'limber play at the limit of files'
+expect_status 1
+expect_err 'long.gif: .*too large'
 
 # One picture under many names, and a warning for each of many references.
 expect_too_large many-names.x

@@ -252,6 +252,18 @@ out_input:
 	return error ? error : input_error;
 }
 
+/* Some signals end play in order and are failures nevertheless. */
+static int judge_end(int status, const struct log *log)
+{
+	const char *failure = stop_failure();
+
+	if (status == EXIT_OK && failure) {
+		log_error(log, "play: ended early: %s", failure);
+		return EXIT_FAILED;
+	}
+	return status;
+}
+
 static void hear(void *user, enum log_level level, const char *message)
 {
 	struct show *show = user;
@@ -297,6 +309,7 @@ int show_run(const struct show_plan *plan, const struct options *options,
 		watchdog_close(&show.watchdog);
 	}
 	camera_feed_close(&show.camera);
+	status = judge_end(status, log);
 	stop_release();
 	return status;
 }

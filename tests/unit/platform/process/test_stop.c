@@ -70,6 +70,32 @@ static void test_each_signal_asks_for_the_end(void **state)
 	}
 }
 
+static void test_only_lost_output_and_a_limit_are_failures(void **state)
+{
+	static const char *const words[CAUGHT] = {
+		NULL, NULL, NULL, "SIGPIPE", "SIGXCPU"};
+
+	(void)state;
+	for (int i = 0; i < CAUGHT * CAUGHT; i++) {
+		int first = i / CAUGHT, second = i % CAUGHT;
+
+		signal(caught[first], SIG_DFL);
+		signal(caught[second], SIG_DFL);
+		stop_catch();
+		assert_null(stop_failure());
+		/* Whoever asked for the end before gets it. */
+		raise(caught[first]);
+		raise(caught[second]);
+		assert_true(stop_requested());
+		if (words[first]) {
+			assert_contains(stop_failure(), words[first]);
+		} else {
+			assert_null(stop_failure());
+		}
+		stop_release();
+	}
+}
+
 static void note(int number)
 {
 	(void)number;
@@ -266,6 +292,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_without_a_watchdog_nothing_is_written),
 		cmocka_unit_test(test_each_signal_asks_for_the_end),
+		cmocka_unit_test(test_only_lost_output_and_a_limit_are_failures),
 		cmocka_unit_test(test_the_handlers_of_before_return),
 		cmocka_unit_test(test_what_is_ignored_stays_ignored),
 		cmocka_unit_test(

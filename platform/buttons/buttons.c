@@ -134,9 +134,11 @@ int buttons_check(const char *spec, const struct log *log)
 void buttons_poll(struct buttons *buttons, int64_t now_ms)
 {
 	for (int i = 0; i < buttons->source_count; i++) {
+		buttons->queue.source = i + 1;
 		buttons->source[i].driver->poll(
 			buttons->source[i].source, now_ms, &buttons->queue);
 	}
+	buttons->queue.source = 0;
 	button_queue_settle(&buttons->queue, now_ms);
 }
 

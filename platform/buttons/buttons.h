@@ -2,7 +2,8 @@
  * Buttons: every source feeds one queue of {time, button, down}.
  *
  * The buttons are named after the keypad of the i.MX31 PDK. The queue drops
- * repeats and removes contact bounce, so it only passes on changes.
+ * repeats and removes contact bounce, so it only passes on changes. A button
+ * that several keys or lines press is up when the last of them is released.
  */
 #ifndef PLATFORM_BUTTONS_BUTTONS_H
 #define PLATFORM_BUTTONS_BUTTONS_H
@@ -30,10 +31,14 @@ struct button_event {
 	int64_t time_ms; /* since the first frame */
 	enum button button;
 	bool down;
+	/* For button_queue_push(): which of its source's devices or lines. */
+	uint8_t holder;
 };
 
 enum {
-	BUTTON_QUEUE_CAPACITY = 64
+	BUTTON_QUEUE_CAPACITY = 64,
+	BUTTON_SOURCES_MAX = 8,
+	BUTTON_HOLDERS_MAX = 16 /* devices or lines of a source */
 };
 
 /* The default of buttons_open(): longer than contacts bounce, shorter than a
@@ -42,10 +47,20 @@ enum {
 	BUTTON_DEBOUNCE_MS = 8
 };
 
-/* First in, first out; the oldest event is dropped when it overflows. */
+/*
+ * First in, first out. When it overflows, the oldest event is dropped whose
+ * button has a later one, so that no button seems to stay down.
+ */
 struct button_queue {
 	struct button_event event[BUTTON_QUEUE_CAPACITY];
 	int first, count;
+	/*
+	 * The source that pushes: 0 for a window, 1 and more for those that
+	 * buttons_poll() polls.
+	 */
+	int source;
+	/* By source, a bit for each holder that holds the button down. */
+	uint16_t held[BUTTON_SOURCES_MAX + 1][BUTTON_COUNT];
 	bool down[BUTTON_COUNT];          /* as in the last event queued */
 	bool held_back[BUTTON_COUNT];     /* a later change is held back */
 	int64_t changed_ms[BUTTON_COUNT]; /* time of the last event queued */
@@ -63,10 +78,11 @@ enum button button_from_name(const char *name);
 void button_queue_init(struct button_queue *queue, int debounce_ms);
 
 /*
- * Takes a raw event; events of a button must come in the order of time. An
- * event that changes nothing is dropped. A change within the debounce time is
- * held back: if the button changes back, both are dropped as a bounce,
- * otherwise the change is queued at the end of the debounce time.
+ * Takes a raw event of one holder; events of a button must come in the order of
+ * time. The button is down while any holder holds it. An event that changes
+ * nothing is dropped. A change within the debounce time is held back: if the
+ * button changes back, both are dropped as a bounce, otherwise the change is
+ * queued at the end of the debounce time.
  */
 void button_queue_push(struct button_queue *queue, struct button_event event);
 
@@ -117,10 +133,6 @@ struct button_driver {
 
 /* Built-in drivers, NULL at the end. */
 extern const struct button_driver *const button_registry[];
-
-enum {
-	BUTTON_SOURCES_MAX = 8
-};
 
 /* A set of open sources that feed one queue. */
 struct buttons {

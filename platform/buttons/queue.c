@@ -42,6 +42,42 @@ void button_queue_init(struct button_queue *queue, int debounce_ms)
 	}
 }
 
+static struct button_event *event_at(struct button_queue *queue, int number)
+{
+	return &queue->event[(queue->first + number) % BUTTON_QUEUE_CAPACITY];
+}
+
+/* Whether a later event in the queue has the same button. */
+static bool is_followed(struct button_queue *queue, int number)
+{
+	enum button button = event_at(queue, number)->button;
+
+	for (int i = number + 1; i < queue->count; i++) {
+		if (event_at(queue, i)->button == button) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * Drops the oldest event that is not the last one of its button: a full queue
+ * has more events than there are buttons. Those before it move up.
+ */
+static void drop_one(struct button_queue *queue)
+{
+	int number = 0;
+
+	while (!is_followed(queue, number)) {
+		number++;
+	}
+	for (; number > 0; number--) {
+		*event_at(queue, number) = *event_at(queue, number - 1);
+	}
+	queue->first = (queue->first + 1) % BUTTON_QUEUE_CAPACITY;
+	queue->count--;
+}
+
 static void pass_on(struct button_queue *queue, struct button_event event)
 {
 	int last;
@@ -50,8 +86,7 @@ static void pass_on(struct button_queue *queue, struct button_event event)
 	queue->changed_ms[event.button] = event.time_ms;
 	queue->held_back[event.button] = false;
 	if (queue->count == BUTTON_QUEUE_CAPACITY) {
-		queue->first = (queue->first + 1) % BUTTON_QUEUE_CAPACITY;
-		queue->count--;
+		drop_one(queue);
 	}
 	last = (queue->first + queue->count) % BUTTON_QUEUE_CAPACITY;
 	queue->event[last] = event;
@@ -94,13 +129,30 @@ void button_queue_settle(struct button_queue *queue, int64_t now_ms)
 	}
 }
 
+/* Notes what one holder does. Returns whether any holds the button then. */
+static bool hold(struct button_queue *queue, const struct button_event *event)
+{
+	uint16_t bit = (uint16_t)(1u << event->holder);
+	uint16_t *own = &queue->held[queue->source][event->button];
+	bool held = false;
+
+	*own = (uint16_t)(event->down ? *own | bit : *own & ~bit);
+	for (int i = 0; i <= BUTTON_SOURCES_MAX; i++) {
+		held = held || queue->held[i][event->button];
+	}
+	return held;
+}
+
 void button_queue_push(struct button_queue *queue, struct button_event event)
 {
 	int64_t since_ms;
 
-	if ((unsigned int)event.button >= BUTTON_COUNT) {
+	if ((unsigned int)event.button >= BUTTON_COUNT ||
+		event.holder >= BUTTON_HOLDERS_MAX) {
 		return;
 	}
+	event.down = hold(queue, &event);
+	event.holder = 0;
 	button_queue_settle(queue, event.time_ms);
 	if (event.down == queue->down[event.button]) {
 		queue->held_back[event.button] = false;

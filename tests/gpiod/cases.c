@@ -189,6 +189,29 @@ static void test_a_button_held_at_the_start_is_no_press(void **state)
 	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 }
 
+/* One of them is held at the start: its release is not that of the others. */
+static void test_a_button_is_up_when_the_last_of_its_lines_is(void **state)
+{
+	struct gpiod_bench *bench = *state;
+
+	gpiod_bench_wire(bench, 18)->high = true;
+	gpiod_bench_open(bench,
+		"gpiod:UP=53fd0000.gpio/18,UP=53fd0000.gpio/19,UP=53fd0000.gpio/20");
+	for (int line = 19; line <= 20; line++) {
+		fake_gpio_set(gpiod_bench_wire(bench, line), true, 1000);
+		buttons_poll(&bench->buttons, line * 100);
+	}
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	for (int line = 18; line <= 19; line++) {
+		fake_gpio_set(gpiod_bench_wire(bench, line), false, 1000);
+		buttons_poll(&bench->buttons, 3000 + line * 100);
+	}
+	gpiod_bench_expect_nothing(bench);
+	fake_gpio_set(gpiod_bench_wire(bench, 20), false, 1000);
+	buttons_poll(&bench->buttons, 6000);
+	gpiod_bench_expect(bench, BUTTON_UP, false);
+}
+
 static void test_a_line_that_refuses_is_named_with_the_reason(void **state)
 {
 	static const int errors[] = {EPERM, EINVAL, ENODEV};
@@ -451,6 +474,7 @@ int gpiod_cases_run(void)
 		CASE(test_edges_of_several_lines_are_sorted_by_time),
 		CASE(test_after_lost_edges_the_level_counts),
 		CASE(test_a_button_held_at_the_start_is_no_press),
+		CASE(test_a_button_is_up_when_the_last_of_its_lines_is),
 		CASE(test_a_line_that_refuses_is_named_with_the_reason),
 		CASE(test_a_taken_line_is_named_with_its_holder),
 		CASE(test_a_missing_chip_lists_the_others),

@@ -13,7 +13,8 @@
 #include "platform/buttons/event_time.h"
 
 enum {
-	EVENTS_AT_ONCE = 24
+	EVENTS_AT_ONCE = 24,
+	READS_MAX = 32 /* of a device in a poll: one may never be empty */
 };
 
 bool evdev_devices_are_one(const struct button_source *source)
@@ -54,6 +55,21 @@ static bool is_wanted(const struct button_source *source,
 		has_button(source, description->keys);
 }
 
+/* A number that no open device has. */
+static uint8_t free_holder(const struct button_source *source)
+{
+	bool used[EVDEV_DEVICES_MAX] = {false};
+	uint8_t holder = 0;
+
+	for (int i = 0; i < source->count; i++) {
+		used[source->device[i].holder] = true;
+	}
+	while (used[holder]) {
+		holder++;
+	}
+	return holder;
+}
+
 static void open_device(struct button_source *source, const char *path)
 {
 	struct evdev_description description;
@@ -77,7 +93,7 @@ static void open_device(struct button_source *source, const char *path)
 		close(fd);
 		return;
 	}
-	*device = (struct evdev_device){.dropped = false};
+	*device = (struct evdev_device){.holder = free_holder(source)};
 	strcpy(device->path, path);
 	memcpy(device->name, description.name, sizeof(device->name));
 	device->name[sizeof(device->name) - 1] = '\0';
@@ -131,7 +147,11 @@ static void set_button(struct button_source *source, struct evdev_device *device
 	device->down[button] = down;
 	button_batch_add(&source->batch,
 		(struct button_event){
-			.time_ms = time_ms, .button = button, .down = down});
+			.time_ms = time_ms,
+			.button = button,
+			.down = down,
+			.holder = device->holder,
+		});
 }
 
 void evdev_devices_close(struct button_source *source, int index)
@@ -209,17 +229,14 @@ static void handle_event(struct button_source *source, int index,
 	}
 }
 
-/* Reads the waiting events of a device. Returns false if the device is gone. */
-static bool read_device(struct button_source *source, int index,
+/* Reads some events of a device. Returns what system.read() returns. */
+static ssize_t read_some(struct button_source *source, int index,
 	const struct event_clocks *clocks, int64_t now_ms)
 {
 	unsigned char bytes[EVENTS_AT_ONCE * EVDEV_SIZE];
 	ssize_t count = source->system->read(
 		source->fd[index].fd, bytes, sizeof(bytes));
 
-	if (count == -EAGAIN || count == -EINTR) {
-		return true;
-	}
 	for (ssize_t at = 0; at + EVDEV_SIZE <= count; at += EVDEV_SIZE) {
 		struct evdev_event event = evdev_decode(bytes + at, EVDEV_SIZE);
 
@@ -227,7 +244,22 @@ static bool read_device(struct button_source *source, int index,
 			event_time_ms(clocks, event.stamp_ns,
 				source->polled_ms + 1, now_ms));
 	}
-	return count > 0;
+	return count;
+}
+
+/*
+ * Reads the waiting events of a device, which may be many: the sticks of a
+ * gamepad move a thousand times a second. Returns false if the device is gone.
+ */
+static bool read_device(struct button_source *source, int index,
+	const struct event_clocks *clocks, int64_t now_ms)
+{
+	ssize_t count = 1;
+
+	for (int i = 0; i < READS_MAX && count > 0; i++) {
+		count = read_some(source, index, clocks, now_ms);
+	}
+	return count > 0 || count == -EAGAIN || count == -EINTR;
 }
 
 static void read_inotify(struct button_source *source)

@@ -12,7 +12,7 @@
 #include "platform/buttons/evdev/system.h"
 
 enum {
-	EVDEV_DEVICES_MAX = 16,
+	EVDEV_DEVICES_MAX = BUTTON_HOLDERS_MAX,
 	EVDEV_PATH_BYTES = 256,
 	EVDEV_SCAN_MS = 1000 /* between two scans where inotify is missing */
 };
@@ -22,6 +22,7 @@ struct evdev_device {
 	char name[80];
 	uint8_t key[EVDEV_KEY_BYTES]; /* a bit for each key that is down */
 	bool down[BUTTON_COUNT];      /* one of the button's keys is down */
+	uint8_t holder;               /* its number in the queue */
 	bool dropped; /* events were lost; ignore the rest of this report */
 };
 

@@ -18,7 +18,7 @@
 enum {
 	CHIPS_MAX = 32,
 	DEVICES_MAX = 128, /* /dev/gpiochip0 to 127; numbers may have gaps */
-	LINES_MAX = 16
+	LINES_MAX = BUTTON_HOLDERS_MAX
 };
 
 struct button_line {
@@ -276,6 +276,7 @@ static void add_edge(
 			.time_ms = time_ms,
 			.button = source->line[line].spec.button,
 			.down = active,
+			.holder = (uint8_t)line,
 		});
 }
 

@@ -112,7 +112,7 @@ static int read_line(
 	static const char space[] = " \t\r\n";
 	int64_t earliest_ms =
 		script->count ? script->event[script->count - 1].time_ms : 0;
-	struct button_event event;
+	struct button_event event = {0};
 	char *word[4];
 	char *rest = line;
 	int error;

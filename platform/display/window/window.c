@@ -20,10 +20,11 @@ struct display {
 	SDL_Window *window;
 	enum pixel_format format;
 	struct pixels pixels;
-	SDL_Surface *picture;       /* SDL's view of the same pixels */
-	bool pressed[BUTTON_COUNT]; /* pressed here and not released yet */
+	SDL_Surface *picture;             /* SDL's view of the same pixels */
+	bool pressed[BUTTON_HOLDERS_MAX]; /* keys[] that are not released yet */
 };
 
+/* Each key is a holder of its own in the queue: two keys are one button. */
 static const struct {
 	SDL_Keycode key;
 	enum button button;
@@ -39,6 +40,8 @@ static const struct {
 	{SDLK_F9, BUTTON_F9},
 	{SDLK_F10, BUTTON_F10},
 };
+
+_Static_assert(ARRAY_COUNT(keys) <= BUTTON_HOLDERS_MAX, "each key is a holder");
 
 static bool is_set(const char *variable)
 {
@@ -238,10 +241,10 @@ static void push_key(struct display *display, SDL_Keycode key, bool down,
 {
 	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
 		if (keys[i].key == key) {
-			display->pressed[keys[i].button] = down;
+			display->pressed[i] = down;
 			button_queue_push(queue,
-				(struct button_event){
-					now_ms, keys[i].button, down});
+				(struct button_event){now_ms, keys[i].button,
+					down, (uint8_t)i});
 		}
 	}
 }
@@ -250,12 +253,9 @@ static void push_key(struct display *display, SDL_Keycode key, bool down,
 static void release_all(
 	struct display *display, int64_t now_ms, struct button_queue *queue)
 {
-	for (int i = 0; i < BUTTON_COUNT; i++) {
+	for (size_t i = 0; i < ARRAY_COUNT(keys); i++) {
 		if (display->pressed[i]) {
-			display->pressed[i] = false;
-			button_queue_push(queue,
-				(struct button_event){
-					now_ms, (enum button)i, false});
+			push_key(display, keys[i].key, false, now_ms, queue);
 		}
 	}
 }

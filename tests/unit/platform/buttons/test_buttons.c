@@ -182,14 +182,17 @@ static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
 	expect_nothing(&queue);
 }
 
-static void test_unknown_buttons_are_ignored(void **state)
+static void test_unknown_buttons_and_holders_are_ignored(void **state)
 {
+	const struct button_event unknown = {
+		0, BUTTON_UP, true, BUTTON_HOLDERS_MAX};
 	struct button_queue queue;
 
 	(void)state;
 	button_queue_init(&queue, 0);
 	push(&queue, 0, BUTTON_COUNT, true);
 	push(&queue, 0, (enum button) - 1, true);
+	button_queue_push(&queue, unknown);
 	expect_nothing(&queue);
 }
 
@@ -394,7 +397,7 @@ int main(void)
 		cmocka_unit_test(test_buttons_are_debounced_separately),
 		cmocka_unit_test(
 			test_the_oldest_is_dropped_when_the_queue_is_full),
-		cmocka_unit_test(test_unknown_buttons_are_ignored),
+		cmocka_unit_test(test_unknown_buttons_and_holders_are_ignored),
 		cmocka_unit_test(test_a_script_pushes_the_events_that_are_due),
 		cmocka_unit_test(test_polling_settles_the_queue),
 		cmocka_unit_test(test_the_message_names_a_wrong_line),

@@ -27,7 +27,7 @@ struct reference {
 	bool shown[BUTTON_COUNT]; /* by the queue */
 };
 
-/* The queue passes a change on unless the button already is as it says. */
+/* The queue passes a change on if no other device holds the button. */
 static void expect_change(struct evdev_bench *bench,
 	struct reference *reference, int number, enum button button, bool down)
 {
@@ -35,6 +35,9 @@ static void expect_change(struct evdev_bench *bench,
 		return;
 	}
 	reference->device[number].down[button] = down;
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		down = down || reference->device[i].down[button];
+	}
 	if (reference->shown[button] != down) {
 		reference->shown[button] = down;
 		evdev_bench_expect(bench, button, down);
@@ -144,11 +147,86 @@ static void test_any_events_do_what_the_reference_does(void **state)
 	}
 }
 
+static void test_a_button_is_up_when_the_last_keyboard_releases_it(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		evdev_bench_plug_in(bench, i, "a keyboard", KEY_UP);
+	}
+	evdev_bench_open(bench, NULL);
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		evdev_bench_key(bench, i, KEY_UP, 1);
+		evdev_bench_poll(bench);
+	}
+	evdev_bench_expect(bench, BUTTON_UP, true);
+	/* The others may get its place in the driver's list. */
+	evdev_bench_unplug(bench, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_key(bench, 2, KEY_UP, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_plug_in(bench, 0, "another keyboard", KEY_UP);
+	evdev_bench_poll(bench);
+	evdev_bench_key(bench, 0, KEY_UP, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_key(bench, 0, KEY_UP, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect_nothing(bench);
+	evdev_bench_key(bench, 1, KEY_UP, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, false);
+}
+
+/* The sticks of a gamepad send hundreds of events between two frames. */
+static void test_a_press_behind_many_events_is_read_at_once(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 1, "a gamepad", BTN_DPAD_UP);
+	evdev_bench_open(bench, NULL);
+	for (int i = 0; i < 100; i++) {
+		evdev_bench_send(bench, 1, EV_ABS, ABS_X, i);
+	}
+	evdev_bench_key(bench, 1, BTN_DPAD_UP, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, true);
+}
+
+static ssize_t read_for_ever(int fd, void *bytes, size_t size)
+{
+	(void)fd;
+	memset(bytes, 0, size);
+	return (ssize_t)size;
+}
+
+static void test_a_device_without_end_does_not_stop_the_frame_loop(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 0, "a gamepad", BTN_DPAD_UP);
+	evdev_bench_plug_in(bench, 1, "a keyboard", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	evdev_bench_send(bench, 0, EV_ABS, ABS_X, 1);
+	bench->system.read = read_for_ever;
+	evdev_bench_poll(bench);
+	evdev_bench_expect_nothing(bench);
+	assert_int_equal(log_capture_count(&bench->logged, LOG_WARNING), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
 			test_any_events_do_what_the_reference_does,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_a_button_is_up_when_the_last_keyboard_releases_it,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_a_press_behind_many_events_is_read_at_once,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_a_device_without_end_does_not_stop_the_frame_loop,
 			evdev_bench_setup, evdev_bench_teardown),
 	};
 

@@ -105,7 +105,7 @@ static void test_the_clocks_are_those_of_the_kernel(void **state)
 
 static struct button_event event_at(int64_t time_ms, int button, bool down)
 {
-	return (struct button_event){time_ms, (enum button)button, down};
+	return (struct button_event){time_ms, (enum button)button, down, 0};
 }
 
 static void expect_next(

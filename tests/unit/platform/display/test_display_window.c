@@ -181,7 +181,7 @@ static void test_losing_the_focus_releases_the_buttons(void **state)
 	scene_open(&scene);
 	/* The window must not release a button of another source. */
 	button_queue_push(
-		&scene.queue, (struct button_event){1, BUTTON_F6, true});
+		&scene.queue, (struct button_event){1, BUTTON_F6, true, 0});
 	expect(&scene, 1, BUTTON_F6, true);
 	push_key(SDLK_LEFT, true, false);
 	push_window_event(SDL_WINDOWEVENT_FOCUS_LOST);
@@ -310,20 +310,26 @@ static void test_an_interrupt_closes(void **state)
 
 /* What a window does with events, said a second time and more simply. */
 struct reference {
-	bool here[BUTTON_COUNT]; /* pressed in the window */
-	bool down[BUTTON_COUNT]; /* as the queue has passed on */
+	bool here[PAIRS];         /* keys that are pressed in the window */
+	bool there[BUTTON_COUNT]; /* pressed by another source */
+	bool down[BUTTON_COUNT];  /* as the queue has passed on */
 	struct button_event event[64];
 	int count;
 	struct display_events seen;
 };
 
-static void reference_press(
-	struct reference *reference, int button, bool down, int now_ms)
+static void reference_press(struct reference *reference, int button, int now_ms)
 {
+	bool down = reference->there[button];
+
+	for (int i = 0; i < PAIRS; i++) {
+		down = down ||
+			((int)pairs[i].button == button && reference->here[i]);
+	}
 	if (reference->down[button] != down) {
 		reference->down[button] = down;
 		reference->event[reference->count++] = (struct button_event){
-			now_ms, (enum button)button, down};
+			now_ms, (enum button)button, down, 0};
 	}
 }
 
@@ -340,9 +346,9 @@ static void push_any(uint32_t *seed, struct reference *reference, int now_ms)
 	if (which < PAIRS) {
 		push_key(pairs[which].key, down, repeat);
 		if (!repeat) {
-			reference->here[pairs[which].button] = down;
-			reference_press(reference, (int)pairs[which].button,
-				down, now_ms);
+			reference->here[which] = down;
+			reference_press(
+				reference, (int)pairs[which].button, now_ms);
 		}
 	} else if (other) {
 		push_key(other, down, repeat);
@@ -359,11 +365,9 @@ static void push_any(uint32_t *seed, struct reference *reference, int now_ms)
 		}
 	} else {
 		push_window_event(SDL_WINDOWEVENT_FOCUS_LOST);
-		for (int i = 0; i < BUTTON_COUNT; i++) {
-			if (reference->here[i]) {
-				reference->here[i] = false;
-				reference_press(reference, i, false, now_ms);
-			}
+		for (int i = 0; i < PAIRS; i++) {
+			reference->here[i] = false;
+			reference_press(reference, (int)pairs[i].button, now_ms);
 		}
 	}
 }
@@ -394,10 +398,15 @@ static void test_any_events_do_what_the_reference_does(void **state)
 		reference.seen = (struct display_events){0};
 		/* A source that is not the window. */
 		if (random_one_in(&seed, 3)) {
-			reference_press(&reference, other, true, now_ms);
+			bool down = random_one_in(&seed, 2);
+
+			reference.there[other] = down;
+			reference_press(&reference, other, now_ms);
+			scene.queue.source = 1;
 			button_queue_push(&scene.queue,
 				(struct button_event){
-					now_ms, (enum button)other, true});
+					now_ms, (enum button)other, down, 0});
+			scene.queue.source = 0;
 		}
 		for (int i = random_between(&seed, 0, 5); i > 0; i--) {
 			push_any(&seed, &reference, now_ms);

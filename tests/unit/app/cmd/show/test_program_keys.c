@@ -11,7 +11,7 @@ struct scene {
 static enum program_action take(
 	struct scene *scene, int64_t at_ms, enum button button, bool down)
 {
-	const struct button_event event = {at_ms, button, down};
+	const struct button_event event = {at_ms, button, down, 0};
 
 	return program_keys_press(
 		&scene->keys, &event, scene->passed, &scene->count);

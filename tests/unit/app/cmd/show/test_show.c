@@ -209,9 +209,9 @@ static void press_by_script(struct run *run)
 
 static void test_a_script_presses_buttons_from_the_first_update_on(void **state)
 {
-	static const struct button_event wanted[] = {{50, BUTTON_UP, true},
-		{150, BUTTON_UP, false}, {220, BUTTON_F6, true},
-		{260, BUTTON_F6, false}};
+	static const struct button_event wanted[] = {{50, BUTTON_UP, true, 0},
+		{150, BUTTON_UP, false, 0}, {220, BUTTON_F6, true, 0},
+		{260, BUTTON_F6, false, 0}};
 	struct run *run = *state;
 
 	press_by_script(run);

@@ -93,7 +93,7 @@ static void see(struct show *show, struct display_events events)
 /* Presses or releases a button, as a source does. */
 static void press(struct show *show, int64_t ms, enum button button, bool down)
 {
-	const struct button_event event = {ms, button, down};
+	const struct button_event event = {ms, button, down, 0};
 
 	memset(show->buttons.queue.debounce_ms, 0,
 		sizeof(show->buttons.queue.debounce_ms));

@@ -262,6 +262,7 @@ const struct kms_calls fuzz_device_kms = {
 	.get_resources = kms_get_resources,
 	.free_resources = kms_free_resources,
 	.get_connector = kms_get_connector,
+	.probe_connector = kms_get_connector,
 	.free_connector = kms_free_connector,
 	.get_encoder = kms_get_encoder,
 	.free_encoder = kms_free_encoder,

@@ -320,10 +320,11 @@ static void restore(struct card *card)
 	if (!before) {
 		return;
 	}
-	if (before->mode_valid && before->buffer_id) {
+	if (before->mode_valid && before->buffer_id && card->before_count > 0) {
 		(void)card->calls->set_crtc(card->fd, before->crtc_id,
 			before->buffer_id, before->x, before->y,
-			&card->connector, 1, &before->mode);
+			card->before_connectors, card->before_count,
+			&before->mode);
 	}
 	card->calls->free_crtc(before);
 }

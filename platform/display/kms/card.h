@@ -11,7 +11,8 @@
 #include "platform/display/packing.h"
 
 enum {
-	CARD_PATH_BYTES = 64
+	CARD_PATH_BYTES = 64,
+	CARD_CONNECTORS_MAX = 8
 };
 
 struct card_buffer {
@@ -34,9 +35,13 @@ struct card {
 	struct log log;
 	char path[CARD_PATH_BYTES];
 	int fd;
+	bool probes; /* connectors are asked whether they have a screen */
 	uint32_t connector, crtc;
 	drmModeModeInfo mode;
 	drmModeCrtcPtr before; /* what card_close() restores, or NULL */
+	/* The connectors that the CRTC drove before. */
+	uint32_t before_connectors[CARD_CONNECTORS_MAX];
+	int before_count;
 	struct pixel_layout layout;
 	enum pixel_format format; /* the picture format closest to layout */
 	bool reads_slowly;        /* the driver prefers a shadow buffer */
@@ -47,10 +52,9 @@ struct card {
 };
 
 /*
- * Opens the card that options name, or the first one with a connected screen.
- * Sets the screen's preferred mode, or the one nearest to the size given, and
- * shows black. Returns 0, or -errno after logging an error, with nothing left
- * open.
+ * Opens the card that options name, or the best one (card_find.h). Sets the
+ * screen's preferred mode, or the one nearest to the size given, and shows
+ * black. Returns 0, or -errno after logging an error, with nothing left open.
  */
 int card_open(struct card *card, const struct kms_calls *calls,
 	const struct display_options *options);
@@ -70,7 +74,10 @@ int card_wait(struct card *card);
 /* Shows the back buffer. Returns 0, or -errno after logging an error. */
 int card_show(struct card *card);
 
-/* Restores the screen's former picture and mode, and closes the card. */
+/*
+ * Restores the former picture and mode of all screens that the CRTC drove, and
+ * closes the card.
+ */
 void card_close(struct card *card);
 
 #endif

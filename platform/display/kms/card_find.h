@@ -7,8 +7,11 @@
 #include "platform/display/kms/card.h"
 
 /*
- * Opens a card and fills in path, fd, connector, crtc and mode. Returns 0, or
- * -errno after logging an error, with nothing left open.
+ * Opens the card that options name, or the best one, and fills in path, fd,
+ * connector, crtc, mode and before_connectors. A connected screen is better
+ * than a connector that cannot tell, and either than one whose only CRTC drives
+ * another screen. Returns 0, or -errno after logging an error, with nothing
+ * left open.
  */
 int card_find(struct card *card, const struct display_options *options);
 
@@ -22,10 +25,18 @@ drmModeConnectorPtr card_next_screen(
 	const struct card *card, drmModeResPtr resources, int *at);
 
 /*
- * The id of a CRTC for a connector: the CRTC that drives it now, else the first
- * that can drive it, or 0.
+ * The id of a CRTC for a connector: the CRTC that drives it now, else one that
+ * can drive it and drives no other connector, else the first that can drive it
+ * (*taken), or 0.
  */
 uint32_t card_find_crtc(const struct card *card, drmModeResPtr resources,
-	drmModeConnectorPtr connector);
+	drmModeConnectorPtr connector, bool *taken);
+
+/*
+ * The mode of a connector that limber sets: the preferred one or, if options
+ * give a size, the one nearest to it. NULL if pictures of no mode are possible.
+ */
+const drmModeModeInfo *card_best_mode(
+	drmModeConnectorPtr connector, const struct display_options *options);
 
 #endif

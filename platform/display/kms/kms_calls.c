@@ -15,8 +15,8 @@ const struct kms_calls kms_calls_system = {
 	.is_master = drmIsMaster,
 	.get_resources = drmModeGetResources,
 	.free_resources = drmModeFreeResources,
-	/* Does not probe the monitor again, which is slow. */
 	.get_connector = drmModeGetConnectorCurrent,
+	.probe_connector = drmModeGetConnector,
 	.free_connector = drmModeFreeConnector,
 	.get_encoder = drmModeGetEncoder,
 	.free_encoder = drmModeFreeEncoder,

@@ -18,7 +18,10 @@ struct kms_calls {
 	int (*is_master)(int fd);
 	drmModeResPtr (*get_resources)(int fd);
 	void (*free_resources)(drmModeResPtr resources);
+	/* What the kernel knows of a connector. */
 	drmModeConnectorPtr (*get_connector)(int fd, uint32_t id);
+	/* The same after asking its screen, which is slow. */
+	drmModeConnectorPtr (*probe_connector)(int fd, uint32_t id);
 	void (*free_connector)(drmModeConnectorPtr connector);
 	drmModeEncoderPtr (*get_encoder)(int fd, uint32_t id);
 	void (*free_encoder)(drmModeEncoderPtr encoder);

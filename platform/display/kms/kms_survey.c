@@ -15,31 +15,22 @@ enum {
 static const char other_display[] =
 	"choose another display: --display kms:/dev/dri/cardN, fbdev or window";
 
-/* The mode that limber sets unless the user gives a size. */
-static const drmModeModeInfo *preferred_mode(drmModeConnectorPtr connector)
-{
-	for (int i = 0; i < connector->count_modes; i++) {
-		if (connector->modes[i].type & DRM_MODE_TYPE_PREFERRED) {
-			return &connector->modes[i];
-		}
-	}
-	return &connector->modes[0];
-}
-
 static void report_screen(const struct card *card, drmModeResPtr resources,
 	drmModeConnectorPtr connector, const struct survey *survey)
 {
 	const char *kind =
 		drmModeGetConnectorTypeName(connector->connector_type);
-	const drmModeModeInfo *mode = preferred_mode(connector);
+	static const struct display_options any = {.size_given = false};
+	const drmModeModeInfo *mode = card_best_mode(connector, &any);
 	char text[128];
+	bool taken;
 
 	snprintf(text, sizeof(text), "%s-%u: %ux%u at %u Hz, %d mode%s",
 		kind ? kind : "screen", connector->connector_type_id,
 		(unsigned int)mode->hdisplay, (unsigned int)mode->vdisplay,
 		mode->vrefresh, connector->count_modes,
 		connector->count_modes == 1 ? "" : "s");
-	if (!card_find_crtc(card, resources, connector)) {
+	if (!card_find_crtc(card, resources, connector, &taken)) {
 		survey_report(survey, SURVEY_BROKEN, card->path, other_display,
 			"%s, but the card has no CRTC for it", text);
 	} else if (!card->calls->is_master(card->fd)) {
@@ -52,24 +43,30 @@ static void report_screen(const struct card *card, drmModeResPtr resources,
 	}
 }
 
-static void report_screens(const struct card *card, drmModeResPtr resources,
+/* Reports what the kernel knows or finds; false when there is no screen. */
+static bool report_known(const struct card *card, drmModeResPtr resources,
 	const struct survey *survey)
 {
+	drmModeConnectorPtr connector;
 	int at = 0;
 	bool any = false;
 
-	for (;;) {
-		drmModeConnectorPtr connector =
-			card_next_screen(card, resources, &at);
-
-		if (!connector) {
-			break;
-		}
+	while ((connector = card_next_screen(card, resources, &at))) {
 		report_screen(card, resources, connector, survey);
 		card->calls->free_connector(connector);
 		any = true;
 	}
-	if (!any) {
+	return any;
+}
+
+static void report_screens(const struct card *card, drmModeResPtr resources,
+	const struct survey *survey)
+{
+	struct card asking = *card;
+
+	asking.probes = true;
+	if (!report_known(card, resources, survey) &&
+		!report_known(&asking, resources, survey)) {
 		survey_report(survey, SURVEY_MISSING, card->path,
 			"connect a screen; cat /sys/class/drm/*/status shows which are connected",
 			"no screen is connected to its %d connector%s",

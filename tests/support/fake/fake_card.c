@@ -12,8 +12,7 @@
 
 enum {
 	CARD_FD = 0, /* a descriptor like any other */
-	UNSURE_CONNECTOR = 30,
-	CONNECTOR = 31,
+	SECOND_FD = 1,
 	ENCODER = 41,
 	CRTC = 51,
 	OTHER_CRTC = 52,
@@ -37,11 +36,18 @@ static bool fails(enum fake_card_call call)
 
 static int card_open_file(const char *path, int flags)
 {
-	char own[32];
+	char own[32], second[32];
 
 	snprintf(own, sizeof(own), "/dev/dri/card%d", fake_card.number);
+	snprintf(second, sizeof(second), "/dev/dri/card%d",
+		fake_card.second_number);
 	if (strncmp(path, "/dev/dri/", 9) != 0) {
 		return fake_fb_calls.open(path, flags);
+	}
+	if (strcmp(path, second) == 0) {
+		errno = fake_card.second_error;
+		fake_card.open_count += !fake_card.second_error;
+		return fake_card.second_error ? -1 : SECOND_FD;
 	}
 	if (strcmp(path, own) != 0 || fake_card.open_error) {
 		errno = fake_card.open_error ? fake_card.open_error : ENOENT;
@@ -53,7 +59,7 @@ static int card_open_file(const char *path, int flags)
 
 static int card_close_file(int fd)
 {
-	if (fd != CARD_FD) {
+	if (fd != CARD_FD && fd != SECOND_FD) {
 		return fake_fb_calls.close(fd);
 	}
 	fake_card.open_count--;
@@ -68,7 +74,7 @@ static int card_control(int fd, unsigned long request, void *argument)
 
 static void *card_map(int fd, size_t size, off_t offset)
 {
-	assert_int_equal(fd, CARD_FD);
+	assert_true(fd == CARD_FD || fd == SECOND_FD);
 	assert_in_range(offset / 4096, 1, 2);
 	assert_true(size <= FAKE_CARD_BUFFER_BYTES);
 	if (fails(CALL_MAP)) {
@@ -96,7 +102,7 @@ static const struct device_calls device = {
 
 static int get_cap(int fd, uint64_t cap, uint64_t *value)
 {
-	assert_int_equal(fd, CARD_FD);
+	assert_true(fd == CARD_FD || fd == SECOND_FD);
 	switch (cap) {
 	case DRM_CAP_DUMB_BUFFER:
 		*value = !fake_card.no_dumb;
@@ -115,8 +121,7 @@ static int get_cap(int fd, uint64_t cap, uint64_t *value)
 
 static int is_master(int fd)
 {
-	(void)fd;
-	return !fake_card.not_master;
+	return fd == CARD_FD ? !fake_card.not_master : !fake_card.second_in_use;
 }
 
 static void *hand_out(size_t size)
@@ -128,11 +133,12 @@ static void *hand_out(size_t size)
 static drmModeResPtr get_resources(int fd)
 {
 	static uint32_t crtcs[] = {OTHER_CRTC, CRTC};
-	static uint32_t connectors[] = {UNSURE_CONNECTOR, CONNECTOR};
+	static uint32_t connectors[] = {
+		FAKE_CARD_OTHER_CONNECTOR, FAKE_CARD_CONNECTOR};
 	drmModeResPtr resources;
 
-	(void)fd;
-	if (fails(CALL_RESOURCES)) {
+	if ((fd == SECOND_FD && fake_card.second_drives_none) ||
+		fails(CALL_RESOURCES)) {
 		return NULL;
 	}
 	resources = hand_out(sizeof(*resources));
@@ -149,29 +155,56 @@ static void free_resources(drmModeResPtr resources)
 	free(resources);
 }
 
-static drmModeConnectorPtr get_connector(int fd, uint32_t id)
+/* The state of a connector after the card was asked. */
+static drmModeConnection state_of(int fd, uint32_t id)
+{
+	if (fd == SECOND_FD) {
+		return fake_card.second_unsure ? DRM_MODE_UNKNOWNCONNECTION
+					       : DRM_MODE_CONNECTED;
+	}
+	if (id == FAKE_CARD_OTHER_CONNECTOR) {
+		return fake_card.other_state;
+	}
+	return fake_card.unsure           ? DRM_MODE_UNKNOWNCONNECTION
+		: fake_card.not_connected ? DRM_MODE_DISCONNECTED
+					  : DRM_MODE_CONNECTED;
+}
+
+static drmModeConnectorPtr probe_connector(int fd, uint32_t id)
 {
 	static uint32_t encoders[FAKE_CARD_ENCODERS] = {
 		ENCODER, ENCODER + 1, ENCODER + 2};
 	drmModeConnectorPtr connector;
 
-	(void)fd;
-	assert_true(id == CONNECTOR ||
-		(id == UNSURE_CONNECTOR && fake_card.two_connectors));
+	int encoder = id == FAKE_CARD_CONNECTOR ? fake_card.connected_encoder
+						: fake_card.other_encoder;
+
+	fake_card.probe_count++;
+	assert_true(id == FAKE_CARD_CONNECTOR ||
+		(id == FAKE_CARD_OTHER_CONNECTOR && fake_card.two_connectors));
 	if (fails(CALL_CONNECTOR)) {
 		return NULL;
 	}
 	connector = hand_out(sizeof(*connector));
 	connector->connector_id = id;
-	connector->encoder_id = ENCODER + (uint32_t)fake_card.connected_encoder;
-	connector->connection = id == UNSURE_CONNECTOR || fake_card.unsure
-		? DRM_MODE_UNKNOWNCONNECTION
-		: fake_card.not_connected ? DRM_MODE_DISCONNECTED
-					  : DRM_MODE_CONNECTED;
+	connector->encoder_id = encoder < 0 ? 0 : ENCODER + (uint32_t)encoder;
+	connector->connection = state_of(fd, id);
 	connector->count_modes = fake_card.mode_count;
 	connector->modes = fake_card.modes;
 	connector->count_encoders = fake_card.encoder_count;
 	connector->encoders = encoders;
+	return connector;
+}
+
+static drmModeConnectorPtr get_connector(int fd, uint32_t id)
+{
+	drmModeConnectorPtr connector = probe_connector(fd, id);
+
+	fake_card.probe_count--;
+	if (connector && fake_card.must_ask) {
+		connector->connection = DRM_MODE_UNKNOWNCONNECTION;
+		connector->count_modes = 0;
+	}
 	return connector;
 }
 
@@ -230,8 +263,7 @@ static int set_crtc(int fd, uint32_t crtc, uint32_t fb, uint32_t x, uint32_t y,
 {
 	(void)fd;
 	assert_int_equal(x + y, 0);
-	assert_int_equal(count, 1);
-	assert_int_equal(connectors[0], CONNECTOR);
+	assert_in_range(count, 1, 2);
 	assert_null(fake_card.flip_user);
 	if (fails(CALL_SET)) {
 		return -fake_card.fail_error;
@@ -241,6 +273,9 @@ static int set_crtc(int fd, uint32_t crtc, uint32_t fb, uint32_t x, uint32_t y,
 	fake_card.shown_fb = fb;
 	fake_card.shown_mode = *mode;
 	fake_card.shown_crtc = crtc;
+	memcpy(fake_card.shown_connectors, connectors,
+		(size_t)count * sizeof(*connectors));
+	fake_card.shown_count = count;
 	return 0;
 }
 
@@ -379,6 +414,7 @@ const struct kms_calls fake_card_calls = {
 	.get_resources = get_resources,
 	.free_resources = free_resources,
 	.get_connector = get_connector,
+	.probe_connector = probe_connector,
 	.free_connector = free_connector,
 	.get_encoder = get_encoder,
 	.free_encoder = free_encoder,
@@ -399,6 +435,9 @@ const struct kms_calls fake_card_calls = {
 void fake_card_begin(void)
 {
 	memset(&fake_card, 0, sizeof(fake_card));
+	fake_card.second_number = -1;
+	fake_card.other_state = DRM_MODE_UNKNOWNCONNECTION;
+	fake_card.other_encoder = -1;
 	fake_card.fourccs[0] = DRM_FORMAT_XRGB8888;
 	fake_card.fourccs[1] = DRM_FORMAT_RGB565;
 	fake_card.fourccs[2] = DRM_FORMAT_XBGR8888;

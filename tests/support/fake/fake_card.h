@@ -1,6 +1,6 @@
 /*
  * A made-up graphics card with one screen, behind struct kms_calls. Its console
- * is that of fake_fb.h. There is one card at a time.
+ * is that of fake_fb.h. There may be a second card, of which a test says little.
  */
 #ifndef TESTS_SUPPORT_FAKE_FAKE_CARD_H
 #define TESTS_SUPPORT_FAKE_FAKE_CARD_H
@@ -8,6 +8,8 @@
 #include "platform/display/kms/kms_calls.h"
 
 enum {
+	FAKE_CARD_CONNECTOR = 31, /* of its screen */
+	FAKE_CARD_OTHER_CONNECTOR = 30,
 	FAKE_CARD_ENCODERS = 3,
 	FAKE_CARD_MODES = 3,
 	FAKE_CARD_BUFFER_BYTES = 64 * 1024
@@ -35,7 +37,14 @@ struct fake_card {
 	int open_error;
 	bool no_dumb, not_master, not_connected, prefers_shadow;
 	bool unsure;         /* it cannot tell whether it has a screen */
-	bool two_connectors; /* the one before its screen's is like it, unsure */
+	bool must_ask;       /* it knows of no screen until it is asked */
+	bool two_connectors; /* the one before its screen's is like it */
+	drmModeConnection other_state;
+	int other_encoder; /* that drives the other connector; -1: none */
+	/* The second card, /dev/dri/cardN with this number; -1: none. */
+	int second_number;
+	bool second_unsure, second_drives_none, second_in_use;
+	int second_error; /* of opening it */
 	uint64_t preferred_depth;
 	uint32_t fourccs[3]; /* formats that it can show */
 	/* The CRTC that drives the encoder, or 0; a bit for each that could. */
@@ -62,6 +71,9 @@ struct fake_card {
 	uint32_t shown_fb;
 	drmModeModeInfo shown_mode;
 	uint32_t shown_crtc;
+	uint32_t shown_connectors[2]; /* by the last mode that was set */
+	int shown_count;
+	int probe_count;
 	void *flip_user; /* of the pending page flip, or NULL */
 	uint32_t flip_fb;
 	int flip_count, set_count, dirty_count, wait_count;

@@ -153,10 +153,11 @@ static void test_a_connector_that_cannot_tell_is_used_if_no_other_can(
 
 		begin();
 		fake_card.unsure = unsure;
-		/* The card checks that the mode is set for the right one. */
 		fake_card.two_connectors = !unsure;
 		assert_true(card_is_available(&fake_card_calls));
 		assert_int_equal(scene_open(&scene), 0);
+		assert_int_equal(
+			fake_card.shown_connectors[0], FAKE_CARD_CONNECTOR);
 		assert_int_equal(fake_card.shown_mode.hdisplay, 20);
 		scene_close(&scene);
 	}

@@ -149,6 +149,11 @@ static void test_a_cards_screen_is_described(void **state)
 	survey_kms(&capture);
 	assert_string_equal(
 		capture.finding[0].text, "Unknown-0: 24x14 at 60 Hz, 1 mode");
+	/* As limber would, where the kernel has not looked for screens yet. */
+	fake_card.must_ask = true;
+	survey_kms(&capture);
+	assert_string_equal(
+		capture.finding[0].text, "Unknown-0: 24x14 at 60 Hz, 1 mode");
 }
 
 static void test_a_finding_names_what_a_card_lacks(void **state)

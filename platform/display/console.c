@@ -10,45 +10,53 @@
 #include <sys/ioctl.h>
 #include <termios.h>
 
-#include "platform/base/compiler.h"
-
 const char console_in_use_remedy[] =
 	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
-/*
- * The signals that end a process. A program that handles one of the last six
- * itself is expected to end in order and to call console_release(), so these
- * are caught only where they have their default action.
- */
-static const struct {
-	int number;
-	bool only_default;
-} endings[] = {
-	{SIGSEGV, false},
-	{SIGBUS, false},
-	{SIGILL, false},
-	{SIGFPE, false},
-	{SIGABRT, false},
-	{SIGSYS, false},
-	{SIGQUIT, true},
-	{SIGPIPE, true},
-	{SIGALRM, true},
-	{SIGINT, true},
-	{SIGTERM, true},
-	{SIGHUP, true},
-};
-
 enum {
-	ENDING_COUNT = ARRAY_COUNT(endings)
+	SIGNALS = 65 /* Linux numbers its signals from 1 to 64 */
 };
 
 /* A signal handler can reach static variables only. */
 static struct {
 	const struct device_calls *calls;
 	volatile sig_atomic_t fd;
-	bool caught[ENDING_COUNT];
-	struct sigaction before[ENDING_COUNT];
+	bool changed[SIGNALS];
+	struct sigaction before[SIGNALS];
 } taken;
+
+/*
+ * A program that handles another signal itself is expected to end in order and
+ * to call console_release(), so others are caught only where they have their
+ * default action.
+ */
+static bool is_fault(int number)
+{
+	return number == SIGSEGV || number == SIGBUS || number == SIGILL ||
+		number == SIGFPE || number == SIGABRT || number == SIGSYS;
+}
+
+/* Ctrl-Z, and what a shell sends to a program in the background. */
+static bool stops_process(int number)
+{
+	return number == SIGTSTP || number == SIGTTIN || number == SIGTTOU;
+}
+
+/* Whether a process that does not handle the signal ends. */
+static bool ends_process(int number)
+{
+	switch (number) {
+	case SIGKILL: /* cannot be caught */
+	case SIGSTOP:
+	case SIGCHLD:
+	case SIGCONT:
+	case SIGURG:
+	case SIGWINCH:
+		return false;
+	default:
+		return !stops_process(number);
+	}
+}
 
 static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 {
@@ -62,41 +70,44 @@ static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 static void restore_text_mode(int number)
 {
 	set_mode(taken.calls, taken.fd, KD_TEXT);
-	for (int i = 0; i < ENDING_COUNT; i++) {
-		if (endings[i].number == number) {
-			sigaction(number, &taken.before[i], NULL);
-		}
-	}
+	sigaction(number, &taken.before[number], NULL);
 	raise(number);
 }
 
-static void catch_endings(const struct console *console)
+/*
+ * Catches what ends the process, and ignores what stops it: a stopped program
+ * would keep the screen and its last picture, and a watchdog would bite.
+ */
+static void change_signals(const struct console *console)
 {
-	struct sigaction action = {.sa_handler = restore_text_mode};
-
 	taken.calls = console->calls;
 	taken.fd = console->fd;
-	sigemptyset(&action.sa_mask);
-	for (int i = 0; i < ENDING_COUNT; i++) {
+	for (int i = 1; i < SIGNALS; i++) {
 		struct sigaction *before = &taken.before[i];
+		struct sigaction action = {.sa_handler = stops_process(i)
+				? SIG_IGN
+				: restore_text_mode};
 
-		/* sigaction() cannot fail for these signals. */
-		(void)sigaction(endings[i].number, NULL, before);
-		taken.caught[i] = before->sa_handler == SIG_DFL ||
-			(!endings[i].only_default &&
-				before->sa_handler != SIG_IGN);
-		if (taken.caught[i]) {
-			(void)sigaction(endings[i].number, &action, NULL);
+		taken.changed[i] = false;
+		sigemptyset(&action.sa_mask);
+		/* It fails for the signals that the C library keeps. */
+		if ((!ends_process(i) && !stops_process(i)) ||
+			sigaction(i, NULL, before) != 0) {
+			continue;
+		}
+		taken.changed[i] = before->sa_handler == SIG_DFL ||
+			(is_fault(i) && before->sa_handler != SIG_IGN);
+		if (taken.changed[i]) {
+			(void)sigaction(i, &action, NULL);
 		}
 	}
 }
 
-static void release_endings(void)
+static void restore_signals(void)
 {
-	for (int i = 0; i < ENDING_COUNT; i++) {
-		if (taken.caught[i]) {
-			(void)sigaction(
-				endings[i].number, &taken.before[i], NULL);
+	for (int i = 1; i < SIGNALS; i++) {
+		if (taken.changed[i]) {
+			(void)sigaction(i, &taken.before[i], NULL);
 		}
 	}
 }
@@ -160,11 +171,11 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 		return;
 	}
 	if (!in_use) {
-		catch_endings(console);
+		change_signals(console);
 		if (set_mode(calls, console->fd, KD_GRAPHICS) == 0) {
 			return;
 		}
-		release_endings();
+		restore_signals();
 	}
 	log_warning(log,
 		in_use ? "console: another program (X or Wayland) draws on this screen, too: switch to a text console first"
@@ -182,7 +193,7 @@ void console_release(struct console *console)
 	(void)device_control(console->calls, console->fd, TCFLSH,
 		(void *)(uintptr_t)TCIFLUSH);
 	set_mode(console->calls, console->fd, KD_TEXT);
-	release_endings();
+	restore_signals();
 	console->calls->close(console->fd);
 	console->fd = -1;
 }

@@ -2,8 +2,10 @@
  * The text console, which must not draw over the pictures on a screen.
  *
  * A console in graphics mode stays dark until a program sets text mode again.
- * console_release() does that, and so does a handler for the signals that end
+ * console_release() does that, and so does a handler for all signals that end
  * the process. Only SIGKILL leaves the console dark until the next run.
+ * Meanwhile Ctrl-Z and other stops by the terminal do nothing: the screen of a
+ * stopped program would look frozen.
  */
 #ifndef PLATFORM_DISPLAY_CONSOLE_H
 #define PLATFORM_DISPLAY_CONSOLE_H
@@ -37,8 +39,8 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
 
 /*
- * Drops what was typed meanwhile and switches back to text mode. Does nothing
- * when no console was acquired.
+ * Drops what was typed meanwhile and switches back to text mode, also for a
+ * program in the background. Does nothing when no console was acquired.
  */
 void console_release(struct console *console);
 

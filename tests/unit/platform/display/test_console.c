@@ -7,8 +7,10 @@
 #include <errno.h>
 #include <linux/kd.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 static void test_the_console_is_in_graphics_mode_meanwhile(void **state)
@@ -97,8 +99,10 @@ static void end_by(int number, int report_fd)
 
 static void test_a_fatal_signal_restores_text_mode(void **state)
 {
-	static const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT,
-		SIGQUIT, SIGTERM, SIGINT, SIGHUP, SIGPIPE};
+	const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGSYS,
+		SIGTRAP, SIGQUIT, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGALRM,
+		SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL,
+		SIGRTMIN, SIGRTMIN + 9};
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
@@ -120,6 +124,67 @@ static void test_a_fatal_signal_restores_text_mode(void **state)
 		assert_int_equal(read(ends[0], modes, sizeof(modes)), 2);
 		assert_int_equal(modes[0], KD_GRAPHICS);
 		assert_int_equal(modes[1], KD_TEXT);
+		close(ends[0]);
+	}
+}
+
+/* As the kernel does if a program in the background changes its terminal. */
+static int stop_background(int fd, unsigned long request, void *argument)
+{
+	if (request == TCFLSH) {
+		raise(SIGTTOU);
+	}
+	return fake_fb_calls.ioctl(fd, request, argument);
+}
+
+/* What Ctrl-Z would do to this process while it has the console, and after. */
+static void stop_by(int number, int report_fd)
+{
+	struct device_calls calls = fake_fb_calls;
+	struct log log = log_to_nowhere();
+	struct console console;
+
+	signal(number, SIG_DFL);
+	signal(SIGTTOU, SIG_DFL);
+	fbdev_scene_begin_565(1);
+	fake_fb.has_console = true;
+	fake_fb.report_fd = report_fd;
+	calls.ioctl = stop_background;
+	console_acquire(&console, &calls, &log);
+	raise(number);
+	console_release(&console);
+	raise(number);
+}
+
+static void test_a_terminal_stops_only_a_program_without_the_console(
+	void **state)
+{
+	static const int signals[] = {SIGTSTP, SIGTTIN, SIGTTOU};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
+		char modes[4] = {0};
+		int ends[2];
+		int status;
+		pid_t child;
+
+		assert_int_equal(pipe(ends), 0);
+		child = fork();
+		assert_true(child >= 0);
+		if (child == 0) {
+			/* The stops of an orphaned process do nothing. */
+			stop_by(signals[i], ends[1]);
+			_exit(0);
+		}
+		close(ends[1]);
+		assert_int_equal(waitpid(child, &status, WUNTRACED), child);
+		/* It is in order when it stops. */
+		assert_int_equal(read(ends[0], modes, sizeof(modes)), 2);
+		assert_int_equal(modes[1], KD_TEXT);
+		if (WIFSTOPPED(status)) {
+			kill(child, SIGKILL);
+			assert_int_equal(waitpid(child, &status, 0), child);
+		}
 		close(ends[0]);
 	}
 }
@@ -159,7 +224,8 @@ static void (*handler_of(int number))(int)
 static void test_each_signal_is_handled_as_before_afterwards(void **state)
 {
 	static const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT,
-		SIGSYS, SIGQUIT, SIGPIPE, SIGALRM, SIGINT, SIGTERM, SIGHUP};
+		SIGSYS, SIGQUIT, SIGPIPE, SIGALRM, SIGINT, SIGTERM, SIGHUP,
+		SIGXCPU, SIGXFSZ, SIGUSR1, SIGTSTP, SIGTTIN, SIGTTOU};
 	void (*const kept[])(int) = {SIG_DFL, SIG_IGN, ignore};
 	void (*former[ARRAY_COUNT(signals)])(int);
 	const int faults = 6;
@@ -210,6 +276,8 @@ int main(void)
 		cmocka_unit_test(test_a_fatal_signal_restores_text_mode),
 		cmocka_unit_test(
 			test_each_signal_is_handled_as_before_afterwards),
+		cmocka_unit_test(
+			test_a_terminal_stops_only_a_program_without_the_console),
 		cmocka_unit_test(test_a_stop_signal_is_left_to_the_frame_loop),
 	};
 

@@ -262,8 +262,10 @@ int v4l2_device_dequeue(struct v4l2_device *device, int timeout_ms)
 			: fail(device, result, "it delivers no picture");
 	}
 	index = (int)buffer.index;
-	if (index < 0 || index >= device->buffer_count) {
-		return fail(device, -EINVAL, "it returned an unknown buffer");
+	if (index < 0 || index >= device->buffer_count ||
+		!device->buffer[index].queued) {
+		return fail(device, -EINVAL,
+			"it returned a buffer that it does not have");
 	}
 	map = &device->buffer[index];
 	map->queued = false;

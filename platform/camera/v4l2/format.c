@@ -84,9 +84,33 @@ static int list_offered(const struct v4l2_device *device, uint32_t *fourcc)
 	return count;
 }
 
-/* Sets a format. Returns -EINVAL when the device chose another one. */
-static int try_fourcc(struct v4l2_device *device,
-	const struct v4l2_request *request, uint32_t fourcc)
+/*
+ * Whether a buffer is one picture to look at: a progressive one, both fields of
+ * an interlaced one row by row, or always the same field. Others hold one field
+ * behind the other, or either of them in turn, whose rows are not the same.
+ */
+static bool is_one_picture(uint32_t field)
+{
+	switch (field) {
+	case V4L2_FIELD_ANY: /* old drivers leave it so */
+	case V4L2_FIELD_NONE:
+	case V4L2_FIELD_TOP:
+	case V4L2_FIELD_BOTTOM:
+	case V4L2_FIELD_INTERLACED:
+	case V4L2_FIELD_INTERLACED_TB:
+	case V4L2_FIELD_INTERLACED_BT:
+		return true;
+	default:
+		return false;
+	}
+}
+
+/*
+ * Sets a format. Returns -EINVAL when the device chose another one, -ENOTSUP
+ * when it delivers fields apart from each other.
+ */
+static int try_field(struct v4l2_device *device,
+	const struct v4l2_request *request, uint32_t fourcc, uint32_t field)
 {
 	struct v4l2_format wanted = {.type = V4L2_BUF_TYPE_VIDEO_CAPTURE};
 	int error;
@@ -95,16 +119,33 @@ static int try_fourcc(struct v4l2_device *device,
 	wanted.fmt.pix.width = (uint32_t)request->width;
 	wanted.fmt.pix.height = (uint32_t)request->height;
 	wanted.fmt.pix.pixelformat = fourcc;
-	wanted.fmt.pix.field = V4L2_FIELD_NONE;
+	wanted.fmt.pix.field = field;
 	error = device->calls->ioctl(
 		device->calls->user, device->fd, VIDIOC_S_FMT, &wanted);
 	if (!error && wanted.fmt.pix.pixelformat != fourcc) {
 		error = -EINVAL;
 	}
+	if (!error && !is_one_picture(wanted.fmt.pix.field)) {
+		error = -ENOTSUP;
+	}
 	if (!error) {
 		device->answer = wanted;
 	}
 	return error;
+}
+
+/*
+ * Asks for progressive pictures. Some devices answer with separate fields, and
+ * weave them into pictures only if asked to.
+ */
+static int try_fourcc(struct v4l2_device *device,
+	const struct v4l2_request *request, uint32_t fourcc)
+{
+	int error = try_field(device, request, fourcc, V4L2_FIELD_NONE);
+
+	return error == -ENOTSUP
+		? try_field(device, request, fourcc, V4L2_FIELD_INTERLACED)
+		: error;
 }
 
 static bool is_in(uint32_t fourcc, const uint32_t *list, int count)
@@ -163,6 +204,9 @@ static int refuse(struct v4l2_device *device,
 	if (error == -EBUSY) {
 		snprintf(device->reason, sizeof(device->reason),
 			"another program is using it: close that program");
+	} else if (error == -ENOTSUP) {
+		snprintf(device->reason, sizeof(device->reason),
+			"it delivers the two fields of interlaced video apart: choose a progressive input or another camera");
 	} else if (error != -EINVAL) {
 		snprintf(device->reason, sizeof(device->reason),
 			"its format cannot be set (%s)", strerror(-error));

@@ -1,5 +1,6 @@
 #include "platform/camera/v4l2/v4l2_thread.h"
 
+#include "platform/base/compiler.h"
 #include "platform/process/clock.h"
 
 #include <errno.h>
@@ -177,13 +178,22 @@ static void *run(void *argument)
 	return NULL;
 }
 
-/* Blocks all signals in the thread, so that the main thread gets them. */
+/*
+ * Blocks signals in the thread, so that the main thread gets them. Not faults:
+ * if a driver's picture makes libv4lconvert crash, the handler that gives the
+ * screen back must run, and Linux runs none of a blocked fault.
+ */
 static int create_thread(struct camera_source *source)
 {
+	static const int faults[] = {
+		SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGSYS, SIGTRAP};
 	sigset_t all, before;
 	int error;
 
 	sigfillset(&all);
+	for (size_t i = 0; i < ARRAY_COUNT(faults); i++) {
+		sigdelset(&all, faults[i]);
+	}
 	pthread_sigmask(SIG_SETMASK, &all, &before);
 	error = pthread_create(&source->thread, NULL, run, source);
 	pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -131,6 +131,8 @@ static int set_format(struct v4l2_fake *fake, struct v4l2_format *format)
 		? pix->width
 		: pix->width * 2;
 	pix->bytesperline = row + (uint32_t)fake->stride_extra;
+	pix->field =
+		pix->field == V4L2_FIELD_NONE ? fake->field : fake->interlaced;
 	pix->sizeimage = pix->bytesperline * pix->height;
 	if (row == pix->width) {
 		pix->sizeimage += pix->sizeimage / 2;
@@ -216,7 +218,7 @@ static int take_picture(struct v4l2_fake *fake, struct v4l2_buffer *buffer)
 	memmove(fake->queue, fake->queue + 1,
 		(size_t)fake->queued * sizeof(fake->queue[0]));
 	memset(fake->memory[index], fake->next++ & 255, fake->size);
-	buffer->index = (uint32_t)index;
+	buffer->index = (uint32_t)(fake->repeats ? 0 : index);
 	buffer->flags = fake->damaged ? V4L2_BUF_FLAG_ERROR : 0;
 	buffer->bytesused = fake->vendor ? 0
 		: fake->short_of         ? fake->size - 1
@@ -366,6 +368,8 @@ struct v4l2_fake *v4l2_fake_new(void)
 	};
 	pthread_mutex_init(&fake->lock, NULL);
 	fake->offered[0] = V4L2_PIX_FMT_YUYV;
+	fake->field = V4L2_FIELD_NONE;
+	fake->interlaced = V4L2_FIELD_INTERLACED;
 	fake->buffers_most = 4;
 	return fake;
 }

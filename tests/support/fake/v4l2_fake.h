@@ -34,8 +34,10 @@ struct v4l2_fake {
 	uint32_t offered[V4L2_FAKE_FORMATS]; /* a 0 ends the list */
 	int buffers_most;
 	int stride_extra; /* unused bytes after each row */
-	bool real_time;   /* it has the machine's clock */
-	int block_ms;     /* DQBUF fails with ETIME after waiting so long */
+	/* What it answers if asked for progressive and interlaced pictures. */
+	uint32_t field, interlaced;
+	bool real_time; /* it has the machine's clock */
+	int block_ms;   /* DQBUF fails with ETIME after waiting so long */
 
 	/* What goes wrong from now on. */
 	int open_error; /* -errno */
@@ -46,6 +48,7 @@ struct v4l2_fake {
 	bool damaged;  /* pictures carry an error flag */
 	bool short_of; /* pictures lack their last byte */
 	bool excess;   /* pictures claim more bytes than their buffer has */
+	bool repeats;  /* DQBUF always names the first buffer */
 
 	int next;      /* number of the next picture */
 	int ready;     /* pictures that DQBUF can take */

@@ -357,6 +357,9 @@ static int open_by_thread(void *user, const char *path)
 static void test_the_thread_leaves_signals_to_the_others(void **state)
 {
 	static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
+	/* Blocked, these would end limber without a handler. */
+	static const int faults[] = {
+		SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGSYS, SIGTRAP};
 	sigset_t own;
 	struct rig rig;
 
@@ -370,6 +373,9 @@ static void test_the_thread_leaves_signals_to_the_others(void **state)
 	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
 		assert_int_equal(sigismember(&blocked, signals[i]), 1);
 		assert_int_equal(sigismember(&own, signals[i]), 0);
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(faults); i++) {
+		assert_int_equal(sigismember(&blocked, faults[i]), 0);
 	}
 	end(&rig);
 }

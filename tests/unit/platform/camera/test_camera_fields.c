@@ -1,0 +1,123 @@
+/* Interlaced video, and a driver that returns a buffer that it does not have. */
+#include "platform/camera/v4l2/session.h"
+
+#include "platform/base/compiler.h"
+#include "tests/support/fake/v4l2_fake.h"
+#include "tests/support/test.h"
+
+#include <errno.h>
+#include <linux/videodev2.h>
+
+static const struct v4l2_request request = {
+	.path = "/dev/video7", .width = 32, .height = 24};
+
+static struct v4l2_session begin(struct v4l2_fake *fake)
+{
+	struct v4l2_session session;
+
+	v4l2_session_init(&session, &fake->calls, &request);
+	return session;
+}
+
+static void end(struct v4l2_fake *fake, struct v4l2_session *session)
+{
+	v4l2_device_close(&session->device);
+	assert_false(fake->open);
+	assert_false(fake->used_wrongly);
+	assert_int_equal(fake->maps, fake->unmaps);
+	v4l2_fake_free(fake);
+}
+
+/* Each answer to a request for progressive pictures, and then for woven ones. */
+static void test_only_fields_that_make_one_picture_are_taken(void **state)
+{
+	static const struct {
+		uint32_t field, interlaced;
+		int taken; /* the field of the pictures; -1: refused */
+	} cases[] = {
+		{V4L2_FIELD_NONE, V4L2_FIELD_NONE, V4L2_FIELD_NONE},
+		{V4L2_FIELD_ANY, V4L2_FIELD_NONE, V4L2_FIELD_ANY},
+		{V4L2_FIELD_TOP, V4L2_FIELD_INTERLACED, V4L2_FIELD_TOP},
+		{V4L2_FIELD_BOTTOM, V4L2_FIELD_INTERLACED, V4L2_FIELD_BOTTOM},
+		{V4L2_FIELD_INTERLACED, V4L2_FIELD_ALTERNATE,
+			V4L2_FIELD_INTERLACED},
+		{V4L2_FIELD_INTERLACED_TB, V4L2_FIELD_ALTERNATE,
+			V4L2_FIELD_INTERLACED_TB},
+		{V4L2_FIELD_ALTERNATE, V4L2_FIELD_INTERLACED_BT,
+			V4L2_FIELD_INTERLACED_BT},
+		{V4L2_FIELD_SEQ_TB, V4L2_FIELD_INTERLACED, V4L2_FIELD_INTERLACED},
+		{V4L2_FIELD_SEQ_BT, V4L2_FIELD_BOTTOM, V4L2_FIELD_BOTTOM},
+		{V4L2_FIELD_ALTERNATE, V4L2_FIELD_ALTERNATE, -1},
+		{V4L2_FIELD_SEQ_TB, V4L2_FIELD_SEQ_TB, -1},
+		{V4L2_FIELD_SEQ_BT, V4L2_FIELD_ALTERNATE, -1},
+		{99, 99, -1},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct v4l2_fake *fake = v4l2_fake_new();
+		struct v4l2_session session = begin(fake);
+
+		fake->field = cases[i].field;
+		fake->interlaced = cases[i].interlaced;
+		fake->ready = 1;
+		assert_int_equal(
+			v4l2_session_open(&session), cases[i].taken >= 0);
+		if (cases[i].taken >= 0) {
+			assert_int_equal(session.device.answer.fmt.pix.field,
+				cases[i].taken);
+			assert_true(v4l2_session_dequeue(&session, 20) >= 0);
+		} else {
+			assert_contains(session.device.reason,
+				"fields of interlaced video apart: choose");
+		}
+		end(fake, &session);
+	}
+}
+
+/* What the user asked for is refused with the same words. */
+static void test_a_given_format_does_not_hide_the_reason(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+
+	(void)state;
+	session.request.fourcc = V4L2_PIX_FMT_YUYV;
+	fake->field = fake->interlaced = V4L2_FIELD_ALTERNATE;
+	assert_false(v4l2_session_open(&session));
+	assert_contains(session.device.reason, "interlaced");
+	session.request.fourcc = V4L2_PIX_FMT_NV12;
+	session.retry_at_ms = 0;
+	assert_false(v4l2_session_open(&session));
+	assert_contains(session.device.reason, "does not deliver NV12");
+	end(fake, &session);
+}
+
+/* The frame loop may be reading the first picture. */
+static void test_a_buffer_that_comes_twice_is_a_failure(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+
+	(void)state;
+	fake->repeats = true;
+	assert_true(v4l2_session_open(&session));
+	fake->ready = 2;
+	assert_int_equal(v4l2_session_dequeue(&session, 20), 0);
+	assert_int_equal(v4l2_session_dequeue(&session, 20), -1);
+	assert_int_equal(session.state, V4L2_FAILED);
+	assert_contains(session.device.reason, "a buffer that it does not have");
+	end(fake, &session);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_only_fields_that_make_one_picture_are_taken),
+		cmocka_unit_test(test_a_given_format_does_not_hide_the_reason),
+		cmocka_unit_test(test_a_buffer_that_comes_twice_is_a_failure),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,6 +1,6 @@
 #include "platform/display/packing.h"
 
-#include <string.h>
+#include "platform/display/packing_rows.h"
 
 /* Scales a value of 0..max to the field, rounded to nearest. */
 static uint32_t scale(uint32_t value, uint32_t max, struct pixel_field field)
@@ -59,7 +59,9 @@ void packing_init(struct packing *packing, enum pixel_format from,
 		.from = from,
 		.same = is_same(layout, &own),
 		.bytes = pixel_layout_bytes(layout),
+		.opaque = opaque,
 	};
+	packing->copy_row = packing_choose_row(packing, layout);
 	fill(packing->red, narrow ? 31 : 255, layout->red, gray ? 77 : 0);
 	fill(packing->green, narrow ? 63 : 255, layout->green, gray ? 150 : 0);
 	fill(packing->blue, narrow ? 31 : 255, layout->blue, gray ? 29 : 0);
@@ -78,72 +80,22 @@ void packing_init(struct packing *packing, enum pixel_format from,
 	}
 }
 
-static uint32_t pack(const struct packing *packing, const uint8_t *in)
+void packing_blacken(const struct packing *packing, uint8_t *data, int width)
 {
-	if (packing->from == PIXELS_RGB565) {
-		uint16_t pixel;
+	static const uint8_t black[64 * 4];
 
-		memcpy(&pixel, in, sizeof(pixel));
-		return packing->red[pixel >> 11] +
-			packing->green[pixel >> 5 & 63] +
-			packing->blue[pixel & 31];
-	}
-	return packing->red[in[0]] + packing->green[in[1]] +
-		packing->blue[in[2]];
-}
-
-static void store_24(uint8_t *out, uint32_t pixel)
-{
-	uint8_t bytes[4];
-
-	memcpy(bytes, &pixel, 4);
-	/* Skip the unused high byte, which is first on big-endian machines. */
-	memcpy(out,
-		pixel_layout_of(PIXELS_RGBA8888).red.offset ? bytes + 1 : bytes,
-		3);
-}
-
-static void copy_row(const struct packing *packing, const uint8_t *in,
-	uint8_t *out, int width)
-{
-	int step = pixel_bytes(packing->from);
-	int bytes = packing->bytes;
-
-	for (int x = 0; x < width; x++, in += step, out += bytes) {
-		uint32_t pixel = pack(packing, in);
-		uint16_t half = (uint16_t)pixel;
-
-		switch (bytes) {
-		case 1:
-			*out = (uint8_t)pixel;
-			break;
-		case 2:
-			memcpy(out, &half, 2);
-			break;
-		case 3:
-			store_24(out, pixel);
-			break;
-		default:
-			memcpy(out, &pixel, 4);
-			break;
-		}
+	for (int x = 0; x < width; x += 64) {
+		packing->copy_row(packing, black, data + x * packing->bytes,
+			width - x < 64 ? width - x : 64);
 	}
 }
 
 void packing_copy(const struct packing *packing, const struct pixels *picture,
 	uint8_t *data, int stride_bytes)
 {
-	size_t row_bytes =
-		(size_t)picture->width * (size_t)pixel_bytes(picture->format);
-
 	for (int y = 0; y < picture->height; y++) {
-		const uint8_t *in = picture->data + y * picture->stride_bytes;
-		uint8_t *out = data + y * stride_bytes;
-
-		if (packing->same) {
-			memcpy(out, in, row_bytes);
-		} else {
-			copy_row(packing, in, out, picture->width);
-		}
+		packing->copy_row(packing,
+			picture->data + y * picture->stride_bytes,
+			data + y * stride_bytes, picture->width);
 	}
 }

@@ -6,12 +6,20 @@
 
 #include "platform/display/pixel_layout.h"
 
+struct packing;
+
+/* Converts a row of width pixels. */
+typedef void (*packing_row)(const struct packing *packing, const uint8_t *in,
+	uint8_t *out, int width);
+
 /* Tables that convert pixels: the screen's pixel is the sum of three entries. */
 struct packing {
 	enum pixel_format from;
 	bool same; /* the layout is that of the format without alpha: rows are
 		      copied */
 	int bytes; /* of a pixel of the layout */
+	uint32_t opaque; /* the bits of alpha */
+	packing_row copy_row;
 	uint32_t red[256], green[256], blue[256]; /* [value of the channel] */
 };
 
@@ -28,5 +36,11 @@ void packing_init(struct packing *packing, enum pixel_format from,
  */
 void packing_copy(const struct packing *packing, const struct pixels *picture,
 	uint8_t *data, int stride_bytes);
+
+/*
+ * Writes a row of black pixels, which are opaque if the layout has alpha: zeros
+ * would let what is behind the screen show through.
+ */
+void packing_blacken(const struct packing *packing, uint8_t *data, int width);
 
 #endif

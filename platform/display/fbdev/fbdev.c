@@ -10,7 +10,6 @@
 
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "platform/display/console.h"
@@ -81,22 +80,16 @@ static int prepare_picture(
 		display->picture.height, format, options->log);
 }
 
-static void clear_screen(const struct fbdev_screen *screen)
+/* Makes all pages black, or the visible part of the only one. */
+static void clear_screen(const struct display *display)
 {
-	size_t page_bytes =
-		(size_t)screen->height * (size_t)screen->stride_bytes;
+	const struct fbdev_screen *screen = &display->screen;
+	bool paged = screen->page_count > 1;
+	uint8_t *row = paged ? screen->memory : fbdev_screen_back_page(screen);
+	int rows = paged ? screen->page_count * screen->height : screen->height;
 
-	if (screen->page_count > 1) {
-		memset(screen->memory, 0,
-			(size_t)screen->page_count * page_bytes);
-		return;
-	}
-	for (int y = 0; y < screen->height; y++) {
-		memset(fbdev_screen_back_page(screen) +
-				(size_t)y * (size_t)screen->stride_bytes,
-			0,
-			(size_t)screen->width *
-				(size_t)pixel_layout_bytes(&screen->layout));
+	for (int y = 0; y < rows; y++, row += screen->stride_bytes) {
+		packing_blacken(&display->packing, row, screen->width);
 	}
 }
 
@@ -121,7 +114,7 @@ int fbdev_create_on(const struct device_calls *calls,
 		goto out_screen;
 	}
 	console_acquire(&display->console, calls, options->log);
-	clear_screen(&display->screen);
+	clear_screen(display);
 	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %s",
 		display->screen.path, display->screen.width,
 		display->screen.height, display->screen.layout.bits,

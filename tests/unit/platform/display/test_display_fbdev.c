@@ -230,6 +230,42 @@ static void test_a_smaller_picture_is_centred_on_black(void **state)
 	}
 }
 
+/* Else what is behind the screen would show around the picture. */
+static void test_the_black_around_a_picture_is_opaque(void **state)
+{
+	static const struct {
+		struct pixel_layout layout;
+		uint32_t black;
+	} cases[] = {
+		{{32, {16, 8}, {8, 8}, {0, 8}, {24, 8}, false}, 0xFF000000},
+		{{32, {0, 8}, {8, 8}, {16, 8}, {24, 8}, false}, 0xFF000000},
+		{{16, {10, 5}, {5, 5}, {0, 5}, {15, 1}, false}, 0x8000},
+		{{32, {16, 8}, {8, 8}, {0, 8}, {0, 0}, false}, 0},
+	};
+	struct fbdev_scene scene = {
+		.options = {.width = 10, .height = 6, .size_given = true}};
+
+	(void)state;
+	for (size_t i = 0; i < 2 * ARRAY_COUNT(cases); i++) {
+		int pages = 1 + (int)i % 2;
+
+		fake_fb_begin(WIDTH, HEIGHT, HEIGHT * pages, HEIGHT * pages,
+			WIDTH * 4, cases[i / 2].layout);
+		fake_fb.has_wait = true;
+		assert_int_equal(fbdev_scene_open(&scene), 0);
+		for (int frame = 0; frame < 3; frame++) {
+			fbdev_scene_draw(&scene);
+			for (int x = 0; x < WIDTH; x++) {
+				assert_int_equal(
+					fake_fb_seen(x, 0), cases[i / 2].black);
+				assert_int_equal(fake_fb_seen(x, HEIGHT - 1),
+					cases[i / 2].black);
+			}
+		}
+		fbdev_scene_close(&scene);
+	}
+}
+
 static void test_a_larger_size_is_reduced_to_the_screen(void **state)
 {
 	struct fbdev_scene scene = {
@@ -312,6 +348,7 @@ int main(void)
 		cmocka_unit_test(test_the_tables_of_channels_become_linear),
 		cmocka_unit_test(test_only_the_picture_is_written),
 		cmocka_unit_test(test_a_smaller_picture_is_centred_on_black),
+		cmocka_unit_test(test_the_black_around_a_picture_is_opaque),
 		cmocka_unit_test(test_a_larger_size_is_reduced_to_the_screen),
 		cmocka_unit_test(test_a_requested_format_is_converted),
 		cmocka_unit_test(test_the_rate_is_known_where_the_device_waits),

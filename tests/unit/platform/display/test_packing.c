@@ -42,6 +42,9 @@ static const struct pixel_layout layouts[] = {
 	{32, {0, 8}, {8, 8}, {16, 8}, {24, 8}, false},
 	{32, {22, 10}, {11, 11}, {0, 11}, {0, 0}, false},
 	{32, {0, 16}, {16, 1}, {17, 15}, {0, 0}, false},
+	{32, {16, 8}, {8, 8}, {0, 8}, {0, 0}, false},
+	{32, {16, 8}, {8, 8}, {0, 8}, {28, 4}, false},
+	{32, {0, 8}, {8, 8}, {16, 8}, {28, 4}, false},
 };
 
 static void test_every_value_of_a_channel_is_rounded_to_nearest(void **state)
@@ -67,6 +70,52 @@ static void test_every_value_of_a_channel_is_rounded_to_nearest(void **state)
 						layout->green) +
 					expected(value ^ 0x55, 255,
 						layout->blue));
+		}
+	}
+}
+
+/* Blending leaves any alpha in pictures, which must not make them transparent. */
+static void test_the_alpha_of_a_picture_changes_nothing(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < sizeof(layouts) / sizeof(layouts[0]); i++) {
+		struct packing packing;
+
+		packing_init(&packing, PIXELS_RGBA8888, &layouts[i]);
+		for (int alpha = 0; alpha < 256; alpha++) {
+			uint8_t pixel[4] = {0x12, 0x9A, 0xE7, (uint8_t)alpha};
+			uint8_t opaque[4] = {0x12, 0x9A, 0xE7, 0xFF};
+
+			assert_int_equal(
+				packed(&packing, pixel, PIXELS_RGBA8888),
+				packed(&packing, opaque, PIXELS_RGBA8888));
+		}
+	}
+}
+
+/* A row of any width, and nothing behind it. */
+static void test_black_is_opaque_and_as_wide_as_it_should_be(void **state)
+{
+	enum {
+		WIDTH = 300
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(layouts) / sizeof(layouts[0]); i++) {
+		int bytes = pixel_layout_bytes(&layouts[i]);
+		uint32_t black = pixel_layout_mask(layouts[i].alpha);
+		uint8_t out[WIDTH * 4];
+		struct packing packing;
+
+		packing_init(&packing, PIXELS_RGBA8888, &layouts[i]);
+		for (int width = 0; width < WIDTH - 1; width += 7) {
+			memset(out, 0xEE, sizeof(out));
+			packing_blacken(&packing, out, width);
+			for (int k = 0; k < width * bytes; k++) {
+				assert_int_equal(
+					out[k], black >> 8 * (k % bytes) & 255);
+			}
+			assert_int_equal(out[width * bytes], 0xEE);
 		}
 	}
 }
@@ -202,6 +251,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_every_value_of_a_channel_is_rounded_to_nearest),
+		cmocka_unit_test(test_the_alpha_of_a_picture_changes_nothing),
+		cmocka_unit_test(
+			test_black_is_opaque_and_as_wide_as_it_should_be),
 		cmocka_unit_test(test_565_fills_wider_channels),
 		cmocka_unit_test(test_a_format_without_alpha_is_its_own_layout),
 		cmocka_unit_test(

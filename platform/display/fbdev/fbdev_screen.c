@@ -10,6 +10,10 @@
 
 #include "platform/display/pixels.h"
 
+enum {
+	MISSED_MAX = 100 /* seconds, as the frame loop or the driver waits */
+};
+
 static int control(const struct fbdev_screen *screen, unsigned long request,
 	void *argument)
 {
@@ -228,8 +232,13 @@ static int map_memory(struct fbdev_screen *screen)
 {
 	size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
 	size_t before = screen->fix.smem_start & (page_bytes - 1);
+	uint64_t bytes = (uint64_t)before + screen->fix.smem_len;
 
-	screen->map_bytes = before + screen->fix.smem_len;
+	if (bytes > SIZE_MAX) {
+		return refused(screen,
+			"it claims more memory than this machine can address");
+	}
+	screen->map_bytes = (size_t)bytes;
 	screen->map = screen->calls->map(screen->fd, screen->map_bytes, 0);
 	if (screen->map == MAP_FAILED) {
 		return failed(screen, "its memory cannot be mapped");
@@ -355,11 +364,21 @@ void fbdev_screen_wait(const struct fbdev_screen *screen)
 	}
 }
 
+/* mx3fb, for one, waits a tenth of a second for the picture before. */
+static bool is_temporary(int error)
+{
+	return error == ETIMEDOUT || error == EBUSY || error == EAGAIN;
+}
+
 int fbdev_screen_flip(struct fbdev_screen *screen)
 {
 	if (!pan(screen, next_page(screen))) {
+		if (is_temporary(errno) && ++screen->missed < MISSED_MAX) {
+			return 0;
+		}
 		return failed(screen, "it cannot show the next picture");
 	}
+	screen->missed = 0;
 	screen->page = next_page(screen);
 	fbdev_screen_wait(screen);
 	return 0;

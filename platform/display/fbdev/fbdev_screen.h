@@ -35,6 +35,7 @@ struct fbdev_screen {
 	int stride_bytes;
 	int page_count; /* 1, or up to FBDEV_PAGES_MAX to flip by panning */
 	int page;       /* the page that is shown */
+	int missed;     /* pictures in a row that were not shown in time */
 	bool waits;     /* the device can wait for vertical blanking */
 	void *map;
 	size_t map_bytes;
@@ -63,7 +64,9 @@ uint8_t *fbdev_screen_back_page(const struct fbdev_screen *screen);
 
 /*
  * Shows the back page and, if the device supports waiting, waits until the page
- * shown before is off the screen. Returns 0, or -errno after logging an error.
+ * shown before is off the screen. If the device is busy, as long as the screen
+ * is off, the page is left out and stays the back page. Returns 0, or -errno
+ * after logging an error: the device has failed, or was busy too often.
  */
 int fbdev_screen_flip(struct fbdev_screen *screen);
 

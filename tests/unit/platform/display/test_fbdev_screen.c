@@ -194,6 +194,62 @@ static void test_a_failing_flip_is_logged(void **state)
 	fbdev_scene_close(&scene);
 }
 
+/* As while the screen is off. */
+static void test_a_busy_device_misses_pictures_but_not_for_ever(void **state)
+{
+	static const int errors[] = {ETIMEDOUT, EBUSY, EAGAIN};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(errors); i++) {
+		struct fbdev_scene scene = {0};
+		struct pixels first, pixels;
+		int missed = 0;
+
+		fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT * 2, WIDTH * 2,
+			fbdev_scene_layout_565);
+		fake_fb.has_wait = true;
+		assert_int_equal(fbdev_scene_open(&scene), 0);
+		fbdev_scene_draw(&scene);
+		for (int turn = 0; turn < 3; turn++) {
+			fake_fb.fail_error = errors[i];
+			fake_fb.fail_request = FBIOPAN_DISPLAY;
+			first = fbdev_scene_draw(&scene);
+			for (int frame = 0; frame < 50; frame++) {
+				pixels = fbdev_scene_draw(&scene);
+				assert_ptr_equal(pixels.data, first.data);
+			}
+			/* The screen is on again. */
+			fake_fb.fail_request = 0;
+			fbdev_scene_draw(&scene);
+			fbdev_scene_expect_corners(
+				0xF800, 0x07E0, 0x001F, 0xFFFF);
+		}
+		fake_fb.fail_request = FBIOPAN_DISPLAY;
+		while (scene.driver->end_frame(scene.display) == 0) {
+			missed++;
+		}
+		assert_int_equal(missed, 99);
+		assert_int_equal(
+			log_capture_count(&scene.capture, LOG_ERROR), 1);
+		fake_fb.fail_request = 0;
+		fbdev_scene_close(&scene);
+	}
+}
+
+/* Its end wraps around where addresses have 32 bits. */
+static void test_memory_beyond_all_addresses_is_refused(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	fbdev_scene_begin_565(1);
+	fake_fb.fix.smem_len = UINT32_MAX - FAKE_FB_LEAD / 2;
+	fake_fb.fix.ypanstep = 0;
+	assert_true(fbdev_scene_open(&scene) < 0);
+	assert_int_equal(scene.capture.count, 1);
+	fbdev_scene_expect_closed();
+}
+
 static void test_the_message_for_a_missing_device_gives_advice(void **state)
 {
 	static const struct {
@@ -331,6 +387,9 @@ int main(void)
 		cmocka_unit_test(test_a_failure_is_logged_and_everything_closed),
 		cmocka_unit_test(test_optional_calls_may_fail),
 		cmocka_unit_test(test_a_failing_flip_is_logged),
+		cmocka_unit_test(
+			test_a_busy_device_misses_pictures_but_not_for_ever),
+		cmocka_unit_test(test_memory_beyond_all_addresses_is_refused),
 		cmocka_unit_test(
 			test_the_message_for_a_missing_device_gives_advice),
 		cmocka_unit_test(test_invalid_modes_are_refused),

@@ -204,11 +204,19 @@ static void window_get_info(
 	};
 }
 
+/* Pictures have a largest size. On a wall of screens a window may be larger. */
+static int limit_side(int side)
+{
+	return side < PIXELS_SIZE_MAX ? side : PIXELS_SIZE_MAX;
+}
+
 static int window_begin_frame(struct display *display, struct pixels *out)
 {
 	int width = 0, height = 0;
 
 	display->sdl.GetWindowSize(display->window, &width, &height);
+	width = limit_side(width);
+	height = limit_side(height);
 	if (width > 0 && height > 0 &&
 		(width != display->pixels.width ||
 			height != display->pixels.height)) {

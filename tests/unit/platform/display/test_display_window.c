@@ -214,6 +214,10 @@ static void test_a_resized_window_hands_out_the_new_size(void **state)
 	poll(&scene, 2);
 	assert_false(scene.events.resized);
 	draw(&scene, 80, 30);
+	/* A larger one than pictures can be is filled in part. */
+	SDL_SetWindowSize(window, PIXELS_SIZE_MAX + 9, 3);
+	draw(&scene, PIXELS_SIZE_MAX, 3);
+	draw(&scene, PIXELS_SIZE_MAX, 3);
 	scene_close(&scene);
 }
 

@@ -228,6 +228,9 @@ static void test_a_line_that_refuses_is_named_with_the_reason(void **state)
 			bench, gpiod_bench_wire(bench, 19), BUTTON_DOWN);
 		buttons_close(&bench->buttons);
 	}
+	gpiod_bench_wire(bench, 18)->error = EINVAL;
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18/pull-up");
+	gpiod_bench_expect_warning(bench, "line 18", "without pull-up");
 }
 
 static void test_a_taken_line_is_named_with_its_holder(void **state)

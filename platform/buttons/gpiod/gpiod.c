@@ -150,9 +150,12 @@ static void say_refused(const struct button_source *source,
 			line.consumer[0] ? line.consumer : "a driver");
 	} else {
 		log_warning(&source->log,
-			"gpiod:%s: line %u of %s cannot be read: %s",
+			"gpiod:%s: line %u of %s cannot be read: %s%s",
 			button_name(spec->button), offset,
-			gpio_chip_label(chip), strerror(-error));
+			gpio_chip_label(chip), strerror(-error),
+			spec->settings.bias == GPIO_BIAS_AS_IS
+				? ""
+				: ": kernels before 5.5 need it without pull-up, pull-down and no-pull");
 	}
 }
 

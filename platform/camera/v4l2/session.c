@@ -53,7 +53,8 @@ static bool is_no_camera(int error)
 /*
  * Opens the first camera that can be used: others may be taken or have formats
  * that limber cannot read. If there is none, the path and the reason are those
- * of the first camera.
+ * of the first camera. One that never delivered a picture, such as a capture
+ * card without a signal, is tried last.
  */
 static int open_any(struct v4l2_session *session)
 {
@@ -65,8 +66,9 @@ static int open_any(struct v4l2_session *session)
 	for (int i = 0; i < DEVICES_MAX; i++) {
 		int error;
 
+		session->number = (session->first + i) % DEVICES_MAX;
 		snprintf(session->path, sizeof(session->path), "/dev/video%d",
-			i);
+			session->number);
 		error = open_path(session);
 		if (!error) {
 			return 0;
@@ -116,6 +118,9 @@ int v4l2_session_dequeue(struct v4l2_session *session, int timeout_ms)
 	} else if (now_ms(session) - session->heard_ms >= V4L2_SILENCE_MS) {
 		snprintf(session->device.reason, sizeof(session->device.reason),
 			"no picture for %d s", V4L2_SILENCE_MS / 1000);
+		session->first = session->state == V4L2_OPEN
+			? (session->number + 1) % DEVICES_MAX
+			: session->number;
 		session->state = V4L2_FAILED;
 	}
 	return -1;

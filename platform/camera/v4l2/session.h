@@ -24,6 +24,8 @@ struct v4l2_session {
 	const struct v4l2_calls *calls;
 	struct v4l2_request request; /* path "": the first camera that works */
 	char path[V4L2_PATH_BYTES];  /* of the device opened last */
+	/* Which /dev/videoN was opened last, and which is tried first. */
+	int number, first;
 	struct v4l2_device device;
 	enum v4l2_state state;
 	int64_t retry_at_ms; /* when to open it again */

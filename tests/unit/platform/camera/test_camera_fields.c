@@ -1,4 +1,4 @@
-/* Interlaced video, and a driver that returns a buffer that it does not have. */
+/* Interlaced video, and drivers whose pictures cannot be had or trusted. */
 #include "platform/camera/v4l2/session.h"
 
 #include "platform/base/compiler.h"
@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <linux/videodev2.h>
+#include <stdio.h>
 
 static const struct v4l2_request request = {
 	.path = "/dev/video7", .width = 32, .height = 24};
@@ -110,6 +111,43 @@ static void test_a_buffer_that_comes_twice_is_a_failure(void **state)
 	end(fake, &session);
 }
 
+/* A capture card without a signal must not hide the camera behind it. */
+static void test_auto_passes_a_device_that_never_delivers(void **state)
+{
+	static const struct v4l2_request any = {.width = 32, .height = 24};
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session;
+
+	(void)state;
+	v4l2_session_init(&session, &fake->calls, &any);
+	assert_true(v4l2_session_open(&session));
+	assert_string_equal(session.path, "/dev/video0");
+	for (int silences = 1; silences < 66; silences++) {
+		char next[32];
+
+		while (session.state != V4L2_FAILED) {
+			assert_int_equal(
+				v4l2_session_dequeue(&session, 500), -1);
+		}
+		v4l2_session_close(&session);
+		fake->now_ms += V4L2_RETRY_LAST_MS;
+		assert_true(v4l2_session_open(&session));
+		snprintf(next, sizeof(next), "/dev/video%d", silences % 64);
+		assert_string_equal(session.path, next);
+	}
+	/* One that has delivered pictures is tried again first. */
+	fake->ready = 1;
+	assert_true(v4l2_session_dequeue(&session, 500) >= 0);
+	while (session.state != V4L2_FAILED) {
+		assert_int_equal(v4l2_session_dequeue(&session, 500), -1);
+	}
+	v4l2_session_close(&session);
+	fake->now_ms += V4L2_RETRY_LAST_MS;
+	assert_true(v4l2_session_open(&session));
+	assert_string_equal(session.path, "/dev/video1");
+	end(fake, &session);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -117,6 +155,7 @@ int main(void)
 			test_only_fields_that_make_one_picture_are_taken),
 		cmocka_unit_test(test_a_given_format_does_not_hide_the_reason),
 		cmocka_unit_test(test_a_buffer_that_comes_twice_is_a_failure),
+		cmocka_unit_test(test_auto_passes_a_device_that_never_delivers),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -163,6 +163,61 @@ static void test_a_parameter_keeps_up_with_a_goal_that_moves(void **state)
 	assert_near(slow, fast, 0.15);
 }
 
+/* How a parameter of ease 0.5 s follows goals, computed in double. */
+struct follower {
+	double value, from, elapsed_s, goal;
+	int changes; /* frames in a row with another goal */
+};
+
+static void follow_goal(struct follower *it, double goal, double step_s)
+{
+	const double ease_s = 0.5;
+	double u;
+
+	it->changes = goal == it->goal ? 0 : it->changes + 1;
+	if (goal != it->goal) {
+		it->goal = goal;
+		it->from = it->value;
+		it->elapsed_s = 0;
+	}
+	if (it->changes >= 3) {
+		/* A third of the ease leaves 1/e of the difference. */
+		it->value = goal +
+			(it->value - goal) * exp(-step_s / (ease_s / 3.0));
+		it->from = it->value;
+		it->elapsed_s = 0;
+		return;
+	}
+	it->elapsed_s += step_s;
+	u = it->elapsed_s >= ease_s ? 1.0 : it->elapsed_s / ease_s;
+	it->value = it->from + (goal - it->from) * u * u * (3.0 - 2.0 * u);
+}
+
+/* The goal moves from the second frame on, as in 1, 2, 3... frames in a row. */
+static void test_a_value_decays_behind_a_goal_that_moves_in_a_row(void **state)
+{
+	static const char moves[] = "0110111011110111111100000000000000110";
+	struct follower wanted = {5, 5, 0, 5, 0};
+	struct character_parameter *one;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\nrange = 0 100\nstart = 5\nease = 0.5\n");
+	one = &acting.character->parameter[0];
+	for (int i = 0; moves[i]; i++) {
+		double goal =
+			wanted.goal + (moves[i] == '1' ? 2.0 + i % 3 : 0.0);
+
+		character_parameter_set(one, (float)goal);
+		follow_goal(&wanted, goal, 1.0 / rate_hz);
+		acting_run_to(&acting, acting.now_s + 0.5 / rate_hz, rate_hz);
+		assert_near(one->value, wanted.value, 1e-4);
+	}
+	acting_end(&acting);
+}
+
 static void test_sources_of_parameters(void **state)
 {
 	struct acting acting;
@@ -192,6 +247,8 @@ int main(void)
 		cmocka_unit_test(test_a_parameter_eases_to_its_goal),
 		cmocka_unit_test(
 			test_a_parameter_keeps_up_with_a_goal_that_moves),
+		cmocka_unit_test(
+			test_a_value_decays_behind_a_goal_that_moves_in_a_row),
 		cmocka_unit_test(test_sources_of_parameters),
 	};
 

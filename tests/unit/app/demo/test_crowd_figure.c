@@ -7,6 +7,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 static void transform(mat4 matrix, const float at[3], float out[3])
 {
@@ -244,6 +245,64 @@ static void test_a_clip_that_is_named_stays_in_its_place(void **state)
 	model_destroy(model);
 }
 
+/* A walker that is turned to its left goes there. */
+static void test_a_figure_is_turned_where_its_feet_take_it(void **state)
+{
+	static const float turned[4] = {0.0f, 0.70710678f, 0.0f, 0.70710678f};
+	struct log log = log_to_stderr(LOG_ERROR);
+	const struct demo_env env = {.log = &log,
+		.model_path = "assets/walker.glb",
+		.character = "none"};
+	struct crowd_figure made = {0};
+	struct actor actor = {0};
+
+	(void)state;
+	assert_int_equal(model_load(env.model_path, &log, &actor.model), 0);
+	for (int i = 0; i < actor.model->node_count; i++) {
+		struct model_node *node = &actor.model->node[i];
+
+		if (node->parent < 0) {
+			memcpy(node->rest.rotation, turned, sizeof(turned));
+		}
+	}
+	actor.instance = small_model_instance(actor.model);
+	assert_int_equal(crowd_figure_make(&made, &env, &actor), 0);
+	assert_near(made.front_rad, acos(0), 1e-3);
+	instance_destroy(actor.instance);
+	model_destroy(actor.model);
+}
+
+/* Those who stand play the clips of their names, others those of their gait. */
+static void test_every_walker_plays_its_clip(void **state)
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct demo_env env = {.log = &log,
+		.model_path = "assets/walker.glb",
+		.character = "none"};
+	struct actor actor = {0};
+	struct motion motion;
+
+	(void)state;
+	assert_int_equal(model_load(env.model_path, &log, &actor.model), 0);
+	actor.instance = small_model_instance(actor.model);
+	for (int one_clip = 0; one_clip < 2; one_clip++) {
+		struct crowd_figure made = {0};
+
+		env.clip = one_clip ? "jump" : NULL;
+		assert_int_equal(crowd_figure_make(&made, &env, &actor), 0);
+		for (int number = 0; number < CROWD_MAX; number++) {
+			const char *name =
+				one_clip ? "jump" : crowd_route(number).clip;
+
+			crowd_figure_route(&made, number, &motion);
+			assert_int_equal(motion.clip,
+				model_find_clip(actor.model, name));
+		}
+	}
+	instance_destroy(actor.instance);
+	model_destroy(actor.model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -261,6 +320,8 @@ int main(void)
 		cmocka_unit_test(
 			test_the_figure_looks_along_its_route_in_its_size),
 		cmocka_unit_test(test_a_clip_that_is_named_stays_in_its_place),
+		cmocka_unit_test(test_a_figure_is_turned_where_its_feet_take_it),
+		cmocka_unit_test(test_every_walker_plays_its_clip),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,6 +4,7 @@
  */
 #include "app/demo/tuner/tuner_bones.h"
 #include "tests/support/model/bones.h"
+#include "tests/support/model/small_model.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
@@ -278,12 +279,90 @@ static void test_named_bones(void **state)
 	end(&tree);
 }
 
+/* A model with an instance, and what its motions are. */
+struct found {
+	struct model *model;
+	struct instance *instance;
+	struct motions motions;
+};
+
+static void find(struct found *found, const char *path, const char *character)
+{
+	const struct character_request request = {
+		.model_path = path,
+		.file = character,
+	};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	*found = (struct found){0};
+	assert_int_equal(model_load(path, &log, &found->model), 0);
+	found->instance = small_model_instance(found->model);
+	assert_int_equal(
+		motions_find(&request, found->instance, &log, &found->motions),
+		0);
+}
+
+static void release(struct found *found)
+{
+	instance_destroy(found->instance);
+	model_destroy(found->model);
+}
+
+/* Both shoulders first, then every bone that moves a vertex, and back. */
+static void test_the_tuner_chooses_any_bone(void **state)
+{
+	struct tuner_bones bones;
+	struct found found;
+	char name[64];
+	int count = 0;
+
+	(void)state;
+	find(&found, "assets/walker.glb", "none");
+	assert_int_equal(
+		tuner_bones_init(&bones, found.instance, &found.motions), 0);
+	assert_int_equal(bones.count, 2);
+	tuner_bones_name(&bones, name, sizeof(name));
+	assert_string_equal(name, "shoulder.L +1");
+	do {
+		tuner_bones_step(&bones, 1);
+		count++;
+		assert_true(bones.chosen < 0 || bones.moves[bones.chosen]);
+		assert_true(bones.chosen < 0 || bones.level[bones.chosen] == 0);
+	} while (bones.chosen >= 0);
+	assert_true(count > 20);
+	assert_true(count <= found.model->node_count + 1);
+	assert_int_equal(bones.count, 2);
+	tuner_bones_step(&bones, -1);
+	assert_int_equal(bones.count, 1);
+	assert_true(bones.chosen >= 0);
+	release(&found);
+}
+
+/* The arm of a robot without a character file. */
+static void test_the_tuner_begins_with_the_longest_limb(void **state)
+{
+	struct tuner_bones bones;
+	struct found found;
+	char name[64];
+
+	(void)state;
+	find(&found, "assets/arm.glb", "none");
+	assert_int_equal(
+		tuner_bones_init(&bones, found.instance, &found.motions), 0);
+	tuner_bones_name(&bones, name, sizeof(name));
+	assert_string_equal(name, "Arm");
+	assert_true(bones.deepest >= 2);
+	release(&found);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_random_trees),
 		cmocka_unit_test(test_the_levels_of_a_long_chain_end),
 		cmocka_unit_test(test_named_bones),
+		cmocka_unit_test(test_the_tuner_chooses_any_bone),
+		cmocka_unit_test(test_the_tuner_begins_with_the_longest_limb),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,7 @@
-/* What demos find out about any model: its clips, its speeds, its bones. */
+/* What limber finds out about any model: its clips, its speeds, its bones. */
 #include "app/character/motions/motions.h"
-#include "app/demo/crowd/crowd_figure.h"
-#include "app/demo/tuner/tuner_bones.h"
+#include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -10,7 +10,8 @@
 
 struct found {
 	struct log log;
-	struct actor actor;
+	struct model *model;
+	struct instance *instance;
 	struct motions motions;
 };
 
@@ -18,7 +19,7 @@ static void load(struct found *found, const char *path)
 {
 	memset(found, 0, sizeof(*found));
 	found->log = log_to_stderr(LOG_WARNING);
-	assert_int_equal(model_load(path, &found->log, &found->actor.model), 0);
+	assert_int_equal(model_load(path, &found->log, &found->model), 0);
 }
 
 /* In the model that load() left. */
@@ -31,13 +32,11 @@ static void find_in(struct found *found, const char *path, const char *clip,
 		.file = character,
 	};
 
-	assert_int_equal(
-		instance_create(found->actor.model, kernel_find("fixed"),
-			&found->log, &found->actor.instance),
+	assert_int_equal(instance_create(found->model, kernel_find("fixed"),
+				 &found->log, &found->instance),
 		0);
-	found->actor.extent = 1.72f;
-	assert_int_equal(motions_find(&request, found->actor.instance,
-				 &found->log, &found->motions),
+	assert_int_equal(motions_find(&request, found->instance, &found->log,
+				 &found->motions),
 		0);
 }
 
@@ -50,15 +49,15 @@ static void find(struct found *found, const char *path, const char *clip,
 
 static void release(struct found *found)
 {
-	instance_destroy(found->actor.instance);
-	model_destroy(found->actor.model);
+	instance_destroy(found->instance);
+	model_destroy(found->model);
 }
 
 static const char *clip_of(const struct found *found, enum motion_role role)
 {
 	int clip = found->motions.role[role].clip;
 
-	return clip < 0 ? "" : found->actor.model->clip[clip].name;
+	return clip < 0 ? "" : found->model->clip[clip].name;
 }
 
 static void test_the_walkers_feet_tell_its_speeds(void **state)
@@ -79,20 +78,16 @@ static void test_the_walkers_feet_tell_its_speeds(void **state)
 	release(&found);
 }
 
-/* A walker that is turned to its left goes there, and so in the crowd. */
+/* A walker that is turned to its left goes there. */
 static void test_a_figure_faces_where_its_feet_take_it(void **state)
 {
 	static const float turned[4] = {0.0f, 0.70710678f, 0.0f, 0.70710678f};
 	struct found found;
-	struct crowd_figure figure = {0};
-	const struct demo_env env = {.log = &found.log,
-		.model_path = "assets/walker.glb",
-		.character = "none"};
 
 	(void)state;
 	load(&found, "assets/walker.glb");
-	for (int i = 0; i < found.actor.model->node_count; i++) {
-		struct model_node *node = &found.actor.model->node[i];
+	for (int i = 0; i < found.model->node_count; i++) {
+		struct model_node *node = &found.model->node[i];
 
 		if (node->parent < 0) {
 			memcpy(node->rest.rotation, turned, sizeof(turned));
@@ -100,8 +95,6 @@ static void test_a_figure_faces_where_its_feet_take_it(void **state)
 	}
 	find_in(&found, "assets/walker.glb", NULL, "none");
 	assert_near(found.motions.role[MOTION_WALK].facing_rad, acos(0), 1e-3);
-	assert_int_equal(crowd_figure_make(&figure, &env, &found.actor), 0);
-	assert_near(figure.front_rad, acos(0), 1e-3);
 	release(&found);
 }
 
@@ -117,7 +110,7 @@ static void test_a_named_walk_is_the_run_where_none_is_named(void **state)
 		int at;
 
 		load(&found, "assets/walker.glb");
-		model = found.actor.model;
+		model = found.model;
 		for (int i = 0; i < model->clip_count; i++) {
 			if (strcmp(model->clip[i].name, "run") == 0) {
 				model->clip[i].name = "dash";
@@ -141,10 +134,9 @@ static void test_the_instance_stays_in_the_rest_pose(void **state)
 
 	(void)state;
 	find(&found, "assets/walker.glb", NULL, "none");
-	for (int i = 0; i < found.actor.model->node_count; i++) {
-		assert_memory_equal(&found.actor.instance->pose.local[i],
-			&found.actor.model->node[i].rest,
-			sizeof(struct transform));
+	for (int i = 0; i < found.model->node_count; i++) {
+		assert_memory_equal(&found.instance->pose.local[i],
+			&found.model->node[i].rest, sizeof(struct transform));
 	}
 	release(&found);
 }
@@ -159,10 +151,10 @@ static void test_bounds_leave_the_drift_out(void **state)
 	(void)state;
 	find(&found, "assets/walker.glb", NULL, "none");
 	motion = found.motions.role[MOTION_WALK];
-	whole = bounds_of_clip(found.actor.instance, motion.clip);
+	whole = bounds_of_clip(found.instance, motion.clip);
 	motion.drift[0] = 0.5f;
 	motion.drift[1] = -0.25f;
-	placed = motion_bounds(found.actor.instance, &motion);
+	placed = motion_bounds(found.instance, &motion);
 	assert_near(placed.high[0], whole.high[0] - 0.5f, 1e-6);
 	assert_near(placed.low[0], whole.low[0], 1e-6);
 	assert_near(placed.high[2], whole.high[2], 1e-6);
@@ -179,8 +171,8 @@ static void test_the_character_file_tells_speeds_and_bones(void **state)
 	assert_near(found.motions.role[MOTION_WALK].speed, 1.03, 1e-6);
 	assert_near(found.motions.role[MOTION_RUN].speed, 2.6, 1e-6);
 	assert_int_equal(found.motions.bone_count, 2);
-	assert_string_equal(found.actor.model->node[found.motions.bone[0]].name,
-		"shoulder.L");
+	assert_string_equal(
+		found.model->node[found.motions.bone[0]].name, "shoulder.L");
 	release(&found);
 }
 
@@ -205,7 +197,7 @@ static void test_a_clip_of_one_moment_gives_way_to_one_that_moves(void **state)
 
 	(void)state;
 	load(&found, "assets/walker.glb");
-	model = found.actor.model;
+	model = found.model;
 	model->clip[0].name = "bind";
 	model->clip[0].duration_s = 0.0f;
 	model->clip[0].channel_count = 0;
@@ -217,9 +209,9 @@ static void test_a_clip_of_one_moment_gives_way_to_one_that_moves(void **state)
 	assert_string_equal(clip_of(&found, MOTION_WALK), "bow");
 	release(&found);
 	load(&found, "assets/walker.glb");
-	found.actor.model->clip[0].duration_s = 0.0f;
-	found.actor.model->clip[0].channel_count = 0;
-	found.actor.model->clip_count = 1;
+	found.model->clip[0].duration_s = 0.0f;
+	found.model->clip[0].channel_count = 0;
+	found.model->clip_count = 1;
 	find_in(&found, "assets/walker.glb", NULL, "none");
 	assert_int_equal(found.motions.role[MOTION_STAND].clip, 0);
 	release(&found);
@@ -247,58 +239,104 @@ static void test_a_broken_character_file_is_an_error(void **state)
 	(void)state;
 	find(&found, "assets/arm.glb", NULL, "none");
 	found.log = log_to_nowhere();
-	assert_true(motions_find(&request, found.actor.instance, &found.log,
+	assert_true(motions_find(&request, found.instance, &found.log,
 			    &found.motions) < 0);
 	release(&found);
 }
 
-/* Both shoulders first, then every bone that moves a vertex, and back. */
-static void test_the_tuner_chooses_any_bone(void **state)
+/* The names of the walker's clips become others, whatever they are. */
+static void rename_clips(struct model *model, const char *const names[5])
 {
-	struct tuner_bones bones;
+	for (int i = 0; i < 5; i++) {
+		model->clip[i].name = names[i];
+	}
+}
+
+/* The clips are idle, jump, run, walk and wave. */
+static void test_names_may_hold_any_word_of_a_role(void **state)
+{
+	static const struct {
+		const char *name[5];
+		int role[MOTION_ROLES]; /* stand, walk, run */
+	} rows[] = {
+		{{"a", "b", "My-GALLOP.1", "Sleepwalking", "Idle_2"}, {4, 3, 2}},
+		{{"Trot", "c", "d", "xwalk", "outSTANDing"}, {4, 3, 0}},
+		{{"wal", "runs", "trot", "walker", "idling stand"}, {4, 3, 1}},
+		/* A whole name comes first, and a role's first word. */
+		{{"stand", "walks", "rerun", "walk", "the idle one"}, {4, 3, 2}},
+		{{"my idle", "idle", "gallop", "walk", "stand"}, {1, 3, 2}},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct found found;
+
+		load(&found, "assets/walker.glb");
+		rename_clips(found.model, rows[i].name);
+		find_in(&found, "assets/walker.glb", NULL, "none");
+		for (int role = 0; role < MOTION_ROLES; role++) {
+			assert_int_equal(found.motions.role[role].clip,
+				rows[i].role[role]);
+		}
+		release(&found);
+	}
+}
+
+/* Without names: the slowest and the fastest, and one that stays. */
+static void test_speeds_tell_what_clips_without_names_are(void **state)
+{
+	static const char *const plain[5] = {"a", "b", "c", "d", "e"};
 	struct found found;
-	char name[64];
-	int count = 0;
+
+	(void)state;
+	for (int place = 0; place < 5; place++) {
+		struct model_clip run;
+
+		load(&found, "assets/walker.glb");
+		rename_clips(found.model, plain);
+		run = found.model->clip[2];
+		found.model->clip[2] = found.model->clip[place];
+		found.model->clip[place] = run;
+		find_in(&found, "assets/walker.glb", NULL, "none");
+		assert_string_equal(
+			clip_of(&found, MOTION_STAND), place == 0 ? "b" : "a");
+		assert_string_equal(clip_of(&found, MOTION_WALK), "d");
+		assert_string_equal(clip_of(&found, MOTION_RUN), "c");
+		release(&found);
+	}
+}
+
+static void test_the_files_speed_counts_if_the_feet_are_nearly_as_fast(
+	void **state)
+{
+	static const struct {
+		float factor;
+		bool counts;
+	} rows[] = {{0.6f, false}, {0.72f, true}, {1.4f, true}, {1.6f, false}};
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "a.character");
+	struct found found;
+	float measured;
 
 	(void)state;
 	find(&found, "assets/walker.glb", NULL, "none");
-	assert_int_equal(
-		tuner_bones_init(&bones, found.actor.instance, &found.motions),
-		0);
-	assert_int_equal(bones.count, 2);
-	tuner_bones_name(&bones, name, sizeof(name));
-	assert_string_equal(name, "shoulder.L +1");
-	do {
-		tuner_bones_step(&bones, 1);
-		count++;
-		assert_true(bones.chosen < 0 || bones.moves[bones.chosen]);
-		assert_true(bones.chosen < 0 || bones.level[bones.chosen] == 0);
-	} while (bones.chosen >= 0);
-	assert_true(count > 20);
-	assert_true(count <= found.actor.model->node_count + 1);
-	assert_int_equal(bones.count, 2);
-	tuner_bones_step(&bones, -1);
-	assert_int_equal(bones.count, 1);
-	assert_true(bones.chosen >= 0);
+	measured = found.motions.role[MOTION_WALK].speed;
 	release(&found);
-}
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		float said = rows[i].factor * measured;
+		char text[200];
 
-/* The arm of a robot without a character file. */
-static void test_the_tuner_begins_with_the_longest_limb(void **state)
-{
-	struct tuner_bones bones;
-	struct found found;
-	char name[64];
-
-	(void)state;
-	find(&found, "assets/arm.glb", NULL, "none");
-	assert_int_equal(
-		tuner_bones_init(&bones, found.actor.instance, &found.motions),
-		0);
-	tuner_bones_name(&bones, name, sizeof(name));
-	assert_string_equal(name, "Arm");
-	assert_true(bones.deepest >= 2);
-	release(&found);
+		snprintf(text, sizeof(text),
+			"[parameter v]\nrange = 0 9\n[state s]\n"
+			"blend = v, idle 0, walk %g\n",
+			(double)said);
+		file_write(file.text, text, strlen(text));
+		find(&found, "assets/walker.glb", NULL, file.text);
+		assert_near(found.motions.role[MOTION_WALK].speed,
+			rows[i].counts ? said : measured, 1e-5);
+		release(&found);
+	}
+	temp_dir_remove(&folder);
 }
 
 int main(void)
@@ -316,8 +354,10 @@ int main(void)
 			test_a_clip_of_one_moment_gives_way_to_one_that_moves),
 		cmocka_unit_test(test_a_model_without_clips_stands),
 		cmocka_unit_test(test_a_broken_character_file_is_an_error),
-		cmocka_unit_test(test_the_tuner_chooses_any_bone),
-		cmocka_unit_test(test_the_tuner_begins_with_the_longest_limb),
+		cmocka_unit_test(test_names_may_hold_any_word_of_a_role),
+		cmocka_unit_test(test_speeds_tell_what_clips_without_names_are),
+		cmocka_unit_test(
+			test_the_files_speed_counts_if_the_feet_are_nearly_as_fast),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

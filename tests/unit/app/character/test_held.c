@@ -170,6 +170,45 @@ static void test_a_part_from_a_shelf_lies_on_the_ground(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* A pivot that stands a little too high or low for the ground keeps its height. */
+static void test_a_part_near_the_ground_comes_back_to_its_height(void **state)
+{
+	static const struct {
+		const char *height;
+		double lies_at;
+	} rows[] = {{"0.181", 0.181}, {"0.219", 0.219}, {"0.178", 0.2},
+		{"0.222", 0.2}};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "shelf.gltf");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		const char *rest = strstr(shelf, "1.2]}");
+		struct acting acting;
+		char file[sizeof(shelf) + 8];
+		const mat4 *box;
+
+		snprintf(file, sizeof(file), "%.*s%s%s", (int)(rest - shelf),
+			shelf, rows[i].height, rest + strlen("1.2"));
+		file_write(path.text, file, strlen(file));
+		acting_begin(&acting, path.text);
+		acting_expect(&acting,
+			"[part Hand]\nbank = 0 -90 90 45\n[part Box]\n"
+			"[buttons]\nUP = attach Box Hand\n"
+			"DOWN = move Hand bank 1\nLEFT = drop Box\n");
+		box = (const mat4 *)&acting.instance
+			      ->world[node_of(&acting, "Box")];
+		acting_run_to(&acting, 0.1, rate_hz);
+		acting_tap(&acting, BUTTON_UP, 1.0, rate_hz);
+		acting_tap(&acting, BUTTON_DOWN, 1.0, rate_hz);
+		acting_tap(&acting, BUTTON_LEFT, 1.0 / rate_hz, rate_hz);
+		acting_run_to(&acting, acting.now_s + 2.0, rate_hz);
+		assert_near((*box)[3][1], rows[i].lies_at, 1e-5);
+		acting_end(&acting);
+	}
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -178,6 +217,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
 		cmocka_unit_test(test_a_part_from_a_shelf_lies_on_the_ground),
+		cmocka_unit_test(
+			test_a_part_near_the_ground_comes_back_to_its_height),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

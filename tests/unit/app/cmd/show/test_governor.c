@@ -1,5 +1,6 @@
 /* The governor, with times that the tests provide. */
 #include "app/cmd/show/governor.h"
+#include "platform/base/compiler.h"
 #include "tests/support/test.h"
 
 struct bench {
@@ -132,6 +133,44 @@ static void test_a_stopped_process_changes_nothing(void **state)
 			&bench.governor, bench.now_s, stops_ms[i]);
 		run(&bench, 10.0, cheap);
 		assert_int_equal(bench.changes, 0);
+	}
+}
+
+/* Of machines that need much less than a millisecond, too. */
+static void test_any_budget_above_none_is_kept(void **state)
+{
+	struct bench bench = begin(33.0f / 1024.0f);
+	float small[GOVERNOR_STEPS + 1];
+
+	(void)state;
+	for (int i = 0; i <= GOVERNOR_STEPS; i++) {
+		small[i] = dear[i] / 1024.0f;
+	}
+	run(&bench, 20.0, small);
+	assert_int_equal(bench.governor.level, 3);
+}
+
+static void test_a_stop_takes_over_a_second_and_eight_times_the_frame_before(
+	void **state)
+{
+	static const struct {
+		float before_ms, ms;
+		bool stopped;
+	} rows[] = {{20.0f, 1000.0f, false}, {20.0f, 1000.5f, true},
+		{100.0f, 900.0f, false}, {125.0f, 1000.5f, true},
+		{200.0f, 1600.0f, false}, {200.0f, 1600.5f, true},
+		{200.0f, 1599.5f, false}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct bench bench = begin(33.0f);
+		int frames;
+
+		governor_feed(&bench.governor, 0.1, rows[i].before_ms);
+		frames = bench.governor.frames;
+		governor_feed(&bench.governor, 2.0, rows[i].ms);
+		assert_int_equal(bench.governor.frames - frames,
+			rows[i].stopped ? 0 : 1);
 	}
 }
 
@@ -365,6 +404,9 @@ int main(void)
 			test_quality_is_restored_when_frames_get_cheaper),
 		cmocka_unit_test(test_a_single_slow_frame_changes_nothing),
 		cmocka_unit_test(test_a_stopped_process_changes_nothing),
+		cmocka_unit_test(test_any_budget_above_none_is_kept),
+		cmocka_unit_test(
+			test_a_stop_takes_over_a_second_and_eight_times_the_frame_before),
 		cmocka_unit_test(test_frames_of_seconds_are_reduced),
 		cmocka_unit_test(test_it_does_not_flutter_at_the_edge),
 		cmocka_unit_test(

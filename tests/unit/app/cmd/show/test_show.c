@@ -407,6 +407,36 @@ static void test_what_cannot_be_opened_fails(void **state)
 	assert_int_equal(noted.updates, 0);
 }
 
+/*
+ * Whatever fails, what was opened before it is given back, as the sanitizers
+ * see, and no file stays that the run has begun.
+ */
+static void test_a_run_that_fails_gives_back_what_it_has_opened(void **state)
+{
+	struct run *run = *state;
+	struct test_path missing = path_join(&run->folder, "missing/a.gif");
+	struct test_path record = path_join(&run->folder, "record.txt");
+	struct test_path stats = path_join(&run->folder, "stats.json");
+	struct test_path film = path_join(&run->folder, "film.gif");
+
+	for (int what = 0; what < 6; what++) {
+		run->options.input.record_buttons = record.text;
+		run->options.show.stats = stats.text;
+		run->options.show.record = film.text;
+		run->options.show.user = NULL;
+		run->plan.display = "null";
+		run->plan.model_path = run->model.text;
+		press_by_script(run);
+		*(const char **[]){&run->options.input.record_buttons,
+			&run->plan.display, &run->options.show.user,
+			&run->plan.model_path, &run->options.show.stats,
+			&run->options.show.record}[what] = missing.text;
+		assert_int_not_equal(shown(run), EXIT_OK);
+		assert_int_equal(noted.updates, 0);
+		assert_int_equal(temp_dir_count(&run->folder), 1);
+	}
+}
+
 static void test_a_wrong_camera_is_a_wrong_command_line(void **state)
 {
 	struct run *run = *state;
@@ -438,6 +468,7 @@ int main(void)
 		SHOW_TEST(test_a_signal_while_skipping_ends_the_run),
 		SHOW_TEST(test_the_run_may_write_files_but_not_connect),
 		SHOW_TEST(test_what_cannot_be_opened_fails),
+		SHOW_TEST(test_a_run_that_fails_gives_back_what_it_has_opened),
 		SHOW_TEST(test_a_wrong_camera_is_a_wrong_command_line),
 	};
 

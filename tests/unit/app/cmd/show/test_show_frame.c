@@ -181,6 +181,20 @@ static void test_labels_and_the_graph_lie_over_the_demo(void **state)
 	assert_in_range(noted.quad_count, 10, HUD_QUADS_MAX);
 }
 
+/* Even the least one that --budget-ms allows. */
+static void test_a_budget_has_a_label(void **state)
+{
+	struct scene *scene = *state;
+	int without;
+
+	scene->options.show.no_labels = false;
+	assert_int_equal(show_frame_draw(&scene->show), 0);
+	without = noted.quad_count;
+	scene->show.governor = governor_begin(1.0f);
+	assert_int_equal(show_frame_draw(&scene->show), 0);
+	assert_true(noted.quad_count > without);
+}
+
 /* Without labels, the graph says what the governor leaves out. */
 static void test_the_graph_has_the_governors_words_without_labels(void **state)
 {
@@ -297,6 +311,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		CASE(test_nothing_lies_over_a_demo_without_labels),
 		CASE(test_labels_and_the_graph_lie_over_the_demo),
+		CASE(test_a_budget_has_a_label),
 		CASE(test_the_graph_has_the_governors_words_without_labels),
 		CASE(test_the_notice_names_the_model_in_the_middle),
 		CASE(test_the_notice_cuts_a_long_name),

@@ -347,6 +347,7 @@ static void test_later_rounds_begin_at_the_first_key(void **state)
 	const struct model_clip clip = {.duration_s = 2, .lead_s = 0.04f};
 
 	(void)state;
+	assert_near(clip_round_time(&clip, 0, CLIP_LOOP), 0, 0);
 	assert_near(clip_round_time(&clip, 0.01, CLIP_LOOP), 0.01, 1e-7);
 	assert_near(clip_round_time(&clip, 1.99, CLIP_LOOP), 1.99, 1e-6);
 	assert_near(clip_round_time(&clip, 2, CLIP_LOOP), 0.04, 1e-7);

@@ -1,3 +1,5 @@
+#define _GNU_SOURCE
+
 #include "platform/watchdog/watchdog.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
@@ -11,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -321,6 +325,61 @@ static void test_a_real_file_is_fed(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* Feeding it would destroy that; nothing is opened. */
+static void expect_data(const char *path)
+{
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	assert_int_equal(watchdog_open(&watchdog, path, &calls, &log), -EEXIST);
+	assert_int_equal(capture.count, 1);
+	assert_int_equal(capture.level[0], LOG_WARNING);
+	assert_contains(capture.sentence[0], path);
+	assert_contains(capture.sentence[0], "it holds data");
+	assert_int_equal(watchdog.fd, -1);
+	assert_int_equal(fake.open_count, 0);
+}
+
+static void test_a_file_with_one_byte_is_no_watchdog(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "watchdog");
+
+	(void)state;
+	file_write(path.text, "1", 1);
+	expect_data(path.text);
+	temp_dir_remove(&folder);
+}
+
+static void test_a_block_device_is_no_watchdog(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "watchdog");
+	bool made = mknod(path.text, S_IFBLK | 0600, makedev(7, 7)) == 0;
+
+	(void)state;
+	if (made) {
+		expect_data(path.text);
+	}
+	temp_dir_remove(&folder);
+	if (!made) {
+		skip_because("only root can make a device");
+	}
+}
+
+static void test_a_device_of_characters_may_be_one(void **state)
+{
+	struct log log = log_to_nowhere();
+	struct watchdog watchdog;
+
+	(void)state;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/null",
+				 &device_calls_system, &log),
+		0);
+	watchdog_close(&watchdog);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -345,6 +404,12 @@ int main(void)
 		cmocka_unit_test_setup(
 			test_a_watchdog_that_cannot_be_stopped_is_logged, forget),
 		cmocka_unit_test_setup(test_a_real_file_is_fed, forget),
+		cmocka_unit_test_setup(
+			test_a_file_with_one_byte_is_no_watchdog, forget),
+		cmocka_unit_test_setup(
+			test_a_block_device_is_no_watchdog, forget),
+		cmocka_unit_test_setup(
+			test_a_device_of_characters_may_be_one, forget),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

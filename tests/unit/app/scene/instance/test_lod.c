@@ -5,6 +5,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 static void test_reads_words_pixels_and_levels(void **state)
 {
@@ -192,6 +193,56 @@ static void test_half_as_far_has_twice_the_pixels(void **state)
 	end(&scene);
 }
 
+/* Scales along x, y and z; the place does not count. */
+static void set_matrix(mat4 out, float x, float y, float z)
+{
+	const mat4 matrix = {
+		{x, 0, 0, 0}, {0, 0, y, 0}, {0, -z, 0, 0}, {9, 9, 9, 1}};
+
+	memcpy(out, matrix, sizeof(matrix));
+}
+
+static void test_a_skin_is_as_large_as_its_first_joint_or_half_the_largest(
+	void **state)
+{
+	static const float rows[][4] = {{1, 0.1f, 4, 2}, {3, 1, 4, 3},
+		{0, 1, 2, 1}, {2, 1, 0, 2}, {1, 6, 0, 3}};
+	struct model_skin skin = {.joint_count = 3};
+	struct model model = {.skin = &skin};
+	mat4 joint[4], *palette[1] = {joint};
+	struct instance instance = {
+		.model = &model, .palette = palette, .unit_scale = 0.25f};
+	const struct drawable drawable = {.skin = 0};
+
+	(void)state;
+	set_matrix(joint[3], 99, 99, 99); /* of another skin */
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			for (int j = 0; j < 3; j++) {
+				float along = rows[i][j];
+
+				set_matrix(joint[j], axis == 0 ? along : 0,
+					axis == 1 ? along : 0.5f * along,
+					axis == 2 ? along : 0);
+			}
+			assert_near(lod_error_units(&instance, &drawable),
+				rows[i][3], 1e-6);
+		}
+	}
+}
+
+static void test_a_rigid_part_is_as_large_as_its_node(void **state)
+{
+	mat4 world[2];
+	const struct instance instance = {.world = world, .unit_scale = 0.25f};
+	const struct drawable drawable = {.skin = -1, .node = 1};
+
+	(void)state;
+	set_matrix(world[0], 99, 99, 99);
+	set_matrix(world[1], 1, 3, 2);
+	assert_near(lod_error_units(&instance, &drawable), 0.75, 1e-6);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -204,6 +255,9 @@ int main(void)
 		cmocka_unit_test(test_a_budget_asks_for_less_but_never_for_more),
 		cmocka_unit_test(test_half_as_far_has_twice_the_pixels),
 		cmocka_unit_test(test_a_near_shadow_needs_all_triangles),
+		cmocka_unit_test(
+			test_a_skin_is_as_large_as_its_first_joint_or_half_the_largest),
+		cmocka_unit_test(test_a_rigid_part_is_as_large_as_its_node),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,10 @@
 /* Overlays of the demos and of the viewer. */
 #include "app/anim/kernel/kernel.h"
+#include "app/anim/math/vec.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/model/model_deltas.h"
+#include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_curve.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/demo_run.h"
@@ -189,6 +192,127 @@ static void test_heat_of_a_target_leaves_other_meshes_cold(void **state)
 	model_destroy(model);
 }
 
+/* How far a target moves a vertex of a drawable whose mesh has it. */
+static float moved(const struct drawable *drawable, int target, int vertex)
+{
+	float by[3];
+
+	model_deltas_get(
+		&drawable->primitive->target[target].position, vertex, by);
+	return vec_length(by);
+}
+
+static float farthest_of(const struct drawable *drawable, int target)
+{
+	float farthest = 0.0f;
+
+	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+		float distance = moved(drawable, target, v);
+
+		farthest = distance > farthest ? distance : farthest;
+	}
+	return farthest;
+}
+
+/* Compared with the vertex of any mesh that it moves farthest. */
+static void test_heat_of_a_target_is_how_far_it_moves_a_vertex(void **state)
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct arena arena = arena_empty();
+	struct instance *instance;
+	struct overlay_heat heat;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load("assets/face.glb", &log, &model), 0);
+	assert_int_equal(
+		instance_create(model, &kernel_float, &log, &instance), 0);
+	assert_int_equal(overlay_heat_init(&heat, instance, &arena), 0);
+	overlay_heat_switch(&heat, true);
+	for (int target = 0; target < 4; target++) {
+		float farthest = 0.0f;
+
+		for (int d = 0; d < instance->drawable_count; d++) {
+			float one = drawable_target_count(instance,
+					    &instance->drawable[d]) > target
+				? farthest_of(&instance->drawable[d], target)
+				: 0.0f;
+
+			farthest = one > farthest ? one : farthest;
+		}
+		assert_true(farthest > 0.0f);
+		overlay_heat_paint_target(&heat, target);
+		for (int d = 0; d < instance->drawable_count; d++) {
+			const struct drawable *drawable = &instance->drawable[d];
+			const struct batch *batch = drawable->batch;
+			bool has_it = drawable_target_count(
+					      instance, drawable) > target;
+
+			for (int i = 0; i < batch->vertex_count; i++) {
+				int v = batch_vertex(drawable, batch, i);
+				uint8_t rgb[3];
+
+				overlay_heat_ramp(has_it
+						? moved(drawable, target, v) /
+							farthest
+						: 0.0f,
+					rgb);
+				assert_memory_equal(batch->color[i], rgb, 3);
+			}
+		}
+	}
+	overlay_heat_switch(&heat, false);
+	arena_release(&arena);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* Both sides of a material stay visible, and its bumps come back. */
+static void test_heat_replaces_materials_as_long_as_it_is_shown(void **state)
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct arena arena = arena_empty();
+	struct instance *instance;
+	struct overlay_heat heat;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load("assets/walker.glb", &log, &model), 0);
+	for (int i = 0; i < model->material_count; i++) {
+		model->material[i].double_sided = i % 2;
+	}
+	for (int mapping = 0; mapping < 2; mapping++) {
+		assert_int_equal(
+			instance_create(model, &kernel_float, &log, &instance),
+			0);
+		assert_int_equal(overlay_heat_init(&heat, instance, &arena), 0);
+		instance->normal_mapping = mapping;
+		for (int twice = 0; twice < 2; twice++) {
+			overlay_heat_switch(&heat, true);
+			assert_false(instance->normal_mapping);
+			assert_ptr_not_equal(instance->model, model);
+		}
+		for (int i = 0; i < model->material_count; i++) {
+			const struct model_material *shown =
+				&instance->model->material[i];
+
+			assert_int_equal(shown->double_sided, i % 2);
+			assert_all_near(shown->base_color,
+				model_plain_material.base_color, 4, 0.0);
+			assert_int_equal(shown->texture, -1);
+			assert_int_equal(shown->normal_texture, -1);
+		}
+		for (int twice = 0; twice < 2; twice++) {
+			overlay_heat_switch(&heat, false);
+			assert_int_equal(instance->normal_mapping, mapping);
+			assert_ptr_equal(instance->model, model);
+		}
+		instance_destroy(instance);
+	}
+	arena_release(&arena);
+	model_destroy(model);
+}
+
 static void test_joints_are_chosen_in_turn(void **state)
 {
 	struct demo_run run;
@@ -263,6 +387,10 @@ int main(void)
 		cmocka_unit_test(test_a_frame_with_weights_leaves_the_materials),
 		cmocka_unit_test(test_heat_is_the_weight_of_the_joint),
 		cmocka_unit_test(test_heat_of_a_target_leaves_other_meshes_cold),
+		cmocka_unit_test(
+			test_heat_of_a_target_is_how_far_it_moves_a_vertex),
+		cmocka_unit_test(
+			test_heat_replaces_materials_as_long_as_it_is_shown),
 		cmocka_unit_test(test_joints_are_chosen_in_turn),
 		cmocka_unit_test(test_onion_skins_are_key_frames),
 		cmocka_unit_test(test_the_morph_curve_begins_at_0_and_ends_at_1),

@@ -6,6 +6,8 @@
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
+#include <string.h>
+
 static void assert_texel(const uint8_t actual[4], int r, int g, int b)
 {
 	assert_int_equal(actual[0], r);
@@ -99,6 +101,43 @@ static void test_the_tangents_w_flips_the_bitangent(void **state)
 	assert_texel(light[0], 128, 204, 230);
 	assert_texel(light[1], 128, 51, 230);
 	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* Directions without length are lit as by light along the surface. */
+static void test_what_has_no_direction_is_lit_evenly(void **state)
+{
+	static const char *const kernels[] = {"float", "fixed"};
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+
+	(void)state;
+	small_model_add_normal_map(model, 1, small_model_flat_map);
+	memset(primitive->normal[1], 0, sizeof(float[3]));
+	memset(primitive->tangent[1], 0, sizeof(float[3]));
+	for (int k = 0; k < 2; k++) {
+		struct instance *instance;
+		const uint8_t(*light)[4];
+
+		assert_int_equal(instance_create(model, kernel_find(kernels[k]),
+					 NULL, &instance),
+			0);
+		instance->normal_mapping = true;
+		light = (const uint8_t(*)[4])instance->drawable[0].light;
+		small_model_light_from(instance, 0.6f, 0, 0.8f);
+		assert_texel(light[0], 204, 128, 230);
+		assert_texel(light[1], 128, 128, 128);
+		small_model_light_from(instance, 0, 0, 0);
+		assert_texel(light[0], 128, 128, 128);
+		/* A flat node's vertices move along one axis at most. */
+		instance->pose.local[0].scale[0] = 0;
+		small_model_light_from(instance, 0.6f, 0, 0.8f);
+		assert_texel(light[0], 255, 128, 128);
+		memset(instance->pose.local[0].scale, 0, sizeof(float[3]));
+		small_model_light_from(instance, 0.6f, 0, 0.8f);
+		assert_texel(light[0], 128, 128, 128);
+		instance_destroy(instance);
+	}
 	model_destroy(model);
 }
 
@@ -378,6 +417,30 @@ static void test_bumps_do_not_shade_light_that_is_emitted(void **state)
 	model_destroy(model);
 }
 
+/* 4 texels on a square of 0.5 x 0.5, whichever way that faces. */
+static void test_texels_are_counted_along_the_surface(void **state)
+{
+	static const uint8_t map[4][4] = {{128, 128, 255, 255}};
+	struct model *model = small_model_grid(3, 2, 0.5f, true);
+	struct model_primitive *primitive = &model->mesh[0].primitive[0];
+	struct instance *instance;
+
+	(void)state;
+	small_model_add_normal_map(model, 4, map);
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		primitive->position[v][2] = 0.8f * primitive->position[v][0];
+		primitive->position[v][0] *= 0.6f;
+	}
+	instance = small_model_instance(model);
+	assert_near(instance->drawable[0].bump_texels, 4, 1e-4);
+	instance_destroy(instance);
+	memset(primitive->position, 0, 12 * sizeof(float[3]));
+	instance = small_model_instance(model);
+	assert_near(instance->drawable[0].bump_texels, 0, 0);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 static void test_bumps_smaller_than_pixels_are_left_out(void **state)
 {
 	struct model *model = small_model_grid(1, 1, 1.0f, true);
@@ -417,6 +480,7 @@ int main(void)
 		cmocka_unit_test(test_fades_the_light_on_the_side_away_from_it),
 		cmocka_unit_test(test_rigid_meshes_are_lit_as_their_node_stands),
 		cmocka_unit_test(test_the_tangents_w_flips_the_bitangent),
+		cmocka_unit_test(test_what_has_no_direction_is_lit_evenly),
 		cmocka_unit_test(test_only_suitable_primitives_are_bump_mapped),
 		cmocka_unit_test(test_gathered_batches_are_lit_plainly),
 		cmocka_unit_test(test_a_driver_without_combiner_gets_one_warning),
@@ -428,6 +492,7 @@ int main(void)
 		cmocka_unit_test(
 			test_bump_mapping_takes_three_passes_and_can_be_off),
 		cmocka_unit_test(test_bumps_do_not_shade_light_that_is_emitted),
+		cmocka_unit_test(test_texels_are_counted_along_the_surface),
 		cmocka_unit_test(test_bumps_smaller_than_pixels_are_left_out),
 	};
 

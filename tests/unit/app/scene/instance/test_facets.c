@@ -257,6 +257,26 @@ static void test_normals_of_the_largest_triangles_are_right(void **state)
 	}
 }
 
+/* With and without indices; a sliver without area has none. */
+static void test_normals_of_floats_have_the_length_1_or_0(void **state)
+{
+	static const uint16_t index[] = {3, 0, 1, 1, 2, 0};
+	static const float position[6][3] = {{0, 0, 0}, {0, 0, 2}, {0, 0, 5},
+		{3, 0, 0}, {4, 4, 4}, {4, 4, 4}};
+	float normal[6][3] = {{9, 9, 9}};
+
+	(void)state;
+	facets_find_normals(index, 6, position, normal);
+	assert_all_near(normal[1], ((const float[]){0, 1, 0}), 3, 1e-6);
+	assert_all_near(normal[0], ((const float[]){0, 0, 0}), 3, 0);
+	facets_find_normals(NULL, 6, position, normal);
+	for (int v = 0; v < 3; v++) {
+		assert_all_near(normal[v], ((const float[]){0, 0, 0}), 3, 0);
+	}
+	assert_all_near(normal[3], normal[5], 3, 0);
+	assert_all_near(normal[4], ((const float[]){0, 0, 0}), 3, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -267,6 +287,7 @@ int main(void)
 			test_more_vertices_than_indices_can_name_are_refused),
 		cmocka_unit_test(test_fixed_normals_are_those_of_doubles),
 		cmocka_unit_test(test_normals_of_the_largest_triangles_are_right),
+		cmocka_unit_test(test_normals_of_floats_have_the_length_1_or_0),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -310,6 +310,48 @@ static void test_a_changed_scene_is_framed_anew(void **state)
 	end(&bench);
 }
 
+/* Whatever alone asks for another picture; the camera was moved before. */
+static void test_each_change_of_the_scene_frames_it_anew(void **state)
+{
+	static const struct {
+		const char *text;
+		bool anew;
+	} rows[] = {
+		{"yaw = 60\npitch = 10\nmargin = 1.5\n[state a]\nclip = idle\n",
+			false},
+		{"yaw = 61\npitch = 10\nmargin = 1.5\n", true},
+		{"yaw = 60\npitch = 12\nmargin = 1.5\n", true},
+		{"yaw = 60\npitch = 10\nmargin = 1.6\n", true},
+		{"yaw = 60\npitch = 10\nmargin = 1.5\nlabels = right\n", true},
+		{"yaw = 60\npitch = 10\nmargin = 1.5\n[parameter v]\n"
+		 "range = 0 1\n[buttons]\nUP = add v 1\n",
+			true},
+		{"yaw = 60\npitch = 10\nmargin = 1.5\n", false},
+	};
+	static const char before[] =
+		"[scene]\nyaw = 60\npitch = 10\nmargin = 1.5\n";
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct bench bench;
+		const struct camera *camera;
+		char text[256];
+		float turned;
+
+		begin(&bench, before);
+		camera = &bench.base->stage.camera;
+		run_to(&bench, 1.0);
+		camera_orbit(&bench.base->stage.camera, 0.3f, 0.0f);
+		turned = camera->yaw_rad;
+		snprintf(text, sizeof(text), "[scene]\n%s", rows[i].text);
+		put_character(&bench, text);
+		run_to(&bench, 4.3);
+		assert_int_equal(
+			fabsf(camera->yaw_rad - turned) > 0.1f, rows[i].anew);
+		end(&bench);
+	}
+}
+
 static int count_label_quads(const struct bench *bench)
 {
 	static struct hud hud;
@@ -353,6 +395,7 @@ int main(void)
 		cmocka_unit_test(
 			test_key_frames_are_interpolated_as_the_figure_is),
 		cmocka_unit_test(test_a_changed_scene_is_framed_anew),
+		cmocka_unit_test(test_each_change_of_the_scene_frames_it_anew),
 		cmocka_unit_test(test_labels_stay_hidden_when_the_file_changes),
 	};
 

@@ -14,6 +14,7 @@ static const struct {
 	{KEY_UP, BUTTON_UP},
 	{KEY_KP8, BUTTON_UP},
 	{KEY_LEFT, BUTTON_LEFT},
+	{KEY_RIGHT, BUTTON_RIGHT}, /* in the same byte of the keys' bits */
 	{KEY_F10, BUTTON_F10},
 	{KEY_A, BUTTON_COUNT},
 };
@@ -213,6 +214,32 @@ static void test_a_device_without_end_does_not_stop_the_frame_loop(void **state)
 	assert_int_equal(log_capture_count(&bench->logged, LOG_WARNING), 0);
 }
 
+/* Of 768 codes, 0 is none, and there may be more in other kernels. */
+static void test_the_first_and_the_last_key_are_buttons_and_no_others(
+	void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 0, "odd keys", EVDEV_KEYS - 1);
+	evdev_bench_open(bench, "UP=1,F9=767");
+	evdev_bench_key(bench, 0, EVDEV_KEYS - 1, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_F9, true);
+	for (int code = EVDEV_KEYS; code <= 0xffff;
+		code += code < EVDEV_KEYS + 200 ? 1 : 1000) {
+		evdev_bench_key(bench, 0, code, 1);
+		evdev_bench_key(bench, 0, code, 0);
+		evdev_bench_poll(bench);
+		evdev_bench_expect_nothing(bench);
+	}
+	evdev_bench_key(bench, 0, 1, 1);
+	evdev_bench_key(bench, 0, EVDEV_KEYS - 1, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, true);
+	evdev_bench_expect(bench, BUTTON_F9, false);
+	evdev_bench_expect_nothing(bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -227,6 +254,9 @@ int main(void)
 			evdev_bench_setup, evdev_bench_teardown),
 		cmocka_unit_test_setup_teardown(
 			test_a_device_without_end_does_not_stop_the_frame_loop,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_the_first_and_the_last_key_are_buttons_and_no_others,
 			evdev_bench_setup, evdev_bench_teardown),
 	};
 

@@ -350,62 +350,6 @@ static void test_temporary_errors_are_no_failure(void **state)
 	end(fake, &session);
 }
 
-static void test_auto_takes_the_first_device_that_captures(void **state)
-{
-	struct v4l2_fake *fake = v4l2_fake_new();
-	struct v4l2_session session;
-	const struct v4l2_request any = {.width = 32, .height = 24};
-
-	(void)state;
-	v4l2_session_init(&session, &fake->calls, &any);
-	fake->open_error = -ENOENT;
-	assert_false(v4l2_session_open(&session));
-	assert_contains(session.device.reason, "no /dev/video");
-	assert_string_equal(session.path, "auto");
-	assert_int_equal(fake->opens, 64);
-	assert_string_equal(fake->path, "/dev/video63");
-	/* It is too early to look again. */
-	fake->open_error = 0;
-	assert_true(v4l2_session_open(&session));
-	assert_int_equal(fake->opens, 64);
-	fake->now_ms += V4L2_RETRY_FIRST_MS;
-	assert_true(v4l2_session_open(&session));
-	assert_string_equal(session.path, "/dev/video0");
-	assert_string_equal(fake->path, "/dev/video0");
-	end(fake, &session);
-}
-
-static void test_auto_passes_a_camera_that_it_cannot_use(void **state)
-{
-	struct v4l2_fake *fake = v4l2_fake_new();
-	struct v4l2_session session;
-	const struct v4l2_request any = {.width = 32, .height = 24};
-
-	(void)state;
-	v4l2_session_init(&session, &fake->calls, &any);
-	fake->format_error = -EBUSY;
-	strcpy(fake->useless, "/dev/video0");
-	assert_true(v4l2_session_open(&session));
-	assert_int_equal(session.state, V4L2_OPEN);
-	assert_string_equal(session.path, "/dev/video1");
-	end(fake, &session);
-}
-
-static void test_auto_says_why_the_first_camera_is_of_no_use(void **state)
-{
-	struct v4l2_fake *fake = v4l2_fake_new();
-	struct v4l2_session session;
-	const struct v4l2_request any = {.width = 32, .height = 24};
-
-	(void)state;
-	v4l2_session_init(&session, &fake->calls, &any);
-	fake->open_error = -EACCES;
-	assert_false(v4l2_session_open(&session));
-	assert_string_equal(session.path, "/dev/video0");
-	assert_contains(session.device.reason, "join the group video");
-	end(fake, &session);
-}
-
 static void test_a_session_that_was_never_opened_closes_nothing(void **state)
 {
 	struct v4l2_fake *fake = v4l2_fake_new();
@@ -484,10 +428,6 @@ int main(void)
 		cmocka_unit_test(test_each_failure_doubles_the_wait),
 		cmocka_unit_test(test_a_silent_device_fails_after_two_seconds),
 		cmocka_unit_test(test_temporary_errors_are_no_failure),
-		cmocka_unit_test(test_auto_takes_the_first_device_that_captures),
-		cmocka_unit_test(test_auto_passes_a_camera_that_it_cannot_use),
-		cmocka_unit_test(
-			test_auto_says_why_the_first_camera_is_of_no_use),
 		cmocka_unit_test(
 			test_a_session_that_was_never_opened_closes_nothing),
 		cmocka_unit_test(

@@ -96,6 +96,28 @@ static void test_the_first_free_number_is_taken(void **state)
 	assert_int_equal(temp_dir_count(&run->folder), 4 + 1);
 }
 
+static void test_there_are_9999_numbers(void **state)
+{
+	struct run *run = *state;
+
+	for (int number = 1; number < 9999; number++) {
+		char path[32];
+
+		snprintf(path, sizeof(path), "limber-%04d.png", number);
+		assert_int_equal(symlink("/dev/null", path), 0);
+	}
+	take(run);
+	snapshot_finish(&run->snapshot);
+	expect_output(run, "limber: the picture is in limber-9999.png\n");
+	take(run);
+	snapshot_finish(&run->snapshot);
+	expect_output(run, "limber: the picture is in limber-9999.png\n");
+	assert_int_equal(log_capture_count(&run->said, LOG_ERROR), 1);
+	assert_contains(run->said.sentence[0],
+		"limber-9999.png: all numbers up to this one are in use");
+	assert_int_equal(access("limber-10000.png", F_OK), -1);
+}
+
 static void test_a_picture_that_is_not_written_is_an_error(void **state)
 {
 	struct run *run = *state;
@@ -116,6 +138,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		CASE(test_a_picture_is_announced_once_it_is_written),
 		CASE(test_the_first_free_number_is_taken),
+		CASE(test_there_are_9999_numbers),
 		CASE(test_a_picture_that_is_not_written_is_an_error),
 	};
 #undef CASE

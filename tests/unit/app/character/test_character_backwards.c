@@ -53,6 +53,67 @@ static void test_events_run_once_a_round_backwards_and_to_and_fro(void **state)
 	assert_near(count_events(layers, "rate = -1", 5.45), 55.0, 0.0);
 }
 
+/* How often a clip of 2 s shows a moment in frames after its first one. */
+static int count_shown(double moment_s, const char *how, double rate, int frames)
+{
+	const double step_s = 0.25;
+	bool turns = strcmp(how, "ping-pong") == 0;
+	bool once = strcmp(how, "once") == 0;
+	double round_s = turns ? 4.0 : 2.0;
+	double first_s = turns || rate > 0 ? moment_s : 2.0 - moment_s;
+	/* What plays once and backwards begins at its end. */
+	int count = moment_s == 0 && !(once && rate < 0);
+
+	for (int frame = 1; frame <= frames; frame++) {
+		double to_s = frame * step_s * fabs(rate);
+		double from_s = (frame - 1) * step_s * fabs(rate);
+		bool shown = false;
+
+		for (int round = 0; round * round_s <= to_s; round++) {
+			double at_s = round * round_s + first_s;
+			double back_s = round * round_s + 4.0 - moment_s;
+
+			shown = shown ||
+				(at_s > from_s && at_s <= to_s &&
+					(round == 0 || !once)) ||
+				(turns && back_s > from_s && back_s <= to_s);
+		}
+		count += shown;
+	}
+	return count;
+}
+
+/* Frames show some of the moments exactly, and pass the others. */
+static void test_an_event_runs_whenever_its_moment_is_reached(void **state)
+{
+	static const double moments_s[] = {0, 0.25, 0.3, 1, 1.5, 1.75, 1.9};
+	static const double rates[] = {1, -1, 0.5, 2, -2, 1.5, -1.5};
+	static const char *const ways[] = {"loop", "ping-pong", "once"};
+
+	(void)state;
+	for (size_t i = 0; i < 7 * 7 * 3; i++) {
+		double moment_s = moments_s[i % 7], rate = rates[i / 7 % 7];
+		const char *how = ways[i / 49];
+		struct acting acting;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[parameter n]\nrange = 0 99\n[state a]\nclip = slide\n"
+			"repeat = %s\nrate = %g\n[clip slide]\nevent = %g add n 1\n",
+			how, rate, moment_s);
+		acting_begin(&acting, "tests/cli/slider.gltf");
+		acting_expect(&acting, text);
+		/* An event's actions run in the frame after it. */
+		acting_run_to(&acting, 0.125, 4.0);
+		for (int frame = 0; frame < 40; frame++) {
+			acting_run_to(&acting, acting.now_s + 0.125, 4.0);
+			assert_near(acting_value(&acting, "n"),
+				count_shown(moment_s, how, rate, frame), 0.0);
+		}
+		acting_end(&acting);
+	}
+}
+
 /*
  * Plays the clip "go" for a time: keys at 1/24, 1/2 and 1 s move a node from 0 to 1
  * and back. Returns where the node is, and in *want where it is expected to be.
@@ -236,6 +297,8 @@ static void test_a_layer_that_plays_once_may_play_backwards(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_an_event_runs_whenever_its_moment_is_reached),
 		cmocka_unit_test(test_a_loop_of_blender_does_not_pause),
 		cmocka_unit_test(
 			test_events_run_once_a_round_backwards_and_to_and_fro),

@@ -12,6 +12,10 @@
 static const float least_move = 1e-4f;
 /* Factors of the distance at which the box fits, between which users zoom. */
 static const float zoom_nearest = 1.0f / 32.0f, zoom_farthest = 32.0f;
+/* Farther from the origin than this many distances, rounding would show. */
+static const float far_eye = 8.0f;
+/* A float has 24 bits; the last three may be wrong after some operations. */
+static const float float_parts = 2097152.0f;
 
 enum {
 	YAW_STEPS = 9,
@@ -332,18 +336,50 @@ void camera_eye(const struct camera *camera, float out[3])
 	}
 }
 
+static bool is_far(const struct camera *camera, const float eye[3])
+{
+	return glm_vec3_norm((float *)eye) > far_eye * camera->distance;
+}
+
+float camera_view_error(const struct camera *camera)
+{
+	float eye[3], away;
+
+	camera_eye(camera, eye);
+	away = glm_vec3_norm(eye);
+	return is_far(camera, eye) ? away / float_parts + 1.0f / FX16_ONE
+				   : away / FX16_ONE;
+}
+
+/* Sums in double, because the terms may be far larger than the sum. */
+static float dot_far(const float a[3], const float b[3])
+{
+	return (float)((double)a[0] * (double)b[0] +
+		(double)a[1] * (double)b[1] + (double)a[2] * (double)b[2]);
+}
+
+/*
+ * Far from the origin, the axes are rounded as GL will round them before the
+ * translation is found: so both belong together, and the eye stays in its place.
+ */
 void camera_view(const struct camera *camera, mat4 out)
 {
 	float axis[3][3], eye[3];
+	bool far;
 
 	view_axes(camera->yaw_rad, camera->pitch_rad, axis[0], axis[1], axis[2]);
 	camera_eye(camera, eye);
+	far = is_far(camera, eye);
 	glm_mat4_identity(out);
 	for (int row = 0; row < 3; row++) {
-		for (int column = 0; column < 3; column++) {
-			out[column][row] = axis[row][column];
+		for (int i = 0; i < 3; i++) {
+			axis[row][i] = far
+				? fx16_to_float(fx16_from_float(axis[row][i]))
+				: axis[row][i];
+			out[i][row] = axis[row][i];
 		}
-		out[3][row] = -glm_vec3_dot(axis[row], eye);
+		out[3][row] = far ? -dot_far(axis[row], eye)
+				  : -glm_vec3_dot(axis[row], eye);
 	}
 }
 

@@ -120,6 +120,12 @@ void camera_eye(const struct camera *camera, float out[3]);
 /* Returns the matrix from world space to eye space. */
 void camera_view(const struct camera *camera, mat4 out);
 
+/*
+ * Returns how far rounding in this matrix, which GL gets in 16.16, may displace
+ * what is about as far away as the target, in scene units.
+ */
+float camera_view_error(const struct camera *camera);
+
 /* The arguments of Frustumx() for a picture of this size, 16.16. */
 struct camera_frustum {
 	fx16_t left, right, bottom, top; /* in the near plane, up to +-16000 */

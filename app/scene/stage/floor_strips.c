@@ -3,6 +3,9 @@
 #include "app/scene/stage/floor_view.h"
 #include "platform/base/scalar.h"
 
+/* Rounding of less than a pixel is left to the row that is not counted. */
+static const float safe_px = 0.5f;
+
 static float min(float a, float b)
 {
 	return a < b ? a : b;
@@ -60,7 +63,9 @@ void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 	}
 	/* The row that the edge crosses is covered only in part. */
 	if (strips->opaque && near) {
-		strips->covered_px = count_rows(&view, slope[1], height) - 1;
+		strips->covered_px = count_rows(&view, slope[1], height) - 1 -
+			(int)(scalar_clamp(view.error_px, 0.0f, (float)height) +
+				safe_px);
 		strips->covered_px =
 			strips->covered_px > 0 ? strips->covered_px : 0;
 	}

@@ -6,15 +6,12 @@
 
 /*
  * Returns by how much rounding may displace a point in the picture, in pixels;
- * pixel is a pixel's size at depth 1. The elements of the view matrix are
- * rounded to 16.16 and multiplied by coordinates that are about as large as the
- * eye's. The ground at the lower edge is half as far away as the target.
+ * pixel is a pixel's size at depth 1. The ground at the lower edge is half as
+ * far away as the target.
  */
-static float rounding_px(
-	const struct camera *camera, const float eye[3], float pixel)
+static float rounding_px(const struct camera *camera, float pixel)
 {
-	return glm_vec3_norm((float *)eye) /
-		(FX16_ONE * 0.5f * camera->distance * pixel);
+	return camera_view_error(camera) / (0.5f * camera->distance * pixel);
 }
 
 /*
@@ -44,8 +41,8 @@ void floor_view_init(struct floor_view *view, const struct camera *camera,
 
 	camera_eye(camera, view->eye);
 	view->row = (float)(frustum.top - frustum.bottom) * unit / (float)height;
-	inset = choose_inset(
-		&frustum, rounding_px(camera, view->eye, view->row));
+	view->error_px = rounding_px(camera, view->row);
+	inset = choose_inset(&frustum, view->error_px);
 	view->edge = (float)frustum.bottom * unit;
 	view->left = (float)frustum.left * unit + inset * column;
 	view->right = (float)frustum.right * unit - inset * column;

@@ -16,6 +16,7 @@ struct floor_view {
 	float eye[3];
 	float left, right, bottom, top; /* the picture at depth 1, inset */
 	float edge, row;    /* slope of the lower edge; step between rows */
+	float error_px;     /* by which rounding may displace a point */
 	float sine, cosine; /* of the camera's pitch below the horizon */
 	float height;       /* of the eye above the plane */
 	float near, far;    /* depths of the clip planes, inset */

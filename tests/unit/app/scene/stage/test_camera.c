@@ -325,6 +325,44 @@ static void test_orbit_stays_above_the_floor_and_wraps(void **state)
 	assert_true(camera.pitch_rad < 1.5708f);
 }
 
+/* The target in eye space by the matrix that GL gets, in 16.16. */
+static void find_rounded(const struct camera *camera, double out[3])
+{
+	mat4 view;
+
+	camera_view(camera, view);
+	for (int i = 0; i < 3; i++) {
+		out[i] = 0.0;
+		for (int k = 0; k < 4; k++) {
+			out[i] += (double)fx16_to_float(
+					  fx16_from_float(view[k][i])) *
+				(k < 3 ? (double)camera->target[k] : 1.0);
+		}
+	}
+}
+
+/* A picture of 640 rows shows 0.0033 scene units in each. */
+static void test_a_far_target_stays_in_place_while_the_camera_orbits(
+	void **state)
+{
+	(void)state;
+	for (int i = 0; i < 400; i++) {
+		struct camera camera = camera_default();
+		double at[3];
+
+		camera.target[0] = i % 2 ? 20000.0f : -90.0f;
+		camera.target[1] = i % 3 ? 1.0f : 300.0f;
+		camera.target[2] = i % 4 ? 12345.6f : 0.0f;
+		camera.yaw_rad = 0.015f * (float)i - 3.0f;
+		camera.pitch_rad = 0.003f * (float)i;
+		find_rounded(&camera, at);
+		assert_true(fabs(at[0]) < 0.0033 && fabs(at[1]) < 0.0033);
+		assert_true(fabs(at[2] + 4.0) < 0.0066);
+		assert_true(fabs(at[0]) <= (double)camera_view_error(&camera));
+		assert_true(fabs(at[1]) <= (double)camera_view_error(&camera));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -339,6 +377,8 @@ int main(void)
 		cmocka_unit_test(test_view_puts_the_target_straight_ahead),
 		cmocka_unit_test(test_view_at_yaw_zero_looks_at_the_front),
 		cmocka_unit_test(test_orbit_stays_above_the_floor_and_wraps),
+		cmocka_unit_test(
+			test_a_far_target_stays_in_place_while_the_camera_orbits),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

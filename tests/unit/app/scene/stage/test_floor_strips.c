@@ -208,19 +208,20 @@ static void project_rounded(
 	const struct camera *camera, const float point[3], float out[2])
 {
 	const struct camera_frustum frustum = camera_frustum(camera, 480, 640);
-	float eye[3];
+	double eye[3];
 	mat4 view;
 
 	camera_view(camera, view);
 	for (int i = 0; i < 3; i++) {
-		eye[i] = 0.0f;
+		eye[i] = 0.0;
 		for (int k = 0; k < 4; k++) {
-			eye[i] += fx16_to_float(fx16_from_float(view[k][i])) *
-				(k < 3 ? point[k] : 1.0f);
+			eye[i] += (double)fx16_to_float(
+					  fx16_from_float(view[k][i])) *
+				(k < 3 ? (double)point[k] : 1.0);
 		}
 	}
 	for (int i = 0; i < 2; i++) {
-		out[i] = eye[i] / -eye[2] * (float)frustum.near;
+		out[i] = (float)(eye[i] / -eye[2] * (double)frustum.near);
 	}
 	out[0] -= (float)frustum.left;
 	out[0] *= 480.0f / (float)(frustum.right - frustum.left);
@@ -231,7 +232,7 @@ static void project_rounded(
 static void test_far_from_the_origin_is_no_gap_at_the_edges(void **state)
 {
 	(void)state;
-	for (float far = 1.0f; far < 3000.0f; far *= 1.3f) {
+	for (float far = 1.0f; far < 25000.0f; far *= 1.3f) {
 		struct camera camera = look(0.16f, 4.0f);
 		struct floor_strips strips;
 
@@ -250,6 +251,29 @@ static void test_far_from_the_origin_is_no_gap_at_the_edges(void **state)
 	}
 }
 
+/* Rows that count as covered are not cleared: figures would vanish there. */
+static void test_far_from_the_origin_covered_rows_are_covered(void **state)
+{
+	(void)state;
+	for (float far = 1.0f; far < 25000.0f; far *= 1.1f) {
+		struct camera camera = look(0.16f, 4.0f);
+		struct floor_strips strips;
+
+		camera.yaw_rad = far;
+		camera.target[0] = far;
+		camera.target[2] = -0.5f * far;
+		floor_strips_find(
+			&strips, &camera, 480, 640, ground, 6.0f, 8.0f);
+		assert_true(strips.opaque && strips.covered_px > 200);
+		for (int i = 0; i < 2; i++) {
+			float at[2];
+
+			project_rounded(&camera, strips.position[2 + i], at);
+			assert_true((float)strips.covered_px <= at[1]);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -262,6 +286,8 @@ int main(void)
 		cmocka_unit_test(test_shadows_far_out_are_below_the_horizon),
 		cmocka_unit_test(test_coarse_numbers_leave_no_gap_at_the_sides),
 		cmocka_unit_test(test_far_from_the_origin_is_no_gap_at_the_edges),
+		cmocka_unit_test(
+			test_far_from_the_origin_covered_rows_are_covered),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

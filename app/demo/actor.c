@@ -13,16 +13,22 @@ static void warn_if_far(const struct actor *actor, const struct bounds *bounds,
 	const struct demo_env *env)
 {
 	float middle[3], away;
+	char times[48] = "";
 
 	bounds_center(bounds, middle);
 	away = vec_length(middle);
-	if (away > far_units) {
-		log_warning(env->log,
-			"%s: it stands %.0f m from the origin, %.0f times its size, where limber cannot draw it: move it to the origin",
-			env->model_path,
-			(double)(away / actor->instance->unit_scale),
+	if (away <= far_units) {
+		return;
+	}
+	/* So far out, rounding may leave the model no size. */
+	if (actor->extent > 0.0f) {
+		snprintf(times, sizeof(times), ", %.0f times its size",
 			(double)(away / actor->extent));
 	}
+	log_warning(env->log,
+		"%s: it stands %.0f m from the origin%s, where limber cannot draw it: move it to the origin",
+		env->model_path, (double)(away / actor->instance->unit_scale),
+		times);
 }
 
 int actor_load(struct actor *actor, const struct demo_env *env)

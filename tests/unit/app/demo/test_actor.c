@@ -54,6 +54,11 @@ static void test_a_model_far_from_the_origin_is_named(void **state)
 	assert_int_equal(error, 0);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"stands 32001 m from the origin, 16000 times its size"));
+	/* Rounding leaves it no size. */
+	triangle_file_write(path.text, "{\"mesh\":0,\"translation\":[0,3e8,0]}");
+	assert_int_equal(load(path.text, 0, &heard, &error), 1);
+	assert_true(log_capture_has(&heard, LOG_WARNING,
+		"stands 300000000 m from the origin, where limber cannot"));
 	temp_dir_remove(&folder);
 }
 

@@ -6,6 +6,7 @@
  * the strength of their swing: red for the strongest one, blue where the
  * attenuation leaves none.
  */
+#include "app/anim/math/matrix.h"
 #include "app/character/presets/preset_file.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
@@ -99,12 +100,27 @@ static void paint(struct demo *demo)
 	overlay_heat_paint(&demo->heat, color_vertex, &palette);
 }
 
+/*
+ * Fits the lengths of a swing's preset to the model. Bones are shifted in their
+ * own units, which differ below a scaled node.
+ */
+static void fit_lengths(const struct demo *demo, struct procedural *swing)
+{
+	const struct instance *instance = demo->base.actor.instance;
+	float scale = matrix_scale((const mat4 *)&instance->world[swing->node]);
+
+	swing->preset.unit *= demo->unit_factor;
+	if (scale > 0.0f) {
+		swing->preset.unit /= scale;
+	}
+}
+
 /* Applies the preset to the swings and colours, after any change of it. */
 static void use_preset(struct demo *demo)
 {
 	for (int i = 0; i < demo->bones.count; i++) {
 		demo->swing[i].preset = *preset_of(demo);
-		demo->swing[i].preset.unit *= demo->unit_factor;
+		fit_lengths(demo, &demo->swing[i]);
 	}
 	paint(demo);
 }
@@ -121,7 +137,7 @@ static void begin_swings(struct demo *demo)
 	for (int i = 0; i < demo->bones.count; i++) {
 		demo->swing[i] =
 			procedural_begin(preset_of(demo), demo->bones.node[i]);
-		demo->swing[i].preset.unit *= demo->unit_factor;
+		fit_lengths(demo, &demo->swing[i]);
 		procedural_fade(
 			&demo->swing[i], demo->shaking ? 0.0f : 1.0f, fade_s);
 	}

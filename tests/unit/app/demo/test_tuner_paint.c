@@ -102,7 +102,10 @@ static void test_each_level_has_its_colour(void **state)
 	unsetenv("LIMBER_ASSETS");
 }
 
-/* Presets suit a person of 1.72 m; figures of 0.5 to 4 m take them as they are. */
+/*
+ * Presets suit a person of 1.72 m; figures of 0.5 to 4 m take them as they are.
+ * The first bone's scale is the length of the second one's unit.
+ */
 static void test_a_swing_is_as_long_as_the_figure(void **state)
 {
 	static const char presets[] =
@@ -112,7 +115,8 @@ static void test_a_swing_is_as_long_as_the_figure(void **state)
 		int bones;
 		double scale, factor;
 	} chains[] = {{2, 0.25, 0.5 / 1.72}, {2, 0.26, 1}, {3, 1, 1},
-		{4, 0.99, 1}, {4, 1, 4 / 1.72}, {10, 1, 10 / 1.72}};
+		{4, 0.99, 1}, {4, 1, 4 / 1.72}, {10, 1, 10 / 1.72},
+		{3, 1000, 3000 / 1.72}};
 	struct test_path folder = temp_dir_make();
 	struct test_path model = path_join(&folder, "chain.gltf");
 	struct test_path file = path_join(&folder, "presets.ini");
@@ -134,7 +138,8 @@ static void test_a_swing_is_as_long_as_the_figure(void **state)
 		for (double time_s = 1.0; time_s < 4.0; time_s += 1.0) {
 			tuner->update(demo, time_s);
 			assert_near(pose->local[1].translation[1],
-				1.0 + 0.5 * chains[i].factor, 1e-5);
+				1.0 + 0.5 * chains[i].factor / chains[i].scale,
+				1e-5);
 		}
 		demo_destroy(tuner, demo);
 	}

@@ -10,6 +10,7 @@
 
 enum {
 	EMS_PER_HEIGHT = 40, /* ems of text in the picture's height */
+	MIDDLE_EMS = 4,      /* of text around a middle that is left out */
 	/*
 	 * the picture's edge as a vertex coordinate: half of a short's range,
 	 * as text may lie beyond the edge
@@ -200,25 +201,60 @@ int hud_text(
 	return x;
 }
 
-int hud_text_cut(struct hud *hud, int x, int y, int width,
+/*
+ * Adds the longest beginning of a text that is at most this wide, without the
+ * blanks at its end, and an ellipsis.
+ */
+static int add_beginning(struct hud *hud, int x, int y, int width,
 	struct hud_color color, const char *text)
 {
-	int end = x + width - advance_of(hud, ELLIPSIS);
-	int inked = x;
+	int end = x + width, inked = x;
 	uint32_t code;
 
-	if (hud_text_width(hud, text) <= width) {
-		return hud_text(hud, x, y, color, text);
-	}
-	if (end < x) {
-		return x;
-	}
 	while ((code = font_next_code(&text)) != 0 &&
 		x + advance_of(hud, code) <= end) {
 		x = add_glyph(hud, x, baseline_of(hud, y), code, color);
 		inked = code == ' ' ? inked : x;
 	}
 	return add_glyph(hud, inked, baseline_of(hud, y), ELLIPSIS, color);
+}
+
+int hud_text_cut(struct hud *hud, int x, int y, int width,
+	struct hud_color color, const char *text)
+{
+	int room = width - advance_of(hud, ELLIPSIS);
+
+	if (hud_text_width(hud, text) <= width) {
+		return hud_text(hud, x, y, color, text);
+	}
+	return room < 0 ? x : add_beginning(hud, x, y, room, color, text);
+}
+
+/* Returns the longest end of a text that is at most this wide. */
+static const char *find_end(const struct hud *hud, const char *text, int width)
+{
+	int left = hud_text_width(hud, text);
+
+	while (left > width) {
+		left -= advance_of(hud, font_next_code(&text));
+	}
+	return text;
+}
+
+int hud_text_shorten(struct hud *hud, int x, int y, int width,
+	struct hud_color color, const char *text)
+{
+	int room = width - advance_of(hud, ELLIPSIS);
+	const char *end;
+
+	if (hud_text_width(hud, text) <= width ||
+		room < MIDDLE_EMS * hud_em(hud) || strchr(text, ' ')) {
+		return hud_text_cut(hud, x, y, width, color, text);
+	}
+	end = find_end(hud, text, room / 2);
+	x = add_beginning(
+		hud, x, y, room - hud_text_width(hud, end), color, text);
+	return hud_text(hud, x, y, color, end);
 }
 
 void hud_rectangle(

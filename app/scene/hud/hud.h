@@ -111,6 +111,14 @@ int hud_text(struct hud *hud, int x, int y, struct hud_color color,
 int hud_text_cut(struct hud *hud, int x, int y, int width,
 	struct hud_color color, const char *text);
 
+/*
+ * Does the same, but of wider text without blanks it leaves out the middle, if
+ * there is room for some letters on both sides of it: names of bones and clips
+ * often begin alike and differ at their ends.
+ */
+int hud_text_shorten(struct hud *hud, int x, int y, int width,
+	struct hud_color color, const char *text);
+
 /* Adds a rectangle. */
 void hud_rectangle(
 	struct hud *hud, int x, int y, int w, int h, struct hud_color color);

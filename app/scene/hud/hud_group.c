@@ -145,7 +145,7 @@ static struct hud_group begin(
 	/* Reserves the quads below the rows until the height is known. */
 	add_panel(&group, 0, hud->height);
 	if (title) {
-		hud_text_cut(hud, group.left, group.y, group.width,
+		hud_text_shorten(hud, group.left, group.y, group.width,
 			hud_color_text, title);
 		group.y += hud_line_height(hud) + eighths(hud, TITLE_GAP);
 		hud_rectangle(hud, group.left, group.y, group.width, hud->scale,
@@ -184,7 +184,7 @@ static int add_value(const struct hud_group *group, const char *value)
 	int x = group->left + group->width - width;
 
 	x = x < group->left ? group->left : x;
-	hud_text_cut(
+	hud_text_shorten(
 		group->hud, x, group->y, group->width, hud_color_text, value);
 	return x;
 }
@@ -197,7 +197,8 @@ static void add_line_from(const struct hud_group *group, int x,
 	if (*value) {
 		right -= eighths(group->hud, COLUMN_GAP);
 	}
-	hud_text_cut(group->hud, x, group->y, right - x, hud_color_dim, label);
+	hud_text_shorten(
+		group->hud, x, group->y, right - x, hud_color_dim, label);
 }
 
 static void add_line(
@@ -378,8 +379,8 @@ void hud_group_key(struct hud_group *group, const char *key, const char *what)
 		return;
 	}
 	x = add_cap(group, key);
-	hud_text_cut(group->hud, x, group->y, group->left + group->width - x,
-		hud_color_dim, what);
+	hud_text_shorten(group->hud, x, group->y,
+		group->left + group->width - x, hud_color_dim, what);
 	next_row(group, hud_line_height(group->hud));
 }
 
@@ -397,7 +398,7 @@ void hud_group_switch(struct hud_group *group, const char *key,
 		return;
 	}
 	x = add_cap(group, key);
-	hud_text_cut(hud, x, group->y, left - eighths(hud, COLUMN_GAP) - x,
+	hud_text_shorten(hud, x, group->y, left - eighths(hud, COLUMN_GAP) - x,
 		on ? hud_color_text : hud_color_dim, what);
 	hud_panel(hud, left, top, width, height, height / 2,
 		on ? color : off_color);

@@ -104,6 +104,66 @@ static void test_no_ellipsis_follows_a_space(void **state)
 		word + hud_text_width(hud, "\xE2\x80\xA6"));
 }
 
+/* The texels from which a text's glyphs are drawn are the same. */
+static void expect_glyphs(const struct hud *hud, const char *text)
+{
+	static struct hud other;
+
+	other.font = &font_default;
+	hud_begin(&other, hud->width, hud->height);
+	hud_text(&other, 0, 0, orange, text);
+	assert_int_equal(hud->quad_count, other.quad_count);
+	for (int i = 0; i < hud->quad_count * 4; i++) {
+		assert_true(hud->vertex[i].s == other.vertex[i].s &&
+			hud->vertex[i].t == other.vertex[i].t);
+	}
+}
+
+static void test_names_lose_their_middle(void **state)
+{
+	static const char *const shown[][2] = {
+		{"Armature|mixamo.com|Layer0.001",
+			"Armature\xE2\x80\xA6yer0.001"},
+		{"mixamorig:LeftHandIndex1",
+			"mixamori\xE2\x80\xA6"
+			"dIndex1"},
+		{"a name of some words", "a name of some w\xE2\x80\xA6"},
+		{"walk", "walk"}};
+	struct hud *hud = hud_of_size(480, 640);
+	int width = hud_text_width(hud, "Armature\xE2\x80\xA6yer0.001");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(shown); i++) {
+		int end;
+
+		hud_begin(hud, 480, 640);
+		end = hud_text_shorten(hud, 3, 0, width, orange, shown[i][0]);
+		expect_glyphs(hud, shown[i][1]);
+		assert_int_equal(end, 3 + hud_text_width(hud, shown[i][1]));
+	}
+	/* A letter at each end would say less than two at the beginning. */
+	hud_begin(hud, 480, 640);
+	width = hud_text_width(hud, "bo\xE2\x80\xA6");
+	hud_text_shorten(hud, 3, 0, width, orange, "bone");
+	expect_glyphs(hud, "bo\xE2\x80\xA6");
+}
+
+static void test_shortened_names_are_never_too_wide(void **state)
+{
+	static const char name[] = "\xC3\x9C"
+				   "berw\xC3\xA4ltigend_\xE8\xB5\xB0.001";
+	struct hud *hud = hud_of_size(480, 640);
+
+	(void)state;
+	for (int width = -9; width < 300; width++) {
+		int end;
+
+		hud_begin(hud, 480, 640);
+		end = hud_text_shorten(hud, 7, 0, width, orange, name);
+		assert_in_range(end, 7, 7 + (width > 0 ? width : 0));
+	}
+}
+
 /* Adds more than fits. */
 static void overfill(struct hud *hud)
 {
@@ -183,6 +243,8 @@ int main(void)
 		cmocka_unit_test(test_a_picture_has_at_least_one_pixel),
 		cmocka_unit_test(test_long_text_is_cut_with_an_ellipsis),
 		cmocka_unit_test(test_no_ellipsis_follows_a_space),
+		cmocka_unit_test(test_names_lose_their_middle),
+		cmocka_unit_test(test_shortened_names_are_never_too_wide),
 		cmocka_unit_test(test_elements_beyond_the_capacity_are_dropped),
 		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
 		cmocka_unit_test(test_bars_fill_by_their_fraction),

@@ -387,6 +387,9 @@ static void test_a_long_label_gives_way_to_its_value(void **state)
 	assert_contains(text_of(hud, first), "4711");
 	assert_contains(text_of(hud, first), "alabel");
 	assert_null(strstr(text_of(hud, first), "forit"));
+	first = hud->quad_count;
+	hud_group_text(&group, "Armature|mixamo.com|Layer0.001", "4711");
+	assert_contains(text_of(hud, first), ".001");
 	hud_group_end(&group);
 }
 

@@ -1,18 +1,29 @@
 #include "app/character/show/label_name.h"
 
+#include <stdio.h>
 #include <string.h>
+
+/* As limber character calls a state whose clip has too long a name. */
+static bool is_numbered(const struct character_state *state, int clip)
+{
+	char number[HUD_NAME_BYTES];
+
+	snprintf(number, sizeof(number), "clip %d", clip);
+	return strcmp(state->name, number) == 0;
+}
 
 const char *label_name_motion(const struct character *character,
 	const struct model_clip *clip, char number[HUD_NAME_BYTES])
 {
 	const struct character_machine *machine = &character->machine;
 	const struct character_state *state = &machine->state[machine->current];
+	int index = clip ? (int)(clip - character->instance->model->clip) : -1;
 
 	if (clip &&
 		(state->entry_count > 1 || state->name == clip->name ||
-			strcmp(state->name, clip->name) == 0)) {
-		return hud_name(clip->name, "clip",
-			(int)(clip - character->instance->model->clip), number);
+			strcmp(state->name, clip->name) == 0 ||
+			is_numbered(state, index))) {
+		return hud_name(clip->name, "clip", index, number);
 	}
 	return hud_name(state->name, "state", machine->current + 1, number);
 }

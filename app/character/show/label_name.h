@@ -13,7 +13,7 @@
 
 /*
  * Names the state that plays; or the clip, which may be NULL, if the state
- * blends several or is called as its clip.
+ * blends several or is called as its clip, by name or as in "clip 3".
  */
 const char *label_name_motion(const struct character *character,
 	const struct model_clip *clip, char number[HUD_NAME_BYTES]);

@@ -1,5 +1,6 @@
 /* How much room a character asks for, for its labels. */
 #include "app/character/show/character_label.h"
+#include "app/character/show/label_name.h"
 #include "app/scene/hud/hud_group.h"
 #include "tests/support/files.h"
 #include "tests/support/model/acting.h"
@@ -57,6 +58,39 @@ static void test_a_fade_has_a_bar(void **state)
 	assert_int_equal(character_label_count(acting.character, &bars), 2);
 	assert_int_equal(bars, 2);
 	acting_end(&acting);
+}
+
+/* What the label calls the walker's clip in a state of this name. */
+static void expect_motion(const char *state, int clip, const char *shown)
+{
+	char text[128], number[HUD_NAME_BYTES];
+	struct acting acting;
+
+	snprintf(text, sizeof(text), "[state \"%s\"]\nclip = %d\n", state, clip);
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, text);
+	assert_string_equal(
+		label_name_motion(acting.character,
+			&acting.character->instance->model->clip[clip], number),
+		shown);
+	acting_end(&acting);
+}
+
+/* Names that are too long for a section are still not too long for labels. */
+static void test_a_state_that_is_only_a_number_shows_its_clip(void **state)
+{
+	const struct model *model;
+	struct acting acting;
+	char first[32];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	model = acting.instance->model;
+	snprintf(first, sizeof(first), "%s", model->clip[0].name);
+	acting_end(&acting);
+	expect_motion("clip 0", 0, first);
+	expect_motion("clip 1", 0, "clip 1");
+	expect_motion("stands", 0, "stands");
 }
 
 /* Returns how many boxes labels show in place of letters that the font lacks. */
@@ -163,6 +197,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_parameter_that_buttons_move_has_a_bar),
 		cmocka_unit_test(test_a_fade_has_a_bar),
+		cmocka_unit_test(
+			test_a_state_that_is_only_a_number_shows_its_clip),
 		cmocka_unit_test(test_no_label_is_a_row_of_boxes),
 		cmocka_unit_test(test_a_sentence_that_the_font_lacks_is_replaced),
 		cmocka_unit_test(test_the_first_such_sentence_is_reported),

@@ -44,6 +44,8 @@ struct xfile_build {
 			    or -1 */
 	int *mesh_node;  /* [scene->mesh_count]: the model's node of the first
 			    instance, or -1 */
+	bool *mirrors;   /* [scene->frame_count]: whether the frame mirrors what
+			    is below it */
 	bool *moved;     /* [model->node_count]: whether a clip moves the
 			  node */
 	int (*channel)[MODEL_WEIGHTS]; /* [model->node_count][path]: index of

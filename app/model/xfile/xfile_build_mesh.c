@@ -2,6 +2,7 @@
 #include "app/model/xfile/xfile_build.h"
 #include "app/model/xfile/xfile_convert.h"
 
+#include <cglm/mat4.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,7 @@ struct mesh_builder {
 	uint32_t *vertex_of; /* [corner.order]: vertex within its primitive */
 	int *primitive_of;   /* [corner.order]: primitive */
 	struct model_mesh *mesh;
+	bool mirrored; /* where it is drawn: glTF turns its triangles there */
 };
 
 static uint32_t default_material(struct xfile_build *build)
@@ -296,11 +298,13 @@ static void fill_vertices(struct mesh_builder *builder)
 
 /*
  * Writes the triangles of all faces, as fans. Corners are reversed, because
- * negating z reverses the winding.
+ * negating z reverses the winding, but not where glTF reverses it once more:
+ * Direct3D draws the same side of a triangle wherever it is.
  */
 static void fill_triangles(struct mesh_builder *builder)
 {
 	const struct xfile_faces *faces = &builder->from->faces;
+	uint32_t second = builder->mirrored ? 0 : 1, third = 1 - second;
 
 	for (uint32_t face = 0; face < faces->count; face++) {
 		uint32_t corners = face_corners(faces, face);
@@ -317,8 +321,8 @@ static void fill_triangles(struct mesh_builder *builder)
 				primitive->index + primitive->index_count;
 
 			index[0] = builder->vertex_of[first];
-			index[1] = builder->vertex_of[first + i + 1];
-			index[2] = builder->vertex_of[first + i];
+			index[1] = builder->vertex_of[first + i + second];
+			index[2] = builder->vertex_of[first + i + third];
 			primitive->index_count += 3;
 		}
 	}
@@ -369,13 +373,47 @@ static int fill_mesh(struct mesh_builder *builder)
 	return 0;
 }
 
-static int build_mesh(struct xfile_build *build, int index)
+static bool mirrors(const float matrix[16])
 {
+	mat4 converted;
+
+	xfile_convert_matrix(matrix, converted);
+	return glm_mat4_det(converted) < 0.0f;
+}
+
+/* Finds which frames mirror what is below them. Parents come first. */
+static void find_mirroring(struct xfile_build *build)
+{
+	const struct xfile_frame *frame = build->scene->frames;
+
+	for (int i = 0; frame; frame = frame->next, i++) {
+		build->mirrors[i] = mirrors(frame->matrix) !=
+			(frame->parent >= 0 && build->mirrors[frame->parent]);
+	}
+}
+
+/* Whether a mesh is turned when it is drawn: by its frame or its first bone. */
+static bool is_mirrored(
+	const struct xfile_build *build, const struct xfile_instance *instance)
+{
+	const struct xfile_bone *bone = build->mesh[instance->mesh]->bones;
+	int frame =
+		bone ? xfile_names_find(&build->frame_names, bone->name) : -1;
+
+	return (instance->frame >= 0 && build->mirrors[instance->frame]) ||
+		(frame >= 0 && build->mirrors[frame] != mirrors(bone->offset));
+}
+
+static int build_mesh(
+	struct xfile_build *build, const struct xfile_instance *instance)
+{
+	int index = instance->mesh;
 	struct model *model = build->model;
 	struct mesh_builder builder = {
 		.build = build,
 		.from = build->mesh[index],
 		.mesh = &model->mesh[model->mesh_count],
+		.mirrored = is_mirrored(build, instance),
 	};
 	int error = resolve_slots(&builder);
 
@@ -402,16 +440,19 @@ static int make_tables(struct xfile_build *build)
 	build->mesh_index = ARENA_ARRAY(build->scratch, int, count);
 	build->mesh_skin = ARENA_ARRAY(build->scratch, int, count);
 	build->mesh_node = ARENA_ARRAY(build->scratch, int, count);
+	build->mirrors = ARENA_ARRAY(
+		build->scratch, bool, (size_t)build->scene->frame_count);
 	model->mesh = ARENA_ARRAY(&model->arena, struct model_mesh, count);
 	model->skin = ARENA_ARRAY(&model->arena, struct model_skin, count);
 	if (!build->mesh_index || !build->mesh_skin || !build->mesh_node ||
-		!model->mesh || !model->skin) {
+		!build->mirrors || !model->mesh || !model->skin) {
 		return xfile_no_memory(build->context);
 	}
 	for (size_t i = 0; i < count; i++) {
 		build->mesh_skin[i] = -1;
 		build->mesh_node[i] = -1;
 	}
+	find_mirroring(build);
 	return 0;
 }
 
@@ -425,7 +466,7 @@ int xfile_build_meshes(struct xfile_build *build)
 		if (build->mesh_node[instance->mesh] < 0) {
 			build->mesh_node[instance->mesh] =
 				build->node_index[instance->node];
-			error = build_mesh(build, instance->mesh);
+			error = build_mesh(build, instance);
 		}
 	}
 	return error;

@@ -9,6 +9,9 @@
  *	matrices               Z transpose(M) Z
  *	triangles              corners in reverse order, because Z mirrors
  *
+ * Below a frame that mirrors, triangles keep their order: glTF turns their
+ * front sides there, and Direct3D does not.
+ *
  * So a rotation about the axis (x, y, z) becomes one by the same angle about
  * (-x, -y, z). Rotation keys hold w x y z of the conjugate quaternion: the key
  * for D3DXMatrixRotationY(a) has y = -sin(a / 2). Both together, w x y z of the

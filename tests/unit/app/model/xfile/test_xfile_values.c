@@ -329,6 +329,54 @@ static void test_normals_get_unit_length_and_zero_faces_the_viewer(void **state)
 	model_destroy(model);
 }
 
+/* The x of the corner after the one at x = 1, in the first triangle. */
+static float corner_after_the_first(const char *text)
+{
+	struct log_capture logged;
+	struct model *model = load(text, &logged);
+	const struct model_primitive *primitive = model->mesh[0].primitive;
+	float x = 0.0f;
+
+	for (int i = 0; i < 3; i++) {
+		if (primitive->position[primitive->index[i]][0] == 1) {
+			x = primitive->position[primitive->index[(i + 1) % 3]][0];
+		}
+	}
+	model_destroy(model);
+	return x;
+}
+
+/*
+ * Direct3D shows the side of a triangle whose corners are clockwise in the
+ * picture. Where a frame mirrors, glTF shows the other side.
+ */
+static void test_triangles_below_mirroring_frames_are_not_turned(void **state)
+{
+#define TRIANGLE     "Mesh T { 3; 1;2;3;, 4;5;6;, 7;8;10;; 1; 3;0,1,2;; "
+#define SWAP         "1,0,0,0, 0,0,1,0, 0,1,0,0, 0,0,0,1;;"
+#define SWAPS        "FrameTransformMatrix {" SWAP "}"
+#define BONE(offset) "SkinWeights { \"B\"; 3; 0,1,2; 1,1,1;" offset "}"
+#define PLAIN        "1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1;;"
+	static const struct {
+		const char *text;
+		float x;
+	} files[] = {
+		{HEADER "Frame A {" TRIANGLE "} }", 7},
+		{HEADER "Frame A {" SWAPS TRIANGLE "} }", 4},
+		{HEADER "Frame A {" SWAPS "Frame B {" TRIANGLE "} } }", 4},
+		{HEADER "Frame A {" SWAPS "Frame B {" SWAPS TRIANGLE "} } }", 7},
+		{HEADER "Frame B {" SWAPS TRIANGLE BONE(SWAP) "} }", 4},
+		{HEADER "Frame B {" SWAPS "}" TRIANGLE BONE(UNIT) "}", 4},
+		{HEADER "Frame B {" SWAPS "}" TRIANGLE BONE(SWAP) "}", 7},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(files); i++) {
+		assert_near(
+			corner_after_the_first(files[i].text), files[i].x, 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -347,6 +395,8 @@ int main(void)
 			test_counts_that_just_fit_into_the_file_are_read),
 		cmocka_unit_test(
 			test_normals_get_unit_length_and_zero_faces_the_viewer),
+		cmocka_unit_test(
+			test_triangles_below_mirroring_frames_are_not_turned),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -179,6 +179,14 @@ struct overlay_row {
 struct overlay_row overlay_row_of(
 	const struct overlay *overlay, int width, int height);
 
+/*
+ * Returns the camera of the row's pictures: it sees the box that the figure's
+ * camera frames from the same side, but fills the picture with it. A camera
+ * that does not follow stays where it is.
+ */
+struct camera overlay_row_camera(
+	const struct overlay_row *row, const struct camera *camera);
+
 /* Clears depths if bones follow, so that these are drawn over the figures. */
 void overlay_clear_depth(struct overlay *overlay);
 

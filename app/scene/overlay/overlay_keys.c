@@ -14,6 +14,8 @@ enum {
 	ROW_FRACTION = 5 /* a picture's width is at most 1/5 of the whole */
 };
 
+/* leaves room around each shape of the row for the frame that marks it */
+static const float row_margin = 1.15f;
 /*
  * Ghosts are moved away by this part of the extent, so that the figure covers a
  * ghost with which it nearly coincides.
@@ -116,6 +118,18 @@ struct overlay_row overlay_row_of(
 	return row;
 }
 
+struct camera overlay_row_camera(
+	const struct overlay_row *row, const struct camera *camera)
+{
+	static const struct camera_region whole = {-1.0f, 1.0f, -1.0f, 1.0f};
+	struct camera own = *camera;
+
+	camera_zoom(&own, 1.0f / own.fit.zoom);
+	camera_set_region(&own, &whole, row_margin,
+		(float)row->width / (float)row->height);
+	return own;
+}
+
 /* Poses the ghost with one target at full weight; -1 is the base. */
 static void pose_target(struct overlay *overlay, int target)
 {
@@ -135,24 +149,40 @@ static void pose_target(struct overlay *overlay, int target)
 	}
 }
 
-static void draw_row(struct overlay *overlay, int width, int height)
+static void draw_pictures(struct overlay *overlay,
+	const struct overlay_figure *figure, const struct overlay_row *row)
 {
 	const struct gl *gl = overlay->gl;
-	struct overlay_row row = overlay_row_of(overlay, width, height);
+	struct camera camera = overlay_row_camera(row, overlay->camera);
 
-	gl->Enable(GL_SCISSOR_TEST);
-	gl->Scissor(0, 0, row.width * row.count, row.height);
-	gl->ClearColorx(FX16_ONE / 8, FX16_ONE / 7, FX16_ONE / 6, FX16_ONE);
-	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-	for (int i = 0; i < row.count; i++) {
-		gl->Viewport(i * row.width, 0, row.width, row.height);
+	camera_apply(&camera, gl, row->width, row->height);
+	matrix_gl_multiply(gl, (const vec4 *)figure->place);
+	for (int i = 0; i < row->count; i++) {
+		gl->Viewport(i * row->width, 0, row->width, row->height);
 		pose_target(overlay, i - 1);
 		overlay_ghost_draw_solid(
 			&overlay->ghost, gl, overlay->subject.textures);
 	}
+}
+
+static void draw_row(struct overlay *overlay,
+	const struct overlay_figure *figure, int width, int height)
+{
+	const struct gl *gl = overlay->gl;
+	struct overlay_row row = overlay_row_of(overlay, width, height);
+
+	if (row.width == 0 || row.height == 0) {
+		return;
+	}
+	gl->Enable(GL_SCISSOR_TEST);
+	gl->Scissor(0, 0, row.width * row.count, row.height);
+	gl->ClearColorx(FX16_ONE / 8, FX16_ONE / 7, FX16_ONE / 6, FX16_ONE);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	draw_pictures(overlay, figure, &row);
 	gl->Viewport(0, 0, width, height);
 	gl->ClearColorx(0, 0, 0, 0);
 	gl->Disable(GL_SCISSOR_TEST);
+	camera_apply(overlay->camera, gl, width, height);
 }
 
 void overlay_draw_keys(struct overlay *overlay,
@@ -162,12 +192,11 @@ void overlay_draw_keys(struct overlay *overlay,
 	if (!overlay_shows(overlay, OVERLAY_KEYS)) {
 		return;
 	}
-	overlay_push_place(overlay, figure,
-		overlay->chooses_target ? 0.0f : -ghost_farther);
 	if (overlay->chooses_target) {
-		draw_row(overlay, width, height);
+		draw_row(overlay, figure, width, height);
 	} else if (motion->clip >= 0) {
+		overlay_push_place(overlay, figure, -ghost_farther);
 		draw_ghosts(overlay, motion);
+		overlay->gl->PopMatrix();
 	}
-	overlay->gl->PopMatrix();
 }

@@ -145,6 +145,43 @@ static void test_small_pictures_take_room_below_the_figure(void **state)
 	shown_end(&shown);
 }
 
+/* Also while the figure is beside its labels, or was moved closer. */
+static void test_each_small_picture_shows_the_figure_in_its_middle(void **state)
+{
+	static const int sizes[][2] = {{480, 640}, {320, 240}, {800, 480}};
+	const struct overlay_choice keys = {.kinds = 1U << OVERLAY_KEYS};
+
+	(void)state;
+	for (size_t i = 0; i < 2 * ARRAY_COUNT(sizes); i++) {
+		const int *size = sizes[i / 2];
+		struct overlay_row row;
+		struct camera_region seen;
+		struct camera camera;
+		struct shown shown;
+		struct demo_base *base;
+		int cell[2];
+
+		shown_begin(&shown, "face", size, false);
+		base = (struct demo_base *)shown.demo;
+		assert_int_equal(
+			demo_overlay_make(shown.driver, shown.demo, &keys), 0);
+		camera_zoom(&base->stage.camera, i % 2 ? 0.5f : 1.0f);
+		demo_draw(shown.driver, shown.demo, size[0], size[1]);
+		row = overlay_row_of(base->overlay, size[0], size[1]);
+		camera = overlay_row_camera(&row, &base->stage.camera);
+		cell[0] = row.width;
+		cell[1] = row.height;
+		seen = shown_project(
+			&camera, cell, camera.target, camera.fit.half);
+		assert_near(seen.left + seen.right, 0, 0.01);
+		assert_near(seen.bottom + seen.top, 0, 0.01);
+		assert_near(fmax((double)(seen.right - seen.left),
+				    (double)(seen.top - seen.bottom)),
+			2.0 / 1.15, 0.01);
+		shown_end(&shown);
+	}
+}
+
 static void test_a_picture_of_another_size_has_its_own_room(void **state)
 {
 	static const int sizes[][2] = {{480, 640}, {320, 240}, {480, 640}};
@@ -221,6 +258,8 @@ int main(void)
 		cmocka_unit_test(test_a_model_has_to_fit_its_memory),
 		cmocka_unit_test(test_demos_are_found_by_their_names),
 		cmocka_unit_test(test_small_pictures_take_room_below_the_figure),
+		cmocka_unit_test(
+			test_each_small_picture_shows_the_figure_in_its_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_has_its_own_room),
 		cmocka_unit_test(test_the_lower_of_cap_and_limit_holds),
 		cmocka_unit_test(test_only_a_camera_has_uses),

@@ -223,6 +223,54 @@ static void prune_channels(const struct marks *marks, json_t *animation)
 	}
 }
 
+/* A sampler's accessor of numbers; *index is its number. NULL: it has none. */
+static const json_t *numbers_of(const struct marks *marks,
+	const json_t *sampler, const char *key, json_int_t *index)
+{
+	const json_t *number = json_object_get(sampler, key);
+	const json_t *accessors = json_object_get(marks->root, "accessors");
+	const json_t *accessor;
+	const char *type;
+
+	*index = json_integer_value(number);
+	accessor = json_is_integer(number) && *index >= 0
+		? json_array_get(accessors, (size_t)*index)
+		: NULL;
+	type = json_string_value(json_object_get(accessor, "type"));
+	return type && strcmp(type, "SCALAR") == 0 ? accessor : NULL;
+}
+
+/*
+ * Gives a clip that moves no node a channel without a node, which players
+ * ignore, so that the clips after it keep their numbers: glTF has no clip
+ * without channels. Its values are numbers of its first sampler, or times.
+ * Returns false if there is no such sampler.
+ */
+static bool keep_still_clip(const struct marks *marks, json_t *animation)
+{
+	const json_t *sampler =
+		json_array_get(json_object_get(animation, "samplers"), 0);
+	json_int_t input, output;
+	const json_t *times = numbers_of(marks, sampler, "input", &input);
+	const json_t *values = numbers_of(marks, sampler, "output", &output);
+
+	if (!times) {
+		return false;
+	}
+	if (!values ||
+		!json_equal(json_object_get(values, "count"),
+			json_object_get(times, "count"))) {
+		output = input;
+	}
+	json_object_set_new(animation, "samplers",
+		json_pack("[{s:i, s:i}]", "input", (int)input, "output",
+			(int)output));
+	json_object_set_new(animation, "channels",
+		json_pack("[{s:i, s:{s:s}}]", "sampler", 0, "target", "path",
+			"weights"));
+	return true;
+}
+
 static void prune_animations(const struct marks *marks)
 {
 	json_t *animations = json_object_get(marks->root, "animations");
@@ -231,8 +279,8 @@ static void prune_animations(const struct marks *marks)
 		json_t *animation = json_array_get(animations, i);
 
 		prune_channels(marks, animation);
-		if (json_array_size(json_object_get(animation, "channels")) ==
-			0) {
+		if (json_array_size(json_object_get(animation, "channels")) == 0 &&
+			!keep_still_clip(marks, animation)) {
 			json_array_remove(animations, i);
 		}
 	}

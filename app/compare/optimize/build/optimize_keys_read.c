@@ -111,6 +111,7 @@ static int read_channel(struct optimize_keys *keys, const json_t *json,
 	total = out->output.count * out->output.width / track->key_count;
 	track->width =
 		track->interpolation == MODEL_CUBICSPLINE ? total / 3 : total;
+	/* A clip that moves nothing has weights without a node: as of node 0. */
 	node = json_integer_value(json_object_get(out->target, "node"));
 	if (build->reach && node >= 0 && node < build->reach->node_count) {
 		track->reach = &build->reach->node[node];

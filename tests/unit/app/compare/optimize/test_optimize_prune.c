@@ -228,6 +228,41 @@ static void test_clips_keep_their_numbers_and_durations(void **state)
 		"{'sampler':1,'target':{'node':2}}]}]}");
 }
 
+#define SCALARS(count) "{'type':'SCALAR','count':" #count "}"
+
+/* Three times, three numbers, four, and three vectors. */
+#define STILL(clips)                                                                   \
+	"{'scenes':[{'nodes':[0]}],'nodes':[{}],'accessors':[" SCALARS(3) "," SCALARS( \
+		3) "," SCALARS(4) ","                                                  \
+				  "{'type':'VEC3','count':3}],'animations':[" clips    \
+				  "{'name':'walk','channels':[{'target':{'node':0}}]}]}"
+
+#define STILL_CLIP(name, input, output, channel)                    \
+	"{'name':'" name "','samplers':[{'input':" input ","        \
+	"'output':" output "}],'channels':[{'sampler':0,'target':{" \
+	"'path':'" channel "'}}]},"
+
+/* Clips that move nothing, such as those of materials, keep a channel. */
+static void test_clips_without_nodes_keep_their_numbers(void **state)
+{
+	(void)state;
+	expect_pruned(STILL(STILL_CLIP("a", "0", "1", "pointer") STILL_CLIP(
+			      "b", "0", "2", "pointer") STILL_CLIP("c", "0",
+			      "3", "scale") STILL_CLIP("d", "0", "9", "scale")),
+		STILL(STILL_CLIP("a", "0", "1", "weights") STILL_CLIP("b", "0",
+			"0", "weights") STILL_CLIP("c", "0", "0", "weights")
+				STILL_CLIP("d", "0", "0", "weights")));
+}
+
+static void test_clips_without_nodes_and_times_go(void **state)
+{
+	(void)state;
+	expect_pruned(
+		STILL(STILL_CLIP("a", "3", "1", "pointer") STILL_CLIP("b", "-1",
+			"1", "pointer") STILL_CLIP("c", "9", "1", "scale")),
+		STILL(""));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -243,6 +278,8 @@ int main(void)
 		cmocka_unit_test(test_tangents_stay_for_maps_of_normals),
 		cmocka_unit_test(test_channels_of_unused_nodes_go),
 		cmocka_unit_test(test_clips_keep_their_numbers_and_durations),
+		cmocka_unit_test(test_clips_without_nodes_keep_their_numbers),
+		cmocka_unit_test(test_clips_without_nodes_and_times_go),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,6 @@
 /*
  * What optimizing does with the file that it reads again: accessors in any
- * order, and files that it refuses.
+ * order, clips that move nothing, and files that it refuses.
  */
 #include "app/compare/optimize/optimize.h"
 #include "tests/support/files.h"
@@ -224,6 +224,52 @@ static void test_a_file_that_has_changed_since_is_refused(void **state)
 	model_destroy(model);
 }
 
+/* Writes cubic.gltf with a clip before its own that has a channel of no node. */
+static void write_still_clip(const char *path)
+{
+	json_t *root = json_load_file(
+		fixture_path("gltf/clip/cubic.gltf").text, 0, NULL);
+	json_t *animations = json_object_get(root, "animations");
+	json_t *still = json_deep_copy(json_array_get(animations, 0));
+
+	json_object_set_new(still, "name", json_string("glow"));
+	json_object_set_new(still, "channels",
+		json_pack("[{s:i, s:{s:s}}]", "sampler", 0, "target", "path",
+			"pointer"));
+	assert_int_equal(json_array_insert_new(animations, 0, still), 0);
+	assert_int_equal(json_dump_file(root, path, 0), 0);
+	json_decref(root);
+}
+
+/* People and scripts call clips by their numbers. */
+static void test_a_clip_without_nodes_keeps_its_number(void **state)
+{
+	const struct log log = log_to_stderr(LOG_ERROR);
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "model.gltf");
+	struct optimize_result result;
+	struct model *model, *found;
+
+	(void)state;
+	write_still_clip(path.text);
+	assert_int_equal(model_load(path.text, &log, &model), 0);
+	result = optimized(path.text);
+	file_write(path.text, result.data, result.after.file);
+	assert_int_equal(model_load(path.text, &log, &found), 0);
+	assert_int_equal(found->clip_count, model->clip_count);
+	for (int c = 0; c < found->clip_count; c++) {
+		assert_string_equal(found->clip[c].name, model->clip[c].name);
+		assert_int_equal(found->clip[c].channel_count,
+			model->clip[c].channel_count);
+		assert_near(found->clip[c].duration_s,
+			model->clip[c].duration_s, 1e-6);
+	}
+	model_destroy(model);
+	model_destroy(found);
+	free(result.data);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -232,6 +278,7 @@ int main(void)
 			test_matrices_and_instances_may_be_the_first_accessor),
 		cmocka_unit_test(test_only_gltf_is_optimized),
 		cmocka_unit_test(test_a_file_that_has_changed_since_is_refused),
+		cmocka_unit_test(test_a_clip_without_nodes_keeps_its_number),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

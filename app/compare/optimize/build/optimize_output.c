@@ -178,7 +178,11 @@ static void set_place(json_t *json, enum optimize_view view, size_t offset)
 	}
 }
 
-/* Finds a stored accessor with the same bytes and type, or -1. */
+/*
+ * Finds a stored accessor with the same bytes and type, or -1. Times of keys,
+ * which are the bounded data, do not share one with values: glTF forbids two
+ * uses of an accessor.
+ */
 static int find_equal(
 	struct optimize_output *output, const struct optimize_accessor *wanted)
 {
@@ -195,6 +199,8 @@ static int find_equal(
 			have->rows == wanted->rows &&
 			have->component == wanted->component &&
 			have->normalized == wanted->normalized &&
+			(have->bounded == wanted->bounded ||
+				have->view != OPTIMIZE_DATA) &&
 			memcmp(base + have->offset, base + wanted->offset,
 				have->size) == 0) {
 			return i;
@@ -266,6 +272,7 @@ static int add_dense(struct optimize_output *output, enum optimize_view view,
 		.width = array->width,
 		.rows = array->rows,
 		.normalized = array->normalized,
+		.bounded = array->bounded,
 		.dense = true,
 	};
 	same = find_equal(output, &accessor);

@@ -40,7 +40,7 @@ struct optimize_output {
 		size_t offset, size;
 		uint64_t hash;
 		int component, width, rows;
-		bool normalized;
+		bool normalized, bounded;
 		json_t *json; /* glb.accessors owns it */
 		bool dense;
 		int next; /* next in the hash bucket, or -1 */

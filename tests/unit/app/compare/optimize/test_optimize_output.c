@@ -297,6 +297,26 @@ static void test_bounds_are_the_least_and_the_most(void **state)
 		json_string_value(json_object_get(json, "type")), "VEC2");
 }
 
+/* Weights may be equal to the times of their keys. */
+static void test_times_do_not_share_an_accessor_with_values(void **state)
+{
+	struct optimize_output *output = *state;
+	static const float value[2] = {0.0f, 2.0f};
+	struct optimize_array array = {
+		.count = 2, .width = 1, .component = GLB_FLOAT, .value = value};
+
+	for (int i = 0; i < 2; i++) {
+		for (int bounded = 0; bounded < 2; bounded++) {
+			array.bounded = bounded != 0;
+			assert_int_equal(optimize_output_add(
+						 output, OPTIMIZE_DATA, &array),
+				bounded);
+		}
+	}
+	assert_null(json_object_get(accessor(output, 0), "min"));
+	assert_non_null(json_object_get(accessor(output, 1), "min"));
+}
+
 /* The text is what JSON holds; each needs one digit more than the one before. */
 static void test_a_decimal_has_the_fewest_digits(void **state)
 {
@@ -321,6 +341,7 @@ int main(void)
 		CASE(test_a_sparse_array_may_begin_with_its_first_element),
 		CASE(test_full_arrays_and_those_of_others_are_not_sparse),
 		CASE(test_bounds_are_the_least_and_the_most),
+		CASE(test_times_do_not_share_an_accessor_with_values),
 		cmocka_unit_test(test_a_decimal_has_the_fewest_digits),
 	};
 #undef CASE

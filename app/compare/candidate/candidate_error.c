@@ -2,12 +2,14 @@
 
 #include "app/scene/stage/light.h"
 #include "platform/base/scalar.h"
+#include "platform/process/jobs.h"
 
 #include <errno.h>
 #include <stdlib.h>
 
 enum {
-	DIVISIONS_MAX = 10 /* how often an interval is halved */
+	DIVISIONS_MAX = 10,  /* how often an interval is halved */
+	MOMENTS_AT_ONCE = 16 /* that a thread takes */
 };
 
 /*
@@ -204,6 +206,21 @@ static void refine(
 }
 
 /*
+ * Samples one of the grid's moments (i even) or the time halfway to the next
+ * one (i odd), if that is not a gap.
+ */
+static void sample_moment(struct comparer *comparer,
+	const struct time_grid *grid, int i, bool normals, struct sample *sample)
+{
+	const float *at = grid->time_s + i / 2;
+	float time_s = i % 2 ? 0.5f * (at[0] + at[1]) : at[0];
+
+	if (i % 2 == 0 || !time_grid_is_gap(grid, i / 2)) {
+		sample[i] = compare_at(comparer, time_s, normals);
+	}
+}
+
+/*
  * Samples the grid's moments and the times halfway between them, but for gaps:
  * up to 2 count - 1 samples. Normals and the mean are taken at some of the
  * moments only.
@@ -214,11 +231,39 @@ static void sample_grid(struct comparer *comparer, const struct time_grid *grid,
 	int step = 2 * (grid->count / normal_moments + 1);
 
 	for (int i = 0; i < 2 * grid->count - 1; i++) {
-		const float *at = grid->time_s + i / 2;
-		float time_s = i % 2 ? 0.5f * (at[0] + at[1]) : at[0];
+		sample_moment(comparer, grid, i, i % step == 0, sample);
+	}
+}
 
-		if (i % 2 == 0 || !time_grid_is_gap(grid, i / 2)) {
-			sample[i] = compare_at(comparer, time_s, i % step == 0);
+static int comparer_init(struct comparer *comparer, struct candidate *candidate,
+	const struct screen_view *screen)
+{
+	size_t bytes = ((size_t)candidate->vertex_count + 1) * sizeof(float[3]);
+
+	*comparer = (struct comparer){
+		.candidate = candidate,
+		.reference = candidate->reference,
+		.screen = screen,
+		.position = malloc(bytes),
+		.normal = malloc(bytes),
+	};
+	light_direction(comparer->light);
+	return comparer->position && comparer->normal ? 0 : -ENOMEM;
+}
+
+static void comparer_release(struct comparer *comparer)
+{
+	comparer->candidate->positions_only = false;
+	free(comparer->position);
+	free(comparer->normal);
+}
+
+static void refine_all(struct comparer *comparer, const struct time_grid *grid,
+	const struct sample *sample)
+{
+	for (int i = 0; i + 2 < 2 * grid->count - 1; i += 2) {
+		if (!time_grid_is_gap(grid, i / 2)) {
+			refine(comparer, sample + i, DIVISIONS_MAX);
 		}
 	}
 }
@@ -228,38 +273,102 @@ int candidate_error_measure(struct candidate *candidate,
 	int normal_moments, struct candidate_excess *excess,
 	struct candidate_error *out)
 {
-	size_t count = (size_t)candidate->vertex_count;
 	struct sample *sample =
 		malloc((2 * (size_t)grid->count) * sizeof(*sample));
-	struct comparer comparer = {
-		.candidate = candidate,
-		.reference = candidate->reference,
-		.screen = screen,
-		.excess = excess,
-		.position = malloc((count + 1) * sizeof(float[3])),
-		.normal = malloc((count + 1) * sizeof(float[3])),
-	};
-	int error = -ENOMEM;
+	struct comparer comparer;
+	int error = comparer_init(&comparer, candidate, screen);
 
-	if (sample && comparer.position && comparer.normal) {
-		light_direction(comparer.light);
+	if (sample && !error) {
+		comparer.excess = excess;
 		sample_grid(&comparer, grid, normal_moments, sample);
-		for (int i = 0; i + 2 < 2 * grid->count - 1; i += 2) {
-			if (!time_grid_is_gap(grid, i / 2)) {
-				refine(&comparer, sample + i, DIVISIONS_MAX);
-			}
-		}
+		refine_all(&comparer, grid, sample);
 		comparer.error.mean_px =
 			(float)(comparer.sum_px / comparer.sum_count);
 		comparer.error.normal_deg = 2.0f * 180.0f / SCALAR_PI *
 			(0.5f * SCALAR_PI -
 				scalar_acos(0.5f * scalar_sqrt(comparer.chord)));
-		candidate->positions_only = false;
 		*out = comparer.error;
-		error = 0;
 	}
+	error = sample ? error : -ENOMEM;
 	free(sample);
-	free(comparer.position);
-	free(comparer.normal);
+	comparer_release(&comparer);
+	return error;
+}
+
+/* The state of candidate_error_find_peak(): one comparer a thread. */
+struct peak_search {
+	const struct time_grid *grid;
+	struct comparer *comparer;
+	struct sample *sample; /* [2 grid->count]: all moments */
+	int next;              /* the first moment that no thread has taken */
+};
+
+/* Takes the next moments. Returns the first of them. */
+static int take_moments(struct jobs *jobs, struct peak_search *search)
+{
+	int first;
+
+	jobs_lock(jobs);
+	first = search->next;
+	search->next += MOMENTS_AT_ONCE;
+	jobs_unlock(jobs);
+	return first;
+}
+
+static int search_moments(struct jobs *jobs, int job, void *context)
+{
+	struct peak_search *search = context;
+	const struct time_grid *grid = search->grid;
+	int count = 2 * grid->count - 1;
+	int first = take_moments(jobs, search);
+
+	for (; first < count; first = take_moments(jobs, search)) {
+		for (int i = first; i < count && i < first + MOMENTS_AT_ONCE;
+			i++) {
+			sample_moment(&search->comparer[job], grid, i, false,
+				search->sample);
+		}
+	}
+	return 0;
+}
+
+/* What the threads have found does not depend on their number. */
+static float find_peak(struct peak_search *search, int threads)
+{
+	struct comparer *first = &search->comparer[0];
+
+	jobs_run(threads, threads, search_moments, search);
+	for (int i = 0; i < 2 * search->grid->count - 1; i++) {
+		keep_larger(&first->error.peak_px, search->sample[i].px);
+	}
+	refine_all(first, search->grid, search->sample);
+	return first->error.peak_px;
+}
+
+int candidate_error_find_peak(struct candidate *candidates, int count,
+	const struct screen_view *screen, const struct time_grid *grid,
+	float *peak_px)
+{
+	struct peak_search search = {
+		.grid = grid,
+		.comparer = malloc((size_t)count * sizeof(*search.comparer)),
+		.sample =
+			calloc(2 * (size_t)grid->count, sizeof(*search.sample)),
+	};
+	int error = search.comparer && search.sample ? 0 : -ENOMEM, begun = 0;
+
+	while (begun < count && !error) {
+		error = comparer_init(
+			&search.comparer[begun], &candidates[begun], screen);
+		begun++;
+	}
+	if (!error) {
+		*peak_px = find_peak(&search, count);
+	}
+	while (begun > 0) {
+		comparer_release(&search.comparer[--begun]);
+	}
+	free(search.comparer);
+	free(search.sample);
 	return error;
 }

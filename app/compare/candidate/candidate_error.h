@@ -52,4 +52,13 @@ int candidate_error_measure(struct candidate *candidate,
 	int normal_moments, struct candidate_excess *excess,
 	struct candidate_error *out);
 
+/*
+ * Finds only the peak, in as many threads as there are candidates. All show the
+ * same, each compared with a reference of its own. Their number does not change
+ * what is found. Returns 0 or -ENOMEM.
+ */
+int candidate_error_find_peak(struct candidate *candidates, int count,
+	const struct screen_view *screen, const struct time_grid *grid,
+	float *peak_px);
+
 #endif

@@ -3,6 +3,8 @@
 #include "app/compare/candidate/candidate_error.h"
 #include "app/compare/measure/sampling.h"
 #include "app/compare/optimize/optimize_match.h"
+#include "platform/base/scalar.h"
+#include "platform/process/jobs.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -14,17 +16,37 @@
  */
 static const double vertices_usual = 1e7, vertices_most = 3e7;
 static const double rate_hz = 60.0; /* of a time grid, about */
+/* Vertices times moments that are worth a thread: some hundredths of a second. */
+static const double thread_work = 1e6;
 
 /* A model and the clip to play; the copy shares the model's memory. */
 struct played {
 	struct model model;
 	struct model_clip still; /* stands for a clip without duration */
 	struct reference *reference;
+	size_t bytes; /* of the reference, from the model's budget */
 };
+
+/* Both models, once for each thread. */
+struct players {
+	int count;
+	struct players_pair {
+		struct played wanted, found;
+	} pair[JOBS_THREADS_MAX];
+	struct candidate candidate[JOBS_THREADS_MAX];
+};
+
+static size_t used_bytes(const struct model *model)
+{
+	return model->budget ? model->budget->used_bytes : 0;
+}
 
 static int begin(struct played *played, const struct model *model, int clip,
 	const struct log *log)
 {
+	size_t before = used_bytes(model);
+	int error;
+
 	played->model = *model;
 	if (clip < 0 || !(model->clip[clip].duration_s > 0.0f)) {
 		played->still = (struct model_clip){.name = ""};
@@ -36,7 +58,9 @@ static int begin(struct played *played, const struct model *model, int clip,
 		played->model.clip_count = 1;
 		clip = 0;
 	}
-	return reference_create(&played->model, clip, log, &played->reference);
+	error = reference_create(&played->model, clip, log, &played->reference);
+	played->bytes = used_bytes(model) - before;
+	return error;
 }
 
 static void pose(struct candidate *candidate, float time_s)
@@ -56,51 +80,116 @@ static void take(const struct candidate *candidate, float (*position)[3],
 	}
 }
 
-static int measure(struct reference *wanted, struct reference *found,
-	const int *source, struct optimize_measure_view view,
-	struct bounds *box, float *peak_px)
+static void remove_pair(struct players *players)
 {
-	struct candidate candidate = {
-		.reference = wanted,
-		.vertex_count = found->vertex_count,
-		.source = source,
-		.pose = pose,
-		.take = take,
-		.state = found,
+	struct players_pair *pair = &players->pair[--players->count];
+
+	reference_destroy(pair->wanted.reference);
+	reference_destroy(pair->found.reference);
+}
+
+/* Takes both models once more. Returns 0, or -errno after logging an error. */
+static int add_pair(struct players *players, const struct model *wanted,
+	const struct model *found, int clip, const struct log *log)
+{
+	struct players_pair *pair = &players->pair[players->count++];
+	int error = begin(&pair->wanted, wanted, clip, log);
+
+	error = error ? error : begin(&pair->found, found, clip, log);
+	if (error) {
+		remove_pair(players);
+	}
+	return error;
+}
+
+/* Whether another reference fits into half of what the budget has left. */
+static bool has_room(const struct model *model, size_t bytes)
+{
+	const struct memory_budget *budget = model->budget;
+
+	return !budget ||
+		bytes <= (budget->limit_bytes - budget->used_bytes) / 2;
+}
+
+/* Prepares a thread for each processor, as far as the work is worth it. */
+static void add_threads(struct players *players, const struct model *wanted,
+	const struct model *found, int clip, int moments)
+{
+	const struct log nowhere = log_to_nowhere();
+	const struct players_pair *first = &players->pair[0];
+	double work =
+		(double)first->wanted.reference->vertex_count * (double)moments;
+	int threads = scalar_to_int(work / thread_work, 1, jobs_processors());
+
+	while (players->count < threads &&
+		has_room(wanted, first->wanted.bytes) &&
+		has_room(found, first->found.bytes) &&
+		add_pair(players, wanted, found, clip, &nowhere) == 0) {
+	}
+}
+
+static void set_candidates(struct players *players, const int *source)
+{
+	for (int i = 0; i < players->count; i++) {
+		struct reference *found = players->pair[i].found.reference;
+
+		players->candidate[i] = (struct candidate){
+			.reference = players->pair[i].wanted.reference,
+			.vertex_count = found->vertex_count,
+			.source = source,
+			.pose = pose,
+			.take = take,
+			.state = found,
+		};
+	}
+}
+
+/* What to measure: a clip, or -1, of two models. */
+struct task {
+	const struct model *wanted, *found;
+	int clip;
+	struct optimize_measure_view view;
+	struct bounds *box;
+};
+
+static int measure(const struct task *task, struct players *players,
+	const int *source, float *peak_px)
+{
+	struct reference *wanted = players->pair[0].wanted.reference;
+	struct screen_view screen = {
+		.width = task->view.width,
+		.height = task->view.height,
+		.unit = wanted->instance->unit_scale,
 	};
-	struct candidate_error measured;
-	struct screen_view screen;
 	struct time_grid grid;
 	int error = time_grid_make(wanted->clip, &grid);
 
 	if (error) {
 		return error;
 	}
-	if (bounds_is_empty(box)) {
-		*box = screen_view_create(wanted, &grid, view.width, view.height)
-			       .box;
+	if (bounds_is_empty(task->box)) {
+		*task->box = screen_view_create(
+			wanted, &grid, screen.width, screen.height)
+				     .box;
 	}
-	screen = (struct screen_view){
-		.width = view.width,
-		.height = view.height,
-		.unit = wanted->instance->unit_scale,
-	};
-	screen_view_frame(&screen, box);
-	if (view.share < 1.0) {
-		time_grid_thin(&grid, view.share);
+	screen_view_frame(&screen, task->box);
+	if (task->view.share < 1.0) {
+		time_grid_thin(&grid, task->view.share);
 	}
-	/* No error of normals is asked for, and they take longest. */
-	error = candidate_error_measure(
-		&candidate, &screen, &grid, 1, NULL, &measured);
+	add_threads(players, task->wanted, task->found, task->clip, grid.count);
+	set_candidates(players, source);
+	error = candidate_error_find_peak(
+		players->candidate, players->count, &screen, &grid, peak_px);
 	time_grid_release(&grid);
-	*peak_px = measured.peak_px;
 	return error;
 }
 
 /* As measure(), but finds out which vertices are to be compared. */
-static int compare(struct reference *wanted, struct reference *found,
-	struct optimize_measure_view view, struct bounds *box, float *peak_px)
+static int compare(
+	const struct task *task, struct players *players, float *peak_px)
 {
+	const struct reference *wanted = players->pair[0].wanted.reference;
+	const struct reference *found = players->pair[0].found.reference;
 	int *source =
 		malloc(((size_t)found->vertex_count + 1) * sizeof(*source));
 	int error = source
@@ -108,7 +197,7 @@ static int compare(struct reference *wanted, struct reference *found,
 		: -ENOMEM;
 
 	if (!error && found->vertex_count > 0) {
-		error = measure(wanted, found, source, view, box, peak_px);
+		error = measure(task, players, source, peak_px);
 	}
 	free(source);
 	return error;
@@ -130,19 +219,23 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 	int clip, struct optimize_measure_view view, struct bounds *box,
 	const struct log *log, float *peak_px)
 {
-	struct played a = {.reference = NULL}, b = {.reference = NULL};
-	int error = begin(&a, wanted, clip, log);
+	const struct task task = {wanted, found, clip, view, box};
+	struct players *players = calloc(1, sizeof(*players));
+	int error;
 
-	if (!error) {
-		error = begin(&b, found, clip, log);
-	}
 	*peak_px = 0.0f;
+	if (!players) {
+		return fail(wanted, -ENOMEM, log);
+	}
+	error = add_pair(players, wanted, found, clip, log);
 	if (!error) {
-		error = compare(a.reference, b.reference, view, box, peak_px);
+		error = compare(&task, players, peak_px);
 		error = error ? fail(wanted, error, log) : 0;
 	}
-	reference_destroy(a.reference);
-	reference_destroy(b.reference);
+	while (players->count > 0) {
+		remove_pair(players);
+	}
+	free(players);
 	return error;
 }
 

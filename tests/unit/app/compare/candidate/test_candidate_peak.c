@@ -1,0 +1,134 @@
+/* The peak of an error that several threads search for together. */
+#include "app/compare/candidate/candidate_error.h"
+#include "tests/support/model/compared_clip.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <string.h>
+#include <time.h>
+
+enum {
+	THREADS = 4,
+	WAIT_S = 60 /* a thread has begun by then */
+};
+
+/* Candidates that wait for each other, once. */
+struct meeting {
+	int count;
+	atomic_int met;
+};
+
+/* A candidate that is off by a wave over time. */
+struct wave {
+	struct meeting *meeting;
+	float time_s;
+	int poses;
+};
+
+static void meet(struct meeting *meeting)
+{
+	const struct timespec moment = {.tv_nsec = 1000000};
+
+	atomic_fetch_add(&meeting->met, 1);
+	for (int i = 0; i < WAIT_S * 1000 &&
+		atomic_load(&meeting->met) < meeting->count;
+		i++) {
+		nanosleep(&moment, NULL);
+	}
+}
+
+static void pose_wave(struct candidate *candidate, float time_s)
+{
+	struct wave *wave = candidate->state;
+
+	if (wave->poses++ == 0) {
+		meet(wave->meeting);
+	}
+	wave->time_s = time_s;
+	reference_pose(candidate->reference, time_s, !candidate->positions_only);
+}
+
+static void take_wave(const struct candidate *candidate, float (*position)[3],
+	float (*normal)[3])
+{
+	const struct reference *reference = candidate->reference;
+	const struct wave *wave = candidate->state;
+	size_t bytes = (size_t)candidate->vertex_count * sizeof(*position);
+
+	memcpy(position, reference->position, bytes);
+	for (int v = 0; v < candidate->vertex_count; v++) {
+		position[v][1] += 0.01f * sinf(7.0f * wave->time_s + (float)v);
+	}
+	if (normal) {
+		memcpy(normal, reference->normal, bytes);
+	}
+}
+
+/* Searches with some threads, of which each is to compare some moments. */
+static float find_peak(struct compared_clip *bench, int threads)
+{
+	struct meeting meeting = {.count = threads};
+	struct candidate candidate[THREADS];
+	struct reference *own[THREADS];
+	struct wave wave[THREADS];
+	float peak_px = 0.0f;
+
+	for (int i = 0; i < threads; i++) {
+		assert_int_equal(reference_create(bench->model,
+					 bench->reference->clip_index,
+					 &bench->log, &own[i]),
+			0);
+		wave[i] = (struct wave){.meeting = &meeting};
+		candidate[i] = (struct candidate){
+			.reference = own[i],
+			.vertex_count = own[i]->vertex_count,
+			.pose = pose_wave,
+			.take = take_wave,
+			.state = &wave[i],
+		};
+	}
+	assert_int_equal(candidate_error_find_peak(candidate, threads,
+				 &bench->screen, &bench->grid, &peak_px),
+		0);
+	for (int i = 0; i < threads; i++) {
+		assert_true(wave[i].poses > 0);
+		reference_destroy(own[i]);
+	}
+	assert_int_equal(atomic_load(&meeting.met), threads);
+	return peak_px;
+}
+
+static void test_the_peak_does_not_depend_on_the_threads(void **state)
+{
+	struct meeting alone = {.count = 1};
+	struct wave wave = {.meeting = &alone};
+	struct candidate candidate = {
+		.pose = pose_wave, .take = take_wave, .state = &wave};
+	struct compared_clip bench;
+	struct candidate_error wanted;
+
+	(void)state;
+	compared_clip_begin(&bench, "assets/walker.glb", "idle");
+	candidate.reference = bench.reference;
+	candidate.vertex_count = bench.reference->vertex_count;
+	assert_int_equal(candidate_error_measure(&candidate, &bench.screen,
+				 &bench.grid, 1, NULL, &wanted),
+		0);
+	assert_true(wanted.peak_px > 1.0f);
+	for (int threads = 1; threads <= THREADS; threads++) {
+		float peak_px = find_peak(&bench, threads);
+
+		assert_memory_equal(&peak_px, &wanted.peak_px, sizeof(peak_px));
+	}
+	compared_clip_end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_peak_does_not_depend_on_the_threads),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

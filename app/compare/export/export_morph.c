@@ -3,8 +3,7 @@
 #include "app/compare/candidate/candidate_morph.h"
 #include "app/compare/export/export_levels.h"
 #include "app/compare/measure/winding.h"
-
-#include <cglm/cglm.h>
+#include "app/scene/instance/lod.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -107,28 +106,16 @@ static void add_vectors(struct exporter *exporter, json_t *to,
 }
 
 /*
- * The length of the drawable's unit in the file's units: the largest of all
- * axes, as skinned by the first joint.
+ * The length of the drawable's unit in the file's units, at rest: the file
+ * shows the levels that the player would show of the model.
  */
 static float unit_of(
 	const struct exporter *exporter, const struct drawable *drawable)
 {
 	const struct instance *instance = exporter->reference->instance;
-	float most = 0.0f;
-	mat4 matrix;
 
-	if (drawable->skin >= 0) {
-		glm_mat4_copy(instance->palette[drawable->skin][0], matrix);
-		glm_mat4_scale(matrix, 1.0f / instance->unit_scale);
-	} else {
-		glm_mat4_copy(instance->world[drawable->node], matrix);
-	}
-	for (int column = 0; column < 3; column++) {
-		float length = glm_vec3_norm(matrix[column]);
-
-		most = length > most ? length : most;
-	}
-	return most / exporter->placement.scale;
+	return lod_error_units(instance, drawable) / instance->unit_scale /
+		exporter->placement.scale;
 }
 
 /*

@@ -32,6 +32,18 @@ static float column_scale(const vec4 *matrix)
 	return most;
 }
 
+static float largest_scale(mat4 *matrix, int count)
+{
+	float most = 0.0f;
+
+	for (int i = 0; i < count; i++) {
+		float scale = column_scale((const vec4 *)matrix[i]);
+
+		most = scale > most ? scale : most;
+	}
+	return most;
+}
+
 /* Updates the reach of a node and its ancestors by a vertex that follows it. */
 static void follow(struct reacher *reacher, int node, const vec3 at)
 {
@@ -156,9 +168,11 @@ static int describe(struct optimize_reach *reach, const struct reacher *reacher,
 	}
 	return measure_targets(reach, out, &model->mesh[node->mesh],
 		px_per_unit *
-			column_scale((const vec4 *)(node->skin >= 0
-					? reacher->palette[0]
-					: reacher->world[index])));
+			(node->skin >= 0 ? largest_scale(reacher->palette,
+						   model->skin[node->skin]
+							   .joint_count)
+					 : largest_scale(
+						   &reacher->world[index], 1)));
 }
 
 static int find(struct optimize_reach *reach, struct reacher *reacher,

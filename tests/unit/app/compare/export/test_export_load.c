@@ -1,7 +1,11 @@
 /* Exported models that are loaded at once. */
 #include "app/compare/export/export.h"
+#include "app/model/levels/levels.h"
+#include "tests/support/model/compared_clip.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
+
+#include <string.h>
 
 /* The image that a primitive's material shows, or NULL. */
 static const struct model_image *shown(const struct model *model, int mesh)
@@ -55,11 +59,68 @@ static void test_loaded_exports_share_the_images_of_their_model(void **state)
 	model_destroy(model);
 }
 
+/*
+ * The error in metres of the first level of a morph of two keys, whose file has
+ * one mesh of one part. The joint's matrix is multiplied by a scale.
+ */
+static float first_error_m(struct compared_clip *bench, int joint, float scale)
+{
+	float time_s[2] = {0.0f, bench->reference->clip->duration_s};
+	struct comparison_clip clip = {.clip = bench->reference->clip_index};
+	struct comparison_cell cell = {.keys = {2, time_s}};
+	const struct comparison comparison = {.model = bench->model,
+		.box = bench->screen.box,
+		.clip_count = 1,
+		.clip = &clip};
+	const struct comparison_row row = {.kind = COMPARISON_MORPH,
+		.cell = &cell,
+		.total = {.key_count = 2}};
+	vec4 *matrix = bench->model->skin[0].inverse_bind[joint];
+	struct model *loaded;
+	float error_m;
+	mat4 kept;
+
+	memcpy(kept, matrix, sizeof(kept));
+	for (int column = 0; column < 4; column++) {
+		for (int axis = 0; axis < 3; axis++) {
+			matrix[column][axis] *= scale;
+		}
+	}
+	assert_int_equal(
+		export_load(&comparison, &row, &bench->log, &loaded), 0);
+	memcpy(matrix, kept, sizeof(kept));
+	assert_true(loaded->mesh[0].primitive[0].lod_count > 0);
+	error_m = loaded->mesh[0].primitive[0].lod[0].error_m *
+		loaded->node[0].rest.scale[0];
+	model_destroy(loaded);
+	return error_m;
+}
+
+/* The joint that moves a mesh's first vertex may be any of its skin. */
+static void test_levels_of_a_morph_are_those_of_all_joints(void **state)
+{
+	struct compared_clip bench;
+	float plain_m;
+
+	(void)state;
+	compared_clip_begin(&bench, "assets/walker.glb", "idle");
+	assert_int_equal(levels_make(bench.model), 0);
+	plain_m = first_error_m(&bench, 0, 1.0f);
+	assert_true(plain_m > 0.0f && bench.model->skin[0].joint_count > 1);
+	/* The player takes half of the largest scale, at least the first one. */
+	assert_near(first_error_m(&bench, 0, 1e-3f), 0.5f * plain_m,
+		1e-3 * plain_m);
+	assert_near(
+		first_error_m(&bench, 1, 8.0f), 4.0f * plain_m, 1e-2 * plain_m);
+	compared_clip_end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_loaded_exports_share_the_images_of_their_model),
+		cmocka_unit_test(test_levels_of_a_morph_are_those_of_all_joints),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

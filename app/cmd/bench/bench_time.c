@@ -8,7 +8,8 @@
 enum {
 	/* Larger than the caches of ARM11 boards and of most PCs. */
 	EVICT_BYTES = 32 * 1024 * 1024,
-	LINE_WORDS = 8
+	/* The ARM11 has the shortest cache lines of these: 32 bytes. */
+	LINE_WORDS = 4
 };
 
 /* Long enough for the clock's resolution and overhead not to matter. */

@@ -3,6 +3,7 @@
 #include "platform/process/confine_files.h"
 
 #include "platform/base/output_path.h"
+#include "platform/process/shortage.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -70,12 +71,6 @@ static int covering_path(const char *output, char **path, uint64_t *access)
 	return 0;
 }
 
-/* Whether the same call would succeed if more of something were free. */
-static bool is_shortage(int error)
-{
-	return error == -ENOMEM || error == -EMFILE || error == -ENFILE;
-}
-
 /*
  * Adds a rule for an output. An output that cannot be reached gets none, and
  * writing it will fail. Returns 0 or -errno.
@@ -94,7 +89,7 @@ static int allow(int rules, const char *output)
 	}
 	free(path);
 	if (error) {
-		return is_shortage(error) ? error : 0;
+		return shortage_is(-error) ? error : 0;
 	}
 	if (syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH,
 		    &beneath, 0) != 0) {

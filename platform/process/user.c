@@ -2,6 +2,8 @@
 
 #include "platform/process/user.h"
 
+#include "platform/process/shortage.h"
+
 #include <errno.h>
 #include <grp.h>
 #include <pwd.h>
@@ -21,8 +23,7 @@ static int refuse(const char *name, int error, const struct log *log)
 /* Whether getpwnam() failed; the other errors say that there is no such user. */
 static bool is_failure(int error)
 {
-	return error == EMFILE || error == ENFILE || error == ENOMEM ||
-		error == EIO;
+	return shortage_is(error) || error == EIO;
 }
 
 int user_become(const char *name, const struct log *log)

@@ -49,6 +49,14 @@ check 'a Y4M of 34 x 18 at 10 frames a second' \
     sh -c 'head -n 1 "$1" | grep -aq "^YUV4MPEG2 W34 H18 F10:1 "' sh "$out.y4m"
 check 'two frames' test "$(grep -ao FRAME "$out.y4m" | wc -l)" -eq 2
 
+# A clip of 2 s lasts 3 h at this speed. The exact number of frames is no mistake.
+limber render "$slider" --size 33x17 --clip rise --speed 0.0002 -o "$scratch/years.gif"
+expect_refusal 1 'years.gif: the animation takes 250000 frames, .*: say with --frames'
+check 'no film of years is begun' test -z "$(find "$scratch" -name 'years*')"
+limber render "$slider" --size 33x17 --clip rise --speed 0.0002 --frames 2 \
+    -o "$scratch/years.gif"
+expect_quiet
+
 for gl in ${GL_DRIVERS:-osmesa gles1} soft auto; do
     limber render "$slider" --size 33x17 --gl $gl -o "$out-$gl.png"
     expect_quiet

@@ -5,7 +5,12 @@
 #include "platform/process/stop.h"
 
 #include <errno.h>
-#include <limits.h>
+#include <math.h>
+
+enum {
+	/* Of a film whose length nobody has given: an hour at 25 a second. */
+	PERIOD_FRAMES_MAX = 90000
+};
 
 /* The watchdog is fed once a frame only, so that it acts when frames stop. */
 static void feed_watchdog(struct show *show)
@@ -85,11 +90,23 @@ static int run_frame(struct show *show)
 	return 0;
 }
 
-static int period_frames(const struct show *show)
+/*
+ * Sets the number of frames to those of a period. Returns 0, or -E2BIG after
+ * logging an error: a mistyped --speed may ask for years of film.
+ */
+static int choose_frames(struct show *show)
 {
 	double period_s = show->plan->demo->period_s(show->demo);
+	double frames = floor(period_s * show->clock.rate_hz + 0.5);
 
-	return scalar_to_int(period_s * show->clock.rate_hz + 0.5, 1, INT_MAX);
+	if (frames > PERIOD_FRAMES_MAX) {
+		log_error(show->log,
+			"%s: the animation takes %.0f frames, which are more than %d: say with --frames how many to write, or choose another --speed or --clock",
+			show->options->screen.output, frames, PERIOD_FRAMES_MAX);
+		return -E2BIG;
+	}
+	show->frames = scalar_to_int(frames, 1, PERIOD_FRAMES_MAX);
+	return 0;
 }
 
 int show_loop_run(struct show *show)
@@ -98,7 +115,10 @@ int show_loop_run(struct show *show)
 	int error = 0;
 
 	if (show->frames < 0) {
-		show->frames = period_frames(show);
+		error = choose_frames(show);
+	}
+	if (error) {
+		return error;
 	}
 	skip_to_begin(show);
 	/* Loading has taken time, which the first frame must not show. */

@@ -1,36 +1,12 @@
 /* The reports of a comparison that the test makes up. */
 #include "app/compare/report/report.h"
-#include "tests/support/files.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/compare/report_bench.h"
 
 #include <errno.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-enum {
-	CLIPS = 2,
-	ROWS = 3
-};
-
-static const struct board_profile board = {
-	.name = "desk",
-	.summary = "a test",
-	.frame_ms = 20.0,
-	.bytes_per_percent = 4096,
-};
-
-struct bench {
-	struct model model;
-	struct model_clip clip[3];
-	float time_s[3];
-	struct comparison comparison;
-	struct comparison_clip compared[CLIPS];
-	struct comparison_cell cell[ROWS][CLIPS];
-	char *text;
-	size_t size;
-};
 
 static const char text_of_two_clips[] =
 	"dog.glb, 2 clips: 3.75 s; 321 vertices, 1 node\n"
@@ -148,98 +124,6 @@ static const char markdown[] =
 	"| morph, 9 keys | morphing | 23.00 |  | 1800.00 | 12600 | 1200.00 "
 	"| 4096 | 6144 | 2.5000 | 0.2500 | 1.0000 | 5.000 | 7.00 | no | no "
 	"|\n";
-
-/* 532 cycles are a microsecond on the board. */
-static struct board_cost us(double microseconds)
-{
-	return (struct board_cost){532.0 * microseconds, 7.0 * microseconds};
-}
-
-static void add_row(struct bench *bench, const char *name,
-	enum technique technique, double unit)
-{
-	struct comparison *comparison = &bench->comparison;
-	int number = comparison->row_count++;
-	struct comparison_row *row = &comparison->row[number];
-
-	snprintf(row->name, sizeof(row->name), "%s", name);
-	row->technique = technique;
-	row->listed = true;
-	row->front = number != 1;
-	row->cell = bench->cell[number];
-	row->total = (struct comparison_total){
-		.peak_px = (float)(1.25 * unit),
-		.mean_px = (float)(0.125 * unit),
-		.outline_px = (float)(0.5 * unit),
-		.normal_deg = (float)(2.5 * unit),
-		.shade_steps = (float)(3.5 * unit),
-		.frame_us = 11.5 * unit,
-		.instructions = number == 1 ? -1.0 : 45000.0 * unit,
-		.board = us(900.0 * unit),
-		.draw = us(600.0 * unit),
-		.memory_bytes = (size_t)(2048.0 * unit),
-		.file_bytes = (size_t)(3072.0 * unit),
-		.key_count = 9,
-	};
-	for (int c = 0; c < CLIPS; c++) {
-		double by = unit * (c + 1);
-		struct comparison_cell *cell = &row->cell[c];
-
-		cell->error = (struct candidate_error){
-			.peak_px = (float)by, .peak_s = 0.5f, .samples = 10 + c};
-		cell->time =
-			(struct candidate_time){by, row->total.instructions};
-		cell->board = (struct board_frame){us(10.0 * by), us(20.0 * by),
-			us(30.0 * by), us(40.0 * by)};
-		cell->bytes = (struct candidate_bytes){.shared = 1, .own = 2};
-		cell->vertex_count = 321;
-	}
-}
-
-static void begin(struct bench *bench)
-{
-	struct comparison *comparison = &bench->comparison;
-
-	*bench = (struct bench){
-		.clip = {{.name = "idle", .duration_s = 9.0f},
-			{.name = "walk\tfast", .duration_s = 1.5f},
-			{.name = "", .duration_s = 2.25f}},
-		.time_s = {0.0f, 0.75f, 1.5f},
-	};
-	bench->model = (struct model){.path = "dog.glb",
-		.clip_count = 3,
-		.clip = bench->clip,
-		.node_count = 1};
-	*comparison = (struct comparison){
-		.sampling = {.share = 1.0},
-		.request = {.clip = -1,
-			.rate_hz = 30.0,
-			.bound_px = 1.5f,
-			.board = &board,
-			.width = 480,
-			.height = 640,
-			.kernel = &kernel_float},
-		.model = &bench->model,
-		.vertex_count = 321,
-		.clip_count = CLIPS,
-		.clip = bench->compared,
-		.memory_limit_bytes = 50 * 1024,
-		.time_limit_us = 12500.0,
-		.advised = 2,
-		.mixed_us = 777.0,
-		.mixed_bytes = 5 * 1024,
-		.reason = "it is the test",
-	};
-	for (int c = 0; c < CLIPS; c++) {
-		bench->compared[c].clip = c + 1;
-		bench->compared[c].row = c;
-		bench->compared[c].grid =
-			(struct time_grid){3, bench->time_s, false};
-	}
-	add_row(bench, "skin", TECHNIQUE_SKELETAL, 1.0);
-	add_row(bench, "morph, 9 keys", TECHNIQUE_MORPHING, 2.0);
-	add_row(bench, "rigid parts", TECHNIQUE_HIERARCHICAL, 4.0);
-}
 
 /* What a format prints; the caller frees bench->text. */
 static const char *print(struct bench *bench, const char *format)
@@ -413,68 +297,6 @@ static void test_json_refuses_a_name_that_is_not_utf8(void **state)
 	fclose(out);
 }
 
-/* The labels of a plot's grid: of each chart the x axis, then the y axis. */
-static void expect_axes(const struct bench *bench, const char *wanted)
-{
-	const struct log log = log_to_stderr(LOG_WARNING);
-	struct test_path folder = temp_dir_make();
-	struct test_path path = path_join(&folder, "plot.svg");
-	char line[512], labels[128] = "";
-	FILE *file;
-
-	assert_int_equal(report_plot(&bench->comparison, path.text, &log), 0);
-	file = fopen(path.text, "r");
-	assert_non_null(file);
-	while (fgets(line, sizeof(line), file)) {
-		const char *label = strrchr(line, '/') - 1;
-
-		if (strncmp(line, "<path class='grid'", 18) == 0) {
-			while (label[-1] != '>') {
-				label--;
-			}
-			strncat(labels, label, strcspn(label, "<"));
-			strcat(labels, " ");
-		}
-	}
-	fclose(file);
-	assert_string_equal(labels, wanted);
-	temp_dir_remove(&folder);
-}
-
-/* Three candidates take 300 to 1200 us. */
-static void test_the_axes_of_a_plot_enclose_the_numbers_in_decades(void **state)
-{
-	struct bench bench;
-
-	(void)state;
-	begin(&bench);
-	for (int i = 0; i < ROWS; i++) {
-		/* 200 to 800 KiB, and 1.25 to 5 pixels. */
-		bench.comparison.row[i].total.memory_bytes *= 100;
-	}
-	expect_axes(&bench, "100 1000 1 10 100 1000 10000 1 10 ");
-	for (int i = 0; i < ROWS; i++) {
-		/* 0.02 to 0.08 KiB, and 0.0125 to 0.05 pixels. */
-		bench.comparison.row[i].total.memory_bytes /= 10000;
-		bench.comparison.row[i].total.peak_px /= 100.0f;
-	}
-	bench.comparison.request.bound_px = 0.05f;
-	expect_axes(&bench, "0.01 0.1 0.01 0.1 100 1000 10000 0.01 0.1 ");
-}
-
-/* Errors from 1.25 to 5 pixels, and the line of the accepted error. */
-static void test_a_plot_shows_the_accepted_error(void **state)
-{
-	struct bench bench;
-
-	(void)state;
-	begin(&bench);
-	bench.comparison.request.bound_px = 150.0f;
-	expect_axes(&bench, "1 10 1 10 100 1000 100 1000 10000 1 10 100 1000 ");
-	bench.comparison.request.bound_px = 0.02f;
-	expect_axes(&bench, "1 10 0.01 0.1 1 10 100 1000 10000 0.01 0.1 1 10 ");
-}
-
 static void test_formats_are_found_by_name(void **state)
 {
 	(void)state;
@@ -493,9 +315,6 @@ int main(void)
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
 		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),
-		cmocka_unit_test(
-			test_the_axes_of_a_plot_enclose_the_numbers_in_decades),
-		cmocka_unit_test(test_a_plot_shows_the_accepted_error),
 		cmocka_unit_test(test_formats_are_found_by_name),
 	};
 

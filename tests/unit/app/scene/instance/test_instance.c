@@ -1,62 +1,10 @@
 #include "app/model/model_deltas.h"
 #include "app/scene/instance/batch.h"
-#include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <string.h>
-
-static void test_keeps_metres_for_a_model_of_human_size(void **state)
-{
-	struct model *model = small_model_grid(2, 2, 1.75f, true);
-	struct instance *instance = small_model_instance(model);
-	struct bounds bounds;
-
-	(void)state;
-	assert_near(instance->unit_scale, 1.0, 0.0);
-	bounds = bounds_of_instance(instance);
-	assert_near(bounds_extent(&bounds), 1.75, 1e-6);
-	instance_destroy(instance);
-	model_destroy(model);
-}
-
-static void test_scales_a_huge_model_by_a_power_of_two(void **state)
-{
-	struct model *model = small_model_grid(2, 2, 5000.0f, true);
-	struct instance *instance = small_model_instance(model);
-	struct bounds bounds;
-	mat4 matrix;
-	float corner[3];
-
-	(void)state;
-	assert_near(instance->unit_scale, 1.0 / 8192.0, 0.0);
-	bounds = bounds_of_instance(instance);
-	assert_near(bounds_extent(&bounds), 5000.0 / 8192.0, 1e-6);
-	/* Vertices and their matrix are near 1. */
-	instance_drawable_matrix(instance, &instance->drawable[0], matrix);
-	assert_near(matrix[0][0] * instance->drawable[0].position[8][0],
-		5000.0 / 8192.0, 1e-6);
-	assert_true(matrix[0][0] >= 0.25f && matrix[0][0] <= 4.0f);
-	/* World positions are the file's. */
-	instance_world_vertex(instance, &instance->drawable[0], 8, corner);
-	assert_near(corner[0], 5000.0, 1e-3);
-	instance_destroy(instance);
-	model_destroy(model);
-}
-
-static void test_scales_a_tiny_model_up(void **state)
-{
-	struct model *model = small_model_grid(1, 1, 0.001f, true);
-	struct instance *instance = small_model_instance(model);
-	struct bounds bounds = bounds_of_instance(instance);
-
-	(void)state;
-	assert_true(bounds_extent(&bounds) > 0.5f);
-	assert_true(bounds_extent(&bounds) <= 1.0f);
-	instance_destroy(instance);
-	model_destroy(model);
-}
 
 static void test_moves_a_rigid_mesh_with_its_node(void **state)
 {
@@ -452,56 +400,9 @@ static void test_leaves_tangents_alone_without_normal_maps(void **state)
 	mapped_end(&mapped);
 }
 
-static void test_bounds_of_nothing_are_empty(void **state)
-{
-	struct bounds bounds = bounds_empty();
-	float center[3];
-
-	(void)state;
-	assert_true(bounds_is_empty(&bounds));
-	assert_near(bounds_extent(&bounds), 0.0, 0.0);
-	bounds_center(&bounds, center);
-	assert_all_near(center, ((float[3]){0, 0, 0}), 3, 0.0);
-}
-
-/* A model may grow out of a point that is far from the origin. */
-static void test_a_model_without_size_at_rest_has_that_of_its_clip(void **state)
-{
-	static const float time_s[] = {0, 1};
-	static const float size[] = {1e-8f, 1e-8f, 1e-8f, 1, 1, 1};
-	struct model_channel channel = {.path = MODEL_SCALE,
-		.interpolation = MODEL_LINEAR,
-		.width = 3,
-		.key_count = 2,
-		.time_s = time_s,
-		.value = size};
-	struct model_clip grow = {.name = "grow",
-		.duration_s = 1,
-		.channel_count = 1,
-		.channel = &channel};
-	struct model *model = small_model_grid(2, 2, 1.0f, true);
-	struct transform *rest = &model->node[0].rest;
-	struct instance *instance;
-
-	(void)state;
-	model->clip = &grow;
-	model->clip_count = 1;
-	rest->translation[0] = 3.0f;
-	rest->scale[0] = rest->scale[1] = rest->scale[2] = 1e-8f;
-	instance = small_model_instance(model);
-	assert_near(instance->unit_scale, 1.0, 0.0);
-	assert_near(bounds_extent_of_model(instance), 1.0, 1e-6);
-	assert_near(instance->world[0][0][0], 1e-8, 1e-12);
-	instance_destroy(instance);
-	model_destroy(model);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_keeps_metres_for_a_model_of_human_size),
-		cmocka_unit_test(test_scales_a_huge_model_by_a_power_of_two),
-		cmocka_unit_test(test_scales_a_tiny_model_up),
 		cmocka_unit_test(test_moves_a_rigid_mesh_with_its_node),
 		cmocka_unit_test(test_nodes_outside_the_scene_are_not_shown),
 		cmocka_unit_test(
@@ -518,9 +419,6 @@ int main(void)
 		cmocka_unit_test(test_skins_tangents_with_the_joints),
 		cmocka_unit_test(test_morphs_the_tangents_of_a_rigid_mesh),
 		cmocka_unit_test(test_leaves_tangents_alone_without_normal_maps),
-		cmocka_unit_test(test_bounds_of_nothing_are_empty),
-		cmocka_unit_test(
-			test_a_model_without_size_at_rest_has_that_of_its_clip),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -131,6 +131,12 @@ def apart(m):
     del m.json["animations"][0]["channels"][0]
 
 
+def namesakes(m):
+    two_clips(m)
+    for clip in m.json["animations"]:
+        clip["name"] = "mixamo.com"
+
+
 def integers(m):
     sampler(m, output=m.array([0, 0, 0, 127, 0, 0, 76, 102], "b", 4,
                               normalized=True))
@@ -235,6 +241,7 @@ PITFALLS = [
     (far, "rotation keys with a negative dot product"),
     (two_clips, "a node that another clip does not move"),
     (apart, "each move nodes of their own .2 of 2."),
+    (namesakes, "clips with the name of an earlier clip .1.: "),
     (integers, "samplers with integer outputs"),
     (placed, "skinned nodes with a transform of their own"),
     (ancestor, "joints whose parent is not a joint"),

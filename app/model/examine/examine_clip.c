@@ -3,6 +3,7 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *clip_name(const struct model_clip *clip)
@@ -205,6 +206,36 @@ static int report_apart(const struct model *model, struct arena *arena,
 	return 0;
 }
 
+static int compare_names(const void *left, const void *right)
+{
+	return strcmp(*(const char *const *)left, *(const char *const *)right);
+}
+
+/* Returns 0 or -ENOMEM. */
+static int report_equal_names(const struct model *model, struct arena *arena,
+	const struct examiner *examiner)
+{
+	const char **name =
+		ARENA_ARRAY(arena, const char *, (size_t)model->clip_count);
+	int named = 0, equal = 0;
+
+	if (!name) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < model->clip_count; i++) {
+		if (model->clip[i].name[0]) {
+			name[named++] = model->clip[i].name;
+		}
+	}
+	qsort(name, (size_t)named, sizeof(name[0]), compare_names);
+	for (int i = 1; i < named; i++) {
+		equal += strcmp(name[i - 1], name[i]) == 0;
+	}
+	examine_count(examiner, equal, "clips with the name of an earlier clip",
+		"limber finds the earlier one by this name, and the others by their numbers, which limber info lists");
+	return 0;
+}
+
 static void report_matrices(
 	const struct model *model, const struct examiner *examiner)
 {
@@ -238,6 +269,9 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 	}
 	report_unshared_channels(model, moved, examiner);
 	error = report_apart(model, &arena, examiner);
+	if (!error) {
+		error = report_equal_names(model, &arena, examiner);
+	}
 	report_matrices(model, examiner);
 	arena_release(&arena);
 	return error ? memory_budget_fail(model->budget, model->path, log) : 0;

@@ -1,4 +1,4 @@
-/* What limber doctor says about the keys of clips. */
+/* What limber doctor says about the keys and names of clips. */
 #include "app/model/examine/examine.h"
 #include "app/model/model_loader.h"
 #include "tests/support/test.h"
@@ -102,11 +102,43 @@ static void test_a_late_start_tells_what_a_loop_does(void **state)
 		"clip go: no key lies before 0.5000 s; limber holds the first pose until then, each time the clip begins again: export it from frame 0; ");
 }
 
+static void keep_equal_names(void *context, const char *finding)
+{
+	if (strstr(finding, "name of an earlier clip")) {
+		append_finding(context, finding);
+	}
+}
+
+/* Clips without a name have none in common. */
+static void test_clips_of_one_name_are_counted(void **state)
+{
+	struct model_clip clip[] = {{.name = "walk"}, {.name = "run"},
+		{.name = "walk"}, {.name = ""}, {.name = "run"}, {.name = ""},
+		{.name = "walk"}};
+	struct model model = {.clip = clip};
+	char heard[400] = "";
+	const struct examiner examiner = {keep_equal_names, heard};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	for (model.clip_count = 0; model.clip_count < 7; model.clip_count++) {
+		heard[0] = '\0';
+		assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+		assert_int_equal(heard[0] != '\0',
+			model.clip_count > 2 /* the second walk */);
+	}
+	heard[0] = '\0';
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_string_equal(heard,
+		"clips with the name of an earlier clip (3): limber finds the earlier one by this name, and the others by their numbers, which limber info lists; ");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_keys_that_take_the_longer_arc_are_counted),
 		cmocka_unit_test(test_a_late_start_tells_what_a_loop_does),
+		cmocka_unit_test(test_clips_of_one_name_are_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

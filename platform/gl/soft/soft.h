@@ -162,6 +162,8 @@ struct fragment_state {
 	GLfixed alpha_reference;
 	GLenum blend_source, blend_destination;
 	GLboolean color_mask[4], depth_mask;
+	/* the pixels' bits that color_mask lets through; 565 in both halves */
+	uint32_t color_bits;
 	GLenum cull_face, front_face;
 	GLfixed offset_factor, offset_units;
 	GLfixed line_width, point_size;

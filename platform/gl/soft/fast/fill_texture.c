@@ -300,6 +300,7 @@ void soft_fill_textured(struct draw *draw, struct setup *setup)
 	if (!soft_is_hidden(draw, setup) &&
 		!(linear ? fill(draw, setup, true)
 			 : is_gray(setup) && fill(draw, setup, false))) {
-		soft_rows_fill(draw, setup);
+		soft_raster_set_up(draw, setup);
+		soft_walk_rows(draw, setup);
 	}
 }

@@ -5,13 +5,13 @@
 static bool is_common(const struct draw *draw)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
-	const GLboolean *mask = state->color_mask;
 	bool by_alpha = state->blend_source == GL_SRC_ALPHA &&
 		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
 
-	return draw->soft->format == PIXELS_RGB565 && mask[0] && mask[1] &&
-		mask[2] && !draw->texture[1].used && !draw->spans.joined &&
-		!draw->fogged && !draw->spans.alpha_tested && !draw->smooth &&
+	return draw->soft->format == PIXELS_RGB565 &&
+		state->color_bits == UINT32_MAX && !draw->texture[1].used &&
+		!draw->spans.joined && !draw->fogged &&
+		!draw->spans.alpha_tested && !draw->smooth &&
 		!draw->thin_lines && (!draw->blended || by_alpha);
 }
 

@@ -1,28 +1,20 @@
 /*
- * Draws runs with tests or blend functions that span functions lack: these draw
- * with copies of depths, or of pixels, and the results are merged afterwards.
+ * Draws runs with tests or blend functions that span functions lack. Runs are
+ * cut into parts whose fragments pass the stencil test, and depth tests that no
+ * span function can make; parts are drawn with copies of depths, or of pixels,
+ * where these need it, and the results are merged afterwards.
  */
+#include "platform/gl/soft/raster/mix.h"
 #include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/span/texels.h"
 #include "platform/gl/soft/stages/made.h"
 #include "platform/gl/soft/vertex/draw.h"
 
-/*
- * The runs of one call, drawn with depths in aside instead of the buffer's. These
- * are copies of the buffer's if span functions test depths; else 65535 where a
- * fragment passes all tests and 0 where not; or all 65535 if tests come last.
- */
+/* Runs with depths, and maybe pixels, beside the buffers, one behind the other. */
 struct batch {
-	struct draw *draw;
-	const struct soft_row *from; /* the runs with the buffers' addresses */
-	uint32_t count;
-	bool copied; /* depths are copies */
-	bool last;   /* tests come last: an alpha test precedes the stencil's */
-	bool marked; /* it must be known which fragments were drawn */
-	struct soft_row row[SOFT_BATCH_RUNS]; /* runs for the span function */
-	/* a fragment was drawn if its depths in aside and before differ */
-	uint16_t aside[SOFT_BATCH_ROOM], before[SOFT_BATCH_ROOM];
-	uint32_t own[SOFT_BATCH_ROOM]; /* pixels drawn beside the picture */
+	struct soft_row row[SOFT_BATCH_RUNS];
+	uint16_t depth[SOFT_BATCH_ROOM];
+	uint32_t pixel[SOFT_BATCH_ROOM];
 };
 
 static const struct soft_row *end_of(const struct soft_run *run)
@@ -30,212 +22,129 @@ static const struct soft_row *end_of(const struct soft_run *run)
 	return run->rows + run->row_count;
 }
 
-static struct soft_tested find_tested(
-	const struct draw *draw, const struct soft_row *row)
+/* Copies depths, inverted or not. */
+static void copy_depths(
+	uint16_t *to, const uint16_t *from, uint32_t count, bool inverted)
 {
-	return (struct soft_tested){
-		.place = (size_t)(row->depth - draw->soft->buffers.depth),
-		.count = row->count,
-		.z = row->z,
-		.z_right = draw->spans.run.z_right,
-	};
-}
-
-/* Sets a run's depths in aside; false if no fragment passes. */
-static bool set_aside(const struct batch *batch, const struct soft_row *from,
-	struct soft_row *row)
-{
-	const struct soft_tested tested = find_tested(batch->draw, from);
-
-	if (batch->copied) {
-		memcpy(row->depth, from->depth, row->count * 2);
-		return true;
+	if (!inverted) {
+		memcpy(to, from, count * sizeof(*to));
+		return;
 	}
-	row->z = 0;
-	/* without tests all fragments pass */
-	if (batch->last || batch->draw->spans.untested) {
-		memset(row->depth, 0xFF, row->count * 2);
-		return true;
+#pragma GCC unroll 4
+	for (; count >= 2; count -= 2, to += 2, from += 2) {
+		const uint32_t two = ~soft_load_two(from);
+
+		memcpy(to, &two, sizeof(two));
 	}
-	return soft_test(batch->draw->soft, &tested, row->depth);
-}
-
-static bool begin_batch(struct batch *batch)
-{
-	uint16_t *aside = batch->aside;
-	bool any = false;
-
-	for (uint32_t i = 0; i < batch->count; i++) {
-		struct soft_row *row = &batch->row[i];
-
-		*row = batch->from[i];
-		row->depth = aside;
-		any |= set_aside(batch, &batch->from[i], row);
-		aside += row->count;
-	}
-	if (batch->marked) {
-		memcpy(batch->before, batch->aside,
-			(size_t)((uint8_t *)aside - (uint8_t *)batch->aside));
-	}
-	return any;
-}
-
-/* Lets runs draw beside the picture, where they are blended or tested last. */
-static void begin_pixels(struct batch *batch)
-{
-	const struct soft_spans *spans = &batch->draw->spans;
-	uint8_t *own = (uint8_t *)batch->own;
-
-	for (uint32_t i = 0; i < batch->count; i++) {
-		struct soft_row *row = &batch->row[i];
-
-		if (!spans->blended_last) {
-			memcpy(own, row->pixel, row->count << spans->pixel_log2);
-		}
-		row->pixel = own;
-		own += row->count * 4;
+	if (count > 0) {
+		*to = (uint16_t) ~*from;
 	}
 }
 
-static void draw_batch(struct batch *batch, soft_span_function function)
+/*
+ * Draws runs with depths in batch: copies if copied is set, else 65535, which
+ * becomes 0 where a fragment is drawn. beside: pixels are there, too.
+ */
+static void draw_batch(struct draw *draw, soft_span_function function,
+	bool copied, bool beside, struct batch *batch)
 {
-	struct soft_run *run = &batch->draw->spans.run;
+	struct soft_run *run = &draw->spans.run;
+	const struct soft_row *const rows = run->rows;
 	const uint32_t z_right = run->z_right;
+	const bool depth_kept = run->depth_kept;
+	const bool inverted = copied && draw->spans.inverted;
+	struct soft_row *to = batch->row;
+	uint16_t *depth = batch->depth;
 
+	for (const struct soft_row *row = rows; row < end_of(run); row++, to++) {
+		*to = *row;
+		to->depth = depth;
+		if (copied) {
+			copy_depths(depth, row->depth, row->count, inverted);
+			to->z = inverted ? ~row->z : row->z;
+		} else {
+			memset(depth, 0xFF, row->count * sizeof(*depth));
+			to->z = 0;
+		}
+		if (beside) {
+			to->pixel = (uint8_t *)(batch->pixel +
+				(depth - batch->depth));
+		}
+		depth += row->count;
+	}
 	run->rows = batch->row;
-	run->z_right = batch->copied ? z_right : 0;
+	run->z_right = !copied ? 0 : inverted ? 0 - z_right : z_right;
+	run->depth_kept = false;
 	function(run);
-	run->rows = batch->from;
+	run->rows = rows;
 	run->z_right = z_right;
+	run->depth_kept = depth_kept;
 }
 
-/*
- * Makes depth and stencil tests of the fragments that were drawn, if an alpha
- * test came first: fragments that fail it must not change the stencil.
- */
-static void test_drawn(const struct batch *batch, uint32_t i,
-	const uint16_t *before, uint16_t *aside)
+/* Blends a run that was drawn beside the picture, and writes its depths. */
+static void end_run(struct draw *draw, const struct soft_row *to,
+	const struct soft_row *from, bool copied)
 {
-	const struct soft_tested all = find_tested(batch->draw, &batch->from[i]);
-	uint16_t passes[SOFT_RUN_PIXELS];
+	const struct soft_spans *spans = &draw->spans;
+	uint16_t before[SOFT_RUN_PIXELS + 3]; /* see SOFT_BATCH_ROOM */
+	uint32_t z = to->z;
 
-	for (uint32_t at = 0, end; at < all.count; at = end + 1) {
-		struct soft_tested part = all;
+	if (spans->blended_last) {
+		memset(before, 0xFF, to->count * sizeof(*before));
+		if (copied) {
+			copy_depths(before, to->depth, to->count, false);
+		}
+		soft_blend_row(draw, to, from->pixel, before, from->depth);
+	}
+	if (copied && spans->depth_written) {
+		copy_depths(to->depth, from->depth, to->count, spans->inverted);
+		return;
+	}
+	for (uint32_t i = 0; i < to->count && spans->depth_written; i++) {
+		if (from->depth[i] == 0) {
+			to->depth[i] = (uint16_t)(z >> 16);
+		}
+		z += spans->run.z_right;
+	}
+}
 
-		for (end = at; end < all.count && before[end] != aside[end];
-			end++) {
-		}
-		if (end == at) {
-			continue;
-		}
-		part.place += at;
-		part.count = end - at;
-		part.z += all.z_right * at;
-		soft_test(batch->draw->soft, &part, passes);
-		for (uint32_t k = at; k < end; k++) {
-			if (!passes[k - at]) {
-				aside[k] = before[k];
-			}
+static NEVER_INLINE void draw_beside(
+	struct draw *draw, soft_span_function function)
+{
+	const struct soft_spans *spans = &draw->spans;
+	const bool copied = spans->depths == SOFT_DEPTHS_COPIED;
+	const struct soft_run *run = &spans->run;
+	struct batch batch;
+
+	draw_batch(draw, function, copied, spans->blended_last, &batch);
+	if (spans->blended_last || spans->depth_written) {
+		for (uint32_t i = 0; i < run->row_count; i++) {
+			end_run(draw, &run->rows[i], &batch.row[i], copied);
 		}
 	}
 }
 
-/*
- * Writes the depths of the fragments that were drawn and, if own is not NULL,
- * copies their pixels from there to the picture.
- */
-static void write_drawn(const struct soft_spans *spans,
-	const struct soft_row *row, const uint8_t *own, const uint16_t *before,
-	const uint16_t *aside)
-{
-	const size_t pixel_bytes = (size_t)1 << spans->pixel_log2;
-	uint32_t z = row->z;
-
-	for (uint32_t i = 0; i < row->count; i++, z += spans->run.z_right) {
-		if (before[i] == aside[i]) {
-			continue;
-		}
-		if (own) {
-			memcpy(row->pixel + i * pixel_bytes,
-				own + i * pixel_bytes, pixel_bytes);
-		}
-		if (spans->depth_written) {
-			row->depth[i] = (uint16_t)(z >> 16);
-		}
-	}
-}
-
-static void end_batch(struct batch *batch)
-{
-	const struct soft_spans *spans = &batch->draw->spans;
-	uint16_t *before = batch->before, *aside = batch->aside;
-
-	for (uint32_t i = 0; i < batch->count; i++) {
-		const struct soft_row *from = &batch->from[i];
-		const uint8_t *own = batch->row[i].pixel;
-		const uint8_t *copied =
-			batch->last && !spans->blended_last ? own : NULL;
-
-		if (batch->last) {
-			test_drawn(batch, i, before, aside);
-		}
-		if (spans->blended_last) {
-			soft_blend_row(batch->draw, from, own, before, aside);
-		}
-		if (copied || spans->depth_written) {
-			write_drawn(spans, from, copied, before, aside);
-		}
-		before += from->count;
-		aside += from->count;
-	}
-}
-
-/* The functions whose depth test, LESS or LEQUAL, is the state's. */
+/* The functions whose depth test, LESS or LEQUAL, serves the state's. */
 static const soft_span_function *testing_functions(
 	const struct soft_spans *spans)
 {
 	return spans->function + (spans->equal_passes ? SOFT_LEQUAL : 0);
 }
 
-static NEVER_INLINE void draw_beside(struct draw *draw, enum soft_place place)
-{
-	const struct soft_spans *spans = &draw->spans;
-	struct batch batch;
-
-	batch.draw = draw;
-	batch.from = spans->run.rows;
-	batch.count = spans->run.row_count;
-	batch.copied = spans->tested_by_functions;
-	batch.last = spans->stenciled && spans->alpha_tested;
-	batch.marked = batch.last || spans->blended_last || spans->depth_written;
-	if (!begin_batch(&batch)) {
-		return;
-	}
-	if (batch.last || spans->blended_last) {
-		begin_pixels(&batch);
-	}
-	draw_batch(&batch,
-		batch.copied ? testing_functions(spans)[place]
-			     : spans->function[place]);
-	if (batch.marked) {
-		end_batch(&batch);
-	}
-}
-
 static void draw_tested(struct draw *draw, enum soft_place place)
 {
 	struct soft_spans *spans = &draw->spans;
+	const soft_span_function function = testing_functions(spans)[place];
 
-	if (spans->unmasked) {
-		for (const struct soft_row *row = spans->run.rows;
-			spans->depth_replaced && row < end_of(&spans->run);
-			row++) {
-			memset(row->depth, 0xFF, row->count * 2);
-		}
-		testing_functions(spans)[place](&spans->run);
-	} else {
-		draw_beside(draw, place);
+	if (spans->depths != SOFT_DEPTHS_OWN) {
+		draw_beside(draw, function);
+		return;
 	}
+	for (const struct soft_row *row = spans->run.rows;
+		spans->depth_replaced && row < end_of(&spans->run); row++) {
+		memset(row->depth, 0xFF, row->count * 2);
+	}
+	function(&spans->run);
 }
 
 /* Restores the bits of pixels that are not in mask. */
@@ -275,13 +184,133 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 	}
 }
 
+/* Writes the depths of runs whose pixels are not written. */
+static NEVER_INLINE void write_depths(const struct soft_spans *spans)
+{
+	for (const struct soft_row *row = spans->run.rows;
+		spans->depth_written && row < end_of(&spans->run); row++) {
+		uint16_t *depth = row->depth, *const end = depth + row->count;
+		uint32_t z = row->z;
+
+		for (; depth < end; z += spans->run.z_right) {
+			*depth++ = (uint16_t)(z >> 16);
+		}
+	}
+}
+
+/* Draws runs as a span function does, with colour mask and depth test. */
+static void draw_seen(struct draw *draw, enum soft_place place)
+{
+	if (draw->spans.unseen) {
+		write_depths(&draw->spans);
+	} else if (draw->spans.color_mask != UINT32_MAX) {
+		draw_masked(draw, place);
+	} else {
+		draw_tested(draw, place);
+	}
+}
+
+/* Draws the listed runs before end; returns the first element, now free. */
+static struct soft_row *draw_parts(struct draw *draw, enum soft_place place,
+	struct soft_row *list, const struct soft_row *end)
+{
+	draw->spans.run.row_count = (uint32_t)(end - list);
+	if (end > list) {
+		draw_seen(draw, place);
+	}
+	return list;
+}
+
+/* Makes the alpha test of runs: drawn becomes 0 where it passes, else 65535. */
+static NEVER_INLINE void test_alpha(
+	struct draw *draw, enum soft_place place, uint16_t *drawn)
+{
+	struct batch batch;
+
+	draw_batch(draw, draw->spans.function[place], false, true, &batch);
+	memcpy(drawn, batch.depth, sizeof(batch.depth));
+}
+
+/* The first fragments of a part of a run, with the same result of all tests. */
+static struct soft_stretch find_stretch(struct draw *draw,
+	const struct soft_row *part, uint32_t left, const uint16_t *drawn)
+{
+	struct soft_tested tested = {
+		.place = (size_t)(part->depth - draw->soft->buffers.depth),
+		.count = left,
+		.z = part->z,
+		.z_right = draw->spans.run.z_right,
+	};
+
+	if (draw->spans.tested_last) {
+		tested.count = 1;
+		while (tested.count < left && drawn[tested.count] == *drawn) {
+			tested.count++;
+		}
+		if (*drawn != 0) {
+			return (struct soft_stretch){tested.count, false};
+		}
+	}
+	return soft_test(draw->soft, &tested, draw->spans.compared);
+}
+
+/*
+ * Draws the parts of runs that pass soft_test(); if that writes the stencil,
+ * only the fragments that pass the alpha test are tested.
+ */
+static NEVER_INLINE void draw_passing(struct draw *draw, enum soft_place place)
+{
+	struct soft_spans *spans = &draw->spans;
+	struct soft_run *run = &spans->run;
+	const struct soft_coordinate s = run->s, t = run->t;
+	const struct soft_row *const rows = run->rows, *const end = end_of(run);
+	const uint32_t row_count = run->row_count;
+	const uintptr_t second = run->second;
+	/* these values are not those of a row: parts are drawn one by one */
+	const bool single = place == SOFT_ANYWHERE || spans->read_second;
+	uint16_t drawn[SOFT_BATCH_ROOM], *at = drawn;
+	struct soft_row list[SOFT_BATCH_RUNS], *next = list;
+
+	if (spans->tested_last) {
+		test_alpha(draw, place, drawn);
+	}
+	run->rows = list;
+	for (const struct soft_row *row = rows; row < end; row++) {
+		struct soft_row part = *row;
+
+		for (uint32_t left = row->count; left > 0; left -= part.count) {
+			struct soft_stretch stretch =
+				find_stretch(draw, &part, left, at);
+
+			part.count = stretch.count;
+			at += stretch.count;
+			if (stretch.passes) {
+				*next++ = part;
+				next = single || next == list + SOFT_BATCH_RUNS
+					? draw_parts(draw, place, list, next)
+					: next;
+			}
+			soft_advance(run, &part, part.count, spans->pixel_log2);
+			part.texel += part.texel_right * part.count;
+			run->s.at += run->s.right * part.count;
+			run->t.at += run->t.right * part.count;
+		}
+	}
+	draw_parts(draw, place, list, next);
+	run->rows = rows;
+	run->row_count = row_count;
+	run->second = second;
+	run->s = s;
+	run->t = t;
+}
+
 /* Draws as a span function does, with colour mask and any tests. */
 static void draw_other(const struct soft_run *run, enum soft_place place)
 {
-	if (run->draw->spans.color_mask != UINT32_MAX) {
-		draw_masked(run->draw, place);
+	if (run->draw->spans.parted) {
+		draw_passing(run->draw, place);
 	} else {
-		draw_tested(run->draw, place);
+		draw_seen(run->draw, place);
 	}
 }
 

@@ -77,18 +77,6 @@ static ALWAYS_INLINE struct stretch find_stretch(struct soft_coordinate given,
 		{at, right}, inside};
 }
 
-static void advance(struct soft_run *run, uint32_t count, int pixel_log2)
-{
-	run->row.depth += count;
-	run->row.pixel += count << pixel_log2;
-	run->row.z += run->z_right * count;
-	run->row.red_blue += run->red_blue_right * count;
-	run->row.green_alpha += run->green_alpha_right * count;
-	run->row.fog += run->fog_right * count;
-	run->row.place += count;
-	run->second += 4 * count;
-}
-
 static void set_coordinates(struct soft_run *run, struct soft_coordinate s,
 	struct soft_coordinate t)
 {
@@ -125,7 +113,7 @@ void soft_cut_run(struct soft_run *run, const struct soft_view *view,
 		if (left == 0) {
 			break;
 		}
-		advance(run, count, pixel_log2);
+		soft_advance(run, &run->row, count, pixel_log2);
 		own_s.at += own_s.right * count;
 		own_t.at += own_t.right * count;
 	}

@@ -26,8 +26,7 @@ enum {
 static bool find_alpha_range(
 	const struct fragment_state *state, struct soft_fragment_stages *stages)
 {
-	const GLenum function =
-		state->alpha_test ? state->alpha_function : GL_ALWAYS;
+	const GLenum function = state->alpha_function;
 	const uint32_t reference = (uint32_t)soft_byte(state->alpha_reference);
 	const bool less = function & 1, equal = function & 2;
 	const bool greater = function & 4;
@@ -124,45 +123,60 @@ static void choose_finish(struct draw *draw)
 					     : 0));
 }
 
+/* What depth functions are to beside.c and span functions. */
+enum {
+	NEARER = 1,    /* LESS, LEQUAL: as span functions test */
+	FARTHER = 2,   /* GREATER, GEQUAL: the same of inverted depths */
+	OR_EQUAL = 4,  /* span functions test by LEQUAL */
+	SAME = 8,      /* EQUAL */
+	APART = 16,    /* soft_test() compares depths */
+	REPLACED = 32, /* then all fragments pass: depths are set before */
+};
+
+/* Chooses how beside.c and span functions share the tests. */
 static void choose_tests(
 	const struct fragment_state *state, struct soft_spans *spans)
 {
+	static const uint8_t functions[8] = {APART, NEARER,
+		SAME | OR_EQUAL | APART, NEARER | OR_EQUAL, FARTHER,
+		APART | REPLACED, FARTHER | OR_EQUAL, REPLACED};
+	const struct stencil *stencil = &state->stencil;
 	const GLenum function =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
-	bool whole;
-
-	spans->equal_passes = function == GL_LEQUAL;
-	spans->depth_by_less = !spans->stenciled &&
-		(function == GL_LESS || function == GL_LEQUAL);
-	spans->depth_written = state->depth_test && state->depth_mask;
-	spans->depth_replaced = function == GL_ALWAYS && spans->depth_written &&
-		!spans->stenciled && !spans->alpha_tested &&
-		!spans->blended_last;
+	const unsigned is = functions[function & 7];
 	/* What is blended last has to change its depth, as LESS does. */
-	spans->tested_by_functions = spans->depth_replaced ||
-		(spans->depth_by_less &&
-			(!spans->blended_last || function == GL_LESS));
-	whole = spans->tested_by_functions && !spans->blended_last;
-	spans->run.depth_kept = whole && !spans->depth_written;
-	spans->unmasked = whole && (spans->depth_written || SOFT_KEEPS_DEPTH);
-	spans->direct = spans->unmasked && !spans->depth_replaced &&
-		spans->color_mask == UINT32_MAX;
+	const bool last = spans->blended_last;
+	/* depths that are equal may be written, even if they are not to change */
+	const bool writes = is & SAME || SOFT_KEEPS_DEPTH ||
+		(state->depth_test && state->depth_mask);
+
+	spans->equal_passes = is & OR_EQUAL;
+	spans->depth_by_less = is & NEARER && !stencil->enabled;
+	spans->depth_written = state->depth_test && state->depth_mask;
+	spans->depth_replaced = is & REPLACED && spans->depth_written &&
+		!spans->alpha_tested && !last;
+	spans->unseen = state->color_bits == 0 && !spans->alpha_tested;
+	spans->compared = function != GL_ALWAYS &&
+		(last ? function != GL_LESS : is & APART || spans->unseen);
+	spans->parted = stencil->enabled || spans->compared;
+	spans->tested_last = stencil->enabled && spans->alpha_tested &&
+		stencil->write_mask != 0 &&
+		(stencil->fail != GL_KEEP || stencil->depth_fail != GL_KEEP ||
+			stencil->pass != GL_KEEP);
+	spans->depths = writes && !last &&
+			(is & (NEARER | SAME) || spans->depth_replaced)
+		? SOFT_DEPTHS_OWN
+		: (last ? function == GL_LESS : is & (NEARER | FARTHER))
+		? SOFT_DEPTHS_COPIED
+		: SOFT_DEPTHS_NONE;
+	spans->inverted = spans->depths == SOFT_DEPTHS_COPIED && is & FARTHER;
+	spans->run.depth_kept =
+		spans->depths == SOFT_DEPTHS_OWN && !spans->depth_written;
+	spans->direct = spans->depths == SOFT_DEPTHS_OWN &&
+		!spans->depth_replaced && !spans->parted &&
+		state->color_bits == UINT32_MAX;
 	spans->untested = function == GL_ALWAYS && !spans->depth_written &&
-		!spans->stenciled && spans->color_mask == UINT32_MAX;
-}
-
-/* The bits of pixels that glColorMask lets through; RGB565 in both halves. */
-static uint32_t find_color_mask(const struct soft *soft)
-{
-	const GLboolean *mask = soft->fragment.color_mask;
-	const uint32_t r = mask[0] ? UINT32_MAX : 0;
-	const uint32_t g = mask[1] ? UINT32_MAX : 0;
-	const uint32_t b = mask[2] ? UINT32_MAX : 0;
-	const uint32_t a = mask[3] ? UINT32_MAX : 0;
-
-	return soft->format == PIXELS_RGB565
-		? (r & 0xF800F800) | (g & 0x07E007E0) | (b & 0x001F001F)
-		: (r & 0xFF) | (g & 0xFF00) | (b & 0xFF0000) | (a & 0xFF000000);
+		!stencil->enabled && state->color_bits == UINT32_MAX;
 }
 
 /* The largest value of so many bits, in the upper bits of 16. */
@@ -207,10 +221,15 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 		: spans->made                       ? TEXEL_8888
 			      : draw->texture[0].base->format;
 	const int32_t white = 0xFF80 << 8;
-	struct soft_scales row = find_format_scales(TEXEL_8888, wide, false);
 
-	spans->white[0] = (uint32_t)mul_high(white, row.red_blue) * 0x10001;
-	spans->white[1] = (uint32_t)mul_high(white, row.green);
+	if (spans->combined) {
+		const struct soft_scales row =
+			find_format_scales(TEXEL_8888, wide, false);
+
+		spans->white[0] =
+			(uint32_t)mul_high(white, row.red_blue) * 0x10001;
+		spans->white[1] = (uint32_t)mul_high(white, row.green);
+	}
 	spans->scales = find_format_scales(format, wide, spans->combined);
 	if (spans->finish == SOFT_SCALED && !wide) {
 		/* white of a second texture scales by 31/32 and 63/64 */
@@ -274,7 +293,7 @@ static void set_white(uint32_t *constant, struct soft_spans *spans)
 		spans->white_bits |= 1u << ALPHA;
 	}
 	constant[FOG] = FOG_NONE;
-	for (int i = RED; i <= ALPHA; i++) {
+	for (int i = RED; spans->white_bits >> i; i++) {
 		if (spans->white_bits >> i & 1) {
 			constant[i] = 0xFF80 << 8;
 		}
@@ -331,12 +350,16 @@ bool soft_prepare_spans(struct draw *draw)
 	struct soft_spans *spans = &draw->spans;
 	const struct fragment_state *state = &draw->soft->fragment;
 
-	if (!find_alpha_range(state, &spans->stages)) {
+	spans->stages.alpha_low = 0;
+	spans->stages.alpha_range = 255;
+	if (state->alpha_test && !find_alpha_range(state, &spans->stages)) {
 		return false;
 	}
 	spans->textured = draw->texture[0].used && draw->attributes != 0;
-	spans->lod_wanted = soft_rows_want_lod(&draw->texture[0]) ||
-		soft_rows_want_lod(&draw->texture[1]);
+	spans->lod_wanted = spans->textured &&
+		(soft_rows_want_lod(&draw->texture[0]) ||
+			(draw->texture[1].used &&
+				soft_rows_want_lod(&draw->texture[1])));
 	spans->levels[0].level = -1;
 	spans->set_level = NULL;
 	spans->white_bits = 0;
@@ -349,7 +372,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->stenciled = state->stencil.enabled;
 	choose_making(draw);
 	spans->coverage.used = false;
-	spans->color_mask = find_color_mask(draw->soft);
+	spans->color_mask = state->color_bits;
 	choose_tests(state, spans);
 	choose_runs(draw, spans);
 	spans->run.stages = &spans->stages;

@@ -87,6 +87,13 @@ struct soft_coverage {
 	int32_t half_length_q8, half_width_q8;
 };
 
+/* The depths that span functions test and write. */
+enum soft_depths {
+	SOFT_DEPTHS_OWN,    /* the buffer's */
+	SOFT_DEPTHS_COPIED, /* copies of them, which are written back */
+	SOFT_DEPTHS_NONE,   /* 65535: all fragments pass */
+};
+
 /* What all runs of a draw call have in common, or all runs of a triangle. */
 struct soft_spans {
 	bool colored;        /* vertices' colours are interpolated */
@@ -103,15 +110,19 @@ struct soft_spans {
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves; /* they are not constant in the triangle */
 	bool rare;                   /* alpha_moves, fog_moves or steep */
-	int32_t green_start;      /* green_half, plus alpha if it is constant */
-	bool tested_by_functions; /* span functions test depths, and write them */
+	int32_t green_start; /* green_half, plus alpha if it is constant */
+	enum soft_depths depths;
 	/* All fragments pass: before, the buffer's depths are set to 65535. */
 	bool depth_replaced;
-	bool equal_passes; /* their depth test is LEQUAL, else LESS */
+	bool equal_passes; /* span functions' depth test is LEQUAL, else LESS */
 	bool depth_by_less; /* LESS or LEQUAL, no stencil: hidden changes nothing */
 	bool depth_written;
-	bool unmasked; /* span functions do all but depth_replaced and masks */
-	bool direct;   /* span functions do all that fragments need */
+	bool inverted; /* depths are inverted, for GREATER and GEQUAL by LESS */
+	/* soft_test() cuts runs; it also compares depths, whatever the stencil */
+	bool parted, compared;
+	bool tested_last; /* the stencil is written behind an alpha test */
+	bool unseen;      /* no pixel is written, whatever its colour */
+	bool direct;      /* span functions do all that fragments need */
 	bool stenciled, alpha_tested;
 	bool untested;   /* no depth or stencil test, no depth is written */
 	bool whole_rows; /* draw is one of untested.c's functions */
@@ -151,7 +162,8 @@ struct soft_spans {
 	soft_span_function draw_row;   /* draws a made row */
 	int pixel_log2;                /* log2 of a pixel's bytes */
 	struct soft_fragment_stages stages;
-	struct soft_run run;
+	/* where one instruction adds its offset in struct draw */
+	_Alignas(32) struct soft_run run;
 };
 
 /*

@@ -8,86 +8,106 @@
 static uint8_t apply_stencil(
 	const struct stencil *stencil, GLenum action, uint8_t old)
 {
-	uint8_t value = old;
+	const int value = action == GL_ZERO ? 0
+		: action == GL_REPLACE      ? stencil->reference
+		: action == GL_INCR         ? old + (old < 255)
+		: action == GL_DECR         ? old - (old > 0)
+		: action == GL_INVERT       ? ~old
+					    : old;
 
-	switch (action) {
-	case GL_ZERO:
-		value = 0;
-		break;
-	case GL_REPLACE:
-		value = stencil->reference;
-		break;
-	case GL_INCR:
-		value = old < 255 ? (uint8_t)(old + 1) : old;
-		break;
-	case GL_DECR:
-		value = old > 0 ? (uint8_t)(old - 1) : old;
-		break;
-	case GL_INVERT:
-		value = (uint8_t)~old;
-		break;
-	default:
-		break;
-	}
 	return (uint8_t)((old & ~stencil->write_mask) |
 		(value & stencil->write_mask));
 }
 
-/* Makes the depth test; false if no fragment passes. */
-static bool test_depths(const struct fragment_state *state,
-	const struct soft_tested *tested, const uint16_t *depth,
-	uint16_t *passes)
+/* How many depths from the first one on pass, or fail. */
+static ALWAYS_INLINE uint32_t count_alike(GLenum function, bool passes,
+	const struct soft_tested *tested, const uint16_t *depth)
+{
+	const uint32_t z_right = tested->z_right;
+	const uint16_t *at = depth, *const end = depth + tested->count;
+	uint32_t z = tested->z;
+
+	do {
+		at++;
+		z += z_right;
+	} while (at < end && soft_compares(function, z >> 16, *at) == passes);
+	return (uint32_t)(at - depth);
+}
+
+/* As many depths from the first one on as give the same result. */
+static ALWAYS_INLINE struct soft_stretch compare(GLenum function,
+	const struct soft_tested *tested, const uint16_t *depth)
+{
+	if (soft_compares(function, tested->z >> 16, *depth)) {
+		return (struct soft_stretch){
+			count_alike(function, true, tested, depth), true};
+	}
+	return (struct soft_stretch){
+		count_alike(function, false, tested, depth), false};
+}
+
+static struct soft_stretch test_depths(const struct fragment_state *state,
+	const struct soft_tested *tested, const uint16_t *depth)
 {
 	const GLenum function =
 		state->depth_test ? state->depth_function : GL_ALWAYS;
-	uint32_t z = tested->z, any = 0;
 
-	for (uint32_t i = 0; i < tested->count; i++, z += tested->z_right) {
-		bool near = soft_compares(function, z >> 16, depth[i]);
-
-		passes[i] = near ? UINT16_MAX : 0;
-		any |= near;
+#define FUNCTION(name)                               \
+	if (function == (name)) {                    \
+		return compare(name, tested, depth); \
 	}
-	return any;
+	FUNCTION(GL_LESS)
+	FUNCTION(GL_LEQUAL)
+	FUNCTION(GL_EQUAL)
+	FUNCTION(GL_NOTEQUAL)
+	FUNCTION(GL_GREATER)
+	FUNCTION(GL_GEQUAL)
+#undef FUNCTION
+	return (struct soft_stretch){tested->count, function == GL_ALWAYS};
 }
 
-/* Makes the stencil test of fragments whose depth test is in passes. */
-static bool test_stencils(const struct stencil *s, uint8_t *stencil,
-	uint32_t count, uint16_t *passes)
+/* How many bytes from the first one on are equal. */
+static uint32_t count_equal(const uint8_t *first, uint32_t count)
 {
-	uint8_t old = 0, far = 0, near = 0; /* far, near: depth fails, passes */
-	uint16_t through = 0, any = 0;
+	const uint8_t *at = first, *const end = first + count;
+	const uint32_t four = *first * 0x01010101u;
 
-	for (uint32_t i = 0; i < count; i++) {
-		if (i == 0 || stencil[i] != old) {
-			bool is_through;
-
-			old = stencil[i];
-			is_through = soft_compares(s->function,
-				s->reference & s->mask, old & s->mask);
-			through = is_through ? UINT16_MAX : 0;
-			far = apply_stencil(
-				s, is_through ? s->depth_fail : s->fail, old);
-			near = apply_stencil(
-				s, is_through ? s->pass : s->fail, old);
-		}
-		stencil[i] = passes[i] ? near : far;
-		passes[i] &= through;
-		any |= passes[i];
+	while (end - at >= 4 && load_32(at) == four) {
+		at += 4;
 	}
-	return any != 0;
+	while (at < end && *at == *first) {
+		at++;
+	}
+	return (uint32_t)(at - first);
 }
 
-bool soft_test(
-	struct soft *soft, const struct soft_tested *tested, uint16_t *passes)
+struct soft_stretch soft_test(
+	struct soft *soft, const struct soft_tested *given, bool compared)
 {
 	const struct fragment_state *state = &soft->fragment;
-	uint8_t *stencil = soft->buffers.stencil;
-	bool any = test_depths(
-		state, tested, soft->buffers.depth + tested->place, passes);
+	const struct stencil *s = &state->stencil;
+	uint8_t *stencil = s->enabled ? soft->buffers.stencil : NULL;
+	struct soft_tested tested = *given;
+	struct soft_stretch out = {tested.count, true};
+	bool through = true;
+	uint8_t old = 0, far = 0, near = 0; /* far, near: depth fails, passes */
 
-	return state->stencil.enabled && stencil
-		? test_stencils(&state->stencil, stencil + tested->place,
-			  tested->count, passes)
-		: any;
+	if (stencil) {
+		stencil += given->place;
+		old = *stencil;
+		tested.count = out.count = count_equal(stencil, tested.count);
+		through = soft_compares(
+			s->function, s->reference & s->mask, old & s->mask);
+		far = apply_stencil(s, through ? s->depth_fail : s->fail, old);
+		near = through ? apply_stencil(s, s->pass, old) : far;
+	}
+	if (through && (compared || far != near)) {
+		out = test_depths(
+			state, &tested, soft->buffers.depth + tested.place);
+	}
+	if (stencil && (out.passes ? near : far) != old) {
+		memset(stencil, out.passes ? near : far, out.count);
+	}
+	out.passes &= through;
+	return out;
 }

@@ -17,11 +17,18 @@ struct soft_tested {
 	uint32_t z, z_right; /* 16.16 */
 };
 
+/* How many fragments from the first one on have the same result. */
+struct soft_stretch {
+	uint32_t count;
+	bool passes;
+};
+
 /*
- * Tests fragments and writes the stencil, but no depths. passes[] becomes 65535
- * for fragments that pass, else 0. False where none passes.
+ * Makes the stencil test of fragments as far as their result is the same, and
+ * writes the stencil, but no depths. Makes the depth test, too, if compared is
+ * set, or where the stencil depends on it; else fragments may fail it later.
  */
-bool soft_test(
-	struct soft *soft, const struct soft_tested *tested, uint16_t *passes);
+struct soft_stretch soft_test(
+	struct soft *soft, const struct soft_tested *tested, bool compared);
 
 #endif

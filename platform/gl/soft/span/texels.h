@@ -75,4 +75,18 @@ static ALWAYS_INLINE bool soft_find_window(
 	return true;
 }
 
+/* Steps a run's row, and its second texels, by count pixels; not the first ones. */
+static inline void soft_advance(struct soft_run *run, struct soft_row *row,
+	uint32_t count, int pixel_log2)
+{
+	row->depth += count;
+	row->pixel += count << pixel_log2;
+	row->z += run->z_right * count;
+	row->red_blue += run->red_blue_right * count;
+	row->green_alpha += run->green_alpha_right * count;
+	row->fog += run->fog_right * count;
+	row->place += count;
+	run->second += 4 * count;
+}
+
 #endif

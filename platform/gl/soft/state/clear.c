@@ -27,36 +27,50 @@ static void fill_rows(
 	}
 }
 
+/* Sets those bits of a row's bytes that are in mask to the value's. */
+static void fill_masked(uint8_t *at, size_t bytes, uint32_t value, uint32_t mask)
+{
+	uint32_t keep = ~mask;
+
+	value &= mask;
+	for (; bytes >= sizeof(keep); bytes -= sizeof(keep)) {
+		const uint32_t word = (load_32(at) & keep) | value;
+
+		memcpy(at, &word, sizeof(word));
+		at += sizeof(word);
+	}
+	for (; bytes > 0; bytes--, at++, keep >>= 8, value >>= 8) {
+		*at = (uint8_t)((*at & keep) | value);
+	}
+}
+
 static void clear_color(struct soft *soft, const struct clip_box *box)
 {
 	const struct pixels *target = &soft->buffers.target;
-	const GLboolean *mask = soft->fragment.color_mask;
-	const bool all = mask[0] && mask[1] && mask[2] && mask[3];
-	int bytes = pixel_bytes(target->format);
-	int width = box->right - box->left, rows = box->bottom - box->top;
+	const uint32_t mask = soft->fragment.color_bits;
+	const int width = box->right - box->left, rows = box->bottom - box->top;
+	const size_t row_bytes = (size_t)(width * pixel_bytes(target->format));
 	uint8_t *first = pixel_at(target, box->left, box->top), *row = first;
-	uint8_t wanted[4], rgba[4];
+	uint8_t rgba[4];
+	uint32_t value;
 
 	for (int i = 0; i < 4; i++) {
-		wanted[i] = (uint8_t)soft_byte(soft->fragment.clear_color[i]);
+		rgba[i] = (uint8_t)soft_byte(soft->fragment.clear_color[i]);
 	}
-	if (all && target->format == PIXELS_RGB565) {
-		fill_rows((uint16_t *)(void *)first, width,
+	value = target->format == PIXELS_RGB565
+		? twice_565(pack_565(rgba[0], rgba[1], rgba[2]))
+		: load_32(rgba);
+	if (mask == UINT32_MAX && value >> 16 == (value & 0xFFFF)) {
+		fill_rows((uint16_t *)(void *)first, (int)(row_bytes / 2),
 			target->stride_bytes / (ptrdiff_t)sizeof(uint16_t),
-			rows, pack_565(wanted[0], wanted[1], wanted[2]));
+			rows, (uint16_t)value);
 		return;
 	}
 	for (int y = 0; y < rows; y++, row += target->stride_bytes) {
-		if (all && y > 0) {
-			memcpy(row, first, (size_t)(width * bytes));
-			continue;
-		}
-		for (int x = 0; x < width; x++) {
-			load_pixel(target->format, row + x * bytes, rgba);
-			for (int i = 0; i < 4; i++) {
-				rgba[i] = mask[i] ? wanted[i] : rgba[i];
-			}
-			store_pixel(target->format, row + x * bytes, rgba);
+		if (mask == UINT32_MAX && y > 0) {
+			memcpy(row, first, row_bytes);
+		} else {
+			fill_masked(row, row_bytes, value, mask);
 		}
 	}
 }
@@ -74,28 +88,22 @@ static void clear_depth(struct soft *soft, const struct clip_box *box)
 static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
 {
 	const struct stencil *stencil = &soft->fragment.stencil;
-	size_t stride = (size_t)soft->buffers.width;
-	uint8_t *first = soft->buffers.stencil + (size_t)box->top * stride;
-	int width = box->right - box->left, rows = box->bottom - box->top;
-	uint8_t keep = (uint8_t)~stencil->write_mask;
+	const size_t stride = (size_t)soft->buffers.width;
+	const int width = box->right - box->left, rows = box->bottom - box->top;
+	const uint32_t value = stencil->clear * 0x01010101u;
+	uint8_t *row = soft->buffers.stencil + (size_t)box->top * stride +
+		(size_t)box->left;
 
 	/* whole rows without a gap: two bytes at a time */
-	if (keep == 0 && width == (int)stride && width % 2 == 0) {
-		soft_fill_pixels((uint16_t *)(void *)first, width / 2 * rows,
-			(uint16_t)(stencil->clear * 0x101u));
+	if (stencil->write_mask == 255 && width == (int)stride &&
+		width % 2 == 0) {
+		soft_fill_pixels((uint16_t *)(void *)row, width / 2 * rows,
+			(uint16_t)value);
 		return;
 	}
-	for (int y = 0; y < rows; y++) {
-		uint8_t *row = first + (size_t)y * stride + box->left;
-
-		if (keep == 0) {
-			memset(row, stencil->clear, (size_t)width);
-			continue;
-		}
-		for (int x = 0; x < width; x++) {
-			row[x] = (uint8_t)((row[x] & keep) |
-				(stencil->clear & stencil->write_mask));
-		}
+	for (int y = 0; y < rows; y++, row += stride) {
+		fill_masked(row, (size_t)width, value,
+			stencil->write_mask * 0x01010101u);
 	}
 }
 

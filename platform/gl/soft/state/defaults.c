@@ -46,6 +46,7 @@ static const struct fragment_state fragment = {
 	.blend_source = GL_ONE,
 	.blend_destination = GL_ZERO,
 	.color_mask = {1, 1, 1, 1},
+	.color_bits = UINT32_MAX,
 	.depth_mask = 1,
 	.cull_face = GL_BACK,
 	.front_face = GL_CCW,

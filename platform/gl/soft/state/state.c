@@ -200,12 +200,13 @@ void soft_gl_BlendFunc(GLenum source, GLenum destination)
 void soft_gl_ColorMask(
 	GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha)
 {
-	GLboolean *mask = soft_current()->fragment.color_mask;
+	struct soft *soft = soft_current();
+	const bool r = red, g = green, b = blue, a = alpha;
 
-	mask[0] = red != GL_FALSE;
-	mask[1] = green != GL_FALSE;
-	mask[2] = blue != GL_FALSE;
-	mask[3] = alpha != GL_FALSE;
+	memcpy(soft->fragment.color_mask, (GLboolean[]){r, g, b, a}, 4);
+	soft->fragment.color_bits = soft->format == PIXELS_RGB565
+		? r * 0xF800F800u + g * 0x07E007E0u + b * 0x001F001Fu
+		: r * 0xFFu + g * 0xFF00u + b * 0xFF0000u + a * 0xFF000000u;
 }
 
 void soft_gl_PolygonOffsetx(GLfixed factor, GLfixed units)

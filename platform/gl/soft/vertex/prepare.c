@@ -121,13 +121,11 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 		soft->buffers.target.stride_bytes == soft->buffers.width * 2;
 }
 
-static void prepare_fog(const struct soft *soft, struct draw *draw)
+static void prepare_fog(const struct fog *fog, struct draw *draw)
 {
-	const struct fog *fog = &soft->fog;
 	float range = (float)(fog->end - (int64_t)fog->start) / 65536.0f;
 	float scale = range != 0.0f ? 1.0f / range : 32768.0f;
 
-	draw->fogged = fog->enabled;
 	/* fog_scale is 2^28 to 2^29, whatever the range */
 	draw->fog_scale_q = 28 - soft_matrix_exponent(scale);
 	draw->fog_scale = soft_matrix_to_int(
@@ -236,7 +234,6 @@ static void prepare_fragments(
 	const struct soft *soft, struct draw *draw, GLenum mode)
 {
 	const struct fragment_state *state = &soft->fragment;
-	const GLboolean *mask = state->color_mask;
 	bool both = state->cull_face == GL_FRONT_AND_BACK;
 	bool triangles = mode > GL_LINE_STRIP;
 	bool cull = state->cull && triangles;
@@ -247,7 +244,7 @@ static void prepare_fragments(
 	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = cull && (both || state->cull_face == GL_BACK);
-	draw->color_written = mask[0] || mask[1] || mask[2] || mask[3];
+	draw->color_written = state->color_bits != 0;
 	draw->early_tests = !state->alpha_test;
 	draw->blended = state->blend &&
 		(state->blend_source != GL_ONE ||
@@ -301,7 +298,10 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 		return false;
 	}
 	prepare_fragments(soft, draw, mode);
-	prepare_fog(soft, draw);
+	draw->fogged = soft->fog.enabled;
+	if (draw->fogged) {
+		prepare_fog(&soft->fog, draw);
+	}
 	prepare_textures(soft, draw);
 	prepare_addition(draw);
 	draw->attributes = choose_attributes(draw);

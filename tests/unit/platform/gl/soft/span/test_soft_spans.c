@@ -283,6 +283,88 @@ static void test_heaps_of_triangles_are_those_of_fragments(void **state)
 	}
 }
 
+/* Depths and stencil values that change along rows, in places at each pixel. */
+static void give_buffers(struct span_scene *scene, uint32_t *seed)
+{
+	const struct buffers *buffers = &scene->soft->buffers;
+	int next = 0;
+
+	for (int i = 0; i < SPAN_PIXELS; i++) {
+		if (i == next) {
+			next += random_between(seed, 1, 20);
+			buffers->depth[i] =
+				(uint16_t)random_between(seed, 30000, 64000);
+			buffers->stencil[i] =
+				(uint8_t)random_between(seed, 0, 3);
+		} else {
+			buffers->depth[i] = buffers->depth[i - 1];
+			buffers->stencil[i] = buffers->stencil[i - 1];
+		}
+	}
+}
+
+static void give_tests(const struct gl *gl, uint32_t *seed)
+{
+	static const GLenum operations[] = {GL_KEEP, GL_KEEP, GL_ZERO,
+		GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
+	GLenum fail = span_one_of(seed, operations, 7);
+	GLenum far = span_one_of(seed, operations, 7);
+	GLenum near = span_one_of(seed, operations, 7);
+	GLenum by = GL_NEVER + (GLenum)random_between(seed, 0, 7);
+	int mask = random_one_in(seed, 4) ? 0 : random_between(seed, 0, 15);
+
+	gl->DepthFunc(GL_NEVER + (GLenum)random_between(seed, 0, 7));
+	if (!random_one_in(seed, 3)) {
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(by, random_between(seed, 0, 3),
+			random_one_in(seed, 4) ? 1 : 255);
+		gl->StencilOp(fail, far, near);
+		gl->StencilMask(random_one_in(seed, 4) ? 1 : 255);
+	}
+	if (random_one_in(seed, 3)) {
+		gl->ColorMask(
+			mask & 1, mask >> 1 & 1, mask >> 2 & 1, mask >> 3 & 1);
+	}
+}
+
+static struct span_scene *draw_tested(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
+	const struct gl *gl = scene->gl;
+
+	give_buffers(scene, &seed);
+	if (random_one_in(&seed, 2)) {
+		give_textures(gl, &seed);
+	}
+	give_fragments(gl, &seed);
+	give_tests(gl, &seed);
+	for (int i = 0; i < 3; i++) {
+		give_triangle(gl, &seed);
+	}
+	return scene;
+}
+
+/* Depth and stencil tests whose results change along rows. */
+static void test_tests_are_those_of_fragments(void **state)
+{
+	int drawn = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= RANDOM_CASES(1500); seed++) {
+		enum pixel_format format =
+			seed % 2 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *fast =
+			draw_tested(format, seed * 7919, false);
+		struct span_scene *slow = draw_tested(format, seed * 7919, true);
+
+		drawn += span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	assert_true(drawn > RANDOM_CASES(100000));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -291,6 +373,7 @@ int main(void)
 		cmocka_unit_test(test_a_small_triangle_leaves_the_next_its_level),
 		cmocka_unit_test(test_added_colours_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
+		cmocka_unit_test(test_tests_are_those_of_fragments),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

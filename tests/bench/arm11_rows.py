@@ -149,6 +149,8 @@ ROWS = (
     picture("gl-two-a", "S1 with two textures, nearest", 46, "gl_states", "two-a"),
     picture("gl-two-b", "S1 with two textures, bilinear", 66, "gl_states", "two-b"),
     picture("gl-add", "S1 by GL_ADD, bilinear", 46, "gl_states", "add-b"),
+    picture("gl-count", "S2, counted in the stencil", 11, "gl_states", "count"),
+    picture("gl-decal", "S1 by GL_DECAL, bilinear", 36, "gl_states", "decal-b"),
     picture("gl-mip2", "mipmaps, two mixed", 70, "gl_states", "mip2"),
     user_model("box", "12 triangles, textured", 14),
     user_model("duck", "4,000 triangles, textured", 13),

@@ -46,7 +46,8 @@ enum {
 	INTERPOLATED = 16384, /* by a combiner */
 	ADDED = 32768,
 	DECALED = 65536,
-	ADDITIVE = 131072, /* blended */
+	ADDITIVE = 131072,  /* blended */
+	STENCILED = 262144, /* counts fragments in the stencil */
 };
 
 struct scene {
@@ -66,6 +67,7 @@ static const struct scene scenes[] = {
 	{"S1e", STATES_QUAD, TEXTURED | LINEAR | LEQUAL, 256},
 	{"S2", STATES_QUAD, 0, 256},
 	{"S2y", STATES_TURNED, 0, 256},
+	{"count", STATES_QUAD, STENCILED, 256},
 	{"blend-a", STATES_QUAD, TEXTURED | BLENDED | RGBA, 256},
 	{"blend-b", STATES_QUAD, TEXTURED | LINEAR | BLENDED | RGBA, 256},
 	{"blend4-a", STATES_QUAD, TEXTURED | BLENDED | RGBA_4444, 256},
@@ -211,6 +213,10 @@ static void set_fragments(const struct gl *gl, unsigned state)
 		gl->BlendFunc(GL_SRC_ALPHA,
 			state & ADDITIVE ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
 	}
+	if (state & STENCILED) {
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+	}
 	if (state & TESTED) {
 		gl->Enable(GL_ALPHA_TEST);
 		gl->AlphaFuncx(GL_GREATER, FX16_ONE / 2);
@@ -252,7 +258,8 @@ static void set_up(const struct gl *gl, const struct scene *scene,
 static void draw_frame(const struct gl *gl, const struct scene *scene,
 	const struct states_mesh *mesh, int frame)
 {
-	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
+		GL_STENCIL_BUFFER_BIT);
 	if (scene->shape == STATES_CUBE) {
 		gl->LoadIdentity();
 		gl->Translatex(0, 0, fx16_from_float(-4.3f));

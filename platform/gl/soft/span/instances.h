@@ -83,8 +83,20 @@
 	SOFT_KIND(linear_##name##_inside, each, .textured = true,           \
 		.format = texels, .linear = true, .inside = true, __VA_ARGS__)
 
+/* Functions of made texels; behind each, members of the kind. */
+#define SOFT_MADE_FUNCTIONS(name, each, ...)                                \
+	SOFT_KIND(name, each, .textured = true, .format = TEXEL_8888,       \
+		.inside = true, .made = true, __VA_ARGS__)
+
 #define SOFT_SPAN_FUNCTIONS(is_wide)                                        \
 	SOFT_KIND(plain, SOFT_EACH_FINISH, .wide = is_wide)                 \
+	SOFT_MADE_FUNCTIONS(made, SOFT_EACH_FINISH, .wide = is_wide)        \
+	SOFT_MADE_FUNCTIONS(                                                \
+		made_add, SOFT_EACH_FINISH, .wide = is_wide, .mode = GL_ADD) \
+	SOFT_MADE_FUNCTIONS(made_decal, SOFT_EACH_FINISH, .wide = is_wide,  \
+		.mode = GL_DECAL)                                           \
+	SOFT_MADE_FUNCTIONS(made_blend, SOFT_EACH_FINISH, .wide = is_wide,  \
+		.mode = GL_BLEND)                                           \
 	SOFT_EACH_FORMAT(                                                   \
 		SOFT_FORMAT_FUNCTIONS, SOFT_EACH_FINISH, .wide = is_wide)
 
@@ -99,10 +111,17 @@
 	[SOFT_LINEAR + texels - 1] = {each(SOFT_FINISH_ROW,                 \
 		linear_##name, linear_##name##_inside)},
 
+#define SOFT_MADE_ROW(source, name, each)                                   \
+	[source] = {each(SOFT_FINISH_ROW, name, name)},
+
 #define SOFT_SPAN_TABLE                                                     \
 	{                                                                   \
 		[SOFT_NO_TEXTURE] =                                         \
 			{SOFT_EACH_FINISH(SOFT_FINISH_ROW, plain, plain)},  \
+		SOFT_MADE_ROW(SOFT_MADE, made, SOFT_EACH_FINISH)            \
+		SOFT_MADE_ROW(SOFT_MADE_ADD, made_add, SOFT_EACH_FINISH)    \
+		SOFT_MADE_ROW(SOFT_MADE_DECAL, made_decal, SOFT_EACH_FINISH) \
+		SOFT_MADE_ROW(SOFT_MADE_BLEND, made_blend, SOFT_EACH_FINISH) \
 		SOFT_EACH_FORMAT(SOFT_FORMAT_ROWS, SOFT_EACH_FINISH)        \
 	}
 /* clang-format on */

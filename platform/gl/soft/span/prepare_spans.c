@@ -230,7 +230,8 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 			(uint32_t)mul_high(white, row.red_blue) * 0x10001;
 		spans->white[1] = (uint32_t)mul_high(white, row.green);
 	}
-	spans->scales = find_format_scales(format, wide, spans->combined);
+	spans->scales = find_format_scales(format, wide,
+		spans->combined || spans->made_source != SOFT_MADE);
 	if (spans->finish == SOFT_SCALED && !wide) {
 		/* white of a second texture scales by 31/32 and 63/64 */
 		spans->scales.red_blue += spans->scales.red_blue / 31;
@@ -309,15 +310,34 @@ static bool has_functions(const struct draw *draw)
 	return (*spans->table)[source][spans->finish][SOFT_ANYWHERE] != NULL;
 }
 
+/* The source of made texels whose environment a span function has. */
+static enum soft_source find_made_source(const struct draw *draw)
+{
+	const struct texture_input *input = &draw->texture[0];
+
+	if (!input->used || input->mode == GL_MODULATE || draw->texture[1].used ||
+		draw->smooth || input->base->format == TEXEL_A8) {
+		return SOFT_MADE;
+	}
+	return input->mode == GL_ADD      ? SOFT_MADE_ADD
+		: input->mode == GL_DECAL ? SOFT_MADE_DECAL
+		: input->mode == GL_BLEND ? SOFT_MADE_BLEND
+					  : SOFT_MADE;
+}
+
 /* Chooses whether stages/ makes texels or colours, and how. */
 static void choose_making(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
 	const bool second = soft_choose_second(draw);
 
+	spans->made_source =
+		draw->attributes ? find_made_source(draw) : SOFT_MADE;
 	spans->combined = draw->attributes != 0 && !second &&
-		!spans->multiplied && is_combined(draw);
+		!spans->multiplied && is_combined(draw) &&
+		spans->made_source == SOFT_MADE;
 	spans->made = spans->combined || spans->multiplied ||
+		spans->made_source != SOFT_MADE ||
 		(spans->textured && soft_rows_mixes_levels(&draw->texture[0])) ||
 		(second && !has_functions(draw));
 }
@@ -340,7 +360,8 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 	spans->longest = SOFT_RUN_PIXELS;
 	spans->stepped_size = wide ? 40 : 128;
 	/* an alpha test needs exactly the alpha of planes */
-	if (spans->alpha_tested && spans->combined) {
+	if (spans->alpha_tested &&
+		(spans->combined || spans->made_source != SOFT_MADE)) {
 		spans->stepped_size = 0;
 	}
 }

@@ -62,6 +62,7 @@ struct soft_fragment_stages {
 	/* alpha passes when (alpha - low) modulo 256 is at most range */
 	uint32_t alpha_low, alpha_range;
 	GLenum blend_source, blend_destination;
+	uint32_t environment[3]; /* GL_BLEND's colour, 8.8 */
 	/*
 	 * SOFT_MIXED: blend factors are base + alpha * by; the source's in the
 	 * lower half, the destination's in the upper one.
@@ -81,7 +82,10 @@ struct soft_row {
 	uint32_t red_blue; /* blue in the upper half */
 	uint32_t green_alpha;
 	uint32_t fog;
-	/* t in the upper half, s in the lower one, relative to first_texel */
+	/*
+	 * t in the upper half, s in the lower one, relative to first_texel; of
+	 * SOFT_MADE sources the number of the first texel from there, and 1
+	 */
 	uint32_t texel, texel_right;
 	/*
 	 * If soft_spans.made or read_second: the column and, in the upper half,
@@ -132,7 +136,15 @@ enum soft_source {
 	SOFT_NO_TEXTURE,
 	SOFT_NEAREST, /* plus enum texel_format - 1 */
 	SOFT_LINEAR = SOFT_NEAREST + TEXEL_LA88,
-	SOFT_SOURCES = SOFT_LINEAR + TEXEL_LA88,
+	/*
+	 * RGBA8888 that stages/ made, one behind the other; the last ones meet
+	 * the colour by a texture environment, in place of GL_MODULATE.
+	 */
+	SOFT_MADE = SOFT_LINEAR + TEXEL_LA88,
+	SOFT_MADE_ADD,
+	SOFT_MADE_DECAL,
+	SOFT_MADE_BLEND,
+	SOFT_SOURCES,
 };
 
 /* What happens to a fragment after its texture. */

@@ -145,6 +145,8 @@ struct soft_spans {
 	soft_span_function draw_tested; /* draws what untested.c does not */
 	/* stages/ makes texels, or whole colours, before the run: see made.h */
 	bool made, combined;
+	/* made: how a function combines texels with colours, unless combined */
+	enum soft_source made_source;
 	/* how luminance.c chooses the first texture's level; else NULL */
 	void (*set_level)(struct draw *draw, int lod);
 	bool multiplied; /* made: the product of both textures */

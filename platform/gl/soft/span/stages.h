@@ -17,6 +17,8 @@ struct soft_kind {
 	bool lequal; /* the depth test is LEQUAL, else LESS */
 	bool still;  /* see soft_is_still() */
 	bool joined; /* two textures are read at the same place */
+	bool made;   /* the source is SOFT_MADE, or, of other modes, the next */
+	GLenum mode; /* of the texture environment; 0: GL_MODULATE */
 };
 
 /*
@@ -99,7 +101,8 @@ static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)
 
 static ALWAYS_INLINE bool soft_has_alpha(struct soft_kind kind)
 {
-	return kind.textured && soft_field(kind.format, SOFT_ALPHA).bits > 0;
+	return kind.textured && kind.mode != GL_DECAL &&
+		soft_field(kind.format, SOFT_ALPHA).bits > 0;
 }
 
 /* Whether the colour is constant in the run, alpha included. */
@@ -120,10 +123,10 @@ static ALWAYS_INLINE bool soft_wants_alpha(struct soft_kind kind)
 		soft_is_blended(kind) || kind.wide;
 }
 
-/* Whether green_alpha's upper half counts pixels, as no alpha is needed. */
+/* Whether green_alpha's upper half counts pixels: green has 15 bits, alpha none. */
 static ALWAYS_INLINE bool soft_counts_by_green(struct soft_kind kind)
 {
-	return !soft_wants_alpha(kind);
+	return !soft_wants_alpha(kind) && !kind.mode;
 }
 
 static ALWAYS_INLINE bool soft_has_color(struct soft_kind kind)
@@ -179,6 +182,9 @@ static ALWAYS_INLINE int soft_fraction(
 {
 	int bits = kind.wide ? 8 : channel == SOFT_GREEN ? 6 : 5;
 
+	if (kind.mode) {
+		return 16 - bits;
+	}
 	if (soft_is_scaled(kind)) {
 		return (soft_is_aligned(kind)                ? 18 - 16
 				       : soft_is_mixed(kind) ? 13

@@ -28,12 +28,11 @@ static ALWAYS_INLINE soft_word soft_passes(struct soft_kind kind,
 	return (soft_word)(((alpha - low) & 255) <= constants->alpha_range);
 }
 
-/* The second texture's word for the pixel with that depth. */
-static ALWAYS_INLINE soft_word soft_load_second(
-	const struct soft_constants *constants, const uint16_t *depth)
+/* The word, of a row's made texels or second ones, for the pixel of that depth. */
+static ALWAYS_INLINE soft_word soft_load_word(
+	uintptr_t words, const uint16_t *depth)
 {
-	return soft_get_words(
-		(const void *)(constants->second + 2 * (uintptr_t)depth));
+	return soft_get_words((const void *)(words + 2 * (uintptr_t)depth));
 }
 
 /* Whether blending leaves the pixel, or all four, as it is. */
@@ -59,7 +58,10 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	struct soft_color color;
 	soft_word alpha = SOFT_OPAQUE_ALPHA;
 
-	if (kind.textured && kind.inside) {
+	if (kind.made) {
+		soft_split_texel(
+			kind, soft_load_word(constants->made, depth), &texel);
+	} else if (kind.textured && kind.inside) {
 		const soft_word place = soft_safe(at->texel, pass);
 
 		if (kind.joined) {
@@ -107,7 +109,8 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 			}
 			soft_multiply_texel(kind,
 				kind.joined ? soft_join(&second)
-					    : soft_load_second(constants, depth),
+					    : soft_load_word(
+						      constants->second, depth),
 				&texel);
 			alpha = soft_find_alpha(kind, &texel, at->green_alpha);
 		}
@@ -117,7 +120,8 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		return;
 	}
 	if ((soft_is_scaled(kind) || soft_is_summed(kind)) && !kind.joined) {
-		soft_split_second(soft_load_second(constants, depth), &second);
+		soft_split_second(
+			soft_load_word(constants->second, depth), &second);
 	}
 	if (soft_is_scaled(kind)) {
 		soft_scale_texel(kind, &second, &texel);
@@ -139,6 +143,16 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 			soft_find_565(kind, &color, soft_get_halves(pixel)),
 			pass, pixel_565);
 	}
+}
+
+/* Finds a row's words: see struct soft_constants. */
+static ALWAYS_INLINE void soft_begin_words(const struct soft_run *run,
+	const struct soft_row *row, struct soft_constants *constants)
+{
+	const uintptr_t depths = 2 * (uintptr_t)row->depth;
+
+	constants->second = run->second - depths;
+	constants->made = (uintptr_t)run->first_texel + 4 * row->texel - depths;
 }
 
 #if SOFT_LANES == 1
@@ -179,7 +193,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	const uint32_t count = row->count;
 	const uint16_t *end = depth + count;
 
-	constants->second = run->second - 2 * (uintptr_t)depth;
+	soft_begin_words(run, row, constants);
 	steps->z_texel[1] = row->texel_right;
 	/*
 	 * The upper half counts pixels. Green below it is less than 2^15, so
@@ -256,7 +270,7 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 	struct soft_tail tail = {{0}, {0}};
 
 	(void)steps;
-	constants->second = run->second - 2 * (uintptr_t)depth;
+	soft_begin_words(run, row, constants);
 	soft_step_pixel(&step, &at);
 	step = soft_spread_steps(run, row->texel_right, true);
 	for (int left = (int)row->count; left > 0; left -= SOFT_LANES) {
@@ -268,6 +282,8 @@ static ALWAYS_INLINE void soft_draw_row(const struct soft_run *run,
 			memcpy(tail.depth, depth, (size_t)left * 2);
 			memcpy(tail.pixel, pixel, (size_t)left << pixel_log2);
 			constants->second +=
+				2 * ((uintptr_t)depth - (uintptr_t)tail.depth);
+			constants->made +=
 				2 * ((uintptr_t)depth - (uintptr_t)tail.depth);
 		}
 		there = soft_get_halves(copied ? tail.depth : depth);

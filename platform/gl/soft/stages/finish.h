@@ -20,8 +20,12 @@ struct soft_constants {
 	uint32_t alpha_low, alpha_range;
 	uint32_t factors_base, factors_by;
 	uint32_t unseen;
-	/* address of the row's second texels minus twice that of its depths */
-	uintptr_t second;
+	/*
+	 * Addresses of the row's second texels, and of made ones, minus twice
+	 * that of its depths.
+	 */
+	uintptr_t second, made;
+	uint32_t environment[3];
 };
 
 /* Fraction bits of a second texel's channel, besides its 5, 6 and 5 bits. */
@@ -89,6 +93,50 @@ static ALWAYS_INLINE void soft_add_second(struct soft_kind kind,
 	}
 }
 
+/*
+ * Texel and colour by a texture environment. Colours are 8.8, with half a step
+ * added; in RGB565 31/32 or 63/64 of them, and what is missing to half a step.
+ */
+static ALWAYS_INLINE struct soft_color soft_combine(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_texel *texel,
+	const struct soft_pixel *at)
+{
+	const soft_word rb = at->red_blue, green = at->green_alpha & 0xFFFF;
+	const soft_word t_rb = texel->lanes.red_blue << 8;
+	const soft_word t_green = texel->lanes.green_alpha << 8 & 0xFF00;
+	const soft_word sum = HALVES_ADD_LIMITED(rb, t_rb);
+	const soft_word own[3] = {rb & 0xFFFF, green, rb >> 16};
+	const soft_word t[3] = {t_rb & 0xFFFF, t_green, t_rb >> 16};
+	soft_word to[3] = {
+		sum & 0xFFFF, HALVES_ADD_LIMITED(green, t_green), sum >> 16};
+	struct soft_color out;
+
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		soft_word by = kind.mode == GL_DECAL ? texel->alpha : t[i] >> 8;
+
+		by += by >> 7;
+		if (kind.mode == GL_DECAL) {
+			to[i] = t[i];
+		} else if (kind.mode == GL_BLEND) {
+			to[i] = (soft_word){0} + constants->environment[i];
+		}
+		if (kind.mode != GL_ADD) {
+			to[i] = (soft_word)WORD_BY_BOTTOM(
+				(to[i] - own[i]) << 8, by, (soft_int)own[i]);
+		}
+		if (!kind.wide) {
+			to[i] += (1 << 9) - 64 -
+				(to[i] >> (i == SOFT_GREEN ? 6 : 5));
+			to[i] += i == SOFT_GREEN ? 0 : 1 << 9;
+		}
+		out.channel[i] = (soft_int)to[i];
+		if (soft_is_fogged(kind)) {
+			out.channel[i] += constants->start[i];
+		}
+	}
+	return out;
+}
+
 /* Texel times colour, with a half added; formats are those of run.h. */
 static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_texel *texel,
@@ -100,6 +148,9 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	struct soft_color out;
 	soft_int *to = out.channel;
 
+	if (kind.mode) {
+		return soft_combine(kind, constants, texel, at);
+	}
 	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
 		to[i] = zero + constants->start[i];
 	}
@@ -138,7 +189,10 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
 		const int fraction = soft_fraction(kind, i);
 
-		out.start[i] = soft_has_color(kind) ? soft_half(kind, i) : 0;
+		out.start[i] = soft_has_color(kind) && !kind.mode
+			? soft_half(kind, i)
+			: 0;
+		out.environment[i] = stages->environment[i];
 		if (soft_is_fogged(kind)) {
 			out.start[i] -=
 				soft_shift(stages->far[i], fraction - 14);
@@ -257,9 +311,17 @@ static ALWAYS_INLINE soft_word soft_find_alpha_32(struct soft_kind kind,
 static ALWAYS_INLINE soft_word soft_find_alpha(struct soft_kind kind,
 	const struct soft_texel *texel, soft_word green_alpha)
 {
-	return soft_has_alpha(kind)
-		? soft_scale_alpha(green_alpha >> 16, texel->alpha)
-		: green_alpha >> 23;
+	soft_word product;
+
+	if (!soft_has_alpha(kind)) {
+		return green_alpha >> 23;
+	}
+	if (!kind.mode) {
+		return soft_scale_alpha(green_alpha >> 16, texel->alpha);
+	}
+	/* the colour's alpha has no fraction here */
+	product = WORD_PRODUCT(green_alpha >> 23, texel->alpha) + 128;
+	return (product + (product >> 8)) >> 8;
 }
 
 static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,

@@ -233,10 +233,8 @@ static uint32_t place_rows(
 		if (spans->coverage.used) {
 			at += soft_cover(draw, row, color + at);
 		}
-		row->texel = (at / SOFT_RUN_PIXELS)
-				<< (16 + SOFT_TEXEL_FRACTION) |
-			(at % SOFT_RUN_PIXELS) << SOFT_TEXEL_FRACTION;
-		row->texel_right = 1 << SOFT_TEXEL_FRACTION;
+		row->texel = at;
+		row->texel_right = 1;
 		if (spans->combined) {
 			row->red_blue = spans->white[0];
 			row->green_alpha = spans->white[1];
@@ -332,10 +330,14 @@ void soft_prepare_made(struct draw *draw)
 	if (spans->combined) {
 		prepare_combined(draw);
 	}
-	soft_set_functions(spans,
-		(*spans->table)[SOFT_NEAREST + TEXEL_8888 - 1][spans->finish]);
+	for (int i = 0; i < 3 && draw->texture[0].used; i++) {
+		spans->stages.environment[i] =
+			(uint32_t)soft_byte(draw->texture[0].env->color[i])
+				<< 8 |
+			128;
+	}
+	soft_set_functions(
+		spans, (*spans->table)[spans->made_source][spans->finish]);
 	spans->draw_row = spans->draw;
 	spans->draw = draw_made;
-	/* rows of SOFT_RUN_PIXELS texels of four bytes */
-	spans->run.stride_log2 = 8;
 }

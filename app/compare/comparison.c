@@ -209,7 +209,7 @@ static int choose_moments(struct comparison *comparison, const struct log *log)
 
 		if (error == -E2BIG) {
 			log_error(log,
-				"%s: clip %d is too long to compare: it lasts more than five hours",
+				"%s: clip %d is too long to compare: it lasts more than five hours: choose another one with --clip",
 				model->path, to->clip);
 		}
 		if (error) {

@@ -104,7 +104,7 @@ json.dump(model, sys.stdout)
 ' <"$slider" >"$scratch/long.gltf"
 limber compare "$scratch/long.gltf"
 expect_status 1
-expect_err 'lasts more than five hours'
+expect_err 'lasts more than five hours: choose another one with --clip$'
 limber play --demo duel --display null --frames 1 "$scratch/long.gltf"
 expect_status 0
 expect_err 'clip 0 lasts 20000 s: the duel plays its first 30 s'

@@ -9,12 +9,19 @@
 /* Numbers of GL's matrices end at 32,768; this leaves room for the camera. */
 static const float far_units = 32000.0f;
 
-static void warn_if_far(const struct actor *actor, const struct bounds *bounds,
-	const struct demo_env *env)
+/* Says why nothing can be seen of a model that has triangles. */
+static void warn_if_unseen(const struct actor *actor,
+	const struct bounds *bounds, const struct demo_env *env)
 {
 	float middle[3], away;
 	char times[48] = "";
 
+	if (!(actor->extent > 0.0f)) {
+		log_warning(env->log,
+			"%s: all its vertices are in one place, so nothing of it can be seen: look for a scale of 0, or for a size that is lost far from the origin",
+			env->model_path);
+		return;
+	}
 	bounds_center(bounds, middle);
 	away = vec_length(middle);
 	if (away <= far_units) {
@@ -64,7 +71,9 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->lod = env->lod;
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent_of_model(actor->instance);
-	warn_if_far(actor, &bounds, env);
+	if (model_has_triangles(actor->model)) {
+		warn_if_unseen(actor, &bounds, env);
+	}
 	actor->interpolation = env->interpolation;
 	error = shadow_ground_find(&actor->ground, actor->instance);
 	if (!error) {

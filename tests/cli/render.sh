@@ -27,6 +27,21 @@ limber render "$scratch/far.gltf" --size 33x17 -o "$out.png"
 expect_status 0
 expect_err 'far.gltf: it stands 100000 m from the origin, .*: move it'
 
+# A still node that is scaled to nothing, at the origin and far from it.
+for place in 0 100000; do
+    python3 -c '
+import json, sys
+model = json.load(sys.stdin)
+del model["animations"]
+model["nodes"][0].update(scale=[0, 0, 0], translation=[0, int(sys.argv[1]), 0])
+json.dump(model, sys.stdout)
+' "$place" <"$slider" >"$scratch/point.gltf"
+    limber render "$scratch/point.gltf" --size 33x17 -o "$out.png"
+    expect_status 0
+    expect_err 'point.gltf: all its vertices are in one place, .*: look for a scale of 0'
+    check 'one sentence says so' test "$(wc -l <"$err_file")" -eq 1
+done
+
 limber render "$slider" --size 33x17 --frames 3 -o "$scratch/many.png"
 expect_quiet
 for number in 0001 0002 0003; do

@@ -186,13 +186,13 @@ static void print_clips(const struct comparison *comparison, FILE *out)
 
 static void print_ratings(const struct comparison *comparison, FILE *out)
 {
-	fprintf(out, "\n  %-17s  %-14s  %-18s  %s\n", "AN4044 rates them",
+	fprintf(out, "\n  %-19s  %-18s  %-18s  %s\n", "AN4044 rates them",
 		"control over", "looks", "to program");
 	for (int t = 0; t < TECHNIQUE_COUNT; t++) {
 		const struct technique_rating *rating = &technique_ratings[t];
 
 		if (comparison_has(comparison, (enum technique)t)) {
-			fprintf(out, "  %-17s  %-14s  %-18s  %s\n", rating->name,
+			fprintf(out, "  %-19s  %-18s  %-18s  %s\n", rating->name,
 				rating->control, rating->looks, rating->coding);
 		}
 	}

@@ -119,7 +119,7 @@ static void test_a_part_that_its_parent_mirrors_stays_in_a_hand(void **state)
 
 /*
  * A model whose z axis is up below its root, with a box 1.2 m above the ground
- * whose lowest vertex is 0.2 m below its pivot.
+ * whose lowest vertex, the first one, is 0.2 m below its pivot.
  */
 static const char shelf[] =
 	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
@@ -134,7 +134,7 @@ static const char shelf[] =
 	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
 	"\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
 	"octet-stream;base64,"
-	"zczMPQAAAADNzEy+zczMvc3MzD3NzEy+zczMvc3MzL2amZk+\"}]}";
+	"zczMPQAAAADNzEy+zczMvc3MzD3NzMy9zczMvc3MzL2amZk+\"}]}";
 
 /* It is upright as in the model, and not at its height there. */
 static void test_a_part_from_a_shelf_lies_on_the_ground(void **state)

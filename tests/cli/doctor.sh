@@ -102,6 +102,28 @@ for finding in report["findings"]:
 assert sections == {"displays", "gl", "kernels", "buttons", "cameras",
     "watchdogs", "configuration", "files"}, sections' "$out_file" "$status"
 
+# drivers NAME: the drivers that limber --version lists there.
+drivers() {
+    limber --version
+    sed -n "s/^$1 *//p" "$out_file"
+}
+
+displays=$(drivers displays) gl=$(drivers gl) kernels=$(drivers kernels)
+buttons=$(drivers buttons) cameras=$(drivers cameras)
+limber doctor --json
+check 'each driver that looks for a device has a finding' python3 -c '
+import json, sys
+found = {(finding["section"], name)
+    for finding in json.load(open(sys.argv[1]))["findings"]
+    for name in (finding.get("driver"), finding["subject"])}
+made_up = {"image", "null", "script", "pattern"}
+for section, names in zip(("displays", "gl", "kernels", "buttons", "cameras"),
+        sys.argv[2:]):
+    assert names, section
+    for name in set(names.split()) - made_up:
+        assert (section, name) in found, (section, name)' \
+    "$out_file" "$displays" "$gl" "$kernels" "$buttons" "$cameras"
+
 # limber.conf: which file, and its first error.
 limber doctor
 expect_out '^  unused   limber\.conf: there is none'

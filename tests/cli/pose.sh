@@ -60,6 +60,24 @@ expect_quiet
 check 'a small model keeps its digits' \
     grep -qx 'v 0.000000125000 0.000000000000 0.000000000000' "$scratch/out.obj"
 
+# sized SCALE: writes the pose of the slider of that scale.
+sized() {
+    sed "s/\"name\": \"slider\",/&\"scale\": [$1, $1, $1],/" \
+        "$slider" >"$scratch/sized.gltf"
+    limber pose "$scratch/sized.gltf" -o "$scratch/out.obj"
+    expect_quiet
+}
+
+sized 1.25e-42
+check 'the least float has 45 decimals, and no model more' \
+    grep -qx 'v 0.0\{41\}1250 0.0\{45\} 0.0\{45\}' "$scratch/out.obj"
+sized 0
+check 'a model without a size has 6 decimals' \
+    grep -qx 'v 0.000000 0.000000 0.000000' "$scratch/out.obj"
+sized 0.1
+check 'a model of 10 cm has 6 decimals' \
+    grep -qx 'v 0.100000 0.000000 0.000000' "$scratch/out.obj"
+
 # Programs that read the file know nothing of a node that mirrors.
 sed 's/"name": "slider",/&"scale": [-1, 1, 1],/' "$slider" >"$scratch/mirror.gltf"
 limber pose "$scratch/mirror.gltf" -o "$scratch/out.obj"

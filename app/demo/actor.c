@@ -16,15 +16,14 @@ static void warn_if_unseen(const struct actor *actor,
 	float middle[3], away;
 	char times[48] = "";
 
-	if (!(actor->extent > 0.0f)) {
-		log_warning(env->log,
-			"%s: all its vertices are in one place, so nothing of it can be seen: look for a scale of 0, or for a size that is lost far from the origin",
-			env->model_path);
-		return;
-	}
 	bounds_center(bounds, middle);
 	away = vec_length(middle);
 	if (away <= far_units) {
+		if (!(actor->extent > 0.0f)) {
+			log_warning(env->log,
+				"%s: all its vertices are in one place, so nothing of it can be seen: look for a scale of 0",
+				env->model_path);
+		}
 		return;
 	}
 	/* So far out, rounding may leave the model no size. */
@@ -71,9 +70,6 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	actor->lod = env->lod;
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent_of_model(actor->instance);
-	if (model_has_triangles(actor->model)) {
-		warn_if_unseen(actor, &bounds, env);
-	}
 	actor->interpolation = env->interpolation;
 	error = shadow_ground_find(&actor->ground, actor->instance);
 	if (!error) {
@@ -88,9 +84,14 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	}
 	error = texture_set_create(
 		&actor->textures, actor->model, env->gl, env->target, env->log);
-	if (!error) {
-		return 0;
+	if (error) {
+		goto fail_instance;
 	}
+	if (model_has_triangles(actor->model)) {
+		warn_if_unseen(actor, &bounds, env);
+	}
+	return 0;
+
 fail_instance:
 	instance_destroy(actor->instance);
 fail_model:

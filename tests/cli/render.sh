@@ -27,7 +27,8 @@ limber render "$scratch/far.gltf" --size 33x17 -o "$out.png"
 expect_status 0
 expect_err 'far.gltf: it stands 100000 m from the origin, .*: move it'
 
-# A still node that is scaled to nothing, at the origin and far from it.
+# A still node that is scaled to nothing, at the origin and far from it, where its
+# place is named first: rounding may have taken the size.
 for place in 0 100000; do
     python3 -c '
 import json, sys
@@ -38,7 +39,10 @@ json.dump(model, sys.stdout)
 ' "$place" <"$slider" >"$scratch/point.gltf"
     limber render "$scratch/point.gltf" --size 33x17 -o "$out.png"
     expect_status 0
-    expect_err 'point.gltf: all its vertices are in one place, .*: look for a scale of 0'
+    case $place in
+    0) expect_err 'all its vertices are in one place, .*: look for a scale of 0$' ;;
+    *) expect_err 'it stands 100000 m from the origin, where limber cannot' ;;
+    esac
     check 'one sentence says so' test "$(wc -l <"$err_file")" -eq 1
 done
 

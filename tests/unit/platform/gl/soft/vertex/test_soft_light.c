@@ -12,7 +12,7 @@ struct lit_case {
 	double material_ambient[3], material_diffuse[4], material_specular[3];
 	double emission[3], shininess;
 	double position[4], attenuation[3];
-	double direction[3], cutoff, exponent; /* a spot where cutoff > 0 */
+	double direction[3], cutoff, exponent; /* given where cutoff > 0 */
 	double normal[3];
 	double scale[3]; /* of the model-view matrix; 0 is 1 */
 	double color[4]; /* tracked where alpha > 0 */
@@ -82,9 +82,8 @@ static const struct lit_case cases[] = {
 	{"a point light's specular takes light away", .scene = WHITE,
 		.material_ambient = WHITE, .specular = {-0.25, 0, -0.5},
 		.material_specular = WHITE, LIGHT_SOURCE, .shininess = 2},
-	{"a point light's ambient takes light away", .scene = WHITE,
-		.material_ambient = WHITE, .ambient = {-0.25, 0, -0.5},
-		LIGHT_SOURCE},
+	{"a point's ambient dims", .scene = WHITE, .material_ambient = WHITE,
+		.ambient = {-0.25, 0, -0.5}, LIGHT_SOURCE},
 	{"constant attenuation", MATT, LIGHT_SOURCE, .attenuation = {2, 0, 0}},
 	{"linear attenuation", MATT, LIGHT_SOURCE, .attenuation = {1, 0.5, 0}},
 	{"quadratic attenuation", MATT, LIGHT_SOURCE, .attenuation = {1, 0, 0.5}},
@@ -93,14 +92,15 @@ static const struct lit_case cases[] = {
 		LIGHT_SOURCE, .attenuation = {1, 1, 1}},
 	{"attenuation of specular", GLOSS, LIGHT_SOURCE,
 		.attenuation = {1, 0.25, 0.5}, .shininess = 3},
-	{"a directional light does not fade", MATT, FRONT,
-		.attenuation = {4, 1, 1}},
+	{"a direction does not fade", MATT, FRONT, .attenuation = {4, 1, 1}},
 	{"a wide spot", MATT, LIGHT_SOURCE, .direction = {0, 0, -1},
 		.cutoff = 89},
 	{"a spot's exponent", MATT, LIGHT_SOURCE, .direction = {0, 0, -1},
 		.cutoff = 80, .exponent = 3},
 	{"a spot aside", MATT, LIGHT_SOURCE, .direction = {-1, 0, -1},
 		.cutoff = 85, .exponent = 1},
+	{"180 degrees are no spot", MATT, LIGHT_SOURCE, .direction = {1, 0, -1},
+		.cutoff = 180, .exponent = 3},
 	{"a spot that looks away", MATT, LIGHT_SOURCE, .direction = {0, 0, 1},
 		.cutoff = 60},
 	{"a spot has no ambient outside", .ambient = WHITE,
@@ -208,7 +208,7 @@ static double find_light(
 	share = c->attenuation[0] + c->attenuation[1] * distance +
 		c->attenuation[2] * distance * distance;
 	share = share > 0 ? 1 / share : 1;
-	if (c->cutoff == 0) {
+	if (c->cutoff == 0 || c->cutoff == 180) {
 		return share;
 	}
 	memcpy(axis, c->direction, sizeof(axis));

@@ -83,6 +83,42 @@ static void test_a_linear_morph_by_frames_adds_equal_steps(void **state)
 	acting_end(&acting);
 }
 
+/* Frames over the pace, rounded; one at least. */
+static void test_the_pace_shortens_a_morph_by_frames(void **state)
+{
+	static const struct {
+		int frames;
+		const char *pace;
+		int taken;
+	} cases[] = {{1, "1", 1}, {2, "1", 2}, {1, "8", 1}, {3, "8", 1},
+		{9, "4", 2}, {10, "4", 3}, {1, "0.125", 8}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct acting acting;
+		char text[200];
+		int taken = 0;
+
+		(void)snprintf(text, sizeof(text),
+			"[state a]\nclip = rest\n[morph face]\nframes = %d\n"
+			"[buttons]\nUP = morph face smile\nDOWN = pace face %s\n",
+			cases[i].frames, cases[i].pace);
+		acting_begin(&acting, "assets/face.glb");
+		acting_expect(&acting, text);
+		acting_press(&acting, BUTTON_DOWN);
+		acting_run_to(&acting, 0.1, rate_hz);
+		acting_press(&acting, BUTTON_UP);
+		assert_near(weight_of(&acting, 0), 0.0, 0.0);
+		while (weight_of(&acting, 0) < 1 && taken < 20) {
+			acting_run_to(
+				&acting, acting.now_s + 1.0 / rate_hz, rate_hz);
+			taken++;
+		}
+		assert_int_equal(taken, cases[i].taken);
+		acting_end(&acting);
+	}
+}
+
 /* Of a model without a character file. */
 static int count_morphs(const char *model_path)
 {
@@ -160,6 +196,7 @@ int main(void)
 		cmocka_unit_test(test_a_morph_goes_from_key_frame_to_key_frame),
 		cmocka_unit_test(test_a_morph_by_frames_takes_so_many_frames),
 		cmocka_unit_test(test_a_linear_morph_by_frames_adds_equal_steps),
+		cmocka_unit_test(test_the_pace_shortens_a_morph_by_frames),
 		cmocka_unit_test(
 			test_shapes_that_a_clip_moves_get_no_morph_of_their_own),
 		cmocka_unit_test(

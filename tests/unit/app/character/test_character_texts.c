@@ -1,6 +1,7 @@
 /*
  * What buttons are called, targets that are counted from a node, marks of
- * clips, files that include others, and the letters that editors write.
+ * clips, files that include others, the letters that editors write, and how
+ * long lines and files may be.
  */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
@@ -179,6 +180,59 @@ static void test_texts_of_all_editors_are_read(void **state)
 	acting_end(&acting);
 }
 
+/* Reads a state, a comment of so many letters, and what is wrong below it. */
+static void read_comment(struct acting *acting, int letters, const char *end)
+{
+	char text[400], comment[300];
+
+	memset(comment, 'x', sizeof(comment));
+	comment[0] = ';';
+	(void)snprintf(text, sizeof(text), "[state a]\nclip = walk\n%.*s%s",
+		letters, comment, end);
+	acting_read(acting, text);
+}
+
+static void test_a_line_has_at_most_198_characters(void **state)
+{
+	static const char *const ends[] = {"", "\n", "\nodd\n"};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(ends); i++) {
+		read_comment(&acting, 198, ends[i]);
+		assert_int_equal(acting.error != 0, i == 2);
+		read_comment(&acting, 199, ends[i]);
+		assert_int_not_equal(acting.error, 0);
+		assert_int_equal(
+			log_capture_count(&acting.logged, LOG_ERROR), 1);
+		assert_contains(acting.logged.sentence[0],
+			"test.character:3: this line is too long");
+	}
+	acting_end(&acting);
+}
+
+static void test_a_file_has_at_most_8000_lines(void **state)
+{
+	static const char begin[] = "[state a]\nclip = walk\n";
+	struct acting acting;
+	char text[sizeof(begin) + 7999];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	memset(text, '\n', sizeof(text));
+	memcpy(text, begin, sizeof(begin) - 1);
+	text[sizeof(begin) - 1 + 7998] = '\0';
+	acting_expect(&acting, text);
+	text[sizeof(begin) - 1 + 7998] = '\n';
+	text[sizeof(text) - 1] = '\0';
+	acting_read(&acting, text);
+	assert_int_not_equal(acting.error, 0);
+	assert_contains(acting.logged.sentence[0],
+		"test.character:8001: the file has more than 8000 lines");
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -190,6 +244,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_line_replaces_the_whole_line_of_an_included_file),
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
+		cmocka_unit_test(test_a_line_has_at_most_198_characters),
+		cmocka_unit_test(test_a_file_has_at_most_8000_lines),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

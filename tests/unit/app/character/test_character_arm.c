@@ -214,6 +214,26 @@ static void test_guarded_parts_stay_above_the_floor(void **state)
 	acting_end(&acting);
 }
 
+/* Also the first part of a character, or the only one. */
+static void test_the_floor_stops_the_only_part(void **state)
+{
+	struct acting acting;
+	float tip[3] = {0.0f, 0.0f, 3.0f};
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	acting_expect(&acting,
+		"[part Arm]\npitch = 0 0 90 45\nguard = 0.1 0 0 3\n"
+		"[buttons]\nDOWN = move Arm pitch 1\n");
+	acting_press(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, 4.0, rate_hz);
+	glm_mat4_mulv3(acting.instance->world[part_of(&acting, "Arm")->node],
+		tip, 1.0f, tip);
+	assert_true(tip[1] > 0.1f - 1e-3f);
+	assert_true(tip[1] < 0.3f);
+	acting_end(&acting);
+}
+
 /* The truck in the arm's way stops it, and the arm's base stops the hand. */
 static void test_parts_do_not_pass_through_each_other(void **state)
 {
@@ -364,6 +384,7 @@ int main(void)
 			test_what_the_arrows_move_depends_on_the_chosen_part),
 		cmocka_unit_test(test_capsules_of_a_part_may_stand_in_any_order),
 		cmocka_unit_test(test_guarded_parts_stay_above_the_floor),
+		cmocka_unit_test(test_the_floor_stops_the_only_part),
 		cmocka_unit_test(test_the_crate_changes_hands_without_a_jump),
 		cmocka_unit_test(
 			test_the_crate_keeps_its_bearing_while_it_is_carried),

@@ -6,6 +6,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -81,6 +82,30 @@ static void test_meshes_have_the_joint_sets_asked_for(void **state)
 	bench_mesh_release(&mesh);
 }
 
+/* The number in a row's name, as in "skin-normals-8"; 1 if there is none. */
+static int influences_in(const char *name)
+{
+	const char *digit = strpbrk(name, "0123456789");
+
+	return digit ? atoi(digit) : 1;
+}
+
+/* Published figures are of 24 sets of joints, and of as many influences as the
+ * row's name says. */
+static void test_rows_measure_the_meshes_that_their_names_say(void **state)
+{
+	(void)state;
+	for (const struct bench_row *row = bench_rows; row->name; row++) {
+		bool scattered = strstr(row->name, "scattered") != NULL;
+
+		assert_int_equal(row->joint_sets, scattered ? 0 : 24);
+		if (row->work <= BENCH_SKIN_TANGENTS) {
+			assert_int_equal(
+				row->influences, influences_in(row->name));
+		}
+	}
+}
+
 static void test_every_kernel_runs_every_job_or_refuses_it(void **state)
 {
 	(void)state;
@@ -154,6 +179,8 @@ int main(void)
 		cmocka_unit_test(test_makes_the_same_mesh_every_time),
 		cmocka_unit_test(test_meshes_have_the_influences_asked_for),
 		cmocka_unit_test(test_meshes_have_the_joint_sets_asked_for),
+		cmocka_unit_test(
+			test_rows_measure_the_meshes_that_their_names_say),
 		cmocka_unit_test(test_every_kernel_runs_every_job_or_refuses_it),
 		cmocka_unit_test(test_refuses_an_unknown_kernel),
 		cmocka_unit_test(test_times_a_vertex),

@@ -375,6 +375,7 @@ static void test_a_survey_reports_chips_lines_and_their_users(void **state)
 	assert_false(gpiod_bench_wire(bench, 3)->requested);
 }
 
+/* Nothing looks for a 129th chip. */
 static void test_a_survey_without_chips_is_one_finding(void **state)
 {
 	struct gpiod_bench *bench = *state;
@@ -382,7 +383,7 @@ static void test_a_survey_without_chips_is_one_finding(void **state)
 	const struct survey survey = survey_capture_begin(&capture, NULL);
 
 	for (int i = 0; i < FAKE_CHIPS; i++) {
-		bench->gpio.chip[i].name = NULL;
+		bench->gpio.chip[i].name = i == 2 ? "gpiochip128" : NULL;
 	}
 	gpiod_survey(&survey);
 	assert_int_equal(capture.count, 1);
@@ -456,6 +457,8 @@ static void test_128_chips_are_looked_for(void **state)
 		"output led", "led", "53fd0000.gpio/7", &bench->log));
 	gpiod_bench_expect_warning(
 		bench, "output led", "has the line 53fd0000.gpio/7");
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	gpiod_bench_expect_warning(bench, "gpiod:UP", "no chip is labelled");
 }
 
 int gpiod_cases_run(void)

@@ -1,17 +1,36 @@
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#define _GNU_SOURCE /* syscall(), MAP_ANONYMOUS */
 
 #include "platform/process/process_memory.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 enum {
 	TOUCHED_BYTES = 64 << 20,
 	SLACK_BYTES = 2 << 20
 };
+
+/* What read() does. */
+static enum {
+	READ_FILE,
+	READ_NOTHING,
+	READ_FAILS
+} reading;
+
+/* In place of the C library's. */
+ssize_t read(int file, void *out, size_t size)
+{
+	if (reading == READ_FAILS) {
+		errno = EIO;
+		return -1;
+	}
+	return reading == READ_NOTHING ? 0 : syscall(SYS_read, file, out, size);
+}
 
 static void test_memory_counts_when_it_is_touched(void **state)
 {
@@ -76,6 +95,17 @@ static void test_it_is_0_when_no_file_can_be_opened(void **state)
 	assert_true(process_memory_bytes() > 0);
 }
 
+static void test_it_is_0_when_the_file_cannot_be_read(void **state)
+{
+	(void)state;
+	reading = READ_FAILS;
+	assert_int_equal(process_memory_bytes(), 0);
+	reading = READ_NOTHING;
+	assert_int_equal(process_memory_bytes(), 0);
+	reading = READ_FILE;
+	assert_true(process_memory_bytes() > 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -83,6 +113,7 @@ int main(void)
 		cmocka_unit_test(test_asking_opens_no_file_for_long),
 		cmocka_unit_test(test_the_file_may_be_descriptor_0),
 		cmocka_unit_test(test_it_is_0_when_no_file_can_be_opened),
+		cmocka_unit_test(test_it_is_0_when_the_file_cannot_be_read),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

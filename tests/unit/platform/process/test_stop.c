@@ -202,6 +202,52 @@ static void test_what_was_blocked_and_ignored_at_the_start_ends_it(void **state)
 	assert_int_equal(WTERMSIG(status), SIGALRM);
 }
 
+/* Leaves bits in the memory of the next call's variables. */
+static __attribute__((noinline)) void fill_the_stack(void)
+{
+	volatile unsigned char bytes[4096];
+
+	for (size_t i = 0; i < sizeof(bytes); i++) {
+		bytes[i] = 0xFF;
+	}
+}
+
+static bool ends_limber(int number)
+{
+	bool found = number == SIGALRM;
+
+	for (int i = 0; i < CAUGHT; i++) {
+		found = found || number == caught[i];
+	}
+	return found;
+}
+
+static void unblock_among_all(void)
+{
+	sigset_t blocked, after;
+
+	sigfillset(&blocked);
+	sigprocmask(SIG_BLOCK, &blocked, NULL);
+	sigprocmask(SIG_BLOCK, NULL, &blocked);
+	fill_the_stack();
+	stop_unblock();
+	sigprocmask(SIG_BLOCK, NULL, &after);
+	for (int number = 1; number <= SIGRTMAX; number++) {
+		bool stays = sigismember(&blocked, number) == 1 &&
+			!ends_limber(number);
+
+		if ((sigismember(&after, number) == 1) != stays) {
+			_exit(number);
+		}
+	}
+}
+
+static void test_signals_that_do_not_end_it_stay_blocked(void **state)
+{
+	(void)state;
+	assert_int_equal(in_child(unblock_among_all), 0);
+}
+
 static void test_a_process_that_hangs_ends_by_an_alarm(void **state)
 {
 	int status = in_child(hang_after_a_signal);
@@ -300,6 +346,7 @@ int main(void)
 		cmocka_unit_test(test_a_process_that_hangs_ends_by_an_alarm),
 		cmocka_unit_test(
 			test_what_was_blocked_and_ignored_at_the_start_ends_it),
+		cmocka_unit_test(test_signals_that_do_not_end_it_stay_blocked),
 		cmocka_unit_test(test_a_signal_disables_the_watchdog_at_once),
 		cmocka_unit_test(test_a_watchdog_may_be_descriptor_0),
 		cmocka_unit_test(

@@ -1,8 +1,11 @@
 /* Jobs that several threads do. */
+#define _GNU_SOURCE /* RTLD_NEXT */
+
 #include "platform/process/clock.h"
 #include "platform/process/jobs.h"
 #include "tests/support/test.h"
 
+#include <dlfcn.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <time.h>
@@ -11,6 +14,21 @@
 enum {
 	JOBS = 500
 };
+
+/* What the system says of its processors in place of the truth, unless 0. */
+static long processors;
+
+/* Takes the place of the C library's, which it calls. */
+long sysconf(int name)
+{
+	long (*ask)(int);
+
+	if (name == _SC_NPROCESSORS_ONLN && processors) {
+		return processors;
+	}
+	*(void **)&ask = dlsym(RTLD_NEXT, "sysconf");
+	return ask(name);
+}
 
 struct count {
 	int runs[JOBS];
@@ -72,6 +90,21 @@ static void test_processors_are_those_of_the_system(void **state)
 		count < 1                          ? 1
 			: count > JOBS_THREADS_MAX ? JOBS_THREADS_MAX
 						   : count);
+}
+
+static void test_there_are_1_to_as_many_processors_as_threads(void **state)
+{
+	(void)state;
+	for (long count = 1; count <= JOBS_THREADS_MAX; count++) {
+		processors = count;
+		assert_int_equal(jobs_processors(), count);
+	}
+	processors = JOBS_THREADS_MAX + 1;
+	assert_int_equal(jobs_processors(), JOBS_THREADS_MAX);
+	/* The system does not know. */
+	processors = -1;
+	assert_int_equal(jobs_processors(), 1);
+	processors = 0;
 }
 
 struct meeting {
@@ -206,6 +239,8 @@ int main(void)
 		cmocka_unit_test(test_the_first_error_is_returned),
 		cmocka_unit_test(test_no_jobs_are_fine),
 		cmocka_unit_test(test_processors_are_those_of_the_system),
+		cmocka_unit_test(
+			test_there_are_1_to_as_many_processors_as_threads),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -92,6 +92,21 @@ float matrix_scale(const mat4 *matrix)
 	return vec_length((*matrix)[0]);
 }
 
+float matrix_greatest_scale(const mat4 *matrix, int count)
+{
+	float max = 0.0f;
+
+	for (int i = 0; i < count; i++) {
+		for (int column = 0; column < 3; column++) {
+			const float *axis = matrix[i][column];
+			float square = vec_dot(axis, axis);
+
+			max = square > max ? square : max;
+		}
+	}
+	return scalar_sqrt(max);
+}
+
 bool matrix_is_even(const mat4 *matrix)
 {
 	const vec4 *m = *matrix;

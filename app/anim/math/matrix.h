@@ -27,6 +27,9 @@ void matrix_rotation(mat4 matrix, float out[4]);
 /* The scale of a matrix that has the same scale on all axes: its first column's length. */
 float matrix_scale(const mat4 *matrix);
 
+/* The greatest scale along an axis of any of count matrices; 0 for none. */
+float matrix_greatest_scale(const mat4 *matrix, int count);
+
 /*
  * Whether the matrix changes all lengths by one factor, to 1 in 256. Such a
  * matrix only rotates, mirrors, moves and scales evenly, and so transforms

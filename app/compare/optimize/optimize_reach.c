@@ -1,5 +1,6 @@
 #include "app/compare/optimize/optimize_reach.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/anim/pose.h"
 #include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
@@ -19,30 +20,6 @@ struct reacher {
 	float *reach; /* [node_count]: distance to the farthest vertex, world units */
 	struct bounds box;
 };
-
-static float column_scale(const vec4 *matrix)
-{
-	float most = 0.0f;
-
-	for (int column = 0; column < 3; column++) {
-		float length = glm_vec3_norm((float *)matrix[column]);
-
-		most = length > most ? length : most;
-	}
-	return most;
-}
-
-static float largest_scale(mat4 *matrix, int count)
-{
-	float most = 0.0f;
-
-	for (int i = 0; i < count; i++) {
-		float scale = column_scale((const vec4 *)matrix[i]);
-
-		most = scale > most ? scale : most;
-	}
-	return most;
-}
 
 /* Updates the reach of a node and its ancestors by a vertex that follows it. */
 static void follow(struct reacher *reacher, int node, const vec3 at)
@@ -156,8 +133,11 @@ static int describe(struct optimize_reach *reach, const struct reacher *reacher,
 	float far =
 		reacher->reach[index] > least ? reacher->reach[index] : least;
 	float parent = node->parent >= 0
-		? column_scale((const vec4 *)reacher->world[node->parent])
+		? matrix_greatest_scale(
+			  (const mat4 *)&reacher->world[node->parent], 1)
 		: 1.0f;
+	const mat4 *mover; /* matrices that move the mesh's vertices */
+	bool skinned;
 
 	out->exact = false;
 	out->move_px = parent * px_per_unit;
@@ -166,13 +146,14 @@ static int describe(struct optimize_reach *reach, const struct reacher *reacher,
 	if (node->mesh < 0 || model->mesh[node->mesh].target_count == 0) {
 		return 0;
 	}
+	skinned = node->skin >= 0;
+	mover = (const mat4 *)(skinned ? reacher->palette
+				       : &reacher->world[index]);
 	return measure_targets(reach, out, &model->mesh[node->mesh],
 		px_per_unit *
-			(node->skin >= 0 ? largest_scale(reacher->palette,
-						   model->skin[node->skin]
-							   .joint_count)
-					 : largest_scale(
-						   &reacher->world[index], 1)));
+			matrix_greatest_scale(mover,
+				skinned ? model->skin[node->skin].joint_count
+					: 1));
 }
 
 static int find(struct optimize_reach *reach, struct reacher *reacher,

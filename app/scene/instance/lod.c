@@ -1,5 +1,6 @@
 #include "app/scene/instance/lod.h"
 
+#include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 
 #include <float.h>
@@ -177,22 +178,6 @@ float lod_px_per_unit_of_box(const struct bounds *box,
 	return lod_px_per_unit_at(camera, depth, picture_height);
 }
 
-/* The greatest scale along an axis of any of the matrices. */
-static float scale_of(const mat4 *matrix, int count)
-{
-	float max = 0.0f;
-
-	for (int i = 0; i < count; i++) {
-		for (int column = 0; column < 3; column++) {
-			const float *axis = matrix[i][column];
-			float square = vec_dot(axis, axis);
-
-			max = square > max ? square : max;
-		}
-	}
-	return scalar_sqrt(max);
-}
-
 float lod_error_units(
 	const struct instance *instance, const struct drawable *drawable)
 {
@@ -201,13 +186,14 @@ float lod_error_units(
 
 	if (drawable->skin < 0) {
 		return instance->unit_scale *
-			scale_of((const mat4 *)&instance->world[drawable->node],
+			matrix_greatest_scale(
+				(const mat4 *)&instance->world[drawable->node],
 				1);
 	}
 	joint = (const mat4 *)instance->palette[drawable->skin];
-	first = scale_of(joint, 1);
+	first = matrix_greatest_scale(joint, 1);
 	least = least_share *
-		scale_of(joint,
+		matrix_greatest_scale(joint,
 			instance->model->skin[drawable->skin].joint_count);
 	return first > least ? first : least;
 }

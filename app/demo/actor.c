@@ -37,6 +37,25 @@ static void warn_if_unseen(const struct actor *actor,
 		times);
 }
 
+/* Prepares what is played and drawn. Returns 0, or -errno after logging it. */
+static int prepare_parts(struct actor *actor, const struct demo_env *env)
+{
+	int error = shadow_ground_find(&actor->ground, actor->instance);
+
+	if (!error) {
+		error = clip_cursor_init(
+			&actor->cursor, actor->model, &actor->instance->arena);
+	}
+	if (error) {
+		log_error(env->log,
+			"%s: there is not enough memory to play the model",
+			env->model_path);
+		return error;
+	}
+	return texture_set_create(
+		&actor->textures, actor->model, env->gl, env->target, env->log);
+}
+
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
 	size_t memory_bytes =
@@ -71,19 +90,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 	bounds = bounds_of_instance(actor->instance);
 	actor->extent = bounds_extent_of_model(actor->instance);
 	actor->interpolation = env->interpolation;
-	error = shadow_ground_find(&actor->ground, actor->instance);
-	if (!error) {
-		error = clip_cursor_init(
-			&actor->cursor, actor->model, &actor->instance->arena);
-	}
-	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory to play the model",
-			env->model_path);
-		goto fail_instance;
-	}
-	error = texture_set_create(
-		&actor->textures, actor->model, env->gl, env->target, env->log);
+	error = prepare_parts(actor, env);
 	if (error) {
 		goto fail_instance;
 	}

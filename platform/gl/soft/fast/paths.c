@@ -86,7 +86,7 @@ static fill_function choose(struct draw *draw)
 		soft_fill_flat_begin(draw);
 		return soft_fill_flat;
 	}
-	if (draw->spans.stenciled) {
+	if (draw->soft->fragment.stencil.enabled) {
 		return NULL;
 	}
 	if (is_solid(draw) &&

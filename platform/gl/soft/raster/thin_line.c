@@ -34,8 +34,8 @@ bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
 
 	return mode >= GL_LINES && mode <= GL_LINE_STRIP && !draw->smooth &&
 		!draw->texture[0].used && !draw->texture[1].used &&
-		!spans->stenciled && !spans->blended_last &&
-		spans->color_mask == UINT32_MAX &&
+		!soft->fragment.stencil.enabled && !spans->blended_last &&
+		soft->fragment.color_bits == UINT32_MAX &&
 		soft->fragment.line_width < WIDTH_TWO_Q16 && !soft->fill &&
 		!soft->counts;
 }

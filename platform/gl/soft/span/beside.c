@@ -169,6 +169,7 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 {
 	const struct soft_spans *spans = &draw->spans;
 	const struct soft_run *run = &spans->run;
+	const uint32_t mask = draw->soft->fragment.color_bits;
 	uint32_t own[SOFT_BATCH_ROOM], *old = own;
 
 	for (const struct soft_row *row = run->rows; row < end_of(run); row++) {
@@ -179,7 +180,7 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 	old = own;
 	for (const struct soft_row *row = run->rows; row < end_of(run); row++) {
 		restore(row->pixel, (const uint8_t *)old,
-			row->count << spans->pixel_log2, spans->color_mask);
+			row->count << spans->pixel_log2, mask);
 		old += row->count;
 	}
 }
@@ -203,7 +204,7 @@ static void draw_seen(struct draw *draw, enum soft_place place)
 {
 	if (draw->spans.unseen) {
 		write_depths(&draw->spans);
-	} else if (draw->spans.color_mask != UINT32_MAX) {
+	} else if (draw->soft->fragment.color_bits != UINT32_MAX) {
 		draw_masked(draw, place);
 	} else {
 		draw_tested(draw, place);

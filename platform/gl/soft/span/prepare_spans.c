@@ -390,10 +390,8 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->wide =
 		draw->soft->format == PIXELS_RGBA8888 || spans->blended_last;
 	spans->table = spans->wide ? &soft_spans_8888 : &soft_spans_565;
-	spans->stenciled = state->stencil.enabled;
 	choose_making(draw);
 	spans->coverage.used = false;
-	spans->color_mask = state->color_bits;
 	choose_tests(state, spans);
 	choose_runs(draw, spans);
 	spans->run.stages = &spans->stages;

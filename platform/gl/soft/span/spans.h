@@ -123,7 +123,7 @@ struct soft_spans {
 	bool tested_last; /* the stencil is written behind an alpha test */
 	bool unseen;      /* no pixel is written, whatever its colour */
 	bool direct;      /* span functions do all that fragments need */
-	bool stenciled, alpha_tested;
+	bool alpha_tested;
 	bool untested;   /* no depth or stencil test, no depth is written */
 	bool whole_rows; /* draw is one of untested.c's functions */
 	/*
@@ -131,7 +131,6 @@ struct soft_spans {
 	 * stages/blend_row.c blends these pixels, by any blend function.
 	 */
 	bool blended_last;
-	uint32_t color_mask; /* pixels' bits that are written; 565 in both halves */
 	enum soft_finish finish;
 	bool wide; /* span functions draw RGBA8888, else RGB565 */
 	const soft_span_table *table; /* that has the state's functions */

@@ -351,46 +351,57 @@ static int refuse(const struct card *card, enum prospect found, int error,
 }
 
 /*
- * Writes the path of the card with the best prospect, the first one if several
- * have it. Many cards have no screen, which is not worth a message.
+ * Opens the card with the best prospect, the first one if several have it; it
+ * stays open if that is better than CARD_IN_USE. Sets *error to that of opening
+ * it. Many cards have no screen, which is not worth a message.
  */
-static void find_best(struct card *card, const struct display_options *options)
+static enum prospect try_cards(
+	struct card *card, const struct display_options *options, int *error)
 {
+	const struct device_calls *device = card->calls->device;
+	struct card tried = *card;
 	enum prospect best = CARD_ABSENT;
-	int number = 0;
 
 	for (int i = 0; i < CARDS_MAX && best < CARD_CONNECTED; i++) {
 		enum prospect found;
 
-		snprintf(card->path, sizeof(card->path), "/dev/dri/card%d", i);
-		found = try_card(card, options);
-		if (found > CARD_IN_USE) {
-			card->calls->device->close(card->fd);
+		snprintf(tried.path, sizeof(tried.path), "/dev/dri/card%d", i);
+		found = try_card(&tried, options);
+		if (i > 0 && found <= best) {
+			if (found > CARD_IN_USE) {
+				device->close(tried.fd);
+			}
+			continue;
 		}
-		if (found > best) {
-			best = found;
-			number = i;
+		*error = errno;
+		if (best > CARD_IN_USE) {
+			device->close(card->fd);
 		}
+		*card = tried;
+		best = found;
 	}
-	snprintf(card->path, sizeof(card->path), "/dev/dri/card%d", number);
+	return best;
 }
 
 int card_find(struct card *card, const struct display_options *options)
 {
-	const char *path = options->device;
 	enum prospect found;
+	int error = 0;
 
-	if (!path) {
-		find_best(card, options);
-	} else if (snprintf(card->path, sizeof(card->path), "%s", path) >=
-		(int)sizeof(card->path)) {
+	if (!options->device) {
+		found = try_cards(card, options, &error);
+	} else if (snprintf(card->path, sizeof(card->path), "%s",
+			   options->device) >= (int)sizeof(card->path)) {
 		log_error(options->log,
-			"--display kms: %s: the name is too long", path);
+			"--display kms: %s: the name is too long",
+			options->device);
 		return -ENAMETOOLONG;
+	} else {
+		found = try_card(card, options);
+		error = errno;
 	}
-	found = try_card(card, options);
 	return found > CARD_IN_USE ? 0
-				   : refuse(card, found, errno, options->log);
+				   : refuse(card, found, error, options->log);
 }
 
 bool card_is_available(const struct kms_calls *calls)

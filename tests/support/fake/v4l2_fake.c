@@ -7,6 +7,8 @@
 
 #include <linux/videodev2.h>
 
+#include "tests/support/test.h"
+
 enum {
 	FAKE_FD = 0, /* a descriptor like any other */
 	SIDE_MOST = 64
@@ -378,6 +380,15 @@ void v4l2_fake_free(struct v4l2_fake *fake)
 {
 	pthread_mutex_destroy(&fake->lock);
 	free(fake);
+}
+
+void v4l2_fake_end(struct v4l2_fake *fake)
+{
+	assert_false(fake->open);
+	assert_false(fake->used_wrongly);
+	assert_false(fake->dirty_priv);
+	assert_int_equal(fake->maps, fake->unmaps);
+	v4l2_fake_free(fake);
 }
 
 void v4l2_fake_set(struct v4l2_fake *fake, bool *member, bool value)

@@ -77,6 +77,9 @@ struct v4l2_fake *v4l2_fake_new(void);
 
 void v4l2_fake_free(struct v4l2_fake *fake);
 
+/* Frees it, after checks that it was used rightly and everything was released. */
+void v4l2_fake_end(struct v4l2_fake *fake);
+
 /* These take the lock, since another thread may be in a call. */
 void v4l2_fake_set(struct v4l2_fake *fake, bool *member, bool value);
 int v4l2_fake_get(struct v4l2_fake *fake, const int *member);

@@ -1,5 +1,6 @@
 /* Buttons that several keys, lines or sources hold down. */
 #include "platform/buttons/buttons.h"
+#include "tests/support/button_events.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/random.h"
@@ -8,32 +9,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static void push(
-	struct button_queue *queue, int time_ms, enum button button, bool down)
-{
-	button_queue_push(queue,
-		(struct button_event){
-			.time_ms = time_ms, .button = button, .down = down});
-}
-
-static void expect(
-	struct button_queue *queue, int time_ms, enum button button, bool down)
-{
-	struct button_event event;
-
-	assert_true(button_queue_pop(queue, &event));
-	assert_int_equal(event.time_ms, time_ms);
-	assert_int_equal(event.button, button);
-	assert_int_equal(event.down, down);
-}
-
-static void expect_nothing(struct button_queue *queue)
-{
-	struct button_event event;
-
-	assert_false(button_queue_pop(queue, &event));
-}
-
 /* Else the button would seem to be down until it is pressed again. */
 static void test_no_last_release_is_lost_when_the_queue_is_full(void **state)
 {
@@ -41,22 +16,22 @@ static void test_no_last_release_is_lost_when_the_queue_is_full(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 0);
-	push(&queue, 0, BUTTON_LEFT, true);
-	push(&queue, 1, BUTTON_ENTER, true);
-	expect(&queue, 0, BUTTON_LEFT, true);
-	expect(&queue, 1, BUTTON_ENTER, true);
-	push(&queue, 2, BUTTON_LEFT, false);
-	push(&queue, 3, BUTTON_ENTER, false);
+	button_push(&queue, 0, BUTTON_LEFT, true);
+	button_push(&queue, 1, BUTTON_ENTER, true);
+	button_expect(&queue, 0, BUTTON_LEFT, true);
+	button_expect(&queue, 1, BUTTON_ENTER, true);
+	button_push(&queue, 2, BUTTON_LEFT, false);
+	button_push(&queue, 3, BUTTON_ENTER, false);
 	for (int i = 4; i < 2 * BUTTON_QUEUE_CAPACITY; i++) {
-		push(&queue, i, BUTTON_UP, i % 2 == 0);
+		button_push(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
-	expect(&queue, 2, BUTTON_LEFT, false);
-	expect(&queue, 3, BUTTON_ENTER, false);
+	button_expect(&queue, 2, BUTTON_LEFT, false);
+	button_expect(&queue, 3, BUTTON_ENTER, false);
 	for (int i = BUTTON_QUEUE_CAPACITY + 2; i < 2 * BUTTON_QUEUE_CAPACITY;
 		i++) {
-		expect(&queue, i, BUTTON_UP, i % 2 == 0);
+		button_expect(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
-	expect_nothing(&queue);
+	button_expect_nothing(&queue);
 }
 
 /* Any holders of any sources press and release one button. */
@@ -83,9 +58,9 @@ static void test_a_button_is_down_while_any_holder_holds_it(void **state)
 				i, BUTTON_F9, down, (uint8_t)holder});
 		if (shown != (count > 0)) {
 			shown = count > 0;
-			expect(&queue, i, BUTTON_F9, shown);
+			button_expect(&queue, i, BUTTON_F9, shown);
 		}
-		expect_nothing(&queue);
+		button_expect_nothing(&queue);
 	}
 }
 
@@ -96,16 +71,16 @@ static void test_a_bounce_of_a_second_holder_is_dropped(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 100, BUTTON_UP, true);
 	for (int i = 0; i < 6; i++) {
 		button_queue_push(&queue,
 			(struct button_event){101 + i, BUTTON_UP, i % 2 == 0, 1});
 	}
-	push(&queue, 108, BUTTON_UP, false);
+	button_push(&queue, 108, BUTTON_UP, false);
 	button_queue_settle(&queue, 500);
-	expect(&queue, 100, BUTTON_UP, true);
-	expect(&queue, 110, BUTTON_UP, false);
-	expect_nothing(&queue);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect(&queue, 110, BUTTON_UP, false);
+	button_expect_nothing(&queue);
 }
 
 static void test_a_source_does_not_release_what_another_holds(void **state)
@@ -129,9 +104,9 @@ static void test_a_source_does_not_release_what_another_holds(void **state)
 	for (int now_ms = 0; now_ms < 1000; now_ms += 50) {
 		buttons_poll(&buttons, now_ms);
 	}
-	expect(&buttons.queue, 0, BUTTON_UP, true);
-	expect(&buttons.queue, 900, BUTTON_UP, false);
-	expect_nothing(&buttons.queue);
+	button_expect(&buttons.queue, 0, BUTTON_UP, true);
+	button_expect(&buttons.queue, 900, BUTTON_UP, false);
+	button_expect_nothing(&buttons.queue);
 	buttons_close(&buttons);
 	temp_dir_remove(&directory);
 }

@@ -1,4 +1,5 @@
 #include "platform/buttons/buttons.h"
+#include "tests/support/button_events.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
@@ -6,32 +7,6 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-
-static void push(
-	struct button_queue *queue, int time_ms, enum button button, bool down)
-{
-	button_queue_push(queue,
-		(struct button_event){
-			.time_ms = time_ms, .button = button, .down = down});
-}
-
-static void expect(
-	struct button_queue *queue, int time_ms, enum button button, bool down)
-{
-	struct button_event event;
-
-	assert_true(button_queue_pop(queue, &event));
-	assert_int_equal(event.time_ms, time_ms);
-	assert_int_equal(event.button, button);
-	assert_int_equal(event.down, down);
-}
-
-static void expect_nothing(struct button_queue *queue)
-{
-	struct button_event event;
-
-	assert_false(button_queue_pop(queue, &event));
-}
 
 static void test_a_name_and_its_button_convert_both_ways(void **state)
 {
@@ -54,13 +29,13 @@ static void test_first_in_is_first_out(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 0);
-	push(&queue, 0, BUTTON_UP, true);
-	push(&queue, 0, BUTTON_F6, true);
-	push(&queue, 1, BUTTON_UP, false);
-	expect(&queue, 0, BUTTON_UP, true);
-	expect(&queue, 0, BUTTON_F6, true);
-	expect(&queue, 1, BUTTON_UP, false);
-	expect_nothing(&queue);
+	button_push(&queue, 0, BUTTON_UP, true);
+	button_push(&queue, 0, BUTTON_F6, true);
+	button_push(&queue, 1, BUTTON_UP, false);
+	button_expect(&queue, 0, BUTTON_UP, true);
+	button_expect(&queue, 0, BUTTON_F6, true);
+	button_expect(&queue, 1, BUTTON_UP, false);
+	button_expect_nothing(&queue);
 }
 
 static void test_repeats_are_dropped(void **state)
@@ -69,12 +44,12 @@ static void test_repeats_are_dropped(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 0);
-	push(&queue, 5, BUTTON_UP, false);
-	push(&queue, 10, BUTTON_UP, true);
-	push(&queue, 40, BUTTON_UP, true);
-	push(&queue, 70, BUTTON_UP, true);
-	expect(&queue, 10, BUTTON_UP, true);
-	expect_nothing(&queue);
+	button_push(&queue, 5, BUTTON_UP, false);
+	button_push(&queue, 10, BUTTON_UP, true);
+	button_push(&queue, 40, BUTTON_UP, true);
+	button_push(&queue, 70, BUTTON_UP, true);
+	button_expect(&queue, 10, BUTTON_UP, true);
+	button_expect_nothing(&queue);
 }
 
 static void test_a_press_at_time_zero_is_queued_at_once(void **state)
@@ -83,8 +58,8 @@ static void test_a_press_at_time_zero_is_queued_at_once(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 0, BUTTON_ENTER, true);
-	expect(&queue, 0, BUTTON_ENTER, true);
+	button_push(&queue, 0, BUTTON_ENTER, true);
+	button_expect(&queue, 0, BUTTON_ENTER, true);
 }
 
 static void test_a_bouncing_press_is_one_press(void **state)
@@ -93,14 +68,14 @@ static void test_a_bouncing_press_is_one_press(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_UP, true);
-	push(&queue, 101, BUTTON_UP, false);
-	push(&queue, 103, BUTTON_UP, true);
-	push(&queue, 104, BUTTON_UP, false);
-	push(&queue, 106, BUTTON_UP, true);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 101, BUTTON_UP, false);
+	button_push(&queue, 103, BUTTON_UP, true);
+	button_push(&queue, 104, BUTTON_UP, false);
+	button_push(&queue, 106, BUTTON_UP, true);
 	button_queue_settle(&queue, 1000);
-	expect(&queue, 100, BUTTON_UP, true);
-	expect_nothing(&queue);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect_nothing(&queue);
 }
 
 static void test_the_last_state_of_a_bounce_is_not_lost(void **state)
@@ -109,17 +84,17 @@ static void test_the_last_state_of_a_bounce_is_not_lost(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_UP, true);
-	push(&queue, 103, BUTTON_UP, false);
-	push(&queue, 104, BUTTON_UP, true);
-	push(&queue, 105, BUTTON_UP, false);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 103, BUTTON_UP, false);
+	button_push(&queue, 104, BUTTON_UP, true);
+	button_push(&queue, 105, BUTTON_UP, false);
 	button_queue_settle(&queue, 109);
-	expect(&queue, 100, BUTTON_UP, true);
-	expect_nothing(&queue);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect_nothing(&queue);
 	button_queue_settle(&queue, 110);
-	expect(&queue, 110, BUTTON_UP, false);
+	button_expect(&queue, 110, BUTTON_UP, false);
 	button_queue_settle(&queue, 500);
-	expect_nothing(&queue);
+	button_expect_nothing(&queue);
 }
 
 static void test_a_later_event_settles_a_held_back_change(void **state)
@@ -128,13 +103,13 @@ static void test_a_later_event_settles_a_held_back_change(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_UP, true);
-	push(&queue, 103, BUTTON_UP, false);
-	push(&queue, 200, BUTTON_UP, true);
-	expect(&queue, 100, BUTTON_UP, true);
-	expect(&queue, 110, BUTTON_UP, false);
-	expect(&queue, 200, BUTTON_UP, true);
-	expect_nothing(&queue);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 103, BUTTON_UP, false);
+	button_push(&queue, 200, BUTTON_UP, true);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect(&queue, 110, BUTTON_UP, false);
+	button_expect(&queue, 200, BUTTON_UP, true);
+	button_expect_nothing(&queue);
 }
 
 static void test_settled_changes_come_in_the_order_of_their_times(void **state)
@@ -143,16 +118,16 @@ static void test_settled_changes_come_in_the_order_of_their_times(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_DOWN, true);
-	push(&queue, 102, BUTTON_UP, true);
-	push(&queue, 104, BUTTON_UP, false);
-	push(&queue, 105, BUTTON_DOWN, false);
+	button_push(&queue, 100, BUTTON_DOWN, true);
+	button_push(&queue, 102, BUTTON_UP, true);
+	button_push(&queue, 104, BUTTON_UP, false);
+	button_push(&queue, 105, BUTTON_DOWN, false);
 	button_queue_settle(&queue, 300);
-	expect(&queue, 100, BUTTON_DOWN, true);
-	expect(&queue, 102, BUTTON_UP, true);
-	expect(&queue, 110, BUTTON_DOWN, false);
-	expect(&queue, 112, BUTTON_UP, false);
-	expect_nothing(&queue);
+	button_expect(&queue, 100, BUTTON_DOWN, true);
+	button_expect(&queue, 102, BUTTON_UP, true);
+	button_expect(&queue, 110, BUTTON_DOWN, false);
+	button_expect(&queue, 112, BUTTON_UP, false);
+	button_expect_nothing(&queue);
 }
 
 static void test_buttons_are_debounced_separately(void **state)
@@ -161,10 +136,10 @@ static void test_buttons_are_debounced_separately(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 10);
-	push(&queue, 100, BUTTON_UP, true);
-	push(&queue, 101, BUTTON_DOWN, true);
-	expect(&queue, 100, BUTTON_UP, true);
-	expect(&queue, 101, BUTTON_DOWN, true);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 101, BUTTON_DOWN, true);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect(&queue, 101, BUTTON_DOWN, true);
 }
 
 static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
@@ -174,12 +149,12 @@ static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
 	(void)state;
 	button_queue_init(&queue, 0);
 	for (int i = 0; i < BUTTON_QUEUE_CAPACITY + 3; i++) {
-		push(&queue, i, BUTTON_UP, i % 2 == 0);
+		button_push(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
 	for (int i = 3; i < BUTTON_QUEUE_CAPACITY + 3; i++) {
-		expect(&queue, i, BUTTON_UP, i % 2 == 0);
+		button_expect(&queue, i, BUTTON_UP, i % 2 == 0);
 	}
-	expect_nothing(&queue);
+	button_expect_nothing(&queue);
 }
 
 static void test_unknown_buttons_and_holders_are_ignored(void **state)
@@ -190,10 +165,10 @@ static void test_unknown_buttons_and_holders_are_ignored(void **state)
 
 	(void)state;
 	button_queue_init(&queue, 0);
-	push(&queue, 0, BUTTON_COUNT, true);
-	push(&queue, 0, (enum button) - 1, true);
+	button_push(&queue, 0, BUTTON_COUNT, true);
+	button_push(&queue, 0, (enum button) - 1, true);
 	button_queue_push(&queue, unknown);
-	expect_nothing(&queue);
+	button_expect_nothing(&queue);
 }
 
 /* Opens a script of that text. */
@@ -229,16 +204,16 @@ static void test_a_script_pushes_the_events_that_are_due(void **state)
 				 &capture),
 		0);
 	buttons_poll(&buttons, 0);
-	expect(&buttons.queue, 0, BUTTON_ENTER, true);
-	expect_nothing(&buttons.queue);
+	button_expect(&buttons.queue, 0, BUTTON_ENTER, true);
+	button_expect_nothing(&buttons.queue);
 	buttons_poll(&buttons, 499);
-	expect(&buttons.queue, 50, BUTTON_ENTER, false);
-	expect_nothing(&buttons.queue);
+	button_expect(&buttons.queue, 50, BUTTON_ENTER, false);
+	button_expect_nothing(&buttons.queue);
 	buttons_poll(&buttons, 500);
-	expect(&buttons.queue, 500, BUTTON_F10, true);
-	expect(&buttons.queue, 500, BUTTON_F9, true);
+	button_expect(&buttons.queue, 500, BUTTON_F10, true);
+	button_expect(&buttons.queue, 500, BUTTON_F9, true);
 	buttons_poll(&buttons, 100000);
-	expect_nothing(&buttons.queue);
+	button_expect_nothing(&buttons.queue);
 	buttons_close(&buttons);
 }
 
@@ -251,10 +226,10 @@ static void test_polling_settles_the_queue(void **state)
 	assert_int_equal(
 		open_script(&buttons, "10 UP down\n12 UP up\n", &capture), 0);
 	buttons_poll(&buttons, 12);
-	expect(&buttons.queue, 10, BUTTON_UP, true);
-	expect_nothing(&buttons.queue);
+	button_expect(&buttons.queue, 10, BUTTON_UP, true);
+	button_expect_nothing(&buttons.queue);
 	buttons_poll(&buttons, 10 + BUTTON_DEBOUNCE_MS);
-	expect(&buttons.queue, 10 + BUTTON_DEBOUNCE_MS, BUTTON_UP, false);
+	button_expect(&buttons.queue, 10 + BUTTON_DEBOUNCE_MS, BUTTON_UP, false);
 	buttons_close(&buttons);
 }
 
@@ -326,7 +301,7 @@ static void test_no_spec_opens_nothing(void **state)
 	assert_int_equal(buttons_open(&buttons, NULL, &log), 0);
 	assert_int_equal(buttons_open(&buttons, "", &log), 0);
 	buttons_poll(&buttons, 5);
-	expect_nothing(&buttons.queue);
+	button_expect_nothing(&buttons.queue);
 	buttons_close(&buttons);
 }
 
@@ -352,8 +327,8 @@ static void test_sources_share_one_queue(void **state)
 	assert_int_equal(buttons_open(&buttons, spec, &log), 0);
 	assert_int_equal(buttons.source_count, BUTTON_SOURCES_MAX);
 	buttons_poll(&buttons, 5);
-	expect(&buttons.queue, 3, BUTTON_UP, true);
-	expect_nothing(&buttons.queue);
+	button_expect(&buttons.queue, 3, BUTTON_UP, true);
+	button_expect_nothing(&buttons.queue);
 	buttons_close(&buttons);
 	temp_dir_remove(&directory);
 }

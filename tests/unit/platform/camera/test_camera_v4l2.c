@@ -27,11 +27,7 @@ static void end(struct v4l2_fake *fake, struct v4l2_session *session)
 {
 	v4l2_device_close(&session->device);
 	v4l2_device_close(&session->device);
-	assert_false(fake->open);
-	assert_false(fake->used_wrongly);
-	assert_false(fake->dirty_priv);
-	assert_int_equal(fake->maps, fake->unmaps);
-	v4l2_fake_free(fake);
+	v4l2_fake_end(fake);
 }
 
 static int first_byte(const struct v4l2_session *session, int index)

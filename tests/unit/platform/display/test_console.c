@@ -97,6 +97,25 @@ static void end_by(int number, int report_fd)
 	_exit(99);
 }
 
+/* Starts a child that calls a function with a signal and a pipe, and exits. */
+static pid_t begin_child(
+	void (*call)(int number, int report_fd), int number, int *report_fd)
+{
+	int ends[2];
+	pid_t child;
+
+	assert_int_equal(pipe(ends), 0);
+	child = fork();
+	assert_true(child >= 0);
+	if (child == 0) {
+		call(number, ends[1]);
+		_exit(0);
+	}
+	close(ends[1]);
+	*report_fd = ends[0];
+	return child;
+}
+
 static void test_a_fatal_signal_restores_text_mode(void **state)
 {
 	const int signals[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGSYS,
@@ -107,24 +126,16 @@ static void test_a_fatal_signal_restores_text_mode(void **state)
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
 		char modes[4] = {0};
-		int ends[2];
-		int status;
-		pid_t child;
+		int status, report_fd;
+		pid_t child = begin_child(end_by, signals[i], &report_fd);
 
-		assert_int_equal(pipe(ends), 0);
-		child = fork();
-		assert_true(child >= 0);
-		if (child == 0) {
-			end_by(signals[i], ends[1]);
-		}
-		close(ends[1]);
 		assert_int_equal(waitpid(child, &status, 0), child);
 		assert_true(WIFSIGNALED(status));
 		assert_int_equal(WTERMSIG(status), signals[i]);
-		assert_int_equal(read(ends[0], modes, sizeof(modes)), 2);
+		assert_int_equal(read(report_fd, modes, sizeof(modes)), 2);
 		assert_int_equal(modes[0], KD_GRAPHICS);
 		assert_int_equal(modes[1], KD_TEXT);
-		close(ends[0]);
+		close(report_fd);
 	}
 }
 
@@ -153,6 +164,7 @@ static void stop_by(int number, int report_fd)
 	console_acquire(&console, &calls, &log);
 	raise(number);
 	console_release(&console);
+	/* That does nothing in an orphaned process. */
 	raise(number);
 }
 
@@ -164,28 +176,18 @@ static void test_a_terminal_stops_only_a_program_without_the_console(
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(signals); i++) {
 		char modes[4] = {0};
-		int ends[2];
-		int status;
-		pid_t child;
+		int status, report_fd;
+		pid_t child = begin_child(stop_by, signals[i], &report_fd);
 
-		assert_int_equal(pipe(ends), 0);
-		child = fork();
-		assert_true(child >= 0);
-		if (child == 0) {
-			/* The stops of an orphaned process do nothing. */
-			stop_by(signals[i], ends[1]);
-			_exit(0);
-		}
-		close(ends[1]);
 		assert_int_equal(waitpid(child, &status, WUNTRACED), child);
 		/* It is in order when it stops. */
-		assert_int_equal(read(ends[0], modes, sizeof(modes)), 2);
+		assert_int_equal(read(report_fd, modes, sizeof(modes)), 2);
 		assert_int_equal(modes[1], KD_TEXT);
 		if (WIFSTOPPED(status)) {
 			kill(child, SIGKILL);
 			assert_int_equal(waitpid(child, &status, 0), child);
 		}
-		close(ends[0]);
+		close(report_fd);
 	}
 }
 

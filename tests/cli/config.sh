@@ -123,7 +123,7 @@ expect_err 'x.txt: cannot be written'
 # Limits of a file and of its lists.
 awk 'BEGIN { for (i = 0; i <= 100000; i++) print "; a line" }' >"$conf"
 limber play --config "$conf"
-expect_refusal 1 'limber.conf: it has more than 100000 lines'
+expect_refusal 1 'limber.conf:100001: the file has more than 100000 lines'
 given '[buttons]' "UP = gpio gpiochip0 $(printf '%0200d' 7)"
 limber play --config "$conf"
 expect_refusal 1 'limber.conf:2: this line has more than 198 characters'

@@ -1,6 +1,7 @@
 #include "app/character/text/character_text.h"
 
 #include "app/character/text/character_split.h"
+#include "app/character/text/ini_lines.h"
 #include "platform/base/file.h"
 
 #include <errno.h>
@@ -16,9 +17,8 @@ enum {
 struct reader {
 	struct character_text *text;
 	struct character_section *section;
-	FILE *file;
+	struct ini_lines lines;
 	const char *path;
-	int line; /* from 1 */
 	int error;
 	bool may_include;
 	const struct log *log;
@@ -29,8 +29,8 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 
 static int fail(const struct reader *reader, const char *sentence)
 {
-	log_error(
-		reader->log, "%s:%d: %s", reader->path, reader->line, sentence);
+	log_error(reader->log, "%s:%d: %s", reader->path, reader->lines.number,
+		sentence);
 	return -EINVAL;
 }
 
@@ -69,7 +69,7 @@ static int add_section(struct reader *reader, const char *heading,
 	}
 	*section = (struct character_section){
 		.file = reader->path,
-		.number = reader->line,
+		.number = reader->lines.number,
 		.heading = arena_strdup(text->arena, heading),
 		.kind = word[0].text,
 		.name = word[1].text,
@@ -136,14 +136,15 @@ static int include(struct reader *reader, const char *name)
 	if (reader->text->file_count == CHARACTER_FILES_MAX) {
 		log_error(reader->log,
 			"%s:%d: include: a character may have at most %d files, and none may include itself",
-			reader->path, reader->line, CHARACTER_FILES_MAX);
+			reader->path, reader->lines.number, CHARACTER_FILES_MAX);
 		return -EINVAL;
 	}
 	file = file_open(path);
 	if (!file) {
 		error = -errno;
 		log_error(reader->log, "%s:%d: include: %s cannot be read: %s",
-			reader->path, reader->line, path, strerror(-error));
+			reader->path, reader->lines.number, path,
+			strerror(-error));
 		return error;
 	}
 	error = read_file(reader->text, file, path, true, reader->log);
@@ -164,7 +165,7 @@ static int append_line(struct reader *reader, const char *key,
 	}
 	*line = (struct character_line){
 		.file = reader->path,
-		.number = reader->line,
+		.number = reader->lines.number,
 		.section = section->heading,
 		.key = arena_strdup(arena, key),
 		.word_count = count,
@@ -227,65 +228,21 @@ static int take(
 	return !reader->error;
 }
 
-/* The library would leave out words behind the section. */
-static int check_section(struct reader *reader, const char *line)
-{
-	const char *end = strchr(line, ']');
-
-	if (!end) {
-		return fail(reader, "a ] is missing");
-	}
-	end += 1 + strspn(end + 1, " \t\r\n");
-	if (*end != '\0' && *end != ';') {
-		return fail(reader,
-			"a section ends with its ]: begin a line below, or a comment with ;");
-	}
-	return begin_section(reader, line);
-}
-
-/* Returns 0 if the library will accept the line. A heading begins a section. */
-static int check_line(struct reader *reader, const char *line)
-{
-	if (*line == '[') {
-		return check_section(reader, line);
-	}
-	if (strchr(";#\r\n", *line) || strchr(line, '=')) {
-		return 0;
-	}
-	return fail(reader,
-		"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
-}
-
-/*
- * Reads a line for libinih without its indentation, because libinih would take
- * an indented line for a continuation of the one above.
- */
+/* Reads a line for libinih. A heading begins a section. */
 static char *next_line(char *line, int size, void *user)
 {
 	struct reader *reader = user;
-	size_t length, blank;
 
-	if (reader->error || !fgets(line, size, reader->file)) {
+	if (reader->error) {
 		return NULL;
 	}
-	reader->line++;
-	length = strlen(line);
-	if ((length == 0 || line[length - 1] != '\n') && !feof(reader->file)) {
-		reader->error = fail(reader,
-			"this line is too long or is no text: divide it (most keys may be repeated)");
+	if (!ini_lines_next(&reader->lines, line, size)) {
+		reader->error = *reader->lines.refusal
+			? fail(reader, reader->lines.refusal)
+			: 0;
 		return NULL;
 	}
-	if (reader->line > CHARACTER_LINES_MAX) {
-		reader->error =
-			fail(reader, "the file has more than 8000 lines");
-		return NULL;
-	}
-	/* Some editors begin a file with a byte order mark. */
-	blank = reader->line == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0 ? 3
-									   : 0;
-	blank += strspn(line + blank, " \t");
-	memmove(line, line + blank, length + 1 - blank);
-	reader->error = check_line(reader, line);
+	reader->error = *line == '[' ? begin_section(reader, line) : 0;
 	return reader->error ? NULL : line;
 }
 
@@ -293,7 +250,9 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 	bool may_include, const struct log *log)
 {
 	struct reader reader = {.text = text,
-		.file = file,
+		.lines = {.file = file,
+			.separators = "=",
+			.most = CHARACTER_LINES_MAX},
 		.path = arena_strdup(text->arena, path),
 		.may_include = may_include,
 		.log = log};
@@ -313,8 +272,8 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 		return -EIO;
 	}
 	if (line) {
-		reader.line = line > 0 ? line : 0;
-		return fail(&reader, "this line is not valid");
+		reader.lines.number = line > 0 ? line : 0;
+		return fail(&reader, INI_LINES_INVALID);
 	}
 	return 0;
 }

@@ -1,5 +1,6 @@
 #include "app/cmd/options/config.h"
 
+#include "app/character/text/ini_lines.h"
 #include "app/cmd/options/config_buttons.h"
 #include "platform/base/compiler.h"
 #include "platform/base/file.h"
@@ -14,7 +15,7 @@
 enum {
 	SPEC_BYTES = 2 * CONFIG_LIST_BYTES + 2048,
 	KEYS_MAX = 64,
-	LINES_MAX = 100000 /* a pipe or a device may never end */
+	LINES_MAX = 100000
 };
 
 /* Each key but "model" and "labels" sets the option of the same name. */
@@ -42,8 +43,7 @@ static const char *const section_names[] = {"start", "display", "buttons",
 
 struct reader {
 	const char *path;
-	FILE *file;
-	int line; /* from 1 */
+	struct ini_lines lines;
 	int error;
 	struct config *config;
 	struct options *options;
@@ -98,8 +98,8 @@ static void log_with_line(void *user, enum log_level level, const char *sentence
 {
 	const struct reader *reader = user;
 
-	log_write(reader->outer, level, "%s:%d: %s", reader->path, reader->line,
-		sentence);
+	log_write(reader->outer, level, "%s:%d: %s", reader->path,
+		reader->lines.number, sentence);
 }
 
 /* Logs that there is no such section, key or button. Returns -EINVAL. */
@@ -118,10 +118,9 @@ static int refuse_unknown(struct reader *reader, const char *what,
 	return -EINVAL;
 }
 
-static int refuse_line(struct reader *reader)
+static int refuse_line(struct reader *reader, const char *why)
 {
-	log_error(&reader->log,
-		"this line is not valid: write [SECTION], KEY = VALUE or ; COMMENT");
+	log_error(&reader->log, "%s", why);
 	return -EINVAL;
 }
 
@@ -250,53 +249,17 @@ static int take(
 	return !reader->error;
 }
 
-/*
- * Whether the library can read the line. It skips invalid lines silently, so
- * limber reports the first one itself.
- */
-static bool is_valid(const char *line)
-{
-	if (*line == '[') {
-		return strchr(line, ']');
-	}
-	return strchr(";#\r\n", *line) || strpbrk(line, "=:");
-}
-
-/*
- * Reads one line without its indentation, which the library would take for a
- * continuation of the line before.
- */
-static char *next_line(char *text, int size, void *user)
+static char *next_line(char *line, int size, void *user)
 {
 	struct reader *reader = user;
-	size_t length, blank;
 
-	if (reader->error || !fgets(text, size, reader->file)) {
-		return NULL;
+	if (reader->error || ini_lines_next(&reader->lines, line, size)) {
+		return reader->error ? NULL : line;
 	}
-	reader->line++;
-	length = strlen(text);
-	/* A line with zero bytes seems to have no end, too. */
-	if ((length == 0 || text[length - 1] != '\n') && !feof(reader->file)) {
-		log_error(&reader->log,
-			"this line has more than %d characters or is no text: make it shorter",
-			size - 2);
-		reader->error = -EINVAL;
-		return NULL;
+	if (*reader->lines.refusal) {
+		reader->error = refuse_line(reader, reader->lines.refusal);
 	}
-	if (reader->line > LINES_MAX) {
-		log_error(reader->outer, "%s: it has more than %d lines",
-			reader->path, LINES_MAX);
-		reader->error = -EINVAL;
-		return NULL;
-	}
-	blank = strspn(text, " \t");
-	memmove(text, text + blank, length + 1 - blank);
-	if (!is_valid(text)) {
-		reader->error = refuse_line(reader);
-		return NULL;
-	}
-	return text;
+	return NULL;
 }
 
 static int read_lines(struct reader *reader)
@@ -306,13 +269,13 @@ static int read_lines(struct reader *reader)
 	if (reader->error) {
 		return reader->error;
 	}
-	if (ferror(reader->file)) {
+	if (ferror(reader->lines.file)) {
 		log_error(reader->outer, "%s: cannot be read", reader->path);
 		return -EIO;
 	}
 	if (line) {
-		reader->line = line > 0 ? line : 0;
-		return refuse_line(reader);
+		reader->lines.number = line > 0 ? line : 0;
+		return refuse_line(reader, INI_LINES_INVALID);
 	}
 	return 0;
 }
@@ -341,7 +304,7 @@ int config_read(struct config *config, FILE *file, const char *path,
 {
 	struct reader reader = {
 		.path = path,
-		.file = file,
+		.lines = {.file = file, .separators = "=:", .most = LINES_MAX},
 		.config = config,
 		.options = options,
 		.command = command,

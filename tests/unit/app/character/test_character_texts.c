@@ -207,7 +207,7 @@ static void test_a_line_has_at_most_198_characters(void **state)
 		assert_int_equal(
 			log_capture_count(&acting.logged, LOG_ERROR), 1);
 		assert_contains(acting.logged.sentence[0],
-			"test.character:3: this line is too long");
+			"test.character:3: this line has more than 198 characters");
 	}
 	acting_end(&acting);
 }

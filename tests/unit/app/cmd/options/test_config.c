@@ -178,7 +178,7 @@ static void test_errors_name_their_line(void **state)
 		{2, "[display]\nsize = 480\n", "size = 480: give a width"},
 		{2, "[display]\nlabels = maybe\n", "give yes or no"},
 		{2, "[start]\ndemo arm\n", "KEY = VALUE"},
-		{1, "[start\ndemo = arm\n", "[SECTION]"},
+		{1, "[start\ndemo = arm\n", "a ] is missing"},
 		{2, "[buttons]\nUPP = key KEY_W\n", "did you mean UP?"},
 		{2, "[buttons]\nUP = gpio 53fd0000.gpio 18 pul-up\n",
 			"give CHIP/LINE"},
@@ -211,6 +211,24 @@ static void test_a_line_that_is_too_long_is_refused(void **state)
 	text[sizeof(text) - 1] = '\0';
 	load(scene, FOR_PLAY, text);
 	expect_refusal(scene, 2, "this line has more than");
+}
+
+/* Some editors begin a file with one. */
+static void test_a_byte_order_mark_is_skipped(void **state)
+{
+	struct scene *scene = *state;
+
+	load(scene, FOR_PLAY, "\xEF\xBB\xBF[start]\r\ndemo = face\r\n");
+	assert_int_equal(scene->error, 0);
+	assert_string_equal(scene->options.show.demo, "face");
+}
+
+static void test_words_behind_a_section_are_refused(void **state)
+{
+	struct scene *scene = *state;
+
+	load(scene, FOR_PLAY, "[start] ; these are\n\n[display] gl = soft\n");
+	expect_refusal(scene, 3, "a section ends with its ]");
 }
 
 static void test_a_missing_file_is_named(void **state)
@@ -313,6 +331,8 @@ int main(void)
 		CASE(test_options_of_other_commands_are_checked_and_skipped),
 		CASE(test_errors_name_their_line),
 		CASE(test_a_line_that_is_too_long_is_refused),
+		CASE(test_a_byte_order_mark_is_skipped),
+		CASE(test_words_behind_a_section_are_refused),
 		CASE(test_a_missing_file_is_named),
 		CASE(test_files_are_found_in_order_of_precedence),
 		CASE(test_a_name_that_no_path_may_have_is_refused),

@@ -4,6 +4,7 @@
 #include "app/model/little_endian.h"
 #include "app/model/model_deltas.h"
 #include "app/model/model_file.h"
+#include "app/model/split/split.h"
 #include "platform/base/file.h"
 
 #include <errno.h>
@@ -407,11 +408,13 @@ int levels_prepare(struct model *model, const struct log *log)
 {
 	char path[PATH_MAX];
 
-	if (path_beside(model->path, path, sizeof(path)) && file_exists(path) &&
-		read_beside(model, path, log) == 0) {
-		return 0;
+	if (!path_beside(model->path, path, sizeof(path)) ||
+		!file_exists(path) || read_beside(model, path, log) != 0) {
+		if (levels_make(model) != 0) {
+			return memory_budget_fail(
+				model->budget, model->path, log);
+		}
 	}
-	return levels_make(model) == 0
-		? 0
-		: memory_budget_fail(model->budget, model->path, log);
+	split_drop_unused(model);
+	return 0;
 }

@@ -32,10 +32,11 @@ int levels_write(struct model *model, FILE *out);
 int levels_read(struct model *model, const uint8_t *data, size_t size);
 
 /*
- * Gives a loaded model its levels: it reads the file beside the model or, if
- * there is none, makes them. If the file does not fit the model, it logs a
- * warning and makes the levels. Returns 0, or -ENOMEM after an error on the
- * log.
+ * Prepares a loaded model for drawing. It drops parts without triangles
+ * (split_drop_unused()) and gives the others levels: it reads the file beside
+ * the model or, if there is none, makes them. If the file does not fit the
+ * model, it logs a warning and makes the levels. Returns 0, or -ENOMEM after an
+ * error on the log.
  */
 int levels_prepare(struct model *model, const struct log *log);
 

@@ -32,9 +32,25 @@ static const struct {
 	{offsetof(struct model_primitive, weight), 0, sizeof(float)},
 };
 
-static bool is_large(const struct model_primitive *primitive)
+/*
+ * Sets *out to whether a primitive's triangles use less than half of its
+ * vertices. Returns 0 or -ENOMEM.
+ */
+static int find_sparse(const struct model_primitive *primitive,
+	struct memory_budget *budget, bool *out)
 {
-	return primitive->vertex_count > SPLIT_VERTICES_MAX;
+	struct arena brief = arena_within(budget);
+	bool *seen = ARENA_ARRAY(&brief, bool, primitive->vertex_count);
+	int used = 0;
+
+	for (int i = 0; seen && i < primitive->index_count; i++) {
+		used += !seen[primitive->index[i]];
+		seen[primitive->index[i]] = true;
+	}
+	*out = used > 0 && used < primitive->vertex_count / 2 &&
+		primitive->lod_count == 0;
+	arena_release(&brief);
+	return seen ? 0 : -ENOMEM;
 }
 
 /* Copies the elements of the part's vertices. */
@@ -213,11 +229,16 @@ static int find_parts(struct model *model, const struct model_mesh *mesh,
 	struct split_part **parts, int *count)
 {
 	int error = 0;
+	bool divides;
 
 	*count = 0;
 	for (int p = 0; p < mesh->primitive_count && !error; p++) {
 		parts[p] = NULL;
-		if (is_large(&mesh->primitive[p])) {
+		error = find_sparse(
+			&mesh->primitive[p], model->budget, &divides);
+		divides = divides ||
+			mesh->primitive[p].vertex_count > SPLIT_VERTICES_MAX;
+		if (!error && divides) {
 			error = split_triangles(&mesh->primitive[p],
 				SPLIT_VERTICES_MAX, &model->arena, &parts[p]);
 		}
@@ -273,4 +294,41 @@ int split_primitives(struct model *model, struct arena *integers)
 	}
 	arena_release(&scratch);
 	return error;
+}
+
+/* Frees the arrays that take most memory; targets stay. */
+static void free_arrays(
+	struct arena *arena, const struct model_primitive *primitive)
+{
+	const size_t influences = (size_t)primitive->influences;
+
+	for (size_t i = 0; i < ARRAY_COUNT(arrays); i++) {
+		const size_t bytes = arrays[i].bytes +
+			influences * arrays[i].bytes_an_influence;
+		const void *array;
+
+		memcpy(&array, (const char *)primitive + arrays[i].at,
+			sizeof(array));
+		arena_free(
+			arena, array, (size_t)primitive->vertex_count * bytes);
+	}
+}
+
+void split_drop_unused(struct model *model)
+{
+	for (int m = 0; m < model->mesh_count; m++) {
+		struct model_mesh *mesh = &model->mesh[m];
+		int kept = 0;
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			const struct model_primitive *part = &mesh->primitive[p];
+
+			if (part->file_vertex && part->index_count == 0) {
+				free_arrays(&model->arena, part);
+			} else {
+				mesh->primitive[kept++] = *part;
+			}
+		}
+		mesh->primitive_count = kept;
+	}
 }

@@ -399,6 +399,38 @@ static void test_parts_have_the_attributes_of_their_vertices(void **state)
 	model_destroy(model);
 }
 
+static void test_few_used_vertices_become_a_part_of_their_own(void **state)
+{
+	struct arena integers = arena_empty();
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	struct model_primitive own[4];
+	struct model_mesh mesh = {.primitive_count = 4, .primitive = own};
+	struct model model = {.mesh_count = 1, .mesh = &mesh, .budget = &budget};
+	struct grid grid[4];
+
+	(void)state;
+	for (int p = 0; p < 4; p++) {
+		begin(&grid[p], 40, 30, p == 0 ? 14 : p == 1 ? 15 : 3);
+		own[p] = grid[p].primitive;
+	}
+	own[2].lod_count = 1;   /* levels of the file stay */
+	own[3].index_count = 0; /* so do vertices without any triangles */
+	assert_int_equal(split_primitives(&model, &integers), 0);
+	assert_int_equal(mesh.primitive_count, 5);
+	assert_int_equal(mesh.primitive[0].vertex_count, 14 * 40);
+	assert_int_equal(mesh.primitive[0].index_count, own[0].index_count);
+	assert_int_equal(mesh.primitive[1].vertex_count, 16 * 40);
+	assert_int_equal(mesh.primitive[1].index_count, 0);
+	assert_int_equal(mesh.primitive[1].file_vertex[0], 14 * 40);
+	split_drop_unused(&model);
+	assert_int_equal(mesh.primitive_count, 4);
+	for (int p = 0; p < 4; p++) {
+		assert_int_equal(mesh.primitive[p].vertex_count, p ? 1200 : 560);
+		arena_release(&grid[p].arena);
+	}
+	arena_release(&model.arena);
+}
+
 static void test_no_memory_is_an_error(void **state)
 {
 	struct arena integers = arena_empty();
@@ -425,6 +457,8 @@ int main(void)
 			test_triangles_in_one_place_are_divided_by_number),
 		cmocka_unit_test(
 			test_parts_have_the_attributes_of_their_vertices),
+		cmocka_unit_test(
+			test_few_used_vertices_become_a_part_of_their_own),
 		cmocka_unit_test(test_no_memory_is_an_error),
 	};
 

@@ -147,7 +147,7 @@ static void choose_tests(
 	/* What is blended last has to change its depth, as LESS does. */
 	const bool last = spans->blended_last;
 	/* depths that are equal may be written, even if they are not to change */
-	const bool writes = is & SAME || SOFT_KEEPS_DEPTH ||
+	const bool writes = is & SAME || soft_keeps_depth(spans->finish) ||
 		(state->depth_test && state->depth_mask);
 
 	spans->equal_passes = is & OR_EQUAL;

@@ -37,12 +37,6 @@ enum {
 	/* most pixels and runs of a list that one call draws */
 	SOFT_BATCH_PIXELS = 1024,
 	SOFT_BATCH_RUNS = 64,
-#ifdef __x86_64__
-	SOFT_KEEPS_DEPTH =
-		true, /* span functions can leave depths as they are */
-#else
-	SOFT_KEEPS_DEPTH = false,
-#endif
 	SOFT_BATCH_ROOM = SOFT_BATCH_PIXELS + 3, /* drawn as four to the end */
 	/* 2^7 texels, with 9 bits of fraction, fit half of a word */
 	SOFT_RUN_TEXELS = 128,
@@ -122,7 +116,7 @@ struct soft_run {
 	uintptr_t second;
 	/* Joined textures: bytes from a texel of the first to the second's. */
 	uintptr_t joint;
-	bool depth_kept; /* functions that draw four pixels write no depths */
+	bool depth_kept; /* depths stay, if soft_keeps_depth() */
 	/* the last address from which four pixels may be read and written */
 	uintptr_t last;
 	const struct soft_fragment_stages *stages;
@@ -163,6 +157,16 @@ enum soft_finish {
 	SOFT_BLENDED_SUMMED,
 	SOFT_FINISHES,
 };
+
+/* Whether functions of the finish can leave depths as they are. */
+static inline bool soft_keeps_depth(enum soft_finish finish)
+{
+#ifdef __x86_64__ /* which draw four pixels at once */
+	return true;
+#endif
+	return finish == SOFT_BLENDED || finish == SOFT_BLENDED_FOG ||
+		finish == SOFT_MIXED || finish == SOFT_BLENDED_SUMMED;
+}
 
 /*
  * Which runs a span function draws, with texels anywhere or only inside of the

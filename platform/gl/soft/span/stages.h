@@ -16,6 +16,7 @@ struct soft_kind {
 	bool wide;   /* the picture is RGBA8888, else RGB565 */
 	bool lequal; /* the depth test is LEQUAL, else LESS */
 	bool still;  /* see soft_is_still() */
+	bool kept;   /* depths stay as they are */
 	bool joined; /* two textures are read at the same place */
 	bool made;   /* the source is SOFT_MADE, or, of other modes, the next */
 	GLenum mode; /* of the texture environment; 0: GL_MODULATE */

@@ -93,7 +93,7 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		OPAQUE(texel.lanes.red_blue);
 		OPAQUE(texel.lanes.green_alpha);
 	}
-	if (!SOFT_KEEPS_DEPTH || !run->depth_kept) {
+	if (!kind.kept && !(SOFT_LANES > 1 && run->depth_kept)) {
 		soft_store_halves(
 			kind.textured ? UPPER_HALF(at->z) : at->z >> 16, pass,
 			depth);
@@ -373,11 +373,14 @@ static ALWAYS_INLINE bool soft_is_still(
 static SOFT_TEXT void soft_draw_run(
 	const struct soft_run *run, const struct soft_kind kind)
 {
-	struct soft_kind still = kind;
+	struct soft_kind still = kind, kept = kind;
 
-	still.still = true;
+	still.still = kept.kept = true;
 	if (soft_is_still(run, kind)) {
 		soft_draw_rows(run, still);
+	} else if (SOFT_LANES == 1 && soft_keeps_depth(kind.finish) &&
+		run->depth_kept) {
+		soft_draw_rows(run, kept);
 	} else {
 		soft_draw_rows(run, kind);
 	}

@@ -137,6 +137,16 @@ static float along(const float point[3], int direction)
 	return sum;
 }
 
+/* Whether each update poses the vertex, whatever the level of detail is. */
+static bool is_always_posed(const struct drawable *drawable, int vertex)
+{
+	const struct drawable_fixed *fixed = drawable->fixed;
+
+	return !fixed || drawable->skin < 0 ||
+		fixed->inverse_order[vertex] <
+		(uint32_t)fixed->skin.vertex_count_to[0];
+}
+
 static int find_outermost(
 	struct character_bounds *bounds, struct instance *instance)
 {
@@ -147,18 +157,22 @@ static int find_outermost(
 	}
 	for (int i = 0; i < instance->drawable_count * CHARACTER_DIRECTIONS;
 		i++) {
-		int direction = i % CHARACTER_DIRECTIONS, best = 0;
+		int direction = i % CHARACTER_DIRECTIONS, best = -1;
 		const struct drawable *drawable =
 			&instance->drawable[i / CHARACTER_DIRECTIONS];
 		float(*position)[3] = drawable->primitive->position;
 
-		for (int v = 1; v < drawable->primitive->vertex_count; v++) {
-			if (along(position[v], direction) >
-				along(position[best], direction)) {
+		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
+			if (is_always_posed(drawable, v) &&
+				(best < 0 ||
+					along(position[v], direction) >
+						along(position[best],
+							direction))) {
 				best = v;
 			}
 		}
-		bounds->outermost[i / CHARACTER_DIRECTIONS][direction] = best;
+		bounds->outermost[i / CHARACTER_DIRECTIONS][direction] =
+			best > 0 ? best : 0;
 	}
 	return 0;
 }

@@ -224,7 +224,9 @@ static void unpack(const struct fixed_vector *v, float out[3])
 static void encode_fixed(struct drawable *drawable, const float light[3])
 {
 	const struct drawable_fixed *fixed = drawable->fixed;
-	int count = drawable->primitive->vertex_count;
+	int count = drawable->skin < 0
+		? drawable->primitive->vertex_count
+		: fixed_skin_posed_count(&fixed->skin, drawable->posed_lod);
 
 	for (int v = 0; v < count; v++) {
 		uint32_t from = fixed->order ? fixed->order[v] : (uint32_t)v;

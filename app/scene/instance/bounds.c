@@ -106,6 +106,7 @@ static int16_t greater(int16_t a, int16_t b)
 }
 
 /*
+ * Adds the posed vertices, which are the first ones.
  * Finds the 16-bit bounds first and converts only these. The result equals that
  * of converting each vertex, because the conversion is monotonic.
  */
@@ -113,7 +114,9 @@ static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
 {
 	const struct fixed_placement *placement = &drawable->fixed->placement;
 	const struct fixed_vector *v = drawable->fixed->position;
-	const struct fixed_vector *end = v + drawable->primitive->vertex_count;
+	const struct fixed_vector *end = v +
+		fixed_skin_posed_count(
+			&drawable->fixed->skin, drawable->posed_lod);
 	struct fixed_vector low = {
 		.x = INT16_MAX, .y = INT16_MAX, .z = INT16_MAX};
 	struct fixed_vector high = {

@@ -253,7 +253,9 @@ void instance_update(struct instance *instance)
 
 bool instance_is_stale(const struct instance *instance)
 {
-	for (int i = 0; i < instance->drawable_count; i++) {
+	for (int i = 0;
+		instance->drawn_vertices_only && i < instance->drawable_count;
+		i++) {
 		const struct drawable *drawable = &instance->drawable[i];
 
 		if (drawable->posed_lod > drawn_lod(drawable)) {

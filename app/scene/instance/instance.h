@@ -17,8 +17,8 @@ int instance_create(const struct model *model, const struct kernel *kernel,
 
 /*
  * The same for an instance that is only drawn: updates do not pose skinned
- * vertices that no chosen level of detail uses. The caller must therefore not
- * measure the instance's bounds or read single vertices. After lod_choose(),
+ * vertices that no chosen level of detail uses. Bounds are those of posed
+ * vertices, and the caller must not read others. After lod_choose(),
  * instance_is_stale() says whether another update is needed.
  */
 int instance_create_for_drawing(const struct model *model,

@@ -86,6 +86,11 @@ int fixed_skin_group_count(const struct fixed_skin *skin, int level)
 	return skin->group_count_to[fixed_skin_tier_of(skin, level)];
 }
 
+int fixed_skin_posed_count(const struct fixed_skin *skin, int level)
+{
+	return skin->vertex_count_to[fixed_skin_tier_of(skin, level)];
+}
+
 size_t fixed_skin_bytes(const struct fixed_skin *skin)
 {
 	size_t streams = 0;

@@ -146,6 +146,9 @@ void fixed_skin_extend_weights(struct fixed_skin *skin, float old_limit);
  */
 int fixed_skin_group_count(const struct fixed_skin *skin, int level);
 
+/* Returns how many output vertices these groups have, the first ones. */
+int fixed_skin_posed_count(const struct fixed_skin *skin, int level);
+
 /* Bytes of streams, runs, order and joints, for reports. */
 size_t fixed_skin_bytes(const struct fixed_skin *skin);
 

@@ -1,4 +1,6 @@
 /* What a demo says of the model that it loads, and the pictures it frames. */
+#include "app/character/character_data.h"
+#include "app/character/show/character_bounds.h"
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/demo/demo_overlay.h"
@@ -11,6 +13,11 @@
 
 #include <math.h>
 #include <string.h>
+
+/* The begin of an accessor of write_dense()'s vertices. */
+#define VIEW(offset, component, type)              \
+	"{\"bufferView\":0,\"byteOffset\":" offset \
+	",\"componentType\":" component ",\"type\":\"" type "\",\"count\":9216"
 
 /* Loads the model and returns how many warnings and errors that brings. */
 static int load(const char *path, size_t memory_bytes,
@@ -229,6 +236,132 @@ static void test_the_lower_of_cap_and_limit_holds(void **state)
 	shown_end(&shown);
 }
 
+enum {
+	SIDE = 96, /* vertices; together more than a plain actor's skin has */
+	SQUARES = (SIDE - 1) * (SIDE - 1)
+};
+
+/* A hilly square from -1 to 1 that one joint moves. */
+static void write_dense(const struct test_path *folder, const char *path)
+{
+	static const char text[] =
+		"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+		"\"scenes\":[{\"nodes\":[0,1]}],"
+		"\"nodes\":[{\"mesh\":0,\"skin\":0},{}],"
+		"\"skins\":[{\"joints\":[1]}],"
+		"\"meshes\":[{\"primitives\":[{\"indices\":4,\"attributes\":{"
+		"\"POSITION\":0,\"NORMAL\":1,\"JOINTS_0\":2,\"WEIGHTS_0\":3}}]}],"
+		"\"buffers\":[{\"uri\":\"dense.bin\",\"byteLength\":%zu}],"
+		"\"bufferViews\":[{\"buffer\":0,\"byteLength\":%zu,"
+		"\"byteStride\":44},"
+		"{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}],"
+		"\"accessors\":[" VIEW("0", "5126",
+			"VEC3") ",\"min\":[-1,-1,-1],"
+				"\"max\":[1,1,1]}," VIEW(
+					"12", "5126", "VEC3") "}," VIEW("24",
+					"5121", "VEC4") "}," VIEW("28", "5126",
+					"VEC4") "},"
+						"{\"bufferView\":1,\"componentType\":5123,\"type\":\"SCALAR\","
+						"\"count\":%d}]}";
+	static struct {
+		struct {
+			float position[3], normal[3];
+			uint8_t joint[4];
+			float weight[4];
+		} vertex[SIDE * SIDE];
+		uint16_t index[SQUARES][6];
+	} data;
+	const size_t vertices = sizeof(data.vertex);
+	struct test_path bin = path_join(folder, "dense.bin");
+	char json[sizeof(text) + 100];
+
+	for (int v = 0; v < SIDE * SIDE; v++) {
+		float x = (float)(v % SIDE) * 2 / (SIDE - 1) - 1;
+		float y = (float)(v / SIDE) * 2 / (SIDE - 1) - 1;
+
+		data.vertex[v].position[0] = x;
+		data.vertex[v].position[1] = y;
+		data.vertex[v].position[2] = 0.1f * sinf(5 * x) * sinf(4 * y);
+		data.vertex[v].normal[2] = data.vertex[v].weight[0] = 1;
+	}
+	for (int q = 0; q < SQUARES; q++) {
+		int at = q / (SIDE - 1) * SIDE + q % (SIDE - 1);
+		const int corner[] = {at, at + 1, at + SIDE, at + 1,
+			at + SIDE + 1, at + SIDE};
+
+		for (int i = 0; i < 6; i++) {
+			data.index[q][i] = (uint16_t)corner[i];
+		}
+	}
+	snprintf(json, sizeof(json), text, sizeof(data), vertices, vertices,
+		sizeof(data.index), SQUARES * 6);
+	file_write(bin.text, &data, sizeof(data));
+	file_write(path, json, strlen(json));
+}
+
+/* A character of it has bounds that are posed at all levels. */
+static void expect_posed_bounds(struct instance *instance)
+{
+	static const float straight[2] = {0.0f, 0.0f};
+	struct character_part part = {0};
+	const struct character character = {
+		.instance = instance, .part = &part, .part_count = 1};
+	struct character_bounds bounds;
+	struct bounds now = bounds_empty();
+
+	assert_int_equal(character_bounds_init(&bounds, &character), 0);
+	character_bounds_add(&bounds, instance, 0, 0.0f, straight, &now);
+	assert_true(bounds_extent(&now) > 1.9f);
+	for (int v = 0; v < SIDE * SIDE; v++) {
+		instance->drawable[0].fixed->position[v].x = INT16_MAX;
+	}
+	instance_update(instance);
+	now = bounds_empty();
+	character_bounds_add(&bounds, instance, 0, 0.0f, straight, &now);
+	assert_true(now.high[0] < 1.1f);
+}
+
+static void test_only_what_is_drawn_of_a_dense_skin_is_posed(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "dense.gltf");
+	struct log log = log_to_nowhere();
+	struct gl gl = gl_recorder_begin();
+	const struct demo_env env = {.log = &log,
+		.gl = &gl,
+		.kernel = kernel_find("fixed"),
+		.model_path = path.text};
+	struct camera camera = camera_default();
+	const struct fixed_vector *last;
+	struct drawable *drawable;
+	struct bounds bounds;
+	struct actor actor;
+
+	(void)state;
+	write_dense(&folder, path.text);
+	assert_int_equal(actor_load(&actor, &env), 0);
+	drawable = &actor.instance->drawable[0];
+	last = &drawable->fixed->position[SIDE * SIDE - 1];
+	camera.distance = 20.0f * actor.extent;
+	actor_update(&actor, &camera, 240);
+	assert_in_range(drawable->lod, 1, 99);
+	for (int v = 0; v < SIDE * SIDE; v++) {
+		drawable->fixed->position[v].x = INT16_MAX;
+	}
+	actor_update(&actor, &camera, 240);
+	assert_int_equal(drawable->posed_lod, drawable->lod);
+	assert_int_equal(last->x, INT16_MAX);
+	bounds = bounds_of_instance(actor.instance);
+	assert_near(bounds_extent(&bounds) / actor.extent, 1.0, 0.02);
+	expect_posed_bounds(actor.instance);
+	camera.distance = 1.1f * actor.extent;
+	actor_update(&actor, &camera, 64000);
+	assert_int_equal(drawable->posed_lod, 0);
+	assert_int_not_equal(last->x, INT16_MAX);
+	actor_unload(&actor, &gl);
+	temp_dir_remove(&folder);
+}
+
 static void test_only_a_camera_has_uses(void **state)
 {
 	static const struct camera_feed feed = {0};
@@ -262,6 +395,8 @@ int main(void)
 			test_each_small_picture_shows_the_figure_in_its_middle),
 		cmocka_unit_test(test_a_picture_of_another_size_has_its_own_room),
 		cmocka_unit_test(test_the_lower_of_cap_and_limit_holds),
+		cmocka_unit_test(
+			test_only_what_is_drawn_of_a_dense_skin_is_posed),
 		cmocka_unit_test(test_only_a_camera_has_uses),
 	};
 

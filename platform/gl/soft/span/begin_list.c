@@ -66,6 +66,14 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 		(uint32_t)high - (uint32_t)low};
 }
 
+/* Whether each row is one run, with no edge to be clipped. */
+static ALWAYS_INLINE bool has_whole_rows(
+	const struct run_list *list, const struct setup *setup)
+{
+	return setup->columns <= list->most && !setup->wide &&
+		raster_is_in_box(list->draw, setup);
+}
+
 /*
  * Whether all texels lie in the window and each row is one run. For this,
  * coordinates must change by less than 16 texels a pixel, so that rounding at
@@ -81,8 +89,7 @@ static ALWAYS_INLINE bool is_certain(const struct run_list *list,
 
 	/* the product is below 2^16 * 2^11 */
 	return is_within(s, view->s.room) && is_within(t, view->t.room) &&
-		setup->columns <= list->most && !setup->wide &&
-		raster_is_in_box(list->draw, setup) &&
+		has_whole_rows(list, setup) &&
 		room * (uint32_t)setup->extent <= (uint32_t)setup->area << 9;
 }
 
@@ -201,7 +208,6 @@ void soft_draw_list(
 	struct run_list list;
 
 	list.draw = draw;
-	list.certain = false;
 	list.first_texel = spans->run.first_texel;
 	list.most = !spans->textured ? spans->plain_pixels
 		: draw->raster.bent  ? draw->raster.bent_pixels
@@ -211,6 +217,8 @@ void soft_draw_list(
 	list.z = raster_depth_q16(&plane[DEPTH]);
 	if (spans->textured && !spans->made) {
 		begin_texels(&list, setup);
+	} else {
+		list.certain = has_whole_rows(&list, setup);
 	}
 	/* Each run of steep colours has its own steps: it is drawn alone. */
 	list.end = list.row +

@@ -217,6 +217,7 @@ static ALWAYS_INLINE void list_rows(
 	}
 
 LIST(plain, .textured = false)
+LIST(certain_plain, .textured = false, .certain = true)
 LIST(linear, .textured = true)
 LIST(bent, .textured = true, .bent = true)
 LIST(certain, .textured = true, .certain = true)
@@ -229,7 +230,8 @@ void soft_walk_list(struct run_list *list, const struct setup *setup)
 	const int top = raster_first_row(draw, setup);
 	const bool bent = draw->raster.bent;
 	void (*const function)(void *list) =
-		!draw->spans.textured || draw->spans.made ? list_plain
+		!draw->spans.textured || draw->spans.made
+		? (list->certain ? list_certain_plain : list_plain)
 		: list->certain ? (bent ? list_certain_bent : list_certain)
 		: bent          ? list_bent
 				: list_linear;

@@ -59,24 +59,24 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{2943, 1177},           /* spans nearest triangle */
 	{303.9, 149},           /* spans nearest row */
 	{38.73, 25.6},          /* spans nearest pixel */
-	{2994, 1872},           /* mixed triangle */
-	{225.5, 119.3},         /* mixed row */
-	{47.21, 31.07},         /* mixed pixel */
+	{2232, 1422},           /* mixed triangle */
+	{131.3, 46.01},         /* mixed row */
+	{43.82, 25.51},         /* mixed pixel */
 	{3331, 1273},           /* tested triangle */
 	{240.3, 162.9},         /* tested row */
 	{136.1, 86.41},         /* tested pixel */
 	{3067, 1851},           /* tested spans triangle */
 	{305, 195.2},           /* tested spans row */
 	{137.2, 82.24},         /* tested spans pixel */
-	{3202, 917.8},          /* mixed textured triangle */
-	{253.6, 141.9},         /* mixed textured row */
-	{210.6, 139.4},         /* mixed textured pixel */
-	{3639, 2594},           /* mixed spans triangle */
-	{372.3, 232.1},         /* mixed spans row */
-	{177.5, 104},           /* mixed spans pixel */
-	{5047, 4065},           /* mixed divided triangle */
-	{1401, 754.2},          /* mixed divided row */
-	{150.1, 100.6},         /* mixed divided pixel */
+	{5559, 1422},           /* mixed textured triangle */
+	{243.4, 144.5},         /* mixed textured row */
+	{170.3, 124.4},         /* mixed textured pixel */
+	{2958, 2008},           /* mixed spans triangle */
+	{190.3, 132.9},         /* mixed spans row */
+	{180.3, 102.2},         /* mixed spans pixel */
+	{4984, 4025},           /* mixed divided triangle */
+	{1108, 620.3},          /* mixed divided row */
+	{139.7, 92.25},         /* mixed divided pixel */
 	{169.4, 24.96},         /* colored triangle */
 	{16.12, 20.5},          /* colored row */
 	{2.116, 0},             /* colored pixel */

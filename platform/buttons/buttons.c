@@ -135,10 +135,12 @@ void buttons_poll(struct buttons *buttons, int64_t now_ms)
 {
 	for (int i = 0; i < buttons->source_count; i++) {
 		buttons->queue.source = i + 1;
+		buttons->queue.exact = buttons->source[i].driver->exact;
 		buttons->source[i].driver->poll(
 			buttons->source[i].source, now_ms, &buttons->queue);
 	}
 	buttons->queue.source = 0;
+	buttons->queue.exact = false;
 	button_queue_settle(&buttons->queue, now_ms);
 }
 

@@ -59,6 +59,8 @@ struct button_queue {
 	 * buttons_poll() polls.
 	 */
 	int source;
+	/* Its events are no contacts': none is held back as a bounce. */
+	bool exact;
 	/* By source, a bit for each holder that holds the button down. */
 	uint16_t held[BUTTON_SOURCES_MAX + 1][BUTTON_COUNT];
 	bool down[BUTTON_COUNT];          /* as in the last event queued */
@@ -80,9 +82,9 @@ void button_queue_init(struct button_queue *queue, int debounce_ms);
 /*
  * Takes a raw event of one holder; events of a button must come in the order of
  * time. The button is down while any holder holds it. An event that changes
- * nothing is dropped. A change within the debounce time is held back: if the
- * button changes back, both are dropped as a bounce, otherwise the change is
- * queued at the end of the debounce time.
+ * nothing is dropped. A change within the debounce time is held back, unless
+ * its source is exact: if the button changes back, both are dropped as a
+ * bounce, otherwise the change is queued at the end of the debounce time.
  */
 void button_queue_push(struct button_queue *queue, struct button_event event);
 
@@ -101,6 +103,7 @@ struct button_source;
 struct button_driver {
 	const char *name;
 	const char *summary; /* one line for the help text */
+	bool exact;          /* its events need no debouncing */
 	/*
 	 * Checks the syntax of the argument and opens nothing. Returns 0, or
 	 * -EINVAL after logging an error. Optional.

@@ -159,7 +159,7 @@ void button_queue_push(struct button_queue *queue, struct button_event event)
 		return;
 	}
 	since_ms = event.time_ms - queue->changed_ms[event.button];
-	if (since_ms < queue->debounce_ms[event.button] &&
+	if (!queue->exact && since_ms < queue->debounce_ms[event.button] &&
 		queue->debounce_ms[event.button] > 0) {
 		queue->held_back[event.button] = true;
 		return;

@@ -46,10 +46,10 @@ struct display_info {
 struct display_events {
 	bool close;   /* closed the window */
 	bool resized; /* resized the window: the next frame has another size */
-	bool graph;   /* asked to show or hide the frame times */
 	bool picture; /* asked to save the picture in a file */
-	bool overlay; /* asked for the next overlay */
-	int joint;    /* asked for the next joint (1) or the one before (-1) */
+	int graph;    /* how often to show or hide the frame times */
+	int overlay;  /* how often to show the next overlay */
+	int joint; /* by how many to choose another joint; negative: backwards */
 };
 
 struct display_driver {

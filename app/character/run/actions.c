@@ -17,11 +17,13 @@ static void toggle(struct character_parameter *parameter)
 		parameter, parameter->range[parameter->goal > middle ? 0 : 1]);
 }
 
+/* Steps on from the state that an earlier action asked for, if it waits. */
 static void go_on(struct character_machine *machine, int step)
 {
 	int count = machine->state_count;
+	int from = machine->wanted >= 0 ? machine->wanted : machine->current;
 
-	machine->wanted = ((machine->current + step) % count + count) % count;
+	machine->wanted = ((from + step) % count + count) % count;
 }
 
 /* A row begins with the present state, from its start. */

@@ -93,6 +93,13 @@ static void act(struct show *show, enum program_action action)
 	}
 }
 
+static void act_times(struct show *show, enum program_action action, int times)
+{
+	for (int i = 0; i < times; i++) {
+		act(show, action);
+	}
+}
+
 /* Runs the button's action, as remapped by [actions] of limber.conf. */
 static void press(struct show *show, struct button_event event)
 {
@@ -135,18 +142,11 @@ void show_input_poll_display(struct show *show, int64_t now_ms)
 			screen->display, now_ms, &show->buttons.queue, &events);
 	}
 	show->closed = show->closed || events.close || stop_requested();
-	if (events.graph) {
-		act(show, PROGRAM_TOGGLE_GRAPH);
-	}
 	if (events.picture) {
 		act(show, PROGRAM_KEEP_PICTURE);
 	}
-	if (events.overlay) {
-		act(show, PROGRAM_NEXT_OVERLAY);
-	}
-	if (events.joint != 0) {
-		act(show,
-			events.joint > 0 ? PROGRAM_NEXT_JOINT
-					 : PROGRAM_PREVIOUS_JOINT);
-	}
+	act_times(show, PROGRAM_TOGGLE_GRAPH, events.graph);
+	act_times(show, PROGRAM_NEXT_OVERLAY, events.overlay);
+	act_times(show, PROGRAM_NEXT_JOINT, events.joint);
+	act_times(show, PROGRAM_PREVIOUS_JOINT, -events.joint);
 }

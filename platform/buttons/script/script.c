@@ -222,6 +222,7 @@ static void script_poll(struct button_source *script, int64_t now_ms,
 const struct button_driver button_driver_script = {
 	.name = "script",
 	.summary = "script:FILE, lines of TIME_MS BUTTON down|up",
+	.exact = true,
 	.create = script_create,
 	.poll = script_poll,
 	.destroy = script_destroy,

@@ -282,12 +282,11 @@ static void handle_key(struct display *display, const SDL_KeyboardEvent *key,
 		events->close = true;
 	}
 	if (key->state == SDL_PRESSED) {
-		events->graph = events->graph || code == SDLK_h;
 		events->picture = events->picture || code == SDLK_p;
-		events->overlay = events->overlay || code == SDLK_F7;
-		if (code == SDLK_PAGEDOWN || code == SDLK_PAGEUP) {
-			events->joint = code == SDLK_PAGEDOWN ? 1 : -1;
-		}
+		events->graph += code == SDLK_h;
+		events->overlay += code == SDLK_F7;
+		events->joint += code == SDLK_PAGEDOWN;
+		events->joint -= code == SDLK_PAGEUP;
 	}
 	push_key(display, code, key->state == SDL_PRESSED, now_ms, queue);
 }
@@ -317,6 +316,7 @@ static void window_poll(struct display *display, int64_t now_ms,
 	SDL_Event event;
 
 	*events = (struct display_events){0};
+	queue->exact = true;
 	while (display->sdl.PollEvent(&event)) {
 		switch (event.type) {
 		case SDL_QUIT:
@@ -334,6 +334,7 @@ static void window_poll(struct display *display, int64_t now_ms,
 			break;
 		}
 	}
+	queue->exact = false;
 }
 
 const struct display_driver display_driver_window = {

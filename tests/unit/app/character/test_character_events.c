@@ -12,6 +12,33 @@ static void press_once(struct acting *acting, enum button button)
 	acting_tap(acting, button, 1.0 / rate_hz, rate_hz);
 }
 
+/* Two presses within a frame, and one that waits for a transition's time. */
+static void test_each_press_of_next_steps_on(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = idle\n[state b]\nclip = walk\n"
+		"[state c]\nclip = run\n"
+		"[buttons]\nUP = next\nDOWN = previous\n");
+	acting_run_to(&acting, 0.1, rate_hz);
+	for (int i = 0; i < 2; i++) {
+		acting_press(&acting, BUTTON_UP);
+		acting_release(&acting, BUTTON_UP);
+	}
+	acting_run_to(&acting, 0.2, rate_hz);
+	assert_string_equal(acting_state(&acting), "c");
+	for (int i = 0; i < 2; i++) {
+		acting_press(&acting, BUTTON_DOWN);
+		acting_release(&acting, BUTTON_DOWN);
+	}
+	acting_run_to(&acting, 0.3, rate_hz);
+	assert_string_equal(acting_state(&acting), "a");
+	acting_end(&acting);
+}
+
 static void test_gestures_of_buttons(void **state)
 {
 	struct acting acting;
@@ -321,6 +348,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_gestures_of_buttons),
+		cmocka_unit_test(test_each_press_of_next_steps_on),
 		cmocka_unit_test(
 			test_a_release_takes_back_what_holding_has_set_and_no_more),
 		cmocka_unit_test(test_events_run_actions_once_a_round),

@@ -220,16 +220,43 @@ static void test_a_script_pushes_the_events_that_are_due(void **state)
 static void test_polling_settles_the_queue(void **state)
 {
 	struct buttons buttons;
-	struct log_capture capture;
+	struct log log = log_to_nowhere();
 
 	(void)state;
-	assert_int_equal(
-		open_script(&buttons, "10 UP down\n12 UP up\n", &capture), 0);
+	assert_int_equal(buttons_open(&buttons, NULL, &log), 0);
+	button_push(&buttons.queue, 10, BUTTON_UP, true);
+	button_push(&buttons.queue, 12, BUTTON_UP, false);
 	buttons_poll(&buttons, 12);
 	button_expect(&buttons.queue, 10, BUTTON_UP, true);
 	button_expect_nothing(&buttons.queue);
 	buttons_poll(&buttons, 10 + BUTTON_DEBOUNCE_MS);
 	button_expect(&buttons.queue, 10 + BUTTON_DEBOUNCE_MS, BUTTON_UP, false);
+	buttons_close(&buttons);
+}
+
+/* As --record-buttons writes what was pressed in a window within one frame. */
+static void test_all_presses_of_a_script_count(void **state)
+{
+	struct buttons buttons;
+	struct log_capture capture;
+
+	(void)state;
+	assert_int_equal(open_script(&buttons,
+				 "10 UP down\n10 UP up\n10 UP down\n"
+				 "12 UP up\n",
+				 &capture),
+		0);
+	buttons_poll(&buttons, 12);
+	button_expect(&buttons.queue, 10, BUTTON_UP, true);
+	button_expect(&buttons.queue, 10, BUTTON_UP, false);
+	button_expect(&buttons.queue, 10, BUTTON_UP, true);
+	button_expect(&buttons.queue, 12, BUTTON_UP, false);
+	button_expect_nothing(&buttons.queue);
+	/* Contacts that share the queue bounce as before. */
+	button_push(&buttons.queue, 30, BUTTON_UP, true);
+	button_push(&buttons.queue, 31, BUTTON_UP, false);
+	button_expect(&buttons.queue, 30, BUTTON_UP, true);
+	button_expect_nothing(&buttons.queue);
 	buttons_close(&buttons);
 }
 
@@ -375,6 +402,7 @@ int main(void)
 		cmocka_unit_test(test_unknown_buttons_and_holders_are_ignored),
 		cmocka_unit_test(test_a_script_pushes_the_events_that_are_due),
 		cmocka_unit_test(test_polling_settles_the_queue),
+		cmocka_unit_test(test_all_presses_of_a_script_count),
 		cmocka_unit_test(test_the_message_names_a_wrong_line),
 		cmocka_unit_test(test_the_message_names_a_missing_script),
 		cmocka_unit_test(test_an_unknown_source_lists_the_known_ones),

@@ -128,14 +128,18 @@ static void test_a_window_has_keys_for_the_graph_and_the_picture(void **state)
 {
 	struct show *show = &((struct scene *)*state)->show;
 
-	see(show, (struct display_events){.graph = true});
+	see(show, (struct display_events){.graph = 1});
 	assert_true(show->watch.shown);
 	assert_false(show->keeps_picture);
 	see(show, (struct display_events){.picture = true});
 	assert_true(show->watch.shown);
 	assert_true(show->keeps_picture);
-	see(show, (struct display_events){.graph = true});
+	see(show, (struct display_events){.graph = 1});
 	assert_false(show->watch.shown);
+	see(show, (struct display_events){.graph = 2});
+	assert_false(show->watch.shown);
+	see(show, (struct display_events){.graph = 3});
+	assert_true(show->watch.shown);
 }
 
 static int chosen(const struct show *show)
@@ -146,17 +150,34 @@ static int chosen(const struct show *show)
 static void test_a_window_has_keys_for_overlays_and_joints(void **state)
 {
 	struct show *show = &((struct scene *)*state)->show;
-	int first;
+	int first, second;
 
-	see(show, (struct display_events){.overlay = true});
+	see(show, (struct display_events){.overlay = 1});
 	assert_int_equal(kinds(show), 1u << OVERLAY_SKELETON);
-	see(show, (struct display_events){.overlay = true});
+	see(show, (struct display_events){.overlay = 1});
 	assert_int_equal(kinds(show), 1u << OVERLAY_WEIGHTS);
 	first = chosen(show);
 	see(show, (struct display_events){.joint = 1});
 	assert_int_not_equal(chosen(show), first);
 	see(show, (struct display_events){.joint = -1});
 	assert_int_equal(chosen(show), first);
+	see(show, (struct display_events){.joint = 1});
+	see(show, (struct display_events){.joint = 1});
+	second = chosen(show);
+	see(show, (struct display_events){.joint = -2});
+	assert_int_equal(chosen(show), first);
+	see(show, (struct display_events){.joint = 2});
+	assert_int_equal(chosen(show), second);
+	assert_int_not_equal(second, first);
+}
+
+/* A frame of a slow board may last longer than two presses. */
+static void test_a_key_pressed_twice_in_a_frame_counts_twice(void **state)
+{
+	struct show *show = &((struct scene *)*state)->show;
+
+	see(show, (struct display_events){.overlay = 2});
+	assert_int_equal(kinds(show), 1u << OVERLAY_WEIGHTS);
 }
 
 /* The same by buttons while F9 is held, at any time of the run. */
@@ -245,6 +266,7 @@ int main(void)
 		CASE(test_a_closed_window_stays_closed),
 		CASE(test_a_window_has_keys_for_the_graph_and_the_picture),
 		CASE(test_a_window_has_keys_for_overlays_and_joints),
+		CASE(test_a_key_pressed_twice_in_a_frame_counts_twice),
 		CASE(test_buttons_with_f9_act_as_the_windows_keys),
 		CASE(test_f9_held_alone_shows_the_graph),
 		CASE(test_recorded_times_never_decrease),

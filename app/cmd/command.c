@@ -180,7 +180,9 @@ static int run(const struct command *command, struct options *options, int argc,
 	int status = EXIT_FAILED;
 
 	if (configure(command, argc, argv, &config, options, &log) == 0) {
-		status = options_check_files(options, command->bit, &log) == 0
+		status = options_read_dash(options, command->bit, &log) == 0 &&
+				options_check_files(
+					options, command->bit, &log) == 0
 			? command->run(options, &log)
 			: EXIT_USAGE;
 	}

@@ -300,6 +300,29 @@ about 'limber pose, appending standard output'
 check 'what stood in the file before is kept' \
     test "$(head -n 1 "$scratch/appended")" = first
 check 'the pose follows it' grep -q '^o node0_prim0$' "$scratch/appended"
+
+# "-" is standard output of the commands that print nothing but their file.
+limber pose "$slider" -o -
+expect_status 0
+expect_out '^o node0_prim0$'
+limber character "$slider"
+cp "$out_file" "$scratch/sketch"
+limber character "$slider" -o -
+expect_status 0
+check 'it is what character prints without -o' \
+    cmp "$scratch/sketch" "$out_file"
+refused_dash() {
+    limber "$@"
+    expect_refusal 2 '-: only pose and character write to standard output: '
+}
+refused_dash render "$slider" -o -
+refused_dash levels "$slider" -o -
+refused_dash optimize "$slider" -o -
+refused_dash export "$slider" --c -
+refused_dash play "$slider" --stats -
+refused_dash play "$slider" --record-buttons -
+check 'no file is named -' test ! -e -
+
 mkdir "$scratch/elsewhere"
 ln -s elsewhere/target.obj "$scratch/link.obj"
 limber pose "$slider" -o "$scratch/link.obj"

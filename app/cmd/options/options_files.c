@@ -16,7 +16,6 @@
 struct named_file {
 	const char *option;
 	const char *path; /* NULL when the option was not given */
-	bool written;
 };
 
 static bool is_same(const struct stat *a, const struct stat *b)
@@ -164,26 +163,68 @@ static int check_export(const struct options *options, const struct log *log)
 	return 0;
 }
 
+/* Every file that an option names; those to write come last. */
+enum {
+	FILES_READ = 4,
+	FILES = 12
+};
+
+static void list_files(
+	const struct options *options, struct named_file files[FILES])
+{
+	const struct named_file all[FILES] = {
+		{"MODEL", options->model_path},
+		{"--config", options->common.config},
+		{"--character", options->show.character},
+		{"--script", options->input.script},
+		{"--output", options->screen.output},
+		{"--c", options->export.c},
+		{"--plot", options->compare.plot},
+		{"--record", options->show.record},
+		{"--record-buttons", options->input.record_buttons},
+		{"--stats", options->show.stats},
+		{"--failsafe", options->show.failsafe},
+		{"--watchdog", options->show.watchdog},
+	};
+
+	memcpy(files, all, sizeof(all));
+}
+
+static bool is_dash(const char *path)
+{
+	return path && strcmp(path, "-") == 0;
+}
+
+int options_read_dash(struct options *options, enum command_bit command,
+	const struct log *log)
+{
+	struct named_file files[FILES];
+
+	if (is_dash(options->screen.output) && command == FOR_POSE) {
+		options->screen.output = "/dev/stdout";
+	} else if (is_dash(options->screen.output) && command == FOR_CHARACTER) {
+		options->screen.output = NULL;
+	}
+	list_files(options, files);
+	for (int i = FILES_READ; i < FILES; i++) {
+		if (is_dash(files[i].path)) {
+			log_error(log,
+				"%s -: only pose and character write to standard output: give the name of a file",
+				files[i].option);
+			return -EINVAL;
+		}
+	}
+	return 0;
+}
+
 int options_check_files(const struct options *options, enum command_bit command,
 	const struct log *log)
 {
-	const struct named_file files[] = {
-		{"MODEL", options->model_path, false},
-		{"--config", options->common.config, false},
-		{"--character", options->show.character, false},
-		{"--script", options->input.script, false},
-		{"--output", options->screen.output, true},
-		{"--c", options->export.c, true},
-		{"--plot", options->compare.plot, true},
-		{"--record", options->show.record, true},
-		{"--record-buttons", options->input.record_buttons, true},
-		{"--stats", options->show.stats, true},
-		{"--failsafe", options->show.failsafe, true},
-		{"--watchdog", options->show.watchdog, true},
-	};
+	struct named_file files[FILES];
 
-	for (size_t i = 0; i < ARRAY_COUNT(files); i++) {
-		if (files[i].written && files[i].path &&
+	list_files(options, files);
+	for (int i = FILES_READ; i < FILES; i++) {
+		if (files[i].path &&
 			(check_file(&files[i], files, log) != 0 ||
 				check_ending(&files[i], command, log) != 0)) {
 			return -EINVAL;

@@ -8,6 +8,14 @@
 #include "app/cmd/options/options.h"
 
 /*
+ * Lets "-" stand for standard output where a command prints nothing but its
+ * file: --output of pose and character. Returns 0, or -EINVAL after logging an
+ * error for any other file to write.
+ */
+int options_read_dash(struct options *options, enum command_bit command,
+	const struct log *log);
+
+/*
  * Compares the files to write with each other and with the files to read, by
  * device and inode instead of by path; devices and pipes may be named twice.
  * No file of --export may be the model. pose, export, character and levels

@@ -4,7 +4,8 @@
 #ifndef TESTS_GPIOD_CASES_H
 #define TESTS_GPIOD_CASES_H
 
-/* Runs all tests. Returns main()'s result. */
+/* Run all tests of a file. Return main()'s result. */
 int gpiod_cases_run(void);
+int gpiod_lost_cases_run(void);
 
 #endif

@@ -138,8 +138,8 @@ int fake_line_request(struct fake_line *line, const char *consumer)
 		errno = EBUSY;
 		return -1;
 	}
-	if (line->error) {
-		errno = line->error;
+	if (line->error || line->gone) {
+		errno = line->gone ? ENODEV : line->error;
 		return -1;
 	}
 	assert_int_equal(pipe(line->pipe), 0);

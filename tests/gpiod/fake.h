@@ -32,6 +32,7 @@ struct fake_edge {
 struct fake_line {
 	const char *name;
 	const char *holder; /* another user of the line, or NULL */
+	void *owner;        /* the handle of its chip that got it; 1.x only */
 	int error;          /* errno of requesting it, or 0 */
 	char consumer[64];  /* the driver's name for itself */
 	bool requested, both_edges, input, active_low, high;

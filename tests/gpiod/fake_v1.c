@@ -5,10 +5,16 @@
 
 #include <errno.h>
 #include <gpiod.h>
+#include <stdlib.h>
+
+/* Each opening of a chip is a handle of its own, which owns its lines. */
+struct handle {
+	struct fake_chip *chip;
+};
 
 static struct fake_chip *fake(struct gpiod_chip *chip)
 {
-	return (struct fake_chip *)chip;
+	return ((struct handle *)chip)->chip;
 }
 
 static struct fake_line *fake_line(struct gpiod_line *line)
@@ -18,15 +24,24 @@ static struct fake_line *fake_line(struct gpiod_line *line)
 
 struct gpiod_chip *gpiod_chip_open(const char *path)
 {
-	return (struct gpiod_chip *)fake_chip_open(path);
+	struct fake_chip *chip = fake_chip_open(path);
+	struct handle *handle = chip ? malloc(sizeof(*handle)) : NULL;
+
+	if (handle) {
+		handle->chip = chip;
+	}
+	return (struct gpiod_chip *)handle;
 }
 
 void gpiod_chip_close(struct gpiod_chip *chip)
 {
 	for (int i = 0; i < FAKE_LINES; i++) {
-		assert_false(fake(chip)->line[i].requested);
+		const struct fake_line *line = &fake(chip)->line[i];
+
+		assert_false(line->requested && line->owner == chip);
 	}
 	fake_chip_close(fake(chip));
+	free(chip);
 }
 
 const char *gpiod_chip_label(struct gpiod_chip *chip)
@@ -47,7 +62,12 @@ unsigned int gpiod_chip_num_lines(struct gpiod_chip *chip)
 struct gpiod_line *gpiod_chip_get_line(
 	struct gpiod_chip *chip, unsigned int offset)
 {
-	return (struct gpiod_line *)fake_chip_line(fake(chip), offset);
+	struct fake_line *line = fake_chip_line(fake(chip), offset);
+
+	if (line && !line->requested) {
+		line->owner = chip;
+	}
+	return (struct gpiod_line *)line;
 }
 
 struct gpiod_line *gpiod_chip_find_line(

@@ -1,5 +1,6 @@
 /*
- * Buttons on GPIO lines: reads the edges that the kernel has time-stamped.
+ * Buttons on GPIO lines: reads the edges that the kernel has time-stamped. The
+ * chips may come and go at any time, such as those of a USB adapter.
  */
 #include <errno.h>
 #include <poll.h>
@@ -18,48 +19,70 @@
 enum {
 	CHIPS_MAX = 32,
 	DEVICES_MAX = 128, /* /dev/gpiochip0 to 127; numbers may have gaps */
-	LINES_MAX = BUTTON_HOLDERS_MAX
+	LINES_MAX = BUTTON_HOLDERS_MAX,
+	RETRY_MS = 1000 /* between two attempts to open missing lines */
 };
 
 struct button_line {
 	struct gpio_line_spec spec;
-	struct gpio_line *line;
-	bool active; /* as in the last event */
+	/*
+	 * A line has its own handle of its chip, which it closes when it is
+	 * lost: the chip gets its former number again only if nobody holds it.
+	 */
+	struct gpio_chip *chip;
+	struct gpio_line *line; /* NULL: missing */
+	bool active;            /* as in the last event */
+};
+
+/* All chips of the machine, while lines are looked for. */
+struct chip_list {
+	struct gpio_chip *chip[CHIPS_MAX];
+	int count;
+	char denied[32]; /* the last one that may not be opened, or "" */
 };
 
 struct button_source {
 	struct log log;
-	struct gpio_chip *chip[CHIPS_MAX];
-	int chip_count;
 	struct button_line line[LINES_MAX];
-	struct pollfd fd[LINES_MAX]; /* -1 for a line that was lost */
+	struct pollfd fd[LINES_MAX]; /* -1 for a line that is missing */
 	int line_count;
 	bool polled; /* polled_ms is set */
-	int64_t polled_ms;
+	int64_t polled_ms, retry_ms;
 	struct button_batch batch;
 };
 
-static void open_chips(struct button_source *source)
+static void open_chips(struct chip_list *chips)
 {
-	char denied[32] = "";
-
-	for (int i = 0; i < DEVICES_MAX && source->chip_count < CHIPS_MAX; i++) {
+	*chips = (struct chip_list){.count = 0};
+	for (int i = 0; i < DEVICES_MAX && chips->count < CHIPS_MAX; i++) {
 		char path[32];
 		int error;
 
 		snprintf(path, sizeof(path), "/dev/gpiochip%d", i);
-		error = gpio_chip_open(path, &source->chip[source->chip_count]);
+		error = gpio_chip_open(path, &chips->chip[chips->count]);
 		if (!error) {
-			source->chip_count++;
+			chips->count++;
 		} else if (error == -EACCES || error == -EPERM) {
-			memcpy(denied, path, sizeof(denied));
+			memcpy(chips->denied, path, sizeof(chips->denied));
 		}
 	}
-	if (denied[0]) {
-		device_access_report_denied(&source->log, denied);
-	} else if (source->chip_count == 0) {
-		log_warning(&source->log,
-			"/dev/gpiochip*: no GPIO chip on this machine: its buttons do nothing");
+}
+
+static void close_chips(struct chip_list *chips)
+{
+	while (chips->count > 0) {
+		gpio_chip_close(chips->chip[--chips->count]);
+	}
+}
+
+static void say_missing_chips(
+	const struct chip_list *chips, const struct log *log)
+{
+	if (chips->denied[0]) {
+		device_access_report_denied(log, chips->denied);
+	} else if (chips->count == 0) {
+		log_warning(log,
+			"/dev/gpiochip*: no GPIO chip on this machine yet: its buttons work when there is one");
 	}
 }
 
@@ -69,16 +92,15 @@ static bool chip_is_called(const struct gpio_chip *chip, const char *name)
 		strcmp(gpio_chip_name(chip), name) == 0;
 }
 
-static void say_no_chip(
-	const struct button_source *source, const struct gpio_line_spec *spec)
+static void say_no_chip(const struct chip_list *chips,
+	const struct gpio_line_spec *spec, const struct log *log)
 {
 	struct name_list labels = {""};
 
-	for (int i = 0; i < source->chip_count; i++) {
-		name_list_add(&labels, gpio_chip_label(source->chip[i]));
+	for (int i = 0; i < chips->count; i++) {
+		name_list_add(&labels, gpio_chip_label(chips->chip[i]));
 	}
-	log_warning(&source->log,
-		"gpiod:%s: no chip is labelled %s: choose one of %s",
+	log_warning(log, "gpiod:%s: no chip is labelled %s: choose one of %s",
 		button_name(spec->button), spec->chip, labels.text);
 }
 
@@ -92,30 +114,30 @@ static int offset_on(struct gpio_chip *chip, const struct gpio_line_spec *spec)
 							 : -1;
 }
 
-static void say_no_line(
-	const struct button_source *source, const struct gpio_line_spec *spec)
+static void say_no_line(const struct gpio_line_spec *spec, const struct log *log)
 {
 	if (spec->name[0]) {
-		log_warning(&source->log,
+		log_warning(log,
 			"gpiod:%s: %s%s has no line named %s: gpioinfo lists the names",
 			button_name(spec->button),
 			spec->chip[0] ? "chip " : "this machine", spec->chip,
 			spec->name);
 	} else {
-		log_warning(&source->log,
+		log_warning(log,
 			"gpiod:%s: chip %s has no line %u: choose a lower number",
 			button_name(spec->button), spec->chip, spec->offset);
 	}
 }
 
 /* Finds the chip and the offset of a line; NULL after logging a warning. */
-static struct gpio_chip *find_line(const struct button_source *source,
-	const struct gpio_line_spec *spec, unsigned int *offset)
+static struct gpio_chip *find_line(const struct chip_list *chips,
+	const struct gpio_line_spec *spec, const struct log *log,
+	unsigned int *offset)
 {
 	bool chip_found = !spec->chip[0];
 
-	for (int i = 0; i < source->chip_count; i++) {
-		struct gpio_chip *chip = source->chip[i];
+	for (int i = 0; i < chips->count; i++) {
+		struct gpio_chip *chip = chips->chip[i];
 		int found;
 
 		if (spec->chip[0] && !chip_is_called(chip, spec->chip)) {
@@ -129,28 +151,27 @@ static struct gpio_chip *find_line(const struct button_source *source,
 		}
 	}
 	if (chip_found) {
-		say_no_line(source, spec);
+		say_no_line(spec, log);
 	} else {
-		say_no_chip(source, spec);
+		say_no_chip(chips, spec, log);
 	}
 	return NULL;
 }
 
-static void say_refused(const struct button_source *source,
-	const struct gpio_line_spec *spec, struct gpio_chip *chip,
-	unsigned int offset, int error)
+static void say_refused(const struct gpio_line_spec *spec,
+	struct gpio_chip *chip, unsigned int offset, int error,
+	const struct log *log)
 {
 	if (error == -EBUSY) {
 		struct gpio_line_info line = {.used = false};
 
 		(void)gpio_line_get_info(chip, offset, &line);
-		log_warning(&source->log,
+		log_warning(log,
 			"gpiod:%s: line %u of %s is taken by %s: free it or choose another line",
 			button_name(spec->button), offset, gpio_chip_label(chip),
 			line.consumer[0] ? line.consumer : "a driver");
 	} else {
-		log_warning(&source->log,
-			"gpiod:%s: line %u of %s cannot be read: %s%s",
+		log_warning(log, "gpiod:%s: line %u of %s cannot be read: %s%s",
 			button_name(spec->button), offset,
 			gpio_chip_label(chip), strerror(-error),
 			spec->settings.bias == GPIO_BIAS_AS_IS
@@ -159,32 +180,93 @@ static void say_refused(const struct button_source *source,
 	}
 }
 
-static void open_line(
-	struct button_source *source, const struct gpio_line_spec *spec)
+/* Opens the line's own handle of a chip and requests it. 0 or -errno. */
+static int request_line(
+	struct button_line *line, struct gpio_chip *chip, unsigned int offset)
 {
-	struct button_line *line = &source->line[source->line_count];
-	char consumer[32];
+	const struct gpio_line_spec *spec = &line->spec;
+	char path[GPIO_NAME_BYTES], consumer[32];
+	int error;
+
+	snprintf(path, sizeof(path), "/dev/%s", gpio_chip_name(chip));
+	error = gpio_chip_open(path, &line->chip);
+	if (error) {
+		return error;
+	}
+	snprintf(consumer, sizeof(consumer), "limber %s",
+		button_name(spec->button));
+	error = gpio_line_request(
+		line->chip, offset, &spec->settings, consumer, &line->line);
+	if (error) {
+		gpio_chip_close(line->chip);
+		line->chip = NULL;
+		line->line = NULL;
+	}
+	return error;
+}
+
+/* A button that is held now counts from its next press. */
+static void open_line(struct button_source *source, int index,
+	const struct chip_list *chips, const struct log *log)
+{
+	struct button_line *line = &source->line[index];
 	unsigned int offset;
-	struct gpio_chip *chip = find_line(source, spec, &offset);
+	struct gpio_chip *chip = find_line(chips, &line->spec, log, &offset);
 	int error;
 
 	if (!chip) {
 		return;
 	}
-	snprintf(consumer, sizeof(consumer), "limber %s",
-		button_name(spec->button));
-	error = gpio_line_request(
-		chip, offset, &spec->settings, consumer, &line->line);
+	error = request_line(line, chip, offset);
 	if (error) {
-		say_refused(source, spec, chip, offset, error);
+		say_refused(&line->spec, chip, offset, error, log);
 		return;
 	}
-	line->spec = *spec;
 	line->active = gpio_line_level(line->line) == 1;
-	source->fd[source->line_count++] = (struct pollfd){
-		.fd = gpio_line_fd(line->line),
-		.events = POLLIN,
-	};
+	source->fd[index].fd = gpio_line_fd(line->line);
+}
+
+static void close_line(struct button_source *source, int index)
+{
+	struct button_line *line = &source->line[index];
+
+	gpio_line_release(line->line);
+	gpio_chip_close(line->chip);
+	line->line = NULL;
+	line->chip = NULL;
+	source->fd[index].fd = -1;
+}
+
+static bool is_any_missing(const struct button_source *source)
+{
+	for (int i = 0; i < source->line_count; i++) {
+		if (!source->line[i].line) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* The warnings about missing lines have been logged before. */
+static void retry(struct button_source *source)
+{
+	struct log nowhere = log_to_nowhere();
+	struct chip_list chips;
+
+	open_chips(&chips);
+	for (int i = 0; i < source->line_count; i++) {
+		struct button_line *line = &source->line[i];
+
+		if (line->line) {
+			continue;
+		}
+		open_line(source, i, &chips, &nowhere);
+		if (line->line) {
+			log_note(&source->log, "gpiod:%s: its GPIO line is back",
+				button_name(line->spec.button));
+		}
+	}
+	close_chips(&chips);
 }
 
 /* Reads all items into specs. Returns their number, or -EINVAL after logging. */
@@ -227,10 +309,7 @@ static void gpiod_destroy(struct button_source *source)
 		return;
 	}
 	for (int i = 0; i < source->line_count; i++) {
-		gpio_line_release(source->line[i].line);
-	}
-	for (int i = 0; i < source->chip_count; i++) {
-		gpio_chip_close(source->chip[i]);
+		close_line(source, i);
 	}
 	free(source);
 }
@@ -249,6 +328,7 @@ static int gpiod_create(
 	struct gpio_line_spec specs[LINES_MAX];
 	int count = read_specs(argument, specs, log);
 	struct button_source *source;
+	struct chip_list chips;
 
 	if (count < 0) {
 		return count;
@@ -259,10 +339,17 @@ static int gpiod_create(
 		return -ENOMEM;
 	}
 	source->log = *log;
-	open_chips(source);
-	for (int i = 0; i < count && source->chip_count > 0; i++) {
-		open_line(source, &specs[i]);
+	source->line_count = count;
+	open_chips(&chips);
+	say_missing_chips(&chips, log);
+	for (int i = 0; i < count; i++) {
+		source->line[i].spec = specs[i];
+		source->fd[i] = (struct pollfd){.fd = -1, .events = POLLIN};
+		if (chips.count > 0) {
+			open_line(source, i, &chips, log);
+		}
 	}
+	close_chips(&chips);
 	*out = source;
 	return 0;
 }
@@ -288,11 +375,11 @@ static void lose_line(
 {
 	struct button_line *line = &source->line[index];
 
-	log_warning(&source->log, "gpiod:%s: lost its GPIO line: %s",
+	log_warning(&source->log,
+		"gpiod:%s: lost its GPIO line: %s: it works again when its chip is back",
 		button_name(line->spec.button), strerror(-error));
-	gpio_line_release(line->line);
-	line->line = NULL;
-	source->fd[index].fd = -1;
+	close_line(source, index);
+	source->retry_ms = now_ms + RETRY_MS;
 	if (line->active) {
 		add_edge(source, index, now_ms, false);
 	}
@@ -336,6 +423,7 @@ static void begin_polling(struct button_source *source, int64_t now_ms,
 {
 	source->polled = true;
 	source->polled_ms = now_ms;
+	source->retry_ms = now_ms + RETRY_MS;
 	for (int i = 0; i < source->line_count; i++) {
 		const struct gpio_line_spec *spec = &source->line[i].spec;
 
@@ -361,6 +449,12 @@ static void gpiod_poll(struct button_source *source, int64_t now_ms,
 			}
 		}
 		button_batch_push(&source->batch, queue);
+	}
+	if (now_ms >= source->retry_ms) {
+		source->retry_ms = now_ms + RETRY_MS;
+		if (is_any_missing(source)) {
+			retry(source);
+		}
 	}
 	source->polled_ms = now_ms;
 }

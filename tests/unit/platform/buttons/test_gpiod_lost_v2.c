@@ -1,0 +1,7 @@
+/* Lines that come and go over libgpiod 2.x; toolchain/gpiod.mk links the fake. */
+#include "tests/gpiod/cases.h"
+
+int main(void)
+{
+	return gpiod_lost_cases_run();
+}

@@ -8,7 +8,7 @@
 #include "platform/buttons/buttons.h"
 
 enum {
-	BUTTON_BATCH_CAPACITY = 512
+	BUTTON_BATCH_CAPACITY = 1024
 };
 
 /* Initialize it with zeros. */

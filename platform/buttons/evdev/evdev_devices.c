@@ -14,8 +14,16 @@
 
 enum {
 	EVENTS_AT_ONCE = 24,
-	READS_MAX = 32 /* of a device in a poll: one may never be empty */
+	READS_MAX = 32, /* of a device in a poll: one may never be empty */
+	/* Changes of buttons by one read, and by the loss of a device. */
+	READ_CHANGES = EVENTS_AT_ONCE + BUTTON_COUNT,
+	LOSS_CHANGES = BUTTON_COUNT,
+	/* Of the batch, for each device that has not been read in a poll. */
+	SHARE = BUTTON_BATCH_CAPACITY / EVDEV_DEVICES_MAX
 };
+
+_Static_assert(READ_CHANGES + LOSS_CHANGES <= SHARE,
+	"each device can be read once in a poll, and can be lost");
 
 bool evdev_devices_are_one(const struct button_source *source)
 {
@@ -248,15 +256,27 @@ static ssize_t read_some(struct button_source *source, int index,
 }
 
 /*
+ * Whether the batch has room for another read of a device without taking the
+ * share of the devices with lower indices, which are read after it.
+ */
+static bool has_room(const struct button_source *source, int index)
+{
+	return source->batch.count + READ_CHANGES + LOSS_CHANGES <=
+		BUTTON_BATCH_CAPACITY - index * SHARE;
+}
+
+/*
  * Reads the waiting events of a device, which may be many: the sticks of a
- * gamepad move a thousand times a second. Returns false if the device is gone.
+ * gamepad move a thousand times a second. What there is no room for is read in
+ * the next poll. Returns false if the device is gone.
  */
 static bool read_device(struct button_source *source, int index,
 	const struct event_clocks *clocks, int64_t now_ms)
 {
 	ssize_t count = 1;
 
-	for (int i = 0; i < READS_MAX && count > 0; i++) {
+	for (int i = 0; i < READS_MAX && count > 0 && has_room(source, index);
+		i++) {
 		count = read_some(source, index, clocks, now_ms);
 	}
 	return count > 0 || count == -EAGAIN || count == -EINTR;

@@ -1,9 +1,12 @@
 /* Any events of three devices that come and go, against a reference. */
 #include "platform/base/compiler.h"
+#include "platform/buttons/button_batch.h"
+#include "platform/buttons/evdev/decode.h"
 #include "tests/support/fake/evdev_bench.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <linux/input-event-codes.h>
 #include <string.h>
 
@@ -240,6 +243,85 @@ static void test_the_first_and_the_last_key_are_buttons_and_no_others(
 	evdev_bench_expect_nothing(bench);
 }
 
+/* What each device still has to deliver; one key, alternately up and down. */
+static struct {
+	const struct evdev_bench *bench;
+	int left[EVDEV_BENCH_DEVICES];
+	int kept[EVDEV_BENCH_DEVICES]; /* of them, those for later polls */
+	int code[EVDEV_BENCH_DEVICES];
+} flood;
+
+static ssize_t read_flood(int fd, void *bytes, size_t size)
+{
+	uint16_t words[2] = {EV_KEY, 0};
+	int number = 0;
+	size_t at = 0;
+
+	while (flood.bench->device[number].theirs != fd) {
+		number++;
+	}
+	memset(bytes, 0, size);
+	words[1] = (uint16_t)flood.code[number];
+	for (; at < size && flood.left[number] > flood.kept[number];
+		at += EVDEV_SIZE) {
+		unsigned char *end = (unsigned char *)bytes + at + EVDEV_SIZE;
+		int32_t value = --flood.left[number] % 2;
+
+		memcpy(end - 8, words, sizeof(words));
+		memcpy(end - 4, &value, sizeof(value));
+	}
+	return at > 0 ? (ssize_t)at : -EAGAIN;
+}
+
+/*
+ * Two devices change more often between two polls than a batch holds. Whichever
+ * they are, the third one's release must not be lost.
+ */
+static void test_no_device_takes_anothers_release(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	flood.bench = bench;
+	bench->system.read = read_flood;
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		evdev_bench_plug_in(bench, i, "keys", KEY_UP);
+	}
+	evdev_bench_open(bench, NULL);
+	for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+		evdev_bench_key(bench, i, KEY_A, 1); /* poll() finds them all */
+		flood.code[i] = KEY_UP;
+		flood.left[i] = 0;
+	}
+	for (int quiet = 0; quiet < EVDEV_BENCH_DEVICES; quiet++) {
+		struct button_event event;
+
+		flood.code[quiet] = KEY_UP;
+		flood.left[quiet] = 2;
+		flood.kept[quiet] = 1;
+		evdev_bench_poll(bench);
+		assert_true(bench->queue.down[BUTTON_UP]);
+		flood.kept[quiet] = 0;
+		for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+			if (i != quiet) {
+				flood.code[i] = KEY_LEFT;
+				flood.left[i] = 3 * BUTTON_BATCH_CAPACITY;
+			}
+		}
+		evdev_bench_poll(bench);
+		assert_false(bench->queue.down[BUTTON_UP]);
+		/* The rest of the others' events comes later, up to the last. */
+		for (int i = 0; i < 12; i++) {
+			evdev_bench_poll(bench);
+		}
+		for (int i = 0; i < EVDEV_BENCH_DEVICES; i++) {
+			assert_int_equal(flood.left[i], 0);
+		}
+		assert_false(bench->queue.down[BUTTON_LEFT]);
+		while (button_queue_pop(&bench->queue, &event)) {
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -257,6 +339,9 @@ int main(void)
 			evdev_bench_setup, evdev_bench_teardown),
 		cmocka_unit_test_setup_teardown(
 			test_the_first_and_the_last_key_are_buttons_and_no_others,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_no_device_takes_anothers_release,
 			evdev_bench_setup, evdev_bench_teardown),
 	};
 

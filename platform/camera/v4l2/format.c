@@ -8,7 +8,8 @@
 #include "platform/base/compiler.h"
 
 enum {
-	OFFERED_MAX = 64
+	OFFERED_MAX = 64,
+	ROW_BYTES_MAX = 65536
 };
 
 /* The cheapest to convert comes first. */
@@ -105,9 +106,17 @@ static bool is_one_picture(uint32_t field)
 	}
 }
 
+static bool is_readable(const struct v4l2_pix_format *pix)
+{
+	return pix->width >= 1 && pix->width <= CAMERA_SIDE_MAX &&
+		pix->height >= 1 && pix->height <= CAMERA_SIDE_MAX &&
+		pix->bytesperline <= ROW_BYTES_MAX;
+}
+
 /*
  * Sets a format. Returns -EINVAL when the device chose another one, -ENOTSUP
- * when it delivers fields apart from each other.
+ * when it delivers fields apart from each other, -EFBIG when its size, which
+ * is then in its answer, is not one that limber reads.
  */
 static int try_field(struct v4l2_device *device,
 	const struct v4l2_request *request, uint32_t fourcc, uint32_t field)
@@ -130,6 +139,7 @@ static int try_field(struct v4l2_device *device,
 	}
 	if (!error) {
 		device->answer = wanted;
+		error = is_readable(&wanted.fmt.pix) ? 0 : -EFBIG;
 	}
 	return error;
 }
@@ -196,6 +206,30 @@ static int choose(struct v4l2_device *device, const struct v4l2_request *request
 	return error;
 }
 
+/*
+ * A device answers with the size nearest to the one that it was asked for.
+ * Tells apart one that has smaller pictures, too.
+ */
+static void refuse_size(
+	struct v4l2_device *device, const struct v4l2_request *request)
+{
+	const struct v4l2_pix_format *pix = &device->answer.fmt.pix;
+	const struct v4l2_pix_format nearest = *pix;
+	struct v4l2_request least = *request;
+
+	least.width = least.height = 1;
+	if (try_fourcc(device, &least, nearest.pixelformat) == 0) {
+		snprintf(device->reason, sizeof(device->reason),
+			"its pictures of %ux%u are too large: give a smaller size, such as %ux%u",
+			nearest.width, nearest.height, pix->width, pix->height);
+	} else {
+		snprintf(device->reason, sizeof(device->reason),
+			"it has no pictures that limber can read, of 1x1 to %dx%d pixels, but %ux%u in rows of %u bytes: choose another camera",
+			CAMERA_SIDE_MAX, CAMERA_SIDE_MAX, nearest.width,
+			nearest.height, nearest.bytesperline);
+	}
+}
+
 static int refuse(struct v4l2_device *device,
 	const struct v4l2_request *request, int error)
 {
@@ -207,6 +241,8 @@ static int refuse(struct v4l2_device *device,
 	} else if (error == -ENOTSUP) {
 		snprintf(device->reason, sizeof(device->reason),
 			"it delivers the two fields of interlaced video apart: choose a progressive input or another camera");
+	} else if (error == -EFBIG) {
+		refuse_size(device, request);
 	} else if (error != -EINVAL) {
 		snprintf(device->reason, sizeof(device->reason),
 			"its format cannot be set (%s)", strerror(-error));
@@ -229,14 +265,6 @@ int v4l2_format_negotiate(
 
 	if (error) {
 		return refuse(device, request, error);
-	}
-	if (pix->width < 1 || pix->width > CAMERA_SIDE_MAX || pix->height < 1 ||
-		pix->height > CAMERA_SIDE_MAX || pix->bytesperline > 65536) {
-		snprintf(device->reason, sizeof(device->reason),
-			"its pictures of %ux%u in rows of %u bytes are too large: give a size up to %dx%d",
-			pix->width, pix->height, pix->bytesperline,
-			CAMERA_SIDE_MAX, CAMERA_SIDE_MAX);
-		return -EINVAL;
 	}
 	device->width = (int)pix->width;
 	device->height = (int)pix->height;

@@ -108,6 +108,17 @@ static bool offers(const struct v4l2_fake *fake, uint32_t fourcc)
 	return false;
 }
 
+static uint32_t side_of(
+	const struct v4l2_fake *fake, uint32_t fourcc, uint32_t side)
+{
+	if ((fake->large_fourcc == 0 || fake->large_fourcc == fourcc) &&
+		fake->large && side > fake->large_above) {
+		return fake->large;
+	}
+	side = side > SIDE_MOST ? SIDE_MOST : side;
+	return side < fake->side_least ? fake->side_least : side;
+}
+
 static int set_format(struct v4l2_fake *fake, struct v4l2_format *format)
 {
 	struct v4l2_pix_format *pix = &format->fmt.pix;
@@ -124,8 +135,8 @@ static int set_format(struct v4l2_fake *fake, struct v4l2_format *format)
 		}
 		pix->pixelformat = fake->offered[0];
 	}
-	pix->width = pix->width > SIDE_MOST ? SIDE_MOST : pix->width;
-	pix->height = pix->height > SIDE_MOST ? SIDE_MOST : pix->height;
+	pix->width = side_of(fake, pix->pixelformat, pix->width);
+	pix->height = side_of(fake, pix->pixelformat, pix->height);
 	pix->width -= pix->width % (fake->vendor ? 8 : 2);
 	pix->height -= pix->height % (fake->vendor ? 8 : 2);
 	row = pix->pixelformat == V4L2_PIX_FMT_NV12 ||

@@ -33,7 +33,11 @@ struct v4l2_fake {
 	bool vendor;                         /* as the i.MX31's: see device.h */
 	uint32_t offered[V4L2_FAKE_FORMATS]; /* a 0 ends the list */
 	int buffers_most;
-	int stride_extra; /* unused bytes after each row */
+	uint32_t side_least; /* of its pictures */
+	/* Asked for more than large_above, its pictures have large sides. */
+	uint32_t large, large_above;
+	uint32_t large_fourcc; /* in this format only; 0: in all */
+	int stride_extra;      /* unused bytes after each row */
 	/* What it answers if asked for progressive and interlaced pictures. */
 	uint32_t field, interlaced;
 	bool real_time; /* it has the machine's clock */

@@ -91,6 +91,55 @@ static void test_a_given_format_does_not_hide_the_reason(void **state)
 	end(fake, &session);
 }
 
+static void test_pictures_that_are_too_large_get_useful_advice(void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+
+	(void)state;
+	/* No size can be given that helps. */
+	fake->large = CAMERA_SIDE_MAX + 2;
+	assert_false(v4l2_session_open(&session));
+	assert_contains(session.device.reason,
+		"of 1x1 to 2048x2048 pixels, but 2050x2050 in rows of 4100 bytes: choose another camera");
+	/* A smaller size does. */
+	fake->large_above = 20;
+	fake->side_least = 16;
+	session.retry_at_ms = 0;
+	assert_false(v4l2_session_open(&session));
+	assert_contains(session.device.reason,
+		"2050x2050 are too large: give a smaller size, such as 16x16");
+	fake->large = 0;
+	fake->stride_extra = 65536;
+	session.retry_at_ms = 0;
+	assert_false(v4l2_session_open(&session));
+	assert_contains(session.device.reason, "choose another camera");
+	fake->stride_extra = 0;
+	session.retry_at_ms = 0;
+	assert_true(v4l2_session_open(&session));
+	end(fake, &session);
+}
+
+/* As a camera that has small pictures as YUYV, and raw ones of its sensor. */
+static void test_a_format_whose_pictures_are_too_large_is_passed_over(
+	void **state)
+{
+	struct v4l2_fake *fake = v4l2_fake_new();
+	struct v4l2_session session = begin(fake);
+
+	(void)state;
+	fake->offered[0] = V4L2_PIX_FMT_UYVY;
+	fake->offered[1] = V4L2_PIX_FMT_YUYV;
+	fake->offered[2] = 0;
+	fake->large_fourcc = V4L2_PIX_FMT_UYVY;
+	fake->large = 3000;
+	assert_true(v4l2_session_open(&session));
+	assert_int_equal(
+		session.device.answer.fmt.pix.pixelformat, V4L2_PIX_FMT_YUYV);
+	assert_int_equal(session.device.width, 32);
+	end(fake, &session);
+}
+
 /* The frame loop may be reading the first picture. */
 static void test_a_buffer_that_comes_twice_is_a_failure(void **state)
 {
@@ -151,6 +200,10 @@ int main(void)
 		cmocka_unit_test(
 			test_only_fields_that_make_one_picture_are_taken),
 		cmocka_unit_test(test_a_given_format_does_not_hide_the_reason),
+		cmocka_unit_test(
+			test_pictures_that_are_too_large_get_useful_advice),
+		cmocka_unit_test(
+			test_a_format_whose_pictures_are_too_large_is_passed_over),
 		cmocka_unit_test(test_a_buffer_that_comes_twice_is_a_failure),
 		cmocka_unit_test(test_auto_passes_a_device_that_never_delivers),
 	};

@@ -53,8 +53,9 @@ struct card {
 
 /*
  * Opens the card that options name, or the best one (card_find.h). Sets the
- * screen's preferred mode, or the one nearest to the size given, and shows
- * black. Returns 0, or -errno after logging an error, with nothing left open.
+ * screen's preferred mode or, if a size is given, the smallest that holds it,
+ * else the one nearest to it. Shows black. Returns 0, or -errno after logging
+ * an error, with nothing left open.
  */
 int card_open(struct card *card, const struct kms_calls *calls,
 	const struct display_options *options);

@@ -50,10 +50,24 @@ static bool is_preferred(const drmModeModeInfo *mode)
 	return mode->type & DRM_MODE_TYPE_PREFERRED;
 }
 
-/* Whether a is better than b. */
+static bool holds(
+	const drmModeModeInfo *mode, const struct display_options *options)
+{
+	return mode->hdisplay >= options->width &&
+		mode->vdisplay >= options->height;
+}
+
+/*
+ * Whether a is better than b. A picture of a given size should be seen whole:
+ * of 800x600, neither 640x480 nor 1280x480 shows all, though they are nearer
+ * than 1024x768.
+ */
 static bool is_better(const drmModeModeInfo *a, const drmModeModeInfo *b,
 	const struct display_options *options)
 {
+	if (options->size_given && holds(a, options) != holds(b, options)) {
+		return holds(a, options);
+	}
 	if (options->size_given && distance(a, options) != distance(b, options)) {
 		return distance(a, options) < distance(b, options);
 	}

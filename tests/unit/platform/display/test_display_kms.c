@@ -121,7 +121,7 @@ static void check_screen(int left, int top, int width, int height)
 	}
 }
 
-static void test_the_mode_nearest_to_the_size_is_set(void **state)
+static void test_the_smallest_mode_that_holds_the_size_is_set(void **state)
 {
 	static const struct {
 		int width, height, mode_width;
@@ -133,7 +133,8 @@ static void test_the_mode_nearest_to_the_size_is_set(void **state)
 		{24, 12, 24, 0, 1, 24},
 		{18, 9, 20, 1, 1, 18},
 		{10, 7, 10, 0, 0, 10},
-		{21, 12, 20, 0, 0, 20},
+		{21, 12, 24, 1, 1, 21},
+		{25, 12, 24, 0, 1, 24},
 	};
 
 	for (size_t i = 0; i < 2 * sizeof(cases) / sizeof(cases[0]); i++) {
@@ -284,7 +285,7 @@ int main(void)
 		KMS_TEST(test_buffers_are_flipped_in_turn),
 		KMS_TEST(test_the_screen_is_restored),
 		KMS_TEST(test_a_slow_buffer_gets_copies),
-		KMS_TEST(test_the_mode_nearest_to_the_size_is_set),
+		KMS_TEST(test_the_smallest_mode_that_holds_the_size_is_set),
 		KMS_TEST(test_without_page_flips_the_mode_is_set_again),
 		KMS_TEST(test_a_single_buffer_is_copied_into_and_marked_dirty),
 		KMS_TEST(test_formats_that_the_screen_refuses_are_skipped),

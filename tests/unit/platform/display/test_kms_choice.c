@@ -45,9 +45,9 @@ static void scene_close(struct scene *scene)
 }
 
 /*
- * What a mode is chosen by, the smallest number first: how far it is from the
- * size that was asked for, whether the screen prefers it, how fast it is, and
- * its place in the screen's list.
+ * What a mode is chosen by, the smallest number first: whether the size that
+ * was asked for fits into it, how far it is from that size, whether the screen
+ * prefers it, how fast it is, and its place in the screen's list.
  */
 static int penalty(int number, const struct display_options *options)
 {
@@ -55,13 +55,48 @@ static int penalty(int number, const struct display_options *options)
 	int distance = abs(mode->hdisplay - options->width) +
 		abs(mode->vdisplay - options->height);
 	int slowness = 100 - (int)mode->vrefresh;
+	bool cuts = mode->hdisplay < options->width ||
+		mode->vdisplay < options->height;
 
 	if (!options->size_given) {
+		cuts = false;
 		distance = slowness = 0;
 	}
-	return distance * 10000 +
+	return cuts * 1000000 + distance * 10000 +
 		(mode->type & DRM_MODE_TYPE_PREFERRED ? 0 : 1000) +
 		slowness * 8 + number;
+}
+
+/* Of these modes, 20x15 is nearest to 25x18, but would cut it. */
+static void test_a_picture_is_shown_whole_if_a_mode_can(void **state)
+{
+	static const int modes[FAKE_CARD_MODES][2] = {
+		{20, 15}, {40, 15}, {32, 24}};
+
+	(void)state;
+	for (int turn = 0; turn < 2; turn++) {
+		struct scene scene = {0};
+		/* 25x18 fits into one of them, 62x18 into none. */
+		int width = turn == 0 ? 25 : 62;
+
+		begin();
+		for (int i = 0; i < FAKE_CARD_MODES; i++) {
+			fake_card.modes[i] = (drmModeModeInfo){
+				.hdisplay = (uint16_t)modes[i][0],
+				.vdisplay = (uint16_t)modes[i][1],
+				.vrefresh = 60};
+		}
+		scene.options.size_given = true;
+		scene.options.width = width;
+		scene.options.height = 18;
+		assert_int_equal(scene_open(&scene), 0);
+		assert_int_equal(
+			fake_card.shown_mode.hdisplay, turn == 0 ? 32 : 40);
+		assert_int_equal(log_capture_has(&scene.capture, LOG_WARNING,
+					 "the screen has only 40x15"),
+			turn == 1);
+		scene_close(&scene);
+	}
 }
 
 static void test_the_best_of_any_modes_is_set(void **state)
@@ -219,6 +254,7 @@ static void test_a_note_says_how_pictures_are_shown(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_picture_is_shown_whole_if_a_mode_can),
 		cmocka_unit_test(test_the_best_of_any_modes_is_set),
 		cmocka_unit_test(test_a_crtc_of_any_encoders_is_used),
 		cmocka_unit_test(

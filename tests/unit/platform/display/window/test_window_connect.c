@@ -214,7 +214,7 @@ int main(void)
 }
 
 #else
-#include "tests/unit/platform/display/no_window.h"
+#include "tests/unit/platform/display/window/no_window.h"
 
 int main(void)
 {

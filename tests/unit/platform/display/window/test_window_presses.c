@@ -73,7 +73,7 @@ int main(void)
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
 #else
-#include "tests/unit/platform/display/no_window.h"
+#include "tests/unit/platform/display/window/no_window.h"
 
 int main(void)
 {

@@ -2,8 +2,8 @@
  * The main program of tests of the window where limber is built without SDL:
  * one test, which is skipped.
  */
-#ifndef TESTS_UNIT_PLATFORM_DISPLAY_NO_WINDOW_H
-#define TESTS_UNIT_PLATFORM_DISPLAY_NO_WINDOW_H
+#ifndef TESTS_UNIT_PLATFORM_DISPLAY_WINDOW_NO_WINDOW_H
+#define TESTS_UNIT_PLATFORM_DISPLAY_WINDOW_NO_WINDOW_H
 
 #include "platform/display/display.h"
 #include "tests/support/log_capture.h"

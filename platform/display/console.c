@@ -14,13 +14,17 @@ const char console_in_use_remedy[] =
 	"use its desktop with --display window, or switch to a text console: sudo chvt 3";
 
 enum {
-	SIGNALS = 65 /* Linux numbers its signals from 1 to 64 */
+	SIGNALS = 65, /* Linux numbers its signals from 1 to 64 */
+	/* Of the kernel: no other program is likely to take this pair. */
+	LEAVE_SIGNAL = 61,
+	RETURN_SIGNAL = 62
 };
 
 /* A signal handler can reach static variables only. */
 static struct {
 	const struct device_calls *calls;
 	volatile sig_atomic_t fd;
+	volatile sig_atomic_t switches, leaves, returns;
 	bool changed[SIGNALS];
 	struct sigaction before[SIGNALS];
 } taken;
@@ -63,6 +67,38 @@ static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 	return device_control(calls, fd, KDSETMODE, (void *)mode);
 }
 
+/* Whether the kernel or this process handles the switching of a console. */
+static int set_switching(const struct device_calls *calls, int fd, char mode)
+{
+	struct vt_mode switching = {
+		.mode = mode,
+		.relsig = mode == VT_PROCESS ? LEAVE_SIGNAL : 0,
+		.acqsig = mode == VT_PROCESS ? RETURN_SIGNAL : 0,
+	};
+
+	return device_control(calls, fd, VT_SETMODE, &switching);
+}
+
+/* A switch that waits for an answer takes place. */
+static void stop_switching(const struct device_calls *calls, int fd)
+{
+	if (taken.leaves) {
+		(void)device_control(calls, fd, VT_RELDISP, (void *)1);
+	}
+	if (taken.switches) {
+		(void)set_switching(calls, fd, VT_AUTO);
+	}
+}
+
+static void note_switch(int number)
+{
+	if (number == LEAVE_SIGNAL) {
+		taken.leaves = 1;
+	} else {
+		taken.returns = 1;
+	}
+}
+
 /*
  * The signal handler. It raises the signal again, which is delivered with its
  * former action when the handler returns.
@@ -70,37 +106,64 @@ static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
 static void restore_text_mode(int number)
 {
 	set_mode(taken.calls, taken.fd, KD_TEXT);
+	stop_switching(taken.calls, taken.fd);
 	sigaction(number, &taken.before[number], NULL);
 	raise(number);
 }
 
+static bool switches_console(int number)
+{
+	return number == LEAVE_SIGNAL || number == RETURN_SIGNAL;
+}
+
+static struct sigaction action_of(int number)
+{
+	struct sigaction action = {.sa_handler = restore_text_mode};
+
+	sigemptyset(&action.sa_mask);
+	if (stops_process(number)) {
+		action.sa_handler = SIG_IGN;
+	} else if (switches_console(number)) {
+		action.sa_handler = note_switch;
+		action.sa_flags = SA_RESTART;
+	}
+	return action;
+}
+
 /*
- * Catches what ends the process, and ignores what stops it: a stopped program
- * would keep the screen and its last picture, and a watchdog would bite.
+ * Catches what ends the process and what switches consoles, and ignores what
+ * stops it: a stopped program would keep the screen and its last picture, and a
+ * watchdog would bite.
  */
 static void change_signals(const struct console *console)
 {
+	sigset_t switching;
+
 	taken.calls = console->calls;
 	taken.fd = console->fd;
+	taken.switches = taken.leaves = taken.returns = 0;
 	for (int i = 1; i < SIGNALS; i++) {
 		struct sigaction *before = &taken.before[i];
-		struct sigaction action = {.sa_handler = stops_process(i)
-				? SIG_IGN
-				: restore_text_mode};
+		const struct sigaction action = action_of(i);
 
 		taken.changed[i] = false;
-		sigemptyset(&action.sa_mask);
 		/* It fails for the signals that the C library keeps. */
 		if ((!ends_process(i) && !stops_process(i)) ||
 			sigaction(i, NULL, before) != 0) {
 			continue;
 		}
 		taken.changed[i] = before->sa_handler == SIG_DFL ||
+			switches_console(i) ||
 			(is_fault(i) && before->sa_handler != SIG_IGN);
 		if (taken.changed[i]) {
 			(void)sigaction(i, &action, NULL);
 		}
 	}
+	/* The kernel waits for answers to them for ever. */
+	sigemptyset(&switching);
+	sigaddset(&switching, LEAVE_SIGNAL);
+	sigaddset(&switching, RETURN_SIGNAL);
+	(void)sigprocmask(SIG_UNBLOCK, &switching, NULL);
 }
 
 static void restore_signals(void)
@@ -110,6 +173,16 @@ static void restore_signals(void)
 			(void)sigaction(i, &taken.before[i], NULL);
 		}
 	}
+}
+
+/*
+ * Whether another program handles the switching. A limber that was killed is
+ * not noticed by the kernel before the next switch.
+ */
+static bool is_anothers(const struct vt_mode *mode)
+{
+	return mode->mode != VT_AUTO &&
+		(mode->relsig != LEAVE_SIGNAL || mode->acqsig != RETURN_SIGNAL);
 }
 
 /*
@@ -140,7 +213,7 @@ static int open_console(
 			*in_use = mode != KD_TEXT &&
 				device_control(calls, fd, VT_GETMODE, &watch) ==
 					0 &&
-				watch.mode != VT_AUTO;
+				is_anothers(&watch);
 			return fd;
 		}
 		calls->close(fd);
@@ -173,6 +246,10 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	if (!in_use) {
 		change_signals(console);
 		if (set_mode(calls, console->fd, KD_GRAPHICS) == 0) {
+			/* If this fails, the kernel switches to no console. */
+			console->switches = set_switching(calls, console->fd,
+						    VT_PROCESS) == 0;
+			taken.switches = console->switches;
 			return;
 		}
 		restore_signals();
@@ -184,6 +261,43 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	console->fd = -1;
 }
 
+enum console_request console_request(const struct console *console)
+{
+	if (console->fd < 0 || !console->switches) {
+		return CONSOLE_STAYS;
+	}
+	if (console->away) {
+		return taken.returns ? CONSOLE_RETURNS : CONSOLE_STAYS;
+	}
+	return taken.leaves ? CONSOLE_LEAVES : CONSOLE_STAYS;
+}
+
+static void answer(const struct console *console, uintptr_t answer)
+{
+	(void)device_control(
+		console->calls, console->fd, VT_RELDISP, (void *)answer);
+}
+
+void console_leave(struct console *console)
+{
+	console->away = true;
+	taken.leaves = taken.returns = 0;
+	answer(console, 1);
+}
+
+void console_refuse(struct console *console)
+{
+	taken.leaves = 0;
+	answer(console, 0);
+}
+
+void console_return(struct console *console)
+{
+	console->away = false;
+	taken.returns = 0;
+	answer(console, VT_ACKACQ);
+}
+
 void console_release(struct console *console)
 {
 	if (console->fd < 0) {
@@ -193,6 +307,7 @@ void console_release(struct console *console)
 	(void)device_control(console->calls, console->fd, TCFLSH,
 		(void *)(uintptr_t)TCIFLUSH);
 	set_mode(console->calls, console->fd, KD_TEXT);
+	stop_switching(console->calls, console->fd);
 	restore_signals();
 	console->calls->close(console->fd);
 	console->fd = -1;

@@ -6,6 +6,10 @@
  * the process. Only SIGKILL leaves the console dark until the next run.
  * Meanwhile Ctrl-Z and other stops by the terminal do nothing: the screen of a
  * stopped program would look frozen.
+ *
+ * The kernel asks by a signal before it switches to another console (Ctrl-Alt-F2,
+ * chvt), and tells by another one when it has switched back. The display answers
+ * between two frames, when it has given the screen back or taken it again.
  */
 #ifndef PLATFORM_DISPLAY_CONSOLE_H
 #define PLATFORM_DISPLAY_CONSOLE_H
@@ -17,13 +21,22 @@
 
 struct console {
 	const struct device_calls *calls;
-	int fd; /* -1: there is no console, or another program uses it */
+	int fd;        /* -1: there is no console, or another program uses it */
+	bool switches; /* the kernel asks before it switches */
+	bool away;     /* another console is on the screen */
+};
+
+/* What the display has to do about a switch of consoles. */
+enum console_request {
+	CONSOLE_STAYS,  /* nothing */
+	CONSOLE_LEAVES, /* to give the screen back, then call console_leave() */
+	CONSOLE_RETURNS /* to take the screen, then call console_return() */
 };
 
 /*
  * Whether another program draws on the console: the console is in graphics
- * mode, and a program handles its switching. A console that a killed program
- * left in graphics mode is not in use.
+ * mode, and a program other than limber handles its switching. A console that a
+ * killed program left in graphics mode is not in use.
  */
 bool console_is_in_use(const struct device_calls *calls);
 
@@ -37,6 +50,21 @@ extern const char console_in_use_remedy[];
  */
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
+
+/*
+ * What the kernel has asked for and has not been answered yet. Call it once a
+ * frame, between frames.
+ */
+enum console_request console_request(const struct console *console);
+
+/* Lets the kernel switch. Nothing may be drawn until console_return(). */
+void console_leave(struct console *console);
+
+/* Refuses to leave: the screen cannot be given back. */
+void console_refuse(struct console *console);
+
+/* Goes on after the kernel has switched back. */
+void console_return(struct console *console);
 
 /*
  * Drops what was typed meanwhile and switches back to text mode, also for a

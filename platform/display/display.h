@@ -46,6 +46,7 @@ struct display_info {
 struct display_events {
 	bool close;   /* closed the window */
 	bool resized; /* resized the window: the next frame has another size */
+	bool away; /* shows another console: draw nothing until it is false */
 	bool picture; /* asked to save the picture in a file */
 	int graph;    /* how often to show or hide the frame times */
 	int overlay;  /* how often to show the next overlay */

@@ -116,12 +116,37 @@ static void press(struct show *show, struct button_event event)
 	}
 }
 
+/* The release of a press that did not count does not count, either. */
+static bool counts(struct show *show, const struct button_event *event)
+{
+	bool pressed = show->pressed[event->button];
+
+	show->pressed[event->button] = event->down;
+	return event->down || pressed;
+}
+
+void show_input_ignore_buttons(struct show *show, int64_t now_ms)
+{
+	struct button_event event;
+
+	buttons_poll(&show->buttons, now_ms);
+	while (button_queue_pop(&show->buttons.queue, &event)) {
+		if (!event.down && counts(show, &event)) {
+			record(show, &event);
+			press(show, event);
+		}
+	}
+}
+
 void show_input_poll_buttons(struct show *show, int64_t now_ms)
 {
 	struct button_event event;
 
 	buttons_poll(&show->buttons, now_ms);
 	while (button_queue_pop(&show->buttons.queue, &event)) {
+		if (!counts(show, &event)) {
+			continue;
+		}
 		record(show, &event);
 		press(show, event);
 		if (!show->clock.fixed) {
@@ -142,6 +167,7 @@ void show_input_poll_display(struct show *show, int64_t now_ms)
 			screen->display, now_ms, &show->buttons.queue, &events);
 	}
 	show->closed = show->closed || events.close || stop_requested();
+	show->away = events.away;
 	if (events.picture) {
 		act(show, PROGRAM_KEEP_PICTURE);
 	}

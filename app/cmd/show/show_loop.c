@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <time.h>
 
 enum {
 	/* Of a film whose length nobody has given: an hour at 25 a second. */
@@ -57,6 +58,28 @@ static void keep_budget(struct show *show)
 	}
 }
 
+/*
+ * Waits while another console is on the screen. The animation waits, too, but a
+ * watchdog must not bite.
+ */
+static void wait_for_console(struct show *show, int64_t now_ms)
+{
+	const struct timespec while_away = {.tv_nsec = 20000000};
+
+	if (!show->away) {
+		return;
+	}
+	while (show->away && !show->closed) {
+		(void)nanosleep(&while_away, NULL);
+		show_input_poll_display(show, now_ms);
+		show_input_ignore_buttons(show, now_ms);
+		feed_watchdog(show);
+	}
+	clock_begin(&show->clock, show->now_s);
+	frame_stats_begin(&show->stats);
+	frame_watch_begin(&show->watch);
+}
+
 static int run_frame(struct show *show)
 {
 	int64_t now_ms;
@@ -67,6 +90,10 @@ static int run_frame(struct show *show)
 	frame_stats_begin(&show->stats);
 	frame_watch_begin(&show->watch);
 	show_input_poll_display(show, now_ms);
+	wait_for_console(show, now_ms);
+	if (show->away) {
+		return 0;
+	}
 	show_input_poll_buttons(show, now_ms);
 	if (governor_poses(&show->governor)) {
 		show->plan->demo->update(show->demo, show->now_s);

@@ -41,6 +41,7 @@ struct show {
 	double now_s; /* of the current frame */
 	int frames;   /* to show; 0: until closed; -1: a period of the demo */
 	bool closed;  /* the user has asked to end the run */
+	bool away;    /* the user looks at another console */
 	struct frame_stats stats;
 	struct frame_watch watch;
 	struct governor governor;
@@ -50,6 +51,7 @@ struct show {
 	struct output_file *record; /* of --record-buttons, or NULL */
 	int64_t record_ms;          /* time of the last event in record */
 	struct program_keys keys;
+	bool pressed[BUTTON_COUNT]; /* not released yet; acted on */
 
 	/* Files. */
 	struct film film;
@@ -79,6 +81,12 @@ int show_input_close(struct show *show, int run_error);
 /* Read the display's events, or the buttons up to now_ms, and act on them. */
 void show_input_poll_display(struct show *show, int64_t now_ms);
 void show_input_poll_buttons(struct show *show, int64_t now_ms);
+
+/*
+ * Reads the buttons while the user is away: releases count, presses do not, as
+ * they may be what is typed on another console.
+ */
+void show_input_ignore_buttons(struct show *show, int64_t now_ms);
 
 /*
  * Draws and shows one frame, and records it if asked to. Returns 0, or -errno

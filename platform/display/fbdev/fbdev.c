@@ -25,6 +25,7 @@ struct display {
 	struct placement place; /* of the picture on the screen */
 	struct pixels picture; /* data is NULL when drawn into pages directly */
 	struct packing packing; /* of the copy */
+	int error; /* of taking the screen again, -errno; frames fail then */
 };
 
 /* Pictures of 32 bits would look no better on a screen of 16 bits. */
@@ -159,7 +160,7 @@ static int fbdev_begin_frame(struct display *display, struct pixels *out)
 	if (!out->data) {
 		out->data = picture_start(display);
 	}
-	return 0;
+	return display->error;
 }
 
 static int fbdev_end_frame(struct display *display)
@@ -174,6 +175,34 @@ static int fbdev_end_frame(struct display *display)
 			picture_start(display), screen->stride_bytes);
 	}
 	return screen->page_count > 1 ? fbdev_screen_flip(screen) : 0;
+}
+
+static void take_screen(struct display *display)
+{
+	display->error = fbdev_screen_return(&display->screen);
+	if (!display->error) {
+		clear_screen(display);
+	}
+	console_return(&display->console);
+}
+
+static void fbdev_poll(struct display *display, int64_t now_ms,
+	struct button_queue *queue, struct display_events *events)
+{
+	(void)now_ms;
+	(void)queue;
+	switch (console_request(&display->console)) {
+	case CONSOLE_LEAVES:
+		fbdev_screen_leave(&display->screen);
+		console_leave(&display->console);
+		break;
+	case CONSOLE_RETURNS:
+		take_screen(display);
+		break;
+	default:
+		break;
+	}
+	*events = (struct display_events){.away = display->console.away};
 }
 
 static void fbdev_destroy(struct display *display)
@@ -201,6 +230,7 @@ const struct display_driver display_driver_fbdev = {
 	.get_info = fbdev_get_info,
 	.begin_frame = fbdev_begin_frame,
 	.end_frame = fbdev_end_frame,
+	.poll = fbdev_poll,
 	.destroy = fbdev_destroy,
 	.survey = fbdev_survey,
 };

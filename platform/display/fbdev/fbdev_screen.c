@@ -263,12 +263,14 @@ static int set_colors(struct fbdev_screen *screen)
 		: refused(screen, "its colour map cannot be set");
 }
 
-static void restore(struct fbdev_screen *screen)
+static void restore(const struct fbdev_screen *screen)
 {
 	colormap_restore(&screen->colors, screen->calls, screen->fd);
 	if (screen->changed) {
-		control(screen, FBIOPUT_VSCREENINFO, &screen->before);
-		control(screen, FBIOPAN_DISPLAY, &screen->before);
+		struct fb_var_screeninfo before = screen->before;
+
+		control(screen, FBIOPUT_VSCREENINFO, &before);
+		control(screen, FBIOPAN_DISPLAY, &before);
 	}
 }
 
@@ -384,6 +386,39 @@ int fbdev_screen_flip(struct fbdev_screen *screen)
 	return 0;
 }
 
+void fbdev_screen_leave(struct fbdev_screen *screen)
+{
+	restore(screen);
+	screen->left = true;
+}
+
+int fbdev_screen_return(struct fbdev_screen *screen)
+{
+	const struct fbdev_screen was = *screen;
+	struct fb_var_screeninfo var = screen->var;
+	int error;
+
+	screen->left = false;
+	var.activate = FB_ACTIVATE_NOW;
+	/* Whether it worked is judged by what the device says then. */
+	(void)control(screen, FBIOPUT_VSCREENINFO, &var);
+	(void)control(screen, FBIOBLANK, (void *)(uintptr_t)FB_BLANK_UNBLANK);
+	error = read_all(screen);
+	if (error) {
+		return error;
+	}
+	if (!is_still_good(screen, &was) ||
+		screen->stride_bytes != was.stride_bytes ||
+		screen->fix.smem_len < was.fix.smem_len ||
+		(screen->page_count > 1 &&
+			(!has_pages(screen, screen->page_count) ||
+				!pan(screen, screen->page)))) {
+		return refused(screen,
+			"another program has changed its mode while its console was shown");
+	}
+	return set_colors(screen);
+}
+
 double fbdev_screen_rate_hz(const struct fbdev_screen *screen)
 {
 	const struct fb_var_screeninfo *var = &screen->var;
@@ -401,6 +436,9 @@ double fbdev_screen_rate_hz(const struct fbdev_screen *screen)
 void fbdev_screen_close(struct fbdev_screen *screen)
 {
 	screen->calls->unmap(screen->map, screen->map_bytes);
-	restore(screen);
+	/* Another program may have set the device for itself. */
+	if (!screen->left) {
+		restore(screen);
+	}
 	screen->calls->close(screen->fd);
 }

@@ -29,6 +29,7 @@ struct fbdev_screen {
 	struct fb_var_screeninfo var;
 	struct fb_var_screeninfo before; /* restored by fbdev_screen_close() */
 	bool changed;                    /* before has to be restored */
+	bool left;                       /* before has been restored */
 	struct pixel_layout layout;
 	struct colormap colors;
 	int width, height;
@@ -75,6 +76,16 @@ void fbdev_screen_wait(const struct fbdev_screen *screen);
 
 /* The refresh rate, or 60 when the device does not report a plausible one. */
 double fbdev_screen_rate_hz(const struct fbdev_screen *screen);
+
+/* Restores the device's settings for another program, until it comes back. */
+void fbdev_screen_leave(struct fbdev_screen *screen);
+
+/*
+ * Sets the device as fbdev_screen_open() did, after fbdev_screen_leave(). Its
+ * memory may have changed. Returns 0, or -errno after logging an error: another
+ * program has changed what cannot be set back.
+ */
+int fbdev_screen_return(struct fbdev_screen *screen);
 
 /* Restores the device's settings and closes it. */
 void fbdev_screen_close(struct fbdev_screen *screen);

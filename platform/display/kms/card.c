@@ -329,12 +329,29 @@ static void restore(struct card *card)
 	card->calls->free_crtc(before);
 }
 
+int card_leave(struct card *card)
+{
+	/* A flip that fails must not keep the user from leaving. */
+	(void)wait_for_flip(card);
+	return card->calls->drop_master(card->fd) == 0 ? 0
+		: errno                                ? -errno
+						       : -EIO;
+}
+
+int card_return(struct card *card)
+{
+	if (!card->calls->is_master(card->fd) &&
+		card->calls->set_master(card->fd) != 0) {
+		return -EBUSY;
+	}
+	return set_mode(card, card->buffers[card->shown].fb) == 0
+		? 0
+		: failed(card, "it cannot show pictures again");
+}
+
 void card_close(struct card *card)
 {
-	struct log nowhere = log_to_nowhere();
-
-	card->log = nowhere;
-	card_wait(card);
+	(void)wait_for_flip(card);
 	restore(card);
 	release_buffer(card, &card->buffers[1]);
 	release_buffer(card, &card->buffers[0]);

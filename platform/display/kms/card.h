@@ -76,6 +76,18 @@ int card_wait(struct card *card);
 int card_show(struct card *card);
 
 /*
+ * Gives the screen to another program, such as the text console, until it comes
+ * back. Returns 0, or -errno if the kernel does not allow that.
+ */
+int card_leave(struct card *card);
+
+/*
+ * Takes the screen again and shows the last picture. Returns -EBUSY while
+ * another program holds the card, 0, or -errno after logging an error.
+ */
+int card_return(struct card *card);
+
+/*
  * Restores the former picture and mode of all screens that the CRTC drove, and
  * closes the card.
  */

@@ -21,6 +21,7 @@ struct display {
 	struct placement place; /* of the picture on the screen */
 	struct pixels picture;  /* data is NULL when drawn into buffers */
 	struct packing packing; /* of the copy */
+	int error; /* of taking the screen again, -errno; frames fail then */
 };
 
 static bool can_draw_directly(const struct display *display)
@@ -132,8 +133,8 @@ static int kms_begin_frame(struct display *display, struct pixels *out)
 	int error;
 
 	*out = display->picture;
-	if (out->data) {
-		return 0;
+	if (out->data || display->error) {
+		return display->error;
 	}
 	error = card_wait(&display->card);
 	out->data = picture_start(display);
@@ -156,6 +157,44 @@ static int kms_end_frame(struct display *display)
 			(int)card_back(card)->pitch_bytes);
 	}
 	return card_show(card);
+}
+
+static void give_screen(struct display *display)
+{
+	if (card_leave(&display->card) == 0) {
+		console_leave(&display->console);
+	} else {
+		console_refuse(&display->console);
+	}
+}
+
+/* Tries it again in the next frame while another program holds the card. */
+static void take_screen(struct display *display)
+{
+	int error = card_return(&display->card);
+
+	if (error != -EBUSY) {
+		display->error = error;
+		console_return(&display->console);
+	}
+}
+
+static void kms_poll(struct display *display, int64_t now_ms,
+	struct button_queue *queue, struct display_events *events)
+{
+	(void)now_ms;
+	(void)queue;
+	switch (console_request(&display->console)) {
+	case CONSOLE_LEAVES:
+		give_screen(display);
+		break;
+	case CONSOLE_RETURNS:
+		take_screen(display);
+		break;
+	default:
+		break;
+	}
+	*events = (struct display_events){.away = display->console.away};
 }
 
 static void kms_destroy(struct display *display)
@@ -183,6 +222,7 @@ const struct display_driver display_driver_kms = {
 	.get_info = kms_get_info,
 	.begin_frame = kms_begin_frame,
 	.end_frame = kms_end_frame,
+	.poll = kms_poll,
 	.destroy = kms_destroy,
 	.survey = kms_survey,
 };

@@ -16,6 +16,8 @@ struct kms_calls {
 	const struct device_calls *device;
 	int (*get_cap)(int fd, uint64_t cap, uint64_t *value);
 	int (*is_master)(int fd);
+	int (*set_master)(int fd);
+	int (*drop_master)(int fd);
 	drmModeResPtr (*get_resources)(int fd);
 	void (*free_resources)(drmModeResPtr resources);
 	/* What the kernel knows of a connector. */

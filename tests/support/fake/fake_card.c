@@ -124,6 +124,26 @@ static int is_master(int fd)
 	return fd == CARD_FD ? !fake_card.not_master : !fake_card.second_in_use;
 }
 
+static int set_master(int fd)
+{
+	assert_int_equal(fd, CARD_FD);
+	errno = EBUSY;
+	fake_card.not_master = fake_card.held;
+	return fake_card.held ? -1 : 0;
+}
+
+static int drop_master(int fd)
+{
+	assert_int_equal(fd, CARD_FD);
+	assert_null(fake_card.flip_user);
+	if (fails(CALL_DROP)) {
+		errno = fake_card.fail_error;
+		return -1;
+	}
+	fake_card.not_master = true;
+	return 0;
+}
+
 static void *hand_out(size_t size)
 {
 	fake_card.resource_count++;
@@ -265,6 +285,10 @@ static int set_crtc(int fd, uint32_t crtc, uint32_t fb, uint32_t x, uint32_t y,
 	assert_int_equal(x + y, 0);
 	assert_in_range(count, 1, 2);
 	assert_null(fake_card.flip_user);
+	if (fake_card.not_master) {
+		errno = EACCES;
+		return -EACCES;
+	}
 	if (fails(CALL_SET)) {
 		return -fake_card.fail_error;
 	}
@@ -411,6 +435,8 @@ const struct kms_calls fake_card_calls = {
 	.device = &device,
 	.get_cap = get_cap,
 	.is_master = is_master,
+	.set_master = set_master,
+	.drop_master = drop_master,
 	.get_resources = get_resources,
 	.free_resources = free_resources,
 	.get_connector = get_connector,

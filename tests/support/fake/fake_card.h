@@ -29,12 +29,14 @@ enum fake_card_call {
 	CALL_FLIP,
 	CALL_WAIT,
 	CALL_EVENT,
-	CALL_GET_CRTC
+	CALL_GET_CRTC,
+	CALL_DROP
 };
 
 struct fake_card {
 	int number; /* of /dev/dri/cardN */
 	int open_error;
+	bool held; /* another program is its master and stays it */
 	bool no_dumb, not_master, not_connected, prefers_shadow;
 	bool unsure;         /* it cannot tell whether it has a screen */
 	bool must_ask;       /* it knows of no screen until it is asked */

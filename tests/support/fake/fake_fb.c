@@ -134,8 +134,17 @@ static int control_console(unsigned long request, void *argument)
 		memcpy(argument, &fake_fb.console_mode, sizeof(int));
 		return 0;
 	case VT_GETMODE:
-		*(struct vt_mode *)argument = (struct vt_mode){
-			.mode = fake_fb.console_watched ? VT_PROCESS : VT_AUTO};
+		*(struct vt_mode *)argument = fake_fb.console_watched
+			? (struct vt_mode){.mode = VT_PROCESS}
+			: fake_fb.console_switching;
+		return 0;
+	case VT_SETMODE:
+		memcpy(&fake_fb.console_switching, argument,
+			sizeof(fake_fb.console_switching));
+		return 0;
+	case VT_RELDISP:
+		fake_fb.console_answers++;
+		fake_fb.console_answer = mode;
 		return 0;
 	case KDSETMODE:
 		fake_fb.console_mode = mode;

@@ -8,6 +8,7 @@
 #define TESTS_SUPPORT_FAKE_FAKE_FB_H
 
 #include <linux/fb.h>
+#include <linux/vt.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -37,6 +38,9 @@ struct fake_fb {
 	int console_mode;
 	int console_flushes;  /* of what was typed */
 	bool console_watched; /* another program handles console switches */
+	struct vt_mode console_switching;
+	int console_answers; /* to questions whether to switch */
+	int console_answer;  /* the last one */
 	int report_fd; /* also gets each console mode as a byte; -1 means none */
 
 	int open_count; /* open descriptors */

@@ -204,6 +204,57 @@ static void test_buttons_with_f9_act_as_the_windows_keys(void **state)
 	assert_false(show->watch.shown);
 }
 
+/* What is typed on another console. A press from before ends meanwhile. */
+static void test_presses_do_not_count_while_the_user_is_away(void **state)
+{
+	struct show *show = &((struct scene *)*state)->show;
+
+	press(show, 10, BUTTON_F9, true);
+	show_input_poll_buttons(show, 20);
+	see(show, (struct display_events){.away = true});
+	assert_true(show->away);
+	press(show, 30, BUTTON_F6, true);
+	press(show, 40, BUTTON_F8, true);
+	press(show, 50, BUTTON_F8, false);
+	press(show, 60, BUTTON_F9, false);
+	show_input_ignore_buttons(show, 70);
+	assert_int_equal(kinds(show), 0);
+	assert_false(show->keeps_picture);
+	assert_false(show->keys.f9_held);
+	see(show, (struct display_events){.away = false});
+	assert_false(show->away);
+	press(show, 80, BUTTON_F9, true);
+	press(show, 90, BUTTON_F6, false);
+	press(show, 100, BUTTON_F6, true);
+	show_input_poll_buttons(show, 110);
+	assert_int_equal(kinds(show), 1u << OVERLAY_SKELETON);
+}
+
+static int polls; /* of a display that is away, and closed at the fifth */
+
+static void poll_away(struct display *closing, int64_t now_ms,
+	struct button_queue *queue, struct display_events *events)
+{
+	(void)closing;
+	(void)now_ms;
+	(void)queue;
+	*events = (struct display_events){.away = true, .close = ++polls == 5};
+}
+
+/* This display could not draw. Signals and the close button still count. */
+static void test_nothing_is_drawn_while_the_user_is_away(void **state)
+{
+	static const struct display_driver away = {.poll = poll_away};
+	struct show *show = &((struct scene *)*state)->show;
+
+	polls = 0;
+	show->screen.driver = &away;
+	show->watchdog = watchdog_none();
+	assert_int_equal(show_loop_run(show), 0);
+	assert_int_equal(polls, 5);
+	assert_true(show->closed);
+}
+
 static void test_f9_held_alone_shows_the_graph(void **state)
 {
 	struct show *show = &((struct scene *)*state)->show;
@@ -268,6 +319,8 @@ int main(void)
 		CASE(test_a_window_has_keys_for_overlays_and_joints),
 		CASE(test_a_key_pressed_twice_in_a_frame_counts_twice),
 		CASE(test_buttons_with_f9_act_as_the_windows_keys),
+		CASE(test_presses_do_not_count_while_the_user_is_away),
+		CASE(test_nothing_is_drawn_while_the_user_is_away),
 		CASE(test_f9_held_alone_shows_the_graph),
 		CASE(test_recorded_times_never_decrease),
 		CASE(test_a_screen_without_keys_takes_those_of_keyboards),

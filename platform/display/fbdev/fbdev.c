@@ -1,10 +1,9 @@
 /*
  * Linux framebuffers.
  *
- * With two pages or three and pictures of the screen's own layout, pictures are
- * drawn directly into a page that is not shown. Otherwise they are drawn in
- * memory and copied, because a half-drawn picture must not be visible, and
- * because reading a framebuffer, which blending does, is slow.
+ * Pictures are drawn in memory and copied, to a page that is not shown if the
+ * device has two or three. Blending reads what it draws on, which is slow in a
+ * framebuffer: the processor does not cache its memory.
  */
 #include "platform/display/fbdev/fbdev.h"
 
@@ -23,7 +22,7 @@ struct display {
 	struct fbdev_screen screen;
 	struct console console;
 	struct placement place; /* of the picture on the screen */
-	struct pixels picture; /* data is NULL when drawn into pages directly */
+	struct pixels picture;
 	struct packing packing; /* of the copy */
 	int error; /* of taking the screen again, -errno; frames fail then */
 };
@@ -39,7 +38,7 @@ static enum pixel_format choose_format(
 						 : PIXELS_RGBA8888;
 }
 
-/* The first pixel of the next picture in the framebuffer. */
+/* Where the first pixel of the next picture goes in the framebuffer. */
 static uint8_t *picture_start(const struct display *display)
 {
 	const struct fbdev_screen *screen = &display->screen;
@@ -50,17 +49,6 @@ static uint8_t *picture_start(const struct display *display)
 		(size_t)pixel_layout_bytes(&screen->layout);
 }
 
-/* GL drivers need rows that are aligned to whole pixels. */
-static bool can_draw_directly(const struct display *display)
-{
-	const struct fbdev_screen *screen = &display->screen;
-	uintptr_t pixel = (uintptr_t)display->packing.bytes;
-
-	return display->packing.same && screen->page_count > 1 &&
-		(uintptr_t)screen->stride_bytes % pixel == 0 &&
-		(uintptr_t)screen->memory % pixel == 0;
-}
-
 static int prepare_picture(
 	struct display *display, const struct display_options *options)
 {
@@ -69,16 +57,9 @@ static int prepare_picture(
 
 	display->place =
 		placement_choose(options, screen->width, screen->height);
-	display->picture.width = display->place.width;
-	display->picture.height = display->place.height;
 	packing_init(&display->packing, format, &screen->layout);
-	display->picture.format = format;
-	if (can_draw_directly(display)) {
-		display->picture.stride_bytes = screen->stride_bytes;
-		return 0;
-	}
-	return pixels_alloc(&display->picture, display->picture.width,
-		display->picture.height, format, options->log);
+	return pixels_alloc(&display->picture, display->place.width,
+		display->place.height, format, options->log);
 }
 
 /* Makes all pages black, or the visible part of the only one. */
@@ -116,10 +97,11 @@ int fbdev_create_on(const struct device_calls *calls,
 	}
 	console_acquire(&display->console, calls, options->log);
 	clear_screen(display);
-	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %s",
+	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %d page%s",
 		display->screen.path, display->screen.width,
 		display->screen.height, display->screen.layout.bits,
-		display->picture.data ? "copied" : "drawn directly");
+		display->screen.page_count,
+		display->screen.page_count == 1 ? "" : "s");
 	*out = display;
 	return 0;
 out_screen:
@@ -157,9 +139,6 @@ static void fbdev_get_info(
 static int fbdev_begin_frame(struct display *display, struct pixels *out)
 {
 	*out = display->picture;
-	if (!out->data) {
-		out->data = picture_start(display);
-	}
 	return display->error;
 }
 
@@ -167,13 +146,11 @@ static int fbdev_end_frame(struct display *display)
 {
 	struct fbdev_screen *screen = &display->screen;
 
-	if (display->picture.data) {
-		if (screen->page_count == 1) {
-			fbdev_screen_wait(screen);
-		}
-		packing_copy(&display->packing, &display->picture,
-			picture_start(display), screen->stride_bytes);
+	if (screen->page_count == 1) {
+		fbdev_screen_wait(screen);
 	}
+	packing_copy(&display->packing, &display->picture,
+		picture_start(display), screen->stride_bytes);
 	return screen->page_count > 1 ? fbdev_screen_flip(screen) : 0;
 }
 

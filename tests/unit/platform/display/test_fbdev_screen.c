@@ -11,21 +11,23 @@ enum {
 	HEIGHT = FBDEV_SCENE_HEIGHT
 };
 
-static void test_two_pages_are_drawn_into_in_turn(void **state)
+/* Blending would read what it draws on, from memory that is not cached. */
+static void test_pictures_are_drawn_in_memory_and_copied_to_pages_in_turn(
+	void **state)
 {
 	enum {
 		STRIDE = WIDTH * 2 + 4
 	};
 	struct fbdev_scene scene = {0};
-	uint8_t *pages[2];
+	uintptr_t first, end;
 
 	(void)state;
 	fake_fb_begin(WIDTH, HEIGHT, HEIGHT * 2, HEIGHT * 2, STRIDE,
 		fbdev_scene_layout_565);
 	fake_fb.has_wait = true;
 	assert_int_equal(fbdev_scene_open(&scene), 0);
-	pages[0] = fake_fb.memory;
-	pages[1] = fake_fb.memory + HEIGHT * STRIDE;
+	first = (uintptr_t)fake_fb.map;
+	end = first + sizeof(fake_fb.map);
 	for (int i = 0; i < 5; i++) {
 		int back = !(i & 1);
 		int waits = fake_fb.wait_count;
@@ -33,9 +35,8 @@ static void test_two_pages_are_drawn_into_in_turn(void **state)
 
 		assert_int_equal(
 			scene.driver->begin_frame(scene.display, &pixels), 0);
-		/* Directly into the page that is not shown. */
-		assert_ptr_equal(pixels.data, pages[back]);
-		assert_int_equal(pixels.stride_bytes, STRIDE);
+		assert_true((uintptr_t)pixels.data < first ||
+			(uintptr_t)pixels.data >= end);
 		assert_int_not_equal(fake_fb.var.yoffset, back * HEIGHT);
 		pixels = fbdev_scene_draw(&scene);
 		assert_int_equal(fake_fb.var.yoffset, back * HEIGHT);
@@ -376,7 +377,8 @@ static void test_a_picture_is_at_most_as_large_as_an_int(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_two_pages_are_drawn_into_in_turn),
+		cmocka_unit_test(
+			test_pictures_are_drawn_in_memory_and_copied_to_pages_in_turn),
 		cmocka_unit_test(
 			test_a_device_that_cannot_wait_gets_a_third_page),
 		cmocka_unit_test(test_a_device_that_waits_keeps_two_pages),

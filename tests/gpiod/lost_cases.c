@@ -61,6 +61,46 @@ static void test_a_chip_that_comes_later_is_used(void **state)
 	assert_int_equal(log_capture_count(&bench->logged, LOG_WARNING), 0);
 }
 
+/* As before Linux 6.2: nothing can be read, and poll() does not say why. */
+static void test_a_chip_that_leaves_in_silence_is_noticed(void **state)
+{
+	struct gpiod_bench *bench = *state;
+	struct fake_line *line = gpiod_bench_wire(bench, 18);
+
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	fake_gpio_set(line, true, 0);
+	poll_at(bench, 100);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	line->gone = true;
+	poll_at(bench, 999);
+	gpiod_bench_expect_nothing(bench);
+	poll_at(bench, 1000);
+	gpiod_bench_expect(bench, BUTTON_UP, false);
+	gpiod_bench_expect_warning(bench, "gpiod:UP", "lost");
+	line->gone = line->high = false;
+	poll_at(bench, 2000);
+	gpiod_bench_press(bench, line, BUTTON_UP);
+}
+
+/* Nothing may follow that makes the driver look at the line. */
+static void test_a_missed_last_edge_is_made_up_for(void **state)
+{
+	struct gpiod_bench *bench = *state;
+	struct fake_line *line = gpiod_bench_wire(bench, 18);
+
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	fake_gpio_set(line, true, 0);
+	poll_at(bench, 100);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+	line->high = false;
+	poll_at(bench, 999);
+	gpiod_bench_expect_nothing(bench);
+	poll_at(bench, 1000);
+	gpiod_bench_expect(bench, BUTTON_UP, false);
+	gpiod_bench_press(bench, line, BUTTON_UP);
+	assert_int_equal(bench->logged.count, 0);
+}
+
 /* It is asked for once a second, not in every frame. */
 static void test_a_taken_line_is_used_when_it_is_free(void **state)
 {
@@ -88,6 +128,8 @@ int gpiod_lost_cases_run(void)
 	const struct CMUnitTest tests[] = {
 		CASE(test_a_lost_line_works_again_when_its_chip_is_back),
 		CASE(test_a_chip_that_comes_later_is_used),
+		CASE(test_a_chip_that_leaves_in_silence_is_noticed),
+		CASE(test_a_missed_last_edge_is_made_up_for),
 		CASE(test_a_taken_line_is_used_when_it_is_free),
 	};
 #undef CASE

@@ -20,7 +20,7 @@ enum {
 	CHIPS_MAX = 32,
 	DEVICES_MAX = 128, /* /dev/gpiochip0 to 127; numbers may have gaps */
 	LINES_MAX = BUTTON_HOLDERS_MAX,
-	RETRY_MS = 1000 /* between two attempts to open missing lines */
+	RETRY_MS = 1000 /* between two looks at levels and at missing lines */
 };
 
 struct button_line {
@@ -354,7 +354,7 @@ static int gpiod_create(
 	return 0;
 }
 
-_Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 1) <= BUTTON_BATCH_CAPACITY,
+_Static_assert(LINES_MAX *(GPIO_EDGES_MAX + 2) <= BUTTON_BATCH_CAPACITY,
 	"a batch holds all edges that the kernel buffers");
 
 static void add_edge(
@@ -418,6 +418,24 @@ static void read_line(struct button_source *source, int index,
 	}
 }
 
+/*
+ * Reads the level of each line: before Linux 6.2, poll() does not tell that a
+ * chip is gone, and the last edge may be one that the controller has missed.
+ */
+static void check_levels(struct button_source *source, int64_t now_ms)
+{
+	for (int i = 0; i < source->line_count; i++) {
+		struct button_line *line = &source->line[i];
+		int level = line->line ? gpio_line_level(line->line) : 0;
+
+		if (level < 0) {
+			lose_line(source, i, now_ms, level);
+		} else if (line->line && (level == 1) != line->active) {
+			add_edge(source, i, now_ms, level == 1);
+		}
+	}
+}
+
 static void begin_polling(struct button_source *source, int64_t now_ms,
 	struct button_queue *queue)
 {
@@ -448,14 +466,15 @@ static void gpiod_poll(struct button_source *source, int64_t now_ms,
 				read_line(source, i, &clocks, now_ms);
 			}
 		}
-		button_batch_push(&source->batch, queue);
 	}
 	if (now_ms >= source->retry_ms) {
+		check_levels(source, now_ms);
 		source->retry_ms = now_ms + RETRY_MS;
 		if (is_any_missing(source)) {
 			retry(source);
 		}
 	}
+	button_batch_push(&source->batch, queue);
 	source->polled_ms = now_ms;
 }
 

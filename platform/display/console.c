@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 
@@ -238,7 +239,7 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 {
 	bool in_use;
 
-	*console = (struct console){.calls = calls};
+	*console = (struct console){.calls = calls, .log = *log};
 	console->fd = open_console(calls, log, &in_use);
 	if (console->fd < 0) {
 		return;
@@ -272,30 +273,41 @@ enum console_request console_request(const struct console *console)
 	return taken.leaves ? CONSOLE_LEAVES : CONSOLE_STAYS;
 }
 
-static void answer(const struct console *console, uintptr_t answer)
+static int answer(const struct console *console, uintptr_t answer)
 {
-	(void)device_control(
-		console->calls, console->fd, VT_RELDISP, (void *)answer);
+	return device_control(console->calls, console->fd, VT_RELDISP,
+		       (void *)answer) == 0
+		? 0
+		: -errno;
 }
 
-void console_leave(struct console *console)
+/* Answers need rights that a process may have given up (--user). */
+int console_leave(struct console *console)
 {
-	console->away = true;
+	int error;
+
 	taken.leaves = taken.returns = 0;
-	answer(console, 1);
+	error = answer(console, 1);
+	console->away = !error;
+	if (error) {
+		log_warning(&console->log,
+			"console: limber may not let the kernel switch to another one: %s: start it on a terminal of this console, or leave --user out",
+			strerror(-error));
+	}
+	return error;
 }
 
 void console_refuse(struct console *console)
 {
 	taken.leaves = 0;
-	answer(console, 0);
+	(void)answer(console, 0);
 }
 
 void console_return(struct console *console)
 {
 	console->away = false;
 	taken.returns = 0;
-	answer(console, VT_ACKACQ);
+	(void)answer(console, VT_ACKACQ);
 }
 
 void console_release(struct console *console)

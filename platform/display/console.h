@@ -21,6 +21,7 @@
 
 struct console {
 	const struct device_calls *calls;
+	struct log log;
 	int fd;        /* -1: there is no console, or another program uses it */
 	bool switches; /* the kernel asks before it switches */
 	bool away;     /* another console is on the screen */
@@ -57,8 +58,12 @@ void console_acquire(struct console *console, const struct device_calls *calls,
  */
 enum console_request console_request(const struct console *console);
 
-/* Lets the kernel switch. Nothing may be drawn until console_return(). */
-void console_leave(struct console *console);
+/*
+ * Lets the kernel switch. Nothing may be drawn until console_return(). Returns
+ * 0, or -errno after logging a warning: the console stays, and the display
+ * takes the screen again.
+ */
+int console_leave(struct console *console);
 
 /* Refuses to leave: the screen cannot be given back. */
 void console_refuse(struct console *console);

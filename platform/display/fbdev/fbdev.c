@@ -160,7 +160,14 @@ static void take_screen(struct display *display)
 	if (!display->error) {
 		clear_screen(display);
 	}
-	console_return(&display->console);
+}
+
+static void give_screen(struct display *display)
+{
+	fbdev_screen_leave(&display->screen);
+	if (console_leave(&display->console) != 0) {
+		take_screen(display);
+	}
 }
 
 static void fbdev_poll(struct display *display, int64_t now_ms,
@@ -170,11 +177,11 @@ static void fbdev_poll(struct display *display, int64_t now_ms,
 	(void)queue;
 	switch (console_request(&display->console)) {
 	case CONSOLE_LEAVES:
-		fbdev_screen_leave(&display->screen);
-		console_leave(&display->console);
+		give_screen(display);
 		break;
 	case CONSOLE_RETURNS:
 		take_screen(display);
+		console_return(&display->console);
 		break;
 	default:
 		break;

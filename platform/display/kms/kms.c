@@ -161,10 +161,10 @@ static int kms_end_frame(struct display *display)
 
 static void give_screen(struct display *display)
 {
-	if (card_leave(&display->card) == 0) {
-		console_leave(&display->console);
-	} else {
+	if (card_leave(&display->card) != 0) {
 		console_refuse(&display->console);
+	} else if (console_leave(&display->console) != 0) {
+		display->error = card_return(&display->card);
 	}
 }
 

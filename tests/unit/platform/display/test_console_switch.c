@@ -140,6 +140,60 @@ static void test_a_mode_that_cannot_be_set_back_is_an_error(void **state)
 	scene.driver->destroy(scene.display);
 }
 
+static struct display *open_card(struct log_capture *capture, struct log *log)
+{
+	static const struct pixel_layout any = {
+		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
+	struct display_options options = {.log = log};
+	struct display *display;
+
+	*log = log_capture_begin(capture);
+	fake_card_begin();
+	fake_fb_begin(8, 8, 8, 8, 16, any);
+	fake_fb.has_console = true;
+	assert_int_equal(kms_create_on(&fake_card_calls, &options, &display), 0);
+	return display;
+}
+
+static void draw_card(struct display *display)
+{
+	struct pixels pixels;
+
+	assert_int_equal(display_driver_kms.begin_frame(display, &pixels), 0);
+	assert_int_equal(display_driver_kms.end_frame(display), 0);
+}
+
+/* A user without rights on the console cannot answer (--user). */
+static void test_a_console_that_may_not_be_left_goes_on(void **state)
+{
+	struct fbdev_scene scene = {0};
+	struct log_capture capture;
+	struct log log;
+	struct display *display;
+
+	(void)state;
+	fbdev_scene_begin_565(2);
+	fake_fb.has_console = true;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	fake_fb.fail_request = VT_RELDISP;
+	fake_fb.fail_error = EPERM;
+	ask();
+	assert_false(is_away(scene.driver, scene.display));
+	assert_true(log_capture_has(
+		&scene.capture, LOG_WARNING, "not permitted: start it"));
+	fbdev_scene_draw(&scene);
+	assert_int_not_equal(fake_fb_seen(3, 3), 0);
+	fbdev_scene_close(&scene);
+
+	display = open_card(&capture, &log);
+	fake_fb.fail_request = VT_RELDISP;
+	fake_fb.fail_error = EPERM;
+	ask();
+	assert_false(is_away(&display_driver_kms, display));
+	draw_card(display);
+	display_driver_kms.destroy(display);
+}
+
 /* Ends while a switch waits: the user gets the other console. */
 static void test_a_switch_takes_place_at_the_end(void **state)
 {
@@ -197,29 +251,6 @@ static void test_ignored_and_blocked_signals_do_not_matter(void **state)
 	for (int i = SIGRTMIN; i <= SIGRTMAX; i++) {
 		assert_true(signal(i, SIG_DFL) == SIG_IGN);
 	}
-}
-
-static struct display *open_card(struct log_capture *capture, struct log *log)
-{
-	static const struct pixel_layout any = {
-		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
-	struct display_options options = {.log = log};
-	struct display *display;
-
-	*log = log_capture_begin(capture);
-	fake_card_begin();
-	fake_fb_begin(8, 8, 8, 8, 16, any);
-	fake_fb.has_console = true;
-	assert_int_equal(kms_create_on(&fake_card_calls, &options, &display), 0);
-	return display;
-}
-
-static void draw_card(struct display *display)
-{
-	struct pixels pixels;
-
-	assert_int_equal(display_driver_kms.begin_frame(display, &pixels), 0);
-	assert_int_equal(display_driver_kms.end_frame(display), 0);
 }
 
 static void test_a_card_is_given_and_taken_again(void **state)
@@ -301,6 +332,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_screen_that_is_away_is_left_alone_at_the_end),
 		cmocka_unit_test(test_a_mode_that_cannot_be_set_back_is_an_error),
+		cmocka_unit_test(test_a_console_that_may_not_be_left_goes_on),
 		cmocka_unit_test(test_a_switch_takes_place_at_the_end),
 		cmocka_unit_test(test_a_console_of_a_killed_limber_is_not_in_use),
 		cmocka_unit_test(test_ignored_and_blocked_signals_do_not_matter),

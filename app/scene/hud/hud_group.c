@@ -27,6 +27,7 @@ enum {
 	KNOB_INSET = 1,
 	MARK_SIDE = 4,
 	MARK_GAP = 3,
+	TEXT_LEAST = 20, /* a narrower text is little more than an ellipsis */
 	TEXT_SIZE = 32
 };
 
@@ -103,10 +104,23 @@ bool hud_group_list_is_alone(int width, int height)
 	return width < 4 * hud_group_extent_of(width, height, 0, 0).column;
 }
 
+static bool is_too_narrow(int width, int height)
+{
+	int scale;
+	const struct font_face *face =
+		hud_face_for(&font_default, height, &scale);
+	int em = face->size * scale;
+
+	return width_for(width, em) < em * (TEXT_LEAST + 2 * PADDING_X) / 8;
+}
+
 int hud_group_rows_max(int width, int height)
 {
 	int rows = HUD_GROUP_ROWS_NARROW;
 
+	if (is_too_narrow(width, height)) {
+		return 0;
+	}
 	if (width >= 2 * hud_group_extent_of(width, height, 0, 0).column) {
 		return INT_MAX;
 	}

@@ -64,8 +64,8 @@ enum {
  * further rows are left out. In a picture less than twice as wide as a group,
  * figures have no room beside the labels. A group is then limited to
  * HUD_GROUP_ROWS_NARROW rows, or to fewer that leave figures the lower half of
- * the picture. If not even one row does so, the result is 0, and groups are not
- * shown.
+ * the picture. If not even one row does so, or a group has less room than two
+ * and a half ems for texts, the result is 0, and groups are not shown.
  */
 int hud_group_rows_max(int width, int height);
 

@@ -276,7 +276,9 @@ static void test_groups_leave_figures_half_of_a_small_picture(void **state)
 {
 	static const int sizes[][3] = {{240, 320, HUD_GROUP_ROWS_NARROW},
 		{176, 208, 2}, {220, 176, 1}, {128, 160, 1}, {160, 120, 0},
-		{128, 96, 0}, {96, 64, 0}, {32, 32, 0}};
+		{128, 96, 0}, {96, 64, 0}, {32, 32, 0},
+		/* Too narrow for more than an ellipsis. */
+		{48, 200, 0}, {60, 200, 0}, {64, 200, 1}};
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(sizes) / sizeof(sizes[0]); i++) {

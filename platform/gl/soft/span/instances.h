@@ -12,37 +12,34 @@
 
 /*
  * A function for each texel format and filter, which the compiler simplifies
- * before it inlines a copy for each finish and depth test.
+ * before it inlines a copy for each finish and depth test. each:
+ * SOFT_EACH_FINISH, SOFT_EACH_SECOND or SOFT_EACH_SCALED.
  */
-#define SOFT_TEXELS(name, ...)                                              \
+#define SOFT_KIND(name, each, ...)                                          \
 	static ALWAYS_INLINE void name(const struct soft_run *run,          \
 		const enum soft_finish finish_, const bool lequal_)         \
 	{                                                                   \
 		soft_draw_run(run,                                          \
 			(struct soft_kind){.finish = finish_,               \
 				.lequal = lequal_, __VA_ARGS__});           \
-	}
-
-/* each: SOFT_EACH_FINISH, SOFT_EACH_SECOND or SOFT_EACH_SCALED. */
-#define SOFT_KIND(name, each, ...)                                          \
-	SOFT_TEXELS(name, __VA_ARGS__)                                      \
+	}                                                                   \
 	each(SOFT_FINISH_FUNCTIONS, name)
 
 #define SOFT_EACH_FINISH(make, ...)                                         \
 	make(opaque, SOFT_OPAQUE, __VA_ARGS__)                              \
 	make(tested, SOFT_TESTED, __VA_ARGS__)                              \
 	make(blended, SOFT_BLENDED, __VA_ARGS__)                            \
-	make(opaque_fog, SOFT_OPAQUE_FOG, __VA_ARGS__)                      \
-	make(tested_fog, SOFT_TESTED_FOG, __VA_ARGS__)                      \
-	make(blended_fog, SOFT_BLENDED_FOG, __VA_ARGS__)                    \
+	make(opaque_fog, SOFT_FOGGED, __VA_ARGS__)                      \
+	make(tested_fog, SOFT_FOGGED + SOFT_TESTED, __VA_ARGS__)                      \
+	make(blended_fog, SOFT_FOGGED + SOFT_BLENDED, __VA_ARGS__)                    \
 	make(mixed, SOFT_MIXED, __VA_ARGS__)
 
 /* Finishes with a second texture, which only a few formats have. */
 #define SOFT_EACH_SECOND(make, ...)                                         \
 	SOFT_EACH_SCALED(make, __VA_ARGS__)                                 \
 	make(summed, SOFT_SUMMED, __VA_ARGS__)                              \
-	make(tested_summed, SOFT_TESTED_SUMMED, __VA_ARGS__)                \
-	make(blended_summed, SOFT_BLENDED_SUMMED, __VA_ARGS__)
+	make(tested_summed, SOFT_SUMMED + SOFT_TESTED, __VA_ARGS__)                \
+	make(blended_summed, SOFT_SUMMED + SOFT_BLENDED, __VA_ARGS__)
 
 /* The one that RGBA8888 pictures have. */
 #define SOFT_EACH_SCALED(make, ...) make(scaled, SOFT_SCALED, __VA_ARGS__)

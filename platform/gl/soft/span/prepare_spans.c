@@ -118,9 +118,10 @@ static void choose_finish(struct draw *draw)
 	} else {
 		spans->blended_last = draw->blended;
 	}
-	spans->finish = (enum soft_finish)(finish +
-		(draw->fogged || draw->added ? SOFT_OPAQUE_FOG - SOFT_OPAQUE
-					     : 0));
+	if (draw->fogged || draw->added) {
+		finish += SOFT_FOGGED;
+	}
+	spans->finish = finish;
 }
 
 /* What depth functions are to beside.c and span functions. */
@@ -263,11 +264,8 @@ static void find_wanted(const struct draw *draw, struct soft_spans *spans)
 	bool replaced = !combined && input->used && input->mode == GL_REPLACE;
 
 	spans->colored = !replaced || format == GL_ALPHA;
-	spans->alpha_read = spans->wide || combined ||
-		(spans->finish != SOFT_OPAQUE &&
-			spans->finish != SOFT_OPAQUE_FOG &&
-			spans->finish != SOFT_SCALED &&
-			spans->finish != SOFT_SUMMED);
+	spans->alpha_read =
+		spans->wide || combined || (spans->finish & SOFT_MIXED) != 0;
 	spans->alpha =
 		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
 }

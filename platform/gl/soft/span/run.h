@@ -146,15 +146,11 @@ enum soft_finish {
 	SOFT_OPAQUE,
 	SOFT_TESTED,  /* alpha test; then opaque */
 	SOFT_BLENDED, /* by GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA */
-	SOFT_OPAQUE_FOG,
-	SOFT_TESTED_FOG,
-	SOFT_BLENDED_FOG,
-	SOFT_MIXED,  /* alpha test; blended by any factors of 0, 1 and alpha */
-	SOFT_SCALED, /* times a second texture's texel; opaque */
-	/* a second texture's texel is added; else as the first three */
-	SOFT_SUMMED,
-	SOFT_TESTED_SUMMED,
-	SOFT_BLENDED_SUMMED,
+	SOFT_MIXED,   /* alpha test; blended by any factors of 0, 1 and alpha */
+	/* added to one of the first three: what happens before */
+	SOFT_FOGGED = 4,
+	SOFT_SUMMED = 8,  /* a second texture's texel is added */
+	SOFT_SCALED = 12, /* times a second texture's texel; opaque */
 	SOFT_FINISHES,
 };
 

@@ -64,23 +64,25 @@ struct soft_color {
 	soft_word alpha;     /* 0 to 255, or 0 to 32 if blended in RGB565 */
 };
 
+/* What happens to the colour: SOFT_FOGGED, SOFT_SUMMED, SOFT_SCALED or 0. */
+static ALWAYS_INLINE int soft_get_addition(struct soft_kind kind)
+{
+	return (int)kind.finish & ~SOFT_MIXED;
+}
+
 static ALWAYS_INLINE bool soft_is_fogged(struct soft_kind kind)
 {
-	return kind.finish == SOFT_OPAQUE_FOG ||
-		kind.finish == SOFT_TESTED_FOG ||
-		kind.finish == SOFT_BLENDED_FOG;
+	return soft_get_addition(kind) == SOFT_FOGGED;
 }
 
 static ALWAYS_INLINE bool soft_is_tested(struct soft_kind kind)
 {
-	return kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG ||
-		kind.finish == SOFT_MIXED || kind.finish == SOFT_TESTED_SUMMED;
+	return kind.finish & SOFT_TESTED; /* SOFT_MIXED, too */
 }
 
 static ALWAYS_INLINE bool soft_is_blended(struct soft_kind kind)
 {
-	return kind.finish == SOFT_BLENDED || kind.finish == SOFT_BLENDED_FOG ||
-		kind.finish == SOFT_BLENDED_SUMMED;
+	return (kind.finish & SOFT_MIXED) == SOFT_BLENDED;
 }
 
 /* Whether channels are multiplied by those of a second texture's texel. */
@@ -92,7 +94,7 @@ static ALWAYS_INLINE bool soft_is_scaled(struct soft_kind kind)
 /* Whether a second texture's texel is added to the colour. */
 static ALWAYS_INLINE bool soft_is_summed(struct soft_kind kind)
 {
-	return kind.textured && kind.finish >= SOFT_SUMMED;
+	return kind.textured && soft_get_addition(kind) == SOFT_SUMMED;
 }
 
 static ALWAYS_INLINE bool soft_is_blended_freely(struct soft_kind kind)

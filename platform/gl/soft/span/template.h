@@ -363,7 +363,7 @@ static ALWAYS_INLINE bool soft_is_still(
 	 * If alpha's step across is 0 in whole units, alpha is at most a unit a
 	 * pixel below that of the first and the last run.
 	 */
-	return (kind.finish == SOFT_TESTED || kind.finish == SOFT_TESTED_FOG) &&
+	return ((int)kind.finish & ~SOFT_FOGGED) == SOFT_TESTED &&
 		soft_has_alpha(kind) &&
 		(run->green_alpha_right + 0x8000) >> 16 == 0 &&
 		row->green_alpha >> 16 >= SOFT_SOLID_ALPHA &&

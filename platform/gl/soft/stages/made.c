@@ -309,10 +309,8 @@ void soft_read_second(struct draw *draw, uint32_t *texel)
 static void prepare_combined(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
-	bool alpha = spans->finish != SOFT_OPAQUE &&
-		spans->finish != SOFT_OPAQUE_FOG;
+	const bool alpha = (spans->finish & SOFT_MIXED) != 0 || spans->wide;
 
-	alpha |= spans->wide;
 	for (int i = 0; i < SOFT_UNITS; i++) {
 		if (draw->texture[i].used) {
 			soft_find_environment(

@@ -236,23 +236,20 @@ static NEVER_INLINE void test_alpha(
 static struct soft_stretch find_stretch(struct draw *draw,
 	const struct soft_row *part, uint32_t left, const uint16_t *drawn)
 {
-	struct soft_tested tested = {
-		.place = (size_t)(part->depth - draw->soft->buffers.depth),
-		.count = left,
-		.z = part->z,
-		.z_right = draw->spans.run.z_right,
-	};
+	const struct soft_spans *spans = &draw->spans;
+	uint32_t count = 1;
 
-	if (draw->spans.tested_last) {
-		tested.count = 1;
-		while (tested.count < left && drawn[tested.count] == *drawn) {
-			tested.count++;
+	if (spans->tested_last) {
+		while (count < left && drawn[count] == *drawn) {
+			count++;
 		}
 		if (*drawn != 0) {
-			return (struct soft_stretch){tested.count, false};
+			return (struct soft_stretch){count, false};
 		}
+		left = count;
 	}
-	return soft_test(draw->soft, &tested, draw->spans.compared);
+	return soft_test(
+		draw->soft, part, left, spans->run.z_right, spans->compared);
 }
 
 /*

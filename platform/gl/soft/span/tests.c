@@ -19,42 +19,38 @@ static uint8_t apply_stencil(
 		(value & stencil->write_mask));
 }
 
-/* How many depths from the first one on pass, or fail. */
+/* How many of a row's depths from the first one on pass, or fail. */
 static ALWAYS_INLINE uint32_t count_alike(GLenum function, bool passes,
-	const struct soft_tested *tested, const uint16_t *depth)
+	const struct soft_row *row, uint32_t count, uint32_t z_right)
 {
-	const uint32_t z_right = tested->z_right;
-	const uint16_t *at = depth, *const end = depth + tested->count;
-	uint32_t z = tested->z;
+	const uint16_t *at = row->depth, *const end = at + count;
+	uint32_t z = row->z;
 
 	do {
 		at++;
 		z += z_right;
 	} while (at < end && soft_compares(function, z >> 16, *at) == passes);
-	return (uint32_t)(at - depth);
+	return (uint32_t)(at - row->depth);
 }
 
-/* As many depths from the first one on as give the same result. */
+/* As many of a row's depths from the first one on as give the same result. */
 static ALWAYS_INLINE struct soft_stretch compare(GLenum function,
-	const struct soft_tested *tested, const uint16_t *depth)
+	const struct soft_row *row, uint32_t count, uint32_t z_right)
 {
-	if (soft_compares(function, tested->z >> 16, *depth)) {
+	if (soft_compares(function, row->z >> 16, *row->depth)) {
 		return (struct soft_stretch){
-			count_alike(function, true, tested, depth), true};
+			count_alike(function, true, row, count, z_right), true};
 	}
 	return (struct soft_stretch){
-		count_alike(function, false, tested, depth), false};
+		count_alike(function, false, row, count, z_right), false};
 }
 
-static struct soft_stretch test_depths(const struct fragment_state *state,
-	const struct soft_tested *tested, const uint16_t *depth)
+static struct soft_stretch test_depths(GLenum function,
+	const struct soft_row *row, uint32_t count, uint32_t z_right)
 {
-	const GLenum function =
-		state->depth_test ? state->depth_function : GL_ALWAYS;
-
-#define FUNCTION(name)                               \
-	if (function == (name)) {                    \
-		return compare(name, tested, depth); \
+#define FUNCTION(name)                                     \
+	if (function == (name)) {                          \
+		return compare(name, row, count, z_right); \
 	}
 	FUNCTION(GL_LESS)
 	FUNCTION(GL_LEQUAL)
@@ -63,7 +59,7 @@ static struct soft_stretch test_depths(const struct fragment_state *state,
 	FUNCTION(GL_GREATER)
 	FUNCTION(GL_GEQUAL)
 #undef FUNCTION
-	return (struct soft_stretch){tested->count, function == GL_ALWAYS};
+	return (struct soft_stretch){count, function == GL_ALWAYS};
 }
 
 /* How many bytes from the first one on are equal. */
@@ -81,29 +77,29 @@ static uint32_t count_equal(const uint8_t *first, uint32_t count)
 	return (uint32_t)(at - first);
 }
 
-struct soft_stretch soft_test(
-	struct soft *soft, const struct soft_tested *given, bool compared)
+struct soft_stretch soft_test(const struct soft *soft,
+	const struct soft_row *row, uint32_t count, uint32_t z_right,
+	bool compared)
 {
 	const struct fragment_state *state = &soft->fragment;
 	const struct stencil *s = &state->stencil;
-	uint8_t *stencil = s->enabled ? soft->buffers.stencil : NULL;
-	struct soft_tested tested = *given;
-	struct soft_stretch out = {tested.count, true};
+	uint8_t *stencil = NULL;
+	struct soft_stretch out = {count, true};
 	bool through = true;
 	uint8_t old = 0, far = 0, near = 0; /* far, near: depth fails, passes */
 
-	if (stencil) {
-		stencil += given->place;
+	if (s->enabled) {
+		stencil = soft->buffers.stencil +
+			(row->depth - soft->buffers.depth);
 		old = *stencil;
-		tested.count = out.count = count_equal(stencil, tested.count);
+		count = out.count = count_equal(stencil, count);
 		through = soft_compares(
 			s->function, s->reference & s->mask, old & s->mask);
 		far = apply_stencil(s, through ? s->depth_fail : s->fail, old);
 		near = through ? apply_stencil(s, s->pass, old) : far;
 	}
-	if (through && (compared || far != near)) {
-		out = test_depths(
-			state, &tested, soft->buffers.depth + tested.place);
+	if (through && state->depth_test && (compared || far != near)) {
+		out = test_depths(state->depth_function, row, count, z_right);
 	}
 	if (stencil && (out.passes ? near : far) != old) {
 		memset(stencil, out.passes ? near : far, out.count);

@@ -2,20 +2,13 @@
 #ifndef PLATFORM_GL_SOFT_SPAN_TESTS_H
 #define PLATFORM_GL_SOFT_SPAN_TESTS_H
 
-#include "platform/gl/soft/soft.h"
+#include "platform/gl/soft/span/run.h"
 
 /* GL's comparisons: bits 0 to 2 of the enumerant let less, equal, greater pass. */
 static inline bool soft_compares(GLenum function, uint32_t a, uint32_t b)
 {
 	return function >> (a < b ? 0 : a == b ? 1 : 2) & 1;
 }
-
-/* Fragments side by side in a row, and their depths. */
-struct soft_tested {
-	size_t place; /* of the first one, in the depth and stencil buffers */
-	uint32_t count;
-	uint32_t z, z_right; /* 16.16 */
-};
 
 /* How many fragments from the first one on have the same result. */
 struct soft_stretch {
@@ -24,11 +17,13 @@ struct soft_stretch {
 };
 
 /*
- * Makes the stencil test of fragments as far as their result is the same, and
- * writes the stencil, but no depths. Makes the depth test, too, if compared is
- * set, or where the stencil depends on it; else fragments may fail it later.
+ * Makes the stencil test of a row's first pixels, at most count, as far as its
+ * result is the same, and writes the stencil, but no depths. Makes the depth
+ * test, too, if compared is set, or where the stencil depends on it; else
+ * fragments may fail it later.
  */
-struct soft_stretch soft_test(
-	struct soft *soft, const struct soft_tested *tested, bool compared);
+struct soft_stretch soft_test(const struct soft *soft,
+	const struct soft_row *row, uint32_t count, uint32_t z_right,
+	bool compared);
 
 #endif

@@ -83,11 +83,7 @@ bool soft_rows_is_small(const struct texture_input *input, int lod)
 
 bool soft_rows_mixes_levels(const struct texture_input *input)
 {
-	GLenum min;
-
-	if (!input->used || input->levels <= 1) {
-		return false;
-	}
-	min = input->texture->min_filter;
-	return min == GL_NEAREST_MIPMAP_LINEAR || min == GL_LINEAR_MIPMAP_LINEAR;
+	return input->used && input->levels > 1 &&
+		(input->texture->min_filter == GL_NEAREST_MIPMAP_LINEAR ||
+			input->texture->min_filter == GL_LINEAR_MIPMAP_LINEAR);
 }

@@ -255,21 +255,6 @@ static void find_stages(const struct draw *draw, struct soft_spans *spans)
 	}
 }
 
-/* Finds whether vertices' colours and alpha are needed. */
-static void find_wanted(const struct draw *draw, struct soft_spans *spans)
-{
-	const struct texture_input *input = &draw->texture[0];
-	bool combined = spans->combined;
-	GLenum format = input->used ? input->base->base_format : GL_RGB;
-	bool replaced = !combined && input->used && input->mode == GL_REPLACE;
-
-	spans->colored = !replaced || format == GL_ALPHA;
-	spans->alpha_read =
-		spans->wide || combined || (spans->finish & SOFT_MIXED) != 0;
-	spans->alpha =
-		spans->alpha_read && !(replaced && soft_base_has_alpha(format));
-}
-
 /* Whether colours need stages that no span function has: see made.h. */
 static bool is_combined(const struct draw *draw)
 {
@@ -283,12 +268,20 @@ static bool is_combined(const struct draw *draw)
 }
 
 /* Sets attributes that are not needed: white, and a fog that hides nothing. */
-static void set_white(uint32_t *constant, struct soft_spans *spans)
+static void set_white(struct draw *draw, struct soft_spans *spans)
 {
-	if (!spans->colored) {
+	const struct texture_input *input = &draw->texture[0];
+	const bool replaced =
+		!spans->combined && input->used && input->mode == GL_REPLACE;
+	const GLenum format = input->used ? input->base->base_format : GL_RGB;
+	uint32_t *constant = draw->raster.constant;
+
+	spans->alpha_read = spans->wide || spans->combined ||
+		(spans->finish & SOFT_MIXED) != 0;
+	if (replaced && format != GL_ALPHA) {
 		spans->white_bits |= 1u << RED | 1u << GREEN | 1u << BLUE;
 	}
-	if (!spans->alpha) {
+	if (!spans->alpha_read || (replaced && soft_base_has_alpha(format))) {
 		spans->white_bits |= 1u << ALPHA;
 	}
 	constant[FOG] = FOG_NONE;
@@ -377,8 +370,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->textured = draw->texture[0].used && draw->attributes != 0;
 	spans->lod_wanted = spans->textured &&
 		(soft_rows_want_lod(&draw->texture[0]) ||
-			(draw->texture[1].used &&
-				soft_rows_want_lod(&draw->texture[1])));
+			soft_rows_want_lod(&draw->texture[1]));
 	spans->levels[0].level = -1;
 	spans->set_level = NULL;
 	spans->white_bits = 0;
@@ -397,8 +389,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
-	find_wanted(draw, spans);
-	set_white(draw->raster.constant, spans);
+	set_white(draw, spans);
 	find_scales(draw, spans);
 	find_stages(draw, spans);
 	if (spans->made) {

@@ -96,8 +96,6 @@ enum soft_depths {
 
 /* What all runs of a draw call have in common, or all runs of a triangle. */
 struct soft_spans {
-	bool colored;        /* vertices' colours are interpolated */
-	bool alpha;          /* and their alpha */
 	bool alpha_read;     /* span functions read alpha, if only white's */
 	uint32_t white_bits; /* attributes that a texture replaces: white */
 	bool textured;

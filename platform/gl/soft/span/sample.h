@@ -158,12 +158,6 @@ struct soft_lanes {
 	soft_word red_blue, green_alpha;
 };
 
-static ALWAYS_INLINE struct soft_lanes soft_split(soft_word texel)
-{
-	return (struct soft_lanes){
-		BYTES_AS_HALVES(texel), ODD_BYTES_AS_HALVES(texel)};
-}
-
 /* Four texels of RGBA8888 and their filter weights, HALVES_TWICE() of 256 in all. */
 struct soft_four {
 	soft_word texel[4], weight[4];

@@ -207,27 +207,14 @@ static ALWAYS_INLINE int soft_fraction(
 		soft_field(kind.format, channel).bits - bits;
 }
 
-/* Half of the picture's lowest bit, in the channel's unit. */
-static ALWAYS_INLINE int32_t soft_half(
-	struct soft_kind kind, enum soft_channel channel)
-{
-	return 1 << (soft_fraction(kind, channel) - 1);
-}
-
-/* soft_fraction() after fog, which halves channels. */
-static ALWAYS_INLINE int soft_last_fraction(
-	struct soft_kind kind, enum soft_channel channel)
-{
-	return soft_fraction(kind, channel) - soft_is_fogged(kind);
-}
-
 static ALWAYS_INLINE void soft_split_texel(
 	struct soft_kind kind, soft_word texel, struct soft_texel *out)
 {
 	struct soft_field alpha = soft_field(kind.format, SOFT_ALPHA);
 
 	if (kind.format == TEXEL_8888) {
-		out->lanes = soft_split(texel);
+		out->lanes = (struct soft_lanes){
+			BYTES_AS_HALVES(texel), ODD_BYTES_AS_HALVES(texel)};
 		out->alpha = out->lanes.green_alpha >> 16;
 		return;
 	}

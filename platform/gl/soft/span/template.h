@@ -54,7 +54,6 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	soft_word pass, uint16_t *depth, uint8_t *pixel)
 {
 	struct soft_texel texel = {.alpha = SOFT_OPAQUE_ALPHA}, second;
-	uint16_t *const pixel_565 = (uint16_t *)(void *)pixel;
 	struct soft_color color;
 	soft_word alpha = SOFT_OPAQUE_ALPHA;
 
@@ -102,22 +101,15 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 		return;
 	}
 	soft_finish_texel(kind, &texel);
-	if (kind.wide) {
-		if (kind.finish == SOFT_SCALED) {
-			if (kind.joined) {
-				soft_finish_texel(kind, &second);
-			}
-			soft_multiply_texel(kind,
-				kind.joined ? soft_join(&second)
-					    : soft_load_word(
-						      constants->second, depth),
-				&texel);
-			alpha = soft_find_alpha(kind, &texel, at->green_alpha);
+	if (kind.wide && kind.finish == SOFT_SCALED) {
+		if (kind.joined) {
+			soft_finish_texel(kind, &second);
 		}
-		soft_store_8888(kind, constants,
-			soft_find_bytes(kind, constants, &texel, at, alpha),
-			pass, pixel);
-		return;
+		soft_multiply_texel(kind,
+			kind.joined ? soft_join(&second)
+				    : soft_load_word(constants->second, depth),
+			&texel);
+		alpha = soft_find_alpha(kind, &texel, at->green_alpha);
 	}
 	if ((soft_is_scaled(kind) || soft_is_summed(kind)) && !kind.joined) {
 		soft_split_second(
@@ -134,14 +126,10 @@ static ALWAYS_INLINE void soft_shade_pixel(const struct soft_run *run,
 	if (soft_is_summed(kind)) {
 		soft_add_second(kind, &second, &color);
 	}
-	if (soft_is_blended_freely(kind)) {
-		soft_store_halves(soft_mix_565(kind, constants, &color,
-					  soft_get_halves(pixel)),
-			pass, pixel_565);
+	if (kind.wide) {
+		soft_store_8888(kind, constants, &color, pass, pixel);
 	} else {
-		soft_store_halves(
-			soft_find_565(kind, &color, soft_get_halves(pixel)),
-			pass, pixel_565);
+		soft_store_565(kind, constants, &color, pass, pixel);
 	}
 }
 

@@ -28,23 +28,19 @@ struct soft_constants {
 	uint32_t environment[3];
 };
 
-/* Fraction bits of a second texel's channel, besides its 5, 6 and 5 bits. */
-static ALWAYS_INLINE int soft_second_fraction(
-	struct soft_kind kind, enum soft_channel channel)
-{
-	return kind.joined              ? (kind.linear ? 18 : 0)
-		: channel == SOFT_GREEN ? 5
-					: 6;
-}
-
-/* A second texel's channel, shifted to so many fraction bits. */
+/*
+ * A second texel's channel, shifted to so many fraction bits. It has 5, 6 and 5
+ * bits besides its own fraction bits.
+ */
 static ALWAYS_INLINE soft_word soft_second_channel(struct soft_kind kind,
 	const struct soft_texel *second, enum soft_channel channel, int fraction)
 {
-	const int up = fraction - soft_second_fraction(kind, channel);
+	const int own = kind.joined     ? (kind.linear ? 18 : 0)
+		: channel == SOFT_GREEN ? 5
+					: 6;
 
-	return up >= 0 ? second->channel[channel] << up
-		       : second->channel[channel] >> -up;
+	return fraction >= own ? second->channel[channel] << (fraction - own)
+			       : second->channel[channel] >> (own - fraction);
 }
 
 /* Splits a word of soft_run.second into channels. */
@@ -190,7 +186,7 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 		const int fraction = soft_fraction(kind, i);
 
 		out.start[i] = soft_has_color(kind) && !kind.mode
-			? soft_half(kind, i)
+			? 1 << (fraction - 1)
 			: 0;
 		out.environment[i] = stages->environment[i];
 		if (soft_is_fogged(kind)) {
@@ -231,7 +227,8 @@ static ALWAYS_INLINE soft_word soft_whole(struct soft_kind kind,
 	const struct soft_color *color, enum soft_channel i)
 {
 	int bits = kind.wide ? 8 : i == SOFT_GREEN ? 6 : 5;
-	int fraction = soft_last_fraction(kind, i);
+	/* fog halves channels */
+	int fraction = soft_fraction(kind, i) - soft_is_fogged(kind);
 
 	return soft_is_fogged(kind) || soft_is_summed(kind)
 		? LIMIT_SHIFTED(color->channel[i], fraction, bits)
@@ -324,11 +321,15 @@ static ALWAYS_INLINE soft_word soft_find_alpha(struct soft_kind kind,
 	return (product + (product >> 8)) >> 8;
 }
 
+/* Stores pixels of RGBA8888, blended with those that are there. */
 static ALWAYS_INLINE void soft_store_8888(struct soft_kind kind,
-	const struct soft_constants *constants, soft_word own, soft_word pass,
-	uint8_t *pixel)
+	const struct soft_constants *constants, const struct soft_color *color,
+	soft_word pass, uint8_t *pixel)
 {
-	const soft_word alpha = own >> 24;
+	const soft_word alpha = color->alpha;
+	soft_word own = soft_whole(kind, color, 0) |
+		soft_whole(kind, color, 1) << 8 |
+		soft_whole(kind, color, 2) << 16 | alpha << 24;
 
 	if (soft_is_blended(kind)) {
 		own = soft_blend_bytes(soft_get_words(pixel), own, alpha);
@@ -354,18 +355,17 @@ static ALWAYS_INLINE void soft_store_halves(
 	soft_put_halves(to, own);
 }
 
-/* The colour for an RGBA8888 picture; alpha is the fragment's. */
-static ALWAYS_INLINE soft_word soft_find_bytes(struct soft_kind kind,
-	const struct soft_constants *constants, const struct soft_texel *texel,
-	const struct soft_pixel *at, soft_word alpha)
+/* Stores pixels of RGB565, blended with those that are there. */
+static ALWAYS_INLINE void soft_store_565(struct soft_kind kind,
+	const struct soft_constants *constants, const struct soft_color *color,
+	soft_word pass, uint8_t *pixel)
 {
-	struct soft_color color = soft_modulate(kind, constants, texel, at);
+	const soft_word to = soft_get_halves(pixel);
 
-	if (soft_is_fogged(kind)) {
-		soft_add_fog(constants, at->fog, &color);
-	}
-	return soft_whole(kind, &color, 0) | soft_whole(kind, &color, 1) << 8 |
-		soft_whole(kind, &color, 2) << 16 | alpha << 24;
+	soft_store_halves(soft_is_blended_freely(kind)
+			? soft_mix_565(kind, constants, color, to)
+			: soft_find_565(kind, color, to),
+		pass, (uint16_t *)(void *)pixel);
 }
 
 #endif

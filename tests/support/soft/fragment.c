@@ -282,7 +282,11 @@ static void write_colors(const struct draw *draw, const struct span *span,
 		for (int j = 0; j < 4 && masked; j++) {
 			color[j] = mask[j] ? color[j] : old[j];
 		}
-		store_pixel(target->format, at, color);
+		if (target->format == PIXELS_RGB565) {
+			store_16(at, pack_565(color[0], color[1], color[2]));
+		} else {
+			memcpy(at, color, 4);
+		}
 	}
 }
 

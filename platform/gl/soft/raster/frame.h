@@ -79,6 +79,14 @@ static ALWAYS_INLINE struct plane frame_find_plane(
 	return plane;
 }
 
+/* Differences of a value at the three corners. */
+static ALWAYS_INLINE struct delta frame_find_delta(
+	int32_t a, int32_t b, int32_t c)
+{
+	return (struct delta){a, (int32_t)((uint32_t)b - (uint32_t)a),
+		(int32_t)((uint32_t)c - (uint32_t)a)};
+}
+
 /* The largest minus the least of the values 0, d1 and d2. */
 static ALWAYS_INLINE uint32_t frame_find_spread(int32_t d1, int32_t d2)
 {
@@ -174,9 +182,7 @@ static ALWAYS_INLINE struct frame_texels frame_find_texels(
 		b = shift_by(b, log2 - 8);
 		c = shift_by(c, log2 - 8);
 	}
-	return (struct frame_texels){
-		{a, (int32_t)((uint32_t)b - (uint32_t)a),
-			(int32_t)((uint32_t)c - (uint32_t)a)},
+	return (struct frame_texels){frame_find_delta(a, b, c),
 		raster_least(a, b, c), raster_most(a, b, c)};
 }
 

@@ -98,16 +98,6 @@ static inline void load_pixel(
 	}
 }
 
-static inline void store_pixel(
-	enum pixel_format format, uint8_t *at, const uint8_t rgba[4])
-{
-	if (format == PIXELS_RGB565) {
-		store_16(at, pack_565(rgba[0], rgba[1], rgba[2]));
-	} else {
-		memcpy(at, rgba, 4);
-	}
-}
-
 static inline uint8_t *pixel_at(const struct pixels *target, int x, int y)
 {
 	return target->data + (ptrdiff_t)y * target->stride_bytes +

@@ -200,14 +200,6 @@ static ALWAYS_INLINE int raster_find_lod(
 	return raster_log2_q8(right > down ? right : down);
 }
 
-/* A depth's plane as 16.16. */
-static inline struct plane raster_depth_q16(const struct plane *plane)
-{
-	return (struct plane){plane->start << 6,
-		(int32_t)((uint32_t)plane->dx << 6),
-		(int32_t)((uint32_t)plane->dy << 6)};
-}
-
 /*
  * hidden.c: whether a small triangle lies behind all depths of its bounding
  * box, so that no depth or pixel changes. May return false where it does.

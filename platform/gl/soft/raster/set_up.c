@@ -46,12 +46,6 @@ static NEVER_INLINE void set_wide_plane(const struct frame *f,
 		(uint32_t)plane->dx * (uint32_t)f->column;
 }
 
-static ALWAYS_INLINE struct delta find_delta(int32_t a, int32_t b, int32_t c)
-{
-	return (struct delta){a, (int32_t)((uint32_t)b - (uint32_t)a),
-		(int32_t)((uint32_t)c - (uint32_t)a)};
-}
-
 static ALWAYS_INLINE void set_plane(
 	struct raster *raster, bool small, const struct delta *delta, int name)
 {
@@ -94,9 +88,10 @@ static ALWAYS_INLINE void gather_colors(
 			continue;
 		}
 		delta[i] = i == FOG
-			? find_delta(v[0]->attribute[FOG], v[1]->attribute[FOG],
-				  v[2]->attribute[FOG])
-			: find_delta(color[0][i], color[1][i], color[2][i]);
+			? frame_find_delta(v[0]->attribute[FOG],
+				  v[1]->attribute[FOG], v[2]->attribute[FOG])
+			: frame_find_delta(
+				  color[0][i], color[1][i], color[2][i]);
 		raster->constant[i] = (uint32_t)delta[i].first << 8;
 		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
 	}
@@ -204,7 +199,7 @@ static void set_perspective(struct raster *raster, const struct delta *delta,
 	for (int i = 0; i < 3; i++) {
 		value[i] = (int32_t)((int64_t)value[i] * q[i] >> shift);
 	}
-	scaled = find_delta(value[0], value[1], value[2]);
+	scaled = frame_find_delta(value[0], value[1], value[2]);
 	set_wide_plane(&raster->frame, &scaled, 4, &raster->plane[name]);
 }
 
@@ -228,7 +223,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 		struct delta inverse;
 
 		gather_inverse_w(setup, q);
-		inverse = find_delta(q[0], q[1], q[2]);
+		inverse = frame_find_delta(q[0], q[1], q[2]);
 		set_wide_plane(
 			&raster->frame, &inverse, 4, &raster->plane[INVERSE_W]);
 	}
@@ -272,8 +267,8 @@ static int32_t find_offset(const struct draw *draw, const struct setup *setup,
 void soft_raster_set_up(struct draw *draw, struct setup *setup)
 {
 	struct raster *raster = &draw->raster;
-	const struct delta z =
-		find_delta(setup->v[0]->z, setup->v[1]->z, setup->v[2]->z);
+	const struct delta z = frame_find_delta(
+		setup->v[0]->z, setup->v[1]->z, setup->v[2]->z);
 
 	draw->raster.top = setup->top;
 	if (setup->wide) {

@@ -202,7 +202,7 @@ void soft_draw_list(
 	struct draw *draw, const struct setup *setup, uint32_t moving)
 {
 	const struct soft_spans *spans = &draw->spans;
-	const struct plane *plane = draw->raster.plane;
+	const struct plane *plane = draw->raster.plane, *z = &plane[DEPTH];
 	const int size = setup->columns + setup->bottom - setup->top;
 	const bool small = size <= SOFT_LISTED_SIZE;
 	struct run_list list;
@@ -214,7 +214,8 @@ void soft_draw_list(
 				    : rows_find_run_pixels(draw, plane[TEX_S].dx,
 					      plane[TEX_S + 1].dx);
 	begin_colors(&list, moving, size <= spans->stepped_size);
-	list.z = raster_depth_q16(&plane[DEPTH]);
+	list.z = (struct plane){z->start << 6, (int32_t)((uint32_t)z->dx << 6),
+		(int32_t)((uint32_t)z->dy << 6)};
 	if (spans->textured && !spans->made) {
 		begin_texels(&list, setup);
 	} else {

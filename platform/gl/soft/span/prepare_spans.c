@@ -69,12 +69,6 @@ static bool find_factor(GLenum factor, uint32_t one, struct factor *out)
 	return out->base != 0 || out->by != 0 || factor == GL_ZERO;
 }
 
-static bool is_blended_by_alpha(const struct fragment_state *state)
-{
-	return state->blend_source == GL_SRC_ALPHA &&
-		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA;
-}
-
 /* Finds blend factors; false unless span functions can blend by them. */
 static bool find_factors(
 	const struct draw *draw, struct soft_fragment_stages *stages)
@@ -111,7 +105,8 @@ static void choose_finish(struct draw *draw)
 		return;
 	}
 	known = find_factors(draw, &spans->stages);
-	if (draw->blended && !tested && is_blended_by_alpha(state)) {
+	if (draw->blended && !tested && state->blend_source == GL_SRC_ALPHA &&
+		state->blend_destination == GL_ONE_MINUS_SRC_ALPHA) {
 		finish = SOFT_BLENDED;
 	} else if (draw->blended && known) {
 		finish = SOFT_MIXED;

@@ -25,18 +25,6 @@ static bool draw_rectangle(
 	return soft_fill_rectangle(draw, v);
 }
 
-/* Draws text: mostly pairs of triangles that are rectangles. */
-static void draw_rectangles(struct draw *draw, const struct source *source)
-{
-	for (uint32_t i = 0; i + 2 < source->count; i += 3) {
-		if (draw_rectangle(draw, source, i)) {
-			i += 3;
-		} else {
-			soft_draw_triangle(draw, source, i, i + 1, i + 2);
-		}
-	}
-}
-
 static void draw_line(
 	struct draw *draw, const struct source *source, uint32_t a, uint32_t b)
 {
@@ -156,8 +144,9 @@ static void draw_triangles(
 {
 	const bool strip = mode == GL_TRIANGLE_STRIP;
 	const bool upright = strip && fills_whole_rows(draw);
+	const bool text = mode == GL_TRIANGLES && draw->rectangles;
 	/* soft_list() can draw them by indices that are made for it */
-	const bool listed = draw->packed && !upright &&
+	const bool listed = draw->packed && !upright && !text &&
 		(source->indices ||
 			source->first + source->count <= CACHE_INDICES);
 	uint16_t index[CACHE_LIST];
@@ -174,6 +163,8 @@ static void draw_triangles(
 		if (upright && i + 3 < source->count &&
 			draw_upright(draw, source, i)) {
 			i++;
+		} else if (text && draw_rectangle(draw, source, i)) {
+			i += 3;
 		} else if (!listed) {
 			soft_draw_triangle(draw, source, a, b, i + 2);
 		} else {
@@ -192,6 +183,8 @@ static void draw_triangles(
 static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
+	const bool plain = mode == GL_TRIANGLES && !draw->rectangles;
+
 	/* Empty all slots: PLACE_EMPTY is all ones. */
 	soft_fill_pixels((uint16_t *)(void *)draw->place,
 		VERTEX_CACHE * (sizeof(struct cache_tag) / 2), UINT16_MAX);
@@ -205,13 +198,11 @@ static void draw_primitives(
 		}
 	} else if (mode <= GL_LINE_STRIP) {
 		draw_lines(draw, source, mode);
-	} else if (mode == GL_TRIANGLES && draw->rectangles) {
-		draw_rectangles(draw, source);
-	} else if (mode == GL_TRIANGLES && draw->packed && source->indices &&
+	} else if (plain && draw->packed && source->indices &&
 		source->type == GL_UNSIGNED_SHORT &&
 		(uintptr_t)source->indices % 2 == 0) {
 		soft_list(draw, source);
-	} else if (mode != GL_TRIANGLES || source->indices ||
+	} else if (!plain || source->indices ||
 		!soft_draw_unindexed(draw, source->first, source->count)) {
 		draw_triangles(draw, source, mode);
 	}

@@ -27,7 +27,7 @@ int main(int argc, char **argv)
 		v < sizeof(state.position) / sizeof(state.position[0]); v++) {
 		const float *p = state.position[v], *n = state.normal[v];
 
-		printf("v %.6f %.6f %.6f\nvn %.6f %.6f %.6f\n", (double)p[0],
+		printf("v %.9g %.9g %.9g\nvn %.6f %.6f %.6f\n", (double)p[0],
 			(double)p[1], (double)p[2], (double)n[0], (double)n[1],
 			(double)n[2]);
 	}

@@ -74,6 +74,22 @@ plays "$slider" 0 0 0.4 9
 check 'the indices of a small model take two bytes each' \
     grep -q '^typedef uint16_t one_index_t;' "$scratch/one.c"
 plays "$here/../fixtures/gltf/clip/cubic.gltf" 0 0 0.3 1.2 9
+
+# Models of a few nanometres and of the size of a planet.
+for scale in 1.25e-9 1e7; do
+    sed "s/\"name\": \"slider\",/&\"scale\": [$scale, $scale, $scale],/" \
+        "$slider" >"$scratch/sized.gltf"
+    plays "$scratch/sized.gltf" rise 0
+done
+
+# Two keys of one time are a jump.
+limber export "$here/../fixtures/gltf/clip/jump.gltf" --c "$scratch/jump.c" --clip 0
+expect_status 0
+gcc -std=c99 -Wall -Wextra -Werror -DP=jump "-DEXPORTED=\"$scratch/jump.c\"" \
+    -o "$scratch/jump" "$here/export_run.c" -lm
+check 'a clip with two keys of one time holds the first until then' \
+    sh -c "'$scratch/jump' 0.9999 | head -n 1 | awk '{ exit !(\$2 > 0.99 && \$2 < 1) }'"
+check 'and jumps to the second' sh -c "'$scratch/jump' 1 | head -n 1 | grep -qx 'v 5 0 0'"
 if [ -d "$samples" ]; then
     for name in CesiumMan.glb BoxAnimated.glb RiggedFigure.glb SimpleSkin.gltf \
         AnimatedMorphCube.glb; do

@@ -68,6 +68,17 @@ expect_status 0
 check 'a warning about the file is written once' \
     test "$(grep -c 'requires KHR_lights_punctual' "$err_file")" = 1
 
+# A jump between two keys of one time stays.
+limber optimize "$fixtures/clip/jump.gltf" -o "$scratch/jump.glb"
+expect_status 0
+for time in 0 0.9999 1; do
+    limber pose "$fixtures/clip/jump.gltf" --clip 0 --time $time -o "$scratch/before.obj"
+    limber pose "$scratch/jump.glb" --clip 0 --time $time -o "$scratch/after.obj"
+    sed -i '/^#/d' "$scratch/before.obj" "$scratch/after.obj"
+    check "at $time s a clip with a jump has the same vertices" \
+        cmp "$scratch/before.obj" "$scratch/after.obj"
+done
+
 limber optimize
 expect_refusal 2 'no model is given: use limber optimize MODEL -o FILE\.glb'
 limber optimize "$slider"

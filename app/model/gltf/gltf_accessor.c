@@ -278,7 +278,7 @@ int gltf_read_accessors(struct gltf *gltf)
 		return error;
 	}
 	gltf->accessor = GLTF_SCRATCH(&array, struct gltf_accessor, count);
-	gltf->times = GLTF_SCRATCH(&array, const float *, count);
+	gltf->times = GLTF_SCRATCH(&array, float *, count);
 	if (!gltf->accessor || !gltf->times) {
 		return -ENOMEM;
 	}

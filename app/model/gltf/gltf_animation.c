@@ -1,3 +1,4 @@
+#include "app/model/clip/key_times.h"
 #include "app/model/gltf/gltf_internal.h"
 
 #include <errno.h>
@@ -59,17 +60,23 @@ static int read_interpolation(
 	return error;
 }
 
-static int check_times(const struct gltf_at *at, const float *time_s, int count)
+/* Separates keys of equal time; one warning a file is enough. */
+static int check_times(const struct gltf_at *at, float *time_s, int count)
 {
-	int i;
+	struct gltf *gltf = at->gltf;
+	struct key_times keys = key_times_separate(time_s, count);
 
-	for (i = 1; i < count; i++) {
-		if (!(time_s[i] > time_s[i - 1])) {
-			return gltf_fail(at, -EINVAL,
-				"key %d at %g s does not come after key %d at %g s",
-				i, (double)time_s[i], i - 1,
-				(double)time_s[i - 1]);
-		}
+	if (keys.wrong) {
+		return gltf_fail(at, -EINVAL,
+			"key %d at %g s is earlier than key %d at %g s",
+			keys.wrong, (double)time_s[keys.wrong], keys.wrong - 1,
+			(double)time_s[keys.wrong - 1]);
+	}
+	if (keys.equal && !gltf->warned_equal_times) {
+		gltf->warned_equal_times = true;
+		gltf_warn(at,
+			"%d of %d keys have the same time as the key before them; limber jumps to the last one at that time",
+			keys.equal, count);
 	}
 	return 0;
 }
@@ -79,11 +86,11 @@ static int check_times(const struct gltf_at *at, const float *time_s, int count)
  * unpacked only once.
  */
 static int read_times(const struct gltf_at *sampler,
-	const struct gltf_accessor *input, const float **out)
+	const struct gltf_accessor *input, float **out)
 {
 	struct gltf *gltf = sampler->gltf;
 	struct gltf_at at = gltf_member(sampler, "input");
-	const float **known = &gltf->times[input->index];
+	float **known = &gltf->times[input->index];
 	float *time_s;
 	int error;
 
@@ -103,6 +110,18 @@ static int read_times(const struct gltf_at *sampler,
 	}
 	*out = *known;
 	return 0;
+}
+
+/* Leaves out the keys that no moment shows. */
+static void skip_keys(struct model_channel *channel, int first)
+{
+	size_t width = (size_t)channel->width *
+		(channel->interpolation == MODEL_CUBICSPLINE ? 3 : 1);
+
+	channel->key_count -= first;
+	channel->time_s += first;
+	channel->value += (size_t)first * width;
+	channel->packed = channel->packed ? channel->packed + first : NULL;
 }
 
 /*
@@ -218,6 +237,7 @@ static int read_sampler(const struct gltf_at *at, struct model_channel *out)
 	};
 	struct gltf_at input_at = gltf_member(at, "input");
 	const struct gltf_accessor *input, *output;
+	float *time_s = NULL;
 	int error = require_accessor(at, "input", "SCALAR", &input);
 
 	if (!error && input->base.component != GLTF_F32) {
@@ -232,9 +252,16 @@ static int read_sampler(const struct gltf_at *at, struct model_channel *out)
 	}
 	if (!error) {
 		out->key_count = input->count;
-		error = read_times(at, input, &out->time_s);
+		error = read_times(at, input, &time_s);
 	}
-	return error ? error : read_values(at, output, out);
+	if (!error) {
+		out->time_s = time_s;
+		error = read_values(at, output, out);
+	}
+	if (!error) {
+		skip_keys(out, key_times_separate(time_s, input->count).first);
+	}
+	return error;
 }
 
 static int read_width(const struct gltf_at *target, const struct model *model,

@@ -152,8 +152,9 @@ struct gltf {
 	struct gltf_view *view;
 	int accessor_count;
 	struct gltf_accessor *accessor;
-	const float **times; /* [accessor_count]: unpacked key times; NULL: not
-				unpacked */
+	float **times; /* [accessor_count]: unpacked key times; NULL: not
+			  unpacked */
+	bool warned_equal_times;
 
 	struct gltf_uv *uv;   /* [material_count] */
 	int *texture_index;   /* file's number -> model's; gltf_texture.c */

@@ -1,4 +1,6 @@
 #include "app/model/xfile/xfile_build.h"
+
+#include "app/model/clip/key_times.h"
 #include "app/model/xfile/xfile_convert.h"
 
 #include <errno.h>
@@ -23,9 +25,9 @@ static int compare_key_times(const void *a, const void *b)
 	return (left->index > right->index) - (left->index < right->index);
 }
 
-/* Sorts the keys by time. Of several keys at one time, the last one counts. */
+/* Sorts the keys by time; those of one time stay as in the file. */
 static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
-	struct key_time **out, int *count)
+	struct key_time **out)
 {
 	struct key_time *key_time =
 		ARENA_ARRAY(build->scratch, struct key_time, keys->count);
@@ -46,14 +48,6 @@ static int sort_keys(struct xfile_build *build, const struct xfile_keys *keys,
 	}
 	qsort(key_time, keys->count, sizeof(*key_time), compare_key_times);
 	*out = key_time;
-	*count = 0;
-	for (uint32_t i = 0; i < keys->count; i++) {
-		if (*count && key_time[*count - 1].time_s == key_time[i].time_s) {
-			key_time[*count - 1] = key_time[i];
-		} else {
-			key_time[(*count)++] = key_time[i];
-		}
-	}
 	return 0;
 }
 
@@ -164,9 +158,9 @@ static int add_keys(struct xfile_build *build, struct model_clip *clip,
 	int node, const struct xfile_keys *keys)
 {
 	struct key_time *key_time = NULL;
+	int count = (int)keys->count;
+	int first, error = sort_keys(build, keys, &key_time);
 	float *time_s;
-	int count = 0;
-	int error = sort_keys(build, keys, &key_time, &count);
 
 	if (error) {
 		return error;
@@ -178,6 +172,10 @@ static int add_keys(struct xfile_build *build, struct model_clip *clip,
 	for (int i = 0; i < count; i++) {
 		time_s[i] = key_time[i].time_s;
 	}
+	first = key_times_separate(time_s, count).first;
+	key_time += first;
+	time_s += first;
+	count -= first;
 	build->moved[node] = true;
 	return keys->type == XFILE_KEY_MATRIX
 		? add_matrices(build, clip, node, keys, key_time, time_s, count)

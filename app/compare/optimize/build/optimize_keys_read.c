@@ -1,5 +1,6 @@
 #include "app/compare/optimize/build/optimize_keys.h"
 
+#include "app/model/clip/key_times.h"
 #include "platform/base/compiler.h"
 
 #include <errno.h>
@@ -49,7 +50,7 @@ static float unit_of(const struct gltf_document_array *array)
 }
 
 static int read_values(struct optimize_keys *keys,
-	struct optimize_channel *channel, int input, int output)
+	struct optimize_channel *channel, int input, int output, int key_count)
 {
 	const struct gltf_document *document = keys->build->document;
 	size_t count;
@@ -58,8 +59,7 @@ static int read_values(struct optimize_keys *keys,
 	channel->output = gltf_document_array(document, output);
 	channel->unit = unit_of(&channel->output);
 	count = (size_t)channel->output.count * (size_t)channel->output.width;
-	channel->time_s = malloc(
-		(size_t)channel->track.key_count * sizeof(*channel->time_s));
+	channel->time_s = malloc((size_t)key_count * sizeof(*channel->time_s));
 	channel->value = malloc(count * sizeof(*channel->value));
 	if (!channel->time_s || !channel->value) {
 		return -ENOMEM;
@@ -74,9 +74,27 @@ static int read_values(struct optimize_keys *keys,
 		channel->value[i] =
 			value < -1.0f && channel->unit > 1.0f ? -1.0f : value;
 	}
-	channel->track.time_s = channel->time_s;
-	channel->track.value = channel->value;
 	return error;
+}
+
+/* Leaves out the keys that no moment shows, as the loader does. */
+static void take_keys(struct optimize_channel *channel, int count)
+{
+	struct optimize_track *track = &channel->track;
+	int first = key_times_separate(channel->time_s, count).first;
+	int key_width = channel->output.count * channel->output.width / count;
+
+	track->key_count = count - first;
+	track->width = track->interpolation == MODEL_CUBICSPLINE ? key_width / 3
+								 : key_width;
+	memmove(channel->time_s, channel->time_s + first,
+		(size_t)track->key_count * sizeof(*channel->time_s));
+	memmove(channel->value,
+		channel->value + (size_t)first * (size_t)key_width,
+		(size_t)track->key_count * (size_t)key_width *
+			sizeof(*channel->value));
+	track->time_s = channel->time_s;
+	track->value = channel->value;
 }
 
 static int read_channel(struct optimize_keys *keys, const json_t *json,
@@ -90,7 +108,7 @@ static int read_channel(struct optimize_keys *keys, const json_t *json,
 	int output = optimize_build_member(build, sampler, "output");
 	struct optimize_track *track = &out->track;
 	json_int_t node;
-	int total, error;
+	int key_count, error;
 
 	out->target = json_object_get(json, "target");
 	if (input < 0 || output < 0) {
@@ -103,14 +121,12 @@ static int read_channel(struct optimize_keys *keys, const json_t *json,
 		json_object_get(sampler, "interpolation"),
 		optimize_interpolation_name,
 		ARRAY_COUNT(optimize_interpolation_name), MODEL_LINEAR);
-	track->key_count = gltf_document_array(build->document, input).count;
-	error = read_values(keys, out, input, output);
+	key_count = gltf_document_array(build->document, input).count;
+	error = read_values(keys, out, input, output, key_count);
 	if (error) {
 		return error;
 	}
-	total = out->output.count * out->output.width / track->key_count;
-	track->width =
-		track->interpolation == MODEL_CUBICSPLINE ? total / 3 : total;
+	take_keys(out, key_count);
 	/* A clip that moves nothing has weights without a node: as of node 0. */
 	node = json_integer_value(json_object_get(out->target, "node"));
 	if (build->reach && node >= 0 && node < build->reach->node_count) {

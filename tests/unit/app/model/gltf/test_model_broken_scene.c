@@ -287,8 +287,6 @@ static void test_refuses_broken_animations(void **state)
 		{CLIP("{'input':0,'output':4,'interpolation':'SLOW'}",
 			 CHANNEL("scale")),
 			"/animations/0/samplers/0/interpolation: \"SLOW\" is not defined by glTF 2.0"},
-		{CLIP(SAMPLER("2", "4"), CHANNEL("scale")),
-			"/animations/0/samplers/0/input: key 1 at 0 s does not come after key 0 at 0 s"},
 		{CLIP(SAMPLER("0", "3"), CHANNEL("rotation")),
 			"/animations/0/samplers/0/output: is a quaternion of length 0"},
 		{CLIP(SAMPLER("0", "4"), CHANNEL("scale") "," CHANNEL("scale")),

@@ -163,10 +163,12 @@ static void test_names_become_utf_8(void **state)
 	}
 }
 
-static void test_keys_are_sorted_and_the_last_of_a_time_counts(void **state)
+/* The keys at 0 but the last one are never seen; those at 0.5 s are a jump. */
+static void test_keys_are_sorted_and_equal_times_are_a_jump(void **state)
 {
-	static const float times[] = {0.0f, 0.5f, 2.0f};
-	static const float places[][3] = {{5, 6, -7}, {4, 4, -4}, {1, 2, -3}};
+	static const float times[] = {0.0f, 0.5f, 0.5f, 2.0f};
+	static const float places[][3] = {
+		{5, 6, -7}, {8, 8, -8}, {4, 4, -4}, {1, 2, -3}};
 	struct log_capture logged;
 	struct model *model = load(HEADER
 		"AnimTicksPerSecond { 2; }\nFrame Bone { }\n"
@@ -177,9 +179,10 @@ static void test_keys_are_sorted_and_the_last_of_a_time_counts(void **state)
 	const struct model_channel *channel = &model->clip[0].channel[0];
 
 	(void)state;
-	assert_int_equal(channel->key_count, 3);
-	assert_all_near(channel->time_s, times, 3, 0);
-	for (int i = 0; i < 3; i++) {
+	assert_int_equal(channel->key_count, 4);
+	assert_all_near(channel->time_s, times, 4, 1e-7f);
+	assert_true(channel->time_s[1] < channel->time_s[2]);
+	for (int i = 0; i < 4; i++) {
 		assert_all_near(channel->value + 3 * i, places[i], 3, 0);
 	}
 	assert_near(model->clip[0].duration_s, 2.0, 0);
@@ -385,8 +388,7 @@ int main(void)
 		cmocka_unit_test(test_what_is_no_number_is_refused),
 		cmocka_unit_test(test_comments_reach_to_the_end_of_the_line),
 		cmocka_unit_test(test_names_become_utf_8),
-		cmocka_unit_test(
-			test_keys_are_sorted_and_the_last_of_a_time_counts),
+		cmocka_unit_test(test_keys_are_sorted_and_equal_times_are_a_jump),
 		cmocka_unit_test(
 			test_of_several_keys_that_move_a_frame_alike_the_last_count),
 		cmocka_unit_test(test_a_weight_just_below_zero_is_zero),

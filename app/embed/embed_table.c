@@ -8,7 +8,7 @@ void embed_each_part(struct embed *embed, embed_part_fn *function)
 		const struct model_node *node = &model->node[i];
 		const struct model_mesh *mesh;
 
-		if (!node->in_scene || node->mesh < 0) {
+		if (!model_node_shows_mesh(node)) {
 			continue;
 		}
 		mesh = &model->mesh[node->mesh];

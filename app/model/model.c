@@ -72,6 +72,11 @@ int model_find_node(const struct model *model, const char *name)
 	return -1;
 }
 
+bool model_node_shows_mesh(const struct model_node *node)
+{
+	return node->mesh >= 0 && node->in_scene && !node->hidden;
+}
+
 bool model_is_below(const struct model *model, int node, int top)
 {
 	/* Parents come before their children. */
@@ -105,9 +110,10 @@ bool model_material_emits(const struct model_material *material)
 bool model_has_triangles(const struct model *model)
 {
 	for (int i = 0; i < model->node_count; i++) {
-		int mesh = model->node[i].mesh;
+		const struct model_node *node = &model->node[i];
 
-		if (mesh >= 0 && model->mesh[mesh].primitive_count > 0) {
+		if (model_node_shows_mesh(node) &&
+			model->mesh[node->mesh].primitive_count > 0) {
 			return true;
 		}
 	}
@@ -129,9 +135,10 @@ bool *model_find_joints(const struct model *model, struct arena *arena)
 int model_find_morphed(const struct model *model)
 {
 	for (int i = 0; i < model->node_count; i++) {
-		int mesh = model->node[i].mesh;
+		const struct model_node *node = &model->node[i];
 
-		if (mesh >= 0 && model->mesh[mesh].target_count > 0) {
+		if (model_node_shows_mesh(node) &&
+			model->mesh[node->mesh].target_count > 0) {
 			return i;
 		}
 	}

@@ -151,6 +151,7 @@ struct model_node {
 	int parent;     /* index less than the node's own, or -1 */
 	bool in_scene;  /* whether the node belongs to the scene; others are not
 			   drawn */
+	bool hidden;    /* the file hides the node or an ancestor */
 
 	struct transform rest;
 	const float (*matrix)[4]; /* NULL, or four columns of a matrix that
@@ -355,6 +356,9 @@ void model_destroy(struct model *model);
 /* Returns the index of the first node of that name, or -1. */
 int model_find_node(const struct model *model, const char *name);
 
+/* Whether the node has a mesh that the scene shows. */
+bool model_node_shows_mesh(const struct model_node *node);
+
 /* Whether a node is the one at the top or one of its descendants. */
 bool model_is_below(const struct model *model, int node, int top);
 
@@ -403,7 +407,7 @@ bool model_has_triangles(const struct model *model);
  */
 bool *model_find_joints(const struct model *model, struct arena *arena);
 
-/* Returns the first node whose mesh has morph targets, or -1. */
+/* Returns the first shown node whose mesh has morph targets, or -1. */
 int model_find_morphed(const struct model *model);
 
 /*

@@ -227,11 +227,11 @@ def sheared(m):
 
 def extended(m):
     m.json["extensionsUsed"] = ["KHR_texture_transform", "MSFT_lod",
-                                "KHR_node_visibility", "KHR_materials_ior"]
+                                "KHR_xmp_json_ld", "KHR_materials_ior"]
 
 
 PITFALLS = [
-    (extended, "ignores .2.,.* shown: KHR_node_visibility, KHR_materials_ior"),
+    (extended, "ignores .2.,.* shown: KHR_xmp_json_ld, KHR_materials_ior"),
     (cubic, "CUBICSPLINE channels"),
     (late, "some first keys lie up to 0.2500 s after the start"),
     (all_late, "no key lies before 0.2500 s; .* from frame 0"),

@@ -89,4 +89,9 @@ limber pose tests/fixtures/gltf/mesh/modes.gltf -o "$scratch/out.obj"
 expect_status 0
 check 'primitives keep the numbers of the file' \
     grep -qx 'o node0_prim1' "$scratch/out.obj"
+
+# KHR_node_visibility
+limber pose tests/fixtures/gltf/scene/hidden.gltf -o "$scratch/out.obj"
+expect_status 0
+check 'hidden nodes are left out' test "$(grep '^o ' "$scratch/out.obj")" = 'o node0_prim0'
 tap_done

@@ -35,7 +35,7 @@ static const struct model_mesh *mesh_at(const struct model *model, int node)
 {
 	const struct model_node *of = &model->node[node];
 
-	return of->in_scene && of->mesh >= 0 ? &model->mesh[of->mesh] : NULL;
+	return model_node_shows_mesh(of) ? &model->mesh[of->mesh] : NULL;
 }
 
 static int count_vertices(const struct model *model)

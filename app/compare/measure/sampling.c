@@ -30,7 +30,7 @@ int sampling_vertices(const struct model *model)
 
 	for (int n = 0; n < model->node_count; n++) {
 		const struct model_node *node = &model->node[n];
-		const struct model_mesh *mesh = node->in_scene && node->mesh >= 0
+		const struct model_mesh *mesh = model_node_shows_mesh(node)
 			? &model->mesh[node->mesh]
 			: NULL;
 

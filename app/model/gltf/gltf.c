@@ -73,6 +73,7 @@ bool gltf_knows_extension(const char *name)
 		"KHR_materials_pbrSpecularGlossiness",
 		"KHR_materials_unlit",
 		"KHR_mesh_quantization",
+		"KHR_node_visibility",
 		"KHR_texture_transform",
 	};
 

@@ -336,14 +336,29 @@ static int read_target(const struct gltf_at *target,
 
 /*
  * Whether a channel belongs to KHR_animation_pointer. Such a channel may change
- * any value but has no node.
+ * any value but has no node. One warning a file says that nodes do not appear.
  */
 static bool has_pointer(const struct gltf_at *target)
 {
+	struct gltf *gltf = target->gltf;
 	const char *path =
 		json_string_value(json_object_get(target->json, "path"));
+	const json_t *extension =
+		json_object_get(json_object_get(target->json, "extensions"),
+			"KHR_animation_pointer");
+	const char *pointer =
+		json_string_value(json_object_get(extension, "pointer"));
 
-	return path && strcmp(path, "pointer") == 0;
+	if (!path || strcmp(path, "pointer") != 0) {
+		return false;
+	}
+	if (pointer && strstr(pointer, "/KHR_node_visibility/") &&
+		!gltf->warned_visibility) {
+		gltf->warned_visibility = true;
+		gltf_warn(target,
+			"the clip shows or hides a node, which limber does not play: nodes stay visible or hidden as they are without a clip");
+	}
+	return true;
 }
 
 /*

@@ -154,7 +154,7 @@ struct gltf {
 	struct gltf_accessor *accessor;
 	float **times; /* [accessor_count]: unpacked key times; NULL: not
 			  unpacked */
-	bool warned_equal_times;
+	bool warned_equal_times, warned_visibility;
 
 	struct gltf_uv *uv;   /* [material_count] */
 	int *texture_index;   /* file's number -> model's; gltf_texture.c */

@@ -79,6 +79,24 @@ static int read_transform(const struct gltf_at *at, struct model_node *out)
 		     : gltf_normalize_rotation(&rotation, rest->rotation);
 }
 
+/* Reads KHR_node_visibility. */
+static int read_visibility(const struct gltf_at *at, bool *hidden)
+{
+	struct gltf_at extensions, visibility;
+	bool visible = true;
+	int error = gltf_object(at, "extensions", &extensions);
+
+	if (!error) {
+		error = gltf_object(
+			&extensions, "KHR_node_visibility", &visibility);
+	}
+	if (!error) {
+		error = gltf_maybe_bool(&visibility, "visible", &visible);
+	}
+	*hidden = !visible;
+	return error;
+}
+
 /* Reads a node, unless it is a level of detail. */
 static int read_node(const struct gltf_at *at)
 {
@@ -93,6 +111,9 @@ static int read_node(const struct gltf_at *at)
 	out = &gltf->model->node[index];
 	error = gltf_name(at, &out->name);
 	out->mesh = out->skin = out->camera = -1;
+	if (!error) {
+		error = read_visibility(at, &out->hidden);
+	}
 	if (!error) {
 		error = read_transform(at, out);
 	}
@@ -261,6 +282,8 @@ static int mark_scene(struct gltf *gltf)
 
 		model->node[i].in_scene |= count == 0 ||
 			(parent >= 0 && model->node[parent].in_scene);
+		model->node[i].hidden |=
+			parent >= 0 && model->node[parent].hidden;
 	}
 	return error;
 }

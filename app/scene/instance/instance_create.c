@@ -295,7 +295,7 @@ static int count_drawables(const struct model *model, int *out)
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 
-		if (node->in_scene && node->mesh >= 0 &&
+		if (model_node_shows_mesh(node) &&
 			!count_add(*out,
 				model->mesh[node->mesh].primitive_count, out)) {
 			(void)memory_budget_take(model->budget, SIZE_MAX);
@@ -336,7 +336,7 @@ static int init_nodes(struct instance *instance, const struct drawable *shown[])
 	for (int i = 0; i < model->node_count && !error; i++) {
 		const struct model_node *node = &model->node[i];
 
-		if (!node->in_scene || node->mesh < 0) {
+		if (!model_node_shows_mesh(node)) {
 			continue;
 		}
 		error = init_node(instance, i, shown[node->mesh], next);

@@ -223,6 +223,34 @@ static void test_shows_everything_without_scenes(void **state)
 	model_destroy(model);
 }
 
+static void test_a_hidden_node_hides_what_is_below_it(void **state)
+{
+	static const bool shown[5] = {true};
+	struct log_capture heard;
+	struct model *model = model_fixture("gltf/scene/hidden.gltf", &heard);
+	int warnings = 0;
+
+	(void)state;
+	for (int i = 0; i < 5; i++) {
+		const struct model_node *node = fixture_node(model, i);
+
+		assert_int_equal(model_node_shows_mesh(node), shown[i]);
+		assert_int_equal(node->hidden, i != 0);
+		assert_true(node->in_scene);
+	}
+	assert_true(model_has_triangles(model));
+	assert_int_equal(model_find_morphed(model), -1);
+	for (int i = 0; i < heard.count; i++) {
+		warnings +=
+			strstr(heard.sentence[i],
+				"/animations/0/channels/1/target: the clip shows or hides a node, which limber does not play") !=
+			NULL;
+	}
+	assert_int_equal(warnings, 1);
+	assert_int_equal(heard.count, 2);
+	model_destroy(model);
+}
+
 static void test_keeps_the_numbers_and_names_of_nodes(void **state)
 {
 	static const char *const names[] = {
@@ -322,6 +350,7 @@ int main(void)
 		cmocka_unit_test(test_shows_the_default_scene),
 		cmocka_unit_test(test_shows_scene_0_without_a_default),
 		cmocka_unit_test(test_shows_everything_without_scenes),
+		cmocka_unit_test(test_a_hidden_node_hides_what_is_below_it),
 		cmocka_unit_test(test_keeps_the_numbers_and_names_of_nodes),
 		cmocka_unit_test(test_normalises_rest_rotations),
 		cmocka_unit_test(test_reads_cameras),

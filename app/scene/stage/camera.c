@@ -413,7 +413,9 @@ struct camera_frustum camera_frustum(
 	float near = ground < model
 		? scalar_clamp(ground, 0.02f * camera->distance, model)
 		: model;
-	float far = 2.2f * camera->distance + 3.0f * camera->radius;
+	float far = 2.2f * camera->distance + 3.0f * camera->radius +
+		1.1f * CAMERA_RISE_AHEAD * camera->rise;
+	const float far_max = 30000.0f;
 	float top = near * camera_tan_half(camera->yfov_rad);
 	float half_width = top * (float)width / (float)height;
 	float right = camera->shift_x * half_width;
@@ -425,7 +427,7 @@ struct camera_frustum camera_frustum(
 		.bottom = edge(-top - up),
 		.top = edge(top - up),
 		.near = fx16_from_float(near),
-		.far = fx16_from_float(far),
+		.far = fx16_from_float(far < far_max ? far : far_max),
 	};
 }
 

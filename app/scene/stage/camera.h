@@ -39,6 +39,11 @@ struct camera {
 	float yfov_rad;
 	float radius; /* around the target; nothing in it may be clipped */
 	/*
+	 * How far the target has risen above its first place. The ground that
+	 * the picture shows is farther away, and so is the far plane.
+	 */
+	float rise;
+	/*
 	 * How far right of and above the picture's middle the target appears,
 	 * in halves of the picture's width and height.
 	 */
@@ -125,6 +130,12 @@ void camera_view(const struct camera *camera, mat4 out);
  * what is about as far away as the target, in scene units.
  */
 float camera_view_error(const struct camera *camera);
+
+/*
+ * How far ahead, as a multiple of camera.rise, ground adds to the picture: from
+ * there on it is less than 10 degrees below the horizon.
+ */
+#define CAMERA_RISE_AHEAD 6.0f
 
 /* The arguments of Frustumx() for a picture of this size, 16.16. */
 struct camera_frustum {

@@ -45,6 +45,7 @@ void stage_finish(struct stage *stage, const struct gl *gl);
 /*
  * Moves the camera by moved, how far a figure went since the last call, and the
  * ground's middle to way, how far the figure went in all; both in scene units.
+ * Below a figure that rises, more ground is shown.
  */
 void stage_follow(struct stage *stage, const float moved[3], const float way[3]);
 

@@ -85,7 +85,8 @@ static bool has_moving_goal(struct character_parameter *parameter)
 
 /*
  * The way to a goal begins slowly, so that one which began anew in every frame
- * would get nowhere: behind a goal that moves, the value decays towards it.
+ * would get nowhere: behind a goal that moves, the value decays towards it. The
+ * goal changed in this frame then, so its time began anew.
  */
 static void ease(struct character_parameter *parameter, float step_s)
 {
@@ -97,7 +98,6 @@ static void ease(struct character_parameter *parameter, float step_s)
 				scalar_exp(-decays_an_ease * step_s /
 					parameter->ease_s));
 		parameter->from = parameter->value;
-		parameter->elapsed_s = 0;
 		return;
 	}
 	parameter->elapsed_s += step_s;

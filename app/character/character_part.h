@@ -41,7 +41,7 @@ enum {
 	CHARACTER_TOPS_MAX = 4
 };
 
-/* A capsule in a part's frame that keeps away from others and the ground. */
+/* A capsule in a part's frame, and its units, that keeps away from others and the ground. */
 struct character_guard {
 	float radius_m;
 	float from[3], to[3];
@@ -53,6 +53,8 @@ struct character_part {
 	int node;
 	int order[3]; /* of CHARACTER_HEADING, .._PITCH, .._BANK; outermost first */
 	bool rotates_first; /* the position turns with the angles */
+	/* what one metre along x, y and z is in the frame of the node's parent */
+	float metre[3];
 	struct character_freedom freedom[CHARACTER_FREEDOMS];
 	const float *follows[CHARACTER_FREEDOMS]; /* or NULL */
 	bool has_radius; /* guard[0] is the capsule of `radius` and `tip` */
@@ -60,7 +62,7 @@ struct character_part {
 	struct character_guard guard[CHARACTER_GUARDS_MAX];
 	/*
 	 * Level surfaces that other parts' shadows fall on, in the part's
-	 * frame: y, then x and z of two corners.
+	 * frame and its units: y, then x and z of two corners.
 	 */
 	int top_count;
 	float top[CHARACTER_TOPS_MAX][5];

@@ -3,6 +3,7 @@
  */
 #include "app/character/build/build.h"
 
+#include "app/anim/math/vec.h"
 #include "app/character/parts/held.h"
 #include "app/character/parts/parts.h"
 
@@ -207,6 +208,44 @@ static const struct character_key keys[] = {
 	{0},
 };
 
+/* What one metre along each axis is in the frame of a node, or of the world. */
+static void find_metre(const struct instance *instance, int node, float metre[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		float length = node < 0
+			? 1.0f
+			: vec_length(instance->world[node][axis]);
+
+		metre[axis] = length > 0.0f ? 1.0f / length : 1.0f;
+	}
+}
+
+/* Converts what the file says in metres, as a node above may have a scale. */
+static void use_units_of_node(
+	const struct instance *instance, struct character_part *part)
+{
+	float metre[3];
+
+	find_metre(instance, instance->model->node[part->node].parent,
+		part->metre);
+	find_metre(instance, part->node, metre);
+	for (int i = 0; i < part->guard_count; i++) {
+		for (int axis = 0; axis < 3; axis++) {
+			part->guard[i].from[axis] *= metre[axis];
+			part->guard[i].to[axis] *= metre[axis];
+		}
+	}
+	for (int i = 0; i < part->top_count; i++) {
+		float *top = part->top[i];
+
+		top[0] *= metre[1];
+		top[1] *= metre[0];
+		top[2] *= metre[2];
+		top[3] *= metre[0];
+		top[4] *= metre[2];
+	}
+}
+
 static int build_part(struct character_build *build,
 	const struct character_section *section, struct character_part *part)
 {
@@ -225,6 +264,7 @@ static int build_part(struct character_build *build,
 		error = part->node < 0 ? -EINVAL : 0;
 	}
 	if (!error) {
+		use_units_of_node(build->character->instance, part);
 		character_held_init(build->character->instance, part);
 	}
 	return error;

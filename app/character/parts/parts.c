@@ -30,7 +30,7 @@ static void place(const struct character *character,
 	quat_multiply(rest->rotation, all, local->rotation);
 	for (int i = 0; i < 3; i++) {
 		offset[i] = rest->translation[i] +
-			part->freedom[CHARACTER_X + i].value;
+			part->freedom[CHARACTER_X + i].value * part->metre[i];
 	}
 	if (part->rotates_first) {
 		quat_rotate(all, offset, offset);

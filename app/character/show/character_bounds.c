@@ -109,9 +109,10 @@ static void add_shifts(
 			if (!freedom->given) {
 				continue;
 			}
-			low = shifted(instance, part->node, axis, freedom->low);
-			high = shifted(
-				instance, part->node, axis, freedom->high);
+			low = shifted(instance, part->node, axis,
+				freedom->low * part->metre[axis]);
+			high = shifted(instance, part->node, axis,
+				freedom->high * part->metre[axis]);
 			add_box(bounds, &low, &bounds->extra);
 			add_box(bounds, &high, &bounds->extra);
 		}

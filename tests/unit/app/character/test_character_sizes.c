@@ -104,14 +104,15 @@ static void expect_alike(struct actor *actor, struct actor *own,
 }
 
 /* act() reads the file of an actor, with lengths of its size. */
-static void expect_alike_at_any_size(void (*act)(struct actor *actor),
-	const char *const *node, double tolerance)
+static void expect_alike_at_any_size(const char *path,
+	void (*act)(struct actor *actor), const char *const *node,
+	double tolerance)
 {
 	for (size_t i = 0; i < ARRAY_COUNT(sizes); i++) {
 		struct actor actor, own;
 
-		begin(&actor, walker, sizes[i]);
-		begin(&own, walker, 1.0f);
+		begin(&actor, path, sizes[i]);
+		begin(&own, path, 1.0f);
 		act(&actor);
 		act(&own);
 		expect_alike(&actor, &own, node, tolerance);
@@ -145,7 +146,7 @@ static void test_feet_step_alike_on_uneven_ground(void **state)
 		"hips", "foot.L", "foot.R", "toe.L", "toe.R", NULL};
 
 	(void)state;
-	expect_alike_at_any_size(walk, node, 0.002);
+	expect_alike_at_any_size(walker, walk, node, 0.002);
 }
 
 /* Lengths that the file leaves out, and gravity. */
@@ -169,7 +170,7 @@ static void test_springs_shakes_and_capes_move_alike(void **state)
 		"ponytail.2", "ponytail.4", "hand.L", NULL};
 
 	(void)state;
-	expect_alike_at_any_size(swing, node, 0.02);
+	expect_alike_at_any_size(walker, swing, node, 0.02);
 }
 
 static void fall(struct actor *actor)
@@ -188,7 +189,29 @@ static void test_parts_fall_alike(void **state)
 	static const char *const node[] = {"walker_head", NULL};
 
 	(void)state;
-	expect_alike_at_any_size(fall, node, 0.02);
+	expect_alike_at_any_size(walker, fall, node, 0.02);
+}
+
+/* The arm lowers until its capsule meets the floor, with the hand shifted. */
+static void shift(struct actor *actor)
+{
+	double size = (double)actor->size;
+	char text[300];
+
+	snprintf(text, sizeof(text),
+		"[part Hand]\nx = %.9g\ny = %.9g\nz = %.9g\n"
+		"[part Arm]\npitch = 0 0 120 45\nguard = %.9g 0 0 %.9g\n"
+		"[buttons]\nUP = move Arm pitch 1\n",
+		0.1 * size, -0.2 * size, 0.3 * size, 0.1 * size, 3.0 * size);
+	acting_expect(&actor->acting, text);
+}
+
+static void test_parts_shift_and_meet_the_floor_alike(void **state)
+{
+	static const char *const node[] = {"Arm", "Hand", "Thumb", NULL};
+
+	(void)state;
+	expect_alike_at_any_size("assets/arm.glb", shift, node, 0.002);
 }
 
 int main(void)
@@ -197,6 +220,7 @@ int main(void)
 		cmocka_unit_test(test_feet_step_alike_on_uneven_ground),
 		cmocka_unit_test(test_springs_shakes_and_capes_move_alike),
 		cmocka_unit_test(test_parts_fall_alike),
+		cmocka_unit_test(test_parts_shift_and_meet_the_floor_alike),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,7 @@
 #include "app/cmd/command.h"
 #include "app/cmd/progress.h"
 #include "app/compare/optimize/optimize.h"
+#include "app/model/model_file.h"
 #include "platform/base/output_file.h"
 
 #include <stdlib.h>
@@ -12,6 +13,11 @@ static void show_progress(void *context, int done, int total)
 
 	progress->total = total;
 	progress_step(progress, done);
+}
+
+static bool is_binary(const struct model_file *file)
+{
+	return file->size >= 4 && memcmp(file->data, "glTF", 4) == 0;
 }
 
 static int write_file(const struct optimize_result *result, const char *path,
@@ -27,14 +33,52 @@ static int write_file(const struct optimize_result *result, const char *path,
 	return output_file_commit(file);
 }
 
+/*
+ * Takes the model's own file as the result, which it replaces, if that is a
+ * .glb without other files and the result is larger: the members that limber
+ * adds to a tiny file may take more bytes than it saves. Returns 0 or -errno,
+ * with *kept.
+ */
+static int keep_smaller(struct optimize_result *result,
+	const struct model *model, const struct log *log, bool *kept)
+{
+	struct model_file file = {NULL, 0, NULL};
+	int error;
+
+	*kept = false;
+	if (result->after.file <= result->before.file) {
+		return 0;
+	}
+	error = model_file_read(model->path, NULL, log, &file);
+	if (!error && file.size == result->before.file && is_binary(&file)) {
+		memcpy(result->data, file.data, file.size);
+		result->after = result->before;
+		result->peak_px = 0.0f;
+		*kept = true;
+	}
+	model_file_release(&file);
+	return error;
+}
+
 static void print_row(const char *name, size_t before, size_t after)
 {
 	printf("  %-14s %10.1f %10.1f\n", name, (double)before / 1024.0,
 		(double)after / 1024.0);
 }
 
-static void print_result(
-	const struct optimize_result *result, const struct options *options)
+/* Says whether the file became smaller, if it did not. */
+static void print_growth(const struct optimize_result *result, bool kept)
+{
+	if (kept) {
+		printf("limber found no smaller form: the file is written as it was.\n");
+	} else if (result->after.file > result->before.file) {
+		printf("The file is %zu bytes larger than the model's, as that is so small.\n",
+			result->after.file - result->before.file);
+	}
+}
+
+static void print_result(const struct optimize_result *result,
+	const struct options *options, bool kept)
 {
 	const struct optimize_sizes *before = &result->before;
 	const struct optimize_sizes *after = &result->after;
@@ -53,6 +97,7 @@ static void print_result(
 			(double)result->earlier_px,
 			(double)options->compare.error_px);
 	}
+	print_growth(result, kept);
 }
 
 static int run_with_model(const struct model *model,
@@ -70,6 +115,7 @@ static int run_with_model(const struct model *model,
 	struct optimize_result result;
 	const char *output = options->screen.output;
 	int error = output_file_try(NULL, output, log);
+	bool kept = false;
 
 	if (error) {
 		return error;
@@ -77,10 +123,13 @@ static int run_with_model(const struct model *model,
 	error = optimize_model(model, &request, log, &result);
 	progress_end(&progress);
 	if (!error) {
+		error = keep_smaller(&result, model, log, &kept);
+	}
+	if (!error) {
 		error = write_file(&result, output, log);
 	}
 	if (!error) {
-		print_result(&result, options);
+		print_result(&result, options, kept);
 	}
 	free(result.data);
 	return error;
@@ -118,7 +167,7 @@ const struct command command_optimize = {
 		"limber leaves out keys that lie between others, stores numbers as integers where they suffice,\n"
 		"puts vertices and triangles into the order that caches like, and removes what nothing uses. It\n"
 		"plays the new file beside the old one: no vertex moves by more than --error pixels, between\n"
-		"keys too. Names, materials, cameras, scenes and extras stay.\n"
+		"keys too. Names, materials, cameras, scenes and extras stay. A .glb that would grow is copied.\n"
 		"\n"
 		"The file states the error in asset.extras.limber_error_px, so that running limber optimize\n"
 		"on it again with the same --error changes nothing.\n"

@@ -68,6 +68,34 @@ expect_status 0
 check 'a warning about the file is written once' \
     test "$(grep -c 'requires KHR_lights_punctual' "$err_file")" = 1
 
+# A file with no room for the members that limber adds stays as it is.
+python3 - "$scratch/tiny.glb" <<'PYTHON'
+import json
+import struct
+import sys
+data = struct.pack('<9f', 0, 0, 0, 1, 0, 0, 0, 1, 0)
+text = json.dumps({
+    'asset': {'version': '2.0'}, 'nodes': [{'mesh': 0}],
+    'meshes': [{'primitives': [{'attributes': {'POSITION': 0}}]}],
+    'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': 3,
+                   'type': 'VEC3', 'min': [0, 0, 0], 'max': [1, 1, 0]}],
+    'bufferViews': [{'buffer': 0, 'byteLength': 36}],
+    'buffers': [{'byteLength': 36}]}, separators=(',', ':')).encode()
+text += b' ' * (-len(text) % 4)
+with open(sys.argv[1], 'wb') as file:
+    file.write(struct.pack('<4sII', b'glTF', 2, 28 + len(text) + len(data)) +
+               struct.pack('<I4s', len(text), b'JSON') + text +
+               struct.pack('<I4s', len(data), b'BIN') + data)
+PYTHON
+limber optimize "$scratch/tiny.glb" -o "$scratch/out.glb"
+expect_status 0
+expect_out '^limber found no smaller form: the file is written as it was\.$'
+check 'a file that would grow is copied' cmp "$scratch/tiny.glb" "$scratch/out.glb"
+echo '{"asset": {"version": "2.0"}, "nodes": [{}]}' >"$scratch/bare.gltf"
+limber optimize "$scratch/bare.gltf" -o "$scratch/out.glb"
+expect_status 0
+expect_out "^The file is $(($(wc -c <"$scratch/out.glb") - $(wc -c <"$scratch/bare.gltf"))) bytes larger"
+
 # A jump between two keys of one time stays.
 limber optimize "$fixtures/clip/jump.gltf" -o "$scratch/jump.glb"
 expect_status 0

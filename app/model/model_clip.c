@@ -222,17 +222,22 @@ static void find_lead(struct model_clip *clip)
 
 /*
  * Lets channels with equal key times share one array, since exporters repeat
- * the same times for each bone.
+ * the same times for each bone. Equal times are rarely far apart, and a clip
+ * may have many thousand channels.
  */
 static void share_times(struct model_clip *clip)
 {
+	const int farthest = 256;
+
 	for (int c = 1; c < clip->channel_count; c++) {
 		struct model_channel *channel = &clip->channel[c];
 		size_t size =
 			(size_t)channel->key_count * sizeof(*channel->time_s);
 		const struct model_channel *other = channel;
+		const struct model_channel *first =
+			clip->channel + (c > farthest ? c - farthest : 0);
 
-		while (other > clip->channel) {
+		while (other > first) {
 			other--;
 			if (channel->key_count == other->key_count &&
 				memcmp(channel->time_s, other->time_s, size) ==

@@ -1,5 +1,7 @@
 #include "app/compare/optimize/build/optimize_keys.h"
 
+#include "app/compare/optimize/optimize_hash.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,33 +93,83 @@ static bool has_same_times(
 			(size_t)a->track.key_count * sizeof(float)) == 0;
 }
 
+/* Finds channels with equal times by a hash of these. Arrays are [count]. */
+struct groups {
+	int *bucket; /* the last group whose times have this hash, or -1 */
+	int *before; /* by group: the one before it in its bucket, or -1 */
+	int *next;   /* by channel: the next one of its group, or -1 */
+	int *last;   /* by group: its last channel */
+	const struct optimize_track **track; /* room for those of a group */
+};
+
+static int begin_groups(struct groups *groups, int count)
+{
+	size_t size = (size_t)count + 1;
+
+	*groups = (struct groups){
+		.bucket = malloc(size * sizeof(int)),
+		.before = malloc(size * sizeof(int)),
+		.next = malloc(size * sizeof(int)),
+		.last = malloc(size * sizeof(int)),
+		.track = malloc(size * sizeof(*groups->track)),
+	};
+	if (!groups->bucket || !groups->before || !groups->next ||
+		!groups->last || !groups->track) {
+		return -ENOMEM;
+	}
+	memset(groups->bucket, 0xFF, size * sizeof(int));
+	return 0;
+}
+
+static void end_groups(struct groups *groups)
+{
+	free(groups->bucket);
+	free(groups->before);
+	free(groups->next);
+	free(groups->last);
+	free(groups->track);
+}
+
 /* Sets the channel's group: the first reducible channel with the same times. */
-static void find_group(struct optimize_keys *keys, int index)
+static void find_group(
+	struct optimize_keys *keys, struct groups *groups, int index)
 {
 	struct optimize_channel *channel = &keys->channel[index];
+	uint64_t hash;
+	int *bucket;
+	int group;
 
 	channel->group = -1;
 	if (channel->constant || channel->dropped || !can_reduce(channel)) {
 		return;
 	}
-	channel->group = index;
-	for (int i = 0; i < index; i++) {
-		if (keys->channel[i].group == i &&
-			has_same_times(&keys->channel[i], channel)) {
-			channel->group = i;
-			return;
-		}
+	hash = optimize_hash(optimize_hash_empty, channel->time_s,
+		(size_t)channel->track.key_count * sizeof(float));
+	bucket = &groups->bucket[hash % (uint64_t)keys->count];
+	group = *bucket;
+	while (group >= 0 && !has_same_times(&keys->channel[group], channel)) {
+		group = groups->before[group];
 	}
+	if (group < 0) {
+		group = index;
+		groups->before[group] = *bucket;
+		*bucket = group;
+	} else {
+		groups->next[groups->last[group]] = index;
+	}
+	groups->next[index] = -1;
+	groups->last[group] = index;
+	channel->group = group;
 }
 
 /*
  * Makes channels of a group use the shared keys, unless their own keys and
  * times, which are fewer, take fewer bytes.
  */
-static void share_keys(
-	struct optimize_keys *keys, int group, const int *kept, int count)
+static void share_keys(struct optimize_keys *keys, const struct groups *groups,
+	int group, const int *kept, int count)
 {
-	for (int i = group; i < keys->count; i++) {
+	for (int i = group; i >= 0; i = groups->next[i]) {
 		struct optimize_channel *channel = &keys->channel[i];
 		size_t value = channel->track.path == MODEL_ROTATION
 			? 8
@@ -125,7 +177,7 @@ static void share_keys(
 		size_t own = (size_t)channel->kept_count * (value + 4) +
 			TIMES_JSON_BYTES;
 
-		if (channel->group == group && own >= (size_t)count * value) {
+		if (own >= (size_t)count * value) {
 			memcpy(channel->kept, kept,
 				(size_t)count * sizeof(*kept));
 			channel->kept_count = count;
@@ -133,27 +185,23 @@ static void share_keys(
 	}
 }
 
-static int reduce_group(struct optimize_keys *keys, int group)
+static int reduce_group(
+	struct optimize_keys *keys, const struct groups *groups, int group)
 {
-	const struct optimize_track **track =
-		malloc((size_t)keys->count * sizeof(*track));
 	int *kept = malloc(
 		(size_t)keys->channel[group].track.key_count * sizeof(*kept));
-	int count = 0, error = -ENOMEM;
+	int count = 0;
 
-	if (track && kept) {
-		for (int i = group; i < keys->count; i++) {
-			if (keys->channel[i].group == group) {
-				track[count++] = &keys->channel[i].track;
-			}
-		}
-		share_keys(keys, group, kept,
-			optimize_track_reduce(track, count, kept));
-		error = 0;
+	if (!kept) {
+		return -ENOMEM;
 	}
-	free(track);
+	for (int i = group; i >= 0; i = groups->next[i]) {
+		groups->track[count++] = &keys->channel[i].track;
+	}
+	share_keys(keys, groups, group, kept,
+		optimize_track_reduce(groups->track, count, kept));
 	free(kept);
-	return error;
+	return 0;
 }
 
 /*
@@ -193,7 +241,8 @@ static void keep_end(struct optimize_keys *keys)
 
 int optimize_keys_choose(struct optimize_keys *keys, const bool *moved)
 {
-	int error = 0;
+	struct groups groups;
+	int error = begin_groups(&groups, keys->count);
 
 	for (int i = 0; i < keys->count && !error; i++) {
 		struct optimize_channel *channel = &keys->channel[i];
@@ -205,13 +254,14 @@ int optimize_keys_choose(struct optimize_keys *keys, const bool *moved)
 		if (channel->constant) {
 			channel->kept_count = 1;
 		}
-		find_group(keys, i);
+		find_group(keys, &groups, i);
 	}
 	for (int i = 0; i < keys->count && !error; i++) {
 		if (keys->channel[i].group == i) {
-			error = reduce_group(keys, i);
+			error = reduce_group(keys, &groups, i);
 		}
 	}
+	end_groups(&groups);
 	keep_end(keys);
 	return error;
 }

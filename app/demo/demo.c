@@ -105,8 +105,12 @@ void demo_label(const struct demo_driver *driver, const struct demo *demo,
 	struct hud *hud)
 {
 	const struct demo_base *base = (const struct demo_base *)demo;
-	struct hud_mark before = hud_mark(hud);
+	struct hud_mark before;
 
+	if (base->overlay) {
+		overlay_reserve_row(base->overlay, hud);
+	}
+	before = hud_mark(hud);
 	driver->label(demo, hud);
 	live_label(&base->live, hud);
 	if (base->overlay && base->overlay->kinds &&

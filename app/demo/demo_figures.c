@@ -12,7 +12,8 @@ bool demo_find_figure(const struct demo_driver *driver, const struct demo *demo,
 {
 	const struct demo_base *base = (const struct demo_base *)demo;
 
-	*out = (struct overlay_figure){.instance = base->actor.instance};
+	*out = (struct overlay_figure){.instance = base->actor.instance,
+		.among_others = driver->get_figure != NULL};
 	glm_mat4_identity(out->place);
 	return driver->get_figure ? driver->get_figure(demo, number, out)
 				  : number == 0;

@@ -131,6 +131,26 @@ check 'play saves the presets' \
 LIMBER_ASSETS=$kept_assets
 [ -n "$kept_assets" ] || unset LIMBER_ASSETS
 
+# The row of shapes of a crowd or a duel shows one figure, which fills the height
+# of the small pictures. filled FILE: the part of the row's height, in percent,
+# in which a picture differs from its background.
+filled() {
+    python3 - "$1" <<'PYTHON'
+import sys
+width, height, row = 240, 320, 36
+luma = open(sys.argv[1], 'rb').read().split(b'FRAME\n')[1][:width * height]
+lines = [luma[y * width:y * width + width // 9] for y in range(height - row, height)]
+print(100 * sum(max(line) - min(line) > 20 for line in lines) // row)
+PYTHON
+}
+for demo in crowd duel; do
+    limber render --demo "$demo" assets/face.glb --show keys --size 240x320 \
+        --gl soft -o "$scratch/row.y4m" --frames 1 --no-labels
+    expect_status 0
+    check "the row of shapes in $demo is filled to $(filled "$scratch/row.y4m")%" \
+        test "$(filled "$scratch/row.y4m")" -gt 50
+done
+
 # A terminal shows how many frames are written. The pipe takes the first one for more
 # than a second, after which the bar appears.
 mkfifo "$scratch/slow.y4m"

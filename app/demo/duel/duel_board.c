@@ -114,7 +114,7 @@ void duel_board_show(const struct contender contender[CONTENDER_KINDS],
 	int em = hud_em(hud), line = hud_line_height(hud);
 	int rows = 2 + ROWS - (contender[0].ms < 0.0f);
 	int height = rows * line + em;
-	int y = hud->height - height - em / 2;
+	int y = hud->height - hud->stacked_px[HUD_BOTTOM_LEFT] - height - em / 2;
 	int left = em / 2, width = hud->width - em;
 	int column = width / CONTENDER_KINDS;
 

@@ -72,7 +72,8 @@ struct overlay_figure {
 	struct instance *instance; /* its world matrices are read */
 	/* the matrices do not follow the figure, so its bones are not drawn */
 	bool unposed_nodes;
-	mat4 place; /* from the instance's scene units to the stage's */
+	mat4 place;        /* from the instance's scene units to the stage's */
+	bool among_others; /* the camera shows more than this figure */
 };
 
 /* The instance that is painted and whose key frames are shown. */
@@ -179,10 +180,14 @@ struct overlay_row {
 struct overlay_row overlay_row_of(
 	const struct overlay *overlay, int width, int height);
 
+/* Keeps the labels that are added from now on above the row, if it is shown. */
+void overlay_reserve_row(const struct overlay *overlay, struct hud *hud);
+
 /*
  * Returns the camera of the row's pictures: it sees the box that the figure's
  * camera frames from the same side, but fills the picture with it. A camera
- * that does not follow stays where it is.
+ * that does not follow stays where it is. A figure among others has a camera of
+ * its own, which shows it alone.
  */
 struct camera overlay_row_camera(
 	const struct overlay_row *row, const struct camera *camera);

@@ -149,14 +149,39 @@ static void pose_target(struct overlay *overlay, int target)
 	}
 }
 
+/* Returns a camera that shows the neutral shape alone, from the front. */
+static struct camera camera_alone(
+	struct overlay *overlay, const struct overlay_row *row)
+{
+	struct camera camera = camera_default();
+	struct bounds box;
+
+	pose_target(overlay, -1);
+	instance_update(overlay->ghost.instance);
+	box = bounds_of_instance(overlay->ghost.instance);
+	camera_frame(&camera, &box,
+		&(struct camera_framing){
+			.aspect = (float)row->width / (float)row->height,
+			.yaw_rad = camera.yaw_rad,
+			.pitch_rad = camera.pitch_rad,
+			.margin = row_margin,
+			.follow = true,
+		});
+	return camera;
+}
+
 static void draw_pictures(struct overlay *overlay,
 	const struct overlay_figure *figure, const struct overlay_row *row)
 {
 	const struct gl *gl = overlay->gl;
-	struct camera camera = overlay_row_camera(row, overlay->camera);
+	struct camera camera = figure->among_others
+		? camera_alone(overlay, row)
+		: overlay_row_camera(row, overlay->camera);
 
 	camera_apply(&camera, gl, row->width, row->height);
-	matrix_gl_multiply(gl, (const vec4 *)figure->place);
+	if (!figure->among_others) {
+		matrix_gl_multiply(gl, (const vec4 *)figure->place);
+	}
 	for (int i = 0; i < row->count; i++) {
 		gl->Viewport(i * row->width, 0, row->width, row->height);
 		pose_target(overlay, i - 1);

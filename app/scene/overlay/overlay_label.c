@@ -164,6 +164,21 @@ static void frame(struct hud *hud, int x, int y, int w, int h, int line,
 	hud_rectangle(hud, x + w - line, y + line, line, h - 2 * line, color);
 }
 
+static bool shows_row(const struct overlay *overlay)
+{
+	return overlay_shows(overlay, OVERLAY_KEYS) && overlay->chooses_target;
+}
+
+void overlay_reserve_row(const struct overlay *overlay, struct hud *hud)
+{
+	int height = overlay_row_of(overlay, hud->width, hud->height).height;
+
+	if (shows_row(overlay)) {
+		hud->stacked_px[HUD_BOTTOM_LEFT] += height;
+		hud->stacked_px[HUD_BOTTOM_RIGHT] += height;
+	}
+}
+
 /* Marks a morph's source and destiny in the row of small pictures. */
 static void mark_row(const struct overlay *overlay,
 	const struct overlay_motion *motion, struct hud *hud)
@@ -173,8 +188,6 @@ static void mark_row(const struct overlay *overlay,
 	const int key[2] = {motion->from + 1, motion->to + 1};
 	int line = hud_em(hud) / 6 < 2 ? 2 : hud_em(hud) / 6;
 
-	hud->stacked_px[HUD_BOTTOM_LEFT] += row.height;
-	hud->stacked_px[HUD_BOTTOM_RIGHT] += row.height;
 	for (int i = 0; motion->morphing && i < 2; i++) {
 		if (key[i] < row.count) {
 			frame(hud, key[i] * row.width, hud->height - row.height,
@@ -193,6 +206,8 @@ static void show_keys(const struct overlay *overlay,
 	} else if (motion->morphing) {
 		hud_group_mark(group, "source", "", hud_color_blue);
 		hud_group_mark(group, "destiny", "", hud_color_amber);
+	} else {
+		hud_group_text(group, "neutral, targets", "");
 	}
 }
 
@@ -212,7 +227,7 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 		return;
 	}
 	write_title(overlay, title, sizeof(title));
-	if (overlay_shows(overlay, OVERLAY_KEYS) && overlay->chooses_target) {
+	if (shows_row(overlay)) {
 		mark_row(overlay, motion, hud);
 	}
 	group = hud_group_begin(
@@ -229,7 +244,9 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 		show_ramp(&group);
 	}
 	if (overlay_shows(overlay, OVERLAY_KEYS) &&
-		hud_group_fits(&group, 2, 0)) {
+		hud_group_fits(&group,
+			overlay->chooses_target && !motion->morphing ? 1 : 2,
+			0)) {
 		show_keys(overlay, motion, &group);
 	}
 	if (overlay_shows(overlay, OVERLAY_PIVOTS) &&

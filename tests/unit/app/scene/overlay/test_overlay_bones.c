@@ -219,6 +219,7 @@ static void test_source_and_destiny_are_framed_in_the_row(void **state)
 		motion.morphing = true;
 		motion.from = -1;
 		motion.to = 2;
+		overlay_reserve_row(&overlay, hud);
 		overlay_label(&overlay, &motion, &place, hud);
 		expect_frame(hud, 0, 0, height - high, 96, high, line,
 			hud_color_blue);

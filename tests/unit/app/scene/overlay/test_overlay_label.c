@@ -95,6 +95,7 @@ static void test_key_frames_have_two_colours(void **state)
 	expect_wanted();
 	overlay.chooses_target = true;
 	begin(&overlay, &motion, "Keys");
+	hud_group_text(&group, "neutral, targets", "");
 	expect_wanted();
 	motion.morphing = true;
 	/* They are in no picture of the row. */

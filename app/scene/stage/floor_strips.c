@@ -34,6 +34,16 @@ static int count_rows(const struct floor_view *view, float slope, int height)
 	return (int)scalar_clamp(rows, 0.0f, (float)height);
 }
 
+/* Far from the origin, where 16.16 has no numbers, the ground is not drawn. */
+static bool is_in_reach(const struct floor_view *view)
+{
+	const float most = 32000.0f;
+
+	return scalar_abs(view->eye[0]) < most &&
+		scalar_abs(view->eye[1]) < most &&
+		scalar_abs(view->eye[2]) < most;
+}
+
 void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 	int width, int height, float y, float opaque_end, float end)
 {
@@ -62,7 +72,7 @@ void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 				(end - opaque_end));
 	}
 	/* The row that the edge crosses is covered only in part. */
-	if (strips->opaque && near) {
+	if (strips->opaque && near && is_in_reach(&view)) {
 		strips->covered_px = count_rows(&view, slope[1], height) - 1 -
 			(int)(scalar_clamp(view.error_px, 0.0f, (float)height) +
 				safe_px);

@@ -274,6 +274,20 @@ static void test_far_from_the_origin_covered_rows_are_covered(void **state)
 	}
 }
 
+/* Otherwise the background would leave rows as they were. */
+static void test_ground_too_far_away_to_be_drawn_covers_nothing(void **state)
+{
+	struct camera camera = look(0.3f, 5.0f);
+	struct floor_strips strips;
+
+	(void)state;
+	floor_strips_find(&strips, &camera, 240, 320, ground, 20.0f, 30.0f);
+	assert_true(strips.covered_px > 0);
+	camera.target[2] = 141421.0f;
+	floor_strips_find(&strips, &camera, 240, 320, ground, 20.0f, 30.0f);
+	assert_int_equal(strips.covered_px, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -288,6 +302,8 @@ int main(void)
 		cmocka_unit_test(test_far_from_the_origin_is_no_gap_at_the_edges),
 		cmocka_unit_test(
 			test_far_from_the_origin_covered_rows_are_covered),
+		cmocka_unit_test(
+			test_ground_too_far_away_to_be_drawn_covers_nothing),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -160,8 +160,7 @@ static inline bool soft_keeps_depth(enum soft_finish finish)
 #ifdef __x86_64__ /* which draw four pixels at once */
 	return true;
 #endif
-	return finish == SOFT_BLENDED || finish == SOFT_BLENDED_FOG ||
-		finish == SOFT_MIXED || finish == SOFT_BLENDED_SUMMED;
+	return finish & SOFT_BLENDED; /* SOFT_MIXED, too */
 }
 
 /*

@@ -99,6 +99,40 @@ static void test_a_note_says_what_the_kernel_lacks(void **state)
 	}
 }
 
+/* Exits with 0 if files are not confined where the kernel lacks the call. */
+static void confine_files_without(int call)
+{
+	const struct confine_request request = {.output = {"/tmp/x"}};
+	struct log_capture heard;
+	const struct log log = log_capture_begin(&heard);
+	struct confinement held;
+
+	forget_call(call);
+	held = confine_process(&request, &log);
+	_exit(!held.files && says(&heard, heard.count - 1, "Landlock") ? 0 : 1);
+}
+
+static void test_each_call_of_landlock_that_fails_is_told(void **state)
+{
+	static const int calls[] = {SYS_landlock_create_ruleset,
+		SYS_landlock_add_rule, SYS_landlock_restrict_self};
+
+	(void)state;
+	if (!has_landlock() || !has_seccomp()) {
+		skip_because("this kernel has no Landlock or no seccomp");
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(calls); i++) {
+		pid_t child = fork();
+		int status = -1;
+
+		if (child == 0) {
+			confine_files_without(calls[i]);
+		}
+		assert_int_equal(waitpid(child, &status, 0), child);
+		assert_int_equal(status, 0);
+	}
+}
+
 /* One descriptor is free: for the rules, but not for the output's folder. */
 static void confine_with_one_descriptor(void)
 {
@@ -144,6 +178,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_note_says_what_the_kernel_lacks),
+		cmocka_unit_test(test_each_call_of_landlock_that_fails_is_told),
 		cmocka_unit_test(
 			test_a_lack_of_descriptors_does_not_refuse_outputs),
 	};

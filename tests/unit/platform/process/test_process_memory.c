@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -18,6 +19,7 @@ enum {
 /* What read() does. */
 static enum {
 	READ_FILE,
+	READ_TEXT,
 	READ_NOTHING,
 	READ_FAILS
 } reading;
@@ -28,6 +30,12 @@ ssize_t read(int file, void *out, size_t size)
 	if (reading == READ_FAILS) {
 		errno = EIO;
 		return -1;
+	}
+	if (reading == READ_TEXT) {
+		static const char text[] = "2908 70 61 9 0 88 0\n";
+
+		memcpy(out, text, sizeof(text) - 1);
+		return sizeof(text) - 1;
 	}
 	return reading == READ_NOTHING ? 0 : syscall(SYS_read, file, out, size);
 }
@@ -55,6 +63,15 @@ static void test_memory_counts_when_it_is_touched(void **state)
 	assert_int_equal(munmap((void *)memory, TOUCHED_BYTES), 0);
 	assert_in_range(process_memory_bytes(), before - SLACK_BYTES,
 		before + SLACK_BYTES);
+}
+
+static void test_it_is_the_second_decimal_number_of_the_file(void **state)
+{
+	(void)state;
+	reading = READ_TEXT;
+	assert_int_equal(
+		process_memory_bytes(), 70 * (size_t)sysconf(_SC_PAGESIZE));
+	reading = READ_FILE;
 }
 
 static void test_asking_opens_no_file_for_long(void **state)
@@ -110,6 +127,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_memory_counts_when_it_is_touched),
+		cmocka_unit_test(
+			test_it_is_the_second_decimal_number_of_the_file),
 		cmocka_unit_test(test_asking_opens_no_file_for_long),
 		cmocka_unit_test(test_the_file_may_be_descriptor_0),
 		cmocka_unit_test(test_it_is_0_when_no_file_can_be_opened),

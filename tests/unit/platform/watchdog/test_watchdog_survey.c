@@ -118,10 +118,11 @@ static void test_a_watchdog_that_says_little_is_reported(void **state)
 	memset(name, 'n', sizeof(name) - 1);
 	name[sizeof(name) - 1] = '\0';
 	write_text(&folder, "class/watchdog/watchdog0/identity", name);
+	write_text(&folder, "class/watchdog/watchdog0/timeout", "9\n");
 	watchdog_survey(devices.text, &survey);
 	assert_int_equal(strspn(capture.finding[2].text, "n"), 79);
 	assert_string_equal(capture.finding[2].text + 79,
-		", restarts the board after 3600 seconds");
+		", restarts the board after 9 seconds");
 	temp_dir_remove(&folder);
 }
 

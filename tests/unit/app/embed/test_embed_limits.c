@@ -1,4 +1,9 @@
+#define _GNU_SOURCE /* fopencookie() */
+
 #include "tests/unit/app/embed/embed_scene.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* Prints a first part of so many vertices, which all lie at one place. */
 static void print_large(struct embed_scene *s, int vertices)
@@ -217,6 +222,65 @@ static void refuses_each_table_that_is_too_large(void **state)
 	}
 }
 
+static ssize_t end_well(void *unused, const char *text, size_t size)
+{
+	(void)unused;
+	(void)text;
+	_exit(size == 0);
+}
+
+/* Whether a child begins to write, which ends it; no table is read. */
+static bool is_written(struct embed_scene *s, int clip)
+{
+	const cookie_io_functions_t calls = {.write = end_well};
+	pid_t child = fork();
+	int status = -1;
+
+	if (child == 0) {
+		struct log log = log_to_nowhere();
+		FILE *out = fopencookie(NULL, "w", calls);
+
+		setvbuf(out, NULL, _IONBF, 0);
+		(void)embed_print(&s->model, clip, "t", &log, out, &s->size);
+		_exit(2);
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	return status == 0;
+}
+
+/*
+ * Beside bytes of other tables, indices of 4 bytes that fill 256 MiB, which all
+ * count exactly, and one index more.
+ */
+static void expect_limit(struct embed_scene *s, int clip, int bytes)
+{
+	s->pair[0].index_count = ((256 << 20) - bytes) / 4;
+	assert_true(is_written(s, clip));
+	s->pair[0].index_count++;
+	assert_false(is_written(s, clip));
+}
+
+static void tables_may_fill_the_limit(void **state)
+{
+	/* Vertices, indices but for the first part's, targets, nodes, parts. */
+	const int parts = 28 * 13 + 4 * 12 + 4 * 84 + 42 * 4 + 60 * 4;
+	struct embed_scene s;
+
+	(void)state;
+	embed_scene_begin(&s);
+	s.model.skin_count = 0;
+	s.model.weight_count = 0;
+	s.node[1].skin = -1;
+	expect_limit(&s, -1, parts);
+	embed_scene_end(&s);
+	/* Joints, influences, weights, channels, times, values. */
+	embed_scene_begin(&s);
+	s.skin[1].joint_count = 3;
+	expect_limit(&s, 0,
+		parts + 50 * 4 + 6 * 12 + 4 * 4 + 16 * 4 + 4 * 6 + 4 * 23);
+	embed_scene_end(&s);
+}
+
 /* Counting may take longer than anyone waits for. */
 static void counts_no_further_than_the_limit(void **state)
 {
@@ -241,6 +305,7 @@ int main(void)
 		cmocka_unit_test(refuses_numbers_that_need_more_than_16_bits),
 		cmocka_unit_test(refuses_tables_beyond_a_limit_before_it_writes),
 		cmocka_unit_test(refuses_each_table_that_is_too_large),
+		cmocka_unit_test(tables_may_fill_the_limit),
 		cmocka_unit_test(counts_no_further_than_the_limit),
 	};
 

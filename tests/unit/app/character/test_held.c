@@ -119,14 +119,16 @@ static void test_a_part_that_its_parent_mirrors_stays_in_a_hand(void **state)
 
 /*
  * A model whose z axis is up below its root, with a box 1.2 m above the ground
- * whose lowest vertex, the first one, is 0.2 m below its pivot.
+ * whose lowest vertex, the first one, is 0.2 m below its pivot. A table has the
+ * same triangle, whose height at the origin is 0.45 m.
  */
 static const char shelf[] =
 	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
 	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
-	"{\"name\":\"Root\",\"children\":[1,2],"
+	"{\"name\":\"Root\",\"children\":[1,2,3],"
 	"\"rotation\":[-0.70710678,0,0,0.70710678]},"
 	"{\"name\":\"Hand\",\"translation\":[0.3,0,1.5]},"
+	"{\"name\":\"Table\",\"mesh\":0,\"translation\":[0,0,0.5]},"
 	"{\"name\":\"Box\",\"mesh\":0,\"translation\":[0,0,1.2]}],"
 	"\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
 	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
@@ -170,27 +172,65 @@ static void test_a_part_from_a_shelf_lies_on_the_ground(void **state)
 	temp_dir_remove(&folder);
 }
 
-/* A pivot that stands a little too high or low for the ground keeps its height. */
-static void test_a_part_near_the_ground_comes_back_to_its_height(void **state)
+/* Writes the model with the box in another place. */
+static void write_shelf(const struct test_path *path, const char *place)
+{
+	static const char usual[] = "0,0,1.2]}";
+	const char *rest = strstr(shelf, usual);
+	char file[sizeof(shelf) + 16];
+
+	snprintf(file, sizeof(file), "%.*s%s]}%s", (int)(rest - shelf), shelf,
+		place, rest + sizeof(usual) - 1);
+	file_write(path->text, file, strlen(file));
+}
+
+/* Only what it has below its pivot holds it. */
+static void test_a_part_falls_onto_a_table_or_beside_it(void **state)
 {
 	static const struct {
-		const char *height;
+		const char *place;
 		double lies_at;
-	} rows[] = {{"0.181", 0.181}, {"0.219", 0.219}, {"0.178", 0.2},
-		{"0.222", 0.2}};
+	} rows[] = {{"0,0,1.2", 0.65}, {"0,0,0.46", 0.65}, {"0,0,0.44", 0.2},
+		{"0.11,0,1.2", 0.2}, {"-0.11,0,1.2", 0.2}, {"0,0.06,1.2", 0.2},
+		{"0,-0.06,1.2", 0.2}};
 	struct test_path folder = temp_dir_make();
 	struct test_path path = path_join(&folder, "shelf.gltf");
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
-		const char *rest = strstr(shelf, "1.2]}");
 		struct acting acting;
-		char file[sizeof(shelf) + 8];
+
+		write_shelf(&path, rows[i].place);
+		acting_begin(&acting, path.text);
+		acting_expect(&acting,
+			"[part Box]\n[buttons]\nUP = drop Box Table\n");
+		acting_run_to(&acting, 0.1, rate_hz);
+		acting_tap(&acting, BUTTON_UP, 2.0, rate_hz);
+		assert_near(
+			acting.instance->world[node_of(&acting, "Box")][3][1],
+			rows[i].lies_at, 1e-5);
+		acting_end(&acting);
+	}
+	temp_dir_remove(&folder);
+}
+
+/* A pivot that stands a little too high or low for the ground keeps its height. */
+static void test_a_part_near_the_ground_comes_back_to_its_height(void **state)
+{
+	static const struct {
+		const char *place;
+		double lies_at;
+	} rows[] = {{"0,0,0.181", 0.181}, {"0,0,0.219", 0.219},
+		{"0,0,0.178", 0.2}, {"0,0,0.222", 0.2}};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "shelf.gltf");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct acting acting;
 		const mat4 *box;
 
-		snprintf(file, sizeof(file), "%.*s%s%s", (int)(rest - shelf),
-			shelf, rows[i].height, rest + strlen("1.2"));
-		file_write(path.text, file, strlen(file));
+		write_shelf(&path, rows[i].place);
 		acting_begin(&acting, path.text);
 		acting_expect(&acting,
 			"[part Hand]\nbank = 0 -90 90 45\n[part Box]\n"
@@ -217,6 +257,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
 		cmocka_unit_test(test_a_part_from_a_shelf_lies_on_the_ground),
+		cmocka_unit_test(test_a_part_falls_onto_a_table_or_beside_it),
 		cmocka_unit_test(
 			test_a_part_near_the_ground_comes_back_to_its_height),
 	};

@@ -98,8 +98,7 @@ struct gpio_output *gpio_output_open(const char *where, const char *name,
 void gpio_output_set(struct gpio_output *output, bool on)
 {
 	if (output) {
-		/* A line that was lost stays silent. */
-		(void)gpio_line_drive(output->line, on);
+		gpio_line_drive(output->line, on);
 	}
 }
 

@@ -127,10 +127,9 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	return 0;
 }
 
-int gpio_line_drive(struct gpio_line *line, bool active)
+void gpio_line_drive(struct gpio_line *line, bool active)
 {
-	return gpiod_line_set_value(to_line(line), active) < 0 ? last_error()
-							       : 0;
+	(void)gpiod_line_set_value(to_line(line), active);
 }
 
 void gpio_line_release(struct gpio_line *line)

@@ -80,6 +80,43 @@ static void test_a_console_is_released_once(void **state)
 	}
 }
 
+static int refusal; /* errno of opening a console */
+
+static int refuse(const char *path, int flags)
+{
+	(void)path;
+	(void)flags;
+	errno = refusal;
+	return -1;
+}
+
+/* A board without a console needs no note. */
+static void test_a_console_without_permission_is_noted(void **state)
+{
+	static const struct {
+		int error, notes;
+	} cases[] = {{EACCES, 2}, {EPERM, 2}, {ENOENT, 0}};
+	const struct device_calls calls = {.open = refuse};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct log_capture capture;
+		struct log log = log_capture_begin(&capture);
+		struct console console;
+
+		refusal = cases[i].error;
+		console_acquire(&console, &calls, &log);
+		assert_int_equal(capture.count, cases[i].notes);
+		if (cases[i].notes) {
+			assert_contains(capture.sentence[0],
+				"/dev/tty0: no permission");
+			assert_contains(
+				capture.sentence[1], "/dev/tty: no permission");
+		}
+		console_release(&console);
+	}
+}
+
 /* Ends this process by a signal while the console is acquired. */
 static void end_by(int number, int report_fd)
 {
@@ -275,6 +312,7 @@ int main(void)
 		cmocka_unit_test(test_the_console_is_in_graphics_mode_meanwhile),
 		cmocka_unit_test(test_another_programs_console_is_not_changed),
 		cmocka_unit_test(test_a_console_is_released_once),
+		cmocka_unit_test(test_a_console_without_permission_is_noted),
 		cmocka_unit_test(test_a_fatal_signal_restores_text_mode),
 		cmocka_unit_test(
 			test_each_signal_is_handled_as_before_afterwards),

@@ -1,4 +1,5 @@
 /* glTF accessors: sparse, absent, interleaved, misaligned, quantised. */
+#include "app/model/examine/examine.h"
 #include "app/model/model.h"
 #include "tests/support/files.h"
 #include "tests/support/model/deltas.h"
@@ -184,10 +185,43 @@ static void test_reads_numbers_in_any_locale(void **state)
 	model_destroy(model);
 }
 
+static void keep_sparse(void *context, const char *finding)
+{
+	if (strstr(finding, "sparse")) {
+		snprintf(context, 100, "%s", finding);
+	}
+}
+
+/* The first of two replaces one value. */
+static void test_sparse_accessors_of_one_value_count(void **state)
+{
+	static const char two[] = "\"count\": 2,\n    \"indices\"";
+	struct test_path from = fixture_path("gltf/accessor/sparse.gltf");
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "sparse.gltf");
+	struct log log = log_to_stderr(LOG_WARNING);
+	char heard[100] = "";
+	const struct examiner examiner = {keep_sparse, heard};
+	size_t size;
+	char *text = file_read(from.text, &size), *at = strstr(text, two);
+
+	(void)state;
+	assert_non_null(at);
+	*strchr(at, '2') = '1';
+	file_write(path.text, text, size);
+	free(text);
+	assert_int_equal(
+		model_examine(path.text, MODEL_MEMORY_BYTES, &examiner, &log),
+		0);
+	assert_contains(heard, "sparse accessors (2)");
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_replaces_sparse_values),
+		cmocka_unit_test(test_sparse_accessors_of_one_value_count),
 		cmocka_unit_test(test_reads_sparse_indices_over_zeros),
 		cmocka_unit_test(test_reads_an_accessor_without_a_view_as_zeros),
 		cmocka_unit_test(test_reads_sparse_morph_targets_without_a_view),

@@ -1,6 +1,7 @@
 /* How .x files write numbers, names and keys, and what has no effect. */
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
@@ -380,6 +381,41 @@ static void test_triangles_below_mirroring_frames_are_not_turned(void **state)
 	}
 }
 
+#define PAINTED(name)                                             \
+	"Material { 1;1;1;1;; 0; 0;0;0;; 0;0;0;; TextureFilename" \
+	" { \"" name "\"; } } "
+
+static void test_materials_share_textures_of_one_name(void **state)
+{
+	static const char text[] = HEADER
+		"Mesh T { " FACE "MeshMaterialList { 5; 1; 0; " PAINTED("a.png")
+			PAINTED("b.png") PAINTED("a.png") PAINTED("c.png")
+				PAINTED("b.png") "} }";
+	static const int wanted[] = {0, 1, 0, 2, 1};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "model.x");
+	struct test_path picture =
+		fixture_path("gltf/material/parts/two by two.png");
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct model *model;
+	size_t size;
+	char *data = file_read(picture.text, &size);
+
+	(void)state;
+	file_write(path_join(&folder, "a.png").text, data, size);
+	file_write(path_join(&folder, "b.png").text, data, size);
+	file_write(path_join(&folder, "c.png").text, data, size);
+	free(data);
+	file_write(path.text, text, sizeof(text) - 1);
+	assert_int_equal(model_load(path.text, &log, &model), 0);
+	assert_int_equal(model->texture_count, 3);
+	for (size_t i = 0; i < ARRAY_COUNT(wanted); i++) {
+		assert_int_equal(model->material[i].texture, wanted[i]);
+	}
+	model_destroy(model);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -399,6 +435,7 @@ int main(void)
 			test_normals_get_unit_length_and_zero_faces_the_viewer),
 		cmocka_unit_test(
 			test_triangles_below_mirroring_frames_are_not_turned),
+		cmocka_unit_test(test_materials_share_textures_of_one_name),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -182,6 +182,33 @@ static void test_hair_trousers_and_shoes_are_told_apart_by_their_height(
 	expect_looks(0.01f);
 }
 
+/* Hair begins above its height, and trousers and shoes end below theirs. */
+static void test_what_is_exactly_at_an_edge_keeps_its_colour(void **state)
+{
+	static const struct {
+		float height;
+		uint8_t color[4];
+	} edges[] = {{0.683f, {200, 40, 40, 255}}, {0.626f, {40, 40, 200, 255}},
+		{0.091f, {200, 40, 40, 255}}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(edges); i++) {
+		struct model *model = make_board(1, edges[i].color);
+		struct model_primitive *body = model->mesh[0].primitive;
+		struct instance *instance;
+
+		for (int v = 0; v < body->vertex_count; v++) {
+			body->position[v][1] = v == 0 ? edges[i].height : 1;
+		}
+		instance = small_model_instance(model);
+		assert_int_equal(crowd_dress(instance, 1), 0);
+		assert_memory_equal(instance->drawable[0].batch->color[0],
+			edges[i].color, 4);
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -189,6 +216,8 @@ int main(void)
 		cmocka_unit_test(test_clothes_are_told_apart_by_their_colour),
 		cmocka_unit_test(
 			test_hair_trousers_and_shoes_are_told_apart_by_their_height),
+		cmocka_unit_test(
+			test_what_is_exactly_at_an_edge_keeps_its_colour),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

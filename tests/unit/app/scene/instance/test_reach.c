@@ -2,6 +2,7 @@
 #include "app/anim/clip.h"
 #include "app/scene/instance/reach.h"
 #include "app/scene/stage/camera.h"
+#include "tests/support/files.h"
 #include "tests/support/test.h"
 
 #include <cglm/cglm.h>
@@ -84,10 +85,49 @@ static void test_all_posed_vertices_are_within_the_box(void **state)
 	check_model("assets/face.glb");
 }
 
+/* No target, and each alone at weight 1, of a model at rest. */
+static void test_the_box_reaches_as_far_as_each_morph_target(void **state)
+{
+	struct log nowhere = log_to_nowhere();
+	mat4 view = GLM_MAT4_IDENTITY_INIT;
+	struct bounds wanted = bounds_empty(), found;
+	struct test_path path = fixture_path("gltf/skin/and_morph.gltf");
+	struct instance *instance;
+	struct reach reach;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(model_load(path.text, &nowhere, &model), 0);
+	assert_int_equal(
+		instance_create(model, kernel_find(NULL), &nowhere, &instance),
+		0);
+	assert_int_equal(reach_init(&reach, instance), 0);
+	for (int t = -1; t < model->weight_count; t++) {
+		struct bounds box;
+
+		pose_rest(&instance->pose, model);
+		for (int w = 0; w < model->weight_count; w++) {
+			instance->pose.weight[w] = w == t ? 1.0f : 0.0f;
+		}
+		instance_update(instance);
+		box = find_box(instance, view);
+		bounds_join(&wanted, &box);
+	}
+	found = reach_now(&reach, instance, (const vec4 *)view);
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(found.low[axis], wanted.low[axis], 1e-3);
+		assert_near(found.high[axis], wanted.high[axis], 1e-3);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_posed_vertices_are_within_the_box),
+		cmocka_unit_test(
+			test_the_box_reaches_as_far_as_each_morph_target),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,8 @@
 /* What the labels of overlays say: the same as rows that a test adds. */
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/overlay/overlay.h"
+#include "app/scene/overlay/overlay_curve.h"
+#include "platform/base/compiler.h"
 #include "tests/support/test.h"
 
 #include <string.h>
@@ -121,6 +123,51 @@ static void test_axes_have_their_colours(void **state)
 	expect_wanted();
 }
 
+/* The graph is of the chosen node's rotation rather than of what else moves. */
+static void test_the_curve_is_of_what_suits_it_best(void **state)
+{
+	static const int shown_of[] = {0, 0, 2, 3, 4}; /* the first channels */
+	static const char *const words[][2] = {{"root", "position"}, {0},
+		{"arm", "scale"}, {"arm", "position"}, {"arm", "rotation"}};
+	static const float time_s[2] = {0, 1};
+	float value[8] = {0, 0, 0, 1, 0, 0, 0, 1}, sample[4];
+	struct model_channel channel[] = {
+		{.node = 0, .path = MODEL_TRANSLATION, .width = 3},
+		{.node = 0, .path = MODEL_WEIGHTS, .width = 1},
+		{.node = 1, .path = MODEL_SCALE, .width = 3, .constant = true},
+		{.node = 1, .path = MODEL_TRANSLATION, .width = 3},
+		{.node = 1, .path = MODEL_ROTATION, .width = 4},
+	};
+	struct model_clip clip = {.duration_s = 1, .channel = channel};
+	struct model_node node[] = {{.name = "root"}, {.name = "arm"}};
+	struct model model = {
+		.node_count = 2, .node = node, .clip_count = 1, .clip = &clip};
+	struct instance instance = {.model = &model};
+	const struct overlay overlay = {.kinds = 1U << OVERLAY_CURVE,
+		.subject = {.instance = &instance},
+		.sample = sample,
+		.chosen = 1};
+	struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	motion.clip = 0;
+	for (size_t i = 0; i < ARRAY_COUNT(channel); i++) {
+		const int best = shown_of[i];
+		struct overlay_curve curve;
+
+		channel[i].key_count = 2;
+		channel[i].time_s = time_s;
+		channel[i].value = value;
+		clip.channel_count = (int)i + 1;
+		begin(&overlay, &motion, "Curve");
+		hud_group_text(&group, words[best][0], words[best][1]);
+		curve = overlay_curve_of_channel(&clip, &channel[best], 0, 0,
+			motion.interpolation, sample);
+		overlay_curve_show(&curve, &group);
+		expect_wanted();
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -130,6 +177,7 @@ int main(void)
 		cmocka_unit_test(test_a_curve_of_nothing_is_a_sentence),
 		cmocka_unit_test(test_key_frames_have_two_colours),
 		cmocka_unit_test(test_axes_have_their_colours),
+		cmocka_unit_test(test_the_curve_is_of_what_suits_it_best),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

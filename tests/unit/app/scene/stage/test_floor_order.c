@@ -1,6 +1,7 @@
 /* The order of uneven ground's triangles, and which of them need depths. */
 #include "app/anim/math/vec.h"
 #include "app/scene/stage/floor.h"
+#include "platform/base/compiler.h"
 #include "tests/support/random.h"
 #include "tests/support/ray.h"
 #include "tests/support/test.h"
@@ -253,6 +254,41 @@ static void test_a_figure_around_the_eye_needs_all_depths(void **state)
 	assert_int_equal(count_without_depth(&scene.sight.order), 0);
 }
 
+/* A hill's far side, whose corners are at x and z, between an eye and a box. */
+static void test_a_slope_hides_unless_it_is_all_beyond_or_beside(void **state)
+{
+	static const struct {
+		float plan[3][2];
+		bool hides;
+	} slopes[] = {
+		{{{0, -1}, {0.1f, -1}, {0.1f, -2}}, false},
+		{{{0, -1}, {0.1f, -1}, {0.1f, 5}}, true},
+		{{{-1, 5}, {-1, 4}, {-2, 5}}, false},
+		{{{-1, 5}, {-1, 4}, {0, 5}}, true},
+		{{{1, 5}, {1, 4}, {2, 5}}, false},
+		{{{1, 5}, {1, 4}, {0, 5}}, true},
+	};
+	static const float eye[3] = {0, 1, 10};
+	static const struct bounds box = {
+		.low = {-0.5f, 0, -0.5f}, .high = {0.5f, 0.5f, 0.5f}};
+	/* The others are one far point. */
+	static const uint16_t index[FLOOR_INDICES] = {1, 2, 3};
+	struct floor_mesh mesh = {.seen = true, .position = {{0, 0, -100}}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(slopes); i++) {
+		for (int k = 0; k < 3; k++) {
+			const float *plan = slopes[i].plan[k];
+
+			mesh.position[1 + k][0] = plan[0];
+			mesh.position[1 + k][1] = 3 * plan[1] - 15;
+			mesh.position[1 + k][2] = plan[1];
+		}
+		assert_int_equal(floor_mesh_may_hide(&mesh, index, eye, &box),
+			slopes[i].hides);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -260,6 +296,8 @@ int main(void)
 		cmocka_unit_test(test_what_lies_counts_where_hills_may_hide_it),
 		cmocka_unit_test(test_all_triangles_are_listed_from_far_to_near),
 		cmocka_unit_test(test_a_figure_around_the_eye_needs_all_depths),
+		cmocka_unit_test(
+			test_a_slope_hides_unless_it_is_all_beyond_or_beside),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

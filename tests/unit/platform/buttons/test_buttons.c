@@ -157,6 +157,35 @@ static void test_the_oldest_is_dropped_when_the_queue_is_full(void **state)
 	button_expect_nothing(&queue);
 }
 
+/* Of two buttons, the one that has a later event, which may be the next one. */
+static void test_the_dropped_event_is_followed_by_one_of_its_button(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	button_push(&queue, 0, BUTTON_LEFT, true);
+	button_push(&queue, 1, BUTTON_LEFT, false);
+	for (int i = 2; i <= BUTTON_QUEUE_CAPACITY; i++) {
+		button_push(&queue, i, BUTTON_UP, i % 2 == 0);
+	}
+	button_expect(&queue, 1, BUTTON_LEFT, false);
+	button_expect(&queue, 2, BUTTON_UP, true);
+}
+
+static void test_without_debouncing_times_do_not_matter(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 90, BUTTON_UP, false);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect(&queue, 90, BUTTON_UP, false);
+	button_expect_nothing(&queue);
+}
+
 static void test_unknown_buttons_and_holders_are_ignored(void **state)
 {
 	const struct button_event unknown = {
@@ -399,6 +428,9 @@ int main(void)
 		cmocka_unit_test(test_buttons_are_debounced_separately),
 		cmocka_unit_test(
 			test_the_oldest_is_dropped_when_the_queue_is_full),
+		cmocka_unit_test(
+			test_the_dropped_event_is_followed_by_one_of_its_button),
+		cmocka_unit_test(test_without_debouncing_times_do_not_matter),
 		cmocka_unit_test(test_unknown_buttons_and_holders_are_ignored),
 		cmocka_unit_test(test_a_script_pushes_the_events_that_are_due),
 		cmocka_unit_test(test_polling_settles_the_queue),

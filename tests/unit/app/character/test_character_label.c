@@ -192,6 +192,44 @@ static void test_the_first_such_sentence_is_reported(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* Letters and boxes of the labels of a walker with a shake. */
+static int count_quads(const struct test_path *path, const char *keys)
+{
+	static struct hud hud;
+	struct acting acting;
+	char text[128];
+
+	snprintf(text, sizeof(text),
+		"[state a]\nclip = walk\n[shake s]\nbone = head\n%s", keys);
+	file_write(path->text, text, strlen(text));
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, path->text);
+	assert_int_equal(acting.error, 0);
+	acting_run_to(&acting, 0.1, 20.0);
+	memset(&hud, 0, sizeof(hud));
+	hud.font = &font_default;
+	hud_begin(&hud, 480, 640);
+	character_label_all(acting.character, "title", &hud);
+	acting_end(&acting);
+	return hud.quad_count;
+}
+
+static void test_labels_name_a_shakes_only_preset(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "a.character");
+	int without;
+
+	(void)state;
+	file_write(path_join(&folder, "p.ini").text, "[only]\n", 7);
+	without = count_quads(&path, "");
+	assert_true(count_quads(&path, "presets = p.ini\n") >=
+		without + (int)strlen("presetonly"));
+	assert_int_equal(
+		count_quads(&path, "presets = p.ini\nlabel = no\n"), without);
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -199,6 +237,7 @@ int main(void)
 		cmocka_unit_test(test_a_fade_has_a_bar),
 		cmocka_unit_test(
 			test_a_state_that_is_only_a_number_shows_its_clip),
+		cmocka_unit_test(test_labels_name_a_shakes_only_preset),
 		cmocka_unit_test(test_no_label_is_a_row_of_boxes),
 		cmocka_unit_test(test_a_sentence_that_the_font_lacks_is_replaced),
 		cmocka_unit_test(test_the_first_such_sentence_is_reported),

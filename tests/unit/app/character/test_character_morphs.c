@@ -5,6 +5,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 
 static const double rate_hz = 50.0;
 
@@ -190,6 +191,29 @@ static void test_overlays_show_the_key_frames_between_which_a_clip_is(
 	assert_false(describe(mixed, 0.25).morphing);
 }
 
+/* The first node, too, may be the one that clips move. */
+static void test_overlays_leave_out_what_a_root_travels(void **state)
+{
+	struct overlay_motion motion = overlay_motion_none();
+	struct acting acting;
+	char text[128];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, "[state a]\nclip = walk\n");
+	character_overlay_describe(acting.character, &motion);
+	assert_int_equal(motion.traveller, -1);
+	assert_null(motion.travel);
+	snprintf(text, sizeof(text),
+		"[motion]\nroot = %s\n[state a]\nclip = walk\n",
+		acting.model->node[0].name);
+	acting_expect(&acting, text);
+	character_overlay_describe(acting.character, &motion);
+	assert_int_equal(motion.traveller, 0);
+	assert_non_null(motion.travel);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -201,6 +225,7 @@ int main(void)
 			test_shapes_that_a_clip_moves_get_no_morph_of_their_own),
 		cmocka_unit_test(
 			test_overlays_show_the_key_frames_between_which_a_clip_is),
+		cmocka_unit_test(test_overlays_leave_out_what_a_root_travels),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -78,6 +78,44 @@ static void test_a_layer_of_moved_nodes_leaves_others_alone(void **state)
 	assert_near(place_beside("nodes = moved\n"), 1.5, 0.02);
 }
 
+/* The weight of a node in the mask of the only layer. */
+static float weight_of(const struct acting *acting, const char *node)
+{
+	int at = model_find_node(acting->model, node);
+
+	assert_true(at >= 0);
+	return acting->character->layer[0].mask[at];
+}
+
+/* The nodes that the clip moves and, with a mask, those of both. */
+static void test_a_layer_may_move_what_its_clip_moves(void **state)
+{
+	const struct model_clip *clip;
+	struct acting acting;
+	int moved = 0;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	clip = &acting.model->clip[model_find_clip(acting.model, "wave")];
+	acting_expect(&acting, "[layer a]\nclip = wave\nnodes = moved\n");
+	for (int i = 0; i < clip->channel_count; i++) {
+		const struct model_node *node =
+			&acting.model->node[clip->channel[i].node];
+
+		assert_near(weight_of(&acting, node->name), 1, 0);
+	}
+	for (int i = 0; i < acting.model->node_count; i++) {
+		moved += acting.character->layer[0].mask[i] > 0;
+	}
+	assert_in_range(moved, 1, acting.model->node_count - 1);
+	acting_expect(&acting,
+		"[layer a]\nclip = wave\nnodes = moved\nmask = shoulder.L\n");
+	assert_near(weight_of(&acting, "upper_arm.R"), 0, 0);
+	acting_expect(&acting, "[layer a]\nclip = rest\nnodes = moved\n");
+	assert_near(weight_of(&acting, "upper_arm.R"), 0, 0);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -85,6 +123,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_sketch_suggests_clips_of_other_nodes_as_layers),
 		cmocka_unit_test(test_a_layer_of_moved_nodes_leaves_others_alone),
+		cmocka_unit_test(test_a_layer_may_move_what_its_clip_moves),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,7 @@
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/cost/board_cost.h"
 #include "app/model/model.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/samples.h"
 #include "tests/support/test.h"
 
@@ -159,6 +160,49 @@ static void test_time_is_cycles_at_532_mhz(void **state)
 	assert_near(board_cost_us(&cost), 1000.0, 1e-9);
 }
 
+/* What a sample costs of a clip that turns one node about an axis. */
+static struct board_cost sample_turn(int axis, float from_rad, float angle_rad)
+{
+	static const float time_s[2] = {0, 1};
+	float value[8] = {0};
+	struct model_channel channel = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.key_count = 2,
+		.width = 4,
+		.unit = true,
+		.time_s = time_s,
+		.value = value};
+	const struct model_clip clip = {
+		.duration_s = 1, .channel_count = 1, .channel = &channel};
+
+	for (int k = 0; k < 2; k++) {
+		float half = 0.5f * (from_rad + (k ? angle_rad : 0));
+
+		value[4 * k + axis] = sinf(half);
+		value[4 * k + 3] = cosf(half);
+	}
+	return board_cost_sample(&clip, 1);
+}
+
+static void test_turns_cost_as_much_about_any_axis(void **state)
+{
+	static const float angles_rad[] = {0.1f, 0.4f, 1.0f};
+	double last = 0;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(angles_rad); i++) {
+		double wanted = sample_turn(0, 0, angles_rad[i]).cycles;
+
+		assert_true(wanted > last);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(
+				sample_turn(axis, 1.2f, angles_rad[i]).cycles,
+				wanted, 1e-6);
+		}
+		last = wanted;
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -169,6 +213,7 @@ int main(void)
 		cmocka_unit_test(
 			test_each_influence_costs_more_and_caps_cost_less),
 		cmocka_unit_test(test_time_is_cycles_at_532_mhz),
+		cmocka_unit_test(test_turns_cost_as_much_about_any_axis),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

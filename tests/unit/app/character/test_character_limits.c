@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -180,6 +181,49 @@ static void test_what_a_section_leaves_out_has_its_usual_value(void **state)
 	}
 }
 
+/* Where the upper edge of a cape with such pleats begins, soon after the start. */
+static void find_corner(const char *pleat, float corner[3])
+{
+	struct acting acting;
+	char text[128];
+
+	acting_begin(&acting, "assets/walker.glb");
+	snprintf(text, sizeof(text),
+		"[state s]\nclip = run\n" CAPE "pleat = %s\n", pleat);
+	acting_expect(&acting, text);
+	acting_run_to(&acting, 0.1, 50.0);
+	memcpy(corner, acting.character->cape[0].cloth.position[0],
+		3 * sizeof(*corner));
+	acting_end(&acting);
+}
+
+static void test_pleats_begin_at_the_upper_edge_with_an_eighth_of_their_depth(
+	void **state)
+{
+	float smooth[3], pleated[3], sum = 0;
+
+	(void)state;
+	find_corner("0", smooth);
+	find_corner("0.1", pleated);
+	for (int i = 0; i < 3; i++) {
+		sum += (pleated[i] - smooth[i]) * (pleated[i] - smooth[i]);
+	}
+	assert_near(sqrtf(sum), 0.012, 1e-4);
+}
+
+static void test_the_first_node_may_breathe(void **state)
+{
+	struct acting acting;
+	char text[128];
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	snprintf(text, sizeof(text), "[breath a]\nbone = \"%s\"\n",
+		acting.model->node[0].name);
+	acting_expect(&acting, text);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -188,6 +232,9 @@ int main(void)
 		cmocka_unit_test(test_numbers_of_morphs_lie_within_their_limits),
 		cmocka_unit_test(
 			test_what_a_section_leaves_out_has_its_usual_value),
+		cmocka_unit_test(
+			test_pleats_begin_at_the_upper_edge_with_an_eighth_of_their_depth),
+		cmocka_unit_test(test_the_first_node_may_breathe),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

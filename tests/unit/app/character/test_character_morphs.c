@@ -214,6 +214,24 @@ static void test_overlays_leave_out_what_a_root_travels(void **state)
 	acting_end(&acting);
 }
 
+static void test_overlays_list_each_layer_and_effect_once(void **state)
+{
+	struct overlay_motion motion = overlay_motion_none();
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state a]\nclip = walk\n[layer greeting]\nclip = wave\n"
+		"[breath life]\nbone = chest\n");
+	acting_run_to(&acting, 1.0, rate_hz);
+	character_overlay_describe(acting.character, &motion);
+	assert_int_equal(motion.layer_count, 2);
+	assert_string_equal(motion.layer[0].name, "greeting");
+	assert_string_equal(motion.layer[1].name, "life");
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -226,6 +244,7 @@ int main(void)
 		cmocka_unit_test(
 			test_overlays_show_the_key_frames_between_which_a_clip_is),
 		cmocka_unit_test(test_overlays_leave_out_what_a_root_travels),
+		cmocka_unit_test(test_overlays_list_each_layer_and_effect_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -88,7 +88,8 @@ struct soft_stretch soft_test(const struct soft *soft,
 	bool through = true;
 	uint8_t old = 0, far = 0, near = 0; /* far, near: depth fails, passes */
 
-	if (s->enabled) {
+	/* Without memory for a stencil, all fragments pass its test. */
+	if (s->enabled && soft->buffers.stencil) {
 		stencil = soft->buffers.stencil +
 			(row->depth - soft->buffers.depth);
 		old = *stencil;

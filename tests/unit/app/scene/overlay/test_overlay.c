@@ -7,10 +7,12 @@
 #include "app/scene/instance/batch.h"
 #include "app/scene/overlay/overlay_curve.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <malloc.h>
 #include <string.h>
 
@@ -333,6 +335,29 @@ static void test_joints_are_chosen_in_turn(void **state)
 	demo_run_end(&run);
 }
 
+static void test_a_joint_that_the_model_lacks_is_named(void **state)
+{
+	const struct overlay_choice choice = {
+		.kinds = 1u << OVERLAY_WEIGHTS, .joint = "tail"};
+	struct log_capture logged;
+	const struct log log = log_capture_begin(&logged);
+	struct overlay *other = NULL;
+	struct demo_run run;
+	const struct overlay *overlay;
+
+	(void)state;
+	begin(&run, "walker");
+	next(&run);
+	overlay = base_of(&run)->overlay;
+	assert_int_equal(overlay_create(&overlay->subject, overlay->gl, &choice,
+				 &log, &other),
+		-EINVAL);
+	assert_null(other);
+	assert_int_equal(logged.count, 1);
+	assert_contains(logged.sentence[0], "has no joint or part of that name");
+	demo_run_end(&run);
+}
+
 static void test_onion_skins_are_key_frames(void **state)
 {
 	static const float a[] = {0.0f, 0.5f, 1.0f};
@@ -392,6 +417,7 @@ int main(void)
 		cmocka_unit_test(
 			test_heat_replaces_materials_as_long_as_it_is_shown),
 		cmocka_unit_test(test_joints_are_chosen_in_turn),
+		cmocka_unit_test(test_a_joint_that_the_model_lacks_is_named),
 		cmocka_unit_test(test_onion_skins_are_key_frames),
 		cmocka_unit_test(test_the_morph_curve_begins_at_0_and_ends_at_1),
 	};

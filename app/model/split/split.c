@@ -32,23 +32,34 @@ static const struct {
 	{offsetof(struct model_primitive, weight), 0, sizeof(float)},
 };
 
+/* Bytes of a vertex in arrays[i]. */
+static size_t vertex_bytes(const struct model_primitive *primitive, size_t i)
+{
+	return arrays[i].bytes +
+		(size_t)primitive->influences * arrays[i].bytes_an_influence;
+}
+
 /*
- * Sets *out to whether a primitive's triangles use less than half of its
- * vertices. Returns 0 or -ENOMEM.
+ * Sets *out to whether a primitive is divided: it is large, or its triangles
+ * use less than half of its vertices. Returns 0 or -ENOMEM.
  */
-static int find_sparse(const struct model_primitive *primitive,
+static int find_divided(const struct model_primitive *primitive,
 	struct memory_budget *budget, bool *out)
 {
 	struct arena brief = arena_within(budget);
-	bool *seen = ARENA_ARRAY(&brief, bool, primitive->vertex_count);
+	bool *seen;
 	int used = 0;
 
+	*out = primitive->vertex_count > SPLIT_VERTICES_MAX;
+	if (*out || primitive->lod_count > 0) {
+		return 0;
+	}
+	seen = ARENA_ARRAY(&brief, bool, primitive->vertex_count);
 	for (int i = 0; seen && i < primitive->index_count; i++) {
 		used += !seen[primitive->index[i]];
 		seen[primitive->index[i]] = true;
 	}
-	*out = used > 0 && used < primitive->vertex_count / 2 &&
-		primitive->lod_count == 0;
+	*out = used > 0 && used < primitive->vertex_count / 2;
 	arena_release(&brief);
 	return seen ? 0 : -ENOMEM;
 }
@@ -93,13 +104,11 @@ static int divide_array(struct split *split, size_t at, size_t bytes)
 
 static int divide_arrays(struct split *split)
 {
-	size_t influences = (size_t)split->whole.influences;
 	int error = 0;
 
 	for (size_t i = 0; i < ARRAY_COUNT(arrays) && !error; i++) {
-		error = divide_array(split, arrays[i].at,
-			arrays[i].bytes +
-				influences * arrays[i].bytes_an_influence);
+		error = divide_array(
+			split, arrays[i].at, vertex_bytes(&split->whole, i));
 	}
 	return error;
 }
@@ -229,16 +238,14 @@ static int find_parts(struct model *model, const struct model_mesh *mesh,
 	struct split_part **parts, int *count)
 {
 	int error = 0;
-	bool divides;
+	bool divided;
 
 	*count = 0;
 	for (int p = 0; p < mesh->primitive_count && !error; p++) {
 		parts[p] = NULL;
-		error = find_sparse(
-			&mesh->primitive[p], model->budget, &divides);
-		divides = divides ||
-			mesh->primitive[p].vertex_count > SPLIT_VERTICES_MAX;
-		if (!error && divides) {
+		error = find_divided(
+			&mesh->primitive[p], model->budget, &divided);
+		if (!error && divided) {
 			error = split_triangles(&mesh->primitive[p],
 				SPLIT_VERTICES_MAX, &model->arena, &parts[p]);
 		}
@@ -300,17 +307,14 @@ int split_primitives(struct model *model, struct arena *integers)
 static void free_arrays(
 	struct arena *arena, const struct model_primitive *primitive)
 {
-	const size_t influences = (size_t)primitive->influences;
-
 	for (size_t i = 0; i < ARRAY_COUNT(arrays); i++) {
-		const size_t bytes = arrays[i].bytes +
-			influences * arrays[i].bytes_an_influence;
 		const void *array;
 
 		memcpy(&array, (const char *)primitive + arrays[i].at,
 			sizeof(array));
-		arena_free(
-			arena, array, (size_t)primitive->vertex_count * bytes);
+		arena_free(arena, array,
+			(size_t)primitive->vertex_count *
+				vertex_bytes(primitive, i));
 	}
 }
 

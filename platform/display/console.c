@@ -262,15 +262,18 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	console->fd = -1;
 }
 
-enum console_request console_request(const struct console *console)
+bool console_follow(struct console *console, void (*give)(struct display *),
+	void (*take)(struct display *), struct display *display)
 {
 	if (console->fd < 0 || !console->switches) {
-		return CONSOLE_STAYS;
+		return false;
 	}
-	if (console->away) {
-		return taken.returns ? CONSOLE_RETURNS : CONSOLE_STAYS;
+	if (console->away && taken.returns) {
+		take(display);
+	} else if (!console->away && taken.leaves) {
+		give(display);
 	}
-	return taken.leaves ? CONSOLE_LEAVES : CONSOLE_STAYS;
+	return console->away;
 }
 
 static int answer(const struct console *console, uintptr_t answer)

@@ -19,19 +19,14 @@
 #include "platform/base/log.h"
 #include "platform/process/device_calls.h"
 
+struct display;
+
 struct console {
 	const struct device_calls *calls;
 	struct log log;
 	int fd;        /* -1: there is no console, or another program uses it */
 	bool switches; /* the kernel asks before it switches */
 	bool away;     /* another console is on the screen */
-};
-
-/* What the display has to do about a switch of consoles. */
-enum console_request {
-	CONSOLE_STAYS,  /* nothing */
-	CONSOLE_LEAVES, /* to give the screen back, then call console_leave() */
-	CONSOLE_RETURNS /* to take the screen, then call console_return() */
 };
 
 /*
@@ -53,10 +48,14 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
 
 /*
- * What the kernel has asked for and has not been answered yet. Call it once a
- * frame, between frames.
+ * Answers what the kernel has asked for, by one of two functions of the
+ * display: give gives the screen back and calls console_leave(), or
+ * console_refuse(); take takes the screen again and calls console_return(), or
+ * is called again. Returns whether another console is on the screen. Call it
+ * once a frame, between frames.
  */
-enum console_request console_request(const struct console *console);
+bool console_follow(struct console *console, void (*give)(struct display *),
+	void (*take)(struct display *), struct display *display);
 
 /*
  * Lets the kernel switch. Nothing may be drawn until console_return(). Returns

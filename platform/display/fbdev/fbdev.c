@@ -154,7 +154,7 @@ static int fbdev_end_frame(struct display *display)
 	return screen->page_count > 1 ? fbdev_screen_flip(screen) : 0;
 }
 
-static void take_screen(struct display *display)
+static void set_screen_again(struct display *display)
 {
 	display->error = fbdev_screen_return(&display->screen);
 	if (!display->error) {
@@ -162,11 +162,17 @@ static void take_screen(struct display *display)
 	}
 }
 
+static void take_screen(struct display *display)
+{
+	set_screen_again(display);
+	console_return(&display->console);
+}
+
 static void give_screen(struct display *display)
 {
 	fbdev_screen_leave(&display->screen);
 	if (console_leave(&display->console) != 0) {
-		take_screen(display);
+		set_screen_again(display);
 	}
 }
 
@@ -175,18 +181,9 @@ static void fbdev_poll(struct display *display, int64_t now_ms,
 {
 	(void)now_ms;
 	(void)queue;
-	switch (console_request(&display->console)) {
-	case CONSOLE_LEAVES:
-		give_screen(display);
-		break;
-	case CONSOLE_RETURNS:
-		take_screen(display);
-		console_return(&display->console);
-		break;
-	default:
-		break;
-	}
-	*events = (struct display_events){.away = display->console.away};
+	*events = (struct display_events){
+		.away = console_follow(
+			&display->console, give_screen, take_screen, display)};
 }
 
 static void fbdev_destroy(struct display *display)

@@ -184,17 +184,9 @@ static void kms_poll(struct display *display, int64_t now_ms,
 {
 	(void)now_ms;
 	(void)queue;
-	switch (console_request(&display->console)) {
-	case CONSOLE_LEAVES:
-		give_screen(display);
-		break;
-	case CONSOLE_RETURNS:
-		take_screen(display);
-		break;
-	default:
-		break;
-	}
-	*events = (struct display_events){.away = display->console.away};
+	*events = (struct display_events){
+		.away = console_follow(
+			&display->console, give_screen, take_screen, display)};
 }
 
 static void kms_destroy(struct display *display)

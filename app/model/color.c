@@ -25,6 +25,25 @@ uint8_t color_to_byte(float value)
 	return (uint8_t)(scalar_clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
+float color_mirrored(float brightest)
+{
+	float dark = 1.0f - scalar_clamp(brightest / 0.66f, 0.0f, 1.0f);
+
+	return 0.22f * dark * dark;
+}
+
+void color_mirror(uint8_t rgb[3])
+{
+	int brightest = rgb[0] > rgb[1] ? rgb[0] : rgb[1];
+	int add;
+
+	brightest = brightest > rgb[2] ? brightest : rgb[2];
+	add = color_to_byte(color_mirrored((float)brightest / 255.0f));
+	for (int i = 0; i < 3; i++) {
+		rgb[i] = (uint8_t)(rgb[i] + add);
+	}
+}
+
 uint8_t color_encode_byte(struct color_bytes *known, float linear)
 {
 	uint32_t bits;

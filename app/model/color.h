@@ -30,6 +30,19 @@ struct color_bytes {
  */
 uint8_t color_encode_byte(struct color_bytes *known, float linear);
 
+/*
+ * Returns what a lit surface shows besides its colour, as a gray to be added to
+ * each channel: by what glTF 2.0 (appendix B.2) lets materials mirror of their
+ * surroundings, 4% of the light. All are sRGB-encoded. brightest is the
+ * greatest of the colour's channels: black gets 0.22, the code of 4%, and
+ * colours of 0.66 and more get nothing, as they would only fade. Without it
+ * black plastic would be a hole without a form.
+ */
+float color_mirrored(float brightest);
+
+/* Adds it to a colour of bytes. */
+void color_mirror(uint8_t rgb[3]);
+
 /* Maps 0..1 to 0..255, rounded. Other values are clamped; NaN becomes 0. */
 uint8_t color_to_byte(float value);
 

@@ -1,7 +1,10 @@
 #include "app/model/model.h"
+
+#include "app/model/color.h"
 #include "app/model/model_loader.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +17,23 @@ const struct model_material model_plain_material = {
 	.emissive_texture = -1,
 	.alpha_cutoff = 0.5f,
 };
+
+void model_material_shown(
+	const struct model_material *material, float out_srgb[3])
+{
+	bool shines = model_material_emits(material) &&
+		(material->emissive_texture < 0 ||
+			material->emissive_texture == material->texture);
+	float brightest = 0.0f;
+
+	for (int i = 0; i < 3; i++) {
+		out_srgb[i] = color_encode_srgb(material->base_color[i]);
+		brightest = fmaxf(brightest, out_srgb[i]);
+	}
+	for (int i = 0; i < 3 && !material->unlit && !shines; i++) {
+		out_srgb[i] += color_mirrored(brightest);
+	}
+}
 
 /*
  * Lets the arena, which owns the budget, count against it, and takes the

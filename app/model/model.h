@@ -273,6 +273,14 @@ struct model_material {
 /* The default material: white, rough, opaque. */
 extern const struct model_material model_plain_material;
 
+/*
+ * Sets the sRGB-encoded colour of a material in light of all directions: its
+ * base colour without a texture, and what it mirrors (color_mirrored()) unless
+ * it is unlit or all of it emits light.
+ */
+void model_material_shown(
+	const struct model_material *material, float out_srgb[3]);
+
 struct model_camera {
 	const char *name;
 	bool perspective;

@@ -60,15 +60,16 @@ struct dyeing {
 
 /*
  * Recolours a vertex. In the model, trousers are blue, and hair and shoes are
- * of a deeper red than the skin.
+ * of a deeper red than the skin. color has what dark colours mirror as well.
  */
 static void dye(void *user, int vertex, uint8_t color[4])
 {
 	const struct dyeing *dyeing = user;
 	const struct look *look = dyeing->look;
 	float height = dyeing->primitive->position[vertex][1] / dyeing->height;
-	bool blue = color[2] > color[0] + 8;
-	bool red = 10 * color[1] < 6 * color[0];
+	const uint8_t *own = dyeing->primitive->color[vertex];
+	bool blue = own[2] > own[0] + 8;
+	bool red = 10 * own[1] < 6 * own[0];
 
 	if (blue && height < waist) {
 		recolor(color, look->trousers, 118);

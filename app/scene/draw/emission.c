@@ -81,10 +81,12 @@ void emission_color(const struct model *model,
 {
 	const struct model_material *material = material_of(model, primitive);
 	bool known = has_one_color(model, primitive);
+	float shown[3];
 
+	model_material_shown(material, shown);
 	out[0] = out[1] = out[2] = 0.0f;
 	for (int i = 0; model_material_emits(material) && i < 3; i++) {
-		out[i] = find_addend(known ? material->base_color[i] : 0.0f,
+		out[i] = find_addend(known ? color_decode_srgb(shown[i]) : 0.0f,
 			material->emissive[i]);
 	}
 }

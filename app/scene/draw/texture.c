@@ -1,5 +1,6 @@
 #include "app/scene/draw/texture.h"
 
+#include "app/model/color.h"
 #include "app/scene/draw/bump.h"
 #include "platform/base/fixed.h"
 
@@ -12,6 +13,12 @@ enum {
 	SMALL_MAX = 128, /* a side of few texels is enlarged to this at most */
 	/* without a context, a driver may return errors for ever */
 	ERRORS_MAX = 16
+};
+
+/* How a texture is used. */
+enum {
+	LIT = 1,         /* as the colour of a surface in the light */
+	SHOWN_AS_IS = 2, /* as light, without light, or as normals */
 };
 
 /* An image whose sides are powers of two. */
@@ -260,8 +267,8 @@ bool texture_memory_ok(const struct gl *gl)
 	return fine;
 }
 
-GLuint texture_upload(const struct gl *gl, const struct model_image *image,
-	const struct model_texture *sampling, enum pixel_format target)
+static GLuint upload(const struct gl *gl, const struct model_image *image,
+	const struct model_texture *sampling, enum pixel_format target, bool lit)
 {
 	struct texels texels = {0};
 	enum packing packing;
@@ -271,6 +278,9 @@ GLuint texture_upload(const struct gl *gl, const struct model_image *image,
 
 	if (resample(image, sampling, &texels) != 0) {
 		return 0;
+	}
+	for (int i = 0; lit && i < texels.width * texels.height; i++) {
+		color_mirror(texels.rgba[i]);
 	}
 	packing = choose_packing(&texels, image->opaque, target);
 	packed = malloc(
@@ -297,6 +307,31 @@ out:
 	return name;
 }
 
+GLuint texture_upload(const struct gl *gl, const struct model_image *image,
+	const struct model_texture *sampling, enum pixel_format target)
+{
+	return upload(gl, image, sampling, target, false);
+}
+
+static void note_use(uint8_t use[], int texture, uint8_t of)
+{
+	if (texture >= 0) {
+		use[texture] |= of;
+	}
+}
+
+/* Notes for each texture in which ways the model's materials show it. */
+static void find_uses(const struct model *model, uint8_t use[])
+{
+	for (int i = 0; i < model->material_count; i++) {
+		const struct model_material *m = &model->material[i];
+
+		note_use(use, m->texture, m->unlit ? SHOWN_AS_IS : LIT);
+		note_use(use, m->emissive_texture, SHOWN_AS_IS);
+		note_use(use, m->normal_texture, SHOWN_AS_IS);
+	}
+}
+
 static bool has_two_units(const struct gl *gl)
 {
 	GLint units = 1;
@@ -314,39 +349,55 @@ static bool has_two_units(const struct gl *gl)
 	return combines;
 }
 
-int texture_set_create(struct texture_set *set, const struct model *model,
-	const struct gl *gl, enum pixel_format target, const struct log *log)
+static int upload_all(struct texture_set *set, const struct gl *gl,
+	enum pixel_format target, const uint8_t use[])
 {
-	*set = (struct texture_set){.model = model};
-	if (model->texture_count == 0) {
-		return 0;
-	}
-	set->name = calloc((size_t)model->texture_count, sizeof(*set->name));
-	if (!set->name) {
-		goto fail;
-	}
-	set->count = model->texture_count;
-	for (int i = 0; i < set->count; i++) {
+	const struct model *model = set->model;
+
+	for (int i = 0; i < model->texture_count; i++) {
 		const struct model_texture *texture = &model->texture[i];
 		const struct model_image *image = &model->image[texture->image];
 		size_t bytes = texture_bytes(image, texture, target);
 
 		if (!memory_budget_take(model->budget, bytes)) {
-			goto fail;
+			return -ENOMEM;
 		}
 		set->taken_bytes += bytes;
-		set->name[i] = texture_upload(gl, image, texture, target);
+		set->name[i] = upload(gl, image, texture, target, use[i] == LIT);
 		if (!set->name[i]) {
-			goto fail;
+			return -ENOMEM;
 		}
+		set->count++;
+	}
+	return 0;
+}
+
+int texture_set_create(struct texture_set *set, const struct model *model,
+	const struct gl *gl, enum pixel_format target, const struct log *log)
+{
+	size_t count = (size_t)model->texture_count;
+	int error = -ENOMEM;
+	uint8_t *use;
+
+	*set = (struct texture_set){.model = model};
+	if (count == 0) {
+		return 0;
+	}
+	set->name = calloc(count, sizeof(*set->name));
+	use = calloc(count, sizeof(*use));
+	if (set->name && use) {
+		find_uses(model, use);
+		error = upload_all(set, gl, target, use);
+	}
+	free(use);
+	if (error) {
+		(void)memory_budget_fail(model->budget, model->path, log);
+		texture_set_destroy(set, gl);
+		return error;
 	}
 	set->normal_mapping = bump_is_supported(model, gl, log);
 	set->two_units = has_two_units(gl);
 	return 0;
-fail:
-	(void)memory_budget_fail(model->budget, model->path, log);
-	texture_set_destroy(set, gl);
-	return -ENOMEM;
 }
 
 void texture_set_destroy(struct texture_set *set, const struct gl *gl)

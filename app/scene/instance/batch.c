@@ -364,53 +364,6 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 				: error;
 }
 
-int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
-	struct arena *arena)
-{
-	for (int i = 0; i < drawable->batch_count; i++) {
-		struct batch *batch = &drawable->batch[i];
-		size_t count = (size_t)batch->vertex_count;
-		uint8_t(*color)[4];
-
-		if (!batch->color) {
-			continue;
-		}
-		color = arena_alloc(arena, count, sizeof(*color));
-		if (!color) {
-			return -ENOMEM;
-		}
-		memcpy(color, batch->color, count * sizeof(*color));
-		for (int v = 0; v < batch->vertex_count; v++) {
-			dye(user, batch_vertex(drawable, batch, v), color[v]);
-		}
-		batch->color = (const uint8_t(*)[4])color;
-	}
-	return 0;
-}
-
-static void multiply(void *user, int vertex, uint8_t color[4])
-{
-	const float *factor = user;
-
-	(void)vertex;
-	for (int i = 0; i < 3; i++) {
-		color[i] = (uint8_t)(color[i] * factor[i] + 0.5f);
-	}
-}
-
-int batch_tint(
-	struct drawable *drawable, const float factor[3], struct arena *arena)
-{
-	float copy[3];
-
-	for (int i = 0; i < 3; i++) {
-		copy[i] = factor[i];
-		drawable->color[i] =
-			(fx16_t)((float)drawable->color[i] * factor[i]);
-	}
-	return batch_recolor(drawable, multiply, copy, arena);
-}
-
 static int corner_count(const struct batch *batch)
 {
 	return batch->index ? batch->index_count : batch->vertex_count;

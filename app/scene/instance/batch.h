@@ -46,6 +46,12 @@ int batch_tint(
 	struct drawable *drawable, const float factor[3], struct arena *arena);
 
 /*
+ * Adds to the drawable's vertex colours what dark ones mirror (color_mirror()).
+ * Takes no memory if none is dark. Returns 0 or -ENOMEM.
+ */
+int batch_add_mirrored(struct drawable *drawable, struct arena *arena);
+
+/*
  * Copies posed vertices into the arrays of gathered batches and finds the
  * normals of facets; called once a frame.
  */

@@ -199,16 +199,25 @@ static void init_color(struct drawable *drawable, const struct model *model)
 {
 	const struct model_material *material =
 		&model->material[drawable->primitive->material];
-	float emission[3];
+	float emission[3], shown[3];
 
+	model_material_shown(material, shown);
 	emission_color(model, drawable->primitive, emission);
 	for (int i = 0; i < 3; i++) {
-		drawable->color[i] = fx16_from_float(
-			color_encode_srgb(material->base_color[i]));
+		drawable->color[i] = fx16_from_float(shown[i]);
 		drawable->emission[i] = fx16_from_float(emission[i]);
 	}
 	drawable->emission[3] = FX16_ONE;
 	drawable->color[3] = fx16_from_float(material->base_color[3]);
+}
+
+static int make_batches(struct drawable *drawable,
+	const struct model_material *material, struct arena *arena)
+{
+	int error = batch_make(drawable, material->base_color, arena);
+
+	return error || material->unlit ? error
+					: batch_add_mirrored(drawable, arena);
 }
 
 /*
@@ -274,8 +283,8 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 	init_color(drawable, model);
 	error = init_vertices(instance, drawable);
 	if (!error) {
-		error = batch_make(drawable,
-			model->material[drawable->primitive->material].base_color,
+		error = make_batches(drawable,
+			&model->material[drawable->primitive->material],
 			&instance->arena);
 	}
 	if (!error) {

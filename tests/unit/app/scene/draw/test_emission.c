@@ -17,6 +17,9 @@ enum {
 	TEXTURES
 };
 
+/* Half of what black mirrors, 0.22. */
+#define DARK 0.11
+
 /* What is drawn over gray 51, in light that reflects half of the surface. */
 struct surface {
 	const char *name;
@@ -37,27 +40,30 @@ static const struct surface surfaces[] = {
 		MODEL_OPAQUE, .double_sided = true, .left = {1, 0.5, 0},
 		.right = {1, 0.5, 0}},
 	{"a texture that does not shine", {1, 1, 1, 1}, BASE, {0, 0, 0}, SHINE,
-		MODEL_OPAQUE, .left = {0, 0, 0}, .right = {0.5, 0.5, 0.5}},
+		MODEL_OPAQUE, .left = {DARK, DARK, DARK},
+		.right = {0.5, 0.5, 0.5}},
 	{"light over a texture", {1, 1, 1, 1}, BASE, {0.2140411f, 0, 0}, NONE,
-		MODEL_OPAQUE, .left = {0.5, 0, 0}, .right = {1, 0.5, 0.5}},
+		MODEL_OPAQUE, .left = {0.5 + DARK, DARK, DARK},
+		.right = {1, 0.5, 0.5}},
 	{"a screen", {0, 0, 0, 1}, NONE, {1, 1, 1}, SHINE, MODEL_OPAQUE,
-		.left = {0, 1, 0}, .right = {0, 0, 0}},
+		.left = {DARK, 1, DARK}, .right = {DARK, DARK, DARK}},
 	{"a screen over a texture", {1, 1, 1, 1}, BASE, {1, 1, 1}, SHINE,
-		MODEL_OPAQUE, .left = {0, 1, 0}, .right = {0.5, 0.5, 0.5}},
+		MODEL_OPAQUE, .left = {DARK, 1, DARK}, .right = {0.5, 0.5, 0.5}},
 	{"a screen of two sides", {1, 1, 1, 1}, BASE, {1, 1, 1}, SHINE,
-		MODEL_OPAQUE, .double_sided = true, .left = {0, 1, 0},
+		MODEL_OPAQUE, .double_sided = true, .left = {DARK, 1, DARK},
 		.right = {0.5, 0.5, 0.5}},
 	{"a texture that shines itself", {0, 0, 0, 1}, BASE, {1, 0, 1}, BASE,
 		MODEL_OPAQUE, .left = {0, 0, 0}, .right = {1, 0, 1}},
 	{"cut out", {1, 1, 1, 1}, BASE, {1, 1, 1}, SHINE, MODEL_MASK,
 		.left = {0.2, 0.2, 0.2}, .right = {0.5, 0.5, 0.5}},
 	{"glass", {0, 0, 0, 0.5f}, NONE, {1, 1, 1}, SHINE, MODEL_BLEND,
-		.left = {0.1, 0.6, 0.1}, .right = {0.1, 0.1, 0.1}},
+		.left = {0.1 + DARK / 2, 0.613, 0.1 + DARK / 2},
+		.right = {0.1 + DARK / 2, 0.1 + DARK / 2, 0.1 + DARK / 2}},
 	{"unlit", {0, 0, 0, 1}, NONE, {1, 1, 1}, SHINE, MODEL_OPAQUE,
 		.unlit = true, .left = {0, 0, 0}, .right = {0, 0, 0}},
 	{"light over a texture of two sides", {1, 1, 1, 1}, BASE,
 		{0.2140411f, 0, 0}, NONE, MODEL_OPAQUE, .double_sided = true,
-		.left = {0.5, 0, 0}, .right = {1, 0.5, 0.5}},
+		.left = {0.5 + DARK, DARK, DARK}, .right = {1, 0.5, 0.5}},
 	{"light over a texture that is cut out", {1, 1, 1, 1}, BASE,
 		{0.2140411f, 0, 0}, NONE, MODEL_MASK, .left = {0.2, 0.2, 0.2},
 		.right = {1, 0.5, 0.5}},
@@ -69,7 +75,7 @@ static const struct surface surfaces[] = {
 		.right = {0.35, 0.35, 0.35}, .transparent = true},
 	{"a dim screen over a texture", {1, 1, 1, 1}, BASE,
 		{0.2140411f, 0.2140411f, 0.2140411f}, SHINE, MODEL_OPAQUE,
-		.left = {0, 0.5, 0}, .right = {0.5, 0.5, 0.5}},
+		.left = {DARK, 0.5 + DARK, DARK}, .right = {0.5, 0.5, 0.5}},
 };
 
 /* The left texel of the base is transparent, which only masks notice. */

@@ -160,6 +160,52 @@ static void test_textures_take_their_bytes_from_the_budget(void **state)
 	free(image.rgba);
 }
 
+/* Of two black texels, what GL gets of the texture for the material's use. */
+static int sent_of_black(const struct model_material *material, int count)
+{
+	uint8_t rgba[2][4] = {{0, 0, 0, 255}, {0, 0, 0, 255}};
+	struct model_image image = {
+		.width = 2, .height = 1, .opaque = true, .rgba = rgba[0]};
+	struct model_texture texture = {.wrap_s = MODEL_REPEAT};
+	const struct model model = {.path = "m",
+		.image_count = 1,
+		.image = &image,
+		.texture_count = 1,
+		.texture = &texture,
+		.material_count = count,
+		.material = (struct model_material *)material};
+	struct gl gl = texture_sent_begin();
+	struct log log = log_to_nowhere();
+	struct texture_set set;
+
+	assert_int_equal(
+		texture_set_create(&set, &model, &gl, PIXELS_RGB565, &log), 0);
+	texture_set_destroy(&set, &gl);
+	assert_int_equal(texture_sent.level[0].format, GL_LUMINANCE);
+	return texture_sent.level[0].data[1];
+}
+
+static void test_textures_mirror_where_all_that_show_them_are_lit(void **state)
+{
+	struct model_material m[2];
+
+	(void)state;
+	m[0] = m[1] = model_plain_material;
+	assert_int_equal(sent_of_black(m, 1), 0);
+	m[0].texture = m[1].texture = 0;
+	assert_int_equal(sent_of_black(m, 2), 56);
+	m[1].unlit = true;
+	assert_int_equal(sent_of_black(m, 2), 0);
+	m[1] = model_plain_material;
+	m[1].emissive_texture = 0;
+	assert_int_equal(sent_of_black(m, 2), 0);
+	m[1] = model_plain_material;
+	m[1].normal_texture = 0;
+	assert_int_equal(sent_of_black(m, 2), 0);
+	m[1].normal_texture = -1;
+	assert_int_equal(sent_of_black(m, 2), 56);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -167,6 +213,8 @@ int main(void)
 		cmocka_unit_test(test_opaque_grays_take_a_byte),
 		cmocka_unit_test(test_filters_and_wrap_modes_are_the_models),
 		cmocka_unit_test(test_a_gl_without_memory_is_noticed),
+		cmocka_unit_test(
+			test_textures_mirror_where_all_that_show_them_are_lit),
 		cmocka_unit_test(test_textures_take_their_bytes_from_the_budget),
 	};
 

@@ -119,7 +119,7 @@ static void test_keeps_vertex_colours_apart_where_there_are_no_normals(
 	primitive->color = arena_alloc(&model->arena, 4, 4);
 	assert_non_null(primitive->color);
 	for (int i = 0; i < 16; i++) {
-		primitive->color[i / 4][i % 4] = (uint8_t)(10 * i);
+		primitive->color[i / 4][i % 4] = (uint8_t)(170 + 5 * i);
 	}
 	instance = small_model_instance(model);
 	batch = instance->drawable[0].batch;
@@ -147,7 +147,7 @@ static void test_triangles_of_one_colour_each_share_vertices_without_normals(
 	primitive->color =
 		arena_alloc(&model->arena, (size_t)primitive->vertex_count, 4);
 	assert_non_null(primitive->color);
-	memset(primitive->color, 90, (size_t)primitive->vertex_count * 4);
+	memset(primitive->color, 190, (size_t)primitive->vertex_count * 4);
 	instance = small_model_instance(model);
 	batch = instance->drawable[0].batch;
 	assert_non_null(batch->index);
@@ -207,6 +207,32 @@ static void test_multiplies_vertex_colours_by_the_material(void **state)
 	assert_int_equal(color[3], 200);
 	instance_destroy(instance);
 	model_destroy(model);
+}
+
+/* A gray of 40 mirrors 33 (see test_color), but of a material that is unlit. */
+static void test_dark_vertex_colours_of_lit_surfaces_mirror(void **state)
+{
+	(void)state;
+	for (int unlit = 0; unlit <= 1; unlit++) {
+		struct model *model = small_model_grid(1, 1, 1.0f, true);
+		struct model_primitive *primitive = &model->mesh[0].primitive[0];
+		struct instance *instance;
+		const uint8_t(*color)[4];
+
+		primitive->color = arena_alloc(&model->arena, 4, 4);
+		memset(primitive->color, 200, 16);
+		memset(primitive->color[2], 40, 4);
+		model->material[0].unlit = unlit;
+		instance = small_model_instance(model);
+		color = instance->drawable[0].batch[0].color;
+		assert_int_equal(color[1][0], 200);
+		assert_int_equal(color[2][0], unlit ? 40 : 73);
+		assert_int_equal(color[2][2], unlit ? 40 : 73);
+		assert_int_equal(color[2][3], 40);
+		assert_int_equal(primitive->color[2][0], 40);
+		instance_destroy(instance);
+		model_destroy(model);
+	}
 }
 
 /* A white material leaves them as they are, any other makes a copy. */
@@ -414,6 +440,7 @@ int main(void)
 			test_triangles_of_one_colour_each_share_vertices_without_normals),
 		cmocka_unit_test(test_cuts_a_mesh_too_large_for_16_bit_indices),
 		cmocka_unit_test(test_multiplies_vertex_colours_by_the_material),
+		cmocka_unit_test(test_dark_vertex_colours_of_lit_surfaces_mirror),
 		cmocka_unit_test(test_colours_of_a_white_material_take_no_memory),
 		cmocka_unit_test(test_morphs_before_it_skins),
 		cmocka_unit_test(test_skins_tangents_with_the_joints),

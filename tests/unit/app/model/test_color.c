@@ -1,0 +1,89 @@
+/* What dark surfaces mirror of their surroundings. */
+#include "app/model/color.h"
+#include "app/model/model.h"
+#include "tests/support/test.h"
+
+/* glTF 2.0, appendix B.2: 4% of the light, which is 0.22 in sRGB. */
+static void test_black_mirrors_4_percent_and_bright_colours_nothing(void **state)
+{
+	(void)state;
+	assert_near(color_mirrored(0.0f), 0.22, 1e-6);
+	assert_near(color_mirrored(0.0f), color_encode_srgb(0.04f), 0.002);
+	assert_near(color_mirrored(0.33f), 0.22 / 4, 1e-6);
+	assert_near(color_mirrored(0.66f), 0.0, 1e-6);
+	assert_near(color_mirrored(1.0f), 0.0, 1e-6);
+}
+
+static void test_a_darker_gray_stays_darker(void **state)
+{
+	(void)state;
+	for (int i = 1; i <= 255; i++) {
+		uint8_t darker[3], gray[3];
+
+		for (int k = 0; k < 3; k++) {
+			darker[k] = (uint8_t)(i - 1);
+			gray[k] = (uint8_t)i;
+		}
+		color_mirror(darker);
+		color_mirror(gray);
+		assert_true(darker[0] <= gray[0]);
+		assert_true(gray[0] - i <= 56 && gray[0] >= i);
+		assert_true(i < 155 || gray[0] == i);
+	}
+}
+
+static void test_the_brightest_channel_says_what_all_get(void **state)
+{
+	uint8_t colors[4][3] = {
+		{40, 0, 10}, {0, 40, 10}, {10, 0, 40}, {0, 0, 170}};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		color_mirror(colors[i]);
+	}
+	color_mirror(colors[3]);
+	assert_memory_equal(colors[0], ((uint8_t[3]){73, 33, 43}), 3);
+	assert_memory_equal(colors[1], ((uint8_t[3]){33, 73, 43}), 3);
+	assert_memory_equal(colors[2], ((uint8_t[3]){43, 33, 73}), 3);
+	assert_memory_equal(colors[3], ((uint8_t[3]){0, 0, 170}), 3);
+}
+
+static void test_lit_materials_mirror_but_those_that_shine_do_not(void **state)
+{
+	struct model_material m = model_plain_material;
+	float shown[3];
+
+	(void)state;
+	model_material_shown(&m, shown);
+	assert_all_near(shown, ((float[3]){1, 1, 1}), 3, 1e-6);
+	m.base_color[0] = m.base_color[1] = 0.0f;
+	m.base_color[2] = 0.2140411f / 4; /* encoded: 0.257 */
+	model_material_shown(&m, shown);
+	assert_near(
+		shown[0], 0.22 * (1 - 0.257 / 0.66) * (1 - 0.257 / 0.66), 1e-3);
+	assert_near(shown[2] - shown[0], 0.257, 1e-3);
+	m.emissive[1] = 0.5f;
+	model_material_shown(&m, shown);
+	assert_near(shown[0], 0.0, 1e-6);
+	m.emissive_texture = 0; /* shines in parts */
+	model_material_shown(&m, shown);
+	assert_true(shown[0] > 0.05f);
+	m.unlit = true;
+	model_material_shown(&m, shown);
+	assert_near(shown[0], 0.0, 1e-6);
+	assert_near(shown[2], 0.257, 1e-3);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_black_mirrors_4_percent_and_bright_colours_nothing),
+		cmocka_unit_test(test_a_darker_gray_stays_darker),
+		cmocka_unit_test(test_the_brightest_channel_says_what_all_get),
+		cmocka_unit_test(
+			test_lit_materials_mirror_but_those_that_shine_do_not),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -102,7 +102,7 @@ TESTS_arm := $(filter-out test_character_mistakes test_character_sketch \
 	test_character_walker test_cloth test_crowd_costs test_demo_duel test_levels \
 	test_levels_file test_optimize test_overlay test_overlay_place test_spring \
 	test_tuner test_tuner_panel test_viewer_reload,$(TESTS_asan))
-unit_suites = $(foreach test,$(TESTS_$(1)),$(call \
+unit_suites = $(foreach test,$(or $(TESTS_$(1)),$(error TESTS_$(1) is not set)),$(call \
 	suite,$(1)/$(test),$(RUN_$(1)) build/$(1)/unit/$(test)))
 # Tests of what reads files, run by valgrind, which finds values that are used and
 # were never written. The sanitizers do not.

@@ -116,8 +116,35 @@ int watchdog_open(struct watchdog *out, const char *path,
 	return 0;
 }
 
+/* Returns 0 or an errno. */
+static int write_byte(const struct watchdog *watchdog, const char *byte)
+{
+	ssize_t written = watchdog->calls->write(watchdog->fd, byte, 1);
+
+	if (written == 1) {
+		return 0;
+	}
+	return written < 0 ? errno : EIO;
+}
+
+/* Logs that feeding has begun to fail, fails otherwise, or works again. */
+static void report_change(struct watchdog *watchdog, int error)
+{
+	if (error && error != watchdog->error) {
+		log_warning(&watchdog->log,
+			"--watchdog %s: cannot be fed: %s: the board may restart",
+			watchdog->path, strerror(error));
+	} else if (!error && watchdog->error) {
+		log_warning(&watchdog->log, "--watchdog %s: is fed again",
+			watchdog->path);
+	}
+	watchdog->error = error;
+}
+
 void watchdog_feed(struct watchdog *watchdog, int64_t now_ms)
 {
+	int error;
+
 	if (watchdog->fd < 0 ||
 		(watchdog->fed_ms != INT64_MIN &&
 			now_ms - watchdog->fed_ms < watchdog->period_ms)) {
@@ -126,25 +153,27 @@ void watchdog_feed(struct watchdog *watchdog, int64_t now_ms)
 	watchdog->fed_ms = now_ms;
 	limit_silence(watchdog);
 	/* Any byte feeds it except 'V', which allows it to be stopped. */
-	if (watchdog->calls->write(watchdog->fd, "", 1) != 1 && errno != EINTR) {
-		log_warning(&watchdog->log,
-			"--watchdog %s: cannot be fed: %s: the board may restart",
-			watchdog->path, strerror(errno));
+	error = write_byte(watchdog, "");
+	if (error != EINTR) {
+		report_change(watchdog, error);
 	}
 }
 
 void watchdog_close(struct watchdog *watchdog)
 {
+	int error;
+
 	if (watchdog->fd < 0) {
 		return;
 	}
 	if (watchdog->limit_s) {
 		(void)timer_delete(watchdog->timer);
 	}
-	if (watchdog->calls->write(watchdog->fd, "V", 1) != 1) {
+	error = write_byte(watchdog, "V");
+	if (error) {
 		log_warning(&watchdog->log,
 			"--watchdog %s: cannot be stopped: %s: the board may restart",
-			watchdog->path, strerror(errno));
+			watchdog->path, strerror(error));
 	}
 	watchdog->calls->close(watchdog->fd);
 	*watchdog = watchdog_none();

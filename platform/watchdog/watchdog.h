@@ -28,6 +28,7 @@ struct watchdog {
 	int fd;            /* -1: no watchdog */
 	int64_t period_ms; /* shortest time between two writes */
 	int64_t fed_ms;    /* time of the last write */
+	int error;         /* of the last write, an errno; 0: it was fed */
 	int limit_s;       /* of timer; 0: there is no timer */
 	timer_t timer;     /* ends the process unless it is fed in time */
 };
@@ -46,7 +47,8 @@ int watchdog_open(struct watchdog *out, const char *path,
 
 /*
  * Feeds the watchdog, but at most once a second, or four times a second when
- * its timeout is one second. now_ms is the time of any monotonic clock.
+ * its timeout is one second. now_ms is the time of any monotonic clock. If that
+ * fails, a warning is logged once, and again when the reason changes or ends.
  */
 void watchdog_feed(struct watchdog *watchdog, int64_t now_ms);
 

@@ -1,5 +1,6 @@
 #define _GNU_SOURCE
 
+#include "platform/base/compiler.h"
 #include "platform/watchdog/watchdog.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
@@ -271,6 +272,37 @@ static void test_a_watchdog_that_cannot_be_fed_is_logged(void **state)
 	assert_int_equal(fake.open_count, 0);
 }
 
+/* A message each second would fill the board's disk. */
+static void test_only_a_change_of_feeding_is_logged(void **state)
+{
+	static const struct {
+		int error;
+		const char *sentence; /* NULL: none */
+	} seconds[] = {{EIO, "cannot be fed: Input/output error"}, {EIO, NULL},
+		{EINTR, NULL}, {EIO, NULL},
+		{ENODEV, "cannot be fed: No such device"}, {ENODEV, NULL},
+		{0, "is fed again"}, {0, NULL}, {EINTR, NULL}, {0, NULL},
+		{EIO, "cannot be fed: Input/output error"}};
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct watchdog watchdog;
+
+	(void)state;
+	assert_int_equal(watchdog_open(&watchdog, "/dev/wd", &calls, &log), 0);
+	for (int i = 0; i < (int)ARRAY_COUNT(seconds); i++) {
+		capture.count = 0;
+		fake.write_error = seconds[i].error;
+		watchdog_feed(&watchdog, i * 1000);
+		assert_int_equal(capture.count, seconds[i].sentence != NULL);
+		if (seconds[i].sentence) {
+			assert_contains(
+				capture.sentence[0], seconds[i].sentence);
+		}
+	}
+	fake.write_error = 0;
+	watchdog_close(&watchdog);
+}
+
 /* It is fed again in a second. */
 static void test_an_interrupted_call_is_no_warning(void **state)
 {
@@ -399,6 +431,8 @@ int main(void)
 			test_a_missing_watchdog_is_logged_once, forget),
 		cmocka_unit_test_setup(
 			test_a_watchdog_that_cannot_be_fed_is_logged, forget),
+		cmocka_unit_test_setup(
+			test_only_a_change_of_feeding_is_logged, forget),
 		cmocka_unit_test_setup(
 			test_an_interrupted_call_is_no_warning, forget),
 		cmocka_unit_test_setup(

@@ -8,6 +8,7 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
+#include "platform/base/compiler.h"
 #include "platform/buttons/device_access.h"
 #include "platform/buttons/evdev/decode.h"
 #include "platform/buttons/event_time.h"
@@ -184,6 +185,47 @@ static void lose_device(struct button_source *source, int index, int64_t now_ms)
 	source->scan_ms = now_ms + EVDEV_SCAN_MS;
 }
 
+/*
+ * Whether Ctrl or Alt is held on any keyboard, as the kernel sees it, too: the
+ * keys that are pressed then switch consoles. A key that is a button is neither.
+ */
+static bool holds_modifier(const struct button_source *source)
+{
+	static const uint16_t modifiers[] = {
+		KEY_LEFTCTRL, KEY_RIGHTCTRL, KEY_LEFTALT, KEY_RIGHTALT};
+
+	for (size_t i = 0; i < ARRAY_COUNT(modifiers); i++) {
+		if (evdev_keys_find(&source->keys, modifiers[i]) !=
+			BUTTON_COUNT) {
+			continue;
+		}
+		for (int k = 0; k < source->count; k++) {
+			if (evdev_key_bit(source->device[k].key, modifiers[i])) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+/* Takes over which keys are down. Those that are new may be shortcuts. */
+static void set_keys(struct button_source *source, struct evdev_device *device,
+	const uint8_t bits[EVDEV_KEY_BYTES])
+{
+	uint8_t pressed[EVDEV_KEY_BYTES];
+	bool hides;
+
+	for (int i = 0; i < EVDEV_KEY_BYTES; i++) {
+		pressed[i] = (uint8_t)(bits[i] & ~device->key[i]);
+		device->key[i] = bits[i];
+	}
+	hides = holds_modifier(source);
+	for (int i = 0; i < EVDEV_KEY_BYTES; i++) {
+		device->shortcut[i] = (uint8_t)(bits[i] &
+			(device->shortcut[i] | (hides ? pressed[i] : 0)));
+	}
+}
+
 /* Sets the buttons by the keys that are down: several may be one button. */
 static void update_buttons(
 	struct button_source *source, int index, int64_t time_ms)
@@ -192,7 +234,8 @@ static void update_buttons(
 	bool down[BUTTON_COUNT + 1] = {false};
 
 	for (unsigned int code = 0; code < EVDEV_KEYS; code++) {
-		if (evdev_key_bit(device->key, code)) {
+		if (evdev_key_bit(device->key, code) &&
+			!evdev_key_bit(device->shortcut, code)) {
 			down[evdev_keys_find(&source->keys, code)] = true;
 		}
 	}
@@ -212,7 +255,7 @@ static void resynchronize(
 	if (source->system->keys_down(source->fd[index].fd, bits) < 0) {
 		return;
 	}
-	memcpy(device->key, bits, sizeof(bits));
+	set_keys(source, device, bits);
 	update_buttons(source, index, time_ms);
 }
 
@@ -230,9 +273,12 @@ static void handle_event(struct button_source *source, int index,
 	} else if (event->type == EV_KEY && event->code < EVDEV_KEYS &&
 		(event->value == 0 || event->value == 1)) {
 		uint8_t bit = (uint8_t)(1u << event->code % 8);
+		uint8_t bits[EVDEV_KEY_BYTES];
 
-		device->key[event->code / 8] &= (uint8_t)~bit;
-		device->key[event->code / 8] |= event->value ? bit : 0;
+		memcpy(bits, device->key, sizeof(bits));
+		bits[event->code / 8] &= (uint8_t)~bit;
+		bits[event->code / 8] |= event->value ? bit : 0;
+		set_keys(source, device, bits);
 		update_buttons(source, index, time_ms);
 	}
 }

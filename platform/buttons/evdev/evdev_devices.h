@@ -21,8 +21,10 @@ struct evdev_device {
 	char path[EVDEV_PATH_BYTES];
 	char name[80];
 	uint8_t key[EVDEV_KEY_BYTES]; /* a bit for each key that is down */
-	bool down[BUTTON_COUNT];      /* one of the button's keys is down */
-	uint8_t holder;               /* its number in the queue */
+	/* A bit for each that was pressed together with Ctrl or Alt. */
+	uint8_t shortcut[EVDEV_KEY_BYTES];
+	bool down[BUTTON_COUNT]; /* one of the button's keys is down */
+	uint8_t holder;          /* its number in the queue */
 	bool dropped; /* events were lost; ignore the rest of this report */
 };
 

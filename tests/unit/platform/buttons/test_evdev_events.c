@@ -322,6 +322,103 @@ static void test_no_device_takes_anothers_release(void **state)
 	}
 }
 
+static void tap_hidden(struct evdev_bench *bench, int number, int code)
+{
+	evdev_bench_key(bench, number, code, 1);
+	evdev_bench_key(bench, number, code, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect_nothing(bench);
+}
+
+/* Ctrl-Alt-F8 and Alt-LEFT switch consoles, on another keyboard, too. */
+static void test_keys_with_ctrl_or_alt_are_no_buttons(void **state)
+{
+	static const int modifiers[] = {
+		KEY_LEFTCTRL, KEY_RIGHTCTRL, KEY_LEFTALT, KEY_RIGHTALT};
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 0, "first", KEY_UP);
+	evdev_bench_plug_in(bench, 1, "second", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	for (size_t i = 0; i < ARRAY_COUNT(modifiers); i++) {
+		evdev_bench_key(bench, 0, modifiers[i], 1);
+		evdev_bench_poll(bench);
+		tap_hidden(bench, 0, KEY_F8);
+		tap_hidden(bench, 1, KEY_LEFT);
+		/* It stays hidden when the modifier is released first. */
+		evdev_bench_key(bench, 0, KEY_F8, 1);
+		evdev_bench_key(bench, 0, modifiers[i], 0);
+		evdev_bench_key(bench, 0, KEY_F8, 2);
+		evdev_bench_poll(bench);
+		evdev_bench_expect_nothing(bench);
+		evdev_bench_key(bench, 0, KEY_F8, 0);
+		evdev_bench_key(bench, 0, KEY_F8, 1);
+		evdev_bench_poll(bench);
+		evdev_bench_expect(bench, BUTTON_F8, true);
+		/* A button that was down before stays a button. */
+		evdev_bench_key(bench, 0, modifiers[i], 1);
+		evdev_bench_poll(bench);
+		evdev_bench_expect_nothing(bench);
+		evdev_bench_key(bench, 0, KEY_F8, 0);
+		evdev_bench_key(bench, 0, modifiers[i], 0);
+		evdev_bench_poll(bench);
+		evdev_bench_expect(bench, BUTTON_F8, false);
+	}
+}
+
+static void test_after_lost_events_new_keys_with_alt_are_no_buttons(void **state)
+{
+	struct evdev_bench *bench = *state;
+	uint8_t *down = bench->device[0].down;
+
+	evdev_bench_plug_in(bench, 0, "keyboard", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	evdev_bench_key(bench, 0, KEY_UP, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, true);
+	evdev_bench_set_key(down, KEY_UP, true);
+	evdev_bench_set_key(down, KEY_LEFTALT, true);
+	evdev_bench_set_key(down, KEY_F6, true);
+	evdev_bench_send(bench, 0, EV_SYN, SYN_DROPPED, 0);
+	evdev_bench_send(bench, 0, EV_SYN, SYN_REPORT, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect_nothing(bench);
+	evdev_bench_key(bench, 0, KEY_UP, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, false);
+}
+
+/* Its keyboard releases nothing more when it is unplugged. */
+static void test_an_unplugged_keyboard_holds_no_modifier(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 0, "first", KEY_UP);
+	evdev_bench_plug_in(bench, 1, "second", KEY_UP);
+	evdev_bench_open(bench, NULL);
+	evdev_bench_key(bench, 0, KEY_LEFTALT, 1);
+	evdev_bench_poll(bench);
+	tap_hidden(bench, 1, KEY_UP);
+	evdev_bench_unplug(bench, 0);
+	evdev_bench_poll(bench);
+	evdev_bench_key(bench, 1, KEY_UP, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_UP, true);
+}
+
+static void test_a_modifier_that_is_a_button_hides_nothing(void **state)
+{
+	struct evdev_bench *bench = *state;
+
+	evdev_bench_plug_in(bench, 0, "keyboard", KEY_UP);
+	evdev_bench_open(bench, "ENTER=KEY_LEFTCTRL");
+	evdev_bench_key(bench, 0, KEY_LEFTCTRL, 1);
+	evdev_bench_key(bench, 0, KEY_UP, 1);
+	evdev_bench_poll(bench);
+	evdev_bench_expect(bench, BUTTON_ENTER, true);
+	evdev_bench_expect(bench, BUTTON_UP, true);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -342,6 +439,18 @@ int main(void)
 			evdev_bench_setup, evdev_bench_teardown),
 		cmocka_unit_test_setup_teardown(
 			test_no_device_takes_anothers_release,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_keys_with_ctrl_or_alt_are_no_buttons,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_after_lost_events_new_keys_with_alt_are_no_buttons,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_an_unplugged_keyboard_holds_no_modifier,
+			evdev_bench_setup, evdev_bench_teardown),
+		cmocka_unit_test_setup_teardown(
+			test_a_modifier_that_is_a_button_hides_nothing,
 			evdev_bench_setup, evdev_bench_teardown),
 	};
 

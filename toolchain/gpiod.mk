@@ -15,7 +15,7 @@ build/gen/gpiod_v%/gpiod.h:
 define gpiod_test
 GPIOD_OBJECTS_$(1)_$(2) := $(patsubst %.c,build/$(1)/obj/gpiod_v$(2)/%.o,\
 	platform/buttons/gpiod/v$(2)/gpio_v$(2).c \
-	$(addprefix tests/gpiod/,bench.c cases.c lost_cases.c fake.c fake_v$(2).c))
+	$(addprefix tests/gpiod/,bench.c cases.c lost_cases.c output_cases.c fake.c fake_v$(2).c))
 
 build/$(1)/obj/gpiod_v$(2)/%.o: %.c build/gen/gpiod_v$(2)/gpiod.h \
 		| build/$(1)/packages.stamp build/test-packages.stamp
@@ -24,7 +24,7 @@ build/$(1)/obj/gpiod_v$(2)/%.o: %.c build/gen/gpiod_v$(2)/gpiod.h \
 	$$(Q)$$(CC_$(1)) $$(COMMON_CFLAGS) $$(CFLAGS_$(1)) -I. \
 		-Ibuild/gen/gpiod_v$(2) @build/$(1)/cflags -MMD -MP -c -o $$@ $$<
 
-build/$(1)/unit/test_gpiod_v$(2) build/$(1)/unit/test_gpiod_lost_v$(2): \
+$(addprefix build/$(1)/unit/test_gpiod_,v$(2) lost_v$(2) output_v$(2)): \
 		$$(GPIOD_OBJECTS_$(1)_$(2))
 endef
 $(foreach target,$(TARGETS),$(foreach generation,1 2,\

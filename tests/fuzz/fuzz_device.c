@@ -266,6 +266,7 @@ static void use_gpio_lines(void)
 		gpio_output_open("output led", "led", "chip1/4", &log);
 
 	gpio_output_set(output, true);
+	gpio_output_check_all(&output, 1);
 	if (button_driver_gpiod.create(lines, &log, &source) == 0) {
 		press_buttons(&button_driver_gpiod, source);
 	}

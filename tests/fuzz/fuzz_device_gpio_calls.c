@@ -113,10 +113,11 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	return 0;
 }
 
-void gpio_line_drive(struct gpio_line *line, bool active)
+int gpio_line_drive(struct gpio_line *line, bool active)
 {
 	(void)line;
 	(void)active;
+	return -fuzz_device_fault();
 }
 
 void gpio_line_release(struct gpio_line *line)

@@ -31,6 +31,25 @@ void gpiod_bench_open(struct gpiod_bench *bench, const char *spec)
 	buttons_poll(&bench->buttons, 0);
 }
 
+struct fake_line *gpiod_bench_open_up(struct gpiod_bench *bench)
+{
+	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	return gpiod_bench_wire(bench, 18);
+}
+
+void gpiod_bench_poll_at(struct gpiod_bench *bench, int64_t now_ms)
+{
+	bench->now_ms = now_ms;
+	buttons_poll(&bench->buttons, now_ms);
+}
+
+void gpiod_bench_hold_up(struct gpiod_bench *bench)
+{
+	fake_gpio_set(gpiod_bench_wire(bench, 18), true, 0);
+	gpiod_bench_poll_at(bench, 100);
+	gpiod_bench_expect(bench, BUTTON_UP, true);
+}
+
 struct fake_line *gpiod_bench_wire(struct gpiod_bench *bench, int offset)
 {
 	return &bench->gpio.chip[2].line[offset];

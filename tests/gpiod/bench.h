@@ -22,11 +22,25 @@ struct gpiod_bench {
 int gpiod_bench_setup(void **state);
 int gpiod_bench_teardown(void **state);
 
+/* A member of the list of tests. */
+#define GPIOD_CASE(name)                 \
+	cmocka_unit_test_setup_teardown( \
+		name, gpiod_bench_setup, gpiod_bench_teardown)
+
 /* Opens buttons, which must succeed. */
 void gpiod_bench_open(struct gpiod_bench *bench, const char *spec);
 
+/* Opens a button UP on line 18 of gpio2. Returns the line. */
+struct fake_line *gpiod_bench_open_up(struct gpiod_bench *bench);
+
 /* A line of gpio2, the third chip. */
 struct fake_line *gpiod_bench_wire(struct gpiod_bench *bench, int offset);
+
+/* Polls the buttons at that time. */
+void gpiod_bench_poll_at(struct gpiod_bench *bench, int64_t now_ms);
+
+/* Presses UP, 100 ms after the start, and expects that. It stays down. */
+void gpiod_bench_hold_up(struct gpiod_bench *bench);
 
 /* Fails the test unless this is the next event, or there is none. */
 void gpiod_bench_expect(

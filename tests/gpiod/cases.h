@@ -7,5 +7,6 @@
 /* Run all tests of a file. Return main()'s result. */
 int gpiod_cases_run(void);
 int gpiod_lost_cases_run(void);
+int gpiod_output_cases_run(void);
 
 #endif

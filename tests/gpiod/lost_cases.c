@@ -3,12 +3,6 @@
 #include "tests/gpiod/cases.h"
 #include "tests/support/test.h"
 
-static void poll_at(struct gpiod_bench *bench, int64_t now_ms)
-{
-	bench->now_ms = now_ms;
-	buttons_poll(&bench->buttons, now_ms);
-}
-
 static void test_a_lost_line_works_again_when_its_chip_is_back(void **state)
 {
 	struct gpiod_bench *bench = *state;
@@ -16,28 +10,26 @@ static void test_a_lost_line_works_again_when_its_chip_is_back(void **state)
 
 	gpiod_bench_open(
 		bench, "gpiod:UP=53fd0000.gpio/18,DOWN=53fa4000.gpio/19");
-	fake_gpio_set(gpiod_bench_wire(bench, 18), true, 0);
-	poll_at(bench, 100);
-	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_hold_up(bench);
 	fake_gpio_lose(gpiod_bench_wire(bench, 18));
 	chip->name = NULL;
-	poll_at(bench, 200);
+	gpiod_bench_poll_at(bench, 200);
 	gpiod_bench_expect(bench, BUTTON_UP, false);
 	gpiod_bench_expect_warning(bench, "gpiod:UP", "lost");
 	assert_int_equal(chip->opened, 0);
 	for (int64_t now_ms = 300; now_ms < 9000; now_ms += 100) {
-		poll_at(bench, now_ms);
+		gpiod_bench_poll_at(bench, now_ms);
 	}
 	assert_int_equal(bench->logged.count, 0);
 	gpiod_bench_press(bench, &bench->gpio.chip[0].line[19], BUTTON_DOWN);
 
 	gpiod_bench_wire(bench, 18)->gone = false;
 	chip->name = "gpiochip5";
-	poll_at(bench, bench->now_ms + 1000);
+	gpiod_bench_poll_at(bench, bench->now_ms + 1000);
 	gpiod_bench_expect_nothing(bench);
 	/* It is still held, which is no press. */
 	fake_gpio_set(gpiod_bench_wire(bench, 18), false, 0);
-	poll_at(bench, bench->now_ms + 100);
+	gpiod_bench_poll_at(bench, bench->now_ms + 100);
 	gpiod_bench_expect_nothing(bench);
 	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 	gpiod_bench_press(bench, &bench->gpio.chip[0].line[19], BUTTON_DOWN);
@@ -54,9 +46,9 @@ static void test_a_chip_that_comes_later_is_used(void **state)
 	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18/debounce=30");
 	gpiod_bench_expect_warning(bench, "/dev/gpiochip*", "yet");
 	assert_int_equal(bench->buttons.queue.debounce_ms[BUTTON_UP], 30);
-	poll_at(bench, 999);
+	gpiod_bench_poll_at(bench, 999);
 	bench->gpio.chip[2].name = "gpiochip0";
-	poll_at(bench, 1000);
+	gpiod_bench_poll_at(bench, 1000);
 	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 	assert_int_equal(log_capture_count(&bench->logged, LOG_WARNING), 0);
 }
@@ -65,20 +57,17 @@ static void test_a_chip_that_comes_later_is_used(void **state)
 static void test_a_chip_that_leaves_in_silence_is_noticed(void **state)
 {
 	struct gpiod_bench *bench = *state;
-	struct fake_line *line = gpiod_bench_wire(bench, 18);
+	struct fake_line *line = gpiod_bench_open_up(bench);
 
-	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
-	fake_gpio_set(line, true, 0);
-	poll_at(bench, 100);
-	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_hold_up(bench);
 	line->gone = true;
-	poll_at(bench, 999);
+	gpiod_bench_poll_at(bench, 999);
 	gpiod_bench_expect_nothing(bench);
-	poll_at(bench, 1000);
+	gpiod_bench_poll_at(bench, 1000);
 	gpiod_bench_expect(bench, BUTTON_UP, false);
 	gpiod_bench_expect_warning(bench, "gpiod:UP", "lost");
 	line->gone = line->high = false;
-	poll_at(bench, 2000);
+	gpiod_bench_poll_at(bench, 2000);
 	gpiod_bench_press(bench, line, BUTTON_UP);
 }
 
@@ -86,16 +75,13 @@ static void test_a_chip_that_leaves_in_silence_is_noticed(void **state)
 static void test_a_missed_last_edge_is_made_up_for(void **state)
 {
 	struct gpiod_bench *bench = *state;
-	struct fake_line *line = gpiod_bench_wire(bench, 18);
+	struct fake_line *line = gpiod_bench_open_up(bench);
 
-	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
-	fake_gpio_set(line, true, 0);
-	poll_at(bench, 100);
-	gpiod_bench_expect(bench, BUTTON_UP, true);
+	gpiod_bench_hold_up(bench);
 	line->high = false;
-	poll_at(bench, 999);
+	gpiod_bench_poll_at(bench, 999);
 	gpiod_bench_expect_nothing(bench);
-	poll_at(bench, 1000);
+	gpiod_bench_poll_at(bench, 1000);
 	gpiod_bench_expect(bench, BUTTON_UP, false);
 	gpiod_bench_press(bench, line, BUTTON_UP);
 	assert_int_equal(bench->logged.count, 0);
@@ -108,31 +94,27 @@ static void test_a_taken_line_is_used_when_it_is_free(void **state)
 	struct fake_line *line = gpiod_bench_wire(bench, 18);
 
 	line->holder = "phy-reset";
-	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
+	(void)gpiod_bench_open_up(bench);
 	gpiod_bench_expect_warning(bench, "gpiod:UP", "taken by phy-reset");
-	poll_at(bench, 1000);
+	gpiod_bench_poll_at(bench, 1000);
 	assert_false(line->requested);
 	line->holder = NULL;
-	poll_at(bench, 1999);
+	gpiod_bench_poll_at(bench, 1999);
 	assert_false(line->requested);
-	poll_at(bench, 2000);
+	gpiod_bench_poll_at(bench, 2000);
 	gpiod_bench_press(bench, line, BUTTON_UP);
 	assert_int_equal(log_capture_count(&bench->logged, LOG_WARNING), 0);
 }
 
 int gpiod_lost_cases_run(void)
 {
-#define CASE(name)                       \
-	cmocka_unit_test_setup_teardown( \
-		name, gpiod_bench_setup, gpiod_bench_teardown)
 	const struct CMUnitTest tests[] = {
-		CASE(test_a_lost_line_works_again_when_its_chip_is_back),
-		CASE(test_a_chip_that_comes_later_is_used),
-		CASE(test_a_chip_that_leaves_in_silence_is_noticed),
-		CASE(test_a_missed_last_edge_is_made_up_for),
-		CASE(test_a_taken_line_is_used_when_it_is_free),
+		GPIOD_CASE(test_a_lost_line_works_again_when_its_chip_is_back),
+		GPIOD_CASE(test_a_chip_that_comes_later_is_used),
+		GPIOD_CASE(test_a_chip_that_leaves_in_silence_is_noticed),
+		GPIOD_CASE(test_a_missed_last_edge_is_made_up_for),
+		GPIOD_CASE(test_a_taken_line_is_used_when_it_is_free),
 	};
-#undef CASE
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,8 @@
 #include <limits.h>
 #include <stdio.h>
 
+static const double check_s = 1.0;
+
 static void drive(void *user, int output, bool on)
 {
 	struct character_outputs *outputs = user;
@@ -29,6 +31,14 @@ void character_outputs_open(struct character_outputs *outputs,
 	}
 	character->drive = drive;
 	character->drive_user = outputs;
+}
+
+void character_outputs_check(struct character_outputs *outputs, double now_s)
+{
+	if (now_s >= outputs->next_s) {
+		outputs->next_s = now_s + check_s;
+		gpio_output_check_all(outputs->line, CHARACTER_OUTPUTS_MAX);
+	}
 }
 
 void character_outputs_close(struct character_outputs *outputs)

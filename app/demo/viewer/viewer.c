@@ -289,6 +289,7 @@ static void viewer_update(struct demo *demo, double time_s)
 
 	demo->now_s = time_s;
 	check_file(demo);
+	character_outputs_check(&demo->figure->outputs, time_s);
 	character = demo->figure->character;
 	scale = character->instance->unit_scale;
 	demo->figure->floor = &base->stage.floor;

@@ -66,8 +66,8 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	const struct gpio_settings *settings, const char *consumer,
 	struct gpio_line **out);
 
-/* Makes an output line active or inactive. A line that was lost stays silent. */
-void gpio_line_drive(struct gpio_line *line, bool active);
+/* Makes an output line active or inactive. Returns 0 or -errno. */
+int gpio_line_drive(struct gpio_line *line, bool active);
 
 /* NULL is fine. */
 void gpio_line_release(struct gpio_line *line);

@@ -1,19 +1,15 @@
 #include "platform/buttons/gpio_output.h"
 
-#include "platform/buttons/gpiod/gpio_line_spec.h"
+#include "platform/buttons/gpiod/gpio_held.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-	DEVICES_MAX = 128 /* /dev/gpiochip0 to 127; numbers may have gaps */
-};
-
 struct gpio_output {
-	struct gpio_chip *chip;
-	struct gpio_line *line;
+	struct log log;
+	struct gpio_held held;
+	bool on;    /* whether the line is to be on, also while it is missing */
+	char who[]; /* of held */
 };
 
 int gpio_output_check(const char *line, const struct log *log)
@@ -23,91 +19,108 @@ int gpio_output_check(const char *line, const struct log *log)
 	return gpio_line_spec_parse_output(line, &spec, log);
 }
 
-/* The line's offset on this chip, or -1. */
-static int offset_on(struct gpio_chip *chip, const struct gpio_line_spec *spec)
+static void drive(struct gpio_output *output)
 {
-	if (spec->chip[0] && strcmp(gpio_chip_label(chip), spec->chip) != 0 &&
-		strcmp(gpio_chip_name(chip), spec->chip) != 0) {
-		return -1;
+	int error = gpio_line_drive(output->held.line, output->on);
+
+	if (error) {
+		gpio_held_lose(&output->held, error, &output->log);
 	}
-	if (spec->name[0]) {
-		return gpio_chip_find(chip, spec->name);
-	}
-	return spec->offset < gpio_chip_line_count(chip) ? (int)spec->offset
-							 : -1;
 }
 
-/* Opens the chip that has the line; NULL if there is none. */
-static struct gpio_chip *open_chip(
-	const struct gpio_line_spec *spec, int *offset)
+static void open_first(struct gpio_output *output)
 {
-	for (int i = 0; i < DEVICES_MAX; i++) {
-		struct gpio_chip *chip;
-		char path[32];
+	struct gpio_chips chips;
 
-		snprintf(path, sizeof(path), "/dev/gpiochip%d", i);
-		if (gpio_chip_open(path, &chip) != 0) {
-			continue;
-		}
-		*offset = offset_on(chip, spec);
-		if (*offset >= 0) {
-			return chip;
-		}
-		gpio_chip_close(chip);
+	gpio_chips_open(&chips);
+	if (chips.count > 0) {
+		(void)gpio_held_open(&output->held, &chips, &output->log);
+	} else {
+		gpio_chips_report_missing(
+			&chips, output->who, "it works", &output->log);
 	}
-	return NULL;
+	gpio_chips_close(&chips);
 }
 
 struct gpio_output *gpio_output_open(const char *where, const char *name,
 	const char *line, const struct log *log)
 {
+	size_t bytes = strlen(where) + 1;
 	struct gpio_output *output;
 	struct gpio_line_spec spec;
-	char consumer[32];
-	int offset, error;
 
 	if (gpio_line_spec_parse_output(line, &spec, log) != 0) {
 		return NULL;
 	}
-	output = calloc(1, sizeof(*output));
+	output = calloc(1, sizeof(*output) + bytes);
 	if (!output) {
 		log_warning(log, "%s: there is not enough memory", where);
 		return NULL;
 	}
-	output->chip = open_chip(&spec, &offset);
-	if (!output->chip) {
-		log_warning(log,
-			"%s: no GPIO chip that can be opened has the line %s: limber doctor lists the chips",
-			where, line);
-		free(output);
-		return NULL;
-	}
-	snprintf(consumer, sizeof(consumer), "limber %.20s", name);
-	error = gpio_line_request(output->chip, (unsigned int)offset,
-		&spec.settings, consumer, &output->line);
-	if (error) {
-		log_warning(log, "%s: the line %s cannot be driven: %s", where,
-			line, strerror(-error));
-		gpio_chip_close(output->chip);
-		free(output);
-		return NULL;
-	}
+	memcpy(output->who, where, bytes);
+	output->log = *log;
+	output->held = gpio_held_none(&spec, output->who, name);
+	open_first(output);
 	return output;
 }
 
 void gpio_output_set(struct gpio_output *output, bool on)
 {
-	if (output) {
-		gpio_line_drive(output->line, on);
+	if (!output) {
+		return;
 	}
+	output->on = on;
+	if (output->held.line) {
+		drive(output);
+	}
+}
+
+/* Reads the line: the kernel does not tell that a chip is gone. */
+static bool is_missing(struct gpio_output *output)
+{
+	int level;
+
+	if (!output) {
+		return false;
+	}
+	if (!output->held.line) {
+		return true;
+	}
+	level = gpio_line_level(output->held.line);
+	if (level < 0) {
+		gpio_held_lose(&output->held, level, &output->log);
+	}
+	return level < 0;
+}
+
+void gpio_output_check_all(struct gpio_output *const *outputs, int count)
+{
+	struct gpio_chips chips;
+	bool any = false;
+
+	for (int i = 0; i < count; i++) {
+		any = is_missing(outputs[i]) || any;
+	}
+	if (!any) {
+		return;
+	}
+	gpio_chips_open(&chips);
+	for (int i = 0; i < count; i++) {
+		struct gpio_output *output = outputs[i];
+
+		if (output && !output->held.line &&
+			gpio_held_retry(&output->held, &chips, &output->log)) {
+			drive(output);
+		}
+	}
+	gpio_chips_close(&chips);
 }
 
 void gpio_output_close(struct gpio_output *output)
 {
 	if (output) {
 		gpio_output_set(output, false);
-		gpio_line_release(output->line);
-		gpio_chip_close(output->chip);
+		gpio_held_close(&output->held);
 		free(output);
 	}
 }

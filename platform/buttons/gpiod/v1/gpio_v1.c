@@ -127,9 +127,10 @@ int gpio_line_request(struct gpio_chip *chip, unsigned int offset,
 	return 0;
 }
 
-void gpio_line_drive(struct gpio_line *line, bool active)
+int gpio_line_drive(struct gpio_line *line, bool active)
 {
-	(void)gpiod_line_set_value(to_line(line), active);
+	return gpiod_line_set_value(to_line(line), active) < 0 ? last_error()
+							       : 0;
 }
 
 void gpio_line_release(struct gpio_line *line)

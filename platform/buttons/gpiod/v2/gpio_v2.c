@@ -184,10 +184,13 @@ out_free:
 	return error;
 }
 
-void gpio_line_drive(struct gpio_line *line, bool active)
+int gpio_line_drive(struct gpio_line *line, bool active)
 {
-	(void)gpiod_line_request_set_value(line->request, line->offset,
-		active ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE);
+	return gpiod_line_request_set_value(line->request, line->offset,
+		       active ? GPIOD_LINE_VALUE_ACTIVE
+			      : GPIOD_LINE_VALUE_INACTIVE) < 0
+		? last_error()
+		: 0;
 }
 
 void gpio_line_release(struct gpio_line *line)

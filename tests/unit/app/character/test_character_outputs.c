@@ -52,6 +52,15 @@ void gpio_output_set(struct gpio_output *output, bool on)
 	}
 }
 
+static int checks;
+
+void gpio_output_check_all(struct gpio_output *const *outputs, int count)
+{
+	assert_int_equal(count, CHARACTER_OUTPUTS_MAX);
+	assert_ptr_equal(outputs[0], &board[0]);
+	checks++;
+}
+
 void gpio_output_close(struct gpio_output *output)
 {
 	if (output) {
@@ -162,12 +171,30 @@ static void test_a_line_that_cannot_be_opened_is_left_out(void **state)
 	end(&bench);
 }
 
+/* An LED may be unplugged; looking for it in every frame would be slow. */
+static void test_lost_lines_are_looked_for_once_a_second(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	character_outputs_open(
+		&bench.outputs, bench.acting.character, &bench.log);
+	checks = 0;
+	for (int i = 0; i <= 100; i++) {
+		character_outputs_check(&bench.outputs, i * 0.03125);
+	}
+	assert_int_equal(checks, 4);
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_output_opens_the_line_of_its_section),
 		cmocka_unit_test(test_buttons_switch_lines_and_end_pulses),
 		cmocka_unit_test(test_a_line_that_cannot_be_opened_is_left_out),
+		cmocka_unit_test(test_lost_lines_are_looked_for_once_a_second),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

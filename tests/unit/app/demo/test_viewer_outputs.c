@@ -10,7 +10,7 @@
 
 /* The functions below replace those of the GPIO chips; there is one line. */
 struct gpio_output {
-	int opened, open, on;
+	int opened, open, on, checked;
 };
 
 static struct gpio_output led;
@@ -42,6 +42,12 @@ void gpio_output_set(struct gpio_output *output, bool on)
 		assert_true(output->open);
 		output->on = on;
 	}
+}
+
+void gpio_output_check_all(struct gpio_output *const *outputs, int count)
+{
+	assert_true(count > 0 && outputs[0] == &led && led.open);
+	led.checked++;
 }
 
 void gpio_output_close(struct gpio_output *output)
@@ -115,6 +121,7 @@ static void test_the_lines_stay_open_while_files_change(void **state)
 		demo_driver_viewer.update(demo, now_s);
 		assert_true(led.on);
 	}
+	assert_true(led.checked > 0);
 	demo_destroy(&demo_driver_viewer, demo);
 	assert_false(led.open || led.on);
 	temp_dir_remove(&folder);

@@ -1,28 +1,17 @@
-#include "tests/support/fake/fake_card.h"
+#include "tests/support/fake/fake_card_parts.h"
 
 #include <drm_fourcc.h>
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 
 #include "tests/support/fake/fake_fb.h"
 #include "tests/support/test.h"
 
-enum {
-	CARD_FD = 0, /* a descriptor like any other */
-	SECOND_FD = 1,
-	ENCODER = 41,
-	CRTC = 51,
-	OTHER_CRTC = 52,
-	FB_BEFORE = 77,
-	EXTRA_PITCH = 8
-};
-
 struct fake_card fake_card;
 
-static bool fails(enum fake_card_call call)
+bool fake_card_fails(enum fake_card_call call)
 {
 	if (fake_card.fail != call || fake_card.calls++ < fake_card.fail_from) {
 		return false;
@@ -47,19 +36,19 @@ static int card_open_file(const char *path, int flags)
 	if (strcmp(path, second) == 0) {
 		errno = fake_card.second_error;
 		fake_card.open_count += !fake_card.second_error;
-		return fake_card.second_error ? -1 : SECOND_FD;
+		return fake_card.second_error ? -1 : FAKE_CARD_SECOND_FD;
 	}
 	if (strcmp(path, own) != 0 || fake_card.open_error) {
 		errno = fake_card.open_error ? fake_card.open_error : ENOENT;
 		return -1;
 	}
 	fake_card.open_count++;
-	return CARD_FD;
+	return FAKE_CARD_FD;
 }
 
 static int card_close_file(int fd)
 {
-	if (fd != CARD_FD && fd != SECOND_FD) {
+	if (fd != FAKE_CARD_FD && fd != FAKE_CARD_SECOND_FD) {
 		return fake_fb_calls.close(fd);
 	}
 	fake_card.open_count--;
@@ -68,16 +57,16 @@ static int card_close_file(int fd)
 
 static int card_control(int fd, unsigned long request, void *argument)
 {
-	assert_int_not_equal(fd, CARD_FD);
+	assert_int_not_equal(fd, FAKE_CARD_FD);
 	return fake_fb_calls.ioctl(fd, request, argument);
 }
 
 static void *card_map(int fd, size_t size, off_t offset)
 {
-	assert_true(fd == CARD_FD || fd == SECOND_FD);
+	assert_true(fd == FAKE_CARD_FD || fd == FAKE_CARD_SECOND_FD);
 	assert_in_range(offset / 4096, 1, 2);
 	assert_true(size <= FAKE_CARD_BUFFER_BYTES);
-	if (fails(CALL_MAP)) {
+	if (fake_card_fails(CALL_MAP)) {
 		return MAP_FAILED;
 	}
 	fake_card.map_count++;
@@ -102,7 +91,7 @@ static const struct device_calls device = {
 
 static int get_cap(int fd, uint64_t cap, uint64_t *value)
 {
-	assert_true(fd == CARD_FD || fd == SECOND_FD);
+	assert_true(fd == FAKE_CARD_FD || fd == FAKE_CARD_SECOND_FD);
 	switch (cap) {
 	case DRM_CAP_DUMB_BUFFER:
 		*value = !fake_card.no_dumb;
@@ -121,12 +110,13 @@ static int get_cap(int fd, uint64_t cap, uint64_t *value)
 
 static int is_master(int fd)
 {
-	return fd == CARD_FD ? !fake_card.not_master : !fake_card.second_in_use;
+	return fd == FAKE_CARD_FD ? !fake_card.not_master
+				  : !fake_card.second_in_use;
 }
 
 static int set_master(int fd)
 {
-	assert_int_equal(fd, CARD_FD);
+	assert_int_equal(fd, FAKE_CARD_FD);
 	errno = EBUSY;
 	fake_card.not_master = fake_card.held;
 	return fake_card.held ? -1 : 0;
@@ -134,240 +124,13 @@ static int set_master(int fd)
 
 static int drop_master(int fd)
 {
-	assert_int_equal(fd, CARD_FD);
+	assert_int_equal(fd, FAKE_CARD_FD);
 	assert_null(fake_card.flip_user);
-	if (fails(CALL_DROP)) {
+	if (fake_card_fails(CALL_DROP)) {
 		errno = fake_card.fail_error;
 		return -1;
 	}
 	fake_card.not_master = true;
-	return 0;
-}
-
-static void *hand_out(size_t size)
-{
-	fake_card.resource_count++;
-	return calloc(1, size);
-}
-
-static drmModeResPtr get_resources(int fd)
-{
-	static uint32_t crtcs[] = {OTHER_CRTC, CRTC};
-	static uint32_t connectors[] = {
-		FAKE_CARD_OTHER_CONNECTOR, FAKE_CARD_CONNECTOR};
-	drmModeResPtr resources;
-
-	if ((fd == SECOND_FD && fake_card.second_drives_none) ||
-		fails(CALL_RESOURCES)) {
-		return NULL;
-	}
-	resources = hand_out(sizeof(*resources));
-	resources->count_crtcs = 2;
-	resources->crtcs = crtcs;
-	resources->count_connectors = fake_card.two_connectors ? 2 : 1;
-	resources->connectors = connectors + !fake_card.two_connectors;
-	return resources;
-}
-
-static void free_resources(drmModeResPtr resources)
-{
-	fake_card.resource_count--;
-	free(resources);
-}
-
-/* The state of a connector after the card was asked. */
-static drmModeConnection state_of(int fd, uint32_t id)
-{
-	if (fd == SECOND_FD) {
-		return fake_card.second_unsure ? DRM_MODE_UNKNOWNCONNECTION
-					       : DRM_MODE_CONNECTED;
-	}
-	if (id == FAKE_CARD_OTHER_CONNECTOR) {
-		return fake_card.other_state;
-	}
-	return fake_card.unsure           ? DRM_MODE_UNKNOWNCONNECTION
-		: fake_card.not_connected ? DRM_MODE_DISCONNECTED
-					  : DRM_MODE_CONNECTED;
-}
-
-static drmModeConnectorPtr probe_connector(int fd, uint32_t id)
-{
-	static uint32_t encoders[FAKE_CARD_ENCODERS] = {
-		ENCODER, ENCODER + 1, ENCODER + 2};
-	drmModeConnectorPtr connector;
-
-	int encoder = id == FAKE_CARD_CONNECTOR ? fake_card.connected_encoder
-						: fake_card.other_encoder;
-
-	fake_card.probe_count++;
-	assert_true(id == FAKE_CARD_CONNECTOR ||
-		(id == FAKE_CARD_OTHER_CONNECTOR && fake_card.two_connectors));
-	if (fails(CALL_CONNECTOR)) {
-		return NULL;
-	}
-	connector = hand_out(sizeof(*connector));
-	connector->connector_id = id;
-	connector->encoder_id = encoder < 0 ? 0 : ENCODER + (uint32_t)encoder;
-	connector->connection = state_of(fd, id);
-	connector->count_modes = fake_card.mode_count;
-	connector->modes = fake_card.modes;
-	connector->count_encoders = fake_card.encoder_count;
-	connector->encoders = encoders;
-	return connector;
-}
-
-static drmModeConnectorPtr get_connector(int fd, uint32_t id)
-{
-	drmModeConnectorPtr connector = probe_connector(fd, id);
-
-	fake_card.probe_count--;
-	if (connector && fake_card.must_ask) {
-		connector->connection = DRM_MODE_UNKNOWNCONNECTION;
-		connector->count_modes = 0;
-	}
-	return connector;
-}
-
-static void free_connector(drmModeConnectorPtr connector)
-{
-	fake_card.resource_count--;
-	free(connector);
-}
-
-static drmModeEncoderPtr get_encoder(int fd, uint32_t id)
-{
-	drmModeEncoderPtr encoder;
-
-	(void)fd;
-	assert_in_range(id, ENCODER, ENCODER + FAKE_CARD_ENCODERS - 1);
-	if (fails(CALL_ENCODER)) {
-		return NULL;
-	}
-	encoder = hand_out(sizeof(*encoder));
-	encoder->encoder_id = id;
-	encoder->crtc_id = fake_card.encoders[id - ENCODER].crtc;
-	encoder->possible_crtcs = fake_card.encoders[id - ENCODER].possible;
-	return encoder;
-}
-
-static void free_encoder(drmModeEncoderPtr encoder)
-{
-	fake_card.resource_count--;
-	free(encoder);
-}
-
-static drmModeCrtcPtr get_crtc(int fd, uint32_t id)
-{
-	drmModeCrtcPtr crtc;
-
-	(void)fd;
-	if (fails(CALL_GET_CRTC)) {
-		return NULL;
-	}
-	crtc = hand_out(sizeof(*crtc));
-	crtc->crtc_id = id;
-	crtc->buffer_id = FB_BEFORE;
-	crtc->mode_valid = 1;
-	crtc->mode = fake_card.modes[2];
-	return crtc;
-}
-
-static void free_crtc(drmModeCrtcPtr crtc)
-{
-	fake_card.resource_count--;
-	free(crtc);
-}
-
-static int set_crtc(int fd, uint32_t crtc, uint32_t fb, uint32_t x, uint32_t y,
-	uint32_t *connectors, int count, drmModeModeInfoPtr mode)
-{
-	(void)fd;
-	assert_int_equal(x + y, 0);
-	assert_in_range(count, 1, 2);
-	assert_null(fake_card.flip_user);
-	if (fake_card.not_master) {
-		errno = EACCES;
-		return -EACCES;
-	}
-	if (fails(CALL_SET)) {
-		return -fake_card.fail_error;
-	}
-	assert_true(fb == FB_BEFORE || fake_card.buffers[fb - 1].added);
-	fake_card.set_count++;
-	fake_card.shown_fb = fb;
-	fake_card.shown_mode = *mode;
-	fake_card.shown_crtc = crtc;
-	memcpy(fake_card.shown_connectors, connectors,
-		(size_t)count * sizeof(*connectors));
-	fake_card.shown_count = count;
-	return 0;
-}
-
-static int create_dumb(int fd, uint32_t width, uint32_t height, uint32_t bits,
-	uint32_t flags, uint32_t *handle, uint32_t *pitch, uint64_t *size)
-{
-	int i = fake_card.buffers[0].used;
-
-	(void)fd;
-	assert_int_equal(flags, 0);
-	if (fails(CALL_CREATE)) {
-		return -fake_card.fail_error;
-	}
-	assert_false(fake_card.buffers[i].used);
-	fake_card.buffers[i].used = true;
-	fake_card.buffers[i].pitch = width * bits / 8 + EXTRA_PITCH;
-	*handle = (uint32_t)i + 1;
-	*pitch = fake_card.buffers[i].pitch;
-	*size = (uint64_t)*pitch * height;
-	return 0;
-}
-
-static int map_dumb(int fd, uint32_t handle, uint64_t *offset)
-{
-	(void)fd;
-	if (fails(CALL_MAP_DUMB)) {
-		return -fake_card.fail_error;
-	}
-	*offset = handle * 4096;
-	return 0;
-}
-
-static int destroy_dumb(int fd, uint32_t handle)
-{
-	(void)fd;
-	assert_true(fake_card.buffers[handle - 1].used);
-	fake_card.buffers[handle - 1].used = false;
-	return 0;
-}
-
-static int add_fb(int fd, uint32_t width, uint32_t height, uint32_t fourcc,
-	const uint32_t handles[4], const uint32_t pitches[4],
-	const uint32_t offsets[4], uint32_t *id, uint32_t flags)
-{
-	(void)fd;
-	assert_int_equal(flags + offsets[0] + handles[1], 0);
-	assert_true(pitches[0] >= width && height > 0);
-	if (fails(CALL_ADD)) {
-		return -fake_card.fail_error;
-	}
-	for (int i = 0; i < 3; i++) {
-		if (fake_card.fourccs[i] == fourcc) {
-			fake_card.buffers[handles[0] - 1].added = true;
-			fake_card.buffers[handles[0] - 1].fourcc = fourcc;
-			*id = handles[0];
-			return 0;
-		}
-	}
-	errno = EINVAL;
-	return -EINVAL;
-}
-
-static int remove_fb(int fd, uint32_t id)
-{
-	(void)fd;
-	assert_true(fake_card.buffers[id - 1].added);
-	assert_int_not_equal(fake_card.flip_fb, id);
-	fake_card.buffers[id - 1].added = false;
 	return 0;
 }
 
@@ -379,7 +142,7 @@ static int page_flip(
 	assert_int_equal(flags, DRM_MODE_PAGE_FLIP_EVENT);
 	assert_true(fake_card.buffers[fb - 1].added);
 	assert_null(fake_card.flip_user);
-	if (fails(CALL_FLIP)) {
+	if (fake_card_fails(CALL_FLIP)) {
 		return -fake_card.fail_error;
 	}
 	fake_card.flip_count++;
@@ -409,7 +172,7 @@ static int wait_for_event(int fd, int timeout_ms)
 		errno = EINTR;
 		return -1;
 	}
-	if (fails(CALL_WAIT)) {
+	if (fake_card_fails(CALL_WAIT)) {
 		errno = EINTR; /* of an earlier call: a timeout leaves errno */
 		return 0;
 	}
@@ -420,7 +183,7 @@ static int handle_event(int fd, drmEventContextPtr context)
 {
 	void *user = fake_card.flip_user;
 
-	if (fails(CALL_EVENT)) {
+	if (fake_card_fails(CALL_EVENT)) {
 		return -1;
 	}
 	assert_non_null(user);
@@ -437,21 +200,21 @@ const struct kms_calls fake_card_calls = {
 	.is_master = is_master,
 	.set_master = set_master,
 	.drop_master = drop_master,
-	.get_resources = get_resources,
-	.free_resources = free_resources,
-	.get_connector = get_connector,
-	.probe_connector = probe_connector,
-	.free_connector = free_connector,
-	.get_encoder = get_encoder,
-	.free_encoder = free_encoder,
-	.get_crtc = get_crtc,
-	.free_crtc = free_crtc,
-	.set_crtc = set_crtc,
-	.create_dumb = create_dumb,
-	.map_dumb = map_dumb,
-	.destroy_dumb = destroy_dumb,
-	.add_fb = add_fb,
-	.remove_fb = remove_fb,
+	.get_resources = fake_card_get_resources,
+	.free_resources = fake_card_free_resources,
+	.get_connector = fake_card_get_connector,
+	.probe_connector = fake_card_probe_connector,
+	.free_connector = fake_card_free_connector,
+	.get_encoder = fake_card_get_encoder,
+	.free_encoder = fake_card_free_encoder,
+	.get_crtc = fake_card_get_crtc,
+	.free_crtc = fake_card_free_crtc,
+	.set_crtc = fake_card_set_crtc,
+	.create_dumb = fake_card_create_dumb,
+	.map_dumb = fake_card_map_dumb,
+	.destroy_dumb = fake_card_destroy_dumb,
+	.add_fb = fake_card_add_fb,
+	.remove_fb = fake_card_remove_fb,
 	.page_flip = page_flip,
 	.dirty_fb = dirty_fb,
 	.wait = wait_for_event,
@@ -468,7 +231,7 @@ void fake_card_begin(void)
 	fake_card.fourccs[1] = DRM_FORMAT_RGB565;
 	fake_card.fourccs[2] = DRM_FORMAT_XBGR8888;
 	fake_card.encoder_count = 1;
-	fake_card.encoders[0].crtc = CRTC;
+	fake_card.encoders[0].crtc = FAKE_CARD_CRTC;
 	fake_card.encoders[0].possible = 2; /* the second CRTC only */
 	fake_card.modes[0] = (drmModeModeInfo){
 		.hdisplay = 24, .vdisplay = 14, .vrefresh = 60};

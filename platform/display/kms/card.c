@@ -262,7 +262,6 @@ static void choose_method(struct card *card)
 int card_open(struct card *card, const struct kms_calls *calls,
 	const struct display_options *options)
 {
-	uint64_t prefers_shadow = 0;
 	int error;
 
 	*card = (struct card){.calls = calls, .log = *options->log};
@@ -275,9 +274,6 @@ int card_open(struct card *card, const struct kms_calls *calls,
 	if (error) {
 		goto out_before;
 	}
-	card->reads_slowly = calls->get_cap(card->fd, DRM_CAP_DUMB_PREFER_SHADOW,
-				     &prefers_shadow) == 0 &&
-		prefers_shadow;
 	choose_method(card);
 	return 0;
 out_before:

@@ -44,7 +44,6 @@ struct card {
 	int before_count;
 	struct pixel_layout layout;
 	enum pixel_format format; /* the picture format closest to layout */
-	bool reads_slowly;        /* the driver prefers a shadow buffer */
 	struct card_buffer buffers[2];
 	int shown; /* the index of the buffer on the screen */
 	enum card_method method;

@@ -1,11 +1,11 @@
 /*
  * Screens driven through kernel mode setting, with buffers that the processor
- * draws into.
+ * writes.
  *
- * Pictures of the buffers' own layout are drawn directly into the buffer that
- * is not shown. If the layout differs, or if the driver reports that reading
- * the buffers is slow, which blending does, pictures are drawn in memory and
- * copied.
+ * Pictures are drawn in memory and copied to the buffer that is not shown.
+ * Blending reads what it draws on, which is slow in a buffer: the drivers of
+ * ARM boards, and of most cards, give programs memory that the processor does
+ * not cache. Few of them say so (DRM_CAP_DUMB_PREFER_SHADOW).
  */
 #include <errno.h>
 #include <stdlib.h>
@@ -19,21 +19,10 @@ struct display {
 	struct card card;
 	struct console console;
 	struct placement place; /* of the picture on the screen */
-	struct pixels picture;  /* data is NULL when drawn into buffers */
+	struct pixels picture;
 	struct packing packing; /* of the copy */
 	int error; /* of taking the screen again, -errno; frames fail then */
 };
-
-static bool can_draw_directly(const struct display *display)
-{
-	const struct card *card = &display->card;
-
-	return display->packing.same && card->method != CARD_ONE_BUFFER &&
-		!card->reads_slowly &&
-		card->buffers[0].pitch_bytes == card->buffers[1].pitch_bytes &&
-		card->buffers[0].pitch_bytes % (uint32_t)display->packing.bytes ==
-		0;
-}
 
 static int prepare_picture(
 	struct display *display, const struct display_options *options)
@@ -45,16 +34,6 @@ static int prepare_picture(
 	display->place = placement_choose(
 		options, card->mode.hdisplay, card->mode.vdisplay);
 	packing_init(&display->packing, format, &card->layout);
-	display->picture = (struct pixels){
-		.width = display->place.width,
-		.height = display->place.height,
-		.format = format,
-	};
-	if (can_draw_directly(display)) {
-		display->picture.stride_bytes =
-			(int)card->buffers[0].pitch_bytes;
-		return 0;
-	}
 	return pixels_alloc(&display->picture, display->place.width,
 		display->place.height, format, options->log);
 }
@@ -78,13 +57,12 @@ int kms_create_on(const struct kms_calls *calls,
 		goto out_card;
 	}
 	console_acquire(&display->console, calls->device, options->log);
-	log_note(options->log, "--display kms: %s, %dx%d, %d bits, %s, %s",
+	log_note(options->log, "--display kms: %s, %dx%d, %d bits, %s",
 		display->card.path, display->card.mode.hdisplay,
 		display->card.mode.vdisplay, display->card.layout.bits,
 		display->card.method == CARD_PAGE_FLIP          ? "flipped"
 			: display->card.method == CARD_MODE_SET ? "set"
-								: "one buffer",
-		display->picture.data ? "copied" : "drawn directly");
+								: "one buffer");
 	*out = display;
 	return 0;
 out_card:
@@ -130,32 +108,21 @@ static uint8_t *picture_start(const struct display *display)
 
 static int kms_begin_frame(struct display *display, struct pixels *out)
 {
-	int error;
-
 	*out = display->picture;
-	if (out->data || display->error) {
-		return display->error;
-	}
-	error = card_wait(&display->card);
-	out->data = picture_start(display);
-	return error;
+	return display->error;
 }
 
-/* If pictures are copied, the back buffer is needed, and awaited, only here. */
+/* The back buffer is needed, and awaited, only here. */
 static int kms_end_frame(struct display *display)
 {
 	struct card *card = &display->card;
+	int error = card_wait(card);
 
-	if (display->picture.data) {
-		int error = card_wait(card);
-
-		if (error) {
-			return error;
-		}
-		packing_copy(&display->packing, &display->picture,
-			picture_start(display),
-			(int)card_back(card)->pitch_bytes);
+	if (error) {
+		return error;
 	}
+	packing_copy(&display->packing, &display->picture,
+		picture_start(display), (int)card_back(card)->pitch_bytes);
 	return card_show(card);
 }
 

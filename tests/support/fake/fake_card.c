@@ -99,9 +99,6 @@ static int get_cap(int fd, uint64_t cap, uint64_t *value)
 	case DRM_CAP_DUMB_PREFERRED_DEPTH:
 		*value = fake_card.preferred_depth;
 		return 0;
-	case DRM_CAP_DUMB_PREFER_SHADOW:
-		*value = fake_card.prefers_shadow;
-		return 0;
 	default:
 		errno = EINVAL;
 		return -EINVAL;

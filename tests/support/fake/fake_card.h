@@ -37,7 +37,7 @@ struct fake_card {
 	int number; /* of /dev/dri/cardN */
 	int open_error;
 	bool held; /* another program is its master and stays it */
-	bool no_dumb, not_master, not_connected, prefers_shadow;
+	bool no_dumb, not_master, not_connected;
 	bool unsure;         /* it cannot tell whether it has a screen */
 	bool must_ask;       /* it knows of no screen until it is asked */
 	bool two_connectors; /* the one before its screen's is like it */

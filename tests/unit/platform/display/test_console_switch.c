@@ -42,6 +42,23 @@ static void expect_answers(int count, int last)
 	assert_int_equal(fake_fb.console_answer, last);
 }
 
+static void open_framebuffer(struct fbdev_scene *scene, int pages)
+{
+	*scene = (struct fbdev_scene){0};
+	fbdev_scene_begin_565(pages);
+	fake_fb.has_console = true;
+	assert_int_equal(fbdev_scene_open(scene), 0);
+}
+
+/* Shows a picture, then gives the screen to another console. */
+static void leave_framebuffer(struct fbdev_scene *scene)
+{
+	open_framebuffer(scene, 2);
+	fbdev_scene_draw(scene);
+	ask();
+	assert_true(is_away(scene->driver, scene->display));
+}
+
 /* Another program draws on the whole framebuffer. */
 static void scribble(void)
 {
@@ -100,16 +117,11 @@ static void test_a_framebuffer_is_given_and_taken_again(void **state)
 /* What the other program has set is not changed when limber ends meanwhile. */
 static void test_a_screen_that_is_away_is_left_alone_at_the_end(void **state)
 {
-	struct fbdev_scene scene = {0};
+	struct fbdev_scene scene;
 	int puts;
 
 	(void)state;
-	fbdev_scene_begin_565(2);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
-	fbdev_scene_draw(&scene);
-	ask();
-	assert_true(is_away(scene.driver, scene.display));
+	leave_framebuffer(&scene);
 	puts = fake_fb.put_count;
 	scene.driver->destroy(scene.display);
 	assert_int_equal(fake_fb.put_count, puts);
@@ -120,16 +132,11 @@ static void test_a_screen_that_is_away_is_left_alone_at_the_end(void **state)
 
 static void test_a_mode_that_cannot_be_set_back_is_an_error(void **state)
 {
-	struct fbdev_scene scene = {0};
+	struct fbdev_scene scene;
 	struct pixels pixels;
 
 	(void)state;
-	fbdev_scene_begin_565(2);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
-	fbdev_scene_draw(&scene);
-	ask();
-	assert_true(is_away(scene.driver, scene.display));
+	leave_framebuffer(&scene);
 	fake_fb.rounds_width = true;
 	tell();
 	assert_false(is_away(scene.driver, scene.display));
@@ -140,19 +147,22 @@ static void test_a_mode_that_cannot_be_set_back_is_an_error(void **state)
 	scene.driver->destroy(scene.display);
 }
 
-static struct display *open_card(struct log_capture *capture, struct log *log)
-{
-	static const struct pixel_layout any = {
-		.bits = 16, .red = {11, 5}, .green = {5, 6}, .blue = {0, 5}};
-	struct display_options options = {.log = log};
+struct card_scene {
+	struct log_capture capture;
+	struct log log;
 	struct display *display;
+};
 
-	*log = log_capture_begin(capture);
+static void open_card(struct card_scene *scene)
+{
+	const struct display_options options = {.log = &scene->log};
+
+	scene->log = log_capture_begin(&scene->capture);
 	fake_card_begin();
-	fake_fb_begin(8, 8, 8, 8, 16, any);
+	fake_fb_begin(8, 8, 8, 8, 16, fbdev_scene_layout_565);
 	fake_fb.has_console = true;
-	assert_int_equal(kms_create_on(&fake_card_calls, &options, &display), 0);
-	return display;
+	assert_int_equal(
+		kms_create_on(&fake_card_calls, &options, &scene->display), 0);
 }
 
 static void draw_card(struct display *display)
@@ -166,15 +176,11 @@ static void draw_card(struct display *display)
 /* A user without rights on the console cannot answer (--user). */
 static void test_a_console_that_may_not_be_left_goes_on(void **state)
 {
-	struct fbdev_scene scene = {0};
-	struct log_capture capture;
-	struct log log;
-	struct display *display;
+	struct fbdev_scene scene;
+	struct card_scene card;
 
 	(void)state;
-	fbdev_scene_begin_565(2);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
+	open_framebuffer(&scene, 2);
 	fake_fb.fail_request = VT_RELDISP;
 	fake_fb.fail_error = EPERM;
 	ask();
@@ -185,24 +191,22 @@ static void test_a_console_that_may_not_be_left_goes_on(void **state)
 	assert_int_not_equal(fake_fb_seen(3, 3), 0);
 	fbdev_scene_close(&scene);
 
-	display = open_card(&capture, &log);
+	open_card(&card);
 	fake_fb.fail_request = VT_RELDISP;
 	fake_fb.fail_error = EPERM;
 	ask();
-	assert_false(is_away(&display_driver_kms, display));
-	draw_card(display);
-	display_driver_kms.destroy(display);
+	assert_false(is_away(&display_driver_kms, card.display));
+	draw_card(card.display);
+	display_driver_kms.destroy(card.display);
 }
 
 /* Ends while a switch waits: the user gets the other console. */
 static void test_a_switch_takes_place_at_the_end(void **state)
 {
-	struct fbdev_scene scene = {0};
+	struct fbdev_scene scene;
 
 	(void)state;
-	fbdev_scene_begin_565(1);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
+	open_framebuffer(&scene, 1);
 	ask();
 	fbdev_scene_draw(&scene);
 	fbdev_scene_close(&scene);
@@ -213,13 +217,11 @@ static void test_a_switch_takes_place_at_the_end(void **state)
 /* The kernel notices at the next switch only that a program was killed. */
 static void test_a_console_of_a_killed_limber_is_not_in_use(void **state)
 {
-	struct fbdev_scene scene = {0};
+	struct fbdev_scene scene;
 	struct vt_mode ours;
 
 	(void)state;
-	fbdev_scene_begin_565(1);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
+	open_framebuffer(&scene, 1);
 	ours = fake_fb.console_switching;
 	fbdev_scene_close(&scene);
 	fake_fb.console_mode = KD_GRAPHICS;
@@ -232,7 +234,7 @@ static void test_a_console_of_a_killed_limber_is_not_in_use(void **state)
 /* A program may inherit both, and the kernel would wait for ever. */
 static void test_ignored_and_blocked_signals_do_not_matter(void **state)
 {
-	struct fbdev_scene scene = {0};
+	struct fbdev_scene scene;
 	sigset_t all, former;
 
 	(void)state;
@@ -241,9 +243,7 @@ static void test_ignored_and_blocked_signals_do_not_matter(void **state)
 	}
 	sigfillset(&all);
 	sigprocmask(SIG_BLOCK, &all, &former);
-	fbdev_scene_begin_565(1);
-	fake_fb.has_console = true;
-	assert_int_equal(fbdev_scene_open(&scene), 0);
+	open_framebuffer(&scene, 1);
 	ask();
 	assert_true(is_away(scene.driver, scene.display));
 	scene.driver->destroy(scene.display);
@@ -255,16 +255,15 @@ static void test_ignored_and_blocked_signals_do_not_matter(void **state)
 
 static void test_a_card_is_given_and_taken_again(void **state)
 {
-	struct log_capture capture;
-	struct log log;
-	struct display *display = open_card(&capture, &log);
+	struct card_scene card;
 	uint32_t shown;
 
 	(void)state;
-	draw_card(display);
+	open_card(&card);
+	draw_card(card.display);
 	ask();
-	draw_card(display);
-	assert_true(is_away(&display_driver_kms, display));
+	draw_card(card.display);
+	assert_true(is_away(&display_driver_kms, card.display));
 	expect_answers(1, 1);
 	assert_true(fake_card.not_master);
 	shown = fake_card.shown_fb;
@@ -273,56 +272,56 @@ static void test_a_card_is_given_and_taken_again(void **state)
 	/* X is quick to ask for the console, and slow to give up the card. */
 	fake_card.held = true;
 	tell();
-	assert_true(is_away(&display_driver_kms, display));
+	assert_true(is_away(&display_driver_kms, card.display));
 	expect_answers(1, 1);
 	fake_card.held = false;
-	assert_false(is_away(&display_driver_kms, display));
+	assert_false(is_away(&display_driver_kms, card.display));
 	expect_answers(2, VT_ACKACQ);
 	assert_int_equal(fake_card.shown_fb, shown);
-	draw_card(display);
-	assert_int_equal(capture.count, log_capture_count(&capture, LOG_NOTE));
-	display_driver_kms.destroy(display);
+	draw_card(card.display);
+	assert_int_equal(
+		card.capture.count, log_capture_count(&card.capture, LOG_NOTE));
+	display_driver_kms.destroy(card.display);
 	assert_int_equal(fake_card.open_count, 0);
 }
 
 /* Old kernels let only root drop it. The console would be invisible. */
 static void test_a_card_that_cannot_be_given_is_kept(void **state)
 {
-	struct log_capture capture;
-	struct log log;
-	struct display *display = open_card(&capture, &log);
+	struct card_scene card;
 
 	(void)state;
+	open_card(&card);
 	fake_card.fail = CALL_DROP;
 	fake_card.fail_error = EACCES;
 	ask();
-	assert_false(is_away(&display_driver_kms, display));
+	assert_false(is_away(&display_driver_kms, card.display));
 	expect_answers(1, 0);
-	draw_card(display);
+	draw_card(card.display);
 	fake_card.fail = CALL_NONE;
 	ask();
-	assert_true(is_away(&display_driver_kms, display));
-	display_driver_kms.destroy(display);
+	assert_true(is_away(&display_driver_kms, card.display));
+	display_driver_kms.destroy(card.display);
 	assert_int_equal(fake_card.open_count, 0);
 }
 
 static void test_a_card_without_its_mode_is_an_error(void **state)
 {
-	struct log_capture capture;
-	struct log log;
-	struct display *display = open_card(&capture, &log);
+	struct card_scene card;
 	struct pixels pixels;
 
 	(void)state;
+	open_card(&card);
 	ask();
-	assert_true(is_away(&display_driver_kms, display));
+	assert_true(is_away(&display_driver_kms, card.display));
 	fake_card.fail = CALL_SET;
 	fake_card.fail_error = ENOSPC;
 	tell();
-	assert_false(is_away(&display_driver_kms, display));
-	assert_true(display_driver_kms.begin_frame(display, &pixels) < 0);
-	assert_true(log_capture_has(&capture, LOG_ERROR, "show pictures again"));
-	display_driver_kms.destroy(display);
+	assert_false(is_away(&display_driver_kms, card.display));
+	assert_true(display_driver_kms.begin_frame(card.display, &pixels) < 0);
+	assert_true(log_capture_has(
+		&card.capture, LOG_ERROR, "show pictures again"));
+	display_driver_kms.destroy(card.display);
 }
 
 int main(void)

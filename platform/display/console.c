@@ -63,32 +63,34 @@ static bool ends_process(int number)
 	}
 }
 
-static int set_mode(const struct device_calls *calls, int fd, uintptr_t mode)
+/* Returns 0, or -1 with errno set. */
+static int set_graphics_mode(const struct console *console)
 {
-	return device_control(calls, fd, KDSETMODE, (void *)mode);
+	return device_control(console->calls, console->fd, KDSETMODE,
+		(void *)(uintptr_t)KD_GRAPHICS);
 }
 
-/* Whether the kernel or this process handles the switching of a console. */
-static int set_switching(const struct device_calls *calls, int fd, char mode)
+/* Lets this process answer when a switch is asked for. 0, or -1. */
+static int take_switching(const struct console *console)
 {
 	struct vt_mode switching = {
-		.mode = mode,
-		.relsig = mode == VT_PROCESS ? LEAVE_SIGNAL : 0,
-		.acqsig = mode == VT_PROCESS ? RETURN_SIGNAL : 0,
+		.mode = VT_PROCESS,
+		.relsig = LEAVE_SIGNAL,
+		.acqsig = RETURN_SIGNAL,
 	};
 
-	return device_control(calls, fd, VT_SETMODE, &switching);
+	return device_control(
+		console->calls, console->fd, VT_SETMODE, &switching);
 }
 
-/* A switch that waits for an answer takes place. */
-static void stop_switching(const struct device_calls *calls, int fd)
+/* Makes a request, with the guard's rights if limber has none. 0 or -errno. */
+static int request(const struct console *console, enum console_request what)
 {
-	if (taken.leaves) {
-		(void)device_control(calls, fd, VT_RELDISP, (void *)1);
-	}
-	if (taken.switches) {
-		(void)set_switching(calls, fd, VT_AUTO);
-	}
+	int error = console_request(console->calls, console->fd, what);
+
+	return error == -EPERM && console->guard.process
+		? console_guard_request(&console->guard, what)
+		: error;
 }
 
 static void note_switch(int number)
@@ -106,8 +108,15 @@ static void note_switch(int number)
  */
 static void restore_text_mode(int number)
 {
-	set_mode(taken.calls, taken.fd, KD_TEXT);
-	stop_switching(taken.calls, taken.fd);
+	/* Without rights this fails, and the guard does it after the end. */
+	(void)console_request(taken.calls, taken.fd, CONSOLE_TEXT_MODE);
+	if (taken.leaves) {
+		(void)console_request(taken.calls, taken.fd, CONSOLE_LEAVE);
+	}
+	if (taken.switches) {
+		(void)console_request(
+			taken.calls, taken.fd, CONSOLE_SWITCH_FREELY);
+	}
 	sigaction(number, &taken.before[number], NULL);
 	raise(number);
 }
@@ -246,10 +255,9 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 	}
 	if (!in_use) {
 		change_signals(console);
-		if (set_mode(calls, console->fd, KD_GRAPHICS) == 0) {
+		if (set_graphics_mode(console) == 0) {
 			/* If this fails, the kernel switches to no console. */
-			console->switches = set_switching(calls, console->fd,
-						    VT_PROCESS) == 0;
+			console->switches = take_switching(console) == 0;
 			taken.switches = console->switches;
 			return;
 		}
@@ -260,6 +268,19 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 		       : "console: it has no graphics mode: it may draw over the picture");
 	calls->close(console->fd);
 	console->fd = -1;
+}
+
+void console_keep_rights(struct console *console)
+{
+	int error = console->fd < 0 ? 0
+				    : console_guard_begin(&console->guard,
+					      console->calls, console->fd);
+
+	if (error) {
+		log_warning(&console->log,
+			"console: no process can be started that restores it: %s: it may stay dark when limber ends",
+			strerror(-error));
+	}
 }
 
 bool console_follow(struct console *console, void (*give)(struct display *),
@@ -276,21 +297,13 @@ bool console_follow(struct console *console, void (*give)(struct display *),
 	return console->away;
 }
 
-static int answer(const struct console *console, uintptr_t answer)
-{
-	return device_control(console->calls, console->fd, VT_RELDISP,
-		       (void *)answer) == 0
-		? 0
-		: -errno;
-}
-
 /* Answers need rights that a process may have given up (--user). */
 int console_leave(struct console *console)
 {
 	int error;
 
 	taken.leaves = taken.returns = 0;
-	error = answer(console, 1);
+	error = request(console, CONSOLE_LEAVE);
 	console->away = !error;
 	if (error) {
 		log_warning(&console->log,
@@ -303,14 +316,14 @@ int console_leave(struct console *console)
 void console_refuse(struct console *console)
 {
 	taken.leaves = 0;
-	(void)answer(console, 0);
+	(void)request(console, CONSOLE_STAY);
 }
 
 void console_return(struct console *console)
 {
 	console->away = false;
 	taken.returns = 0;
-	(void)answer(console, VT_ACKACQ);
+	(void)request(console, CONSOLE_RETURN);
 }
 
 void console_release(struct console *console)
@@ -321,8 +334,15 @@ void console_release(struct console *console)
 	/* The shell must not read the keys that were pressed as buttons. */
 	(void)device_control(console->calls, console->fd, TCFLSH,
 		(void *)(uintptr_t)TCIFLUSH);
-	set_mode(console->calls, console->fd, KD_TEXT);
-	stop_switching(console->calls, console->fd);
+	(void)request(console, CONSOLE_TEXT_MODE);
+	/* A switch that waits for an answer takes place. */
+	if (taken.leaves) {
+		(void)request(console, CONSOLE_LEAVE);
+	}
+	if (taken.switches) {
+		(void)request(console, CONSOLE_SWITCH_FREELY);
+	}
+	console_guard_end(&console->guard);
 	restore_signals();
 	console->calls->close(console->fd);
 	console->fd = -1;

@@ -3,7 +3,8 @@
  *
  * A console in graphics mode stays dark until a program sets text mode again.
  * console_release() does that, and so does a handler for all signals that end
- * the process. Only SIGKILL leaves the console dark until the next run.
+ * the process. Only SIGKILL leaves the console dark until the next run; if the
+ * process gives up its rights, a guard (console_guard.h) restores it even then.
  * Meanwhile Ctrl-Z and other stops by the terminal do nothing: the screen of a
  * stopped program would look frozen.
  *
@@ -17,6 +18,7 @@
 #include <stdbool.h>
 
 #include "platform/base/log.h"
+#include "platform/display/console_guard.h"
 #include "platform/process/device_calls.h"
 
 struct display;
@@ -27,6 +29,7 @@ struct console {
 	int fd;        /* -1: there is no console, or another program uses it */
 	bool switches; /* the kernel asks before it switches */
 	bool away;     /* another console is on the screen */
+	struct console_guard guard;
 };
 
 /*
@@ -46,6 +49,13 @@ extern const char console_in_use_remedy[];
  */
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
+
+/*
+ * For a process that will give up its rights: starts a guard that keeps them
+ * for what is left to do, or logs a warning if it cannot. Call it after
+ * console_acquire().
+ */
+void console_keep_rights(struct console *console);
 
 /*
  * Answers what the kernel has asked for, by one of two functions of the

@@ -39,7 +39,7 @@ static int open_screen(struct show *show)
 	double rate_hz = show->clock.fixed ? show->clock.rate_hz : 30.0;
 	int frames = show->frames > 0 ? show->frames : 0;
 
-	return show_screen_open(&show->screen, &show->options->screen,
+	return show_screen_open(&show->screen, show->options,
 		show->plan->display, frames, rate_hz, show->log);
 }
 

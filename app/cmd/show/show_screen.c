@@ -70,13 +70,14 @@ static int open_gl(struct show_screen *screen,
 	return gl_open(options->gl, &request, &screen->gl);
 }
 
-int show_screen_open(struct show_screen *screen,
-	const struct options_screen *options, const char *display, int frames,
-	double rate_hz, const struct log *log)
+int show_screen_open(struct show_screen *screen, const struct options *options,
+	const char *display, int frames, double rate_hz, const struct log *log)
 {
-	struct display_options wanted = display_options_of(options, log);
+	struct display_options wanted =
+		display_options_of(&options->screen, log);
 	int error;
 
+	wanted.drops_rights = options->show.user != NULL;
 	wanted.frame_count = frames;
 	wanted.rate_hz = rate_hz;
 	error = display_open(
@@ -85,7 +86,7 @@ int show_screen_open(struct show_screen *screen,
 		return error;
 	}
 	screen->driver->get_info(screen->display, &screen->info);
-	error = open_gl(screen, options, log);
+	error = open_gl(screen, &options->screen, log);
 	if (error) {
 		screen->driver->destroy(screen->display);
 		return error;

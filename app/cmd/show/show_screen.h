@@ -27,13 +27,13 @@ bool show_screen_check(const struct options_screen *options,
 	const char *display, const struct log *log);
 
 /*
- * Opens the display and the GL driver. frames is their number, 0 if unknown;
- * rate_hz is the frame rate of a file. Returns 0, or -errno after logging an
- * error; then nothing is open.
+ * Opens the display and the GL driver, for a process that may become another
+ * user later (--user). frames is their number, 0 if unknown; rate_hz is the
+ * frame rate of a file. Returns 0, or -errno after logging an error; then
+ * nothing is open.
  */
-int show_screen_open(struct show_screen *screen,
-	const struct options_screen *options, const char *display, int frames,
-	double rate_hz, const struct log *log);
+int show_screen_open(struct show_screen *screen, const struct options *options,
+	const char *display, int frames, double rate_hz, const struct log *log);
 
 /*
  * Begins a frame and writes its size in pixels to *width and *height. Returns

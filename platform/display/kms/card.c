@@ -11,7 +11,8 @@
 
 enum {
 	/* Longer than a refresh of any screen. */
-	FLIP_TIMEOUT_MS = 1000
+	FLIP_TIMEOUT_MS = 1000,
+	MISSED_MAX = 100 /* pictures in a row, of up to a second each */
 };
 
 /* In the order of preference. */
@@ -198,6 +199,7 @@ static bool wait_for_flip(struct card *card)
 		.version = 2,
 		.page_flip_handler = finish_flip,
 	};
+	bool flips = card->pending;
 
 	while (card->pending) {
 		int ready = card->calls->wait(card->fd, FLIP_TIMEOUT_MS);
@@ -214,12 +216,24 @@ static bool wait_for_flip(struct card *card)
 			return false;
 		}
 	}
+	card->missed = flips ? 0 : card->missed;
 	return true;
+}
+
+/*
+ * Whether a picture may be left out after an error, in errno, that may pass: a
+ * screen is off for a moment or was unplugged, and the kernel unbinds what it
+ * showed.
+ */
+static bool may_miss(struct card *card)
+{
+	return (errno == ETIMEDOUT || errno == EBUSY || errno == EAGAIN) &&
+		++card->missed < MISSED_MAX;
 }
 
 int card_wait(struct card *card)
 {
-	return wait_for_flip(card)
+	return wait_for_flip(card) || may_miss(card)
 		? 0
 		: failed(card, "the page flip does not complete");
 }
@@ -290,16 +304,30 @@ const struct card_buffer *card_back(const struct card *card)
 							      : !card->shown];
 }
 
+/* Where a flip fails for a moment, setting the mode binds the picture again. */
+static int show_without_flip(struct card *card)
+{
+	int error = errno;
+
+	if (error == EBUSY && set_mode_again(card)) {
+		return 0;
+	}
+	errno = error;
+	return may_miss(card) ? 0 : failed(card, "it cannot flip to a picture");
+}
+
 int card_show(struct card *card)
 {
 	switch (card->method) {
 	case CARD_PAGE_FLIP:
-		return flip(card) ? 0
-				  : failed(card, "it cannot flip to a picture");
+		return flip(card) ? 0 : show_without_flip(card);
 	case CARD_MODE_SET:
-		return set_mode_again(card)
-			? 0
-			: failed(card, "it cannot show a picture");
+		if (set_mode_again(card)) {
+			card->missed = 0;
+			return 0;
+		}
+		return may_miss(card) ? 0
+				      : failed(card, "it cannot show a picture");
 	case CARD_ONE_BUFFER:
 		/* Tells cards that copy the buffer to do so; others refuse. */
 		(void)card->calls->dirty_fb(

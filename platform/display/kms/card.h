@@ -48,6 +48,7 @@ struct card {
 	int shown; /* the index of the buffer on the screen */
 	enum card_method method;
 	bool pending; /* a page flip is not complete yet */
+	int missed;   /* pictures in a row that the screen has not shown */
 };
 
 /*
@@ -67,11 +68,12 @@ const struct card_buffer *card_back(const struct card *card);
 
 /*
  * Waits until the back buffer is not on the screen any more. Returns 0, or
- * -errno after logging an error.
+ * -errno after logging an error. A screen that is off for a moment is none: up
+ * to 99 pictures in a row may be left out.
  */
 int card_wait(struct card *card);
 
-/* Shows the back buffer. Returns 0, or -errno after logging an error. */
+/* Shows the back buffer. Returns 0, or -errno after logging an error, as above. */
 int card_show(struct card *card);
 
 /*

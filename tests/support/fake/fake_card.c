@@ -170,6 +170,9 @@ static int wait_for_event(int fd, int timeout_ms)
 		return -1;
 	}
 	if (fake_card_fails(CALL_WAIT)) {
+		/* The card has lost the flip. */
+		fake_card.flip_user = NULL;
+		fake_card.flip_fb = 0;
 		errno = EINTR; /* of an earlier call: a timeout leaves errno */
 		return 0;
 	}

@@ -246,31 +246,6 @@ static int wait_in_vain(int fd, int timeout_ms)
 	return 0;
 }
 
-static void test_a_page_flip_without_end_is_a_timeout(void **state)
-{
-	struct kms_calls calls = fake_card_calls;
-	struct scene scene = {.driver = &display_driver_kms};
-	struct pixels pixels;
-	int error = 0;
-
-	(void)state;
-	scene.log = log_capture_begin(&scene.capture);
-	scene.options.log = &scene.log;
-	assert_int_equal(
-		kms_create_on(&calls, &scene.options, &scene.display), 0);
-	calls.wait = wait_in_vain;
-	for (int frame = 0; !error && frame < 9; frame++) {
-		error = scene.driver->begin_frame(scene.display, &pixels);
-		error = error ? error : scene.driver->end_frame(scene.display);
-	}
-	assert_int_equal(error, -ETIMEDOUT);
-	assert_true(
-		log_capture_has(&scene.capture, LOG_ERROR, strerror(ETIMEDOUT)));
-	fake_card.flip_user = NULL;
-	fake_card.flip_fb = 0;
-	scene_close(&scene);
-}
-
 /* The card flips without saying so. */
 static int lose_flip(int fd, int timeout_ms)
 {
@@ -279,19 +254,123 @@ static int lose_flip(int fd, int timeout_ms)
 	return wait_in_vain(fd, timeout_ms);
 }
 
+static void open_on(struct scene *scene, const struct kms_calls *calls)
+{
+	scene->driver = &display_driver_kms;
+	scene->log = log_capture_begin(&scene->capture);
+	scene->options.log = &scene->log;
+	assert_int_equal(
+		kms_create_on(calls, &scene->options, &scene->display), 0);
+}
+
+/* Draws until a frame fails. Returns its number, or -1 if none of count does. */
+static int draw_many(struct scene *scene, int count, int *error)
+{
+	struct pixels pixels;
+
+	for (int frame = 0; frame < count; frame++) {
+		*error = scene->driver->begin_frame(scene->display, &pixels);
+		*error = *error ? *error
+				: scene->driver->end_frame(scene->display);
+		if (*error) {
+			return frame;
+		}
+	}
+	return -1;
+}
+
+/* The screen is off for a moment; a minute and a half is no moment. */
+static void test_page_flips_that_stop_are_an_error_at_last(void **state)
+{
+	struct kms_calls calls = fake_card_calls;
+	struct scene scene = {0};
+	int error = 0;
+
+	(void)state;
+	open_on(&scene, &calls);
+	calls.wait = lose_flip;
+	assert_int_equal(draw_many(&scene, 99, &error), -1);
+	calls.wait = fake_card_calls.wait;
+	draw(&scene, 1);
+	draw(&scene, 2);
+	assert_int_equal(fake_card.shown_fb, fake_card.flip_fb == 1 ? 2 : 1);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+
+	calls.wait = lose_flip;
+	assert_in_range(draw_many(&scene, 102, &error), 99, 101);
+	assert_int_equal(error, -ETIMEDOUT);
+	assert_true(
+		log_capture_has(&scene.capture, LOG_ERROR, strerror(ETIMEDOUT)));
+	scene_close(&scene);
+}
+
+static int refuse_flip(
+	int fd, uint32_t crtc, uint32_t fb, uint32_t flags, void *user)
+{
+	(void)fd;
+	(void)crtc;
+	(void)fb;
+	(void)flags;
+	(void)user;
+	errno = EBUSY;
+	return -EBUSY;
+}
+
+static int refuse_mode(int fd, uint32_t crtc, uint32_t fb, uint32_t x,
+	uint32_t y, uint32_t *connectors, int count, drmModeModeInfoPtr mode)
+{
+	(void)fd;
+	(void)crtc;
+	(void)x;
+	(void)y;
+	(void)connectors;
+	(void)count;
+	(void)mode;
+	errno = EINVAL;
+	/* The end may restore the former picture. */
+	return fb == 77 ? 0 : -EINVAL;
+}
+
+/* As the kernel does when the screen is unplugged, until the mode is set. */
+static void test_an_unplugged_screen_shows_pictures_again(void **state)
+{
+	struct kms_calls calls = fake_card_calls;
+	struct scene scene = {
+		.options = {.format_given = true, .format = PIXELS_RGB565}};
+	int error = 0;
+
+	(void)state;
+	open_on(&scene, &calls);
+	draw(&scene, 1);
+	calls.page_flip = refuse_flip;
+	calls.set_crtc = refuse_mode;
+	assert_int_equal(draw_many(&scene, 50, &error), -1);
+	calls.set_crtc = fake_card_calls.set_crtc;
+	draw(&scene, 9);
+	assert_int_equal(fake_card_seen(0, 0), 9 << 11);
+	calls.page_flip = fake_card_calls.page_flip;
+	draw(&scene, 10);
+	draw(&scene, 11);
+	assert_int_equal(fake_card_seen(0, 0), 10 << 11);
+	assert_int_equal(log_capture_count(&scene.capture, LOG_ERROR), 0);
+
+	calls.page_flip = refuse_flip;
+	calls.set_crtc = refuse_mode;
+	assert_in_range(draw_many(&scene, 101, &error), 98, 100);
+	assert_int_equal(error, -EBUSY);
+	scene_close(&scene);
+}
+
 /* Another method works, so that nothing is wrong. */
 static void test_page_flips_that_never_complete_are_not_used(void **state)
 {
 	struct kms_calls calls = fake_card_calls;
-	struct scene scene = {.driver = &display_driver_kms};
+	struct scene scene = {0};
 	struct display_info info;
 
 	(void)state;
 	calls.wait = lose_flip;
-	scene.log = log_capture_begin(&scene.capture);
-	scene.options.log = &scene.log;
-	assert_int_equal(
-		kms_create_on(&calls, &scene.options, &scene.display), 0);
+	open_on(&scene, &calls);
 	scene.driver->get_info(scene.display, &info);
 	assert_near(info.rate_hz, 0.0, 0.0);
 	draw(&scene, 1);
@@ -312,7 +391,8 @@ int main(void)
 		KMS_TEST(test_without_page_flips_the_mode_is_set_again),
 		KMS_TEST(test_a_single_buffer_is_copied_into_and_marked_dirty),
 		KMS_TEST(test_formats_that_the_screen_refuses_are_skipped),
-		KMS_TEST(test_a_page_flip_without_end_is_a_timeout),
+		KMS_TEST(test_page_flips_that_stop_are_an_error_at_last),
+		KMS_TEST(test_an_unplugged_screen_shows_pictures_again),
 		KMS_TEST(test_page_flips_that_never_complete_are_not_used),
 	};
 

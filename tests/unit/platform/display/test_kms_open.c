@@ -101,7 +101,7 @@ static void test_a_later_failure_is_logged_and_everything_closed(void **state)
 		fake_card.fail = calls[i];
 		fake_card.fail_from = 3;
 		assert_int_equal(scene_open(&scene), 0);
-		for (int frame = 0; !error && frame < 9; frame++) {
+		for (int frame = 0; !error && frame < 200; frame++) {
 			error = scene.driver->begin_frame(
 				scene.display, &pixels);
 			error = error ? error

@@ -131,22 +131,25 @@ static bool names_none(const char *file)
 /*
  * Reads limber.conf into new options and then the command line again, which
  * overrides limber.conf. A model or a demo on the command line also discards
- * the clip and the character file of limber.conf, which belong to another model.
+ * the clip and the character file of limber.conf, which belong to another
+ * model. path gets the name of limber.conf, or "" if there is none.
  */
 static int configure(const struct command *command, int argc, char **argv,
-	struct config *config, struct options *options, const struct log *log)
+	struct config *config, struct options *options, char path[PATH_MAX],
+	const struct log *log)
 {
 	struct options merged = options_default();
 	const char *model;
-	char path[PATH_MAX];
 	int found, error;
 
+	path[0] = '\0';
 	if (command->reads_config || !options_takes(command->bit, "config")) {
 		return 0;
 	}
 	found = config_find(options->common.config, command->bit == FOR_PLAY,
-		path, sizeof(path), log);
+		path, PATH_MAX, log);
 	if (found <= 0) {
+		path[0] = '\0';
 		return found;
 	}
 	log_note(log, "%s: limber reads options from this file", path);
@@ -177,14 +180,19 @@ static int run(const struct command *command, struct options *options, int argc,
 	const struct log log =
 		log_to_stderr(options->common.verbose ? LOG_NOTE : LOG_WARNING);
 	struct config config = {arena_empty()};
+	char path[PATH_MAX];
 	int status = EXIT_FAILED;
 
-	if (configure(command, argc, argv, &config, options, &log) == 0) {
+	if (configure(command, argc, argv, &config, options, path, &log) == 0) {
 		status = options_read_dash(options, command->bit, &log) == 0 &&
 				options_check_files(
 					options, command->bit, &log) == 0
 			? command->run(options, &log)
 			: EXIT_USAGE;
+		/* The message before names an option, as on the command line. */
+		if (status == EXIT_USAGE && path[0]) {
+			log_error(&log, "%s: it sets options, too", path);
+		}
 	}
 	config_release(&config);
 	return status;

@@ -44,6 +44,17 @@ expect_demo viewer
 given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
     'frames = 1' 'clock = fixed:25'
 
+# Names are looked up later, when the line is forgotten; the file is not.
+given '[display]' 'display = nosuch'
+limber play --config "$conf"
+expect_status 2
+expect_err '^limber: --display nosuch: no such display'
+expect_err "^limber: $conf: it sets options, too$"
+limber play --config none --display nosuch
+expect_refusal 2 '--display nosuch: no such display'
+given '[start]' 'demo = face' '[display]' 'display = null' '[options]' \
+    'frames = 1' 'clock = fixed:25'
+
 LIMBER_CONFIG=$conf limber play
 expect_demo face
 unset LIMBER_CONFIG

@@ -36,7 +36,7 @@ static const struct {
 
 /* [options] refuses these, which make no sense in a file or have a section. */
 static const char *const not_in_options[] = {
-	"help", "version", "config", "output", "demo", "buttons"};
+	"help", "version", "config", "output", "demo", "buttons", NULL};
 
 static const char *const section_names[] = {"start", "display", "buttons",
 	"actions", "camera", "watchdog", "math", "options", NULL};
@@ -173,7 +173,9 @@ static int set_option(struct reader *reader, const char *key, const char *value)
 	}
 	if (strcmp(key, "model") == 0) {
 		reader->options->model_path = kept;
-		return 0;
+		return *kept ? 0
+			     : refuse_line(reader,
+				       "model = : give the name of a file");
 	}
 	if (strcmp(key, "labels") == 0) {
 		return set_labels(reader, value);
@@ -187,13 +189,15 @@ static int set_other(struct reader *reader, const char *key, const char *value)
 {
 	const char *names[KEYS_MAX];
 	int count = options_names(FOR_PLAY, names, KEYS_MAX - 1);
-	bool refused = false;
+	int kept = 0;
 
-	names[count] = NULL;
-	for (size_t i = 0; i < ARRAY_COUNT(not_in_options); i++) {
-		refused = refused || strcmp(key, not_in_options[i]) == 0;
+	for (int i = 0; i < count; i++) {
+		if (!is_one_of(names[i], not_in_options)) {
+			names[kept++] = names[i];
+		}
 	}
-	if (refused) {
+	names[kept] = NULL;
+	if (is_one_of(key, not_in_options)) {
 		log_error(&reader->log,
 			"%s: this key does not belong in [options]: remove it or move it to its section",
 			key);

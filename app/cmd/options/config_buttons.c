@@ -95,6 +95,22 @@ static int copy(char *text, size_t size, const char *value, const char *key,
 	return 0;
 }
 
+/* Part of a device's name. --buttons gives a comma and = meanings of their own. */
+static int set_keyboard(struct config_buttons *buttons, const char *value,
+	const struct log *log)
+{
+	if (strpbrk(value, ",=")) {
+		log_error(log,
+			"keyboard = %s: leave out \",\" and \"=\": part of the name is enough",
+			value);
+		return -EINVAL;
+	}
+	buttons->no_keyboard = strcmp(value, "none") == 0;
+	buttons->keyboard_given = !buttons->no_keyboard;
+	return copy(buttons->keyboard, sizeof(buttons->keyboard),
+		strcmp(value, "all") == 0 ? "" : value, "keyboard", log);
+}
+
 int config_buttons_set(struct config_buttons *buttons, const char *key,
 	const char *value, const struct log *log)
 {
@@ -107,10 +123,7 @@ int config_buttons_set(struct config_buttons *buttons, const char *key,
 				       value, key, log);
 	}
 	if (strcmp(key, "keyboard") == 0) {
-		buttons->no_keyboard = strcmp(value, "none") == 0;
-		buttons->keyboard_given = !buttons->no_keyboard;
-		return copy(buttons->keyboard, sizeof(buttons->keyboard),
-			strcmp(value, "all") == 0 ? "" : value, key, log);
+		return set_keyboard(buttons, value, log);
 	}
 	return add_bindings(buttons, key, value, log);
 }

@@ -192,12 +192,32 @@ static void test_errors_name_their_line(void **state)
 		{3, "[options]\n; x\nframs = 4\n", "did you mean frames?"},
 		{2, "[options]\nframes = none\n", "give a number"},
 		{2, "[options]\nconfig = x\n", "does not belong in [options]"},
+		{2, "[start]\nmodel =\n", "give the name of a file"},
+		{2, "[buttons]\nkeyboard = Keyboard, Pro\n", "leave out"},
+		{2, "[buttons]\nkeyboard = a=b\n", "leave out"},
 	};
 	struct scene *scene = *state;
 
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		load(scene, FOR_PLAY, cases[i].text);
 		expect_refusal(scene, cases[i].line, cases[i].why);
+	}
+}
+
+/* A hint must not lead to the next error. */
+static void test_no_key_is_suggested_that_is_refused(void **state)
+{
+	static const char *const refused[] = {
+		"help", "version", "config", "output", "demo", "buttons"};
+	struct scene *scene = *state;
+
+	load(scene, FOR_PLAY, "[options]\nnothing-like-it = 1\n");
+	expect_refusal(scene, 2, "use one such as character, clip,");
+	for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
+		char word[32];
+
+		snprintf(word, sizeof(word), " %s,", refused[i]);
+		assert_null(strstr(scene->logged.sentence[0], word));
 	}
 }
 
@@ -330,6 +350,7 @@ int main(void)
 		CASE(test_actions_move_to_other_buttons),
 		CASE(test_options_of_other_commands_are_checked_and_skipped),
 		CASE(test_errors_name_their_line),
+		CASE(test_no_key_is_suggested_that_is_refused),
 		CASE(test_a_line_that_is_too_long_is_refused),
 		CASE(test_a_byte_order_mark_is_skipped),
 		CASE(test_words_behind_a_section_are_refused),

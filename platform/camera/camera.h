@@ -142,6 +142,12 @@ struct camera_feed {
 int camera_feed_open(
 	const char *spec, const struct log *log, struct camera_feed *out);
 
+/*
+ * Checks the syntax of such a spec, but not its format, and opens nothing.
+ * Returns 0, or -EINVAL after logging an error.
+ */
+int camera_feed_check(const char *spec, const struct log *log);
+
 /* Closes the camera. A feed that is not open is fine. */
 void camera_feed_close(struct camera_feed *feed);
 

@@ -110,22 +110,40 @@ static int read_spec(const char *spec, char *name,
 	return *driver ? 0 : -EINVAL;
 }
 
-int camera_feed_open(
-	const char *spec, const struct log *log, struct camera_feed *out)
+/* Reads spec, copied to name, which *options points into. */
+static int read_all(const char *spec, const struct log *log,
+	char name[SPEC_BYTES], struct camera_options *options,
+	const struct camera_driver **driver)
 {
-	struct camera_options options = {
+	*options = (struct camera_options){
 		.width = DEFAULT_WIDTH, .height = DEFAULT_HEIGHT, .log = log};
-	char name[SPEC_BYTES];
-	int error;
-
-	*out = (struct camera_feed){0};
-	if (strlen(spec) >= sizeof(name)) {
+	if (strlen(spec) >= SPEC_BYTES) {
 		log_error(log, "--camera: give at most %d characters",
 			SPEC_BYTES - 1);
 		return -EINVAL;
 	}
 	strcpy(name, spec);
-	error = read_spec(spec, name, &options, &out->driver);
+	return read_spec(spec, name, options, driver);
+}
+
+int camera_feed_check(const char *spec, const struct log *log)
+{
+	const struct camera_driver *driver;
+	struct camera_options options;
+	char name[SPEC_BYTES];
+
+	return read_all(spec, log, name, &options, &driver);
+}
+
+int camera_feed_open(
+	const char *spec, const struct log *log, struct camera_feed *out)
+{
+	struct camera_options options;
+	char name[SPEC_BYTES];
+	int error;
+
+	*out = (struct camera_feed){0};
+	error = read_all(spec, log, name, &options, &out->driver);
 	if (!error) {
 		error = out->driver->create(&options, &out->source);
 	}

@@ -138,6 +138,19 @@ expect_out '^           -> did you mean demo\?$'
 printf '%s\n' '[display]' 'gl = mesa' >"$scratch/limber.conf"
 limber doctor --config "$scratch/limber.conf"
 expect_out '^  broken   .*--gl mesa: no such driver$'
+# What limber play refuses is not "without errors".
+for line in 'demo = nosuch' 'clip = walk' 'model = /nosuch.glb'; do
+    printf '%s\n' '[start]' "$line" >"$scratch/limber.conf"
+    limber doctor --config "$scratch/limber.conf"
+    expect_out '^  broken   .*/limber\.conf: '
+done
+printf '%s\n' '[camera]' 'camera = nosuch' >"$scratch/limber.conf"
+limber doctor --config "$scratch/limber.conf"
+expect_out '^  broken   .*/limber\.conf: --camera nosuch: no such camera'
+printf '%s\n' '[options]' "record = $scratch/a.gif" "stats = $scratch/a.gif" \
+    >"$scratch/limber.conf"
+limber doctor --config "$scratch/limber.conf"
+expect_out '^  broken   .*/limber\.conf: --stats .*: --record names the same file'
 limber doctor --config "$scratch/none.conf"
 expect_out '^  broken   .*none\.conf: cannot be read: '
 expect_out '^           -> name another file with --config FILE'

@@ -4,11 +4,14 @@
 #include "app/cmd/command.h"
 #include "app/cmd/doctor/doctor_report.h"
 #include "app/cmd/options/config.h"
+#include "app/cmd/options/options_files.h"
 #include "app/cmd/options/options_kernel.h"
-#include "app/cmd/show/show_screen.h"
+#include "app/cmd/show/show.h"
 #include "app/demo/demo.h"
+#include "app/model/model_file.h"
 #include "platform/base/file.h"
 #include "platform/camera/camera.h"
+#include "platform/display/display.h"
 #include "platform/gl/gl_survey.h"
 #include "platform/watchdog/watchdog.h"
 
@@ -122,11 +125,16 @@ static bool is_valid_config(const char *path, const struct log *log)
 {
 	struct config config = {arena_empty()};
 	struct options options = options_default();
-	bool fine = config_load(&config, path, FOR_PLAY, &options, log) == 0 &&
-		show_screen_check(&options.screen, options.screen.display, log) &&
-		options_kernel(&options.vertices, log) &&
-		buttons_check(options.input.buttons, log) == 0;
+	struct show_plan plan = {.display = NULL};
+	bool fine = config_load(&config, path, FOR_PLAY, &options, log) == 0;
 
+	plan.display = options.screen.display;
+	fine = fine && options_check_files(&options, FOR_PLAY, log) == 0 &&
+		show_check(&options, log, &plan) == EXIT_OK &&
+		(!options.model_path ||
+			model_file_check(options.model_path, log) == 0) &&
+		(!options.input.camera ||
+			camera_feed_check(options.input.camera, log) == 0);
 	config_release(&config);
 	return fine;
 }

@@ -28,11 +28,18 @@ struct show_plan {
 };
 
 /*
- * Checks the options, and sets plan->demo and plan->model_path, a file that
- * exists. The caller has set plan->display. Without a demo and a model in the
- * options, the default demo is chosen. *plan must not be copied afterwards,
- * because model_path may point into it. Returns an exit code; every failure has
- * logged an error.
+ * Checks the options without looking for a model's file, and sets plan->demo.
+ * The caller has set plan->display. Returns an exit code; a failure has logged
+ * an error.
+ */
+int show_check(const struct options *options, const struct log *log,
+	struct show_plan *plan);
+
+/*
+ * Checks the options in the same way, and sets plan->model_path, too: a file
+ * that exists. Without a demo and a model in the options, the default demo is
+ * chosen. *plan must not be copied afterwards, because model_path may point
+ * into it. Returns an exit code; every failure has logged an error.
  */
 int show_choose(const struct options *options, const struct log *log,
 	struct show_plan *plan);

@@ -78,11 +78,10 @@ static int find_model(const struct options *options, const struct log *log,
 		plan->asset_path, sizeof(plan->asset_path)));
 }
 
-int show_choose(const struct options *options, const struct log *log,
+int show_check(const struct options *options, const struct log *log,
 	struct show_plan *plan)
 {
 	const char *demo = options->show.demo;
-	int status;
 
 	if (!are_valid(options, plan, log)) {
 		return EXIT_USAGE;
@@ -100,8 +99,18 @@ int show_choose(const struct options *options, const struct log *log,
 			options->model_path, demo);
 		return EXIT_USAGE;
 	}
-	status = find_model(options, log, plan);
-	if (status == 0) {
+	return EXIT_OK;
+}
+
+int show_choose(const struct options *options, const struct log *log,
+	struct show_plan *plan)
+{
+	int status = show_check(options, log, plan);
+
+	if (status == EXIT_OK) {
+		status = find_model(options, log, plan);
+	}
+	if (status == EXIT_OK) {
 		warn_of_motion(options, plan, log);
 	}
 	return status;

@@ -60,6 +60,26 @@ static struct camera_feed open_feed(const char *spec)
 	return feed;
 }
 
+static void test_a_spec_is_checked_without_a_device(void **state)
+{
+	static const char *const good[] = {
+		"auto", "/dev/video0,640x480", "pattern", "v4l2"};
+	static const char *const wrong[] = {
+		"", "nosuch", "auto,", "pattern,0x5", "auto,1x", ",320x240"};
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		assert_int_equal(camera_feed_check(good[i], &log), 0);
+	}
+	assert_int_equal(capture.count, 0);
+	for (int i = 0; i < 6; i++) {
+		assert_int_equal(camera_feed_check(wrong[i], &log), -EINVAL);
+		assert_int_equal(capture.count, i + 1);
+	}
+}
+
 static void test_a_device_that_is_missing_is_no_error(void **state)
 {
 	struct log_capture capture;
@@ -228,6 +248,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_wrong_spec_is_refused_with_its_reason),
+		cmocka_unit_test(test_a_spec_is_checked_without_a_device),
 		cmocka_unit_test(test_a_device_that_is_missing_is_no_error),
 		cmocka_unit_test(test_the_pattern_depends_on_the_time_only),
 		cmocka_unit_test(test_all_formats_show_the_same),

@@ -62,6 +62,7 @@ void gpiod_bench_expect(struct gpiod_bench *bench, enum button button, bool down
 	assert_true(button_queue_pop(&bench->buttons.queue, &event));
 	assert_int_equal(event.button, button);
 	assert_int_equal(event.down, down);
+	assert_int_equal(event.holder, 0);
 }
 
 void gpiod_bench_expect_nothing(struct gpiod_bench *bench)

@@ -171,7 +171,7 @@ static void test_after_lost_edges_the_level_counts(void **state)
 			900000 - i * 50000);
 	}
 	assert_int_equal(gpiod_bench_wire(bench, 18)->edges, FAKE_EDGES);
-	buttons_poll(&bench->buttons, 1000);
+	buttons_poll(&bench->buttons, 999);
 	assert_true(bench->buttons.queue.down[BUTTON_UP]);
 }
 
@@ -181,10 +181,10 @@ static void test_a_button_held_at_the_start_is_no_press(void **state)
 
 	gpiod_bench_wire(bench, 18)->high = true;
 	gpiod_bench_open(bench, "gpiod:UP=53fd0000.gpio/18");
-	buttons_poll(&bench->buttons, 100);
+	buttons_poll(&bench->buttons, 1000);
 	gpiod_bench_expect_nothing(bench);
 	fake_gpio_set(gpiod_bench_wire(bench, 18), false, 1000);
-	buttons_poll(&bench->buttons, 200);
+	buttons_poll(&bench->buttons, 1100);
 	gpiod_bench_expect_nothing(bench);
 	gpiod_bench_press(bench, gpiod_bench_wire(bench, 18), BUTTON_UP);
 }

@@ -182,8 +182,9 @@ int fake_line_read(struct fake_line *line, struct fake_edge *edges, int capacity
 	char bytes[FAKE_EDGES];
 	int count = line->edges < capacity ? line->edges : capacity;
 
-	if (line->gone) {
-		errno = ENODEV;
+	if (line->gone || line->read_error) {
+		errno = line->gone ? ENODEV : line->read_error;
+		line->read_error = 0;
 		return -1;
 	}
 	/* A driver that does not poll first would wait here for ever. */

@@ -40,8 +40,9 @@ struct fake_line {
 	int pipe[2]; /* one byte for each edge */
 	struct fake_edge edge[FAKE_EDGES];
 	int edges;
-	bool gone;   /* its chip was unplugged */
-	int changes; /* of an output's level */
+	bool gone;      /* its chip was unplugged */
+	int read_error; /* errno of the next reading, or 0 */
+	int changes;    /* of an output's level */
 };
 
 struct fake_chip {

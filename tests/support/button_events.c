@@ -19,6 +19,7 @@ void button_expect(
 	assert_int_equal(event.time_ms, time_ms);
 	assert_int_equal(event.button, button);
 	assert_int_equal(event.down, down);
+	assert_int_equal(event.holder, 0);
 }
 
 void button_expect_nothing(struct button_queue *queue)

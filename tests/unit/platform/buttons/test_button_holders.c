@@ -64,6 +64,24 @@ static void test_a_button_is_down_while_any_holder_holds_it(void **state)
 	}
 }
 
+static void test_each_holder_of_each_source_alone_holds_a_button(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 0);
+	for (int i = 0; i < (BUTTON_SOURCES_MAX + 1) * BUTTON_HOLDERS_MAX; i++) {
+		uint8_t holder = (uint8_t)(i % BUTTON_HOLDERS_MAX);
+
+		queue.source = i / BUTTON_HOLDERS_MAX;
+		for (int up = 0; up < 2; up++) {
+			button_queue_push(&queue,
+				(struct button_event){i, BUTTON_F9, !up, holder});
+			button_expect(&queue, i, BUTTON_F9, !up);
+		}
+	}
+}
+
 /* A contact that bounces while another is held changes nothing. */
 static void test_a_bounce_of_a_second_holder_is_dropped(void **state)
 {
@@ -103,6 +121,9 @@ static void test_a_source_does_not_release_what_another_holds(void **state)
 	assert_int_equal(buttons_open(&buttons, spec, &log), 0);
 	for (int now_ms = 0; now_ms < 1000; now_ms += 50) {
 		buttons_poll(&buttons, now_ms);
+		/* Nor does what belongs to no source, such as a window. */
+		button_push(&buttons.queue, now_ms, BUTTON_UP, now_ms < 900);
+		button_push(&buttons.queue, now_ms, BUTTON_UP, false);
 	}
 	button_expect(&buttons.queue, 0, BUTTON_UP, true);
 	button_expect(&buttons.queue, 900, BUTTON_UP, false);
@@ -117,6 +138,8 @@ int main(void)
 		cmocka_unit_test(
 			test_no_last_release_is_lost_when_the_queue_is_full),
 		cmocka_unit_test(test_a_button_is_down_while_any_holder_holds_it),
+		cmocka_unit_test(
+			test_each_holder_of_each_source_alone_holds_a_button),
 		cmocka_unit_test(test_a_bounce_of_a_second_holder_is_dropped),
 		cmocka_unit_test(
 			test_a_source_does_not_release_what_another_holds),

@@ -130,6 +130,43 @@ static void test_settled_changes_come_in_the_order_of_their_times(void **state)
 	button_expect_nothing(&queue);
 }
 
+/* Whichever of the two comes first in the list of buttons. */
+static void test_the_change_that_is_due_first_comes_first(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	button_queue_init(&queue, 10);
+	button_push(&queue, 100, BUTTON_UP, true);
+	button_push(&queue, 102, BUTTON_DOWN, true);
+	button_push(&queue, 104, BUTTON_UP, false);
+	button_push(&queue, 105, BUTTON_DOWN, false);
+	button_queue_settle(&queue, 300);
+	button_expect(&queue, 100, BUTTON_UP, true);
+	button_expect(&queue, 102, BUTTON_DOWN, true);
+	button_expect(&queue, 110, BUTTON_UP, false);
+	button_expect(&queue, 112, BUTTON_DOWN, false);
+	button_expect_nothing(&queue);
+}
+
+static void test_a_change_counts_at_once_after_the_debounce_time(void **state)
+{
+	struct button_queue queue;
+
+	(void)state;
+	for (int debounce_ms = 1; debounce_ms < 12; debounce_ms += 10) {
+		button_queue_init(&queue, debounce_ms);
+		button_push(&queue, 100, BUTTON_UP, true);
+		button_push(&queue, 100 + debounce_ms, BUTTON_UP, false);
+		button_expect(&queue, 100, BUTTON_UP, true);
+		button_expect(&queue, 100 + debounce_ms, BUTTON_UP, false);
+		button_push(&queue, 200, BUTTON_UP, true);
+		button_push(&queue, 199 + debounce_ms, BUTTON_UP, false);
+		button_expect(&queue, 200, BUTTON_UP, true);
+		button_expect_nothing(&queue);
+	}
+}
+
 static void test_buttons_are_debounced_separately(void **state)
 {
 	struct button_queue queue;
@@ -295,6 +332,7 @@ static void test_the_message_names_a_wrong_line(void **state)
 		const char *text, *place, *reason;
 	} cases[] = {
 		{"0 UP down\n5 UP\n", ":2: ", "TIME_MS BUTTON down|up"},
+		{"\n0\n", ":2: ", "TIME_MS BUTTON down|up"},
 		{"0 UP down again\n", ":1: ", "TIME_MS BUTTON down|up"},
 		{"\n# x\nsoon UP down\n", ":3: ", "\"soon\""},
 		{"1.5 UP down\n", ":1: ", "\"1.5\""},
@@ -379,6 +417,7 @@ static void test_sources_share_one_queue(void **state)
 			i ? "," : "", path.text);
 	}
 	assert_int_equal(buttons_open(&buttons, spec, &log), -E2BIG);
+	assert_contains(capture.sentence[0], "at most 8 sources");
 	*strrchr(spec, ',') = '\0';
 	assert_int_equal(buttons_open(&buttons, spec, &log), 0);
 	assert_int_equal(buttons.source_count, BUTTON_SOURCES_MAX);
@@ -425,6 +464,9 @@ int main(void)
 		cmocka_unit_test(test_a_later_event_settles_a_held_back_change),
 		cmocka_unit_test(
 			test_settled_changes_come_in_the_order_of_their_times),
+		cmocka_unit_test(test_the_change_that_is_due_first_comes_first),
+		cmocka_unit_test(
+			test_a_change_counts_at_once_after_the_debounce_time),
 		cmocka_unit_test(test_buttons_are_debounced_separately),
 		cmocka_unit_test(
 			test_the_oldest_is_dropped_when_the_queue_is_full),

@@ -291,6 +291,8 @@ static void test_wrong_arguments_are_refused(void **state)
 		{"UP=", "no such key"},
 		{"UP=768", "no such key"},
 		{"UP=0", "no such key"},
+		{"UP=:", "no such key"},
+		{"UP= 5", "no such key"},
 	};
 	struct evdev_bench *bench = *state;
 

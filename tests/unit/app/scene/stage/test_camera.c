@@ -1,14 +1,10 @@
 #include "app/scene/stage/camera.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/scene/stage/box.h"
 
 #include <math.h>
 
 #include <cglm/cglm.h>
-
-static struct bounds box(float x, float y, float z)
-{
-	return (struct bounds){.low = {-x, 0.0f, -z}, .high = {x, y, z}};
-}
 
 /* A point's normalized device coordinates. */
 static void project(const struct camera *camera, float aspect,

@@ -78,7 +78,6 @@ static void fill_track(
 			place_of(instance, n, node[n]);
 		}
 	}
-	pose_rest(&instance->pose, instance->model);
 }
 
 /*

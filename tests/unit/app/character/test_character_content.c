@@ -1,4 +1,5 @@
 /* The boxes of what a character draws over uneven ground. */
+#include "app/character/run/effects.h"
 #include "app/character/show/character_draw.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
@@ -100,6 +101,46 @@ static void test_the_box_of_shadows_holds_that_of_the_ball(void **state)
 	assert_near(with.lying.high[2], without.lying.high[2], 1e-6);
 }
 
+/* A cape in the middle of the figure does not reach out, and one behind does. */
+static void test_the_box_holds_a_cape_that_is_worn(void **state)
+{
+	struct floor_content without, with;
+	const struct cloth *cloth;
+	struct shown shown;
+	struct bounds box = bounds_empty();
+	float margin;
+
+	(void)state;
+	begin(&shown, "[scene]\nwaves = 0.1\n");
+	without = character_draw_content(&shown.drawing, &shown.stage);
+	assert_all_near(&without.lying, &shown.drawing.drape.box, 6, 0.0);
+	assert_false(bounds_is_empty(&without.lying));
+	end(&shown);
+	begin(&shown,
+		"[scene]\nwaves = 0.1\n[cape a]\nbone = chest\non = no\n"
+		"place = 0 1.4 0\n[cape c]\nbone = chest\n"
+		"place = 0 1.42 -1\nlength = 0.5\n");
+	shown.acting.instance->unit_scale = 2.0f;
+	cloth = &shown.acting.character->cape[1].cloth;
+	for (int v = 0; v < cloth->count; v++) {
+		float at[3];
+
+		for (int row = 0; row < 3; row++) {
+			at[row] = shown.view[3][row];
+			for (int axis = 0; axis < 3; axis++) {
+				at[row] += 2.0f * shown.view[axis][row] *
+					cloth->position[v][axis];
+			}
+		}
+		bounds_add(&box, at);
+	}
+	with = character_draw_content(&shown.drawing, &shown.stage);
+	margin = bounds_extent(&with.standing) * 0.02f / 1.04f;
+	assert_near(with.standing.low[2], box.low[2] - margin, 1e-3);
+	assert_true(box.low[2] < without.standing.low[2] - 0.1f);
+	end(&shown);
+}
+
 static void test_level_ground_needs_no_boxes(void **state)
 {
 	struct shown shown;
@@ -116,6 +157,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_box_holds_the_figure_and_its_ball),
 		cmocka_unit_test(test_the_box_of_shadows_holds_that_of_the_ball),
+		cmocka_unit_test(test_the_box_holds_a_cape_that_is_worn),
 		cmocka_unit_test(test_level_ground_needs_no_boxes),
 	};
 

@@ -54,33 +54,6 @@ static void test_parts_that_buttons_turn_stay_in_the_picture(void **state)
 	}
 }
 
-static float ground_of(float rest, const float *low, int count)
-{
-	struct bounds clip[4];
-	struct character_bounds bounds = {.clip = clip, .extent = 2.0f};
-
-	bounds.rest = bounds.all =
-		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
-	for (int i = 0; i < count; i++) {
-		clip[i] = bounds.rest;
-		clip[i].low[1] = low[i];
-	}
-	return character_bounds_ground(&bounds, count);
-}
-
-static void test_the_ground_is_where_most_clips_stand(void **state)
-{
-	(void)state;
-	/* One of them falls, and sinks a little. */
-	assert_near(ground_of(0, (float[]){0, 0.01f, -0.2f}, 3), 0, 0);
-	assert_near(ground_of(0, (float[]){-0.2f, 0.01f}, 2), 0.01, 1e-6);
-	/* One leaps, and none is on the ground at rest. */
-	assert_near(ground_of(-1, (float[]){0.3f, 0, 0}, 3), 0, 0);
-	/* A bird lands far below. */
-	assert_near(ground_of(1.6f, (float[]){1.6f, 0.1f}, 2), 0.1, 1e-6);
-	assert_near(ground_of(0.5f, NULL, 0), 0.5, 0);
-}
-
 static void test_shapes_without_a_clip_are_in_the_picture_whole(void **state)
 {
 	(void)state;
@@ -257,7 +230,6 @@ int main(void)
 			test_figures_of_the_duel_are_not_below_the_ground),
 		cmocka_unit_test(
 			test_parts_that_buttons_turn_stay_in_the_picture),
-		cmocka_unit_test(test_the_ground_is_where_most_clips_stand),
 		cmocka_unit_test(
 			test_shapes_without_a_clip_are_in_the_picture_whole),
 		cmocka_unit_test(test_what_swings_stays_in_the_picture),

@@ -1,0 +1,473 @@
+/* What is drawn of a character: figure, shadows, balls, capes and tops. */
+#include "app/character/run/effects.h"
+#include "app/character/show/character_draw.h"
+#include "app/scene/stage/light.h"
+#include "platform/base/fixed.h"
+#include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const float unit = 0.5f; /* scene units a metre */
+
+struct shown {
+	struct acting acting;
+	struct gl gl;
+	struct texture_set textures;
+	struct character_drawing drawing;
+	struct stage stage;
+};
+
+/* The model stands on level ground at height 0. */
+static void begin(struct shown *shown, const char *model, const char *text)
+{
+	const struct shadow_ground none = {0};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	memset(shown, 0, sizeof(*shown));
+	acting_begin(&shown->acting, model);
+	shown->acting.instance->unit_scale = unit;
+	acting_expect(&shown->acting, text);
+	shown->gl = gl_recorder_begin();
+	assert_int_equal(
+		texture_set_create(&shown->textures, shown->acting.model,
+			&shown->gl, PIXELS_RGB565, &log),
+		0);
+	shown->stage.camera = camera_default();
+	shown->stage.has_stencil = true;
+	assert_int_equal(character_draw_init(&shown->drawing,
+				 shown->acting.character, &none, &log),
+		0);
+}
+
+static void end(struct shown *shown)
+{
+	texture_set_destroy(&shown->textures, &shown->gl);
+	acting_end(&shown->acting);
+}
+
+/* Draws the character, and returns how many draw calls that takes. */
+static int draw(struct shown *shown)
+{
+	gl_recorder_clear();
+	character_draw(
+		&shown->drawing, &shown->stage, &shown->textures, &shown->gl);
+	assert_int_equal(gl_recorder_result()->depth, 0);
+	return gl_recorder_result()->draw_count;
+}
+
+/* Of those, the ones that draw these vertices. */
+static int draws_of(
+	const void *position, const struct gl_recorded_draw *found[4])
+{
+	const struct gl_recording *all = gl_recorder_result();
+	int count = 0;
+
+	for (int i = 0; i < all->draw_count; i++) {
+		if (all->draw[i].position == position) {
+			assert_true(count < 4);
+			found[count++] = &all->draw[i];
+		}
+	}
+	return count;
+}
+
+static void test_a_figure_is_drawn_with_its_shadow_or_without(void **state)
+{
+	struct shown shown;
+	int alone;
+
+	(void)state;
+	begin(&shown, "assets/walker.glb", "[scene]\nshadow = no\n");
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	alone = draw(&shown);
+	assert_true(alone >= shown.acting.instance->drawable_count);
+	end(&shown);
+	begin(&shown, "assets/walker.glb", "[scene]\nshadow = yes\n");
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	assert_int_equal(
+		draw(&shown), alone + shown.acting.instance->drawable_count);
+	end(&shown);
+}
+
+static const char ball_text[] =
+	"[target plain]\nplace = 0.3 1.4 1\nradius = 0.05\ncolor = 0.2 0.4 "
+	"0.6\n[target point]\nplace = 0 1 0\n"
+	"[target ball]\nplace = -1 1.6 0.5\nradius = 0.1\n"
+	"[look watch]\nbone = head\ntarget = ball\non = no\n"
+	"[buttons]\nUP = toggle watch\n";
+
+static GLfixed diffuse[8][4];
+static int diffuse_count;
+
+static void note_color(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
+{
+	const GLfixed color[4] = {red, green, blue, alpha};
+
+	memcpy(diffuse[diffuse_count++ % 8], color, sizeof(color));
+}
+
+/* Unless an effect looks at it that is off; a target without radius never. */
+static void test_balls_are_drawn_with_their_shadows(void **state)
+{
+	const struct gl_recorded_draw *found[4];
+	struct shown shown;
+	int without, with;
+
+	(void)state;
+	begin(&shown, "assets/walker.glb", ball_text);
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	without = draw(&shown);
+	assert_int_equal(draws_of(shown.drawing.ball.normal, found), 1);
+	assert_near(found[0]->matrix[12], 0.3 * unit, 1e-4);
+	assert_near(found[0]->matrix[13], 1.4 * unit, 1e-4);
+	assert_near(found[0]->matrix[14], 1.0 * unit, 1e-4);
+	assert_near(found[0]->matrix[0], 0.05 * unit, 1e-4);
+	acting_tap(&shown.acting, BUTTON_UP, 0.1, 50.0);
+	with = draw(&shown);
+	assert_int_equal(with, without + 2);
+	assert_int_equal(draws_of(shown.drawing.ball.normal, found), 2);
+	assert_near(found[1]->matrix[12], -1.0 * unit, 1e-4);
+	assert_near(found[1]->matrix[13], 1.6 * unit, 1e-4);
+	assert_near(found[1]->matrix[0], 0.1 * unit, 1e-4);
+	end(&shown);
+}
+
+static double least[2][3], most[2][3];
+static int fans;
+static const float *array;
+
+static void note_array(GLint size, GLenum type, GLsizei stride, const void *at)
+{
+	(void)size;
+	(void)type;
+	(void)stride;
+	array = at;
+}
+
+static void note_fan(GLenum mode, GLint first, GLsizei count)
+{
+	assert_int_equal(first, 0);
+	if (mode != GL_TRIANGLE_FAN) {
+		return;
+	}
+	assert_true(fans < 2);
+	for (int axis = 0; axis < 3; axis++) {
+		least[fans][axis] = most[fans][axis] = array[axis];
+		for (int i = 1; i < count; i++) {
+			least[fans][axis] =
+				fmin(least[fans][axis], array[3 * i + axis]);
+			most[fans][axis] =
+				fmax(most[fans][axis], array[3 * i + axis]);
+		}
+	}
+	fans++;
+}
+
+/* Its middle lies where the light through the ball's middle falls. */
+static void test_the_shadow_of_a_ball_lies_where_light_falls(void **state)
+{
+	struct shown shown;
+	float light[3];
+
+	(void)state;
+	light_direction(light);
+	begin(&shown, "assets/walker.glb", ball_text);
+	shown.gl.VertexPointer = note_array;
+	shown.gl.DrawArrays = note_fan;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	fans = 0;
+	character_draw(&shown.drawing, &shown.stage, &shown.textures, &shown.gl);
+	assert_int_equal(fans, 1);
+	for (int axis = 0; axis < 3; axis += 2) {
+		float fall = 1.4f / light[1];
+		double at = ((float[]){0.3f, 1.4f, 1.0f})[axis] -
+			light[axis] * fall;
+
+		assert_near(
+			(least[0][axis] + most[0][axis]) / 2, at * unit, 0.03);
+		assert_true(most[0][axis] - least[0][axis] > 0.1f * unit);
+		assert_true(most[0][axis] - least[0][axis] < 0.16f * unit);
+	}
+	end(&shown);
+}
+
+static const char cape_text[] =
+	"[state a]\nclip = rest\n[cape c]\nbone = chest\n"
+	"place = 0 1.42 -0.1\non = no\nfade = 1\ncolor = 0.25 0.5 0.75\n"
+	"[buttons]\nUP = toggle c\n";
+
+/* Its shadow appears when it is half there. */
+static void test_a_cape_is_drawn_while_it_is_worn(void **state)
+{
+	const struct gl_recorded_draw *found[4];
+	const struct character_cape *cape;
+	struct shown shown;
+	int without;
+
+	(void)state;
+	begin(&shown, "assets/walker.glb", cape_text);
+	cape = shown.acting.character->cape;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	without = draw(&shown);
+	acting_tap(&shown.acting, BUTTON_UP, 0.3, 50.0);
+	assert_true(cape->is.now > 0.1f && cape->is.now < 0.5f);
+	assert_int_equal(draw(&shown), without + 1);
+	assert_int_equal(draws_of(cape->cloth.position, found), 1);
+	acting_run_to(&shown.acting, 0.8, 50.0);
+	assert_true(cape->is.now > 0.5f && cape->is.now < 0.9f);
+	assert_int_equal(draw(&shown), without + 2);
+	assert_int_equal(draws_of(cape->cloth.position, found), 2);
+	for (int i = 0; i < 2; i++) {
+		assert_int_equal(found[i]->count, cape->index_count);
+	}
+	assert_near(found[1]->matrix[0], unit, 1e-4);
+	assert_near(found[1]->matrix[5], unit, 1e-4);
+	assert_near(found[0]->matrix[5], 0, 1e-4); /* level */
+	end(&shown);
+}
+
+/* GL's state that matters to a cape, by the calls that set it. */
+static struct {
+	bool lit, colored, blended, textured, culled, two_sided;
+	bool normals, colors, texcoords, vertices, dull;
+	const void *vertex, *normal;
+} gl_state;
+
+/* The state of each draw call of the cape. */
+static struct {
+	const void *cloth;
+	int count;
+	bool lit, blended, plain, normals;
+	const void *normal;
+} cape_draws;
+
+static void set_state(GLenum name, bool on)
+{
+	gl_state.lit = name == GL_LIGHTING ? on : gl_state.lit;
+	gl_state.colored = name == GL_COLOR_MATERIAL ? on : gl_state.colored;
+	gl_state.blended = name == GL_BLEND ? on : gl_state.blended;
+	gl_state.textured = name == GL_TEXTURE_2D ? on : gl_state.textured;
+	gl_state.culled = name == GL_CULL_FACE ? on : gl_state.culled;
+}
+
+static void note_enable(GLenum name)
+{
+	set_state(name, true);
+}
+
+static void note_disable(GLenum name)
+{
+	set_state(name, false);
+}
+
+static void set_array(GLenum name, bool on)
+{
+	gl_state.vertices = name == GL_VERTEX_ARRAY ? on : gl_state.vertices;
+	gl_state.normals = name == GL_NORMAL_ARRAY ? on : gl_state.normals;
+	gl_state.colors = name == GL_COLOR_ARRAY ? on : gl_state.colors;
+	gl_state.texcoords =
+		name == GL_TEXTURE_COORD_ARRAY ? on : gl_state.texcoords;
+}
+
+static void note_client_enable(GLenum name)
+{
+	set_array(name, true);
+}
+
+static void note_client_disable(GLenum name)
+{
+	set_array(name, false);
+}
+
+static void note_vertices(
+	GLint size, GLenum type, GLsizei stride, const void *at)
+{
+	gl_state.vertex = at;
+	if (at == cape_draws.cloth) {
+		assert_int_equal(size, 3);
+		assert_int_equal(type, GL_FLOAT);
+		assert_int_equal(stride, 0);
+	}
+}
+
+static void note_normals(GLenum type, GLsizei stride, const void *at)
+{
+	gl_state.normal = type == GL_FLOAT && stride == 0 ? at : NULL;
+}
+
+static void note_sides(GLenum name, GLfixed value)
+{
+	gl_state.two_sided = name == GL_LIGHT_MODEL_TWO_SIDE && value == 1;
+}
+
+static void note_material(GLenum face, GLenum name, const GLfixed *value)
+{
+	static const GLfixed black[4] = {0, 0, 0, FX16_ONE};
+
+	if (face == GL_FRONT_AND_BACK && name == GL_SPECULAR) {
+		gl_state.dull = memcmp(value, black, sizeof(black)) == 0;
+	}
+}
+
+static void note_elements(
+	GLenum mode, GLsizei count, GLenum type, const void *index)
+{
+	(void)index;
+	if (gl_state.vertex != cape_draws.cloth || count == 0) {
+		return;
+	}
+	assert_int_equal(mode, GL_TRIANGLES);
+	assert_int_equal(type, GL_UNSIGNED_SHORT);
+	cape_draws.count++;
+	cape_draws.lit = gl_state.lit && gl_state.colored &&
+		gl_state.two_sided && gl_state.dull;
+	cape_draws.blended = gl_state.blended;
+	cape_draws.plain = !gl_state.textured && !gl_state.culled &&
+		!gl_state.colors && !gl_state.texcoords && gl_state.vertices;
+	cape_draws.normals = gl_state.normals;
+	cape_draws.normal = gl_state.normal;
+}
+
+static void note_state(struct gl *gl)
+{
+	gl->Color4x = note_color;
+	gl->Enable = note_enable;
+	gl->Disable = note_disable;
+	gl->EnableClientState = note_client_enable;
+	gl->DisableClientState = note_client_disable;
+	gl->VertexPointer = note_vertices;
+	gl->NormalPointer = note_normals;
+	gl->LightModelx = note_sides;
+	gl->Materialxv = note_material;
+	gl->DrawElements = note_elements;
+}
+
+/* Draws with all state on, or all of it off, before. */
+static void draw_from(struct shown *shown, bool on)
+{
+	const struct character_cape *cape = shown->acting.character->cape;
+
+	memset(&gl_state, on, sizeof(gl_state));
+	memset(&cape_draws, 0, sizeof(cape_draws));
+	cape_draws.cloth = cape->cloth.position;
+	diffuse_count = 0;
+	character_draw(
+		&shown->drawing, &shown->stage, &shown->textures, &shown->gl);
+	assert_int_equal(cape_draws.count, 1);
+	assert_false(gl_state.blended);
+}
+
+static void test_a_cape_that_fades_is_blended_in_its_colour(void **state)
+{
+	struct shown shown;
+
+	(void)state;
+	begin(&shown, "assets/walker.glb",
+		"[state a]\nclip = rest\n[scene]\nshadow = no\n"
+		"[cape c]\nbone = chest\nplace = 0 1.42 -0.1\non = no\n"
+		"fade = 1\ncolor = 0.25 0.5 0.75\n[buttons]\nUP = toggle c\n");
+	note_state(&shown.gl);
+	acting_tap(&shown.acting, BUTTON_UP, 0.5, 50.0);
+	for (int i = 0; i < 4; i++) {
+		const struct character_cape *cape = shown.acting.character->cape;
+		const GLfixed *color;
+
+		/* What it needs does not depend on what was drawn before. */
+		draw_from(&shown, i % 2);
+		assert_true(cape_draws.lit);
+		assert_true(cape_draws.plain);
+		assert_true(cape_draws.normals);
+		assert_ptr_equal(cape_draws.normal, cape->cloth.normal);
+		assert_int_equal(cape_draws.blended, i < 2);
+		color = diffuse[(diffuse_count - 1) % 8];
+		assert_int_equal(color[0], fx16_from_float(0.25f));
+		assert_int_equal(color[1], fx16_from_float(0.5f));
+		assert_int_equal(color[2], fx16_from_float(0.75f));
+		assert_int_equal(color[3], fx16_from_float(cape->is.now));
+		if (i == 1) {
+			acting_run_to(&shown.acting, 2.0, 50.0);
+		}
+	}
+	assert_near(shown.acting.character->cape->is.now, 1.0, 0.0);
+	end(&shown);
+}
+
+/*
+ * A level top of the turntable, and the crate that may stand above it. The
+ * crate's middle lies 0.06 above the ground.
+ */
+#define TOP "[part Base]\ntop = 0.5 -2 -2 2 2\n"
+
+static int draws_with(const char *text, bool has_stencil)
+{
+	struct shown shown;
+	int count;
+
+	begin(&shown, "assets/arm.glb", text);
+	shown.stage.has_stencil = has_stencil;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	count = draw(&shown);
+	end(&shown);
+	return count;
+}
+
+/* The arm alone has shadows above the turntable; it is drawn once more. */
+static void test_what_is_above_a_top_casts_shadows_on_it(void **state)
+{
+	int plain, low, high, none;
+
+	(void)state;
+	plain = draws_with("[part Base]\n[part Crate]\n", true);
+	none = draws_with(TOP "[part Crate]\n", false);
+	assert_int_equal(none, plain);
+	low = draws_with(TOP "[part Crate]\n", true);
+	/* The marked rectangle, and at least a link of the arm. */
+	assert_true(low >= plain + 2);
+	high = draws_with(TOP "[part Crate]\ny = 0.6\n", true);
+	assert_int_equal(high, low + 1);
+	/* Beside the top, where its shadow passes by. */
+	for (int side = -1; side <= 1; side += 2) {
+		char text[128];
+
+		snprintf(text, sizeof(text),
+			TOP "[part Crate]\ny = 0.6\nx = %d\n", 4 * side);
+		assert_int_equal(draws_with(text, true), low);
+		snprintf(text, sizeof(text),
+			TOP "[part Crate]\ny = 0.6\nz = %d\n", 4 * side);
+		assert_int_equal(draws_with(text, true), low);
+	}
+	assert_int_equal(draws_with(TOP "[part Crate]\ny = 0.6\n"
+					"[scene]\nshadow = no\n",
+				 true),
+		plain / 2);
+}
+
+static void test_a_top_that_is_not_level_has_no_shadows(void **state)
+{
+	int plain = draws_with("[part Base]\nbank = 0\n", true);
+
+	(void)state;
+	assert_true(draws_with(TOP "bank = 0.4\n", true) > plain);
+	assert_int_equal(draws_with(TOP "bank = 2\n", true), plain);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_figure_is_drawn_with_its_shadow_or_without),
+		cmocka_unit_test(test_balls_are_drawn_with_their_shadows),
+		cmocka_unit_test(
+			test_the_shadow_of_a_ball_lies_where_light_falls),
+		cmocka_unit_test(test_a_cape_is_drawn_while_it_is_worn),
+		cmocka_unit_test(test_a_cape_that_fades_is_blended_in_its_colour),
+		cmocka_unit_test(test_what_is_above_a_top_casts_shadows_on_it),
+		cmocka_unit_test(test_a_top_that_is_not_level_has_no_shadows),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,68 @@
+/* The height of the ground below clips that stand at several heights. */
+#include "app/character/show/character_bounds.h"
+#include "tests/support/test.h"
+
+static float ground_of(float rest, const float *low, int count)
+{
+	struct bounds clip[4];
+	struct character_bounds bounds = {.clip = clip, .extent = 2.0f};
+
+	bounds.rest = bounds.all =
+		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
+	for (int i = 0; i < count; i++) {
+		clip[i] = bounds.rest;
+		clip[i].low[1] = low[i];
+	}
+	return character_bounds_ground(&bounds, count);
+}
+
+static void test_the_ground_is_where_most_clips_stand(void **state)
+{
+	(void)state;
+	/* One of them falls, and sinks a little. */
+	assert_near(ground_of(0, (float[]){0, 0.01f, -0.2f}, 3), 0, 0);
+	assert_near(ground_of(0, (float[]){-0.2f, 0.01f}, 2), 0.01, 1e-6);
+	/* One leaps, and none is on the ground at rest. */
+	assert_near(ground_of(-1, (float[]){0.3f, 0, 0}, 3), 0, 0);
+	/* A bird lands far below. */
+	assert_near(ground_of(1.6f, (float[]){1.6f, 0.1f}, 2), 0.1, 1e-6);
+	assert_near(ground_of(0.5f, NULL, 0), 0.5, 0);
+}
+
+/* Heights count as equal within 3% of the extent, which is 2. */
+static void test_clips_that_stand_within_a_little_share_a_ground(void **state)
+{
+	(void)state;
+	/* The rest pose supports one of two clips, while it is near. */
+	assert_near(ground_of(0.15f, (float[]){0, 0.1f}, 2), 0.1f, 0);
+	assert_near(ground_of(0.17f, (float[]){0, 0.1f}, 2), 0, 0);
+	/* Two clips count more than one with the rest pose. */
+	assert_near(ground_of(0, (float[]){0, 0.1f, 0.15f}, 3), 0.1f, 0);
+	assert_near(ground_of(0, (float[]){0, 0.1f, 0.17f}, 3), 0, 0);
+	/* Of the heights of as many clips, the lowest one. */
+	assert_near(ground_of(1, (float[]){0.1f, 0.05f, 0.07f}, 3), 0.05f, 0);
+	assert_near(ground_of(1, (float[]){0.05f, 0.1f, 0.07f}, 3), 0.05f, 0);
+}
+
+/* The ground may hide what is below it by 15% of the extent, which is 2. */
+static void test_a_clip_far_below_the_others_is_not_hidden(void **state)
+{
+	(void)state;
+	assert_near(ground_of(0, (float[]){0, 0, -0.29f}, 3), 0, 0);
+	assert_near(ground_of(0, (float[]){0, 0, -0.31f}, 3), -0.31, 1e-6);
+	assert_near(ground_of(0, (float[]){-0.31f, 0, 0}, 3), -0.31, 1e-6);
+	assert_near(
+		ground_of(-0.1f, (float[]){-0.31f, -0.1f, 0, 0}, 4), -0.1f, 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_ground_is_where_most_clips_stand),
+		cmocka_unit_test(
+			test_clips_that_stand_within_a_little_share_a_ground),
+		cmocka_unit_test(test_a_clip_far_below_the_others_is_not_hidden),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

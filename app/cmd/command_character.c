@@ -1,6 +1,7 @@
 #include "app/character/sketch/character_sketch.h"
 #include "app/cmd/command.h"
 #include "platform/base/output_file.h"
+#include "platform/base/output_path.h"
 
 #include <errno.h>
 #include <sys/stat.h>
@@ -10,8 +11,8 @@ static bool would_replace(const char *path)
 {
 	struct stat status;
 
-	return stat(path, &status) == 0 && S_ISREG(status.st_mode) &&
-		status.st_size > 0;
+	return output_path_kind(path) == OUTPUT_FILE &&
+		stat(path, &status) == 0 && status.st_size > 0;
 }
 
 static int write_sketch(

@@ -6,6 +6,7 @@
 #include "app/compare/export/export.h"
 #include "app/compare/report/report.h"
 #include "platform/base/output_file.h"
+#include "platform/base/output_path.h"
 #include "platform/process/jobs.h"
 
 #include <errno.h>
@@ -33,8 +34,9 @@ static void show_progress(void *context, int done, int total)
 static int print(const struct comparison *comparison,
 	const struct options *options, const struct log *log)
 {
-	int error =
-		report_find(options->compare.format)->print(comparison, stdout);
+	int error = report_find(options->compare.format)
+			    ->print(comparison,
+				    output_path_report(options->compare.plot));
 
 	if (error == -EINVAL) {
 		log_error(log,

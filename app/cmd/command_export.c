@@ -1,6 +1,7 @@
 #include "app/cmd/command.h"
 #include "app/embed/embed.h"
 #include "platform/base/output_file.h"
+#include "platform/base/output_path.h"
 
 #include <string.h>
 
@@ -27,7 +28,8 @@ static int write_source(const struct model *model, int clip, const char *path,
 	if (error) {
 		return error;
 	}
-	make_prefix(path, prefix);
+	/* A stream has no name to give them, so the model's is taken. */
+	make_prefix(output_path_is_stream(path) ? model->path : path, prefix);
 	error = embed_print(
 		model, clip, prefix, log, output_file_stream(file), size);
 	if (error) {
@@ -40,15 +42,18 @@ static int write_source(const struct model *model, int clip, const char *path,
 static void print_result(const struct model *model, const char *path,
 	const struct embed_size *size)
 {
-	printf("%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
+	FILE *out = output_path_report(path);
+
+	fprintf(out, "%s: %zu bytes of tables (ROM), %zu bytes of state (RAM)\n",
 		path, size->rom_bytes, size->ram_bytes);
 	if (model->texture_count > 0) {
-		printf("%s: it leaves out the model's %d texture%s\n", path,
-			model->texture_count,
+		fprintf(out, "%s: it leaves out the model's %d texture%s\n",
+			path, model->texture_count,
 			model->texture_count == 1 ? "" : "s");
 	}
 	if (size->dark_parts > 0) {
-		printf("%s: %d part%s no normals, so light leaves %s dark: export the model with normals, or draw without light\n",
+		fprintf(out,
+			"%s: %d part%s no normals, so light leaves %s dark: export the model with normals, or draw without light\n",
 			path, size->dark_parts,
 			size->dark_parts == 1 ? " has" : "s have",
 			size->dark_parts == 1 ? "it" : "them");

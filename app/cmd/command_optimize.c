@@ -3,6 +3,7 @@
 #include "app/compare/optimize/optimize.h"
 #include "app/model/model_file.h"
 #include "platform/base/output_file.h"
+#include "platform/base/output_path.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -60,19 +61,22 @@ static int keep_smaller(struct optimize_result *result,
 	return error;
 }
 
-static void print_row(const char *name, size_t before, size_t after)
+static void print_row(FILE *out, const char *name, size_t before, size_t after)
 {
-	printf("  %-14s %10.1f %10.1f\n", name, (double)before / 1024.0,
+	fprintf(out, "  %-14s %10.1f %10.1f\n", name, (double)before / 1024.0,
 		(double)after / 1024.0);
 }
 
 /* Says whether the file became smaller, if it did not. */
-static void print_growth(const struct optimize_result *result, bool kept)
+static void print_growth(
+	FILE *out, const struct optimize_result *result, bool kept)
 {
 	if (kept) {
-		printf("limber found no smaller form: the file is written as it was.\n");
+		fprintf(out,
+			"limber found no smaller form: the file is written as it was.\n");
 	} else if (result->after.file > result->before.file) {
-		printf("The file is %zu bytes larger than the model's, as that is so small.\n",
+		fprintf(out,
+			"The file is %zu bytes larger than the model's, as that is so small.\n",
 			result->after.file - result->before.file);
 	}
 }
@@ -82,22 +86,25 @@ static void print_result(const struct optimize_result *result,
 {
 	const struct optimize_sizes *before = &result->before;
 	const struct optimize_sizes *after = &result->after;
+	FILE *out = output_path_report(options->screen.output);
 
-	printf("  %-14s %10s %10s\n", "KiB", "before", "after");
-	print_row("keys", before->keys, after->keys);
-	print_row("vertices", before->vertices, after->vertices);
-	print_row("indices", before->indices, after->indices);
-	print_row("all else", before->rest, after->rest);
-	print_row("the whole file", before->file, after->file);
-	printf("%ld of %ld keys are left. No vertex moves by more than %.3f px in %dx%d.\n",
+	fprintf(out, "  %-14s %10s %10s\n", "KiB", "before", "after");
+	print_row(out, "keys", before->keys, after->keys);
+	print_row(out, "vertices", before->vertices, after->vertices);
+	print_row(out, "indices", before->indices, after->indices);
+	print_row(out, "all else", before->rest, after->rest);
+	print_row(out, "the whole file", before->file, after->file);
+	fprintf(out,
+		"%ld of %ld keys are left. No vertex moves by more than %.3f px in %dx%d.\n",
 		after->key_count, before->key_count, (double)result->peak_px,
 		options->screen.size.width, options->screen.size.height);
 	if (result->earlier_px > 0.0f) {
-		printf("An earlier run has used %g px of --error %g already.\n",
+		fprintf(out,
+			"An earlier run has used %g px of --error %g already.\n",
 			(double)result->earlier_px,
 			(double)options->compare.error_px);
 	}
-	print_growth(result, kept);
+	print_growth(out, result, kept);
 }
 
 static int run_with_model(const struct model *model,
@@ -139,7 +146,7 @@ static bool is_glb(const char *path)
 {
 	size_t length = strlen(path);
 
-	return strncmp(path, "/dev/", 5) == 0 ||
+	return output_path_is_stream(path) ||
 		(length > 4 && strcmp(path + length - 4, ".glb") == 0);
 }
 

@@ -244,11 +244,9 @@ int output_file_edit(const char *option, const char *path,
 int output_file_try(const char *option, const char *path, const struct log *log)
 {
 	struct output_file *file;
-	struct stat status;
 	int error;
 
-	if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
-		!S_ISDIR(status.st_mode)) {
+	if (output_path_is_stream(path)) {
 		return 0;
 	}
 	error = create(option, path, false, log, &file);

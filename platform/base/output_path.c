@@ -100,6 +100,40 @@ int output_path_follow(const char *path, char **target, int *descriptor)
 	return error;
 }
 
+enum output_kind output_path_kind(const char *path)
+{
+	struct stat status;
+	char *target;
+	int descriptor;
+
+	if (output_path_follow(path, &target, &descriptor) != 0) {
+		return OUTPUT_NEW;
+	}
+	free(target);
+	if (descriptor >= 0) {
+		return descriptor == STDOUT_FILENO ? OUTPUT_STDOUT
+						   : OUTPUT_STREAM;
+	}
+	if (stat(path, &status) != 0) {
+		return OUTPUT_NEW;
+	}
+	return S_ISREG(status.st_mode)    ? OUTPUT_FILE
+		: S_ISDIR(status.st_mode) ? OUTPUT_FOLDER
+					  : OUTPUT_STREAM;
+}
+
+bool output_path_is_stream(const char *path)
+{
+	enum output_kind kind = output_path_kind(path);
+
+	return kind == OUTPUT_STREAM || kind == OUTPUT_STDOUT;
+}
+
+FILE *output_path_report(const char *path)
+{
+	return path && output_path_kind(path) == OUTPUT_STDOUT ? stderr : stdout;
+}
+
 /* The finalizer of SplitMix64: every bit of x affects every bit of the result. */
 static uint64_t mix(uint64_t x)
 {

@@ -323,6 +323,97 @@ refused_dash play "$slider" --stats -
 refused_dash play "$slider" --record-buttons -
 check 'no file is named -' test ! -e -
 
+# Outputs that are no regular files: standard output that the shell has redirected,
+# devices, named pipes and folders.
+
+# Every command and option that writes a file whose name need not tell its format.
+writers='pose -o:character -o:levels -o:optimize -o:export --c:compare --size 48x64 --plot'
+
+# each FUNCTION: calls it with the words of each writer.
+each() {
+    kept_ifs=$IFS
+    IFS=:
+    for writer in $writers; do
+        IFS=$kept_ifs
+        # shellcheck disable=SC2086 # a command and its options
+        "$1" $writer
+    done
+    IFS=$kept_ifs
+}
+
+# written COMMAND OPTION... FILE: the command with the model in its place.
+written() {
+    command=$1
+    shift
+    # shellcheck disable=SC2086 # a command and its arguments
+    $limber "$command" "$scratch/stream.gltf" "$@"
+}
+cp "$slider" "$scratch/stream.gltf"
+
+# What the command writes into a file is what it writes into standard output, and
+# what it prints about the file does not follow there.
+to_stdout() {
+    about "limber $* /dev/stdout"
+    whole=$scratch/stream.${1}
+    case $1 in
+    optimize) whole=$whole.glb ;;
+    export) whole=$scratch/stream.c ;;
+    compare) whole=$whole.svg ;;
+    esac
+    rm -f "$whole"
+    written "$@" "$whole" >"$scratch/report" 2>&1
+    for name in /dev/stdout /dev/fd/1; do
+        printf 'first\n' >"$scratch/appended"
+        status=0
+        written "$@" "$name" >>"$scratch/appended" 2>"$err_file" || status=$?
+        expect_status 0
+        check "$name: what was there is kept and the file follows" sh -c \
+            '{ echo first; cat "$1"; } | cmp - "$2"' sh \
+            "$whole" "$scratch/appended"
+    done
+}
+each to_stdout
+
+into_device() {
+    written "$@" /dev/null >"$out_file" 2>"$err_file"
+    status=$?
+    about "limber $* /dev/null"
+    expect_status 0
+    check 'it stays a device' test -c /dev/null
+}
+each into_device
+
+into_pipe() {
+    rm -f "$scratch/reader"
+    mkfifo "$scratch/reader"
+    wc -c <"$scratch/reader" >"$scratch/count" &
+    written "$@" "$scratch/reader" >"$out_file" 2>"$err_file"
+    status=$?
+    about "limber $* PIPE"
+    expect_status 0
+    [ "$status" -eq 0 ] || : >"$scratch/reader" # lets the reader end
+    wait
+    check 'its reader gets the file' test "$(cat "$scratch/count")" -gt 4
+}
+each into_pipe
+
+mkdir "$scratch/a-folder.svg" "$scratch/a-folder.glb"
+into_folder() {
+    folder=$scratch/a-folder.glb
+    case $1 in
+    pose | character | levels | export)
+        mkdir -p "$scratch/a-folder"
+        folder=$scratch/a-folder
+        ;;
+    compare) folder=$scratch/a-folder.svg ;;
+    esac
+    written "$@" "$folder" >"$out_file" 2>"$err_file"
+    status=$?
+    about "limber $* FOLDER"
+    expect_refusal 1 'cannot be written: Is a directory: name a file in it'
+}
+each into_folder
+
 mkdir "$scratch/elsewhere"
 ln -s elsewhere/target.obj "$scratch/link.obj"
 limber pose "$slider" -o "$scratch/link.obj"

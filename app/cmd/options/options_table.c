@@ -2,6 +2,7 @@
 
 #include "app/cmd/time_text.h"
 #include "app/compare/report/report.h"
+#include "platform/base/output_path.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -158,11 +159,10 @@ static bool ends_with(const char *value, const char *ending)
 	return dot && strcmp(dot, ending) == 0;
 }
 
-/* Any device, such as /dev/stdout, is valid, too. */
 static bool set_plot(struct options *options, const char *value)
 {
 	options->compare.plot = value;
-	return ends_with(value, ".svg") || strncmp(value, "/dev/", 5) == 0;
+	return ends_with(value, ".svg") || output_path_is_stream(value);
 }
 
 static bool set_record(struct options *options, const char *value)

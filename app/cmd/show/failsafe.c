@@ -3,6 +3,7 @@
 #include "app/demo/demo.h"
 #include "platform/base/file.h"
 #include "platform/base/output_file.h"
+#include "platform/base/output_path.h"
 #include "platform/base/printable.h"
 
 #include <errno.h>
@@ -38,13 +39,11 @@ static void describe(const char *model, const char *demo, char *out)
 static int read_count(const char *path, const char *described)
 {
 	char line[sizeof(mark) + 2 + LINE_BYTES] = "";
-	struct stat status;
 	FILE *file;
 	int count;
 
 	/* Opening a device may have effects: a watchdog starts. */
-	if (stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
-		!S_ISDIR(status.st_mode)) {
+	if (output_path_is_stream(path)) {
 		return -EINVAL;
 	}
 	file = file_open(path);

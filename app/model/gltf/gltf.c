@@ -114,7 +114,7 @@ static int check_extension(const struct gltf_at *at)
 		return 0;
 	}
 	if (adds_looks_only(name)) {
-		gltf_warn(at,
+		gltf_warn_alone(at,
 			"the model requires %.80s, which limber ignores: it looks different",
 			name);
 		return 0;
@@ -205,6 +205,7 @@ void gltf_release(struct gltf *gltf)
 {
 	int i;
 
+	gltf_write_warnings(gltf);
 	for (i = 0; i < gltf->buffer_count; i++) {
 		model_file_release(&gltf->buffer[i].file);
 	}
@@ -256,6 +257,8 @@ int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 	error = run_steps(gltf, document_steps, ARRAY_COUNT(document_steps));
 	if (error) {
 		discard(gltf);
+	} else {
+		gltf_write_warnings(gltf);
 	}
 	return error;
 }

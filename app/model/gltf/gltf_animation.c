@@ -60,10 +60,9 @@ static int read_interpolation(
 	return error;
 }
 
-/* Separates keys of equal time; one warning a file is enough. */
+/* Separates keys of equal time. */
 static int check_times(const struct gltf_at *at, float *time_s, int count)
 {
-	struct gltf *gltf = at->gltf;
 	struct key_times keys = key_times_separate(time_s, count);
 
 	if (keys.wrong) {
@@ -72,8 +71,7 @@ static int check_times(const struct gltf_at *at, float *time_s, int count)
 			keys.wrong, (double)time_s[keys.wrong], keys.wrong - 1,
 			(double)time_s[keys.wrong - 1]);
 	}
-	if (keys.equal && !gltf->warned_equal_times) {
-		gltf->warned_equal_times = true;
+	if (keys.equal) {
 		gltf_warn(at,
 			"%d of %d keys have the same time as the key before them; limber jumps to the last one at that time",
 			keys.equal, count);
@@ -336,11 +334,10 @@ static int read_target(const struct gltf_at *target,
 
 /*
  * Whether a channel belongs to KHR_animation_pointer. Such a channel may change
- * any value but has no node. One warning a file says that nodes do not appear.
+ * any value but has no node. A warning says that nodes do not appear.
  */
 static bool has_pointer(const struct gltf_at *target)
 {
-	struct gltf *gltf = target->gltf;
 	const char *path =
 		json_string_value(json_object_get(target->json, "path"));
 	const json_t *extension =
@@ -352,9 +349,7 @@ static bool has_pointer(const struct gltf_at *target)
 	if (!path || strcmp(path, "pointer") != 0) {
 		return false;
 	}
-	if (pointer && strstr(pointer, "/KHR_node_visibility/") &&
-		!gltf->warned_visibility) {
-		gltf->warned_visibility = true;
+	if (pointer && strstr(pointer, "/KHR_node_visibility/")) {
 		gltf_warn(target,
 			"the clip shows or hides a node, which limber does not play: nodes stay visible or hidden as they are without a clip");
 	}

@@ -154,7 +154,7 @@ struct gltf {
 	struct gltf_accessor *accessor;
 	float **times; /* [accessor_count]: unpacked key times; NULL: not
 			  unpacked */
-	bool warned_equal_times, warned_visibility;
+	struct gltf_warning *warning; /* those not logged yet, or NULL */
 
 	struct gltf_uv *uv;   /* [material_count] */
 	int *texture_index;   /* file's number -> model's; gltf_texture.c */
@@ -196,18 +196,30 @@ int gltf_read_document(struct gltf *gltf, const struct model_source *source,
 /* Whether limber supports the extension of this name. */
 bool gltf_knows_extension(const char *name);
 
-/* gltf_json.c */
+/* gltf_log.c */
 
 /* Logs "FILE: PATH: MESSAGE" as an error and returns code. */
 int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
 	PRINTF_LIKE(3, 4);
 
-/* Logs the same as a warning. */
+/* Writes "FILE: PATH" into text, truncated to size bytes. */
+void gltf_path(const struct gltf_at *at, char *text, size_t size);
+
+/*
+ * Logs the same as a warning, but later: warnings with the same format are of
+ * one kind and become one sentence, which lists some of the places.
+ */
 void gltf_warn(const struct gltf_at *at, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 
-/* Writes "FILE: PATH" into text, truncated to size bytes. */
-void gltf_path(const struct gltf_at *at, char *text, size_t size);
+/* Logs a warning at once and for this place alone. */
+void gltf_warn_alone(const struct gltf_at *at, const char *format, ...)
+	PRINTF_LIKE(2, 3);
+
+/* Logs the warnings so far. An error and gltf_release() do so, too. */
+void gltf_write_warnings(struct gltf *gltf);
+
+/* gltf_json.c */
 
 /* Returns a member of an object; its json is NULL if the object lacks it. */
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key);

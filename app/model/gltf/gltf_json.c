@@ -3,79 +3,7 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
-
-enum {
-	TEXT_BYTES = 512,
-};
-
-static size_t print_path(const struct gltf_at *at, char *text, size_t size)
-{
-	size_t used;
-	int printed;
-
-	if (!at->up) {
-		return 0;
-	}
-	used = print_path(at->up, text, size);
-	if (at->key) {
-		printed = snprintf(text + used, size - used, "/%s", at->key);
-	} else {
-		printed = snprintf(text + used, size - used, "/%d", at->index);
-	}
-	if (printed < 0) {
-		return used;
-	}
-	used += (size_t)printed;
-	return used < size ? used : size - 1;
-}
-
-void gltf_path(const struct gltf_at *at, char *text, size_t size)
-{
-	const char *name = at->gltf->source->name;
-	int printed;
-
-	if (!at->up) {
-		snprintf(text, size, "%s", name);
-		return;
-	}
-	printed = snprintf(text, size, "%s: ", name);
-	if (printed >= 0 && (size_t)printed < size) {
-		print_path(at, text + printed, size - (size_t)printed);
-	}
-}
-
-static void log_at(const struct gltf_at *at, enum log_level level,
-	const char *format, va_list arguments)
-{
-	char path[TEXT_BYTES];
-	char reason[TEXT_BYTES];
-
-	gltf_path(at, path, sizeof(path));
-	vsnprintf(reason, sizeof(reason), format, arguments);
-	log_write(at->gltf->log, level, "%s: %s", path, reason);
-}
-
-int gltf_fail(const struct gltf_at *at, int code, const char *format, ...)
-{
-	va_list arguments;
-
-	va_start(arguments, format);
-	log_at(at, LOG_ERROR, format, arguments);
-	va_end(arguments);
-	return code;
-}
-
-void gltf_warn(const struct gltf_at *at, const char *format, ...)
-{
-	va_list arguments;
-
-	va_start(arguments, format);
-	log_at(at, LOG_WARNING, format, arguments);
-	va_end(arguments);
-}
 
 struct gltf_at gltf_member(const struct gltf_at *at, const char *key)
 {

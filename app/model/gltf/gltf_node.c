@@ -97,6 +97,22 @@ static int read_visibility(const struct gltf_at *at, bool *hidden)
 	return error;
 }
 
+/* Warns of what the node would show with a mesh, or more than once. */
+static void check_mesh(const struct gltf_at *at, struct model_node *node)
+{
+	const json_t *extensions = json_object_get(at->json, "extensions");
+
+	if (node->skin >= 0 && node->mesh < 0) {
+		gltf_warn(at, "has a skin but no mesh; limber ignores the skin");
+		node->skin = -1;
+	}
+	if (node->mesh >= 0 &&
+		json_object_get(extensions, "EXT_mesh_gpu_instancing")) {
+		gltf_warn(at,
+			"limber draws one of the instances that EXT_mesh_gpu_instancing defines: export them as nodes");
+	}
+}
+
 /* Reads a node, unless it is a level of detail. */
 static int read_node(const struct gltf_at *at)
 {
@@ -132,9 +148,8 @@ static int read_node(const struct gltf_at *at)
 		error = gltf_maybe_index(at, "camera",
 			gltf->model->camera_count, "camera", &out->camera);
 	}
-	if (!error && out->skin >= 0 && out->mesh < 0) {
-		gltf_warn(at, "has a skin but no mesh; limber ignores the skin");
-		out->skin = -1;
+	if (!error) {
+		check_mesh(at, out);
 	}
 	return error;
 }

@@ -101,8 +101,11 @@ int gltf_has_triangles(const struct gltf_at *at, bool *out)
 
 	*out = mode >= MODE_TRIANGLES;
 	if (!error && !*out) {
-		gltf_warn(at, "limber does not draw %s",
-			mode ? "lines" : "points");
+		if (mode) {
+			gltf_warn(at, "limber does not draw lines");
+		} else {
+			gltf_warn(at, "limber does not draw points");
+		}
 	}
 	return error;
 }

@@ -1,0 +1,135 @@
+/* Warnings about a glTF file: how many there are, and which. */
+#include "app/model/model.h"
+#include "tests/support/model/model_fixture.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+
+#define HEAD        "{'asset':{'version':'2.0'},"
+#define POINTS      "{'mode':0}"
+#define FOUR_POINTS POINTS "," POINTS "," POINTS "," POINTS
+
+static void load(const char *text, struct log_capture *logged)
+{
+	struct model *model;
+
+	assert_int_equal(model_from_text(text, logged, &model), 0);
+	model_destroy(model);
+}
+
+static void test_what_is_wrong_in_many_places_is_one_warning(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'meshes':[{'primitives':[" FOUR_POINTS "," FOUR_POINTS
+		  "," FOUR_POINTS "]}]}",
+		&logged);
+	assert_int_equal(logged.count, 1);
+	assert_string_equal(logged.sentence[0],
+		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1, /meshes/0/primitives/2, /meshes/0/primitives/3 and 8 more)");
+}
+
+static void test_two_places_are_both_named(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'meshes':[{'primitives':[" POINTS "," POINTS "]}]}", &logged);
+	assert_int_equal(logged.count, 1);
+	assert_string_equal(logged.sentence[0],
+		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1)");
+}
+
+/* Before, nine others hid the one about lines. */
+static void test_many_of_one_kind_hide_no_other_kind(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'meshes':[{'primitives':[" FOUR_POINTS "," FOUR_POINTS
+		  "," POINTS ",{'mode':1}]}]}",
+		&logged);
+	assert_int_equal(logged.count, 2);
+	assert_string_equal(logged.sentence[1],
+		"t.gltf: /meshes/0/primitives/9: limber does not draw lines");
+}
+
+#define POINTER_CLIP                                                     \
+	"{'samplers':[{'input':0,'output':0}],'channels':[{'sampler':0," \
+	"'target':{'path':'pointer'}}]}"
+
+static void test_clips_with_pointers_are_one_warning(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'animations':[" POINTER_CLIP "," POINTER_CLIP
+		  "," POINTER_CLIP "]}",
+		&logged);
+	assert_int_equal(logged.count, 1);
+	assert_string_equal(logged.sentence[0],
+		"t.gltf: /animations/0: limber ignores 1 of 1 channels, which KHR_animation_pointer defines (similar: /animations/1, /animations/2)");
+}
+
+static void test_extensions_are_each_named_but_at_most_eight(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'extensionsRequired':['KHR_materials_a','KHR_materials_b',"
+		  "'KHR_materials_c','KHR_materials_d','KHR_materials_e',"
+		  "'KHR_materials_f','KHR_materials_g','KHR_materials_h',"
+		  "'KHR_materials_i','KHR_materials_j','KHR_materials_k',"
+		  "'KHR_materials_l']}",
+		&logged);
+	assert_int_equal(logged.count, 9);
+	assert_contains(logged.sentence[7], "KHR_materials_h");
+	assert_string_equal(logged.sentence[8],
+		"t.gltf: limber leaves out 4 more warnings about this file");
+}
+
+static void test_warnings_precede_the_error_that_ends_the_load(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+
+	(void)state;
+	assert_true(model_from_text(HEAD "'meshes':[{'primitives':[" POINTS
+					 "]}],'nodes':[{'mesh':7}]}",
+			    &logged, &model) < 0);
+	assert_int_equal(logged.count, 2);
+	assert_contains(logged.sentence[0], "limber does not draw points");
+	assert_int_equal(logged.level[1], LOG_ERROR);
+}
+
+static void test_instances_that_are_not_drawn_are_told(void **state)
+{
+	struct log_capture logged;
+
+	(void)state;
+	load(HEAD "'meshes':[{'primitives':[]}],'nodes':[{'mesh':0,"
+		  "'extensions':{'EXT_mesh_gpu_instancing':{}}},{'mesh':0}]}",
+		&logged);
+	assert_int_equal(logged.count, 1);
+	assert_contains(logged.sentence[0],
+		"/nodes/0: limber draws one of the instances");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_what_is_wrong_in_many_places_is_one_warning),
+		cmocka_unit_test(test_two_places_are_both_named),
+		cmocka_unit_test(test_many_of_one_kind_hide_no_other_kind),
+		cmocka_unit_test(test_clips_with_pointers_are_one_warning),
+		cmocka_unit_test(
+			test_extensions_are_each_named_but_at_most_eight),
+		cmocka_unit_test(
+			test_warnings_precede_the_error_that_ends_the_load),
+		cmocka_unit_test(test_instances_that_are_not_drawn_are_told),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -21,6 +21,8 @@ static const float touching = 0.03f;
 static const float on_the_spot = 0.15f;
 /* Figures that are slower than this, in their own lengths a second, stand. */
 static const float standing = 0.12f;
+/* A figure whose feet end farther up or down than this, in heights, climbs. */
+static const float climbing = 0.5f;
 /* tan() of the angle to an axis up to which a clip goes along it. */
 static const float straight = 0.2f;
 
@@ -234,24 +236,48 @@ static void straighten(float velocity[2], float least)
 	}
 }
 
+/*
+ * Takes the start of the clip into first, and the gait's rise. Returns the
+ * height of the ground: that of the lowest point at any time.
+ */
+static float measure_heights(const struct gait_body *body,
+	struct instance *instance, int clip, int steps, struct sample *first,
+	struct gait *gait)
+{
+	float duration_s = instance->model->clip[clip].duration_s;
+	float ground, height;
+	struct sample now;
+
+	take(body, instance, clip, 0.0f, first);
+	ground = first->low[1];
+	for (int i = 1; i <= steps; i++) {
+		take(body, instance, clip, duration_s * (float)i / (float)steps,
+			&now);
+		gait->rise[i] = now.low[1] - first->low[1];
+		ground = now.low[1] < ground ? now.low[1] : ground;
+	}
+	height = first->high[1] - first->low[1];
+	gait->steps = steps;
+	if (!(scalar_abs(gait->rise[steps]) > climbing * height)) {
+		gait->steps = 0;
+		memset(gait->rise, 0, sizeof(gait->rise));
+	}
+	return ground;
+}
+
 struct gait gait_measure(const struct gait_body *body,
 	struct instance *instance, int clip, int steps)
 {
 	float duration_s =
 		clip >= 0 ? instance->model->clip[clip].duration_s : 0.0f;
-	float ground = 0.0f, sum[3] = {0.0f, 0.0f, 0.0f};
-	struct gait gait = {{0.0f, 0.0f}, {0.0f, 0.0f}};
+	float ground, sum[3] = {0.0f, 0.0f, 0.0f};
+	struct gait gait = {.steps = 0};
 	struct sample sample[2], first;
 
 	if (duration_s <= 0.0f || body->count == 0) {
 		return gait;
 	}
-	for (int i = 0; i <= steps; i++) {
-		take(body, instance, clip, duration_s * (float)i / (float)steps,
-			&first);
-		ground = i == 0 || first.low[1] < ground ? first.low[1] : ground;
-	}
-	take(body, instance, clip, 0.0f, &first);
+	ground = measure_heights(body, instance, clip, steps, &first, &gait);
 	sample[0] = first;
 	for (int i = 1; i <= steps; i++) {
 		struct sample *now = &sample[i % 2];

@@ -23,7 +23,7 @@ struct gait_body {
 	struct gait_point point[GAIT_POINTS_MAX];
 };
 
-/* All in metres, along x and z. */
+/* All in metres, along x and z unless it says so. */
 struct gait {
 	/* Of the figure over the ground, m/s; 0 0 for a figure that stands. */
 	float velocity[2];
@@ -32,6 +32,13 @@ struct gait {
 	 * 0 0 for a clip on the spot.
 	 */
 	float drift[2];
+	/*
+	 * The height of its lowest point at steps + 1 equal times of a clip
+	 * that climbs or falls by more than half the figure's height, above
+	 * that at the start; steps is 0 for other clips.
+	 */
+	int steps;
+	float rise[GAIT_STEPS_MOST + 1];
 };
 
 /*

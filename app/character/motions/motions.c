@@ -1,6 +1,5 @@
 #include "app/character/motions/motions.h"
 
-#include "app/character/build/gait.h"
 #include "app/character/run/effects.h"
 #include "platform/base/scalar.h"
 
@@ -33,8 +32,12 @@ static struct motion measure(struct instance *instance,
 				gait.velocity[1] * gait.velocity[1]),
 		.facing_rad = scalar_atan2(gait.velocity[0], gait.velocity[1]),
 		.drift = {gait.drift[0] * unit, gait.drift[1] * unit},
+		.rise_steps = gait.steps,
 	};
 
+	for (int i = 0; i <= gait.steps; i++) {
+		motion.rise[i] = gait.rise[i] * unit;
+	}
 	return motion;
 }
 
@@ -267,22 +270,54 @@ struct motion motion_of_clip(struct instance *instance, int clip)
 	return motion;
 }
 
+/* A figure that climbs is at the box's top when it is highest. */
+static void leave_out_rise(struct bounds *bounds, const struct motion *motion)
+{
+	float low = 0.0f, high = 0.0f;
+
+	for (int i = 0; i <= motion->rise_steps; i++) {
+		low = motion->rise[i] < low ? motion->rise[i] : low;
+		high = motion->rise[i] > high ? motion->rise[i] : high;
+	}
+	bounds->low[1] -= low;
+	bounds->high[1] -= high;
+}
+
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion)
 {
 	struct bounds bounds = bounds_of_clip(instance, motion->clip);
 
 	bounds_stay(&bounds, motion->drift);
+	leave_out_rise(&bounds, motion);
 	return bounds;
 }
 
+/* Interpolates between the heights that were measured. */
+static float rise_at(
+	const struct motion *motion, const struct model *model, float time_s)
+{
+	float steps = (float)motion->rise_steps, at;
+	int i;
+
+	if (motion->rise_steps == 0) {
+		return 0.0f;
+	}
+	at = scalar_clamp(time_s / model->clip[motion->clip].duration_s * steps,
+		0.0f, steps);
+	i = at < steps ? (int)at : motion->rise_steps - 1;
+	return motion->rise[i] +
+		(at - (float)i) * (motion->rise[i + 1] - motion->rise[i]);
+}
+
 void motion_drift_at(const struct motion *motion, const struct model *model,
-	float time_s, float out[2])
+	float time_s, float out[3])
 {
 	float share = motion->clip >= 0
 		? clip_share(&model->clip[motion->clip], time_s)
 		: 0.0f;
 
 	out[0] = motion->drift[0] * share;
-	out[1] = motion->drift[1] * share;
+	out[1] = rise_at(motion, model, time_s);
+	out[2] = motion->drift[1] * share;
 }

@@ -9,6 +9,7 @@
 #ifndef APP_CHARACTER_MOTIONS_MOTIONS_H
 #define APP_CHARACTER_MOTIONS_MOTIONS_H
 
+#include "app/character/build/gait.h"
 #include "app/character/character_open.h"
 #include "app/scene/instance/bounds.h"
 
@@ -29,6 +30,9 @@ struct motion {
 	float speed;      /* over the ground, units a second */
 	float facing_rad; /* where it goes: 0 is +Z, to +X */
 	float drift[2]; /* x and z, how far the clip itself moves the figure */
+	/* How high it carries the figure, at rise_steps + 1 equal times. */
+	int rise_steps; /* 0: it neither climbs nor falls */
+	float rise[GAIT_STEPS_MOST + 1];
 };
 
 /* A model without a clip for a role has that of the next best one. */
@@ -50,12 +54,15 @@ int motions_find(const struct character_request *request,
 /* Measures a clip of the model and leaves the instance in the rest pose. */
 struct motion motion_of_clip(struct instance *instance, int clip);
 
-/* Returns the figure's box in this motion, scene units, without its drift. */
+/* Returns the figure's box in this motion, scene units, without its drift and rise. */
 struct bounds motion_bounds(
 	struct instance *instance, const struct motion *motion);
 
-/* Computes how far the drift has moved the figure at this time, x and z. */
+/*
+ * Computes how far the drift and the rise have moved the figure at this time:
+ * x, y and z.
+ */
 void motion_drift_at(const struct motion *motion, const struct model *model,
-	float time_s, float out[2]);
+	float time_s, float out[3]);
 
 #endif

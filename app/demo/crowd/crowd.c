@@ -50,7 +50,7 @@ struct walker {
 	struct clip_cursor cursor;
 	struct crowd_route route;
 	struct motion motion;
-	float drift[2]; /* of the last pose, see crowd_figure_matrix() */
+	float drift[3]; /* of the last pose, see crowd_figure_matrix() */
 	struct crowd_position position;
 	float height_px; /* on the screen */
 	int frames_a_pose;

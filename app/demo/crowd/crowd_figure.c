@@ -156,12 +156,12 @@ struct crowd_route crowd_figure_route(
 
 void crowd_figure_matrix(const struct crowd_figure *figure,
 	const struct crowd_route *route, const struct crowd_position *position,
-	const float drift[2], mat4 out)
+	const float drift[3], mat4 out)
 {
 	struct crowd_route sized = *route;
 	struct crowd_position turned = *position;
 	const float offset[3] = {figure->center[0] + drift[0],
-		figure->center[1], figure->center[2] + drift[1]};
+		figure->center[1] + drift[1], figure->center[2] + drift[2]};
 
 	sized.size *= figure->scale;
 	turned.yaw_rad -= figure->front_rad;

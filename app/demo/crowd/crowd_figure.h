@@ -42,11 +42,11 @@ struct crowd_route crowd_figure_route(
 
 /*
  * Writes the matrix from the figure's scene units to the walker's place. drift
- * is how far the clip itself has moved the figure, x and z, in scene units; the
+ * is how far the clip itself has moved the figure, in scene units; the
  * matrix undoes this.
  */
 void crowd_figure_matrix(const struct crowd_figure *figure,
 	const struct crowd_route *route, const struct crowd_position *position,
-	const float drift[2], mat4 out);
+	const float drift[3], mat4 out);
 
 #endif

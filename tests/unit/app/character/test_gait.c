@@ -105,6 +105,31 @@ static void expect(
 	assert_near(gait.velocity[1], z, 1e-5);
 }
 
+/* A jump comes down again; whoever climbs ends higher than half its height. */
+static void test_a_clip_that_climbs_or_falls_says_how_high_it_is(void **state)
+{
+	struct gait up = measure(&(struct way){{0, 0.2f, 0}, {0, 3, 0}}, 2.0f);
+	struct gait down = measure(&(struct way){{0, -1, 0}, {0, -0.6f, 0}}, 1);
+
+	(void)state;
+	assert_int_equal(up.steps, STEPS);
+	assert_near(up.rise[0], 0.0, 0.0);
+	assert_near(up.rise[STEPS / 2], 0.2, 1e-6);
+	assert_near(up.rise[STEPS], 3.0, 1e-6);
+	assert_int_equal(down.steps, STEPS);
+	assert_near(down.rise[STEPS / 2], -1.0, 1e-6);
+	assert_near(down.rise[STEPS], -0.6, 1e-6);
+	for (int i = 0; i < 2; i++) {
+		const struct way jump = {{0, 5, 0}, {0, i ? 0.49f : 0, 0}};
+		struct gait gait = measure(&jump, 1);
+
+		assert_int_equal(gait.steps, 0);
+		for (int k = 0; k <= STEPS; k++) {
+			assert_near(gait.rise[k], 0.0, 0.0);
+		}
+	}
+}
+
 /* A board that drags its foot along stands where the clip takes it. */
 static void test_a_clip_carries_what_goes_further_than_a_seventh_of_its_height(
 	void **state)
@@ -176,6 +201,8 @@ static void test_what_the_scene_does_not_show_touches_no_ground(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_clip_that_climbs_or_falls_says_how_high_it_is),
 		cmocka_unit_test(
 			test_a_clip_carries_what_goes_further_than_a_seventh_of_its_height),
 		cmocka_unit_test(

@@ -24,11 +24,11 @@ static const struct crowd_figure figure = {
 static const struct crowd_route route = {.size = 1.5f};
 static const struct crowd_position position = {
 	.x = 4, .z = 5, .yaw_rad = 1.0f, .lean_rad = 0.125f};
-static const float drift[2] = {0.75f, -0.5f};
+static const float drift[3] = {0.75f, 2, -0.5f};
 
 static void test_the_figures_middle_stands_on_its_route(void **state)
 {
-	const float middle[3] = {3.75f, 1, -2.5f};
+	const float middle[3] = {3.75f, 3, -2.5f};
 	float at[3];
 	mat4 matrix;
 
@@ -41,7 +41,7 @@ static void test_the_figures_middle_stands_on_its_route(void **state)
 static void test_the_figure_looks_along_its_route_in_its_size(void **state)
 {
 	/* A unit before its middle, where it looks. */
-	const float before[3] = {3.75f + sinf(0.25f), 1, -2.5f + cosf(0.25f)};
+	const float before[3] = {3.75f + sinf(0.25f), 3, -2.5f + cosf(0.25f)};
 	struct crowd_position upright = position;
 	float at[3];
 	mat4 matrix;
@@ -245,6 +245,59 @@ static void test_a_clip_that_is_named_stays_in_its_place(void **state)
 	model_destroy(model);
 }
 
+/*
+ * A figure that climbs thirty times its height keeps a person's size, and its
+ * foot stays on the ground at every moment.
+ */
+static void test_a_figure_that_climbs_stays_on_the_ground(void **state)
+{
+	static const float time_s[3] = {0, 1, 4};
+	float value[9] = {0};
+	struct log log = log_to_stderr(LOG_ERROR);
+	const struct demo_env env = {.log = &log,
+		.model_path = "assets/walker.glb",
+		.character = "none",
+		.clip = "climb"};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 3,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip = {.name = "climb",
+		.duration_s = 4,
+		.channel_count = 1,
+		.channel = &channel};
+	struct crowd_figure made = {0}, still = {0};
+	struct actor actor = {0};
+	struct motion motion;
+
+	(void)state;
+	assert_int_equal(model_load(env.model_path, &log, &actor.model), 0);
+	channel.node = actor.model->skin[0].joint[0];
+	while (actor.model->node[channel.node].parent >= 0) {
+		channel.node = actor.model->node[channel.node].parent;
+	}
+	actor.model->clip = &clip;
+	actor.model->clip_count = 1;
+	actor.instance = small_model_instance(actor.model);
+	assert_int_equal(crowd_figure_make(&still, &env, &actor), 0);
+	value[7] = 52;
+	assert_int_equal(crowd_figure_make(&made, &env, &actor), 0);
+	assert_near(made.scale, still.scale, 1e-4);
+	assert_near(made.center[1], still.center[1], 1e-4);
+	crowd_figure_route(&made, 5, &motion);
+	for (float at_s = 0; at_s <= 4; at_s += 0.8f) {
+		float moved[3], high = at_s < 1 ? 0 : 52 * (at_s - 1) / 3;
+
+		motion_drift_at(&motion, actor.model, at_s, moved);
+		assert_near(moved[1], high * actor.instance->unit_scale, 0.02);
+	}
+	instance_destroy(actor.instance);
+	actor.model->clip_count = 0;
+	model_destroy(actor.model);
+}
+
 /* A walker that is turned to its left goes there. */
 static void test_a_figure_is_turned_where_its_feet_take_it(void **state)
 {
@@ -320,6 +373,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_figure_looks_along_its_route_in_its_size),
 		cmocka_unit_test(test_a_clip_that_is_named_stays_in_its_place),
+		cmocka_unit_test(test_a_figure_that_climbs_stays_on_the_ground),
 		cmocka_unit_test(test_a_figure_is_turned_where_its_feet_take_it),
 		cmocka_unit_test(test_every_walker_plays_its_clip),
 	};

@@ -2,6 +2,7 @@
 
 #include "app/anim/clip.h"
 #include "app/cmd/options/options_kernel.h"
+#include "app/model/origin/model_origin.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/instance.h"
 #include "platform/base/output_file.h"
@@ -104,8 +105,9 @@ static int write_parts(FILE *out, const struct instance *instance,
 		instance->model->node[parts->drawable->node].file_index,
 		parts->drawable->primitive->file_index);
 	for (int v = 0; v < parts->vertex_count; v++) {
-		const float *p = position[v];
+		double p[3];
 
+		model_origin_to_file(instance->model, position[v], p);
 		fprintf(out, "v %.*f %.*f %.*f\n", decimals, p[0], decimals,
 			p[1], decimals, p[2]);
 	}

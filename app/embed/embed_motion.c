@@ -1,4 +1,30 @@
 #include "app/embed/embed_internal.h"
+#include "app/model/origin/model_origin.h"
+
+#include <string.h>
+
+/*
+ * Puts translations of a node. At the top of the tree they are places, which
+ * the source states as the file does, however far from the origin.
+ */
+static void put_translations(
+	struct embed *embed, int node, const float *value, int count)
+{
+	for (int i = 0; i < count; i++) {
+		float place[3];
+
+		memcpy(place, value + 3 * i, sizeof(place));
+		if (embed->model->node[node].parent < 0) {
+			double at[3];
+
+			model_origin_to_file(embed->model, place, at);
+			for (int axis = 0; axis < 3; axis++) {
+				place[axis] = (float)at[axis];
+			}
+		}
+		embed_put_floats(embed, place, 3);
+	}
+}
 
 void embed_print_nodes(struct embed *embed)
 {
@@ -19,7 +45,7 @@ void embed_print_nodes(struct embed *embed)
 		const struct transform *rest = &model->node[i].rest;
 
 		fprintf(embed->out, "\n\t{");
-		embed_put_floats(embed, rest->translation, 3);
+		put_translations(embed, i, rest->translation, 1);
 		embed_put_floats(embed, rest->rotation, 4);
 		embed_put_floats(embed, rest->scale, 3);
 		fprintf(embed->out, "},");
@@ -99,6 +125,22 @@ static void print_channels(struct embed *embed)
 static void print_values(
 	struct embed *embed, const struct model_channel *channel)
 {
+	if (channel->path == MODEL_TRANSLATION &&
+		channel->interpolation != MODEL_CUBICSPLINE) {
+		put_translations(embed, channel->node, channel->value,
+			channel->key_count);
+		return;
+	}
+	if (channel->path == MODEL_TRANSLATION) {
+		for (int k = 0; k < channel->key_count; k++) {
+			const float *key = channel->value + 9 * k;
+
+			embed_put_floats(embed, key, 3);
+			put_translations(embed, channel->node, key + 3, 1);
+			embed_put_floats(embed, key + 6, 3);
+		}
+		return;
+	}
 	if (!channel->packed) {
 		embed_put_floats(
 			embed, channel->value, embed_channel_values(channel));

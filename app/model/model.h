@@ -301,6 +301,12 @@ struct model {
 	const char *path;
 	const char *format; /* for display: "glTF 2.0" */
 
+	/*
+	 * Where the model's origin is in the file, metres: not 0 if the file's
+	 * model is far from the file's (origin/model_origin.h).
+	 */
+	double origin[3];
+
 	int node_count;
 	struct model_node *node; /* parents before children */
 	int mesh_count;

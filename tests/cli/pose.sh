@@ -94,4 +94,81 @@ check 'primitives keep the numbers of the file' \
 limber pose tests/fixtures/gltf/scene/hidden.gltf -o "$scratch/out.obj"
 expect_status 0
 check 'hidden nodes are left out' test "$(grep '^o ' "$scratch/out.obj")" = 'o node0_prim0'
+# Models 1,000 km from the origin, where floats are 6 cm apart, are posed as exactly
+# as near it, and the file's coordinates are written.
+cat >"$scratch/far.py" <<'END'
+"""far.py SLIDER FOLDER: writes the slider far away, in four ways."""
+import base64, copy, json, struct, sys
+near = json.load(open(sys.argv[1], encoding="utf-8"))
+AT = [1000000.5, 256.25, -500000.0]
+def write(name, model):
+    json.dump(model, open(f"{sys.argv[2]}/{name}.gltf", "w", encoding="utf-8"))
+def moved(model, views):
+    data = bytearray(base64.b64decode(model["buffers"][0]["uri"].split(",")[1]))
+    for number in views:
+        view = model["bufferViews"][number]
+        span = range(view["byteOffset"], view["byteOffset"] + view["byteLength"], 4)
+        for i, at in enumerate(span):
+            value, = struct.unpack_from("<f", data, at)
+            struct.pack_into("<f", data, at, value + AT[i % 3])
+    model["buffers"][0]["uri"] = "data:application/octet-stream;base64," + \
+        base64.b64encode(data).decode()
+    return model
+def turned(model):
+    model["nodes"][0]["rotation"] = [0, 0, 0.19509032, 0.98078528]
+    return model
+below = turned(copy.deepcopy(near))
+below["nodes"].append({"children": [0], "translation": AT})
+below["scenes"][0]["nodes"] = [1]
+write("near", turned(copy.deepcopy(near)))
+write("node", below)
+keys = turned(moved(copy.deepcopy(near), [3, 4]))
+keys["nodes"][0]["translation"] = AT
+write("keys", keys)
+write("vertices", moved(copy.deepcopy(near), [0]))
+write("straight", near)
+END
+mkdir "$scratch/far"
+python3 "$scratch/far.py" "$slider" "$scratch/far"
+moved_away() {
+    awk '$1 == "v" { printf "v %.6f %.6f %.6f\n", $2 + 1000000.5, $3 + 256.25, $4 - 500000; next }
+        { print }' "$1"
+}
+for pair in near:node near:keys straight:vertices; do
+    for math in float fixed; do
+        for name in "${pair%:*}" "${pair#*:}"; do
+            limber pose "$scratch/far/$name.gltf" --clip rise --time 1.3 \
+                --math $math -o "$scratch/$name.obj"
+            expect_quiet
+        done
+        moved_away "$scratch/${pair%:*}.obj" >"$scratch/expected.obj"
+        check "far $name, $math: only the place differs" \
+            cmp "$scratch/expected.obj" "$scratch/$name.obj"
+    done
+done
+# What limber exports is where the model is.
+limber compare "$scratch/far/node.gltf" --clip rise --size 48x64 \
+    --export "$scratch/far/out"
+expect_status 0
+limber pose "$scratch/far/node.gltf" --clip rise --time 2 -o "$scratch/node.obj"
+for file in "$scratch"/far/out/*.glb; do
+    limber pose "$file" --clip rise --time 2 -o "$scratch/exported.obj"
+    expect_quiet
+    check "${file##*/} is at the same place" sh -c '
+        sed -n 2,4p "$1" >"$1.v"; grep "^v" "$2" | paste - "$1.v" |
+        awk "{ for (i = 2; i < 5; i++) { d = \$i - \$(i + 4); if (d * d > 1e-4) exit 1 } }"' \
+        sh "$scratch/node.obj" "$scratch/exported.obj"
+done
+limber optimize "$scratch/far/keys.gltf" -o "$scratch/far/small.glb"
+expect_status 0
+limber pose "$scratch/far/small.glb" --clip rise --time 1.3 -o "$scratch/small.obj"
+limber pose "$scratch/far/keys.gltf" --clip rise --time 1.3 -o "$scratch/keys.obj"
+check 'an optimized model is where it was' cmp "$scratch/keys.obj" "$scratch/small.obj"
+limber export "$scratch/far/keys.gltf" --clip rise --c "$scratch/keys.c"
+expect_status 0
+check 'C source states the keys of the file' grep -q '1000000\.5' "$scratch/keys.c"
+# It says nothing of a model that it cannot draw.
+limber render "$scratch/far/node.gltf" --size 64x64 --frames 1 --no-labels \
+    --gl soft -o "$scratch/far.png"
+expect_quiet
 tap_done

@@ -222,6 +222,14 @@ void character_muscle_run(struct character *character, void *what)
 	muscle_apply(&effect->muscle, &character->instance->pose);
 }
 
+/* A place in the file becomes one in the model, which may have been moved. */
+static void from_file(const struct model *model, float point[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		point[axis] = (float)((double)point[axis] - model->origin[axis]);
+	}
+}
+
 void character_targets_update(struct character *character)
 {
 	for (int i = 0; i < character->target_count; i++) {
@@ -237,7 +245,9 @@ void character_targets_update(struct character *character)
 		for (int axis = 0; axis < 3; axis++) {
 			target->point[axis] = *target->place[axis];
 		}
-		if (target->node >= 0) {
+		if (target->node < 0) {
+			from_file(character->instance->model, target->point);
+		} else {
 			vec_add_scaled(target->point,
 				character->instance->world[target->node][3], 1,
 				target->point);

@@ -5,6 +5,7 @@
 #include "app/character/sketch/sketch_layers.h"
 #include "app/character/sketch/sketch_names.h"
 #include "app/character/sketch/sketch_parts.h"
+#include "app/model/origin/model_origin.h"
 #include "platform/base/printable.h"
 
 #include <errno.h>
@@ -207,10 +208,15 @@ static struct bone_box measure_bones(
 }
 
 /* Suggests a ball in front of the figure's middle, a little to its left. */
-static void write_target(const struct bone_box *box, FILE *out)
+static void write_target(
+	const struct model *model, const struct bone_box *box, FILE *out)
 {
 	const float *low = box->low, *high = box->high;
 	float size = box->size;
+	const float ball[3] = {0.5f * (low[0] + high[0]) + 0.18f * size,
+		low[1] + 0.6f * (high[1] - low[1]),
+		0.5f * (low[2] + high[2]) + 0.3f * size};
+	double place[3];
 	int decimals = 2;
 
 	/*
@@ -219,11 +225,10 @@ static void write_target(const struct bone_box *box, FILE *out)
 	for (float side = size; side < 1.0f && decimals < 9; side *= 10.0f) {
 		decimals++;
 	}
+	model_origin_to_file(model, ball, place);
 	fprintf(out,
 		";[target ball]\n;place = %.*f %.*f %.*f\n;radius = %.2g\n\n",
-		decimals, (double)(0.5f * (low[0] + high[0]) + 0.18f * size),
-		decimals, (double)(low[1] + 0.6f * (high[1] - low[1])),
-		decimals, (double)(0.5f * (low[2] + high[2]) + 0.3f * size),
+		decimals, place[0], decimals, place[1], decimals, place[2],
 		(double)(0.03f * size));
 }
 
@@ -246,7 +251,7 @@ static void write_chains(
 
 			fputs("; Chains of bones. They may swing as springs, or reach for a target:\n",
 				out);
-			write_target(&box, out);
+			write_target(model, &box, out);
 		}
 		fprintf(out, ";[spring swing%d]\n;bones = ", written);
 		sketch_write_name(out, model->node[i].name);

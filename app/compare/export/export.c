@@ -133,6 +133,7 @@ static int export_row(const struct comparison *comparison,
 		glb_discard(&glb);
 		return error;
 	}
+	export_origin(&glb, comparison->model);
 	return glb_write(&glb, path, log);
 }
 

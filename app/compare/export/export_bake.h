@@ -30,6 +30,12 @@ void export_skin(struct glb *glb, const struct comparison *comparison,
 	int max_influences, bool targets);
 
 /*
+ * Puts the nodes of the scene below one that moves them to where the model is in
+ * its file, if that is far from the origin. Call it when all nodes were added.
+ */
+void export_origin(struct glb *glb, const struct model *model);
+
+/*
  * Adds the model's nodes. mesh[node] is the index of the node's mesh, or -1; if
  * skins is true, nodes keep their skins, and if targets is true, the weights of
  * their targets at rest. Adds the scene with its root nodes, and the nodes of

@@ -87,6 +87,23 @@ void export_nodes(struct glb *glb, const struct model *model, const int *mesh,
 	glb_set(glb, "scene", json_integer(0));
 }
 
+void export_origin(struct glb *glb, const struct model *model)
+{
+	json_t *nodes = json_object_get(glb->root, "nodes");
+	json_t *scene = json_array_get(json_object_get(glb->root, "scenes"), 0);
+	const double *at = model->origin;
+
+	if (at[0] == 0 && at[1] == 0 && at[2] == 0) {
+		return;
+	}
+	json_array_append_new(nodes,
+		json_pack("{s:s, s:[f,f,f], s:O}", "name", "origin",
+			"translation", at[0], at[1], at[2], "children",
+			json_object_get(scene, "nodes")));
+	json_object_set_new(scene, "nodes",
+		json_pack("[i]", (int)json_array_size(nodes) - 1));
+}
+
 static json_t *channel_json(const struct model_channel *channel, int sampler)
 {
 	static const char *const path[] = {

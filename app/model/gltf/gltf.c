@@ -1,5 +1,6 @@
 #include "app/model/gltf/gltf.h"
 #include "app/model/gltf/gltf_internal.h"
+#include "app/model/origin/model_origin.h"
 #include "app/model/split/split.h"
 
 #include <errno.h>
@@ -178,6 +179,50 @@ static int split_meshes(struct gltf *gltf)
 		: gltf_no_memory(&meshes);
 }
 
+/* Marks the nodes that channels of an animation rotate or scale. */
+static void mark_turned(
+	const struct gltf *gltf, const json_t *animation, bool *turned)
+{
+	const json_t *channels = json_object_get(animation, "channels");
+
+	for (size_t i = 0; i < json_array_size(channels); i++) {
+		const json_t *target =
+			json_object_get(json_array_get(channels, i), "target");
+		const json_t *node = json_object_get(target, "node");
+		const char *path =
+			json_string_value(json_object_get(target, "path"));
+		double number =
+			json_is_number(node) ? json_number_value(node) : -1;
+		int index = number >= 0 && number < gltf->node_count
+			? gltf->node_index[(int)number]
+			: -1;
+
+		if (index >= 0 && path && strcmp(path, "translation") != 0) {
+			turned[index] = true;
+		}
+	}
+}
+
+/* Moves a model that is far from the origin, before its clips are read. */
+static int move_to_origin(struct gltf *gltf)
+{
+	struct gltf_at nodes = gltf_member(&gltf->root, "nodes");
+	const json_t *clips = json_object_get(gltf->json, "animations");
+	bool *turned = GLTF_SCRATCH(&nodes, bool, gltf->model->node_count);
+
+	if (!turned) {
+		return -ENOMEM;
+	}
+	memset(turned, 0, (size_t)gltf->model->node_count);
+	for (size_t i = 0; i < json_array_size(clips); i++) {
+		mark_turned(gltf, json_array_get(clips, i), turned);
+	}
+	return model_origin_find(
+		       gltf->model, turned, &gltf->scratch, &gltf->shift) == 0
+		? 0
+		: gltf_no_memory(&nodes);
+}
+
 static const gltf_step model_steps[] = {
 	drop_read_json,
 	gltf_read_materials,
@@ -186,6 +231,7 @@ static const gltf_step model_steps[] = {
 	gltf_read_cameras,
 	gltf_read_nodes,
 	gltf_read_skins,
+	move_to_origin,
 	gltf_read_animations,
 	split_meshes,
 	gltf_keep_targets,

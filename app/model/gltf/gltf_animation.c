@@ -1,5 +1,6 @@
 #include "app/model/clip/key_times.h"
 #include "app/model/gltf/gltf_internal.h"
+#include "app/model/origin/model_origin.h"
 
 #include <errno.h>
 #include <math.h>
@@ -212,6 +213,9 @@ static int read_values(const struct gltf_at *sampler,
 	if (!error) {
 		error = normalize_keys(
 			&at, output->base.component == GLTF_F32, value, out);
+	}
+	if (!error && at.gltf->shift && out->path == MODEL_TRANSLATION) {
+		model_origin_shift_keys(at.gltf->shift[out->node], out, value);
 	}
 	out->value = value;
 	return error;

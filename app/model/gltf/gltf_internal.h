@@ -172,6 +172,7 @@ struct gltf {
 	int *mesh_index;          /* file's number -> model's; -1: a level */
 	int *mesh_file_index;     /* model's number -> file's */
 	int node_count;           /* of the file */
+	double (*shift)[3];       /* NULL, or see model_origin_find() */
 	bool *node_is_level;      /* [node_count] */
 	int *node_index;          /* file's number -> model's; -1: a level */
 	int *node_parent;         /* [node_count]: file's numbers, or -1 */

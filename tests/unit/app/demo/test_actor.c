@@ -12,6 +12,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The begin of an accessor of write_dense()'s vertices. */
@@ -43,7 +44,21 @@ static int load(const char *path, size_t memory_bytes,
 		log_capture_count(heard, LOG_ERROR);
 }
 
-static void test_a_model_far_from_the_origin_is_named(void **state)
+/* Writes a .x file with a triangle, two metres long, at this place. */
+static void write_xfile(const char *path, const char *place)
+{
+	char text[512];
+	int length = snprintf(text, sizeof(text),
+		"xof 0303txt 0032\nFrame F { FrameTransformMatrix { "
+		"2,0,0,0,0,2,0,0,0,0,2,0,%s,1;; } Mesh M { 3; 0;0;0;, 1;0;0;, "
+		"0;1;0;; 1; 3;0,1,2;; } }\n",
+		place);
+
+	file_write(path, text, (size_t)length);
+}
+
+/* A glTF file is moved to the origin; a .x file is drawn where it is. */
+static void test_a_model_far_from_the_origin_is_drawn_or_named(void **state)
 {
 	struct test_path folder = temp_dir_make();
 	struct test_path path = path_join(&folder, "far.gltf");
@@ -52,17 +67,18 @@ static void test_a_model_far_from_the_origin_is_named(void **state)
 
 	(void)state;
 	triangle_file_write(
-		path.text, "{\"mesh\":0,\"translation\":[0,0,-31999]}");
+		path.text, "{\"mesh\":0,\"translation\":[0,3e8,32001]}");
 	assert_int_equal(load(path.text, 0, &heard, &error), 0);
-	/* Two metres long. */
-	triangle_file_write(path.text,
-		"{\"mesh\":0,\"translation\":[0,0,32001],\"scale\":[2,2,2]}");
+	assert_int_equal(error, 0);
+	write_xfile(path.text, "0,0,-31999");
+	assert_int_equal(load(path.text, 0, &heard, &error), 0);
+	write_xfile(path.text, "0,0,32001");
 	assert_int_equal(load(path.text, 0, &heard, &error), 1);
 	assert_int_equal(error, 0);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"stands 32001 m from the origin, 16000 times its size"));
 	/* Rounding leaves it no size. */
-	triangle_file_write(path.text, "{\"mesh\":0,\"translation\":[0,3e8,0]}");
+	write_xfile(path.text, "0,3e8,0");
 	assert_int_equal(load(path.text, 0, &heard, &error), 1);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"stands 300000000 m from the origin, where limber cannot"));
@@ -386,7 +402,8 @@ static void test_only_a_camera_has_uses(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_a_model_far_from_the_origin_is_named),
+		cmocka_unit_test(
+			test_a_model_far_from_the_origin_is_drawn_or_named),
 		cmocka_unit_test(test_a_model_without_triangles_is_named),
 		cmocka_unit_test(test_a_model_has_to_fit_its_memory),
 		cmocka_unit_test(test_demos_are_found_by_their_names),

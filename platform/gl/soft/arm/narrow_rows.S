@@ -25,30 +25,31 @@
 #define COLUMNS 24
 
 /*
- * A pixel: r1 address of the depth, r12 the depth, r2 z, r3 packed colour. Loads
- * the next pixel's depth early, to hide the latency. The jump to pixels relies on
- * there being 9 instructions.
+ * A pixel: r1 address of the depth, r12 the depth, r2 z, r3 packed colour; passes
+ * is the condition, hi or hs, for the depth to pass. Loads the next pixel's depth
+ * early, to hide the latency. The jump to pixels relies on there being 9
+ * instructions.
  */
-	.macro	pixel
-	cmp	r2, r12, lsl #16
+	.macro	pixel passes
+	cmp	r12, r2, lsr #16
 	ldrh	r12, [r1, #2]!
-	movlo	lr, r2, lsr #16
-	strhlo	lr, [r1, #-2]
-	andlo	lr, r8, r3, ror #5
+	mov\passes	lr, r2, lsr #16
+	strh\passes	lr, [r1, #-2]
+	and\passes	lr, r8, r3, ror #5
 	add	r2, r2, r6
-	orrlo	lr, lr, lr, lsr #16
-	strhlo	lr, [r1, r9]
+	orr\passes	lr, lr, lr, lsr #16
+	strh\passes	lr, [r1, r9]
 	add	r3, r3, r7
 	.endm
 
 /* The last pixel of a row: loads and steps nothing for a next one. */
-	.macro	last_pixel
-	cmp	r2, r12, lsl #16
-	movlo	lr, r2, lsr #16
-	strhlo	lr, [r1], #2
-	andlo	lr, r8, r3, ror #5
-	orrlo	lr, lr, lr, lsr #16
-	strhlo	lr, [r1, r9]
+	.macro	last_pixel passes
+	cmp	r12, r2, lsr #16
+	mov\passes	lr, r2, lsr #16
+	strh\passes	lr, [r1], #2
+	and\passes	lr, r8, r3, ror #5
+	orr\passes	lr, lr, lr, lsr #16
+	strh\passes	lr, [r1, r9]
 	.endm
 
 /*
@@ -56,9 +57,10 @@
  * WIDE_MASK, r9 the distance from a depth + 2 to its pixel, r10 left edge, r11
  * right edge.
  */
-	.global	soft_narrow_rows
-	.type	soft_narrow_rows, %function
-soft_narrow_rows:
+	.macro	narrow_rows name, passes
+	.global	\name
+	.type	\name, %function
+\name:
 	push	{r0, r4-r11, lr}
 	add	r8, r0, #DOWN
 	ldm	r0, {r0, r4, r5, r10, r11}
@@ -71,8 +73,8 @@ soft_narrow_rows:
 	add	r10, r10, #24 << 16
 	movs	r2, lr
 	mov	r3, #8
-	beq	.Lturn
-.Lrows:	cmp	r2, r3
+	beq	.Lturn\@
+.Lrows\@:	cmp	r2, r3
 	movle	r12, r2
 	movgt	r12, r3
 	ldr	r1, [sp]
@@ -82,7 +84,7 @@ soft_narrow_rows:
 	mla	r1, r12, r1, r0
 	str	r1, [sp, #END]
 
-.Lrow:	mov	lr, r10, asr #16
+.Lrow\@:	mov	lr, r10, asr #16
 	mla	r2, lr, r6, r4
 	add	r1, r0, lr, lsl #1
 	mla	r3, lr, r7, r5
@@ -91,12 +93,12 @@ soft_narrow_rows:
 	cmp	lr, #COLUMNS - 1
 	addls	lr, lr, lr, lsl #3
 	addls	pc, pc, lr, lsl #2
-	b	.Lnext
+	b	.Lnext\@
 	.rept	COLUMNS - 1
-	pixel
+	pixel	\passes
 	.endr
-	last_pixel
-.Lnext:	ldm	sp, {r1, r2, r3, r12, lr}
+	last_pixel	\passes
+.Lnext\@:	ldm	sp, {r1, r2, r3, r12, lr}
 	add	r0, r0, r1
 	ldr	r1, [sp, #END]
 	add	r4, r4, r2
@@ -104,14 +106,14 @@ soft_narrow_rows:
 	add	r10, r10, r12
 	add	r11, r11, lr
 	cmp	r0, r1
-	bne	.Lrow
+	bne	.Lrow\@
 
 	ldrd	r2, [sp, #REST]
 	cmp	r2, #0
-	beq	.Lturn
-.Lsegment:
+	beq	.Lturn\@
+.Lsegment\@:
 	cmp	r3, #0
-	bne	.Lrows
+	bne	.Lrows\@
 
 	/* Steps the channels' colour by 8 rows and packs it, as pack_again(). */
 	ldr	r1, [sp, #NARROW]
@@ -136,13 +138,13 @@ soft_narrow_rows:
 	add	r5, r5, r12, lsl #21
 	sub	r5, r5, lr
 	mov	r3, #8
-	b	.Lrows
+	b	.Lrows\@
 
 	/* At the middle vertex, replaces the left edge or the right one. */
-.Lturn:
+.Lturn\@:
 	ldr	r2, [sp, #MORE]
 	cmp	r2, #0
-	beq	.Ldone
+	beq	.Ldone\@
 	ldr	r12, [sp, #NARROW]
 	mov	r1, #0
 	str	r1, [sp, #MORE]
@@ -153,9 +155,14 @@ soft_narrow_rows:
 	strne	lr, [sp, #LEFT_STEP]
 	moveq	r11, r12
 	streq	lr, [sp, #RIGHT_STEP]
-	b	.Lsegment
-.Ldone:	add	sp, sp, #NARROW + 4
+	b	.Lsegment\@
+.Ldone\@:	add	sp, sp, #NARROW + 4
 	pop	{r4-r11, pc}
-	.size	soft_narrow_rows, . - soft_narrow_rows
+	.ltorg
+	.size	\name, . - \name
+	.endm
+
+	narrow_rows	soft_narrow_rows, hi
+	narrow_rows	soft_narrow_rows_equal, hs
 
 	.section .note.GNU-stack, "", %progbits

@@ -27,10 +27,10 @@
  * step, r6 z_right, r7 texel_right, r8 texel_mask, r9 texel_shift, r10 texels, r11
  * WIDE_MASK, r12 pixels, lr WIDE_ROUND. The jump relies on 20 instructions.
  */
-	.macro	texture_pixel
+	.macro	texture_pixel hidden
 	ldrh	r5, [r1], #2
-	cmp	r2, r5, lsl #16
-	bhs	1f
+	cmp	r5, r2, lsr #16
+	b\hidden	1f
 	and	r5, r3, r8
 	mov	r0, r2, lsr #16
 	strh	r0, [r1, #-2]
@@ -46,15 +46,16 @@
 	add	r4, r4, r4, lsl #16
 	.endm
 
-	.global	soft_band_gray
-	.type	soft_band_gray, %function
-soft_band_gray:
+	.macro	band_gray name, hidden
+	.global	\name
+	.type	\name, %function
+\name:
 	push	{r4-r11, lr}
 	ldr	r1, [r0, #BAND_ROWS]
 	push	{r0, r1}
 
 	/* r1 to r4: this row's values; stores the next row's */
-.Lrow:
+.Lrow\@:
 	add	lr, r0, #BAND_DOWN
 	ldm	r0, {r1-r4}
 	ldm	lr, {r5-r8}
@@ -71,7 +72,7 @@ soft_band_gray:
 	add	r10, r10, r8
 	add	r11, r11, r9
 	strd	r10, [r0, #BAND_EDGE]
-	ble	.Lnext
+	ble	.Lnext\@
 
 	/* steps from column 0 to column r12; r5 is the number of pixels */
 	ldrd	r6, [r0, #BAND_RIGHT]
@@ -88,15 +89,19 @@ soft_band_gray:
 	add	pc, pc, r5, lsl #4
 	nop
 	.rept	GRAY_PIXELS
-	texture_pixel
+	texture_pixel \hidden
 	.endr
 
-.Lnext:
+.Lnext\@:
 	pop	{r0, r1}
 	subs	r1, r1, #1
 	pushne	{r0, r1}
-	bne	.Lrow
+	bne	.Lrow\@
 	pop	{r4-r11, pc}
-	.size	soft_band_gray, . - soft_band_gray
+	.size	\name, . - \name
+	.endm
+
+	band_gray	soft_band_gray, ls
+	band_gray	soft_band_gray_equal, lo
 
 	.section .note.GNU-stack, "", %progbits

@@ -12,17 +12,18 @@
 /* An offset in struct band while r0 has BAND_RIGHT added. */
 #define BEHIND(offset) (offset) - BAND_RIGHT
 
-	.global	soft_band_tint
-	.type	soft_band_tint, %function
-soft_band_tint:
+	.macro	band_tint name, hidden
+	.global	\name
+	.type	\name, %function
+\name:
 	push	{r3-r11, lr}
 	ldr	r11, =0x03E003E0
 	ldr	r12, =0x07E007E0
-.Lrow:	ldr	r6, [r0, #BAND_EDGE]
+.Lrow\@:	ldr	r6, [r0, #BAND_EDGE]
 	ldr	r7, [r0, #BAND_EDGE + 4]
 	mov	r6, r6, asr #16
 	rsbs	r7, r6, r7, asr #16
-	ble	.Lnext
+	ble	.Lnext\@
 	ldm	r0, {r1-r5}
 	add	r0, r0, #BAND_RIGHT
 	ldm	r0, {r8, r9, r10, lr}
@@ -35,10 +36,10 @@ soft_band_tint:
 	pkhbt	r5, r5, r7, lsl #16
 
 	/* r1 depth, r2 z, r3 texel, r4 red_blue, r5 green below the pixels left */
-.Lpixel:
+.Lpixel\@:
 	ldrh	r6, [r1], #2
-	cmp	r2, r6, lsl #16
-	bhs	.Lskip
+	cmp	r6, r2, lsr #16
+	b\hidden	.Lskip\@
 	mov	r6, r2, lsr #16
 	strh	r6, [r1, #-2]
 
@@ -55,7 +56,7 @@ soft_band_tint:
 	rsb	r8, r9, r8, lsl #8
 	adds	r10, r10, #0x1000000
 	bicscc	r10, r10, r6
-	bne	.Lacross
+	bne	.Lacross\@
 	mov	r10, lr, lsr r7
 	uxtab	r10, r10, lr, ror #8
 	ldrd	r6, [r0, #BEHIND(BAND_TEXELS)]
@@ -64,7 +65,7 @@ soft_band_tint:
 	ldr	r7, [r10, r7]
 
 	/* r6 two texels above, r7 below; lr red, r6 green, r10 blue */
-.Lmix:	and	lr, r11, r6, lsr #6
+.Lmix\@:	and	lr, r11, r6, lsr #6
 	and	r10, r11, r6, lsl #5
 	and	r6, r12, r6
 	smuad	lr, lr, r8
@@ -87,15 +88,15 @@ soft_band_tint:
 	orr	lr, r6, lr, lsl #6
 	orr	lr, r10, lr, lsl #5
 	strh	lr, [r1, r8]
-.Lskip:	ldm	r0, {r6-r9}
+.Lskip\@:	ldm	r0, {r6-r9}
 	add	r2, r2, r6
 	add	r3, r3, r7
 	add	r4, r4, r8
 	adds	r5, r5, r9
-	bpl	.Lpixel
+	bpl	.Lpixel\@
 	sub	r0, r0, #BAND_RIGHT
 
-.Lnext:	add	lr, r0, #BAND_DOWN
+.Lnext\@:	add	lr, r0, #BAND_DOWN
 	ldm	r0, {r1-r5}
 	ldm	lr!, {r6-r10}
 	add	r1, r1, r6
@@ -110,11 +111,11 @@ soft_band_tint:
 	stm	lr, {r1, r2}
 	subs	r5, r5, #1
 	str	r5, [lr, #BAND_ROWS - BAND_EDGE]
-	bgt	.Lrow
+	bgt	.Lrow\@
 	pop	{r3-r11, pc}
 
 	/* texel lr lies at the level's edge */
-.Lacross:
+.Lacross\@:
 	sub	sp, sp, #8
 	mov	r6, sp
 	push	{r0-r3}
@@ -125,7 +126,12 @@ soft_band_tint:
 	pop	{r0-r3}
 	pop	{r6, r7}
 	ldr	r12, =0x07E007E0
-	b	.Lmix
-	.size	soft_band_tint, . - soft_band_tint
+	b	.Lmix\@
+	.ltorg
+	.size	\name, . - \name
+	.endm
+
+	band_tint	soft_band_tint, ls
+	band_tint	soft_band_tint_equal, lo
 
 	.section .note.GNU-stack, "", %progbits

@@ -99,7 +99,7 @@ static ALWAYS_INLINE uint16_t shade_tinted(
 }
 
 static ALWAYS_INLINE void draw_row(
-	const struct band *band, int column, int count, bool tinted)
+	const struct band *band, int column, int count, bool tinted, bool equal)
 {
 	const struct band_row *row = &band->row;
 	const uint32_t n = (uint32_t)column;
@@ -112,7 +112,7 @@ static ALWAYS_INLINE void draw_row(
 		row->green + band->green_right * n};
 
 	for (; count > 0; count--, depth++) {
-		if (at.z < (uint32_t)*depth << 16) {
+		if (at.z >> 16 < (uint32_t)*depth + equal) {
 			write_pixel(band, depth, at.z,
 				tinted ? shade_tinted(band, &at)
 				       : shade_gray(band, &at));
@@ -124,7 +124,7 @@ static ALWAYS_INLINE void draw_row(
 	}
 }
 
-static ALWAYS_INLINE void draw_rows(struct band *band, bool tinted)
+static ALWAYS_INLINE void draw_rows(struct band *band, bool tinted, bool equal)
 {
 	const struct band_row *down = &band->down;
 	struct band_row *row = &band->row;
@@ -133,7 +133,7 @@ static ALWAYS_INLINE void draw_rows(struct band *band, bool tinted)
 		int left = band_column(&band->edges, BAND_LEFT);
 		int right = band_column(&band->edges, BAND_RIGHT);
 
-		draw_row(band, left, right - left, tinted);
+		draw_row(band, left, right - left, tinted, equal);
 		row->depth += down->depth;
 		row->z_q16 += down->z_q16;
 		row->texel += down->texel;
@@ -142,12 +142,12 @@ static ALWAYS_INLINE void draw_rows(struct band *band, bool tinted)
 	}
 }
 
-void soft_band_gray_c(struct band *band)
+void soft_band_gray_c(struct band *band, bool equal)
 {
-	draw_rows(band, false);
+	draw_rows(band, false, equal);
 }
 
-void soft_band_tint_c(struct band *band)
+void soft_band_tint_c(struct band *band, bool equal)
 {
-	draw_rows(band, true);
+	draw_rows(band, true, equal);
 }

@@ -1,6 +1,7 @@
 /*
  * Bands: the rows of a triangle above or below its middle vertex. A struct band
- * has an RGB565 texture and picture, and depths that are tested LESS and written.
+ * has an RGB565 texture and picture, and depths that are written. They are
+ * tested LESS, or LEQUAL by functions with equal.
  *
  * Functions draw all rows of a band, and leave row and edges at the next row.
  */
@@ -114,10 +115,12 @@ struct flat_color {
  * band: this is what frame_draw_bands() calls.
  */
 void soft_band_gray(void *band);
+void soft_band_gray_equal(void *band);
 void soft_band_tint(void *band);
+void soft_band_tint_equal(void *band);
 /* band.c: the same in C, with the same results. */
-void soft_band_gray_c(struct band *band);
-void soft_band_tint_c(struct band *band);
+void soft_band_gray_c(struct band *band, bool equal);
+void soft_band_tint_c(struct band *band, bool equal);
 /* Loads the texels at and right of at, and the pair below, across level edges. */
 void soft_tint_across(const struct band *band, uint32_t at, uint32_t pair[2]);
 

@@ -161,9 +161,11 @@ void soft_fill_narrow(struct draw *draw, struct setup *setup)
 {
 	struct narrow narrow;
 
-	if (begin(draw, setup, &narrow)) {
-		soft_narrow_rows(&narrow);
-	} else {
+	if (!begin(draw, setup, &narrow)) {
 		soft_rows_fill(draw, setup);
+	} else if (draw->spans.equal_passes) {
+		soft_narrow_rows_equal(&narrow);
+	} else {
+		soft_narrow_rows(&narrow);
 	}
 }

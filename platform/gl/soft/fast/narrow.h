@@ -75,9 +75,13 @@ static ALWAYS_INLINE void narrow_set_edge(
 bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
 	struct narrow *narrow);
 
-/* arm/narrow_rows.S or portable/triangles.c: draws all rows; changes narrow. */
+/*
+ * arm/narrow_rows.S or portable/triangles.c: draws all rows; changes narrow.
+ * Depths are tested LESS, or LEQUAL by soft_narrow_rows_equal().
+ */
 void soft_narrow_rows(struct narrow *narrow);
+void soft_narrow_rows_equal(struct narrow *narrow);
 /* narrow_rows.c: the same in C, with the same results. */
-void soft_narrow_rows_c(struct narrow *narrow);
+void soft_narrow_rows_c(struct narrow *narrow, bool equal);
 
 #endif

@@ -8,7 +8,7 @@ static uint16_t unpack(uint32_t packed)
 	return narrow((packed >> 5 | packed << 27) & WIDE_MASK);
 }
 
-static void draw_row(const struct narrow *narrow)
+static void draw_row(const struct narrow *narrow, bool equal)
 {
 	const struct narrow_row *row = &narrow->row;
 	const int left = ((int32_t)row->left >> 16) + NARROW_LEFT;
@@ -19,7 +19,7 @@ static void draw_row(const struct narrow *narrow)
 	uint32_t packed = row->packed + narrow->packed_right * (uint32_t)left;
 
 	for (int i = left; i < right; i++, depth++) {
-		if (z < (uint32_t)*depth << 16) {
+		if (z >> 16 < (uint32_t)*depth + equal) {
 			*depth = (uint16_t)(z >> 16);
 			*(uint16_t *)((uintptr_t)(depth + 1) + narrow->pixels) =
 				unpack(packed);
@@ -41,7 +41,7 @@ static void pack_again(struct narrow *narrow)
 	narrow->row.packed = narrow_pack(narrow);
 }
 
-void soft_narrow_rows_c(struct narrow *narrow)
+void soft_narrow_rows_c(struct narrow *narrow, bool equal)
 {
 	struct narrow_row *row = &narrow->row, *down = &narrow->down;
 	const int rows = narrow->rows + narrow->more;
@@ -54,7 +54,7 @@ void soft_narrow_rows_c(struct narrow *narrow)
 		if (y > 0 && y % NARROW_CHUNK == 0) {
 			pack_again(narrow);
 		}
-		draw_row(narrow);
+		draw_row(narrow, equal);
 		row->depth += down->depth;
 		row->z += down->z;
 		row->packed += down->packed;

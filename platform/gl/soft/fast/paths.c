@@ -49,14 +49,11 @@ static bool is_text(const struct draw *draw)
 		!draw->soft->fragment.depth_test;
 }
 
-/* Opaque, by a depth test LESS that writes; no state depends on the face. */
+/* Opaque, by LESS or LEQUAL, which write; no state depends on the face. */
 static bool is_solid(const struct draw *draw)
 {
-	const struct fragment_state *state = &draw->soft->fragment;
-
-	return state->depth_test && state->depth_function == GL_LESS &&
-		state->depth_mask && !draw->blended && !draw->offset &&
-		!draw->shading.two_side;
+	return draw->spans.depth_by_less && draw->spans.depth_written &&
+		!draw->blended && !draw->offset && !draw->shading.two_side;
 }
 
 static bool is_bilinear(const struct draw *draw)

@@ -9,20 +9,19 @@ void soft_list(struct draw *draw, const struct source *source)
 	}
 }
 
-void soft_narrow_rows(struct narrow *narrow)
-{
-	soft_narrow_rows_c(narrow);
-}
+#define BOTH_TESTS(type, name)         \
+	void name(type *rows)          \
+	{                              \
+		name##_c(rows, false); \
+	}                              \
+	void name##_equal(type *rows)  \
+	{                              \
+		name##_c(rows, true);  \
+	}
 
-void soft_band_gray(void *band)
-{
-	soft_band_gray_c(band);
-}
-
-void soft_band_tint(void *band)
-{
-	soft_band_tint_c(band);
-}
+BOTH_TESTS(struct narrow, soft_narrow_rows)
+BOTH_TESTS(void, soft_band_gray)
+BOTH_TESTS(void, soft_band_tint)
 
 void soft_tile_row(const struct tile_run *run, int by_fine)
 {

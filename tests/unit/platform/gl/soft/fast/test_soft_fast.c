@@ -39,6 +39,41 @@ static void test_plain_triangles_are_those_of_the_long_way(void **state)
 	check_kind(FAST_PLAIN);
 }
 
+/* Draws triangles again in other colours: by LEQUAL these are seen. */
+static void test_equal_depths_pass_by_lequal(void **state)
+{
+	(void)state;
+	for (uint32_t seed = 1; seed <= 60; seed++) {
+		const enum fast_kind kind =
+			seed % 3 ? FAST_PLAIN : FAST_TEXTURED;
+		struct soft_scene *scene[3];
+		struct soft_corner corner[FAST_CORNERS];
+
+		for (int i = 0; i < 3; i++) {
+			scene[i] = fast_scene_open(7);
+			scene[i]->gl->DepthFunc(i < 2 ? GL_LEQUAL : GL_LESS);
+			fast_scene_make_triangles(
+				corner, seed, kind, 20 + (int)seed);
+			fast_scene_draw(scene[i], corner, kind, i == 1);
+			for (int k = 0; k < FAST_CORNERS; k++) {
+				for (int n = 0; n < 3; n++) {
+					corner[k].color[n] ^= 255;
+				}
+			}
+			fast_scene_draw(scene[i], corner, kind, i == 1);
+		}
+		assert_true(scene[0]->soft->draw->fill != soft_rows_fill);
+		assert_memory_not_equal(scene[0]->pixel, scene[2]->pixel,
+			sizeof(scene[0]->pixel));
+		if (kind == FAST_PLAIN) {
+			fast_scene_compare(scene[0], scene[1]);
+		}
+		for (int i = 0; i < 3; i++) {
+			soft_scene_close(scene[i]);
+		}
+	}
+}
+
 static void test_shadows_are_those_of_the_long_way(void **state)
 {
 	(void)state;
@@ -218,6 +253,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_plain_triangles_are_those_of_the_long_way),
+		cmocka_unit_test(test_equal_depths_pass_by_lequal),
 		cmocka_unit_test(test_shadows_are_those_of_the_long_way),
 		cmocka_unit_test(
 			test_textured_triangles_are_nearly_those_of_the_long_way),

@@ -72,14 +72,23 @@ struct fills {
 	bool exact;       /* the fast path is chosen and draws the same bytes */
 };
 
+static struct soft_scene *open_scene(GLenum depth_function)
+{
+	struct soft_scene *scene = fast_scene_open(7);
+
+	scene->gl->DepthFunc(depth_function);
+	return scene;
+}
+
 static void check_fills(const struct fills *fills)
 {
 	struct soft_corner corner[FAST_CORNERS];
 
 	fast_scene_make_triangles(corner, 1, fills->kind, 10);
 	for (uint32_t seed = 1; seed <= fills->rounds; seed++) {
-		struct soft_scene *fast_setup = fast_scene_open(7),
-				  *slow = fast_scene_open(7);
+		const GLenum function = seed % 4 < 2 ? GL_LESS : GL_LEQUAL;
+		struct soft_scene *fast_setup = open_scene(function);
+		struct soft_scene *slow = open_scene(function);
 		bool perspective = fills->perspective && seed % 2;
 
 		fast_scene_draw(slow, corner, fills->kind, false);
@@ -105,7 +114,7 @@ static void fill_narrow_in_c(struct draw *draw, struct setup *setup)
 	struct narrow narrow;
 
 	if (soft_narrow_begin(draw, setup, &narrow)) {
-		soft_narrow_rows_c(&narrow);
+		soft_narrow_rows_c(&narrow, draw->spans.equal_passes);
 	} else {
 		soft_rows_fill(draw, setup);
 	}

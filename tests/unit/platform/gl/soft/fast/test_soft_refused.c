@@ -39,11 +39,6 @@ static void mask_red(const struct gl *gl)
 	gl->ColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-static void test_less_or_equal(const struct gl *gl)
-{
-	gl->DepthFunc(GL_LEQUAL);
-}
-
 static void test_greater(const struct gl *gl)
 {
 	gl->DepthFunc(GL_GREATER);
@@ -181,7 +176,6 @@ static const struct state_case cases[] = {
 	{"two sides", FAST_PLAIN, light_both_sides, 200},
 	{"no red", FAST_PLAIN, mask_red, 200},
 	{"no green", FAST_PLAIN, mask_green, 200},
-	{"less or equal", FAST_PLAIN, test_less_or_equal, 200},
 	{"greater", FAST_PLAIN, test_greater, 200},
 	{"no depth written", FAST_PLAIN, keep_depth, 200},
 	{"alpha test", FAST_PLAIN, test_alpha, 200},
@@ -189,7 +183,6 @@ static const struct state_case cases[] = {
 	{"stencil", FAST_PLAIN, test_stencil, 200},
 	{"textured, offset", FAST_TEXTURED, offset, 200},
 	{"textured, two sides", FAST_TEXTURED, light_both_sides, 200},
-	{"textured, less or equal", FAST_TEXTURED, test_less_or_equal, 200},
 	{"textured, no depth written", FAST_TEXTURED, keep_depth, 200},
 	{"textured, blended", FAST_TEXTURED, blend_by_alpha, 200},
 	{"textured, small", FAST_TEXTURED, filter_small, 120},

@@ -14,7 +14,7 @@
 
 enum {
 	/* "LLV" and the version of the format and of levels_make()'s lists. */
-	FORMAT = 0x02564c4c,
+	FORMAT = 0x03564c4c,
 	SHORT_VERTICES_MAX = 65536,
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/model/levels/simplify_choose.h"
 #include "app/model/levels/simplify_error.h"
+#include "app/model/levels/simplify_merge.h"
 #include "app/model/model_deltas.h"
 #include "platform/base/scalar.h"
 
@@ -166,6 +167,8 @@ int simplify_begin(struct simplify *simplify,
 			simplify->locked[leader] || input->shared[v];
 	}
 	simplify_mesh_link(simplify);
+	simplify->divided =
+		!input->shape_only && simplify_merge_is_wanted(simplify);
 	simplify_error_begin(simplify);
 	return 0;
 }
@@ -281,6 +284,7 @@ static bool run_pass(struct simplify *simplify, float limit)
 
 void simplify_until(struct simplify *simplify, float limit)
 {
+	simplify_merge(simplify, limit);
 	for (int pass = 0; pass < PASSES_MAX && run_pass(simplify, limit);
 		pass++) {
 	}

@@ -57,6 +57,7 @@ struct simplify {
 	int target_count;
 	struct simplify_target *target; /* [target_count] */
 	bool shape_only;
+	bool divided; /* most positions have several vertices, to be merged */
 
 	float (*position)[3]; /* in fractions of the extent */
 	float extent;

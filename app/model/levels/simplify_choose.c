@@ -1,5 +1,6 @@
 #include "app/model/levels/simplify_choose.h"
 
+#include "app/model/levels/simplify_attributes.h"
 #include "app/model/levels/simplify_error.h"
 #include "platform/base/scalar.h"
 
@@ -161,6 +162,35 @@ static bool stays_surface(struct simplify *simplify,
 	return common == (border ? 1 : 2);
 }
 
+/*
+ * Whether at most two edges of a leader lie between triangles with different
+ * vertices of it, as where a seam passes. Where colours of triangles alternate,
+ * merged vertices have more, and a collapse would change the pattern.
+ */
+static bool has_one_seam(const struct simplify *simplify, uint32_t leader)
+{
+	const uint32_t *triangle = simplify->triangle;
+	uint32_t first = simplify->first_triangle[leader];
+	uint32_t end = simplify->first_triangle[leader + 1];
+	int edges = 0;
+
+	for (uint32_t i = first; i < end; i++) {
+		const uint32_t *a = simplify->index + triangle[i];
+		int at = simplify_mesh_corner(simplify, triangle[i], leader);
+
+		for (uint32_t j = first; j < end; j++) {
+			const uint32_t *b = simplify->index + triangle[j];
+			int own = simplify_mesh_corner(
+				simplify, triangle[j], leader);
+
+			edges += a[at] != b[own] &&
+				simplify->leader[a[(at + 1) % 3]] ==
+					simplify->leader[b[(own + 2) % 3]];
+		}
+	}
+	return edges <= 2;
+}
+
 static bool is_allowed(struct simplify *simplify,
 	const struct simplify_ring *ring, uint32_t from, uint32_t to)
 {
@@ -172,6 +202,7 @@ static bool is_allowed(struct simplify *simplify,
 	return i < ring->count && (ring->border_count == 0 || ring->border[i]) &&
 		stays_surface(simplify, ring, to, ring->border[i]) &&
 		!turns_over(simplify, from, to) &&
+		(!simplify->divided || has_one_seam(simplify, from)) &&
 		pair_vertices(simplify, from, to);
 }
 

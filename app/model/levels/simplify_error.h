@@ -14,14 +14,6 @@ void simplify_error_begin(struct simplify *simplify);
 float simplify_error_of_shape(
 	const struct simplify *simplify, uint32_t from, uint32_t to);
 
-/*
- * Returns the change of attributes if the leader `from` collapses to the leader
- * `to`, as a distance. simplify->to says which vertex each vertex of `from`
- * collapses to.
- */
-float simplify_error_of_attributes(
-	const struct simplify *simplify, uint32_t from, uint32_t to);
-
 /* Adds the quadric of `from` to that of `to`. */
 void simplify_error_collapse(
 	struct simplify *simplify, uint32_t from, uint32_t to);

@@ -1,5 +1,7 @@
 /* What a collapse of one vertex of five changes, against plain formulas. */
 #include "app/model/levels/simplify_error.h"
+
+#include "app/model/levels/simplify_attributes.h"
 #include "tests/support/test.h"
 
 #include <math.h>

@@ -100,13 +100,46 @@ static const struct batch_lod *shaded_list(
 	return drawable->lod > 0 ? &batch->lod[drawable->lod - 1] : NULL;
 }
 
+/* Which triangles are drawn, by what glow.h tells of them. */
+enum part {
+	PART_ALL,
+	PART_DARK,
+	PART_SHINING,
+};
+
+/* Returns a list of the part's triangles; it may be empty. */
+static struct batch_lod list_part(const struct drawable *drawable,
+	const struct batch *batch, enum part part)
+{
+	const struct batch_lod *list = shaded_list(drawable, batch);
+	struct batch_lod out = {.index = batch->index,
+		.index_count =
+			batch->index ? batch->index_count : batch->vertex_count,
+		.glow_from = batch->glow_from};
+
+	if (list) {
+		out = *list;
+	}
+	if (part == PART_DARK) {
+		out.index_count = out.glow_from;
+	} else if (part == PART_SHINING && out.index) {
+		out.index += out.glow_from;
+		out.index_count -= out.glow_from;
+	}
+	return out;
+}
+
 static void draw_shaded(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct batch *batch,
-	enum emission emission)
+	enum emission emission, enum part part)
 {
+	const struct batch_lod list = list_part(drawable, batch, part);
 	bool textured = is_textured(instance, drawable);
 	bool faceted = batch->source && batch->index;
 
+	if (list.index_count == 0) {
+		return;
+	}
 	if (faceted) {
 		gl->ShadeModel(GL_FLAT);
 	}
@@ -116,7 +149,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 			.both_units = emission == EMISSION_BY_TEXTURE,
 			.texcoord = textured ? batch->texcoord : NULL,
 			.color = batch->color,
-			.list = shaded_list(drawable, batch),
+			.list = &list,
 		});
 	if (faceted) {
 		gl->ShadeModel(GL_SMOOTH);
@@ -194,11 +227,11 @@ static bool draw_partial_shadow(const struct gl *gl,
 }
 
 static void draw_all_shaded(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, enum emission emission)
+	const struct drawable *drawable, enum emission emission, enum part part)
 {
 	for (int i = 0; i < drawable->batch_count; i++) {
-		draw_shaded(
-			gl, instance, drawable, &drawable->batch[i], emission);
+		draw_shaded(gl, instance, drawable, &drawable->batch[i],
+			emission, part);
 	}
 }
 
@@ -208,7 +241,7 @@ static void draw_all_shaded(const struct gl *gl, const struct instance *instance
  * alone.
  */
 static void draw_two_sided(const struct gl *gl, const struct instance *instance,
-	const struct drawable *drawable, enum emission emission)
+	const struct drawable *drawable, enum emission emission, enum part part)
 {
 	bool blended = drawable->alpha == MODEL_BLEND;
 
@@ -218,9 +251,19 @@ static void draw_two_sided(const struct gl *gl, const struct instance *instance,
 
 		gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, back);
 		gl->CullFace(back ? GL_FRONT : GL_BACK);
-		draw_all_shaded(gl, instance, drawable, emission);
+		draw_all_shaded(gl, instance, drawable, emission, part);
 	}
 	gl->CullFace(GL_BACK);
+}
+
+static void draw_sides(const struct gl *gl, const struct instance *instance,
+	const struct drawable *drawable, enum emission emission, enum part part)
+{
+	if (material_of(instance, drawable)->double_sided) {
+		draw_two_sided(gl, instance, drawable, emission, part);
+	} else {
+		draw_all_shaded(gl, instance, drawable, emission, part);
+	}
 }
 
 /* Draws the surface with all light but that of a pass of its own. */
@@ -228,23 +271,18 @@ static void draw_lit(const struct gl *gl, const struct instance *instance,
 	const struct drawable *drawable, const struct texture_set *textures,
 	enum emission emission)
 {
-	const bool by_unit = emission == EMISSION_OVER_TEXTURE ||
-		emission == EMISSION_BY_TEXTURE;
-
-	if (emission == EMISSION_WITH_LIGHT) {
-		emission_begin_light(gl, drawable);
-	} else if (by_unit) {
+	if (emission == EMISSION_OVER_TEXTURE ||
+		emission == EMISSION_BY_TEXTURE) {
+		draw_sides(gl, instance, drawable, EMISSION_NONE, PART_DARK);
 		emission_begin_unit(gl, instance->model, drawable, textures);
-	}
-	if (material_of(instance, drawable)->double_sided) {
-		draw_two_sided(gl, instance, drawable, emission);
-	} else {
-		draw_all_shaded(gl, instance, drawable, emission);
-	}
-	if (emission == EMISSION_WITH_LIGHT) {
-		emission_end_light(gl);
-	} else if (by_unit) {
+		draw_sides(gl, instance, drawable, emission, PART_SHINING);
 		emission_end_unit(gl);
+	} else if (emission == EMISSION_WITH_LIGHT) {
+		emission_begin_light(gl, drawable);
+		draw_sides(gl, instance, drawable, emission, PART_ALL);
+		emission_end_light(gl);
+	} else {
+		draw_sides(gl, instance, drawable, emission, PART_ALL);
 	}
 }
 
@@ -261,12 +299,17 @@ static void draw_emission(const struct gl *gl, const struct instance *instance,
 	emission_begin_pass(gl, instance->model, drawable, textures);
 	for (int i = 0; i < drawable->batch_count; i++) {
 		const struct batch *batch = &drawable->batch[i];
+		const struct batch_lod list =
+			list_part(drawable, batch, PART_SHINING);
 
-		draw_batch(gl, batch,
-			&(struct draw_arrays){
-				.texcoord = textured ? batch->texcoord : NULL,
-				.list = shaded_list(drawable, batch),
-			});
+		if (list.index_count > 0) {
+			draw_batch(gl, batch,
+				&(struct draw_arrays){
+					.texcoord = textured ? batch->texcoord
+							     : NULL,
+					.list = &list,
+				});
+		}
 	}
 	emission_end_pass(gl);
 }
@@ -315,7 +358,8 @@ static void draw_back(const struct gl *gl, const struct instance *instance,
 {
 	set_surface(gl, instance, drawable, textures);
 	gl->CullFace(GL_FRONT);
-	draw_shaded(gl, instance, drawable, drawable->batch, EMISSION_NONE);
+	draw_shaded(gl, instance, drawable, drawable->batch, EMISSION_NONE,
+		PART_ALL);
 	gl->CullFace(GL_BACK);
 }
 
@@ -340,12 +384,12 @@ static void draw_bump_mapped(const struct gl *gl,
 		});
 	set_surface(gl, instance, drawable, textures);
 	bump_begin_color_pass(gl);
-	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE);
+	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE, PART_ALL);
 	bump_begin_remaining_pass(gl);
 	if (emission == EMISSION_WITH_LIGHT) {
 		emission_begin_light(gl, drawable);
 	}
-	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE);
+	draw_shaded(gl, instance, drawable, batch, EMISSION_NONE, PART_ALL);
 	bump_end(gl);
 	if (material->double_sided) {
 		draw_back(gl, instance, drawable, textures);

@@ -10,6 +10,7 @@
 #include "app/scene/draw/alpha.h"
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/emission.h"
+#include "app/scene/draw/glow.h"
 #include "app/scene/instance/batch.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/drawable_fixed.h"
@@ -256,7 +257,7 @@ static int share_drawable(struct instance *instance, struct drawable *drawable,
 }
 
 static int init_drawable(struct instance *instance, struct drawable *drawable,
-	int node, int primitive_index)
+	int node, int primitive_index, struct glow_map *glow)
 {
 	const struct model *model = instance->model;
 	const struct model_node *n = &model->node[node];
@@ -286,6 +287,9 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 		error = make_batches(drawable,
 			&model->material[drawable->primitive->material],
 			&instance->arena);
+	}
+	if (!error) {
+		error = glow_sort(drawable, model, glow, &instance->arena);
 	}
 	if (!error) {
 		batch_gather(drawable);
@@ -319,7 +323,8 @@ static int count_drawables(const struct model *model, int *out)
  * has the same mesh.
  */
 static int init_node(struct instance *instance, int node,
-	const struct drawable *shown, struct drawable *out)
+	const struct drawable *shown, struct glow_map *glow,
+	struct drawable *out)
 {
 	const struct model_node *n = &instance->model->node[node];
 	const struct model_mesh *mesh = &instance->model->mesh[n->mesh];
@@ -330,7 +335,7 @@ static int init_node(struct instance *instance, int node,
 
 		error = shown && !skinned && is_constant(&shown[p])
 			? share_drawable(instance, &out[p], node, &shown[p])
-			: init_drawable(instance, &out[p], node, p);
+			: init_drawable(instance, &out[p], node, p, glow);
 	}
 	return error;
 }
@@ -340,6 +345,7 @@ static int init_nodes(struct instance *instance, const struct drawable *shown[])
 {
 	const struct model *model = instance->model;
 	struct drawable *next = instance->drawable;
+	struct glow_map glow = {0};
 	int error = 0;
 
 	for (int i = 0; i < model->node_count && !error; i++) {
@@ -348,10 +354,11 @@ static int init_nodes(struct instance *instance, const struct drawable *shown[])
 		if (!model_node_shows_mesh(node)) {
 			continue;
 		}
-		error = init_node(instance, i, shown[node->mesh], next);
+		error = init_node(instance, i, shown[node->mesh], &glow, next);
 		shown[node->mesh] = next;
 		next += model->mesh[node->mesh].primitive_count;
 	}
+	glow_map_release(&glow);
 	return error;
 }
 

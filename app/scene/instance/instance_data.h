@@ -33,6 +33,7 @@
 struct batch_lod {
 	float error; /* in the unit of the model's positions */
 	int index_count;
+	int glow_from; /* the triangles before it emit nothing, see draw/glow.h */
 	const uint16_t *index;
 	/* of a list for shadows: the level whose vertices include its own */
 	int posed_lod;
@@ -62,6 +63,7 @@ struct batch {
 	 * index holds facets (facets.h)
 	 */
 	const uint16_t *index;
+	int glow_from; /* within index, as in batch_lod */
 	int lod_count;
 	struct batch_lod *lod; /* [lod_count], finest first */
 	/* Lists for shadows, finest first: nearly the same silhouette. */

@@ -29,12 +29,17 @@ static void test_reads_numbers_auto_and_budgets(void **state)
 	assert_true(influence_cap_parse("budget:5000", &cap));
 	assert_int_equal(cap.kind, INFLUENCE_CAP_BUDGET);
 	assert_int_equal(cap.value, 5000);
+	assert_true(influence_cap_parse("1", &cap) && cap.value == 1);
+	assert_true(influence_cap_parse("8", &cap) && cap.value == 8);
+	assert_true(influence_cap_parse("budget:1", &cap) && cap.value == 1);
+	assert_true(influence_cap_parse("budget:100000000", &cap));
+	assert_int_equal(cap.value, 100000000);
 }
 
 static void test_refuses_other_words(void **state)
 {
 	static const char *const bad[] = {"", "0", "9", "-1", "two", "2x",
-		"budget:", "budget:0", "budget"};
+		"budget:", "budget:0", "budget", "budget:100000001", "budgets9"};
 	struct influence_cap cap;
 
 	(void)state;
@@ -49,6 +54,10 @@ static void test_small_figures_get_fewer_influences(void **state)
 	assert_int_equal(influence_cap_for_height(400.0f), 0);
 	assert_int_equal(influence_cap_for_height(100.0f), 2);
 	assert_int_equal(influence_cap_for_height(30.0f), 1);
+	assert_int_equal(influence_cap_for_height(160.0f), 0);
+	assert_int_equal(influence_cap_for_height(159.9f), 2);
+	assert_int_equal(influence_cap_for_height(64.0f), 2);
+	assert_int_equal(influence_cap_for_height(63.9f), 1);
 }
 
 static void test_counts_what_a_cap_leaves(void **state)

@@ -55,6 +55,23 @@ static void test_scales_a_tiny_model_up(void **state)
 	model_destroy(model);
 }
 
+static void test_techniques_are_named_by_what_moves_vertices(void **state)
+{
+	static const char *const names[] = {
+		"Hierarchical", "Skeletal", "Morphing", "Skeletal + morph"};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct drawable drawable[2] = {{.skin = -1}, {.skin = -1}};
+		struct instance instance = {
+			.drawable_count = 2, .drawable = drawable};
+
+		drawable[0].skin = i & 1 ? 0 : -1;
+		drawable[1].morphed = i & 2;
+		assert_string_equal(instance_technique(&instance), names[i]);
+	}
+}
+
 static void test_bounds_of_nothing_are_empty(void **state)
 {
 	struct bounds bounds = bounds_empty();
@@ -105,6 +122,8 @@ int main(void)
 		cmocka_unit_test(test_keeps_metres_for_a_model_of_human_size),
 		cmocka_unit_test(test_scales_a_huge_model_by_a_power_of_two),
 		cmocka_unit_test(test_scales_a_tiny_model_up),
+		cmocka_unit_test(
+			test_techniques_are_named_by_what_moves_vertices),
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
 		cmocka_unit_test(
 			test_a_model_without_size_at_rest_has_that_of_its_clip),

@@ -152,6 +152,38 @@ static void test_waves_are_as_high_as_they_may_be(void **state)
 	assert_in_range((int)(1000.0f * (0.25f - low)), 480, 500);
 }
 
+/* By four times how far the mesh may be off, within parts of the distance. */
+static void test_what_lies_on_the_ground_is_lifted_towards_the_eye(void **state)
+{
+	static const float eyes[][3] = {
+		{0.0f, 2.0f, 3.0f}, {0.0f, 0.5f, 1.0f}, {40.0f, 3.0f, -30.0f}};
+	static const float heights[] = {0.0f, 0.001f, 0.02f, 0.5f};
+	int within = 0;
+
+	(void)state;
+	make_floor(2.0f, 1.0f, 1.0f);
+	for (size_t i = 0; i < ARRAY_COUNT(eyes) * ARRAY_COUNT(heights); i++) {
+		const float *eye = eyes[i / ARRAY_COUNT(heights)];
+		float from[3] = {0.3f, 0.0f, -0.4f}, at[3], error, share;
+
+		floor_set_wave_height(
+			&ground, heights[i % ARRAY_COUNT(heights)]);
+		from[1] = floor_height(&ground, from[0], from[2]);
+		memcpy(at, from, sizeof(at));
+		floor_lift(&ground, eye, at);
+		error = floor_mesh_error(&ground, eye, from[0], from[2]);
+		share = 4.0f * error / (eye[1] - from[1]);
+		within += share > 0.004f && share < 0.1f;
+		share = fminf(fmaxf(share, 0.004f), 0.1f);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(at[axis],
+				from[axis] + share * (eye[axis] - from[axis]),
+				1e-4);
+		}
+	}
+	assert_true(within > 0);
+}
+
 static const GLenum always_on[] = {GL_TEXTURE_2D, GL_VERTEX_ARRAY,
 	GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY, 0};
 static const GLenum always_off[] = {
@@ -347,6 +379,8 @@ int main(void)
 		cmocka_unit_test(test_a_floor_is_released_once),
 		cmocka_unit_test(test_scrolling_repeats),
 		cmocka_unit_test(test_waves_are_as_high_as_they_may_be),
+		cmocka_unit_test(
+			test_what_lies_on_the_ground_is_lifted_towards_the_eye),
 		cmocka_unit_test(test_level_ground_is_drawn_in_two_quads),
 		cmocka_unit_test(test_uneven_ground_is_drawn_in_runs),
 	};

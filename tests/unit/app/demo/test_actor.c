@@ -31,13 +31,15 @@ static int load(const char *path, size_t memory_bytes,
 		.target = PIXELS_RGBA8888,
 		.kernel = &kernel_float,
 		.model_path = path,
-		.memory_bytes = memory_bytes};
+		.memory_bytes = memory_bytes,
+		.interpolation = CLIP_STEP};
 	struct actor actor;
 
 	*error = actor_load(&actor, &env);
 	if (*error) {
 		assert_null(actor.model);
 	} else {
+		assert_int_equal(actor.interpolation, CLIP_STEP);
 		actor_unload(&actor, &gl);
 	}
 	return log_capture_count(heard, LOG_WARNING) +

@@ -378,8 +378,13 @@ static void test_each_walker_plays_its_clip_in_its_own_size(void **state)
 	(void)state;
 	begin(&run, 1);
 	for (int i = 0; i < 3; i++) {
+		/* What the actor plays, the overlays show. */
+		((struct demo_base *)run.demo)->actor.interpolation =
+			i ? CLIP_STEP : CLIP_AUTO;
 		step(&run);
 		run.driver->get_motion(run.demo, &motion);
+		assert_int_equal(
+			motion.interpolation, i ? CLIP_STEP : CLIP_AUTO);
 		assert_true(demo_find_figure(run.driver, run.demo, 0, &figure));
 		assert_false(demo_find_figure(run.driver, run.demo, 1, &figure));
 		model = base_of(&run)->actor.model;

@@ -107,6 +107,35 @@ static void wear(const uint8_t color[4], uint8_t worn[4])
 	model_destroy(model);
 }
 
+/* By six tenths, and four tenths of what the look's shirt has of a colour. */
+static void test_a_figure_without_clothes_is_tinted_as_a_whole(void **state)
+{
+	static const uint8_t white[4] = {255, 255, 255, 255};
+	static const int tints[][3] = {
+		{255, 255, 255}, {245, 190, 182}, {255, 216, 199}};
+
+	(void)state;
+	for (int number = 0; number < (int)ARRAY_COUNT(tints); number++) {
+		struct model *model = make_board(1, white);
+		struct instance *instance;
+
+		model->material[0].name = "paint";
+		instance = small_model_instance(model);
+		assert_int_equal(crowd_dress(instance, number), 0);
+		for (int d = 0; d < instance->drawable_count; d++) {
+			const struct batch *batch = instance->drawable[d].batch;
+
+			for (int c = 0; c < 3; c++) {
+				assert_in_range(batch->color[0][c],
+					tints[number][c] - 1,
+					tints[number][c] + 1);
+			}
+		}
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
 /*
  * Trousers have 9 more of blue than of red, and shoes less than six tenths of
  * red's green. The look's colours are as bright as the model's, which are at
@@ -214,6 +243,8 @@ int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_walker_has_colours_of_its_own),
+		cmocka_unit_test(
+			test_a_figure_without_clothes_is_tinted_as_a_whole),
 		cmocka_unit_test(test_clothes_are_told_apart_by_their_colour),
 		cmocka_unit_test(
 			test_hair_trousers_and_shoes_are_told_apart_by_their_height),

@@ -72,6 +72,28 @@ static void test_techniques_are_named_by_what_moves_vertices(void **state)
 	}
 }
 
+/* A skin's winding is that of its joints, not of its node. */
+static void test_a_skin_is_mirrored_by_its_joints(void **state)
+{
+	mat4 world = {{1}, {0, 1}, {0, 0, 1}, {0, 0, 0, 1}};
+	struct drawable drawable = {.vertex_scale = 1.0f};
+	struct instance instance = {.drawable_count = 1,
+		.drawable = &drawable,
+		.unit_scale = 1.0f,
+		.world = &world};
+
+	(void)state;
+	for (int i = 0; i < 8; i++) {
+		bool joints = i & 2, node = i & 4;
+
+		drawable.skin = i & 1 ? 0 : -1;
+		drawable.mirrored = joints;
+		world[0][0] = node ? -1.0f : 1.0f;
+		assert_int_equal(instance_is_mirrored(&instance, &drawable),
+			i & 1 ? joints : node);
+	}
+}
+
 static void test_bounds_of_nothing_are_empty(void **state)
 {
 	struct bounds bounds = bounds_empty();
@@ -124,6 +146,7 @@ int main(void)
 		cmocka_unit_test(test_scales_a_tiny_model_up),
 		cmocka_unit_test(
 			test_techniques_are_named_by_what_moves_vertices),
+		cmocka_unit_test(test_a_skin_is_mirrored_by_its_joints),
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
 		cmocka_unit_test(
 			test_a_model_without_size_at_rest_has_that_of_its_clip),

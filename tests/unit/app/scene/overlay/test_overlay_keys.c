@@ -178,6 +178,36 @@ static void test_a_row_shows_the_base_and_each_target(void **state)
 	overlay_bench_end(&bench);
 }
 
+/* From the last target the next one is the first. */
+static void test_a_target_is_chosen_by_its_number_and_named(void **state)
+{
+	struct overlay_bench bench;
+	const struct model_mesh *mesh = NULL;
+	char number[HUD_NAME_BYTES];
+
+	(void)state;
+	overlay_bench_begin(&bench, "face", 0);
+	for (int m = 0; m < bench.figure.instance->model->mesh_count; m++) {
+		const struct model_mesh *at =
+			&bench.figure.instance->model->mesh[m];
+
+		mesh = !mesh && at->target_count > 0 ? at : mesh;
+	}
+	assert_non_null(mesh);
+	assert_int_equal(bench.overlay->target_count, mesh->target_count);
+	for (int i = 0; i < 2 * mesh->target_count; i++) {
+		int target = i % mesh->target_count;
+
+		assert_int_equal(bench.overlay->chosen, target);
+		assert_string_equal(overlay_chosen_name(bench.overlay, number),
+			mesh->target_name[target]);
+		overlay_choose(bench.overlay, 1);
+	}
+	overlay_choose(bench.overlay, -1);
+	assert_int_equal(bench.overlay->chosen, mesh->target_count - 1);
+	overlay_bench_end(&bench);
+}
+
 /* Along the lines of sight, so that it stays where it is in the picture. */
 static void test_a_place_may_be_nearer_to_the_eye(void **state)
 {
@@ -220,6 +250,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_onion_skins_are_tinted_by_their_side),
 		cmocka_unit_test(test_a_row_shows_the_base_and_each_target),
+		cmocka_unit_test(test_a_target_is_chosen_by_its_number_and_named),
 		cmocka_unit_test(test_a_place_may_be_nearer_to_the_eye),
 	};
 

@@ -205,6 +205,71 @@ static void test_another_use_waits_for_its_own_picture(void **state)
 	live_finish(&rig.live, &rig.gl);
 }
 
+static int deleted;
+
+static void count_deleted(GLsizei count, const GLuint *names)
+{
+	(void)names;
+	deleted += count;
+}
+
+static void test_the_texture_is_released_once(void **state)
+{
+	static struct rig rig;
+
+	(void)state;
+	rig_begin(&rig, LIVE_BACKGROUND);
+	rig.gl.DeleteTextures = count_deleted;
+	deleted = 0;
+	live_finish(&rig.live, &rig.gl);
+	assert_int_equal(deleted, 1);
+	live_finish(&rig.live, &rig.gl);
+	assert_int_equal(deleted, 1);
+}
+
+/* The motion has a row of its own while there is a picture to move. */
+static void test_labels_have_a_row_for_the_motion(void **state)
+{
+	static struct rig rig;
+	struct live none = {.feed = NULL};
+
+	(void)state;
+	assert_int_equal(live_label_rows(&none), 0);
+	rig_begin(&rig, LIVE_MOTION);
+	rig_frame(&rig, CAMERA_NONE, 0);
+	assert_int_equal(live_label_rows(&rig.live), 1);
+	rig_frame(&rig, CAMERA_NEW, 100);
+	assert_int_equal(live_label_rows(&rig.live), 2);
+	live_next_use(&rig.live);
+	assert_int_equal(live_label_rows(&rig.live), 1);
+	live_finish(&rig.live, &rig.gl);
+}
+
+/* Else the change of all that happened meanwhile would count as motion. */
+static void test_motion_begins_anew_after_a_pause(void **state)
+{
+	static struct rig rig;
+
+	(void)state;
+	for (int other_use = 0; other_use < 2; other_use++) {
+		rig_begin(&rig, LIVE_MOTION);
+		rig_frame(&rig, CAMERA_NEW, 100);
+		rig_frame(&rig, CAMERA_NEW, 100);
+		if (other_use) {
+			for (int i = 0; i < LIVE_USES; i++) {
+				live_next_use(&rig.live);
+			}
+		} else {
+			rig_frame(&rig, CAMERA_NONE, 0);
+		}
+		rig_frame(&rig, CAMERA_NEW, 200);
+		assert_near(rig.live.smooth_level, 0.0, 1e-6);
+		rig_frame(&rig, CAMERA_NEW, 100);
+		assert_true(rig.live.smooth_level > 0.2f);
+		live_finish(&rig.live, &rig.gl);
+	}
+}
+
 static void test_without_a_camera_nothing_changes(void **state)
 {
 	static struct live live;
@@ -280,6 +345,9 @@ int main(void)
 			test_the_screen_stays_beside_what_the_camera_frames),
 		cmocka_unit_test(test_motion_rises_quickly_and_falls_slowly),
 		cmocka_unit_test(test_another_use_waits_for_its_own_picture),
+		cmocka_unit_test(test_the_texture_is_released_once),
+		cmocka_unit_test(test_labels_have_a_row_for_the_motion),
+		cmocka_unit_test(test_motion_begins_anew_after_a_pause),
 		cmocka_unit_test(test_without_a_camera_nothing_changes),
 		cmocka_unit_test(test_the_names_of_uses),
 		cmocka_unit_test(test_the_screen_stands_where_it_is_seen),

@@ -20,6 +20,12 @@ expect_status 0
 check 'no list of (unnamed) targets' sh -c '! grep -q "targets: (unnamed)" "$1"' \
     sh "$out_file"
 
+# One name among them is enough for a list.
+sed 's/"up"/""/' tests/fixtures/gltf/skin/and_morph.gltf >"$scratch/first.gltf"
+limber info "$scratch/first.gltf"
+expect_status 0
+expect_out 'targets: out, \(unnamed\)$'
+
 limber info "$slider" --json
 expect_status 0
 expect_no_err

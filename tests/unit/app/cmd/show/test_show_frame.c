@@ -1,6 +1,7 @@
 /* What a frame shows over the demo, and what becomes of a GL without memory. */
 #include "app/cmd/show/show_state.h"
 #include "tests/support/demo_shown.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
@@ -18,6 +19,7 @@ static struct {
 	const struct hud *hud;
 	struct hud_vertex vertex[HUD_QUADS_MAX * 4];
 	int quad_count; /* of the hud, in the last frame */
+	int width;      /* of the display's picture, at most WIDTH */
 	int frames;     /* that the display got */
 	GLenum error;   /* of the GL, until it is asked for */
 	int end_error;  /* of the GL's end of a frame */
@@ -49,8 +51,8 @@ static int begin_pixels(struct display *display, struct pixels *out)
 	static uint8_t data[HEIGHT][WIDTH][4];
 
 	(void)display;
-	*out = (struct pixels){
-		&data[0][0][0], WIDTH, HEIGHT, WIDTH * 4, PIXELS_RGBA8888};
+	*out = (struct pixels){&data[0][0][0], noted.width, HEIGHT, WIDTH * 4,
+		PIXELS_RGBA8888};
 	return 0;
 }
 
@@ -70,7 +72,7 @@ static int finish(struct display *display)
 static int begin_gl(struct gl_context *context, const struct pixels *target)
 {
 	(void)context;
-	assert_int_equal(target->width, WIDTH);
+	assert_int_equal(target->width, noted.width);
 	return 0;
 }
 
@@ -120,7 +122,9 @@ static int begin(void **state)
 {
 	struct scene *scene = *state;
 
+	gl_recorder_clear();
 	memset(&noted, 0, sizeof(noted));
+	noted.width = WIDTH;
 	scene->failsafe = (struct failsafe){.path = NULL};
 	scene->log = log_capture_begin(&scene->said);
 	scene->options = options_default();
@@ -209,36 +213,44 @@ static void test_the_graph_has_the_governors_words_without_labels(void **state)
 	assert_true(noted.quad_count > without);
 }
 
-/* Two lines in the middle of the picture, on a panel as wide as it. */
+/* Adds the notice: two lines in the middle, on a panel as wide as the picture. */
+static void add_notice(struct hud *wanted, int width)
+{
+	int em = hud_em(wanted), line = hud_line_height(wanted);
+	int left = em, top = 320 - line - em / 2;
+
+	hud_panel(wanted, left, top, width - em - left, em + line + line,
+		em / 2, hud_color_panel);
+	left += em;
+	top += em / 2;
+	hud_text_cut(wanted, left, top, width - left - left, hud_color_amber,
+		"robot.glb ended limber 2 times within");
+	hud_text_cut(wanted, left, top + line, width - left - left,
+		hud_color_amber, "a minute of its start, so this is a demo");
+}
+
+/* Each line is cut where the picture is too narrow for it. */
 static void test_the_notice_names_the_model_in_the_middle(void **state)
 {
+	static const int widths[] = {WIDTH, 320, 300, 280, 200};
 	struct scene *scene = *state;
 	struct hud *wanted = calloc(1, sizeof(*wanted));
-	int em, line, left, top;
 
 	assert_non_null(wanted);
 	strcpy(scene->failsafe.name, "robot.glb");
 	scene->failsafe.gives_way = true;
 	scene->plan.failsafe = &scene->failsafe;
-	assert_int_equal(show_frame_draw(&scene->show), 0);
-	wanted->font = scene->hud.font;
-	hud_begin(wanted, WIDTH, HEIGHT);
-	em = hud_em(wanted);
-	line = hud_line_height(wanted);
-	left = em;
-	top = 320 - line - em / 2;
-	hud_panel(wanted, left, top, 480 - em - left, em + line + line, em / 2,
-		hud_color_panel);
-	left += em;
-	top += em / 2;
-	hud_text(wanted, left, top, hud_color_amber,
-		"robot.glb ended limber 2 times within");
-	hud_text(wanted, left, top + line, hud_color_amber,
-		"a minute of its start, so this is a demo");
-	assert_int_equal(noted.quad_count, wanted->quad_count);
-	hud_end(wanted, &scene->shown.gl);
-	assert_memory_equal(noted.vertex, wanted->vertex,
-		(size_t)noted.quad_count * 4 * sizeof(noted.vertex[0]));
+	for (size_t i = 0; i < sizeof(widths) / sizeof(widths[0]); i++) {
+		noted.width = widths[i];
+		assert_int_equal(show_frame_draw(&scene->show), 0);
+		wanted->font = scene->hud.font;
+		hud_begin(wanted, noted.width, HEIGHT);
+		add_notice(wanted, noted.width);
+		assert_int_equal(noted.quad_count, wanted->quad_count);
+		hud_end(wanted, &scene->shown.gl);
+		assert_memory_equal(noted.vertex, wanted->vertex,
+			(size_t)noted.quad_count * 4 * sizeof(noted.vertex[0]));
+	}
 	free(wanted);
 }
 

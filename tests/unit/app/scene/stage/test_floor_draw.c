@@ -106,8 +106,8 @@ static void test_a_floor_is_released_once(void **state)
 static void test_scrolling_repeats(void **state)
 {
 	static const float steps[][2] = {{3.0f, 3.0f}, {-1.0f, 7.0f},
-		{8.0f, 0.0f}, {17.0f, 1.0f}, {-8.0f, 0.0f}, {1e9f, 0.0f},
-		{-1e9f, 0.0f}, {NAN, 0.0f}};
+		{8.0f, 0.0f}, {17.0f, 1.0f}, {1001.0f, 1.0f}, {-7999.0f, 1.0f},
+		{-8.0f, 0.0f}, {1e9f, 0.0f}, {-1e9f, 0.0f}, {NAN, 0.0f}};
 
 	(void)state;
 	make_floor(2.0f, 1.0f, 1.0f);

@@ -227,6 +227,44 @@ static void test_the_texture_is_released_once(void **state)
 	assert_int_equal(deleted, 1);
 }
 
+static GLint alignment;
+static int uploads;
+
+static void keep_alignment(GLenum name, GLint value)
+{
+	alignment = name == GL_UNPACK_ALIGNMENT ? value : alignment;
+}
+
+static void check_upload(GLenum target, GLint level, GLint x, GLint y,
+	GLsizei width, GLsizei height, GLenum format, GLenum type,
+	const void *texels)
+{
+	(void)texels;
+	assert_int_equal(target, GL_TEXTURE_2D);
+	assert_int_equal(level + x + y, 0);
+	assert_true(width > 0 && height > 0);
+	assert_int_equal(format, GL_RGB);
+	assert_int_equal(type, GL_UNSIGNED_SHORT_5_6_5);
+	assert_in_range(alignment, 1, 2);
+	uploads++;
+}
+
+/* Its rows may be of an odd number of pixels, whatever was uploaded before. */
+static void test_an_image_is_uploaded_without_gaps(void **state)
+{
+	static struct rig rig;
+
+	(void)state;
+	rig_begin(&rig, LIVE_BACKGROUND);
+	rig.gl.PixelStorei = keep_alignment;
+	rig.gl.TexSubImage2D = check_upload;
+	uploads = 0;
+	alignment = 4;
+	rig_frame(&rig, CAMERA_NEW, 100);
+	assert_int_equal(uploads, 1);
+	live_finish(&rig.live, &rig.gl);
+}
+
 /* The motion has a row of its own while there is a picture to move. */
 static void test_labels_have_a_row_for_the_motion(void **state)
 {
@@ -346,6 +384,7 @@ int main(void)
 		cmocka_unit_test(test_motion_rises_quickly_and_falls_slowly),
 		cmocka_unit_test(test_another_use_waits_for_its_own_picture),
 		cmocka_unit_test(test_the_texture_is_released_once),
+		cmocka_unit_test(test_an_image_is_uploaded_without_gaps),
 		cmocka_unit_test(test_labels_have_a_row_for_the_motion),
 		cmocka_unit_test(test_motion_begins_anew_after_a_pause),
 		cmocka_unit_test(test_without_a_camera_nothing_changes),

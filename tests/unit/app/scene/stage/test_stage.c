@@ -274,6 +274,29 @@ static void test_overlapping_shadows_darken_once(void **state)
 	assert_true(shade_of(2, false, false) < shade_of(1, false, false));
 }
 
+/* It replaces the background and level ground, but not hills. */
+static void test_a_backdrop_takes_the_place_of_the_background(void **state)
+{
+	static const struct live_texture picture = {.name = 1};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct gl gl = gl_state_begin(false);
+		int draws;
+
+		set_up(&gl, 0.3f);
+		stage.backdrop = i & 1 ? &picture : NULL;
+		floor_set_wave_height(&stage.floor, i & 2 ? 0.05f : 0.0f);
+		stage_begin(&stage, &gl, 48, 64);
+		draws = gl_recorder_result()->draw_count;
+		assert_int_equal(gl_state_drawn(0)->count, i & 1 ? 4 : 8);
+		assert_int_equal(
+			gl_state_has(gl_state_drawn(0), GL_TEXTURE_2D), i & 1);
+		assert_int_equal(draws == 1, i == 1);
+		stage_finish(&stage, &gl);
+	}
+}
+
 /* It is drawn with hills, and after the shadows on level ground. */
 static void test_a_monitor_is_drawn_once(void **state)
 {
@@ -338,6 +361,8 @@ int main(void)
 		cmocka_unit_test(
 			test_shadows_fall_onto_level_rectangles_and_ground),
 		cmocka_unit_test(test_overlapping_shadows_darken_once),
+		cmocka_unit_test(
+			test_a_backdrop_takes_the_place_of_the_background),
 		cmocka_unit_test(test_a_monitor_is_drawn_once),
 		cmocka_unit_test(test_a_floor_is_lowered_by_a_thousandth),
 	};

@@ -168,6 +168,56 @@ static void test_the_curve_is_of_what_suits_it_best(void **state)
 	}
 }
 
+/* The least height with which an overlay's rows are shown; 0 for none. */
+static int least_room(
+	const struct overlay *overlay, const struct overlay_motion *motion)
+{
+	int without = 0;
+
+	for (int room = 1; room < 400; room++) {
+		const struct overlay_place low = {HUD_TOP_LEFT, room};
+		struct overlay copy = *overlay;
+
+		shown.font = &font_default;
+		hud_begin(&shown, 480, 640);
+		overlay_label(&copy, motion, &low, &shown);
+		without = room == 1 ? shown.quad_count : without;
+		if (shown.quad_count > without) {
+			return room;
+		}
+	}
+	return 0;
+}
+
+/* The least height in which so many rows fit below the title. */
+static int room_of_rows(const char *title, int rows)
+{
+	int room = 0;
+
+	do {
+		wanted.font = &font_default;
+		hud_begin(&wanted, 480, 640);
+		group = hud_group_begin(&wanted, HUD_TOP_LEFT, title);
+		hud_group_limit(&group, ++room);
+	} while (!hud_group_fits(&group, rows, 0));
+	return room;
+}
+
+/* Not a part of them. */
+static void test_rows_are_shown_where_all_of_them_fit(void **state)
+{
+	struct overlay keys = {.kinds = 1U << OVERLAY_KEYS, .target_count = 2};
+	const struct overlay pivots = {.kinds = 1U << OVERLAY_PIVOTS};
+	struct overlay_motion motion = overlay_motion_none();
+
+	(void)state;
+	assert_int_equal(least_room(&keys, &motion), room_of_rows("Keys", 2));
+	keys.chooses_target = true;
+	assert_int_equal(least_room(&keys, &motion), room_of_rows("Keys", 1));
+	assert_int_equal(
+		least_room(&pivots, &motion), room_of_rows("Pivots", 3));
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -178,6 +228,7 @@ int main(void)
 		cmocka_unit_test(test_key_frames_have_two_colours),
 		cmocka_unit_test(test_axes_have_their_colours),
 		cmocka_unit_test(test_the_curve_is_of_what_suits_it_best),
+		cmocka_unit_test(test_rows_are_shown_where_all_of_them_fit),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
 #include "platform/gl/gl_context.h"
+#include "tests/support/gl/gl_state.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -267,6 +268,41 @@ static void test_a_shadow_forgets_where_it_was(void **state)
 	end(&fresh);
 }
 
+/* Whatever was on before; without hills in front, depths do not matter. */
+static void test_a_shadow_is_blended_once_and_writes_no_depth(void **state)
+{
+	static const GLenum on[] = {
+		GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE, GL_VERTEX_ARRAY, 0};
+	static const GLenum off[] = {GL_LIGHTING, GL_TEXTURE_2D, GL_COLOR_ARRAY,
+		GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY, GL_STATE_DEPTH_WRITES,
+		0};
+	static const GLenum off_after[] = {
+		GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE, 0};
+	static struct floor floor = {.y = -2.0f, .tile = 1.0f, .radius = 9.0f};
+	const struct shadow_light light = {.towards = {0.6f, 0.8f, 0.0f},
+		.eye = {1.0f, 3.0f, 9.0f},
+		.ground = &floor};
+	struct cast cast = begin(make_cube());
+
+	(void)state;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	for (int i = 0; i < 4; i++) {
+		struct gl gl = gl_state_begin(i & 1);
+
+		gl.Enable(GL_DEPTH_TEST);
+		shadow_drape_draw(&cast.drape, &gl, 0.5f, i & 2);
+		gl_state_expect_on(gl_state_last(), on);
+		gl_state_expect_off(gl_state_last(), off);
+		assert_int_equal(
+			gl_state_has(gl_state_last(), GL_DEPTH_TEST), i / 2);
+		assert_near(gl_state_last()->color[3], 0.5, 1e-4);
+		gl_state_expect_off(NULL, off_after);
+		assert_true(gl_state_has(NULL, GL_DEPTH_TEST));
+		assert_true(gl_state_has(NULL, GL_STATE_DEPTH_WRITES));
+	}
+	end(&cast);
+}
+
 /* Draws from above; the picture is 8 units a side. */
 static void look_down(const struct gl *gl)
 {
@@ -388,6 +424,8 @@ int main(void)
 		cmocka_unit_test(test_divisions_end_where_memory_does),
 		cmocka_unit_test(test_no_light_from_above_casts_no_shadow),
 		cmocka_unit_test(test_a_shadow_forgets_where_it_was),
+		cmocka_unit_test(
+			test_a_shadow_is_blended_once_and_writes_no_depth),
 		cmocka_unit_test(test_ground_that_is_seen_is_darkened_once),
 		cmocka_unit_test(test_a_part_of_many_vertices_casts_a_shadow),
 	};

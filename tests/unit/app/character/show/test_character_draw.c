@@ -1,63 +1,11 @@
-/* What is drawn of a character: figure, shadows, balls, capes and tops. */
+/* What is drawn of a character: figure, shadows, balls and capes. */
 #include "app/character/run/effects.h"
-#include "app/character/show/character_draw.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
-#include "tests/support/gl/gl_recorder.h"
-#include "tests/support/model/acting.h"
-#include "tests/support/test.h"
+#include "tests/unit/app/character/show/drawn.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
-
-static const float unit = 0.5f; /* scene units a metre */
-
-struct shown {
-	struct acting acting;
-	struct gl gl;
-	struct texture_set textures;
-	struct character_drawing drawing;
-	struct stage stage;
-};
-
-/* The model stands on level ground at height 0. */
-static void begin(struct shown *shown, const char *model, const char *text)
-{
-	const struct shadow_ground none = {0};
-	struct log log = log_to_stderr(LOG_WARNING);
-
-	memset(shown, 0, sizeof(*shown));
-	acting_begin(&shown->acting, model);
-	shown->acting.instance->unit_scale = unit;
-	acting_expect(&shown->acting, text);
-	shown->gl = gl_recorder_begin();
-	assert_int_equal(
-		texture_set_create(&shown->textures, shown->acting.model,
-			&shown->gl, PIXELS_RGB565, &log),
-		0);
-	shown->stage.camera = camera_default();
-	shown->stage.has_stencil = true;
-	assert_int_equal(character_draw_init(&shown->drawing,
-				 shown->acting.character, &none, &log),
-		0);
-}
-
-static void end(struct shown *shown)
-{
-	texture_set_destroy(&shown->textures, &shown->gl);
-	acting_end(&shown->acting);
-}
-
-/* Draws the character, and returns how many draw calls that takes. */
-static int draw(struct shown *shown)
-{
-	gl_recorder_clear();
-	character_draw(
-		&shown->drawing, &shown->stage, &shown->textures, &shown->gl);
-	assert_int_equal(gl_recorder_result()->depth, 0);
-	return gl_recorder_result()->draw_count;
-}
 
 /* Of those, the ones that draw these vertices. */
 static int draws_of(
@@ -138,16 +86,6 @@ static void test_balls_are_drawn_with_their_shadows(void **state)
 
 static double least[2][3], most[2][3];
 static int fans;
-static const float *array;
-
-static void note_array(GLint size, GLenum type, GLsizei stride, const void *at)
-{
-	(void)size;
-	(void)type;
-	(void)stride;
-	array = at;
-}
-
 static void note_fan(GLenum mode, GLint first, GLsizei count)
 {
 	assert_int_equal(first, 0);
@@ -396,65 +334,6 @@ static void test_a_cape_that_fades_is_blended_in_its_colour(void **state)
 	end(&shown);
 }
 
-/*
- * A level top of the turntable, and the crate that may stand above it. The
- * crate's middle lies 0.06 above the ground.
- */
-#define TOP "[part Base]\ntop = 0.5 -2 -2 2 2\n"
-
-static int draws_with(const char *text, bool has_stencil)
-{
-	struct shown shown;
-	int count;
-
-	begin(&shown, "assets/arm.glb", text);
-	shown.stage.has_stencil = has_stencil;
-	acting_run_to(&shown.acting, 0.1, 50.0);
-	count = draw(&shown);
-	end(&shown);
-	return count;
-}
-
-/* The arm alone has shadows above the turntable; it is drawn once more. */
-static void test_what_is_above_a_top_casts_shadows_on_it(void **state)
-{
-	int plain, low, high, none;
-
-	(void)state;
-	plain = draws_with("[part Base]\n[part Crate]\n", true);
-	none = draws_with(TOP "[part Crate]\n", false);
-	assert_int_equal(none, plain);
-	low = draws_with(TOP "[part Crate]\n", true);
-	/* The marked rectangle, and at least a link of the arm. */
-	assert_true(low >= plain + 2);
-	high = draws_with(TOP "[part Crate]\ny = 0.6\n", true);
-	assert_int_equal(high, low + 1);
-	/* Beside the top, where its shadow passes by. */
-	for (int side = -1; side <= 1; side += 2) {
-		char text[128];
-
-		snprintf(text, sizeof(text),
-			TOP "[part Crate]\ny = 0.6\nx = %d\n", 4 * side);
-		assert_int_equal(draws_with(text, true), low);
-		snprintf(text, sizeof(text),
-			TOP "[part Crate]\ny = 0.6\nz = %d\n", 4 * side);
-		assert_int_equal(draws_with(text, true), low);
-	}
-	assert_int_equal(draws_with(TOP "[part Crate]\ny = 0.6\n"
-					"[scene]\nshadow = no\n",
-				 true),
-		plain / 2);
-}
-
-static void test_a_top_that_is_not_level_has_no_shadows(void **state)
-{
-	int plain = draws_with("[part Base]\nbank = 0\n", true);
-
-	(void)state;
-	assert_true(draws_with(TOP "bank = 0.4\n", true) > plain);
-	assert_int_equal(draws_with(TOP "bank = 2\n", true), plain);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -465,8 +344,6 @@ int main(void)
 			test_the_shadow_of_a_ball_lies_where_light_falls),
 		cmocka_unit_test(test_a_cape_is_drawn_while_it_is_worn),
 		cmocka_unit_test(test_a_cape_that_fades_is_blended_in_its_colour),
-		cmocka_unit_test(test_what_is_above_a_top_casts_shadows_on_it),
-		cmocka_unit_test(test_a_top_that_is_not_level_has_no_shadows),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

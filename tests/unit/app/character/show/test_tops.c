@@ -1,0 +1,141 @@
+/* Shadows on level surfaces of a character's parts. */
+#include "tests/unit/app/character/show/drawn.h"
+
+#include <stdio.h>
+
+/*
+ * A level top of the turntable, and the crate that may stand above it. The
+ * crate's middle lies 0.06 above the ground.
+ */
+#define TOP "[part Base]\ntop = 0.5 -2 -2 2 2\n"
+
+static int draws_with(const char *text, bool has_stencil)
+{
+	struct shown shown;
+	int count;
+
+	begin(&shown, "assets/arm.glb", text);
+	shown.stage.has_stencil = has_stencil;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	count = draw(&shown);
+	end(&shown);
+	return count;
+}
+
+/* The arm alone has shadows above the turntable; it is drawn once more. */
+static void test_what_is_above_a_top_casts_shadows_on_it(void **state)
+{
+	int plain, low, high, none;
+
+	(void)state;
+	plain = draws_with("[part Base]\n[part Crate]\n", true);
+	none = draws_with(TOP "[part Crate]\n", false);
+	assert_int_equal(none, plain);
+	low = draws_with(TOP "[part Crate]\n", true);
+	/* The marked rectangle, and at least a link of the arm. */
+	assert_true(low >= plain + 2);
+	high = draws_with(TOP "[part Crate]\ny = 0.6\n", true);
+	assert_int_equal(high, low + 1);
+	/* Beside the top, where its shadow passes by. */
+	for (int side = -1; side <= 1; side += 2) {
+		char text[128];
+
+		snprintf(text, sizeof(text),
+			TOP "[part Crate]\ny = 0.6\nx = %d\n", 4 * side);
+		assert_int_equal(draws_with(text, true), low);
+		snprintf(text, sizeof(text),
+			TOP "[part Crate]\ny = 0.6\nz = %d\n", 4 * side);
+		assert_int_equal(draws_with(text, true), low);
+	}
+	assert_int_equal(draws_with(TOP "[part Crate]\ny = 0.6\n"
+					"[scene]\nshadow = no\n",
+				 true),
+		plain / 2);
+}
+
+/* A crate 1 m above the top, whose edge is 0.12 long, at x and z. */
+static int draws_with_crate_at(double x, double z)
+{
+	char text[160];
+
+	snprintf(text, sizeof(text),
+		TOP "[part Crate]\ny = 1.44\nx = %.3f\nz = %.3f\n", x - 0.34,
+		z - 0.4);
+	return draws_with(text, true);
+}
+
+/* Light falls by 0.778 along 0.389 and 0.494; the top ends at -2 and 2. */
+static void test_a_shadow_falls_on_a_top_that_the_light_reaches(void **state)
+{
+	static const double in[4][2] = {{2.55, 0}, {-1.4, 0}, {0, 2.69},
+		{0, -1.25}},
+			    out[4][2] = {
+				    {2.65, 0}, {-1.65, 0}, {0, 2.8}, {0, -1.5}};
+	int with = draws_with_crate_at(0, 0);
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		assert_int_equal(draws_with_crate_at(in[i][0], in[i][1]), with);
+		assert_int_equal(
+			draws_with_crate_at(out[i][0], out[i][1]), with - 1);
+	}
+}
+
+static float marked[4][3];
+static int rectangles;
+
+static void note_rectangle(GLenum mode, GLint first, GLsizei count)
+{
+	if (mode == GL_TRIANGLE_FAN && count == 4) {
+		assert_int_equal(first, 0);
+		memcpy(marked, array, sizeof(marked));
+		rectangles++;
+	}
+}
+
+/* From one corner round to the other, where the node is. */
+static void test_the_rectangle_of_a_top_is_marked(void **state)
+{
+	static const float wanted[4][2] = {
+		{-1.5f, -0.5f}, {2, -0.5f}, {2, 1}, {-1.5f, 1}};
+	struct shown shown;
+
+	(void)state;
+	begin(&shown, "assets/arm.glb",
+		"[part Base]\ntop = 0.3 -2 -1 1.5 0.5\nx = 0.5\nz = 0.5\n");
+	shown.gl.VertexPointer = note_array;
+	shown.gl.DrawArrays = note_rectangle;
+	shown.stage.camera.distance = 1.0f;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	rectangles = 0;
+	character_draw(&shown.drawing, &shown.stage, &shown.textures, &shown.gl);
+	assert_int_equal(rectangles, 1);
+	for (int i = 0; i < 4; i++) {
+		assert_near(marked[i][0], unit * wanted[i][0], 1e-5);
+		assert_near(marked[i][1], unit * 0.3 + 0.001, 1e-5);
+		assert_near(marked[i][2], unit * wanted[i][1], 1e-5);
+	}
+	end(&shown);
+}
+
+static void test_a_top_that_is_not_level_has_no_shadows(void **state)
+{
+	int plain = draws_with("[part Base]\nbank = 0\n", true);
+
+	(void)state;
+	assert_true(draws_with(TOP "bank = 0.4\n", true) > plain);
+	assert_int_equal(draws_with(TOP "bank = 2\n", true), plain);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_what_is_above_a_top_casts_shadows_on_it),
+		cmocka_unit_test(
+			test_a_shadow_falls_on_a_top_that_the_light_reaches),
+		cmocka_unit_test(test_the_rectangle_of_a_top_is_marked),
+		cmocka_unit_test(test_a_top_that_is_not_level_has_no_shadows),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

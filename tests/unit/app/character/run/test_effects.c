@@ -321,6 +321,50 @@ static void test_breath_and_muscles_swell_bones_while_they_are_on(void **state)
 	acting_end(&acting);
 }
 
+/* With the square of the speed, along both axes. */
+static void test_capes_feel_the_wind_of_the_motion(void **state)
+{
+	const struct character_cape *cape;
+	struct acting acting;
+	const float *wind;
+
+	(void)state;
+	begin(&acting,
+		"[state a]\nclip = rest\n[cape c]\nbone = chest\n"
+		"place = 0 1.42 -0.1\n");
+	cape = acting.character->cape;
+	wind = cape->cloth.settings.wind;
+	acting.character->motion.velocity[0] = 3.0f;
+	acting.character->motion.velocity[1] = -4.0f;
+	character_cape_run(acting.character, acting.character->cape);
+	assert_near(wind[0], -3 * 5 * 0.17, 1e-5);
+	assert_near(wind[2], 4 * 5 * 0.17, 1e-5);
+	acting.character->metre = 2.0f;
+	character_cape_run(acting.character, acting.character->cape);
+	assert_near(wind[0], -3 * 2.5 * 0.17, 1e-5);
+	acting_end(&acting);
+}
+
+static void test_a_target_may_be_the_camera_or_hang_on_a_node(void **state)
+{
+	const struct character_target *target;
+	struct acting acting;
+	float hand[3];
+
+	(void)state;
+	begin(&acting,
+		"[parameter x]\nstart = 0.25\n[state a]\nclip = walk\n"
+		"[target eye]\ncamera = yes\n[target place]\nplace = x 1 2\n"
+		"[target hand]\nnode = hand.L\nplace = 1 2 x\n");
+	target = acting.character->target;
+	acting_place(&acting, "hand.L", hand);
+	assert_all_near(target[0].point, ((float[]){0, 1, 4}), 3, 0);
+	assert_all_near(target[1].point, ((float[]){0.25f, 1, 2}), 3, 0);
+	assert_all_near(target[2].point,
+		((float[]){hand[0] + 1, hand[1] + 2, hand[2] + 0.25f}), 3, 1e-6);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -329,6 +373,9 @@ int main(void)
 			test_a_turn_from_rest_replaces_what_the_clip_does),
 		cmocka_unit_test(test_a_shake_has_its_weight),
 		cmocka_unit_test(test_presets_go_round_both_ways),
+		cmocka_unit_test(test_capes_feel_the_wind_of_the_motion),
+		cmocka_unit_test(
+			test_a_target_may_be_the_camera_or_hang_on_a_node),
 		cmocka_unit_test(test_springs_feel_the_wind_of_the_motion),
 		cmocka_unit_test(test_a_reach_stops_short_of_its_target),
 		cmocka_unit_test(test_the_middle_joint_bends_towards_the_pole),

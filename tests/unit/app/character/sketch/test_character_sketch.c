@@ -33,6 +33,43 @@ static void test_a_sketch_of_each_model_is_right(void **state)
 	}
 }
 
+/* The words of each sketch, of which doctor and players see only the gist. */
+static void test_sketches_are_as_in_the_reference(void **state)
+{
+	static const char *const models[][2] = {{"assets/walker.glb", "walker"},
+		{"assets/face.glb", "face"}, {"assets/arm.glb", "arm"},
+		{"tests/fixtures/gltf/clip/far.gltf", "far"},
+		{"tests/fixtures/gltf/mesh/weights.gltf", "weights"}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(models); i++) {
+		struct log log = log_to_stderr(LOG_ERROR);
+		static char wanted[16384];
+		struct model *model;
+		char path[128], *text;
+		size_t length;
+		FILE *file;
+
+		snprintf(path, sizeof(path),
+			"tests/golden/sketches/%s.character", models[i][1]);
+		file = fopen(path, "r");
+		assert_non_null(file);
+		length = fread(wanted, 1, sizeof(wanted) - 1, file);
+		wanted[length] = '\0';
+		fclose(file);
+		assert_int_equal(model_load(models[i][0], &log, &model), 0);
+		text = acting_sketch(model, NULL);
+		if (strcmp(text, wanted) != 0) {
+			print_message(
+				"%s: limber character %s -o %s writes it anew\n",
+				path, models[i][0], path);
+		}
+		assert_string_equal(text, wanted);
+		free(text);
+		model_destroy(model);
+	}
+}
+
 /* The heading of a section has room for 49 characters. */
 static void test_names_of_any_length_have_a_sketch(void **state)
 {
@@ -336,6 +373,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_sketch_of_each_model_is_right),
+		cmocka_unit_test(test_sketches_are_as_in_the_reference),
 		cmocka_unit_test(test_names_of_any_length_have_a_sketch),
 		cmocka_unit_test(test_what_a_sketch_suggests_is_right_too),
 		cmocka_unit_test(

@@ -60,6 +60,58 @@ static void test_a_fade_has_a_bar(void **state)
 	acting_end(&acting);
 }
 
+static void expect_count(const char *model, const char *text, int rows, int bars)
+{
+	struct acting acting;
+	int count = -1;
+
+	acting_begin(&acting, model);
+	acting_expect(&acting, text);
+	assert_int_equal(character_label_count(acting.character, &count), rows);
+	assert_int_equal(count, bars);
+	acting_end(&acting);
+}
+
+#define LOOK(name, keys) "[look " name "]\nbone = head\ntarget = t\n" keys
+#define OFF(name)        LOOK(name, "on = no\n")
+
+/* Those that are off at first are taken to be on together, up to six. */
+static void test_switches_have_rows_with_bars(void **state)
+{
+	static const char model[] = "assets/walker.glb";
+
+	(void)state;
+	expect_count(model,
+		"[state a]\nclip = walk\n[target t]\nplace = 0 1 2\n" OFF("a")
+			LOOK("on", "") LOOK("hidden", "on = no\nlabel = no\n")
+				OFF("b"),
+		3, 3);
+	expect_count(model,
+		"[state a]\nclip = walk\n[target t]\nplace = 0 1 2\n" OFF("a")
+			OFF("b") OFF("c") OFF("d") OFF("e") OFF("f") OFF("g"),
+		7, 7);
+}
+
+/* Key frames and pace of a morph; values, and the step of a sequence. */
+static void test_morphs_and_parts_have_rows(void **state)
+{
+	(void)state;
+	expect_count(
+		"assets/face.glb", "[state a]\nclip = rest\n[morph m]\n", 3, 1);
+	expect_count("assets/arm.glb", "[part Arm]\n", 4, 0);
+	expect_count("assets/arm.glb",
+		"[part Arm]\npitch = 0 -9 9\n[parameter c]\nchoices = a b\n", 5,
+		0);
+	expect_count("assets/arm.glb",
+		"[part Arm]\npitch = 0 -9 9\n[parameter c]\nchoices = a b\n"
+		"[sequence s]\nstep = up 1, Arm pitch 5\n",
+		6, 1);
+	expect_count("assets/walker.glb",
+		"[state a]\nclip = walk\n[parameter v]\n[scene]\n"
+		"labels = none\n",
+		0, 2);
+}
+
 /* What the label calls the walker's clip in a state of this name. */
 static void expect_motion(const char *state, int clip, const char *shown)
 {
@@ -198,6 +250,7 @@ static int count_quads(const struct test_path *path, const char *keys)
 	static struct hud hud;
 	struct acting acting;
 	char text[128];
+	int bars;
 
 	snprintf(text, sizeof(text),
 		"[state a]\nclip = walk\n[shake s]\nbone = head\n%s", keys);
@@ -206,6 +259,8 @@ static int count_quads(const struct test_path *path, const char *keys)
 	acting_load(&acting, path->text);
 	assert_int_equal(acting.error, 0);
 	acting_run_to(&acting, 0.1, 20.0);
+	/* A row for the preset, or for "paused". */
+	assert_int_equal(character_label_count(acting.character, &bars), 2);
 	memset(&hud, 0, sizeof(hud));
 	hud.font = &font_default;
 	hud_begin(&hud, 480, 640);
@@ -235,6 +290,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_parameter_that_buttons_move_has_a_bar),
 		cmocka_unit_test(test_a_fade_has_a_bar),
+		cmocka_unit_test(test_switches_have_rows_with_bars),
+		cmocka_unit_test(test_morphs_and_parts_have_rows),
 		cmocka_unit_test(
 			test_a_state_that_is_only_a_number_shows_its_clip),
 		cmocka_unit_test(test_labels_name_a_shakes_only_preset),

@@ -6,6 +6,8 @@
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
+#include <stdio.h>
+
 static const double rate_hz = 50.0;
 
 enum {
@@ -235,6 +237,35 @@ static void test_sources_of_parameters(void **state)
 	acting_end(&acting);
 }
 
+/* A factor of 1 and a summand of 0, unless the file says others. */
+static void test_sources_have_a_scale_and_an_offset(void **state)
+{
+	static const struct {
+		const char *source;
+		double value;
+	} cases[] = {{"time", 2}, {"time 3", 6}, {"time 3 -1", 5},
+		{"base", 0.75}, {"base 4", 3}, {"base -2 5", 3.5},
+		{"part Arm pitch", 20}, {"part Arm pitch 0.5", 10},
+		{"part Arm pitch 0.5 -3", 7}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct acting acting;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[part Arm]\npitch = 20\n[parameter base]\n"
+			"start = 0.75\n[parameter p]\nrange = -99 99\n"
+			"source = %s\n",
+			cases[i].source);
+		acting_begin(&acting, "assets/arm.glb");
+		acting_expect(&acting, text);
+		acting_run_to(&acting, 2.0, 20.0);
+		assert_near(acting_value(&acting, "p"), cases[i].value, 0.16);
+		acting_end(&acting);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -250,6 +281,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_value_decays_behind_a_goal_that_moves_in_a_row),
 		cmocka_unit_test(test_sources_of_parameters),
+		cmocka_unit_test(test_sources_have_a_scale_and_an_offset),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -339,9 +339,59 @@ static void test_the_files_speed_counts_if_the_feet_are_nearly_as_fast(
 	temp_dir_remove(&folder);
 }
 
+/* The first clip above a speed of 0 walks, and the last one runs. */
+static void test_a_blend_over_speed_tells_the_roles_of_its_clips(void **state)
+{
+	static const char text[] = "[parameter v]\nrange = 0 9\n[state s]\n"
+				   "blend = v, wave 0, idle 1, jump 2, walk 3\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "a.character");
+	struct found found;
+
+	(void)state;
+	file_write(file.text, text, strlen(text));
+	find(&found, "assets/walker.glb", NULL, file.text);
+	assert_string_equal(clip_of(&found, MOTION_STAND), "wave");
+	assert_string_equal(clip_of(&found, MOTION_WALK), "idle");
+	assert_string_equal(clip_of(&found, MOTION_RUN), "walk");
+	release(&found);
+	temp_dir_remove(&folder);
+}
+
+/* The way that a clip has gone by then. */
+static void test_a_clip_drifts_evenly(void **state)
+{
+	struct found found;
+	struct motion motion;
+	float way[2];
+	int clip;
+
+	(void)state;
+	load(&found, "tests/fixtures/gltf/clip/far.gltf");
+	assert_int_equal(instance_create(found.model, kernel_find("float"),
+				 &found.log, &found.instance),
+		0);
+	clip = model_find_clip(found.model, "leave");
+	motion = motion_of_clip(found.instance, clip);
+	assert_int_equal(motion.clip, clip);
+	assert_near(motion.drift[0], 40 * found.instance->unit_scale, 1e-3);
+	assert_near(motion.drift[1], -20 * found.instance->unit_scale, 1e-3);
+	motion_drift_at(&motion, found.model, 0.5f, way);
+	assert_near(way[0], 0.25 * motion.drift[0], 1e-4);
+	assert_near(way[1], 0.25 * motion.drift[1], 1e-4);
+	motion.clip = -1;
+	motion_drift_at(&motion, found.model, 0.5f, way);
+	assert_near(way[0], 0, 0);
+	assert_near(way[1], 0, 0);
+	release(&found);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_blend_over_speed_tells_the_roles_of_its_clips),
+		cmocka_unit_test(test_a_clip_drifts_evenly),
 		cmocka_unit_test(test_a_figure_faces_where_its_feet_take_it),
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),
 		cmocka_unit_test(

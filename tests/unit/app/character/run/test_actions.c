@@ -54,34 +54,6 @@ static void test_parameters_are_set_added_to_toggled_and_stepped(void **state)
 	acting_end(&acting);
 }
 
-static void test_stops_are_counted_from_a_value_between_them(void **state)
-{
-	static const struct {
-		const char *start;
-		double up, down;
-	} from[] = {{"2", 3, 3}, {"3", 6, 3}, {"4", 6, 3}, {"6", 9, 3},
-		{"7", 9, 6}, {"9", 9, 6}, {"10", 9, 9}};
-
-	(void)state;
-	for (size_t i = 0; i < sizeof(from) / sizeof(from[0]); i++) {
-		for (int up = 0; up < 2; up++) {
-			struct acting acting;
-			char text[256];
-
-			snprintf(text, sizeof(text),
-				"[state a]\nclip = rest\n[parameter p]\n"
-				"range = 2 10\nstart = %s\nstops = 3 6 9\n"
-				"[buttons]\nUP = step p %d\n",
-				from[i].start, up ? 1 : -1);
-			begin(&acting, "assets/walker.glb", text);
-			tap(&acting, BUTTON_UP);
-			assert_near(acting_value(&acting, "p"),
-				up ? from[i].up : from[i].down, 0);
-			acting_end(&acting);
-		}
-	}
-}
-
 static void test_a_morph_changes_its_pace_curve_and_timing(void **state)
 {
 	const struct character_morph *morph;
@@ -325,8 +297,6 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_parameters_are_set_added_to_toggled_and_stepped),
-		cmocka_unit_test(
-			test_stops_are_counted_from_a_value_between_them),
 		cmocka_unit_test(test_a_morph_changes_its_pace_curve_and_timing),
 		cmocka_unit_test(test_the_camera_moves_while_a_button_is_held),
 		cmocka_unit_test(test_the_scene_is_switched_to_and_fro),

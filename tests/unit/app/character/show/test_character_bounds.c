@@ -337,6 +337,46 @@ static void test_outermost_vertices_make_the_box_at_rest(void **state)
 	acting_end(&acting);
 }
 
+/* Levels of detail leave out vertices of a skin that the fixed kernel poses. */
+static void test_outermost_vertices_are_posed_at_each_level(void **state)
+{
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct character_bounds bounds = {0};
+	struct acting acting;
+	int skins = 0;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	instance_destroy(acting.instance);
+	assert_int_equal(instance_create(acting.model, kernel_find("fixed"),
+				 &log, &acting.instance),
+		0);
+	for (int i = 0; i < acting.instance->drawable_count; i++) {
+		struct drawable *drawable = &acting.instance->drawable[i];
+
+		if (drawable->fixed && drawable->skin >= 0) {
+			drawable->fixed->skin.vertex_count_to[0] /= 2;
+			skins++;
+		}
+	}
+	assert_true(skins > 0);
+	acting_expect(&acting, "[state a]\nclip = rest\n[part hand.L]\n");
+	assert_int_equal(character_bounds_init(&bounds, acting.character), 0);
+	for (int i = 0; i < acting.instance->drawable_count; i++) {
+		const struct drawable *drawable = &acting.instance->drawable[i];
+
+		for (int k = 0; drawable->fixed && drawable->skin >= 0 &&
+			k < CHARACTER_DIRECTIONS;
+			k++) {
+			int vertex = bounds.outermost[i][k];
+
+			assert_true(drawable->fixed->inverse_order[vertex] <
+				(uint32_t)drawable->fixed->skin.vertex_count_to[0]);
+		}
+	}
+	acting_end(&acting);
+}
+
 /* Its targets reach 3 along z, and its triangle lies at 0. */
 static void test_shapes_beyond_the_rest_pose_have_room(void **state)
 {
@@ -445,6 +485,7 @@ int main(void)
 		cmocka_unit_test(
 			test_outermost_vertices_make_the_box_of_a_turned_crate),
 		cmocka_unit_test(test_outermost_vertices_make_the_box_at_rest),
+		cmocka_unit_test(test_outermost_vertices_are_posed_at_each_level),
 		cmocka_unit_test(test_shapes_beyond_the_rest_pose_have_room),
 		cmocka_unit_test(test_springs_have_room_where_they_have_swung),
 		cmocka_unit_test(test_a_cape_has_room_while_it_is_worn),

@@ -224,6 +224,35 @@ static void test_the_first_node_may_breathe(void **state)
 	acting_end(&acting);
 }
 
+/* What is seen alone, and not moved. */
+static void test_colours_and_the_camera_have_usual_values(void **state)
+{
+	const struct character *character;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[state s]\nclip = run\n" CAPE "[target t]\nradius = 0.1\n");
+	character = acting.character;
+	assert_all_near(character->cape[0].color,
+		((float[]){0.82f, 0.15f, 0.19f}), 3, 0);
+	assert_all_near(character->target[0].color,
+		((float[]){0.95f, 0.35f, 0.2f}), 3, 0);
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(*character->target[0].place[axis], 0, 0);
+	}
+	assert_int_equal(character->target[0].node, -1);
+	assert_near(*character->scene.wave_m, 0, 0);
+	assert_near(*character->scene.shadow, 1, 0);
+	assert_near(*character->scene.relief, 1, 0);
+	assert_near(character->scene.yaw_rad, 0.45, 1e-6);
+	assert_near(character->scene.pitch_rad, 0.16, 1e-6);
+	assert_near(character->scene.margin, 1.15, 1e-6);
+	assert_int_equal(character->scene.labels, CHARACTER_LABELS_LEFT);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -232,6 +261,7 @@ int main(void)
 		cmocka_unit_test(test_numbers_of_morphs_lie_within_their_limits),
 		cmocka_unit_test(
 			test_what_a_section_leaves_out_has_its_usual_value),
+		cmocka_unit_test(test_colours_and_the_camera_have_usual_values),
 		cmocka_unit_test(
 			test_pleats_begin_at_the_upper_edge_with_an_eighth_of_their_depth),
 		cmocka_unit_test(test_the_first_node_may_breathe),

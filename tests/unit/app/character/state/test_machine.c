@@ -76,6 +76,33 @@ static void test_a_fade_may_be_counted_in_frames(void **state)
 	acting_end(&acting);
 }
 
+static void test_a_fade_has_the_curve_that_the_file_names(void **state)
+{
+	static const struct {
+		const char *fade;
+		enum inertia_curve curve;
+	} cases[] = {{"0.5", INERTIA_SMOOTH}, {"0.5 smooth", INERTIA_SMOOTH},
+		{"0.5 linear", INERTIA_LINEAR}, {"0.5 cubic", INERTIA_CUBIC},
+		{"9 frames linear", INERTIA_LINEAR}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct acting acting;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[state a]\nclip = walk\n[state b]\nclip = run\n"
+			"fade = %s\n[buttons]\nUP = go b\n",
+			cases[i].fade);
+		begin(&acting, text);
+		tap(&acting, BUTTON_UP);
+		assert_true(acting.character->machine.inertia.running);
+		assert_int_equal(acting.character->machine.inertia.curve,
+			cases[i].curve);
+		acting_end(&acting);
+	}
+}
+
 /*
  * From a to b within 2 s; c is asked for after half a second, and then after
  * the fade.
@@ -244,6 +271,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_transition_from_the_state_itself_comes_first),
 		cmocka_unit_test(test_a_fade_may_be_counted_in_frames),
+		cmocka_unit_test(test_a_fade_has_the_curve_that_the_file_names),
 		cmocka_unit_test(test_a_transition_says_what_may_interrupt_it),
 		cmocka_unit_test(
 			test_a_state_ends_early_by_the_fade_or_half_of_its_clip),

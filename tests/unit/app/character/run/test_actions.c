@@ -117,6 +117,9 @@ static void test_the_camera_moves_while_a_button_is_held(void **state)
 	assert_near(turn, 3.14159265, 0.05);
 	assert_near(tilt, 3.14159265 / 6, 0.01);
 	assert_near(zoom, 0.25, 0.005);
+	assert_near(character->camera_turn, 3.14159265 * 0.01, 1e-5);
+	assert_near(character->camera_tilt, 3.14159265 / 600, 1e-5);
+	assert_near(character->camera_zoom, 0.0025, 1e-6);
 	acting_release(&acting, BUTTON_UP);
 	acting_release(&acting, BUTTON_DOWN);
 	acting_release(&acting, BUTTON_LEFT);

@@ -124,6 +124,24 @@ static void test_layers_effects_and_fades_are_layers(void **state)
 	acting_end(&acting);
 }
 
+/* Also the first effect of a file without layers. */
+static void test_each_effect_is_a_layer(void **state)
+{
+	struct overlay_motion motion;
+	struct acting acting;
+
+	(void)state;
+	begin(&acting, "assets/walker.glb",
+		"[state a]\nclip = rest\n[target t]\nplace = 0 1 2\n"
+		"[look k]\nbone = head\ntarget = t\nweight = 0.25\n"
+		"[breath b]\nbone = chest\n");
+	motion = describe(&acting);
+	assert_int_equal(motion.layer_count, 2);
+	expect_layer(&motion, 0, "k", "look", 1, 0.25);
+	expect_layer(&motion, 1, "b", "breath", 1, 1.0);
+	acting_end(&acting);
+}
+
 static void test_as_many_layers_are_shown_as_there_is_room_for(void **state)
 {
 	char text[1024] = "[state a]\nclip = rest\n";
@@ -246,6 +264,7 @@ int main(void)
 		cmocka_unit_test(test_a_clip_is_shown_with_its_time),
 		cmocka_unit_test(test_the_clips_of_a_blend_are_layers),
 		cmocka_unit_test(test_layers_effects_and_fades_are_layers),
+		cmocka_unit_test(test_each_effect_is_a_layer),
 		cmocka_unit_test(
 			test_as_many_layers_are_shown_as_there_is_room_for),
 		cmocka_unit_test(test_a_morph_goes_from_target_to_target),

@@ -177,4 +177,63 @@ about 'limber render until a signal'
 expect_status 1
 expect_err '^limber: .*stopped'
 check 'no incomplete file is left' test -z "$(find "$scratch" -name 'half*')"
+
+# A lamp above a slope of the model's own casts its shadow on it.
+cat >"$scratch/slope.py" <<'END'
+"""slope.py FOLDER: writes a lawn that slopes, below a block, and how it is seen."""
+import base64, json, struct, sys
+lawn = [[-2, 0, 2], [2, .3, 2], [2, .6, -2], [-2, .3, -2]]
+block = [[x, y, z] for y in (.8, 1.6) for x in (-.5, .5) for z in (-.5, .5)]
+sides = [0, 1, 3, 0, 3, 2, 4, 7, 5, 4, 6, 7, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6,
+         0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3]
+data = struct.pack("<12f", *sum(lawn, [])) + struct.pack("<24f", *sum(block, [])) + \
+    struct.pack("<42H", 0, 1, 2, 0, 2, 3, *sides)
+def view(start, size):
+    return {"buffer": 0, "byteOffset": start, "byteLength": size}
+def mesh(position, indices, material):
+    return {"primitives": [{"attributes": {"POSITION": position},
+                            "indices": indices, "material": material}]}
+def material(*color):
+    return {"doubleSided": True, "pbrMetallicRoughness": {
+        "baseColorFactor": [*color, 1], "metallicFactor": 0}}
+json.dump({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "nodes": [{"mesh": 0}, {"mesh": 1}], "meshes": [mesh(0, 1, 0), mesh(2, 3, 1)],
+    "materials": [material(.05, .5, .05), material(.6, .1, .1)],
+    "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+        {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"},
+        {"bufferView": 1, "componentType": 5126, "count": 8, "type": "VEC3"},
+        {"bufferView": 3, "componentType": 5123, "count": 36, "type": "SCALAR"}],
+    "bufferViews": [view(0, 48), view(48, 96), view(144, 12), view(156, 72)],
+    "buffers": [{"byteLength": len(data), "uri":
+                 "data:application/octet-stream;base64," +
+                 base64.b64encode(data).decode()}],
+}, open(sys.argv[1] + "/slope.gltf", "w", encoding="utf-8"))
+END
+python3 "$scratch/slope.py" "$scratch"
+printf '%s\n' '[scene]' 'shadow = no' >"$scratch/dark.character"
+for gl in soft osmesa; do
+    for character in none "$scratch/dark.character"; do
+        limber render "$scratch/slope.gltf" --size 160x160 --frames 1 --gl $gl \
+            --no-labels --character "$character" \
+            -o "$scratch/slope-$(basename "$character").y4m"
+        expect_status 0
+    done
+    # Of the two pictures' green pixels, those that differ are in the shadow.
+    check "$gl: a slope of the model's own has a shadow on it" python3 -c '
+import sys
+def planes(path):
+    data = open(path, "rb").read()
+    data = data[data.index(b"FRAME\n") + 6:]
+    return data[:25600], data[25600:32000], data[32000:38400]
+a, b = (planes(path) for path in sys.argv[1:])
+def green(p, i):
+    c = i // 320 * 80 + i % 160 // 2
+    return p[1][c] < 118 and p[2][c] < 118
+count = sum(green(a, i) and green(b, i) and a[0][i] < b[0][i] - 10
+            for i in range(25600))
+sys.exit(not 100 < count < 2500)' \
+        "$scratch/slope-none.y4m" "$scratch/slope-dark.character.y4m"
+done
 tap_done

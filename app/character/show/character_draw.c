@@ -15,6 +15,27 @@
  */
 static const float beyond_box = 0.02f;
 
+/*
+ * Prepares the shadow on uneven ground. On ground of the model's own, triangles
+ * are divided where they are longer than four cells of its relief.
+ */
+static int init_drape(struct character_drawing *drawing, const struct log *log)
+{
+	const struct shadow_relief *relief = &drawing->ground.relief;
+	struct shadow_drape *drape = &drawing->drape;
+	float longest = 4.0f * relief->cell[0];
+	int error = 0;
+
+	if (drawing->may_wave || relief->height) {
+		error = shadow_drape_init(
+			drape, drawing->character->instance, log);
+	}
+	if (!error && relief->height && longest < drape->longest) {
+		drape->longest = longest;
+	}
+	return error;
+}
+
 int character_draw_init(struct character_drawing *drawing,
 	struct character *character, const struct shadow_ground *ground,
 	const struct log *log)
@@ -36,23 +57,34 @@ int character_draw_init(struct character_drawing *drawing,
 			character->instance->model->path);
 		return error;
 	}
-	return drawing->may_wave
-		? shadow_drape_init(&drawing->drape, character->instance, log)
-		: 0;
+	return init_drape(drawing, log);
+}
+
+/* Whether this frame's shadow lies on uneven ground of the model's own. */
+static bool is_on_relief(
+	const struct character_drawing *drawing, const struct stage *stage)
+{
+	return drawing->ground.relief.height &&
+		stage->floor.wave_height == 0.0f && stage->has_stencil &&
+		*drawing->character->scene.shadow > 0.0f;
 }
 
 void character_draw_update(
 	struct character_drawing *drawing, const struct stage *stage)
 {
+	struct instance *instance = drawing->character->instance;
+	bool on_relief = is_on_relief(drawing, stage);
 	struct shadow_light light = {
 		.ground = &stage->floor,
+		.relief = on_relief ? &drawing->ground.relief : NULL,
 	};
 
-	if (stage->floor.wave_height != 0.0f) {
+	if (stage->floor.wave_height != 0.0f || on_relief) {
 		light_direction(light.towards);
 		camera_eye(&stage->camera, light.eye);
-		shadow_drape_update(
-			&drawing->drape, drawing->character->instance, &light);
+		shadow_ground_hide(&drawing->ground, instance, on_relief);
+		shadow_drape_update(&drawing->drape, instance, &light);
+		shadow_ground_hide(&drawing->ground, instance, false);
 	}
 }
 
@@ -265,7 +297,7 @@ static void draw_shadows(const struct character_drawing *drawing,
 	if (stage->floor.wave_height != 0.0f && stage->has_stencil) {
 		const struct shadow_drape *drape = &drawing->drape;
 
-		shadow_drape_draw(drape, gl, DRAW_SHADOW_ALPHA,
+		shadow_drape_draw(drape, gl, DRAW_SHADOW_ALPHA, 0,
 			stage_may_hide(stage, &drape->box));
 	} else {
 		stage_shadow_begin(stage, gl);
@@ -370,9 +402,16 @@ static void draw_ground(const struct character_drawing *drawing,
 {
 	const struct character *character = drawing->character;
 
-	if (*character->scene.shadow > 0.0f && stage->floor.wave_height == 0.0f &&
-		shadow_ground_begin(&drawing->ground, stage, gl,
+	if (*character->scene.shadow <= 0.0f ||
+		stage->floor.wave_height != 0.0f ||
+		!shadow_ground_begin(&drawing->ground, stage, gl,
 			character->instance, textures)) {
+		return;
+	}
+	if (drawing->ground.relief.height) {
+		shadow_drape_draw(&drawing->drape, gl, DRAW_SHADOW_ALPHA,
+			STAGE_GROUND_MARK, true);
+	} else {
 		draw_instance(gl, character->instance, textures, DRAW_SHADOW);
 		draw_capes(character, gl, DRAW_SHADOW);
 		stage_top_end(gl);
@@ -391,7 +430,7 @@ void character_draw(const struct character_drawing *drawing,
 	camera_eye(&stage->camera, eye);
 	alpha_sort_blended(character->instance, eye);
 	draw_instance(gl, character->instance, textures, DRAW_SHADED);
-	shadow_ground_end(&drawing->ground, character->instance);
+	shadow_ground_hide(&drawing->ground, character->instance, false);
 	draw_top_shadows(drawing, stage, textures, gl);
 	draw_capes(character, gl, DRAW_SHADED);
 	draw_balls(drawing, gl);

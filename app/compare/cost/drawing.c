@@ -157,14 +157,15 @@ void drawing_draw(
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 	stage_shadow_end(stage, gl);
 	if (shadow_ground_begin(&drawing->ground, stage, gl, instance,
-		    &drawing->textures)) {
+		    &drawing->textures) &&
+		!drawing->ground.relief.height) {
 		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 		stage_top_end(gl);
 	}
 	camera_eye(&stage->camera, eye);
 	alpha_sort_blended(instance, eye);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
-	shadow_ground_end(&drawing->ground, instance);
+	shadow_ground_hide(&drawing->ground, instance, false);
 	context->driver->end_frame(context);
 }
 

@@ -240,13 +240,13 @@ void shadow_drape_update(struct shadow_drape *drape,
 }
 
 /*
- * Blends a dark colour over the ground where the stencil is 0, and counts
+ * Blends a dark colour over the ground where the stencil is mark, and counts
  * there: a pixel that many triangles cover is darkened by the first one.
  */
-static void begin_darkening(const struct gl *gl)
+static void begin_darkening(const struct gl *gl, int mark)
 {
 	gl->Enable(GL_STENCIL_TEST);
-	gl->StencilFunc(GL_EQUAL, 0, 255);
+	gl->StencilFunc(GL_EQUAL, mark, 255);
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 	gl->Enable(GL_BLEND);
 	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -263,7 +263,7 @@ static void end_darkening(const struct gl *gl)
 }
 
 void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
-	float strength, bool may_be_hidden)
+	float strength, int mark, bool may_be_hidden)
 {
 	gl->Disable(GL_LIGHTING);
 	gl->Disable(GL_TEXTURE_2D);
@@ -274,7 +274,7 @@ void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
 	if (!may_be_hidden) {
 		gl->Disable(GL_DEPTH_TEST);
 	}
-	begin_darkening(gl);
+	begin_darkening(gl, mark);
 	draw_set_shadow_color(gl, strength);
 	for (int i = 0; i < drape->sheet_count; i++) {
 		const struct shadow_sheet *sheet = &drape->sheet[i];

@@ -57,12 +57,12 @@ void shadow_drape_update(struct shadow_drape *drape,
 	const struct instance *instance, const struct shadow_light *light);
 
 /*
- * Darkens the ground in the shadow by strength, 0..1. Expects a cleared stencil
- * buffer and the camera's model-view matrix. If may_be_hidden is true, depths
+ * Darkens the ground in the shadow by strength, 0..1, where the stencil buffer
+ * is mark. Expects the camera's model-view matrix. If may_be_hidden is true, depths
  * are tested, and the depth buffer has to hold the ground and all that may hide
  * the shadow. Leaves the stencil test off and the stencil buffer changed.
  */
 void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
-	float strength, bool may_be_hidden);
+	float strength, int mark, bool may_be_hidden);
 
 #endif

@@ -15,8 +15,15 @@ static const float flat_part = 0.1f;
 static const float wide_part = 0.8f;
 /* least height of the rest above the ground */
 static const float above_part = 0.05f;
+/* greatest height of uneven ground above the model's bottom */
+static const float hill_part = 0.5f;
+/* greatest error of its relief */
+static const float relief_part = 0.05f;
 /* heights that differ by less count as equal */
 static const float level_part = 0.001f;
+
+/* The least part of its surface that faces upwards, and by how much. */
+static const float upward_part = 0.9f, upward = 0.1f;
 
 /* A drawable that may be ground. */
 struct candidate {
@@ -244,6 +251,77 @@ static void choose(struct shadow_ground *ground, const struct search *search)
 	}
 }
 
+/* Returns true if nearly all of a drawable's surface faces upwards. */
+static bool faces_upwards(
+	const struct instance *instance, const struct drawable *drawable)
+{
+	const struct model_primitive *primitive = drawable->primitive;
+	float sign = instance_is_mirrored(instance, drawable) ? -1.0f : 1.0f;
+	float up = 0.0f, all = 0.0f;
+
+	for (int k = 0; k + 2 < primitive->index_count; k += 3) {
+		float corner[3][3], side[2][3], normal[3], area;
+
+		for (int i = 0; i < 3; i++) {
+			instance_world_vertex(instance, drawable,
+				(int)primitive->index[k + i], corner[i]);
+		}
+		vec_subtract(corner[1], corner[0], side[0]);
+		vec_subtract(corner[2], corner[0], side[1]);
+		vec_cross(side[0], side[1], normal);
+		area = vec_length(normal);
+		all += area;
+		up += sign * normal[1] > upward * area ? area : 0.0f;
+	}
+	return all > 0.0f && up >= upward_part * all;
+}
+
+static bool may_be_hill(const struct search *search,
+	const struct drawable *drawable, const struct bounds *box)
+{
+	const struct bounds *all = &search->all;
+
+	return !search->moving[drawable->node] && !bounds_is_empty(box) &&
+		box->high[1] - all->low[1] <= hill_part * search->extent &&
+		!is_bent(search, drawable) &&
+		faces_upwards(search->instance, drawable);
+}
+
+/* Finds uneven ground. Returns 0 or -ENOMEM. */
+static int find_hills(struct shadow_ground *ground, const struct search *search)
+{
+	struct instance *instance = search->instance;
+	struct bounds together = bounds_empty();
+	int count = 0, error;
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		struct bounds box = is_solid(search, drawable)
+			? box_of(instance, drawable)
+			: bounds_empty();
+
+		if (may_be_hill(search, drawable, &box)) {
+			ground->drawable[count] = i;
+			ground->span[count++] = span_of(instance, drawable);
+			bounds_join(&together, &box);
+		}
+	}
+	if (count == 0 || count == instance->drawable_count ||
+		!is_wide(search, &together)) {
+		return 0;
+	}
+	error = shadow_relief_make(
+		&ground->relief, instance, ground->drawable, count);
+	if (!error && ground->relief.height &&
+		ground->relief.error <= relief_part * search->extent) {
+		ground->count = count;
+		ground->level = level_part * search->extent;
+	} else {
+		ground->relief.height = NULL;
+	}
+	return error;
+}
+
 /* Whether a triangle lies in the model's lowest plane and faces upwards. */
 static bool lies_below(const struct search *search,
 	const struct drawable *drawable, bool mirrored, const uint32_t index[3])
@@ -287,7 +365,7 @@ static bool has_bottom(const struct search *search)
 	return false;
 }
 
-static void find(struct shadow_ground *ground, struct search *search)
+static int find(struct shadow_ground *ground, struct search *search)
 {
 	find_moving(search->instance->model, search->moving);
 	search->all = bounds_of_clip(search->instance, -1);
@@ -295,6 +373,7 @@ static void find(struct shadow_ground *ground, struct search *search)
 	find_candidates(search);
 	choose(ground, search);
 	ground->in_plane = ground->count > 0 || has_bottom(search);
+	return ground->count > 0 ? 0 : find_hills(ground, search);
 }
 
 int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)
@@ -305,20 +384,19 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance)
 		.moving = calloc((size_t)instance->model->node_count + 1, 1),
 		.candidate = calloc(count + 1, sizeof(*search.candidate)),
 	};
-	bool has_memory;
+	int error = -ENOMEM;
 
 	*ground = (struct shadow_ground){
 		.drawable = ARENA_ARRAY(&instance->arena, int, count),
 		.span = ARENA_ARRAY(
 			&instance->arena, struct shadow_ground_span, count)};
-	has_memory = ground->drawable && ground->span && search.moving &&
-		search.candidate;
-	if (has_memory) {
-		find(ground, &search);
+	if (ground->drawable && ground->span && search.moving &&
+		search.candidate) {
+		error = find(ground, &search);
 	}
 	free(search.moving);
 	free(search.candidate);
-	return has_memory ? 0 : -ENOMEM;
+	return error;
 }
 
 /*
@@ -352,7 +430,8 @@ bool shadow_ground_begin(const struct shadow_ground *ground,
 	float lift;
 
 	if (ground->count == 0 || !stage->has_stencil ||
-		!find_lift(ground, instance, &lift)) {
+		!find_lift(ground, instance, &lift) ||
+		(ground->relief.height && scalar_abs(lift) > ground->level)) {
 		return false;
 	}
 	stage_ground_begin(gl);
@@ -364,14 +443,18 @@ bool shadow_ground_begin(const struct shadow_ground *ground,
 			gl, instance, drawable, textures, DRAW_SHADED);
 		drawable->hidden = true;
 	}
-	stage_ground_end(gl, ground->y + lift);
+	if (ground->relief.height) {
+		gl->Disable(GL_STENCIL_TEST);
+	} else {
+		stage_ground_end(gl, ground->y + lift);
+	}
 	return true;
 }
 
-void shadow_ground_end(
-	const struct shadow_ground *ground, struct instance *instance)
+void shadow_ground_hide(const struct shadow_ground *ground,
+	struct instance *instance, bool hidden)
 {
 	for (int i = 0; i < ground->count; i++) {
-		instance->drawable[ground->drawable[i]].hidden = false;
+		instance->drawable[ground->drawable[i]].hidden = hidden;
 	}
 }

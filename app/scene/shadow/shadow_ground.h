@@ -1,6 +1,7 @@
 /*
  * Ground that a model brings along: level surfaces at its bottom, below all the
- * rest, such as a floor, a lawn or the plate that a machine stands on.
+ * rest, such as a floor, a lawn or the plate that a machine stands on, or
+ * uneven surfaces that face upwards, such as hills.
  *
  * Such ground would hide the shadows that lie on the stage's floor. The ground
  * is therefore drawn first; then the shadows of all else are drawn on it, where
@@ -13,6 +14,7 @@
 
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/bounds.h"
+#include "app/scene/shadow/shadow_relief.h"
 #include "app/scene/stage/stage.h"
 
 struct shadow_ground {
@@ -24,9 +26,10 @@ struct shadow_ground {
 	struct shadow_ground_span {
 		float low, high;
 	} * span; /* and what each drawable's box spans, [count] */
+	struct shadow_relief relief; /* if the ground is uneven */
 	/*
-	 * The model has ground, or other triangles at its bottom that face
-	 * upwards: the stage's floor has to be lowered.
+	 * The model has level ground, or other triangles at its bottom that
+	 * face upwards: the stage's floor has to be lowered.
 	 */
 	bool in_plane;
 };
@@ -34,8 +37,9 @@ struct shadow_ground {
 /*
  * Finds opaque drawables that no clip, skin or target moves, whose vertices lie
  * at one height or at two heights, and which together are about as wide as the
- * model and far lower. Leaves the instance in the rest pose. Returns 0 or
- * -ENOMEM.
+ * model and far lower. If there are none, finds such drawables of any heights,
+ * nearly all of whose surface faces upwards. Leaves the instance in the rest
+ * pose. Returns 0 or -ENOMEM.
  */
 int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
 
@@ -43,19 +47,24 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
  * Draws the ground and begins its shadows: until stage_top_end(), whatever is
  * drawn with DRAW_SHADOW is projected on it. Call it after the shadows on the
  * stage's floor and before all else is drawn. The ground is hidden from
- * draw_instance() until shadow_ground_end(). Ground that was lifted since it
- * was found keeps its shadows. Does nothing and returns false without a stencil
- * buffer, and without ground or when its drawables lie in no level plane now.
+ * draw_instance() until shadow_ground_hide() with false. Ground that was lifted
+ * since it was found keeps its shadows. Does nothing and returns false without
+ * a stencil buffer, and without ground or when its drawables lie in no level
+ * plane now.
+ *
+ * Ground with a relief is only drawn, and the stencil buffer marked with
+ * STAGE_GROUND_MARK where it is seen. Draw the shadows with shadow_drape_draw()
+ * then, and do not call stage_top_end().
  */
 bool shadow_ground_begin(const struct shadow_ground *ground,
 	const struct stage *stage, const struct gl *gl,
 	struct instance *instance, const struct texture_set *textures);
 
 /*
- * Shows the ground to draw_instance() again. Call it after the whole instance
- * was drawn. instance must not be NULL.
+ * Hides the ground from draw_instance() and from shadow_drape_update(), or
+ * shows it again, as has to be done after the whole instance was drawn.
  */
-void shadow_ground_end(
-	const struct shadow_ground *ground, struct instance *instance);
+void shadow_ground_hide(const struct shadow_ground *ground,
+	struct instance *instance, bool hidden);
 
 #endif

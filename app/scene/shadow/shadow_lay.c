@@ -10,6 +10,30 @@ static const float nodes_a_tile = 6.0f;
 /* Finding a node takes about as long as interpolating three points. */
 static const int points_a_node = 2;
 
+/* The height of level ground, which the uneven ground is near. */
+static float level_of(const struct shadow_light *light)
+{
+	return light->relief ? light->relief->y : light->ground->y;
+}
+
+static float height_at(const struct shadow_light *light, float x, float z)
+{
+	return light->relief ? shadow_relief_height(light->relief, x, z)
+			     : floor_height(light->ground, x, z);
+}
+
+/* How far apart the nodes of the grid are. */
+static float node_length(const struct shadow_light *light)
+{
+	const struct shadow_relief *relief = light->relief;
+
+	if (!relief) {
+		return light->ground->tile / nodes_a_tile;
+	}
+	return relief->cell[0] < relief->cell[1] ? relief->cell[0]
+						 : relief->cell[1];
+}
+
 /*
  * Returns the distance from a point to the ground along the light. It starts at
  * level ground and makes one step of the secant method, which leaves an error
@@ -18,14 +42,13 @@ static const int points_a_node = 2;
 static float distance_to_ground(
 	const struct shadow_light *light, const float from[3])
 {
-	const struct floor *ground = light->ground;
 	const float *towards = light->towards;
 	float per_height = 1.0f / towards[1];
-	float guess[2] = {(from[1] - ground->y) * per_height, 0.0f};
+	float guess[2] = {(from[1] - level_of(light)) * per_height, 0.0f};
 	float height[2], slope;
 
 	for (int i = 0; i < 2; i++) {
-		height[i] = floor_height(ground, from[0] - towards[0] * guess[i],
+		height[i] = height_at(light, from[0] - towards[0] * guess[i],
 			from[2] - towards[2] * guess[i]);
 		if (i == 0) {
 			guess[1] = (from[1] - height[0]) * per_height;
@@ -44,7 +67,11 @@ static void lay_point(const struct shadow_light *light, const float from[3],
 {
 	vec_add_scaled(
 		from, light->towards, -distance_to_ground(light, from), to);
-	floor_lift(light->ground, light->eye, to);
+	if (light->relief) {
+		shadow_relief_lift(light->relief, light->eye, to);
+	} else {
+		floor_lift(light->ground, light->eye, to);
+	}
 	bounds_add(box, to);
 }
 
@@ -62,7 +89,7 @@ struct area {
 static void find_level(
 	const struct shadow_light *light, const float from[3], float out[2])
 {
-	float fall = (from[1] - light->ground->y) / light->towards[1];
+	float fall = (from[1] - level_of(light)) / light->towards[1];
 
 	out[0] = from[0] - light->towards[0] * fall;
 	out[1] = from[2] - light->towards[2] * fall;
@@ -79,8 +106,8 @@ static bool find_area(const struct shadow_light *light, const float (*from)[3],
 	bool finite = true;
 
 	*area = (struct area){.low = {FLT_MAX, FLT_MAX},
-		.per_length = nodes_a_tile / light->ground->tile,
-		.length = light->ground->tile / nodes_a_tile};
+		.per_length = 1.0f / node_length(light),
+		.length = node_length(light)};
 	for (int i = 0; i < count; i++) {
 		float at[2];
 
@@ -117,7 +144,7 @@ static void find_nodes(struct shadow_grid *grid, const struct area *area,
 		int column = i % area->count[0], row = i / area->count[0];
 		const float from[3] = {
 			area->low[0] + (float)column * area->length,
-			light->ground->y,
+			level_of(light),
 			area->low[1] + (float)row * area->length};
 
 		lay_point(light, from, grid->node[i], box);

@@ -9,6 +9,7 @@
 #ifndef APP_SCENE_SHADOW_SHADOW_LAY_H
 #define APP_SCENE_SHADOW_SHADOW_LAY_H
 
+#include "app/scene/shadow/shadow_relief.h"
 #include "app/scene/stage/floor.h"
 
 enum {
@@ -20,6 +21,7 @@ struct shadow_light {
 	float towards[3]; /* unit vector to the light, towards[1] > 0 */
 	float eye[3];
 	const struct floor *ground;
+	const struct shadow_relief *relief; /* replaces ground; or NULL */
 };
 
 /* Memory for the grid's nodes, of which node_count are in use; 0: no grid. */

@@ -13,10 +13,9 @@
 enum {
 	/*
 	 * Marks in the stencil of surfaces that shadows lie on; elsewhere the
-	 * stencil counts to 1 at most.
+	 * stencil counts to 1 at most. The other one is STAGE_GROUND_MARK.
 	 */
-	TOP_MARK = 128,
-	GROUND_MARK = 64
+	TOP_MARK = 128
 };
 
 /* How far the floor is lowered, as a part of the model's extent. */
@@ -258,13 +257,13 @@ void stage_top_begin(
 void stage_ground_begin(const struct gl *gl)
 {
 	gl->Enable(GL_STENCIL_TEST);
-	gl->StencilFunc(GL_ALWAYS, GROUND_MARK, 255);
+	gl->StencilFunc(GL_ALWAYS, STAGE_GROUND_MARK, 255);
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 }
 
 void stage_ground_end(const struct gl *gl, float y)
 {
-	begin_shadow(gl, y, true, GROUND_MARK);
+	begin_shadow(gl, y, true, STAGE_GROUND_MARK);
 }
 
 void stage_lower_floor(struct stage *stage, const struct bounds *box)

@@ -79,6 +79,10 @@ void stage_top_begin(
 	const struct stage *stage, const struct gl *gl, float corner[4][3]);
 void stage_top_end(const struct gl *gl);
 
+enum {
+	STAGE_GROUND_MARK = 64 /* in the stencil: ground of the model's own */
+};
+
 /*
  * Do the same as stage_top_begin() for level ground of the model's own, at
  * height y. The caller draws the ground between these two calls, and then,

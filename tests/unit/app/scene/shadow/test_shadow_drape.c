@@ -341,7 +341,7 @@ static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 	gl->VertexPointer(3, GL_SHORT, 0, cover);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-	shadow_drape_draw(drape, gl, 0.5f, may_be_hidden);
+	shadow_drape_draw(drape, gl, 0.5f, 0, may_be_hidden);
 	context->driver->end_frame(context);
 	for (int i = 0; i < PICTURE * PICTURE; i++) {
 		uint8_t value = picture->data[4 * i];

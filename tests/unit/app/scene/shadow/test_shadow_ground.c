@@ -18,7 +18,7 @@ static struct model *load(void)
 	return model_fixture("gltf/scene/ground.gltf", NULL);
 }
 
-/* The number of drawables that are ground; its height is stored if y is not NULL. */
+/* The number of drawables that are level ground; *y becomes its height. */
 static int count_ground(const struct model *model, float *y)
 {
 	struct instance *instance = small_model_instance(model);
@@ -26,7 +26,7 @@ static int count_ground(const struct model *model, float *y)
 	int count;
 
 	assert_int_equal(shadow_ground_find(&ground, instance), 0);
-	count = ground.count;
+	count = ground.relief.height ? 0 : ground.count;
 	for (int i = 0; i < count; i++) {
 		assert_int_equal(ground.drawable[i], i);
 	}
@@ -48,15 +48,65 @@ static void test_level_surfaces_at_the_bottom_are_ground(void **state)
 	model_destroy(model);
 }
 
-/* A hill in it would throw shadows that no plane shows. */
-static void test_uneven_ground_is_none(void **state)
+static void turn_round(const struct model *model, int mesh)
+{
+	const struct model_primitive *primitive = model->mesh[mesh].primitive;
+
+	for (int k = 0; k < primitive->index_count; k += 3) {
+		uint32_t first = primitive->index[k];
+
+		primitive->index[k] = primitive->index[k + 1];
+		primitive->index[k + 1] = first;
+	}
+}
+
+/* A hill in it throws shadows that no plane shows. */
+static void test_uneven_ground_has_a_relief(void **state)
 {
 	struct model *model = load();
+	struct instance *instance;
+	struct shadow_ground ground;
 
 	(void)state;
 	model->mesh[LAWN].primitive->position[0][1] = 0.1f;
 	model->mesh[LAWN].primitive->position[1][1] = 0.2f;
 	assert_int_equal(count_ground(model, NULL), 0);
+	instance = small_model_instance(model);
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	assert_int_equal(ground.count, 2);
+	assert_non_null(ground.relief.height);
+	assert_near(shadow_relief_height(&ground.relief, -2, 2), 0.1, 1e-3);
+	assert_near(shadow_relief_height(&ground.relief, 2, 2), 0.0, 1e-3);
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* Whether there is uneven ground when two of the lawn's corners are so high. */
+static bool has_hill(struct model *model, float height)
+{
+	struct instance *instance;
+	struct shadow_ground ground;
+
+	model->mesh[LAWN].primitive->position[0][1] = height;
+	model->mesh[LAWN].primitive->position[1][1] = 0.5f * height;
+	instance = small_model_instance(model);
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	instance_destroy(instance);
+	return ground.relief.height != NULL;
+}
+
+static void test_walls_and_what_moves_are_no_hills(void **state)
+{
+	struct model *model = load();
+
+	(void)state;
+	assert_true(has_hill(model, 0.2f));
+	assert_false(has_hill(model, 3.0f));
+	turn_round(model, LAWN);
+	assert_false(has_hill(model, 0.2f));
+	turn_round(model, LAWN);
+	model->clip[0].channel[0].node = LAWN;
+	assert_false(has_hill(model, 0.2f));
 	model_destroy(model);
 }
 
@@ -97,18 +147,6 @@ static bool is_in_plane(const struct model *model)
 	assert_int_equal(shadow_ground_find(&ground, instance), 0);
 	instance_destroy(instance);
 	return ground.in_plane;
-}
-
-static void turn_round(const struct model *model, int mesh)
-{
-	const struct model_primitive *primitive = model->mesh[mesh].primitive;
-
-	for (int k = 0; k < primitive->index_count; k += 3) {
-		uint32_t first = primitive->index[k];
-
-		primitive->index[k] = primitive->index[k + 1];
-		primitive->index[k + 1] = first;
-	}
 }
 
 /* The floor of a room is one surface with its walls, so it is no ground. */
@@ -267,7 +305,7 @@ static bool begin_shadows(struct instance *instance,
 			(double)instance->unit_scale;
 		stage_top_end(&gl);
 	}
-	shadow_ground_end(ground, instance);
+	shadow_ground_hide(ground, instance, false);
 	return begun;
 }
 
@@ -301,7 +339,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ground_of_a_tiny_or_huge_model_is_found),
 		cmocka_unit_test(test_level_surfaces_at_the_bottom_are_ground),
-		cmocka_unit_test(test_uneven_ground_is_none),
+		cmocka_unit_test(test_uneven_ground_has_a_relief),
+		cmocka_unit_test(test_walls_and_what_moves_are_no_hills),
 		cmocka_unit_test(test_a_slab_is_ground),
 		cmocka_unit_test(test_what_moves_or_is_clear_is_no_ground),
 		cmocka_unit_test(

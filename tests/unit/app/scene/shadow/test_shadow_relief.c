@@ -1,0 +1,149 @@
+/* Heights of uneven ground of a model's own, and shadows laid upon it. */
+#include "app/scene/shadow/shadow_lay.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+enum {
+	SIDE = 8 /* quads on a side of the ground */
+};
+
+/* Ground of 4 x 4 units, from the origin to +x and +z, of these heights. */
+static struct model *make_ground(float (*height)(float x, float z))
+{
+	struct model *model = small_model_grid(SIDE, SIDE, 4.0f, true);
+	struct model_primitive *primitive = model->mesh[0].primitive;
+
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		float *at = primitive->position[v];
+
+		at[2] = at[1];
+		at[1] = height(at[0], at[2]);
+	}
+	return model;
+}
+
+static float slope(float x, float z)
+{
+	return 0.25f * x - 0.125f * z;
+}
+
+static float hill(float x, float z)
+{
+	return 0.3f * sinf(x) * sinf(z);
+}
+
+static struct instance *make_relief(
+	struct model *model, struct shadow_relief *relief)
+{
+	static const int drawable[1] = {0};
+	struct instance *instance = small_model_instance(model);
+
+	assert_near(instance->unit_scale, 1, 0);
+	assert_int_equal(shadow_relief_make(relief, instance, drawable, 1), 0);
+	assert_non_null(relief->height);
+	return instance;
+}
+
+static void release(struct model *model, struct instance *instance)
+{
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+static void test_heights_are_those_of_the_ground(void **state)
+{
+	struct model *model = make_ground(slope);
+	struct shadow_relief relief;
+	struct instance *instance = make_relief(model, &relief);
+
+	(void)state;
+	for (float x = 0; x <= 4; x += 0.37f) {
+		for (float z = 0; z <= 4; z += 0.41f) {
+			assert_near(shadow_relief_height(&relief, x, z),
+				slope(x, z), 1e-3);
+		}
+	}
+	assert_near(relief.error, 0, 1e-3);
+	assert_near(relief.y, slope(2, 2), 1e-3);
+	/* Outside, the nearest edge counts. */
+	assert_near(shadow_relief_height(&relief, -9, 2), slope(0, 2), 1e-3);
+	assert_near(shadow_relief_height(&relief, 9, 9), slope(4, 4), 2e-3);
+	release(model, instance);
+}
+
+/* Triangles cover half of the box; the other half has the nearest heights. */
+static void test_a_hole_has_the_height_beside_it(void **state)
+{
+	struct model *model = make_ground(slope);
+	struct shadow_relief relief;
+	struct instance *instance;
+
+	(void)state;
+	model->mesh[0].primitive->index_count /= 2;
+	instance = make_relief(model, &relief);
+	for (float z = 0; z <= 4; z += 0.4f) {
+		assert_in_range(
+			(long)(1000 + 1000 * shadow_relief_height(&relief, 1, z)),
+			700, 2000);
+	}
+	release(model, instance);
+}
+
+/* The light falls at an angle; the ground meets it before level ground would. */
+static void test_a_shadow_lies_on_the_ground_along_the_light(void **state)
+{
+	float (*const kinds[2])(float, float) = {slope, hill};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct model *model = make_ground(kinds[i]);
+		struct shadow_relief relief;
+		struct instance *instance = make_relief(model, &relief);
+		const struct shadow_light light = {
+			.towards = {0.48f, 0.8f, 0.36f},
+			.eye = {2, 1e6f, 2},
+			.relief = &relief};
+		const float from[3] = {2.6f, 1.2f, 2.4f};
+		float node[SHADOW_NODES_MAX][3], to[1][3], along;
+		struct shadow_grid grid = {.node = node};
+		struct bounds box = bounds_empty();
+
+		relief.error = 0;
+		shadow_lay(&grid, &light, &from, 1, to, &box);
+		/* The eye is above, so that lifting changes x and z little. */
+		along = (from[0] - to[0][0]) / light.towards[0];
+		assert_near(from[2] - to[0][2], along * 0.36f, 0.01);
+		assert_near(from[1] - along * 0.8f,
+			kinds[i](to[0][0], to[0][2]), 0.02);
+		release(model, instance);
+	}
+}
+
+static void test_lifting_keeps_a_points_place_in_the_picture(void **state)
+{
+	const struct shadow_relief relief = {.error = 0.1f};
+	const float eye[3] = {3, 4, 5};
+	float point[3] = {1, 0, 2};
+
+	(void)state;
+	shadow_relief_lift(&relief, eye, point);
+	assert_true(point[1] >= 0.1f && point[1] < 0.15f);
+	assert_near((point[0] - 1) / 2, point[1] / 4, 1e-6);
+	assert_near((point[2] - 2) / 3, point[1] / 4, 1e-6);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_heights_are_those_of_the_ground),
+		cmocka_unit_test(test_a_hole_has_the_height_beside_it),
+		cmocka_unit_test(
+			test_a_shadow_lies_on_the_ground_along_the_light),
+		cmocka_unit_test(
+			test_lifting_keeps_a_points_place_in_the_picture),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

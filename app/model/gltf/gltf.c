@@ -179,46 +179,128 @@ static int split_meshes(struct gltf *gltf)
 		: gltf_no_memory(&meshes);
 }
 
-/* Marks the nodes that channels of an animation rotate or scale. */
-static void mark_turned(
-	const struct gltf *gltf, const json_t *animation, bool *turned)
+/* Returns a member as an index below count, or -1. */
+static int index_of(const json_t *object, const char *key, int count)
 {
-	const json_t *channels = json_object_get(animation, "channels");
+	const json_t *number = json_object_get(object, key);
+	double value = json_is_number(number) ? json_number_value(number) : -1;
 
-	for (size_t i = 0; i < json_array_size(channels); i++) {
-		const json_t *target =
-			json_object_get(json_array_get(channels, i), "target");
-		const json_t *node = json_object_get(target, "node");
-		const char *path =
-			json_string_value(json_object_get(target, "path"));
-		double number =
-			json_is_number(node) ? json_number_value(node) : -1;
-		int index = number >= 0 && number < gltf->node_count
-			? gltf->node_index[(int)number]
-			: -1;
+	return value >= 0 && value < count ? (int)value : -1;
+}
 
-		if (index >= 0 && path && strcmp(path, "translation") != 0) {
-			turned[index] = true;
+/* Reads where the first key of a channel has a node; else leaves it. */
+static int read_first_key(
+	const struct gltf_at *animation, const json_t *channel, float start[3])
+{
+	const struct gltf *gltf = animation->gltf;
+	struct gltf_at samplers = gltf_member(animation, "samplers");
+	int index = index_of(
+		channel, "sampler", (int)json_array_size(samplers.json));
+	struct gltf_at sampler = gltf_element(&samplers, index);
+	struct gltf_at output = gltf_member(&sampler, "output");
+	const char *mode = json_string_value(
+		json_object_get(sampler.json, "interpolation"));
+	int accessor = index_of(sampler.json, "output", gltf->accessor_count);
+	int value = mode && strcmp(mode, "CUBICSPLINE") == 0 ? 1 : 0;
+	struct gltf_accessor first;
+	float key[2][3];
+	int error;
+
+	if (index < 0 || accessor < 0) {
+		return 0;
+	}
+	first = gltf->accessor[accessor];
+	if (first.width != 3 || first.count <= value || first.sparse_count > 0) {
+		return 0;
+	}
+	first.count = value + 1;
+	error = gltf_unpack_floats(&output, &first, key[0]);
+	if (!error) {
+		memcpy(start, key[value], sizeof(key[value]));
+	}
+	return error;
+}
+
+/* What clips do to the nodes, before they are read. */
+struct clip_scan {
+	bool *turned;      /* [node_count] */
+	bool *started;     /* [node_count] */
+	float (*start)[3]; /* [node_count] */
+};
+
+static int scan_channel(const struct gltf_at *animation, const json_t *channel,
+	struct clip_scan *scan)
+{
+	const struct gltf *gltf = animation->gltf;
+	const json_t *target = json_object_get(channel, "target");
+	const char *path = json_string_value(json_object_get(target, "path"));
+	int node = index_of(target, "node", gltf->node_count);
+
+	node = node >= 0 ? gltf->node_index[node] : -1;
+	if (node < 0 || !path) {
+		return 0;
+	}
+	if (strcmp(path, "translation") != 0) {
+		scan->turned[node] = true;
+		return 0;
+	}
+	if (gltf->model->node[node].parent >= 0 || scan->started[node]) {
+		return 0;
+	}
+	scan->started[node] = true;
+	return read_first_key(animation, channel, scan->start[node]);
+}
+
+static int scan_clips(struct gltf *gltf, struct clip_scan *scan)
+{
+	struct gltf_at clips = gltf_member(&gltf->root, "animations");
+	size_t count = json_array_size(clips.json);
+	int error = 0;
+
+	for (size_t c = 0; c < count; c++) {
+		struct gltf_at animation = gltf_element(&clips, (int)c);
+		const json_t *channels =
+			json_object_get(animation.json, "channels");
+		size_t channel_count = json_array_size(channels);
+
+		for (size_t i = 0; i < channel_count && !error; i++) {
+			error = scan_channel(
+				&animation, json_array_get(channels, i), scan);
 		}
 	}
+	return error;
 }
 
 /* Moves a model that is far from the origin, before its clips are read. */
 static int move_to_origin(struct gltf *gltf)
 {
 	struct gltf_at nodes = gltf_member(&gltf->root, "nodes");
-	const json_t *clips = json_object_get(gltf->json, "animations");
-	bool *turned = GLTF_SCRATCH(&nodes, bool, gltf->model->node_count);
+	struct model *model = gltf->model;
+	size_t count = (size_t)model->node_count;
+	struct clip_scan scan = {
+		.turned = GLTF_SCRATCH(&nodes, bool, count),
+		.started = GLTF_SCRATCH(&nodes, bool, count),
+		.start = gltf_alloc(
+			&nodes, &gltf->scratch, count, sizeof(float[3])),
+	};
+	int error;
 
-	if (!turned) {
+	if (!scan.turned || !scan.started || !scan.start) {
 		return -ENOMEM;
 	}
-	memset(turned, 0, (size_t)gltf->model->node_count);
-	for (size_t i = 0; i < json_array_size(clips); i++) {
-		mark_turned(gltf, json_array_get(clips, i), turned);
+	memset(scan.turned, 0, count);
+	memset(scan.started, 0, count);
+	for (size_t n = 0; n < count; n++) {
+		memcpy(scan.start[n], model->node[n].rest.translation,
+			sizeof(scan.start[n]));
 	}
-	return model_origin_find(
-		       gltf->model, turned, &gltf->scratch, &gltf->shift) == 0
+	error = scan_clips(gltf, &scan);
+	if (error) {
+		return error;
+	}
+	return model_origin_find(model, scan.turned,
+		       (const float(*)[3])scan.start, &gltf->scratch,
+		       &gltf->shift) == 0
 		? 0
 		: gltf_no_memory(&nodes);
 }

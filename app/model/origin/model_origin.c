@@ -347,8 +347,28 @@ static bool allocate(struct search *search, struct arena *arena)
 		search->shift;
 }
 
+/* Whether the clips begin in about the same place as the rest pose. */
+static bool starts_there(const struct search *search, const float (*start)[3])
+{
+	const struct model *model = search->model;
+
+	for (int n = 0; n < model->node_count; n++) {
+		const struct model_node *node = &model->node[n];
+
+		for (int axis = 0; axis < 3 && node->parent < 0; axis++) {
+			double way = (double)start[n][axis] -
+				(double)node->rest.translation[axis];
+
+			if (fabs(way) > far_sizes * search->size) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
 int model_origin_find(struct model *model, const bool *turned,
-	struct arena *arena, double (**shift)[3])
+	const float (*start)[3], struct arena *arena, double (**shift)[3])
 {
 	struct search search = {.model = model, .turned = turned};
 	struct box all;
@@ -364,6 +384,7 @@ int model_origin_find(struct model *model, const bool *turned,
 	all = box_of_model(&search);
 	search.size = size_of(&all);
 	if (is_empty(&all) || !(search.size > 0) ||
+		!starts_there(&search, start) ||
 		!find_far(&all, search.size, model->origin)) {
 		return 0;
 	}

@@ -16,13 +16,15 @@
  * its size, and sets model->origin. Moves also the vertices of meshes that are
  * as far from the origin of their nodes, if each node that shows the mesh has no
  * skin and no camera, is no joint and is not turned. turned, [node_count], says
- * which nodes a clip rotates or scales. The clips have yet to be moved: *shift is
+ * which nodes a clip rotates or scales; start, [node_count], where a clip begins to
+ * move each node at the top, or its rest: a model that a clip begins elsewhere
+ * stays. The clips have yet to be moved: *shift is
  * [node_count], by how much less each node's translation is than in the file, or
  * NULL if the model stays. The arena owns it. Subtractions are exact wherever
  * the file's numbers are near to each other. Returns 0 or -ENOMEM.
  */
 int model_origin_find(struct model *model, const bool *turned,
-	struct arena *arena, double (**shift)[3]);
+	const float (*start)[3], struct arena *arena, double (**shift)[3]);
 
 /* Moves the values of a channel, count keys with three floats each, or nine. */
 void model_origin_shift_keys(const double shift[3],

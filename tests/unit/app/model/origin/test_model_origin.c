@@ -9,7 +9,9 @@
 struct found {
 	struct model *model;
 	struct arena arena;
-	bool turned[2];
+	bool turned[1];
+	bool start_is_set;
+	float start[1][3];
 	double (*shift)[3];
 };
 
@@ -24,8 +26,13 @@ static struct found make(float x, float y, float z)
 
 static void find(struct found *found)
 {
+	if (!found->start_is_set) {
+		memcpy(found->start[0], found->model->node[0].rest.translation,
+			sizeof(found->start[0]));
+	}
 	assert_int_equal(model_origin_find(found->model, found->turned,
-				 &found->arena, &found->shift),
+				 (const float(*)[3])found->start, &found->arena,
+				 &found->shift),
 		0);
 }
 
@@ -131,6 +138,19 @@ static void test_keys_move_but_not_the_tangents_of_splines(void **state)
 	assert_all_near(cubic, ((float[]){1, 2, 3, 1, 1, -1, 4, 5, 6}), 9, 0);
 }
 
+/* As a model whose clips bring it to the origin, where its rest is not. */
+static void test_a_model_that_a_clip_begins_elsewhere_stays(void **state)
+{
+	struct found found = make(1e6f, 0, 0);
+
+	(void)state;
+	found.start_is_set = true;
+	find(&found);
+	assert_null(found.shift);
+	assert_near(found.model->node[0].rest.translation[0], 1e6, 0);
+	release(&found);
+}
+
 static void test_a_model_without_a_size_stays(void **state)
 {
 	struct found found = make(1e6f, 0, 0);
@@ -152,6 +172,7 @@ int main(void)
 			test_vertices_that_are_far_move_and_their_node_stays),
 		cmocka_unit_test(test_vertices_stay_in_a_node_that_a_clip_turns),
 		cmocka_unit_test(test_keys_move_but_not_the_tangents_of_splines),
+		cmocka_unit_test(test_a_model_that_a_clip_begins_elsewhere_stays),
 		cmocka_unit_test(test_a_model_without_a_size_stays),
 	};
 

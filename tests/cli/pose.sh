@@ -146,6 +146,9 @@ for pair in near:node near:keys straight:vertices; do
             cmp "$scratch/expected.obj" "$scratch/$name.obj"
     done
 done
+limber doctor "$scratch/far/node.gltf"
+expect_status 0
+expect_out 'a place far from the origin \(1\.12e\+06 m\): limber poses'
 # What limber exports is where the model is.
 limber compare "$scratch/far/node.gltf" --clip rise --size 48x64 \
     --export "$scratch/far/out"

@@ -6,6 +6,7 @@
 #include "app/model/gltf/gltf_internal.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -219,6 +220,19 @@ static void report_extensions(const struct examination *at)
 	}
 }
 
+static void report_origin(const struct examination *at)
+{
+	const double *origin = at->gltf->model->origin;
+	double away = sqrt(origin[0] * origin[0] + origin[1] * origin[1] +
+		origin[2] * origin[2]);
+
+	if (away > 0) {
+		examine_report(at->examiner,
+			"a place far from the origin (%.3g m): limber poses and draws the model near the origin, where floats are exact, and writes the file's coordinates",
+			away);
+	}
+}
+
 int gltf_examine(const struct model_source *source,
 	const struct examiner *examiner, const struct log *log)
 {
@@ -239,6 +253,7 @@ int gltf_examine(const struct model_source *source,
 		report_accessors(&at);
 		report_samplers(&at);
 		report_extensions(&at);
+		report_origin(&at);
 	}
 	/* First, since it gives memory back to the model's budget. */
 	gltf_release(&gltf);

@@ -56,59 +56,78 @@ static ALWAYS_INLINE void set_plane(
 	}
 }
 
-/* Attributes' differences; the largest one of colours, and of texels. */
+/* Attributes' differences, and the largest one of texels. */
 struct moving {
 	struct delta delta[ATTRIBUTES];
-	uint32_t color, texel;
+	uint32_t texel;
 };
+
+/* Sets an attribute's differences; returns its bit if it is not constant. */
+static ALWAYS_INLINE uint32_t gather(struct raster *raster, int name,
+	const int32_t *const corner[3], struct delta *delta)
+{
+	*delta = frame_find_delta(
+		corner[0][name], corner[1][name], corner[2][name]);
+	raster->constant[name] = (uint32_t)delta->first << 8;
+	return (uint32_t)((delta->d1 | delta->d2) != 0) << name;
+}
 
 /*
  * Finds the differences of colours and fog. Values that are constant go into
- * raster->span; white, in place of colours, is there since the call began.
+ * raster->constant; white, in place of colours, is there since the call began.
  */
 static ALWAYS_INLINE void gather_colors(
-	struct draw *draw, const struct setup *setup, struct moving *moving)
+	struct draw *draw, const struct setup *setup, struct delta *delta)
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
-	struct delta *delta = moving->delta;
-	const bool behind = setup->back && draw->shading.two_side;
 	const struct vertex *const *v = setup->v;
-	const int32_t *color[3];
-	uint32_t bits = 0, planes;
-	int count = 0;
+	const int32_t *const own[3] = {
+		v[0]->attribute, v[1]->attribute, v[2]->attribute};
+	const int32_t *const back[3] = {v[0]->back, v[1]->back, v[2]->back};
+	const int32_t *const *color =
+		setup->back && draw->shading.two_side ? back : own;
+	uint32_t bits = 0;
 
-	for (int i = 0; i < 3; i++) {
-		color[i] = behind ? v[i]->back : v[i]->attribute;
-	}
-	for (int i = RED; i <= FOG; i++) {
-		if (!(wanted >> i & 1)) {
+	if (wanted >> RED & 1) {
+		bits = gather(raster, RED, color, &delta[RED]) |
+			gather(raster, GREEN, color, &delta[GREEN]) |
+			gather(raster, BLUE, color, &delta[BLUE]);
+	} else {
+		for (int i = RED; i <= BLUE; i++) {
 			delta[i] = (struct delta){
 				(int32_t)(raster->constant[i] >> 8), 0, 0};
-			continue;
-		}
-		delta[i] = i == FOG
-			? frame_find_delta(v[0]->attribute[FOG],
-				  v[1]->attribute[FOG], v[2]->attribute[FOG])
-			: frame_find_delta(
-				  color[0][i], color[1][i], color[2][i]);
-		raster->constant[i] = (uint32_t)delta[i].first << 8;
-		bits |= (uint32_t)((delta[i].d1 | delta[i].d2) != 0) << i;
-	}
-	/* red, green and blue have planes together */
-	planes = bits ? bits | 7u << RED : 0;
-	for (int i = RED; planes >> i; i++) {
-		if (planes >> i & 1) {
-			uint32_t own =
-				frame_find_spread(delta[i].d1, delta[i].d2);
-
-			moving->color =
-				own > moving->color ? own : moving->color;
-			raster->moving[count++] = i;
 		}
 	}
-	raster->moving_count = count;
+	if (wanted >> ALPHA & 1) {
+		bits |= gather(raster, ALPHA, color, &delta[ALPHA]);
+	}
+	if (wanted >> FOG & 1) {
+		bits |= gather(raster, FOG, own, &delta[FOG]);
+	}
 	raster->moving_bits = bits;
+	/* red, green and blue have planes together */
+	raster->moving_count = 0;
+	for (int i = RED; bits && i <= FOG; i++) {
+		if (i <= BLUE || bits >> i & 1) {
+			raster->moving[raster->moving_count++] = i;
+		}
+	}
+}
+
+/* The largest difference of a colour or fog. */
+static NEVER_INLINE uint32_t find_color_spread(
+	const struct raster *raster, const struct delta *delta)
+{
+	uint32_t most = 0;
+
+	for (int i = 0; i < raster->moving_count; i++) {
+		const struct delta *d = &delta[raster->moving[i]];
+		uint32_t own = frame_find_spread(d->d1, d->d2);
+
+		most = own > most && raster->moving[i] < TEX_S ? own : most;
+	}
+	return most;
 }
 
 /* Finds the differences and ranges of texture coordinates, in 1/256 texels. */
@@ -164,8 +183,12 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	struct raster *raster = &draw->raster;
 	const struct perspective perspective = raster_find_perspective(setup);
 
-	raster->colors_divided = raster_bends(
-		&perspective, moving->color, rows_color_tolerance(draw));
+	/* colours differ by less than 2^16 */
+	raster->colors_divided = perspective.w_spread > perspective.w_least >>
+			(8 - rows_color_tolerance(draw)) &&
+		raster_bends(&perspective,
+			find_color_spread(raster, moving->delta),
+			rows_color_tolerance(draw));
 	if (raster->colors_divided) {
 		raster->perspective = true;
 	} else if (raster_bends(&perspective, moving->texel, 0)) {
@@ -210,11 +233,11 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	struct moving moving;
 	int32_t q[3];
 
-	moving.color = moving.texel = 0;
+	moving.texel = 0;
 	raster->perspective = false;
 	raster->colors_divided = false;
 	raster->bent = false;
-	gather_colors(draw, setup, &moving);
+	gather_colors(draw, setup, moving.delta);
 	gather_texels(draw, setup, &moving);
 	if (draw->perspective && raster->moving_count > 0) {
 		find_perspective(draw, setup, &moving);

@@ -211,7 +211,7 @@ void soft_draw_thin_line(
 		return;
 	}
 	set_planes(draw, &walk, a, b);
-	moving = soft_begin_walk(draw);
+	moving = soft_begin_walk(draw, 127);
 	soft_begin_steps(draw, moving);
 	draw_runs(draw, &walk, moving != 0);
 }

@@ -5,9 +5,6 @@
 #include "platform/gl/soft/span/walk.h"
 #include "platform/gl/soft/stages/made.h"
 
-/* A steep colour's change a pixel: 32 steps of 255, in 8.16. */
-#define STEEP (1u << 21)
-
 /* Sets alpha and fog, if they are constant; set_colors() sets the rest. */
 static void set_still(struct draw *draw)
 {
@@ -25,16 +22,25 @@ static void set_still(struct draw *draw)
 	}
 }
 
-/* Whether a colour of moving changes faster than STEEP to the right. */
-static bool is_steep(const struct plane *plane, uint32_t moving)
+/*
+ * Whether a colour of moving changes so fast to the right that rounded edges
+ * move it by 1/16: they are off by up to 1/65536 of a pixel a row. That is 32
+ * steps of 255 a pixel in 127 rows, and 256 in 15.
+ */
+static ALWAYS_INLINE bool is_steep(
+	const struct plane *plane, uint32_t moving, int rows)
 {
-	for (int i = RED; moving >> i; i++) {
-		if ((moving >> i & 1) &&
-			(uint32_t)plane[i].dx + STEEP > 2 * STEEP) {
-			return true;
-		}
+	const uint32_t most = rows < 16 ? 1u << 24 : 1u << 21;
+	uint32_t all = raster_size(plane[RED].dx) |
+		raster_size(plane[GREEN].dx) | raster_size(plane[BLUE].dx);
+
+	if (moving >> ALPHA & 1) {
+		all |= raster_size(plane[ALPHA].dx);
 	}
-	return false;
+	if (moving >> FOG & 1) {
+		all |= raster_size(plane[FOG].dx);
+	}
+	return all >= most;
 }
 
 static void set_level(struct draw *draw)
@@ -58,7 +64,7 @@ static void set_level(struct draw *draw)
 }
 
 /* Sets constant values, and the level where the triangle has only one. */
-static void set_constants(struct draw *draw, uint32_t moving)
+static void set_constants(struct draw *draw, uint32_t moving, int rows)
 {
 	const struct raster *raster = &draw->raster;
 	struct soft_spans *spans = &draw->spans;
@@ -73,7 +79,7 @@ static void set_constants(struct draw *draw, uint32_t moving)
 			(int32_t)value[BLUE]);
 		set_color_steps(spans, &(struct colors){0});
 	} else if (!raster->colors_divided) {
-		spans->steep = is_steep(raster->plane, moving);
+		spans->steep = is_steep(raster->plane, moving, rows);
 		spans->rare =
 			spans->steep || spans->alpha_moves || spans->fog_moves;
 	}
@@ -94,12 +100,12 @@ void soft_begin_steps(struct draw *draw, uint32_t moving)
 	}
 }
 
-uint32_t soft_begin_walk(struct draw *draw)
+uint32_t soft_begin_walk(struct draw *draw, int rows)
 {
 	uint32_t moving = draw->raster.moving_bits & ((2u << FOG) - 1);
 
 	draw->spans.alpha_moves = moving >> ALPHA & 1;
 	draw->spans.fog_moves = moving >> FOG & 1;
-	set_constants(draw, moving);
+	set_constants(draw, moving, rows);
 	return moving;
 }

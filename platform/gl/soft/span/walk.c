@@ -213,7 +213,8 @@ PART(colored_divided, .textured = true, .colored = true, .colors_divided = true)
 void soft_walk_rows(struct draw *draw, const struct setup *setup)
 {
 	const struct raster *raster = &draw->raster;
-	const uint32_t moving = soft_begin_walk(draw);
+	const uint32_t moving =
+		soft_begin_walk(draw, setup->bottom - setup->top);
 
 	if (!raster->perspective) {
 		soft_draw_list(draw, setup, moving);

@@ -6,10 +6,10 @@
 #include "platform/gl/soft/vertex/draw.h"
 
 /*
- * begin.c: sets what all runs of the triangle have in common. Returns the bits
- * of colours, alpha and fog that are not constant in the triangle.
+ * begin.c: sets what all runs of a triangle of so many rows have in common.
+ * Returns the bits of colours, alpha and fog that are not constant in it.
  */
-uint32_t soft_begin_walk(struct draw *draw);
+uint32_t soft_begin_walk(struct draw *draw, int rows);
 /* Sets steps of colours that are linear; moving is soft_begin_walk()'s. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
 

@@ -38,15 +38,18 @@ static ALWAYS_INLINE uint32_t soft_word_times_bottom(
 	__smlawt((int32_t)(word), (int32_t)(half), sum)
 /* a + b of both halves, unsigned, limited to 65535 */
 #define HALVES_ADD_LIMITED(a, b) ((uint32_t)__uqadd16(a, b))
-/* the upper half of a above the upper half of b */
-static inline uint32_t soft_upper_halves(int32_t a, int32_t b)
+/* the upper half of a above the lower half of b >> shift, 1 or more */
+static ALWAYS_INLINE uint32_t soft_upper_halves(int32_t a, int32_t b, int shift)
 {
 	uint32_t halves;
 
-	__asm__("pkhtb %0, %1, %2, asr #16" : "=r"(halves) : "r"(a), "r"(b));
+	__asm__("pkhtb %0, %1, %2, asr %3"
+		: "=r"(halves)
+		: "r"(a), "r"(b), "i"(shift));
 	return halves;
 }
-#define UPPER_HALVES(a, b) soft_upper_halves((int32_t)(a), (int32_t)(b))
+#define UPPER_HALVES(a, b, shift) \
+	soft_upper_halves((int32_t)(a), (int32_t)(b), shift)
 /* the lower half of b above the lower half of a */
 static inline uint32_t soft_lower_halves(int32_t a, int32_t b)
 {
@@ -148,8 +151,9 @@ static ALWAYS_INLINE void soft_load_rows(const struct soft_rows *rows,
 #define SHIFT_HERE(word, bits) ((word) >> (bits))
 #define LIMIT_SHIFTED(word, shift, bits) \
 	((uint32_t)LIMIT_TO_BITS((word) >> (shift), bits))
-#define KEEP_IN_MEMORY(object)    ((void)0)
-#define UPPER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF0000) | (uint32_t)(b) >> 16)
+#define KEEP_IN_MEMORY(object) ((void)0)
+#define UPPER_HALVES(a, b, shift) \
+	(((uint32_t)(a)&0xFFFF0000) | ((uint32_t)(b) >> (shift)&0xFFFF))
 #define LOWER_HALVES(a, b)        (((uint32_t)(a)&0xFFFF) | (uint32_t)(b) << 16)
 #define HALVES_ADD_LIMITED(a, b)  soft_halves_add_limited(a, b)
 #define HALVES_SUM(a, b)          soft_halves_sum(a, b)

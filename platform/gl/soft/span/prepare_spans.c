@@ -228,6 +228,10 @@ static void find_scales(const struct draw *draw, struct soft_spans *spans)
 	}
 	spans->scales = find_format_scales(format, wide,
 		spans->combined || spans->made_source != SOFT_MADE);
+	if (spans->finish == SOFT_MIXED && !wide) {
+		/* blended before they are rounded */
+		spans->scales.red_blue_half = spans->scales.green_half = 0;
+	}
 	if (spans->finish == SOFT_SCALED && !wide) {
 		/* white of a second texture scales by 31/32 and 63/64 */
 		spans->scales.red_blue += spans->scales.red_blue / 31;

@@ -35,12 +35,12 @@ static ALWAYS_INLINE soft_word soft_load_word(
 	return soft_get_words((const void *)(words + 2 * (uintptr_t)depth));
 }
 
-/* Whether blending leaves the pixel, or all four, as it is. */
+/* Whether blending leaves the pixel, or all four, as it is: rare without texels. */
 static ALWAYS_INLINE bool soft_is_unseen(struct soft_kind kind,
 	const struct soft_constants *constants, soft_word alpha)
 {
 	return (soft_is_blended(kind) && soft_all((soft_word)(alpha == 0))) ||
-		(soft_is_blended_freely(kind) &&
+		(soft_is_blended_freely(kind) && kind.textured &&
 			soft_all((soft_word)(alpha == constants->unseen)));
 }
 

@@ -74,7 +74,8 @@ typedef int32_t soft_int __attribute__((vector_size(16)));
 		(soft_word){0} + ((1u << (bits)) - 1))
 #define UPPER_HALF(word)       ((word) >> 16)
 #define SHIFT_HERE(word, bits) ((word) >> (bits))
-#define UPPER_HALVES(a, b)     (((a) & (int32_t)0xFFFF0000) | ((b) >> 16 & 0xFFFF))
+#define UPPER_HALVES(a, b, shift) \
+	(((soft_word)(a)&0xFFFF0000) | ((soft_word)(b) >> (shift)&0xFFFF))
 #define KEEP_IN_MEMORY(object) ((void)0)
 #undef ODD_BYTES_AS_HALVES
 #define ODD_BYTES_AS_HALVES(word) HALVES_SHIFT(word, 8)

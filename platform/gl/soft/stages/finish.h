@@ -152,7 +152,9 @@ static ALWAYS_INLINE struct soft_color soft_modulate(struct soft_kind kind,
 	}
 	if (!soft_has_color(kind)) {
 		to[0] += (soft_int)(rb & 0xFFFF);
-		to[1] += (soft_int)(ga & 0xFFFF);
+		/* in RGB565 below 2^15; without a half it may be negative */
+		to[1] += kind.wide ? (soft_int)(ga & 0xFFFF)
+				   : (soft_int)(ga << 16) >> 16;
 		to[2] += (soft_int)(rb >> 16);
 	} else if (soft_is_mixed(kind) || soft_is_aligned(kind) ||
 		soft_is_scaled(kind)) {
@@ -185,7 +187,8 @@ static ALWAYS_INLINE struct soft_constants soft_find_constants(
 	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
 		const int fraction = soft_fraction(kind, i);
 
-		out.start[i] = soft_has_color(kind) && !kind.mode
+		out.start[i] = soft_has_color(kind) && !kind.mode &&
+				(kind.wide || !soft_is_blended_freely(kind))
 			? 1 << (fraction - 1)
 			: 0;
 		out.environment[i] = stages->environment[i];
@@ -247,7 +250,7 @@ static ALWAYS_INLINE soft_word soft_find_565(
 	if (!soft_is_blended(kind) && soft_is_aligned(kind) &&
 		!soft_is_fogged(kind) && !soft_is_scaled(kind) &&
 		!soft_is_summed(kind)) {
-		to = (soft_word)UPPER_HALVES(c[0], c[2]);
+		to = (soft_word)UPPER_HALVES(c[0], c[2], 16);
 		return to | to >> 5 | g << 5;
 	}
 	if (!soft_is_blended(kind)) {
@@ -270,8 +273,8 @@ static ALWAYS_INLINE soft_word soft_find_factors(
 }
 
 /*
- * Blends by any two factors of 256: sums have RGB565's fields in the upper bits
- * of 16. The half that the colour includes is taken out before it is scaled.
+ * Blends by any two factors of 256: halves of a word have 8 bits of the
+ * colour, without a half added, and of the pixel.
  */
 static ALWAYS_INLINE soft_word soft_mix_565(struct soft_kind kind,
 	const struct soft_constants *constants, const struct soft_color *color,
@@ -279,20 +282,24 @@ static ALWAYS_INLINE soft_word soft_mix_565(struct soft_kind kind,
 {
 	const soft_word alpha = color->alpha + (color->alpha >> 7);
 	const soft_word factors = soft_find_factors(constants, alpha);
-	const soft_word own = factors & 0xFFFF, old = factors >> 16;
-	const soft_word red_blue =
-		(soft_word)color->channel[0] >> (soft_fraction(kind, 0) - 3) |
-		(soft_word)color->channel[2] >> (soft_fraction(kind, 2) - 3)
-				<< 16;
-	const soft_word green =
-		(soft_word)color->channel[1] >> (soft_fraction(kind, 1) - 2);
-	soft_word rb =
-		HALVES_ADD_LIMITED((red_blue - 0x00040004) * own + 0x04000400,
-			(((to & 0xF800) | to << 27) >> 8) * old);
-	soft_word g = HALVES_ADD_LIMITED(
-		(green - 2) * own + 0x0200, ((to & 0x07E0) >> 3) * old);
+	soft_word out = {0};
 
-	return (rb & 0xF800) | rb >> 27 | g >> 10 << 5;
+	for (enum soft_channel i = SOFT_RED; i < SOFT_ALPHA; i++) {
+		const int bits = i == SOFT_GREEN ? 6 : 5;
+		const int place = i == SOFT_RED ? 11 : i == SOFT_GREEN ? 5 : 0;
+		const int fraction = soft_fraction(kind, i);
+		const soft_word old = to << (24 - bits - place) &
+			((1u << bits) - 1) << (24 - bits);
+		const int half = kind.mode ? 1 << (fraction - 1) : 0;
+		const soft_word sum = HALVES_SUM_ADD(
+			UPPER_HALVES(old, color->channel[i] - half,
+				fraction + bits - 8),
+			factors, 1u << (15 - bits));
+
+		out = out << bits |
+			LIMIT_SHIFTED((soft_int)sum, 16 - bits, bits);
+	}
+	return out;
 }
 
 /* The fragment's alpha as 0 to 32, for blending in RGB565. */

@@ -35,6 +35,7 @@ enum {
 struct vertex {
 	float position[3], texcoord[2];
 	uint8_t color[4];
+	float normal[3];
 };
 
 /* What a state's numbers are. */
@@ -49,7 +50,7 @@ struct numbers {
 struct cost {
 	const struct gl *gl;
 	struct numbers number;
-	bool textured, second, colored, keeps_depth;
+	bool textured, second, colored, lit, keeps_depth;
 	GLenum format, type, min, mag, wrap_s, wrap_t;
 	int texel_bytes;
 };
@@ -84,6 +85,18 @@ static void blend(struct cost *c, GLenum source, GLenum destination)
 static void depth(struct cost *c, GLenum function)
 {
 	c->gl->DepthFunc(function);
+}
+
+static void light(struct cost *c, GLfixed w)
+{
+	const GLfixed place[4] = {FX16_ONE, FX16_ONE, 2 * FX16_ONE, w};
+
+	c->lit = true;
+	c->gl->Enable(GL_LIGHTING);
+	c->gl->Enable(GL_LIGHT0);
+	c->gl->Lightxv(GL_LIGHT0, GL_POSITION, place);
+	c->gl->Lightx(GL_LIGHT0, GL_LINEAR_ATTENUATION, FX16_ONE / 8);
+	c->gl->Enable(GL_COLOR_MATERIAL);
 }
 
 static void environment(struct cost *c, GLenum mode)
@@ -136,6 +149,9 @@ WORD(multiply, blend(c, GL_DST_COLOR, GL_ZERO))
 WORD(alphatest, c->gl->Enable(GL_ALPHA_TEST);
 	c->gl->AlphaFuncx(GL_GREATER, FX16_ONE / 2))
 WORD(fog, c->gl->Enable(GL_FOG))
+WORD(sun, light(c, 0))
+WORD(lamp, light(c, FX16_ONE))
+WORD(twosided, c->gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE))
 WORD(nodepth, c->gl->Disable(GL_DEPTH_TEST))
 WORD(keepdepth, c->keeps_depth = true)
 WORD(lequal, depth(c, GL_LEQUAL))
@@ -163,14 +179,14 @@ static const struct {
 		WORD(l8) WORD(a8) WORD(la88) WORD(clamp) WORD(second) WORD(
 			white) WORD(flat) WORD(replace) WORD(add) WORD(decal)
 			WORD(blendenv) WORD(combine) WORD(interpolate) WORD(
-				dot3) WORD(blend) WORD(glow) WORD(sum)
-				WORD(premultiplied) WORD(multiply) WORD(
-					alphatest) WORD(fog) WORD(nodepth)
-					WORD(keepdepth) WORD(lequal) WORD(
-						always) WORD(gequal) WORD(equal)
-						WORD(notequal) WORD(stencil)
-							WORD(count) WORD(mask)
-								WORD(scissor)
+				dot3) WORD(sun) WORD(lamp) WORD(twosided) WORD(blend)
+				WORD(glow) WORD(sum) WORD(premultiplied) WORD(
+					multiply) WORD(alphatest) WORD(fog)
+					WORD(nodepth) WORD(keepdepth) WORD(
+						lequal) WORD(always) WORD(gequal)
+						WORD(equal) WORD(notequal) WORD(
+							stencil) WORD(count)
+							WORD(mask) WORD(scissor)
 #undef WORD
 };
 
@@ -262,6 +278,7 @@ static void make_corner(const struct cost *c, const double middle[2],
 	out->position[0] = (float)((x / (WIDTH / 2) - 1) * 0.375 * depth);
 	out->position[1] = (float)((1 - y / (HEIGHT / 2)) * 0.5 * depth);
 	out->position[2] = (float)-depth;
+	memcpy(out->normal, (const float[]){0, 0, 1}, sizeof(out->normal));
 	out->texcoord[0] =
 		(float)((middle[0] + at[0] * texels) / c->number.width);
 	out->texcoord[1] =
@@ -315,6 +332,10 @@ static void give_arrays(const struct cost *c, const struct vertex *v)
 
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->VertexPointer(3, GL_FLOAT, sizeof(*v), v->position);
+	if (c->lit) {
+		gl->EnableClientState(GL_NORMAL_ARRAY);
+		gl->NormalPointer(GL_FLOAT, sizeof(*v), v->normal);
+	}
 	if (c->colored) {
 		gl->EnableClientState(GL_COLOR_ARRAY);
 		gl->ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(*v), v->color);

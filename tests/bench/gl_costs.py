@@ -19,7 +19,7 @@ STATES = (
     *("bilinear clamp", "bilinear white", "bilinear replace", "bilinear scissor"),
     *(f"bilinear spread={percent}" for percent in (5, 20, 50)),
     *("bilinear density=25", "bilinear density=400", "bilinear density=400 mipmaps"),
-    *("fog", "bilinear fog", "bilinear 8888 alphatest"),
+    *("sun", "lamp", "fog", "bilinear fog", "bilinear 8888 alphatest"),
     *("blend", "bilinear 8888 blend", "bilinear 8888 alphatest blend"),
     *("glow", "bilinear 8888 glow", "bilinear 8888 premultiplied", "bilinear multiply"),
     *("bilinear lequal", "bilinear always", "bilinear gequal", "bilinear nodepth"),

@@ -95,6 +95,14 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 	const struct array *array = &draw->soft->arrays.vertex;
 	const struct element from = {element_at(array, index), array->type};
 
+	if (draw->view.kind == POSITION_FLOATS) {
+		const float *f = (const float *)(const void *)from.at;
+
+		for (int i = 0; i < 3; i++) {
+			out[i] = (int32_t)(f[i] * draw->view.scale);
+		}
+		return;
+	}
 	out[2] = 0;
 	for (int i = 0; i < 3 && i < array->size; i++) {
 		int32_t value = load_value(&from, i, draw->view.scale);

@@ -339,9 +339,9 @@ int soft_array_position_exponent(
 /* shade.c: the colour without lighting; then fog and texture coordinates. */
 void soft_shade_color(const struct draw *draw, struct vertex *vertex);
 void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
-/* shade.c: a vertex's position in eye space, 16.16. */
+/* shade.c: a vertex's position in eye space, 16.16, from coordinate first on. */
 void soft_shade_find_eye(
-	const struct draw *draw, uint32_t index, int32_t out[3]);
+	const struct draw *draw, uint32_t index, int first, int32_t out[3]);
 
 /* clip.c: shades and cuts a triangle; fills what is inside. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);

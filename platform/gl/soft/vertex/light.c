@@ -258,7 +258,9 @@ static int32_t meet(struct light_source *light_source, const int32_t eye_q16[3])
 	for (int i = 0; i < 3; i++) {
 		half[i] = (towards[i] >> 2) + (i == 2 ? 1 << 28 : 0);
 	}
-	take_length(half);
+	if (light_source->step) { /* there are highlights */
+		take_length(half);
+	}
 	return attenuate(light_source, distance, towards);
 }
 
@@ -283,9 +285,11 @@ static void add_any_light(const struct light_source *light_source,
 	for (int i = 0; i < 3; i++) {
 		int32_t dull_q24 = i == 0 ? dull.x : i == 1 ? dull.y : dull.z;
 
+		dull_q24 += -dull_q24 >> 8; /* times 255/256 */
 		lit->diffuse[i] += shading_bound(
-			((int64_t)dull_q24 * 255 >> 8) * share_q16 >>
-			(24 - here.shift));
+			(int64_t)dull_q24 * share_q16 >> (24 - here.shift));
+	}
+	for (int i = 0; i < 3 && shine != nothing; i++) {
 		lit->specular[i] += shading_bound(
 			(int64_t)shine[i] * share_q16 >> (16 - here.shift));
 	}
@@ -354,7 +358,7 @@ static NEVER_INLINE void light_any(
 		soft_array_color_q16(draw, vertex->index, color);
 	}
 	if (draw->eye_needed) {
-		soft_shade_find_eye(draw, vertex->index, eye);
+		soft_shade_find_eye(draw, vertex->index, 0, eye);
 	}
 	light_any_side(draw, n, eye, color, vertex->attribute + RED);
 	if (shading->two_side) {

@@ -4,12 +4,13 @@
 
 #include <string.h>
 
-void soft_shade_find_eye(const struct draw *draw, uint32_t index, int32_t out[3])
+void soft_shade_find_eye(
+	const struct draw *draw, uint32_t index, int first, int32_t out[3])
 {
 	int32_t p[3];
 
 	soft_array_position(draw, index, p);
-	for (int i = 0; i < 3; i++) {
+	for (int i = first; i < 3; i++) {
 		const int32_t *row = draw->eye_q16[i];
 		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
 			(int64_t)row[2] * p[2];
@@ -43,7 +44,7 @@ static NEVER_INLINE int32_t find_fog(
 {
 	int32_t eye[3];
 
-	soft_shade_find_eye(draw, vertex->index, eye);
+	soft_shade_find_eye(draw, vertex->index, 2, eye);
 	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
 }
 

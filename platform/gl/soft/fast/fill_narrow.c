@@ -5,24 +5,7 @@
 #include "platform/gl/soft/fast/narrow.h"
 
 #include "platform/gl/soft/raster/frame.h"
-#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/halves.h"
-
-bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup)
-{
-	const struct perspective perspective = raster_find_perspective(setup);
-	const struct vertex *const *v = setup->v;
-	uint32_t most = 0;
-
-	for (int i = RED; i <= BLUE; i++) {
-		int32_t first = v[0]->attribute[i];
-		uint32_t own = frame_find_spread(
-			v[1]->attribute[i] - first, v[2]->attribute[i] - first);
-
-		most = own > most ? own : most;
-	}
-	return !raster_bends(&perspective, most, rows_color_tolerance(draw));
-}
 
 /* Whether colours are linear; known at once if w differs by at most 1/32. */
 static ALWAYS_INLINE bool runs_linearly(
@@ -34,7 +17,7 @@ static ALWAYS_INLINE bool runs_linearly(
 	d1 = d1 < 0 ? -d1 : d1;
 	d2 = d2 < 0 ? -d2 : d2;
 	return !draw->perspective || d1 + d2 <= w >> 5 ||
-		soft_fill_is_linear(draw, setup);
+		!soft_colors_bend(draw, setup);
 }
 
 /* Drops a step's lowest bits, rounded to the nearest. */

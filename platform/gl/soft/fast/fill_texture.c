@@ -219,7 +219,7 @@ static ALWAYS_INLINE bool bends(const struct draw *draw,
 	/* Colours differ by < 2^16: linear enough if w differs by up to 1/16 */
 	return raster_bends(&perspective, most, 0) ||
 		(perspective.w_spread > perspective.w_least >> 4 &&
-			!soft_fill_is_linear(draw, setup));
+			soft_colors_bend(draw, setup));
 }
 
 static ALWAYS_INLINE void set_rows(

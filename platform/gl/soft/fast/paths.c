@@ -78,6 +78,11 @@ static bool is_tiled(const struct draw *draw)
 /* The path of a state that is_common(), or NULL. */
 static fill_function choose(struct draw *draw)
 {
+	static void (*const bands[2][2])(void *band) = {
+		{soft_band_gray, soft_band_gray_equal},
+		{soft_band_tint, soft_band_tint_equal}};
+	const bool bilinear = is_bilinear(draw);
+
 	if (!draw->added && is_shadow(draw)) {
 		draw->attributes = 0; /* one colour: no vertex is shaded */
 		soft_fill_flat_begin(draw);
@@ -87,10 +92,11 @@ static fill_function choose(struct draw *draw)
 		return NULL;
 	}
 	if (is_solid(draw) &&
-		(is_bilinear(draw) ||
+		(bilinear ||
 			(!draw->added &&
 				is_modulated(draw, TEXEL_565, GL_NEAREST,
 					GL_NEAREST)))) {
+		draw->fill_band = bands[bilinear][draw->spans.equal_passes];
 		return soft_fill_textured;
 	}
 	if (draw->added) {

@@ -120,6 +120,9 @@ static ALWAYS_INLINE bool raster_bends(
 bool soft_bend(struct draw *draw, const struct setup *setup,
 	const struct delta delta[], uint32_t texel);
 
+/* set_up.c: whether w moves colours or fog by rows_color_tolerance(). */
+bool soft_colors_bend(const struct draw *draw, const struct setup *setup);
+
 /* set_up.c: fills draw->raster: planes and what is constant. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
 
@@ -214,8 +217,6 @@ void soft_fill_textured(struct draw *draw, struct setup *setup);
 
 /* fill_narrow.c: leaves triangles that it cannot draw to soft_rows_fill(). */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
-/* Whether colours are linear within rows_color_tolerance(), in spite of w. */
-bool soft_fill_is_linear(const struct draw *draw, const struct setup *setup);
 
 /* fill_flat.c: begin prepares draw->flat, once a draw call. */
 void soft_fill_flat_begin(struct draw *draw);

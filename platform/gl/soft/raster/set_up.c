@@ -115,19 +115,30 @@ static ALWAYS_INLINE void gather_colors(
 	}
 }
 
-/* The largest difference of a colour or fog. */
-static NEVER_INLINE uint32_t find_color_spread(
-	const struct raster *raster, const struct delta *delta)
+bool soft_colors_bend(const struct draw *draw, const struct setup *setup)
 {
+	const struct perspective perspective = raster_find_perspective(setup);
+	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
+	const bool behind = setup->back && draw->shading.two_side;
+	const struct vertex *const *v = setup->v;
 	uint32_t most = 0;
 
-	for (int i = 0; i < raster->moving_count; i++) {
-		const struct delta *d = &delta[raster->moving[i]];
-		uint32_t own = frame_find_spread(d->d1, d->d2);
+	for (int i = RED; i <= FOG; i++) {
+		int32_t c[3];
+		uint32_t own;
 
-		most = own > most && raster->moving[i] < TEX_S ? own : most;
+		if (!(wanted >> i & 1)) {
+			continue;
+		}
+		for (int k = 0; k < 3; k++) {
+			c[k] = behind && i < FOG ? v[k]->back[i]
+						 : v[k]->attribute[i];
+		}
+		own = (uint32_t)(raster_most(c[0], c[1], c[2]) -
+			raster_least(c[0], c[1], c[2]));
+		most = own > most ? own : most;
 	}
-	return most;
+	return raster_bends(&perspective, most, rows_color_tolerance(draw));
 }
 
 /* Finds the differences and ranges of texture coordinates, in 1/256 texels. */
@@ -186,9 +197,7 @@ static ALWAYS_INLINE void find_perspective(struct draw *draw,
 	/* colours differ by less than 2^16 */
 	raster->colors_divided = perspective.w_spread > perspective.w_least >>
 			(8 - rows_color_tolerance(draw)) &&
-		raster_bends(&perspective,
-			find_color_spread(raster, moving->delta),
-			rows_color_tolerance(draw));
+		soft_colors_bend(draw, setup);
 	if (raster->colors_divided) {
 		raster->perspective = true;
 	} else if (raster_bends(&perspective, moving->texel, 0)) {

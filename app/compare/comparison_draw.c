@@ -34,14 +34,40 @@ static const struct model_clip *find_clip(
 						 : NULL;
 }
 
-static void count_clip(
-	struct painter *painter, int index, struct gl_counts *counts)
+/*
+ * Adds what gathering takes less because the level of detail that is drawn has
+ * fewer vertices than all triangles. A row of key frames poses every drawable.
+ */
+static void add_saved(const struct painter *painter, struct board_cost *saved)
+{
+	const struct instance *instance = painter->instance;
+	bool keys = comparison_rows_is_morph(
+		&painter->comparison->row[painter->row]);
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		struct board_cost all, drawn;
+
+		if (keys || drawable->morphed || drawable->skin >= 0) {
+			all = board_cost_gather(drawable);
+			drawn = board_cost_gather_drawn(drawable);
+			saved->cycles += all.cycles - drawn.cycles;
+			saved->instructions +=
+				all.instructions - drawn.instructions;
+		}
+	}
+}
+
+/* Draws frames of a clip; both results are means of a frame. */
+static void count_clip(struct painter *painter, int index,
+	struct gl_counts *counts, struct board_cost *saved)
 {
 	struct instance *instance = painter->instance;
 	const struct model_clip *clip = find_clip(painter, index);
 	int frames = painter->comparison->sampling.drawn_frames;
 
 	*counts = (struct gl_counts){0};
+	*saved = (struct board_cost){0};
 	drawing_count(painter->drawing, counts);
 	for (int i = 0; i < frames; i++) {
 		if (clip) {
@@ -52,7 +78,10 @@ static void count_clip(
 		}
 		instance_update(instance);
 		drawing_draw(painter->drawing, instance, painter->extent);
+		add_saved(painter, saved);
 	}
+	saved->cycles /= frames;
+	saved->instructions /= frames;
 	drawing_count(painter->drawing, NULL);
 	gl_counts_scale(counts, 1.0 / frames);
 }
@@ -74,6 +103,12 @@ static bool draw_alike(const struct comparison *comparison, int a, int b)
 		one->targets == other->targets;
 }
 
+static void take_saved(struct board_frame *frame, const struct board_cost *saved)
+{
+	frame->vertices.cycles -= saved->cycles;
+	frame->vertices.instructions -= saved->instructions;
+}
+
 static void predict(struct painter *painter)
 {
 	struct comparison *comparison = painter->comparison;
@@ -82,15 +117,16 @@ static void predict(struct painter *painter)
 
 	for (int c = 0; c < comparison->clip_count; c++) {
 		struct gl_counts counts;
-		struct board_cost cost;
+		struct board_cost cost, saved;
 
-		count_clip(painter, c, &counts);
+		count_clip(painter, c, &counts, &saved);
 		cost = board_cost_draw(&counts, pixels);
 		for (int r = 0; r < comparison->row_count; r++) {
 			struct comparison_row *row = &comparison->row[r];
 
 			if (draw_alike(comparison, r, painter->row)) {
 				row->cell[c].board.draw = cost;
+				take_saved(&row->cell[c].board, &saved);
 			}
 		}
 	}

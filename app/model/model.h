@@ -87,6 +87,13 @@ struct model_lod {
 			     not the shading */
 	int index_count;  /* a multiple of 3 */
 	uint32_t *index;  /* each below the primitive's vertex_count */
+	/*
+	 * Only in a level that limber makes of a primitive without normals:
+	 * [index_count]: where the primitive's index has this vertex as a
+	 * corner of the triangle whose plane has the normal for it. If it is
+	 * NULL, such a primitive's triangles are flat.
+	 */
+	uint32_t *corner;
 };
 
 /* Vertices and a list of triangles. */

@@ -64,7 +64,9 @@ static size_t lod_bytes(const struct model_primitive *primitive)
 	int i;
 
 	for (i = 0; i < primitive->lod_count; i++) {
-		count += (size_t)primitive->lod[i].index_count;
+		const struct model_lod *lod = &primitive->lod[i];
+
+		count += (size_t)lod->index_count * (lod->corner ? 2 : 1);
 	}
 	return count * sizeof(*primitive->index);
 }

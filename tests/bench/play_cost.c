@@ -170,6 +170,11 @@ int main(int argc, char **argv)
 		return EXIT_FAILURE;
 	}
 	played = rests ? NULL : &model->clip[clip];
+	if (drawing) {
+		/* Chooses the levels of detail, of which facets are posed. */
+		pose(instance, played, &cursor, 0.0);
+		drawing_draw(drawing, instance, drawing_extent(instance));
+	}
 	if (played) {
 		printf("frames %d\n",
 			play(instance, played, &cursor, atof(argv[3])));

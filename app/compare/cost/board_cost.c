@@ -39,6 +39,9 @@ static const struct board_cost keys_weight = {7.0, 7.4};
 static const struct board_cost keys_vertex = {19.1, 11.1};
 static const struct board_cost gathered_vertex = {76.0, 11.2};
 static const struct board_cost facet = {106.0, 83.4};
+/* A normal of a level; vertices of a skin are in another order. */
+static const struct board_cost corner = {95.0, 91.0};
+static const struct board_cost ordered_corner = {112.0, 92.0};
 static const struct board_cost targets_weight = {135.0, 33.5};
 static const struct board_cost targets_copied = {12.0, 2.0};
 static const struct board_cost targets_begun = {18.9, 7.1};
@@ -303,6 +306,48 @@ struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
 
 	add_times(&sum, &keys_weight, key_count);
 	add_times(&sum, &keys_vertex, (normals ? 2.0 : 1.0) * vertex_count);
+	return sum;
+}
+
+/* Adds what a coarser list costs; without normals if it is for a shadow. */
+static void add_gathered_list(struct board_cost *sum,
+	const struct drawable *drawable, const struct batch_lod *list, bool lit)
+{
+	bool ordered = drawable->fixed && drawable->fixed->inverse_order;
+
+	add_times(sum, &gathered_vertex, list->vertex_count);
+	if (drawable->primitive->normal || !lit) {
+		return;
+	}
+	if (list->flat) {
+		add_times(sum, &facet, list->index_count / 3);
+	} else {
+		add_times(sum, ordered ? &ordered_corner : &corner,
+			list->vertex_count);
+	}
+}
+
+struct board_cost board_cost_gather_drawn(const struct drawable *drawable)
+{
+	struct board_cost sum = {0.0, 0.0};
+
+	if (drawable->lod == 0) {
+		return board_cost_gather(drawable);
+	}
+	for (int i = 0; i < drawable->batch_count; i++) {
+		const struct batch *batch = &drawable->batch[i];
+		const struct batch_lod *list = drawable_shaded(drawable, batch);
+		const struct batch_lod *shadow =
+			drawable_shadow(drawable, batch);
+
+		if (!batch->source) {
+			continue;
+		}
+		add_gathered_list(&sum, drawable, list, true);
+		if (shadow && shadow != list) {
+			add_gathered_list(&sum, drawable, shadow, false);
+		}
+	}
 	return sum;
 }
 

@@ -73,6 +73,9 @@ struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
  */
 struct board_cost board_cost_gather(const struct drawable *drawable);
 
+/* The same for the lists that the drawable's level of detail has. */
+struct board_cost board_cost_gather_drawn(const struct drawable *drawable);
+
 /* The cost of drawing what is counted, in a picture of so many pixels. */
 struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels);
 

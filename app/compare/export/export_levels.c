@@ -57,6 +57,16 @@ static float error_of(const struct export_lists *lists, int lod)
 }
 
 /*
+ * Whether a list is written. Without normals, a reader would draw the triangles
+ * of a level flat, which is right for those of a file alone; limber makes its
+ * own anew.
+ */
+static bool is_kept(const struct model_lod *lod, bool shadow)
+{
+	return lod->shadow_only == shadow && !lod->corner;
+}
+
+/*
  * The index of a primitive's coarsest list with at most this error; -1: the
  * full list. Empty lists, which glTF does not allow, are passed over.
  */
@@ -65,7 +75,7 @@ static int coarsest(const struct export_lists *lists, bool shadow, float error)
 	int found = -1;
 
 	for (int i = 0; i < lists->lod_count; i++) {
-		if (lists->lod[i].shadow_only == shadow &&
+		if (is_kept(&lists->lod[i], shadow) &&
 			lists->lod[i].index_count > 0 &&
 			error_of(lists, i) <= error) {
 			found = i;
@@ -170,7 +180,7 @@ static int choose_rungs(
 		const struct export_lists *of = &leveler->lists[p];
 
 		for (int i = 0; i < of->lod_count; i++) {
-			if (of->lod[i].shadow_only == shadow) {
+			if (is_kept(&of->lod[i], shadow)) {
 				error[errors++] = error_of(of, i);
 			}
 		}

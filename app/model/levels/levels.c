@@ -1,5 +1,6 @@
 #include "app/model/levels/levels.h"
 
+#include "app/model/levels/levels_divide.h"
 #include "app/model/levels/simplify.h"
 #include "platform/base/compiler.h"
 
@@ -193,10 +194,12 @@ struct levels {
 			   with */
 };
 
+/* divided is NULL unless the list is over its vertices. */
 static int add_level(struct levels *levels, const struct simplify *simplify,
-	float limit, struct arena *arena)
+	const struct levels_divided *divided, float limit, struct arena *arena)
 {
 	size_t count = (size_t)simplify->index_count;
+	struct model_lod *lod = &levels->lod[levels->count];
 	uint32_t *index;
 
 	if (count == 0 || levels->count == LEVELS_MAX ||
@@ -208,19 +211,24 @@ static int add_level(struct levels *levels, const struct simplify *simplify,
 		return -ENOMEM;
 	}
 	memcpy(index, simplify->index, count * sizeof(*index));
-	levels->lod[levels->count++] = (struct model_lod){
+	*lod = (struct model_lod){
 		.error_m = limit * simplify->extent *
 			(simplify->shape_only ? shadow_factor : shaded_factor),
 		.shadow_only = simplify->shape_only,
 		.index_count = simplify->index_count,
 		.index = index,
 	};
+	if (divided && levels_join(divided, lod, arena) != 0) {
+		return -ENOMEM;
+	}
+	levels->count++;
 	levels->last_count = simplify->index_count;
 	return 0;
 }
 
 static int make_lists(struct levels *levels, const struct simplify_input *input,
-	const float *limit, int limit_count, struct model *model)
+	const struct levels_divided *divided, const float *limit,
+	int limit_count, struct model *model)
 {
 	struct simplify simplify;
 	int error = simplify_begin(&simplify, input, model->budget);
@@ -228,10 +236,32 @@ static int make_lists(struct levels *levels, const struct simplify_input *input,
 	levels->last_count = input->index_count;
 	for (int i = 0; !error && i < limit_count; i++) {
 		simplify_until(&simplify, limit[i]);
-		error = add_level(levels, &simplify, limit[i], &model->arena);
+		error = add_level(
+			levels, &simplify, divided, limit[i], &model->arena);
 	}
 	simplify_end(&simplify);
 	return error;
+}
+
+static int shaded_count(const struct model_primitive *primitive)
+{
+	int count = 0;
+
+	while (count < primitive->lod_count &&
+		!primitive->lod[count].shadow_only) {
+		count++;
+	}
+	return count;
+}
+
+/* Returns what follows the levels that it has appended. */
+static struct model_lod *append(
+	struct model_lod *to, const struct model_lod *from, int count)
+{
+	for (int i = 0; i < count; i++) {
+		to[i] = from[i];
+	}
+	return to + count;
 }
 
 /* Sets the levels: those of the file come first, lists for shadows last. */
@@ -240,20 +270,21 @@ static int join_levels(struct model_primitive *primitive,
 	struct arena *arena)
 {
 	int count = primitive->lod_count + shaded->count + shadow->count;
-	struct model_lod *lod =
-		ARENA_ARRAY(arena, struct model_lod, (size_t)count);
+	int own = shaded_count(primitive);
+	struct model_lod *lod = ARENA_ARRAY(
+				 arena, struct model_lod, (size_t)count),
+			 *next;
 
 	if (!lod) {
 		return -ENOMEM;
 	}
-	if (primitive->lod_count > 0) {
-		memcpy(lod, primitive->lod,
-			(size_t)primitive->lod_count * sizeof(*lod));
+	next = append(lod, primitive->lod, own);
+	next = append(next, shaded->lod, shaded->count);
+	if (primitive->lod_count > own) {
+		next = append(
+			next, primitive->lod + own, primitive->lod_count - own);
 	}
-	memcpy(lod + primitive->lod_count, shaded->lod,
-		(size_t)shaded->count * sizeof(*lod));
-	memcpy(lod + primitive->lod_count + shaded->count, shadow->lod,
-		(size_t)shadow->count * sizeof(*lod));
+	append(next, shadow->lod, shadow->count);
 	primitive->lod = lod;
 	primitive->lod_count = count;
 	return 0;
@@ -273,11 +304,69 @@ static int unless_refused(struct group *group, int error)
 	return 0;
 }
 
+/*
+ * Makes levels of a primitive without normals from a copy whose triangles have
+ * vertices of their own.
+ */
+static int make_divided(struct levels *levels,
+	const struct simplify_input *input, const float *limit, int limit_count,
+	struct model *model)
+{
+	struct arena scratch = arena_within(model->budget);
+	struct simplify_input own = *input;
+	struct levels_divided divided;
+	int error = levels_divide(
+		input->primitive, input->shared, &scratch, &divided);
+
+	if (!error) {
+		own.primitive = &divided.primitive;
+		own.index = divided.primitive.index;
+		own.shared = divided.shared;
+		own.source = divided.source;
+		own.whole = input->primitive;
+		error = make_lists(
+			levels, &own, &divided, limit, limit_count, model);
+	}
+	arena_release(&scratch);
+	return error;
+}
+
+static int make_shaded(struct levels *levels,
+	const struct simplify_input *input, struct model *model)
+{
+	int count = (int)ARRAY_COUNT(shaded_limits);
+
+	return input->primitive->normal
+		? make_lists(levels, input, NULL, shaded_limits, count, model)
+		: make_divided(levels, input, shaded_limits, count, model);
+}
+
+static int make_shadows(struct levels *levels, struct simplify_input *input,
+	const struct levels *shaded, struct model *model)
+{
+	const struct model_primitive *primitive = input->primitive;
+	int own = primitive->lod_count;
+	bool has_shadow = own > 0 && primitive->lod[own - 1].shadow_only;
+
+	input->shape_only = true;
+	for (int i = 0; i < shaded->count &&
+		shaded->lod[i].error_m <=
+			shadow_limits[0] * shaded_factor * input->extent;
+		i++) {
+		input->index = shaded->lod[i].index;
+		input->index_count = shaded->lod[i].index_count;
+	}
+	if (has_shadow) {
+		input->index = primitive->lod[own - 1].index;
+		input->index_count = primitive->lod[own - 1].index_count;
+	}
+	return make_lists(levels, input, NULL, shadow_limits,
+		(int)ARRAY_COUNT(shadow_limits), model);
+}
+
 static int add_to_primitive(struct model *model, struct group *group, int number)
 {
 	struct model_primitive *primitive = group->primitive[number];
-	int own = primitive->lod_count;
-	bool has_shadow = own > 0 && primitive->lod[own - 1].shadow_only;
 	struct simplify_input input = {
 		.primitive = primitive,
 		.target_count = group->target_count[number],
@@ -292,33 +381,14 @@ static int add_to_primitive(struct model *model, struct group *group, int number
 	if (primitive->index_count < 3 * TRIANGLES_MIN) {
 		return 0;
 	}
-	/*
-	 * Without normals, triangles are drawn flat, and a change of level
-	 * would be seen.
-	 */
-	if (own == 0 && primitive->normal) {
-		error = unless_refused(group,
-			make_lists(&shaded, &input, shaded_limits,
-				(int)ARRAY_COUNT(shaded_limits), model));
-		if (error) {
-			return error;
-		}
+	if (shaded_count(primitive) == 0) {
+		error = unless_refused(
+			group, make_shaded(&shaded, &input, model));
 	}
-	input.shape_only = true;
-	for (int i = 0; i < shaded.count &&
-		shaded.lod[i].error_m <=
-			shadow_limits[0] * shaded_factor * group->extent;
-		i++) {
-		input.index = shaded.lod[i].index;
-		input.index_count = shaded.lod[i].index_count;
+	if (!error) {
+		error = unless_refused(
+			group, make_shadows(&shadow, &input, &shaded, model));
 	}
-	if (has_shadow) {
-		input.index = primitive->lod[own - 1].index;
-		input.index_count = primitive->lod[own - 1].index_count;
-	}
-	error = unless_refused(group,
-		make_lists(&shadow, &input, shadow_limits,
-			(int)ARRAY_COUNT(shadow_limits), model));
 	return error ? error
 		     : join_levels(primitive, &shaded, &shadow, &model->arena);
 }

@@ -13,10 +13,11 @@
 /*
  * Adds levels to the primitives of a loaded model that have none, and lists for
  * shadows to all primitives. This takes some 20,000 ARM instructions a
- * triangle. Primitives of few triangles get neither, those without normals get
- * only lists for shadows. Memory comes from the model's budget; levels are left
- * out if less than half of it is free or if they do not fit. Returns 0, or
- * -ENOMEM if the machine has no memory; then some primitives may have levels.
+ * triangle. Primitives of few triangles get neither. Those without normals are
+ * divided into triangles for this, each with vertices of its own. Memory comes
+ * from the model's budget; levels are left out if less than half of it is free
+ * or if they do not fit. Returns 0, or -ENOMEM if the machine has no memory;
+ * then some primitives may have levels.
  */
 int levels_make(struct model *model);
 

@@ -14,8 +14,15 @@
 
 enum {
 	/* "LLV" and the version of the format and of levels_make()'s lists. */
-	FORMAT = 0x03564c4c,
-	SHORT_VERTICES_MAX = 65536,
+	FORMAT = 0x04564c4c,
+	SHORT_MAX = 65536,
+};
+
+/* Kinds of lists. */
+enum {
+	SHADED,
+	SHADOW,  /* model_lod.shadow_only */
+	CORNERS, /* its numbers are those of model_lod.corner */
 };
 
 /* FNV-1a over words of 32 bits instead of bytes; zeros fill the last word. */
@@ -126,18 +133,20 @@ static uint32_t count_primitives(const struct model *model)
 	return count;
 }
 
-static bool is_short(const struct model_primitive *primitive)
+/* What a list's numbers are below: corners of the index, or vertices. */
+static uint32_t number_limit(
+	const struct model_primitive *primitive, bool corners)
 {
-	return primitive->vertex_count <= SHORT_VERTICES_MAX;
+	return (uint32_t)(corners ? primitive->index_count
+				  : primitive->vertex_count);
 }
 
-/* Returns how many bytes a list's indices take in the file. */
-static size_t index_bytes(
-	const struct model_primitive *primitive, uint32_t index_count)
+/* Returns how many bytes a list's numbers take in the file. */
+static size_t list_bytes(uint32_t limit, uint32_t index_count)
 {
 	size_t count = index_count;
 
-	return is_short(primitive) ? (count + 1) / 2 * 4 : count * 4;
+	return limit <= SHORT_MAX ? (count + 1) / 2 * 4 : count * 4;
 }
 
 static void write_number(FILE *out, uint32_t value, int bytes)
@@ -150,15 +159,20 @@ static void write_number(FILE *out, uint32_t value, int bytes)
 static void write_list(FILE *out, const struct model_primitive *primitive,
 	const struct model_lod *lod)
 {
-	int width = is_short(primitive) ? 2 : 4;
+	const uint32_t *list = lod->corner ? lod->corner : lod->index;
+	int width = number_limit(primitive, lod->corner) <= SHORT_MAX ? 2 : 4;
 	uint32_t error_bits;
 
 	memcpy(&error_bits, &lod->error_m, sizeof(error_bits));
 	write_number(out, error_bits, 4);
-	write_number(out, lod->shadow_only, 4);
+	write_number(out,
+		lod->shadow_only      ? SHADOW
+			: lod->corner ? CORNERS
+				      : SHADED,
+		4);
 	write_number(out, (uint32_t)lod->index_count, 4);
 	for (int i = 0; i < lod->index_count; i++) {
-		write_number(out, lod->index[i], width);
+		write_number(out, list[i], width);
 	}
 	if (width == 2 && lod->index_count % 2) {
 		write_number(out, 0, 2);
@@ -212,18 +226,38 @@ static uint32_t read_number(struct reader *reader)
 	return value;
 }
 
-static bool read_indices(const uint8_t *data,
-	const struct model_primitive *primitive, struct model_lod *lod)
+static bool read_numbers(
+	const uint8_t *data, uint32_t limit, uint32_t *out, uint32_t count)
 {
-	bool is_two_bytes = is_short(primitive);
-
-	for (int i = 0; i < lod->index_count; i++) {
-		lod->index[i] = is_two_bytes
+	for (uint32_t i = 0; i < count; i++) {
+		out[i] = limit <= SHORT_MAX
 			? little_endian_u16(data + 2 * (size_t)i)
 			: little_endian_u32(data + 4 * (size_t)i);
-		if (lod->index[i] >= (uint32_t)primitive->vertex_count) {
+		if (out[i] >= limit) {
 			return false;
 		}
+	}
+	return true;
+}
+
+/* Reads the numbers of a list, of which index_count is set. */
+static bool read_index(struct reader *reader,
+	const struct model_primitive *primitive, bool corners,
+	struct arena *arena, struct model_lod *lod)
+{
+	size_t count = (size_t)lod->index_count;
+	uint32_t limit = number_limit(primitive, corners);
+
+	lod->index = ARENA_ARRAY(arena, uint32_t, count);
+	lod->corner = corners ? ARENA_ARRAY(arena, uint32_t, count) : NULL;
+	reader->no_memory = !lod->index || (corners && !lod->corner);
+	if (reader->no_memory ||
+		!read_numbers(reader->data, limit,
+			corners ? lod->corner : lod->index, (uint32_t)count)) {
+		return false;
+	}
+	for (size_t i = 0; corners && i < count; i++) {
+		lod->index[i] = primitive->index[lod->corner[i]];
 	}
 	return true;
 }
@@ -233,22 +267,23 @@ static bool read_list(struct reader *reader,
 	struct model_lod *lod)
 {
 	uint32_t error_bits = read_number(reader);
-	uint32_t shadow_only = read_number(reader);
+	uint32_t kind = read_number(reader);
 	uint32_t count = read_number(reader);
-	size_t bytes = index_bytes(primitive, count);
+	size_t bytes =
+		list_bytes(number_limit(primitive, kind == CORNERS), count);
 
+	*lod = (struct model_lod){0};
 	memcpy(&lod->error_m, &error_bits, sizeof(error_bits));
 	if (reader->failed || !isfinite(lod->error_m) || lod->error_m < 0.0f ||
-		shadow_only > 1 || count == 0 || count % 3 ||
+		kind > CORNERS || (kind == CORNERS && primitive->normal) ||
+		count == 0 || count % 3 ||
 		count > (uint32_t)primitive->index_count ||
 		bytes > reader->size) {
 		return false;
 	}
-	lod->shadow_only = shadow_only;
+	lod->shadow_only = kind == SHADOW;
 	lod->index_count = (int)count;
-	lod->index = ARENA_ARRAY(arena, uint32_t, count);
-	reader->no_memory = !lod->index;
-	if (!lod->index || !read_indices(reader->data, primitive, lod)) {
+	if (!read_index(reader, primitive, kind == CORNERS, arena, lod)) {
 		return false;
 	}
 	reader->data += bytes;

@@ -5,9 +5,12 @@
  *
  * The file has numbers of 32 bits, least significant byte first: FORMAT, the
  * hash of the model, the number of primitives; for each primitive the number of
- * lists; for each list its error (a float), whether it is for shadows, its number
- * of indices and the indices, of 16 bits unless the primitive has more than
- * 65,536 vertices. Lists of an odd number of short indices end with a zero.
+ * lists; for each list its error (a float), its kind, its number of indices and
+ * the indices, of 16 bits unless the primitive has more than 65,536 vertices.
+ * The kind is 1 for shadows. It is 2 in a primitive without normals: then
+ * places in the primitive's index (model_lod.corner) are written instead of
+ * indices, of 16 bits unless that is longer than 65,536. Lists of an odd number
+ * of short numbers end with a zero.
  */
 #ifndef APP_MODEL_LEVELS_LEVELS_FILE_H
 #define APP_MODEL_LEVELS_LEVELS_FILE_H

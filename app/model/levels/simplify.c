@@ -116,9 +116,9 @@ static void copy_index(
 	}
 }
 
-static int read_targets(struct simplify *simplify)
+static int read_targets(
+	struct simplify *simplify, const struct model_target *from)
 {
-	const struct model_target *from = simplify->primitive->target;
 	int error = 0;
 
 	simplify->target = ARENA_ARRAY(&simplify->arena, struct simplify_target,
@@ -131,7 +131,7 @@ static int read_targets(struct simplify *simplify)
 
 		error = model_deltas_floats(
 			&from[t].position, &simplify->arena, &to->position);
-		if (!error && !simplify->shape_only) {
+		if (!error && !simplify->shape_only && !simplify->source) {
 			error = model_deltas_floats(
 				&from[t].normal, &simplify->arena, &to->normal);
 		}
@@ -142,15 +142,19 @@ static int read_targets(struct simplify *simplify)
 int simplify_begin(struct simplify *simplify,
 	const struct simplify_input *input, struct memory_budget *budget)
 {
+	const struct model_target *targets =
+		input->source ? input->whole->target : input->primitive->target;
+
 	*simplify = (struct simplify){
 		.arena = arena_within(budget),
 		.primitive = input->primitive,
 		.target_count = input->target_count,
 		.shape_only = input->shape_only,
 		.extent = input->extent,
+		.source = input->source,
 	};
 	if (allocate(simplify, input->index_count) != 0 ||
-		read_targets(simplify) != 0) {
+		read_targets(simplify, targets) != 0) {
 		return -ENOMEM;
 	}
 	scale_positions(simplify);

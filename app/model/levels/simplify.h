@@ -56,6 +56,7 @@ struct simplify {
 	const struct model_primitive *primitive;
 	int target_count;
 	struct simplify_target *target; /* [target_count] */
+	const uint32_t *source; /* NULL, or the vertices' numbers in targets */
 	bool shape_only;
 	bool divided; /* most positions have several vertices, to be merged */
 
@@ -98,13 +99,19 @@ struct simplify {
 
 /* The list to simplify, with its vertices. */
 struct simplify_input {
-	const struct model_primitive *primitive; /* with normals */
+	const struct model_primitive *primitive; /* with normals, if shaded */
 	int target_count;                        /* morph targets of its mesh */
 	const uint32_t *index;                   /* the list to begin with */
 	int index_count;
 	float extent;       /* length that counts as 1, above 0 */
 	const bool *shared; /* [vertex_count]: the vertex must stay */
-	bool shape_only;    /* ignore shading, for lists for shadows */
+	/*
+	 * NULL, or [vertex_count]: the vertex of `whole` of which each is a copy.
+	 * Then the targets are those of that primitive, without their normals.
+	 */
+	const uint32_t *source;
+	const struct model_primitive *whole;
+	bool shape_only; /* ignore shading, for lists for shadows */
 };
 
 /*

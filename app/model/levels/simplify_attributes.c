@@ -238,17 +238,23 @@ static float bend_square(
 	return sum * sum;
 }
 
-static float delta_square(const float (*delta)[3], uint32_t vertex,
-	const struct place *place, float scale)
+static float delta_square(const struct simplify *simplify,
+	const float (*delta)[3], uint32_t vertex, const struct place *place,
+	float scale)
 {
+	const uint32_t *source = simplify->source;
 	float corner[3][3];
 
 	if (!delta) {
 		return 0.0f;
 	}
 	for (int i = 0; i < 3; i++) {
-		memcpy(corner[i], delta[place->vertex[i]], sizeof(corner[i]));
+		uint32_t at = place->vertex[i];
+
+		memcpy(corner[i], delta[source ? source[at] : at],
+			sizeof(corner[i]));
 	}
+	vertex = source ? source[vertex] : vertex;
 	return difference(delta[vertex], (const float(*)[3])corner, 3, place) *
 		scale * scale;
 }
@@ -261,12 +267,12 @@ static float target_square(const struct simplify *simplify, uint32_t vertex,
 
 	for (int t = 0; t < simplify->target_count; t++) {
 		const struct simplify_target *target = &simplify->target[t];
-		float square = delta_square(target->position, vertex, place,
-			1.0f / simplify->extent);
+		float square = delta_square(simplify, target->position, vertex,
+			place, 1.0f / simplify->extent);
 
 		if (!simplify->shape_only) {
-			square += delta_square(
-				target->normal, vertex, place, normal_distance);
+			square += delta_square(simplify, target->normal, vertex,
+				place, normal_distance);
 		}
 		most = square > most ? square : most;
 	}

@@ -25,7 +25,7 @@ static void find_skin_middle(const struct drawable *drawable, float out[3])
 {
 	const struct batch *batch = drawable->batch;
 	const uint16_t *index;
-	int count;
+	int count, first = 0;
 
 	out[0] = out[1] = out[2] = 0.0f;
 	if (drawable->batch_count == 0) {
@@ -36,13 +36,21 @@ static void find_skin_middle(const struct drawable *drawable, float out[3])
 	if (batch->lod_count > 0) {
 		index = batch->lod[batch->lod_count - 1].index;
 		count = batch->lod[batch->lod_count - 1].index_count;
+		first = batch->lod[batch->lod_count - 1].first_vertex;
 	}
 	for (int i = 0; count > 0 && i < VERTICES; i++) {
 		int at = (int)((int64_t)count * i / VERTICES);
 		float position[3];
 
-		drawable_batch_position(
-			drawable, batch, index ? index[at] : at, position);
+		int vertex = first + (index ? index[at] : at);
+
+		if (batch->source) {
+			drawable_position(
+				drawable, (int)batch->source[vertex], position);
+		} else {
+			drawable_batch_position(
+				drawable, batch, vertex, position);
+		}
 		vec_add_scaled(out, position, 1.0f / VERTICES, out);
 	}
 }

@@ -94,12 +94,6 @@ static void set_surface(const struct gl *gl, const struct instance *instance,
 	}
 }
 
-static const struct batch_lod *shaded_list(
-	const struct drawable *drawable, const struct batch *batch)
-{
-	return drawable->lod > 0 ? &batch->lod[drawable->lod - 1] : NULL;
-}
-
 /* Which triangles are drawn, by what glow.h tells of them. */
 enum part {
 	PART_ALL,
@@ -111,11 +105,12 @@ enum part {
 static struct batch_lod list_part(const struct drawable *drawable,
 	const struct batch *batch, enum part part)
 {
-	const struct batch_lod *list = shaded_list(drawable, batch);
+	const struct batch_lod *list = drawable_shaded(drawable, batch);
 	struct batch_lod out = {.index = batch->index,
 		.index_count =
 			batch->index ? batch->index_count : batch->vertex_count,
-		.glow_from = batch->glow_from};
+		.glow_from = batch->glow_from,
+		.flat = batch->source && batch->index};
 
 	if (list) {
 		out = *list;
@@ -135,12 +130,11 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 {
 	const struct batch_lod list = list_part(drawable, batch, part);
 	bool textured = is_textured(instance, drawable);
-	bool faceted = batch->source && batch->index;
 
 	if (list.index_count == 0) {
 		return;
 	}
-	if (faceted) {
+	if (list.flat) {
 		gl->ShadeModel(GL_FLAT);
 	}
 	draw_batch(gl, batch,
@@ -151,7 +145,7 @@ static void draw_shaded(const struct gl *gl, const struct instance *instance,
 			.color = batch->color,
 			.list = &list,
 		});
-	if (faceted) {
+	if (list.flat) {
 		gl->ShadeModel(GL_SMOOTH);
 	}
 }
@@ -164,7 +158,7 @@ static void draw_flat(const struct gl *gl, const struct drawable *drawable,
 		&(struct draw_arrays){
 			.texcoord = textured ? batch->texcoord : NULL,
 			.edges = edges,
-			.list = edges ? shaded_list(drawable, batch)
+			.list = edges ? drawable_shaded(drawable, batch)
 				      : drawable_shadow(drawable, batch),
 		});
 }
@@ -380,7 +374,7 @@ static void draw_bump_mapped(const struct gl *gl,
 		&(struct draw_arrays){
 			.texcoord = batch->texcoord,
 			.color = (const uint8_t(*)[4])drawable->light,
-			.list = shaded_list(drawable, batch),
+			.list = drawable_shaded(drawable, batch),
 		});
 	set_surface(gl, instance, drawable, textures);
 	bump_begin_color_pass(gl);

@@ -11,8 +11,9 @@ static void enable_array(const struct gl *gl, GLenum array, const void *data)
 	}
 }
 
-static void set_vertices(
-	const struct gl *gl, const struct batch *batch, bool with_normals)
+/* first is the vertex that index 0 stands for. */
+static void set_vertices(const struct gl *gl, const struct batch *batch,
+	int first, bool with_normals)
 {
 	const struct fixed_vector *position = batch->fixed_position;
 	const struct fixed_vector *normal = batch->fixed_normal;
@@ -20,14 +21,14 @@ static void set_vertices(
 
 	enable_array(gl, GL_NORMAL_ARRAY, with_normals ? batch : NULL);
 	if (position) {
-		gl->VertexPointer(3, GL_SHORT, stride, &position->x);
+		gl->VertexPointer(3, GL_SHORT, stride, &position[first].x);
 	} else {
-		gl->VertexPointer(3, GL_FLOAT, 0, batch->position);
+		gl->VertexPointer(3, GL_FLOAT, 0, batch->position + first);
 	}
 	if (with_normals && position) {
-		gl->NormalPointer(GL_SHORT, stride, &normal->x);
+		gl->NormalPointer(GL_SHORT, stride, &normal[first].x);
 	} else if (with_normals) {
-		gl->NormalPointer(GL_FLOAT, 0, batch->normal);
+		gl->NormalPointer(GL_FLOAT, 0, batch->normal + first);
 	}
 }
 
@@ -55,11 +56,16 @@ static void set_texcoords(const struct gl *gl, const void *texcoord)
 void draw_batch(const struct gl *gl, const struct batch *batch,
 	const struct draw_arrays *arrays)
 {
-	const void *texcoord = arrays->texcoord;
-	const void *color = arrays->color;
+	int first = arrays->list ? arrays->list->first_vertex : 0;
+	const void *texcoord =
+		arrays->texcoord ? arrays->texcoord + first : NULL;
+	const void *color = arrays->color ? arrays->color + first : NULL;
 
+	if (arrays->list && arrays->list->index_count == 0) {
+		return;
+	}
 	gl->EnableClientState(GL_VERTEX_ARRAY);
-	set_vertices(gl, batch, arrays->lit);
+	set_vertices(gl, batch, first, arrays->lit);
 	set_texcoords(gl, texcoord);
 	if (arrays->both_units) {
 		gl->ClientActiveTexture(GL_TEXTURE1);

@@ -159,8 +159,8 @@ static int sort_batch(
 	for (int i = 0; i < batch->lod_count && !error; i++) {
 		struct batch_lod *lod = &batch->lod[i];
 
-		error = sort_list(map, batch->texcoord, &lod->index,
-			lod->index_count, &lod->glow_from, arena);
+		error = sort_list(map, batch->texcoord + lod->first_vertex,
+			&lod->index, lod->index_count, &lod->glow_from, arena);
 	}
 	return error;
 }

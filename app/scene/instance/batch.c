@@ -54,7 +54,8 @@ static int tint(struct batch *batch, const struct drawable *drawable,
 		batch->color = (const uint8_t(*)[4])primitive->color;
 		return 0;
 	}
-	color = arena_alloc(arena, (size_t)batch->vertex_count, sizeof(*color));
+	color = arena_alloc(
+		arena, (size_t)batch_array_length(batch), sizeof(*color));
 	if (!color) {
 		return -ENOMEM;
 	}
@@ -62,7 +63,7 @@ static int tint(struct batch *batch, const struct drawable *drawable,
 		factor[i] = color_encode_srgb(base_color[i]);
 	}
 	factor[3] = scalar_clamp(base_color[3], 0.0f, 1.0f);
-	for (int v = 0; v < batch->vertex_count; v++) {
+	for (int v = 0; v < batch_array_length(batch); v++) {
 		int from = batch_vertex(drawable, batch, v);
 
 		for (int i = 0; i < 4; i++) {
@@ -86,11 +87,11 @@ static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
 		return 0;
 	}
 	texcoord = arena_alloc(
-		arena, (size_t)batch->vertex_count, sizeof(*texcoord));
+		arena, (size_t)batch_array_length(batch), sizeof(*texcoord));
 	if (!texcoord) {
 		return -ENOMEM;
 	}
-	for (int v = 0; v < batch->vertex_count; v++) {
+	for (int v = 0; v < batch_array_length(batch); v++) {
 		memcpy(texcoord[v],
 			primitive->texcoord[batch_vertex(drawable, batch, v)],
 			sizeof(texcoord[v]));
@@ -102,7 +103,7 @@ static int copy_texcoords(struct batch *batch, const struct drawable *drawable,
 static int fill_fixed(struct batch *batch, const struct drawable_fixed *fixed,
 	struct arena *arena)
 {
-	size_t count = (size_t)batch->vertex_count;
+	size_t count = (size_t)batch_array_length(batch);
 
 	batch->fixed_position = fixed->position;
 	batch->fixed_normal = fixed->normal;
@@ -123,6 +124,7 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 	const float base_color[4], struct arena *arena)
 {
 	int error = tint(batch, drawable, base_color, arena);
+	size_t count;
 
 	if (!error) {
 		error = copy_texcoords(batch, drawable, arena);
@@ -138,10 +140,11 @@ static int fill(struct batch *batch, const struct drawable *drawable,
 		batch->normal = (const float(*)[3])drawable->normal;
 		return 0;
 	}
-	batch->gathered_position = arena_alloc(arena,
-		(size_t)batch->vertex_count, sizeof(*batch->gathered_position));
-	batch->gathered_normal = arena_alloc(arena, (size_t)batch->vertex_count,
-		sizeof(*batch->gathered_normal));
+	count = (size_t)batch_array_length(batch);
+	batch->gathered_position =
+		arena_alloc(arena, count, sizeof(*batch->gathered_position));
+	batch->gathered_normal =
+		arena_alloc(arena, count, sizeof(*batch->gathered_normal));
 	if (!batch->gathered_position || !batch->gathered_normal) {
 		return -ENOMEM;
 	}
@@ -186,11 +189,7 @@ static int convert_lod(struct batch_lod *out, const struct drawable *drawable,
 	return out->index ? 0 : -ENOMEM;
 }
 
-/*
- * Converts the model's coarser lists and its lists for shadows. Facets get only
- * those for shadows, because their vertices hold the normals of the full list's
- * triangles.
- */
+/* Converts the model's coarser lists and its lists for shadows. */
 static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	const uint32_t *inverse_order, struct arena *arena)
 {
@@ -206,9 +205,6 @@ static int convert_lods(struct batch *batch, const struct drawable *drawable,
 	for (size_t i = 0; i < count && !error; i++) {
 		const struct model_lod *lod = &primitive->lod[i];
 
-		if (!lod->shadow_only && batch->source) {
-			continue;
-		}
 		error = convert_lod(lod->shadow_only
 				? &batch->shadow[batch->shadow_count++]
 				: &batch->lod[batch->lod_count++],
@@ -230,8 +226,11 @@ static int make_proxy(struct batch *batch,
 	}
 	error = shadow_proxy_make(
 		primitive, inverse_order, arena, &index, &index_count);
-	batch->shadow[0] =
-		(struct batch_lod){.index_count = index_count, .index = index};
+	batch->shadow[0] = (struct batch_lod){
+		.index_count = index_count,
+		.index = index,
+		.vertex_count = batch->source ? batch->vertex_count : 0,
+	};
 	batch->shadow_count = 1;
 	return error;
 }
@@ -254,7 +253,9 @@ static int add_whole(struct drawable *drawable, const struct batch *made,
 	*batch = *made;
 	drawable->batch = batch;
 	drawable->batch_count = 1;
-	error = convert_lods(batch, drawable, inverse_order, arena);
+	error = batch->source
+		? batch_add_levels(batch, drawable, arena)
+		: convert_lods(batch, drawable, inverse_order, arena);
 	if (!error) {
 		error = make_proxy(batch, primitive, inverse_order, arena);
 	}
@@ -296,6 +297,33 @@ static int make_faceted(struct drawable *drawable, const float base_color[4],
 			       facets.inverse_order, base_color, arena);
 }
 
+/* The first batch gets all coarser lists, the others empty ones. */
+static int add_levels_to_unindexed(
+	struct drawable *drawable, int number, struct arena *arena)
+{
+	struct batch *batch = &drawable->batch[number];
+	const struct batch *first = drawable->batch;
+	size_t count = (size_t)(first->lod_count + first->shadow_count);
+
+	if (number == 0) {
+		return batch_add_levels(batch, drawable, arena);
+	}
+	batch->lod = ARENA_ARRAY(arena, struct batch_lod, count);
+	batch->lod_count = first->lod_count;
+	batch->shadow_count = first->shadow_count;
+	if (!batch->lod) {
+		return -ENOMEM;
+	}
+	batch->shadow = batch->lod + first->lod_count;
+	for (int i = 0; i < first->lod_count; i++) {
+		batch->lod[i].error = first->lod[i].error;
+	}
+	for (int i = 0; i < first->shadow_count; i++) {
+		batch->shadow[i].posed_lod = first->shadow[i].posed_lod;
+	}
+	return 0;
+}
+
 /*
  * Makes batches of at most BATCH_VERTICES_MAX vertices without an index. Their
  * sources are parts of the primitive's index.
@@ -321,7 +349,11 @@ static int make_unindexed(struct drawable *drawable, const float base_color[4],
 			.vertex_count = left < max ? left : max,
 			.source = primitive->index + first,
 		};
-		error = fill(&drawable->batch[i], drawable, base_color, arena);
+		error = add_levels_to_unindexed(drawable, i, arena);
+		if (!error) {
+			error = fill(&drawable->batch[i], drawable, base_color,
+				arena);
+		}
 		if (error) {
 			return error;
 		}
@@ -362,81 +394,4 @@ int batch_make(struct drawable *drawable, const float base_color[4],
 	}
 	return error == -ERANGE ? make_unindexed(drawable, base_color, arena)
 				: error;
-}
-
-static int corner_count(const struct batch *batch)
-{
-	return batch->index ? batch->index_count : batch->vertex_count;
-}
-
-static void gather_fixed(const struct drawable_fixed *fixed, struct batch *batch)
-{
-	struct fixed_vector *position = batch->gathered_fixed;
-	struct fixed_vector *normal = batch->gathered_fixed_normal;
-
-	for (int v = 0; v < batch->vertex_count; v++) {
-		uint32_t from = batch->source[v];
-
-		from = fixed->inverse_order ? fixed->inverse_order[from] : from;
-		position[v] = fixed->position[from];
-		if (fixed->normal) {
-			normal[v] = fixed->normal[from];
-		}
-	}
-}
-
-/*
- * Where winding is reversed (mirrored), normals are negated to point outwards.
- */
-static void find_fixed_facets(const struct batch *batch, bool mirrored)
-{
-	struct fixed_vector *normal = batch->gathered_fixed_normal;
-
-	facets_find_fixed_normals(batch->index, corner_count(batch),
-		batch->gathered_fixed, normal);
-	if (mirrored) {
-		facets_turn_fixed_normals(batch->vertex_count, normal);
-	}
-}
-
-static void find_facets(const struct batch *batch, bool mirrored)
-{
-	facets_find_normals(batch->index, corner_count(batch),
-		(const float(*)[3])batch->gathered_position,
-		batch->gathered_normal);
-	if (mirrored) {
-		facets_turn_normals(batch->vertex_count, batch->gathered_normal);
-	}
-}
-
-void batch_gather(struct drawable *drawable)
-{
-	for (int i = 0; i < drawable->batch_count; i++) {
-		struct batch *batch = &drawable->batch[i];
-
-		if (!batch->source) {
-			continue;
-		}
-		if (drawable->fixed) {
-			gather_fixed(drawable->fixed, batch);
-			if (!drawable->fixed->normal) {
-				find_fixed_facets(batch, drawable->mirrored);
-			}
-			continue;
-		}
-		for (int v = 0; v < batch->vertex_count; v++) {
-			uint32_t from = batch->source[v];
-
-			memcpy(batch->gathered_position[v],
-				drawable->position[from], sizeof(float[3]));
-			if (drawable->normal) {
-				memcpy(batch->gathered_normal[v],
-					drawable->normal[from],
-					sizeof(float[3]));
-			}
-		}
-		if (!drawable->normal) {
-			find_facets(batch, drawable->mirrored);
-		}
-	}
 }

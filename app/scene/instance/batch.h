@@ -7,9 +7,10 @@
  * ("gathered"). Flat shading takes colours from one corner as well: where the
  * corners of some triangle have different vertex colours, each triangle of the
  * primitive gets three vertices of its own and no index, in batches that are
- * small enough. Primitives of more than 65,536 vertices, which loaders divide
- * (app/model/split/split.h), and facets that would have as many, are drawn in
- * the same way.
+ * small enough. Coarser lists have further vertices in the same arrays, whose
+ * normals are those of triangles of the full list. Primitives of more
+ * than 65,536 vertices, which loaders divide (app/model/split/split.h), and
+ * facets that would have as many, are drawn in the same way.
  */
 #ifndef APP_SCENE_INSTANCE_BATCH_H
 #define APP_SCENE_INSTANCE_BATCH_H
@@ -52,9 +53,22 @@ int batch_tint(
 int batch_add_mirrored(struct drawable *drawable, struct arena *arena);
 
 /*
- * Copies posed vertices into the arrays of gathered batches and finds the
- * normals of facets; called once a frame.
+ * Gives a gathered batch, whose source is set, the coarser lists of its
+ * drawable's primitive and those for shadows: adds their vertices to source,
+ * which it replaces. A list of more than 65,536 vertices is left out. Called
+ * before the other arrays are allocated. Returns 0 or -ENOMEM.
+ */
+int batch_add_levels(struct batch *batch, const struct drawable *drawable,
+	struct arena *arena);
+
+/*
+ * Copies posed vertices into the arrays of gathered batches and finds normals
+ * where the primitive has none, for the lists that draw the surface and the
+ * shadow; called once a frame, and when other lists are chosen.
  */
 void batch_gather(struct drawable *drawable);
+
+/* The same for all lists, for vertices that never change. */
+void batch_gather_all(struct drawable *drawable);
 
 #endif

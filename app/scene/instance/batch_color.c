@@ -10,7 +10,7 @@ int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
 {
 	for (int i = 0; i < drawable->batch_count; i++) {
 		struct batch *batch = &drawable->batch[i];
-		size_t count = (size_t)batch->vertex_count;
+		size_t count = (size_t)batch_array_length(batch);
 		uint8_t(*color)[4];
 
 		if (!batch->color) {
@@ -21,7 +21,7 @@ int batch_recolor(struct drawable *drawable, batch_dye *dye, void *user,
 			return -ENOMEM;
 		}
 		memcpy(color, batch->color, count * sizeof(*color));
-		for (int v = 0; v < batch->vertex_count; v++) {
+		for (int v = 0; v < batch_array_length(batch); v++) {
 			dye(user, batch_vertex(drawable, batch, v), color[v]);
 		}
 		batch->color = (const uint8_t(*)[4])color;
@@ -61,7 +61,7 @@ static void mirror(void *user, int vertex, uint8_t color[4])
 
 static bool has_dark_color(const struct batch *batch)
 {
-	for (int v = 0; batch->color && v < batch->vertex_count; v++) {
+	for (int v = 0; batch->color && v < batch_array_length(batch); v++) {
 		uint8_t color[3];
 
 		memcpy(color, batch->color[v], sizeof(color));

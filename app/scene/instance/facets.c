@@ -193,6 +193,42 @@ void facets_find_fixed_normals(const uint16_t *index, int count,
 	}
 }
 
+/* Sets at to where the corners of the triangle of corner i are stored. */
+static ALWAYS_INLINE void find_corners(
+	const struct facets_corners *corners, int i, uint32_t at[3])
+{
+	const uint32_t *from = corners->index + corners->corner[i] / 3 * 3;
+
+	for (int k = 0; k < 3; k++) {
+		at[k] = corners->inverse_order ? corners->inverse_order[from[k]]
+					       : from[k];
+	}
+}
+
+void facets_find_normals_at(const struct facets_corners *corners,
+	const float (*position)[3], float (*normal)[3])
+{
+	for (int i = 0; i < corners->count; i++) {
+		uint32_t at[3];
+
+		find_corners(corners, i, at);
+		find_normal(position[at[0]], position[at[1]], position[at[2]],
+			normal[i]);
+	}
+}
+
+void facets_find_fixed_normals_at(const struct facets_corners *corners,
+	const struct fixed_vector *position, struct fixed_vector *normal)
+{
+	for (int i = 0; i < corners->count; i++) {
+		uint32_t at[3];
+
+		find_corners(corners, i, at);
+		normal[i] = find_fixed_normal(
+			&position[at[0]], &position[at[1]], &position[at[2]]);
+	}
+}
+
 void facets_turn_normals(int count, float (*normal)[3])
 {
 	for (int v = 0; v < count; v++) {

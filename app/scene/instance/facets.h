@@ -52,6 +52,21 @@ void facets_find_normals(const uint16_t *index, int count,
 void facets_find_fixed_normals(const uint16_t *index, int count,
 	const struct fixed_vector *position, struct fixed_vector *normal);
 
+/* Corners of a primitive's index, whose triangles have the wanted normals. */
+struct facets_corners {
+	int count;
+	const uint32_t *corner; /* [count] */
+	const uint32_t *index;  /* the primitive's */
+	/* NULL, or where each of the primitive's vertices is stored */
+	const uint32_t *inverse_order;
+};
+
+/* Finds the normals [count] of the triangles that have these corners. */
+void facets_find_normals_at(const struct facets_corners *corners,
+	const float (*position)[3], float (*normal)[3]);
+void facets_find_fixed_normals_at(const struct facets_corners *corners,
+	const struct fixed_vector *position, struct fixed_vector *normal);
+
 /* Negates normals, for a skin whose joints mirror it. */
 void facets_turn_normals(int count, float (*normal)[3]);
 void facets_turn_fixed_normals(int count, struct fixed_vector *normal);

@@ -292,7 +292,7 @@ static int init_drawable(struct instance *instance, struct drawable *drawable,
 		error = glow_sort(drawable, model, glow, &instance->arena);
 	}
 	if (!error) {
-		batch_gather(drawable);
+		batch_gather_all(drawable);
 		error = bump_init(drawable, model, &instance->arena);
 	}
 	return error;

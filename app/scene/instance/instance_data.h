@@ -37,6 +37,13 @@ struct batch_lod {
 	const uint16_t *index;
 	/* of a list for shadows: the level whose vertices include its own */
 	int posed_lod;
+	/*
+	 * In a gathered batch the list has vertices of its own: vertex_count
+	 * from this one of the batch's arrays on, of which index counts.
+	 * Elsewhere both are 0, and index counts all vertices.
+	 */
+	int first_vertex, vertex_count;
+	bool flat; /* facets (facets.h) */
 };
 
 /*
@@ -44,12 +51,20 @@ struct batch_lod {
  * in another order, see batch.h.
  */
 struct batch {
-	int vertex_count;
+	int vertex_count; /* of the list of all triangles */
+	/* In a gathered batch, vertices of coarser lists follow in all arrays. */
+	int level_vertex_count;
 	/*
-	 * In a gathered batch, [vertex_count]: the primitive's vertex that each
+	 * In a gathered batch, for each vertex: the primitive's vertex that it
 	 * is a copy of. NULL if the batch uses the drawable's own arrays.
 	 */
 	const uint32_t *source;
+	/*
+	 * Only in a gathered batch of a primitive without normals, else NULL:
+	 * the same for corners of the primitive's index, from whose triangles
+	 * the vertices of coarser lists have their normals (model_lod.corner)
+	 */
+	const uint32_t *corner;
 	const float (*position)[3]; /* NULL: fixed_position is used */
 	const float (*normal)[3];   /* NULL: fixed_normal is used */
 	const struct fixed_vector *fixed_position;
@@ -229,6 +244,19 @@ struct instance {
 	struct blended_drawable *blended; /* room for drawable_count */
 	int float_count; /* drawables in float because 16 bits do not suffice */
 };
+
+/* Returns the length of a batch's arrays. */
+static inline int batch_array_length(const struct batch *batch)
+{
+	return batch->vertex_count + batch->level_vertex_count;
+}
+
+/* Returns the list that draws a batch's surface, or NULL for all triangles. */
+static inline const struct batch_lod *drawable_shaded(
+	const struct drawable *drawable, const struct batch *batch)
+{
+	return drawable->lod > 0 ? &batch->lod[drawable->lod - 1] : NULL;
+}
 
 /* Returns the list that draws a batch's shadow, or NULL for all triangles. */
 static inline const struct batch_lod *drawable_shadow(

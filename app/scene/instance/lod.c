@@ -2,6 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
+#include "app/scene/instance/batch.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -242,8 +243,24 @@ static void choose_of_drawable(
 	drawable->shadow_list = shadow > 0 ? shadow - 1 : batch->shadow_count;
 }
 
+/*
+ * The lists of gathered batches have vertices of their own, which updates copy
+ * only for those that are drawn.
+ */
+static void gather_if_changed(
+	struct drawable *drawable, int lod, int shadow_lod, int shadow_list)
+{
+	bool changed = lod != drawable->lod ||
+		shadow_lod != drawable->shadow_lod ||
+		shadow_list != drawable->shadow_list;
+
+	if (changed && (drawable->morphed || drawable->skin >= 0)) {
+		batch_gather(drawable);
+	}
+}
+
 void lod_choose(
-	struct instance *instance, const struct lod *lod, float px_per_unit)
+	struct instance *instance, const struct lod *setting, float px_per_unit)
 {
 	float held = instance->lod_px_per_unit, units = 0.0f;
 	int skin = -1; /* of which units is known */
@@ -253,6 +270,8 @@ void lod_choose(
 	}
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct drawable *drawable = &instance->drawable[i];
+		int lod = drawable->lod, shadow_lod = drawable->shadow_lod;
+		int shadow_list = drawable->shadow_list;
 
 		drawable->lod = drawable->shadow_lod = 0;
 		drawable->shadow_list = 0;
@@ -263,8 +282,10 @@ void lod_choose(
 			units = lod_error_units(instance, drawable);
 			skin = drawable->skin;
 		}
-		choose_of_drawable(drawable, lod,
-			allowed_error(lod, units * instance->lod_px_per_unit));
+		choose_of_drawable(drawable, setting,
+			allowed_error(
+				setting, units * instance->lod_px_per_unit));
+		gather_if_changed(drawable, lod, shadow_lod, shadow_list);
 	}
 }
 

@@ -77,8 +77,8 @@ float lod_error_units(
  * Chooses the triangle lists that draw the instance from now on. To avoid
  * flicker, a change of px_per_unit by less than a tenth is ignored.
  */
-void lod_choose(
-	struct instance *instance, const struct lod *lod, float px_per_unit);
+void lod_choose(struct instance *instance, const struct lod *setting,
+	float px_per_unit);
 
 /* Returns the number of triangles that draw all visible drawables. */
 long lod_triangles(const struct instance *instance);

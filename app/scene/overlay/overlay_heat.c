@@ -32,7 +32,8 @@ static int init_colors(struct overlay_heat *heat, struct arena *arena)
 
 	for (int d = 0; d < instance->drawable_count; d++) {
 		for (int b = 0; b < instance->drawable[d].batch_count; b++) {
-			int count = instance->drawable[d].batch[b].vertex_count;
+			int count = batch_array_length(
+				&instance->drawable[d].batch[b]);
 
 			heat->color[at] = arena_alloc(arena, (size_t)count, 4);
 			if (!heat->color[at]) {
@@ -79,7 +80,7 @@ void overlay_heat_paint(
 		for (int b = 0; b < drawable->batch_count; b++, rgb++) {
 			const struct batch *batch = &drawable->batch[b];
 
-			for (int i = 0; i < batch->vertex_count; i++) {
+			for (int i = 0; i < batch_array_length(batch); i++) {
 				color(user, d, batch_vertex(drawable, batch, i),
 					(*rgb)[i]);
 			}

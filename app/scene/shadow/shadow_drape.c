@@ -19,6 +19,29 @@ enum {
 
 #define UNUSED 0xFFFFFFFFu
 
+static int vertices_of(const struct batch *batch, const struct batch_lod *lod)
+{
+	return lod && batch->source ? lod->vertex_count : batch->vertex_count;
+}
+
+/* Returns the number of vertices of the list that may be drawn with the most. */
+static int count_vertices(const struct batch *batch)
+{
+	int most = batch->vertex_count;
+
+	for (int i = 0; i < batch->lod_count; i++) {
+		int count = vertices_of(batch, &batch->lod[i]);
+
+		most = count > most ? count : most;
+	}
+	for (int i = 0; i < batch->shadow_count; i++) {
+		int count = vertices_of(batch, &batch->shadow[i]);
+
+		most = count > most ? count : most;
+	}
+	return most;
+}
+
 /* Returns the number of corners of the longest list that may be drawn. */
 static int count_corners(const struct batch *batch)
 {
@@ -68,7 +91,7 @@ static int make_sheets(struct shadow_drape *drape, struct instance *instance)
 		}
 		for (int k = 0; k < drawable->batch_count; k++) {
 			const struct batch *batch = &drawable->batch[k];
-			int count = batch->vertex_count;
+			int count = count_vertices(batch);
 
 			drape->sheet[drape->sheet_count++] =
 				(struct shadow_sheet){
@@ -162,14 +185,15 @@ static void add_triangle(struct shadow_drape *drape, struct shadow_sheet *sheet,
 
 /*
  * Returns the place of a batch's vertex in the sheet. A vertex that is met for
- * the first time gets the next place and is posed.
+ * the first time gets the next place and is posed. first is the vertex that a
+ * list's index 0 stands for.
  */
 static uint32_t find_place(uint32_t *place, struct shadow_sheet *sheet,
-	const vec4 *matrix, uint32_t vertex)
+	const vec4 *matrix, int first, uint32_t vertex)
 {
 	if (place[vertex] == UNUSED) {
 		place[vertex] = (uint32_t)sheet->vertex_count++;
-		find_posed(sheet, matrix, (int)vertex,
+		find_posed(sheet, matrix, first + (int)vertex,
 			sheet->posed[place[vertex]]);
 	}
 	return place[vertex];
@@ -191,9 +215,10 @@ static void list_triangles(struct shadow_drape *drape,
 	uint16_t *listed = drape->index + drape->index_max - count;
 
 	memset(drape->place, 0xFF,
-		(size_t)batch->vertex_count * sizeof(*drape->place));
+		(size_t)vertices_of(batch, lod) * sizeof(*drape->place));
 	for (int i = 0; i < count; i++) {
 		listed[i] = (uint16_t)find_place(drape->place, sheet, matrix,
+			lod ? lod->first_vertex : 0,
 			index ? index[i] : (uint32_t)i);
 	}
 	for (int i = 0; i + 2 < count; i += 3) {

@@ -122,6 +122,11 @@ static void choose_tiers(struct fixed_skin *skin, struct sorted *sorted)
 
 		put_into_tier(sorted, lod->index, lod->index_count,
 			fixed_skin_tier_of(skin, level));
+		for (int k = 0; lod->corner && k < lod->index_count; k++) {
+			put_into_tier(sorted,
+				primitive->index + lod->corner[k] / 3 * 3, 3,
+				fixed_skin_tier_of(skin, level));
+		}
 	}
 }
 

@@ -277,11 +277,8 @@ static ALWAYS_INLINE bool fill(
 		return false;
 	}
 	set_rows(draw, &small, &band);
-	frame_draw_bands(draw, setup, true, small.frame.middle_left, &band.edges,
-		draw->spans.equal_passes
-			? (linear ? soft_band_tint_equal : soft_band_gray_equal)
-			: (linear ? soft_band_tint : soft_band_gray),
-		&band);
+	frame_draw_bands(draw, setup, true, small.frame.middle_left,
+		&band.edges, draw->fill_band, &band);
 	return true;
 }
 

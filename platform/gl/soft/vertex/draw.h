@@ -228,6 +228,7 @@ struct draw {
 	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
 	struct soft *soft;
+	void (*fill_band)(void *band); /* soft_fill_textured()'s */
 	int32_t eye_q16[3][4];
 	int position_q;
 	bool checked; /* positions may be out of range: each is checked */

@@ -366,21 +366,31 @@ static void test_few_triangles_get_none(void **state)
 	free_net(&net);
 }
 
-/* Facets would be seen to change, but their shadow may be coarser. */
-static void test_without_normals_there_are_lists_for_shadows_only(void **state)
+/* Their corners have the normals of the triangles that end in the same place. */
+static void test_without_normals_levels_name_triangles_that_have_them(
+	void **state)
 {
 	struct net net = make_net(shape_ball, 1);
-	int index_count = INDICES;
+	const struct model_primitive *primitive = net.primitive;
+	int shaded = 0;
 
 	(void)state;
 	net.primitive->normal = NULL;
 	assert_int_equal(levels_make(net.model), 0);
-	assert_true(net.primitive->lod_count > 0);
-	for (int i = 0; i < net.primitive->lod_count; i++) {
-		assert_true(net.primitive->lod[i].shadow_only);
-		assert_true(net.primitive->lod[i].index_count < index_count);
-		index_count = net.primitive->lod[i].index_count;
+	for (int i = 0; i < primitive->lod_count; i++) {
+		const struct model_lod *lod = &primitive->lod[i];
+
+		assert_true(lod->index_count < INDICES);
+		assert_int_equal(lod->corner == NULL, lod->shadow_only);
+		shaded += !lod->shadow_only;
+		for (int k = 0; lod->corner && k < lod->index_count; k++) {
+			assert_true(lod->corner[k] < INDICES);
+			assert_int_equal(primitive->index[lod->corner[k]],
+				lod->index[k]);
+		}
 	}
+	assert_true(shaded >= 3);
+	assert_true(shaded < primitive->lod_count);
 	free_net(&net);
 }
 
@@ -405,7 +415,7 @@ int main(void)
 		cmocka_unit_test(test_without_memory_there_are_no_levels),
 		cmocka_unit_test(test_few_triangles_get_none),
 		cmocka_unit_test(
-			test_without_normals_there_are_lists_for_shadows_only),
+			test_without_normals_levels_name_triangles_that_have_them),
 	};
 
 	return cmocka_run_group_tests_name("levels", tests, NULL, NULL);

@@ -1,8 +1,11 @@
-/* Levels of meshes whose triangles have vertices of their own. */
+/* Levels of meshes whose triangles share no vertices, or no normals. */
 #include "app/model/levels/levels.h"
+#include "app/model/levels/levels_file.h"
 #include "tests/unit/app/model/levels/levels_net.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 
 /* A dome without edges. */
 static void shape_dome(
@@ -219,6 +222,113 @@ static void test_triangles_without_an_area_do_no_harm(void **state)
 	free_net(&net);
 }
 
+static struct net make_bare(void)
+{
+	struct net net = make_net(shape_dome, 1);
+
+	net.primitive->normal = NULL;
+	return net;
+}
+
+static void assert_same_lists(
+	const struct model_primitive *a, const struct model_primitive *b)
+{
+	assert_int_equal(a->lod_count, b->lod_count);
+	for (int i = 0; i < a->lod_count; i++) {
+		const struct model_lod *one = &a->lod[i], *other = &b->lod[i];
+		size_t bytes = (size_t)one->index_count * sizeof(*one->index);
+
+		assert_int_equal(one->index_count, other->index_count);
+		assert_memory_equal(one->index, other->index, bytes);
+		assert_int_equal(one->shadow_only, other->shadow_only);
+		assert_int_equal(!one->corner, !other->corner);
+		if (one->corner) {
+			assert_memory_equal(one->corner, other->corner, bytes);
+		}
+	}
+}
+
+static void test_a_file_keeps_the_triangles_of_normals(void **state)
+{
+	struct net made = make_bare(), read = make_bare(), other = make_bare();
+	char *data;
+	size_t size;
+	FILE *out = open_memstream(&data, &size);
+
+	(void)state;
+	assert_non_null(out);
+	assert_int_equal(levels_write(made.model, out), 0);
+	assert_int_equal(fclose(out), 0);
+	assert_int_equal(
+		levels_read(read.model, (const uint8_t *)data, size), 0);
+	assert_true(shaded_count(read.primitive) >= 4);
+	assert_same_lists(made.primitive, read.primitive);
+	/* The first list's first number, at 28 bytes, is beyond the index. */
+	data[28] = data[29] = (char)0xFF;
+	assert_int_equal(
+		levels_read(other.model, (const uint8_t *)data, size), -EINVAL);
+	assert_int_equal(other.primitive->lod_count, 0);
+	free(data);
+	free_net(&made);
+	free_net(&read);
+	free_net(&other);
+}
+
+/* Whatever the budget refuses, a list's vertices are the primitive's. */
+static void test_a_budget_leaves_no_unfinished_level(void **state)
+{
+	int most = 0, least = 99;
+
+	(void)state;
+	for (size_t kib = 64; kib <= 8192; kib = kib * 5 / 4) {
+		struct net net = make_bare();
+		struct memory_budget budget = {.limit_bytes = kib * 1024};
+
+		net.model->budget = &budget;
+		net.model->arena.budget = &budget;
+		assert_int_equal(levels_make(net.model), 0);
+		assert_true(budget.used_bytes <= budget.limit_bytes);
+		for (int i = 0; i < net.primitive->lod_count; i++) {
+			const struct model_lod *lod = &net.primitive->lod[i];
+
+			for (int k = 0; k < lod->index_count; k++) {
+				assert_true(lod->index[k] < COUNT);
+			}
+		}
+		most = net.primitive->lod_count > most ? net.primitive->lod_count
+						       : most;
+		least = net.primitive->lod_count < least
+			? net.primitive->lod_count
+			: least;
+		free_net(&net);
+	}
+	assert_true(most > 4);
+	assert_int_equal(least, 0);
+}
+
+/* Lists for shadows that a file has come after those that are made. */
+static void test_shadows_of_a_file_come_after_made_levels(void **state)
+{
+	struct net net = make_bare();
+	struct model_lod own = {.error_m = 0.01f,
+		.shadow_only = true,
+		.index_count = 3000,
+		.index = net.primitive->index};
+	int shaded;
+
+	(void)state;
+	net.primitive->lod = &own;
+	net.primitive->lod_count = 1;
+	assert_int_equal(levels_make(net.model), 0);
+	shaded = shaded_count(net.primitive);
+	assert_true(shaded >= 4);
+	for (int i = 0; i < net.primitive->lod_count; i++) {
+		assert_int_equal(net.primitive->lod[i].shadow_only, i >= shaded);
+	}
+	assert_ptr_equal(net.primitive->lod[shaded].index, own.index);
+	free_net(&net);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -228,6 +338,9 @@ int main(void)
 		cmocka_unit_test(test_large_triangles_stay_flat_at_fine_levels),
 		cmocka_unit_test(test_colors_of_triangles_stay),
 		cmocka_unit_test(test_triangles_without_an_area_do_no_harm),
+		cmocka_unit_test(test_a_file_keeps_the_triangles_of_normals),
+		cmocka_unit_test(test_a_budget_leaves_no_unfinished_level),
+		cmocka_unit_test(test_shadows_of_a_file_come_after_made_levels),
 	};
 
 	return cmocka_run_group_tests_name("levels_flat", tests, NULL, NULL);

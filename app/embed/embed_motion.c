@@ -1,28 +1,44 @@
 #include "app/embed/embed_internal.h"
 #include "app/model/origin/model_origin.h"
 
-#include <string.h>
-
 /*
- * Puts translations of a node. At the top of the tree they are places, which
- * the source states as the file does, however far from the origin.
+ * Whether a node's translations are places: at the top of the tree of a model
+ * that was moved to near the origin. The source states them as the file does.
  */
-static void put_translations(
-	struct embed *embed, int node, const float *value, int count)
+static bool has_places(const struct embed *embed, int node)
 {
+	const double *origin = embed->model->origin;
+
+	return embed->model->node[node].parent < 0 &&
+		(origin[0] != 0 || origin[1] != 0 || origin[2] != 0);
+}
+
+static void put_place(struct embed *embed, const float *value)
+{
+	double at[3];
+	float place[3];
+
+	model_origin_to_file(embed->model, value, at);
+	for (int axis = 0; axis < 3; axis++) {
+		place[axis] = (float)at[axis];
+	}
+	embed_put_floats(embed, place, 3);
+}
+
+/* Puts the keys of a translation; of a cubic key, the second value is a place. */
+static void put_places(struct embed *embed, const struct model_channel *channel)
+{
+	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
+	int count = embed_channel_values(channel) / 3;
+
 	for (int i = 0; i < count; i++) {
-		float place[3];
+		const float *value = channel->value + 3 * i;
 
-		memcpy(place, value + 3 * i, sizeof(place));
-		if (embed->model->node[node].parent < 0) {
-			double at[3];
-
-			model_origin_to_file(embed->model, place, at);
-			for (int axis = 0; axis < 3; axis++) {
-				place[axis] = (float)at[axis];
-			}
+		if (cubic && i % 3 != 1) {
+			embed_put_floats(embed, value, 3);
+		} else {
+			put_place(embed, value);
 		}
-		embed_put_floats(embed, place, 3);
 	}
 }
 
@@ -45,7 +61,11 @@ void embed_print_nodes(struct embed *embed)
 		const struct transform *rest = &model->node[i].rest;
 
 		fprintf(embed->out, "\n\t{");
-		put_translations(embed, i, rest->translation, 1);
+		if (has_places(embed, i)) {
+			put_place(embed, rest->translation);
+		} else {
+			embed_put_floats(embed, rest->translation, 3);
+		}
 		embed_put_floats(embed, rest->rotation, 4);
 		embed_put_floats(embed, rest->scale, 3);
 		fprintf(embed->out, "},");
@@ -126,19 +146,8 @@ static void print_values(
 	struct embed *embed, const struct model_channel *channel)
 {
 	if (channel->path == MODEL_TRANSLATION &&
-		channel->interpolation != MODEL_CUBICSPLINE) {
-		put_translations(embed, channel->node, channel->value,
-			channel->key_count);
-		return;
-	}
-	if (channel->path == MODEL_TRANSLATION) {
-		for (int k = 0; k < channel->key_count; k++) {
-			const float *key = channel->value + 9 * k;
-
-			embed_put_floats(embed, key, 3);
-			put_translations(embed, channel->node, key + 3, 1);
-			embed_put_floats(embed, key + 6, 3);
-		}
+		has_places(embed, channel->node)) {
+		put_places(embed, channel);
 		return;
 	}
 	if (!channel->packed) {

@@ -56,6 +56,21 @@ static void test_a_bezier_curve_is_exact_to_a_millionth(void **state)
 	}
 }
 
+/* Where x and y are s, what is left of the halving is seen. */
+static void test_a_straight_bezier_curve_is_exact_to_less_than_a_millionth(
+	void **state)
+{
+	struct character_curve curve = {.kind = CHARACTER_CURVE_BEZIER,
+		.table = {1.0f / 3.0f, 1.0f / 3.0f, 2.0f / 3.0f, 2.0f / 3.0f}};
+
+	(void)state;
+	for (int step = 0; step <= 997; step++) {
+		float u = (float)step / 997.0f;
+
+		assert_near(character_morph_curve(&curve, u), u, 7e-7);
+	}
+}
+
 static void test_a_table_has_its_values_at_even_distances(void **state)
 {
 	struct character_curve curve = {.kind = CHARACTER_CURVE_TABLE,
@@ -269,6 +284,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_bezier_curve_has_its_y_at_each_x),
 		cmocka_unit_test(test_a_bezier_curve_is_exact_to_a_millionth),
+		cmocka_unit_test(
+			test_a_straight_bezier_curve_is_exact_to_less_than_a_millionth),
 		cmocka_unit_test(test_a_table_has_its_values_at_even_distances),
 		cmocka_unit_test(
 			test_each_target_of_a_morph_is_shown_by_its_weight),

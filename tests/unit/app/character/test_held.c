@@ -11,8 +11,11 @@
 
 static const double rate_hz = 50.0;
 
-/* Hand and Box turn; the two nodes above them may mirror along one axis. */
-static const char format[] =
+/*
+ * Hand and Box turn; the two nodes above them may mirror along one axis. One of
+ * these is the model's first node.
+ */
+static const char hand_first[] =
 	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
 	"\"scenes\":[{\"nodes\":[0,2]}],\"nodes\":["
 	"{\"name\":\"Arm\",\"children\":[1],\"scale\":%s,"
@@ -22,6 +25,17 @@ static const char format[] =
 	"\"rotation\":[0.5,-0.5,0.1,0.7]},"
 	"{\"name\":\"Box\",\"translation\":[0.4,0.3,-0.6],"
 	"\"rotation\":[0,0.6,0,0.8]}]}";
+
+static const char box_first[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0,2]}],\"nodes\":["
+	"{\"name\":\"Shelf\",\"children\":[1],\"scale\":%s,"
+	"\"rotation\":[0.5,-0.5,0.1,0.7]},"
+	"{\"name\":\"Box\",\"translation\":[0.4,0.3,-0.6],"
+	"\"rotation\":[0,0.6,0,0.8]},"
+	"{\"name\":\"Arm\",\"children\":[3],\"scale\":%s,"
+	"\"rotation\":[0.1826,0.3651,0.5477,0.7303]},"
+	"{\"name\":\"Hand\",\"translation\":[0.1,0.5,0.2]}]}";
 
 static const char text[] =
 	"[part Hand]\nheading = 0 -90 90 45\npitch = 0 -45 45 45\n[part Box]\n"
@@ -57,17 +71,15 @@ static void find_corner(struct acting *acting, const float corner[3],
 }
 
 /* The box neither jumps when it is attached nor moves in the hand that turns. */
-static void check(const char *arm, const char *shelf)
+static void check_file(const char *json)
 {
 	static const float corner[4][3] = {
 		{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 	float before[4][3], at[4][3], held[4][3], now[3], later[3];
-	char json[2048];
 	struct test_path folder = temp_dir_make();
 	struct test_path path = path_join(&folder, "held.gltf");
 	struct acting acting;
 
-	snprintf(json, sizeof(json), format, arm, shelf);
 	file_write(path.text, json, strlen(json));
 	acting_begin(&acting, path.text);
 	acting_expect(&acting, text);
@@ -94,6 +106,16 @@ static void check(const char *arm, const char *shelf)
 	assert_true(vec_length(later) > 0.1f);
 	acting_end(&acting);
 	temp_dir_remove(&folder);
+}
+
+static void check(const char *arm, const char *shelf)
+{
+	char json[2048];
+
+	snprintf(json, sizeof(json), hand_first, arm, shelf);
+	check_file(json);
+	snprintf(json, sizeof(json), box_first, shelf, arm);
+	check_file(json);
 }
 
 static void test_a_part_stays_in_a_hand_that_turns(void **state)

@@ -69,7 +69,7 @@ struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
 /*
  * The cost of copying a drawable's posed vertices for GL and, if it has no
  * normals, of computing a normal for each facet. 0 if its batches draw the
- * posed vertices directly (app/scene/instance/batch.h).
+ * posed vertices directly (app/scene/instance/batch/batch.h).
  */
 struct board_cost board_cost_gather(const struct drawable *drawable);
 

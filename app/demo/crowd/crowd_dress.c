@@ -1,6 +1,6 @@
 #include "app/demo/crowd/crowd_dress.h"
 
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "platform/base/compiler.h"
 
 #include <errno.h>

@@ -4,7 +4,7 @@
 #ifndef APP_SCENE_DRAW_DRAW_BATCH_H
 #define APP_SCENE_DRAW_DRAW_BATCH_H
 
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "platform/gl/gl.h"
 
 /* What one pass draws besides positions; the pointers may be NULL. */

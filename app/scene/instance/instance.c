@@ -2,7 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/scene/draw/bump.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/instance/drawable_fixed.h"
 
 #include <cglm/cglm.h>

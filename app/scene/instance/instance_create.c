@@ -11,7 +11,7 @@
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/emission.h"
 #include "app/scene/draw/glow.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/instance/bounds.h"
 #include "app/scene/instance/drawable_fixed.h"
 #include "app/scene/stage/light.h"

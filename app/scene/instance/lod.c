@@ -2,7 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 
 #include <float.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/model/model_deltas.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>

@@ -4,7 +4,7 @@
  */
 #include "app/model/levels/levels.h"
 #include "app/model/model_deltas.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/instance/lod.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"

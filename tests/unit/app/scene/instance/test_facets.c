@@ -2,7 +2,7 @@
  * Facets: the same triangles of vertices that no two triangles end in, and
  * normals against those of doubles.
  */
-#include "app/scene/instance/facets.h"
+#include "app/scene/instance/batch/facets.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 

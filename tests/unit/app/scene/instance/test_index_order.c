@@ -1,5 +1,5 @@
 /* The order of triangles in lists. */
-#include "app/scene/instance/index_order.h"
+#include "app/scene/instance/batch/index_order.h"
 #include "tests/support/test.h"
 
 #include <stdlib.h>

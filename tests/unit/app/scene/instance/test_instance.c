@@ -1,5 +1,5 @@
 #include "app/model/model_deltas.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/instance/instance.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"

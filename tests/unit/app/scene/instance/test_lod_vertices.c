@@ -1,7 +1,7 @@
 /* Updates that pose only the vertices that the chosen lists draw. */
 #include "app/anim/clip.h"
 #include "app/model/levels/levels.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/instance/lod.h"
 #include "tests/support/test.h"
 

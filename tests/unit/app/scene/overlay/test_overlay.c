@@ -4,7 +4,7 @@
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
 #include "app/model/model_deltas.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 #include "app/scene/overlay/overlay_curve.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/log_capture.h"

@@ -1,4 +1,4 @@
-#include "app/scene/instance/index_order.h"
+#include "app/scene/instance/batch/index_order.h"
 
 #include <stdlib.h>
 #include <string.h>

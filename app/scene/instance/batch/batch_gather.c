@@ -1,6 +1,6 @@
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 
-#include "app/scene/instance/facets.h"
+#include "app/scene/instance/batch/facets.h"
 
 /* Vertices of a batch, and the triangles that give them their normals. */
 struct range {

@@ -1,7 +1,7 @@
-#include "app/scene/instance/facets.h"
+#include "app/scene/instance/batch/facets.h"
 
 #include "app/anim/math/vec.h"
-#include "app/scene/instance/index_order.h"
+#include "app/scene/instance/batch/index_order.h"
 #include "platform/base/compiler.h"
 
 #include <errno.h>

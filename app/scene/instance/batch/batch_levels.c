@@ -1,4 +1,4 @@
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 
 #include "app/model/color.h"
-#include "app/scene/instance/facets.h"
-#include "app/scene/instance/index_order.h"
+#include "app/scene/instance/batch/facets.h"
+#include "app/scene/instance/batch/index_order.h"
 #include "app/scene/shadow/shadow_proxy.h"
 #include "platform/base/scalar.h"
 

@@ -1,6 +1,6 @@
 /* Changes of the colours of a drawable's vertices. */
 #include "app/model/color.h"
-#include "app/scene/instance/batch.h"
+#include "app/scene/instance/batch/batch.h"
 
 #include <errno.h>
 #include <string.h>

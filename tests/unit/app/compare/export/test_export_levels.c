@@ -48,7 +48,10 @@ static void add_lod(struct levels_test *test, int primitive, float error,
 	struct export_lists *lists = &test->lists[primitive];
 
 	test->lod[primitive][lists->lod_count++] =
-		(struct model_lod){error, shadow, 3 * triangles, test->index};
+		(struct model_lod){.error_m = error,
+			.shadow_only = shadow,
+			.index_count = 3 * triangles,
+			.index = test->index};
 }
 
 static void make(struct levels_test *test)

@@ -290,7 +290,7 @@ static void test_a_shadow_is_blended_once_and_writes_no_depth(void **state)
 		struct gl gl = gl_state_begin(i & 1);
 
 		gl.Enable(GL_DEPTH_TEST);
-		shadow_drape_draw(&cast.drape, &gl, 0.5f, i & 2);
+		shadow_drape_draw(&cast.drape, &gl, 0.5f, 0, i & 2);
 		gl_state_expect_on(gl_state_last(), on);
 		gl_state_expect_off(gl_state_last(), off);
 		assert_int_equal(

@@ -62,7 +62,8 @@ static void test_a_sketch_suggests_each_chain_of_two_or_more(void **state)
 }
 
 /* Hips with hind legs, which carry a spine with front legs. */
-static char *sketch_four_legs(float right_x, float ankle_y)
+/* bend is how far knees are ahead, besides. */
+static char *sketch_legs(float right_x, float knee_y, float ankle_y, float bend)
 {
 	static const struct {
 		const char *name;
@@ -99,9 +100,17 @@ static char *sketch_four_legs(float right_x, float ankle_y)
 	}
 	node[6].rest.translation[0] = node[12].rest.translation[0] = right_x;
 	for (int i = 5; i <= 14; i += 3) {
+		node[i - 1].rest.translation[1] = knee_y;
+		node[i - 1].rest.translation[2] += bend;
+		node[i].rest.translation[2] -= bend;
 		node[i].rest.translation[1] = ankle_y;
 	}
 	return acting_sketch(&model, NULL);
+}
+
+static char *sketch_four_legs(float right_x, float ankle_y)
+{
+	return sketch_legs(right_x, -0.4f, ankle_y, 0);
 }
 
 static void test_a_sketch_suggests_feet_for_pairs_of_legs(void **state)
@@ -148,6 +157,26 @@ static void test_a_sketch_suggests_no_feet_without_legs(void **state)
 }
 
 /* Of two bones with a name, only the first can be suggested. */
+/* Below the hip, and above the ankle. */
+static void test_a_leg_has_its_knee_between_hip_and_ankle(void **state)
+{
+	static const struct {
+		float knee_y, ankle_y;
+		bool is_leg;
+	} cases[] = {{-0.05f, -0.6f, true}, {0, -0.6f, false},
+		{0.02f, -0.7f, false}, {-0.6f, -0.15f, true},
+		{-0.55f, 0, false}, {-0.8f, 0.05f, false}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		char *text = sketch_legs(
+			-0.2f, cases[i].knee_y, cases[i].ankle_y, 0.3f);
+
+		assert_int_equal(strstr(text, "[feet") != NULL, cases[i].is_leg);
+		free(text);
+	}
+}
+
 static void test_a_sketch_suggests_no_bone_that_a_name_does_not_find(
 	void **state)
 {
@@ -179,6 +208,7 @@ int main(void)
 			test_a_sketch_suggests_no_bone_that_a_name_does_not_find),
 		cmocka_unit_test(test_a_sketch_suggests_feet_for_pairs_of_legs),
 		cmocka_unit_test(test_a_sketch_suggests_no_feet_without_legs),
+		cmocka_unit_test(test_a_leg_has_its_knee_between_hip_and_ankle),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,13 +32,28 @@ float color_mirrored(float brightest)
 	return 0.22f * dark * dark;
 }
 
+/*
+ * Returns color_mirrored() of a byte, as a byte, without floats: textures have
+ * a million texels. 168.3 is 0.66 of 255, and 56.1 is 0.22 of it.
+ */
+static unsigned int mirrored_byte(unsigned int brightest)
+{
+	const uint32_t all = 1683, most = 561;
+	uint32_t dark = all - 10 * brightest;
+
+	return (most * dark * dark + 5 * all * all) / (10 * all * all);
+}
+
 void color_mirror(uint8_t rgb[3])
 {
-	int brightest = rgb[0] > rgb[1] ? rgb[0] : rgb[1];
-	int add;
+	unsigned int brightest = rgb[0] > rgb[1] ? rgb[0] : rgb[1];
+	unsigned int add;
 
 	brightest = brightest > rgb[2] ? brightest : rgb[2];
-	add = color_to_byte(color_mirrored((float)brightest / 255.0f));
+	if (brightest > 168) {
+		return;
+	}
+	add = mirrored_byte(brightest);
 	for (int i = 0; i < 3; i++) {
 		rgb[i] = (uint8_t)(rgb[i] + add);
 	}

@@ -33,9 +33,12 @@ static const struct box nowhere = {
 
 static void add_point(struct box *box, const double point[3])
 {
+	/* fmin() and fmax() are calls, which delay the first picture. */
 	for (int axis = 0; axis < 3; axis++) {
-		box->low[axis] = fmin(box->low[axis], point[axis]);
-		box->high[axis] = fmax(box->high[axis], point[axis]);
+		double at = point[axis];
+
+		box->low[axis] = at < box->low[axis] ? at : box->low[axis];
+		box->high[axis] = at > box->high[axis] ? at : box->high[axis];
 	}
 }
 

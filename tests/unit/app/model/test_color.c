@@ -29,6 +29,8 @@ static void test_a_darker_gray_stays_darker(void **state)
 		assert_true(darker[0] <= gray[0]);
 		assert_true(gray[0] - i <= 56 && gray[0] >= i);
 		assert_true(i < 155 || gray[0] == i);
+		assert_near(gray[0] - i,
+			255 * color_mirrored((float)i / 255.0f), 0.5001);
 	}
 }
 

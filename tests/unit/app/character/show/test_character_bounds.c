@@ -84,21 +84,31 @@ static void test_the_clips_of_a_state_are_in_its_box(void **state)
 	acting_end(&acting);
 }
 
+/* Begins with text, and measures a box that the layer's jump makes higher. */
+static const struct bounds *begin_jumping(struct acting *acting,
+	struct character_bounds *bounds, const char *text, struct bounds *with)
+{
+	const struct bounds *idle;
+
+	begin(acting, bounds, text);
+	idle = &bounds->clip[clip_of(acting, "idle")];
+	*with = joined(idle, &bounds->clip[clip_of(acting, "jump")]);
+	assert_true(with->high[1] > idle->high[1] + 0.05f);
+	expect_now(bounds, acting, idle);
+	return idle;
+}
+
 static void test_a_layer_is_in_the_box_while_it_is_on(void **state)
 {
 	struct character_bounds bounds;
 	struct acting acting;
 	struct bounds with;
-	const struct bounds *idle;
+	const struct bounds *idle = begin_jumping(&acting, &bounds,
+		"[state a]\nclip = idle\n[layer l]\nclip = jump\non = no\n"
+		"[buttons]\nUP = toggle l\n",
+		&with);
 
 	(void)state;
-	begin(&acting, &bounds,
-		"[state a]\nclip = idle\n[layer l]\nclip = jump\non = no\n"
-		"[buttons]\nUP = toggle l\n");
-	idle = &bounds.clip[clip_of(&acting, "idle")];
-	with = joined(idle, &bounds.clip[clip_of(&acting, "jump")]);
-	assert_true(with.high[1] > idle->high[1] + 0.05f);
-	expect_now(&bounds, &acting, idle);
 	acting_tap(&acting, BUTTON_UP, 0.1, 50.0);
 	expect_now(&bounds, &acting, &with);
 	acting_tap(&acting, BUTTON_UP, 0.1, 50.0);
@@ -111,15 +121,12 @@ static void test_a_layer_that_plays_once_is_in_the_box_meanwhile(void **state)
 	struct character_bounds bounds;
 	struct acting acting;
 	struct bounds with;
-	const struct bounds *idle;
+	const struct bounds *idle = begin_jumping(&acting, &bounds,
+		"[state a]\nclip = idle\n[layer l]\nclip = jump\nplay = once\n"
+		"[buttons]\nUP = play l\n",
+		&with);
 
 	(void)state;
-	begin(&acting, &bounds,
-		"[state a]\nclip = idle\n[layer l]\nclip = jump\nplay = once\n"
-		"[buttons]\nUP = play l\n");
-	idle = &bounds.clip[clip_of(&acting, "idle")];
-	with = joined(idle, &bounds.clip[clip_of(&acting, "jump")]);
-	expect_now(&bounds, &acting, idle);
 	acting_tap(&acting, BUTTON_UP, 0.5, 50.0);
 	expect_now(&bounds, &acting, &with);
 	acting_run_to(&acting, 3.0, 50.0);

@@ -17,27 +17,27 @@ static void load(const char *text, struct log_capture *logged)
 	model_destroy(model);
 }
 
-static void test_what_is_wrong_in_many_places_is_one_warning(void **state)
+static void expect_one(const char *json, const char *sentence)
 {
 	struct log_capture logged;
 
-	(void)state;
-	load(HEAD "'meshes':[{'primitives':[" FOUR_POINTS "," FOUR_POINTS
-		  "," FOUR_POINTS "]}]}",
-		&logged);
+	load(json, &logged);
 	assert_int_equal(logged.count, 1);
-	assert_string_equal(logged.sentence[0],
+	assert_string_equal(logged.sentence[0], sentence);
+}
+
+static void test_what_is_wrong_in_many_places_is_one_warning(void **state)
+{
+	(void)state;
+	expect_one(HEAD "'meshes':[{'primitives':[" FOUR_POINTS "," FOUR_POINTS
+			"," FOUR_POINTS "]}]}",
 		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1, /meshes/0/primitives/2, /meshes/0/primitives/3 and 8 more)");
 }
 
 static void test_two_places_are_both_named(void **state)
 {
-	struct log_capture logged;
-
 	(void)state;
-	load(HEAD "'meshes':[{'primitives':[" POINTS "," POINTS "]}]}", &logged);
-	assert_int_equal(logged.count, 1);
-	assert_string_equal(logged.sentence[0],
+	expect_one(HEAD "'meshes':[{'primitives':[" POINTS "," POINTS "]}]}",
 		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1)");
 }
 
@@ -61,14 +61,9 @@ static void test_many_of_one_kind_hide_no_other_kind(void **state)
 
 static void test_clips_with_pointers_are_one_warning(void **state)
 {
-	struct log_capture logged;
-
 	(void)state;
-	load(HEAD "'animations':[" POINTER_CLIP "," POINTER_CLIP
-		  "," POINTER_CLIP "]}",
-		&logged);
-	assert_int_equal(logged.count, 1);
-	assert_string_equal(logged.sentence[0],
+	expect_one(HEAD "'animations':[" POINTER_CLIP "," POINTER_CLIP
+			"," POINTER_CLIP "]}",
 		"t.gltf: /animations/0: limber ignores 1 of 1 channels, which KHR_animation_pointer defines (similar: /animations/1, /animations/2)");
 }
 

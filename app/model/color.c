@@ -32,30 +32,57 @@ float color_mirrored(float brightest)
 	return 0.22f * dark * dark;
 }
 
-/*
- * Returns color_mirrored() of a byte, as a byte, without floats: textures have
- * a million texels. 168.3 is 0.66 of 255, and 56.1 is 0.22 of it.
- */
-static unsigned int mirrored_byte(unsigned int brightest)
+/* 168.3 is 0.66 of 255, and 56.1 is 0.22 of it: the brightest that mirrors. */
+enum {
+	DARK_MAX = 168
+};
+
+/* Returns color_mirrored() of a byte up to DARK_MAX, as a byte. */
+static uint8_t mirrored_byte(unsigned int brightest)
 {
 	const uint32_t all = 1683, most = 561;
 	uint32_t dark = all - 10 * brightest;
 
-	return (most * dark * dark + 5 * all * all) / (10 * all * all);
+	return (uint8_t)((most * dark * dark + 5 * all * all) / (10 * all * all));
+}
+
+static unsigned int brightest_of(const uint8_t rgb[3])
+{
+	unsigned int brightest = rgb[0] > rgb[1] ? rgb[0] : rgb[1];
+
+	return brightest > rgb[2] ? brightest : rgb[2];
+}
+
+static void add_gray(uint8_t rgb[3], unsigned int gray)
+{
+	for (int i = 0; i < 3; i++) {
+		rgb[i] = (uint8_t)(rgb[i] + gray);
+	}
 }
 
 void color_mirror(uint8_t rgb[3])
 {
-	unsigned int brightest = rgb[0] > rgb[1] ? rgb[0] : rgb[1];
-	unsigned int add;
+	unsigned int brightest = brightest_of(rgb);
 
-	brightest = brightest > rgb[2] ? brightest : rgb[2];
-	if (brightest > 168) {
-		return;
+	if (brightest <= DARK_MAX) {
+		add_gray(rgb, mirrored_byte(brightest));
 	}
-	add = mirrored_byte(brightest);
-	for (int i = 0; i < 3; i++) {
-		rgb[i] = (uint8_t)(rgb[i] + add);
+}
+
+/* From a table, as a texture of a million texels delays the first picture. */
+void color_mirror_all(uint8_t (*rgba)[4], int count)
+{
+	uint8_t gray[DARK_MAX + 1];
+
+	for (unsigned int i = 0; i <= DARK_MAX; i++) {
+		gray[i] = mirrored_byte(i);
+	}
+	for (int i = 0; i < count; i++) {
+		unsigned int brightest = brightest_of(rgba[i]);
+
+		if (brightest <= DARK_MAX) {
+			add_gray(rgba[i], gray[brightest]);
+		}
 	}
 }
 

@@ -43,6 +43,9 @@ float color_mirrored(float brightest);
 /* Adds it to a colour of bytes. */
 void color_mirror(uint8_t rgb[3]);
 
+/* Adds it to each of count colours; alpha stays. */
+void color_mirror_all(uint8_t (*rgba)[4], int count);
+
 /* Maps 0..1 to 0..255, rounded. Other values are clamped; NaN becomes 0. */
 uint8_t color_to_byte(float value);
 

@@ -279,8 +279,8 @@ static GLuint upload(const struct gl *gl, const struct model_image *image,
 	if (resample(image, sampling, &texels) != 0) {
 		return 0;
 	}
-	for (int i = 0; lit && i < texels.width * texels.height; i++) {
-		color_mirror(texels.rgba[i]);
+	if (lit) {
+		color_mirror_all(texels.rgba, texels.width * texels.height);
 	}
 	packing = choose_packing(&texels, image->opaque, target);
 	packed = malloc(

@@ -34,6 +34,28 @@ static void test_a_darker_gray_stays_darker(void **state)
 	}
 }
 
+static void test_a_picture_mirrors_as_its_colours_do(void **state)
+{
+	uint8_t picture[256][4], alone[4];
+
+	(void)state;
+	for (int i = 0; i < 256; i++) {
+		for (int k = 0; k < 4; k++) {
+			picture[i][k] = (uint8_t)(k == i % 3 ? i : i / 2);
+		}
+	}
+	color_mirror_all(picture, 255);
+	for (int i = 0; i < 256; i++) {
+		for (int k = 0; k < 4; k++) {
+			alone[k] = (uint8_t)(k == i % 3 ? i : i / 2);
+		}
+		if (i < 255) {
+			color_mirror(alone);
+		}
+		assert_memory_equal(picture[i], alone, 4);
+	}
+}
+
 static void test_the_brightest_channel_says_what_all_get(void **state)
 {
 	uint8_t colors[4][3] = {
@@ -82,6 +104,7 @@ int main(void)
 		cmocka_unit_test(
 			test_black_mirrors_4_percent_and_bright_colours_nothing),
 		cmocka_unit_test(test_a_darker_gray_stays_darker),
+		cmocka_unit_test(test_a_picture_mirrors_as_its_colours_do),
 		cmocka_unit_test(test_the_brightest_channel_says_what_all_get),
 		cmocka_unit_test(
 			test_lit_materials_mirror_but_those_that_shine_do_not),

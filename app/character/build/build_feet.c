@@ -6,6 +6,7 @@
 #include "app/anim/math/vec.h"
 #include "app/character/run/feet.h"
 
+#include <errno.h>
 #include <string.h>
 
 /*
@@ -48,72 +49,75 @@ static const struct character_key keys[] = {
 	{0},
 };
 
-/* A visit of all vertices of a foot in the rest pose. */
-struct visit {
-	const struct character_build *build;
-	struct character_foot *foot;
-	/*
-	 * take_lowest(): the least height so far; take_sole(): the greatest
-	 * height of a vertex that is taken
-	 */
-	float below;
-	const struct ring *ring;
-	int first; /* index of the ring's first point in foot->sole */
-	void (*take)(struct visit *visit, const struct character_sole *sole,
-		const float place[3]);
+/* A vertex that moves with a foot, and its place in the rest pose. */
+struct found {
+	struct found *next; /* in the order of the vertices, or NULL */
+	struct character_sole sole;
+	float place[3];
 };
 
-static void visit_vertex(struct visit *visit, const struct character_sole *sole)
-{
-	float place[3];
+struct search {
+	const struct character_build *build;
+	int tip;             /* the foot's node */
+	struct arena *arena; /* of what is found */
+	struct found *first, **last;
+	float lowest;
+};
 
-	character_sole_place(sole, visit->build->character->instance, place);
-	visit->take(visit, sole, place);
+static int add_found(struct search *search, const struct character_sole *sole)
+{
+	struct found *found = ARENA_NEW(search->arena, struct found);
+
+	if (!found) {
+		return -ENOMEM;
+	}
+	found->sole = *sole;
+	character_sole_place(
+		sole, search->build->character->instance, found->place);
+	if (found->place[1] < search->lowest) {
+		search->lowest = found->place[1];
+	}
+	*search->last = found;
+	search->last = &found->next;
+	return 0;
 }
 
-/* Returns true if a node moves with the foot that is visited. */
-static bool is_of_foot(const struct visit *visit, int node)
+static int search_primitive(struct search *search, int node,
+	const struct model_primitive *primitive)
 {
-	return model_is_below(visit->build->model, node, visit->foot->leg.tip);
-}
+	const struct model *model = search->build->model;
+	int error = 0;
 
-static void visit_primitive(
-	struct visit *visit, int node, const struct model_primitive *primitive)
-{
-	const struct model *model = visit->build->model;
+	for (int v = 0; !error && v < primitive->vertex_count; v++) {
+		int mover = character_sole_mover(model, node, primitive, v);
 
-	for (int v = 0; v < primitive->vertex_count; v++) {
-		if (is_of_foot(visit,
-			    character_sole_mover(model, node, primitive, v))) {
+		if (model_is_below(model, mover, search->tip)) {
 			struct character_sole sole =
 				character_sole_of_vertex(model, node, primitive,
 					v, primitive->position[v]);
 
-			visit_vertex(visit, &sole);
+			error = add_found(search, &sole);
 		}
 	}
+	return error;
 }
 
-static void visit_all(struct visit *visit)
+static int search_model(struct search *search)
 {
-	const struct model *model = visit->build->model;
+	const struct model *model = search->build->model;
+	int error = 0;
 
 	for (int n = 0; n < model->node_count; n++) {
 		const struct model_mesh *mesh = model->node[n].mesh >= 0
 			? &model->mesh[model->node[n].mesh]
 			: NULL;
 
-		for (int i = 0; mesh && i < mesh->primitive_count; i++) {
-			visit_primitive(visit, n, &mesh->primitive[i]);
+		for (int i = 0; mesh && !error && i < mesh->primitive_count;
+			i++) {
+			error = search_primitive(search, n, &mesh->primitive[i]);
 		}
 	}
-}
-
-static void take_lowest(struct visit *visit, const struct character_sole *sole,
-	const float place[3])
-{
-	(void)sole;
-	visit->below = place[1] < visit->below ? place[1] : visit->below;
+	return error;
 }
 
 /* Returns how far a place of the sole is in a direction. */
@@ -122,19 +126,17 @@ static float towards(const float place[3], int which)
 	return place[0] * direction[which][0] + place[2] * direction[which][1];
 }
 
-/* Keeps the vertex in each direction in which it is the outermost one. */
-static void take_sole(struct visit *visit, const struct character_sole *sole,
-	const float place[3])
+/*
+ * Keeps the vertex in each direction in which it is the outermost one. The
+ * ring's points begin at first.
+ */
+static void take_sole(struct character_foot *foot, const struct ring *ring,
+	int first, const struct found *found)
 {
-	const struct ring *ring = visit->ring;
-	struct character_foot *foot = visit->foot;
-	int i = visit->first;
+	int i = first;
 
-	if (place[1] > visit->below) {
-		return;
-	}
 	while (ring->of_bone && i < foot->sole_count &&
-		foot->sole[i].node[0] != sole->node[0]) {
+		foot->sole[i].node[0] != found->sole.node[0]) {
 		i += ring->directions;
 	}
 	if (i + ring->directions > CHARACTER_SOLE_MAX) {
@@ -142,9 +144,11 @@ static void take_sole(struct visit *visit, const struct character_sole *sole,
 	}
 	for (int which = 0; which < ring->directions; which++, i++) {
 		if (i >= foot->sole_count ||
-			towards(place, which) > towards(foot->place[i], which)) {
-			foot->sole[i] = *sole;
-			memcpy(foot->place[i], place, sizeof(foot->place[i]));
+			towards(found->place, which) >
+				towards(foot->place[i], which)) {
+			foot->sole[i] = found->sole;
+			memcpy(foot->place[i], found->place,
+				sizeof(foot->place[i]));
 		}
 	}
 	foot->sole_count = i > foot->sole_count ? i : foot->sole_count;
@@ -186,29 +190,38 @@ static void find_ends(struct character_foot *foot)
 }
 
 /* A foot without vertices stands on its last bone. */
-static void find_sole(const struct character_build *build,
-	const struct character_feet *feet, struct character_foot *foot)
+static int find_sole(const struct character_build *build, float height_m,
+	struct character_foot *foot)
 {
 	static const float origin[3] = {0};
-	struct visit visit = {
-		.build = build, .foot = foot, .below = 1e9f, .take = take_lowest};
-	float low;
+	struct arena arena = arena_within(build->arena->budget);
+	struct search search = {.build = build,
+		.tip = foot->leg.tip,
+		.arena = &arena,
+		.lowest = 1e9f};
+	int error;
 
-	visit_all(&visit);
-	low = visit.below;
-	visit.take = take_sole;
-	for (size_t i = 0; i < ARRAY_COUNT(rings); i++) {
-		visit.ring = &rings[i];
-		visit.first = foot->sole_count;
-		visit.below = low + rings[i].height * feet->height_m;
-		visit_all(&visit);
+	search.last = &search.first;
+	error = search_model(&search);
+	for (size_t i = 0; !error && i < ARRAY_COUNT(rings); i++) {
+		float up_to = search.lowest + rings[i].height * height_m;
+		int first = foot->sole_count;
+
+		for (const struct found *found = search.first; found;
+			found = found->next) {
+			if (!(found->place[1] > up_to)) {
+				take_sole(foot, &rings[i], first, found);
+			}
+		}
 	}
+	arena_release(&arena);
 	drop_twins(foot);
 	find_ends(foot);
 	if (foot->sole_count == 0) {
 		foot->sole_count = 1;
 		foot->sole[0] = character_sole_on_node(foot->leg.tip, origin);
 	}
+	return error;
 }
 
 static float distance(const struct character_build *build, int a, int b)
@@ -285,7 +298,9 @@ int character_build_feet(struct character_build *build,
 	for (int side = 0; side < 2; side++) {
 		struct character_foot *foot = &feet->foot[side];
 
-		find_sole(build, feet, foot);
+		if (find_sole(build, feet->height_m, foot) != 0) {
+			return character_fail_memory(build);
+		}
 		foot->step_s = -1;
 		foot->planted_m = planted_height * feet->height_m;
 		foot->length_m =

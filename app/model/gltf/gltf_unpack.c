@@ -85,6 +85,23 @@ static float get_float(
 	return value < -1 ? -1 : value;
 }
 
+/* Copies elements of numbers of 32 bits, which most numbers of a model are. */
+static void copy_words(const struct gltf_elements *elements, int count,
+	size_t width, void *out)
+{
+	uint8_t *to = out;
+
+	for (int i = 0; i < count; i++) {
+		const uint8_t *from = element_at(elements, i);
+
+		for (size_t k = 0; k < width; k++, to += 4) {
+			uint32_t word = little_endian_u32(from + 4 * k);
+
+			memcpy(to, &word, sizeof(word));
+		}
+	}
+}
+
 /* Unpacks an element, without the bytes that align a matrix's columns. */
 static void unpack_floats(const struct gltf_elements *elements, int index,
 	const struct gltf_accessor *accessor, float *out)
@@ -127,9 +144,13 @@ int gltf_unpack_floats(const struct gltf_at *at,
 	int i;
 
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
-	for (i = 0; accessor->base.data && i < accessor->count; i++) {
-		unpack_floats(
-			&accessor->base, i, accessor, out + (size_t)i * width);
+	if (accessor->base.data && accessor->base.component == GLTF_F32) {
+		copy_words(&accessor->base, accessor->count, width, out);
+	} else {
+		for (i = 0; accessor->base.data && i < accessor->count; i++) {
+			unpack_floats(&accessor->base, i, accessor,
+				out + (size_t)i * width);
+		}
 	}
 	for (i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
@@ -142,32 +163,34 @@ int gltf_unpack_floats(const struct gltf_at *at,
 		: 0;
 }
 
-static void unpack_uints(const struct gltf_elements *elements, int index,
-	int width, uint32_t *out)
+/* Unpacks count elements from the first one on. */
+static void unpack_uints(const struct gltf_elements *elements, int first,
+	int count, size_t width, uint32_t *out)
 {
-	const uint8_t *bytes = element_at(elements, index);
-	size_t size = gltf_component_bytes(elements->component);
-	int i;
+	enum gltf_component component = elements->component;
+	size_t size = gltf_component_bytes(component);
 
-	for (i = 0; i < width; i++) {
-		out[i] = get_uint(bytes + (size_t)i * size, elements->component);
+	for (int i = first; i < first + count; i++) {
+		const uint8_t *bytes = element_at(elements, i);
+
+		for (size_t k = 0; k < width; k++) {
+			*out++ = get_uint(bytes + k * size, component);
+		}
 	}
 }
 
 void gltf_unpack_uints(const struct gltf_accessor *accessor, uint32_t *out)
 {
 	size_t width = (size_t)accessor->width;
-	int i;
 
 	memset(out, 0, (size_t)accessor->count * width * sizeof(*out));
-	for (i = 0; accessor->base.data && i < accessor->count; i++) {
-		unpack_uints(&accessor->base, i, accessor->width,
-			out + (size_t)i * width);
+	if (accessor->base.data) {
+		unpack_uints(&accessor->base, 0, accessor->count, width, out);
 	}
-	for (i = 0; i < accessor->sparse_count; i++) {
+	for (int i = 0; i < accessor->sparse_count; i++) {
 		uint32_t element = gltf_get_uint(&accessor->sparse_index, i);
 
-		unpack_uints(&accessor->sparse_value, i, accessor->width,
+		unpack_uints(&accessor->sparse_value, i, 1, width,
 			out + element * width);
 	}
 }

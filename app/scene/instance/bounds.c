@@ -1,10 +1,12 @@
 #include "app/scene/instance/bounds.h"
 
 #include "app/anim/clip.h"
+#include "platform/base/compiler.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum {
 	CLIP_STEPS = 12,
@@ -95,53 +97,49 @@ float bounds_ground(const struct bounds *bounds)
 		: bounds->low[1];
 }
 
-static int16_t lesser(int16_t a, int16_t b)
+/* Signed halves of a word in the order of unsigned ones, and back. */
+static uint32_t flip_signs(uint32_t halves)
 {
-	return a < b ? a : b;
-}
-
-static int16_t greater(int16_t a, int16_t b)
-{
-	return a > b ? a : b;
+	return halves ^ 0x80008000u;
 }
 
 /*
  * Adds the posed vertices, which are the first ones.
- * Finds the 16-bit bounds first and converts only these. The result equals that
- * of converting each vertex, because the conversion is monotonic.
+ * Finds the 16-bit bounds first, two numbers at a time, and converts only
+ * these. The result equals that of converting each vertex, because the
+ * conversion is monotonic.
  */
 static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
 {
 	const struct fixed_placement *placement = &drawable->fixed->placement;
 	const struct fixed_vector *v = drawable->fixed->position;
-	const struct fixed_vector *end = v +
-		fixed_skin_posed_count(
-			&drawable->fixed->skin, drawable->posed_lod);
-	struct fixed_vector low = {
-		.x = INT16_MAX, .y = INT16_MAX, .z = INT16_MAX};
-	struct fixed_vector high = {
-		.x = INT16_MIN, .y = INT16_MIN, .z = INT16_MIN};
+	int count = fixed_skin_posed_count(
+		&drawable->fixed->skin, drawable->posed_lod);
+	uint32_t low[2] = {UINT32_MAX, UINT32_MAX}, high[2] = {0, 0};
 
-	if (v == end) {
+	if (count == 0) {
 		return;
 	}
-	for (; v < end; v++) {
-		low.x = lesser(low.x, v->x);
-		low.y = lesser(low.y, v->y);
-		low.z = lesser(low.z, v->z);
-		high.x = greater(high.x, v->x);
-		high.y = greater(high.y, v->y);
-		high.z = greater(high.z, v->z);
+	for (int i = 0; i < count; i++) {
+		for (size_t k = 0; k < 2; k++) {
+			uint32_t word;
+
+			memcpy(&word, (const uint8_t *)&v[i] + 4 * k,
+				sizeof(word));
+			word = flip_signs(word);
+			low[k] = least_halves(low[k], word);
+			high[k] = most_halves(high[k], word);
+		}
 	}
 	for (int side = 0; side < 2; side++) {
-		const struct fixed_vector *corner = side ? &high : &low;
-		const int16_t at[3] = {corner->x, corner->y, corner->z};
+		const uint32_t *flipped = side ? high : low;
+		uint32_t word[2] = {
+			flip_signs(flipped[0]), flip_signs(flipped[1])};
+		struct fixed_vector corner;
 		float point[3];
 
-		for (int axis = 0; axis < 3; axis++) {
-			point[axis] = (float)at[axis] * placement->scale +
-				placement->offset[axis];
-		}
+		memcpy(&corner, word, sizeof(corner));
+		fixed_placement_apply(placement, &corner, point);
 		bounds_add(bounds, point);
 	}
 }

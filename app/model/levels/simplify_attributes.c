@@ -143,8 +143,9 @@ static float weight_of(const struct model_primitive *primitive, uint32_t vertex,
 	float weight = 0.0f;
 
 	for (size_t i = at; i < at + count; i++) {
-		weight += primitive->joint[i] == joint ? primitive->weight[i]
-						       : 0.0f;
+		if (primitive->joint[i] == joint) {
+			weight += primitive->weight[i];
+		}
 	}
 	return weight;
 }
@@ -199,6 +200,37 @@ static bool is_first(
 }
 
 /*
+ * Returns the length of the covariance of weight and position over the corners,
+ * for the joint of influence i of a corner; 0 if an earlier influence or corner
+ * has the joint, too.
+ */
+static float covariance(const struct simplify *simplify,
+	const struct place *place, int corner, size_t i)
+{
+	const struct model_primitive *primitive = simplify->primitive;
+	size_t at = place->vertex[corner] * (size_t)primitive->influences;
+	float weight[3], along[3] = {0.0f, 0.0f, 0.0f}, mean;
+
+	if (!is_first(primitive, at, at + i)) {
+		return 0.0f;
+	}
+	mean = shared_weight(simplify, place, primitive->joint[at + i], weight);
+	if ((corner > 0 && weight[0] > 0.0f) ||
+		(corner > 1 && weight[1] > 0.0f)) {
+		return 0.0f;
+	}
+	for (int k = 0; k < 3; k++) {
+		const float *p = simplify->position[place->vertex[k]];
+		float factor = place->share[k] * (weight[k] - mean);
+
+		for (int axis = 0; axis < 3; axis++) {
+			along[axis] += factor * p[axis];
+		}
+	}
+	return scalar_sqrt(dot(along, along));
+}
+
+/*
  * The error of a bent limb. A skin moves a point by products of weights and
  * position. If both change along a triangle, a straight edge cuts off the curve
  * of a bent limb, for each joint by the covariance of weight and position over
@@ -208,31 +240,13 @@ static bool is_first(
 static float bend_square(
 	const struct simplify *simplify, const struct place *place)
 {
-	const struct model_primitive *primitive = simplify->primitive;
-	size_t count = (size_t)primitive->influences;
+	size_t count = (size_t)simplify->primitive->influences;
 	float sum = 0.0f;
 
-	for (size_t i = 0; i < 3 * count; i++) {
-		size_t corner = i / count;
-		size_t at = place->vertex[corner] * count;
-		uint16_t joint = primitive->joint[at + i % count];
-		float weight[3], along[3] = {0.0f, 0.0f, 0.0f}, mean;
-
-		mean = shared_weight(simplify, place, joint, weight);
-		if (!is_first(primitive, at, at + i % count) ||
-			(corner > 0 && weight[0] > 0.0f) ||
-			(corner > 1 && weight[1] > 0.0f)) {
-			continue; /* not used here, or counted before */
+	for (int corner = 0; corner < 3; corner++) {
+		for (size_t i = 0; i < count; i++) {
+			sum += covariance(simplify, place, corner, i);
 		}
-		for (int k = 0; k < 3; k++) {
-			const float *p = simplify->position[place->vertex[k]];
-			float factor = place->share[k] * (weight[k] - mean);
-
-			for (int axis = 0; axis < 3; axis++) {
-				along[axis] += factor * p[axis];
-			}
-		}
-		sum += scalar_sqrt(dot(along, along));
 	}
 	sum *= 0.5f * bend_distance;
 	return sum * sum;

@@ -95,31 +95,45 @@ static int gather_deltas(const struct fixed_skin *skin,
 	return 0;
 }
 
+/* Computes the sums of all targets' |delta| of a moved vertex. */
+static void sum_deltas(const struct fixed_skin_targets *targets,
+	int target_count, enum fixed_attribute attribute, int moved,
+	float sum[3])
+{
+	memset(sum, 0, sizeof(float[3]));
+	for (int t = 0; t < target_count; t++) {
+		float delta[3];
+
+		model_deltas_get(fixed_attribute_deltas(
+					 &targets->zero.target[t], attribute),
+			moved, delta);
+		for (int axis = 0; axis < 3; axis++) {
+			sum[axis] += scalar_abs(delta[axis]);
+		}
+	}
+}
+
 /*
- * Computes extent[], the sums of all targets' |delta| of positions, and
- * largest[], the largest such sum of each attribute.
+ * Computes extent[], the sums of positions, and largest[], the largest sum of
+ * each attribute.
  */
 static void measure_deltas(struct fixed_skin_targets *targets, int target_count)
 {
-	for (int i = 0; i < FIXED_ATTRIBUTES * targets->moved_count * 3; i++) {
-		int a = i / (targets->moved_count * 3);
-		int m = i / 3 % targets->moved_count;
-		float sum = 0.0f;
+	for (int a = 0; a < FIXED_ATTRIBUTES; a++) {
+		float *largest = &targets->largest[a];
 
-		for (int t = 0; t < target_count; t++) {
-			float delta[3];
+		for (int m = 0; m < targets->moved_count; m++) {
+			float sum[3];
 
-			model_deltas_get(
-				fixed_attribute_deltas(&targets->zero.target[t],
-					(enum fixed_attribute)a),
-				m, delta);
-			sum += scalar_abs(delta[i % 3]);
-		}
-		if (a == FIXED_POSITION) {
-			targets->extent[m][i % 3] = sum;
-		}
-		if (sum > targets->largest[a]) {
-			targets->largest[a] = sum;
+			sum_deltas(targets, target_count,
+				(enum fixed_attribute)a, m, sum);
+			for (int axis = 0; axis < 3; axis++) {
+				*largest = sum[axis] > *largest ? sum[axis]
+								: *largest;
+			}
+			if (a == FIXED_POSITION) {
+				memcpy(targets->extent[m], sum, sizeof(sum));
+			}
 		}
 	}
 }

@@ -106,12 +106,13 @@ static void fill_patches(struct tiles *tiles)
 		if (area_of(&r) == 0) {
 			return;
 		}
-		for (int i = 0; i < area_of(&r); i++) {
-			const int x = r.x + i % r.width, y = r.y + i / r.width;
-			uint32_t *quad =
-				&tiles->quad[(y << tiles->side_log2) + x];
+		for (int y = r.y; y < r.y + r.height; y++) {
+			uint32_t *quad = &tiles->quad[y << tiles->side_log2];
 
-			*quad = QUAD_PATCH | number << 8 | (*quad & 127);
+			for (int x = r.x; x < r.x + r.width; x++) {
+				quad[x] = QUAD_PATCH | number << 8 |
+					(quad[x] & 127);
+			}
 		}
 		set_range(
 			tiles->patch[number].s, r.x, r.width, tiles->side_log2);
@@ -122,16 +123,16 @@ static void fill_patches(struct tiles *tiles)
 
 static void fill_fine(struct tiles *tiles)
 {
-	const int side = 4 << tiles->side_log2;
+	const uint32_t side_log2 = (uint32_t)tiles->side_log2 + 2;
 
-	for (int i = 0; i < side * side; i++) {
-		int x = i % side, y = i / side;
+	for (uint32_t i = 0; i < 1u << 2 * side_log2; i++) {
+		uint32_t x = i & ((1u << side_log2) - 1), y = i >> side_log2;
 		uint32_t quad = tiles->quad[(y / 4 << tiles->side_log2) + x / 4];
 
 		tiles->fine[i] = (uint8_t)(quad & QUAD_PATCH
 				? FINE_PATCH
-				: quad_mix(quad, (uint32_t)(x % 4) * 64 + 32,
-					  (uint32_t)(y % 4) * 64 + 32));
+				: quad_mix(quad, x % 4 * 64 + 32,
+					  y % 4 * 64 + 32));
 	}
 }
 

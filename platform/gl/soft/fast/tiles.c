@@ -69,22 +69,20 @@ static int area_of(const struct rectangle *r)
 	return r->width * r->height;
 }
 
-/* The largest rectangle of equal quads, of equal texels, that is no patch yet. */
-static struct rectangle find_largest(const struct tiles *tiles)
+/* The largest rectangle in row y of equal quads, of equal texels, but patches. */
+static struct rectangle find_in_row(const struct tiles *tiles, int y)
 {
 	const int side = 1 << tiles->side_log2;
 	struct rectangle largest = {0};
 
-	for (int y = 0; y < side; y++) {
-		for (int x = 0; x < side; x++) {
-			const uint32_t quad = tiles->quad[y * side + x];
-			struct rectangle r = {0};
+	for (int x = 0; x < side; x++) {
+		const uint32_t quad = tiles->quad[(y << tiles->side_log2) + x];
+		struct rectangle r;
 
-			if (quad == (quad & 127) * 0x01010101u) {
-				r = grow(tiles, x, y);
-				/* the left end of equal quads stands for all */
-				x += r.width - 1;
-			}
+		if (quad == (quad & 127) * 0x01010101u) {
+			r = grow(tiles, x, y);
+			/* the left end of equal quads stands for all */
+			x += r.width - 1;
 			largest = area_of(&r) > area_of(&largest) ? r : largest;
 		}
 	}
@@ -98,26 +96,54 @@ static void set_range(uint32_t range[2], int from, int size, int side_log2)
 	range[1] = ((uint32_t)(from + size) << (32 - side_log2)) - 1;
 }
 
+static void make_patch(
+	struct tiles *tiles, const struct rectangle *r, uint32_t number)
+{
+	for (int y = r->y; y < r->y + r->height; y++) {
+		uint32_t *quad = &tiles->quad[y << tiles->side_log2];
+
+		for (int x = r->x; x < r->x + r->width; x++) {
+			quad[x] = QUAD_PATCH | number << 8 | (quad[x] & 127);
+		}
+	}
+	set_range(tiles->patch[number].s, r->x, r->width, tiles->side_log2);
+	set_range(tiles->patch[number].t, r->y, r->height, tiles->side_log2);
+}
+
+static bool overlap(const struct rectangle *a, const struct rectangle *b)
+{
+	return a->x < b->x + b->width && b->x < a->x + a->width &&
+		a->y < b->y + b->height && b->y < a->y + a->height;
+}
+
+/*
+ * Makes patches of the largest rectangles. One changes those of the rows that
+ * it covers, and those that it overlaps.
+ */
 static void fill_patches(struct tiles *tiles)
 {
-	for (uint32_t number = 1; number <= PATCHES_MOST; number++) {
-		const struct rectangle r = find_largest(tiles);
+	const int side = 1 << tiles->side_log2;
+	struct rectangle row[TILE_SIDE_MAX];
 
-		if (area_of(&r) == 0) {
+	for (int y = 0; y < side; y++) {
+		row[y] = find_in_row(tiles, y);
+	}
+	for (uint32_t number = 1; number <= PATCHES_MOST; number++) {
+		struct rectangle largest = row[0];
+
+		for (int y = 1; y < side; y++) {
+			largest = area_of(&row[y]) > area_of(&largest) ? row[y]
+								       : largest;
+		}
+		if (area_of(&largest) == 0) {
 			return;
 		}
-		for (int y = r.y; y < r.y + r.height; y++) {
-			uint32_t *quad = &tiles->quad[y << tiles->side_log2];
-
-			for (int x = r.x; x < r.x + r.width; x++) {
-				quad[x] = QUAD_PATCH | number << 8 |
-					(quad[x] & 127);
+		make_patch(tiles, &largest, number);
+		for (int y = 0; y < largest.y + largest.height; y++) {
+			if (y >= largest.y || overlap(&row[y], &largest)) {
+				row[y] = find_in_row(tiles, y);
 			}
 		}
-		set_range(
-			tiles->patch[number].s, r.x, r.width, tiles->side_log2);
-		set_range(tiles->patch[number].t, r.y, r.height,
-			tiles->side_log2);
 	}
 }
 

@@ -72,17 +72,19 @@ void color_mirror(uint8_t rgb[3])
 /* From a table, as a texture of a million texels delays the first picture. */
 void color_mirror_all(uint8_t (*rgba)[4], int count)
 {
-	uint8_t gray[DARK_MAX + 1];
+	uint32_t add[256] = {0}; /* no sum of a byte exceeds 255 */
 
 	for (unsigned int i = 0; i <= DARK_MAX; i++) {
-		gray[i] = mirrored_byte(i);
+		uint8_t gray = mirrored_byte(i), bytes[4] = {gray, gray, gray};
+
+		memcpy(&add[i], bytes, sizeof(add[i]));
 	}
 	for (int i = 0; i < count; i++) {
-		unsigned int brightest = brightest_of(rgba[i]);
+		uint32_t word;
 
-		if (brightest <= DARK_MAX) {
-			add_gray(rgba[i], gray[brightest]);
-		}
+		memcpy(&word, rgba[i], sizeof(word));
+		word += add[brightest_of(rgba[i])];
+		memcpy(rgba[i], &word, sizeof(word));
 	}
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/model/color.h"
 #include "app/scene/draw/bump.h"
+#include "app/scene/draw/texels.h"
 #include "platform/base/fixed.h"
 
 #include <errno.h>
@@ -9,8 +10,6 @@
 #include <string.h>
 
 enum {
-	SIDE_MAX = 1024,
-	SMALL_MAX = 128, /* a side of few texels is enlarged to this at most */
 	/* without a context, a driver may return errors for ever */
 	ERRORS_MAX = 16
 };
@@ -21,37 +20,6 @@ enum {
 	SHOWN_AS_IS = 2, /* as light, without light, or as normals */
 };
 
-/* An image whose sides are powers of two. */
-struct texels {
-	int width, height;
-	uint8_t (*rgba)[4];
-};
-
-/*
- * A side of few texels, such as a row of colours, becomes several times as
- * long: each of its texels then keeps its colour in its middle.
- */
-static int power_of_two_near(int side)
-{
-	int power = 1;
-
-	while (power < side && power < SIDE_MAX) {
-		power *= 2;
-	}
-	if (power > side && power <= SMALL_MAX / 2) {
-		return 4 * power < SMALL_MAX ? 4 * power : SMALL_MAX;
-	}
-	/* The nearer one: 300 becomes 256, 400 becomes 512. */
-	return power > 1 && power - side > side - power / 2 ? power / 2 : power;
-}
-
-static int upload_side(int side, enum model_wrap wrap)
-{
-	int power = power_of_two_near(side);
-
-	return wrap == MODEL_MIRROR && power < SIDE_MAX ? 2 * power : power;
-}
-
 /*
  * The memory of a texture in the GL, and as much again for the tables that a
  * driver such as soft makes of it. Mipmaps add a third.
@@ -59,121 +27,11 @@ static int upload_side(int side, enum model_wrap wrap)
 static size_t texture_bytes(const struct model_image *image,
 	const struct model_texture *sampling, enum pixel_format target)
 {
-	size_t texels = (size_t)upload_side(image->width, sampling->wrap_s) *
-		(size_t)upload_side(image->height, sampling->wrap_t);
+	size_t texels = (size_t)texels_side(image->width, sampling->wrap_s) *
+		(size_t)texels_side(image->height, sampling->wrap_t);
 	size_t bytes = texels * (target == PIXELS_RGB565 ? 4 : 8);
 
 	return sampling->mipmap ? bytes + bytes / 3 : bytes;
-}
-
-/*
- * Returns the source column or row, in 1/256, at a texel's centre. If the model
- * asks for the nearest texel, it is a whole column or row, so that texels are
- * not interpolated.
- */
-static int source_at(int texel, int side, int source_side, enum model_wrap wrap,
-	bool nearest)
-{
-	int once = wrap == MODEL_MIRROR ? side / 2 : side;
-	int64_t at;
-
-	if (texel >= once) {
-		texel = side - 1 - texel;
-	}
-	at = ((int64_t)texel * 2 + 1) * source_side * 128 / once - 128;
-	at = nearest ? (at + 128) & ~255 : at;
-	if (at < 0) {
-		return 0;
-	}
-	return at > (source_side - 1) * 256 ? (source_side - 1) * 256 : (int)at;
-}
-
-static void sample(
-	const struct model_image *image, int x_q8, int y_q8, uint8_t out[4])
-{
-	int x = x_q8 >> 8, y = y_q8 >> 8;
-	int fx = x_q8 & 255, fy = y_q8 & 255;
-	int x1 = x + 1 < image->width ? x + 1 : x;
-	int y1 = y + 1 < image->height ? y + 1 : y;
-	const uint8_t *row = image->rgba + (size_t)y * (size_t)image->width * 4;
-	const uint8_t *row1 =
-		image->rgba + (size_t)y1 * (size_t)image->width * 4;
-
-	for (int i = 0; i < 4; i++) {
-		int above = row[x * 4 + i] * (256 - fx) + row[x1 * 4 + i] * fx;
-		int below = row1[x * 4 + i] * (256 - fx) + row1[x1 * 4 + i] * fx;
-
-		out[i] = (uint8_t)((above * (256 - fy) + below * fy + 32768) >>
-			16);
-	}
-}
-
-static int resample(const struct model_image *image,
-	const struct model_texture *sampling, struct texels *out)
-{
-	bool nearest = sampling->nearest;
-
-	out->width = upload_side(image->width, sampling->wrap_s);
-	out->height = upload_side(image->height, sampling->wrap_t);
-	out->rgba = malloc((size_t)out->width * (size_t)out->height * 4);
-	if (!out->rgba) {
-		return -ENOMEM;
-	}
-	if (out->width == image->width && out->height == image->height) {
-		memcpy(out->rgba, image->rgba,
-			(size_t)out->width * (size_t)out->height * 4);
-		return 0;
-	}
-	for (int y = 0; y < out->height; y++) {
-		int from_y = source_at(y, out->height, image->height,
-			sampling->wrap_t, nearest);
-
-		for (int x = 0; x < out->width; x++) {
-			sample(image,
-				source_at(x, out->width, image->width,
-					sampling->wrap_s, nearest),
-				from_y, out->rgba[y * out->width + x]);
-		}
-	}
-	return 0;
-}
-
-/* Makes the next mipmap level in place: each texel averages two or four. */
-static void halve(struct texels *texels)
-{
-	int step_x = texels->width > 1, step_y = texels->height > 1;
-	int width = texels->width >> step_x, height = texels->height >> step_y;
-
-	for (int y = 0; y < height; y++) {
-		for (int x = 0; x < width; x++) {
-			int at = (y << step_y) * texels->width + (x << step_x);
-			int below = at + step_y * texels->width;
-
-			for (int i = 0; i < 4; i++) {
-				int sum = texels->rgba[at][i] +
-					texels->rgba[at + step_x][i] +
-					texels->rgba[below][i] +
-					texels->rgba[below + step_x][i];
-
-				texels->rgba[y * width + x][i] =
-					(uint8_t)((sum + 2) / 4);
-			}
-		}
-	}
-	texels->width = width;
-	texels->height = height;
-}
-
-static bool is_gray(const struct texels *texels)
-{
-	for (int i = 0; i < texels->width * texels->height; i++) {
-		const uint8_t *t = texels->rgba[i];
-
-		if (t[0] != t[1] || t[0] != t[2]) {
-			return false;
-		}
-	}
-	return true;
 }
 
 /* The formats in which texels are passed to GL. */
@@ -187,27 +45,12 @@ enum packing {
 static enum packing choose_packing(
 	const struct texels *texels, bool opaque, enum pixel_format target)
 {
-	if (opaque && is_gray(texels)) {
+	if (opaque && texels_are_gray(texels)) {
 		return PACK_GRAY;
 	}
 	return target != PIXELS_RGB565 ? PACK_RGBA
 		: opaque               ? PACK_565
 				       : PACK_4444;
-}
-
-static void pack_short(
-	const struct texels *texels, enum packing packing, uint16_t *out)
-{
-	for (int i = 0; i < texels->width * texels->height; i++) {
-		const uint8_t *t = texels->rgba[i];
-
-		int packed = packing == PACK_565
-			? (t[0] >> 3) << 11 | (t[1] >> 2) << 5 | t[2] >> 3
-			: (t[0] >> 4) << 12 | (t[1] >> 4) << 8 |
-				(t[2] >> 4) << 4 | t[3] >> 4;
-
-		out[i] = (uint16_t)packed;
-	}
 }
 
 /* packed is scratch memory with 16 bits for each texel. */
@@ -227,11 +70,11 @@ static void upload_level(const struct gl *gl, int level,
 	if (packing == PACK_RGBA) {
 		data = texels->rgba;
 	} else if (packing == PACK_GRAY) {
-		for (int i = 0; i < texels->width * texels->height; i++) {
-			((uint8_t *)packed)[i] = texels->rgba[i][0];
-		}
+		texels_pack_gray(texels, (uint8_t *)packed);
+	} else if (packing == PACK_565) {
+		texels_pack_565(texels, packed);
 	} else {
-		pack_short(texels, packing, packed);
+		texels_pack_4444(texels, packed);
 	}
 	gl->TexImage2D(GL_TEXTURE_2D, level, (GLint)as[packing].format,
 		texels->width, texels->height, 0, as[packing].format,
@@ -276,7 +119,7 @@ static GLuint upload(const struct gl *gl, const struct model_image *image,
 	GLuint name = 0;
 	int level = 0;
 
-	if (resample(image, sampling, &texels) != 0) {
+	if (texels_resample(image, sampling, &texels) != 0) {
 		return 0;
 	}
 	if (lit) {
@@ -294,7 +137,7 @@ static GLuint upload(const struct gl *gl, const struct model_image *image,
 	set_sampling(gl, sampling);
 	upload_level(gl, level, &texels, packing, packed);
 	while (sampling->mipmap && (texels.width > 1 || texels.height > 1)) {
-		halve(&texels);
+		texels_halve(&texels);
 		upload_level(gl, ++level, &texels, packing, packed);
 	}
 	if (!texture_memory_ok(gl)) {

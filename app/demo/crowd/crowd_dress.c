@@ -103,14 +103,42 @@ static int use_plain_cloth(struct instance *instance)
 	return 0;
 }
 
-static bool has_clothes(const struct model *model)
+static bool is_shirt(const struct model_material *material)
 {
-	for (int i = 0; i < model->material_count; i++) {
-		if (strcmp(model->material[i].name, "shirt") == 0) {
-			return true;
-		}
+	return strcmp(material->name, "shirt") == 0;
+}
+
+/*
+ * Whether a primitive is made as those of the walker are: without a texture it
+ * has a colour at each vertex, and only the shirt has a texture without a
+ * normal map.
+ */
+static bool is_made_as_walker(
+	const struct model *model, const struct model_primitive *primitive)
+{
+	const struct model_material *material =
+		&model->material[primitive->material];
+
+	if (material->texture < 0) {
+		return primitive->color != NULL;
 	}
-	return false;
+	return material->normal_texture >= 0 || is_shirt(material);
+}
+
+/* Other models may have a material of this name, too. */
+static bool has_clothes(const struct instance *instance)
+{
+	const struct model *model = instance->model;
+	bool has_shirt = false;
+
+	for (int i = 0; i < model->material_count; i++) {
+		has_shirt = has_shirt || is_shirt(&model->material[i]);
+	}
+	for (int i = 0; has_shirt && i < instance->drawable_count; i++) {
+		has_shirt = is_made_as_walker(
+			model, instance->drawable[i].primitive);
+	}
+	return has_shirt;
 }
 
 /* Tints the whole figure lightly by the colour of the look's shirt. */
@@ -153,7 +181,7 @@ int crowd_dress(struct instance *instance, int number)
 	struct dyeing dyeing = {.look = look};
 	int error;
 
-	if (!has_clothes(model)) {
+	if (!has_clothes(instance)) {
 		return tint(instance, look);
 	}
 	dyeing.height = find_height(instance);

@@ -1,6 +1,7 @@
 /* The looks of the crowd's walkers. */
 #include "app/demo/crowd/crowd_dress.h"
 #include "platform/base/compiler.h"
+#include "platform/base/fixed.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -239,6 +240,49 @@ static void test_what_is_exactly_at_an_edge_keeps_its_colour(void **state)
 	}
 }
 
+/* Which of the walker's traits a figure with a material named "shirt" lacks. */
+enum trait {
+	VERTEX_COLORS,
+	PLAIN_SKIN
+};
+
+/* How the second look changes a figure that lacks the trait. */
+static void expect_tint_without(enum trait trait)
+{
+	static const uint8_t gray[4] = {200, 200, 200, 255};
+	struct model *model = make_board(1, gray);
+	struct model_primitive *body = model->mesh[0].primitive;
+	struct model_material material[2] = {
+		model->material[0], model->material[0]};
+	struct instance *instance;
+
+	model->material = material;
+	model->material_count = 2;
+	if (trait == VERTEX_COLORS) {
+		body->color = NULL;
+	} else {
+		material[1].name = "skin";
+		material[1].texture = 0;
+		body->material = 1;
+	}
+	instance = small_model_instance(model);
+	assert_int_equal(crowd_dress(instance, 1), 0);
+	assert_ptr_equal(instance->model, model);
+	assert_in_range(instance->drawable[0].color[1],
+		(unsigned long)(0.73 * FX16_ONE),
+		(unsigned long)(0.76 * FX16_ONE));
+	instance_destroy(instance);
+	model_destroy(model);
+}
+
+/* The clothes' rules are those of one model, but "shirt" is a common name. */
+static void test_a_shirt_of_another_model_is_tinted_with_its_figure(void **state)
+{
+	(void)state;
+	expect_tint_without(VERTEX_COLORS);
+	expect_tint_without(PLAIN_SKIN);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -250,6 +294,8 @@ int main(void)
 			test_hair_trousers_and_shoes_are_told_apart_by_their_height),
 		cmocka_unit_test(
 			test_what_is_exactly_at_an_edge_keeps_its_colour),
+		cmocka_unit_test(
+			test_a_shirt_of_another_model_is_tinted_with_its_figure),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,6 +33,13 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 int examine_skins(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
 
+/*
+ * Returns the number of primitives that some node shows with normals on the
+ * other side than the front of their triangles, at rest, or -ENOMEM. Uses the
+ * arena for arrays of its own.
+ */
+int examine_find_reversed(const struct model *model, struct arena *arena);
+
 /* Reports a finding formatted as by printf(), truncated to 400 bytes. */
 void examine_report(const struct examiner *examiner, const char *format, ...)
 	PRINTF_LIKE(2, 3);

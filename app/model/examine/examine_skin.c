@@ -152,48 +152,11 @@ static void report_skins(const struct model *model, struct use *uses,
 	}
 }
 
-/*
- * Returns the product of a triangle's normal, by the order of its corners, and
- * of the sum of its corners' normals.
- */
-static float facing(
-	const struct model_primitive *primitive, const uint32_t corner[3])
+/* reversed is the number of primitives that are lit from the wrong side. */
+static void report_meshes(const struct model *model, int reversed,
+	const struct examiner *examiner)
 {
-	float side[2][3], sum[3];
-
-	for (int axis = 0; axis < 3; axis++) {
-		float from = primitive->position[corner[0]][axis];
-
-		sum[axis] = primitive->normal[corner[0]][axis];
-		for (int i = 0; i < 2; i++) {
-			uint32_t v = corner[i + 1];
-
-			side[i][axis] = primitive->position[v][axis] - from;
-			sum[axis] += primitive->normal[v][axis];
-		}
-	}
-	return sum[0] * (side[0][1] * side[1][2] - side[0][2] * side[1][1]) +
-		sum[1] * (side[0][2] * side[1][0] - side[0][0] * side[1][2]) +
-		sum[2] * (side[0][0] * side[1][1] - side[0][1] * side[1][0]);
-}
-
-/* Whether the normals of most triangles point to the side that is not drawn. */
-static bool has_reversed_normals(const struct model_primitive *primitive)
-{
-	int reversed = 0;
-
-	for (int i = 0; primitive->normal && i < primitive->index_count; i += 3) {
-		float product = facing(primitive, &primitive->index[i]);
-
-		reversed += product < 0.0f ? 1 : product > 0.0f ? -1 : 0;
-	}
-	return reversed > 0;
-}
-
-static void report_meshes(
-	const struct model *model, const struct examiner *examiner)
-{
-	int flat = 0, many = 0, reversed = 0;
+	int flat = 0, many = 0;
 
 	for (int m = 0; m < model->mesh_count; m++) {
 		for (int p = 0; p < model->mesh[m].primitive_count; p++) {
@@ -202,7 +165,6 @@ static void report_meshes(
 
 			flat += primitive->normal == NULL;
 			many += primitive->influences > 4;
-			reversed += has_reversed_normals(primitive);
 		}
 	}
 	if (!model_has_triangles(model)) {
@@ -235,12 +197,13 @@ int examine_skins(const struct model *model, const struct examiner *examiner,
 	struct arena arena = arena_empty();
 	const bool *is_joint = model_find_joints(model, &arena);
 	struct use *uses = ARENA_ARRAY(&arena, struct use, model->node_count);
+	int reversed = examine_find_reversed(model, &arena);
 	int error = 0;
 
-	if (is_joint && uses) {
+	if (is_joint && uses && reversed >= 0) {
 		report_nodes(model, is_joint, examiner);
 		report_skins(model, uses, examiner);
-		report_meshes(model, examiner);
+		report_meshes(model, reversed, examiner);
 	} else {
 		error = memory_budget_fail(model->budget, model->path, log);
 	}

@@ -3,6 +3,7 @@
 #include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
+#include <cglm/cglm.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -268,24 +269,90 @@ static void test_nodes_that_are_morphed_and_skinned_are_named(void **state)
 	end(&f);
 }
 
-static void test_normals_that_point_to_the_back_are_counted(void **state)
+static const char turned_away[] =
+	"primitives whose normals point to the back of their triangles (1): limber lights them as the file says, so that the lit side is dark; export them with the normals turned\n";
+static float front[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0.6f, 0.8f}};
+static float back[3][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0.6f, 0.8f}};
+
+/* Makes the mesh a triangle. */
+static void begin_triangle(struct fixture *f)
 {
 	static float corner[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-	static float front[3][3] = {{0, 0, 1}, {0, 0, 1}, {0, 0.6f, 0.8f}};
-	static float back[3][3] = {{0, 0, -1}, {0, 0, -1}, {0, 0.6f, 0.8f}};
+
+	begin(f);
+	f->primitive.vertex_count = 3;
+	f->primitive.position = corner;
+	f->index[1] = 1;
+	f->index[2] = 2;
+}
+
+static void test_normals_that_point_to_the_back_are_counted(void **state)
+{
 	struct fixture f;
 
 	(void)state;
-	begin(&f);
-	f.primitive.vertex_count = 3;
-	f.primitive.position = corner;
-	f.index[1] = 1;
-	f.index[2] = 2;
+	begin_triangle(&f);
 	f.primitive.normal = front;
 	expect(&f, "");
 	f.primitive.normal = back;
-	expect(&f,
-		"primitives whose normals point to the back of their triangles (1): limber lights them as the file says, so that the lit side is dark; export them with the normals turned\n");
+	expect(&f, turned_away);
+	end(&f);
+}
+
+/* Whether normals are found to point to the back, beside other findings. */
+static bool finds_turned(struct fixture *f, float (*normal)[3])
+{
+	const struct examiner examiner = {keep, f};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	f->heard[0] = '\0';
+	f->primitive.normal = normal;
+	assert_int_equal(examine_skins(&f->bones.model, &examiner, &log), 0);
+	return strstr(f->heard, turned_away) != NULL;
+}
+
+/*
+ * A mirroring node turns the triangles below it. Blender mirrors the vertices
+ * of a skin in the file, and the inverse bind matrices mirror them back.
+ */
+static void test_a_mirroring_node_turns_the_triangles_of_its_skin(void **state)
+{
+	static const float mirror[4][4] = {
+		{0, 2, 0, 0}, {3, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+	mat4 bind[2] = {GLM_MAT4_ZERO_INIT, GLM_MAT4_IDENTITY_INIT};
+	struct fixture f;
+
+	(void)state;
+	begin_triangle(&f);
+	f.skin[0].inverse_bind = bind;
+	f.bones.node[BODY].parent = HIPS;
+	for (int way = 0; way < 2; way++) {
+		struct model_node *hips = &f.bones.node[HIPS];
+
+		hips->rest.scale[0] = way == 0 ? -1.0f : 1.0f;
+		hips->matrix = way == 0 ? NULL : mirror;
+		bind[1][1][1] = 1.0f; /* the joints mirror as the node does */
+		assert_false(finds_turned(&f, front));
+		assert_true(finds_turned(&f, back));
+		bind[1][1][1] = -1.0f;
+		assert_true(finds_turned(&f, front));
+		assert_false(finds_turned(&f, back));
+		f.bones.node[BODY].skin = -1;
+		assert_false(finds_turned(&f, front));
+		assert_true(finds_turned(&f, back));
+		f.bones.node[BODY].skin = 0;
+	}
+	end(&f);
+}
+
+static void test_a_mesh_of_no_node_is_lit_from_no_side(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin_triangle(&f);
+	f.bones.node[BODY].mesh = -1;
+	assert_false(finds_turned(&f, back));
 	end(&f);
 }
 
@@ -301,6 +368,9 @@ int main(void)
 		cmocka_unit_test(test_the_skins_of_a_mesh_are_counted),
 		cmocka_unit_test(test_what_primitives_lack_or_have_is_counted),
 		cmocka_unit_test(test_normals_that_point_to_the_back_are_counted),
+		cmocka_unit_test(
+			test_a_mirroring_node_turns_the_triangles_of_its_skin),
+		cmocka_unit_test(test_a_mesh_of_no_node_is_lit_from_no_side),
 		cmocka_unit_test(test_a_file_without_triangles_shows_nothing),
 		cmocka_unit_test(
 			test_nodes_that_are_morphed_and_skinned_are_named),

@@ -28,17 +28,25 @@ const char *character_own_name(
 }
 
 /*
- * Fails because nothing has the name; the list holds the names that there are.
+ * Fails because nothing has the name, which is "" if the line has none; the
+ * list holds the names that there are.
  */
 static int fail_name(struct character_words *words, const char *name,
 	const char *what, const struct name_list *list)
 {
-	character_fail(words,
-		!list->text[0] ? "there is no %s named %s%s: there is none"
-			: strstr(list->text, ", ")
-			? "there is no %s named %s: there are %s"
-			: "there is no %s named %s: there is only %s",
-		what, name, list->text);
+	const char *are = strstr(list->text, ", ") ? "are" : "is only";
+
+	if (!list->text[0]) {
+		character_fail(words,
+			"there is no %s named %s: no %s of the model has a name",
+			what, name, what);
+	} else if (!name[0]) {
+		character_fail(words, "the %s's name is missing: there %s %s",
+			what, are, list->text);
+	} else {
+		character_fail(words, "there is no %s named %s: there %s %s",
+			what, name, are, list->text);
+	}
 	return -1;
 }
 
@@ -131,6 +139,14 @@ int character_name_section(struct character_words *words, const char *kind)
 		}
 		name_list_add(&list, section->name);
 		section = character_text_find(section->next, kind);
+	}
+	if (!list.text[0]) {
+		const char *missing = name && name[0] ? name : "NAME";
+
+		character_fail(words,
+			"there is no %s named %s: add a section [%s %s]", kind,
+			missing, kind, missing);
+		return -1;
 	}
 	return fail_name(words, name ? name : "", kind, &list);
 }

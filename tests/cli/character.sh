@@ -62,6 +62,18 @@ expect_status 1
 expect_out 'slider.character:2: .*slied'
 frame "$scratch/wrong.png" --character "$scratch/missing.character"
 expect_refusal 1 'missing.character: cannot be read'
+
+# doctor checks any file that play takes.
+limber doctor "$model" --character "$scratch/other.character"
+expect_status 0
+expect_out 'other.character: it fits the model. States: 1, '
+limber doctor "$model" --character none
+expect_status 0
+limber doctor "$model" --character "$scratch/missing.character"
+expect_status 1
+expect_out '^- .*missing.character: cannot be read'
+limber doctor --character "$scratch/other.character"
+expect_refusal 2 'doctor: --character .*: there is no model: '
 printf '%s\n' 'include = ../slider.character' >"$file"
 frame "$scratch/wrong.png"
 expect_refusal 1 'slider.character:1: include: give the name of a file in the same folder'

@@ -35,15 +35,20 @@ static void log_finding(
 	take_finding(context, sentence);
 }
 
-static int examine_character(const char *path, size_t memory_bytes,
+static int examine_character(const struct options *options,
 	struct findings *findings, const struct log *log,
 	struct doctor_character *out)
 {
+	const struct character_request request = {
+		.model_path = options->model_path,
+		.file = options->show.character,
+	};
 	const struct log taken = {.write = log_finding,
 		.user = findings,
 		.threshold = LOG_WARNING};
 
-	return doctor_character_check(path, memory_bytes, &taken, log, out);
+	return doctor_character_check(
+		&request, options->common.memory_bytes, &taken, log, out);
 }
 
 /* A character file that limber cannot play, as reported, fails the command. */
@@ -52,21 +57,21 @@ static int character_error(const struct doctor_character *character)
 	return character->found && !character->right ? -EINVAL : 0;
 }
 
-static int examine_in_words(
-	const char *path, size_t memory_bytes, const struct log *log)
+static int examine_in_words(const struct options *options, const struct log *log)
 {
+	const char *path = options->model_path;
 	struct doctor_character character;
 	struct findings findings = {0};
 	const struct examiner examiner = {take_finding, &findings};
-	int error = model_examine(path, memory_bytes, &examiner, log);
+	int error = model_examine(
+		path, options->common.memory_bytes, &examiner, log);
 
 	if (!error && findings.count == 0) {
 		printf("%s: it contains nothing that players are known to get wrong\n",
 			path);
 	}
 	if (!error) {
-		error = examine_character(
-			path, memory_bytes, &findings, log, &character);
+		error = examine_character(options, &findings, log, &character);
 	}
 	if (!error && character.right) {
 		printf("%s: it fits the model. States: %d, layers: %d, effects and expressions: %d, buttons: %d\n",
@@ -76,9 +81,9 @@ static int examine_in_words(
 	return error ? error : character_error(&character);
 }
 
-static int examine_in_json(
-	const char *path, size_t memory_bytes, const struct log *log)
+static int examine_in_json(const struct options *options, const struct log *log)
 {
+	const char *path = options->model_path;
 	struct doctor_character character;
 	struct findings findings = {.list = json_array()};
 	const struct examiner examiner = {take_finding, &findings};
@@ -92,10 +97,10 @@ static int examine_in_json(
 			path);
 		goto out;
 	}
-	error = model_examine(path, memory_bytes, &examiner, log);
+	error = model_examine(
+		path, options->common.memory_bytes, &examiner, log);
 	if (!error) {
-		error = examine_character(
-			path, memory_bytes, &findings, log, &character);
+		error = examine_character(options, &findings, log, &character);
 	}
 	if (!error) {
 		bool dumped = !findings.failed &&
@@ -117,16 +122,21 @@ out:
 
 static int run(const struct options *options, const struct log *log)
 {
-	const char *path = options->model_path;
+	const char *character = options->show.character;
 
-	if (!path) {
+	if (!options->model_path && character) {
+		log_error(log,
+			"doctor: --character %s: there is no model: use limber doctor MODEL --character FILE",
+			character);
+		return EXIT_USAGE;
+	}
+	if (!options->model_path) {
 		return doctor_examine_machine(options, log);
 	}
 	command_confine(options, log);
 	return command_exit_code(options->common.json
-			? examine_in_json(path, options->common.memory_bytes, log)
-			: examine_in_words(
-				  path, options->common.memory_bytes, log));
+			? examine_in_json(options, log)
+			: examine_in_words(options, log));
 }
 
 const struct command command_doctor = {
@@ -142,12 +152,13 @@ const struct command command_doctor = {
 		"status is 0 when limber can play: a display and a GL driver work.\n"
 		"\n"
 		"With a model, limber lists everything in the file that players are known to get wrong, and\n"
-		"says what limber does there. It also checks the character file that lies beside the model:\n"
-		"if limber cannot play it, the exit status is 1.\n"
+		"says what limber does there. It also checks the character file that lies beside the model,\n"
+		"or that --character names: if limber cannot play it, the exit status is 1.\n"
 		"\n"
 		"  limber doctor\n"
 		"  limber doctor --json | jq '.findings[] | select(.state != \"works\")'\n"
-		"  limber doctor robot.glb",
+		"  limber doctor robot.glb\n"
+		"  limber doctor robot.glb --character biped.character",
 	.reads_config = true,
 	.run = run,
 };

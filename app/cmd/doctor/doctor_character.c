@@ -1,8 +1,6 @@
 #include "app/cmd/doctor/doctor_character.h"
 
-#include "app/character/character.h"
 #include "app/scene/instance/instance.h"
-#include "platform/base/file.h"
 
 static void count(
 	const struct character *character, struct doctor_character *out)
@@ -17,8 +15,8 @@ static void count(
 	}
 }
 
-int doctor_character_check(const char *model_path, size_t memory_bytes,
-	const struct log *findings, const struct log *log,
+int doctor_character_check(const struct character_request *request,
+	size_t memory_bytes, const struct log *findings, const struct log *log,
 	struct doctor_character *out)
 {
 	struct model *model;
@@ -27,13 +25,11 @@ int doctor_character_check(const char *model_path, size_t memory_bytes,
 	int error;
 
 	*out = (struct doctor_character){.path = ""};
-	out->found = character_text_path_beside(
-			     model_path, out->path, sizeof(out->path)) &&
-		file_exists(out->path);
+	out->found = character_open_path(request, out->path, sizeof(out->path));
 	if (!out->found) {
 		return 0;
 	}
-	error = model_load_within(model_path,
+	error = model_load_within(request->model_path,
 		memory_bytes ? memory_bytes : MODEL_MEMORY_BYTES, log, &model);
 	if (error) {
 		return error;

@@ -116,11 +116,12 @@ static int refuse_unknown(const struct command *const *commands,
 
 /*
  * Whether the word looks like a file, so that a missing model file is reported
- * as a file and not as an unknown command.
+ * as a file and not as an unknown command. An empty one is no command either.
  */
 static bool looks_like_file(const char *word)
 {
-	return strchr(word, '.') || strchr(word, '/') || file_exists(word);
+	return !word[0] || strchr(word, '.') || strchr(word, '/') ||
+		file_exists(word);
 }
 
 static bool names_none(const char *file)

@@ -50,7 +50,9 @@ static int check_open(
 		return -EISDIR;
 	}
 	if (!S_ISREG(status.st_mode)) {
-		log_error(log, "%s: not a regular file", where);
+		log_error(log,
+			"%s: this is not a regular file: give the name of one",
+			where);
 		return -EINVAL;
 	}
 	if (status.st_size > MODEL_FILE_BYTES_MAX) {
@@ -81,7 +83,8 @@ static int open_path(const char *path, const char *where, const struct log *log,
 
 	if (fd < 0) {
 		error = -errno;
-		log_error(log, "%s: %s", where, strerror(-error));
+		log_error(log, "%s: %s%s", where, strerror(-error),
+			file_open_advice(-error));
 		return error;
 	}
 	error = check_open(fd, where, log, size);
@@ -256,7 +259,9 @@ int model_file_read_beside(const struct model_source *source,
 		relative);
 	error = resolve(source, relative, &folder, &file);
 	if (error) {
-		log_error(log, "%s: %s", message_start, strerror(-error));
+		log_error(log, "%s: %s%s", message_start, strerror(-error),
+			error == -ENOENT ? ": copy it to the model's folder"
+					 : file_open_advice(-error));
 	} else if (!is_inside(folder, file)) {
 		error = -EACCES;
 		log_error(log, "%s: the path leads outside the model's folder",

@@ -27,7 +27,7 @@ static int find_format(const struct model_source *source, const struct log *log,
 		}
 	}
 	log_error(log,
-		"%s: the format is unknown; limber reads .gltf, .glb and .x",
+		"%s: the format is unknown; limber reads .gltf, .glb and .x: export the model as .glb",
 		source->name);
 	return -ENOTSUP;
 }

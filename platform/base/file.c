@@ -67,6 +67,26 @@ FILE *file_open(const char *path)
 	return file;
 }
 
+const char *file_open_advice(int error)
+{
+	switch (error) {
+	case ENOENT:
+	case ENOTDIR:
+		return ": check the name and its folder";
+	case EACCES:
+	case EPERM:
+		return ": let this user read it and enter its folder";
+	case ELOOP:
+		return ": give the name of the file itself";
+	case ENAMETOOLONG:
+		return ": give a shorter name";
+	case EPIPE:
+		return ": start the program that writes to it first";
+	default:
+		return "";
+	}
+}
+
 /* A file system may give the inode of a deleted file to a new one. */
 struct identity {
 	uint64_t inode;

@@ -26,6 +26,12 @@ bool file_exists(const char *path);
  */
 FILE *file_open(const char *path);
 
+/*
+ * What the user may do about a file that could not be opened for reading, by
+ * errno: ": " and a demand, such as ": check the name and its folder", or "".
+ */
+const char *file_open_advice(int error);
+
 enum {
 	FILES_NOTED = 4096
 };

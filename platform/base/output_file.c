@@ -44,6 +44,8 @@ static const char *advice(int error)
 	case ENOENT:
 	case ENOTDIR:
 		return ": create its folder first, or choose another one";
+	case ENAMETOOLONG:
+		return ": give a shorter name";
 	case EISDIR:
 		return ": name a file in it";
 	case ETXTBSY:

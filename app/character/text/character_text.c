@@ -142,9 +142,9 @@ static int include(struct reader *reader, const char *name)
 	file = file_open(path);
 	if (!file) {
 		error = -errno;
-		log_error(reader->log, "%s:%d: include: %s cannot be read: %s",
+		log_error(reader->log, "%s:%d: include: %s cannot be read: %s%s",
 			reader->path, reader->lines.number, path,
-			strerror(-error));
+			strerror(-error), file_open_advice(-error));
 		return error;
 	}
 	error = read_file(reader->text, file, path, true, reader->log);
@@ -287,7 +287,8 @@ int character_text_load(struct character_text *text, struct arena *arena,
 	*text = (struct character_text){.arena = arena, .is_file = true};
 	if (!file) {
 		error = -errno;
-		log_error(log, "%s: cannot be read: %s", path, strerror(-error));
+		log_error(log, "%s: cannot be read: %s%s", path,
+			strerror(-error), file_open_advice(-error));
 		return error;
 	}
 	error = read_file(text, file, path, true, log);

@@ -330,7 +330,8 @@ int config_load(struct config *config, const char *path,
 
 	if (!file) {
 		error = -errno;
-		log_error(log, "%s: cannot be read: %s", path, strerror(-error));
+		log_error(log, "%s: cannot be read: %s%s", path,
+			strerror(-error), file_open_advice(-error));
 		return error;
 	}
 	error = config_read(config, file, path, command, options, log);

@@ -235,8 +235,8 @@ static int parse_option(struct options *options, enum command_bit command,
 	}
 	if (!(entry->commands & (int)command)) {
 		log_error(log,
-			"--%s: this is not an option of this command: --help lists its options",
-			entry->name);
+			"%.*s: this is not an option of this command: --help lists its options",
+			(int)length, word);
 		return -EINVAL;
 	}
 	if (entry->value && !value && *at + 1 < argc &&
@@ -280,6 +280,10 @@ int options_parse(struct options *options, enum command_bit command, int argc,
 			log_error(log,
 				"%s: limber takes one model: leave out this one or %s",
 				argv[i], options->model_path);
+			return -EINVAL;
+		} else if (!argv[i][0]) {
+			log_error(log,
+				"MODEL: its name is empty: give the name of a file");
 			return -EINVAL;
 		} else {
 			options->model_path = argv[i];

@@ -190,8 +190,8 @@ static int script_create(
 	file = file_open(argument);
 	if (!file) {
 		error = -errno;
-		log_error(log, "%s: cannot be read: %s", argument,
-			strerror(-error));
+		log_error(log, "%s: cannot be read: %s%s", argument,
+			strerror(-error), file_open_advice(-error));
 		return error;
 	}
 	script = calloc(1, sizeof(*script));

@@ -100,7 +100,8 @@ static void test_reads_files_of_the_folder(void **state)
 
 static void test_names_a_missing_file(void **state)
 {
-	expect_refusal(*state, "gone.bin", -ENOENT, "gone.bin: No such file");
+	expect_refusal(*state, "gone.bin", -ENOENT,
+		"gone.bin: No such file or directory: copy it to the model's folder");
 }
 
 static void test_refuses_paths_outside_the_folder(void **state)

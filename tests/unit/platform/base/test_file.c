@@ -1,6 +1,7 @@
 /* Looking for files and opening them, named pipes among them. */
 #define _DEFAULT_SOURCE /* usleep() */
 
+#include "platform/base/compiler.h"
 #include "platform/base/file.h"
 #include "tests/support/files.h"
 #include "tests/support/log_capture.h"
@@ -217,6 +218,26 @@ static void test_a_path_that_does_not_fit_is_not_given(void **state)
 	assert_int_equal(unsetenv("LIMBER_ASSETS"), 0);
 }
 
+static void test_a_file_that_cannot_be_opened_has_its_advice(void **state)
+{
+	static const struct {
+		int error;
+		const char *demand;
+	} cases[] = {{ENOENT, "check the name"}, {ENOTDIR, "check the name"},
+		{EACCES, "let this user read it"}, {EPERM, "let this user"},
+		{ELOOP, "the file itself"}, {ENAMETOOLONG, "a shorter name"},
+		{EPIPE, "start the program"}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		const char *advice = file_open_advice(cases[i].error);
+
+		assert_contains(advice, ": ");
+		assert_contains(advice, cases[i].demand);
+	}
+	assert_string_equal(file_open_advice(EIO), "");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -229,6 +250,8 @@ int main(void)
 		cmocka_unit_test(test_a_stamp_changes_with_the_file),
 		cmocka_unit_test(test_files_of_the_program_are_found),
 		cmocka_unit_test(test_a_path_that_does_not_fit_is_not_given),
+		cmocka_unit_test(
+			test_a_file_that_cannot_be_opened_has_its_advice),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

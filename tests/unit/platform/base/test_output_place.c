@@ -132,7 +132,9 @@ static void test_paths_that_are_no_files_are_refused(void **state)
 	struct output_scene *scene = *state;
 	struct test_path below = path_join(&scene->path, "below");
 	struct test_path nowhere = path_join(&scene->folder, "none/file");
+	char name[300] = "";
 
+	memset(name, 'n', sizeof(name) - 1);
 	file_write(scene->path.text, "old", 3);
 	output_scene_expect_refusal(
 		scene, scene->folder.text, EISDIR, "directory");
@@ -140,6 +142,8 @@ static void test_paths_that_are_no_files_are_refused(void **state)
 	output_scene_expect_refusal(
 		scene, nowhere.text, ENOENT, "create its folder");
 	output_scene_expect_refusal(scene, "", ENOENT, "cannot be written");
+	output_scene_expect_refusal(
+		scene, name, ENAMETOOLONG, "give a shorter name");
 	output_scene_expect(scene->path.text, "old");
 }
 

@@ -98,8 +98,24 @@ static void test_refuses_an_option_of_another_command(void **state)
 	struct parse p = PARSE(FOR_POSE, "--size", "1x1");
 
 	(void)state;
+	struct parse letter = PARSE(FOR_EXPORT, "-o", "a.c");
+
 	assert_int_equal(p.error, -EINVAL);
-	assert_contains(p.logged.sentence[0], "not an option of this command");
+	assert_contains(p.logged.sentence[0],
+		"--size: this is not an option of this command");
+	/* By the name that the user gave it. */
+	assert_int_equal(letter.error, -EINVAL);
+	assert_contains(letter.logged.sentence[0], "-o: this is not");
+	assert_null(strstr(letter.logged.sentence[0], "output"));
+}
+
+static void test_refuses_a_model_without_a_name(void **state)
+{
+	struct parse p = PARSE(FOR_PLAY, "");
+
+	(void)state;
+	assert_int_equal(p.error, -EINVAL);
+	assert_contains(p.logged.sentence[0], "MODEL: its name is empty");
 }
 
 static void test_describes_a_valid_value(void **state)
@@ -193,6 +209,7 @@ int main(void)
 		cmocka_unit_test(test_mentions_help_when_no_option_is_similar),
 		cmocka_unit_test(test_suggests_only_options_of_the_command),
 		cmocka_unit_test(test_refuses_an_option_of_another_command),
+		cmocka_unit_test(test_refuses_a_model_without_a_name),
 		cmocka_unit_test(test_describes_a_valid_value),
 		cmocka_unit_test(test_reports_a_missing_value),
 		cmocka_unit_test(test_refuses_a_value_for_a_switch),

@@ -83,8 +83,8 @@ static void test_reports_a_missing_file(void **state)
 	assert_int_equal(model_load("no/such.glb", &log, &model), -ENOENT);
 	assert_null(model);
 	assert_int_equal(logged.count, 1);
-	assert_string_equal(
-		logged.sentence[0], "no/such.glb: No such file or directory");
+	assert_string_equal(logged.sentence[0],
+		"no/such.glb: No such file or directory: check the name and its folder");
 }
 
 /* Each copy has its exact size, so that the sanitizers see its end. */

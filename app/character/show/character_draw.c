@@ -15,6 +15,34 @@
  */
 static const float beyond_box = 0.02f;
 
+/* Cloth is in metres; the stage is in scene units. */
+static int describe_capes(struct character_drawing *drawing)
+{
+	const struct character *character = drawing->character;
+	struct instance *instance = character->instance;
+
+	drawing->cloth = ARENA_ARRAY(&instance->arena, struct shadow_cloth,
+		(size_t)character->cape_count + 1);
+	for (int i = 0; drawing->cloth && i < character->cape_count; i++) {
+		const struct character_cape *cape = &character->cape[i];
+
+		drawing->cloth[i] = (struct shadow_cloth){
+			.position = (const float(*)[3])cape->cloth.position,
+			.vertex_count = cape->cloth.count,
+			.index_count = cape->index_count,
+			.index = cape->index,
+			.scale = instance->unit_scale,
+		};
+	}
+	return drawing->cloth ? 0 : -ENOMEM;
+}
+
+/* Whether a cape casts a shadow; one that is half faded out casts none. */
+static bool casts_shadow(const struct character_cape *cape)
+{
+	return cape->worn && cape->is.now > 0.5f;
+}
+
 /*
  * Prepares the shadow on uneven ground. On ground of the model's own, triangles
  * are divided where they are longer than four cells of its relief.
@@ -27,8 +55,8 @@ static int init_drape(struct character_drawing *drawing, const struct log *log)
 	int error = 0;
 
 	if (drawing->may_wave || relief->height) {
-		error = shadow_drape_init(
-			drape, drawing->character->instance, log);
+		error = shadow_drape_init(drape, drawing->character->instance,
+			drawing->cloth, drawing->character->cape_count, log);
 	}
 	if (!error && relief->height && longest < drape->longest) {
 		drape->longest = longest;
@@ -49,6 +77,9 @@ int character_draw_init(struct character_drawing *drawing,
 	character_range(character, character->scene.wave_m, &low, &high);
 	drawing->may_wave = low != 0.0f || high != 0.0f;
 	error = character_bounds_init(&drawing->bounds, character);
+	if (!error) {
+		error = describe_capes(drawing);
+	}
 	if (!error && drawing->may_wave) {
 		error = reach_init(&drawing->reach, character->instance);
 	}
@@ -72,7 +103,8 @@ static bool is_on_relief(
 void character_draw_update(
 	struct character_drawing *drawing, const struct stage *stage)
 {
-	struct instance *instance = drawing->character->instance;
+	const struct character *character = drawing->character;
+	struct instance *instance = character->instance;
 	bool on_relief = is_on_relief(drawing, stage);
 	struct shadow_light light = {
 		.ground = &stage->floor,
@@ -82,6 +114,10 @@ void character_draw_update(
 	if (stage->floor.wave_height != 0.0f || on_relief) {
 		light_direction(light.towards);
 		camera_eye(&stage->camera, light.eye);
+		for (int i = 0; i < character->cape_count; i++) {
+			drawing->cloth[i].hidden =
+				!casts_shadow(&character->cape[i]);
+		}
 		shadow_ground_hide(&drawing->ground, instance, on_relief);
 		shadow_drape_update(&drawing->drape, instance, &light);
 		shadow_ground_hide(&drawing->ground, instance, false);
@@ -261,8 +297,7 @@ static void draw_capes(const struct character *character, const struct gl *gl,
 	for (int i = 0; i < character->cape_count; i++) {
 		const struct character_cape *cape = &character->cape[i];
 
-		if (!cape->worn ||
-			(pass == DRAW_SHADOW && cape->is.now <= 0.5f)) {
+		if (pass == DRAW_SHADOW ? !casts_shadow(cape) : !cape->worn) {
 			continue;
 		}
 		if (pass == DRAW_SHADED) {

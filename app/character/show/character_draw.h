@@ -21,7 +21,8 @@ struct character_drawing {
 	/* If the ground may be uneven: */
 	bool may_wave;
 	struct reach reach;
-	struct shadow_drape drape; /* also if the model's own ground is */
+	struct shadow_drape drape;  /* also if the model's own ground is */
+	struct shadow_cloth *cloth; /* [character->cape_count], of the drape */
 };
 
 /*

@@ -60,10 +60,10 @@ static int count_corners(const struct batch *batch)
 	return most;
 }
 
-static int allocate(struct shadow_drape *drape, struct arena *arena,
-	int place_count, int vertex_count)
+static int allocate(
+	struct shadow_drape *drape, struct arena *arena, int place_count)
 {
-	size_t vertices = (size_t)vertex_count + DIVIDED_MAX;
+	size_t vertices = (size_t)drape->vertex_max;
 
 	drape->place = ARENA_ARRAY(arena, uint32_t, (size_t)place_count);
 	drape->posed = arena_alloc(arena, vertices, sizeof(float[3]));
@@ -77,14 +77,31 @@ static int allocate(struct shadow_drape *drape, struct arena *arena,
 		: -ENOMEM;
 }
 
-/* The sheets of what is blended come last: opaque shadows hide theirs. */
+static void make_cloth_sheets(struct shadow_drape *drape,
+	const struct shadow_cloth *cloth, int cloth_count)
+{
+	for (int i = 0; i < cloth_count; i++) {
+		drape->sheet[drape->sheet_count++] = (struct shadow_sheet){
+			.cloth = &cloth[i], .two_sided = true};
+		drape->vertex_max += cloth[i].vertex_count;
+		drape->index_max += cloth[i].index_count;
+	}
+}
+
+/*
+ * The sheets of what is blended come last: opaque shadows hide theirs. Returns
+ * the number of vertices of the largest batch.
+ */
 static int make_sheets(struct shadow_drape *drape, struct instance *instance)
 {
-	int largest = 1, vertices = 0, drawables = instance->drawable_count;
+	int largest = 1, drawables = instance->drawable_count;
 
 	for (int i = 0; i < 2 * drawables; i++) {
 		const struct drawable *drawable =
 			&instance->drawable[i % drawables];
+
+		const struct model_material *material =
+			&instance->model->material[drawable->primitive->material];
 
 		if ((drawable->alpha == MODEL_BLEND) != (i >= drawables)) {
 			continue;
@@ -94,23 +111,22 @@ static int make_sheets(struct shadow_drape *drape, struct instance *instance)
 			int count = count_vertices(batch);
 
 			drape->sheet[drape->sheet_count++] =
-				(struct shadow_sheet){
-					.drawable = drawable, .batch = batch};
+				(struct shadow_sheet){.drawable = drawable,
+					.batch = batch,
+					.two_sided = material->double_sided};
 			largest = count > largest ? count : largest;
-			vertices += count;
+			drape->vertex_max += count;
 			drape->index_max += count_corners(batch);
 		}
 	}
-	/* Each division adds one triangle. */
-	drape->index_max += 3 * DIVIDED_MAX;
-	return allocate(drape, &instance->arena, largest, vertices);
+	return largest;
 }
 
 int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
-	const struct log *log)
+	const struct shadow_cloth *cloth, int cloth_count, const struct log *log)
 {
 	struct bounds bounds = bounds_of_instance(instance);
-	int count = 0, error = -ENOMEM;
+	int count = cloth_count, error = -ENOMEM;
 
 	for (int i = 0; i < instance->drawable_count; i++) {
 		count += instance->drawable[i].batch_count;
@@ -119,9 +135,14 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 		.longest = bounds_extent(&bounds) / EDGES_ALONG,
 		.sheet = ARENA_ARRAY(&instance->arena, struct shadow_sheet,
 			(size_t)count + 1),
+		/* Each division adds one vertex and one triangle. */
+		.vertex_max = DIVIDED_MAX,
+		.index_max = 3 * DIVIDED_MAX,
 	};
 	if (drape->sheet) {
-		error = make_sheets(drape, instance);
+		make_cloth_sheets(drape, cloth, cloth_count);
+		error = allocate(
+			drape, &instance->arena, make_sheets(drape, instance));
 	}
 	if (error) {
 		log_error(log,
@@ -227,12 +248,40 @@ static void list_triangles(struct shadow_drape *drape,
 	}
 }
 
+static void list_cloth(struct shadow_drape *drape, struct shadow_sheet *sheet)
+{
+	const struct shadow_cloth *cloth = sheet->cloth;
+	const uint16_t *index = cloth->index;
+
+	sheet->vertex_count = cloth->vertex_count;
+	for (int v = 0; v < cloth->vertex_count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			sheet->posed[v][axis] =
+				cloth->position[v][axis] * cloth->scale;
+		}
+	}
+	for (int i = 0; i + 2 < cloth->index_count; i += 3) {
+		add_triangle(drape, sheet, index[i], index[i + 1], index[i + 2]);
+	}
+}
+
+static bool casts_shadow(const struct shadow_sheet *sheet)
+{
+	return sheet->cloth
+		? !sheet->cloth->hidden
+		: !sheet->drawable->hidden && !sheet->drawable->unseen;
+}
+
 static void pose_sheet(struct shadow_drape *drape, struct shadow_sheet *sheet,
 	const struct instance *instance)
 {
 	const struct drawable *drawable = sheet->drawable;
 	mat4 matrix = GLM_MAT4_IDENTITY_INIT;
 
+	if (sheet->cloth) {
+		list_cloth(drape, sheet);
+		return;
+	}
 	if (drawable->skin < 0) {
 		instance_drawable_matrix(instance, drawable, matrix);
 	}
@@ -253,8 +302,7 @@ void shadow_drape_update(struct shadow_drape *drape,
 		sheet->posed = drape->posed + vertices;
 		sheet->position = drape->position + vertices;
 		sheet->index = drape->index + indices;
-		if (!sheet->drawable->hidden && !sheet->drawable->unseen &&
-			light->towards[1] > 0.0f) {
+		if (casts_shadow(sheet) && light->towards[1] > 0.0f) {
 			pose_sheet(drape, sheet, instance);
 		}
 		vertices += sheet->vertex_count;
@@ -287,6 +335,28 @@ static void end_darkening(const struct gl *gl)
 	gl->Disable(GL_STENCIL_TEST);
 }
 
+/* The front faces of a body cast all of its shadow, but not those of a sheet. */
+static void draw_sheet(
+	const struct shadow_sheet *sheet, const struct gl *gl, float strength)
+{
+	if (sheet->drawable && sheet->drawable->alpha == MODEL_BLEND) {
+		draw_set_shadow_color(
+			gl, strength * sheet->drawable->mean_alpha);
+	}
+	if (sheet->index_count == 0) {
+		return;
+	}
+	if (sheet->two_sided) {
+		gl->Disable(GL_CULL_FACE);
+	}
+	gl->VertexPointer(3, GL_FLOAT, 0, sheet->position);
+	gl->DrawElements(GL_TRIANGLES, sheet->index_count, GL_UNSIGNED_SHORT,
+		sheet->index);
+	if (sheet->two_sided) {
+		gl->Enable(GL_CULL_FACE);
+	}
+}
+
 void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
 	float strength, int mark, bool may_be_hidden)
 {
@@ -302,17 +372,7 @@ void shadow_drape_draw(const struct shadow_drape *drape, const struct gl *gl,
 	begin_darkening(gl, mark);
 	draw_set_shadow_color(gl, strength);
 	for (int i = 0; i < drape->sheet_count; i++) {
-		const struct shadow_sheet *sheet = &drape->sheet[i];
-
-		if (sheet->drawable->alpha == MODEL_BLEND) {
-			draw_set_shadow_color(
-				gl, strength * sheet->drawable->mean_alpha);
-		}
-		if (sheet->index_count > 0) {
-			gl->VertexPointer(3, GL_FLOAT, 0, sheet->position);
-			gl->DrawElements(GL_TRIANGLES, sheet->index_count,
-				GL_UNSIGNED_SHORT, sheet->index);
-		}
+		draw_sheet(&drape->sheet[i], gl, strength);
 	}
 	end_darkening(gl);
 	gl->Enable(GL_DEPTH_TEST);

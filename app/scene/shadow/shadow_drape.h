@@ -15,10 +15,27 @@
 #include "app/scene/shadow/shadow_lay.h"
 #include "platform/gl/gl.h"
 
-/* The shadow of one batch; the arrays are parts of the drape's arrays. */
+/*
+ * Cloth that a figure wears: triangles that belong to no mesh and are seen from
+ * both sides. The positions move, and the rest stays.
+ */
+struct shadow_cloth {
+	const float (*position)[3]; /* [vertex_count] */
+	int vertex_count, index_count;
+	const uint16_t *index; /* [index_count] */
+	float scale;           /* of the positions, to scene units */
+	bool hidden;           /* casts no shadow now */
+};
+
+/*
+ * The shadow of one batch, or of one cloth; the arrays are parts of the drape's
+ * arrays.
+ */
 struct shadow_sheet {
-	const struct drawable *drawable;
+	const struct shadow_cloth *cloth; /* or NULL */
+	const struct drawable *drawable;  /* NULL for cloth */
 	const struct batch *batch;
+	bool two_sided; /* its triangles need not enclose a body */
 	int vertex_count, index_count;
 	float (*posed)[3];
 	float (*position)[3]; /* [vertex_count], on the ground, scene units */
@@ -36,22 +53,25 @@ struct shadow_drape {
 	uint32_t *place;
 	float (*posed)[3], (*position)[3];
 	uint16_t *index;
-	int index_max;
+	int index_max, vertex_max;
 	int divisions_left; /* that the current update may still make */
 };
 
 /*
- * Allocates the sheets in the instance's arena. Edges are divided when they are
- * longer than a part of the instance as it was last updated. Returns 0, or
- * -ENOMEM after logging an error.
+ * Allocates the sheets of the instance and of its cloths, [cloth_count], in the
+ * instance's arena. The cloths must outlive the drape. Edges are divided when
+ * they are longer than a part of the instance as it was last updated. Returns
+ * 0, or -ENOMEM after logging an error.
  */
 int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
+	const struct shadow_cloth *cloth, int cloth_count,
 	const struct log *log);
 
 /*
- * Lays the shadow of the instance, as it was last updated, upon the ground. The
- * shadow is moved towards the eye just so far that the ground's triangles do
- * not hide it. Allocates nothing. A light at or below the horizon casts none.
+ * Lays the shadows of the instance, as it was last updated, and of its cloths
+ * upon the ground. They are moved towards the eye just so far that the ground's
+ * triangles do not hide them. Allocates nothing. A light at or below the
+ * horizon casts none.
  */
 void shadow_drape_update(struct shadow_drape *drape,
 	const struct instance *instance, const struct shadow_light *light);

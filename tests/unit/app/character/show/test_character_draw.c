@@ -5,6 +5,7 @@
 #include "tests/unit/app/character/show/drawn.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Of those, the ones that draw these vertices. */
@@ -165,6 +166,41 @@ static void test_a_cape_is_drawn_while_it_is_worn(void **state)
 	assert_near(found[1]->matrix[0], unit, 1e-4);
 	assert_near(found[1]->matrix[5], unit, 1e-4);
 	assert_near(found[0]->matrix[5], 0, 1e-4); /* level */
+	end(&shown);
+}
+
+/* The corners of a cape's shadow on hills; 0: it casts none. */
+static int corners_on_hills(struct shown *shown)
+{
+	const struct shadow_sheet *sheet = shown->drawing.drape.sheet;
+	int found = 0;
+
+	character_draw_update(&shown->drawing, &shown->stage);
+	for (int i = 0; i < shown->drawing.drape.sheet_count; i++) {
+		found += sheet[i].cloth ? sheet[i].index_count : 0;
+	}
+	return found;
+}
+
+static void test_a_cape_casts_a_shadow_on_hills(void **state)
+{
+	static const char hills[] = "[scene]\nwaves = 0.2\n";
+	const struct character_cape *cape;
+	char text[sizeof(cape_text) + sizeof(hills)];
+	struct shown shown;
+
+	(void)state;
+	snprintf(text, sizeof(text), "%s%s", cape_text, hills);
+	begin(&shown, "assets/walker.glb", text);
+	shown.stage.floor = (struct floor){
+		.tile = 1.0f, .radius = 9.0f, .wave_height = 0.2f};
+	cape = shown.acting.character->cape;
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	assert_int_equal(corners_on_hills(&shown), 0);
+	acting_tap(&shown.acting, BUTTON_UP, 0.3, 50.0);
+	assert_int_equal(corners_on_hills(&shown), 0);
+	acting_run_to(&shown.acting, 0.8, 50.0);
+	assert_true(corners_on_hills(&shown) >= cape->index_count);
 	end(&shown);
 }
 
@@ -343,6 +379,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_shadow_of_a_ball_lies_where_light_falls),
 		cmocka_unit_test(test_a_cape_is_drawn_while_it_is_worn),
+		cmocka_unit_test(test_a_cape_casts_a_shadow_on_hills),
 		cmocka_unit_test(test_a_cape_that_fades_is_blended_in_its_colour),
 	};
 

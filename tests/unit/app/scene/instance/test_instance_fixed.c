@@ -273,8 +273,10 @@ static void test_shadows_fall_as_in_float(void **state)
 	(void)state;
 	instance_pair_load(&pair, "assets/walker.glb");
 	instance_pair_pose(&pair, 0, 0.3f);
-	assert_int_equal(shadow_drape_init(&exact, pair.exact, &nowhere), 0);
-	assert_int_equal(shadow_drape_init(&fixed, pair.fixed, &nowhere), 0);
+	assert_int_equal(
+		shadow_drape_init(&exact, pair.exact, NULL, 0, &nowhere), 0);
+	assert_int_equal(
+		shadow_drape_init(&fixed, pair.fixed, NULL, 0, &nowhere), 0);
 	fixed.longest = exact.longest = 9.0f;
 	shadow_drape_update(&exact, pair.exact, &light);
 	shadow_drape_update(&fixed, pair.fixed, &light);

@@ -20,7 +20,8 @@ struct cast {
 	struct shadow_drape drape;
 };
 
-static struct cast begin(struct model *model)
+static struct cast begin_in(
+	struct model *model, const struct shadow_cloth *cloth)
 {
 	struct log nowhere = log_to_nowhere();
 	struct cast cast = {.model = model};
@@ -28,9 +29,15 @@ static struct cast begin(struct model *model)
 	assert_int_equal(instance_create(model, kernel_find(NULL), &nowhere,
 				 &cast.instance),
 		0);
-	assert_int_equal(
-		shadow_drape_init(&cast.drape, cast.instance, &nowhere), 0);
+	assert_int_equal(shadow_drape_init(&cast.drape, cast.instance, cloth,
+				 cloth ? 1 : 0, &nowhere),
+		0);
 	return cast;
+}
+
+static struct cast begin(struct model *model)
+{
+	return begin_in(model, NULL);
 }
 
 static void end(struct cast *cast)
@@ -352,26 +359,38 @@ static int draw_shadow(struct gl_context *context, struct pixels *picture,
 	return dark;
 }
 
+/* Opens a driver and a picture for draw_shadow(); close_picture() ends. */
+static struct gl_context *open_picture(struct pixels *picture)
+{
+	struct log log = log_to_nowhere();
+	struct gl_context *context;
+	const struct gl_request request = {
+		.format = PIXELS_RGBA8888, .log = &log};
+
+	assert_int_equal(gl_open("soft", &request, &context), 0);
+	assert_int_equal(
+		pixels_alloc(picture, PICTURE, PICTURE, PIXELS_RGBA8888, &log),
+		0);
+	return context;
+}
+
+static void close_picture(struct gl_context *context, struct pixels *picture)
+{
+	free(picture->data);
+	context->driver->destroy(context);
+}
+
 static void test_ground_that_is_seen_is_darkened_once(void **state)
 {
 	static struct floor floor = {.y = -1.0f, .tile = 1.0f, .radius = 9.0f};
-	struct log log = log_to_nowhere();
 	struct cast cast = begin(make_cube());
 	struct pixels picture;
-	struct gl_context *context;
+	struct gl_context *context = open_picture(&picture);
 	const struct shadow_light light = {.towards = {0.36f, 0.8f, 0.48f},
 		.eye = {0.0f, 100.0f, 0.0f},
 		.ground = &floor};
 
 	(void)state;
-	assert_int_equal(gl_open("soft",
-				 &(struct gl_request){.format = PIXELS_RGBA8888,
-					 .log = &log},
-				 &context),
-		0);
-	assert_int_equal(
-		pixels_alloc(&picture, PICTURE, PICTURE, PIXELS_RGBA8888, &log),
-		0);
 	shadow_drape_update(&cast.drape, cast.instance, &light);
 	/* 1 + 0.45 + 0.6 square units of 144 pixels. */
 	assert_in_range(draw_shadow(context, &picture, &cast.drape, -3, true),
@@ -392,8 +411,48 @@ static void test_ground_that_is_seen_is_darkened_once(void **state)
 	cast.instance->drawable[0].mean_alpha = 0.2f; /* to 231 */
 	assert_int_equal(
 		draw_shadow(context, &picture, &cast.drape, -3, true), 0);
-	free(picture.data);
-	context->driver->destroy(context);
+	close_picture(context, &picture);
+	end(&cast);
+}
+
+/* Cloth of a square unit and a wall, whichever side is towards the light. */
+static void test_sheets_cast_shadows_from_both_sides(void **state)
+{
+	static const float corner[4][3] = {
+		{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, {1, 0, 1}};
+	static const uint16_t index[2][6] = {
+		{0, 2, 1, 1, 2, 3}, {0, 1, 2, 1, 3, 2}};
+	static struct floor floor = {.y = -1.0f, .tile = 1.0f, .radius = 9.0f};
+	struct shadow_light light = {
+		.eye = {0.0f, 100.0f, 0.0f}, .ground = &floor};
+	struct shadow_cloth cloth = {.position = corner,
+		.vertex_count = 4,
+		.index_count = 6,
+		.scale = 0.5f};
+	struct model *wall = small_model_grid(1, 1, 1.0f, true);
+	struct cast cast;
+	struct pixels picture;
+	struct gl_context *context = open_picture(&picture);
+
+	(void)state;
+	wall->material[0].double_sided = true;
+	cast = begin_in(wall, &cloth);
+	for (int i = 0; i < 4; i++) {
+		light.towards[1] = 0.6f;
+		light.towards[2] = i % 2 == 0 ? 0.8f : -0.8f;
+		cloth.index = index[i % 2];
+		cloth.hidden = i >= 2;
+		cast.instance->drawable[0].hidden = i < 2;
+		shadow_drape_update(&cast.drape, cast.instance, &light);
+		assert_in_range(
+			draw_shadow(context, &picture, &cast.drape, -3, true),
+			i < 2 ? 130 : 180, i < 2 ? 160 : 210);
+	}
+	cast.instance->drawable[0].hidden = true;
+	shadow_drape_update(&cast.drape, cast.instance, &light);
+	assert_int_equal(
+		draw_shadow(context, &picture, &cast.drape, -3, true), 0);
+	close_picture(context, &picture);
 	end(&cast);
 }
 
@@ -427,6 +486,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_shadow_is_blended_once_and_writes_no_depth),
 		cmocka_unit_test(test_ground_that_is_seen_is_darkened_once),
+		cmocka_unit_test(test_sheets_cast_shadows_from_both_sides),
 		cmocka_unit_test(test_a_part_of_many_vertices_casts_a_shadow),
 	};
 

@@ -2,6 +2,10 @@
 
 #include "app/model/model_deltas.h"
 
+enum {
+	TARGET_VALUES = 6 /* of a vertex: the ways of position and normal */
+};
+
 static void put_vectors(struct embed *embed, const float (*vector)[3], int count)
 {
 	for (int i = 0; i < count; i++) {
@@ -84,11 +88,11 @@ static void put_targets(struct embed *embed, const struct embed_part *part)
 		const struct model_target *target = &primitive->target[t];
 
 		for (int v = 0; v < primitive->vertex_count; v++) {
-			float delta[6];
+			float delta[TARGET_VALUES];
 
 			model_deltas_get(&target->position, v, delta);
 			model_deltas_get(&target->normal, v, delta + 3);
-			embed_put_floats(embed, delta, 6);
+			embed_put_floats(embed, delta, TARGET_VALUES);
 		}
 	}
 }
@@ -114,7 +118,9 @@ void embed_print_vertices(struct embed *embed)
 	embed_begin_table(embed, "float", "weight", "", embed->influences, 4);
 	embed_each_part(embed, put_weights);
 	embed_end_table(embed, embed->influences);
-	embed_begin_table(embed, "float", "target", "", embed->targets, 4);
+	/* Compilers warn about a loop, run or not, that would leave the table. */
+	embed_begin_table(embed, "float", "target", "",
+		embed->targets ? embed->targets : TARGET_VALUES, 4);
 	embed_each_part(embed, put_targets);
 	embed_end_table(embed, embed->targets);
 	fprintf(embed->out, "\ntypedef %s %s_index_t;\n",

@@ -42,6 +42,9 @@ plays() {
     check "$(basename "$model"): compiles alone without a warning" \
         gcc -std=c99 -pedantic -Wall -Wextra -Wshadow -Werror -O0 -c \
         -o "$scratch/one.o" "$scratch/one.c"
+    check "$(basename "$model"): compiles without a warning when it is optimized" \
+        gcc -std=c99 -pedantic -Wall -Wextra -Wshadow -Werror -O3 -c \
+        -o "$scratch/fast.o" "$scratch/one.c"
     tables=$(nm -S "$scratch/one.o" | awk '
         $3 == "r" && $4 !~ /^offset/ {
             n = 0

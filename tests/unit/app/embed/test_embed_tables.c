@@ -207,7 +207,7 @@ static void fills_tables_that_would_be_empty(void **state)
 	assert_contains(s.text, "0 to 0.0000 seconds\n");
 	assert_contains(s.text, " t_joint[1] = {\n\t0,\n};\n");
 	assert_contains(s.text, " t_weight[1] = {\n\t0,\n};\n");
-	assert_contains(s.text, " t_target[1] = {\n\t0,\n};\n");
+	assert_contains(s.text, " t_target[6] = {\n\t0,\n};\n");
 	assert_contains(s.text, " t_time[1] = {\n\t0,\n};\n");
 	assert_contains(s.text, " t_value[1] = {\n\t0,\n};\n");
 	assert_contains(s.text, " t_rest_weight[1] = {\n\t0,\n};\n");
@@ -219,8 +219,8 @@ static void fills_tables_that_would_be_empty(void **state)
 	assert_int_equal(s.size.ram_bytes,
 		4 * (10 + 12) * 4 + 1 * 4 + 1 * 24 * 4 + 13 * 6 * 4);
 	assert_int_equal(s.size.rom_bytes,
-		13 * 24 + 13 * 4 + 1 + 4 + 4 + 15 * 2 + 4 * 2 + 4 * 40 + 4 + 4 +
-			4 + 16 + 4 * 60 + 48);
+		13 * 24 + 13 * 4 + 1 + 4 + 24 + 15 * 2 + 4 * 2 + 4 * 40 + 4 +
+			4 + 4 + 16 + 4 * 60 + 48);
 	embed_scene_end(&s);
 }
 

@@ -105,7 +105,8 @@ static int check_size(const struct embed *embed, const struct log *log)
 		return -EFBIG;
 	}
 	if (embed->parts == 0) {
-		log_error(log, "%s: the model has nothing to draw",
+		log_error(log,
+			"%s: the model has nothing to draw: export it with its meshes",
 			embed->model->path);
 		return -EINVAL;
 	}

@@ -209,6 +209,20 @@ static int set_other(struct reader *reader, const char *key, const char *value)
 	return set_option(reader, key, value);
 }
 
+/* The section to which a key belongs. */
+static const char *section_of(const char *key)
+{
+	if (is_one_of(key, config_buttons_keys)) {
+		return "buttons";
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(sections); i++) {
+		if (is_one_of(key, sections[i].keys)) {
+			return sections[i].section;
+		}
+	}
+	return "options";
+}
+
 static int set(struct reader *reader, const char *section, const char *key,
 	const char *value)
 {
@@ -235,8 +249,8 @@ static int set(struct reader *reader, const char *section, const char *key,
 	}
 	if (!*section) {
 		log_error(&reader->log,
-			"%s: this key comes before any [section]: write its section above it",
-			key);
+			"%s: this key comes before any [section]: write [%s] above it",
+			key, section_of(key));
 		return -EINVAL;
 	}
 	return refuse_unknown(reader, "section", section, section_names);

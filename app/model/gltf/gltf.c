@@ -116,7 +116,7 @@ static int check_extension(const struct gltf_at *at)
 	}
 	if (adds_looks_only(name)) {
 		gltf_warn_alone(at,
-			"the model requires %.80s, which limber ignores: it looks different",
+			"the model requires %.80s, which limber ignores, so that it looks different: export it without",
 			name);
 		return 0;
 	}

@@ -116,7 +116,8 @@ static void refuses_what_the_player_cannot_show(void **state)
 		s.node[n].in_scene = false;
 	}
 	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
-	assert_contains(s.logged.sentence[0], "nothing to draw");
+	assert_contains(s.logged.sentence[0],
+		"nothing to draw: export it with its meshes");
 	embed_scene_end(&s);
 }
 

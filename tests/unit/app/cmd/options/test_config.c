@@ -174,7 +174,10 @@ static void test_errors_name_their_line(void **state)
 	} cases[] = {
 		{2, "[start]\ndmeo = arm\n", "did you mean demo?"},
 		{3, "\n[dsiplay]\nsize = 1x1\n", "did you mean display?"},
-		{1, "demo = arm\n", "before any [section]"},
+		{1, "demo = arm\n", "before any [section]: write [start] above"},
+		{1, "size = 9x9\n", "[section]: write [display] above it"},
+		{1, "UP = key A\n", "[section]: write [buttons] above it"},
+		{1, "verbose = yes\n", "[section]: write [options] above it"},
 		{2, "[display]\nsize = 480\n", "size = 480: give a width"},
 		{2, "[display]\nlabels = maybe\n", "give yes or no"},
 		{2, "[start]\ndemo arm\n", "KEY = VALUE"},

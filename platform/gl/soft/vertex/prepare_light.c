@@ -221,6 +221,8 @@ static void prepare_normals(
 	/* Directions of transformed lights must be shorter than 2. */
 	shading->rotate_normals =
 		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
+	/* Normals of back faces point the other way: section 2.12.1. */
+	factor = shading->back_only ? -factor : factor;
 	for (int i = 0; i < 9; i++) {
 		turned[i] *= factor;
 		shading->normal_q28[i] = soft_matrix_to_int(turned[i] * two_28);
@@ -297,7 +299,11 @@ void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 	float normal[9];
 
 	shading->lit = lighting->enabled;
-	shading->two_side = lighting->enabled && lighting->two_side;
+	shading->two_side = shading->back_only = false;
+	if (lighting->enabled && lighting->two_side) {
+		shading->two_side = !draw->cull_front && !draw->cull_back;
+		shading->back_only = draw->cull_front;
+	}
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
 	shading->fast = true;

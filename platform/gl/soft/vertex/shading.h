@@ -68,7 +68,9 @@ struct shading {
 	struct light_source light_source[SOFT_LIGHTS];
 	uint8_t color[4];
 
-	bool lit, fast, two_side, tracked;
+	bool lit, fast, tracked;
+	/* Both sides are lit, or the back in place of the front, if it is culled. */
+	bool two_side, back_only;
 	bool normalize, rotate_normals;
 	int32_t normal_q28[9]; /* if rotate_normals: to eye space, column-major */
 	int32_t ambient_q16[3], alpha_q16; /* added once, not for each light */

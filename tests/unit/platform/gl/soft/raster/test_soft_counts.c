@@ -152,6 +152,32 @@ static void test_triangles_that_are_not_set_up_count_as_skipped(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* Lit on both sides, of which the back alone is drawn. */
+static void draw_back_of_square(const struct gl_canvas *canvas)
+{
+	canvas->gl->Enable(GL_LIGHTING);
+	canvas->gl->Enable(GL_LIGHT0);
+	canvas->gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+	canvas->gl->Enable(GL_CULL_FACE);
+	canvas->gl->CullFace(GL_FRONT);
+	canvas->gl->FrontFace(GL_CW);
+	draw_square(canvas);
+}
+
+static void test_back_faces_count_as_front_faces_do(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+
+	(void)state;
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	count(&canvas, &counts);
+	draw_back_of_square(&canvas);
+	expect_square(&counts, GL_WORK_PLAIN);
+	assert_true(counts.shaded == 4.0);
+	gl_canvas_close(&canvas);
+}
+
 /* The same square with a colour at each corner. */
 static void test_triangles_of_several_colors_count_besides(void **state)
 {
@@ -324,6 +350,7 @@ int main(void)
 		cmocka_unit_test(test_rows_without_pixels_count_less),
 		cmocka_unit_test(
 			test_triangles_that_are_not_set_up_count_as_skipped),
+		cmocka_unit_test(test_back_faces_count_as_front_faces_do),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),
 		cmocka_unit_test(
 			test_vertices_that_a_cache_still_has_count_apart),

@@ -209,6 +209,12 @@ static ALWAYS_INLINE int raster_find_lod(
  */
 bool soft_is_hidden(const struct draw *draw, const struct setup *setup);
 
+/*
+ * hidden.c: the same of any triangle, by each of its own pixels. One that is
+ * not setup->inside has been set up, by soft_raster_set_up().
+ */
+bool soft_is_wholly_hidden(const struct draw *draw, const struct setup *setup);
+
 /* span/walk.c: draws a triangle in any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup);
 /* fast/luminance.c, fast/fill_texture.c: see there; paths.c chooses them. */

@@ -5,6 +5,7 @@
  * edge belong to the triangle right of or below it. Edges are always stepped
  * from their upper end, so both triangles at an edge compute the same numbers.
  */
+#include "platform/gl/gl_counts.h"
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
@@ -113,9 +114,36 @@ static void fill_in_one_color(struct draw *draw, struct setup *setup)
 	draw->fill(draw, setup);
 }
 
+/*
+ * Drops a triangle that is hidden: before its corners are shaded, if it is
+ * small. Where no corner's colour is needed, it is not computed.
+ */
+static void fill_seen(struct draw *draw, struct setup *setup)
+{
+	const bool flat = draw->soft->fragment.flat && draw->attributes;
+	bool hidden = setup->inside && soft_is_wholly_hidden(draw, setup);
+	const bool shaded = !hidden && !(flat && setup->inside);
+
+	for (int i = 0; i < 3 && shaded; i++) {
+		soft_shade(draw, (struct vertex *)setup->v[i]);
+	}
+	if (!setup->inside) {
+		soft_raster_set_up(draw, setup);
+		hidden = soft_is_wholly_hidden(draw, setup);
+	}
+	if (!hidden) {
+		(flat ? fill_in_one_color : draw->fill)(draw, setup);
+	} else if (draw->soft->counts) {
+		draw->soft->counts->skipped += 1.0;
+	}
+}
+
 void soft_prepare_fast_setup(struct draw *draw)
 {
 	bool flat = draw->soft->fragment.flat && draw->attributes;
+	const fill_function first = draw->mostly_hidden ? fill_seen
+		: flat                                  ? fill_in_one_color
+							: NULL;
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct clip_box *box = &draw->box;
 	bool clockwise_culled =
@@ -123,7 +151,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 
 	draw->packed = is_packed(draw);
 	draw->fast_setup = (struct fast_setup){
-		.fill = flat ? fill_in_one_color : draw->fill,
+		.fill = first ? first : draw->fill,
 		.place = draw->place,
 		.cache = draw->cache,
 		.cull_side = clockwise_culled ? UINT32_MAX : 0,
@@ -132,7 +160,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.stride_bytes = (uintptr_t)buffers->target.stride_bytes,
 		.pixels = (uintptr_t)buffers->target.data -
 			(uintptr_t)buffers->depth - 2,
-		.attributes = flat ? 0 : draw->attributes,
+		.attributes = first ? 0 : draw->attributes,
 		.back_flip = draw->front_is_ccw,
 	};
 	/* By default an empty box: no triangle lies inside. */

@@ -178,6 +178,32 @@ static void test_back_faces_count_as_front_faces_do(void **state)
 	gl_canvas_close(&canvas);
 }
 
+static void test_hidden_back_faces_are_neither_lit_nor_set_up(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts whole = {0}, cut = {0};
+
+	(void)state;
+	canvas.gl->Enable(GL_DEPTH_TEST);
+	draw_square(&canvas);
+	count(&canvas, &whole);
+	draw_back_of_square(&canvas);
+	assert_true(whole.skipped == TRIANGLES);
+	assert_true(whole.shaded == 0.0);
+	assert_true(whole.work[GL_WORK_PLAIN].triangles == 0.0);
+
+	/* Beside the scissor box nothing hides them, and nothing is drawn. */
+	canvas.gl->Clear(GL_DEPTH_BUFFER_BIT);
+	canvas.gl->Enable(GL_SCISSOR_TEST);
+	canvas.gl->Scissor(FIRST + 2, FIRST + 2, SIZE - 4, SIZE - 4);
+	canvas.gl->Disable(GL_CULL_FACE);
+	draw_square(&canvas);
+	count(&canvas, &cut);
+	draw_back_of_square(&canvas);
+	assert_true(cut.skipped == TRIANGLES);
+	gl_canvas_close(&canvas);
+}
+
 /* The same square with a colour at each corner. */
 static void test_triangles_of_several_colors_count_besides(void **state)
 {
@@ -351,6 +377,8 @@ int main(void)
 		cmocka_unit_test(
 			test_triangles_that_are_not_set_up_count_as_skipped),
 		cmocka_unit_test(test_back_faces_count_as_front_faces_do),
+		cmocka_unit_test(
+			test_hidden_back_faces_are_neither_lit_nor_set_up),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),
 		cmocka_unit_test(
 			test_vertices_that_a_cache_still_has_count_apart),

@@ -239,7 +239,8 @@ struct model_clip {
 struct model_image {
 	const char *name;
 	int width, height;
-	bool opaque;   /* every alpha is 255 */
+	int file_width, file_height; /* before it was halved, see image.h */
+	bool opaque;                 /* every alpha is 255 */
 	uint8_t *rgba; /* [height][width][4], top row first, sRGB, alpha */
 };
 

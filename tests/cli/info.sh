@@ -26,6 +26,26 @@ limber info "$scratch/first.gltf"
 expect_status 0
 expect_out 'targets: out, \(unnamed\)$'
 
+# An image that is larger than textures is halved.
+python3 -c '
+import json, struct, sys, zlib
+def chunk(kind, data):
+    return (struct.pack(">I", len(data)) + kind + data +
+            struct.pack(">I", zlib.crc32(kind + data)))
+with open(sys.argv[2] + "/large.png", "wb") as png:
+    png.write(b"\x89PNG\r\n\x1a\n" +
+              chunk(b"IHDR", struct.pack(">IIBBBBB", 4095, 2048, 8, 0, 0, 0, 0)) +
+              chunk(b"IDAT", zlib.compress(bytes(4096 * 2048))) +
+              chunk(b"IEND", b""))
+file = json.load(open(sys.argv[1]))
+file["images"] = [{"uri": "large.png", "name": "large"}]
+file["textures"] = [{"source": 0}]
+file["materials"] = [{"normalTexture": {"index": 0}}]
+json.dump(file, open(sys.argv[2] + "/large_image.gltf", "w"))' "$slider" "$scratch"
+limber info "$scratch/large_image.gltf"
+expect_status 0
+expect_out '^ +0 +4095x2048 \(read as 2048x1024\)  large$'
+
 limber info "$slider" --json
 expect_status 0
 expect_no_err

@@ -89,8 +89,8 @@ static json_t *images(const struct model *model)
 	for (int i = 0; i < model->image_count; i++) {
 		json_array_append_new(array,
 			json_pack("{s:s, s:i, s:i}", "name", model->image[i].name,
-				"width", model->image[i].width, "height",
-				model->image[i].height));
+				"width", model->image[i].file_width, "height",
+				model->image[i].file_height));
 	}
 	return array;
 }

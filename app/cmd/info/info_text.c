@@ -121,8 +121,13 @@ static void print_images(const struct model *model, FILE *out)
 	for (int i = 0; i < model->image_count; i++) {
 		const struct model_image *image = &model->image[i];
 
-		fprintf(out, "  %3d      %dx%d%s  ", i, image->width,
-			image->height, image->opaque ? "" : " with alpha");
+		fprintf(out, "  %3d      %dx%d", i, image->file_width,
+			image->file_height);
+		if (image->width < image->file_width) {
+			fprintf(out, " (read as %dx%d)", image->width,
+				image->height);
+		}
+		fprintf(out, "%s  ", image->opaque ? "" : " with alpha");
 		print_name(image->name, "\n", out);
 	}
 }

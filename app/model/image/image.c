@@ -66,22 +66,36 @@ static bool is_opaque(const struct model_image *image)
 	return true;
 }
 
+/*
+ * Whether both sides stay as long as textures. An image is halved only once, so
+ * that the memory budget bounds the time that small files can ask for.
+ */
+static bool is_halved(int width, int height)
+{
+	return width >= 2 * IMAGE_SIDE_USED && height >= 2 * IMAGE_SIDE_USED;
+}
+
 int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct log *log, struct arena *arena, struct model_image *out)
 {
 	const struct image_codec *codec = find_codec(data, size);
 	struct image_input input = {data, size, where, log, arena->budget};
-	int error = measure(codec, &input, &out->width, &out->height);
+	int error = measure(codec, &input, &out->file_width, &out->file_height);
+	bool halve;
 
 	if (error) {
 		return error;
 	}
+	halve = is_halved(out->file_width, out->file_height);
+	out->width = (out->file_width + halve) >> halve;
+	out->height = (out->file_height + halve) >> halve;
 	out->rgba =
 		arena_alloc(arena, (size_t)out->width * (size_t)out->height, 4);
 	if (!out->rgba) {
 		return memory_budget_fail(arena->budget, where, log);
 	}
-	error = codec->decode(&input, out->width, out->height, out->rgba);
+	error = codec->decode(
+		&input, out->file_width, out->file_height, halve, out->rgba);
 	if (!error) {
 		out->opaque = is_opaque(out);
 	}

@@ -8,14 +8,16 @@
 #include "app/model/model.h"
 
 enum {
-	IMAGE_SIDE_MAX = 4096 /* pixels; a square image then takes 64 MiB */
+	IMAGE_SIDE_MAX = 4096, /* pixels of a file's image */
+	IMAGE_SIDE_USED = 1024 /* the largest side that textures have */
 };
 
 /*
- * Decodes an image into width, height, opaque and rgba of *out; the arena owns
- * rgba, and name stays as it is. It ignores colour profiles, as glTF 2.0
- * (3.9.2) requires, and converts grey, palette and 16-bit images to 8-bit RGBA.
- * A damaged JPEG that can still be decoded causes a warning.
+ * Decodes an image into *out; the arena owns rgba, and name stays as it is. An
+ * image is halved if both its sides are at least twice IMAGE_SIDE_USED: one of
+ * 2048 x 2048 pixels takes 4 MiB instead of 16. It ignores colour profiles,
+ * as glTF 2.0 (3.9.2) requires, and converts grey, palette and 16-bit images to
+ * 8-bit RGBA. A damaged JPEG that can still be decoded causes a warning.
  *
  * Returns 0, or -errno after one error that begins with where ("fox.gltf:
  * /images/0"): -EINVAL for a broken image, -ENOTSUP for another format, -EFBIG

@@ -11,6 +11,7 @@
 #include "platform/base/log.h"
 #include "platform/base/memory_budget.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -32,9 +33,12 @@ struct image_codec {
 	 */
 	int (*measure)(const struct image_input *input, int *width, int *height);
 
-	/* Fills rgba[height][width][4], the size that measure() returned. */
+	/*
+	 * Fills rgba[height][width][4], the size that measure() returned. To halve
+	 * rounds both sides up: a pixel is the mean of those it stands for.
+	 */
 	int (*decode)(const struct image_input *input, int width, int height,
-		uint8_t *rgba);
+		bool halve, uint8_t *rgba);
 };
 
 extern const struct image_codec image_codec_png;

@@ -136,7 +136,7 @@ static void convert_cmyk(uint8_t *row, int width, bool inverted)
 	}
 }
 
-static bool read_pixels(struct decoder *decoder, uint8_t *rgba)
+static bool read_pixels(struct decoder *decoder, bool halve, uint8_t *rgba)
 {
 	struct jpeg_decompress_struct *jpeg = &decoder->jpeg;
 	bool cmyk = is_cmyk(jpeg);
@@ -145,6 +145,8 @@ static bool read_pixels(struct decoder *decoder, uint8_t *rgba)
 		return false;
 	}
 	jpeg->out_color_space = cmyk ? JCS_CMYK : JCS_EXT_RGBA;
+	jpeg->scale_num = 1;
+	jpeg->scale_denom = halve ? 2 : 1;
 	jpeg_start_decompress(jpeg);
 	while (jpeg->output_scanline < jpeg->output_height) {
 		JSAMPROW row = rgba +
@@ -187,8 +189,8 @@ static size_t coefficient_bytes(struct decoder *decoder, int width, int height)
 		: 0;
 }
 
-static int decode(
-	const struct image_input *input, int width, int height, uint8_t *rgba)
+static int decode(const struct image_input *input, int width, int height,
+	bool halve, uint8_t *rgba)
 {
 	struct decoder decoder;
 	size_t kept = 0;
@@ -205,7 +207,7 @@ static int decode(
 				input->budget, input->where, input->log);
 		}
 	}
-	fine = fine && read_pixels(&decoder, rgba);
+	fine = fine && read_pixels(&decoder, halve, rgba);
 	error = end(&decoder, fine);
 	memory_budget_give_back(input->budget, kept);
 	return error;

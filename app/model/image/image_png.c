@@ -14,6 +14,15 @@ enum {
 		4 * 1024 * 1024, /* limit of a decompressed ancillary chunk */
 };
 
+/* How rows of the file become rows of the image. */
+struct reduction {
+	int width, height; /* the file's */
+	bool halve;
+	uint8_t *row; /* NULL if not halved; two rows, or all if the file is
+			 interlaced */
+	size_t bytes; /* of row */
+};
+
 struct decoder {
 	const struct image_input *input;
 	size_t at;
@@ -108,11 +117,81 @@ static bool read_header(struct decoder *decoder)
 	return true;
 }
 
-/* Converts any PNG to 8-bit RGBA; ignores gamma and colour profiles. */
-static bool read_pixels(
-	struct decoder *decoder, int width, int height, uint8_t *rgba)
+/*
+ * Averages two rows, which may be the same, to one of half as many pixels. The
+ * last one of an odd number stands for the one that lacks. Each sum holds every
+ * second channel, in 16 bits.
+ */
+static void halve_rows(const struct reduction *reduction, const uint8_t *first,
+	const uint8_t *second, uint8_t *out)
 {
-	size_t row_bytes = (size_t)width * 4;
+	const uint32_t even_bytes = 0x00ff00ff;
+	int last = reduction->width - 1;
+
+	for (int x = 0; x <= last; x += 2, out += 4) {
+		int right = x < last ? x + 1 : last;
+		const uint8_t *from[4] = {first + 4 * x, first + 4 * right,
+			second + 4 * x, second + 4 * right};
+		uint32_t even = 0x00020002, odd = even, word;
+
+		for (int i = 0; i < 4; i++) {
+			memcpy(&word, from[i], sizeof(word));
+			even += word & even_bytes;
+			odd += word >> 8 & even_bytes;
+		}
+		word = (even >> 2 & even_bytes) | (odd >> 2 & even_bytes) << 8;
+		memcpy(out, &word, sizeof(word));
+	}
+}
+
+/* Reads all rows and halves each two of them once they are complete. */
+static void read_rows(png_structp png, const struct reduction *reduction,
+	int passes, uint8_t *rgba)
+{
+	int height = reduction->height;
+	size_t bytes = (size_t)reduction->width * 4;
+	size_t out_bytes = (size_t)(reduction->width + 1) / 2 * 4;
+
+	for (int i = 0; i < passes * height; i++) {
+		int y = i % height;
+		uint8_t *to = !reduction->halve ? rgba + (size_t)y * bytes
+						: reduction->row +
+				(size_t)(passes > 1 ? y : y & 1) * bytes;
+
+		png_read_row(png, to, NULL);
+		if (reduction->halve && i >= (passes - 1) * height &&
+			(y % 2 == 1 || y == height - 1)) {
+			halve_rows(reduction, y % 2 ? to - bytes : to, to,
+				rgba + (size_t)(y / 2) * out_bytes);
+		}
+	}
+}
+
+/* Takes the memory of rows that are to be halved. Returns 0 or -ENOMEM. */
+static int reserve_rows(struct decoder *decoder, struct reduction *reduction)
+{
+	const struct image_input *input = decoder->input;
+	bool all = png_get_interlace_type(decoder->png, decoder->info) !=
+		PNG_INTERLACE_NONE;
+	int rows = all ? reduction->height : 2;
+
+	if (!reduction->halve) {
+		return 0;
+	}
+	reduction->bytes = (size_t)rows * (size_t)reduction->width * 4;
+	if (!memory_budget_take(input->budget, reduction->bytes)) {
+		reduction->bytes = 0;
+		return memory_budget_fail(
+			input->budget, input->where, input->log);
+	}
+	reduction->row = malloc(reduction->bytes);
+	return reduction->row ? 0 : fail_memory(input);
+}
+
+/* Converts any PNG to 8-bit RGBA; ignores gamma and colour profiles. */
+static bool read_pixels(struct decoder *decoder,
+	const struct reduction *reduction, uint8_t *rgba)
+{
 	int passes;
 
 	if (setjmp(png_jmpbuf(decoder->png))) {
@@ -124,10 +203,7 @@ static bool read_pixels(
 	png_set_add_alpha(decoder->png, 255, PNG_FILLER_AFTER);
 	passes = png_set_interlace_handling(decoder->png);
 	png_read_update_info(decoder->png, decoder->info);
-	for (int row = 0; row < passes * height; row++) {
-		png_read_row(decoder->png,
-			rgba + (size_t)(row % height) * row_bytes, NULL);
-	}
+	read_rows(decoder->png, reduction, passes, rgba);
 	png_read_end(decoder->png, NULL);
 	return true;
 }
@@ -149,9 +225,10 @@ static int measure(const struct image_input *input, int *width, int *height)
 	return end(&decoder, fine);
 }
 
-static int decode(
-	const struct image_input *input, int width, int height, uint8_t *rgba)
+static int decode(const struct image_input *input, int width, int height,
+	bool halve, uint8_t *rgba)
 {
+	struct reduction reduction = {width, height, halve, NULL, 0};
 	struct decoder decoder;
 	bool fine;
 	int error = begin(&decoder, input);
@@ -159,9 +236,17 @@ static int decode(
 	if (error) {
 		return error;
 	}
-	fine = read_header(&decoder) &&
-		read_pixels(&decoder, width, height, rgba);
-	return end(&decoder, fine);
+	fine = read_header(&decoder);
+	error = fine ? reserve_rows(&decoder, &reduction) : 0;
+	if (error) {
+		png_destroy_read_struct(&decoder.png, &decoder.info, NULL);
+	} else {
+		fine = fine && read_pixels(&decoder, &reduction, rgba);
+		error = end(&decoder, fine);
+	}
+	free(reduction.row);
+	memory_budget_give_back(input->budget, reduction.bytes);
+	return error;
 }
 
 const struct image_codec image_codec_png = {

@@ -1,11 +1,13 @@
 #include "app/scene/draw/texels.h"
 
+#include "app/model/image/image.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-	SIDE_MAX = 1024,
+	SIDE_MAX = IMAGE_SIDE_USED,
 	SMALL_MAX = 128 /* a side of few texels is enlarged to this at most */
 };
 

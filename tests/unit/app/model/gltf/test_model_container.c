@@ -291,11 +291,11 @@ static void test_limits_the_files_beside_a_model(void **state)
 	temp_dir_remove(&folder);
 }
 
-/* A header that claims 4096 x 4096 pixels, 64 MiB, without their data. */
+/* A header that claims 4096 x 2047 pixels, 32 MiB, without their data. */
 #define HUGE_PNG                                   \
 	"data:;base64,"                            \
-	"iVBORw0KGgoAAAANSUhEUgAAEAAAABAACAIAAAB9" \
-	"wbNAAAAAAUlEQVQ="
+	"iVBORw0KGgoAAAANSUhEUgAAEAAAAAf/CAIAAAA7" \
+	"fLrMAAAAAUlEQVQ="
 
 static void test_checks_the_budget_before_decoding_an_image(void **state)
 {
@@ -303,7 +303,7 @@ static void test_checks_the_budget_before_decoding_an_image(void **state)
 	struct log_capture logged;
 
 	(void)state;
-	make_large_file(&folder, 200);
+	make_large_file(&folder, 230);
 	assert_int_equal(
 		load_text(&folder,
 			"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[" LARGE

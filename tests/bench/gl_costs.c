@@ -45,12 +45,14 @@ struct numbers {
 	int density;       /* texels on a hundred pixels */
 	int spread;        /* of w, in percent */
 	int turn;          /* of the quads, in degrees */
+	int line;          /* pixels, width of lines */
 };
 
 struct cost {
 	const struct gl *gl;
 	struct numbers number;
 	bool textured, second, colored, lit, keeps_depth;
+	GLenum mode; /* GL_TRIANGLES; GL_POINTS and GL_LINES draw one a quad */
 	GLenum format, type, min, mag, wrap_s, wrap_t;
 	int texel_bytes;
 };
@@ -66,6 +68,7 @@ static const struct {
 	{"density", offsetof(struct numbers, density), 0, 100000},
 	{"spread", offsetof(struct numbers, spread), 0, 150},
 	{"turn", offsetof(struct numbers, turn), -360, 360},
+	{"line", offsetof(struct numbers, line), 1, 64},
 };
 
 static void set_format(struct cost *c, GLenum format, GLenum type, int bytes)
@@ -164,6 +167,11 @@ WORD(stencil, c->gl->Enable(GL_STENCIL_TEST);
 WORD(count, c->gl->Enable(GL_STENCIL_TEST);
 	c->gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR))
 WORD(mask, c->gl->ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE))
+WORD(offset, c->gl->Enable(GL_POLYGON_OFFSET_FILL);
+	c->gl->PolygonOffsetx(FX16_ONE, FX16_ONE))
+WORD(points, c->mode = GL_POINTS)
+WORD(lines, c->mode = GL_LINES)
+WORD(smooth, c->gl->Enable(GL_POINT_SMOOTH); c->gl->Enable(GL_LINE_SMOOTH))
 WORD(scissor, c->gl->Enable(GL_SCISSOR_TEST);
 	c->gl->Scissor(1, 1, WIDTH - 2, HEIGHT - 2))
 
@@ -174,19 +182,22 @@ static const struct {
 	void (*set)(struct cost *c);
 } states[] = {
 #define WORD(name) {#name, set_##name},
-	WORD(nearest) WORD(bilinear) WORD(unlike) WORD(mipmaps) WORD(
-		trilinear) WORD(rgb) WORD(565) WORD(4444) WORD(5551) WORD(8888)
-		WORD(l8) WORD(a8) WORD(la88) WORD(clamp) WORD(second) WORD(
-			white) WORD(flat) WORD(replace) WORD(add) WORD(decal)
-			WORD(blendenv) WORD(combine) WORD(interpolate) WORD(
-				dot3) WORD(sun) WORD(lamp) WORD(twosided) WORD(blend)
-				WORD(glow) WORD(sum) WORD(premultiplied) WORD(
-					multiply) WORD(alphatest) WORD(fog)
-					WORD(nodepth) WORD(keepdepth) WORD(
-						lequal) WORD(always) WORD(gequal)
-						WORD(equal) WORD(notequal) WORD(
-							stencil) WORD(count)
-							WORD(mask) WORD(scissor)
+	WORD(nearest) WORD(bilinear) WORD(unlike) WORD(mipmaps) WORD(trilinear) WORD(
+		rgb) WORD(565) WORD(4444) WORD(5551) WORD(8888) WORD(l8)
+		WORD(a8) WORD(la88) WORD(clamp) WORD(second) WORD(white) WORD(
+			flat) WORD(replace) WORD(add) WORD(decal) WORD(blendenv)
+			WORD(combine) WORD(interpolate) WORD(dot3) WORD(sun) WORD(
+				lamp) WORD(twosided) WORD(blend) WORD(glow)
+				WORD(sum) WORD(premultiplied) WORD(multiply) WORD(
+					alphatest) WORD(fog) WORD(nodepth)
+					WORD(keepdepth) WORD(lequal) WORD(
+						always) WORD(gequal) WORD(equal)
+						WORD(notequal) WORD(stencil) WORD(
+							count) WORD(mask)
+							WORD(scissor) WORD(
+								offset) WORD(points)
+								WORD(lines) WORD(
+									smooth)
 #undef WORD
 };
 
@@ -288,11 +299,18 @@ static void make_corner(const struct cost *c, const double middle[2],
 	}
 }
 
+/* Vertices of a quad, of its top side, or of a point. */
+static int count_corners(const struct cost *c)
+{
+	return c->mode == GL_POINTS ? 1 : c->mode == GL_LINES ? 2 : 6;
+}
+
 /* Quads beside each other; returns how many vertices. */
 static int make_quads(const struct cost *c, struct vertex *out)
 {
 	static const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 	static const int order[6] = {0, 1, 2, 0, 2, 3};
+	const int each = count_corners(c);
 	const int pitch = c->number.size * 4 / 3 + 1;
 	struct vertex of[4];
 	uint32_t seed = 7;
@@ -310,7 +328,7 @@ static int make_quads(const struct cost *c, struct vertex *out)
 			for (int i = 0; i < 4; i++) {
 				make_corner(c, middle, corner[i], &seed, &of[i]);
 			}
-			for (int i = 0; i < 6; i++) {
+			for (int i = 0; i < each; i++) {
 				out[count++] = of[order[i]];
 			}
 		}
@@ -370,7 +388,8 @@ static bool set_state(struct cost *c, const char *text)
 	char words[256];
 
 	*c = (struct cost){.gl = c->gl,
-		.number = {60, 64, 64, 90, 0, 20},
+		.number = {60, 64, 64, 90, 0, 20, 1},
+		.mode = GL_TRIANGLES,
 		.colored = true,
 		.format = GL_RGB,
 		.type = GL_UNSIGNED_BYTE,
@@ -389,10 +408,10 @@ static bool set_state(struct cost *c, const char *text)
 	return true;
 }
 
-static NEVER_INLINE void draw(const struct gl *gl, int count)
+static NEVER_INLINE void draw(const struct gl *gl, GLenum mode, int count)
 {
 	MARKER_BEGIN(1);
-	gl->DrawArrays(GL_TRIANGLES, 0, count);
+	gl->DrawArrays(mode, 0, count);
 	MARKER_END(1);
 }
 
@@ -417,20 +436,26 @@ static bool measure(const char *driver, const char *text, struct pixels *pixels)
 	}
 	give_arrays(&cost, vertex);
 	count = make_quads(&cost, vertex);
+	cost.gl->PointSizex(cost.number.size * FX16_ONE);
+	cost.gl->LineWidthx(cost.number.line * FX16_ONE);
 	for (int i = 0; i < 2; i++) {
 		cost.gl->DepthMask(GL_TRUE);
 		cost.gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT |
 			GL_STENCIL_BUFFER_BIT);
 		cost.gl->DepthMask(!cost.keeps_depth);
 		if (i == 0) {
-			cost.gl->DrawArrays(GL_TRIANGLES, 0, count);
+			cost.gl->DrawArrays(cost.mode, 0, count);
 		} else {
-			draw(cost.gl, count);
+			draw(cost.gl, cost.mode, count);
 		}
 	}
 	context->driver->end_frame(context);
 	context->driver->destroy(context);
-	printf("%d %s\n", count / 6 * cost.number.size * cost.number.size, text);
+	printf("%d %s\n",
+		count / count_corners(&cost) * cost.number.size *
+			(cost.mode == GL_LINES ? cost.number.line
+					       : cost.number.size),
+		text);
 	return true;
 }
 

@@ -26,6 +26,9 @@ STATES = (
     *("bilinear keepdepth", "bilinear stencil", "bilinear count", "bilinear mask"),
     *("nearest second", "bilinear second", "bilinear add", "bilinear decal 8888"),
     *("bilinear interpolate", "bilinear dot3"),
+    *("bilinear mipmaps trilinear density=400", "offset"),
+    *("lines", "lines line=4", "lines smooth", "lines line=4 smooth blend"),
+    *("points", "points smooth", "points smooth blend"),
 )
 
 

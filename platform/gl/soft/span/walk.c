@@ -18,12 +18,9 @@ static ALWAYS_INLINE void draw_run(
 	run->row.depth = line->depth + x;
 	run->row.pixel = line->pixel + (x << spans->pixel_log2);
 	run->row.z = (uint32_t)find_value(line, DEPTH, x) << 6;
-	if (!kind.textured) {
-		spans->draw(run);
-		return;
-	}
 	run->row.place = (uint32_t)line->row << 16 | (uint32_t)x;
-	if (spans->made || soft_find_window(&spans->levels[0].view, run)) {
+	if (!kind.textured || spans->made ||
+		soft_find_window(&spans->levels[0].view, run)) {
 		spans->draw(run);
 	} else {
 		soft_draw_across(spans);

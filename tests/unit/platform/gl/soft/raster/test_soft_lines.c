@@ -34,6 +34,11 @@ static int value_at(const struct gl_canvas *canvas, int x, int y_up)
 	return canvas->pixels.data[4 * ((HEIGHT - 1 - y_up) * WIDTH + x)];
 }
 
+static int alpha_at(const struct gl_canvas *canvas, int x, int y_up)
+{
+	return canvas->pixels.data[4 * ((HEIGHT - 1 - y_up) * WIDTH + x) + 3];
+}
+
 static void draw(const struct gl_canvas *canvas, GLenum mode,
 	const float *vertices, int count)
 {
@@ -200,6 +205,73 @@ static void test_smooth_edges_cover_the_shape(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* By how far the pixel's centre lies inside of the disk's edge. */
+static void test_smooth_points_are_disks(void **state)
+{
+	struct gl_canvas canvas = open_flat(PIXELS_RGBA8888);
+	uint32_t seed = 5;
+
+	(void)state;
+	canvas.gl->ClearColorx(0, 0, 0, 0);
+	canvas.gl->Enable(GL_POINT_SMOOTH);
+	for (int round = 0; round < ROUNDS; round++) {
+		const float v[2] = {
+			(float)random_between(&seed, 1, 16 * WIDTH - 1) / 16,
+			(float)random_between(&seed, 1, 16 * HEIGHT - 1) / 16};
+		const int size_q4 = random_between(&seed, 16, 400);
+
+		canvas.gl->PointSizex(size_q4 * ONE / 16);
+		draw(&canvas, GL_POINTS, v, 1);
+		for (int i = 0; i < WIDTH * HEIGHT; i++) {
+			const int x = i % WIDTH, y = i / WIDTH;
+			const double inside = size_q4 / 32.0 + 0.5 -
+				hypot(x + 0.5 - v[0], y + 0.5 - v[1]);
+			const double share = fmin(fmax(inside, 0.0), 1.0);
+
+			assert_true(fabs(alpha_at(&canvas, x, y) -
+					    255.0 * share) <= 3.0);
+		}
+	}
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
+}
+
+/* Colours that are divided by w leave the edges where they are. */
+static void test_colors_do_not_change_smooth_edges(void **state)
+{
+	static const float v[2][3] = {{-0.9f, -0.7f, -1}, {16, 15, -20}};
+	static const uint8_t colors[2][4] = {
+		{0, 255, 0, 255}, {255, 0, 99, 255}};
+	struct gl_canvas canvas = open_flat(PIXELS_RGBA8888);
+	struct gl *gl = canvas.gl;
+	int white[WIDTH * HEIGHT], covered = 0;
+
+	(void)state;
+	gl->MatrixMode(GL_PROJECTION);
+	gl->LoadIdentity();
+	gl->Frustumx(-ONE, ONE, -ONE, ONE, ONE, 100 * ONE);
+	gl->Enable(GL_LINE_SMOOTH);
+	gl->LineWidthx(3 * ONE);
+	gl->VertexPointer(3, GL_FLOAT, 0, v);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, colors);
+	gl->ClearColorx(0, 0, 0, 0);
+	for (int colored = 0; colored < 2; colored++) {
+		gl->Clear(GL_COLOR_BUFFER_BIT);
+		gl->DrawArrays(GL_LINES, 0, 2);
+		gl->EnableClientState(GL_COLOR_ARRAY);
+		for (int i = 0; i < WIDTH * HEIGHT; i++) {
+			const int own = alpha_at(&canvas, i % WIDTH, i / WIDTH);
+
+			white[i] = colored ? white[i] : own;
+			covered += own > 0;
+			assert_int_equal(own, white[i]);
+		}
+	}
+	assert_true(covered > WIDTH);
+	gl_canvas_end_frame(&canvas);
+	gl_canvas_close(&canvas);
+}
+
 static void test_sizes_are_told(void **state)
 {
 	static const GLenum names[] = {GL_SMOOTH_POINT_SIZE_RANGE,
@@ -252,6 +324,8 @@ int main(void)
 		cmocka_unit_test(test_strips_share_no_pixel),
 		cmocka_unit_test(test_points_are_squares_around_their_place),
 		cmocka_unit_test(test_smooth_edges_cover_the_shape),
+		cmocka_unit_test(test_smooth_points_are_disks),
+		cmocka_unit_test(test_colors_do_not_change_smooth_edges),
 		cmocka_unit_test(test_sizes_are_told),
 		cmocka_unit_test(test_values_run_from_end_to_end),
 	};

@@ -214,12 +214,14 @@ static ALWAYS_INLINE soft_word soft_widen_field(soft_word value, int bits)
 /* Converts a filtered channel, 8192 times its value of so many bits, to 8 bits. */
 static ALWAYS_INLINE soft_word soft_narrow_mixed(soft_word mixed, int bits)
 {
-	uint32_t most = (1u << bits) - 1;
+	uint32_t by = 255 * 64 / ((1u << bits) - 1), half = 1 << 18;
 
+	OPAQUE(by); /* else compilers shift and add instead of one MLA */
+	OPAQUE(half);
 	return bits == 8    ? (mixed + 4096) >> 13
 		: bits == 4 ? (mixed * 17 + 4096) >> 13
 		: bits == 1 ? (mixed * 255 + 4096) >> 13
-			    : (mixed * (255 * 64 / most) + (1 << 18)) >> 19;
+			    : (mixed * by + half) >> 19;
 }
 
 /* texel's alpha, a byte, times the fragment's, 8.7 with a half added: a byte. */

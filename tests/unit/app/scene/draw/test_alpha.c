@@ -5,6 +5,7 @@
 #include "tests/support/model/instance_pair.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
+#include "tests/support/random.h"
 #include "tests/support/test.h"
 
 /* A grid of a square with the given alphas. */
@@ -125,6 +126,42 @@ static void test_far_surfaces_come_first_from_each_side(void **state)
 	model_destroy(model);
 }
 
+/* Any number of panes in any order, as the sort takes its steps by their number. */
+static void test_any_number_of_surfaces_is_sorted(void **state)
+{
+	enum {
+		PANES_MAX = 40
+	};
+	struct model *model = small_model_grid(1, 1, 1.0f, true);
+	struct model_node node[PANES_MAX], *single = model->node;
+	uint32_t seed = 1;
+
+	(void)state;
+	model->node = node;
+	blend_all(model);
+	for (int count = 2; count <= PANES_MAX; count++) {
+		struct instance *instance;
+		int order[PANES_MAX];
+
+		for (int i = 0; i < count; i++) {
+			int at = random_between(&seed, 0, i);
+
+			order[i] = order[at];
+			order[at] = i;
+		}
+		for (int i = 0; i < count; i++) {
+			node[order[i]] = single[0];
+			node[order[i]].rest.translation[2] = (float)i;
+		}
+		model->node_count = count;
+		instance = small_model_instance(model);
+		expect_order(instance, 100.0f, order);
+		instance_destroy(instance);
+	}
+	model->node = single;
+	model_destroy(model);
+}
+
 /* Two drawables of the fixture are skins; their roots are these nodes. */
 static void test_skins_are_where_their_joints_took_them(void **state)
 {
@@ -192,6 +229,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_only_what_shows_through_is_blended),
 		cmocka_unit_test(test_far_surfaces_come_first_from_each_side),
+		cmocka_unit_test(test_any_number_of_surfaces_is_sorted),
 		cmocka_unit_test(test_skins_are_where_their_joints_took_them),
 		cmocka_unit_test(
 			test_blended_triangles_stay_in_the_order_of_the_file),

@@ -87,7 +87,6 @@ void overlay_ghost_draw(struct overlay_ghost *ghost, const struct gl *gl,
 		}
 	}
 	instance_update(instance);
-	gl->DepthFunc(GL_LESS);
 	draw_instance(gl, instance, textures, DRAW_SHADED);
 	gl->DepthMask(GL_TRUE);
 	gl->Disable(GL_BLEND);

@@ -7,8 +7,8 @@
 #include <float.h>
 
 enum {
-	/* vertices a position, on average, from which on they are merged */
-	VERTICES_MIN = 2
+	/* vertices a position, on average, beyond which they are merged */
+	VERTICES_MOST = 2
 };
 
 /*
@@ -218,7 +218,7 @@ bool simplify_merge_is_wanted(struct simplify *simplify)
 	for (int v = 0; v < simplify->primitive->vertex_count; v++) {
 		leaders += simplify_mesh_valence(simplify, (uint32_t)v) > 0;
 	}
-	return vertices > VERTICES_MIN * leaders;
+	return vertices > VERTICES_MOST * leaders;
 }
 
 void simplify_merge(struct simplify *simplify, float limit)

@@ -127,6 +127,71 @@ static void test_triangles_without_common_vertices_get_levels(void **state)
 	free_net(&net);
 }
 
+/* Gives a position's triangles this many vertices, in turn. */
+static void share_out(struct net *net, const int vertices[COUNT])
+{
+	struct model_primitive *primitive = net->primitive;
+	struct model_primitive whole = *primitive;
+	struct arena *arena = &net->model->arena;
+	static int uses[COUNT];
+	static uint32_t other[COUNT][6];
+	uint32_t count = 0;
+
+	memset(uses, 0, sizeof(uses));
+	primitive->position = arena_alloc(arena, INDICES, sizeof(float[3]));
+	primitive->normal = arena_alloc(arena, INDICES, sizeof(float[3]));
+	primitive->color = arena_alloc(arena, INDICES, 4);
+	for (int i = 0; i < INDICES; i++) {
+		uint32_t from = whole.index[i];
+		int use = uses[from]++;
+
+		if (use < vertices[from]) {
+			memcpy(primitive->position[count], whole.position[from],
+				sizeof(float[3]));
+			memcpy(primitive->normal[count], whole.normal[from],
+				sizeof(float[3]));
+			memcpy(primitive->color[count], whole.color[from], 4);
+			other[from][use] = count++;
+		}
+		primitive->index[i] = other[from][use % vertices[from]];
+	}
+	primitive->vertex_count = (int)count;
+}
+
+/* Vertices of the finest level of two a position, and extra ones. */
+static int shared_out_level(int extra)
+{
+	struct net net = make_net(shape_dome, 1);
+	static int vertices[COUNT];
+	int count;
+
+	for (int i = 0; i < COUNT; i++) {
+		vertices[i] = 2;
+	}
+	/* These corners have one triangle alone. */
+	vertices[0] = vertices[COUNT - 1] = 1;
+	for (int i = 0; i < 2 + extra; i++) {
+		vertices[COUNT / 2 + 2 * i] = 3;
+	}
+	share_out(&net, vertices);
+	assert_int_equal(net.primitive->vertex_count, 2 * COUNT + extra);
+	assert_int_equal(levels_make(net.model), 0);
+	count = count_vertices(&net.primitive->lod[0]);
+	free_net(&net);
+	return count;
+}
+
+static void test_vertices_are_merged_from_more_than_two_a_position_on(
+	void **state)
+{
+	int two, more;
+
+	(void)state;
+	two = shared_out_level(0);
+	more = shared_out_level(1);
+	assert_true(3 * more < 2 * two);
+}
+
 /*
  * The least cosine between a level's planes and the normals of their corners.
  * Triangles without an area have no plane.
@@ -334,6 +399,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_triangles_without_common_vertices_get_levels),
+		cmocka_unit_test(
+			test_vertices_are_merged_from_more_than_two_a_position_on),
 		cmocka_unit_test(test_sharp_edges_stay_sharp),
 		cmocka_unit_test(test_large_triangles_stay_flat_at_fine_levels),
 		cmocka_unit_test(test_colors_of_triangles_stay),

@@ -141,11 +141,40 @@ static void test_reads_fewer_scans_of_a_large_jpeg(void **state)
 		"HERE: the JPEG image is broken: it has more than 32 scans");
 }
 
+/* libjpeg keeps 16 bits of each component of a pixel until the last scan. */
+static void test_a_budget_counts_what_scans_keep(void **state)
+{
+	enum {
+		KEPT = 8 * 8 * 3 * 2
+	};
+	struct bytes bytes = make_progressive();
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	size_t pixels = 0;
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		static const int error[] = {0, -ENOMEM, 0};
+		struct arena arena = arena_within(&budget);
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
+		struct model_image image = {.name = "kept"};
+
+		assert_int_equal(image_decode(bytes.data, bytes.size, "HERE",
+					 &log, &arena, &image),
+			error[i]);
+		pixels = budget.used_bytes;
+		arena_release(&arena);
+		assert_int_equal(budget.used_bytes, 0);
+		budget.limit_bytes = pixels + KEPT - (i == 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_up_to_100_scans_of_a_small_jpeg),
 		cmocka_unit_test(test_reads_fewer_scans_of_a_large_jpeg),
+		cmocka_unit_test(test_a_budget_counts_what_scans_keep),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -251,6 +251,34 @@ static void test_a_row_of_one_color_is_blended_as_others_are(void **state)
 	}
 }
 
+/* At each level of the tiles, after a strip that can be seen. */
+static void test_ground_that_cannot_be_seen_leaves_the_sky(void **state)
+{
+	struct ground *ground = open_ground();
+	const struct gl *gl = &ground->context->gl;
+
+	(void)state;
+	gl->Enable(GL_BLEND);
+	gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	for (int depth = 12; depth < 120; depth++) {
+		float near = (float)depth / 10.0f;
+		struct strip strip = {
+			.near = near, .far = 1.05f * near, .alpha = {128, 128}};
+		uint16_t sky = depth % 2 ? 0x0000 : 0x8410;
+
+		draw_strip(ground, &strip);
+		for (int i = 0; i < PIXELS; i++) {
+			ground->pixel[i] = sky;
+		}
+		strip.alpha[0] = strip.alpha[1] = 0;
+		draw_strip(ground, &strip);
+		for (int i = 0; i < PIXELS; i++) {
+			assert_int_equal(ground->pixel[i], sky);
+		}
+	}
+	close_ground(ground);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -258,6 +286,7 @@ int main(void)
 		cmocka_unit_test(test_what_is_no_rectangle_stays_two_triangles),
 		cmocka_unit_test(
 			test_a_row_of_one_color_is_blended_as_others_are),
+		cmocka_unit_test(test_ground_that_cannot_be_seen_leaves_the_sky),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

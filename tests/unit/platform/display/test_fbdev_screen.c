@@ -355,6 +355,27 @@ static void test_modes_at_the_limits_are_taken(void **state)
 	}
 }
 
+static void test_a_screen_has_at_most_so_many_pixels_a_side(void **state)
+{
+	struct fbdev_scene scene = {0};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		const uint32_t side = PIXELS_SIZE_MAX + (uint32_t)i / 2;
+		const uint32_t width = i % 2 ? 1 : side;
+
+		fbdev_scene_begin_565(1);
+		fake_fb.var.xres = fake_fb.var.xres_virtual = width;
+		fake_fb.var.yres = fake_fb.var.yres_virtual = i % 2 ? side : 1;
+		fake_fb.fix.line_length = width * 2;
+		fake_fb.fix.smem_len = side * 2;
+		assert_int_equal(fbdev_scene_open(&scene), i < 2 ? 0 : -ENOTSUP);
+		if (i < 2) {
+			fbdev_scene_close(&scene);
+		}
+	}
+}
+
 /* A row of the largest stride, in memory that the device claims to have. */
 static void test_a_picture_is_at_most_as_large_as_an_int(void **state)
 {
@@ -396,6 +417,7 @@ int main(void)
 			test_the_message_for_a_missing_device_gives_advice),
 		cmocka_unit_test(test_invalid_modes_are_refused),
 		cmocka_unit_test(test_modes_at_the_limits_are_taken),
+		cmocka_unit_test(test_a_screen_has_at_most_so_many_pixels_a_side),
 		cmocka_unit_test(test_a_picture_is_at_most_as_large_as_an_int),
 	};
 

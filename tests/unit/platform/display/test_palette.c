@@ -51,6 +51,32 @@ static void test_a_picture_of_few_colours_keeps_them(void **state)
 	palette_maker_destroy(maker);
 }
 
+/* The mean of all three is the second. */
+static void test_a_colour_at_the_mean_joins_the_darker_ones(void **state)
+{
+	struct palette_maker *maker = palette_maker_create();
+	const struct pixels three = {
+		&data[0][0][0], 3, 1, WIDTH * 4, PIXELS_RGBA8888};
+	const struct palette *palette;
+	int dark, light;
+
+	(void)state;
+	assert_non_null(maker);
+	for (int x = 0; x < 3; x++) {
+		paint(x, 0, 100 * x, 100 * x, 100 * x);
+	}
+	palette_choose(maker, &three, 2);
+	palette = palette_current(maker);
+	assert_int_equal(palette->count, 2);
+	dark = palette->rgb[0][0] < palette->rgb[1][0] ? 0 : 1;
+	light = 1 - dark;
+	for (int i = 0; i < 3; i++) {
+		assert_int_equal(palette->rgb[dark][i], 50);
+		assert_int_equal(palette->rgb[light][i], 200);
+	}
+	palette_maker_destroy(maker);
+}
+
 /* A picture of more colours than any palette. */
 static void paint_plane(void)
 {
@@ -188,6 +214,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_picture_of_few_colours_keeps_them),
+		cmocka_unit_test(test_a_colour_at_the_mean_joins_the_darker_ones),
 		cmocka_unit_test(test_a_full_picture_is_near_its_palette),
 		cmocka_unit_test(
 			test_the_nearest_of_two_colours_changes_half_way),

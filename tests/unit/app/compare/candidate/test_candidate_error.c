@@ -349,6 +349,58 @@ static void test_keys_that_are_baked_again_are_the_same(void **state)
 	compared_clip_end(&bench);
 }
 
+static struct {
+	const struct fixed_key *source, *destiny;
+} lerped;
+
+static void keep_keys(int count, const struct fixed_key *source,
+	const struct fixed_key *destiny, struct fixed_weights weights,
+	struct fixed_vector *out)
+{
+	lerped.source = source;
+	lerped.destiny = destiny;
+	fixed_loops_c.lerp_keys(count, source, destiny, weights, out);
+}
+
+/* Loops load two vertices, 12 bytes, as three words. */
+static void test_each_key_begins_at_a_whole_word(void **state)
+{
+	struct fixed_loops loops = fixed_loops_c;
+	const struct kernel kernel = {.fixed = &loops};
+	struct compared_clip bench;
+	struct fit_keys keys;
+	int whole;
+
+	(void)state;
+	loops.lerp_keys = keep_keys;
+	begin(&bench, "assets/walker.glb", "run");
+	assert_int_equal(fit_keys_evenly(1.0f, 4, &keys), 0);
+	whole = bench.reference->vertex_count;
+	for (int count = 20; count < 26; count++) {
+		struct fixed_placement placement =
+			candidate_morph_placement(&bench.screen.box);
+		struct candidate candidate;
+
+		bench.reference->vertex_count = count;
+		assert_int_equal(
+			candidate_morph(&candidate, bench.reference, &kernel,
+				&placement, &keys, KEPT_BYTES, &bench.log),
+			0);
+		for (int i = 0; i < 3; i++) {
+			size_t apart;
+
+			candidate_pose(&candidate, keys.time_s[i]);
+			apart = (size_t)(lerped.destiny - lerped.source);
+			assert_int_equal(apart, count + count % 2);
+			assert_int_equal((uintptr_t)lerped.source % 4, 0);
+		}
+		candidate_destroy(&candidate);
+	}
+	bench.reference->vertex_count = whole;
+	fit_keys_release(&keys);
+	compared_clip_end(&bench);
+}
+
 /* With room for few moments a fit takes more keys, all within the bound. */
 static void test_a_fit_in_little_memory_keeps_within_the_bound(void **state)
 {
@@ -385,6 +437,7 @@ int main(void)
 		cmocka_unit_test(test_a_sharp_peak_within_an_interval_is_found),
 		cmocka_unit_test(test_rigid_parts_cost_no_weights),
 		cmocka_unit_test(test_keys_that_are_baked_again_are_the_same),
+		cmocka_unit_test(test_each_key_begins_at_a_whole_word),
 		cmocka_unit_test(
 			test_a_fit_in_little_memory_keeps_within_the_bound),
 	};

@@ -234,13 +234,14 @@ static void test_a_file_is_reloaded_once_it_has_not_changed_for_a_second(
 	end_bench(bench);
 }
 
-/* A triangle whose longest side is this long. */
-static void put_triangle(const struct bench *bench, double side)
+/* A triangle whose longest side is this long, and which is so high. */
+static void put_triangle(const struct bench *bench, double side, double height)
 {
-	char nodes[100];
+	char nodes[120];
 
-	snprintf(nodes, sizeof(nodes), "{\"mesh\":0,\"scale\":[%g,%g,%g]}",
-		side, side, side);
+	snprintf(nodes, sizeof(nodes),
+		"{\"mesh\":0,\"scale\":[%g,%g,%g],\"translation\":[0,%g,0]}",
+		side, side, side, height);
 	triangle_file_write(bench->path.text, nodes);
 }
 
@@ -259,20 +260,53 @@ static void test_a_model_of_another_size_gets_a_stage_of_its_own(void **state)
 
 	(void)state;
 	run_to(bench, 0.5);
-	put_triangle(bench, side);
+	put_triangle(bench, side, 0.0);
 	run_to(bench, 3.5);
 	assert_near(base->actor.extent, side, 1e-6);
 	for (size_t i = 0; i < ARRAY_COUNT(changes); i++) {
 		const float before = base->stage.camera.radius;
 
 		side *= changes[i].ratio;
-		put_triangle(bench, side);
+		put_triangle(bench, side, 0.0);
 		run_to(bench, bench->now_s + 3.0);
 		assert_near(base->actor.extent, side, 1e-5);
 		assert_int_equal(
 			base->stage.camera.radius == before, changes[i].stays);
 	}
 	end_bench(bench);
+}
+
+/* The floor stays where the model rose or sank by less than a two hundredth. */
+static void test_a_model_at_another_height_gets_a_floor_of_its_own(void **state)
+{
+	static const double sides[] = {0.2, 8.0};
+	static const struct {
+		double rise;
+		bool stays;
+	} changes[] = {{0.9, true}, {1.1, false}, {-0.9, true}, {-1.1, false}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(sides); i++) {
+		struct bench *bench =
+			begin_bench_as(true, NULL, "[state a]\nclip = rest\n");
+		const struct demo_base *base =
+			(const struct demo_base *)bench->demo;
+		double height = 0.0;
+
+		run_to(bench, 0.5);
+		put_triangle(bench, sides[i], height);
+		run_to(bench, 3.5);
+		for (size_t j = 0; j < ARRAY_COUNT(changes); j++) {
+			const float before = base->stage.floor.y;
+
+			height += changes[j].rise * sides[i] / 200.0;
+			put_triangle(bench, sides[i], height);
+			run_to(bench, bench->now_s + 3.0);
+			assert_int_equal(base->stage.floor.y == before,
+				changes[j].stays);
+		}
+		end_bench(bench);
+	}
 }
 
 static void test_a_label_says_that_the_new_file_is_broken(void **state)
@@ -322,7 +356,8 @@ static void test_a_run_repeats_after_its_tour_or_its_clip(void **state)
 		{NULL, "[state a]\nclip = walk\nrate = 0\n", 1.0, 0.0},
 		{NULL, "[state a]\nclip = walk\nrate = -2\n", 0.0, 0.5},
 		{NULL, "[state a]\nclip = walk\nrepeat = ping-pong\n", 0.0, 2.0},
-		{NULL, "[scene]\nperiod = 7\n[state a]\nclip = walk\n", 7.0,
+		{NULL, "[scene]\nperiod = 7\n[state a]\nclip = walk\n", 7.0, 0.0},
+		{NULL, "[scene]\nperiod = 0.5\n[state a]\nclip = walk\n", 0.5,
 			0.0}};
 
 	(void)state;
@@ -446,6 +481,8 @@ int main(void)
 			test_a_file_is_reloaded_once_it_has_not_changed_for_a_second),
 		cmocka_unit_test(
 			test_a_model_of_another_size_gets_a_stage_of_its_own),
+		cmocka_unit_test(
+			test_a_model_at_another_height_gets_a_floor_of_its_own),
 		cmocka_unit_test(test_a_label_says_that_the_new_file_is_broken),
 		cmocka_unit_test(test_a_run_repeats_after_its_tour_or_its_clip),
 		cmocka_unit_test(test_another_model_takes_its_place),

@@ -141,9 +141,10 @@ static void test_a_missing_line_is_looked_for_a_second_later(void **state)
 	gpiod_bench_poll_at(bench, 6000);
 	assert_true(line->requested);
 	gpiod_bench_poll_at(bench, 6900);
-	fake_gpio_lose(line);
+	/* Its chip is there again in the same poll. */
+	fake_gpio_set(line, true, 0);
+	line->read_error = ENODEV;
 	gpiod_bench_poll_at(bench, 6950);
-	line->gone = false;
 	assert_false(line->requested);
 	gpiod_bench_poll_at(bench, 7949);
 	assert_false(line->requested);

@@ -86,6 +86,18 @@ static void test_a_connected_screen_is_better_than_an_unsure_one(void **state)
 	}
 }
 
+/* The number of its descriptor may be that of the next card. */
+static void test_a_card_in_use_is_closed_once_before_a_free_one(void **state)
+{
+	struct scene scene = {0};
+
+	begin(state);
+	fake_card.number = 1;
+	fake_card.second_number = 0;
+	fake_card.second_in_use = true;
+	expect_card(&scene, "/dev/dri/card1");
+}
+
 static void test_the_message_is_of_the_card_that_lacks_least(void **state)
 {
 	static const struct {
@@ -255,6 +267,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_connected_screen_is_better_than_an_unsure_one),
+		cmocka_unit_test(
+			test_a_card_in_use_is_closed_once_before_a_free_one),
 		cmocka_unit_test(
 			test_the_message_is_of_the_card_that_lacks_least),
 		cmocka_unit_test(test_another_screens_crtc_is_left_alone),

@@ -86,6 +86,33 @@ static void test_a_place_in_the_file_is_kept_to_the_bit(void **state)
 	release(&found);
 }
 
+/* Its turn and its skew stay, and its parts move with it. */
+static void test_a_node_of_a_matrix_moves(void **state)
+{
+	static const float skewed[4][4] = {{1, 0.5f, 0, 0}, {0, 1, 0.25f, 0},
+		{0, 0, 1, 0}, {3000, 0.25f, -2000, 1}};
+	struct found found = make(3000, 0.25f, -2000);
+	struct model_node *node = found.model->node;
+	float(*matrix)[4] = arena_alloc(&found.model->arena, 4, sizeof(*matrix));
+
+	(void)state;
+	assert_non_null(matrix);
+	memcpy(matrix, skewed, sizeof(skewed));
+	node->matrix = (const float(*)[4])matrix;
+	find(&found);
+	assert_non_null(found.shift);
+	for (int axis = 0; axis < 3; axis++) {
+		float moved = node->matrix[3][axis];
+
+		assert_near(moved + found.model->origin[axis], skewed[3][axis],
+			0.0);
+		assert_near(node->rest.translation[axis], moved, 0.0);
+		assert_near(moved, 0.0, 2.0);
+	}
+	assert_memory_equal(node->matrix, skewed, 3 * sizeof(skewed[0]));
+	release(&found);
+}
+
 static void test_vertices_that_are_far_move_and_their_node_stays(void **state)
 {
 	struct found found = make(0.25f, 0, 0);
@@ -168,6 +195,7 @@ int main(void)
 		cmocka_unit_test(
 			test_only_a_model_farther_than_128_times_its_size_moves),
 		cmocka_unit_test(test_a_place_in_the_file_is_kept_to_the_bit),
+		cmocka_unit_test(test_a_node_of_a_matrix_moves),
 		cmocka_unit_test(
 			test_vertices_that_are_far_move_and_their_node_stays),
 		cmocka_unit_test(test_vertices_stay_in_a_node_that_a_clip_turns),

@@ -355,6 +355,23 @@ static void test_the_picture_contains_a_rest_pose_that_is_near(void **state)
 	end(&compared);
 }
 
+/* Not of its rest pose, which is in the second one's picture no more. */
+static void test_a_prediction_of_drawing_is_of_the_clip(void **state)
+{
+	struct compared compared;
+	double first;
+
+	(void)state;
+	begin(&compared, "gltf/clip/far.gltf");
+	climb(&compared, 0.0f, 1.0f);
+	first = compared.comparison->row[0].cell[0].board.draw.cycles;
+	comparison_destroy(compared.comparison);
+	climb(&compared, 2.1f, 3.1f);
+	assert_near(compared.comparison->row[0].cell[0].board.draw.cycles,
+		first, 0.001 * first);
+	end(&compared);
+}
+
 static void test_each_listed_row_but_the_model_becomes_a_file(void **state)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
@@ -466,6 +483,7 @@ int main(void)
 		cmocka_unit_test(test_a_way_of_six_times_the_size_is_far),
 		cmocka_unit_test(
 			test_the_picture_contains_a_rest_pose_that_is_near),
+		cmocka_unit_test(test_a_prediction_of_drawing_is_of_the_clip),
 		cmocka_unit_test(
 			test_each_listed_row_but_the_model_becomes_a_file),
 		cmocka_unit_test(test_a_file_too_large_to_load_is_not_written),

@@ -401,6 +401,56 @@ static void test_each_key_begins_at_a_whole_word(void **state)
 	compared_clip_end(&bench);
 }
 
+/* Half way between normals that are nearly opposite. */
+static void leave_little(int count, const struct fixed_key *source,
+	const struct fixed_key *destiny, struct fixed_weights weights,
+	struct fixed_vector *out)
+{
+	(void)source;
+	(void)destiny;
+	(void)weights;
+	memset(out, 0, (size_t)count * sizeof(*out));
+	out[0].y = -1;
+	out[1].x = 3;
+	out[1].z = 4;
+}
+
+static void test_the_shortest_normal_has_a_direction(void **state)
+{
+	static const float expected[3][3] = {
+		{0, -1, 0}, {0.6f, 0, 0.8f}, {0, 0, 0}};
+	struct fixed_loops loops = fixed_loops_c;
+	const struct kernel kernel = {.fixed = &loops};
+	struct fixed_placement placement;
+	struct compared_clip bench;
+	struct candidate candidate;
+	struct fit_keys keys;
+	float(*normal)[3], (*position)[3];
+
+	(void)state;
+	loops.lerp_keys = leave_little;
+	begin(&bench, "assets/walker.glb", "run");
+	placement = candidate_morph_placement(&bench.screen.box);
+	assert_int_equal(fit_keys_evenly(1.0f, 4, &keys), 0);
+	assert_int_equal(candidate_morph(&candidate, bench.reference, &kernel,
+				 &placement, &keys, KEPT_BYTES, &bench.log),
+		0);
+	normal = calloc((size_t)candidate.vertex_count, sizeof(*normal));
+	position = calloc((size_t)candidate.vertex_count, sizeof(*position));
+	assert_non_null(normal);
+	assert_non_null(position);
+	candidate_pose(&candidate, 0.1f);
+	candidate.take(&candidate, position, normal);
+	for (int i = 0; i < 9; i++) {
+		assert_near(normal[i / 3][i % 3], expected[i / 3][i % 3], 1e-6);
+	}
+	free(position);
+	free(normal);
+	candidate_destroy(&candidate);
+	fit_keys_release(&keys);
+	compared_clip_end(&bench);
+}
+
 /* With room for few moments a fit takes more keys, all within the bound. */
 static void test_a_fit_in_little_memory_keeps_within_the_bound(void **state)
 {
@@ -438,6 +488,7 @@ int main(void)
 		cmocka_unit_test(test_rigid_parts_cost_no_weights),
 		cmocka_unit_test(test_keys_that_are_baked_again_are_the_same),
 		cmocka_unit_test(test_each_key_begins_at_a_whole_word),
+		cmocka_unit_test(test_the_shortest_normal_has_a_direction),
 		cmocka_unit_test(
 			test_a_fit_in_little_memory_keeps_within_the_bound),
 	};

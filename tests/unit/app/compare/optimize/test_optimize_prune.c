@@ -164,6 +164,16 @@ static void test_coordinates_that_no_texture_reads_go(void **state)
 		COORDINATES("'POSITION':0,'TEXCOORD_0':2,'TEXCOORD_1':3", DEEP));
 }
 
+static void test_attributes_of_similar_names_stay(void **state)
+{
+#define SIMILAR                                                        \
+	"'POSITION':0,'TEXCOORD':1,'TEXCOORD-2':1,'TEXCOORD3_4':1,"    \
+	"'TEXCOORD_':1,'TEXCOORD_X':1,'_TEXCOORD_2':1,'texcoord_2':1," \
+	"'TANGENTS':1"
+	(void)state;
+	expect_pruned(COORDINATES(SIMILAR, ""), COORDINATES(SIMILAR, ""));
+}
+
 static void test_tangents_stay_for_maps_of_normals(void **state)
 {
 	static const char *const names[] = {
@@ -275,6 +285,7 @@ int main(void)
 			test_variants_and_levels_of_materials_are_followed),
 		cmocka_unit_test(test_textures_are_found_in_extensions),
 		cmocka_unit_test(test_coordinates_that_no_texture_reads_go),
+		cmocka_unit_test(test_attributes_of_similar_names_stay),
 		cmocka_unit_test(test_tangents_stay_for_maps_of_normals),
 		cmocka_unit_test(test_channels_of_unused_nodes_go),
 		cmocka_unit_test(test_clips_keep_their_numbers_and_durations),

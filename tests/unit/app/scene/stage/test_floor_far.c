@@ -93,11 +93,51 @@ static void test_tiles_have_small_coordinates_wherever_they_are(void **state)
 	}
 }
 
+/* The strips that a camera sees of ground that is one metre wide. */
+static struct floor_strips find_strips(
+	const float center[2], const float way[2], const float target[2])
+{
+	const struct floor floor = {.radius = 1.0f,
+		.tile = 0.5f,
+		.center = {center[0], center[1]},
+		.way = {way[0], way[1]}};
+	const struct floor_content anything = {.bounded = false};
+	struct camera camera = camera_default();
+	struct floor_sight sight;
+
+	camera.yaw_rad = 0.7f;
+	camera.target[0] = target[0];
+	camera.target[2] = target[1];
+	floor_find_sight(&floor, &camera, WIDTH, HEIGHT, &anything, &sight);
+	assert_true(sight.strips.opaque && sight.strips.fading);
+	return sight.strips;
+}
+
+static void test_ground_fades_at_the_same_distance_from_its_middle(void **state)
+{
+	static const float none[2] = {0, 0}, center[2] = {3, -0.5f},
+			   way[2] = {-0.75f, 4}, both[2] = {2.25f, 3.5f};
+	const struct floor_strips here = find_strips(none, none, none);
+	const struct floor_strips there = find_strips(center, way, both);
+
+	(void)state;
+	for (int i = 0; i < 6; i++) {
+		assert_near(there.position[i][0], here.position[i][0] + both[0],
+			1e-4);
+		assert_near(there.position[i][2], here.position[i][2] + both[1],
+			1e-4);
+		assert_int_equal(there.alpha[i], here.alpha[i]);
+	}
+	assert_int_equal(there.covered_px, here.covered_px);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_tiles_have_small_coordinates_wherever_they_are),
+		cmocka_unit_test(
+			test_ground_fades_at_the_same_distance_from_its_middle),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -304,6 +304,7 @@ static void test_a_monitor_shows_the_picture_on_its_screen(void **state)
 	gl_canvas_close(&canvas);
 }
 
+/* Darker to the right, and at its lower edge. */
 static void test_a_monitor_without_a_picture_is_dark(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
@@ -311,10 +312,11 @@ static void test_a_monitor_without_a_picture_is_dark(void **state)
 
 	(void)state;
 	draw_screen(&canvas, NULL);
-	gl_canvas_expect(&canvas, 0, 0, 52, 60, 74, 3);
-	gl_canvas_expect(&canvas, 0, low, 24, 28, 36, 3);
-	gl_canvas_expect(&canvas, right, 0, 38, 45, 57, 3);
-	gl_canvas_expect(&canvas, right, low, 18, 21, 28, 3);
+	/* Half a pixel from corners of (52, 60, 74), (24, 28, 36)... */
+	gl_canvas_expect(&canvas, 0, 0, 51, 59, 73, 0);
+	gl_canvas_expect(&canvas, 0, low, 24, 28, 37, 0);
+	gl_canvas_expect(&canvas, right, 0, 38, 45, 57, 0);
+	gl_canvas_expect(&canvas, right, low, 19, 22, 29, 0);
 	gl_canvas_close(&canvas);
 }
 

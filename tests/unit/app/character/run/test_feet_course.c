@@ -5,6 +5,7 @@
  * that no change of that goes unnoticed.
  */
 #include "app/character/run/feet.h"
+#include "platform/base/scalar.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -168,11 +169,35 @@ static void test_feet_follow_their_course_on_hills(void **state)
 	follow_course(true, uneven_ground);
 }
 
+/*
+ * The left foot of a standing figure, as if a clip had turned it since the frame
+ * before: by half a turn it is held no more, by a whole one it has not moved.
+ */
+static void test_a_foot_that_turned_round_steps(void **state)
+{
+	(void)state;
+	for (int half_turns = -2; half_turns <= 2; half_turns++) {
+		struct acting acting;
+		struct character_foot *foot;
+
+		acting_begin(&acting, "assets/walker.glb");
+		acting_expect(&acting, gaits);
+		acting_run_to(&acting, 1.0, rate_hz);
+		foot = &acting.character->feet->foot[0];
+		assert_true(foot->low && foot->step_s < 0.0f);
+		foot->direction -= SCALAR_PI * (float)half_turns;
+		acting_run_to(&acting, 1.0 + 1.5 / rate_hz, rate_hz);
+		assert_int_equal(foot->step_s >= 0.0f, half_turns % 2 != 0);
+		acting_end(&acting);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_feet_follow_their_course_on_level_ground),
 		cmocka_unit_test(test_feet_follow_their_course_on_hills),
+		cmocka_unit_test(test_a_foot_that_turned_round_steps),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -83,6 +83,39 @@ static void test_gathered_vertices_and_facets(void **state)
 		19 * 11.2 + 7 * 83.4);
 }
 
+/* A level takes the vertices of its list, and of its shadow's if that is another. */
+static void test_gathered_levels_and_their_shadows(void **state)
+{
+	static const uint32_t source = 0;
+	struct model_primitive primitive = {.vertex_count = 1};
+	struct batch_lod lod[2] = {
+		{.vertex_count = 30, .index_count = 60, .flat = true},
+		{.vertex_count = 7, .index_count = 15}};
+	struct batch batch = {
+		.vertex_count = 100, .source = &source, .lod = lod};
+	struct drawable drawable = {.primitive = &primitive,
+		.batch_count = 1,
+		.batch = &batch,
+		.lod = 1,
+		.shadow_lod = 1};
+
+	(void)state;
+	expect_cost(board_cost_gather_drawn(&drawable), 30 * 76.0 + 20 * 106,
+		30 * 11.2 + 20 * 83.4);
+	drawable.shadow_lod = 2;
+	expect_cost(board_cost_gather_drawn(&drawable), 37 * 76.0 + 20 * 106,
+		37 * 11.2 + 20 * 83.4);
+	drawable.shadow_lod = 0;
+	expect_cost(board_cost_gather_drawn(&drawable), 30 * 76.0 + 20 * 106,
+		30 * 11.2 + 20 * 83.4);
+	lod[0].flat = false;
+	expect_cost(board_cost_gather_drawn(&drawable), 30 * (76.0 + 95),
+		30 * (11.2 + 91));
+	drawable.lod = 0;
+	expect_cost(board_cost_gather_drawn(&drawable), 100 * 76.0 + 33 * 106,
+		100 * 11.2 + 33 * 83.4);
+}
+
 /* The cost of a vertex of that many influences, of as many joints. */
 static void expect_vertex(
 	int influences, bool normals, double cycles, double instructions)
@@ -282,6 +315,7 @@ int main(void)
 		cmocka_unit_test(test_key_frames),
 		cmocka_unit_test(test_weighted_targets),
 		cmocka_unit_test(test_gathered_vertices_and_facets),
+		cmocka_unit_test(test_gathered_levels_and_their_shadows),
 		cmocka_unit_test(test_vertices_of_a_skin_by_their_influences),
 		cmocka_unit_test(test_no_more_than_eight_influences_cost),
 		cmocka_unit_test(test_joints_count_once),

@@ -91,6 +91,29 @@ static void test_nearest_texels_are_not_interpolated(void **state)
 	free(image.rgba);
 }
 
+/* At each width, and where a centre is close to the edge of two columns. */
+static void test_the_column_of_a_texels_centre_is_the_nearest(void **state)
+{
+	const struct model_texture sampling = {.nearest = true};
+	struct gl gl = texture_sent_begin();
+
+	(void)state;
+	for (int width = 3; width < 1024; width += 17) {
+		struct model_image image = texture_sent_image(width, 1, false);
+		int side;
+
+		texture_upload(&gl, &image, &sampling, PIXELS_RGBA8888);
+		side = texture_sent.level[0].width;
+		for (int x = 0; x < side; x++) {
+			size_t from = (size_t)((2 * x + 1) * width / 2 / side);
+
+			assert_memory_equal(texture_sent.level[0].data + 4 * x,
+				image.rgba + 4 * from, 4);
+		}
+		free(image.rgba);
+	}
+}
+
 /* The image at a texel's centre, interpolated linearly; edges go on. */
 static double interpolated(
 	const struct model_image *image, double x, double y, int channel)
@@ -214,6 +237,8 @@ int main(void)
 		cmocka_unit_test(test_sides_become_the_nearest_power_of_two),
 		cmocka_unit_test(test_small_sides_become_several_times_as_long),
 		cmocka_unit_test(test_nearest_texels_are_not_interpolated),
+		cmocka_unit_test(
+			test_the_column_of_a_texels_centre_is_the_nearest),
 		cmocka_unit_test(test_other_sides_are_interpolated),
 		cmocka_unit_test(test_a_mirrored_image_is_stored_twice),
 		cmocka_unit_test(test_each_level_has_the_means_of_the_one_before),

@@ -205,6 +205,27 @@ static void test_absurd_positions_and_sizes_are_harmless(void **state)
 	hud_move(hud, 0, 30000, -30000);
 }
 
+/* How far the upper left corner of a panel is round, in pixels. */
+static int roundness(int height, int w, int h, int radius)
+{
+	struct hud *hud = hud_of_size(480, height);
+
+	hud_panel(hud, 0, 0, w, h, radius, orange);
+	assert_true(hud->quad_count >= 4);
+	return hud->vertex[2].x > hud->vertex[1].x ? hud->vertex[2].x
+						   : hud->vertex[1].x;
+}
+
+static void test_corners_are_as_round_as_asked_or_half_a_side(void **state)
+{
+	(void)state;
+	for (int height = 640; height < 3000; height *= 2) {
+		assert_in_range(roundness(height, 100, 60, 8), 6, 8);
+		assert_in_range(roundness(height, 100, 12, 8), 4, 6);
+		assert_in_range(roundness(height, 12, 100, 8), 4, 6);
+	}
+}
+
 /* The filled width of a bar of 100 pixels: the right edge of its last quad. */
 static int filled_width(float fraction)
 {
@@ -247,6 +268,8 @@ int main(void)
 		cmocka_unit_test(test_shortened_names_are_never_too_wide),
 		cmocka_unit_test(test_elements_beyond_the_capacity_are_dropped),
 		cmocka_unit_test(test_absurd_positions_and_sizes_are_harmless),
+		cmocka_unit_test(
+			test_corners_are_as_round_as_asked_or_half_a_side),
 		cmocka_unit_test(test_bars_fill_by_their_fraction),
 	};
 

@@ -5,7 +5,7 @@
  */
 #include "platform/base/fixed.h"
 #include "tests/support/gl/gl_checks.h"
-#include "tests/support/random.h"
+#include "tests/support/gl/random_corners.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -19,19 +19,12 @@ enum {
 	STEP_565 = 9, /* of 255: one step of RGB565 */
 };
 
-struct corner {
-	int16_t position[4];
-	int16_t normal[4];
-	uint8_t color[4];
-	float texcoord[2];
-};
-
 /* What a round draws, by bits of its number. */
 struct back_case {
 	enum pixel_format format;
 	bool flat, textured, positional, uneven, perspective, cut;
 	int reach; /* how far apart corners are, 32767 is half the picture */
-	struct corner pool[POOL];
+	struct random_corner pool[POOL];
 	uint16_t list[CORNERS];
 };
 
@@ -50,31 +43,8 @@ static struct back_case make_case(uint32_t round)
 	};
 	uint32_t seed = round + 1;
 
-	for (int i = 0; i < POOL; i++) {
-		struct corner *corner = &made.pool[i];
-		const int16_t *near = made.pool[i - i % 12].position;
-
-		for (int axis = 0; axis < 3; axis++) {
-			int any = random_within(
-				&seed, i % 12 ? made.reach : 20000);
-			int at = any + (i % 12 ? near[axis] : 0);
-
-			corner->position[axis] = (int16_t)(at < -32768 ? -32768
-					: at > 32767                   ? 32767
-								       : at);
-			corner->normal[axis] =
-				(int16_t)random_within(&seed, 32767);
-			corner->color[axis] = (uint8_t)next_random(&seed);
-		}
-		corner->color[3] = 255;
-		corner->texcoord[0] = (float)random_within(&seed, 100) / 64.0f;
-		corner->texcoord[1] = (float)random_within(&seed, 100) / 64.0f;
-	}
-	for (int i = 0; i < CORNERS; i++) {
-		int near = i / 3 * 12 % POOL;
-
-		made.list[i] = (uint16_t)(near + (int)(next_random(&seed) % 12));
-	}
+	random_corners_make(&seed, made.reach, made.pool, POOL);
+	random_corners_list(&seed, POOL, made.list, CORNERS);
 	return made;
 }
 
@@ -115,18 +85,12 @@ static void set_state(struct gl *gl, const struct back_case *given)
 
 static void set_arrays(const struct gl *gl, const struct back_case *given)
 {
-	const struct corner *corner = given->pool;
-	const GLsizei stride = sizeof(*corner);
-
+	random_corners_set(gl, given->pool);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
-	gl->VertexPointer(3, GL_SHORT, stride, corner->position);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
-	gl->NormalPointer(GL_SHORT, stride, corner->normal);
 	gl->EnableClientState(GL_COLOR_ARRAY);
-	gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	if (given->textured) {
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	}
 }
 

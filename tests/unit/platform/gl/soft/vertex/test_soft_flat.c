@@ -4,7 +4,7 @@
  */
 #include "platform/base/fixed.h"
 #include "tests/support/gl/gl_checks.h"
-#include "tests/support/random.h"
+#include "tests/support/gl/random_corners.h"
 
 #include <string.h>
 
@@ -16,20 +16,13 @@ enum {
 	PICTURE_BYTES = 4 * GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT,
 };
 
-struct corner {
-	int16_t position[4];
-	int16_t normal[4];
-	uint8_t color[4];
-	float texcoord[2];
-};
-
 /* What a round draws, by bits of its number and by chance. */
 struct flat_case {
 	enum pixel_format format;
 	GLenum mode;
 	bool lit, two_sided, textured, fog, colors;
 	int reach; /* how far apart corners are, 32767 is half the picture */
-	struct corner pool[POOL];
+	struct random_corner pool[POOL];
 	uint16_t list[CORNERS];
 };
 
@@ -52,29 +45,8 @@ static struct flat_case make_case(uint32_t round)
 	};
 	uint32_t seed = round + 1;
 
-	for (int i = 0; i < POOL; i++) {
-		struct corner *corner = &made.pool[i];
-		const int16_t *near = made.pool[i - i % 12].position;
-
-		for (int axis = 0; axis < 3; axis++) {
-			int any = random_within(
-				&seed, i % 12 ? made.reach : 20000);
-
-			corner->position[axis] =
-				(int16_t)(any + (i % 12 ? near[axis] : 0));
-			corner->normal[axis] =
-				(int16_t)random_within(&seed, 32767);
-			corner->color[axis] = (uint8_t)next_random(&seed);
-		}
-		corner->color[3] = 255;
-		corner->texcoord[0] = (float)random_within(&seed, 100) / 64.0f;
-		corner->texcoord[1] = (float)random_within(&seed, 100) / 64.0f;
-	}
-	for (int i = 0; i < CORNERS; i++) {
-		int near = i / 3 * 12 % POOL;
-
-		made.list[i] = (uint16_t)(near + (int)(next_random(&seed) % 12));
-	}
+	random_corners_make(&seed, made.reach, made.pool, POOL);
+	random_corners_list(&seed, POOL, made.list, CORNERS);
 	return made;
 }
 
@@ -106,23 +78,18 @@ static void set_state(struct gl *gl, const struct flat_case *given)
 }
 
 static void set_arrays(const struct gl *gl, const struct flat_case *given,
-	const struct corner *corner)
+	const struct random_corner *corner)
 {
-	const GLsizei stride = sizeof(*corner);
-
+	random_corners_set(gl, corner);
 	gl->EnableClientState(GL_VERTEX_ARRAY);
-	gl->VertexPointer(3, GL_SHORT, stride, corner->position);
 	if (given->lit) {
 		gl->EnableClientState(GL_NORMAL_ARRAY);
-		gl->NormalPointer(GL_SHORT, stride, corner->normal);
 	}
 	if (given->colors) {
 		gl->EnableClientState(GL_COLOR_ARRAY);
-		gl->ColorPointer(4, GL_UNSIGNED_BYTE, stride, corner->color);
 	}
 	if (given->textured) {
 		gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
-		gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 	}
 }
 
@@ -157,16 +124,16 @@ static int primitive_of(GLenum mode, int i, int at[3])
 
 /* Each primitive's corners in one colour; returns how many there are. */
 static int expand(
-	const struct flat_case *given, struct corner expanded[EXPANDED])
+	const struct flat_case *given, struct random_corner expanded[EXPANDED])
 {
 	int count = 0, at[3], size;
 
 	for (int i = 0; (size = primitive_of(given->mode, i, at)) > 0; i++) {
-		const struct corner *last =
+		const struct random_corner *last =
 			&given->pool[given->list[at[size - 1]]];
 
 		for (int j = 0; j < size; j++) {
-			struct corner *corner = &expanded[count++];
+			struct random_corner *corner = &expanded[count++];
 
 			*corner = given->pool[given->list[at[j]]];
 			memcpy(corner->normal, last->normal,
@@ -180,7 +147,7 @@ static int expand(
 static void draw_case(const struct flat_case *given, bool flat, bool indexed,
 	uint8_t picture[PICTURE_BYTES])
 {
-	static struct corner expanded[EXPANDED];
+	static struct random_corner expanded[EXPANDED];
 	struct gl_canvas canvas = gl_canvas_open("soft", given->format);
 	struct gl *gl = canvas.gl;
 	bool lines = given->mode == GL_LINES;

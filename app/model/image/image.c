@@ -87,8 +87,8 @@ int image_decode(const uint8_t *data, size_t size, const char *where,
 		return error;
 	}
 	halve = is_halved(out->file_width, out->file_height);
-	out->width = (out->file_width + halve) >> halve;
-	out->height = (out->file_height + halve) >> halve;
+	out->width = halve ? (out->file_width + 1) / 2 : out->file_width;
+	out->height = halve ? (out->file_height + 1) / 2 : out->file_height;
 	out->rgba =
 		arena_alloc(arena, (size_t)out->width * (size_t)out->height, 4);
 	if (!out->rgba) {

@@ -1,4 +1,5 @@
 #include "app/model/image/image_codec.h"
+#include "app/model/image/image_halve.h"
 
 #include <errno.h>
 #include <png.h>
@@ -17,10 +18,9 @@ enum {
 /* How rows of the file become rows of the image. */
 struct reduction {
 	int width, height; /* the file's */
-	bool halve;
-	uint8_t *row; /* NULL if not halved; two rows, or all if the file is
-			 interlaced */
-	size_t bytes; /* of row */
+	uint8_t (*row)[4]; /* of an image that is halved: two rows of the file,
+			      or all if it is interlaced; else NULL */
+	size_t bytes;      /* of row */
 };
 
 struct decoder {
@@ -117,52 +117,25 @@ static bool read_header(struct decoder *decoder)
 	return true;
 }
 
-/*
- * Averages two rows, which may be the same, to one of half as many pixels. The
- * last one of an odd number stands for the one that lacks. Each sum holds every
- * second channel, in 16 bits.
- */
-static void halve_rows(const struct reduction *reduction, const uint8_t *first,
-	const uint8_t *second, uint8_t *out)
-{
-	const uint32_t even_bytes = 0x00ff00ff;
-	int last = reduction->width - 1;
-
-	for (int x = 0; x <= last; x += 2, out += 4) {
-		int right = x < last ? x + 1 : last;
-		const uint8_t *from[4] = {first + 4 * x, first + 4 * right,
-			second + 4 * x, second + 4 * right};
-		uint32_t even = 0x00020002, odd = even, word;
-
-		for (int i = 0; i < 4; i++) {
-			memcpy(&word, from[i], sizeof(word));
-			even += word & even_bytes;
-			odd += word >> 8 & even_bytes;
-		}
-		word = (even >> 2 & even_bytes) | (odd >> 2 & even_bytes) << 8;
-		memcpy(out, &word, sizeof(word));
-	}
-}
-
 /* Reads all rows and halves each two of them once they are complete. */
 static void read_rows(png_structp png, const struct reduction *reduction,
-	int passes, uint8_t *rgba)
+	int passes, uint8_t (*rgba)[4])
 {
-	int height = reduction->height;
-	size_t bytes = (size_t)reduction->width * 4;
-	size_t out_bytes = (size_t)(reduction->width + 1) / 2 * 4;
+	int width = reduction->width, height = reduction->height;
+	int out_width = (width + 1) / 2;
 
 	for (int i = 0; i < passes * height; i++) {
 		int y = i % height;
-		uint8_t *to = !reduction->halve ? rgba + (size_t)y * bytes
-						: reduction->row +
-				(size_t)(passes > 1 ? y : y & 1) * bytes;
+		uint8_t(*to)[4] = reduction->row
+			? reduction->row + (passes > 1 ? y : y % 2) * width
+			: rgba + y * width;
 
-		png_read_row(png, to, NULL);
-		if (reduction->halve && i >= (passes - 1) * height &&
+		png_read_row(png, (png_bytep)to, NULL);
+		if (reduction->row && i >= (passes - 1) * height &&
 			(y % 2 == 1 || y == height - 1)) {
-			halve_rows(reduction, y % 2 ? to - bytes : to, to,
-				rgba + (size_t)(y / 2) * out_bytes);
+			image_halve_rows((const uint8_t(*)[4])to - y % 2 * width,
+				(const uint8_t(*)[4])to, width,
+				rgba + y / 2 * out_width);
 		}
 	}
 }
@@ -173,12 +146,9 @@ static int reserve_rows(struct decoder *decoder, struct reduction *reduction)
 	const struct image_input *input = decoder->input;
 	bool all = png_get_interlace_type(decoder->png, decoder->info) !=
 		PNG_INTERLACE_NONE;
-	int rows = all ? reduction->height : 2;
+	size_t rows = all ? (size_t)reduction->height : 2;
 
-	if (!reduction->halve) {
-		return 0;
-	}
-	reduction->bytes = (size_t)rows * (size_t)reduction->width * 4;
+	reduction->bytes = rows * (size_t)reduction->width * 4;
 	if (!memory_budget_take(input->budget, reduction->bytes)) {
 		reduction->bytes = 0;
 		return memory_budget_fail(
@@ -203,7 +173,7 @@ static bool read_pixels(struct decoder *decoder,
 	png_set_add_alpha(decoder->png, 255, PNG_FILLER_AFTER);
 	passes = png_set_interlace_handling(decoder->png);
 	png_read_update_info(decoder->png, decoder->info);
-	read_rows(decoder->png, reduction, passes, rgba);
+	read_rows(decoder->png, reduction, passes, (uint8_t(*)[4])rgba);
 	png_read_end(decoder->png, NULL);
 	return true;
 }
@@ -228,7 +198,7 @@ static int measure(const struct image_input *input, int *width, int *height)
 static int decode(const struct image_input *input, int width, int height,
 	bool halve, uint8_t *rgba)
 {
-	struct reduction reduction = {width, height, halve, NULL, 0};
+	struct reduction reduction = {width, height, NULL, 0};
 	struct decoder decoder;
 	bool fine;
 	int error = begin(&decoder, input);
@@ -237,7 +207,7 @@ static int decode(const struct image_input *input, int width, int height,
 		return error;
 	}
 	fine = read_header(&decoder);
-	error = fine ? reserve_rows(&decoder, &reduction) : 0;
+	error = fine && halve ? reserve_rows(&decoder, &reduction) : 0;
 	if (error) {
 		png_destroy_read_struct(&decoder.png, &decoder.info, NULL);
 	} else {

@@ -1,6 +1,7 @@
 #include "app/scene/draw/texels.h"
 
 #include "app/model/image/image.h"
+#include "app/model/image/image_halve.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -176,38 +177,20 @@ int texels_resample(const struct model_image *image,
 	return error;
 }
 
-/* Averages every second byte of four texels, rounded. */
-static uint32_t average(uint32_t a, uint32_t b, uint32_t c, uint32_t d)
-{
-	uint32_t sum = (a & even_bytes) + (b & even_bytes) + (c & even_bytes) +
-		(d & even_bytes);
-
-	return (sum + 0x00020002) >> 2 & even_bytes;
-}
-
 void texels_halve(struct texels *texels)
 {
-	int step_x = texels->width > 1, step_y = texels->height > 1;
-	int width = texels->width >> step_x, height = texels->height >> step_y;
+	int width = texels->width, height = texels->height;
+	const uint8_t(*row)[4] = (const uint8_t(*)[4])texels->rgba;
 	uint8_t(*out)[4] = texels->rgba;
 
-	for (int y = 0; y < height; y++) {
-		const uint8_t(*above)[4] = (const uint8_t(*)[4])texels->rgba +
-			(y << step_y) * texels->width;
-		const uint8_t(*below)[4] = above + step_y * texels->width;
-
-		for (int x = 0; x < width; x++, out++) {
-			int left = x << step_x, right = left + step_x;
-			uint32_t a = load(above[left]), b = load(above[right]);
-			uint32_t c = load(below[left]), d = load(below[right]);
-			uint32_t word = average(a, b, c, d) |
-				average(a >> 8, b >> 8, c >> 8, d >> 8) << 8;
-
-			memcpy(*out, &word, sizeof(word));
-		}
+	texels->width = (width + 1) / 2;
+	texels->height = (height + 1) / 2;
+	for (int y = 0; y < texels->height; y++) {
+		image_halve_rows(
+			row, height > 1 ? row + width : row, width, out);
+		row += 2 * width;
+		out += texels->width;
 	}
-	texels->width = width;
-	texels->height = height;
 }
 
 bool texels_are_gray(const struct texels *texels)

@@ -87,6 +87,19 @@ const char *file_open_advice(int error)
 	}
 }
 
+FILE *file_open_logged(const char *path, const struct log *log)
+{
+	FILE *file = file_open(path);
+	int error = errno;
+
+	if (!file) {
+		log_error(log, "%s: cannot be read: %s%s", path,
+			strerror(error), file_open_advice(error));
+		errno = error;
+	}
+	return file;
+}
+
 /* A file system may give the inode of a deleted file to a new one. */
 struct identity {
 	uint64_t inode;

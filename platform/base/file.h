@@ -32,6 +32,12 @@ FILE *file_open(const char *path);
  */
 const char *file_open_advice(int error);
 
+/*
+ * Opens a file for reading, as file_open() does. If it cannot be opened, logs
+ * an error that says so, and what to do; errno stays set.
+ */
+FILE *file_open_logged(const char *path, const struct log *log);
+
 enum {
 	FILES_NOTED = 4096
 };

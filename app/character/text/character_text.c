@@ -281,15 +281,12 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 int character_text_load(struct character_text *text, struct arena *arena,
 	const char *path, const struct log *log)
 {
-	FILE *file = file_open(path);
+	FILE *file = file_open_logged(path, log);
 	int error;
 
 	*text = (struct character_text){.arena = arena, .is_file = true};
 	if (!file) {
-		error = -errno;
-		log_error(log, "%s: cannot be read: %s%s", path,
-			strerror(-error), file_open_advice(-error));
-		return error;
+		return -errno;
 	}
 	error = read_file(text, file, path, true, log);
 	fclose(file);

@@ -339,14 +339,11 @@ int config_read(struct config *config, FILE *file, const char *path,
 int config_load(struct config *config, const char *path,
 	enum command_bit command, struct options *options, const struct log *log)
 {
-	FILE *file = file_open(path);
+	FILE *file = file_open_logged(path, log);
 	int error;
 
 	if (!file) {
-		error = -errno;
-		log_error(log, "%s: cannot be read: %s%s", path,
-			strerror(-error), file_open_advice(-error));
-		return error;
+		return -errno;
 	}
 	error = config_read(config, file, path, command, options, log);
 	fclose(file);

@@ -187,12 +187,9 @@ static int script_create(
 			"--buttons script: the file is missing: give script:FILE");
 		return -EINVAL;
 	}
-	file = file_open(argument);
+	file = file_open_logged(argument, log);
 	if (!file) {
-		error = -errno;
-		log_error(log, "%s: cannot be read: %s%s", argument,
-			strerror(-error), file_open_advice(-error));
-		return error;
+		return -errno;
 	}
 	script = calloc(1, sizeof(*script));
 	if (script) {

@@ -261,7 +261,7 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 		(struct clip_box){left, setup->top, left + setup->columns,
 			setup->bottom});
 
-	if (draw->soft->fragment.flat && draw->attributes) {
+	if (raster_is_flat(draw)) {
 		/* Copying the corners costs about as much as shading one. */
 		counts->shaded += 1 + is_new(draw, setup->provoking);
 	} else {

@@ -151,6 +151,12 @@ static ALWAYS_INLINE struct side raster_side(const struct draw *draw,
 	return (struct side){(int32_t)x, step};
 }
 
+/* GL_FLAT, and there are colours or other attributes. */
+static inline bool raster_is_flat(const struct draw *draw)
+{
+	return draw->soft->fragment.flat && draw->attributes;
+}
+
 static inline uint32_t raster_size(int32_t value)
 {
 	return value < 0 ? 0u - (uint32_t)value : (uint32_t)value;

@@ -120,7 +120,7 @@ static void fill_in_one_color(struct draw *draw, struct setup *setup)
  */
 static void fill_seen(struct draw *draw, struct setup *setup)
 {
-	const bool flat = draw->soft->fragment.flat && draw->attributes;
+	const bool flat = raster_is_flat(draw);
 	bool hidden = setup->inside && soft_is_wholly_hidden(draw, setup);
 	const bool shaded = !hidden && !(flat && setup->inside);
 
@@ -140,10 +140,12 @@ static void fill_seen(struct draw *draw, struct setup *setup)
 
 void soft_prepare_fast_setup(struct draw *draw)
 {
-	bool flat = draw->soft->fragment.flat && draw->attributes;
-	const fill_function first = draw->mostly_hidden ? fill_seen
-		: flat                                  ? fill_in_one_color
-							: NULL;
+	/* Front faces, drawn before opaque back faces, hide most of them. */
+	const bool mostly_hidden =
+		draw->cull_front && draw->hides && !draw->blended;
+	const fill_function first = mostly_hidden ? fill_seen
+		: raster_is_flat(draw)            ? fill_in_one_color
+						  : NULL;
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct clip_box *box = &draw->box;
 	bool clockwise_culled =

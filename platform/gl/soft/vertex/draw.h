@@ -251,8 +251,7 @@ struct draw {
 	/* fragments */
 	bool offset; /* polygon offset applies */
 	bool hides;  /* what lies behind the depth buffer changes nothing */
-	bool mostly_hidden; /* and most of the call's triangles lie there */
-	bool smooth;        /* smooth (antialiased) points or lines */
+	bool smooth; /* smooth (antialiased) points or lines */
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
 	fill_function fill;     /* the chosen path; called by fast_setup.fill */

@@ -318,8 +318,6 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 		return false;
 	}
 	draw->hides = draw->spans.depth_by_less && !draw->offset;
-	/* Front faces, drawn before opaque back faces, hide most of them. */
-	draw->mostly_hidden = draw->cull_front && draw->hides && !draw->blended;
 	/* Span functions use the first texture's coordinates for both. */
 	if (draw->spans.joined) {
 		draw->texture[1].used = false;

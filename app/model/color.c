@@ -53,19 +53,12 @@ static unsigned int brightest_of(const uint8_t rgb[3])
 	return brightest > rgb[2] ? brightest : rgb[2];
 }
 
-static void add_gray(uint8_t rgb[3], unsigned int gray)
-{
-	for (int i = 0; i < 3; i++) {
-		rgb[i] = (uint8_t)(rgb[i] + gray);
-	}
-}
-
 void color_mirror(uint8_t rgb[3])
 {
 	unsigned int brightest = brightest_of(rgb);
 
-	if (brightest <= DARK_MAX) {
-		add_gray(rgb, mirrored_byte(brightest));
+	for (int i = 0; i < 3 && brightest <= DARK_MAX; i++) {
+		rgb[i] = (uint8_t)(rgb[i] + mirrored_byte(brightest));
 	}
 }
 

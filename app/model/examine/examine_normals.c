@@ -4,7 +4,9 @@
  */
 #include "app/model/examine/examine.h"
 
+#include <cglm/mat3.h>
 #include <errno.h>
+#include <string.h>
 
 /* How nodes show a mesh; a mesh may be shown in both ways. */
 enum {
@@ -53,9 +55,13 @@ static int find_side(const struct model_primitive *primitive)
 /* The sign of the determinant of the first three columns. */
 static int sign_of(const float (*m)[4])
 {
-	float determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
-		m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
-		m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+	mat3 turned;
+	float determinant;
+
+	for (int i = 0; i < 3; i++) {
+		memcpy(turned[i], m[i], sizeof(turned[i]));
+	}
+	determinant = glm_mat3_det(turned);
 
 	return determinant > 0.0f ? 1 : determinant < 0.0f ? -1 : 0;
 }

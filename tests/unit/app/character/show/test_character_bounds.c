@@ -45,13 +45,10 @@ static void expect_now(struct character_bounds *bounds,
 
 static int clip_of(const struct acting *acting, const char *name)
 {
-	for (int i = 0; i < acting->model->clip_count; i++) {
-		if (strcmp(acting->model->clip[i].name, name) == 0) {
-			return i;
-		}
-	}
-	fail_msg("there is no clip %s", name);
-	return -1;
+	int clip = model_find_clip(acting->model, name);
+
+	assert_true(clip >= 0);
+	return clip;
 }
 
 static struct bounds joined(const struct bounds *a, const struct bounds *b)

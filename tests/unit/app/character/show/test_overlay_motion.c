@@ -40,13 +40,10 @@ static void expect_layer(const struct overlay_motion *motion, int index,
 
 static int clip_of(const struct acting *acting, const char *name)
 {
-	int i = 0;
+	int clip = model_find_clip(acting->model, name);
 
-	while (strcmp(acting->model->clip[i].name, name) != 0) {
-		i++;
-		assert_true(i < acting->model->clip_count);
-	}
-	return i;
+	assert_true(clip >= 0);
+	return clip;
 }
 
 static void test_a_clip_is_shown_with_its_time(void **state)

@@ -43,25 +43,20 @@ static bool casts_shadow(const struct character_cape *cape)
 	return cape->worn && cape->is.now > 0.5f;
 }
 
-/*
- * Prepares the shadow on uneven ground. On ground of the model's own, triangles
- * are divided where they are longer than four cells of its relief.
- */
+/* Prepares the shadow on uneven ground. */
 static int init_drape(struct character_drawing *drawing, const struct log *log)
 {
 	const struct shadow_relief *relief = &drawing->ground.relief;
-	struct shadow_drape *drape = &drawing->drape;
-	float longest = 4.0f * relief->cell[0];
-	int error = 0;
+	const struct character *character = drawing->character;
 
-	if (drawing->may_wave || relief->height) {
-		error = shadow_drape_init(drape, drawing->character->instance,
-			drawing->cloth, drawing->character->cape_count, log);
+	if (relief->height) {
+		return shadow_drape_init_on(&drawing->drape, character->instance,
+			drawing->cloth, character->cape_count, relief, log);
 	}
-	if (!error && relief->height && longest < drape->longest) {
-		drape->longest = longest;
-	}
-	return error;
+	return drawing->may_wave
+		? shadow_drape_init(&drawing->drape, character->instance,
+			  drawing->cloth, character->cape_count, log)
+		: 0;
 }
 
 int character_draw_init(struct character_drawing *drawing,

@@ -152,6 +152,19 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 	return error;
 }
 
+int shadow_drape_init_on(struct shadow_drape *drape, struct instance *instance,
+	const struct shadow_cloth *cloth, int cloth_count,
+	const struct shadow_relief *relief, const struct log *log)
+{
+	float longest = 4.0f * relief->cell[0];
+	int error = shadow_drape_init(drape, instance, cloth, cloth_count, log);
+
+	if (!error && longest < drape->longest) {
+		drape->longest = longest;
+	}
+	return error;
+}
+
 static void find_posed(const struct shadow_sheet *sheet, const vec4 *matrix,
 	int vertex, float out[3])
 {

@@ -68,6 +68,14 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 	const struct log *log);
 
 /*
+ * The same for ground of the model's own: edges are divided, too, when they are
+ * longer than four cells of its relief.
+ */
+int shadow_drape_init_on(struct shadow_drape *drape, struct instance *instance,
+	const struct shadow_cloth *cloth, int cloth_count,
+	const struct shadow_relief *relief, const struct log *log);
+
+/*
  * Lays the shadows of the instance, as it was last updated, and of its cloths
  * upon the ground. They are moved towards the eye just so far that the ground's
  * triangles do not hide them. Allocates nothing. A light at or below the

@@ -128,7 +128,8 @@ static void find_box(struct comparison *comparison)
 	struct bounds box = bounds_empty(), with;
 
 	for (int i = 0; i < comparison->clip_count; i++) {
-		bounds_join(&box, &comparison->clip[i].screen.box);
+		comparison->clip[i].moving = comparison->clip[i].screen.box;
+		bounds_join(&box, &comparison->clip[i].moving);
 	}
 	with = box;
 	bounds_join(&with, &comparison->clip[0].rest);

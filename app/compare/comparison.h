@@ -76,8 +76,9 @@ struct comparison_row {
 };
 
 struct comparison_clip {
-	int clip;           /* of the model */
-	struct bounds rest; /* of the model's rest pose */
+	int clip;             /* of the model */
+	struct bounds rest;   /* of the model's rest pose */
+	struct bounds moving; /* of all that the clip shows, in model units */
 	struct time_grid grid;
 	struct screen_view screen;
 	bool turns; /* inside out for a part of the time: see measure/winding.h */

@@ -58,32 +58,67 @@ static void add_saved(const struct painter *painter, struct board_cost *saved)
 	}
 }
 
-/* Draws frames of a clip; both results are means of a frame. */
+/* Returns a box, which is in model units, in scene units. */
+static struct bounds scene_box(
+	const struct painter *painter, const struct bounds *box)
+{
+	float unit = painter->instance->unit_scale;
+	struct bounds scaled = *box;
+
+	glm_vec3_scale(scaled.low, unit, scaled.low);
+	glm_vec3_scale(scaled.high, unit, scaled.high);
+	return scaled;
+}
+
+/* Draws the moment after this share of the clip, if there is one. */
+static void draw_moment(
+	struct painter *painter, const struct model_clip *clip, float share)
+{
+	struct instance *instance = painter->instance;
+
+	if (clip) {
+		clip_pose(clip, clip->duration_s * share, CLIP_AUTO,
+			&painter->cursor, &instance->pose);
+	}
+	instance_update(instance);
+	drawing_draw(painter->drawing, instance, painter->extent);
+}
+
+/*
+ * Draws frames of a clip; both results are means of a frame. As in the player,
+ * the clip's first picture chooses levels of detail, which the next ones keep
+ * unless the distance changes much.
+ */
 static void count_clip(struct painter *painter, int index,
-	struct gl_counts *counts, struct board_cost *saved)
+	struct board_cost *cost, struct board_cost *saved)
 {
 	struct instance *instance = painter->instance;
 	const struct model_clip *clip = find_clip(painter, index);
+	const struct comparison_request *request = &painter->comparison->request;
+	struct gl_counts counts = {0};
+	struct drawing_shadow shadow = {0};
+	struct board_cost laid;
 	int frames = painter->comparison->sampling.drawn_frames;
+	struct bounds box =
+		scene_box(painter, &painter->comparison->clip[index].moving);
 
-	*counts = (struct gl_counts){0};
 	*saved = (struct board_cost){0};
-	drawing_count(painter->drawing, counts);
+	drawing_frame(painter->drawing, &box);
+	instance->lod_px_per_unit = 0.0f;
+	draw_moment(painter, clip, 0.0f);
+	drawing_count(painter->drawing, &counts, &shadow);
 	for (int i = 0; i < frames; i++) {
-		if (clip) {
-			clip_pose(clip,
-				clip->duration_s * ((float)i + 0.5f) /
-					(float)frames,
-				CLIP_AUTO, &painter->cursor, &instance->pose);
-		}
-		instance_update(instance);
-		drawing_draw(painter->drawing, instance, painter->extent);
+		draw_moment(painter, clip, ((float)i + 0.5f) / (float)frames);
 		add_saved(painter, saved);
 	}
 	saved->cycles /= frames;
 	saved->instructions /= frames;
-	drawing_count(painter->drawing, NULL);
-	gl_counts_scale(counts, 1.0 / frames);
+	drawing_count(painter->drawing, NULL, NULL);
+	gl_counts_scale(&counts, 1.0 / frames);
+	*cost = board_cost_draw(
+		&counts, (double)request->width * (double)request->height);
+	laid = board_cost_lay(shadow.points / frames, shadow.rays / frames);
+	board_cost_add(cost, &laid);
 }
 
 static bool draw_alike(const struct comparison *comparison, int a, int b)
@@ -112,15 +147,11 @@ static void take_saved(struct board_frame *frame, const struct board_cost *saved
 static void predict(struct painter *painter)
 {
 	struct comparison *comparison = painter->comparison;
-	const struct comparison_request *request = &comparison->request;
-	double pixels = (double)request->width * (double)request->height;
 
 	for (int c = 0; c < comparison->clip_count; c++) {
-		struct gl_counts counts;
 		struct board_cost cost, saved;
 
-		count_clip(painter, c, &counts, &saved);
-		cost = board_cost_draw(&counts, pixels);
+		count_clip(painter, c, &cost, &saved);
 		for (int r = 0; r < comparison->row_count; r++) {
 			struct comparison_row *row = &comparison->row[r];
 
@@ -136,11 +167,8 @@ static int begin_drawing(struct painter *painter)
 {
 	const struct comparison *comparison = painter->comparison;
 	const struct comparison_request *request = &comparison->request;
-	float unit = painter->instance->unit_scale;
-	struct bounds box = comparison->box;
+	struct bounds box = scene_box(painter, &comparison->box);
 
-	glm_vec3_scale(box.low, unit, box.low);
-	glm_vec3_scale(box.high, unit, box.high);
 	painter->instance->normal_mapping = false;
 	painter->extent = drawing_extent(painter->instance);
 	return drawing_create(painter->instance, &box, request->width,

@@ -4,11 +4,15 @@
 Plays quotes. For each row that `limber compare --clip` quotes, it plays the file
 of the row on the timing model (play_cost.c) and compares instructions and cycles
 of a frame: of posing, of drawing, and of both; of the model itself, drawing in
-pictures of other sizes, too. Quoted and played may differ by 10%. Of files after
+pictures of other sizes, too. It also compares the model's instructions with those
+of `limber play`, which frames the model by itself. Quoted and played may differ by 10%. Of files after
 --alone only the model itself is played. It prints TAP.
 """
 import json
 import os
+import pathlib
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -16,6 +20,7 @@ import tempfile
 
 TOLERANCE = 0.10
 RATE_HZ = 30
+PLAYED_FRAMES = 6
 SIZES = ("480x640", "240x320", "800x480")
 # Below this a frame is a few cache misses, of which one more is 10%.
 CYCLES_MIN = 12000
@@ -55,6 +60,22 @@ def played(tools, path, clip, rate_hz, size=None):
                  for number in numbers)
              for name in ("cycles", "instructions")]
             for numbers in (((1, 2), (3,)) if size else ((1, 2),))]
+
+
+def count_play(tools, path, clip, duration_s, frames):
+    """The instructions of `limber play` that shows so many frames, which are
+    spread over the clip."""
+    play_cost, plugin, sysroot = map(pathlib.Path, tools)
+    run = subprocess.run(
+        ["qemu-arm", "-cpu", "arm1136", "-L", sysroot, "-plugin",
+         plugin.with_name("insn_count.so"), "-d", "plugin",
+         play_cost.parent.with_name("limber"), "play", path, "--clip", clip,
+         "--speed", f"{duration_s * RATE_HZ / PLAYED_FRAMES:.4f}",
+         "--clock", f"fixed:{RATE_HZ}", "--frames", str(frames), "--no-labels",
+         "--config", "none", "--display", "null", "--gl", "soft",
+         "--format", "rgb565", "--size", SIZES[0]],
+        check=True, capture_output=True, text=True, env={})
+    return int(re.search(r"^instructions: (\d+)", run.stderr, re.M).group(1))
 
 
 def compared(quoted, cycles, instructions):
@@ -97,11 +118,15 @@ def has_clips(path):
     return "animations" in json.loads(text)
 
 
-def compare(limber, model, clip, *options):
-    """The rows of the table that can be played."""
-    report = json.loads(subprocess.run(
+def report_of(limber, model, clip, *options):
+    return json.loads(subprocess.run(
         [limber, "compare", model, "--clip", clip, "--format", "json", *options],
         check=True, capture_output=True, text=True).stdout)
+
+
+def compare(limber, model, clip, *options):
+    """The rows of the table that can be played."""
+    report = report_of(limber, model, clip, *options)
     return [row for row in report["candidates"] if row["listed"]]
 
 
@@ -117,6 +142,14 @@ class Tap:
         self.failed += not good
         print(f"{'ok' if good else 'not ok'} {self.count} - {name}: {figures}",
               flush=True)
+
+    def check_instructions(self, name, quoted, counted):
+        off = quoted / counted - 1
+        self.count += 1
+        self.failed += abs(off) > TOLERANCE
+        print(f"{'ok' if abs(off) <= TOLERANCE else 'not ok'} {self.count} - {name}:"
+              f" {quoted / 1e6:.2f} million instructions quoted,"
+              f" {counted / 1e6:.2f} played ({off:+.1%})", flush=True)
 
 
 def check_frames(tap, limber, tools, model, clip, baked, alone):
@@ -150,6 +183,18 @@ def check_drawing(tap, limber, tools, model, clip, size):
               quotes(row)["drawing"], *drawing)
 
 
+def check_play(tap, limber, tools, model, clip, folder):
+    """The model as the player shows it. It is copied away from its character
+    file, which may want another camera."""
+    path = shutil.copy(model, folder)
+    report = report_of(limber, path, clip, "--size", SIZES[0])
+    quoted = quotes(report["candidates"][0])["whole"][1]
+    one, more = (count_play(tools, path, clip, report["clips"][0]["duration_s"], frames)
+                 for frames in (1, 1 + PLAYED_FRAMES))
+    tap.check_instructions(f"{os.path.basename(model)} {clip}, limber play",
+                           quoted, (more - one) / PLAYED_FRAMES)
+
+
 def main():
     limber, tools = sys.argv[1], sys.argv[2:5]
     if len(sys.argv) == 5:
@@ -164,6 +209,7 @@ def main():
         model, _, clip = word.partition("@")
         clip = clip or "0"
         with tempfile.TemporaryDirectory() as baked:
+            check_play(tap, limber, tools, model, clip, baked)
             check_frames(tap, limber, tools, model, clip, baked, alone)
         for size in SIZES[1:]:
             check_drawing(tap, limber, tools, model, clip, size)

@@ -33,14 +33,19 @@ enum {
 static int begin_drawing(struct instance *instance, int clip, char **size,
 	const struct log *log, struct drawing **out)
 {
-	struct bounds box = bounds_of_clip(instance, -1), moving;
+	struct bounds box = bounds_of_clip(instance, -1), shown = box;
+	int error;
 
 	if (clip >= 0) {
-		moving = bounds_of_clip(instance, clip);
-		bounds_join(&box, &moving);
+		shown = bounds_of_clip(instance, clip);
+		bounds_join(&box, &shown);
 	}
-	return drawing_create(
+	error = drawing_create(
 		instance, &box, atoi(size[0]), atoi(size[1]), log, out);
+	if (!error) {
+		drawing_frame(*out, &shown);
+	}
+	return error;
 }
 
 static void pose(struct instance *instance, const struct model_clip *clip,
@@ -72,7 +77,7 @@ static void count(struct instance *instance, const struct model_clip *clip,
 	struct gl_counts counts = {0};
 	float extent = drawing_extent(instance);
 
-	drawing_count(drawing, &counts);
+	drawing_count(drawing, &counts, NULL);
 	for (int i = 0; i < moments; i++) {
 		pose(instance, clip, cursor, (i + 0.5) / moments);
 		drawing_draw(drawing, instance, extent);

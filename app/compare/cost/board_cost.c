@@ -49,6 +49,9 @@ static const struct board_cost targets_visit = {6.8, 27.6};
 static const struct board_cost targets_piece = {110.0, 31.3};
 static const struct board_cost targets_added = {17.7, 7.7};
 static const struct board_cost targets_rebased = {40.0, 14.0};
+/* Shadows on hills, from the timing model's counts of a model with hills. */
+static const struct board_cost laid_point = {970.0, 455.0};
+static const struct board_cost laid_ray = {640.0, 240.0};
 
 static struct board_cost cost_of(enum arm11_work work, double count)
 {
@@ -368,6 +371,15 @@ struct board_cost board_cost_gather(const struct drawable *drawable)
 			add_times(&sum, &facet, corners / 3);
 		}
 	}
+	return sum;
+}
+
+struct board_cost board_cost_lay(double points, double rays)
+{
+	struct board_cost sum = {0.0, 0.0};
+
+	add_times(&sum, &laid_point, points);
+	add_times(&sum, &laid_ray, rays);
 	return sum;
 }
 

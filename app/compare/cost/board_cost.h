@@ -79,6 +79,13 @@ struct board_cost board_cost_gather_drawn(const struct drawable *drawable);
 /* The cost of drawing what is counted, in a picture of so many pixels. */
 struct board_cost board_cost_draw(const struct gl_counts *counts, double pixels);
 
+/*
+ * The cost of laying a shadow on uneven ground of the model's own: points that
+ * are listed, and rays of light that are followed to the ground
+ * (cost/drawing.h).
+ */
+struct board_cost board_cost_lay(double points, double rays);
+
 /* Work of weighted targets in an average frame, summed over attributes. */
 struct board_targets {
 	double weights; /* targets */

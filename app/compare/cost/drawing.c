@@ -5,7 +5,9 @@
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/lod.h"
+#include "app/scene/shadow/shadow_drape.h"
 #include "app/scene/shadow/shadow_ground.h"
+#include "app/scene/stage/light.h"
 #include "app/scene/stage/stage.h"
 #include "platform/gl/gl_context.h"
 
@@ -19,6 +21,8 @@ struct drawing {
 	struct stage stage;
 	struct bounds box; /* framed by the camera */
 	struct shadow_ground ground;
+	struct shadow_drape drape;     /* on the ground, if it has a relief */
+	struct drawing_shadow *shadow; /* counts; or NULL */
 	bool keys;
 };
 
@@ -36,6 +40,7 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	const struct log *log)
 {
 	const struct model *model = instance->model;
+	const struct shadow_relief *relief = &drawing->ground.relief;
 
 	if (shadow_ground_find(&drawing->ground, instance) != 0) {
 		return memory_budget_fail(model->budget, model->path, log);
@@ -43,14 +48,22 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	if (drawing->ground.in_plane) {
 		stage_lower_floor(&drawing->stage, &drawing->box);
 	}
-	return 0;
+	return relief->height ? shadow_drape_init_on(&drawing->drape, instance,
+					NULL, 0, relief, log)
+			      : 0;
 }
 
 static int prepare(struct drawing *drawing, const struct instance *instance,
 	const struct bounds *box, const struct log *log)
 {
 	const struct gl *gl = &drawing->context->gl;
-	struct camera_framing framing = screen_view_framing;
+	/* As limber play frames a model without a character file. */
+	struct camera_framing framing = {
+		.yaw_rad = screen_view_framing.yaw_rad,
+		.pitch_rad = screen_view_framing.pitch_rad,
+		.margin = 1.1f,
+		.follow = true,
+	};
 	int error = texture_set_create(
 		&drawing->textures, instance->model, gl, PIXELS_RGB565, log);
 
@@ -115,6 +128,11 @@ void drawing_destroy(struct drawing *drawing)
 	free(drawing);
 }
 
+void drawing_frame(struct drawing *drawing, const struct bounds *box)
+{
+	camera_ease_to(&drawing->stage.camera, box, 1.0f);
+}
+
 float drawing_extent(struct instance *instance)
 {
 	struct bounds rest = bounds_of_clip(instance, -1);
@@ -138,6 +156,56 @@ static float px_per_unit(const struct drawing *drawing,
 		: lod_px_per_unit(instance, camera, extent, height);
 }
 
+/* With a grid, light is followed from its nodes and not from each point. */
+static void count_shadow(
+	const struct shadow_drape *drape, struct drawing_shadow *sum)
+{
+	int points = 0;
+
+	for (int i = 0; i < drape->sheet_count; i++) {
+		points += drape->sheet[i].vertex_count;
+	}
+	sum->points += points;
+	sum->rays +=
+		drape->grid.node_count > 0 ? drape->grid.node_count : points;
+}
+
+/* Lays the shadow on uneven ground of the model's own. */
+static void lay_shadow(struct drawing *drawing, struct instance *instance)
+{
+	struct shadow_light light = {
+		.ground = &drawing->stage.floor,
+		.relief = &drawing->ground.relief,
+	};
+
+	light_direction(light.towards);
+	camera_eye(&drawing->stage.camera, light.eye);
+	shadow_ground_hide(&drawing->ground, instance, true);
+	shadow_drape_update(&drawing->drape, instance, &light);
+	shadow_ground_hide(&drawing->ground, instance, false);
+	if (drawing->shadow) {
+		count_shadow(&drawing->drape, drawing->shadow);
+	}
+}
+
+/* Draws ground of the model's own, and the shadows on it. */
+static void draw_ground(struct drawing *drawing, struct instance *instance)
+{
+	const struct gl *gl = &drawing->context->gl;
+
+	if (!shadow_ground_begin(&drawing->ground, &drawing->stage, gl,
+		    instance, &drawing->textures)) {
+		return;
+	}
+	if (drawing->ground.relief.height) {
+		shadow_drape_draw(&drawing->drape, gl, DRAW_SHADOW_ALPHA,
+			STAGE_GROUND_MARK, true);
+	} else {
+		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
+		stage_top_end(gl);
+	}
+}
+
 void drawing_draw(
 	struct drawing *drawing, struct instance *instance, float extent)
 {
@@ -149,6 +217,9 @@ void drawing_draw(
 	float eye[3];
 
 	lod_choose(instance, &automatic, px_per_unit(drawing, instance, extent));
+	if (drawing->ground.relief.height) {
+		lay_shadow(drawing, instance);
+	}
 	if (context->driver->begin_frame(context, &drawing->pixels) != 0) {
 		return;
 	}
@@ -156,12 +227,7 @@ void drawing_draw(
 	stage_shadow_begin(stage, gl);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 	stage_shadow_end(stage, gl);
-	if (shadow_ground_begin(&drawing->ground, stage, gl, instance,
-		    &drawing->textures) &&
-		!drawing->ground.relief.height) {
-		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
-		stage_top_end(gl);
-	}
+	draw_ground(drawing, instance);
 	camera_eye(&stage->camera, eye);
 	alpha_sort_blended(instance, eye);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
@@ -169,7 +235,9 @@ void drawing_draw(
 	context->driver->end_frame(context);
 }
 
-void drawing_count(struct drawing *drawing, struct gl_counts *counts)
+void drawing_count(struct drawing *drawing, struct gl_counts *counts,
+	struct drawing_shadow *shadow)
 {
+	drawing->shadow = shadow;
 	drawing->context->driver->count(drawing->context, counts);
 }

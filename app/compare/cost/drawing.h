@@ -10,6 +10,12 @@
 
 struct drawing;
 
+/* What shadows on uneven ground of the model's own took before GL. */
+struct drawing_shadow {
+	double points; /* listed and posed */
+	double rays;   /* that followed the light to the ground */
+};
+
 /*
  * Prepares an RGB565 picture of width x height pixels and uploads the textures
  * of the instance's model. The camera frames the box, in scene units. The
@@ -23,6 +29,12 @@ int drawing_create(struct instance *instance, const struct bounds *box,
 
 /* NULL is fine. */
 void drawing_destroy(struct drawing *drawing);
+
+/*
+ * From now on, the camera frames this box, in scene units, as the player's
+ * camera frames the clip that is played. The floor stays where it is.
+ */
+void drawing_frame(struct drawing *drawing, const struct bounds *box);
 
 /*
  * Draws background, floor, shadow and the instance in its last updated pose,
@@ -43,7 +55,11 @@ void drawing_show_keys(struct drawing *drawing);
  */
 float drawing_extent(struct instance *instance);
 
-/* Adds all that is drawn from now on to *counts; NULL stops counting. */
-void drawing_count(struct drawing *drawing, struct gl_counts *counts);
+/*
+ * Adds all that is drawn from now on to *counts and *shadow; both NULL stop
+ * counting.
+ */
+void drawing_count(struct drawing *drawing, struct gl_counts *counts,
+	struct drawing_shadow *shadow);
 
 #endif

@@ -58,6 +58,14 @@ static void test_weighted_targets(void **state)
 		400, 140);
 }
 
+static void test_shadows_that_are_laid_on_hills(void **state)
+{
+	(void)state;
+	expect_cost(board_cost_lay(0.0, 0.0), 0.0, 0.0);
+	expect_cost(board_cost_lay(100.0, 0.0), 97000.0, 45500.0);
+	expect_cost(board_cost_lay(0.0, 10.0), 6400.0, 2400.0);
+}
+
 /* Without normals each triangle needs one. */
 static void test_gathered_vertices_and_facets(void **state)
 {
@@ -314,6 +322,7 @@ int main(void)
 		cmocka_unit_test(test_nodes_joints_and_solid_drawables),
 		cmocka_unit_test(test_key_frames),
 		cmocka_unit_test(test_weighted_targets),
+		cmocka_unit_test(test_shadows_that_are_laid_on_hills),
 		cmocka_unit_test(test_gathered_vertices_and_facets),
 		cmocka_unit_test(test_gathered_levels_and_their_shadows),
 		cmocka_unit_test(test_vertices_of_a_skin_by_their_influences),

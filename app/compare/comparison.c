@@ -128,8 +128,7 @@ static void find_box(struct comparison *comparison)
 	struct bounds box = bounds_empty(), with;
 
 	for (int i = 0; i < comparison->clip_count; i++) {
-		comparison->clip[i].moving = comparison->clip[i].screen.box;
-		bounds_join(&box, &comparison->clip[i].moving);
+		bounds_join(&box, &comparison->clip[i].screen.box);
 	}
 	with = box;
 	bounds_join(&with, &comparison->clip[0].rest);

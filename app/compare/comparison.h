@@ -76,9 +76,8 @@ struct comparison_row {
 };
 
 struct comparison_clip {
-	int clip;             /* of the model */
-	struct bounds rest;   /* of the model's rest pose */
-	struct bounds moving; /* of all that the clip shows, in model units */
+	int clip;           /* of the model */
+	struct bounds rest; /* of the model's rest pose */
 	struct time_grid grid;
 	struct screen_view screen;
 	bool turns; /* inside out for a part of the time: see measure/winding.h */

@@ -19,19 +19,17 @@ struct painter {
 };
 
 /*
- * Returns the drawn model's clip for comparison->clip[index], or NULL. An
- * exported model has only the compared clips, so that index is its clip.
+ * Returns the number of the drawn model's clip for comparison->clip[index], or
+ * -1. An exported model has only the compared clips, so that index is its clip.
  */
-static const struct model_clip *find_clip(
-	const struct painter *painter, int index)
+static int find_clip(const struct painter *painter, int index)
 {
 	const struct comparison *comparison = painter->comparison;
 	int clip = painter->model == comparison->model
 		? comparison->clip[index].clip
 		: index;
 
-	return clip < painter->model->clip_count ? &painter->model->clip[clip]
-						 : NULL;
+	return clip < painter->model->clip_count ? clip : -1;
 }
 
 /*
@@ -58,18 +56,6 @@ static void add_saved(const struct painter *painter, struct board_cost *saved)
 	}
 }
 
-/* Returns a box, which is in model units, in scene units. */
-static struct bounds scene_box(
-	const struct painter *painter, const struct bounds *box)
-{
-	float unit = painter->instance->unit_scale;
-	struct bounds scaled = *box;
-
-	glm_vec3_scale(scaled.low, unit, scaled.low);
-	glm_vec3_scale(scaled.high, unit, scaled.high);
-	return scaled;
-}
-
 /* Draws the moment after this share of the clip, if there is one. */
 static void draw_moment(
 	struct painter *painter, const struct model_clip *clip, float share)
@@ -93,14 +79,15 @@ static void count_clip(struct painter *painter, int index,
 	struct board_cost *cost, struct board_cost *saved)
 {
 	struct instance *instance = painter->instance;
-	const struct model_clip *clip = find_clip(painter, index);
+	int found = find_clip(painter, index);
+	const struct model_clip *clip =
+		found >= 0 ? &painter->model->clip[found] : NULL;
 	const struct comparison_request *request = &painter->comparison->request;
 	struct gl_counts counts = {0};
 	struct drawing_shadow shadow = {0};
 	struct board_cost laid;
 	int frames = painter->comparison->sampling.drawn_frames;
-	struct bounds box =
-		scene_box(painter, &painter->comparison->clip[index].moving);
+	struct bounds box = bounds_of_clip(instance, found);
 
 	*saved = (struct board_cost){0};
 	drawing_frame(painter->drawing, &box);
@@ -167,8 +154,11 @@ static int begin_drawing(struct painter *painter)
 {
 	const struct comparison *comparison = painter->comparison;
 	const struct comparison_request *request = &comparison->request;
-	struct bounds box = scene_box(painter, &comparison->box);
+	float unit = painter->instance->unit_scale;
+	struct bounds box = comparison->box; /* in model units */
 
+	glm_vec3_scale(box.low, unit, box.low);
+	glm_vec3_scale(box.high, unit, box.high);
 	painter->instance->normal_mapping = false;
 	painter->extent = drawing_extent(painter->instance);
 	return drawing_create(painter->instance, &box, request->width,

@@ -55,7 +55,8 @@ GUESSED_KINDS = {
     "mixed_divided": ((5000, 1000, 180), (4000, 550, 120)),
     "colored": ((300, 60, 5), (200, 40, 3)),
     "bent": ((1500, 150, 3), (900, 90, 2)),
-    "deep": ((1, 1, 2), (1, 1, 1.6)),
+    "deep": ((1, 1, 1), (1, 1, 0.4)),
+    "sloped": ((1, 1, 3), (1, 1, 2.5)),
     "second": ((500, 100, 30), (300, 60, 18)),
     "crossed": ((300, 250, 3), (200, 200, 2)),
 }
@@ -68,7 +69,7 @@ ROUNDS = 3000
 
 def play(tools, path, clip, size):
     """What a picture consists of, and its cycles and instructions."""
-    moments = 1 if clip == "-" else 2
+    moments = 1 if clip == "-" else 6
     text, regions = run_play_cost(tools, path, clip, 1, 0, *size, moments)
     counts = next(line.split()[1:] for line in text.splitlines()
                   if line.startswith("counts "))

@@ -176,9 +176,11 @@ int main(int argc, char **argv)
 	}
 	played = rests ? NULL : &model->clip[clip];
 	if (drawing) {
+		float extent = drawing_extent(instance);
+
 		/* Chooses the levels of detail, of which facets are posed. */
 		pose(instance, played, &cursor, 0.0);
-		drawing_draw(drawing, instance, drawing_extent(instance));
+		drawing_draw(drawing, instance, extent);
 	}
 	if (played) {
 		printf("frames %d\n",

@@ -21,77 +21,80 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.95e+04, 2.122e+04},  /* frame */
-	{0.8121, 0},            /* pixel */
-	{1.863e+04, 6478},      /* call */
-	{89.74, 49.29},         /* listed */
-	{396.2, 105.7},         /* vertex */
-	{162.5, 92.61},         /* again */
-	{293.4, 115.1},         /* single */
-	{283.4, 251.5},         /* shaded */
-	{13.06, 16.01},         /* hidden */
-	{1475, 576.4},          /* skipped */
-	{5.544, 2.474},         /* fine */
-	{180.3, 97.97},         /* flat triangle */
-	{84.93, 47.61},         /* flat row */
-	{23.27, 14.31},         /* flat pixel */
-	{643.6, 227.3},         /* plain triangle */
-	{24.82, 15.47},         /* plain row */
-	{8.892, 3.539},         /* plain pixel */
-	{701.4, 577.8},         /* textured triangle */
-	{158.7, 0},             /* textured row */
-	{78.33, 57.68},         /* textured pixel */
-	{1.922e+04, 9051},      /* backdrop triangle */
-	{68.35, 15.39},         /* backdrop row */
-	{1.264, 0},             /* backdrop pixel */
-	{5.195e+04, 1.122e+04}, /* ground triangle */
-	{153, 28.36},           /* ground row */
-	{4.741, 1.322},         /* ground pixel */
-	{877.8, 484.4},         /* spans triangle */
-	{223.4, 144.4},         /* spans row */
-	{20.54, 13.33},         /* spans pixel */
-	{1627, 0},              /* spans textured triangle */
-	{335.2, 171.8},         /* spans textured row */
-	{70.69, 45.69},         /* spans textured pixel */
-	{7112, 5000},           /* spans divided triangle */
-	{725.5, 387.5},         /* spans divided row */
-	{88.73, 54.44},         /* spans divided pixel */
-	{2943, 1177},           /* spans nearest triangle */
-	{303.9, 149},           /* spans nearest row */
-	{38.73, 25.6},          /* spans nearest pixel */
-	{2232, 1422},           /* mixed triangle */
-	{131.3, 46.01},         /* mixed row */
-	{43.82, 25.51},         /* mixed pixel */
-	{3331, 1273},           /* tested triangle */
-	{240.3, 162.9},         /* tested row */
-	{136.1, 86.41},         /* tested pixel */
-	{3067, 1851},           /* tested spans triangle */
-	{305, 195.2},           /* tested spans row */
-	{137.2, 82.24},         /* tested spans pixel */
-	{5559, 1422},           /* mixed textured triangle */
-	{243.4, 144.5},         /* mixed textured row */
-	{170.3, 124.4},         /* mixed textured pixel */
-	{2958, 2008},           /* mixed spans triangle */
-	{190.3, 132.9},         /* mixed spans row */
-	{180.3, 102.2},         /* mixed spans pixel */
-	{4984, 4025},           /* mixed divided triangle */
-	{1108, 620.3},          /* mixed divided row */
-	{139.7, 92.25},         /* mixed divided pixel */
-	{169.4, 24.96},         /* colored triangle */
-	{16.12, 20.5},          /* colored row */
-	{2.116, 0},             /* colored pixel */
-	{2864, 1520},           /* bent triangle */
-	{331.5, 196.3},         /* bent row */
-	{3.75, 2.604},          /* bent pixel */
+	{3.978e+04, 2.204e+04}, /* frame */
+	{0.8401, 0.1648},       /* pixel */
+	{1.709e+04, 5781},      /* call */
+	{96.2, 34.71},          /* listed */
+	{393.1, 121.1},         /* vertex */
+	{185.6, 95.55},         /* again */
+	{293.4, 90.04},         /* single */
+	{347.7, 274.1},         /* shaded */
+	{8.195, 12.55},         /* hidden */
+	{1083, 495.5},          /* skipped */
+	{5.269, 1.609},         /* fine */
+	{280.4, 164.9},         /* flat triangle */
+	{87.77, 45.19},         /* flat row */
+	{23.65, 13.56},         /* flat pixel */
+	{535, 319.7},           /* plain triangle */
+	{27.56, 6.994},         /* plain row */
+	{6.022, 4.024},         /* plain pixel */
+	{637.4, 511.4},         /* textured triangle */
+	{114.6, 0},             /* textured row */
+	{80.57, 57.45},         /* textured pixel */
+	{1.362e+04, 0},         /* backdrop triangle */
+	{75.88, 24.25},         /* backdrop row */
+	{1.68, 0.01051},        /* backdrop pixel */
+	{5.263e+04, 1.204e+04}, /* ground triangle */
+	{178.6, 55.63},         /* ground row */
+	{5.425, 3.507},         /* ground pixel */
+	{0, 0},                 /* spans triangle */
+	{207.2, 149.2},         /* spans row */
+	{21.1, 13.31},          /* spans pixel */
+	{1456, 0},              /* spans textured triangle */
+	{325.1, 193.5},         /* spans textured row */
+	{71.6, 46.01},          /* spans textured pixel */
+	{6913, 4347},           /* spans divided triangle */
+	{714.8, 419.5},         /* spans divided row */
+	{88.41, 53.89},         /* spans divided pixel */
+	{2779, 1006},           /* spans nearest triangle */
+	{305, 146},             /* spans nearest row */
+	{37.1, 26.6},           /* spans nearest pixel */
+	{2005, 1409},           /* mixed triangle */
+	{84.89, 32.78},         /* mixed row */
+	{46.07, 24.94},         /* mixed pixel */
+	{3921, 1343},           /* tested triangle */
+	{359, 240.9},           /* tested row */
+	{103.8, 67.7},          /* tested pixel */
+	{2495, 1601},           /* tested spans triangle */
+	{225.2, 165.5},         /* tested spans row */
+	{163.4, 95.37},         /* tested spans pixel */
+	{4576, 1783},           /* mixed textured triangle */
+	{269.5, 176.6},         /* mixed textured row */
+	{175.2, 106.3},         /* mixed textured pixel */
+	{3793, 2852},           /* mixed spans triangle */
+	{270.8, 196.1},         /* mixed spans row */
+	{142, 82.95},           /* mixed spans pixel */
+	{4978, 3997},           /* mixed divided triangle */
+	{1227, 668.9},          /* mixed divided row */
+	{131.5, 86.45},         /* mixed divided pixel */
+	{60.59, 0},             /* colored triangle */
+	{44.3, 18.58},          /* colored row */
+	{1.275, 0},             /* colored pixel */
+	{4063, 2169},           /* bent triangle */
+	{339, 169.6},           /* bent row */
+	{3.143, 2.017},         /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.005, 0.9937},        /* deep row */
-	{1.72, 2.608},          /* deep pixel */
-	{708.9, 394.8},         /* second triangle */
-	{173.5, 91.4},          /* second row */
-	{52.45, 26.77},         /* second pixel */
-	{316.4, 206},           /* crossed triangle */
-	{251.6, 128.6},         /* crossed row */
-	{4.005, 3.575},         /* crossed pixel */
+	{1.007, 0.9994},        /* deep row */
+	{0.9081, 0.4333},       /* deep pixel */
+	{1, 0.9999},            /* sloped triangle */
+	{1, 0.9901},            /* sloped row */
+	{5.093, 2.705},         /* sloped pixel */
+	{653, 329.2},           /* second triangle */
+	{176.3, 76.06},         /* second row */
+	{62.21, 25.19},         /* second pixel */
+	{323.6, 218.5},         /* crossed triangle */
+	{229.1, 144.1},         /* crossed row */
+	{3.649, 3.142},         /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

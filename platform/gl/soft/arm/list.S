@@ -4,8 +4,8 @@
  * and of draw->box; it leaves the others to soft_draw_triangle(). In C that draws
  * all triangles (portable/triangles.c).
  *
- * A triangle that is culled costs 21 instructions, one that covers no pixel's centre
- * 34, others 115 until they are filled; a vertex 25 besides its transformation.
+ * A triangle that is culled costs 22 instructions, one that covers no pixel's centre
+ * 35, others 116 until they are filled; a vertex 23 besides its transformation.
  */
 #include "platform/gl/soft/arm/offsets.h"
 
@@ -15,7 +15,7 @@
 	.text
 
 #define CACHE_SLOTS 512
-#define FOUND 64 /* bytes of head up to label 2: all vertices are in the cache */
+#define FOUND 68 /* bytes of head up to label 2: all vertices are in the cache */
 
 /* offsets from sp of locals behind a struct setup, which lies at sp */
 #define ROUND 88
@@ -41,20 +41,21 @@
  */
 	.macro	head unwanted
 1:	ldr	r0, [sp, #END]
+	pld	[r2, #70]
 	cmp	r2, r0
 	beq	.Ldone
+	ldrh	r7, [r2, #4]
 	ldrh	r0, [r2], #6
 	ldrh	r1, [r2, #-4]
+	and	lr, r11, r7, lsl #3
 	and	r3, r11, r0, lsl #3
+	ldrd	r8, [r10, lr]
 	and	r12, r11, r1, lsl #3
 	ldrd	r4, [r10, r3]
+	cmp	r8, r7
 	ldrd	r6, [r10, r12]
-	cmp	r4, r0
-	ldrh	r0, [r2, #-2]
+	cmpeq	r4, r0
 	cmpeq	r6, r1
-	and	lr, r11, r0, lsl #3
-	ldrd	r8, [r10, lr]
-	cmpeq	r8, r0
 	bne	.Lload
 2:	ssub16	r1, r7, r5
 	ssub16	r0, r9, r5
@@ -87,9 +88,11 @@
 1:
 	.endm
 
-	/* If a slot's tag is not the index, transforms the vertex into it; sets xy. */
+	/*
+	 * If a slot's tag is not the index, transforms the vertex into it; sets xy.
+	 * In: r2 indices.
+	 */
 	.macro	load_corner number, tag, xy
-	ldr	r2, [sp, #INDEX]
 	ldrh	r1, [r2, #2 * \number - 6]
 	cmp	\tag, r1
 	beq	1f
@@ -104,11 +107,11 @@
 	ldm	\tag, {r0-r2}
 	tst	r0, #0xFF << 8
 	ldr	r0, [\tag, #VERTEX_INDEX]
-	orr	\xy, r1, r2, lsl #16
+	orr	r1, r1, r2, lsl #16
 	mvnne	r0, #1
-	add	r3, r10, r3
-	str	r0, [r3]
-	str	\xy, [r3, #4]
+	ldr	r2, [sp, #INDEX]
+	strd	r0, [r10, r3]
+	mov	\xy, r1
 	bne	.Lapart
 1:
 	.endm
@@ -272,7 +275,6 @@ soft_list:
 	load_corner 1, r6, r7
 	load_corner 2, r8, r9
 	ldm	sp, {r3, r12, lr}
-	ldr	r2, [sp, #INDEX]
 	ldr	r0, [sp, #HEAD]
 	add	pc, r0, #FOUND
 

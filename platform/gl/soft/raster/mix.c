@@ -59,6 +59,7 @@ bool soft_is_one_color(const uint16_t *pixel, int count)
 
 	at += (uintptr_t)at / sizeof(*at) % 2;
 	for (; end - at >= 16; at += 16) {
+		PRELOAD(at + 48);
 		if (load_two_words(at) != four ||
 			load_two_words(at + 4) != four ||
 			load_two_words(at + 8) != four ||

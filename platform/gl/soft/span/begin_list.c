@@ -38,7 +38,10 @@ static ALWAYS_INLINE bool is_within(
 	return begins_in(place, room) && place->room <= room - place->first;
 }
 
-/* Finds the range. Far outside of the texture it wraps around. */
+/*
+ * Finds the range. Far outside of the texture it wraps around; it is no range
+ * where its ends lie so far apart that they may meet again.
+ */
 static ALWAYS_INLINE struct texel_place begin_coordinate(
 	const struct raster *raster, int name, const struct soft_axis *axis,
 	struct list_coordinate *out)
@@ -63,7 +66,9 @@ static ALWAYS_INLINE struct texel_place begin_coordinate(
 	}
 	low &= ~((1 << SOFT_TEXEL_FRACTION) - 1);
 	return (struct texel_place){low, (uint32_t)low & axis->mask,
-		(uint32_t)high - (uint32_t)low};
+		(uint32_t)range[1] - (uint32_t)range[0] < 1u << 23
+			? (uint32_t)high - (uint32_t)low
+			: UINT32_MAX};
 }
 
 /* Whether each row is one run, with no edge to be clipped. */

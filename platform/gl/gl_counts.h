@@ -32,7 +32,6 @@ enum gl_work_kind {
 	GL_WORK_COLORED, /* their corners have different colours */
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
 	GL_WORK_DEEP,    /* they have a luminance texture and write depths */
-	GL_WORK_SLOPED,  /* the same with depths that change along a row */
 	GL_WORK_SECOND,  /* they have a second texture */
 	GL_WORK_CROSSED, /* their texture coordinates cross the texture's edges */
 	GL_WORK_KINDS

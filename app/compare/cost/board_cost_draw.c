@@ -86,9 +86,6 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{1, 1},                 /* deep triangle */
 	{1.007, 0.9994},        /* deep row */
 	{0.9081, 0.4333},       /* deep pixel */
-	{1, 0.9999},            /* sloped triangle */
-	{1, 0.9901},            /* sloped row */
-	{5.093, 2.705},         /* sloped pixel */
 	{653, 329.2},           /* second triangle */
 	{176.3, 76.06},         /* second row */
 	{62.21, 25.19},         /* second pixel */

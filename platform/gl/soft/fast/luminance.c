@@ -14,6 +14,8 @@ enum {
 	SHARE_STEP = 1 << 19, /* 1/32 in 8.16 */
 	/* most pixels that share an alpha where it changes by more than a step */
 	SHARE_PIXELS = 8,
+	/* least pixels that share a depth where the row has several */
+	DEPTH_PIXELS = 16,
 };
 
 static int choose_level(const struct draw *draw, int lod)
@@ -211,14 +213,27 @@ static ALWAYS_INLINE void set_texels(
 }
 
 /*
- * Writes a row's depths; a single value if they differ by less than a unit, as
- * in level planes.
+ * Writes a row's depths; a single value for pixels whose depths differ by less
+ * than a unit, as in level planes: all, or parts of the row where corners on
+ * multiples of 1/16 of a pixel tilt the plane.
  */
 static void write_depth(uint16_t *depth, int count, uint32_t z, uint32_t z_right)
 {
-	if ((uint64_t)raster_size((int32_t)z_right) * (uint32_t)count < 1 << 16) {
-		z += (uint32_t)((int32_t)z_right * count / 2);
-		soft_fill_pixels(depth, count, (uint16_t)(z >> 16));
+	const uint64_t slope = raster_size((int32_t)z_right);
+	int part = count;
+
+	while (slope * (uint32_t)part >= 1 << 16) {
+		part /= 2;
+	}
+	if (part >= DEPTH_PIXELS || part == count) {
+		for (; count > 0; count -= part, depth += part) {
+			uint32_t middle = z;
+
+			part = part < count ? part : count;
+			middle += (uint32_t)((int32_t)z_right * part / 2);
+			soft_fill_pixels(depth, part, (uint16_t)(middle >> 16));
+			z += z_right * (uint32_t)part;
+		}
 		return;
 	}
 #pragma GCC unroll 8

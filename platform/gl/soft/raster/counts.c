@@ -113,13 +113,6 @@ static bool crosses_edge(const struct draw *draw)
 	return crosses;
 }
 
-/* Whether a run of luminance.c writes more than one depth. */
-static bool depths_change(const struct draw *draw)
-{
-	return raster_size((int32_t)draw->spans.run.z_right) * LUMINANCE_RUN >=
-		1 << 16;
-}
-
 /* Counts a triangle that was drawn, as each kind of work that it is. */
 static void add_work(const struct draw *draw, const struct setup *setup,
 	double rows, double pixels)
@@ -130,8 +123,6 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	bool is[GL_WORK_KINDS] = {
 		[GL_WORK_COLORED] = colors_move(draw, kind, setup),
 		[GL_WORK_DEEP] = luminance && draw->spans.depth_written,
-		[GL_WORK_SLOPED] = luminance && draw->spans.depth_written &&
-			depths_change(draw),
 		[GL_WORK_BENT] = draw->raster.bent,
 		[GL_WORK_SECOND] = draw->texture[1].used || draw->spans.joined,
 		[GL_WORK_CROSSED] = !luminance && kind != GL_WORK_BACKDROP &&

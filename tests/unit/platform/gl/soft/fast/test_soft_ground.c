@@ -279,6 +279,38 @@ static void test_ground_that_cannot_be_seen_leaves_the_sky(void **state)
 	close_ground(ground);
 }
 
+/* Ground that leans to a side, by degrees in 16.16. */
+static struct ground *open_leaning(GLfixed degrees)
+{
+	struct ground *ground = open_ground();
+
+	ground->context->gl.MatrixMode(GL_MODELVIEW);
+	ground->context->gl.Rotatex(degrees, 0, 0, FX16_ONE);
+	return ground;
+}
+
+static void test_depths_of_leaning_ground_follow_its_plane(void **state)
+{
+	static const GLfixed degrees[] = {0, 16, 100, 700, -3000, 20000,
+		-FX16_ONE, 4 * FX16_ONE, 20 * FX16_ONE};
+	const struct strip strip = {
+		.near = 1.4f, .far = 6.0f, .alpha = {255, 255}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(degrees); i++) {
+		struct ground *one = open_leaning(degrees[i]), *other = NULL;
+
+		draw_strip(one, &strip);
+		assert_ptr_equal(one->soft->draw->fill, soft_fill_luminance);
+		other = open_leaning(degrees[i]);
+		other->soft->fill = soft_rows_fill;
+		draw_strip(other, &strip);
+		compare(one, other);
+		close_ground(other);
+		close_ground(one);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -287,6 +319,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_row_of_one_color_is_blended_as_others_are),
 		cmocka_unit_test(test_ground_that_cannot_be_seen_leaves_the_sky),
+		cmocka_unit_test(test_depths_of_leaning_ground_follow_its_plane),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -202,25 +202,6 @@ static void test_each_kind_of_triangle_counts_as_its_own(void **state)
 	}
 }
 
-static void test_depths_that_change_along_a_row_count_as_sloped(void **state)
-{
-	(void)state;
-	for (int far = 0; far <= 8; far += 8) {
-		const struct work_case c = {
-			.far = (float)far, LUMINANCE, .depth = GL_ALWAYS};
-		struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
-		struct gl_counts counts = {0};
-
-		set_state(canvas.gl, &c);
-		canvas.context->driver->count(canvas.context, &counts);
-		draw_square(canvas.gl, c.far, strip, GL_UNSIGNED_SHORT);
-		assert_true(counts.work[GL_WORK_DEEP].triangles == TRIANGLES);
-		assert_true(counts.work[GL_WORK_SLOPED].triangles ==
-			(far > 0 ? TRIANGLES : 0.0));
-		gl_canvas_close(&canvas);
-	}
-}
-
 static double count_shaded(struct gl_canvas *canvas, const uint16_t *index)
 {
 	struct gl_counts counts = {0};
@@ -297,8 +278,6 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_kind_of_triangle_counts_as_its_own),
-		cmocka_unit_test(
-			test_depths_that_change_along_a_row_count_as_sloped),
 		cmocka_unit_test(test_each_vertex_counts_as_shaded_once_a_call),
 		cmocka_unit_test(test_other_lists_count_by_vertices),
 		cmocka_unit_test(

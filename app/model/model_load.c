@@ -1,4 +1,5 @@
 #include "app/model/gltf/gltf.h"
+#include "app/model/image/image.h"
 #include "app/model/model_loader.h"
 #include "app/model/xfile/xfile.h"
 
@@ -71,6 +72,14 @@ static void end_limit(
 	}
 }
 
+static void give_back_images(const struct model *model)
+{
+	for (int i = 0; i < model->image_count; i++) {
+		memory_budget_give_back(
+			model->budget, image_held_bytes(&model->image[i]));
+	}
+}
+
 static int load_source(const struct model_source *source, const struct log *log,
 	struct model **out)
 {
@@ -86,6 +95,7 @@ static int load_source(const struct model_source *source, const struct log *log,
 	}
 	if (!error) {
 		memory_budget_give_back((*out)->budget, source->size);
+		give_back_images(*out);
 		model_prepare_clips(*out);
 	}
 	return error;

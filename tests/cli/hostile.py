@@ -263,6 +263,21 @@ def one_image_many_textures():
     )
 
 
+def large_images(count):
+    """Pictures of 4096 x 4096 pixels, as painters of textures export them."""
+    return gltf(
+        accessors=[zeros("VEC3", 3), zeros("VEC2", 3)],
+        images=[{"uri": "bomb.png"}] * count,
+        textures=[{"source": i} for i in range(count)],
+        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
+                   for i in range(count)],
+        meshes=[{"primitives": [
+            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
+            for i in range(count)]}],
+        nodes=[{"mesh": 0}],
+    )
+
+
 def many_warnings():
     """A warning for each of many references."""
     frames = "".join("{missing%d}" % i for i in range(100000))
@@ -286,6 +301,8 @@ def main(folder):
         "edge.gltf": far_apart(1e9),
         "long-clip.gltf": long_clip(),
         "nothing.gltf": gltf(),
+        "large-images.gltf": large_images(12),
+        "too-large-images.gltf": large_images(20),
     }
     for name, model in made.items():
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:

@@ -217,6 +217,14 @@ expect_status 0
 expect_err_lines 9
 expect_err '99992 more warnings'
 
+# Large pictures take the memory of textures. The limit bounds the time, too.
+if ! $emulated; then
+    limber render --size 64x64 --frames 1 -o "$scratch/x.png" \
+        "$scratch/large-images.gltf"
+    expect_status 0
+    expect_too_large too-large-images.gltf
+fi
+
 # Names reach neither a terminal nor a compiler as they are.
 for command in info "info --json" doctor "doctor --json" compare \
     "compare --format json" "export --c $scratch/names.c"; do

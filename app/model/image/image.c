@@ -66,13 +66,23 @@ static bool is_opaque(const struct model_image *image)
 	return true;
 }
 
-/*
- * Whether both sides stay as long as textures. An image is halved only once, so
- * that the memory budget bounds the time that small files can ask for.
- */
-static bool is_halved(int width, int height)
+/* How often an image is halved while both sides stay as long as textures. */
+static int count_halvings(int width, int height)
 {
-	return width >= 2 * IMAGE_SIDE_USED && height >= 2 * IMAGE_SIDE_USED;
+	int least = width < height ? width : height, count = 0;
+
+	while (least >> count >= 2 * IMAGE_SIDE_USED) {
+		count++;
+	}
+	return count;
+}
+
+size_t image_held_bytes(const struct model_image *image)
+{
+	size_t pixels = (size_t)image->file_width * (size_t)image->file_height;
+	size_t bytes = (size_t)image->width * (size_t)image->height * 4;
+
+	return pixels > bytes ? pixels - bytes : 0;
 }
 
 int image_decode(const uint8_t *data, size_t size, const char *where,
@@ -81,22 +91,26 @@ int image_decode(const uint8_t *data, size_t size, const char *where,
 	const struct image_codec *codec = find_codec(data, size);
 	struct image_input input = {data, size, where, log, arena->budget};
 	int error = measure(codec, &input, &out->file_width, &out->file_height);
-	bool halve;
+	int halvings, step;
 
 	if (error) {
 		return error;
 	}
-	halve = is_halved(out->file_width, out->file_height);
-	out->width = halve ? (out->file_width + 1) / 2 : out->file_width;
-	out->height = halve ? (out->file_height + 1) / 2 : out->file_height;
+	halvings = count_halvings(out->file_width, out->file_height);
+	step = 1 << halvings;
+	out->width = (out->file_width + step - 1) / step;
+	out->height = (out->file_height + step - 1) / step;
 	out->rgba =
 		arena_alloc(arena, (size_t)out->width * (size_t)out->height, 4);
-	if (!out->rgba) {
+	if (!out->rgba ||
+		!memory_budget_take(arena->budget, image_held_bytes(out))) {
 		return memory_budget_fail(arena->budget, where, log);
 	}
 	error = codec->decode(
-		&input, out->file_width, out->file_height, halve, out->rgba);
-	if (!error) {
+		&input, out->file_width, out->file_height, halvings, out->rgba);
+	if (error) {
+		memory_budget_give_back(arena->budget, image_held_bytes(out));
+	} else {
 		out->opaque = is_opaque(out);
 	}
 	return error;

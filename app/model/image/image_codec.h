@@ -34,11 +34,11 @@ struct image_codec {
 	int (*measure)(const struct image_input *input, int *width, int *height);
 
 	/*
-	 * Fills rgba[height][width][4], the size that measure() returned. To halve
-	 * rounds both sides up: a pixel is the mean of those it stands for.
+	 * Fills rgba[height][width][4], the size that measure() returned. Each
+	 * halving rounds both sides up: a pixel is the mean of those it stands for.
 	 */
 	int (*decode)(const struct image_input *input, int width, int height,
-		bool halve, uint8_t *rgba);
+		int halvings, uint8_t *rgba);
 };
 
 extern const struct image_codec image_codec_png;

@@ -136,7 +136,7 @@ static void convert_cmyk(uint8_t *row, int width, bool inverted)
 	}
 }
 
-static bool read_pixels(struct decoder *decoder, bool halve, uint8_t *rgba)
+static bool read_pixels(struct decoder *decoder, int halvings, uint8_t *rgba)
 {
 	struct jpeg_decompress_struct *jpeg = &decoder->jpeg;
 	bool cmyk = is_cmyk(jpeg);
@@ -146,7 +146,7 @@ static bool read_pixels(struct decoder *decoder, bool halve, uint8_t *rgba)
 	}
 	jpeg->out_color_space = cmyk ? JCS_CMYK : JCS_EXT_RGBA;
 	jpeg->scale_num = 1;
-	jpeg->scale_denom = halve ? 2 : 1;
+	jpeg->scale_denom = 1u << halvings;
 	jpeg_start_decompress(jpeg);
 	while (jpeg->output_scanline < jpeg->output_height) {
 		JSAMPROW row = rgba +
@@ -190,7 +190,7 @@ static size_t coefficient_bytes(struct decoder *decoder, int width, int height)
 }
 
 static int decode(const struct image_input *input, int width, int height,
-	bool halve, uint8_t *rgba)
+	int halvings, uint8_t *rgba)
 {
 	struct decoder decoder;
 	size_t kept = 0;
@@ -207,7 +207,7 @@ static int decode(const struct image_input *input, int width, int height,
 				input->budget, input->where, input->log);
 		}
 	}
-	fine = fine && read_pixels(&decoder, halve, rgba);
+	fine = fine && read_pixels(&decoder, halvings, rgba);
 	error = end(&decoder, fine);
 	memory_budget_give_back(input->budget, kept);
 	return error;

@@ -18,8 +18,10 @@ enum {
 /* How rows of the file become rows of the image. */
 struct reduction {
 	int width, height; /* the file's */
-	uint8_t (*row)[4]; /* of an image that is halved: two rows of the file,
-			      or all if it is interlaced; else NULL */
+	int halvings;
+	uint8_t (*row)[4]; /* of an image that is halved: the rows of the file
+			      for one row of it, or all if it is interlaced;
+			      else NULL */
 	size_t bytes;      /* of row */
 };
 
@@ -117,25 +119,46 @@ static bool read_header(struct decoder *decoder)
 	return true;
 }
 
-/* Reads all rows and halves each two of them once they are complete. */
+/* Halves count rows as often as asked, in place, into one row. */
+static void reduce_rows(const struct reduction *reduction, uint8_t (*row)[4],
+	int count, uint8_t (*out)[4])
+{
+	int width = reduction->width;
+
+	for (int left = reduction->halvings; left > 0; left--) {
+		int half = (width + 1) / 2;
+
+		for (int y = 0; y < count; y += 2) {
+			int below = y + 1 < count ? y + 1 : y;
+
+			image_halve_rows((const uint8_t(*)[4])row + y * width,
+				(const uint8_t(*)[4])row + below * width, width,
+				left > 1 ? row + y / 2 * half : out);
+		}
+		count = (count + 1) / 2;
+		width = half;
+	}
+}
+
+/* Reads all rows and reduces each few of them once they are complete. */
 static void read_rows(png_structp png, const struct reduction *reduction,
 	int passes, uint8_t (*rgba)[4])
 {
 	int width = reduction->width, height = reduction->height;
-	int out_width = (width + 1) / 2;
+	int step = 1 << reduction->halvings;
+	int out_width = (width + step - 1) / step;
 
 	for (int i = 0; i < passes * height; i++) {
-		int y = i % height;
+		int y = i % height, part = y % step;
 		uint8_t(*to)[4] = reduction->row
-			? reduction->row + (passes > 1 ? y : y % 2) * width
+			? reduction->row + (passes > 1 ? y : part) * width
 			: rgba + y * width;
 
 		png_read_row(png, (png_bytep)to, NULL);
 		if (reduction->row && i >= (passes - 1) * height &&
-			(y % 2 == 1 || y == height - 1)) {
-			image_halve_rows((const uint8_t(*)[4])to - y % 2 * width,
-				(const uint8_t(*)[4])to, width,
-				rgba + y / 2 * out_width);
+			(part == step - 1 || y == height - 1)) {
+			reduce_rows(reduction, to - part * width, part + 1,
+				rgba + y / step * out_width);
 		}
 	}
 }
@@ -146,7 +169,8 @@ static int reserve_rows(struct decoder *decoder, struct reduction *reduction)
 	const struct image_input *input = decoder->input;
 	bool all = png_get_interlace_type(decoder->png, decoder->info) !=
 		PNG_INTERLACE_NONE;
-	size_t rows = all ? (size_t)reduction->height : 2;
+	size_t rows = all ? (size_t)reduction->height
+			  : (size_t)1 << reduction->halvings;
 
 	reduction->bytes = rows * (size_t)reduction->width * 4;
 	if (!memory_budget_take(input->budget, reduction->bytes)) {
@@ -196,9 +220,9 @@ static int measure(const struct image_input *input, int *width, int *height)
 }
 
 static int decode(const struct image_input *input, int width, int height,
-	bool halve, uint8_t *rgba)
+	int halvings, uint8_t *rgba)
 {
-	struct reduction reduction = {width, height, NULL, 0};
+	struct reduction reduction = {width, height, halvings, NULL, 0};
 	struct decoder decoder;
 	bool fine;
 	int error = begin(&decoder, input);
@@ -207,7 +231,7 @@ static int decode(const struct image_input *input, int width, int height,
 		return error;
 	}
 	fine = read_header(&decoder);
-	error = fine && halve ? reserve_rows(&decoder, &reduction) : 0;
+	error = fine && halvings > 0 ? reserve_rows(&decoder, &reduction) : 0;
 	if (error) {
 		png_destroy_read_struct(&decoder.png, &decoder.info, NULL);
 	} else {

@@ -209,7 +209,9 @@ static void test_a_pixel_of_a_halved_png_is_the_mean_of_its_own(void **state)
 	static const struct size sizes[] = {
 		{2049, 2051, 1, PNG_INTERLACE_ADAM7, false},
 		{4095, 2048, 1, PNG_INTERLACE_NONE, false},
-		{4096, 4096, 1, PNG_INTERLACE_NONE, true},
+		{4096, 4095, 1, PNG_INTERLACE_NONE, true},
+		{4096, 4096, 2, PNG_INTERLACE_NONE, false},
+		{4096, 4096, 2, PNG_INTERLACE_ADAM7, true},
 		{4096, 2047, 0, PNG_INTERLACE_NONE, true},
 		{2047, 2049, 0, PNG_INTERLACE_ADAM7, true},
 	};
@@ -221,7 +223,9 @@ static void test_a_pixel_of_a_halved_png_is_the_mean_of_its_own(void **state)
 		struct model_image image =
 			expect_size(&bytes, &sizes[i], &arena);
 
-		assert_int_equal(farthest_from_mean(&sizes[i], &image), 0);
+		/* Each halving rounds. */
+		assert_in_range(farthest_from_mean(&sizes[i], &image), 0,
+			sizes[i].halvings > 1);
 		arena_release(&arena);
 		free(bytes.data);
 	}
@@ -232,7 +236,8 @@ static void test_a_pixel_of_a_halved_jpeg_is_near_the_mean_of_its_own(
 {
 	static const struct size sizes[] = {
 		{2049, 2051, 1, 0, true},
-		{4096, 4096, 1, 0, true},
+		{4095, 4096, 1, 0, true},
+		{4096, 4096, 2, 0, true},
 		{2047, 4096, 0, 0, true},
 	};
 
@@ -259,6 +264,10 @@ static int decode_within(const struct bytes *bytes, size_t budget_bytes,
 	int error = decode(bytes, &arena, logged, &image);
 
 	arena_release(&arena);
+	if (!error) {
+		/* As a model does that is loaded. */
+		memory_budget_give_back(&budget, image_held_bytes(&image));
+	}
 	assert_int_equal(budget.used_bytes, 0);
 	return error;
 }
@@ -291,6 +300,25 @@ static void test_an_interlaced_image_asks_for_the_memory_of_all_rows(
 	free(bytes.data);
 }
 
+/* Otherwise small files could ask for hours of decoding. */
+static void test_the_budget_bounds_the_pixels_that_are_decoded(void **state)
+{
+	const struct size size = {4096, 4096, 2, PNG_INTERLACE_NONE, true};
+	struct bytes bytes[] = {make_png(&size), make_jpeg(&size)};
+	struct log_capture logged;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(bytes); i++) {
+		assert_int_equal(
+			decode_within(&bytes[i], 15u << 20, &logged), -ENOMEM);
+		assert_int_equal(log_capture_count(&logged, LOG_ERROR), 1);
+		assert_contains(logged.sentence[0], "HERE");
+		assert_int_equal(
+			decode_within(&bytes[i], 17u << 20, &logged), 0);
+		free(bytes[i].data);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -301,6 +329,8 @@ int main(void)
 		cmocka_unit_test(test_a_large_image_takes_the_memory_of_its_half),
 		cmocka_unit_test(
 			test_an_interlaced_image_asks_for_the_memory_of_all_rows),
+		cmocka_unit_test(
+			test_the_budget_bounds_the_pixels_that_are_decoded),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

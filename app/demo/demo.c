@@ -2,6 +2,7 @@
 
 #include "app/demo/actor.h"
 #include "app/demo/demo_overlay.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -68,6 +69,9 @@ int demo_create(const struct demo_driver *driver, const struct demo_env *env,
 	}
 	if (!error && env->overlays.kinds) {
 		error = demo_overlay_make(driver, demo, &env->overlays);
+	}
+	if (interrupt_pending()) {
+		error = -EINTR;
 	}
 	if (error) {
 		demo_destroy(driver, demo);

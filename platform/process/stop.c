@@ -1,5 +1,7 @@
 #include "platform/process/stop.h"
 
+#include "platform/base/interrupt.h"
+
 #include <errno.h>
 #include <signal.h>
 #include <stddef.h>
@@ -13,7 +15,6 @@ enum {
 };
 
 /* A signal handler can reach static variables only. */
-static volatile sig_atomic_t wanted; /* the first signal, or 0 */
 static volatile sig_atomic_t watchdog_fd = -1;
 static struct sigaction before[SIGNAL_COUNT];
 
@@ -21,8 +22,8 @@ static void raise_flag(int number)
 {
 	int kept = errno;
 
-	if (!wanted) {
-		wanted = number;
+	if (!interrupt_pending()) {
+		interrupt_set(number);
 		(void)alarm(GRACE_S);
 	}
 	/* If this write fails, watchdog_close() reports it. */
@@ -50,7 +51,7 @@ void stop_catch(void)
 {
 	struct sigaction action = {.sa_handler = raise_flag};
 
-	wanted = 0;
+	interrupt_set(0);
 	sigemptyset(&action.sa_mask);
 	for (int i = 0; i < SIGNAL_COUNT; i++) {
 		/* sigaction() cannot fail for these signals. */
@@ -69,6 +70,7 @@ void stop_set_watchdog(int fd)
 void stop_release(void)
 {
 	(void)alarm(0);
+	interrupt_set(0);
 	watchdog_fd = -1;
 	for (int i = 0; i < SIGNAL_COUNT; i++) {
 		(void)sigaction(signals[i], &before[i], NULL);
@@ -77,15 +79,17 @@ void stop_release(void)
 
 bool stop_requested(void)
 {
-	if (wanted) {
+	bool pending = interrupt_pending();
+
+	if (pending) {
 		(void)alarm(0);
 	}
-	return wanted != 0;
+	return pending;
 }
 
 const char *stop_failure(void)
 {
-	switch (wanted) {
+	switch (interrupt_signal()) {
 	case SIGPIPE:
 		return "the program that read its output has ended (SIGPIPE)";
 	case SIGXCPU:

@@ -2,6 +2,7 @@
  * Ending the program in order after Ctrl-C, kill or a closed terminal.
  *
  * Signal handlers belong to the process, so there is one flag for all of it.
+ * Long computations see it through base/interrupt.h.
  */
 #ifndef PLATFORM_PROCESS_STOP_H
 #define PLATFORM_PROCESS_STOP_H
@@ -31,7 +32,7 @@ void stop_catch(void);
  */
 void stop_set_watchdog(int fd);
 
-/* Restores the handlers that were set before stop_catch(). */
+/* Restores the handlers that were set before stop_catch(), and clears the flag. */
 void stop_release(void);
 
 /*

@@ -130,6 +130,19 @@ check 'SIGTERM ends a long preparation within a second' test $took -le 2
 check 'the watchdog is disabled then' \
     test "$(tail -c 1 "$scratch/watchdog")" = V
 
+# A model that is still loaded ends limber in order as well.
+# shellcheck disable=SC2086 # a command and its arguments
+$limber play "$scratch/large-images.gltf" --display null --frames 1 \
+    >"$out_file" 2>"$err_file" &
+child=$!
+if $emulated; then sleep 2; else sleep 0.3; fi
+kill -TERM $child
+wait $child
+status=$?
+tap_about='limber play that SIGTERM ends while it decodes images'
+expect_status 0
+expect_no_err
+
 # Nothing is left of a file whose content is still computed.
 if ! $emulated; then
     # shellcheck disable=SC2086 # a command and its arguments

@@ -1,6 +1,7 @@
 #include "app/cmd/command.h"
 #include "app/cmd/options/options_kernel.h"
 #include "app/cmd/show/show_state.h"
+#include "platform/base/interrupt.h"
 #include "platform/process/confine.h"
 #include "platform/process/stop.h"
 #include "platform/process/user.h"
@@ -97,7 +98,12 @@ static int open_demo(struct show *show)
 		.overlays = options->show.overlays,
 	};
 
-	return demo_create(show->plan->demo, &env, &show->demo);
+	int error;
+
+	atomic_store(&show->opening, true);
+	error = demo_create(show->plan->demo, &env, &show->demo);
+	atomic_store(&show->opening, false);
+	return error;
 }
 
 static int open_film(struct show *show)
@@ -239,6 +245,9 @@ static int open_and_run(struct show *show)
 		error = open_demo(show);
 	}
 	if (error) {
+		if (error == -EINTR && stop_requested()) {
+			error = complete_output(show);
+		}
 		goto out_hud;
 	}
 	error = run(show);
@@ -264,9 +273,14 @@ static int judge_end(int status, const struct log *log)
 	return status;
 }
 
+/* Nobody who asks for the end while a model loads wants to hear what it lacks. */
 static void hear(void *user, enum log_level level, const char *message)
 {
 	struct show *show = user;
+
+	if (atomic_load(&show->opening) && interrupt_pending()) {
+		return;
+	}
 
 	if (level == LOG_ERROR) {
 		atomic_store(&show->heard_error, true);

@@ -29,6 +29,7 @@ struct show {
 	const struct log *log;
 	const struct log *caller_log; /* where log passes messages on to */
 	atomic_bool heard_error;      /* since the first frame */
+	atomic_bool opening;          /* the demo is being loaded */
 	struct show_screen screen;
 	struct camera_feed camera;
 	struct demo *demo;

@@ -2,6 +2,7 @@
 #include "app/model/gltf/gltf_internal.h"
 #include "app/model/origin/model_origin.h"
 #include "app/model/split/split.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <string.h>
@@ -324,7 +325,7 @@ static int run_steps(struct gltf *gltf, const gltf_step *step, size_t count)
 	int error = 0;
 
 	for (size_t i = 0; i < count && !error; i++) {
-		error = step[i](gltf);
+		error = interrupt_pending() ? -EINTR : step[i](gltf);
 	}
 	return error;
 }

@@ -1,5 +1,6 @@
 #include "app/model/color.h"
 #include "app/model/gltf/gltf_internal.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <math.h>
@@ -220,7 +221,8 @@ static int read_primitives(
 			&out->primitive[out->primitive_count];
 		bool is_drawn = false;
 
-		error = gltf_item(array, i, &item);
+		error = interrupt_pending() ? -EINTR
+					    : gltf_item(array, i, &item);
 		if (!error) {
 			error = read_primitive(&item, out, primitive, &is_drawn);
 		}

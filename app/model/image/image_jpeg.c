@@ -1,4 +1,5 @@
 #include "app/model/image/image_codec.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <setjmp.h>
@@ -48,14 +49,17 @@ static void drop_message(j_common_ptr jpeg)
 	(void)jpeg;
 }
 
-static void limit_scans(j_common_ptr jpeg)
+/* Called for every few rows of each scan. */
+static void limit_time(j_common_ptr jpeg)
 {
 	struct decoder *decoder = jpeg->client_data;
-
 	int scans = decoder->jpeg.input_scan_number;
 	size_t pixels = (size_t)decoder->jpeg.image_width *
 		(size_t)decoder->jpeg.image_height;
 
+	if (interrupt_pending()) {
+		longjmp(decoder->leave, 1);
+	}
 	if (scans > SCANS_MAX ||
 		(scans > 0 && pixels > SCANNED_PIXELS_MAX / (size_t)scans)) {
 		snprintf(decoder->problem, sizeof(decoder->problem),
@@ -73,7 +77,7 @@ static void begin(struct decoder *decoder, const struct image_input *input)
 	decoder->errors.error_exit = keep_error;
 	decoder->errors.emit_message = keep_warning;
 	decoder->errors.output_message = drop_message;
-	decoder->progress.progress_monitor = limit_scans;
+	decoder->progress.progress_monitor = limit_time;
 }
 
 static int end(struct decoder *decoder, bool fine)
@@ -81,6 +85,9 @@ static int end(struct decoder *decoder, bool fine)
 	const struct image_input *input = decoder->input;
 
 	jpeg_destroy_decompress(&decoder->jpeg);
+	if (!fine && interrupt_pending()) {
+		return -EINTR;
+	}
 	if (!fine && decoder->errors.msg_code == JERR_OUT_OF_MEMORY) {
 		log_error(input->log, "%s: there is not enough memory",
 			input->where);

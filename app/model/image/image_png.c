@@ -1,5 +1,6 @@
 #include "app/model/image/image_codec.h"
 #include "app/model/image/image_halve.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <png.h>
@@ -94,6 +95,9 @@ static int end(struct decoder *decoder, bool fine)
 	const struct image_input *input = decoder->input;
 
 	png_destroy_read_struct(&decoder->png, &decoder->info, NULL);
+	if (!fine && interrupt_pending()) {
+		return -EINTR;
+	}
 	if (!fine && decoder->no_memory) {
 		return fail_memory(input);
 	}
@@ -154,6 +158,9 @@ static void read_rows(png_structp png, const struct reduction *reduction,
 			? reduction->row + (passes > 1 ? y : part) * width
 			: rgba + y * width;
 
+		if (interrupt_pending()) {
+			png_error(png, "limber was asked to end");
+		}
 		png_read_row(png, (png_bytep)to, NULL);
 		if (reduction->row && i >= (passes - 1) * height &&
 			(part == step - 1 || y == height - 1)) {

@@ -3,6 +3,7 @@
 #include "app/model/levels/levels_divide.h"
 #include "app/model/levels/simplify.h"
 #include "platform/base/compiler.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -236,8 +237,10 @@ static int make_lists(struct levels *levels, const struct simplify_input *input,
 	levels->last_count = input->index_count;
 	for (int i = 0; !error && i < limit_count; i++) {
 		simplify_until(&simplify, limit[i]);
-		error = add_level(
-			levels, &simplify, divided, limit[i], &model->arena);
+		error = interrupt_pending()
+			? -EINTR
+			: add_level(levels, &simplify, divided, limit[i],
+				  &model->arena);
 	}
 	simplify_end(&simplify);
 	return error;
@@ -376,10 +379,10 @@ static int add_to_primitive(struct model *model, struct group *group, int number
 		.shared = group->shared[number],
 	};
 	struct levels shaded = {0}, shadow = {0};
-	int error = 0;
+	int error = interrupt_pending() ? -EINTR : 0;
 
-	if (primitive->index_count < 3 * TRIANGLES_MIN) {
-		return 0;
+	if (error || primitive->index_count < 3 * TRIANGLES_MIN) {
+		return error;
 	}
 	if (shaded_count(primitive) == 0) {
 		error = unless_refused(
@@ -401,7 +404,8 @@ static int add_to_group(struct model *model, struct group *group, int mesh)
 	gather_group(group, model, mesh);
 	measure(group);
 	if (group->extent > 0.0f) {
-		error = find_shared(group, &scratch);
+		error = interrupt_pending() ? -EINTR
+					    : find_shared(group, &scratch);
 		for (int p = 0; !error && p < group->count; p++) {
 			error = unless_refused(
 				group, add_to_primitive(model, group, p));

@@ -4,6 +4,7 @@
 #include "app/model/levels/simplify_error.h"
 #include "app/model/levels/simplify_merge.h"
 #include "app/model/model_deltas.h"
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -181,7 +182,8 @@ static int list_collapses(struct simplify *simplify, float limit)
 {
 	int count = 0;
 
-	for (uint32_t v = 0; v < (uint32_t)simplify->primitive->vertex_count;
+	for (uint32_t v = 0; v < (uint32_t)simplify->primitive->vertex_count &&
+		!interrupt_pending();
 		v++) {
 		struct simplify_collapse *best = &simplify->best[v];
 
@@ -274,7 +276,9 @@ static bool run_pass(struct simplify *simplify, float limit)
 	memset(simplify->touched, 0,
 		(size_t)simplify->primitive->vertex_count *
 			sizeof(*simplify->touched));
-	for (int i = 0; i < count && simplify->collapse[i].error <= most; i++) {
+	for (int i = 0; i < count && simplify->collapse[i].error <= most &&
+		!interrupt_pending();
+		i++) {
 		done += collapse(simplify, simplify->collapse[i].from,
 			simplify->collapse[i].to);
 	}

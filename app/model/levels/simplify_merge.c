@@ -2,6 +2,7 @@
 
 #include "app/model/levels/simplify_attributes.h"
 #include "app/model/levels/simplify_mesh.h"
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
@@ -225,7 +226,8 @@ void simplify_merge(struct simplify *simplify, float limit)
 {
 	uint32_t count = (uint32_t)simplify->primitive->vertex_count;
 
-	for (uint32_t v = 0; simplify->divided && v < count; v++) {
+	for (uint32_t v = 0;
+		simplify->divided && v < count && !interrupt_pending(); v++) {
 		struct corners corners;
 
 		if (simplify->leader[v] != v ||

@@ -2,6 +2,7 @@
 
 #include "app/model/model_order.h"
 #include "app/model/xfile/xfile_convert.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -250,7 +251,7 @@ int xfile_build(struct xfile_build *build)
 	int error = 0;
 
 	for (size_t i = 0; !error && i < ARRAY_COUNT(step); i++) {
-		error = step[i](build);
+		error = interrupt_pending() ? -EINTR : step[i](build);
 	}
 	return error;
 }

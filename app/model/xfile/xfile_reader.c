@@ -1,6 +1,7 @@
 #include "app/model/xfile/xfile_reader.h"
 
 #include "app/model/model.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <float.h>
@@ -50,7 +51,8 @@ int xfile_no_memory(const struct xfile_context *context)
 /* Replaces the token by the next one. */
 static int advance(struct xfile_reader *reader)
 {
-	return reader->scan(reader, &reader->token);
+	return interrupt_pending() ? -EINTR
+				   : reader->scan(reader, &reader->token);
 }
 
 int xfile_reader_begin(

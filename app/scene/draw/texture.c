@@ -4,6 +4,7 @@
 #include "app/scene/draw/bump.h"
 #include "app/scene/draw/texels.h"
 #include "platform/base/fixed.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -202,6 +203,9 @@ static int upload_all(struct texture_set *set, const struct gl *gl,
 		const struct model_image *image = &model->image[texture->image];
 		size_t bytes = texture_bytes(image, texture, target);
 
+		if (interrupt_pending()) {
+			return -EINTR;
+		}
 		if (!memory_budget_take(model->budget, bytes)) {
 			return -ENOMEM;
 		}

@@ -2,6 +2,7 @@
 
 #include "app/anim/clip.h"
 #include "platform/base/compiler.h"
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
@@ -219,7 +220,7 @@ static struct bounds sample_clip(struct instance *instance, int clip, int steps,
 		instance_update(instance);
 		return bounds_of_instance(instance);
 	}
-	for (int step = steps; step >= 0; step--) {
+	for (int step = steps; step >= 0 && !interrupt_pending(); step--) {
 		const struct model_clip *c = &instance->model->clip[clip];
 		float time_s = c->duration_s * (float)step / (float)steps;
 		struct bounds now;

@@ -16,6 +16,7 @@
 #include "app/scene/instance/drawable_fixed.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/count.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -354,7 +355,9 @@ static int init_nodes(struct instance *instance, const struct drawable *shown[])
 		if (!model_node_shows_mesh(node)) {
 			continue;
 		}
-		error = init_node(instance, i, shown[node->mesh], &glow, next);
+		error = interrupt_pending()
+			? -EINTR
+			: init_node(instance, i, shown[node->mesh], &glow, next);
 		shown[node->mesh] = next;
 		next += model->mesh[node->mesh].primitive_count;
 	}

@@ -1,4 +1,5 @@
 /* Ending in order. Tests that a signal may end are processes of their own. */
+#include "platform/base/interrupt.h"
 #include "platform/process/stop.h"
 #include "tests/support/test.h"
 
@@ -61,6 +62,7 @@ static void test_each_signal_asks_for_the_end(void **state)
 		signal(caught[i], SIG_DFL);
 		stop_catch();
 		assert_false(stop_requested());
+		assert_false(interrupt_pending());
 		raise(caught[i]);
 		assert_true(stop_requested());
 		assert_true(stop_requested());
@@ -159,6 +161,9 @@ static void test_the_end_must_come_within_a_second_of_the_signal(void **state)
 	assert_int_equal(seconds_after_a_signal(), 1);
 	/* A second signal gives no more time. */
 	raise(SIGTERM);
+	assert_in_range(alarm(30), 20, 30);
+	/* What gives up must still do so in time. */
+	assert_true(interrupt_pending());
 	assert_in_range(alarm(30), 20, 30);
 	assert_true(stop_requested());
 	assert_int_equal(alarm(30), 0);

@@ -27,6 +27,7 @@ static struct {
 	double period_s;
 	const struct log *log;
 	int error_at, signal_at; /* the update that causes it; -1: none */
+	bool signal_first;       /* comes while the demo is prepared */
 	bool connects, writes_anywhere;
 } noted;
 
@@ -43,6 +44,10 @@ struct confinement confine_process(
 static int note_prepare(struct demo *demo, const struct demo_env *env)
 {
 	noted.log = env->log;
+	if (noted.signal_first) {
+		raise(SIGTERM);
+		log_error(env->log, "a made-up error of what was cut short");
+	}
 	return demo_driver_viewer.prepare(demo, env);
 }
 
@@ -351,6 +356,23 @@ static void test_a_signal_ends_what_is_shown_in_order(void **state)
 	assert_int_equal(run->said.count, 0);
 }
 
+static void test_a_signal_while_the_model_loads_ends_in_order(void **state)
+{
+	struct run *run = *state;
+
+	noted.signal_first = true;
+	assert_int_equal(shown(run), EXIT_OK);
+	assert_int_equal(noted.updates, 0);
+	assert_int_equal(run->said.count, 0);
+	draw_to_gif(run);
+	assert_int_equal(shown(run), EXIT_FAILED);
+	assert_int_equal(noted.updates, 0);
+	assert_int_equal(run->said.count, 1);
+	assert_true(log_capture_has(
+		&run->said, LOG_ERROR, "a signal stopped limber before"));
+	assert_int_equal(temp_dir_count(&run->folder), 0);
+}
+
 static void test_a_signal_leaves_no_incomplete_file(void **state)
 {
 	struct run *run = *state;
@@ -464,6 +486,7 @@ int main(void)
 		SHOW_TEST(test_an_error_leaves_no_film_and_no_stats),
 		SHOW_TEST(test_an_error_does_not_end_what_is_shown),
 		SHOW_TEST(test_a_signal_ends_what_is_shown_in_order),
+		SHOW_TEST(test_a_signal_while_the_model_loads_ends_in_order),
 		SHOW_TEST(test_a_signal_leaves_no_incomplete_file),
 		SHOW_TEST(test_a_signal_while_skipping_ends_the_run),
 		SHOW_TEST(test_the_run_may_write_files_but_not_connect),

@@ -30,6 +30,12 @@ int model_origin_find(struct model *model, const bool *turned,
 void model_origin_shift_keys(const double shift[3],
 	const struct model_channel *channel, float *value);
 
+/*
+ * The same for a model whose clips have been read, with float keys, which are
+ * moved as well. The arena is for scratch memory. Returns 0 or -ENOMEM.
+ */
+int model_origin_move(struct model *model, struct arena *arena);
+
 /* The position in the file of a point in the model. */
 void model_origin_to_file(
 	const struct model *model, const float point[3], double out[3]);

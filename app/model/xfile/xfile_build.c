@@ -1,6 +1,7 @@
 #include "app/model/xfile/xfile_build.h"
 
 #include "app/model/model_order.h"
+#include "app/model/origin/model_origin.h"
 #include "app/model/xfile/xfile_convert.h"
 #include "platform/base/interrupt.h"
 
@@ -237,6 +238,13 @@ static int fill_nodes(struct xfile_build *build)
 	return 0;
 }
 
+static int move_to_origin(struct xfile_build *build)
+{
+	return model_origin_move(build->model, build->scratch) == 0
+		? 0
+		: xfile_no_memory(build->context);
+}
+
 int xfile_build(struct xfile_build *build)
 {
 	static int (*const step[])(struct xfile_build *) = {
@@ -247,6 +255,7 @@ int xfile_build(struct xfile_build *build)
 		xfile_build_meshes,
 		xfile_build_clips,
 		fill_nodes,
+		move_to_origin,
 	};
 	int error = 0;
 

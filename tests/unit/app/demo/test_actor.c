@@ -46,20 +46,26 @@ static int load(const char *path, size_t memory_bytes,
 		log_capture_count(heard, LOG_ERROR);
 }
 
-/* Writes a .x file with a triangle, two metres long, at this place. */
-static void write_xfile(const char *path, const char *place)
+/*
+ * Writes a .x file with a triangle, two metres long, at this place. If it is
+ * animated, it begins at the origin.
+ */
+static void write_xfile(const char *path, const char *place, bool animated)
 {
 	char text[512];
 	int length = snprintf(text, sizeof(text),
 		"xof 0303txt 0032\nFrame F { FrameTransformMatrix { "
 		"2,0,0,0,0,2,0,0,0,0,2,0,%s,1;; } Mesh M { 3; 0;0;0;, 1;0;0;, "
-		"0;1;0;; 1; 3;0,1,2;; } }\n",
-		place);
+		"0;1;0;; 1; 3;0,1,2;; } }\n%s",
+		place,
+		animated ? "AnimationSet A { Animation { { F } AnimationKey { "
+			   "2; 1; 0; 3; 0,0,0;;; } } }"
+			 : "");
 
 	file_write(path, text, (size_t)length);
 }
 
-/* A glTF file is moved to the origin; a .x file is drawn where it is. */
+/* It is moved to the origin unless a clip begins elsewhere. */
 static void test_a_model_far_from_the_origin_is_drawn_or_named(void **state)
 {
 	struct test_path folder = temp_dir_make();
@@ -72,15 +78,18 @@ static void test_a_model_far_from_the_origin_is_drawn_or_named(void **state)
 		path.text, "{\"mesh\":0,\"translation\":[0,3e8,32001]}");
 	assert_int_equal(load(path.text, 0, &heard, &error), 0);
 	assert_int_equal(error, 0);
-	write_xfile(path.text, "0,0,-31999");
+	write_xfile(path.text, "0,3e8,32001", false);
 	assert_int_equal(load(path.text, 0, &heard, &error), 0);
-	write_xfile(path.text, "0,0,32001");
+	assert_int_equal(error, 0);
+	write_xfile(path.text, "0,0,-31999", true);
+	assert_int_equal(load(path.text, 0, &heard, &error), 0);
+	write_xfile(path.text, "0,0,32001", true);
 	assert_int_equal(load(path.text, 0, &heard, &error), 1);
 	assert_int_equal(error, 0);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"stands 32001 m from the origin, 16000 times its size"));
 	/* Rounding leaves it no size. */
-	write_xfile(path.text, "0,3e8,0");
+	write_xfile(path.text, "0,3e8,0", true);
 	assert_int_equal(load(path.text, 0, &heard, &error), 1);
 	assert_true(log_capture_has(&heard, LOG_WARNING,
 		"stands 300000000 m from the origin, where limber cannot"));

@@ -416,6 +416,47 @@ static void test_materials_share_textures_of_one_name(void **state)
 	temp_dir_remove(&folder);
 }
 
+static void write_far(char *text, size_t size, const char *place[2])
+{
+	snprintf(text, size,
+		HEADER "Frame F { FrameTransformMatrix { 1,0,0,0, 0,1,0,0, "
+		       "0,0,1,0, %s,1,2,1;; } Mesh M { " FACE "} } "
+		       "AnimationSet A { Animation { { F } AnimationKey { 2; 2; "
+		       "0; 3; %s,1,2;;, 4800; 3; %s,1,2;;; } } }",
+		place[0], place[0], place[1]);
+}
+
+/* Floats are 6 cm apart there, but a triangle and its way are exact. */
+static void test_a_model_1000_km_away_moves_with_its_keys(void **state)
+{
+	static const char *places[2][2] = {
+		{"0.5", "0.75"}, {"1000000.5", "1000000.75"}};
+	struct log_capture logged;
+	char text[1000];
+
+	(void)state;
+	for (int far = 0; far < 2; far++) {
+		const struct model_channel *channel;
+		struct model *model;
+		double start, end;
+
+		write_far(text, sizeof(text), places[far]);
+		model = load(text, &logged);
+		assert_int_equal(logged.count, 0);
+		channel = &model->clip[0].channel[0];
+		start = (double)channel->value[0] + model->origin[0];
+		end = (double)channel->value[3] + model->origin[0];
+		assert_near(start, far ? 1000000.5 : 0.5, 0.0);
+		assert_near(end - start, 0.25, 0.0);
+		assert_near((double)model->node[0].rest.translation[0] +
+				model->origin[0],
+			start, 0.0);
+		assert_true(fabsf(channel->value[0]) < 2.0f);
+		assert_near(channel->value[1], 1.0, 0.0);
+		model_destroy(model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -436,6 +477,7 @@ int main(void)
 		cmocka_unit_test(
 			test_triangles_below_mirroring_frames_are_not_turned),
 		cmocka_unit_test(test_materials_share_textures_of_one_name),
+		cmocka_unit_test(test_a_model_1000_km_away_moves_with_its_keys),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -92,10 +92,8 @@ FUZZERS := $(patsubst tests/fuzz/%.c,%,$(filter-out %_calls.c,$(sort \
 # A suite is a line with a name and a command (tests/support/tally/tally.sh).
 suite = $(1) $(2)$(newline)
 TESTS_host := $(TESTS)
-# These judge what others run with the sanitizers, over thousands of pictures and poses;
-# test_show_rights has a display_registry of its own, which the sanitizer takes for an error.
+# These judge what others run with the sanitizers, over thousands of pictures and poses.
 TESTS_asan := $(filter-out test_framing test_framing_motion test_candidate_error \
-	test_show_rights \
 	test_character_gait test_demo_crowd test_lod_models,$(TESTS))
 # These, too, take minutes in qemu-arm. What they test is the same C in floats on every
 # machine, as golden-exact, golden-films and golden-texts show on ARM: views and labels

@@ -243,6 +243,18 @@ bool console_is_in_use(const struct device_calls *calls)
 	return in_use;
 }
 
+static void begin_guard(struct console *console)
+{
+	int error = console_guard_begin(
+		&console->guard, console->calls, console->fd);
+
+	if (error) {
+		log_warning(&console->log,
+			"console: no process can be started that restores it: %s: it may stay dark when limber ends",
+			strerror(-error));
+	}
+}
+
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log)
 {
@@ -259,6 +271,7 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 			/* If this fails, the kernel switches to no console. */
 			console->switches = take_switching(console) == 0;
 			taken.switches = console->switches;
+			begin_guard(console);
 			return;
 		}
 		restore_signals();
@@ -268,19 +281,6 @@ void console_acquire(struct console *console, const struct device_calls *calls,
 		       : "console: it has no graphics mode: it may draw over the picture");
 	calls->close(console->fd);
 	console->fd = -1;
-}
-
-void console_keep_rights(struct console *console)
-{
-	int error = console->fd < 0 ? 0
-				    : console_guard_begin(&console->guard,
-					      console->calls, console->fd);
-
-	if (error) {
-		log_warning(&console->log,
-			"console: no process can be started that restores it: %s: it may stay dark when limber ends",
-			strerror(-error));
-	}
 }
 
 bool console_follow(struct console *console, void (*give)(struct display *),

@@ -3,10 +3,9 @@
  *
  * A console in graphics mode stays dark until a program sets text mode again.
  * console_release() does that, and so does a handler for all signals that end
- * the process. Only SIGKILL leaves the console dark until the next run; if the
- * process gives up its rights, a guard (console_guard.h) restores it even then.
- * Meanwhile Ctrl-Z and other stops by the terminal do nothing: the screen of a
- * stopped program would look frozen.
+ * the process. A guard (console_guard.h) does it after SIGKILL, and for a process
+ * that has given up its rights. Meanwhile Ctrl-Z and other stops by the terminal
+ * do nothing: the screen of a stopped program would look frozen.
  *
  * The kernel asks by a signal before it switches to another console (Ctrl-Alt-F2,
  * chvt), and tells by another one when it has switched back. The display answers
@@ -43,19 +42,12 @@ bool console_is_in_use(const struct device_calls *calls);
 extern const char console_in_use_remedy[];
 
 /*
- * Switches the console to graphics mode, if the machine has one. Logs a warning
- * when another program uses it. Acquire only one at a time, because signal
- * handlers belong to the process.
+ * Switches the console to graphics mode, if the machine has one, and starts its
+ * guard. Logs a warning when another program uses it, or without a guard.
+ * Acquire only one at a time, because signal handlers belong to the process.
  */
 void console_acquire(struct console *console, const struct device_calls *calls,
 	const struct log *log);
-
-/*
- * For a process that will give up its rights: starts a guard that keeps them
- * for what is left to do, or logs a warning if it cannot. Call it after
- * console_acquire().
- */
-void console_keep_rights(struct console *console);
 
 /*
  * Answers what the kernel has asked for, by one of two functions of the

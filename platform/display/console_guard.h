@@ -1,6 +1,6 @@
 /*
- * A process that restores the text console for limber, which has given up its
- * rights on it (--user).
+ * A process that restores the text console for limber: if limber was killed, or
+ * has given up its rights on it (--user).
  *
  * The kernel lets only root, or a process that the console is the controlling
  * terminal of, change a console's mode. The guard is forked before the rights

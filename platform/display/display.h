@@ -28,7 +28,6 @@ struct display_options {
 	const char *output;       /* image: the file to write */
 	int frame_count;          /* image: expected frames, 0 if not known */
 	double rate_hz;           /* image: frames a second of an animation */
-	bool drops_rights; /* the process will become another user (--user) */
 	const struct log *log;
 };
 

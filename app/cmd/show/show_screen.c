@@ -77,7 +77,6 @@ int show_screen_open(struct show_screen *screen, const struct options *options,
 		display_options_of(&options->screen, log);
 	int error;
 
-	wanted.drops_rights = options->show.user != NULL;
 	wanted.frame_count = frames;
 	wanted.rate_hz = rate_hz;
 	error = display_open(

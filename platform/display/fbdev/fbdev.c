@@ -96,9 +96,6 @@ int fbdev_create_on(const struct device_calls *calls,
 		goto out_screen;
 	}
 	console_acquire(&display->console, calls, options->log);
-	if (options->drops_rights) {
-		console_keep_rights(&display->console);
-	}
 	clear_screen(display);
 	log_note(options->log, "--display fbdev: %s, %dx%d, %d bits, %d page%s",
 		display->screen.path, display->screen.width,

@@ -57,9 +57,6 @@ int kms_create_on(const struct kms_calls *calls,
 		goto out_card;
 	}
 	console_acquire(&display->console, calls->device, options->log);
-	if (options->drops_rights) {
-		console_keep_rights(&display->console);
-	}
 	log_note(options->log, "--display kms: %s, %dx%d, %d bits, %s",
 		display->card.path, display->card.mode.hdisplay,
 		display->card.mode.vdisplay, display->card.layout.bits,

@@ -1,4 +1,4 @@
-/* Consoles of a limber that gives up its rights, whatever way it ends. */
+/* Consoles whatever way limber ends, also if it gives up its rights. */
 #define _GNU_SOURCE /* MAP_ANONYMOUS */
 
 #include "platform/display/console.h"
@@ -86,7 +86,6 @@ static int unshare_all(void **state)
 static void begin(struct console *console, const struct log *log)
 {
 	console_acquire(console, &calls, log);
-	console_keep_rights(console);
 	assert_int_equal(shared->mode, KD_GRAPHICS);
 	assert_int_equal(shared->switching, VT_PROCESS);
 	shared->dropped = getpid();
@@ -122,7 +121,7 @@ static void test_a_console_without_rights_is_released(void **state)
 	assert_int_equal(capture.count, 0);
 }
 
-static void end_by(int number)
+static void end_by(int number, bool drops_rights)
 {
 	const struct rlimit none = {0, 0};
 	struct log log = log_to_nowhere();
@@ -133,6 +132,9 @@ static void end_by(int number)
 		signal(number, SIG_DFL);
 	}
 	begin(&console, &log);
+	if (!drops_rights) {
+		shared->dropped = 0;
+	}
 	if (number) {
 		kill(getpid(), number);
 	}
@@ -152,7 +154,7 @@ static void test_any_end_restores_a_console_without_rights(void **state)
 		assert_true(child >= 0);
 		if (child == 0) {
 			setpgid(0, 0);
-			end_by(signals[i]);
+			end_by(signals[i], true);
 		}
 		assert_int_equal(waitpid(child, &status, 0), child);
 		assert_int_equal(
@@ -161,6 +163,21 @@ static void test_any_end_restores_a_console_without_rights(void **state)
 		assert_int_not_equal(shared->guard, child);
 		*shared = (struct shared){0};
 	}
+}
+
+static void test_killing_restores_a_console_with_rights(void **state)
+{
+	int status;
+	pid_t child = fork();
+
+	(void)state;
+	assert_true(child >= 0);
+	if (child == 0) {
+		end_by(SIGKILL, false);
+	}
+	assert_int_equal(waitpid(child, &status, 0), child);
+	assert_true(WIFSIGNALED(status));
+	expect_text();
 }
 
 static void test_killing_the_group_restores_the_console(void **state)
@@ -265,24 +282,21 @@ static void test_without_a_console_there_is_no_guard(void **state)
 	(void)state;
 	fake_fb.has_console = false;
 	console_acquire(&console, &calls, &log);
-	console_keep_rights(&console);
 	assert_int_equal(console.guard.process, 0);
 	console_release(&console);
 }
 
-/* Only a process that will become another user needs one. */
-static void test_a_display_starts_a_guard_if_rights_will_be_dropped(void **state)
+/* limber may be killed with all rights, and cannot restore anything then. */
+static void test_a_display_has_a_guard_while_it_is_open(void **state)
 {
-	(void)state;
-	for (int drops = 0; drops <= 1; drops++) {
-		struct fbdev_scene scene = {.options = {.drops_rights = drops}};
+	struct fbdev_scene scene = {0};
 
-		assert_int_equal(fbdev_scene_open(&scene), 0);
-		errno = 0;
-		assert_int_equal(waitpid(-1, NULL, WNOHANG), drops ? 0 : -1);
-		assert_int_equal(errno, drops ? 0 : ECHILD);
-		fbdev_scene_close(&scene);
-	}
+	(void)state;
+	assert_int_equal(fbdev_scene_open(&scene), 0);
+	assert_int_equal(waitpid(-1, NULL, WNOHANG), 0);
+	fbdev_scene_close(&scene);
+	assert_int_equal(waitpid(-1, NULL, WNOHANG), -1);
+	assert_int_equal(errno, ECHILD);
 }
 
 static void test_too_few_descriptors_for_a_guard_are_a_warning(void **state)
@@ -293,11 +307,10 @@ static void test_too_few_descriptors_for_a_guard_are_a_warning(void **state)
 	struct console console;
 
 	(void)state;
-	console_acquire(&console, &calls, &log);
 	assert_int_equal(getrlimit(RLIMIT_NOFILE, &before), 0);
 	none = (struct rlimit){0, before.rlim_max};
 	assert_int_equal(setrlimit(RLIMIT_NOFILE, &none), 0);
-	console_keep_rights(&console);
+	console_acquire(&console, &calls, &log);
 	assert_int_equal(setrlimit(RLIMIT_NOFILE, &before), 0);
 	assert_int_equal(capture.count, 1);
 	assert_true(log_capture_has(&capture, LOG_WARNING, "may stay dark"));
@@ -311,12 +324,13 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		CASE(test_a_console_without_rights_is_released),
 		CASE(test_any_end_restores_a_console_without_rights),
+		CASE(test_killing_restores_a_console_with_rights),
 		CASE(test_killing_the_group_restores_the_console),
 		CASE(test_consoles_are_switched_without_rights),
 		CASE(test_the_guard_holds_no_other_descriptor),
 		CASE(test_a_guard_that_was_killed_is_no_harm),
 		CASE(test_without_a_console_there_is_no_guard),
-		CASE(test_a_display_starts_a_guard_if_rights_will_be_dropped),
+		CASE(test_a_display_has_a_guard_while_it_is_open),
 		CASE(test_too_few_descriptors_for_a_guard_are_a_warning),
 	};
 #undef CASE

@@ -10,6 +10,7 @@
 enum {
 	LEGS_MAX = 64,
 	PAIRS_MAX = 4,
+	CANDIDATES_MAX = 256,
 	/* three in quotation marks fit into a line of 198 characters */
 	NAME_MAX_BYTES = 60
 };
@@ -31,11 +32,18 @@ struct pair {
 	int hips;
 };
 
+/* Legs that may be a pair, as seen from their hips. */
+struct candidate {
+	const struct leg *left, *right;
+	int hips;
+};
+
 struct search {
 	const struct model *model;
 	const bool *is_joint, *is_named;
 	const mat4 *world;
-	float low; /* height of the lowest joint */
+	float low;     /* height of the lowest joint */
+	float side[2]; /* unit vector along x and z, to the model's left */
 	int count;
 	struct pair pair[PAIRS_MAX];
 };
@@ -85,16 +93,28 @@ static bool find_leg(const struct search *search, int tip, struct leg *leg)
 		height[2] - search->low < lowest_part * leg->length;
 }
 
+/* Returns how far a node is to the left, and *ahead how far to the front. */
+static float left_of(const struct search *search, int node, float *ahead)
+{
+	const float *at = place_of(search, node), *side = search->side;
+
+	*ahead = at[2] * side[0] - at[0] * side[1];
+	return at[0] * side[0] + at[2] * side[1];
+}
+
 /* Returns true if two nodes are at the two sides of the hips. */
 static bool mirrors(const struct search *search, int hips, int left, int right,
 	float uneven)
 {
-	const float *a = place_of(search, left), *b = place_of(search, right);
-	float middle = 2 * place_of(search, hips)[0];
+	float ahead[3];
+	float a = left_of(search, left, &ahead[0]);
+	float b = left_of(search, right, &ahead[1]);
+	float middle = 2 * left_of(search, hips, &ahead[2]);
 
-	return a[0] > b[0] && scalar_abs(a[0] + b[0] - middle) < uneven &&
-		scalar_abs(a[1] - b[1]) < uneven &&
-		scalar_abs(a[2] - b[2]) < uneven;
+	return a > b && scalar_abs(a + b - middle) < uneven &&
+		scalar_abs(place_of(search, left)[1] -
+			place_of(search, right)[1]) < uneven &&
+		scalar_abs(ahead[0] - ahead[1]) < uneven;
 }
 
 /* Returns the nearest node above a, or a itself, that is above b, too; or -1. */
@@ -140,20 +160,98 @@ static void add(struct search *search, const struct pair *pair)
 	search->pair[at] = *pair;
 }
 
-static void try_pair(
-	struct search *search, const struct leg *left, const struct leg *right)
+static float uneven_of(const struct leg *left)
 {
-	float uneven = uneven_part * left->length;
-	int hips = find_common(search->model, left->upper, right->upper);
-	struct pair pair = {*left, *right, hips};
+	return uneven_part * left->length;
+}
 
-	if (is_bone(search, hips) && hips != left->upper &&
-		hips != right->upper &&
-		scalar_abs(left->length - right->length) < uneven &&
-		mirrors(search, hips, left->upper, right->upper, uneven) &&
-		mirrors(search, hips, left->lower, right->lower, 2 * uneven) &&
-		mirrors(search, hips, left->tip, right->tip, 3 * uneven)) {
-		add(search, &pair);
+static int list_candidates(const struct search *search, const struct leg *leg,
+	int legs, struct candidate out[CANDIDATES_MAX])
+{
+	int count = 0;
+
+	for (int i = 0; i < legs * legs && count < CANDIDATES_MAX; i++) {
+		const struct leg *left = &leg[i / legs], *right = &leg[i % legs];
+		int hips;
+
+		if (left == right ||
+			!(scalar_abs(left->length - right->length) <
+				uneven_of(left))) {
+			continue;
+		}
+		hips = find_common(search->model, left->upper, right->upper);
+		if (is_bone(search, hips) && hips != left->upper &&
+			hips != right->upper) {
+			out[count++] = (struct candidate){left, right, hips};
+		}
+	}
+	return count;
+}
+
+/* Adds the candidates that mirror each other for the side of the search. */
+static void try_side(
+	struct search *search, const struct candidate *candidate, int count)
+{
+	for (int i = 0; i < count; i++) {
+		const struct leg *left = candidate[i].left;
+		const struct leg *right = candidate[i].right;
+		const struct pair pair = {*left, *right, candidate[i].hips};
+		float uneven = uneven_of(left);
+
+		if (mirrors(search, pair.hips, left->upper, right->upper,
+			    uneven) &&
+			mirrors(search, pair.hips, left->lower, right->lower,
+				2 * uneven) &&
+			mirrors(search, pair.hips, left->tip, right->tip,
+				3 * uneven)) {
+			add(search, &pair);
+		}
+	}
+}
+
+/*
+ * Sets the side to that of a candidate, whose left is nearer to +X. Returns how
+ * far apart its legs are, or 0.
+ */
+static float take_side(struct search *search, const struct candidate *candidate)
+{
+	const float *left = place_of(search, candidate->left->upper);
+	const float *right = place_of(search, candidate->right->upper);
+	float x = left[0] - right[0], z = left[2] - right[2];
+	float apart = scalar_sqrt(x * x + z * z);
+
+	if (!(apart > 0.0f) || x < 0.0f) {
+		return 0.0f;
+	}
+	search->side[0] = x / apart;
+	search->side[1] = z / apart;
+	return apart;
+}
+
+/*
+ * Finds pairs in a model that may face any way: the side is the one with most
+ * pairs, if possible +X as in glTF, or else that whose legs are the nearest.
+ */
+static void choose_side(
+	struct search *search, const struct candidate *candidate, int count)
+{
+	float nearest = 0.0f;
+
+	search->side[0] = 1.0f;
+	try_side(search, candidate, count);
+	for (int i = 0; i < count; i++) {
+		struct search other = *search;
+		float apart = take_side(&other, &candidate[i]);
+
+		other.count = 0;
+		if (apart > 0.0f) {
+			try_side(&other, candidate, count);
+		}
+		if (other.count > search->count ||
+			(other.count == search->count && apart < nearest)) {
+			*search = other;
+			nearest = apart;
+		}
 	}
 }
 
@@ -161,6 +259,7 @@ static void find_pairs(struct search *search)
 {
 	int count = search->model->node_count, legs = 0;
 	struct leg leg[LEGS_MAX];
+	struct candidate candidate[CANDIDATES_MAX] = {{0}};
 
 	search->low = FLT_MAX;
 	for (int i = 0; i < count; i++) {
@@ -172,13 +271,8 @@ static void find_pairs(struct search *search)
 	for (int i = 0; i < count && legs < LEGS_MAX; i++) {
 		legs += find_leg(search, i, &leg[legs]);
 	}
-	for (int i = 0; i < legs; i++) {
-		for (int k = 0; k < legs; k++) {
-			if (k != i) {
-				try_pair(search, &leg[i], &leg[k]);
-			}
-		}
-	}
+	count = list_candidates(search, leg, legs, candidate);
+	choose_side(search, candidate, count);
 }
 
 static void write_leg(const struct model *model, const char *side,

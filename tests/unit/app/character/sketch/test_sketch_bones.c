@@ -3,6 +3,7 @@
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,8 +63,9 @@ static void test_a_sketch_suggests_each_chain_of_two_or_more(void **state)
 }
 
 /* Hips with hind legs, which carry a spine with front legs. */
-/* bend is how far knees are ahead, besides. */
-static char *sketch_legs(float right_x, float knee_y, float ankle_y, float bend)
+/* bend is how far knees are ahead, besides; the model is turned by an angle. */
+static char *sketch_turned_legs(
+	float right_x, float knee_y, float ankle_y, float bend, float angle_rad)
 {
 	static const struct {
 		const char *name;
@@ -105,7 +107,14 @@ static char *sketch_legs(float right_x, float knee_y, float ankle_y, float bend)
 		node[i].rest.translation[2] -= bend;
 		node[i].rest.translation[1] = ankle_y;
 	}
+	node[0].rest.rotation[1] = sinf(0.5f * angle_rad);
+	node[0].rest.rotation[3] = cosf(0.5f * angle_rad);
 	return acting_sketch(&model, NULL);
+}
+
+static char *sketch_legs(float right_x, float knee_y, float ankle_y, float bend)
+{
+	return sketch_turned_legs(right_x, knee_y, ankle_y, bend, 0);
 }
 
 static char *sketch_four_legs(float right_x, float ankle_y)
@@ -137,6 +146,26 @@ static void test_a_sketch_suggests_feet_for_pairs_of_legs(void **state)
 		";left = \"arm l\" \"hand l\" \"paw l\"\n"
 		";right = \"arm r\" \"hand r\" \"paw r\"\n\n");
 	free(text);
+}
+
+static void test_a_sketch_suggests_feet_whatever_way_a_model_faces(void **state)
+{
+	(void)state;
+	for (int degrees = -175; degrees <= 175; degrees += 10) {
+		bool behind = degrees < -90 || degrees > 90;
+		char *text = sketch_turned_legs(-0.2f, -0.4f, -0.35f, 0,
+			(float)degrees * GLM_PIf / 180);
+
+		/* It takes a model for one that faces the camera. */
+		assert_contains(text,
+			behind ? ";[feet feet1]\n;hips = hips\n"
+				 ";left = \"thigh r\" \"shin r\" \"foot r\"\n"
+			       : ";[feet feet1]\n;hips = hips\n"
+				 ";left = \"thigh l\" \"shin l\" \"foot l\"\n");
+		assert_contains(text, ";[feet feet2]\n;hips = spine\n");
+		assert_null(strstr(text, "feet3"));
+		free(text);
+	}
 }
 
 static void test_a_sketch_suggests_no_feet_without_legs(void **state)
@@ -207,6 +236,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_sketch_suggests_no_bone_that_a_name_does_not_find),
 		cmocka_unit_test(test_a_sketch_suggests_feet_for_pairs_of_legs),
+		cmocka_unit_test(
+			test_a_sketch_suggests_feet_whatever_way_a_model_faces),
 		cmocka_unit_test(test_a_sketch_suggests_no_feet_without_legs),
 		cmocka_unit_test(test_a_leg_has_its_knee_between_hip_and_ankle),
 	};

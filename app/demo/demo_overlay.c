@@ -156,11 +156,7 @@ void demo_choose_joint(struct demo *demo, int step)
 	}
 }
 
-/*
- * Finds room for labels beside the figures: the column at their left, which
- * other labels share, the column at their right, or the room above or below.
- */
-static struct overlay_place place_of(
+struct hud_place demo_overlay_place(
 	const struct demo *demo, const struct hud *hud)
 {
 	const struct camera_region taken =
@@ -169,7 +165,7 @@ static struct overlay_place place_of(
 	int column = hud_group_extent_of(hud->width, hud->height, 0, 0).column;
 	float half_width = 0.5f * (float)hud->width;
 	float half_height = 0.5f * (float)hud->height;
-	struct overlay_place place = {HUD_BOTTOM_LEFT, hud->height};
+	struct hud_place place = {HUD_BOTTOM_LEFT, hud->height};
 	int above = (int)((1.0f - taken.top) * half_height);
 	int below = (int)((taken.bottom + 1.0f) * half_height) -
 		stacked[HUD_BOTTOM_LEFT];
@@ -183,9 +179,9 @@ static struct overlay_place place_of(
 	}
 	place.room = below;
 	if (2 * column <= hud->width && above > below) {
-		place = (struct overlay_place){HUD_TOP_RIGHT, above};
+		place = (struct hud_place){HUD_TOP_RIGHT, above};
 	} else if (above - stacked[HUD_TOP_LEFT] > below) {
-		place = (struct overlay_place){
+		place = (struct hud_place){
 			HUD_TOP_LEFT, above - stacked[HUD_TOP_LEFT]};
 	}
 	return place;
@@ -195,12 +191,12 @@ bool demo_overlay_label(const struct demo_driver *driver,
 	const struct demo *demo, struct overlay *overlay, struct hud *hud)
 {
 	struct overlay_motion motion = motion_of(driver, demo);
-	struct overlay_place place = place_of(demo, hud);
+	struct hud_place place = demo_overlay_place(demo, hud);
 	int least = hud_group_extent_of(hud->width, hud->height, 1, 1).top;
 
 	if (place.room < least) {
 		return false;
 	}
-	overlay_label(overlay, &motion, &place, hud);
-	return !hud_groups_overlap(hud);
+	return overlay_label(overlay, &motion, &place, hud) &&
+		!hud_groups_overlap(hud);
 }

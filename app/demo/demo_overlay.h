@@ -22,6 +22,13 @@ int demo_overlay_make(const struct demo_driver *driver, struct demo *demo,
 void demo_overlay_release(struct demo_base *base);
 
 /*
+ * Finds room for labels beside the figures: the column at their left, which
+ * other labels share, the column at their right, or the room above or below.
+ */
+struct hud_place demo_overlay_place(
+	const struct demo *demo, const struct hud *hud);
+
+/*
  * Adds the overlays' labels where they cover no figure. Returns false if other
  * labels leave no room for them.
  */

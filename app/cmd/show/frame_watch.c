@@ -38,7 +38,8 @@ void frame_watch_end(struct frame_watch *watch)
 }
 
 void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
-	const char *driver, const char *reduction, struct hud *hud)
+	const char *driver, const char *reduction,
+	const struct hud_place *beside, struct hud *hud)
 {
 	if (!watch->shown) {
 		return;
@@ -55,5 +56,5 @@ void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
 			.memory_bytes = watch->memory_bytes,
 			.reduction = reduction,
 		},
-		hud);
+		beside, hud);
 }

@@ -31,8 +31,12 @@ void frame_watch_stage(struct frame_watch *watch, enum hud_stage stage);
 /* Call this when the frame is over: adds it to the graph. */
 void frame_watch_end(struct frame_watch *watch);
 
-/* Draws the graph unless it is hidden. reduction: see governor_text(). */
+/*
+ * Draws the graph unless it is hidden, if possible beside the figures.
+ * reduction: see governor_text().
+ */
 void frame_watch_show(struct frame_watch *watch, const struct demo_facts *facts,
-	const char *driver, const char *reduction, struct hud *hud);
+	const char *driver, const char *reduction,
+	const struct hud_place *beside, struct hud *hud);
 
 #endif

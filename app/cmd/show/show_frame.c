@@ -1,4 +1,5 @@
 #include "app/cmd/show/show_state.h"
+#include "app/demo/demo_overlay.h"
 #include "app/scene/draw/texture.h"
 
 #include <errno.h>
@@ -29,6 +30,7 @@ static void draw_hud(struct show *show, int width, int height)
 	const struct demo_facts facts = demo_get_facts(driver, show->demo);
 	bool labelled = !show->options->show.no_labels;
 	bool noticed = show->plan->failsafe && show->plan->failsafe->gives_way;
+	struct hud_place beside;
 
 	if (!labelled && !show->watch.shown && !noticed) {
 		return;
@@ -38,8 +40,10 @@ static void draw_hud(struct show *show, int width, int height)
 		demo_label(driver, show->demo, show->hud);
 		governor_label(&show->governor, show->hud);
 	}
+	beside = demo_overlay_place(show->demo, show->hud);
 	frame_watch_show(&show->watch, &facts, show->screen.gl->driver->name,
-		labelled ? NULL : governor_text(&show->governor), show->hud);
+		labelled ? NULL : governor_text(&show->governor), &beside,
+		show->hud);
 	if (noticed) {
 		draw_notice(show, width, height);
 	}

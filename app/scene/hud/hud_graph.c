@@ -170,6 +170,11 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 {
 	char value[32];
 
+	/* The last ones are left out first. */
+	if (facts->reduction) {
+		hud_group_mark(
+			group, "left out", facts->reduction, hud_color_rose);
+	}
 	hud_group_text(group, "GL driver", facts->driver);
 	snprintf(value, sizeof(value), "%ld", facts->triangles);
 	hud_group_text(group, "triangles", value);
@@ -179,10 +184,6 @@ static void show_facts(const struct hud_facts *facts, struct hud_group *group)
 		hud_group_text(group, "memory", value);
 	}
 	hud_group_text(group, facts->technique, "");
-	if (facts->reduction) {
-		hud_group_mark(
-			group, "left out", facts->reduction, hud_color_rose);
-	}
 }
 
 /*
@@ -203,19 +204,40 @@ static enum hud_corner choose_corner(const struct hud *hud)
 		: HUD_BOTTOM_LEFT;
 }
 
-void hud_graph_show(const struct hud_graph *graph,
-	const struct hud_facts *facts, struct hud *hud)
+/* The place beside figures, or else one over them. */
+static struct hud_place choose_place(
+	const struct hud *hud, const struct hud_place *beside)
 {
-	enum hud_corner corner = choose_corner(hud);
-	struct hud_group group = hud_group_begin(hud, corner, NULL);
 	const int *stacked = hud->stacked_px;
-	enum hud_corner above =
-		corner == HUD_BOTTOM_LEFT ? HUD_TOP_LEFT : HUD_TOP_RIGHT;
+	int least =
+		hud_group_extent_of(hud->width, hud->height, 1, 0).list_height +
+		graph_height(hud);
+	bool is_column = beside->room == hud->height;
+	struct hud_place place = *beside;
+	int right;
+
+	if (place.room < least ||
+		(is_column && place.corner == HUD_BOTTOM_LEFT)) {
+		place = (struct hud_place){choose_corner(hud), hud->height};
+	}
+	right = place.corner == HUD_BOTTOM_RIGHT;
+	if (place.room == hud->height) {
+		/* In a small picture the last facts give way to the labels. */
+		place.room -= stacked[right ? HUD_TOP_RIGHT : HUD_TOP_LEFT] +
+			stacked[place.corner];
+	}
+	return place;
+}
+
+void hud_graph_show(const struct hud_graph *graph, const struct hud_facts *facts,
+	const struct hud_place *beside, struct hud *hud)
+{
+	struct hud_place place = choose_place(hud, beside);
+	struct hud_group group = hud_group_begin(hud, place.corner, NULL);
 	char rate[32];
 	char scale[32];
 
-	/* In a small picture the last facts give way to the labels above. */
-	hud_group_limit(&group, hud->height - stacked[above] - stacked[corner]);
+	hud_group_limit(&group, place.room);
 	snprintf(rate, sizeof(rate), "%.0f fps", (double)hud_graph_rate(graph));
 	snprintf(scale, sizeof(scale), "0 to %.0f ms",
 		(double)hud_graph_scale_ms(graph));

@@ -67,10 +67,11 @@ float hud_graph_scale_ms(const struct hud_graph *graph);
 
 /*
  * Adds the graph as a group in the bottom left corner, or in the bottom right
- * one if the left has no room. Facts that would reach the groups above are left
- * out.
+ * one if the left has no room. If figures would be behind it and *beside, where
+ * they are not, has room for the graph, it goes there. Facts that would reach
+ * other groups or figures are left out.
  */
-void hud_graph_show(const struct hud_graph *graph,
-	const struct hud_facts *facts, struct hud *hud);
+void hud_graph_show(const struct hud_graph *graph, const struct hud_facts *facts,
+	const struct hud_place *beside, struct hud *hud);
 
 #endif

@@ -27,6 +27,12 @@ enum hud_corner {
 	HUD_BOTTOM_RIGHT
 };
 
+/* Where labels go: a corner, and the height that figures leave free there. */
+struct hud_place {
+	enum hud_corner corner;
+	int room; /* pixels */
+};
+
 /* A group between its begin and end. Only one may be open at a time. */
 struct hud_group {
 	struct hud *hud;

@@ -199,18 +199,12 @@ void overlay_clear_depth(struct overlay *overlay);
 void overlay_draw_bones(struct overlay *overlay,
 	const struct overlay_figure *figure, int height);
 
-/* Where labels go: a corner, and the height that figures leave free there. */
-struct overlay_place {
-	enum hud_corner corner;
-	int room; /* pixels */
-};
-
 /*
  * Adds labels, curves and weights in this order: the chosen joint or target,
  * the marks of the keys, the pivots' axes, the curve, the layers. What has no
- * room is left out.
+ * room is left out. Returns false if that leaves the title alone.
  */
-void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	const struct overlay_place *place, struct hud *hud);
+bool overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
+	const struct hud_place *place, struct hud *hud);
 
 #endif

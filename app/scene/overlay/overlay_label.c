@@ -217,14 +217,15 @@ static bool has_rows(const struct overlay *overlay)
 		~(1U << OVERLAY_SKELETON | 1U << OVERLAY_WIREFRAME);
 }
 
-void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
-	const struct overlay_place *place, struct hud *hud)
+bool overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
+	const struct hud_place *place, struct hud *hud)
 {
 	struct hud_group group;
 	char title[64], number[HUD_NAME_BYTES];
+	int top;
 
 	if (!overlay->kinds) {
-		return;
+		return true;
 	}
 	write_title(overlay, title, sizeof(title));
 	if (shows_row(overlay)) {
@@ -233,6 +234,7 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	group = hud_group_begin(
 		hud, place->corner, has_rows(overlay) ? title : NULL);
 	hud_group_limit(&group, place->room);
+	top = group.y;
 	if (!has_rows(overlay)) {
 		hud_group_text(&group, title, "");
 	}
@@ -256,11 +258,13 @@ void overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 		hud_group_mark(&group, "z", "", hud_color_blue);
 	}
 	if (overlay_shows(overlay, OVERLAY_CURVE) &&
-		hud_group_fits(&group, 1, OVERLAY_CURVE_EMS * hud_em(hud))) {
+		hud_group_fits(&group, motion->morphing ? 0 : 1,
+			OVERLAY_CURVE_EMS * hud_em(hud))) {
 		show_curve(overlay, motion, &group);
 	}
 	if (overlay_shows(overlay, OVERLAY_LAYERS)) {
 		show_layers(motion, &group);
 	}
 	hud_group_end(&group);
+	return group.y > top;
 }

@@ -76,6 +76,7 @@ static void test_memory_is_read_every_33_frames(void **state)
 {
 	const struct demo_facts facts = {.technique = "Skeletal"};
 	struct frame_watch watch = {.shown = true};
+	static const struct hud_place beside = {HUD_BOTTOM_LEFT, 0};
 	static struct hud hud;
 
 	(void)state;
@@ -83,7 +84,7 @@ static void test_memory_is_read_every_33_frames(void **state)
 	for (int frame = 0; frame < 100; frame++) {
 		watch.memory_bytes = 1;
 		hud_begin(&hud, 480, 640);
-		frame_watch_show(&watch, &facts, "soft", NULL, &hud);
+		frame_watch_show(&watch, &facts, "soft", NULL, &beside, &hud);
 		assert_int_equal(watch.memory_bytes > 1, frame % 33 == 0);
 		assert_true(hud.quad_count > 0);
 	}
@@ -91,7 +92,7 @@ static void test_memory_is_read_every_33_frames(void **state)
 	watch.memory_wait = 0;
 	watch.memory_bytes = 1;
 	hud_begin(&hud, 480, 640);
-	frame_watch_show(&watch, &facts, "soft", NULL, &hud);
+	frame_watch_show(&watch, &facts, "soft", NULL, &beside, &hud);
 	assert_int_equal(watch.memory_bytes, 1);
 	assert_int_equal(hud.quad_count, 0);
 }

@@ -7,6 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Figures take the whole picture. */
+static const struct hud_place nowhere = {HUD_BOTTOM_LEFT, 0};
+
 static void add(struct hud_graph *graph, int frames, float ms, float interval_ms)
 {
 	const float stage_ms[HUD_STAGES] = {0.25f * ms, 0.5f * ms, 0.25f * ms};
@@ -75,7 +78,7 @@ static void test_bars_are_as_high_as_the_stages_last(void **state)
 	hud->font = &font_default;
 	add(&graph, HUD_GRAPH_FRAMES, 20.0f, 20.0f);
 	hud_begin(hud, 480, 640);
-	hud_graph_show(&graph, &facts, hud);
+	hud_graph_show(&graph, &facts, &nowhere, hud);
 	blue = pixels_of(hud, hud_color_blue);
 	green = pixels_of(hud, hud_color_green);
 	assert_true(blue > 500);
@@ -184,7 +187,7 @@ static void test_each_bar_is_its_frame(void **state)
 		}
 		hud_graph_add(&graph, ms[frame], 20.0f);
 		hud_begin(hud, 480, 640);
-		hud_graph_show(&graph, &facts, hud);
+		hud_graph_show(&graph, &facts, &nowhere, hud);
 		expect_bars(hud, &graph, ms, frame + 1);
 	}
 	free(hud);
@@ -207,8 +210,43 @@ static bool overlaps_labels(struct hud *hud, int width, int height, int rows)
 		hud_group_text(&group, "elbow", "45");
 	}
 	hud_group_end(&group);
-	hud_graph_show(&graph, &facts, hud);
+	hud_graph_show(&graph, &facts, &nowhere, hud);
 	return hud_groups_overlap(hud);
+}
+
+/* Beside figures if there is room for the times, and over them if not. */
+static void test_the_graph_goes_where_no_figure_is(void **state)
+{
+	static const struct {
+		struct hud_place beside;
+		enum hud_corner wanted;
+	} cases[] = {{{HUD_BOTTOM_LEFT, 320}, HUD_BOTTOM_LEFT},
+		{{HUD_BOTTOM_RIGHT, 320}, HUD_BOTTOM_RIGHT},
+		{{HUD_TOP_LEFT, 100}, HUD_TOP_LEFT},
+		{{HUD_TOP_RIGHT, 100}, HUD_TOP_RIGHT},
+		{{HUD_BOTTOM_LEFT, 100}, HUD_BOTTOM_LEFT},
+		{{HUD_TOP_LEFT, 60}, HUD_BOTTOM_LEFT}};
+	const struct hud_facts facts = {
+		.technique = "Skeletal", .driver = "soft", .triangles = 12};
+	struct hud_graph graph = {.next = 0};
+	struct hud *hud = calloc(1, sizeof(*hud));
+
+	(void)state;
+	assert_non_null(hud);
+	hud->font = &font_default;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		hud_begin(hud, 240, 320);
+		hud_graph_show(&graph, &facts, &cases[i].beside, hud);
+		for (int corner = 0; corner < HUD_CORNERS; corner++) {
+			assert_int_equal(hud->stacked_px[corner] > 0,
+				corner == (int)cases[i].wanted);
+		}
+		if (cases[i].beside.room == 100) {
+			assert_in_range(
+				hud->stacked_px[cases[i].wanted], 70, 100);
+		}
+	}
+	free(hud);
 }
 
 static void test_in_small_pictures_facts_give_way_to_labels(void **state)
@@ -239,6 +277,7 @@ int main(void)
 			test_the_scale_holds_the_tallest_frame_it_still_has),
 		cmocka_unit_test(test_bars_are_as_high_as_the_stages_last),
 		cmocka_unit_test(test_each_bar_is_its_frame),
+		cmocka_unit_test(test_the_graph_goes_where_no_figure_is),
 		cmocka_unit_test(test_in_small_pictures_facts_give_way_to_labels),
 	};
 

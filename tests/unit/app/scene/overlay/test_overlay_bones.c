@@ -207,7 +207,7 @@ static void test_source_and_destiny_are_framed_in_the_row(void **state)
 	struct overlay overlay = {.kinds = 1U << OVERLAY_KEYS,
 		.chooses_target = true,
 		.target_count = 4};
-	const struct overlay_place place = {HUD_TOP_LEFT, 640};
+	const struct hud_place place = {HUD_TOP_LEFT, 640};
 	struct overlay_motion motion = overlay_motion_none();
 
 	(void)state;
@@ -255,7 +255,7 @@ static void test_what_is_not_in_the_row_is_not_framed(void **state)
 	struct overlay overlay = {.kinds = 1U << OVERLAY_KEYS,
 		.chooses_target = true,
 		.target_count = 20};
-	const struct overlay_place place = {HUD_TOP_LEFT, 640};
+	const struct hud_place place = {HUD_TOP_LEFT, 640};
 	struct overlay_motion motion = overlay_motion_none();
 	struct hud *hud = hud_with(640);
 	int quads[3];

@@ -10,7 +10,7 @@
 static struct hud shown, wanted;
 static struct hud_group group;
 
-static const struct overlay_place place = {HUD_TOP_LEFT, 640};
+static const struct hud_place place = {HUD_TOP_LEFT, 640};
 
 /* Labels of these kinds, and a group with the wanted title. */
 static void begin(const struct overlay *overlay,
@@ -175,7 +175,7 @@ static int least_room(
 	int without = 0;
 
 	for (int room = 1; room < 400; room++) {
-		const struct overlay_place low = {HUD_TOP_LEFT, room};
+		const struct hud_place low = {HUD_TOP_LEFT, room};
 		struct overlay copy = *overlay;
 
 		shown.font = &font_default;
@@ -218,6 +218,41 @@ static void test_rows_are_shown_where_all_of_them_fit(void **state)
 		least_room(&pivots, &motion), room_of_rows("Pivots", 3));
 }
 
+static void test_a_morphs_curve_has_no_row_besides(void **state)
+{
+	const struct overlay curve = {.kinds = 1U << OVERLAY_CURVE};
+	struct overlay_motion motion = overlay_motion_none();
+	int room = 0;
+
+	(void)state;
+	motion.morphing = true;
+	do {
+		wanted.font = &font_default;
+		hud_begin(&wanted, 480, 640);
+		group = hud_group_begin(&wanted, HUD_TOP_LEFT, "Curve");
+		hud_group_limit(&group, ++room);
+	} while (!hud_group_fits(&group, 0, OVERLAY_CURVE_EMS * hud_em(&wanted)));
+	assert_int_equal(least_room(&curve, &motion), room);
+}
+
+/* Then other labels give way. */
+static void test_a_title_alone_is_told(void **state)
+{
+	const struct overlay pivots = {.kinds = 1U << OVERLAY_PIVOTS};
+	const struct overlay_motion motion = overlay_motion_none();
+	int least = room_of_rows("Pivots", 3);
+
+	(void)state;
+	for (int more = -1; more <= 0; more++) {
+		const struct hud_place low = {HUD_TOP_LEFT, least + more};
+		struct overlay copy = pivots;
+
+		hud_begin(&shown, 480, 640);
+		assert_int_equal(
+			overlay_label(&copy, &motion, &low, &shown), more == 0);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -229,6 +264,8 @@ int main(void)
 		cmocka_unit_test(test_axes_have_their_colours),
 		cmocka_unit_test(test_the_curve_is_of_what_suits_it_best),
 		cmocka_unit_test(test_rows_are_shown_where_all_of_them_fit),
+		cmocka_unit_test(test_a_morphs_curve_has_no_row_besides),
+		cmocka_unit_test(test_a_title_alone_is_told),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -41,7 +41,9 @@ static void drop_last_slashes(char *path)
 
 /*
  * Finds the path that must get a rule so that the output can be written, and
- * the rights of that rule. The caller frees the path. Returns 0 or -errno.
+ * the rights of that rule. The path is NULL if the output needs no rule, such
+ * as /dev/stdout, since descriptors that are open can be written. The caller
+ * frees the path. Returns 0 or -errno.
  */
 static int covering_path(const char *output, char **path, uint64_t *access)
 {
@@ -50,7 +52,8 @@ static int covering_path(const char *output, char **path, uint64_t *access)
 	int descriptor;
 	int error = output_path_follow(output, path, &descriptor);
 
-	if (error) {
+	if (error || descriptor >= 0) {
+		free(*path);
 		*path = NULL;
 		return error;
 	}
@@ -82,6 +85,9 @@ static int allow(int rules, const char *output)
 	char *path;
 	int error = covering_path(output, &path, &access);
 
+	if (!error && !path) {
+		return 0;
+	}
 	if (!error) {
 		beneath.allowed_access = access;
 		beneath.parent_fd = open(path, O_PATH | O_CLOEXEC);

@@ -1,4 +1,7 @@
-/* Confinement by a kernel that lacks some of it, which a filter simulates. */
+/*
+ * Confinement by a kernel that lacks some of it, which a filter simulates, and
+ * of outputs for which it has no rule.
+ */
 #define _GNU_SOURCE
 
 #include "platform/process/confine.h"
@@ -6,6 +9,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
@@ -174,6 +178,52 @@ static void test_a_lack_of_descriptors_does_not_refuse_outputs(void **state)
 	assert_int_equal(status, 0);
 }
 
+/* Exits with 0 if files are confined while standard output is this one. */
+static void confine_with_stdout(int descriptor)
+{
+	const struct confine_request request = {.output = {"/dev/stdout"}};
+	struct log_capture heard;
+	const struct log log = log_capture_begin(&heard);
+
+	dup2(descriptor, STDOUT_FILENO);
+	_exit(confine_process(&request, &log).files &&
+				open("/dev/limber-test", O_WRONLY | O_CREAT,
+					0600) < 0 &&
+				errno == EACCES
+			? 0
+			: 1);
+}
+
+/*
+ * A descriptor that is open needs no rule, and Landlock has none for a pipe. A
+ * rule for /dev/stdout that leads to a file would open the folder /dev.
+ */
+static void test_a_descriptor_as_output_opens_no_folder(void **state)
+{
+	FILE *file = tmpfile();
+	int end[2];
+
+	(void)state;
+	if (!has_landlock()) {
+		skip_because("this kernel has no Landlock");
+	}
+	assert_non_null(file);
+	assert_int_equal(pipe(end), 0);
+	for (int i = 0; i < 2; i++) {
+		pid_t child = fork();
+		int status = -1;
+
+		if (child == 0) {
+			confine_with_stdout(i == 0 ? end[1] : fileno(file));
+		}
+		assert_int_equal(waitpid(child, &status, 0), child);
+		assert_int_equal(status, 0);
+	}
+	close(end[0]);
+	close(end[1]);
+	fclose(file);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -181,6 +231,7 @@ int main(void)
 		cmocka_unit_test(test_each_call_of_landlock_that_fails_is_told),
 		cmocka_unit_test(
 			test_a_lack_of_descriptors_does_not_refuse_outputs),
+		cmocka_unit_test(test_a_descriptor_as_output_opens_no_folder),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -123,23 +123,39 @@ static float key_dot(const struct model_channel *channel, int key)
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
+static int count_long_arcs(const struct model_channel *channel)
+{
+	int keys = 0;
+
+	for (int k = 0;
+		channel->path == MODEL_ROTATION && k < channel->key_count - 1;
+		k++) {
+		keys += key_dot(channel, k) < 0.0f;
+	}
+	return keys;
+}
+
+/* Keys of STEP channels have no arcs between them. */
 static void report_long_arcs(
 	const struct model_clip *clip, const struct examiner *examiner)
 {
-	int keys = 0;
+	int linear = 0, cubic = 0;
 
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
 
-		for (int k = 0; channel->path == MODEL_ROTATION &&
-			k < channel->key_count - 1;
-			k++) {
-			keys += key_dot(channel, k) < 0.0f;
+		if (channel->interpolation == MODEL_LINEAR) {
+			linear += count_long_arcs(channel);
+		} else if (channel->interpolation == MODEL_CUBICSPLINE) {
+			cubic += count_long_arcs(channel);
 		}
 	}
-	report_count(clip, examiner, keys,
+	report_count(clip, examiner, linear,
 		"rotation keys with a negative dot product to the key before",
 		"limber negates them, so that the rotation takes the shorter arc");
+	report_count(clip, examiner, cubic,
+		"CUBICSPLINE rotation keys with a negative dot product to the key before",
+		"limber follows the spline as glTF defines it, which turns the longer way there; if this is not meant, export sampled keys");
 }
 
 enum {

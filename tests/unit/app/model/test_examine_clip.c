@@ -77,6 +77,18 @@ static void test_keys_that_take_the_longer_arc_are_counted(void **state)
 	}
 }
 
+static void test_only_linear_rotations_take_the_shorter_arc(void **state)
+{
+	static float keys[8] = {1, 0, 0, 0, -1};
+	static float splines[24] = {[4] = 1, [16] = -1};
+
+	(void)state;
+	assert_string_equal(examine_keys(MODEL_STEP, keys), "");
+	assert_contains(examine_keys(MODEL_LINEAR, keys), "the shorter arc");
+	assert_contains(
+		examine_keys(MODEL_CUBICSPLINE, splines), "the longer way");
+}
+
 /* Examines a clip that moves the node from first_s on. */
 static const char *examine_start(float first_s)
 {
@@ -137,6 +149,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_keys_that_take_the_longer_arc_are_counted),
+		cmocka_unit_test(test_only_linear_rotations_take_the_shorter_arc),
 		cmocka_unit_test(test_a_late_start_tells_what_a_loop_does),
 		cmocka_unit_test(test_clips_of_one_name_are_counted),
 	};

@@ -9,12 +9,41 @@
 #include <limits.h>
 #include <string.h>
 
+/* Whether a clip or a skin names frames. */
+static bool names_frames(const struct xfile_scene *scene)
+{
+	const struct xfile_mesh *mesh = scene->meshes;
+
+	while (mesh && mesh->bone_count == 0) {
+		mesh = mesh->next;
+	}
+	return mesh || scene->set_count > 0;
+}
+
+static void index_frames(struct xfile_build *build)
+{
+	const struct xfile_frame *frame = build->scene->frames;
+	const char *name = NULL;
+	int equal = 0;
+
+	for (int i = 0; frame; frame = frame->next, i++) {
+		if (!xfile_names_add(&build->frame_names, frame->name, i)) {
+			name = name ? name : frame->name;
+			equal++;
+		}
+	}
+	if (equal > 0 && names_frames(build->scene)) {
+		log_warning(build->log,
+			"%s: frames with the name of an earlier frame, such as \"%.200s\" (%d): clips and skins move the earlier one, so give each frame a name of its own",
+			build->context->path, name, equal);
+	}
+}
+
 static int index_names(struct xfile_build *build)
 {
 	const struct xfile_scene *scene = build->scene;
 	struct arena *scratch = build->scratch;
 	const struct xfile_material *material = scene->materials;
-	const struct xfile_frame *frame = scene->frames;
 	const struct xfile_mesh *mesh = scene->meshes;
 
 	build->mesh = ARENA_ARRAY(
@@ -28,9 +57,7 @@ static int index_names(struct xfile_build *build)
 			(size_t)scene->material_count)) {
 		return xfile_no_memory(build->context);
 	}
-	for (int i = 0; frame; frame = frame->next, i++) {
-		xfile_names_add(&build->frame_names, frame->name, i);
-	}
+	index_frames(build);
 	for (int i = 0; mesh; mesh = mesh->next, i++) {
 		xfile_names_add(&build->mesh_names, mesh->name, i);
 		build->mesh[i] = mesh;

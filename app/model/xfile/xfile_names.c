@@ -93,12 +93,12 @@ static void insert(struct xfile_names *names, const char *name, size_t length,
 	*link = names->node_count++;
 }
 
-void xfile_names_add(struct xfile_names *names, const char *name, int number)
+bool xfile_names_add(struct xfile_names *names, const char *name, int number)
 {
 	size_t length = strlen(name), byte = 0;
 
 	if (length == 0) {
-		return;
+		return true;
 	}
 	if (names->named_count == 0) {
 		names->root = -1;
@@ -106,7 +106,7 @@ void xfile_names_add(struct xfile_names *names, const char *name, int number)
 		const char *closest = look_up(names, name, length)->name;
 
 		if (strcmp(closest, name) == 0) {
-			return;
+			return false;
 		}
 		while (closest[byte] == name[byte]) {
 			byte++;
@@ -114,6 +114,7 @@ void xfile_names_add(struct xfile_names *names, const char *name, int number)
 		insert(names, name, length, closest, byte);
 	}
 	names->named[names->named_count++] = (struct xfile_named){name, number};
+	return true;
 }
 
 int xfile_names_find(const struct xfile_names *names, const char *name)

@@ -8,6 +8,7 @@
 #ifndef APP_MODEL_XFILE_XFILE_NAMES_H
 #define APP_MODEL_XFILE_XFILE_NAMES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "platform/base/arena.h"
@@ -25,10 +26,11 @@ int xfile_names_init(
 	struct xfile_names *names, struct arena *arena, size_t count);
 
 /*
- * Adds a name with a number >= 0. The map keeps the pointer. If a name is added
- * twice, the first number stays; an empty name is ignored.
+ * Adds a name with a number >= 0. The map keeps the pointer. Returns false if
+ * the map has the name already, which then keeps the first number. An empty
+ * name is ignored.
  */
-void xfile_names_add(struct xfile_names *names, const char *name, int number);
+bool xfile_names_add(struct xfile_names *names, const char *name, int number);
 
 /* Returns the number of a name, or -1. */
 int xfile_names_find(const struct xfile_names *names, const char *name);

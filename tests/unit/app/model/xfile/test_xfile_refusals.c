@@ -136,7 +136,29 @@ static const struct mistake harmless[] = {
 		"0,0,1,0, 0,0,0,1;; } }\nAnimationSet A { Animation { { Bone } "
 		"AnimationKey { 2; 1; 0;3;1,2,3;;; } } }",
 		NULL, "limber drops the shear of frame \"Bone\""},
+	{BONE "AnimationKey { 2; 1; 0;3;1,2,3;;; } } }\n"
+	      "Frame Bone { } Frame Bone { }",
+		NULL,
+		"earlier frame, such as \"Bone\" (2): clips and skins move the earlier one"},
+	{MESH "SkinWeights { \"Bone\"; 1; 0; 1; " UNIT "} }\n"
+	      "Frame Bone { } Frame Bone { }",
+		NULL, "earlier frame, such as \"Bone\" (1)"},
 };
+
+static void test_frames_that_nothing_names_may_have_equal_names(void **state)
+{
+	static const char text[] = HEADER "Frame A { } Frame A { }";
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct model *model = NULL;
+
+	(void)state;
+	assert_int_equal(
+		model_load_memory(text, strlen(text), "test.x", &log, &model),
+		0);
+	assert_int_equal(logged.count, 0);
+	model_destroy(model);
+}
 
 static void test_a_harmless_mistake_causes_a_warning(void **state)
 {
@@ -201,6 +223,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_mistake_is_refused_with_its_line),
 		cmocka_unit_test(test_a_harmless_mistake_causes_a_warning),
+		cmocka_unit_test(
+			test_frames_that_nothing_names_may_have_equal_names),
 		cmocka_unit_test(test_a_texture_beyond_the_budget_is_an_error),
 	};
 

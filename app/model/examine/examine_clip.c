@@ -227,28 +227,47 @@ static int compare_names(const void *left, const void *right)
 	return strcmp(*(const char *const *)left, *(const char *const *)right);
 }
 
+/* Sorts the names. Returns how many are equal to the one before. */
+static int count_equal(const char **name, int count)
+{
+	int equal = 0;
+
+	qsort(name, (size_t)count, sizeof(name[0]), compare_names);
+	for (int i = 1; i < count; i++) {
+		equal += strcmp(name[i - 1], name[i]) == 0;
+	}
+	return equal;
+}
+
 /* Returns 0 or -ENOMEM. */
 static int report_equal_names(const struct model *model, struct arena *arena,
 	const struct examiner *examiner)
 {
-	const char **name =
+	const char **clip =
 		ARENA_ARRAY(arena, const char *, (size_t)model->clip_count);
-	int named = 0, equal = 0;
+	const char **node =
+		ARENA_ARRAY(arena, const char *, (size_t)model->node_count);
+	int clips = 0, nodes = 0;
 
-	if (!name) {
+	if (!clip || !node) {
 		return -ENOMEM;
 	}
 	for (int i = 0; i < model->clip_count; i++) {
 		if (model->clip[i].name[0]) {
-			name[named++] = model->clip[i].name;
+			clip[clips++] = model->clip[i].name;
 		}
 	}
-	qsort(name, (size_t)named, sizeof(name[0]), compare_names);
-	for (int i = 1; i < named; i++) {
-		equal += strcmp(name[i - 1], name[i]) == 0;
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].name[0]) {
+			node[nodes++] = model->node[i].name;
+		}
 	}
-	examine_count(examiner, equal, "clips with the name of an earlier clip",
+	examine_count(examiner, count_equal(clip, clips),
+		"clips with the name of an earlier clip",
 		"limber finds the earlier one by this name, and the others by their numbers, which limber info lists");
+	examine_count(examiner, count_equal(node, nodes),
+		"nodes with the name of an earlier node",
+		"character files find the earlier one by this name; give the others names of their own if you refer to them");
 	return 0;
 }
 

@@ -145,6 +145,32 @@ static void test_clips_of_one_name_are_counted(void **state)
 		"clips with the name of an earlier clip (3): limber finds the earlier one by this name, and the others by their numbers, which limber info lists; ");
 }
 
+static void keep_equal_nodes(void *context, const char *finding)
+{
+	if (strstr(finding, "name of an earlier node")) {
+		append_finding(context, finding);
+	}
+}
+
+/* Such as the bones of two figures; nodes without a name have none. */
+static void test_nodes_of_one_name_are_counted(void **state)
+{
+	struct model_node node[] = {{.name = "hips"}, {.name = ""},
+		{.name = "head"}, {.name = ""}, {.name = "hips"}};
+	struct model model = {.node_count = 4, .node = node};
+	char heard[400] = "";
+	const struct examiner examiner = {keep_equal_nodes, heard};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_string_equal(heard, "");
+	model.node_count = 5;
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_string_equal(heard,
+		"nodes with the name of an earlier node (1): character files find the earlier one by this name; give the others names of their own if you refer to them; ");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -152,6 +178,7 @@ int main(void)
 		cmocka_unit_test(test_only_linear_rotations_take_the_shorter_arc),
 		cmocka_unit_test(test_a_late_start_tells_what_a_loop_does),
 		cmocka_unit_test(test_clips_of_one_name_are_counted),
+		cmocka_unit_test(test_nodes_of_one_name_are_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -189,9 +189,10 @@ static void find_gait(const struct character_build *build,
 	if (walks_away) {
 		find_travel(build, motion->root, clip);
 	}
-	for (int axis = 0; axis < 2; axis++) {
+	/* Else the ground goes with the root that the file names, if it does. */
+	for (int axis = 0; axis < 2 && walks; axis++) {
 		clip->ground_m_per_s[axis] = gait->velocity[axis];
-		if (walks && gait->drift[axis] != 0) {
+		if (gait->drift[axis] != 0) {
 			clip->ground_m_per_s[axis] -=
 				(gait->drift[axis] - clip->carried_m[axis]) /
 				clip->clip->duration_s;

@@ -282,6 +282,24 @@ static void test_the_ground_rests_below_what_slides_along(void **state)
 	acting_end(&acting);
 }
 
+/* With the name of what slides, such as a fish, the ground moves instead. */
+static void test_a_named_root_moves_the_ground_below_what_slides(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	acting.model->node[0].name = "crate";
+	acting_expect(&acting,
+		"[state a]\nclip = leave\n[motion]\nclips = yes\nroot = crate\n");
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(acting.character->motion.scroll[0] * (float)rate_hz, 20.0,
+		1e-3);
+	assert_near(acting.character->motion.scroll[1] * (float)rate_hz, -10.0,
+		1e-3);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -292,6 +310,8 @@ int main(void)
 			test_the_lowest_vertices_tell_how_the_ground_moves),
 		cmocka_unit_test(test_a_clip_that_walks_away_moves_the_ground),
 		cmocka_unit_test(test_the_ground_rests_below_what_slides_along),
+		cmocka_unit_test(
+			test_a_named_root_moves_the_ground_below_what_slides),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

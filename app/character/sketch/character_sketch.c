@@ -3,6 +3,7 @@
 #include "app/anim/pose.h"
 #include "app/character/sketch/sketch_feet.h"
 #include "app/character/sketch/sketch_layers.h"
+#include "app/character/sketch/sketch_motion.h"
 #include "app/character/sketch/sketch_names.h"
 #include "app/character/sketch/sketch_parts.h"
 #include "app/model/origin/model_origin.h"
@@ -429,11 +430,9 @@ int character_sketch(const struct model *model,
 	if (error) {
 		return error;
 	}
-	if (model->clip_count > 0) {
-		fputs("; The ground moves as the lowest vertices of each clip do. With the names\n"
-		      "; of two feet, feet = LEFT RIGHT, it goes with the foot on it.\n"
-		      "[motion]\nclips = yes\n\n",
-			out);
+	error = sketch_write_motion(model, out);
+	if (error) {
+		return error;
 	}
 	write_morph(model, out);
 	error = write_nodes(model, &parts, out);

@@ -45,6 +45,9 @@ json.dump(file, open(sys.argv[2] + "/large_image.gltf", "w"))' "$slider" "$scrat
 limber info "$scratch/large_image.gltf"
 expect_status 0
 expect_out '^ +0 +4095x2048 \(read as 2048x1024\)  large$'
+echo 'GIF89a, say' >"$scratch/large.png"
+limber info "$scratch/large_image.gltf"
+expect_refusal 1 'gltf: /images/0 \(large.png\): the image is neither PNG nor JPEG: convert'
 
 limber info "$slider" --json
 expect_status 0

@@ -2,6 +2,8 @@
 #include "app/model/image/image.h"
 
 #include <errno.h>
+#include <stdio.h>
+#include <string.h>
 
 enum {
 	NOT_READ = -2, /* no material has used the texture or image so far */
@@ -83,13 +85,22 @@ static int read_sampler(const struct gltf_at *texture, struct model_texture *out
 	return error ? error : read_filters(&sampler, out);
 }
 
-static int decode(const struct gltf_at *at, const uint8_t *data, size_t size,
-	struct model_image *out)
+/* Its messages name the image's file or, of one in the model, its name. */
+static int decode(const struct gltf_at *at, const char *uri,
+	const uint8_t *data, size_t size, struct model_image *out)
 {
+	bool has_file = uri && strncmp(uri, "data:", 5) != 0;
+	const char *name = has_file ? uri : out->name;
 	struct gltf *gltf = at->gltf;
 	char where[256];
+	size_t length;
 
 	gltf_path(at, where, sizeof(where));
+	length = strlen(where);
+	if (name[0]) {
+		snprintf(where + length, sizeof(where) - length, " (%.80s)",
+			name);
+	}
 	return image_decode(
 		data, size, where, gltf->log, &gltf->model->arena, out);
 }
@@ -125,7 +136,7 @@ static int read_image(const struct gltf_at *at, struct model_image *out)
 			at, -EINVAL, "has neither a uri nor a bufferView");
 	}
 	if (!error) {
-		error = decode(at, data, size, out);
+		error = decode(at, view < 0 ? uri : NULL, data, size, out);
 	}
 	model_file_release(&file);
 	return error;

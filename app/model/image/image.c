@@ -45,7 +45,8 @@ static int measure(const struct image_codec *codec,
 	int error;
 
 	if (!codec) {
-		log_error(input->log, "%s: the image is neither PNG nor JPEG",
+		log_error(input->log,
+			"%s: the image is neither PNG nor JPEG: convert it to one of them",
 			input->where);
 		return -ENOTSUP;
 	}

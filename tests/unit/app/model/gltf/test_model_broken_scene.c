@@ -226,6 +226,9 @@ static void test_refuses_broken_materials(void **state)
 		{TEXTURED ",'textures':[{'source':0}],'images':[{'uri':"
 			  "'data:;base64,iVBORw0KGgoAAAA='}]",
 			"/images/0: the PNG image is broken: the file is truncated"},
+		{TEXTURED ",'textures':[{'source':0}],'images':[{'name':'bark',"
+			  "'uri':'data:;base64,iVBORw0KGgoAAAA='}]",
+			"/images/0 (bark): the PNG image is broken"},
 		{TEXTURED ",'textures':[{'source':0}],'images':[{"
 			  "'bufferView':0}]",
 			"/images/0/bufferView: bufferView 0 does not exist"},
@@ -237,7 +240,8 @@ static void test_refuses_broken_materials(void **state)
 		"{'asset':{'version':'2.0'}," TEXTURED
 		",'textures':[{'source':0}],'images':[{'bufferView':0}]," VIEW16
 		"}",
-		-ENOTSUP, "/images/0: the image is neither PNG nor JPEG");
+		-ENOTSUP,
+		"/images/0: the image is neither PNG nor JPEG: convert it to one of them");
 }
 
 #define CLIP(samplers, channels)                                              \

@@ -261,7 +261,7 @@ static int check_nodes(const struct model *model, const struct log *log)
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].matrix) {
 			log_error(log,
-				"%s: node %d has a sheared matrix, which the C player does not support",
+				"%s: node %d has a sheared matrix, which the C player does not support: apply the scale of the nodes above its parts where the model was made",
 				model->path, model->node[i].file_index);
 			return -EINVAL;
 		}

@@ -106,6 +106,7 @@ static void refuses_what_the_player_cannot_show(void **state)
 	assert_int_equal(embed_scene_print_as(&s, "t", 0), -EINVAL);
 	assert_contains(
 		s.logged.sentence[0], "a.glb: node 7 has a sheared matrix");
+	assert_contains(s.logged.sentence[0], ": apply the scale");
 	/* The one behind the last node is not the model's. */
 	s.node[3].matrix = NULL;
 	s.node[4].matrix = matrix;

@@ -61,7 +61,7 @@ static int read_interpolation(
 	return error;
 }
 
-/* Separates keys of equal time. */
+/* Separates keys of equal time. glTF has no keys before 0; Blender writes them. */
 static int check_times(const struct gltf_at *at, float *time_s, int count)
 {
 	struct key_times keys = key_times_separate(time_s, count);
@@ -76,6 +76,11 @@ static int check_times(const struct gltf_at *at, float *time_s, int count)
 		gltf_warn(at,
 			"%d of %d keys have the same time as the key before them; limber jumps to the last one at that time",
 			keys.equal, count);
+	}
+	if (time_s[0] < 0.0f) {
+		gltf_warn(at,
+			"no player shows keys before 0 s, and the first is at %g s: let the animation begin at frame 0, and export it again",
+			(double)time_s[0]);
 	}
 	return 0;
 }
@@ -126,26 +131,22 @@ static void skip_keys(struct model_channel *channel, int first)
 /*
  * Makes rotation keys unit length: all integer keys, which are rounded, and
  * float keys whose squared length is outside 0.98..1.02. Other float keys stay
- * as they are, as in other players. Splines are
- * normalised after they are evaluated.
+ * as they are, as in other players. Splines are normalised after evaluation.
  */
 static int normalize_keys(const struct gltf_at *at, bool are_floats,
 	float *value, const struct model_channel *out)
 {
 	int error = 0;
-	int i, k;
 
 	if (out->path != MODEL_ROTATION ||
 		out->interpolation == MODEL_CUBICSPLINE) {
 		return 0;
 	}
-	for (i = 0; i < out->key_count && !error; i++) {
+	for (int i = 0; i < out->key_count && !error; i++) {
 		float *key = value + (size_t)i * 4;
-		float length2 = 0;
+		float length2 = key[0] * key[0] + key[1] * key[1] +
+			key[2] * key[2] + key[3] * key[3];
 
-		for (k = 0; k < 4; k++) {
-			length2 += key[k] * key[k];
-		}
 		if (!are_floats || !(length2 > 0.98f && length2 < 1.02f)) {
 			error = gltf_normalize_rotation(at, key);
 		}

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static void expect_separated(
@@ -113,25 +114,53 @@ static void test_a_clip_jumps_where_two_keys_have_one_time(void **state)
 	model_destroy(model);
 }
 
-/* The times 1 and 0. */
-static void test_refuses_a_time_that_goes_back(void **state)
+/* Loads a clip of one channel with two key times, in base64. */
+static int load_times(
+	const char *times, struct log_capture *heard, struct model **model)
 {
-	static const char text[] =
+	char text[600];
+
+	snprintf(text, sizeof(text),
 		"{'asset':{'version':'2.0'},'nodes':[{}],'buffers':[{'uri':"
-		"'data:;base64,AACAPwAAAAA=','byteLength':8}],"
+		"'data:;base64,%s','byteLength':8}],"
 		"'bufferViews':[{'buffer':0,'byteLength':8}],'accessors':[{"
 		"'bufferView':0,'componentType':5126,'count':2,'type':"
 		"'SCALAR'},{'componentType':5126,'count':2,'type':'VEC3'}],"
 		"'animations':[{'samplers':[{'input':0,'output':1}],"
 		"'channels':[{'sampler':0,'target':{'node':0,'path':"
-		"'scale'}}]}]}";
+		"'scale'}}]}]}",
+		times);
+	*model = NULL;
+	return model_from_text(text, heard, model);
+}
+
+/* The times 1 and 0. */
+static void test_refuses_a_time_that_goes_back(void **state)
+{
 	struct log_capture heard;
-	struct model *model = NULL;
+	struct model *model;
 
 	(void)state;
-	assert_int_equal(model_from_text(text, &heard, &model), -EINVAL);
+	assert_int_equal(load_times("AACAPwAAAAA=", &heard, &model), -EINVAL);
 	assert_contains(heard.sentence[0],
 		"/animations/0/samplers/0/input: key 1 at 0 s is earlier than key 0 at 1 s");
+}
+
+/* The times -1 and 1, and 0 and 1. */
+static void test_tells_of_keys_before_the_start(void **state)
+{
+	struct log_capture heard;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(load_times("AACAvwAAgD8=", &heard, &model), 0);
+	assert_int_equal(heard.count, 1);
+	assert_contains(heard.sentence[0],
+		"/animations/0/samplers/0/input: no player shows keys before 0 s, and the first is at -1 s: ");
+	model_destroy(model);
+	assert_int_equal(load_times("AAAAAAAAgD8=", &heard, &model), 0);
+	assert_int_equal(heard.count, 0);
+	model_destroy(model);
 }
 
 int main(void)
@@ -142,6 +171,7 @@ int main(void)
 		cmocka_unit_test(test_names_a_time_that_goes_back),
 		cmocka_unit_test(test_a_clip_jumps_where_two_keys_have_one_time),
 		cmocka_unit_test(test_refuses_a_time_that_goes_back),
+		cmocka_unit_test(test_tells_of_keys_before_the_start),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

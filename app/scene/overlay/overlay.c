@@ -1,5 +1,7 @@
 #include "app/scene/overlay/overlay.h"
 
+#include "platform/base/name_list.h"
+
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -137,6 +139,7 @@ static void choose_most_shared(struct overlay *overlay)
 
 static int choose_named(struct overlay *overlay, const char *name)
 {
+	struct name_list names = {""};
 	int count = item_count(overlay);
 
 	for (int item = 0; item < count; item++) {
@@ -145,11 +148,15 @@ static int choose_named(struct overlay *overlay, const char *name)
 			overlay->chosen = item;
 			return 0;
 		}
+		if (can_choose(overlay, item) && name_of(overlay, item)[0]) {
+			name_list_add(&names, name_of(overlay, item));
+		}
 	}
 	log_error(&overlay->log,
-		"--show weights:%s: %s has no %s of that name: limber info lists what it has",
-		name, overlay->subject.instance->model->path,
-		overlay->chooses_target ? "morph target" : "joint or part");
+		"--show weights:%s: %s has no %s of that name: %s%s", name,
+		overlay->subject.instance->model->path,
+		overlay->chooses_target ? "morph target" : "joint or part",
+		names.text[0] ? "give one of " : "none has a name", names.text);
 	return -EINVAL;
 }
 

@@ -354,7 +354,8 @@ static void test_a_joint_that_the_model_lacks_is_named(void **state)
 		-EINVAL);
 	assert_null(other);
 	assert_int_equal(logged.count, 1);
-	assert_contains(logged.sentence[0], "has no joint or part of that name");
+	assert_contains(logged.sentence[0],
+		"has no joint or part of that name: give one of hips, ");
 	demo_run_end(&run);
 }
 

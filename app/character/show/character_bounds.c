@@ -214,6 +214,37 @@ static void add_reached(
 	add_box(bounds, &now, &bounds->extra);
 }
 
+static bool has_entry(const struct character_entry *entry, int count,
+	const struct model_clip *clip)
+{
+	for (int i = 0; i < count; i++) {
+		if (entry[i].of->clip == clip) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static bool plays(
+	const struct character *character, const struct model_clip *clip)
+{
+	const struct character_machine *machine = &character->machine;
+
+	for (int i = 0; i < machine->state_count; i++) {
+		const struct character_state *state = &machine->state[i];
+
+		if (has_entry(state->entry, state->entry_count, clip)) {
+			return true;
+		}
+	}
+	for (int i = 0; i < character->layer_count; i++) {
+		if (has_entry(&character->layer[i].entry, 1, clip)) {
+			return true;
+		}
+	}
+	return false;
+}
+
 /* A walk that stays in its place, because the ground moves, is not followed. */
 int character_bounds_init(
 	struct character_bounds *bounds, const struct character *character)
@@ -226,9 +257,11 @@ int character_bounds_init(
 		ARENA_ARRAY(&instance->arena, struct bounds, (size_t)count);
 	bounds->ball = ARENA_ARRAY(&instance->arena, struct bounds,
 		(size_t)character->target_count);
+	bounds->is_played = ARENA_ARRAY(&instance->arena, bool, (size_t)count);
 	bounds->follow = ARENA_ARRAY(
 		&instance->arena, struct character_follow, (size_t)count);
-	if (!bounds->clip || !bounds->ball || !bounds->follow) {
+	if (!bounds->clip || !bounds->ball || !bounds->is_played ||
+		!bounds->follow) {
 		return -ENOMEM;
 	}
 	bounds->followed = -1;
@@ -247,6 +280,8 @@ int character_bounds_init(
 	}
 	bounds->all = bounds->rest;
 	for (int i = 0; i < count; i++) {
+		bounds->is_played[i] =
+			plays(character, &instance->model->clip[i]);
 		bounds_join(&bounds->all, &bounds->clip[i]);
 	}
 	bounds_join(&bounds->all, &bounds->extra);
@@ -257,9 +292,10 @@ int character_bounds_init(
 	return character->part_count > 0 ? find_outermost(bounds, instance) : 0;
 }
 
+/* Of a clip that is not played, above everything. */
 static float clip_low(const struct character_bounds *bounds, int clip)
 {
-	return bounds->clip[clip].low[1];
+	return bounds->is_played[clip] ? bounds->clip[clip].low[1] : BOUNDS_MAX;
 }
 
 /*
@@ -280,15 +316,14 @@ static float count_standing(
 float character_bounds_ground(
 	const struct character_bounds *bounds, int clip_count)
 {
-	float lowest, ground, most = 0.0f;
+	float lowest = BOUNDS_MAX, ground, most = 0.0f;
 
-	if (clip_count == 0) {
-		return bounds->all.low[1];
-	}
-	lowest = clip_low(bounds, 0);
-	for (int i = 1; i < clip_count; i++) {
+	for (int i = 0; i < clip_count; i++) {
 		lowest = clip_low(bounds, i) < lowest ? clip_low(bounds, i)
 						      : lowest;
+	}
+	if (lowest == BOUNDS_MAX) {
+		return clip_count > 0 ? bounds->rest.low[1] : bounds->all.low[1];
 	}
 	ground = lowest;
 	for (int i = 0; i < clip_count; i++) {

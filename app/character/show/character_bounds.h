@@ -19,6 +19,7 @@ struct character_bounds {
 	 * each target's ball may be (or empty). In the instance's arena.
 	 */
 	struct bounds rest, *clip, *ball;
+	bool *is_played; /* [clip_count]: whether a state or a layer plays it */
 	struct character_follow *follow; /* [clip_count] */
 	int followed; /* the clip that the camera follows now; -1: none */
 	float way[3]; /* how far the followed node is from its start */
@@ -52,7 +53,7 @@ struct bounds character_bounds_now(struct character_bounds *bounds,
 	const struct character *character, float moved[3]);
 
 /*
- * Returns the height of the ground: the height on which most clips stand. A
+ * Returns the height of the ground: that on which most played clips stand. A
  * clip that sinks a little lower, such as a figure that falls, does not let the
  * others hover; but the ground is never so high that it hides a clip that goes
  * deeper.

@@ -382,6 +382,29 @@ static void test_a_blend_with_a_far_clip_is_followed(void **state)
 	acting_end(&acting);
 }
 
+/* What only sways has no ground far below, for another clip, which sinks. */
+static void test_only_clips_that_are_played_decide_about_the_ground(void **state)
+{
+	static const float sinks[][3] = {{0, 0, 0}, {0, -5, 0}};
+	struct character_bounds bounds;
+	struct acting acting;
+
+	(void)state;
+	load(&acting);
+	set_way(&acting, CLIMB, sinks);
+	measure(&acting, &bounds, "[state a]\nclip = sway\n");
+	assert_near(character_bounds_ground(&bounds, 4), 0, 0);
+	measure(&acting, &bounds, "[state a]\nclip = rest\n");
+	assert_near(character_bounds_ground(&bounds, 4), 0, 0);
+	measure(&acting, &bounds,
+		"[state a]\nclip = sway\n[state b]\nclip = climb\n");
+	assert_near(character_bounds_ground(&bounds, 4), unit * -5, 1e-5);
+	measure(&acting, &bounds,
+		"[state a]\nclip = sway\n[layer b]\nclip = climb\n");
+	assert_near(character_bounds_ground(&bounds, 4), unit * -5, 1e-5);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -401,6 +424,8 @@ int main(void)
 		cmocka_unit_test(test_the_box_goes_with_a_clip_that_goes_far),
 		cmocka_unit_test(test_a_clip_that_stays_ends_the_following),
 		cmocka_unit_test(test_a_blend_with_a_far_clip_is_followed),
+		cmocka_unit_test(
+			test_only_clips_that_are_played_decide_about_the_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,18 +2,28 @@
 #include "app/character/show/character_bounds.h"
 #include "tests/support/test.h"
 
-static float ground_of(float rest, const float *low, int count)
+/* The ground of clips of which those from `unplayed` on are not played. */
+static float ground_of_played(
+	float rest, const float *low, int count, int unplayed)
 {
 	struct bounds clip[4];
-	struct character_bounds bounds = {.clip = clip, .extent = 2.0f};
+	bool is_played[4];
+	struct character_bounds bounds = {
+		.clip = clip, .is_played = is_played, .extent = 2.0f};
 
 	bounds.rest = bounds.all =
 		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
 	for (int i = 0; i < count; i++) {
 		clip[i] = bounds.rest;
 		clip[i].low[1] = low[i];
+		is_played[i] = i < unplayed;
 	}
 	return character_bounds_ground(&bounds, count);
+}
+
+static float ground_of(float rest, const float *low, int count)
+{
+	return ground_of_played(rest, low, count, count);
 }
 
 static void test_the_ground_is_where_most_clips_stand(void **state)
@@ -55,6 +65,15 @@ static void test_a_clip_far_below_the_others_is_not_hidden(void **state)
 		ground_of(-0.1f, (float[]){-0.31f, -0.1f, 0, 0}, 4), -0.1f, 0);
 }
 
+/* Else a figure that walks would hover, as the model has a clip that falls. */
+static void test_a_clip_that_nothing_plays_does_not_count(void **state)
+{
+	(void)state;
+	assert_near(ground_of_played(0, (float[]){0, 0, -5}, 3, 2), 0, 0);
+	assert_near(ground_of_played(0, (float[]){0.1f, 0, 0}, 3, 1), 0.1f, 0);
+	assert_near(ground_of_played(0.5f, (float[]){0, -5}, 2, 0), 0.5f, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -62,6 +81,7 @@ int main(void)
 		cmocka_unit_test(
 			test_clips_that_stand_within_a_little_share_a_ground),
 		cmocka_unit_test(test_a_clip_far_below_the_others_is_not_hidden),
+		cmocka_unit_test(test_a_clip_that_nothing_plays_does_not_count),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

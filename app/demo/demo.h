@@ -101,6 +101,12 @@ struct demo_driver {
 	/* Returns the seconds after which an unattended run repeats. */
 	double (*period_s)(const struct demo *demo);
 
+	/*
+	 * Returns the seconds after which each period of an unattended run is
+	 * like the one before. Without this function, the first one is.
+	 */
+	double (*settled_s)(const struct demo *demo);
+
 	/* Adds labels for the technique, clip, time, weight and so on. */
 	void (*label)(const struct demo *demo, struct hud *hud);
 

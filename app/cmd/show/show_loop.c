@@ -25,12 +25,11 @@ static void feed_watchdog(struct show *show)
 }
 
 /* Updates the demo without drawing, up to begin_s. */
-static void skip_to_begin(struct show *show)
+static void skip_to(struct show *show, double begin_s)
 {
 	double step_s = 1.0 / (show->clock.fixed ? show->clock.rate_hz : 60.0);
 
-	for (double at = 0.0; at < show->plan->begin_s && !show->closed;
-		at += step_s) {
+	for (double at = 0.0; at < begin_s && !show->closed; at += step_s) {
 		show->closed = stop_requested();
 		feed_watchdog(show);
 		show_input_poll_buttons(show, (int64_t)(at * 1000.0));
@@ -136,8 +135,22 @@ static int choose_frames(struct show *show)
 	return 0;
 }
 
+/*
+ * Returns when the first frame is. A film of one period, which will be shown
+ * again and again, begins where the next one would be the same.
+ */
+static double choose_begin(const struct show *show)
+{
+	const struct show_plan *plan = show->plan;
+	bool whole = plan->frames < 0 && plan->unattended && plan->begin_s <= 0;
+
+	return whole && plan->demo->settled_s ? plan->demo->settled_s(show->demo)
+					      : plan->begin_s;
+}
+
 int show_loop_run(struct show *show)
 {
+	double begin_s = choose_begin(show);
 	struct progress progress;
 	int error = 0;
 
@@ -147,9 +160,9 @@ int show_loop_run(struct show *show)
 	if (error) {
 		return error;
 	}
-	skip_to_begin(show);
+	skip_to(show, begin_s);
 	/* Loading has taken time, which the first frame must not show. */
-	clock_begin(&show->clock, show->plan->begin_s);
+	clock_begin(&show->clock, begin_s);
 	show->pace = show->clock.fixed
 		? pace_none()
 		: pace_begin(show->options->show.fps, show->screen.info.rate_hz);

@@ -352,6 +352,23 @@ static double viewer_period_s(const struct demo *demo)
 					     : clip_period_s(character);
 }
 
+/*
+ * The first round of a clip holds the pose of a first key that comes late;
+ * later rounds begin there (clip_round_time()).
+ */
+static double viewer_settled_s(const struct demo *demo)
+{
+	const struct character *character = demo->figure->character;
+	const struct character_machine *machine = &character->machine;
+	const struct character_state *state = &machine->state[machine->current];
+	const struct model_clip *clip =
+		character_machine_entry(character)->of->clip;
+	bool changes = character->scene.tour_s <= 0.0 &&
+		state->repeat == CLIP_LOOP && clip && clip->lead_s > 0.0f;
+
+	return changes ? clip_period_s(character) : 0.0;
+}
+
 static void viewer_label(const struct demo *demo, struct hud *hud)
 {
 	struct hud_group group;
@@ -387,7 +404,8 @@ static void viewer_print_buttons(const struct demo *demo, FILE *out)
 	.finish = viewer_finish, .press = viewer_press,                 \
 	.print_buttons = viewer_print_buttons, .update = viewer_update, \
 	.draw = viewer_draw, .period_s = viewer_period_s,               \
-	.label = viewer_label, .get_motion = viewer_get_motion
+	.settled_s = viewer_settled_s, .label = viewer_label,           \
+	.get_motion = viewer_get_motion
 
 const struct demo_driver demo_driver_viewer = {
 	.name = "viewer",

@@ -383,6 +383,35 @@ static void test_labels_stay_hidden_when_the_file_changes(void **state)
 	end(&bench);
 }
 
+/* Blender's clips hold a pose until frame 1, but in the first round only. */
+static void test_a_clip_that_begins_late_settles_after_a_round(void **state)
+{
+	static const struct {
+		const char *model, *character;
+		double settled_s;
+	} runs[] = {{"tests/fixtures/gltf/clip/frame_one.gltf",
+			    "[state a]\nclip = go\n", 1.0},
+		{"tests/fixtures/gltf/clip/frame_one.gltf",
+			"[state a]\nclip = go\nrate = 4\n", 0.25},
+		{"tests/fixtures/gltf/clip/frame_one.gltf",
+			"[state a]\nclip = go\nrepeat = ping-pong\n", 0.0},
+		{"tests/fixtures/gltf/clip/frame_one.gltf",
+			"[state a]\nclip = go\n[scene]\nperiod = 7\n", 0.0},
+		{"tests/fixtures/gltf/clip/frame_one.gltf",
+			"[state a]\nclip = rest\n", 0.0},
+		{"assets/walker.glb", "[state a]\nclip = walk\n", 0.0}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(runs); i++) {
+		struct bench bench;
+
+		begin_model(&bench, runs[i].model, runs[i].character);
+		assert_near(demo_driver_viewer.settled_s(bench.demo),
+			runs[i].settled_s, 1e-6);
+		end(&bench);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -397,6 +426,8 @@ int main(void)
 		cmocka_unit_test(test_a_changed_scene_is_framed_anew),
 		cmocka_unit_test(test_each_change_of_the_scene_frames_it_anew),
 		cmocka_unit_test(test_labels_stay_hidden_when_the_file_changes),
+		cmocka_unit_test(
+			test_a_clip_that_begins_late_settles_after_a_round),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

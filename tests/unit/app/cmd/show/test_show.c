@@ -198,6 +198,29 @@ static void test_a_period_is_a_whole_number_of_frames(void **state)
 	}
 }
 
+/* Updates without a picture up to the begin, and then those of the frames. */
+static void test_a_whole_period_begins_where_it_repeats(void **state)
+{
+	static const struct {
+		int frames, updates;
+		bool unattended;
+		double begin_s;
+	} cases[] = {{-1, 4, true, 0.0}, {-1, 3, true, 0.1}, {3, 3, true, 0.0},
+		{-1, 2, false, 0.0}};
+	struct run *run = *state;
+
+	run->demo.settled_s = noted_period_s;
+	noted.period_s = 0.2;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		noted.updates = 0;
+		run->plan.frames = cases[i].frames;
+		run->plan.unattended = cases[i].unattended;
+		run->plan.begin_s = cases[i].begin_s;
+		assert_int_equal(shown(run), EXIT_OK);
+		check_updates((double[]){0.0, 0.1, 0.2, 0.3}, cases[i].updates);
+	}
+}
+
 /* The script's presses before the begin reach the demo, too. */
 static void press_by_script(struct run *run)
 {
@@ -478,6 +501,7 @@ int main(void)
 		SHOW_TEST(test_the_real_clock_skips_to_the_begin_at_60_hz),
 		SHOW_TEST(test_nothing_is_skipped_at_the_begin),
 		SHOW_TEST(test_a_period_is_a_whole_number_of_frames),
+		SHOW_TEST(test_a_whole_period_begins_where_it_repeats),
 		SHOW_TEST(test_a_script_presses_buttons_from_the_first_update_on),
 		SHOW_TEST(test_a_button_has_the_action_of_another_or_none),
 		SHOW_TEST(test_events_are_recorded_as_a_script),

@@ -1,5 +1,6 @@
 #include "app/character/text/ini_lines.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 /* Returns NULL or why the line is not valid. */
@@ -22,6 +23,13 @@ static const char *find_mistake(const char *line, const char *separators)
 		: "a section ends with its ]: begin a line below, or a comment with ;";
 }
 
+/* Whether a file begins as editors of Windows may save it. */
+static bool is_utf_16(const char *line)
+{
+	return strncmp(line, "\xFF\xFE", 2) == 0 ||
+		strncmp(line, "\xFE\xFF", 2) == 0;
+}
+
 char *ini_lines_next(struct ini_lines *lines, char *line, int size)
 {
 	const char *mistake;
@@ -32,6 +40,11 @@ char *ini_lines_next(struct ini_lines *lines, char *line, int size)
 		return NULL;
 	}
 	lines->number++;
+	if (lines->number == 1 && is_utf_16(line)) {
+		snprintf(lines->refusal, sizeof(lines->refusal),
+			"this text is in UTF-16: save the file as UTF-8");
+		return NULL;
+	}
 	length = strlen(line);
 	/* A line with zero bytes seems to have no end, too. */
 	if ((length == 0 || line[length - 1] != '\n') && !feof(lines->file)) {

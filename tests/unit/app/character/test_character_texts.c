@@ -180,6 +180,24 @@ static void test_texts_of_all_editors_are_read(void **state)
 	acting_end(&acting);
 }
 
+static void test_a_text_in_utf_16_is_named(void **state)
+{
+	static const char *const texts[] = {"\xFF\xFE[", "\xFE\xFF"};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(texts); i++) {
+		acting_read(&acting, texts[i]);
+		assert_int_not_equal(acting.error, 0);
+		assert_int_equal(
+			log_capture_count(&acting.logged, LOG_ERROR), 1);
+		assert_contains(acting.logged.sentence[0],
+			"test.character:1: this text is in UTF-16: save the file as UTF-8");
+	}
+	acting_end(&acting);
+}
+
 /* Reads a state, a comment of so many letters, and what is wrong below it. */
 static void read_comment(struct acting *acting, int letters, const char *end)
 {
@@ -244,6 +262,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_line_replaces_the_whole_line_of_an_included_file),
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
+		cmocka_unit_test(test_a_text_in_utf_16_is_named),
 		cmocka_unit_test(test_a_line_has_at_most_198_characters),
 		cmocka_unit_test(test_a_file_has_at_most_8000_lines),
 	};

@@ -72,6 +72,24 @@ static int32_t load_value(const struct element *from, int i, float scale)
 	}
 }
 
+/* The largest magnitude of count elements of GL_FIXED, or a bit more. */
+static uint32_t find_largest_fixed(
+	const struct array *array, uint32_t first, uint32_t count)
+{
+	uint32_t most = 0;
+
+	for (uint32_t i = 0; i < count; i++) {
+		const uint8_t *at = element_at(array, first + i);
+
+		for (int j = 0; j < array->size && j < 3; j++) {
+			int32_t value = (int32_t)load_32(at + 4 * j);
+
+			most |= (uint32_t)(value ^ value >> 31);
+		}
+	}
+	return most;
+}
+
 int soft_array_position_exponent(
 	const struct array *array, uint32_t first, uint32_t count)
 {
@@ -80,6 +98,10 @@ int soft_array_position_exponent(
 	bool aligned = ((uintptr_t)at | (uintptr_t)stride_bytes) % 4 == 0;
 	uint32_t most;
 
+	if (array->type == GL_FIXED) {
+		most = find_largest_fixed(array, first, count);
+		return 15 - LEADING_ZEROS_32(most | 1);
+	}
 	if (array->type != GL_FLOAT) {
 		return array->type == GL_BYTE ? 7 : 15;
 	}
@@ -107,11 +129,10 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 	for (int i = 0; i < 3 && i < array->size; i++) {
 		int32_t value = load_value(&from, i, draw->view.scale);
 
-		/* Bytes become 2^29, 16.16 loses two bits; floats may be larger. */
-		out[i] = from.type == GL_BYTE ? value * (1 << 6)
-			: from.type == GL_FLOAT
+		/* Floats may be larger; the others, as 16.16, are not. */
+		out[i] = from.type == GL_FLOAT
 			? clamp_int(value, -(1 << 30), 1 << 30)
-			: value >> 2;
+			: shift_by(value, draw->position_q - 16);
 	}
 }
 

@@ -241,8 +241,8 @@ void soft_gl_DrawElements(
 		!may_draw(mode, count)) {
 		return;
 	}
-	/* Only floats need the range of indices: it decides their scale. */
-	if (soft->arrays.vertex.type == GL_FLOAT) {
+	/* The range of indices decides the scale of numbers with fractions. */
+	if (IS_ONE_OF(soft->arrays.vertex.type, GL_FLOAT, GL_FIXED)) {
 		for (uint32_t i = 0; i < source.count; i++) {
 			uint32_t index = index_at(&source, i);
 

@@ -24,10 +24,7 @@ static void prepare_positions(const struct soft *soft, struct draw *draw,
 
 	draw->checked = exponent > EXPONENT_MOST;
 	exponent = clamp_int(exponent, EXPONENT_LEAST, EXPONENT_MOST);
-	/* |position| < 2^30; integers have a fixed scale: soft_array_position() */
-	draw->position_q = array->type == GL_BYTE ? 22
-		: array->type == GL_FLOAT         ? 29 - exponent
-						  : 14;
+	draw->position_q = 29 - exponent; /* |position| < 2^30 */
 	view->scale = soft_matrix_power_of_two(draw->position_q);
 	aligned = ((uintptr_t)array->pointer | (uintptr_t)array->stride_bytes) %
 			4 ==

@@ -1,6 +1,7 @@
 /* Array types, strides and primitives; the same as osmesa where it opens. */
 #include "platform/base/fixed.h"
 #include "tests/support/gl/gl_expect.h"
+#include "tests/support/random.h"
 
 #include <math.h>
 #include <string.h>
@@ -103,6 +104,39 @@ static void test_positions_of_each_type_and_stride(void **state)
 		gl_expect_color(&canvas, c->name, 18, 13, (double[]){1, 1, 1});
 		gl_expect_color(&canvas, c->name, 13, 10, (double[]){0, 0, 0});
 		gl_canvas_end_and_close(&canvas);
+	}
+}
+
+/* Draws triangles of numbers that fixed point and floats have exactly. */
+static struct gl_canvas draw_small(GLenum type, int units, uint32_t seed)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGBA8888);
+	const GLfixed scale = 65536 / units * ONE;
+	uint8_t data[18 * 4];
+
+	for (int i = 0; i < 18; i++) {
+		put(data + 4 * i, type, random_within(&seed, units) / 65536.0);
+	}
+	canvas.gl->Scalex(scale, scale, 0);
+	canvas.gl->EnableClientState(GL_VERTEX_ARRAY);
+	canvas.gl->VertexPointer(3, type, 0, data);
+	canvas.gl->DrawArrays(GL_TRIANGLES, 0, 6);
+	gl_canvas_end_frame(&canvas);
+	return canvas;
+}
+
+static void test_small_fixed_positions_are_as_exact_as_floats(void **state)
+{
+	(void)state;
+	for (uint32_t i = 0; i < 100; i++) {
+		const int units = 8 << i % 12;
+		struct gl_canvas own = draw_small(GL_FIXED, units, i);
+		struct gl_canvas other = draw_small(GL_FLOAT, units, i);
+
+		assert_memory_equal(own.pixels.data, other.pixels.data,
+			(size_t)own.pixels.stride_bytes * GL_CANVAS_HEIGHT);
+		gl_canvas_close(&other);
+		gl_canvas_close(&own);
 	}
 }
 
@@ -294,6 +328,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_positions_of_each_type_and_stride),
+		cmocka_unit_test(
+			test_small_fixed_positions_are_as_exact_as_floats),
 		cmocka_unit_test(test_normals_of_each_type_and_stride),
 		cmocka_unit_test(test_colours_of_each_type_and_stride),
 		cmocka_unit_test(

@@ -1,12 +1,12 @@
 /* Elements of vertex arrays as fixed point. */
 #include <string.h>
 
-#include "platform/base/scalar.h"
 #include "platform/gl/soft/raster/pixel.h"
+#include "platform/gl/soft/state/matrix.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
-static const float two_16 = 65536.0f, two_30 = 1073741824.0f;
+static const float two_16 = 65536.0f, two_28 = 268435456.0f;
 
 /* An element of an array, or the current value if the array is disabled. */
 struct element {
@@ -28,47 +28,52 @@ static struct element find_element(
 	return (struct element){element_at(array, index), array->type};
 }
 
-static float load_float(const struct element *from, int i)
-{
-	float value;
-
-	memcpy(&value, from->at + 4 * i, sizeof(value));
-	return value;
-}
-
 /* value * scale as an integer; limited to 32 bits, and 0 for NaN. */
-static int32_t scale_float(float value, float scale)
+static ALWAYS_INLINE int32_t scale_float(float value, float scale)
 {
 	value *= scale;
-	if (value >= 2147483520.0f) {
-		return INT32_MAX;
+	if (value > -2147483520.0f && value < 2147483520.0f) {
+		return (int32_t)value;
 	}
-	if (value <= -2147483520.0f) {
-		return -INT32_MAX;
-	}
-	return value == value ? (int32_t)value : 0;
+	return value > 0.0f ? INT32_MAX : value < 0.0f ? -INT32_MAX : 0;
 }
 
 /*
- * The i-th value: floats times scale, the others as 16.16, of which unsigned
+ * Loads values: floats times scale, the others as 16.16, of which unsigned
  * bytes are 0 to 1.
  */
-static int32_t load_value(const struct element *from, int i, float scale)
+static void load_values(
+	const struct element *from, int count, float scale, int32_t *out)
 {
-	int16_t value;
+	const uint8_t *at = from->at;
+	int16_t half;
+	float value;
 
 	switch (from->type) {
 	case GL_FLOAT:
-		return scale_float(load_float(from, i), scale);
+		for (int i = 0; i < count; i++) {
+			memcpy(&value, at + 4 * i, sizeof(value));
+			out[i] = scale_float(value, scale);
+		}
+		break;
 	case GL_BYTE:
-		return (int8_t)from->at[i] * 65536;
+		for (int i = 0; i < count; i++) {
+			out[i] = (int8_t)at[i] * 65536;
+		}
+		break;
 	case GL_UNSIGNED_BYTE:
-		return from->at[i] * 257 + (from->at[i] >> 7);
+		for (int i = 0; i < count; i++) {
+			out[i] = at[i] * 257 + (at[i] >> 7);
+		}
+		break;
 	case GL_SHORT:
-		memcpy(&value, from->at + 2 * i, sizeof(value));
-		return value * 65536;
+		for (int i = 0; i < count; i++) {
+			memcpy(&half, at + 2 * i, sizeof(half));
+			out[i] = half * 65536;
+		}
+		break;
 	default:
-		return (int32_t)load_32(from->at + 4 * i);
+		memcpy(out, at, (size_t)count * sizeof(*out));
 	}
 }
 
@@ -126,55 +131,51 @@ void soft_array_position(const struct draw *draw, uint32_t index, int32_t out[3]
 		return;
 	}
 	out[2] = 0;
-	for (int i = 0; i < 3 && i < array->size; i++) {
-		int32_t value = load_value(&from, i, draw->view.scale);
-
+	load_values(&from, array->size < 3 ? array->size : 3, draw->view.scale,
+		out);
+	for (int i = 0; i < 3; i++) {
 		/* Floats may be larger; the others, as 16.16, are not. */
 		out[i] = from.type == GL_FLOAT
-			? clamp_int(value, -(1 << 30), 1 << 30)
-			: shift_by(value, draw->position_q - 16);
+			? clamp_int(out[i], -(1 << 30), 1 << 30)
+			: shift_by(out[i], draw->position_q - 16);
 	}
 }
 
-/* Scales a direction of any length: its largest component becomes 1/4, Q30. */
-static void load_any_length(const struct element *from, int32_t out[3])
+/* What makes the largest of three floats 2^27 to 2^28; 0 if it is infinite. */
+static float find_scale(const struct element *from)
 {
-	float n[3], most = 0.0f;
+	const int exponent = (int)(soft_largest_float(from->at, 0, 1, 3) >> 24);
 
-	for (int i = 0; i < 3; i++) {
-		n[i] = from->type == GL_FLOAT ? load_float(from, i)
-					      : (float)load_value(from, i, 1.0f);
-		most = scalar_abs(n[i]) > most ? scalar_abs(n[i]) : most;
-	}
-	for (int i = 0; i < 3; i++) {
-		/* Infinite components give NaN, which becomes 0. */
-		out[i] = scale_float(n[i] / most, two_30 / 4.0f);
-	}
+	return exponent == 255
+		? 0.0f
+		: soft_matrix_power_of_two(clamp_int(154 - exponent, -126, 127));
 }
 
-void soft_array_normal_q30(
+void soft_array_normal_q28(
 	const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	const struct arrays *arrays = &draw->soft->arrays;
 	const struct element from =
 		find_element(&arrays->normal, index, arrays->current_normal);
-	bool words = from.type == GL_FLOAT || from.type == GL_FIXED;
+	const bool any_length = draw->shading.normalize;
+	const float scale =
+		from.type == GL_FLOAT && any_length ? find_scale(&from) : two_28;
+	uint32_t sizes = 1;
+	int zeros;
 
-	/* Q30 has no room for components of 2 or more. */
-	if (draw->shading.normalize && words) {
-		load_any_length(&from, out);
-		return;
-	}
+	load_values(&from, 3, scale, out);
 	for (int i = 0; i < 3; i++) {
-		int32_t value = load_value(&from, i, two_30);
-
+		sizes |= (uint32_t)(out[i] ^ out[i] >> 31);
+	}
+	/* 16.16 becomes 2^27 to 2^28, or Q28, limited to below 8 */
+	zeros = any_length ? LEADING_ZEROS_32(sizes) - 4 : 12;
+	for (int i = 0; i < 3 && from.type != GL_FLOAT; i++) {
 		/* integers c mean (2 c + 1) / (2^bits - 1) */
-		out[i] = from.type == GL_FLOAT ? value
-			: from.type == GL_BYTE
-			? (2 * (value >> 16) + 1) * 4210752
-			: from.type == GL_SHORT
-			? (value >> 1) + 16384
-			: saturate_64((int64_t)value * 16384);
+		out[i] = from.type == GL_BYTE
+			? (2 * (out[i] >> 16) + 1) * 1052688
+			: from.type == GL_SHORT ? (out[i] >> 3) + 4096
+			: any_length            ? shift_by(out[i], zeros)
+				     : saturate_64((int64_t)out[i] * 4096);
 	}
 }
 
@@ -185,9 +186,7 @@ void soft_array_color_q16(
 	const struct element from =
 		find_element(&arrays->color, index, arrays->current_color);
 
-	for (int i = 0; i < 4; i++) {
-		out[i] = load_value(&from, i, two_16);
-	}
+	load_values(&from, 4, two_16, out);
 }
 
 void soft_array_texcoord_q16(
@@ -197,7 +196,5 @@ void soft_array_texcoord_q16(
 	const struct element from =
 		find_element(draw->texture[unit].array, index, nothing);
 
-	for (int i = 0; i < 2; i++) {
-		out[i] = load_value(&from, i, two_16);
-	}
+	load_values(&from, 2, two_16, out);
 }

@@ -229,8 +229,9 @@ struct draw {
 	struct fast_setup fast_setup;
 	struct soft *soft;
 	void (*fill_band)(void *band); /* soft_fill_textured()'s */
-	int32_t eye_q16[3][4];
-	int position_q;
+	/* eye coordinates of positions, eye_q fraction bits, below 2^28 */
+	int32_t eye[3][4];
+	int eye_q, position_q;
 	bool checked; /* positions may be out of range: each is checked */
 	struct clip_box box;
 	bool same_stride; /* depth and picture have the same stride in bytes */
@@ -316,6 +317,11 @@ void soft_transform_c(
 void soft_project(const struct draw *draw, struct vertex *vertex);
 /* light.c: computes the vertex's attributes, and back if two-sided. */
 void soft_shade_vertex(const struct draw *draw, struct vertex *vertex);
+/* light.c: 1 / (k[0] + k[1] d + k[2] d^2) at a distance d, 16.16, limited. */
+int32_t soft_light_fade(const int32_t k_q16[3], int32_t distance_q16);
+/* light.c: a share of light times a spot's factor towards a direction. */
+int32_t soft_light_spot(const struct light_source *light_source,
+	const int32_t towards_q30[3], int32_t share_q16);
 /* The same, unless the vertex is shaded or no attribute is interpolated. */
 static inline void soft_shade(const struct draw *draw, struct vertex *vertex)
 {
@@ -327,7 +333,8 @@ static inline void soft_shade(const struct draw *draw, struct vertex *vertex)
 /* array.c: an array's element, or the current value, in fixed point. */
 void soft_array_position(
 	const struct draw *draw, uint32_t index, int32_t out[3]);
-void soft_array_normal_q30(
+/* of any length if normalize is on: normals of one direction are alike then */
+void soft_array_normal_q28(
 	const struct draw *draw, uint32_t index, int32_t out[3]);
 void soft_array_color_q16(
 	const struct draw *draw, uint32_t index, int32_t out[4]);
@@ -340,9 +347,11 @@ int soft_array_position_exponent(
 /* shade.c: the colour without lighting; then fog and texture coordinates. */
 void soft_shade_color(const struct draw *draw, struct vertex *vertex);
 void soft_shade_rest(const struct draw *draw, struct vertex *vertex);
-/* shade.c: a vertex's position in eye space, 16.16, from coordinate first on. */
+/* shade.c: a vertex's position in eye space, draw->eye_q, from coordinate first on. */
 void soft_shade_find_eye(
 	const struct draw *draw, uint32_t index, int first, int32_t out[3]);
+/* shade.c: a distance of q fraction bits as 16.16, limited. */
+int32_t soft_shade_to_q16(int32_t distance, int q);
 
 /* clip.c: shades and cuts a triangle; fills what is inside. */
 void soft_clip_triangle(struct draw *draw, struct vertex *const v[3]);

@@ -77,11 +77,10 @@ static ALWAYS_INLINE int32_t take_float(float value)
 
 /* Adds specular light to shine, into out; returns out, or shine if it is 0. */
 static ALWAYS_INLINE const int32_t *add_highlight(
-	const struct light_source *light_source, struct triple n,
-	const int32_t *shine, int32_t *out)
+	const struct light_source *light_source, const int32_t half_q30[3],
+	struct triple n, const int32_t *shine, int32_t *out)
 {
-	int32_t above_q26 =
-		dot(light_source->half_q30, n) - light_source->least_q26;
+	int32_t above_q26 = dot(half_q30, n) - light_source->least_q26;
 	const struct spec_table_step *step;
 	int32_t place, share;
 
@@ -98,57 +97,62 @@ static ALWAYS_INLINE const int32_t *add_highlight(
 	return out;
 }
 
-/* Adds a directional light; returns as add_highlight() does. */
+/* Adds a light from a direction; returns as add_highlight() does. */
 static ALWAYS_INLINE const int32_t *add_light(
-	const struct light_source *light_source, struct triple n,
-	struct triple *dull, const int32_t *shine, int32_t *out)
+	const struct light_source *light_source, const int32_t towards_q30[3],
+	const int32_t half_q30[3], struct triple n, struct triple *dull,
+	const int32_t *shine, int32_t *out)
 {
-	int32_t towards_q26 = dot(light_source->towards_q30, n);
+	int32_t towards_q26 = dot(towards_q30, n);
 
 	if (towards_q26 <= 0) {
 		return shine;
 	}
 	add_scaled(dull, towards_q26, light_source->diffuse_q30);
-	return light_source->step ? add_highlight(light_source, n, shine, out)
-				  : shine;
+	return light_source->step
+		? add_highlight(light_source, half_q30, n, shine, out)
+		: shine;
 }
 
-/* Lights a side whose colour is four bytes, red in the lowest one. */
-static ALWAYS_INLINE void light_side(const struct shading *shading,
-	struct triple n, uint32_t color, int32_t out[4])
+/* Whether a normal's length is such that it can be lit as it is. */
+static ALWAYS_INLINE bool is_in_range(
+	const struct shading *shading, struct triple n)
 {
-	struct triple dull = load_triple(shading->ambient_q24);
-	const int32_t *shine = shading->emission_q16;
-	uint32_t red_blue, green_alpha;
+	int32_t square = mul_high(n.x, n.x);
 
-	for (const struct light_source *light_source = shading->light_source;
-		light_source != shading->end; light_source++) {
-		shine = add_light(light_source, n, &dull, shine, out);
-	}
-	red_blue = BYTES_AS_HALVES(color);
-	green_alpha = ODD_BYTES_AS_HALVES(color);
-	out[0] = to_attribute(MULTIPLY_ADD_HALF(shine[0], dull.x, red_blue));
-	out[1] = to_attribute(MULTIPLY_ADD_HALF(shine[1], dull.y, green_alpha));
-	out[2] = to_attribute(
-		MULTIPLY_ADD_HALF(shine[2], dull.z, red_blue >> 16));
-	out[3] = 128 + (int32_t)(green_alpha >> 16 << 8);
-}
-
-/* Loads a normal of floats in Q28; false if its length is out of range. */
-static ALWAYS_INLINE bool take_floats(
-	const struct shading *shading, const float f[3], struct triple *n)
-{
-	int32_t square;
-
-	*n = (struct triple){
-		take_float(f[0]), take_float(f[1]), take_float(f[2])};
-	square = mul_high(n->x, n->x);
-	square = mul_high_add(square, n->y, n->y);
-	square = mul_high_add(square, n->z, n->z);
+	square = mul_high_add(square, n.y, n.y);
+	square = mul_high_add(square, n.z, n.z);
 	return (uint32_t)square - shading->square_least < shading->square_range;
 }
 
-/* Lights a side in 32 bits; false if the normal is a float out of range. */
+/* Loads a normal of floats in Q28; false unless it is_in_range(). */
+static ALWAYS_INLINE bool take_floats(
+	const struct shading *shading, const float f[3], struct triple *n)
+{
+	*n = (struct triple){
+		take_float(f[0]), take_float(f[1]), take_float(f[2])};
+	return is_in_range(shading, *n);
+}
+
+/* Adds the lights from directions before end; returns as add_highlight() does. */
+static ALWAYS_INLINE const int32_t *add_lights(const struct shading *shading,
+	const struct light_source *end, struct triple n, struct triple *dull,
+	int32_t *out)
+{
+	const int32_t *shine = shading->emission_q16;
+
+	for (const struct light_source *light_source = shading->light_source;
+		light_source != end; light_source++) {
+		shine = add_light(light_source, light_source->towards_q30,
+			light_source->half_q30, n, dull, shine, out);
+	}
+	return shine;
+}
+
+/*
+ * Lights a side by directional lights, if the colour is four bytes and arrays
+ * of normals need no conversion; false if the normal is a float out of range.
+ */
 static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 	uint32_t index, bool back, int32_t out[4])
 {
@@ -156,8 +160,9 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 		shading->normals + index * (size_t)shading->normal_stride;
 	const uint8_t *color =
 		shading->colors + index * (size_t)shading->color_stride;
-	uint32_t bytes;
-	struct triple n;
+	struct triple dull = load_triple(shading->ambient_q24), n;
+	const int32_t *shine;
+	uint32_t bytes, red_blue, green_alpha;
 
 	/* loaded early: the cache fetches it while the normal is normalized */
 	memcpy(&bytes, color, sizeof(bytes));
@@ -171,32 +176,45 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 	if (back) {
 		n = (struct triple){-n.x, -n.y, -n.z};
 	}
-	light_side(shading, n, bytes, out);
+	shine = add_lights(shading, shading->end, n, &dull, out);
+	red_blue = BYTES_AS_HALVES(bytes);
+	green_alpha = ODD_BYTES_AS_HALVES(bytes);
+	out[0] = to_attribute(MULTIPLY_ADD_HALF(shine[0], dull.x, red_blue));
+	out[1] = to_attribute(MULTIPLY_ADD_HALF(shine[1], dull.y, green_alpha));
+	out[2] = to_attribute(
+		MULTIPLY_ADD_HALF(shine[2], dull.z, red_blue >> 16));
+	out[3] = 128 + (int32_t)(green_alpha >> 16 << 8);
 	return true;
 }
 
-/* Returns a vector's length, 16.16, and normalizes the vector to Q30. */
-static int32_t take_length(int32_t v[3])
+/* Normalizes a vector below 2^30 to Q30; returns its length. */
+static NEVER_INLINE int32_t normalize(int32_t v[3])
 {
-	uint64_t square = 0; /* three squares of at most 2^62 fit */
-	struct root root;
-	int64_t length;
+	uint32_t most = 0, square, root;
+	int up, half;
 
 	for (int i = 0; i < 3; i++) {
-		square += (uint64_t)((int64_t)v[i] * v[i]);
+		most |= (uint32_t)(v[i] ^ v[i] >> 31);
 	}
-	if (square == 0) {
+	if (most == 0) {
 		return 0;
 	}
-	root = soft_reciprocal_root(square);
-	/* square / sqrt(square) */
-	length =
-		(int64_t)((square >> 16) * (uint64_t)(root.mantissa_q30 >> 14) >>
-			root.shift);
+	up = LEADING_ZEROS_32(most) - 2;
 	for (int i = 0; i < 3; i++) {
-		v[i] = (int32_t)((int64_t)v[i] * root.mantissa_q30 >> root.shift);
+		v[i] = (int32_t)((uint32_t)v[i] << up);
 	}
-	return saturate_64(length);
+	/* 2^26 to 3 * 2^28 */
+	square = (uint32_t)mul_high_add(
+		mul_high_add(mul_high(v[0], v[0]), v[1], v[1]), v[2], v[2]);
+	half = LEADING_ZEROS_32(square) / 2;
+	square <<= 2 * half;
+	root = reciprocal_root(square);
+	for (int i = 0; i < 3; i++) {
+		v[i] = mul_high((int32_t)((uint32_t)v[i] << 1),
+			       (int32_t)(root << 1)) *
+			(1 << half);
+	}
+	return (int32_t)(mul_high_unsigned(square, root) << (4 - half) >> up);
 }
 
 /* 1 / value, both 16.16. */
@@ -212,158 +230,182 @@ static int32_t invert_q16(int64_t value)
 		(62 - zeros > 31 ? 31 : 62 - zeros);
 }
 
-/* A positional light's attenuation and spotlight factor, 16.16. */
-static int32_t attenuate(const struct light_source *light_source,
-	int32_t distance_q16, const int32_t towards_q30[3])
+int32_t soft_light_fade(const int32_t k_q16[3], int32_t distance_q16)
 {
-	const int32_t *k = light_source->attenuation_q16;
 	int64_t d = distance_q16;
 	int64_t square = d * d >> 16;
-	/* square < 2^46 and k < 2^31: their product may need 77 bits. */
-	int64_t by = k[0] + (k[1] * d >> 16) +
-		(square >> 32 ? (square >> 16) * k[2] : square * k[2] >> 16);
-	int64_t share = invert_q16(by);
-	int64_t along = 0;
 
-	if (!light_source->spot) {
-		return (int32_t)share;
-	}
-	for (int i = 0; i < 3; i++) {
-		along -= (int64_t)towards_q30[i] *
-			light_source->direction_q28[i];
-	}
-	along >>= 30;
-	if (along < light_source->cutoff_q28) {
+	/* square < 2^46 and k < 2^31: their product may need 77 bits. */
+	return invert_q16(k_q16[0] + (k_q16[1] * d >> 16) +
+		(square >> 32 ? (square >> 16) * k_q16[2]
+			      : square * k_q16[2] >> 16));
+}
+
+int32_t soft_light_spot(const struct light_source *light_source,
+	const int32_t towards_q30[3], int32_t share_q16)
+{
+	const int32_t along_q26 =
+		-dot(towards_q30, load_triple(light_source->direction_q28));
+
+	if (along_q26 < light_source->cutoff_q26) {
 		return 0;
 	}
-	return (int32_t)(share *
+	return (int32_t)((int64_t)share_q16 *
 			soft_power_q28(
-				(int32_t)(along > 1 << 28 ? 1 << 28 : along),
-				light_source->exponent_q16) >>
+				along_q26 * 4, light_source->exponent_q16) >>
 		28);
 }
 
-/* Finds a positional light's directions from a vertex; returns attenuate(). */
-static int32_t meet(struct light_source *light_source, const int32_t eye_q16[3])
+/*
+ * Finds a positional light's directions from a vertex; returns its attenuation
+ * times its spotlight factor, 16.16.
+ */
+static int32_t meet(const struct light_source *light_source,
+	const int32_t eye[3], int32_t towards[3], int32_t half[3])
 {
-	int32_t *towards = light_source->towards_q30;
-	int32_t *half = light_source->half_q30;
-	int32_t distance;
+	int32_t share_q16 = light_source->share_q16, distance;
 
 	for (int i = 0; i < 3; i++) {
-		towards[i] = saturate_64(
-			(int64_t)light_source->position_q16[i] - eye_q16[i]);
+		towards[i] = light_source->position[i] -
+			(eye[i] >> light_source->eye_shift);
 	}
-	distance = take_length(towards);
-	for (int i = 0; i < 3; i++) {
-		half[i] = (towards[i] >> 2) + (i == 2 ? 1 << 28 : 0);
-	}
+	distance = normalize(towards);
 	if (light_source->step) { /* there are highlights */
-		take_length(half);
+		half[0] = towards[0] >> 2;
+		half[1] = towards[1] >> 2;
+		half[2] = (towards[2] >> 2) + (1 << 28);
+		normalize(half);
 	}
-	return attenuate(light_source, distance, towards);
+	if (light_source->fades) {
+		share_q16 = soft_light_fade(light_source->attenuation_q16,
+			soft_shade_to_q16(distance, light_source->position_q));
+	}
+	return light_source->spot
+		? soft_light_spot(light_source, towards, share_q16)
+		: share_q16;
 }
 
 /* Sums of light on a vertex, 16.16. */
 struct lit {
-	int32_t diffuse[3]; /* still to be multiplied by the vertex's colour */
-	int32_t specular[3];
+	int32_t dull[3]; /* still to be multiplied by the vertex's colour */
+	int32_t shine[3];
 };
 
-static void add_any_light(const struct light_source *light_source,
-	struct triple n, const int32_t eye[3], struct lit *lit)
+/* Sums lights up that have weights. A light adds less than 2^12, 16.16. */
+static NEVER_INLINE void add_weighted(const struct draw *draw, uint32_t index,
+	const struct light_source *from, const int32_t normal_q28[3],
+	struct lit *lit)
 {
-	const int32_t nothing[3] = {0, 0, 0}, *shine;
-	struct light_source here = *light_source;
-	int32_t share_q16 = 65536, added[3];
-	struct triple dull = load_triple(here.ambient_q24);
+	static const int32_t nothing[3];
+	const struct light_source *end = draw->shading.end;
+	int32_t eye[3], towards[3], half[3], added[3];
 
-	if (here.positional) {
-		share_q16 = meet(&here, eye);
+	*lit = (struct lit){{0}, {0}};
+	if (from == end) {
+		return;
 	}
-	shine = add_light(&here, n, &dull, nothing, added);
-	for (int i = 0; i < 3; i++) {
-		int32_t dull_q24 = i == 0 ? dull.x : i == 1 ? dull.y : dull.z;
+	if (draw->eye_needed) {
+		soft_shade_find_eye(draw, index, 0, eye);
+	}
+	for (; from != end; from++) {
+		const bool positional = from->positional;
+		int32_t share_q16 = positional ? meet(from, eye, towards, half)
+					       : from->share_q16;
+		/* limited to 64; all terms are below 32 before */
+		int32_t weight_q24 = share_q16 >= 1 << (22 - from->shift)
+			? 1 << 30
+			: share_q16 << (8 + from->shift);
+		struct triple dull = load_triple(from->ambient_q24);
+		const int32_t *shine = add_light(from,
+			positional ? towards : from->towards_q30,
+			positional ? half : from->half_q30,
+			load_triple(normal_q28), &dull, nothing, added);
 
-		dull_q24 += -dull_q24 >> 8; /* times 255/256 */
-		lit->diffuse[i] += shading_bound(
-			(int64_t)dull_q24 * share_q16 >> (24 - here.shift));
+		lit->dull[0] = mul_high_add(lit->dull[0], dull.x, weight_q24);
+		lit->dull[1] = mul_high_add(lit->dull[1], dull.y, weight_q24);
+		lit->dull[2] = mul_high_add(lit->dull[2], dull.z, weight_q24);
+		for (int i = 0; i < 3 && shine != nothing; i++) {
+			lit->shine[i] = mul_high_add(
+				lit->shine[i], shine[i] * 256, weight_q24);
+		}
 	}
-	for (int i = 0; i < 3 && shine != nothing; i++) {
-		lit->specular[i] += shading_bound(
-			(int64_t)shine[i] * share_q16 >> (16 - here.shift));
-	}
-}
-
-static void light_any_side(const struct draw *draw, struct triple n,
-	const int32_t eye[3], const int32_t color[4], int32_t out[4])
-{
-	const struct shading *shading = &draw->shading;
-	struct lit lit;
-
-	memcpy(lit.diffuse, shading->ambient_q16, sizeof(lit.diffuse));
-	memcpy(lit.specular, shading->emission_q16, sizeof(lit.specular));
-	for (const struct light_source *light_source = shading->light_source;
-		light_source != shading->end; light_source++) {
-		add_any_light(light_source, n, eye, &lit);
-	}
-	for (int i = 0; i < 3; i++) {
-		out[i] = to_attribute(lit.specular[i] +
-			shading_bound((int64_t)lit.diffuse[i] * color[i] >> 16));
-	}
-	out[3] = to_attribute(color[3]);
 }
 
 /* Fetches a normal of any type, rotates and normalizes it; Q28, within +-8. */
-static struct triple find_any_normal(const struct draw *draw, uint32_t index)
+static void find_any_normal(
+	const struct draw *draw, uint32_t index, int32_t out[3])
 {
 	const struct shading *shading = &draw->shading;
 	const int32_t *m = shading->normal_q28;
-	int64_t sum[3], sizes = 0;
 	int32_t n[3];
-	int shift;
 
-	soft_array_normal_q30(draw, index, n);
-	for (int i = 0; i < 3; i++) {
-		sum[i] = shading->rotate_normals
-			? (int64_t)m[i] * n[0] + (int64_t)m[3 + i] * n[1] +
-				(int64_t)m[6 + i] * n[2]
-			: n[i] * ((int64_t)1 << 28);
-		sizes |= sum[i] ^ (sum[i] >> 63);
-	}
-	/* >> 30 gives Q28; a normal to be normalized may have any scale */
-	shift = !shading->normalize ? 30 : sizes >> 59 ? 32 : 28;
-	for (int i = 0; i < 3; i++) {
-		n[i] = saturate_64(sum[i] >> shift);
+	soft_array_normal_q28(draw, index, out);
+	memcpy(n, out, sizeof(n));
+	for (int i = 0; i < 3 && shading->rotate_normals; i++) {
+		int64_t sum = (int64_t)m[i] * n[0] + (int64_t)m[3 + i] * n[1] +
+			(int64_t)m[6 + i] * n[2];
+
+		/* a normal to be normalized may have any scale */
+		out[i] = shading->normalize ? (int32_t)(sum >> 30)
+					    : saturate_64(sum >> 28);
 	}
 	if (shading->normalize) {
-		take_length(n);
-		n[0] >>= 2;
-		n[1] >>= 2;
-		n[2] >>= 2;
+		normalize(out);
+		for (int i = 0; i < 3; i++) {
+			out[i] >>= 2;
+		}
 	}
-	return load_triple(n);
 }
 
-/* Lights a vertex that light_fast() cannot, in 64 bits. */
+/* Lights a side, from weighted on by add_weighted(). */
+static void light_any_side(const struct draw *draw, uint32_t index,
+	const int32_t normal[3], const struct light_source *weighted,
+	const int32_t color_q16[4], int32_t out[4])
+{
+	const struct shading *shading = &draw->shading;
+	struct triple dull = load_triple(shading->ambient_q24);
+	const int32_t *shine =
+		add_lights(shading, weighted, load_triple(normal), &dull, out);
+	const int32_t plain[3] = {dull.x, dull.y, dull.z};
+	struct lit lit;
+
+	add_weighted(draw, index, weighted, normal, &lit);
+	for (int i = 0; i < 3; i++) {
+		int64_t product = (int64_t)((plain[i] >> 8) + lit.dull[i]) *
+			(color_q16[i] - (color_q16[i] >> 8));
+
+		out[i] = to_attribute(
+			saturate_64((product >> 16) + shine[i] + lit.shine[i]));
+	}
+	out[3] = to_attribute(color_q16[3]);
+}
+
+/* Lights a vertex of any types by any lights. */
 static NEVER_INLINE void light_any(
 	const struct draw *draw, struct vertex *vertex)
 {
 	const struct shading *shading = &draw->shading;
-	struct triple n = find_any_normal(draw, vertex->index);
-	int32_t eye[3] = {0, 0, 0};
+	const struct light_source *weighted = shading->weighted;
+	const uint32_t index = vertex->index;
 	int32_t color[4] = {65536, 65536, 65536, shading->alpha_q16};
+	int32_t normal[3];
 
+	find_any_normal(draw, index, normal);
+	/* Long normals need the room that weighted sums have. */
+	if (!is_in_range(shading, load_triple(normal))) {
+		weighted = shading->light_source;
+	}
 	if (shading->tracked) {
-		soft_array_color_q16(draw, vertex->index, color);
+		soft_array_color_q16(draw, index, color);
 	}
-	if (draw->eye_needed) {
-		soft_shade_find_eye(draw, vertex->index, 0, eye);
-	}
-	light_any_side(draw, n, eye, color, vertex->attribute + RED);
+	light_any_side(
+		draw, index, normal, weighted, color, vertex->attribute + RED);
 	if (shading->two_side) {
-		n = (struct triple){-n.x, -n.y, -n.z};
-		light_any_side(draw, n, eye, color, vertex->back);
+		for (int i = 0; i < 3; i++) {
+			normal[i] = -normal[i];
+		}
+		light_any_side(
+			draw, index, normal, weighted, color, vertex->back);
 	}
 }
 

@@ -46,16 +46,8 @@ static const uint32_t exp_table[65] = {EACH_64(POWER, 0), POWER(64)};
 struct root soft_reciprocal_root(uint64_t value)
 {
 	int zeros = LEADING_ZEROS_64(value) & ~1;
-	uint32_t v = (uint32_t)(value << zeros >> 32); /* 0.25..1 in Q32 */
-	uint32_t r = (uint32_t)soft_root_table[(v >> 24) - 64] << 13; /* Q28 */
+	uint32_t r = reciprocal_root((uint32_t)(value << zeros >> 32));
 
-	/* r (3 - v r^2) / 2, twice: 7 bits become 14, then 28. */
-	for (int i = 0; i < 2; i++) {
-		uint32_t squared_q24 = mul_high_unsigned(r, r);
-		uint32_t product_q24 = mul_high_unsigned(squared_q24, v);
-
-		r = mul_high_unsigned(r, (3u << 24) - product_q24) << 7;
-	}
 	return (struct root){
 		.mantissa_q30 = (int32_t)(r << 1),
 		.shift = 31 - zeros / 2,

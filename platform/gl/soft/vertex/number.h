@@ -71,15 +71,30 @@ static inline int32_t saturate_64(int64_t value)
 				     : (int32_t)value;
 }
 
-/* 1 / sqrt(value) of a 64-bit number above 0, by a table and two Newton steps. */
+/* 1 / sqrt((64.5 + i) / 256) in Q15. */
+extern const uint16_t soft_root_table[192] OWN_DATA;
+
+/* 1 / sqrt(value) in Q28, of 0.25 to 1 in Q32: by a table and two Newton steps. */
+static inline uint32_t reciprocal_root(uint32_t value)
+{
+	uint32_t r = (uint32_t)soft_root_table[(value >> 24) - 64] << 13;
+
+	/* r (3 - v r^2) / 2, twice: 7 bits become 14, then 28. */
+	for (int i = 0; i < 2; i++) {
+		uint32_t product_q24 =
+			mul_high_unsigned(mul_high_unsigned(r, r), value);
+
+		r = mul_high_unsigned(r, (3u << 24) - product_q24) << 7;
+	}
+	return r;
+}
+
+/* 1 / sqrt(value) of a 64-bit number above 0. */
 struct root {
 	int32_t mantissa_q30; /* 2^29..2^30 */
 	int shift;            /* the result is mantissa_q30 / 2^(30 + shift) */
 };
 struct root soft_reciprocal_root(uint64_t value);
-
-/* 1 / sqrt((64.5 + i) / 256) in Q15. */
-extern const uint16_t soft_root_table[192];
 
 /* base ^ exponent, base in 0..1, exponent >= 0; the result is Q28. */
 int32_t soft_power_q28(int32_t base_q28, int32_t exponent_q16);

@@ -48,30 +48,40 @@ static float row_bound(const struct matrix *m, int row, float most)
 }
 
 /*
- * Scales the matrix so that clip coordinates, sums of products shifted right by
- * 32, stay below 2^28. Positions and the matrix's elements are below 2^30.
+ * The fraction bits with which products of a matrix's first rows and positions
+ * stay below 2^28; *scale is the matrix's, if they are shifted right by 32.
+ * Positions and the matrix's elements are below 2^30 then.
  */
+static int find_scale(
+	const struct matrix *m, int rows, int position_q, float *scale)
+{
+	float bound = 0.0f;
+	int q;
+
+	for (int row = 0; row < rows; row++) {
+		float b = row_bound(
+			m, row, soft_matrix_power_of_two(30 - position_q));
+
+		bound = b > bound ? b : bound;
+	}
+	q = clamp_int(27 - soft_matrix_exponent(bound), -60, 90);
+	*scale = soft_matrix_power_of_two(
+		clamp_int(q - position_q + 32, -126, 127));
+	return q;
+}
+
 static void prepare_clip(const struct soft *soft, struct draw *draw)
 {
-	float most = soft_matrix_power_of_two(30 - draw->position_q);
-	float bound = 0.0f, scale, moved;
+	float scale, moved;
 	struct view *view = &draw->view;
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
 	/* shorts have a position_q of 14: m (p << 14) >> 32 is (m >> 2) p >> 16 */
 	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
 	const struct matrix m = soft_matrix_multiply(
 		soft->matrices.projection.top, soft->matrices.modelview.top);
-	int clip_q;
 
-	for (int row = 0; row < 4; row++) {
-		float b = row_bound(&m, row, most);
-
-		bound = b > bound ? b : bound;
-	}
-	clip_q = clamp_int(27 - soft_matrix_exponent(bound), -60, 90);
-	scale = soft_matrix_power_of_two(
-		clamp_int(clip_q - draw->position_q + 32, -126, 127));
-	moved = soft_matrix_power_of_two(clip_q);
+	moved = soft_matrix_power_of_two(
+		find_scale(&m, 4, draw->position_q, &scale));
 	for (int row = 0; row < 4; row++) {
 		for (int column = 0; column < 3; column++) {
 			rows[row][column] =
@@ -89,17 +99,26 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 
 static void prepare_eye(const struct soft *soft, struct draw *draw)
 {
-	const float *m = soft->matrices.modelview.top->m;
+	const struct matrix *m = soft->matrices.modelview.top;
+	float scale, moved;
 
-	for (int row = 0; row < 3; row++) {
-		for (int column = 0; column < 4; column++) {
-			float value = scalar_clamp(
-				m[4 * column + row], -16383.0f, 16383.0f);
+	draw->eye_q = find_scale(m, 3, draw->position_q, &scale);
+	moved = soft_matrix_power_of_two(draw->eye_q);
+	for (int i = 0; i < 12; i++) {
+		draw->eye[i % 3][i / 3] = soft_matrix_to_int(
+			m->m[i / 3 * 4 + i % 3] * (i < 9 ? scale : moved));
+	}
+}
 
-			draw->eye_q16[row][column] =
-				soft_matrix_to_int(value * 65536.0f);
+static bool is_eye_needed(const struct lighting *lighting)
+{
+	for (int i = 0; i < SOFT_LIGHTS && lighting->enabled; i++) {
+		if (lighting->light[i].enabled &&
+			lighting->light[i].position[3] != 0.0f) {
+			return true;
 		}
 	}
+	return false;
 }
 
 static void prepare_viewport(const struct soft *soft, struct draw *draw)
@@ -304,13 +323,14 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	draw->attributes = choose_attributes(draw);
 	prepare_positions(soft, draw, first, count);
 	prepare_clip(soft, draw);
+	draw->eye_needed = is_eye_needed(&soft->lighting);
+	if (draw->eye_needed || draw->fogged) {
+		prepare_eye(soft, draw);
+	}
 	soft_prepare_shading(soft, draw);
 	/* Points and lines have no back. */
 	draw->shading.two_side &= mode > GL_LINE_STRIP;
 	draw->shade_more = draw->fogged || draw->texture[0].used;
-	if (draw->eye_needed || draw->fogged) {
-		prepare_eye(soft, draw);
-	}
 	if (!soft_prepare_spans(draw)) {
 		return false;
 	}

@@ -71,29 +71,67 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 	}
 }
 
-static void prepare_positional(
+/*
+ * Scales a position so that its difference from a vertex's, less than 2^28 in
+ * draw->eye_q, fits.
+ */
+static void prepare_place(const struct draw *draw, const struct light *light,
+	struct light_source *light_source)
+{
+	float place[3], most = 0.0f;
+
+	for (int i = 0; i < 3; i++) {
+		float size;
+
+		place[i] = light->position[i] / light->position[3];
+		size = scalar_abs(place[i]);
+		most = size > most ? size : most;
+	}
+	light_source->eye_shift =
+		clamp_int(draw->eye_q - 28 + soft_matrix_exponent(most), 0, 31);
+	light_source->position_q = draw->eye_q - light_source->eye_shift;
+	for (int i = 0; i < 3; i++) {
+		light_source->position[i] = soft_matrix_to_int(place[i] *
+			soft_matrix_power_of_two(light_source->position_q));
+	}
+}
+
+static void prepare_spot(
 	const struct light *light, struct light_source *light_source)
 {
 	float direction[3];
 
-	light_source->positional = true;
 	light_source->spot = light->cutoff != 180 * ONE_Q16;
+	if (!light_source->spot) {
+		return;
+	}
 	memcpy(direction, light->direction, sizeof(direction));
 	normalize(direction);
 	for (int i = 0; i < 3; i++) {
-		light_source->position_q16[i] = soft_matrix_to_int(
-			light->position[i] / light->position[3] * 65536.0f);
-		light_source->attenuation_q16[i] = light->attenuation[i];
 		light_source->direction_q28[i] =
 			soft_matrix_to_int(direction[i] * two_28);
 	}
-	light_source->cutoff_q28 =
+	light_source->cutoff_q26 =
 		(int32_t)(scalar_cos((float)light->cutoff / 65536.0f *
 				  (SCALAR_PI / 180.0f)) *
-			two_28);
+			two_28 / 4.0f);
 	light_source->exponent_q16 = light->exponent;
 }
 
+static void prepare_positional(const struct draw *draw,
+	const struct light *light, struct light_source *light_source)
+{
+	const GLfixed *attenuation = light->attenuation;
+
+	prepare_place(draw, light, light_source);
+	light_source->positional = light_source->weighted = true;
+	light_source->fades = attenuation[1] != 0 || attenuation[2] != 0;
+	light_source->share_q16 = soft_light_fade(attenuation, 0);
+	memcpy(light_source->attenuation_q16, attenuation,
+		sizeof(light_source->attenuation_q16));
+}
+
+/* A directional light does not fade, but it may be a spot: section 2.12.1. */
 static void prepare_directional(const struct light *light, const float *normal,
 	struct light_source *light_source)
 {
@@ -101,6 +139,13 @@ static void prepare_directional(const struct light *light, const float *normal,
 
 	memcpy(towards, light->position, sizeof(towards));
 	normalize(towards);
+	light_source->share_q16 = ONE_Q16;
+	if (light_source->spot) {
+		turn(NULL, towards, light_source->towards_q30);
+		light_source->share_q16 = soft_light_spot(
+			light_source, light_source->towards_q30, ONE_Q16);
+		light_source->weighted = true;
+	}
 	memcpy(half, towards, sizeof(half));
 	half[2] += 1.0f; /* towards the viewer, infinitely far along z */
 	normalize(half);
@@ -119,6 +164,15 @@ static const GLfixed *choose_color(const struct soft *soft,
 	}
 	return soft->lighting.color_material ? soft->arrays.current_color
 					     : material;
+}
+
+/* Adds ambient light, times 257/256; within +-64, to which 8 lights add 32. */
+static void add_ambient(struct shading *shading, int i, int64_t color_q16)
+{
+	const int64_t sum = shading->ambient_q24[i] + color_q16 * 257;
+
+	shading->ambient_q24[i] =
+		clamp_int(saturate_64(sum), -(1 << 30), 1 << 30);
 }
 
 /* material times light, Q32; ORs the magnitudes of all into *sizes. */
@@ -146,21 +200,20 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 	multiply_colors(material->specular, light->specular, specular, &sizes);
 	shift = clamp_int(31 - LEADING_ZEROS_64(sizes), 0, SHIFT_MOST);
 	light_source->shift = shift;
-	shading->fast &= shift == 0;
 	for (int i = 0; i < 3; i++) {
 		light_source->diffuse_q30[i] =
 			saturate_64((diffuse[i] >> (10 + shift)) * 257);
 		light_source->specular_q20[i] =
 			saturate_64(specular[i] >> (12 + shift));
-		if (light_source->positional) {
+		if (light_source->weighted) {
 			light_source->ambient_q24[i] =
 				saturate_64((ambient[i] >> (16 + shift)) * 257);
 		} else {
-			/* without attenuation it is the same for all vertices */
-			shading->ambient_q16[i] +=
-				shading_bound(ambient[i] >> 16);
+			/* without a weight it is the same for all vertices */
+			add_ambient(shading, i, ambient[i] >> 16);
 		}
 	}
+	light_source->weighted |= shift != 0;
 }
 
 static void prepare_light_source(const struct soft *soft, struct draw *draw,
@@ -170,8 +223,9 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 	const int32_t *specular = light_source->specular_q20;
 
 	*light_source = (struct light_source){0};
+	prepare_spot(light, light_source);
 	if (light->position[3] != 0.0f) {
-		prepare_positional(light, light_source);
+		prepare_positional(draw, light, light_source);
 	} else {
 		prepare_directional(light, normal, light_source);
 	}
@@ -236,97 +290,81 @@ static void prepare_base(const struct soft *soft, struct shading *shading)
 	const GLfixed *ambient = choose_color(soft, shading, material->ambient);
 
 	for (int i = 0; i < 3; i++) {
-		shading->emission_q16[i] = shading_bound(material->emission[i]);
-		shading->ambient_q16[i] = shading_bound(
+		shading->emission_q16[i] = clamp_int(
+			material->emission[i], -16 * ONE_Q16, 16 * ONE_Q16);
+		shading->ambient_q24[i] = 0;
+		add_ambient(shading, i,
 			(int64_t)ambient[i] * lighting->ambient[i] >> 16);
 	}
 	shading->alpha_q16 = choose_color(soft, shading, material->diffuse)[3];
 }
 
-static bool are_within(const int32_t value[3], int32_t most)
+static void prepare_arrays(const struct arrays *arrays, struct shading *shading)
 {
-	for (int i = 0; i < 3; i++) {
-		if (value[i] < -most || value[i] > most) {
-			return false;
-		}
-	}
-	return true;
-}
-
-/* Whether light.c can light in 32 bits, where sums of 8 lights below 2 fit. */
-static bool is_fast(const struct arrays *arrays, const struct shading *shading)
-{
-	const struct array *normal = &arrays->normal;
-	uintptr_t places =
+	const struct array *normal = &arrays->normal, *color = &arrays->color;
+	const uintptr_t places =
 		(uintptr_t)normal->pointer | (uintptr_t)normal->stride_bytes;
-	bool shorts = normal->type == GL_SHORT && shading->normalize;
-	bool floats = normal->type == GL_FLOAT && places % 4 == 0;
+	const bool shorts = normal->type == GL_SHORT && shading->normalize;
 
-	return normal->enabled && (shorts || floats) &&
-		!shading->rotate_normals &&
-		(!shading->tracked || arrays->color.type == GL_UNSIGNED_BYTE) &&
-		are_within(shading->ambient_q16, 16 * ONE_Q16) &&
-		are_within(shading->emission_q16, 16 * ONE_Q16);
-}
-
-static void prepare_fast(const struct arrays *arrays, struct shading *shading)
-{
-	shading->normals = arrays->normal.pointer;
-	shading->normal_stride = arrays->normal.stride_bytes;
-	shading->floats = arrays->normal.type == GL_FLOAT;
+	shading->floats = normal->type == GL_FLOAT && places % 4 == 0;
+	shading->fast = shading->weighted == shading->end && normal->enabled &&
+		(shorts || shading->floats) && !shading->rotate_normals &&
+		(!shading->tracked || color->type == GL_UNSIGNED_BYTE);
+	shading->normals = normal->pointer;
+	shading->normal_stride = normal->stride_bytes;
 	/* lengths within 2^-10 of 1; without GL_NORMALIZE any below 2 */
 	shading->square_least = shading->normalize ? (1u << 24) - (1u << 15) : 0;
 	shading->square_range = shading->normalize ? 1u << 16 : 1u << 26;
-	for (int i = 0; i < 3; i++) {
-		shading->ambient_q24[i] = shading->ambient_q16[i] * 257;
-	}
-	if (shading->tracked) {
-		shading->colors = arrays->color.pointer;
-		shading->color_stride = arrays->color.stride_bytes;
-		return;
-	}
 	memset(shading->color, 255, 3);
 	shading->color[3] = (uint8_t)soft_byte(shading->alpha_q16);
-	shading->colors = shading->color;
-	shading->color_stride = 0;
+	shading->colors = shading->tracked ? color->pointer : shading->color;
+	shading->color_stride = shading->tracked ? color->stride_bytes : 0;
+}
+
+/* Takes the light at end in: weighted ones stay behind the others. */
+static void take_light_source(struct shading *shading)
+{
+	struct light_source *added = shading->end++;
+
+	if (!added->weighted) {
+		struct light_source *first = shading->weighted++;
+
+		if (first != added) {
+			const struct light_source moved = *first;
+
+			*first = *added;
+			*added = moved;
+		}
+	}
 }
 
 void soft_prepare_shading(const struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	struct shading *shading = &draw->shading;
-	struct light_source *next = shading->light_source;
 	float normal[9];
 
 	shading->lit = lighting->enabled;
 	shading->two_side = shading->back_only = false;
-	if (lighting->enabled && lighting->two_side) {
+	if (!shading->lit) {
+		return;
+	}
+	if (lighting->two_side) {
 		shading->two_side = !draw->cull_front && !draw->cull_back;
 		shading->back_only = draw->cull_front;
 	}
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	shading->fast = true;
-	draw->eye_needed = false;
-	if (!shading->lit) {
-		return;
-	}
-	for (int i = 0; i < SOFT_LIGHTS; i++) {
-		draw->eye_needed |= lighting->light[i].enabled &&
-			lighting->light[i].position[3] != 0.0f;
-	}
 	prepare_normals(soft, draw, normal);
 	prepare_base(soft, shading);
+	shading->weighted = shading->end = shading->light_source;
 	for (int i = 0; i < SOFT_LIGHTS; i++) {
 		if (lighting->light[i].enabled) {
 			prepare_light_source(soft, draw, &lighting->light[i],
-				shading->rotate_normals ? NULL : normal, next);
-			next++;
+				shading->rotate_normals ? NULL : normal,
+				shading->end);
+			take_light_source(shading);
 		}
 	}
-	shading->end = next;
-	shading->fast = shading->fast && is_fast(&soft->arrays, shading);
-	if (shading->fast) {
-		prepare_fast(&soft->arrays, shading);
-	}
+	prepare_arrays(&soft->arrays, shading);
 }

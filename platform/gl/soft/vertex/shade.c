@@ -11,12 +11,20 @@ void soft_shade_find_eye(
 
 	soft_array_position(draw, index, p);
 	for (int i = first; i < 3; i++) {
-		const int32_t *row = draw->eye_q16[i];
-		int64_t sum = (int64_t)row[0] * p[0] + (int64_t)row[1] * p[1] +
-			(int64_t)row[2] * p[2];
+		const int32_t *row = draw->eye[i];
+		int32_t sum = mul_high_add(row[3], row[0], p[0]);
 
-		out[i] = saturate_64((sum >> draw->position_q) + row[3]);
+		sum = mul_high_add(sum, row[1], p[1]);
+		out[i] = mul_high_add(sum, row[2], p[2]);
 	}
+}
+
+int32_t soft_shade_to_q16(int32_t value, int q)
+{
+	const int32_t most =
+		q < 16 ? INT32_MAX >> clamp_int(16 - q, 0, 31) : INT32_MAX;
+
+	return value >= most ? INT32_MAX : shift_by(value, 16 - q);
 }
 
 static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)
@@ -45,7 +53,8 @@ static NEVER_INLINE int32_t find_fog(
 	int32_t eye[3];
 
 	soft_shade_find_eye(draw, vertex->index, 2, eye);
-	return to_attribute(fog_share_q16(draw, eye[2] < 0 ? -eye[2] : eye[2]));
+	return to_attribute(fog_share_q16(draw,
+		soft_shade_to_q16(eye[2] < 0 ? -eye[2] : eye[2], draw->eye_q)));
 }
 
 static NEVER_INLINE void find_any_texcoord(

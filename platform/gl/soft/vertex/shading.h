@@ -39,32 +39,41 @@ struct light_source {
 	int32_t half_q30[3], least_q26, scale;
 	int32_t specular_q20[3]; /* without the factor of 257/256 */
 	int shift;
-	/* positional lights, in eye space; meet() finds the above by vertex */
-	bool positional, spot;
-	int32_t ambient_q24[3];
-	int32_t position_q16[3], direction_q28[3];
-	int32_t attenuation_q16[3], cutoff_q28, exponent_q16;
+	bool weighted, spot;
+	int32_t share_q16; /* if weighted: what vertices get of the light */
+	int32_t ambient_q24[3]; /* the same; else struct shading has it */
+	/* positional lights, in eye space; meet() finds directions by vertex */
+	bool positional,
+		fades;       /* fades: share_q16, too, depends on the vertex */
+	int32_t position[3]; /* its fraction bits are draw->eye_q less eye_shift */
+	int eye_shift, position_q;
+	int32_t direction_q28[3], attenuation_q16[3], cutoff_q26, exponent_q16;
 };
 
 struct shading {
 	/*
-	 * If fast, vertices are lit in 32 bits: all lights are directional, no
-	 * normal is rotated, normals are three GL_SHORTs of any length or three
-	 * aligned floats, and colours are four bytes.
+	 * If fast, light.c fetches arrays without conversion and no light has a
+	 * weight: no normal is rotated, normals are three GL_SHORTs of any
+	 * length or three aligned floats, and colours are four bytes.
 	 */
 	_Alignas(32) const uint8_t *normals;
 	int normal_stride;
 	const uint8_t *colors;
 	int color_stride;      /* 0: colors points to color below, for all */
 	const uint16_t *roots; /* soft_root_table */
-	const struct light_source *end; /* of light_source's used elements */
-	int floats;                     /* normals are floats, else shorts */
+	int floats;            /* normals are floats, else shorts */
 	/*
-	 * Normals of floats are lit here if their length squared, Q24, minus
-	 * square_least is less than square_range; their sum is at most 2^26.
+	 * Normals of floats are lit as they are if their length squared, Q24,
+	 * minus square_least is less than square_range; the sum is at most 2^26.
 	 */
 	uint32_t square_least, square_range;
-	int32_t ambient_q24[3], emission_q16[3]; /* ambient_q24 times 257/256 */
+	/* of all lights without a weight; ambient times 257/256 */
+	int32_t ambient_q24[3], emission_q16[3];
+	/*
+	 * Lights from weighted to end are multiplied by a weight, which may
+	 * depend on the vertex; those before are directional with a shift of 0.
+	 */
+	struct light_source *weighted, *end;
 	struct light_source light_source[SOFT_LIGHTS];
 	uint8_t color[4];
 
@@ -73,20 +82,7 @@ struct shading {
 	bool two_side, back_only;
 	bool normalize, rotate_normals;
 	int32_t normal_q28[9]; /* if rotate_normals: to eye space, column-major */
-	int32_t ambient_q16[3], alpha_q16; /* added once, not for each light */
+	int32_t alpha_q16;
 };
-
-/*
- * Limits a colour to +-1024. Larger ones change no picture, but without them
- * every sum of colours in light.c stays below 2^31.
- */
-static inline int32_t shading_bound(int64_t color_q16)
-{
-	const int32_t most = 1 << 26;
-
-	return color_q16 > most     ? most
-		: color_q16 < -most ? -most
-				    : (int32_t)color_q16;
-}
 
 #endif

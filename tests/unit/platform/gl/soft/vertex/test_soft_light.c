@@ -106,6 +106,10 @@ static const struct lit_case cases[] = {
 	{"a spot has no ambient outside", .ambient = WHITE,
 		.material_ambient = WHITE, LIGHT_SOURCE, .direction = {0, 0, 1},
 		.cutoff = 60},
+	{"a directional spot", MATT, FRONT, .ambient = GRAY, .cutoff = 80,
+		.direction = {0.5, 0, -1}, .exponent = 5},
+	{"a directional spot aside", MATT, FRONT, .ambient = WHITE,
+		.direction = {0, 1, 0}, .cutoff = 60},
 	{"a tilted normal", MATT, .position = {0, 0, 1, 0},
 		.normal = {0.6, 0, 0.8}},
 	{"a long normal is taken as it is", MATT, .position = {0, 0, 1, 0},
@@ -193,21 +197,17 @@ static void find_normal(const struct lit_case *c, double n[3])
 static double find_light(
 	const struct lit_case *c, const double eye[3], double towards[3])
 {
-	double distance, along, share, axis[3];
+	double distance, along, share, axis[3], w = c->position[3];
 
-	memcpy(towards, c->position, 3 * sizeof(double));
-	if (c->position[3] == 0) {
-		normalize(towards);
-		return 1;
-	}
 	for (int i = 0; i < 3; i++) {
-		towards[i] = c->position[i] / c->position[3] - eye[i];
+		towards[i] = c->position[i];
+		towards[i] = w == 0 ? towards[i] : towards[i] / w - eye[i];
 	}
 	distance = sqrt(dot(towards, towards));
 	normalize(towards);
 	share = c->attenuation[0] + c->attenuation[1] * distance +
 		c->attenuation[2] * distance * distance;
-	share = share > 0 ? 1 / share : 1;
+	share = w != 0 && share > 0 ? 1 / share : 1;
 	if (c->cutoff == 0 || c->cutoff == 180) {
 		return share;
 	}

@@ -86,7 +86,7 @@ static void make_light(
 	for (int i = 0; i < light_sources; i++) {
 		make_light_source(mesh, &light->light_source[i], seed);
 	}
-	light->end = light->light_source + light_sources;
+	light->weighted = light->end = light->light_source + light_sources;
 }
 
 /* Untextured, or with coordinates of which some are too large. */

@@ -82,7 +82,7 @@ struct array {
 	bool enabled;
 	int size;
 	GLenum type;
-	int stride_bytes; /* never 0 */
+	int element_bytes, stride_bytes; /* never 0 */
 	const uint8_t *pointer;
 };
 

@@ -15,6 +15,7 @@ static void describe(struct array *array, int size, int least, bool type_known,
 		soft_check(type_known, GL_INVALID_ENUM)) {
 		array->size = size;
 		array->type = type;
+		array->element_bytes = size * bytes;
 		array->stride_bytes = stride ? stride : size * bytes;
 		array->pointer = pointer;
 	}

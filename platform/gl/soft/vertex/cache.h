@@ -19,8 +19,8 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 /*
  * unindexed.c: draws GL_TRIANGLES without indices, count vertices from first
  * on; vertices with equal array elements are transformed once. False, with
- * nothing drawn, where the arrays are not interleaved, do not consist of 32-bit
- * words, or have more vertices than 16 bits can number.
+ * nothing drawn, where positions have less than four bytes, or 16 bits cannot
+ * number the vertices.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 

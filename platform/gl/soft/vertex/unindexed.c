@@ -4,50 +4,64 @@
  */
 #include "platform/gl/soft/vertex/cache.h"
 
-/* Interleaved arrays, as vertices of words that can be compared. */
+/* Bytes of vertices: of an array, or of interleaved ones. */
 struct stream {
 	const uint8_t *pointer;
 	size_t stride_bytes;
-	int words;
+	int bytes;
 };
 
-/* Whether elements consist of 32-bit words, as they nearly always do. */
-static bool is_of_words(const struct array *array)
-{
-	return array->type == GL_FLOAT || array->type == GL_FIXED ||
-		(array->type == GL_UNSIGNED_BYTE && array->size == 4);
-}
+/* All bytes that vertices consist of. */
+struct streams {
+	struct stream position; /* part of the others */
+	struct stream stream[3 + SOFT_UNITS];
+	int count;
+};
 
-/* False unless the enabled arrays are interleaved words, four or more in all. */
-static bool find_stream(const struct arrays *arrays, struct stream *stream)
+static struct streams list_streams(const struct arrays *arrays)
 {
 	const struct array *const all[] = {&arrays->vertex, &arrays->normal,
 		&arrays->color, &arrays->texcoord[0], &arrays->texcoord[1]};
-	uintptr_t least = UINTPTR_MAX, most = 0;
+	struct streams streams = {.count = 0};
 
 	for (size_t i = 0; i < ARRAY_COUNT(all); i++) {
-		const struct array *array = all[i];
-		uintptr_t at = (uintptr_t)array->pointer;
-		int words = array->type == GL_UNSIGNED_BYTE ? 1 : array->size;
-
-		if (!array->enabled) {
-			continue;
+		if (all[i]->enabled) {
+			streams.stream[streams.count++] = (struct stream){
+				all[i]->pointer, (size_t)all[i]->stride_bytes,
+				all[i]->element_bytes};
 		}
-		if (!is_of_words(array) || array->stride_bytes % 4 != 0 ||
-			array->stride_bytes != arrays->vertex.stride_bytes ||
-			at % 4 != 0) {
-			return false;
+	}
+	streams.position = streams.stream[0];
+	return streams;
+}
+
+/* Makes interleaved arrays a single stream. */
+static void join_streams(struct streams *streams)
+{
+	struct stream *joined = &streams->stream[0];
+	uintptr_t least = UINTPTR_MAX, most = 0;
+
+	for (int i = 0; i < streams->count; i++) {
+		uintptr_t at = (uintptr_t)streams->stream[i].pointer;
+		uintptr_t end = at + (uintptr_t)streams->stream[i].bytes;
+
+		if (streams->stream[i].stride_bytes != joined->stride_bytes) {
+			return;
 		}
 		least = at < least ? at : least;
-		at += 4 * (uintptr_t)words;
-		most = at > most ? at : most;
+		most = end > most ? end : most;
 	}
-	stream->stride_bytes = (size_t)arrays->vertex.stride_bytes;
-	stream->pointer = arrays->vertex.pointer -
-		((uintptr_t)arrays->vertex.pointer - least);
-	stream->words = (int)((most - least) / 4);
-	return most - least <= stream->stride_bytes && stream->words >= 4;
+	if (most - least <= joined->stride_bytes) {
+		joined->pointer -= (uintptr_t)joined->pointer - least;
+		joined->bytes = (int)(most - least);
+		streams->count = 1;
+	}
 }
+
+enum {
+	PAIRS_STRIDE =
+		32 /* bytes; the compiler divides by it without a division */
+};
 
 /*
  * Whether two vertices of four or more words are equal; xy and z are the left
@@ -76,36 +90,82 @@ static ALWAYS_INLINE uint32_t choose_slot(uint32_t x, uint32_t y, uint32_t z)
 }
 
 /*
- * The index of an equal vertex that came before, or the vertex's own. known is
- * a hash table: [hash of position] the index of the last vertex with that hash.
- * number is the vertex's index, or NULL if the stride is a constant: then the
- * compiler divides by it without a division.
+ * known is a hash table: [hash of position] the index of the last vertex with
+ * that hash. Returns the index of an equal vertex that came before, or the
+ * vertex's own: of one stream of words, PAIRS_STRIDE apart.
  */
-static ALWAYS_INLINE uint32_t find_index(const struct stream *stream,
-	uint32_t *known, const uint8_t *at, const uint32_t *number)
+static ALWAYS_INLINE uint32_t find_index(
+	const uint8_t *first, int words, uint32_t *known, const uint8_t *at)
 {
 	uint64_t xy = load_two_words(at), z = load_two_words(at + 8);
 	uint32_t *slot = known +
 		choose_slot((uint32_t)xy, (uint32_t)(xy >> 32), (uint32_t)z);
 	uint32_t index = *slot;
 
-	if (!are_equal_pairs(at, stream->pointer + index * stream->stride_bytes,
-		    xy, z, stream->words)) {
-		index = number ? *number
-			       : (uint32_t)((size_t)(at - stream->pointer) /
-					 stream->stride_bytes);
+	if (!are_equal_pairs(at, first + index * PAIRS_STRIDE, xy, z, words)) {
+		index = (uint32_t)(at - first) / PAIRS_STRIDE;
 		*slot = index;
 	}
 	return index;
 }
 
-static ALWAYS_INLINE void draw_pairs(struct draw *draw,
-	const struct stream *stream, int words, size_t stride_bytes,
-	uint32_t first, uint32_t count, bool counted)
+static const uint8_t *bytes_at(const struct stream *stream, uint32_t index)
 {
-	const struct stream own = {stream->pointer, stride_bytes, words};
-	const uint8_t *at = own.pointer + first * stride_bytes;
-	uint32_t known[VERTEX_CACHE], number = first;
+	return stream->pointer + index * stream->stride_bytes;
+}
+
+/* Whether two vertices have equal bytes in a stream, which has bytes each. */
+static ALWAYS_INLINE bool are_equal(
+	const struct stream *stream, int bytes, uint32_t left, uint32_t right)
+{
+	const uint8_t *a = bytes_at(stream, left), *b = bytes_at(stream, right);
+	int i = 0;
+
+	for (; i + 4 <= bytes; i += 4) {
+		if (load_32(a + i) != load_32(b + i)) {
+			return false;
+		}
+	}
+	for (; i < bytes; i++) {
+		if (a[i] != b[i]) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* The same as find_index() of any streams. */
+static uint32_t find_any_index(
+	const struct streams *streams, uint32_t *known, uint32_t number)
+{
+	const uint8_t *at = bytes_at(&streams->position, number);
+	const int last = streams->position.bytes - 4;
+	uint32_t *slot = known +
+		choose_slot(load_32(at), load_32(at + last / 2),
+			load_32(at + last));
+	const uint32_t found = *slot;
+	const struct stream *stream = streams->stream;
+
+	for (int i = 0; i < streams->count; i++, stream++) {
+		const int bytes = stream->bytes;
+
+		/* three floats are the most common: a loop with a constant */
+		if (!(bytes == 12 ? are_equal(stream, 12, number, found)
+				  : are_equal(stream, bytes, number, found))) {
+			*slot = number;
+			return number;
+		}
+	}
+	return found;
+}
+
+/* words: of the only stream, whose vertices lie PAIRS_STRIDE apart, or 0. */
+static ALWAYS_INLINE void draw_found(struct draw *draw,
+	const struct streams *streams, int words, uint32_t first, uint32_t count)
+{
+	const uint8_t *start = streams->stream[0].pointer;
+	const uint8_t *at = start + (size_t)first * PAIRS_STRIDE;
+	uint32_t known[VERTEX_CACHE];
 	uint16_t index[CACHE_LIST];
 	struct source source = {
 		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
@@ -118,47 +178,53 @@ static ALWAYS_INLINE void draw_pairs(struct draw *draw,
 		uint16_t *next = index;
 
 		source.count = left < CACHE_LIST ? left : CACHE_LIST;
-		end = at + source.count * stride_bytes;
-		while (at != end) {
-			PRELOAD(at + 4 * stride_bytes);
-			for (int i = 0; i < 3; i++, at += stride_bytes) {
-				*next++ = (uint16_t)find_index(&own, known, at,
-					counted ? &number : NULL);
-				number++;
+		for (uint32_t i = 0; i < source.count && words == 0; i++) {
+			index[i] = (uint16_t)find_any_index(
+				streams, known, first++);
+		}
+		end = at + source.count * PAIRS_STRIDE;
+		while (at != end && words > 0) {
+			PRELOAD(at + 4 * PAIRS_STRIDE);
+			for (int i = 0; i < 3; i++, at += PAIRS_STRIDE) {
+				*next++ = (uint16_t)find_index(
+					start, words, known, at);
 			}
 		}
 		soft_list(draw, &source);
 	}
 }
 
-#define DRAW_PAIRS(name, words, stride_bytes, counted)                       \
-	static NEVER_INLINE void draw_##name(struct draw *draw,              \
-		const struct stream *stream, uint32_t first, uint32_t count) \
-	{                                                                    \
-		draw_pairs(draw, stream, words, stride_bytes, first, count,  \
-			counted);                                            \
+#define DRAW_FOUND(name, words)                                                \
+	static NEVER_INLINE void draw_##name(struct draw *draw,                \
+		const struct streams *streams, uint32_t first, uint32_t count) \
+	{                                                                      \
+		draw_found(draw, streams, words, first, count);                \
 	}
 
-/* In loops for the sizes that most programs use, the size is a constant. */
-DRAW_PAIRS(eight, 8, 32, false)
-DRAW_PAIRS(six_of_eight, 6, 32, false)
-DRAW_PAIRS(any, stream->words, stream->stride_bytes, true)
+/* The loops of the sizes that most programs use have constants. */
+DRAW_FOUND(eight, 8)
+DRAW_FOUND(six, 6)
+DRAW_FOUND(any, 0)
 
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 {
-	const struct arrays *arrays = &draw->soft->arrays;
-	struct stream stream;
+	struct streams streams = list_streams(&draw->soft->arrays);
+	const struct stream *joined = &streams.stream[0];
+	bool pairs;
 
-	if (!draw->packed || arrays->vertex.size != 3 ||
-		first + count > CACHE_INDICES || !find_stream(arrays, &stream)) {
+	if (!draw->packed || first + count > CACHE_INDICES ||
+		streams.position.bytes < 4) {
 		return false;
 	}
-	if (stream.words == 8 && stream.stride_bytes == 32) {
-		draw_eight(draw, &stream, first, count);
-	} else if (stream.words == 6 && stream.stride_bytes == 32) {
-		draw_six_of_eight(draw, &stream, first, count);
+	join_streams(&streams);
+	pairs = streams.count == 1 && joined->stride_bytes == PAIRS_STRIDE &&
+		(uintptr_t)joined->pointer % 4 == 0;
+	if (pairs && joined->bytes == 32) {
+		draw_eight(draw, &streams, first, count);
+	} else if (pairs && joined->bytes == 24) {
+		draw_six(draw, &streams, first, count);
 	} else {
-		draw_any(draw, &stream, first, count);
+		draw_any(draw, &streams, first, count);
 	}
 	return true;
 }

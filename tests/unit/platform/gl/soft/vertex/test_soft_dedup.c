@@ -3,6 +3,7 @@
  * indices: where they lie close together, and with room behind positions.
  */
 #include "platform/base/fixed.h"
+#include "platform/gl/gl_counts.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"
 
@@ -172,6 +173,80 @@ static void test_other_numbers_of_words_are_found_again(void **state)
 	check_layout(&(struct layout){.stride = WORDS, .used = WORDS});
 }
 
+/* Draws the list from an array each for positions, normals and colours. */
+static double draw_apart(const float pool[POOL][WORDS],
+	const uint16_t list[CORNERS], bool shorts, bool by_indices,
+	uint8_t picture[PICTURE_BYTES])
+{
+	static int16_t halves[CORNERS][3];
+	static float position[CORNERS][3], normal[CORNERS][3];
+	static uint8_t color[CORNERS][4];
+	static uint16_t index[CORNERS];
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl *gl = canvas.gl;
+	struct gl_counts counts = {0};
+
+	for (int i = 0; i < CORNERS; i++) {
+		const float *from = pool[list[i]];
+
+		index[i] = (uint16_t)i;
+		memcpy(position[i], from, sizeof(position[i]));
+		memcpy(normal[i], from + 3, sizeof(normal[i]));
+		memcpy(color[i], from + 8, sizeof(color[i]));
+		for (int j = 0; j < 3; j++) {
+			halves[i][j] = (int16_t)(from[j] * 20000);
+		}
+	}
+	gl->EnableClientState(GL_VERTEX_ARRAY);
+	gl->EnableClientState(GL_NORMAL_ARRAY);
+	gl->EnableClientState(GL_COLOR_ARRAY);
+	gl->VertexPointer(3, shorts ? GL_SHORT : GL_FLOAT, 0,
+		shorts ? (void *)halves : position);
+	gl->NormalPointer(GL_FLOAT, 0, normal);
+	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
+	gl->Enable(GL_LIGHTING);
+	gl->Enable(GL_LIGHT0);
+	gl->Enable(GL_NORMALIZE);
+	gl->Enable(GL_COLOR_MATERIAL);
+	if (shorts) {
+		gl->Scalex(3, 3, 3);
+	}
+	canvas.context->driver->count(canvas.context, &counts);
+	if (by_indices) {
+		gl->DrawElements(
+			GL_TRIANGLES, CORNERS, GL_UNSIGNED_SHORT, index);
+	} else {
+		gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+	}
+	canvas.context->driver->count(canvas.context, NULL);
+	memcpy(picture, canvas.pixels.data, PICTURE_BYTES);
+	gl_canvas_end_and_close(&canvas);
+	return counts.shaded;
+}
+
+static void test_vertices_of_separate_arrays_are_found_again(void **state)
+{
+	static float pool[POOL][WORDS];
+	static uint16_t list[CORNERS];
+	uint32_t seed = 9;
+
+	(void)state;
+	for (int round = 0; round < 20; round++) {
+		uint8_t listed[PICTURE_BYTES], found[PICTURE_BYTES];
+		double all, some;
+
+		make_pool(&seed, round % 2 ? 0.99f : 1.5f, pool);
+		make_list(&seed, list);
+		all = draw_apart(pool, list, round / 2 % 2, true, listed);
+		some = draw_apart(pool, list, round / 2 % 2, false, found);
+		assert_memory_equal(found, listed, PICTURE_BYTES);
+		/* Others have cuts of the clip volume, which count, too. */
+		if (round % 2) {
+			assert_true(some < all * 0.8);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -179,6 +254,8 @@ int main(void)
 		cmocka_unit_test(test_six_words_of_eight_are_found_again),
 		cmocka_unit_test(test_eight_words_are_found_again),
 		cmocka_unit_test(test_other_numbers_of_words_are_found_again),
+		cmocka_unit_test(
+			test_vertices_of_separate_arrays_are_found_again),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

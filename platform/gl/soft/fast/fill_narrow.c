@@ -4,21 +4,8 @@
  */
 #include "platform/gl/soft/fast/narrow.h"
 
-#include "platform/gl/soft/raster/frame.h"
+#include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/halves.h"
-
-/* Whether colours are linear; known at once if w differs by at most 1/32. */
-static ALWAYS_INLINE bool runs_linearly(
-	const struct draw *draw, const struct setup *setup)
-{
-	int32_t w = setup->v[0]->clip[3];
-	int32_t d1 = setup->v[1]->clip[3] - w, d2 = setup->v[2]->clip[3] - w;
-
-	d1 = d1 < 0 ? -d1 : d1;
-	d2 = d2 < 0 ? -d2 : d2;
-	return !draw->perspective || d1 + d2 <= w >> 5 ||
-		!soft_colors_bend(draw, setup);
-}
 
 /* Drops a step's lowest bits, rounded to the nearest. */
 static ALWAYS_INLINE uint32_t round_off(uint32_t value, int bits)
@@ -65,59 +52,19 @@ static ALWAYS_INLINE void add_channel(struct narrow *narrow,
 	narrow->down.packed += round_off(down, cut) << place;
 }
 
-static ALWAYS_INLINE void set_edges(const struct draw *draw,
-	const struct setup *setup, bool middle_left, struct narrow *narrow)
-{
-	const struct vertex *const *v = setup->v;
-	const int32_t *inverse = draw->inverse_q31;
-
-	OPAQUE(inverse); /* else compilers find it from draw for each edge */
-	narrow->rows = setup->middle - setup->top;
-	narrow->more = setup->bottom - setup->middle;
-	narrow->middle_left = middle_left;
-	narrow_set_edge(
-		narrow, !middle_left, frame_find_side(inverse, v[0], v[2]));
-	if (narrow->rows > 0) {
-		narrow_set_edge(narrow, middle_left,
-			frame_find_side(inverse, v[0], v[1]));
-	}
-	if (narrow->more > 0) {
-		narrow->lower = frame_find_side(inverse, v[1], v[2]);
-	}
-}
-
-static ALWAYS_INLINE void set_depth(const struct draw *draw,
-	const struct setup *setup, const struct frame *frame,
-	struct narrow *narrow)
-{
-	const struct vertex *const *v = setup->v;
-	const struct plane z = frame_find_near(
-		frame, v[0]->z, v[1]->z - v[0]->z, v[2]->z - v[0]->z);
-
-	narrow->z_right = (uint32_t)z.dx << 6;
-	narrow->down.z = (uint32_t)z.dy << 6;
-	narrow->row.z =
-		(z.start << 6) - narrow->z_right * (uint32_t)narrow->column;
-	narrow->down.depth = draw->fast_setup.stride_bytes;
-	narrow->row.depth = draw->fast_setup.depth +
-		(uintptr_t)setup->top * narrow->down.depth;
-	narrow->pixels = draw->fast_setup.pixels;
-}
-
 static ALWAYS_INLINE bool begin(const struct draw *draw,
-	const struct setup *setup, struct narrow *narrow)
+	const struct setup *setup, bool offset, struct narrow *narrow)
 {
 	struct frame frame;
 	struct corners corners;
 
 	if (!setup->inside || setup->columns > NARROW_COLUMNS ||
-		!runs_linearly(draw, setup)) {
+		!rows_are_linear(draw, setup, 4)) {
 		return false;
 	}
 	frame_find(setup, &frame);
-	set_edges(draw, setup, frame.middle_left, narrow);
-	narrow->column = frame.column + NARROW_LEFT;
-	set_depth(draw, setup, &frame, narrow);
+	narrow_set_edges(draw, setup, frame.middle_left, false, narrow);
+	narrow_set_depth(draw, setup, &frame, NARROW_LEFT, offset, narrow);
 	corners = (struct corners){
 		.x = LOWER_HALVES(frame.x1, -frame.less_x2),
 		.y = LOWER_HALVES(-frame.less_y1, frame.y2),
@@ -134,21 +81,24 @@ static ALWAYS_INLINE bool begin(const struct draw *draw,
 	return true;
 }
 
-bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
-	struct narrow *narrow)
+static ALWAYS_INLINE void fill(
+	struct draw *draw, struct setup *setup, bool offset)
 {
-	return begin(draw, setup, narrow);
+	struct narrow narrow;
+
+	if (begin(draw, setup, offset, &narrow)) {
+		draw->fill_band(&narrow);
+	} else {
+		soft_rows_fill(draw, setup);
+	}
 }
 
 void soft_fill_narrow(struct draw *draw, struct setup *setup)
 {
-	struct narrow narrow;
+	fill(draw, setup, false);
+}
 
-	if (!begin(draw, setup, &narrow)) {
-		soft_rows_fill(draw, setup);
-	} else if (draw->spans.equal_passes) {
-		soft_narrow_rows_equal(&narrow);
-	} else {
-		soft_narrow_rows(&narrow);
-	}
+void soft_fill_narrow_offset(struct draw *draw, struct setup *setup)
+{
+	fill(draw, setup, true);
 }

@@ -5,7 +5,7 @@
 #ifndef PLATFORM_GL_SOFT_FAST_NARROW_H
 #define PLATFORM_GL_SOFT_FAST_NARROW_H
 
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/raster/frame.h"
 
 enum {
 	/*
@@ -71,16 +71,58 @@ static ALWAYS_INLINE void narrow_set_edge(
 	}
 }
 
-/* fill_narrow.c: sets narrow up; false if the triangle is not for these rows. */
-bool soft_narrow_begin(const struct draw *draw, const struct setup *setup,
-	struct narrow *narrow);
+/* all: sets the edges of bands without rows, too. */
+static ALWAYS_INLINE void narrow_set_edges(const struct draw *draw,
+	const struct setup *setup, bool middle_left, bool all,
+	struct narrow *narrow)
+{
+	const struct vertex *const *v = setup->v;
+	const int32_t *inverse = draw->inverse_q31;
+
+	OPAQUE(inverse); /* else compilers find it from draw for each edge */
+	narrow->rows = setup->middle - setup->top;
+	narrow->more = setup->bottom - setup->middle;
+	narrow->middle_left = middle_left;
+	narrow_set_edge(
+		narrow, !middle_left, frame_find_side(inverse, v[0], v[2]));
+	if (all || narrow->rows > 0) {
+		narrow_set_edge(narrow, middle_left,
+			frame_find_side(inverse, v[0], v[1]));
+	}
+	if (all || narrow->more > 0) {
+		narrow->lower = frame_find_side(inverse, v[1], v[2]);
+	}
+}
+
+/* Sets depths of column 0, or so many columns left of it. */
+static ALWAYS_INLINE void narrow_set_depth(const struct draw *draw,
+	const struct setup *setup, const struct frame *frame, int left,
+	bool offset, struct narrow *narrow)
+{
+	const struct vertex *const *v = setup->v;
+	struct plane z = frame_find_near(
+		frame, v[0]->z, v[1]->z - v[0]->z, v[2]->z - v[0]->z);
+
+	if (offset) {
+		z.start += (uint32_t)soft_find_offset(draw, setup, z.dx, z.dy);
+	}
+	narrow->column = frame->column + left;
+	narrow->z_right = (uint32_t)z.dx << 6;
+	narrow->down.z = (uint32_t)z.dy << 6;
+	narrow->row.z =
+		(z.start << 6) - narrow->z_right * (uint32_t)narrow->column;
+	narrow->down.depth = draw->fast_setup.stride_bytes;
+	narrow->row.depth = draw->fast_setup.depth +
+		(uintptr_t)setup->top * narrow->down.depth;
+	narrow->pixels = draw->fast_setup.pixels;
+}
 
 /*
- * arm/narrow_rows.S or portable/triangles.c: draws all rows; changes narrow.
- * Depths are tested LESS, or LEQUAL by soft_narrow_rows_equal().
+ * arm/narrow_rows.S or portable/triangles.c: draws all rows of a struct narrow, and
+ * changes it. Depths are tested LESS, or LEQUAL by soft_narrow_rows_equal().
  */
-void soft_narrow_rows(struct narrow *narrow);
-void soft_narrow_rows_equal(struct narrow *narrow);
+void soft_narrow_rows(void *narrow);
+void soft_narrow_rows_equal(void *narrow);
 /* narrow_rows.c: the same in C, with the same results. */
 void soft_narrow_rows_c(struct narrow *narrow, bool equal);
 

@@ -1,5 +1,5 @@
 /* Chooses the path of a draw call's triangles: of fast/, or span functions. */
-#include "platform/gl/soft/raster/raster.h"
+#include "platform/gl/soft/fast/narrow.h"
 
 /* RGB565, one texture at most; opaque, or blended by alpha. */
 static bool is_common(const struct draw *draw)
@@ -49,11 +49,17 @@ static bool is_text(const struct draw *draw)
 		!draw->soft->fragment.depth_test;
 }
 
-/* Opaque, by LESS or LEQUAL, which write; no state depends on the face. */
+/*
+ * Opaque, by LESS or LEQUAL, which write; no state depends on the face. Depth
+ * and picture have the same stride.
+ */
 static bool is_solid(const struct draw *draw)
 {
-	return draw->spans.depth_by_less && draw->spans.depth_written &&
-		!draw->blended && !draw->offset && !draw->shading.two_side;
+	const struct buffers *buffers = &draw->soft->buffers;
+
+	return buffers->target.stride_bytes == buffers->width * 2 &&
+		draw->spans.depth_by_less && draw->spans.depth_written &&
+		!draw->blended && !draw->shading.two_side;
 }
 
 static bool is_bilinear(const struct draw *draw)
@@ -78,9 +84,10 @@ static bool is_tiled(const struct draw *draw)
 /* The path of a state that is_common(), or NULL. */
 static fill_function choose(struct draw *draw)
 {
-	static void (*const bands[2][2])(void *band) = {
+	static void (*const bands[3][2])(void *band) = {
 		{soft_band_gray, soft_band_gray_equal},
-		{soft_band_tint, soft_band_tint_equal}};
+		{soft_band_tint, soft_band_tint_equal},
+		{soft_narrow_rows, soft_narrow_rows_equal}};
 	const bool bilinear = is_bilinear(draw);
 
 	if (!draw->added && is_shadow(draw)) {
@@ -91,7 +98,7 @@ static fill_function choose(struct draw *draw)
 	if (draw->soft->fragment.stencil.enabled) {
 		return NULL;
 	}
-	if (is_solid(draw) &&
+	if (is_solid(draw) && !draw->offset &&
 		(bilinear ||
 			(!draw->added &&
 				is_modulated(draw, TEXEL_565, GL_NEAREST,
@@ -104,9 +111,11 @@ static fill_function choose(struct draw *draw)
 	}
 	draw->rectangles = is_text(draw);
 	draw->divides = is_tiled(draw);
+	draw->fill_band = bands[2][draw->spans.equal_passes];
 	return draw->divides                               ? soft_fill_luminance
-		: is_solid(draw) && !draw->texture[0].used ? soft_fill_narrow
-							   : NULL;
+		: !is_solid(draw) || draw->texture[0].used ? NULL
+		: draw->offset ? soft_fill_narrow_offset
+			       : soft_fill_narrow;
 }
 
 void soft_choose_path(struct draw *draw)

@@ -9,19 +9,19 @@ void soft_list(struct draw *draw, const struct source *source)
 	}
 }
 
-#define BOTH_TESTS(type, name)         \
-	void name(type *rows)          \
+#define BOTH_TESTS(name)               \
+	void name(void *rows)          \
 	{                              \
 		name##_c(rows, false); \
 	}                              \
-	void name##_equal(type *rows)  \
+	void name##_equal(void *rows)  \
 	{                              \
 		name##_c(rows, true);  \
 	}
 
-BOTH_TESTS(struct narrow, soft_narrow_rows)
-BOTH_TESTS(void, soft_band_gray)
-BOTH_TESTS(void, soft_band_tint)
+BOTH_TESTS(soft_narrow_rows)
+BOTH_TESTS(soft_band_gray)
+BOTH_TESTS(soft_band_tint)
 
 void soft_tile_row(const struct tile_run *run, int by_fine)
 {

@@ -48,6 +48,8 @@ static enum gl_work_kind kind_of_spans(const struct draw *draw)
 static enum gl_work_kind kind_of(const struct draw *draw)
 {
 	fill_function fill = draw->counted_fill;
+	const bool narrow =
+		fill == soft_fill_narrow || fill == soft_fill_narrow_offset;
 
 	if (fill == soft_fill_flat) {
 		return GL_WORK_FLAT;
@@ -55,13 +57,11 @@ static enum gl_work_kind kind_of(const struct draw *draw)
 	if (fill == soft_rows_fill && draw->spans.whole_rows) {
 		return GL_WORK_BACKDROP;
 	}
-	if (fill != soft_rows_fill && fill != soft_fill_narrow &&
-		fill != soft_fill_textured) {
+	if (fill != soft_rows_fill && !narrow && fill != soft_fill_textured) {
 		return GL_WORK_LUMINANCE;
 	}
-	return fill == soft_fill_narrow && draw->raster.top == NOT_SET_UP
-		? GL_WORK_PLAIN
-		: kind_of_spans(draw);
+	return narrow && draw->raster.top == NOT_SET_UP ? GL_WORK_PLAIN
+							: kind_of_spans(draw);
 }
 
 /*

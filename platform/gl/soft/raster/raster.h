@@ -25,7 +25,7 @@ struct setup {
 	int top, middle, bottom;  /* first row at or below v[0], v[1], v[2] */
 	int columns;              /* number of columns that it may cover */
 	int32_t extent; /* the larger of width and height, in 1/16 pixels */
-	/* not wide, same_stride, and in draw->box, with a column at both sides */
+	/* not wide, and in draw->box, with a column at both sides */
 	bool inside;
 	bool wide; /* extent > SMALL_EXTENT */
 	bool back;
@@ -122,6 +122,13 @@ bool soft_bend(struct draw *draw, const struct setup *setup,
 
 /* set_up.c: whether w moves colours or fog by rows_color_tolerance(). */
 bool soft_colors_bend(const struct draw *draw, const struct setup *setup);
+
+/*
+ * set_up.c: the polygon offset for a depth plane's dx and dy, in the plane's
+ * format: GL ES 1.1 section 3.5.5, limited so that no depth wraps around.
+ */
+int32_t soft_find_offset(const struct draw *draw, const struct setup *setup,
+	int32_t dx, int32_t dy);
 
 /* set_up.c: fills draw->raster: planes and what is constant. */
 void soft_raster_set_up(struct draw *draw, struct setup *setup);
@@ -227,8 +234,16 @@ void soft_rows_fill(struct draw *draw, struct setup *setup);
 void soft_fill_luminance(struct draw *draw, struct setup *setup);
 void soft_fill_textured(struct draw *draw, struct setup *setup);
 
+/*
+ * fill_small.c: draws a small triangle without a texture in any state; false,
+ * with nothing drawn, if it cannot.
+ */
+bool soft_fill_small(struct draw *draw, struct setup *setup);
+
 /* fill_narrow.c: leaves triangles that it cannot draw to soft_rows_fill(). */
 void soft_fill_narrow(struct draw *draw, struct setup *setup);
+/* The same with polygon offset. */
+void soft_fill_narrow_offset(struct draw *draw, struct setup *setup);
 
 /* fill_flat.c: begin prepares draw->flat, once a draw call. */
 void soft_fill_flat_begin(struct draw *draw);

@@ -52,6 +52,22 @@ static ALWAYS_INLINE int rows_color_tolerance(const struct draw *draw)
 }
 
 /*
+ * Whether colours are linear in a triangle; known at once if w differs by at
+ * most 1/32, or 1/128. tolerance is rows_color_tolerance().
+ */
+static ALWAYS_INLINE bool rows_are_linear(
+	const struct draw *draw, const struct setup *setup, int tolerance)
+{
+	int32_t w = setup->v[0]->clip[3];
+	int32_t d1 = setup->v[1]->clip[3] - w, d2 = setup->v[2]->clip[3] - w;
+
+	d1 = d1 < 0 ? -d1 : d1;
+	d2 = d2 < 0 ? -d2 : d2;
+	return !draw->perspective || d1 + d2 <= w >> (9 - tolerance) ||
+		!soft_colors_bend(draw, setup);
+}
+
+/*
  * Where texture coordinates are divided, a triangle's first visible row finds
  * its level of detail, and then each row of the picture that is a multiple of
  * this, so that neighbouring triangles change levels in the same rows.

@@ -63,11 +63,10 @@ struct moving {
 };
 
 /* Sets an attribute's differences; returns its bit if it is not constant. */
-static ALWAYS_INLINE uint32_t gather(struct raster *raster, int name,
-	const int32_t *const corner[3], struct delta *delta)
+static ALWAYS_INLINE uint32_t gather(struct raster *raster,
+	const struct setup *setup, bool behind, int name, struct delta *delta)
 {
-	*delta = frame_find_delta(
-		corner[0][name], corner[1][name], corner[2][name]);
+	*delta = frame_find_attribute(setup, behind, name);
 	raster->constant[name] = (uint32_t)delta->first << 8;
 	return (uint32_t)((delta->d1 | delta->d2) != 0) << name;
 }
@@ -81,18 +80,13 @@ static ALWAYS_INLINE void gather_colors(
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
-	const struct vertex *const *v = setup->v;
-	const int32_t *const own[3] = {
-		v[0]->attribute, v[1]->attribute, v[2]->attribute};
-	const int32_t *const back[3] = {v[0]->back, v[1]->back, v[2]->back};
-	const int32_t *const *color =
-		setup->back && draw->shading.two_side ? back : own;
+	const bool behind = setup->back && draw->shading.two_side;
 	uint32_t bits = 0;
 
 	if (wanted >> RED & 1) {
-		bits = gather(raster, RED, color, &delta[RED]) |
-			gather(raster, GREEN, color, &delta[GREEN]) |
-			gather(raster, BLUE, color, &delta[BLUE]);
+		bits = gather(raster, setup, behind, RED, &delta[RED]) |
+			gather(raster, setup, behind, GREEN, &delta[GREEN]) |
+			gather(raster, setup, behind, BLUE, &delta[BLUE]);
 	} else {
 		for (int i = RED; i <= BLUE; i++) {
 			delta[i] = (struct delta){
@@ -100,10 +94,10 @@ static ALWAYS_INLINE void gather_colors(
 		}
 	}
 	if (wanted >> ALPHA & 1) {
-		bits |= gather(raster, ALPHA, color, &delta[ALPHA]);
+		bits |= gather(raster, setup, behind, ALPHA, &delta[ALPHA]);
 	}
 	if (wanted >> FOG & 1) {
-		bits |= gather(raster, FOG, own, &delta[FOG]);
+		bits |= gather(raster, setup, false, FOG, &delta[FOG]);
 	}
 	raster->moving_bits = bits;
 	/* red, green and blue have planes together */
@@ -120,23 +114,17 @@ bool soft_colors_bend(const struct draw *draw, const struct setup *setup)
 	const struct perspective perspective = raster_find_perspective(setup);
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	const bool behind = setup->back && draw->shading.two_side;
-	const struct vertex *const *v = setup->v;
 	uint32_t most = 0;
 
 	for (int i = RED; i <= FOG; i++) {
-		int32_t c[3];
-		uint32_t own;
+		if (wanted >> i & 1) {
+			const struct delta delta =
+				frame_find_attribute(setup, behind, i);
+			const uint32_t own =
+				frame_find_spread(delta.d1, delta.d2);
 
-		if (!(wanted >> i & 1)) {
-			continue;
+			most = own > most ? own : most;
 		}
-		for (int k = 0; k < 3; k++) {
-			c[k] = behind && i < FOG ? v[k]->back[i]
-						 : v[k]->attribute[i];
-		}
-		own = (uint32_t)(raster_most(c[0], c[1], c[2]) -
-			raster_least(c[0], c[1], c[2]));
-		most = own > most ? own : most;
 	}
 	return raster_bends(&perspective, most, rows_color_tolerance(draw));
 }
@@ -275,11 +263,7 @@ static void set_attributes(struct draw *draw, const struct setup *setup)
 	}
 }
 
-/*
- * The polygon offset for a depth plane's dx and dy, in the plane's format: GL
- * ES 1.1 section 3.5.5, limited so that no depth wraps around.
- */
-static int32_t find_offset(const struct draw *draw, const struct setup *setup,
+int32_t soft_find_offset(const struct draw *draw, const struct setup *setup,
 	int32_t dx, int32_t dy)
 {
 	const struct fragment_state *state = &draw->soft->fragment;
@@ -315,7 +299,7 @@ void soft_raster_set_up(struct draw *draw, struct setup *setup)
 	if (draw->offset) {
 		struct plane *depth = &raster->plane[DEPTH];
 
-		depth->start += (uint32_t)find_offset(
+		depth->start += (uint32_t)soft_find_offset(
 			draw, setup, depth->dx, depth->dy);
 	}
 	set_attributes(draw, setup);

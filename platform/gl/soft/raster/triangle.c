@@ -38,8 +38,8 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 	setup->columns = raster_centre(right) - raster_centre(left);
 	setup->extent = width > height ? width : height;
 	setup->wide = setup->extent > SMALL_EXTENT;
-	setup->inside = draw->same_stride && !setup->wide &&
-		setup->top >= box->top && setup->bottom <= box->bottom &&
+	setup->inside = !setup->wide && setup->top >= box->top &&
+		setup->bottom <= box->bottom &&
 		raster_centre(left) > box->left &&
 		raster_centre(right) < box->right;
 	return setup->top < setup->bottom && setup->top < box->bottom &&
@@ -159,15 +159,17 @@ void soft_prepare_fast_setup(struct draw *draw)
 		.cull_side = clockwise_culled ? UINT32_MAX : 0,
 		.cull_mask = draw->cull_front || draw->cull_back ? 1u << 31 : 0,
 		.depth = (uintptr_t)buffers->depth,
-		.stride_bytes = (uintptr_t)buffers->target.stride_bytes,
+		.stride_bytes = 2 * (uintptr_t)buffers->width,
 		.pixels = (uintptr_t)buffers->target.data -
-			(uintptr_t)buffers->depth - 2,
+			((uintptr_t)buffers->depth
+				<< (draw->spans.pixel_log2 - 1)) -
+			2,
 		.attributes = first ? 0 : draw->attributes,
 		.back_flip = draw->front_is_ccw,
 	};
 	/* By default an empty box: no triangle lies inside. */
 	draw->fast_setup.box_low = PACKED_PIXELS * 0x100010u;
-	if (draw->packed && draw->same_stride && box->right - box->left > 2) {
+	if (draw->packed && box->right - box->left > 2) {
 		draw->fast_setup.box_low = pack_pixels(box->left + 1, box->top);
 		draw->fast_setup.box_high =
 			pack_pixels(box->right - 1, box->bottom);

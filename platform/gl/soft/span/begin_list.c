@@ -140,25 +140,15 @@ static ALWAYS_INLINE void begin_texels(
 	}
 }
 
-/* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */
-static ALWAYS_INLINE int32_t round_step(int32_t step, int32_t scale)
-{
-	return (mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >> 1;
-}
-
 /* A colour's plane in the run's number format, exact in v[0]'s column. */
-static ALWAYS_INLINE struct plane scale_color(
+static ALWAYS_INLINE struct plane find_scaled(
 	const struct raster *raster, int name, int32_t half, int32_t scale)
 {
-	const struct plane *plane = &raster->plane[name];
-	const uint32_t column = (uint32_t)raster->frame.column;
-	const int32_t right = round_step(plane->dx, scale);
-	const int32_t at =
-		(int32_t)(plane->start + (uint32_t)plane->dx * column);
+	const int column = raster->frame.column;
+	struct plane plane = raster->plane[name];
 
-	return (struct plane){(uint32_t)mul_high_add(half, at, scale) -
-			(uint32_t)right * column,
-		right, round_step(plane->dy, scale)};
+	plane.start += (uint32_t)plane.dx * (uint32_t)column;
+	return scale_color(&plane, column, half, scale);
 }
 
 /* Sets a small triangle's colours, and their steps in spans->run. */
@@ -167,16 +157,14 @@ static ALWAYS_INLINE void begin_moving(struct run_list *list)
 	const struct raster *raster = &list->draw->raster;
 	struct soft_spans *spans = &list->draw->spans;
 	const struct soft_scales *scales = &spans->scales;
-	const struct plane red = scale_color(
-		raster, RED, scales->red_blue_half, scales->red_blue);
-	const struct plane blue = scale_color(
-		raster, BLUE, scales->red_blue_half, scales->red_blue);
 
-	list->red_blue = (struct plane){(blue.start << 16) + red.start,
-		(int32_t)(((uint32_t)blue.dx << 16) + (uint32_t)red.dx),
-		(int32_t)(((uint32_t)blue.dy << 16) + (uint32_t)red.dy)};
+	list->red_blue =
+		pair_colors(find_scaled(raster, RED, scales->red_blue_half,
+				    scales->red_blue),
+			find_scaled(raster, BLUE, scales->red_blue_half,
+				scales->red_blue));
 	list->green =
-		scale_color(raster, GREEN, spans->green_start, scales->green);
+		find_scaled(raster, GREEN, spans->green_start, scales->green);
 	spans->run.red_blue_right = (uint32_t)list->red_blue.dx;
 	spans->run.green_alpha_right = (uint32_t)list->green.dx;
 	set_more_color_steps(

@@ -113,6 +113,33 @@ static ALWAYS_INLINE struct colors find_colors(const struct line *line, int x)
 	return at;
 }
 
+/* A step of 8.16 times a scale of struct soft_scales, rounded to the nearest. */
+static ALWAYS_INLINE int32_t round_step(int32_t step, int32_t scale)
+{
+	return (mul_high((int32_t)((uint32_t)step * 2), scale) + 1) >> 1;
+}
+
+/* A colour's plane from column on, in the run's number format from column 0 on. */
+static ALWAYS_INLINE struct plane scale_color(
+	const struct plane *plane, int column, int32_t half, int32_t scale)
+{
+	const int32_t right = round_step(plane->dx, scale);
+
+	return (struct plane){
+		(uint32_t)mul_high_add(half, (int32_t)plane->start, scale) -
+			(uint32_t)right * (uint32_t)column,
+		right, round_step(plane->dy, scale)};
+}
+
+/* Red and blue in the halves of words. */
+static ALWAYS_INLINE struct plane pair_colors(
+	struct plane red, struct plane blue)
+{
+	return (struct plane){(blue.start << 16) + red.start,
+		(int32_t)(((uint32_t)blue.dx << 16) + (uint32_t)red.dx),
+		(int32_t)(((uint32_t)blue.dy << 16) + (uint32_t)red.dy)};
+}
+
 static ALWAYS_INLINE int32_t limit_color(int32_t color)
 {
 	return clamp_int(color, ROWS_LEAST_COLOR, ROWS_MOST_COLOR);

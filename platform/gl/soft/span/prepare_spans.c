@@ -356,6 +356,21 @@ static void choose_runs(const struct draw *draw, struct soft_spans *spans)
 	}
 }
 
+/* Largest sum of columns and rows of soft_fill_small()'s triangles, or 0. */
+static int find_small_size(const struct draw *draw)
+{
+	const struct buffers *buffers = &draw->soft->buffers;
+	const struct soft_spans *spans = &draw->spans;
+
+	if (spans->textured || spans->made || !draw->attributes ||
+		buffers->target.stride_bytes !=
+			buffers->width << spans->pixel_log2) {
+		return 0;
+	}
+	return spans->stepped_size < SOFT_LISTED_SIZE ? spans->stepped_size
+						      : SOFT_LISTED_SIZE;
+}
+
 bool soft_prepare_spans(struct draw *draw)
 {
 	struct soft_spans *spans = &draw->spans;
@@ -388,6 +403,7 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
+	spans->small_size = find_small_size(draw);
 	set_white(draw, spans);
 	find_scales(draw, spans);
 	find_stages(draw, spans);

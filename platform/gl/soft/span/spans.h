@@ -104,6 +104,7 @@ struct soft_spans {
 	bool steep;
 	/* largest sum of columns and rows where a list may step colours */
 	int stepped_size;
+	int small_size; /* the same of soft_draw_small()'s triangles; else 0 */
 	/* of the triangle: rows choose levels of detail; none has done so yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves; /* they are not constant in the triangle */
@@ -199,6 +200,10 @@ void soft_copy_untested(const struct soft_run *run);
  */
 void soft_copy_texels(uint16_t *pixel, const uint16_t *texels, int count,
 	uint32_t s_q16, uint32_t s_right_q16);
+
+/* walk_list.c: draws runs by one call of draw, if there are any. */
+void soft_draw_runs(struct soft_spans *spans, const struct soft_row *rows,
+	const struct soft_row *end);
 
 /* walk.c: draws all rows of a triangle whose planes are set up. */
 void soft_walk_rows(struct draw *draw, const struct setup *setup);

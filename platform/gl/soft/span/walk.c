@@ -231,7 +231,11 @@ void soft_walk_rows(struct draw *draw, const struct setup *setup)
 /* Draws a triangle by span functions, in any state. */
 void soft_rows_fill(struct draw *draw, struct setup *setup)
 {
-	if (!soft_is_hidden(draw, setup)) {
+	const int size = setup->columns + setup->bottom - setup->top;
+
+	if (!soft_is_hidden(draw, setup) &&
+		(size > draw->spans.small_size ||
+			!soft_fill_small(draw, setup))) {
 		soft_raster_set_up(draw, setup);
 		soft_walk_rows(draw, setup);
 	}

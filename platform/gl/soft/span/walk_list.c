@@ -140,22 +140,31 @@ static ALWAYS_INLINE bool set_run(struct run_list *list,
 	return !kind.textured || set_texel(list, kind, row, x, y);
 }
 
+void soft_draw_runs(struct soft_spans *spans, const struct soft_row *rows,
+	const struct soft_row *end)
+{
+	struct soft_run *run = &spans->run;
+
+	run->rows = rows;
+	run->row_count = (uint32_t)(end - rows);
+	if (end > rows) {
+		spans->draw(run);
+	}
+	run->rows = &run->row;
+	run->row_count = 1;
+}
+
 /* Draws the runs before end; returns the list's first element, now free. */
 static NEVER_INLINE struct soft_row *draw_listed(
 	struct run_list *list, const struct soft_row *end)
 {
 	struct soft_spans *spans = &list->draw->spans;
-	struct soft_run *run = &spans->run;
-	const uint8_t *first_texel = run->first_texel;
+	const uint8_t *first_texel = spans->run.first_texel;
 
-	run->rows = list->row;
-	run->row_count = (uint32_t)(end - list->row);
-	run->first_texel = list->first_texel;
-	spans->draw(run);
-	run->rows = &run->row;
-	run->row_count = 1;
+	spans->run.first_texel = list->first_texel;
+	soft_draw_runs(spans, list->row, end);
 	/* It belongs to the window, which triangles of the same level keep. */
-	run->first_texel = first_texel;
+	spans->run.first_texel = first_texel;
 	return list->row;
 }
 
@@ -241,14 +250,12 @@ void soft_walk_list(struct run_list *list, const struct setup *setup)
 	list->depth = buffers->depth + (ptrdiff_t)top * buffers->width;
 	list->pixel = buffers->target.data +
 		(ptrdiff_t)top * buffers->target.stride_bytes;
-	if (list->certain && !draw->fourth) {
+	if ((list->certain || setup->inside) && !draw->fourth) {
 		frame_draw_bands(draw, setup, true, setup->middle_left,
 			&list->edges, function, list);
 	} else {
 		frame_draw_bands(draw, setup, false, setup->middle_left,
 			&list->edges, function, list);
 	}
-	if (list->next != list->row) {
-		draw_listed(list, list->next);
-	}
+	draw_listed(list, list->next);
 }

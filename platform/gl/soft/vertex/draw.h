@@ -211,9 +211,10 @@ struct fast_setup {
 	uint32_t cull_mask;             /* 1 << 31; 0: nothing is culled */
 	/* draw->box in cache_tag.xy's format, a column narrower at both sides */
 	uint32_t box_low, box_high;
-	uintptr_t depth; /* address of column 0, row 0 */
-	uintptr_t stride_bytes;
-	uintptr_t pixels;    /* from a depth's address + 2 to its pixel's */
+	uintptr_t depth;        /* address of column 0, row 0 */
+	uintptr_t stride_bytes; /* of depths */
+	/* from a depth's address, twice that in RGBA8888, + 2 to its pixel's */
+	uintptr_t pixels;
 	uint32_t attributes; /* draw->attributes; 0: no corner is shaded */
 	uint32_t back_flip;  /* 1: positive areas are back faces; else 0 */
 };
@@ -228,13 +229,13 @@ struct draw {
 	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
 	struct soft *soft;
-	void (*fill_band)(void *band); /* soft_fill_textured()'s */
+	/* soft_fill_textured()'s, soft_fill_narrow()'s */
+	void (*fill_band)(void *band);
 	/* eye coordinates of positions, eye_q fraction bits, below 2^28 */
 	int32_t eye[3][4];
 	int eye_q, position_q;
 	bool checked; /* positions may be out of range: each is checked */
 	struct clip_box box;
-	bool same_stride; /* depth and picture have the same stride in bytes */
 	/*
 	 * Window x and y of vertices inside of the clip volume are below 2^15,
 	 * so cache_tag.xy is valid, and the state is one that soft_list() draws

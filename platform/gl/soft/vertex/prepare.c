@@ -133,8 +133,6 @@ static void prepare_viewport(const struct soft *soft, struct draw *draw)
 	view->width_q10 = r->width * 1024;
 	view->height_q10 = r->height * -1024;
 	draw->box = soft_clip_box(soft, true);
-	draw->same_stride =
-		soft->buffers.target.stride_bytes == soft->buffers.width * 2;
 }
 
 static void prepare_fog(const struct fog *fog, struct draw *draw)

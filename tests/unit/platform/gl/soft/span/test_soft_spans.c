@@ -9,6 +9,7 @@
 #include "tests/support/test.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static void give_combiner(const struct gl *gl, uint32_t *seed)
 {
@@ -365,6 +366,63 @@ static void test_tests_are_those_of_fragments(void **state)
 	assert_true(drawn > RANDOM_CASES(100000));
 }
 
+/* A random triangle without a texture, most of them up to 40 pixels wide. */
+static void draw_shrunk(const struct gl *gl, uint32_t *seed)
+{
+	struct span_corner corner[3];
+
+	memcpy(corner, span_make_triangle(seed), sizeof(corner));
+	for (int i = 0; i < 6; i++) {
+		float *at = &corner[1 + i / 3].position[i % 3];
+		const float first = corner[0].position[i % 3];
+
+		*at = first + (*at - first) / 8;
+	}
+	span_scene_draw(gl, corner, 3);
+}
+
+static struct span_scene *draw_small(
+	enum pixel_format format, uint32_t seed, bool reference)
+{
+	struct span_scene *scene = span_begin_in_perspective(format, reference);
+	const struct gl *gl = scene->gl;
+
+	give_buffers(scene, &seed);
+	give_fragments(gl, &seed);
+	if (random_one_in(&seed, 3)) {
+		const GLfixed factor = random_between(&seed, -200000, 200000);
+
+		gl->Enable(GL_POLYGON_OFFSET_FILL);
+		gl->PolygonOffsetx(
+			factor, random_between(&seed, -99, 99) * 1000000);
+	}
+	for (int i = 0; i < 20; i++) {
+		draw_shrunk(gl, &seed);
+	}
+	return scene;
+}
+
+/* Small triangles, which have a set-up of their own, in any state. */
+static void test_small_triangles_are_those_of_fragments(void **state)
+{
+	int drawn = 0, small = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= RANDOM_CASES(900); seed++) {
+		enum pixel_format format =
+			seed % 2 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *fast = draw_small(format, seed * 7919, false);
+		struct span_scene *slow = draw_small(format, seed * 7919, true);
+
+		small += fast->soft->draw->spans.small_size > 0;
+		drawn += span_scene_compare(fast, slow, seed);
+		span_scene_close(fast);
+		span_scene_close(slow);
+	}
+	assert_true(small > RANDOM_CASES(700));
+	assert_true(drawn > RANDOM_CASES(200000));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -374,6 +432,7 @@ int main(void)
 		cmocka_unit_test(test_added_colours_are_those_of_fragments),
 		cmocka_unit_test(test_heaps_of_triangles_are_those_of_fragments),
 		cmocka_unit_test(test_tests_are_those_of_fragments),
+		cmocka_unit_test(test_small_triangles_are_those_of_fragments),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -101,7 +101,7 @@ static void fill_in_one_color(struct draw *draw, struct setup *setup)
 	for (int i = 0; i < 3; i++) {
 		struct vertex *to = &draw->flat_corners[i];
 
-		memcpy(to, setup->v[i], offsetof(struct vertex, clip));
+		memcpy(to, setup->v[i], offsetof(struct vertex, back));
 		if (!to->shaded && draw->shade_more) {
 			soft_shade_rest(draw, to);
 		}

@@ -1,7 +1,9 @@
 /* Single triangles in which span functions and the reference once differed. */
 #include "platform/gl/soft/raster/raster.h"
-#include "tests/support/soft/span_scene.h"
+#include "tests/support/soft/span_random.h"
 #include "tests/support/test.h"
+
+#include <string.h>
 
 /* A state, and a triangle that is drawn in it, at depths of 1 to 200. */
 struct single {
@@ -123,9 +125,49 @@ static void test_coordinates_far_outside_of_a_clamped_texture(void **state)
 	check_single(&single);
 }
 
+static struct span_scene *draw_one_color(
+	enum pixel_format format, uint32_t seed, GLenum model)
+{
+	static const uint8_t color[4] = {200, 180, 220, 255};
+	struct span_scene *scene = span_begin_in_perspective(format, false);
+	struct span_corner corner[3];
+
+	span_give_texels(scene->gl, &seed, 0, 0);
+	scene->gl->EnableClientState(GL_TEXTURE_COORD_ARRAY);
+	scene->gl->ShadeModel(model);
+	for (int i = 0; i < 10; i++) {
+		memcpy(corner, span_make_triangle(&seed), sizeof(corner));
+		for (int k = 0; k < 3; k++) {
+			memcpy(corner[k].color, color, sizeof(color));
+		}
+		span_scene_draw(scene->gl, corner, 3);
+	}
+	return scene;
+}
+
+/* Where all corners have one colour, GL_FLAT is GL_SMOOTH. */
+static void test_flat_triangles_have_textures_in_perspective(void **state)
+{
+	(void)state;
+	for (uint32_t seed = 1; seed <= 40; seed++) {
+		enum pixel_format format =
+			seed % 2 ? PIXELS_RGBA8888 : PIXELS_RGB565;
+		struct span_scene *flat = draw_one_color(format, seed, GL_FLAT);
+		struct span_scene *smooth =
+			draw_one_color(format, seed, GL_SMOOTH);
+
+		assert_memory_equal(
+			flat->bytes, smooth->bytes, sizeof(flat->bytes));
+		span_scene_close(flat);
+		span_scene_close(smooth);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_flat_triangles_have_textures_in_perspective),
 		cmocka_unit_test(test_fog_on_a_steep_sliver_of_one_color),
 		cmocka_unit_test(test_dot3_of_mixed_levels_of_alpha),
 		cmocka_unit_test(

@@ -187,8 +187,9 @@ static ALWAYS_INLINE void begin_colors(
 		list->green.start = spans->run.row.green_alpha;
 	}
 	list->fog = spans->run.row.fog;
-	list->rare = list->colors_exact || spans->made || spans->read_second ||
-		spans->alpha_moves || spans->fog_moves;
+	list->alpha_alone = !list->colors_exact && !spans->made &&
+		!spans->read_second && !spans->fog_moves;
+	list->rare = !list->alpha_alone || spans->alpha_moves;
 }
 
 void soft_draw_list(

@@ -288,6 +288,10 @@ static NEVER_INLINE void draw_passing(struct draw *draw, enum soft_place place)
 					? draw_parts(draw, place, list, next)
 					: next;
 			}
+			if (stretch.count == left) {
+				run->second += 4 * (uintptr_t)left;
+				break;
+			}
 			soft_advance(run, &part, part.count, spans->pixel_log2);
 			part.texel += part.texel_right * part.count;
 			run->s.at += run->s.right * part.count;

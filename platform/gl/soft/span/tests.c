@@ -8,12 +8,12 @@
 static uint8_t apply_stencil(
 	const struct stencil *stencil, GLenum action, uint8_t old)
 {
-	const int value = action == GL_ZERO ? 0
+	const int value = action == GL_KEEP ? old
+		: action == GL_ZERO         ? 0
 		: action == GL_REPLACE      ? stencil->reference
 		: action == GL_INCR         ? old + (old < 255)
 		: action == GL_DECR         ? old - (old > 0)
-		: action == GL_INVERT       ? ~old
-					    : old;
+					    : ~old; /* GL_INVERT */
 
 	return (uint8_t)((old & ~stencil->write_mask) |
 		(value & stencil->write_mask));

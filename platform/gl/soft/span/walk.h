@@ -54,6 +54,7 @@ struct run_list {
 	struct list_coordinate s, t;
 	uint32_t fog;      /* if it is constant */
 	bool rare;         /* runs need set_rare() besides these values */
+	bool alpha_alone;  /* that is because alpha is not constant */
 	bool colors_exact; /* colours are found from planes for each run */
 	/* No texel lies outside of the window, and each row is one run. */
 	bool certain;

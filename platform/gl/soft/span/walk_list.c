@@ -134,7 +134,11 @@ static ALWAYS_INLINE bool set_run(struct run_list *list,
 	row->red_blue = find_there(&list->red_blue, x, y);
 	row->green_alpha = find_there(&list->green, x, y);
 	row->fog = list->fog;
-	if (list->rare) {
+	if (list->rare && list->alpha_alone) {
+		row->green_alpha +=
+			find_there(&list->draw->raster.plane[ALPHA], x, y) >> 9
+				<< 16;
+	} else if (list->rare) {
 		set_rare(list, row, (int)x, (int)y);
 	}
 	return !kind.textured || set_texel(list, kind, row, x, y);

@@ -230,6 +230,16 @@ def extended(m):
                                 "KHR_xmp_json_ld", "KHR_materials_ior"]
 
 
+def filmed(m):
+    m.json["cameras"] = [{"type": "perspective",
+                          "perspective": {"yfov": 0.7, "znear": 0.1}}]
+    m.json["nodes"][0]["camera"] = 0
+
+
+def scenes(m):
+    m.json["scenes"] += [{"nodes": [0]}, {"nodes": [3]}]
+
+
 PITFALLS = [
     (extended, "ignores .2.,.* shown: KHR_xmp_json_ld, KHR_materials_ior"),
     (cubic, "CUBICSPLINE channels"),
@@ -259,6 +269,8 @@ PITFALLS = [
     (carried, "meshes without a skin that are attached to joints"),
     (empty, "accessors without a buffer view"),
     (sheared, "nodes with a sheared matrix"),
+    (filmed, "cameras .1.: limber looks at the whole model from outside"),
+    (scenes, "scenes beside the one that is shown .2.: "),
 ]
 
 

@@ -96,7 +96,7 @@ static void report_nodes(const struct examination *at)
 {
 	size_t i, k;
 	json_t *node, *child;
-	int before = 0, own_weights = 0;
+	int before = 0, own_weights = 0, cameras = 0;
 
 	json_array_foreach(member(at, "nodes"), i, node)
 	{
@@ -105,6 +105,7 @@ static void report_nodes(const struct examination *at)
 			before += json_number_value(child) < (double)i;
 		}
 		own_weights += json_object_get(node, "weights") != NULL;
+		cameras += json_object_get(node, "camera") != NULL;
 	}
 	examine_count(at->examiner, before,
 		"nodes that come before their parents in the file",
@@ -112,6 +113,17 @@ static void report_nodes(const struct examination *at)
 	examine_count(at->examiner, own_weights,
 		"nodes with morph weights of their own",
 		"limber uses them instead of those of the mesh");
+	examine_count(at->examiner, cameras, "cameras",
+		"limber looks at the whole model from outside instead; [scene] of a character file says from which side");
+}
+
+static void report_scenes(const struct examination *at)
+{
+	int others = (int)json_array_size(member(at, "scenes")) - 1;
+
+	examine_count(at->examiner, others,
+		"scenes beside the one that is shown",
+		"limber shows the file's default scene, or the first one if it names none");
 }
 
 /*
@@ -249,6 +261,7 @@ int gltf_examine(const struct model_source *source,
 		error = error ? error : examine_skins(model, examiner, log);
 		report_skins(&at);
 		report_nodes(&at);
+		report_scenes(&at);
 		error = error ? error : report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);

@@ -72,6 +72,31 @@ static void end_limit(
 	}
 }
 
+enum {
+	MILLION = 1000000,
+	MANY_PIXELS = 50 * MILLION, /* ten seconds of the board's time */
+	BOARD_PIXELS_A_S = 5 * MILLION
+};
+
+/* Says what large images cost at each start, of which little is seen. */
+static void warn_of_pixels(const struct model *model, const struct log *log)
+{
+	size_t all = 0, used = 0;
+
+	for (int i = 0; i < model->image_count; i++) {
+		const struct model_image *image = &model->image[i];
+
+		all += (size_t)image->file_width * (size_t)image->file_height;
+		used += (size_t)image->width * (size_t)image->height;
+	}
+	if (all > MANY_PIXELS && used < all / 2) {
+		log_warning(log,
+			"%s: its images have %zu million pixels, of which limber uses %zu million: reading them takes a board about %zu s at each start: scale them to 1024x1024",
+			model->path, all / MILLION, used / MILLION,
+			all / BOARD_PIXELS_A_S);
+	}
+}
+
 static void give_back_images(const struct model *model)
 {
 	for (int i = 0; i < model->image_count; i++) {
@@ -96,6 +121,7 @@ static int load_source(const struct model_source *source, const struct log *log,
 	if (!error) {
 		memory_budget_give_back((*out)->budget, source->size);
 		give_back_images(*out);
+		warn_of_pixels(*out, log);
 		model_prepare_clips(*out);
 	}
 	return error;

@@ -235,6 +235,7 @@ if ! $emulated; then
     limber render --size 64x64 --frames 1 -o "$scratch/x.png" \
         "$scratch/large-images.gltf"
     expect_status 0
+    expect_err 'images have 201 million pixels, .* uses 12 million: .* 40 s'
     expect_too_large too-large-images.gltf
 fi
 

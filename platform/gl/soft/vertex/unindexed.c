@@ -59,8 +59,9 @@ static void join_streams(struct streams *streams)
 }
 
 enum {
-	PAIRS_STRIDE =
-		32 /* bytes; the compiler divides by it without a division */
+	/* bytes; the compiler divides by it without a division */
+	PAIRS_STRIDE = 32,
+	COUNT_LEAST = 24 /* fewer vertices take less than the table's set-up */
 };
 
 /*
@@ -170,8 +171,9 @@ static ALWAYS_INLINE void draw_found(struct draw *draw,
 	struct source source = {
 		.indices = (const uint8_t *)index, .type = GL_UNSIGNED_SHORT};
 
-	for (int i = 0; i < VERTEX_CACHE; i++) {
-		known[i] = first;
+	known[0] = first;
+	for (int i = 1; i < VERTEX_CACHE; i *= 2) {
+		memcpy(known + i, known, (size_t)i * sizeof(known[0]));
 	}
 	for (uint32_t left = count / 3 * 3; left > 0; left -= source.count) {
 		const uint8_t *end;
@@ -212,8 +214,8 @@ bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 	const struct stream *joined = &streams.stream[0];
 	bool pairs;
 
-	if (!draw->packed || first + count > CACHE_INDICES ||
-		streams.position.bytes < 4) {
+	if (!draw->packed || count < COUNT_LEAST ||
+		first + count > CACHE_INDICES || streams.position.bytes < 4) {
 		return false;
 	}
 	join_streams(&streams);

@@ -110,6 +110,7 @@ struct level {
 	int width_log2, height_log2;
 	uint8_t *texels;     /* owned; row by row, first row first */
 	struct tiles *tiles; /* owned; NULL unless luminance, see tiles.h */
+	bool changed;        /* since the tiles were made */
 };
 
 struct texture {

@@ -176,16 +176,15 @@ static void convert_row(const struct transfer *transfer, const uint8_t *from,
 		memcpy(to, from, (size_t)width * (size_t)transfer->source_bytes);
 		return;
 	}
-	for (int x = 0; x < width; x++, from += 3) {
-		uint16_t packed = (uint16_t)(from[0] >> 3 << 11 |
-			from[1] >> 2 << 5 | from[2] >> 3);
-
-		if (transfer->kept == TEXEL_565) {
-			memcpy(to + 2 * x, &packed, 2);
-		} else {
-			memcpy(to + 4 * x, from, 3);
-			to[4 * x + 3] = 255;
-		}
+	for (int x = 0; x < width && transfer->kept == TEXEL_565; x++) {
+		store_16(to + 2 * x,
+			(uint16_t)(from[3 * x] >> 3 << 11 |
+				from[3 * x + 1] >> 2 << 5 |
+				from[3 * x + 2] >> 3));
+	}
+	for (int x = 0; x < width && transfer->kept == TEXEL_8888; x++) {
+		memcpy(to + 4 * x, from + 3 * x, 3);
+		to[4 * x + 3] = 255;
 	}
 }
 
@@ -300,7 +299,7 @@ void soft_gl_TexSubImage2D(GLenum target, GLint number, GLint x, GLint y,
 		    GL_INVALID_OPERATION) &&
 		soft_check(is_part(level, &part), GL_INVALID_VALUE) && pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
-		soft_tiles_update(level);
+		level->changed = true;
 	}
 }
 

@@ -100,7 +100,7 @@ struct texture_input {
 	int32_t matrix[2][3]; /* s', t' from s, t, 1 */
 	int matrix_q;
 	int width_log2, height_log2;
-	const struct texture *texture;
+	struct texture *texture;
 	const struct level *base;
 	int levels; /* number of mipmap levels; 1 without mipmaps */
 	const struct texenv *env;

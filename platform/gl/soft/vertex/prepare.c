@@ -121,6 +121,19 @@ static bool is_eye_needed(const struct lighting *lighting)
 	return false;
 }
 
+/* Makes tiles of levels again whose texels have changed: only for a draw call. */
+static void prepare_tiles(struct texture *texture)
+{
+	for (int i = 0; i < SOFT_LEVELS; i++) {
+		struct level *level = &texture->level[i];
+
+		if (level->changed) {
+			soft_tiles_update(level);
+			level->changed = false;
+		}
+	}
+}
+
 static void prepare_viewport(const struct soft *soft, struct draw *draw)
 {
 	const struct rectangle *r = &soft->fragment.viewport;
@@ -344,6 +357,9 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	}
 	draw->thin_lines = soft_lines_are_thin(draw, mode);
 	soft_choose_path(draw);
+	if (draw->divides) { /* soft_fill_luminance() draws by tiles */
+		prepare_tiles(draw->texture[0].texture);
+	}
 	soft_prepare_fast_setup(draw);
 	return true;
 }

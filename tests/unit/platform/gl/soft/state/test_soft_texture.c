@@ -368,6 +368,48 @@ static void test_an_incomplete_texture_is_none(void **state)
 	gl_canvas_end_and_close(&canvas);
 }
 
+/* Draws a small luminance texture: of before, then with a part of after. */
+static struct gl_canvas draw_gray(const uint8_t *before, const uint8_t *after)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl *gl = canvas.gl;
+
+	bind_new(gl, GL_LINEAR, GL_REPEAT, GL_REPEAT);
+	gl->TexParameterx(
+		GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+	for (int level = 0; level < 4; level++) {
+		gl->TexImage2D(GL_TEXTURE_2D, level, GL_LUMINANCE, 8 >> level,
+			8 >> level, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, before);
+	}
+	draw_part(gl, 0, 0, 1, 1);
+	for (int row = 0; row < 2; row++) {
+		gl->TexSubImage2D(GL_TEXTURE_2D, 0, 3, 2 + row, 5, 1,
+			GL_LUMINANCE, GL_UNSIGNED_BYTE,
+			after + 8 * (2 + row) + 3);
+	}
+	draw_part(gl, 0, 0, 1, 1);
+	gl_canvas_end_frame(&canvas);
+	return canvas;
+}
+
+static void test_a_part_of_a_small_gray_texture_is_replaced(void **state)
+{
+	uint8_t before[64], after[64];
+	struct gl_canvas own, wanted;
+
+	(void)state;
+	for (int i = 0; i < 64; i++) {
+		before[i] = (uint8_t)(i * 37);
+		after[i] = before[i] ^ (i / 16 == 1 && i % 8 >= 3 ? 128 : 0);
+	}
+	own = draw_gray(before, after);
+	wanted = draw_gray(after, after);
+	assert_memory_equal(own.pixels.data, wanted.pixels.data,
+		(size_t)own.pixels.stride_bytes * GL_CANVAS_HEIGHT);
+	gl_canvas_close(&own);
+	gl_canvas_close(&wanted);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -375,6 +417,7 @@ int main(void)
 		cmocka_unit_test(test_nearest_texels_repeat_and_clamp),
 		cmocka_unit_test(test_linear_texels_repeat_and_clamp),
 		cmocka_unit_test(test_a_part_of_a_texture_is_replaced),
+		cmocka_unit_test(test_a_part_of_a_small_gray_texture_is_replaced),
 		cmocka_unit_test(test_rows_begin_where_the_alignment_says),
 		cmocka_unit_test(test_a_level_is_chosen_by_size),
 		cmocka_unit_test(test_an_incomplete_texture_is_none),

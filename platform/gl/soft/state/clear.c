@@ -131,7 +131,24 @@ void soft_gl_Clear(GLbitfield mask)
 	}
 }
 
-/* Reads GL_RGBA of bytes, the only format that is supported. */
+static void read_row(
+	const struct pixels *target, int x, int y, int count, uint8_t *out)
+{
+	const uint8_t *from = pixel_at(target, x, y);
+
+	if (target->format == PIXELS_RGBA8888) {
+		memcpy(out, from, (size_t)count * 4);
+		return;
+	}
+	for (int i = 0; i < count; i++) {
+		load_pixel(PIXELS_RGB565, from + 2 * i, out + 4 * i);
+	}
+}
+
+/*
+ * Reads GL_RGBA of bytes, the only format that is supported. Values outside of
+ * the picture are undefined.
+ */
 void soft_gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
 	GLenum format, GLenum type, void *pixels)
 {
@@ -139,28 +156,24 @@ void soft_gl_ReadPixels(GLint x, GLint y, GLsizei width, GLsizei height,
 	const struct pixels *target = &soft->buffers.target;
 	size_t align = (size_t)soft->textures.pack_alignment;
 	size_t row_bytes;
+	int64_t left = x < 0 ? -(int64_t)x : 0;
+	int64_t right = (int64_t)target->width - x;
 
 	if (!soft_check(format == GL_RGBA && type == GL_UNSIGNED_BYTE,
 		    GL_INVALID_ENUM) ||
 		!soft_check(width >= 0 && height >= 0, GL_INVALID_VALUE)) {
 		return;
 	}
+	right = right > width ? width : right;
 	row_bytes = ((size_t)width * 4 + align - 1) / align * align;
-	for (int row = 0; row < height && target->data; row++) {
+	for (int row = 0; row < height && target->data && left < right; row++) {
 		int64_t from_y = (int64_t)target->height - 1 - y - row;
-		uint8_t *out = (uint8_t *)pixels + (size_t)row * row_bytes;
 
-		for (int column = 0; column < width; column++) {
-			int64_t from_x = (int64_t)x + column;
-
-			/* Values outside of the picture are undefined. */
-			if (from_x >= 0 && from_x < target->width &&
-				from_y >= 0 && from_y < target->height) {
-				load_pixel(target->format,
-					pixel_at(target, (int)from_x,
-						(int)from_y),
-					out + 4 * column);
-			}
+		if (from_y >= 0 && from_y < target->height) {
+			read_row(target, (int)(x + left), (int)from_y,
+				(int)(right - left),
+				(uint8_t *)pixels + (size_t)row * row_bytes +
+					(size_t)left * 4);
 		}
 	}
 }

@@ -1,8 +1,10 @@
 /* Clearing under each mask, of boxes at any place, against what GL says. */
+#include "tests/support/gl/gl_expect.h"
 #include "tests/support/random.h"
 #include "tests/support/soft/span_scene.h"
 #include "tests/support/test.h"
 
+#include <limits.h>
 #include <string.h>
 
 static const GLfixed color[4] = {65536, 65536 / 3, 40000, 20000};
@@ -84,9 +86,58 @@ static void test_masks_keep_their_bits(void **state)
 	}
 }
 
+/* What lies outside of the picture is left as it was. */
+static void check_read(const struct gl_canvas *canvas, int x, int y)
+{
+	enum {
+		WIDE = 37,
+		HIGH = 5
+	};
+	uint8_t read[HIGH][WIDE + 1][4];
+
+	memset(read, 99, sizeof(read));
+	canvas->gl->ReadPixels(
+		x, y, WIDE, HIGH, GL_RGBA, GL_UNSIGNED_BYTE, read);
+	for (int i = 0; i < WIDE * HIGH; i++) {
+		/* rows have no gaps: the last ones stay */
+		const uint8_t *got = read[0][0] + 4 * i;
+		int64_t column = (int64_t)x + i % WIDE;
+		int64_t row = GL_CANVAS_HEIGHT - 1 - ((int64_t)y + i / WIDE);
+		uint8_t wanted[4] = {99, 99, 99, 99};
+
+		if (column >= 0 && column < GL_CANVAS_WIDTH && row >= 0 &&
+			row < GL_CANVAS_HEIGHT) {
+			gl_expect_read(canvas, (int)column, (int)row, wanted);
+		}
+		assert_memory_equal(got, wanted, 4);
+	}
+	assert_int_equal(read[HIGH - 1][WIDE][3], 99);
+}
+
+static void test_a_part_of_the_picture_is_read(void **state)
+{
+	static const int places[] = {
+		INT_MIN, -40, -36, -3, -1, 0, 2, 21, 31, 32, 40, INT_MAX - 40};
+	const int count = sizeof(places) / sizeof(places[0]);
+
+	(void)state;
+	for (int i = 0; i < 2 * count * count; i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+
+		for (int j = 0; j < 20 * GL_CANVAS_WIDTH; j++) {
+			canvas.pixels.data[j] = (uint8_t)(j * 37);
+		}
+		check_read(
+			&canvas, places[i / 2 % count], places[i / 2 / count]);
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_part_of_the_picture_is_read),
 		cmocka_unit_test(test_masks_keep_their_bits),
 	};
 

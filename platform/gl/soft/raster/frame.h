@@ -135,15 +135,18 @@ static ALWAYS_INLINE void frame_set_edge(const struct draw *draw,
 }
 
 /*
- * Draws the triangle as two bands, above and below its middle vertex, as far as
- * they lie in draw->box: sets the edges and calls function for each of them.
- * inside: the triangle is small and lies in draw->box, and is no rectangle.
+ * Draws the triangle as two bands, above and below its middle vertex, or the
+ * parallelogram that draw->fourth completes as three, as far as they lie in
+ * draw->box: sets the edges and calls function for each of them. inside: a
+ * triangle that is small and lies in draw->box.
  */
 static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 	const struct setup *setup, bool inside, bool middle_left,
 	struct band_edges *edges, void (*function)(void *band), void *band)
 {
 	const struct vertex *const *v = setup->v;
+	const struct vertex *last =
+		!inside && draw->fourth ? draw->fourth : v[2];
 	const int32_t *inverse = draw->inverse_q31;
 	const int part = middle_left ? BAND_LEFT : BAND_RIGHT;
 	const int top = inside ? setup->top : raster_first_row(draw, setup);
@@ -152,6 +155,9 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 		: draw->box.bottom;
 	const int turn =
 		inside ? setup->middle : clamp_int(setup->middle, top, bottom);
+	const int end = last == v[2]
+		? bottom
+		: clamp_int(raster_centre(v[2]->y), turn, bottom);
 
 	OPAQUE(inverse); /* else compilers find it from draw for each edge */
 	frame_set_edge(draw, edges, !part, v[0], v[2], top, inside, inverse);
@@ -162,10 +168,15 @@ static ALWAYS_INLINE void frame_draw_bands(const struct draw *draw,
 		function(band);
 	}
 	if (bottom > turn) {
-		frame_set_edge(draw, edges, part, v[1],
-			!inside && draw->fourth ? draw->fourth : v[2], turn,
-			inside, inverse);
-		edges->rows = bottom - turn;
+		frame_set_edge(
+			draw, edges, part, v[1], last, turn, inside, inverse);
+		edges->rows = end - turn;
+		function(band);
+	}
+	if (bottom > end) {
+		frame_set_edge(
+			draw, edges, !part, v[2], last, end, inside, inverse);
+		edges->rows = bottom - end;
 		function(band);
 	}
 }

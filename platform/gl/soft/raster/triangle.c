@@ -27,14 +27,16 @@ static void order(const struct vertex **a, const struct vertex **b)
 static bool find_extent(const struct draw *draw, struct setup *setup)
 {
 	const struct vertex *const *v = setup->v;
+	const struct vertex *last = draw->fourth ? draw->fourth : v[2];
 	const struct clip_box *box = &draw->box;
 	int32_t left = raster_least(v[0]->x, v[1]->x, v[2]->x);
-	int32_t right = raster_most(v[0]->x, v[1]->x, v[2]->x);
-	int32_t width = right - left, height = v[2]->y - v[0]->y;
+	int32_t most = raster_most(v[0]->x, v[1]->x, v[2]->x);
+	int32_t right = last->x > most ? last->x : most;
+	int32_t width = right - left, height = last->y - v[0]->y;
 
 	setup->top = raster_centre(v[0]->y);
 	setup->middle = raster_centre(v[1]->y);
-	setup->bottom = raster_centre(v[2]->y);
+	setup->bottom = raster_centre(last->y);
 	setup->columns = raster_centre(right) - raster_centre(left);
 	setup->extent = width > height ? width : height;
 	setup->wide = setup->extent > SMALL_EXTENT;

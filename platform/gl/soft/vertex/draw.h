@@ -266,8 +266,9 @@ struct draw {
 	struct vertex *provoking;      /* whose colour GL_FLAT uses */
 	struct vertex flat_corners[3]; /* copies of corners under GL_FLAT */
 	/*
-	 * NULL, or a rectangle's lower right corner: the rectangle is drawn as
-	 * the triangle of its other corners, but its right edge ends here.
+	 * NULL, or a parallelogram's lowest corner, which lies opposite to the
+	 * highest one, and right of another: the parallelogram is drawn as the
+	 * triangle of the others, but two of its edges end here.
 	 */
 	const struct vertex *fourth;
 	struct raster raster;

@@ -1,6 +1,6 @@
 /*
- * Points and lines as rectangles, GL ES 1.1 sections 3.3, 3.4: of two triangles,
- * or of one that draws a rectangle, as draw->fourth has it.
+ * Points and lines as parallelograms, GL ES 1.1 sections 3.3, 3.4: of two
+ * triangles, or of one that draws all of it, as draw->fourth has it.
  * raster/thin_line.c draws most lines that are one pixel wide.
  */
 #include "platform/gl/soft/raster/raster.h"
@@ -21,6 +21,11 @@ struct offset {
 	int32_t x, y; /* sixteenths */
 };
 
+static bool is_above(const struct vertex *a, const struct vertex *b)
+{
+	return a->y != b->y ? a->y < b->y : a->x < b->x;
+}
+
 /*
  * Draws a parallelogram of two triangles: corner 0 is a + off, corner 1 is b +
  * off + along; corners 2 and 3 are these two + across.
@@ -30,6 +35,7 @@ static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 	struct offset across)
 {
 	struct vertex corner[4] = {*a, *b, *a, *b};
+	int first = 0;
 
 	for (int i = 0; i < 4; i++) {
 		corner[i].x +=
@@ -37,12 +43,16 @@ static NEVER_INLINE void fill_between(struct draw *draw, const struct vertex *a,
 		corner[i].y +=
 			off.y + (i % 2 ? along.y : 0) + (i / 2 ? across.y : 0);
 	}
-	/* span functions draw a point's square as one triangle: see fourth */
-	if (a == b && draw->fast_setup.fill == soft_rows_fill) {
-		draw->fourth = &corner[3];
+	/* span functions draw the parallelogram as one triangle: see fourth */
+	if (draw->fill == soft_rows_fill) {
+		for (int i = 1; i < 4; i++) {
+			first = is_above(&corner[i], &corner[first]) ? i : first;
+		}
+		draw->fourth = &corner[3 - first];
 	}
-	soft_fill_triangle(
-		draw, (struct vertex *[]){&corner[0], &corner[1], &corner[2]});
+	soft_fill_triangle(draw,
+		(struct vertex *[]){&corner[first], &corner[first ^ 1],
+			&corner[first ^ 2]});
 	if (!draw->fourth) {
 		soft_fill_triangle(draw,
 			(struct vertex *[]){&corner[2], &corner[1], &corner[3]});

@@ -1,8 +1,10 @@
 /* Single triangles in which span functions and the reference once differed. */
 #include "platform/gl/soft/raster/raster.h"
+#include "tests/support/random.h"
 #include "tests/support/soft/span_random.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* A state, and a triangle that is drawn in it, at depths of 1 to 200. */
@@ -163,9 +165,77 @@ static void test_flat_triangles_have_textures_in_perspective(void **state)
 	}
 }
 
+static void fill_each(struct draw *draw, struct setup *setup)
+{
+	soft_rows_fill(draw, setup);
+}
+
+/* apart: each line is two triangles, as it is for any function but that one. */
+static struct span_scene *draw_lines(
+	enum pixel_format format, uint32_t seed, bool apart)
+{
+	struct span_scene *scene = span_begin_in_perspective(format, false);
+	const struct gl *gl = scene->gl;
+
+	scene->soft->fill = apart ? fill_each : NULL;
+	gl->Enable(GL_DEPTH_TEST);
+	if (random_one_in(&seed, 2)) {
+		gl->Enable(GL_BLEND);
+		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	}
+	if (random_one_in(&seed, 2)) {
+		gl->Enable(GL_LINE_SMOOTH);
+	}
+	gl->ShadeModel(random_one_in(&seed, 4) ? GL_FLAT : GL_SMOOTH);
+	for (int i = 0; i < 8; i++) {
+		gl->LineWidthx(random_between(&seed, 2 << 16, 9 << 16));
+		span_scene_draw(gl, span_make_triangle(&seed), 0);
+		gl->DrawArrays(GL_LINES, 0, 2);
+	}
+	return scene;
+}
+
+/*
+ * Returns how many pixels differ by more than rounding: in lines on which w
+ * varies much, rows are divided at other pixels.
+ */
+static int compare_lines(
+	const struct span_scene *one, const struct span_scene *two, int *drawn)
+{
+	const struct buffers *a = &one->soft->buffers, *b = &two->soft->buffers;
+	int apart = 0;
+
+	for (int i = 0; i < SPAN_PIXELS; i++) {
+		apart += abs(a->depth[i] - b->depth[i]) > 1 ||
+			!span_scene_is_near(one, i, two, i);
+		*drawn += a->depth[i] != a->depth[0];
+	}
+	return apart;
+}
+
+static void test_lines_are_those_of_two_triangles(void **state)
+{
+	int drawn = 0, apart = 0;
+
+	(void)state;
+	for (uint32_t seed = 1; seed <= RANDOM_CASES(400); seed++) {
+		enum pixel_format format =
+			seed % 2 ? PIXELS_RGBA8888 : PIXELS_RGB565;
+		struct span_scene *one = draw_lines(format, seed * 7919, false);
+		struct span_scene *two = draw_lines(format, seed * 7919, true);
+
+		apart += compare_lines(one, two, &drawn);
+		span_scene_close(one);
+		span_scene_close(two);
+	}
+	assert_true(drawn > RANDOM_CASES(200000));
+	assert_true(apart < drawn / 10000);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_lines_are_those_of_two_triangles),
 		cmocka_unit_test(
 			test_flat_triangles_have_textures_in_perspective),
 		cmocka_unit_test(test_fog_on_a_steep_sliver_of_one_color),

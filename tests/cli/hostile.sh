@@ -135,7 +135,18 @@ check 'the watchdog is disabled then' \
 $limber play "$scratch/large-images.gltf" --display null --frames 1 \
     >"$out_file" 2>"$err_file" &
 child=$!
-if $emulated; then sleep 2; else sleep 0.3; fi
+if $emulated; then
+    sleep 2
+else
+    # Until limber, no longer the shell, catches SIGTERM, which is bit 14.
+    n=0
+    until awk '/^Name:.*limber/ { runs = 1 }
+            runs && /^SigCgt:.*[4-7c-f]...$/ { catches = 1 }
+            END { exit !catches }' /proc/$child/status || [ $n = 500 ]; do
+        sleep 0.02
+        n=$((n + 1))
+    done
+fi
 kill -TERM $child
 wait $child
 status=$?

@@ -191,7 +191,7 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 	const struct material *material = &soft->lighting.material;
 	int64_t diffuse[3], ambient[3], specular[3];
 	uint64_t sizes = 1;
-	int shift;
+	int shift, ambient_shift;
 
 	multiply_colors(choose_color(soft, shading, material->diffuse),
 		light->diffuse, diffuse, &sizes);
@@ -200,20 +200,23 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 	multiply_colors(material->specular, light->specular, specular, &sizes);
 	shift = clamp_int(31 - LEADING_ZEROS_64(sizes), 0, SHIFT_MOST);
 	light_source->shift = shift;
+	/* the weight has the factor of normals, which ambient light has not */
+	ambient_shift = 16 + shift + shading->normal_shift;
 	for (int i = 0; i < 3; i++) {
 		light_source->diffuse_q30[i] =
 			saturate_64((diffuse[i] >> (10 + shift)) * 257);
 		light_source->specular_q20[i] =
 			saturate_64(specular[i] >> (12 + shift));
 		if (light_source->weighted) {
-			light_source->ambient_q24[i] =
-				saturate_64((ambient[i] >> (16 + shift)) * 257);
+			light_source->ambient_q24[i] = saturate_64(
+				(ambient[i] >> ambient_shift) * 257);
 		} else {
 			/* without a weight it is the same for all vertices */
 			add_ambient(shading, i, ambient[i] >> 16);
 		}
 	}
-	light_source->weighted |= shift != 0;
+	light_source->shift += shading->normal_shift;
+	light_source->weighted |= light_source->shift != 0;
 }
 
 static void prepare_light_source(const struct soft *soft, struct draw *draw,
@@ -244,6 +247,37 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 	}
 }
 
+static float find_largest(const float m[9])
+{
+	float most = 0.0f;
+
+	for (int i = 0; i < 9; i++) {
+		float value = scalar_abs(m[i]);
+
+		most = value > most ? value : most;
+	}
+	return most;
+}
+
+/* What GL multiplies normals by, or any scale where vertices normalize them. */
+static float find_factor(
+	const struct lighting *lighting, float scale, const float turned[9])
+{
+	const float *third = turned + 6;
+	float size = 1.0f;
+
+	if (scale != 0.0f && (lighting->normalize || lighting->rescale)) {
+		return scale;
+	}
+	if (lighting->normalize) {
+		size = find_largest(turned);
+	} else if (lighting->rescale) { /* section 2.11.3 */
+		size = scalar_sqrt(third[0] * third[0] + third[1] * third[1] +
+			third[2] * third[2]);
+	}
+	return size > 0.0f ? 1.0f / size : 1.0f;
+}
+
 /*
  * Finds the matrix of normals, scaled for GL_NORMALIZE or GL_RESCALE_NORMAL: in
  * normal_q28 to rotate normals by, and in turned to transform lights by.
@@ -254,27 +288,22 @@ static void prepare_normals(
 	const struct lighting *lighting = &soft->lighting;
 	const struct matrix *m = soft->matrices.modelview.top;
 	struct shading *shading = &draw->shading;
-	float scale = soft_matrix_uniform_scale(m);
-	float factor = 1.0f;
+	float scale = soft_matrix_uniform_scale(m), factor;
 
 	soft_matrix_normal(m, turned);
 	shading->normalize = lighting->normalize;
-	if (scale != 0.0f && (lighting->normalize || lighting->rescale)) {
-		factor = scale;
-	} else if (lighting->normalize) {
-		float most = 0.0f;
-
-		/* Any scale does: vertices normalize their normals. */
-		for (int i = 0; i < 9; i++) {
-			float value = scalar_abs(turned[i]);
-
-			most = value > most ? value : most;
-		}
-		factor = most > 0.0f ? 1.0f / most : 1.0f;
-	}
+	shading->normal_shift = 0;
+	factor = find_factor(lighting, scale, turned);
 	/* Directions of transformed lights must be shorter than 2. */
 	shading->rotate_normals =
 		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
+	if (shading->rotate_normals && !shading->normalize) {
+		/* The matrix's elements must be below 4. */
+		shading->normal_shift = clamp_int(
+			soft_matrix_exponent(factor * find_largest(turned)) - 1,
+			0, SHIFT_MOST);
+		factor *= soft_matrix_power_of_two(-shading->normal_shift);
+	}
 	/* Normals of back faces point the other way: section 2.12.1. */
 	factor = shading->back_only ? -factor : factor;
 	for (int i = 0; i < 9; i++) {

@@ -81,7 +81,12 @@ struct shading {
 	/* Both sides are lit, or the back in place of the front, if it is culled. */
 	bool two_side, back_only;
 	bool normalize, rotate_normals;
-	int32_t normal_q28[9]; /* if rotate_normals: to eye space, column-major */
+	/*
+	 * If rotate_normals: to eye space, column-major, divided by
+	 * 2^normal_shift, which the lights' weights make up for.
+	 */
+	int32_t normal_q28[9];
+	int normal_shift;
 	int32_t alpha_q16;
 };
 

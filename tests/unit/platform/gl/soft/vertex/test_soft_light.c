@@ -27,7 +27,8 @@ struct lit_case {
 	{               \
 		1, 1, 1 \
 	}
-#define FRONT        .position = {0, 0, 1, 0}, .normal = {0, 0, 1}
+#define AHEAD        .position = {0, 0, 1, 0}
+#define FRONT        AHEAD, .normal = {0, 0, 1}
 #define MATT         .diffuse = WHITE, .material_diffuse = {0.8, 0.6, 0.2, 1}
 #define GLOSS        .specular = WHITE, .material_specular = {0.9, 0.5, 0.3}
 #define LIGHT_SOURCE .position = {0.3, -0.2, 1.5, 1}, .normal = {0, 0, 1}
@@ -110,30 +111,33 @@ static const struct lit_case cases[] = {
 		.direction = {0.5, 0, -1}, .exponent = 5},
 	{"a directional spot aside", MATT, FRONT, .ambient = WHITE,
 		.direction = {0, 1, 0}, .cutoff = 60},
-	{"a tilted normal", MATT, .position = {0, 0, 1, 0},
-		.normal = {0.6, 0, 0.8}},
-	{"a long normal is taken as it is", MATT, .position = {0, 0, 1, 0},
-		.normal = {0, 0, 0.5}},
-	{"a long normal is normalised", MATT, .position = {0, 0, 1, 0},
-		.normal = {1.8, 0, 2.4}, .normalize = true},
-	{"a very long normal is normalised", MATT, .position = {0, 0, 1, 0},
+	{"a tilted normal", MATT, AHEAD, .normal = {0.6, 0, 0.8}},
+	{"a long normal is taken as it is", MATT, AHEAD, .normal = {0, 0, 0.5}},
+	{"a long normal is normalised", MATT, AHEAD, .normal = {1.8, 0, 2.4},
+		.normalize = true},
+	{"a very long one is normalised", MATT, AHEAD,
 		.normal = {-1200, 0, 900}, .normalize = true},
-	{"a long normal is normalised under uneven scale", MATT,
-		.position = {0, 0, 1, 0}, .normal = {1.9, 1.9, 1.5},
-		.scale = {1, 1, 2}, .normalize = true},
-	{"a short normal is normalised", MATT, .position = {0, 0, 1, 0},
-		.normal = {0.15, 0, 0.2}, .normalize = true},
-	{"scaled normals shrink", MATT, .position = {0, 0, 1, 0},
-		.normal = {0, 0.6, 0.8}, .scale = {2, 2, 2}},
+	{"a long normal, normalised, uneven scale", MATT, AHEAD,
+		.normal = {1.9, 1.9, 1.5}, .scale = {1, 1, 2}, .normalize = true},
+	{"a short normal is normalised", MATT, AHEAD, .normal = {0.15, 0, 0.2},
+		.normalize = true},
+	{"scaled normals shrink", MATT, AHEAD, .normal = {0, 0.6, 0.8},
+		.scale = {2, 2, 2}},
 	{"small scales make normals long", MATT, .position = {0.98, 0, 0.2, 0},
 		.normal = {0, 0, 1}, .scale = {0.25, 0.25, 0.25}},
-	{"scaled normals are rescaled", MATT, .position = {0, 0, 1, 0},
-		.normal = {0, 0.6, 0.8}, .scale = {4, 4, 4}, .rescale = true},
-	{"rescaling keeps the normal's own length", MATT,
-		.position = {0, 0, 1, 0}, .normal = {0, 0.3, 0.4},
+	{"very long normals", MATT, .position = {0.98, 0, 0.2, 0},
+		.normal = {0.004, 0, 0.003}, .scale = {0.01, 0.01, 0.01}},
+	{"very long normals and a point", MATT, .ambient = GRAY,
+		.normal = {0, 0.004, 0.003}, .position = {0.3, -0.2, 1.5, 1},
+		.scale = {0.01, 0.01, 0.01}, .material_ambient = GRAY},
+	{"uneven scale is rescaled", MATT, AHEAD, .normal = {0, 0.6, 0.8},
+		.scale = {1, 2, 0.5}, .rescale = true},
+	{"scaled normals are rescaled", MATT, AHEAD, .normal = {0, 0.6, 0.8},
+		.scale = {4, 4, 4}, .rescale = true},
+	{"rescaling keeps own lengths", MATT, AHEAD, .normal = {0, 0.3, 0.4},
 		.scale = {0.5, 0.5, 0.5}, .rescale = true},
-	{"uneven scale is normalised", MATT, .position = {0, 0, 1, 0},
-		.normal = {0.6, 0, 0.8}, .scale = {2, 1, 0.5}, .normalize = true},
+	{"uneven scale is normalised", MATT, AHEAD, .normal = {0.6, 0, 0.8},
+		.scale = {2, 1, 0.5}, .normalize = true},
 	{"scale and a point light", MATT, LIGHT_SOURCE, .scale = {3, 3, 3},
 		.normalize = true},
 	{"one side: the back is lit as the front", MATT, FRONT,
@@ -143,9 +147,8 @@ static const struct lit_case cases[] = {
 		.clockwise = true},
 	{"two sides: the back from behind", MATT, .position = {0, 0.6, -0.8, 0},
 		.normal = {0, 0, 1}, .two_side = true, .clockwise = true},
-	{"two sides: the back's specular", GLOSS, .shininess = 2,
-		.position = {0, 0, 1, 0}, .normal = {0, 0.6, -0.8},
-		.two_side = true, .clockwise = true},
+	{"two sides: the back's specular", GLOSS, .shininess = 2, AHEAD,
+		.normal = {0, 0.6, -0.8}, .two_side = true, .clockwise = true},
 	{"colour material is diffuse", .diffuse = WHITE,
 		.color = {0.3, 0.7, 0.1, 1}, FRONT},
 	{"colour material is ambient", .scene = GRAY, .ambient = {0.2, 0.1, 0},
@@ -248,19 +251,17 @@ static void light_vertex(
 
 static void set_light(struct gl *gl, GLenum name, const double *rgb)
 {
-	const double four[4] = {rgb[0], rgb[1], rgb[2], 1};
-	GLfixed fixed[4];
+	GLfixed fixed[4] = {[3] = 65536};
 
-	gl_fixed_all(four, 4, fixed);
+	gl_fixed_all(rgb, 3, fixed);
 	gl->Lightxv(GL_LIGHT0, name, fixed);
 }
 
 static void set_material(struct gl *gl, GLenum name, const double *rgb)
 {
-	const double four[4] = {rgb[0], rgb[1], rgb[2], 1};
-	GLfixed fixed[4];
+	GLfixed fixed[4] = {[3] = 65536};
 
-	gl_fixed_all(four, 4, fixed);
+	gl_fixed_all(rgb, 3, fixed);
 	gl->Materialxv(GL_FRONT_AND_BACK, name, fixed);
 }
 
@@ -293,10 +294,9 @@ static void tell_light(struct gl *gl, const struct lit_case *c)
 
 static void tell_material(struct gl *gl, const struct lit_case *c)
 {
-	const double four[4] = {c->scene[0], c->scene[1], c->scene[2], 1};
-	GLfixed fixed[4];
+	GLfixed fixed[4] = {[3] = 65536};
 
-	gl_fixed_all(four, 4, fixed);
+	gl_fixed_all(c->scene, 3, fixed);
 	gl->LightModelxv(GL_LIGHT_MODEL_AMBIENT, fixed);
 	gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, c->two_side);
 	set_material(gl, GL_AMBIENT, c->material_ambient);

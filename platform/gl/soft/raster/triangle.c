@@ -45,7 +45,9 @@ static bool find_extent(const struct draw *draw, struct setup *setup)
 		raster_centre(left) > box->left &&
 		raster_centre(right) < box->right;
 	return setup->top < setup->bottom && setup->top < box->bottom &&
-		setup->bottom > box->top && setup->columns > 0;
+		setup->bottom > box->top && setup->columns > 0 &&
+		raster_centre(left) < box->right &&
+		raster_centre(right) > box->left;
 }
 
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3])

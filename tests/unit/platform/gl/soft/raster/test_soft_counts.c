@@ -178,6 +178,21 @@ static void test_back_faces_count_as_front_faces_do(void **state)
 	gl_canvas_close(&canvas);
 }
 
+static void test_triangles_beside_the_scissor_box_are_not_shaded(void **state)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+
+	(void)state;
+	canvas.gl->Enable(GL_SCISSOR_TEST);
+	canvas.gl->Scissor(GL_CANVAS_WIDTH - 1, 0, 1, GL_CANVAS_HEIGHT);
+	count(&canvas, &counts);
+	draw_square(&canvas);
+	assert_true(counts.calls == 1.0);
+	assert_true(counts.shaded == 0.0);
+	gl_canvas_close(&canvas);
+}
+
 static void test_hidden_back_faces_are_neither_lit_nor_set_up(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
@@ -377,6 +392,9 @@ int main(void)
 		cmocka_unit_test(
 			test_triangles_that_are_not_set_up_count_as_skipped),
 		cmocka_unit_test(test_back_faces_count_as_front_faces_do),
+		cmocka_unit_test(test_faces_lit_on_both_sides_take_the_same_path),
+		cmocka_unit_test(
+			test_triangles_beside_the_scissor_box_are_not_shaded),
 		cmocka_unit_test(
 			test_hidden_back_faces_are_neither_lit_nor_set_up),
 		cmocka_unit_test(test_triangles_of_several_colors_count_besides),

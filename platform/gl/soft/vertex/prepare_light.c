@@ -73,12 +73,13 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
 
 /*
  * Scales a position so that its difference from a vertex's, less than 2^28 in
- * draw->eye_q, fits.
+ * draw->eye_q, is below 2^30.
  */
 static void prepare_place(const struct draw *draw, const struct light *light,
 	struct light_source *light_source)
 {
 	float place[3], most = 0.0f;
+	int q;
 
 	for (int i = 0; i < 3; i++) {
 		float size;
@@ -87,12 +88,17 @@ static void prepare_place(const struct draw *draw, const struct light *light,
 		size = scalar_abs(place[i]);
 		most = size > most ? size : most;
 	}
+	q = 28 - soft_matrix_exponent(most);
+	light_source->position_q = q < draw->eye_q ? q : draw->eye_q;
+	/* beyond 31 the vertices are in the same place, as seen from the light */
 	light_source->eye_shift =
-		clamp_int(draw->eye_q - 28 + soft_matrix_exponent(most), 0, 31);
-	light_source->position_q = draw->eye_q - light_source->eye_shift;
+		clamp_int(draw->eye_q - light_source->position_q, 0, 31);
 	for (int i = 0; i < 3; i++) {
-		light_source->position[i] = soft_matrix_to_int(place[i] *
+		int32_t at = soft_matrix_to_int(place[i] *
 			soft_matrix_power_of_two(light_source->position_q));
+
+		/* only infinite numbers are larger */
+		light_source->position[i] = clamp_int(at, -(1 << 29), 1 << 29);
 	}
 }
 

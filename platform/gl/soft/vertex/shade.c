@@ -24,7 +24,7 @@ int32_t soft_shade_to_q16(int32_t value, int q)
 	const int32_t most =
 		q < 16 ? INT32_MAX >> clamp_int(16 - q, 0, 31) : INT32_MAX;
 
-	return value >= most ? INT32_MAX : shift_by(value, 16 - q);
+	return value > most ? INT32_MAX : shift_by(value, 16 - q);
 }
 
 static int32_t fog_share_q16(const struct draw *draw, int32_t distance_q16)

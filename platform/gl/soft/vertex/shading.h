@@ -43,9 +43,10 @@ struct light_source {
 	int32_t share_q16; /* if weighted: what vertices get of the light */
 	int32_t ambient_q24[3]; /* the same; else struct shading has it */
 	/* positional lights, in eye space; meet() finds directions by vertex */
-	bool positional,
-		fades;       /* fades: share_q16, too, depends on the vertex */
-	int32_t position[3]; /* its fraction bits are draw->eye_q less eye_shift */
+	bool positional;
+	bool fades; /* share_q16, too, depends on the vertex */
+	/* position_q fraction bits, as eye coordinates have >> eye_shift */
+	int32_t position[3];
 	int eye_shift, position_q;
 	int32_t direction_q28[3], attenuation_q16[3], cutoff_q26, exponent_q16;
 };

@@ -5,7 +5,7 @@
  * all triangles (portable/triangles.c).
  *
  * A triangle that is culled costs 22 instructions, one that covers no pixel's centre
- * 35, others 116 until they are filled; a vertex 23 besides its transformation.
+ * 35, others 115 until they are filled; a vertex 23 besides its transformation.
  */
 #include "platform/gl/soft/arm/offsets.h"
 
@@ -122,6 +122,8 @@
 soft_list:
 	push	{r4-r11, lr}
 	sub	sp, sp, #ROOM
+	mov	r2, #0 /* upper half of all areas */
+	str	r2, [sp, #SETUP_AREA + 4]
 	str	r0, [sp, #DRAW]
 	str	r1, [sp, #SOURCE]
 	ldr	r2, [r1]
@@ -194,8 +196,7 @@ soft_list:
 	eormi	r1, r1, #1 << 16
 	rsbmi	r0, r0, #0
 	str	r1, [sp, #SETUP_FLAGS]
-	mov	r1, #0
-	strd	r0, [sp, #SETUP_AREA]
+	str	r0, [sp, #SETUP_AREA]
 	mov	r0, r8, lsr #16
 	uxth	r8, r8
 	cmp	r0, r8

@@ -16,34 +16,33 @@ struct listed {
 	bool alpha_moves;
 };
 
-static ALWAYS_INLINE struct plane find_scaled(const struct listed *listed,
-	bool behind, int name, int32_t half, int32_t scale)
+static ALWAYS_INLINE struct plane find_scaled(
+	const struct listed *listed, int name, int32_t half, int32_t scale)
 {
 	const struct frame *frame = &listed->frame;
-	const struct delta delta =
-		frame_find_attribute(listed->setup, behind, name);
+	const struct delta delta = frame_find_attribute(listed->setup, name);
 	const struct plane plane =
 		frame_find_near(frame, delta.first, delta.d1, delta.d2);
 
 	return scale_color(&plane, frame->column, half, scale);
 }
 
-static ALWAYS_INLINE void set_listed_colors(struct listed *listed, bool behind)
+static ALWAYS_INLINE void set_listed_colors(struct listed *listed)
 {
 	const struct soft_spans *spans = &listed->draw->spans;
 	const struct soft_scales *scales = &spans->scales;
 	struct plane alpha = {0};
 
 	listed->red_blue =
-		pair_colors(find_scaled(listed, behind, RED,
-				    scales->red_blue_half, scales->red_blue),
-			find_scaled(listed, behind, BLUE, scales->red_blue_half,
+		pair_colors(find_scaled(listed, RED, scales->red_blue_half,
+				    scales->red_blue),
+			find_scaled(listed, BLUE, scales->red_blue_half,
 				scales->red_blue));
-	listed->green = find_scaled(
-		listed, behind, GREEN, scales->green_half, scales->green);
+	listed->green =
+		find_scaled(listed, GREEN, scales->green_half, scales->green);
 	if (spans->alpha_read) {
 		const struct delta delta =
-			frame_find_attribute(listed->setup, behind, ALPHA);
+			frame_find_attribute(listed->setup, ALPHA);
 
 		alpha = frame_find_plane(&listed->frame, &delta);
 	}
@@ -59,7 +58,7 @@ static ALWAYS_INLINE void set_fog(struct listed *listed)
 	listed->fog = (struct plane){listed->draw->raster.constant[FOG], 0, 0};
 	if (listed->draw->fogged) {
 		const struct delta delta =
-			frame_find_attribute(listed->setup, false, FOG);
+			frame_find_attribute(listed->setup, FOG);
 
 		listed->fog = frame_find_plane(&listed->frame, &delta);
 	}
@@ -185,7 +184,6 @@ static ALWAYS_INLINE void draw_listed(struct listed *listed)
  */
 bool soft_fill_small(struct draw *draw, struct setup *setup)
 {
-	const bool behind = setup->back && draw->shading.two_side;
 	const int rows = setup->bottom - setup->top;
 	struct listed listed;
 
@@ -202,7 +200,7 @@ bool soft_fill_small(struct draw *draw, struct setup *setup)
 		draw, setup, listed.frame.middle_left, true, &listed.narrow);
 	narrow_set_depth(
 		draw, setup, &listed.frame, 0, draw->offset, &listed.narrow);
-	set_listed_colors(&listed, behind);
+	set_listed_colors(&listed);
 	set_fog(&listed);
 	set_steps(&listed);
 	draw_listed(&listed);

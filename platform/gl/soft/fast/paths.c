@@ -50,8 +50,8 @@ static bool is_text(const struct draw *draw)
 }
 
 /*
- * Opaque, by LESS or LEQUAL, which write; no state depends on the face. Depth
- * and picture have the same stride.
+ * Opaque, by LESS or LEQUAL, which write. Depth and picture have the same
+ * stride.
  */
 static bool is_solid(const struct draw *draw)
 {
@@ -59,7 +59,7 @@ static bool is_solid(const struct draw *draw)
 
 	return buffers->target.stride_bytes == buffers->width * 2 &&
 		draw->spans.depth_by_less && draw->spans.depth_written &&
-		!draw->blended && !draw->shading.two_side;
+		!draw->blended;
 }
 
 static bool is_bilinear(const struct draw *draw)

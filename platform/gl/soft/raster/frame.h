@@ -87,17 +87,13 @@ static ALWAYS_INLINE struct delta frame_find_delta(
 		(int32_t)((uint32_t)c - (uint32_t)a)};
 }
 
-/* An attribute's, or the colour's of back faces under two-sided lighting. */
 static ALWAYS_INLINE struct delta frame_find_attribute(
-	const struct setup *setup, bool behind, int name)
+	const struct setup *setup, int name)
 {
 	const struct vertex *const *v = setup->v;
 
-	return behind && name <= ALPHA
-		? frame_find_delta(
-			  v[0]->back[name], v[1]->back[name], v[2]->back[name])
-		: frame_find_delta(v[0]->attribute[name], v[1]->attribute[name],
-			  v[2]->attribute[name]);
+	return frame_find_delta(v[0]->attribute[name], v[1]->attribute[name],
+		v[2]->attribute[name]);
 }
 
 /* The largest minus the least of the values 0, d1 and d2. */

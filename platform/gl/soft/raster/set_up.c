@@ -64,9 +64,9 @@ struct moving {
 
 /* Sets an attribute's differences; returns its bit if it is not constant. */
 static ALWAYS_INLINE uint32_t gather(struct raster *raster,
-	const struct setup *setup, bool behind, int name, struct delta *delta)
+	const struct setup *setup, int name, struct delta *delta)
 {
-	*delta = frame_find_attribute(setup, behind, name);
+	*delta = frame_find_attribute(setup, name);
 	raster->constant[name] = (uint32_t)delta->first << 8;
 	return (uint32_t)((delta->d1 | delta->d2) != 0) << name;
 }
@@ -80,13 +80,12 @@ static ALWAYS_INLINE void gather_colors(
 {
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
 	struct raster *raster = &draw->raster;
-	const bool behind = setup->back && draw->shading.two_side;
 	uint32_t bits = 0;
 
 	if (wanted >> RED & 1) {
-		bits = gather(raster, setup, behind, RED, &delta[RED]) |
-			gather(raster, setup, behind, GREEN, &delta[GREEN]) |
-			gather(raster, setup, behind, BLUE, &delta[BLUE]);
+		bits = gather(raster, setup, RED, &delta[RED]) |
+			gather(raster, setup, GREEN, &delta[GREEN]) |
+			gather(raster, setup, BLUE, &delta[BLUE]);
 	} else {
 		for (int i = RED; i <= BLUE; i++) {
 			delta[i] = (struct delta){
@@ -94,10 +93,10 @@ static ALWAYS_INLINE void gather_colors(
 		}
 	}
 	if (wanted >> ALPHA & 1) {
-		bits |= gather(raster, setup, behind, ALPHA, &delta[ALPHA]);
+		bits |= gather(raster, setup, ALPHA, &delta[ALPHA]);
 	}
 	if (wanted >> FOG & 1) {
-		bits |= gather(raster, setup, false, FOG, &delta[FOG]);
+		bits |= gather(raster, setup, FOG, &delta[FOG]);
 	}
 	raster->moving_bits = bits;
 	/* red, green and blue have planes together */
@@ -113,13 +112,12 @@ bool soft_colors_bend(const struct draw *draw, const struct setup *setup)
 {
 	const struct perspective perspective = raster_find_perspective(setup);
 	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
-	const bool behind = setup->back && draw->shading.two_side;
 	uint32_t most = 0;
 
 	for (int i = RED; i <= FOG; i++) {
 		if (wanted >> i & 1) {
 			const struct delta delta =
-				frame_find_attribute(setup, behind, i);
+				frame_find_attribute(setup, i);
 			const uint32_t own =
 				frame_find_spread(delta.d1, delta.d2);
 

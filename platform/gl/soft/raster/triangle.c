@@ -93,26 +93,38 @@ static uint32_t pack_pixels(int x, int y)
 	return (uint32_t)y << 20 | (uint32_t)x << 4;
 }
 
-/*
- * GL_FLAT: draws copies of the corners, all in the provoking vertex's colour.
- * The other corners' colours are not computed.
- */
-static void fill_in_one_color(struct draw *draw, struct setup *setup)
+/* Whether colours are not those of the corners: see fill_copies(). */
+static bool draws_copies(const struct draw *draw)
 {
-	struct vertex *from = setup->provoking;
+	return draw->attributes &&
+		(draw->soft->fragment.flat || draw->shading.two_side);
+}
 
-	soft_shade(draw, from);
+/*
+ * GL_FLAT draws copies of the corners, all in the provoking vertex's colour;
+ * the other corners' colours are not computed. Of two-sided lighting, copies of
+ * a back face's corners have the back's colours.
+ */
+static void fill_copies(struct draw *draw, struct setup *setup)
+{
+	const bool flat = raster_is_flat(draw);
+	const bool back = setup->back && draw->shading.two_side;
+
 	for (int i = 0; i < 3; i++) {
-		struct vertex *to = &draw->flat_corners[i];
+		struct vertex *own = (struct vertex *)setup->v[i];
+		struct vertex *from = flat ? setup->provoking : own;
+		struct vertex *to = &draw->copies[i];
 
-		memcpy(to, setup->v[i], offsetof(struct vertex, back));
+		soft_shade(draw, from);
+		if (!flat && !back) {
+			continue;
+		}
+		memcpy(to, own, offsetof(struct vertex, back));
 		if (!to->shaded && draw->shade_more) {
 			soft_shade_rest(draw, to);
 		}
-		memcpy(to->attribute, from->attribute, sizeof(from->back));
-		if (draw->shading.two_side) {
-			memcpy(to->back, from->back, sizeof(from->back));
-		}
+		memcpy(to->attribute, back ? from->back : from->attribute,
+			sizeof(from->back));
 		setup->v[i] = to;
 	}
 	draw->fill(draw, setup);
@@ -136,7 +148,7 @@ static void fill_seen(struct draw *draw, struct setup *setup)
 		hidden = soft_is_wholly_hidden(draw, setup);
 	}
 	if (!hidden) {
-		(flat ? fill_in_one_color : draw->fill)(draw, setup);
+		(draws_copies(draw) ? fill_copies : draw->fill)(draw, setup);
 	} else if (draw->soft->counts) {
 		draw->soft->counts->skipped += 1.0;
 	}
@@ -148,7 +160,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 	const bool mostly_hidden =
 		draw->cull_front && draw->hides && !draw->blended;
 	const fill_function first = mostly_hidden ? fill_seen
-		: raster_is_flat(draw)            ? fill_in_one_color
+		: draws_copies(draw)              ? fill_copies
 						  : NULL;
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct clip_box *box = &draw->box;

@@ -263,8 +263,8 @@ struct draw {
 	bool divides;    /* s and t are divided, not bent: see soft_bend() */
 	bool rectangles; /* soft_fill_rectangle() may draw two triangles as one */
 	struct soft_spans spans;
-	struct vertex *provoking;      /* whose colour GL_FLAT uses */
-	struct vertex flat_corners[3]; /* copies of corners under GL_FLAT */
+	struct vertex *provoking; /* whose colour GL_FLAT uses */
+	struct vertex copies[3];  /* of corners: see triangle.c */
 	/*
 	 * NULL, or a parallelogram's lowest corner, which lies opposite to the
 	 * highest one, and right of another: the parallelogram is drawn as the

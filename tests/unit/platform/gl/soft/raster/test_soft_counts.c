@@ -178,6 +178,25 @@ static void test_back_faces_count_as_front_faces_do(void **state)
 	gl_canvas_close(&canvas);
 }
 
+static void test_faces_lit_on_both_sides_take_the_same_path(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+		struct gl_counts counts = {0};
+
+		canvas.gl->Enable(GL_DEPTH_TEST);
+		canvas.gl->Enable(GL_LIGHTING);
+		canvas.gl->Enable(GL_LIGHT0);
+		canvas.gl->LightModelx(GL_LIGHT_MODEL_TWO_SIDE, GL_TRUE);
+		canvas.gl->FrontFace(i ? GL_CW : GL_CCW);
+		count(&canvas, &counts);
+		draw_square(&canvas);
+		expect_square(&counts, GL_WORK_PLAIN);
+		gl_canvas_close(&canvas);
+	}
+}
+
 static void test_triangles_beside_the_scissor_box_are_not_shaded(void **state)
 {
 	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);

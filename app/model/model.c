@@ -106,6 +106,19 @@ bool model_is_below(const struct model *model, int node, int top)
 	return node == top;
 }
 
+int model_find_common(const struct model *model, int a, int b)
+{
+	while (a != b) {
+		/* parents come before their children */
+		if (a > b) {
+			a = model->node[a].parent;
+		} else {
+			b = model->node[b].parent;
+		}
+	}
+	return a;
+}
+
 int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 {
 	int level = 0;

@@ -385,6 +385,12 @@ bool model_node_shows_mesh(const struct model_node *node);
 bool model_is_below(const struct model *model, int node, int top);
 
 /*
+ * Returns the lowest node that two nodes are below, or one of the two if the
+ * other one is below it; -1 if they have no such node.
+ */
+int model_find_common(const struct model *model, int a, int b);
+
+/*
  * Returns the coarsest level of detail, counted from 1, whose triangle list has
  * at least index_count indices, or 0, the full list, if there is none. Lists
  * for shadows do not count.

@@ -117,19 +117,6 @@ static bool mirrors(const struct search *search, int hips, int left, int right,
 		scalar_abs(ahead[0] - ahead[1]) < uneven;
 }
 
-/* Returns the nearest node above a, or a itself, that is above b, too; or -1. */
-static int find_common(const struct model *model, int a, int b)
-{
-	while (a != b) {
-		if (a > b) {
-			a = model->node[a].parent;
-		} else {
-			b = model->node[b].parent;
-		}
-	}
-	return a;
-}
-
 /*
  * Adds a pair; hips that carry others come first, as [feet] needs it. Of two
  * pairs with the same hips, the one with longer legs stays.
@@ -179,7 +166,8 @@ static int list_candidates(const struct search *search, const struct leg *leg,
 				uneven_of(left))) {
 			continue;
 		}
-		hips = find_common(search->model, left->upper, right->upper);
+		hips = model_find_common(
+			search->model, left->upper, right->upper);
 		if (is_bone(search, hips) && hips != left->upper &&
 			hips != right->upper) {
 			out[count++] = (struct candidate){left, right, hips};

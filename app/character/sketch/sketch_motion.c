@@ -15,28 +15,15 @@ enum {
 /* A node goes away if it ends at least this part of its way from its start. */
 static const float away_part = 0.6f;
 
-/* [node_count] each, but for the last one. */
+/* Arrays have an element for each node. */
 struct search {
 	struct pose pose;
 	mat4 *world;
-	bool *carries; /* whether all that is shown hangs on the node */
-	bool *is_named;
+	bool *carries;  /* whether all that is shown hangs on the node */
+	bool *is_named; /* whether a file can name it */
 	float (*start)[2], (*at)[2]; /* of each node, along x and z */
 	float *way;                  /* how long its way is */
 };
-
-/* Returns the last node on which both hang, or -1. Parents come first. */
-static int common_parent(const struct model *model, int a, int b)
-{
-	while (a != b && a >= 0 && b >= 0) {
-		if (a > b) {
-			a = model->node[a].parent;
-		} else {
-			b = model->node[b].parent;
-		}
-	}
-	return a == b ? a : -1;
-}
 
 /* Marks the nodes on which all that is shown hangs. */
 static void find_carriers(struct search *search, const struct model *model)
@@ -54,7 +41,7 @@ static void find_carriers(struct search *search, const struct model *model)
 
 			top = top == model->node_count
 				? at
-				: common_parent(model, top, at);
+				: model_find_common(model, top, at);
 		}
 	}
 	while (top >= 0 && top < model->node_count) {

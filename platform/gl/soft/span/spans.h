@@ -104,7 +104,7 @@ struct soft_spans {
 	bool steep;
 	/* largest sum of columns and rows where a list may step colours */
 	int stepped_size;
-	int small_size; /* the same of soft_draw_small()'s triangles; else 0 */
+	int small_size; /* the same of soft_fill_small()'s triangles; else 0 */
 	/* of the triangle: rows choose levels of detail; none has done so yet */
 	bool level_by_row, level_unknown;
 	bool alpha_moves, fog_moves; /* they are not constant in the triangle */

@@ -266,9 +266,9 @@ struct draw {
 	struct vertex *provoking; /* whose colour GL_FLAT uses */
 	struct vertex copies[3];  /* of corners: see triangle.c */
 	/*
-	 * NULL, or a parallelogram's lowest corner, which lies opposite to the
-	 * highest one, and right of another: the parallelogram is drawn as the
-	 * triangle of the others, but two of its edges end here.
+	 * NULL, or the lowest corner of a parallelogram, which lies opposite to
+	 * the highest one and not to the left of all others: the triangle of
+	 * these is drawn, except that two of its edges end here.
 	 */
 	const struct vertex *fourth;
 	struct raster raster;

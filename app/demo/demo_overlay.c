@@ -178,8 +178,9 @@ struct hud_place demo_overlay_place(
 		return place;
 	}
 	place.room = below;
-	if (2 * column <= hud->width && above > below) {
-		place = (struct hud_place){HUD_TOP_RIGHT, above};
+	if (2 * column <= hud->width && above - stacked[HUD_TOP_RIGHT] > below) {
+		place = (struct hud_place){
+			HUD_TOP_RIGHT, above - stacked[HUD_TOP_RIGHT]};
 	} else if (above - stacked[HUD_TOP_LEFT] > below) {
 		place = (struct hud_place){
 			HUD_TOP_LEFT, above - stacked[HUD_TOP_LEFT]};

@@ -281,7 +281,6 @@ static void hear(void *user, enum log_level level, const char *message)
 	if (atomic_load(&show->opening) && interrupt_pending()) {
 		return;
 	}
-
 	if (level == LOG_ERROR) {
 		atomic_store(&show->heard_error, true);
 	}

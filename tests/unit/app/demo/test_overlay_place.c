@@ -115,6 +115,35 @@ static void test_labels_take_the_free_side(void **state)
 	assert_true(seen[HUD_TOP_RIGHT] > 0);
 }
 
+/* Such as the times of frames, which come below the overlays' labels there. */
+static void test_labels_at_the_right_leave_less_room_above_figures(void **state)
+{
+	const int size[2] = {600, 1400};
+	struct shown shown;
+	struct hud hud;
+	struct room room;
+	int seen = 0;
+
+	(void)state;
+	shown_begin(&shown, "face", size, false);
+	assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
+	hud_begin(&hud, size[0], size[1]);
+	room = room_of(&shown, &hud);
+	for (int px = 0; px <= room.above; px += 10) {
+		struct hud_place place;
+
+		hud.stacked_px[HUD_TOP_RIGHT] = px;
+		place = demo_overlay_place(shown.demo, &hud);
+		if (place.corner == HUD_TOP_RIGHT) {
+			assert_int_equal(place.room, room.above - px);
+			seen++;
+		}
+	}
+	assert_true(seen > 1);
+	hud_finish(&hud, &shown.gl);
+	shown_end(&shown);
+}
+
 /* Below a figure in a narrow picture, where so many pixels are left. */
 static bool is_added(const struct shown *shown, struct hud *hud, int px)
 {
@@ -156,6 +185,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_labels_take_the_free_side),
+		cmocka_unit_test(
+			test_labels_at_the_right_leave_less_room_above_figures),
 		cmocka_unit_test(test_labels_need_room_for_a_row_with_a_bar),
 	};
 

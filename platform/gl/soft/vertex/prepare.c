@@ -5,6 +5,7 @@
 #include "platform/gl/soft/vertex/number.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "platform/base/scalar.h"
 
@@ -97,6 +98,20 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
 }
 
+/* Whether a row's products with positions are as small as find_scale() says. */
+static bool is_bounded(const int32_t row[4])
+{
+	int64_t sum = 0;
+
+	for (int i = 0; i < 4; i++) {
+		int64_t size = row[i] < 0 ? -row[i] : row[i];
+
+		sum += i < 3 ? size / 4 : size;
+	}
+	return sum < 3 << 27;
+}
+
+/* Rows with numbers that are infinite, or nearly so, become 0. */
 static void prepare_eye(const struct soft *soft, struct draw *draw)
 {
 	const struct matrix *m = soft->matrices.modelview.top;
@@ -107,6 +122,11 @@ static void prepare_eye(const struct soft *soft, struct draw *draw)
 	for (int i = 0; i < 12; i++) {
 		draw->eye[i % 3][i / 3] = soft_matrix_to_int(
 			m->m[i / 3 * 4 + i % 3] * (i < 9 ? scale : moved));
+	}
+	for (int i = 0; i < 3; i++) {
+		if (!is_bounded(draw->eye[i])) {
+			memset(draw->eye[i], 0, sizeof(draw->eye[i]));
+		}
 	}
 }
 

@@ -14,10 +14,11 @@ static void scale(struct gl *gl, int doublings)
 
 /*
  * Draws a rectangle that fills the picture: a model of such a scale, which the
- * projection undoes, below a white light whose place has a scale of its own.
+ * projection undoes, moved by z, below a white light whose place has a scale of
+ * its own.
  */
-static void draw(
-	struct gl *gl, const GLfixed place[4], int light_scale, int model_scale)
+static void draw(struct gl *gl, const GLfixed place[4], int light_scale,
+	int model_scale, GLfixed z)
 {
 	static const GLfixed white[] = {FX16_ONE, FX16_ONE, FX16_ONE, FX16_ONE};
 
@@ -32,6 +33,7 @@ static void draw(
 	scale(gl, -model_scale);
 	gl->MatrixMode(GL_MODELVIEW);
 	scale(gl, model_scale);
+	gl->Translatex(0, 0, z);
 	gl_canvas_draw_all(gl);
 }
 
@@ -46,7 +48,7 @@ static void test_a_tiny_model_is_lit_from_afar(void **state)
 			gl_canvas_open("soft", PIXELS_RGBA8888);
 
 		canvas.gl->Lightx(GL_LIGHT0, GL_LINEAR_ATTENUATION, FX16_ONE);
-		draw(canvas.gl, place, 0, model_scale);
+		draw(canvas.gl, place, 0, model_scale, 0);
 		gl_expect_color(&canvas, "a tiny model", 3, 3,
 			(double[]){0.4, 0.4, 0.4});
 		gl_canvas_end_and_close(&canvas);
@@ -64,9 +66,24 @@ static void test_a_light_beyond_all_numbers_is_one_far_away(void **state)
 			gl_canvas_open("soft", PIXELS_RGBA8888);
 		const double lit = i == 0;
 
-		draw(canvas.gl, places[i], 120, 0);
+		draw(canvas.gl, places[i], 120, 0, 0);
 		gl_expect_color(
 			&canvas, "beyond", 3, 3, (double[]){lit, lit, lit});
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
+/* Its coordinates have no place in fixed point; what is lit may be black. */
+static void test_a_model_beyond_all_numbers_can_be_lit(void **state)
+{
+	static const GLfixed place[] = {39322, 0, 52429, FX16_ONE};
+
+	(void)state;
+	for (int model_scale = 40; model_scale <= 120; model_scale += 8) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+
+		draw(canvas.gl, place, 0, model_scale, -FX16_ONE / 2);
 		gl_canvas_end_and_close(&canvas);
 	}
 }
@@ -95,6 +112,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_tiny_model_is_lit_from_afar),
 		cmocka_unit_test(test_a_light_beyond_all_numbers_is_one_far_away),
+		cmocka_unit_test(test_a_model_beyond_all_numbers_can_be_lit),
 		cmocka_unit_test(test_distances_are_cut_to_16_16),
 	};
 

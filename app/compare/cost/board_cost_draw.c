@@ -21,77 +21,77 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{3.978e+04, 2.204e+04}, /* frame */
-	{0.8401, 0.1648},       /* pixel */
-	{1.709e+04, 5781},      /* call */
-	{96.2, 34.71},          /* listed */
-	{393.1, 121.1},         /* vertex */
-	{185.6, 95.55},         /* again */
-	{293.4, 90.04},         /* single */
-	{347.7, 274.1},         /* shaded */
-	{8.195, 12.55},         /* hidden */
-	{1083, 495.5},          /* skipped */
-	{5.269, 1.609},         /* fine */
-	{280.4, 164.9},         /* flat triangle */
-	{87.77, 45.19},         /* flat row */
-	{23.65, 13.56},         /* flat pixel */
-	{535, 319.7},           /* plain triangle */
-	{27.56, 6.994},         /* plain row */
-	{6.022, 4.024},         /* plain pixel */
-	{637.4, 511.4},         /* textured triangle */
-	{114.6, 0},             /* textured row */
-	{80.57, 57.45},         /* textured pixel */
-	{1.362e+04, 0},         /* backdrop triangle */
-	{75.88, 24.25},         /* backdrop row */
-	{1.68, 0.01051},        /* backdrop pixel */
-	{5.263e+04, 1.204e+04}, /* ground triangle */
-	{178.6, 55.63},         /* ground row */
-	{5.425, 3.507},         /* ground pixel */
-	{0, 0},                 /* spans triangle */
-	{207.2, 149.2},         /* spans row */
-	{21.1, 13.31},          /* spans pixel */
-	{1456, 0},              /* spans textured triangle */
-	{325.1, 193.5},         /* spans textured row */
-	{71.6, 46.01},          /* spans textured pixel */
-	{6913, 4347},           /* spans divided triangle */
-	{714.8, 419.5},         /* spans divided row */
-	{88.41, 53.89},         /* spans divided pixel */
-	{2779, 1006},           /* spans nearest triangle */
-	{305, 146},             /* spans nearest row */
-	{37.1, 26.6},           /* spans nearest pixel */
-	{2005, 1409},           /* mixed triangle */
-	{84.89, 32.78},         /* mixed row */
-	{46.07, 24.94},         /* mixed pixel */
-	{3921, 1343},           /* tested triangle */
-	{359, 240.9},           /* tested row */
-	{103.8, 67.7},          /* tested pixel */
-	{2495, 1601},           /* tested spans triangle */
-	{225.2, 165.5},         /* tested spans row */
-	{163.4, 95.37},         /* tested spans pixel */
-	{4576, 1783},           /* mixed textured triangle */
-	{269.5, 176.6},         /* mixed textured row */
-	{175.2, 106.3},         /* mixed textured pixel */
-	{3793, 2852},           /* mixed spans triangle */
-	{270.8, 196.1},         /* mixed spans row */
-	{142, 82.95},           /* mixed spans pixel */
-	{4978, 3997},           /* mixed divided triangle */
-	{1227, 668.9},          /* mixed divided row */
-	{131.5, 86.45},         /* mixed divided pixel */
-	{60.59, 0},             /* colored triangle */
-	{44.3, 18.58},          /* colored row */
-	{1.275, 0},             /* colored pixel */
-	{4063, 2169},           /* bent triangle */
-	{339, 169.6},           /* bent row */
-	{3.143, 2.017},         /* bent pixel */
-	{1, 1},                 /* deep triangle */
-	{1.007, 0.9994},        /* deep row */
-	{0.9081, 0.4333},       /* deep pixel */
-	{653, 329.2},           /* second triangle */
-	{176.3, 76.06},         /* second row */
-	{62.21, 25.19},         /* second pixel */
-	{323.6, 218.5},         /* crossed triangle */
-	{229.1, 144.1},         /* crossed row */
-	{3.649, 3.142},         /* crossed pixel */
+	{4.674e+04, 2.63e+04}, /* frame */
+	{0.568, 0},            /* pixel */
+	{1.775e+04, 5810},     /* call */
+	{35.96, 6.705},        /* listed */
+	{325.9, 127.5},        /* vertex */
+	{196.7, 122.3},        /* again */
+	{315.7, 152.5},        /* single */
+	{498, 318.3},          /* shaded */
+	{9.56, 14.73},         /* hidden */
+	{1353, 634.8},         /* skipped */
+	{4.41, 1.547},         /* fine */
+	{294.2, 182.3},        /* flat triangle */
+	{88.22, 27.21},        /* flat row */
+	{27.87, 15.92},        /* flat pixel */
+	{568.5, 338.6},        /* plain triangle */
+	{31.11, 0},            /* plain row */
+	{2.322, 4.128},        /* plain pixel */
+	{833.5, 527.7},        /* textured triangle */
+	{73.72, 0},            /* textured row */
+	{84.73, 57.33},        /* textured pixel */
+	{9741, 0},             /* backdrop triangle */
+	{67.26, 10.99},        /* backdrop row */
+	{1.832, 0.09038},      /* backdrop pixel */
+	{6.909e+04, 1.63e+04}, /* ground triangle */
+	{194.2, 48.84},        /* ground row */
+	{5.409, 3.785},        /* ground pixel */
+	{0, 0},                /* spans triangle */
+	{230.8, 148.6},        /* spans row */
+	{19.12, 12.31},        /* spans pixel */
+	{0, 0},                /* spans textured triangle */
+	{260.7, 150},          /* spans textured row */
+	{75.64, 47.89},        /* spans textured pixel */
+	{7545, 3842},          /* spans divided triangle */
+	{692.4, 414.5},        /* spans divided row */
+	{87.47, 53.74},        /* spans divided pixel */
+	{2697, 1069},          /* spans nearest triangle */
+	{310.5, 156.3},        /* spans nearest row */
+	{35.86, 24.84},        /* spans nearest pixel */
+	{1192, 737.1},         /* mixed triangle */
+	{92, 44.87},           /* mixed row */
+	{44.79, 24.08},        /* mixed pixel */
+	{3305, 1165},          /* tested triangle */
+	{371.3, 245.4},        /* tested row */
+	{101.5, 65.68},        /* tested pixel */
+	{1548, 1035},          /* tested spans triangle */
+	{99.69, 104.3},        /* tested spans row */
+	{169.2, 98.72},        /* tested spans pixel */
+	{4498, 1945},          /* mixed textured triangle */
+	{243.8, 164.3},        /* mixed textured row */
+	{164.1, 104.3},        /* mixed textured pixel */
+	{3866, 2993},          /* mixed spans triangle */
+	{251.4, 194.7},        /* mixed spans row */
+	{144.1, 82.26},        /* mixed spans pixel */
+	{4994, 4055},          /* mixed divided triangle */
+	{1237, 676.9},         /* mixed divided row */
+	{130.1, 85.84},        /* mixed divided pixel */
+	{0, 0},                /* colored triangle */
+	{31.66, 23.24},        /* colored row */
+	{1.911, 0},            /* colored pixel */
+	{4877, 2903},          /* bent triangle */
+	{299.2, 139.8},        /* bent row */
+	{2.697, 1.773},        /* bent pixel */
+	{1, 1},                /* deep triangle */
+	{1.009, 0.999},        /* deep row */
+	{0.9188, 0.4515},      /* deep pixel */
+	{678.3, 343.4},        /* second triangle */
+	{181.4, 79.35},        /* second row */
+	{61.65, 25.27},        /* second pixel */
+	{339.3, 263.1},        /* crossed triangle */
+	{182.9, 95.8},         /* crossed row */
+	{5.319, 4.785},        /* crossed pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

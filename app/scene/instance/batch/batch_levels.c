@@ -36,6 +36,8 @@ static int begin(struct adding *adding, const struct batch *batch)
 		size_t corners = (size_t)primitive->lod[i].index_count;
 
 		room += corners;
+		/* a file's level may have more corners than its finest list */
+		keys = greater(keys, corners);
 	}
 	adding->source = malloc(room * sizeof(*adding->source) + 1);
 	adding->corner = calloc(room + 1, sizeof(*adding->corner));

@@ -37,6 +37,7 @@ static void set_positions(struct draw *draw, struct soft *soft, GLenum type,
 	draw->soft = soft;
 	draw->view.positions = pointer;
 	draw->view.stride_bytes = stride_bytes;
+	draw->position_q = 14; /* of shorts */
 }
 
 /* Coordinates below 2^28 for positions below 2^30, or 2^15 * 2^16. */

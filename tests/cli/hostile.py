@@ -243,39 +243,35 @@ def one_png_many_names():
     return "\n".join(text)
 
 
+def textured(**parts):
+    """A primitive with a material of its own for each texture."""
+    count = len(parts["textures"])
+    return gltf(
+        accessors=[zeros("VEC3", 3), zeros("VEC2", 3)],
+        **parts,
+        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
+                   for i in range(count)],
+        meshes=[{"primitives": [
+            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
+            for i in range(count)]}],
+        nodes=[{"mesh": 0}],
+    )
+
+
 def one_image_many_textures():
     """A picture of one colour, which each of many textures stores again."""
     import base64
 
     uri = "data:image/png;base64," + base64.b64encode(png(1024)).decode()
-    count = 600
-    return gltf(
-        accessors=[zeros("VEC3", 3), zeros("VEC2", 3)],
-        images=[{"uri": uri}],
-        samplers=[{"wrapS": 33648, "wrapT": 33648}],
-        textures=[{"source": 0, "sampler": 0}] * count,
-        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
-                   for i in range(count)],
-        meshes=[{"primitives": [
-            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
-            for i in range(count)]}],
-        nodes=[{"mesh": 0}],
-    )
+    return textured(images=[{"uri": uri}],
+                    samplers=[{"wrapS": 33648, "wrapT": 33648}],
+                    textures=[{"source": 0, "sampler": 0}] * 600)
 
 
 def large_images(count):
     """Pictures of 4096 x 4096 pixels, as painters of textures export them."""
-    return gltf(
-        accessors=[zeros("VEC3", 3), zeros("VEC2", 3)],
-        images=[{"uri": "bomb.png"}] * count,
-        textures=[{"source": i} for i in range(count)],
-        materials=[{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}}}
-                   for i in range(count)],
-        meshes=[{"primitives": [
-            {"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i}
-            for i in range(count)]}],
-        nodes=[{"mesh": 0}],
-    )
+    return textured(images=[{"uri": "bomb.png"}] * count,
+                    textures=[{"source": i} for i in range(count)])
 
 
 def many_warnings():

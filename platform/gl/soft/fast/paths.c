@@ -11,8 +11,8 @@ static bool is_common(const struct draw *draw)
 	return draw->soft->format == PIXELS_RGB565 &&
 		state->color_bits == UINT32_MAX && !draw->texture[1].used &&
 		!draw->spans.joined && !draw->fogged &&
-		!draw->spans.alpha_tested && !draw->smooth &&
-		!draw->thin_lines && (!draw->blended || by_alpha);
+		!draw->spans.alpha_tested && !draw->smooth && !draw->lists &&
+		(!draw->blended || by_alpha);
 }
 
 /* One colour, drawn once where the stencil test is EQUAL. */

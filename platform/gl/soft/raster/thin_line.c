@@ -1,9 +1,10 @@
-/* Draws lines that are one pixel wide and have no texture. */
+/*
+ * Draws lines that are one pixel wide, and points: without a texture or smooth
+ * edges. Their runs are listed for the span function.
+ */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/raster/rows.h"
 #include "platform/gl/soft/span/points.h"
-#include "platform/gl/soft/span/template.h"
-#include "platform/gl/soft/span/tests.h"
 #include "platform/gl/soft/span/walk.h"
 
 enum {
@@ -14,48 +15,42 @@ enum {
 
 /*
  * The line's pixels, by Bresenham's algorithm. Each step goes one pixel along
- * and adds add to error; where error reaches full, full is subtracted and the
- * step goes one pixel across, too. raster->plane has the line's values, with x
- * the number of the pixel.
+ * u, which is x of flat lines and y of steep ones, and adds add to error; where
+ * error reaches full, full is subtracted and the step goes one pixel along v,
+ * too. raster->plane has the line's values, with x the number of the pixel.
  */
 struct walk {
 	uint32_t error, add, full;
-	int x, y;                /* of the next pixel */
-	int along[2], across[2]; /* steps in x and y */
-	int count;               /* pixels */
-	int32_t length;          /* along the longer axis, in 1/16 pixels */
+	int u, v;           /* of the next pixel */
+	int u_step, v_step; /* 1 or -1 */
+	int count;          /* pixels */
+	int32_t length;     /* along u, in 1/16 pixels */
 	int32_t off; /* from the line's start to the first centre, the same */
+	bool flat;
 };
 
-bool soft_lines_are_thin(const struct draw *draw, GLenum mode)
+bool soft_lists_primitives(const struct draw *draw, GLenum mode)
 {
-	const struct soft_spans *spans = &draw->spans;
 	const struct soft *soft = draw->soft;
 
-	return mode >= GL_LINES && mode <= GL_LINE_STRIP && !draw->smooth &&
-		!draw->texture[0].used && !draw->texture[1].used &&
-		!soft->fragment.stencil.enabled && !spans->blended_last &&
-		soft->fragment.color_bits == UINT32_MAX &&
-		soft->fragment.line_width < WIDTH_TWO_Q16 && !soft->fill &&
-		!soft->counts;
+	return mode <= GL_LINE_STRIP && !draw->smooth &&
+		!draw->texture[0].used &&
+		(mode == GL_POINTS ||
+			soft->fragment.line_width < WIDTH_TWO_Q16) &&
+		!soft->fill && !soft->counts;
 }
 
-static bool is_in_box(const struct clip_box *box, int x, int y)
+/* Sets where a run of columns from x to right is, in draw->box. */
+static ALWAYS_INLINE void place_run(
+	const struct draw *draw, int x, int right, int y, struct soft_row *row)
 {
-	return x >= box->left && x < box->right && y >= box->top &&
-		y < box->bottom;
-}
+	const struct buffers *buffers = &draw->soft->buffers;
 
-static ALWAYS_INLINE void step(struct walk *walk)
-{
-	walk->error += walk->add;
-	walk->x += walk->along[0];
-	walk->y += walk->along[1];
-	if (walk->error >= walk->full) {
-		walk->error -= walk->full;
-		walk->x += walk->across[0];
-		walk->y += walk->across[1];
-	}
+	row->depth = buffers->depth + (ptrdiff_t)y * buffers->width + x;
+	row->pixel = buffers->target.data +
+		(ptrdiff_t)y * buffers->target.stride_bytes +
+		(x << draw->spans.pixel_log2);
+	row->count = (uint32_t)(right - x);
 }
 
 /* One coordinate of the line's ends, in 1/16 pixels. */
@@ -90,12 +85,11 @@ static void find_pixels(
 	walk->error = (uint32_t)(up ? full - 1 - error : error);
 	walk->add = 16 * (uint32_t)(up ? -dv : dv);
 	walk->full = (uint32_t)full;
-	walk->x = flat ? first : pixel;
-	walk->y = flat ? pixel : first;
-	walk->along[!flat] = back ? -1 : 1;
-	walk->along[flat] = 0;
-	walk->across[flat] = up ? -1 : 1;
-	walk->across[!flat] = 0;
+	walk->u = first;
+	walk->v = pixel;
+	walk->u_step = back ? -1 : 1;
+	walk->v_step = up ? -1 : 1;
+	walk->flat = flat;
 }
 
 /*
@@ -124,6 +118,53 @@ static void set_planes(struct draw *draw, const struct walk *walk,
 	soft_raster_set_up(draw, &setup);
 }
 
+static ALWAYS_INLINE void set_linear(struct plane *plane,
+	const struct walk *walk, const int32_t *inverse_q31, int32_t from,
+	int32_t to)
+{
+	plane->dx =
+		mul_high((to - from) * (1 << 12), inverse_q31[walk->length]) * 2;
+	plane->dy = 0;
+	plane->start = ((uint32_t)from << 8) +
+		(uint32_t)((plane->dx >> 4) * walk->off);
+}
+
+/* Sets planes of a short line whose values are linear; false of any other. */
+static bool set_linear_planes(struct draw *draw, const struct walk *walk,
+	const struct vertex *a, const struct vertex *b)
+{
+	const struct setup setup = {.v = {a, b, b}};
+	const bool flat = draw->soft->fragment.flat;
+	const uint32_t wanted = draw->attributes & ~draw->spans.white_bits;
+	struct raster *raster = &draw->raster;
+
+	if (walk->length > SMALL_EXTENT ||
+		!rows_are_linear(draw, &setup, rows_color_tolerance(draw))) {
+		return false;
+	}
+	raster->perspective = raster->colors_divided = raster->bent = false;
+	raster->moving_bits = 0;
+	set_linear(&raster->plane[DEPTH], walk, draw->inverse_q31, a->z, b->z);
+	for (int i = RED; i <= FOG; i++) {
+		const bool one = flat && i <= ALPHA;
+		const struct vertex *from = one ? draw->provoking : a;
+		const struct vertex *to = one ? from : b;
+
+		if (wanted >> i & 1) {
+			raster->constant[i] = (uint32_t)from->attribute[i] << 8;
+			raster->moving_bits |=
+				(uint32_t)(from->attribute[i] != to->attribute[i])
+				<< i;
+			set_linear(&raster->plane[i], walk, draw->inverse_q31,
+				from->attribute[i], to->attribute[i]);
+		} else if (i <= BLUE) {
+			raster->plane[i] =
+				(struct plane){raster->constant[i], 0, 0};
+		}
+	}
+	return true;
+}
+
 static void place_divided_colors(const struct line *values, int x, int count)
 {
 	const struct walk_kind kind = {.colored = true, .colors_divided = true};
@@ -137,44 +178,77 @@ static void place_divided_colors(const struct line *values, int x, int count)
 		spans, &spans->run.row, from.colors.alpha, from.colors.fog);
 }
 
-/* Draws the next count pixels, linear from spans.run's values. */
-static void draw_pixels(const struct draw *draw, struct walk *given, int count)
+/* Turns a run's steps around. */
+static void turn(struct soft_run *run)
 {
-	const struct soft_kind kind = {.finish = draw->spans.finish,
-		.wide = draw->spans.pixel_log2 == 2};
-	const struct fragment_state *state = &draw->soft->fragment;
-	const GLenum compares =
-		state->depth_test ? state->depth_function : GL_ALWAYS;
-	const bool writes_depth = state->depth_test && state->depth_mask;
-	const struct soft_run *run = &draw->spans.run;
-	/* a local copy: the compiler sees that no pixel overwrites it */
-	const struct soft_run own = {
-		.fog_right = run->fog_right, .stages = run->stages};
-	const struct buffers *buffers = &draw->soft->buffers;
+	run->z_right = 0 - run->z_right;
+	run->red_blue_right = 0 - run->red_blue_right;
+	run->green_alpha_right = 0 - run->green_alpha_right;
+	run->fog_right = 0 - run->fog_right;
+}
+
+/* Lists the next count pixels: a run for each row of the picture. */
+static ALWAYS_INLINE void list_pixels(
+	struct draw *draw, struct walk *given, int count, bool flat)
+{
 	const struct clip_box box = draw->box;
+	struct soft_run *run = &draw->spans.run;
+	struct soft_row list[SOFT_BATCH_RUNS], *row = list;
 	struct walk walk = *given;
-	struct soft_steps steps = soft_find_steps(run);
-	const struct soft_constants constants = soft_find_constants(&own, kind);
-	struct soft_pixel at = {.z = run->row.z,
-		.red_blue = run->row.red_blue,
-		.green_alpha = run->row.green_alpha,
-		.fog = run->row.fog};
-	uint16_t unwritten;
+	const int from = walk.u, end = walk.u + walk.u_step * count;
 
-	for (; count > 0; count--) {
-		const bool seen = is_in_box(&box, walk.x, walk.y);
-		uint16_t *depth = buffers->depth +
-			(seen ? (ptrdiff_t)walk.y * buffers->width + walk.x : 0);
+	*row = run->row;
+	while (walk.u != end) {
+		const int u = walk.u, v = walk.v;
+		int x, right, y;
+		uint32_t off;
 
-		if (seen && soft_compares(compares, at.z >> 16, *depth)) {
-			soft_shade_pixel(&own, NULL, kind, &constants, &at, 1,
-				writes_depth ? depth : &unwritten,
-				pixel_at(&buffers->target, walk.x, walk.y));
+		do {
+			walk.u += walk.u_step;
+			walk.error += walk.add;
+			if (walk.error >= walk.full) {
+				walk.error -= walk.full;
+				walk.v += walk.v_step;
+			}
+		} while (flat && walk.v == v && walk.u != end);
+		x = !flat ? v : walk.u_step > 0 ? u : walk.u + 1;
+		right = !flat ? v + 1 : walk.u_step > 0 ? walk.u : u + 1;
+		y = flat ? v : u;
+		x = x > box.left ? x : box.left;
+		right = right < box.right ? right : box.right;
+		if (x >= right || y < box.top || y >= box.bottom) {
+			continue;
 		}
-		soft_step_pixel(&own, kind, &steps, &at);
-		step(&walk);
+		place_run(draw, x, right, y, row);
+		off = (uint32_t)((flat ? x : y) - from);
+		row->z = run->row.z + run->z_right * off;
+		row->red_blue = run->row.red_blue + run->red_blue_right * off;
+		row->green_alpha =
+			run->row.green_alpha + run->green_alpha_right * off;
+		row->fog = run->row.fog + run->fog_right * off;
+		if (++row == list + SOFT_BATCH_RUNS) {
+			soft_draw_runs(&draw->spans, list, row);
+			row = list;
+		}
 	}
+	soft_draw_runs(&draw->spans, list, row);
 	*given = walk;
+}
+
+/* Draws the next count pixels, linear from spans.run's values at the first. */
+static void draw_pixels(struct draw *draw, struct walk *walk, int count)
+{
+	if (walk->u_step < 0) {
+		turn(&draw->spans.run);
+	}
+	if (walk->flat) {
+		list_pixels(draw, walk, count, true);
+	} else {
+		list_pixels(draw, walk, count, false);
+	}
+	if (walk->u_step < 0) {
+		turn(&draw->spans.run);
+	}
 }
 
 /* Draws runs of pixels whose values change linearly. */
@@ -210,8 +284,44 @@ void soft_draw_thin_line(
 	if (walk.count <= 0) {
 		return;
 	}
-	set_planes(draw, &walk, a, b);
+	if (!set_linear_planes(draw, &walk, a, b)) {
+		set_planes(draw, &walk, a, b);
+	}
 	moving = soft_begin_walk(draw, 127);
 	soft_begin_steps(draw, moving);
 	draw_runs(draw, &walk, moving != 0);
+}
+
+void soft_draw_sharp_point(
+	struct draw *draw, const struct vertex *v, struct clip_box place)
+{
+	struct soft_run *run = &draw->spans.run;
+	struct soft_row list[SOFT_BATCH_RUNS], *row = list;
+	int width;
+
+	place = raster_clip(draw, place);
+	width = place.right - place.left;
+	if (width <= 0) {
+		return;
+	}
+	*row = run->row;
+	for (int i = RED; i <= FOG; i++) {
+		if (draw->attributes & ~draw->spans.white_bits & 1u << i) {
+			draw->raster.constant[i] = (uint32_t)v->attribute[i]
+				<< 8;
+		}
+	}
+	draw->raster.moving_bits = 0;
+	draw->raster.plane[DEPTH].dx = 0;
+	soft_begin_walk(draw, 1);
+	run->row.z = (uint32_t)v->z << 14;
+	for (int y = place.top; y < place.bottom; y++) {
+		*row = run->row;
+		place_run(draw, place.left, place.right, y, row++);
+		if ((row - list + 1) * width > SOFT_BATCH_PIXELS) {
+			soft_draw_runs(&draw->spans, list, row);
+			row = list;
+		}
+	}
+	soft_draw_runs(&draw->spans, list, row);
 }

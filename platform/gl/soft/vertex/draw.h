@@ -257,7 +257,7 @@ struct draw {
 	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
 		blended;
 	fill_function fill;     /* the chosen path; called by fast_setup.fill */
-	bool thin_lines;        /* raster/thin_line.c draws lines */
+	bool lists;             /* raster/thin_line.c draws points or lines */
 	struct flat_color flat; /* for soft_fill_flat() */
 	struct tiled tiled;     /* luminance.c's */
 	bool divides;    /* s and t are divided, not bent: see soft_bend() */
@@ -384,14 +384,18 @@ void soft_prepare_fast_setup(struct draw *draw);
 void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
 
 /*
- * thin_line.c: whether lines of a prepared call are one pixel wide and without a
- * texture. Such lines have a pixel for each column, or for each row of steep
- * lines, as GL ES 1.1 section 3.4.1 has it; line.c makes two triangles of others.
+ * thin_line.c: whether it draws a prepared call's points or lines: sharp ones
+ * without a texture, and lines one pixel wide. These have a pixel for each
+ * column, or for each row of steep lines, as GL ES 1.1 section 3.4.1 has it;
+ * line.c makes two triangles of others.
  */
-bool soft_lines_are_thin(const struct draw *draw, GLenum mode);
-/* thin_line.c: draws one, between shaded vertices at different places. */
+bool soft_lists_primitives(const struct draw *draw, GLenum mode);
+/* thin_line.c: draws a line between shaded vertices at different places. */
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);
+/* thin_line.c: draws a shaded point that covers the pixels of a box. */
+void soft_draw_sharp_point(
+	struct draw *draw, const struct vertex *v, struct clip_box place);
 
 /* line.c: draw a point; a line between shaded vertices inside the volume. */
 void soft_draw_point(struct draw *draw, struct vertex *v);

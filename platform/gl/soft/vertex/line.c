@@ -1,7 +1,7 @@
 /*
  * Points and lines as parallelograms, GL ES 1.1 sections 3.3, 3.4: of two
  * triangles, or of one that draws all of it, as draw->fourth has it.
- * raster/thin_line.c draws most lines that are one pixel wide.
+ * raster/thin_line.c draws most points, and lines that are one pixel wide.
  */
 #include "platform/gl/soft/raster/raster.h"
 #include "platform/gl/soft/vertex/draw.h"
@@ -71,6 +71,17 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 	}
 	soft_shade(draw, v);
 	draw->provoking = v;
+	/* GL's y points up: a centre on a border belongs to the pixel below. */
+	off.x = ((v->x - half) & ~15) - v->x;
+	off.y = ((v->y + half + 15) & ~15) - size - v->y;
+	if (draw->lists) {
+		const int x = (v->x + off.x) >> 4, y = (v->y + off.y) >> 4;
+
+		soft_draw_sharp_point(draw, v,
+			(struct clip_box){
+				x, y, x + (size >> 4), y + (size >> 4)});
+		return;
+	}
 	if (draw->smooth) {
 		draw->spans.coverage = (struct soft_coverage){
 			.used = true,
@@ -80,10 +91,6 @@ void soft_draw_point(struct draw *draw, struct vertex *v)
 		};
 		off = (struct offset){-size / 2 - 16, -size / 2 - 16};
 		size += 32;
-	} else {
-		/* GL's y points up: a centre on a border belongs to the pixel below. */
-		off.x = ((v->x - half) & ~15) - v->x;
-		off.y = ((v->y + half + 15) & ~15) - size - v->y;
 	}
 	fill_between(draw, v, v, off, (struct offset){size, 0},
 		(struct offset){0, size});
@@ -144,7 +151,7 @@ void soft_draw_line(
 	if (a->x == b->x && a->y == b->y) {
 		return;
 	}
-	if (draw->thin_lines) {
+	if (draw->lists) {
 		soft_draw_thin_line(draw, a, b);
 		return;
 	}

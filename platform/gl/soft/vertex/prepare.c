@@ -375,7 +375,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
-	draw->thin_lines = soft_lines_are_thin(draw, mode);
+	draw->lists = soft_lists_primitives(draw, mode);
 	soft_choose_path(draw);
 	if (draw->divides) { /* soft_fill_luminance() draws by tiles */
 		prepare_tiles(draw->texture[0].texture);

@@ -2,6 +2,7 @@
 """hostile.py FOLDER: writes models that are small, valid in each number, and
 meant to make a program overflow, hang or fill the memory."""
 import json
+import math
 import os
 import struct
 import sys
@@ -220,6 +221,37 @@ def long_clip():
     )
 
 
+def heavy():
+    """A wheel of 60,000 vertices that turns to and fro for half a minute."""
+    count, vertices = 60, 60000
+    times = [i / 2 for i in range(count)]
+    turns = []
+    for i in range(count):
+        a = 0.3 * math.sin(2.4 * i)
+        turns += [0, math.sin(a), 0, math.cos(a)]
+    rim = [c for i in range(vertices)
+           for c in (math.cos(i), i % 3 / 3, math.sin(i))]
+    ends = (4 * count, 20 * count)
+    return gltf(
+        **data(*times, *turns, *rim),
+        accessors=[
+            {"type": "SCALAR", "componentType": 5126, "count": count,
+             "bufferView": 0, "min": [0], "max": [times[-1]]},
+            {"type": "VEC4", "componentType": 5126, "count": count,
+             "bufferView": 0, "byteOffset": ends[0]},
+            {"type": "VEC3", "componentType": 5126, "count": vertices,
+             "bufferView": 0, "byteOffset": ends[1],
+             "min": [-1, 0, -1], "max": [1, 1, 1]},
+        ],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 2}}]}],
+        nodes=[{"mesh": 0}],
+        animations=[{
+            "samplers": [{"input": 0, "output": 1}],
+            "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}],
+        }],
+    )
+
+
 def png(side):
     """A black picture, compressed about a thousand times."""
     def chunk(kind, body):
@@ -296,6 +328,7 @@ def main(folder):
         "repeated-levels.gltf": repeated_levels(),
         "edge.gltf": far_apart(1e9),
         "long-clip.gltf": long_clip(),
+        "heavy.gltf": heavy(),
         "nothing.gltf": gltf(),
         "large-images.gltf": large_images(12),
         "too-large-images.gltf": large_images(20),

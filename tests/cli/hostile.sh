@@ -154,6 +154,23 @@ tap_about='limber play that SIGTERM ends while it decodes images'
 expect_status 0
 expect_no_err
 
+# So does one of which the duel fits key frames, which takes seconds.
+if ! $emulated; then
+    for seconds in 1 2; do
+        # shellcheck disable=SC2086 # a command and its arguments
+        $limber play --demo duel "$scratch/heavy.gltf" --display null --frames 1 \
+            >"$out_file" 2>"$err_file" &
+        child=$!
+        sleep $seconds
+        kill -TERM $child
+        wait $child
+        status=$?
+        tap_about="limber play that SIGTERM ends ${seconds} s after its start"
+        expect_status 0
+        expect_no_err
+    done
+fi
+
 # Nothing is left of a file whose content is still computed.
 if ! $emulated; then
     # shellcheck disable=SC2086 # a command and its arguments

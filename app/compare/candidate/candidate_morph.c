@@ -3,6 +3,7 @@
 #include "app/anim/kernel/layout/fixed_keys.h"
 #include "app/anim/kernel/run/fixed_lerp.h"
 #include "platform/base/count.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -297,6 +298,10 @@ int candidate_morph(struct candidate *candidate, struct reference *reference,
 	}
 	count_costs(candidate, bake);
 	for (int i = 0; i < bake->key_count && bake->slot_count > 2; i++) {
+		if (interrupt_pending()) {
+			candidate_destroy(candidate);
+			return -EINTR;
+		}
 		need_key(bake, reference, i);
 	}
 	return 0;

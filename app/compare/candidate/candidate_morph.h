@@ -36,7 +36,8 @@ void candidate_morph_normal(const float normal[3], int8_t out[3]);
  * Interpolates between the clip's poses at key->time_s, which is copied. All
  * key frames are kept in memory if they fit keep_bytes; else two at a time,
  * which seek() bakes when they are needed. The reference must outlive the
- * candidate. Returns 0, or -ENOMEM after logging an error.
+ * candidate. Returns 0, -EINTR (base/interrupt.h), or -ENOMEM after logging an
+ * error.
  */
 int candidate_morph(struct candidate *candidate, struct reference *reference,
 	const struct kernel *kernel, const struct fixed_placement *placement,

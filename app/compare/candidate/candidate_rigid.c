@@ -4,6 +4,7 @@
 #include "app/compare/measure/posed_vertices.h"
 #include "app/model/model_stats.h"
 #include "platform/base/count.h"
+#include "platform/base/interrupt.h"
 
 #include <cglm/cglm.h>
 
@@ -242,10 +243,10 @@ static int split_drawable(
 		splitter.copied[v] = -1;
 	}
 	choose_joints(&splitter);
-	for (int joint = 0; joint < joints; joint++) {
+	for (int joint = 0; joint < joints && !interrupt_pending(); joint++) {
 		add_part(&splitter, joint);
 	}
-	return 0;
+	return interrupt_pending() ? -EINTR : 0;
 }
 
 /*
@@ -350,6 +351,7 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 {
 	struct rigid_bake *rigid = calloc(1, sizeof(*rigid));
 	struct model_clip motion;
+	int error = -ENOMEM;
 
 	*candidate = (struct candidate){
 		.reference = reference,
@@ -361,11 +363,17 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 	if (rigid) {
 		rigid->reference = reference;
 		rigid->arena = arena_within(reference->model->budget);
+		error = prepare(rigid);
 	}
-	if (!rigid || prepare(rigid) != 0 || find_motion(rigid, &motion) != 0) {
+	if (!error) {
+		error = find_motion(rigid, &motion);
+	}
+	if (error) {
 		candidate_destroy(candidate);
-		return memory_budget_fail(
-			reference->model->budget, reference->model->path, log);
+		return error == -EINTR
+			? error
+			: memory_budget_fail(reference->model->budget,
+				  reference->model->path, log);
 	}
 	candidate->vertex_count = rigid->vertex_count;
 	candidate->source = rigid->source;

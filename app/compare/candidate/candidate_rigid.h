@@ -37,8 +37,8 @@ struct rigid_bake {
 /*
  * Each triangle moves with the joint that has the largest sum of weights at its
  * corners; a vertex of triangles of several joints is stored once for each. The
- * reference must outlive the candidate. Returns 0, or -ENOMEM after logging an
- * error.
+ * reference must outlive the candidate. Returns 0, -EINTR (base/interrupt.h),
+ * or -ENOMEM after logging an error.
  */
 int candidate_rigid(struct candidate *candidate, struct reference *reference,
 	const struct log *log);

@@ -1,5 +1,7 @@
 #include "app/compare/candidate/fit.h"
 
+#include "platform/base/interrupt.h"
+
 #include <errno.h>
 #include <stdlib.h>
 
@@ -162,7 +164,8 @@ static bool span_fits(struct window *window, int from, int to)
 		!moment_fits(window, from, to, middle)) {
 		return false;
 	}
-	for (int moment = from + 1; moment < to; moment++) {
+	for (int moment = from + 1; moment < to && !interrupt_pending();
+		moment++) {
 		if (moment != middle && !moment_fits(window, from, to, moment)) {
 			return false;
 		}
@@ -175,7 +178,7 @@ static int farthest_from(struct window *window, int from)
 	int last = window->grid->count - 1, best = from + 1, misses = 0;
 
 	for (int to = from + 1; to <= last && to - from < window->capacity &&
-		misses < MISSES_MAX;
+		misses < MISSES_MAX && !interrupt_pending();
 		to++) {
 		if (span_fits(window, from, to)) {
 			best = to;
@@ -187,7 +190,7 @@ static int farthest_from(struct window *window, int from)
 	return best;
 }
 
-static void choose_keys(struct window *window, struct fit_keys *out)
+static int choose_keys(struct window *window, struct fit_keys *out)
 {
 	const struct time_grid *grid = window->grid;
 	int at = 0;
@@ -196,7 +199,11 @@ static void choose_keys(struct window *window, struct fit_keys *out)
 	while (at < grid->count - 1) {
 		at = farthest_from(window, at);
 		out->time_s[out->count++] = grid->time_s[at];
+		if (interrupt_pending()) {
+			return -EINTR;
+		}
 	}
+	return 0;
 }
 
 static int capacity_of(
@@ -228,9 +235,9 @@ int fit_keys_within(struct reference *reference,
 	*out = (struct fit_keys){
 		.time_s = malloc((size_t)grid->count * sizeof(*out->time_s))};
 	if (window.position && out->time_s) {
-		choose_keys(&window, out);
-		error = 0;
-	} else {
+		error = choose_keys(&window, out);
+	}
+	if (error) {
 		fit_keys_release(out);
 	}
 	free(window.position);

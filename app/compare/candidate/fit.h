@@ -17,8 +17,8 @@ struct fit_keys {
  * linearly between them, stays within bound_px of the reference at every
  * moment. The key after each key is the farthest moment that fits; the search
  * ends after eight moments in a row that do not. A span between keys has at
- * most as many moments as memory_bytes hold. Returns 0 or -ENOMEM; release with
- * fit_keys_release().
+ * most as many moments as memory_bytes hold. Returns 0, -ENOMEM or -EINTR
+ * (base/interrupt.h); release with fit_keys_release().
  */
 int fit_keys_within(struct reference *reference,
 	const struct screen_view *screen, const struct time_grid *grid,

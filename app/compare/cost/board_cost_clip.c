@@ -5,6 +5,7 @@
 
 #include "app/anim/kernel/run/fixed_morph_run.h"
 #include "app/anim/kernel/run/fixed_skin_run.h"
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <string.h>
@@ -154,7 +155,7 @@ static struct board_targets count_targets(
 	struct board_targets sum = {0};
 	double share = 1.0 / (double)playback->frame_count;
 
-	for (int i = 0; i < playback->frame_count; i++) {
+	for (int i = 0; i < playback->frame_count && !interrupt_pending(); i++) {
 		const float *weight = weights_at(playback, drawable, i);
 
 		if (drawable->skin < 0) {
@@ -235,7 +236,7 @@ static double count_uneven(const struct playback *playback, int skin)
 	int frames = has_scale(playback->clip) ? playback->frame_count : 1;
 	double sum = 0.0;
 
-	for (int i = 0; i < frames; i++) {
+	for (int i = 0; i < frames && !interrupt_pending(); i++) {
 		clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
 			CLIP_AUTO, playback->cursor, &instance->pose);
 		sum += (double)count_uneven_now(instance, skin);

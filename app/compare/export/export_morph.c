@@ -4,6 +4,7 @@
 #include "app/compare/export/export_levels.h"
 #include "app/compare/measure/winding.h"
 #include "app/scene/instance/lod.h"
+#include "platform/base/interrupt.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -252,6 +253,7 @@ static int export_keys(struct exporter *exporter, int clip)
 		reference_pose(exporter->reference, keys->time_s[k], true);
 		take_deltas(exporter);
 		add_targets(exporter);
+		error = interrupt_pending() ? -EINTR : 0;
 	}
 	reference_destroy(exporter->reference);
 	return error;

@@ -1,5 +1,6 @@
 #include "app/compare/measure/screen_view.h"
 
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
@@ -16,7 +17,8 @@ static struct bounds box_of(
 {
 	struct bounds box = bounds_empty();
 
-	for (int i = 0; i < grid->count; i++) {
+	for (int i = 0; i < grid->count && (i == 0 || !interrupt_pending());
+		i++) {
 		reference_pose(reference, grid->time_s[i], false);
 		for (int v = 0; v < reference->vertex_count; v++) {
 			bounds_add(&box, reference->position[v]);

@@ -1,5 +1,7 @@
 #include "app/compare/measure/winding.h"
 
+#include "platform/base/interrupt.h"
+
 #include <errno.h>
 #include <stdlib.h>
 
@@ -46,7 +48,7 @@ void winding_count(struct reference *reference, const float *time_s, int count,
 {
 	const struct instance *instance = reference->instance;
 
-	for (int i = 0; i < count; i++) {
+	for (int i = 0; i < count && !interrupt_pending(); i++) {
 		reference_pose(reference, time_s[i], false);
 		for (int p = 0; p < reference->part_count; p++) {
 			mirrored[p] += instance_is_mirrored(instance,

@@ -6,6 +6,8 @@
 #include "app/demo/actor.h"
 #include "app/scene/overlay/overlay_heat.h"
 
+#include <errno.h>
+
 enum {
 	FRAMES_A_MEAN = 16,
 	KEPT_BYTES = 64 * 1024 * 1024 /* for all key frames together */
@@ -22,6 +24,9 @@ static int bake_morph(struct contender *contender,
 	int error = fit_keys_within(
 		contender->reference, screen, grid, bound_px, KEPT_BYTES, keys);
 
+	if (error == -EINTR) {
+		return error;
+	}
 	if (error) {
 		log_error(env->log,
 			"%s: there is not enough memory to fit key frames",

@@ -145,6 +145,7 @@ int simplify_begin(struct simplify *simplify,
 {
 	const struct model_target *targets =
 		input->source ? input->whole->target : input->primitive->target;
+	int error;
 
 	*simplify = (struct simplify){
 		.arena = arena_within(budget),
@@ -159,8 +160,9 @@ int simplify_begin(struct simplify *simplify,
 		return -ENOMEM;
 	}
 	scale_positions(simplify);
-	if (simplify_mesh_weld(simplify) != 0) {
-		return -ENOMEM;
+	error = simplify_mesh_weld(simplify);
+	if (error) {
+		return error;
 	}
 	copy_index(simplify, input);
 	simplify->texture_scale = find_texture_scale(simplify);

@@ -116,8 +116,8 @@ struct simplify_input {
 
 /*
  * Begins with the input's list. The input's arrays must stay valid. Memory
- * comes from the budget, which may be NULL. Returns 0 or -ENOMEM; in both cases
- * the caller calls simplify_end().
+ * comes from the budget, which may be NULL. Returns 0, -ENOMEM or -EINTR
+ * (base/interrupt.h); in all cases the caller calls simplify_end().
  */
 int simplify_begin(struct simplify *simplify,
 	const struct simplify_input *input, struct memory_budget *budget);

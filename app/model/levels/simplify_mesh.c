@@ -1,5 +1,6 @@
 #include "app/model/levels/simplify_mesh.h"
 
+#include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <errno.h>
@@ -60,6 +61,9 @@ int simplify_mesh_weld(struct simplify *simplify)
 		uint32_t slot = hash_cell(&cell) & (size - 1);
 		uint32_t leader;
 
+		if (interrupt_pending()) {
+			return -EINTR;
+		}
 		/* An entry is a vertex's number plus 1; 0 is empty. */
 		while (table[slot] &&
 			!is_in(&cell, simplify->position[table[slot] - 1])) {

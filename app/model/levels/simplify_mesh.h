@@ -25,8 +25,8 @@ struct simplify_ring {
 
 /*
  * Fills in leader and next. Vertices whose positions round to the same
- * multiples of 1/65,536 of the extent count as being at one position. Returns 0
- * or -ENOMEM.
+ * multiples of 1/65,536 of the extent count as being at one position. Returns
+ * 0, -ENOMEM or -EINTR (base/interrupt.h).
  */
 int simplify_mesh_weld(struct simplify *simplify);
 

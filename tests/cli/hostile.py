@@ -121,6 +121,37 @@ def many_floors():
     )
 
 
+def hash_of(word, before=0):
+    """A hash of words by which a table of cells of positions might be filled."""
+    mixed = (before ^ word) * 0x85EBCA6B & 0xFFFFFFFF
+    return mixed ^ mixed >> 15
+
+
+def colliding_cells(count=60000):
+    """Vertices in cells of 1/65536 that have the same slot in a hash table: those
+    whose hash is a multiple of its size."""
+    inverse = pow(0x85EBCA6B, -1, 1 << 32)
+    lows = {}  # by upper bits of z and the hash before it: lower bits
+    for wanted in range(0, 1 << 32, 1 << (2 * count - 1).bit_length()):
+        word = (wanted ^ wanted >> 15 ^ wanted >> 30) * inverse & 0xFFFFFFFF
+        lows.setdefault(word >> 16, []).append(word & 0xFFFF)
+    found = [(0, 0, 0), (65536, 65536, 65536)]
+    x = 0
+    while len(found) < count:
+        x += 1
+        for y in range(65536):
+            before = hash_of(y, hash_of(x))
+            found += [(x, y, before & 0xFFFF ^ low)
+                      for low in lows.get(before >> 16, ())]
+    return gltf(
+        **data(*(i / 65536 for cell in found[:count] for i in cell)),
+        accessors=[{"type": "VEC3", "componentType": 5126, "count": count,
+                    "bufferView": 0}],
+        meshes=[{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        nodes=[{"mesh": 0}],
+    )
+
+
 def names():
     """Names with escape sequences, a C1 control and the end of a comment."""
     evil = "*/ int evil;\x1b[31m\u009b31m\u202e/*"
@@ -329,6 +360,7 @@ def main(folder):
         "edge.gltf": far_apart(1e9),
         "long-clip.gltf": long_clip(),
         "heavy.gltf": heavy(),
+        "colliding-cells.gltf": colliding_cells(),
         "nothing.gltf": gltf(),
         "large-images.gltf": large_images(12),
         "too-large-images.gltf": large_images(20),

@@ -71,6 +71,9 @@ expect_refusal 1 'has 20000 numbers instead of 3'
 RUN_SECONDS=30 limber play --display null --frames 2 "$scratch/many-floors.gltf"
 expect_status 0
 
+RUN_SECONDS=10 limber levels -o "$scratch/x.levels" "$scratch/colliding-cells.gltf"
+expect_status 0
+
 RUN_SECONDS=30 limber character "$scratch/long-chain.gltf"
 expect_out ';bones = joint11999 16'
 

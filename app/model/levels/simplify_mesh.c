@@ -4,81 +4,70 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 /*
- * A cell of a grid. Vertices in one cell count as equal, since the two sides of
- * a seam may differ by the rounding of floats.
+ * A vertex and its cell of a grid. Vertices in one cell count as equal, since
+ * the two sides of a seam may differ by the rounding of floats.
  */
-struct cell {
-	int32_t at[3];
+struct spot {
+	int32_t cell[3];
+	uint32_t vertex;
 };
 
 static const float cells = 65536.0f; /* cells of the grid along the extent */
 
-static struct cell cell_of(const float position[3])
+static bool are_together(const struct spot *a, const struct spot *b)
 {
-	struct cell cell;
+	return memcmp(a->cell, b->cell, sizeof(a->cell)) == 0;
+}
+
+static int compare_spots(const void *left, const void *right)
+{
+	const struct spot *a = left, *b = right;
 
 	for (int i = 0; i < 3; i++) {
-		cell.at[i] = (int32_t)scalar_floor(position[i] * cells + 0.5f);
+		if (a->cell[i] != b->cell[i]) {
+			return a->cell[i] < b->cell[i] ? -1 : 1;
+		}
 	}
-	return cell;
+	return a->vertex < b->vertex ? -1 : a->vertex > b->vertex;
 }
 
-static uint32_t hash_cell(const struct cell *cell)
-{
-	uint32_t hash = 0;
-
-	for (int i = 0; i < 3; i++) {
-		hash = (hash ^ (uint32_t)cell->at[i]) * 0x85EBCA6Bu;
-		hash ^= hash >> 15;
-	}
-	return hash;
-}
-
-static bool is_in(const struct cell *cell, const float position[3])
-{
-	struct cell own = cell_of(position);
-
-	return memcmp(cell, &own, sizeof(own)) == 0;
-}
-
+/* Sorts, because files may have cells that collide in any hash table. */
 int simplify_mesh_weld(struct simplify *simplify)
 {
 	uint32_t count = (uint32_t)simplify->primitive->vertex_count;
-	uint32_t size = 16, *table;
+	struct spot *spot =
+		ARENA_ARRAY(&simplify->arena, struct spot, (size_t)count);
+	uint32_t leader = 0;
 
-	while (size < 2 * count) {
-		size *= 2;
-	}
-	table = ARENA_ARRAY(&simplify->arena, uint32_t, size);
-	if (!table) {
+	if (!spot) {
 		return -ENOMEM;
 	}
 	for (uint32_t v = 0; v < count; v++) {
-		struct cell cell = cell_of(simplify->position[v]);
-		uint32_t slot = hash_cell(&cell) & (size - 1);
-		uint32_t leader;
+		spot[v].vertex = v;
+		for (int i = 0; i < 3; i++) {
+			spot[v].cell[i] = (int32_t)scalar_floor(
+				simplify->position[v][i] * cells + 0.5f);
+		}
+	}
+	qsort(spot, count, sizeof(*spot), compare_spots);
+	for (uint32_t i = 0; i < count; i++) {
+		uint32_t v = spot[i].vertex;
 
 		if (interrupt_pending()) {
 			return -EINTR;
 		}
-		/* An entry is a vertex's number plus 1; 0 is empty. */
-		while (table[slot] &&
-			!is_in(&cell, simplify->position[table[slot] - 1])) {
-			slot = (slot + 1) & (size - 1);
-		}
-		if (!table[slot]) {
-			table[slot] = v + 1;
-		}
-		leader = table[slot] - 1;
-		simplify->leader[v] = leader;
-		simplify->next[v] = v;
-		if (leader != v) {
+		if (i == 0 || !are_together(&spot[i - 1], &spot[i])) {
+			leader = v;
+			simplify->next[v] = v;
+		} else {
 			simplify->next[v] = simplify->next[leader];
 			simplify->next[leader] = v;
 		}
+		simplify->leader[v] = leader;
 	}
 	return 0;
 }

@@ -121,9 +121,7 @@ static int open_character(struct instance *instance, const struct log *log,
 	int error = character_open(&request, instance, &nowhere, out);
 
 	if (error == -ENOMEM) {
-		log_error(log, "%s: there is not enough memory to compare it",
-			path);
-		return error;
+		return memory_budget_fail(instance->model->budget, path, log);
 	}
 	if (error) {
 		log_warning(log,

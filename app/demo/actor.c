@@ -51,10 +51,8 @@ static int prepare_parts(struct actor *actor, const struct demo_env *env)
 			&actor->cursor, actor->model, &actor->instance->arena);
 	}
 	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory to play the model",
-			env->model_path);
-		return error;
+		return memory_budget_fail(
+			actor->model->budget, env->model_path, env->log);
 	}
 	return texture_set_create(
 		&actor->textures, actor->model, env->gl, env->target, env->log);

@@ -41,6 +41,20 @@ for model in $models; do
     expect_refusal 1 'too large to be C source'
 done
 
+# Whatever does not fit into the limit of memory, limber names the limit.
+kib=16
+while ! $emulated && [ $kib -lt 400 ]; do
+    for words in '--show keys,weights' '--demo crowd' '--demo duel' '--demo tuner'; do
+        # shellcheck disable=SC2086 # options and their values
+        limber render $words --frames 1 --size 32x32 --memory ${kib}k \
+            -o "$scratch/x.png" tests/fixtures/gltf/skin/and_morph.gltf
+        if [ "$status" -ne 0 ]; then
+            expect_refusal 1 "more than $kib KiB of memory: .*--memory"
+        fi
+    done
+    kib=$((kib + 8))
+done
+
 # Numbers are finite and of a sane size; what nodes make of them may not be.
 limber info "$scratch/far-apart.gltf"
 expect_refusal 1 'nodes/0/translation/0: is larger than 1e9'

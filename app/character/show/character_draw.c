@@ -79,9 +79,8 @@ int character_draw_init(struct character_drawing *drawing,
 		error = reach_init(&drawing->reach, character->instance);
 	}
 	if (error) {
-		log_error(log, "%s: there is not enough memory",
-			character->instance->model->path);
-		return error;
+		return memory_budget_fail(character->arena.budget,
+			character->instance->model->path, log);
 	}
 	return init_drape(drawing, log);
 }

@@ -3,6 +3,7 @@
 #include "app/character/text/character_split.h"
 #include "app/character/text/ini_lines.h"
 #include "platform/base/file.h"
+#include "platform/base/memory_budget.h"
 
 #include <errno.h>
 #include <ini.h>
@@ -36,10 +37,8 @@ static int fail(const struct reader *reader, const char *sentence)
 
 static int fail_memory(const struct reader *reader)
 {
-	log_error(reader->log,
-		"%s: there is not enough memory for the character file",
-		reader->path);
-	return -ENOMEM;
+	return memory_budget_fail(
+		reader->text->arena->budget, reader->path, reader->log);
 }
 
 static struct character_section *find_section(const struct character_text *text,

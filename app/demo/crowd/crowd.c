@@ -101,9 +101,7 @@ static int add_walker(struct demo *demo)
 		error = crowd_dress(walker->instance, demo->count);
 	}
 	if (error) {
-		log_error(demo->log,
-			"crowd: there is not enough memory for %d walkers",
-			demo->count + 1);
+		memory_budget_fail(model->budget, "crowd", demo->log);
 		if (demo->count > 0) {
 			instance_destroy(walker->instance);
 		}

@@ -125,11 +125,10 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 			&contender->heat, shown, &shown->arena);
 	}
 	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory to compare the techniques",
-			env->model_path);
+		return memory_budget_fail(
+			shown->arena.budget, env->model_path, env->log);
 	}
-	return error;
+	return 0;
 }
 
 void contender_finish(struct contender *contender)

@@ -170,9 +170,8 @@ static int stay_in_place(struct demo *demo, const struct demo_env *env)
 		error = find_followed(demo, character);
 	}
 	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory for a copy of its clips",
-			model->path);
+		error = memory_budget_fail(
+			demo->arena.budget, model->path, env->log);
 	} else if (way_m[demo->motion.clip] > 0.0f) {
 		demo->motion.drift[0] = demo->motion.drift[1] = 0.0f;
 	}

@@ -180,10 +180,8 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 		error = tuner_bones_init(&demo->bones, instance, &motions);
 	}
 	if (error) {
-		log_error(env->log,
-			"%s: there is not enough memory to tune the model",
-			env->model_path);
-		return error;
+		return memory_budget_fail(
+			instance->arena.budget, env->model_path, env->log);
 	}
 	begin_swings(demo);
 	use_preset(demo);

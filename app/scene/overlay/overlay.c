@@ -187,10 +187,8 @@ static int take_memory(struct overlay *overlay)
 		ARENA_ARRAY(arena, float, (size_t)widest_channel(model));
 	if (!overlay->is_bone || !overlay->node_value || !overlay->sample ||
 		overlay_heat_init(&overlay->heat, instance, arena) != 0) {
-		log_error(&overlay->log,
-			"%s: there is not enough memory for the overlays",
-			model->path);
-		return -ENOMEM;
+		return memory_budget_fail(
+			arena->budget, model->path, &overlay->log);
 	}
 	overlay->target_count = target_count(model);
 	overlay->chooses_target =

@@ -51,8 +51,8 @@ int overlay_ghost_init(struct overlay_ghost *ghost,
 	ghost->instance->normal_mapping = false;
 	error = solid ? 0 : init_glass(ghost);
 	if (error) {
-		log_error(log, "%s: there is not enough memory for onion skins",
-			figure->model->path);
+		error = memory_budget_fail(ghost->instance->arena.budget,
+			figure->model->path, log);
 		overlay_ghost_finish(ghost);
 	}
 	return error;

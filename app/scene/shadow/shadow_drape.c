@@ -144,12 +144,9 @@ int shadow_drape_init(struct shadow_drape *drape, struct instance *instance,
 		error = allocate(
 			drape, &instance->arena, make_sheets(drape, instance));
 	}
-	if (error) {
-		log_error(log,
-			"%s: there is not enough memory for the model's shadow",
-			instance->model->path);
-	}
-	return error;
+	return error ? memory_budget_fail(instance->arena.budget,
+			       instance->model->path, log)
+		     : 0;
 }
 
 int shadow_drape_init_on(struct shadow_drape *drape, struct instance *instance,

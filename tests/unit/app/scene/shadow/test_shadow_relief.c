@@ -1,8 +1,11 @@
 /* Heights of uneven ground of a model's own, and shadows laid upon it. */
+#include "app/scene/shadow/shadow_drape.h"
 #include "app/scene/shadow/shadow_lay.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <math.h>
 
 enum {
@@ -134,6 +137,65 @@ static void test_lifting_keeps_a_points_place_in_the_picture(void **state)
 	assert_near((point[2] - 2) / 3, point[1] / 4, 1e-6);
 }
 
+/* Each level of a file may have more corners than the finest list. */
+static void test_any_level_may_have_the_most_corners(void **state)
+{
+	enum {
+		MOST = 3 * 1000
+	};
+	static uint32_t corner[MOST];
+
+	(void)state;
+	for (int kind = 0; kind < 4; kind++) {
+		struct model_lod lod[2] = {
+			{.error_m = 0.01f, .index_count = 3, .index = corner},
+			{.error_m = 0.02f, .index_count = 3, .index = corner}};
+		struct model *model = make_ground(hill);
+		struct model_primitive *primitive = model->mesh[0].primitive;
+		struct log nowhere = log_to_nowhere();
+		struct instance *instance;
+		struct shadow_drape few, many;
+
+		primitive->lod = lod;
+		primitive->lod_count = 2;
+		lod[0].shadow_only = kind / 2;
+		lod[1].shadow_only = kind / 2;
+		instance = small_model_instance(model);
+		assert_int_equal(
+			shadow_drape_init(&few, instance, NULL, 0, &nowhere), 0);
+		instance_destroy(instance);
+		lod[kind % 2].index_count = MOST;
+		instance = small_model_instance(model);
+		assert_int_equal(
+			shadow_drape_init(&many, instance, NULL, 0, &nowhere),
+			0);
+		assert_int_equal(many.index_max - few.index_max,
+			MOST - primitive->index_count);
+		release(model, instance);
+	}
+}
+
+static void test_too_small_a_limit_of_memory_is_named(void **state)
+{
+	struct model *model = make_ground(hill);
+	struct memory_budget nothing = {.limit_bytes = 0};
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct shadow_relief relief;
+	struct instance *instance = make_relief(model, &relief);
+	struct shadow_drape drape;
+
+	(void)state;
+	instance->arena.budget = &nothing;
+	assert_int_equal(
+		shadow_drape_init_on(&drape, instance, NULL, 0, &relief, &log),
+		-ENOMEM);
+	assert_int_equal(capture.count, 1);
+	assert_true(log_capture_has(&capture, LOG_ERROR, "--memory"));
+	instance->arena.budget = NULL;
+	release(model, instance);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -143,6 +205,8 @@ int main(void)
 			test_a_shadow_lies_on_the_ground_along_the_light),
 		cmocka_unit_test(
 			test_lifting_keeps_a_points_place_in_the_picture),
+		cmocka_unit_test(test_any_level_may_have_the_most_corners),
+		cmocka_unit_test(test_too_small_a_limit_of_memory_is_named),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,8 @@
 
 #include <errno.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum {
 	STEPS = 64
@@ -56,12 +58,41 @@ static void test_a_clip_without_a_duration_has_no_reference(void **state)
 	model_destroy(model);
 }
 
+/* Finding normals takes half of the time of a pose. */
+static void test_normals_are_posed_where_they_are_asked_for(void **state)
+{
+	struct model *model = model_fixture("gltf/skin/and_morph.gltf", NULL);
+	struct log log = log_to_nowhere();
+	struct reference *reference;
+	const float(*normal)[3];
+	size_t size;
+	void *first;
+
+	(void)state;
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	reference_pose(reference, 0.0f, true);
+	normal = (const float(*)[3])reference->instance->drawable[0].normal;
+	size = sizeof(*normal) *
+		(size_t)model->mesh[0].primitive[0].vertex_count;
+	first = malloc(size);
+	assert_non_null(first);
+	memcpy(first, normal, size);
+	reference_pose(reference, 0.4f, false);
+	assert_memory_equal(normal, first, size);
+	reference_pose(reference, 0.4f, true);
+	assert_memory_not_equal(normal, first, size);
+	free(first);
+	reference_destroy(reference);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_reference_without_memory_gives_back_what_it_took),
 		cmocka_unit_test(test_a_clip_without_a_duration_has_no_reference),
+		cmocka_unit_test(test_normals_are_posed_where_they_are_asked_for),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -163,6 +163,29 @@ static void test_more_vertices_than_indices_can_name_are_refused(void **state)
 	free(index);
 }
 
+/* The last vertex of indices of 16 bits is a vertex like others. */
+static void test_all_vertices_that_indices_can_name_are_kept(void **state)
+{
+	enum {
+		ALL = 65536
+	};
+	uint32_t *index = calloc(ALL + 2, sizeof(*index));
+	const struct model_primitive primitive = {
+		.vertex_count = ALL, .index = index, .index_count = ALL + 2};
+	struct arena arena = arena_empty();
+	struct facets facets;
+
+	(void)state;
+	assert_non_null(index);
+	for (uint32_t i = 0; i < ALL; i++) {
+		index[i] = i;
+	}
+	assert_int_equal(facets_make(&primitive, &arena, &facets), 0);
+	assert_int_equal(facets.vertex_count, ALL);
+	arena_release(&arena);
+	free(index);
+}
+
 static void make_corner(uint32_t *seed, int reach, struct fixed_vector *out)
 {
 	*out = (struct fixed_vector){
@@ -285,6 +308,8 @@ int main(void)
 			test_closed_surfaces_need_about_a_vertex_a_triangle),
 		cmocka_unit_test(
 			test_more_vertices_than_indices_can_name_are_refused),
+		cmocka_unit_test(
+			test_all_vertices_that_indices_can_name_are_kept),
 		cmocka_unit_test(test_fixed_normals_are_those_of_doubles),
 		cmocka_unit_test(test_normals_of_the_largest_triangles_are_right),
 		cmocka_unit_test(test_normals_of_floats_have_the_length_1_or_0),

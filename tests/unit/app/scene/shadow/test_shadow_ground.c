@@ -174,34 +174,37 @@ static void test_a_bottom_that_is_seen_is_in_the_floors_plane(void **state)
 }
 
 /* In its own unit; GL gets a model of about a metre. */
+static struct model *load_of_size(float size)
+{
+	struct model *model = load();
+
+	for (int mesh = LAWN; mesh <= LAMP; mesh++) {
+		struct model_primitive *primitive = model->mesh[mesh].primitive;
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			for (int axis = 0; axis < 3; axis++) {
+				primitive->position[v][axis] *= size;
+			}
+			primitive->position[v][1] += 0.5f * size;
+		}
+	}
+	for (int n = 0; n < model->node_count; n++) {
+		for (int axis = 0; axis < 3; axis++) {
+			model->node[n].rest.translation[axis] *= size;
+		}
+	}
+	return model;
+}
+
 static void test_ground_of_a_tiny_or_huge_model_is_found(void **state)
 {
 	static const float sizes[] = {1e-3f, 1e3f};
 
 	(void)state;
 	for (int i = 0; i < 2; i++) {
-		struct model *model = load();
+		struct model *model = load_of_size(sizes[i]);
 		float y;
 
-		for (int mesh = LAWN; mesh <= LAMP; mesh++) {
-			struct model_primitive *primitive =
-				model->mesh[mesh].primitive;
-
-			for (int v = 0; v < primitive->vertex_count; v++) {
-				float *at = primitive->position[v];
-
-				for (int axis = 0; axis < 3; axis++) {
-					at[axis] *= sizes[i];
-				}
-				at[1] += 0.5f * sizes[i];
-			}
-		}
-		for (int n = 0; n < model->node_count; n++) {
-			for (int axis = 0; axis < 3; axis++) {
-				model->node[n].rest.translation[axis] *=
-					sizes[i];
-			}
-		}
 		assert_int_equal(count_ground(model, &y), 2);
 		assert_near(y / sizes[i], 0.5, 1e-4);
 		assert_true(is_in_plane(model));
@@ -310,28 +313,35 @@ static bool begin_shadows(struct instance *instance,
 }
 
 /* A part of a character may lift it, such as the platform of a lift. */
-static void test_shadows_lie_on_ground_that_was_lifted(void **state)
+static void check_lifted(float size)
 {
-	struct model *model = load();
+	struct model *model = load_of_size(size);
 	struct instance *instance = small_model_instance(model);
 	struct transform *lawn = &instance->pose.local[LAWN];
 	struct transform *plate = &instance->pose.local[PLATE];
 	struct shadow_ground ground;
-	double y = 9.0;
+	double y = 9.0 * (double)size;
 
-	(void)state;
 	assert_int_equal(shadow_ground_find(&ground, instance), 0);
 	assert_true(begin_shadows(instance, &ground, &y));
-	assert_near(y, 0, 1e-4);
-	lawn->translation[1] += 0.25f;
+	assert_near(y / (double)size, 0.5, 1e-4);
+	lawn->translation[1] += 0.25f * size;
 	assert_false(begin_shadows(instance, &ground, &y));
-	plate->translation[1] += 0.25f;
+	plate->translation[1] += 0.25f * size;
 	assert_true(begin_shadows(instance, &ground, &y));
-	assert_near(y, 0.25, 1e-4);
+	assert_near(y / (double)size, 0.75, 1e-4);
 	quat_from_axis_angle((const float[3]){1, 0, 0}, 0.2f, lawn->rotation);
 	assert_false(begin_shadows(instance, &ground, &y));
 	instance_destroy(instance);
 	model_destroy(model);
+}
+
+static void test_shadows_lie_on_ground_that_was_lifted(void **state)
+{
+	(void)state;
+	check_lifted(1.0f);
+	check_lifted(1e-3f);
+	check_lifted(1e3f);
 }
 
 int main(void)

@@ -155,9 +155,11 @@ child=$!
 if $emulated; then
     sleep 2
 else
-    # Until limber, no longer the shell, catches SIGTERM, which is bit 14.
+    # Until limber, no longer the shell, catches SIGTERM, which is bit 14. A mutant's
+    # program has another name (tests/mutants).
     n=0
-    until awk '/^Name:.*limber/ { runs = 1 }
+    until awk -v name="$(basename "$limber" | cut -c1-15)" '
+            /^Name:/ { runs = $2 == name }
             runs && /^SigCgt:.*[4-7c-f]...$/ { catches = 1 }
             END { exit !catches }' /proc/$child/status || [ $n = 500 ]; do
         sleep 0.02

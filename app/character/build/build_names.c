@@ -5,6 +5,7 @@
 #include "app/anim/procedural/bone.h"
 #include "app/character/build/build.h"
 #include "platform/base/name_list.h"
+#include "platform/base/printable.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -27,6 +28,26 @@ const char *character_own_name(
 	return own;
 }
 
+enum {
+	NAME_BYTES = 256 /* more than a line has */
+};
+
+/*
+ * Whether a message cannot show the name's letters, as those of a file that was
+ * saved in Latin-1.
+ */
+static bool is_garbled(const char *name)
+{
+	char shown[NAME_BYTES];
+
+	if (strlen(name) >= sizeof(shown)) {
+		return false;
+	}
+	strcpy(shown, name);
+	printable_make(shown);
+	return strcmp(shown, name) != 0;
+}
+
 /*
  * Fails because nothing has the name, which is "" if the line has none; the
  * list holds the names that there are.
@@ -36,7 +57,11 @@ static int fail_name(struct character_words *words, const char *name,
 {
 	const char *are = strstr(list->text, ", ") ? "are" : "is only";
 
-	if (!list->text[0]) {
+	if (is_garbled(name)) {
+		character_fail(words,
+			"there is no %s named %s: if this file is not in UTF-8, save it as UTF-8",
+			what, name);
+	} else if (!list->text[0]) {
 		character_fail(words,
 			"there is no %s named %s: no %s of the model has a name",
 			what, name, what);

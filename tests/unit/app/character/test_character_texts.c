@@ -198,6 +198,23 @@ static void test_a_text_in_utf_16_is_named(void **state)
 	acting_end(&acting);
 }
 
+/* A comment may be in Latin-1; of a name nothing tells what is meant. */
+static void test_a_name_in_latin_1_is_told_from_a_wrong_one(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting, "; f\xFCr\n[state a]\nclip = walk\n");
+	acting_read(&acting, "[state a]\nclip = gr\xFCn\n");
+	assert_int_not_equal(acting.error, 0);
+	assert_contains(acting.logged.sentence[0],
+		"clip: there is no clip named gr?n: if this file is not in UTF-8, save it as UTF-8");
+	acting_read(&acting, "[state a]\nclip = gr\xC3\xBCn\n");
+	assert_contains(acting.logged.sentence[0], "gr\xC3\xBCn: there are ");
+	acting_end(&acting);
+}
+
 /* Reads a state, a comment of so many letters, and what is wrong below it. */
 static void read_comment(struct acting *acting, int letters, const char *end)
 {
@@ -263,6 +280,7 @@ int main(void)
 			test_a_line_replaces_the_whole_line_of_an_included_file),
 		cmocka_unit_test(test_texts_of_all_editors_are_read),
 		cmocka_unit_test(test_a_text_in_utf_16_is_named),
+		cmocka_unit_test(test_a_name_in_latin_1_is_told_from_a_wrong_one),
 		cmocka_unit_test(test_a_line_has_at_most_198_characters),
 		cmocka_unit_test(test_a_file_has_at_most_8000_lines),
 	};

@@ -3,6 +3,7 @@
 #include "platform/base/printable.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 
 /* Prints a name, which may be empty, and the text after it. */
@@ -92,22 +93,40 @@ static void print_skins(const struct info_report *report, FILE *out)
 	fprintf(out, "\n");
 }
 
+/* Returns how wide a column is that holds this value, at least least. */
+static int column_width(double value, int decimals, int least)
+{
+	int length = snprintf(NULL, 0, "%.*f", decimals, value);
+
+	return length > least ? length : least;
+}
+
 static void print_clips(const struct model *model, FILE *out)
 {
+	double longest_s = 0.0;
+	int width[3]; /* of seconds, frames and ticks */
+
 	if (model->clip_count == 0) {
 		return;
 	}
-	fprintf(out, "\nclips      seconds  30 Hz  ticks channels  keys\n");
+	for (int i = 0; i < model->clip_count; i++) {
+		longest_s = fmax(longest_s, (double)model->clip[i].duration_s);
+	}
+	width[0] = column_width(longest_s, 2, 7);
+	width[1] = column_width(longest_s * 30.0, 1, 6);
+	width[2] = column_width(longest_s * TICKS_PER_SECOND, 0, 6);
+	fprintf(out, "\nclips      %*s %*s %*s channels  keys\n", width[0],
+		"seconds", width[1], "30 Hz", width[2], "ticks");
 	for (int i = 0; i < model->clip_count; i++) {
 		const struct model_clip *clip = &model->clip[i];
 		double duration_s = (double)clip->duration_s;
 		struct model_stats stats = {0};
 
 		model_stats_add_clip(&stats, clip);
-		fprintf(out, "  %3d      %7.2f %6.1f %6.0f %8d %5d  ", i,
-			duration_s, duration_s * 30.0,
-			duration_s * TICKS_PER_SECOND, stats.channel_count,
-			stats.key_count);
+		fprintf(out, "  %3d      %*.2f %*.1f %*.0f %8d %5d  ", i,
+			width[0], duration_s, width[1], duration_s * 30.0,
+			width[2], duration_s * TICKS_PER_SECOND,
+			stats.channel_count, stats.key_count);
 		print_name(clip->name, "\n", out);
 	}
 }

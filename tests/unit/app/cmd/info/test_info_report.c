@@ -3,6 +3,8 @@
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cglm/cglm.h>
@@ -132,12 +134,56 @@ static void test_skins_need_palettes_and_skinned_vertices(void **state)
 	model_destroy(scene.model);
 }
 
+/* Returns how far from its line's start the word ends. */
+static int end_of(const char *text, const char *word)
+{
+	const char *at = strstr(text, word), *line = at;
+
+	assert_non_null(at);
+	while (line > text && line[-1] != '\n') {
+		line--;
+	}
+	return (int)(at - line) + (int)strlen(word);
+}
+
+static void test_columns_of_clips_hold_a_clip_of_a_day(void **state)
+{
+	struct model_clip clip[] = {{.name = "second", .duration_s = 1},
+		{.name = "day", .duration_s = 86400}};
+	struct scene scene;
+	struct info_report report;
+	char *text;
+	size_t size;
+	FILE *out = open_memstream(&text, &size);
+
+	(void)state;
+	assert_non_null(out);
+	begin(&scene, (const int[]){0, 1, 2});
+	scene.model->clip = clip;
+	scene.model->clip_count = 2;
+	report = measured(&scene);
+	info_print_text(&report, out);
+	assert_int_equal(fclose(out), 0);
+	assert_int_equal(end_of(text, "seconds"), end_of(text, " 1.00"));
+	assert_int_equal(end_of(text, "seconds"), end_of(text, "86400.00"));
+	assert_int_equal(end_of(text, "30 Hz"), end_of(text, " 30.0"));
+	assert_int_equal(end_of(text, "30 Hz"), end_of(text, "2592000.0"));
+	assert_int_equal(end_of(text, "ticks"), end_of(text, " 4800"));
+	assert_int_equal(end_of(text, "ticks"), end_of(text, "414720000"));
+	assert_int_equal(end_of(text, "second\n"), end_of(text, "day\n") + 3);
+	free(text);
+	info_release(&report);
+	scene.model->clip_count = 0;
+	model_destroy(scene.model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_mesh_has_the_unit_of_its_first_node),
 		cmocka_unit_test(test_nodes_alone_need_transforms),
 		cmocka_unit_test(test_skins_need_palettes_and_skinned_vertices),
+		cmocka_unit_test(test_columns_of_clips_hold_a_clip_of_a_day),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -153,6 +153,7 @@ check 'no temporary file is left' sh -c "! ls '$outer' | grep part"
 
 # Names of another kind of file: limber writes no C source into a picture.
 for wrong in "pose -o $scratch/new.png" "pose -o $scratch/new.c" \
+    "pose -o $scratch/new.fbx" "pose -o $scratch/new.STL" \
     "export --c $scratch/new.cpp" "export --c $scratch/new.GLB" \
     "character -o $scratch/new.levels" "levels -o $scratch/new.gltf"; do
     # shellcheck disable=SC2086 # a command and its options

@@ -121,7 +121,10 @@ static int check_ending(const struct named_file *file, enum command_bit command,
 	};
 	static const char *const endings[] = {".png", ".gif", ".y4m", ".jpg",
 		".jpeg", ".svg", ".obj", ".c", ".cc", ".cpp", ".cxx", ".glb",
-		".gltf", ".bin", ".x", ".character", ".levels", ".conf"};
+		".gltf", ".bin", ".x", ".character", ".levels", ".conf", ".fbx",
+		".dae", ".stl", ".ply", ".blend", ".usd", ".usda", ".usdc",
+		".usdz", ".3ds", ".abc", ".bvh", ".mp4", ".webm", ".avi",
+		".webp", ".bmp", ".zip", ".json"};
 	size_t kind = 0;
 
 	while (kind < ARRAY_COUNT(written) && written[kind].command != command) {

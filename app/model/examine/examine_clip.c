@@ -3,27 +3,49 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *clip_name(const struct model_clip *clip)
+enum {
+	CLIP_NAME_BYTES = 100
+};
+
+/* A clip and how findings call it. */
+struct named_clip {
+	const struct model_clip *clip;
+	char name[CLIP_NAME_BYTES];
+};
+
+/* The number stands before a name that another clip has, and for no name. */
+static struct named_clip name_clip(
+	const struct model *model, int number, bool is_unique)
 {
-	return clip->name[0] ? clip->name : "(unnamed)";
+	const struct model_clip *clip = &model->clip[number];
+	struct named_clip named = {.clip = clip};
+	char digits[16];
+
+	snprintf(digits, sizeof(digits), "%d", number);
+	snprintf(named.name, sizeof(named.name), "%s%s%s",
+		is_unique ? "" : digits,
+		is_unique || !clip->name[0] ? "" : ", ", clip->name);
+	return named;
 }
 
-static void report_count(const struct model_clip *clip,
+static void report_count(const struct named_clip *named,
 	const struct examiner *examiner, int count, const char *feature,
 	const char *treatment)
 {
 	if (count > 0) {
-		examine_report(examiner, "clip %s: %s (%d): %s",
-			clip_name(clip), feature, count, treatment);
+		examine_report(examiner, "clip %s: %s (%d): %s", named->name,
+			feature, count, treatment);
 	}
 }
 
 static void report_cubic(
-	const struct model_clip *clip, const struct examiner *examiner)
+	const struct named_clip *named, const struct examiner *examiner)
 {
+	const struct model_clip *clip = named->clip;
 	int cubic = 0, weights = 0;
 
 	for (int i = 0; i < clip->channel_count; i++) {
@@ -34,38 +56,40 @@ static void report_cubic(
 			weights += channel->path == MODEL_WEIGHTS;
 		}
 	}
-	report_count(clip, examiner, cubic, "CUBICSPLINE channels",
+	report_count(named, examiner, cubic, "CUBICSPLINE channels",
 		"limber multiplies their tangents by the interval between keys, and normalises rotations afterwards");
 	if (weights > 0) {
 		examine_report(examiner,
 			"clip %s: cubic morph weights (%d channels): each key holds all in-tangents, then all values, then all out-tangents",
-			clip_name(clip), weights);
+			named->name, weights);
 	}
 }
 
 /* Programs whose animations begin at frame 1 write such clips. */
-static void report_late_start(const struct model_clip *clip, float earliest_s,
+static void report_late_start(const struct named_clip *named, float earliest_s,
 	float latest_s, const struct examiner *examiner)
 {
+	const struct model_clip *clip = named->clip;
 	if (clip->lead_s > 0.0f) {
 		examine_report(examiner,
 			"clip %s: nothing moves before %.4f s; limber holds the first pose until then when the clip begins, but later rounds of a loop begin there",
-			clip_name(clip), (double)clip->lead_s);
+			named->name, (double)clip->lead_s);
 	} else if (earliest_s > 0.0f) {
 		examine_report(examiner,
 			"clip %s: no key lies before %.4f s; limber holds the first pose until then, each time the clip begins again: export it from frame 0",
-			clip_name(clip), (double)earliest_s);
+			named->name, (double)earliest_s);
 	}
 	if (latest_s > earliest_s && latest_s > clip->lead_s) {
 		examine_report(examiner,
 			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
-			clip_name(clip), (double)latest_s);
+			named->name, (double)latest_s);
 	}
 }
 
 static void report_first_and_last_keys(
-	const struct model_clip *clip, const struct examiner *examiner)
+	const struct named_clip *named, const struct examiner *examiner)
 {
+	const struct model_clip *clip = named->clip;
 	float latest_s = 0.0f, soonest_end_s = clip->duration_s;
 	float earliest_s = clip->channel_count > 0 ? clip->duration_s : 0.0f;
 
@@ -80,18 +104,19 @@ static void report_first_and_last_keys(
 			soonest_end_s = end_s;
 		}
 	}
-	report_late_start(clip, earliest_s, latest_s, examiner);
+	report_late_start(named, earliest_s, latest_s, examiner);
 	if (soonest_end_s < clip->duration_s) {
 		examine_report(examiner,
 			"clip %s: some channels end at %.4f s of %.4f s; limber holds the value of their last key",
-			clip_name(clip), (double)soonest_end_s,
+			named->name, (double)soonest_end_s,
 			(double)clip->duration_s);
 	}
 }
 
 static void report_key_kinds(
-	const struct model_clip *clip, const struct examiner *examiner)
+	const struct named_clip *named, const struct examiner *examiner)
 {
+	const struct model_clip *clip = named->clip;
 	int step = 0, single = 0, linear = 0;
 
 	for (int i = 0; i < clip->channel_count; i++) {
@@ -103,12 +128,12 @@ static void report_key_kinds(
 		linear += channel->key_count > 1 &&
 			channel->interpolation == MODEL_LINEAR;
 	}
-	report_count(clip, examiner, single, "channels with a single key",
+	report_count(named, examiner, single, "channels with a single key",
 		"limber uses its value at every time");
 	if (step > 0) {
 		examine_report(examiner,
 			"clip %s: STEP channels (%d)%s: limber interpolates each channel in its own mode",
-			clip_name(clip), step,
+			named->name, step,
 			linear > 0 ? " beside LINEAR ones" : "");
 	}
 }
@@ -137,8 +162,9 @@ static int count_long_arcs(const struct model_channel *channel)
 
 /* Keys of STEP channels have no arcs between them. */
 static void report_long_arcs(
-	const struct model_clip *clip, const struct examiner *examiner)
+	const struct named_clip *named, const struct examiner *examiner)
 {
+	const struct model_clip *clip = named->clip;
 	int linear = 0, cubic = 0;
 
 	for (int i = 0; i < clip->channel_count; i++) {
@@ -150,10 +176,10 @@ static void report_long_arcs(
 			cubic += count_long_arcs(channel);
 		}
 	}
-	report_count(clip, examiner, linear,
+	report_count(named, examiner, linear,
 		"rotation keys with a negative dot product to the key before",
 		"limber negates them, so that the rotation takes the shorter arc");
-	report_count(clip, examiner, cubic,
+	report_count(named, examiner, cubic,
 		"CUBICSPLINE rotation keys with a negative dot product to the key before",
 		"limber follows the spline as glTF defines it, which turns the longer way there; if this is not meant, export sampled keys");
 }
@@ -271,6 +297,59 @@ static int report_equal_names(const struct model *model, struct arena *arena,
 	return 0;
 }
 
+/* Compares pointers to clips by their names. */
+static int compare_clips(const void *left, const void *right)
+{
+	const struct model_clip *const *a = left, *const *b = right;
+
+	return strcmp((*a)->name, (*b)->name);
+}
+
+/*
+ * Finds which clips have a name that no other clip has; [clip_count]. Returns
+ * NULL without memory.
+ */
+static const bool *find_unique(const struct model *model, struct arena *arena)
+{
+	const size_t count = (size_t)model->clip_count;
+	bool *unique = ARENA_ARRAY(arena, bool, count);
+	const struct model_clip **clip =
+		ARENA_ARRAY(arena, const struct model_clip *, count);
+
+	if (!unique || !clip) {
+		return NULL;
+	}
+	for (size_t i = 0; i < count; i++) {
+		clip[i] = &model->clip[i];
+		unique[i] = clip[i]->name[0] != '\0';
+	}
+	qsort(clip, count, sizeof(clip[0]), compare_clips);
+	for (size_t i = 1; i < count; i++) {
+		if (compare_clips(&clip[i - 1], &clip[i]) == 0) {
+			unique[clip[i - 1] - model->clip] = false;
+			unique[clip[i] - model->clip] = false;
+		}
+	}
+	return unique;
+}
+
+/* Returns 0 or -ENOMEM. */
+static int report_each(const struct model *model, struct arena *arena,
+	const struct examiner *examiner)
+{
+	const bool *unique = find_unique(model, arena);
+
+	for (int i = 0; unique && i < model->clip_count; i++) {
+		const struct named_clip named = name_clip(model, i, unique[i]);
+
+		report_cubic(&named, examiner);
+		report_first_and_last_keys(&named, examiner);
+		report_key_kinds(&named, examiner);
+		report_long_arcs(&named, examiner);
+	}
+	return unique ? 0 : -ENOMEM;
+}
+
 static void report_matrices(
 	const struct model *model, const struct examiner *examiner)
 {
@@ -294,16 +373,9 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 	if (!moved) {
 		return memory_budget_fail(model->budget, model->path, log);
 	}
-	for (int i = 0; i < model->clip_count; i++) {
-		const struct model_clip *clip = &model->clip[i];
-
-		report_cubic(clip, examiner);
-		report_first_and_last_keys(clip, examiner);
-		report_key_kinds(clip, examiner);
-		report_long_arcs(clip, examiner);
-	}
+	error = report_each(model, &arena, examiner);
 	report_unshared_channels(model, moved, examiner);
-	error = report_apart(model, &arena, examiner);
+	error = error ? error : report_apart(model, &arena, examiner);
 	if (!error) {
 		error = report_equal_names(model, &arena, examiner);
 	}

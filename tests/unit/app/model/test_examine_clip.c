@@ -145,6 +145,58 @@ static void test_clips_of_one_name_are_counted(void **state)
 		"clips with the name of an earlier clip (3): limber finds the earlier one by this name, and the others by their numbers, which limber info lists; ");
 }
 
+struct names {
+	char name[8][20];
+	int count;
+};
+
+/* Keeps how findings about late first keys begin. */
+static void keep_start(void *context, const char *finding)
+{
+	struct names *heard = context;
+	const char *end = strstr(finding, "no key lies before");
+
+	if (end && heard->count < 8) {
+		(void)snprintf(heard->name[heard->count++],
+			sizeof(heard->name[0]), "%.*s", (int)(end - finding),
+			finding);
+	}
+}
+
+/* A name that two clips have, or none, does not tell which clip is meant. */
+static void test_the_number_tells_clips_of_one_name_apart(void **state)
+{
+	static const float time_s[2] = {0.5f, 1}, value[6] = {0, 0, 0, 1};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.key_count = 2,
+		.width = 3,
+		.time_s = time_s,
+		.value = value};
+	struct model_node node = {.name = "arm", .mesh = -1, .skin = -1};
+	struct model_clip clip[] = {{.name = "walk"}, {.name = "run"},
+		{.name = "walk"}, {.name = ""}};
+	struct model model = {
+		.node_count = 1, .node = &node, .clip_count = 4, .clip = clip};
+	const struct log log = log_to_stderr(LOG_WARNING);
+	static const char *const starts[] = {
+		"clip 0, walk: ", "clip run: ", "clip 2, walk: ", "clip 3: "};
+	struct names heard = {.count = 0};
+	const struct examiner examiner = {keep_start, &heard};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		clip[i].duration_s = 1;
+		clip[i].channel_count = 1;
+		clip[i].channel = &channel;
+	}
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_int_equal(heard.count, 4);
+	for (int i = 0; i < 4; i++) {
+		assert_string_equal(heard.name[i], starts[i]);
+	}
+}
+
 static void keep_equal_nodes(void *context, const char *finding)
 {
 	if (strstr(finding, "name of an earlier node")) {
@@ -178,6 +230,7 @@ int main(void)
 		cmocka_unit_test(test_only_linear_rotations_take_the_shorter_arc),
 		cmocka_unit_test(test_a_late_start_tells_what_a_loop_does),
 		cmocka_unit_test(test_clips_of_one_name_are_counted),
+		cmocka_unit_test(test_the_number_tells_clips_of_one_name_apart),
 		cmocka_unit_test(test_nodes_of_one_name_are_counted),
 	};
 

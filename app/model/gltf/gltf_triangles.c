@@ -102,9 +102,11 @@ int gltf_has_triangles(const struct gltf_at *at, bool *out)
 	*out = mode >= MODE_TRIANGLES;
 	if (!error && !*out) {
 		if (mode) {
-			gltf_warn(at, "limber does not draw lines");
+			gltf_warn(at,
+				"limber does not draw lines: export them as thin triangles, such as tubes");
 		} else {
-			gltf_warn(at, "limber does not draw points");
+			gltf_warn(at,
+				"limber does not draw points: export a triangle or two for each");
 		}
 	}
 	return error;

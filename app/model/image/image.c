@@ -32,8 +32,9 @@ static int check_size(const struct image_input *input, int width, int height)
 	}
 	if (width > IMAGE_SIDE_MAX || height > IMAGE_SIDE_MAX) {
 		log_error(input->log,
-			"%s: the image has %dx%d pixels; limber reads up to %d in width and height",
-			input->where, width, height, IMAGE_SIDE_MAX);
+			"%s: the image has %dx%d pixels; limber reads up to %d in width and height: save it smaller, as limber shows up to %d",
+			input->where, width, height, IMAGE_SIDE_MAX,
+			IMAGE_SIDE_USED);
 		return -EFBIG;
 	}
 	return 0;

@@ -25,9 +25,9 @@ static void test_ignores_points_and_lines_with_a_warning(void **state)
 		assert_int_equal(model->mesh[mode].primitive_count, 1);
 	}
 	assert_true(log_capture_has(&logged, LOG_WARNING,
-		"modes.gltf: /meshes/0/primitives/0: limber does not draw points"));
+		"modes.gltf: /meshes/0/primitives/0: limber does not draw points: export a triangle or two for each"));
 	assert_true(log_capture_has(&logged, LOG_WARNING,
-		"/meshes/1/primitives/0: limber does not draw lines (similar: /meshes/2/primitives/0, /meshes/3/primitives/0)"));
+		"/meshes/1/primitives/0: limber does not draw lines: export them as thin triangles, such as tubes (similar: /meshes/2/primitives/0, /meshes/3/primitives/0)"));
 	model_destroy(model);
 }
 

@@ -282,8 +282,10 @@ static int write_nodes(
 	int error = find_bones(&bones, model, &arena);
 
 	if (!error) {
-		sketch_find_parts(model, bones.is_joint, bones.is_named,
+		error = sketch_find_parts(model, bones.is_joint, bones.is_named,
 			is_still(model), parts);
+	}
+	if (!error) {
 		sketch_write_parts(model, parts, out);
 		sketch_write_feet(model, bones.is_joint, bones.is_named,
 			(const mat4 *)bones.world, out);

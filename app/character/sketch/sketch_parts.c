@@ -2,52 +2,134 @@
 
 #include "app/character/sketch/sketch_names.h"
 #include "app/scene/hud/hud_name.h"
+#include "platform/base/arena.h"
+
+#include <errno.h>
+#include <string.h>
 
 static bool is_rigid(const struct model *model, int node)
 {
 	return model->node[node].mesh >= 0 && model->node[node].skin < 0;
 }
 
-/* A part is called as its node is. */
-static void find(const struct model *model, const bool *is_joint,
-	const bool *is_named, bool joints, struct sketch_parts *out)
-{
-	for (int i = 0; i < model->node_count && out->count < SKETCH_PARTS; i++) {
-		bool fits = joints ? is_joint[i]
-				   : is_rigid(model, i) && !is_joint[i];
+/* Arrays have an element for each node. */
+struct search {
+	const struct model *model;
+	const bool *is_joint, *is_named;
+	int *meshes; /* rigid meshes of the node and of all below it */
+	int *shown;  /* children that are rigid meshes */
+	int count;   /* of rigid meshes */
+};
 
-		if (fits && is_named[i] &&
-			sketch_fits_heading(model->node[i].name)) {
+static int init(
+	struct search *search, const struct model *model, struct arena *arena)
+{
+	search->meshes = ARENA_ARRAY(arena, int, (size_t)model->node_count);
+	search->shown = ARENA_ARRAY(arena, int, (size_t)model->node_count);
+	if (!search->meshes || !search->shown) {
+		return -ENOMEM;
+	}
+	for (int i = model->node_count - 1; i >= 0; i--) {
+		int parent = model->node[i].parent, one = is_rigid(model, i);
+
+		search->meshes[i] += one;
+		search->count += one;
+		if (parent >= 0) {
+			search->meshes[parent] += search->meshes[i];
+			search->shown[parent] += one;
+		}
+	}
+	return 0;
+}
+
+static bool can_be_named(const struct search *search, int node)
+{
+	return search->is_named[node] &&
+		sketch_fits_heading(search->model->node[node].name);
+}
+
+/*
+ * Whether a node without a mesh turns some of the meshes, which hang on it: in
+ * many models a part's node holds its pivot, and a child its mesh.
+ */
+static bool is_pivot(const struct search *search, int node)
+{
+	const struct model_node *of = &search->model->node[node];
+
+	return of->mesh < 0 && !of->matrix && !search->is_joint[node] &&
+		search->shown[node] > 0 &&
+		search->meshes[node] < search->count &&
+		can_be_named(search, node);
+}
+
+/* Whether a mesh is nothing but the form of the pivot above it. */
+static bool is_form(const struct search *search, int node)
+{
+	static const float none[3];
+	const struct model_node *of = &search->model->node[node];
+
+	return of->parent >= 0 && is_pivot(search, of->parent) &&
+		search->meshes[node] == 1 &&
+		(search->shown[of->parent] == 1 ||
+			memcmp(of->rest.translation, none, sizeof(none)) == 0);
+}
+
+static bool is_part(const struct search *search, int node)
+{
+	return is_pivot(search, node) ||
+		(is_rigid(search->model, node) && !search->is_joint[node] &&
+			can_be_named(search, node) && !is_form(search, node));
+}
+
+/* A part is called as its node is. */
+static void find(
+	const struct search *search, bool bones, struct sketch_parts *out)
+{
+	*out = (struct sketch_parts){.bones = bones};
+	for (int i = 0;
+		i < search->model->node_count && out->count < SKETCH_PARTS; i++) {
+		if (bones ? search->is_joint[i] && can_be_named(search, i)
+			  : is_part(search, i)) {
 			out->node[out->count++] = i;
 		}
 	}
 }
 
-/* Returns true if a rigid part has another one above it. */
-static bool hangs(const struct model *model, int node)
+/* Returns true if a part has another one above it. */
+static bool hangs(const struct search *search, int node)
 {
-	int above = model->node[node].parent;
+	int above = search->model->node[node].parent;
 
-	while (above >= 0 && !is_rigid(model, above)) {
-		above = model->node[above].parent;
+	while (above >= 0 && !is_rigid(search->model, above) &&
+		!is_pivot(search, above)) {
+		above = search->model->node[above].parent;
 	}
 	return above >= 0;
 }
 
-void sketch_find_parts(const struct model *model, const bool *is_joint,
+int sketch_find_parts(const struct model *model, const bool *is_joint,
 	const bool *is_named, bool still, struct sketch_parts *out)
 {
-	struct sketch_parts joints = {.moved = true};
+	struct arena arena = arena_empty();
+	struct search search = {model, is_joint, is_named, NULL, NULL, 0};
+	struct sketch_parts joints;
+	int error = init(&search, model, &arena);
 
 	*out = (struct sketch_parts){.count = 0};
-	find(model, is_joint, is_named, false, out);
-	for (int i = 0; i < out->count; i++) {
-		out->moved = out->moved || (still && hangs(model, out->node[i]));
+	if (!error) {
+		find(&search, false, out);
 	}
-	if (still && !out->moved) {
-		find(model, is_joint, is_named, true, &joints);
+	for (int i = 0; i < out->count; i++) {
+		out->moved =
+			out->moved || (still && hangs(&search, out->node[i]));
+	}
+	if (!error && still && !out->moved) {
+		find(&search, true, &joints);
+		joints.moved = true;
 		*out = joints.count > 0 ? joints : *out;
 	}
+	arena_release(&arena);
+	return error;
 }
 
 void sketch_write_parts(
@@ -57,9 +139,8 @@ void sketch_write_parts(
 
 	if (parts->count > 0) {
 		fprintf(out, "; %s: start, lowest, highest, degrees a second.\n",
-			is_rigid(model, parts->node[0])
-				? "Rigid parts turn on their pivots"
-				: "Bones turn on their joints");
+			parts->bones ? "Bones turn on their joints"
+				     : "Rigid parts turn on their pivots");
 	}
 	for (int i = 0; i < parts->count; i++) {
 		fprintf(out, "%s[part ", mark);

@@ -1,0 +1,105 @@
+/* Which nodes of rigid models buttons turn. */
+#include "app/character/sketch/sketch_parts.h"
+#include "platform/base/compiler.h"
+#include "tests/support/test.h"
+
+enum {
+	MOST = 12
+};
+
+/* A node, in the order of the file: parents before children. */
+struct made {
+	const char *name;
+	int parent;
+	bool shows; /* a mesh */
+	float x;    /* of its place in the parent's frame */
+};
+
+/* Finds the parts of a model that nothing else moves. */
+static struct sketch_parts find(const struct made *made, int count)
+{
+	static const bool no_joint[MOST],
+		named[MOST] = {true, true, true, true, true, true, true, true,
+			true, true, true, true};
+	struct model_node node[MOST];
+	struct model model = {.node = node, .node_count = count};
+	struct sketch_parts parts;
+
+	for (int i = 0; i < count; i++) {
+		node[i] = (struct model_node){.name = made[i].name,
+			.parent = made[i].parent,
+			.in_scene = true,
+			.rest = {{made[i].x, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}},
+			.mesh = made[i].shows ? 0 : -1,
+			.skin = -1,
+			.camera = -1};
+	}
+	assert_int_equal(
+		sketch_find_parts(&model, no_joint, named, true, &parts), 0);
+	return parts;
+}
+
+static void expect_parts(const struct made *made, int count, bool moved,
+	const char *const *wanted)
+{
+	struct sketch_parts parts = find(made, count);
+
+	for (int i = 0; i < parts.count; i++) {
+		assert_non_null(wanted[i]);
+		assert_string_equal(made[parts.node[i]].name, wanted[i]);
+	}
+	assert_null(wanted[parts.count]);
+	assert_int_equal(parts.moved, moved);
+}
+
+/* A robot arm whose meshes are not parents of the next meshes. */
+static void test_nodes_that_hold_pivots_turn_their_meshes(void **state)
+{
+	static const struct made arm[] = {{"robot", -1, false, 0},
+		{"foot", 0, true, 0}, {"axis1", 0, false, 1},
+		{"drum1", 2, true, 0}, {"link1", 2, true, 0},
+		{"cable", 2, true, 0.1f}, {"axis2", 2, false, 1},
+		{"link2", 6, true, 0.5f}};
+
+	(void)state;
+	expect_parts(arm, ARRAY_COUNT(arm), true,
+		(const char *const[]){"foot", "axis1", "cable", "axis2", NULL});
+}
+
+/* The node above all meshes would turn the whole model. */
+static void test_meshes_side_by_side_are_parts_of_their_own(void **state)
+{
+	static const struct made car[] = {{"car", -1, false, 0},
+		{"body", 0, true, 0}, {"wheel1", 0, true, 1},
+		{"wheel2", 0, true, 2}};
+	static const struct made wheels[] = {{"car", -1, false, 0},
+		{"body", 0, true, 0}, {"hub1", 0, false, 1},
+		{"tyre1", 2, true, 0}};
+
+	(void)state;
+	expect_parts(car, ARRAY_COUNT(car), false,
+		(const char *const[]){"body", "wheel1", "wheel2", NULL});
+	expect_parts(wheels, ARRAY_COUNT(wheels), false,
+		(const char *const[]){"body", "hub1", NULL});
+}
+
+static void test_meshes_that_hang_on_meshes_are_parts(void **state)
+{
+	static const struct made arm[] = {{"base", -1, true, 0},
+		{"arm", 0, true, 0}, {"hand", 1, true, 0}};
+
+	(void)state;
+	expect_parts(arm, ARRAY_COUNT(arm), true,
+		(const char *const[]){"base", "arm", "hand", NULL});
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_nodes_that_hold_pivots_turn_their_meshes),
+		cmocka_unit_test(test_meshes_side_by_side_are_parts_of_their_own),
+		cmocka_unit_test(test_meshes_that_hang_on_meshes_are_parts),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

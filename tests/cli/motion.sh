@@ -25,7 +25,7 @@ expect_refusal 2 'give auto, nearest, step, linear or cubic'
 shown() {
     shown_name=$1
     shift
-    limber render "$slider" --clip slide --size 32x32 --no-labels --gl soft \
+    limber render "$slider" --clip rise --size 32x32 --no-labels --gl soft \
         "$@" -o "$scratch/$shown_name.png"
     expect_status 0
 }

@@ -172,21 +172,33 @@ static int find_carrier(const struct character_build *build,
 }
 
 /*
+ * Whether a clip carries the model, whose feet do not step, farther than it is
+ * long, as one that drives, swims or flies.
+ */
+static bool goes_away(const struct gait *gait)
+{
+	float x = gait->drift[0], z = gait->drift[1];
+
+	return x * x + z * z > gait->extent * gait->extent;
+}
+
+/*
  * Finds how fast a clip goes over the ground, by the vertices that touch it. A
- * clip that walks away stays in its place, and the ground moves instead. Below
- * a model that slides along, such as a crate that is pushed, the ground rests.
+ * clip that goes away stays in its place, and the ground moves instead. Below a
+ * model that slides less far, such as a crate that is pushed, the ground rests.
  */
 static void find_gait(const struct character_build *build,
 	const struct gait *gait, struct character_clip *clip)
 {
 	struct character_motion *motion = &build->character->motion;
 	bool walks = gait->velocity[0] != 0 || gait->velocity[1] != 0;
-	bool walks_away = walks && (gait->drift[0] != 0 || gait->drift[1] != 0);
+	bool leaves = walks ? gait->drift[0] != 0 || gait->drift[1] != 0
+			    : goes_away(gait);
 
-	if (walks_away && motion->root < 0) {
+	if (leaves && motion->root < 0) {
 		motion->root = find_carrier(build, clip, gait->drift);
 	}
-	if (walks_away) {
+	if (leaves) {
 		find_travel(build, motion->root, clip);
 	}
 	/* Else the ground goes with the root that the file names, if it does. */

@@ -298,6 +298,7 @@ struct gait gait_measure(const struct gait_body *body,
 				sum[i] * (float)steps / (sum[2] * duration_s);
 		}
 	}
-	straighten(gait.velocity, standing * extent_of(&first));
+	gait.extent = extent_of(&first);
+	straighten(gait.velocity, standing * gait.extent);
 	return gait;
 }

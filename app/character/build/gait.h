@@ -32,6 +32,7 @@ struct gait {
 	 * 0 0 for a clip on the spot.
 	 */
 	float drift[2];
+	float extent; /* the longest side of the figure's box at the start */
 	/*
 	 * The height of its lowest point at steps + 1 equal times of a clip
 	 * that climbs or falls by more than half the figure's height, above

@@ -165,7 +165,7 @@ int sketch_write_motion(const struct model *model, FILE *out)
 	error = init(&search, model, &arena);
 	root = error ? -1 : find_root(&search, model);
 	if (root >= 0) {
-		fputs("; A clip carries this node away. Below what slides, swims or flies, the\n"
+		fputs("; A clip carries this node away. Below what slides a little, too, the\n"
 		      "; ground moves instead if root names it:\n;root = ",
 			out);
 		sketch_write_name(out, model->node[root].name);

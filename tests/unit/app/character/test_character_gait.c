@@ -269,15 +269,50 @@ static void test_a_clip_that_walks_away_moves_the_ground(void **state)
 static void test_the_ground_rests_below_what_slides_along(void **state)
 {
 	struct acting acting;
+	float *at;
 
 	(void)state;
 	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	/* A triangle of a metre goes 0.89 m instead of 44.7 m. */
+	at = (float *)(uintptr_t)acting.model->clip->channel->value;
+	for (int i = 0; i < 9; i++) {
+		at[i] *= 0.02f;
+	}
 	acting_expect(
 		&acting, "[state a]\nclip = leave\n[motion]\nclips = yes\n");
 	for (double time_s = 0.1; time_s < 2.0; time_s += 0.1) {
 		acting_run_to(&acting, time_s, rate_hz);
 		assert_near(acting.character->motion.scroll[0], 0, 0);
 		assert_near(acting.character->motion.scroll[1], 0, 0);
+	}
+	acting_end(&acting);
+}
+
+/* Such as a car that drives away, which would jump back in each round. */
+static void test_what_goes_farther_than_it_is_long_moves_the_ground(void **state)
+{
+	struct acting acting;
+	float *at;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	at = (float *)(uintptr_t)acting.model->clip->channel->value;
+	/* At an even speed. */
+	at[3] = 20;
+	at[5] = -10;
+	acting_expect(
+		&acting, "[state a]\nclip = leave\n[motion]\nclips = yes\n");
+	assert_int_equal(acting.character->motion.root, 0);
+	for (double time_s = 0.1; time_s < 4.0; time_s += 0.1) {
+		const float *place = acting.character->instance->world[0][3];
+
+		acting_run_to(&acting, time_s, rate_hz);
+		assert_near(acting.character->motion.scroll[0] * (float)rate_hz,
+			20.0, 1e-3);
+		assert_near(acting.character->motion.scroll[1] * (float)rate_hz,
+			-10.0, 1e-3);
+		assert_near(place[0], 0, 1e-3);
+		assert_near(place[2], 0, 1e-3);
 	}
 	acting_end(&acting);
 }
@@ -310,6 +345,8 @@ int main(void)
 			test_the_lowest_vertices_tell_how_the_ground_moves),
 		cmocka_unit_test(test_a_clip_that_walks_away_moves_the_ground),
 		cmocka_unit_test(test_the_ground_rests_below_what_slides_along),
+		cmocka_unit_test(
+			test_what_goes_farther_than_it_is_long_moves_the_ground),
 		cmocka_unit_test(
 			test_a_named_root_moves_the_ground_below_what_slides),
 	};

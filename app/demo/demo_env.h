@@ -24,6 +24,7 @@ struct demo_env {
 	const struct kernel *kernel;
 	int width, height;      /* of the picture, initially */
 	bool no_labels;         /* the picture will have no labels */
+	bool frame_times;       /* it will have the graph of frame times */
 	const char *model_path; /* the model file to show */
 	size_t memory_bytes;    /* budget of the model; 0: MODEL_MEMORY_BYTES */
 	const char *character;  /* a character file, "none", or NULL: the one

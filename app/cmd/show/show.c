@@ -77,6 +77,7 @@ static int open_demo(struct show *show)
 		.width = show->screen.info.width,
 		.height = show->screen.info.height,
 		.no_labels = options->show.no_labels,
+		.frame_times = options->show.hud,
 		.model_path = show->plan->model_path,
 		.memory_bytes = options->common.memory_bytes,
 		.character = options->show.character,

@@ -126,9 +126,21 @@ static void show_marks(const struct field *field, struct hud *hud)
 	}
 }
 
+enum {
+	GRAPH_EMS = 3 /* height of the bars */
+};
+
 static int graph_height(const struct hud *hud)
 {
-	return 3 * hud_em(hud);
+	return GRAPH_EMS * hud_em(hud);
+}
+
+int hud_graph_room(int width, int height, int stage_count)
+{
+	struct hud_group_extent rows =
+		hud_group_extent_of(width, height, 1 + stage_count, 0);
+
+	return rows.list_height + GRAPH_EMS * rows.em;
 }
 
 static void show_bars(const struct hud_graph *graph, struct hud_group *group)

@@ -66,6 +66,12 @@ float hud_graph_rate(const struct hud_graph *graph);
 float hud_graph_scale_ms(const struct hud_graph *graph);
 
 /*
+ * Returns what the graph with the times of this many stages takes of the height
+ * of a picture of this size, in pixels from its lower edge.
+ */
+int hud_graph_room(int width, int height, int stage_count);
+
+/*
  * Adds the graph as a group in the bottom left corner, or in the bottom right
  * one if the left has no room. If figures would be behind it and *beside, where
  * they are not, has room for the graph, it goes there. Facts that would reach

@@ -93,6 +93,7 @@ struct hud_group_extent hud_group_extent_of(
 		.top = line + rows * row + bars * bar +
 			em * (2 * PADDING_Y + 2 * TITLE_GAP + 2 * MARGIN) / 8,
 		.line = line,
+		.em = em,
 		.list_width = wide_width_for(width, em) + 2 * (em * MARGIN / 8),
 		.list_height =
 			rows * row + em * (2 * PADDING_Y + 2 * MARGIN) / 8,

@@ -49,6 +49,7 @@ struct hud_group_extent {
 	int column; /* width of the groups in a left corner */
 	int top;    /* height of a group in a top corner */
 	int line;   /* height of a line of text */
+	int em;     /* size of the typeface */
 	/* of a wide group of keys without a title */
 	int list_width, list_height;
 };

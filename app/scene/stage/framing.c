@@ -1,9 +1,12 @@
 #include "app/scene/stage/framing.h"
 
-#include "app/scene/hud/hud_group.h"
+#include "app/scene/hud/hud_graph.h"
 
 /* shortest side of a region; the picture's sides are 2 */
 static const float least_side = 0.4f;
+
+/* what figures keep of the height above the graph of frame times */
+static const float kept_side = 0.8f;
 
 /* Returns the lower edge of a region above a list of this many rows. */
 static float above_list(int rows, int width, int height)
@@ -37,6 +40,40 @@ static int regions_of_keys(
 	return count;
 }
 
+/* Returns the lower edge of a region above the graph of frame times. */
+static float above_times(int width, int height, int stages)
+{
+	int taken = hud_graph_room(width, height, stages);
+
+	return 2.0f * (float)taken / (float)height - 1.0f;
+}
+
+/*
+ * Finds the regions that the graph of frame times leaves free in a picture
+ * without labels: beside the graph and above it. In a picture too small for
+ * both, it is the one above a graph without the stages' times. Returns their
+ * number.
+ */
+static int regions_of_times(int width, int height, struct camera_region out[2])
+{
+	int column = hud_group_extent_of(width, height, 0, 0).column;
+	float left = 2.0f * (float)column / (float)width - 1.0f;
+	float bottom = above_times(width, height, HUD_STAGES);
+	int count = 0;
+
+	if (left < 1.0f - least_side) {
+		out[count++] = (struct camera_region){left, 1.0f, -1.0f, 1.0f};
+	}
+	if (bottom < 1.0f - kept_side) {
+		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	}
+	bottom = above_times(width, height, 0);
+	if (count == 0 && bottom < 1.0f - kept_side) {
+		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	}
+	return count;
+}
+
 /*
  * Finds the regions that labels leave free: beside them and below them. Returns
  * their number. If labels leave too little of a small picture, the only region
@@ -61,6 +98,10 @@ static int free_regions(const struct framing *framing, int width, int height,
 		bottom = -1.0f; /* the lines of text leave too little */
 	}
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	if (framing->label_rows == 0 && framing->frame_times) {
+		count = regions_of_times(width, height, out);
+		return count > 0 ? count : 1;
+	}
 	if (framing->label_rows == 0 || most == 0) {
 		return 1;
 	}

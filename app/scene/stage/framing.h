@@ -22,6 +22,7 @@ struct framing {
 	int label_rows, label_bars; /* 0: there are no labels */
 	bool labels_right;          /* the labels are in the top right corner */
 	int lines_below;            /* lines of text along the lower edge */
+	bool frame_times;           /* without labels: their graph is shown */
 	struct framing_below below;
 };
 

@@ -1,5 +1,5 @@
 /* The part of a picture that labels and keys leave to the figure. */
-#include "app/scene/hud/hud_group.h"
+#include "app/scene/hud/hud_graph.h"
 #include "app/scene/stage/framing.h"
 #include "platform/base/compiler.h"
 #include "tests/support/test.h"
@@ -54,6 +54,30 @@ static void test_without_labels_the_whole_picture_is_free(void **state)
 		framing.lines_below = 9 * sizes[i][1] / extent.line / 10;
 		expect_region(&framing, &tall, sizes[i], -1, 1, -1, 1);
 	}
+}
+
+/* The last picture is so small that it has no room for the stages' times. */
+static void test_without_labels_figures_leave_frame_times_their_room(
+	void **state)
+{
+	static const int narrow[][3] = {
+		{480, 640, HUD_STAGES}, {240, 320, HUD_STAGES}, {128, 160, 0}};
+	static const int level[] = {320, 240};
+	struct framing framing = framing_of(0, 0);
+
+	(void)state;
+	framing.frame_times = true;
+	for (size_t i = 0; i < ARRAY_COUNT(narrow); i++) {
+		int room = hud_graph_room(
+			narrow[i][0], narrow[i][1], narrow[i][2]);
+
+		expect_region(&framing, &wide, narrow[i], -1, 1,
+			at(room, narrow[i][1]), 1);
+	}
+	expect_region(&framing, &tall, level,
+		at(hud_group_extent_of(level[0], level[1], 0, 0).column,
+			level[0]),
+		1, -1, 1);
 }
 
 static void test_tall_figures_stand_beside_labels_and_wide_ones_below(
@@ -161,6 +185,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_without_labels_the_whole_picture_is_free),
+		cmocka_unit_test(
+			test_without_labels_figures_leave_frame_times_their_room),
 		cmocka_unit_test(
 			test_tall_figures_stand_beside_labels_and_wide_ones_below),
 		cmocka_unit_test(

@@ -33,6 +33,16 @@ static ALWAYS_INLINE void set_listed_colors(struct listed *listed)
 	const struct soft_scales *scales = &spans->scales;
 	struct plane alpha = {0};
 
+	if (spans->alpha_read) {
+		const struct delta delta =
+			frame_find_attribute(listed->setup, ALPHA);
+
+		alpha = frame_find_plane(&listed->frame, &delta);
+	} else if (!listed->draw->attributes) { /* only depths are written */
+		listed->red_blue = listed->green = listed->alpha = alpha;
+		listed->alpha_moves = false;
+		return;
+	}
 	listed->red_blue =
 		pair_colors(find_scaled(listed, RED, scales->red_blue_half,
 				    scales->red_blue),
@@ -40,12 +50,6 @@ static ALWAYS_INLINE void set_listed_colors(struct listed *listed)
 				scales->red_blue));
 	listed->green =
 		find_scaled(listed, GREEN, scales->green_half, scales->green);
-	if (spans->alpha_read) {
-		const struct delta delta =
-			frame_find_attribute(listed->setup, ALPHA);
-
-		alpha = frame_find_plane(&listed->frame, &delta);
-	}
 	listed->alpha_moves = (alpha.dx | alpha.dy) != 0;
 	if (!listed->alpha_moves) {
 		listed->green.start += alpha.start >> 9 << 16;

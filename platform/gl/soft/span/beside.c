@@ -185,25 +185,15 @@ static NEVER_INLINE void draw_masked(struct draw *draw, enum soft_place place)
 	}
 }
 
-/* Writes the depths of runs whose pixels are not written. */
-static NEVER_INLINE void write_depths(const struct soft_spans *spans)
-{
-	for (const struct soft_row *row = spans->run.rows;
-		spans->depth_written && row < end_of(&spans->run); row++) {
-		uint16_t *depth = row->depth, *const end = depth + row->count;
-		uint32_t z = row->z;
-
-		for (; depth < end; z += spans->run.z_right) {
-			*depth++ = (uint16_t)(z >> 16);
-		}
-	}
-}
-
 /* Draws runs as a span function does, with colour mask and depth test. */
 static void draw_seen(struct draw *draw, enum soft_place place)
 {
+	if (draw->spans.unseen && !draw->spans.depth_written) {
+		return;
+	}
 	if (draw->spans.unseen) {
-		write_depths(&draw->spans);
+		soft_write_depths(
+			draw->soft->fragment.depth_function, &draw->spans.run);
 	} else if (draw->soft->fragment.color_bits != UINT32_MAX) {
 		draw_masked(draw, place);
 	} else {

@@ -153,7 +153,7 @@ static void choose_tests(
 		!spans->alpha_tested && !last;
 	spans->unseen = state->color_bits == 0 && !spans->alpha_tested;
 	spans->compared = function != GL_ALWAYS &&
-		(last ? function != GL_LESS : is & APART || spans->unseen);
+		(last ? function != GL_LESS : is & APART);
 	spans->parted = stencil->enabled || spans->compared;
 	spans->tested_last = stencil->enabled && spans->alpha_tested &&
 		stencil->write_mask != 0 &&
@@ -275,8 +275,9 @@ static void set_white(struct draw *draw, struct soft_spans *spans)
 	const GLenum format = input->used ? input->base->base_format : GL_RGB;
 	uint32_t *constant = draw->raster.constant;
 
-	spans->alpha_read = spans->wide || spans->combined ||
-		(spans->finish & SOFT_MIXED) != 0;
+	spans->alpha_read = draw->attributes != 0 &&
+		(spans->wide || spans->combined ||
+			(spans->finish & SOFT_MIXED) != 0);
 	if (replaced && format != GL_ALPHA) {
 		spans->white_bits |= 1u << RED | 1u << GREEN | 1u << BLUE;
 	}
@@ -362,7 +363,7 @@ static int find_small_size(const struct draw *draw)
 	const struct buffers *buffers = &draw->soft->buffers;
 	const struct soft_spans *spans = &draw->spans;
 
-	if (spans->textured || spans->made || !draw->attributes ||
+	if (spans->textured || spans->made ||
 		buffers->target.stride_bytes !=
 			buffers->width << spans->pixel_log2) {
 		return 0;

@@ -62,6 +62,32 @@ static struct soft_stretch test_depths(GLenum function,
 	return (struct soft_stretch){count, function == GL_ALWAYS};
 }
 
+static ALWAYS_INLINE void write_passing(
+	GLenum function, const struct soft_run *run)
+{
+	const struct soft_row *row = run->rows, *end = row + run->row_count;
+
+	for (; row < end; row++) {
+		uint16_t *depth = row->depth, *const last = depth + row->count;
+		uint32_t z = row->z;
+
+		for (; depth < last; depth++, z += run->z_right) {
+			if (soft_compares(function, z >> 16, *depth)) {
+				*depth = (uint16_t)(z >> 16);
+			}
+		}
+	}
+}
+
+void soft_write_depths(GLenum function, const struct soft_run *run)
+{
+	if (function == GL_LESS) {
+		write_passing(GL_LESS, run);
+	} else {
+		write_passing(function, run);
+	}
+}
+
 /* How many bytes from the first one on are equal. */
 static uint32_t count_equal(const uint8_t *first, uint32_t count)
 {

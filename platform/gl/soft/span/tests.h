@@ -26,4 +26,7 @@ struct soft_stretch soft_test(const struct soft *soft,
 	const struct soft_row *row, uint32_t count, uint32_t z_right,
 	bool compared);
 
+/* Writes the depths of runs, where they pass the depth test. */
+void soft_write_depths(GLenum function, const struct soft_run *run);
+
 #endif

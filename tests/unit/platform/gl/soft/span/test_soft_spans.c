@@ -109,7 +109,8 @@ static void give_fragments(const struct gl *gl, uint32_t *seed)
 		gl->DepthMask(!random_one_in(seed, 4));
 	}
 	if (random_one_in(seed, 8)) {
-		int mask = random_between(seed, 0, 15);
+		int mask = random_one_in(seed, 3) ? 0
+						  : random_between(seed, 0, 15);
 
 		gl->ColorMask(
 			mask & 1, mask >> 1 & 1, mask >> 2 & 1, mask >> 3 & 1);

@@ -17,7 +17,7 @@ static void soft_destroy(struct gl_context *context)
 	if (!soft) {
 		return;
 	}
-	if (soft_current() == soft) {
+	if (soft_drawing() == soft) {
 		soft_make_current(NULL);
 	}
 	soft_release_textures(soft);
@@ -140,7 +140,10 @@ static int soft_end_frame(struct gl_context *context)
 
 static void soft_count(struct gl_context *context, struct gl_counts *counts)
 {
-	((struct soft *)context)->counts = counts;
+	struct soft *soft = (struct soft *)context;
+
+	soft->counts = counts;
+	soft->changed = true;
 }
 
 const struct gl_driver gl_driver_soft = {

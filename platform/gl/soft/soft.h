@@ -190,6 +190,7 @@ struct soft {
 	struct log log;
 	enum pixel_format format;
 	GLenum error;
+	bool changed; /* the state, since a draw call was prepared for it */
 	struct buffers buffers;
 	struct lighting lighting;
 	struct fog fog;
@@ -203,7 +204,9 @@ struct soft {
 	struct matrices matrices; /* last: offsets of the others stay short */
 };
 
+/* The context of GL's functions, whose state they may change, or not. */
 struct soft *soft_current(void);
+struct soft *soft_drawing(void);
 void soft_make_current(struct soft *soft);
 
 /* defaults.c: sets the context's table of functions and GL's initial state. */

@@ -14,12 +14,21 @@ static _Thread_local struct soft *current;
 
 struct soft *soft_current(void)
 {
+	current->changed = true;
+	return current;
+}
+
+struct soft *soft_drawing(void)
+{
 	return current;
 }
 
 void soft_make_current(struct soft *soft)
 {
 	current = soft;
+	if (soft) {
+		soft->changed = true;
+	}
 }
 
 bool soft_is_one_of(GLenum value, const GLenum *known, size_t count)
@@ -50,9 +59,9 @@ uint8_t *soft_stencil(struct soft *soft)
 
 GLenum soft_gl_GetError(void)
 {
-	GLenum error = soft_current()->error;
+	GLenum error = soft_drawing()->error;
 
-	soft_current()->error = GL_NO_ERROR;
+	soft_drawing()->error = GL_NO_ERROR;
 	return error;
 }
 
@@ -65,26 +74,26 @@ void soft_gl_Finish(void)
 		capability, offsetof(struct soft, member) \
 	}
 
-/* The flags of all capabilities but lights and texture units. */
+/* The flags of all capabilities but lights and texture units, common ones first. */
 static const struct {
 	GLenum capability;
 	size_t offset;
 } flags[] = {
-	FLAG(GL_FOG, fog.enabled),
-	FLAG(GL_CULL_FACE, fragment.cull),
-	FLAG(GL_ALPHA_TEST, fragment.alpha_test),
 	FLAG(GL_BLEND, fragment.blend),
-	FLAG(GL_STENCIL_TEST, fragment.stencil.enabled),
+	FLAG(GL_LIGHTING, lighting.enabled),
+	FLAG(GL_CULL_FACE, fragment.cull),
 	FLAG(GL_DEPTH_TEST, fragment.depth_test),
+	FLAG(GL_STENCIL_TEST, fragment.stencil.enabled),
+	FLAG(GL_ALPHA_TEST, fragment.alpha_test),
 	FLAG(GL_SCISSOR_TEST, fragment.scissor_test),
 	FLAG(GL_POLYGON_OFFSET_FILL, fragment.offset_fill),
-	FLAG(GL_POINT_SMOOTH, fragment.point_smooth),
-	FLAG(GL_LINE_SMOOTH, fragment.line_smooth),
-	FLAG(GL_DITHER, fragment.dither),
-	FLAG(GL_LIGHTING, lighting.enabled),
 	FLAG(GL_COLOR_MATERIAL, lighting.color_material),
 	FLAG(GL_NORMALIZE, lighting.normalize),
 	FLAG(GL_RESCALE_NORMAL, lighting.rescale),
+	FLAG(GL_FOG, fog.enabled),
+	FLAG(GL_POINT_SMOOTH, fragment.point_smooth),
+	FLAG(GL_LINE_SMOOTH, fragment.line_smooth),
+	FLAG(GL_DITHER, fragment.dither),
 };
 
 static bool *find_flag(struct soft *soft, GLenum capability)

@@ -225,10 +225,19 @@ struct counted_call {
 	double vertices;
 };
 
+/* What a draw call was prepared for, besides the state. */
+struct prepared {
+	GLenum mode;
+	int exponent;       /* of positions */
+	fill_function fill; /* soft->fill */
+	bool draws;         /* there is something to draw */
+};
+
 struct draw {
 	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
 	struct soft *soft;
+	struct prepared prepared;
 	/* soft_fill_textured()'s, soft_fill_narrow()'s */
 	void (*fill_band)(void *band);
 	/* eye coordinates of positions, eye_q fraction bits, below 2^28 */
@@ -302,7 +311,8 @@ void soft_init_scratch(struct draw *draw);
 
 /*
  * prepare.c: derives struct draw from the state for a call of count vertices
- * from first on, in a mode of DrawArrays(). False when there is nothing to draw.
+ * from first on, in a mode of DrawArrays(), unless the last call has left it
+ * so. False when there is nothing to draw.
  */
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count);

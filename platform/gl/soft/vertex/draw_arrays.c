@@ -180,14 +180,24 @@ static void draw_triangles(
 	soft_list(draw, &list);
 }
 
+/* Empties count slots of the cache: PLACE_EMPTY is all ones. */
+static void empty_slots(struct draw *draw, uint32_t first, uint32_t count)
+{
+	soft_fill_pixels((uint16_t *)(void *)(draw->place + first),
+		(int)(count * (sizeof(struct cache_tag) / 2)), UINT16_MAX);
+}
+
 static void draw_primitives(
 	struct draw *draw, const struct source *source, GLenum mode)
 {
 	const bool plain = mode == GL_TRIANGLES && !draw->rectangles;
+	const uint32_t slot = source->first % VERTEX_CACHE;
 
-	/* Empty all slots: PLACE_EMPTY is all ones. */
-	soft_fill_pixels((uint16_t *)(void *)draw->place,
-		VERTEX_CACHE * (sizeof(struct cache_tag) / 2), UINT16_MAX);
+	if (!source->indices && slot + source->count < VERTEX_CACHE) {
+		empty_slots(draw, slot, source->count);
+	} else {
+		empty_slots(draw, 0, VERTEX_CACHE);
+	}
 	if (draw->soft->counts) {
 		soft_count_call(draw, source, mode);
 		soft_prepare_fast_setup(draw);
@@ -217,7 +227,7 @@ static bool may_draw(GLenum mode, GLsizei count)
 
 void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 {
-	struct soft *soft = soft_current();
+	struct soft *soft = soft_drawing();
 	const struct source source = {
 		.first = (uint32_t)first, .count = (uint32_t)count};
 
@@ -231,7 +241,7 @@ void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 void soft_gl_DrawElements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
-	struct soft *soft = soft_current();
+	struct soft *soft = soft_drawing();
 	const struct source source = {
 		.indices = indices, .type = type, .count = (uint32_t)count};
 	uint32_t low = UINT32_MAX, high = 0;

@@ -15,12 +15,11 @@ enum {
 	EXPONENT_MOST = 29,
 };
 
-static void prepare_positions(const struct soft *soft, struct draw *draw,
-	uint32_t first, uint32_t count)
+static void prepare_positions(
+	const struct soft *soft, struct draw *draw, int exponent)
 {
 	const struct array *array = &soft->arrays.vertex;
 	struct view *view = &draw->view;
-	int exponent = soft_array_position_exponent(array, first, count);
 	bool aligned;
 
 	draw->checked = exponent > EXPONENT_MOST;
@@ -212,9 +211,9 @@ static void prepare_texture_matrix(
 	static const int column[3] = {0, 4, 12};
 	float most = 0.0f, scale;
 
-	input->identity = true;
-	for (int i = 0; i < 16; i++) {
-		input->identity &= m->m[i] == soft_matrix_identity.m[i];
+	input->identity = memcmp(m, &soft_matrix_identity, sizeof(*m)) == 0;
+	if (input->identity) {
+		return;
 	}
 	for (int i = 0; i < 6; i++) {
 		float value = scalar_abs(m->m[column[i / 2] + i % 2]);
@@ -332,12 +331,9 @@ void soft_init_scratch(struct draw *draw)
 	}
 }
 
-bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
-	uint32_t first, uint32_t count)
+static bool prepare(
+	struct soft *soft, struct draw *draw, GLenum mode, int exponent)
 {
-	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
-		return false;
-	}
 	draw->soft = soft;
 	prepare_viewport(soft, draw);
 	if (draw->box.left >= draw->box.right ||
@@ -352,7 +348,7 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	prepare_textures(soft, draw);
 	prepare_addition(draw);
 	draw->attributes = choose_attributes(draw);
-	prepare_positions(soft, draw, first, count);
+	prepare_positions(soft, draw, exponent);
 	prepare_clip(soft, draw);
 	draw->eye_needed = is_eye_needed(&soft->lighting);
 	if (draw->eye_needed || draw->fogged) {
@@ -382,4 +378,24 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	}
 	soft_prepare_fast_setup(draw);
 	return true;
+}
+
+bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
+	uint32_t first, uint32_t count)
+{
+	struct prepared *is = &draw->prepared;
+	int exponent;
+
+	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
+		return false;
+	}
+	exponent = soft_array_position_exponent(
+		&soft->arrays.vertex, first, count);
+	if (soft->changed || mode != is->mode || exponent != is->exponent ||
+		soft->fill != is->fill) {
+		*is = (struct prepared){mode, exponent, soft->fill,
+			prepare(soft, draw, mode, exponent)};
+		soft->changed = false;
+	}
+	return is->draws;
 }

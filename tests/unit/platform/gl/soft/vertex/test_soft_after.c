@@ -1,10 +1,12 @@
 /*
- * The soft driver keeps much of what it finds for a draw until the next one: a
- * picture is the same, whatever was drawn before it with another state.
+ * The soft driver keeps what it finds for a draw until the next one, and finds
+ * it anew only if a call came between that may change the state: a picture is the
+ * same, whatever was drawn before it, and whether states are set again or not.
  */
 #include "platform/base/compiler.h"
 #include "platform/base/fixed.h"
 #include "platform/base/scalar.h"
+#include "platform/gl/soft/soft.h"
 #include "tests/support/gl/gl_checks.h"
 #include "tests/support/random.h"
 
@@ -230,13 +232,21 @@ static void begin(struct gl_canvas *canvas, const struct corner *corner)
 	gl->TexCoordPointer(2, GL_FLOAT, stride, corner->texcoord);
 }
 
-static void draw(struct gl_canvas *canvas, size_t state)
+/* Draws each triangle by a call of its own; again: each sets the state anew. */
+static void draw(struct gl_canvas *canvas, size_t state, bool again)
 {
+	const struct soft *soft = (const struct soft *)canvas->context;
 	struct gl *gl = canvas->gl;
 
 	gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 	states[state].set(gl, true);
-	gl->DrawArrays(GL_TRIANGLES, 0, CORNERS);
+	for (int i = 0; i < CORNERS; i += 3) {
+		if (again) {
+			states[state].set(gl, true);
+		}
+		assert_int_equal(soft->changed, again || i == 0);
+		gl->DrawArrays(GL_TRIANGLES, i, 3);
+	}
 	states[state].set(gl, false);
 }
 
@@ -251,7 +261,7 @@ static void check_format(enum pixel_format format)
 	for (size_t i = 0; i < ARRAY_COUNT(states); i++) {
 		canvas = gl_canvas_open("soft", format);
 		begin(&canvas, corner);
-		draw(&canvas, i);
+		draw(&canvas, i, true);
 		bytes = (size_t)canvas.pixels.stride_bytes * GL_CANVAS_HEIGHT;
 		memcpy(first[i], canvas.pixels.data, bytes);
 		gl_canvas_end_and_close(&canvas);
@@ -261,8 +271,8 @@ static void check_format(enum pixel_format format)
 	begin(&canvas, corner);
 	for (size_t i = 0; i < ARRAY_COUNT(states); i++) {
 		for (size_t j = 0; j < ARRAY_COUNT(states); j++) {
-			draw(&canvas, i);
-			draw(&canvas, j);
+			draw(&canvas, i, false);
+			draw(&canvas, j, false);
 			if (memcmp(canvas.pixels.data, first[j], bytes) != 0) {
 				fail_msg("%s after %s", states[j].name,
 					states[i].name);

@@ -21,10 +21,10 @@ enum {
  */
 struct walk {
 	uint32_t error, add, full;
-	int u, v;           /* of the next pixel */
-	int u_step, v_step; /* 1 or -1 */
-	int count;          /* pixels */
-	int32_t length;     /* along u, in 1/16 pixels */
+	int u, v;       /* of the next pixel */
+	int v_step;     /* 1 or -1; u grows */
+	int count;      /* pixels */
+	int32_t length; /* along u, in 1/16 pixels */
 	int32_t off; /* from the line's start to the first centre, the same */
 	bool flat;
 };
@@ -59,37 +59,40 @@ struct ends {
 };
 
 /*
- * Finds the pixels. Along u, the longer axis, they are those whose centres lie
- * from the first end on and before the second; in v, each is the one that the
- * line crosses there; on a border the left or lower one, as in GL.
+ * Finds the pixels of a line along which u grows, or fell before its ends were
+ * exchanged. Along u, the longer axis, they are those whose centres lie from
+ * the first end on and before the second; in v, each is the one that the line
+ * crosses there; on a border the left or lower one, as in GL.
  */
-static void find_pixels(
-	struct walk *walk, struct ends u, struct ends v, bool flat)
+static void find_pixels(struct walk *walk, struct ends u, struct ends v,
+	bool flat, bool exchanged)
 {
-	bool back = u.to < u.from, up = v.to < v.from;
-	int32_t length = back ? u.from - u.to : u.to - u.from;
-	int32_t dv = v.to - v.from, full = 16 * length, error;
-	int first = back ? (u.from - 8) >> 4 : raster_centre(u.from);
-	int end = back ? (u.to - 8) >> 4 : raster_centre(u.to);
-	int pixel = v.from >> 4, off = 16 * first + 8 - u.from;
+	const bool up = v.to < v.from;
+	const int32_t length = u.to - u.from, full = 16 * length;
+	/* a centre on an end belongs to the line at its first end alone */
+	const int first = raster_centre(u.from + exchanged);
+	const int end = raster_centre(u.to + exchanged);
+	const int off = 16 * first + 8 - u.from;
+	int32_t dv = v.to - v.from, error;
+	int pixel = v.from >> 4;
 
-	walk->count = back ? first - end : end - first;
-	walk->length = length;
-	walk->off = back ? -off : off;
-	error = (v.from & 15) * length + dv * walk->off + (flat ? length : 0) -
-		1;
+	error = (v.from & 15) * length + dv * off + (flat ? length : 0) - 1;
 	if (error < 0 || error >= full) {
 		pixel += error < 0 ? -1 : 1;
 		error += error < 0 ? full : -full;
 	}
-	walk->error = (uint32_t)(up ? full - 1 - error : error);
-	walk->add = 16 * (uint32_t)(up ? -dv : dv);
-	walk->full = (uint32_t)full;
-	walk->u = first;
-	walk->v = pixel;
-	walk->u_step = back ? -1 : 1;
-	walk->v_step = up ? -1 : 1;
-	walk->flat = flat;
+	*walk = (struct walk){
+		.error = (uint32_t)(up ? full - 1 - error : error),
+		.add = 16 * (uint32_t)(up ? -dv : dv),
+		.full = (uint32_t)full,
+		.u = first,
+		.v = pixel,
+		.v_step = up ? -1 : 1,
+		.count = end - first,
+		.length = length,
+		.off = off,
+		.flat = flat,
+	};
 }
 
 /*
@@ -178,24 +181,18 @@ static void place_divided_colors(const struct line *values, int x, int count)
 		spans, &spans->run.row, from.colors.alpha, from.colors.fog);
 }
 
-/* Turns a run's steps around. */
-static void turn(struct soft_run *run)
-{
-	run->z_right = 0 - run->z_right;
-	run->red_blue_right = 0 - run->red_blue_right;
-	run->green_alpha_right = 0 - run->green_alpha_right;
-	run->fog_right = 0 - run->fog_right;
-}
-
-/* Lists the next count pixels: a run for each row of the picture. */
-static ALWAYS_INLINE void list_pixels(
+/*
+ * Draws the next count pixels, linear from spans.run's values at the first one:
+ * a run for each row of the picture.
+ */
+static ALWAYS_INLINE void draw_pixels(
 	struct draw *draw, struct walk *given, int count, bool flat)
 {
 	const struct clip_box box = draw->box;
 	struct soft_run *run = &draw->spans.run;
 	struct soft_row list[SOFT_BATCH_RUNS], *row = list;
 	struct walk walk = *given;
-	const int from = walk.u, end = walk.u + walk.u_step * count;
+	const int from = walk.u, end = walk.u + count;
 
 	*row = run->row;
 	while (walk.u != end) {
@@ -204,15 +201,15 @@ static ALWAYS_INLINE void list_pixels(
 		uint32_t off;
 
 		do {
-			walk.u += walk.u_step;
+			walk.u++;
 			walk.error += walk.add;
 			if (walk.error >= walk.full) {
 				walk.error -= walk.full;
 				walk.v += walk.v_step;
 			}
 		} while (flat && walk.v == v && walk.u != end);
-		x = !flat ? v : walk.u_step > 0 ? u : walk.u + 1;
-		right = !flat ? v + 1 : walk.u_step > 0 ? walk.u : u + 1;
+		x = flat ? u : v;
+		right = flat ? walk.u : v + 1;
 		y = flat ? v : u;
 		x = x > box.left ? x : box.left;
 		right = right < box.right ? right : box.right;
@@ -235,22 +232,6 @@ static ALWAYS_INLINE void list_pixels(
 	*given = walk;
 }
 
-/* Draws the next count pixels, linear from spans.run's values at the first. */
-static void draw_pixels(struct draw *draw, struct walk *walk, int count)
-{
-	if (walk->u_step < 0) {
-		turn(&draw->spans.run);
-	}
-	if (walk->flat) {
-		list_pixels(draw, walk, count, true);
-	} else {
-		list_pixels(draw, walk, count, false);
-	}
-	if (walk->u_step < 0) {
-		turn(&draw->spans.run);
-	}
-}
-
 /* Draws runs of pixels whose values change linearly. */
 static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 {
@@ -268,24 +249,30 @@ static void draw_runs(struct draw *draw, struct walk *walk, bool moving)
 			place_colors(&values, x, count);
 		}
 		run->row.z = (uint32_t)find_value(&values, DEPTH, x) << 6;
-		draw_pixels(draw, walk, count);
+		if (walk->flat) {
+			draw_pixels(draw, walk, count, true);
+		} else {
+			draw_pixels(draw, walk, count, false);
+		}
 	}
 }
 
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b)
 {
-	const struct ends x = {a->x, b->x}, y = {a->y, b->y};
-	bool flat = raster_size(x.to - x.from) >= raster_size(y.to - y.from);
+	const bool flat = raster_size(b->x - a->x) >= raster_size(b->y - a->y);
+	const bool back = flat ? b->x < a->x : b->y < a->y;
+	const struct vertex *from = back ? b : a, *to = back ? a : b;
+	const struct ends x = {from->x, to->x}, y = {from->y, to->y};
 	struct walk walk;
 	uint32_t moving;
 
-	find_pixels(&walk, flat ? x : y, flat ? y : x, flat);
+	find_pixels(&walk, flat ? x : y, flat ? y : x, flat, back);
 	if (walk.count <= 0) {
 		return;
 	}
-	if (!set_linear_planes(draw, &walk, a, b)) {
-		set_planes(draw, &walk, a, b);
+	if (!set_linear_planes(draw, &walk, from, to)) {
+		set_planes(draw, &walk, from, to);
 	}
 	moving = soft_begin_walk(draw, 127);
 	soft_begin_steps(draw, moving);

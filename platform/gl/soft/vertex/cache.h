@@ -19,9 +19,8 @@ void soft_load_slot(struct draw *draw, uint32_t slot, uint32_t index);
 /*
  * unindexed.c: draws GL_TRIANGLES without indices, count vertices from first
  * on; vertices with equal array elements are transformed once. False, with
- * nothing drawn, where there are too few vertices for that to pay, positions
- * have fewer than four bytes, 16 bits cannot number the vertices, or
- * draw->packed is not set.
+ * nothing drawn, where there are too few vertices for that to pay, 16 bits
+ * cannot number the vertices, or draw->packed is not set.
  */
 bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count);
 

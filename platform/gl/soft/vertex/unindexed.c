@@ -142,8 +142,9 @@ static uint32_t find_any_index(
 	const uint8_t *at = bytes_at(&streams->position, number);
 	const int last = streams->position.bytes - 4;
 	uint32_t *slot = known +
-		choose_slot(load_32(at), load_32(at + last / 2),
-			load_32(at + last));
+		(last < 0 ? choose_slot(load_16(at), 0, load_16(at + last + 2))
+			  : choose_slot(load_32(at), load_32(at + last / 2),
+				    load_32(at + last)));
 	const uint32_t found = *slot;
 	const struct stream *stream = streams->stream;
 
@@ -215,7 +216,7 @@ bool soft_draw_unindexed(struct draw *draw, uint32_t first, uint32_t count)
 	bool pairs;
 
 	if (!draw->packed || count < COUNT_LEAST ||
-		first + count > CACHE_INDICES || streams.position.bytes < 4) {
+		first + count > CACHE_INDICES) {
 		return false;
 	}
 	join_streams(&streams);

@@ -175,10 +175,11 @@ static void test_other_numbers_of_words_are_found_again(void **state)
 
 /* Draws the list from an array each for positions, normals and colours. */
 static double draw_apart(const float pool[POOL][WORDS],
-	const uint16_t list[CORNERS], bool shorts, bool by_indices,
+	const uint16_t list[CORNERS], GLenum type, bool by_indices,
 	uint8_t picture[PICTURE_BYTES])
 {
 	static int16_t halves[CORNERS][3];
+	static int8_t bytes[CORNERS][3];
 	static float position[CORNERS][3], normal[CORNERS][3];
 	static uint8_t color[CORNERS][4];
 	static uint16_t index[CORNERS];
@@ -195,21 +196,26 @@ static double draw_apart(const float pool[POOL][WORDS],
 		memcpy(color[i], from + 8, sizeof(color[i]));
 		for (int j = 0; j < 3; j++) {
 			halves[i][j] = (int16_t)(from[j] * 20000);
+			bytes[i][j] = (int8_t)(from[j] * 80);
 		}
 	}
 	gl->EnableClientState(GL_VERTEX_ARRAY);
 	gl->EnableClientState(GL_NORMAL_ARRAY);
 	gl->EnableClientState(GL_COLOR_ARRAY);
-	gl->VertexPointer(3, shorts ? GL_SHORT : GL_FLOAT, 0,
-		shorts ? (void *)halves : position);
+	gl->VertexPointer(3, type, 0,
+		type == GL_SHORT          ? (void *)halves
+			: type == GL_BYTE ? (void *)bytes
+					  : position);
 	gl->NormalPointer(GL_FLOAT, 0, normal);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->Enable(GL_LIGHTING);
 	gl->Enable(GL_LIGHT0);
 	gl->Enable(GL_NORMALIZE);
 	gl->Enable(GL_COLOR_MATERIAL);
-	if (shorts) {
-		gl->Scalex(3, 3, 3);
+	if (type != GL_FLOAT) {
+		GLfixed scale = type == GL_BYTE ? 750 : 3;
+
+		gl->Scalex(scale, scale, scale);
 	}
 	canvas.context->driver->count(canvas.context, &counts);
 	if (by_indices) {
@@ -226,19 +232,21 @@ static double draw_apart(const float pool[POOL][WORDS],
 
 static void test_vertices_of_separate_arrays_are_found_again(void **state)
 {
+	static const GLenum types[] = {GL_FLOAT, GL_SHORT, GL_BYTE};
 	static float pool[POOL][WORDS];
 	static uint16_t list[CORNERS];
 	uint32_t seed = 9;
 
 	(void)state;
-	for (int round = 0; round < 20; round++) {
+	for (int round = 0; round < 30; round++) {
+		const GLenum type = types[round / 2 % 3];
 		uint8_t listed[PICTURE_BYTES], found[PICTURE_BYTES];
 		double all, some;
 
 		make_pool(&seed, round % 2 ? 0.99f : 1.5f, pool);
 		make_list(&seed, list);
-		all = draw_apart(pool, list, round / 2 % 2, true, listed);
-		some = draw_apart(pool, list, round / 2 % 2, false, found);
+		all = draw_apart(pool, list, type, true, listed);
+		some = draw_apart(pool, list, type, false, found);
 		assert_memory_equal(found, listed, PICTURE_BYTES);
 		/* Others have cuts of the clip volume, which count, too. */
 		if (round % 2) {

@@ -84,13 +84,17 @@ void soft_gl_DisableClientState(GLenum name)
 void soft_gl_Color4x(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
 	const GLfixed given[4] = {red, green, blue, alpha};
+	struct soft *soft = soft_drawing();
 
-	memcpy(soft_current()->arrays.current_color, given, sizeof(given));
+	/* Only lights and soft_fill_flat() read it before vertices are shaded. */
+	soft->changed |=
+		soft->lighting.enabled || soft->fragment.stencil.enabled;
+	memcpy(soft->arrays.current_color, given, sizeof(given));
 }
 
 void soft_gl_Normal3x(GLfixed x, GLfixed y, GLfixed z)
 {
 	const GLfixed given[3] = {x, y, z};
 
-	memcpy(soft_current()->arrays.current_normal, given, sizeof(given));
+	memcpy(soft_drawing()->arrays.current_normal, given, sizeof(given));
 }

@@ -289,10 +289,52 @@ static void test_a_picture_is_the_same_after_any_other(void **state)
 	check_format(PIXELS_RGBA8888);
 }
 
+/* Of a triangle in each of two colours; again: the state is set between them. */
+static void draw_colors(unsigned state, bool again, uint8_t *picture)
+{
+	struct corner corner[CORNERS];
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	const struct soft *soft = (const struct soft *)canvas.context;
+	struct gl *gl = canvas.gl;
+
+	make_corners(corner);
+	begin(&canvas, corner);
+	gl->DisableClientState(GL_COLOR_ARRAY);
+	enable(gl, GL_LIGHTING, state & 1);
+	enable(gl, GL_COLOR_MATERIAL, state & 1);
+	enable(gl, GL_STENCIL_TEST, state & 2);
+	enable(gl, GL_DEPTH_TEST, false);
+	gl->StencilFunc(GL_EQUAL, 0, 255);
+	for (int i = 0; i < CORNERS; i += 3) {
+		gl->Color4x(i % 2 ? FX16_ONE : 0, FX16_ONE / 2, 0, FX16_ONE);
+		gl->Normal3x(0, i % 2 ? FX16_ONE : 0, FX16_ONE);
+		assert_int_equal(soft->changed, again || state || i == 0);
+		gl->DrawArrays(GL_TRIANGLES, i, 3);
+		if (again) {
+			gl->Enable(GL_DITHER);
+		}
+	}
+	memcpy(picture, canvas.pixels.data, 2 * PICTURE_BYTES / 4);
+	gl_canvas_end_and_close(&canvas);
+}
+
+static void test_the_current_colour_counts_in_each_call(void **unused)
+{
+	(void)unused;
+	for (unsigned state = 0; state < 4; state++) {
+		uint8_t kept[PICTURE_BYTES] = {0}, anew[PICTURE_BYTES] = {0};
+
+		draw_colors(state, false, kept);
+		draw_colors(state, true, anew);
+		assert_memory_equal(kept, anew, PICTURE_BYTES);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_picture_is_the_same_after_any_other),
+		cmocka_unit_test(test_the_current_colour_counts_in_each_call),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -212,7 +212,8 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 		light_source->diffuse_q30[i] =
 			saturate_64((diffuse[i] >> (10 + shift)) * 257);
 		light_source->specular_q20[i] =
-			saturate_64(specular[i] >> (12 + shift));
+			clamp_int(saturate_64(specular[i] >> (12 + shift)),
+				-(1 << 21), 1 << 21);
 		if (light_source->weighted) {
 			light_source->ambient_q24[i] = saturate_64(
 				(ambient[i] >> ambient_shift) * 257);

@@ -88,6 +88,31 @@ static void test_a_model_beyond_all_numbers_can_be_lit(void **state)
 	}
 }
 
+/* A highlight of so large a product of colours is as bright as can be, or black. */
+static void test_highlights_beyond_all_colours_are_cut(void **state)
+{
+	static const GLfixed place[] = {0, 0, 99 * FX16_ONE, FX16_ONE};
+
+	(void)state;
+	for (int sign = -1; sign <= 1; sign += 2) {
+		const GLfixed color = 300 * FX16_ONE, other = sign * color;
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", PIXELS_RGBA8888);
+		const double lit = sign > 0;
+
+		draw(canvas.gl, place, 0, 0, 0);
+		canvas.gl->Lightxv(GL_LIGHT0, GL_SPECULAR,
+			(GLfixed[]){color, color, color, color});
+		canvas.gl->Materialxv(GL_FRONT_AND_BACK, GL_SPECULAR,
+			(GLfixed[]){other, other, other, other});
+		canvas.gl->Clear(GL_DEPTH_BUFFER_BIT);
+		gl_canvas_draw_all(canvas.gl);
+		gl_expect_color(&canvas, "a highlight", 3, 3,
+			(double[]){lit, lit, lit});
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
 static void test_distances_are_cut_to_16_16(void **state)
 {
 	static const struct {
@@ -113,6 +138,7 @@ int main(void)
 		cmocka_unit_test(test_a_tiny_model_is_lit_from_afar),
 		cmocka_unit_test(test_a_light_beyond_all_numbers_is_one_far_away),
 		cmocka_unit_test(test_a_model_beyond_all_numbers_can_be_lit),
+		cmocka_unit_test(test_highlights_beyond_all_colours_are_cut),
 		cmocka_unit_test(test_distances_are_cut_to_16_16),
 	};
 

@@ -21,7 +21,7 @@ PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 PLAY_MODELS = assets/walker.glb@walk assets/face.glb@cycle \
 	build/bench-models/tail.glb \
 	--alone assets/walker.glb@jump build/bench-models/shapes.glb@talk \
-	$(patsubst %,build/bench-models/%.glb,vanes pipe bird)
+	$(patsubst %,build/bench-models/%.glb,vanes pipe bird snake)
 PLAY_SAMPLES = $(wildcard $(addprefix $(SAMPLES)/models/,CesiumMan.glb \
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb))
 # Models whose pictures show what drawing costs; others can be given. Those of
@@ -31,7 +31,7 @@ DRAW_MODELS = assets/walker.glb@walk assets/walker.glb@jump assets/face.glb@cycl
 	RiggedFigure.glb BoxAnimated.glb AnimatedMorphCube.glb RiggedSimple.glb \
 	x/anim_test.x) \
 	build/bench-models/pipe.glb@0 $(addsuffix @-,$(filter-out %/tail.glb \
-	%/shapes.glb %/vanes.glb,$(BENCH_MODELS)))
+	%/snake.glb %/shapes.glb %/vanes.glb,$(BENCH_MODELS)))
 BENCH_FIGURES := tests/bench/arm11.figures
 BENCH = tests/bench/arm11.py --samples $(SAMPLES)
 
@@ -59,7 +59,7 @@ build/arm1136/insn_count.so: tests/arm1136/insn_count.c | build/host/packages.st
 # Models as users have them.
 BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
-	blocks prism signs bush gem mosaic worm tail shapes hair rags dice \
+	blocks prism signs bush gem mosaic worm tail snake shapes hair rags dice \
 	net tiles mirrors poster bricks blocky paper beads petals lamp \
 	tower shoal yard tube drums mast pipe plate speck bird vanes)
 $(BENCH_MODELS) &: $(wildcard tests/bench/models/*.py)

@@ -4,6 +4,7 @@
 #include "app/compare/cost/drawing.h"
 #include "app/compare/export/export.h"
 #include "app/model/levels/levels.h"
+#include "app/scene/instance/instance_play.h"
 
 #include <cglm/cglm.h>
 
@@ -32,9 +33,17 @@ static int find_clip(const struct painter *painter, int index)
 	return clip < painter->model->clip_count ? clip : -1;
 }
 
+static void add_less(struct board_cost *saved, const struct board_cost *all,
+	const struct board_cost *drawn)
+{
+	saved->cycles += all->cycles - drawn->cycles;
+	saved->instructions += all->instructions - drawn->instructions;
+}
+
 /*
- * Adds what gathering takes less because the level of detail that is drawn has
- * fewer vertices than all triangles. A row of key frames poses every drawable.
+ * Adds what posing and gathering take less because the level of detail that is
+ * drawn has fewer vertices than all triangles. A row of key frames poses every
+ * drawable.
  */
 static void add_saved(const struct painter *painter, struct board_cost *saved)
 {
@@ -49,9 +58,11 @@ static void add_saved(const struct painter *painter, struct board_cost *saved)
 		if (keys || drawable->morphed || drawable->skin >= 0) {
 			all = board_cost_gather(drawable);
 			drawn = board_cost_gather_drawn(drawable);
-			saved->cycles += all.cycles - drawn.cycles;
-			saved->instructions +=
-				all.instructions - drawn.instructions;
+			add_less(saved, &all, &drawn);
+		}
+		if (!keys && drawable->skin >= 0) {
+			all = board_cost_skin_left_out(drawable);
+			board_cost_add(saved, &all);
 		}
 	}
 }
@@ -168,7 +179,7 @@ static int begin_drawing(struct painter *painter)
 static int draw_model(struct painter *painter)
 {
 	const struct model *model = painter->model;
-	int error = instance_create(
+	int error = instance_create_to_play(
 		model, kernel_find("fixed"), painter->log, &painter->instance);
 
 	if (error) {

@@ -3,12 +3,9 @@
 #include "app/anim/math/vec.h"
 #include "app/model/levels/levels_file.h"
 #include "app/model/model_keys.h"
+#include "app/scene/instance/instance_play.h"
 
 #include <stdio.h>
-
-enum {
-	DENSE_VERTICES = 8192
-};
 
 /* Numbers of GL's matrices end at 32,768; this leaves room for the camera. */
 static const float far_units = 32000.0f;
@@ -58,28 +55,6 @@ static int prepare_parts(struct actor *actor, const struct demo_env *env)
 		&actor->textures, actor->model, env->gl, env->target, env->log);
 }
 
-/*
- * Whether joints move so many vertices that it pays to pose only those of the
- * level of detail: sorted for this, all of them take 5% longer.
- */
-static bool is_dense(const struct model *model)
-{
-	for (int m = 0; m < model->mesh_count; m++) {
-		const struct model_mesh *mesh = &model->mesh[m];
-
-		for (int p = 0; p < mesh->primitive_count; p++) {
-			const struct model_primitive *primitive =
-				&mesh->primitive[p];
-
-			if (primitive->influences > 0 &&
-				primitive->vertex_count > DENSE_VERTICES) {
-				return true;
-			}
-		}
-	}
-	return false;
-}
-
 int actor_load(struct actor *actor, const struct demo_env *env)
 {
 	size_t memory_bytes =
@@ -103,8 +78,7 @@ int actor_load(struct actor *actor, const struct demo_env *env)
 		error = model_keys_round(actor->model, env->log);
 	}
 	if (!error) {
-		error = (is_dense(actor->model) ? instance_create_for_drawing
-						: instance_create)(
+		error = instance_create_to_play(
 			actor->model, env->kernel, env->log, &actor->instance);
 	}
 	if (error) {

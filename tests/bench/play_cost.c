@@ -21,6 +21,7 @@
 #include "app/anim/clip.h"
 #include "app/compare/cost/drawing.h"
 #include "app/model/levels/levels_file.h"
+#include "app/scene/instance/instance_play.h"
 #include "tests/arm1136/marker.h"
 
 enum {
@@ -159,7 +160,8 @@ int main(int argc, char **argv)
 	rests = strcmp(argv[2], "-") == 0;
 	clip = rests ? -1 : model_find_clip(model, argv[2]);
 	if ((clip < 0 && !rests) ||
-		instance_create(model, kernel_find(NULL), &log, &instance) != 0) {
+		instance_create_to_play(
+			model, kernel_find(NULL), &log, &instance) != 0) {
 		fprintf(stderr, "%s: no clip %s\n", argv[1], argv[2]);
 		return EXIT_FAILURE;
 	}

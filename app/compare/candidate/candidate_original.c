@@ -5,6 +5,7 @@
 #include "app/compare/measure/posed_vertices.h"
 #include "app/model/model_deltas.h"
 #include "app/model/model_stats.h"
+#include "app/scene/instance/instance_play.h"
 
 #include <cglm/cglm.h>
 
@@ -284,7 +285,7 @@ static int prepare(struct original *state, const struct kernel *kernel,
 
 /*
  * Predicts for the fixed-point kernel, which the board uses, whatever kernel is
- * measured here.
+ * measured here, and for vertices in the order in which they are played.
  */
 static int predict(struct candidate *candidate, struct original *state,
 	double rate_hz, const struct log *log)
@@ -293,8 +294,8 @@ static int predict(struct candidate *candidate, struct original *state,
 	struct instance *instance = state->instance;
 	int error = 0;
 
-	if (!instance->kernel->fixed) {
-		error = instance_create(
+	if (!instance->kernel->fixed || instance_is_dense(&state->model)) {
+		error = instance_create_to_play(
 			&state->model, kernel_find("fixed"), log, &instance);
 	}
 	if (!error) {

@@ -284,22 +284,31 @@ static int joints_of(const struct model_primitive *primitive)
 	return joints;
 }
 
+struct board_cost board_cost_skin_vertices(
+	const struct model_primitive *primitive, const uint32_t *vertex,
+	int count, int max_influences)
+{
+	bool normals = primitive->normal != NULL;
+	struct board_cost cost = {0.0, 0.0};
+
+	for (int i = 0; i < count; i++) {
+		int v = vertex ? (int)vertex[i] : i;
+		struct board_cost one = vertex_cost(
+			influences_of(primitive, v, max_influences), normals);
+
+		board_cost_add(&cost, &one);
+	}
+	return cost;
+}
+
 struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences)
 {
 	int joints = joints_of(primitive);
-	struct board_cost cost = {
-		.cycles = joints * palette_joint.cycles,
-		.instructions = joints * palette_joint.instructions,
-	};
+	struct board_cost cost = board_cost_skin_vertices(
+		primitive, NULL, primitive->vertex_count, max_influences);
 
-	for (int v = 0; v < primitive->vertex_count; v++) {
-		struct board_cost vertex =
-			vertex_cost(influences_of(primitive, v, max_influences),
-				primitive->normal != NULL);
-
-		board_cost_add(&cost, &vertex);
-	}
+	add_times(&cost, &palette_joint, joints);
 	return cost;
 }
 

@@ -61,6 +61,19 @@ struct board_cost board_cost_skin(
 	const struct model_primitive *primitive, int max_influences);
 
 /*
+ * The same of these vertices alone (NULL: the first ones), without matrices.
+ */
+struct board_cost board_cost_skin_vertices(
+	const struct model_primitive *primitive, const uint32_t *vertex,
+	int count, int max_influences);
+
+/*
+ * The cost of the skinned vertices, and of their runs, that the drawable's last
+ * update left out (instance_create_for_drawing()). 0 if it is posed in float.
+ */
+struct board_cost board_cost_skin_left_out(const struct drawable *drawable);
+
+/*
  * The cost of interpolating a drawable's vertices between two of its key
  * frames, which are found by searching key_count weights.
  */

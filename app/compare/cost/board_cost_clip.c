@@ -176,12 +176,15 @@ static struct board_targets count_targets(
 	};
 }
 
-/* Counts the runs with one influence a vertex, or else those with more. */
-static double count_runs(const struct fixed_skin *skin, bool of_one)
+/*
+ * Counts the runs with one influence a vertex, or else those with more, from
+ * the first group on.
+ */
+static double count_runs(const struct fixed_skin *skin, int first, bool of_one)
 {
 	int runs = 0;
 
-	for (int i = 0; i < skin->group_count; i++) {
+	for (int i = first; i < skin->group_count; i++) {
 		if ((skin->group[i].influences == 1) == of_one) {
 			runs += skin->group[i].run_count;
 		}
@@ -263,6 +266,32 @@ static void add_normal_palettes(
 	}
 }
 
+static void add_all_runs(
+	struct board_cost *sum, const struct fixed_skin *skin, int first)
+{
+	add_runs(sum, &skin_run_1, count_runs(skin, first, true));
+	add_runs(sum, &skin_run, count_runs(skin, first, false));
+}
+
+struct board_cost board_cost_skin_left_out(const struct drawable *drawable)
+{
+	const struct fixed_skin *skin;
+	struct board_cost cost = {0.0, 0.0};
+	int posed;
+
+	if (!drawable->fixed) {
+		return cost;
+	}
+	skin = &drawable->fixed->skin;
+	posed = fixed_skin_posed_count(skin, drawable->posed_lod);
+	cost = board_cost_skin_vertices(drawable->primitive, skin->order + posed,
+		skin->vertex_count - posed, skin->max_influences);
+	cost = scaled(&cost, &skin_share);
+	add_all_runs(
+		&cost, skin, fixed_skin_group_count(skin, drawable->posed_lod));
+	return cost;
+}
+
 static void add_skin(
 	struct board_cost *sum, struct drawable *drawable, int max_influences)
 {
@@ -273,10 +302,7 @@ static void add_skin(
 	board_cost_add(sum, &cost);
 	if (drawable->fixed) {
 		fixed_skin_set_cap(&drawable->fixed->skin, max_influences);
-		add_runs(sum, &skin_run_1,
-			count_runs(&drawable->fixed->skin, true));
-		add_runs(sum, &skin_run,
-			count_runs(&drawable->fixed->skin, false));
+		add_all_runs(sum, &drawable->fixed->skin, 0);
 	}
 	board_cost_add(sum, &skin_drawable);
 }

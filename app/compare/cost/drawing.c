@@ -217,6 +217,9 @@ void drawing_draw(
 	float eye[3];
 
 	lod_choose(instance, &automatic, px_per_unit(drawing, instance, extent));
+	if (instance_is_stale(instance)) {
+		instance_update(instance);
+	}
 	if (drawing->ground.relief.height) {
 		lay_shadow(drawing, instance);
 	}

@@ -23,7 +23,8 @@ tower has lit windows. shoal is 150 nodes that show four meshes, and the texture
 yard's 60 boxes repeats three times on each side. tube and drums show a small texture
 large from outside and inside, by 672 triangles and by few. mast is a thin pole,
 pipe a thin tube that lies, plate a flat box and speck a dense ball seen from afar, so
-that the floor is most of the picture. bird has thin wings, and 60 vanes turn.
+that the floor is most of the picture. bird has thin wings, and 60 vanes turn. snake is a dense worm
+with normals.
 """
 import math
 import pathlib
@@ -174,6 +175,13 @@ def make_worm(model, around=16, along=96, still=0):
 def make_tail(model):
     """Seven of ten vertices never move."""
     make_worm(model, 12, 40, 5)
+
+
+def make_snake(model):
+    """So many vertices that limber play poses those of the level of detail."""
+    make_worm(model, 40, 210)
+    attributes = model.json["meshes"][0]["primitives"][0]["attributes"]
+    attributes["NORMAL"] = model.accessor("VEC3", FLOAT, rope(40, 210)[1])
 
 
 def make_shapes(model):
@@ -458,6 +466,7 @@ MODELS = {
     "mosaic": make_mosaic,
     "worm": make_worm,
     "tail": make_tail,
+    "snake": make_snake,
     "shapes": make_shapes,
     "hair": make_hair,
     "rags": make_rags,

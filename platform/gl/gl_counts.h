@@ -34,6 +34,7 @@ enum gl_work_kind {
 	GL_WORK_DEEP,    /* they have a luminance texture and write depths */
 	GL_WORK_SECOND,  /* they have a second texture */
 	GL_WORK_CROSSED, /* their texture coordinates cross the texture's edges */
+	GL_WORK_PARTED, /* a stencil or an odd depth function cuts their rows */
 	GL_WORK_KINDS
 };
 

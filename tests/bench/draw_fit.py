@@ -59,6 +59,7 @@ GUESSED_KINDS = {
     "deep": ((1, 1, 1), (1, 1, 0.4)),
     "second": ((500, 100, 30), (300, 60, 18)),
     "crossed": ((300, 250, 3), (200, 200, 2)),
+    "parted": ((1, 200, 26), (1, 90, 14.6)),
 }
 for kind, guesses in GUESSED_KINDS.items():
     for what, *guess in zip(("triangle", "row", "pixel"), *guesses):

@@ -92,6 +92,9 @@ static const struct board_cost each[DRAW_WORKS] = {
 	{339.3, 263.1},        /* crossed triangle */
 	{182.9, 95.8},         /* crossed row */
 	{5.319, 4.785},        /* crossed pixel */
+	{1, 1},                /* parted triangle */
+	{200, 90},             /* parted row */
+	{26, 14.6},            /* parted pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

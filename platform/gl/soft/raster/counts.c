@@ -120,6 +120,9 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 	struct gl_work *work = draw->soft->counts->work;
 	const enum gl_work_kind kind = kind_of(draw);
 	const bool luminance = kind == GL_WORK_LUMINANCE;
+	/* These have functions of their own instead of those of spans. */
+	const bool own = luminance || kind == GL_WORK_BACKDROP ||
+		kind == GL_WORK_FLAT || kind == GL_WORK_PLAIN;
 	bool is[GL_WORK_KINDS] = {
 		[GL_WORK_COLORED] = colors_move(draw, kind, setup),
 		[GL_WORK_DEEP] = luminance && draw->spans.depth_written,
@@ -127,6 +130,7 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 		[GL_WORK_SECOND] = draw->texture[1].used || draw->spans.joined,
 		[GL_WORK_CROSSED] = !luminance && kind != GL_WORK_BACKDROP &&
 			crosses_edge(draw),
+		[GL_WORK_PARTED] = !own && draw->spans.parted,
 	};
 
 	is[kind] = true;

@@ -17,7 +17,7 @@ struct work_case {
 	GLenum texture, type;
 	GLenum min, mag;
 	GLenum depth; /* its function */
-	bool unwritten, blended, alpha_tested, zoomed;
+	bool unwritten, blended, alpha_tested, zoomed, marked;
 	float far; /* w on the right; that on the left is 1 */
 };
 
@@ -55,6 +55,11 @@ static void set_state(struct gl *gl, const struct work_case *c)
 	if (c->alpha_tested) {
 		gl->Enable(GL_ALPHA_TEST);
 		gl->AlphaFuncx(GL_GEQUAL, 0);
+	}
+	if (c->marked) {
+		gl->Enable(GL_STENCIL_TEST);
+		gl->StencilFunc(GL_ALWAYS, 1, 255);
+		gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 	}
 	if (c->zoomed) {
 		gl->Viewport(-ZOOM * FIRST, -ZOOM * FIRST,
@@ -160,6 +165,21 @@ static const struct work_case cases[] = {
 		.blended = true,
 		.zoomed = true},
 	{.kind = GL_WORK_MIXED_DIVIDED, TEXTURED_565, .blended = true, .far = 8},
+	{.kind = GL_WORK_SPANS,
+		.besides = GL_WORK_PARTED,
+		.depth = GL_LEQUAL,
+		.marked = true},
+	{.kind = GL_WORK_SPANS, .besides = GL_WORK_PARTED, .depth = GL_EQUAL},
+	{.kind = GL_WORK_SPANS_DIVIDED,
+		.besides = GL_WORK_PARTED,
+		TEXTURED_565,
+		.depth = GL_LESS,
+		.far = 8,
+		.marked = true},
+	{.kind = GL_WORK_MIXED,
+		.besides = GL_WORK_PARTED,
+		.blended = true,
+		.marked = true},
 	{.kind = GL_WORK_LUMINANCE, LUMINANCE},
 	{.kind = GL_WORK_LUMINANCE,
 		.besides = GL_WORK_DEEP,

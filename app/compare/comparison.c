@@ -120,8 +120,9 @@ static int choose_clips(struct comparison *comparison, const struct log *log)
 }
 
 /*
- * Finds the box that frames all clips in one view. A rest pose far from them is
- * left out, because key frames quantize this box and would lose precision.
+ * Finds the box around all clips, in which key frames are quantized. A rest
+ * pose far from them is left out, because they would lose precision. Each clip
+ * is seen as it is played.
  */
 static void find_box(struct comparison *comparison)
 {
@@ -137,7 +138,9 @@ static void find_box(struct comparison *comparison)
 	}
 	comparison->box = box;
 	for (int i = 0; i < comparison->clip_count; i++) {
-		screen_view_frame(&comparison->clip[i].screen, &box);
+		struct screen_view *screen = &comparison->clip[i].screen;
+
+		screen_view_play(screen, &screen->box);
 	}
 }
 

@@ -57,13 +57,7 @@ static int prepare(struct drawing *drawing, const struct instance *instance,
 	const struct bounds *box, const struct log *log)
 {
 	const struct gl *gl = &drawing->context->gl;
-	/* As limber play frames a model without a character file. */
-	struct camera_framing framing = {
-		.yaw_rad = screen_view_framing.yaw_rad,
-		.pitch_rad = screen_view_framing.pitch_rad,
-		.margin = 1.1f,
-		.follow = true,
-	};
+	struct camera_framing framing = screen_view_played;
 	int error = texture_set_create(
 		&drawing->textures, instance->model, gl, PIXELS_RGB565, log);
 

@@ -6,10 +6,17 @@
 #include <cglm/cglm.h>
 
 /* The angles are those of camera_default(). */
-const struct camera_framing screen_view_framing = {
+static const struct camera_framing wide = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
 	.margin = 1.15f,
+};
+
+const struct camera_framing screen_view_played = {
+	.yaw_rad = 0.45f,
+	.pitch_rad = 0.16f,
+	.margin = 1.1f,
+	.follow = true,
 };
 
 static struct bounds box_of(
@@ -82,10 +89,10 @@ static void find_scale(struct screen_view *screen)
 	}
 }
 
-void screen_view_frame(struct screen_view *screen, const struct bounds *box)
+static void frame(struct screen_view *screen, const struct bounds *box,
+	struct camera_framing wanted)
 {
 	struct camera camera = camera_default();
-	struct camera_framing wanted = screen_view_framing;
 	struct bounds scene_box = *box;
 	float half_rad = 0.5f * camera.yfov_rad;
 
@@ -102,6 +109,16 @@ void screen_view_frame(struct screen_view *screen, const struct bounds *box)
 	screen->focal_px = 0.5f * (float)screen->height * scalar_cos(half_rad) /
 		scalar_sin(half_rad);
 	find_scale(screen);
+}
+
+void screen_view_frame(struct screen_view *screen, const struct bounds *box)
+{
+	frame(screen, box, wide);
+}
+
+void screen_view_play(struct screen_view *screen, const struct bounds *box)
+{
+	frame(screen, box, screen_view_played);
 }
 
 void screen_view_project(

@@ -9,8 +9,11 @@
 #include "app/scene/instance/bounds.h"
 #include "app/scene/stage/camera.h"
 
-/* How `limber play` frames a model; the caller sets aspect and region. */
-extern const struct camera_framing screen_view_framing;
+/*
+ * How `limber play` frames what it plays of a model without a character file:
+ * the box fills the picture. The caller sets aspect and region.
+ */
+extern const struct camera_framing screen_view_played;
 
 /* The view of a camera as plain numbers. */
 struct screen_view {
@@ -35,10 +38,13 @@ struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height);
 
 /*
- * Moves the view so that it frames a box in the model's units, as `limber play`
- * without labels frames all clips and the rest pose.
+ * Moves the view so that it frames a box in the model's units, at a distance at
+ * which the box fits at every angle of the camera.
  */
 void screen_view_frame(struct screen_view *screen, const struct bounds *box);
+
+/* The same, framed as screen_view_played, which is larger. */
+void screen_view_play(struct screen_view *screen, const struct bounds *box);
 
 /* One coordinate (row: 0 x, 1 y, 2 z) of a point in eye space. */
 static inline float screen_view_eye(

@@ -105,6 +105,8 @@ json.dump(model, sys.stdout)
 limber compare "$scratch/long.gltf"
 expect_status 1
 expect_err 'lasts more than five hours: choose another one with --clip$'
+limber optimize "$scratch/long.gltf" -o "$scratch/x.glb"
+expect_refusal 1 ': clip 0 [a-z]* *lasts longer than five hours: shorten it'
 limber play --demo duel --display null --frames 1 "$scratch/long.gltf"
 expect_status 0
 expect_err 'clip 0 lasts 20000 s: the duel plays its first 30 s'

@@ -203,12 +203,17 @@ static int compare(
 	return error;
 }
 
-static int fail(const struct model *model, int error, const struct log *log)
+static int fail(
+	const struct model *model, int clip, int error, const struct log *log)
 {
+	if (error == -E2BIG) {
+		log_error(log,
+			"%s: clip %d %s lasts longer than five hours: shorten it",
+			model->path, clip, model->clip[clip].name);
+		return error;
+	}
 	log_error(log,
-		error == -E2BIG
-			? "%s: a clip lasts longer than five hours: shorten it"
-			: error == -EINVAL
+		error == -EINVAL
 			? "%s: limber cannot compare models with other vertices"
 			: "%s: there is not enough memory to compare it",
 		model->path);
@@ -225,12 +230,12 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 
 	*peak_px = 0.0f;
 	if (!players) {
-		return fail(wanted, -ENOMEM, log);
+		return fail(wanted, clip, -ENOMEM, log);
 	}
 	error = add_pair(players, wanted, found, clip, log);
 	if (!error) {
 		error = compare(&task, players, peak_px);
-		error = error ? fail(wanted, error, log) : 0;
+		error = error ? fail(wanted, clip, error, log) : 0;
 	}
 	while (players->count > 0) {
 		remove_pair(players);
@@ -273,7 +278,7 @@ int optimize_measure_unit(const struct model *model,
 	if (!error && played.reference->vertex_count > 0) {
 		error = time_grid_make(played.reference->clip, &grid);
 		if (error) {
-			error = fail(model, error, log);
+			error = fail(model, first, error, log);
 		} else {
 			screen = screen_view_create(played.reference, &grid,
 				size.width, size.height);

@@ -147,11 +147,53 @@ static void test_joined_textures_are_those_of_fragments(void **state)
 	assert_true(drawn > 15000);
 }
 
+/* A texture, and on the second unit none, or one that is white everywhere. */
+static struct span_scene *draw_white(
+	enum pixel_format format, uint32_t seed, bool white)
+{
+	static const uint8_t texels[4 * 4] = {255, 255, 255, 255, 255, 255, 255,
+		255, 255, 255, 255, 255, 255, 255, 255, 255};
+	struct span_scene *scene = span_begin_in_perspective(format, false);
+	const struct gl *gl = scene->gl;
+	GLuint name;
+
+	span_give_texture(gl, &seed);
+	gl->ActiveTexture(GL_TEXTURE1);
+	if (white) {
+		gl->GenTextures(1, &name);
+		gl->BindTexture(GL_TEXTURE_2D, name);
+		gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA,
+			GL_UNSIGNED_BYTE, texels);
+		gl->TexParameterx(
+			GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+		gl->Enable(GL_TEXTURE_2D);
+	}
+	span_scene_draw(gl, span_make_triangle(&seed), 3);
+	return scene;
+}
+
+/* The coordinates of the first unit stay what they are beside the second's. */
+static void test_a_white_second_texture_changes_nothing(void **state)
+{
+	(void)state;
+	for (uint32_t seed = 1; seed <= 60; seed++) {
+		enum pixel_format format =
+			seed % 3 ? PIXELS_RGB565 : PIXELS_RGBA8888;
+		struct span_scene *one = draw_white(format, seed * 7919, false);
+		struct span_scene *two = draw_white(format, seed * 7919, true);
+
+		span_scene_compare(one, two, seed);
+		span_scene_close(one);
+		span_scene_close(two);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_two_textures_are_those_of_fragments),
 		cmocka_unit_test(test_joined_textures_are_those_of_fragments),
+		cmocka_unit_test(test_a_white_second_texture_changes_nothing),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

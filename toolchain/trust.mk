@@ -4,7 +4,8 @@
 FAULTS := build/faults/faults.so
 FAULTS_RUN := python3 -B tests/faults/faults.py $(FAULTS)
 
-$(FAULTS): $(sort $(wildcard tests/faults/*.[ch])) | build/host/packages.stamp
+$(FAULTS): $(sort $(wildcard tests/faults/*.[ch])) | build/host/packages.stamp \
+		build/host/unit/fake_gles.so
 	@mkdir -p $(@D)
 	$(call say,CC,$@)
 	$(Q)$(CC_host) -std=c11 $(WARNINGS) -O1 -g -fno-omit-frame-pointer -fPIC \

@@ -6,6 +6,8 @@ import os
 import re
 import shlex
 
+import models
+
 TREE = os.path.abspath(os.path.join(os.path.dirname(__file__), '..', '..'))
 ASSETS = os.path.join(TREE, 'assets')
 GOLDEN = os.path.join(TREE, 'tests', 'golden')
@@ -13,11 +15,13 @@ GLTF = os.path.join(TREE, 'tests', 'fixtures', 'gltf')
 SKIN = os.path.join(GLTF, 'skin', 'and_morph.gltf')
 LEVELS = os.path.join(GLTF, 'mesh', 'levels.gltf')
 TEXTURES = os.path.join(GLTF, 'material', 'textures.gltf')
+MIRROR = os.path.join(GLTF, 'clip', 'mirror.gltf')
 XFILE = os.path.join(TREE, 'tests', 'fixtures', 'xfile', 'tower_binary_packed.x')
 SLIDER = os.path.join(TREE, 'tests', 'cli', 'slider.gltf')
 BINARY = os.path.join(GLTF, 'container', 'binary.glb')
 WALKER = os.path.join(ASSETS, 'walker.glb')
 FACE = os.path.join(ASSETS, 'face.glb')
+FAKE_GLES = os.path.join(TREE, 'build', 'host', 'unit', 'fake_gles.so')
 
 # Files beside the folders in which the cases run.
 INPUTS = {
@@ -27,6 +31,14 @@ INPUTS = {
     # Saves a picture, and presses ENTER, at which the tuner saves a preset.
     'saving': '0 F9 down\n40 F8 down\n80 F8 up\n120 F9 up\n'
               '160 ENTER down\n200 ENTER up\n',
+    # An upper body that only takes what its clip moves.
+    'moved.character': '[layer upper]\nclip = both\nnodes = moved\n',
+    # faults.py lets limber write known.levels.
+    'hill.gltf': models.hill(),
+    'known.gltf': models.hill(),
+    'shining.gltf': models.shining(),
+    'large.gltf': models.shining(models.SIDE_LARGE),
+    'declared.x': models.declared(),
 }
 
 
@@ -143,6 +155,21 @@ CASES = [
     Case('play-window', PLAY + ['--display', 'window', SLIDER],
          variables={'SDL_VIDEODRIVER': 'dummy'}, own_memory=True,
          kinds=('alloc', 'library')),
+    Case('play-egl', PLAY + ['--display', 'egl', '--gl', 'gles1', SLIDER],
+         variables={'LIMBER_EGL': FAKE_GLES, 'LIMBER_GLES': FAKE_GLES,
+                    'FAKE_GLES_LOG': '/dev/null'}, own_memory=True,
+         kinds=('alloc', 'library')),
+    Case('play-gles1', PLAY + ['--gl', 'gles1', SLIDER],
+         variables={'LIMBER_EGL': FAKE_GLES, 'LIMBER_GLES': FAKE_GLES,
+                    'FAKE_GLES_LOG': '/dev/null'}, own_memory=True,
+         kinds=('alloc', 'library')),
+    Case('play-missing', PLAY + ['--buttons', 'evdev', '--camera', 'auto', SLIDER],
+         may_do_without=('--camera auto: ', 'camera auto: ', 'evdev: ')),
+    Case('play-watchdog', PLAY + ['--watchdog', 'x.dog', SLIDER],
+         files=('x.dog',), given={'x.dog': '/dev/null'}, varying=('x.dog',),
+         may_do_without=('x.dog: ',)),
+    Case('play-moved', PLAY + ['--character', '../moved.character', SKIN]),
+    Case('play-little-memory', PLAY + ['--memory', '200k', '../hill.gltf']),
     Case('show-walker', RENDER + ['--demo', 'walker', '--show',
                                   'skeleton,weights,wireframe,layers'],
          files=('x.png',)),
@@ -150,6 +177,31 @@ CASES = [
          files=('x.png',)),
     Case('show-arm', RENDER + ['--demo', 'arm', '--show', 'pivots'],
          files=('x.png',)),
+
+    Case('info-declared', ['info', '../declared.x']),
+    Case('doctor-hill', ['doctor', '../hill.gltf'], finds=True),
+    Case('levels-hill', ['levels', '../hill.gltf', '-o', 'x.levels'],
+         files=('x.levels',)),
+    Case('render-hill', RENDER + ['../hill.gltf'], files=('x.png',)),
+    Case('render-known-levels', RENDER + ['../known.gltf'], files=('x.png',)),
+    Case('render-large', RENDER + ['../large.gltf'], files=('x.png',)),
+    Case('optimize-hill', ['optimize', '../hill.gltf', '-o', 'x.glb'],
+         files=('x.glb',)),
+    Case('optimize-shining', ['optimize', '../shining.gltf', '--size', '32x32',
+                              '-o', 'x.glb'], files=('x.glb',)),
+    Case('compare-shining', ['compare', '../shining.gltf', '--fps', '4',
+                             '--size', '32x32', '--format', 'csv',
+                             '--export', 'baked'], prints_the_same=False),
+    Case('compare-mirror', ['compare', MIRROR, '--fps', '4', '--size', '32x32',
+                            '--format', 'md', '--export', 'baked'],
+         prints_the_same=False),
+    Case('export-shining', ['export', '../shining.gltf', '--c', 'x.c'],
+         files=('x.c',)),
+    Case('character-shining', ['character', '../shining.gltf']),
+    Case('doctor-other-character', ['doctor', WALKER, '--character', os.path.join(
+        GOLDEN, 'characters', 'effects.character')], finds=True),
+    Case('pose-printed', ['pose', BINARY, '-o', '/dev/stdout']),
+    Case('pose-nowhere', ['pose', BINARY, '-o', '/dev/null']),
 ]
 
 

@@ -290,6 +290,16 @@ class Suite:
                       [sentence for sentence in said if sentence])
 
 
+def write_inputs(options):
+    """Writes the files beside the folders of the cases."""
+    for name, content in INPUTS.items():
+        with open(os.path.join(options.scratch, name), 'w',
+                  encoding='ascii') as file:
+            file.write(content)
+    subprocess.run([options.limber, 'levels', 'known.gltf', '-o', 'known.levels'],
+                   cwd=options.scratch, check=True)
+
+
 def main():
     """Runs the cases that the command line names."""
     parser = argparse.ArgumentParser()
@@ -310,10 +320,7 @@ def main():
     options.limber = os.path.abspath(options.limber)
     with tempfile.TemporaryDirectory(prefix='limber-faults-') as scratch:
         options.scratch = scratch
-        for name, content in INPUTS.items():
-            with open(os.path.join(scratch, name), 'w',
-                      encoding='ascii') as file:
-                file.write(content)
+        write_inputs(options)
         suite = Suite(options)
         for case in CASES:
             if options.case and case.name not in options.case:

@@ -253,6 +253,27 @@ static void test_a_title_alone_is_told(void **state)
 	}
 }
 
+static void test_all_overlays_together_have_a_short_title(void **state)
+{
+	struct overlay all = {.kinds = (1U << OVERLAY_KINDS) - 1};
+	const struct overlay_motion motion = overlay_motion_none();
+	const struct hud_place low = {HUD_TOP_LEFT, 1};
+
+	(void)state;
+	for (int left_out = 0; left_out < 2; left_out++) {
+		shown.font = wanted.font = &font_default;
+		hud_begin(&shown, 480, 640);
+		hud_begin(&wanted, 480, 640);
+		assert_false(overlay_label(&all, &motion, &low, &shown));
+		group = hud_group_begin(&wanted, HUD_TOP_LEFT,
+			left_out ? "Skeleton, weights, keys, pivots, curve, layers"
+				 : "All overlays");
+		hud_group_limit(&group, low.room);
+		expect_wanted();
+		all.kinds &= ~(1U << OVERLAY_WIREFRAME);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -266,6 +287,7 @@ int main(void)
 		cmocka_unit_test(test_rows_are_shown_where_all_of_them_fit),
 		cmocka_unit_test(test_a_morphs_curve_has_no_row_besides),
 		cmocka_unit_test(test_a_title_alone_is_told),
+		cmocka_unit_test(test_all_overlays_together_have_a_short_title),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

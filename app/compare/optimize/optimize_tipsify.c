@@ -15,7 +15,7 @@ int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 	int misses = 0;
 
 	if (!fetched) {
-		return count;
+		return -ENOMEM;
 	}
 	/* fetched[v]: the miss that fetched v, evicted CACHE misses later. */
 	for (int i = 0; i < count; i++) {
@@ -159,19 +159,18 @@ static int reorder(uint32_t *index, int count, int vertex_count, bool *better)
 		.dead_end = calloc(corners, sizeof(uint32_t)),
 		.out = calloc(corners, sizeof(uint32_t)),
 	};
-	int error = -ENOMEM;
+	int error = -ENOMEM, before, after;
 
 	*better = false;
 	if (tipsify.first && tipsify.triangle && tipsify.live && tipsify.stamp &&
 		tipsify.written && tipsify.dead_end && tipsify.out) {
 		list_triangles(&tipsify);
 		run(&tipsify);
-		*better = optimize_tipsify_misses(
-				  tipsify.out, count, vertex_count) *
-				50LL <
-			optimize_tipsify_misses(index, count, vertex_count) *
-				49LL;
-		error = 0;
+		before = optimize_tipsify_misses(index, count, vertex_count);
+		after = optimize_tipsify_misses(
+			tipsify.out, count, vertex_count);
+		error = before < 0 || after < 0 ? -ENOMEM : 0;
+		*better = !error && after * 50LL < before * 49LL;
 	}
 	if (*better) {
 		memcpy(index, tipsify.out, (size_t)count * sizeof(*index));

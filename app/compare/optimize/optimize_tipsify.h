@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The misses of a first-in-first-out cache of 16 vertices. */
+/* The misses of a first-in-first-out cache of 16 vertices, or -ENOMEM. */
 int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count);
 
 /*

@@ -8,6 +8,11 @@
 /* The relative error of rounding to floats. */
 static const float rounding = 1e-6f;
 static const float screen_px = 1000.0f;
+/*
+ * Rounding moves nothing by more: limber subtracts a far origin before it
+ * interpolates, so that places beside it are exact.
+ */
+static const float rounding_px = 0.1f;
 
 const float *optimize_track_value(const struct optimize_track *track, int key)
 {
@@ -77,17 +82,29 @@ static float least_size(const struct optimize_track *track)
 		: 1.0f;
 }
 
+/* By how much rounding may change a value. */
+static float rounding_of(const struct optimize_track *track, float value)
+{
+	float least = least_size(track), own = scalar_abs(value);
+	float apart = rounding * (own > least ? own : least);
+	float move_px = track->reach->move_px, most_px = rounding_px;
+
+	if (track->bound_px > 0.0f && track->bound_px < most_px) {
+		most_px = track->bound_px;
+	}
+	return track->path == MODEL_TRANSLATION && apart * move_px > most_px
+		? most_px / move_px
+		: apart;
+}
+
 bool optimize_track_is_near(
 	const struct optimize_track *track, const float *a, const float *b)
 {
-	float least = least_size(track);
 	bool equal = true;
 
 	for (int i = 0; i < track->width; i++) {
-		float own = scalar_abs(a[i]);
-		float size = own > least ? own : least;
-
-		equal = equal && scalar_abs(a[i] - b[i]) <= rounding * size;
+		equal = equal &&
+			scalar_abs(a[i] - b[i]) <= rounding_of(track, a[i]);
 	}
 	return equal ||
 		(track->bound_px > 0.0f && !track->reach->exact &&

@@ -140,6 +140,25 @@ static void test_rounding_is_small_beside_a_small_model(void **state)
 	assert_true(optimize_track_is_near(&track, rest, moved));
 }
 
+/* As in models with coordinates of a country's grid. */
+static void test_places_far_away_stay_apart_by_what_is_seen(void **state)
+{
+	const float a[3] = {5e6f, 0.0f, 0.0f}, b[3] = {5e6f + 1.0f, 0.0f, 0.0f};
+	const float large[3] = {50.0f, 0.0f, 0.0f};
+	const float nearly[3] = {50.00004f, 0.0f, 0.0f};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		static const float bound_px[] = {0.0f, 0.05f, 0.5f};
+		const struct optimize_track track =
+			track_of(MODEL_TRANSLATION, 3, NULL, 0, bound_px[i]);
+
+		assert_false(optimize_track_is_near(&track, a, b));
+		assert_true(optimize_track_is_near(&track, a, a));
+		assert_true(optimize_track_is_near(&track, large, nearly));
+	}
+}
+
 static void test_a_track_is_constant_if_all_keys_are_near_the_first(void **state)
 {
 	float value[4] = {1.0f, 1.0f, 1.0f, 1.0f};
@@ -333,6 +352,7 @@ int main(void)
 		cmocka_unit_test(test_opposite_quaternions_are_near),
 		cmocka_unit_test(test_exact_values_may_differ_by_rounding),
 		cmocka_unit_test(test_rounding_is_small_beside_a_small_model),
+		cmocka_unit_test(test_places_far_away_stay_apart_by_what_is_seen),
 		cmocka_unit_test(
 			test_a_track_is_constant_if_all_keys_are_near_the_first),
 		cmocka_unit_test(test_a_spline_is_constant_without_tangents),

@@ -124,6 +124,17 @@ static void test_the_handlers_of_before_return(void **state)
 	}
 }
 
+static void test_what_was_asked_for_before_is_forgotten(void **state)
+{
+	(void)state;
+	stop_catch();
+	raise(SIGTERM);
+	assert_true(interrupt_pending());
+	stop_release();
+	assert_false(interrupt_pending());
+	assert_int_equal(interrupt_signal(), 0);
+}
+
 static void test_what_is_ignored_stays_ignored(void **state)
 {
 	struct sigaction after;
@@ -345,6 +356,7 @@ int main(void)
 		cmocka_unit_test(test_each_signal_asks_for_the_end),
 		cmocka_unit_test(test_only_lost_output_and_a_limit_are_failures),
 		cmocka_unit_test(test_the_handlers_of_before_return),
+		cmocka_unit_test(test_what_was_asked_for_before_is_forgotten),
 		cmocka_unit_test(test_what_is_ignored_stays_ignored),
 		cmocka_unit_test(
 			test_the_end_must_come_within_a_second_of_the_signal),

@@ -130,6 +130,23 @@ static void test_all_encodings_load_as_the_same_model(void **state)
 	}
 }
 
+/* The sanitizer sees what is read behind the end. */
+static void load_cut(const char *data, size_t size)
+{
+	struct log_capture logged;
+	struct log log = log_capture_begin(&logged);
+	struct model *model = NULL;
+	char *cut = malloc(size);
+
+	assert_non_null(cut);
+	memcpy(cut, data, size);
+	if (model_load_memory(cut, size, "cut.x", &log, &model)) {
+		assert_int_equal(log_capture_count(&logged, LOG_ERROR), 1);
+	}
+	model_destroy(model);
+	free(cut);
+}
+
 static void test_truncated_files_are_errors(void **state)
 {
 	static const char *const name[] = {
@@ -144,17 +161,8 @@ static void test_truncated_files_are_errors(void **state)
 		size_t size;
 		char *data = file_read(path.text, &size);
 
-		for (size_t cut = 4; cut < size; cut += 3) {
-			struct log_capture logged;
-			struct log log = log_capture_begin(&logged);
-			struct model *model = NULL;
-
-			if (model_load_memory(data, cut, "cut.x", &log, &model)) {
-				assert_int_equal(
-					log_capture_count(&logged, LOG_ERROR),
-					1);
-			}
-			model_destroy(model);
+		for (size_t cut = 4; cut < size; cut++) {
+			load_cut(data, cut);
 		}
 		free(data);
 	}

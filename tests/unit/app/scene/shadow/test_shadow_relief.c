@@ -76,6 +76,24 @@ static void test_heights_are_those_of_the_ground(void **state)
 	release(model, instance);
 }
 
+static float peak(float x, float z)
+{
+	return x > 1.9f && x < 2.1f && z > 1.9f && z < 2.1f ? 4.0f : 0.0f;
+}
+
+/* A vertex between the nodes of the grid. */
+static void test_the_error_is_how_far_vertices_are_off(void **state)
+{
+	struct model *model = make_ground(peak);
+	struct shadow_relief relief;
+	struct instance *instance = make_relief(model, &relief);
+
+	(void)state;
+	assert_true(relief.error > 0.1f);
+	assert_near(relief.error, 4 - shadow_relief_height(&relief, 2, 2), 1e-3);
+	release(model, instance);
+}
+
 /* Triangles cover half of the box; the other half has the nearest heights. */
 static void test_a_hole_has_the_height_beside_it(void **state)
 {
@@ -205,6 +223,7 @@ int main(void)
 			test_a_shadow_lies_on_the_ground_along_the_light),
 		cmocka_unit_test(
 			test_lifting_keeps_a_points_place_in_the_picture),
+		cmocka_unit_test(test_the_error_is_how_far_vertices_are_off),
 		cmocka_unit_test(test_any_level_may_have_the_most_corners),
 		cmocka_unit_test(test_too_small_a_limit_of_memory_is_named),
 	};

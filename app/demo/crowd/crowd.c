@@ -101,7 +101,9 @@ static int add_walker(struct demo *demo)
 		error = crowd_dress(walker->instance, demo->count);
 	}
 	if (error) {
-		memory_budget_fail(model->budget, "crowd", demo->log);
+		log_error(demo->log,
+			"crowd: there is not enough memory for %d walkers",
+			demo->count + 1);
 		if (demo->count > 0) {
 			instance_destroy(walker->instance);
 		}

@@ -210,6 +210,26 @@ static void add_step(int count, const struct sample *a, const struct sample *b,
 	}
 }
 
+/* Returns the mean distance of points at both times, whatever drifts. */
+static float gap_between(
+	int count, const struct sample *a, const struct sample *b)
+{
+	float sum = 0.0f;
+
+	for (int i = 0; i < count; i++) {
+		float square = 0.0f;
+
+		for (int axis = 0; axis < 3; axis++) {
+			float way = b->at[i][axis] - a->at[i][axis] -
+				b->mean[axis] + a->mean[axis];
+
+			square += way * way;
+		}
+		sum += scalar_sqrt(square);
+	}
+	return sum / (float)count;
+}
+
 static float extent_of(const struct sample *sample)
 {
 	float extent = 0.0f;
@@ -299,6 +319,7 @@ struct gait gait_measure(const struct gait_body *body,
 		}
 	}
 	gait.extent = extent_of(&first);
+	gait.gap = gap_between(body->count, &first, &sample[steps % 2]);
 	straighten(gait.velocity, standing * gait.extent);
 	return gait;
 }

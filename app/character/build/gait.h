@@ -34,6 +34,11 @@ struct gait {
 	float drift[2];
 	float extent; /* the longest side of the figure's box at the start */
 	/*
+	 * How far the points end from where they started, on average and
+	 * without the drift: near 0 for a clip that can be repeated.
+	 */
+	float gap;
+	/*
 	 * The height of its lowest point at steps + 1 equal times of a clip
 	 * that climbs or falls by more than half the figure's height, above
 	 * that at the start; steps is 0 for other clips.

@@ -14,6 +14,9 @@ enum {
 /* The file's speed is used if it is within this factor of the measured one. */
 static const float near_factor = 1.5f;
 
+/* A clip that ends this near its start, in sides of the figure, can be repeated. */
+static const float repeated_gap = 0.1f;
+
 static const char *const role_names[MOTION_ROLES][4] = {
 	[MOTION_STAND] = {"idle", "stand"},
 	[MOTION_WALK] = {"walk"},
@@ -27,6 +30,9 @@ static struct motion measure(struct instance *instance,
 	struct gait gait = gait_measure(body, instance, clip, steps);
 	struct motion motion = {
 		.clip = clip,
+		.repeats = clip >= 0 &&
+			instance->model->clip[clip].duration_s > 0.0f &&
+			gait.gap <= repeated_gap * gait.extent,
 		.speed = unit *
 			scalar_sqrt(gait.velocity[0] * gait.velocity[0] +
 				gait.velocity[1] * gait.velocity[1]),
@@ -149,37 +155,56 @@ static int read_character(const struct character_request *request,
 }
 
 /* A clip of one moment, such as a pose for binding, is better than none. */
-static bool is_livelier(const struct model *model, int clip, int other)
+static bool is_moment(const struct model *model, int clip)
 {
-	return other < 0 ||
-		(model->clip[other].duration_s <= 0.0f &&
-			model->clip[clip].duration_s > 0.0f);
+	return clip < 0 || model->clip[clip].duration_s <= 0.0f;
 }
 
-/* Fills roles for which neither the file nor a name has a clip. */
+/* Gives the clip the roles that it suits better than the present ones. */
+static void consider(const struct model *model, const struct motion *one,
+	bool walks, struct motion role[MOTION_ROLES])
+{
+	if (one->speed <= 0.0f) {
+		if (role[MOTION_STAND].clip < 0 ||
+			(is_moment(model, role[MOTION_STAND].clip) &&
+				!is_moment(model, one->clip))) {
+			role[MOTION_STAND] = *one;
+		}
+	} else if (!walks) {
+		if (role[MOTION_WALK].clip < 0 ||
+			one->speed < role[MOTION_WALK].speed) {
+			role[MOTION_WALK] = *one;
+		}
+		if (one->speed > role[MOTION_RUN].speed) {
+			role[MOTION_RUN] = *one;
+		}
+	}
+}
+
+/*
+ * Fills roles for which neither the file nor a name has a clip. A clip that
+ * cannot be repeated, such as a fall, is better than none.
+ */
 static void choose_by_speed(struct instance *instance,
 	const struct gait_body *body, int steps, struct motions *out)
 {
-	struct motion *role = out->role;
+	const struct model *model = instance->model;
+	struct motion *role = out->role, once = {.clip = -1};
 	bool walks = role[MOTION_WALK].clip >= 0 || role[MOTION_RUN].clip >= 0;
 
-	for (int i = 0; i < instance->model->clip_count && i < CLIPS_MAX; i++) {
+	for (int i = 0; i < model->clip_count && i < CLIPS_MAX; i++) {
 		struct motion one = measure(instance, body, i, steps);
 
-		if (one.speed <= 0.0f) {
-			if (is_livelier(instance->model, i,
-				    role[MOTION_STAND].clip)) {
-				role[MOTION_STAND] = one;
-			}
-		} else if (!walks) {
-			if (role[MOTION_WALK].clip < 0 ||
-				one.speed < role[MOTION_WALK].speed) {
-				role[MOTION_WALK] = one;
-			}
-			if (one.speed > role[MOTION_RUN].speed) {
-				role[MOTION_RUN] = one;
-			}
+		if (one.repeats || is_moment(model, i)) {
+			consider(model, &one, walks, role);
+		} else if (once.clip < 0) {
+			once = one;
 		}
+	}
+	if (once.clip >= 0 && role[MOTION_WALK].clip < 0 &&
+		role[MOTION_RUN].clip < 0 &&
+		is_moment(model, role[MOTION_STAND].clip)) {
+		consider(model, &once, walks, role);
 	}
 }
 

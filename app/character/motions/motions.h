@@ -27,6 +27,7 @@ enum {
 /* A clip and where it goes. Lengths are in scene units. */
 struct motion {
 	int clip;         /* -1: the rest pose */
+	bool repeats;     /* it ends about as it begins, unlike a fall */
 	float speed;      /* over the ground, units a second */
 	float facing_rad; /* where it goes: 0 is +Z, to +X */
 	float drift[2]; /* x and z, how far the clip itself moves the figure */

@@ -217,6 +217,47 @@ static void test_a_clip_of_one_moment_gives_way_to_one_that_moves(void **state)
 	release(&found);
 }
 
+static void rename_clips(struct model *model, const char *const names[5])
+{
+	for (int i = 0; i < 5; i++) {
+		model->clip[i].name = names[i];
+	}
+}
+
+/* Such as a fall, whose feet move; if there is no other clip, it is taken. */
+static void test_a_clip_that_cannot_be_repeated_is_the_last_choice(void **state)
+{
+	static const char *const plain[5] = {"a", "b", "c", "d", "e"};
+	static const float lying[4] = {-0.70710678f, 0, 0, 0.70710678f};
+	static const float time_s[2] = {0, 3};
+	static float rotation[8] = {0, 0, 0, 1};
+	struct found found;
+	struct model_channel fall = {.path = MODEL_ROTATION,
+		.interpolation = MODEL_LINEAR,
+		.key_count = 2,
+		.width = 4,
+		.time_s = time_s,
+		.value = rotation};
+
+	(void)state;
+	memcpy(rotation + 4, lying, sizeof(lying));
+	for (int count = 5; count > 0; count -= 4) {
+		load(&found, "assets/walker.glb");
+		rename_clips(found.model, plain);
+		fall.node = model_find_node(found.model, "hips");
+		found.model->clip[0].duration_s = 3;
+		found.model->clip[0].channel = &fall;
+		found.model->clip[0].channel_count = 1;
+		found.model->clip_count = count;
+		find_in(&found, "assets/walker.glb", NULL, "none");
+		for (int i = 0; i < MOTION_ROLES; i++) {
+			assert_int_equal(
+				found.motions.role[i].clip == 0, count == 1);
+		}
+		release(&found);
+	}
+}
+
 static void test_a_model_without_clips_stands(void **state)
 {
 	struct found found;
@@ -245,13 +286,6 @@ static void test_a_broken_character_file_is_an_error(void **state)
 }
 
 /* The names of the walker's clips become others, whatever they are. */
-static void rename_clips(struct model *model, const char *const names[5])
-{
-	for (int i = 0; i < 5; i++) {
-		model->clip[i].name = names[i];
-	}
-}
-
 /* The clips are idle, jump, run, walk and wave. */
 static void test_names_may_hold_any_word_of_a_role(void **state)
 {
@@ -403,6 +437,8 @@ int main(void)
 		cmocka_unit_test(test_a_clip_that_is_asked_for_has_all_roles),
 		cmocka_unit_test(
 			test_a_clip_of_one_moment_gives_way_to_one_that_moves),
+		cmocka_unit_test(
+			test_a_clip_that_cannot_be_repeated_is_the_last_choice),
 		cmocka_unit_test(test_a_model_without_clips_stands),
 		cmocka_unit_test(test_a_broken_character_file_is_an_error),
 		cmocka_unit_test(test_names_may_hold_any_word_of_a_role),

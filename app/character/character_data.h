@@ -393,9 +393,9 @@ enum character_labels {
 };
 
 struct character_scene {
-	const float *wave_m; /* height of uneven ground */
-	float yaw_rad, pitch_rad, margin;
-	const float *shadow; /* above 0: there is one */
+	const float *wave_m;                    /* height of uneven ground */
+	float yaw_rad, pitch_rad, margin, zoom; /* at the start */
+	const float *shadow;                    /* above 0: there is one */
 	const float *relief; /* above 0: normal maps are used */
 	enum character_labels labels;
 	double tour_s; /* the tour's period; 0: no tour */

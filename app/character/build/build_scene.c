@@ -291,6 +291,8 @@ static const struct character_key scene_keys[] = {
 		"degrees from 0 to 89"},
 	{"margin", character_read_number, SCENE(margin), 0.2f, 10, NULL,
 		"a factor from 0.2 to 10; 1.1 leaves a tenth free"},
+	{"zoom", character_read_number, SCENE(zoom), 0.04f, 1, NULL,
+		"a factor from 0.04 to 1, of the distance at which all is seen"},
 	{"shadow", read_shown, SCENE(shadow), 0, 1, NULL,
 		"yes, no or a parameter"},
 	{"relief", read_shown, SCENE(relief), 0, 1, NULL,
@@ -339,6 +341,7 @@ int character_build_scene(struct character_build *build)
 		.yaw_rad = 0.45f,
 		.pitch_rad = 0.16f,
 		.margin = 1.15f,
+		.zoom = 1,
 		.shadow = &shown,
 		.relief = &shown,
 	};

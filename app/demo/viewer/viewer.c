@@ -128,10 +128,15 @@ static int init_stage(const struct figure *figure, struct demo_base *base,
 {
 	struct framing framing = framing_of(figure);
 	struct bounds box = figure->drawing.bounds.all;
+	int error;
 
 	box.low[1] = ground_of(figure);
-	return actor_init_stage(base, env, &box,
+	error = actor_init_stage(base, env, &box,
 		base->actor.instance->unit_scale, &framing, stage);
+	if (!error) {
+		camera_zoom(&stage->camera, figure->character->scene.zoom);
+	}
+	return error;
 }
 
 /* One stamp of the model's file and the character's files; 0: no model file. */
@@ -178,6 +183,7 @@ static bool suits(const struct figure *a, float extent, const struct figure *b,
 		one.camera.yaw_rad == other.camera.yaw_rad &&
 		one.camera.pitch_rad == other.camera.pitch_rad &&
 		one.camera.margin == other.camera.margin &&
+		a->character->scene.zoom == b->character->scene.zoom &&
 		one.label_rows == other.label_rows &&
 		one.label_bars == other.label_bars &&
 		one.labels_right == other.labels_right;

@@ -58,6 +58,7 @@ static const struct limits walker[] = {
 	{"[scene]\nyaw = #", -360, 360, 0.01},
 	{"[scene]\npitch = #", 0, 89, 0.01},
 	{"[scene]\nmargin = #", 0.2, 10, 0.01},
+	{"[scene]\nzoom = #", 0.04, 1, 0.01},
 	{"[scene]\nshadow = #", 0, 1, 0.01},
 	{"[scene]\nrelief = #", 0, 1, 0.01},
 };

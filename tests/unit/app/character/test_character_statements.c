@@ -223,6 +223,7 @@ static const struct statement walker[] = {
 	{"[motion]\nclips = yes\n", "[motion]\nclips = walk\n", "yes or no"},
 	{"[parameter v]\n[motion]\nspeed = v\n", "[motion]\nspeed = v\n",
 		"no parameter named v"},
+	{"[scene]\nzoom = 0.2\n", "[scene]\nzoom = 2\n", "from 0.04 to 1"},
 	{"[scene]\nyaw = 20\npitch = 10\nmargin = 1.1\n",
 		"[scene]\npitch = 100\n", "degrees from 0 to 89"},
 	{"[parameter a]\n[scene]\nshadow = a\nrelief = no\n",

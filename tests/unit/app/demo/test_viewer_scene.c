@@ -93,6 +93,26 @@ static double zoom_after(struct bench *bench, enum button button, double by_s)
 	return (double)bench->base->stage.camera.fit.zoom;
 }
 
+/* As into a room, where it stays while it eases to what a clip needs. */
+static void test_the_camera_begins_as_near_as_the_file_says(void **state)
+{
+	float distance_m[2];
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct bench bench;
+
+		begin(&bench,
+			i ? "[scene]\nzoom = 0.2\n[state a]\nclip = idle\n"
+			  : "[state a]\nclip = idle\n");
+		step(&bench, 0.1);
+		step(&bench, 1.0);
+		distance_m[i] = bench.base->stage.camera.distance;
+		end(&bench);
+	}
+	assert_near(distance_m[1] / distance_m[0], 0.2, 1e-3);
+}
+
 /* By its percentage a second; a long frame halves or doubles it at most. */
 static void test_a_frame_zooms_by_at_most_a_factor_of_two(void **state)
 {
@@ -322,6 +342,7 @@ static void test_each_change_of_the_scene_frames_it_anew(void **state)
 		{"yaw = 61\npitch = 10\nmargin = 1.5\n", true},
 		{"yaw = 60\npitch = 12\nmargin = 1.5\n", true},
 		{"yaw = 60\npitch = 10\nmargin = 1.6\n", true},
+		{"yaw = 60\npitch = 10\nmargin = 1.5\nzoom = 0.5\n", true},
 		{"yaw = 60\npitch = 10\nmargin = 1.5\nlabels = right\n", true},
 		{"yaw = 60\npitch = 10\nmargin = 1.5\n[parameter v]\n"
 		 "range = 0 1\n[buttons]\nUP = add v 1\n",
@@ -415,6 +436,7 @@ static void test_a_clip_that_begins_late_settles_after_a_round(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_camera_begins_as_near_as_the_file_says),
 		cmocka_unit_test(test_a_frame_zooms_by_at_most_a_factor_of_two),
 		cmocka_unit_test(test_the_camera_eases_to_what_a_clip_needs),
 		cmocka_unit_test(test_the_first_frame_does_not_ease),

@@ -40,6 +40,14 @@ int examine_skins(const struct model *model, const struct examiner *examiner,
  */
 int examine_find_reversed(const struct model *model, struct arena *arena);
 
+/*
+ * Returns whether a figure with a head and a foot lies at rest, as one does
+ * that was exported with +Z up, and these joints. is_joint has an element for
+ * each node.
+ */
+bool examine_find_lying(
+	const struct model *model, const bool *is_joint, int *head, int *foot);
+
 /* Reports a finding formatted as by printf(), truncated to 400 bytes. */
 void examine_report(const struct examiner *examiner, const char *format, ...)
 	PRINTF_LIKE(2, 3);

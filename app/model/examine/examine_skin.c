@@ -191,6 +191,18 @@ static void report_meshes(const struct model *model, int reversed,
 	}
 }
 
+static void report_lying(const struct model *model, const bool *is_joint,
+	const struct examiner *examiner)
+{
+	int head, foot;
+
+	if (examine_find_lying(model, is_joint, &head, &foot)) {
+		examine_report(examiner,
+			"a figure that lies at rest (from %.60s to %.60s): limber takes +Y as up, as glTF says; if it should stand, export it with +Y up",
+			model->node[foot].name, model->node[head].name);
+	}
+}
+
 int examine_skins(const struct model *model, const struct examiner *examiner,
 	const struct log *log)
 {
@@ -203,6 +215,7 @@ int examine_skins(const struct model *model, const struct examiner *examiner,
 	if (is_joint && uses && reversed >= 0) {
 		report_nodes(model, is_joint, examiner);
 		report_skins(model, uses, examiner);
+		report_lying(model, is_joint, examiner);
 		report_meshes(model, reversed, examiner);
 	} else {
 		error = memory_budget_fail(model->budget, model->path, log);

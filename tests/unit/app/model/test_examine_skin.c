@@ -85,6 +85,25 @@ static void test_a_plain_skin_has_no_findings(void **state)
 	end(&f);
 }
 
+static void test_a_figure_that_lies_is_told(void **state)
+{
+	struct fixture f;
+	struct model_node *node = f.bones.node;
+
+	(void)state;
+	begin(&f);
+	node[KNEE].name = "foot";
+	node[KNEE].rest =
+		(struct transform){{0, 0, -1}, {0, 0, 0, 1}, {1, 1, 1}};
+	node[HOLDER] = node[KNEE];
+	node[HOLDER].name = "Head";
+	node[HOLDER].rest.translation[2] = 1;
+	f.joint[1][1] = HOLDER;
+	expect(&f,
+		"a figure that lies at rest (from foot to Head): limber takes +Y as up, as glTF says; if it should stand, export it with +Y up\n");
+	end(&f);
+}
+
 /* Each number of a transform decides alone, and -1 turns like 1. */
 static void test_transforms_of_skinned_nodes_are_counted(void **state)
 {
@@ -360,6 +379,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_plain_skin_has_no_findings),
+		cmocka_unit_test(test_a_figure_that_lies_is_told),
 		cmocka_unit_test(test_transforms_of_skinned_nodes_are_counted),
 		cmocka_unit_test(test_transforms_above_joints_are_counted),
 		cmocka_unit_test(test_meshes_on_joints_are_counted),

@@ -124,6 +124,10 @@ static void write_morph(const struct model *model, FILE *out)
 	mesh = &model->mesh[model->node[node].mesh];
 	write_morph_section(model, node, out);
 	fputs("; Expressions are mixed, each with a weight of its own.\n", out);
+	if (mesh->target_count > EXPRESSIONS_MAX) {
+		fprintf(out, "; These are %d of the mesh's %d targets.\n",
+			EXPRESSIONS_MAX, mesh->target_count);
+	}
 	for (int i = 0; i < mesh->target_count && i < EXPRESSIONS_MAX; i++) {
 		fprintf(out, ";[expression face%d]\n;targets = ", i);
 		sketch_write_target(out, mesh, i);

@@ -296,6 +296,32 @@ static void expect_moved(struct acting *acting, int part, enum button button,
 	assert_true(*value * sign > 10.0f);
 }
 
+/* A face may have 52 shapes; buttons reach all, but expressions are many lines. */
+static void test_a_sketch_says_how_many_targets_it_leaves_out(void **state)
+{
+	static const char *name[14] = {"a", "b", "c", "d", "e", "f", "g", "h",
+		"i", "j", "k", "l", "m", "n"};
+	struct model_mesh mesh = {.target_count = 12, .target_name = name};
+	struct model_node node = {
+		.name = "face", .parent = -1, .in_scene = true, .skin = -1};
+	struct model model = {.path = "face.glb",
+		.node_count = 1,
+		.node = &node,
+		.mesh_count = 1,
+		.mesh = &mesh};
+	char *text = acting_sketch(&model, NULL);
+
+	(void)state;
+	assert_contains(text, ";[expression face11]\n;targets = l 1\n");
+	assert_null(strstr(text, "; These are"));
+	free(text);
+	mesh.target_count = 14;
+	text = acting_sketch(&model, NULL);
+	assert_contains(text, "\n; These are 12 of the mesh's 14 targets.\n");
+	assert_null(strstr(text, "face12"));
+	free(text);
+}
+
 /* Models without clips and shapes, of rigid parts and of bones. */
 static void test_a_sketch_of_a_still_model_moves_its_parts(void **state)
 {
@@ -383,6 +409,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_sketch_fits_models_anywhere_and_of_any_size),
 		cmocka_unit_test(test_a_sketch_leaves_animated_shapes_alone),
+		cmocka_unit_test(
+			test_a_sketch_says_how_many_targets_it_leaves_out),
 		cmocka_unit_test(test_a_sketch_of_a_still_model_moves_its_parts),
 		cmocka_unit_test(test_a_sketch_begins_as_it_is_told),
 		cmocka_unit_test(

@@ -18,7 +18,8 @@ static int find_format(const struct model_source *source, const struct log *log,
 	size_t i;
 
 	if (source->size == 0) {
-		log_error(log, "%s: the file is empty", source->name);
+		log_error(log, "%s: the file is empty: export or copy it again",
+			source->name);
 		return -EINVAL;
 	}
 	for (i = 0; i < ARRAY_COUNT(formats); i++) {

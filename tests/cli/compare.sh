@@ -379,7 +379,7 @@ expect_refusal 1 'plot.svg: cannot be written'
 compare "$slider" --fps 10 --export "$scratch/none/baked"
 expect_refusal 1 'baked: the folder cannot be made'
 compare "$slider" --fps 10 --export "$scratch/plot.svg"
-expect_refusal 1 'plot.svg: the folder cannot be made: Not a directory'
+expect_refusal 1 'plot.svg: the folder cannot be made: Not a directory: name another'
 compare "$slider" --plot "$scratch/plot.png"
 expect_refusal 2 '--plot .*plot.png: give a file name that ends in \.svg'
 compare "$(dirname "$0")/../../assets/arm.glb"

@@ -251,7 +251,7 @@ if [ -w "$scratch/closed" ]; then
     skip 'an export into a folder that is closed' 'this user may write anywhere'
 else
     limber compare "$slider" --export "$scratch/closed"
-    expect_refusal 1 'closed: the folder cannot be written'
+    expect_refusal 1 'closed: the folder cannot be written: .*: choose one'
 fi
 
 # A file that may not grow: the older file is kept, and no other file is left.

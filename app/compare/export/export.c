@@ -142,7 +142,8 @@ static int check_folder(const char *folder, const struct log *log)
 	int error = access(folder, W_OK | X_OK) == 0 ? 0 : -errno;
 
 	if (error) {
-		log_error(log, "--export %s: the folder cannot be written: %s",
+		log_error(log,
+			"--export %s: the folder cannot be written: %s: choose one that you may write to",
 			folder, strerror(-error));
 	}
 	return error;
@@ -164,8 +165,9 @@ int export_make_folder(const char *folder, const struct log *log)
 		}
 		error = -ENOTDIR;
 	}
-	log_error(log, "--export %s: the folder cannot be made: %s", folder,
-		strerror(-error));
+	log_error(log,
+		"--export %s: the folder cannot be made: %s: name another one, in a folder that exists",
+		folder, strerror(-error));
 	return error;
 }
 

@@ -72,7 +72,7 @@ static int open_glb(struct gltf *gltf, struct chunk *json)
 	length = little_endian_u32(source->data + 8);
 	if (length < GLB_HEADER_BYTES || length > source->size) {
 		return gltf_fail(&gltf->root, -EINVAL,
-			"the file is truncated: its header claims %zu bytes, but it has %zu",
+			"the file is truncated: its header claims %zu bytes, but it has %zu: export or copy it again",
 			length, source->size);
 	}
 	error = next_chunk(gltf, length, &offset, json);

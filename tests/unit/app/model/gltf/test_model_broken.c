@@ -23,7 +23,8 @@ static void test_refuses_unknown_formats(void **state)
 
 	(void)state;
 	assert_int_equal(model_load_memory("", 0, "e", &log, &model), -EINVAL);
-	assert_string_equal(logged.sentence[0], "e: the file is empty");
+	assert_string_equal(logged.sentence[0],
+		"e: the file is empty: export or copy it again");
 	expect_code("solid cube", -ENOTSUP,
 		"t.gltf: the format is unknown; limber reads .gltf, .glb and .x: export the model as .glb");
 	expect_code("[]", -ENOTSUP, "t.gltf: the format is unknown");

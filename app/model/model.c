@@ -119,6 +119,27 @@ int model_find_common(const struct model *model, int a, int b)
 	return a;
 }
 
+int model_find_carrier(const struct model *model)
+{
+	int top = model->node_count;
+
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+		const struct model_skin *skin =
+			node->skin >= 0 ? &model->skin[node->skin] : NULL;
+		int count = skin ? skin->joint_count : 1;
+
+		for (int j = 0; j < count && model_node_shows_mesh(node); j++) {
+			int at = skin ? skin->joint[j] : i;
+
+			top = top == model->node_count
+				? at
+				: model_find_common(model, top, at);
+		}
+	}
+	return top < model->node_count ? top : -1;
+}
+
 int model_lod_of_size(const struct model_primitive *primitive, int index_count)
 {
 	int level = 0;

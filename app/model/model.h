@@ -391,6 +391,12 @@ bool model_is_below(const struct model *model, int node, int top);
 int model_find_common(const struct model *model, int a, int b);
 
 /*
+ * Returns the lowest node on which all that is shown hangs: meshes on their
+ * nodes, skins on their joints. -1 if there is none.
+ */
+int model_find_carrier(const struct model *model);
+
+/*
  * Returns the coarsest level of detail, counted from 1, whose triangle list has
  * at least index_count indices, or 0, the full list, if there is none. Lists
  * for shadows do not count.

@@ -182,6 +182,13 @@ static bool goes_away(const struct gait *gait)
 	return x * x + z * z > gait->extent * gait->extent;
 }
 
+static bool carries_all(const struct model *model, int node)
+{
+	int carrier = model_find_carrier(model);
+
+	return node >= 0 && carrier >= 0 && model_is_below(model, carrier, node);
+}
+
 /*
  * Finds how fast a clip goes over the ground, by the vertices that touch it. A
  * clip that goes away stays in its place, and the ground moves instead. Below a
@@ -194,12 +201,15 @@ static void find_gait(const struct character_build *build,
 	bool walks = gait->velocity[0] != 0 || gait->velocity[1] != 0;
 	bool leaves = walks ? gait->drift[0] != 0 || gait->drift[1] != 0
 			    : goes_away(gait);
+	int root = motion->root;
 
-	if (leaves && motion->root < 0) {
-		motion->root = find_carrier(build, clip, gait->drift);
+	if (leaves && root < 0) {
+		root = find_carrier(build, clip, gait->drift);
 	}
-	if (leaves) {
-		find_travel(build, motion->root, clip);
+	/* One of two cars must not stay behind. */
+	if (leaves && (walks || carries_all(build->model, root))) {
+		motion->root = root;
+		find_travel(build, root, clip);
 	}
 	/* Else the ground goes with the root that the file names, if it does. */
 	for (int axis = 0; axis < 2 && walks; axis++) {

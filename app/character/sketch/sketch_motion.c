@@ -28,23 +28,9 @@ struct search {
 /* Marks the nodes on which all that is shown hangs. */
 static void find_carriers(struct search *search, const struct model *model)
 {
-	int top = model->node_count;
+	int top = model_find_carrier(model);
 
-	for (int i = 0; i < model->node_count; i++) {
-		const struct model_node *node = &model->node[i];
-		const struct model_skin *skin =
-			node->skin >= 0 ? &model->skin[node->skin] : NULL;
-		int count = skin ? skin->joint_count : 1;
-
-		for (int j = 0; j < count && model_node_shows_mesh(node); j++) {
-			int at = skin ? skin->joint[j] : i;
-
-			top = top == model->node_count
-				? at
-				: model_find_common(model, top, at);
-		}
-	}
-	while (top >= 0 && top < model->node_count) {
+	while (top >= 0) {
 		search->carries[top] = true;
 		top = model->node[top].parent;
 	}

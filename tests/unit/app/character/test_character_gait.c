@@ -317,6 +317,30 @@ static void test_what_goes_farther_than_it_is_long_moves_the_ground(void **state
 	acting_end(&acting);
 }
 
+/* Else one of two cars would stay behind. */
+static void test_the_ground_rests_below_two_that_go_away(void **state)
+{
+	struct acting acting;
+	struct model *model;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	model = acting.model;
+	/* Each node shows the triangle, and both are moved alike. */
+	model->node[0].mesh = model->node[1].mesh;
+	model->node[1].parent = -1;
+	model->clip->channel = (struct model_channel[]){
+		model->clip->channel[0], model->clip->channel[0]};
+	model->clip->channel_count = 2;
+	((struct model_channel *)(uintptr_t)model->clip->channel)[1].node = 1;
+	acting_expect(
+		&acting, "[state a]\nclip = leave\n[motion]\nclips = yes\n");
+	assert_int_equal(acting.character->motion.root, -1);
+	acting_run_to(&acting, 0.5, rate_hz);
+	assert_near(acting.character->motion.scroll[0], 0, 0);
+	acting_end(&acting);
+}
+
 /* With the name of what slides, such as a fish, the ground moves instead. */
 static void test_a_named_root_moves_the_ground_below_what_slides(void **state)
 {
@@ -347,6 +371,7 @@ int main(void)
 		cmocka_unit_test(test_the_ground_rests_below_what_slides_along),
 		cmocka_unit_test(
 			test_what_goes_farther_than_it_is_long_moves_the_ground),
+		cmocka_unit_test(test_the_ground_rests_below_two_that_go_away),
 		cmocka_unit_test(
 			test_a_named_root_moves_the_ground_below_what_slides),
 	};

@@ -398,7 +398,8 @@ static void write_scene(const struct model *model, FILE *out)
 {
 	int node = find_shapes(model), count;
 
-	fputs("; The camera; yaw = 26 and pitch = 9 would be its angles.\n"
+	fputs("; The camera; yaw = 26 and pitch = 9 would be its angles, and zoom = 0.2 would\n"
+	      "; bring it into a room.\n"
 	      "[scene]\nmargin = 1.1\nlabels = left\n",
 		out);
 	if (node >= 0 && model->clip_count == 0) {

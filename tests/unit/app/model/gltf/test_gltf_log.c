@@ -31,14 +31,14 @@ static void test_what_is_wrong_in_many_places_is_one_warning(void **state)
 	(void)state;
 	expect_one(HEAD "'meshes':[{'primitives':[" FOUR_POINTS "," FOUR_POINTS
 			"," FOUR_POINTS "]}]}",
-		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1, /meshes/0/primitives/2, /meshes/0/primitives/3 and 8 more)");
+		"t.gltf: /meshes/0/primitives/0: limber does not draw points: export a triangle or two for each (similar: /meshes/0/primitives/1, /meshes/0/primitives/2, /meshes/0/primitives/3 and 8 more)");
 }
 
 static void test_two_places_are_both_named(void **state)
 {
 	(void)state;
 	expect_one(HEAD "'meshes':[{'primitives':[" POINTS "," POINTS "]}]}",
-		"t.gltf: /meshes/0/primitives/0: limber does not draw points (similar: /meshes/0/primitives/1)");
+		"t.gltf: /meshes/0/primitives/0: limber does not draw points: export a triangle or two for each (similar: /meshes/0/primitives/1)");
 }
 
 /* Before, nine others hid the one about lines. */
@@ -52,7 +52,7 @@ static void test_many_of_one_kind_hide_no_other_kind(void **state)
 		&logged);
 	assert_int_equal(logged.count, 2);
 	assert_string_equal(logged.sentence[1],
-		"t.gltf: /meshes/0/primitives/9: limber does not draw lines");
+		"t.gltf: /meshes/0/primitives/9: limber does not draw lines: export them as thin triangles, such as tubes");
 }
 
 #define POINTER_CLIP                                                     \

@@ -49,7 +49,7 @@ static inline float scalar_sqrt(float value)
 
 static inline float scalar_abs(float value)
 {
-	return value < 0 ? -value : value;
+	return fabsf(value);
 }
 
 /* value clamped to low..high; NaN gives low. */

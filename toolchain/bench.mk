@@ -14,7 +14,7 @@ build/arm/obj/app/anim/%.o build/arm/obj/app/scene/instance/%.o \
 	CFLAGS_arm += -fno-stack-protector
 
 BENCH_ARM := $(patsubst %,build/arm/bench/%,arm11 pose_cost play_cost \
-	gl_scenes gl_states gl_costs demo_frames character_cost)
+	gl_scenes gl_states gl_costs calls/gl_calls demo_frames character_cost)
 # Models whose rows of limber compare are played, with their clips.
 PLAY_CHECK = python3 -B tests/bench/play_check.py build/host/limber \
 	build/arm/bench/play_cost build/arm1136/model.so build/sysroot

@@ -17,7 +17,7 @@ static void soft_destroy(struct gl_context *context)
 	if (!soft) {
 		return;
 	}
-	if (soft_drawing() == soft) {
+	if (soft_current() == soft) {
 		soft_make_current(NULL);
 	}
 	soft_release_textures(soft);
@@ -40,8 +40,9 @@ static int soft_create(const struct gl_request *request, struct gl_context **out
 		return -ENOMEM;
 	}
 	memset(draw, 0, sizeof(*draw));
+	draw->soft = soft;
+	soft_init_scratch(draw);
 	soft->draw = draw;
-	soft_init_scratch(soft->draw);
 	soft->base.driver = &gl_driver_soft;
 	soft->base.description = "limber's own, fixed point, OpenGL ES-CL 1.1";
 	soft->log = *log;
@@ -143,7 +144,7 @@ static void soft_count(struct gl_context *context, struct gl_counts *counts)
 	struct soft *soft = (struct soft *)context;
 
 	soft->counts = counts;
-	soft->changed = true;
+	soft->changed = GROUP_ALL;
 }
 
 const struct gl_driver gl_driver_soft = {

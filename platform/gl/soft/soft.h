@@ -4,8 +4,9 @@
  * README.md tells the way of a triangle. State is kept as the program sets it;
  * each draw call derives from it what drawing needs (struct draw, draw.h).
  *
- * GL functions have no parameter for a context: they work on soft_current().
- * All other functions are given the context or the draw call.
+ * GL functions have no parameter for a context: they work on soft_current(),
+ * and change it by soft_change(). All other functions are given the context or
+ * the draw call.
  */
 #ifndef PLATFORM_GL_SOFT_SOFT_H
 #define PLATFORM_GL_SOFT_SOFT_H
@@ -24,6 +25,23 @@ enum {
 	SOFT_TEXTURE_SIZE_MAX = 1024,
 	SOFT_WIDTH_MAX = 64, /* of points and lines, in pixels */
 	SOFT_STACK_DEPTH = 32,
+};
+
+/*
+ * The groups of the state, as bits. A draw call prepares anew what reads a group
+ * that has changed: parts[] in vertex/prepare.c says which part reads which.
+ */
+enum {
+	GROUP_MATRICES = 1, /* model-view and projection */
+	GROUP_ARRAYS = 2,   /* vertex arrays and which of them are enabled */
+	GROUP_COLOR = 4, /* the current colour, or that an array replaces it */
+	GROUP_LIGHTING = 8,  /* lights, material, and flags of lighting */
+	GROUP_TEXTURES = 16, /* textures, their matrices and environments */
+	GROUP_FRAGMENTS =
+		32, /* all other state of drawing: fog, culling, tests */
+	GROUP_VIEWPORT = 64, /* viewport, scissors, picture */
+	GROUP_SCALE = 128, /* of positions, from their type and their values */
+	GROUP_ALL = 255,
 };
 
 /* Names of ES 1.1 that gl.h does not have. */
@@ -54,6 +72,7 @@ struct light {
 	bool enabled;
 	GLfixed ambient[4], diffuse[4], specular[4];
 	float position[4];
+	float towards[3], half[3]; /* unit vectors, if position[3] is 0 */
 	float direction[3];
 	GLfixed exponent, cutoff; /* degrees */
 	GLfixed attenuation[3];   /* constant, linear, quadratic */
@@ -190,23 +209,26 @@ struct soft {
 	struct log log;
 	enum pixel_format format;
 	GLenum error;
-	bool changed; /* the state, since a draw call was prepared for it */
+	uint32_t changed; /* groups, since a draw call was prepared for them */
 	struct buffers buffers;
 	struct lighting lighting;
 	struct fog fog;
 	struct arrays arrays;
 	struct textures textures;
 	struct fragment_state fragment;
-	/* NULL, or a test's function that draws all triangles instead. */
+	/*
+	 * NULL, or a test's function that draws all triangles instead; the test
+	 * sets changed, too.
+	 */
 	void (*fill)(struct draw *draw, struct setup *setup);
 	struct draw *draw;        /* scratch of the draw call, owned */
 	struct gl_counts *counts; /* or NULL */
 	struct matrices matrices; /* last: offsets of the others stay short */
 };
 
-/* The context of GL's functions, whose state they may change, or not. */
+/* The context of GL's functions; and the same, some of whose groups change. */
 struct soft *soft_current(void);
-struct soft *soft_drawing(void);
+struct soft *soft_change(uint32_t groups);
 void soft_make_current(struct soft *soft);
 
 /* defaults.c: sets the context's table of functions and GL's initial state. */

@@ -292,14 +292,16 @@ static void write_colors(const struct draw *draw, const struct span *span,
 
 void reference_draw_span(struct draw *draw, const struct span *span)
 {
+	const struct fragment_state *state = &draw->soft->fragment;
+	const bool written = state->color_bits != 0;
 	struct fragments fragments;
 
 	fragments.left = span->count;
 	memset(fragments.passes, true, (size_t)span->count);
-	if (draw->early_tests) {
+	if (!state->alpha_test) {
 		run_tests(draw, span, &fragments);
 	}
-	if (fragments.left == 0 || (!draw->color_written && draw->early_tests)) {
+	if (fragments.left == 0 || (!written && !state->alpha_test)) {
 		return;
 	}
 	fill_colors(span, &fragments);
@@ -307,11 +309,11 @@ void reference_draw_span(struct draw *draw, const struct span *span)
 	if (draw->fogged) {
 		add_fog(draw, span, &fragments);
 	}
-	if (!draw->early_tests) {
+	if (state->alpha_test) {
 		test_alpha(draw, span, &fragments);
 		run_tests(draw, span, &fragments);
 	}
-	if (fragments.left > 0 && draw->color_written) {
+	if (fragments.left > 0 && written) {
 		write_colors(draw, span, &fragments);
 	}
 }

@@ -342,4 +342,5 @@ void reference_fill(struct draw *draw, struct setup *setup)
 void reference_use(struct soft *soft, bool on)
 {
 	soft->fill = on ? reference_fill : NULL;
+	soft->changed = GROUP_ALL;
 }

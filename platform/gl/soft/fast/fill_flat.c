@@ -6,16 +6,19 @@
 #include "platform/gl/soft/raster/frame.h"
 #include "platform/gl/soft/raster/mix.h"
 
-void soft_fill_flat_begin(struct draw *draw)
+void soft_prepare_flat(struct soft *soft, struct draw *draw)
 {
-	const struct stencil *stencil = &draw->soft->fragment.stencil;
+	const struct stencil *stencil = &soft->fragment.stencil;
 	/* no vertex is shaded: the call's colour is the current one */
-	const GLfixed *color = draw->soft->arrays.current_color;
-	uint32_t own = widen(pack_565(
-		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2])));
-	uint32_t alpha =
-		draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
+	const GLfixed *color = soft->arrays.current_color;
+	uint32_t own, alpha;
 
+	if (draw->fill != soft_fill_flat) {
+		return;
+	}
+	own = widen(pack_565(
+		soft_byte(color[0]), soft_byte(color[1]), soft_byte(color[2])));
+	alpha = draw->blended ? (uint32_t)(soft_byte(color[3]) + 4) >> 3 : 32;
 	draw->flat = (struct flat_color){
 		.reference = stencil->reference,
 		.next = (uint8_t)(stencil->pass == GL_ZERO ? 0

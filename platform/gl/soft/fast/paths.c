@@ -27,7 +27,7 @@ static bool is_shadow(const struct draw *draw)
 		stencil->write_mask == 255 && stencil->fail == GL_KEEP &&
 		stencil->reference < 255 &&
 		(pass == GL_INCR || pass == GL_KEEP || pass == GL_ZERO) &&
-		!state->depth_test && !draw->shading.lit &&
+		!state->depth_test && !draw->soft->lighting.enabled &&
 		!draw->soft->arrays.color.enabled && !draw->texture[0].used;
 }
 
@@ -45,8 +45,8 @@ static bool is_modulated(const struct draw *draw, enum texel_format format,
 static bool is_text(const struct draw *draw)
 {
 	return is_modulated(draw, TEXEL_A8, GL_NEAREST, GL_NEAREST) &&
-		draw->blended && !draw->shading.lit && !draw->perspective &&
-		!draw->soft->fragment.depth_test;
+		draw->blended && !draw->soft->lighting.enabled &&
+		!draw->perspective && !draw->soft->fragment.depth_test;
 }
 
 /*
@@ -92,7 +92,6 @@ static fill_function choose(struct draw *draw)
 
 	if (!draw->added && is_shadow(draw)) {
 		draw->attributes = 0; /* one colour: no vertex is shaded */
-		soft_fill_flat_begin(draw);
 		return soft_fill_flat;
 	}
 	if (draw->soft->fragment.stencil.enabled) {

@@ -321,7 +321,8 @@ void soft_count_call(struct draw *draw, const struct source *source, GLenum mode
 	counts->calls += 1.0;
 	counts->listed +=
 		mode == GL_TRIANGLES ? source->count / 3 : source->count;
-	draw->soft->changed = true; /* the next call needs its own draw->fill */
+	draw->soft->changed |=
+		GROUP_FRAGMENTS; /* the next call needs its own draw->fill */
 	draw->counted_fill = draw->fill;
 	memset(draw->counted, 0xFF, sizeof(draw->counted));
 	for (uint32_t i = 0; i < source->count; i++) {

@@ -246,7 +246,6 @@ void soft_fill_narrow(struct draw *draw, struct setup *setup);
 void soft_fill_narrow_offset(struct draw *draw, struct setup *setup);
 
 /* fill_flat.c: begin prepares draw->flat, once a draw call. */
-void soft_fill_flat_begin(struct draw *draw);
 void soft_fill_flat(struct draw *draw, struct setup *setup);
 
 /*

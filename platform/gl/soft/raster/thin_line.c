@@ -29,13 +29,13 @@ struct walk {
 	bool flat;
 };
 
-bool soft_lists_primitives(const struct draw *draw, GLenum mode)
+bool soft_lists_primitives(const struct draw *draw)
 {
 	const struct soft *soft = draw->soft;
 
-	return mode <= GL_LINE_STRIP && !draw->smooth &&
+	return draw->primitive != GL_TRIANGLES && !draw->smooth &&
 		!draw->texture[0].used &&
-		(mode == GL_POINTS ||
+		(draw->primitive == GL_POINTS ||
 			soft->fragment.line_width < WIDTH_TWO_Q16) &&
 		!soft->fill && !soft->counts;
 }

@@ -154,7 +154,7 @@ static void fill_seen(struct draw *draw, struct setup *setup)
 	}
 }
 
-void soft_prepare_fast_setup(struct draw *draw)
+void soft_prepare_fast_setup(struct soft *soft, struct draw *draw)
 {
 	/* Front faces, drawn before opaque back faces, hide most of them. */
 	const bool mostly_hidden =
@@ -162,7 +162,7 @@ void soft_prepare_fast_setup(struct draw *draw)
 	const fill_function first = mostly_hidden ? fill_seen
 		: draws_copies(draw)              ? fill_copies
 						  : NULL;
-	const struct buffers *buffers = &draw->soft->buffers;
+	const struct buffers *buffers = &soft->buffers;
 	const struct clip_box *box = &draw->box;
 	bool clockwise_culled =
 		draw->front_is_ccw ? draw->cull_back : draw->cull_front;

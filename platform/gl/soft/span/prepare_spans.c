@@ -399,8 +399,6 @@ bool soft_prepare_spans(struct draw *draw)
 	spans->coverage.used = false;
 	choose_tests(state, spans);
 	choose_runs(draw, spans);
-	spans->run.stages = &spans->stages;
-	spans->run.draw = draw;
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
 	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;

@@ -39,13 +39,6 @@ static enum soft_finish find_second_finish(
 								   : finish;
 }
 
-static bool is_same_array(const struct array *a, const struct array *b)
-{
-	return a->enabled && b->enabled && a->size == b->size &&
-		a->type == b->type && a->stride_bytes == b->stride_bytes &&
-		a->pointer == b->pointer;
-}
-
 static bool has_joined_formats(const struct draw *draw)
 {
 	const enum texel_format first = draw->texture[0].base->format;
@@ -68,8 +61,7 @@ static bool are_joined(const struct draw *draw)
 		first->min_filter == second->min_filter &&
 		first->mag_filter == second->mag_filter &&
 		first->wrap_s == second->wrap_s &&
-		first->wrap_t == second->wrap_t &&
-		is_same_array(a->array, b->array) &&
+		first->wrap_t == second->wrap_t && draw->same_texcoords &&
 		a->matrix_q == b->matrix_q &&
 		memcmp(a->matrix, b->matrix, sizeof(a->matrix)) == 0;
 }

@@ -13,6 +13,7 @@ static void describe(struct array *array, int size, int least, bool type_known,
 	if (soft_check(size >= least && size <= 4 && stride >= 0,
 		    GL_INVALID_VALUE) &&
 		soft_check(type_known, GL_INVALID_ENUM)) {
+		soft_change(GROUP_ARRAYS);
 		array->size = size;
 		array->type = type;
 		array->element_bytes = size * bytes;
@@ -66,7 +67,10 @@ static void set_enabled(GLenum name, bool on)
 		? &arrays->texcoord[arrays->client_unit]
 		: NULL;
 
-	if (soft_check(array != NULL, GL_INVALID_ENUM)) {
+	if (soft_check(array != NULL, GL_INVALID_ENUM) && array->enabled != on) {
+		soft_change(array != &arrays->color
+				? GROUP_ARRAYS
+				: GROUP_ARRAYS | GROUP_COLOR | GROUP_FRAGMENTS);
 		array->enabled = on;
 	}
 }
@@ -84,17 +88,14 @@ void soft_gl_DisableClientState(GLenum name)
 void soft_gl_Color4x(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha)
 {
 	const GLfixed given[4] = {red, green, blue, alpha};
-	struct soft *soft = soft_drawing();
 
-	/* Only lights and soft_fill_flat() read it before vertices are shaded. */
-	soft->changed |=
-		soft->lighting.enabled || soft->fragment.stencil.enabled;
-	memcpy(soft->arrays.current_color, given, sizeof(given));
+	memcpy(soft_change(GROUP_COLOR)->arrays.current_color, given,
+		sizeof(given));
 }
 
 void soft_gl_Normal3x(GLfixed x, GLfixed y, GLfixed z)
 {
 	const GLfixed given[3] = {x, y, z};
 
-	memcpy(soft_drawing()->arrays.current_normal, given, sizeof(given));
+	memcpy(soft_current()->arrays.current_normal, given, sizeof(given));
 }

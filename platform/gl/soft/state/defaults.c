@@ -17,6 +17,8 @@ static const struct gl calls = {
 /* black: the alpha of lights, and of specular and emitted light, is not read */
 static const struct light dark = {
 	.position = {0.0f, 0.0f, 1.0f, 0.0f},
+	.towards = {0.0f, 0.0f, 1.0f},
+	.half = {0.0f, 0.0f, 1.0f},
 	.direction = {0.0f, 0.0f, -1.0f},
 	.cutoff = 180 * FX16_ONE,
 	.attenuation = {FX16_ONE, 0, 0},

@@ -10,14 +10,22 @@
 const struct matrix soft_matrix_identity = {
 	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 
+static ALWAYS_INLINE void transform(
+	const struct matrix *m, const float v[4], float out[4])
+{
+	for (int row = 0; row < 4; row++) {
+		out[row] = m->m[row] * v[0] + m->m[4 + row] * v[1] +
+			m->m[8 + row] * v[2] + m->m[12 + row] * v[3];
+	}
+}
+
 struct matrix soft_matrix_multiply(
 	const struct matrix *a, const struct matrix *b)
 {
 	struct matrix product;
 
 	for (int column = 0; column < 4; column++) {
-		soft_matrix_transform(
-			a, b->m + 4 * column, product.m + 4 * column);
+		transform(a, b->m + 4 * column, product.m + 4 * column);
 	}
 	return product;
 }
@@ -25,10 +33,7 @@ struct matrix soft_matrix_multiply(
 void soft_matrix_transform(
 	const struct matrix *m, const float v[4], float out[4])
 {
-	for (int row = 0; row < 4; row++) {
-		out[row] = m->m[row] * v[0] + m->m[4 + row] * v[1] +
-			m->m[8 + row] * v[2] + m->m[12 + row] * v[3];
-	}
+	transform(m, v, out);
 }
 
 void soft_matrix_normal(const struct matrix *m, float out[9])
@@ -58,17 +63,24 @@ static float dot3(const float *a, const float *b)
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+void soft_matrix_normalize(float v[3])
+{
+	float length = scalar_sqrt(dot3(v, v));
+
+	for (int i = 0; i < 3 && length > 0.0f; i++) {
+		v[i] /= length;
+	}
+}
+
 float soft_matrix_uniform_scale(const struct matrix *m)
 {
-	const float square = dot3(m->m, m->m);
-	bool uniform = square > 0.0f;
+	const float *a = m->m, *b = m->m + 4, *c = m->m + 8;
+	const float square = dot3(a, a), most = square / 1024.0f;
+	const bool uniform = scalar_abs(dot3(b, b) - square) < most &&
+		scalar_abs(dot3(c, c) - square) < most &&
+		scalar_abs(dot3(a, b)) < most &&
+		scalar_abs(dot3(a, c)) < most && scalar_abs(dot3(b, c)) < most;
 
-	for (int i = 0; i < 9; i++) {
-		float wanted = i % 4 == 0 ? square : 0.0f;
-		float found = dot3(m->m + 4 * (i / 3), m->m + 4 * (i % 3));
-
-		uniform &= scalar_abs(found - wanted) < square / 1024.0f;
-	}
 	return uniform ? scalar_sqrt(square) : 0.0f;
 }
 
@@ -104,9 +116,18 @@ static struct matrix_stack *current_stack(void)
 	}
 }
 
+/* The current matrix, which changes. */
+static struct matrix *change_matrix(void)
+{
+	soft_change(soft_current()->matrices.mode == GL_TEXTURE
+			? GROUP_TEXTURES
+			: GROUP_MATRICES);
+	return current_stack()->top;
+}
+
 void soft_gl_LoadIdentity(void)
 {
-	*current_stack()->top = soft_matrix_identity;
+	*change_matrix() = soft_matrix_identity;
 }
 
 static struct matrix take_matrix(const GLfixed *values)
@@ -121,12 +142,12 @@ static struct matrix take_matrix(const GLfixed *values)
 
 void soft_gl_LoadMatrixx(const GLfixed *values)
 {
-	*current_stack()->top = take_matrix(values);
+	*change_matrix() = take_matrix(values);
 }
 
 static void multiply(const struct matrix *by)
 {
-	struct matrix *top = current_stack()->top;
+	struct matrix *top = change_matrix();
 
 	*top = soft_matrix_multiply(top, by);
 }
@@ -154,6 +175,7 @@ void soft_gl_PopMatrix(void)
 	struct matrix_stack *stack = current_stack();
 
 	if (soft_check(stack->top != stack->matrix, GL_STACK_UNDERFLOW)) {
+		change_matrix();
 		stack->top--;
 	}
 }
@@ -162,7 +184,7 @@ void soft_gl_Translatex(GLfixed x, GLfixed y, GLfixed z)
 {
 	const float by[4] = {
 		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z), 1.0f};
-	struct matrix *top = current_stack()->top;
+	struct matrix *top = change_matrix();
 
 	soft_matrix_transform(top, by, top->m + 12);
 }
@@ -171,7 +193,7 @@ void soft_gl_Scalex(GLfixed x, GLfixed y, GLfixed z)
 {
 	const float by[3] = {
 		fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
-	struct matrix *top = current_stack()->top;
+	struct matrix *top = change_matrix();
 
 	for (int i = 0; i < 12; i++) {
 		top->m[i] *= by[i / 4];

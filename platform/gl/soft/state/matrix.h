@@ -7,8 +7,8 @@
 #ifndef PLATFORM_GL_SOFT_STATE_MATRIX_H
 #define PLATFORM_GL_SOFT_STATE_MATRIX_H
 
-#include "platform/base/scalar.h"
 #include "platform/gl/soft/soft.h"
+#include <string.h>
 
 extern const struct matrix soft_matrix_identity;
 
@@ -28,6 +28,9 @@ void soft_matrix_transform(
  */
 void soft_matrix_normal(const struct matrix *m, float out[9]);
 
+/* Divides a vector by its length, unless that is 0. */
+void soft_matrix_normalize(float v[3]);
+
 /*
  * The length of the three axes (columns), if they are at right angles and
  * equally long, within 2^-10; else 0.
@@ -40,7 +43,13 @@ int soft_matrix_exponent(float value);
 /* Rounds towards zero, within +-2^30; NaN counts as -2^30. */
 static inline int32_t soft_matrix_to_int(float value)
 {
-	return (int32_t)scalar_clamp(value, -1073741824.0f, 1073741824.0f);
+	uint32_t bits;
+
+	memcpy(&bits, &value, sizeof(bits));
+	if (bits << 1 < 157u << 24) { /* the exponent is below 30 */
+		return (int32_t)value;
+	}
+	return value > 0.0f ? 1 << 30 : -(1 << 30);
 }
 
 /* 2^exponent, for -126..127. */

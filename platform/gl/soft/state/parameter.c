@@ -48,11 +48,13 @@ struct parameter {
 	LISTED(name, 1, type, member, GL_INVALID_ENUM, __VA_ARGS__)
 
 /*
- * Sets the object's parameter of that name, or GL's error. given is the number
+ * Sets the object's parameter of that name, or GL's error; the groups change if
+ * it had another value. given is the number
  * of values: 1 from glFogx and its like, 4 from glFogxv and its like.
  */
 static void set_parameter(const struct parameter *table, size_t count,
-	void *object, GLenum name, const GLfixed *values, size_t given)
+	uint32_t groups, void *object, GLenum name, const GLfixed *values,
+	size_t given)
 {
 	const struct parameter *p = table, *end = table + count;
 
@@ -64,9 +66,14 @@ static void set_parameter(const struct parameter *table, size_t count,
 				soft_is_one_of((GLenum)values[0], p->allowed,
 					p->allowed_count),
 			p->error)) {
-		memcpy((char *)object + p->offset +
-				(name - p->name) * sizeof(*values),
-			values, p->count * sizeof(*values));
+		char *member = (char *)object + p->offset +
+			(name - p->name) * sizeof(*values);
+		const size_t bytes = p->count * sizeof(*values);
+
+		if (memcmp(member, values, bytes) != 0) {
+			soft_change(groups);
+			memcpy(member, values, bytes);
+		}
 	}
 }
 
@@ -104,7 +111,8 @@ static void set_fog(GLenum name, const GLfixed *values, size_t given)
 		ANY(GL_FOG_COLOR, struct fog, color),
 	};
 
-	SET_PARAMETER(of_fog, &soft_current()->fog, name, values, given);
+	SET_PARAMETER(of_fog, GROUP_FRAGMENTS, &soft_current()->fog, name,
+		values, given);
 }
 TWO_CALLS(Fog, set_fog)
 
@@ -115,7 +123,8 @@ static void set_model(GLenum name, const GLfixed *values, size_t given)
 		ANY(GL_LIGHT_MODEL_TWO_SIDE, struct lighting, two_side),
 	};
 
-	SET_PARAMETER(of_model, &soft_current()->lighting, name, values, given);
+	SET_PARAMETER(of_model, GROUP_LIGHTING, &soft_current()->lighting, name,
+		values, given);
 }
 TWO_CALLS(LightModel, set_model)
 
@@ -128,8 +137,18 @@ static void set_place(float *out, size_t count, const GLfixed *values)
 		given[i] = fx16_to_float(values[i]);
 	}
 	soft_matrix_transform(
-		soft_current()->matrices.modelview.top, given, eye);
+		soft_change(GROUP_LIGHTING)->matrices.modelview.top, given, eye);
 	memcpy(out, eye, count * sizeof(*out));
+}
+
+/* Finds a directional light's unit vectors. */
+static void set_directions(struct light *light)
+{
+	memcpy(light->towards, light->position, sizeof(light->towards));
+	soft_matrix_normalize(light->towards);
+	memcpy(light->half, light->towards, sizeof(light->half));
+	light->half[2] += 1.0f; /* towards the viewer, infinitely far along z */
+	soft_matrix_normalize(light->half);
 }
 
 static void set_light(
@@ -154,10 +173,12 @@ static void set_light(
 	light = &soft_current()->lighting.light[name - GL_LIGHT0];
 	if (what == GL_POSITION && given == 4) {
 		set_place(light->position, 4, values);
+		set_directions(light);
 	} else if (what == GL_SPOT_DIRECTION && given == 4) {
 		set_place(light->direction, 3, values);
 	} else {
-		SET_PARAMETER(of_light, light, what, values, given);
+		SET_PARAMETER(
+			of_light, GROUP_LIGHTING, light, what, values, given);
 	}
 }
 TWO_CALLS_OF(Light, set_light)
@@ -180,10 +201,11 @@ static void set_material(
 	if (!soft_check(face == GL_FRONT_AND_BACK, GL_INVALID_ENUM)) {
 		return;
 	}
-	SET_PARAMETER(
-		of_material, material, both ? GL_AMBIENT : name, values, given);
+	SET_PARAMETER(of_material, GROUP_LIGHTING, material,
+		both ? GL_AMBIENT : name, values, given);
 	if (both) {
-		SET_PARAMETER(of_material, material, GL_DIFFUSE, values, given);
+		SET_PARAMETER(of_material, GROUP_LIGHTING, material, GL_DIFFUSE,
+			values, given);
 	}
 }
 TWO_CALLS_OF(Material, set_material)
@@ -222,8 +244,9 @@ static void set_env(
 	struct textures *textures = &soft_current()->textures;
 
 	if (soft_check(target == GL_TEXTURE_ENV, GL_INVALID_ENUM)) {
-		SET_PARAMETER(of_env, &textures->unit[textures->active].env,
-			name, values, given);
+		SET_PARAMETER(of_env, GROUP_TEXTURES,
+			&textures->unit[textures->active].env, name, values,
+			given);
 	}
 }
 TWO_CALLS_OF(TexEnv, set_env)
@@ -245,7 +268,7 @@ void soft_gl_TexParameterx(GLenum target, GLenum name, GLfixed value)
 	struct textures *textures = &soft_current()->textures;
 
 	if (soft_check(target == GL_TEXTURE_2D, GL_INVALID_ENUM)) {
-		SET_PARAMETER(of_texture,
+		SET_PARAMETER(of_texture, GROUP_TEXTURES,
 			textures->unit[textures->active].bound, name, &value, 1);
 	}
 }
@@ -259,7 +282,8 @@ void soft_gl_PixelStorei(GLenum name, GLint value)
 			4, 8),
 	};
 
-	SET_PARAMETER(of_transfer, &soft_current()->textures, name, &value, 1);
+	SET_PARAMETER(
+		of_transfer, 0, &soft_current()->textures, name, &value, 1);
 }
 
 void soft_gl_GetIntegerv(GLenum name, GLint *values)

@@ -14,12 +14,12 @@ static _Thread_local struct soft *current;
 
 struct soft *soft_current(void)
 {
-	current->changed = true;
 	return current;
 }
 
-struct soft *soft_drawing(void)
+struct soft *soft_change(uint32_t groups)
 {
+	current->changed |= groups;
 	return current;
 }
 
@@ -27,7 +27,7 @@ void soft_make_current(struct soft *soft)
 {
 	current = soft;
 	if (soft) {
-		soft->changed = true;
+		soft->changed = GROUP_ALL;
 	}
 }
 
@@ -49,6 +49,7 @@ uint8_t *soft_stencil(struct soft *soft)
 
 	if (!buffers->stencil) {
 		buffers->stencil = malloc(room);
+		soft->changed |= GROUP_FRAGMENTS;
 		if (buffers->stencil) {
 			memset(buffers->stencil, soft->fragment.stencil.clear,
 				room);
@@ -59,9 +60,9 @@ uint8_t *soft_stencil(struct soft *soft)
 
 GLenum soft_gl_GetError(void)
 {
-	GLenum error = soft_drawing()->error;
+	GLenum error = soft_current()->error;
 
-	soft_drawing()->error = GL_NO_ERROR;
+	soft_current()->error = GL_NO_ERROR;
 	return error;
 }
 
@@ -69,43 +70,47 @@ void soft_gl_Finish(void)
 {
 }
 
-#define FLAG(capability, member)                          \
-	{                                                 \
-		capability, offsetof(struct soft, member) \
+#define FLAG(capability, member, groups)                          \
+	{                                                         \
+		capability, offsetof(struct soft, member), groups \
 	}
 
 /* The flags of all capabilities but lights and texture units, common ones first. */
 static const struct {
 	GLenum capability;
 	size_t offset;
+	uint32_t groups;
 } flags[] = {
-	FLAG(GL_BLEND, fragment.blend),
-	FLAG(GL_LIGHTING, lighting.enabled),
-	FLAG(GL_CULL_FACE, fragment.cull),
-	FLAG(GL_DEPTH_TEST, fragment.depth_test),
-	FLAG(GL_STENCIL_TEST, fragment.stencil.enabled),
-	FLAG(GL_ALPHA_TEST, fragment.alpha_test),
-	FLAG(GL_SCISSOR_TEST, fragment.scissor_test),
-	FLAG(GL_POLYGON_OFFSET_FILL, fragment.offset_fill),
-	FLAG(GL_COLOR_MATERIAL, lighting.color_material),
-	FLAG(GL_NORMALIZE, lighting.normalize),
-	FLAG(GL_RESCALE_NORMAL, lighting.rescale),
-	FLAG(GL_FOG, fog.enabled),
-	FLAG(GL_POINT_SMOOTH, fragment.point_smooth),
-	FLAG(GL_LINE_SMOOTH, fragment.line_smooth),
-	FLAG(GL_DITHER, fragment.dither),
+	FLAG(GL_BLEND, fragment.blend, GROUP_FRAGMENTS),
+	FLAG(GL_LIGHTING, lighting.enabled, GROUP_LIGHTING | GROUP_FRAGMENTS),
+	FLAG(GL_CULL_FACE, fragment.cull, GROUP_FRAGMENTS),
+	FLAG(GL_DEPTH_TEST, fragment.depth_test, GROUP_FRAGMENTS),
+	FLAG(GL_STENCIL_TEST, fragment.stencil.enabled, GROUP_FRAGMENTS),
+	FLAG(GL_ALPHA_TEST, fragment.alpha_test, GROUP_FRAGMENTS),
+	FLAG(GL_SCISSOR_TEST, fragment.scissor_test, GROUP_VIEWPORT),
+	FLAG(GL_POLYGON_OFFSET_FILL, fragment.offset_fill, GROUP_FRAGMENTS),
+	FLAG(GL_COLOR_MATERIAL, lighting.color_material, GROUP_LIGHTING),
+	FLAG(GL_NORMALIZE, lighting.normalize, GROUP_LIGHTING),
+	FLAG(GL_RESCALE_NORMAL, lighting.rescale, GROUP_LIGHTING),
+	FLAG(GL_FOG, fog.enabled, GROUP_FRAGMENTS),
+	FLAG(GL_POINT_SMOOTH, fragment.point_smooth, GROUP_FRAGMENTS),
+	FLAG(GL_LINE_SMOOTH, fragment.line_smooth, GROUP_FRAGMENTS),
+	FLAG(GL_DITHER, fragment.dither, 0),
 };
 
-static bool *find_flag(struct soft *soft, GLenum capability)
+static bool *find_flag(struct soft *soft, GLenum capability, uint32_t *groups)
 {
 	if (capability == GL_TEXTURE_2D) {
+		*groups = GROUP_TEXTURES;
 		return &soft->textures.unit[soft->textures.active].enabled;
 	}
 	if (capability - GL_LIGHT0 < SOFT_LIGHTS) {
+		*groups = GROUP_LIGHTING;
 		return &soft->lighting.light[capability - GL_LIGHT0].enabled;
 	}
 	for (size_t i = 0; i < ARRAY_COUNT(flags); i++) {
 		if (flags[i].capability == capability) {
+			*groups = flags[i].groups;
 			return (bool *)((char *)soft + flags[i].offset);
 		}
 	}
@@ -114,9 +119,11 @@ static bool *find_flag(struct soft *soft, GLenum capability)
 
 static void set_flag(GLenum capability, bool on)
 {
-	bool *flag = find_flag(soft_current(), capability);
+	uint32_t groups = 0;
+	bool *flag = find_flag(soft_current(), capability, &groups);
 
-	if (soft_check(flag != NULL, GL_INVALID_ENUM)) {
+	if (soft_check(flag != NULL, GL_INVALID_ENUM) && *flag != on) {
+		soft_change(groups);
 		*flag = on;
 	}
 }
@@ -145,45 +152,52 @@ static bool is_unit(GLenum name)
 	return name - GL_TEXTURE0 < SOFT_UNITS;
 }
 
-/* A GL function that sets a member of struct soft if may_be is true. */
-#define CALL(name, type, may_be, error, member, set)    \
-	void soft_gl_##name(type value)                 \
-	{                                               \
-		if (soft_check(may_be, error)) {        \
-			soft_current()->member = (set); \
-		}                                       \
+/*
+ * A GL function that sets a member of struct soft, of those groups, to another
+ * value if may_be is true.
+ */
+#define CALL(name, type, may_be, error, groups, member, set) \
+	void soft_gl_##name(type value)                      \
+	{                                                    \
+		if (soft_check(may_be, error) &&             \
+			soft_current()->member != (set)) {   \
+			soft_change(groups)->member = (set); \
+		}                                            \
 	}
-#define ENUM_CALL(name, may_be, member, set) \
-	CALL(name, GLenum, may_be, GL_INVALID_ENUM, member, set)
-#define ANY_CALL(name, type, member, set) \
-	CALL(name, type, true, GL_NO_ERROR, member, set)
+#define ENUM_CALL(name, may_be, groups, member, set) \
+	CALL(name, GLenum, may_be, GL_INVALID_ENUM, groups, member, set)
+#define ANY_CALL(name, type, groups, member, set) \
+	CALL(name, type, true, GL_NO_ERROR, groups, member, set)
 
-ENUM_CALL(DepthFunc, is_comparison(value), fragment.depth_function, value)
+ENUM_CALL(DepthFunc, is_comparison(value), GROUP_FRAGMENTS,
+	fragment.depth_function, value)
 ENUM_CALL(CullFace, IS_ONE_OF(value, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK),
-	fragment.cull_face, value)
-ENUM_CALL(FrontFace, IS_ONE_OF(value, GL_CW, GL_CCW), fragment.front_face, value)
-ENUM_CALL(ShadeModel, IS_ONE_OF(value, GL_FLAT, GL_SMOOTH), fragment.flat,
-	value == GL_FLAT)
+	GROUP_FRAGMENTS, fragment.cull_face, value)
+ENUM_CALL(FrontFace, IS_ONE_OF(value, GL_CW, GL_CCW), GROUP_FRAGMENTS,
+	fragment.front_face, value)
+ENUM_CALL(ShadeModel, IS_ONE_OF(value, GL_FLAT, GL_SMOOTH), GROUP_FRAGMENTS,
+	fragment.flat, value == GL_FLAT)
 ENUM_CALL(MatrixMode, IS_ONE_OF(value, GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE),
-	matrices.mode, value)
-ENUM_CALL(ActiveTexture, is_unit(value), textures.active,
+	0, matrices.mode, value)
+ENUM_CALL(ActiveTexture, is_unit(value), 0, textures.active,
 	(int)(value - GL_TEXTURE0))
-ENUM_CALL(ClientActiveTexture, is_unit(value), arrays.client_unit,
+ENUM_CALL(ClientActiveTexture, is_unit(value), 0, arrays.client_unit,
 	(int)(value - GL_TEXTURE0))
-CALL(LineWidthx, GLfixed, value > 0, GL_INVALID_VALUE, fragment.line_width,
-	value)
-CALL(PointSizex, GLfixed, value > 0, GL_INVALID_VALUE, fragment.point_size,
-	value)
-ANY_CALL(DepthMask, GLboolean, fragment.depth_mask, value)
-ANY_CALL(ClearDepthx, GLfixed, fragment.clear_depth,
+CALL(LineWidthx, GLfixed, value > 0, GL_INVALID_VALUE, GROUP_FRAGMENTS,
+	fragment.line_width, value)
+CALL(PointSizex, GLfixed, value > 0, GL_INVALID_VALUE, GROUP_FRAGMENTS,
+	fragment.point_size, value)
+ANY_CALL(DepthMask, GLboolean, GROUP_FRAGMENTS, fragment.depth_mask, value)
+ANY_CALL(ClearDepthx, GLfixed, 0, fragment.clear_depth,
 	clamp_int(value, 0, FX16_ONE))
-ANY_CALL(ClearStencil, GLint, fragment.stencil.clear, (uint8_t)value)
-ANY_CALL(StencilMask, GLuint, fragment.stencil.write_mask, (uint8_t)value)
+ANY_CALL(ClearStencil, GLint, 0, fragment.stencil.clear, (uint8_t)value)
+ANY_CALL(StencilMask, GLuint, GROUP_FRAGMENTS, fragment.stencil.write_mask,
+	(uint8_t)value)
 
 void soft_gl_AlphaFuncx(GLenum function, GLfixed reference)
 {
 	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
-		soft_current()->fragment.alpha_function = function;
+		soft_change(GROUP_FRAGMENTS)->fragment.alpha_function = function;
 		soft_current()->fragment.alpha_reference =
 			clamp_int(reference, 0, FX16_ONE);
 	}
@@ -201,7 +215,7 @@ void soft_gl_BlendFunc(GLenum source, GLenum destination)
 			    is_factor(destination, GL_SRC_COLOR,
 				    GL_ONE_MINUS_DST_ALPHA),
 		    GL_INVALID_ENUM)) {
-		soft_current()->fragment.blend_source = source;
+		soft_change(GROUP_FRAGMENTS)->fragment.blend_source = source;
 		soft_current()->fragment.blend_destination = destination;
 	}
 }
@@ -209,7 +223,7 @@ void soft_gl_BlendFunc(GLenum source, GLenum destination)
 void soft_gl_ColorMask(
 	GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha)
 {
-	struct soft *soft = soft_current();
+	struct soft *soft = soft_change(GROUP_FRAGMENTS);
 	const bool r = red, g = green, b = blue, a = alpha;
 
 	memcpy(soft->fragment.color_mask, (GLboolean[]){r, g, b, a}, 4);
@@ -220,7 +234,7 @@ void soft_gl_ColorMask(
 
 void soft_gl_PolygonOffsetx(GLfixed factor, GLfixed units)
 {
-	soft_current()->fragment.offset_factor = factor;
+	soft_change(GROUP_FRAGMENTS)->fragment.offset_factor = factor;
 	soft_current()->fragment.offset_units = units;
 }
 
@@ -234,7 +248,8 @@ static void set_rectangle(struct rectangle *rectangle, int x, int y,
 
 void soft_gl_Scissor(GLint x, GLint y, GLsizei width, GLsizei height)
 {
-	set_rectangle(&soft_current()->fragment.scissor, x, y, width, height);
+	set_rectangle(&soft_change(GROUP_VIEWPORT)->fragment.scissor, x, y,
+		width, height);
 }
 
 /* Limits the viewport to +-PIXELS_SIZE_MAX, as GL allows. */
@@ -242,14 +257,15 @@ void soft_gl_Viewport(GLint x, GLint y, GLsizei width, GLsizei height)
 {
 	const int most = PIXELS_SIZE_MAX;
 
-	set_rectangle(&soft_current()->fragment.viewport,
+	set_rectangle(&soft_change(GROUP_VIEWPORT)->fragment.viewport,
 		clamp_int(x, -most, most), clamp_int(y, -most, most),
 		clamp_int(width, -most, most), clamp_int(height, -most, most));
 }
 
 void soft_gl_StencilFunc(GLenum function, GLint reference, GLuint mask)
 {
-	struct stencil *stencil = &soft_current()->fragment.stencil;
+	struct stencil *stencil =
+		&soft_change(GROUP_FRAGMENTS)->fragment.stencil;
 
 	if (soft_check(is_comparison(function), GL_INVALID_ENUM)) {
 		stencil->function = function;
@@ -266,7 +282,8 @@ static bool is_stencil_action(GLenum action)
 
 void soft_gl_StencilOp(GLenum fail, GLenum depth_fail, GLenum pass)
 {
-	struct stencil *stencil = &soft_current()->fragment.stencil;
+	struct stencil *stencil =
+		&soft_change(GROUP_FRAGMENTS)->fragment.stencil;
 
 	if (soft_check(is_stencil_action(fail) && is_stencil_action(depth_fail) &&
 			    is_stencil_action(pass),

@@ -79,6 +79,7 @@ static void delete_texture(struct soft *soft, GLuint name)
 	for (int i = 0; i < SOFT_UNITS; i++) {
 		if (soft->textures.unit[i].bound == texture) {
 			soft->textures.unit[i].bound = &soft->textures.none;
+			soft->changed |= GROUP_TEXTURES;
 		}
 	}
 	*link = texture->next;
@@ -98,6 +99,11 @@ void soft_gl_DeleteTextures(GLsizei count, const GLuint *names)
 	}
 }
 
+static struct texture *bound_texture(const struct soft *soft)
+{
+	return soft->textures.unit[soft->textures.active].bound;
+}
+
 void soft_gl_BindTexture(GLenum target, GLuint name)
 {
 	struct soft *soft = soft_current();
@@ -110,14 +116,10 @@ void soft_gl_BindTexture(GLenum target, GLuint name)
 		texture = *find_link(soft, name);
 		texture = texture ? texture : add_texture(soft, name);
 	}
-	if (texture) {
+	if (texture && texture != bound_texture(soft)) {
+		soft->changed |= GROUP_TEXTURES;
 		soft->textures.unit[soft->textures.active].bound = texture;
 	}
-}
-
-static struct texture *bound_texture(struct soft *soft)
-{
-	return soft->textures.unit[soft->textures.active].bound;
 }
 
 /* A format and type of glTexImage2D, and how the driver stores its texels. */
@@ -214,6 +216,7 @@ static void define_level(struct soft *soft, struct level *level,
 		(size_t)kept_bytes(transfer->kept);
 	const struct rectangle all = {0, 0, width, height};
 
+	soft->changed |= GROUP_TEXTURES;
 	free(level->texels);
 	free(level->tiles);
 	*level = (struct level){0};
@@ -300,6 +303,7 @@ void soft_gl_TexSubImage2D(GLenum target, GLint number, GLint x, GLint y,
 		soft_check(is_part(level, &part), GL_INVALID_VALUE) && pixels) {
 		copy_rows(soft, &transfer, level, &part, pixels);
 		level->changed = true;
+		soft->changed |= GROUP_TEXTURES;
 	}
 }
 

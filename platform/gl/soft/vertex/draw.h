@@ -225,24 +225,19 @@ struct counted_call {
 	double vertices;
 };
 
-/* What a draw call was prepared for, besides the state. */
-struct prepared {
-	GLenum mode;
-	int exponent;       /* of positions */
-	fill_function fill; /* soft->fill */
-	bool draws;         /* there is something to draw */
-};
-
 struct draw {
 	struct view view; /* first: arm/vertex.S */
 	struct fast_setup fast_setup;
 	struct soft *soft;
-	struct prepared prepared;
+	GLenum primitive; /* GL_POINTS, GL_LINES or GL_TRIANGLES */
+	int exponent;     /* of positions: see soft_array_position_exponent() */
 	/* soft_fill_textured()'s, soft_fill_narrow()'s */
 	void (*fill_band)(void *band);
 	/* eye coordinates of positions, eye_q fraction bits, below 2^28 */
 	int32_t eye[3][4];
 	int eye_q, position_q;
+	bool passes;         /* there are fragments that pass the alpha test */
+	bool same_texcoords; /* both units have the same array */
 	bool checked; /* positions may be out of range: each is checked */
 	struct clip_box box;
 	/*
@@ -263,8 +258,7 @@ struct draw {
 	bool offset; /* polygon offset applies */
 	bool hides;  /* what lies behind the depth buffer changes nothing */
 	bool smooth; /* smooth (antialiased) points or lines */
-	bool front_is_ccw, cull_front, cull_back, color_written, early_tests,
-		blended;
+	bool front_is_ccw, cull_front, cull_back, blended;
 	fill_function fill;     /* the chosen path; called by fast_setup.fill */
 	bool lists;             /* raster/thin_line.c draws points or lines */
 	struct flat_color flat; /* for soft_fill_flat() */
@@ -311,14 +305,22 @@ void soft_init_scratch(struct draw *draw);
 
 /*
  * prepare.c: derives struct draw from the state for a call of count vertices
- * from first on, in a mode of DrawArrays(), unless the last call has left it
- * so. False when there is nothing to draw.
+ * from first on, in a mode of DrawArrays(), as far as the state has changed
+ * since the last call. False when there is nothing to draw.
  */
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count);
 
-/* prepare_light.c: fills draw->shading. */
-void soft_prepare_shading(const struct soft *soft, struct draw *draw);
+/* Parts of that, as prepare.c lists them. prepare_light.c: fill draw->shading. */
+void soft_prepare_sides(struct soft *soft, struct draw *draw);
+void soft_prepare_normals(struct soft *soft, struct draw *draw);
+void soft_prepare_sources(struct soft *soft, struct draw *draw);
+void soft_prepare_directions(struct soft *soft, struct draw *draw);
+void soft_prepare_lit_arrays(struct soft *soft, struct draw *draw);
+/* triangle.c: sets draw->packed and draw->fast_setup, after all else. */
+void soft_prepare_fast_setup(struct soft *soft, struct draw *draw);
+/* fill_flat.c: sets draw->flat. */
+void soft_prepare_flat(struct soft *soft, struct draw *draw);
 
 /* arm/vertex.S or portable/vertices.c: fetches, transforms, does not shade. */
 void soft_transform(const struct draw *draw, uint32_t index, struct vertex *out);
@@ -384,9 +386,6 @@ void soft_count_call(
  */
 void soft_choose_path(struct draw *draw);
 
-/* triangle.c: sets draw->packed and draw->fast_setup, after all else. */
-void soft_prepare_fast_setup(struct draw *draw);
-
 /*
  * triangle.c: draws the triangle of three projected vertices. Shades them if it
  * is not culled and may cover a pixel's centre.
@@ -399,7 +398,7 @@ void soft_fill_triangle(struct draw *draw, struct vertex *const v[3]);
  * column, or for each row of steep lines, as GL ES 1.1 section 3.4.1 has it;
  * line.c makes two triangles of others.
  */
-bool soft_lists_primitives(const struct draw *draw, GLenum mode);
+bool soft_lists_primitives(const struct draw *draw);
 /* thin_line.c: draws a line between shaded vertices at different places. */
 void soft_draw_thin_line(
 	struct draw *draw, const struct vertex *a, const struct vertex *b);

@@ -200,7 +200,7 @@ static void draw_primitives(
 	}
 	if (draw->soft->counts) {
 		soft_count_call(draw, source, mode);
-		soft_prepare_fast_setup(draw);
+		soft_prepare_fast_setup(draw->soft, draw);
 	}
 	if (mode == GL_POINTS) {
 		for (uint32_t i = 0; i < source->count; i++) {
@@ -227,7 +227,7 @@ static bool may_draw(GLenum mode, GLsizei count)
 
 void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 {
-	struct soft *soft = soft_drawing();
+	struct soft *soft = soft_current();
 	const struct source source = {
 		.first = (uint32_t)first, .count = (uint32_t)count};
 
@@ -241,7 +241,7 @@ void soft_gl_DrawArrays(GLenum mode, GLint first, GLsizei count)
 void soft_gl_DrawElements(
 	GLenum mode, GLsizei count, GLenum type, const void *indices)
 {
-	struct soft *soft = soft_drawing();
+	struct soft *soft = soft_current();
 	const struct source source = {
 		.indices = indices, .type = type, .count = (uint32_t)count};
 	uint32_t low = UINT32_MAX, high = 0;

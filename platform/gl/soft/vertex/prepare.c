@@ -15,16 +15,26 @@ enum {
 	EXPONENT_MOST = 29,
 };
 
-static void prepare_positions(
-	const struct soft *soft, struct draw *draw, int exponent)
+static bool is_same_array(const struct array *a, const struct array *b)
+{
+	return a->enabled && b->enabled && a->size == b->size &&
+		a->type == b->type && a->stride_bytes == b->stride_bytes &&
+		a->pointer == b->pointer;
+}
+
+static void prepare_arrays(struct soft *soft, struct draw *draw)
 {
 	const struct array *array = &soft->arrays.vertex;
+	const struct array *texcoord = soft->arrays.texcoord;
+	const bool same = is_same_array(&texcoord[0], &texcoord[1]);
 	struct view *view = &draw->view;
+	const enum position_kind kind = view->kind;
 	bool aligned;
 
-	draw->checked = exponent > EXPONENT_MOST;
-	exponent = clamp_int(exponent, EXPONENT_LEAST, EXPONENT_MOST);
-	draw->position_q = 29 - exponent; /* |position| < 2^30 */
+	draw->checked = draw->exponent > EXPONENT_MOST;
+	/* |position| < 2^30 */
+	draw->position_q =
+		29 - clamp_int(draw->exponent, EXPONENT_LEAST, EXPONENT_MOST);
 	view->scale = soft_matrix_power_of_two(draw->position_q);
 	aligned = ((uintptr_t)array->pointer | (uintptr_t)array->stride_bytes) %
 			4 ==
@@ -36,6 +46,9 @@ static void prepare_positions(
 		: POSITION_OTHER;
 	view->positions = array->pointer;
 	view->stride_bytes = array->stride_bytes;
+	soft->changed |= kind != view->kind ? GROUP_SCALE : 0;
+	soft->changed |= same != draw->same_texcoords ? GROUP_TEXTURES : 0;
+	draw->same_texcoords = same;
 }
 
 /* The largest clip coordinate that a row gives for positions up to most. */
@@ -70,10 +83,11 @@ static int find_scale(
 	return q;
 }
 
-static void prepare_clip(const struct soft *soft, struct draw *draw)
+static void prepare_clip(struct soft *soft, struct draw *draw)
 {
 	float scale, moved;
 	struct view *view = &draw->view;
+	const bool perspective = draw->perspective;
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
 	/* shorts have a position_q of 14: m (p << 14) >> 32 is (m >> 2) p >> 16 */
 	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
@@ -95,6 +109,7 @@ static void prepare_clip(const struct soft *soft, struct draw *draw)
 	view->moved_z = soft_matrix_to_int(m.m[14] * moved);
 	view->moved_w = soft_matrix_to_int(m.m[15] * moved);
 	draw->perspective = m.m[3] != 0.0f || m.m[7] != 0.0f || m.m[11] != 0.0f;
+	soft->changed |= perspective != draw->perspective ? GROUP_FRAGMENTS : 0;
 }
 
 /* Whether a row's products with positions are as small as find_scale() says. */
@@ -110,12 +125,27 @@ static bool is_bounded(const int32_t row[4])
 	return sum < 3 << 27;
 }
 
+static bool is_eye_needed(const struct lighting *lighting)
+{
+	for (int i = 0; i < SOFT_LIGHTS && lighting->enabled; i++) {
+		if (lighting->light[i].enabled &&
+			lighting->light[i].position[3] != 0.0f) {
+			return true;
+		}
+	}
+	return false;
+}
+
 /* Rows with numbers that are infinite, or nearly so, become 0. */
-static void prepare_eye(const struct soft *soft, struct draw *draw)
+static void prepare_eye(struct soft *soft, struct draw *draw)
 {
 	const struct matrix *m = soft->matrices.modelview.top;
 	float scale, moved;
 
+	draw->eye_needed = is_eye_needed(&soft->lighting);
+	if (!draw->eye_needed && !draw->fogged) {
+		return;
+	}
 	draw->eye_q = find_scale(m, 3, draw->position_q, &scale);
 	moved = soft_matrix_power_of_two(draw->eye_q);
 	for (int i = 0; i < 12; i++) {
@@ -127,17 +157,6 @@ static void prepare_eye(const struct soft *soft, struct draw *draw)
 			memset(draw->eye[i], 0, sizeof(draw->eye[i]));
 		}
 	}
-}
-
-static bool is_eye_needed(const struct lighting *lighting)
-{
-	for (int i = 0; i < SOFT_LIGHTS && lighting->enabled; i++) {
-		if (lighting->light[i].enabled &&
-			lighting->light[i].position[3] != 0.0f) {
-			return true;
-		}
-	}
-	return false;
 }
 
 /* Makes tiles of levels again whose texels have changed: only for a draw call. */
@@ -153,7 +172,7 @@ static void prepare_tiles(struct texture *texture)
 	}
 }
 
-static void prepare_viewport(const struct soft *soft, struct draw *draw)
+static void prepare_viewport(struct soft *soft, struct draw *draw)
 {
 	const struct rectangle *r = &soft->fragment.viewport;
 	int height = soft->buffers.target.height;
@@ -256,6 +275,15 @@ static void prepare_textures(const struct soft *soft, struct draw *draw)
 		input->height_log2 = input->base->height_log2;
 		prepare_texture_matrix(soft, input, i);
 		input->array = &soft->arrays.texcoord[i];
+	}
+}
+
+static void prepare_texcoords(struct soft *soft, struct draw *draw)
+{
+	(void)soft;
+	for (int i = 0; i < SOFT_UNITS && draw->texture[i].used; i++) {
+		struct texture_input *input = &draw->texture[i];
+
 		input->plain_floats = input->identity &&
 			input->array->enabled && input->array->type == GL_FLOAT;
 	}
@@ -276,22 +304,20 @@ static void prepare_addition(struct draw *draw)
 	}
 }
 
-static void prepare_fragments(
-	const struct soft *soft, struct draw *draw, GLenum mode)
+static void prepare_fragments(const struct soft *soft, struct draw *draw)
 {
 	const struct fragment_state *state = &soft->fragment;
 	bool both = state->cull_face == GL_FRONT_AND_BACK;
-	bool triangles = mode > GL_LINE_STRIP;
+	bool triangles = draw->primitive == GL_TRIANGLES;
 	bool cull = state->cull && triangles;
 
 	draw->offset = triangles && state->offset_fill;
-	draw->smooth = mode == GL_POINTS ? state->point_smooth
-					 : !triangles && state->line_smooth;
+	draw->smooth = draw->primitive == GL_POINTS
+		? state->point_smooth
+		: !triangles && state->line_smooth;
 	draw->front_is_ccw = state->front_face == GL_CCW;
 	draw->cull_front = cull && (both || state->cull_face == GL_FRONT);
 	draw->cull_back = cull && (both || state->cull_face == GL_BACK);
-	draw->color_written = state->color_bits != 0;
-	draw->early_tests = !state->alpha_test;
 	draw->blended = state->blend &&
 		(state->blend_source != GL_ONE ||
 			state->blend_destination != GL_ZERO);
@@ -300,9 +326,10 @@ static void prepare_fragments(
 /* Bits of the attributes that are interpolated. */
 static uint32_t choose_attributes(const struct draw *draw)
 {
+	const struct fragment_state *state = &draw->soft->fragment;
 	uint32_t mask = 0;
 
-	if (draw->color_written || !draw->early_tests) {
+	if (state->color_bits != 0 || state->alpha_test) {
 		mask = 15u << RED;
 		if (draw->fogged) {
 			mask |= 1u << FOG;
@@ -318,6 +345,8 @@ static uint32_t choose_attributes(const struct draw *draw)
 
 void soft_init_scratch(struct draw *draw)
 {
+	draw->spans.run.stages = &draw->spans.stages;
+	draw->spans.run.draw = draw;
 	draw->view.reciprocals = soft_reciprocal_table;
 	draw->shading.roots = soft_root_table;
 	/* window z is 4 (1 + 65533 (z/w + 1) / 2), 2 fraction bits */
@@ -331,16 +360,10 @@ void soft_init_scratch(struct draw *draw)
 	}
 }
 
-static bool prepare(
-	struct soft *soft, struct draw *draw, GLenum mode, int exponent)
+/* Chooses how fragments are drawn. */
+static void prepare_pixels(struct soft *soft, struct draw *draw)
 {
-	draw->soft = soft;
-	prepare_viewport(soft, draw);
-	if (draw->box.left >= draw->box.right ||
-		draw->box.top >= draw->box.bottom) {
-		return false;
-	}
-	prepare_fragments(soft, draw, mode);
+	prepare_fragments(soft, draw);
 	draw->fogged = soft->fog.enabled;
 	if (draw->fogged) {
 		prepare_fog(&soft->fog, draw);
@@ -348,19 +371,8 @@ static bool prepare(
 	prepare_textures(soft, draw);
 	prepare_addition(draw);
 	draw->attributes = choose_attributes(draw);
-	prepare_positions(soft, draw, exponent);
-	prepare_clip(soft, draw);
-	draw->eye_needed = is_eye_needed(&soft->lighting);
-	if (draw->eye_needed || draw->fogged) {
-		prepare_eye(soft, draw);
-	}
-	soft_prepare_shading(soft, draw);
-	/* Points and lines have no back. */
-	draw->shading.two_side &= mode > GL_LINE_STRIP;
 	draw->shade_more = draw->fogged || draw->texture[0].used;
-	if (!soft_prepare_spans(draw)) {
-		return false;
-	}
+	draw->passes = soft_prepare_spans(draw);
 	draw->hides = draw->spans.depth_by_less && !draw->offset;
 	/* Span functions use the first texture's coordinates for both. */
 	if (draw->spans.joined) {
@@ -371,19 +383,61 @@ static bool prepare(
 	if (!draw->spans.alpha_read) {
 		draw->attributes &= ~(1u << ALPHA);
 	}
-	draw->lists = soft_lists_primitives(draw, mode);
+	draw->lists = soft_lists_primitives(draw);
 	soft_choose_path(draw);
 	if (draw->divides) { /* soft_fill_luminance() draws by tiles */
 		prepare_tiles(draw->texture[0].texture);
 	}
-	soft_prepare_fast_setup(draw);
-	return true;
+}
+
+/* Prepares a part anew if a group that it reads has changed. */
+static ALWAYS_INLINE void redo(struct soft *soft, uint32_t reads,
+	void (*part)(struct soft *soft, struct draw *draw))
+{
+	if (soft->changed & reads) {
+		part(soft, soft->draw);
+	}
+}
+
+/*
+ * The parts of the preparation, in the order in which they use each other's
+ * results, with the groups of the state that each reads. Where a result changes
+ * what a later part does, the earlier one adds a group that the later one reads.
+ */
+static void prepare(struct soft *soft)
+{
+	const uint32_t pixels = GROUP_FRAGMENTS | GROUP_TEXTURES;
+	const uint32_t vertices = GROUP_MATRICES | GROUP_SCALE;
+	const uint32_t lights = GROUP_LIGHTING |
+		(soft->lighting.color_material ? GROUP_COLOR : 0);
+
+	redo(soft, GROUP_VIEWPORT, prepare_viewport);
+	redo(soft, GROUP_ARRAYS | GROUP_SCALE, prepare_arrays);
+	redo(soft, vertices, prepare_clip);
+	redo(soft, pixels, prepare_pixels);
+	redo(soft, pixels | GROUP_ARRAYS, prepare_texcoords);
+	redo(soft, vertices | pixels | GROUP_LIGHTING, prepare_eye);
+	redo(soft, pixels | GROUP_LIGHTING, soft_prepare_sides);
+	if (soft->lighting.enabled) {
+		redo(soft, GROUP_MATRICES | GROUP_LIGHTING,
+			soft_prepare_normals);
+		redo(soft, lights, soft_prepare_sources);
+		redo(soft, vertices | GROUP_LIGHTING, soft_prepare_directions);
+		redo(soft, vertices | lights | GROUP_ARRAYS,
+			soft_prepare_lit_arrays);
+	}
+	redo(soft, pixels | GROUP_COLOR, soft_prepare_flat);
+	redo(soft, pixels | GROUP_VIEWPORT | GROUP_LIGHTING,
+		soft_prepare_fast_setup);
+	soft->changed = 0;
 }
 
 bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	uint32_t first, uint32_t count)
 {
-	struct prepared *is = &draw->prepared;
+	const GLenum primitive = mode > GL_LINE_STRIP ? GL_TRIANGLES
+		: mode > GL_POINTS                    ? GL_LINES
+						      : GL_POINTS;
 	int exponent;
 
 	if (!soft->buffers.target.data || !soft->arrays.vertex.enabled) {
@@ -391,11 +445,13 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	}
 	exponent = soft_array_position_exponent(
 		&soft->arrays.vertex, first, count);
-	if (soft->changed || mode != is->mode || exponent != is->exponent ||
-		soft->fill != is->fill) {
-		*is = (struct prepared){mode, exponent, soft->fill,
-			prepare(soft, draw, mode, exponent)};
-		soft->changed = false;
+	soft->changed |= exponent != draw->exponent ? GROUP_SCALE : 0;
+	soft->changed |= primitive != draw->primitive ? GROUP_FRAGMENTS : 0;
+	draw->exponent = exponent;
+	draw->primitive = primitive;
+	if (soft->changed) {
+		prepare(soft);
 	}
-	return is->draws;
+	return draw->passes && draw->box.left < draw->box.right &&
+		draw->box.top < draw->box.bottom;
 }

@@ -21,15 +21,6 @@ enum {
 
 static const float two_28 = 268435456.0f;
 
-static void normalize(float v[3])
-{
-	float length = scalar_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-
-	for (int i = 0; i < 3 && length > 0.0f; i++) {
-		v[i] /= length;
-	}
-}
-
 /* transpose(m) v, in Q30; m is a column-major 3x3, or NULL for the identity. */
 static void turn(const float *m, const float v[3], int32_t out_q30[3])
 {
@@ -112,7 +103,7 @@ static void prepare_spot(
 		return;
 	}
 	memcpy(direction, light->direction, sizeof(direction));
-	normalize(direction);
+	soft_matrix_normalize(direction);
 	for (int i = 0; i < 3; i++) {
 		light_source->direction_q28[i] =
 			soft_matrix_to_int(direction[i] * two_28);
@@ -124,12 +115,11 @@ static void prepare_spot(
 	light_source->exponent_q16 = light->exponent;
 }
 
-static void prepare_positional(const struct draw *draw,
+static void prepare_positional(
 	const struct light *light, struct light_source *light_source)
 {
 	const GLfixed *attenuation = light->attenuation;
 
-	prepare_place(draw, light, light_source);
 	light_source->positional = light_source->weighted = true;
 	light_source->fades = attenuation[1] != 0 || attenuation[2] != 0;
 	light_source->share_q16 = soft_light_fade(attenuation, 0);
@@ -138,25 +128,18 @@ static void prepare_positional(const struct draw *draw,
 }
 
 /* A directional light does not fade, but it may be a spot: section 2.12.1. */
-static void prepare_directional(const struct light *light, const float *normal,
-	struct light_source *light_source)
+static void prepare_directional(
+	const struct light *light, struct light_source *light_source)
 {
-	float towards[3], half[3];
-
-	memcpy(towards, light->position, sizeof(towards));
-	normalize(towards);
 	light_source->share_q16 = ONE_Q16;
 	if (light_source->spot) {
-		turn(NULL, towards, light_source->towards_q30);
-		light_source->share_q16 = soft_light_spot(
-			light_source, light_source->towards_q30, ONE_Q16);
+		int32_t towards_q30[3];
+
+		turn(NULL, light->towards, towards_q30);
+		light_source->share_q16 =
+			soft_light_spot(light_source, towards_q30, ONE_Q16);
 		light_source->weighted = true;
 	}
-	memcpy(half, towards, sizeof(half));
-	half[2] += 1.0f; /* towards the viewer, infinitely far along z */
-	normalize(half);
-	turn(normal, towards, light_source->towards_q30);
-	turn(normal, half, light_source->half_q30);
 }
 
 /* The material's colour, or the current one; 1 if vertices have their own. */
@@ -227,17 +210,16 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 }
 
 static void prepare_light_source(const struct soft *soft, struct draw *draw,
-	const struct light *light, const float *normal,
-	struct light_source *light_source)
+	const struct light *light, struct light_source *light_source)
 {
 	const int32_t *specular = light_source->specular_q20;
 
-	*light_source = (struct light_source){0};
+	*light_source = (struct light_source){.light = light};
 	prepare_spot(light, light_source);
 	if (light->position[3] != 0.0f) {
-		prepare_positional(draw, light, light_source);
+		prepare_positional(light, light_source);
 	} else {
-		prepare_directional(light, normal, light_source);
+		prepare_directional(light, light_source);
 	}
 	prepare_colors(soft, light, &draw->shading, light_source);
 	if (specular[0] | specular[1] | specular[2]) {
@@ -289,28 +271,31 @@ static float find_factor(
  * Finds the matrix of normals, scaled for GL_NORMALIZE or GL_RESCALE_NORMAL: in
  * normal_q28 to rotate normals by, and in turned to transform lights by.
  */
-static void prepare_normals(
-	const struct soft *soft, struct draw *draw, float turned[9])
+void soft_prepare_normals(struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	const struct matrix *m = soft->matrices.modelview.top;
 	struct shading *shading = &draw->shading;
 	float scale = soft_matrix_uniform_scale(m), factor;
+	float *turned = shading->turned;
+	int shift = 0;
 
 	soft_matrix_normal(m, turned);
 	shading->normalize = lighting->normalize;
-	shading->normal_shift = 0;
 	factor = find_factor(lighting, scale, turned);
 	/* Directions of transformed lights must be shorter than 2. */
 	shading->rotate_normals =
 		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
 	if (shading->rotate_normals && !shading->normalize) {
 		/* The matrix's elements must be below 4. */
-		shading->normal_shift = clamp_int(
+		shift = clamp_int(
 			soft_matrix_exponent(factor * find_largest(turned)) - 1,
 			0, SHIFT_MOST);
-		factor *= soft_matrix_power_of_two(-shading->normal_shift);
+		factor *= soft_matrix_power_of_two(-shift);
 	}
+	/* lights make up for it */
+	soft->changed |= shading->normal_shift != shift ? GROUP_LIGHTING : 0;
+	shading->normal_shift = shift;
 	/* Normals of back faces point the other way: section 2.12.1. */
 	factor = shading->back_only ? -factor : factor;
 	for (int i = 0; i < 9; i++) {
@@ -335,9 +320,11 @@ static void prepare_base(const struct soft *soft, struct shading *shading)
 	shading->alpha_q16 = choose_color(soft, shading, material->diffuse)[3];
 }
 
-static void prepare_arrays(const struct arrays *arrays, struct shading *shading)
+void soft_prepare_lit_arrays(struct soft *soft, struct draw *draw)
 {
-	const struct array *normal = &arrays->normal, *color = &arrays->color;
+	const struct array *normal = &soft->arrays.normal;
+	const struct array *color = &soft->arrays.color;
+	struct shading *shading = &draw->shading;
 	const uintptr_t places =
 		(uintptr_t)normal->pointer | (uintptr_t)normal->stride_bytes;
 	const bool shorts = normal->type == GL_SHORT && shading->normalize;
@@ -374,33 +361,72 @@ static void take_light_source(struct shading *shading)
 	}
 }
 
-void soft_prepare_shading(const struct soft *soft, struct draw *draw)
+/* Finds the same lights' colours anew; false where one has a weight. */
+static bool prepare_same(const struct soft *soft, struct shading *shading)
+{
+	struct light_source *at = shading->light_source;
+
+	for (; at != shading->weighted; at++) {
+		prepare_colors(soft, at->light, shading, at);
+		if (at->weighted) {
+			return false;
+		}
+	}
+	return at == shading->end;
+}
+
+/* Finds the lights and their colours; directions are found on their own. */
+void soft_prepare_sources(struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	struct shading *shading = &draw->shading;
-	float normal[9];
 
-	shading->lit = lighting->enabled;
-	shading->two_side = shading->back_only = false;
-	if (!shading->lit) {
-		return;
-	}
-	if (lighting->two_side) {
-		shading->two_side = !draw->cull_front && !draw->cull_back;
-		shading->back_only = draw->cull_front;
-	}
 	shading->tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	prepare_normals(soft, draw, normal);
+	prepare_base(soft, shading);
+	if (!(soft->changed & GROUP_LIGHTING) && prepare_same(soft, shading)) {
+		return;
+	}
+	soft->changed |= GROUP_LIGHTING;
 	prepare_base(soft, shading);
 	shading->weighted = shading->end = shading->light_source;
 	for (int i = 0; i < SOFT_LIGHTS; i++) {
 		if (lighting->light[i].enabled) {
-			prepare_light_source(soft, draw, &lighting->light[i],
-				shading->rotate_normals ? NULL : normal,
-				shading->end);
+			prepare_light_source(
+				soft, draw, &lighting->light[i], shading->end);
 			take_light_source(shading);
 		}
 	}
-	prepare_arrays(&soft->arrays, shading);
+}
+
+void soft_prepare_directions(struct soft *soft, struct draw *draw)
+{
+	const struct shading *shading = &draw->shading;
+	const float *turned = shading->rotate_normals ? NULL : shading->turned;
+
+	(void)soft;
+	for (struct light_source *at = draw->shading.light_source;
+		at != shading->end; at++) {
+		if (at->positional) {
+			prepare_place(draw, at->light, at);
+		} else {
+			turn(turned, at->light->towards, at->towards_q30);
+			turn(turned, at->light->half, at->half_q30);
+		}
+	}
+}
+
+/* Points and lines have no back. */
+void soft_prepare_sides(struct soft *soft, struct draw *draw)
+{
+	struct shading *shading = &draw->shading;
+	const bool both = soft->lighting.enabled && soft->lighting.two_side;
+	const bool back_only = both && draw->cull_front;
+
+	shading->lit = soft->lighting.enabled;
+	shading->two_side = both && !draw->cull_front && !draw->cull_back &&
+		draw->primitive == GL_TRIANGLES;
+	/* it turns normals */
+	soft->changed |= shading->back_only != back_only ? GROUP_LIGHTING : 0;
+	shading->back_only = back_only;
 }

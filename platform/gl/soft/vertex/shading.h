@@ -48,6 +48,7 @@ struct light_source {
 	/* position_q fraction bits, as eye coordinates have >> eye_shift */
 	int32_t position[3];
 	int eye_shift, position_q;
+	const struct light *light; /* of the state */
 	int32_t direction_q28[3], attenuation_q16[3], cutoff_q26, exponent_q16;
 };
 
@@ -84,8 +85,10 @@ struct shading {
 	bool normalize, rotate_normals;
 	/*
 	 * If rotate_normals: to eye space, column-major, divided by
-	 * 2^normal_shift, which the lights' weights make up for.
+	 * 2^normal_shift, which the lights' weights make up for. Else turned,
+	 * the same matrix, transforms lights.
 	 */
+	float turned[9];
 	int32_t normal_q28[9];
 	int normal_shift;
 	int32_t alpha_q16;

@@ -245,6 +245,7 @@ static void test_near_hills_hide_those_behind_them(void **state)
 	begin(&scene);
 	/* What is not tested would be drawn by a path of its own, which rounds. */
 	((struct soft *)(void *)scene.context)->fill = soft_rows_fill;
+	((struct soft *)(void *)scene.context)->changed = GROUP_ALL;
 	testing = scene.context->gl;
 	set_depth_func = testing.DepthFunc;
 	testing.DepthFunc = always_test_depth;

@@ -53,7 +53,7 @@ static void fill_projected(struct soft_scene *scene, fill_function fill,
 
 	draw->fill = fill;
 	draw->perspective = perspective;
-	soft_prepare_fast_setup(draw);
+	soft_prepare_fast_setup(draw->soft, draw);
 	for (int i = 0; i < 100; i++) {
 		struct vertex v[3];
 		struct vertex *const corner[3] = {&v[0], &v[1], &v[2]};

@@ -208,6 +208,7 @@ static void test_what_is_no_rectangle_stays_two_triangles(void **state)
 
 	(void)state;
 	ground->soft->fill = count_fill;
+	ground->soft->changed = GROUP_ALL;
 	counted = 0;
 	draw_strip(ground, &strip);
 	assert_int_equal(counted, 2);
@@ -304,6 +305,7 @@ static void test_depths_of_leaning_ground_follow_its_plane(void **state)
 		assert_ptr_equal(one->soft->draw->fill, soft_fill_luminance);
 		other = open_leaning(degrees[i]);
 		other->soft->fill = soft_rows_fill;
+		other->soft->changed = GROUP_ALL;
 		draw_strip(other, &strip);
 		compare(one, other);
 		close_ground(other);

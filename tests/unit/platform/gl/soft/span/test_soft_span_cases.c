@@ -178,6 +178,7 @@ static struct span_scene *draw_lines(
 	const struct gl *gl = scene->gl;
 
 	scene->soft->fill = apart ? fill_each : NULL;
+	scene->soft->changed = GROUP_ALL;
 	gl->Enable(GL_DEPTH_TEST);
 	if (random_one_in(&seed, 2)) {
 		gl->Enable(GL_BLEND);

@@ -176,6 +176,7 @@ static void test_lists_hand_on_what_single_triangles_are(void **state)
 
 	(void)state;
 	scene->soft->fill = record;
+	scene->soft->changed = GROUP_ALL;
 	for (int round = 0; round < ROUNDS; round++) {
 		int count;
 

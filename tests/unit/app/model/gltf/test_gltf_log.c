@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define HEAD        "{'asset':{'version':'2.0'},"
 #define POINTS      "{'mode':0}"
@@ -84,6 +85,65 @@ static void test_extensions_are_each_named_but_at_most_eight(void **state)
 		"t.gltf: limber leaves out 4 more warnings about this file");
 }
 
+/* Loads a file that requires so many extensions, each of which is a warning. */
+static int load_requiring(int count, const char *more,
+	struct log_capture *logged, struct model **out)
+{
+	char text[2000] = HEAD "'extensionsRequired':[";
+
+	for (int i = 0; i < count; i++) {
+		size_t used = strlen(text);
+
+		snprintf(text + used, sizeof(text) - used,
+			"%s'KHR_materials_%d'", i > 0 ? "," : "", i);
+	}
+	snprintf(text + strlen(text), sizeof(text) - strlen(text), "%s", more);
+	return model_from_text(text, logged, out);
+}
+
+static void test_the_eighth_warning_is_the_last_one(void **state)
+{
+	(void)state;
+	for (int count = 7; count <= 10; count++) {
+		struct log_capture logged;
+		struct model *model;
+		char rest[100];
+
+		assert_int_equal(
+			load_requiring(count, "]}", &logged, &model), 0);
+		model_destroy(model);
+		assert_int_equal(logged.count, count <= 8 ? count : 9);
+		assert_contains(logged.sentence[6], "KHR_materials_6");
+		if (count == 8) {
+			assert_contains(logged.sentence[7], "KHR_materials_7");
+		}
+		if (count > 8) {
+			snprintf(rest, sizeof(rest),
+				"t.gltf: limber leaves out %d more warnings about this file",
+				count - 8);
+			assert_string_equal(logged.sentence[8], rest);
+		}
+	}
+}
+
+/* Only warnings are left out, also where the file cannot be read at last. */
+static void test_an_error_is_told_after_any_warnings(void **state)
+{
+	(void)state;
+	for (int count = 7; count <= 12; count++) {
+		struct log_capture logged;
+		struct model *model;
+		int warnings = count < 8 ? count : 8;
+
+		assert_true(load_requiring(count, ",'KHR_draco']}", &logged,
+				    &model) < 0);
+		assert_null(model);
+		assert_int_equal(logged.count, warnings + 1 + (count > 8));
+		assert_int_equal(logged.level[warnings], LOG_ERROR);
+		assert_contains(logged.sentence[warnings], "KHR_draco");
+	}
+}
+
 static void test_warnings_precede_the_error_that_ends_the_load(void **state)
 {
 	struct log_capture logged;
@@ -121,6 +181,8 @@ int main(void)
 		cmocka_unit_test(test_clips_with_pointers_are_one_warning),
 		cmocka_unit_test(
 			test_extensions_are_each_named_but_at_most_eight),
+		cmocka_unit_test(test_the_eighth_warning_is_the_last_one),
+		cmocka_unit_test(test_an_error_is_told_after_any_warnings),
 		cmocka_unit_test(
 			test_warnings_precede_the_error_that_ends_the_load),
 		cmocka_unit_test(test_instances_that_are_not_drawn_are_told),

@@ -327,6 +327,29 @@ static void test_the_rate_is_known_where_the_device_waits(void **state)
 	}
 }
 
+/* From 20 to 250 Hz; other timings are those of a panel that has none. */
+static void test_a_rate_that_no_screen_has_is_60_hz(void **state)
+{
+	static const struct {
+		unsigned pixclock;
+		double rate_hz;
+	} cases[] = {{250000, 20.0}, {250001, 60.0}, {20000, 250.0},
+		{19999, 60.0}, {0, 60.0}};
+	struct fbdev_scene scene = {0};
+	struct display_info info;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		fake_fb_begin(500, 400, 400, 400, 1000, fbdev_scene_layout_565);
+		fake_fb.has_wait = true;
+		fake_fb.var.pixclock = cases[i].pixclock;
+		assert_int_equal(fbdev_scene_open(&scene), 0);
+		scene.driver->get_info(scene.display, &info);
+		assert_near(info.rate_hz, cases[i].rate_hz, 0.0);
+		fbdev_scene_close(&scene);
+	}
+}
+
 static void test_the_real_system_refuses_another_device(void **state)
 {
 	struct fbdev_scene scene = {.options = {.device = "/dev/null"}};
@@ -352,6 +375,7 @@ int main(void)
 		cmocka_unit_test(test_a_larger_size_is_reduced_to_the_screen),
 		cmocka_unit_test(test_a_requested_format_is_converted),
 		cmocka_unit_test(test_the_rate_is_known_where_the_device_waits),
+		cmocka_unit_test(test_a_rate_that_no_screen_has_is_60_hz),
 		cmocka_unit_test(test_the_real_system_refuses_another_device),
 	};
 

@@ -271,6 +271,8 @@ static void test_a_shadow_forgets_where_it_was(void **state)
 	assert_all_near(moved.drape.sheet[0].position[0],
 		fresh.drape.sheet[0].position[0],
 		3 * fresh.drape.sheet[0].vertex_count, 0.0);
+	assert_memory_equal(
+		&moved.drape.box, &fresh.drape.box, sizeof(fresh.drape.box));
 	end(&moved);
 	end(&fresh);
 }

@@ -265,6 +265,21 @@ static void test_a_backdrop_leaves_no_arrays_and_no_texture(void **state)
 	}
 }
 
+/* A matrix that is pushed then is one of the model-view stack. */
+static void test_a_live_texture_leaves_the_model_view_mode(void **state)
+{
+	static const struct live_texture texture = {.name = 1};
+	struct gl gl = gl_recorder_begin();
+
+	(void)state;
+	live_texture_bind(&texture, &gl);
+	gl.PushMatrix();
+	assert_int_equal(gl_recorder_result()->depth, 1);
+	live_texture_unbind(&gl);
+	gl.PopMatrix();
+	assert_int_equal(gl_recorder_result()->depth, 0);
+}
+
 /* Draws a monitor whose screen fills the frame, seen from the front. */
 static void draw_screen(
 	struct gl_canvas *canvas, const struct live_texture *picture)
@@ -472,6 +487,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_backdrop_fills_the_frame_behind_everything),
 		cmocka_unit_test(test_a_backdrop_leaves_no_arrays_and_no_texture),
+		cmocka_unit_test(test_a_live_texture_leaves_the_model_view_mode),
 		cmocka_unit_test(test_a_monitor_shows_the_picture_on_its_screen),
 		cmocka_unit_test(test_a_monitor_without_a_picture_is_dark),
 		cmocka_unit_test(test_a_monitor_leaves_no_arrays_and_no_light),

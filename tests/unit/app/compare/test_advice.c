@@ -1,6 +1,7 @@
 /* The rule of the advice, on comparisons whose figures the tests make up. */
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/advice.h"
+#include "app/compare/advice_price.h"
 #include "tests/support/test.h"
 #include "tests/unit/app/compare/advice_bench.h"
 
@@ -138,6 +139,11 @@ static void test_time_counts_less_than_the_error(void **state)
 		"it takes 11000 us and 15 KiB; nothing that keeps within 2 px "
 		"is as fast as 10 ms, and it has the least price of time and "
 		"memory");
+	bench.comparison.row[1].total.draw.cycles = ARM11_MHZ * 10000.0;
+	expect(&bench, 1,
+		"it takes 11000 us and 15 KiB; nothing that keeps within 2 px "
+		"is as fast as 10 ms, and it has the least price of time and "
+		"memory");
 	bench.comparison.row[1].total.draw.cycles = ARM11_MHZ * 10001.0;
 	expect(&bench, 1,
 		"it takes 11000 us and 15 KiB; drawing alone takes 10.0 ms, "
@@ -175,6 +181,16 @@ static void test_a_frame_may_take_two_percent_longer(void **state)
 		advice_give(&bench.comparison);
 		assert_int_equal(bench.comparison.advised, over ? 0 : 1);
 	}
+}
+
+static void test_a_frame_may_take_exactly_its_limit(void **state)
+{
+	struct comparison comparison = {.time_limit_us = 1000.0};
+	const double most_us = 1000.0 * 1.02;
+
+	(void)state;
+	assert_true(advice_is_in_time(&comparison, most_us));
+	assert_false(advice_is_in_time(&comparison, most_us * 1.0000001));
 }
 
 static void test_the_default_board_is_the_pdk(void **state)
@@ -238,6 +254,7 @@ int main(void)
 		cmocka_unit_test(test_time_counts_less_than_the_error),
 		cmocka_unit_test(test_the_limits_are_the_boards_unless_given),
 		cmocka_unit_test(test_a_frame_may_take_two_percent_longer),
+		cmocka_unit_test(test_a_frame_may_take_exactly_its_limit),
 		cmocka_unit_test(test_the_default_board_is_the_pdk),
 		cmocka_unit_test(test_rows_that_are_not_listed_are_not_advised),
 		cmocka_unit_test(test_the_front_has_the_rows_that_no_other_beats),

@@ -118,6 +118,47 @@ static void test_the_rectangle_of_a_top_is_marked(void **state)
 	end(&shown);
 }
 
+/* A node's scale, another one on each axis, does not change what a file means. */
+static void test_numbers_of_a_part_are_metres_on_each_axis(void **state)
+{
+	static const float scale[3] = {2, 4, 8};
+	static const float top[5] = {
+		1.0f / 4, -2.0f / 2, -3.0f / 8, 5.0f / 2, 7.0f / 8};
+	struct log log = log_to_stderr(LOG_ERROR);
+	struct acting acting = {0};
+	const struct character_part *part;
+	int base;
+
+	(void)state;
+	assert_int_equal(model_load("assets/arm.glb", &log, &acting.model), 0);
+	base = model_find_node(acting.model, "Base");
+	for (int axis = 0; axis < 3; axis++) {
+		acting.model->node[base].rest.scale[axis] = scale[axis];
+	}
+	assert_int_equal(instance_create(acting.model, &kernel_float, &log,
+				 &acting.instance),
+		0);
+	acting_expect(&acting,
+		"[part Base]\ntop = 1 -2 -3 5 7\ntop = 1 -2 -3 5 7\n"
+		"guard = 0.5 1 2 3 4 5 6\nguard = 0.5 1 2 3 4 5 6\n");
+	part = &acting.character->part[0];
+	assert_int_equal(part->top_count, 2);
+	assert_int_equal(part->guard_count, 2);
+	for (int i = 0; i < 2; i++) {
+		const struct character_guard *guard = &part->guard[i];
+
+		assert_all_near(part->top[i], top, 5, 1e-6);
+		assert_near(guard->radius_m, 0.5, 0);
+		for (int axis = 0; axis < 3; axis++) {
+			assert_near(guard->from[axis],
+				(float)(axis + 1) / scale[axis], 1e-6);
+			assert_near(guard->to[axis],
+				(float)(axis + 4) / scale[axis], 1e-6);
+		}
+	}
+	acting_end(&acting);
+}
+
 static void test_a_top_that_is_not_level_has_no_shadows(void **state)
 {
 	int plain = draws_with("[part Base]\nbank = 0\n", true);
@@ -134,6 +175,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_shadow_falls_on_a_top_that_the_light_reaches),
 		cmocka_unit_test(test_the_rectangle_of_a_top_is_marked),
+		cmocka_unit_test(test_numbers_of_a_part_are_metres_on_each_axis),
 		cmocka_unit_test(test_a_top_that_is_not_level_has_no_shadows),
 	};
 

@@ -201,6 +201,8 @@ static void test_most_triangles_decide(void **state)
 		{{0, 0, 0, 0}, 0},
 		{{1, 0, 0, 0}, 0},
 		{{9, -1, -1, 0}, 1},
+		{{0.001f, 0.001f, -9, 0}, 0},
+		{{-0.001f, -0.001f, 9, 0}, 1},
 	};
 
 	(void)state;

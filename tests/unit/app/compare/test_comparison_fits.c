@@ -16,6 +16,32 @@ struct candidate_time candidate_time_measure(
 	return (struct candidate_time){.frame_us = 1.0};
 }
 
+/* What a technique takes is known, whatever its error is. */
+static void expect_filled(const struct comparison_row *row)
+{
+	const struct comparison_cell *cell = &row->cell[0];
+
+	assert_true(cell->bytes.own + cell->bytes.shared > 10000);
+	assert_true(cell->vertex_count > 100);
+	assert_true(cell->board.vertices.cycles > 0.0);
+	assert_true(cell->error.samples > 0);
+	if (row->kind == COMPARISON_MORPH && row->listed) {
+		assert_true(cell->error.peak_px <= row->bound_px);
+	}
+}
+
+/* A clip that is compared as a whole gets moments where its motion bends. */
+static void expect_refined(
+	const struct comparison_clip *compared, const struct model_clip *clip)
+{
+	struct time_grid plain;
+
+	assert_int_equal(time_grid_make(clip, &plain), 0);
+	assert_true(compared->grid.count > plain.count);
+	assert_false(compared->grid.thinned);
+	time_grid_release(&plain);
+}
+
 /* Some errors are found between the moments that a fit looks at. */
 static void test_a_row_is_timed_after_its_last_fit(void **state)
 {
@@ -37,6 +63,10 @@ static void test_a_row_is_timed_after_its_last_fit(void **state)
 	assert_int_equal(
 		comparison_create(model, &request, &log, &comparison), 0);
 	assert_int_equal(timed, comparison->clip_count * comparison->row_count);
+	expect_refined(&comparison->clip[0], &model->clip[request.clip]);
+	for (int r = 0; r < comparison->row_count; r++) {
+		expect_filled(&comparison->row[r]);
+	}
 	comparison_destroy(comparison);
 	model_destroy(model);
 }

@@ -124,10 +124,69 @@ static void test_the_peak_does_not_depend_on_the_threads(void **state)
 	compared_clip_end(&bench);
 }
 
+/* Finds the moments of an error beyond a bound, which must not change it. */
+static void find_excess(struct candidate *candidate,
+	const struct compared_clip *bench, float bound_px,
+	const struct candidate_error *wanted, struct candidate_excess *out)
+{
+	struct candidate_error error;
+
+	*out = (struct candidate_excess){.bound_px = bound_px};
+	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
+				 &bench->grid, 1, out, &error),
+		0);
+	assert_near(error.peak_px, wanted->peak_px, 0);
+	assert_int_equal(error.samples, wanted->samples);
+}
+
+static bool is_listed(const struct candidate_excess *excess, float time_s)
+{
+	for (int i = 0; i < excess->count; i++) {
+		if (excess->time_s[i] == time_s) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Of the first 512 of them; the bound itself is kept. */
+static void test_moments_beyond_the_bound_are_listed(void **state)
+{
+	struct meeting alone = {.count = 1};
+	struct wave wave = {.meeting = &alone};
+	struct candidate candidate = {
+		.pose = pose_wave, .take = take_wave, .state = &wave};
+	struct candidate_excess excess;
+	struct compared_clip bench;
+	struct candidate_error error;
+
+	(void)state;
+	compared_clip_begin(&bench, "assets/walker.glb", "idle");
+	candidate.reference = bench.reference;
+	candidate.vertex_count = bench.reference->vertex_count;
+	assert_int_equal(candidate_error_measure(&candidate, &bench.screen,
+				 &bench.grid, 1, NULL, &error),
+		0);
+	find_excess(&candidate, &bench, error.peak_px, &error, &excess);
+	assert_int_equal(excess.count, 0);
+	find_excess(&candidate, &bench, nextafterf(error.peak_px, 0), &error,
+		&excess);
+	assert_in_range(excess.count, 1, 3);
+	assert_true(is_listed(&excess, error.peak_s));
+	find_excess(&candidate, &bench, 0.0f, &error, &excess);
+	assert_int_equal(
+		excess.count, error.samples < 512 ? error.samples : 512);
+	for (int i = 0; i < 5; i++) {
+		assert_true(is_listed(&excess, bench.grid.time_s[i]));
+	}
+	compared_clip_end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_peak_does_not_depend_on_the_threads),
+		cmocka_unit_test(test_moments_beyond_the_bound_are_listed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -93,6 +93,25 @@ static void test_a_helper_reaches_a_tenth_of_the_model(void **state)
 	end(&f);
 }
 
+/* Not that of a node beside, whichever comes first. */
+static void test_only_the_parents_scale_counts(void **state)
+{
+	(void)state;
+	for (int beside = 1; beside <= 2; beside++) {
+		struct fixture f;
+
+		begin(&f);
+		for (int axis = 0; axis < 3; axis++) {
+			f.bones.node[beside].rest.scale[axis] = 7.0f;
+		}
+		find(&f);
+		assert_near(f.reach.node[0].move_px, px_per_unit, 1e-4);
+		assert_near(f.reach.node[1].move_px, 2 * px_per_unit, 1e-4);
+		assert_near(f.reach.node[2].move_px, 2 * px_per_unit, 1e-4);
+		end(&f);
+	}
+}
+
 /* Nodes of the file that the model does not have keep their keys. */
 static void test_nodes_have_the_numbers_of_the_file(void **state)
 {
@@ -288,6 +307,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_farthest_vertex_counts),
 		cmocka_unit_test(test_a_helper_reaches_a_tenth_of_the_model),
+		cmocka_unit_test(test_only_the_parents_scale_counts),
 		cmocka_unit_test(test_nodes_have_the_numbers_of_the_file),
 		cmocka_unit_test(test_nodes_that_carry_a_camera_are_exact),
 		cmocka_unit_test(test_targets_count_by_their_farthest_vertex),

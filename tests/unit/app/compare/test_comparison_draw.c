@@ -1,0 +1,211 @@
+/* What drawing is predicted to cost, without measuring a comparison before. */
+#include "app/compare/comparison_draw.h"
+#include "app/compare/cost/board_cost.h"
+#include "app/model/levels/levels.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+enum {
+	ROWS = 3, /* the model itself and two morphs, which draw the model */
+	CLIPS = 2
+};
+
+struct bench {
+	struct model *model;
+	struct comparison comparison;
+	struct comparison_clip clip[CLIPS];
+	struct comparison_cell cell[ROWS][CLIPS];
+};
+
+/*
+ * The walker, with flat normals, in a small picture in which a level of detail
+ * is drawn.
+ */
+static void begin(struct bench *bench)
+{
+	static const enum comparison_kind kinds[ROWS] = {
+		COMPARISON_ORIGINAL, COMPARISON_MORPH, COMPARISON_MORPH_EVEN};
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	*bench = (struct bench){.comparison = {
+					.request = {.width = 48, .height = 64},
+					.box = {{-1, 0, -1}, {1, 2, 1}},
+					.clip_count = CLIPS,
+					.sampling = {.drawn_frames = 2},
+					.row_count = ROWS,
+				}};
+	assert_int_equal(
+		model_load("assets/walker.glb", &log, &bench->model), 0);
+	for (int m = 0; m < bench->model->mesh_count; m++) {
+		const struct model_mesh *mesh = &bench->model->mesh[m];
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			mesh->primitive[p].normal = NULL;
+		}
+	}
+	assert_int_equal(levels_make(bench->model), 0);
+	assert_true(bench->model->clip_count >= CLIPS);
+	bench->comparison.model = bench->model;
+	bench->comparison.clip = bench->clip;
+	for (int i = 0; i < ROWS; i++) {
+		bench->comparison.row[i] = (struct comparison_row){
+			.kind = kinds[i], .listed = true, .cell = bench->cell[i]};
+	}
+	for (int i = 0; i < CLIPS; i++) {
+		bench->clip[i].clip = i;
+	}
+}
+
+static void end(struct bench *bench)
+{
+	model_destroy(bench->model);
+}
+
+/* Posing takes 1e9 cycles, of which what is saved is taken. */
+static const struct board_frame *predict(struct bench *bench, int row, int clip)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	memset(bench->cell, 0, sizeof(bench->cell));
+	for (int i = 0; i < ROWS * CLIPS; i++) {
+		struct board_cost *posing =
+			&bench->cell[i / CLIPS][i % CLIPS].board.vertices;
+
+		posing->cycles = 1e9;
+		posing->instructions = 1e9;
+	}
+	assert_int_equal(comparison_draw_predict(&bench->comparison, &log), 0);
+	return &bench->cell[row][clip].board;
+}
+
+static void expect_cost(
+	const struct board_cost *cost, const struct board_cost *wanted)
+{
+	assert_near(cost->cycles, wanted->cycles, 1e-9 * wanted->cycles);
+	assert_near(cost->instructions, wanted->instructions,
+		1e-9 * wanted->instructions);
+}
+
+/* All frames of a clip that lasts no time show the same. */
+static void test_costs_are_means_of_a_frame(void **state)
+{
+	static const int frames[] = {1, 2, 6};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.model->clip[0].duration_s = 0;
+	for (int row = 0; row < ROWS; row++) {
+		struct board_frame one = {0};
+
+		for (int i = 0; i < 3; i++) {
+			const struct board_frame *frame;
+
+			bench.comparison.sampling.drawn_frames = frames[i];
+			frame = predict(&bench, row, 0);
+			one = i == 0 ? *frame : one;
+			expect_cost(&frame->draw, &one.draw);
+			expect_cost(&frame->vertices, &one.vertices);
+		}
+		assert_true(one.draw.cycles > one.draw.instructions);
+		assert_true(one.draw.instructions > 1000);
+	}
+	end(&bench);
+}
+
+/* The level of detail has fewer vertices to gather, however it is posed. */
+static void test_a_level_of_detail_saves_posing(void **state)
+{
+	struct bench bench;
+	struct board_cost saved[ROWS];
+
+	(void)state;
+	begin(&bench);
+	for (int row = 0; row < ROWS; row++) {
+		saved[row] = predict(&bench, row, 1)->vertices;
+		assert_true(saved[row].cycles < 1e9 - 1000);
+		assert_true(saved[row].cycles > 0);
+		assert_true(saved[row].instructions < 1e9 - 1000);
+		assert_true(saved[row].instructions > saved[row].cycles);
+	}
+	expect_cost(&saved[2], &saved[1]);
+	bench.comparison.request.width = 2400; /* all triangles are drawn */
+	bench.comparison.request.height = 3200;
+	assert_near(predict(&bench, 0, 1)->vertices.cycles, 1e9, 1e-3);
+	end(&bench);
+}
+
+/* Each pixel is cleared, whether or not anything is drawn there. */
+static void test_more_pixels_cost_more(void **state)
+{
+	struct gl_counts nothing = {0};
+	double before = 0;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (int times = 1; times <= 4; times *= 2) {
+		struct board_cost cleared =
+			board_cost_draw(&nothing, 48.0 * times * 64.0 * times);
+		const struct board_frame *frame;
+
+		bench.comparison.request.width = 48 * times;
+		bench.comparison.request.height = 64 * times;
+		frame = predict(&bench, 0, 0);
+		assert_true(frame->draw.cycles > cleared.cycles);
+		assert_true(frame->draw.cycles > 1.2 * before);
+		before = frame->draw.cycles;
+	}
+	end(&bench);
+}
+
+/* Of the model's clip that is compared, and not of the clip of that index. */
+static void test_the_compared_clip_is_drawn(void **state)
+{
+	struct board_cost both[CLIPS];
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (int c = 0; c < CLIPS; c++) {
+		both[c] = predict(&bench, 0, c)->draw;
+	}
+	assert_true(both[0].cycles != both[1].cycles);
+	bench.comparison.clip_count = 1;
+	bench.clip[0].clip = 1;
+	expect_cost(&predict(&bench, 0, 0)->draw, &both[1]);
+	expect_cost(&predict(&bench, 1, 0)->draw, &bench.cell[2][0].board.draw);
+	end(&bench);
+}
+
+/* No clip, no motion: the rest pose is drawn. */
+static void test_without_such_a_clip_the_rest_pose_is_drawn(void **state)
+{
+	struct board_cost rest, moved;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	moved = predict(&bench, 0, 0)->draw;
+	bench.clip[0].clip = bench.model->clip_count;
+	rest = predict(&bench, 0, 0)->draw;
+	assert_true(rest.cycles > 0);
+	assert_true(rest.cycles != moved.cycles);
+	bench.model->clip_count = 0;
+	expect_cost(&predict(&bench, 0, 0)->draw, &rest);
+	end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_costs_are_means_of_a_frame),
+		cmocka_unit_test(test_a_level_of_detail_saves_posing),
+		cmocka_unit_test(test_more_pixels_cost_more),
+		cmocka_unit_test(test_the_compared_clip_is_drawn),
+		cmocka_unit_test(test_without_such_a_clip_the_rest_pose_is_drawn),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

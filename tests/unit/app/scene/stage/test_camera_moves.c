@@ -176,6 +176,25 @@ static void test_the_frustum_holds_the_figure_and_the_ground(void **state)
 	assert_near(fx16_to_float(frustum.far), 30000.0, 0.0);
 }
 
+/* So that GL can compute the width of the frustum in 16.16. */
+static void test_a_frustum_ends_16000_from_its_axis(void **state)
+{
+	struct camera camera = camera_default();
+
+	(void)state;
+	for (int side = -1; side <= 1; side++) {
+		struct camera_frustum frustum;
+
+		camera.distance = 1e6f;
+		camera.shift_x = 0.25f * (float)side;
+		frustum = camera_frustum(&camera, 480, 640);
+		assert_near(fx16_to_float(frustum.left), -16000.0, 0.0);
+		assert_near(fx16_to_float(frustum.right), 16000.0, 0.0);
+		assert_near(fx16_to_float(frustum.bottom), -16000.0, 0.0);
+		assert_near(fx16_to_float(frustum.top), 16000.0, 0.0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -189,6 +208,7 @@ int main(void)
 			test_the_farthest_distance_is_that_of_the_widest_view),
 		cmocka_unit_test(
 			test_the_frustum_holds_the_figure_and_the_ground),
+		cmocka_unit_test(test_a_frustum_ends_16000_from_its_axis),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -142,7 +142,7 @@ static int find_shown(struct character_words *words,
 		count++;
 	}
 	binding->shown = label;
-	if (hud_name(label, "action", count, number) == label) {
+	if (hud_is_readable(label)) {
 		return 0;
 	}
 	label = make_label(words, action_words);

@@ -1,5 +1,6 @@
 #include "app/character/sketch/sketch_parts.h"
 
+#include "app/character/sketch/sketch_joints.h"
 #include "app/character/sketch/sketch_names.h"
 #include "app/scene/hud/hud_name.h"
 #include "platform/base/arena.h"
@@ -82,17 +83,36 @@ static bool is_part(const struct search *search, int node)
 }
 
 /* A part is called as its node is. */
-static void find(
-	const struct search *search, bool bones, struct sketch_parts *out)
+static void find(const struct search *search, struct sketch_parts *out)
 {
-	*out = (struct sketch_parts){.bones = bones};
 	for (int i = 0;
 		i < search->model->node_count && out->count < SKETCH_PARTS; i++) {
-		if (bones ? search->is_joint[i] && can_be_named(search, i)
-			  : is_part(search, i)) {
+		if (is_part(search, i)) {
 			out->node[out->count++] = i;
 		}
 	}
+}
+
+/* Joints take the place of parts, if there are some. Returns 0 or -ENOMEM. */
+static int find_joints(const struct search *search, struct arena *arena,
+	struct sketch_parts *out)
+{
+	const struct model *model = search->model;
+	bool *may_be_part = ARENA_ARRAY(arena, bool, (size_t)model->node_count);
+	struct sketch_parts joints = {.bones = true, .moved = true};
+	int error = may_be_part ? 0 : -ENOMEM;
+	bool any = false;
+
+	for (int i = 0; i < model->node_count && !error; i++) {
+		may_be_part[i] = search->is_joint[i] && can_be_named(search, i);
+		any = any || may_be_part[i];
+	}
+	if (any) {
+		error = sketch_find_joints(model, may_be_part, SKETCH_PARTS,
+			joints.node, &joints.count);
+	}
+	*out = joints.count > 0 ? joints : *out;
+	return error;
 }
 
 /* Returns true if a part has another one above it. */
@@ -112,21 +132,18 @@ int sketch_find_parts(const struct model *model, const bool *is_joint,
 {
 	struct arena arena = arena_empty();
 	struct search search = {model, is_joint, is_named, NULL, NULL, 0};
-	struct sketch_parts joints;
 	int error = init(&search, model, &arena);
 
 	*out = (struct sketch_parts){.count = 0};
 	if (!error) {
-		find(&search, false, out);
+		find(&search, out);
 	}
 	for (int i = 0; i < out->count; i++) {
 		out->moved =
 			out->moved || (still && hangs(&search, out->node[i]));
 	}
 	if (!error && still && !out->moved) {
-		find(&search, true, &joints);
-		joints.moved = true;
-		*out = joints.count > 0 ? joints : *out;
+		error = find_joints(&search, &arena, out);
 	}
 	arena_release(&arena);
 	return error;

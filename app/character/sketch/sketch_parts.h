@@ -7,7 +7,11 @@
 #include <stdio.h>
 
 enum {
-	SKETCH_PARTS = 12 /* if a model has more, the first ones are taken */
+	/*
+	 * If a model has more, the first parts are taken, or the joints that
+	 * move most.
+	 */
+	SKETCH_PARTS = 12
 };
 
 struct sketch_parts {

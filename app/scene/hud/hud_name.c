@@ -2,10 +2,10 @@
 
 #include "app/scene/hud/font.h"
 
-#include <stdbool.h>
+#include <ctype.h>
 #include <stdio.h>
 
-static bool is_readable(const char *name)
+bool hud_is_readable(const char *name)
 {
 	int known = 0, unknown = 0;
 	uint32_t code;
@@ -20,10 +20,26 @@ static bool is_readable(const char *name)
 	return known > 0 && known >= unknown;
 }
 
+/* Returns the part of a name behind its namespaces. */
+static const char *skip_namespaces(const char *name)
+{
+	const char *own = name;
+
+	for (const char *at = name; *at && *at != ' '; at++) {
+		bool ends = (*at == ':' || *at == '|') && at > name;
+
+		if (ends && (isalpha((unsigned char)at[1]) || at[1] & 0x80)) {
+			own = at + 1;
+		}
+	}
+	return own;
+}
+
 const char *hud_name(const char *name, const char *kind, int number,
 	char out[HUD_NAME_BYTES])
 {
-	if (is_readable(name)) {
+	name = skip_namespaces(name);
+	if (hud_is_readable(name)) {
 		return name;
 	}
 	snprintf(out, HUD_NAME_BYTES, "%s %d", kind, number);

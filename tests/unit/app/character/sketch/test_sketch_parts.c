@@ -3,6 +3,8 @@
 #include "platform/base/compiler.h"
 #include "tests/support/test.h"
 
+#include <string.h>
+
 enum {
 	MOST = 12
 };
@@ -93,12 +95,97 @@ static void test_meshes_that_hang_on_meshes_are_parts(void **state)
 		(const char *const[]){"base", "arm", "hand", NULL});
 }
 
+enum {
+	JOINTS = 15
+};
+
+/*
+ * Finds the parts of a chain of joints. Each joint moves a triangle whose size
+ * is given.
+ */
+static struct sketch_parts find_joints(const float size[JOINTS])
+{
+	struct model_node node[JOINTS + 1];
+	int joint[JOINTS];
+	float position[3 * JOINTS][3], weight[3 * JOINTS][4] = {{0}};
+	uint16_t influence[3 * JOINTS][4] = {{0}};
+	uint32_t index[3 * JOINTS];
+	bool is_joint[JOINTS + 1] = {false}, named[JOINTS + 1] = {false};
+	struct model_skin skin = {.joint = joint, .joint_count = JOINTS};
+	struct model_primitive primitive = {.vertex_count = 3 * JOINTS,
+		.position = position,
+		.influences = 4,
+		.joint = influence[0],
+		.weight = weight[0],
+		.index_count = 3 * JOINTS,
+		.index = index};
+	struct model_mesh mesh = {.primitive_count = 1, .primitive = &primitive};
+	struct model model = {.node = node,
+		.node_count = JOINTS + 1,
+		.mesh = &mesh,
+		.mesh_count = 1,
+		.skin = &skin,
+		.skin_count = 1};
+	struct sketch_parts parts;
+
+	for (int i = 0; i <= JOINTS; i++) {
+		node[i] = (struct model_node){.name = "joint",
+			.parent = i < JOINTS ? i - 1 : -1,
+			.mesh = i < JOINTS ? -1 : 0,
+			.skin = i < JOINTS ? -1 : 0};
+		is_joint[i] = named[i] = i < JOINTS;
+	}
+	for (int i = 0; i < 3 * JOINTS; i++) {
+		int of = i / 3;
+		float at[3][3] = {{0}, {size[of], 0, 0}, {0, size[of], 0}};
+
+		joint[of] = of;
+		memcpy(position[i], at[i % 3], sizeof(position[i]));
+		influence[i][0] = (uint16_t)of;
+		weight[i][0] = 1;
+		index[i] = (uint32_t)i;
+	}
+	assert_int_equal(
+		sketch_find_parts(&model, is_joint, named, true, &parts), 0);
+	assert_true(parts.bones && parts.moved);
+	return parts;
+}
+
+/* The first joints may be those of the first hand's fingers. */
+static void test_the_joints_that_move_most_are_parts(void **state)
+{
+	static const float size[JOINTS] = {
+		2, 2, 0.1f, 2, 2, 2, 0.1f, 2, 2, 2, 2, 2, 2, 2, 0.1f};
+	static const int wanted[SKETCH_PARTS] = {
+		0, 1, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13};
+	struct sketch_parts parts = find_joints(size);
+
+	(void)state;
+	assert_int_equal(parts.count, SKETCH_PARTS);
+	assert_memory_equal(parts.node, wanted, sizeof(wanted));
+}
+
+/* A root moves all by the joints below it; the end of a limb moves nothing. */
+static void test_joints_that_move_nothing_are_no_parts(void **state)
+{
+	static const float size[JOINTS] = {0, 0, 2, 0, 2};
+	struct sketch_parts parts = find_joints(size);
+
+	(void)state;
+	assert_int_equal(parts.count, 5);
+	for (int i = 0; i < parts.count; i++) {
+		assert_int_equal(parts.node[i], i);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_nodes_that_hold_pivots_turn_their_meshes),
 		cmocka_unit_test(test_meshes_side_by_side_are_parts_of_their_own),
 		cmocka_unit_test(test_meshes_that_hang_on_meshes_are_parts),
+		cmocka_unit_test(test_the_joints_that_move_most_are_parts),
+		cmocka_unit_test(test_joints_that_move_nothing_are_no_parts),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

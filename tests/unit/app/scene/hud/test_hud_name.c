@@ -36,6 +36,28 @@ static void test_a_name_needs_half_of_its_letters(void **state)
 	expect("\u6b69\u304f    a", "clip 3");
 }
 
+/* Each name of a file may have the same ones, which hide the rest. */
+static void test_namespaces_are_left_out(void **state)
+{
+	(void)state;
+	expect("mixamorig:LeftArm", "LeftArm");
+	expect("Armature|mixamo.com|Layer0.001", "Layer0.001");
+	expect("Rig|walk slowly", "walk slowly");
+	expect("a:b:\u00e9t\u00e9", "\u00e9t\u00e9");
+	expect("Rig|\u6b69\u304f", "clip 3");
+}
+
+static void test_other_colons_and_bars_stay(void **state)
+{
+	(void)state;
+	expect("12:30", "12:30");
+	expect("1:", "1:");
+	expect("|walk", "|walk");
+	expect("two words:more", "two words:more");
+	expect("either | or", "either | or");
+	expect("note: stop", "note: stop");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -43,6 +65,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_number_replaces_a_name_that_the_font_lacks),
 		cmocka_unit_test(test_a_name_needs_half_of_its_letters),
+		cmocka_unit_test(test_namespaces_are_left_out),
+		cmocka_unit_test(test_other_colons_and_bars_stay),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

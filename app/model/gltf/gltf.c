@@ -73,6 +73,7 @@ bool gltf_knows_extension(const char *name)
 	static const char *const known[] = {
 		"KHR_materials_emissive_strength",
 		"KHR_materials_pbrSpecularGlossiness",
+		"KHR_materials_transmission",
 		"KHR_materials_unlit",
 		"KHR_mesh_quantization",
 		"KHR_node_visibility",

@@ -207,6 +207,35 @@ static int read_emission(const struct gltf_at *at,
 }
 
 /*
+ * Reads KHR_materials_transmission: what is behind shows through, as through a
+ * blended surface. A texture would say where; without it, nothing is blended.
+ */
+static int read_transmission(
+	const struct gltf_at *extensions, struct model_material *out)
+{
+	/* Of clear glass, the gloss and a little of the colour remain. */
+	static const float most = 0.75f;
+	struct gltf_at at, texture;
+	float factor = 0.0f;
+	int error = gltf_object(extensions, "KHR_materials_transmission", &at);
+
+	if (!error) {
+		error = gltf_maybe_number(&at, "transmissionFactor", &factor);
+	}
+	if (!error) {
+		error = gltf_object(&at, "transmissionTexture", &texture);
+	}
+	if (error || texture.json || factor <= 0.0f || out->alpha == MODEL_MASK) {
+		return error;
+	}
+	out->base_color[3] =
+		(out->alpha == MODEL_OPAQUE ? 1.0f : out->base_color[3]) *
+		(1.0f - most * scalar_clamp(factor, 0.0f, 1.0f));
+	out->alpha = MODEL_BLEND;
+	return 0;
+}
+
+/*
  * Reads KHR_materials_pbrSpecularGlossiness, which the extension's
  * specification wants preferred to pbrMetallicRoughness. Its diffuse colour
  * becomes the base colour.
@@ -270,6 +299,9 @@ static int read_material(const struct gltf_at *at)
 	out->unlit = json_object_get(extensions.json, "KHR_materials_unlit");
 	error = glossiness.json ? read_glossiness(at, &glossiness, out, uv)
 				: read_roughness(at, &pbr, out, uv);
+	if (!error) {
+		error = read_transmission(&extensions, out);
+	}
 	return error ? error : read_emission(at, &extensions, out, uv);
 }
 

@@ -52,10 +52,14 @@ static bool is_garbled(const char *name)
  * Fails because nothing has the name, which is "" if the line has none; the
  * list holds the names that there are.
  */
-static int fail_name(struct character_words *words, const char *name,
-	const char *what, const struct name_list *list)
+static int fail_name(struct character_words *words, const char *what,
+	struct name_choice *choice)
 {
+	const struct name_list *list = &choice->list;
 	const char *are = strstr(list->text, ", ") ? "are" : "is only";
+	const char *name = choice->wanted;
+
+	name_choice_end(choice);
 
 	if (is_garbled(name)) {
 		character_fail(words,
@@ -75,16 +79,78 @@ static int fail_name(struct character_words *words, const char *name,
 	return -1;
 }
 
-static void add_named(struct name_list *list, const char *name, int number)
+static void add_named(struct name_choice *choice, const char *name, int number)
 {
 	char text[16];
 
 	if (name[0]) {
-		name_list_add(list, name);
+		name_choice_add(choice, name);
 	} else {
 		snprintf(text, sizeof(text), "%d", number);
-		name_list_add(list, text);
+		name_choice_add(choice, text);
 	}
+}
+
+static int fail_node(struct character_words *words, const char *name)
+{
+	const struct model *model = words->build->model;
+	struct name_choice choice = {.wanted = name};
+
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (int i = 0; i < model->node_count; i++) {
+			if (model->node[i].name[0]) {
+				name_choice_add(&choice, model->node[i].name);
+			}
+		}
+	}
+	return fail_name(words, "node", &choice);
+}
+
+static int fail_clip(struct character_words *words, const char *name)
+{
+	const struct model *model = words->build->model;
+	struct name_choice choice = {.wanted = name};
+
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (int i = 0; i < model->clip_count; i++) {
+			add_named(&choice, model->clip[i].name, i);
+		}
+		name_choice_add(&choice, "rest");
+	}
+	return fail_name(words, "clip", &choice);
+}
+
+static int fail_target(struct character_words *words,
+	const struct model_mesh *mesh, const char *name)
+{
+	struct name_choice choice = {.wanted = name};
+
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (int i = 0; i < mesh->target_count; i++) {
+			add_named(&choice, mesh->target_name[i], i);
+		}
+	}
+	return fail_name(words, "morph target", &choice);
+}
+
+static int fail_section(
+	struct character_words *words, const char *kind, const char *name)
+{
+	const struct character_section *first =
+		character_text_find(words->build->text->first, kind);
+	struct name_choice choice = {.wanted = name};
+
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (const struct character_section *section = first; section;
+			section = character_text_find(section->next, kind)) {
+			name_choice_add(&choice, section->name);
+		}
+	}
+	return fail_name(words, kind, &choice);
 }
 
 int character_name_node(struct character_words *words)
@@ -92,18 +158,9 @@ int character_name_node(struct character_words *words)
 	const struct character_build *build = words->build;
 	const char *word = character_next_word(words);
 	const char *name = word ? character_own_name(build, word) : "";
-	struct name_list list = {""};
 	int node = model_find_node(build->model, name);
 
-	if (node >= 0 && name[0]) {
-		return node;
-	}
-	for (int i = 0; i < build->model->node_count; i++) {
-		if (build->model->node[i].name[0]) {
-			name_list_add(&list, build->model->node[i].name);
-		}
-	}
-	return fail_name(words, name, "node", &list);
+	return node >= 0 && name[0] ? node : fail_node(words, name);
 }
 
 int character_name_clip(struct character_words *words)
@@ -111,20 +168,12 @@ int character_name_clip(struct character_words *words)
 	const struct character_build *build = words->build;
 	const char *word = character_next_word(words);
 	const char *name = word ? character_own_name(build, word) : "";
-	struct name_list list = {""};
 	int clip = word ? model_find_clip(build->model, name) : -1;
 
 	if (clip >= 0) {
 		return clip;
 	}
-	if (word && strcmp(word, "rest") == 0) {
-		return -2;
-	}
-	for (int i = 0; i < build->model->clip_count; i++) {
-		add_named(&list, build->model->clip[i].name, i);
-	}
-	name_list_add(&list, "rest");
-	return fail_name(words, name, "clip", &list);
+	return word && strcmp(word, "rest") == 0 ? -2 : fail_clip(words, name);
 }
 
 int character_name_target(struct character_words *words, int node)
@@ -134,7 +183,6 @@ int character_name_target(struct character_words *words, int node)
 		&build->model->mesh[build->model->node[node].mesh];
 	const char *word = character_next_word(words);
 	const char *name = word ? character_own_name(build, word) : "";
-	struct name_list list = {""};
 	char *end;
 	long number;
 
@@ -142,13 +190,12 @@ int character_name_target(struct character_words *words, int node)
 		if (name[0] && strcmp(mesh->target_name[i], name) == 0) {
 			return i;
 		}
-		add_named(&list, mesh->target_name[i], i);
 	}
 	number = strtol(name, &end, 10);
 	if (*name && !*end && number >= 0 && number < mesh->target_count) {
 		return (int)number;
 	}
-	return fail_name(words, name, "morph target", &list);
+	return fail_target(words, mesh, name);
 }
 
 int character_name_section(struct character_words *words, const char *kind)
@@ -156,16 +203,15 @@ int character_name_section(struct character_words *words, const char *kind)
 	const struct character_section *section =
 		character_text_find(words->build->text->first, kind);
 	const char *name = character_next_word(words);
-	struct name_list list = {""};
+	bool any = section;
 
 	for (int i = 0; section; i++) {
 		if (name && strcmp(section->name, name) == 0) {
 			return i;
 		}
-		name_list_add(&list, section->name);
 		section = character_text_find(section->next, kind);
 	}
-	if (!list.text[0]) {
+	if (!any) {
 		const char *missing = name && name[0] ? name : "NAME";
 
 		character_fail(words,
@@ -173,7 +219,7 @@ int character_name_section(struct character_words *words, const char *kind)
 			missing, kind, missing);
 		return -1;
 	}
-	return fail_name(words, name ? name : "", kind, &list);
+	return fail_section(words, kind, name ? name : "");
 }
 
 int character_name_state(struct character_words *words)

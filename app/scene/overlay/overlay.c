@@ -137,9 +137,25 @@ static void choose_most_shared(struct overlay *overlay)
 	overlay->chosen = most < 0 ? 0 : most;
 }
 
+static void list_names(const struct overlay *overlay, struct name_choice *names)
+{
+	int count = item_count(overlay);
+
+	for (int pass = 0; pass < 2; pass++) {
+		names->others = pass;
+		for (int item = 0; item < count; item++) {
+			if (can_choose(overlay, item) &&
+				name_of(overlay, item)[0]) {
+				name_choice_add(names, name_of(overlay, item));
+			}
+		}
+	}
+	name_choice_end(names);
+}
+
 static int choose_named(struct overlay *overlay, const char *name)
 {
-	struct name_list names = {""};
+	struct name_choice names = {.wanted = name};
 	int count = item_count(overlay);
 
 	for (int item = 0; item < count; item++) {
@@ -148,15 +164,14 @@ static int choose_named(struct overlay *overlay, const char *name)
 			overlay->chosen = item;
 			return 0;
 		}
-		if (can_choose(overlay, item) && name_of(overlay, item)[0]) {
-			name_list_add(&names, name_of(overlay, item));
-		}
 	}
+	list_names(overlay, &names);
 	log_error(&overlay->log,
 		"--show weights:%s: %s has no %s of that name: %s%s", name,
 		overlay->subject.instance->model->path,
 		overlay->chooses_target ? "morph target" : "joint or part",
-		names.text[0] ? "give one of " : "none has a name", names.text);
+		names.list.text[0] ? "give one of " : "none has a name",
+		names.list.text);
 	return -EINVAL;
 }
 

@@ -102,7 +102,7 @@ static const struct statement walker[] = {
 		"a layer plays a clip"},
 	{"[layer a]\nclip = wave\nmask = shoulder.R, head 0.5\n",
 		"[layer a]\nclip = wave\nmask = shoulder\n",
-		"no node named shoulder: there are"},
+		"no node named shoulder: there are shoulder.L, shoulder.R, "},
 	{"[layer a]\nclip = wave\nmask = shoulder.R\n",
 		"[layer a]\nclip = wave\nmask = shoulder.R,\n",
 		"the node's name is missing: there are"},

@@ -1,6 +1,7 @@
 #include "platform/base/name_list.h"
 #include "tests/support/test.h"
 
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -85,6 +86,75 @@ static void test_shorter_names_follow_one_that_was_dropped(void **state)
 	assert_string_equal(list.text + ROOM - 5, ", abc");
 }
 
+/* The list of what a message offers in place of a name. */
+static void expect_choice(const char *wanted, const char *const *names,
+	int count, const char *expected)
+{
+	struct name_choice choice = {.wanted = wanted};
+
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (int i = 0; i < count; i++) {
+			name_choice_add(&choice, names[i]);
+		}
+	}
+	name_choice_end(&choice);
+	assert_string_equal(choice.list.text, expected);
+}
+
+static void test_names_like_the_wanted_one_come_first(void **state)
+{
+	static const char *const bones[] = {
+		"Hips", "rig:Left_Foot", "Door", "No", "left.foot.L", "Handle"};
+	static const struct {
+		const char *wanted, *expected;
+	} cases[] = {
+		{"LeftFoot",
+			"rig:Left_Foot, left.foot.L, Hips, Door, No, Handle"},
+		{"door1", "Door, Hips, rig:Left_Foot, No, left.foot.L, Handle"},
+		{"hop", "Hips, rig:Left_Foot, Door, No, left.foot.L, Handle"},
+		{"hips", "Hips, rig:Left_Foot, Door, No, left.foot.L, Handle"},
+		{"no", "No, Hips, rig:Left_Foot, Door, left.foot.L, Handle"},
+		{"handel", "Handle, Hips, rig:Left_Foot, Door, No, left.foot.L"},
+		{"", "Hips, rig:Left_Foot, Door, No, left.foot.L, Handle"},
+		{"o", "Hips, rig:Left_Foot, Door, No, left.foot.L, Handle"},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		expect_choice(cases[i].wanted, bones, 6, cases[i].expected);
+	}
+}
+
+/* A skeleton may have a hundred names, and the wanted one may be the last. */
+static void test_a_choice_tells_how_many_names_are_left_out(void **state)
+{
+	char name[100][16], expected[32];
+	const char *names[100];
+	struct name_choice choice = {.wanted = "JOINT_99"};
+	int listed = 1;
+
+	(void)state;
+	for (int i = 0; i < 100; i++) {
+		snprintf(name[i], sizeof(name[i]), "joint-long-%02d", i);
+		names[i] = name[i];
+	}
+	names[99] = "joint 99";
+	for (int pass = 0; pass < 2; pass++) {
+		choice.others = pass;
+		for (int i = 0; i < 100; i++) {
+			name_choice_add(&choice, names[i]);
+		}
+	}
+	name_choice_end(&choice);
+	assert_int_equal(strncmp(choice.list.text, "\"joint 99\", ", 12), 0);
+	for (const char *at = choice.list.text; (at = strchr(at, ',')); at++) {
+		listed++;
+	}
+	snprintf(expected, sizeof(expected), "%d more", 100 - listed);
+	assert_contains(choice.list.text, expected);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -95,6 +165,8 @@ int main(void)
 		cmocka_unit_test(
 			test_only_names_that_fit_behind_the_others_are_added),
 		cmocka_unit_test(test_shorter_names_follow_one_that_was_dropped),
+		cmocka_unit_test(test_names_like_the_wanted_one_come_first),
+		cmocka_unit_test(test_a_choice_tells_how_many_names_are_left_out),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

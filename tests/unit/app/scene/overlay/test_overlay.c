@@ -355,7 +355,7 @@ static void test_a_joint_that_the_model_lacks_is_named(void **state)
 	assert_null(other);
 	assert_int_equal(logged.count, 1);
 	assert_contains(logged.sentence[0],
-		"has no joint or part of that name: give one of hips, ");
+		"has no joint or part of that name: give one of ponytail.1, ");
 	demo_run_end(&run);
 }
 

@@ -236,6 +236,16 @@ def filmed(m):
     m.json["nodes"][0]["camera"] = 0
 
 
+def levels(m):
+    m.json["nodes"][3]["name"] = "Tree_LOD0"
+    m.json["nodes"].append({"name": "Tree_LOD1", "mesh": 0, "skin": 0})
+    m.json["scenes"][0]["nodes"].append(4)
+
+
+def collider(m):
+    m.json["nodes"][3]["name"] = "UCX_Tree"
+
+
 def scenes(m):
     m.json["scenes"] += [{"nodes": [0]}, {"nodes": [3]}]
 
@@ -270,6 +280,8 @@ PITFALLS = [
     (empty, "accessors without a buffer view"),
     (sheared, "nodes with a sheared matrix"),
     (filmed, "cameras .1.: limber looks at the whole model from outside"),
+    (levels, "levels of detail as nodes of their own .1., such as Tree_LOD1: "),
+    (collider, "shapes for collisions .1., such as UCX_Tree: "),
     (scenes, "scenes beside the one that is shown .2.: "),
 ]
 

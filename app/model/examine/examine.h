@@ -33,6 +33,9 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 int examine_skins(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
 
+/* Reports levels of detail and shapes for collisions that are shown as well. */
+void examine_spare(const struct model *model, const struct examiner *examiner);
+
 /*
  * Returns the number of primitives that some node shows with normals on the
  * other side than the front of their triangles, at rest, or -ENOMEM. Uses the

@@ -1,0 +1,91 @@
+/* What limber doctor says about meshes that a game engine would not show. */
+#include "app/model/examine/examine.h"
+#include "tests/support/test.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum {
+	MOST = 4
+};
+
+static char heard[800];
+
+static void keep(void *context, const char *finding)
+{
+	(void)context;
+	snprintf(heard + strlen(heard), sizeof(heard) - strlen(heard), "%s\n",
+		finding);
+}
+
+/* Examines nodes with meshes of these names, of which the last is hidden. */
+static void expect(const char *const *names, int count, const char *wanted)
+{
+	const struct examiner examiner = {keep, NULL};
+	struct model_node node[MOST + 1];
+	struct model model = {.node = node, .node_count = count + 1};
+
+	for (int i = 0; i <= count; i++) {
+		node[i] = (struct model_node){
+			.name = i < count ? names[i] : "Tree_LOD0",
+			.parent = -1,
+			.in_scene = i < count,
+			.mesh = 0,
+			.skin = -1,
+		};
+	}
+	heard[0] = '\0';
+	examine_spare(&model, &examiner);
+	assert_string_equal(heard, wanted);
+}
+
+static void test_levels_beside_a_finer_one_are_counted(void **state)
+{
+	static const char wanted[] =
+		"levels of detail as nodes of their own (2), such as Tree_LOD1: "
+		"limber draws them and the finest level at once; export that "
+		"one alone, as limber makes its own levels\n";
+
+	(void)state;
+	expect((const char *const[]){"Tree_LOD0", "Tree_LOD1", "Tree_LOD2"}, 3,
+		wanted);
+	expect((const char *const[]){"Tree_LOD2", "Tree_LOD1", "Tree_LOD3"}, 3,
+		"levels of detail as nodes of their own (2), such as Tree_LOD2: "
+		"limber draws them and the finest level at once; export that "
+		"one alone, as limber makes its own levels\n");
+	expect((const char *const[]){"tree lod0", "TreeLOD1"}, 2, "");
+	expect((const char *const[]){"lod0", "lod01"}, 2,
+		"levels of detail as nodes of their own (1), such as lod01: "
+		"limber draws them and the finest level at once; export that "
+		"one alone, as limber makes its own levels\n");
+}
+
+static void test_other_names_are_no_levels(void **state)
+{
+	(void)state;
+	expect((const char *const[]){"Tree_LOD1", "Bush_LOD0"}, 2, "");
+	expect((const char *const[]){"melod0", "melod1"}, 2, "");
+	expect((const char *const[]){"Wheel0", "Wheel1", "LOD", "1"}, 4, "");
+}
+
+static void test_shapes_for_collisions_are_counted(void **state)
+{
+	(void)state;
+	expect((const char *const[]){"Tree", "UCX_Tree_00", "tree COLLISION",
+		       "BoxCollider"},
+		4,
+		"shapes for collisions (3), such as UCX_Tree_00: limber draws "
+		"them over the model; export it without them\n");
+	expect((const char *const[]){"Collar", "Coll", "UCX"}, 3, "");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_levels_beside_a_finer_one_are_counted),
+		cmocka_unit_test(test_other_names_are_no_levels),
+		cmocka_unit_test(test_shapes_for_collisions_are_counted),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

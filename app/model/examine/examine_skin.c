@@ -84,10 +84,12 @@ static void report_nodes(const struct model *model, const bool *is_joint,
 		"limber transforms normals by the joint matrix, or where the scale is uneven by its inverse transpose, and normalises them");
 }
 
-static bool is_ordered(const struct model_skin *skin)
+/* Nodes have another order in the model than in the file, whose counts here. */
+static bool is_ordered(const struct model *model, const struct model_skin *skin)
 {
 	for (int j = 1; j < skin->joint_count; j++) {
-		if (skin->joint[j] < skin->joint[j - 1]) {
+		if (model->node[skin->joint[j]].file_index <
+			model->node[skin->joint[j - 1]].file_index) {
 			return false;
 		}
 	}
@@ -133,7 +135,7 @@ static void report_skins(const struct model *model, struct use *uses,
 	int unordered = 0, use_count = find_uses(model, uses), skins = 1;
 
 	for (int i = 0; i < model->skin_count; i++) {
-		unordered += !is_ordered(&model->skin[i]);
+		unordered += !is_ordered(model, &model->skin[i]);
 	}
 	examine_count(examiner, unordered,
 		"skins that list their joints in another order than the nodes",

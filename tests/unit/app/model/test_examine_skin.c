@@ -207,6 +207,23 @@ static void test_joints_in_another_order_are_counted(void **state)
 	end(&f);
 }
 
+/* A model has its nodes by depth, a file may have them by breadth. */
+static void test_the_order_of_joints_is_that_of_the_file(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.bones.node[HIPS].file_index = KNEE;
+	f.bones.node[KNEE].file_index = HIPS;
+	for (int s = 0; s < 2; s++) {
+		f.joint[s][0] = KNEE;
+		f.joint[s][1] = HIPS;
+	}
+	expect(&f, "");
+	end(&f);
+}
+
 /* Nodes that share a skin count once, whatever their order. */
 static void test_the_skins_of_a_mesh_are_counted(void **state)
 {
@@ -385,6 +402,7 @@ int main(void)
 		cmocka_unit_test(test_meshes_on_joints_are_counted),
 		cmocka_unit_test(test_scaled_joints_are_counted),
 		cmocka_unit_test(test_joints_in_another_order_are_counted),
+		cmocka_unit_test(test_the_order_of_joints_is_that_of_the_file),
 		cmocka_unit_test(test_the_skins_of_a_mesh_are_counted),
 		cmocka_unit_test(test_what_primitives_lack_or_have_is_counted),
 		cmocka_unit_test(test_normals_that_point_to_the_back_are_counted),

@@ -11,7 +11,7 @@
 #include "app/scene/hud/hud_group.h"
 #include "app/scene/instance/instance.h"
 #include "app/scene/overlay/overlay.h"
-#include "app/scene/shadow/shadow_ground.h"
+#include "app/scene/shadow/shadow_figure.h"
 #include "app/scene/stage/framing.h"
 #include "app/scene/stage/live.h"
 #include "app/scene/stage/stage.h"
@@ -28,6 +28,8 @@ struct actor {
 	float min_error_px; /* raises a smaller error of lod; 0: no effect */
 	float extent;       /* longest side of the rest pose, scene units */
 	struct shadow_ground ground; /* a ground that is part of the model */
+	/* on that ground, in demos that show the instance itself; or NULL */
+	struct shadow_figure *shadow;
 };
 
 /* Every demo's struct begins with this one. */

@@ -430,10 +430,12 @@ static void draw_ground(const struct character_drawing *drawing,
 	const struct gl *gl)
 {
 	const struct character *character = drawing->character;
+	float light[3];
 
+	light_direction(light);
 	if (*character->scene.shadow <= 0.0f ||
 		stage->floor.wave_height != 0.0f ||
-		!shadow_ground_begin(&drawing->ground, stage, gl,
+		!shadow_ground_begin(&drawing->ground, stage, gl, light,
 			character->instance, textures)) {
 		return;
 	}

@@ -5,11 +5,11 @@
 #include "app/scene/draw/draw.h"
 #include "app/scene/draw/texture.h"
 #include "app/scene/instance/lod.h"
-#include "app/scene/shadow/shadow_drape.h"
-#include "app/scene/shadow/shadow_ground.h"
-#include "app/scene/stage/light.h"
+#include "app/scene/shadow/shadow_figure.h"
 #include "app/scene/stage/stage.h"
 #include "platform/gl/gl_context.h"
+
+#include <cglm/cglm.h>
 
 #include <errno.h>
 #include <stdlib.h>
@@ -19,9 +19,8 @@ struct drawing {
 	struct pixels pixels;
 	struct texture_set textures;
 	struct stage stage;
-	struct bounds box; /* framed by the camera */
-	struct shadow_ground ground;
-	struct shadow_drape drape;     /* on the ground, if it has a relief */
+	struct bounds box;             /* framed by the camera */
+	struct shadow_figure *figure;  /* on ground of its own, or NULL */
 	struct drawing_shadow *shadow; /* counts; or NULL */
 	bool keys;
 };
@@ -40,17 +39,15 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	const struct log *log)
 {
 	const struct model *model = instance->model;
-	const struct shadow_relief *relief = &drawing->ground.relief;
+	struct shadow_ground ground;
 
-	if (shadow_ground_find(&drawing->ground, instance) != 0) {
+	if (shadow_ground_find(&ground, instance) != 0) {
 		return memory_budget_fail(model->budget, model->path, log);
 	}
-	if (drawing->ground.in_plane) {
+	if (ground.in_plane) {
 		stage_lower_floor(&drawing->stage, &drawing->box);
 	}
-	return relief->height ? shadow_drape_init_on(&drawing->drape, instance,
-					NULL, 0, relief, log)
-			      : 0;
+	return shadow_figure_create(instance, &ground, log, &drawing->figure);
 }
 
 static int prepare(struct drawing *drawing, const struct instance *instance,
@@ -164,42 +161,6 @@ static void count_shadow(
 		drape->grid.node_count > 0 ? drape->grid.node_count : points;
 }
 
-/* Lays the shadow on uneven ground of the model's own. */
-static void lay_shadow(struct drawing *drawing, struct instance *instance)
-{
-	struct shadow_light light = {
-		.ground = &drawing->stage.floor,
-		.relief = &drawing->ground.relief,
-	};
-
-	light_direction(light.towards);
-	camera_eye(&drawing->stage.camera, light.eye);
-	shadow_ground_hide(&drawing->ground, instance, true);
-	shadow_drape_update(&drawing->drape, instance, &light);
-	shadow_ground_hide(&drawing->ground, instance, false);
-	if (drawing->shadow) {
-		count_shadow(&drawing->drape, drawing->shadow);
-	}
-}
-
-/* Draws ground of the model's own, and the shadows on it. */
-static void draw_ground(struct drawing *drawing, struct instance *instance)
-{
-	const struct gl *gl = &drawing->context->gl;
-
-	if (!shadow_ground_begin(&drawing->ground, &drawing->stage, gl,
-		    instance, &drawing->textures)) {
-		return;
-	}
-	if (drawing->ground.relief.height) {
-		shadow_drape_draw(&drawing->drape, gl, DRAW_SHADOW_ALPHA,
-			STAGE_GROUND_MARK, true);
-	} else {
-		draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
-		stage_top_end(gl);
-	}
-}
-
 void drawing_draw(
 	struct drawing *drawing, struct instance *instance, float extent)
 {
@@ -208,14 +169,18 @@ void drawing_draw(
 	struct stage *stage = &drawing->stage;
 	const struct gl *gl = &context->gl;
 	int width = drawing->pixels.width, height = drawing->pixels.height;
+	mat4 place = GLM_MAT4_IDENTITY_INIT;
 	float eye[3];
 
 	lod_choose(instance, &automatic, px_per_unit(drawing, instance, extent));
 	if (instance_is_stale(instance)) {
 		instance_update(instance);
 	}
-	if (drawing->ground.relief.height) {
-		lay_shadow(drawing, instance);
+	/* As large as the player shows it. */
+	shadow_figure_lay(
+		drawing->figure, stage, 0, instance, (const vec4 *)place);
+	if (drawing->shadow && drawing->figure) {
+		count_shadow(&drawing->figure->drape, drawing->shadow);
 	}
 	if (context->driver->begin_frame(context, &drawing->pixels) != 0) {
 		return;
@@ -224,11 +189,12 @@ void drawing_draw(
 	stage_shadow_begin(stage, gl);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADOW);
 	stage_shadow_end(stage, gl);
-	draw_ground(drawing, instance);
+	shadow_figure_draw(drawing->figure, stage, gl, instance,
+		&drawing->textures, (const vec4 *)place);
 	camera_eye(&stage->camera, eye);
 	alpha_sort_blended(instance, eye);
 	draw_instance(gl, instance, &drawing->textures, DRAW_SHADED);
-	shadow_ground_hide(&drawing->ground, instance, false);
+	shadow_figure_end(drawing->figure, instance);
 	context->driver->end_frame(context);
 }
 

@@ -48,6 +48,7 @@ static const struct framing framing = {.camera = {.yaw_rad = 0.25f * SCALAR_PI,
 struct walker {
 	struct instance *instance;
 	struct clip_cursor cursor;
+	struct shadow_figure *shadow; /* on ground of its own, or NULL */
 	struct crowd_route route;
 	struct motion motion;
 	float drift[3]; /* of the last pose, see crowd_figure_matrix() */
@@ -99,6 +100,10 @@ static int add_walker(struct demo *demo)
 		&walker->cursor, model, &walker->instance->arena);
 	if (!error) {
 		error = crowd_dress(walker->instance, demo->count);
+	}
+	if (!error) {
+		error = shadow_figure_create(walker->instance,
+			&demo->base.actor.ground, demo->log, &walker->shadow);
 	}
 	if (error) {
 		log_error(demo->log,
@@ -352,6 +357,7 @@ static bool crowd_get_figure(
 	}
 	walker = &demo->walker[number];
 	out->instance = walker->instance;
+	out->shadow = walker->shadow;
 	crowd_figure_matrix(&demo->figure, &walker->route, &walker->position,
 		walker->drift, out->place);
 	return true;

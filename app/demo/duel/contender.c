@@ -90,11 +90,35 @@ static int bake(struct contender *contender, const struct screen_view *screen,
 	return error;
 }
 
+/* Prepares the instance that is shown. Returns 0, or -errno after logging it. */
+static int prepare_shown(struct contender *contender, const struct demo_env *env)
+{
+	struct instance *shown = contender->shown;
+	struct shadow_ground ground;
+	int error;
+
+	shown->normal_mapping = false;
+	error = clip_cursor_init(
+		&contender->cursor, shown->model, &shown->arena);
+	if (!error) {
+		error = overlay_heat_init(
+			&contender->heat, shown, &shown->arena);
+	}
+	if (!error) {
+		error = shadow_ground_find(&ground, shown);
+	}
+	if (error) {
+		return memory_budget_fail(
+			shown->arena.budget, env->model_path, env->log);
+	}
+	return shadow_figure_create(
+		shown, &ground, env->log, &contender->shadow);
+}
+
 int contender_init(struct contender *contender, enum contender_kind kind,
 	struct reference *reference, const struct screen_view *screen,
 	const struct time_grid *grid, float bound_px, const struct demo_env *env)
 {
-	struct instance *shown;
 	int error;
 
 	*contender = (struct contender){.kind = kind,
@@ -113,22 +137,7 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 			contender->baked ? contender->baked : reference->model,
 			env->kernel, env->log, &contender->shown);
 	}
-	if (error) {
-		return error;
-	}
-	shown = contender->shown;
-	shown->normal_mapping = false;
-	error = clip_cursor_init(
-		&contender->cursor, shown->model, &shown->arena);
-	if (!error) {
-		error = overlay_heat_init(
-			&contender->heat, shown, &shown->arena);
-	}
-	if (error) {
-		return memory_budget_fail(
-			shown->arena.budget, env->model_path, env->log);
-	}
-	return 0;
+	return error ? error : prepare_shown(contender, env);
 }
 
 void contender_finish(struct contender *contender)

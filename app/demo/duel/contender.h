@@ -9,6 +9,7 @@
 #include "app/compare/measure/time_grid.h"
 #include "app/demo/demo.h"
 #include "app/scene/overlay/overlay_heat.h"
+#include "app/scene/shadow/shadow_figure.h"
 
 enum contender_kind {
 	CONTENDER_SKIN, /* the model as it is; most have a skin */
@@ -25,6 +26,7 @@ struct contender {
 	int key_count;              /* of the morph, else 0 */
 	struct model *baked;        /* NULL: the model itself is shown */
 	struct instance *shown;
+	struct shadow_figure *shadow;  /* on ground of its own, or NULL */
 	const struct model_clip *clip; /* in the shown model */
 	struct clip_cursor cursor;
 	struct overlay_heat heat;

@@ -372,6 +372,7 @@ static bool duel_get_figure(
 		return false;
 	}
 	out->instance = demo->contender[number].shown;
+	out->shadow = demo->contender[number].shadow;
 	out->unposed_nodes = number == CONTENDER_MORPH;
 	out->place[3][0] = (float)(number - 1) * demo->spacing;
 	return true;

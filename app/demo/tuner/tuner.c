@@ -183,6 +183,11 @@ static int tuner_prepare(struct demo *demo, const struct demo_env *env)
 		return memory_budget_fail(
 			instance->arena.budget, env->model_path, env->log);
 	}
+	error = shadow_figure_create(instance, &demo->base.actor.ground,
+		env->log, &demo->base.actor.shadow);
+	if (error) {
+		return error;
+	}
 	begin_swings(demo);
 	use_preset(demo);
 	bounds = bounds_of_clip(instance, demo->clip);

@@ -27,6 +27,8 @@
 #include "app/scene/overlay/overlay_sketch.h"
 #include "app/scene/stage/camera.h"
 
+struct shadow_figure;
+
 enum {
 	OVERLAY_LAYERS_MAX = 8
 };
@@ -74,6 +76,8 @@ struct overlay_figure {
 	bool unposed_nodes;
 	mat4 place;        /* from the instance's scene units to the stage's */
 	bool among_others; /* the camera shows more than this figure */
+	/* on ground of its own; NULL: it casts none there */
+	struct shadow_figure *shadow;
 };
 
 /* The instance that is painted and whose key frames are shown. */

@@ -424,7 +424,7 @@ static bool find_lift(const struct shadow_ground *ground,
 }
 
 bool shadow_ground_begin(const struct shadow_ground *ground,
-	const struct stage *stage, const struct gl *gl,
+	const struct stage *stage, const struct gl *gl, const float light[3],
 	struct instance *instance, const struct texture_set *textures)
 {
 	float lift;
@@ -446,7 +446,7 @@ bool shadow_ground_begin(const struct shadow_ground *ground,
 	if (ground->relief.height) {
 		gl->Disable(GL_STENCIL_TEST);
 	} else {
-		stage_ground_end(gl, ground->y + lift);
+		stage_ground_end(gl, light, ground->y + lift);
 	}
 	return true;
 }

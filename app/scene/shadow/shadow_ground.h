@@ -50,14 +50,14 @@ int shadow_ground_find(struct shadow_ground *ground, struct instance *instance);
  * draw_instance() until shadow_ground_hide() with false. Ground that was lifted
  * since it was found keeps its shadows. Does nothing and returns false without
  * a stencil buffer, and without ground or when its drawables lie in no level
- * plane now.
+ * plane now. light is towards the light, as the instance stands.
  *
  * Ground with a relief is only drawn, and the stencil buffer marked with
  * STAGE_GROUND_MARK where it is seen. Draw the shadows with shadow_drape_draw()
  * then, and do not call stage_top_end().
  */
 bool shadow_ground_begin(const struct shadow_ground *ground,
-	const struct stage *stage, const struct gl *gl,
+	const struct stage *stage, const struct gl *gl, const float light[3],
 	struct instance *instance, const struct texture_set *textures);
 
 /*

@@ -168,11 +168,8 @@ bool stage_may_hide(const struct stage *stage, const struct bounds *box)
 }
 
 /* Projects along the light: p - light * (p.y - y) / light.y. */
-static void shadow_matrix(float y, mat4 out)
+static void shadow_matrix(const float light[3], float y, mat4 out)
 {
-	float light[3];
-
-	light_direction(light);
 	glm_mat4_identity(out);
 	out[1][0] = -light[0] / light[1];
 	out[1][1] = 0.0f;
@@ -183,8 +180,8 @@ static void shadow_matrix(float y, mat4 out)
 }
 
 /* Darkens each pixel whose stencil is ref once, even where triangles overlap. */
-static void begin_shadow(
-	const struct gl *gl, float y, bool has_stencil, GLint ref)
+static void begin_shadow(const struct gl *gl, const float light[3], float y,
+	bool has_stencil, GLint ref)
 {
 	mat4 flatten;
 
@@ -200,7 +197,7 @@ static void begin_shadow(
 		gl->StencilFunc(GL_EQUAL, ref, 255);
 		gl->StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
 	}
-	shadow_matrix(y, flatten);
+	shadow_matrix(light, y, flatten);
 	gl->PushMatrix();
 	matrix_gl_multiply(gl, (const vec4 *)flatten);
 }
@@ -216,7 +213,10 @@ void stage_top_end(const struct gl *gl)
 
 void stage_shadow_begin(const struct stage *stage, const struct gl *gl)
 {
-	begin_shadow(gl, stage->floor.y, stage->has_stencil, 0);
+	float light[3];
+
+	light_direction(light);
+	begin_shadow(gl, light, stage->floor.y, stage->has_stencil, 0);
 	if (stage->monitor) {
 		monitor_draw_geometry(stage->monitor, gl);
 	}
@@ -236,6 +236,7 @@ void stage_top_begin(
 	const struct stage *stage, const struct gl *gl, float corner[4][3])
 {
 	float lifted[4][3], lift = 0.001f * stage->camera.distance;
+	float light[3];
 
 	for (int i = 0; i < 4; i++) {
 		memcpy(lifted[i], corner[i], sizeof(lifted[i]));
@@ -251,7 +252,8 @@ void stage_top_begin(
 	gl->VertexPointer(3, GL_FLOAT, 0, lifted);
 	gl->DrawArrays(GL_TRIANGLE_FAN, 0, 4);
 	gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-	begin_shadow(gl, corner[0][1], true, TOP_MARK);
+	light_direction(light);
+	begin_shadow(gl, light, corner[0][1], true, TOP_MARK);
 }
 
 void stage_ground_begin(const struct gl *gl)
@@ -261,9 +263,9 @@ void stage_ground_begin(const struct gl *gl)
 	gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 }
 
-void stage_ground_end(const struct gl *gl, float y)
+void stage_ground_end(const struct gl *gl, const float light[3], float y)
 {
-	begin_shadow(gl, y, true, STAGE_GROUND_MARK);
+	begin_shadow(gl, light, y, true, STAGE_GROUND_MARK);
 }
 
 void stage_lower_floor(struct stage *stage, const struct bounds *box)

@@ -87,10 +87,11 @@ enum {
  * Do the same as stage_top_begin() for level ground of the model's own, at
  * height y. The caller draws the ground between these two calls, and then,
  * until stage_top_end(), the shadows that lie on it. They need a stencil
- * buffer.
+ * buffer. light is towards the light, and it and y are in the space of the
+ * current model-view matrix, in which a model may stand turned.
  */
 void stage_ground_begin(const struct gl *gl);
-void stage_ground_end(const struct gl *gl, float y);
+void stage_ground_end(const struct gl *gl, const float light[3], float y);
 
 /*
  * Lowers the floor by a small part of the box's extent, below ground of the

@@ -2,6 +2,7 @@
 #include "app/anim/math/quat.h"
 #include "app/scene/draw/draw.h"
 #include "app/scene/shadow/shadow_ground.h"
+#include "app/scene/stage/light.h"
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
@@ -297,10 +298,13 @@ static bool begin_shadows(struct instance *instance,
 	const struct texture_set textures = {0};
 	struct gl gl = gl_recorder_begin();
 	const struct gl_recording *drawn = gl_recorder_result();
+	float light[3];
 	bool begun;
 
 	instance_update(instance);
-	begun = shadow_ground_begin(ground, &stage, &gl, instance, &textures);
+	light_direction(light);
+	begun = shadow_ground_begin(
+		ground, &stage, &gl, light, instance, &textures);
 	if (begun) {
 		draw_instance(&gl, instance, &textures, DRAW_SHADOW);
 		assert_true(drawn->draw_count > ground->count);

@@ -193,6 +193,7 @@ static void test_shadows_fall_onto_level_rectangles_and_ground(void **state)
 {
 	float corner[4][3] = {{-1.0f, 0.5f, 1.0f}, {1.0f, 0.5f, 1.0f},
 		{1.0f, 0.5f, -1.0f}, {-1.0f, 0.5f, -1.0f}};
+	float light[3];
 
 	(void)state;
 	for (int before = 0; before < 2; before++) {
@@ -218,9 +219,10 @@ static void test_shadows_fall_onto_level_rectangles_and_ground(void **state)
 		}
 		expect_shadow(1, 0.5f, true);
 		expect_after_shadow();
+		light_direction(light);
 		stage_ground_begin(&gl);
 		assert_true(gl_state_has(NULL, GL_STENCIL_TEST));
-		stage_ground_end(&gl, -0.75f);
+		stage_ground_end(&gl, light, -0.75f);
 		draw_something(&gl);
 		stage_top_end(&gl);
 		expect_shadow(2, -0.75f, true);

@@ -133,9 +133,9 @@ int actor_init_stage(struct demo_base *base, const struct demo_env *env,
 	base->framing = *framing;
 	base->room_below = 0.0f;
 	if (env->no_labels) {
-		base->framing = (struct framing){.camera = framing->camera,
-			.frame_times = env->frame_times};
+		base->framing = (struct framing){.camera = framing->camera};
 	}
+	base->framing.frame_times = env->frame_times;
 	camera.aspect = (float)base->width / (float)base->height;
 	camera.region = framing_region(
 		&base->framing, bounds, base->width, base->height);

@@ -1,6 +1,7 @@
 #include "app/demo/demo_overlay.h"
 
 #include "app/demo/demo_figures.h"
+#include "app/scene/hud/hud_graph.h"
 #include "app/scene/stage/light.h"
 
 enum {
@@ -184,6 +185,30 @@ struct hud_place demo_overlay_place(
 	} else if (above - stacked[HUD_TOP_LEFT] > below) {
 		place = (struct hud_place){
 			HUD_TOP_LEFT, above - stacked[HUD_TOP_LEFT]};
+	}
+	return place;
+}
+
+struct hud_place demo_times_place(const struct demo *demo, const struct hud *hud)
+{
+	const struct demo_base *base = (const struct demo_base *)demo;
+	const struct camera_region taken = camera_covered(&base->stage.camera);
+	struct hud_place place = demo_overlay_place(demo, hud);
+	const int *stacked = hud->stacked_px;
+	int least = hud_graph_room(hud->width, hud->height, HUD_GRAPH_RATE);
+	int column = hud_group_extent_of(hud->width, hud->height, 0, 0).column;
+	bool is_narrow = 2 * column > hud->width;
+
+	if (place.corner == HUD_BOTTOM_LEFT && !is_narrow &&
+		hud->height - stacked[HUD_TOP_LEFT] - stacked[HUD_BOTTOM_LEFT] <
+			least) {
+		place.corner = HUD_BOTTOM_RIGHT;
+		place.room = (int)((taken.bottom + 1.0f) * 0.5f *
+				     (float)hud->height) -
+			stacked[HUD_BOTTOM_RIGHT];
+	}
+	if (is_narrow && base->framing.frame_times && place.room < least) {
+		place = (struct hud_place){HUD_BOTTOM_LEFT, least};
 	}
 	return place;
 }

@@ -29,6 +29,14 @@ struct hud_place demo_overlay_place(
 	const struct demo *demo, const struct hud *hud);
 
 /*
+ * Finds room for the graph of frame times: the same, but if labels fill the
+ * left column, the room below the figures at their right. In a narrow picture
+ * that was framed for the graph but has no room, it is that of the least graph.
+ */
+struct hud_place demo_times_place(
+	const struct demo *demo, const struct hud *hud);
+
+/*
  * Adds the overlays' labels where they cover no figure. Returns false if other
  * labels leave no room for them.
  */

@@ -11,11 +11,11 @@
 const int shown_sizes[SHOWN_SIZES][2] = {{480, 640}, {320, 240}, {240, 320},
 	{800, 480}, {1920, 1080}, {640, 480}};
 
-void shown_begin_env(struct shown *shown, const char *name,
-	const char *character, const int size[2], bool no_labels)
+static void begin(
+	struct shown *shown, const char *name, const struct demo_env *wanted)
 {
+	struct demo_env env = *wanted;
 	char path[64];
-	struct demo_env env;
 
 	shown->log = log_to_stderr(LOG_ERROR);
 	shown->gl = gl_recorder_begin();
@@ -23,27 +23,41 @@ void shown_begin_env(struct shown *shown, const char *name,
 	snprintf(path, sizeof(path), "assets/%s",
 		shown->driver ? shown->driver->asset : name);
 	shown->driver = shown->driver ? shown->driver : &demo_driver_viewer;
-	env = (struct demo_env){
-		.log = &shown->log,
-		.gl = &shown->gl,
-		.target = PIXELS_RGBA8888,
-		.kernel = kernel_find("fixed"),
-		.width = size[0],
-		.height = size[1],
-		.no_labels = no_labels,
-		.model_path = path,
-		.character = character,
-		.repeat = CLIP_LOOP,
-		.speed = 1.0f,
-	};
+	env.log = &shown->log;
+	env.gl = &shown->gl;
+	env.target = PIXELS_RGBA8888;
+	env.kernel = kernel_find("fixed");
+	env.model_path = path;
+	env.repeat = CLIP_LOOP;
+	env.speed = 1.0f;
 	assert_int_equal(demo_create(shown->driver, &env, &shown->demo), 0);
 	shown->driver->update(shown->demo, 0.02);
+}
+
+void shown_begin_env(struct shown *shown, const char *name,
+	const char *character, const int size[2], bool no_labels)
+{
+	begin(shown, name,
+		&(struct demo_env){.width = size[0],
+			.height = size[1],
+			.no_labels = no_labels,
+			.character = character});
 }
 
 void shown_begin(struct shown *shown, const char *name, const int size[2],
 	bool no_labels)
 {
 	shown_begin_env(shown, name, NULL, size, no_labels);
+}
+
+void shown_begin_timed(struct shown *shown, const char *name, const int size[2],
+	bool no_labels)
+{
+	begin(shown, name,
+		&(struct demo_env){.width = size[0],
+			.height = size[1],
+			.no_labels = no_labels,
+			.frame_times = true});
 }
 
 void shown_end(struct shown *shown)

@@ -31,6 +31,9 @@ void shown_begin_env(struct shown *shown, const char *name,
 	const char *character, const int size[2], bool no_labels);
 void shown_begin(struct shown *shown, const char *name, const int size[2],
 	bool no_labels);
+/* The same for a demo with the graph of frame times, which the caller draws. */
+void shown_begin_timed(struct shown *shown, const char *name, const int size[2],
+	bool no_labels);
 void shown_end(struct shown *shown);
 
 /* Projects a box of the scene. Returns its extent in the picture, -1 to 1. */

@@ -40,7 +40,7 @@ static void draw_hud(struct show *show, int width, int height)
 		demo_label(driver, show->demo, show->hud);
 		governor_label(&show->governor, show->hud);
 	}
-	beside = demo_overlay_place(show->demo, show->hud);
+	beside = demo_times_place(show->demo, show->hud);
 	frame_watch_show(&show->watch, &facts, show->screen.gl->driver->name,
 		labelled ? NULL : governor_text(&show->governor), &beside,
 		show->hud);

@@ -137,10 +137,12 @@ static int graph_height(const struct hud *hud)
 
 int hud_graph_room(int width, int height, int stage_count)
 {
-	struct hud_group_extent rows =
-		hud_group_extent_of(width, height, 1 + stage_count, 0);
+	bool bars = stage_count != HUD_GRAPH_RATE;
+	struct hud_group_extent rows = hud_group_extent_of(
+		width, height, bars ? 1 + stage_count : 1, 0);
 
-	return rows.list_height + GRAPH_EMS * rows.em;
+	/* A last row keeps the room of a bar below it. */
+	return rows.list_height + (bars ? GRAPH_EMS * rows.em : rows.em / 4);
 }
 
 static void show_bars(const struct hud_graph *graph, struct hud_group *group)
@@ -221,15 +223,15 @@ static struct hud_place choose_place(
 	const struct hud *hud, const struct hud_place *beside)
 {
 	const int *stacked = hud->stacked_px;
-	int least =
-		hud_group_extent_of(hud->width, hud->height, 1, 0).list_height +
-		graph_height(hud);
-	bool is_column = beside->room == hud->height;
+	int least = hud_graph_room(hud->width, hud->height, HUD_GRAPH_RATE);
+	int left =
+		hud->height - stacked[HUD_TOP_LEFT] - stacked[HUD_BOTTOM_LEFT];
 	struct hud_place place = *beside;
+	bool is_left_column =
+		place.room == hud->height && place.corner == HUD_BOTTOM_LEFT;
 	int right;
 
-	if (place.room < least ||
-		(is_column && place.corner == HUD_BOTTOM_LEFT)) {
+	if (place.room < least || (is_left_column && left < least)) {
 		place = (struct hud_place){choose_corner(hud), hud->height};
 	}
 	right = place.corner == HUD_BOTTOM_RIGHT;
@@ -253,6 +255,11 @@ void hud_graph_show(const struct hud_graph *graph, const struct hud_facts *facts
 	snprintf(rate, sizeof(rate), "%.0f fps", (double)hud_graph_rate(graph));
 	snprintf(scale, sizeof(scale), "0 to %.0f ms",
 		(double)hud_graph_scale_ms(graph));
+	if (place.room < hud_graph_room(hud->width, hud->height, 0)) {
+		hud_group_text(&group, "", rate);
+		hud_group_end(&group);
+		return;
+	}
 	hud_group_text(&group, scale, rate);
 	show_bars(graph, &group);
 	show_stages(graph, &group);

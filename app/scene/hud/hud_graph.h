@@ -22,7 +22,8 @@ enum hud_stage {
 };
 
 enum {
-	HUD_GRAPH_FRAMES = 48
+	HUD_GRAPH_FRAMES = 48,
+	HUD_GRAPH_RATE = -1 /* number of stages: frames a second, no bars */
 };
 
 /* Sums or means over some frames. */
@@ -67,15 +68,17 @@ float hud_graph_scale_ms(const struct hud_graph *graph);
 
 /*
  * Returns what the graph with the times of this many stages takes of the height
- * of a picture of this size, in pixels from its lower edge.
+ * of a picture of this size, in pixels from its lower edge. HUD_GRAPH_RATE is
+ * the least.
  */
 int hud_graph_room(int width, int height, int stage_count);
 
 /*
  * Adds the graph as a group in the bottom left corner, or in the bottom right
  * one if the left has no room. If figures would be behind it and *beside, where
- * they are not, has room for the graph, it goes there. Facts that would reach
- * other groups or figures are left out.
+ * they are not, has room for frames a second at least, it goes there. What
+ * would reach other groups or figures is left out: first the last facts, then
+ * the stages' times, and at last the bars.
  */
 void hud_graph_show(const struct hud_graph *graph, const struct hud_facts *facts,
 	const struct hud_place *beside, struct hud *hud);

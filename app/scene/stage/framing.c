@@ -5,8 +5,10 @@
 /* shortest side of a region; the picture's sides are 2 */
 static const float least_side = 0.4f;
 
-/* what figures keep of the height above the graph of frame times */
+/* what figures keep of the height above the graph of frame times, */
 static const float kept_side = 0.8f;
+/* and above what is left of it in a small picture */
+static const float rate_side = 0.3f;
 
 /* Returns the lower edge of a region above a list of this many rows. */
 static float above_list(int rows, int width, int height)
@@ -40,36 +42,52 @@ static int regions_of_keys(
 	return count;
 }
 
-/* Returns the lower edge of a region above the graph of frame times. */
-static float above_times(int width, int height, int stages)
+/*
+ * Finds the lower edge of a region above the graph of frame times, which stands
+ * at bottom. The graph has this many stages, or is less. Returns false if that
+ * leaves figures too little below top.
+ */
+static bool above_times(
+	int width, int height, int stages, float top, float *bottom)
 {
 	int taken = hud_graph_room(width, height, stages);
+	float edge = *bottom + 2.0f * (float)taken / (float)height;
+	float kept = stages == HUD_GRAPH_RATE ? rate_side : kept_side;
 
-	return 2.0f * (float)taken / (float)height - 1.0f;
+	if (!(edge < top - kept)) {
+		return false;
+	}
+	*bottom = edge;
+	return true;
+}
+
+/* Does the same for as much of the graph as there is room for. */
+static bool above_some_times(int width, int height, float top, float *bottom)
+{
+	return above_times(width, height, HUD_STAGES, top, bottom) ||
+		above_times(width, height, 0, top, bottom) ||
+		above_times(width, height, HUD_GRAPH_RATE, top, bottom);
 }
 
 /*
  * Finds the regions that the graph of frame times leaves free in a picture
- * without labels: beside the graph and above it. In a picture too small for
- * both, it is the one above a graph without the stages' times. Returns their
- * number.
+ * without labels in its corners: beside the graph and above it. In a picture
+ * too small for both, it is the one above a graph of less. Lines of text end at
+ * bottom. Returns their number.
  */
-static int regions_of_times(int width, int height, struct camera_region out[2])
+static int regions_of_times(
+	int width, int height, float bottom, struct camera_region out[2])
 {
 	int column = hud_group_extent_of(width, height, 0, 0).column;
 	float left = 2.0f * (float)column / (float)width - 1.0f;
-	float bottom = above_times(width, height, HUD_STAGES);
+	float above = bottom;
 	int count = 0;
 
 	if (left < 1.0f - least_side) {
-		out[count++] = (struct camera_region){left, 1.0f, -1.0f, 1.0f};
+		out[count++] = (struct camera_region){left, 1.0f, bottom, 1.0f};
 	}
-	if (bottom < 1.0f - kept_side) {
-		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
-	}
-	bottom = above_times(width, height, 0);
-	if (count == 0 && bottom < 1.0f - kept_side) {
-		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	if (above_some_times(width, height, 1.0f, &above)) {
+		out[count++] = (struct camera_region){-1.0f, 1.0f, above, 1.0f};
 	}
 	return count;
 }
@@ -98,24 +116,34 @@ static int free_regions(const struct framing *framing, int width, int height,
 		bottom = -1.0f; /* the lines of text leave too little */
 	}
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
-	if (framing->label_rows == 0 && framing->frame_times) {
-		count = regions_of_times(width, height, out);
-		return count > 0 ? count : 1;
-	}
 	if (framing->label_rows == 0 || most == 0) {
-		return 1;
+		count = framing->frame_times
+			? regions_of_times(width, height, bottom, out)
+			: 0;
+		return count > 0 ? count : 1;
 	}
 	if (framing->below.keys > 0) {
 		count = regions_of_keys(framing->below.keys, width, height, out);
 		return count > 0 ? count : 1;
 	}
 	if (left < 1.0f - least_side) {
-		out[count++] = (struct camera_region){left, 1.0f, bottom, 1.0f};
+		out[count] = (struct camera_region){left, 1.0f, bottom, 1.0f};
+		if (framing->frame_times &&
+			labels.top + hud_graph_room(width, height, HUD_GRAPH_RATE) >
+				height) {
+			/* Labels may fill the column, but seldom do. */
+			(void)above_times(width, height, HUD_GRAPH_RATE, 1.0f,
+				&out[count].bottom);
+		}
+		count++;
 	}
 	if (framing->below.switches > 0) {
 		bottom = above_list(framing->below.switches, width, height);
 	}
-	if (top > bottom + least_side) {
+	if (framing->frame_times) {
+		(void)above_some_times(width, height, top, &bottom);
+	}
+	if (top > bottom + (framing->frame_times ? rate_side : least_side)) {
 		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, top};
 	}
 	return count > 0 ? count : 1;

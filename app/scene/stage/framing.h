@@ -22,14 +22,16 @@ struct framing {
 	int label_rows, label_bars; /* 0: there are no labels */
 	bool labels_right;          /* the labels are in the top right corner */
 	int lines_below;            /* lines of text along the lower edge */
-	bool frame_times;           /* without labels: their graph is shown */
+	bool frame_times;           /* their graph is shown */
 	struct framing_below below;
 };
 
 /*
- * Returns a part of a picture of this size that labels and the group below
- * leave free: of the parts beside, below or above them the one in which the box
- * appears largest.
+ * Returns a part of a picture of this size that labels, the group below and the
+ * graph of frame times leave free: of the parts beside, below or above them the
+ * one in which the box appears largest. A small picture has room for less of
+ * the graph: first the stages' times give way, then the bars
+ * (hud_graph_show()), and at last figures stand behind the labels.
  */
 struct camera_region framing_region(const struct framing *framing,
 	const struct bounds *bounds, int width, int height);

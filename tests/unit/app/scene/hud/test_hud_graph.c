@@ -225,7 +225,8 @@ static void test_the_graph_goes_where_no_figure_is(void **state)
 		{{HUD_TOP_LEFT, 100}, HUD_TOP_LEFT},
 		{{HUD_TOP_RIGHT, 100}, HUD_TOP_RIGHT},
 		{{HUD_BOTTOM_LEFT, 100}, HUD_BOTTOM_LEFT},
-		{{HUD_TOP_LEFT, 60}, HUD_BOTTOM_LEFT}};
+		{{HUD_TOP_LEFT, 60}, HUD_TOP_LEFT},
+		{{HUD_TOP_LEFT, 30}, HUD_BOTTOM_LEFT}};
 	const struct hud_facts facts = {
 		.technique = "Skeletal", .driver = "soft", .triangles = 12};
 	struct hud_graph graph = {.next = 0};

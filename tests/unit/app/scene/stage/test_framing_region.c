@@ -80,6 +80,65 @@ static void test_without_labels_figures_leave_frame_times_their_room(
 		1, -1, 1);
 }
 
+/* Beside the labels, or else between them and some of the graph below. */
+static void test_labels_and_frame_times_share_small_pictures_with_figures(
+	void **state)
+{
+	static const int small[][2] = {
+		{240, 320}, {128, 160}, {320, 240}, {800, 480}, {1280, 720}};
+
+	(void)state;
+	for (size_t i = 0; i < 2 * ARRAY_COUNT(small); i++) {
+		const int *size = small[i / 2];
+		const struct bounds *bounds = i % 2 ? &tall : &wide;
+		int most = hud_group_rows_max(size[0], size[1]);
+		int rows = most < 4 ? most : 4;
+		struct hud_group_extent labels =
+			hud_group_extent_of(size[0], size[1], rows, rows);
+		int least = hud_graph_room(size[0], size[1], HUD_GRAPH_RATE);
+		struct framing framing = framing_of(4, 4);
+		struct camera_region region;
+
+		framing.frame_times = true;
+		region = framing_region(&framing, bounds, size[0], size[1]);
+		assert_true(region.top - region.bottom >= 0.3f);
+		if (region.left > -1.0f) {
+			assert_near(
+				region.left, at(labels.column, size[0]), 1e-5);
+			continue;
+		}
+		assert_true(region.top <= -at(labels.top, size[1]) + 1e-5f);
+		assert_true(region.bottom >= at(least, size[1]) - 1e-5f);
+	}
+}
+
+/* Eleven rows of labels fill the column of the last picture. */
+static void test_labels_that_fill_the_column_move_frame_times_below(void **state)
+{
+	static const int level[] = {320, 240};
+	struct framing framing = framing_of(3, 0);
+	int column = hud_group_extent_of(320, 240, 0, 0).column;
+
+	(void)state;
+	framing.frame_times = true;
+	expect_region(&framing, &tall, level, at(column, 320), 1, -1, 1);
+	framing.label_rows = 11;
+	expect_region(&framing, &tall, level, at(column, 320), 1,
+		at(hud_graph_room(320, 240, HUD_GRAPH_RATE), 240), 1);
+}
+
+static void test_lines_of_text_lie_below_frame_times(void **state)
+{
+	struct framing framing = framing_of(0, 0);
+	int line = hud_group_extent_of(240, 320, 0, 0).line;
+
+	(void)state;
+	framing.frame_times = true;
+	framing.lines_below = 6;
+	expect_region(&framing, &wide, (const int[]){240, 320}, -1, 1,
+		at(6 * line + hud_graph_room(240, 320, 0), 320), 1);
+}
+
 static void test_tall_figures_stand_beside_labels_and_wide_ones_below(
 	void **state)
 {
@@ -187,6 +246,11 @@ int main(void)
 		cmocka_unit_test(test_without_labels_the_whole_picture_is_free),
 		cmocka_unit_test(
 			test_without_labels_figures_leave_frame_times_their_room),
+		cmocka_unit_test(
+			test_labels_and_frame_times_share_small_pictures_with_figures),
+		cmocka_unit_test(
+			test_labels_that_fill_the_column_move_frame_times_below),
+		cmocka_unit_test(test_lines_of_text_lie_below_frame_times),
 		cmocka_unit_test(
 			test_tall_figures_stand_beside_labels_and_wide_ones_below),
 		cmocka_unit_test(

@@ -1,0 +1,115 @@
+/* Labels, figures and the graph of frame times share pictures of any size. */
+#include "app/demo/demo_overlay.h"
+#include "app/scene/hud/hud_graph.h"
+#include "tests/support/demo_shown.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+
+static const int sizes[][2] = {
+	{240, 320}, {128, 160}, {320, 240}, {800, 480}, {1280, 720}};
+
+static const char *const names[] = {"walker", "arm", "face", "crowd", "duel",
+	"tuner", "arm.glb", "walker.glb"};
+
+/* Whether quads from this one on are over the figure, but for its outermost parts. */
+static bool hides(
+	const struct hud *hud, int first, const struct camera_region *figure)
+{
+	float half[2] = {0.5f * (float)hud->width, 0.5f * (float)hud->height};
+	float left = (figure->left + 1.0f) * half[0] + 2.0f;
+	float right = (figure->right + 1.0f) * half[0] - 2.0f;
+	float top = (1.0f - figure->top) * half[1] + 2.0f;
+	float bottom = (1.0f - figure->bottom) * half[1] - 2.0f;
+
+	for (int i = first; i < hud->quad_count; i++) {
+		const struct hud_vertex *a = &hud->vertex[4 * i];
+		const struct hud_vertex *b = a + 3; /* the opposite corner */
+		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
+		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
+
+		/* A group that got shorter leaves empty rectangles. */
+		if (x[0] < x[1] && y[0] < y[1] && x[0] < right && x[1] > left &&
+			y[0] < bottom && y[1] > top) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* Whether a tiny picture has no room for more than frames a second. */
+static bool is_least(const struct hud *hud, int stacked)
+{
+	int room = hud_graph_room(hud->width, hud->height, HUD_GRAPH_RATE);
+
+	return hud->width == 128 &&
+		hud->stacked_px[HUD_BOTTOM_LEFT] - stacked <= room;
+}
+
+static void check_times(const char *name, const int size[2], bool no_labels)
+{
+	const struct hud_facts facts = {.technique = "Skeletal",
+		.driver = "soft",
+		.triangles = 4711,
+		.memory_bytes = 1 << 24};
+	const struct hud_graph graph = {.next = 0};
+	struct camera_region figure;
+	struct hud_place place;
+	struct shown shown;
+	struct hud hud;
+	int first, stacked;
+
+	shown_begin_timed(&shown, name, size, no_labels);
+	demo_draw(shown.driver, shown.demo, size[0], size[1]);
+	assert_int_equal(hud_init(&hud, &shown.gl, &shown.log), 0);
+	hud_begin(&hud, size[0], size[1]);
+	if (!no_labels) {
+		demo_label(shown.driver, shown.demo, &hud);
+	}
+	first = hud.quad_count;
+	stacked = hud.stacked_px[HUD_BOTTOM_LEFT];
+	place = demo_times_place(shown.demo, &hud);
+	hud_graph_show(&graph, &facts, &place, &hud);
+	assert_true(hud.quad_count > first);
+	figure = shown_framed(&shown, size);
+	shown_check_whole(&figure);
+	if (hud_groups_overlap(&hud) ||
+		(hides(&hud, first, &figure) && !is_least(&hud, stacked))) {
+		fail_msg("%s %dx%d", name, size[0], size[1]);
+	}
+	hud_finish(&hud, &shown.gl);
+	shown_end(&shown);
+}
+
+static void check_all(bool no_labels)
+{
+	for (size_t n = 0; n < ARRAY_COUNT(names); n++) {
+		for (size_t s = 0; s < ARRAY_COUNT(sizes); s++) {
+			check_times(names[n], sizes[s], no_labels);
+		}
+	}
+}
+
+static void test_frame_times_cover_neither_figures_nor_labels(void **state)
+{
+	(void)state;
+	check_all(false);
+}
+
+static void test_frame_times_cover_no_figures_without_labels(void **state)
+{
+	(void)state;
+	check_all(true);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_frame_times_cover_neither_figures_nor_labels),
+		cmocka_unit_test(
+			test_frame_times_cover_no_figures_without_labels),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

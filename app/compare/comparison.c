@@ -137,11 +137,6 @@ static void find_box(struct comparison *comparison)
 		box = with;
 	}
 	comparison->box = box;
-	for (int i = 0; i < comparison->clip_count; i++) {
-		struct screen_view *screen = &comparison->clip[i].screen;
-
-		screen_view_play(screen, &screen->box);
-	}
 }
 
 /* The player follows a model that goes far, and shows it larger. */

@@ -74,7 +74,6 @@ static int frame_all(const struct comparison *comparison,
 
 	to->screen = screen_view_create(
 		reference, &to->grid, request->width, request->height);
-	screen_view_play(&to->screen, &to->screen.box);
 	return grid_refine(
 		reference, &to->screen, 0.5f * request->bound_px, &to->grid);
 }

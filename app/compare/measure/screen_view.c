@@ -6,12 +6,6 @@
 #include <cglm/cglm.h>
 
 /* The angles are those of camera_default(). */
-static const struct camera_framing wide = {
-	.yaw_rad = 0.45f,
-	.pitch_rad = 0.16f,
-	.margin = 1.15f,
-};
-
 const struct camera_framing screen_view_played = {
 	.yaw_rad = 0.45f,
 	.pitch_rad = 0.16f,
@@ -89,9 +83,9 @@ static void find_scale(struct screen_view *screen)
 	}
 }
 
-static void frame(struct screen_view *screen, const struct bounds *box,
-	struct camera_framing wanted)
+void screen_view_frame(struct screen_view *screen, const struct bounds *box)
 {
+	struct camera_framing wanted = screen_view_played;
 	struct camera camera = camera_default();
 	struct bounds scene_box = *box;
 	float half_rad = 0.5f * camera.yfov_rad;
@@ -109,16 +103,6 @@ static void frame(struct screen_view *screen, const struct bounds *box,
 	screen->focal_px = 0.5f * (float)screen->height * scalar_cos(half_rad) /
 		scalar_sin(half_rad);
 	find_scale(screen);
-}
-
-void screen_view_frame(struct screen_view *screen, const struct bounds *box)
-{
-	frame(screen, box, wide);
-}
-
-void screen_view_play(struct screen_view *screen, const struct bounds *box)
-{
-	frame(screen, box, screen_view_played);
 }
 
 void screen_view_project(

@@ -31,20 +31,17 @@ struct screen_view {
 };
 
 /*
- * Returns the view that frames the whole clip. Poses the reference at every
- * moment of the grid.
+ * Returns the view in which the whole clip is played. Poses the reference at
+ * every moment of the grid.
  */
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height);
 
 /*
- * Moves the view so that it frames a box in the model's units, at a distance at
- * which the box fits at every angle of the camera.
+ * Moves the view so that it frames a box in the model's units as
+ * screen_view_played.
  */
 void screen_view_frame(struct screen_view *screen, const struct bounds *box);
-
-/* The same, framed as screen_view_played, which is larger. */
-void screen_view_play(struct screen_view *screen, const struct bounds *box);
 
 /* One coordinate (row: 0 x, 1 y, 2 z) of a point in eye space. */
 static inline float screen_view_eye(

@@ -4,7 +4,8 @@
  * The techniques are the model's skin, morph key frames baked from the clip,
  * and rigid parts cut from the model. Below each figure are its time a frame,
  * its memory and its error. As in `limber compare`, the error is the distance
- * of a vertex in pixels, in a picture of the same size; the view is wider.
+ * of a vertex in pixels, where `limber play` shows one figure in a picture of the
+ * same size.
  */
 #include "app/character/motions/motions.h"
 #include "app/character/show/character_follow.h"

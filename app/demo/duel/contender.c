@@ -10,19 +10,32 @@
 
 enum {
 	FRAMES_A_MEAN = 16,
-	KEPT_BYTES = 64 * 1024 * 1024 /* for all key frames together */
+	FIT_BYTES = 64 * 1024 * 1024 /* of poses, while keys are fitted */
 };
 
 static const double rate_hz = 60.0; /* playback rate */
+
+/*
+ * Makes the morph's candidate with these keys. It is there for its counts of
+ * bytes alone, so it keeps no key frames.
+ */
+static int make_morph(struct contender *contender,
+	const struct screen_view *screen, const struct fit_keys *keys,
+	const struct demo_env *env)
+{
+	const struct fixed_placement placement =
+		candidate_morph_placement(&screen->box);
+
+	return candidate_morph(&contender->candidate, contender->reference,
+		env->kernel, &placement, keys, 0, env->log);
+}
 
 static int bake_morph(struct contender *contender,
 	const struct screen_view *screen, const struct time_grid *grid,
 	float bound_px, const struct demo_env *env, struct fit_keys *keys)
 {
-	const struct fixed_placement placement =
-		candidate_morph_placement(&screen->box);
 	int error = fit_keys_within(
-		contender->reference, screen, grid, bound_px, KEPT_BYTES, keys);
+		contender->reference, screen, grid, bound_px, FIT_BYTES, keys);
 
 	if (error == -EINTR) {
 		return error;
@@ -34,8 +47,8 @@ static int bake_morph(struct contender *contender,
 		return error;
 	}
 	contender->key_count = keys->count;
-	return candidate_morph(&contender->candidate, contender->reference,
-		env->kernel, &placement, keys, KEPT_BYTES, env->log);
+	candidate_destroy(&contender->candidate);
+	return make_morph(contender, screen, keys, env);
 }
 
 /*
@@ -65,31 +78,6 @@ static int load_baked(struct contender *contender,
 	return error;
 }
 
-/*
- * Makes the candidate, which counts bytes as `limber compare` does, and the
- * model to show.
- */
-static int bake(struct contender *contender, const struct screen_view *screen,
-	const struct time_grid *grid, float bound_px, const struct demo_env *env)
-{
-	struct reference *reference = contender->reference;
-	struct fit_keys keys = {0};
-	int error = 0;
-
-	if (contender->kind == CONTENDER_SKIN) {
-		return candidate_original(&contender->candidate, reference,
-			env->kernel, 0, true, rate_hz, env->log);
-	}
-	error = contender->kind == CONTENDER_MORPH
-		? bake_morph(contender, screen, grid, bound_px, env, &keys)
-		: candidate_rigid(&contender->candidate, reference, env->log);
-	if (!error) {
-		error = load_baked(contender, screen, &keys, env);
-	}
-	fit_keys_release(&keys);
-	return error;
-}
-
 /* Prepares the instance that is shown. Returns 0, or -errno after logging it. */
 static int prepare_shown(struct contender *contender, const struct demo_env *env)
 {
@@ -115,10 +103,23 @@ static int prepare_shown(struct contender *contender, const struct demo_env *env
 		shown, &ground, env->log, &contender->shadow);
 }
 
+/* Makes the instance of a model that is shown. */
+static int show(struct contender *contender, const struct model *model,
+	const struct demo_env *env)
+{
+	int error = instance_create(
+		model, env->kernel, env->log, &contender->shown);
+
+	return error ? error : prepare_shown(contender, env);
+}
+
 int contender_init(struct contender *contender, enum contender_kind kind,
 	struct reference *reference, const struct screen_view *screen,
-	const struct time_grid *grid, float bound_px, const struct demo_env *env)
+	const struct time_grid *grid, const struct demo_env *env)
 {
+	/* A fit chooses some of the moments. */
+	const struct fit_keys most = {
+		.count = grid->count, .time_s = grid->time_s};
 	int error;
 
 	*contender = (struct contender){.kind = kind,
@@ -131,13 +132,55 @@ int contender_init(struct contender *contender, enum contender_kind kind,
 		.clip = reference->clip,
 		.now_ns = env->now_ns,
 		.ms = -1.0f};
-	error = bake(contender, screen, grid, bound_px, env);
-	if (!error) {
-		error = instance_create(
-			contender->baked ? contender->baked : reference->model,
-			env->kernel, env->log, &contender->shown);
+	if (kind == CONTENDER_MORPH) {
+		return make_morph(contender, screen, &most, env);
 	}
-	return error ? error : prepare_shown(contender, env);
+	if (kind == CONTENDER_RIGID) {
+		return candidate_rigid(
+			&contender->candidate, reference, env->log);
+	}
+	error = candidate_original(&contender->candidate, reference,
+		env->kernel, 0, true, rate_hz, env->log);
+	return error ? error : show(contender, reference->model, env);
+}
+
+int contender_try_export(
+	const struct reference *reference, const struct log *log)
+{
+	struct candidate candidate = {.reference = NULL};
+	struct reference *again;
+	int error = reference_create(
+		reference->model, reference->clip_index, log, &again);
+
+	if (!error) {
+		error = candidate_rigid(&candidate, again, log);
+		candidate_destroy(&candidate);
+		reference_destroy(again);
+	}
+	return error;
+}
+
+int contender_bake(struct contender *contender, const struct screen_view *screen,
+	const struct time_grid *grid, float bound_px, const struct demo_env *env)
+{
+	struct fit_keys keys = {0};
+	int error = 0;
+
+	if (contender->kind == CONTENDER_SKIN) {
+		return 0;
+	}
+	if (contender->kind == CONTENDER_MORPH) {
+		error = bake_morph(
+			contender, screen, grid, bound_px, env, &keys);
+	}
+	if (!error) {
+		error = load_baked(contender, screen, &keys, env);
+	}
+	if (!error) {
+		error = show(contender, contender->baked, env);
+	}
+	fit_keys_release(&keys);
+	return error;
 }
 
 void contender_finish(struct contender *contender)

@@ -39,14 +39,31 @@ struct contender {
 };
 
 /*
- * Converts the reference's clip to the technique; the error of a morph is at
- * most bound_px. The reference must outlive the contender. Returns 0, or -errno
- * after logging an error. Call contender_finish() in either case.
+ * Takes all memory of the model's budget that the technique needs, so that a
+ * model that needs too much is refused at once. The reference must outlive the
+ * contender. Returns 0, or -errno after logging an error. Call
+ * contender_finish() in either case.
  */
 int contender_init(struct contender *contender, enum contender_kind kind,
 	struct reference *reference, const struct screen_view *screen,
-	const struct time_grid *grid, float bound_px,
-	const struct demo_env *env);
+	const struct time_grid *grid, const struct demo_env *env);
+
+/*
+ * Takes, and gives back, the memory that contender_bake() takes for a while:
+ * that of export_load(). Call it after contender_init() of all. Returns 0, or
+ * -errno after logging an error.
+ */
+int contender_try_export(
+	const struct reference *reference, const struct log *log);
+
+/*
+ * Converts the reference's clip to the technique, which may take seconds; the
+ * error of a morph is at most bound_px. Returns 0, or -errno after logging an
+ * error.
+ */
+int contender_bake(struct contender *contender,
+	const struct screen_view *screen, const struct time_grid *grid,
+	float bound_px, const struct demo_env *env);
 
 void contender_finish(struct contender *contender);
 

@@ -4,8 +4,8 @@
  * The techniques are the model's skin, morph key frames baked from the clip,
  * and rigid parts cut from the model. Below each figure are its time a frame,
  * its memory and its error. As in `limber compare`, the error is the distance
- * of a vertex in pixels, where `limber play` shows one figure in a picture of the
- * same size.
+ * of a vertex in pixels, where `limber play` shows one figure in a picture of
+ * the same size.
  */
 #include "app/character/motions/motions.h"
 #include "app/character/show/character_follow.h"
@@ -54,6 +54,7 @@ struct demo {
 	float turn;
 };
 
+/* All take their memory before one is converted, which may take seconds. */
 static int init_contenders(struct demo *demo, const struct demo_env *env)
 {
 	int error = 0;
@@ -61,6 +62,13 @@ static int init_contenders(struct demo *demo, const struct demo_env *env)
 	for (int i = 0; i < CONTENDER_KINDS && !error; i++) {
 		error = contender_init(&demo->contender[i],
 			(enum contender_kind)i, demo->reference, &demo->screen,
+			&demo->grid, env);
+	}
+	if (!error) {
+		error = contender_try_export(demo->reference, env->log);
+	}
+	for (int i = 0; i < CONTENDER_KINDS && !error; i++) {
+		error = contender_bake(&demo->contender[i], &demo->screen,
 			&demo->grid, bound_px, env);
 	}
 	return error;

@@ -1,3 +1,4 @@
+#include "app/character/text/character_text.h"
 #include "app/cmd/command.h"
 #include "app/cmd/progress.h"
 #include "app/compare/optimize/optimize.h"
@@ -5,8 +6,10 @@
 #include "platform/base/output_file.h"
 #include "platform/base/output_path.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static void show_progress(void *context, int done, int total)
 {
@@ -107,11 +110,28 @@ static void print_result(const struct optimize_result *result,
 	print_growth(out, result, kept);
 }
 
+/*
+ * Reads the character file beside the model, whose targets and anchors may be
+ * nodes that nothing drawn follows. Without one, *out has no data.
+ */
+static int read_character(
+	const char *model_path, const struct log *log, struct model_file *out)
+{
+	char path[PATH_MAX];
+
+	*out = (struct model_file){.data = NULL};
+	if (!character_text_path_beside(model_path, path, sizeof(path)) ||
+		access(path, F_OK) != 0) {
+		return 0;
+	}
+	return model_file_read(path, NULL, log, out);
+}
+
 static int run_with_model(const struct model *model,
 	const struct options *options, const struct log *log)
 {
 	struct progress progress = progress_begin(2, "steps", stderr);
-	const struct optimize_request request = {
+	struct optimize_request request = {
 		.bound_px = options->compare.error_px,
 		.width = options->screen.size.width,
 		.height = options->screen.size.height,
@@ -120,6 +140,7 @@ static int run_with_model(const struct model *model,
 		.progress_context = &progress,
 	};
 	struct optimize_result result;
+	struct model_file character;
 	const char *output = options->screen.output;
 	int error = output_file_try(NULL, output, log);
 	bool kept = false;
@@ -127,7 +148,13 @@ static int run_with_model(const struct model *model,
 	if (error) {
 		return error;
 	}
+	error = read_character(model->path, log, &character);
+	if (error) {
+		return error;
+	}
+	request.named = (const char *)character.data;
 	error = optimize_model(model, &request, log, &result);
+	model_file_release(&character);
 	progress_end(&progress);
 	if (!error) {
 		error = keep_smaller(&result, model, log, &kept);

@@ -112,6 +112,41 @@ for time in 0 0.9999 1; do
         cmp "$scratch/before.obj" "$scratch/after.obj"
 done
 
+# idle CHANGE: writes idle.gltf, whose first clip moves an empty node that follows
+# nothing and slides the triangle; a Python statement changes the node.
+idle() {
+    python3 - "$slider" "$scratch/idle.gltf" "$1" <<'PYTHON'
+import json
+import sys
+model = json.load(open(sys.argv[1]))
+node = {'name': 'hook'}
+exec(sys.argv[3])
+model['nodes'].append(node)
+model['scenes'][0]['nodes'].append(1)
+model['animations'][0]['channels'].append(
+    {'sampler': 0, 'target': {'node': 1, 'path': 'translation'}})
+json.dump(model, open(sys.argv[2], 'w'))
+PYTHON
+    limber optimize "$scratch/idle.gltf" -o "$scratch/idle.glb"
+    expect_status 0
+}
+
+# Keys of a node that nothing drawn depends on are left out, but not where another
+# program or the character file may use the node.
+idle ''
+expect_out '^4 of 6 keys are left'
+idle 'node["extras"] = {"socket": 1}'
+expect_out '^6 of 6 keys are left'
+idle 'node["camera"] = 0; model["cameras"] = [{"type": "perspective",
+    "perspective": {"yfov": 1, "znear": 1}}]'
+expect_out '^6 of 6 keys are left'
+idle 'node["children"] = [0]; model["scenes"][0]["nodes"] = []'
+expect_out '^6 of 6 keys are left'
+printf '[target hook]\n' >"$scratch/idle.character"
+idle ''
+expect_out '^6 of 6 keys are left'
+rm "$scratch/idle.character"
+
 limber optimize
 expect_refusal 2 'no model is given: use limber optimize MODEL -o FILE\.glb'
 limber optimize "$slider"

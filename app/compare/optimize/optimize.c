@@ -391,6 +391,7 @@ static int build_base(struct optimizer *optimizer)
 	const struct optimize_measure_view view = {
 		optimizer->request->width, optimizer->request->height, 1.0};
 	float px_per_unit;
+	bool *needed;
 	int error = build(optimizer, false, &optimizer->base);
 
 	error = error ? error : allocate(optimizer);
@@ -399,9 +400,13 @@ static int build_base(struct optimizer *optimizer)
 			optimizer->log, &optimizer->clip[0].box, &px_per_unit);
 	}
 	if (!error) {
-		error = optimize_reach_find(
-			&optimizer->reach, optimizer->base, px_per_unit);
-		error = error ? fail_memory(optimizer) : 0;
+		needed = optimize_find_needed(
+			gltf_document_json(optimizer->document),
+			optimizer->request->named);
+		error = optimize_reach_find(&optimizer->reach, optimizer->base,
+			px_per_unit, needed);
+		error = error || !needed ? fail_memory(optimizer) : 0;
+		free(needed);
 	}
 	return error;
 }
@@ -455,15 +460,9 @@ static int run(struct optimizer *optimizer, struct optimize_result *out)
 		error = optimize_sizes_of(optimizer->document, &out->before);
 		error = error ? fail_memory(optimizer) : 0;
 	}
-	if (!error) {
-		error = prepare(optimizer);
-	}
-	if (!error) {
-		error = build_base(optimizer);
-	}
-	if (!error) {
-		error = search(optimizer, out);
-	}
+	error = error ? error : prepare(optimizer);
+	error = error ? error : build_base(optimizer);
+	error = error ? error : search(optimizer, out);
 	return error ? error : measure_result(optimizer, out);
 }
 

@@ -17,6 +17,11 @@ struct optimize_request {
 	float bound_px;      /* the largest error of a vertex */
 	int width, height;   /* pixels of the picture that frames the model */
 	size_t memory_bytes; /* the budget of each model that is loaded */
+	/*
+	 * A text, or NULL: nodes whose names occur in it keep their keys, even
+	 * if nothing drawn follows them.
+	 */
+	const char *named;
 	/* NULL, or called now and then with the steps done and expected. */
 	void (*progress)(void *context, int done, int total);
 	void *progress_context;

@@ -18,8 +18,18 @@ struct reacher {
 	mat4 *world;   /* [node_count]: at rest */
 	mat4 *palette; /* of the current skin */
 	float *reach; /* [node_count]: distance to the farthest vertex, world units */
+	bool *used; /* [node_count]: vertices follow it, or it is needed */
 	struct bounds box;
 };
+
+/* Marks a node and its ancestors. */
+static void use(struct reacher *reacher, int node)
+{
+	for (; node >= 0 && !reacher->used[node];
+		node = reacher->model->node[node].parent) {
+		reacher->used[node] = true;
+	}
+}
 
 /* Updates the reach of a node and its ancestors by a vertex that follows it. */
 static void follow(struct reacher *reacher, int node, const vec3 at)
@@ -46,6 +56,9 @@ static void reach_skinned(struct reacher *reacher,
 			int joint = primitive->joint[first + (size_t)i];
 			vec3 at;
 
+			if (primitive->weight[first + (size_t)i] > 0.0f) {
+				use(reacher, skin->joint[joint]);
+			}
 			if (primitive->weight[first + (size_t)i] < 0.01f) {
 				continue;
 			}
@@ -79,6 +92,9 @@ static void reach_node(struct reacher *reacher, int index)
 	const struct model_skin *skin =
 		node->skin >= 0 ? &model->skin[node->skin] : NULL;
 
+	if (mesh || node->camera >= 0) {
+		use(reacher, index);
+	}
 	if (mesh && skin) {
 		pose_palette(skin, reacher->world, reacher->palette);
 	}
@@ -140,6 +156,7 @@ static int describe(struct optimize_reach *reach, const struct reacher *reacher,
 	bool skinned;
 
 	out->exact = false;
+	out->idle = !reacher->used[index];
 	out->move_px = parent * px_per_unit;
 	out->turn_px = far * px_per_unit;
 	out->scale_px = far * px_per_unit;
@@ -157,7 +174,7 @@ static int describe(struct optimize_reach *reach, const struct reacher *reacher,
 }
 
 static int find(struct optimize_reach *reach, struct reacher *reacher,
-	float px_per_unit)
+	float px_per_unit, const bool *needed)
 {
 	const struct model *model = reacher->model;
 	int error = 0;
@@ -167,6 +184,9 @@ static int find(struct optimize_reach *reach, struct reacher *reacher,
 		reach->node[i].exact = true;
 	}
 	for (int i = 0; i < model->node_count; i++) {
+		if (needed && needed[model->node[i].file_index]) {
+			use(reacher, i);
+		}
 		reach_node(reacher, i);
 	}
 	for (int i = 0; i < model->node_count && !error; i++) {
@@ -218,7 +238,7 @@ static int count_file_nodes(const struct model *model)
 }
 
 int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
-	float px_per_unit)
+	float px_per_unit, const bool *needed)
 {
 	struct reacher reacher = {.model = model, .box = bounds_empty()};
 	struct arena scratch = arena_empty();
@@ -234,13 +254,15 @@ int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 	reacher.palette =
 		ARENA_ARRAY(&scratch, mat4, (size_t)most_joints(model));
 	reacher.reach = ARENA_ARRAY(&scratch, float, count);
-	if (reach->node && reacher.world && reacher.palette && reacher.reach) {
+	reacher.used = ARENA_ARRAY(&scratch, bool, count);
+	if (reach->node && reacher.world && reacher.palette && reacher.reach &&
+		reacher.used) {
 		error = pose_init(&pose, model, &scratch);
 	}
 	if (!error) {
 		pose_rest(&pose, model);
 		pose_world(&pose, model, NULL, reacher.world);
-		error = find(reach, &reacher, px_per_unit);
+		error = find(reach, &reacher, px_per_unit, needed);
 	}
 	arena_release(&scratch);
 	return error;

@@ -16,6 +16,7 @@ struct optimize_reach_node {
 	float turn_px;  /* for a rotation by 1 radian */
 	float scale_px; /* for a scale that changes by 1 */
 	bool exact;     /* above a camera, or not loaded: keeps its keys */
+	bool idle;      /* nothing that anyone sees or names depends on it */
 	int target_count;
 	const float *target_px; /* [target_count], for a weight of 1 */
 };
@@ -28,11 +29,12 @@ struct optimize_reach {
 
 /*
  * Measures the model in a view in which a unit of world space covers
- * px_per_unit pixels. Returns 0 or -ENOMEM; the caller calls
- * optimize_reach_release() in either case.
+ * px_per_unit pixels. Nodes that move no vertex are idle, unless they or nodes
+ * below them are needed, [the file's nodes], which may be NULL. Returns 0 or
+ * -ENOMEM; the caller calls optimize_reach_release() in either case.
  */
 int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
-	float px_per_unit);
+	float px_per_unit, const bool *needed);
 
 void optimize_reach_release(struct optimize_reach *reach);
 

@@ -2,6 +2,7 @@
 
 #include "platform/base/compiler.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 const char *const optimize_part_name[OPTIMIZE_PARTS + 1] = {
@@ -235,4 +236,29 @@ void optimize_strip_extensions(json_t *root,
 	if (used && json_array_size(used) == 0) {
 		json_object_del(root, "extensionsUsed");
 	}
+}
+
+static bool is_needed(const json_t *node, const char *named)
+{
+	static const char *const members[] = {
+		"mesh", "camera", "extensions", "extras"};
+	const char *name = json_string_value(json_object_get(node, "name"));
+
+	for (size_t i = 0; i < ARRAY_COUNT(members); i++) {
+		if (json_object_get(node, members[i])) {
+			return true;
+		}
+	}
+	return name && *name && named && strstr(named, name);
+}
+
+bool *optimize_find_needed(const json_t *root, const char *named)
+{
+	const json_t *nodes = json_object_get(root, "nodes");
+	bool *needed = calloc(json_array_size(nodes) + 1, sizeof(*needed));
+
+	for (size_t i = 0; needed && i < json_array_size(nodes); i++) {
+		needed[i] = is_needed(json_array_get(nodes, i), named);
+	}
+	return needed;
 }

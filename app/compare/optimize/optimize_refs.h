@@ -48,4 +48,13 @@ void optimize_strip_extensions(json_t *root,
 /* Whether string ends with end. */
 bool optimize_ends_with(const char *string, const char *end);
 
+/*
+ * Finds the nodes that keep their keys though no vertex may follow them: those
+ * that another program shows or reads, because they have a mesh (of lines,
+ * say), a camera, extensions such as a light, or extras, and those whose name
+ * occurs in the text named, which may be NULL. Returns an array of all nodes,
+ * which the caller frees, or NULL without memory.
+ */
+bool *optimize_find_needed(const json_t *root, const char *named);
+
 #endif

@@ -55,6 +55,13 @@ static bool *moved_at(bool *moved, const struct optimize_channel *channel)
 		(size_t)channel->track.path];
 }
 
+/* Whether the channel moves a node on which nothing depends. */
+static bool is_idle(const struct optimize_channel *channel)
+{
+	return channel->track.path != MODEL_WEIGHTS && channel->track.reach &&
+		channel->track.reach->idle;
+}
+
 static int keep_all(struct optimize_channel *channel)
 {
 	channel->kept_count = channel->track.key_count;
@@ -248,8 +255,9 @@ int optimize_keys_choose(struct optimize_keys *keys, const bool *moved)
 		struct optimize_channel *channel = &keys->channel[i];
 
 		channel->dropped = !*moved_at((bool *)moved, channel);
-		channel->constant = channel->track.reach &&
-			optimize_track_is_constant(&channel->track);
+		channel->constant = is_idle(channel) ||
+			(channel->track.reach &&
+				optimize_track_is_constant(&channel->track));
 		error = reduce_alone(channel);
 		if (channel->constant) {
 			channel->kept_count = 1;
@@ -271,7 +279,7 @@ void optimize_keys_find_moved(const struct optimize_keys *keys, bool *moved)
 	for (int c = 0; c < keys->count; c++) {
 		const struct optimize_channel *channel = &keys->channel[c];
 
-		if (!rests(keys, channel)) {
+		if (!is_idle(channel) && !rests(keys, channel)) {
 			*moved_at(moved, channel) = true;
 		}
 	}

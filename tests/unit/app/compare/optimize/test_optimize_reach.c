@@ -19,6 +19,7 @@ struct fixture {
 	float position[2][3], moved[3][2][3];
 	struct model_primitive primitive[2];
 	struct model_target target[2][2];
+	bool needed[NODES + 2]; /* by the index in the file */
 	struct optimize_reach reach;
 };
 
@@ -44,8 +45,9 @@ static void begin(struct fixture *f)
 
 static void find(struct fixture *f)
 {
-	assert_int_equal(
-		optimize_reach_find(&f->reach, &f->bones.model, px_per_unit), 0);
+	assert_int_equal(optimize_reach_find(&f->reach, &f->bones.model,
+				 px_per_unit, f->needed),
+		0);
 }
 
 static void end(struct fixture *f)
@@ -110,6 +112,40 @@ static void test_only_the_parents_scale_counts(void **state)
 		assert_near(f.reach.node[2].move_px, 2 * px_per_unit, 1e-4);
 		end(&f);
 	}
+}
+
+/* Nobody sees the helper move, unless the file says that it is needed. */
+static void test_a_node_that_moves_nothing_is_idle(void **state)
+{
+	(void)state;
+	for (int needed = 0; needed < 3; needed++) {
+		struct fixture f;
+
+		begin(&f);
+		f.needed[2] = needed == 1;
+		f.bones.node[2].camera = needed == 2 ? 0 : -1;
+		find(&f);
+		assert_false(f.reach.node[0].idle);
+		assert_false(f.reach.node[1].idle);
+		assert_int_equal(f.reach.node[2].idle, needed == 0);
+		end(&f);
+	}
+}
+
+/* A node without a mesh is idle, but not what is above one that is needed. */
+static void test_nodes_above_what_is_seen_are_not_idle(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.bones.node[1].mesh = -1;
+	f.needed[2] = true;
+	find(&f);
+	assert_false(f.reach.node[0].idle);
+	assert_true(f.reach.node[1].idle);
+	assert_false(f.reach.node[2].idle);
+	end(&f);
 }
 
 /* Nodes of the file that the model does not have keep their keys. */
@@ -308,6 +344,8 @@ int main(void)
 		cmocka_unit_test(test_the_farthest_vertex_counts),
 		cmocka_unit_test(test_a_helper_reaches_a_tenth_of_the_model),
 		cmocka_unit_test(test_only_the_parents_scale_counts),
+		cmocka_unit_test(test_a_node_that_moves_nothing_is_idle),
+		cmocka_unit_test(test_nodes_above_what_is_seen_are_not_idle),
 		cmocka_unit_test(test_nodes_have_the_numbers_of_the_file),
 		cmocka_unit_test(test_nodes_that_carry_a_camera_are_exact),
 		cmocka_unit_test(test_targets_count_by_their_farthest_vertex),

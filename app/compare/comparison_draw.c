@@ -3,6 +3,7 @@
 #include "app/compare/comparison_rows.h"
 #include "app/compare/cost/drawing.h"
 #include "app/compare/export/export.h"
+#include "app/compare/export/export_keys.h"
 #include "app/model/levels/levels.h"
 #include "app/scene/instance/instance_play.h"
 
@@ -42,8 +43,8 @@ static void add_less(struct board_cost *saved, const struct board_cost *all,
 
 /*
  * Adds what posing and gathering take less because the level of detail that is
- * drawn has fewer vertices than all triangles. A row of key frames poses every
- * drawable.
+ * drawn has fewer vertices than all triangles. Key frames are quoted without
+ * gathering (candidate_morph.c), which each of their drawables takes.
  */
 static void add_saved(const struct painter *painter, struct board_cost *saved)
 {
@@ -53,11 +54,13 @@ static void add_saved(const struct painter *painter, struct board_cost *saved)
 
 	for (int i = 0; i < instance->drawable_count; i++) {
 		const struct drawable *drawable = &instance->drawable[i];
-		struct board_cost all, drawn;
+		struct board_cost all = {0.0, 0.0}, drawn;
 
 		if (keys || drawable->morphed || drawable->skin >= 0) {
-			all = board_cost_gather(drawable);
 			drawn = board_cost_gather_drawn(drawable);
+			if (!keys) {
+				all = board_cost_gather(drawable);
+			}
 			add_less(saved, &all, &drawn);
 		}
 		if (!keys && drawable->skin >= 0) {
@@ -194,7 +197,7 @@ static int draw_model(struct painter *painter)
 	if (!error) {
 		error = begin_drawing(painter);
 	}
-	if (!error &&
+	if (!error && model == painter->comparison->model &&
 		comparison_rows_is_morph(
 			&painter->comparison->row[painter->row])) {
 		drawing_show_keys(painter->drawing);
@@ -207,9 +210,29 @@ static int draw_model(struct painter *painter)
 	return error;
 }
 
+/* Loads the row's file as it is drawn; *out stays NULL for the model itself. */
+static int load_drawn(struct comparison *comparison, int row,
+	const struct log *log, struct model **out)
+{
+	bool keys = comparison_rows_is_morph(&comparison->row[row]);
+	int error;
+
+	if (row == 0 || (keys && !export_keys_differ(comparison))) {
+		return 0;
+	}
+	error = (keys ? export_keys_load : export_load)(
+		comparison, &comparison->row[row], log, out);
+	if (error) {
+		return error;
+	}
+	return levels_make(*out) == 0
+		? 0
+		: memory_budget_fail((*out)->budget, (*out)->path, log);
+}
+
 /*
- * Draws a row. For key frames it draws the model, which looks the same, so that
- * none need be baked.
+ * Draws a row. For key frames it draws the model where that looks the same, so
+ * that none need be baked.
  */
 static int draw_row(
 	struct comparison *comparison, int row, const struct log *log)
@@ -217,22 +240,10 @@ static int draw_row(
 	struct painter painter = {
 		.comparison = comparison, .log = log, .row = row};
 	struct model *exported = NULL;
-	int error = 0;
+	int error = load_drawn(comparison, row, log, &exported);
 
-	painter.model = comparison->model;
-	if (row > 0 && !comparison_rows_is_morph(&comparison->row[row])) {
-		error = export_load(
-			comparison, &comparison->row[row], log, &exported);
-		if (error) {
-			return error;
-		}
-		error = levels_make(exported) == 0
-			? 0
-			: memory_budget_fail(
-				  exported->budget, exported->path, log);
-		painter.model = exported;
-	}
 	if (!error) {
+		painter.model = exported ? exported : comparison->model;
 		error = draw_model(&painter);
 	}
 	if (exported) {

@@ -381,7 +381,8 @@ int candidate_rigid(struct candidate *candidate, struct reference *reference,
 	candidate->board = (struct board_frame){
 		.sample = board_cost_sample(
 			&motion, reference->model->node_count),
-		.matrices = board_cost_matrices(reference->model->node_count, 0),
+		.matrices = board_cost_matrices(reference->model->node_count,
+			board_cost_count_roots(reference->model), 0),
 		.vertices = board_cost_solid(rigid->part_count),
 	};
 	return 0;

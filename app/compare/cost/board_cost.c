@@ -26,28 +26,36 @@ static const struct board_cost sample_turn = {344.0, 35.4}; /* struct turn */
 static const struct board_cost wide_frame = {1150.0, 0.0};
 static const struct board_cost wide_turn = {480.0, 203.0};
 static const struct board_cost middle_turn = {40.0, 11.5};
+/* Rotations whose keys are no unit quaternions: added for each, and if wide. */
+static const struct board_cost loose_turn = {300.0, 100.0};
+static const struct board_cost wide_loose_turn = {950.0, 145.0};
 static const struct board_cost turn_times = {121.0, 12.4}; /* own key times */
 static const struct board_cost sample_channel = {653.0, 82.0}; /* not constant */
 static const struct board_cost sample_times = {60.0, 9.2}; /* own key times */
 static const struct board_cost sample_weight = {72.0, 5.8};
-static const struct board_cost matrix_frame = {529.0, 68.0};
+static const struct board_cost matrix_frame = {1000.0, 125.0};
 static const struct board_cost matrix_node = {413.0, 93.0};
+/* Nodes without a parent take this less: their matrix is not multiplied. */
+static const struct board_cost matrix_root = {-120.0, -21.0};
 static const struct board_cost palette_row = {620.0, 54.0}; /* a joint */
 static const struct board_cost solid_drawable = {347.0, 54.0};
-static const struct board_cost keys_drawable = {1700.0, 287.0};
+static const struct board_cost keys_drawable = {1650.0, 287.0};
 static const struct board_cost keys_weight = {7.0, 7.4};
 static const struct board_cost keys_vertex = {19.1, 11.1};
-static const struct board_cost gathered_vertex = {76.0, 11.2};
-static const struct board_cost facet = {106.0, 83.4};
-/* A normal of a level; vertices of a skin are in another order. */
-static const struct board_cost corner = {95.0, 91.0};
-static const struct board_cost ordered_corner = {112.0, 92.0};
 static const struct board_cost targets_weight = {135.0, 33.5};
-static const struct board_cost targets_copied = {12.0, 2.0};
-static const struct board_cost targets_begun = {18.9, 7.1};
-static const struct board_cost targets_visit = {6.8, 27.6};
-static const struct board_cost targets_piece = {110.0, 31.3};
-static const struct board_cost targets_added = {17.7, 7.7};
+static const struct board_cost targets_copied = {13.8, 1.6};
+static const struct board_cost targets_span = {110.0, 31.3};
+/*
+ * Several pairs of targets with weights: the instructions of the loops in
+ * app/anim/kernel/run/fixed_morph_run.c and arm/morph.S, and the cycles that
+ * the timing model counts in them.
+ */
+static const struct board_cost targets_begun = {16.7, 8.2};
+static const struct board_cost targets_visit = {30.0, 12.0};
+static const struct board_cost targets_search = {95.0, 16.0};
+static const struct board_cost targets_step = {20.0, 13.0};
+static const struct board_cost targets_piece = {62.0, 35.3};
+static const struct board_cost targets_added = {17.8, 7.5};
 static const struct board_cost targets_rebased = {40.0, 14.0};
 /* Shadows on hills, from the timing model's counts of a model with hills. */
 static const struct board_cost laid_point = {970.0, 455.0};
@@ -112,6 +120,9 @@ struct sampled {
 	int nodes, turns, turn_times, channels, times, weights;
 	/* turns between keys so far apart, by their shares of the time */
 	double middle_turns, wide_turns;
+	/* the same of rotations whose keys are no unit quaternions */
+	int loose_turns;
+	double wide_loose_turns;
 };
 
 static struct board_cost sample_of(const struct sampled *of)
@@ -124,6 +135,8 @@ static struct board_cost sample_of(const struct sampled *of)
 	add_times(&sum, &middle_turn, of->middle_turns);
 	add_times(&sum, &wide_turn, of->wide_turns);
 	add_times(&sum, &wide_frame, fmin(of->wide_turns, 1.0));
+	add_times(&sum, &loose_turn, of->loose_turns);
+	add_times(&sum, &wide_loose_turn, of->wide_loose_turns);
 	add_times(&sum, &sample_channel, of->channels);
 	add_times(&sum, &sample_times, of->times);
 	add_times(&sum, &sample_weight, of->weights);
@@ -147,12 +160,29 @@ static bool has_own_times(
 static const float middle_apart = 0.0078125f; /* 14 degrees of rotation */
 static const float wide_apart = 0.055f;       /* 38 degrees */
 
+/* How far apart two keys are, as 1 less the cosine of their angle. */
+static float apart_of(const struct model_channel *channel, int key)
+{
+	float a[4], b[4], product[3] = {0};
+
+	model_channel_key(channel, key, a);
+	model_channel_key(channel, key + 1, b);
+	for (int i = 0; i < 4; i++) {
+		product[0] += a[i] * a[i];
+		product[1] += b[i] * b[i];
+		product[2] += a[i] * b[i];
+	}
+	return channel->unit
+		? 1.0f - fabsf(product[2])
+		: 1.0f - fabsf(product[2]) / sqrtf(product[0] * product[1]);
+}
+
 /*
- * Adds the shares of the channel's time in which it turns between keys that are
- * middle_apart or wide_apart.
+ * Finds the shares of the channel's time in which it turns between keys that
+ * are middle_apart or wide_apart.
  */
-static void add_turn_shares(
-	struct sampled *sum, const struct model_channel *channel)
+static void find_turn_shares(
+	const struct model_channel *channel, double *middle, double *wide)
 {
 	const float *time_s = channel->time_s;
 	int last = channel->key_count - 1;
@@ -160,13 +190,8 @@ static void add_turn_shares(
 
 	for (int i = 0; i < last; i++) {
 		double step_s = (double)(time_s[i + 1] - time_s[i]);
-		float a[4], b[4], apart;
+		float apart = apart_of(channel, i);
 
-		model_channel_key(channel, i, a);
-		model_channel_key(channel, i + 1, b);
-		apart = 1.0f -
-			fabsf(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-				a[3] * b[3]);
 		if (apart > wide_apart) {
 			wide_s += step_s;
 		} else if (apart > middle_apart) {
@@ -176,8 +201,20 @@ static void add_turn_shares(
 	if (last > 0) {
 		double whole_s = (double)(time_s[last] - time_s[0]);
 
-		sum->middle_turns += middle_s / whole_s;
-		sum->wide_turns += wide_s / whole_s;
+		*middle += middle_s / whole_s;
+		*wide += wide_s / whole_s;
+	}
+}
+
+static void add_loose_turn(
+	struct sampled *sum, const struct model_channel *channel)
+{
+	double middle = 0.0;
+
+	if (channel->path == MODEL_ROTATION &&
+		channel->interpolation == MODEL_LINEAR) {
+		sum->loose_turns++;
+		find_turn_shares(channel, &middle, &sum->wide_loose_turns);
 	}
 }
 
@@ -195,11 +232,13 @@ struct board_cost board_cost_sample(
 		}
 		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
 			sum.turns++;
-			add_turn_shares(&sum, channel);
+			find_turn_shares(
+				channel, &sum.middle_turns, &sum.wide_turns);
 			sum.turn_times += own;
 		} else {
 			sum.channels++;
 			sum.times += own;
+			add_loose_turn(&sum, channel);
 			sum.weights += channel->path == MODEL_WEIGHTS
 				? channel->width
 				: 0;
@@ -214,13 +253,25 @@ struct board_cost board_cost_sample_keys(int key_count)
 		.nodes = 1, .channels = 1, .times = 1, .weights = key_count});
 }
 
-struct board_cost board_cost_matrices(int node_count, int joint_count)
+struct board_cost board_cost_matrices(
+	int node_count, int root_count, int joint_count)
 {
 	struct board_cost sum = matrix_frame;
 
 	add_times(&sum, &matrix_node, node_count);
+	add_times(&sum, &matrix_root, root_count);
 	add_times(&sum, &palette_row, joint_count);
 	return sum;
+}
+
+int board_cost_count_roots(const struct model *model)
+{
+	int roots = 0;
+
+	for (int i = 0; i < model->node_count; i++) {
+		roots += model->node[i].parent < 0;
+	}
+	return roots;
 }
 
 struct board_cost board_cost_solid(int drawable_count)
@@ -321,68 +372,6 @@ struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
 	return sum;
 }
 
-/* Adds what a coarser list costs; without normals if it is for a shadow. */
-static void add_gathered_list(struct board_cost *sum,
-	const struct drawable *drawable, const struct batch_lod *list, bool lit)
-{
-	bool ordered = drawable->fixed && drawable->fixed->inverse_order;
-
-	add_times(sum, &gathered_vertex, list->vertex_count);
-	if (drawable->primitive->normal || !lit) {
-		return;
-	}
-	if (list->flat) {
-		add_times(sum, &facet, list->index_count / 3);
-	} else {
-		add_times(sum, ordered ? &ordered_corner : &corner,
-			list->vertex_count);
-	}
-}
-
-struct board_cost board_cost_gather_drawn(const struct drawable *drawable)
-{
-	struct board_cost sum = {0.0, 0.0};
-
-	if (drawable->lod == 0) {
-		return board_cost_gather(drawable);
-	}
-	for (int i = 0; i < drawable->batch_count; i++) {
-		const struct batch *batch = &drawable->batch[i];
-		const struct batch_lod *list = drawable_shaded(drawable, batch);
-		const struct batch_lod *shadow =
-			drawable_shadow(drawable, batch);
-
-		if (!batch->source) {
-			continue;
-		}
-		add_gathered_list(&sum, drawable, list, true);
-		if (shadow && shadow != list) {
-			add_gathered_list(&sum, drawable, shadow, false);
-		}
-	}
-	return sum;
-}
-
-struct board_cost board_cost_gather(const struct drawable *drawable)
-{
-	struct board_cost sum = {0.0, 0.0};
-
-	for (int i = 0; i < drawable->batch_count; i++) {
-		const struct batch *batch = &drawable->batch[i];
-		int corners =
-			batch->index ? batch->index_count : batch->vertex_count;
-
-		if (!batch->source) {
-			continue;
-		}
-		add_times(&sum, &gathered_vertex, batch->vertex_count);
-		if (!drawable->primitive->normal) {
-			add_times(&sum, &facet, corners / 3);
-		}
-	}
-	return sum;
-}
-
 struct board_cost board_cost_lay(double points, double rays)
 {
 	struct board_cost sum = {0.0, 0.0};
@@ -399,7 +388,10 @@ struct board_cost board_cost_targets(const struct board_targets *targets)
 	add_times(&sum, &targets_weight, targets->weights);
 	add_times(&sum, &targets_copied, targets->copied);
 	add_times(&sum, &targets_begun, targets->begun);
+	add_times(&sum, &targets_span, targets->spans);
 	add_times(&sum, &targets_visit, targets->visits);
+	add_times(&sum, &targets_search, targets->searches);
+	add_times(&sum, &targets_step, targets->steps);
 	add_times(&sum, &targets_piece, targets->pieces);
 	add_times(&sum, &targets_added, targets->added);
 	add_times(&sum, &targets_rebased, targets->rebased);

@@ -45,8 +45,15 @@ struct board_cost board_cost_sample(
 /* The same for the weights of a morph: one node with key_count targets. */
 struct board_cost board_cost_sample_keys(int key_count);
 
-/* The cost of the nodes' world matrices and of the joints' palette matrices. */
-struct board_cost board_cost_matrices(int node_count, int joint_count);
+/*
+ * The cost of the nodes' world matrices, of which so many have no parent, and
+ * of the joints' palette matrices.
+ */
+struct board_cost board_cost_matrices(
+	int node_count, int root_count, int joint_count);
+
+/* The number of the model's nodes without a parent. */
+int board_cost_count_roots(const struct model *model);
 
 /* The cost of drawables without skin and morph, which move with their nodes. */
 struct board_cost board_cost_solid(int drawable_count);
@@ -104,9 +111,12 @@ struct board_targets {
 	double weights; /* targets */
 	double copied;  /* vertices that no target with a weight moves */
 	double paired;  /* vertices that a single pair of targets moves */
+	double spans;   /* of this pair */
 	double begun;   /* vertices initialised for several pairs */
-	double visits;  /* chunks of vertices, times pairs */
-	double pieces;  /* spans of pairs with weights, cut at chunk ends */
+	double visits; /* chunks of vertices, times pairs, with weights or not */
+	/* chunks times pairs with weights, and steps to find their first spans */
+	double searches, steps;
+	double pieces;  /* spans of several pairs, cut at chunk ends */
 	double added;   /* vertices that each of several pairs moves */
 	double rebased; /* base vectors of skin influences rewritten */
 };

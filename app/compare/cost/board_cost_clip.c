@@ -32,7 +32,7 @@ static const struct board_cost uneven_joint = {660.0, 265.0};
 static const struct board_cost uneven_matrix = {220.0, 59.0};
 
 /* Added for a drawable with weighted targets. */
-static const struct board_cost morph_drawable = {2090.0, 404.0};
+static const struct board_cost morph_drawable = {1900.0, 370.0};
 
 struct playback {
 	const struct model_clip *clip;
@@ -49,49 +49,95 @@ static bool is_active(const struct fixed_deltas *deltas)
 		(deltas->weights.a != 0 || deltas->weights.b != 0);
 }
 
-/*
- * Counts a pair's spans, cut at chunk ends as fixed_morph_run() does. Returns
- * the number of vertices that the pair moves.
- */
-static double add_spans(
-	const struct fixed_deltas *deltas, struct board_targets *sum)
+/* Counts a pair's spans, cut at chunk ends as fixed_morph_run() does. */
+static int count_pieces(const struct fixed_deltas *deltas)
 {
-	double moved = 0.0;
+	int pieces = 0;
 
 	for (int i = 0; i < deltas->span_count; i++) {
 		const struct fixed_span *span = &deltas->span[i];
 		int last = span->first + span->count - 1;
 
-		moved += (double)span->count;
-		sum->pieces += (double)(last / FIXED_MORPH_CHUNK -
-			span->first / FIXED_MORPH_CHUNK + 1);
+		pieces += last / FIXED_MORPH_CHUNK -
+			span->first / FIXED_MORPH_CHUNK + 1;
+	}
+	return pieces;
+}
+
+/* Returns the number of vertices that a pair moves. */
+static double count_moved(const struct fixed_deltas *deltas)
+{
+	double moved = 0.0;
+
+	for (int i = 0; i < deltas->span_count; i++) {
+		moved += (double)deltas->span[i].count;
 	}
 	return moved;
+}
+
+/* The steps in which fixed_morph_run() finds a chunk's first span. */
+static int count_steps(const struct fixed_deltas *deltas, int vertex)
+{
+	int low = 0, high = deltas->span_count, steps = 0;
+
+	for (; low < high; steps++) {
+		int middle = low + (high - low) / 2;
+		const struct fixed_span *span = &deltas->span[middle];
+
+		if (span->first + span->count <= vertex) {
+			low = middle + 1;
+		} else {
+			high = middle;
+		}
+	}
+	return steps;
+}
+
+/* Counts what several pairs with weights take to find the spans of chunks. */
+static void add_searches(const struct fixed_morph *morph,
+	const struct fixed_morph_stream *stream, struct board_targets *sum)
+{
+	for (int first = 0; first < morph->vertex_count;
+		first += FIXED_MORPH_CHUNK) {
+		sum->visits += (double)morph->pair_count;
+		for (int p = 0; p < morph->pair_count; p++) {
+			const struct fixed_deltas *deltas = &stream->deltas[p];
+
+			if (is_active(deltas)) {
+				sum->searches += 1.0;
+				sum->steps += count_steps(deltas, first);
+			}
+		}
+	}
 }
 
 /* Counts one attribute of a frame. The frame's weights are set. */
 static void count_stream(const struct fixed_morph *morph,
 	const struct fixed_morph_stream *stream, struct board_targets *sum)
 {
-	double moved = 0.0;
+	double moved = 0.0, spans = 0.0, pieces = 0.0;
 	int active = 0;
 
 	sum->weights += (double)morph->target_count;
 	for (int p = 0; p < morph->pair_count; p++) {
-		if (is_active(&stream->deltas[p])) {
+		const struct fixed_deltas *deltas = &stream->deltas[p];
+
+		if (is_active(deltas)) {
 			active++;
-			moved += add_spans(&stream->deltas[p], sum);
+			moved += count_moved(deltas);
+			spans += (double)deltas->span_count;
+			pieces += (double)count_pieces(deltas);
 		}
 	}
 	if (active == 1) {
 		sum->paired += moved;
+		sum->spans += spans;
 		sum->copied += (double)morph->vertex_count - moved;
 	} else if (active > 1) {
 		sum->begun += (double)morph->vertex_count;
 		sum->added += moved;
-		sum->visits += (double)morph->pair_count *
-			((morph->vertex_count + FIXED_MORPH_CHUNK - 1) /
-				FIXED_MORPH_CHUNK);
+		sum->pieces += pieces;
+		add_searches(morph, stream, sum);
 	} else {
 		sum->copied += (double)morph->vertex_count;
 	}
@@ -168,8 +214,11 @@ static struct board_targets count_targets(
 		.weights = sum.weights * share,
 		.copied = sum.copied * share,
 		.paired = sum.paired * share,
+		.spans = sum.spans * share,
 		.begun = sum.begun * share,
 		.visits = sum.visits * share,
+		.searches = sum.searches * share,
+		.steps = sum.steps * share,
 		.pieces = sum.pieces * share,
 		.added = sum.added * share,
 		.rebased = sum.rebased * share,
@@ -363,8 +412,8 @@ struct board_frame board_cost_clip(const struct model_clip *clip,
 	};
 	struct board_frame frame = {
 		.sample = board_cost_sample(clip, model->node_count),
-		.matrices = board_cost_matrices(
-			model->node_count, count_joints(model)),
+		.matrices = board_cost_matrices(model->node_count,
+			board_cost_count_roots(model), count_joints(model)),
 	};
 
 	add_normal_palettes(&frame.matrices, &playback);

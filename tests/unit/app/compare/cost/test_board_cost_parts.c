@@ -15,19 +15,23 @@ static void expect_cost(
 static void test_nodes_joints_and_solid_drawables(void **state)
 {
 	(void)state;
-	expect_cost(board_cost_matrices(0, 0), 529.0, 68.0);
-	expect_cost(board_cost_matrices(3, 0), 529.0 + 3 * 413, 68.0 + 3 * 93);
-	expect_cost(board_cost_matrices(0, 5), 529.0 + 5 * 620, 68.0 + 5 * 54);
+	expect_cost(board_cost_matrices(0, 0, 0), 1000.0, 125.0);
+	expect_cost(
+		board_cost_matrices(3, 0, 0), 1000.0 + 3 * 413, 125.0 + 3 * 93);
+	expect_cost(board_cost_matrices(3, 2, 0), 1000.0 + 3 * 413 - 2 * 120,
+		125.0 + 3 * 93 - 2 * 21);
+	expect_cost(
+		board_cost_matrices(0, 0, 5), 1000.0 + 5 * 620, 125.0 + 5 * 54);
 	expect_cost(board_cost_solid(4), 4 * 347.0, 4 * 54.0);
 }
 
 static void test_key_frames(void **state)
 {
 	(void)state;
-	expect_cost(board_cost_keys(0, false, 0), 1700.0, 287.0);
-	expect_cost(board_cost_keys(0, true, 9), 1700.0 + 9 * 7, 287 + 9 * 7.4);
-	expect_cost(board_cost_keys(100, false, 0), 1700.0 + 1910, 287 + 1110.0);
-	expect_cost(board_cost_keys(100, true, 0), 1700.0 + 3820, 287 + 2220.0);
+	expect_cost(board_cost_keys(0, false, 0), 1650.0, 287.0);
+	expect_cost(board_cost_keys(0, true, 9), 1650.0 + 9 * 7, 287 + 9 * 7.4);
+	expect_cost(board_cost_keys(100, false, 0), 1650.0 + 1910, 287 + 1110.0);
+	expect_cost(board_cost_keys(100, true, 0), 1650.0 + 3820, 287 + 2220.0);
 	expect_cost(board_cost_sample_keys(0), 1315.0 + 75 + 653 + 60,
 		120 + 7.1 + 82 + 9.2);
 	expect_cost(board_cost_sample_keys(10), 1315.0 + 75 + 653 + 60 + 720,
@@ -41,17 +45,23 @@ static void test_weighted_targets(void **state)
 	(void)state;
 	expect_cost(board_cost_targets(&(struct board_targets){0}), 0, 0);
 	expect_cost(board_cost_targets(&(struct board_targets){.copied = 10}),
-		120, 20);
+		138, 16);
 	expect_cost(board_cost_targets(&(struct board_targets){.paired = 10}),
 		10 * (double)pair->cycles, 10 * (double)pair->instructions);
 	expect_cost(board_cost_targets(&(struct board_targets){.begun = 10}),
-		189, 71);
+		167, 82);
 	expect_cost(board_cost_targets(&(struct board_targets){.added = 10}),
-		177, 77);
-	expect_cost(board_cost_targets(&(struct board_targets){.visits = 10}),
-		68, 276);
-	expect_cost(board_cost_targets(&(struct board_targets){.pieces = 10}),
+		178, 75);
+	expect_cost(board_cost_targets(&(struct board_targets){.spans = 10}),
 		1100, 313);
+	expect_cost(board_cost_targets(&(struct board_targets){.visits = 10}),
+		300, 120);
+	expect_cost(board_cost_targets(&(struct board_targets){.searches = 10}),
+		950, 160);
+	expect_cost(board_cost_targets(&(struct board_targets){.steps = 10}),
+		200, 130);
+	expect_cost(board_cost_targets(&(struct board_targets){.pieces = 10}),
+		620, 353);
 	expect_cost(board_cost_targets(&(struct board_targets){.weights = 10}),
 		1350, 335);
 	expect_cost(board_cost_targets(&(struct board_targets){.rebased = 10}),
@@ -64,64 +74,6 @@ static void test_shadows_that_are_laid_on_hills(void **state)
 	expect_cost(board_cost_lay(0.0, 0.0), 0.0, 0.0);
 	expect_cost(board_cost_lay(100.0, 0.0), 97000.0, 45500.0);
 	expect_cost(board_cost_lay(0.0, 10.0), 6400.0, 2400.0);
-}
-
-/* Without normals each triangle needs one. */
-static void test_gathered_vertices_and_facets(void **state)
-{
-	static float normal[1][3];
-	static const uint16_t index = 0;
-	static const uint32_t source = 0;
-	struct model_primitive primitive = {.normal = normal};
-	struct batch batch[3] = {
-		{.vertex_count = 10,
-			.source = &source,
-			.index = &index,
-			.index_count = 12},
-		{.vertex_count = 9, .source = &source},
-		{.vertex_count = 500, .index = &index, .index_count = 3},
-	};
-	struct drawable drawable = {
-		.primitive = &primitive, .batch_count = 3, .batch = batch};
-
-	(void)state;
-	expect_cost(board_cost_gather(&drawable), 19 * 76.0, 19 * 11.2);
-	primitive.normal = NULL;
-	expect_cost(board_cost_gather(&drawable), 19 * 76.0 + 7 * 106,
-		19 * 11.2 + 7 * 83.4);
-}
-
-/* A level takes the vertices of its list, and of its shadow's if that is another. */
-static void test_gathered_levels_and_their_shadows(void **state)
-{
-	static const uint32_t source = 0;
-	struct model_primitive primitive = {.vertex_count = 1};
-	struct batch_lod lod[2] = {
-		{.vertex_count = 30, .index_count = 60, .flat = true},
-		{.vertex_count = 7, .index_count = 15}};
-	struct batch batch = {
-		.vertex_count = 100, .source = &source, .lod = lod};
-	struct drawable drawable = {.primitive = &primitive,
-		.batch_count = 1,
-		.batch = &batch,
-		.lod = 1,
-		.shadow_lod = 1};
-
-	(void)state;
-	expect_cost(board_cost_gather_drawn(&drawable), 30 * 76.0 + 20 * 106,
-		30 * 11.2 + 20 * 83.4);
-	drawable.shadow_lod = 2;
-	expect_cost(board_cost_gather_drawn(&drawable), 37 * 76.0 + 20 * 106,
-		37 * 11.2 + 20 * 83.4);
-	drawable.shadow_lod = 0;
-	expect_cost(board_cost_gather_drawn(&drawable), 30 * 76.0 + 20 * 106,
-		30 * 11.2 + 20 * 83.4);
-	lod[0].flat = false;
-	expect_cost(board_cost_gather_drawn(&drawable), 30 * (76.0 + 95),
-		30 * (11.2 + 91));
-	drawable.lod = 0;
-	expect_cost(board_cost_gather_drawn(&drawable), 100 * 76.0 + 33 * 106,
-		100 * 11.2 + 33 * 83.4);
 }
 
 /* The cost of a vertex of that many influences, of as many joints. */
@@ -269,6 +221,8 @@ static void test_turns_cost_by_how_far_they_are(void **state)
 		{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0},
 		{0, 0, 0, 1, 0.307f, 0, 0, 0.9517f, 0.307f, 0, 0, 0.9517f},
 		{0, 0, 0, 1, 0.329f, 0, 0, 0.9443f, 0.329f, 0, 0, 0.9443f}};
+	static const float long_keys[12] = {
+		0, 0, 0, 2, 0, 0, 0, 0.5f, 0, 0, 0, -3};
 	static const double wide[4] = {0, 0.75, 0, 0.25};
 	static const double middle[4] = {0, 0, 0.25, 0};
 	struct model_channel four[4];
@@ -301,7 +255,15 @@ static void test_turns_cost_by_how_far_they_are(void **state)
 	expect_sample(&channel, 1, 653 + 60, 82 + 9.2);
 	channel.interpolation = MODEL_LINEAR;
 	channel.unit = false;
-	expect_sample(&channel, 1, 653 + 60, 82 + 9.2);
+	channel.key_count = 3;
+	for (int i = 0; i < 4; i++) {
+		channel.value = keys[i];
+		expect_sample(&channel, 1, 653 + 60 + 300 + 950 * wide[i],
+			82 + 9.2 + 100 + 145 * wide[i]);
+	}
+	/* Their length does not tell how far apart they are. */
+	channel.value = long_keys;
+	expect_sample(&channel, 1, 653 + 60 + 300, 82 + 9.2 + 100);
 }
 
 static void test_a_frame_is_the_sum_of_its_steps(void **state)
@@ -323,8 +285,6 @@ int main(void)
 		cmocka_unit_test(test_key_frames),
 		cmocka_unit_test(test_weighted_targets),
 		cmocka_unit_test(test_shadows_that_are_laid_on_hills),
-		cmocka_unit_test(test_gathered_vertices_and_facets),
-		cmocka_unit_test(test_gathered_levels_and_their_shadows),
 		cmocka_unit_test(test_vertices_of_a_skin_by_their_influences),
 		cmocka_unit_test(test_no_more_than_eight_influences_cost),
 		cmocka_unit_test(test_joints_count_once),

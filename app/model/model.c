@@ -2,6 +2,7 @@
 
 #include "app/model/color.h"
 #include "app/model/model_loader.h"
+#include "platform/base/name_list.h"
 
 #include <errno.h>
 #include <math.h>
@@ -268,17 +269,39 @@ int model_clips_apart(
 	return count;
 }
 
+/* Fails because no clip has the name or the number that --clip gives. */
+static int fail_clip(
+	const struct model *model, const char *wanted, const struct log *log)
+{
+	struct name_choice names = {.wanted = wanted};
+
+	for (int pass = 0; pass < 2; pass++) {
+		names.others = pass;
+		for (int i = 0; i < model->clip_count; i++) {
+			if (model->clip[i].name[0]) {
+				name_choice_add(&names, model->clip[i].name);
+			}
+		}
+	}
+	name_choice_end(&names);
+	if (model->clip_count == 0) {
+		log_error(log, "--clip %s: %s has no clips: leave out --clip",
+			wanted, model->path);
+	} else {
+		log_error(log, "--clip %s: %s has no such clip: give %s%s%s%d",
+			wanted, model->path, names.list.text,
+			names.list.text[0] ? ", or " : "",
+			model->clip_count > 1 ? "a number from 0 to " : "",
+			model->clip_count - 1);
+	}
+	return -ENOENT;
+}
+
 int model_choose_clip(const struct model *model, const char *wanted,
 	int fallback, const struct log *log, int *out)
 {
 	*out = wanted ? model_find_clip(model, wanted) : fallback;
-	if (wanted && *out < 0) {
-		log_error(log,
-			"--clip %s: %s has no such clip; limber info lists its clips",
-			wanted, model->path);
-		return -ENOENT;
-	}
-	return 0;
+	return wanted && *out < 0 ? fail_clip(model, wanted, log) : 0;
 }
 
 /*

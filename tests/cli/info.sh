@@ -13,6 +13,25 @@ expect_out ' 2\.0+ '
 
 expect_out 'slider\.gltf: .*, 1 node, 3 vertices, 1 triangle, '
 
+# The names that a character file uses, each below its parent.
+limber info assets/arm.glb --nodes
+expect_status 0
+expect_no_err
+expect_out '^  Arm  mesh 5$'
+expect_out '^    Forearm  mesh 4$'
+limber info tests/fixtures/gltf/skin/and_morph.gltf --nodes
+expect_out '^  .*  joint$'
+expect_out '^  .*  mesh 0$'
+limber info "$slider"
+check 'nodes are listed only when asked for' sh -c '! grep -q "^nodes" "$1"' \
+    sh "$out_file"
+limber info assets/arm.glb --nodes --json
+expect_out '"hierarchy"'
+expect_out '"parent": -1'
+limber info assets/arm.glb --json
+check 'JSON has nodes only when asked for' sh -c '! grep -q hierarchy "$1"' \
+    sh "$out_file"
+
 # Targets without names are counted, not listed.
 targets=tests/fixtures/gltf/mesh/weights.gltf
 limber info "$targets"

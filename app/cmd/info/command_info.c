@@ -13,9 +13,13 @@ static int run_with_model(const struct model *model,
 		return error;
 	}
 	if (options->common.json) {
-		error = info_print_json(&report, log, stdout);
+		error = info_print_json(
+			&report, options->common.nodes, log, stdout);
 	} else {
 		info_print_text(&report, stdout);
+	}
+	if (options->common.nodes && !options->common.json) {
+		error = info_print_nodes(model, log, stdout);
 	}
 	info_release(&report);
 	return error;
@@ -30,13 +34,14 @@ static int run(const struct options *options, const struct log *log)
 const struct command command_info = {
 	.name = "info",
 	.bit = FOR_INFO,
-	.usage = "MODEL [--json]",
+	.usage = "MODEL [--nodes] [--json]",
 	.summary = "print what a model contains",
 	.detail =
 		"limber lists a model's meshes and their levels of detail, joints, influences, morph targets\n"
 		"and clips, and the bytes that each technique needs to animate it.\n"
 		"\n"
 		"  limber info robot.glb\n"
+		"  limber info robot.glb --nodes      # the names that a character file uses\n"
 		"  limber info robot.glb --json | jq .clips",
 	.run = run,
 };

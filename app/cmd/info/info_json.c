@@ -95,6 +95,21 @@ static json_t *images(const struct model *model)
 	return array;
 }
 
+/* Parents come before their children; -1 is none. */
+static json_t *hierarchy(const struct model *model)
+{
+	json_t *array = json_array();
+
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		json_array_append_new(array,
+			json_pack("{s:s, s:i, s:i}", "name", node->name,
+				"parent", node->parent, "mesh", node->mesh));
+	}
+	return array;
+}
+
 /* Element k is the number of vertices with k influences. */
 static json_t *influences(const struct model_stats *stats)
 {
@@ -120,8 +135,8 @@ static json_t *bytes(const struct info_report *report)
 		(json_int_t)stats->image_bytes);
 }
 
-int info_print_json(
-	const struct info_report *report, const struct log *log, FILE *out)
+int info_print_json(const struct info_report *report, bool nodes,
+	const struct log *log, FILE *out)
 {
 	const struct model *model = report->model;
 	const struct model_stats *stats = &report->stats;
@@ -130,13 +145,14 @@ int info_print_json(
 
 	json_memory_begin();
 	root = json_pack(
-		"{s:s, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o}",
+		"{s:s, s:s, s:i, s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o, s:o, s:o*}",
 		"file", model->path, "format", model->format, "nodes",
 		model->node_count, "vertices", stats->vertex_count, "triangles",
 		stats->triangle_count, "materials", model->material_count,
 		"joints", report->joint_count, "meshes", meshes(report),
 		"skins", skins(model), "influences", influences(stats), "clips",
-		clips(model), "images", images(model), "bytes", bytes(report));
+		clips(model), "images", images(model), "bytes", bytes(report),
+		"hierarchy", nodes ? hierarchy(model) : NULL);
 
 	if (!json_memory_ok()) {
 		log_error(log, "%s: there is not enough memory", model->path);

@@ -6,6 +6,7 @@
 
 #include "app/model/model_stats.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 struct info_report {
@@ -36,10 +37,18 @@ void info_release(struct info_report *report);
 void info_print_text(const struct info_report *report, FILE *out);
 
 /*
+ * Prints the name of each node below that of its parent, whether it is a joint,
+ * and the number of its mesh. Returns 0, or -ENOMEM after logging an error.
+ */
+int info_print_nodes(
+	const struct model *model, const struct log *log, FILE *out);
+
+/*
+ * Prints the report, with all nodes if that is asked for.
  * Returns 0, or after logging an error -EINVAL if a name in the model is not
  * UTF-8, or -ENOMEM.
  */
-int info_print_json(
-	const struct info_report *report, const struct log *log, FILE *out);
+int info_print_json(const struct info_report *report, bool nodes,
+	const struct log *log, FILE *out);
 
 #endif

@@ -54,6 +54,7 @@ struct options_common {
 	const char *config;  /* a path or "none" */
 	size_t memory_bytes; /* the limit of model_load_within() */
 	bool json;
+	bool nodes;
 	bool verbose;
 	bool help;
 	bool version;

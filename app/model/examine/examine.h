@@ -32,9 +32,9 @@ int examine_clips(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
 int examine_skins(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
-
-/* Reports levels of detail and shapes for collisions that are shown as well. */
-void examine_spare(const struct model *model, const struct examiner *examiner);
+/* About levels of detail and shapes for collisions that are shown as well. */
+int examine_spare(const struct model *model, const struct examiner *examiner,
+	const struct log *log);
 
 /*
  * Returns the number of primitives that some node shows with normals on the

@@ -4,6 +4,8 @@
  */
 #include "app/model/examine/examine.h"
 
+#include "platform/base/arena.h"
+
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,23 +39,66 @@ static int find_level(const char *name, size_t *stem)
 	return (int)strtol(name + digits, NULL, 10);
 }
 
-/* Whether a finer level of the same stem is shown as well. */
-static bool is_coarse(const struct model *model, int node)
+/* A shown node whose name tells a level. */
+struct level {
+	const char *name;
+	size_t stem; /* the length of the name before the level */
+	int level, node;
+};
+
+/* By stem, then by level, then by node. */
+static int compare_levels(const void *left, const void *right)
 {
-	const char *name = model->node[node].name;
-	size_t stem, other;
-	int level = find_level(name, &stem);
+	const struct level *a = left, *b = right;
+	int order = strncmp(
+		a->name, b->name, a->stem < b->stem ? a->stem : b->stem);
 
-	for (int i = 0; level > 0 && i < model->node_count; i++) {
-		const struct model_node *of = &model->node[i];
-		int finer = is_shown(of) ? find_level(of->name, &other) : -1;
+	if (order != 0) {
+		return order;
+	}
+	if (a->stem != b->stem) {
+		return a->stem < b->stem ? -1 : 1;
+	}
+	return a->level != b->level ? (a->level < b->level ? -1 : 1)
+				    : a->node - b->node;
+}
 
-		if (finer >= 0 && finer < level && other == stem &&
-			strncmp(of->name, name, stem) == 0) {
-			return true;
+/*
+ * Counts the levels beside which a finer one is shown, and finds the first node
+ * of them. levels has room for all nodes.
+ */
+static int count_coarse(
+	const struct model *model, struct level *levels, const char **first)
+{
+	int count = 0, coarse = 0, node = model->node_count;
+	int finest = 0; /* of the present stem */
+
+	for (int i = 0; i < model->node_count; i++) {
+		struct level *one = &levels[count];
+
+		one->name = model->node[i].name;
+		one->node = i;
+		one->level = find_level(one->name, &one->stem);
+		count += is_shown(&model->node[i]) && one->level >= 0;
+	}
+	if (count > 0) {
+		qsort(levels, (size_t)count, sizeof(*levels), compare_levels);
+	}
+	for (int i = 0; i < count; i++) {
+		const struct level *before = i ? &levels[i - 1] : NULL;
+		const struct level *one = &levels[i];
+
+		if (!before || before->stem != one->stem ||
+			strncmp(before->name, one->name, one->stem) != 0) {
+			finest = one->level;
+		}
+		if (one->level > finest) {
+			coarse++;
+			node = one->node < node ? one->node : node;
 		}
 	}
-	return false;
+	*first = coarse ? model->node[node].name : "";
+	return coarse;
 }
 
 static bool contains(const char *name, const char *word)
@@ -66,10 +111,9 @@ static bool contains(const char *name, const char *word)
 	return false;
 }
 
-static bool is_collider(const struct model *model, int node)
+static bool is_collider(const char *name)
 {
 	static const char *const begins[] = {"UBX_", "UCP_", "UCX_", "USP_"};
-	const char *name = model->node[node].name;
 
 	for (size_t i = 0; i < ARRAY_COUNT(begins); i++) {
 		if (strncmp(name, begins[i], strlen(begins[i])) == 0) {
@@ -79,29 +123,44 @@ static bool is_collider(const struct model *model, int node)
 	return contains(name, "collider") || contains(name, "collision");
 }
 
-static void report(const struct model *model, const struct examiner *examiner,
-	bool (*is_spare)(const struct model *model, int node),
-	const char *feature, const char *treatment)
+static int count_colliders(const struct model *model, const char **first)
 {
-	const char *first = "";
 	int count = 0;
 
 	for (int i = 0; i < model->node_count; i++) {
-		if (is_shown(&model->node[i]) && is_spare(model, i)) {
-			first = count++ == 0 ? model->node[i].name : first;
+		const struct model_node *node = &model->node[i];
+
+		if (is_shown(node) && is_collider(node->name)) {
+			*first = count++ == 0 ? node->name : *first;
 		}
 	}
-	if (count > 0) {
-		examine_report(examiner, "%s (%d), such as %.60s: %s", feature,
-			count, first, treatment);
-	}
+	return count;
 }
 
-void examine_spare(const struct model *model, const struct examiner *examiner)
+int examine_spare(const struct model *model, const struct examiner *examiner,
+	const struct log *log)
 {
-	report(model, examiner, is_coarse,
-		"levels of detail as nodes of their own",
-		"limber draws them and the finest level at once; export that one alone, as limber makes its own levels");
-	report(model, examiner, is_collider, "shapes for collisions",
-		"limber draws them over the model; export it without them");
+	struct arena arena = arena_empty();
+	struct level *levels =
+		ARENA_ARRAY(&arena, struct level, (size_t)model->node_count);
+	const char *first = "";
+	int count, error = 0;
+
+	count = levels ? count_coarse(model, levels, &first) : 0;
+	if (!levels) {
+		error = memory_budget_fail(model->budget, model->path, log);
+	}
+	if (count > 0) {
+		examine_report(examiner,
+			"levels of detail as nodes of their own (%d), such as %.60s: limber draws them and the finest level at once; export that one alone, as limber makes its own levels",
+			count, first);
+	}
+	count = count_colliders(model, &first);
+	if (count > 0) {
+		examine_report(examiner,
+			"shapes for collisions (%d), such as %.60s: limber draws them over the model; export it without them",
+			count, first);
+	}
+	arena_release(&arena);
+	return error;
 }

@@ -262,7 +262,7 @@ int gltf_examine(const struct model_source *source,
 		report_skins(&at);
 		report_nodes(&at);
 		report_scenes(&at);
-		examine_spare(model, examiner);
+		error = error ? error : examine_spare(model, examiner, log);
 		error = error ? error : report_weights(&at);
 		report_accessors(&at);
 		report_samplers(&at);

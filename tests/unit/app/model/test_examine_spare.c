@@ -22,6 +22,7 @@ static void keep(void *context, const char *finding)
 static void expect(const char *const *names, int count, const char *wanted)
 {
 	const struct examiner examiner = {keep, NULL};
+	struct log log = log_to_stderr(LOG_WARNING);
 	struct model_node node[MOST + 1];
 	struct model model = {.node = node, .node_count = count + 1};
 
@@ -35,7 +36,7 @@ static void expect(const char *const *names, int count, const char *wanted)
 		};
 	}
 	heard[0] = '\0';
-	examine_spare(&model, &examiner);
+	assert_int_equal(examine_spare(&model, &examiner, &log), 0);
 	assert_string_equal(heard, wanted);
 }
 

@@ -39,9 +39,11 @@ static const struct board_cost matrix_node = {413.0, 93.0};
 static const struct board_cost matrix_root = {-120.0, -21.0};
 static const struct board_cost palette_row = {620.0, 54.0}; /* a joint */
 static const struct board_cost solid_drawable = {347.0, 54.0};
-static const struct board_cost keys_drawable = {1650.0, 287.0};
-static const struct board_cost keys_weight = {7.0, 7.4};
+static const struct board_cost keys_drawable = {1000.0, 287.0};
+static const struct board_cost keys_weight = {25.0, 7.4};
 static const struct board_cost keys_vertex = {19.1, 11.1};
+/* The first 16 vertices, which are loaded before a preload can reach them. */
+static const struct board_cost keys_begun = {26.0, 0.0};
 static const struct board_cost targets_weight = {135.0, 33.5};
 static const struct board_cost targets_copied = {13.8, 1.6};
 static const struct board_cost targets_span = {110.0, 31.3};
@@ -366,9 +368,11 @@ struct board_cost board_cost_skin(
 struct board_cost board_cost_keys(int vertex_count, bool normals, int key_count)
 {
 	struct board_cost sum = keys_drawable;
+	double streams = normals ? 2.0 : 1.0;
 
 	add_times(&sum, &keys_weight, key_count);
-	add_times(&sum, &keys_vertex, (normals ? 2.0 : 1.0) * vertex_count);
+	add_times(&sum, &keys_vertex, streams * vertex_count);
+	add_times(&sum, &keys_begun, streams * fmin(vertex_count, 16.0));
 	return sum;
 }
 

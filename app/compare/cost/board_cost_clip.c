@@ -30,6 +30,8 @@ static const struct board_cost skin_share = {0.88, 0.96};
  */
 static const struct board_cost uneven_joint = {660.0, 265.0};
 static const struct board_cost uneven_matrix = {220.0, 59.0};
+/* If any node has an uneven scale, all nodes are looked through for others. */
+static const struct board_cost uneven_node = {96.0, 10.0};
 
 /* Added for a drawable with weighted targets. */
 static const struct board_cost morph_drawable = {1900.0, 370.0};
@@ -296,6 +298,23 @@ static double count_uneven(const struct playback *playback, int skin)
 	return sum / (double)frames;
 }
 
+/* What looking for uneven scales takes in the frames that have any. */
+static void add_uneven_nodes(
+	struct board_cost *sum, const struct playback *playback)
+{
+	struct instance *instance = playback->instance;
+	int frames = has_scale(playback->clip) ? playback->frame_count : 1;
+	int uneven = 0;
+
+	for (int i = 0; i < frames && !interrupt_pending(); i++) {
+		clip_pose(playback->clip, (float)((double)i / playback->rate_hz),
+			CLIP_AUTO, playback->cursor, &instance->pose);
+		uneven += pose_normals_find(&instance->normals, &instance->pose);
+	}
+	add_runs(sum, &uneven_node,
+		(double)instance->model->node_count * uneven / frames);
+}
+
 static void add_normal_palettes(
 	struct board_cost *sum, const struct playback *playback)
 {
@@ -416,6 +435,7 @@ struct board_frame board_cost_clip(const struct model_clip *clip,
 			board_cost_count_roots(model), count_joints(model)),
 	};
 
+	add_uneven_nodes(&frame.matrices, &playback);
 	add_normal_palettes(&frame.matrices, &playback);
 	for (int i = 0; i < instance->drawable_count; i++) {
 		add_drawable(&frame.vertices, &playback, &instance->drawable[i],

@@ -28,10 +28,12 @@ static void test_nodes_joints_and_solid_drawables(void **state)
 static void test_key_frames(void **state)
 {
 	(void)state;
-	expect_cost(board_cost_keys(0, false, 0), 1650.0, 287.0);
-	expect_cost(board_cost_keys(0, true, 9), 1650.0 + 9 * 7, 287 + 9 * 7.4);
-	expect_cost(board_cost_keys(100, false, 0), 1650.0 + 1910, 287 + 1110.0);
-	expect_cost(board_cost_keys(100, true, 0), 1650.0 + 3820, 287 + 2220.0);
+	expect_cost(board_cost_keys(0, false, 0), 1000.0, 287.0);
+	expect_cost(board_cost_keys(0, true, 9), 1000.0 + 9 * 25, 287 + 9 * 7.4);
+	expect_cost(board_cost_keys(100, false, 0), 1000.0 + 1910 + 16 * 26,
+		287 + 1110.0);
+	expect_cost(board_cost_keys(100, true, 0), 1000.0 + 3820 + 2 * 16 * 26,
+		287 + 2220.0);
 	expect_cost(board_cost_sample_keys(0), 1315.0 + 75 + 653 + 60,
 		120 + 7.1 + 82 + 9.2);
 	expect_cost(board_cost_sample_keys(10), 1315.0 + 75 + 653 + 60 + 720,

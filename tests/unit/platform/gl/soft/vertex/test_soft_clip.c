@@ -196,6 +196,55 @@ static void test_cuts_keep_the_colours_of_both_sides(void **state)
 	}
 }
 
+static int count_white(const struct gl_canvas *canvas)
+{
+	int white = 0;
+
+	for (int p = 0; p < GL_CANVAS_WIDTH * GL_CANVAS_HEIGHT; p++) {
+		uint8_t rgba[4];
+
+		gl_expect_read(
+			canvas, p % GL_CANVAS_WIDTH, p / GL_CANVAS_WIDTH, rgba);
+		white += rgba[0] == 255;
+	}
+	return white;
+}
+
+/* A corner whose w is 0 is within all planes, and yet at no place. */
+static void test_corners_without_w_are_at_no_place(void **state)
+{
+	/* clip coordinates are x, y, 0 and z */
+	static const GLfixed w_is_z[16] = {[0] = ONE, [5] = ONE, [11] = ONE};
+	static const float seen[2][3] = {{0.5f, 0.25f, 1}, {-0.5f, 0.25f, 1}};
+	static const GLenum modes[] = {GL_LINES, GL_TRIANGLES};
+
+	(void)state;
+	for (int i = 0; i < 6; i++) {
+		struct gl_canvas canvas =
+			gl_canvas_open("soft", gl_expect_formats[i % 2]);
+		struct gl *gl = canvas.gl;
+		int corners = 2 + i / 3;
+		float corner[3][3] = {{0}};
+
+		for (int k = 0; k < corners - 1; k++) {
+			memcpy(corner[(i + k) % corners], seen[k],
+				sizeof(corner[0]));
+		}
+		gl->MatrixMode(GL_PROJECTION);
+		gl->LoadMatrixx(w_is_z);
+		gl->EnableClientState(GL_VERTEX_ARRAY);
+		gl->VertexPointer(3, GL_FLOAT, 0, corner);
+		gl->DrawArrays(modes[i / 3], 0, corners);
+		assert_int_equal(count_white(&canvas), 0);
+		for (int k = 0; k < corners; k++) {
+			corner[k][2] = 1;
+		}
+		gl->DrawArrays(modes[i / 3], 0, corners);
+		assert_true(count_white(&canvas) > 2);
+		gl_canvas_end_and_close(&canvas);
+	}
+}
+
 /* A square of half its size in viewports of any place. */
 static void test_viewports_place_the_picture(void **state)
 {
@@ -318,6 +367,7 @@ int main(void)
 		cmocka_unit_test(test_the_nearer_of_crossing_triangles_is_seen),
 		cmocka_unit_test(test_each_plane_cuts_as_osmesas_does),
 		cmocka_unit_test(test_cuts_keep_the_colours_of_both_sides),
+		cmocka_unit_test(test_corners_without_w_are_at_no_place),
 		cmocka_unit_test(test_viewports_place_the_picture),
 		cmocka_unit_test(test_viewports_cut_triangles),
 		cmocka_unit_test(test_pixels_are_read_as_they_were_drawn),

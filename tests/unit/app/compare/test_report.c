@@ -300,6 +300,28 @@ static void test_formats_are_found_by_name(void **state)
 	assert_null(report_find(""));
 }
 
+/* None was counted, which is not the same as no counter. */
+static void test_no_instructions_are_a_number(void **state)
+{
+	struct bench bench;
+	const json_t *one;
+	json_t *root;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.row[0].total.instructions = 0.0;
+	bench.cell[0][0].time.instructions = 0.0;
+	root = json_loads(print(&bench, "json"), 0, NULL);
+	one = json_array_get(json_object_get(root, "candidates"), 0);
+	assert_near(number_of(one, "instructions_per_frame"), 0.0, 0.0);
+	one = json_array_get(json_object_get(one, "clips"), 0);
+	assert_near(number_of(one, "instructions_per_frame"), 0.0, 0.0);
+	json_decref(root);
+	free(bench.text);
+	assert_contains(print(&bench, "csv"), "\"skin\",skeletal,11.50,0,");
+	free(bench.text);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -308,6 +330,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_text_says_that_clips_were_compared_in_part),
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
+		cmocka_unit_test(test_no_instructions_are_a_number),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
 		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),
 		cmocka_unit_test(test_formats_are_found_by_name),

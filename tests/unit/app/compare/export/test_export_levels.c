@@ -201,6 +201,55 @@ static void test_errors_are_in_the_unit_of_the_file(void **state)
 	end(&test);
 }
 
+/* Lets the first primitive span this much along an axis, and less on others. */
+static void set_span(struct levels_test *test, int axis, float span)
+{
+	float corner[2][3] = {{-1, -1, -1}, {-1, -1, -1}};
+	json_t *primitives =
+		json_object_get(json_array_get(test->meshes, 0), "primitives");
+	int position;
+
+	corner[1][axis] += span;
+	corner[1][(axis + 1) % 3] += 0.25f * span;
+	position = glb_add_array(&test->glb, corner, 2, 3, GLB_FLOAT);
+	json_object_set_new(
+		json_object_get(json_array_get(primitives, 0), "attributes"),
+		"POSITION", json_integer(position));
+}
+
+/* Its longest side on a screen of 640 pixels where the error is one of them. */
+static void test_a_level_is_shown_at_its_share_of_the_screen(void **state)
+{
+	static const float spans[] = {0.0625f, 0.5f, 4.0f};
+
+	(void)state;
+	for (int i = 0; i < 9; i++) {
+		float span = spans[i / 3];
+		struct levels_test test;
+		const json_t *shares;
+		json_t *nodes;
+
+		begin(&test, 1);
+		set_span(&test, i % 3, span);
+		add_lod(&test, 0, span / 320.0f, 400, false);
+		add_lod(&test, 0, span / 64.0f, 200, false);
+		make(&test);
+		nodes = json_pack("[{s:i}]", "mesh", 0);
+		export_level_nodes(&test.glb, nodes, test.meshes, test.levels);
+		shares = json_object_get(
+			json_object_get(json_array_get(nodes, 0), "extras"),
+			"MSFT_screencoverage");
+		assert_int_equal(json_array_size(shares), 3);
+		assert_near(json_number_value(json_array_get(shares, 0)), 0.25,
+			1e-6);
+		assert_near(json_number_value(json_array_get(shares, 1)), 0.01,
+			1e-6);
+		assert_near(json_number_value(json_array_get(shares, 2)), 0, 0);
+		json_decref(nodes);
+		end(&test);
+	}
+}
+
 static void test_mirrored_triangles_are_turned_round(void **state)
 {
 	static const uint32_t index[] = {0, 1, 2};
@@ -227,6 +276,8 @@ int main(void)
 		cmocka_unit_test(
 			test_of_too_many_levels_those_that_save_least_are_left_out),
 		cmocka_unit_test(test_errors_are_in_the_unit_of_the_file),
+		cmocka_unit_test(
+			test_a_level_is_shown_at_its_share_of_the_screen),
 		cmocka_unit_test(test_mirrored_triangles_are_turned_round),
 	};
 

@@ -377,6 +377,7 @@ bool soft_prepare_spans(struct draw *draw)
 	struct soft_spans *spans = &draw->spans;
 	const struct fragment_state *state = &draw->soft->fragment;
 
+	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
 	spans->stages.alpha_low = 0;
 	spans->stages.alpha_range = 255;
 	if (state->alpha_test && !find_alpha_range(state, &spans->stages)) {
@@ -401,7 +402,6 @@ bool soft_prepare_spans(struct draw *draw)
 	choose_runs(draw, spans);
 	spans->run.rows = &spans->run.row;
 	spans->run.row_count = 1;
-	spans->pixel_log2 = draw->soft->format == PIXELS_RGB565 ? 1 : 2;
 	spans->small_size = find_small_size(draw);
 	set_white(draw, spans);
 	find_scales(draw, spans);

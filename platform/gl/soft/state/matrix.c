@@ -10,30 +10,16 @@
 const struct matrix soft_matrix_identity = {
 	{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 
-static ALWAYS_INLINE void transform(
-	const struct matrix *m, const float v[4], float out[4])
-{
-	for (int row = 0; row < 4; row++) {
-		out[row] = m->m[row] * v[0] + m->m[4 + row] * v[1] +
-			m->m[8 + row] * v[2] + m->m[12 + row] * v[3];
-	}
-}
-
 struct matrix soft_matrix_multiply(
 	const struct matrix *a, const struct matrix *b)
 {
 	struct matrix product;
 
 	for (int column = 0; column < 4; column++) {
-		transform(a, b->m + 4 * column, product.m + 4 * column);
+		soft_matrix_transform(
+			a, b->m + 4 * column, product.m + 4 * column);
 	}
 	return product;
-}
-
-void soft_matrix_transform(
-	const struct matrix *m, const float v[4], float out[4])
-{
-	transform(m, v, out);
 }
 
 void soft_matrix_normal(const struct matrix *m, float out[9])

@@ -19,8 +19,14 @@ struct matrix soft_matrix_multiply(
 	const struct matrix *a, const struct matrix *b);
 
 /* out = m v. */
-void soft_matrix_transform(
-	const struct matrix *m, const float v[4], float out[4]);
+static inline void soft_matrix_transform(
+	const struct matrix *m, const float v[4], float out[4])
+{
+	for (int row = 0; row < 4; row++) {
+		out[row] = m->m[row] * v[0] + m->m[4 + row] * v[1] +
+			m->m[8 + row] * v[2] + m->m[12 + row] * v[3];
+	}
+}
 
 /*
  * The transposed inverse of the upper left 3x3, column-major, which transforms

@@ -98,30 +98,25 @@ static const struct {
 	FLAG(GL_DITHER, fragment.dither, 0),
 };
 
-static bool *find_flag(struct soft *soft, GLenum capability, uint32_t *groups)
-{
-	if (capability == GL_TEXTURE_2D) {
-		*groups = GROUP_TEXTURES;
-		return &soft->textures.unit[soft->textures.active].enabled;
-	}
-	if (capability - GL_LIGHT0 < SOFT_LIGHTS) {
-		*groups = GROUP_LIGHTING;
-		return &soft->lighting.light[capability - GL_LIGHT0].enabled;
-	}
-	for (size_t i = 0; i < ARRAY_COUNT(flags); i++) {
-		if (flags[i].capability == capability) {
-			*groups = flags[i].groups;
-			return (bool *)((char *)soft + flags[i].offset);
-		}
-	}
-	return NULL;
-}
-
 static void set_flag(GLenum capability, bool on)
 {
-	uint32_t groups = 0;
-	bool *flag = find_flag(soft_current(), capability, &groups);
+	struct soft *soft = soft_current();
+	struct textures *textures = &soft->textures;
+	uint32_t groups = GROUP_LIGHTING;
+	bool *flag = NULL;
 
+	if (capability == GL_TEXTURE_2D) {
+		flag = &textures->unit[textures->active].enabled;
+		groups = GROUP_TEXTURES;
+	} else if (capability - GL_LIGHT0 < SOFT_LIGHTS) {
+		flag = &soft->lighting.light[capability - GL_LIGHT0].enabled;
+	}
+	for (size_t i = 0; i < ARRAY_COUNT(flags) && !flag; i++) {
+		if (flags[i].capability == capability) {
+			flag = (bool *)((char *)soft + flags[i].offset);
+			groups = flags[i].groups;
+		}
+	}
 	if (soft_check(flag != NULL, GL_INVALID_ENUM) && *flag != on) {
 		soft_change(groups);
 		*flag = on;

@@ -66,9 +66,11 @@ static ALWAYS_INLINE int32_t to_attribute(int32_t value_q16)
 
 static inline int32_t saturate_64(int64_t value)
 {
-	return value > INT32_MAX     ? INT32_MAX
-		: value < -INT32_MAX ? -INT32_MAX
-				     : (int32_t)value;
+	const int32_t low = (int32_t)value;
+
+	return low == value && low != INT32_MIN ? low
+		: value > 0                     ? INT32_MAX
+						: -INT32_MAX;
 }
 
 /* 1 / sqrt((64.5 + i) / 256) in Q15. */

@@ -423,7 +423,7 @@ static void prepare(struct soft *soft)
 			soft_prepare_normals);
 		redo(soft, lights, soft_prepare_sources);
 		redo(soft, vertices | GROUP_LIGHTING, soft_prepare_directions);
-		redo(soft, vertices | lights | GROUP_ARRAYS,
+		redo(soft, vertices | GROUP_LIGHTING | GROUP_ARRAYS,
 			soft_prepare_lit_arrays);
 	}
 	redo(soft, pixels | GROUP_COLOR, soft_prepare_flat);

@@ -115,26 +115,21 @@ static void prepare_spot(
 	light_source->exponent_q16 = light->exponent;
 }
 
-static void prepare_positional(
+/* Finds what vertices get of a light, as far as that is the same for all. */
+static void prepare_share(
 	const struct light *light, struct light_source *light_source)
 {
 	const GLfixed *attenuation = light->attenuation;
+	int32_t towards_q30[3];
 
-	light_source->positional = light_source->weighted = true;
-	light_source->fades = attenuation[1] != 0 || attenuation[2] != 0;
-	light_source->share_q16 = soft_light_fade(attenuation, 0);
-	memcpy(light_source->attenuation_q16, attenuation,
-		sizeof(light_source->attenuation_q16));
-}
-
-/* A directional light does not fade, but it may be a spot: section 2.12.1. */
-static void prepare_directional(
-	const struct light *light, struct light_source *light_source)
-{
 	light_source->share_q16 = ONE_Q16;
-	if (light_source->spot) {
-		int32_t towards_q30[3];
-
+	if (light->position[3] != 0.0f) {
+		light_source->positional = light_source->weighted = true;
+		light_source->fades = attenuation[1] != 0 || attenuation[2] != 0;
+		light_source->share_q16 = soft_light_fade(attenuation, 0);
+		memcpy(light_source->attenuation_q16, attenuation,
+			sizeof(light_source->attenuation_q16));
+	} else if (light_source->spot) { /* it does not fade: section 2.12.1 */
 		turn(NULL, light->towards, towards_q30);
 		light_source->share_q16 =
 			soft_light_spot(light_source, towards_q30, ONE_Q16);
@@ -191,12 +186,15 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 	light_source->shift = shift;
 	/* the weight has the factor of normals, which ambient light has not */
 	ambient_shift = 16 + shift + shading->normal_shift;
+	for (int i = 0; i < 3 && shift != 0; i++) {
+		diffuse[i] >>= shift;
+		specular[i] >>= shift;
+	}
 	for (int i = 0; i < 3; i++) {
 		light_source->diffuse_q30[i] =
-			saturate_64((diffuse[i] >> (10 + shift)) * 257);
-		light_source->specular_q20[i] =
-			clamp_int(saturate_64(specular[i] >> (12 + shift)),
-				-(1 << 21), 1 << 21);
+			saturate_64((diffuse[i] >> 10) * 257);
+		light_source->specular_q20[i] = clamp_int(
+			saturate_64(specular[i] >> 12), -(1 << 21), 1 << 21);
 		if (light_source->weighted) {
 			light_source->ambient_q24[i] = saturate_64(
 				(ambient[i] >> ambient_shift) * 257);
@@ -216,11 +214,7 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 
 	*light_source = (struct light_source){.light = light};
 	prepare_spot(light, light_source);
-	if (light->position[3] != 0.0f) {
-		prepare_positional(light, light_source);
-	} else {
-		prepare_directional(light, light_source);
-	}
+	prepare_share(light, light_source);
 	prepare_colors(soft, light, &draw->shading, light_source);
 	if (specular[0] | specular[1] | specular[2]) {
 		struct spec_table *spec_table = &draw->spec_table;
@@ -318,6 +312,8 @@ static void prepare_base(const struct soft *soft, struct shading *shading)
 			(int64_t)ambient[i] * lighting->ambient[i] >> 16);
 	}
 	shading->alpha_q16 = choose_color(soft, shading, material->diffuse)[3];
+	memset(shading->color, 255, 3);
+	shading->color[3] = (uint8_t)soft_byte(shading->alpha_q16);
 }
 
 void soft_prepare_lit_arrays(struct soft *soft, struct draw *draw)
@@ -338,8 +334,6 @@ void soft_prepare_lit_arrays(struct soft *soft, struct draw *draw)
 	/* lengths within 2^-10 of 1; without GL_NORMALIZE any below 2 */
 	shading->square_least = shading->normalize ? (1u << 24) - (1u << 15) : 0;
 	shading->square_range = shading->normalize ? 1u << 16 : 1u << 26;
-	memset(shading->color, 255, 3);
-	shading->color[3] = (uint8_t)soft_byte(shading->alpha_q16);
 	shading->colors = shading->tracked ? color->pointer : shading->color;
 	shading->color_stride = shading->tracked ? color->stride_bytes : 0;
 }
@@ -366,6 +360,7 @@ static bool prepare_same(const struct soft *soft, struct shading *shading)
 {
 	struct light_source *at = shading->light_source;
 
+	prepare_base(soft, shading);
 	for (; at != shading->weighted; at++) {
 		prepare_colors(soft, at->light, shading, at);
 		if (at->weighted) {
@@ -380,10 +375,11 @@ void soft_prepare_sources(struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	struct shading *shading = &draw->shading;
-
-	shading->tracked =
+	const bool tracked =
 		lighting->color_material && soft->arrays.color.enabled;
-	prepare_base(soft, shading);
+
+	soft->changed |= tracked != shading->tracked ? GROUP_LIGHTING : 0;
+	shading->tracked = tracked;
 	if (!(soft->changed & GROUP_LIGHTING) && prepare_same(soft, shading)) {
 		return;
 	}

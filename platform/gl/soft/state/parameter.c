@@ -66,13 +66,15 @@ static void set_parameter(const struct parameter *table, size_t count,
 				soft_is_one_of((GLenum)values[0], p->allowed,
 					p->allowed_count),
 			p->error)) {
-		char *member = (char *)object + p->offset +
-			(name - p->name) * sizeof(*values);
-		const size_t bytes = p->count * sizeof(*values);
+		/* all parameters are words: GLenum or GLfixed */
+		GLfixed *member = (GLfixed *)(void *)((char *)object +
+			p->offset + (name - p->name) * sizeof(*values));
 
-		if (memcmp(member, values, bytes) != 0) {
-			soft_change(groups);
-			memcpy(member, values, bytes);
+		for (size_t i = 0; i < p->count; i++) {
+			if (member[i] != values[i]) {
+				soft_change(groups);
+				member[i] = values[i];
+			}
 		}
 	}
 }

@@ -237,6 +237,7 @@ struct draw {
 	int32_t eye[3][4];
 	int eye_q, position_q;
 	bool passes;         /* there are fragments that pass the alpha test */
+	bool draws;          /* these lie in the picture */
 	bool same_texcoords; /* both units have the same array */
 	bool checked; /* positions may be out of range: each is checked */
 	struct clip_box box;

@@ -404,7 +404,7 @@ static ALWAYS_INLINE void redo(struct soft *soft, uint32_t reads,
  * results, with the groups of the state that each reads. Where a result changes
  * what a later part does, the earlier one adds a group that the later one reads.
  */
-static void prepare(struct soft *soft)
+static void prepare(struct soft *soft, struct draw *draw)
 {
 	const uint32_t pixels = GROUP_FRAGMENTS | GROUP_TEXTURES;
 	const uint32_t vertices = GROUP_MATRICES | GROUP_SCALE;
@@ -429,6 +429,8 @@ static void prepare(struct soft *soft)
 	redo(soft, pixels | GROUP_COLOR, soft_prepare_flat);
 	redo(soft, pixels | GROUP_VIEWPORT | GROUP_LIGHTING,
 		soft_prepare_fast_setup);
+	draw->draws = draw->passes && draw->box.left < draw->box.right &&
+		draw->box.top < draw->box.bottom;
 	soft->changed = 0;
 }
 
@@ -445,13 +447,14 @@ bool soft_prepare(struct soft *soft, struct draw *draw, GLenum mode,
 	}
 	exponent = soft_array_position_exponent(
 		&soft->arrays.vertex, first, count);
-	soft->changed |= exponent != draw->exponent ? GROUP_SCALE : 0;
-	soft->changed |= primitive != draw->primitive ? GROUP_FRAGMENTS : 0;
-	draw->exponent = exponent;
-	draw->primitive = primitive;
-	if (soft->changed) {
-		prepare(soft);
+	if (soft->changed || exponent != draw->exponent ||
+		primitive != draw->primitive) {
+		soft->changed |= exponent != draw->exponent ? GROUP_SCALE : 0;
+		soft->changed |=
+			primitive != draw->primitive ? GROUP_FRAGMENTS : 0;
+		draw->exponent = exponent;
+		draw->primitive = primitive;
+		prepare(soft, draw);
 	}
-	return draw->passes && draw->box.left < draw->box.right &&
-		draw->box.top < draw->box.bottom;
+	return draw->draws;
 }

@@ -375,11 +375,9 @@ void soft_prepare_sources(struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
 	struct shading *shading = &draw->shading;
-	const bool tracked =
-		lighting->color_material && soft->arrays.color.enabled;
 
-	soft->changed |= tracked != shading->tracked ? GROUP_LIGHTING : 0;
-	shading->tracked = tracked;
+	shading->tracked =
+		lighting->color_material && soft->arrays.color.enabled;
 	if (!(soft->changed & GROUP_LIGHTING) && prepare_same(soft, shading)) {
 		return;
 	}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """growth.py COUNTER COMMAND...: prints TAP. `limber doctor`, which COMMAND runs
 for ARM, takes as many instructions again for a model with twice as many skins,
-clips or meshes. COUNTER is the plugin of insn_count.c; the numbers of
+clips, channels or meshes. COUNTER is the plugin of insn_count.c; the numbers of
 instructions are the same at any load.
 """
 import json
@@ -49,6 +49,15 @@ def clips(count):
     }] * count)
 
 
+def channels(count):
+    """One clip moves all nodes."""
+    return model(count, animations=[{
+        "samplers": [{"input": 3, "output": 4}],
+        "channels": [{"sampler": 0,
+                      "target": {"node": i, "path": "translation"}}
+                     for i in range(count)]}])
+
+
 def meshes(count):
     """Each has a node of its own, with the same skin."""
     part = {"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}
@@ -71,9 +80,9 @@ def instructions(counter, command, path):
 
 def main():
     counter, *command = sys.argv[1:]
-    print("1..3")
+    print("1..4")
     with tempfile.TemporaryDirectory() as folder:
-        for number, kind in enumerate((skins, clips, meshes), 1):
+        for number, kind in enumerate((skins, clips, channels, meshes), 1):
             counts = []
             for count in (COUNT, 2 * COUNT):
                 path = pathlib.Path(folder) / f"{count}.gltf"

@@ -8,8 +8,6 @@
 /* Parts of the model's extent. */
 /* heights of clips that differ by less count as equal */
 static const float near_part = 0.03f;
-/* depth to which a clip may be below the ground */
-static const float sunk_part = 0.15f;
 
 void character_range(const struct character *character, const float *value,
 	float *low, float *high)
@@ -214,35 +212,33 @@ static void add_reached(
 	add_box(bounds, &now, &bounds->extra);
 }
 
-static bool has_entry(const struct character_entry *entry, int count,
-	const struct model_clip *clip)
+/* Marks the clips that states and layers play. */
+static void mark_played(bool *is_played, const struct model *model,
+	const struct character_entry *entry, int count)
 {
 	for (int i = 0; i < count; i++) {
-		if (entry[i].of->clip == clip) {
-			return true;
+		const struct model_clip *clip = entry[i].of->clip;
+
+		if (clip >= model->clip &&
+			clip < model->clip + model->clip_count) {
+			is_played[clip - model->clip] = true;
 		}
 	}
-	return false;
 }
 
-static bool plays(
-	const struct character *character, const struct model_clip *clip)
+static void find_played(bool *is_played, const struct character *character)
 {
 	const struct character_machine *machine = &character->machine;
+	const struct model *model = character->instance->model;
 
 	for (int i = 0; i < machine->state_count; i++) {
 		const struct character_state *state = &machine->state[i];
 
-		if (has_entry(state->entry, state->entry_count, clip)) {
-			return true;
-		}
+		mark_played(is_played, model, state->entry, state->entry_count);
 	}
 	for (int i = 0; i < character->layer_count; i++) {
-		if (has_entry(&character->layer[i].entry, 1, clip)) {
-			return true;
-		}
+		mark_played(is_played, model, &character->layer[i].entry, 1);
 	}
-	return false;
 }
 
 /* A walk that stays in its place, because the ground moves, is not followed. */
@@ -278,10 +274,9 @@ int character_bounds_init(
 
 		add_shapes(bounds, &shapes);
 	}
+	find_played(bounds->is_played, character);
 	bounds->all = bounds->rest;
 	for (int i = 0; i < count; i++) {
-		bounds->is_played[i] =
-			plays(character, &instance->model->clip[i]);
 		bounds_join(&bounds->all, &bounds->clip[i]);
 	}
 	bounds_join(&bounds->all, &bounds->extra);
@@ -290,53 +285,6 @@ int character_bounds_init(
 	add_shifts(bounds, character);
 	add_balls(bounds, character);
 	return character->part_count > 0 ? find_outermost(bounds, instance) : 0;
-}
-
-/* Of a clip that is not played, above everything. */
-static float clip_low(const struct character_bounds *bounds, int clip)
-{
-	return bounds->is_played[clip] ? bounds->clip[clip].low[1] : BOUNDS_MAX;
-}
-
-/*
- * Returns how many clips stand at about this height; the rest pose counts half.
- */
-static float count_standing(
-	const struct character_bounds *bounds, int clip_count, float y)
-{
-	float near = near_part * bounds->extent;
-	float count = scalar_abs(bounds->rest.low[1] - y) <= near ? 0.5f : 0.0f;
-
-	for (int i = 0; i < clip_count; i++) {
-		count += scalar_abs(clip_low(bounds, i) - y) <= near;
-	}
-	return count;
-}
-
-float character_bounds_ground(
-	const struct character_bounds *bounds, int clip_count)
-{
-	float lowest = BOUNDS_MAX, ground, most = 0.0f;
-
-	for (int i = 0; i < clip_count; i++) {
-		lowest = clip_low(bounds, i) < lowest ? clip_low(bounds, i)
-						      : lowest;
-	}
-	if (lowest == BOUNDS_MAX) {
-		return clip_count > 0 ? bounds->rest.low[1] : bounds->all.low[1];
-	}
-	ground = lowest;
-	for (int i = 0; i < clip_count; i++) {
-		float y = clip_low(bounds, i);
-		float count = count_standing(bounds, clip_count, y);
-
-		if (y <= lowest + sunk_part * bounds->extent &&
-			(count > most || (count == most && y < ground))) {
-			most = count;
-			ground = y;
-		}
-	}
-	return ground;
 }
 
 static void add_points(

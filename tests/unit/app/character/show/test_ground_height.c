@@ -2,6 +2,9 @@
 #include "app/character/show/character_bounds.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
+#include <time.h>
+
 /* The ground of clips of which those from `unplayed` on are not played. */
 static float ground_of_played(
 	float rest, const float *low, int count, int unplayed)
@@ -74,6 +77,33 @@ static void test_a_clip_that_nothing_plays_does_not_count(void **state)
 	assert_near(ground_of_played(0.5f, (float[]){0, -5}, 2, 0), 0.5f, 0);
 }
 
+static void test_many_clips_take_a_moment(void **state)
+{
+	enum {
+		MANY = 200000
+	};
+	struct bounds *clip = calloc(MANY, sizeof(*clip));
+	bool *is_played = calloc(MANY, sizeof(*is_played));
+	struct character_bounds bounds = {
+		.clip = clip, .is_played = is_played, .extent = 2.0f};
+	double begun_s;
+
+	(void)state;
+	assert_non_null(clip);
+	assert_non_null(is_played);
+	for (int i = 0; i < MANY; i++) {
+		clip[i].low[1] = (float)(i * 7919L % MANY) / MANY;
+		is_played[i] = true;
+	}
+	begun_s = (double)clock() / CLOCKS_PER_SEC;
+	/* Most clips are near heights of 0.06 and more. */
+	assert_near(character_bounds_ground(&bounds, MANY), 0.06f, 1e-3);
+	/* Comparing each with each takes half a minute. */
+	assert_true((double)clock() / CLOCKS_PER_SEC - begun_s < 5.0);
+	free(clip);
+	free(is_played);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -82,6 +112,7 @@ int main(void)
 			test_clips_that_stand_within_a_little_share_a_ground),
 		cmocka_unit_test(test_a_clip_far_below_the_others_is_not_hidden),
 		cmocka_unit_test(test_a_clip_that_nothing_plays_does_not_count),
+		cmocka_unit_test(test_many_clips_take_a_moment),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -61,7 +61,7 @@ BENCH_MODELS := $(patsubst %,build/bench-models/%.glb,box duck duck-two-sided \
 	colors cards layers banner glass leaves shells stone crate facets panes rope \
 	blocks prism signs bush gem mosaic worm tail snake shapes hair rags dice \
 	net tiles mirrors poster bricks blocky paper beads petals lamp \
-	tower shoal yard tube drums mast pipe plate speck bird vanes)
+	tower shoal yard tube drums mast pipe plate speck bird vanes parasol house sail)
 $(BENCH_MODELS) &: $(wildcard tests/bench/models/*.py)
 	$(call say,GEN,build/bench-models)
 	$(Q)python3 -B tests/bench/models/user_models.py build/bench-models

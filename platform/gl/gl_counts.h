@@ -33,15 +33,20 @@ enum gl_work_kind {
 	GL_WORK_BENT,    /* texture coordinates curve in weak perspective */
 	GL_WORK_DEEP,    /* they have a luminance texture and write depths */
 	GL_WORK_SECOND,  /* they have a second texture */
-	GL_WORK_CROSSED, /* their texture coordinates cross the texture's edges */
+	/* their texels lie at both edges of the texture, or in several parts of
+	   a large one: rows and pixels are those of their runs that do */
+	GL_WORK_CROSSED,
 	GL_WORK_PARTED, /* a stencil or an odd depth function cuts their rows */
+	GL_WORK_ADDED,  /* they are blended, but not by their alpha alone */
 	GL_WORK_KINDS
 };
 
 struct gl_work {
 	double triangles; /* that were drawn, not skipped as hidden */
-	double rows;      /* with pixels of the triangles; others count less */
-	double pixels;    /* not hidden by what was drawn before */
+	/* with pixels of the triangles; others count less, and those that are
+	   cut into runs (span/run.h) as so many */
+	double rows;
+	double pixels; /* not hidden by what was drawn before */
 };
 
 struct gl_counts {

@@ -21,80 +21,83 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{4.674e+04, 2.63e+04}, /* frame */
-	{0.568, 0},            /* pixel */
-	{1.775e+04, 5810},     /* call */
-	{35.96, 6.705},        /* listed */
-	{325.9, 127.5},        /* vertex */
-	{196.7, 122.3},        /* again */
-	{315.7, 152.5},        /* single */
-	{498, 318.3},          /* shaded */
-	{9.56, 14.73},         /* hidden */
-	{1353, 634.8},         /* skipped */
-	{4.41, 1.547},         /* fine */
-	{294.2, 182.3},        /* flat triangle */
-	{88.22, 27.21},        /* flat row */
-	{27.87, 15.92},        /* flat pixel */
-	{568.5, 338.6},        /* plain triangle */
-	{31.11, 0},            /* plain row */
-	{2.322, 4.128},        /* plain pixel */
-	{833.5, 527.7},        /* textured triangle */
-	{73.72, 0},            /* textured row */
-	{84.73, 57.33},        /* textured pixel */
-	{9741, 0},             /* backdrop triangle */
-	{67.26, 10.99},        /* backdrop row */
-	{1.832, 0.09038},      /* backdrop pixel */
-	{6.909e+04, 1.63e+04}, /* ground triangle */
-	{194.2, 48.84},        /* ground row */
-	{5.409, 3.785},        /* ground pixel */
-	{0, 0},                /* spans triangle */
-	{230.8, 148.6},        /* spans row */
-	{19.12, 12.31},        /* spans pixel */
-	{0, 0},                /* spans textured triangle */
-	{260.7, 150},          /* spans textured row */
-	{75.64, 47.89},        /* spans textured pixel */
-	{7545, 3842},          /* spans divided triangle */
-	{692.4, 414.5},        /* spans divided row */
-	{87.47, 53.74},        /* spans divided pixel */
-	{2697, 1069},          /* spans nearest triangle */
-	{310.5, 156.3},        /* spans nearest row */
-	{35.86, 24.84},        /* spans nearest pixel */
-	{1192, 737.1},         /* mixed triangle */
-	{92, 44.87},           /* mixed row */
-	{44.79, 24.08},        /* mixed pixel */
-	{3305, 1165},          /* tested triangle */
-	{371.3, 245.4},        /* tested row */
-	{101.5, 65.68},        /* tested pixel */
-	{1548, 1035},          /* tested spans triangle */
-	{99.69, 104.3},        /* tested spans row */
-	{169.2, 98.72},        /* tested spans pixel */
-	{4498, 1945},          /* mixed textured triangle */
-	{243.8, 164.3},        /* mixed textured row */
-	{164.1, 104.3},        /* mixed textured pixel */
-	{3866, 2993},          /* mixed spans triangle */
-	{251.4, 194.7},        /* mixed spans row */
-	{144.1, 82.26},        /* mixed spans pixel */
-	{4994, 4055},          /* mixed divided triangle */
-	{1237, 676.9},         /* mixed divided row */
-	{130.1, 85.84},        /* mixed divided pixel */
-	{0, 0},                /* colored triangle */
-	{31.66, 23.24},        /* colored row */
-	{1.911, 0},            /* colored pixel */
-	{4877, 2903},          /* bent triangle */
-	{299.2, 139.8},        /* bent row */
-	{2.697, 1.773},        /* bent pixel */
-	{1, 1},                /* deep triangle */
-	{1.009, 0.999},        /* deep row */
-	{0.9188, 0.4515},      /* deep pixel */
-	{678.3, 343.4},        /* second triangle */
-	{181.4, 79.35},        /* second row */
-	{61.65, 25.27},        /* second pixel */
-	{339.3, 263.1},        /* crossed triangle */
-	{182.9, 95.8},         /* crossed row */
-	{5.319, 4.785},        /* crossed pixel */
-	{1, 1},                /* parted triangle */
-	{200, 90},             /* parted row */
-	{26, 14.6},            /* parted pixel */
+	{5.825e+04, 3.115e+04}, /* frame */
+	{2.613, 0},             /* pixel */
+	{1.651e+04, 5555},      /* call */
+	{0, 0},                 /* listed */
+	{297.1, 79.93},         /* vertex */
+	{167.1, 85.69},         /* again */
+	{302.6, 111.8},         /* single */
+	{515.2, 402.3},         /* shaded */
+	{5.836, 13.99},         /* hidden */
+	{1128, 682.7},          /* skipped */
+	{4.513, 2.183},         /* fine */
+	{712.2, 360.1},         /* flat triangle */
+	{49.47, 15.34},         /* flat row */
+	{28.85, 14.73},         /* flat pixel */
+	{539.9, 232.9},         /* plain triangle */
+	{20.42, 0},             /* plain row */
+	{2.613, 3.562},         /* plain pixel */
+	{194.3, 262.3},         /* textured triangle */
+	{287.2, 83.1},          /* textured row */
+	{57.38, 45.74},         /* textured pixel */
+	{0, 0},                 /* backdrop triangle */
+	{0, 0},                 /* backdrop row */
+	{0, 0},                 /* backdrop pixel */
+	{9.633e+04, 2.115e+04}, /* ground triangle */
+	{78.67, 0},             /* ground row */
+	{4.557, 2.434},         /* ground pixel */
+	{0, 0},                 /* spans triangle */
+	{216.1, 132.4},         /* spans row */
+	{19.75, 13.56},         /* spans pixel */
+	{2377, 2193},           /* spans textured triangle */
+	{248.5, 128.7},         /* spans textured row */
+	{79.46, 51.16},         /* spans textured pixel */
+	{1411, 0},              /* spans divided triangle */
+	{760.2, 427.5},         /* spans divided row */
+	{70.27, 45.16},         /* spans divided pixel */
+	{2287, 686.8},          /* spans nearest triangle */
+	{333.3, 186.6},         /* spans nearest row */
+	{35.86, 23.51},         /* spans nearest pixel */
+	{787.8, 532.5},         /* mixed triangle */
+	{97.07, 40.12},         /* mixed row */
+	{44.36, 24.36},         /* mixed pixel */
+	{0, 0},                 /* tested triangle */
+	{1087, 449.3},          /* tested row */
+	{27.11, 48.04},         /* tested pixel */
+	{0, 0},                 /* tested spans triangle */
+	{595.6, 365.8},         /* tested spans row */
+	{113.9, 69.02},         /* tested spans pixel */
+	{6118, 3196},           /* mixed textured triangle */
+	{199.4, 37.22},         /* mixed textured row */
+	{146.8, 103.6},         /* mixed textured pixel */
+	{0, 333.5},             /* mixed spans triangle */
+	{309, 207.6},           /* mixed spans row */
+	{149, 85.24},           /* mixed spans pixel */
+	{339.8, 2227},          /* mixed divided triangle */
+	{1042, 541.9},          /* mixed divided row */
+	{107.8, 75.23},         /* mixed divided pixel */
+	{0, 0},                 /* colored triangle */
+	{49.49, 35.55},         /* colored row */
+	{1.196, 0},             /* colored pixel */
+	{1237, 602.4},          /* bent triangle */
+	{31.55, 14.93},         /* bent row */
+	{0.1002, 0.1006},       /* bent pixel */
+	{1, 1},                 /* deep triangle */
+	{1.006, 0.964},         /* deep row */
+	{0, 1.816},             /* deep pixel */
+	{937.1, 457.6},         /* second triangle */
+	{222.6, 95.6},          /* second row */
+	{48.34, 17.95},         /* second pixel */
+	{2185, 1080},           /* crossed triangle */
+	{274, 209.3},           /* crossed row */
+	{20.22, 6.773},         /* crossed pixel */
+	{1, 0.9984},            /* parted triangle */
+	{0, 0},                 /* parted row */
+	{37.37, 10.67},         /* parted pixel */
+	{286.5, 148.2},         /* added triangle */
+	{39.12, 40.28},         /* added row */
+	{7.532, 3.377},         /* added pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

@@ -442,6 +442,29 @@ def make_vanes(model):
     add_turns(model, count, 1.5)
 
 
+def make_parasol(model):
+    count = 90
+    rim = [(math.cos(2 * math.pi * k / count), math.sin(2 * math.pi * k / count)) for k in range(count)]
+    positions = [(0, 0.2, 0)] + [(x, 0, z) for x, z in rim]
+    texcoords = [(0.5, 0.5)] + [(0.5 + x / 2, 0.5 + z / 2) for x, z in rim]
+    indices = [i for k in range(count) for i in (0, 1 + (k + 1) % count, 1 + k)]
+    shape = positions, [(0, 1, 0)] * (count + 1), texcoords, indices
+    texture = model.texture(png(128, checks(128), 3))
+    turn = (math.sin(0.6), 0, 0, math.cos(0.6))
+    model.mesh(model.material(texture, doubleSided=True), shape, rotation=turn)
+
+
+def make_house(model):
+    lit = {"index": model.texture(png(256, windows(256), 3))}
+    material = model.material(color=(0.5, 0.3, 0.2, 1), emissiveTexture=lit, emissiveFactor=(0.8, 1, 0.6))
+    model.mesh(material, sized(cube(), 1.4, 1, 0.9), rotation=(0, 0.3, 0, 0.954))
+
+
+def make_sail(model):
+    positions, _, texcoords, indices = quad(0.6, 1)
+    model.mesh(model.material(color=(0.9, 0.85, 0.7, 1), doubleSided=True), (positions, None, texcoords, indices))
+
+
 MODELS = {
     "box": make_box,
     "duck": make_duck,
@@ -492,6 +515,9 @@ MODELS = {
     "speck": make_speck,
     "bird": make_bird,
     "vanes": make_vanes,
+    "parasol": make_parasol,
+    "house": make_house,
+    "sail": make_sail,
 }
 
 

@@ -336,6 +336,7 @@ static void walk(struct draw *draw, const struct setup *setup)
 	static const struct soft_scales bytes = {1 << 24, 1 << 24, 0, 0};
 	struct soft_spans *spans = &draw->spans;
 	const soft_span_function function = spans->draw;
+	const soft_span_function counted = spans->counted;
 	const struct soft_scales scales = spans->scales;
 
 	spans->made = true;
@@ -343,6 +344,9 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->longest = LUMINANCE_RUN;
 	spans->scales = bytes;
 	spans->draw = draw->raster.perspective ? draw_divided : draw_listed;
+	if (draw->soft->counts) {
+		soft_count_runs(spans);
+	}
 	draw->tiled.level = -1;
 	draw->tiled.mixed = 0;
 	soft_walk_rows(draw, setup);
@@ -351,6 +355,7 @@ static void walk(struct draw *draw, const struct setup *setup)
 	spans->longest = SOFT_RUN_PIXELS;
 	spans->scales = scales;
 	spans->draw = function;
+	spans->counted = counted;
 }
 
 /* Triangles in one colour or in varying gray are drawn here. */

@@ -91,28 +91,6 @@ static bool colors_move(const struct draw *draw, enum gl_work_kind kind,
 	return false;
 }
 
-/*
- * Whether the triangle that was drawn last needs texels on both sides of an
- * edge of the texture. Up to a texel beyond it costs next to nothing.
- */
-static bool crosses_edge(const struct draw *draw)
-{
-	const struct texture_input *input = &draw->texture[0];
-	const int log2[2] = {input->width_log2, input->height_log2};
-	bool crosses = false;
-
-	if (!input->used || draw->raster.top == NOT_SET_UP) {
-		return false;
-	}
-	for (int i = 0; i < 2; i++) {
-		const int32_t *range = draw->raster.texel_range[i];
-
-		crosses |= (range[0] + 256) >> (8 + log2[i]) <
-			(range[1] - 256) >> (8 + log2[i]);
-	}
-	return crosses;
-}
-
 /* Counts a triangle that was drawn, as each kind of work that it is. */
 static void add_work(const struct draw *draw, const struct setup *setup,
 	double rows, double pixels)
@@ -128,9 +106,10 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 		[GL_WORK_DEEP] = luminance && draw->spans.depth_written,
 		[GL_WORK_BENT] = draw->raster.bent,
 		[GL_WORK_SECOND] = draw->texture[1].used || draw->spans.joined,
-		[GL_WORK_CROSSED] = !luminance && kind != GL_WORK_BACKDROP &&
-			crosses_edge(draw),
 		[GL_WORK_PARTED] = !own && draw->spans.parted,
+		[GL_WORK_ADDED] = !own && draw->blended &&
+			draw->spans.finish == SOFT_MIXED &&
+			!draw->spans.alpha_tested,
 	};
 
 	is[kind] = true;
@@ -141,6 +120,9 @@ static void add_work(const struct draw *draw, const struct setup *setup,
 			work[i].pixels += pixels;
 		}
 	}
+	work[GL_WORK_CROSSED].triangles += draw->counted_across > 0;
+	work[GL_WORK_CROSSED].rows += draw->counted_across;
+	work[GL_WORK_CROSSED].pixels += draw->counted_across_pixels;
 }
 
 /* Whether a vertex is counted for the first time; clipped ones always are. */
@@ -237,17 +219,23 @@ static bool covers_row(
 }
 
 /*
- * The rows in which the triangle has pixels, and a share of the others: a
- * triangle that is thinner than a pixel passes between the centres of most.
+ * The rows in which the triangle has pixels, or their runs if there are more,
+ * and a share of the other rows: a triangle that is thinner than a pixel passes
+ * between the centres of most.
  */
-static double count_rows(const struct setup *setup, const struct clip_box *box)
+static double count_rows(
+	const struct setup *setup, const struct clip_box *box, uint32_t runs)
 {
-	double count = 0.0;
+	double covered = 0.0, empty = 0.0;
 
 	for (int y = box->top; y < box->bottom; y++) {
-		count += covers_row(setup, box, y) ? 1.0 : empty_row;
+		if (covers_row(setup, box, y)) {
+			covered += 1.0;
+		} else {
+			empty += empty_row;
+		}
 	}
-	return count;
+	return fmax(covered, runs) + empty;
 }
 
 static void fill_and_count(struct draw *draw, struct setup *setup)
@@ -276,11 +264,15 @@ static void fill_and_count(struct draw *draw, struct setup *setup)
 	hidden = skipped ? 0.0 : count_hidden(draw, setup, &box);
 	draw->raster.top = NOT_SET_UP;
 	draw->raster.bent = false;
+	draw->counted_runs = 0;
+	draw->counted_across = draw->counted_across_pixels = 0;
 	draw->counted_fill(draw, setup);
 	if (skipped) {
 		counts->skipped += 1.0;
 	} else {
-		add_work(draw, setup, count_rows(setup, &box), pixels - hidden);
+		add_work(draw, setup,
+			count_rows(setup, &box, draw->counted_runs),
+			pixels - hidden);
 		counts->hidden += hidden;
 	}
 }

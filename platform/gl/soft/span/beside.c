@@ -358,4 +358,7 @@ void soft_set_functions(struct soft_spans *spans,
 		spans->seconded = spans->draw;
 		spans->draw = draw_second;
 	}
+	if (spans->run.draw->soft->counts) {
+		soft_count_runs(spans);
+	}
 }

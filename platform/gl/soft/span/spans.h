@@ -141,6 +141,8 @@ struct soft_spans {
 	/* draw runs anywhere or in the window, with all of the state's tests */
 	soft_span_function draw_anywhere, draw;
 	soft_span_function draw_tested; /* draws what untested.c does not */
+	/* draw what draw and draw_anywhere count, while a program counts */
+	soft_span_function counted, counted_anywhere;
 	/* stages/ makes texels, or whole colours, before the run: see made.h */
 	bool made, combined;
 	/* made: how a function combines texels with colours, unless combined */
@@ -185,6 +187,12 @@ bool soft_choose_second(struct draw *draw);
  */
 void soft_set_functions(struct soft_spans *spans,
 	const soft_span_function function[SOFT_PLACES]);
+
+/*
+ * raster/count_runs.c: makes draw and draw_anywhere count runs before they draw
+ * them. Called after they were set, if a program counts.
+ */
+void soft_count_runs(struct soft_spans *spans);
 
 /*
  * untested.c: span functions that fill runs with one colour, and that copy

@@ -290,6 +290,8 @@ struct draw {
 	struct vertex clipped[2 * CLIP_VERTICES + 6];
 	/* counts.c's, while a program counts */
 	fill_function counted_fill;
+	/* the triangle's runs by span functions, and those by draw_anywhere */
+	uint32_t counted_runs, counted_across, counted_across_pixels;
 	struct counted_call recent[RECENT_CALLS]; /* ring buffer */
 	uint32_t recent_next;
 	uint32_t counted[VERTEX_CACHE]; /* tags of vertices counted already */

@@ -17,7 +17,7 @@ struct work_case {
 	GLenum texture, type;
 	GLenum min, mag;
 	GLenum depth; /* its function */
-	bool unwritten, blended, alpha_tested, zoomed, marked;
+	bool unwritten, blended, added, alpha_tested, zoomed, marked;
 	float far; /* w on the right; that on the left is 1 */
 };
 
@@ -50,7 +50,8 @@ static void set_state(struct gl *gl, const struct work_case *c)
 	}
 	if (c->blended) {
 		gl->Enable(GL_BLEND);
-		gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+		gl->BlendFunc(c->added ? GL_ONE : GL_SRC_ALPHA,
+			c->added ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
 	}
 	if (c->alpha_tested) {
 		gl->Enable(GL_ALPHA_TEST);
@@ -165,6 +166,15 @@ static const struct work_case cases[] = {
 		.blended = true,
 		.zoomed = true},
 	{.kind = GL_WORK_MIXED_DIVIDED, TEXTURED_565, .blended = true, .far = 8},
+	{.kind = GL_WORK_MIXED_TEXTURED,
+		.besides = GL_WORK_ADDED,
+		TEXTURED_565,
+		.blended = true,
+		.added = true},
+	{.kind = GL_WORK_MIXED,
+		.besides = GL_WORK_ADDED,
+		.blended = true,
+		.added = true},
 	{.kind = GL_WORK_SPANS,
 		.besides = GL_WORK_PARTED,
 		.depth = GL_LEQUAL,
@@ -220,6 +230,30 @@ static void test_each_kind_of_triangle_counts_as_its_own(void **state)
 		}
 		gl_canvas_close(&canvas);
 	}
+}
+
+/* The square's rows, which are longer here, with w on the right. */
+static double count_rows_of(enum gl_work_kind kind, float far)
+{
+	struct gl_canvas canvas = gl_canvas_open("soft", PIXELS_RGB565);
+	struct gl_counts counts = {0};
+
+	set_state(canvas.gl, &(struct work_case){TEXTURED_565, .far = far});
+	canvas.gl->Viewport(-5, 0, 56, GL_CANVAS_HEIGHT);
+	canvas.context->driver->count(canvas.context, &counts);
+	draw_square(canvas.gl, far, strip, GL_UNSIGNED_SHORT);
+	gl_canvas_close(&canvas);
+	assert_true(counts.work[kind].triangles == TRIANGLES);
+	return counts.work[kind].rows;
+}
+
+/* In strong perspective, rows of more than 16 pixels are divided anew. */
+static void test_rows_count_as_their_runs(void **state)
+{
+	(void)state;
+	assert_true(count_rows_of(GL_WORK_TEXTURED, 1) == TRIANGLES * SIZE);
+	assert_true(count_rows_of(GL_WORK_SPANS_DIVIDED, 8) >
+		1.4 * TRIANGLES * SIZE);
 }
 
 static double count_shaded(struct gl_canvas *canvas, const uint16_t *index)
@@ -298,6 +332,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_kind_of_triangle_counts_as_its_own),
+		cmocka_unit_test(test_rows_count_as_their_runs),
 		cmocka_unit_test(test_each_vertex_counts_as_shaded_once_a_call),
 		cmocka_unit_test(test_other_lists_count_by_vertices),
 		cmocka_unit_test(

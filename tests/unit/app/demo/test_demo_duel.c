@@ -32,9 +32,8 @@ static void begin(struct bench *bench, enum contender_kind kind)
 		contender_init(&bench->contender, kind, bench->of.reference,
 			&bench->of.screen, &bench->of.grid, &bench->env),
 		0);
-	assert_int_equal(
-		contender_bake(&bench->contender, &bench->of.screen,
-			&bench->of.grid, 0.5f, &bench->env),
+	assert_int_equal(contender_bake(&bench->contender, &bench->of.screen,
+				 &bench->of.grid, 0.5f, &bench->env),
 		0);
 }
 

@@ -61,9 +61,7 @@ static void want_key(
 
 static const int sizes[][2] = {{480, 640}, {640, 480}, {1280, 720}, {240, 320}};
 
-enum {
-	SIZES = sizeof(sizes) / sizeof(sizes[0])
-};
+#define SIZES ((int)ARRAY_COUNT(sizes))
 
 static void begin_size(int i)
 {

@@ -21,83 +21,83 @@ enum draw_work {
 
 /* Cycles and instructions of each; `make bench-draw-fit` writes this table. */
 static const struct board_cost each[DRAW_WORKS] = {
-	{5.825e+04, 3.115e+04}, /* frame */
-	{2.613, 0},             /* pixel */
-	{1.651e+04, 5555},      /* call */
+	{6.066e+04, 3.254e+04}, /* frame */
+	{2.329, 0},             /* pixel */
+	{1.279e+04, 4490},      /* call */
 	{0, 0},                 /* listed */
-	{297.1, 79.93},         /* vertex */
-	{167.1, 85.69},         /* again */
-	{302.6, 111.8},         /* single */
-	{515.2, 402.3},         /* shaded */
-	{5.836, 13.99},         /* hidden */
-	{1128, 682.7},          /* skipped */
-	{4.513, 2.183},         /* fine */
-	{712.2, 360.1},         /* flat triangle */
-	{49.47, 15.34},         /* flat row */
-	{28.85, 14.73},         /* flat pixel */
-	{539.9, 232.9},         /* plain triangle */
-	{20.42, 0},             /* plain row */
-	{2.613, 3.562},         /* plain pixel */
-	{194.3, 262.3},         /* textured triangle */
-	{287.2, 83.1},          /* textured row */
-	{57.38, 45.74},         /* textured pixel */
+	{320.9, 83.44},         /* vertex */
+	{180.8, 88.95},         /* again */
+	{306.9, 110.5},         /* single */
+	{467.2, 400.6},         /* shaded */
+	{7.997, 14.87},         /* hidden */
+	{1087, 703.1},          /* skipped */
+	{4.65, 2.222},          /* fine */
+	{782.4, 356.4},         /* flat triangle */
+	{34.17, 14.34},         /* flat row */
+	{27.64, 14.25},         /* flat pixel */
+	{431.2, 219.6},         /* plain triangle */
+	{35.31, 0},             /* plain row */
+	{0, 3.274},             /* plain pixel */
+	{138.2, 250},           /* textured triangle */
+	{306.3, 85.68},         /* textured row */
+	{56.22, 45.56},         /* textured pixel */
 	{0, 0},                 /* backdrop triangle */
 	{0, 0},                 /* backdrop row */
 	{0, 0},                 /* backdrop pixel */
-	{9.633e+04, 2.115e+04}, /* ground triangle */
-	{78.67, 0},             /* ground row */
-	{4.557, 2.434},         /* ground pixel */
+	{1.02e+05, 2.254e+04},  /* ground triangle */
+	{119.6, 0},             /* ground row */
+	{4.854, 2.317},         /* ground pixel */
 	{0, 0},                 /* spans triangle */
-	{216.1, 132.4},         /* spans row */
-	{19.75, 13.56},         /* spans pixel */
-	{2377, 2193},           /* spans textured triangle */
-	{248.5, 128.7},         /* spans textured row */
-	{79.46, 51.16},         /* spans textured pixel */
-	{1411, 0},              /* spans divided triangle */
-	{760.2, 427.5},         /* spans divided row */
-	{70.27, 45.16},         /* spans divided pixel */
-	{2287, 686.8},          /* spans nearest triangle */
-	{333.3, 186.6},         /* spans nearest row */
-	{35.86, 23.51},         /* spans nearest pixel */
-	{787.8, 532.5},         /* mixed triangle */
-	{97.07, 40.12},         /* mixed row */
-	{44.36, 24.36},         /* mixed pixel */
-	{0, 0},                 /* tested triangle */
-	{1087, 449.3},          /* tested row */
-	{27.11, 48.04},         /* tested pixel */
+	{209.5, 130.4},         /* spans row */
+	{20.01, 13.64},         /* spans pixel */
+	{1765, 2060},           /* spans textured triangle */
+	{256.9, 129.9},         /* spans textured row */
+	{79.89, 51.23},         /* spans textured pixel */
+	{0, 0},                 /* spans divided triangle */
+	{778.5, 424},           /* spans divided row */
+	{69.89, 45.34},         /* spans divided pixel */
+	{2319, 677.1},          /* spans nearest triangle */
+	{331.7, 185.1},         /* spans nearest row */
+	{36.21, 23.65},         /* spans nearest pixel */
+	{756.8, 526.1},         /* mixed triangle */
+	{96.35, 38.83},         /* mixed row */
+	{44.53, 24.48},         /* mixed pixel */
+	{517.6, 0},             /* tested triangle */
+	{980.1, 439.9},         /* tested row */
+	{33.01, 47.93},         /* tested pixel */
 	{0, 0},                 /* tested spans triangle */
-	{595.6, 365.8},         /* tested spans row */
-	{113.9, 69.02},         /* tested spans pixel */
-	{6118, 3196},           /* mixed textured triangle */
-	{199.4, 37.22},         /* mixed textured row */
-	{146.8, 103.6},         /* mixed textured pixel */
-	{0, 333.5},             /* mixed spans triangle */
-	{309, 207.6},           /* mixed spans row */
-	{149, 85.24},           /* mixed spans pixel */
-	{339.8, 2227},          /* mixed divided triangle */
-	{1042, 541.9},          /* mixed divided row */
-	{107.8, 75.23},         /* mixed divided pixel */
+	{476.9, 336.5},         /* tested spans row */
+	{123.6, 70.85},         /* tested spans pixel */
+	{6315, 3007},           /* mixed textured triangle */
+	{98.44, 40.31},         /* mixed textured row */
+	{152, 103.8},           /* mixed textured pixel */
+	{0, 0},                 /* mixed spans triangle */
+	{302.1, 205.6},         /* mixed spans row */
+	{145, 84.4},            /* mixed spans pixel */
+	{0, 2172},              /* mixed divided triangle */
+	{1032, 541.3},          /* mixed divided row */
+	{106.4, 74.66},         /* mixed divided pixel */
 	{0, 0},                 /* colored triangle */
-	{49.49, 35.55},         /* colored row */
-	{1.196, 0},             /* colored pixel */
-	{1237, 602.4},          /* bent triangle */
-	{31.55, 14.93},         /* bent row */
+	{52.09, 37.07},         /* colored row */
+	{1.312, 0},             /* colored pixel */
+	{1244, 604},            /* bent triangle */
+	{31.6, 14.92},          /* bent row */
 	{0.1002, 0.1006},       /* bent pixel */
 	{1, 1},                 /* deep triangle */
-	{1.006, 0.964},         /* deep row */
-	{0, 1.816},             /* deep pixel */
-	{937.1, 457.6},         /* second triangle */
-	{222.6, 95.6},          /* second row */
-	{48.34, 17.95},         /* second pixel */
-	{2185, 1080},           /* crossed triangle */
-	{274, 209.3},           /* crossed row */
-	{20.22, 6.773},         /* crossed pixel */
-	{1, 0.9984},            /* parted triangle */
+	{1.012, 0.9702},        /* deep row */
+	{0, 1.944},             /* deep pixel */
+	{917.3, 445.4},         /* second triangle */
+	{217.1, 92.54},         /* second row */
+	{47.62, 17.74},         /* second pixel */
+	{2728, 1253},           /* crossed triangle */
+	{307.3, 213.7},         /* crossed row */
+	{19.72, 6.331},         /* crossed pixel */
+	{0.9982, 0.9957},       /* parted triangle */
 	{0, 0},                 /* parted row */
-	{37.37, 10.67},         /* parted pixel */
-	{286.5, 148.2},         /* added triangle */
-	{39.12, 40.28},         /* added row */
-	{7.532, 3.377},         /* added pixel */
+	{39.34, 12.92},         /* parted pixel */
+	{284.2, 148},           /* added triangle */
+	{32.39, 39.59},         /* added row */
+	{8.838, 3.889},         /* added pixel */
 };
 
 static void add_work(struct board_cost *sum, int work, double count)

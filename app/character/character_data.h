@@ -23,9 +23,8 @@
 enum character_source {
 	CHARACTER_SOURCE_ACTIONS, /* set, add and toggle */
 	CHARACTER_SOURCE_TIME,    /* seconds times scale */
-	/* a sine over the range, with a period of scale seconds */
-	CHARACTER_SOURCE_SINE,
-	CHARACTER_SOURCE_MOTION, /* motion before the video camera, 0..1 */
+	CHARACTER_SOURCE_SINE,    /* over the range, in scale seconds */
+	CHARACTER_SOURCE_MOTION,  /* motion before the video camera, 0..1 */
 	CHARACTER_SOURCE_PARAMETER,
 };
 
@@ -166,12 +165,12 @@ struct character_state {
 	const char *name;
 	int entry_count;
 	struct character_entry *entry; /* sorted by .at */
-	/* [node_count], bits 1 << enum model_path: what the clips change */
-	uint8_t *paths;
+	uint8_t *paths; /* [node_count], changed: bits 1 << enum model_path */
 	const float *position; /* the value that chooses between the entries */
 	const float *rate;
 	enum clip_repeat repeat;
-	int next; /* the state after the end, or -1 */
+	int next;      /* the state after the end, or -1 */
+	float pause_s; /* how long the end is shown before the next state */
 	struct character_fade fade;
 	const struct character_action *enter, *leave;
 };
@@ -228,6 +227,7 @@ struct character_machine {
 	double phase; /* of all clips with marks, counted in marks */
 	float done;   /* fraction of the clip, 0..1 */
 	int loops;    /* how often the clip's end has been passed */
+	float held_s; /* since the end of a clip that plays once */
 	bool fresh;   /* the state began in this frame */
 	bool in_row;  /* all states play in the order of the file */
 };

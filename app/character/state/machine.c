@@ -96,6 +96,14 @@ static int state_after(const struct character_machine *machine)
 		: next;
 }
 
+/* Returns true if the end of the clip has been shown long enough. */
+static bool has_paused(const struct character_machine *machine)
+{
+	const struct character_state *state = &machine->state[machine->current];
+
+	return state->repeat != CLIP_ONCE || machine->held_s >= state->pause_s;
+}
+
 /* Returns true if so little of the clip is left that the next fade begins. */
 static bool is_at_end(const struct character *character)
 {
@@ -109,8 +117,8 @@ static bool is_at_end(const struct character *character)
 	if (next < 0 || machine->fresh) {
 		return false;
 	}
-	if (machine->loops > 0) {
-		return true;
+	if (machine->loops > 0 || machine->state[machine->current].pause_s > 0) {
+		return machine->loops > 0 && has_paused(machine);
 	}
 	/* Seconds of the clip pass at its rate, and those of the fade do not. */
 	overlap_s = rate *
@@ -158,6 +166,7 @@ static void begin_state(struct character *character, int to, int transition)
 	machine->wanted = -1;
 	machine->done = 0;
 	machine->loops = 0;
+	machine->held_s = 0;
 	machine->fresh = true;
 }
 
@@ -240,6 +249,7 @@ static void note_progress(struct character *character)
 	machine->done = (float)(turns - (double)machine->loops);
 	if (state->repeat == CLIP_ONCE && machine->loops > 0) {
 		machine->done = 1;
+		machine->held_s += character->step_s;
 	}
 }
 

@@ -27,8 +27,9 @@ bool character_open_path(
 static int open_sketch(const struct character_request *request,
 	struct instance *instance, const struct log *log, struct character **out)
 {
-	struct character_sketch_play play = {
-		.rate = request->rate, .repeat = request->repeat};
+	struct character_sketch_play play = {.rate = request->rate,
+		.repeat = request->repeat,
+		.all_loop = request->all_loop};
 	char *text = NULL;
 	size_t size = 0;
 	FILE *file;

@@ -14,6 +14,7 @@ struct character_request {
 	const char *clip; /* name or index of the first clip, or NULL */
 	float rate;       /* of a sketch's clips; below 0: backwards */
 	enum clip_repeat repeat;
+	bool all_loop; /* the user has asked for CLIP_LOOP */
 };
 
 /*

@@ -32,6 +32,7 @@ struct demo_env {
 	const char *clip;       /* name or index of the first clip, or NULL */
 	enum clip_interpolation interpolation;
 	enum clip_repeat repeat; /* viewer only */
+	bool all_loop;           /* the user has asked for CLIP_LOOP */
 	float speed;             /* viewer only; below 0: backwards */
 	struct influence_cap influence_cap; /* most influences a vertex */
 	struct lod lod;                     /* level of detail */
@@ -55,7 +56,8 @@ static inline struct character_request demo_env_request(
 		.file = env->character,
 		.clip = env->clip,
 		.rate = env->speed,
-		.repeat = env->repeat};
+		.repeat = env->repeat,
+		.all_loop = env->all_loop};
 }
 
 /* How a demo reduces quality to keep a frame budget; all zero: not at all. */

@@ -5,6 +5,7 @@
 #include "app/character/sketch/sketch_layers.h"
 #include "app/character/sketch/sketch_motion.h"
 #include "app/character/sketch/sketch_names.h"
+#include "app/character/sketch/sketch_once.h"
 #include "app/character/sketch/sketch_parts.h"
 #include "app/model/origin/model_origin.h"
 #include "platform/base/printable.h"
@@ -18,7 +19,7 @@ enum {
 };
 
 static void write_state(const struct model *model, int clip,
-	const struct character_sketch_play *play, FILE *out)
+	const struct character_sketch_play *play, bool once, FILE *out)
 {
 	static const char *const repeats[] = {
 		[CLIP_ONCE] = "repeat = once\n",
@@ -31,6 +32,9 @@ static void write_state(const struct model *model, int clip,
 	fputs("]\nclip = ", out);
 	sketch_write_clip(out, model, clip);
 	fprintf(out, "\n%s", repeats[play->repeat]);
+	if (once) {
+		sketch_write_once(model, clip, out);
+	}
 	if (model->clip_count == 1) {
 		fputs("rate = rate\n", out);
 	} else if (play->rate != 1) {
@@ -41,7 +45,8 @@ static void write_state(const struct model *model, int clip,
 }
 
 static void write_states(const struct model *model,
-	const struct character_sketch_play *play, FILE *out)
+	const struct character_sketch_play *play,
+	const struct sketch_once *once, FILE *out)
 {
 	float low = play->rate < 0 ? play->rate : 0;
 	float high = play->rate > 3 ? play->rate : 3;
@@ -66,8 +71,10 @@ static void write_states(const struct model *model,
 	}
 	for (int i = 0; i < model->clip_count && i < CHARACTER_SKETCH_CLIPS;
 		i++) {
-		write_state(
-			model, (play->clip + i) % model->clip_count, play, out);
+		int clip = (play->clip + i) % model->clip_count;
+
+		write_state(model, clip, play,
+			clip < CHARACTER_SKETCH_CLIPS && once->clip[clip], out);
 	}
 }
 
@@ -356,8 +363,8 @@ static void write_part_modes(
 		mode_camera.up, mode_camera.down, camera_turns);
 }
 
-static void write_buttons(
-	const struct model *model, const struct sketch_parts *parts, FILE *out)
+static void write_buttons(const struct model *model,
+	const struct sketch_parts *parts, bool some_once, FILE *out)
 {
 	bool has_clips = model->clip_count > 0;
 	bool has_shapes = find_shapes(model) >= 0;
@@ -383,8 +390,12 @@ static void write_buttons(
 	} else if (!parts->moved) {
 		fputs(camera_turns, out);
 	}
-	fputs("ENTER = pause \"pause or continue\"\n"
-	      "F6 = camera zoom -120 \"move the camera closer\"\n"
+	fputs("ENTER = pause \"pause or continue\"\n", out);
+	if (some_once) {
+		fputs("ENTER long = next, previous \"play the clip again\"\n",
+			out);
+	}
+	fputs("F6 = camera zoom -120 \"move the camera closer\"\n"
 	      "F8 = camera zoom 120 \"move the camera away\"\n",
 		out);
 	fputs(model->clip_count > 1
@@ -423,8 +434,14 @@ int character_sketch(const struct model *model,
 		.rate = 1, .repeat = CLIP_LOOP};
 	const char *slash = strrchr(model->path, '/');
 	struct sketch_parts parts;
+	struct sketch_once once;
 	int error;
 
+	play = play ? play : &plain;
+	error = sketch_find_once(model, play, &once);
+	if (error) {
+		return error;
+	}
 	fputs("; How ", out);
 	printable_put(slash ? slash + 1 : model->path, out);
 	fputs(" behaves. limber play finds this file beside the model when its\n"
@@ -432,8 +449,8 @@ int character_sketch(const struct model *model,
 	      "; checks it, and man limber describes it. Lines that begin with ; are\n"
 	      "; suggestions.\n\n",
 		out);
-	write_states(model, play ? play : &plain, out);
-	error = sketch_write_layers(model, play ? play->clip : 0, out);
+	write_states(model, play, &once, out);
+	error = sketch_write_layers(model, play->clip, out);
 	if (error) {
 		return error;
 	}
@@ -447,6 +464,6 @@ int character_sketch(const struct model *model,
 		return error;
 	}
 	write_scene(model, out);
-	write_buttons(model, &parts, out);
+	write_buttons(model, &parts, once.any && model->clip_count > 1, out);
 	return 0;
 }

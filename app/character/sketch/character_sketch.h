@@ -18,6 +18,8 @@ struct character_sketch_play {
 	int clip; /* the first one; others follow in the model's order */
 	float rate;
 	enum clip_repeat repeat;
+	/* with CLIP_LOOP: also those that sketch_find_once() finds */
+	bool all_loop;
 };
 
 /*
@@ -26,7 +28,8 @@ struct character_sketch_play {
  * bones become suggestions in comments. Buttons use what there is: where
  * neither clips nor shapes move the model, they turn parts that hang on each
  * other, or joints. character_read() accepts the text for this model. play
- * NULL: the first clip begins, at its own rate, and all repeat. 0, or -ENOMEM
+ * NULL: the first clip begins, at its own rate. Clips that end in another shape
+ * than they begin with play once, all others repeat. 0, or -ENOMEM
  * with a part of the text.
  */
 int character_sketch(const struct model *model,

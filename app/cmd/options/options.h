@@ -67,6 +67,7 @@ struct options_motion {
 	enum clip_interpolation interpolation;
 	float speed; /* of a model's clip; negative plays it backwards */
 	enum clip_repeat repeat;
+	bool all_loop; /* repeat is CLIP_LOOP because the user says so */
 };
 
 /* How to compute vertices, and at which level of detail. */

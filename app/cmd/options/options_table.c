@@ -80,6 +80,7 @@ static bool set_repeat(struct options *options, const char *value)
 	for (size_t i = 0; i < ARRAY_COUNT(kinds); i++) {
 		if (strcmp(value, kinds[i].name) == 0) {
 			options->motion.repeat = kinds[i].repeat;
+			options->motion.all_loop = kinds[i].repeat == CLIP_LOOP;
 			return true;
 		}
 	}
@@ -214,7 +215,7 @@ const struct option_entry option_entries[] = {
 		"play a model's clip X times as fast, and backwards if X is negative",
 		"a number from -100 to 100", FLOAT(motion.speed, -100, 100)},
 	{0, "repeat", "KIND", FOR_SHOW,
-		"play a model's clip as: loop, ping-pong or once; the default is loop",
+		"play clips as: loop, ping-pong or once; by default as each clip ends",
 		"loop, ping-pong or once", PARSED(set_repeat)},
 	{0, "frames", "N", FOR_SHOW,
 		"stop after N frames",

@@ -84,6 +84,7 @@ static int open_demo(struct show *show)
 		.clip = options->motion.clip,
 		.interpolation = options->motion.interpolation,
 		.repeat = options->motion.repeat,
+		.all_loop = options->motion.all_loop,
 		.speed = options->motion.speed,
 		.influence_cap = options->vertices.influences,
 		.lod = options->vertices.lod,

@@ -78,8 +78,7 @@ static int find_scale(
 		bound = b > bound ? b : bound;
 	}
 	q = clamp_int(27 - soft_matrix_exponent(bound), -60, 90);
-	*scale = soft_matrix_power_of_two(
-		clamp_int(q - position_q + 32, -126, 127));
+	*scale = soft_matrix_power_of_two(q - position_q + 32); /* -77 to 122 */
 	return q;
 }
 

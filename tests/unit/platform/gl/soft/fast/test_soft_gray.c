@@ -255,11 +255,63 @@ static void test_hills_are_nearly_those_of_the_long_way(void **state)
 	}
 }
 
+/* A triangle in varying gray over the whole picture, and others without area. */
+static void make_screen(struct soft_corner *corner)
+{
+	static const float place[3][2] = {{-4, -4}, {12, -4}, {-4, 12}};
+
+	memset(corner, 0, HILLS * HILLS * 6 * sizeof(*corner));
+	for (int i = 0; i < 3; i++) {
+		const uint8_t gray = (uint8_t)(90 + 80 * i);
+
+		corner[i] = (struct soft_corner){
+			.position = {place[i][0], place[i][1], -1},
+			.texcoord = {place[i][0], place[i][1]},
+			.color = {gray, gray, gray, 128},
+		};
+	}
+}
+
+/*
+ * A run that is drawn aside before it is blended begins at the same half of a
+ * word as its pixels, so that both are read by words; nothing else is written.
+ */
+static void test_runs_aside_begin_in_a_word_where_their_pixels_do(void **state)
+{
+	static struct soft_corner corner[HILLS * HILLS * 6];
+	enum {
+		UNTOUCHED = 0xA5A5
+	};
+
+	(void)state;
+	make_screen(corner);
+	for (int x = 1; x < 13; x++) {
+		struct soft_scene *scene = soft_scene_open();
+		struct draw *draw = scene->soft->draw;
+		const size_t first = (uintptr_t)(scene->pixel + x) / 2 % 2;
+
+		for (int i = 0; i < LUMINANCE_RUN + 1; i++) {
+			draw->shaded[i] = UNTOUCHED;
+		}
+		scene->gl->Scissor(x, SOFT_SCENE_HEIGHT / 2, 9, 1);
+		scene->gl->Enable(GL_SCISSOR_TEST);
+		draw_hills(scene, corner, 1, false);
+		assert_ptr_equal(draw->fill, soft_fill_luminance);
+		for (size_t i = 0; i < LUMINANCE_RUN + 1; i++) {
+			assert_int_equal(draw->shaded[i] != UNTOUCHED,
+				i >= first && i < first + 9);
+		}
+		soft_scene_close(scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_stencils_shade_what_the_long_way_does),
 		cmocka_unit_test(test_hills_are_nearly_those_of_the_long_way),
+		cmocka_unit_test(
+			test_runs_aside_begin_in_a_word_where_their_pixels_do),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

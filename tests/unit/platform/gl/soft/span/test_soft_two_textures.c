@@ -137,6 +137,9 @@ static void test_joined_textures_are_those_of_fragments(void **state)
 		struct span_scene *slow = draw_joined(format, seed * 7919, true);
 
 		joined[seed % 3 == 0] += fast->soft->draw->spans.joined;
+		assert_int_equal(
+			(fast->soft->draw->attributes >> (TEX_S + 2) & 3) != 0,
+			!fast->soft->draw->spans.joined);
 		read[fast->soft->draw->spans.finish]++;
 		drawn += span_scene_compare(fast, slow, seed);
 		span_scene_close(fast);

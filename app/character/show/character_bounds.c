@@ -254,10 +254,11 @@ int character_bounds_init(
 	bounds->ball = ARENA_ARRAY(&instance->arena, struct bounds,
 		(size_t)character->target_count);
 	bounds->is_played = ARENA_ARRAY(&instance->arena, bool, (size_t)count);
+	bounds->height = ARENA_ARRAY(&instance->arena, float, (size_t)count);
 	bounds->follow = ARENA_ARRAY(
 		&instance->arena, struct character_follow, (size_t)count);
 	if (!bounds->clip || !bounds->ball || !bounds->is_played ||
-		!bounds->follow) {
+		!bounds->height || !bounds->follow) {
 		return -ENOMEM;
 	}
 	bounds->followed = -1;

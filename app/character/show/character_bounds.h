@@ -20,6 +20,7 @@ struct character_bounds {
 	 */
 	struct bounds rest, *clip, *ball;
 	bool *is_played; /* [clip_count]: whether a state or a layer plays it */
+	float *height;   /* [clip_count]: room for character_bounds_ground() */
 	struct character_follow *follow; /* [clip_count] */
 	int followed; /* the clip that the camera follows now; -1: none */
 	float way[3]; /* how far the followed node is from its start */

@@ -51,11 +51,11 @@ static float most_stood_on(
 float character_bounds_ground(
 	const struct character_bounds *bounds, int clip_count)
 {
-	float *low = malloc(((size_t)clip_count + 1) * sizeof(*low));
+	float *low = bounds->height;
 	float ground = clip_count > 0 ? bounds->rest.low[1] : bounds->all.low[1];
 	int count = 0;
 
-	for (int i = 0; low && i < clip_count; i++) {
+	for (int i = 0; i < clip_count; i++) {
 		if (bounds->is_played[i]) {
 			low[count++] = bounds->clip[i].low[1];
 		}
@@ -64,6 +64,5 @@ float character_bounds_ground(
 		qsort(low, (size_t)count, sizeof(*low), compare_heights);
 		ground = most_stood_on(bounds, low, count);
 	}
-	free(low);
 	return ground;
 }

@@ -11,8 +11,11 @@ static float ground_of_played(
 {
 	struct bounds clip[4];
 	bool is_played[4];
-	struct character_bounds bounds = {
-		.clip = clip, .is_played = is_played, .extent = 2.0f};
+	float height[4];
+	struct character_bounds bounds = {.clip = clip,
+		.is_played = is_played,
+		.height = height,
+		.extent = 2.0f};
 
 	bounds.rest = bounds.all =
 		(struct bounds){{-1.0f, rest, -1.0f}, {1.0f, 2.0f, 1.0f}};
@@ -84,13 +87,17 @@ static void test_many_clips_take_a_moment(void **state)
 	};
 	struct bounds *clip = calloc(MANY, sizeof(*clip));
 	bool *is_played = calloc(MANY, sizeof(*is_played));
-	struct character_bounds bounds = {
-		.clip = clip, .is_played = is_played, .extent = 2.0f};
+	float *height = calloc(MANY, sizeof(*height));
+	struct character_bounds bounds = {.clip = clip,
+		.is_played = is_played,
+		.height = height,
+		.extent = 2.0f};
 	double begun_s;
 
 	(void)state;
 	assert_non_null(clip);
 	assert_non_null(is_played);
+	assert_non_null(height);
 	for (int i = 0; i < MANY; i++) {
 		clip[i].low[1] = (float)(i * 7919L % MANY) / MANY;
 		is_played[i] = true;
@@ -102,6 +109,7 @@ static void test_many_clips_take_a_moment(void **state)
 	assert_true((double)clock() / CLOCKS_PER_SEC - begun_s < 5.0);
 	free(clip);
 	free(is_played);
+	free(height);
 }
 
 int main(void)

@@ -232,6 +232,25 @@ static void report_extensions(const struct examination *at)
 	}
 }
 
+static void report_transmission(const struct examination *at)
+{
+	int count = 0;
+	size_t i;
+	json_t *material;
+
+	json_array_foreach(member(at, "materials"), i, material)
+	{
+		const json_t *glass =
+			json_object_get(json_object_get(material, "extensions"),
+				"KHR_materials_transmission");
+
+		count += json_object_get(glass, "transmissionTexture") != NULL;
+	}
+	examine_count(at->examiner, count,
+		"materials whose transmission has a texture",
+		"limber draws them opaque; let them blend by alphaMode BLEND instead");
+}
+
 static void report_origin(const struct examination *at)
 {
 	const double *origin = at->gltf->model->origin;
@@ -267,6 +286,7 @@ int gltf_examine(const struct model_source *source,
 		report_accessors(&at);
 		report_samplers(&at);
 		report_extensions(&at);
+		report_transmission(&at);
 		report_origin(&at);
 	}
 	/* First, since it gives memory back to the model's budget. */

@@ -354,6 +354,21 @@ static void test_ignored_extensions_are_named(void **state)
 		"extensions that limber ignores (2), so that what they add is not shown: KHR_a, KHR_bc\n");
 }
 
+#define GLASS(members) \
+	"{'extensions':{'KHR_materials_transmission':{" members "}}}"
+
+/* Others are blended; a texture would say which part of a surface is. */
+static void test_opaque_glass_is_counted(void **state)
+{
+	(void)state;
+	assert_string_equal(
+		examine("",
+			TRIANGLE
+			",'nodes':[{'mesh':0}],'materials':[{}," GLASS("'transmissionFactor':1") "," GLASS(
+				"'transmissionTexture':{'index':0}") "]"),
+		"materials whose transmission has a texture (1): limber draws them opaque; let them blend by alphaMode BLEND instead\n");
+}
+
 #define X49 "KHR_xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
 
 /* The names have 255 bytes together; one that does not fit is left out. */
@@ -397,6 +412,7 @@ int main(void)
 		cmocka_unit_test(test_weights_of_two_sets_are_left_alone),
 		cmocka_unit_test(test_ignored_extensions_are_named),
 		cmocka_unit_test(test_the_list_of_extensions_is_limited),
+		cmocka_unit_test(test_opaque_glass_is_counted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

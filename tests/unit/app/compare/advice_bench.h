@@ -12,7 +12,7 @@
 enum {
 	CLIPS = 2,
 	CLIPS_MOST = 4,
-	ROWS = 4
+	ROWS = 6
 };
 
 /* 100 us are a hundredth of the frame, and so are 1024 bytes. */

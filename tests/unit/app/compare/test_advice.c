@@ -2,6 +2,7 @@
 #include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/advice.h"
 #include "app/compare/advice_price.h"
+#include "platform/base/scalar.h"
 #include "tests/support/test.h"
 #include "tests/unit/app/compare/advice_bench.h"
 
@@ -240,6 +241,76 @@ static void test_the_front_has_the_rows_that_no_other_beats(void **state)
 	assert_true(bench.comparison.row[3].front);
 }
 
+/* Row 0 is worse in what decides, and rows 1 and 2 are as good as each other. */
+static void test_of_rows_that_are_as_good_the_first_is_advised(void **state)
+{
+	static const struct {
+		size_t memory_bytes;
+		double us[2], kib[2];
+		float px[2];
+	} cases[] = {
+		{0, {1000, 900}, {10, 10}, {1, 1}},        /* the price */
+		{20 * 1024, {10, 20}, {30, 25}, {0, 0}},   /* the memory */
+		{0, {10, 20}, {10, 10}, {5, 4}},           /* the error */
+		{0, {12000, 11000}, {10, 10}, {1, 1}},     /* the time */
+		{20 * 1024, {1000, 10}, {19, 20}, {0, 0}}, /* fits the memory */
+		{0, {10, 20}, {10, 10}, {2.5f, 2}},        /* fits the error */
+		{0, {10300, 9900}, {10, 10}, {0.5f, 2}},   /* fits the time */
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct bench bench;
+
+		begin(&bench);
+		bench.comparison.request.memory_bytes = cases[i].memory_bytes;
+		for (int row = 0; row < 3; row++) {
+			add(&bench, cases[i].us[row > 0], cases[i].kib[row > 0],
+				cases[i].px[row > 0]);
+		}
+		advice_give(&bench.comparison);
+		assert_int_equal(bench.comparison.advised, 1);
+	}
+}
+
+/* What shows one of its clips inside out for a while is as bad as a large error. */
+static void test_a_morph_that_turns_inside_out_is_not_advised(void **state)
+{
+	(void)state;
+	for (int clip = -1; clip <= CLIPS; clip++) {
+		struct bench bench;
+
+		begin(&bench);
+		add(&bench, 1000, 10, 0.0f);
+		add(&bench, 10, 10, 0.0f)->kind = COMPARISON_MORPH;
+		if (clip >= 0) {
+			bench.clip[clip].turns = true;
+		}
+		advice_give(&bench.comparison);
+		assert_int_equal(bench.comparison.advised,
+			clip < 0 || clip == CLIPS ? 1 : 0);
+	}
+}
+
+/* A row is worse only if another one is at least as good in everything. */
+static void test_a_row_that_is_best_in_anything_is_on_the_front(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	add(&bench, 1000, 10, 1.0f);
+	add(&bench, 999, 11, 1.1f);
+	add(&bench, 1001, 9, 1.1f);
+	add(&bench, 1001, 11, 0.9f);
+	add(&bench, 1000, 9, 1.1f); /* beats row 2, which comes before it */
+	add(&bench, 1, 1, 0.0f)->listed = false;
+	advice_give(&bench.comparison);
+	for (int row = 0; row < 5; row++) {
+		assert_int_equal(bench.comparison.row[row].front, row != 2);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -258,6 +329,12 @@ int main(void)
 		cmocka_unit_test(test_the_default_board_is_the_pdk),
 		cmocka_unit_test(test_rows_that_are_not_listed_are_not_advised),
 		cmocka_unit_test(test_the_front_has_the_rows_that_no_other_beats),
+		cmocka_unit_test(
+			test_of_rows_that_are_as_good_the_first_is_advised),
+		cmocka_unit_test(
+			test_a_morph_that_turns_inside_out_is_not_advised),
+		cmocka_unit_test(
+			test_a_row_that_is_best_in_anything_is_on_the_front),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -18,6 +18,10 @@ static void test_ordinary_clips_are_compared_as_a_whole(void **state)
 	assert_near(sampling_choose(65000, 1, 1800.0).share, 1.0, 0.0);
 	assert_near(sampling_choose(8, 1, 54000.0).share, 1.0, 0.0);
 	assert_near(sampling_choose(0, 1, 54000.0).share, 1.0, 0.0);
+	/* exactly as many moments as may be compared */
+	assert_int_equal(sampling_choose(5000, 20, 6000.0).normal_moments,
+		SAMPLING_NORMALS_MAX);
+	assert_int_equal(sampling_choose(5000, 20, 6000.1).normal_moments, 100);
 }
 
 static void test_an_hour_is_compared_in_part(void **state)
@@ -28,6 +32,8 @@ static void test_an_hour_is_compared_in_part(void **state)
 	assert_near(
 		sampling_choose(8, 1, 216000.0).share, 60000.0 / 216e3, 1e-9);
 	assert_near(sampling_choose(65000, 1, 216000.0).share, 2000.0 / 216e3,
+		1e-9);
+	assert_near(sampling_choose(64000, 1, 216000.0).share, 2000.0 / 216e3,
 		1e-9);
 	assert_int_equal(sampling_choose(5000, 1, 216000.0).normal_moments,
 		SAMPLING_NORMALS_MAX);
@@ -45,6 +51,8 @@ static void test_a_huge_model_is_compared_in_part(void **state)
 		sampling_choose(2000000000, 3, 900.0).share, 1.0 / 900.0, 1e-9);
 	assert_int_equal(
 		sampling_choose(2000000000, 3, 900.0).normal_moments, 1);
+	assert_int_equal(
+		sampling_choose(2000000000, 1, 900.0).normal_moments, 1);
 }
 
 static void test_many_clips_share_the_frames(void **state)
@@ -56,6 +64,13 @@ static void test_many_clips_share_the_frames(void **state)
 	assert_int_equal(sampling.normal_moments, 6);
 	assert_int_equal(sampling.timed_frames, 6);
 	assert_int_equal(sampling.drawn_frames, 1);
+	sampling = sampling_choose(5000, 41, 4000.0);
+	assert_int_equal(sampling.timed_frames, 46);
+	assert_int_equal(sampling.drawn_frames, 5);
+	/* normals of 2000 moments together, however few vertices there are */
+	assert_int_equal(sampling_choose(8, 5, 1e7).normal_moments, 400);
+	assert_int_equal(sampling_choose(8, 667, 1e7).normal_moments, 2);
+	assert_int_equal(sampling_choose(8, 100000, 1e7).normal_moments, 1);
 	sampling = sampling_choose(5000, 40, 4000.0);
 	assert_int_equal(sampling.timed_frames, SAMPLING_TIMED_MAX);
 	assert_int_equal(sampling.drawn_frames, 6);
@@ -78,6 +93,8 @@ static void test_a_shared_mesh_counts_for_each_node(void **state)
 	assert_int_equal(sampling_vertices(model), 30);
 	model->mesh->primitive->vertex_count = 2000000000;
 	assert_int_equal(sampling_vertices(model), INT_MAX);
+	model->mesh->primitive->vertex_count = 0;
+	assert_int_equal(sampling_vertices(model), 0);
 	model->mesh->primitive->vertex_count = 15;
 	model->node = one;
 	model->node_count = 1;

@@ -196,8 +196,7 @@ struct board_cost board_cost_gather_drawn(const struct drawable *drawable)
 		}
 		gather_list(&gathered, batch, list, true);
 		/* A list for shadows may have the vertices of the full list. */
-		if (shadow != list &&
-			(list || !shadow || shadow->first_vertex > 0)) {
+		if (shadow != list && (list || shadow->first_vertex > 0)) {
 			gather_list(&gathered, batch, shadow, false);
 		}
 	}

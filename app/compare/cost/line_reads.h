@@ -2,8 +2,8 @@
  * Counts the lines of memory that a sequence of reads takes from the board's
  * second-level cache and from memory, as the timing model's caches do
  * (tests/arm1136/core/memory.c): 16 KiB of four ways, 128 KiB of eight, lines
- * of 32 bytes. The least recently read line of a set is replaced, so that the
- * counts are the same on every machine. Both caches are empty at first.
+ * of 32 bytes. In a full set, a shift register chooses the line that is replaced,
+ * so that the counts are the same on every machine. Both caches are empty at first.
  */
 #ifndef APP_COMPARE_COST_LINE_READS_H
 #define APP_COMPARE_COST_LINE_READS_H

@@ -14,19 +14,6 @@ void soft_gl_ClearColorx(GLfixed red, GLfixed green, GLfixed blue, GLfixed alpha
 	memcpy(soft_current()->fragment.clear_color, given, sizeof(given));
 }
 
-/* Fills rows; where no gap lies between them, as one long row. */
-static void fill_rows(
-	uint16_t *first, int width, ptrdiff_t stride, int rows, uint16_t value)
-{
-	if (width == stride) {
-		soft_fill_pixels(first, width * rows, value);
-		return;
-	}
-	for (int y = 0; y < rows; y++) {
-		soft_fill_pixels(first + y * stride, width, value);
-	}
-}
-
 /* Sets those bits of a row's bytes that are in mask to the value's. */
 static void fill_masked(uint8_t *at, size_t bytes, uint32_t value, uint32_t mask)
 {
@@ -44,30 +31,27 @@ static void fill_masked(uint8_t *at, size_t bytes, uint32_t value, uint32_t mask
 	}
 }
 
-static void clear_color(struct soft *soft, const struct clip_box *box)
+/*
+ * Sets those bits of a buffer's rows that are in mask to the value's. Rows
+ * without a gap between them are one long row.
+ */
+static void fill_rows(uint8_t *first, ptrdiff_t stride_bytes, size_t row_bytes,
+	int rows, uint32_t value, uint32_t mask)
 {
-	const struct pixels *target = &soft->buffers.target;
-	const uint32_t mask = soft->fragment.color_bits;
-	const int width = box->right - box->left, rows = box->bottom - box->top;
-	const size_t row_bytes = (size_t)(width * pixel_bytes(target->format));
-	uint8_t *first = pixel_at(target, box->left, box->top), *row = first;
-	uint8_t rgba[4];
-	uint32_t value;
+	const bool whole = mask == UINT32_MAX;
+	const bool even = ((uintptr_t)first | row_bytes) % 2 == 0;
+	const bool halves = whole && even && value >> 16 == (value & 0xFFFF);
+	uint8_t *row = first;
 
-	for (int i = 0; i < 4; i++) {
-		rgba[i] = (uint8_t)soft_byte(soft->fragment.clear_color[i]);
+	if (halves && stride_bytes == (ptrdiff_t)row_bytes) {
+		row_bytes *= (size_t)rows;
+		rows = 1;
 	}
-	value = target->format == PIXELS_RGB565
-		? twice_565(pack_565(rgba[0], rgba[1], rgba[2]))
-		: load_32(rgba);
-	if (mask == UINT32_MAX && value >> 16 == (value & 0xFFFF)) {
-		fill_rows((uint16_t *)(void *)first, (int)(row_bytes / 2),
-			target->stride_bytes / (ptrdiff_t)sizeof(uint16_t),
-			rows, (uint16_t)value);
-		return;
-	}
-	for (int y = 0; y < rows; y++, row += target->stride_bytes) {
-		if (mask == UINT32_MAX && y > 0) {
+	for (int y = 0; y < rows; y++, row += stride_bytes) {
+		if (halves) {
+			soft_fill_pixels((uint16_t *)(void *)row,
+				(int)(row_bytes / 2), (uint16_t)value);
+		} else if (whole && y > 0) {
 			memcpy(row, first, row_bytes);
 		} else {
 			fill_masked(row, row_bytes, value, mask);
@@ -75,36 +59,33 @@ static void clear_color(struct soft *soft, const struct clip_box *box)
 	}
 }
 
-static void clear_depth(struct soft *soft, const struct clip_box *box)
+static void clear_color(struct soft *soft, const struct clip_box *box)
 {
-	int stride = soft->buffers.width;
+	const struct pixels *target = &soft->buffers.target;
+	uint8_t rgba[4];
 
-	fill_rows(soft->buffers.depth + (size_t)box->top * (size_t)stride +
-			box->left,
-		box->right - box->left, stride, box->bottom - box->top,
-		(uint16_t)soft_depth_units(soft->fragment.clear_depth));
+	for (int i = 0; i < 4; i++) {
+		rgba[i] = (uint8_t)soft_byte(soft->fragment.clear_color[i]);
+	}
+	fill_rows(pixel_at(target, box->left, box->top), target->stride_bytes,
+		(size_t)((box->right - box->left) * pixel_bytes(target->format)),
+		box->bottom - box->top,
+		target->format == PIXELS_RGB565
+			? twice_565(pack_565(rgba[0], rgba[1], rgba[2]))
+			: load_32(rgba),
+		soft->fragment.color_bits);
 }
 
-static void clear_stencil_buffer(struct soft *soft, const struct clip_box *box)
+/* Clears the depth or the stencil buffer, of so many bytes a pixel. */
+static void clear_buffer(const struct soft *soft, void *buffer, size_t bytes,
+	const struct clip_box *box, uint32_t value, uint32_t mask)
 {
-	const struct stencil *stencil = &soft->fragment.stencil;
-	const size_t stride = (size_t)soft->buffers.width;
-	const int width = box->right - box->left, rows = box->bottom - box->top;
-	const uint32_t value = stencil->clear * 0x01010101u;
-	uint8_t *row = soft->buffers.stencil + (size_t)box->top * stride +
-		(size_t)box->left;
+	const size_t stride = bytes * (size_t)soft->buffers.width;
 
-	/* whole rows without a gap: two bytes at a time */
-	if (stencil->write_mask == 255 && width == (int)stride &&
-		width % 2 == 0) {
-		soft_fill_pixels((uint16_t *)(void *)row, width / 2 * rows,
-			(uint16_t)value);
-		return;
-	}
-	for (int y = 0; y < rows; y++, row += stride) {
-		fill_masked(row, (size_t)width, value,
-			stencil->write_mask * 0x01010101u);
-	}
+	fill_rows((uint8_t *)buffer + (size_t)box->top * stride +
+			bytes * (size_t)box->left,
+		(ptrdiff_t)stride, bytes * (size_t)(box->right - box->left),
+		box->bottom - box->top, value, mask);
 }
 
 void soft_gl_Clear(GLbitfield mask)
@@ -124,10 +105,15 @@ void soft_gl_Clear(GLbitfield mask)
 		clear_color(soft, &box);
 	}
 	if (mask & GL_DEPTH_BUFFER_BIT && state->depth_mask) {
-		clear_depth(soft, &box);
+		clear_buffer(soft, soft->buffers.depth, 2, &box,
+			(uint32_t)soft_depth_units(state->clear_depth) *
+				0x00010001u,
+			UINT32_MAX);
 	}
 	if (mask & GL_STENCIL_BUFFER_BIT && soft->buffers.stencil) {
-		clear_stencil_buffer(soft, &box);
+		clear_buffer(soft, soft->buffers.stencil, 1, &box,
+			state->stencil.clear * 0x01010101u,
+			state->stencil.write_mask * 0x01010101u);
 	}
 }
 

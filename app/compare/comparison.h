@@ -89,6 +89,7 @@ struct comparison {
 	const struct model *model;
 	/* Bounds of all clips and of a rest pose near them, in model units. */
 	struct bounds box;
+	float unit_scale; /* of the model's instances; 0 until one was created */
 	int vertex_count;
 	int clip_count;
 	struct comparison_clip *clip;

@@ -19,14 +19,18 @@ enum {
 /* The first fit uses this share of the bound, to leave room between moments. */
 static const float first_fit = 0.97f;
 
-static int make_reference(const struct comparison *comparison, int clip,
+/* The first reference finds the model's scale, which all others take over. */
+static int make_reference(struct comparison *comparison, int clip,
 	struct jobs *jobs, const struct log *log, struct reference **out)
 {
 	int error;
 
 	jobs_lock(jobs);
-	error = reference_create(
-		comparison->model, comparison->clip[clip].clip, log, out);
+	error = reference_create_scaled(comparison->model,
+		comparison->clip[clip].clip, comparison->unit_scale, log, out);
+	if (!error) {
+		comparison->unit_scale = (*out)->instance->unit_scale;
+	}
 	jobs_unlock(jobs);
 	return error;
 }

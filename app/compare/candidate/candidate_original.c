@@ -261,6 +261,19 @@ static int change_meshes(
 	return error;
 }
 
+/* The scale is the reference's, so that the clips are not posed to find it. */
+static int create_instance(const struct original *state,
+	const struct kernel *kernel, bool drawn_vertices_only,
+	const struct log *log, struct instance **out)
+{
+	const struct instance_options options = {
+		.drawn_vertices_only = drawn_vertices_only,
+		.unit_scale = state->reference->instance->unit_scale,
+	};
+
+	return instance_create_with(&state->model, kernel, &options, log, out);
+}
+
 static int prepare(struct original *state, const struct kernel *kernel,
 	int max_influences, bool targets, const struct log *log)
 {
@@ -276,7 +289,7 @@ static int prepare(struct original *state, const struct kernel *kernel,
 		return memory_budget_fail(
 			state->model.budget, state->model.path, log);
 	}
-	error = instance_create(&state->model, kernel, log, &state->instance);
+	error = create_instance(state, kernel, false, log, &state->instance);
 	if (!error) {
 		state->instance->normal_mapping = false;
 	}
@@ -292,11 +305,12 @@ static int predict(struct candidate *candidate, struct original *state,
 {
 	const struct model_clip *clip = state->reference->clip;
 	struct instance *instance = state->instance;
+	bool dense = instance_is_dense(&state->model);
 	int error = 0;
 
-	if (!instance->kernel->fixed || instance_is_dense(&state->model)) {
-		error = instance_create_to_play(
-			&state->model, kernel_find("fixed"), log, &instance);
+	if (!instance->kernel->fixed || dense) {
+		error = create_instance(
+			state, kernel_find("fixed"), dense, log, &instance);
 	}
 	if (!error) {
 		candidate->board = board_cost_clip(

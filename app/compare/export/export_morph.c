@@ -193,8 +193,9 @@ static int count_mirrored(struct exporter *exporter, int clip)
 	const struct comparison *comparison = exporter->comparison;
 	const struct fit_keys *keys = &exporter->row->cell[clip].keys;
 	struct reference *reference;
-	int error = reference_create(comparison->model,
-		comparison->clip[clip].clip, exporter->log, &reference);
+	int error = reference_create_scaled(comparison->model,
+		comparison->clip[clip].clip, comparison->unit_scale,
+		exporter->log, &reference);
 
 	if (error) {
 		return error;
@@ -236,8 +237,9 @@ static int find_mirrored(struct exporter *exporter)
 static int export_keys(struct exporter *exporter, int clip)
 {
 	const struct fit_keys *keys = &exporter->row->cell[clip].keys;
-	int error = reference_create(exporter->comparison->model,
-		exporter->comparison->clip[clip].clip, exporter->log,
+	int error = reference_create_scaled(exporter->comparison->model,
+		exporter->comparison->clip[clip].clip,
+		exporter->comparison->unit_scale, exporter->log,
 		&exporter->reference);
 
 	if (error) {

@@ -32,11 +32,13 @@ static int init_parts(struct reference *reference)
 	return 0;
 }
 
-static int prepare(struct reference *reference, const struct log *log)
+static int prepare(
+	struct reference *reference, float unit_scale, const struct log *log)
 {
+	const struct instance_options options = {.unit_scale = unit_scale};
 	struct arena *arena = &reference->arena;
-	int error = instance_create(reference->model, kernel_find("float"), log,
-		&reference->instance);
+	int error = instance_create_with(reference->model, kernel_find("float"),
+		&options, log, &reference->instance);
 	size_t count;
 
 	if (error) {
@@ -64,6 +66,12 @@ static int prepare(struct reference *reference, const struct log *log)
 int reference_create(const struct model *model, int clip, const struct log *log,
 	struct reference **out)
 {
+	return reference_create_scaled(model, clip, 0.0f, log, out);
+}
+
+int reference_create_scaled(const struct model *model, int clip,
+	float unit_scale, const struct log *log, struct reference **out)
+{
 	struct reference *reference;
 	int error;
 
@@ -83,7 +91,7 @@ int reference_create(const struct model *model, int clip, const struct log *log,
 	reference->clip = &model->clip[clip];
 	reference->clip_index = clip;
 	reference->arena = arena_within(model->budget);
-	error = prepare(reference, log);
+	error = prepare(reference, unit_scale, log);
 	if (error) {
 		reference_destroy(reference);
 		return error;

@@ -45,6 +45,13 @@ struct reference {
 int reference_create(const struct model *model, int clip, const struct log *log,
 	struct reference **out);
 
+/*
+ * The same with the unit_scale of another reference's instance, so that a
+ * reference for each clip does not pose all clips to find it; 0: not known.
+ */
+int reference_create_scaled(const struct model *model, int clip,
+	float unit_scale, const struct log *log, struct reference **out);
+
 /* NULL is fine. */
 void reference_destroy(struct reference *reference);
 

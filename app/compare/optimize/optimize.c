@@ -51,7 +51,7 @@ struct optimizer {
 	float *key_px, *peak_px; /* [clip_count] */
 	int clip_count;          /* at least 1; without clips, the rest pose */
 	float left_px;
-	double share; /* of the moments that the search looks at */
+	struct optimize_measure_view view; /* of the search */
 	uint8_t *data;
 	size_t size;
 	int steps;
@@ -165,8 +165,6 @@ static int build(struct optimizer *optimizer, bool reduces, struct model **model
 /* Measures a clip, unless the same keys have been measured before. */
 static int measure(struct optimizer *optimizer, int clip)
 {
-	const struct optimize_measure_view view = {optimizer->request->width,
-		optimizer->request->height, optimizer->share};
 	struct clip_search *search = &optimizer->clip[clip];
 	float *peak_px = &optimizer->peak_px[clip];
 	bool moves = clip < optimizer->base->clip_count &&
@@ -176,7 +174,8 @@ static int measure(struct optimizer *optimizer, int clip)
 
 	if (!optimize_known_find(&search->known, stamp, peak_px)) {
 		error = optimize_measure(optimizer->base, optimizer->found,
-			played, view, &search->box, optimizer->log, peak_px);
+			played, optimizer->view, &search->box, optimizer->log,
+			peak_px);
 		optimize_known_add(&search->known, stamp, *peak_px);
 		step(optimizer);
 	}
@@ -295,8 +294,8 @@ static void keep_more(struct optimizer *optimizer, int clip)
  */
 static int settle_keys(struct optimizer *optimizer, float *peak_px)
 {
-	if (optimizer->share < 1.0) {
-		optimizer->share = 1.0;
+	if (optimizer->view.share < 1.0) {
+		optimizer->view.share = 1.0;
 		forget(optimizer);
 	}
 	for (int round = 1;; round++) {
@@ -376,7 +375,11 @@ static int allocate(struct optimizer *optimizer)
 	optimizer->key_px = calloc(count, sizeof(float));
 	optimizer->peak_px = calloc(count, sizeof(float));
 	optimizer->plan.key_px = optimizer->key_px;
-	optimizer->share = optimize_measure_share(optimizer->base);
+	optimizer->view = (struct optimize_measure_view){
+		.width = optimizer->request->width,
+		.height = optimizer->request->height,
+		.share = optimize_measure_share(optimizer->base),
+	};
 	for (size_t c = 0; optimizer->clip && c < count; c++) {
 		optimizer->clip[c].box = bounds_empty();
 	}
@@ -388,15 +391,13 @@ static int allocate(struct optimizer *optimizer)
 /* Builds the file in its new order without loss, and measures its reach. */
 static int build_base(struct optimizer *optimizer)
 {
-	const struct optimize_measure_view view = {
-		optimizer->request->width, optimizer->request->height, 1.0};
 	float px_per_unit;
 	bool *needed;
 	int error = build(optimizer, false, &optimizer->base);
 
 	error = error ? error : allocate(optimizer);
 	if (!error) {
-		error = optimize_measure_unit(optimizer->base, view,
+		error = optimize_measure_unit(optimizer->base, &optimizer->view,
 			optimizer->log, &optimizer->clip[0].box, &px_per_unit);
 	}
 	if (!error) {

@@ -36,13 +36,21 @@ struct players {
 	struct candidate candidate[JOBS_THREADS_MAX];
 };
 
+/* What to measure: a clip, or -1, of two models. */
+struct task {
+	const struct model *wanted, *found;
+	int clip;
+	struct optimize_measure_view view;
+	struct bounds *box;
+};
+
 static size_t used_bytes(const struct model *model)
 {
 	return model->budget ? model->budget->used_bytes : 0;
 }
 
 static int begin(struct played *played, const struct model *model, int clip,
-	const struct log *log)
+	float unit_scale, const struct log *log)
 {
 	size_t before = used_bytes(model);
 	int error;
@@ -58,7 +66,8 @@ static int begin(struct played *played, const struct model *model, int clip,
 		played->model.clip_count = 1;
 		clip = 0;
 	}
-	error = reference_create(&played->model, clip, log, &played->reference);
+	error = reference_create_scaled(
+		&played->model, clip, unit_scale, log, &played->reference);
 	played->bytes = used_bytes(model) - before;
 	return error;
 }
@@ -89,13 +98,16 @@ static void remove_pair(struct players *players)
 }
 
 /* Takes both models once more. Returns 0, or -errno after logging an error. */
-static int add_pair(struct players *players, const struct model *wanted,
-	const struct model *found, int clip, const struct log *log)
+static int add_pair(
+	struct players *players, const struct task *task, const struct log *log)
 {
 	struct players_pair *pair = &players->pair[players->count++];
-	int error = begin(&pair->wanted, wanted, clip, log);
+	float scale = task->view.unit_scale;
+	int error = begin(&pair->wanted, task->wanted, task->clip, scale, log);
 
-	error = error ? error : begin(&pair->found, found, clip, log);
+	if (!error) {
+		error = begin(&pair->found, task->found, task->clip, scale, log);
+	}
 	if (error) {
 		remove_pair(players);
 	}
@@ -112,8 +124,8 @@ static bool has_room(const struct model *model, size_t bytes)
 }
 
 /* Prepares a thread for each processor, as far as the work is worth it. */
-static void add_threads(struct players *players, const struct model *wanted,
-	const struct model *found, int clip, int moments)
+static void add_threads(
+	struct players *players, const struct task *task, int moments)
 {
 	const struct log nowhere = log_to_nowhere();
 	const struct players_pair *first = &players->pair[0];
@@ -122,9 +134,9 @@ static void add_threads(struct players *players, const struct model *wanted,
 	int threads = scalar_to_int(work / thread_work, 1, jobs_processors());
 
 	while (players->count < threads &&
-		has_room(wanted, first->wanted.bytes) &&
-		has_room(found, first->found.bytes) &&
-		add_pair(players, wanted, found, clip, &nowhere) == 0) {
+		has_room(task->wanted, first->wanted.bytes) &&
+		has_room(task->found, first->found.bytes) &&
+		add_pair(players, task, &nowhere) == 0) {
 	}
 }
 
@@ -143,14 +155,6 @@ static void set_candidates(struct players *players, const int *source)
 		};
 	}
 }
-
-/* What to measure: a clip, or -1, of two models. */
-struct task {
-	const struct model *wanted, *found;
-	int clip;
-	struct optimize_measure_view view;
-	struct bounds *box;
-};
 
 static int measure(const struct task *task, struct players *players,
 	const int *source, float *peak_px)
@@ -176,7 +180,7 @@ static int measure(const struct task *task, struct players *players,
 	if (task->view.share < 1.0) {
 		time_grid_thin(&grid, task->view.share);
 	}
-	add_threads(players, task->wanted, task->found, task->clip, grid.count);
+	add_threads(players, task, grid.count);
 	set_candidates(players, source);
 	error = candidate_error_find_peak(
 		players->candidate, players->count, &screen, &grid, peak_px);
@@ -232,7 +236,7 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 	if (!players) {
 		return fail(wanted, clip, -ENOMEM, log);
 	}
-	error = add_pair(players, wanted, found, clip, log);
+	error = add_pair(players, &task, log);
 	if (!error) {
 		error = compare(&task, players, peak_px);
 		error = error ? fail(wanted, clip, error, log) : 0;
@@ -263,15 +267,33 @@ static float closest_px(const struct screen_view *screen)
 		(nearest > 1e-3f ? nearest : 1e-3f);
 }
 
+/* Of all clips: begin() leaves only one where it has no duration. */
+static int find_scale(
+	const struct model *model, const struct log *log, float *unit_scale)
+{
+	struct instance *instance;
+	int error = instance_create(model, kernel_find("float"), log, &instance);
+
+	if (!error) {
+		*unit_scale = instance->unit_scale;
+		instance_destroy(instance);
+	}
+	return error;
+}
+
 int optimize_measure_unit(const struct model *model,
-	struct optimize_measure_view size, const struct log *log,
+	struct optimize_measure_view *view, const struct log *log,
 	struct bounds *box, float *px_per_unit)
 {
 	int first = model->clip_count > 0 ? 0 : -1;
 	struct played played = {.reference = NULL};
 	struct screen_view screen;
 	struct time_grid grid;
-	int error = begin(&played, model, first, log);
+	int error = find_scale(model, log, &view->unit_scale);
+
+	if (!error) {
+		error = begin(&played, model, first, view->unit_scale, log);
+	}
 
 	*px_per_unit = 1.0f;
 	*box = bounds_empty();
@@ -281,7 +303,7 @@ int optimize_measure_unit(const struct model *model,
 			error = fail(model, first, error, log);
 		} else {
 			screen = screen_view_create(played.reference, &grid,
-				size.width, size.height);
+				view->width, view->height);
 			*px_per_unit = closest_px(&screen);
 			*box = screen.box;
 			time_grid_release(&grid);

@@ -10,6 +10,8 @@ struct optimize_measure_view {
 	int width, height; /* pixels */
 	/* The part of a clip's moments that is measured, at most 1: all. */
 	double share;
+	/* That of the models' instances; set by optimize_measure_unit(). */
+	float unit_scale;
 };
 
 /*
@@ -25,13 +27,13 @@ int optimize_measure(const struct model *wanted, const struct model *found,
 	const struct log *log, float *peak_px);
 
 /*
- * Finds how many pixels a unit of world space covers at the point of the
- * first clip that is closest to the eye; without clips, of the rest pose. It is
- * 1 without vertices. *box is what the view frames, for optimize_measure() of
- * that clip. Returns 0, or -errno after logging an error.
+ * Finds view->unit_scale, and how many pixels a unit of world space covers at
+ * the point of the first clip that is closest to the eye; without clips, of the
+ * rest pose. It is 1 without vertices. *box is what the view frames, for
+ * optimize_measure() of that clip. Returns 0, or -errno after logging an error.
  */
 int optimize_measure_unit(const struct model *model,
-	struct optimize_measure_view size, const struct log *log,
+	struct optimize_measure_view *view, const struct log *log,
 	struct bounds *box, float *px_per_unit);
 
 /*

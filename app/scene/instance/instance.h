@@ -25,6 +25,21 @@ int instance_create_for_drawing(const struct model *model,
 	const struct kernel *kernel, const struct log *log,
 	struct instance **out);
 
+struct instance_options {
+	bool drawn_vertices_only; /* as instance_create_for_drawing() does */
+	/*
+	 * The unit_scale of another instance of the model; 0 if it is not
+	 * known. All clips of a model without a size at rest are posed to find
+	 * it, so a caller that creates an instance for each clip finds it once.
+	 */
+	float unit_scale;
+};
+
+/* As instance_create(), with options. */
+int instance_create_with(const struct model *model, const struct kernel *kernel,
+	const struct instance_options *options, const struct log *log,
+	struct instance **out);
+
 /* Frees the instance; NULL is allowed. */
 void instance_destroy(struct instance *instance);
 

@@ -24,14 +24,14 @@
 
 /*
  * Returns the power of two that scales size into (0.5, 1], or 1 if size is
- * between small and large or is absurd.
+ * between 0.25 and 16 or is absurd.
  */
-static float near_one(float size, float small, float large)
+static float near_one(float size)
 {
 	float scale = 1.0f;
 
 	if (!(size > 1e-12f && size < 1e12f) ||
-		(size >= small && size <= large)) {
+		(size >= 0.25f && size <= 16.0f)) {
 		return 1.0f;
 	}
 	while (size * scale > 1.0f) {
@@ -186,8 +186,8 @@ static int init_vertices(struct instance *instance, struct drawable *drawable)
 		instance->float_count++;
 	}
 	if (drawable->skin < 0) {
-		drawable->vertex_scale = near_one(
-			largest_coordinate(drawable->primitive), 0.25f, 16.0f);
+		drawable->vertex_scale =
+			near_one(largest_coordinate(drawable->primitive));
 	}
 	error = init_base(drawable, arena);
 	if (!error && drawable->morphed) {
@@ -416,17 +416,23 @@ static int init_skeleton(struct instance *instance)
 		: -ENOMEM;
 }
 
-/* Measures the posed vertices: a file's units may be anything. */
-static void choose_unit_scale(struct instance *instance)
+/*
+ * Measures the posed vertices, as a file's units may be anything, unless the
+ * scale is known.
+ */
+static void choose_unit_scale(struct instance *instance, float known)
 {
-	instance->unit_scale = 1.0f;
-	instance->unit_scale =
-		near_one(bounds_extent_of_model(instance), 0.25f, 16.0f);
+	instance->unit_scale = known > 0.0f ? known : 1.0f;
+	if (!(known > 0.0f)) {
+		instance->unit_scale =
+			near_one(bounds_extent_of_model(instance));
+	}
 	instance_update(instance);
 }
 
-static int create(const struct model *model, const struct kernel *kernel,
-	bool drawn_vertices_only, const struct log *log, struct instance **out)
+int instance_create_with(const struct model *model, const struct kernel *kernel,
+	const struct instance_options *options, const struct log *log,
+	struct instance **out)
 {
 	struct arena arena = arena_within(model->budget);
 	struct instance *instance = ARENA_NEW(&arena, struct instance);
@@ -439,7 +445,7 @@ static int create(const struct model *model, const struct kernel *kernel,
 	instance->model = model;
 	instance->kernel = kernel;
 	instance->normal_mapping = true;
-	instance->drawn_vertices_only = drawn_vertices_only;
+	instance->drawn_vertices_only = options->drawn_vertices_only;
 	light_direction(instance->towards_light);
 	error = init_skeleton(instance);
 	if (!error) {
@@ -455,7 +461,7 @@ static int create(const struct model *model, const struct kernel *kernel,
 			model->path, instance->float_count,
 			instance->drawable_count);
 	}
-	choose_unit_scale(instance);
+	choose_unit_scale(instance, options->unit_scale);
 	*out = instance;
 	return 0;
 
@@ -468,14 +474,20 @@ fail:
 int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out)
 {
-	return create(model, kernel, false, log, out);
+	static const struct instance_options all = {
+		.drawn_vertices_only = false};
+
+	return instance_create_with(model, kernel, &all, log, out);
 }
 
 int instance_create_for_drawing(const struct model *model,
 	const struct kernel *kernel, const struct log *log,
 	struct instance **out)
 {
-	return create(model, kernel, true, log, out);
+	static const struct instance_options drawn = {
+		.drawn_vertices_only = true};
+
+	return instance_create_with(model, kernel, &drawn, log, out);
 }
 
 void instance_destroy(struct instance *instance)

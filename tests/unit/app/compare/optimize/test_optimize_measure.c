@@ -10,11 +10,13 @@
 static float px_per_unit(const struct model *model, int width, int height)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
-	const struct optimize_measure_view size = {width, height, 1.0};
+	struct optimize_measure_view size = {
+		.width = width, .height = height, .share = 1.0};
 	struct bounds box;
 	float px = -1;
 
-	assert_int_equal(optimize_measure_unit(model, size, &log, &box, &px), 0);
+	assert_int_equal(
+		optimize_measure_unit(model, &size, &log, &box, &px), 0);
 	return px;
 }
 
@@ -89,14 +91,15 @@ static void test_a_unit_is_that_of_the_first_clip(void **state)
 static void test_a_unit_comes_with_the_view_of_the_first_clip(void **state)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
-	const struct optimize_measure_view view = {48, 64, 1.0};
+	struct optimize_measure_view view = {
+		.width = 48, .height = 64, .share = 1.0};
 	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
 	struct bounds of_unit, of_clip = bounds_empty();
 	float px;
 
 	(void)state;
 	assert_int_equal(
-		optimize_measure_unit(model, view, &log, &of_unit, &px), 0);
+		optimize_measure_unit(model, &view, &log, &of_unit, &px), 0);
 	assert_int_equal(
 		optimize_measure(model, model, 0, view, &of_clip, &log, &px), 0);
 	assert_memory_equal(&of_unit, &of_clip, sizeof(of_unit));
@@ -144,7 +147,8 @@ static float apart_px(const struct model *model, const struct model *still,
 	double share, struct bounds *box)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
-	const struct optimize_measure_view view = {48, 64, share};
+	const struct optimize_measure_view view = {
+		.width = 48, .height = 64, .share = share};
 	float px;
 
 	assert_int_equal(
@@ -194,7 +198,8 @@ static int measure_rest(
 	const struct model *wanted, const struct model *found, float *px)
 {
 	const struct log log = log_to_nowhere();
-	const struct optimize_measure_view view = {480, 640, 1.0};
+	const struct optimize_measure_view view = {
+		.width = 480, .height = 640, .share = 1.0};
 	struct bounds box = bounds_empty();
 
 	return optimize_measure(wanted, found, -1, view, &box, &log, px);

@@ -44,13 +44,6 @@ struct playback {
 	struct clip_cursor *cursor;
 };
 
-/* Whether fixed_morph_run() runs its loops for this pair of targets. */
-static bool is_active(const struct fixed_deltas *deltas)
-{
-	return deltas->span_count > 0 &&
-		(deltas->weights.a != 0 || deltas->weights.b != 0);
-}
-
 /* Counts a pair's spans, cut at chunk ends as fixed_morph_run() does. */
 static int count_pieces(const struct fixed_deltas *deltas)
 {
@@ -77,24 +70,6 @@ static double count_moved(const struct fixed_deltas *deltas)
 	return moved;
 }
 
-/* The steps in which fixed_morph_run() finds a chunk's first span. */
-static int count_steps(const struct fixed_deltas *deltas, int vertex)
-{
-	int low = 0, high = deltas->span_count, steps = 0;
-
-	for (; low < high; steps++) {
-		int middle = low + (high - low) / 2;
-		const struct fixed_span *span = &deltas->span[middle];
-
-		if (span->first + span->count <= vertex) {
-			low = middle + 1;
-		} else {
-			high = middle;
-		}
-	}
-	return steps;
-}
-
 /* Counts what several pairs with weights take to find the spans of chunks. */
 static void add_searches(const struct fixed_morph *morph,
 	const struct fixed_morph_stream *stream, struct board_targets *sum)
@@ -104,10 +79,12 @@ static void add_searches(const struct fixed_morph *morph,
 		sum->visits += (double)morph->pair_count;
 		for (int p = 0; p < morph->pair_count; p++) {
 			const struct fixed_deltas *deltas = &stream->deltas[p];
+			int steps = 0;
 
-			if (is_active(deltas)) {
+			if (fixed_deltas_active(deltas)) {
 				sum->searches += 1.0;
-				sum->steps += count_steps(deltas, first);
+				(void)fixed_deltas_find(deltas, first, &steps);
+				sum->steps += (double)steps;
 			}
 		}
 	}
@@ -124,7 +101,7 @@ static void count_stream(const struct fixed_morph *morph,
 	for (int p = 0; p < morph->pair_count; p++) {
 		const struct fixed_deltas *deltas = &stream->deltas[p];
 
-		if (is_active(deltas)) {
+		if (fixed_deltas_active(deltas)) {
 			active++;
 			moved += count_moved(deltas);
 			spans += (double)deltas->span_count;

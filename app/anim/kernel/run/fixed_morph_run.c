@@ -53,12 +53,6 @@ int fixed_morph_set_weights(struct fixed_morph *morph, const float *weight)
 	return 0;
 }
 
-static bool is_active(const struct fixed_deltas *deltas)
-{
-	return deltas->span_count > 0 &&
-		(deltas->weights.a != 0 || deltas->weights.b != 0);
-}
-
 static void copy(const struct fixed_vector *from, int first, int end,
 	struct fixed_vector *to)
 {
@@ -91,30 +85,14 @@ static void run_one(const struct fixed_morph *morph,
 	copy(base, done, morph->vertex_count, out);
 }
 
-/* Returns the first of a pair's spans that ends after the given vertex. */
-static int find_span(const struct fixed_deltas *deltas, int vertex)
-{
-	int low = 0, high = deltas->span_count;
-
-	while (low < high) {
-		int middle = low + (high - low) / 2;
-		const struct fixed_span *span = &deltas->span[middle];
-
-		if (span->first + span->count <= vertex) {
-			low = middle + 1;
-		} else {
-			high = middle;
-		}
-	}
-	return low;
-}
-
 /* Adds a pair's deltas for the vertices from first to first + count - 1. */
 static void add_within(const struct fixed_loops *loops,
 	const struct fixed_deltas *deltas, int first, int count,
 	struct fixed_sum *sum)
 {
-	for (int i = find_span(deltas, first);
+	int steps = 0;
+
+	for (int i = fixed_deltas_find(deltas, first, &steps);
 		i < deltas->span_count && deltas->span[i].first < first + count;
 		i++) {
 		const struct fixed_span *span = &deltas->span[i];
@@ -142,7 +120,7 @@ static void run_many(const struct fixed_morph *morph,
 
 		loops->morph_begin(count, stream->base + first, sum);
 		for (int p = 0; p < morph->pair_count; p++) {
-			if (is_active(&stream->deltas[p])) {
+			if (fixed_deltas_active(&stream->deltas[p])) {
 				add_within(loops, &stream->deltas[p], first,
 					count, sum);
 			}
@@ -160,7 +138,7 @@ void fixed_morph_run(const struct fixed_morph *morph,
 	int active = 0;
 
 	for (int p = 0; p < morph->pair_count; p++) {
-		if (is_active(&stream->deltas[p])) {
+		if (fixed_deltas_active(&stream->deltas[p])) {
 			only = &stream->deltas[p];
 			active++;
 		}

@@ -19,6 +19,37 @@ enum {
 	FIXED_MORPH_CHUNK = 256
 };
 
+/* Returns true if the frame's weights and the pair's deltas move vertices. */
+static inline bool fixed_deltas_active(const struct fixed_deltas *deltas)
+{
+	return deltas->span_count > 0 &&
+		(deltas->weights.a != 0 || deltas->weights.b != 0);
+}
+
+/*
+ * Returns the index of the first of a pair's spans that ends after the given
+ * vertex, span_count if none does. Adds the steps of the search to *steps, so
+ * that board_cost.h can predict its time.
+ */
+static inline int fixed_deltas_find(
+	const struct fixed_deltas *deltas, int vertex, int *steps)
+{
+	int low = 0, high = deltas->span_count;
+
+	while (low < high) {
+		int middle = low + (high - low) / 2;
+		const struct fixed_span *span = &deltas->span[middle];
+
+		if (span->first + span->count <= vertex) {
+			low = middle + 1;
+		} else {
+			high = middle;
+		}
+		++*steps;
+	}
+	return low;
+}
+
 /*
  * Sets the frame's target_count weights. Weights beyond weight_limit raise this
  * limit for good, which takes about as long as a frame in float. Returns 0, or

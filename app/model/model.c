@@ -269,21 +269,24 @@ int model_clips_apart(
 	return count;
 }
 
+static void add_clip_names(struct name_choice *names, const void *context)
+{
+	const struct model *model = context;
+
+	for (int i = 0; i < model->clip_count; i++) {
+		if (model->clip[i].name[0]) {
+			name_choice_add(names, model->clip[i].name);
+		}
+	}
+}
+
 /* Fails because no clip has the name or the number that --clip gives. */
 static int fail_clip(
 	const struct model *model, const char *wanted, const struct log *log)
 {
 	struct name_choice names = {.wanted = wanted};
 
-	for (int pass = 0; pass < 2; pass++) {
-		names.others = pass;
-		for (int i = 0; i < model->clip_count; i++) {
-			if (model->clip[i].name[0]) {
-				name_choice_add(&names, model->clip[i].name);
-			}
-		}
-	}
-	name_choice_end(&names);
+	name_choice_list(&names, add_clip_names, model);
 	if (model->clip_count == 0) {
 		log_error(log, "--clip %s: %s has no clips: leave out --clip",
 			wanted, model->path);

@@ -99,9 +99,17 @@ void name_choice_add(struct name_choice *choice, const char *name)
 	}
 }
 
-void name_choice_end(struct name_choice *choice)
+void name_choice_list(struct name_choice *choice,
+	void (*add_all)(struct name_choice *choice, const void *context),
+	const void *context)
 {
-	size_t used = strlen(choice->list.text);
+	size_t used;
+
+	choice->others = false;
+	add_all(choice, context);
+	choice->others = true;
+	add_all(choice, context);
+	used = strlen(choice->list.text);
 
 	if (choice->left_out > 0) {
 		snprintf(choice->list.text + used,

@@ -19,25 +19,31 @@ struct name_list {
 bool name_list_add(struct name_list *list, const char *name);
 
 /*
- * The names that there are, for a message that one is missing: first those that
- * are like it, as the list may have no room for all. Initialize it with the
- * wanted name and add all names, then set others and add them all again.
+ * The names that there are, for a message that one is missing. Initialize it
+ * with the wanted name.
  */
 struct name_choice {
 	const char *wanted;
-	bool others;
+	bool others; /* only names that are not like the wanted one are added */
 	int left_out;
 	struct name_list list;
 };
 
 /*
- * Adds a name if it is, or as an other one if it is not, like the wanted one:
- * apart from case and punctuation, one contains the other, or they differ by a
- * letter or, of more than five letters, by two.
+ * Adds a name if the list has room for it. add_all() of name_choice_list()
+ * calls this.
  */
 void name_choice_add(struct name_choice *choice, const char *name);
 
-/* Ends the list with the number of names that were left out, if there are some. */
-void name_choice_end(struct name_choice *choice);
+/*
+ * Lists all names, first those that are like the wanted one, as the list may
+ * have no room for all: apart from case and punctuation, one contains the
+ * other, or they differ by a letter or, of more than five letters, by two.
+ * Calls add_all() twice to add all names. The number of names that were left
+ * out ends the list, if there are some.
+ */
+void name_choice_list(struct name_choice *choice,
+	void (*add_all)(struct name_choice *choice, const void *context),
+	const void *context);
 
 #endif

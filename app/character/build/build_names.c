@@ -49,18 +49,20 @@ static bool is_garbled(const char *name)
 }
 
 /*
- * Fails because nothing has the name, which is "" if the line has none; the
- * list holds the names that there are.
+ * Fails because nothing has the name, which is "" if the line has none.
+ * add_all() adds the names that there are.
  */
 static int fail_name(struct character_words *words, const char *what,
-	struct name_choice *choice)
+	const char *name,
+	void (*add_all)(struct name_choice *choice, const void *context),
+	const void *context)
 {
-	const struct name_list *list = &choice->list;
-	const char *are = strstr(list->text, ", ") ? "are" : "is only";
-	const char *name = choice->wanted;
+	struct name_choice choice = {.wanted = name};
+	const struct name_list *list = &choice.list;
+	const char *are;
 
-	name_choice_end(choice);
-
+	name_choice_list(&choice, add_all, context);
+	are = strstr(list->text, ", ") ? "are" : "is only";
 	if (is_garbled(name)) {
 		character_fail(words,
 			"there is no %s named %s: if this file is not in UTF-8, save it as UTF-8",
@@ -91,66 +93,45 @@ static void add_named(struct name_choice *choice, const char *name, int number)
 	}
 }
 
-static int fail_node(struct character_words *words, const char *name)
+static void add_nodes(struct name_choice *choice, const void *context)
 {
-	const struct model *model = words->build->model;
-	struct name_choice choice = {.wanted = name};
+	const struct model *model = context;
 
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (int i = 0; i < model->node_count; i++) {
-			if (model->node[i].name[0]) {
-				name_choice_add(&choice, model->node[i].name);
-			}
+	for (int i = 0; i < model->node_count; i++) {
+		if (model->node[i].name[0]) {
+			name_choice_add(choice, model->node[i].name);
 		}
 	}
-	return fail_name(words, "node", &choice);
 }
 
-static int fail_clip(struct character_words *words, const char *name)
+static void add_clips(struct name_choice *choice, const void *context)
 {
-	const struct model *model = words->build->model;
-	struct name_choice choice = {.wanted = name};
+	const struct model *model = context;
 
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (int i = 0; i < model->clip_count; i++) {
-			add_named(&choice, model->clip[i].name, i);
-		}
-		name_choice_add(&choice, "rest");
+	for (int i = 0; i < model->clip_count; i++) {
+		add_named(choice, model->clip[i].name, i);
 	}
-	return fail_name(words, "clip", &choice);
+	name_choice_add(choice, "rest");
 }
 
-static int fail_target(struct character_words *words,
-	const struct model_mesh *mesh, const char *name)
+static void add_targets(struct name_choice *choice, const void *context)
 {
-	struct name_choice choice = {.wanted = name};
+	const struct model_mesh *mesh = context;
 
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (int i = 0; i < mesh->target_count; i++) {
-			add_named(&choice, mesh->target_name[i], i);
-		}
+	for (int i = 0; i < mesh->target_count; i++) {
+		add_named(choice, mesh->target_name[i], i);
 	}
-	return fail_name(words, "morph target", &choice);
 }
 
-static int fail_section(
-	struct character_words *words, const char *kind, const char *name)
+/* Adds the names of the section and of those below it of the same kind. */
+static void add_sections(struct name_choice *choice, const void *context)
 {
-	const struct character_section *first =
-		character_text_find(words->build->text->first, kind);
-	struct name_choice choice = {.wanted = name};
+	const struct character_section *section = context;
+	const char *kind = section->kind;
 
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (const struct character_section *section = first; section;
-			section = character_text_find(section->next, kind)) {
-			name_choice_add(&choice, section->name);
-		}
+	for (; section; section = character_text_find(section->next, kind)) {
+		name_choice_add(choice, section->name);
 	}
-	return fail_name(words, kind, &choice);
 }
 
 int character_name_node(struct character_words *words)
@@ -160,7 +141,9 @@ int character_name_node(struct character_words *words)
 	const char *name = word ? character_own_name(build, word) : "";
 	int node = model_find_node(build->model, name);
 
-	return node >= 0 && name[0] ? node : fail_node(words, name);
+	return node >= 0 && name[0]
+		? node
+		: fail_name(words, "node", name, add_nodes, build->model);
 }
 
 int character_name_clip(struct character_words *words)
@@ -173,7 +156,9 @@ int character_name_clip(struct character_words *words)
 	if (clip >= 0) {
 		return clip;
 	}
-	return word && strcmp(word, "rest") == 0 ? -2 : fail_clip(words, name);
+	return word && strcmp(word, "rest") == 0
+		? -2
+		: fail_name(words, "clip", name, add_clips, build->model);
 }
 
 int character_name_target(struct character_words *words, int node)
@@ -195,15 +180,15 @@ int character_name_target(struct character_words *words, int node)
 	if (*name && !*end && number >= 0 && number < mesh->target_count) {
 		return (int)number;
 	}
-	return fail_target(words, mesh, name);
+	return fail_name(words, "morph target", name, add_targets, mesh);
 }
 
 int character_name_section(struct character_words *words, const char *kind)
 {
-	const struct character_section *section =
+	const struct character_section *first =
 		character_text_find(words->build->text->first, kind);
+	const struct character_section *section = first;
 	const char *name = character_next_word(words);
-	bool any = section;
 
 	for (int i = 0; section; i++) {
 		if (name && strcmp(section->name, name) == 0) {
@@ -211,7 +196,7 @@ int character_name_section(struct character_words *words, const char *kind)
 		}
 		section = character_text_find(section->next, kind);
 	}
-	if (!any) {
+	if (!first) {
 		const char *missing = name && name[0] ? name : "NAME";
 
 		character_fail(words,
@@ -219,7 +204,7 @@ int character_name_section(struct character_words *words, const char *kind)
 			missing, kind, missing);
 		return -1;
 	}
-	return fail_section(words, kind, name ? name : "");
+	return fail_name(words, kind, name ? name : "", add_sections, first);
 }
 
 int character_name_state(struct character_words *words)

@@ -137,20 +137,16 @@ static void choose_most_shared(struct overlay *overlay)
 	overlay->chosen = most < 0 ? 0 : most;
 }
 
-static void list_names(const struct overlay *overlay, struct name_choice *names)
+static void add_names(struct name_choice *names, const void *context)
 {
+	const struct overlay *overlay = context;
 	int count = item_count(overlay);
 
-	for (int pass = 0; pass < 2; pass++) {
-		names->others = pass;
-		for (int item = 0; item < count; item++) {
-			if (can_choose(overlay, item) &&
-				name_of(overlay, item)[0]) {
-				name_choice_add(names, name_of(overlay, item));
-			}
+	for (int item = 0; item < count; item++) {
+		if (can_choose(overlay, item) && name_of(overlay, item)[0]) {
+			name_choice_add(names, name_of(overlay, item));
 		}
 	}
-	name_choice_end(names);
 }
 
 static int choose_named(struct overlay *overlay, const char *name)
@@ -165,7 +161,7 @@ static int choose_named(struct overlay *overlay, const char *name)
 			return 0;
 		}
 	}
-	list_names(overlay, &names);
+	name_choice_list(&names, add_names, overlay);
 	log_error(&overlay->log,
 		"--show weights:%s: %s has no %s of that name: %s%s", name,
 		overlay->subject.instance->model->path,

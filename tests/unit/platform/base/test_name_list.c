@@ -86,19 +86,28 @@ static void test_shorter_names_follow_one_that_was_dropped(void **state)
 	assert_string_equal(list.text + ROOM - 5, ", abc");
 }
 
+struct names {
+	const char *const *name;
+	int count;
+};
+
+static void add_all(struct name_choice *choice, const void *context)
+{
+	const struct names *names = context;
+
+	for (int i = 0; i < names->count; i++) {
+		name_choice_add(choice, names->name[i]);
+	}
+}
+
 /* The list of what a message offers in place of a name. */
 static void expect_choice(const char *wanted, const char *const *names,
 	int count, const char *expected)
 {
+	const struct names all = {names, count};
 	struct name_choice choice = {.wanted = wanted};
 
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (int i = 0; i < count; i++) {
-			name_choice_add(&choice, names[i]);
-		}
-	}
-	name_choice_end(&choice);
+	name_choice_list(&choice, add_all, &all);
 	assert_string_equal(choice.list.text, expected);
 }
 
@@ -131,6 +140,7 @@ static void test_a_choice_tells_how_many_names_are_left_out(void **state)
 {
 	char name[100][16], expected[32];
 	const char *names[100];
+	const struct names all = {names, 100};
 	struct name_choice choice = {.wanted = "JOINT_99"};
 	int listed = 1;
 
@@ -140,13 +150,7 @@ static void test_a_choice_tells_how_many_names_are_left_out(void **state)
 		names[i] = name[i];
 	}
 	names[99] = "joint 99";
-	for (int pass = 0; pass < 2; pass++) {
-		choice.others = pass;
-		for (int i = 0; i < 100; i++) {
-			name_choice_add(&choice, names[i]);
-		}
-	}
-	name_choice_end(&choice);
+	name_choice_list(&choice, add_all, &all);
 	assert_int_equal(strncmp(choice.list.text, "\"joint 99\", ", 12), 0);
 	for (const char *at = choice.list.text; (at = strchr(at, ',')); at++) {
 		listed++;

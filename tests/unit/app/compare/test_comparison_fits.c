@@ -110,7 +110,7 @@ static float covered_by(const struct screen_view *screen)
 
 static void test_each_clip_fills_the_picture(void **state)
 {
-	struct model *model = model_fixture("../../assets/walker.glb", NULL);
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
 	struct comparison *comparison;
 
 	(void)state;

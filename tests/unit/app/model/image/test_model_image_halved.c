@@ -28,27 +28,49 @@ struct bytes {
 	size_t size, room;
 };
 
-/* Smooth in red, as JPEG wants it; the others jump from pixel to pixel. */
+/* Smooth, as JPEG wants it. */
+static uint8_t red_of(int x, int y)
+{
+	return (uint8_t)((x + y) * 255 / (2 * IMAGE_SIDE_MAX));
+}
+
+/* The other channels jump from pixel to pixel. */
 static void draw_pixel(int x, int y, uint8_t rgba[4])
 {
 	unsigned int noise =
 		(unsigned int)x * 2654435761u ^ (unsigned int)y * 2246822519u;
 
-	rgba[0] = (uint8_t)((x + y) * 255 / (2 * IMAGE_SIDE_MAX));
+	rgba[0] = red_of(x, y);
 	rgba[1] = (uint8_t)(noise >> 24);
 	rgba[2] = (uint8_t)(noise >> 16);
 	rgba[3] = (uint8_t)(noise >> 8);
 }
 
+static size_t row_bytes(const struct size *size)
+{
+	return (size_t)size->width * (size->gray ? 1 : 4);
+}
+
 static void draw_row(const struct size *size, int y, uint8_t *out)
 {
 	for (int x = 0; x < size->width; x++) {
-		uint8_t rgba[4];
-		size_t bytes = size->gray ? 1 : 4;
-
-		draw_pixel(x, y, rgba);
-		memcpy(out + (size_t)x * bytes, rgba, bytes);
+		if (size->gray) {
+			out[x] = red_of(x, y);
+		} else {
+			draw_pixel(x, y, out + 4 * (size_t)x);
+		}
 	}
+}
+
+static uint8_t *draw_picture(const struct size *size)
+{
+	uint8_t *out = malloc(row_bytes(size) * (size_t)size->height);
+
+	assert_non_null(out);
+	for (int y = 0; y < size->height; y++) {
+		draw_row(size, y, out + (size_t)y * row_bytes(size));
+	}
+	return out;
 }
 
 static void append(png_structp png, png_bytep data, size_t count)
@@ -69,18 +91,19 @@ static void flush(png_structp png)
 	(void)png;
 }
 
+/* Nothing is compressed, as that would take most of the test's time. */
 static struct bytes make_png(const struct size *size)
 {
 	struct bytes bytes = {NULL, 0, 0};
 	png_structp png = png_create_write_struct(
 		PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
 	png_infop info = png_create_info_struct(png);
-	uint8_t *row = malloc((size_t)size->width * 4);
+	uint8_t *picture = draw_picture(size);
 	int passes;
 
-	assert_non_null(row);
 	png_set_write_fn(png, &bytes, append, flush);
-	png_set_compression_level(png, 1);
+	png_set_compression_level(png, 0);
+	png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
 	png_set_IHDR(png, info, (png_uint_32)size->width,
 		(png_uint_32)size->height, 8,
 		size->gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB_ALPHA,
@@ -89,12 +112,12 @@ static struct bytes make_png(const struct size *size)
 	png_write_info(png, info);
 	passes = png_set_interlace_handling(png);
 	for (int i = 0; i < passes * size->height; i++) {
-		draw_row(size, i % size->height, row);
-		png_write_row(png, row);
+		png_write_row(png,
+			picture + (size_t)(i % size->height) * row_bytes(size));
 	}
 	png_write_end(png, NULL);
 	png_destroy_write_struct(&png, &info);
-	free(row);
+	free(picture);
 	return bytes;
 }
 
@@ -208,11 +231,11 @@ static void test_a_pixel_of_a_halved_png_is_the_mean_of_its_own(void **state)
 {
 	static const struct size sizes[] = {
 		{2049, 2051, 1, PNG_INTERLACE_ADAM7, false},
-		{4095, 2048, 1, PNG_INTERLACE_NONE, false},
+		{2049, 2048, 1, PNG_INTERLACE_NONE, false},
 		{4096, 4095, 1, PNG_INTERLACE_NONE, true},
 		{4096, 4096, 2, PNG_INTERLACE_NONE, true},
 		{4096, 4096, 2, PNG_INTERLACE_ADAM7, true},
-		{4096, 2047, 0, PNG_INTERLACE_NONE, true},
+		{2048, 2047, 0, PNG_INTERLACE_NONE, true},
 		{2047, 2049, 0, PNG_INTERLACE_ADAM7, true},
 	};
 
@@ -238,7 +261,7 @@ static void test_a_pixel_of_a_halved_jpeg_is_near_the_mean_of_its_own(
 		{2049, 2051, 1, 0, true},
 		{4095, 4096, 1, 0, true},
 		{4096, 4096, 2, 0, true},
-		{2047, 4096, 0, 0, true},
+		{2047, 2048, 0, 0, true},
 	};
 
 	(void)state;

@@ -119,6 +119,30 @@ struct camera_region shown_now(const struct shown *shown, const int size[2])
 	return shown_project(&base->stage.camera, size, center, half);
 }
 
+bool shown_hides(
+	const struct hud *hud, int first, const struct camera_region *figure)
+{
+	float half[2] = {0.5f * (float)hud->width, 0.5f * (float)hud->height};
+	float left = (figure->left + 1.0f) * half[0] + 2.0f;
+	float right = (figure->right + 1.0f) * half[0] - 2.0f;
+	float top = (1.0f - figure->top) * half[1] + 2.0f;
+	float bottom = (1.0f - figure->bottom) * half[1] - 2.0f;
+
+	for (int i = first; i < hud->quad_count; i++) {
+		const struct hud_vertex *a = &hud->vertex[4 * i];
+		const struct hud_vertex *b = a + 3; /* the opposite corner */
+		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
+		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
+
+		/* A group that got shorter leaves empty rectangles. */
+		if (x[0] < x[1] && y[0] < y[1] && x[0] < right && x[1] > left &&
+			y[0] < bottom && y[1] > top) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void shown_check_whole(const struct camera_region *region)
 {
 	assert_true(region->left > -1.001f && region->right < 1.001f);

@@ -6,6 +6,7 @@
 
 #include "app/demo/actor.h"
 #include "app/demo/demo.h"
+#include "app/scene/hud/hud.h"
 
 enum {
 	SHOWN_SIZES = 6
@@ -45,6 +46,13 @@ struct camera_region shown_framed(const struct shown *shown, const int size[2]);
 
 /* The extent in the picture of the box around the demo's figure. */
 struct camera_region shown_now(const struct shown *shown, const int size[2]);
+
+/*
+ * Whether a quad of the hud, from this one on, is over the figure, but for the
+ * figure's outermost parts.
+ */
+bool shown_hides(
+	const struct hud *hud, int first, const struct camera_region *figure);
 
 /* Fails the test unless the region lies within the picture. */
 void shown_check_whole(const struct camera_region *region);

@@ -30,30 +30,6 @@ static const struct {
 	{"walker.glb", 2, 1},
 };
 
-/* Whether a rectangle of pixels is over the figure, but for its outermost parts. */
-static bool hides(const struct hud *hud, const struct camera_region *figure)
-{
-	float half[2] = {0.5f * (float)hud->width, 0.5f * (float)hud->height};
-	float left = (figure->left + 1.0f) * half[0] + 2.0f;
-	float right = (figure->right + 1.0f) * half[0] - 2.0f;
-	float top = (1.0f - figure->top) * half[1] + 2.0f;
-	float bottom = (1.0f - figure->bottom) * half[1] - 2.0f;
-
-	for (int i = 0; i < hud->quad_count; i++) {
-		const struct hud_vertex *a = &hud->vertex[4 * i];
-		const struct hud_vertex *b = a + 3; /* the opposite corner */
-		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
-		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
-
-		/* A group that got shorter leaves empty rectangles. */
-		if (x[0] < x[1] && y[0] < y[1] && x[0] < right && x[1] > left &&
-			y[0] < bottom && y[1] > top) {
-			return true;
-		}
-	}
-	return false;
-}
-
 /* Draws a frame and its labels; none of them is over the figure. */
 static void check_labels_beside_figure(struct shown *shown, const int size[2])
 {
@@ -67,7 +43,7 @@ static void check_labels_beside_figure(struct shown *shown, const int size[2])
 	assert_true(hud.quad_count > 20);
 	figure = shown_framed(shown, size);
 	shown_check_whole(&figure);
-	if (hides(&hud, &figure)) {
+	if (shown_hides(&hud, 0, &figure)) {
 		fail_msg("%s %dx%d", shown->driver->name, size[0], size[1]);
 	}
 	hud_finish(&hud, &shown->gl);

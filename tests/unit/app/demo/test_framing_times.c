@@ -5,7 +5,6 @@
 #include "tests/support/gl/gl_recorder.h"
 #include "tests/support/test.h"
 
-#include <math.h>
 #include <string.h>
 
 static const int sizes[][2] = {
@@ -13,31 +12,6 @@ static const int sizes[][2] = {
 
 static const char *const names[] = {"walker", "arm", "face", "crowd", "duel",
 	"tuner", "arm.glb", "walker.glb"};
-
-/* Whether quads from this one on are over the figure, but for its outermost parts. */
-static bool hides(
-	const struct hud *hud, int first, const struct camera_region *figure)
-{
-	float half[2] = {0.5f * (float)hud->width, 0.5f * (float)hud->height};
-	float left = (figure->left + 1.0f) * half[0] + 2.0f;
-	float right = (figure->right + 1.0f) * half[0] - 2.0f;
-	float top = (1.0f - figure->top) * half[1] + 2.0f;
-	float bottom = (1.0f - figure->bottom) * half[1] - 2.0f;
-
-	for (int i = first; i < hud->quad_count; i++) {
-		const struct hud_vertex *a = &hud->vertex[4 * i];
-		const struct hud_vertex *b = a + 3; /* the opposite corner */
-		float x[2] = {fminf(a->x, b->x), fmaxf(a->x, b->x)};
-		float y[2] = {fminf(a->y, b->y), fmaxf(a->y, b->y)};
-
-		/* A group that got shorter leaves empty rectangles. */
-		if (x[0] < x[1] && y[0] < y[1] && x[0] < right && x[1] > left &&
-			y[0] < bottom && y[1] > top) {
-			return true;
-		}
-	}
-	return false;
-}
 
 /* Whether a tiny picture has no room for more than frames a second. */
 static bool is_least(const struct hud *hud, int stacked)
@@ -89,7 +63,7 @@ static void check_times(struct shown *shown, const char *name,
 	figure = shown_framed(shown, size);
 	shown_check_whole(&figure);
 	if (hud_groups_overlap(&hud) ||
-		(hides(&hud, first, &figure) && !is_least(&hud, stacked))) {
+		(shown_hides(&hud, first, &figure) && !is_least(&hud, stacked))) {
 		fail_msg("%s %dx%d", name, size[0], size[1]);
 	}
 	hud_finish(&hud, &shown->gl);

@@ -5,25 +5,13 @@
  */
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/soft.h"
+#include "tests/support/gl/gl_entries.h"
 #include "tests/support/gl/gl_expect.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #define ONE FX16_ONE
-
-enum entry {
-#define GL_FUNCTION(result, name, parameters) ENTRY_##name,
-#include "platform/gl/gl_functions.h"
-#undef GL_FUNCTION
-	ENTRIES
-};
-
-static const char *const entry_names[] = {
-#define GL_FUNCTION(result, name, parameters) #name,
-#include "platform/gl/gl_functions.h"
-#undef GL_FUNCTION
-};
 
 struct trial {
 	struct gl_canvas canvas;

@@ -8,23 +8,11 @@
 #include "platform/base/fixed.h"
 #include "platform/gl/soft/soft.h"
 #include "tests/support/gl/gl_checks.h"
+#include "tests/support/gl/gl_entries.h"
 #include "tests/support/random.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum entry {
-#define GL_FUNCTION(result, name, parameters) ENTRY_##name,
-#include "platform/gl/gl_functions.h"
-#undef GL_FUNCTION
-	ENTRIES
-};
-
-static const char *const entry_names[] = {
-#define GL_FUNCTION(result, name, parameters) #name,
-#include "platform/gl/gl_functions.h"
-#undef GL_FUNCTION
-};
 
 enum {
 	SEQUENCES = 2500,

@@ -110,21 +110,80 @@ static void print_result(const struct optimize_result *result,
 	print_growth(out, result, kept);
 }
 
-/*
- * Reads the character file beside the model, whose targets and anchors may be
- * nodes that nothing drawn follows. Without one, *out has no data.
- */
-static int read_character(
-	const char *model_path, const struct log *log, struct model_file *out)
+static size_t text_bytes(const struct character_text *text)
 {
-	char path[PATH_MAX];
+	size_t bytes = 1;
 
-	*out = (struct model_file){.data = NULL};
+	for (const struct character_section *section = text->first; section;
+		section = section->next) {
+		bytes += strlen(section->heading) + 1;
+		for (const struct character_line *line = section->first; line;
+			line = line->next) {
+			bytes += strlen(line->key) + 1;
+			for (int i = 0; i < line->word_count; i++) {
+				bytes += strlen(line->word[i].text) + 1;
+			}
+		}
+	}
+	return bytes;
+}
+
+static char *append(char *to, const char *word)
+{
+	size_t length = strlen(word);
+
+	memcpy(to, word, length);
+	to[length] = ' ';
+	return to + length + 1;
+}
+
+/* Returns all words of a character in one string, or NULL without memory. */
+static const char *join_words(
+	const struct character_text *text, struct arena *arena)
+{
+	char *words = ARENA_ARRAY(arena, char, text_bytes(text)), *to = words;
+	const struct character_section *section = words ? text->first : NULL;
+
+	for (; section; section = section->next) {
+		to = append(to, section->heading);
+		for (const struct character_line *line = section->first; line;
+			line = line->next) {
+			to = append(to, line->key);
+			for (int i = 0; i < line->word_count; i++) {
+				to = append(to, line->word[i].text);
+			}
+		}
+	}
+	if (words) {
+		*to = '\0';
+	}
+	return words;
+}
+
+/*
+ * Reads the character file beside the model and those that it includes: their
+ * targets and anchors may be nodes that nothing drawn follows. *named is NULL
+ * if there is none. The arena has the text. Returns 0, or -errno after logging
+ * an error.
+ */
+static int read_character(const char *model_path, struct arena *arena,
+	const struct log *log, const char **named)
+{
+	struct character_text text;
+	char path[PATH_MAX];
+	int error;
+
+	*named = NULL;
 	if (!character_text_path_beside(model_path, path, sizeof(path)) ||
 		access(path, F_OK) != 0) {
 		return 0;
 	}
-	return model_file_read(path, NULL, log, out);
+	error = character_text_load(&text, arena, path, log);
+	if (!error) {
+		*named = join_words(&text, arena);
+		error = *named ? 0 : memory_budget_fail(NULL, path, log);
+	}
+	return error;
 }
 
 static int run_with_model(const struct model *model,
@@ -139,8 +198,8 @@ static int run_with_model(const struct model *model,
 		.progress = show_progress,
 		.progress_context = &progress,
 	};
-	struct optimize_result result;
-	struct model_file character;
+	struct optimize_result result = {.data = NULL};
+	struct arena arena = arena_empty();
 	const char *output = options->screen.output;
 	int error = output_file_try(NULL, output, log);
 	bool kept = false;
@@ -148,14 +207,12 @@ static int run_with_model(const struct model *model,
 	if (error) {
 		return error;
 	}
-	error = read_character(model->path, log, &character);
-	if (error) {
-		return error;
+	error = read_character(model->path, &arena, log, &request.named);
+	if (!error) {
+		error = optimize_model(model, &request, log, &result);
+		progress_end(&progress);
 	}
-	request.named = (const char *)character.data;
-	error = optimize_model(model, &request, log, &result);
-	model_file_release(&character);
-	progress_end(&progress);
+	arena_release(&arena);
 	if (!error) {
 		error = keep_smaller(&result, model, log, &kept);
 	}

@@ -145,7 +145,16 @@ expect_out '^6 of 6 keys are left'
 printf '[target hook]\n' >"$scratch/idle.character"
 idle ''
 expect_out '^6 of 6 keys are left'
-rm "$scratch/idle.character"
+# An included file names nodes as well, and a broken one is refused as by play.
+printf 'include = shared.character\n' >"$scratch/idle.character"
+printf '[names]\ntarget = "hook"\n' >"$scratch/shared.character"
+idle ''
+expect_out '^6 of 6 keys are left'
+printf '[names]\ntarget = "hook\n' >"$scratch/shared.character"
+limber optimize "$scratch/idle.gltf" -o "$scratch/idle.glb"
+expect_status 1
+expect_err 'shared.character:2: .*a quotation mark is missing'
+rm "$scratch/idle.character" "$scratch/shared.character"
 
 limber optimize
 expect_refusal 2 'no model is given: use limber optimize MODEL -o FILE\.glb'

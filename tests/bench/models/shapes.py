@@ -100,3 +100,8 @@ def grid(squares, repeats):
             normals.append((0, 0, 1))
             texcoords.append(((u - 0.5) * repeats, (0.5 - v) * repeats))
     return positions, normals, texcoords, squares_of(squares, squares)
+
+
+def sized(shape, x, y, z):
+    positions, *rest = shape
+    return [(a * x, b * y, c * z) for a, b, c in positions], *rest

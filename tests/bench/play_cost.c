@@ -134,55 +134,38 @@ static int play(struct instance *instance, const struct model_clip *clip,
 	return frames;
 }
 
-int main(int argc, char **argv)
+/* Draws a picture, which chooses the levels of detail: facets are posed so. */
+static int prepare_drawing(struct instance *instance, int clip,
+	struct clip_cursor *cursor, char **size, const struct log *log,
+	struct drawing **out)
 {
-	struct log log = log_to_stderr(LOG_WARNING);
-	struct clip_cursor cursor;
-	const struct model_clip *played;
+	const struct model *model = instance->model;
+	int error = begin_drawing(instance, clip, size, log, out);
+
+	if (!error) {
+		pose(instance, clip < 0 ? NULL : &model->clip[clip], cursor,
+			0.0);
+		drawing_draw(*out, instance, drawing_extent(instance));
+	}
+	return error;
+}
+
+/* Plays and draws the clip, or the rest pose if clip is -1. */
+static int measure(struct instance *instance, int clip, int argc, char **argv,
+	const struct log *log)
+{
+	const struct model *model = instance->model;
+	const struct model_clip *played = clip < 0 ? NULL : &model->clip[clip];
 	struct drawing *drawing = NULL;
-	struct instance *instance;
-	struct model *model;
-	bool rests;
-	int clip;
+	struct clip_cursor cursor;
 
-	/* With a random seed, addresses would differ from run to run. */
-	json_object_seed(1);
-	if (argc < 4 || model_load(argv[1], &log, &model) != 0) {
-		fprintf(stderr,
-			"usage: play_cost MODEL CLIP RATE [INFLUENCES [WIDTH HEIGHT [MOMENTS]]]\n");
-		return 2;
-	}
-	if (argc > 6) {
-		if (levels_prepare(model, &log) != 0) {
-			return 1;
-		}
-	}
-	rests = strcmp(argv[2], "-") == 0;
-	clip = rests ? -1 : model_find_clip(model, argv[2]);
-	if ((clip < 0 && !rests) ||
-		instance_create_to_play(
-			model, kernel_find(NULL), &log, &instance) != 0) {
-		fprintf(stderr, "%s: no clip %s\n", argv[1], argv[2]);
+	/* The timing model would take as long for drawing that comes later as
+	   for all pictures: it waits for the first region. */
+	if (clip_cursor_init(&cursor, model, &instance->arena) != 0 ||
+		(argc > 6 &&
+			prepare_drawing(instance, clip, &cursor, argv + 5, log,
+				&drawing) != 0)) {
 		return EXIT_FAILURE;
-	}
-	instance->normal_mapping = false;
-	instance->max_influences = argc > 4 ? atoi(argv[4]) : 0;
-	if (clip_cursor_init(&cursor, model, &instance->arena) != 0) {
-		return EXIT_FAILURE;
-	}
-	/* The model would take as long for this as for all pictures: it waits
-	   for the first region. */
-	if (argc > 6 &&
-		begin_drawing(instance, clip, argv + 5, &log, &drawing) != 0) {
-		return EXIT_FAILURE;
-	}
-	played = rests ? NULL : &model->clip[clip];
-	if (drawing) {
-		float extent = drawing_extent(instance);
-
-		/* Chooses the levels of detail, of which facets are posed. */
-		pose(instance, played, &cursor, 0.0);
-		drawing_draw(drawing, instance, extent);
 	}
 	if (played) {
 		printf("frames %d\n",
@@ -192,7 +175,51 @@ int main(int argc, char **argv)
 		draw(instance, played, &cursor, drawing, argv[7]);
 	}
 	drawing_destroy(drawing);
+	return EXIT_SUCCESS;
+}
+
+/* Creates an instance to play the clip; *clip becomes -1 for the rest pose. */
+static struct instance *create(const struct model *model, const char *name,
+	const struct log *log, int *clip)
+{
+	bool rests = strcmp(name, "-") == 0;
+	struct instance *instance;
+
+	*clip = rests ? -1 : model_find_clip(model, name);
+	if ((*clip < 0 && !rests) ||
+		instance_create_to_play(
+			model, kernel_find(NULL), log, &instance) != 0) {
+		return NULL;
+	}
+	instance->normal_mapping = false;
+	return instance;
+}
+
+int main(int argc, char **argv)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct instance *instance;
+	struct model *model;
+	int clip, result;
+
+	/* With a random seed, addresses would differ from run to run. */
+	json_object_seed(1);
+	if (argc < 4 || model_load(argv[1], &log, &model) != 0) {
+		fprintf(stderr,
+			"usage: play_cost MODEL CLIP RATE [INFLUENCES [WIDTH HEIGHT [MOMENTS]]]\n");
+		return 2;
+	}
+	if (argc > 6 && levels_prepare(model, &log) != 0) {
+		return EXIT_FAILURE;
+	}
+	instance = create(model, argv[2], &log, &clip);
+	if (!instance) {
+		fprintf(stderr, "%s: no clip %s\n", argv[1], argv[2]);
+		return EXIT_FAILURE;
+	}
+	instance->max_influences = argc > 4 ? atoi(argv[4]) : 0;
+	result = measure(instance, clip, argc, argv, &log);
 	instance_destroy(instance);
 	model_destroy(model);
-	return EXIT_SUCCESS;
+	return result;
 }

@@ -99,44 +99,64 @@ static float find_peak(struct compared_clip *bench, int threads)
 	return peak_px;
 }
 
+/* A clip, a candidate that is off by a wave, and its error. */
+struct waving {
+	struct compared_clip bench;
+	struct meeting alone;
+	struct wave wave;
+	struct candidate candidate;
+	struct candidate_error error;
+};
+
+static void begin(struct waving *waving)
+{
+	struct compared_clip *bench = &waving->bench;
+
+	compared_clip_begin(bench, "assets/walker.glb", "idle");
+	waving->alone = (struct meeting){.count = 1};
+	waving->wave = (struct wave){.meeting = &waving->alone};
+	waving->candidate = (struct candidate){
+		.reference = bench->reference,
+		.vertex_count = bench->reference->vertex_count,
+		.pose = pose_wave,
+		.take = take_wave,
+		.state = &waving->wave,
+	};
+	assert_int_equal(
+		candidate_error_measure(&waving->candidate, &bench->screen,
+			&bench->grid, 1, NULL, &waving->error),
+		0);
+}
+
 static void test_the_peak_does_not_depend_on_the_threads(void **state)
 {
-	struct meeting alone = {.count = 1};
-	struct wave wave = {.meeting = &alone};
-	struct candidate candidate = {
-		.pose = pose_wave, .take = take_wave, .state = &wave};
-	struct compared_clip bench;
-	struct candidate_error wanted;
+	struct waving waving;
 
 	(void)state;
-	compared_clip_begin(&bench, "assets/walker.glb", "idle");
-	candidate.reference = bench.reference;
-	candidate.vertex_count = bench.reference->vertex_count;
-	assert_int_equal(candidate_error_measure(&candidate, &bench.screen,
-				 &bench.grid, 1, NULL, &wanted),
-		0);
-	assert_true(wanted.peak_px > 1.0f);
+	begin(&waving);
+	assert_true(waving.error.peak_px > 1.0f);
 	for (int threads = 1; threads <= THREADS; threads++) {
-		float peak_px = find_peak(&bench, threads);
+		float peak_px = find_peak(&waving.bench, threads);
 
-		assert_memory_equal(&peak_px, &wanted.peak_px, sizeof(peak_px));
+		assert_memory_equal(
+			&peak_px, &waving.error.peak_px, sizeof(peak_px));
 	}
-	compared_clip_end(&bench);
+	compared_clip_end(&waving.bench);
 }
 
 /* Finds the moments of an error beyond a bound, which must not change it. */
-static void find_excess(struct candidate *candidate,
-	const struct compared_clip *bench, float bound_px,
-	const struct candidate_error *wanted, struct candidate_excess *out)
+static void find_excess(
+	struct waving *waving, float bound_px, struct candidate_excess *out)
 {
+	const struct compared_clip *bench = &waving->bench;
 	struct candidate_error error;
 
 	*out = (struct candidate_excess){.bound_px = bound_px};
-	assert_int_equal(candidate_error_measure(candidate, &bench->screen,
-				 &bench->grid, 1, out, &error),
+	assert_int_equal(candidate_error_measure(&waving->candidate,
+				 &bench->screen, &bench->grid, 1, out, &error),
 		0);
-	assert_near(error.peak_px, wanted->peak_px, 0);
-	assert_int_equal(error.samples, wanted->samples);
+	assert_near(error.peak_px, waving->error.peak_px, 0);
+	assert_int_equal(error.samples, waving->error.samples);
 }
 
 static bool is_listed(const struct candidate_excess *excess, float time_s)
@@ -152,34 +172,24 @@ static bool is_listed(const struct candidate_excess *excess, float time_s)
 /* Of the first 512 of them; the bound itself is kept. */
 static void test_moments_beyond_the_bound_are_listed(void **state)
 {
-	struct meeting alone = {.count = 1};
-	struct wave wave = {.meeting = &alone};
-	struct candidate candidate = {
-		.pose = pose_wave, .take = take_wave, .state = &wave};
 	struct candidate_excess excess;
-	struct compared_clip bench;
-	struct candidate_error error;
+	struct waving waving;
+	const struct candidate_error *error = &waving.error;
 
 	(void)state;
-	compared_clip_begin(&bench, "assets/walker.glb", "idle");
-	candidate.reference = bench.reference;
-	candidate.vertex_count = bench.reference->vertex_count;
-	assert_int_equal(candidate_error_measure(&candidate, &bench.screen,
-				 &bench.grid, 1, NULL, &error),
-		0);
-	find_excess(&candidate, &bench, error.peak_px, &error, &excess);
+	begin(&waving);
+	find_excess(&waving, error->peak_px, &excess);
 	assert_int_equal(excess.count, 0);
-	find_excess(&candidate, &bench, nextafterf(error.peak_px, 0), &error,
-		&excess);
+	find_excess(&waving, nextafterf(error->peak_px, 0), &excess);
 	assert_in_range(excess.count, 1, 3);
-	assert_true(is_listed(&excess, error.peak_s));
-	find_excess(&candidate, &bench, 0.0f, &error, &excess);
+	assert_true(is_listed(&excess, error->peak_s));
+	find_excess(&waving, 0.0f, &excess);
 	assert_int_equal(
-		excess.count, error.samples < 512 ? error.samples : 512);
+		excess.count, error->samples < 512 ? error->samples : 512);
 	for (int i = 0; i < 5; i++) {
-		assert_true(is_listed(&excess, bench.grid.time_s[i]));
+		assert_true(is_listed(&excess, waving.bench.grid.time_s[i]));
 	}
-	compared_clip_end(&bench);
+	compared_clip_end(&waving.bench);
 }
 
 int main(void)

@@ -195,6 +195,25 @@ static void scatter(struct fixture *f, uint32_t *seed)
 	}
 }
 
+/* A chain of nodes, each turned by chance, that show a mesh each below the top. */
+static void begin_turned(struct fixture *f, uint32_t *seed)
+{
+	begin(f);
+	scatter(f, seed);
+	for (int i = 0; i < NODES; i++) {
+		turn_randomly(&f->node[i], seed);
+		f->node[i].mesh = i - 1;
+	}
+}
+
+/* Moves the model and looks for its vertices. */
+static void move_and_find(struct fixture *f, double near)
+{
+	keep_places(f);
+	assert_true(move(f));
+	expect_places(f, near);
+}
+
 static void test_a_far_root_takes_everything_along(void **state)
 {
 	uint32_t seed = 5;
@@ -203,20 +222,13 @@ static void test_a_far_root_takes_everything_along(void **state)
 	for (int n = 0; n < RANDOM_CASES(200); n++) {
 		struct fixture f;
 
-		begin(&f);
-		scatter(&f, &seed);
-		for (int i = 0; i < NODES; i++) {
-			turn_randomly(&f.node[i], &seed);
-			f.node[i].mesh = i - 1;
-		}
+		begin_turned(&f, &seed);
 		for (int axis = 0; axis < 3; axis++) {
 			f.node[0].rest.translation[axis] =
 				(float)random_within(&seed, 4) * 250000.0f;
 		}
 		f.node[0].rest.translation[n % 3] = n % 2 ? 3e6f : -3e6f;
-		keep_places(&f);
-		assert_true(move(&f));
-		expect_places(&f, 250);
+		move_and_find(&f, 250);
 		end(&f);
 	}
 }
@@ -229,12 +241,7 @@ static void test_matrices_place_vertices_too(void **state)
 	for (int n = 0; n < RANDOM_CASES(100); n++) {
 		struct fixture f;
 
-		begin(&f);
-		scatter(&f, &seed);
-		for (int i = 0; i < NODES; i++) {
-			turn_randomly(&f.node[i], &seed);
-			f.node[i].mesh = i - 1;
-		}
+		begin_turned(&f, &seed);
 		for (int i = 0; i < 12; i++) {
 			f.matrix[0][i / 3][i % 3] =
 				(float)random_within(&seed, 2);
@@ -247,9 +254,7 @@ static void test_matrices_place_vertices_too(void **state)
 		f.matrix[0][3][3] = f.matrix[2][3][3] = 1;
 		f.matrix[0][0][0] = f.matrix[0][1][1] = f.matrix[0][2][2] = 5;
 		f.matrix[2][0][0] = f.matrix[2][1][1] = f.matrix[2][2][2] = 5;
-		keep_places(&f);
-		assert_true(move(&f));
-		expect_places(&f, 4000);
+		move_and_find(&f, 4000);
 		end(&f);
 	}
 }
@@ -260,12 +265,7 @@ static void test_matrices_place_vertices_too(void **state)
  */
 static void begin_far_mesh(struct fixture *f, uint32_t *seed)
 {
-	begin(f);
-	scatter(f, seed);
-	for (int i = 0; i < NODES; i++) {
-		turn_randomly(&f->node[i], seed);
-		f->node[i].mesh = i - 1;
-	}
+	begin_turned(f, seed);
 	for (int axis = 0; axis < 3; axis++) {
 		float far = (float)random_within(seed, 4) * 250000.0f;
 
@@ -290,9 +290,7 @@ static void test_far_vertices_move_but_stay_in_place(void **state)
 		struct fixture f;
 
 		begin_far_mesh(&f, &seed);
-		keep_places(&f);
-		assert_true(move(&f));
-		expect_places(&f, 250);
+		move_and_find(&f, 250);
 		for (int v = 0; v < VERTICES; v++) {
 			assert_near(f.position[0][v][0], 0, 250);
 		}

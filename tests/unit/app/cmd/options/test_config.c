@@ -1,53 +1,12 @@
-#include "app/cmd/options/config.h"
-#include "tests/support/files.h"
-#include "tests/support/log_capture.h"
-#include "tests/support/test.h"
+/* What limber.conf says, what is refused in it, and where it is found. */
+#include "tests/unit/app/cmd/options/config_scene.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-struct scene {
-	struct test_path folder, path;
-	struct config config;
-	struct options options;
-	struct log_capture logged;
-	char found[600];
-	int error;
+enum {
+	PATH_BYTES = 600 /* for what config_find() finds */
 };
-
-static int setup(void **state)
-{
-	struct scene *scene = calloc(1, sizeof(*scene));
-
-	assert_non_null(scene);
-	scene->folder = temp_dir_make();
-	scene->path = path_join(&scene->folder, "limber.conf");
-	scene->config.arena = arena_empty();
-	*state = scene;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct scene *scene = *state;
-
-	config_release(&scene->config);
-	temp_dir_remove(&scene->folder);
-	free(scene);
-	return 0;
-}
-
-static void load(struct scene *scene, enum command_bit command, const char *text)
-{
-	struct log log = log_capture_begin(&scene->logged);
-
-	file_write(scene->path.text, text, strlen(text));
-	scene->options = options_default();
-	scene->error = config_load(&scene->config, scene->path.text, command,
-		&scene->options, &log);
-}
 
 /* It was refused with one error, which begins with the file and the line. */
 static void expect_refusal(struct scene *scene, int line, const char *why)
@@ -269,50 +228,51 @@ static void test_a_missing_file_is_named(void **state)
 }
 
 /* What config_find() returns; the path has up to 599 characters. */
-static int find(struct scene *scene, const char *given, bool search)
+static int find(struct scene *scene, const char *given, bool search,
+	char found[PATH_BYTES])
 {
 	struct log log = log_capture_begin(&scene->logged);
 
-	return config_find(
-		given, search, scene->found, sizeof(scene->found), &log);
+	return config_find(given, search, found, PATH_BYTES, &log);
 }
 
 static void test_files_are_found_in_order_of_precedence(void **state)
 {
 	struct scene *scene = *state;
 	struct test_path home = path_join(&scene->folder, "none-here");
+	char found[PATH_BYTES];
 
 	assert_int_equal(setenv("XDG_CONFIG_HOME", home.text, 1), 0);
 	assert_int_equal(setenv("LIMBER_CONFIG", "env.conf", 1), 0);
-	assert_int_equal(find(scene, "given.conf", true), 1);
-	assert_string_equal(scene->found, "given.conf");
-	assert_int_equal(find(scene, "none", true), 0);
-	assert_int_equal(find(scene, NULL, false), 1);
-	assert_string_equal(scene->found, "env.conf");
+	assert_int_equal(find(scene, "given.conf", true, found), 1);
+	assert_string_equal(found, "given.conf");
+	assert_int_equal(find(scene, "none", true, found), 0);
+	assert_int_equal(find(scene, NULL, false, found), 1);
+	assert_string_equal(found, "env.conf");
 	assert_int_equal(setenv("LIMBER_CONFIG", "none", 1), 0);
-	assert_int_equal(find(scene, NULL, true), 0);
+	assert_int_equal(find(scene, NULL, true, found), 0);
 	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
-	assert_int_equal(find(scene, NULL, false), 0);
+	assert_int_equal(find(scene, NULL, false, found), 0);
 }
 
 static void test_a_name_that_no_path_may_have_is_refused(void **state)
 {
 	struct scene *scene = *state;
-	char name[sizeof(scene->found) + 1];
+	char name[PATH_BYTES + 1], found[PATH_BYTES];
 
 	memset(name, 'n', sizeof(name));
-	name[sizeof(scene->found) - 1] = '\0';
-	assert_int_equal(find(scene, name, true), 1);
-	assert_string_equal(scene->found, name);
+	name[PATH_BYTES - 1] = '\0';
+	assert_int_equal(find(scene, name, true, found), 1);
+	assert_string_equal(found, name);
 	assert_int_equal(scene->logged.count, 0);
 
-	name[sizeof(scene->found) - 1] = 'n';
-	name[sizeof(scene->found)] = '\0';
-	assert_int_equal(find(scene, name, true), -ENAMETOOLONG);
+	name[PATH_BYTES - 1] = 'n';
+	name[PATH_BYTES] = '\0';
+	assert_int_equal(find(scene, name, true, found), -ENAMETOOLONG);
 	assert_int_equal(scene->logged.count, 1);
 	assert_contains(scene->logged.sentence[0], "more than 599 characters");
 	assert_int_equal(setenv("LIMBER_CONFIG", name, 1), 0);
-	assert_int_equal(find(scene, NULL, true), -ENAMETOOLONG);
+	assert_int_equal(find(scene, NULL, true, found), -ENAMETOOLONG);
 	assert_contains(scene->logged.sentence[0], "LIMBER_CONFIG");
 	assert_int_equal(unsetenv("LIMBER_CONFIG"), 0);
 }

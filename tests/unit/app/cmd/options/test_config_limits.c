@@ -1,59 +1,10 @@
 /* The limits of limber.conf, where it is looked for, and its buttons. */
-#include "app/cmd/options/config.h"
 #include "app/cmd/options/config_buttons.h"
-#include "tests/support/files.h"
-#include "tests/support/log_capture.h"
-#include "tests/support/test.h"
+#include "tests/unit/app/cmd/options/config_scene.h"
 
 #include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
-
-struct scene {
-	struct test_path folder, path;
-	struct config config;
-	struct options options;
-	struct log_capture logged;
-};
-
-static int setup(void **state)
-{
-	struct scene *scene = calloc(1, sizeof(*scene));
-
-	assert_non_null(scene);
-	scene->folder = temp_dir_make();
-	scene->path = path_join(&scene->folder, "limber.conf");
-	scene->config.arena = arena_empty();
-	*state = scene;
-	return 0;
-}
-
-static int teardown(void **state)
-{
-	struct scene *scene = *state;
-
-	config_release(&scene->config);
-	temp_dir_remove(&scene->folder);
-	free(scene);
-	return 0;
-}
-
-static int load(struct scene *scene, const char *text, size_t size)
-{
-	struct log log = log_capture_begin(&scene->logged);
-
-	file_write(scene->path.text, text, size);
-	scene->options = options_default();
-	return config_load(&scene->config, scene->path.text, FOR_PLAY,
-		&scene->options, &log);
-}
-
-static int load_text(struct scene *scene, const char *text)
-{
-	return load(scene, text, strlen(text));
-}
 
 static void test_a_file_may_have_a_hundred_thousand_lines(void **state)
 {
@@ -65,8 +16,8 @@ static void test_a_file_may_have_a_hundred_thousand_lines(void **state)
 
 	assert_non_null(text);
 	memset(text, '\n', LINES + 1);
-	assert_int_equal(load(scene, text, LINES), 0);
-	assert_int_equal(load(scene, text, LINES + 1), -EINVAL);
+	assert_int_equal(load_bytes(scene, FOR_PLAY, text, LINES), 0);
+	assert_int_equal(load_bytes(scene, FOR_PLAY, text, LINES + 1), -EINVAL);
 	assert_int_equal(scene->logged.count, 1);
 	assert_contains(scene->logged.sentence[0], "more than 100000 lines");
 	free(text);
@@ -77,7 +28,8 @@ static void test_zero_bytes_are_no_text(void **state)
 	static const char text[] = "[start]\n\0\0\ndemo = arm\n";
 	struct scene *scene = *state;
 
-	assert_int_equal(load(scene, text, sizeof(text) - 1), -EINVAL);
+	assert_int_equal(
+		load_bytes(scene, FOR_PLAY, text, sizeof(text) - 1), -EINVAL);
 	assert_contains(scene->logged.sentence[0], ":2: ");
 	assert_contains(scene->logged.sentence[0], "is no text");
 }
@@ -86,7 +38,7 @@ static void test_lines_may_be_indented_and_commented(void **state)
 {
 	struct scene *scene = *state;
 
-	assert_int_equal(load_text(scene,
+	assert_int_equal(load(scene, FOR_PLAY,
 				 "; a comment\n"
 				 "# another\n"
 				 "\t [start]\r\n"
@@ -105,13 +57,14 @@ static void test_labels_are_yes_or_no(void **state)
 {
 	struct scene *scene = *state;
 
-	assert_int_equal(load_text(scene, "[display]\nlabels = yes\n"), 0);
+	assert_int_equal(load(scene, FOR_PLAY, "[display]\nlabels = yes\n"), 0);
 	assert_false(scene->options.show.no_labels);
 	assert_int_equal(
-		load_text(scene, "[display]\nlabels = no\nlabels = yes\n"), 0);
+		load(scene, FOR_PLAY, "[display]\nlabels = no\nlabels = yes\n"),
+		0);
 	assert_false(scene->options.show.no_labels);
 	assert_int_equal(
-		load_text(scene, "[display]\nlabels = maybe\n"), -EINVAL);
+		load(scene, FOR_PLAY, "[display]\nlabels = maybe\n"), -EINVAL);
 	assert_contains(scene->logged.sentence[0], "give yes or no");
 }
 
@@ -120,12 +73,12 @@ static void test_an_action_may_be_taken_from_a_button(void **state)
 	struct scene *scene = *state;
 
 	assert_int_equal(
-		load_text(scene, "[actions]\nF9 = none\nUP = DOWN\n"), 0);
+		load(scene, FOR_PLAY, "[actions]\nF9 = none\nUP = DOWN\n"), 0);
 	assert_int_equal(scene->options.input.action[BUTTON_F9], BUTTON_COUNT);
 	assert_int_equal(scene->options.input.action[BUTTON_UP], BUTTON_DOWN);
 	assert_int_equal(scene->options.input.action[BUTTON_DOWN], BUTTON_DOWN);
-	assert_int_equal(load_text(scene, "[actions]\nF9 = no\n"), -EINVAL);
-	assert_int_equal(load_text(scene, "[actions]\nF7 = UP\n"), -EINVAL);
+	assert_int_equal(load(scene, FOR_PLAY, "[actions]\nF9 = no\n"), -EINVAL);
+	assert_int_equal(load(scene, FOR_PLAY, "[actions]\nF7 = UP\n"), -EINVAL);
 	assert_contains(scene->logged.sentence[0], "no such button");
 }
 
@@ -136,7 +89,7 @@ static const char *spec_of(struct scene *scene, const char *lines)
 	int error;
 
 	snprintf(text, sizeof(text), "[buttons]\n%s", lines);
-	error = load_text(scene, text);
+	error = load(scene, FOR_PLAY, text);
 	return error ? NULL : scene->options.input.buttons;
 }
 

@@ -55,32 +55,44 @@ static int prepare_parts(struct actor *actor, const struct demo_env *env)
 		&actor->textures, actor->model, env->gl, env->target, env->log);
 }
 
-int actor_load(struct actor *actor, const struct demo_env *env)
+static int load_model(
+	const struct demo_env *env, size_t memory_bytes, struct model **out)
 {
-	size_t memory_bytes =
-		env->memory_bytes ? env->memory_bytes : MODEL_MEMORY_BYTES;
-	struct bounds bounds;
-	int error;
+	int error =
+		model_load_within(env->model_path, memory_bytes, env->log, out);
 
-	*actor = (struct actor){0};
-	error = model_load_within(
-		env->model_path, memory_bytes, env->log, &actor->model);
 	if (error) {
 		return error;
 	}
-	if (!model_has_triangles(actor->model)) {
+	if (!model_has_triangles(*out)) {
 		log_warning(env->log,
 			"%s: it has no triangles, so the stage stays empty: export the model with its meshes",
 			env->model_path);
 	}
-	error = levels_prepare(actor->model, env->log);
+	error = levels_prepare(*out, env->log);
 	if (!error && env->kernel->fixed) {
-		error = model_keys_round(actor->model, env->log);
+		error = model_keys_round(*out, env->log);
 	}
-	if (!error) {
-		error = instance_create_to_play(
-			actor->model, env->kernel, env->log, &actor->instance);
+	if (error) {
+		model_destroy(*out);
 	}
+	return error;
+}
+
+int actor_load(struct actor *actor, const struct demo_env *env)
+{
+	struct bounds bounds;
+	int error;
+
+	*actor = (struct actor){0};
+	error = load_model(env,
+		env->memory_bytes ? env->memory_bytes : MODEL_MEMORY_BYTES,
+		&actor->model);
+	if (error) {
+		goto fail;
+	}
+	error = instance_create_to_play(
+		actor->model, env->kernel, env->log, &actor->instance);
 	if (error) {
 		goto fail_model;
 	}
@@ -102,6 +114,7 @@ fail_instance:
 	instance_destroy(actor->instance);
 fail_model:
 	model_destroy(actor->model);
+fail:
 	*actor = (struct actor){0};
 	return error;
 }

@@ -189,32 +189,29 @@ static int check_hold(struct character_words *words,
 	return check_f9(words, binding);
 }
 
-/* BUTTON = ACTION, ACTION ... ["what it does"] */
-static int read_binding(
-	struct character_words *words, struct character_binding *binding)
+/* Reads actions with commas between. */
+static int read_actions(struct character_words *words,
+	struct character_action **action, bool *all_held)
 {
-	struct character_action *action = NULL, *after = NULL;
-	const char *gesture;
-	bool all_held = true;
-	int error = read_buttons(words, binding, &gesture);
-	int action_words;
+	int error;
 
-	if (!error) {
-		error = read_gesture(words, binding, gesture);
-	}
-	if (error) {
-		return error;
-	}
+	*action = NULL;
+	*all_held = true;
 	do {
 		bool is_held = false;
 
-		error = character_read_action(words, &action, &is_held);
-		all_held = all_held && is_held;
+		error = character_read_action(words, action, &is_held);
+		*all_held = *all_held && is_held;
 	} while (!error && character_take(words, ","));
-	if (error) {
-		return error;
-	}
-	action_words = words->next;
+	return error;
+}
+
+/* Takes the label from the end of the line, or makes one of the actions. */
+static int read_label(
+	struct character_words *words, struct character_binding *binding)
+{
+	int action_words = words->next, error;
+
 	if (!character_at_end(words) && words->line->word[words->next].quoted) {
 		binding->label = character_next_word(words);
 	} else {
@@ -224,15 +221,35 @@ static int read_binding(
 		return character_fail_memory(words->build);
 	}
 	error = find_shown(words, binding, action_words);
-	if (error) {
-		return error;
-	}
-	if (!character_at_end(words)) {
-		return character_fail(words,
+	if (!error && !character_at_end(words)) {
+		error = character_fail(words,
 			"%s is too much: give actions with commas between and what they do in quotes",
 			words->line->word[words->next].text);
 	}
-	error = check_hold(words, binding, action, all_held);
+	return error;
+}
+
+/* BUTTON = ACTION, ACTION ... ["what it does"] */
+static int read_binding(
+	struct character_words *words, struct character_binding *binding)
+{
+	struct character_action *action, *after = NULL;
+	const char *gesture;
+	bool all_held;
+	int error = read_buttons(words, binding, &gesture);
+
+	if (!error) {
+		error = read_gesture(words, binding, gesture);
+	}
+	if (!error) {
+		error = read_actions(words, &action, &all_held);
+	}
+	if (!error) {
+		error = read_label(words, binding);
+	}
+	if (!error) {
+		error = check_hold(words, binding, action, all_held);
+	}
 	if (error) {
 		return error;
 	}

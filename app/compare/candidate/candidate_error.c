@@ -31,6 +31,7 @@ struct comparer {
 	struct candidate_error error;
 	struct candidate_excess *excess;
 	float chord; /* the largest squared distance of two unit normals */
+	float near_square; /* screen_view_near_square() of the farthest vertex */
 	double sum_px;
 	double sum_count;
 };
@@ -118,48 +119,60 @@ static void note_excess(
 	}
 }
 
+/* Whether a vertex is no farther off than the farthest one so far. */
+static bool is_near(
+	const struct comparer *comparer, int source, int vertex, float px)
+{
+	return screen_view_within(comparer->screen,
+		comparer->reference->position[source],
+		comparer->position[vertex], px, comparer->near_square);
+}
+
+/* Compares a vertex of the candidate; sample has the farthest one so far. */
+static void compare_vertex(struct comparer *comparer, int vertex, bool normals,
+	struct sample *sample)
+{
+	const struct candidate *candidate = comparer->candidate;
+	const struct reference *reference = comparer->reference;
+	int source = candidate->source ? candidate->source[vertex] : vertex;
+	const float *at = reference->position[source];
+	float wanted[2], moved[2], px;
+
+	if (!normals && is_near(comparer, source, vertex, sample->px)) {
+		return;
+	}
+	screen_view_project(comparer->screen, at, wanted);
+	screen_view_project(comparer->screen, comparer->position[vertex], moved);
+	moved[0] -= wanted[0];
+	moved[1] -= wanted[1];
+	px = scalar_sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
+	if (px > sample->px) {
+		sample->px = px;
+		comparer->near_square =
+			screen_view_near_square(comparer->screen, px);
+	}
+	if (normals) {
+		comparer->sum_px += (double)px;
+		compare_normals(comparer, at, reference->normal[source],
+			comparer->normal[vertex], moved);
+	}
+}
+
 /* Poses candidate and reference at time_s and compares all vertices. */
 static struct sample compare_at(
 	struct comparer *comparer, float time_s, bool normals)
 {
 	struct candidate *candidate = comparer->candidate;
-	const struct reference *reference = comparer->reference;
 	struct sample sample = {time_s, 0.0f};
-	float near_square = screen_view_near_square(comparer->screen, 0.0f);
 
 	candidate->positions_only = !normals;
 	candidate_pose(candidate, time_s);
 	candidate->take(candidate, comparer->position,
 		normals ? comparer->normal : NULL);
 	reference_pose(comparer->reference, time_s, normals);
+	comparer->near_square = screen_view_near_square(comparer->screen, 0.0f);
 	for (int v = 0; v < candidate->vertex_count; v++) {
-		int source = candidate->source ? candidate->source[v] : v;
-		float wanted[2], moved[2], px;
-
-		if (!normals &&
-			screen_view_within(comparer->screen,
-				reference->position[source],
-				comparer->position[v], sample.px, near_square)) {
-			continue; /* not the farthest vertex */
-		}
-		screen_view_project(
-			comparer->screen, reference->position[source], wanted);
-		screen_view_project(
-			comparer->screen, comparer->position[v], moved);
-		moved[0] -= wanted[0];
-		moved[1] -= wanted[1];
-		px = scalar_sqrt(moved[0] * moved[0] + moved[1] * moved[1]);
-		if (px > sample.px) {
-			sample.px = px;
-			near_square =
-				screen_view_near_square(comparer->screen, px);
-		}
-		if (normals) {
-			comparer->sum_px += (double)px;
-			compare_normals(comparer, reference->position[source],
-				reference->normal[source], comparer->normal[v],
-				moved);
-		}
+		compare_vertex(comparer, v, normals, &sample);
 	}
 	comparer->error.samples++;
 	note_excess(comparer->excess, &sample);

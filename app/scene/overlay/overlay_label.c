@@ -217,11 +217,47 @@ static bool has_rows(const struct overlay *overlay)
 		~(1U << OVERLAY_SKELETON | 1U << OVERLAY_WIREFRAME);
 }
 
+/* Shows what the overlays that have rows say, as far as the group has room. */
+static void show_rows(struct overlay *overlay,
+	const struct overlay_motion *motion, struct hud_group *group)
+{
+	int em = hud_em(group->hud);
+	char number[HUD_NAME_BYTES];
+
+	if (overlay_shows(overlay, OVERLAY_WEIGHTS) &&
+		hud_group_fits(group, 1, em / 2)) {
+		hud_group_text(group,
+			overlay->chooses_target ? "target" : "joint",
+			overlay_chosen_name(overlay, number));
+		show_ramp(group);
+	}
+	if (overlay_shows(overlay, OVERLAY_KEYS) &&
+		hud_group_fits(group,
+			overlay->chooses_target && !motion->morphing ? 1 : 2,
+			0)) {
+		show_keys(overlay, motion, group);
+	}
+	if (overlay_shows(overlay, OVERLAY_PIVOTS) &&
+		hud_group_fits(group, 3, 0)) {
+		hud_group_mark(group, "x", "", hud_color_rose);
+		hud_group_mark(group, "y", "", hud_color_green);
+		hud_group_mark(group, "z", "", hud_color_blue);
+	}
+	if (overlay_shows(overlay, OVERLAY_CURVE) &&
+		hud_group_fits(group, motion->morphing ? 0 : 1,
+			OVERLAY_CURVE_EMS * em)) {
+		show_curve(overlay, motion, group);
+	}
+	if (overlay_shows(overlay, OVERLAY_LAYERS)) {
+		show_layers(motion, group);
+	}
+}
+
 bool overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	const struct hud_place *place, struct hud *hud)
 {
 	struct hud_group group;
-	char title[64], number[HUD_NAME_BYTES];
+	char title[64];
 	int top;
 
 	if (!overlay->kinds) {
@@ -238,33 +274,7 @@ bool overlay_label(struct overlay *overlay, const struct overlay_motion *motion,
 	if (!has_rows(overlay)) {
 		hud_group_text(&group, title, "");
 	}
-	if (overlay_shows(overlay, OVERLAY_WEIGHTS) &&
-		hud_group_fits(&group, 1, hud_em(hud) / 2)) {
-		hud_group_text(&group,
-			overlay->chooses_target ? "target" : "joint",
-			overlay_chosen_name(overlay, number));
-		show_ramp(&group);
-	}
-	if (overlay_shows(overlay, OVERLAY_KEYS) &&
-		hud_group_fits(&group,
-			overlay->chooses_target && !motion->morphing ? 1 : 2,
-			0)) {
-		show_keys(overlay, motion, &group);
-	}
-	if (overlay_shows(overlay, OVERLAY_PIVOTS) &&
-		hud_group_fits(&group, 3, 0)) {
-		hud_group_mark(&group, "x", "", hud_color_rose);
-		hud_group_mark(&group, "y", "", hud_color_green);
-		hud_group_mark(&group, "z", "", hud_color_blue);
-	}
-	if (overlay_shows(overlay, OVERLAY_CURVE) &&
-		hud_group_fits(&group, motion->morphing ? 0 : 1,
-			OVERLAY_CURVE_EMS * hud_em(hud))) {
-		show_curve(overlay, motion, &group);
-	}
-	if (overlay_shows(overlay, OVERLAY_LAYERS)) {
-		show_layers(motion, &group);
-	}
+	show_rows(overlay, motion, &group);
 	hud_group_end(&group);
 	return group.y > top;
 }

@@ -92,45 +92,44 @@ static int regions_of_times(
 	return count;
 }
 
-/*
- * Finds the regions that labels leave free: beside them and below them. Returns
- * their number. If labels leave too little of a small picture, the only region
- * is the whole picture above the lines of text.
- */
-static int free_regions(const struct framing *framing, int width, int height,
-	struct camera_region out[2])
+/* The extent of the labels, as many as the picture has room for. */
+static struct hud_group_extent extent_of_labels(
+	const struct framing *framing, int width, int height)
 {
 	int most = hud_group_rows_max(width, height);
 	int rows = framing->label_rows < most ? framing->label_rows : most;
 	int bars = framing->label_bars < rows ? framing->label_bars : rows;
-	struct hud_group_extent labels =
-		hud_group_extent_of(width, height, rows, bars);
-	float bottom = 2.0f * (float)(framing->lines_below * labels.line) /
+
+	return hud_group_extent_of(width, height, rows, bars);
+}
+
+/* Where the lines of text end; at the edge if they leave too little. */
+static float above_lines(const struct framing *framing,
+	const struct hud_group_extent *labels, int height)
+{
+	float edge = 2.0f * (float)(framing->lines_below * labels->line) /
 			(float)height -
 		1.0f;
-	float left = 2.0f * (float)labels.column / (float)width - 1.0f;
-	float top = 1.0f - 2.0f * (float)labels.top / (float)height;
-	int count = 0;
 
-	if (bottom > 1.0f - least_side) {
-		bottom = -1.0f; /* the lines of text leave too little */
-	}
-	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
-	if (framing->label_rows == 0 || most == 0) {
-		count = framing->frame_times
-			? regions_of_times(width, height, bottom, out)
-			: 0;
-		return count > 0 ? count : 1;
-	}
-	if (framing->below.keys > 0) {
-		count = regions_of_keys(framing->below.keys, width, height, out);
-		return count > 0 ? count : 1;
-	}
+	return edge > 1.0f - least_side ? -1.0f : edge;
+}
+
+/*
+ * Finds the regions beside labels and below them, above the bottom. Returns
+ * their number.
+ */
+static int regions_of_labels(const struct framing *framing,
+	const struct hud_group_extent *labels, const int size[2], float bottom,
+	struct camera_region out[2])
+{
+	int width = size[0], height = size[1], count = 0;
+	float left = 2.0f * (float)labels->column / (float)width - 1.0f;
+	float top = 1.0f - 2.0f * (float)labels->top / (float)height;
+	int rate = labels->top + hud_graph_room(width, height, HUD_GRAPH_RATE);
+
 	if (left < 1.0f - least_side) {
 		out[count] = (struct camera_region){left, 1.0f, bottom, 1.0f};
-		if (framing->frame_times &&
-			labels.top + hud_graph_room(width, height, HUD_GRAPH_RATE) >
-				height) {
+		if (framing->frame_times && rate > height) {
 			/* Labels may fill the column, but seldom do. */
 			(void)above_times(width, height, HUD_GRAPH_RATE, 1.0f,
 				&out[count].bottom);
@@ -145,6 +144,33 @@ static int free_regions(const struct framing *framing, int width, int height,
 	}
 	if (top > bottom + (framing->frame_times ? rate_side : least_side)) {
 		out[count++] = (struct camera_region){-1.0f, 1.0f, bottom, top};
+	}
+	return count;
+}
+
+/*
+ * Finds the regions that labels leave free. Returns their number. If labels
+ * leave too little of a small picture, the only region is the whole picture
+ * above the lines of text.
+ */
+static int free_regions(const struct framing *framing, int width, int height,
+	struct camera_region out[2])
+{
+	struct hud_group_extent labels =
+		extent_of_labels(framing, width, height);
+	float bottom = above_lines(framing, &labels, height);
+	int count;
+
+	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
+	if (framing->label_rows == 0 || hud_group_rows_max(width, height) == 0) {
+		count = framing->frame_times
+			? regions_of_times(width, height, bottom, out)
+			: 0;
+	} else if (framing->below.keys > 0) {
+		count = regions_of_keys(framing->below.keys, width, height, out);
+	} else {
+		count = regions_of_labels(framing, &labels,
+			(const int[]){width, height}, bottom, out);
 	}
 	return count > 0 ? count : 1;
 }

@@ -315,12 +315,7 @@ static const struct mode {
 	  "add rate -0.25 \"play slower\""},
   mode_shapes = {"shapes", "morph shape previous \"show the previous shape\"",
 	  "morph shape next \"show the next shape\""},
-  mode_camera = {"camera", "camera tilt 80 \"tilt the camera up\"",
-	  "camera tilt -80 \"tilt the camera down\""};
-
-static const char camera_turns[] =
-	"LEFT = camera turn -80 \"turn the camera left\"\n"
-	"RIGHT = camera turn 80 \"turn the camera right\"\n";
+  mode_camera = {"camera", SKETCH_CAMERA_UP, SKETCH_CAMERA_DOWN};
 
 static void write_mode(const struct mode *mode, FILE *out)
 {
@@ -356,11 +351,10 @@ static void write_part_modes(
 	for (int i = 0; i < parts->count; i++) {
 		sketch_write_part_buttons(model, parts, i, out);
 	}
-	fprintf(out,
-		"[buttons camera]\nwhen = arrows is camera\nlabel = no\n"
-		"UP = %s\nDOWN = %s\n%s\n"
-		"[buttons]\nF9 = add arrows 1 \"choose what the arrows move\"\n",
-		mode_camera.up, mode_camera.down, camera_turns);
+	fputs("[buttons camera]\nwhen = arrows is camera\nlabel = no\n" SKETCH_CAMERA_TILTS
+			SKETCH_CAMERA_TURNS
+	      "\n[buttons]\nF9 = add arrows 1 \"choose what the arrows move\"\n",
+		out);
 }
 
 static void write_buttons(const struct model *model,
@@ -379,8 +373,7 @@ static void write_buttons(const struct model *model,
 	} else if (parts->moved) {
 		write_part_modes(model, parts, out);
 	} else {
-		fprintf(out, "[buttons]\nUP = %s\nDOWN = %s\n", mode_camera.up,
-			mode_camera.down);
+		fputs("[buttons]\n" SKETCH_CAMERA_TILTS, out);
 	}
 	if (has_shapes && !has_clips) {
 		fprintf(out,
@@ -388,7 +381,7 @@ static void write_buttons(const struct model *model,
 			"F9 = morph shape neutral \"show the neutral shape\"\n",
 			mode_shapes.up, mode_shapes.down);
 	} else if (!parts->moved) {
-		fputs(camera_turns, out);
+		fputs(SKETCH_CAMERA_TURNS, out);
 	}
 	fputs("ENTER = pause \"pause or continue\"\n", out);
 	if (some_once) {

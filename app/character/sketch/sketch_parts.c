@@ -4,6 +4,7 @@
 #include "app/character/sketch/sketch_names.h"
 #include "app/scene/hud/hud_name.h"
 #include "platform/base/arena.h"
+#include "platform/base/compiler.h"
 
 #include <errno.h>
 #include <string.h>
@@ -19,7 +20,8 @@ struct search {
 	const bool *is_joint, *is_named;
 	int *meshes; /* rigid meshes of the node and of all below it */
 	int *shown;  /* children that are rigid meshes */
-	int count;   /* of rigid meshes */
+	struct sketch_turn *turn;
+	int count; /* of rigid meshes */
 };
 
 static int init(
@@ -27,7 +29,10 @@ static int init(
 {
 	search->meshes = ARENA_ARRAY(arena, int, (size_t)model->node_count);
 	search->shown = ARENA_ARRAY(arena, int, (size_t)model->node_count);
-	if (!search->meshes || !search->shown) {
+	search->turn = ARENA_ARRAY(
+		arena, struct sketch_turn, (size_t)model->node_count);
+	if (!search->meshes || !search->shown || !search->turn ||
+		sketch_find_turns(model, search->turn) != 0) {
 		return -ENOMEM;
 	}
 	for (int i = model->node_count - 1; i >= 0; i--) {
@@ -82,12 +87,31 @@ static bool is_part(const struct search *search, int node)
 			can_be_named(search, node) && !is_form(search, node));
 }
 
+enum {
+	RANK_NEEDLE,
+	RANK_DISC,
+	RANK_OTHER
+};
+
+/* What users want to move first comes first. */
+static int rank_of(const struct search *search, int node)
+{
+	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
+	enum sketch_turn_form form = search->turn[node].form;
+
+	if (search->meshes[node] > own || form == SKETCH_TURN_FREE) {
+		return RANK_OTHER;
+	}
+	return form == SKETCH_TURN_NEEDLE ? RANK_NEEDLE : RANK_DISC;
+}
+
 /* A part is called as its node is. */
-static void find(const struct search *search, struct sketch_parts *out)
+static void find(const struct search *search, int rank, struct sketch_parts *out)
 {
 	for (int i = 0;
 		i < search->model->node_count && out->count < SKETCH_PARTS; i++) {
-		if (is_part(search, i)) {
+		if (is_part(search, i) && rank_of(search, i) == rank) {
+			out->turn[out->count] = search->turn[i];
 			out->node[out->count++] = i;
 		}
 	}
@@ -127,20 +151,28 @@ static bool hangs(const struct search *search, int node)
 	return above >= 0;
 }
 
+/* Whether users expect to move the part, rather than the camera around it. */
+static bool is_to_move(const struct search *search, int node, int count)
+{
+	return hangs(search, node) ||
+		(count > 1 && rank_of(search, node) != RANK_OTHER);
+}
+
 int sketch_find_parts(const struct model *model, const bool *is_joint,
 	const bool *is_named, bool still, struct sketch_parts *out)
 {
 	struct arena arena = arena_empty();
-	struct search search = {model, is_joint, is_named, NULL, NULL, 0};
+	struct search search = {
+		.model = model, .is_joint = is_joint, .is_named = is_named};
 	int error = init(&search, model, &arena);
 
 	*out = (struct sketch_parts){.count = 0};
-	if (!error) {
-		find(&search, out);
+	for (int rank = RANK_NEEDLE; rank <= RANK_OTHER && !error; rank++) {
+		find(&search, rank, out);
 	}
-	for (int i = 0; i < out->count; i++) {
-		out->moved =
-			out->moved || (still && hangs(&search, out->node[i]));
+	for (int i = 0; i < out->count && still; i++) {
+		out->moved = out->moved ||
+			is_to_move(&search, out->node[i], out->count);
 	}
 	if (!error && still && !out->moved) {
 		error = find_joints(&search, &arena, out);
@@ -148,6 +180,9 @@ int sketch_find_parts(const struct model *model, const bool *is_joint,
 	arena_release(&arena);
 	return error;
 }
+
+/* What turns a part about x, y and z. */
+static const char *const freedom[] = {"pitch", "heading", "bank"};
 
 void sketch_write_parts(
 	const struct model *model, const struct sketch_parts *parts, FILE *out)
@@ -162,36 +197,81 @@ void sketch_write_parts(
 	for (int i = 0; i < parts->count; i++) {
 		fprintf(out, "%s[part ", mark);
 		sketch_write_name(out, model->node[parts->node[i]].name);
-		fprintf(out,
-			"]\n%sheading = 0 -90 90 45\n%spitch = 0 -45 45 45\n\n",
-			mark, mark);
+		fputs("]\n", out);
+		if (parts->turn[i].form == SKETCH_TURN_FREE) {
+			fprintf(out,
+				"%sheading = 0 -90 90 45\n%spitch = 0 -45 45 45\n\n",
+				mark, mark);
+		} else {
+			fprintf(out,
+				"%s%s = 0 ; in its plane, without limits\n\n",
+				mark, freedom[parts->turn[i].axis]);
+		}
 	}
+}
+
+/* What a button does with a part: how it turns about which axis. */
+struct move {
+	const char *button;
+	int axis;
+	const char *how;
+	int factor;
+};
+
+static void write_move(const struct model *model,
+	const struct sketch_parts *parts, int part, const struct move *move,
+	FILE *out)
+{
+	const char *name = model->node[parts->node[part]].name;
+	const struct sketch_turn *turn = &parts->turn[part];
+	bool is_free = turn->form == SKETCH_TURN_FREE;
+	char number[HUD_NAME_BYTES];
+
+	if (!is_free && move->axis != turn->seen) {
+		return;
+	}
+	fprintf(out, "%s = move ", move->button);
+	sketch_write_name(out, name);
+	/* The labels are for the screen. */
+	fprintf(out, " %s %d \"turn %s %s\"\n",
+		freedom[is_free ? move->axis : turn->axis],
+		is_free ? move->factor : move->factor * turn->sign,
+		hud_name(name, "part", part + 1, number), move->how);
 }
 
 void sketch_write_part_buttons(const struct model *model,
 	const struct sketch_parts *parts, int part, FILE *out)
 {
-	static const struct {
-		const char *button, *freedom, *how;
-		int factor;
-	} moves[] = {
-		{"UP", "pitch", "back", -1},
-		{"DOWN", "pitch", "forward", 1},
-		{"LEFT", "heading", "left", -1},
-		{"RIGHT", "heading", "right", 1},
+	static const struct move free_moves[] = {
+		{"UP", 0, "back", -1},
+		{"DOWN", 0, "forward", 1},
+		{"LEFT", 1, "left", -1},
+		{"RIGHT", 1, "right", 1},
 	};
-	const char *name = model->node[parts->node[part]].name;
-	char number[HUD_NAME_BYTES];
-	/* The labels are for the screen. */
-	const char *shown = hud_name(name, "part", part + 1, number);
+	/* Seen from in front or from above, left is counter-clockwise. */
+	static const struct move flat_moves[] = {
+		{"UP", 0, "back", -1},
+		{"DOWN", 0, "forward", 1},
+		{"LEFT", 1, "left", 1},
+		{"RIGHT", 1, "right", -1},
+		{"LEFT", 2, "left", 1},
+		{"RIGHT", 2, "right", -1},
+	};
+	const struct sketch_turn *turn = &parts->turn[part];
 
 	fprintf(out, "[buttons part%d]\nwhen = arrows is part%d\n", part + 1,
 		part + 1);
-	for (size_t i = 0; i < sizeof(moves) / sizeof(moves[0]); i++) {
-		fprintf(out, "%s = move ", moves[i].button);
-		sketch_write_name(out, name);
-		fprintf(out, " %s %d \"turn %s %s\"\n", moves[i].freedom,
-			moves[i].factor, shown, moves[i].how);
+	if (turn->form == SKETCH_TURN_FREE) {
+		for (size_t i = 0; i < ARRAY_COUNT(free_moves); i++) {
+			write_move(model, parts, part, &free_moves[i], out);
+		}
+	} else {
+		for (size_t i = 0; i < ARRAY_COUNT(flat_moves); i++) {
+			write_move(model, parts, part, &flat_moves[i], out);
+		}
+		fputs(turn->seen == 0 ? SKETCH_CAMERA_TURNS
+				      : SKETCH_CAMERA_TILTS,
+			out);
 	}
 	fputc('\n', out);
 }

@@ -24,7 +24,11 @@ static struct sketch_parts find(const struct made *made, int count)
 		named[MOST] = {true, true, true, true, true, true, true, true,
 			true, true, true, true};
 	struct model_node node[MOST];
-	struct model model = {.node = node, .node_count = count};
+	struct model_mesh empty = {.primitive_count = 0};
+	struct model model = {.node = node,
+		.node_count = count,
+		.mesh = &empty,
+		.mesh_count = 1};
 	struct sketch_parts parts;
 
 	for (int i = 0; i < count; i++) {

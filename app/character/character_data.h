@@ -394,7 +394,7 @@ enum character_labels {
 
 struct character_scene {
 	const float *wave_m;                    /* height of uneven ground */
-	float yaw_rad, pitch_rad, margin, zoom; /* at the start */
+	float yaw_rad, pitch_rad, margin, zoom; /* pitch -1: found */
 	const float *shadow;                    /* above 0: there is one */
 	const float *relief; /* above 0: normal maps are used */
 	enum character_labels labels;

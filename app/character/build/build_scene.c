@@ -339,7 +339,7 @@ int character_build_scene(struct character_build *build)
 	*scene = (struct character_scene){
 		.wave_m = &level,
 		.yaw_rad = 0.45f,
-		.pitch_rad = 0.16f,
+		.pitch_rad = -1,
 		.margin = 1.15f,
 		.zoom = 1,
 		.shadow = &shown,

@@ -14,6 +14,8 @@ static const float least_move = 1e-4f;
 static const float zoom_nearest = 1.0f / 32.0f, zoom_farthest = 32.0f;
 /* Farther from the origin than this many distances, rounding would show. */
 static const float far_eye = 8.0f;
+/* Above the horizon; flat is what is this low, as a part of both its sides. */
+static const float usual_pitch = 0.16f, flat_pitch = 0.56f, flat_part = 0.2f;
 /* A float has 24 bits; the last three may be wrong after some operations. */
 static const float float_parts = 2097152.0f;
 
@@ -27,11 +29,24 @@ struct camera camera_default(void)
 	return (struct camera){
 		.distance = 4.0f,
 		.yaw_rad = 0.45f,
-		.pitch_rad = 0.16f,
+		.pitch_rad = usual_pitch,
 		.yfov_rad = 0.52f,
 		.radius = 2.0f,
 		.fit = {.zoom = 1.0f},
 	};
+}
+
+float camera_pitch_for(const struct bounds *bounds)
+{
+	float side[3];
+
+	for (int i = 0; i < 3; i++) {
+		side[i] = bounds->high[i] - bounds->low[i];
+	}
+	return !bounds_is_empty(bounds) && side[1] <= flat_part * side[0] &&
+			side[1] <= flat_part * side[2]
+		? flat_pitch
+		: usual_pitch;
 }
 
 /* The axes of eye space in world space; the camera looks along -back. */

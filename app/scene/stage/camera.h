@@ -57,6 +57,12 @@ struct camera {
  */
 struct camera camera_default(void);
 
+/*
+ * Returns the pitch from which a box shows its form: a little above the horizon
+ * or, if it lies flat, as a map, a tray or a dial on a table, from well above.
+ */
+float camera_pitch_for(const struct bounds *bounds);
+
 /* How camera_frame() shows a box. */
 struct camera_framing {
 	float aspect; /* of the picture: width / height */

@@ -4,6 +4,7 @@
 #include "app/demo/demo_overlay.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/model/triangle_file.h"
 #include "tests/support/test.h"
 
 #include <math.h>
@@ -433,6 +434,32 @@ static void test_a_clip_that_begins_late_settles_after_a_round(void **state)
 	}
 }
 
+static void expect_pitch(
+	const char *rotation, const char *scene, float pitch_rad)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path model = path_join(&folder, "triangle.gltf");
+	struct bench bench;
+	char nodes[64];
+
+	snprintf(nodes, sizeof(nodes), "{\"mesh\":0,\"rotation\":%s}", rotation);
+	triangle_file_write(model.text, nodes);
+	begin_model(&bench, model.text, scene);
+	assert_near(bench.base->stage.camera.pitch_rad, pitch_rad, 1e-5);
+	end(&bench);
+	temp_dir_remove(&folder);
+}
+
+static void test_the_camera_looks_down_at_what_lies_flat(void **state)
+{
+	static const char lies[] = "[-0.7071068,0,0,0.7071068]";
+
+	(void)state;
+	expect_pitch("[0,0,0,1]", "", 0.16f);
+	expect_pitch(lies, "", 0.56f);
+	expect_pitch(lies, "[scene]\npitch = 9\n", 0.1570796f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -450,6 +477,7 @@ int main(void)
 		cmocka_unit_test(test_labels_stay_hidden_when_the_file_changes),
 		cmocka_unit_test(
 			test_a_clip_that_begins_late_settles_after_a_round),
+		cmocka_unit_test(test_the_camera_looks_down_at_what_lies_flat),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

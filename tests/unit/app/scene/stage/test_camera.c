@@ -359,6 +359,19 @@ static void test_a_far_target_stays_in_place_while_the_camera_orbits(
 	}
 }
 
+static void test_only_what_lies_flat_is_seen_from_well_above(void **state)
+{
+	struct bounds nothing = bounds_empty();
+	struct bounds map = box(2.5f, 0.9f, 2.5f), snake = box(9.0f, 1.0f, 2.4f);
+	struct bounds picture = box(4.0f, 3.0f, 0.1f);
+
+	(void)state;
+	assert_near(camera_pitch_for(&map), 0.56, 1e-6);
+	assert_near(camera_pitch_for(&snake), 0.16, 1e-6);
+	assert_near(camera_pitch_for(&picture), 0.16, 1e-6);
+	assert_near(camera_pitch_for(&nothing), 0.16, 1e-6);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -375,6 +388,8 @@ int main(void)
 		cmocka_unit_test(test_orbit_stays_above_the_floor_and_wraps),
 		cmocka_unit_test(
 			test_a_far_target_stays_in_place_while_the_camera_orbits),
+		cmocka_unit_test(
+			test_only_what_lies_flat_is_seen_from_well_above),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

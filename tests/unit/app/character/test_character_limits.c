@@ -248,7 +248,7 @@ static void test_colours_and_the_camera_have_usual_values(void **state)
 	assert_near(*character->scene.shadow, 1, 0);
 	assert_near(*character->scene.relief, 1, 0);
 	assert_near(character->scene.yaw_rad, 0.45, 1e-6);
-	assert_near(character->scene.pitch_rad, 0.16, 1e-6);
+	assert_near(character->scene.pitch_rad, -1, 0);
 	assert_near(character->scene.margin, 1.15, 1e-6);
 	assert_int_equal(character->scene.labels, CHARACTER_LABELS_LEFT);
 	acting_end(&acting);

@@ -49,16 +49,37 @@ static int read_name_and_number(struct character_words *words,
 {
 	int error = read_name(words, action, verb);
 
-	if (!error && action->verb == CHARACTER_SET &&
-		character_take_choice(words,
-			&words->build->character->parameter[action->index],
-			&action->amount)) {
-		return 0;
-	}
 	if (!error && !character_take_number(words, &action->amount)) {
 		return fail_action(words, verb);
 	}
 	return error;
+}
+
+/* "set PARAMETER NUMBER", or the name of a choice, whose range is 0 and up. */
+static int read_set(struct character_words *words,
+	struct character_action *action, const struct verb *verb)
+{
+	int error = read_name(words, action, verb);
+	const struct character_parameter *parameter;
+
+	if (error) {
+		return error;
+	}
+	parameter = &words->build->character->parameter[action->index];
+	if (character_take_choice(words, parameter, &action->amount)) {
+		return 0;
+	}
+	if (!character_take_number(words, &action->amount)) {
+		return fail_action(words, verb);
+	}
+	if (action->amount < parameter->range[0] ||
+		action->amount > parameter->range[1]) {
+		return character_fail(words,
+			"set: %g is outside the range %g to %g of %s",
+			(double)action->amount, (double)parameter->range[0],
+			(double)parameter->range[1], parameter->name);
+	}
+	return 0;
 }
 
 static int read_stops(struct character_words *words,
@@ -321,7 +342,7 @@ static int read_camera(struct character_words *words,
 }
 
 static const struct verb verbs[] = {
-	{"set", CHARACTER_SET, read_name_and_number, "parameter", true,
+	{"set", CHARACTER_SET, read_set, "parameter", true,
 		"set PARAMETER NUMBER"},
 	{"add", CHARACTER_ADD, read_name_and_number, "parameter", true,
 		"add PARAMETER NUMBER"},

@@ -182,6 +182,16 @@ static int read_one(struct character_build *build,
 			(double)parameter->start, (double)parameter->range[0],
 			(double)parameter->range[1]);
 	}
+	for (int i = 0; !error && i < parameter->stop_count; i++) {
+		if (parameter->stop[i] < parameter->range[0] ||
+			parameter->stop[i] > parameter->range[1]) {
+			return character_fail_section(build, section,
+				"stops: %g is outside the range %g to %g",
+				(double)parameter->stop[i],
+				(double)parameter->range[0],
+				(double)parameter->range[1]);
+		}
+	}
 	parameter->value = parameter->goal = parameter->from = parameter->start;
 	parameter->last_goal = parameter->start;
 	return error;

@@ -180,6 +180,35 @@ static void test_an_action_needs_all_its_words(void **state)
 	acting_end(&acting);
 }
 
+/* A value out of range would be changed without a word. */
+static void test_what_sets_a_parameter_is_in_its_range(void **state)
+{
+	static const struct {
+		const char *stops, *words;
+		bool right;
+	} cases[] = {{"1 2", "set p 1", true}, {"1 2", "set p 2", true},
+		{"1 2", "add p 9", true}, {"1 2", "set p 0.9", false},
+		{"1 2", "set p 2.1", false}, {"0 2", "set p 2", false},
+		{"1 2.5", "set p 2", false}, {"1 2", "set c 1", true},
+		{"1 2", "set c 2", false}, {"1 2", "set c two", true}};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[parameter p]\nrange = 1 2\nstops = %s\n"
+			"[parameter c]\nchoices = one two\n"
+			"[buttons]\nUP = %s\n",
+			cases[i].stops, cases[i].words);
+		acting_read(&acting, text);
+		assert_int_equal(acting.error == 0, cases[i].right);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -187,6 +216,7 @@ int main(void)
 		cmocka_unit_test(test_actions_of_parts_and_the_camera),
 		cmocka_unit_test(test_a_part_is_attached_at_a_place_of_a_node),
 		cmocka_unit_test(test_an_action_needs_all_its_words),
+		cmocka_unit_test(test_what_sets_a_parameter_is_in_its_range),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

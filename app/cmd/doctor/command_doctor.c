@@ -1,5 +1,6 @@
 #include "app/cmd/command.h"
 #include "app/cmd/doctor/doctor_character.h"
+#include "app/cmd/doctor/doctor_clips.h"
 #include "app/cmd/doctor/doctor_machine.h"
 #include "app/model/examine/examine.h"
 
@@ -51,6 +52,19 @@ static int examine_character(const struct options *options,
 		&request, options->common.memory_bytes, &taken, log, out);
 }
 
+/* Reports what the model's file shows, and which of its clips play once. */
+static int examine_model(const struct options *options,
+	const struct examiner *examiner, const struct log *log)
+{
+	size_t memory_bytes = options->common.memory_bytes;
+	int error =
+		model_examine(options->model_path, memory_bytes, examiner, log);
+
+	return error ? error
+		     : doctor_clips_check(options->model_path, memory_bytes,
+			       examiner, log);
+}
+
 /* A character file that limber cannot play, as reported, fails the command. */
 static int character_error(const struct doctor_character *character)
 {
@@ -63,8 +77,7 @@ static int examine_in_words(const struct options *options, const struct log *log
 	struct doctor_character character;
 	struct findings findings = {0};
 	const struct examiner examiner = {take_finding, &findings};
-	int error = model_examine(
-		path, options->common.memory_bytes, &examiner, log);
+	int error = examine_model(options, &examiner, log);
 
 	if (!error && findings.count == 0) {
 		printf("%s: it contains nothing that players are known to get wrong\n",
@@ -97,8 +110,7 @@ static int examine_in_json(const struct options *options, const struct log *log)
 			path);
 		goto out;
 	}
-	error = model_examine(
-		path, options->common.memory_bytes, &examiner, log);
+	error = examine_model(options, &examiner, log);
 	if (!error) {
 		error = examine_character(options, &findings, log, &character);
 	}

@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* If all animations are shorter, their keys may count frames. */
+static const float short_s = 0.1f;
+
 /* A key's time and its number in the file, where keys may be out of order. */
 struct key_time {
 	float time_s;
@@ -294,6 +297,25 @@ static int add_clip(struct xfile_build *build, const struct xfile_set *set)
 	return 0;
 }
 
+/*
+ * Some programs count frames and leave the unit to whoever plays the file. As
+ * ticks, a walk of 30 frames would be over before it was seen.
+ */
+static void warn_of_frames(const struct xfile_build *build)
+{
+	const struct model *model = build->model;
+	float longest_s = 0;
+
+	for (int i = 0; i < model->clip_count; i++) {
+		longest_s = fmaxf(longest_s, model->clip[i].duration_s);
+	}
+	if (!build->scene->has_ticks && longest_s > 0 && longest_s < short_s) {
+		xfile_warn_at(build->context, build->scene->sets->location,
+			"the longest animation takes %.3g s, as a second has 4800 ticks in a file without AnimTicksPerSecond; if its keys count frames, write AnimTicksPerSecond { 30; } below the header",
+			(double)longest_s);
+	}
+}
+
 int xfile_build_clips(struct xfile_build *build)
 {
 	const struct xfile_set *set = build->scene->sets;
@@ -309,6 +331,9 @@ int xfile_build_clips(struct xfile_build *build)
 	}
 	for (; !error && set; set = set->next) {
 		error = add_clip(build, set);
+	}
+	if (!error) {
+		warn_of_frames(build);
 	}
 	return error;
 }

@@ -81,6 +81,7 @@ static int parse_ticks(struct xfile_reader *reader,
 			ticks);
 	}
 	scope->scene->ticks_per_second = ticks;
+	scope->scene->has_ticks = true;
 	return xfile_skip_rest(reader);
 }
 

@@ -115,6 +115,7 @@ struct xfile_set {
 
 struct xfile_scene {
 	double ticks_per_second;
+	bool has_ticks; /* whether the file gives them */
 	int frame_count, mesh_count, material_count, set_count;
 	struct xfile_frame *frames, *last_frame;
 	struct xfile_mesh *meshes, *last_mesh;

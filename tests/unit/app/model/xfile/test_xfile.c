@@ -105,6 +105,12 @@ static void test_the_tick_rate_is_4800_unless_given(void **state)
 	(void)state;
 	assert_near(model->clip[0].duration_s, 0.01, 1e-7);
 	model_destroy(model);
+	/* It looks as if frames were counted. */
+	assert_true(log_capture_has(&logged, LOG_WARNING,
+		"the longest animation takes 0.01 s, as a second has 4800 ticks in a file without AnimTicksPerSecond"));
+	model = load(HEADER "AnimTicksPerSecond { 4800; }\n" KEYS, &logged);
+	assert_int_equal(logged.count, 0);
+	model_destroy(model);
 	model = load(HEADER "AnimTicksPerSecond { 24; }\n" KEYS, &logged);
 	assert_near(model->clip[0].duration_s, 2.0, 1e-6);
 	model_destroy(model);

@@ -241,17 +241,37 @@ static const char *find_end(const struct hud *hud, const char *text, int width)
 	return text;
 }
 
+/*
+ * Returns what of a text stays behind an ellipsis: the second of two words, as
+ * of a part and what moves in it, or half of a single word. NULL: cut the end.
+ */
+static const char *find_kept(const struct hud *hud, const char *text, int room)
+{
+	const char *blank = strchr(text, ' ');
+
+	if (room < MIDDLE_EMS * hud_em(hud)) {
+		return NULL;
+	}
+	if (!blank) {
+		return find_end(hud, text, room / 2);
+	}
+	return !strchr(blank + 1, ' ') &&
+			3 * hud_text_width(hud, blank) <= 2 * room
+		? blank
+		: NULL;
+}
+
 int hud_text_shorten(struct hud *hud, int x, int y, int width,
 	struct hud_color color, const char *text)
 {
 	int room = width - advance_of(hud, ELLIPSIS);
-	const char *end;
+	const char *end = hud_text_width(hud, text) > width
+		? find_kept(hud, text, room)
+		: NULL;
 
-	if (hud_text_width(hud, text) <= width ||
-		room < MIDDLE_EMS * hud_em(hud) || strchr(text, ' ')) {
+	if (!end) {
 		return hud_text_cut(hud, x, y, width, color, text);
 	}
-	end = find_end(hud, text, room / 2);
 	x = add_beginning(
 		hud, x, y, room - hud_text_width(hud, end), color, text);
 	return hud_text(hud, x, y, color, end);

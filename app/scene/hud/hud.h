@@ -114,7 +114,8 @@ int hud_text_cut(struct hud *hud, int x, int y, int width,
 /*
  * Does the same, but of wider text without blanks it leaves out the middle, if
  * there is room for some letters on both sides of it: names of bones and clips
- * often begin alike and differ at their ends.
+ * often begin alike and differ at their ends. Of two words it leaves out the
+ * end of the first, if the second one is short.
  */
 int hud_text_shorten(struct hud *hud, int x, int y, int width,
 	struct hud_color color, const char *text);

@@ -127,6 +127,9 @@ static void test_names_lose_their_middle(void **state)
 		{"mixamorig:LeftHandIndex1",
 			"mixamori\xE2\x80\xA6"
 			"dIndex1"},
+		{"Excavator_Base_Group heading", "Excavato\xE2\x80\xA6 heading"},
+		{"a Armature|mixamo.com|Layer0.001",
+			"a Armature|mixam\xE2\x80\xA6"},
 		{"a name of some words", "a name of some w\xE2\x80\xA6"},
 		{"walk", "walk"}};
 	struct hud *hud = hud_of_size(480, 640);

@@ -21,6 +21,11 @@ enum {
  */
 static const float flat_part = 0.1f;
 static const float hairline_part = 0.001f;
+/*
+ * A clip takes a model apart if its box becomes longer than this many times its
+ * shortest one while no part is longer than that many times it.
+ */
+static const float apart_sides = 6.0f, part_sides = 2.0f;
 /* A box smaller than this part of its distance from the origin is a point. */
 static const float rounding_part = 1e-6f;
 
@@ -60,6 +65,14 @@ void bounds_stay(struct bounds *bounds, const float way[2])
 		float *side = way[i] > 0.0f ? bounds->high : bounds->low;
 
 		side[2 * i] -= way[i];
+	}
+}
+
+void bounds_join(struct bounds *bounds, const struct bounds *other)
+{
+	if (!bounds_is_empty(other)) {
+		bounds_add(bounds, other->low);
+		bounds_add(bounds, other->high);
 	}
 }
 
@@ -159,28 +172,43 @@ static void add_vertices(struct bounds *bounds, const struct instance *instance,
 	}
 }
 
-struct bounds bounds_of_instance(const struct instance *instance)
+static struct bounds box_of_drawable(
+	const struct instance *instance, const struct drawable *drawable)
 {
 	struct bounds bounds = bounds_empty();
 
-	for (int i = 0; i < instance->drawable_count; i++) {
-		const struct drawable *drawable = &instance->drawable[i];
-
-		if (drawable->fixed && drawable->skin >= 0) {
-			add_skinned(&bounds, drawable);
-		} else {
-			add_vertices(&bounds, instance, drawable);
-		}
+	if (drawable->fixed && drawable->skin >= 0) {
+		add_skinned(&bounds, drawable);
+	} else {
+		add_vertices(&bounds, instance, drawable);
 	}
 	return bounds;
 }
 
-void bounds_join(struct bounds *bounds, const struct bounds *other)
+/* Also finds the longest side of the box of a single drawable. */
+static struct bounds box_of_parts(
+	const struct instance *instance, float *longest)
 {
-	if (!bounds_is_empty(other)) {
-		bounds_add(bounds, other->low);
-		bounds_add(bounds, other->high);
+	struct bounds bounds = bounds_empty();
+
+	*longest = 0.0f;
+	for (int i = 0; i < instance->drawable_count; i++) {
+		struct bounds one =
+			box_of_drawable(instance, &instance->drawable[i]);
+		float extent =
+			bounds_is_empty(&one) ? 0.0f : bounds_extent(&one);
+
+		*longest = extent > *longest ? extent : *longest;
+		bounds_join(&bounds, &one);
 	}
+	return bounds;
+}
+
+struct bounds bounds_of_instance(const struct instance *instance)
+{
+	float unused;
+
+	return box_of_parts(instance, &unused);
 }
 
 static void keep_longest(struct bounds_sides *sides, const struct bounds *now)
@@ -203,6 +231,87 @@ static void take_back(struct bounds *bounds, const float way[2], float part)
 	}
 }
 
+/* What a clip's samples say of parts that leave the others behind. */
+struct apart {
+	struct bounds home; /* the smallest box */
+	float largest;      /* the longest side of any box */
+	float largest_at;   /* and its time */
+	float part;         /* the longest side of a single drawable */
+};
+
+static void note_parts(
+	struct apart *apart, const struct bounds *now, float part, float time_s)
+{
+	float extent = bounds_is_empty(now) ? 0.0f : bounds_extent(now);
+
+	if (bounds_is_empty(&apart->home) ||
+		extent < bounds_extent(&apart->home)) {
+		apart->home = *now;
+	}
+	if (extent > apart->largest) {
+		apart->largest = extent;
+		apart->largest_at = time_s;
+	}
+	apart->part = part > apart->part ? part : apart->part;
+}
+
+/* Whether a drawable of the last update is still where the model was small. */
+static bool stays_home(
+	const struct instance *instance, const struct bounds *home)
+{
+	float reach = bounds_extent(home);
+
+	for (int i = 0; i < instance->drawable_count; i++) {
+		struct bounds one =
+			box_of_drawable(instance, &instance->drawable[i]);
+		bool inside = !bounds_is_empty(&one);
+
+		for (int axis = 0; axis < 3; axis++) {
+			inside = inside &&
+				one.low[axis] >= home->low[axis] - reach &&
+				one.high[axis] <= home->high[axis] + reach;
+		}
+		if (inside) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/*
+ * If a part flies far away from others, as a rocket from its launch pad, or is
+ * hidden far below, all would be specks. Cuts the box so that what stays can be
+ * seen; the ground remains below it.
+ */
+static void cut_apart(struct instance *instance, int clip,
+	const struct apart *apart, struct bounds *all)
+{
+	const struct model_clip *c = &instance->model->clip[clip];
+	float side = bounds_is_empty(&apart->home) ? 0.0f
+						   : bounds_extent(&apart->home);
+	struct clip_cursor none = {0};
+
+	if (apart->largest <= apart_sides * side ||
+		apart->part > part_sides * side) {
+		return;
+	}
+	clip_sample(c, apart->largest_at, &none, &instance->pose);
+	instance_update(instance);
+	if (stays_home(instance, &apart->home)) {
+		for (int axis = 0; axis < 3; axis++) {
+			float more = apart_sides * side;
+
+			all->low[axis] = scalar_clamp(all->low[axis],
+				apart->home.low[axis] - (axis == 1 ? 0.0f : more),
+				all->high[axis]);
+			all->high[axis] = scalar_clamp(all->high[axis],
+				all->low[axis], apart->home.high[axis] + more);
+		}
+	}
+	clip_sample(c, 0.0f, &none, &instance->pose);
+	instance_update(instance);
+}
+
 /*
  * Returns the box of a clip, without its way, at steps + 1 times, or of the
  * rest pose if clip is -1. The caller sets sides to zero before.
@@ -210,6 +319,7 @@ static void take_back(struct bounds *bounds, const float way[2], float part)
 static struct bounds sample_clip(struct instance *instance, int clip, int steps,
 	const float way[2], struct bounds_sides *sides)
 {
+	struct apart apart = {.home = bounds_empty()};
 	bool hold_normals = instance->hold_normals,
 	     normal_mapping = instance->normal_mapping;
 	struct bounds all = bounds_empty();
@@ -224,16 +334,21 @@ static struct bounds sample_clip(struct instance *instance, int clip, int steps,
 		const struct model_clip *c = &instance->model->clip[clip];
 		float time_s = c->duration_s * (float)step / (float)steps;
 		struct bounds now;
+		float part;
 
 		clip_sample(c, time_s, &none, &instance->pose);
 		/* Only the last sample's normals and tangents are kept. */
 		instance->hold_normals = hold_normals || step > 0;
 		instance->normal_mapping = normal_mapping && step == 0;
 		instance_update(instance);
-		now = bounds_of_instance(instance);
+		now = box_of_parts(instance, &part);
+		note_parts(&apart, &now, part, time_s);
 		take_back(&now, way, clip_share(c, time_s));
 		bounds_join(&all, &now);
 		keep_longest(sides, &now);
+	}
+	if (way[0] == 0.0f && way[1] == 0.0f) {
+		cut_apart(instance, clip, &apart, &all);
 	}
 	return all;
 }

@@ -1,0 +1,114 @@
+/* The boxes of clips that move a part far away from the rest of a model. */
+#include "app/scene/instance/bounds.h"
+#include "platform/base/compiler.h"
+#include "tests/support/files.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/model/triangle_file.h"
+#include "tests/support/test.h"
+
+#include <string.h>
+
+/* Two triangles of size 1, one of which hangs on the other. */
+struct pair {
+	struct model_channel channel;
+	struct model_clip clip;
+	float value[6];
+	struct model *model;
+	struct instance *instance;
+};
+
+static void begin(struct pair *pair, int node, enum model_path path,
+	const float from[3], const float to[3])
+{
+	static const float time_s[] = {0, 1};
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "pair.gltf");
+	struct log log = log_to_stderr(LOG_WARNING);
+
+	*pair = (struct pair){.model = NULL};
+	triangle_file_write(
+		file.text, "{\"mesh\":0,\"children\":[1]},{\"mesh\":0}");
+	assert_int_equal(model_load(file.text, &log, &pair->model), 0);
+	temp_dir_remove(&folder);
+	memcpy(&pair->value[0], from, 3 * sizeof(from[0]));
+	memcpy(&pair->value[3], to, 3 * sizeof(to[0]));
+	pair->channel = (struct model_channel){.node = node,
+		.path = path,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = pair->value};
+	pair->clip = (struct model_clip){.name = "clip",
+		.duration_s = 1,
+		.channel_count = 1,
+		.channel = &pair->channel};
+	pair->model->clip = &pair->clip;
+	pair->model->clip_count = 1;
+	pair->instance = small_model_instance(pair->model);
+	assert_near(pair->instance->unit_scale, 1.0, 0.0);
+}
+
+static void end(struct pair *pair)
+{
+	instance_destroy(pair->instance);
+	model_destroy(pair->model);
+}
+
+static void test_a_part_that_flies_away_leaves_the_others_in_view(void **state)
+{
+	static const struct {
+		float from[3], to[3], low[3], high[3];
+	} rows[] = {/* A rocket rises from its pad, or comes back to it. */
+		{{0, 0, 0}, {0, 500, 0}, {0, 0, 0}, {1, 7, 0}},
+		{{0, 500, 0}, {0, 0, 0}, {0, 0, 0}, {1, 7, 0}},
+		{{0, 0, 0}, {-80, 0, 0}, {-6, 0, 0}, {1, 1, 0}},
+		/* A part is hidden below the ground, which stays. */
+		{{0, 0, 0}, {0, -900, 0}, {0, 0, 0}, {1, 1, 0}},
+		/* A lift. */
+		{{0, 0, 0}, {0, 4.5f, 0}, {0, 0, 0}, {1, 5.5f, 0}}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct pair pair;
+		struct bounds box;
+
+		begin(&pair, 1, MODEL_TRANSLATION, rows[i].from, rows[i].to);
+		box = bounds_of_clip(pair.instance, 0);
+		assert_all_near(box.low, rows[i].low, 3, 1e-4);
+		assert_all_near(box.high, rows[i].high, 3, 1e-4);
+		/* The instance shows the clip's start. */
+		assert_near(pair.instance->world[1][3][1], rows[i].from[1], 0);
+		end(&pair);
+	}
+}
+
+static void test_what_moves_or_grows_as_a_whole_is_all_shown(void **state)
+{
+	struct pair pair;
+	struct bounds box;
+
+	(void)state;
+	begin(&pair, 0, MODEL_TRANSLATION, (const float[]){0, 0, 0},
+		(const float[]){0, 500, 0});
+	box = bounds_of_clip(pair.instance, 0);
+	assert_near(box.high[1], 501, 1e-3);
+	end(&pair);
+	begin(&pair, 1, MODEL_SCALE, (const float[]){1, 1, 1},
+		(const float[]){90, 90, 90});
+	box = bounds_of_clip(pair.instance, 0);
+	assert_near(box.high[1], 90, 1e-3);
+	end(&pair);
+}
+
+int main(void)
+{
+	static const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_a_part_that_flies_away_leaves_the_others_in_view),
+		cmocka_unit_test(
+			test_what_moves_or_grows_as_a_whole_is_all_shown),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

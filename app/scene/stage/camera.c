@@ -15,7 +15,7 @@ static const float zoom_nearest = 1.0f / 32.0f, zoom_farthest = 32.0f;
 /* Farther from the origin than this many distances, rounding would show. */
 static const float far_eye = 8.0f;
 /* Above the horizon; flat is what is this low, as a part of both its sides. */
-static const float usual_pitch = 0.16f, flat_pitch = 0.56f, flat_part = 0.2f;
+static const float usual_pitch = 0.16f, flat_pitch = 0.56f, flat_part = 0.25f;
 /* A float has 24 bits; the last three may be wrong after some operations. */
 static const float float_parts = 2097152.0f;
 

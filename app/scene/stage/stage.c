@@ -69,11 +69,18 @@ static void use_plain_state(const struct gl *gl)
 	gl->ShadeModel(GL_SMOOTH);
 }
 
-/* A vertical gradient with the horizon at a third of the height. */
-static void draw_background(const struct gl *gl)
+/*
+ * A vertical gradient, which is lightest in the middle of the picture, or at the
+ * horizon of a camera that looks up: below it comes the colour of the ground.
+ */
+static void draw_background(const struct gl *gl, int horizon_px, int height)
 {
-	static const int16_t position[8][2] = {{-1, 3}, {1, 3}, {-1, 0}, {1, 0},
-		{-1, -1}, {1, -1}, {-1, -3}, {1, -3}};
+	fx16_t horizon = (fx16_t)((int64_t)6 * FX16_ONE * horizon_px / height) -
+		3 * FX16_ONE;
+	fx16_t middle = horizon < 0 ? horizon : 0;
+	const fx16_t row[4] = {
+		3 * FX16_ONE, middle, middle - FX16_ONE, middle - 3 * FX16_ONE};
+	fx16_t position[8][2];
 	uint8_t color[8][4];
 
 	for (int i = 0; i < 8; i++) {
@@ -81,6 +88,8 @@ static void draw_background(const struct gl *gl)
 			: i < 4             ? middle_color
 					    : ground_color;
 
+		position[i][0] = i % 2 ? FX16_ONE : -FX16_ONE;
+		position[i][1] = row[i / 2];
 		memcpy(color[i], from, 3);
 		color[i][3] = 255;
 	}
@@ -91,7 +100,7 @@ static void draw_background(const struct gl *gl)
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->LoadIdentity();
 	gl->Disable(GL_DEPTH_TEST);
-	gl->VertexPointer(2, GL_SHORT, 0, position);
+	gl->VertexPointer(2, GL_FIXED, 0, position);
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 8);
 	gl->Enable(GL_DEPTH_TEST);
@@ -110,7 +119,7 @@ static void draw_behind(const struct stage *stage, const struct gl *gl,
 	if (stage->backdrop) {
 		backdrop_draw(stage->backdrop, gl);
 	} else {
-		draw_background(gl);
+		draw_background(gl, stage->sight.strips.horizon_px, height);
 	}
 	gl->Disable(GL_SCISSOR_TEST);
 }

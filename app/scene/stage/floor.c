@@ -251,7 +251,8 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 			: opaque_part * far;
 	}
 	if (floor->wave_height != 0.0f) {
-		out->strips = (struct floor_strips){.horizon_px = height};
+		out->strips = (struct floor_strips){
+			.horizon_px = height, .end_px = height};
 		find_mesh(floor, camera, width, height, &ground, content, out);
 	} else {
 		floor_strips_find(&out->strips, camera, width, height, floor->y,

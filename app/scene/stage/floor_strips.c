@@ -51,7 +51,7 @@ void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 	float slope[3];
 	bool near;
 
-	*strips = (struct floor_strips){.horizon_px = height};
+	*strips = (struct floor_strips){.horizon_px = height, .end_px = height};
 	floor_view_init(&view, camera, width, height, y);
 	if (view.height <= 0.0f) {
 		return;
@@ -79,6 +79,7 @@ void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 		strips->covered_px =
 			strips->covered_px > 0 ? strips->covered_px : 0;
 	}
+	strips->end_px = count_rows(&view, slope[2], height);
 	strips->horizon_px =
 		count_rows(&view, view.sine / view.cosine, height - 1) + 1;
 }

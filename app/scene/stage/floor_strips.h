@@ -22,6 +22,7 @@ struct floor_strips {
 	/* Rows of pixels, counted from the picture's lower edge. */
 	int covered_px; /* covered completely by opaque ground */
 	int horizon_px; /* below the horizon */
+	int end_px;     /* below the end of the ground */
 };
 
 /*

@@ -70,19 +70,32 @@ static void use_plain_state(const struct gl *gl)
 }
 
 /*
- * A vertical gradient, which is lightest in the middle of the picture, or at the
- * horizon of a camera that looks up: below it comes the colour of the ground.
+ * The rows of the gradient from the upper edge to the lower one, which are 3
+ * and -3. Where the ground ends far below the middle of the picture, so does
+ * the sky: there would be a dark strip between them.
  */
-static void draw_background(const struct gl *gl, int horizon_px, int height)
+static void find_rows(int end_px, int height, fx16_t row[4])
 {
-	fx16_t horizon = (fx16_t)((int64_t)6 * FX16_ONE * horizon_px / height) -
+	fx16_t end = (fx16_t)((int64_t)6 * FX16_ONE * end_px / height) -
 		3 * FX16_ONE;
-	fx16_t middle = horizon < 0 ? horizon : 0;
-	const fx16_t row[4] = {
-		3 * FX16_ONE, middle, middle - FX16_ONE, middle - 3 * FX16_ONE};
-	fx16_t position[8][2];
+	fx16_t moved = 2 * end + FX16_ONE / 2;
+	fx16_t middle = moved > 0 ? 0 : moved > end ? moved : end;
+
+	row[0] = 3 * FX16_ONE;
+	row[1] = middle;
+	row[2] = middle - FX16_ONE;
+	row[3] = middle - 3 * FX16_ONE;
+}
+
+/* A vertical gradient, which is lightest in the middle of the picture. */
+static void draw_background(const struct gl *gl, int end_px, int height)
+{
+	static const int16_t usual[8][2] = {{-1, 3}, {1, 3}, {-1, 0}, {1, 0},
+		{-1, -1}, {1, -1}, {-1, -3}, {1, -3}};
+	fx16_t row[4], position[8][2];
 	uint8_t color[8][4];
 
+	find_rows(end_px, height, row);
 	for (int i = 0; i < 8; i++) {
 		const uint8_t *from = i < 2 ? sky_color
 			: i < 4             ? middle_color
@@ -100,7 +113,11 @@ static void draw_background(const struct gl *gl, int horizon_px, int height)
 	gl->MatrixMode(GL_MODELVIEW);
 	gl->LoadIdentity();
 	gl->Disable(GL_DEPTH_TEST);
-	gl->VertexPointer(2, GL_FIXED, 0, position);
+	if (row[1] == 0) {
+		gl->VertexPointer(2, GL_SHORT, 0, usual);
+	} else {
+		gl->VertexPointer(2, GL_FIXED, 0, position);
+	}
 	gl->ColorPointer(4, GL_UNSIGNED_BYTE, 0, color);
 	gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 8);
 	gl->Enable(GL_DEPTH_TEST);
@@ -119,7 +136,7 @@ static void draw_behind(const struct stage *stage, const struct gl *gl,
 	if (stage->backdrop) {
 		backdrop_draw(stage->backdrop, gl);
 	} else {
-		draw_background(gl, stage->sight.strips.horizon_px, height);
+		draw_background(gl, stage->sight.strips.end_px, height);
 	}
 	gl->Disable(GL_SCISSOR_TEST);
 }

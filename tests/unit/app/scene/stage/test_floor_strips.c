@@ -181,6 +181,9 @@ static void test_shadows_far_out_are_below_the_horizon(void **state)
 		assert_true((float)strips.horizon_px >= fminf(at[1], 640.0f));
 		assert_true(
 			(float)strips.horizon_px < fmaxf(at[1], 0.0f) + 2.0f);
+		assert_true(strips.end_px <= strips.horizon_px);
+		project(&camera, 480, 640, strips.position[4], at);
+		assert_near(strips.end_px, at[1], 1.5);
 	}
 }
 

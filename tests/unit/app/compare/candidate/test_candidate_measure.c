@@ -1,0 +1,415 @@
+/* What is measured of a candidate that is off by known distances and angles. */
+#include "app/compare/candidate/candidate_error.h"
+#include "app/scene/stage/light.h"
+#include "tests/support/model/small_model.h"
+#include "tests/support/test.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <cglm/cglm.h>
+
+enum {
+	VERTICES = 4, /* of a grid of one quad */
+	MOMENTS_MAX = 64
+};
+
+static const float focal_px = 100.0f;
+
+/*
+ * A model that stands still, and a candidate that shows its vertices moved. All
+ * vectors are those of eye space, which is turned against the model's.
+ */
+struct bench {
+	struct model *model;
+	struct model_clip clip;
+	struct reference *reference;
+	struct screen_view screen;
+	vec3 wanted[VERTICES], shown[VERTICES]; /* normals */
+	vec3 moved[VERTICES];                   /* times scale_at() */
+	float (*scale_at)(float time_s);
+	struct candidate candidate;
+	float now_s;
+	/* moments at which normals were asked for */
+	int moment_count;
+	float moment_s[MOMENTS_MAX];
+};
+
+static float scale_of_1(float time_s)
+{
+	(void)time_s;
+	return 1.0f;
+}
+
+static void pose(struct candidate *candidate, float time_s)
+{
+	struct bench *bench = candidate->state;
+
+	bench->now_s = time_s;
+	if (!candidate->positions_only) {
+		assert_in_range(bench->moment_count, 0, MOMENTS_MAX - 1);
+		bench->moment_s[bench->moment_count++] = time_s;
+	}
+}
+
+/* To model space, of which the view is a turn and a move. */
+static void from_eye(const struct bench *bench, vec3 eye, float w, vec3 out)
+{
+	mat4 inverse;
+
+	glm_mat4_inv((vec4 *)(uintptr_t)bench->screen.view, inverse);
+	glm_mat4_mulv3(inverse, eye, w, out);
+}
+
+static void take(const struct candidate *candidate, float (*position)[3],
+	float (*normal)[3])
+{
+	const struct bench *bench = candidate->state;
+	const struct model_primitive *quad = bench->model->mesh->primitive;
+
+	for (int v = 0; v < VERTICES; v++) {
+		vec3 moved;
+
+		glm_vec3_scale((float *)(uintptr_t)bench->moved[v],
+			bench->scale_at(bench->now_s), moved);
+		from_eye(bench, moved, 0.0f, moved);
+		glm_vec3_add(quad->position[v], moved, position[v]);
+		if (normal) {
+			from_eye(bench, (float *)(uintptr_t)bench->shown[v],
+				0.0f, normal[v]);
+		}
+	}
+}
+
+static void begin(struct bench *bench)
+{
+	*bench = (struct bench){.model = small_model_grid(1, 1, 1.0f, true),
+		.clip = {.name = "still", .duration_s = 1.0f},
+		.scale_at = scale_of_1};
+	bench->screen = (struct screen_view){.width = 480,
+		.height = 640,
+		.focal_px = focal_px,
+		.unit = 1.0f,
+		.px_per_unit = 1e9f};
+	glm_lookat((vec3){3, 5, 7}, (vec3){1, 0, 2}, (vec3){0.6f, 0.8f, 0},
+		bench->screen.view);
+	for (int v = 0; v < VERTICES; v++) {
+		from_eye(bench, (vec3){0, 0, -10}, 1.0f,
+			bench->model->mesh->primitive->position[v]);
+	}
+	bench->model->clip = &bench->clip;
+	bench->model->clip_count = 1;
+	bench->candidate = (struct candidate){.vertex_count = VERTICES,
+		.pose = pose,
+		.take = take,
+		.state = bench};
+	assert_int_equal(bench->model->mesh->primitive->vertex_count, VERTICES);
+}
+
+static void end(struct bench *bench)
+{
+	bench->model->clip = NULL;
+	bench->model->clip_count = 0;
+	model_destroy(bench->model);
+}
+
+/* Compares at so many moments from 0 to 1, and the halves between them. */
+static struct candidate_error measure(
+	struct bench *bench, int moments, int normal_moments)
+{
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct candidate_error error;
+	float time_s[MOMENTS_MAX];
+	const struct time_grid grid = {.time_s = time_s, .count = moments};
+
+	for (int i = 0; i < moments; i++) {
+		time_s[i] = (float)i / (float)(moments - 1);
+	}
+	for (int v = 0; v < VERTICES; v++) {
+		from_eye(bench, bench->wanted[v], 0.0f,
+			bench->model->mesh->primitive->normal[v]);
+	}
+	bench->moment_count = 0;
+	assert_int_equal(
+		reference_create(bench->model, 0, &log, &bench->reference), 0);
+	bench->candidate.reference = bench->reference;
+	assert_int_equal(
+		candidate_error_measure(&bench->candidate, &bench->screen,
+			&grid, normal_moments, NULL, &error),
+		0);
+	reference_destroy(bench->reference);
+	return error;
+}
+
+/* A unit at a distance of 10 is 10 pixels. */
+static void test_the_mean_is_that_of_all_vertices(void **state)
+{
+	struct candidate_error error;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	glm_vec3_copy((vec3){0.3f, 0.4f, 0}, bench.moved[0]);
+	glm_vec3_copy((vec3){0, -0.2f, 0}, bench.moved[2]);
+	glm_vec3_copy((vec3){-0.1f, 0, 0}, bench.moved[3]);
+	error = measure(&bench, 2, 500);
+	assert_near(error.peak_px, 5.0, 1e-3);
+	assert_near(error.mean_px, (5.0 + 2.0 + 1.0) / 4.0, 1e-3);
+	assert_near(error.peak_s, 0.0, 0.0); /* the first of equal ones */
+	assert_int_equal(error.samples, 3);
+	assert_near(error.normal_deg, 0.0, 1e-3);
+	assert_near(error.shade_steps, 0.0, 1e-3);
+	assert_near(error.outline_px, 0.0, 0.0);
+	assert_false(bench.candidate.positions_only);
+	end(&bench);
+}
+
+/* Moments of normals are moments of the grid, evenly spread. */
+static void test_normals_are_compared_at_some_moments(void **state)
+{
+	static const int most[] = {500, 10, 9, 5, 4, 3, 2, 1};
+	static const int steps[] = {1, 2, 2, 3, 3, 4, 6, 11};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (int i = 0; i < 8; i++) {
+		measure(&bench, 10, most[i]);
+		assert_int_equal(bench.moment_count, 9 / steps[i] + 1);
+		for (int k = 0; k < bench.moment_count; k++) {
+			assert_near(bench.moment_s[k], k * steps[i] / 9.0, 1e-6);
+		}
+	}
+	end(&bench);
+}
+
+static void test_the_largest_angle_of_two_normals(void **state)
+{
+	static const float degrees[] = {0, 0.5f, 10, 90, 150, 180};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (int i = 0; i < 6; i++) {
+		vec3 normal = {0.36f, 0.48f, 0.8f}, axis = {0.8f, -0.6f, 0};
+
+		for (int v = 0; v < VERTICES; v++) {
+			glm_vec3_copy(normal, bench.wanted[v]);
+			glm_vec3_copy(normal, bench.shown[v]);
+		}
+		glm_vec3_rotate(bench.shown[2], glm_rad(degrees[i]), axis);
+		assert_near(measure(&bench, 2, 2).normal_deg, degrees[i], 0.06);
+		/* Vertices without normals have no angle. */
+		glm_vec3_zero(bench.shown[2]);
+		assert_near(measure(&bench, 2, 2).normal_deg, 0.0, 0.03);
+		glm_vec3_copy(normal, bench.shown[2]);
+		glm_vec3_zero(bench.wanted[1]);
+		glm_vec3_zero(bench.shown[1]);
+		assert_near(measure(&bench, 2, 2).normal_deg, 0.0, 0.03);
+	}
+	end(&bench);
+}
+
+/* A surface that faces the light has all 63 steps, and one behind it none. */
+static void test_steps_of_shading_are_those_of_the_key_light(void **state)
+{
+	static const float cosines[][2] = {{1, 0}, {0, 1}, {1, 0.5f},
+		{-1, -0.5f}, {-1, 0.25f}, {0.5f, -1}};
+	struct bench bench;
+	float world[3];
+	vec3 light, across;
+
+	(void)state;
+	begin(&bench);
+	light_direction(world);
+	glm_mat4_mulv3(bench.screen.view, world, 0.0f, light);
+	glm_vec3_ortho(light, across);
+	glm_vec3_normalize(across);
+	for (size_t i = 0; i < sizeof(cosines) / sizeof(cosines[0]); i++) {
+		float lit[2];
+
+		for (int k = 0; k < 2; k++) {
+			float *normal = k ? bench.shown[1] : bench.wanted[1];
+			float cosine = cosines[i][k];
+
+			glm_vec3_scale(light, cosine, normal);
+			glm_vec3_muladds(
+				across, sqrtf(1.0f - cosine * cosine), normal);
+			lit[k] = cosine > 0.0f ? cosine : 0.0f;
+		}
+		assert_near(measure(&bench, 2, 2).shade_steps,
+			63.0f * fabsf(lit[0] - lit[1]), 0.05);
+	}
+	end(&bench);
+}
+
+/* Across it, in the normal's direction on the screen; along it, nothing. */
+static void test_an_outline_moves_where_normals_are_seen_from_the_side(
+	void **state)
+{
+	static const struct {
+		float eye[3], normal[3], moved[3], outline_px;
+	} cases[] = {
+		{{0, 0, -10}, {1, 0, 0}, {0.3f, 0.4f, 0}, 3},
+		{{0, 0, -10}, {0, -1, 0}, {0.3f, 0.4f, 0}, 4},
+		{{0, 0, -10}, {0.6f, 0.8f, 0}, {0.5f, 0.1f, 0}, 3.8f},
+		{{0, 0, -10}, {0.6f, -0.8f, 0}, {-0.5f, 0.1f, 0}, 3.8f},
+		{{0, 0, -10}, {0.9818f, 0, 0.19f}, {0.3f, 0, 0}, 3},
+		{{0, 0, -10}, {0, 0.9818f, -0.19f}, {0, 0.3f, 0}, 3},
+		{{0, 0, -10}, {0.9777f, 0, 0.21f}, {0.3f, 0, 0}, 0},
+		{{0, 0, -10}, {0, 0.9777f, -0.21f}, {0, 0.3f, 0}, 0},
+		/* seen along a slope, so that the normal has to slope as well */
+		{{6, 0, -8}, {0.8f, 0, 0.6f}, {0.4f, 0, 0}, 5},
+		{{0, 6, -8}, {0, 0.8f, 0.6f}, {0, 0.4f, 0}, 5},
+		{{6, 0, -8}, {1, 0, 0}, {0.4f, 0, 0}, 0},
+		{{0, 6, -8}, {0, 1, 0}, {0, 0.4f, 0}, 0},
+	};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		vec3 eye, normal;
+
+		memcpy(eye, cases[i].eye, sizeof(eye));
+		memcpy(normal, cases[i].normal, sizeof(normal));
+		from_eye(&bench, eye, 1.0f,
+			bench.model->mesh->primitive->position[3]);
+		glm_vec3_copy(normal, bench.wanted[3]);
+		glm_vec3_copy(normal, bench.shown[3]);
+		memcpy(bench.moved[3], cases[i].moved, sizeof(vec3));
+		assert_near(measure(&bench, 2, 2).outline_px,
+			cases[i].outline_px, 2e-3);
+	}
+	end(&bench);
+}
+
+/* Far at the side of the eye, it may be seen from the side nevertheless. */
+static void test_a_normal_along_the_view_has_no_direction_on_the_screen(
+	void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	glm_mat4_identity(bench.screen.view);
+	for (int v = 0; v < VERTICES; v++) {
+		glm_vec3_copy((vec3){10, 0, -1},
+			bench.model->mesh->primitive->position[v]);
+	}
+	for (int axis = 0; axis < 2; axis++) {
+		glm_vec3_copy((vec3){0, 0, 1}, bench.wanted[0]);
+		glm_vec3_copy((vec3){0, 0, 1}, bench.shown[0]);
+		glm_vec3_zero(bench.moved[0]);
+		bench.moved[0][axis] = 0.1f;
+		assert_near(measure(&bench, 2, 2).outline_px, 0.0, 0.0);
+	}
+	end(&bench);
+}
+
+static float rises_late(float time_s)
+{
+	return time_s * time_s * time_s;
+}
+
+static float falls_early(float time_s)
+{
+	return rises_late(1.0f - time_s);
+}
+
+static float bends_little(float time_s)
+{
+	return 1.0f + 0.04f * time_s * (1.0f - time_s);
+}
+
+static float bends_much(float time_s)
+{
+	return 1.0f + 0.16f * time_s * (1.0f - time_s);
+}
+
+/* The least that may be missed is a fortieth of the peak or of a pixel. */
+static void test_moments_are_added_where_the_error_bends(void **state)
+{
+	static const struct {
+		float (*scale_at)(float);
+		float peak_px;
+		bool divided;
+	} cases[] = {
+		{scale_of_1, 10, false},
+		{rises_late, 10, true},
+		{falls_early, 10, true},
+		{bends_little, 10, false},
+		{bends_much, 10, true},
+		{bends_much, 0.6f, false},
+		{bends_much, 0.7f, true},
+		{rises_late, 0.06f, false},
+		{falls_early, 0.06f, false},
+		{rises_late, 0.08f, true},
+		{falls_early, 0.08f, true},
+	};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct candidate_error error;
+
+		bench.scale_at = cases[i].scale_at;
+		bench.moved[0][0] = cases[i].peak_px / 10.0f;
+		error = measure(&bench, 2, 2);
+		assert_int_equal(error.samples > 3, cases[i].divided);
+	}
+	end(&bench);
+}
+
+static float peaks_at_third(float time_s)
+{
+	return 1.0f - sqrtf(fabsf(time_s - 1.0f / 3.0f));
+}
+
+static float peaks_at_two_thirds(float time_s)
+{
+	return 1.0f - sqrtf(fabsf(time_s - 2.0f / 3.0f));
+}
+
+/* Intervals are halved until they are short. */
+static void test_a_sharp_peak_is_found_in_any_interval(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.moved[0][0] = 1.0f;
+	for (int moments = 2; moments < 7; moments++) {
+		struct candidate_error error;
+
+		bench.scale_at = peaks_at_third;
+		error = measure(&bench, moments, 2);
+		assert_in_range((int)(100.0f * error.peak_px), 965, 1000);
+		assert_near(error.peak_s, 1.0 / 3.0, 2e-3);
+		bench.scale_at = peaks_at_two_thirds;
+		error = measure(&bench, moments, 2);
+		assert_in_range((int)(100.0f * error.peak_px), 965, 1000);
+		assert_near(error.peak_s, 2.0 / 3.0, 2e-3);
+	}
+	end(&bench);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_the_mean_is_that_of_all_vertices),
+		cmocka_unit_test(test_normals_are_compared_at_some_moments),
+		cmocka_unit_test(test_the_largest_angle_of_two_normals),
+		cmocka_unit_test(
+			test_steps_of_shading_are_those_of_the_key_light),
+		cmocka_unit_test(
+			test_an_outline_moves_where_normals_are_seen_from_the_side),
+		cmocka_unit_test(
+			test_a_normal_along_the_view_has_no_direction_on_the_screen),
+		cmocka_unit_test(test_moments_are_added_where_the_error_bends),
+		cmocka_unit_test(test_a_sharp_peak_is_found_in_any_interval),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

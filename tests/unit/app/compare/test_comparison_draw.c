@@ -135,8 +135,8 @@ static void test_a_level_of_detail_saves_posing(void **state)
 	assert_true(small[1].cycles > 1e9 + 1000);
 	assert_true(small[1].instructions > 1e9 + 1000);
 	expect_cost(&small[2], &small[1]);
-	bench.comparison.request.width = 2400; /* all triangles are drawn */
-	bench.comparison.request.height = 3200;
+	bench.comparison.request.width = 900; /* finer ones are drawn */
+	bench.comparison.request.height = 1200;
 	predict(&bench, 0, 0);
 	assert_true(bench.cell[0][0].board.vertices.cycles >
 		small[0].cycles + 1000);
@@ -166,6 +166,27 @@ static void test_more_pixels_cost_more(void **state)
 		assert_true(frame->draw.cycles > 1.2 * before);
 		before = frame->draw.cycles;
 	}
+	end(&bench);
+}
+
+/* Parts that only move with their nodes are not copied, so nothing is saved. */
+static void test_nothing_is_saved_where_no_vertex_is_posed(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.row_count = 1;
+	for (int n = 0; n < bench.model->node_count; n++) {
+		struct model_node *node = &bench.model->node[n];
+
+		node->skin = -1;
+		if (node->mesh >= 0 &&
+			bench.model->mesh[node->mesh].target_count > 0) {
+			node->mesh = -1;
+		}
+	}
+	assert_near(predict(&bench, 0, 0)->vertices.cycles, 1e9, 0.0);
 	end(&bench);
 }
 
@@ -213,6 +234,7 @@ int main(void)
 		cmocka_unit_test(test_costs_are_means_of_a_frame),
 		cmocka_unit_test(test_a_level_of_detail_saves_posing),
 		cmocka_unit_test(test_more_pixels_cost_more),
+		cmocka_unit_test(test_nothing_is_saved_where_no_vertex_is_posed),
 		cmocka_unit_test(test_the_compared_clip_is_drawn),
 		cmocka_unit_test(test_without_such_a_clip_the_rest_pose_is_drawn),
 	};

@@ -119,6 +119,12 @@ static void test_a_row_is_a_point_in_both_charts(void **state)
 	(void)state;
 	begin_decades(&bench);
 	text = plot(&bench);
+	assert_ptr_equal(strstr(text,
+				 "<svg xmlns='http://www.w3.org/2000/svg' "
+				 "width='980' height='460' "
+				 "viewBox='0 0 980 460'>"),
+		text);
+	assert_string_equal(text + strlen(text) - 7, "</svg>\n");
 	assert_int_equal(count(text, "<title>"), 2 * ROWS);
 	assert_contains(text,
 		"<circle cx='64.0' cy='360.0' r='4' fill='#1d4ed8' stroke='black' stroke-width='2.5'><title>skin: 1.000 px</title>");

@@ -289,6 +289,36 @@ static void test_a_channel_at_rest_moves_nothing(void **state)
 	}
 }
 
+/* A node without a member stays at 0, with a scale of 1 and without a turn. */
+static void test_a_node_without_members_is_at_rest(void **state)
+{
+	static const enum model_path paths[] = {
+		MODEL_TRANSLATION, MODEL_ROTATION, MODEL_SCALE};
+	static const float rest[3][4] = {{0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1}};
+
+	(void)state;
+	for (int i = 0; i < 3 * 5; i++) {
+		bool moved[CHANNELS][4] = {{false}};
+		float value[KEYS][4] = {{0}};
+		enum model_path path = paths[i / 5];
+		int width = path == MODEL_ROTATION ? 4 : 3;
+		int changed = i % 5; /* or none */
+		struct fixture f;
+
+		begin(&f);
+		for (int k = 0; k < KEYS * width; k++) {
+			(&value[0][0])[k] = rest[i / 5][k % width] +
+				(k % width == changed ? 0.5f : 0.0f);
+		}
+		f.channel[1].track.path = path;
+		f.channel[1].track.width = width;
+		f.channel[1].track.value = value[0];
+		optimize_keys_find_moved(&f.keys, moved[0]);
+		assert_int_equal(moved[1][path], changed < width);
+		end(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -301,6 +331,7 @@ int main(void)
 		cmocka_unit_test(test_many_keys_are_not_shared),
 		cmocka_unit_test(test_all_keys_are_kept_on_demand),
 		cmocka_unit_test(test_a_channel_at_rest_moves_nothing),
+		cmocka_unit_test(test_a_node_without_members_is_at_rest),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,6 +40,20 @@ static void survey_window(struct survey_capture *capture)
 	assert_int_equal(capture->count, 1);
 }
 
+/* A survey finds the server of DISPLAY, but not after it was closed. */
+static void expect_a_server_until_closed(int fd)
+{
+	struct survey_capture capture;
+
+	survey_window(&capture);
+	survey_capture_expect(
+		&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
+	close(fd);
+	survey_window(&capture);
+	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
+		"does not answer", "export DISPLAY=");
+}
+
 static void test_a_survey_knows_the_drivers_of_sdl(void **state)
 {
 	static const struct {
@@ -72,7 +86,6 @@ static void test_a_survey_knows_the_drivers_of_sdl(void **state)
 
 static void test_a_survey_connects_to_an_x_server(void **state)
 {
-	struct survey_capture capture;
 	char name[64], display[16];
 	int fd = -1, number = 60;
 
@@ -85,13 +98,7 @@ static void test_a_survey_connects_to_an_x_server(void **state)
 	assert_true(fd >= 0);
 	snprintf(display, sizeof(display), ":%d.0", number);
 	setenv("DISPLAY", display, 1);
-	survey_window(&capture);
-	survey_capture_expect(
-		&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
-	close(fd);
-	survey_window(&capture);
-	survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-		"does not answer", "export DISPLAY=");
+	expect_a_server_until_closed(fd);
 	unsetenv("DISPLAY");
 }
 
@@ -115,7 +122,6 @@ static int listen_at_port(int *fd)
 static void test_a_survey_connects_to_an_x_server_by_its_port(void **state)
 {
 	static const char *const hosts[] = {"localhost", "127.0.0.1"};
-	struct survey_capture capture;
 	char display[32];
 
 	(void)state;
@@ -125,13 +131,7 @@ static void test_a_survey_connects_to_an_x_server_by_its_port(void **state)
 
 		snprintf(display, sizeof(display), "%s:%d", hosts[i], number);
 		setenv("DISPLAY", display, 1);
-		survey_window(&capture);
-		survey_capture_expect(
-			&capture, 0, SURVEY_WORKS, "window", "answers", NULL);
-		close(fd);
-		survey_window(&capture);
-		survey_capture_expect(&capture, 0, SURVEY_BROKEN, "window",
-			"does not answer", "export DISPLAY=");
+		expect_a_server_until_closed(fd);
 	}
 	unsetenv("DISPLAY");
 }

@@ -130,11 +130,10 @@ static size_t text_bytes(const struct character_text *text)
 
 static char *append(char *to, const char *word)
 {
-	size_t length = strlen(word);
+	char *end = stpcpy(to, word);
 
-	memcpy(to, word, length);
-	to[length] = ' ';
-	return to + length + 1;
+	*end = ' ';
+	return end + 1;
 }
 
 /* Returns all words of a character in one string, or NULL without memory. */

@@ -206,6 +206,14 @@ static int read_emission(const struct gltf_at *at,
 		: read_emissive_texture(at, out, uv);
 }
 
+/* Whether blending would show an alpha that an opaque material ignores. */
+static bool ignores_alpha(
+	const struct model *model, const struct model_material *material)
+{
+	return material->alpha == MODEL_OPAQUE && material->texture >= 0 &&
+		!model->image[model->texture[material->texture].image].opaque;
+}
+
 /*
  * Reads KHR_materials_transmission: what is behind shows through, as through a
  * blended surface. A texture would say where; without it, nothing is blended.
@@ -225,7 +233,8 @@ static int read_transmission(
 	if (!error) {
 		error = gltf_object(&at, "transmissionTexture", &texture);
 	}
-	if (error || texture.json || factor <= 0.0f || out->alpha == MODEL_MASK) {
+	if (error || texture.json || factor <= 0.0f || out->alpha == MODEL_MASK ||
+		ignores_alpha(extensions->gltf->model, out)) {
 		return error;
 	}
 	out->base_color[3] =

@@ -4,20 +4,31 @@
 
 #include <stdio.h>
 
+/* Pictures of one red pixel: with an alpha of 0, and without alpha. */
+static const char clear_png[] =
+	"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP4"
+	"z8DAAAAEAQEAmFjYzgAAAABJRU5ErkJggg==";
+static const char red_png[] =
+	"iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4"
+	"z8AAAAMBAQD3A0FDAAAAAElFTkSuQmCC";
+
 /* Reads a material with these members, and the extension with its own. */
 static struct model_material read(const char *members, const char *transmission)
 {
 	struct log_capture logged;
 	struct model *model;
 	struct model_material material;
-	char text[512];
+	char text[1024];
 
 	snprintf(text, sizeof(text),
 		"{'asset':{'version':'2.0'},"
 		"'extensionsUsed':['KHR_materials_transmission'],"
+		"'images':[{'uri':'data:image/png;base64,%s'},"
+		"{'uri':'data:image/png;base64,%s'}],"
+		"'textures':[{'source':0},{'source':1}],"
 		"'materials':[{%s'extensions':{"
 		"'KHR_materials_transmission':{%s}}}]}",
-		members, transmission);
+		clear_png, red_png, members, transmission);
 	assert_int_equal(model_from_text(text, &logged, &model), 0);
 	assert_int_equal(log_capture_count(&logged, LOG_WARNING), 0);
 	material = model->material[0];
@@ -63,6 +74,19 @@ static void test_what_lets_no_light_through_stays_opaque(void **state)
 		MODEL_OPAQUE, 1);
 }
 
+/* Blended, a texture would hide what it does not hide as an opaque one. */
+static void test_glass_does_not_take_the_alpha_of_an_opaque_texture(void **state)
+{
+	(void)state;
+	expect("'pbrMetallicRoughness':{'baseColorTexture':{'index':0}},",
+		"'transmissionFactor':1", MODEL_OPAQUE, 1);
+	expect("'pbrMetallicRoughness':{'baseColorTexture':{'index':1}},",
+		"'transmissionFactor':1", MODEL_BLEND, 0.25f);
+	expect("'alphaMode':'BLEND',"
+	       "'pbrMetallicRoughness':{'baseColorTexture':{'index':0}},",
+		"'transmissionFactor':1", MODEL_BLEND, 0.25f);
+}
+
 static void test_refuses_a_transmission_that_is_no_number(void **state)
 {
 	struct log_capture logged;
@@ -85,6 +109,8 @@ int main(void)
 		cmocka_unit_test(test_glass_is_blended_with_what_is_behind),
 		cmocka_unit_test(test_glass_that_is_opaque_counts_as_whole),
 		cmocka_unit_test(test_what_lets_no_light_through_stays_opaque),
+		cmocka_unit_test(
+			test_glass_does_not_take_the_alpha_of_an_opaque_texture),
 		cmocka_unit_test(test_refuses_a_transmission_that_is_no_number),
 	};
 

@@ -51,7 +51,7 @@ IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
 def sound():
-    """A skinned triangle on two joints, which a clip rotates."""
+    """A skinned triangle on two joints, which a clip rotates a little."""
     m = Model()
     position = m.array([0, 0, 0, 1, 0, 0, 0, 1, 0])
     normal = m.array([0, 0, 1] * 3)
@@ -59,7 +59,7 @@ def sound():
     weights = m.array([0.5, 0.5, 0, 0] * 3, "f", 4)
     bind = m.array(IDENTITY * 2, "f", 16)
     m.times = m.array([0.0, 1.0], "f", 1)
-    m.turns = m.array([0, 0, 0, 1, 0, 0, 0.6, 0.8], "f", 4)
+    m.turns = m.array([0, 0, 0, 1, 0, 0, 0.005, 0.9999875], "f", 4)
     m.json["meshes"] = [{"primitives": [{"attributes": {
         "POSITION": position, "NORMAL": normal, "JOINTS_0": joints,
         "WEIGHTS_0": weights}}]}]
@@ -85,6 +85,10 @@ def attributes(m):
 def cubic(m):
     turns = [0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0] * 2
     sampler(m, output=m.array(turns, "f", 4), interpolation="CUBICSPLINE")
+
+
+def opens(m):
+    sampler(m, output=m.array([0, 0, 0, 1, 0, 0, 0.6, 0.8], "f", 4))
 
 
 def late(m):
@@ -253,6 +257,7 @@ def scenes(m):
 PITFALLS = [
     (extended, "ignores .2.,.* shown: KHR_xmp_json_ld, KHR_materials_ior"),
     (cubic, "CUBICSPLINE channels"),
+    (opens, "end in another shape than they begin with .1., such as turn: "),
     (late, "some first keys lie up to 0.2500 s after the start"),
     (all_late, "no key lies before 0.2500 s; .* from frame 0"),
     (short, "some channels end at 0.5000 s"),

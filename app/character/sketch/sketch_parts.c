@@ -87,30 +87,28 @@ static bool is_part(const struct search *search, int node)
 			can_be_named(search, node) && !is_form(search, node));
 }
 
-enum {
-	RANK_NEEDLE,
-	RANK_DISC,
-	RANK_OTHER
-};
-
-/* What users want to move first comes first. */
-static int rank_of(const struct search *search, int node)
+/* Whether a needle or a disc carries no other part. */
+static bool is_flat_end(const struct search *search, int node)
 {
 	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
-	enum sketch_turn_form form = search->turn[node].form;
 
-	if (search->meshes[node] > own || form == SKETCH_TURN_FREE) {
-		return RANK_OTHER;
-	}
-	return form == SKETCH_TURN_NEEDLE ? RANK_NEEDLE : RANK_DISC;
+	return search->meshes[node] <= own &&
+		search->turn[node].form != SKETCH_TURN_FREE;
+}
+
+static bool is_needle(const struct search *search, int node)
+{
+	return is_flat_end(search, node) &&
+		search->turn[node].form == SKETCH_TURN_NEEDLE;
 }
 
 /* A part is called as its node is. */
-static void find(const struct search *search, int rank, struct sketch_parts *out)
+static void find(
+	const struct search *search, bool needles, struct sketch_parts *out)
 {
 	for (int i = 0;
 		i < search->model->node_count && out->count < SKETCH_PARTS; i++) {
-		if (is_part(search, i) && rank_of(search, i) == rank) {
+		if (is_part(search, i) && is_needle(search, i) == needles) {
 			out->turn[out->count] = search->turn[i];
 			out->node[out->count++] = i;
 		}
@@ -154,8 +152,7 @@ static bool hangs(const struct search *search, int node)
 /* Whether users expect to move the part, rather than the camera around it. */
 static bool is_to_move(const struct search *search, int node, int count)
 {
-	return hangs(search, node) ||
-		(count > 1 && rank_of(search, node) != RANK_OTHER);
+	return hangs(search, node) || (count > 1 && is_flat_end(search, node));
 }
 
 int sketch_find_parts(const struct model *model, const bool *is_joint,
@@ -167,8 +164,9 @@ int sketch_find_parts(const struct model *model, const bool *is_joint,
 	int error = init(&search, model, &arena);
 
 	*out = (struct sketch_parts){.count = 0};
-	for (int rank = RANK_NEEDLE; rank <= RANK_OTHER && !error; rank++) {
-		find(&search, rank, out);
+	if (!error) {
+		find(&search, true, out);
+		find(&search, false, out);
 	}
 	for (int i = 0; i < out->count && still; i++) {
 		out->moved = out->moved ||

@@ -35,12 +35,12 @@ struct sketch_parts {
 /*
  * Finds the rigid parts that have a name that a file can hold: nodes with a
  * mesh, or the node without one that such meshes turn on. First come needles
- * and discs, such as wheels, on which no other part hangs, then all others in
- * the model's order. If nothing else moves the model (still), buttons are to
- * move the parts, provided that one of them hangs on another, or that one of
- * several is such a needle or disc; otherwise joints take their place, if there
- * are any. is_joint, [node_count], says which nodes are joints, is_named which
- * can be named (sketch_find_named_nodes()). Returns 0 or -ENOMEM.
+ * on which no other part hangs, then all others in the model's order. If
+ * nothing else moves the model (still), buttons are to move the parts, provided
+ * that one of them hangs on another, or that one of several is such a needle,
+ * or a disc as of a wheel; otherwise joints take their place, if there are any.
+ * is_joint, [node_count], says which nodes are joints, is_named which can be
+ * named (sketch_find_named_nodes()). Returns 0 or -ENOMEM.
  */
 int sketch_find_parts(const struct model *model, const bool *is_joint,
 	const bool *is_named, bool still, struct sketch_parts *out);

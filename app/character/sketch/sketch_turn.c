@@ -12,7 +12,7 @@ static const float flat_part = 0.4f;
 /* A disc is at least this wide and a needle at most, as a part of its length. */
 static const float disc_part = 0.8f, needle_part = 0.25f;
 /* A pivot is in the middle if both sides have at least this part. */
-static const float middle_part = 0.35f;
+static const float middle_part = 0.3f;
 
 /* Adds a node's mesh, in the frame of its parent or, if own, in its own. */
 static void add_mesh(

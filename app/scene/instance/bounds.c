@@ -278,38 +278,68 @@ static bool stays_home(
 	return false;
 }
 
+/* Cuts a box so that what stays at home can be seen, on the ground below it. */
+static void cut(struct bounds *all, const struct bounds *home, float more)
+{
+	for (int axis = 0; axis < 3; axis++) {
+		float low = home->low[axis] - (axis == 1 ? 0.0f : more);
+		float high = home->high[axis] + more;
+
+		all->low[axis] = all->low[axis] < low ? low : all->low[axis];
+		all->high[axis] =
+			all->high[axis] > high ? high : all->high[axis];
+	}
+}
+
+/*
+ * Returns the box where the model is smallest: in the clip or, if its parts are
+ * apart all the time, perhaps at rest. May leave the instance at rest.
+ */
+static struct bounds find_home(
+	struct instance *instance, const struct apart *apart)
+{
+	struct bounds home = apart->home;
+
+	if (apart->largest > apart_sides * apart->part) {
+		struct bounds rest;
+
+		pose_rest(&instance->pose, instance->model);
+		instance_update(instance);
+		rest = bounds_of_instance(instance);
+		if (!bounds_is_empty(&rest) &&
+			bounds_extent(&rest) < bounds_extent(&home)) {
+			home = rest;
+		}
+	}
+	return home;
+}
+
 /*
  * If a part flies far away from others, as a rocket from its launch pad, or is
- * hidden far below, all would be specks. Cuts the box so that what stays can be
- * seen; the ground remains below it.
+ * hidden far below, all would be specks. Cuts the box for the sake of those
+ * that stay at home.
  */
 static void cut_apart(struct instance *instance, int clip,
 	const struct apart *apart, struct bounds *all)
 {
 	const struct model_clip *c = &instance->model->clip[clip];
-	float side = bounds_is_empty(&apart->home) ? 0.0f
-						   : bounds_extent(&apart->home);
+	struct bounds home = find_home(instance, apart);
+	float side = bounds_is_empty(&home) ? 0.0f : bounds_extent(&home);
 	struct clip_cursor none = {0};
 
-	if (apart->largest <= apart_sides * side ||
-		apart->part > part_sides * side) {
-		return;
-	}
-	clip_sample(c, apart->largest_at, &none, &instance->pose);
-	instance_update(instance);
-	if (stays_home(instance, &apart->home)) {
-		for (int axis = 0; axis < 3; axis++) {
-			float more = apart_sides * side;
-
-			all->low[axis] = scalar_clamp(all->low[axis],
-				apart->home.low[axis] - (axis == 1 ? 0.0f : more),
-				all->high[axis]);
-			all->high[axis] = scalar_clamp(all->high[axis],
-				all->low[axis], apart->home.high[axis] + more);
+	if (apart->largest > apart_sides * side &&
+		apart->part <= part_sides * side) {
+		clip_sample(c, apart->largest_at, &none, &instance->pose);
+		instance_update(instance);
+		if (stays_home(instance, &home)) {
+			cut(all, &home, apart_sides * side);
 		}
 	}
-	clip_sample(c, 0.0f, &none, &instance->pose);
-	instance_update(instance);
+	if (apart->largest > apart_sides * apart->part ||
+		apart->largest > apart_sides * side) {
+		clip_sample(c, 0.0f, &none, &instance->pose);
+		instance_update(instance);
+	}
 }
 
 /*

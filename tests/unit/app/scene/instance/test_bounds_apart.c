@@ -65,6 +65,8 @@ static void test_a_part_that_flies_away_leaves_the_others_in_view(void **state)
 		{{0, 0, 0}, {-80, 0, 0}, {-6, 0, 0}, {1, 1, 0}},
 		/* A part is hidden below the ground, which stays. */
 		{{0, 0, 0}, {0, -900, 0}, {0, 0, 0}, {1, 1, 0}},
+		/* So it is all the time, but not at rest. */
+		{{0, -900, 0}, {0, -900, 0}, {0, 0, 0}, {1, 1, 0}},
 		/* A lift. */
 		{{0, 0, 0}, {0, 4.5f, 0}, {0, 0, 0}, {1, 5.5f, 0}}};
 

@@ -5,6 +5,7 @@
 #include "app/model/model_file.h"
 #include "platform/base/output_file.h"
 #include "platform/base/output_path.h"
+#include "platform/base/printable.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -84,6 +85,21 @@ static void print_growth(
 	}
 }
 
+/* Says that motion is left out which a program may need for a socket. */
+static void print_idle(FILE *out, const struct optimize_idle *idle)
+{
+	if (idle->count == 0) {
+		return;
+	}
+	fprintf(out, "The motion of nodes that move nothing (%d)", idle->count);
+	if (idle->name[0]) {
+		fputs(", such as ", out);
+		printable_put(idle->name, out);
+		fputc(',', out);
+	}
+	fputs(" is left out; give nodes extras to keep theirs.\n", out);
+}
+
 static void print_result(const struct optimize_result *result,
 	const struct options *options, bool kept)
 {
@@ -106,6 +122,9 @@ static void print_result(const struct optimize_result *result,
 			"An earlier run has used %g px of --error %g already.\n",
 			(double)result->earlier_px,
 			(double)options->compare.error_px);
+	}
+	if (!kept) {
+		print_idle(out, &result->idle);
 	}
 	print_growth(out, result, kept);
 }

@@ -457,9 +457,8 @@ static int run(struct optimizer *optimizer, struct optimize_result *out)
 {
 	int error = open_document(optimizer);
 
-	if (!error) {
-		error = optimize_sizes_of(optimizer->document, &out->before);
-		error = error ? fail_memory(optimizer) : 0;
+	if (!error && optimize_sizes_of(optimizer->document, &out->before)) {
+		error = fail_memory(optimizer);
 	}
 	error = error ? error : prepare(optimizer);
 	error = error ? error : build_base(optimizer);
@@ -482,6 +481,7 @@ int optimize_model(const struct model *model,
 	*out = (struct optimize_result){.data = NULL};
 	error = run(&optimizer, out);
 	if (!error) {
+		out->idle = optimize_reach_idle(&optimizer.reach, model);
 		out->data = optimizer.data;
 		optimizer.data = NULL;
 	}

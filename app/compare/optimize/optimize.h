@@ -33,6 +33,12 @@ struct optimize_sizes {
 	long key_count;
 };
 
+/* Nodes that clips move, but that nothing drawn or needed follows. */
+struct optimize_idle {
+	int count;
+	const char *name; /* of the first one, in the model; may be "" */
+};
+
 struct optimize_result {
 	struct optimize_sizes before, after;
 	float peak_px; /* the largest error of a vertex, in any clip */
@@ -41,6 +47,7 @@ struct optimize_result {
 	 * add the difference to bound_px, so that errors do not add up.
 	 */
 	float earlier_px;
+	struct optimize_idle idle; /* their motion is left out */
 	uint8_t *data; /* [after.file]: the new file; the caller frees it */
 };
 

@@ -268,6 +268,39 @@ int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 	return error;
 }
 
+static bool is_moved(const struct model *model, int node)
+{
+	for (int c = 0; c < model->clip_count; c++) {
+		const struct model_clip *clip = &model->clip[c];
+
+		for (int i = 0; i < clip->channel_count; i++) {
+			if (clip->channel[i].node == node &&
+				!clip->channel[i].constant) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+struct optimize_idle optimize_reach_idle(
+	const struct optimize_reach *reach, const struct model *model)
+{
+	struct optimize_idle idle = {.count = 0, .name = ""};
+
+	for (int i = 0; i < model->node_count; i++) {
+		const struct model_node *node = &model->node[i];
+
+		if (node->file_index < reach->node_count &&
+			reach->node[node->file_index].idle &&
+			is_moved(model, i)) {
+			idle.name = idle.count == 0 ? node->name : idle.name;
+			idle.count++;
+		}
+	}
+	return idle;
+}
+
 void optimize_reach_release(struct optimize_reach *reach)
 {
 	arena_release(&reach->arena);

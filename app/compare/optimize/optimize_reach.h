@@ -5,6 +5,7 @@
 #define APP_COMPARE_OPTIMIZE_OPTIMIZE_REACH_H
 
 #include "app/compare/measure/screen_view.h"
+#include "app/compare/optimize/optimize.h"
 
 /*
  * How many pixels the farthest vertex that follows a node moves, in the rest
@@ -35,6 +36,10 @@ struct optimize_reach {
  */
 int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 	float px_per_unit, const bool *needed);
+
+/* Finds the idle nodes that clips of the model move. */
+struct optimize_idle optimize_reach_idle(
+	const struct optimize_reach *reach, const struct model *model);
 
 void optimize_reach_release(struct optimize_reach *reach);
 

@@ -132,6 +132,30 @@ static void test_a_node_that_moves_nothing_is_idle(void **state)
 	}
 }
 
+static void test_idle_nodes_that_clips_move_are_counted(void **state)
+{
+	struct model_channel channel[] = {
+		{.node = 1}, {.node = 2, .constant = true}, {.node = 2}};
+	struct model_clip clip = {.channel = channel};
+	struct optimize_idle idle;
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	find(&f);
+	f.bones.node[2].name = "socket";
+	f.bones.model.clip = &clip;
+	f.bones.model.clip_count = 1;
+	for (clip.channel_count = 0; clip.channel_count <= 3;
+		clip.channel_count++) {
+		idle = optimize_reach_idle(&f.reach, &f.bones.model);
+		assert_int_equal(idle.count, clip.channel_count == 3);
+		assert_string_equal(
+			idle.name, clip.channel_count == 3 ? "socket" : "");
+	}
+	end(&f);
+}
+
 /* A node without a mesh is idle, but not what is above one that is needed. */
 static void test_nodes_above_what_is_seen_are_not_idle(void **state)
 {
@@ -345,6 +369,7 @@ int main(void)
 		cmocka_unit_test(test_a_helper_reaches_a_tenth_of_the_model),
 		cmocka_unit_test(test_only_the_parents_scale_counts),
 		cmocka_unit_test(test_a_node_that_moves_nothing_is_idle),
+		cmocka_unit_test(test_idle_nodes_that_clips_move_are_counted),
 		cmocka_unit_test(test_nodes_above_what_is_seen_are_not_idle),
 		cmocka_unit_test(test_nodes_have_the_numbers_of_the_file),
 		cmocka_unit_test(test_nodes_that_carry_a_camera_are_exact),

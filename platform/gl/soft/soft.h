@@ -62,9 +62,17 @@ struct matrix_stack {
 	struct matrix matrix[SOFT_STACK_DEPTH];
 };
 
+/* The stacks in the order of glMatrixMode()'s names; one for each unit. */
+enum {
+	STACK_MODELVIEW,
+	STACK_PROJECTION,
+	STACK_TEXTURE,
+	SOFT_STACKS = STACK_TEXTURE + SOFT_UNITS,
+};
+
 struct matrices {
 	GLenum mode;
-	struct matrix_stack modelview, projection, texture[SOFT_UNITS];
+	struct matrix_stack stack[SOFT_STACKS];
 };
 
 /* Colours are 16.16, not clamped; position and direction are in eye space. */

@@ -70,6 +70,18 @@ float soft_matrix_uniform_scale(const struct matrix *m)
 	return uniform ? scalar_sqrt(square) : 0.0f;
 }
 
+float soft_matrix_largest(const float *values, int count)
+{
+	float most = 0.0f;
+
+	for (int i = 0; i < count; i++) {
+		const float size = scalar_abs(values[i]);
+
+		most = size > most ? size : most;
+	}
+	return most;
+}
+
 int soft_matrix_exponent(float value)
 {
 	uint32_t bits;
@@ -90,16 +102,10 @@ float soft_matrix_power_of_two(int exponent)
 static struct matrix_stack *current_stack(void)
 {
 	struct soft *soft = soft_current();
-	struct matrices *matrices = &soft->matrices;
+	const GLenum mode = soft->matrices.mode;
 
-	switch (matrices->mode) {
-	case GL_PROJECTION:
-		return &matrices->projection;
-	case GL_TEXTURE:
-		return &matrices->texture[soft->textures.active];
-	default:
-		return &matrices->modelview;
-	}
+	return &soft->matrices.stack[mode - GL_MODELVIEW] +
+		(mode == GL_TEXTURE ? soft->textures.active : 0);
 }
 
 /* The current matrix, which changes. */
@@ -190,16 +196,13 @@ void soft_gl_Rotatex(GLfixed degrees, GLfixed x, GLfixed y, GLfixed z)
 {
 	float angle = fx16_to_float(degrees) * (SCALAR_PI / 180.0f);
 	float axis[3] = {fx16_to_float(x), fx16_to_float(y), fx16_to_float(z)};
-	float length = scalar_sqrt(dot3(axis, axis));
 	float c = scalar_cos(angle), s = scalar_sin(angle);
 	struct matrix turn = soft_matrix_identity;
 
-	if (length == 0.0f) {
+	if (dot3(axis, axis) == 0.0f) {
 		return;
 	}
-	for (int i = 0; i < 3; i++) {
-		axis[i] /= length;
-	}
+	soft_matrix_normalize(axis);
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
@@ -256,18 +259,11 @@ void soft_gl_Orthox(GLfixed left, GLfixed right, GLfixed bottom, GLfixed top,
 	project((GLfixed[]){left, right, bottom, top, near, far}, false);
 }
 
-static void init_stack(struct matrix_stack *stack)
-{
-	stack->top = stack->matrix;
-	*stack->top = soft_matrix_identity;
-}
-
 void soft_init_matrices(struct matrices *matrices)
 {
 	matrices->mode = GL_MODELVIEW;
-	init_stack(&matrices->modelview);
-	init_stack(&matrices->projection);
-	for (int i = 0; i < SOFT_UNITS; i++) {
-		init_stack(&matrices->texture[i]);
+	for (int i = 0; i < SOFT_STACKS; i++) {
+		matrices->stack[i].top = matrices->stack[i].matrix;
+		*matrices->stack[i].top = soft_matrix_identity;
 	}
 }

@@ -43,6 +43,9 @@ void soft_matrix_normalize(float v[3]);
  */
 float soft_matrix_uniform_scale(const struct matrix *m);
 
+/* The largest magnitude of some values. */
+float soft_matrix_largest(const float *values, int count);
+
 /* The exponent e of a float: 2^e <= |value| < 2^(e+1); -127 for 0. */
 int soft_matrix_exponent(float value);
 

@@ -49,8 +49,8 @@ struct parameter {
 
 /*
  * Sets the object's parameter of that name, or GL's error; the groups change if
- * it had another value. given is the number
- * of values: 1 from glFogx and its like, 4 from glFogxv and its like.
+ * it had another value. given is the number of values: 1 from glFogx and its
+ * like, 4 from glFogxv and its like.
  */
 static void set_parameter(const struct parameter *table, size_t count,
 	uint32_t groups, void *object, GLenum name, const GLfixed *values,
@@ -133,13 +133,14 @@ TWO_CALLS(LightModel, set_model)
 /* Transforms a light's position or direction to eye space when it is set. */
 static void set_place(float *out, size_t count, const GLfixed *values)
 {
+	const struct matrix_stack *stack =
+		&soft_change(GROUP_LIGHTING)->matrices.stack[STACK_MODELVIEW];
 	float given[4] = {0.0f}, eye[4];
 
 	for (size_t i = 0; i < count; i++) {
 		given[i] = fx16_to_float(values[i]);
 	}
-	soft_matrix_transform(
-		soft_change(GROUP_LIGHTING)->matrices.modelview.top, given, eye);
+	soft_matrix_transform(stack->top, given, eye);
 	memcpy(out, eye, count * sizeof(*out));
 }
 

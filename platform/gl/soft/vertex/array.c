@@ -46,7 +46,6 @@ static void load_values(
 	const struct element *from, int count, float scale, int32_t *out)
 {
 	const uint8_t *at = from->at;
-	int16_t half;
 	float value;
 
 	switch (from->type) {
@@ -68,8 +67,7 @@ static void load_values(
 		break;
 	case GL_SHORT:
 		for (int i = 0; i < count; i++) {
-			memcpy(&half, at + 2 * i, sizeof(half));
-			out[i] = half * 65536;
+			out[i] = (int16_t)load_16(at + 2 * i) * 65536;
 		}
 		break;
 	default:

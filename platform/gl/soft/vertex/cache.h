@@ -33,16 +33,12 @@ struct source {
 
 static ALWAYS_INLINE uint32_t index_at(const struct source *source, uint32_t i)
 {
-	uint16_t index;
-
 	if (!source->indices) {
 		return source->first + i;
 	}
-	if (source->type == GL_UNSIGNED_BYTE) {
-		return source->indices[i];
-	}
-	memcpy(&index, source->indices + 2 * i, sizeof(index));
-	return index;
+	return source->type == GL_UNSIGNED_BYTE
+		? source->indices[i]
+		: load_16(source->indices + 2 * i);
 }
 
 static inline struct vertex *find_vertex(

@@ -337,7 +337,7 @@ void soft_shade_vertex(const struct draw *draw, struct vertex *vertex);
 /* light.c: 1 / (k[0] + k[1] d + k[2] d^2) at a distance d, 16.16, limited. */
 int32_t soft_light_fade(const int32_t k_q16[3], int32_t distance_q16);
 /* light.c: a share of light times a spot's factor towards a direction. */
-int32_t soft_light_spot(const struct light_source *light_source,
+int32_t soft_light_spot(const struct light_source *source,
 	const int32_t towards_q30[3], int32_t share_q16);
 /* The same, unless the vertex is shaded or no attribute is interpolated. */
 static inline void soft_shade(const struct draw *draw, struct vertex *vertex)

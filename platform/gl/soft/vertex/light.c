@@ -2,6 +2,7 @@
  * The colour of a lit vertex, by GL ES 1.1 section 2.12.1. Normals are Q28,
  * cosines Q26, diffuse light is Q24 and specular light Q16.
  */
+#include "platform/gl/soft/raster/pixel.h"
 #include "platform/gl/soft/vertex/draw.h"
 #include "platform/gl/soft/vertex/number.h"
 
@@ -32,23 +33,15 @@ static ALWAYS_INLINE void add_scaled(
 	sum->z = mul_high_add(sum->z, factor, a[2]);
 }
 
-static ALWAYS_INLINE int16_t load_short(const void *at)
-{
-	int16_t value;
-
-	memcpy(&value, at, sizeof(value));
-	return value;
-}
-
 /*
  * Normalizes a normal of shorts c, which mean (2 c + 1) / 65535. The sum of c^2
  * is a quarter of the sum of (2 c + 1)^2, within 2^-9 if any |c| is 256 or more.
  */
 static ALWAYS_INLINE struct triple normalize_shorts(
-	const struct shading *shading, const void *at)
+	const struct shading *shading, const uint8_t *at)
 {
-	int32_t x = load_short(at), y = load_short((const char *)at + 2);
-	int32_t z = load_short((const char *)at + 4);
+	int32_t x = (int16_t)load_16(at), y = (int16_t)load_16(at + 2);
+	int32_t z = (int16_t)load_16(at + 4);
 	/* below 2^32: three squares of at most 2^30 */
 	uint32_t square =
 		1 + (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
@@ -77,41 +70,38 @@ static ALWAYS_INLINE int32_t take_float(float value)
 
 /* Adds specular light to shine, into out; returns out, or shine if it is 0. */
 static ALWAYS_INLINE const int32_t *add_highlight(
-	const struct light_source *light_source, const int32_t half_q30[3],
+	const struct light_source *source, const int32_t half_q30[3],
 	struct triple n, const int32_t *shine, int32_t *out)
 {
-	int32_t above_q26 = dot(half_q30, n) - light_source->least_q26;
+	int32_t above_q26 = dot(half_q30, n) - source->least_q26;
 	const struct spec_table_step *step;
 	int32_t place, share;
 
 	if (above_q26 <= 0) {
 		return shine;
 	}
-	place = LIMIT_TO_BITS(mul_high(above_q26, light_source->scale), 14);
-	step = &light_source->step[place >> 8];
+	place = LIMIT_TO_BITS(mul_high(above_q26, source->scale), 14);
+	step = &source->step[place >> 8];
 	share = step->value_q28 + step->rise_q28 * (place & 255);
 	for (int i = 0; i < 3; i++) {
-		out[i] = mul_high_add(
-			shine[i], share, light_source->specular_q20[i]);
+		out[i] = mul_high_add(shine[i], share, source->specular_q20[i]);
 	}
 	return out;
 }
 
 /* Adds a light from a direction; returns as add_highlight() does. */
-static ALWAYS_INLINE const int32_t *add_light(
-	const struct light_source *light_source, const int32_t towards_q30[3],
-	const int32_t half_q30[3], struct triple n, struct triple *dull,
-	const int32_t *shine, int32_t *out)
+static ALWAYS_INLINE const int32_t *add_light(const struct light_source *source,
+	const int32_t towards_q30[3], const int32_t half_q30[3],
+	struct triple n, struct triple *dull, const int32_t *shine, int32_t *out)
 {
 	int32_t towards_q26 = dot(towards_q30, n);
 
 	if (towards_q26 <= 0) {
 		return shine;
 	}
-	add_scaled(dull, towards_q26, light_source->diffuse_q30);
-	return light_source->step
-		? add_highlight(light_source, half_q30, n, shine, out)
-		: shine;
+	add_scaled(dull, towards_q26, source->diffuse_q30);
+	return source->step ? add_highlight(source, half_q30, n, shine, out)
+			    : shine;
 }
 
 /* Whether a normal's length is such that it can be lit as it is. */
@@ -141,10 +131,10 @@ static ALWAYS_INLINE const int32_t *add_lights(const struct shading *shading,
 {
 	const int32_t *shine = shading->emission_q16;
 
-	for (const struct light_source *light_source = shading->light_source;
-		light_source != end; light_source++) {
-		shine = add_light(light_source, light_source->towards_q30,
-			light_source->half_q30, n, dull, shine, out);
+	for (const struct light_source *source = shading->light_source;
+		source != end; source++) {
+		shine = add_light(source, source->towards_q30, source->half_q30,
+			n, dull, shine, out);
 	}
 	return shine;
 }
@@ -162,10 +152,9 @@ static ALWAYS_INLINE bool light_fast(const struct shading *shading,
 		shading->colors + index * (size_t)shading->color_stride;
 	struct triple dull = load_triple(shading->ambient_q24), n;
 	const int32_t *shine;
-	uint32_t bytes, red_blue, green_alpha;
-
 	/* loaded early: the cache fetches it while the normal is normalized */
-	memcpy(&bytes, color, sizeof(bytes));
+	uint32_t bytes = load_32(color), red_blue, green_alpha;
+
 	PRELOAD(normal + 40);
 	if (!shading->floats) {
 		n = normalize_shorts(shading, normal);
@@ -241,18 +230,17 @@ int32_t soft_light_fade(const int32_t k_q16[3], int32_t distance_q16)
 			      : square * k_q16[2] >> 16));
 }
 
-int32_t soft_light_spot(const struct light_source *light_source,
+int32_t soft_light_spot(const struct light_source *source,
 	const int32_t towards_q30[3], int32_t share_q16)
 {
 	const int32_t along_q26 =
-		-dot(towards_q30, load_triple(light_source->direction_q28));
+		-dot(towards_q30, load_triple(source->direction_q28));
 
-	if (along_q26 < light_source->cutoff_q26) {
+	if (along_q26 < source->cutoff_q26) {
 		return 0;
 	}
 	return (int32_t)((int64_t)share_q16 *
-			soft_power_q28(
-				along_q26 * 4, light_source->exponent_q16) >>
+			soft_power_q28(along_q26 * 4, source->exponent_q16) >>
 		28);
 }
 
@@ -260,29 +248,27 @@ int32_t soft_light_spot(const struct light_source *light_source,
  * Finds a positional light's directions from a vertex; returns its attenuation
  * times its spotlight factor, 16.16.
  */
-static int32_t meet(const struct light_source *light_source,
-	const int32_t eye[3], int32_t towards[3], int32_t half[3])
+static int32_t meet(const struct light_source *source, const int32_t eye[3],
+	int32_t towards[3], int32_t half[3])
 {
-	int32_t share_q16 = light_source->share_q16, distance;
+	int32_t share_q16 = source->share_q16, distance;
 
 	for (int i = 0; i < 3; i++) {
-		towards[i] = light_source->position[i] -
-			(eye[i] >> light_source->eye_shift);
+		towards[i] = source->position[i] - (eye[i] >> source->eye_shift);
 	}
 	distance = normalize(towards);
-	if (light_source->step) { /* there are highlights */
+	if (source->step) { /* there are highlights */
 		half[0] = towards[0] >> 2;
 		half[1] = towards[1] >> 2;
 		half[2] = (towards[2] >> 2) + (1 << 28);
 		normalize(half);
 	}
-	if (light_source->fades) {
-		share_q16 = soft_light_fade(light_source->attenuation_q16,
-			soft_shade_to_q16(distance, light_source->position_q));
+	if (source->fades) {
+		share_q16 = soft_light_fade(source->attenuation_q16,
+			soft_shade_to_q16(distance, source->position_q));
 	}
-	return light_source->spot
-		? soft_light_spot(light_source, towards, share_q16)
-		: share_q16;
+	return source->spot ? soft_light_spot(source, towards, share_q16)
+			    : share_q16;
 }
 
 /* Sums of light on a vertex, 16.16. */

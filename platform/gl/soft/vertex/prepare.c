@@ -90,8 +90,9 @@ static void prepare_clip(struct soft *soft, struct draw *draw)
 	int32_t *rows[4] = {view->row_x, view->row_y, view->row_z, view->row_w};
 	/* shorts have a position_q of 14: m (p << 14) >> 32 is (m >> 2) p >> 16 */
 	int shift = view->kind == POSITION_SHORTS ? 2 : 0;
-	const struct matrix m = soft_matrix_multiply(
-		soft->matrices.projection.top, soft->matrices.modelview.top);
+	const struct matrix m =
+		soft_matrix_multiply(soft->matrices.stack[STACK_PROJECTION].top,
+			soft->matrices.stack[STACK_MODELVIEW].top);
 
 	moved = soft_matrix_power_of_two(
 		find_scale(&m, 4, draw->position_q, &scale));
@@ -138,7 +139,7 @@ static bool is_eye_needed(const struct lighting *lighting)
 /* Rows with numbers that are infinite, or nearly so, become 0. */
 static void prepare_eye(struct soft *soft, struct draw *draw)
 {
-	const struct matrix *m = soft->matrices.modelview.top;
+	const struct matrix *m = soft->matrices.stack[STACK_MODELVIEW].top;
 	float scale, moved;
 
 	draw->eye_needed = is_eye_needed(&soft->lighting);
@@ -225,24 +226,24 @@ static int count_levels(const struct texture *texture)
 static void prepare_texture_matrix(
 	const struct soft *soft, struct texture_input *input, int unit)
 {
-	const struct matrix *m = soft->matrices.texture[unit].top;
+	const struct matrix *m = soft->matrices.stack[STACK_TEXTURE + unit].top;
 	static const int column[3] = {0, 4, 12};
-	float most = 0.0f, scale;
+	float values[6], scale;
 
 	input->identity = memcmp(m, &soft_matrix_identity, sizeof(*m)) == 0;
 	if (input->identity) {
 		return;
 	}
 	for (int i = 0; i < 6; i++) {
-		float value = scalar_abs(m->m[column[i / 2] + i % 2]);
-
-		most = value > most ? value : most;
+		values[i] = m->m[column[i / 2] + i % 2];
 	}
-	input->matrix_q = clamp_int(29 - soft_matrix_exponent(most), 0, 40);
+	input->matrix_q = clamp_int(
+		29 - soft_matrix_exponent(soft_matrix_largest(values, 6)), 0,
+		40);
 	scale = soft_matrix_power_of_two(input->matrix_q);
 	for (int i = 0; i < 6; i++) {
 		input->matrix[i % 2][i / 2] =
-			soft_matrix_to_int(m->m[column[i / 2] + i % 2] * scale);
+			soft_matrix_to_int(values[i] * scale);
 	}
 }
 

@@ -67,73 +67,65 @@ static void make_spec_table(struct spec_table *spec_table, int32_t shininess_q16
  * draw->eye_q, is below 2^30.
  */
 static void prepare_place(const struct draw *draw, const struct light *light,
-	struct light_source *light_source)
+	struct light_source *source)
 {
-	float place[3], most = 0.0f;
+	float place[3];
 	int q;
 
 	for (int i = 0; i < 3; i++) {
-		float size;
-
 		place[i] = light->position[i] / light->position[3];
-		size = scalar_abs(place[i]);
-		most = size > most ? size : most;
 	}
-	q = 28 - soft_matrix_exponent(most);
-	light_source->position_q = q < draw->eye_q ? q : draw->eye_q;
+	q = 28 - soft_matrix_exponent(soft_matrix_largest(place, 3));
+	source->position_q = q < draw->eye_q ? q : draw->eye_q;
 	/* beyond 31 the vertices are in the same place, as seen from the light */
-	light_source->eye_shift =
-		clamp_int(draw->eye_q - light_source->position_q, 0, 31);
+	source->eye_shift = clamp_int(draw->eye_q - source->position_q, 0, 31);
 	for (int i = 0; i < 3; i++) {
 		int32_t at = soft_matrix_to_int(place[i] *
-			soft_matrix_power_of_two(light_source->position_q));
+			soft_matrix_power_of_two(source->position_q));
 
 		/* only infinite numbers are larger */
-		light_source->position[i] = clamp_int(at, -(1 << 29), 1 << 29);
+		source->position[i] = clamp_int(at, -(1 << 29), 1 << 29);
 	}
 }
 
-static void prepare_spot(
-	const struct light *light, struct light_source *light_source)
+static void prepare_spot(const struct light *light, struct light_source *source)
 {
 	float direction[3];
 
-	light_source->spot = light->cutoff != 180 * ONE_Q16;
-	if (!light_source->spot) {
+	source->spot = light->cutoff != 180 * ONE_Q16;
+	if (!source->spot) {
 		return;
 	}
 	memcpy(direction, light->direction, sizeof(direction));
 	soft_matrix_normalize(direction);
 	for (int i = 0; i < 3; i++) {
-		light_source->direction_q28[i] =
+		source->direction_q28[i] =
 			soft_matrix_to_int(direction[i] * two_28);
 	}
-	light_source->cutoff_q26 =
-		(int32_t)(scalar_cos((float)light->cutoff / 65536.0f *
-				  (SCALAR_PI / 180.0f)) *
-			two_28 / 4.0f);
-	light_source->exponent_q16 = light->exponent;
+	source->cutoff_q26 = (int32_t)(scalar_cos((float)light->cutoff /
+					       65536.0f * (SCALAR_PI / 180.0f)) *
+		two_28 / 4.0f);
+	source->exponent_q16 = light->exponent;
 }
 
 /* Finds what vertices get of a light, as far as that is the same for all. */
-static void prepare_share(
-	const struct light *light, struct light_source *light_source)
+static void prepare_share(const struct light *light, struct light_source *source)
 {
 	const GLfixed *attenuation = light->attenuation;
 	int32_t towards_q30[3];
 
-	light_source->share_q16 = ONE_Q16;
+	source->share_q16 = ONE_Q16;
 	if (light->position[3] != 0.0f) {
-		light_source->positional = light_source->weighted = true;
-		light_source->fades = attenuation[1] != 0 || attenuation[2] != 0;
-		light_source->share_q16 = soft_light_fade(attenuation, 0);
-		memcpy(light_source->attenuation_q16, attenuation,
-			sizeof(light_source->attenuation_q16));
-	} else if (light_source->spot) { /* it does not fade: section 2.12.1 */
+		source->positional = source->weighted = true;
+		source->fades = attenuation[1] != 0 || attenuation[2] != 0;
+		source->share_q16 = soft_light_fade(attenuation, 0);
+		memcpy(source->attenuation_q16, attenuation,
+			sizeof(source->attenuation_q16));
+	} else if (source->spot) { /* it does not fade: section 2.12.1 */
 		turn(NULL, light->towards, towards_q30);
-		light_source->share_q16 =
-			soft_light_spot(light_source, towards_q30, ONE_Q16);
-		light_source->weighted = true;
+		source->share_q16 =
+			soft_light_spot(source, towards_q30, ONE_Q16);
+		source->weighted = true;
 	}
 }
 
@@ -170,7 +162,7 @@ static void multiply_colors(const GLfixed *material, const GLfixed *light,
 }
 
 static void prepare_colors(const struct soft *soft, const struct light *light,
-	struct shading *shading, struct light_source *light_source)
+	struct shading *shading, struct light_source *source)
 {
 	const struct material *material = &soft->lighting.material;
 	int64_t diffuse[3], ambient[3], specular[3];
@@ -183,7 +175,7 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 		light->ambient, ambient, &sizes);
 	multiply_colors(material->specular, light->specular, specular, &sizes);
 	shift = clamp_int(31 - LEADING_ZEROS_64(sizes), 0, SHIFT_MOST);
-	light_source->shift = shift;
+	source->shift = shift;
 	/* the weight has the factor of normals, which ambient light has not */
 	ambient_shift = 16 + shift + shading->normal_shift;
 	for (int i = 0; i < 3 && shift != 0; i++) {
@@ -191,31 +183,30 @@ static void prepare_colors(const struct soft *soft, const struct light *light,
 		specular[i] >>= shift;
 	}
 	for (int i = 0; i < 3; i++) {
-		light_source->diffuse_q30[i] =
-			saturate_64((diffuse[i] >> 10) * 257);
-		light_source->specular_q20[i] = clamp_int(
+		source->diffuse_q30[i] = saturate_64((diffuse[i] >> 10) * 257);
+		source->specular_q20[i] = clamp_int(
 			saturate_64(specular[i] >> 12), -(1 << 21), 1 << 21);
-		if (light_source->weighted) {
-			light_source->ambient_q24[i] = saturate_64(
+		if (source->weighted) {
+			source->ambient_q24[i] = saturate_64(
 				(ambient[i] >> ambient_shift) * 257);
 		} else {
 			/* without a weight it is the same for all vertices */
 			add_ambient(shading, i, ambient[i] >> 16);
 		}
 	}
-	light_source->shift += shading->normal_shift;
-	light_source->weighted |= light_source->shift != 0;
+	source->shift += shading->normal_shift;
+	source->weighted |= source->shift != 0;
 }
 
 static void prepare_light_source(const struct soft *soft, struct draw *draw,
-	const struct light *light, struct light_source *light_source)
+	const struct light *light, struct light_source *source)
 {
-	const int32_t *specular = light_source->specular_q20;
+	const int32_t *specular = source->specular_q20;
 
-	*light_source = (struct light_source){.light = light};
-	prepare_spot(light, light_source);
-	prepare_share(light, light_source);
-	prepare_colors(soft, light, &draw->shading, light_source);
+	*source = (struct light_source){.light = light};
+	prepare_spot(light, source);
+	prepare_share(light, source);
+	prepare_colors(soft, light, &draw->shading, source);
 	if (specular[0] | specular[1] | specular[2]) {
 		struct spec_table *spec_table = &draw->spec_table;
 		int32_t shininess = soft->lighting.material.shininess;
@@ -224,22 +215,10 @@ static void prepare_light_source(const struct soft *soft, struct draw *draw,
 			spec_table->shininess_q16 != shininess) {
 			make_spec_table(spec_table, shininess);
 		}
-		light_source->least_q26 = spec_table->least_q26;
-		light_source->scale = spec_table->scale;
-		light_source->step = spec_table->step;
+		source->least_q26 = spec_table->least_q26;
+		source->scale = spec_table->scale;
+		source->step = spec_table->step;
 	}
-}
-
-static float find_largest(const float m[9])
-{
-	float most = 0.0f;
-
-	for (int i = 0; i < 9; i++) {
-		float value = scalar_abs(m[i]);
-
-		most = value > most ? value : most;
-	}
-	return most;
 }
 
 /* What GL multiplies normals by, or any scale where vertices normalize them. */
@@ -253,7 +232,7 @@ static float find_factor(
 		return scale;
 	}
 	if (lighting->normalize) {
-		size = find_largest(turned);
+		size = soft_matrix_largest(turned, 9);
 	} else if (lighting->rescale) { /* section 2.11.3 */
 		size = scalar_sqrt(third[0] * third[0] + third[1] * third[1] +
 			third[2] * third[2]);
@@ -268,7 +247,7 @@ static float find_factor(
 void soft_prepare_normals(struct soft *soft, struct draw *draw)
 {
 	const struct lighting *lighting = &soft->lighting;
-	const struct matrix *m = soft->matrices.modelview.top;
+	const struct matrix *m = soft->matrices.stack[STACK_MODELVIEW].top;
 	struct shading *shading = &draw->shading;
 	float scale = soft_matrix_uniform_scale(m), factor;
 	float *turned = shading->turned;
@@ -282,8 +261,9 @@ void soft_prepare_normals(struct soft *soft, struct draw *draw)
 		draw->eye_needed || scale == 0.0f || factor > 1.9f * scale;
 	if (shading->rotate_normals && !shading->normalize) {
 		/* The matrix's elements must be below 4. */
-		shift = clamp_int(
-			soft_matrix_exponent(factor * find_largest(turned)) - 1,
+		shift = clamp_int(soft_matrix_exponent(factor *
+					  soft_matrix_largest(turned, 9)) -
+				1,
 			0, SHIFT_MOST);
 		factor *= soft_matrix_power_of_two(-shift);
 	}

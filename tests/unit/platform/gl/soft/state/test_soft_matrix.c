@@ -192,11 +192,8 @@ static const struct step steps[] = {
 static const struct matrix *top_of(const struct gl_canvas *canvas, GLenum mode)
 {
 	const struct soft *soft = (const struct soft *)canvas->context;
-	const struct matrices *m = &soft->matrices;
 
-	return mode == GL_MODELVIEW     ? m->modelview.top
-		: mode == GL_PROJECTION ? m->projection.top
-					: m->texture[0].top;
+	return soft->matrices.stack[mode - GL_MODELVIEW].top;
 }
 
 static void expect_matrix(const struct gl_canvas *canvas, GLenum mode,
@@ -296,8 +293,8 @@ static void test_each_unit_has_a_texture_matrix(void **state)
 	gl->Scalex(2 * ONE, ONE, ONE);
 	gl->ActiveTexture(GL_TEXTURE1);
 	gl->Scalex(3 * ONE, ONE, ONE);
-	assert_near(soft->matrices.texture[0].top->m[0], 2, 0);
-	assert_near(soft->matrices.texture[1].top->m[0], 3, 0);
+	assert_near(soft->matrices.stack[STACK_TEXTURE].top->m[0], 2, 0);
+	assert_near(soft->matrices.stack[STACK_TEXTURE + 1].top->m[0], 3, 0);
 	gl_canvas_close(&canvas);
 }
 

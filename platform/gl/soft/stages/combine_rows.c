@@ -82,17 +82,6 @@ static int count_arguments(GLenum function)
 	return function == GL_REPLACE ? 1 : function == GL_INTERPOLATE ? 3 : 2;
 }
 
-static bool is_inverted(GLenum operand)
-{
-	return operand == GL_ONE_MINUS_SRC_COLOR ||
-		operand == GL_ONE_MINUS_SRC_ALPHA;
-}
-
-static bool is_alpha(GLenum operand)
-{
-	return operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
-}
-
 /*
  * Whether the rgb function, on all four bytes, also gives the right alpha: if
  * it has the colours of those sources whose alphas the alpha function has.
@@ -197,8 +186,9 @@ static const uint32_t *find_argument(const struct meeting *m, GLenum source,
 	const uint32_t *from = source == GL_TEXTURE ? m->texel
 		: source == GL_PRIMARY_COLOR        ? m->primary
 						    : m->previous;
-	const uint32_t invert = is_inverted(operand) ? UINT32_MAX : 0;
-	const bool spread = is_alpha(operand) && !for_alpha;
+	/* in operands GL_ONE_MINUS_ is 1, and alpha in place of colours is 2 */
+	const uint32_t invert = operand & 1 ? UINT32_MAX : 0;
+	const bool spread = operand & 2 && !for_alpha;
 	const soft_word constant = (soft_word){0} + m->constant;
 
 	if (source == GL_CONSTANT) {

@@ -84,15 +84,9 @@ static uint32_t sample_level(const struct draw *draw, int unit, bool next,
 	const struct soft_levels *levels = &draw->spans.levels[unit];
 	const struct soft_view *view = next ? &levels->next_view : &levels->view;
 	uint32_t all = 0;
-	struct soft_run run;
+	/* soft_cut_run() also steps values that nothing reads */
+	struct soft_run run = {.row.depth = (uint16_t *)out};
 
-	/* values that soft_cut_run() steps, but nothing reads */
-	run.z_right = run.red_blue_right = run.green_alpha_right = 0;
-	run.fog_right = 0;
-	run.second = 0;
-	run.row.z = run.row.red_blue = run.row.green_alpha = run.row.fog = 0;
-	run.row.place = 0;
-	run.row.depth = (uint16_t *)out;
 	soft_use_view(view, &run);
 	for (uint32_t i = 0; i < runs->row_count; i++) {
 		const struct soft_row *row = &runs->rows[i];

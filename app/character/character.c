@@ -166,6 +166,23 @@ bool character_button_acts(const struct character_binding *binding)
 	return character_condition_holds(binding->when);
 }
 
+/* Whether a line that was printed before says the same. */
+static bool is_printed(const struct character *character,
+	const struct character_binding *wanted, const char *name)
+{
+	for (const struct character_binding *one = character->binding;
+		one != wanted; one = one->next) {
+		char other[48];
+
+		character_button_text(one, other, sizeof(other));
+		if (strcmp(one->label, wanted->label) == 0 &&
+			strcmp(other, name) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void character_print_buttons(const struct character *character, FILE *out)
 {
 	for (const struct character_binding *one = character->binding; one;
@@ -173,6 +190,8 @@ void character_print_buttons(const struct character *character, FILE *out)
 		char name[48];
 
 		character_button_text(one, name, sizeof(name));
-		fprintf(out, "  %-6s %s\n", name, one->label);
+		if (!is_printed(character, one, name)) {
+			fprintf(out, "  %-6s %s\n", name, one->label);
+		}
 	}
 }

@@ -70,7 +70,7 @@ void character_button_text(
 /* Returns true if the binding's condition holds now. */
 bool character_button_acts(const struct character_binding *binding);
 
-/* Prints what each button does, one line each. */
+/* Prints what each button does, and each line once. */
 void character_print_buttons(const struct character *character, FILE *out);
 
 #endif

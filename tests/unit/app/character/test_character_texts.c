@@ -43,6 +43,28 @@ static void test_a_button_without_a_label_is_called_as_it_acts(void **state)
 	acting_end(&acting);
 }
 
+/* As of arrows that move the camera beside each of some parts. */
+static void test_what_a_button_does_under_many_conditions_is_listed_once(
+	void **state)
+{
+	struct acting acting;
+	char *text;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter part]\nchoices = a b c\n"
+		"[buttons a]\nwhen = part is a\nUP = pause \"wait\"\n"
+		"DOWN = pause \"wait\"\n"
+		"[buttons b]\nwhen = part is b\nUP = tour \"wait\"\n"
+		"[buttons c]\nwhen = part is c\nUP = pause \"rest\"\n");
+	text = buttons_of(&acting);
+	assert_string_equal(
+		text, "  UP     wait\n  DOWN   wait\n  UP     rest\n");
+	free(text);
+	acting_end(&acting);
+}
+
 /* A line has up to 199 bytes. */
 static void test_a_label_holds_the_words_of_a_long_line(void **state)
 {
@@ -273,6 +295,8 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_button_without_a_label_is_called_as_it_acts),
+		cmocka_unit_test(
+			test_what_a_button_does_under_many_conditions_is_listed_once),
 		cmocka_unit_test(test_a_label_holds_the_words_of_a_long_line),
 		cmocka_unit_test(test_a_target_is_counted_from_any_node),
 		cmocka_unit_test(test_no_marks_are_at_the_same_moment_of_a_round),

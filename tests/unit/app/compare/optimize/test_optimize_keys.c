@@ -1,88 +1,8 @@
 /* Which channels of an animation stay, with which keys. */
-#include "app/compare/optimize/build/optimize_keys.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/compare/optimize/keys_bench.h"
 
-#include <stdlib.h>
 #include <string.h>
-
-enum {
-	KEYS = 40,
-	CHANNELS = 3
-};
-
-static const struct optimize_reach_node reach = {
-	.move_px = 100.0f, .turn_px = 50.0f, .scale_px = 20.0f};
-
-/* Channels of translations, of which each moves a node of its own. */
-struct fixture {
-	struct optimize_build build;
-	struct optimize_keys keys;
-	struct optimize_channel channel[CHANNELS];
-	float time_s[CHANNELS][KEYS], value[CHANNELS][KEYS][3];
-	bool moved[CHANNELS][4];
-};
-
-static void begin(struct fixture *f)
-{
-	*f = (struct fixture){.keys = {.build = &f->build,
-				      .count = CHANNELS,
-				      .channel = f->channel}};
-	f->build.root = json_pack("{s:[{},{},{}]}", "nodes");
-	assert_non_null(f->build.root);
-	for (int c = 0; c < CHANNELS; c++) {
-		f->moved[c][MODEL_TRANSLATION] = true;
-		for (int k = 0; k < KEYS; k++) {
-			f->time_s[c][k] = 0.5f * (float)(k + c);
-		}
-		f->channel[c] = (struct optimize_channel){
-			.target = json_pack("{s:i}", "node", c),
-			.track = {.path = MODEL_TRANSLATION,
-				.interpolation = MODEL_LINEAR,
-				.width = 3,
-				.key_count = KEYS,
-				.time_s = f->time_s[c],
-				.value = f->value[c][0],
-				.reach = &reach},
-			.time_s = f->time_s[c],
-			.value = f->value[c][0]};
-		assert_non_null(f->channel[c].target);
-	}
-	f->keys.end_s = f->time_s[CHANNELS - 1][KEYS - 1];
-}
-
-/* Lets a channel go up and down, with a bend at these keys. */
-static void bend(struct fixture *f, int channel, int first, int second)
-{
-	float height = 0.0f;
-
-	for (int k = 0; k < KEYS; k++) {
-		f->value[channel][k][1] = height;
-		height += k < first || k >= second ? 1.0f : -1.0f;
-	}
-}
-
-static void choose(struct fixture *f)
-{
-	assert_int_equal(optimize_keys_choose(&f->keys, f->moved[0]), 0);
-}
-
-static void end(struct fixture *f)
-{
-	for (int c = 0; c < CHANNELS; c++) {
-		free(f->channel[c].kept);
-		json_decref(f->channel[c].target);
-	}
-	json_decref(f->build.root);
-}
-
-static void expect_kept(
-	const struct fixture *f, int channel, const int *kept, int count)
-{
-	assert_int_equal(f->channel[channel].kept_count, count);
-	for (int k = 0; k < count; k++) {
-		assert_int_equal(f->channel[channel].kept[k], kept[k]);
-	}
-}
 
 static void test_channels_keep_the_keys_that_suffice(void **state)
 {
@@ -204,46 +124,6 @@ static void test_the_last_channel_stays_for_its_end(void **state)
 	end(&f);
 }
 
-/* Times of their own take an accessor more than a few values take. */
-static void test_channels_share_the_times_of_few_keys(void **state)
-{
-	struct fixture f;
-
-	(void)state;
-	begin(&f);
-	memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
-	bend(&f, 0, 7, 20);
-	bend(&f, 1, 9, 33);
-	bend(&f, 2, 7, 20);
-	choose(&f);
-	for (int c = 0; c < 2; c++) {
-		assert_int_equal(f.channel[c].group, 0);
-		expect_kept(&f, c, (const int[]){0, 7, 9, 20, 33, KEYS - 1}, 6);
-	}
-	assert_int_equal(f.channel[2].group, 2);
-	expect_kept(&f, 2, (const int[]){0, 7, 20, KEYS - 1}, 4);
-	end(&f);
-}
-
-/* A channel of two keys shares no times that would give it 40. */
-static void test_many_keys_are_not_shared(void **state)
-{
-	struct fixture f;
-
-	(void)state;
-	begin(&f);
-	memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
-	bend(&f, 1, KEYS, KEYS);
-	for (int k = 0; k < KEYS; k++) {
-		f.value[0][k][2] = (float)(k % 2);
-	}
-	choose(&f);
-	assert_int_equal(f.channel[1].group, 0);
-	assert_int_equal(f.channel[0].kept_count, KEYS);
-	expect_kept(&f, 1, (const int[]){0, KEYS - 1}, 2);
-	end(&f);
-}
-
 static void test_all_keys_are_kept_on_demand(void **state)
 {
 	struct fixture f;
@@ -319,6 +199,88 @@ static void test_a_node_without_members_is_at_rest(void **state)
 	}
 }
 
+/* Weights have an effect of their own, and unknown nodes any. */
+static void test_channels_of_idle_nodes_move_nothing(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		bool moved[CHANNELS][4] = {{false}}, idle = i == 0;
+		struct optimize_reach_node own = reach;
+		struct fixture f;
+
+		begin(&f);
+		own.idle = i < 2;
+		bend(&f, 0, 7, 20);
+		bend(&f, 1, 9, 33);
+		f.channel[1].track.reach = i == 3 ? NULL : &own;
+		f.channel[1].track.path =
+			i == 1 ? MODEL_WEIGHTS : MODEL_TRANSLATION;
+		memset(f.moved, true, sizeof(f.moved));
+		optimize_keys_find_moved(&f.keys, moved[0]);
+		assert_true(moved[0][MODEL_TRANSLATION]);
+		assert_int_equal(moved[1][f.channel[1].track.path], !idle);
+		choose(&f);
+		assert_int_equal(f.channel[1].constant, idle);
+		assert_int_equal(f.channel[1].kept_count,
+			idle             ? 1
+				: i == 3 ? KEYS
+					 : 4);
+		end(&f);
+	}
+}
+
+/*
+ * Of two channels at rest the first one keeps the end, unless the second stays
+ * anyway and the first does not; or, where both or none do, ends there.
+ */
+static void test_the_best_channel_keeps_the_end(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 16; i++) {
+		const int rank[2] = {i / 4, i % 4}; /* 2: stays, 1: at end */
+		int pinned = rank[1] > rank[0] ? 1 : 0;
+		struct fixture f;
+
+		begin(&f);
+		f.keys.count = 2;
+		f.keys.end_s = 100.0f;
+		for (int c = 0; c < 2; c++) {
+			f.moved[c][MODEL_TRANSLATION] = rank[c] >= 2;
+			if (rank[c] % 2) {
+				f.time_s[c][KEYS - 1] = f.keys.end_s;
+			}
+		}
+		choose(&f);
+		for (int c = 0; c < 2; c++) {
+			assert_int_equal(f.channel[c].ends, c == pinned);
+			assert_int_equal(
+				f.channel[c].kept_count, c == pinned ? 2 : 1);
+			assert_int_equal(f.channel[c].dropped,
+				c != pinned && rank[c] < 2);
+		}
+		end(&f);
+	}
+}
+
+/* One key says when a clip ends, wherever it is; it cannot become two. */
+static void test_a_single_key_keeps_the_end_alone(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	for (int c = 0; c < CHANNELS; c++) {
+		f.channel[c].track.key_count = 1;
+	}
+	f.keys.end_s = f.time_s[2][0];
+	choose(&f);
+	for (int c = 0; c < CHANNELS; c++) {
+		assert_int_equal(f.channel[c].ends, c == 2);
+		expect_kept(&f, c, (const int[]){0}, 1);
+	}
+	end(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -327,11 +289,12 @@ int main(void)
 		cmocka_unit_test(test_an_animation_keeps_its_end),
 		cmocka_unit_test(test_a_channel_that_moves_keeps_the_end),
 		cmocka_unit_test(test_the_last_channel_stays_for_its_end),
-		cmocka_unit_test(test_channels_share_the_times_of_few_keys),
-		cmocka_unit_test(test_many_keys_are_not_shared),
 		cmocka_unit_test(test_all_keys_are_kept_on_demand),
 		cmocka_unit_test(test_a_channel_at_rest_moves_nothing),
 		cmocka_unit_test(test_a_node_without_members_is_at_rest),
+		cmocka_unit_test(test_channels_of_idle_nodes_move_nothing),
+		cmocka_unit_test(test_the_best_channel_keeps_the_end),
+		cmocka_unit_test(test_a_single_key_keeps_the_end_alone),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -86,6 +86,36 @@ static void test_normals_are_posed_where_they_are_asked_for(void **state)
 	model_destroy(model);
 }
 
+/* One part for each primitive that a node shows, in the drawables' order. */
+static void expect_parts(const char *name, bool normals)
+{
+	struct model *model = model_fixture(name, NULL);
+	const struct log log = log_to_nowhere();
+	struct reference *reference;
+	int first = 0;
+
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	assert_true(reference->part_count > 0);
+	for (int i = 0; i < reference->part_count; i++) {
+		const struct reference_part *part = &reference->part[i];
+
+		assert_int_equal(part->drawable, i);
+		assert_int_equal(part->first_vertex, first);
+		assert_int_equal(part->normals, normals);
+		first += part->vertex_count;
+	}
+	assert_int_equal(reference->vertex_count, first);
+	reference_destroy(reference);
+	model_destroy(model);
+}
+
+static void test_parts_tell_whether_they_have_normals(void **state)
+{
+	(void)state;
+	expect_parts("gltf/skin/and_morph.gltf", true);
+	expect_parts("gltf/clip/far.gltf", false);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -93,6 +123,7 @@ int main(void)
 			test_a_reference_without_memory_gives_back_what_it_took),
 		cmocka_unit_test(test_a_clip_without_a_duration_has_no_reference),
 		cmocka_unit_test(test_normals_are_posed_where_they_are_asked_for),
+		cmocka_unit_test(test_parts_tell_whether_they_have_normals),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
 /* Whether a clip may reverse the winding of triangles. */
 #include "app/compare/measure/winding.h"
+#include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
 enum {
@@ -50,10 +51,66 @@ static void test_a_scale_of_another_sign_may_mirror(void **state)
 	}
 }
 
+/* How often a fixture with a scale of its own is mirrored, at some moments. */
+static bool turns(bool mirrored[KEYS], enum model_interpolation interpolation)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	float time_s[KEYS] = {0.0f, 1.0f, 2.0f}, value[3 * KEYS][3] = {{0}};
+	int width = interpolation == MODEL_CUBICSPLINE ? 3 : 1;
+	struct model_channel channel = {.node = model->clip[0].channel[0].node,
+		.path = MODEL_SCALE,
+		.interpolation = interpolation,
+		.width = 3,
+		.key_count = KEYS,
+		.time_s = time_s,
+		.value = value[0]};
+	struct model_clip *clips = model->clip, own = clips[0];
+	int count = model->clip_count;
+	const struct time_grid grid = {.count = KEYS, .time_s = time_s};
+	struct reference *reference;
+	bool found = false;
+
+	own.channel = &channel;
+	own.channel_count = 1;
+	own.duration_s = time_s[KEYS - 1];
+	for (int k = 0; k < KEYS; k++) {
+		float *scale = value[k * width + width / 2];
+
+		scale[0] = mirrored[k] ? -1.0f : 1.0f;
+		scale[1] = scale[2] = 1.0f;
+	}
+	model->clip = &own;
+	model->clip_count = 1;
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	assert_int_equal(winding_find_turns(reference, &grid, &found), 0);
+	reference_destroy(reference);
+	model->clip = clips;
+	model->clip_count = count;
+	model_destroy(model);
+	return found;
+}
+
+/* What is mirrored all the time has the same winding all the time. */
+static void test_only_surfaces_that_are_mirrored_at_times_turn(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 8; i++) {
+		bool mirrored[KEYS] = {i & 1, i >> 1 & 1, i >> 2 & 1};
+
+		assert_int_equal(turns(mirrored, MODEL_STEP), i > 0 && i < 7);
+		assert_int_equal(turns(mirrored, MODEL_LINEAR), i > 0 && i < 7);
+		assert_int_equal(
+			turns(mirrored, MODEL_CUBICSPLINE), i > 0 && i < 7);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_scale_of_another_sign_may_mirror),
+		cmocka_unit_test(
+			test_only_surfaces_that_are_mirrored_at_times_turn),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

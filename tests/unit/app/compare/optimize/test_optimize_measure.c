@@ -1,6 +1,7 @@
 /* How many pixels a unit of a model is, and how far two models are apart. */
 #include "app/compare/optimize/optimize_measure.h"
 #include "app/model/split/split.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
@@ -240,6 +241,139 @@ static void test_models_with_other_vertices_are_refused(void **state)
 	model_destroy(other);
 }
 
+/*
+ * What a step to the picture's right by a short way is in pixels, at the corner
+ * of the box where it is most.
+ */
+static float step_px(const struct screen_view *screen)
+{
+	float most = 0.0f, unit = 1.0f / 1024.0f;
+
+	for (int i = 0; i < 8; i++) {
+		const struct bounds *box = &screen->box;
+		float from[3] = {i & 1 ? box->high[0] : box->low[0],
+			i & 2 ? box->high[1] : box->low[1],
+			i & 4 ? box->high[2] : box->low[2]};
+		float to[3], px;
+
+		for (int axis = 0; axis < 3; axis++) {
+			to[axis] = from[axis] +
+				unit * screen->view[axis][0] / screen->unit;
+		}
+		px = screen_view_distance_px(screen, from, to) / unit;
+		most = px > most ? px : most;
+	}
+	return most * screen->unit;
+}
+
+/* Turned to any side, the grid has corners of its box far from each other. */
+static void test_a_unit_is_that_at_the_closest_corner(void **state)
+{
+	static const float turns[][4] = {{0, 0.6f, 0, 0.8f}, {0, -0.6f, 0, 0.8f},
+		{0.6f, 0, 0, 0.8f}, {-0.48f, 0.6f, 0.64f, 0}};
+	const struct log log = log_to_stderr(LOG_WARNING);
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(turns); i++) {
+		struct model *model = small_model_grid(2, 2, 2, true);
+		struct model_clip still = {.name = "still", .duration_s = 1};
+		struct screen_view screen;
+		struct reference *reference;
+		struct time_grid grid;
+
+		for (int axis = 0; axis < 4; axis++) {
+			model->node[0].rest.rotation[axis] = turns[i][axis];
+		}
+		model->clip = &still;
+		model->clip_count = 1;
+		assert_int_equal(
+			reference_create(model, 0, &log, &reference), 0);
+		assert_int_equal(time_grid_make(&still, &grid), 0);
+		screen = screen_view_create(reference, &grid, 300, 200);
+		assert_near(px_per_unit(model, 300, 200), step_px(&screen),
+			0.01 * (double)step_px(&screen));
+		time_grid_release(&grid);
+		reference_destroy(reference);
+		model->clip = NULL;
+		model->clip_count = 0;
+		model_destroy(model);
+	}
+}
+
+static void test_a_view_without_vertices_frames_nothing(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct optimize_measure_view view = {48, 64, 1.0, 1.0f};
+	struct model *model = small_model_grid(1, 1, 1, true);
+	struct bounds box = {{0, 0, 0}, {1, 1, 1}};
+	float px;
+
+	(void)state;
+	model->node[0].mesh = -1;
+	assert_int_equal(
+		optimize_measure_unit(model, &view, &log, &box, &px), 0);
+	assert_true(bounds_is_empty(&box));
+	model_destroy(model);
+}
+
+/* Each failure says what to do about it, once. */
+static void test_what_cannot_be_measured_is_told(void **state)
+{
+	struct optimize_measure_view view = {48, 64, 1.0, 1.0f};
+	struct model *model = model_fixture("gltf/clip/far.gltf", NULL);
+	struct model *other = small_model_grid(3, 3, 1, true);
+	float duration_s = model->clip[0].duration_s, px;
+	struct bounds box = bounds_empty();
+	struct log_capture said;
+	struct log log = log_capture_begin(&said);
+
+	(void)state;
+	assert_int_equal(
+		optimize_measure(model, other, -1, view, &box, &log, &px),
+		-EINVAL);
+	assert_int_equal(said.count, 1);
+	assert_contains(said.sentence[0], "other vertices");
+	model->clip[0].duration_s = 6.0f * 3600.0f;
+	log = log_capture_begin(&said);
+	assert_int_equal(
+		optimize_measure(model, model, 0, view, &box, &log, &px),
+		-E2BIG);
+	assert_int_equal(said.count, 1);
+	assert_contains(said.sentence[0], "longer than five hours");
+	log = log_capture_begin(&said);
+	assert_int_equal(
+		optimize_measure_unit(model, &view, &log, &box, &px), -E2BIG);
+	assert_int_equal(said.count, 1);
+	assert_contains(said.sentence[0], "longer than five hours");
+	model->clip[0].duration_s = duration_s;
+	model_destroy(model);
+	model_destroy(other);
+}
+
+/* A clip of one key has no duration, and yet a pose. */
+static void test_a_clip_without_duration_is_measured_in_its_pose(void **state)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	const struct optimize_measure_view view = {480, 640, 1.0, 1.0f};
+	struct model *model = model_fixture("gltf/clip/pose.gltf", NULL);
+	struct model rest = *model;
+	struct model_clip none = model->clip[0];
+	struct bounds box = bounds_empty();
+	float px;
+
+	(void)state;
+	none.channel_count = 0;
+	rest.clip = &none;
+	assert_near(model->clip[0].duration_s, 0, 0);
+	assert_int_equal(
+		optimize_measure(model, model, 0, view, &box, &log, &px), 0);
+	assert_near(px, 0, 0);
+	assert_int_equal(
+		optimize_measure(model, &rest, 0, view, &box, &log, &px), 0);
+	assert_true(px > 1.0f);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -256,6 +390,11 @@ int main(void)
 			test_a_unit_comes_with_the_view_of_the_first_clip),
 		cmocka_unit_test(test_vertices_of_other_parts_are_compared),
 		cmocka_unit_test(test_models_with_other_vertices_are_refused),
+		cmocka_unit_test(test_a_unit_is_that_at_the_closest_corner),
+		cmocka_unit_test(test_a_view_without_vertices_frames_nothing),
+		cmocka_unit_test(test_what_cannot_be_measured_is_told),
+		cmocka_unit_test(
+			test_a_clip_without_duration_is_measured_in_its_pose),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

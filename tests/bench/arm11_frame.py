@@ -18,7 +18,7 @@ STAGES = {
     " prepare_second prepare_spans shade state unindexed vertex vertices",
     "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
     " fill_small fill_texture hidden layout line list set_up triangle triangles walk walk_list",
-    "pixels": "band beside blend_row combine_rows coverage cut fill level loops"
+    "pixels": "band beside blend_row combine_rows coverage cut fill loops"
     " luminance made mix narrow_rows rows samplers spans_565 spans_8888"
     " spans_joined spans_second tests texture tile_row thin_line tiles tint"
     " untested",

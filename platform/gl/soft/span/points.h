@@ -1,6 +1,6 @@
 /*
  * Perspective division at single pixels of a row, and linear steps between
- * them. Only walk.c, thin_line.c and level.c include this header.
+ * them. Only walk.c, thin_line.c and begin.c include this header.
  */
 #ifndef PLATFORM_GL_SOFT_SPAN_POINTS_H
 #define PLATFORM_GL_SOFT_SPAN_POINTS_H

@@ -12,22 +12,18 @@
 uint32_t soft_begin_walk(struct draw *draw, int rows);
 /* Sets steps of colours that are linear; moving is soft_begin_walk()'s. */
 void soft_begin_steps(struct draw *draw, uint32_t moving);
-
 /*
- * level.c: chooses the level, or two and their weights, and the filter of a
- * unit for a level of detail with 8 fraction bits: GL ES 1.1 section 3.7.7.
+ * Chooses the level, or two and their weights, and the filter of a unit for a
+ * level of detail with 8 fraction bits: GL ES 1.1 section 3.7.7.
  */
 void soft_set_level(struct draw *draw, int unit, int lod);
-
 /*
- * level.c, in perspective: the second texture's coordinates in count pixels
- * from column x on of a row, counted from the triangle's first one; and its
- * level of detail.
+ * In perspective: the second texture's coordinates in count pixels from column
+ * x on of a row, counted from the triangle's first one; and its level of detail.
  */
 struct soft_made_at soft_find_second(
 	struct draw *draw, int row, int x, int count, int *lod);
-
-/* level.c: lets a run read a level. */
+/* Lets a run read a level. */
 void soft_use_view(const struct soft_view *view, struct soft_run *run);
 
 /*

@@ -184,12 +184,41 @@ static bool has_gone_away(const struct search *search)
 	return x * x + z * z > search->extent * search->extent;
 }
 
+/* Whether the last key has another value than the first one. */
+static bool ends_elsewhere(const struct model_channel *channel)
+{
+	size_t last = (size_t)channel->key_count - 1;
+	size_t width = (size_t)channel->width;
+	/* A cubic key has its value between two tangents. */
+	bool cubic = channel->interpolation == MODEL_CUBICSPLINE;
+	size_t begin = cubic ? width : 0;
+	size_t end = begin + last * width * (cubic ? 3 : 1);
+
+	if (channel->packed) {
+		return memcmp(channel->packed[0], channel->packed[last],
+			       sizeof(channel->packed[0])) != 0;
+	}
+	return memcmp(channel->value + begin, channel->value + end,
+		       width * sizeof(*channel->value)) != 0;
+}
+
+/* Whether the last pose may differ from the first: one need not see most loops. */
+static bool may_end_elsewhere(const struct model_clip *clip)
+{
+	for (int i = 0; i < clip->channel_count; i++) {
+		if (ends_elsewhere(&clip->channel[i])) {
+			return true;
+		}
+	}
+	return false;
+}
+
 static bool plays_once(struct search *search, const struct model_clip *clip)
 {
 	float way, change;
 	bool moved, morphed;
 
-	if (clip->duration_s < short_s) {
+	if (clip->duration_s < short_s || !may_end_elsewhere(clip)) {
 		return false;
 	}
 	take(search, clip, 0, &search->start);

@@ -112,6 +112,65 @@ static void test_a_clip_alone_that_plays_once_begins_again(void **state)
 	acting_end(&acting);
 }
 
+/* Plays the door's first clip with other keys, from 0 s to 1 s. */
+static enum clip_repeat repeat_of(
+	struct acting *acting, struct model_channel channel)
+{
+	static const float time_s[] = {0, 1};
+	struct model_clip *clip = &acting->model->clip[0], kept = *clip;
+	char *text;
+
+	channel.node = clip->channel[0].node;
+	channel.path = MODEL_ROTATION;
+	channel.width = 4;
+	channel.key_count = 2;
+	channel.time_s = time_s;
+	clip->duration_s = 1;
+	clip->channel = &channel;
+	text = acting_sketch(acting->model, NULL);
+	*clip = kept;
+	acting_expect(acting, text);
+	free(text);
+	return acting->character->machine.state[0].repeat;
+}
+
+/* A cubic key has a tangent, the value and another tangent. */
+static void test_the_last_value_tells_where_a_cubic_clip_ends(void **state)
+{
+	static const float loop[] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0, -3,
+		0, 0, 0, 0, 0, 1, 0, 0, 0, 0};
+	static const float open[] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0,
+		0, 0, 0, 0.7071068f, 0, 0.7071068f, 0, 0, 0, 0};
+	struct model_channel channel = {.interpolation = MODEL_CUBICSPLINE};
+	struct acting acting;
+
+	(void)state;
+	begin(&acting);
+	channel.value = loop;
+	assert_int_equal(repeat_of(&acting, channel), CLIP_LOOP);
+	channel.value = open;
+	assert_int_equal(repeat_of(&acting, channel), CLIP_ONCE);
+	acting_end(&acting);
+}
+
+static void test_packed_rotations_tell_where_a_clip_ends(void **state)
+{
+	static const int16_t open[][4] = {
+		{0, 0, 0, MODEL_PACKED_UNIT}, {0, 23170, 0, 23170}};
+	static const int16_t still[][4] = {
+		{0, 23170, 0, 23170}, {0, 23170, 0, 23170}};
+	struct model_channel channel = {.unit = true};
+	struct acting acting;
+
+	(void)state;
+	begin(&acting);
+	channel.packed = open;
+	assert_int_equal(repeat_of(&acting, channel), CLIP_ONCE);
+	channel.packed = still;
+	assert_int_equal(repeat_of(&acting, channel), CLIP_LOOP);
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -120,6 +179,9 @@ int main(void)
 		cmocka_unit_test(
 			test_a_button_plays_a_clip_again_that_plays_once),
 		cmocka_unit_test(test_a_clip_alone_that_plays_once_begins_again),
+		cmocka_unit_test(
+			test_the_last_value_tells_where_a_cubic_clip_ends),
+		cmocka_unit_test(test_packed_rotations_tell_where_a_clip_ends),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

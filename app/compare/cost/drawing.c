@@ -50,11 +50,12 @@ static int find_ground(struct drawing *drawing, struct instance *instance,
 	return shadow_figure_create(instance, &ground, log, &drawing->figure);
 }
 
-static int prepare(struct drawing *drawing, const struct instance *instance,
+static int prepare(struct drawing *drawing, struct instance *instance,
 	const struct bounds *box, const struct log *log)
 {
 	const struct gl *gl = &drawing->context->gl;
-	struct camera_framing framing = screen_view_played;
+	struct bounds rest = bounds_of_clip(instance, -1);
+	struct camera_framing framing = screen_view_played(&rest);
 	int error = texture_set_create(
 		&drawing->textures, instance->model, gl, PIXELS_RGB565, log);
 

@@ -5,13 +5,24 @@
 
 #include <cglm/cglm.h>
 
-/* The angles are those of camera_default(). */
-const struct camera_framing screen_view_played = {
-	.yaw_rad = 0.45f,
-	.pitch_rad = 0.16f,
-	.margin = 1.1f,
-	.follow = true,
-};
+struct camera_framing screen_view_played(const struct bounds *rest)
+{
+	struct camera camera = camera_default();
+
+	return (struct camera_framing){
+		.yaw_rad = camera.yaw_rad,
+		.pitch_rad = camera_pitch_for(rest),
+		.margin = 1.1f,
+		.follow = true,
+	};
+}
+
+static void add_vertices(struct bounds *box, const struct reference *reference)
+{
+	for (int v = 0; v < reference->vertex_count; v++) {
+		bounds_add(box, reference->position[v]);
+	}
+}
 
 static struct bounds box_of(
 	struct reference *reference, const struct time_grid *grid)
@@ -21,21 +32,30 @@ static struct bounds box_of(
 	for (int i = 0; i < grid->count && (i == 0 || !interrupt_pending());
 		i++) {
 		reference_pose(reference, grid->time_s[i], false);
-		for (int v = 0; v < reference->vertex_count; v++) {
-			bounds_add(&box, reference->position[v]);
-		}
+		add_vertices(&box, reference);
 	}
 	return box;
+}
+
+struct screen_view screen_view_begin(
+	struct reference *reference, int width, int height)
+{
+	struct bounds rest = bounds_empty();
+
+	reference_rest(reference);
+	add_vertices(&rest, reference);
+	return (struct screen_view){
+		.width = width,
+		.height = height,
+		.unit = reference->instance->unit_scale,
+		.framing = screen_view_played(&rest),
+	};
 }
 
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height)
 {
-	struct screen_view screen = {
-		.width = width,
-		.height = height,
-		.unit = reference->instance->unit_scale,
-	};
+	struct screen_view screen = screen_view_begin(reference, width, height);
 	struct bounds box = box_of(reference, grid);
 
 	screen_view_frame(&screen, &box);
@@ -85,7 +105,7 @@ static void find_scale(struct screen_view *screen)
 
 void screen_view_frame(struct screen_view *screen, const struct bounds *box)
 {
-	struct camera_framing wanted = screen_view_played;
+	struct camera_framing wanted = screen->framing;
 	struct camera camera = camera_default();
 	struct bounds scene_box = *box;
 	float half_rad = 0.5f * camera.yfov_rad;

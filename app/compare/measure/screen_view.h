@@ -10,10 +10,11 @@
 #include "app/scene/stage/camera.h"
 
 /*
- * How `limber play` frames what it plays of a model without a character file:
- * the box fills the picture. The caller sets aspect and region.
+ * Returns how `limber play` frames what it plays of a model without a character
+ * file, whose box at rest this is: what it shows fills the picture. The caller
+ * sets aspect and region.
  */
-extern const struct camera_framing screen_view_played;
+struct camera_framing screen_view_played(const struct bounds *rest);
 
 /* The view of a camera as plain numbers. */
 struct screen_view {
@@ -27,8 +28,16 @@ struct screen_view {
 	 * distance is at most near_square (model units).
 	 */
 	float px_per_unit, near_square;
+	struct camera_framing framing; /* without aspect and region */
 	struct bounds box; /* what the view frames, in model units */
 };
+
+/*
+ * Returns the view of a picture that shows the reference's model, but frames
+ * nothing yet. Poses the reference at rest.
+ */
+struct screen_view screen_view_begin(
+	struct reference *reference, int width, int height);
 
 /*
  * Returns the view in which the whole clip is played. Poses the reference at
@@ -37,10 +46,7 @@ struct screen_view {
 struct screen_view screen_view_create(struct reference *reference,
 	const struct time_grid *grid, int width, int height);
 
-/*
- * Moves the view so that it frames a box in the model's units as
- * screen_view_played.
- */
+/* Moves the view so that it frames a box in the model's units. */
 void screen_view_frame(struct screen_view *screen, const struct bounds *box);
 
 /* One coordinate (row: 0 x, 1 y, 2 z) of a point in eye space. */

@@ -160,11 +160,8 @@ static int measure(const struct task *task, struct players *players,
 	const int *source, float *peak_px)
 {
 	struct reference *wanted = players->pair[0].wanted.reference;
-	struct screen_view screen = {
-		.width = task->view.width,
-		.height = task->view.height,
-		.unit = wanted->instance->unit_scale,
-	};
+	struct screen_view screen =
+		screen_view_begin(wanted, task->view.width, task->view.height);
 	struct time_grid grid;
 	int error = time_grid_make(wanted->clip, &grid);
 

@@ -101,20 +101,13 @@ static int create_figure(
 	return 0;
 }
 
-/* A figure that walks about on level ground does not lie flat itself. */
-static float pitch_of(const struct figure *figure)
-{
-	float rest = camera_pitch_for(&figure->drawing.bounds.rest);
-	float all = camera_pitch_for(&figure->drawing.bounds.all);
-
-	return rest < all ? rest : all;
-}
-
 /* How the character file wants the figure and its labels in the picture. */
 static struct framing framing_of(const struct figure *figure)
 {
 	const struct character_scene *scene = &figure->character->scene;
-	float pitch = scene->pitch_rad < 0 ? pitch_of(figure) : scene->pitch_rad;
+	const struct bounds *rest = &figure->drawing.bounds.rest;
+	float pitch = scene->pitch_rad < 0 ? camera_pitch_for(rest)
+					   : scene->pitch_rad;
 	struct framing framing = {.camera = {.yaw_rad = scene->yaw_rad,
 					  .pitch_rad = pitch,
 					  .margin = scene->margin,

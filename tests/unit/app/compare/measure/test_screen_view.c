@@ -18,8 +18,10 @@ static const struct bounds boxes[] = {
 static struct screen_view view_of(
 	const struct bounds *box, int width, int height, float unit)
 {
-	struct screen_view screen = {
-		.width = width, .height = height, .unit = unit};
+	struct screen_view screen = {.width = width,
+		.height = height,
+		.unit = unit,
+		.framing = screen_view_played(box)};
 
 	screen_view_frame(&screen, box);
 	return screen;

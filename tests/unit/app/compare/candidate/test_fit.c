@@ -236,6 +236,61 @@ static void test_even_keys_reach_from_start_to_end(void **state)
 	fit_keys_release(&keys);
 }
 
+/*
+ * A point that is up for a moment, down for some and up at the end: a line to
+ * the end keeps to the bound, and a line to none of those where it is down.
+ */
+static int keys_over_a_gap(int down)
+{
+	const struct log log = log_to_stderr(LOG_WARNING);
+	struct model *model = small_model_grid(1, 1, 1, true);
+	float time_s[MISSES + 4], value[MISSES + 4][3] = {{0}};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = down + 3,
+		.time_s = time_s,
+		.value = value[0]};
+	struct model_clip clip = {
+		.duration_s = 2.0f, .channel_count = 1, .channel = &channel};
+	const struct time_grid grid = {.count = down + 3, .time_s = time_s};
+	struct reference *reference;
+	struct screen_view screen;
+	struct fit_keys keys;
+	const float a[3] = {0, 0, 0}, b[3] = {0, 1, 0};
+	int count;
+
+	time_s[0] = 0.0f;
+	for (int i = 1; i <= down + 1; i++) {
+		time_s[i] = 1.0f + 1e-3f * (float)i;
+	}
+	time_s[down + 2] = 2.0f;
+	value[1][1] = value[down + 2][1] = 1.5f;
+	model->clip = &clip;
+	model->clip_count = 1;
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	screen = screen_view_create(reference, &grid, 480, 640);
+	assert_int_equal(fit_keys_within(reference, &screen, &grid,
+				 screen_view_distance_px(&screen, a, b),
+				 PLENTY_BYTES, &keys),
+		0);
+	count = keys.count;
+	fit_keys_release(&keys);
+	reference_destroy(reference);
+	model->clip = NULL;
+	model->clip_count = 0;
+	model_destroy(model);
+	return count;
+}
+
+static void test_a_fit_gives_up_after_a_row_of_misses(void **state)
+{
+	(void)state;
+	assert_int_equal(keys_over_a_gap(1), 2);
+	assert_int_equal(keys_over_a_gap(MISSES - 1), 2);
+	assert_true(keys_over_a_gap(MISSES) > 2);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -245,6 +300,7 @@ int main(void)
 			test_it_gives_up_after_eight_moments_that_do_not_fit),
 		cmocka_unit_test(test_the_memory_limits_the_spans),
 		cmocka_unit_test(test_even_keys_reach_from_start_to_end),
+		cmocka_unit_test(test_a_fit_gives_up_after_a_row_of_misses),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

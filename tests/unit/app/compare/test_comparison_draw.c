@@ -228,6 +228,61 @@ static void test_without_such_a_clip_the_rest_pose_is_drawn(void **state)
 	end(&bench);
 }
 
+/* Whichever clip of the model it is, and whatever was drawn before it. */
+static void test_a_clip_costs_the_same_at_any_place(void **state)
+{
+	struct board_frame wanted[CLIPS];
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.sampling.drawn_frames = 1;
+	bench.comparison.row_count = 1;
+	(void)predict(&bench, 0, 0);
+	wanted[0] = bench.cell[0][0].board;
+	wanted[1] = bench.cell[0][1].board;
+	bench.clip[0].clip = 1;
+	bench.clip[1].clip = 0;
+	(void)predict(&bench, 0, 0);
+	for (int c = 0; c < CLIPS; c++) {
+		const struct board_frame *found = &bench.cell[0][1 - c].board;
+
+		expect_cost(&found->draw, &wanted[c].draw);
+		expect_cost(&found->vertices, &wanted[c].vertices);
+	}
+	/* The model's second clip becomes its first one. */
+	bench.model->clip++;
+	bench.model->clip_count--;
+	bench.comparison.clip_count = 1;
+	bench.clip[0].clip = 0;
+	expect_cost(&predict(&bench, 0, 0)->draw, &wanted[1].draw);
+	bench.model->clip--;
+	bench.model->clip_count++;
+	end(&bench);
+}
+
+/* The picture shows a clip, and not all that was compared, from edge to edge. */
+static void test_a_clip_fills_the_picture_that_is_drawn(void **state)
+{
+	struct board_cost wanted;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bench.comparison.sampling.drawn_frames = 1;
+	bench.comparison.row_count = 1;
+	bench.comparison.clip_count = 1;
+	wanted = predict(&bench, 0, 0)->draw;
+	for (int axis = 0; axis < 3; axis++) {
+		bench.comparison.box.low[axis] *= 3.0f;
+		bench.comparison.box.high[axis] *= 3.0f;
+	}
+	/* The ground is as large as what was compared. */
+	assert_near(predict(&bench, 0, 0)->draw.cycles, wanted.cycles,
+		0.02 * wanted.cycles);
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -237,6 +292,8 @@ int main(void)
 		cmocka_unit_test(test_nothing_is_saved_where_no_vertex_is_posed),
 		cmocka_unit_test(test_the_compared_clip_is_drawn),
 		cmocka_unit_test(test_without_such_a_clip_the_rest_pose_is_drawn),
+		cmocka_unit_test(test_a_clip_costs_the_same_at_any_place),
+		cmocka_unit_test(test_a_clip_fills_the_picture_that_is_drawn),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

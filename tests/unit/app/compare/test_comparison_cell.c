@@ -5,6 +5,7 @@
 #include "app/compare/candidate/candidate_time.h"
 #include "app/compare/comparison.h"
 #include "app/model/levels/levels.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
@@ -198,6 +199,45 @@ static void test_rows_of_other_bounds_are_fitted_once(void **state)
 	end(&turning);
 }
 
+/*
+ * Where a fit misses the bound at a moment that it has looked at, by rounding
+ * or as only the middle between two moments is off, more moments do not help.
+ */
+static void test_a_fit_is_tightened_where_more_moments_do_not_help(void **state)
+{
+	static const struct {
+		float speed, bound_px;
+	} cases[] = {{22.09f, 0.15f}, {13.95f, 0.3375f}, {18.02f, 0.225f}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct turning turning;
+
+		begin(&turning, cases[i].speed, cases[i].bound_px);
+		assert_true(listed_morph(&turning)->cell->error.peak_px <=
+			cases[i].bound_px);
+		assert_int_equal(timed, turning.comparison->row_count);
+		end(&turning);
+	}
+}
+
+/* The grid has a corner at the origin, and a side of 1. */
+static void test_a_clip_knows_the_box_of_the_rest_pose(void **state)
+{
+	static const struct bounds wanted = {{0, 0, 0}, {1, 1, 0}};
+	struct turning turning;
+
+	(void)state;
+	begin(&turning, 8.0f, 8.0f);
+	for (int axis = 0; axis < 3; axis++) {
+		const struct bounds *rest = &turning.comparison->clip[0].rest;
+
+		assert_near(rest->low[axis], wanted.low[axis], 1e-6);
+		assert_near(rest->high[axis], wanted.high[axis], 1e-6);
+	}
+	end(&turning);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -206,6 +246,9 @@ int main(void)
 			test_a_morph_that_misses_the_bound_is_timed_as_well),
 		cmocka_unit_test(test_each_technique_says_what_it_takes),
 		cmocka_unit_test(test_rows_of_other_bounds_are_fitted_once),
+		cmocka_unit_test(
+			test_a_fit_is_tightened_where_more_moments_do_not_help),
+		cmocka_unit_test(test_a_clip_knows_the_box_of_the_rest_pose),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

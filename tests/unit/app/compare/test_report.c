@@ -322,6 +322,54 @@ static void test_no_instructions_are_a_number(void **state)
 	free(bench.text);
 }
 
+/* Column by column, as glTF and GL ES store matrices. */
+static void test_json_has_each_number_of_the_view(void **state)
+{
+	struct bench bench;
+	const json_t *clip, *view;
+	json_t *root;
+
+	(void)state;
+	begin(&bench);
+	for (int i = 0; i < 16; i++) {
+		bench.compared[1].screen.view[i / 4][i % 4] = (float)i + 0.5f;
+	}
+	root = json_loads(print(&bench, "json"), 0, NULL);
+	assert_non_null(root);
+	clip = json_array_get(json_object_get(root, "clips"), 1);
+	view = json_object_get(json_object_get(clip, "screen"), "view");
+	assert_int_equal(json_array_size(view), 16);
+	for (int i = 0; i < 16; i++) {
+		assert_near(json_number_value(json_array_get(view, (size_t)i)),
+			i + 0.5, 0);
+	}
+	json_decref(root);
+	free(bench.text);
+}
+
+/* Files that tools compare line by line, and terminals show as they are. */
+static void test_json_is_ascii_on_short_lines(void **state)
+{
+	struct bench bench;
+	const char *text;
+
+	(void)state;
+	begin(&bench);
+	bench.model.path = "d\xC3\xB6g.glb";
+	bench.time_s[1] = 0.1f;
+	bench.comparison.mixed_us = 1.0 / 3.0;
+	text = print(&bench, "json");
+	assert_contains(text, "{\n  \"");
+	assert_contains(text, ",\n  \"");
+	assert_contains(text, "d\\u00F6g.glb");
+	assert_contains(text, " 0.333333333\n");
+	assert_contains(text, " 0.100000001,\n");
+	for (int i = 0; text[i] != '\0'; i++) {
+		assert_in_range(text[i], '\n', '~');
+	}
+	free(bench.text);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -334,6 +382,8 @@ int main(void)
 		cmocka_unit_test(test_json_has_all_rows_and_cells),
 		cmocka_unit_test(test_json_refuses_a_name_that_is_not_utf8),
 		cmocka_unit_test(test_formats_are_found_by_name),
+		cmocka_unit_test(test_json_has_each_number_of_the_view),
+		cmocka_unit_test(test_json_is_ascii_on_short_lines),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,7 @@
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const char text_of_two_clips[] =
 	"dog.glb, 2 clips: 3.75 s; 321 vertices, 1 node\n"
@@ -359,8 +360,8 @@ static void test_json_is_ascii_on_short_lines(void **state)
 	bench.time_s[1] = 0.1f;
 	bench.comparison.mixed_us = 1.0 / 3.0;
 	text = print(&bench, "json");
-	assert_contains(text, "{\n  \"");
-	assert_contains(text, ",\n  \"");
+	assert_int_equal(strncmp(text, "{\n  \"", 5), 0);
+	assert_string_equal(text + strlen(text) - 3, "\n}\n");
 	assert_contains(text, "d\\u00F6g.glb");
 	assert_contains(text, " 0.333333333\n");
 	assert_contains(text, " 0.100000001,\n");
@@ -368,6 +369,33 @@ static void test_json_is_ascii_on_short_lines(void **state)
 		assert_in_range(text[i], '\n', '~');
 	}
 	free(bench.text);
+}
+
+static void test_json_has_the_times_of_key_frames(void **state)
+{
+	(void)state;
+	for (int count = 0; count < 3; count++) {
+		struct bench bench;
+		const json_t *cell, *times;
+		json_t *root;
+
+		begin(&bench);
+		bench.cell[1][0].keys = (struct fit_keys){
+			.count = count, .time_s = bench.time_s};
+		root = json_loads(print(&bench, "json"), 0, NULL);
+		cell = json_array_get(json_object_get(root, "candidates"), 1);
+		cell = json_array_get(json_object_get(cell, "clips"), 0);
+		times = json_object_get(cell, "key_times_s");
+		assert_int_equal(times != NULL, count > 0);
+		assert_int_equal(json_array_size(times), count);
+		for (int i = 0; i < count; i++) {
+			assert_near(json_number_value(
+					    json_array_get(times, (size_t)i)),
+				bench.time_s[i], 0);
+		}
+		json_decref(root);
+		free(bench.text);
+	}
 }
 
 int main(void)
@@ -384,6 +412,7 @@ int main(void)
 		cmocka_unit_test(test_formats_are_found_by_name),
 		cmocka_unit_test(test_json_has_each_number_of_the_view),
 		cmocka_unit_test(test_json_is_ascii_on_short_lines),
+		cmocka_unit_test(test_json_has_the_times_of_key_frames),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

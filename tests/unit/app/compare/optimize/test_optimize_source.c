@@ -270,6 +270,35 @@ static void test_a_clip_without_nodes_keeps_its_number(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* One of them says when the clip ends; the others need no time of their own. */
+static void test_channels_that_stay_have_one_key_at_0(void **state)
+{
+	const struct log log = log_to_stderr(LOG_ERROR);
+	struct optimize_result result =
+		optimized(fixture_path("gltf/clip/single_key.gltf").text);
+	struct model *found;
+	int at_end = 0;
+
+	(void)state;
+	assert_int_equal(model_load_memory(result.data, result.after.file,
+				 "small.glb", &log, &found),
+		0);
+	assert_int_equal(found->clip_count, 1);
+	assert_near(found->clip[0].duration_s, 1.25, 0);
+	assert_int_equal(found->clip[0].channel_count, 3);
+	for (int c = 0; c < 3; c++) {
+		const struct model_channel *channel = &found->clip[0].channel[c];
+
+		assert_int_equal(channel->key_count, 1);
+		at_end += channel->time_s[0] > 0.0f;
+		assert_near(channel->time_s[0],
+			channel->time_s[0] > 0.0f ? 1.25 : 0.0, 0);
+	}
+	assert_int_equal(at_end, 1);
+	model_destroy(found);
+	free(result.data);
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -279,6 +308,7 @@ int main(void)
 		cmocka_unit_test(test_only_gltf_is_optimized),
 		cmocka_unit_test(test_a_file_that_has_changed_since_is_refused),
 		cmocka_unit_test(test_a_clip_without_nodes_keeps_its_number),
+		cmocka_unit_test(test_channels_that_stay_have_one_key_at_0),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -179,6 +179,45 @@ static void test_a_part_of_the_moments_shows_about_the_same_error(void **state)
 	model_destroy(model);
 }
 
+/* Each key is away from the others once, for a moment. */
+static void test_all_moments_are_measured_unless_a_part_is_asked_for(
+	void **state)
+{
+	enum {
+		KEYS = 24
+	};
+	struct model *model = small_model_grid(1, 1, 1, true), still = *model;
+	float time_s[KEYS], value[KEYS][3] = {{0}};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.interpolation = MODEL_LINEAR,
+		.width = 3,
+		.key_count = KEYS,
+		.time_s = time_s,
+		.value = value[0]};
+	struct model_clip clip = {
+		.name = "jerk", .channel_count = 1, .channel = &channel};
+	struct model_clip rest = {.name = "rest"};
+
+	(void)state;
+	for (int k = 0; k < KEYS; k++) {
+		time_s[k] = (float)k / 60.0f;
+	}
+	clip.duration_s = rest.duration_s = time_s[KEYS - 1];
+	model->clip = &clip;
+	still.clip = &rest;
+	model->clip_count = still.clip_count = 1;
+	for (int k = 0; k < KEYS; k++) {
+		struct bounds box = {{0, 0, 0}, {1, 2, 1}};
+
+		value[k][1] = 1.0f;
+		assert_true(apart_px(model, &still, 1.0, &box) > 10.0f);
+		value[k][1] = 0.0f;
+	}
+	model->clip = NULL;
+	model->clip_count = 0;
+	model_destroy(model);
+}
+
 /* A grid that is divided by its places, stretched along +Y. */
 static struct model *divided_grid(float height)
 {
@@ -395,6 +434,8 @@ int main(void)
 		cmocka_unit_test(test_what_cannot_be_measured_is_told),
 		cmocka_unit_test(
 			test_a_clip_without_duration_is_measured_in_its_pose),
+		cmocka_unit_test(
+			test_all_moments_are_measured_unless_a_part_is_asked_for),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -64,7 +64,8 @@ static void make_grid(struct skinned_grid *grid, int joint_count)
 	grid->model->clip_count = 1;
 }
 
-static struct candidate_bytes bytes_of(const struct model *model)
+static struct candidate_bytes bytes_with_kernel(
+	const struct model *model, const char *kernel)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
 	struct candidate_bytes bytes;
@@ -73,12 +74,17 @@ static struct candidate_bytes bytes_of(const struct model *model)
 
 	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
 	assert_int_equal(candidate_original(&candidate, reference,
-				 kernel_find("float"), 0, true, 60.0, &log),
+				 kernel_find(kernel), 0, true, 60.0, &log),
 		0);
 	bytes = candidate.bytes;
 	candidate_destroy(&candidate);
 	reference_destroy(reference);
 	return bytes;
+}
+
+static struct candidate_bytes bytes_of(const struct model *model)
+{
+	return bytes_with_kernel(model, "float");
 }
 
 static struct candidate_bytes bytes_with(int joint_count)
@@ -239,6 +245,57 @@ static void test_rigid_parts_of_mirrored_joints_face_outwards(void **state)
 	}
 }
 
+/* A posed vector is three floats, or four shorts in fixed point. */
+static void test_posed_vectors_are_smaller_in_fixed_point(void **state)
+{
+	struct skinned_grid grid;
+
+	(void)state;
+	make_grid(&grid, 1);
+	grid.model->skin_count = 0;
+	grid.model->node->skin = -1;
+	for (int vectors = 2; vectors >= 1; vectors--) {
+		size_t nodes = sizeof(struct transform) + sizeof(mat4);
+		size_t count = VERTICES * (size_t)vectors;
+
+		if (vectors == 1) {
+			grid.model->mesh->primitive->normal = NULL;
+		}
+		assert_int_equal(bytes_with_kernel(grid.model, "float").shared,
+			nodes + count * 12);
+		assert_int_equal(bytes_with_kernel(grid.model, "fixed").shared,
+			nodes + count * 8);
+	}
+	model_destroy(grid.model);
+}
+
+/* A skin moves what its targets leave, so these have a base in floats. */
+static void test_targets_of_a_skin_have_a_base_in_floats(void **state)
+{
+	static const float moved[VERTICES][3] = {{1.0f}};
+	struct model_target target = {
+		.position = model_deltas_view(moved, VERTICES)};
+	static const char *const kernels[] = {"float", "fixed"};
+	float weight = 0;
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		struct candidate_bytes plain, morphed;
+		struct skinned_grid grid;
+
+		make_grid(&grid, 1);
+		plain = bytes_with_kernel(grid.model, kernels[i]);
+		grid.model->mesh->target_count = 1;
+		grid.model->mesh->primitive->target = &target;
+		grid.model->weight_count = 1;
+		grid.model->rest_weights = &weight;
+		morphed = bytes_with_kernel(grid.model, kernels[i]);
+		assert_true(morphed.shared >=
+			plain.shared + VERTICES * 2 * 12 + VERTICES * 12);
+		model_destroy(grid.model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -250,6 +307,8 @@ int main(void)
 			test_a_file_holds_only_the_displacements_of_what_moves),
 		cmocka_unit_test(
 			test_rigid_parts_of_mirrored_joints_face_outwards),
+		cmocka_unit_test(test_posed_vectors_are_smaller_in_fixed_point),
+		cmocka_unit_test(test_targets_of_a_skin_have_a_base_in_floats),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

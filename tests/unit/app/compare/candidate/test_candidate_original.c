@@ -296,6 +296,33 @@ static void test_targets_of_a_skin_have_a_base_in_floats(void **state)
 	}
 }
 
+/* In floats, each influence has a weight, a position and maybe a normal. */
+static void test_influences_take_memory_in_floats(void **state)
+{
+	(void)state;
+	for (int vectors = 2; vectors >= 1; vectors--) {
+		struct candidate_bytes one, two;
+		struct skinned_grid grid;
+
+		make_grid(&grid, 2);
+		if (vectors == 1) {
+			grid.model->mesh->primitive->normal = NULL;
+		}
+		one = bytes_of(grid.model);
+		for (int v = 0; v < VERTICES; v++) {
+			grid.weights[v][0] = grid.weights[v][1] = 0.5f;
+			grid.joints[v][1] = 1;
+		}
+		two = bytes_of(grid.model);
+		assert_int_equal(two.shared - one.shared,
+			VERTICES *
+				(sizeof(struct joint_weight) +
+					(size_t)vectors * sizeof(float[4])));
+		assert_int_equal(two.shared_file, one.shared_file);
+		model_destroy(grid.model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -309,6 +336,7 @@ int main(void)
 			test_rigid_parts_of_mirrored_joints_face_outwards),
 		cmocka_unit_test(test_posed_vectors_are_smaller_in_fixed_point),
 		cmocka_unit_test(test_targets_of_a_skin_have_a_base_in_floats),
+		cmocka_unit_test(test_influences_take_memory_in_floats),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -353,6 +353,80 @@ static void test_targets_keep_their_weights_at_rest(void **state)
 	}
 }
 
+/* A model that is moved along any axis hangs on a node that moves it back. */
+static void test_a_far_model_has_a_node_for_its_origin(void **state)
+{
+	static const char *const moved[] = {
+		"[5.0,0.0,0.0]", "[0.0,5.0,0.0]", "[0.0,0.0,5.0]"};
+	static const int mesh[3] = {-1, -1, -1};
+
+	(void)state;
+	for (int axis = 0; axis <= 3; axis++) {
+		char wanted[512];
+		struct fixture f;
+		struct glb glb;
+
+		begin(&f);
+		if (axis < 3) {
+			f.bones.model.origin[axis] = 5.0;
+		}
+		glb_begin_memory(&glb);
+		export_nodes(&glb, &f.bones.model, mesh, false, false, NULL);
+		export_origin(&glb, &f.bones.model);
+		f.written = written_glb_take(&glb);
+		snprintf(wanted, sizeof(wanted),
+			"[{'children':[1,2],'name':''," REST
+			"'translation':[1.0,2.0,3.0]},{'name':''," REST
+			"'translation':[4.0,5.0,6.0]},{'name':''," REST
+			"'translation':[7.0,8.0,9.0]}%s%s%s]",
+			axis < 3 ? ",{'children':[0],'name':'origin',"
+				   "'translation':"
+				 : "",
+			axis < 3 ? moved[axis] : "", axis < 3 ? "}" : "");
+		written_glb_expect(&f.written, "nodes", wanted);
+		written_glb_expect(&f.written, "scenes",
+			axis < 3 ? "[{'nodes':[3]}]" : "[{'nodes':[0]}]");
+		end(&f);
+	}
+}
+
+/* Whichever target has one. */
+static void test_any_weight_at_rest_keeps_all_of_a_node(void **state)
+{
+	static const char *const wanted[] = {"'weights':[0.5,0.0,0.0]",
+		"'weights':[0.0,0.5,0.0]", "'weights':[0.0,0.0,0.5]"};
+	static const int mesh[3] = {0, -1, -1};
+	struct model_mesh three = {.target_count = 3};
+
+	(void)state;
+	for (int t = 0; t < 3; t++) {
+		float weights[3] = {0.0f, 0.0f, 0.0f};
+		char nodes[512];
+		struct fixture f;
+		struct glb glb;
+
+		weights[t] = 0.5f;
+		begin(&f);
+		f.bones.model.mesh = &three;
+		f.bones.model.mesh_count = 1;
+		f.bones.model.rest_weights = weights;
+		f.bones.node[0].mesh = 0;
+		f.bones.node[1].mesh = f.bones.node[2].mesh = -1;
+		glb_begin_memory(&glb);
+		glb_set(&glb, "meshes", json_pack("[{}]"));
+		export_nodes(&glb, &f.bones.model, mesh, false, true, NULL);
+		f.written = written_glb_take(&glb);
+		snprintf(nodes, sizeof(nodes),
+			"[{'children':[1,2],'mesh':0,'name':''," REST
+			"'translation':[1.0,2.0,3.0],%s},{'name':''," REST
+			"'translation':[4.0,5.0,6.0]},{'name':''," REST
+			"'translation':[7.0,8.0,9.0]}]",
+			wanted[t]);
+		written_glb_expect(&f.written, "nodes", nodes);
+		end(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -368,6 +442,8 @@ int main(void)
 			test_a_clip_without_duration_goes_with_its_weights),
 		cmocka_unit_test(test_nodes_keep_what_they_are),
 		cmocka_unit_test(test_targets_keep_their_weights_at_rest),
+		cmocka_unit_test(test_a_far_model_has_a_node_for_its_origin),
+		cmocka_unit_test(test_any_weight_at_rest_keeps_all_of_a_node),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

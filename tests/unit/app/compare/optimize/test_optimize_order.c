@@ -1,5 +1,6 @@
 /* Which accessors may be put into another order. */
 #include "app/compare/optimize/optimize_order.h"
+#include "platform/base/compiler.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
@@ -188,6 +189,68 @@ static void test_blended_triangles_keep_their_order(void **state)
 	assert_false(keeps_triangles_apart("MASK"));
 }
 
+/* Places 0 and 1 of 3 vertices, 2 of two; lists 3 to 6 of 0, 1, 2. */
+static const char meshes[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":3,"
+	"\"uri\":\"data:application/octet-stream;base64,AAEC\"}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":3}],\"accessors\":["
+	"{\"type\":\"VEC3\",\"componentType\":5126,\"count\":3},"
+	"{\"type\":\"VEC3\",\"componentType\":5126,\"count\":3},"
+	"{\"type\":\"VEC3\",\"componentType\":5126,\"count\":2},"
+	"{\"type\":\"SCALAR\",\"componentType\":5121,\"count\":3,"
+	"\"bufferView\":0},"
+	"{\"type\":\"SCALAR\",\"componentType\":5121,\"count\":2,"
+	"\"bufferView\":0},"
+	"{\"type\":\"SCALAR\",\"componentType\":5121,\"count\":3,"
+	"\"normalized\":true,\"bufferView\":0},"
+	"{\"type\":\"SCALAR\",\"componentType\":5120,\"count\":3,"
+	"\"bufferView\":0}],\"meshes\":[{\"primitives\":[%s]}]}";
+
+#define OF(places, list, more) \
+	"{\"attributes\":{\"POSITION\":" places "},\"indices\":" list more "}"
+
+/* Vertices of lists of triangles are sorted, unless other lists need them. */
+static void test_only_vertices_of_whole_triangles_are_sorted(void **state)
+{
+	static const struct {
+		const char *primitives;
+		bool sorted;
+	} cases[] = {
+		{OF("0", "3", ""), true},
+		{OF("0", "3", ",\"mode\":4"), true},
+		{OF("0", "3", ",\"mode\":1"), false},
+		{OF("0", "4", ""), false},
+		{OF("0", "5", ""), false},
+		{OF("0", "6", ""), false},
+		{"{\"attributes\":{\"POSITION\":0}}", false},
+		{OF("0", "3", "") "," OF("0", "3", ""), true},
+		{OF("0", "3", "") "," OF("0", "3", ",\"mode\":1"), false},
+		{OF("0", "3", ",\"mode\":1") "," OF("0", "3", ""), false},
+		{OF("0", "3", "") "," OF("1", "3", ""), false},
+		{OF("0", "3", ",\"targets\":[{\"POSITION\":1}]"), true},
+		{OF("0", "3", ",\"targets\":[{\"POSITION\":2}]"), false},
+		{OF("0", "3", ",\"targets\":[{\"POSITION\":1}]") "," OF(
+			 "1", "3", ""),
+			false},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		char text[2048];
+		struct found found;
+
+		snprintf(text, sizeof(text), meshes, cases[i].primitives);
+		begin(&found, text);
+		if ((optimize_order_vertices(&found.order, 0) != NULL) !=
+			cases[i].sorted) {
+			fail_msg("%s", cases[i].primitives);
+		}
+		assert_int_equal(optimize_order_list(&found.order, 3) != NULL,
+			cases[i].sorted);
+		end(&found);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -196,6 +259,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_list_with_a_number_out_of_range_keeps_its_order),
 		cmocka_unit_test(test_blended_triangles_keep_their_order),
+		cmocka_unit_test(
+			test_only_vertices_of_whole_triangles_are_sorted),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

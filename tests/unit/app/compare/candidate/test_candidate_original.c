@@ -64,8 +64,8 @@ static void make_grid(struct skinned_grid *grid, int joint_count)
 	grid->model->clip_count = 1;
 }
 
-static struct candidate_bytes bytes_with_kernel(
-	const struct model *model, const char *kernel)
+static struct candidate_bytes bytes_capped(
+	const struct model *model, const char *kernel, int max_influences)
 {
 	const struct log log = log_to_stderr(LOG_WARNING);
 	struct candidate_bytes bytes;
@@ -73,13 +73,20 @@ static struct candidate_bytes bytes_with_kernel(
 	struct candidate candidate;
 
 	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
-	assert_int_equal(candidate_original(&candidate, reference,
-				 kernel_find(kernel), 0, true, 60.0, &log),
+	assert_int_equal(
+		candidate_original(&candidate, reference, kernel_find(kernel),
+			max_influences, true, 60.0, &log),
 		0);
 	bytes = candidate.bytes;
 	candidate_destroy(&candidate);
 	reference_destroy(reference);
 	return bytes;
+}
+
+static struct candidate_bytes bytes_with_kernel(
+	const struct model *model, const char *kernel)
+{
+	return bytes_capped(model, kernel, 0);
 }
 
 static struct candidate_bytes bytes_of(const struct model *model)
@@ -319,6 +326,11 @@ static void test_influences_take_memory_in_floats(void **state)
 				(sizeof(struct joint_weight) +
 					(size_t)vectors * sizeof(float[4])));
 		assert_int_equal(two.shared_file, one.shared_file);
+		/* A cap leaves the heaviest ones. */
+		assert_int_equal(bytes_capped(grid.model, "float", 2).shared,
+			two.shared);
+		assert_int_equal(bytes_capped(grid.model, "float", 1).shared,
+			one.shared);
 		model_destroy(grid.model);
 	}
 }

@@ -268,32 +268,35 @@ int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 	return error;
 }
 
-static bool is_moved(const struct model *model, int node)
+/* Marks the nodes that channels with more than one value move. */
+static void mark_moved(struct optimize_reach *reach, const struct model *model)
 {
 	for (int c = 0; c < model->clip_count; c++) {
 		const struct model_clip *clip = &model->clip[c];
 
 		for (int i = 0; i < clip->channel_count; i++) {
-			if (clip->channel[i].node == node &&
-				!clip->channel[i].constant) {
-				return true;
+			const struct model_channel *channel = &clip->channel[i];
+			int index = model->node[channel->node].file_index;
+
+			if (!channel->constant && index < reach->node_count) {
+				reach->node[index].moved = true;
 			}
 		}
 	}
-	return false;
 }
 
 struct optimize_idle optimize_reach_idle(
-	const struct optimize_reach *reach, const struct model *model)
+	struct optimize_reach *reach, const struct model *model)
 {
 	struct optimize_idle idle = {.count = 0, .name = ""};
 
+	mark_moved(reach, model);
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *node = &model->node[i];
 
 		if (node->file_index < reach->node_count &&
 			reach->node[node->file_index].idle &&
-			is_moved(model, i)) {
+			reach->node[node->file_index].moved) {
 			idle.name = idle.count == 0 ? node->name : idle.name;
 			idle.count++;
 		}

@@ -18,6 +18,7 @@ struct optimize_reach_node {
 	float scale_px; /* for a scale that changes by 1 */
 	bool exact;     /* above a camera, or not loaded: keeps its keys */
 	bool idle;      /* nothing that anyone sees or names depends on it */
+	bool moved;     /* by a clip; set by optimize_reach_idle() */
 	int target_count;
 	const float *target_px; /* [target_count], for a weight of 1 */
 };
@@ -39,7 +40,7 @@ int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 
 /* Finds the idle nodes that clips of the model move. */
 struct optimize_idle optimize_reach_idle(
-	const struct optimize_reach *reach, const struct model *model);
+	struct optimize_reach *reach, const struct model *model);
 
 void optimize_reach_release(struct optimize_reach *reach);
 

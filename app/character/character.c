@@ -174,9 +174,11 @@ static bool is_printed(const struct character *character,
 		one != wanted; one = one->next) {
 		char other[48];
 
+		if (strcmp(one->label, wanted->label) != 0) {
+			continue;
+		}
 		character_button_text(one, other, sizeof(other));
-		if (strcmp(one->label, wanted->label) == 0 &&
-			strcmp(other, name) == 0) {
+		if (strcmp(other, name) == 0) {
 			return true;
 		}
 	}

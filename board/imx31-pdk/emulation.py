@@ -25,9 +25,9 @@ from machines import FRAME_BYTES, HEIGHT, WIDTH
 # The prompt of the shell on the console.
 PROMPT = r"limber:/\S*# "
 
-# How long QEMU may take to end, and the console to show what is waited for: a busy
-# machine is slow.
-END_S = 30
+# How long QEMU may take to end after SIGTERM and after SIGKILL, and the console to
+# show what is waited for: a busy machine is slow.
+TERM_S, KILL_S = 5, 30
 WAIT_S = 180
 
 # The word that opens a shell on the console (rootfs/usr/sbin/console).
@@ -196,13 +196,13 @@ class Machine:
     def end(self):
         """Ends QEMU, even if it does not answer any more. A thread that waits
         for its answer gets an Error."""
-        for number in (signal.SIGTERM, signal.SIGKILL):
+        for number, seconds in ((signal.SIGTERM, TERM_S), (signal.SIGKILL, KILL_S)):
             with contextlib.suppress(ProcessLookupError):
                 if self.process:
                     self.process.send_signal(number)
                 elif pid := self.pid():
                     os.kill(pid, number)
-            if self.has_ended(END_S):
+            if self.has_ended(seconds):
                 return
         raise Error(f"QEMU (process {self.pid()}) cannot be ended")
 

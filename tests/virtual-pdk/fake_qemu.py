@@ -4,6 +4,7 @@ Files in its folder make it fail:
 
   half      it ends in the middle of its next answer with the picture
   deaf      it ignores SIGTERM
+  mute      it never listens
 """
 import json
 import os
@@ -77,6 +78,8 @@ def take(guest, name, link, rest):
 def main():
     if os.path.exists("deaf"):
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    if os.path.exists("mute"):
+        signal.pause()
     guest, doors = Guest(), selectors.DefaultSelector()
     for name in ("camera.sock", "qmp.sock", "qtest.sock", "console.sock"):
         door = socket.socket(socket.AF_UNIX)

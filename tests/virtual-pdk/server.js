@@ -39,7 +39,8 @@ class Server {
 			stream.on("data", (data) => { this.said += data; });
 		}
 		this.ended = new Promise((done) => {
-			this.process.on("exit", (code, name) => {
+			/* After "exit" there may be output to come. */
+			this.process.on("close", (code, name) => {
 				this.status = code ?? name;
 				done(this.status);
 			});
@@ -62,9 +63,14 @@ class Server {
 		}
 	}
 
+	// For messages: what became of the server and of QEMU, and what it said.
+	state() {
+		return `status ${this.status}, QEMU ${this.qemu()}\n${this.said}`;
+	}
+
 	async end(signal) {
 		this.process.kill(signal);
-		return Promise.race([this.ended, sleep(20000).then(() => "nothing")]);
+		return Promise.race([this.ended, sleep(60000).then(() => "nothing")]);
 	}
 }
 

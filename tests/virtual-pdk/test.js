@@ -304,8 +304,17 @@ async function testEnd(page, server) {
 	await again.url();
 	const second = await until(() => again.qemu());
 	check("Ctrl-C does, while the board starts",
-		await again.end("SIGINT") === 0, again.said);
-	check("and leaves no QEMU", second > 0 && !fs.existsSync(`/proc/${second}`));
+		second > 0 && await again.end("SIGINT") === 0, again.state());
+	check("and leaves no QEMU", !fs.existsSync(`/proc/${second}`));
+	const third = new Server(server.folder, "--port", "0");
+	await third.url();
+	const hanging = await until(() => third.qemu());
+	if (hanging) {
+		process.kill(hanging, "SIGSTOP");
+	}
+	check("Ctrl-C does, while QEMU hangs at its start",
+		hanging > 0 && await third.end("SIGINT") === 0, third.state());
+	check("and leaves no QEMU that hangs", !fs.existsSync(`/proc/${hanging}`));
 }
 
 async function testAll() {

@@ -22,7 +22,7 @@ from overlay import emulation, links  # noqa: E402
 
 TOLD_S = 10
 # How long a test waits, and after how long the server gives a QEMU up.
-links.ANSWER_S, emulation.END_S = 1, 1
+links.ANSWER_S, emulation.TERM_S = 1, 1
 
 _count = _failed = 0
 
@@ -160,6 +160,26 @@ async def test_hanging(virtual):
     command("deaf", False)
 
 
+async def test_switching_off_at_start(virtual):
+    """Whether QEMU runs yet or not, nothing waits until it listens, which it
+    never does."""
+    await virtual.power(False)
+    command("mute")
+    for wait_s in (0, 0.01, 0.3):
+        begun = time.monotonic()
+        start = asyncio.create_task(virtual.power(True))
+        await asyncio.sleep(wait_s)
+        await virtual.power(False)
+        await start
+        took_s = time.monotonic() - begun
+        process = virtual.machine.process
+        check(f"switched off {wait_s} s after on, no process is left",
+              virtual.phase == "off" and took_s < 5
+              and (not process or process.poll() is not None),
+              f"{virtual.phase}, {took_s} s")
+    command("mute", False)
+
+
 async def test_switching_off(virtual):
     """A press wakes the watching task at the moment it is cancelled."""
     left = []
@@ -242,6 +262,7 @@ async def test_all():
         await test_reset(virtual)
         await test_deaths(virtual)
         await test_hanging(virtual)
+        await test_switching_off_at_start(virtual)
         await test_switching_off(virtual)
     except Exception:  # pylint: disable=broad-except
         check("goes on to its end", False, traceback.format_exc())

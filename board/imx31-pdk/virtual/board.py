@@ -29,6 +29,8 @@ PRESS_NOTICED = ((0.1, 2), (1.5, 0))
 KEY_NOTICED = ((0.15, 5), (0.6, 2), (1.5, 0))
 # The time between two presses of a button.
 PAUSE_S = 0.05
+# The time between two attempts to end a QEMU that is being started.
+AGAIN_S = 0.05
 LOG_KEPT = 100_000
 # The last messages of a kernel that has stopped, and what they mean.
 LAST_WORDS = {
@@ -97,9 +99,7 @@ class Board:
 
     async def power(self, on):
         if not on:
-            # Comes first, so that no task goes on waiting for an answer.
-            self.disconnect()
-            await self.end_qemu()
+            await self.interrupt()
         async with self.switching:
             if on and not self.is_on:
                 await self.start()
@@ -158,6 +158,16 @@ class Board:
                 line.close()
         self.console_line = self.camera_line = None
         self.camera_seen = False
+
+    async def interrupt(self):
+        """Ends QEMU, so that no task goes on waiting for an answer, until
+        start() and reset() have noticed: start() may launch it meanwhile."""
+        while True:
+            self.disconnect()
+            await self.end_qemu()
+            if not self.switching.locked():
+                return
+            await asyncio.sleep(AGAIN_S)
 
     async def end_qemu(self):
         """Ends QEMU from another thread than that of ask(), which may be

@@ -22,7 +22,7 @@ import tempfile
 import threading
 from dataclasses import dataclass, field
 
-from arm11_frame import places, print_split, split_as_json
+from arm11_frame import check_stages, places, print_split, split_as_json
 from arm11_rows import ROWS, Row
 
 # The model's options for each column. In "warm" every access hits L1; in the
@@ -141,6 +141,8 @@ class Bench:
         for row in wanted_rows(self.options):
             if row.missing(self.options):
                 continue
+            if row.stages:
+                check_stages()
             kernels = wanted_kernels(row, self.options)
             jobs += [lambda row=row, kernel=k: self.figures(row, kernel) for k in kernels]
             if row.osmesa and self.options.osmesa and kernels:

@@ -16,7 +16,7 @@ STAGES = {
     "transform and light": "array array_state cache context defaults draw_arrays key"
     " largest_float light matrix number parameter paths prepare prepare_light"
     " prepare_second prepare_spans shade state unindexed vertex vertices",
-    "set-up": "begin begin_list bend clip counts fill_flat fill_glyph fill_narrow"
+    "set-up": "begin begin_list bend clip count_runs counts fill_flat fill_glyph fill_narrow"
     " fill_small fill_texture hidden layout line list set_up triangle triangles walk walk_list",
     "pixels": "band beside blend_row combine_rows coverage cut fill loops"
     " luminance made mix narrow_rows rows samplers spans_565 spans_8888"
@@ -67,6 +67,12 @@ def stage_of(place):
         if name in names.split():
             return stage
     raise RuntimeError(f"STAGES in tests/bench/arm11_frame.py lacks {place}.c")
+
+
+def check_stages():
+    """Raises an error if a file of the driver has no stage. Measuring takes minutes."""
+    for path in pathlib.Path(SOFT).rglob("*.[cS]"):
+        stage_of(str(path.with_suffix("")))
 
 
 def split(report):

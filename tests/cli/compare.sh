@@ -18,7 +18,6 @@ $code" "$@"
 # In qemu-arm a large model takes half a minute, beside other suites more. There, and
 # under the sanitizers, small models go the same ways where the figures are not the
 # machine's. Only the sanitizers compare a large one too, the walker.
-RUN_SECONDS=300
 # Poses in floats are the same bytes on both machines (tests/conformance/fixed.sh).
 poses=$limber
 emulated=false

@@ -69,11 +69,11 @@ check() {
     fi
 }
 
-# run COMMAND...: runs it without input, for at most RUN_SECONDS (120).
+# run COMMAND...: runs it without input, for at most RUN_SECONDS (300).
 run() {
     tap_about=$*
     status=0
-    timeout -k 5 "${RUN_SECONDS:-120}" "$@" </dev/null >"$out_file" \
+    timeout -k 5 "${RUN_SECONDS:-300}" "$@" </dev/null >"$out_file" \
         2>"$err_file" || status=$?
 }
 

@@ -5,12 +5,12 @@
 #include "app/compare/optimize/optimize_measure.h"
 #include "app/compare/optimize/optimize_prune.h"
 #include "app/compare/optimize/optimize_refs.h"
+#include "app/compare/optimize/optimize_search.h"
 #include "app/compare/optimize/optimize_sizes.h"
 #include "app/model/gltf/gltf.h"
 #include "platform/base/json_memory.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -21,17 +21,12 @@ enum {
 
 /* Rounding may cause this share of the bound; keys left out cause the rest. */
 static const float numbers_share = 0.5f;
-/* Aim below the bound, as the measured error is not proportional to key_px. */
-static const float aim = 0.9f;
 
-/* The search for the largest key_px of a clip that keeps within the bound. */
+/* What is known of a clip. */
 struct clip_search {
 	struct bounds box; /* of the clip, once it has been measured */
 	struct optimize_known known; /* with these vertices and moments */
-
-	float good_px; /* the largest known to fit; 0: none yet */
-	float bad_px;  /* the last that did not fit; 0: none yet */
-	bool done;
+	struct optimize_search keys;
 };
 
 struct optimizer {
@@ -167,9 +162,8 @@ static int measure(struct optimizer *optimizer, int clip)
 {
 	struct clip_search *search = &optimizer->clip[clip];
 	float *peak_px = &optimizer->peak_px[clip];
-	bool moves = clip < optimizer->base->clip_count &&
-		clip < optimizer->found->clip_count;
-	int played = moves ? clip : -1, error = 0;
+	int played = clip < optimizer->found->clip_count ? clip : -1;
+	int error = 0;
 	uint64_t stamp = optimize_known_stamp(optimizer->found, played);
 
 	if (!optimize_known_find(&search->known, stamp, peak_px)) {
@@ -216,75 +210,29 @@ static void forget(struct optimizer *optimizer)
 /* Chooses the fewest bits whose error is at most numbers_share of the bound. */
 static int choose_precision(struct optimizer *optimizer)
 {
-	float most_px = 0.0f;
-	int error = 0;
+	for (int level = 0; level < LEVELS; level++) {
+		float most_px;
+		int error;
 
-	for (int level = 0; level < LEVELS && !error; level++) {
 		set_precision(&optimizer->plan, level);
 		forget(optimizer);
 		error = build(optimizer, true, &optimizer->found);
-		if (!error) {
-			error = measure_all(optimizer, &most_px);
-		}
-		if (!error && most_px <= numbers_share * optimizer->left_px) {
-			return 0;
+		error = error ? error : measure_all(optimizer, &most_px);
+		if (error || most_px <= numbers_share * optimizer->left_px) {
+			return error;
 		}
 	}
-	return error;
-}
-
-/*
- * Adjusts the clip's key_px by the measured error. The next value would just
- * reach the bound if the error were proportional to it, but is at most the
- * geometric mean of the known good and bad values.
- */
-static void adjust(struct optimizer *optimizer, int clip)
-{
-	struct clip_search *search = &optimizer->clip[clip];
-	float *key_px = &optimizer->key_px[clip];
-	float peak_px = optimizer->peak_px[clip], left_px = optimizer->left_px;
-	float factor = peak_px > 0.0f ? aim * left_px / peak_px : 4.0f;
-	float next_px = *key_px * (factor < 4.0f ? factor : 4.0f), middle_px;
-
-	if (peak_px <= left_px) {
-		search->good_px = *key_px;
-	} else {
-		search->bad_px = *key_px;
-	}
-	middle_px = sqrtf(search->good_px * search->bad_px);
-	if (middle_px > 0.0f &&
-		(next_px > middle_px || next_px <= search->good_px)) {
-		next_px = middle_px;
-	}
-	search->done =
-		search->good_px > 0.0f && next_px < search->good_px * 1.1f;
-	*key_px = next_px;
+	return 0;
 }
 
 static bool is_done(const struct optimizer *optimizer)
 {
 	for (int c = 0; c < optimizer->clip_count; c++) {
-		if (!optimizer->clip[c].done) {
+		if (!optimizer->clip[c].keys.done) {
 			return false;
 		}
 	}
 	return true;
-}
-
-/*
- * Makes good_px of a clip smaller if the clip exceeds the bound. Where few keys
- * are left, a good_px far above the bound may have fitted.
- */
-static void keep_more(struct optimizer *optimizer, int clip)
-{
-	float *good_px = &optimizer->clip[clip].good_px;
-	float peak_px = optimizer->peak_px[clip];
-	float most_px = aim * optimizer->left_px;
-
-	if (peak_px > optimizer->left_px) {
-		*good_px = *good_px < peak_px ? *good_px * most_px / peak_px
-					      : most_px;
-	}
 }
 
 /*
@@ -302,7 +250,7 @@ static int settle_keys(struct optimizer *optimizer, float *peak_px)
 		int error;
 
 		for (int c = 0; c < optimizer->clip_count; c++) {
-			optimizer->key_px[c] = optimizer->clip[c].good_px;
+			optimizer->key_px[c] = optimizer->clip[c].keys.good_px;
 		}
 		error = build(optimizer, true, &optimizer->found);
 		error = error ? error : measure_all(optimizer, peak_px);
@@ -311,9 +259,23 @@ static int settle_keys(struct optimizer *optimizer, float *peak_px)
 			return error;
 		}
 		for (int c = 0; c < optimizer->clip_count; c++) {
-			keep_more(optimizer, c);
+			optimize_search_keep_more(&optimizer->clip[c].keys,
+				optimizer->peak_px[c], optimizer->left_px);
 		}
 	}
+}
+
+/* Measures a clip as it was built, and decides what to build next. */
+static int try_keys(struct optimizer *optimizer, int clip)
+{
+	float *key_px = &optimizer->key_px[clip];
+	int error = measure(optimizer, clip);
+
+	if (!error) {
+		*key_px = optimize_search_next(&optimizer->clip[clip].keys,
+			*key_px, optimizer->peak_px[clip], optimizer->left_px);
+	}
+	return error;
 }
 
 /* Finds key_px of all clips. */
@@ -328,9 +290,8 @@ static int choose_keys(struct optimizer *optimizer, float *peak_px)
 		error = error ? error
 			      : build(optimizer, true, &optimizer->found);
 		for (int c = 0; c < optimizer->clip_count && !error; c++) {
-			if (!optimizer->clip[c].done) {
-				error = measure(optimizer, c);
-				adjust(optimizer, c);
+			if (!optimizer->clip[c].keys.done) {
+				error = try_keys(optimizer, c);
 			}
 		}
 	}
@@ -366,11 +327,10 @@ static float stated_error(const struct optimizer *optimizer)
 
 static int allocate(struct optimizer *optimizer)
 {
-	size_t count = (size_t)optimizer->base->clip_count + 1;
+	int clips = optimizer->base->clip_count;
+	size_t count = clips > 0 ? (size_t)clips : 1;
 
-	optimizer->clip_count = optimizer->base->clip_count > 0
-		? optimizer->base->clip_count
-		: 1;
+	optimizer->clip_count = (int)count;
 	optimizer->clip = calloc(count, sizeof(*optimizer->clip));
 	optimizer->key_px = calloc(count, sizeof(float));
 	optimizer->peak_px = calloc(count, sizeof(float));

@@ -288,6 +288,40 @@ static void test_arrays_that_nothing_uses_are_not_written(void **state)
 	end(&file);
 }
 
+/* A target may move vertices by more than the positions are large. */
+static void test_differences_beyond_the_unit_stay_floats(void **state)
+{
+	static const float ends[] = {-1.125f, -1.0f, 1.0f, 1.125f};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(ends); i++) {
+		const float moved[3][3] = {
+			{0}, {0.5f, UNIT * ends[i], 0}, {0, 0.5f}};
+		bool inside = i == 1 || i == 2;
+		json_t *delta = json_object();
+		float found[NUMBERS_MAX];
+		struct file file;
+
+		begin(&file, 4096);
+		set_positions(&file);
+		json_object_set_new(
+			file.primitive, "targets", json_pack("[o]", delta));
+		set(&file, delta, "POSITION", moved, 3, FLOAT, "VEC3");
+		rebuild(&file, in_units);
+		expect_positions(&file, true);
+		assert_int_equal(
+			read_array(&file,
+				json_array_get(json_object_get(rewritten(&file),
+						       "targets"),
+					0),
+				"POSITION", found)
+				.component,
+			inside ? SHORT : FLOAT);
+		assert_near(found[4], inside ? 32767.0f * ends[i] : ends[i], 0);
+		end(&file);
+	}
+}
+
 /* Numbers of accessors that the file does not have, or that are none. */
 static void test_members_without_an_accessor_are_left_alone(void **state)
 {
@@ -320,6 +354,7 @@ int main(void)
 		cmocka_unit_test(test_a_matrix_is_enlarged_but_not_moved),
 		cmocka_unit_test(test_an_error_in_metres_is_divided_by_the_unit),
 		cmocka_unit_test(test_matrices_of_a_skin_get_the_unit),
+		cmocka_unit_test(test_differences_beyond_the_unit_stay_floats),
 		cmocka_unit_test(test_extensions_that_were_required_stay),
 		cmocka_unit_test(test_arrays_that_nothing_uses_are_not_written),
 		cmocka_unit_test(test_members_without_an_accessor_are_left_alone),

@@ -305,6 +305,41 @@ static void test_coordinates_stay_floats_outside_of_0_and_1(void **state)
 	}
 }
 
+/* Differences of normals, of which the last one is beyond a byte's range. */
+static void test_differences_stay_floats_outside_of_1(void **state)
+{
+	static const float ends[] = {-1.001f, -1.0f, 1.0f, 1.001f};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		const float moved[3][3] = {{0, 0, 1}, {0, -1, 0}, {ends[i]}};
+		bool inside = i == 1 || i == 2;
+		float found[NUMBERS_MAX];
+		struct file file;
+		json_t *delta = json_object();
+
+		begin(&file, 4096);
+		set(&file, file.attributes, "POSITION", triangle, 3, FLOAT,
+			"VEC3");
+		set(&file, file.attributes, "NORMAL", triangle, 3, FLOAT,
+			"VEC3");
+		json_object_set_new(
+			file.primitive, "targets", json_pack("[o]", delta));
+		set(&file, delta, "NORMAL", moved, 3, FLOAT, "VEC3");
+		rebuild(&file, (struct optimize_plan){.directions = true});
+		assert_int_equal(
+			read_array(&file,
+				json_array_get(json_object_get(rewritten(&file),
+						       "targets"),
+					0),
+				"NORMAL", found)
+				.component,
+			inside ? BYTE : FLOAT);
+		assert_near(found[6], inside ? 127.0f * ends[i] : ends[i], 0);
+		end(&file);
+	}
+}
+
 /* Parts below 0 count as 0, and where none is left all stay 0. */
 static void test_weights_of_a_vertex_sum_to_1_or_0(void **state)
 {
@@ -413,6 +448,7 @@ int main(void)
 		cmocka_unit_test(test_signed_integers_need_an_extension),
 		cmocka_unit_test(test_numbers_of_joints_are_bytes_up_to_255),
 		cmocka_unit_test(test_coordinates_stay_floats_outside_of_0_and_1),
+		cmocka_unit_test(test_differences_stay_floats_outside_of_1),
 		cmocka_unit_test(test_weights_of_a_vertex_sum_to_1_or_0),
 		cmocka_unit_test(test_sets_of_weights_are_rounded_together),
 		cmocka_unit_test(test_weights_stay_beside_those_of_integers),

@@ -12,7 +12,7 @@ struct marks {
 	int count[OPTIMIZE_PARTS];
 	bool *used[OPTIMIZE_PARTS];
 	int *number[OPTIMIZE_PARTS]; /* the new index */
-	int *parent;                 /* of each node, or -1 */
+	int *parent;                 /* of each node: its index + 1, or 0 */
 	int pending;
 	struct pending {
 		enum optimize_part part;
@@ -45,7 +45,8 @@ static void search(struct marks *marks)
 			elements(marks, (int)next.part), (size_t)next.index);
 
 		if (next.part == OPTIMIZE_NODES) {
-			mark(marks, OPTIMIZE_NODES, marks->parent[next.index]);
+			mark(marks, OPTIMIZE_NODES,
+				marks->parent[next.index] - 1);
 		}
 		optimize_refs_of(next.part, element, mark, marks);
 	}
@@ -66,8 +67,8 @@ static int allocate(struct marks *marks)
 		}
 		total += count;
 	}
-	marks->parent = malloc(
-		((size_t)marks->count[OPTIMIZE_NODES] + 1) * sizeof(int));
+	marks->parent =
+		calloc((size_t)marks->count[OPTIMIZE_NODES] + 1, sizeof(int));
 	marks->stack = malloc(((size_t)total + 1) * sizeof(*marks->stack));
 	return marks->parent && marks->stack ? 0 : -ENOMEM;
 }
@@ -77,9 +78,6 @@ static void find_parents(struct marks *marks)
 	json_t *node, *child;
 	size_t i, k;
 
-	for (int n = 0; n < marks->count[OPTIMIZE_NODES]; n++) {
-		marks->parent[n] = -1;
-	}
 	json_array_foreach(elements(marks, OPTIMIZE_NODES), i, node)
 	{
 		json_array_foreach(json_object_get(node, "children"), k, child)
@@ -87,7 +85,7 @@ static void find_parents(struct marks *marks)
 			json_int_t index = json_integer_value(child);
 
 			if (index >= 0 && index < marks->count[OPTIMIZE_NODES]) {
-				marks->parent[index] = (int)i;
+				marks->parent[index] = (int)i + 1;
 			}
 		}
 	}
@@ -333,7 +331,7 @@ static void find_sets(const json_t *object, unsigned int *sets, bool *normals)
 		set = json_object_get(value, "texCoord");
 		*sets |= 1u << (json_integer_value(set) & 31);
 		set = json_object_get(transform, "texCoord");
-		*sets |= set ? 1u << (json_integer_value(set) & 31) : 0;
+		*sets |= 1u << (json_integer_value(set) & 31);
 		*normals = *normals || optimize_ends_with(key, "ormalTexture");
 	}
 }
@@ -354,7 +352,7 @@ static int add_material(void *context, enum optimize_part part, int index)
 	return index;
 }
 
-/* Whether name is a TEXCOORD_n, except TEXCOORD_0, whose bit is not in sets. */
+/* Whether name is a TEXCOORD_n whose bit is not in sets. */
 static bool is_unread_set(const char *name, unsigned int sets)
 {
 	static const char prefix[] = "TEXCOORD_";
@@ -364,7 +362,7 @@ static bool is_unread_set(const char *name, unsigned int sets)
 		return false;
 	}
 	set = strtoul(name + sizeof(prefix) - 1, NULL, 10);
-	return set > 0 && (set > 31 || !(sets & 1u << set));
+	return set > 31 || !(sets & 1u << set);
 }
 
 /* TEXCOORD_0 stays: live pictures need it even without any texture. */

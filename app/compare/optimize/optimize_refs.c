@@ -86,8 +86,11 @@ static void mesh_refs(const struct walk *walk, json_t *mesh)
 	}
 }
 
-/* Objects named "...Texture" refer to textures, also in extensions. */
-static void texture_refs(const struct walk *walk, json_t *object, int depth)
+/*
+ * Objects named "...Texture" refer to textures, also in extensions. The
+ * recursion is bounded: jansson reads at most 2048 levels of objects.
+ */
+static void texture_refs(const struct walk *walk, json_t *object)
 {
 	const char *key;
 	json_t *value;
@@ -99,8 +102,8 @@ static void texture_refs(const struct walk *walk, json_t *object, int depth)
 		}
 		if (optimize_ends_with(key, "Texture")) {
 			member(walk, value, "index", OPTIMIZE_TEXTURES);
-		} else if (depth > 0) {
-			texture_refs(walk, value, depth - 1);
+		} else {
+			texture_refs(walk, value);
 		}
 	}
 }
@@ -135,8 +138,7 @@ void optimize_refs_of(enum optimize_part part, json_t *element,
 		member(&walk, element, "skeleton", OPTIMIZE_NODES);
 		break;
 	case OPTIMIZE_MATERIALS:
-		/* pbrMetallicRoughness, extensions, and the objects in them. */
-		texture_refs(&walk, element, 4);
+		texture_refs(&walk, element);
 		list(&walk,
 			json_object_get(extension(element, "MSFT_lod"), "ids"),
 			OPTIMIZE_MATERIALS);

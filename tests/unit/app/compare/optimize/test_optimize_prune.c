@@ -71,6 +71,15 @@ static void test_nodes_that_move_a_used_one_stay(void **state)
 		"'cameras':[{}],'meshes':[{}]}");
 }
 
+static void test_a_parent_may_come_behind_its_first_child(void **state)
+{
+	(void)state;
+	expect_pruned("{'scenes':[{'nodes':[]}],'nodes':[{'camera':0},{},"
+		      "{'name':'carrier','children':[0]}],'cameras':[{}]}",
+		"{'scenes':[{'nodes':[]}],'nodes':[{'camera':0},"
+		"{'name':'carrier','children':[0]}],'cameras':[{}]}");
+}
+
 static void test_without_scenes_all_nodes_are_used(void **state)
 {
 	(void)state;
@@ -133,6 +142,37 @@ static void test_textures_are_found_in_extensions(void **state)
 			     "'source':1}}}],"
 			     "'images':[{'name':'png'},{'name':'webp'}],"
 			     "'samplers':[{'wrapS':1},{'wrapS':2}]}");
+}
+
+/* However deep an extension nests its objects, and if one has only that name. */
+static void test_textures_are_found_at_any_depth(void **state)
+{
+	static const char *const nested[][2] = {
+		{"'Texture':{'index':%d}", ""},
+		{"'a':{'aTexture':{'index':%d}", "}"},
+		{"'a':{'b':{'aTexture':{'index':%d}", "}}"},
+		{"'a':{'b':{'c':{'aTexture':{'index':%d}", "}}}"},
+		{"'a':{'b':{'c':{'d':{'aTexture':{'index':%d}", "}}}}"},
+		{"'a':{'b':{'c':{'d':{'e':{'aTexture':{'index':%d}", "}}}}}"},
+	};
+	static const char *const format[2] = {
+		"{" MESH("0", "0") "'materials':[{'extensions':{%s%s}}],"
+				   "'textures':[{},{'name':'used'}]}",
+		"{" MESH("0", "0") "'materials':[{'extensions':{%s%s}}],"
+				   "'textures':[{'name':'used'}]}"};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(nested) / sizeof(*nested); i++) {
+		char text[2][1024], object[256];
+
+		for (int after = 0; after < 2; after++) {
+			snprintf(object, sizeof(object), nested[i][0],
+				after ? 0 : 1);
+			snprintf(text[after], sizeof(text[after]),
+				format[after], object, nested[i][1]);
+		}
+		expect_pruned(text[0], text[1]);
+	}
 }
 
 /* Two primitives with a material and none, and a target of the first. */
@@ -238,6 +278,38 @@ static void test_clips_keep_their_numbers_and_durations(void **state)
 		"{'sampler':1,'target':{'node':2}}]}]}");
 }
 
+/* Of nodes that end a clip at the same time the first stays, with its mesh. */
+static void test_the_end_of_a_clip_keeps_one_node_and_what_it_has(void **state)
+{
+	(void)state;
+	expect_pruned(
+		"{'scenes':[{'nodes':[3]}],'nodes':[{'name':'last','mesh':1},"
+		"{'children':[0]},{'name':'as late'},{'name':'seen'}],"
+		"'meshes':[{},{'name':'its own'}],"
+		"'accessors':[{'max':[1]},{'max':[2]}],"
+		"'animations':[{'samplers':[{'input':0},{'input':1}],"
+		"'channels':[{'sampler':0,'target':{'node':3}},"
+		"{'sampler':1,'target':{'node':0}},"
+		"{'sampler':1,'target':{'node':2}}]}]}",
+		"{'scenes':[{'nodes':[2]}],'nodes':[{'name':'last','mesh':0},"
+		"{'children':[0]},{'name':'seen'}],"
+		"'meshes':[{'name':'its own'}],"
+		"'accessors':[{'max':[1]},{'max':[2]}],"
+		"'animations':[{'samplers':[{'input':0},{'input':1}],"
+		"'channels':[{'sampler':0,'target':{'node':2}},"
+		"{'sampler':1,'target':{'node':0}}]}]}");
+	/* A used node that ends as late suffices. */
+	expect_pruned("{'scenes':[{'nodes':[1]}],'nodes':[{},{}],"
+		      "'accessors':[{'max':[2]}],"
+		      "'animations':[{'samplers':[{'input':0}],"
+		      "'channels':[{'sampler':0,'target':{'node':0}},"
+		      "{'sampler':0,'target':{'node':1}}]}]}",
+		"{'scenes':[{'nodes':[0]}],'nodes':[{}],"
+		"'accessors':[{'max':[2]}],"
+		"'animations':[{'samplers':[{'input':0}],"
+		"'channels':[{'sampler':0,'target':{'node':0}}]}]}");
+}
+
 #define SCALARS(count) "{'type':'SCALAR','count':" #count "}"
 
 /* Three times, three numbers, four, and three vectors. */
@@ -267,9 +339,9 @@ static void test_clips_without_nodes_keep_their_numbers(void **state)
 static void test_clips_without_nodes_and_times_go(void **state)
 {
 	(void)state;
-	expect_pruned(
-		STILL(STILL_CLIP("a", "3", "1", "pointer") STILL_CLIP("b", "-1",
-			"1", "pointer") STILL_CLIP("c", "9", "1", "scale")),
+	expect_pruned(STILL(STILL_CLIP("a", "3", "1", "pointer") STILL_CLIP("b",
+			      "-1", "1", "pointer") STILL_CLIP("c", "9", "1",
+			      "scale") STILL_CLIP("d", "0.5", "1", "scale")),
 		STILL(""));
 }
 
@@ -279,16 +351,20 @@ int main(void)
 		cmocka_unit_test(
 			test_levels_skins_and_cameras_of_nodes_are_followed),
 		cmocka_unit_test(test_nodes_that_move_a_used_one_stay),
+		cmocka_unit_test(test_a_parent_may_come_behind_its_first_child),
 		cmocka_unit_test(test_without_scenes_all_nodes_are_used),
 		cmocka_unit_test(test_numbers_of_parts_that_are_missing_stay),
 		cmocka_unit_test(
 			test_variants_and_levels_of_materials_are_followed),
 		cmocka_unit_test(test_textures_are_found_in_extensions),
+		cmocka_unit_test(test_textures_are_found_at_any_depth),
 		cmocka_unit_test(test_coordinates_that_no_texture_reads_go),
 		cmocka_unit_test(test_attributes_of_similar_names_stay),
 		cmocka_unit_test(test_tangents_stay_for_maps_of_normals),
 		cmocka_unit_test(test_channels_of_unused_nodes_go),
 		cmocka_unit_test(test_clips_keep_their_numbers_and_durations),
+		cmocka_unit_test(
+			test_the_end_of_a_clip_keeps_one_node_and_what_it_has),
 		cmocka_unit_test(test_clips_without_nodes_keep_their_numbers),
 		cmocka_unit_test(test_clips_without_nodes_and_times_go),
 	};

@@ -12,8 +12,8 @@ static void test_nodes_that_other_programs_need_are_found(void **state)
 		const char *node;
 		bool unnamed, named; /* needed, without and with a text */
 	} nodes[] = {
-		{"{}", false, false},
 		{"{\"mesh\":0}", true, true},
+		{"{}", false, false},
 		{"{\"camera\":0}", true, true},
 		{"{\"extensions\":{}}", true, true},
 		{"{\"extras\":1}", true, true},
@@ -60,7 +60,8 @@ static void test_extensions_stay_by_their_names(void **state)
 		"{\"extensionsUsed\":[\"KHR_lights_punctual\",\"KHR_material\","
 		"\"KHR_materials_\",\"KHR_materials_unlit\",\"MSFT_lod2\",7,"
 		"\"EXT_texture_webp\"],\"materials\":[{\"extensions\":{"
-		"\"KHR_materials_unlit\":{},\"KHR_material\":{},\"A\":{}}},"
+		"\"KHR_materials_unlit\":{},\"KHR_material\":{},"
+		"\"KHR_materialsX\":{},\"A\":{}}},"
 		"{\"extensions\":{\"MSFT_lod2\":{}},\"extras\":{"
 		"\"extensions\":{\"B\":{}}},\"deep\":[{\"extensions\":{"
 		"\"C\":{},\"MSFT_lod\":{\"extensions\":{\"D\":{}}}}}]}]}";

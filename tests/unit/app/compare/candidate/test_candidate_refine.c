@@ -162,11 +162,17 @@ static void plan_grid(struct plan *plan, const struct time_grid *grid)
 	for (int i = 0; i < 2 * grid->count - 1; i++) {
 		const float *at = grid->time_s + i / 2;
 
+		if (i % 2 && time_grid_is_gap(grid, i / 2)) {
+			continue;
+		}
 		px[i] = sample(plan, i % 2 ? 0.5f * (at[0] + at[1]) : at[0]);
 	}
 	for (int i = 0; i + 1 < grid->count; i++) {
 		const float *at = grid->time_s + i;
 
+		if (time_grid_is_gap(grid, i)) {
+			continue;
+		}
 		plan_halves(plan, at[0], px[2 * i], 0.5f * (at[0] + at[1]),
 			px[2 * i + 1], at[1], px[2 * i + 2], 0);
 	}
@@ -199,13 +205,18 @@ static void test_the_moments_are_those_that_the_errors_demand(void **state)
 	static float even_s[] = {0.0f, 0.25f, 0.5f, 0.75f, 1.0f};
 	static float uneven_s[] = {0.0f, 0.1f, 0.7f, 0.71f, 1.0f};
 	static const float most_px[] = {0.07f, 0.9f, 1.1f, 30.0f};
+	static float thin_s[] = {0.0f, 0.01f, 0.02f, 0.5f, 0.51f, 1.0f};
 	static const struct time_grid grids[] = {{.time_s = even_s, .count = 5},
-		{.time_s = uneven_s, .count = 5},
+		{.time_s = thin_s, .count = 6, .thinned = true},
+		{.time_s = thin_s, .count = 6}, {.time_s = uneven_s, .count = 5},
 		{.time_s = even_s + 3, .count = 2}};
 	struct bench bench;
 
 	(void)state;
 	begin(&bench);
+	/* Points within 0.5 of each other need no projection. */
+	bench.screen.px_per_unit = 10.5f;
+	bench.screen.near_square = 0.25f;
 	for (size_t i = 0; i < ARRAY_COUNT(shapes); i++) {
 		bench.scale_at = shapes[i];
 		for (size_t g = 0; g < ARRAY_COUNT(grids); g++) {

@@ -49,6 +49,107 @@ static void test_whatever_poses_vertices_changes_the_stamp(void **state)
 	model_destroy(model);
 }
 
+enum {
+	KEYS = 3,
+	WIDTH = 4
+};
+
+/* A model of one node and one channel, whose arrays are longer than it. */
+struct moving {
+	struct model model;
+	struct model_node node;
+	struct model_clip clip;
+	struct model_channel channel;
+	mat4 matrix;
+	float time_s[KEYS + 1], value[(3 * KEYS + 3) * WIDTH];
+	int16_t packed[KEYS + 1][4];
+};
+
+static void begin(struct moving *moving, enum model_interpolation interpolation,
+	bool packed, bool matrix)
+{
+	*moving = (struct moving){
+		.model = {.node_count = 1,
+			.node = &moving->node,
+			.clip_count = 1,
+			.clip = &moving->clip},
+		.clip = {.channel_count = 1, .channel = &moving->channel},
+		.channel = {.path = MODEL_ROTATION,
+			.interpolation = interpolation,
+			.width = WIDTH,
+			.key_count = KEYS,
+			.time_s = moving->time_s,
+			.value = packed ? NULL : moving->value,
+			.packed = packed ? moving->packed : NULL},
+	};
+	if (matrix) {
+		moving->node.matrix = (void *)&moving->matrix;
+	}
+}
+
+/* Whether the stamp is another one after a byte has changed. */
+static bool counts(struct moving *moving, void *number, size_t size)
+{
+	uint64_t stamp = optimize_known_stamp(&moving->model, 0);
+	uint8_t *last = (uint8_t *)number + size - 1;
+	bool other;
+
+	*last ^= 0x40;
+	other = optimize_known_stamp(&moving->model, 0) != stamp;
+	*last ^= 0x40;
+	assert_true(optimize_known_stamp(&moving->model, 0) == stamp);
+	return other;
+}
+
+/* A spline has three values a key. */
+static void test_the_stamp_covers_the_keys_and_nothing_behind_them(void **state)
+{
+	static const enum model_interpolation kinds[] = {
+		MODEL_STEP, MODEL_LINEAR, MODEL_CUBICSPLINE};
+	struct moving moving;
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		int values =
+			KEYS * WIDTH * (kinds[i] == MODEL_CUBICSPLINE ? 3 : 1);
+
+		begin(&moving, kinds[i], false, false);
+		for (int k = 0; k <= KEYS; k++) {
+			assert_int_equal(counts(&moving, &moving.time_s[k],
+						 sizeof(float)),
+				k < KEYS);
+		}
+		for (int v = 0; v < values + 2; v++) {
+			assert_int_equal(
+				counts(&moving, &moving.value[v], sizeof(float)),
+				v < values);
+		}
+	}
+	begin(&moving, MODEL_LINEAR, true, false);
+	for (int v = 0; v < 4 * KEYS + 1; v++) {
+		assert_int_equal(counts(&moving, &moving.packed[v / 4][v % 4],
+					 sizeof(int16_t)),
+			v < 4 * KEYS);
+	}
+}
+
+/* A node has a matrix or none. */
+static void test_the_stamp_covers_all_numbers_of_a_matrix(void **state)
+{
+	struct moving moving;
+
+	(void)state;
+	for (int matrix = 0; matrix < 2; matrix++) {
+		begin(&moving, MODEL_LINEAR, false, matrix);
+		for (int i = 0; i < 16; i++) {
+			assert_int_equal(
+				counts(&moving, &moving.matrix[i / 4][i % 4],
+					sizeof(float)),
+				matrix);
+		}
+	}
+}
+
 static void test_errors_are_found_by_their_stamp(void **state)
 {
 	struct optimize_known known = {.count = 0};
@@ -72,6 +173,9 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_equal_models_have_the_same_stamp),
 		cmocka_unit_test(test_whatever_poses_vertices_changes_the_stamp),
+		cmocka_unit_test(
+			test_the_stamp_covers_the_keys_and_nothing_behind_them),
+		cmocka_unit_test(test_the_stamp_covers_all_numbers_of_a_matrix),
 		cmocka_unit_test(test_errors_are_found_by_their_stamp),
 	};
 

@@ -281,6 +281,27 @@ static void test_a_single_key_keeps_the_end_alone(void **state)
 	end(&f);
 }
 
+/* Of a clip that is as short as may be, both keys stay. */
+static void test_two_keys_keep_the_end_of_a_short_clip(void **state)
+{
+	static const float ends_s[] = {1e-3f, 0.5f, 1.0f, 2.0f};
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct fixture f;
+
+		begin(&f);
+		f.keys.count = 1;
+		f.channel[0].track.key_count = 2;
+		f.time_s[0][1] = ends_s[i];
+		f.keys.end_s = ends_s[i];
+		choose(&f);
+		assert_true(f.channel[0].ends);
+		expect_kept(&f, 0, (const int[]){0, 1}, 2);
+		end(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -295,6 +316,7 @@ int main(void)
 		cmocka_unit_test(test_channels_of_idle_nodes_move_nothing),
 		cmocka_unit_test(test_the_best_channel_keeps_the_end),
 		cmocka_unit_test(test_a_single_key_keeps_the_end_alone),
+		cmocka_unit_test(test_two_keys_keep_the_end_of_a_short_clip),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -96,6 +96,51 @@ static void test_channels_share_times_while_that_takes_fewer_bytes(void **state)
 	}
 }
 
+/* Three keys with times of their own take 3 * 16 + 110 bytes. */
+static void test_three_keys_give_way_to_13_but_not_to_14(void **state)
+{
+	(void)state;
+	for (int shared = 12; shared <= 15; shared++) {
+		struct fixture f;
+
+		begin(&f);
+		memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
+		/* It bends at each of the keys 1 to shared - 2. */
+		for (int k = 0; k < KEYS; k++) {
+			int bends = shared - 2;
+
+			f.value[0][k][1] = (float)(k <= bends
+					? k % 2
+					: bends % 2 + 3 * (k - bends));
+		}
+		bend(&f, 1, 5, KEYS);
+		choose(&f);
+		assert_int_equal(f.channel[0].kept_count, shared);
+		assert_int_equal(
+			f.channel[1].kept_count, shared <= 13 ? shared : 3);
+		end(&f);
+	}
+}
+
+/* Whatever their hashes are: some of these share a bucket. */
+static void test_times_that_differ_in_any_key_are_not_shared(void **state)
+{
+	(void)state;
+	for (int k = 1; k < KEYS; k++) {
+		struct fixture f;
+
+		begin(&f);
+		memcpy(f.time_s[1], f.time_s[0], sizeof(f.time_s[1]));
+		f.time_s[1][k] += 0.125f;
+		bend(&f, 0, 7, 20);
+		bend(&f, 1, 9, 33);
+		choose(&f);
+		assert_int_equal(f.channel[0].group, 0);
+		assert_int_equal(f.channel[1].group, 1);
+		end(&f);
+	}
+}
+
 /* Keys of steps, and of splines, do not suffice for lines. */
 static void test_channels_of_other_keys_share_no_times(void **state)
 {
@@ -142,6 +187,9 @@ int main(void)
 		cmocka_unit_test(test_many_keys_are_not_shared),
 		cmocka_unit_test(
 			test_channels_share_times_while_that_takes_fewer_bytes),
+		cmocka_unit_test(test_three_keys_give_way_to_13_but_not_to_14),
+		cmocka_unit_test(
+			test_times_that_differ_in_any_key_are_not_shared),
 		cmocka_unit_test(test_channels_of_other_keys_share_no_times),
 	};
 

@@ -341,6 +341,8 @@ static void test_each_part_turns_its_own_normals(void **state)
 	bench.channel[2].value = still[0];
 	bake(&bench);
 	assert_int_equal(bench.rigid->part_count, 2);
+	/* Joint 0 has two triangles, and joint 2 all vertices but 0. */
+	assert_int_equal(bench.candidate.vertex_count, 5 + 8);
 	candidate_pose(&bench.candidate, 1.0f);
 	bench.candidate.take(&bench.candidate, position, normal);
 	reference_pose(bench.reference, 1.0f, true);
@@ -376,6 +378,29 @@ static void test_memory_and_files_have_the_stored_vectors(void **state)
 	}
 }
 
+/* Each of three joints without a parent is one matrix, and each part one more. */
+static void test_the_board_computes_the_matrices_of_all_nodes(void **state)
+{
+	struct board_cost matrices = board_cost_matrices(NODES, NODES, 0);
+	struct board_cost solid = board_cost_solid(2);
+	const struct board_frame *board;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench);
+	bind_at_rest(&bench);
+	for (int v = 3; v < VERTICES; v++) {
+		bench.joint[v][0] = 2;
+	}
+	bake(&bench);
+	board = &bench.candidate.board;
+	assert_near(board->matrices.cycles, matrices.cycles, 1e-9);
+	assert_near(board->matrices.instructions, matrices.instructions, 1e-9);
+	assert_near(board->vertices.cycles, solid.cycles, 1e-9);
+	assert_near(board->vertices.instructions, solid.instructions, 1e-9);
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -388,6 +413,8 @@ int main(void)
 		cmocka_unit_test(test_a_vertex_is_stored_once_for_each_part),
 		cmocka_unit_test(test_each_part_turns_its_own_normals),
 		cmocka_unit_test(test_memory_and_files_have_the_stored_vectors),
+		cmocka_unit_test(
+			test_the_board_computes_the_matrices_of_all_nodes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -145,17 +145,63 @@ static struct board_cost sample_of(const struct sampled *of)
 	return sum;
 }
 
-/* Whether no earlier channel shares this channel's key times. */
-static bool has_own_times(
-	const struct model_clip *clip, const struct model_channel *channel)
+static bool is_turn(const struct model_channel *channel)
 {
-	for (const struct model_channel *other = clip->channel; other < channel;
-		other++) {
-		if (other->time_s == channel->time_s && !other->constant) {
-			return false;
+	return channel->unit && channel->interpolation == MODEL_LINEAR;
+}
+
+enum {
+	TIMES_BLOCK = 1024,
+	TIMES_SLOTS = 2048, /* more than a block has channels */
+	TIMES_SHIFT = 21    /* from a hash of 32 bits to a slot */
+};
+
+/* The slot of a channel's number with these key times, or the free one for it. */
+static int *find_slot(
+	int *slots, const struct model_channel *channel, const float *time_s)
+{
+	uint32_t hash = (uint32_t)((uintptr_t)time_s / sizeof(*time_s));
+	uint32_t at = hash * 2654435761u >> TIMES_SHIFT;
+
+	while (slots[at] && channel[slots[at] - 1].time_s != time_s) {
+		at = (at + 1) % TIMES_SLOTS;
+	}
+	return &slots[at];
+}
+
+/* Counts the channels from begin to end whose key times no earlier one has. */
+static void count_own_times(struct sampled *sum,
+	const struct model_channel *channel, int begin, int end)
+{
+	int first[TIMES_SLOTS] = {0}; /* numbers of channels, from 1 on */
+
+	for (int i = end - 1; i >= 0; i--) {
+		int *slot = find_slot(first, channel, channel[i].time_s);
+
+		if (!channel[i].constant && (*slot || i >= begin)) {
+			*slot = i + 1;
 		}
 	}
-	return true;
+	for (int i = 0; i < TIMES_SLOTS; i++) {
+		if (first[i] > begin) {
+			int turn = is_turn(&channel[first[i] - 1]);
+
+			sum->turn_times += turn;
+			sum->times += !turn;
+		}
+	}
+}
+
+/* Blocks, whose channels fit into a table, spare most comparisons. */
+static void count_all_own_times(
+	struct sampled *sum, const struct model_clip *clip)
+{
+	for (int i = 0; i < clip->channel_count; i += TIMES_BLOCK) {
+		int left = clip->channel_count - i;
+
+		count_own_times(sum, clip->channel, i,
+			i + (left < TIMES_BLOCK ? left : TIMES_BLOCK));
+	}
 }
 
 /* 1 less the cosines of keys that app/anim/portable/turns.c treats alike. */
@@ -225,21 +271,19 @@ struct board_cost board_cost_sample(
 {
 	struct sampled sum = {.nodes = node_count};
 
+	count_all_own_times(&sum, clip);
 	for (int i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
-		int own = has_own_times(clip, channel);
 
 		if (channel->constant) {
 			continue;
 		}
-		if (channel->unit && channel->interpolation == MODEL_LINEAR) {
+		if (is_turn(channel)) {
 			sum.turns++;
 			find_turn_shares(
 				channel, &sum.middle_turns, &sum.wide_turns);
-			sum.turn_times += own;
 		} else {
 			sum.channels++;
-			sum.times += own;
 			add_loose_turn(&sum, channel);
 			sum.weights += channel->path == MODEL_WEIGHTS
 				? channel->width

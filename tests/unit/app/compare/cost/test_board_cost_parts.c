@@ -3,7 +3,9 @@
 #include "app/compare/cost/board_cost.h"
 #include "tests/support/test.h"
 
+#include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 static void expect_cost(
 	struct board_cost cost, double cycles, double instructions)
@@ -212,6 +214,95 @@ static void test_channels_that_move_have_times_once(void **state)
 		2 * 82 + 2 * 9.2 + 3 * 5.8);
 }
 
+enum {
+	MANY = 150000
+};
+
+struct many {
+	struct model_channel channel[MANY];
+	float time_s[MANY];
+};
+
+/* That many channels, each with key times of its own. */
+static struct many *make_many(void)
+{
+	struct many *many = calloc(1, sizeof(*many));
+
+	assert_non_null(many);
+	for (int i = 0; i < MANY; i++) {
+		many->channel[i] = (struct model_channel){.path = MODEL_ROTATION,
+			.interpolation = MODEL_LINEAR,
+			.unit = i % 3 == 0,
+			.width = 4,
+			.key_count = 1,
+			.time_s = &many->time_s[i],
+			.value = value};
+	}
+	return many;
+}
+
+/* So many turns and other channels, of which so many have their own times. */
+static void expect_times(const struct many *many, int count, int turns,
+	int turn_times, int others, int times)
+{
+	const struct model_clip clip = {.channel_count = count,
+		.channel = (struct model_channel *)many->channel};
+
+	expect_cost(board_cost_sample(&clip, 0),
+		1315 + turns * 344 + turn_times * 121 + others * (653 + 300) +
+			times * 60,
+		120 + turns * 35.4 + turn_times * 12.4 + others * (82 + 100) +
+			times * 9.2);
+}
+
+/* Comparing each channel with each takes several seconds. */
+static void test_many_channels_with_their_own_times_are_counted_quickly(
+	void **state)
+{
+	struct many *many = make_many();
+	clock_t began = clock();
+
+	(void)state;
+	expect_times(many, MANY, MANY / 3, MANY / 3, MANY / 3 * 2, MANY / 3 * 2);
+	assert_true(clock() - began < 2 * CLOCKS_PER_SEC);
+	free(many);
+}
+
+/* Times belong to the first channel that has them and moves, however far. */
+static void test_many_channels_share_the_times_of_the_first_that_moves(
+	void **state)
+{
+	static const int counts[] = {1, 2, 1023, 1024, 1025, 2048, 2049, 3000};
+	struct many *many = make_many();
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(counts); i++) {
+		int count = counts[i], turns = (count + 2) / 3;
+
+		expect_times(many, count, turns, turns, count - turns,
+			count - turns);
+	}
+	/* The last of 3000 has those of the first, and others' are too. */
+	many->channel[2999].time_s = many->time_s;
+	expect_times(many, 3000, 1000, 1000, 2000, 1999);
+	many->channel[1500].time_s = many->time_s;
+	expect_times(many, 3000, 1000, 999, 2000, 1999);
+	many->channel[1].time_s = many->time_s;
+	expect_times(many, 3000, 1000, 999, 2000, 1998);
+	many->channel[0].constant = true;
+	expect_times(many, 3000, 999, 998, 2000, 1999);
+	many->channel[1].constant = true;
+	expect_times(many, 3000, 999, 999, 1999, 1998);
+	many->channel[1500].constant = true;
+	expect_times(many, 3000, 998, 998, 1999, 1999);
+	for (int i = 0; i < 3000; i++) {
+		many->channel[i].constant = false;
+		many->channel[i].time_s = &many->time_s[i % 1500];
+	}
+	expect_times(many, 3000, 1000, 500, 2000, 1000);
+	free(many);
+}
+
 /*
  * Turns by more than 38 degrees need sines while they last, and those by more
  * than 14 another term. The sines' constants are read once a frame.
@@ -291,6 +382,10 @@ int main(void)
 		cmocka_unit_test(test_no_more_than_eight_influences_cost),
 		cmocka_unit_test(test_joints_count_once),
 		cmocka_unit_test(test_channels_that_move_have_times_once),
+		cmocka_unit_test(
+			test_many_channels_with_their_own_times_are_counted_quickly),
+		cmocka_unit_test(
+			test_many_channels_share_the_times_of_the_first_that_moves),
 		cmocka_unit_test(test_turns_cost_by_how_far_they_are),
 		cmocka_unit_test(test_a_frame_is_the_sum_of_its_steps),
 	};

@@ -4,6 +4,7 @@
 #include "platform/base/compiler.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 
 enum {
@@ -103,18 +104,18 @@ static double count_corners(
 	return sum;
 }
 
-static int compare_floats(const void *left, const void *right)
-{
-	float a = *(const float *)left, b = *(const float *)right;
-
-	return (a > b) - (a < b);
-}
-
 /* A level of the whole mesh. */
 struct rung {
 	float error;
 	double corners; /* of all primitives' lists */
 };
+
+static int compare_errors(const void *left, const void *right)
+{
+	const struct rung *a = left, *b = right;
+
+	return (a->error > b->error) - (a->error < b->error);
+}
 
 /* Appends a level with this error if it saves enough. Returns the new count. */
 static int add_rung(const struct leveler *leveler, bool shadow, float error,
@@ -163,17 +164,14 @@ static int choose_rungs(
 {
 	int lists = 0, errors = 0, count = 0;
 	struct rung *rung;
-	float *error;
 
 	for (int p = 0; p < leveler->primitive_count; p++) {
 		lists += leveler->lists[p].lod_count;
 	}
-	error = malloc((size_t)lists * sizeof(*error) + 1);
 	rung = malloc((size_t)lists * sizeof(*rung) + 1);
 	*out = rung;
-	if (!error || !rung) {
+	if (!rung) {
 		leveler->glb->error = -ENOMEM;
-		free(error);
 		return 0;
 	}
 	for (int p = 0; p < leveler->primitive_count; p++) {
@@ -181,19 +179,18 @@ static int choose_rungs(
 
 		for (int i = 0; i < of->lod_count; i++) {
 			if (is_kept(&of->lod[i], shadow)) {
-				error[errors++] = error_of(of, i);
+				rung[errors++].error = error_of(of, i);
 			}
 		}
 	}
-	qsort(error, (size_t)errors, sizeof(*error), compare_floats);
+	qsort(rung, (size_t)errors, sizeof(*rung), compare_errors);
 	for (int i = 0; i < errors; i++) {
-		count = add_rung(leveler, shadow, error[i], rung, count);
+		count = add_rung(leveler, shadow, rung[i].error, rung, count);
 	}
 	while (count > max) {
 		count = drop_rung(
 			count_corners(leveler, shadow, -1.0f), rung, count);
 	}
-	free(error);
 	return count;
 }
 
@@ -285,7 +282,7 @@ static double extent_of(const json_t *accessor)
 		double side = json_number_value(json_array_get(high, axis)) -
 			json_number_value(json_array_get(low, axis));
 
-		extent = side > extent ? side : extent;
+		extent = fmax(extent, side);
 	}
 	return extent;
 }
@@ -306,19 +303,19 @@ static double mesh_extent(const struct glb *glb, const json_t *meshes, int mesh)
 		double side = extent_of(json_array_get(
 			glb->accessors, (size_t)json_integer_value(number)));
 
-		extent = side > extent ? side : extent;
+		extent = fmax(extent, side);
 	}
 	return extent;
 }
 
 /*
  * The share of the screen that the mesh covers when a level's error is one
- * pixel, which is MSFT_screencoverage.
+ * pixel, which is MSFT_screencoverage. It is all of it for an error of 0.
  */
 static double coverage_of(double extent, const json_t *extras)
 {
 	double error = json_number_value(json_object_get(extras, "error_m"));
-	double side = error > 0.0 ? extent / error / coverage_px : 1.0;
+	double side = extent / error / coverage_px;
 
 	return side < 1.0 ? side * side : 1.0;
 }

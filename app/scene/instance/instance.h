@@ -10,7 +10,8 @@
 
 /*
  * Creates an instance in the rest pose. The model must outlive it. Returns 0,
- * or -ENOMEM after logging an error. Release it with instance_destroy().
+ * -EINTR (base/interrupt.h), or -ENOMEM after logging an error. Release it with
+ * instance_destroy().
  */
 int instance_create(const struct model *model, const struct kernel *kernel,
 	const struct log *log, struct instance **out);

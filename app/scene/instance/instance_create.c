@@ -466,7 +466,9 @@ int instance_create_with(const struct model *model, const struct kernel *kernel,
 	return 0;
 
 fail:
-	(void)memory_budget_fail(model->budget, model->path, log);
+	if (error != -EINTR) {
+		(void)memory_budget_fail(model->budget, model->path, log);
+	}
 	arena_release(&arena);
 	return error;
 }

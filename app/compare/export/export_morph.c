@@ -268,7 +268,7 @@ static int export_keys(struct exporter *exporter, int clip)
 static int add_weights(
 	struct exporter *exporter, const struct fit_keys *keys, int first)
 {
-	int total = exporter->row->total.key_count, accessor = -1;
+	int total = exporter->row->total.key_count, accessor;
 	uint32_t *one = malloc((size_t)keys->count * sizeof(*one));
 
 	if (!one) {

@@ -63,13 +63,15 @@ static void test_loaded_exports_share_the_images_of_their_model(void **state)
  * The error in metres of the first level of a morph of two keys, whose file has
  * one mesh of one part. The joint's matrix is multiplied by a scale.
  */
-static float first_error_m(struct compared_clip *bench, int joint, float scale)
+static float first_error_m(
+	struct compared_clip *bench, int joint, float scale, float unit_scale)
 {
 	float time_s[2] = {0.0f, bench->reference->clip->duration_s};
 	struct comparison_clip clip = {.clip = bench->reference->clip_index};
 	struct comparison_cell cell = {.keys = {2, time_s}};
 	const struct comparison comparison = {.model = bench->model,
 		.box = bench->screen.box,
+		.unit_scale = unit_scale,
 		.clip_count = 1,
 		.clip = &clip};
 	const struct comparison_row row = {.kind = COMPARISON_MORPH,
@@ -105,13 +107,33 @@ static void test_levels_of_a_morph_are_those_of_all_joints(void **state)
 	(void)state;
 	compared_clip_begin(&bench, "assets/walker.glb", "idle");
 	assert_int_equal(levels_make(bench.model), 0);
-	plain_m = first_error_m(&bench, 0, 1.0f);
+	plain_m = first_error_m(&bench, 0, 1.0f, 0.0f);
 	assert_true(plain_m > 0.0f && bench.model->skin[0].joint_count > 1);
 	/* The player takes half of the largest scale, at least the first one. */
-	assert_near(first_error_m(&bench, 0, 1e-3f), 0.5f * plain_m,
+	assert_near(first_error_m(&bench, 0, 1e-3f, 0.0f), 0.5f * plain_m,
+		1e-3 * plain_m);
+	assert_near(first_error_m(&bench, 1, 8.0f, 0.0f), 4.0f * plain_m,
+		1e-2 * plain_m);
+	compared_clip_end(&bench);
+}
+
+/* The unit in which the model was posed is none of the file. */
+static void test_levels_of_a_morph_are_in_metres(void **state)
+{
+	struct compared_clip bench;
+	float plain_m;
+
+	(void)state;
+	compared_clip_begin(&bench, "assets/walker.glb", "idle");
+	assert_int_equal(levels_make(bench.model), 0);
+	plain_m = first_error_m(&bench, 0, 1.0f, 1.0f);
+	/* At rest, joints move the mesh as it is. */
+	assert_near(plain_m, bench.model->mesh[0].primitive[0].lod[0].error_m,
 		1e-3 * plain_m);
 	assert_near(
-		first_error_m(&bench, 1, 8.0f), 4.0f * plain_m, 1e-2 * plain_m);
+		first_error_m(&bench, 0, 1.0f, 0.25f), plain_m, 1e-4 * plain_m);
+	assert_near(
+		first_error_m(&bench, 0, 1.0f, 8.0f), plain_m, 1e-4 * plain_m);
 	compared_clip_end(&bench);
 }
 
@@ -121,6 +143,7 @@ int main(void)
 		cmocka_unit_test(
 			test_loaded_exports_share_the_images_of_their_model),
 		cmocka_unit_test(test_levels_of_a_morph_are_those_of_all_joints),
+		cmocka_unit_test(test_levels_of_a_morph_are_in_metres),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

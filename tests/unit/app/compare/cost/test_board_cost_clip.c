@@ -1,14 +1,9 @@
 /* Compares predicted costs of clips with what the timing model counted. */
-#include "app/anim/kernel/arm11_cost.h"
 #include "app/compare/cost/board_cost.h"
 #include "tests/support/model/samples.h"
-#include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <math.h>
-#include <string.h>
-
-#include <cglm/cglm.h>
 
 /*
  * board_cost.h promises to be within 10%; skins are within 5%. In frames of
@@ -288,98 +283,12 @@ static void test_uneven_scale_costs_in_the_frames_that_have_it(void **state)
 	end(&bench);
 }
 
-enum {
-	GRID_JOINTS = 3
-};
-
-/* A skin of a grid of 12 vertices, whose joints are all its one node. */
-struct skinned_grid {
-	struct model *model;
-	mat4 bind[GRID_JOINTS];
-	int joint[GRID_JOINTS];
-	struct model_skin skin;
-	struct model_clip clip;
-	uint16_t joints[12][4];
-	float weights[12][4];
-};
-
-/* Five vertices follow joint 0, four joint 1, and three the joints 1 and 2. */
-static void make_skinned_grid(struct skinned_grid *grid)
-{
-	struct model_primitive *primitive;
-
-	memset(grid, 0, sizeof(*grid));
-	grid->model = small_model_grid(3, 2, 1.0f, true);
-	primitive = grid->model->mesh->primitive;
-	for (int v = 0; v < 12; v++) {
-		grid->joints[v][0] = v < 5 ? 0 : 1;
-		grid->joints[v][1] = 2;
-		grid->weights[v][0] = v < 9 ? 1.0f : 0.5f;
-		grid->weights[v][1] = v < 9 ? 0.0f : 0.5f;
-	}
-	primitive->influences = 4;
-	primitive->joint = grid->joints[0];
-	primitive->weight = grid->weights[0];
-	for (int j = 0; j < GRID_JOINTS; j++) {
-		glm_mat4_identity(grid->bind[j]);
-	}
-	grid->skin = (struct model_skin){.name = "",
-		.joint_count = GRID_JOINTS,
-		.joint = grid->joint,
-		.inverse_bind = grid->bind};
-	grid->clip = (struct model_clip){.name = "", .duration_s = 1.0f};
-	grid->model->skin = &grid->skin;
-	grid->model->skin_count = 1;
-	grid->model->node->skin = 0;
-	grid->model->clip = &grid->clip;
-	grid->model->clip_count = 1;
-}
-
-/* Three runs of vertices with the same joints: two of one joint, one of two. */
-static void test_a_skin_costs_its_drawable_runs_and_vertices(void **state)
-{
-	struct log log = log_to_stderr(LOG_WARNING);
-	struct arena arena = arena_empty();
-	struct board_cost skin, gathered;
-	struct skinned_grid grid;
-	struct instance *instance;
-	struct clip_cursor cursor;
-	struct board_frame frame;
-
-	(void)state;
-	make_skinned_grid(&grid);
-	assert_int_equal(instance_create(grid.model, kernel_find("fixed"), &log,
-				 &instance),
-		0);
-	assert_int_equal(clip_cursor_init(&cursor, grid.model, &arena), 0);
-	frame = board_cost_clip(&grid.clip, instance, &cursor, 0, rate_hz);
-	skin = board_cost_skin(grid.model->mesh->primitive, 0);
-	gathered = board_cost_gather(&instance->drawable[0]);
-	assert_near(frame.vertices.cycles,
-		0.88 * skin.cycles + 3200 + 2 * 60 + 200 + gathered.cycles,
-		1e-6);
-	assert_near(frame.vertices.instructions,
-		0.96 * skin.instructions + 430 + 2 * 75 + 87 +
-			gathered.instructions,
-		1e-6);
-	/* With one influence a vertex, vertices of joint 1 are one run. */
-	frame = board_cost_clip(&grid.clip, instance, &cursor, 1, rate_hz);
-	skin = board_cost_skin(grid.model->mesh->primitive, 1);
-	assert_near(frame.vertices.cycles,
-		0.88 * skin.cycles + 3200 + 2 * 60 + gathered.cycles, 1e-6);
-	instance_destroy(instance);
-	arena_release(&arena);
-	model_destroy(grid.model);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_own_clips_cost_what_the_model_counted),
 		cmocka_unit_test(test_samples_cost_what_the_model_counted),
 		cmocka_unit_test(test_the_joints_of_all_skins_count),
-		cmocka_unit_test(
-			test_a_skin_costs_its_drawable_runs_and_vertices),
 		cmocka_unit_test(test_nodes_cost_what_the_model_counted),
 		cmocka_unit_test(test_key_frames_cost_what_the_model_counted),
 		cmocka_unit_test(test_joints_of_uneven_scale_have_two_matrices),

@@ -93,6 +93,7 @@ static void test_each_piece_of_work_has_the_fitted_cost(void **state)
 		{offsetof(struct gl_counts, calls), "call"},
 		{offsetof(struct gl_counts, listed), "listed"},
 		{offsetof(struct gl_counts, vertices), "vertex"},
+		{offsetof(struct gl_counts, again), "again"},
 		{offsetof(struct gl_counts, single), "single"},
 		{offsetof(struct gl_counts, shaded), "shaded"},
 		{offsetof(struct gl_counts, hidden), "hidden"},

@@ -1,4 +1,4 @@
-/* What weighted targets cost by where the vertices are that they move. */
+/* What targets cost, and weighted ones by where the vertices are they move. */
 #include "app/anim/kernel/run/fixed_morph_run.h"
 #include "app/compare/cost/board_cost.h"
 #include "app/model/model_deltas.h"
@@ -21,14 +21,14 @@ struct bench {
 	float time_s[2], weight[2][TARGETS];
 	struct model_channel channel;
 	struct model_clip clip;
-	float rest[TARGETS];
+	float rest[2 * TARGETS];
 };
 
 /* A clip that mixes all four targets, none of which moves a vertex yet. */
-static void begin(struct bench *b)
+static void begin_with(struct bench *b, bool normals)
 {
 	memset(b, 0, sizeof(*b));
-	b->model = small_model_grid(COLUMNS, ROWS, 1.0f, false);
+	b->model = small_model_grid(COLUMNS, ROWS, 1.0f, normals);
 	for (int t = 0; t < TARGETS; t++) {
 		b->target[t].position = model_deltas_view(
 			(const float(*)[3])b->delta[t], VERTICES);
@@ -53,6 +53,11 @@ static void begin(struct bench *b)
 	b->model->clip_count = 1;
 }
 
+static void begin(struct bench *b)
+{
+	begin_with(b, false);
+}
+
 static void end(struct bench *b)
 {
 	model_destroy(b->model);
@@ -67,6 +72,7 @@ static void move(struct bench *b, int target, int first, int count)
 	}
 }
 
+/* What vertices cost beyond being gathered. */
 static struct board_cost predict(struct bench *b)
 {
 	struct log log = log_to_stderr(LOG_WARNING);
@@ -74,12 +80,19 @@ static struct board_cost predict(struct bench *b)
 	struct clip_cursor cursor;
 	struct instance *instance;
 	struct board_frame frame;
+	struct board_cost gathered;
 
 	assert_int_equal(
 		instance_create(b->model, kernel_find("fixed"), &log, &instance),
 		0);
 	assert_int_equal(clip_cursor_init(&cursor, b->model, &arena), 0);
 	frame = board_cost_clip(&b->clip, instance, &cursor, 0, 10.0);
+	/* What moves with its node is not gathered. */
+	if (instance->drawable[0].morphed) {
+		gathered = board_cost_gather(&instance->drawable[0]);
+		frame.vertices.cycles -= gathered.cycles;
+		frame.vertices.instructions -= gathered.instructions;
+	}
 	instance_destroy(instance);
 	arena_release(&arena);
 	return frame.vertices;
@@ -175,6 +188,46 @@ static void test_one_pair_is_written_and_several_are_added(void **state)
 	end(&b);
 }
 
+/* Two chunks and a vertex, which each of two pairs looks for. */
+static void test_a_chunk_may_have_a_single_vertex(void **state)
+{
+	const struct board_targets counts = {.weights = TARGETS,
+		.begun = 2 * FIXED_MORPH_CHUNK + 1,
+		.added = 20,
+		.pieces = 2,
+		.visits = 2 * 3,
+		.searches = 2 * 3,
+		.steps = 2 * 3};
+	struct board_cost targets = of(&counts);
+	struct bench b;
+
+	(void)state;
+	begin(&b);
+	b.model->mesh->primitive->vertex_count = 2 * FIXED_MORPH_CHUNK + 1;
+	b.model->mesh->primitive->index_count = 30;
+	move(&b, 0, 0, 10);
+	move(&b, 2, 30, 10);
+	assert_near(predict(&b).cycles, 1900 + targets.cycles, 1e-6);
+	end(&b);
+}
+
+/* Those of other nodes come before. */
+static void test_weights_are_those_of_the_meshs_node(void **state)
+{
+	struct board_cost first, second;
+	struct bench b;
+
+	(void)state;
+	begin(&b);
+	move(&b, 0, 0, 200);
+	first = predict(&b);
+	b.model->node->weight_offset = TARGETS;
+	b.model->weight_count = 2 * TARGETS;
+	second = predict(&b);
+	assert_near(second.cycles, first.cycles, 1e-6);
+	end(&b);
+}
+
 /* Each frame looks at the weights of all targets. */
 static void test_each_target_has_a_weight_to_look_at(void **state)
 {
@@ -214,14 +267,86 @@ static void test_costs_are_means_over_the_frames(void **state)
 	end(&b);
 }
 
+static void expect_cost(struct bench *b, double cycles, double instructions)
+{
+	struct board_cost cost = predict(b);
+
+	assert_near(cost.cycles, cycles, 1e-6);
+	assert_near(cost.instructions, instructions, 1e-6);
+}
+
+/* Positions are morphed, and normals if the grid has any. */
+static void test_a_morph_costs_its_drawable_and_each_attribute(void **state)
+{
+	(void)state;
+	for (int normals = 0; normals < 2; normals++) {
+		double attributes = normals + 1;
+		struct board_targets counts = {.weights = TARGETS * attributes,
+			.copied = VERTICES * attributes - 30,
+			.paired = 30,
+			.spans = 2};
+		struct board_cost targets = of(&counts);
+		struct bench b;
+
+		begin_with(&b, normals);
+		move(&b, 1, 50, 20);
+		for (int v = 300; v < 310; v++) {
+			b.delta[1][v][0] = 0.25f;
+		}
+		expect_cost(
+			&b, 1900 + targets.cycles, 370 + targets.instructions);
+		end(&b);
+	}
+}
+
+/* Each key frame shows one target. */
+static void test_key_frames_cost_what_interpolating_does(void **state)
+{
+	(void)state;
+	for (int normals = 0; normals < 2; normals++) {
+		struct board_cost keys =
+			board_cost_keys(VERTICES, normals, TARGETS);
+		struct bench b;
+
+		begin_with(&b, normals);
+		for (int t = 0; t < TARGETS; t++) {
+			move(&b, t, 50 * t, 20);
+			b.weight[0][t] = t == 0;
+			b.weight[1][t] = t == 1;
+		}
+		b.model->mesh->key_frames = true;
+		expect_cost(&b, keys.cycles, keys.instructions);
+		end(&b);
+	}
+}
+
+static void test_a_mesh_without_targets_moves_with_its_node(void **state)
+{
+	struct board_cost solid = board_cost_solid(1);
+	struct bench b;
+
+	(void)state;
+	begin(&b);
+	b.model->mesh->target_count = b.model->weight_count = 0;
+	b.clip.channel_count = 0;
+	expect_cost(&b, solid.cycles, solid.instructions);
+	end(&b);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_spans_of_several_pairs_are_cut_at_the_ends_of_chunks),
 		cmocka_unit_test(test_one_pair_is_written_and_several_are_added),
+		cmocka_unit_test(test_a_chunk_may_have_a_single_vertex),
+		cmocka_unit_test(test_weights_are_those_of_the_meshs_node),
 		cmocka_unit_test(test_each_target_has_a_weight_to_look_at),
 		cmocka_unit_test(test_costs_are_means_over_the_frames),
+		cmocka_unit_test(
+			test_a_morph_costs_its_drawable_and_each_attribute),
+		cmocka_unit_test(test_key_frames_cost_what_interpolating_does),
+		cmocka_unit_test(test_a_mesh_without_targets_moves_with_its_node),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

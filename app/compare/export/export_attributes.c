@@ -89,7 +89,7 @@ int export_indices(struct glb *glb, const uint32_t *index, int count)
 	if (most >= UINT16_MAX) {
 		return glb_add_array(glb, index, count, 1, GLB_UINT);
 	}
-	small = malloc((size_t)count * sizeof(*small) + 1);
+	small = malloc((size_t)count * sizeof(*small));
 	if (!small) {
 		glb->error = glb->error ? glb->error : -ENOMEM;
 		return -1;

@@ -2,9 +2,7 @@
 
 #include "app/compare/export/export_levels.h"
 
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
+#include <math.h>
 
 static json_t *node_json(const struct model_node *node, int mesh, bool skins)
 {
@@ -181,11 +179,13 @@ static void keep_duration(struct glb *glb, const struct model *model,
 	float time_s[2] = {0.0f, clip->duration_s}, still[2][3];
 	int input, output;
 
-	if (node < 0 || !(clip->duration_s > 0.0f)) {
+	if (node < 0) {
 		return;
 	}
-	memcpy(still[0], model->node[node].rest.translation, sizeof(still[0]));
-	memcpy(still[1], still[0], sizeof(still[1]));
+	for (int axis = 0; axis < 3; axis++) {
+		still[0][axis] = still[1][axis] =
+			model->node[node].rest.translation[axis];
+	}
 	json_array_append_new(channels,
 		json_pack("{s:i, s:{s:i, s:s}}", "sampler",
 			(int)json_array_size(samplers), "target", "node", node,
@@ -200,16 +200,14 @@ static void keep_duration(struct glb *glb, const struct model *model,
 
 static float later(float end_s, const struct model_channel *channel)
 {
-	float last_s = channel->time_s[channel->key_count - 1];
-
-	return last_s > end_s ? last_s : end_s;
+	return fmaxf(end_s, channel->time_s[channel->key_count - 1]);
 }
 
 static json_t *clip_json(struct glb *glb, const struct model *model,
 	const struct model_clip *clip, bool targets)
 {
 	json_t *samplers = json_array(), *channels = json_array();
-	struct last_times last = {NULL, 0, -1};
+	struct last_times last = {.time_s = NULL};
 	float end_s = 0.0f;
 	int count = 0;
 

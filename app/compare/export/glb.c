@@ -262,7 +262,7 @@ static json_t *vectors_json(struct glb *glb, const void *data, int count,
 	enum glb_component component, uint8_t *scratch, uint32_t *index)
 {
 	size_t size = 3 * glb_component_bytes(component);
-	size_t stride = (size + 3) & ~(size_t)3;
+	size_t stride = 4 * glb_component_bytes(component);
 	int moved = pack_vectors(
 		data, count, component, true, scratch, size, index);
 	bool sparse = moved > 0 &&

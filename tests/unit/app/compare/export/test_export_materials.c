@@ -39,7 +39,7 @@ static void test_materials_keep_what_they_are(void **state)
 	material[2].name = "lamp";
 	material[2].emissive[0] = 0.5f;
 	material[2].emissive[2] = 0.125f;
-	material[2].emissive_texture = 7;
+	material[2].emissive_texture = 0;
 	written = write_materials(&model);
 	written_glb_expect(&written, "materials",
 		"[{'alphaCutoff':0.75,'alphaMode':'MASK','doubleSided':false,"
@@ -54,7 +54,7 @@ static void test_materials_keep_what_they_are(void **state)
 		"'roughnessFactor':1.0}},"
 		"{'alphaMode':'OPAQUE','doubleSided':false,"
 		"'emissiveFactor':[0.5,0.0,0.125],"
-		"'emissiveTexture':{'index':7},'name':'lamp',"
+		"'emissiveTexture':{'index':0},'name':'lamp',"
 		"'pbrMetallicRoughness':{"
 		"'baseColorFactor':[1.0,1.0,1.0,1.0],'metallicFactor':0.0,"
 		"'roughnessFactor':1.0}}]");
@@ -142,6 +142,54 @@ static void test_textures_keep_their_samplers_and_pixels(void **state)
 		png.format = PNG_FORMAT_RGBA;
 		assert_true(png_image_finish_read(&png, NULL, read, 0, NULL));
 		assert_memory_equal(read, pixels[i], i == 0 ? 24 : 8);
+	}
+	written_glb_release(&written);
+}
+
+/* A transparent pixel each, named by its number; one texture shows the last. */
+static void test_images_that_are_shared_have_numbers_alone(void **state)
+{
+	static const uint8_t transparent[4] = {0, 0, 0, 0};
+	struct model_texture texture = {.image = 11};
+	struct model_image image[12] = {{.width = 3}};
+	const struct model model = {.texture_count = 1,
+		.texture = &texture,
+		.image_count = 12,
+		.image = image};
+	struct written_glb written;
+	struct glb glb;
+
+	(void)state;
+	glb_begin_memory(&glb);
+	glb.shares_images = true;
+	export_materials(&glb, &model);
+	written = written_glb_take(&glb);
+	written_glb_expect(&written, "textures", "[{'sampler':0,'source':11}]");
+	for (size_t i = 0; i < 12; i++) {
+		json_t *json = json_array_get(
+			json_object_get(written.root, "images"), i);
+		json_t *view = json_array_get(
+			json_object_get(written.root, "bufferViews"), i);
+		png_image png = {.version = PNG_IMAGE_VERSION};
+		uint8_t read[4];
+
+		assert_int_equal(
+			atoi(json_string_value(json_object_get(json, "name"))),
+			i);
+		assert_int_equal(
+			json_integer_value(json_object_get(json, "bufferView")),
+			i);
+		assert_true(png_image_begin_read_from_memory(&png,
+			written.binary +
+				json_integer_value(
+					json_object_get(view, "byteOffset")),
+			(size_t)json_integer_value(
+				json_object_get(view, "byteLength"))));
+		assert_int_equal(png.width, 1);
+		assert_int_equal(png.height, 1);
+		png.format = PNG_FORMAT_RGBA;
+		assert_true(png_image_finish_read(&png, NULL, read, 0, NULL));
+		assert_memory_equal(read, transparent, 4);
 	}
 	written_glb_release(&written);
 }
@@ -245,6 +293,7 @@ int main(void)
 		cmocka_unit_test(
 			test_an_emission_without_light_or_texture_is_left_out),
 		cmocka_unit_test(test_textures_keep_their_samplers_and_pixels),
+		cmocka_unit_test(test_images_that_are_shared_have_numbers_alone),
 		cmocka_unit_test(test_attributes_follow_their_sources),
 		cmocka_unit_test(test_indices_are_short_up_to_65534),
 		cmocka_unit_test(test_no_triangles_become_one_of_one_vertex),

@@ -231,6 +231,26 @@ static void test_a_clip_that_ends_in_time_needs_no_node(void **state)
 	end(&f);
 }
 
+/* The first node, in two keys at its rest translation. */
+static void test_a_clip_of_weights_alone_holds_the_first_node(void **state)
+{
+	static const float still[8] = {0.0f, 0.25f, 1, 2, 3, 1, 2, 3};
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	f.comparison.clip_count = 1;
+	add_channel(&f, 0, 2, MODEL_WEIGHTS, 3);
+	write_clips(&f, false);
+	written_glb_expect(&f.written, "animations",
+		"[{'channels':[" STILL("0",
+			"0") "],'name':'a','samplers':["
+			     "{'input':0,'interpolation':'STEP','output':1}]}]");
+	expect_accessors(&f, "2 SCALAR 2 VEC3 ");
+	assert_memory_equal(f.written.binary, still, sizeof(still));
+	end(&f);
+}
+
 /* Node 0 is a matrix; the clip moves node 1, and then node 2 as well. */
 static void test_a_clip_of_weights_alone_stays_if_a_node_can_hold_it(
 	void **state)
@@ -306,6 +326,11 @@ static void test_nodes_keep_what_they_are(void **state)
 			skins ? NODES("'skin':0,") : NODES(""));
 		written_glb_expect(&f.written, "scenes",
 			skins ? "[{'nodes':[0]}]" : "[{'nodes':[0,3]}]");
+		assert_true(json_is_integer(
+			json_object_get(f.written.root, "scene")));
+		assert_int_equal(json_integer_value(json_object_get(
+					 f.written.root, "scene")),
+			0);
 		json_decref(levels);
 		end(&f);
 	}
@@ -436,6 +461,8 @@ int main(void)
 		cmocka_unit_test(test_only_clips_that_are_compared_are_written),
 		cmocka_unit_test(test_clips_without_weights_keep_their_duration),
 		cmocka_unit_test(test_a_clip_that_ends_in_time_needs_no_node),
+		cmocka_unit_test(
+			test_a_clip_of_weights_alone_holds_the_first_node),
 		cmocka_unit_test(
 			test_a_clip_of_weights_alone_stays_if_a_node_can_hold_it),
 		cmocka_unit_test(

@@ -249,8 +249,9 @@ static void test_vectors_are_sparse_where_that_is_smaller(void **state)
 		int count, moved;
 		bool sparse;
 	} cases[] = {{GLB_BYTE, 7, 4, false}, {GLB_BYTE, 7, 3, true},
-		{GLB_BYTE, 7, 0, false}, {GLB_SHORT, 5, 4, false},
-		{GLB_SHORT, 5, 3, true}, {GLB_SHORT, 5, 0, false}};
+		{GLB_BYTE, 7, 1, true}, {GLB_BYTE, 7, 0, false},
+		{GLB_SHORT, 5, 4, false}, {GLB_SHORT, 5, 3, true},
+		{GLB_SHORT, 5, 1, true}, {GLB_SHORT, 5, 0, false}};
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {

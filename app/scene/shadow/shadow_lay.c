@@ -54,9 +54,10 @@ static float distance_to_ground(
 			guess[1] = (from[1] - height[0]) * per_height;
 		}
 	}
-	slope = guess[1] == guess[0]
-		? 0.0f
-		: (height[1] - height[0]) / (guess[1] - guess[0]);
+	if (height[1] == height[0]) {
+		return guess[1];
+	}
+	slope = (height[1] - height[0]) / (guess[1] - guess[0]);
 	return guess[1] -
 		(height[1] - height[0]) /
 		scalar_clamp(towards[1] + slope, 0.5f * towards[1], 2.0f);

@@ -7,6 +7,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <string.h>
 
 enum {
 	SIDE = 8 /* quads on a side of the ground */
@@ -214,6 +215,159 @@ static void test_too_small_a_limit_of_memory_is_named(void **state)
 	release(model, instance);
 }
 
+/* A ramp along x or z of which only a part is covered by triangles. */
+static void test_a_hole_has_the_height_of_its_edge(void **state)
+{
+	(void)state;
+	for (int kind = 0; kind < 4; kind++) {
+		int axis = kind / 2, upper = kind % 2;
+		struct model *model = make_ground(slope);
+		struct model_primitive *primitive = model->mesh[0].primitive;
+		struct shadow_relief relief;
+		struct instance *instance;
+		uint32_t *to = primitive->index;
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			float *at = primitive->position[v];
+
+			at[1] = at[2 * axis];
+		}
+		/* Triangles of the lower or the upper half. */
+		for (int k = 0; k < primitive->index_count; k += 3) {
+			const uint32_t *corner = primitive->index + k;
+			float sum = 0;
+
+			for (int i = 0; i < 3; i++) {
+				sum += primitive->position[corner[i]][2 * axis];
+			}
+			if ((sum > 6) == upper) {
+				memmove(to, corner, 3 * sizeof(*to));
+				to += 3;
+			}
+		}
+		primitive->index_count = (int)(to - primitive->index);
+		instance = make_relief(model, &relief);
+		for (int i = 0; i <= 16; i++) {
+			float at = 0.25f * (float)i, expected = at;
+
+			if (upper ? at < 2 : at > 2) {
+				expected = 2;
+			}
+			/* Half a cell beside the edge is interpolated. */
+			assert_near(shadow_relief_height(&relief,
+					    axis ? 1.7f : at, axis ? at : 1.7f),
+				expected, 0.04);
+		}
+		assert_near(relief.error, 2, 0.04);
+		release(model, instance);
+	}
+}
+
+/* A table above a floor, whichever comes first in the file. */
+static void test_the_higher_surface_counts(void **state)
+{
+	(void)state;
+	for (int order = 0; order < 2; order++) {
+		struct model *model = small_model_grid(1, 2, 4.0f, true);
+		struct model_primitive *primitive = model->mesh[0].primitive;
+		struct shadow_relief relief;
+		struct instance *instance;
+
+		/* Each square for itself, at the same place. */
+		assert_int_equal(primitive->vertex_count, 6);
+		assert_int_equal(primitive->index_count, 12);
+		for (int v = 0; v < 6; v++) {
+			float *at = primitive->position[v];
+
+			at[0] = v % 2 ? 4.0f : 0.0f;
+			at[1] = v / 2 == 1 ? 3.0f : 1.0f;
+			at[2] = v / 2 == 1 ? 4.0f : 0.0f;
+		}
+		primitive->position[order ? 4 : 0][1] = 2;
+		primitive->position[order ? 5 : 1][1] = 2;
+		instance = make_relief(model, &relief);
+		assert_near(shadow_relief_height(&relief, 2, 1), 2.25, 1e-3);
+		assert_near(shadow_relief_height(&relief, 2, 3), 2.75, 1e-3);
+		release(model, instance);
+	}
+}
+
+static void test_a_model_of_another_size_is_measured_in_scene_units(void **state)
+{
+	struct model *model = make_ground(slope);
+	struct model_primitive *primitive = model->mesh[0].primitive;
+	struct shadow_relief relief;
+	struct instance *instance;
+	static const int drawable[1] = {0};
+	float scale;
+
+	(void)state;
+	for (int v = 0; v < primitive->vertex_count; v++) {
+		for (int axis = 0; axis < 3; axis++) {
+			primitive->position[v][axis] *= 1000;
+		}
+	}
+	instance = small_model_instance(model);
+	scale = 1000 * instance->unit_scale;
+	assert_true(scale < 100);
+	assert_int_equal(shadow_relief_make(&relief, instance, drawable, 1), 0);
+	assert_near(relief.cell[0], 4 * scale / 63, 1e-4);
+	assert_near(shadow_relief_height(&relief, scale, 3 * scale),
+		slope(1, 3) * scale, 1e-3);
+	release(model, instance);
+}
+
+/* Seen from above, a wall is a line. */
+static void test_a_wall_is_no_uneven_ground(void **state)
+{
+	(void)state;
+	for (int axis = 0; axis < 3; axis += 2) {
+		static const int drawable[1] = {0};
+		struct model *model = make_ground(slope);
+		struct model_primitive *primitive = model->mesh[0].primitive;
+		struct shadow_relief relief;
+		struct instance *instance;
+
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			primitive->position[v][axis] = 1;
+		}
+		instance = small_model_instance(model);
+		assert_int_equal(
+			shadow_relief_make(&relief, instance, drawable, 1), 0);
+		assert_null(relief.height);
+		release(model, instance);
+	}
+}
+
+/* By 0.4% of the way and the error, and by a quarter of the way at most. */
+static void test_a_point_is_lifted_by_a_part_of_the_way_to_the_eye(void **state)
+{
+	static const struct {
+		float error, eye_y, expected;
+	} cases[] = {
+		{0, 4, 0.016f},
+		{0.1f, 4, 0.116f},
+		{0.9f, 4, 0.916f},
+		{2, 4, 1},
+		{0.1f, 0, 0},
+		{0.1f, -2, -0.5f},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		const struct shadow_relief relief = {.error = cases[i].error};
+		const float eye[3] = {8, cases[i].eye_y, 2};
+		float point[3] = {0, 0, 2};
+
+		shadow_relief_lift(&relief, eye, point);
+		assert_near(point[1], cases[i].expected, 1e-5);
+		assert_near(point[2], 2, 1e-6);
+		if (cases[i].eye_y <= 0) {
+			assert_near(point[0], 2, 1e-5);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -226,6 +380,13 @@ int main(void)
 		cmocka_unit_test(test_the_error_is_how_far_vertices_are_off),
 		cmocka_unit_test(test_any_level_may_have_the_most_corners),
 		cmocka_unit_test(test_too_small_a_limit_of_memory_is_named),
+		cmocka_unit_test(test_a_hole_has_the_height_of_its_edge),
+		cmocka_unit_test(test_the_higher_surface_counts),
+		cmocka_unit_test(
+			test_a_model_of_another_size_is_measured_in_scene_units),
+		cmocka_unit_test(test_a_wall_is_no_uneven_ground),
+		cmocka_unit_test(
+			test_a_point_is_lifted_by_a_part_of_the_way_to_the_eye),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -72,21 +72,26 @@ static void turn_frame(const struct transform *rest, struct frame *out)
 	}
 }
 
+static struct frame frame_of_matrix(const float (*matrix)[4])
+{
+	struct frame frame;
+
+	for (int i = 0; i < 12; i++) {
+		frame.column[i / 3][i % 3] = (double)matrix[i / 3][i % 3];
+	}
+	return frame;
+}
+
 static struct frame frame_of(const struct model_node *node)
 {
 	struct frame frame;
 
-	if (!node->matrix) {
-		turn_frame(&node->rest, &frame);
+	if (node->matrix) {
+		return frame_of_matrix(node->matrix);
 	}
+	turn_frame(&node->rest, &frame);
 	for (int row = 0; row < 3; row++) {
-		frame.column[3][row] =
-			(double)(node->matrix ? node->matrix[3][row]
-					      : node->rest.translation[row]);
-		for (int column = 0; node->matrix && column < 3; column++) {
-			frame.column[column][row] =
-				(double)node->matrix[column][row];
-		}
+		frame.column[3][row] = (double)node->rest.translation[row];
 	}
 	return frame;
 }
@@ -168,13 +173,11 @@ static void add_skinned(const struct search *search,
 	const struct model_skin *skin = &search->model->skin[node->skin];
 
 	for (int j = 0; j < skin->joint_count; j++) {
-		struct frame bind, placed;
+		const struct frame bind = frame_of_matrix(
+			(const float(*)[4])skin->inverse_bind[j]);
+		const struct frame placed =
+			multiply(&search->world[skin->joint[j]], &bind);
 
-		for (int i = 0; i < 12; i++) {
-			bind.column[i / 3][i % 3] =
-				(double)skin->inverse_bind[j][i / 3][i % 3];
-		}
-		placed = multiply(&search->world[skin->joint[j]], &bind);
 		add_box(out, &search->box[node->mesh], &placed);
 	}
 }

@@ -382,6 +382,28 @@ static void test_joints_place_the_vertices_of_a_skin(void **state)
 	}
 }
 
+/* A joint near the origin holds a part of the mesh there: the model is large. */
+static void test_every_joint_counts_for_a_models_place(void **state)
+{
+	(void)state;
+	for (int near = 0; near < 3; near++) {
+		uint32_t seed = 10;
+		struct fixture f;
+
+		begin(&f);
+		scatter(&f, &seed);
+		f.node[2].parent = f.node[3].parent = -1;
+		f.node[3].mesh = 0;
+		f.node[3].skin = 0;
+		for (int j = 0; j < 2; j++) {
+			f.joint[j] = 1 + j;
+			f.node[1 + j].rest.translation[0] = j == near ? 0 : 3e6f;
+		}
+		assert_int_equal(move(&f), near == 2);
+		end(&f);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -391,6 +413,7 @@ int main(void)
 		cmocka_unit_test(
 			test_vertices_stay_where_the_node_itself_matters),
 		cmocka_unit_test(test_joints_place_the_vertices_of_a_skin),
+		cmocka_unit_test(test_every_joint_counts_for_a_models_place),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

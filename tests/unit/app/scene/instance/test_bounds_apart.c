@@ -10,17 +10,35 @@
 
 /* Two triangles of size 1, one of which hangs on the other. */
 struct pair {
-	struct model_channel channel;
+	struct model_channel channel[2];
 	struct model_clip clip;
-	float value[6];
+	float value[2][6];
 	struct model *model;
 	struct instance *instance;
 };
 
-static void begin(struct pair *pair, int node, enum model_path path,
+/* Lets the clip move a node evenly. */
+static void move(struct pair *pair, int node, enum model_path path,
 	const float from[3], const float to[3])
 {
 	static const float time_s[] = {0, 1};
+	float *value = pair->value[pair->clip.channel_count];
+
+	memcpy(value, from, 3 * sizeof(from[0]));
+	memcpy(value + 3, to, 3 * sizeof(to[0]));
+	pair->channel[pair->clip.channel_count++] =
+		(struct model_channel){.node = node,
+			.path = path,
+			.interpolation = MODEL_LINEAR,
+			.width = 3,
+			.key_count = 2,
+			.time_s = time_s,
+			.value = value};
+}
+
+static void begin(struct pair *pair, int node, enum model_path path,
+	const float from[3], const float to[3])
+{
 	struct test_path folder = temp_dir_make();
 	struct test_path file = path_join(&folder, "pair.gltf");
 	struct log log = log_to_stderr(LOG_WARNING);
@@ -30,19 +48,9 @@ static void begin(struct pair *pair, int node, enum model_path path,
 		file.text, "{\"mesh\":0,\"children\":[1]},{\"mesh\":0}");
 	assert_int_equal(model_load(file.text, &log, &pair->model), 0);
 	temp_dir_remove(&folder);
-	memcpy(&pair->value[0], from, 3 * sizeof(from[0]));
-	memcpy(&pair->value[3], to, 3 * sizeof(to[0]));
-	pair->channel = (struct model_channel){.node = node,
-		.path = path,
-		.interpolation = MODEL_LINEAR,
-		.width = 3,
-		.key_count = 2,
-		.time_s = time_s,
-		.value = pair->value};
-	pair->clip = (struct model_clip){.name = "clip",
-		.duration_s = 1,
-		.channel_count = 1,
-		.channel = &pair->channel};
+	pair->clip = (struct model_clip){
+		.name = "clip", .duration_s = 1, .channel = pair->channel};
+	move(pair, node, path, from, to);
 	pair->model->clip = &pair->clip;
 	pair->model->clip_count = 1;
 	pair->instance = small_model_instance(pair->model);
@@ -103,6 +111,55 @@ static void test_what_moves_or_grows_as_a_whole_is_all_shown(void **state)
 	end(&pair);
 }
 
+static const float origin[3] = {0, 0, 0};
+
+/* A part that grows to twice the model's size is still one that flies away. */
+static void test_a_part_of_twice_the_size_flies_away(void **state)
+{
+	static const struct {
+		float size, high;
+	} rows[] = {{1.95f, 7}, {2.05f, 82.05f}};
+
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		const float size = rows[i].size;
+		struct pair pair;
+		struct bounds box;
+
+		begin(&pair, 1, MODEL_TRANSLATION, origin,
+			(const float[]){80, 0, 0});
+		move(&pair, 1, MODEL_SCALE, (const float[]){1, 1, 1},
+			(const float[]){size, size, size});
+		box = bounds_of_clip(pair.instance, 0);
+		assert_near(box.high[0], rows[i].high, 1e-3);
+		end(&pair);
+	}
+}
+
+/* What stays may move by its own size to any side. */
+static void test_a_part_stays_within_its_size_of_where_it_was(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 12; i++) {
+		float by = i % 2 ? 1.05f : 0.95f;
+		float to[3] = {0, 0, 0}, flown[3] = {0, 0, 0};
+		int axis = i / 4, other = (axis + 1) % 3;
+		struct pair pair;
+		struct bounds box;
+
+		to[axis] = i / 2 % 2 ? by : -by;
+		flown[other] = 80;
+		begin(&pair, 0, MODEL_TRANSLATION, origin, to);
+		move(&pair, 1, MODEL_TRANSLATION, origin, flown);
+		box = bounds_of_clip(pair.instance, 0);
+		/* Triangles have no size along z. */
+		assert_near(box.high[other],
+			i % 2 ? (other == 2 ? 80 : 81) : (other == 2 ? 6 : 7),
+			1e-3);
+		end(&pair);
+	}
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
@@ -110,6 +167,9 @@ int main(void)
 			test_a_part_that_flies_away_leaves_the_others_in_view),
 		cmocka_unit_test(
 			test_what_moves_or_grows_as_a_whole_is_all_shown),
+		cmocka_unit_test(test_a_part_of_twice_the_size_flies_away),
+		cmocka_unit_test(
+			test_a_part_stays_within_its_size_of_where_it_was),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,6 +48,32 @@ static void test_text_grows_with_the_picture(void **state)
 	}
 }
 
+/* In a picture of twice the height all letters are twice as large. */
+static void test_large_letters_are_enlarged_ones(void **state)
+{
+	static struct hud once;
+	struct hud *twice;
+
+	(void)state;
+	once = *hud_of_size(1920, 1080);
+	assert_int_equal(hud_text(&once, 10, 20, orange, "Way 1"),
+		10 + hud_text_width(&once, "Way 1"));
+	twice = hud_of_size(3840, 2160);
+	assert_int_equal(hud_text(twice, 20, 40, orange, "Way 1"),
+		20 + hud_text_width(twice, "Way 1"));
+	assert_int_equal(once.quad_count, 4);
+	assert_int_equal(twice->quad_count, 4);
+	for (int i = 0; i < 4 * 4; i++) {
+		const struct hud_vertex *a = &once.vertex[i];
+		const struct hud_vertex *b = &twice->vertex[i];
+
+		assert_int_equal(b->x, 2 * a->x);
+		assert_int_equal(b->y, 2 * a->y);
+		assert_near(b->s, a->s, 0);
+		assert_near(b->t, a->t, 0);
+	}
+}
+
 static void test_a_picture_has_at_least_one_pixel(void **state)
 {
 	static const int sizes[][2] = {{0, 0}, {-5, 7}, {9, -1}, {1, 1}};
@@ -274,6 +300,7 @@ int main(void)
 		cmocka_unit_test(
 			test_corners_are_as_round_as_asked_or_half_a_side),
 		cmocka_unit_test(test_bars_fill_by_their_fraction),
+		cmocka_unit_test(test_large_letters_are_enlarged_ones),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -72,7 +72,7 @@ static struct {
 	GLuint bound;
 	GLfixed magnify, minify, wrap_s, wrap_t;
 	GLint row_bytes;
-	int images;
+	int images, deleted;
 } texture;
 
 static void bind_texture(GLenum target, GLuint name)
@@ -112,6 +112,13 @@ static void tex_image(GLenum target, GLint level, GLint internal_format,
 	texture.images++;
 }
 
+static void delete_textures(GLsizei count, const GLuint *textures)
+{
+	assert_int_equal(count, 1);
+	assert_int_equal(*textures, 1);
+	texture.deleted++;
+}
+
 static struct gl recorder(void)
 {
 	struct gl gl = gl_recorder_begin();
@@ -119,6 +126,7 @@ static struct gl recorder(void)
 	memset(&capabilities, 0, sizeof(capabilities));
 	memset(&texture, 0, sizeof(texture));
 	gl.BindTexture = bind_texture;
+	gl.DeleteTextures = delete_textures;
 	gl.Disable = gl.DisableClientState = disable;
 	gl.Enable = gl.EnableClientState = enable;
 	gl.GenTextures = gen_textures;
@@ -332,6 +340,18 @@ static void test_a_missing_texture_is_reported(void **state)
 	assert_int_equal(capture.count, 1);
 	assert_contains(capture.sentence[0], "texture");
 	hud_finish(&hud, &gl);
+	assert_int_equal(texture.deleted, 0);
+}
+
+static void test_the_texture_is_given_back_once(void **state)
+{
+	struct gl gl = recorder();
+	struct hud *hud = hud_with(&gl);
+
+	(void)state;
+	hud_finish(hud, &gl);
+	hud_finish(hud, &gl);
+	assert_int_equal(texture.deleted, 1);
 }
 
 int main(void)
@@ -344,6 +364,7 @@ int main(void)
 		cmocka_unit_test(test_drivers_of_fixed_point_get_exact_matrices),
 		cmocka_unit_test(test_leaves_the_state_it_promises),
 		cmocka_unit_test(test_a_missing_texture_is_reported),
+		cmocka_unit_test(test_the_texture_is_given_back_once),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,6 +52,17 @@ static inline float scalar_abs(float value)
 	return fabsf(value);
 }
 
+/* The smaller and the larger one; if a is NaN, b. */
+static inline float scalar_min(float a, float b)
+{
+	return a < b ? a : b;
+}
+
+static inline float scalar_max(float a, float b)
+{
+	return a > b ? a : b;
+}
+
 /* value clamped to low..high; NaN gives low. */
 static inline float scalar_clamp(float value, float low, float high)
 {

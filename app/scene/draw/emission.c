@@ -73,7 +73,7 @@ static float find_addend(float base, float emitted)
 		color_encode_srgb(lit + emitted) - encoded_base * medium_light;
 	float least = color_encode_srgb(emitted) - encoded_base * least_light;
 
-	return scalar_clamp(medium > least ? medium : least, 0.0f, 1.0f);
+	return scalar_clamp(scalar_max(medium, least), 0.0f, 1.0f);
 }
 
 void emission_color(const struct model *model,

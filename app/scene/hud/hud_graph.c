@@ -1,6 +1,7 @@
 #include "app/scene/hud/hud_graph.h"
 
 #include "platform/base/compiler.h"
+#include "platform/base/scalar.h"
 
 #include <stdio.h>
 
@@ -40,7 +41,7 @@ void hud_graph_add(struct hud_graph *graph, const float stage_ms[HUD_STAGES],
 	struct hud_graph_means *sum = &graph->sum;
 
 	for (int stage = 0; stage < HUD_STAGES; stage++) {
-		float ms = stage_ms[stage] > 0.0f ? stage_ms[stage] : 0.0f;
+		float ms = scalar_max(stage_ms[stage], 0.0f);
 
 		graph->ms[graph->next][stage] = ms;
 		sum->stage_ms[stage] += ms;
@@ -79,7 +80,7 @@ float hud_graph_scale_ms(const struct hud_graph *graph)
 	for (int i = 0; i < graph->count; i++) {
 		float total = total_ms(graph, i);
 
-		tallest = total > tallest ? total : tallest;
+		tallest = scalar_max(total, tallest);
 	}
 	while (scale + 1 < ARRAY_COUNT(scales_ms) && tallest > scales_ms[scale]) {
 		scale++;

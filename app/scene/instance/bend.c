@@ -97,7 +97,7 @@ static float farthest_of(const struct bend *bend, int target_count)
 				float own =
 					displacement(&primitive->target[t], v);
 
-				farthest = own > farthest ? own : farthest;
+				farthest = scalar_max(own, farthest);
 			}
 		}
 	}
@@ -221,8 +221,8 @@ void bend_set_wave(struct bend *bend, const struct morph_wave *wave)
 		float a = wave->axis[axis] * bend->low[axis];
 		float b = wave->axis[axis] * bend->high[axis];
 
-		low += a < b ? a : b;
-		high += a < b ? b : a;
+		low += scalar_min(a, b);
+		high += scalar_max(b, a);
 	}
 	for (int p = 0; p < bend->part_count; p++) {
 		const struct drawable *drawable = bend->part[p].drawable;

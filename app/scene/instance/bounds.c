@@ -198,7 +198,7 @@ static struct bounds box_of_parts(
 		float extent =
 			bounds_is_empty(&one) ? 0.0f : bounds_extent(&one);
 
-		*longest = extent > *longest ? extent : *longest;
+		*longest = scalar_max(extent, *longest);
 		bounds_join(&bounds, &one);
 	}
 	return bounds;
@@ -252,7 +252,7 @@ static void note_parts(
 		apart->largest = extent;
 		apart->largest_at = time_s;
 	}
-	apart->part = part > apart->part ? part : apart->part;
+	apart->part = scalar_max(part, apart->part);
 }
 
 /* Whether a drawable of the last update is still where the model was small. */
@@ -285,9 +285,8 @@ static void cut(struct bounds *all, const struct bounds *home, float more)
 		float low = home->low[axis] - (axis == 1 ? 0.0f : more);
 		float high = home->high[axis] + more;
 
-		all->low[axis] = all->low[axis] < low ? low : all->low[axis];
-		all->high[axis] =
-			all->high[axis] > high ? high : all->high[axis];
+		all->low[axis] = scalar_max(low, all->low[axis]);
+		all->high[axis] = scalar_min(high, all->high[axis]);
 	}
 }
 
@@ -423,7 +422,7 @@ float bounds_extent_of_model(struct instance *instance)
 		struct bounds box = bounds_of_clip(instance, i);
 		float side = bounds_extent(&box);
 
-		extent = side > extent ? side : extent;
+		extent = scalar_max(side, extent);
 	}
 	pose_rest(&instance->pose, instance->model);
 	instance_update(instance);

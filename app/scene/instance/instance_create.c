@@ -17,6 +17,7 @@
 #include "app/scene/stage/light.h"
 #include "platform/base/count.h"
 #include "platform/base/interrupt.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -52,7 +53,7 @@ static float largest_coordinate(const struct model_primitive *primitive)
 			float size = primitive->position[v][axis];
 
 			size = size < 0.0f ? -size : size;
-			largest = size > largest ? size : largest;
+			largest = scalar_max(size, largest);
 		}
 	}
 	return largest;

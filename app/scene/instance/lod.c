@@ -3,6 +3,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/vec.h"
 #include "app/scene/instance/batch/batch.h"
+#include "platform/base/scalar.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -102,7 +103,7 @@ static float nearest_joint(
 
 			instance_node_position(instance, skin->joint[j], at);
 			depth = depth_of(at, view->eye, view->forward);
-			nearest = depth < nearest ? depth : nearest;
+			nearest = scalar_min(depth, nearest);
 		}
 	}
 	return nearest;
@@ -134,8 +135,7 @@ float lod_px_per_unit_at(
 	float least = 0.05f * camera->distance;
 
 	return 0.5f * (float)picture_height /
-		(camera_tan_half(camera->yfov_rad) *
-			(depth > least ? depth : least));
+		(camera_tan_half(camera->yfov_rad) * scalar_max(depth, least));
 }
 
 float lod_px_per_unit(const struct instance *instance,
@@ -152,14 +152,14 @@ float lod_px_per_unit(const struct instance *instance,
 		skinned = skinned || drawable->skin >= 0;
 		if (drawable->skin < 0 && !drawable->hidden) {
 			depth = nearest_of_box(instance, drawable, &view);
-			nearest = depth < nearest ? depth : nearest;
+			nearest = scalar_min(depth, nearest);
 		}
 	}
 	if (skinned) {
 		float depth = nearest_joint(instance, &view, camera->distance) -
 			joint_margin * extent;
 
-		nearest = depth < nearest ? depth : nearest;
+		nearest = scalar_min(depth, nearest);
 	}
 	return lod_px_per_unit_at(camera, nearest, picture_height);
 }
@@ -196,7 +196,7 @@ float lod_error_units(
 	least = least_share *
 		matrix_greatest_scale(joint,
 			instance->model->skin[drawable->skin].joint_count);
-	return first > least ? first : least;
+	return scalar_max(first, least);
 }
 
 /* Returns how many of the lists, finest first, have at most this error. */

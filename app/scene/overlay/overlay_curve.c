@@ -65,8 +65,8 @@ static struct range range_of(const struct overlay_curve *curve)
 		for (int i = 0; i < OVERLAY_CURVE_POINTS; i++) {
 			float value = curve->value[c][i];
 
-			range.low = value < range.low ? value : range.low;
-			range.high = value > range.high ? value : range.high;
+			range.low = scalar_min(value, range.low);
+			range.high = scalar_max(value, range.high);
 		}
 	}
 	if (range.high - range.low < 1e-6f) {

@@ -183,10 +183,10 @@ static int compare_heights(const void *left, const void *right)
 {
 	const struct candidate *a = left, *b = right;
 
-	if (a->box.high[1] != b->box.high[1]) {
-		return a->box.high[1] > b->box.high[1] ? -1 : 1;
-	}
-	return a->drawable - b->drawable;
+	int order = (a->box.high[1] < b->box.high[1]) -
+		(a->box.high[1] > b->box.high[1]);
+
+	return order ? order : a->drawable - b->drawable;
 }
 
 static void find_candidates(struct search *search)

@@ -30,8 +30,7 @@ static float node_length(const struct shadow_light *light)
 	if (!relief) {
 		return light->ground->tile / nodes_a_tile;
 	}
-	return relief->cell[0] < relief->cell[1] ? relief->cell[0]
-						 : relief->cell[1];
+	return scalar_min(relief->cell[0], relief->cell[1]);
 }
 
 /*

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/anim/skin.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -42,8 +43,8 @@ static float find_box(const struct model_primitive *primitive, float low[3])
 		for (int v = 1; v < primitive->vertex_count; v++) {
 			float at = primitive->position[v][axis];
 
-			low[axis] = at < low[axis] ? at : low[axis];
-			high = at > high ? at : high;
+			low[axis] = scalar_min(at, low[axis]);
+			high = scalar_max(at, high);
 		}
 		longest =
 			high - low[axis] > longest ? high - low[axis] : longest;

@@ -169,8 +169,7 @@ static void measure(struct shadow_relief *relief,
 			get_corner(instance, of, (uint32_t)v, at);
 			off = scalar_abs(at[1] -
 				shadow_relief_height(relief, at[0], at[2]));
-			relief->error =
-				off > relief->error ? off : relief->error;
+			relief->error = scalar_max(off, relief->error);
 		}
 	}
 }
@@ -229,7 +228,7 @@ void shadow_relief_lift(
 	float part =
 		above > 0.0f ? least_lift + relief->error / above : most_lift;
 
-	part = part < most_lift ? part : most_lift;
+	part = scalar_min(part, most_lift);
 	for (int axis = 0; axis < 3; axis++) {
 		point[axis] += part * (eye[axis] - point[axis]);
 	}

@@ -71,7 +71,7 @@ static float distance_for(const float corner[3], float right[3], float up[3],
 	float distance_x = z + (x < 0.0f ? -x : x) / tan_x;
 	float distance_y = z + (y < 0.0f ? -y : y) / tan_y;
 
-	return distance_x > distance_y ? distance_x : distance_y;
+	return scalar_max(distance_x, distance_y);
 }
 
 float camera_tan_half(float angle_rad)
@@ -100,7 +100,7 @@ static float distance_for_every_yaw(const struct camera *camera,
 		box_corner(half, i % 8, corner);
 		view_axes(yaw, camera->pitch_rad, right, up, back);
 		distance = distance_for(corner, right, up, back, tan_x, tan_y);
-		farthest = distance > farthest ? distance : farthest;
+		farthest = scalar_max(distance, farthest);
 	}
 	return farthest > 0.0f ? farthest : 1.0f;
 }
@@ -128,7 +128,7 @@ static struct seen_box see_box(
 		}
 		distance = distance_for(
 			corner, axis[0], axis[1], axis[2], tan_x, tan_y);
-		box.fits_at = distance > box.fits_at ? distance : box.fits_at;
+		box.fits_at = scalar_max(distance, box.fits_at);
 		if (box.corner[i][2] > box.nearest) {
 			box.nearest = box.corner[i][2];
 		}
@@ -148,8 +148,8 @@ static void slopes(const struct seen_box *box, int axis, float distance,
 		float slope =
 			box->corner[i][axis] / (distance - box->corner[i][2]);
 
-		*low = slope < *low ? slope : *low;
-		*high = slope > *high ? slope : *high;
+		*low = scalar_min(slope, *low);
+		*high = scalar_max(slope, *high);
 	}
 }
 
@@ -442,7 +442,7 @@ struct camera_frustum camera_frustum(
 		.bottom = edge(-top - up),
 		.top = edge(top - up),
 		.near = fx16_from_float(near),
-		.far = fx16_from_float(far < far_max ? far : far_max),
+		.far = fx16_from_float(scalar_min(far, far_max)),
 	};
 }
 

@@ -229,8 +229,7 @@ void floor_find_sight(const struct floor *floor, const struct camera *camera,
 	float cosine = scalar_cos(camera->yaw_rad);
 	/* The floor extends at least to below a distant camera. */
 	float min_radius = 1.1f * camera->distance;
-	float radius =
-		(floor->radius > min_radius ? floor->radius : min_radius) +
+	float radius = scalar_max(floor->radius, min_radius) +
 		CAMERA_RISE_AHEAD * camera->rise;
 	/* Ground has to fade before the far plane cuts it off. */
 	float far = 0.95f *

@@ -51,8 +51,8 @@ static float find_near(const struct floor_view *view, float wave_height)
 	}
 	low = find_below(view, view->bottom, -wave_height);
 	high = find_below(view, view->bottom, wave_height);
-	low = low < high ? low : high;
-	return low > nearest ? low : nearest;
+	low = scalar_min(low, high);
+	return scalar_max(low, nearest);
 }
 
 static float find_top(const struct floor_view *view, float wave_height)
@@ -64,7 +64,7 @@ static float find_top(const struct floor_view *view, float wave_height)
 	}
 	low = find_below(view, view->top, -wave_height);
 	high = find_below(view, view->top, wave_height);
-	return low > high ? low : high;
+	return scalar_max(low, high);
 }
 
 static struct extent find_extent(
@@ -75,8 +75,8 @@ static struct extent find_extent(
 	float top = find_top(view, ground->wave_height);
 
 	extent.end = floor_view_slope_ahead(view, ground->end);
-	extent.end = far < extent.end ? far : extent.end;
-	extent.end = top < extent.end ? top : extent.end;
+	extent.end = scalar_min(far, extent.end);
+	extent.end = scalar_min(top, extent.end);
 	extent.fading =
 		scalar_clamp(floor_view_slope_ahead(view, ground->opaque_end),
 			extent.near, extent.end);
@@ -199,9 +199,9 @@ static bool find_sector(
 			return false;
 		}
 		across = plan[1] / plan[0];
-		sector->far = plan[0] > sector->far ? plan[0] : sector->far;
-		sector->low = across < sector->low ? across : sector->low;
-		sector->high = across > sector->high ? across : sector->high;
+		sector->far = scalar_max(plan[0], sector->far);
+		sector->low = scalar_min(across, sector->low);
+		sector->high = scalar_max(across, sector->high);
 	}
 	return true;
 }

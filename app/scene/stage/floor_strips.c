@@ -8,7 +8,7 @@ static const float safe_px = 0.5f;
 
 static float min(float a, float b)
 {
-	return a < b ? a : b;
+	return scalar_min(a, b);
 }
 
 static void set_row(struct floor_strips *strips, int row,

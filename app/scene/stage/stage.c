@@ -5,6 +5,7 @@
 #include "app/scene/draw/matrix_gl.h"
 #include "app/scene/stage/light.h"
 #include "platform/base/fixed.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -52,7 +53,7 @@ void stage_follow(struct stage *stage, const float moved[3], const float way[3])
 	vec_add_scaled(stage->camera.target, moved, 1.0f, stage->camera.target);
 	stage->floor.way[0] = way[0];
 	stage->floor.way[1] = way[2];
-	stage->camera.rise = way[1] > 0.0f ? way[1] : 0.0f;
+	stage->camera.rise = scalar_max(way[1], 0.0f);
 }
 
 static void use_plain_state(const struct gl *gl)

@@ -4,9 +4,12 @@
  * 1.6 above the ground.
  */
 #include "app/scene/shadow/shadow_ground.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
+
+#include <string.h>
 
 enum {
 	LAWN, /* x from -2 to 1; vertices 0 and 3 at the left, 0 and 1 in front */
@@ -274,6 +277,69 @@ static void test_what_a_moving_node_carries_is_no_ground(void **state)
 	assert_int_equal(count_carried(LAWN, false), 0);
 }
 
+/* Whether the ground is still level when it stands like this. */
+static bool is_level(const float rotation[4], float lawn_up, float plate_up)
+{
+	static const struct stage stage = {.has_stencil = true};
+	static const float light[3] = {0, 1, 0};
+	struct model *model = model_fixture("gltf/scene/ground.gltf", NULL);
+	struct instance *instance;
+	struct texture_set textures = {0};
+	struct gl gl = gl_recorder_begin();
+	struct shadow_ground ground;
+	bool level;
+
+	/* A slab of the height 0.2: its box is tilted with it. */
+	vertices(model, LAWN)[0][1] = vertices(model, LAWN)[1][1] = -0.2f;
+	instance = small_model_instance(model);
+	assert_int_equal(shadow_ground_find(&ground, instance), 0);
+	assert_int_equal(ground.count, 2);
+	for (int n = LAWN; n <= PLATE; n++) {
+		memcpy(instance->pose.local[n].rotation, rotation,
+			4 * sizeof(*rotation));
+	}
+	instance->pose.local[LAWN].translation[1] = lawn_up;
+	instance->pose.local[PLATE].translation[1] = plate_up;
+	instance_update(instance);
+	level = shadow_ground_begin(
+		&ground, &stage, &gl, light, instance, &textures);
+	if (level) {
+		stage_top_end(&gl);
+	}
+	for (int i = 0; i < 2; i++) {
+		assert_int_equal(instance->drawable[i].hidden, level);
+		shadow_ground_hide(&ground, instance, i == 0);
+		assert_int_equal(instance->drawable[0].hidden, i == 0);
+		assert_int_equal(instance->drawable[1].hidden, i == 0);
+		shadow_ground_hide(&ground, instance, level);
+	}
+	instance_destroy(instance);
+	model_destroy(model);
+	return level;
+}
+
+/* A turn about the vertical leaves it level, and one about x or z does not. */
+static void test_ground_is_level_within_a_thousandth(void **state)
+{
+	static const float none[4] = {0, 0, 0, 1},
+			   about_y[4] = {0, 0.6f, 0, 0.8f};
+	static const float about_x[4] = {0.01f, 0, 0, 0.99995f};
+	static const float about_z[4] = {0, 0, -0.01f, 0.99995f};
+	static const float over[4] = {1, 0, 0, 0};
+
+	(void)state;
+	assert_true(is_level(none, 0, 0));
+	assert_true(is_level(about_y, 0, 0));
+	assert_false(is_level(about_x, 0, 0));
+	assert_false(is_level(about_z, 0, 0));
+	assert_false(is_level(over, 0, 0));
+	assert_true(is_level(none, 0.5f, 0.5f));
+	assert_true(is_level(none, 0.5f, 0.5039f));
+	assert_false(is_level(none, 0.5f, 0.5041f));
+	assert_true(is_level(none, 0.5f, 0.4961f));
+	assert_false(is_level(none, 0.5f, 0.4959f));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -287,6 +353,7 @@ int main(void)
 		cmocka_unit_test(
 			test_a_target_moves_ground_by_less_than_a_thousandth),
 		cmocka_unit_test(test_what_a_moving_node_carries_is_no_ground),
+		cmocka_unit_test(test_ground_is_level_within_a_thousandth),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

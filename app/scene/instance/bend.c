@@ -107,12 +107,8 @@ static float farthest_of(const struct bend *bend, int target_count)
 static void add_point(struct bend *bend, const float at[3])
 {
 	for (int axis = 0; axis < 3; axis++) {
-		if (at[axis] < bend->low[axis]) {
-			bend->low[axis] = at[axis];
-		}
-		if (at[axis] > bend->high[axis]) {
-			bend->high[axis] = at[axis];
-		}
+		bend->low[axis] = scalar_min(at[axis], bend->low[axis]);
+		bend->high[axis] = scalar_max(at[axis], bend->high[axis]);
 	}
 }
 

@@ -50,12 +50,8 @@ void bounds_add(struct bounds *bounds, const float point[3])
 	for (int axis = 0; axis < 3; axis++) {
 		float at = scalar_clamp(point[axis], -BOUNDS_MAX, BOUNDS_MAX);
 
-		if (at < bounds->low[axis]) {
-			bounds->low[axis] = at;
-		}
-		if (at > bounds->high[axis]) {
-			bounds->high[axis] = at;
-		}
+		bounds->low[axis] = scalar_min(at, bounds->low[axis]);
+		bounds->high[axis] = scalar_max(at, bounds->high[axis]);
 	}
 }
 
@@ -83,9 +79,7 @@ float bounds_extent(const struct bounds *bounds)
 	for (int axis = 0; axis < 3; axis++) {
 		float side = bounds->high[axis] - bounds->low[axis];
 
-		if (side > extent) {
-			extent = side;
-		}
+		extent = scalar_max(side, extent);
 	}
 	return extent;
 }
@@ -216,9 +210,7 @@ static void keep_longest(struct bounds_sides *sides, const struct bounds *now)
 	for (int axis = 0; axis < 3; axis++) {
 		float side = now->high[axis] - now->low[axis];
 
-		if (side > sides->side[axis]) {
-			sides->side[axis] = side;
-		}
+		sides->side[axis] = scalar_max(side, sides->side[axis]);
 	}
 }
 

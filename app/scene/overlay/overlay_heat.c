@@ -164,9 +164,8 @@ void overlay_heat_paint_target(struct overlay_heat *heat, int target)
 		for (int v = 0; v < drawable->primitive->vertex_count; v++) {
 			float distance = distance_of(&subject, drawable, v);
 
-			if (distance > subject.farthest) {
-				subject.farthest = distance;
-			}
+			subject.farthest =
+				scalar_max(distance, subject.farthest);
 		}
 	}
 	overlay_heat_paint(heat, color_subject, &subject);

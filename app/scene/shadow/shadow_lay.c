@@ -114,12 +114,8 @@ static bool find_area(const struct shadow_light *light, const float (*from)[3],
 		find_level(light, from[i], at);
 		for (int axis = 0; axis < 2; axis++) {
 			finite = finite && scalar_abs(at[axis]) < BOUNDS_MAX;
-			if (at[axis] < area->low[axis]) {
-				area->low[axis] = at[axis];
-			}
-			if (at[axis] > high[axis]) {
-				high[axis] = at[axis];
-			}
+			area->low[axis] = scalar_min(at[axis], area->low[axis]);
+			high[axis] = scalar_max(at[axis], high[axis]);
 		}
 	}
 	for (int axis = 0; finite && axis < 2; axis++) {

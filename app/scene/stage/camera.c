@@ -129,9 +129,7 @@ static struct seen_box see_box(
 		distance = distance_for(
 			corner, axis[0], axis[1], axis[2], tan_x, tan_y);
 		box.fits_at = scalar_max(distance, box.fits_at);
-		if (box.corner[i][2] > box.nearest) {
-			box.nearest = box.corner[i][2];
-		}
+		box.nearest = scalar_max(box.corner[i][2], box.nearest);
 	}
 	return box;
 }
@@ -315,9 +313,7 @@ float camera_farthest(const struct camera *camera)
 	for (int i = 0; camera->fit.on && i < YAW_STEPS; i++) {
 		turned.yaw_rad = (float)i * (2.0f * SCALAR_PI / YAW_STEPS);
 		fit_box(&turned);
-		if (turned.distance > farthest) {
-			farthest = turned.distance;
-		}
+		farthest = scalar_max(turned.distance, farthest);
 	}
 	return farthest;
 }

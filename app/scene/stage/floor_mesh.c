@@ -280,12 +280,8 @@ static void add_to_window(struct window *window, const float eye[3])
 	for (int axis = 0; axis < 2; axis++) {
 		float at = eye[axis] / -eye[2];
 
-		if (at < window->low[axis]) {
-			window->low[axis] = at;
-		}
-		if (at > window->high[axis]) {
-			window->high[axis] = at;
-		}
+		window->low[axis] = scalar_min(at, window->low[axis]);
+		window->high[axis] = scalar_max(at, window->high[axis]);
 	}
 }
 

@@ -6,11 +6,6 @@
 /* Rounding of less than a pixel is left to the row that is not counted. */
 static const float safe_px = 0.5f;
 
-static float min(float a, float b)
-{
-	return scalar_min(a, b);
-}
-
 static void set_row(struct floor_strips *strips, int row,
 	const struct floor_view *view, float slope, float ground, float alpha)
 {
@@ -59,8 +54,8 @@ void floor_strips_find(struct floor_strips *strips, const struct camera *camera,
 	slope[0] = floor_view_slope(&view, view.near);
 	near = slope[0] <= view.bottom;
 	slope[0] = near ? view.bottom : slope[0];
-	slope[2] = min(floor_view_slope_ahead(&view, end),
-		min(floor_view_slope(&view, view.far), view.top));
+	slope[2] = scalar_min(floor_view_slope_ahead(&view, end),
+		scalar_min(floor_view_slope(&view, view.far), view.top));
 	slope[2] = scalar_clamp(slope[2], slope[0], view.top);
 	slope[1] = scalar_clamp(
 		floor_view_slope_ahead(&view, opaque_end), slope[0], slope[2]);

@@ -179,6 +179,17 @@ static void test_clamp_keeps_to_its_limits(void **state)
 	assert_true(scalar_clamp(NAN, 0, 2) == 0);
 }
 
+static void test_the_smaller_and_the_larger_number_are_chosen(void **state)
+{
+	(void)state;
+	assert_true(scalar_min(1, 2) == 1);
+	assert_true(scalar_min(2, 1) == 1);
+	assert_true(scalar_max(1, 2) == 2);
+	assert_true(scalar_max(2, 1) == 2);
+	assert_true(scalar_min(NAN, 2) == 2);
+	assert_true(scalar_max(NAN, 2) == 2);
+}
+
 static void test_integers_are_clamped(void **state)
 {
 	(void)state;
@@ -209,6 +220,8 @@ int main(void)
 		cmocka_unit_test(test_exponential_is_close_in_proportion),
 		cmocka_unit_test(test_every_machine_gives_the_same_bits),
 		cmocka_unit_test(test_clamp_keeps_to_its_limits),
+		cmocka_unit_test(
+			test_the_smaller_and_the_larger_number_are_chosen),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

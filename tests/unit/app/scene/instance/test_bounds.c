@@ -69,7 +69,7 @@ static void test_a_box_has_a_middle_and_a_longest_side(void **state)
 /* A tenth of the extent is not flat. */
 static void test_the_ground_lies_lower_below_a_flat_box(void **state)
 {
-	struct bounds box = {{0, 0, 0}, {64, 0, 10}};
+	struct bounds box = {{-70, 0, 3}, {-6, 0, 13}};
 
 	(void)state;
 	assert_near(bounds_ground(&box), -0.064, 1e-6);

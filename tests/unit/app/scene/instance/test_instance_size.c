@@ -121,21 +121,47 @@ static void test_a_model_without_size_at_rest_has_that_of_its_clip(void **state)
 		.duration_s = 1,
 		.channel_count = 1,
 		.channel = &channel};
-	struct model *model = small_model_grid(2, 2, 1.0f, true);
-	struct transform *rest = &model->node[0].rest;
-	struct instance *instance;
 
 	(void)state;
-	model->clip = &grow;
-	model->clip_count = 1;
-	rest->translation[0] = 3.0f;
-	rest->scale[0] = rest->scale[1] = rest->scale[2] = 1e-8f;
-	instance = small_model_instance(model);
-	assert_near(instance->unit_scale, 1.0, 0.0);
-	assert_near(bounds_extent_of_model(instance), 1.0, 1e-6);
-	assert_near(instance->world[0][0][0], 1e-8, 1e-12);
-	instance_destroy(instance);
-	model_destroy(model);
+	for (int axis = 0; axis < 3; axis++) {
+		struct model *model = small_model_grid(2, 2, 1.0f, true);
+		struct transform *rest = &model->node[0].rest;
+		struct instance *instance;
+
+		model->clip = &grow;
+		model->clip_count = 1;
+		rest->translation[axis] = 3.0f;
+		rest->scale[0] = rest->scale[1] = rest->scale[2] = 1e-8f;
+		instance = small_model_instance(model);
+		assert_near(instance->unit_scale, 1.0, 0.0);
+		assert_near(bounds_extent_of_model(instance), 1.0, 1e-6);
+		assert_near(instance->world[0][0][0], 1e-8, 1e-12);
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
+/* A millionth of its distance is what rounding may make of a point. */
+static void test_a_size_is_more_than_rounding(void **state)
+{
+	(void)state;
+	for (int axis = 0; axis < 3; axis++) {
+		for (int large = 0; large < 2; large++) {
+			struct model *model = small_model_grid(2, 2, 1.0f, true);
+			struct instance *instance = small_model_instance(model);
+			struct model_node *node = &model->node[0];
+			float scale = large ? 4e-6f : 2e-6f;
+
+			node->rest.translation[axis] = -3.0f;
+			for (int i = 0; i < 3; i++) {
+				node->rest.scale[i] = scale;
+			}
+			assert_near(bounds_extent_of_model(instance),
+				large ? 4e-6 : 0, 2.5e-7);
+			instance_destroy(instance);
+			model_destroy(model);
+		}
+	}
 }
 
 int main(void)
@@ -150,6 +176,7 @@ int main(void)
 		cmocka_unit_test(test_bounds_of_nothing_are_empty),
 		cmocka_unit_test(
 			test_a_model_without_size_at_rest_has_that_of_its_clip),
+		cmocka_unit_test(test_a_size_is_more_than_rounding),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

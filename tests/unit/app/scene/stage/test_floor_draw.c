@@ -303,7 +303,7 @@ static void test_level_ground_is_drawn_in_two_quads(void **state)
 	struct camera camera = camera_default();
 
 	(void)state;
-	make_floor(2.0f, 1.0f, 1.0f);
+	make_floor(4.0f, 1.0f, 1.0f); /* tiles of 2 units */
 	floor_scroll(&ground, 0.5f, 0.25f);
 	floor_find_sight(&ground, &camera, 48, 64, &anything, &sight);
 	assert_true(sight.strips.opaque && sight.strips.fading);
@@ -332,7 +332,7 @@ static void test_uneven_ground_is_drawn_in_runs(void **state)
 	struct camera camera = camera_default();
 
 	(void)state;
-	make_floor(2.0f, 1.0f, 1.0f);
+	make_floor(4.0f, 1.0f, 1.0f);
 	floor_set_wave_height(&ground, 0.1f);
 	floor_find_sight(&ground, &camera, 48, 64, &anything, &sight);
 	assert_true(sight.mesh.seen);

@@ -3,6 +3,7 @@
  * drivers keep 16 bits and less behind the point, stay small.
  */
 #include "app/scene/stage/floor.h"
+#include "platform/base/fixed.h"
 #include "platform/gl/gl_context.h"
 #include "tests/support/test.h"
 
@@ -131,6 +132,45 @@ static void test_ground_fades_at_the_same_distance_from_its_middle(void **state)
 	assert_int_equal(there.covered_px, here.covered_px);
 }
 
+/* Ground as large as this, seen from so far ahead of its middle. */
+static void check_end(float radius, float ahead, bool near)
+{
+	struct camera camera = camera_default();
+	struct floor floor = {.radius = radius, .tile = 1, .y = -1};
+	const struct floor_content anything = {.bounded = false};
+	struct floor_strips expected;
+	struct floor_sight sight;
+	float eye[3], far, opaque_end;
+
+	camera.yaw_rad = 0;
+	camera_eye(&camera, eye);
+	floor.center[0] = 17;
+	floor.center[1] = eye[2] - ahead;
+	far = 0.95f * fx16_to_float(camera_frustum(&camera, WIDTH, HEIGHT).far);
+	assert_true(ahead + radius > far);
+	opaque_end = near ? ahead + 0.5625f * radius : 0.5625f * far;
+	floor_find_sight(&floor, &camera, WIDTH, HEIGHT, &anything, &sight);
+	floor_strips_find(
+		&expected, &camera, WIDTH, HEIGHT, floor.y, opaque_end, far);
+	assert_true(expected.opaque && expected.fading);
+	assert_all_near(
+		sight.strips.position[0], expected.position[0], 18, 1e-4);
+	assert_memory_equal(
+		sight.strips.alpha, expected.alpha, sizeof(expected.alpha));
+}
+
+/* Opaque as far as its radius says, or up to the same part of the view. */
+static void test_ground_beyond_the_view_fades_within_it(void **state)
+{
+	struct camera camera = camera_default();
+	float far = fx16_to_float(camera_frustum(&camera, WIDTH, HEIGHT).far);
+
+	(void)state;
+	check_end(2 * far, 0.5f * far, false);
+	check_end(2 * far, 0, false);
+	check_end(2 * far, -0.8f * far, true);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -138,6 +178,7 @@ int main(void)
 			test_tiles_have_small_coordinates_wherever_they_are),
 		cmocka_unit_test(
 			test_ground_fades_at_the_same_distance_from_its_middle),
+		cmocka_unit_test(test_ground_beyond_the_view_fades_within_it),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

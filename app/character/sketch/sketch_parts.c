@@ -93,13 +93,27 @@ static bool is_flat_end(const struct search *search, int node)
 	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
 
 	return search->meshes[node] <= own &&
-		search->turn[node].form != SKETCH_TURN_FREE;
+		(search->turn[node].form == SKETCH_TURN_DISC ||
+			search->turn[node].form == SKETCH_TURN_NEEDLE);
 }
 
 static bool is_needle(const struct search *search, int node)
 {
 	return is_flat_end(search, node) &&
 		search->turn[node].form == SKETCH_TURN_NEEDLE;
+}
+
+/* A rod or a board on which parts hang turns as freely as any other part. */
+static struct sketch_turn turn_of(const struct search *search, int node)
+{
+	struct sketch_turn turn = search->turn[node];
+	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
+
+	if ((turn.form == SKETCH_TURN_ROD || turn.form == SKETCH_TURN_HINGE) &&
+		search->meshes[node] > own) {
+		turn.form = SKETCH_TURN_FREE;
+	}
+	return turn;
 }
 
 /* A part is called as its node is. */
@@ -109,7 +123,7 @@ static void find(
 	for (int i = 0;
 		i < search->model->node_count && out->count < SKETCH_PARTS; i++) {
 		if (is_part(search, i) && is_needle(search, i) == needles) {
-			out->turn[out->count] = search->turn[i];
+			out->turn[out->count] = turn_of(search, i);
 			out->node[out->count++] = i;
 		}
 	}
@@ -182,6 +196,30 @@ int sketch_find_parts(const struct model *model, const bool *is_joint,
 /* What turns a part about x, y and z. */
 static const char *const freedom[] = {"pitch", "heading", "bank"};
 
+static void write_freedoms(
+	const struct sketch_turn *turn, const char *mark, FILE *out)
+{
+	/* Of x and y; of a rod, those across it. */
+	int up = 0, left = 1;
+
+	if (turn->form == SKETCH_TURN_DISC || turn->form == SKETCH_TURN_NEEDLE) {
+		fprintf(out, "%s%s = 0 ; in its plane, without limits\n\n",
+			mark, freedom[turn->axis.axis]);
+		return;
+	}
+	if (turn->form == SKETCH_TURN_HINGE) {
+		fprintf(out, "%s%s = 0 -110 110 60 ; on its hinge\n\n", mark,
+			freedom[turn->axis.axis]);
+		return;
+	}
+	if (turn->form == SKETCH_TURN_ROD) {
+		up = turn->across[0].axis;
+		left = turn->across[1].axis;
+	}
+	fprintf(out, "%s%s = 0 -90 90 45\n%s%s = 0 -45 45 45\n\n", mark,
+		freedom[left], mark, freedom[up]);
+}
+
 void sketch_write_parts(
 	const struct model *model, const struct sketch_parts *parts, FILE *out)
 {
@@ -196,15 +234,7 @@ void sketch_write_parts(
 		fprintf(out, "%s[part ", mark);
 		sketch_write_name(out, model->node[parts->node[i]].name);
 		fputs("]\n", out);
-		if (parts->turn[i].form == SKETCH_TURN_FREE) {
-			fprintf(out,
-				"%sheading = 0 -90 90 45\n%spitch = 0 -45 45 45\n\n",
-				mark, mark);
-		} else {
-			fprintf(out,
-				"%s%s = 0 ; in its plane, without limits\n\n",
-				mark, freedom[parts->turn[i].axis]);
-		}
+		write_freedoms(&parts->turn[i], mark, out);
 	}
 }
 
@@ -221,33 +251,37 @@ static void write_move(const struct model *model,
 	FILE *out)
 {
 	const char *name = model->node[parts->node[part]].name;
-	const struct sketch_turn *turn = &parts->turn[part];
-	bool is_free = turn->form == SKETCH_TURN_FREE;
 	char number[HUD_NAME_BYTES];
 
-	if (!is_free && move->axis != turn->seen) {
-		return;
-	}
 	fprintf(out, "%s = move ", move->button);
 	sketch_write_name(out, name);
 	/* The labels are for the screen. */
-	fprintf(out, " %s %d \"turn %s %s\"\n",
-		freedom[is_free ? move->axis : turn->axis],
-		is_free ? move->factor : move->factor * turn->sign,
-		hud_name(name, "part", part + 1, number), move->how);
+	fprintf(out, " %s %d \"turn %s %s\"\n", freedom[move->axis],
+		move->factor, hud_name(name, "part", part + 1, number),
+		move->how);
 }
 
-void sketch_write_part_buttons(const struct model *model,
+static void write_free(const struct model *model,
 	const struct sketch_parts *parts, int part, FILE *out)
 {
-	static const struct move free_moves[] = {
+	static const struct move moves[] = {
 		{"UP", 0, "back", -1},
 		{"DOWN", 0, "forward", 1},
 		{"LEFT", 1, "left", -1},
 		{"RIGHT", 1, "right", 1},
 	};
+
+	for (size_t i = 0; i < ARRAY_COUNT(moves); i++) {
+		write_move(model, parts, part, &moves[i], out);
+	}
+}
+
+/* A flat or round part turns about one axis. */
+static void write_disc(const struct model *model,
+	const struct sketch_parts *parts, int part, FILE *out)
+{
 	/* Seen from in front or from above, left is counter-clockwise. */
-	static const struct move flat_moves[] = {
+	static const struct move moves[] = {
 		{"UP", 0, "back", -1},
 		{"DOWN", 0, "forward", 1},
 		{"LEFT", 1, "left", 1},
@@ -255,21 +289,64 @@ void sketch_write_part_buttons(const struct model *model,
 		{"LEFT", 2, "left", 1},
 		{"RIGHT", 2, "right", -1},
 	};
+	const struct sketch_turn_axis *about = &parts->turn[part].axis;
+	/* LEFT turns a door as it turns a free part: clockwise from above. */
+	bool exchange =
+		about->seen == 1 && parts->turn[part].form == SKETCH_TURN_HINGE;
+
+	for (size_t i = 0; i < ARRAY_COUNT(moves); i++) {
+		struct move move = moves[i];
+
+		if (move.axis == about->seen) {
+			move.axis = about->axis;
+			move.factor *= exchange ? -about->sign : about->sign;
+			write_move(model, parts, part, &move, out);
+		}
+	}
+	fputs(about->seen == 0 ? SKETCH_CAMERA_TURNS : SKETCH_CAMERA_TILTS, out);
+}
+
+/* A rod does not turn about its length, which nobody would see. */
+static void write_rod(const struct model *model,
+	const struct sketch_parts *parts, int part, FILE *out)
+{
+	/* By the axis of the model along which the rod lies. */
+	static const struct move moves[3][4] = {
+		{{"UP", 0, "up", 1}, {"DOWN", 0, "down", -1},
+			{"LEFT", 1, "forward", -1}, {"RIGHT", 1, "back", 1}},
+		{{"UP", 0, "back", -1}, {"DOWN", 0, "forward", 1},
+			{"LEFT", 1, "left", 1}, {"RIGHT", 1, "right", -1}},
+		{{"UP", 0, "up", -1}, {"DOWN", 0, "down", 1},
+			{"LEFT", 1, "left", -1}, {"RIGHT", 1, "right", 1}},
+	};
 	const struct sketch_turn *turn = &parts->turn[part];
 
+	for (size_t i = 0; i < ARRAY_COUNT(moves[0]); i++) {
+		struct move move = moves[turn->axis.seen][i];
+		const struct sketch_turn_axis *about = &turn->across[move.axis];
+
+		move.axis = about->axis;
+		/* It is the far end that goes where the button says. */
+		move.factor *= about->sign * turn->axis.sign;
+		write_move(model, parts, part, &move, out);
+	}
+}
+
+void sketch_write_part_buttons(const struct model *model,
+	const struct sketch_parts *parts, int part, FILE *out)
+{
 	fprintf(out, "[buttons part%d]\nwhen = arrows is part%d\n", part + 1,
 		part + 1);
-	if (turn->form == SKETCH_TURN_FREE) {
-		for (size_t i = 0; i < ARRAY_COUNT(free_moves); i++) {
-			write_move(model, parts, part, &free_moves[i], out);
-		}
-	} else {
-		for (size_t i = 0; i < ARRAY_COUNT(flat_moves); i++) {
-			write_move(model, parts, part, &flat_moves[i], out);
-		}
-		fputs(turn->seen == 0 ? SKETCH_CAMERA_TURNS
-				      : SKETCH_CAMERA_TILTS,
-			out);
+	switch (parts->turn[part].form) {
+	case SKETCH_TURN_FREE:
+		write_free(model, parts, part, out);
+		break;
+	case SKETCH_TURN_ROD:
+		write_rod(model, parts, part, out);
+		break;
+	default:
+		write_disc(model, parts, part, out);
+		break;
 	}
 	fputc('\n', out);
 }

@@ -51,7 +51,7 @@ void sketch_write_parts(
 
 /*
  * Writes what the arrows do while the parameter arrows chooses one part. Those
- * that do not turn a flat part move the camera.
+ * that do not turn a disc, a needle or a hinge move the camera.
  */
 void sketch_write_part_buttons(const struct model *model,
 	const struct sketch_parts *parts, int part, FILE *out);

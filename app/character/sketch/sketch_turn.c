@@ -1,8 +1,10 @@
 #include "app/character/sketch/sketch_turn.h"
 
 #include "app/anim/math/quat.h"
-#include "app/scene/instance/bounds.h"
+#include "app/character/sketch/sketch_body.h"
+#include "app/character/sketch/sketch_ring.h"
 #include "platform/base/arena.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
@@ -13,115 +15,242 @@ static const float flat_part = 0.4f;
 static const float disc_part = 0.8f, needle_part = 0.25f;
 /* A pivot is in the middle if both sides have at least this part. */
 static const float middle_part = 0.3f;
+/*
+ * A round part has its pivot at least so far from each side. Its corners are at
+ * most so far from the axle, in halves of its width: those of a box are farther
+ * by the root of 2, those of an octagon as far as its width tells.
+ */
+static const float round_middle_part = 0.45f, round_reach = 1.1f;
+/* A longer round part is no wheel, in widths. */
+static const float drum_part = 1.5f;
+/* A hinge is at most so far from the edge, as a part of the width. */
+static const float edge_part = 0.1f;
+/* The hand of a clock has its pivot at most so far from the middle, in radii. */
+static const float hand_off = 0.1f;
 
-/* Adds a node's mesh, in the frame of its parent or, if own, in its own. */
-static void add_mesh(
-	const struct model *model, int node, bool own, struct bounds *box)
+/* The axes by the length of the box's sides, the shortest first. */
+static void sort_axes(const struct bounds *box, int axis[3])
 {
-	const struct model_node *of = &model->node[node];
-	const struct model_mesh *mesh = &model->mesh[of->mesh];
+	axis[0] = 0;
+	axis[1] = 1;
+	axis[2] = 2;
+	for (int pass = 0; pass < 2; pass++) {
+		for (int i = 0; i < 2; i++) {
+			int first = axis[i], second = axis[i + 1];
 
-	for (int p = 0; p < mesh->primitive_count; p++) {
-		const struct model_primitive *one = &mesh->primitive[p];
-
-		for (int v = 0; v < one->vertex_count; v++) {
-			float at[3];
-
-			for (int i = 0; i < 3; i++) {
-				at[i] = one->position[v][i] * of->rest.scale[i];
+			if (sketch_side(box, first) > sketch_side(box, second)) {
+				axis[i] = second;
+				axis[i + 1] = first;
 			}
-			if (!own) {
-				quat_rotate(of->rest.rotation, at, at);
-				for (int i = 0; i < 3; i++) {
-					at[i] += of->rest.translation[i];
-				}
-			}
-			bounds_add(box, at);
 		}
 	}
 }
 
-static bool is_rigid(const struct model_node *node)
+/* An axis of a node that is rotated so in the model at rest. */
+static struct sketch_turn_axis see(const float rotation[4], int axis)
 {
-	return node->mesh >= 0 && node->skin < 0;
-}
+	struct sketch_turn_axis seen = {.axis = axis};
+	float along[3] = {0};
 
-/* Adds what a node shows to its own box, or to that of the pivot above it. */
-static void add_node(const struct model *model, int node, struct bounds *box)
-{
-	const struct model_node *of = &model->node[node];
-	int parent = of->parent;
-
-	if (!is_rigid(of)) {
-		return;
+	along[axis] = 1;
+	quat_rotate(rotation, along, along);
+	for (int i = 0; i < 3; i++) {
+		if (scalar_abs(along[i]) > scalar_abs(along[seen.seen])) {
+			seen.seen = i;
+		}
 	}
-	add_mesh(model, node, true, &box[node]);
-	if (parent >= 0 && !is_rigid(&model->node[parent]) && !of->matrix) {
-		add_mesh(model, node, false, &box[parent]);
+	seen.sign = along[seen.seen] < 0 ? -1 : 1;
+	return seen;
+}
+
+/* Whether a body is round about an axis, as a wheel of any thickness is. */
+static bool is_round(
+	const struct sketch_body *body, struct sketch_turn_axis about)
+{
+	const struct bounds *box = &body->box;
+	int a = (about.axis + 1) % 3, b = (about.axis + 2) % 3;
+	float width = sketch_side(box, a), other = sketch_side(box, b), reach;
+
+	if (width <= 0 || other <= 0 ||
+		!sketch_is_pivot_within(box, a, round_middle_part) ||
+		!sketch_is_pivot_within(box, b, round_middle_part)) {
+		return false;
 	}
+	reach = round_reach * 0.25f * (width + other);
+	return body->reach[about.axis] <= reach * reach &&
+		sketch_side(box, about.axis) <= drum_part * width &&
+		/* What stands on its pivot may nod, as a head does. */
+		sketch_is_pivot_within(
+			box, about.axis, about.seen == 1 ? middle_part : 0);
 }
 
-/* Where the pivot is along an axis: 0 at the lower side, 1 at the upper one. */
-static float pivot_at(const struct bounds *box, int axis)
+/* The only axis about which a body is round, or -1: a ball is about all. */
+static int axle_of(const struct sketch_body *body, const float rotation[4])
 {
-	return -box->low[axis] / (box->high[axis] - box->low[axis]);
-}
-
-static bool is_in_middle(const struct bounds *box, int axis)
-{
-	float at = pivot_at(box, axis);
-
-	return at >= middle_part && at <= 1 - middle_part;
-}
-
-static struct sketch_turn judge(const struct bounds *box)
-{
-	struct sketch_turn turn = {.form = SKETCH_TURN_FREE, .sign = 1};
-	int thin = 0, wide, length;
-	float side[3];
+	int axle = -1, count = 0;
 
 	for (int i = 0; i < 3; i++) {
-		side[i] = box->high[i] - box->low[i];
-		thin = side[i] < side[thin] ? i : thin;
+		if (is_round(body, see(rotation, i))) {
+			axle = i;
+			count++;
+		}
 	}
-	wide = (thin + 1) % 3;
-	length = (thin + 2) % 3;
-	if (side[wide] > side[length]) {
-		wide = length;
-		length = (thin + 1) % 3;
+	return count == 1 ? axle : -1;
+}
+
+/* Judges a body of which no side is empty but the thin one. */
+static enum sketch_turn_form judge_box(
+	const struct bounds *box, const int axis[3])
+{
+	float thin = sketch_side(box, axis[0]), wide = sketch_side(box, axis[1]);
+	float length = sketch_side(box, axis[2]);
+	bool flat = thin <= flat_part * wide;
+	bool middle = sketch_is_pivot_within(box, axis[1], middle_part);
+
+	if (wide <= needle_part * length && middle &&
+		sketch_is_pivot_within(box, axis[2], 0)) {
+		if (flat) {
+			return SKETCH_TURN_NEEDLE;
+		}
+		return sketch_is_pivot_within(box, axis[0], middle_part)
+			? SKETCH_TURN_ROD
+			: SKETCH_TURN_FREE;
 	}
-	if (side[wide] <= 0 || side[thin] > flat_part * side[wide] ||
-		!is_in_middle(box, wide)) {
-		return turn;
+	if (flat && wide >= disc_part * length && middle &&
+		sketch_is_pivot_within(box, axis[2], middle_part)) {
+		return SKETCH_TURN_DISC;
 	}
-	if (side[wide] <= needle_part * side[length] &&
-		pivot_at(box, length) >= 0 && pivot_at(box, length) <= 1) {
-		turn.form = SKETCH_TURN_NEEDLE;
-	} else if (side[wide] >= disc_part * side[length] &&
-		is_in_middle(box, length)) {
+	return flat ? SKETCH_TURN_HINGE : SKETCH_TURN_FREE;
+}
+
+static bool is_at_edge(const struct bounds *box, int axis)
+{
+	return scalar_abs(scalar_abs(sketch_pivot(box, axis) - 0.5f) - 0.5f) <=
+		edge_part;
+}
+
+/*
+ * Finds the edge on which a flat part turns: of a corner the upright one, as
+ * that of a door. Returns false if its pivot is at none, or in a level corner.
+ */
+static bool find_hinge(const struct bounds *box, const int axis[3],
+	const float rotation[4], struct sketch_turn_axis *hinge)
+{
+	struct sketch_turn_axis first = see(rotation, axis[1]);
+	struct sketch_turn_axis second = see(rotation, axis[2]);
+	bool along_first = is_at_edge(box, axis[2]);
+	bool along_second = is_at_edge(box, axis[1]);
+
+	if (along_first && along_second) {
+		along_first = first.seen == 1;
+		along_second = second.seen == 1;
+	}
+	if (along_first == along_second) {
+		return false;
+	}
+	*hinge = along_first ? first : second;
+	return true;
+}
+
+/* Fills how a rod swings, whose node is rotated so in the model at rest. */
+static void find_swings(const struct bounds *box, const float rotation[4],
+	struct sketch_turn *turn)
+{
+	int along = turn->axis.axis;
+	struct sketch_turn_axis first = see(rotation, (along + 1) % 3);
+	struct sketch_turn_axis second = see(rotation, (along + 2) % 3);
+	/* An upright rod leans forward about x, a level one turns about y. */
+	bool upright = turn->axis.seen == 1;
+	bool exchange = upright ? second.seen == 0 : first.seen == 1;
+
+	turn->across[0] = exchange ? second : first;
+	turn->across[1] = exchange ? first : second;
+	if (sketch_pivot(box, along) > 0.5f) {
+		turn->axis.sign = -turn->axis.sign;
+	}
+}
+
+static struct sketch_turn judge(
+	const struct sketch_body *body, const float rotation[4])
+{
+	struct sketch_turn turn = {.form = SKETCH_TURN_FREE};
+	const struct bounds *box = &body->box;
+	int axis[3], axle = axle_of(body, rotation);
+
+	sort_axes(box, axis);
+	if (sketch_side(box, axis[1]) > 0) {
+		turn.form = judge_box(box, axis);
+	}
+	turn.axis = see(rotation, 0);
+	if (turn.form == SKETCH_TURN_HINGE &&
+		!find_hinge(box, axis, rotation, &turn.axis)) {
+		turn.form = SKETCH_TURN_FREE;
+	}
+	if (turn.form == SKETCH_TURN_DISC || turn.form == SKETCH_TURN_NEEDLE) {
+		turn.axis = see(rotation, axis[0]);
+	} else if (turn.form == SKETCH_TURN_ROD) {
+		turn.axis = see(rotation, axis[2]);
+		find_swings(box, rotation, &turn);
+	} else if (turn.form == SKETCH_TURN_FREE && axle >= 0) {
 		turn.form = SKETCH_TURN_DISC;
+		turn.axis = see(rotation, axle);
 	}
-	turn.axis = turn.form == SKETCH_TURN_FREE ? 0 : thin;
 	return turn;
 }
 
-/* Finds how the axis lies in the model at rest, whose node is rotated so. */
-static void find_seen(const float rotation[4], struct sketch_turn *turn)
+/* Half the width of a disc, in the frame of what hangs on it. */
+static float radius_of(const struct model_node *node,
+	const struct sketch_body *disc, int about)
 {
-	float axis[3] = {0}, length[3];
+	float radius = 0;
 
-	axis[turn->axis] = 1;
-	quat_rotate(rotation, axis, axis);
-	for (int i = 0; i < 3; i++) {
-		length[i] = axis[i] < 0 ? -axis[i] : axis[i];
-		turn->seen = length[i] > length[turn->seen] ? i : turn->seen;
+	for (int i = 1; i < 3; i++) {
+		int axis = (about + i) % 3;
+		/* The body of a node has the node's scale if it is its own. */
+		float scale = node->mesh >= 0 && node->skin < 0
+			? scalar_abs(node->rest.scale[axis])
+			: 1;
+
+		radius += 0.25f * sketch_side(&disc->box, axis) / scale;
 	}
-	turn->sign = axis[turn->seen] < 0 ? -1 : 1;
+	return radius;
 }
 
-/* Judges each node by its box; rotation has room for those of the model. */
-static void judge_all(const struct model *model, const struct bounds *box,
-	float (*rotation)[4], struct sketch_turn *turn)
+/*
+ * Turns a rod into a needle if it lies over a disc, its parent, from its middle
+ * and no farther than its edge, as the hand of a clock does.
+ */
+static void find_hand(const struct model *model, int node,
+	const struct sketch_body *body, struct sketch_turn *turn)
+{
+	const struct model_node *of = &model->node[node];
+	const float *at = of->rest.translation;
+	struct sketch_turn *rod = &turn[node];
+	const struct sketch_turn *disc = &turn[of->parent];
+	int along = rod->axis.axis, axis = disc->axis.axis;
+	int a = (axis + 1) % 3, b = (axis + 2) % 3;
+	float radius =
+		radius_of(&model->node[of->parent], &body[of->parent], axis);
+	float low = -body[node].box.low[along];
+	float high = body[node].box.high[along];
+
+	if (rod->axis.seen != disc->axis.seen &&
+		(low > high ? low : high) <= radius &&
+		at[a] * at[a] + at[b] * at[b] <=
+			hand_off * hand_off * radius * radius) {
+		rod->form = SKETCH_TURN_NEEDLE;
+		rod->axis = rod->across[0].seen == disc->axis.seen
+			? rod->across[0]
+			: rod->across[1];
+	}
+}
+
+/*
+ * Judges each node by its body and the axis of its ring; rotation has room for
+ * those of the model.
+ */
+static void judge_all(const struct model *model, const struct sketch_body *body,
+	const int *ring, float (*rotation)[4], struct sketch_turn *turn)
 {
 	for (int i = 0; i < model->node_count; i++) {
 		const struct model_node *of = &model->node[i];
@@ -131,10 +260,18 @@ static void judge_all(const struct model *model, const struct bounds *box,
 			quat_multiply(rotation[of->parent], of->rest.rotation,
 				rotation[i]);
 		}
-		turn[i] = (struct sketch_turn){.sign = 1};
-		if (!bounds_is_empty(&box[i]) && !of->matrix) {
-			turn[i] = judge(&box[i]);
-			find_seen(rotation[i], &turn[i]);
+		turn[i] = (struct sketch_turn){.axis = see(rotation[i], 0)};
+		if (bounds_is_empty(&body[i].box) || of->matrix) {
+			continue;
+		}
+		turn[i] = judge(&body[i], rotation[i]);
+		if (ring[i] >= 0 && turn[i].form != SKETCH_TURN_DISC) {
+			turn[i].form = SKETCH_TURN_DISC;
+			turn[i].axis = see(rotation[i], ring[i]);
+		}
+		if (turn[i].form == SKETCH_TURN_ROD && of->parent >= 0 &&
+			turn[of->parent].form == SKETCH_TURN_DISC) {
+			find_hand(model, i, body, turn);
 		}
 	}
 }
@@ -143,16 +280,18 @@ int sketch_find_turns(const struct model *model, struct sketch_turn *turn)
 {
 	struct arena arena = arena_empty();
 	size_t count = (size_t)model->node_count;
-	struct bounds *box = ARENA_ARRAY(&arena, struct bounds, count);
+	struct sketch_body *body =
+		ARENA_ARRAY(&arena, struct sketch_body, count);
+	int *ring = ARENA_ARRAY(&arena, int, count);
 	float(*rotation)[4] = arena_alloc(&arena, count, sizeof(*rotation));
-	int error = box && rotation ? 0 : -ENOMEM;
+	int error = body && ring && rotation ? 0 : -ENOMEM;
 
-	for (int i = 0; i < model->node_count && !error; i++) {
-		box[i] = bounds_empty();
-		add_node(model, i, box);
+	if (!error) {
+		sketch_measure_bodies(model, body);
+		error = sketch_find_rings(model, body, ring);
 	}
 	if (!error) {
-		judge_all(model, box, rotation, turn);
+		judge_all(model, body, ring, rotation, turn);
 	}
 	arena_release(&arena);
 	return error;

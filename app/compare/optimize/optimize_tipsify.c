@@ -5,13 +5,12 @@
 #include <string.h>
 
 enum {
-	CACHE = 16,
-	PASSES_MAX = 8
+	CACHE = 16
 };
 
 int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 {
-	int *fetched = calloc((size_t)vertex_count + 1, sizeof(*fetched));
+	int *fetched = calloc((size_t)vertex_count, sizeof(*fetched));
 	int misses = 0;
 
 	if (!fetched) {
@@ -33,7 +32,7 @@ int optimize_tipsify_misses(const uint32_t *index, int count, int vertex_count)
 struct tipsify {
 	const uint32_t *index;
 	int count, vertex_count;
-	int *first; /* [vertex_count + 1]: where a vertex's triangles begin */
+	int *first; /* [vertex_count + 2]: where a vertex's triangles begin */
 	int *triangle;      /* [count] */
 	int *live;          /* [vertex_count]: its triangles not yet written */
 	int *stamp;         /* [vertex_count]: when it entered the cache */
@@ -47,23 +46,19 @@ struct tipsify {
 
 static void list_triangles(struct tipsify *tipsify)
 {
+	int *first = tipsify->first;
+
 	for (int i = 0; i < tipsify->count; i++) {
 		tipsify->live[tipsify->index[i]]++;
+		first[tipsify->index[i] + 2]++;
 	}
 	for (int v = 0; v < tipsify->vertex_count; v++) {
-		tipsify->first[v + 1] = tipsify->first[v] + tipsify->live[v];
-		tipsify->stamp[v] = 0;
+		first[v + 2] += first[v + 1];
 	}
-	for (int i = tipsify->count; i-- > 0;) {
-		uint32_t v = tipsify->index[i];
-
-		tipsify->triangle[--tipsify->first[v + 1]] = i / 3;
+	/* The loop moves first[v + 1] from v's first triangle to its end. */
+	for (int i = 0; i < tipsify->count; i++) {
+		tipsify->triangle[first[tipsify->index[i] + 1]++] = i / 3;
 	}
-	/* The loop has moved first[v + 1] from v's end to v's beginning. */
-	for (int v = 0; v < tipsify->vertex_count; v++) {
-		tipsify->first[v] = tipsify->first[v + 1];
-	}
-	tipsify->first[tipsify->vertex_count] = tipsify->count;
 }
 
 static void write_triangle(struct tipsify *tipsify, int triangle)
@@ -124,7 +119,7 @@ static int skip_dead_end(struct tipsify *tipsify)
 
 static void run(struct tipsify *tipsify)
 {
-	int fan = tipsify->count > 0 ? (int)tipsify->index[0] : -1;
+	int fan = (int)tipsify->index[0];
 
 	tipsify->time = CACHE + 1;
 	while (fan >= 0) {
@@ -143,19 +138,22 @@ static void run(struct tipsify *tipsify)
 	}
 }
 
-/* One pass. *better: it has saved more than 2%, and index has the new order. */
+/*
+ * One pass over at least one triangle. *better: it has saved more than 2%, and
+ * index has the new order.
+ */
 static int reorder(uint32_t *index, int count, int vertex_count, bool *better)
 {
-	size_t vertices = (size_t)vertex_count + 2, corners = (size_t)count + 1;
+	size_t vertices = (size_t)vertex_count, corners = (size_t)count;
 	struct tipsify tipsify = {
 		.index = index,
 		.count = count,
 		.vertex_count = vertex_count,
-		.first = calloc(vertices, sizeof(int)),
+		.first = calloc(vertices + 2, sizeof(int)),
 		.triangle = calloc(corners, sizeof(int)),
 		.live = calloc(vertices, sizeof(int)),
 		.stamp = calloc(vertices, sizeof(int)),
-		.written = calloc(corners, sizeof(bool)),
+		.written = calloc(corners / 3, sizeof(bool)),
 		.dead_end = calloc(corners, sizeof(uint32_t)),
 		.out = calloc(corners, sizeof(uint32_t)),
 	};
@@ -187,10 +185,10 @@ static int reorder(uint32_t *index, int count, int vertex_count, bool *better)
 
 int optimize_tipsify(uint32_t *index, int count, int vertex_count)
 {
-	bool better = true;
+	bool better = count > 0;
 	int error = 0;
 
-	for (int pass = 0; pass < PASSES_MAX && better && !error; pass++) {
+	while (better && !error) {
 		error = reorder(index, count, vertex_count, &better);
 	}
 	return error;

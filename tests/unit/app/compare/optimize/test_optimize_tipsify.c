@@ -6,7 +6,6 @@
 
 enum {
 	CACHE = 16,
-	PASSES = 8,
 	CORNERS_MAX = 1200,
 	VERTICES_MAX = 300
 };
@@ -110,7 +109,7 @@ static void order_like_the_paper(uint32_t *index, int count)
 /* Passes follow while each saves more than a fiftieth. */
 static void order(uint32_t *index, int count)
 {
-	for (int pass = 0; pass < PASSES; pass++) {
+	while (count > 0) {
 		uint32_t next[CORNERS_MAX];
 
 		memcpy(next, index, (size_t)count * sizeof(*index));
@@ -188,6 +187,39 @@ static void test_separate_surfaces_are_all_written(void **state)
 	}
 }
 
+/* A triangle that touches no other one is found by its vertices' numbers. */
+static void test_triangles_apart_from_each_other_are_all_written(void **state)
+{
+	uint32_t index[30];
+
+	(void)state;
+	for (int step = 1; step < 10; step++) {
+		for (int i = 0; i < 30; i++) {
+			index[i] = (uint32_t)(3 + i / 3 * 3 * step % 30 + i % 3);
+		}
+		expect_order(index, step % 2 && step % 5 ? 30 : 3, 40);
+	}
+}
+
+/* Any list, also with triangles that have a vertex twice. */
+static void test_lists_without_any_order_are_ordered_as_in_the_paper(
+	void **state)
+{
+	uint32_t random = 7;
+
+	(void)state;
+	for (int i = 0; i < 300; i++) {
+		uint32_t index[180];
+		int vertices = 1 + i % 60, count = 3 + 3 * (i * 7 % 60);
+
+		for (int k = 0; k < count; k++) {
+			random = random * 1664525u + 1013904223u;
+			index[k] = (random >> 8) % (uint32_t)vertices;
+		}
+		expect_order(index, count, vertices);
+	}
+}
+
 static void test_a_vertex_leaves_the_cache_after_16_others(void **state)
 {
 	uint32_t index[21];
@@ -212,6 +244,10 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_grids_are_ordered_as_in_the_paper),
 		cmocka_unit_test(test_separate_surfaces_are_all_written),
+		cmocka_unit_test(
+			test_triangles_apart_from_each_other_are_all_written),
+		cmocka_unit_test(
+			test_lists_without_any_order_are_ordered_as_in_the_paper),
 		cmocka_unit_test(test_a_vertex_leaves_the_cache_after_16_others),
 	};
 

@@ -330,6 +330,39 @@ static void test_a_decimal_has_the_fewest_digits(void **state)
 	}
 }
 
+/* Indices of sparse elements are shorts where all of the array's are. */
+static void test_indices_of_sparse_elements_fit_their_type(void **state)
+{
+	struct optimize_output *output = *state;
+	static float value[65537];
+
+	for (int count = 65534; count <= 65537; count++) {
+		struct optimize_array array = {.count = count,
+			.width = 1,
+			.component = GLB_FLOAT,
+			.sparse = true,
+			.value = value};
+		size_t size = count <= 65535 ? 2 : 4;
+		json_t *sparse, *indices;
+		const uint8_t *index;
+		int number;
+
+		memset(value, 0, sizeof(value));
+		value[1] = 0.5f;
+		value[count - 1] = (float)count;
+		number = optimize_output_add(output, OPTIMIZE_DATA, &array);
+		sparse = json_object_get(accessor(output, number), "sparse");
+		indices = json_object_get(sparse, "indices");
+		assert_int_equal(integer(sparse, "count"), 2);
+		assert_int_equal(integer(indices, "componentType"),
+			size == 2 ? GLB_USHORT : GLB_UINT);
+		index = output->view[OPTIMIZE_DATA].data +
+			integer(indices, "byteOffset");
+		assert_int_equal(read_number(index, size), 1);
+		assert_int_equal(read_number(index + size, size), count - 1);
+	}
+}
+
 int main(void)
 {
 #define CASE(name) cmocka_unit_test_setup_teardown(name, begin, end)
@@ -339,6 +372,7 @@ int main(void)
 		CASE(test_many_arrays_are_told_apart),
 		CASE(test_few_elements_are_stored_sparsely),
 		CASE(test_a_sparse_array_may_begin_with_its_first_element),
+		CASE(test_indices_of_sparse_elements_fit_their_type),
 		CASE(test_full_arrays_and_those_of_others_are_not_sparse),
 		CASE(test_bounds_are_the_least_and_the_most),
 		CASE(test_times_do_not_share_an_accessor_with_values),

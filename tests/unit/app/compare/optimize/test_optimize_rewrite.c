@@ -7,7 +7,8 @@ enum {
 	UNIT = 8 /* of positions up to 5 */
 };
 
-static const float positions[3][3] = {{-5, 0, 0}, {5, 0, 0}, {0, 4, 3}};
+/* The first number is the largest. */
+static const float positions[3][3] = {{-5, 0, 0}, {3, 0, 0}, {0, 4, 3}};
 static const struct optimize_plan in_units = {
 	.directions = true, .positions = true};
 
@@ -22,7 +23,7 @@ static void set_positions(struct file *file)
 	json_object_set_new(
 		accessor, "min", json_pack("[f, f, f]", -5.0, 0.0, 0.0));
 	json_object_set_new(
-		accessor, "max", json_pack("[f, f, f]", 5.0, 4.0, 3.0));
+		accessor, "max", json_pack("[f, f, f]", 3.0, 4.0, 3.0));
 }
 
 static void expect_positions(const struct file *file, bool units)
@@ -322,6 +323,75 @@ static void test_differences_beyond_the_unit_stay_floats(void **state)
 	}
 }
 
+static int target_of(const struct file *file, int accessor)
+{
+	json_t *root = gltf_document_json(file->document);
+	json_t *view = json_object_get(
+		element(root, "accessors", (size_t)accessor), "bufferView");
+	json_t *target = json_object_get(
+		element(root, "bufferViews", (size_t)json_integer_value(view)),
+		"target");
+
+	return target ? (int)json_integer_value(target) : 0;
+}
+
+/* GL_ARRAY_BUFFER and GL_ELEMENT_ARRAY_BUFFER; matrices are for no buffer. */
+static void test_views_say_for_which_buffer_of_gl_they_are(void **state)
+{
+	static const uint16_t index[3] = {0, 1, 2};
+	static const float matrix[32] = {1};
+	const json_t *skin;
+	struct file file;
+
+	(void)state;
+	rebuild_skin(&file, matrix, in_units);
+	skin = element(gltf_document_json(file.document), "skins", 0);
+	assert_int_equal(
+		target_of(&file, index_of(skin, "inverseBindMatrices")), 0);
+	end(&file);
+	begin(&file, 4096);
+	set_positions(&file);
+	set(&file, file.primitive, "indices", index, 3, USHORT, "SCALAR");
+	rebuild(&file, in_units);
+	assert_int_equal(
+		target_of(&file, index_of(rewritten(&file), "indices")), 34963);
+	assert_int_equal(
+		target_of(&file,
+			index_of(json_object_get(rewritten(&file), "attributes"),
+				"POSITION")),
+		34962);
+	end(&file);
+}
+
+/* Positions have bounds, also where another attribute has their numbers. */
+static void test_an_array_that_is_shared_has_the_bounds_of_positions(
+	void **state)
+{
+	(void)state;
+	for (int first = 0; first < 2; first++) {
+		struct file file;
+		const json_t *attributes;
+
+		begin(&file, 4096);
+		if (first) {
+			set(&file, file.attributes, "_OWN", positions, 3, FLOAT,
+				"VEC3");
+		}
+		set_positions(&file);
+		if (!first) {
+			set(&file, file.attributes, "_OWN", positions, 3, FLOAT,
+				"VEC3");
+		}
+		rebuild(&file, (struct optimize_plan){0});
+		attributes = json_object_get(rewritten(&file), "attributes");
+		assert_int_equal(index_of(attributes, "_OWN"),
+			index_of(attributes, "POSITION"));
+		assert_true(member_exists(&file, attributes, "POSITION", "min"));
+		assert_true(member_exists(&file, attributes, "POSITION", "max"));
+		end(&file);
+	}
+}
+
 /* Numbers of accessors that the file does not have, or that are none. */
 static void test_members_without_an_accessor_are_left_alone(void **state)
 {
@@ -354,6 +424,9 @@ int main(void)
 		cmocka_unit_test(test_a_matrix_is_enlarged_but_not_moved),
 		cmocka_unit_test(test_an_error_in_metres_is_divided_by_the_unit),
 		cmocka_unit_test(test_matrices_of_a_skin_get_the_unit),
+		cmocka_unit_test(test_views_say_for_which_buffer_of_gl_they_are),
+		cmocka_unit_test(
+			test_an_array_that_is_shared_has_the_bounds_of_positions),
 		cmocka_unit_test(test_differences_beyond_the_unit_stay_floats),
 		cmocka_unit_test(test_extensions_that_were_required_stay),
 		cmocka_unit_test(test_arrays_that_nothing_uses_are_not_written),

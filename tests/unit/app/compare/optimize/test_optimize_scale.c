@@ -109,9 +109,10 @@ static void check_one(float size, const char *rest, float wanted)
 static void test_a_unit_is_the_power_of_two_above_the_size(void **state)
 {
 	static const float pair[][2] = {{1.0f, 1.0f}, {1.001f, 2.0f},
-		{2.0f, 2.0f}, {2.5f, 4.0f}, {1000.0f, 1024.0f}, {0.5f, 1.0f},
-		{0.0626f, 1.0f}, {0.0625f, 0.0625f}, {0.06f, 0.0625f},
-		{0.03125f, 0.03125f}, {0.02f, 0.03125f}, {0.001f, 1.0f / 512}};
+		{2.0f, 2.0f}, {2.5f, 4.0f}, {4.0f, 4.0f}, {1000.0f, 1024.0f},
+		{0.5f, 1.0f}, {0.0626f, 1.0f}, {0.0625f, 0.0625f},
+		{0.06f, 0.0625f}, {0.03125f, 0.03125f}, {0.02f, 0.03125f},
+		{0.001f, 1.0f / 512}};
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(pair) / sizeof(pair[0]); i++) {
@@ -136,6 +137,9 @@ static void test_a_node_that_cannot_be_scaled_keeps_its_mesh(void **state)
 		"\"nodes\":[{},{\"mesh\":0}],\"skins\":[{\"joints\":[1]}]",
 		"\"nodes\":[{},{\"mesh\":0}],\"animations\":[{\"channels\":["
 		"{\"target\":{\"node\":1,\"path\":\"scale\"}}]}]",
+		"\"nodes\":[{\"mesh\":0},{}],\"skins\":[{\"joints\":[0]}]",
+		"\"nodes\":[{\"mesh\":0}],\"animations\":[{\"channels\":["
+		"{\"target\":{\"node\":0,\"path\":\"scale\"}}]}]",
 		/* One of two nodes is enough, in either order. */
 		"\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"extensions\":{}}]",
 		"\"nodes\":[{\"mesh\":0,\"extensions\":{}},{\"mesh\":0}]",
@@ -145,6 +149,10 @@ static void test_a_node_that_cannot_be_scaled_keeps_its_mesh(void **state)
 		"\"nodes\":[{\"children\":[1],\"camera\":0},{\"mesh\":0}],"
 		"\"cameras\":[{}]",
 		"\"nodes\":[{},{\"mesh\":0}],\"skins\":[{\"joints\":[0]}]",
+		"\"nodes\":[{\"mesh\":0}],\"skins\":[{\"joints\":[-1,1,9]}]",
+		"\"nodes\":[{\"mesh\":0}],\"animations\":[{\"channels\":["
+		"{\"target\":{\"node\":-1,\"path\":\"scale\"}},"
+		"{\"target\":{\"node\":1,\"path\":\"scale\"}}]}]",
 		"\"nodes\":[{},{\"mesh\":0}],\"animations\":[{\"channels\":["
 		"{\"target\":{\"node\":1,\"path\":\"rotation\"}},"
 		"{\"target\":{\"node\":0,\"path\":\"scale\"}}]}]",
@@ -155,6 +163,7 @@ static void test_a_node_that_cannot_be_scaled_keeps_its_mesh(void **state)
 		check_one(3.0f, fixed[i], 0.0f);
 		/* Without a scale it fits anyway. */
 		check_one(0.8f, fixed[i], 1.0f);
+		check_one(1.0f, fixed[i], 1.0f);
 	}
 	for (size_t i = 0; i < sizeof(free_nodes) / sizeof(free_nodes[0]); i++) {
 		check_one(3.0f, free_nodes[i], 4.0f);

@@ -260,7 +260,6 @@ int optimize_reach_find(struct optimize_reach *reach, const struct model *model,
 		error = pose_init(&pose, model, &scratch);
 	}
 	if (!error) {
-		pose_rest(&pose, model);
 		pose_world(&pose, model, NULL, reacher.world);
 		error = find(reach, &reacher, px_per_unit, needed);
 	}

@@ -100,27 +100,60 @@ static void test_triangles_keep_the_corners_and_their_attributes(void **state)
 	end(&file);
 }
 
-/* Vertices are sorted by their first use in the new order of triangles. */
+/*
+ * Vertices are sorted by their first use in the new order of triangles:
+ * wherever the file has the list, and whether one primitive uses it or two.
+ */
 static void test_vertices_are_used_in_their_order(void **state)
 {
-	float id[64], place[64][3] = {{0}};
-	uint32_t index[CORNERS], list[CORNERS], next = 0;
-	struct file file;
-
 	(void)state;
-	make_grid(id, index);
-	begin(&file, 8192);
-	set(&file, file.attributes, "POSITION", place, 64, FLOAT, "VEC3");
-	set(&file, file.primitive, "indices", index, CORNERS, UINT, "SCALAR");
-	rebuild(&file, (struct optimize_plan){0});
-	gltf_document_uints(
-		file.document, index_of(rewritten(&file), "indices"), list);
-	for (int i = 0; i < CORNERS; i++) {
-		assert_true(list[i] <= next);
-		next += list[i] == next;
+	for (int i = 0; i < 4; i++) {
+		float id[64], place[64][3] = {{0}}, found[NUMBERS_MAX];
+		uint32_t index[CORNERS], list[CORNERS], next = 0;
+		int before[CORNERS], after[CORNERS];
+		struct file file;
+
+		make_grid(id, index);
+		begin(&file, 8192);
+		if (i % 2) {
+			set(&file, file.primitive, "indices", index, CORNERS,
+				UINT, "SCALAR");
+		}
+		set(&file, file.attributes, "POSITION", place, 64, FLOAT,
+			"VEC3");
+		set(&file, file.attributes, "_ID", id, 64, FLOAT, "SCALAR");
+		if (i % 2 == 0) {
+			set(&file, file.primitive, "indices", index, CORNERS,
+				UINT, "SCALAR");
+		}
+		if (i / 2) {
+			json_array_append_new(
+				json_object_get(
+					json_array_get(json_object_get(file.root,
+							       "meshes"),
+						0),
+					"primitives"),
+				json_deep_copy(file.primitive));
+		}
+		rebuild(&file, (struct optimize_plan){0});
+		gltf_document_uints(file.document,
+			index_of(rewritten(&file), "indices"), list);
+		read_array(&file,
+			json_object_get(rewritten(&file), "attributes"), "_ID",
+			found);
+		for (int k = 0; k < CORNERS; k++) {
+			assert_true(list[k] <= next);
+			next += list[k] == next;
+			before[k] = (int)index[k];
+			after[k] = (int)found[list[k]];
+		}
+		assert_int_equal(next, GRID);
+		for (int k = 0; k < CORNERS; k += 3) {
+			assert_int_equal(
+				count_triangles(after, CORNERS, before + k), 1);
+		}
+		end(&file);
 	}
-	assert_int_equal(next, GRID);
-	end(&file);
 }
 
 /* Programs may take 65535 as the end of a strip. */

@@ -3,6 +3,7 @@
 #include "platform/base/scalar.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,7 +29,7 @@ static float bend_px(const struct reference *reference,
 		px = screen_view_distance_px(
 			screen, middle, reference->position[v]);
 		bounds_add(&screen->box, reference->position[v]);
-		most = px > most ? px : most;
+		most = fmaxf(most, px);
 	}
 	return most;
 }

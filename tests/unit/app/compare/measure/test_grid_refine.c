@@ -103,6 +103,33 @@ static void test_curves_get_as_many_moments_as_the_bound_needs(void **state)
 	}
 }
 
+/* All others are at the node, which turns and does not move. */
+static void test_any_vertex_that_bends_adds_moments(void **state)
+{
+	int vertex_count = 1;
+
+	(void)state;
+	for (int bent = 0; bent < vertex_count; bent++) {
+		struct compared_clip bench;
+		struct model_primitive *primitive;
+
+		begin_turn(&bench);
+		primitive = bench.model->mesh[0].primitive;
+		vertex_count = primitive->vertex_count;
+		/* Of the nodes that show the mesh, the first counts alone. */
+		bench.reference->vertex_count = vertex_count;
+		memset(primitive->position, 0,
+			(size_t)vertex_count * sizeof(*primitive->position));
+		primitive->position[bent][0] = 1.0f;
+		primitive->position[bent][1] = 1.0f;
+		primitive->position[bent][2] = 1.0f;
+		refine(&bench, 0.01f);
+		assert_true(bench.grid.count > 100);
+		compared_clip_end(&bench);
+	}
+	assert_true(vertex_count > 2);
+}
+
 static void test_at_most_63_moments_are_added_between_two(void **state)
 {
 	struct compared_clip bench;
@@ -147,6 +174,7 @@ int main(void)
 		cmocka_unit_test(test_lines_and_jumps_get_no_more_moments),
 		cmocka_unit_test(
 			test_curves_get_as_many_moments_as_the_bound_needs),
+		cmocka_unit_test(test_any_vertex_that_bends_adds_moments),
 		cmocka_unit_test(test_at_most_63_moments_are_added_between_two),
 		cmocka_unit_test(test_the_box_contains_the_middles),
 	};

@@ -98,6 +98,7 @@ static void test_positions_are_in_units_of_the_world(void **state)
 		assert_near(
 			(&position[0][0][0])[i], (&expected[0][0][0])[i], 1e-5);
 	}
+	expect_alone(&instance, posed_vertices_positions, position);
 }
 
 /* Of length 1, or zeros. */
@@ -158,6 +159,29 @@ static void test_normals_are_unit_vectors_in_the_world(void **state)
 	expect_alone(&instance, posed_vertices_normals, normal);
 }
 
+static void expect_normal_matrix(const vec4 *node, const float wanted[9])
+{
+	mat3 matrix;
+
+	posed_vertices_normal_matrix(node, matrix);
+	for (int i = 0; i < 9; i++) {
+		assert_near(matrix[i / 3][i % 3], wanted[i], 1e-6);
+	}
+}
+
+/* Its columns are cross products, turned round if the node mirrors. */
+static void test_a_matrix_for_normals_has_the_area_of_sides(void **state)
+{
+	static const mat4 half = {{0.5f, 0, 0, 0}, {0, 0.5f, 0, 0},
+		{0, 0, 0.5f, 0}, {0, 0, 0, 1}};
+	static const float of_half[9] = {0.25f, 0, 0, 0, 0.25f, 0, 0, 0, 0.25f};
+	static const float of_first[9] = {-2, -2, 3, -4, 11, -6, 3, -6, 3};
+
+	(void)state;
+	expect_normal_matrix(half, of_half);
+	expect_normal_matrix((const vec4 *)world[0], of_first);
+}
+
 static void test_flat_surfaces_have_zeros_for_normals(void **state)
 {
 	struct drawable_fixed fixed = {.normal = NULL};
@@ -201,6 +225,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_positions_are_in_units_of_the_world),
 		cmocka_unit_test(test_normals_are_unit_vectors_in_the_world),
+		cmocka_unit_test(test_a_matrix_for_normals_has_the_area_of_sides),
 		cmocka_unit_test(test_flat_surfaces_have_zeros_for_normals),
 		cmocka_unit_test(
 			test_more_vertices_than_an_int_has_are_no_number),

@@ -1,4 +1,5 @@
 /* What the reference of a clip takes from its model's memory, and gives back. */
+#include "app/compare/measure/posed_vertices.h"
 #include "app/compare/measure/reference.h"
 #include "platform/base/memory_budget.h"
 #include "tests/support/log_capture.h"
@@ -109,11 +110,99 @@ static void expect_parts(const char *name, bool normals)
 	model_destroy(model);
 }
 
+/* Of a model whose clip begins at another pose than that of rest. */
+static void test_the_pose_of_rest_is_computed_at_any_time(void **state)
+{
+	struct model *model = model_fixture("gltf/skin/and_morph.gltf", NULL);
+	const struct log log = log_to_nowhere();
+	struct reference *reference;
+	struct instance *instance;
+	float(*rest)[3];
+	size_t count;
+
+	(void)state;
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	assert_true(reference->instance->undrawn);
+	assert_false(reference->instance->normal_mapping);
+	count = (size_t)reference->vertex_count;
+	assert_int_equal(
+		instance_create(model, kernel_find("float"), &log, &instance),
+		0);
+	rest = malloc(2 * count * sizeof(*rest));
+	assert_non_null(rest);
+	posed_vertices_positions(instance, rest);
+	posed_vertices_normals(instance, rest + count);
+	for (int again = 0; again < 2; again++) {
+		reference_rest(reference);
+		assert_memory_equal(
+			reference->position, rest, count * sizeof(float[3]));
+		assert_memory_equal(reference->normal, rest + count,
+			count * sizeof(float[3]));
+		reference_pose(reference, 0.4f, true);
+		assert_memory_not_equal(
+			reference->position, rest, count * sizeof(float[3]));
+		assert_memory_not_equal(reference->normal, rest + count,
+			count * sizeof(float[3]));
+	}
+	free(rest);
+	instance_destroy(instance);
+	reference_destroy(reference);
+	model_destroy(model);
+}
+
+static void test_a_reference_knows_its_clip(void **state)
+{
+	struct model *model = model_fixture("gltf/clip/door.gltf", NULL);
+	const struct log log = log_to_nowhere();
+
+	(void)state;
+	assert_true(model->clip_count > 1);
+	for (int clip = 0; clip < model->clip_count; clip++) {
+		struct reference *reference;
+
+		assert_int_equal(
+			reference_create(model, clip, &log, &reference), 0);
+		assert_int_equal(reference->clip_index, clip);
+		assert_ptr_equal(reference->clip, &model->clip[clip]);
+		/* Its keys are not searched for in each pose. */
+		assert_non_null(reference->cursor.moving);
+		reference_destroy(reference);
+	}
+	model_destroy(model);
+}
+
+/* Positions and normals of each vertex, beside the instance. */
+static void test_vertices_count_as_memory_of_the_model(void **state)
+{
+	struct model *model = model_fixture("gltf/skin/and_morph.gltf", NULL);
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX},
+			     *own = model->budget;
+	const struct log log = log_to_nowhere();
+	struct reference *reference;
+	struct instance *instance;
+	size_t alone;
+
+	(void)state;
+	model->budget = &budget;
+	assert_int_equal(
+		instance_create(model, kernel_find("float"), &log, &instance),
+		0);
+	alone = budget.used_bytes;
+	instance_destroy(instance);
+	assert_int_equal(reference_create(model, 0, &log, &reference), 0);
+	assert_true(budget.used_bytes >=
+		alone + 24 * (size_t)reference->vertex_count);
+	reference_destroy(reference);
+	model->budget = own;
+	model_destroy(model);
+}
+
 static void test_parts_tell_whether_they_have_normals(void **state)
 {
 	(void)state;
 	expect_parts("gltf/skin/and_morph.gltf", true);
 	expect_parts("gltf/clip/far.gltf", false);
+	expect_parts("gltf/clip/normalized.gltf", false);
 }
 
 int main(void)
@@ -124,6 +213,9 @@ int main(void)
 		cmocka_unit_test(test_a_clip_without_a_duration_has_no_reference),
 		cmocka_unit_test(test_normals_are_posed_where_they_are_asked_for),
 		cmocka_unit_test(test_parts_tell_whether_they_have_normals),
+		cmocka_unit_test(test_the_pose_of_rest_is_computed_at_any_time),
+		cmocka_unit_test(test_a_reference_knows_its_clip),
+		cmocka_unit_test(test_vertices_count_as_memory_of_the_model),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,7 +52,7 @@ bool export_names(const char *name)
 static int bake_rigid(struct glb *glb, const struct comparison *comparison,
 	const struct log *log)
 {
-	struct candidate candidate = {0};
+	struct candidate candidate;
 	struct reference *reference;
 	int error = reference_create(
 		comparison->model, comparison->clip[0].clip, log, &reference);
@@ -201,7 +201,7 @@ int export_comparison(const struct comparison *comparison, const char *folder,
 			continue;
 		}
 		length = snprintf(path, sizeof(path), "%s/%s", folder, name);
-		if (length < 0 || (size_t)length >= sizeof(path)) {
+		if ((size_t)length >= sizeof(path)) {
 			log_error(log,
 				"--export %s: the name is too long: choose a shorter one",
 				folder);

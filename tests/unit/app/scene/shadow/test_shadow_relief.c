@@ -303,6 +303,8 @@ static void test_a_model_of_another_size_is_measured_in_scene_units(void **state
 
 	(void)state;
 	for (int v = 0; v < primitive->vertex_count; v++) {
+		primitive->position[v][0] += 1;
+		primitive->position[v][2] -= 2;
 		for (int axis = 0; axis < 3; axis++) {
 			primitive->position[v][axis] *= 1000;
 		}
@@ -312,7 +314,7 @@ static void test_a_model_of_another_size_is_measured_in_scene_units(void **state
 	assert_true(scale < 100);
 	assert_int_equal(shadow_relief_make(&relief, instance, drawable, 1), 0);
 	assert_near(relief.cell[0], 4 * scale / 63, 1e-4);
-	assert_near(shadow_relief_height(&relief, scale, 3 * scale),
+	assert_near(shadow_relief_height(&relief, 2 * scale, scale),
 		slope(1, 3) * scale, 1e-3);
 	release(model, instance);
 }

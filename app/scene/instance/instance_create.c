@@ -50,10 +50,9 @@ static float largest_coordinate(const struct model_primitive *primitive)
 
 	for (int v = 0; v < primitive->vertex_count; v++) {
 		for (int axis = 0; axis < 3; axis++) {
-			float size = primitive->position[v][axis];
-
-			size = size < 0.0f ? -size : size;
-			largest = scalar_max(size, largest);
+			largest = scalar_max(
+				scalar_abs(primitive->position[v][axis]),
+				largest);
 		}
 	}
 	return largest;

@@ -300,6 +300,22 @@ static void test_normals_of_floats_have_the_length_1_or_0(void **state)
 	assert_all_near(normal[4], ((const float[]){0, 0, 0}), 3, 0);
 }
 
+static void test_turned_normals_point_the_other_way(void **state)
+{
+	float normal[2][3] = {{0.5f, -0.25f, 0.75f}, {-1, 2, -3}};
+	const float turned[2][3] = {{-0.5f, 0.25f, -0.75f}, {1, -2, 3}};
+	struct fixed_vector fixed[2] = {{0, 5, -6, 7}, {0, -8, 9, -10}};
+
+	(void)state;
+	facets_turn_normals(2, normal);
+	assert_all_near(normal, turned, 6, 0);
+	facets_turn_fixed_normals(1, fixed);
+	assert_int_equal(fixed[0].x, -5);
+	assert_int_equal(fixed[0].y, 6);
+	assert_int_equal(fixed[0].z, -7);
+	assert_int_equal(fixed[1].x, -8);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -313,6 +329,7 @@ int main(void)
 		cmocka_unit_test(test_fixed_normals_are_those_of_doubles),
 		cmocka_unit_test(test_normals_of_the_largest_triangles_are_right),
 		cmocka_unit_test(test_normals_of_floats_have_the_length_1_or_0),
+		cmocka_unit_test(test_turned_normals_point_the_other_way),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

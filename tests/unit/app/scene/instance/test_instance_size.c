@@ -164,6 +164,31 @@ static void test_a_size_is_more_than_rounding(void **state)
 	}
 }
 
+/* GL's matrices have few bits for the scale of arrays far from that size. */
+static void test_a_rigid_parts_coordinates_are_scaled_to_near_one(void **state)
+{
+	/* the largest coordinate, and the power of two that scales it */
+	static const float rows[][2] = {{0.001f, 512}, {-0.001f, 512},
+		{0.24f, 4}, {0.25f, 1}, {1, 1}, {16, 1}, {-16.1f, 1.0f / 32},
+		{-100, 1.0f / 128}, {0, 1}, {1e-13f, 1}, {1e13f, 1}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct model *model = small_model_grid(1, 1, 0.0f, true);
+		struct instance *instance;
+		const struct drawable *drawable;
+
+		model->mesh[0].primitive->position[2][i % 3] = rows[i][0];
+		instance = small_model_instance(model);
+		drawable = &instance->drawable[0];
+		assert_near(drawable->vertex_scale, rows[i][1], 0);
+		assert_near(drawable->base_position[2][i % 3],
+			rows[i][0] * rows[i][1], 0);
+		instance_destroy(instance);
+		model_destroy(model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -177,6 +202,8 @@ int main(void)
 		cmocka_unit_test(
 			test_a_model_without_size_at_rest_has_that_of_its_clip),
 		cmocka_unit_test(test_a_size_is_more_than_rounding),
+		cmocka_unit_test(
+			test_a_rigid_parts_coordinates_are_scaled_to_near_one),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
 #include "app/demo/demo_figures.h"
 #include "app/scene/hud/hud_graph.h"
 #include "app/scene/stage/light.h"
+#include "platform/base/scalar.h"
 
 enum {
 	FIGURES_MAX = 64
@@ -78,7 +79,7 @@ static void make_room(struct demo_base *base, int width, int height)
 
 		room = 2.0f * (float)row.height / (float)height;
 	}
-	room = room < most ? room : most > 0.0f ? most : 0.0f;
+	room = room < most ? room : scalar_max(most, 0.0f);
 	if (room != base->room_below) {
 		region.bottom = bottom + room;
 		base->room_below = room;

@@ -31,7 +31,7 @@ static float largest_value(const struct model_clip *clip, enum model_path path)
 		for (size_t i = 0; i < count; i++) {
 			float size = scalar_abs(channel->value[i]);
 
-			largest = size > largest ? size : largest;
+			largest = scalar_max(size, largest);
 		}
 	}
 	return largest;

@@ -2,6 +2,7 @@
 
 #include "app/model/model_deltas.h"
 #include "app/model/model_keys.h"
+#include "platform/base/scalar.h"
 
 static void add_influences(
 	struct model_stats *stats, const struct model_primitive *primitive)
@@ -100,9 +101,7 @@ struct model_level model_level(const struct model_mesh *mesh, int level)
 		lod = &primitive->lod[level];
 		out.triangle_count += lod->index_count / 3;
 		out.shadow_only = lod->shadow_only;
-		if (lod->error_m > out.error_m) {
-			out.error_m = lod->error_m;
-		}
+		out.error_m = scalar_max(lod->error_m, out.error_m);
 	}
 	return out;
 }
@@ -141,9 +140,7 @@ void model_stats_add_clip(
 {
 	int i;
 
-	if (clip->duration_s > stats->longest_s) {
-		stats->longest_s = clip->duration_s;
-	}
+	stats->longest_s = scalar_max(clip->duration_s, stats->longest_s);
 	for (i = 0; i < clip->channel_count; i++) {
 		const struct model_channel *channel = &clip->channel[i];
 		size_t keys = (size_t)channel->key_count;

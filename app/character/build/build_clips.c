@@ -7,6 +7,7 @@
 #include "app/character/build/gait.h"
 
 #include "app/character/run/feet.h"
+#include "platform/base/scalar.h"
 
 #include <cglm/cglm.h>
 #include <errno.h>
@@ -248,9 +249,8 @@ static void sample_feet(const struct character_build *build,
 		pose_at(build, clip, (float)i / CHARACTER_SAMPLES);
 		for (int f = 0; f < 2; f++) {
 			copy_position(build, motion->foot[f], foot[f]);
-			if (foot[f][1] < motion->low_m[f]) {
-				motion->low_m[f] = foot[f][1];
-			}
+			motion->low_m[f] =
+				scalar_min(foot[f][1], motion->low_m[f]);
 		}
 		ahead[i][0] = foot[0][0] - foot[1][0];
 		ahead[i][1] = foot[0][2] - foot[1][2];

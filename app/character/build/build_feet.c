@@ -5,6 +5,7 @@
 
 #include "app/anim/math/vec.h"
 #include "app/character/run/feet.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
@@ -74,9 +75,7 @@ static int add_found(struct search *search, const struct character_sole *sole)
 	found->sole = *sole;
 	character_sole_place(
 		sole, search->build->character->instance, found->place);
-	if (found->place[1] < search->lowest) {
-		search->lowest = found->place[1];
-	}
+	search->lowest = scalar_min(found->place[1], search->lowest);
 	*search->last = found;
 	search->last = &found->next;
 	return 0;

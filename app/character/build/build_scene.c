@@ -2,6 +2,7 @@
  * Sections [motion], [target], [output] and [scene].
  */
 #include "app/character/build/build.h"
+#include "platform/base/scalar.h"
 #include "platform/buttons/gpio_output.h"
 
 #include <errno.h>
@@ -56,7 +57,7 @@ static void measure(struct character_build *build)
 			high = i == 0 || at > high ? at : high;
 		}
 		side[axis] = high - low;
-		size = side[axis] > size ? side[axis] : size;
+		size = scalar_max(side[axis], size);
 	}
 	character->motion.height_m = side[1];
 	character->motion.near_m = 0.025f * side[1];

@@ -183,7 +183,7 @@ static int lowest(int count, const struct sample *a, const struct sample *b,
 	int found = 0;
 
 	for (int i = 0; i < count; i++) {
-		float y = a->at[i][1] > b->at[i][1] ? a->at[i][1] : b->at[i][1];
+		float y = scalar_max(a->at[i][1], b->at[i][1]);
 
 		if (i == 0 || y < *height) {
 			*height = y;
@@ -237,7 +237,7 @@ static float extent_of(const struct sample *sample)
 	for (int axis = 0; axis < 3; axis++) {
 		float side = sample->high[axis] - sample->low[axis];
 
-		extent = side > extent ? side : extent;
+		extent = scalar_max(side, extent);
 	}
 	return extent;
 }
@@ -274,7 +274,7 @@ static float measure_heights(const struct gait_body *body,
 		take(body, instance, clip, duration_s * (float)i / (float)steps,
 			&now);
 		gait->rise[i] = now.low[1] - first->low[1];
-		ground = now.low[1] < ground ? now.low[1] : ground;
+		ground = scalar_min(now.low[1], ground);
 	}
 	height = first->high[1] - first->low[1];
 	gait->steps = steps;

@@ -301,8 +301,8 @@ static void leave_out_rise(struct bounds *bounds, const struct motion *motion)
 	float low = 0.0f, high = 0.0f;
 
 	for (int i = 0; i <= motion->rise_steps; i++) {
-		low = motion->rise[i] < low ? motion->rise[i] : low;
-		high = motion->rise[i] > high ? motion->rise[i] : high;
+		low = scalar_min(motion->rise[i], low);
+		high = scalar_max(motion->rise[i], high);
 	}
 	bounds->low[1] -= low;
 	bounds->high[1] -= high;

@@ -2,6 +2,7 @@
 
 #include "app/anim/math/matrix.h"
 #include "app/character/parts/distance.h"
+#include "platform/base/scalar.h"
 
 /* A capsule in the world. */
 struct capsule_at {
@@ -43,7 +44,7 @@ static bool may_touch(const struct model *model, const struct character_part *a,
 static float depth_in_ground(
 	const struct character *character, const struct capsule_at *one)
 {
-	float low = one->a[1] < one->b[1] ? one->a[1] : one->b[1];
+	float low = scalar_min(one->a[1], one->b[1]);
 
 	return scalar_clamp(character->ground_m + one->radius - low, 0, 1e6f);
 }

@@ -3,6 +3,7 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -69,7 +70,7 @@ static void shorten(const struct character_reach *reach,
 	vec_subtract(instance->world[first][3], reach->target->point, back);
 	distance = vec_normalize(back);
 	vec_add_scaled(reach->target->point, back,
-		reach->short_m < distance ? reach->short_m : distance, goal);
+		scalar_min(reach->short_m, distance), goal);
 }
 
 /*

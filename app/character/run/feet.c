@@ -1,6 +1,7 @@
 #include "app/character/run/feet.h"
 
 #include "app/character/state/entry.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -26,7 +27,7 @@ float character_feet_level(const struct character *character)
 
 	for (const struct character_feet *feet = character->feet; feet;
 		feet = feet->next) {
-		level = feet->is.now > level ? feet->is.now : level;
+		level = scalar_max(feet->is.now, level);
 	}
 	return level;
 }
@@ -55,7 +56,7 @@ float character_feet_place(
 		}
 		low[side] = foot->place[find_lowest(foot)][1];
 	}
-	return low[0] < low[1] ? low[0] : low[1];
+	return scalar_min(low[0], low[1]);
 }
 
 /*

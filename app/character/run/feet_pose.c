@@ -7,6 +7,7 @@
 #include "app/anim/math/vec.h"
 #include "app/anim/procedural/bone.h"
 #include "app/character/run/feet.h"
+#include "platform/base/scalar.h"
 
 #include <string.h>
 
@@ -152,13 +153,12 @@ void character_feet_run(struct character *character, void *what)
 	}
 	moves = find_targets(character, feet, goal);
 	/* The hips move with the lower foot, so that both legs can reach. */
-	lift += goal[0].ground_m < goal[1].ground_m ? goal[0].ground_m
-						    : goal[1].ground_m;
+	lift += scalar_min(goal[0].ground_m, goal[1].ground_m);
 	for (int side = 0; side < 2 && moves; side++) {
 		float missing = missing_height(
 			instance, &feet->foot[side], goal[side].at, lift);
 
-		lower = missing > lower ? missing : lower;
+		lower = scalar_max(missing, lower);
 	}
 	if (lift != lower) {
 		lift_hips(instance, feet, lift - lower);

@@ -30,7 +30,7 @@ static bool goes_far(const struct bounds *box, const struct bounds_sides *sides,
 	float longest = 0.0f;
 
 	for (int i = 0; i < 3; i++) {
-		longest = sides->side[i] > longest ? sides->side[i] : longest;
+		longest = scalar_max(sides->side[i], longest);
 	}
 	return box->high[axis] - box->low[axis] >
 		(walks ? far_sides_of_walk : far_sides) * longest;
@@ -96,7 +96,7 @@ static void find_error(const struct track *track, int node, float out[3])
 				track->node[node][axis];
 			float off = scalar_abs(now - first);
 
-			out[axis] = off > out[axis] ? off : out[axis];
+			out[axis] = scalar_max(off, out[axis]);
 		}
 	}
 }

@@ -9,6 +9,7 @@
 #include "app/character/sketch/sketch_parts.h"
 #include "app/model/origin/model_origin.h"
 #include "platform/base/printable.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <string.h>
@@ -214,7 +215,7 @@ static struct bone_box measure_bones(
 	for (int axis = 0; axis < 3; axis++) {
 		float side = high[axis] - low[axis];
 
-		box.size = side > box.size ? side : box.size;
+		box.size = scalar_max(side, box.size);
 	}
 	return box;
 }

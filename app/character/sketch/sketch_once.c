@@ -129,7 +129,7 @@ static float longest_way(const struct search *search)
 	for (int i = 0; i < search->body.count; i++) {
 		float way = way_of(search, i);
 
-		most = way > most ? way : most;
+		most = scalar_max(way, most);
 	}
 	return most;
 }
@@ -142,7 +142,7 @@ static float largest_change(const struct search *search)
 		float change = scalar_abs(search->now.pose.weight[i] -
 			search->start.pose.weight[i]);
 
-		most = change > most ? change : most;
+		most = scalar_max(change, most);
 	}
 	return most;
 }

@@ -2,6 +2,7 @@
 
 #include "app/scene/instance/batch/batch.h"
 #include "platform/base/compiler.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <float.h>
@@ -166,9 +167,7 @@ static float find_height(const struct instance *instance)
 			instance->drawable[i].primitive;
 
 		for (int v = 0; v < primitive->vertex_count; v++) {
-			if (primitive->position[v][1] > height) {
-				height = primitive->position[v][1];
-			}
+			height = scalar_max(primitive->position[v][1], height);
 		}
 	}
 	return height;

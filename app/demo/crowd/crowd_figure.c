@@ -18,7 +18,7 @@ static float reach(const struct bounds *bounds, int axis, float center)
 	float low = center - bounds->low[axis];
 	float high = bounds->high[axis] - center;
 
-	return low > high ? low : high;
+	return scalar_max(low, high);
 }
 
 /* The box of all motions, without the way that clips move the figure. */

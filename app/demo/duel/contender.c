@@ -5,6 +5,7 @@
 #include "app/compare/export/export.h"
 #include "app/demo/actor.h"
 #include "app/scene/overlay/overlay_heat.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 
@@ -283,7 +284,7 @@ static void measure_vertex(void *user, int drawable, int vertex, uint8_t rgb[3])
 	instance_world_vertex(shown, &shown->drawable[drawable], vertex, at);
 	px = screen_view_distance_px(measurement->screen, at,
 		contender->reference->position[source]);
-	contender->peak_px = px > contender->peak_px ? px : contender->peak_px;
+	contender->peak_px = scalar_max(px, contender->peak_px);
 	overlay_heat_ramp(px / measurement->full_px, rgb);
 }
 

@@ -91,7 +91,7 @@ static void paint(struct demo *demo)
 	for (int level = 0; level <= demo->bones.deepest; level++) {
 		float modifier = procedural_modifier(preset, level);
 
-		max = modifier > max ? modifier : max;
+		max = scalar_max(modifier, max);
 	}
 	for (int level = 0; level <= TUNER_LEVELS_MAX; level++) {
 		overlay_heat_ramp(procedural_modifier(preset, level) / max,

@@ -98,8 +98,8 @@ static void report_first_and_last_keys(
 		float begin_s = channel->time_s[0];
 		float end_s = channel->time_s[channel->key_count - 1];
 
-		latest_s = begin_s > latest_s ? begin_s : latest_s;
-		earliest_s = begin_s < earliest_s ? begin_s : earliest_s;
+		latest_s = scalar_max(begin_s, latest_s);
+		earliest_s = scalar_min(begin_s, earliest_s);
 		if (channel->key_count > 1 && end_s < soonest_end_s) {
 			soonest_end_s = end_s;
 		}

@@ -1,6 +1,7 @@
 #include "app/model/clip/key_times.h"
 #include "app/model/gltf/gltf_internal.h"
 #include "app/model/origin/model_origin.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <math.h>
@@ -444,9 +445,7 @@ static int read_animation(const struct gltf_at *at,
 		if (!error && has_node) {
 			float end_s = channel->time_s[channel->key_count - 1];
 
-			out->duration_s = end_s > out->duration_s
-				? end_s
-				: out->duration_s;
+			out->duration_s = scalar_max(end_s, out->duration_s);
 			out->channel_count++;
 		}
 	}

@@ -1,4 +1,5 @@
 #include "app/model/gltf/gltf_internal.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <float.h>
@@ -25,8 +26,8 @@ static float largest_side(const struct model_mesh *mesh)
 			for (k = 0; k < 3; k++) {
 				float at = primitive->position[v][k];
 
-				low[k] = at < low[k] ? at : low[k];
-				high[k] = at > high[k] ? at : high[k];
+				low[k] = scalar_min(at, low[k]);
+				high[k] = scalar_max(at, high[k]);
 			}
 		}
 	}

@@ -4,6 +4,7 @@
 #include "app/model/levels/simplify.h"
 #include "platform/base/compiler.h"
 #include "platform/base/interrupt.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -132,7 +133,7 @@ static void measure(struct group *group)
 	for (int i = 0; i < 3 && !first; i++) {
 		float side = high[i] - low[i];
 
-		group->extent = side > group->extent ? side : group->extent;
+		group->extent = scalar_max(side, group->extent);
 	}
 }
 

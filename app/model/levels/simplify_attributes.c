@@ -61,8 +61,7 @@ static void find_place(const struct simplify *simplify, const float point[3],
 	place->share[2] = (uu * dv - uv * du) * area;
 	place->share[0] = 1.0f - place->share[1] - place->share[2];
 	for (int i = 0; i < 3; i++) {
-		place->share[i] =
-			place->share[i] > 0.0f ? place->share[i] : 0.0f;
+		place->share[i] = scalar_max(place->share[i], 0.0f);
 		sum += place->share[i];
 	}
 	for (int i = 0; i < 3; i++) {
@@ -168,7 +167,7 @@ static float weight_square(const struct model_primitive *primitive,
 				weight_of(primitive, place->vertex[j],
 					primitive->joint[i]);
 		}
-		lack += left > 0.0f ? left : 0.0f;
+		lack += scalar_max(left, 0.0f);
 	}
 	return lack * lack * weight_distance * weight_distance;
 }
@@ -288,7 +287,7 @@ static float target_square(const struct simplify *simplify, uint32_t vertex,
 			square += delta_square(simplify, target->normal, vertex,
 				place, normal_distance);
 		}
-		most = square > most ? square : most;
+		most = scalar_max(square, most);
 	}
 	return most;
 }
@@ -354,7 +353,7 @@ float simplify_error_of_attributes(
 	do {
 		float square = vertex_square(simplify, from, to, vertex);
 
-		most = square > most ? square : most;
+		most = scalar_max(square, most);
 		vertex = simplify->next[vertex];
 	} while (vertex != from);
 	return scalar_sqrt(most);

@@ -69,7 +69,7 @@ static bool list_corners(
 		}
 		out->vertex[at] = vertex;
 		out->count += at == out->count;
-		most = square > most ? square : most;
+		most = scalar_max(square, most);
 	}
 	out->size = scalar_sqrt(scalar_sqrt(most));
 	return out->count > 1;

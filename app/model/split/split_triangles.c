@@ -1,4 +1,5 @@
 #include "app/model/split/split_triangles.h"
+#include "platform/base/scalar.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -78,8 +79,8 @@ static void sort_along(struct work *work, struct place *place, int count)
 		for (int i = 1; i < count; i++) {
 			float at = middle_of(work, &place[i], axis);
 
-			low = at < low ? at : low;
-			high = at > high ? at : high;
+			low = scalar_min(at, low);
+			high = scalar_max(at, high);
 		}
 		if (high - low > side) {
 			side = high - low;

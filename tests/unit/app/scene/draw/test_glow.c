@@ -215,6 +215,82 @@ static void test_maps_are_of_the_last_texture(void **state)
 	}
 }
 
+/* Whether a texel shines in the box of a triangle and two texels around it. */
+static bool box_shines(const struct model_image *image,
+	const struct model_primitive *primitive, const uint32_t *corner)
+{
+	int low[2] = {9999, 9999}, high[2] = {-1, -1};
+	const int side[2] = {image->width, image->height};
+
+	for (int k = 0; k < 3; k++) {
+		for (int i = 0; i < 2; i++) {
+			int at = (int)(primitive->texcoord[corner[k]][i] *
+				(float)side[i]);
+
+			low[i] = at - 2 < low[i] ? at - 2 : low[i];
+			high[i] = at + 2 > high[i] ? at + 2 : high[i];
+		}
+	}
+	for (int y = 0; y < side[1]; y++) {
+		for (int x = 0; x < side[0]; x++) {
+			if (image->rgba[(y * side[0] + x) * 4] > 0 &&
+				x >= low[0] && x <= high[0] && y >= low[1] &&
+				y <= high[1]) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
+/* Pictures of at most 128 texels a side, each of which counts. */
+static void test_triangles_of_any_place_are_sorted_by_their_texels(void **state)
+{
+	uint32_t seed = 11;
+	int dark_in_all = 0;
+
+	(void)state;
+	for (int turn = 0; turn < 60; turn++) {
+		static const uint8_t nowhere[SIDE] = {0};
+		struct model *model = make_row(nowhere);
+		struct model_primitive *primitive = model->mesh[0].primitive;
+		struct model_image *image = model->image;
+		size_t bytes;
+		int dark = 0;
+
+		image->width = random_between(&seed, 20, 128);
+		image->height = random_between(&seed, 20, 128);
+		bytes = (size_t)image->width * (size_t)image->height * 4;
+		image->rgba = arena_alloc(&model->arena, bytes, 1);
+		memset(image->rgba, 0, bytes);
+		for (int i = 0; i < 3; i++) {
+			int x = random_between(&seed, 0, image->width - 1);
+			int y = random_between(&seed, 0, image->height - 1);
+
+			image->rgba[(y * image->width + x) * 4] = 255;
+		}
+		/* Neighbouring corners are near to each other. */
+		for (int v = 0; v < primitive->vertex_count; v++) {
+			for (int i = 0; i < 2; i++) {
+				primitive->texcoord[v][i] =
+					(float)random_between(&seed, 0, 40) /
+						100 +
+					0.6f * (float)(turn >> i & 1);
+			}
+		}
+		for (int i = 0; i < CORNERS; i += 3) {
+			dark += !box_shines(
+				image, primitive, primitive->index + i);
+		}
+		/* A quarter is the least that is sorted. */
+		assert_int_equal(sorted_from(model),
+			3 * dark < CORNERS / 4 ? 0 : 3 * dark);
+		dark_in_all += dark;
+		model_destroy(model);
+	}
+	assert_in_range(dark_in_all, 100, 60 * CORNERS / 3 - 100);
+}
+
 /* GL's calls carry no context argument. */
 static struct {
 	int unit;
@@ -296,6 +372,8 @@ int main(void)
 		cmocka_unit_test(test_maps_are_of_the_last_texture),
 		cmocka_unit_test(
 			test_only_triangles_that_may_shine_take_a_second_texture),
+		cmocka_unit_test(
+			test_triangles_of_any_place_are_sorted_by_their_texels),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include "app/scene/overlay/overlay.h"
 #include "app/scene/overlay/overlay_curve.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,9 +37,7 @@ static void write_title(const struct overlay *overlay, char *out, size_t size)
 	if (overlay->kinds == (1U << OVERLAY_KINDS) - 1) {
 		snprintf(out, size, "all overlays");
 	}
-	if (out[0] >= 'a' && out[0] <= 'z') {
-		out[0] = (char)(out[0] - 'a' + 'A');
-	}
+	out[0] = (char)toupper((unsigned char)out[0]);
 }
 
 /* The colours from weight 0 to weight 1. */

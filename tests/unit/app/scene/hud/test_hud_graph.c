@@ -270,6 +270,34 @@ static void test_in_small_pictures_facts_give_way_to_labels(void **state)
 	free(hud);
 }
 
+/* The largest scale is a second: a longer frame has a bar of the same height. */
+static void test_a_bar_ends_at_the_top_of_the_graph(void **state)
+{
+	const struct hud_facts facts = {.technique = "a", .driver = "b"};
+	static struct hud hud[2];
+
+	(void)state;
+	for (int stage = 0; stage < HUD_STAGES; stage++) {
+		for (int i = 0; i < 2; i++) {
+			struct hud_graph graph = {.next = 0};
+			float stage_ms[HUD_STAGES] = {0};
+
+			stage_ms[stage] = i ? 5000 : 1000;
+			hud_graph_add(&graph, stage_ms, 20);
+			hud[i] = (struct hud){.font = &font_default};
+			hud_begin(&hud[i], 480, 640);
+			hud_graph_show(&graph, &facts, &nowhere, &hud[i]);
+		}
+		assert_true(pixels_of(&hud[0], hud_color_blue) > 0);
+		assert_int_equal(pixels_of(&hud[0], hud_color_blue),
+			pixels_of(&hud[1], hud_color_blue));
+		assert_int_equal(pixels_of(&hud[0], hud_color_green),
+			pixels_of(&hud[1], hud_color_green));
+		assert_int_equal(pixels_of(&hud[0], hud_color_amber),
+			pixels_of(&hud[1], hud_color_amber));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -280,6 +308,7 @@ int main(void)
 		cmocka_unit_test(test_each_bar_is_its_frame),
 		cmocka_unit_test(test_the_graph_goes_where_no_figure_is),
 		cmocka_unit_test(test_in_small_pictures_facts_give_way_to_labels),
+		cmocka_unit_test(test_a_bar_ends_at_the_top_of_the_graph),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -30,6 +30,9 @@ int model_examine(const char *path, size_t memory_bytes,
  */
 int examine_clips(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
+/* About clips that move nothing that is shown, as those of cameras. */
+int examine_still_clips(const struct model *model,
+	const struct examiner *examiner, const struct log *log);
 int examine_skins(const struct model *model, const struct examiner *examiner,
 	const struct log *log);
 /* About levels of detail and shapes for collisions that are shown as well. */

@@ -215,6 +215,7 @@ int xfile_examine(const struct model_source *source,
 	model_prepare_clips(model);
 	error = examine_clips(model, examiner, log);
 	error = error ? error : examine_skins(model, examiner, log);
+	error = error ? error : examine_still_clips(model, examiner, log);
 	error = error ? error : examine_spare(model, examiner, log);
 	model_destroy(model);
 	return error;

@@ -8,21 +8,49 @@
 #include <string.h>
 
 enum {
-	CLIP_NAME_BYTES = 100
+	CLIP_NAME_BYTES = 100,
+	SUBJECT_BYTES = CLIP_NAME_BYTES + 40,
+	/* More clips with the same finding share a line, as 60 objects may. */
+	MOST_LINES = 4
+};
+
+/* What is told about single clips. */
+enum kind {
+	CUBIC,
+	CUBIC_WEIGHTS,
+	LATE_MOTION,
+	LATE_KEYS,
+	LATE_CHANNELS,
+	EARLY_ENDS,
+	SINGLE_KEYS,
+	STEPS,
+	LONG_ARCS,
+	LONG_SPLINES,
+	KINDS
+};
+
+/* All clips are asked twice: first they are counted, then they are told. */
+struct report {
+	const struct examiner *examiner;
+	bool is_counting;
+	int count[KINDS]; /* of clips */
+	int told[KINDS];
 };
 
 /* A clip and how findings call it. */
 struct named_clip {
 	const struct model_clip *clip;
 	char name[CLIP_NAME_BYTES];
+	struct report *report;
+	char subject[SUBJECT_BYTES]; /* with which the finding begins */
 };
 
 /* The number stands before a name that another clip has, and for no name. */
-static struct named_clip name_clip(
-	const struct model *model, int number, bool is_unique)
+static struct named_clip name_clip(const struct model *model, int number,
+	bool is_unique, struct report *report)
 {
 	const struct model_clip *clip = &model->clip[number];
-	struct named_clip named = {.clip = clip};
+	struct named_clip named = {.clip = clip, .report = report};
 	char digits[16];
 
 	snprintf(digits, sizeof(digits), "%d", number);
@@ -32,18 +60,44 @@ static struct named_clip name_clip(
 	return named;
 }
 
-static void report_count(const struct named_clip *named,
-	const struct examiner *examiner, int count, const char *feature,
-	const char *treatment)
+/*
+ * Notes that a clip has a finding. Returns true if it is now to be told, and
+ * then sets its subject.
+ */
+static bool is_told(struct named_clip *named, enum kind kind)
 {
-	if (count > 0) {
-		examine_report(examiner, "clip %s: %s (%d): %s", named->name,
-			feature, count, treatment);
+	struct report *report = named->report;
+	bool shared = report->count[kind] > MOST_LINES;
+
+	if (report->is_counting) {
+		report->count[kind]++;
+		return false;
+	}
+	if (shared && report->told[kind] > 0) {
+		return false;
+	}
+	report->told[kind]++;
+	if (shared) {
+		snprintf(named->subject, sizeof(named->subject),
+			"%d clips, such as %s", report->count[kind],
+			named->name);
+	} else {
+		snprintf(named->subject, sizeof(named->subject), "clip %s",
+			named->name);
+	}
+	return true;
+}
+
+static void report_count(struct named_clip *named, enum kind kind, int count,
+	const char *feature, const char *treatment)
+{
+	if (count > 0 && is_told(named, kind)) {
+		examine_report(named->report->examiner, "%s: %s (%d): %s",
+			named->subject, feature, count, treatment);
 	}
 }
 
-static void report_cubic(
-	const struct named_clip *named, const struct examiner *examiner)
+static void report_cubic(struct named_clip *named)
 {
 	const struct model_clip *clip = named->clip;
 	int cubic = 0, weights = 0;
@@ -56,38 +110,42 @@ static void report_cubic(
 			weights += channel->path == MODEL_WEIGHTS;
 		}
 	}
-	report_count(named, examiner, cubic, "CUBICSPLINE channels",
+	report_count(named, CUBIC, cubic, "CUBICSPLINE channels",
 		"limber multiplies their tangents by the interval between keys, and normalises rotations afterwards");
-	if (weights > 0) {
-		examine_report(examiner,
-			"clip %s: cubic morph weights (%d channels): each key holds all in-tangents, then all values, then all out-tangents",
-			named->name, weights);
+	if (weights > 0 && is_told(named, CUBIC_WEIGHTS)) {
+		examine_report(named->report->examiner,
+			"%s: cubic morph weights (%d channels): each key holds all in-tangents, then all values, then all out-tangents",
+			named->subject, weights);
 	}
 }
 
 /* Programs whose animations begin at frame 1 write such clips. */
-static void report_late_start(const struct named_clip *named, float earliest_s,
-	float latest_s, const struct examiner *examiner)
+static void report_late_start(
+	struct named_clip *named, float earliest_s, float latest_s)
 {
 	const struct model_clip *clip = named->clip;
-	if (clip->lead_s > 0.0f) {
+	const struct examiner *examiner = named->report->examiner;
+	bool leads = clip->lead_s > 0.0f;
+
+	if (leads && is_told(named, LATE_MOTION)) {
 		examine_report(examiner,
-			"clip %s: nothing moves before %.4f s; limber holds the first pose until then when the clip begins, but later rounds of a loop begin there",
-			named->name, (double)clip->lead_s);
-	} else if (earliest_s > 0.0f) {
-		examine_report(examiner,
-			"clip %s: no key lies before %.4f s; limber holds the first pose until then, each time the clip begins again: export it from frame 0",
-			named->name, (double)earliest_s);
+			"%s: nothing moves before %.4f s; limber holds the first pose until then when the clip begins, but later rounds of a loop begin there",
+			named->subject, (double)clip->lead_s);
 	}
-	if (latest_s > earliest_s && latest_s > clip->lead_s) {
+	if (!leads && earliest_s > 0.0f && is_told(named, LATE_KEYS)) {
 		examine_report(examiner,
-			"clip %s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
-			named->name, (double)latest_s);
+			"%s: no key lies before %.4f s; limber holds the first pose until then, each time the clip begins again: export it from frame 0",
+			named->subject, (double)earliest_s);
+	}
+	if (latest_s > earliest_s && latest_s > clip->lead_s &&
+		is_told(named, LATE_CHANNELS)) {
+		examine_report(examiner,
+			"%s: some first keys lie up to %.4f s after the start; limber holds the value of such a key until then",
+			named->subject, (double)latest_s);
 	}
 }
 
-static void report_first_and_last_keys(
-	const struct named_clip *named, const struct examiner *examiner)
+static void report_first_and_last_keys(struct named_clip *named)
 {
 	const struct model_clip *clip = named->clip;
 	float latest_s = 0.0f, soonest_end_s = clip->duration_s;
@@ -104,17 +162,16 @@ static void report_first_and_last_keys(
 			soonest_end_s = end_s;
 		}
 	}
-	report_late_start(named, earliest_s, latest_s, examiner);
-	if (soonest_end_s < clip->duration_s) {
-		examine_report(examiner,
-			"clip %s: some channels end at %.4f s of %.4f s; limber holds the value of their last key",
-			named->name, (double)soonest_end_s,
+	report_late_start(named, earliest_s, latest_s);
+	if (soonest_end_s < clip->duration_s && is_told(named, EARLY_ENDS)) {
+		examine_report(named->report->examiner,
+			"%s: some channels end at %.4f s of %.4f s; limber holds the value of their last key",
+			named->subject, (double)soonest_end_s,
 			(double)clip->duration_s);
 	}
 }
 
-static void report_key_kinds(
-	const struct named_clip *named, const struct examiner *examiner)
+static void report_key_kinds(struct named_clip *named)
 {
 	const struct model_clip *clip = named->clip;
 	int step = 0, single = 0, linear = 0;
@@ -128,12 +185,12 @@ static void report_key_kinds(
 		linear += channel->key_count > 1 &&
 			channel->interpolation == MODEL_LINEAR;
 	}
-	report_count(named, examiner, single, "channels with a single key",
+	report_count(named, SINGLE_KEYS, single, "channels with a single key",
 		"limber uses its value at every time");
-	if (step > 0) {
-		examine_report(examiner,
-			"clip %s: STEP channels (%d)%s: limber interpolates each channel in its own mode",
-			named->name, step,
+	if (step > 0 && is_told(named, STEPS)) {
+		examine_report(named->report->examiner,
+			"%s: STEP channels (%d)%s: limber interpolates each channel in its own mode",
+			named->subject, step,
 			linear > 0 ? " beside LINEAR ones" : "");
 	}
 }
@@ -161,8 +218,7 @@ static int count_long_arcs(const struct model_channel *channel)
 }
 
 /* Keys of STEP channels have no arcs between them. */
-static void report_long_arcs(
-	const struct named_clip *named, const struct examiner *examiner)
+static void report_long_arcs(struct named_clip *named)
 {
 	const struct model_clip *clip = named->clip;
 	int linear = 0, cubic = 0;
@@ -176,10 +232,10 @@ static void report_long_arcs(
 			cubic += count_long_arcs(channel);
 		}
 	}
-	report_count(named, examiner, linear,
+	report_count(named, LONG_ARCS, linear,
 		"rotation keys with a negative dot product to the key before",
 		"limber negates them, so that the rotation takes the shorter arc");
-	report_count(named, examiner, cubic,
+	report_count(named, LONG_SPLINES, cubic,
 		"CUBICSPLINE rotation keys with a negative dot product to the key before",
 		"limber follows the spline as glTF defines it, which turns the longer way there; if this is not meant, export sampled keys");
 }
@@ -333,21 +389,33 @@ static const bool *find_unique(const struct model *model, struct arena *arena)
 	return unique;
 }
 
+static void report_all(
+	const struct model *model, const bool *unique, struct report *report)
+{
+	for (int i = 0; i < model->clip_count; i++) {
+		struct named_clip named = name_clip(model, i, unique[i], report);
+
+		report_cubic(&named);
+		report_first_and_last_keys(&named);
+		report_key_kinds(&named);
+		report_long_arcs(&named);
+	}
+}
+
 /* Returns 0 or -ENOMEM. */
 static int report_each(const struct model *model, struct arena *arena,
 	const struct examiner *examiner)
 {
+	struct report report = {.examiner = examiner, .is_counting = true};
 	const bool *unique = find_unique(model, arena);
 
-	for (int i = 0; unique && i < model->clip_count; i++) {
-		const struct named_clip named = name_clip(model, i, unique[i]);
-
-		report_cubic(&named, examiner);
-		report_first_and_last_keys(&named, examiner);
-		report_key_kinds(&named, examiner);
-		report_long_arcs(&named, examiner);
+	if (!unique) {
+		return -ENOMEM;
 	}
-	return unique ? 0 : -ENOMEM;
+	report_all(model, unique, &report);
+	report.is_counting = false;
+	report_all(model, unique, &report);
+	return 0;
 }
 
 static void report_matrices(

@@ -197,6 +197,49 @@ static void test_the_number_tells_clips_of_one_name_apart(void **state)
 	}
 }
 
+/* Programs that export a clip for each object would make as many lines. */
+static void test_many_clips_with_the_same_finding_share_a_line(void **state)
+{
+	enum {
+		CLIPS = 6
+	};
+	float time_s[] = {0, 1}, value[] = {0, 0, 0, 1, 0, 0};
+	struct model_node node = {.name = "one"};
+	struct model_channel channel = {.path = MODEL_TRANSLATION,
+		.width = 3,
+		.interpolation = MODEL_STEP,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = value};
+	struct model_clip clip[CLIPS];
+	struct model model = {.node_count = 1,
+		.node = &node,
+		.clip_count = CLIPS,
+		.clip = clip};
+	const struct log log = log_to_stderr(LOG_WARNING);
+	char heard[1200] = "";
+	const struct examiner examiner = {append_finding, heard};
+
+	(void)state;
+	for (int i = 0; i < CLIPS; i++) {
+		clip[i] = (struct model_clip){.name = "",
+			.duration_s = 1,
+			.channel_count = i > 0,
+			.channel = &channel};
+	}
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_non_null(
+		strstr(heard, "5 clips, such as 1: STEP channels (1): "));
+	assert_null(strstr(heard, "clip 2"));
+	/* Four are few enough for lines of their own. */
+	heard[0] = '\0';
+	clip[1].channel_count = 0;
+	assert_int_equal(examine_clips(&model, &examiner, &log), 0);
+	assert_null(strstr(heard, "clips, such as"));
+	assert_non_null(strstr(heard, "clip 2: STEP channels (1): "));
+	assert_non_null(strstr(heard, "clip 5: STEP channels (1): "));
+}
+
 static void keep_equal_nodes(void *context, const char *finding)
 {
 	if (strstr(finding, "name of an earlier node")) {
@@ -232,6 +275,8 @@ int main(void)
 		cmocka_unit_test(test_clips_of_one_name_are_counted),
 		cmocka_unit_test(test_the_number_tells_clips_of_one_name_apart),
 		cmocka_unit_test(test_nodes_of_one_name_are_counted),
+		cmocka_unit_test(
+			test_many_clips_with_the_same_finding_share_a_line),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

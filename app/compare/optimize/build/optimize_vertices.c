@@ -305,7 +305,7 @@ static int build_weights(
 			optimize_order_vertices(build->order, accessor),
 			&set[i]);
 	}
-	if (!error && build->plan->weights && sets > 0) {
+	if (!error && build->plan->weights) {
 		shrink_weights(build, set, sets);
 	}
 	for (int i = 0; i < sets; i++) {

@@ -162,6 +162,10 @@ static void test_errors_are_found_by_their_stamp(void **state)
 	}
 	assert_true(optimize_known_find(&known, 5, &px));
 	assert_near(px, 5, 0);
+	for (int i = 0; i < OPTIMIZE_KNOWN_MAX - 1; i++) {
+		assert_true(optimize_known_find(&known, (uint64_t)i, &px));
+		assert_near(px, i, 0);
+	}
 	/* The last one is replaced when the list is full. */
 	assert_true(optimize_known_find(&known, OPTIMIZE_KNOWN_MAX + 2, &px));
 	assert_near(px, OPTIMIZE_KNOWN_MAX + 2, 0);

@@ -1,7 +1,7 @@
 /* Where a rewritten file has the unit of its positions, and what it lists. */
 #include "platform/base/compiler.h"
 #include "tests/support/test.h"
-#include "tests/unit/app/compare/optimize/rewrite_bench.h"
+#include "tests/unit/app/compare/optimize/build/rewrite_bench.h"
 
 enum {
 	UNIT = 8 /* of positions up to 5 */

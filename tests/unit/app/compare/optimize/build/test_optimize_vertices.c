@@ -1,6 +1,6 @@
 /* The vertices, targets, weights and indices that a rewritten file has. */
 #include "tests/support/test.h"
-#include "tests/unit/app/compare/optimize/rewrite_bench.h"
+#include "tests/unit/app/compare/optimize/build/rewrite_bench.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Which channels of an animation share times. */
 #include "platform/base/compiler.h"
 #include "tests/support/test.h"
-#include "tests/unit/app/compare/optimize/keys_bench.h"
+#include "tests/unit/app/compare/optimize/build/keys_bench.h"
 
 #include <math.h>
 #include <string.h>

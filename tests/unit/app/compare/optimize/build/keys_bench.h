@@ -1,8 +1,8 @@
 /*
  * An animation of three channels for tests of the choice of keys.
  */
-#ifndef TESTS_UNIT_APP_COMPARE_OPTIMIZE_KEYS_BENCH_H
-#define TESTS_UNIT_APP_COMPARE_OPTIMIZE_KEYS_BENCH_H
+#ifndef TESTS_UNIT_APP_COMPARE_OPTIMIZE_BUILD_KEYS_BENCH_H
+#define TESTS_UNIT_APP_COMPARE_OPTIMIZE_BUILD_KEYS_BENCH_H
 
 #include "app/compare/optimize/build/optimize_keys.h"
 #include "tests/support/test.h"

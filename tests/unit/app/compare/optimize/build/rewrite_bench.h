@@ -2,8 +2,8 @@
  * A mesh in one buffer, to which a test adds arrays, and what
  * optimize_build() makes of it.
  */
-#ifndef TESTS_UNIT_APP_COMPARE_OPTIMIZE_REWRITE_BENCH_H
-#define TESTS_UNIT_APP_COMPARE_OPTIMIZE_REWRITE_BENCH_H
+#ifndef TESTS_UNIT_APP_COMPARE_OPTIMIZE_BUILD_REWRITE_BENCH_H
+#define TESTS_UNIT_APP_COMPARE_OPTIMIZE_BUILD_REWRITE_BENCH_H
 
 #include "app/compare/optimize/build/optimize_build.h"
 #include "tests/support/test.h"

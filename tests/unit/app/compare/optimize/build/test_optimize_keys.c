@@ -1,6 +1,6 @@
 /* Which channels of an animation stay, with which keys. */
 #include "tests/support/test.h"
-#include "tests/unit/app/compare/optimize/keys_bench.h"
+#include "tests/unit/app/compare/optimize/build/keys_bench.h"
 
 #include <string.h>
 

@@ -137,9 +137,9 @@ static inline void rebuild(struct file *file, struct optimize_plan plan)
 	assert_int_equal(optimize_build(&build, "t.glb", &log, &file->glb,
 				 &file->glb_size),
 		0);
-	gltf_document_close(document);
 	optimize_order_release(&order);
 	optimize_scale_release(&scale);
+	gltf_document_close(document);
 	free(packed);
 	file->document = open_bytes(file->glb, file->glb_size);
 }

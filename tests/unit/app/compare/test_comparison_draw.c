@@ -1,7 +1,9 @@
 /* What drawing is predicted to cost, without measuring a comparison before. */
 #include "app/compare/comparison_draw.h"
 #include "app/compare/cost/board_cost.h"
+#include "app/compare/cost/drawing.h"
 #include "app/model/levels/levels.h"
+#include "app/scene/instance/instance_play.h"
 #include "tests/support/test.h"
 
 #include <string.h>
@@ -18,11 +20,19 @@ struct bench {
 	struct comparison_cell cell[ROWS][CLIPS];
 };
 
-/*
- * The walker, with flat normals, in a small picture in which a level of detail
- * is drawn.
- */
-static void begin(struct bench *bench)
+static void remove_normals(const struct model *model)
+{
+	for (int m = 0; m < model->mesh_count; m++) {
+		const struct model_mesh *mesh = &model->mesh[m];
+
+		for (int p = 0; p < mesh->primitive_count; p++) {
+			mesh->primitive[p].normal = NULL;
+		}
+	}
+}
+
+/* The walker in a small picture, in which a level of detail is drawn. */
+static void begin_walker(struct bench *bench, bool flat)
 {
 	static const enum comparison_kind kinds[ROWS] = {
 		COMPARISON_ORIGINAL, COMPARISON_MORPH, COMPARISON_MORPH_EVEN};
@@ -37,12 +47,8 @@ static void begin(struct bench *bench)
 				}};
 	assert_int_equal(
 		model_load("assets/walker.glb", &log, &bench->model), 0);
-	for (int m = 0; m < bench->model->mesh_count; m++) {
-		const struct model_mesh *mesh = &bench->model->mesh[m];
-
-		for (int p = 0; p < mesh->primitive_count; p++) {
-			mesh->primitive[p].normal = NULL;
-		}
+	if (flat) {
+		remove_normals(bench->model);
 	}
 	assert_int_equal(levels_make(bench->model), 0);
 	assert_true(bench->model->clip_count >= CLIPS);
@@ -55,6 +61,12 @@ static void begin(struct bench *bench)
 	for (int i = 0; i < CLIPS; i++) {
 		bench->clip[i].clip = i;
 	}
+}
+
+/* The same with flat normals, for which key frames have a file of their own. */
+static void begin(struct bench *bench)
+{
+	begin_walker(bench, true);
 }
 
 static void end(struct bench *bench)
@@ -283,9 +295,156 @@ static void test_a_clip_fills_the_picture_that_is_drawn(void **state)
 	end(&bench);
 }
 
+/* What the model's posing takes less as not all of its vertices are drawn. */
+static void add_saved(const struct instance *instance, bool keys, double share,
+	struct board_cost *saved)
+{
+	for (int i = 0; i < instance->drawable_count; i++) {
+		const struct drawable *drawable = &instance->drawable[i];
+		struct board_cost parts[3] = {{0, 0}};
+		static const double signs[3] = {1, -1, 1};
+
+		if (keys || drawable->morphed || drawable->skin >= 0) {
+			parts[1] = board_cost_gather_drawn(drawable);
+		}
+		if (!keys && (drawable->morphed || drawable->skin >= 0)) {
+			parts[0] = board_cost_gather(drawable);
+		}
+		if (!keys && drawable->skin >= 0) {
+			parts[2] = board_cost_skin_left_out(drawable);
+		}
+		for (int k = 0; k < 3; k++) {
+			saved->cycles += share * signs[k] * parts[k].cycles;
+			saved->instructions +=
+				share * signs[k] * parts[k].instructions;
+		}
+	}
+}
+
+/* A player of the test's own. */
+struct player {
+	struct instance *instance;
+	struct drawing *drawing;
+	struct clip_cursor cursor;
+	float extent;
+};
+
+static void begin_player(
+	struct player *player, const struct bench *bench, bool keys)
+{
+	const struct comparison *comparison = &bench->comparison;
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct bounds box = comparison->box;
+
+	assert_int_equal(instance_create_to_play(bench->model,
+				 kernel_find("fixed"), &log, &player->instance),
+		0);
+	assert_int_equal(clip_cursor_init(&player->cursor, bench->model,
+				 &player->instance->arena),
+		0);
+	for (int axis = 0; axis < 3; axis++) {
+		box.low[axis] *= player->instance->unit_scale;
+		box.high[axis] *= player->instance->unit_scale;
+	}
+	player->instance->normal_mapping = false;
+	player->extent = drawing_extent(player->instance);
+	assert_int_equal(
+		drawing_create(player->instance, &box, comparison->request.width,
+			comparison->request.height, &log, &player->drawing),
+		0);
+	if (keys) {
+		drawing_show_keys(player->drawing);
+	}
+}
+
+/* Shows the moment after a share of a clip. */
+static void show(
+	struct player *player, const struct model_clip *clip, double share)
+{
+	struct instance *instance = player->instance;
+
+	clip_pose(clip, (float)(share * (double)clip->duration_s), CLIP_AUTO,
+		&player->cursor, &instance->pose);
+	instance_update(instance);
+	drawing_draw(player->drawing, instance, player->extent);
+}
+
+/* The mean of frames in the middle of equal parts of a clip. */
+static void play(struct player *player, const struct bench *bench, int index,
+	bool keys, struct board_cost *draw, struct board_cost *saved)
+{
+	const struct comparison *comparison = &bench->comparison;
+	int frames = comparison->sampling.drawn_frames;
+	const struct model_clip *clip =
+		&bench->model->clip[bench->clip[index].clip];
+	struct bounds box =
+		bounds_of_clip(player->instance, bench->clip[index].clip);
+	struct gl_counts counts = {0};
+	struct drawing_shadow shadow = {0};
+	struct board_cost laid;
+
+	*saved = (struct board_cost){0, 0};
+	drawing_frame(player->drawing, &box);
+	player->instance->lod_px_per_unit = 0.0f;
+	show(player, clip, 0.0); /* chooses levels of detail */
+	drawing_count(player->drawing, &counts, &shadow);
+	for (int i = 0; i < frames; i++) {
+		show(player, clip, (i + 0.5) / frames);
+		add_saved(player->instance, keys, 1.0 / frames, saved);
+	}
+	drawing_count(player->drawing, NULL, NULL);
+	gl_counts_scale(&counts, 1.0 / frames);
+	*draw = board_cost_draw(&counts,
+		(double)(comparison->request.width * comparison->request.height));
+	laid = board_cost_lay(shadow.points / frames, shadow.rays / frames);
+	draw->cycles += laid.cycles;
+	draw->instructions += laid.instructions;
+}
+
+/* Posing was 1e9, so that its difference has fewer digits. */
+static void expect_played(
+	const struct bench *bench, int row, int clip, struct player *player)
+{
+	const struct board_frame *found = &bench->cell[row][clip].board;
+	struct board_cost draw, saved;
+
+	play(player, bench, clip, row > 0, &draw, &saved);
+	assert_near(found->draw.cycles, draw.cycles, 1e-6 * draw.cycles);
+	assert_near(found->draw.instructions, draw.instructions,
+		1e-6 * draw.instructions);
+	assert_near(1e9 - found->vertices.cycles, saved.cycles, 0.1);
+	assert_near(1e9 - found->vertices.instructions, saved.instructions, 0.1);
+}
+
+/* Key frames, all alike, choose other levels of detail than the model. */
+static void test_costs_are_those_of_a_player(void **state)
+{
+	struct bench bench;
+
+	(void)state;
+	begin_walker(&bench, false);
+	predict(&bench, 0, 0);
+	for (int keys = 0; keys < 2; keys++) {
+		struct player player;
+
+		begin_player(&player, &bench, keys);
+		for (int c = 0; c < CLIPS; c++) {
+			expect_played(&bench, keys, c, &player);
+			expect_cost(&bench.cell[2][c].board.draw,
+				&bench.cell[1][c].board.draw);
+			expect_cost(&bench.cell[2][c].board.vertices,
+				&bench.cell[1][c].board.vertices);
+		}
+		drawing_destroy(player.drawing);
+		instance_destroy(player.instance);
+	}
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_costs_are_those_of_a_player),
 		cmocka_unit_test(test_costs_are_means_of_a_frame),
 		cmocka_unit_test(test_a_level_of_detail_saves_posing),
 		cmocka_unit_test(test_more_pixels_cost_more),

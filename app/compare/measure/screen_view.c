@@ -3,6 +3,8 @@
 #include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
+#include <math.h>
+
 #include <cglm/cglm.h>
 
 struct camera_framing screen_view_played(const struct bounds *rest)
@@ -86,8 +88,8 @@ static void find_scale(struct screen_view *screen)
 
 		screen_view_to_eye(screen, corner, eye);
 		square = eye[0] * eye[0] + eye[1] * eye[1];
-		nearest = -eye[2] < nearest ? -eye[2] : nearest;
-		aside = square > aside ? square : aside;
+		nearest = fminf(nearest, -eye[2]);
+		aside = fmaxf(aside, square);
 	}
 	screen->px_per_unit = 1.0f;
 	screen->near_square = -1.0f; /* no points are near enough */

@@ -1,5 +1,6 @@
 /* Distances on the screen, and the shortcut that needs no projection. */
 #include "app/compare/measure/screen_view.h"
+#include "tests/support/model/compared_clip.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
@@ -97,38 +98,119 @@ static void test_the_shortcut_says_what_the_projection_says(void **state)
 	}
 }
 
-/* The corner farthest aside and the nearest one, by the formula of the limit. */
+static void expect_limit_of_corners(const struct screen_view *screen)
+{
+	const struct bounds *box = &screen->box;
+	double nearest = 1e9, aside = 0.0, tangent;
+
+	for (int corner = 0; corner < 8; corner++) {
+		float point[3];
+		double x, y;
+
+		for (int k = 0; k < 3; k++) {
+			point[k] = corner >> k & 1 ? box->high[k] : box->low[k];
+		}
+		x = (double)screen_view_eye(screen, point, 0);
+		y = (double)screen_view_eye(screen, point, 1);
+		aside = fmax(aside, sqrt(x * x + y * y));
+		nearest = fmin(
+			nearest, -(double)screen_view_eye(screen, point, 2));
+	}
+	tangent = (aside + 0.2 * nearest) / (0.8 * nearest);
+	assert_near(screen->near_square / (nearest * nearest), 0.01, 1e-6);
+	assert_near(screen->px_per_unit /
+			(0.5 * (double)screen->focal_px / (0.75 * nearest) *
+				sqrt(1.0 + tangent * tangent)),
+		1.0, 1e-5);
+}
+
+/*
+ * The corner farthest aside and the nearest one, by the formula of the limit,
+ * from all sides.
+ */
 static void test_the_limit_is_that_of_the_corners(void **state)
 {
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(boxes); i++) {
-		const struct bounds *box = &boxes[i];
-		struct screen_view screen = view_of(box, 480, 640, 0.5f);
-		double nearest = 1e9, aside = 0.0, tangent;
+		for (int side = 0; side < 16; side++) {
+			struct screen_view screen =
+				view_of(&boxes[i], 480, 640, 0.5f);
 
-		for (int corner = 0; corner < 8; corner++) {
-			float point[3];
-			double x, y;
-
-			for (int k = 0; k < 3; k++) {
-				point[k] = corner >> k & 1 ? box->high[k]
-							   : box->low[k];
-			}
-			x = (double)screen_view_eye(&screen, point, 0);
-			y = (double)screen_view_eye(&screen, point, 1);
-			aside = fmax(aside, sqrt(x * x + y * y));
-			nearest = fmin(nearest,
-				-(double)screen_view_eye(&screen, point, 2));
+			screen.framing.yaw_rad = 0.8f * (float)(side / 2);
+			screen.framing.pitch_rad = side % 2 ? 0.6f : -0.6f;
+			screen_view_frame(&screen, &boxes[i]);
+			expect_limit_of_corners(&screen);
 		}
-		tangent = (aside + 0.2 * nearest) / (0.8 * nearest);
-		assert_near(
-			screen.near_square / (nearest * nearest), 0.01, 1e-6);
-		assert_near(screen.px_per_unit /
-				(0.5 * (double)screen.focal_px /
-					(0.75 * nearest) *
-					sqrt(1.0 + tangent * tangent)),
-			1.0, 1e-5);
 	}
+}
+
+/* A model in another unit looks the same. */
+static void test_the_unit_of_a_model_does_not_move_its_picture(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(boxes); i++) {
+		struct screen_view plain = view_of(&boxes[i], 480, 640, 1.0f);
+		struct screen_view scaled = view_of(&boxes[i], 480, 640, 0.5f);
+		float at[2], other[2];
+
+		for (int corner = 0; corner < 2; corner++) {
+			const float *point =
+				corner ? boxes[i].high : boxes[i].low;
+
+			screen_view_project(&plain, point, at);
+			screen_view_project(&scaled, point, other);
+			assert_all_near(other, at, 2, 0.5);
+		}
+	}
+}
+
+static struct bounds posed_box(const struct reference *reference)
+{
+	struct bounds box = bounds_empty();
+
+	for (int v = 0; v < reference->vertex_count; v++) {
+		bounds_add(&box, reference->position[v]);
+	}
+	return box;
+}
+
+static void expect_view_of_clip(const char *path)
+{
+	float time_s[2] = {0.0f, 0.4f};
+	struct time_grid grid = {.time_s = time_s};
+	struct compared_clip bench;
+	struct reference *reference;
+
+	compared_clip_begin(&bench, path, "0");
+	reference = bench.reference;
+	bench.model->mesh[0].primitive->position[0][0] *= 3.0f;
+	for (grid.count = 1; grid.count <= 2; grid.count++) {
+		struct bounds box = bounds_empty(), rest;
+		struct screen_view screen =
+			screen_view_create(reference, &grid, 480, 640);
+
+		for (int i = 0; i < grid.count; i++) {
+			struct bounds one;
+
+			reference_pose(reference, time_s[i], false);
+			one = posed_box(reference);
+			bounds_join(&box, &one);
+		}
+		assert_memory_equal(&screen.box, &box, sizeof(box));
+		reference_rest(reference);
+		rest = posed_box(reference);
+		assert_near(screen.framing.pitch_rad, camera_pitch_for(&rest),
+			1e-6);
+	}
+	compared_clip_end(&bench);
+}
+
+/* Each vertex, at each moment, and the view that suits the pose of rest. */
+static void test_the_view_of_a_clip_contains_its_vertices(void **state)
+{
+	(void)state;
+	expect_view_of_clip("tests/fixtures/gltf/skin/and_morph.gltf");
+	expect_view_of_clip("tests/fixtures/gltf/scene/ground.gltf");
 }
 
 static void test_the_box_lies_within_the_screen(void **state)
@@ -191,6 +273,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_shortcut_says_what_the_projection_says),
 		cmocka_unit_test(test_the_limit_is_that_of_the_corners),
+		cmocka_unit_test(
+			test_the_unit_of_a_model_does_not_move_its_picture),
+		cmocka_unit_test(test_the_view_of_a_clip_contains_its_vertices),
 		cmocka_unit_test(test_the_box_lies_within_the_screen),
 		cmocka_unit_test(test_the_box_fills_the_screen_as_it_is_played),
 	};

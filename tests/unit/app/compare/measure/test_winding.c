@@ -51,6 +51,27 @@ static void test_a_scale_of_another_sign_may_mirror(void **state)
 	}
 }
 
+/* Whatever the size of the scale is; 0 has the sign of positive numbers. */
+static void test_a_scale_of_the_same_sign_does_not_mirror(void **state)
+{
+	static const float sizes[] = {0.0f, 0.125f, 1.0f, 100.0f};
+	static const float rests[] = {-0.125f, 0.0f, 0.125f, 4.0f};
+
+	(void)state;
+	for (size_t r = 0; r < ARRAY_COUNT(rests); r++) {
+		float rest[3] = {rests[r], 1.0f, 1.0f};
+
+		for (size_t s = 0; s < ARRAY_COUNT(sizes); s++) {
+			float value[KEYS][3] = {{sizes[s], 1, 1},
+				{sizes[s], 1, 1}, {sizes[s], 1, 1}};
+
+			assert_int_equal(may_change(rest, MODEL_SCALE,
+						 MODEL_LINEAR, value),
+				rest[0] < 0.0f);
+		}
+	}
+}
+
 /* How often a fixture with a scale of its own is mirrored, at some moments. */
 static bool turns(bool mirrored[KEYS], enum model_interpolation interpolation)
 {
@@ -69,7 +90,7 @@ static bool turns(bool mirrored[KEYS], enum model_interpolation interpolation)
 	int count = model->clip_count;
 	const struct time_grid grid = {.count = KEYS, .time_s = time_s};
 	struct reference *reference;
-	bool found = false;
+	bool found = true;
 
 	own.channel = &channel;
 	own.channel_count = 1;
@@ -109,6 +130,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_scale_of_another_sign_may_mirror),
+		cmocka_unit_test(test_a_scale_of_the_same_sign_does_not_mirror),
 		cmocka_unit_test(
 			test_only_surfaces_that_are_mirrored_at_times_turn),
 	};

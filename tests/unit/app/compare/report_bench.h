@@ -5,6 +5,8 @@
 #define TESTS_UNIT_APP_COMPARE_REPORT_BENCH_H
 
 #include "app/compare/comparison.h"
+#include "app/compare/report/report.h"
+#include "tests/support/test.h"
 
 #include <stdio.h>
 
@@ -121,6 +123,19 @@ static inline void begin(struct bench *bench)
 	add_row(bench, "skin", TECHNIQUE_SKELETAL, 1.0);
 	add_row(bench, "morph, 9 keys", TECHNIQUE_MORPHING, 2.0);
 	add_row(bench, "rigid parts", TECHNIQUE_HIERARCHICAL, 4.0);
+	/* A row beyond the last one, which no report may show. */
+	comparison->row[ROWS] = comparison->row[0];
+}
+
+/* What a format prints; the caller frees bench->text. */
+static inline const char *print(struct bench *bench, const char *format)
+{
+	FILE *out = open_memstream(&bench->text, &bench->size);
+
+	assert_non_null(out);
+	assert_int_equal(report_find(format)->print(&bench->comparison, out), 0);
+	fclose(out);
+	return bench->text;
 }
 
 #endif

@@ -9,94 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char text_of_two_clips[] =
-	"dog.glb, 2 clips: 3.75 s; 321 vertices, 1 node\n"
-	"\"ARM11\" is the whole frame without labels, which is posing and "
-	"drawing, predicted\n"
-	"for an ARM1136 at 532 MHz by the timing model, not measured. "
-	"Errors are in pixels\n"
-	"of a 480x640 screen, normals in degrees, shades in 63rds of white.\n"
-	"Board desk: a test; limits: 50 KiB, 12.5 ms, 1.5 px.\n"
-	"\n"
-	"  a frame takes             ARM11 us  posing  drawing  KiB RAM "
-	"KiB file peak px\n"
-	" *skin                           900   300.0      600      2.0    "
-	"  3.0   1.250\n"
-	"  morph, 9 keys                 1800   600.0     1200      4.0    "
-	"  6.0   2.500\n"
-	">*rigid parts                   3600  1200.0     2400      8.0    "
-	" 12.0   5.000\n"
-	"  *: on the Pareto front: nothing else is better in time, memory "
-	"and peak error\n"
-	"\n"
-	"  how it looks; posing here  mean px  outline  normal  shade  us "
-	"here k instr.\n"
-	"  skin                         0.125    0.500    2.50    3.5     "
-	"11.5       45\n"
-	"  morph, 9 keys                0.250    1.000    5.00    7.0     "
-	"23.0        -\n"
-	"  rigid parts                  0.500    2.000   10.00   14.0     "
-	"46.0      180\n"
-	"  us here: of posing, measured on this machine, kernel float\n"
-	"\n"
-	"  clip                  seconds ARM11 us  peak px  technique in "
-	"the mixed plan\n"
-	"   1 walk?fast             1.50      100    1.000  skin\n"
-	"   2                       2.25      400    4.000  morph, 9 keys\n"
-	"\n"
-	"  AN4044 rates them    control over        looks               to program\n"
-	"  morphing             every vertex        good, soft things   fairly easy\n"
-	"  hierarchical         pivots              solid parts only    easiest\n"
-	"  skeletal             bones               good, characters    most difficult\n"
-	"\n"
-	"Take \"rigid parts\" for all clips: it is the test.\n"
-	"On the ARM1136 its frame takes 60 us to sample the clip, 120 us "
-	"for matrices,\n"
-	"180 us for vertices and 240 us to draw it.\n"
-	"A mixed plan, with the technique that the clips' table names for "
-	"each, takes 777 us and 5 KiB.\n"
-	"AN4044's example, 20 key frames of 4000 vertices, is 80000 "
-	"vertices;\n"
-	"here 20 key frames of 321 are 6420.\n";
-
-static const char text_of_one_clip[] =
-	"dog.glb, clip 1 walk?fast: 1.50 s; 1 vertex, 2 nodes\n"
-	"\"ARM11\" is the whole frame without labels, which is posing and "
-	"drawing, predicted\n"
-	"for an ARM1136 at 532 MHz by the timing model, not measured. "
-	"Errors are in pixels\n"
-	"of a 480x640 screen, normals in degrees, shades in 63rds of white.\n"
-	"Board desk: a test; limits: 50 KiB, 12.5 ms, 1.5 px.\n"
-	"\n"
-	"  a frame takes             ARM11 us  posing  drawing  KiB RAM "
-	"KiB file peak px\n"
-	"  morph, 9 keys                 1800   600.0     1200      4.0    "
-	"  6.0   2.500\n"
-	">*rigid parts                   3600  1200.0     2400      8.0    "
-	" 12.0   5.000\n"
-	"  *: on the Pareto front: nothing else is better in time, memory "
-	"and peak error\n"
-	"\n"
-	"  how it looks; posing here  mean px  outline  normal  shade  us "
-	"here k instr.\n"
-	"  morph, 9 keys                0.250    1.000    5.00    7.0     "
-	"23.0        -\n"
-	"  rigid parts                  0.500    2.000   10.00   14.0     "
-	"46.0      180\n"
-	"  us here: of posing, measured on this machine, kernel float\n"
-	"\n"
-	"  AN4044 rates them    control over        looks               to program\n"
-	"  morphing             every vertex        good, soft things   fairly easy\n"
-	"  hierarchical         pivots              solid parts only    easiest\n"
-	"\n"
-	"Take \"rigid parts\": it is the test.\n"
-	"On the ARM1136 its frame takes 40 us to sample the clip, 80 us "
-	"for matrices,\n"
-	"120 us for vertices and 160 us to draw it.\n"
-	"AN4044's example, 20 key frames of 4000 vertices, is 80000 "
-	"vertices;\n"
-	"here 20 key frames of 1 are 20.\n";
-
 static const char csv[] =
 	"technique,kind,us_per_frame,instructions_per_frame,"
 	"arm11_us_predicted,arm11_instructions_predicted,"
@@ -121,56 +33,10 @@ static const char markdown[] =
 	"| 4096 | 6144 | 2.5000 | 0.2500 | 1.0000 | 5.000 | 7.00 | no | no "
 	"|\n";
 
-/* What a format prints; the caller frees bench->text. */
-static const char *print(struct bench *bench, const char *format)
-{
-	FILE *out = open_memstream(&bench->text, &bench->size);
-
-	assert_non_null(out);
-	assert_int_equal(report_find(format)->print(&bench->comparison, out), 0);
-	fclose(out);
-	return bench->text;
-}
-
 static void expect(struct bench *bench, const char *format, const char *wanted)
 {
 	assert_string_equal(print(bench, format), wanted);
 	free(bench->text);
-}
-
-static void test_the_text_has_each_figure_in_its_column(void **state)
-{
-	struct bench bench;
-
-	(void)state;
-	begin(&bench);
-	bench.comparison.mixed = true;
-	expect(&bench, "text", text_of_two_clips);
-}
-
-static void test_a_single_clip_needs_no_table_of_clips(void **state)
-{
-	struct bench bench;
-
-	(void)state;
-	begin(&bench);
-	bench.comparison.clip_count = 1;
-	bench.comparison.vertex_count = 1;
-	bench.model.node_count = 2;
-	bench.comparison.row[0].listed = false;
-	expect(&bench, "text", text_of_one_clip);
-}
-
-static void test_the_text_says_that_clips_were_compared_in_part(void **state)
-{
-	struct bench bench;
-
-	(void)state;
-	begin(&bench);
-	bench.comparison.sampling.share = 0.0277;
-	assert_contains(print(&bench, "text"),
-		"1.5 px.\nThe clips are long together: errors are those of 2.8% of their moments");
-	free(bench.text);
 }
 
 static void test_csv_leaves_unknown_instructions_empty(void **state)
@@ -401,10 +267,6 @@ static void test_json_has_the_times_of_key_frames(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_the_text_has_each_figure_in_its_column),
-		cmocka_unit_test(test_a_single_clip_needs_no_table_of_clips),
-		cmocka_unit_test(
-			test_the_text_says_that_clips_were_compared_in_part),
 		cmocka_unit_test(test_csv_leaves_unknown_instructions_empty),
 		cmocka_unit_test(test_no_instructions_are_a_number),
 		cmocka_unit_test(test_json_has_all_rows_and_cells),

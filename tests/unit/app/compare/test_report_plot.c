@@ -140,6 +140,33 @@ static void test_a_row_is_a_point_in_both_charts(void **state)
 	free(text);
 }
 
+/* Decades of 133 pixels across and 100 up, of which each has its number. */
+static void test_the_axes_have_a_line_for_each_decade(void **state)
+{
+	struct bench bench;
+	char *text;
+
+	(void)state;
+	begin_decades(&bench);
+	bench.comparison.request.bound_px = 0.1f;
+	for (int i = 0; i < ROWS; i++) {
+		bench.comparison.row[i].total.peak_px /= 10.0f;
+	}
+	text = plot(&bench);
+	assert_contains(text,
+		"<path class='grid' d='M64.0 60 v300'/><text x='64.0' y='378' text-anchor='middle'>1</text>");
+	assert_contains(text,
+		"<path class='grid' d='M330.7 60 v300'/><text x='330.7' y='378' text-anchor='middle'>100</text>");
+	assert_contains(text,
+		"<path class='grid' d='M64.0 360.0 h400'/><text x='58.0' y='364.0' text-anchor='end'>0.1</text>");
+	assert_contains(text,
+		"<path class='grid' d='M544.0 160.0 h400'/><text x='538.0' y='164.0' text-anchor='end'>10</text>");
+	assert_contains(text,
+		"<path class='bound' d='M64.0 360.0 h400'/><text x='64.0' y='46' class='title'>");
+	assert_contains(text, "<circle cx='197.3' cy='260.0' r='4'");
+	free(text);
+}
+
 /* In the order of memory; a morph of even keys is hollow, and beside it. */
 static void test_points_of_a_technique_are_joined(void **state)
 {
@@ -207,6 +234,7 @@ int main(void)
 			test_the_axes_of_a_plot_enclose_the_numbers_in_decades),
 		cmocka_unit_test(test_a_plot_shows_the_accepted_error),
 		cmocka_unit_test(test_a_row_is_a_point_in_both_charts),
+		cmocka_unit_test(test_the_axes_have_a_line_for_each_decade),
 		cmocka_unit_test(test_points_of_a_technique_are_joined),
 		cmocka_unit_test(test_the_legend_names_the_techniques),
 	};

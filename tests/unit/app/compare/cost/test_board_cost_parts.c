@@ -27,6 +27,20 @@ static void test_nodes_joints_and_solid_drawables(void **state)
 	expect_cost(board_cost_solid(4), 4 * 347.0, 4 * 54.0);
 }
 
+static void test_roots_are_nodes_without_a_parent(void **state)
+{
+	struct model_node node[5] = {{.parent = -1}, {.parent = 0},
+		{.parent = -1}, {.parent = 1}, {.parent = -1}};
+	struct model model = {.node_count = 4, .node = node};
+
+	(void)state;
+	assert_int_equal(board_cost_count_roots(&model), 2);
+	model.node_count = 1;
+	assert_int_equal(board_cost_count_roots(&model), 1);
+	model.node_count = 0;
+	assert_int_equal(board_cost_count_roots(&model), 0);
+}
+
 static void test_key_frames(void **state)
 {
 	(void)state;
@@ -316,6 +330,9 @@ static void test_turns_cost_by_how_far_they_are(void **state)
 		{0, 0, 0, 1, 0.329f, 0, 0, 0.9443f, 0.329f, 0, 0, 0.9443f}};
 	static const float long_keys[12] = {
 		0, 0, 0, 2, 0, 0, 0, 0.5f, 0, 0, 0, -3};
+	/* 19.2 degrees, as of the fourth keys. */
+	static const float long_turn[12] = {0, 0, 0, 2, 3 * 0.329f, 0, 0,
+		3 * 0.9443f, 0.329f, 0, 0, 0.9443f};
 	static const double wide[4] = {0, 0.75, 0, 0.25};
 	static const double middle[4] = {0, 0, 0.25, 0};
 	struct model_channel four[4];
@@ -357,6 +374,9 @@ static void test_turns_cost_by_how_far_they_are(void **state)
 	/* Their length does not tell how far apart they are. */
 	channel.value = long_keys;
 	expect_sample(&channel, 1, 653 + 60 + 300, 82 + 9.2 + 100);
+	channel.value = long_turn;
+	expect_sample(&channel, 1, 653 + 60 + 300 + 950 * 0.25,
+		82 + 9.2 + 100 + 145 * 0.25);
 }
 
 static void test_a_frame_is_the_sum_of_its_steps(void **state)
@@ -375,6 +395,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_nodes_joints_and_solid_drawables),
+		cmocka_unit_test(test_roots_are_nodes_without_a_parent),
 		cmocka_unit_test(test_key_frames),
 		cmocka_unit_test(test_weighted_targets),
 		cmocka_unit_test(test_shadows_that_are_laid_on_hills),

@@ -416,10 +416,7 @@ static int init_skeleton(struct instance *instance)
 		: -ENOMEM;
 }
 
-/*
- * Measures the posed vertices, as a file's units may be anything, unless the
- * scale is known.
- */
+/* Measures the posed vertices, as units may be anything, unless it is known. */
 static void choose_unit_scale(struct instance *instance, float known)
 {
 	instance->unit_scale = known > 0.0f ? known : 1.0f;

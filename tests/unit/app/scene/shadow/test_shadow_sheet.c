@@ -1,6 +1,7 @@
 /* The vertices of shadows before they are laid: where the figure is posed. */
 #include "app/anim/math/vec.h"
 #include "app/scene/shadow/shadow_drape.h"
+#include "tests/support/gl/gl_recorder.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
@@ -104,12 +105,53 @@ static void test_skins_are_posed_in_float_and_in_fixed_point(void **state)
 	}
 }
 
+static struct {
+	GLenum function, passed, other[2];
+	GLint mark;
+	GLuint mask;
+} stencil;
+
+static void keep_function(GLenum function, GLint reference, GLuint mask)
+{
+	stencil.function = function;
+	stencil.mark = reference;
+	stencil.mask = mask;
+}
+
+static void keep_operation(GLenum fail, GLenum deep, GLenum passed)
+{
+	stencil.other[0] = fail;
+	stencil.other[1] = deep;
+	stencil.passed = passed;
+}
+
+/* Of all bits: a pixel that was darkened counts one more than the mark. */
+static void test_only_pixels_of_the_mark_are_darkened(void **state)
+{
+	struct shadow_drape drape = {.sheet_count = 0};
+	struct gl gl = gl_recorder_begin();
+
+	(void)state;
+	gl.StencilFunc = keep_function;
+	gl.StencilOp = keep_operation;
+	for (int mark = 0; mark < 200; mark += 99) {
+		shadow_drape_draw(&drape, &gl, 0.5f, mark, true);
+		assert_int_equal(stencil.function, GL_EQUAL);
+		assert_int_equal(stencil.mark, mark);
+		assert_int_equal(stencil.mask & 255, 255);
+		assert_int_equal(stencil.passed, GL_INCR);
+		assert_int_equal(stencil.other[0], GL_KEEP);
+		assert_int_equal(stencil.other[1], GL_KEEP);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_turned_and_moved_part_is_posed),
 		cmocka_unit_test(
 			test_skins_are_posed_in_float_and_in_fixed_point),
+		cmocka_unit_test(test_only_pixels_of_the_mark_are_darkened),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

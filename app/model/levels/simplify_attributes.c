@@ -1,4 +1,5 @@
 #include "app/model/levels/simplify_attributes.h"
+#include "app/model/levels/simplify_vector.h"
 
 #include "platform/base/scalar.h"
 
@@ -16,18 +17,6 @@ static const float texture_factor = 1.0f;
 
 /* How far bending a joint by 60 degrees moves a point at a distance of 1. */
 static const float bend_distance = 1.0f;
-
-static void subtract(const float a[3], const float b[3], float out[3])
-{
-	out[0] = a[0] - b[0];
-	out[1] = a[1] - b[1];
-	out[2] = a[2] - b[2];
-}
-
-static float dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* A point on a triangle, in barycentric coordinates. */
 struct place {
@@ -47,14 +36,14 @@ static void find_place(const struct simplify *simplify, const float point[3],
 	float u[3], v[3], d[3], sum = 0.0f, away[3];
 	float uu, uv, vv, du, dv, area;
 
-	subtract(simplify->position[place->vertex[1]], a, u);
-	subtract(simplify->position[place->vertex[2]], a, v);
-	subtract(point, a, d);
-	uu = dot(u, u);
-	uv = dot(u, v);
-	vv = dot(v, v);
-	du = dot(d, u);
-	dv = dot(d, v);
+	simplify_subtract(simplify->position[place->vertex[1]], a, u);
+	simplify_subtract(simplify->position[place->vertex[2]], a, v);
+	simplify_subtract(point, a, d);
+	uu = simplify_dot(u, u);
+	uv = simplify_dot(u, v);
+	vv = simplify_dot(v, v);
+	du = simplify_dot(d, u);
+	dv = simplify_dot(d, v);
 	area = uu * vv - uv * uv;
 	area = area > 0.0f ? 1.0f / area : 0.0f;
 	place->share[1] = (vv * du - uv * dv) * area;
@@ -71,7 +60,7 @@ static void find_place(const struct simplify *simplify, const float point[3],
 	for (int i = 0; i < 3; i++) {
 		away[i] -= place->share[1] * u[i] + place->share[2] * v[i];
 	}
-	place->square = dot(away, away);
+	place->square = simplify_dot(away, away);
 }
 
 static float difference(const float *value, const float (*corner)[3], int width,
@@ -226,7 +215,7 @@ static float covariance(const struct simplify *simplify,
 			along[axis] += factor * p[axis];
 		}
 	}
-	return scalar_sqrt(dot(along, along));
+	return scalar_sqrt(simplify_dot(along, along));
 }
 
 /*

@@ -2,6 +2,7 @@
 
 #include "app/model/levels/simplify_attributes.h"
 #include "app/model/levels/simplify_error.h"
+#include "app/model/levels/simplify_vector.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
@@ -81,20 +82,6 @@ static bool pair_vertices(struct simplify *simplify, uint32_t from, uint32_t to)
 	return true;
 }
 
-static void find_normal(
-	const float a[3], const float b[3], const float c[3], float out[3])
-{
-	float u[3], v[3];
-
-	for (int i = 0; i < 3; i++) {
-		u[i] = b[i] - a[i];
-		v[i] = c[i] - a[i];
-	}
-	out[0] = u[1] * v[2] - u[2] * v[1];
-	out[1] = u[2] * v[0] - u[0] * v[2];
-	out[2] = u[0] * v[1] - u[1] * v[0];
-}
-
 /* Whether a collapse would turn a triangle too far, or make it a line. */
 static bool turns_over(
 	const struct simplify *simplify, uint32_t from, uint32_t to)
@@ -113,16 +100,15 @@ static bool turns_over(
 		if (b == to || c == to || b == c || b == from || c == from) {
 			continue;
 		}
-		find_normal(simplify->position[from], simplify->position[b],
+		simplify_normal(simplify->position[from], simplify->position[b],
 			simplify->position[c], old);
-		find_normal(simplify->position[to], simplify->position[b],
+		simplify_normal(simplify->position[to], simplify->position[b],
 			simplify->position[c], new);
-		product = old[0] * new[0] + old[1] * new[1] + old[2] * new[2];
+		product = simplify_dot(old, new);
 		if (old[0] == 0.0f && old[1] == 0.0f && old[2] == 0.0f) {
 			continue;
 		}
-		lengths = (old[0] * old[0] + old[1] * old[1] + old[2] * old[2]) *
-			(new[0] * new[0] + new[1] * new[1] + new[2] * new[2]);
+		lengths = simplify_dot(old, old) * simplify_dot(new, new);
 		if (product <= least_cosine * scalar_sqrt(lengths)) {
 			return true;
 		}

@@ -1,28 +1,10 @@
 #include "app/model/levels/simplify_error.h"
+#include "app/model/levels/simplify_vector.h"
 
 #include "platform/base/scalar.h"
 
 /* The weight of a border's planes. */
 static const float border_weight = 10.0f;
-
-static void subtract(const float a[3], const float b[3], float out[3])
-{
-	out[0] = a[0] - b[0];
-	out[1] = a[1] - b[1];
-	out[2] = a[2] - b[2];
-}
-
-static void cross(const float a[3], const float b[3], float out[3])
-{
-	out[0] = a[1] * b[2] - a[2] * b[1];
-	out[1] = a[2] * b[0] - a[0] * b[2];
-	out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static float dot(const float a[3], const float b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void add(struct simplify_quadric *to, const struct simplify_quadric *q)
 {
@@ -43,7 +25,7 @@ static void add(struct simplify_quadric *to, const struct simplify_quadric *q)
 static void add_plane(struct simplify_quadric *to, const float n[3],
 	const float point[3], float weight)
 {
-	float d = -dot(n, point);
+	float d = -simplify_dot(n, point);
 	const struct simplify_quadric plane = {
 		n[0] * n[0] * weight,
 		n[1] * n[1] * weight,
@@ -63,7 +45,7 @@ static void add_plane(struct simplify_quadric *to, const float n[3],
 
 static bool has_unit_length(float v[3])
 {
-	float length = scalar_sqrt(dot(v, v));
+	float length = scalar_sqrt(simplify_dot(v, v));
 
 	for (int i = 0; i < 3 && length > 0.0f; i++) {
 		v[i] /= length;
@@ -81,9 +63,9 @@ static void add_border(struct simplify *simplify, uint32_t a, uint32_t b,
 	const float *from = simplify->position[a];
 	float along[3], upright[3], weight;
 
-	subtract(simplify->position[b], from, along);
-	weight = dot(along, along) * border_weight;
-	cross(along, normal, upright);
+	simplify_subtract(simplify->position[b], from, along);
+	weight = simplify_dot(along, along) * border_weight;
+	simplify_cross(along, normal, upright);
 	if (has_unit_length(upright)) {
 		add_plane(&simplify->quadric[simplify->leader[a]], upright,
 			from, weight);
@@ -129,12 +111,11 @@ void simplify_error_begin(struct simplify *simplify)
 	for (int t = 0; t < simplify->index_count; t += 3) {
 		const uint32_t *at = simplify->index + t;
 		const float *p = simplify->position[at[0]];
-		float u[3], v[3], normal[3], area;
+		float normal[3], area;
 
-		subtract(simplify->position[at[1]], p, u);
-		subtract(simplify->position[at[2]], p, v);
-		cross(u, v, normal);
-		area = scalar_sqrt(dot(normal, normal));
+		simplify_normal(p, simplify->position[at[1]],
+			simplify->position[at[2]], normal);
+		area = scalar_sqrt(simplify_dot(normal, normal));
 		if (!has_unit_length(normal)) {
 			continue;
 		}

@@ -2,6 +2,7 @@
 
 #include "app/model/levels/simplify_attributes.h"
 #include "app/model/levels/simplify_mesh.h"
+#include "app/model/levels/simplify_vector.h"
 #include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
@@ -146,7 +147,7 @@ static int find_middle(const struct simplify *simplify,
 	}
 	for (int i = 0; normal && i < corners->count; i++) {
 		const float *n = normal[corners->vertex[i]];
-		float along = n[0] * sum[0] + n[1] * sum[1] + n[2] * sum[2];
+		float along = simplify_dot(n, sum);
 
 		if (near[i] && along > most) {
 			most = along;

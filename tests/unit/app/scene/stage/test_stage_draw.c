@@ -390,7 +390,7 @@ static void test_a_monitor_stands_left_of_the_figure(void **state)
 		struct camera camera = camera_default();
 
 		camera.yaw_rad = i % 2 ? 0.0f : 1.2f;
-		camera.target[1] = 0.7f;
+		camera.shift_x = 0.25f * (float)i;
 		monitor_init(&monitor);
 		monitor_place(&monitor, &camera, aspect, 0.125f);
 		assert_near(monitor.origin[1], 0.125, 0.0);

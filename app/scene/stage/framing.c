@@ -162,7 +162,10 @@ static int free_regions(const struct framing *framing, int width, int height,
 	int count;
 
 	out[0] = (struct camera_region){-1.0f, 1.0f, bottom, 1.0f};
-	if (framing->label_rows == 0 || hud_group_rows_max(width, height) == 0) {
+	if (hud_group_rows_max(width, height) == 0) {
+		/* Such a picture has no groups, the frame times neither. */
+		count = 0;
+	} else if (framing->label_rows == 0) {
 		count = framing->frame_times
 			? regions_of_times(width, height, bottom, out)
 			: 0;

@@ -240,6 +240,24 @@ static void test_figures_stand_beside_or_above_a_list_of_keys(void **state)
 	}
 }
 
+/* Groups are not drawn there, and neither are the frame times. */
+static void test_a_picture_too_small_for_groups_is_all_free(void **state)
+{
+	static const int small[][2] = {
+		{160, 120}, {160, 128}, {176, 144}, {200, 150}, {40, 60}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(small); i++) {
+		struct framing framing = framing_of((int)i % 2, 0);
+
+		assert_int_equal(
+			hud_group_rows_max(small[i][0], small[i][1]), 0);
+		framing.frame_times = true;
+		expect_region(&framing, &tall, small[i], -1, 1, -1, 1);
+		expect_region(&framing, &wide, small[i], -1, 1, -1, 1);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -258,6 +276,7 @@ int main(void)
 		cmocka_unit_test(test_wide_figures_stand_above_switches),
 		cmocka_unit_test(
 			test_figures_stand_beside_or_above_a_list_of_keys),
+		cmocka_unit_test(test_a_picture_too_small_for_groups_is_all_free),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

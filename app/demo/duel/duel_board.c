@@ -5,6 +5,7 @@
 
 enum {
 	ROWS = 3, /* time, bytes, error */
+	FORMS = 3,
 	RAMP_STEPS = 24
 };
 
@@ -18,12 +19,49 @@ static float figure(const struct contender *contender, int row)
 			   : contender->peak_px;
 }
 
-static void write_figure(float value, int row, char *text, size_t size)
-{
-	static const char *const format[ROWS] = {
-		"%.2f ms", "%.0f KiB", "%.2f px"};
+/* A row of figures is written in the first form that fits all columns. */
+static const struct form {
+	const char *format;
+	float scale;
+} forms[ROWS][FORMS] = {
+	{{"%.2f ms", 1.0f}, {"%.1fms", 1.0f}, {"%.1f", 1.0f}},
+	{{"%.0f KiB", 1.0f}, {"%.0fK", 1.0f}, {"%.1fM", 1.0f / 1024.0f}},
+	{{"%.2f px", 1.0f}, {"%.1fpx", 1.0f}, {"%.1f", 1.0f}},
+};
 
-	snprintf(text, size, format[row], (double)value);
+static void write_figure(
+	float value, const struct form *form, char *text, size_t size)
+{
+	snprintf(text, size, form->format, (double)(value * form->scale));
+}
+
+static bool fits_all(const struct contender contender[CONTENDER_KINDS], int row,
+	const struct form *form, int width, const struct hud *hud)
+{
+	char text[32];
+
+	for (int i = 0; i < CONTENDER_KINDS; i++) {
+		write_figure(
+			figure(&contender[i], row), form, text, sizeof(text));
+		if (hud_text_width(hud, text) > width - hud_em(hud) / 4) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/* A figure that is cut would be read as another one. */
+static const struct form *form_of(
+	const struct contender contender[CONTENDER_KINDS], int row, int width,
+	const struct hud *hud)
+{
+	int form = 0;
+
+	while (form < FORMS - 1 &&
+		!fits_all(contender, row, &forms[row][form], width, hud)) {
+		form++;
+	}
+	return &forms[row][form];
 }
 
 static bool is_best(const struct contender *contender, int kind, int row)
@@ -78,7 +116,8 @@ static void show_column(const struct contender *contender, int kind, int left,
 		float value = figure(&contender[kind], row);
 
 		if (value >= 0.0f) {
-			write_figure(value, row, text, sizeof(text));
+			write_figure(value, form_of(contender, row, width, hud),
+				text, sizeof(text));
 			write_centered(hud, left, width, y += line,
 				is_best(contender, kind, row) ? hud_color_green
 							      : hud_color_text,

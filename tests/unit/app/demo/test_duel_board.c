@@ -156,12 +156,57 @@ static void test_the_scale_of_errors_has_24_steps(void **state)
 	assert_memory_not_equal(cold, hot, sizeof(cold));
 }
 
+/* Whether the quads of a text of its own are among those shown. */
+static bool shows(const char *text, struct hud_color is)
+{
+	size_t bytes;
+
+	wanted.quad_count = 0;
+	hud_text(&wanted, 0, 0, is, text);
+	bytes = (size_t)wanted.quad_count * 4 * sizeof(wanted.vertex[0]);
+	for (int first = 0; first + wanted.quad_count <= shown.quad_count;
+		first++) {
+		const struct hud_vertex *at = &shown.vertex[first * 4];
+		int x = at->x - wanted.vertex[0].x;
+		int y = at->y - wanted.vertex[0].y;
+
+		hud_move(&wanted, 0, x, y);
+		if (memcmp(at, wanted.vertex, bytes) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+/* "1609..." and "0.0..." would be read as other figures. */
+static void test_figures_are_shortened_and_not_cut(void **state)
+{
+	struct contender contender[CONTENDER_KINDS];
+
+	(void)state;
+	begin(contender);
+	hud_begin(&shown, 128, 160);
+	hud_begin(&wanted, 128, 160);
+	contender[1].candidate.bytes.own = (size_t)1608 * 1024;
+	duel_board_show(contender, 0.0f, &shown);
+	assert_true(shows("1.5", hud_color_text));
+	assert_true(shows("0.0M", hud_color_green));
+	assert_true(shows("1.6M", hud_color_text));
+	assert_true(shows("0.2px", hud_color_green));
+	contender[1].candidate.bytes.own = (size_t)20 * 1024;
+	hud_begin(&shown, 128, 160);
+	duel_board_show(contender, 0.0f, &shown);
+	assert_true(shows("2K", hud_color_green));
+	assert_true(shows("21K", hud_color_text));
+}
+
 int main(void)
 {
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_the_best_of_each_row_is_green),
 		cmocka_unit_test(test_unknown_times_are_left_out),
 		cmocka_unit_test(test_the_scale_of_errors_has_24_steps),
+		cmocka_unit_test(test_figures_are_shortened_and_not_cut),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -138,28 +138,34 @@ static void add_turns(
 		sizeof(*cursor->turn), compare_turns);
 }
 
-static bool is_turned(const struct clip_cursor *cursor, int node)
+/*
+ * Marks the nodes of the turns in part[node].animated. list_parts() fills
+ * part[] from its start and has no more parts than nodes done, so that it reads
+ * each mark before it writes there.
+ */
+static void mark_turned(struct clip_cursor *cursor, int node_count)
 {
-	const char *rotation = (const char *)cursor->still.local[node].rotation;
-	const char *local = (const char *)cursor->still.local;
-
-	for (int i = 0; i < cursor->turn_count; i++) {
-		if (local + cursor->turn[i].offset == rotation) {
-			return true;
-		}
+	for (int n = 0; n < node_count; n++) {
+		cursor->part[n].animated = false;
 	}
-	return false;
+	for (int i = 0; i < cursor->turn_count; i++) {
+		size_t node = (size_t)cursor->turn[i].offset /
+			sizeof(*cursor->still.local);
+
+		cursor->part[node].animated = true;
+	}
 }
 
 /* Fills in part[]: what clip_mix() mixes besides the turns. */
 static void list_parts(struct clip_cursor *cursor, const struct model *model)
 {
+	mark_turned(cursor, model->node_count);
 	for (int n = 0; n < model->node_count; n++) {
 		const struct model_node *node = &model->node[n];
 		float weight = cursor->only ? cursor->only[n] : 1;
 		unsigned paths = cursor->paths ? cursor->paths[n] : 0xf;
 
-		if (is_turned(cursor, n)) {
+		if (cursor->part[n].animated) {
 			paths &= ~(1u << MODEL_ROTATION);
 		}
 		if (node->mesh < 0 || model->mesh[node->mesh].target_count == 0) {

@@ -1,13 +1,12 @@
 #include "app/scene/instance/bounds.h"
 
 #include "app/anim/clip.h"
-#include "platform/base/compiler.h"
+#include "app/scene/instance/bounds_drawable.h"
 #include "platform/base/interrupt.h"
 #include "platform/base/scalar.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 enum {
 	CLIP_STEPS = 12,
@@ -105,80 +104,6 @@ float bounds_ground(const struct bounds *bounds)
 		: bounds->low[1];
 }
 
-/* Signed halves of a word in the order of unsigned ones, and back. */
-static uint32_t flip_signs(uint32_t halves)
-{
-	return halves ^ 0x80008000u;
-}
-
-/*
- * Adds the posed vertices, which are the first ones.
- * Finds the 16-bit bounds first, two numbers at a time, and converts only
- * these. The result equals that of converting each vertex, because the
- * conversion is monotonic.
- */
-static void add_skinned(struct bounds *bounds, const struct drawable *drawable)
-{
-	const struct fixed_placement *placement = &drawable->fixed->placement;
-	const struct fixed_vector *v = drawable->fixed->position;
-	int count = fixed_skin_posed_count(
-		&drawable->fixed->skin, drawable->posed_lod);
-	uint32_t low[2] = {UINT32_MAX, UINT32_MAX}, high[2] = {0, 0};
-
-	if (count == 0) {
-		return;
-	}
-	for (int i = 0; i < count; i++) {
-		for (size_t k = 0; k < 2; k++) {
-			uint32_t word;
-
-			memcpy(&word, (const uint8_t *)&v[i] + 4 * k,
-				sizeof(word));
-			word = flip_signs(word);
-			low[k] = least_halves(low[k], word);
-			high[k] = most_halves(high[k], word);
-		}
-	}
-	for (int side = 0; side < 2; side++) {
-		const uint32_t *flipped = side ? high : low;
-		uint32_t word[2] = {
-			flip_signs(flipped[0]), flip_signs(flipped[1])};
-		struct fixed_vector corner;
-		float point[3];
-
-		memcpy(&corner, word, sizeof(corner));
-		fixed_placement_apply(placement, &corner, point);
-		bounds_add(bounds, point);
-	}
-}
-
-static void add_vertices(struct bounds *bounds, const struct instance *instance,
-	const struct drawable *drawable)
-{
-	for (int v = 0; v < drawable->primitive->vertex_count; v++) {
-		float point[3];
-
-		instance_world_vertex(instance, drawable, v, point);
-		for (int axis = 0; axis < 3; axis++) {
-			point[axis] *= instance->unit_scale;
-		}
-		bounds_add(bounds, point);
-	}
-}
-
-static struct bounds box_of_drawable(
-	const struct instance *instance, const struct drawable *drawable)
-{
-	struct bounds bounds = bounds_empty();
-
-	if (drawable->fixed && drawable->skin >= 0) {
-		add_skinned(&bounds, drawable);
-	} else {
-		add_vertices(&bounds, instance, drawable);
-	}
-	return bounds;
-}
-
 /* Also finds the longest side of the box of a single drawable. */
 static struct bounds box_of_parts(
 	const struct instance *instance, float *longest)
@@ -188,7 +113,7 @@ static struct bounds box_of_parts(
 	*longest = 0.0f;
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct bounds one =
-			box_of_drawable(instance, &instance->drawable[i]);
+			bounds_of_drawable(instance, &instance->drawable[i]);
 		float extent =
 			bounds_is_empty(&one) ? 0.0f : bounds_extent(&one);
 
@@ -255,7 +180,7 @@ static bool stays_home(
 
 	for (int i = 0; i < instance->drawable_count; i++) {
 		struct bounds one =
-			box_of_drawable(instance, &instance->drawable[i]);
+			bounds_of_drawable(instance, &instance->drawable[i]);
 		bool inside = !bounds_is_empty(&one);
 
 		for (int axis = 0; axis < 3; axis++) {

@@ -281,7 +281,8 @@ int gltf_examine(const struct model_source *source,
 		report_skins(&at);
 		report_nodes(&at);
 		report_scenes(&at);
-		error = error ? error : examine_still_clips(model, examiner, log);
+		error = error ? error
+			      : examine_still_clips(model, examiner, log);
 		error = error ? error : examine_spare(model, examiner, log);
 		error = error ? error : report_weights(&at);
 		report_accessors(&at);

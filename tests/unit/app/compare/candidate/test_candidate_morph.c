@@ -314,6 +314,39 @@ static void test_no_normal_is_none(void **state)
 	end(&bench);
 }
 
+/* At a key and beyond the last one, a number is that of the key's position. */
+static void test_keys_are_shown_as_the_file_rounds_them(void **state)
+{
+	(void)state;
+	for (int all = 0; all < 2; all++) {
+		struct bench bench;
+
+		begin(&bench, KEYS - 1, all ? 1 << 20 : 0);
+		for (int k = 0; k < KEYS; k++) {
+			float shown[VERTICES][3], normal[VERTICES][3];
+			int key = k < KEYS - 1 ? k : KEYS - 2;
+
+			bench.candidate.positions_only = false;
+			candidate_pose(&bench.candidate, key_time_s[k]);
+			bench.candidate.take(&bench.candidate, shown, normal);
+			reference_pose(bench.reference, key_time_s[key], true);
+			for (int i = 0; i < 3 * VERTICES; i++) {
+				const struct fixed_placement *to =
+					&bench.placement;
+				float at =
+					bench.reference->position[i / 3][i % 3];
+				float number = roundf(
+					(at - to->offset[i % 3]) / to->scale);
+
+				assert_near(shown[i / 3][i % 3],
+					number * to->scale + to->offset[i % 3],
+					0.02 * (double)to->scale);
+			}
+		}
+		end(&bench);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -325,6 +358,7 @@ int main(void)
 		cmocka_unit_test(test_the_placement_of_a_point_has_a_scale),
 		cmocka_unit_test(test_what_keys_take),
 		cmocka_unit_test(test_what_keys_without_normals_take),
+		cmocka_unit_test(test_keys_are_shown_as_the_file_rounds_them),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

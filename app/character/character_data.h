@@ -142,8 +142,7 @@ struct character_clip {
 struct character_entry {
 	const struct character_clip *of;
 	float at; /* the parameter's value at which only this clip plays */
-	struct clip_cursor cursor;
-
+	struct clip_cursor *cursor; /* of a layer, or of the state that plays */
 	/* Changes: */
 	/* since the clip began; below 0 and beyond its end unless it plays once */
 	double time_s;
@@ -219,7 +218,7 @@ struct character_machine {
 	struct character_state *state;
 	struct character_transition *transition; /* by falling priority */
 	struct inertia inertia;
-
+	struct clip_cursor *cursor; /* one for each clip of a state */
 	/* Changes: */
 	int current;
 	int wanted;   /* a state that an action asked for, or -1 */

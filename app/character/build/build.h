@@ -264,9 +264,13 @@ void character_start_switches(struct character *character);
 void character_to_bone(const struct character_build *build, int node,
 	const float direction[3], float out[3]);
 
-/* Initialises an entry. clip -2 is the rest pose. Returns 0 or -ENOMEM. */
-int character_init_entry(
-	struct character_build *build, int clip, struct character_entry *entry);
+/* Initialises an entry without a cursor. clip -2 is the rest pose. */
+void character_init_entry(const struct character_build *build, int clip,
+	struct character_entry *entry);
+
+/* Makes cursors for clips that play at once. Returns NULL after an error. */
+struct clip_cursor *character_make_cursors(
+	struct character_build *build, int count);
 
 /* The keys that all sections with a switch have; member is that of the switch. */
 #define CHARACTER_SWITCH_KEYS(type, member)                                    \

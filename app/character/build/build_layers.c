@@ -220,11 +220,13 @@ static int read_layer(struct character_build *build,
 			"a layer plays a clip: add clip = NAME");
 	}
 	if (!error) {
-		error = character_init_entry(build, draft.clip, &layer->entry);
+		character_init_entry(build, draft.clip, &layer->entry);
+		layer->entry.cursor = character_make_cursors(build, 1);
+		error = layer->entry.cursor ? make_mask(build, &draft, layer)
+					    : -ENOMEM;
 	}
 	if (!error) {
-		error = make_mask(build, &draft, layer);
-		layer->entry.cursor.only = layer->mask;
+		layer->entry.cursor->only = layer->mask;
 	}
 	if (!error) {
 		error = make_reference(build, layer);
@@ -252,7 +254,7 @@ static int find_paths(struct character_build *build)
 		clip_add_paths(character->clip[i].clip, model, paths);
 	}
 	for (int i = 0; i < character->layer_count; i++) {
-		character->layer[i].entry.cursor.paths = paths;
+		character->layer[i].entry.cursor->paths = paths;
 	}
 	return 0;
 }

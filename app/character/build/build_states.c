@@ -11,18 +11,32 @@ enum {
 	ENTRIES_MAX = 16
 };
 
-int character_init_entry(
-	struct character_build *build, int clip, struct character_entry *entry)
+void character_init_entry(const struct character_build *build, int clip,
+	struct character_entry *entry)
 {
-	struct character *character = build->character;
+	const struct character *character = build->character;
 
 	*entry = (struct character_entry){
 		.of = &character->clip[clip < 0 ? character->clip_count - 1 : clip],
 		.shown_s = -1,
 	};
-	return clip_cursor_init(&entry->cursor, build->model, build->arena)
-		? character_fail_memory(build)
-		: 0;
+}
+
+struct clip_cursor *character_make_cursors(
+	struct character_build *build, int count)
+{
+	struct clip_cursor *cursor =
+		ARENA_ARRAY(build->arena, struct clip_cursor, (size_t)count);
+	int error = cursor ? 0 : -ENOMEM;
+
+	for (int i = 0; i < count && !error; i++) {
+		error = clip_cursor_init(&cursor[i], build->model, build->arena);
+	}
+	if (error) {
+		character_fail_memory(build);
+		return NULL;
+	}
+	return cursor;
 }
 
 static int read_clip(struct character_words *words,
@@ -38,9 +52,11 @@ static int read_clip(struct character_words *words,
 	state->entry_count = 1;
 	state->entry =
 		ARENA_ARRAY(words->build->arena, struct character_entry, 1);
-	return state->entry
-		? character_init_entry(words->build, clip, state->entry)
-		: character_fail_memory(words->build);
+	if (!state->entry) {
+		return character_fail_memory(words->build);
+	}
+	character_init_entry(words->build, clip, state->entry);
+	return 0;
 }
 
 /* Inserts an entry behind those at lower values. */
@@ -57,9 +73,7 @@ static int add_entry(struct character_words *words,
 			"two clips are at %g: give each clip a value of its own",
 			(double)at);
 	}
-	if (character_init_entry(words->build, clip, &state->entry[index])) {
-		return -ENOMEM;
-	}
+	character_init_entry(words->build, clip, &state->entry[index]);
 	state->entry[index].at = at;
 	return 0;
 }
@@ -273,8 +287,11 @@ static int add_default_state(struct character_build *build)
 	state->name = clip < 0 ? "rest" : build->model->clip[0].name;
 	state->entry = ARENA_ARRAY(build->arena, struct character_entry, 1);
 	state->entry_count = 1;
-	return state->entry ? character_init_entry(build, clip, state->entry)
-			    : character_fail_memory(build);
+	if (!state->entry) {
+		return character_fail_memory(build);
+	}
+	character_init_entry(build, clip, state->entry);
+	return 0;
 }
 
 static int build_state(struct character_build *build,
@@ -302,7 +319,34 @@ static int find_paths(
 	for (int i = 0; i < state->entry_count; i++) {
 		clip_add_paths(
 			state->entry[i].of->clip, build->model, state->paths);
-		state->entry[i].cursor.paths = state->paths;
+	}
+	return 0;
+}
+
+/*
+ * Makes as many cursors as the state of most clips needs. One state plays at a
+ * time, so they are enough for all.
+ */
+static int share_cursors(struct character_build *build)
+{
+	struct character_machine *machine = &build->character->machine;
+	int most = 0;
+
+	for (int i = 0; i < machine->state_count; i++) {
+		int count = machine->state[i].entry_count;
+
+		most = count > most ? count : most;
+	}
+	machine->cursor = character_make_cursors(build, most);
+	if (!machine->cursor) {
+		return -ENOMEM;
+	}
+	for (int i = 0; i < machine->state_count; i++) {
+		struct character_state *state = &machine->state[i];
+
+		for (int k = 0; k < state->entry_count; k++) {
+			state->entry[k].cursor = &machine->cursor[k];
+		}
 	}
 	return 0;
 }
@@ -340,6 +384,7 @@ int character_build_states(struct character_build *build)
 	for (int i = 0; i < machine->state_count && !error; i++) {
 		error = find_paths(build, &machine->state[i]);
 	}
+	error = error ? error : share_cursors(build);
 	if (!error) {
 		error = build_transitions(build);
 	}

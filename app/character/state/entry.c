@@ -211,7 +211,7 @@ void character_entry_sample(struct character *character,
 	}
 	character_entry_show(character, entry, repeat);
 	clip_pose(entry->of->clip, entry->shown_s, character->interpolation,
-		&entry->cursor, pose);
+		entry->cursor, pose);
 	stay(character, entry, 1, pose);
 }
 
@@ -219,14 +219,14 @@ void character_entry_mix(struct character *character,
 	struct character_entry *entry, enum clip_repeat repeat, float amount,
 	struct pose *pose)
 {
-	const float *only = entry->cursor.only;
+	const float *only = entry->cursor->only;
 	int root = character->motion.root;
 
 	if (entry->of->clip) {
 		character_entry_show(character, entry, repeat);
 	}
 	clip_mix(entry->of->clip, entry->shown_s, character->interpolation,
-		amount, &entry->cursor, pose);
+		amount, entry->cursor, pose);
 	stay(character, entry, only && root >= 0 ? amount * only[root] : amount,
 		pose);
 }

@@ -253,11 +253,26 @@ static void note_progress(struct character *character)
 	}
 }
 
+/* Takes the cursors for a state, if another one has them. */
+static void take_cursors(const struct character_state *state)
+{
+	for (int i = 0; i < state->entry_count; i++) {
+		struct clip_cursor *cursor = state->entry[i].cursor;
+
+		if (cursor->paths != state->paths) {
+			cursor->paths = state->paths;
+			cursor->begun = false;
+		}
+	}
+}
+
 static void sample(struct character *character, struct pose *pose)
 {
 	struct character_machine *machine = &character->machine;
 	struct character_state *state = &machine->state[machine->current];
 	float before = 0;
+
+	take_cursors(state);
 
 	for (int i = 0; i < state->entry_count; i++) {
 		struct character_entry *entry = &state->entry[i];

@@ -17,12 +17,12 @@ struct moment {
 	bool jump; /* a value changes at once here */
 };
 
-static int compare_moments(const void *a, const void *b)
+/* Compares times, or moments, which begin with theirs. */
+static int compare_times(const void *a, const void *b)
 {
-	const struct moment *x = a, *y = b;
-	int order = (x->time_s > y->time_s) - (x->time_s < y->time_s);
+	float x = *(const float *)a, y = *(const float *)b;
 
-	return order ? order : (int)y->jump - (int)x->jump;
+	return (x > y) - (x < y);
 }
 
 static size_t count_keys(const struct model_clip *clip)
@@ -81,7 +81,7 @@ static size_t collect(const struct model_clip *clip, struct moment *moment)
 				clip->duration_s, moment + count);
 		}
 	}
-	qsort(moment, count, sizeof(*moment), compare_moments);
+	qsort(moment, count, sizeof(*moment), compare_times);
 	return count;
 }
 
@@ -117,7 +117,6 @@ static int fill(const float *time_s, size_t count, struct time_grid *out)
 	if (!out->time_s) {
 		return -ENOMEM;
 	}
-	out->count = 0;
 	out->time_s[out->count++] = time_s[0];
 	for (size_t i = 1; i < count; i++) {
 		float from = time_s[i - 1], to = time_s[i];
@@ -155,18 +154,11 @@ int time_grid_make(const struct model_clip *clip, struct time_grid *out)
 	return error;
 }
 
-static int compare_times(const void *a, const void *b)
-{
-	float x = *(const float *)a, y = *(const float *)b;
-
-	return (x > y) - (x < y);
-}
-
 int time_grid_add(struct time_grid *grid, const float *time_s, int count)
 {
 	size_t total = (size_t)grid->count + (size_t)count;
 	float *all = realloc(grid->time_s, total * sizeof(*all));
-	int kept = 0;
+	int kept = 1;
 
 	if (!all) {
 		return -ENOMEM;
@@ -174,8 +166,8 @@ int time_grid_add(struct time_grid *grid, const float *time_s, int count)
 	grid->time_s = all;
 	memcpy(all + grid->count, time_s, (size_t)count * sizeof(*all));
 	qsort(all, total, sizeof(*all), compare_times);
-	for (size_t i = 0; i < total; i++) {
-		if (kept == 0 || all[i] > all[kept - 1]) {
+	for (size_t i = 1; i < total; i++) {
+		if (all[i] > all[kept - 1]) {
 			all[kept++] = all[i];
 		}
 	}

@@ -27,7 +27,8 @@ int time_grid_make(const struct model_clip *clip, struct time_grid *out);
 
 /*
  * Adds count moments within the clip in any order; times that the grid has
- * already are left out. Returns 0 or -ENOMEM.
+ * already are left out. If the grid is empty, count is not 0. Returns 0 or
+ * -ENOMEM.
  */
 int time_grid_add(struct time_grid *grid, const float *time_s, int count);
 

@@ -151,6 +151,11 @@ static void test_keys_outside_the_clip_do_not_count(void **state)
 
 	(void)state;
 	begin(&bench, MODEL_STEP, 0.0125f, 3, keys);
+	make(&bench);
+	assert_int_equal(bench.grid.count, 4);
+	assert_true(has(&bench, 0.01f));
+	assert_true(has(&bench, nextafterf(0.01f, 0.0f)));
+	time_grid_release(&bench.grid);
 	bench.channel[0].interpolation = MODEL_LINEAR;
 	expect(&bench, wanted, 2, 0);
 }
@@ -168,6 +173,7 @@ static void test_a_clip_of_more_than_five_hours_is_refused(void **state)
 	bench.clip.duration_s = 18001.0f;
 	assert_int_equal(time_grid_make(&bench.clip, &bench.grid), -E2BIG);
 	assert_null(bench.grid.time_s);
+	assert_int_equal(bench.grid.count, 0);
 }
 
 static void test_added_moments_are_sorted_and_not_repeated(void **state)
@@ -227,6 +233,49 @@ static void test_a_thinned_grid_meets_all_phases_of_its_clip(void **state)
 	time_grid_release(&bench.grid);
 }
 
+/*
+ * Of ten intervals, five in turn: from a half of their pairs on, 0.118, 0.736,
+ * 0.354 and 0.972 of them, by the golden ratio. Two of them begin where the one
+ * before ends.
+ */
+static void test_a_thinned_grid_keeps_places_by_the_golden_ratio(void **state)
+{
+	static const float keys_s[] = {0.0f, 10 / 60.0f};
+	static const int kept[] = {0, 1, 2, 3, 5, 6, 7, 9, 10};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, MODEL_LINEAR, 10 / 60.0f, 2, keys_s);
+	make(&bench);
+	assert_int_equal(bench.grid.count, 11);
+	time_grid_thin(&bench.grid, 1.0);
+	assert_int_equal(bench.grid.count, ARRAY_COUNT(kept));
+	for (int i = 0; i < bench.grid.count; i++) {
+		assert_near(bench.grid.time_s[i], kept[i] / 60.0, 1e-6);
+		assert_true(i + 1 == bench.grid.count ||
+			time_grid_is_gap(&bench.grid, i) ==
+				(kept[i + 1] > kept[i] + 1));
+	}
+	time_grid_release(&bench.grid);
+}
+
+static void test_a_thinned_grid_has_an_interval_in_the_middle(void **state)
+{
+	static const float keys_s[] = {0.0f, 10 / 60.0f};
+	static const int kept[] = {0, 5, 6, 10};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, MODEL_LINEAR, 10 / 60.0f, 2, keys_s);
+	make(&bench);
+	time_grid_thin(&bench.grid, 1e-6);
+	assert_int_equal(bench.grid.count, ARRAY_COUNT(kept));
+	for (int i = 0; i < bench.grid.count; i++) {
+		assert_near(bench.grid.time_s[i], kept[i] / 60.0, 1e-6);
+	}
+	time_grid_release(&bench.grid);
+}
+
 static void test_a_grid_of_one_interval_stays(void **state)
 {
 	static const float keys_s[] = {0.0f, 0.01f};
@@ -254,6 +303,10 @@ int main(void)
 		cmocka_unit_test(test_added_moments_are_sorted_and_not_repeated),
 		cmocka_unit_test(
 			test_a_thinned_grid_meets_all_phases_of_its_clip),
+		cmocka_unit_test(
+			test_a_thinned_grid_keeps_places_by_the_golden_ratio),
+		cmocka_unit_test(
+			test_a_thinned_grid_has_an_interval_in_the_middle),
 		cmocka_unit_test(test_a_grid_of_one_interval_stays),
 	};
 

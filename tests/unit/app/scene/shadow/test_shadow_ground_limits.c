@@ -36,9 +36,12 @@ static enum kind kind_of(const struct model *model)
 
 	assert_int_equal(shadow_ground_find(&ground, instance), 0);
 	assert_true(ground.count == 0 || ground.count == 2);
+	assert_true(ground.count == 2 || !ground.relief.height);
 	kind = ground.count == 0       ? NO_GROUND
 		: ground.relief.height ? UNEVEN
 				       : LEVEL;
+	/* The stage's floor would be in its plane, wherever the bottom is. */
+	assert_true(kind != LEVEL || ground.in_plane);
 	instance_destroy(instance);
 	return kind;
 }

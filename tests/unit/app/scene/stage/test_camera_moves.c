@@ -112,17 +112,15 @@ static void test_what_a_box_covers_is_the_region_that_it_fits(void **state)
 	assert_near(covered.top, 1.0, 1e-6);
 }
 
-static void test_the_farthest_distance_is_that_of_the_widest_view(void **state)
+static void check_farthest(const struct bounds *bounds, float yaw_rad)
 {
 	const struct camera_framing framing = {
 		.aspect = 0.75f, .margin = 1.1f, .follow = true};
 	struct camera camera = camera_default();
-	struct bounds bounds = box(3.0f, 1.0f, 1.0f);
 	float farthest = 0.0f;
 
-	(void)state;
-	camera_frame(&camera, &bounds, &framing);
-	camera_orbit(&camera, 1.5707963f, 0.0f);
+	camera_frame(&camera, bounds, &framing);
+	camera_orbit(&camera, yaw_rad, 0.0f);
 	for (int i = 0; i < 360; i++) {
 		struct camera turned = camera;
 
@@ -133,6 +131,36 @@ static void test_the_farthest_distance_is_that_of_the_widest_view(void **state)
 	assert_near(camera_farthest(&camera), farthest, 0.05f * farthest);
 	camera.fit.on = false;
 	assert_near(camera_farthest(&camera), camera.distance, 0.0);
+}
+
+/* Seen from an end of each box, which is wide from the side. */
+static void test_the_farthest_distance_is_that_of_the_widest_view(void **state)
+{
+	const struct bounds wide = box(3.0f, 1.0f, 1.0f);
+	const struct bounds deep = box(1.0f, 1.0f, 3.0f);
+
+	(void)state;
+	check_farthest(&wide, 1.5707963f);
+	check_farthest(&deep, 0.0f);
+}
+
+/* As far as the figure is from the eye, from 5% to 35% of the target's distance. */
+static void test_the_near_plane_is_before_the_figure(void **state)
+{
+	static const float rows[][2] = {{1, 1.4f}, {2.5f, 1.4f}, {2.75f, 1.25f},
+		{3.5f, 0.5f}, {3.75f, 0.25f}, {3.9f, 0.2f}, {8, 0.2f}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct camera camera = camera_default();
+
+		camera.pitch_rad = 1.2f; /* the ground is farther away */
+		camera.distance = 4;
+		camera.radius = rows[i][0];
+		assert_near(
+			fx16_to_float(camera_frustum(&camera, 480, 640).near),
+			rows[i][1], 1e-3);
+	}
 }
 
 /* From behind the ground below the picture to beyond where it fades. */
@@ -209,6 +237,7 @@ int main(void)
 		cmocka_unit_test(
 			test_the_frustum_holds_the_figure_and_the_ground),
 		cmocka_unit_test(test_a_frustum_ends_16000_from_its_axis),
+		cmocka_unit_test(test_the_near_plane_is_before_the_figure),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -134,17 +134,18 @@ static const float origin[3] = {0, 0, 0};
 static void test_a_part_of_twice_the_size_flies_away(void **state)
 {
 	static const struct {
-		float size, high;
-	} rows[] = {{1.95f, 7}, {2.05f, 82.05f}};
+		float size, way, high;
+	} rows[] = {{1.95f, 80, 7}, {2.05f, 80, 82.05f}, {1.95f, 9.5f, 7},
+		{2.05f, 9.5f, 11.55f}};
 
 	(void)state;
-	for (int i = 0; i < 2; i++) {
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
 		const float size = rows[i].size;
 		struct pair pair;
 		struct bounds box;
 
 		begin(&pair, 1, MODEL_TRANSLATION, origin,
-			(const float[]){80, 0, 0});
+			(const float[]){rows[i].way, 0, 0});
 		move(&pair, 1, MODEL_SCALE, (const float[]){1, 1, 1},
 			(const float[]){size, size, size});
 		box = bounds_of_clip(pair.instance, 0);

@@ -285,6 +285,27 @@ static void test_bars_fill_by_their_fraction(void **state)
 	assert_int_equal(filled_width(0.001f), 4);
 }
 
+/* sRGB; all labels, graphs and overlays take their colours from here. */
+static void test_labels_have_one_palette(void **state)
+{
+	const struct {
+		struct hud_color color;
+		uint8_t rgba[4];
+	} palette[] = {{hud_color_text, {244, 247, 250, 255}},
+		{hud_color_dim, {190, 201, 214, 255}},
+		{hud_color_panel, {16, 21, 29, 184}},
+		{hud_color_blue, {92, 172, 255, 255}},
+		{hud_color_green, {104, 211, 145, 255}},
+		{hud_color_amber, {250, 190, 88, 255}},
+		{hud_color_rose, {248, 128, 140, 255}},
+		{hud_color_violet, {178, 148, 255, 255}}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(palette) / sizeof(palette[0]); i++) {
+		assert_memory_equal(&palette[i].color, palette[i].rgba, 4);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -301,6 +322,7 @@ int main(void)
 			test_corners_are_as_round_as_asked_or_half_a_side),
 		cmocka_unit_test(test_bars_fill_by_their_fraction),
 		cmocka_unit_test(test_large_letters_are_enlarged_ones),
+		cmocka_unit_test(test_labels_have_one_palette),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

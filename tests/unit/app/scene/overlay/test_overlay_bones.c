@@ -1,7 +1,9 @@
 /* The skeleton, axes and links of a figure, and the labels beside it. */
 #include "app/scene/overlay/overlay_bones.h"
 
+#include "app/anim/math/vec.h"
 #include "app/scene/overlay/overlay.h"
+#include "app/scene/stage/light.h"
 #include "tests/support/model/bones.h"
 #include "tests/support/test.h"
 
@@ -110,6 +112,55 @@ static void expect_spindle(const struct overlay_vertex *vertex, float from,
 	for (int k = 1; k < 3; k++) {
 		assert_near(brightest(vertex, k), light * (float)color[k], 2.0);
 	}
+}
+
+/* Each face by 32% of the cosine of its angle with the light around 68%. */
+static void expect_shaded(
+	const struct overlay_vertex *vertex, const uint8_t color[3])
+{
+	float light[3];
+
+	light_direction(light);
+	for (int v = 0; v < SPINDLE; v++) {
+		const struct overlay_vertex *face = vertex + v / 3 * 3;
+		float ab[3], ac[3], normal[3], share;
+
+		vec_subtract(face[1].position, face[0].position, ab);
+		vec_subtract(face[2].position, face[0].position, ac);
+		vec_cross(ab, ac, normal);
+		share = 0.68f +
+			0.32f * vec_dot(normal, light) / vec_length(normal);
+		for (int k = 0; k < 3; k++) {
+			assert_near(vertex[v].color[k] + 0.5,
+				(double)(share * color[k]), 0.502);
+		}
+		assert_int_equal(vertex[v].color[3], 255);
+	}
+}
+
+static void test_the_colours_of_bones_joints_and_axes(void **state)
+{
+	static const uint8_t plain[3] = {244, 236, 212};
+	static const uint8_t chosen[3] = {250, 170, 60};
+	static const uint8_t joint[3] = {92, 172, 255};
+	static const uint8_t axes[3][3] = {
+		{236, 66, 60}, {84, 200, 84}, {74, 128, 255}};
+	struct figure *figure = begin(GL_TRIANGLES);
+	const struct overlay_vertex *vertex = figure->sketch.vertex;
+
+	(void)state;
+	overlay_bones_skeleton(&figure->drawn, &figure->sketch);
+	expect_shaded(vertex, joint);
+	expect_shaded(vertex + SPINDLE, plain);
+	expect_shaded(vertex + 2 * SPINDLE, chosen);
+	expect_shaded(vertex + 3 * SPINDLE, chosen);
+	expect_shaded(vertex + 4 * SPINDLE, joint);
+	figure->sketch.count = 0;
+	overlay_bones_axes(&figure->drawn, &figure->sketch);
+	for (int i = 0; i < 9; i++) {
+		expect_shaded(vertex + i * SPINDLE, axes[i % 3]);
+	}
+	end(figure);
 }
 
 static void test_bones_are_as_thick_as_they_are_long_up_to_a_limit(void **state)
@@ -283,6 +334,7 @@ int main(void)
 		cmocka_unit_test(test_source_and_destiny_are_framed_in_the_row),
 		cmocka_unit_test(test_a_row_has_at_most_twelve_pictures),
 		cmocka_unit_test(test_what_is_not_in_the_row_is_not_framed),
+		cmocka_unit_test(test_the_colours_of_bones_joints_and_axes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

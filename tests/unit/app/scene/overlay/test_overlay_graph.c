@@ -119,7 +119,7 @@ static void expect_graph(const struct overlay_curve *curve, int height)
 /* Multiples of an eighth between -4 and 4, so that rows are not rounded twice. */
 static void test_curves_fill_the_graph_and_dots_show_the_moment(void **state)
 {
-	static const float moments[] = {0, 0.25f, 0.5f, 0.8125f, 1, -1, 2};
+	static const float moments[] = {0, 0.25f, 0.5f, 0.96f, 1, -1, 2};
 	static const int heights[] = {320, 640, 1080};
 	uint32_t seed = 1;
 

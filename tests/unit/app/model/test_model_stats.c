@@ -150,6 +150,46 @@ static void test_counts_mesh_by_mesh(void **state)
 	model_destroy(model);
 }
 
+/* A list with corners of the full list has two numbers a corner. */
+static void test_counts_levels_of_detail(void **state)
+{
+	static uint32_t index[6];
+	static struct model_lod lod[3] = {
+		{.index_count = 6, .index = index, .error_m = 0.25f},
+		{.index_count = 3,
+			.index = index,
+			.corner = index,
+			.error_m = 0.125f},
+		{.index_count = 3, .index = index, .shadow_only = true}};
+	struct model *model = model_fixture("gltf/mesh/indices.gltf", NULL);
+	struct model_primitive two[2] = {
+		{.index_count = 300, .lod_count = 3, .lod = lod},
+		{.index_count = 30, .lod_count = 1, .lod = lod + 1}};
+	const struct model_mesh mesh = {.primitive_count = 2, .primitive = two};
+	struct model_stats stats;
+	struct model_level level;
+
+	(void)state;
+	model->mesh[0].primitive[0].lod = lod;
+	model->mesh[0].primitive[0].lod_count = 3;
+	model_measure(model, &stats);
+	assert_int_equal(stats.geometry_bytes,
+		3 * (4 * 12 + 6 * 4) + (6 + 2 * 3 + 3) * 4);
+	model_destroy(model);
+	assert_int_equal(model_level_count(&mesh), 3);
+	level = model_level(&mesh, 0);
+	assert_int_equal(level.triangle_count, 2 + 1);
+	assert_near(level.error_m, 0.25, 0);
+	/* What has no such level keeps all its triangles. */
+	level = model_level(&mesh, 1);
+	assert_int_equal(level.triangle_count, 1 + 10);
+	assert_near(level.error_m, 0.125, 0);
+	assert_false(level.shadow_only);
+	level = model_level(&mesh, 2);
+	assert_int_equal(level.triangle_count, 1 + 10);
+	assert_true(level.shadow_only);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -161,6 +201,7 @@ int main(void)
 		cmocka_unit_test(test_counts_images),
 		cmocka_unit_test(test_counts_what_the_file_has),
 		cmocka_unit_test(test_counts_mesh_by_mesh),
+		cmocka_unit_test(test_counts_levels_of_detail),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

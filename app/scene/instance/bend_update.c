@@ -3,6 +3,7 @@
  */
 #include "app/scene/instance/bend.h"
 
+#include "app/anim/math/vec.h"
 #include "platform/base/scalar.h"
 
 enum {
@@ -69,24 +70,24 @@ static void bend_float(const struct motion *motion, const struct bend *bend,
 		float height = 0.0f, tilt = 0.0f;
 		float x = p[0] - bend->neck.x * unit;
 		float z = p[2] - bend->neck.z * unit;
+		float turned[3] = {n[0] + n[2] * sine - n[0] * less, n[1],
+			n[2] - n[0] * sine - n[2] * less};
 
 		if (motion->waves && vertex->reach_q14 > 0) {
 			float reach = (float)vertex->reach_q14 / 16384.0f;
 
 			height = motion->height[vertex->place] * reach * unit;
 			tilt = motion->slope[vertex->place] * reach *
-				(d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
+				vec_dot(d, turned);
 		}
 		part->position[i][0] =
 			p[0] + z * sine - x * less + d[0] * height;
 		part->position[i][1] = p[1] + d[1] * height;
 		part->position[i][2] =
 			p[2] - x * sine - z * less + d[2] * height;
-		part->normal[i][0] =
-			n[0] + n[2] * sine - n[0] * less - a[0] * tilt;
-		part->normal[i][1] = n[1] - a[1] * tilt;
-		part->normal[i][2] =
-			n[2] - n[0] * sine - n[2] * less - a[2] * tilt;
+		for (int axis = 0; axis < 3; axis++) {
+			part->normal[i][axis] = turned[axis] - a[axis] * tilt;
+		}
 	}
 }
 

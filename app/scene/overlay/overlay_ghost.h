@@ -40,7 +40,7 @@ void overlay_ghost_draw_solid(struct overlay_ghost *ghost, const struct gl *gl,
 
 /*
  * Returns the time of the nearest key frame of any channel that is at least
- * gap_s seconds after time_s or, if gap_s is negative, at least -gap_s seconds
+ * gap_s seconds after time_s or, if gap_s is negative, more than -gap_s seconds
  * before it. Returns a negative time if the clip has no such key frame.
  */
 float overlay_ghost_key_time(

@@ -310,6 +310,21 @@ static void test_the_end_of_a_clip_keeps_one_node_and_what_it_has(void **state)
 		"'channels':[{'sampler':0,'target':{'node':0}}]}]}");
 }
 
+/* Only nodes that exist can end a clip. */
+static void test_a_channel_of_a_missing_node_ends_no_clip(void **state)
+{
+	(void)state;
+	expect_pruned("{'scenes':[{'nodes':[0]}],'nodes':[{},{'name':'last'}],"
+		      "'accessors':[{'max':[1]},{'max':[2]}],"
+		      "'animations':[{'samplers':[{'input':0},{'input':1}],"
+		      "'channels':[{'sampler':0,'target':{'node':1}},"
+		      "{'sampler':1,'target':{'node':2}}]}]}",
+		"{'scenes':[{'nodes':[0]}],'nodes':[{},{'name':'last'}],"
+		"'accessors':[{'max':[1]},{'max':[2]}],"
+		"'animations':[{'samplers':[{'input':0},{'input':1}],"
+		"'channels':[{'sampler':0,'target':{'node':1}}]}]}");
+}
+
 #define SCALARS(count) "{'type':'SCALAR','count':" #count "}"
 
 /* Three times, three numbers, four, and three vectors. */
@@ -365,6 +380,7 @@ int main(void)
 		cmocka_unit_test(test_clips_keep_their_numbers_and_durations),
 		cmocka_unit_test(
 			test_the_end_of_a_clip_keeps_one_node_and_what_it_has),
+		cmocka_unit_test(test_a_channel_of_a_missing_node_ends_no_clip),
 		cmocka_unit_test(test_clips_without_nodes_keep_their_numbers),
 		cmocka_unit_test(test_clips_without_nodes_and_times_go),
 	};

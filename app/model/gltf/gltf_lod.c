@@ -8,12 +8,12 @@ enum {
 	LEVELS_MAX = 16 /* per mesh */
 };
 
-/* How often the file refers to each of its nodes and meshes. */
+/* What in the file refers to its nodes and meshes. */
 struct references {
 	struct gltf *gltf;
 	const json_t *nodes, *meshes; /* arrays, or NULL */
-	int *node;     /* [node_count]: references other than those of
-			MSFT_lod */
+	bool *node;    /* [node_count]: something other than MSFT_lod refers
+			to it */
 	int *mesh;     /* [mesh_count]: number of nodes that have the mesh */
 	int *level;    /* [mesh_count]: how many of these nodes are levels */
 	bool *refused; /* [mesh_count]: the mesh cannot be a level */
@@ -29,17 +29,17 @@ static int valid_index(const json_t *number, int count)
 		: -1;
 }
 
-static void count_reference(
+static void note_reference(
 	const struct references *references, const json_t *number)
 {
 	int node = valid_index(number, references->gltf->node_count);
 
 	if (node >= 0) {
-		references->node[node]++;
+		references->node[node] = true;
 	}
 }
 
-static void count_references(
+static void note_references(
 	const struct references *references, const json_t *numbers)
 {
 	size_t i;
@@ -47,12 +47,12 @@ static void count_references(
 
 	json_array_foreach(numbers, i, number)
 	{
-		count_reference(references, number);
+		note_reference(references, number);
 	}
 }
 
 /* Counts the node or nodes in a member of each element of a root array. */
-static void count_member_references(const struct references *references,
+static void note_member_references(const struct references *references,
 	const char *array, const char *member)
 {
 	size_t i;
@@ -63,12 +63,12 @@ static void count_member_references(const struct references *references,
 	{
 		json_t *value = json_object_get(element, member);
 
-		count_reference(references, value);
-		count_references(references, value);
+		note_reference(references, value);
+		note_references(references, value);
 	}
 }
 
-static void count_channel_references(const struct references *references)
+static void note_channel_references(const struct references *references)
 {
 	size_t i, k;
 	json_t *clip, *channel;
@@ -78,7 +78,7 @@ static void count_channel_references(const struct references *references)
 	{
 		json_array_foreach(json_object_get(clip, "channels"), k, channel)
 		{
-			count_reference(references,
+			note_reference(references,
 				json_object_get(
 					json_object_get(channel, "target"),
 					"node"));
@@ -97,11 +97,11 @@ static void count_all(const struct references *references)
 	size_t i;
 	json_t *node;
 
-	count_member_references(references, "nodes", "children");
-	count_member_references(references, "scenes", "nodes");
-	count_member_references(references, "skins", "joints");
-	count_member_references(references, "skins", "skeleton");
-	count_channel_references(references);
+	note_member_references(references, "nodes", "children");
+	note_member_references(references, "scenes", "nodes");
+	note_member_references(references, "skins", "joints");
+	note_member_references(references, "skins", "skeleton");
+	note_channel_references(references);
 	json_array_foreach(references->nodes, i, node)
 	{
 		int mesh = mesh_of(references, node);
@@ -190,7 +190,7 @@ static bool can_replace(const struct references *references, const json_t *node,
 	const json_t *other = json_array_get(references->nodes, (size_t)number);
 	int level = mesh_of(references, other);
 
-	return references->node[number] == 0 && level >= 0 && level != mesh &&
+	return !references->node[number] && level >= 0 && level != mesh &&
 		!json_object_get(other, "children") &&
 		!json_object_get(other, "camera") && !levels_of(other) &&
 		members_equal(node, other, keys);
@@ -299,7 +299,7 @@ static int allocate(struct references *references, const struct gltf_at *at)
 	struct gltf *gltf = references->gltf;
 	int i;
 
-	references->node = GLTF_SCRATCH(at, int, gltf->node_count);
+	references->node = GLTF_SCRATCH(at, bool, gltf->node_count);
 	references->mesh = GLTF_SCRATCH(at, int, gltf->mesh_count);
 	references->level = GLTF_SCRATCH(at, int, gltf->mesh_count);
 	references->refused = GLTF_SCRATCH(at, bool, gltf->mesh_count);

@@ -73,7 +73,7 @@ static bool list_corners(
 		most = scalar_max(square, most);
 	}
 	out->size = scalar_sqrt(scalar_sqrt(most));
-	return out->count > 1;
+	return true;
 }
 
 static bool may_merge(const struct simplify *simplify,
@@ -82,7 +82,7 @@ static bool may_merge(const struct simplify *simplify,
 	const float(*normal)[3] = (const float(*)[3])simplify->primitive->normal;
 	float change = 0.0f, error, other;
 
-	for (int i = 0; normal && i < 3; i++) {
+	for (int i = 0; i < 3; i++) {
 		float d = normal[a][i] - normal[b][i];
 
 		change += d * d;
@@ -133,19 +133,18 @@ static int mark_near(const struct simplify *simplify,
 
 /* Returns the marked vertex whose normal is nearest to the mean of theirs. */
 static int find_middle(const struct simplify *simplify,
-	const struct corners *corners, const bool near[SIMPLIFY_VALENCE_MAX],
-	int otherwise)
+	const struct corners *corners, const bool near[SIMPLIFY_VALENCE_MAX])
 {
 	const float(*normal)[3] = (const float(*)[3])simplify->primitive->normal;
 	float sum[3] = {0.0f, 0.0f, 0.0f}, most = -FLT_MAX;
-	int middle = otherwise;
+	int middle = 0;
 
-	for (int i = 0; normal && i < corners->count; i++) {
+	for (int i = 0; i < corners->count; i++) {
 		for (int axis = 0; near[i] && axis < 3; axis++) {
 			sum[axis] += normal[corners->vertex[i]][axis];
 		}
 	}
-	for (int i = 0; normal && i < corners->count; i++) {
+	for (int i = 0; i < corners->count; i++) {
 		const float *n = normal[corners->vertex[i]];
 		float along = simplify_dot(n, sum);
 
@@ -171,14 +170,16 @@ static bool merge_most(struct simplify *simplify, uint32_t leader,
 	for (int i = 0; i < corners->count; i++) {
 		int count = mark_near(simplify, corners, i, limit, near);
 
-		best = count > most ? i : best;
-		most = count > most ? count : most;
+		if (count > most) {
+			most = count;
+			best = i;
+		}
 	}
 	if (most == 0) {
 		return false;
 	}
 	mark_near(simplify, corners, best, limit, near);
-	best = find_middle(simplify, corners, near, best);
+	best = find_middle(simplify, corners, near);
 	mark_near(simplify, corners, best, limit, near);
 	kept = corners->vertex[best];
 	for (int i = 0; i < corners->count; i++) {
@@ -231,8 +232,7 @@ void simplify_merge(struct simplify *simplify, float limit)
 		simplify->divided && v < count && !interrupt_pending(); v++) {
 		struct corners corners;
 
-		if (simplify->leader[v] != v ||
-			!list_corners(simplify, v, &corners)) {
+		if (!list_corners(simplify, v, &corners)) {
 			continue;
 		}
 		while (merge_most(simplify, v, &corners, limit)) {

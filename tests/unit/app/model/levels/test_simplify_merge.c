@@ -9,24 +9,31 @@
 #include <string.h>
 
 enum {
-	SIDES_MAX = 70,
-	VERTICES = 2 * SIDES_MAX,
+	FANS = 2,
+	SIDES_MAX = 66,
+	VERTICES = FANS * 2 * SIDES_MAX,
 	CASES = 400
 };
 
 /*
- * Triangles around the position of the vertices 0 to sides - 1. Those at its
- * rim follow; the rim is closed, and its vertices are shared.
+ * Two fans: triangles around a middle, with a closed rim. The vertices of both
+ * take turns: those of the middle's position first, one a triangle, and then
+ * those of the rim, which triangles share.
  */
 struct fan {
 	int sides;
 	float position[VERTICES][3], normal[VERTICES][3];
 	uint8_t color[VERTICES][4];
-	uint32_t index[3 * SIDES_MAX];
+	uint32_t index[FANS * 3 * SIDES_MAX];
 	bool shared[VERTICES];
 	struct model_primitive primitive;
 	struct simplify simplify;
 };
+
+static uint32_t number(int which, int vertex)
+{
+	return (uint32_t)(FANS * vertex + which);
+}
 
 /* The corner of a triangle that is at the middle. */
 static int middle_of(int triangle)
@@ -34,28 +41,39 @@ static int middle_of(int triangle)
 	return 3 * triangle + triangle % 3;
 }
 
-/* A fan of a rim of radius 1, more or less, and normals that point up. */
+static void list_triangle(struct fan *fan, int which, int i)
+{
+	int sides = fan->sides, triangle = which * sides + i;
+	uint32_t *at = fan->index + 3 * triangle;
+
+	at[triangle % 3] = number(which, i);
+	at[(triangle + 1) % 3] = number(which, sides + i);
+	at[(triangle + 2) % 3] = number(which, sides + (i + 1) % sides);
+}
+
+/* Rims have a radius of 1, or of 4, and normals point up. */
 static void fill(struct fan *fan, int sides)
 {
 	memset(fan, 0, sizeof(*fan));
 	fan->sides = sides;
-	for (int i = 0; i < sides; i++) {
-		double turn = 6.283185307 * i / sides;
-		float *rim = fan->position[sides + i];
-		int at = middle_of(i), next = 3 * i;
+	for (int i = 0; i < FANS * sides; i++) {
+		int which = i / sides, side = i % sides;
+		double turn = 6.283185307 * side / sides;
+		float *rim = fan->position[number(which, sides + side)];
 
-		rim[0] = (float)cos(turn);
-		rim[1] = (float)sin(turn);
-		fan->normal[i][2] = fan->normal[sides + i][2] = 1.0f;
-		fan->index[at] = (uint32_t)i;
-		fan->index[next + (at + 1) % 3] = (uint32_t)(sides + i);
-		fan->index[next + (at + 2) % 3] =
-			(uint32_t)(sides + (i + 1) % sides);
+		rim[0] = (float)(cos(turn) * (which == 0 ? 1 : 4));
+		rim[1] = (float)(sin(turn) * (which == 0 ? 1 : 4));
+		list_triangle(fan, which, side);
 	}
-	fan->primitive = (struct model_primitive){.vertex_count = 2 * sides,
-		.position = fan->position,
-		.normal = fan->normal,
-		.color = fan->color};
+	for (int v = 0; v < FANS * 2 * sides; v++) {
+		fan->position[v][2] = v % FANS == 0 ? 0.0f : 9.0f;
+		fan->normal[v][2] = 1.0f;
+	}
+	fan->primitive =
+		(struct model_primitive){.vertex_count = FANS * 2 * sides,
+			.position = fan->position,
+			.normal = fan->normal,
+			.color = fan->color};
 }
 
 static void begin(struct fan *fan)
@@ -63,7 +81,7 @@ static void begin(struct fan *fan)
 	const struct simplify_input input = {
 		.primitive = &fan->primitive,
 		.index = fan->index,
-		.index_count = 3 * fan->sides,
+		.index_count = FANS * 3 * fan->sides,
 		.extent = 2.0f,
 		.shared = fan->shared,
 	};
@@ -76,15 +94,15 @@ static void begin(struct fan *fan)
 }
 
 /* The side of a square as large as the largest triangle, in extents. */
-static double size_of(const struct fan *fan)
+static double size_of(const struct fan *fan, int which)
 {
 	double most = 0;
 
-	for (int t = 0; t < 3 * fan->sides; t += 3) {
+	for (int t = 0; t < fan->sides; t++) {
+		const uint32_t *at = fan->index + 3 * (which * fan->sides + t);
 		double u[3], v[3], square = 0;
 
 		for (int i = 0; i < 3; i++) {
-			const uint32_t *at = fan->index + t;
 			double from = (double)fan->position[at[0]][i];
 
 			u[i] = ((double)fan->position[at[1]][i] - from) / 2;
@@ -102,7 +120,7 @@ static double size_of(const struct fan *fan)
 
 static bool are_near(const struct fan *fan, double limit, uint32_t a, uint32_t b)
 {
-	double normal = 0, color = 0, factor = 3 * size_of(fan);
+	double normal = 0, color = 0, factor = 3 * size_of(fan, (int)(a % FANS));
 
 	for (int i = 0; i < 3; i++) {
 		normal += pow(
@@ -155,14 +173,15 @@ static int find_mean(const struct fan *fan, const uint32_t *list, int count,
 }
 
 /* Sets what each vertex becomes. Returns whether any becomes another one. */
-static bool expect(const struct fan *fan, double limit, uint32_t becomes[])
+static bool expect(
+	const struct fan *fan, int which, double limit, uint32_t becomes[])
 {
 	uint32_t list[SIDES_MAX];
 	bool near[SIDES_MAX], any = false;
 	int count = 0, most;
 
 	for (int t = 0; t < fan->sides; t++) {
-		uint32_t vertex = fan->index[middle_of(t)];
+		uint32_t vertex = fan->index[middle_of(which * fan->sides + t)];
 		bool known = false;
 
 		for (int i = 0; i < count; i++) {
@@ -205,21 +224,27 @@ static bool expect(const struct fan *fan, double limit, uint32_t becomes[])
 static void check(struct fan *fan, float limit)
 {
 	const struct simplify *simplify = &fan->simplify;
-	uint32_t becomes[SIDES_MAX];
-	bool any = expect(fan, (double)limit, becomes);
+	int sides = fan->sides;
 
 	begin(fan);
 	simplify_merge(&fan->simplify, limit);
-	for (int i = 0; i < 3 * fan->sides; i++) {
-		uint32_t vertex = fan->index[i];
+	for (int which = 0; which < FANS; which++) {
+		uint32_t becomes[VERTICES];
+		bool any = expect(fan, which, (double)limit, becomes);
 
-		assert_int_equal(simplify->index[i],
-			i == middle_of(i / 3) ? becomes[vertex] : vertex);
-	}
-	assert_int_equal(
-		simplify->known[0], any ? SIMPLIFY_NOTHING : SIMPLIFY_BEST);
-	for (int i = fan->sides; i < 2 * fan->sides; i++) {
-		assert_int_equal(simplify->known[i], simplify->known[0]);
+		for (int i = 0; i < 3 * sides; i++) {
+			int at = which * 3 * sides + i;
+			uint32_t vertex = fan->index[at];
+
+			assert_int_equal(simplify->index[at],
+				at == middle_of(at / 3) ? becomes[vertex]
+							: vertex);
+		}
+		for (int i = 0; i < 2 * sides; i++) {
+			assert_int_equal(simplify->known[number(which, i)],
+				any && (i == 0 || i >= sides) ? SIMPLIFY_NOTHING
+							      : SIMPLIFY_BEST);
+		}
 	}
 	simplify_end(&fan->simplify);
 }
@@ -233,22 +258,27 @@ static float random_part(uint32_t *seed, float most)
 static void draw_case(struct fan *fan, uint32_t *seed)
 {
 	float spread = 0.1f * (float)random_between(seed, 1, 6);
+	int turn = random_between(seed, 0, 2),
+	    sides = random_between(seed, 3, 8);
 
-	fill(fan, random_between(seed, 3, 8));
-	for (int v = 0; v < 2 * fan->sides; v++) {
+	fill(fan, sides);
+	for (int v = 0; v < FANS * 2 * sides; v++) {
+		float *p = fan->position[v], from[3];
+
+		memcpy(from, p, sizeof(from));
 		for (int i = 0; i < 3; i++) {
 			fan->normal[v][i] += random_part(seed, spread);
-			if (v >= fan->sides) {
-				fan->position[v][i] += random_part(seed, 0.2f);
-			}
+			p[(i + turn) % 3] = from[i] +
+				(v < FANS * sides ? 0.3f
+						  : random_part(seed, 0.4f));
 		}
 		if (random_one_in(seed, 3)) {
 			fan->color[v][random_between(seed, 0, 3)] =
 				(uint8_t)random_between(seed, 0, 255);
 		}
 	}
-	for (int t = 1; t < fan->sides; t++) {
-		if (random_one_in(seed, 4)) {
+	for (int t = 1; t < FANS * sides; t++) {
+		if (t != sides && random_one_in(seed, 4)) {
 			fan->index[middle_of(t)] = fan->index[middle_of(t - 1)];
 		}
 	}
@@ -267,37 +297,35 @@ static void test_the_most_become_the_one_in_their_middle(void **state)
 	}
 }
 
-/* The error that is allowed counts, and not the next smaller one. */
 static void test_an_error_of_the_limit_is_allowed(void **state)
 {
 	static struct fan fan;
 
 	(void)state;
 	fill(&fan, 4);
-	fan.color[1][0] = 1;
+	fan.color[number(0, 1)][0] = 1;
 	begin(&fan);
 	simplify_merge(&fan.simplify, 0.0f);
-	assert_int_equal(fan.simplify.index[middle_of(0)], 0);
-	assert_int_equal(fan.simplify.index[middle_of(1)], 1);
-	assert_int_equal(fan.simplify.index[middle_of(2)], 0);
-	assert_int_equal(fan.simplify.index[middle_of(3)], 0);
+	for (int t = 0; t < 4; t++) {
+		assert_int_equal(fan.simplify.index[middle_of(t)],
+			number(0, t == 1 ? 1 : 0));
+	}
 	simplify_end(&fan.simplify);
 }
 
-/* Normals that differ by exactly a half may be one, and no others. */
-static void test_edges_of_a_half_are_the_sharpest_to_be_merged(void **state)
+static void test_normals_that_differ_by_half_are_the_last_merged(void **state)
 {
 	static struct fan fan;
 
 	(void)state;
 	fill(&fan, 3);
-	fan.normal[1][0] = 0.5f;
-	fan.normal[2][1] = 0.5078125f;
+	fan.normal[number(0, 1)][0] = 0.5f;
+	fan.normal[number(0, 2)][1] = 0.5078125f;
 	begin(&fan);
 	simplify_merge(&fan.simplify, 100.0f);
 	assert_int_equal(fan.simplify.index[middle_of(0)],
 		fan.simplify.index[middle_of(1)]);
-	assert_int_equal(fan.simplify.index[middle_of(2)], 2);
+	assert_int_equal(fan.simplify.index[middle_of(2)], number(0, 2));
 	simplify_end(&fan.simplify);
 }
 
@@ -311,7 +339,7 @@ static void test_only_divided_lists_are_merged(void **state)
 	fan.simplify.divided = false;
 	simplify_merge(&fan.simplify, 1.0f);
 	assert_memory_equal(
-		fan.simplify.index, fan.index, 12 * sizeof(uint32_t));
+		fan.simplify.index, fan.index, 24 * sizeof(uint32_t));
 	simplify_end(&fan.simplify);
 }
 
@@ -326,37 +354,55 @@ static void test_a_position_of_64_triangles_is_the_largest_merged(void **state)
 		simplify_merge(&fan.simplify, 1.0f);
 		for (int t = 0; t < sides; t++) {
 			assert_int_equal(fan.simplify.index[middle_of(t)],
-				sides == 64 ? 0 : t);
+				number(0, sides == 64 ? 0 : t));
 		}
 		simplify_end(&fan.simplify);
 	}
 }
 
-/* Three positions have two vertices each, or one of them a third one. */
-static void test_a_third_vertex_of_one_position_divides(void **state)
+static bool is_divided(const struct fan *fan, int index_count)
+{
+	const struct simplify_input input = {
+		.primitive = &fan->primitive,
+		.index = fan->index,
+		.index_count = index_count,
+		.extent = 2.0f,
+		.shared = fan->shared,
+	};
+	struct simplify simplify;
+	bool divided;
+
+	assert_int_equal(simplify_begin(&simplify, &input, NULL), 0);
+	assert_int_equal(simplify.index_count, index_count);
+	divided = simplify.divided;
+	simplify_end(&simplify);
+	return divided;
+}
+
+/*
+ * An open fan whose triangles have vertices of their own: 12 at 6 positions, or
+ * 15 at 7, or 14 if two triangles share one. Vertices without triangles do not
+ * count.
+ */
+static void test_more_than_two_vertices_a_position_are_divided(void **state)
 {
 	static struct fan fan;
 
 	(void)state;
-	for (int more = 0; more < 2; more++) {
-		fill(&fan, 5);
-		/* All triangles are at the positions of the first one. */
-		for (int i = 0; i < 5; i++) {
-			const uint32_t own = i < 2 ? (uint32_t)i : 0;
-			const uint32_t corner[3] = {
-				i == 2 && more ? 4 : own, 5 + own, 7 + own};
+	for (int test = 0; test < 3; test++) {
+		uint32_t count = test == 0 ? 12 : 15;
 
-			for (int j = 0; j < 3; j++) {
-				fan.index[middle_of(i) / 3 * 3 +
-					(middle_of(i) + j) % 3] = corner[j];
-			}
+		fill(&fan, 6);
+		for (uint32_t i = 0; i < count; i++) {
+			float *p = fan.position[i];
+
+			fan.index[i] = i;
+			p[0] = i % 3 == 0 ? 0.0f : 1.0f;
+			p[1] = i % 3 == 0 ? 0.0f : (float)(i / 3 + i % 3);
+			p[2] = 0.0f;
 		}
-		memcpy(fan.position[6], fan.position[5], sizeof(float[3]));
-		memcpy(fan.position[8], fan.position[7], sizeof(float[3]));
-		begin(&fan);
-		assert_int_equal(
-			simplify_merge_is_wanted(&fan.simplify), more == 1);
-		simplify_end(&fan.simplify);
+		fan.index[3] = test == 2 ? 0 : 3;
+		assert_int_equal(is_divided(&fan, (int)count), test == 1);
 	}
 }
 
@@ -366,11 +412,12 @@ int main(void)
 		cmocka_unit_test(test_the_most_become_the_one_in_their_middle),
 		cmocka_unit_test(test_an_error_of_the_limit_is_allowed),
 		cmocka_unit_test(
-			test_edges_of_a_half_are_the_sharpest_to_be_merged),
+			test_normals_that_differ_by_half_are_the_last_merged),
 		cmocka_unit_test(test_only_divided_lists_are_merged),
 		cmocka_unit_test(
 			test_a_position_of_64_triangles_is_the_largest_merged),
-		cmocka_unit_test(test_a_third_vertex_of_one_position_divides),
+		cmocka_unit_test(
+			test_more_than_two_vertices_a_position_are_divided),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

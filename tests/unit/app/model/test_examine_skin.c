@@ -168,6 +168,8 @@ static void test_meshes_on_joints_are_counted(void **state)
 	expect(&f, "");
 	f.bones.node[HOLDER].parent = KNEE;
 	expect(&f, finding);
+	f.bones.node[HOLDER].parent = HIPS; /* node 0 */
+	expect(&f, finding);
 	f.bones.node[HOLDER].mesh = -1;
 	expect(&f, "");
 	f.bones.node[KNEE].mesh = 0;
@@ -251,6 +253,29 @@ static void test_the_skins_of_a_mesh_are_counted(void **state)
 			f.bones.node[BODY + n].skin = cases[i].skin[n];
 		}
 		expect(&f, cases[i].finding);
+		end(&f);
+	}
+}
+
+static void test_the_skins_of_each_mesh_are_counted(void **state)
+{
+	for (int other = 0; other < 2; other++) {
+		struct fixture f;
+		struct model_mesh mesh[2];
+
+		(void)state;
+		begin(&f);
+		mesh[0] = mesh[1] = f.bones.mesh[0];
+		f.bones.model.mesh = mesh;
+		f.bones.model.mesh_count = 2;
+		bones_add(&f.bones, -1, 0, 0, 0);
+		for (int n = 0; n < 3; n++) {
+			f.bones.node[BODY + n].mesh = n == 2 ? other : !other;
+			f.bones.node[BODY + n].skin = n % 2;
+		}
+		expect(&f,
+			other ? TWO
+			      : "mesh 1 is drawn with 2 skins; limber poses it once for each skin\n");
 		end(&f);
 	}
 }
@@ -404,6 +429,7 @@ int main(void)
 		cmocka_unit_test(test_joints_in_another_order_are_counted),
 		cmocka_unit_test(test_the_order_of_joints_is_that_of_the_file),
 		cmocka_unit_test(test_the_skins_of_a_mesh_are_counted),
+		cmocka_unit_test(test_the_skins_of_each_mesh_are_counted),
 		cmocka_unit_test(test_what_primitives_lack_or_have_is_counted),
 		cmocka_unit_test(test_normals_that_point_to_the_back_are_counted),
 		cmocka_unit_test(

@@ -305,6 +305,24 @@ static void test_what_some_clips_alone_move_is_counted(void **state)
 	expect(&f, "");
 }
 
+/* Of the last node, too. */
+static void test_each_path_that_some_clips_alone_move_counts(void **state)
+{
+	(void)state;
+	for (int path = MODEL_TRANSLATION; path <= MODEL_WEIGHTS; path++) {
+		struct fixture f;
+
+		begin(&f);
+		f.model.clip_count = 2;
+		for (int c = 0; c < 2; c++) {
+			f.channel[c][3].path = (enum model_path)path;
+		}
+		assert_false(finds(&f, "returns to its rest"));
+		f.clip[1].channel_count = 3;
+		assert_true(finds(&f, UNSHARED("1, in 2 clips")));
+	}
+}
+
 /* Channels of one clip do not stand for those of another. */
 static void test_a_clip_with_two_channels_counts_once(void **state)
 {
@@ -387,6 +405,8 @@ int main(void)
 		cmocka_unit_test(test_a_clip_without_channels_has_no_findings),
 		cmocka_unit_test(test_long_arcs_of_all_keys_are_counted),
 		cmocka_unit_test(test_what_some_clips_alone_move_is_counted),
+		cmocka_unit_test(
+			test_each_path_that_some_clips_alone_move_counts),
 		cmocka_unit_test(test_a_clip_with_two_channels_counts_once),
 		cmocka_unit_test(test_clips_that_each_move_other_nodes_are_told),
 		cmocka_unit_test(test_a_long_name_is_cut),

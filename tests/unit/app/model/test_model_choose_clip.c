@@ -34,6 +34,8 @@ static void test_a_missing_clip_is_answered_with_the_others(void **state)
 		"--clip opendoor: t.gltf has no such clip: give \"Open door\", Spin, or a number from 0 to 2");
 	expect_no_clip("{'name':'Spin'}", "Turn",
 		"--clip Turn: t.gltf has no such clip: give Spin, or 0");
+	expect_no_clip("{'name':'a'},{'name':'b'}", "c",
+		"--clip c: t.gltf has no such clip: give a, b, or a number from 0 to 1");
 	expect_no_clip("{},{}", "2",
 		"--clip 2: t.gltf has no such clip: give a number from 0 to 1");
 }
@@ -45,10 +47,40 @@ static void test_a_model_without_clips_needs_no_clip(void **state)
 		"--clip Turn: t.gltf has no clips: leave out --clip");
 }
 
+static void test_a_clip_is_chosen_by_its_name_or_number(void **state)
+{
+	static const struct {
+		const char *wanted;
+		int clip;
+	} cases[] = {{"a", 0}, {"b", 1}, {"0", 0}, {"1", 1}, {NULL, -1}};
+	struct log_capture logged;
+	struct log log;
+	struct model *model;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text("{'asset':{'version':'2.0'},'animations':[{"
+				"'name':'a'},{'name':'b'}]}",
+			&logged, &model),
+		0);
+	log = log_capture_begin(&logged);
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		int clip = 99;
+
+		assert_int_equal(model_choose_clip(model, cases[i].wanted, -1,
+					 &log, &clip),
+			0);
+		assert_int_equal(clip, cases[i].clip);
+	}
+	assert_int_equal(logged.count, 0);
+	model_destroy(model);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_missing_clip_is_answered_with_the_others),
+		cmocka_unit_test(test_a_clip_is_chosen_by_its_name_or_number),
 		cmocka_unit_test(test_a_model_without_clips_needs_no_clip),
 	};
 

@@ -95,6 +95,41 @@ static void test_few_moved_vertices_take_little_memory(void **state)
 	arena_release(&arena);
 }
 
+/* A span takes 12 bytes, so that two vertices of 6 that rest are kept. */
+static void test_spans_end_where_two_vertices_rest(void **state)
+{
+	static const struct {
+		int second, vertices, spans, stored;
+	} cases[] = {{0, 3, 0, 3}, {0, 4, 1, 1}, {2, 5, 0, 5}, {2, 6, 1, 3},
+		{3, 6, 0, 6}, {3, 7, 2, 2}, {12, 13, 2, 2}};
+	struct arena arena = arena_empty();
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		for (int k = 0; k < 3; k++) {
+			struct model_deltas deltas;
+			float value[13][3] = {{0}};
+
+			value[0][k] = value[cases[i].second][k] = 5;
+			assert_int_equal(model_deltas_pack(&deltas,
+						 (const float(*)[3])value,
+						 cases[i].vertices, MODEL_INT16,
+						 1.0f, &arena),
+				0);
+			assert_int_equal(deltas.span_count, cases[i].spans);
+			assert_int_equal(
+				model_deltas_count(&deltas), cases[i].stored);
+			assert_int_equal(model_deltas_bytes(&deltas),
+				6 * cases[i].stored + 12 * cases[i].spans);
+			for (int v = 0; v < cases[i].vertices; v++) {
+				assert_int_equal(model_deltas_moves(&deltas, v),
+					v == 0 || v == cases[i].second);
+			}
+		}
+	}
+	arena_release(&arena);
+}
+
 static void test_no_deltas_are_zeros(void **state)
 {
 	const struct model_deltas none = {0};
@@ -336,6 +371,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_any_number_is_read_as_it_was_packed),
 		cmocka_unit_test(test_few_moved_vertices_take_little_memory),
+		cmocka_unit_test(test_spans_end_where_two_vertices_rest),
 		cmocka_unit_test(test_no_deltas_are_zeros),
 		cmocka_unit_test(
 			test_key_frames_keep_the_displacements_to_the_bit),

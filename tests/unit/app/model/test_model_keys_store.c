@@ -215,17 +215,17 @@ static void test_directions_are_bytes_times_129(void **state)
 static void test_targets_have_one_unit(void **state)
 {
 	(void)state;
-	for (int other = 0; other < 2; other++) {
+	for (int i = 0; i < 9; i++) {
+		static const float units[] = {0.5f, 1.0f, 2.0f};
+		float one = units[i % 3], other = units[i / 3];
 		struct fixture f;
 
 		begin(&f);
-		f.moved[0][0][0][0] = f.moved[1][0][0][0] = 1.0f;
-		pack_all(&f, 2.0f);
-		if (other) {
-			pack(&f, &f.target[1].position, f.moved[1][0],
-				MODEL_INT16, 4.0f);
-		}
-		assert_int_equal(store(&f, false, false) != NULL, !other);
+		f.moved[0][0][0][0] = f.moved[1][0][0][0] = 4.0f;
+		pack_all(&f, one);
+		pack(&f, &f.target[1].position, f.moved[1][0], MODEL_INT16,
+			other);
+		assert_int_equal(store(&f, false, false) != NULL, one == other);
 		end(&f);
 	}
 }
@@ -241,6 +241,59 @@ static void test_targets_of_directions_alone_are_not_stored(void **state)
 	pack(&f, &f.target[0].normal, f.moved[0][1], MODEL_INT8, 127);
 	assert_null(store(&f, false, false));
 	end(&f);
+}
+
+/* Directions are in bytes of 127, or there are none. */
+static void test_directions_in_other_units_are_not_stored(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct fixture f;
+
+		begin(&f);
+		f.moved[0][0][0][0] = 1.0f;
+		f.moved[0][1][0][0] = 1.0f;
+		pack(&f, &f.target[0].position, f.moved[0][0], MODEL_INT16, 1);
+		if (i > 0) {
+			pack(&f, &f.target[0].normal, f.moved[0][1],
+				i == 2 ? MODEL_INT16 : MODEL_INT8,
+				i == 1           ? 127
+					: i == 2 ? 32767
+						 : 1);
+		}
+		assert_int_equal(store(&f, false, false) != NULL, i < 2);
+		end(&f);
+	}
+}
+
+/* Each vertex may be at an end of the box in a single key alone. */
+static void test_the_box_holds_each_vertex_of_each_key(void **state)
+{
+	(void)state;
+	for (int i = 0; i < VERTICES * (1 + TARGETS); i++) {
+		int vertex = i % VERTICES, key = i / VERTICES;
+		const struct model_keys *keys;
+		struct fixture f;
+
+		begin(&f);
+		f.moved[0][0][(vertex + 1) % VERTICES][1] = 1.0f;
+		if (key > 0) {
+			f.moved[key - 1][0][vertex][0] = 100.0f;
+		} else {
+			f.position[vertex][0] = 100.0f;
+			for (int t = 0; t < TARGETS; t++) {
+				f.moved[t][0][vertex][0] = -100.0f;
+			}
+		}
+		pack_all(&f, 1.0f);
+		keys = store(&f, false, false);
+		assert_non_null(keys);
+		assert_near(keys->offset[0], 50, 0);
+		assert_near(keys->scale, 1 / 256.0, 0);
+		assert_int_equal(keys->key[0][key * keys->stride + vertex][0],
+			-2 * 256 * 50);
+		end(&f);
+	}
 }
 
 /* Floats are rounded so that the box fills the numbers but for one. */
@@ -298,6 +351,37 @@ static void test_rounded_directions_are_of_unit_length(void **state)
 	end(&f);
 }
 
+/* A length of 1.25 along any two axes becomes 1. */
+static void test_directions_are_shortened_along_all_axes(void **state)
+{
+	(void)state;
+	for (int axis = 0; axis < 3; axis++) {
+		int next = (axis + 1) % 3;
+		const struct model_keys *keys;
+		const int16_t *n;
+		struct fixture f;
+
+		begin(&f);
+		f.moved[0][0][0][0] = 1.0f;
+		f.normal[0][axis] = 1.0f;
+		f.moved[0][1][0][axis] = -0.25f;
+		f.moved[0][1][0][next] = -1.0f;
+		for (int t = 0; t < TARGETS; t++) {
+			f.target[t].position = model_deltas_view(
+				(const float(*)[3])f.moved[t][0], VERTICES);
+			f.target[t].normal = model_deltas_view(
+				(const float(*)[3])f.moved[t][1], VERTICES);
+		}
+		keys = store(&f, false, true);
+		assert_non_null(keys);
+		n = keys->key[1][keys->stride];
+		assert_int_equal(n[axis], -2 * 9830);
+		assert_int_equal(n[next], 2 * 13106);
+		assert_int_equal(n[3 - axis - next], 0);
+		end(&f);
+	}
+}
+
 /* Keys have an even number of vertices of 6 bytes, one key more than targets. */
 static void test_tangents_are_stored_on_demand(void **state)
 {
@@ -331,6 +415,9 @@ int main(void)
 		cmocka_unit_test(test_directions_are_bytes_times_129),
 		cmocka_unit_test(test_targets_have_one_unit),
 		cmocka_unit_test(test_targets_of_directions_alone_are_not_stored),
+		cmocka_unit_test(test_directions_in_other_units_are_not_stored),
+		cmocka_unit_test(test_the_box_holds_each_vertex_of_each_key),
+		cmocka_unit_test(test_directions_are_shortened_along_all_axes),
 		cmocka_unit_test(test_rounded_positions_fill_the_box),
 		cmocka_unit_test(test_rounded_directions_are_of_unit_length),
 		cmocka_unit_test(test_tangents_are_stored_on_demand),

@@ -51,6 +51,20 @@ static void test_scales_and_translations_are_decomposed(void **state)
 	assert_all_near(out.rotation, ((const float[]){0, 0, 0, 1}), 4, 1e-6);
 }
 
+/* Each number has its place; what is not affine is left out. */
+static void test_matrices_are_mirrored_along_z(void **state)
+{
+	static const float in[16] = {
+		1, 2, 3, 90, 4, 5, 6, 91, 7, 8, 9, 92, 10, 11, 12, 93};
+	static const float wanted[16] = {
+		1, 2, -3, 0, 4, 5, -6, 0, -7, -8, 9, 0, 10, 11, -12, 1};
+	mat4 out;
+
+	(void)state;
+	xfile_convert_matrix(in, out);
+	assert_all_near(out[0], wanted, 16, 0.0);
+}
+
 /* z changes its sign, and so do turns about x and y: the opposite ones. */
 static void test_rotations_are_mirrored_and_normalised(void **state)
 {
@@ -85,6 +99,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_small_error_of_any_element_is_no_shear),
 		cmocka_unit_test(test_scales_and_translations_are_decomposed),
+		cmocka_unit_test(test_matrices_are_mirrored_along_z),
 		cmocka_unit_test(test_rotations_are_mirrored_and_normalised),
 		cmocka_unit_test(test_a_rotation_of_zeros_is_none),
 	};

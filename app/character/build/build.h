@@ -275,15 +275,15 @@ struct clip_cursor *character_make_cursors(
 /* The keys that all sections with a switch have; member is that of the switch. */
 #define CHARACTER_SWITCH_KEYS(type, member)                                    \
 	{"weight", character_read_value, offsetof(type, member.weight), 0, 1,  \
-		NULL, "a number from 0 to 1, or a parameter"},                 \
+		.right = "a number from 0 to 1, or a parameter"},              \
 		{"fade", character_read_number, offsetof(type, member.fade_s), \
-			0, 60, NULL, "seconds, such as 0.4"},                  \
+			0, 60, .right = "seconds, such as 0.4"},               \
 		{"label", character_read_unlabelled,                           \
-			offsetof(type, member.unlabelled), 0, 0, NULL,         \
-			"yes or no"},                                          \
+			offsetof(type, member.unlabelled),                     \
+			.right = "yes or no"},                                 \
 	{                                                                      \
-		"on", character_read_switch, offsetof(type, member.on), 0, 0,  \
-			NULL, "yes or no"                                      \
+		"on", character_read_switch, offsetof(type, member.on),        \
+			.right = "yes or no"                                   \
 	}
 
 #endif

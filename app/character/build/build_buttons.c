@@ -281,10 +281,10 @@ struct common {
 };
 
 static const struct character_key common_keys[] = {
-	{"when", character_read_condition, offsetof(struct common, when), 0, 0,
-		NULL, "a comparison: chosen is 1, speed > 2 or speed < 1"},
+	{"when", character_read_condition, offsetof(struct common, when),
+		.right = "a comparison: chosen is 1, speed > 2 or speed < 1"},
 	{"label", character_read_unlabelled,
-		offsetof(struct common, unlabelled), 0, 0, NULL, "yes or no"},
+		offsetof(struct common, unlabelled), .right = "yes or no"},
 	{0},
 };
 

@@ -73,9 +73,9 @@ static int read_event(struct character_words *words,
 }
 
 static const struct character_key keys[] = {
-	{"marks", read_marks, 0, 0, 0, NULL, "0.1 0.6"},
-	{"event", read_event, 0, 0, 0, NULL,
-		"a time and actions, such as 0.25 line step"},
+	{"marks", read_marks, .right = "0.1 0.6"},
+	{"event", read_event,
+		.right = "a time and actions, such as 0.25 line step"},
 	{0},
 };
 

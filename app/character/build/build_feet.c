@@ -41,12 +41,12 @@ static int read_leg(struct character_words *words,
 
 static const struct character_key keys[] = {
 	CHARACTER_SWITCH_KEYS(struct character_feet, is),
-	{"hips", character_read_node, FEET(hips), 0, 0, NULL,
-		"the node that carries both legs"},
-	{"left", read_leg, FEET(foot[0].leg), 0, 0, NULL,
-		"three nodes, such as thigh.L shin.L foot.L"},
-	{"right", read_leg, FEET(foot[1].leg), 0, 0, NULL,
-		"three nodes, such as thigh.R shin.R foot.R"},
+	{"hips", character_read_node, FEET(hips),
+		.right = "the node that carries both legs"},
+	{"left", read_leg, FEET(foot[0].leg),
+		.right = "three nodes, such as thigh.L shin.L foot.L"},
+	{"right", read_leg, FEET(foot[1].leg),
+		.right = "three nodes, such as thigh.R shin.R foot.R"},
 	{0},
 };
 

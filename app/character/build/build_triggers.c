@@ -5,13 +5,13 @@
 
 static const struct character_key keys[] = {
 	{"when", character_read_condition,
-		offsetof(struct character_trigger, when), 0, 0, NULL,
-		"a comparison: speed > 2, speed < 1 or chosen is arm"},
+		offsetof(struct character_trigger, when),
+		.right = "a comparison: speed > 2, speed < 1 or chosen is arm"},
 	{"then", character_read_actions, offsetof(struct character_trigger, then),
-		0, 0, NULL, "actions, such as attach Crate Hand"},
+		.right = "actions, such as attach Crate Hand"},
 	{"else", character_read_actions,
-		offsetof(struct character_trigger, otherwise), 0, 0, NULL,
-		"actions, such as drop Crate"},
+		offsetof(struct character_trigger, otherwise),
+		.right = "actions, such as drop Crate"},
 	{0},
 };
 

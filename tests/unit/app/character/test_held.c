@@ -236,6 +236,63 @@ static void test_a_part_falls_onto_a_table_or_beside_it(void **state)
 	temp_dir_remove(&folder);
 }
 
+/*
+ * The same root, box and table, whose triangle a skin moves: the heights of its
+ * vertices at rest say nothing of where they are.
+ */
+static const char skinned_table[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
+	"{\"name\":\"Root\",\"children\":[1,2],"
+	"\"rotation\":[-0.70710678,0,0,0.70710678]},"
+	"{\"name\":\"Table\",\"mesh\":0%s,\"translation\":[0,0,0.5]},"
+	"{\"name\":\"Box\",\"mesh\":0,\"translation\":[0,0,1.2]}],"
+	"\"skins\":[{\"joints\":[0]}],"
+	"\"meshes\":[{\"primitives\":[{\"attributes\":"
+	"{\"POSITION\":0,\"JOINTS_0\":1,\"WEIGHTS_0\":2}}]}],"
+	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
+	"\"type\":\"VEC3\",\"min\":[-0.1,-0.1,-0.2],\"max\":[0.1,0.1,0.3]},"
+	"{\"bufferView\":1,\"componentType\":5121,\"count\":3,"
+	"\"type\":\"VEC4\"},"
+	"{\"bufferView\":2,\"componentType\":5121,\"normalized\":true,"
+	"\"count\":3,\"type\":\"VEC4\"}],"
+	"\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},"
+	"{\"buffer\":0,\"byteOffset\":36,\"byteLength\":12},"
+	"{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],"
+	"\"buffers\":[{\"byteLength\":60,\"uri\":\"data:application/"
+	"octet-stream;base64,"
+	"zczMPQAAAADNzEy+zczMvc3MzD3NzMy9zczMvc3MzL2amZk+"
+	"AAAAAAAAAAAAAAAA/wAAAP8AAAD/AAAA\"}]}";
+
+static void test_no_part_falls_onto_a_table_that_a_skin_moves(void **state)
+{
+	static const struct {
+		const char *skin;
+		double lies_at;
+	} rows[] = {{"", 0.65}, {",\"skin\":0", 0.2}};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "table.gltf");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		char file[sizeof(skinned_table) + 16];
+		struct acting acting;
+
+		snprintf(file, sizeof(file), skinned_table, rows[i].skin);
+		file_write(path.text, file, strlen(file));
+		acting_begin(&acting, path.text);
+		acting_expect(&acting,
+			"[part Box]\n[buttons]\nUP = drop Box Table\n");
+		acting_run_to(&acting, 0.1, rate_hz);
+		acting_tap(&acting, BUTTON_UP, 2.0, rate_hz);
+		assert_near(
+			acting.instance->world[node_of(&acting, "Box")][3][1],
+			rows[i].lies_at, 1e-5);
+		acting_end(&acting);
+	}
+	temp_dir_remove(&folder);
+}
+
 /* A pivot that stands a little too high or low for the ground keeps its height. */
 static void test_a_part_near_the_ground_comes_back_to_its_height(void **state)
 {
@@ -280,6 +337,8 @@ int main(void)
 			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
 		cmocka_unit_test(test_a_part_from_a_shelf_lies_on_the_ground),
 		cmocka_unit_test(test_a_part_falls_onto_a_table_or_beside_it),
+		cmocka_unit_test(
+			test_no_part_falls_onto_a_table_that_a_skin_moves),
 		cmocka_unit_test(
 			test_a_part_near_the_ground_comes_back_to_its_height),
 	};

@@ -86,6 +86,36 @@ static void test_saving_changes_only_the_section(void **state)
 	assert_string_equal(text, after);
 }
 
+/* Comments may be of one character, and values may have none. */
+static void test_saving_keeps_what_is_behind_a_value(void **state)
+{
+	static const struct {
+		const char *line, *saved;
+	} rows[] = {
+		{"speed = 10", "speed = 12.5"},
+		{"speed = 10;", "speed = 12.5 ;"},
+		{"speed = 10 #", "speed = 12.5 #"},
+		{"\tspeed=10;a", "speed = 12.5 ;a"},
+	};
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	char text[1024], expected[1024];
+
+	strcpy(preset.name, "one");
+	preset.speed = 12.5f;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		snprintf(text, sizeof(text), "[one]\n%s\n", rows[i].line);
+		write_file(bench, text);
+		assert_int_equal(
+			preset_file_save(bench->path.text, &preset, &bench->log),
+			0);
+		read_back(bench, text, sizeof(text));
+		snprintf(expected, sizeof(expected), "[one]\n%s\n",
+			rows[i].saved);
+		assert_string_equal(text, expected);
+	}
+}
+
 /* A name may have blanks, and begin as another one does. */
 static void test_saving_finds_the_section_by_its_whole_name(void **state)
 {
@@ -255,6 +285,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup_teardown(
 			test_saving_changes_only_the_section, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_saving_keeps_what_is_behind_a_value, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_saving_finds_the_section_by_its_whole_name, begin,
 			end),

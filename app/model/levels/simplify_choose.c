@@ -218,17 +218,19 @@ static int list_nearest(const struct simplify *simplify,
 	const struct simplify_ring *ring, uint32_t from,
 	struct simplify_collapse nearest[TRIES])
 {
+	bool at_border = ring->border_count > 0;
+	float factor = at_border ? border_factor : 1.0f;
 	int count = 0;
 
 	for (int i = 0; i < ring->count; i++) {
-		struct simplify_collapse own = {from, ring->neighbour[i], 0.0f};
+		uint32_t to = ring->neighbour[i];
+		struct simplify_collapse own = {from, to,
+			simplify_error_of_shape(simplify, from, to) * factor};
 		int at;
 
-		if (ring->border_count > 0 && !ring->border[i]) {
+		if (at_border && !ring->border[i]) {
 			continue;
 		}
-		own.error = simplify_error_of_shape(simplify, from, own.to) *
-			(ring->border_count > 0 ? border_factor : 1.0f);
 		at = count < TRIES ? count++ : TRIES;
 		for (; at > 0 && own.error < nearest[at - 1].error; at--) {
 			if (at < TRIES) {
@@ -249,8 +251,7 @@ void simplify_choose(struct simplify *simplify, uint32_t from, float limit)
 	struct simplify_ring ring;
 	int tries = 0;
 
-	if (simplify_mesh_valence(simplify, from) > 0 &&
-		simplify_mesh_ring(simplify, from, &ring)) {
+	if (simplify_mesh_ring(simplify, from, &ring)) {
 		tries = list_nearest(simplify, &ring, from, nearest);
 	}
 	if (tries > 0 && nearest[0].error > limit) {

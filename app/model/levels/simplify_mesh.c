@@ -145,8 +145,7 @@ bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
 		uint32_t after = simplify->leader[at[(corner + 1) % 3]];
 		uint32_t before = simplify->leader[at[(corner + 2) % 3]];
 
-		if (after == leader || before == leader || after == before ||
-			!add_edge(out, after, uses, 1) ||
+		if (!add_edge(out, after, uses, 1) ||
 			!add_edge(out, before, uses, 2)) {
 			return false;
 		}

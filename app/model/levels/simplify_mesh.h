@@ -35,7 +35,8 @@ void simplify_mesh_link(struct simplify *simplify);
 
 /*
  * Lists the neighbours of a leader. Returns false if it has too many, or if its
- * triangles do not form one disc or half a disc.
+ * triangles do not form one disc or half a disc; a leader without triangles has
+ * a ring of none.
  */
 bool simplify_mesh_ring(const struct simplify *simplify, uint32_t leader,
 	struct simplify_ring *out);

@@ -177,6 +177,8 @@ static void test_triangles_are_listed_by_their_places(void **state)
 
 	(void)state;
 	make_disc(&disc, 5, 2);
+	/* Again, since each pass lists them anew. */
+	simplify_mesh_link(&disc.simplify);
 	for (uint32_t v = 0; v < 11; v++) {
 		uint32_t first = simplify->first_triangle[v], found = first;
 

@@ -152,11 +152,47 @@ static void test_another_reference_disqualifies_a_level(void **state)
 	expect_levels(ERROR, ",{'children':[1]}]", 0);
 	expect_levels(ERROR, ",{'mesh':1}]", 0);
 	expect_levels(ERROR, "],'skins':[{'joints':[1]}]", 0);
+	expect_levels(ERROR, "],'skins':[{'joints':[0],'skeleton':1}]", 0);
 	expect_levels(ERROR,
 		"],'animations':[{'samplers':[{'input':2,'output':3}],"
 		"'channels':[{'sampler':0,'target':{'node':1,"
 		"'path':'translation'}}]}]",
 		0);
+}
+
+/* Loads a level of a mesh, with these nodes of the scene and these ids. */
+static int count_levels(const char *roots, const char *ids)
+{
+	struct model *model = load_text(
+		"{'asset':{'version':'2.0'},'scenes':[{'nodes':[%s]}],"
+		"'accessors':[{'componentType':5126,'count':3,'type':'VEC3'},"
+		"{'componentType':5121,'count':3,'type':'SCALAR'}],"
+		"'meshes':[{'primitives':[{'attributes':{'POSITION':0}}]},"
+		"{'primitives':[{'attributes':{'POSITION':0},'indices':1}]}],"
+		"'nodes':[{'mesh':0,'extensions':{'MSFT_lod':{'ids':[%s]}}},"
+		"{'mesh':1," ERROR "}]}",
+		roots, ids);
+	int count = model->mesh[0].primitive[0].lod_count;
+
+	model_destroy(model);
+	return count;
+}
+
+static void test_a_root_of_the_scene_is_no_level(void **state)
+{
+	(void)state;
+	assert_int_equal(count_levels("0", "1"), 1);
+	assert_int_equal(count_levels("0,1", "1"), 0);
+	assert_int_equal(count_levels("1,0", "1"), 0);
+}
+
+static void test_the_first_16_ids_of_a_node_are_read(void **state)
+{
+	(void)state;
+	assert_int_equal(
+		count_levels("0", "7,7,7,7,7,7,7,7,7,7,7,7,7,7,7,1"), 1);
+	assert_int_equal(
+		count_levels("0", "7,7,7,7,7,7,7,7,7,7,7,7,7,7,7,7,1"), 0);
 }
 
 /* The first mesh of the file is a level of the second one. */
@@ -250,6 +286,8 @@ int main(void)
 		cmocka_unit_test(test_other_vertices_disqualify_a_level),
 		cmocka_unit_test(test_screen_coverage_gives_the_error_of_a_level),
 		cmocka_unit_test(test_another_reference_disqualifies_a_level),
+		cmocka_unit_test(test_a_root_of_the_scene_is_no_level),
+		cmocka_unit_test(test_the_first_16_ids_of_a_node_are_read),
 		cmocka_unit_test(test_the_first_mesh_may_be_a_level),
 		cmocka_unit_test(test_another_transform_disqualifies_a_level),
 		cmocka_unit_test(test_an_unknown_error_disqualifies_a_level),

@@ -77,10 +77,41 @@ static void test_reads_jpeg_in_inks(void **state)
 	}
 }
 
+/* The paper's share that inks leave, rounded; libjpeg keeps flat inks exactly. */
+static void test_inks_are_rounded(void **state)
+{
+	static const uint8_t inks[][4] = {{127, 0, 255, 254}, {126, 128, 1, 254},
+		{127, 128, 64, 128}, {0, 1, 254, 0}, {0, 1, 254, 255}};
+
+	(void)state;
+	for (size_t k = 0; k < 2 * ARRAY_COUNT(inks); k++) {
+		const uint8_t *ink = inks[k / 2];
+		unsigned char *data = NULL;
+		unsigned long size = make_jpeg(JCS_CMYK, ink, k % 2, &data);
+		struct log_capture logged;
+		struct model_image image = {.name = "inks"};
+		struct arena arena = arena_empty();
+		struct log log = log_capture_begin(&logged);
+
+		assert_int_equal(
+			image_decode(data, size, "HERE", &log, &arena, &image),
+			0);
+		for (int i = 0; i < 3; i++) {
+			int left = (255 - ink[i]) * (255 - ink[3]);
+
+			assert_int_equal(
+				image.rgba[i], (2 * left + 255) / (2 * 255));
+		}
+		arena_release(&arena);
+		free(data);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_reads_jpeg_in_inks),
+		cmocka_unit_test(test_inks_are_rounded),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

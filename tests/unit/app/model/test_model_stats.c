@@ -33,6 +33,32 @@ static void test_counts_every_vertex_attribute(void **state)
 	model_destroy(model);
 }
 
+static void test_each_vertex_attribute_takes_its_bytes(void **state)
+{
+	static float normal[2][3], tangent[2][4], texcoord[2][2];
+	static uint8_t color[2][4];
+	static const size_t bytes[] = {12, 16, 8, 4};
+
+	(void)state;
+	for (int i = 0; i < 16; i++) {
+		struct model_primitive primitive = {.vertex_count = 2,
+			.normal = i & 1 ? normal : NULL,
+			.tangent = i & 2 ? tangent : NULL,
+			.texcoord = i & 4 ? texcoord : NULL,
+			.color = i & 8 ? color : NULL};
+		const struct model_mesh mesh = {
+			.primitive_count = 1, .primitive = &primitive};
+		struct model_stats stats = {0};
+		size_t each = 12;
+
+		for (int k = 0; k < 4; k++) {
+			each += i >> k & 1 ? bytes[k] : 0;
+		}
+		model_stats_add_mesh(&stats, &mesh);
+		assert_int_equal(stats.geometry_bytes, 2 * each);
+	}
+}
+
 static void test_counts_only_influences_with_a_weight(void **state)
 {
 	struct model *model = model_fixture("gltf/skin/odd_weights.gltf", NULL);
@@ -195,6 +221,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_counts_vertices_triangles_and_bytes),
 		cmocka_unit_test(test_counts_every_vertex_attribute),
+		cmocka_unit_test(test_each_vertex_attribute_takes_its_bytes),
 		cmocka_unit_test(test_counts_only_influences_with_a_weight),
 		cmocka_unit_test(test_counts_five_of_eight_influences),
 		cmocka_unit_test(test_counts_targets_and_keys),

@@ -225,6 +225,41 @@ static void test_an_animation_without_a_frame_moves_nothing(void **state)
 	model_destroy(model);
 }
 
+/* The numbers of matrices: how they end, and how many digits count. */
+static void test_numbers_end_where_another_token_begins(void **state)
+{
+	static const char *const ends[] = {"{", "}", "<", ">", "[", "]", "(",
+		")", "\"", " ", ";", ",", "\t", "\n", "\r", "//\n", "#\n", "\1"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(ends); i++) {
+		char text[200];
+		bool comment = ends[i][1] == '/', hash = ends[i][0] == '#';
+
+		snprintf(text, sizeof(text),
+			HEADER "Frame F { FrameTransformMatrix { 1%s x",
+			ends[i]);
+		if (hash) {
+			/* A word goes on with it. */
+			expect_refused(
+				text, strlen(text), "but there is \"1#\"");
+		} else if (comment || ends[i][0] <= ' ' ||
+			strchr(";,", ends[i][0])) {
+			expect_refused(text, strlen(text), "but there is \"x\"");
+		} else if (strchr("<\"", ends[i][0])) {
+			expect_refused(text, strlen(text),
+				"the file ends before the closing ");
+		} else {
+			expect_refused(text, strlen(text),
+				strchr("{", ends[i][0])
+					? "but there is an opening brace"
+					: strchr("}", ends[i][0])
+					? "but there is a closing brace"
+					: "but there is a punctuation mark");
+		}
+	}
+}
+
 /* A few more elements than the shortest that would fit. */
 static void test_counts_that_do_not_fit_into_the_file_are_refused(void **state)
 {
@@ -306,6 +341,7 @@ int main(void)
 		cmocka_unit_test(test_scale_keys_keep_their_values),
 		cmocka_unit_test(test_keys_lie_at_1e9_seconds_at_most),
 		cmocka_unit_test(test_an_animation_without_a_frame_moves_nothing),
+		cmocka_unit_test(test_numbers_end_where_another_token_begins),
 		cmocka_unit_test(
 			test_counts_that_do_not_fit_into_the_file_are_refused),
 		cmocka_unit_test(

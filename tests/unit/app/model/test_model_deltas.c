@@ -332,6 +332,79 @@ static void test_rounding_releases_the_floats(void **state)
 	arena_release(&m.arena);
 }
 
+/*
+ * The mesh of node 1 is skinned, so that its displacements stay. Those in the
+ * arena that is given back move to another one.
+ */
+static void test_rounding_keeps_the_floats_of_other_meshes(void **state)
+{
+	static struct morphed m[3];
+	float weight[2][TARGETS] = {{1.0f}, {0, 1.0f}};
+	const float time_s[2] = {0.0f, 1.0f};
+	struct model_channel channel = {.path = MODEL_WEIGHTS,
+		.interpolation = MODEL_LINEAR,
+		.width = TARGETS,
+		.key_count = 2,
+		.time_s = time_s,
+		.value = &weight[0][0]};
+	struct model_clip clip = {.channel_count = 1, .channel = &channel};
+	struct model_material material = model_plain_material;
+	struct model_node node[2] = {{.skin = -1}, {.mesh = 1}};
+	struct model_primitive other[2];
+	struct model_mesh mesh[2] = {
+		{.primitive_count = 1, .target_count = TARGETS},
+		{.primitive_count = 2, .target_count = TARGETS}};
+	struct model model = {.node_count = 2,
+		.node = node,
+		.mesh_count = 2,
+		.mesh = mesh,
+		.material_count = 1,
+		.material = &material,
+		.clip_count = 1,
+		.clip = &clip};
+	const void *before[2];
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		set_up(&m[i], 1000.0f, 2500);
+		for (int t = 0; t < TARGETS; t++) {
+			assert_int_equal(
+				model_deltas_pack(&m[i].target[t].position,
+					(const float(*)[3])m[i].delta[t][0],
+					VERTICES, MODEL_FLOAT, 1.0f,
+					&model.targets),
+				0);
+		}
+	}
+	m[2].target[1].position = (struct model_deltas){0};
+	mesh[0].primitive = &m[0].primitive;
+	mesh[1].primitive = other;
+	for (int i = 0; i < 2; i++) {
+		other[i] = m[i + 1].primitive;
+		before[i] = m[i + 1].target[0].position.value;
+	}
+	assert_int_equal(model_keys_round(&model, NULL), 0);
+	assert_non_null(m[0].primitive.keys);
+	assert_null(model.targets.newest);
+	for (int i = 0; i < 2; i++) {
+		assert_null(other[i].keys);
+		assert_ptr_not_equal(
+			m[i + 1].target[0].position.value, before[i]);
+		for (int t = 0; t < TARGETS; t++) {
+			if (i == 0 || t != 1) {
+				assert_deltas(&m[i + 1].target[t].position,
+					(const float(*)[3])m[i + 1].delta[t][0],
+					VERTICES);
+			}
+		}
+	}
+	assert_int_equal(m[2].target[1].position.vertex_count, 0);
+	arena_release(&model.arena);
+	for (int i = 0; i < 3; i++) {
+		arena_release(&m[i].arena);
+	}
+}
+
 static void assert_not_stored(struct morphed *m)
 {
 	assert_int_equal(model_keys_store(&m->primitive, TARGETS, false, false,
@@ -377,6 +450,7 @@ int main(void)
 			test_key_frames_keep_the_displacements_to_the_bit),
 		cmocka_unit_test(test_floats_are_rounded_to_15_bits),
 		cmocka_unit_test(test_rounding_releases_the_floats),
+		cmocka_unit_test(test_rounding_keeps_the_floats_of_other_meshes),
 		cmocka_unit_test(test_what_16_bits_cannot_hold_stays_as_it_is),
 	};
 

@@ -3,6 +3,8 @@
 #include "app/model/model.h"
 #include "tests/support/test.h"
 
+#include <math.h>
+
 /* glTF 2.0, appendix B.2: 4% of the light, which is 0.22 in sRGB. */
 static void test_black_mirrors_4_percent_and_bright_colours_nothing(void **state)
 {
@@ -98,11 +100,62 @@ static void test_lit_materials_mirror_but_those_that_shine_do_not(void **state)
 	assert_near(shown[2], 0.257, 1e-3);
 }
 
+/* Half a step is rounded up. */
+static void test_bytes_are_rounded_and_clamped(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 256; i++) {
+		assert_int_equal(color_to_byte((float)i / 255.0f), i);
+		assert_int_equal(color_to_byte(((float)i + 0.49f) / 255.0f), i);
+		assert_int_equal(color_to_byte(((float)i - 0.49f) / 255.0f), i);
+	}
+	assert_int_equal(color_to_byte(-3.0f), 0);
+	assert_int_equal(color_to_byte(3.0f), 255);
+	assert_int_equal(color_to_byte(NAN), 0);
+}
+
+/* The curve of IEC 61966-2-1: a line at first, then a power. */
+static void test_the_curve_is_that_of_srgb(void **state)
+{
+	static const float pairs[][2] = {{0, 0}, {0.001f, 0.01292f},
+		{0.0031308f, 0.04045f}, {0.2140411f, 0.5f}, {0.5f, 0.7353569f},
+		{1, 1}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(pairs) / sizeof(pairs[0]); i++) {
+		assert_near(color_encode_srgb(pairs[i][0]), pairs[i][1], 1e-6);
+		assert_near(color_decode_srgb(pairs[i][1]), pairs[i][0], 1e-6);
+	}
+	assert_near(color_encode_srgb(-1), 0, 0);
+	assert_near(color_encode_srgb(2), 1, 1e-6);
+	assert_near(color_decode_srgb(-1), 0, 0);
+	assert_near(color_decode_srgb(2), 1, 1e-6);
+}
+
+/* More colours than the cache has room for, and each of them again. */
+static void test_a_cache_gives_the_bytes_of_the_curve(void **state)
+{
+	struct color_bytes known = {{0}, {0}};
+
+	(void)state;
+	for (int i = -1; i < 1200; i++) {
+		float linear = (float)(i * 7 % 1000) / 999.0f;
+
+		for (int again = 0; again < 2; again++) {
+			assert_int_equal(color_encode_byte(&known, linear),
+				color_to_byte(color_encode_srgb(linear)));
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_black_mirrors_4_percent_and_bright_colours_nothing),
+		cmocka_unit_test(test_bytes_are_rounded_and_clamped),
+		cmocka_unit_test(test_the_curve_is_that_of_srgb),
+		cmocka_unit_test(test_a_cache_gives_the_bytes_of_the_curve),
 		cmocka_unit_test(test_a_darker_gray_stays_darker),
 		cmocka_unit_test(test_a_picture_mirrors_as_its_colours_do),
 		cmocka_unit_test(test_the_brightest_channel_says_what_all_get),

@@ -200,9 +200,53 @@ static void test_memory_held_for_images_is_given_back(void **state)
 		load_pictures(2, 1024, &logged));
 }
 
+/*
+ * A note for a mesh of nine bones, then a warning for each animation without a
+ * frame, and one for their set.
+ */
+static void test_eight_warnings_are_told_and_notes_do_not_count(void **state)
+{
+	(void)state;
+	for (int warnings = 8; warnings <= 10; warnings++) {
+		char text[6000] =
+			"xof 0303txt 0032\nMesh M { 3; 0;0;0;, 1;0;0;, "
+			"0;1;0;; 1; 3;0,1,2;; ";
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
+		struct model *model;
+
+		for (int bone = 0; bone < 9; bone++) {
+			strcat(text,
+				"SkinWeights { \"B\"; 1; 0; 1; 1,0,0,0, "
+				"0,1,0,0, 0,0,1,0, 0,0,0,1;; } ");
+		}
+		strcat(text, "} Frame B { } AnimationSet S { ");
+		for (int i = 1; i < warnings; i++) {
+			strcat(text,
+				"Animation { AnimationKey { 2; 1; "
+				"0;3;1,2,3;;; } } ");
+		}
+		strcat(text, "}");
+		assert_int_equal(model_load_memory(text, strlen(text), "a.x",
+					 &log, &model),
+			0);
+		assert_int_equal(log_capture_count(&logged, LOG_NOTE), 1);
+		assert_int_equal(log_capture_count(&logged, LOG_WARNING),
+			warnings == 8 ? 8 : 9);
+		assert_int_equal(
+			log_capture_has(&logged, LOG_WARNING,
+				warnings == 9 ? "leaves out 1 more warnings"
+					      : "leaves out 2 more warnings"),
+			warnings > 8);
+		model_destroy(model);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(
+			test_eight_warnings_are_told_and_notes_do_not_count),
 		cmocka_unit_test(test_files_of_no_format_are_refused),
 		cmocka_unit_test(test_a_missing_file_is_one_error),
 		cmocka_unit_test(test_the_bytes_of_the_file_are_given_back),

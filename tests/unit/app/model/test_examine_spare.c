@@ -69,6 +69,46 @@ static void test_other_names_are_no_levels(void **state)
 	expect((const char *const[]){"Wheel0", "Wheel1", "LOD", "1"}, 4, "");
 }
 
+/* A level stands alone, behind what is no letter, or in capitals. */
+static void test_a_level_is_told_by_its_spelling(void **state)
+{
+	static const struct {
+		const char *name[2];
+		bool coarse; /* the second one */
+	} cases[] = {
+		{{"a_lod0", "a_lod1"}, true},
+		{{"1 Lod0", "1 Lod1"}, true},
+		{{"LoD0", "LoD1"}, true},
+		{{"TreeLOD0", "TreeLOD1"}, true},
+		{{"TreeLOD9", "TreeLOD10"}, true},
+		{{"TreeLOD1", "TreeLOD1"}, false},
+		{{"TreeLOd0", "TreeLOd1"}, false},
+		{{"TreeLoD0", "TreeLoD1"}, false},
+		{{"1alod0", "1alod1"}, false},
+		{{"od0", "od1"}, false},
+		{{"d0", "d1"}, false},
+		{{"0", "1"}, false},
+		{{"", ""}, false},
+		{{"a_lod", "a_lod"}, false},
+		{{"a_lod0x", "a_lod1x"}, false},
+		{{"a_lod0", "b_lod1"}, false},
+		{{"a_lod0", "aa_lod1"}, false},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		char wanted[300];
+
+		snprintf(wanted, sizeof(wanted),
+			"levels of detail as nodes of their own (1), such as "
+			"%s: limber draws them and the finest level at once; "
+			"export that one alone, as limber makes its own "
+			"levels\n",
+			cases[i].name[1]);
+		expect(cases[i].name, 2, cases[i].coarse ? wanted : "");
+	}
+}
+
 static void test_shapes_for_collisions_are_counted(void **state)
 {
 	(void)state;
@@ -85,6 +125,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_levels_beside_a_finer_one_are_counted),
 		cmocka_unit_test(test_other_names_are_no_levels),
+		cmocka_unit_test(test_a_level_is_told_by_its_spelling),
 		cmocka_unit_test(test_shapes_for_collisions_are_counted),
 	};
 

@@ -84,6 +84,27 @@ static void test_a_wrong_header_is_shown(void **state)
 		"test.x: byte 15: the file ends within its header");
 }
 
+/* Any other byte makes it a file that limber does not read. */
+static void test_each_byte_of_the_header_counts(void **state)
+{
+	static const char *const headers[] = {
+		"xof 0303txt 0032", "xof 0302bin 0064"};
+
+	(void)state;
+	for (int i = 0; i < 2 * 12; i++) {
+		struct log_capture logged;
+		struct model *model;
+		int at = 4 + i / 2;
+		char header[17];
+
+		memcpy(header, headers[i % 2], sizeof(header));
+		header[at] = 'x';
+		assert_true(load(header, 16, &logged, &model) ==
+				(at < 8 ? -ENOTSUP : -EINVAL) ||
+			headers[i % 2][at] == 'x');
+	}
+}
+
 #define BINARY  "xof 0303bin 0032"
 /* An object that is skipped: template T { */
 #define SKIPPED "\x1f\0\1\0\1\0\0\0T\n\0"
@@ -134,6 +155,7 @@ static void test_binary_values_must_be_complete(void **state)
 		size_t size;
 	} cases[] = {
 		{"\1\0\3\0\0\0abc", 9}, /* a name */
+		{"\1\0\0\0\0\0", 6},    /* an empty name */
 		{"\2\0\3\0\0\0abc", 9}, /* a string */
 		{"\3\0\1\2\3\4", 6},    /* an integer */
 		{"\5\0"
@@ -249,6 +271,7 @@ int main(void)
 		cmocka_unit_test(test_four_bytes_are_the_sign_of_the_format),
 		cmocka_unit_test(test_the_format_names_version_and_encoding),
 		cmocka_unit_test(test_a_wrong_header_is_shown),
+		cmocka_unit_test(test_each_byte_of_the_header_counts),
 		cmocka_unit_test(test_codes_of_binary_tokens_are_known),
 		cmocka_unit_test(test_binary_values_must_be_complete),
 		cmocka_unit_test(

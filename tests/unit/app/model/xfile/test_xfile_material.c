@@ -1,11 +1,13 @@
 /* What materials and skins of .x files become in glTF's terms. */
 #include "app/model/model.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/log_capture.h"
 #include "tests/support/test.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define HEADER  "xof 0303txt 0032\n"
@@ -104,6 +106,77 @@ static void test_alpha_below_one_blends(void **state)
 		assert_int_equal(model->material[0].alpha, cases[i].kind);
 		model_destroy(model);
 	}
+}
+
+#define PAINTED                                                          \
+	HEADER "Material { 1;1;1;1;; 0; 0;0;0;; 0;0;0;; TextureFilename" \
+	       " { \"%s\"; } }"
+
+/* Paths stay below the model's folder, or the name alone counts. */
+static void test_paths_of_textures_are_cleaned(void **state)
+{
+	static const struct {
+		const char *written, *cleaned;
+	} cases[] = {
+		{"a.png", " a.png"},
+		{"sub/a.png", " sub/a.png"},
+		{"sub\\a.png", " sub/a.png"},
+		{"sub\\\\deep\\\\a.png", " sub/deep/a.png"},
+		{"sub//a.png", " sub/a.png"},
+		{"/home/a.png", " a.png"},
+		{"C:\\\\old\\\\a.png", " a.png"},
+		{"..\\a.png", " a.png"},
+		{"sub/../../a.png", " a.png"},
+	};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "m.x");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct log_capture logged;
+		struct log log = log_capture_begin(&logged);
+		struct model *model;
+		char text[300];
+
+		snprintf(text, sizeof(text), PAINTED, cases[i].written);
+		file_write(path.text, text, strlen(text));
+		assert_int_equal(model_load(path.text, &log, &model), 0);
+		assert_int_equal(logged.count, 1);
+		assert_int_equal(logged.level[0], LOG_WARNING);
+		assert_contains(logged.sentence[0], cases[i].cleaned);
+		assert_int_equal(model->texture_count, 0);
+		assert_int_equal(model->material[0].texture, -1);
+		model_destroy(model);
+	}
+	temp_dir_remove(&folder);
+}
+
+/* The picture has a pixel of alpha 128. */
+static void test_a_texture_with_alpha_masks(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "m.x");
+	struct test_path picture =
+		fixture_path("gltf/material/parts/two by two.png");
+	struct log log = log_to_stderr(LOG_WARNING);
+	struct model *model;
+	size_t size;
+	char *data = file_read(picture.text, &size);
+	char text[300];
+
+	(void)state;
+	file_write(path_join(&folder, "a.png").text, data, size);
+	free(data);
+	snprintf(text, sizeof(text), PAINTED, "a.png");
+	file_write(path.text, text, strlen(text));
+	assert_int_equal(model_load(path.text, &log, &model), 0);
+	assert_int_equal(model->material[0].texture, 0);
+	assert_int_equal(model->material[0].emissive_texture, 0);
+	assert_int_equal(model->material[0].alpha, MODEL_MASK);
+	assert_string_equal(model->image[0].name, "a.png");
+	assert_true(model->texture[0].mipmap);
+	model_destroy(model);
+	temp_dir_remove(&folder);
 }
 
 /* Vertex 3 has no weight: it moves with the mesh, an added joint at rest. */
@@ -225,6 +298,8 @@ int main(void)
 		cmocka_unit_test(test_the_power_of_a_highlight_becomes_roughness),
 		cmocka_unit_test(test_other_members_of_materials_are_plain),
 		cmocka_unit_test(test_alpha_below_one_blends),
+		cmocka_unit_test(test_paths_of_textures_are_cleaned),
+		cmocka_unit_test(test_a_texture_with_alpha_masks),
 		cmocka_unit_test(test_vertices_without_a_bone_follow_the_mesh),
 		cmocka_unit_test(test_the_first_of_equal_weights_count),
 		cmocka_unit_test(test_five_bones_take_eight_influences),

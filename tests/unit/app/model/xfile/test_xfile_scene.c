@@ -88,6 +88,22 @@ static void test_frames_that_refer_to_a_mesh_share_it(void **state)
 	model_destroy(model);
 }
 
+/* The frame in which it stands draws it, too, even if this is node 0. */
+static void test_a_mesh_of_a_frame_may_be_drawn_by_another(void **state)
+{
+	struct log_capture logged;
+	struct model *model =
+		load(HEADER "Frame A { Mesh M { " FACE "} } Frame B { { M } }",
+			&logged);
+
+	(void)state;
+	assert_int_equal(model->mesh_count, 1);
+	assert_int_equal(model->node_count, 2);
+	assert_int_equal(model->node[0].mesh, 0);
+	assert_int_equal(model->node[1].mesh, 0);
+	model_destroy(model);
+}
+
 #define PAINT "Material { 1;1;1;1;; 1; 0;0;0;; 0;0;0;; } "
 
 /* Each corner belongs to the primitive of its face's material. */
@@ -165,6 +181,53 @@ static void test_an_error_describes_what_stands_there_instead(void **state)
 		expect_refused(text, strlen(text), cases[i].told);
 	}
 	expect_refused(HEADER "-1.5", sizeof(HEADER) + 3, "but there is -1.5");
+}
+
+/* Half turns about x, y and z; the last one goes the other way round. */
+static void test_rotation_keys_keep_their_order(void **state)
+{
+	static const float turns[3][4] = {
+		{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, -1, 0}};
+	struct log_capture logged;
+	struct model *model = load(HEADER
+		"AnimTicksPerSecond { 1; } Frame A { } AnimationSet S { "
+		"Animation { { A } AnimationKey { 0; 3; 0;4;0,1,0,0;;, "
+		"1;4;0,0,1,0;;, 2;4;0,0,0,1;;; } } }",
+		&logged);
+	const struct model_channel *channel = &model->clip[0].channel[0];
+
+	(void)state;
+	assert_int_equal(channel->path, MODEL_ROTATION);
+	assert_int_equal(channel->width, 4);
+	for (int k = 0; k < 3; k++) {
+		assert_all_near(channel->value + 4 * k, turns[k], 4, 1e-6);
+	}
+	model_destroy(model);
+}
+
+static void test_numbers_are_1e9_at_most(void **state)
+{
+	static const char *const numbers[] = {
+		"1e9", "-1e9", "1000000001", "-1000000001"};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(numbers); i++) {
+		struct log_capture logged;
+		struct model *model;
+		char text[200];
+
+		snprintf(text, sizeof(text),
+			HEADER "Mesh M { 3; 0;0;0;, %s;0;0;, 0;1;0;; 1; "
+			       "3;0,1,2;; }",
+			numbers[i]);
+		if (i < 2) {
+			model = load(text, &logged);
+			assert_int_equal(model->mesh_count, 1);
+			model_destroy(model);
+		} else {
+			expect_refused(text, strlen(text), "is larger than 1e9");
+		}
+	}
 }
 
 static void test_scale_keys_keep_their_values(void **state)
@@ -334,6 +397,9 @@ int main(void)
 		cmocka_unit_test(
 			test_meshes_that_share_a_frame_get_nodes_at_rest),
 		cmocka_unit_test(test_frames_that_refer_to_a_mesh_share_it),
+		cmocka_unit_test(test_a_mesh_of_a_frame_may_be_drawn_by_another),
+		cmocka_unit_test(test_rotation_keys_keep_their_order),
+		cmocka_unit_test(test_numbers_are_1e9_at_most),
 		cmocka_unit_test(test_materials_divide_a_mesh),
 		cmocka_unit_test(test_objects_without_a_name_have_an_empty_one),
 		cmocka_unit_test(

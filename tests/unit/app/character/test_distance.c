@@ -1,5 +1,6 @@
 /* The distance of two segments: against the least of many pairs of points. */
 #include "app/character/parts/distance.h"
+#include "platform/base/compiler.h"
 #include "tests/support/random.h"
 #include "tests/support/test.h"
 
@@ -98,6 +99,32 @@ static void test_segments_of_all_kinds(void **state)
 	}
 }
 
+/* A power of two scales numbers without rounding. */
+static void test_distances_scale_with_the_segments(void **state)
+{
+	static const float scales[] = {1.0f / 1024.0f, 1024.0f};
+	uint32_t seed = 12;
+
+	(void)state;
+	for (int trial = 0; trial < 50; trial++) {
+		struct segment a = random_segment(&seed);
+		struct segment b = random_segment(&seed);
+		double whole = (double)distance(&a, &b);
+
+		for (size_t k = 0; k < ARRAY_COUNT(scales); k++) {
+			struct segment one = a, other = b;
+			float scale = scales[k];
+
+			for (int i = 0; i < 6; i++) {
+				one.end[i / 3][i % 3] *= scale;
+				other.end[i / 3][i % 3] *= scale;
+			}
+			assert_near((double)(distance(&one, &other) / scale),
+				whole, 1e-6);
+		}
+	}
+}
+
 static void test_points_at_rest_in_a_place(void **state)
 {
 	struct segment a = {{{0, 0, 0}, {0, 0, 0}}};
@@ -112,6 +139,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_segments_of_all_kinds),
+		cmocka_unit_test(test_distances_scale_with_the_segments),
 		cmocka_unit_test(test_points_at_rest_in_a_place),
 	};
 

@@ -237,17 +237,17 @@ static void test_a_part_falls_onto_a_table_or_beside_it(void **state)
 }
 
 /*
- * The same root, box and table, whose triangle a skin moves: the heights of its
- * vertices at rest say nothing of where they are.
+ * The same box and table, without a root, and a skin that may move the table's
+ * triangle: then its heights at rest do not say where it is.
  */
 static const char skinned_table[] =
 	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
-	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
-	"{\"name\":\"Root\",\"children\":[1,2],"
+	"\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
+	"{\"name\":\"Table\",\"mesh\":0%s,\"translation\":[0,0.5,0],"
 	"\"rotation\":[-0.70710678,0,0,0.70710678]},"
-	"{\"name\":\"Table\",\"mesh\":0%s,\"translation\":[0,0,0.5]},"
-	"{\"name\":\"Box\",\"mesh\":0,\"translation\":[0,0,1.2]}],"
-	"\"skins\":[{\"joints\":[0]}],"
+	"{\"name\":\"Box\",\"mesh\":0,\"translation\":[0,1.2,0],"
+	"\"rotation\":[-0.70710678,0,0,0.70710678]}],"
+	"\"skins\":[{\"joints\":[1]}],"
 	"\"meshes\":[{\"primitives\":[{\"attributes\":"
 	"{\"POSITION\":0,\"JOINTS_0\":1,\"WEIGHTS_0\":2}}]}],"
 	"\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
@@ -290,6 +290,36 @@ static void test_no_part_falls_onto_a_table_that_a_skin_moves(void **state)
 			rows[i].lies_at, 1e-5);
 		acting_end(&acting);
 	}
+	temp_dir_remove(&folder);
+}
+
+static const char first_hand[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
+	"{\"name\":\"Hand\",\"translation\":[0,1,0]},"
+	"{\"name\":\"Box\",\"translation\":[0.5,1,0.25]}]}";
+
+/* A quarter turn about y takes x to -z, and z to x. */
+static void test_the_first_node_holds_a_part(void **state)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "hand.gltf");
+	struct acting acting;
+	float at[3];
+
+	(void)state;
+	file_write(path.text, first_hand, strlen(first_hand));
+	acting_begin(&acting, path.text);
+	assert_int_equal(node_of(&acting, "Hand"), 0);
+	acting_expect(&acting,
+		"[part Hand]\nheading = 0 -90 90 90\n[part Box]\n"
+		"[buttons]\nUP = attach Box Hand\n"
+		"LEFT hold = move Hand heading 1\n");
+	acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+	acting_tap(&acting, BUTTON_LEFT, 2.0, rate_hz);
+	acting_place(&acting, "Box", at);
+	assert_all_near(at, ((float[]){0.25f, 1, -0.5f}), 3, 1e-5);
+	acting_end(&acting);
 	temp_dir_remove(&folder);
 }
 
@@ -339,6 +369,7 @@ int main(void)
 		cmocka_unit_test(test_a_part_falls_onto_a_table_or_beside_it),
 		cmocka_unit_test(
 			test_no_part_falls_onto_a_table_that_a_skin_moves),
+		cmocka_unit_test(test_the_first_node_holds_a_part),
 		cmocka_unit_test(
 			test_a_part_near_the_ground_comes_back_to_its_height),
 	};

@@ -106,7 +106,7 @@ static void test_a_part_is_pulled_into_the_gripper(void **state)
 	acting_release(&acting, BUTTON_RIGHT);
 	next_frame(&acting);
 	pull_s = crate_of(&acting)->pull_s + (float)(1.0 / rate_hz);
-	assert_true(pull_s > 0.05f);
+	assert_near(pull_s, 0.2, 1e-6);
 	while (last > 0.0) {
 		double left;
 

@@ -49,7 +49,7 @@ static int read_look_bone(struct character_words *words,
 		return character_fail(
 			words, "a share is from 0 to 1: give %s", key->right);
 	}
-	rate = character_take_number(words, &rate) ? rate : 0;
+	character_take_number(words, &rate);
 	if (rate < 0 || rate > 100) {
 		return character_fail(
 			words, "a rate is from 0 to 100: give %s", key->right);

@@ -185,6 +185,38 @@ static void test_the_programs_own_file_stays_as_it_is(void **state)
 	model_file_release(&own);
 }
 
+/* What the tuner changes with one press, and how far. */
+static void test_fields_change_in_steps_between_limits(void **state)
+{
+	static const struct preset_field fields[] = {
+		{"speed", "speed", 0, 1, 0, 200},
+		{"amplitude", "amplitude", 0, 0.02f, 0, 4},
+		{"attenuation", "attenuation", 0, 0.05f, -2, 2},
+		{"modifier", "modifier", 0, 0.1f, 0, 4},
+		{"shift", "translation", 3, 0.1f, -20, 20},
+		{"turn", "rotation", 3, 0.02f, -3, 3}};
+	const struct preset_field *field = preset_fields;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(fields); i++) {
+		int axes = fields[i].element;
+
+		for (int axis = 0; axis < (axes ? axes : 1); axis++, field++) {
+			char name[16];
+
+			snprintf(name, sizeof(name), axes ? "%s %c" : "%s",
+				fields[i].name, 'x' + axis);
+			assert_string_equal(field->name, name);
+			assert_string_equal(field->key, fields[i].key);
+			assert_int_equal(field->element, axis);
+			assert_near(field->step, fields[i].step, 0);
+			assert_near(field->low, fields[i].low, 0);
+			assert_near(field->high, fields[i].high, 0);
+		}
+	}
+	assert_ptr_equal(field, preset_fields + PRESET_FIELDS);
+}
+
 /* Of a file whose last line does not end. */
 static void test_a_section_at_the_end_gets_lines_of_its_own(void **state)
 {
@@ -294,6 +326,7 @@ int main(void)
 			test_a_saved_preset_is_read_back, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_the_programs_own_file_stays_as_it_is, begin, end),
+		cmocka_unit_test(test_fields_change_in_steps_between_limits),
 		cmocka_unit_test_setup_teardown(
 			test_a_section_at_the_end_gets_lines_of_its_own, begin,
 			end),

@@ -1,9 +1,11 @@
 /* What effects do to bones, and by how much. */
 #include "app/character/run/effects.h"
+#include "platform/base/compiler.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const double rate_hz = 50.0;
@@ -65,6 +67,38 @@ static void test_bones_turn_by_a_part_of_the_angle(void **state)
 	begin(&acting, TURN "on = no\n");
 	assert_near(turned_deg(&acting, "hand.L"), 0, 0.05);
 	acting_end(&acting);
+}
+
+/* To what the action does not say, whatever it was before. */
+static void test_what_a_held_button_switches_goes_back(void **state)
+{
+	static const struct {
+		const char *text;
+		bool before, held, after;
+	} rows[] = {
+		{"on = no\n[buttons]\nUP hold = on lift\n", false, true, false},
+		{"on = yes\n[buttons]\nUP hold = off lift\n", true, false, true},
+		{"on = yes\n[buttons]\nUP hold = on lift\n", true, true, false},
+		{"on = no\n[buttons]\nUP hold = off lift\n", false, false, true}};
+	struct acting acting;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		const struct character_turn *turn;
+		char text[256];
+
+		snprintf(text, sizeof(text), TURN "%s", rows[i].text);
+		begin(&acting, text);
+		turn = find_effect(&acting, character_turn_run);
+		assert_int_equal(turn->is.is_on, rows[i].before);
+		acting_press(&acting, BUTTON_UP);
+		acting_run_to(&acting, 0.2, rate_hz);
+		assert_int_equal(turn->is.is_on, rows[i].held);
+		acting_release(&acting, BUTTON_UP);
+		acting_run_to(&acting, 0.3, rate_hz);
+		assert_int_equal(turn->is.is_on, rows[i].after);
+		acting_end(&acting);
+	}
 }
 
 static void test_a_turn_from_rest_replaces_what_the_clip_does(void **state)
@@ -368,6 +402,7 @@ static void test_a_target_may_be_the_camera_or_hang_on_a_node(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_what_a_held_button_switches_goes_back),
 		cmocka_unit_test(test_bones_turn_by_a_part_of_the_angle),
 		cmocka_unit_test(
 			test_a_turn_from_rest_replaces_what_the_clip_does),

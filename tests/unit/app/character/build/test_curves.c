@@ -1,0 +1,66 @@
+/* What the lines of a morph's curves say, as the morph keeps it. */
+#include "app/character/character_data.h"
+#include "tests/support/model/acting.h"
+#include "tests/support/test.h"
+
+struct wave {
+	float amplitude, axis[3], delay, direction[3];
+};
+
+static void expect_waves(const char *text, const struct wave *waves, int count)
+{
+	struct acting acting;
+	const struct character_morph *morph;
+
+	acting_begin(&acting, "assets/face.glb");
+	acting_expect(&acting, text);
+	morph = &acting.character->morph[0];
+	assert_int_equal(morph->curve_count, count);
+	for (int i = 0; i < count; i++) {
+		const struct morph_wave *wave = &morph->curve[i].wave;
+
+		assert_near(wave->amplitude, waves[i].amplitude, 0);
+		assert_all_near(wave->axis, waves[i].axis, 3, 1e-6);
+		assert_near(wave->delay, waves[i].delay, 0);
+		assert_all_near(wave->direction, waves[i].direction, 3, 1e-6);
+	}
+	acting_end(&acting);
+}
+
+/* Upwards at once, or along the axis that the line says. */
+static void test_a_wave_runs_along_its_axis(void **state)
+{
+	static const struct wave waves[] = {{0.25f, {0, 1, 0}, 0, {1, 0, 0}},
+		{0.5f, {0, 0, -1}, 0.75f, {1, 0, 0}},
+		{0, {0.6f, 0, 0.8f}, 100, {1, 0, 0}}};
+
+	(void)state;
+	expect_waves("[morph a]\ncurve = sine 0.25\ndirection = 2 0 0\n"
+		     "curve = sine 0.5 0 0 -3 0.75\ncurve = sine 0 3 0 4 100\n",
+		waves, 3);
+}
+
+/* A later curve has the first one's, unless a line behind it says another. */
+static void test_a_direction_is_that_of_the_curve_above(void **state)
+{
+	static const struct wave waves[] = {{0.1f, {0, 1, 0}, 0, {0, 0, 1}},
+		{0.2f, {0, 1, 0}, 0, {0, -1, 0}},
+		{0.3f, {0, 1, 0}, 0, {0, 0, 1}}};
+
+	(void)state;
+	expect_waves("[morph a]\ncurve = sine 0.1\ndirection = 0 0 5\n"
+		     "curve = sine 0.2\ndirection = 0 -1 0\ncurve = sine 0.3\n",
+		waves, 3);
+	expect_waves(
+		"[morph a]\ndirection = 0 0 5\ncurve = sine 0.1\n", waves, 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_a_wave_runs_along_its_axis),
+		cmocka_unit_test(test_a_direction_is_that_of_the_curve_above),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

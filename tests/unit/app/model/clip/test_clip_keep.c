@@ -120,6 +120,32 @@ static void test_shorts_of_another_length_become_floats(void **state)
 	arena_release(&arena);
 }
 
+/* Each number of a key counts for its length, to a millionth. */
+static void test_all_numbers_of_a_rotation_make_its_length(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 16; i++) {
+		for (int more = -1; more <= 1; more++) {
+			float length = 1.0f + 1e-5f * (float)more;
+			float key[2][4] = {{0, 0, 0, 1}};
+			struct model_channel channel = {.path = MODEL_ROTATION,
+				.interpolation = MODEL_LINEAR,
+				.width = 4,
+				.key_count = 2,
+				.time_s = time_s,
+				.value = key[0]};
+			struct model_clip clip = {
+				.channel_count = 1, .channel = &channel};
+			struct model model = {.clip_count = 1, .clip = &clip};
+
+			key[1][i / 4] = 0.6f * length;
+			key[1][i % 4] = (i / 4 == i % 4 ? 1.0f : 0.8f) * length;
+			model_prepare_clips(&model);
+			assert_int_equal(channel.unit, more == 0);
+		}
+	}
+}
+
 static void test_a_key_of_floats_is_read_at_its_place(void **state)
 {
 	static const float value[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
@@ -177,6 +203,7 @@ int main(void)
 		cmocka_unit_test(test_each_path_has_its_own_noise),
 		cmocka_unit_test(test_keys_of_shorts_take_the_shorter_arc),
 		cmocka_unit_test(test_shorts_of_another_length_become_floats),
+		cmocka_unit_test(test_all_numbers_of_a_rotation_make_its_length),
 		cmocka_unit_test(test_a_key_of_floats_is_read_at_its_place),
 		cmocka_unit_test(test_times_are_shared_with_256_channels_before),
 	};

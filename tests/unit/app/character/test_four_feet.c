@@ -1,4 +1,5 @@
 /* A model with four legs, whose two pairs of feet keep to uneven ground. */
+#include "app/character/run/feet.h"
 #include "tests/support/files.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
@@ -147,12 +148,58 @@ static void test_hips_may_not_carry_another_pair(void **state)
 	end(&f);
 }
 
+/* One foot is enough. */
+static void test_hips_may_not_carry_a_foot_of_another_pair(void **state)
+{
+	static const char *const mixed[] = {
+		"[feet mixed]\nhips = hips\nleft = UL LL FL\nright = ur lr fr\n",
+		"[feet mixed]\nhips = hips\nleft = ul ll fl\nright = UR LR FR\n"};
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	for (size_t i = 0; i < ARRAY_COUNT(mixed); i++) {
+		read(&f, mixed[i], front);
+		assert_int_equal(f.acting.error, -EINVAL);
+		assert_contains(f.acting.logged.sentence[0],
+			"[feet front]: its hips carry the feet of [feet mixed], too");
+	}
+	end(&f);
+}
+
+/* From the upper joint by the lower one to the tip, at rest. */
+static void test_legs_are_as_long_as_their_bones(void **state)
+{
+	const double hind_m = 2 * hypot(0.3, 0.04);
+	const double front_m = hypot(0.31, 0.05) + hypot(0.32, 0.05);
+	struct fixture f;
+	const struct character_feet *feet;
+
+	(void)state;
+	begin(&f);
+	read(&f, hind, front);
+	assert_int_equal(f.acting.error, 0);
+	feet = f.acting.character->feet;
+	for (int side = 0; side < 2; side++) {
+		const struct character_foot *one = &feet->foot[side];
+
+		assert_near(one->length_m, hind_m, 1e-6);
+		assert_near(feet->next->foot[side].length_m, front_m, 1e-6);
+		assert_near(
+			one->planted_m, 0.002 * (double)feet->height_m, 1e-7);
+		assert_int_equal(one->sole_count, 1);
+	}
+	end(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_four_feet_keep_to_the_hills),
 		cmocka_unit_test(test_a_pair_may_be_switched_off),
 		cmocka_unit_test(test_hips_may_not_carry_another_pair),
+		cmocka_unit_test(test_hips_may_not_carry_a_foot_of_another_pair),
+		cmocka_unit_test(test_legs_are_as_long_as_their_bones),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

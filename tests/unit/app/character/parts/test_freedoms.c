@@ -1,4 +1,5 @@
 /* Where the degrees of freedom of a part take it: against turns computed here. */
+#include "app/character/character_data.h"
 #include "platform/base/compiler.h"
 #include "tests/support/files.h"
 #include "tests/support/model/acting.h"
@@ -90,6 +91,38 @@ static void test_each_freedom_moves_a_part(void **state)
 	end(&acting, &folder);
 }
 
+/* Degrees or metres a second, unless the line says it. */
+static void test_a_freedom_has_limits_and_a_speed(void **state)
+{
+	static const struct {
+		const char *value;
+		double start, low, high;
+		double speed; /* 0: 45 degrees or 0.5 m a second */
+	} rows[] = {{"1", 1, -1e6, 1e6, 0}, {"1 0.5 2", 1, 0.5, 2, 0},
+		{"1 1 1", 1, 1, 1, 0}, {"-1 -2 3 4", -1, -2, 3, 4}};
+	struct test_path folder;
+	struct acting acting;
+
+	(void)state;
+	begin(&acting, &folder);
+	for (int i = 0; i < 6 * (int)ARRAY_COUNT(rows); i++) {
+		const struct character_freedom *freedom;
+		double usual = i % 6 < 3 ? 45 : 0.5, speed = rows[i / 6].speed;
+		char text[128];
+
+		snprintf(text, sizeof(text), "[part Arm]\n%s = %s\n",
+			names[i % 6], rows[i / 6].value);
+		acting_expect(&acting, text);
+		freedom = &acting.character->part[0].freedom[i % 6];
+		assert_true(freedom->given);
+		assert_near(freedom->value, rows[i / 6].start, 0);
+		assert_near(freedom->low, rows[i / 6].low, 0);
+		assert_near(freedom->high, rows[i / 6].high, 0);
+		assert_near(freedom->speed, speed > 0 ? speed : usual, 1e-6);
+	}
+	end(&acting, &folder);
+}
+
 /* The outermost turn comes first, and the shift before or after all of them. */
 static void test_turns_have_an_order(void **state)
 {
@@ -132,6 +165,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_freedom_moves_a_part),
+		cmocka_unit_test(test_a_freedom_has_limits_and_a_speed),
 		cmocka_unit_test(test_turns_have_an_order),
 	};
 

@@ -112,11 +112,40 @@ static void test_a_source_has_a_scale_and_an_offset(void **state)
 	acting_end(&acting);
 }
 
+/* From above the middle of the range to its lower end, else to the upper one. */
+static void test_a_toggle_goes_to_the_farther_end(void **state)
+{
+	static const struct {
+		const char *start;
+		double end;
+	} rows[] = {{"-4", 2}, {"-1.5", 2}, {"-1", 2}, {"-0.5", -4}, {"2", -4}};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		char text[128];
+
+		snprintf(text, sizeof(text),
+			"[parameter p]\nrange = -4 2\nstart = %s\n"
+			"[buttons]\nUP = toggle p\n",
+			rows[i].start);
+		acting_expect(&acting, text);
+		acting_run_to(&acting, acting.now_s + 0.1, 50.0);
+		acting_tap(&acting, BUTTON_UP, 0.1, 50.0);
+		assert_near(acting_value(&acting, "p"), rows[i].end, 0);
+		acting_tap(&acting, BUTTON_UP, 0.1, 50.0);
+		assert_near(acting_value(&acting, "p"), -2 - rows[i].end, 0);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_lines_of_a_parameter_fit_each_other),
 		cmocka_unit_test(test_a_parameter_starts_near_0),
+		cmocka_unit_test(test_a_toggle_goes_to_the_farther_end),
 		cmocka_unit_test(test_a_source_has_a_scale_and_an_offset),
 	};
 

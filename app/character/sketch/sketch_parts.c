@@ -87,30 +87,36 @@ static bool is_part(const struct search *search, int node)
 			can_be_named(search, node) && !is_form(search, node));
 }
 
-/* Whether a needle or a disc carries no other part. */
-static bool is_flat_end(const struct search *search, int node)
+/* Whether other parts hang on a part. */
+static bool carries_parts(const struct search *search, int node)
 {
 	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
 
-	return search->meshes[node] <= own &&
-		(search->turn[node].form == SKETCH_TURN_DISC ||
-			search->turn[node].form == SKETCH_TURN_NEEDLE);
+	return search->meshes[node] > own;
+}
+
+/* Whether a needle or a disc carries no other part. */
+static bool is_flat_end(const struct search *search, int node)
+{
+	enum sketch_turn_form form = search->turn[node].form;
+
+	return !carries_parts(search, node) &&
+		(form == SKETCH_TURN_DISC || form == SKETCH_TURN_NEEDLE);
 }
 
 static bool is_needle(const struct search *search, int node)
 {
-	return is_flat_end(search, node) &&
-		search->turn[node].form == SKETCH_TURN_NEEDLE;
+	return search->turn[node].form == SKETCH_TURN_NEEDLE &&
+		!carries_parts(search, node);
 }
 
 /* A rod or a board on which parts hang turns as freely as any other part. */
 static struct sketch_turn turn_of(const struct search *search, int node)
 {
 	struct sketch_turn turn = search->turn[node];
-	int own = is_rigid(search->model, node) ? 1 : search->shown[node];
 
 	if ((turn.form == SKETCH_TURN_ROD || turn.form == SKETCH_TURN_HINGE) &&
-		search->meshes[node] > own) {
+		carries_parts(search, node)) {
 		turn.form = SKETCH_TURN_FREE;
 	}
 	return turn;

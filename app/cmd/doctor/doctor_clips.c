@@ -2,16 +2,9 @@
 
 #include "app/character/sketch/sketch_once.h"
 
-#include <stdio.h>
-
-enum {
-	NAME_BYTES = 100
-};
-
 static void report(const struct model *model, const struct sketch_once *once,
 	const struct examiner *examiner)
 {
-	char name[NAME_BYTES];
 	int count = 0, first = -1;
 
 	for (int i = 0; i < CHARACTER_SKETCH_CLIPS; i++) {
@@ -23,14 +16,9 @@ static void report(const struct model *model, const struct sketch_once *once,
 	if (count == 0) {
 		return;
 	}
-	if (model->clip[first].name[0]) {
-		snprintf(name, sizeof(name), "%s", model->clip[first].name);
-	} else {
-		snprintf(name, sizeof(name), "clip %d", first);
-	}
-	examine_report(examiner,
-		"clips that end in another shape than they begin with (%d), such as %s: limber plays them once and shows their end, unless a character file or --repeat says otherwise; players that repeat them jump",
-		count, name);
+	examine_report_clips(examiner, model, count, first,
+		"clips that end in another shape than they begin with",
+		"limber plays them once and shows their end, unless a character file or --repeat says otherwise; players that repeat them jump");
 }
 
 int doctor_clips_check(const char *model_path, size_t memory_bytes,

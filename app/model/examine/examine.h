@@ -58,6 +58,14 @@ bool examine_find_lying(
 void examine_report(const struct examiner *examiner, const char *format, ...)
 	PRINTF_LIKE(2, 3);
 
+/*
+ * Reports "FEATURE (COUNT), such as NAME: TREATMENT", where NAME is that of the
+ * clip with the number first, up to 99 bytes, or "clip FIRST" if it has none.
+ */
+void examine_report_clips(const struct examiner *examiner,
+	const struct model *model, int count, int first, const char *feature,
+	const char *treatment);
+
 /* Reports "FEATURE (COUNT): TREATMENT", but nothing when count is 0. */
 void examine_count(const struct examiner *examiner, int count,
 	const char *feature, const char *treatment);

@@ -23,6 +23,18 @@ void examine_report(const struct examiner *examiner, const char *format, ...)
 	examiner->report(examiner->context, finding);
 }
 
+void examine_report_clips(const struct examiner *examiner,
+	const struct model *model, int count, int first, const char *feature,
+	const char *treatment)
+{
+	const char *name = model->clip[first].name;
+	char number[32];
+
+	snprintf(number, sizeof(number), "clip %d", first);
+	examine_report(examiner, "%s (%d), such as %.99s: %s", feature, count,
+		name[0] ? name : number, treatment);
+}
+
 void examine_count(const struct examiner *examiner, int count,
 	const char *feature, const char *treatment)
 {

@@ -1,11 +1,5 @@
 #include "app/model/examine/examine.h"
 
-#include <stdio.h>
-
-enum {
-	NAME_BYTES = 100
-};
-
 /* Marks a node, and all above it, whose motion moves it. */
 static void mark(const struct model *model, int node, bool *moves)
 {
@@ -51,21 +45,6 @@ static bool is_still(const struct model_clip *clip, const bool *moves)
 	return true;
 }
 
-static void report(const struct model *model, int count, int first,
-	const struct examiner *examiner)
-{
-	char name[NAME_BYTES];
-
-	if (model->clip[first].name[0]) {
-		snprintf(name, sizeof(name), "%s", model->clip[first].name);
-	} else {
-		snprintf(name, sizeof(name), "clip %d", first);
-	}
-	examine_report(examiner,
-		"clips that move nothing that limber shows (%d), such as %s: they move cameras, lights, empty nodes or nothing at all, and the model stands still",
-		count, name);
-}
-
 int examine_still_clips(const struct model *model,
 	const struct examiner *examiner, const struct log *log)
 {
@@ -86,7 +65,9 @@ int examine_still_clips(const struct model *model,
 	}
 	/* Another finding says that a model shows nothing. */
 	if (count > 0 && any) {
-		report(model, count, first, examiner);
+		examine_report_clips(examiner, model, count, first,
+			"clips that move nothing that limber shows",
+			"they move cameras, lights, empty nodes or nothing at all, and the model stands still");
 	}
 	arena_release(&arena);
 	return 0;

@@ -284,6 +284,18 @@ static void test_floats_are_rounded_to_15_bits(void **state)
 	arena_release(&m.arena);
 }
 
+/* Packs the displacements as floats among those of the model's targets. */
+static void pack_floats(struct morphed *m, struct model *model)
+{
+	for (int t = 0; t < TARGETS; t++) {
+		assert_int_equal(
+			model_deltas_pack(&m->target[t].position,
+				(const float(*)[3])m->delta[t][0], VERTICES,
+				MODEL_FLOAT, 1.0f, &model->targets),
+			0);
+	}
+}
+
 static void test_rounding_releases_the_floats(void **state)
 {
 	static struct morphed m;
@@ -313,14 +325,7 @@ static void test_rounding_releases_the_floats(void **state)
 	mesh.primitive = &m.primitive;
 	for (int skin = 0; skin >= -1; skin--) {
 		node.skin = skin;
-		for (int t = 0; t < TARGETS; t++) {
-			assert_int_equal(
-				model_deltas_pack(&m.target[t].position,
-					(const float(*)[3])m.delta[t][0],
-					VERTICES, MODEL_FLOAT, 1.0f,
-					&model.targets),
-				0);
-		}
+		pack_floats(&m, &model);
 		assert_int_equal(model_keys_round(&model, NULL), 0);
 		assert_int_equal(!m.primitive.keys, skin == 0);
 		assert_int_equal(!model.targets.newest, skin == -1);
@@ -330,6 +335,18 @@ static void test_rounding_releases_the_floats(void **state)
 		1.01f * m.primitive.keys->scale);
 	arena_release(&model.arena);
 	arena_release(&m.arena);
+}
+
+/* The displacements are as before, elsewhere; the target left_out has none. */
+static void assert_kept(struct morphed *m, const void *before, int left_out)
+{
+	assert_ptr_not_equal(m->target[0].position.value, before);
+	for (int t = 0; t < TARGETS; t++) {
+		if (t != left_out) {
+			assert_deltas(&m->target[t].position,
+				(const float(*)[3])m->delta[t][0], VERTICES);
+		}
+	}
 }
 
 /*
@@ -367,14 +384,7 @@ static void test_rounding_keeps_the_floats_of_other_meshes(void **state)
 	(void)state;
 	for (int i = 0; i < 3; i++) {
 		set_up(&m[i], 1000.0f, 2500);
-		for (int t = 0; t < TARGETS; t++) {
-			assert_int_equal(
-				model_deltas_pack(&m[i].target[t].position,
-					(const float(*)[3])m[i].delta[t][0],
-					VERTICES, MODEL_FLOAT, 1.0f,
-					&model.targets),
-				0);
-		}
+		pack_floats(&m[i], &model);
 	}
 	m[2].target[1].position = (struct model_deltas){0};
 	mesh[0].primitive = &m[0].primitive;
@@ -388,15 +398,7 @@ static void test_rounding_keeps_the_floats_of_other_meshes(void **state)
 	assert_null(model.targets.newest);
 	for (int i = 0; i < 2; i++) {
 		assert_null(other[i].keys);
-		assert_ptr_not_equal(
-			m[i + 1].target[0].position.value, before[i]);
-		for (int t = 0; t < TARGETS; t++) {
-			if (i == 0 || t != 1) {
-				assert_deltas(&m[i + 1].target[t].position,
-					(const float(*)[3])m[i + 1].delta[t][0],
-					VERTICES);
-			}
-		}
+		assert_kept(&m[i + 1], before[i], i == 0 ? -1 : 1);
 	}
 	assert_int_equal(m[2].target[1].position.vertex_count, 0);
 	arena_release(&model.arena);

@@ -239,10 +239,12 @@ class Machine:
         """Waits until the output since mark() matches; returns the match."""
         deadline = time.monotonic() + seconds
         while True:
+            # Asked first: what comes before an end is in the log then.
+            over = time.monotonic() > deadline or not self.pid()
             found = re.search(pattern, self.log()[self.seen:], re.M)
             if found:
                 return found
-            if time.monotonic() > deadline or not self.pid():
+            if over:
                 raise Error(f"the console has not shown /{pattern}/, but:\n"
                             + self.log()[self.seen:][-2000:])
             time.sleep(0.02)

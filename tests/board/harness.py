@@ -204,14 +204,15 @@ def guest_tool():
 
 def wait_until(machine, condition, seconds, look_s=0.01):
     """Until condition() is true, for at most this long on the board; the time
-    on the board then, or None. Looks every look_s of this machine's time."""
+    on the board then, or None. Looks every look_s of this machine's time, and
+    at least once when the time is over, as the board runs on while a busy
+    machine does not look at it."""
     begun = machine.time_s()
     while True:
-        good = condition()
-        now = machine.time_s()
-        if good:
-            return now
-        if now - begun > seconds:
+        over = machine.time_s() - begun > seconds
+        if condition():
+            return machine.time_s()
+        if over:
             return None
         time.sleep(look_s)
 

@@ -19,8 +19,9 @@ const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 async function until(get, ms = 20000, step = 100) {
 	const end = Date.now() + ms;
 	for (;;) {
+		const over = Date.now() > end;
 		const value = await get();
-		if (value || Date.now() > end) {
+		if (value || over) {
 			return value;
 		}
 		await sleep(step);

@@ -61,11 +61,11 @@ class Listener:
 
 async def until(condition, seconds=TOLD_S):
     end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > end:
-            return False
+    while time.monotonic() <= end:
+        if condition():
+            return True
         await asyncio.sleep(0.005)
-    return True
+    return condition()
 
 
 def prepare():

@@ -23,7 +23,7 @@ float character_entry_sole_m(const struct character_entry *entry, int pair)
 	}
 	at = entry->shown_s / duration_s * CHARACTER_SAMPLES;
 	sample = scalar_to_int((double)at, 0, CHARACTER_SAMPLES - 1);
-	beyond = scalar_clamp(at - (float)sample, 0, 1);
+	beyond = scalar_max(at - (float)sample, 0);
 	return sole_m[sample] * (1 - beyond) +
 		sole_m[(sample + 1) % CHARACTER_SAMPLES] * beyond;
 }

@@ -63,12 +63,11 @@ static void lift_hips(struct instance *instance,
 	const mat4 *world = (const mat4 *)instance->world;
 	struct transform *local = &instance->pose.local[feet->hips];
 	int parent = instance->pose.model->node[feet->hips].parent;
-	float up[3] = {0, lift, 0};
 	float scale = parent < 0 ? 1 : matrix_scale(&world[parent]);
+	float up[3] = {0, scale > 0 ? lift / scale : 0, 0};
 
 	bone_to_axes(world, parent, up, up);
-	vec_add_scaled(local->translation, up, scale > 0 ? 1 / scale : 1,
-		local->translation);
+	vec_add_scaled(local->translation, up, 1, local->translation);
 	instance->pose.animated[feet->hips] = true;
 }
 
@@ -77,13 +76,11 @@ static float missing_height(const struct instance *instance,
 	const struct character_foot *foot, const float target[3], float lift)
 {
 	float from[3], length = stretch * foot->length_m;
-	float across2, height2;
+	float across2;
 
 	vec_subtract(instance->world[foot->leg.upper][3], target, from);
 	across2 = from[0] * from[0] + from[2] * from[2];
-	height2 = length * length - across2;
-	height2 = height2 > 0 ? height2 : 0;
-	return from[1] + lift - scalar_sqrt(height2);
+	return from[1] + lift - scalar_sqrt(length * length - across2);
 }
 
 static bool is_displaced(const struct character_hold *hold)
@@ -98,7 +95,8 @@ static bool find_targets(const struct character *character,
 {
 	const mat4 *world = (const mat4 *)character->instance->world;
 	static const float up[3] = {0, 1, 0};
-	float weight = feet->is.now, turn[4];
+	float weight = feet->is.now;
+	float turn[4];
 	bool moves = false;
 
 	for (int side = 0; side < 2; side++) {

@@ -125,7 +125,7 @@ static bool is_at_end(const struct character *character)
 		fade_s(fade_to(machine, next, find_transition(machine, next)),
 			entry);
 	return duration_s * (1 - machine->done) <=
-		(overlap_s < 0.5f * duration_s ? overlap_s : 0.5f * duration_s);
+		scalar_min(overlap_s, 0.5f * duration_s);
 }
 
 static void choose_weights(const struct character_state *state)
@@ -164,8 +164,6 @@ static void begin_state(struct character *character, int to, int transition)
 	machine->current = to;
 	machine->running = transition;
 	machine->wanted = -1;
-	machine->done = 0;
-	machine->loops = 0;
 	machine->held_s = 0;
 	machine->fresh = true;
 }
@@ -266,11 +264,12 @@ static void take_cursors(const struct character_state *state)
 	}
 }
 
+/* One clip plays, or two whose weights add up to 1. */
 static void sample(struct character *character, struct pose *pose)
 {
 	struct character_machine *machine = &character->machine;
 	struct character_state *state = &machine->state[machine->current];
-	float before = 0;
+	bool begun = false;
 
 	take_cursors(state);
 
@@ -280,14 +279,14 @@ static void sample(struct character *character, struct pose *pose)
 		if (entry->weight <= 0) {
 			continue;
 		}
-		if (before > 0) {
+		if (begun) {
 			character_entry_mix(character, entry, state->repeat,
-				entry->weight / (before + entry->weight), pose);
+				entry->weight, pose);
 		} else {
 			character_entry_sample(
 				character, entry, state->repeat, pose);
 		}
-		before += entry->weight;
+		begun = true;
 	}
 }
 

@@ -7,7 +7,7 @@ float character_line_distance(
 	const float a[3], const float b[3], const float c[3], const float d[3])
 {
 	float u[3], v[3], w[3], apart[3];
-	float uu, uv, vv, uw, vw, denominator, s = 0, t;
+	float uu, uv, vv, uw, vw, denominator, s = 0, t = 0;
 
 	vec_subtract(b, a, u);
 	vec_subtract(d, c, v);
@@ -21,7 +21,9 @@ float character_line_distance(
 	if (denominator > 1e-12f * uu * vv) {
 		s = scalar_clamp((uv * vw - vv * uw) / denominator, 0, 1);
 	}
-	t = vv > 0 ? scalar_clamp((uv * s + vw) / vv, 0, 1) : 0;
+	if (vv > 0) {
+		t = scalar_clamp((uv * s + vw) / vv, 0, 1);
+	}
 	if (uu > 0) {
 		s = scalar_clamp((uv * t - uw) / uu, 0, 1);
 	}

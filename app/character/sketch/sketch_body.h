@@ -23,7 +23,10 @@ float sketch_side(const struct bounds *box, int axis);
 /* Where the pivot is along an axis: 0 at the lower side, 1 at the upper one. */
 float sketch_pivot(const struct bounds *box, int axis);
 
-/* Whether both sides of the pivot have at least this part of the box. */
+/*
+ * Whether both sides of the pivot have at least this part of the box. Nothing
+ * is within a box without length.
+ */
 bool sketch_is_pivot_within(const struct bounds *box, int axis, float part);
 
 #endif

@@ -31,18 +31,16 @@ static const float hand_off = 0.1f;
 /* The axes by the length of the box's sides, the shortest first. */
 static void sort_axes(const struct bounds *box, int axis[3])
 {
-	axis[0] = 0;
-	axis[1] = 1;
-	axis[2] = 2;
-	for (int pass = 0; pass < 2; pass++) {
-		for (int i = 0; i < 2; i++) {
-			int first = axis[i], second = axis[i + 1];
+	for (int i = 0; i < 3; i++) {
+		float side = sketch_side(box, i);
+		int shorter = 0;
 
-			if (sketch_side(box, first) > sketch_side(box, second)) {
-				axis[i] = second;
-				axis[i + 1] = first;
-			}
+		for (int k = 0; k < 3; k++) {
+			float other = sketch_side(box, k);
+
+			shorter += other < side || (other == side && k < i);
 		}
+		axis[shorter] = i;
 	}
 }
 
@@ -54,7 +52,7 @@ static struct sketch_turn_axis see(const float rotation[4], int axis)
 
 	along[axis] = 1;
 	quat_rotate(rotation, along, along);
-	for (int i = 0; i < 3; i++) {
+	for (int i = 1; i < 3; i++) {
 		if (scalar_abs(along[i]) > scalar_abs(along[seen.seen])) {
 			seen.seen = i;
 		}
@@ -71,8 +69,7 @@ static bool is_round(
 	int a = (about.axis + 1) % 3, b = (about.axis + 2) % 3;
 	float width = sketch_side(box, a), other = sketch_side(box, b), reach;
 
-	if (width <= 0 || other <= 0 ||
-		!sketch_is_pivot_within(box, a, round_middle_part) ||
+	if (!sketch_is_pivot_within(box, a, round_middle_part) ||
 		!sketch_is_pivot_within(box, b, round_middle_part)) {
 		return false;
 	}
@@ -87,15 +84,17 @@ static bool is_round(
 /* The only axis about which a body is round, or -1: a ball is about all. */
 static int axle_of(const struct sketch_body *body, const float rotation[4])
 {
-	int axle = -1, count = 0;
+	int axle = -1;
 
 	for (int i = 0; i < 3; i++) {
 		if (is_round(body, see(rotation, i))) {
+			if (axle >= 0) {
+				return -1;
+			}
 			axle = i;
-			count++;
 		}
 	}
-	return count == 1 ? axle : -1;
+	return axle;
 }
 
 /* Judges a body of which no side is empty but the thin one. */
@@ -198,22 +197,15 @@ static struct sketch_turn judge(
 	return turn;
 }
 
-/* Half the width of a disc, in the frame of what hangs on it. */
-static float radius_of(const struct model_node *node,
-	const struct sketch_body *disc, int about)
+/* The side of a disc's box, in the frame of what hangs on it. */
+static float side_below(
+	const struct model_node *node, const struct sketch_body *disc, int axis)
 {
-	float radius = 0;
+	float side = sketch_side(&disc->box, axis);
+	/* The body of a node has the node's scale if it is its own. */
+	bool own = node->mesh >= 0 && node->skin < 0;
 
-	for (int i = 1; i < 3; i++) {
-		int axis = (about + i) % 3;
-		/* The body of a node has the node's scale if it is its own. */
-		float scale = node->mesh >= 0 && node->skin < 0
-			? scalar_abs(node->rest.scale[axis])
-			: 1;
-
-		radius += 0.25f * sketch_side(&disc->box, axis) / scale;
-	}
-	return radius;
+	return own ? side / scalar_abs(node->rest.scale[axis]) : side;
 }
 
 /*
@@ -227,10 +219,12 @@ static void find_hand(const struct model *model, int node,
 	const float *at = of->rest.translation;
 	struct sketch_turn *rod = &turn[node];
 	const struct sketch_turn *disc = &turn[of->parent];
+	const struct model_node *face = &model->node[of->parent];
 	int along = rod->axis.axis, axis = disc->axis.axis;
 	int a = (axis + 1) % 3, b = (axis + 2) % 3;
-	float radius =
-		radius_of(&model->node[of->parent], &body[of->parent], axis);
+	float radius = 0.25f *
+		(side_below(face, &body[of->parent], a) +
+			side_below(face, &body[of->parent], b));
 	float low = -body[node].box.low[along];
 	float high = body[node].box.high[along];
 

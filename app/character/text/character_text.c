@@ -271,7 +271,7 @@ static int read_file(struct character_text *text, FILE *file, const char *path,
 		return -EIO;
 	}
 	if (line) {
-		reader.lines.number = line > 0 ? line : 0;
+		reader.lines.number = line;
 		return fail(&reader, INI_LINES_INVALID);
 	}
 	return 0;
@@ -328,7 +328,7 @@ bool character_text_path_near(
 	int length = snprintf(path, size, "%.*s%s", folder, file, name);
 
 	return *name && !strpbrk(name, "/\\") && name[0] != '.' &&
-		length >= 0 && (size_t)length < size;
+		(size_t)length < size;
 }
 
 bool character_text_path_beside(const char *model_path, char *path, size_t size)
@@ -338,5 +338,5 @@ bool character_text_path_beside(const char *model_path, char *path, size_t size)
 	int stem = dot ? (int)(dot - model_path) : (int)strlen(model_path);
 	int length = snprintf(path, size, "%.*s.character", stem, model_path);
 
-	return length >= 0 && (size_t)length < size;
+	return (size_t)length < size;
 }

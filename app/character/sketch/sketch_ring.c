@@ -72,7 +72,7 @@ static bool takes_to(const float rotation[4], const struct model_node *first,
 	return vec_length(way) <= off_place * size;
 }
 
-/* Which step of count a turn about an axis is, from 0; -1 between two. */
+/* Which step of count a turn about an axis is; 0 if it is none, or between two. */
 static int step_of(const float rotation[4], int axis, int count)
 {
 	/* The angle is twice that of the quaternion: -count..count steps. */
@@ -81,7 +81,7 @@ static int step_of(const float rotation[4], int axis, int count)
 	float nearest = scalar_floor(steps + 0.5f);
 
 	if (scalar_abs(steps - nearest) > off_step) {
-		return -1;
+		return 0;
 	}
 	return ((int)nearest + count) % count;
 }

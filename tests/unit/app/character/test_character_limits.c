@@ -27,7 +27,11 @@ struct limits {
 static const struct limits walker[] = {
 	{"[parameter a]\nease = #", 0, 60, 0.01},
 	{"[state a]\nclip = walk\nrate = #", -100, 100, 0.01},
+	{"[state a]\nclip = walk\nfade = #", 0, 60, 0.01},
+	{"[state a]\nclip = walk\nfade = # frames", 0, 60, 0.01},
+	{"[state a]\nclip = walk\npause = #", 0, 3600, 0.01},
 	{STATES "[transition a b]\nexit = #", 0, 1, 0.01},
+	{STATES "[transition a b]\nfade = #", 0, 60, 0.01},
 	{LAYER "rate = #", -100, 100, 0.01},
 	{LAYER "soft = #", 0, 16, 1},
 	{LAYER "weight = #", 0, 1, 0.01},
@@ -59,6 +63,11 @@ static const struct limits walker[] = {
 	{"[scene]\npitch = #", 0, 89, 0.01},
 	{"[scene]\nmargin = #", 0.2, 10, 0.01},
 	{"[scene]\nzoom = #", 0.04, 1, 0.01},
+	{"[scene]\nwaves = #", 0, 1e6, 1},
+	{"[scene]\nperiod = #", 0.1, 3600, 0.01},
+	{"[target a]\nradius = #", 0, 1e6, 1},
+	{"[target a]\ncolor = 0 # 0", 0, 1, 0.01},
+	{"[target a]\ncolor = 0 0 #", 0, 1, 0.01},
 	{"[scene]\nshadow = #", 0, 1, 0.01},
 	{"[scene]\nrelief = #", 0, 1, 0.01},
 };

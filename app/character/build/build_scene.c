@@ -2,6 +2,7 @@
  * Sections [motion], [target], [output] and [scene].
  */
 #include "app/character/build/build.h"
+#include "app/scene/instance/bounds.h"
 #include "platform/base/scalar.h"
 #include "platform/buttons/gpio_output.h"
 
@@ -44,23 +45,16 @@ static const float size_least_m = 0.3f, size_most_m = 10, human_m = 1.65f;
 static void measure(struct character_build *build)
 {
 	struct character *character = build->character;
-	mat4 *world = character->instance->world;
-	float side[3], size = 0;
+	struct bounds box = bounds_empty();
+	float size, height;
 
-	for (int axis = 0; axis < 3; axis++) {
-		float low = 0, high = 0;
-
-		for (int i = 0; i < build->model->node_count; i++) {
-			float at = world[i][3][axis];
-
-			low = i == 0 || at < low ? at : low;
-			high = i == 0 || at > high ? at : high;
-		}
-		side[axis] = high - low;
-		size = scalar_max(side[axis], size);
+	for (int i = 0; i < build->model->node_count; i++) {
+		bounds_add(&box, character->instance->world[i][3]);
 	}
-	character->motion.height_m = side[1];
-	character->motion.near_m = 0.025f * side[1];
+	size = bounds_extent(&box);
+	height = scalar_max(box.high[1] - box.low[1], 0);
+	character->motion.height_m = height;
+	character->motion.near_m = 0.025f * height;
 	character->metre =
 		size <= 0 || (size >= size_least_m && size <= size_most_m)
 		? 1
@@ -220,7 +214,7 @@ static int read_tour(struct character_words *words,
 		ARENA_NEW(words->build->arena, struct character_tour);
 	struct character_action *action = NULL;
 	float time_s;
-	int error = 0;
+	int error;
 
 	if (!tour) {
 		return character_fail_memory(words->build);
@@ -235,13 +229,14 @@ static int read_tour(struct character_words *words,
 	}
 	tour->time_s = (double)time_s;
 	tour->button = BUTTON_COUNT;
-	for (int i = 0; i < BUTTON_COUNT; i++) {
+	for (int i = 0; i < BUTTON_COUNT && tour->button == BUTTON_COUNT; i++) {
 		if (character_take(words, button_name((enum button)i))) {
 			tour->button = (enum button)i;
-			error = check_press(words, tour->button);
 		}
 	}
-	if (tour->button == BUTTON_COUNT) {
+	if (tour->button != BUTTON_COUNT) {
+		error = check_press(words, tour->button);
+	} else {
 		do {
 			error = character_read_action(words, &action, NULL);
 		} while (!error && character_take(words, ","));

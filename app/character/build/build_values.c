@@ -61,6 +61,7 @@ int character_read_fade(struct character_words *words,
 	for (int i = 0; curves[i]; i++) {
 		if (character_take(words, curves[i])) {
 			fade->curve = (enum inertia_curve)i;
+			break;
 		}
 	}
 	return 0;

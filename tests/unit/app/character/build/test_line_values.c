@@ -42,6 +42,9 @@ static void test_a_fade_lasts_seconds_or_frames(void **state)
 		assert_int_equal(fade->frames, rows[i].frames);
 		assert_int_equal(fade->curve, rows[i].curve);
 	}
+	acting_read(&acting, "[state a]\nclip = walk\nfade = 1 smooth cubic\n");
+	assert_int_equal(acting.error, -EINVAL);
+	assert_contains(acting.logged.sentence[0], "cubic is too much");
 	acting_end(&acting);
 }
 

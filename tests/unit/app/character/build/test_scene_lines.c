@@ -1,6 +1,7 @@
 /* What a character knows of its skeleton, targets, outputs and surroundings. */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
+#include "tests/support/files.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -148,6 +149,8 @@ static void test_outputs_know_where_the_file_names_them(void **state)
 		assert_int_equal(acting.error, 0);
 		assert_int_equal(acting.character->output_count, i + 1);
 		output = &acting.character->output[i];
+		assert_int_equal(output->name[0], 'o');
+		assert_int_equal(output->name[1], '0' + i);
 		snprintf(text + sizeof(text) - 32, 32, "gpiochip0/%d", i + 3);
 		assert_string_equal(output->line, text + sizeof(text) - 32);
 		assert_string_equal(output->file, "test.character");
@@ -189,6 +192,29 @@ static void test_a_scene_is_as_its_lines_say(void **state)
 	acting_end(&acting);
 }
 
+/* A file may say otherwise than the one that it includes. */
+static void test_a_shadow_that_another_file_hides_is_shown(void **state)
+{
+	static const char hides[] = "[scene]\nshadow = no\nrelief = yes\n",
+			  shows[] = "include = hides.character\n[scene]\n"
+				    "shadow = yes\nrelief = no\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "a.character");
+	struct acting acting;
+
+	(void)state;
+	file_write(path_join(&folder, "hides.character").text, hides,
+		strlen(hides));
+	file_write(path.text, shows, strlen(shows));
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, path.text);
+	assert_int_equal(acting.error, 0);
+	assert_near(*acting.character->scene.shadow, 1, 0);
+	assert_near(*acting.character->scene.relief, 0, 0);
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
 /* Sorted by their times; those of one time keep their order. */
 static void test_the_lines_of_a_tour_follow_each_other(void **state)
 {
@@ -227,6 +253,12 @@ static void test_the_lines_of_a_tour_follow_each_other(void **state)
 	assert_near(acting.character->scene.tour_s, 4.5, 0);
 	acting_read(&acting, "[scene]\ntour = -0.1 pause\n");
 	assert_int_equal(acting.error, -EINVAL);
+	/* It presses one button at a time. */
+	acting_read(&acting,
+		"[scene]\ntour = 1 UP DOWN\n[buttons]\nUP = pause\n"
+		"DOWN = tour\n");
+	assert_int_equal(acting.error, -EINVAL);
+	assert_contains(acting.logged.sentence[0], "DOWN is too much");
 	acting_end(&acting);
 }
 
@@ -241,6 +273,7 @@ int main(void)
 		cmocka_unit_test(test_a_target_is_where_its_lines_say),
 		cmocka_unit_test(test_outputs_know_where_the_file_names_them),
 		cmocka_unit_test(test_a_scene_is_as_its_lines_say),
+		cmocka_unit_test(test_a_shadow_that_another_file_hides_is_shown),
 		cmocka_unit_test(test_the_lines_of_a_tour_follow_each_other),
 	};
 

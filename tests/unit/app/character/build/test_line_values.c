@@ -48,6 +48,116 @@ static void test_a_fade_lasts_seconds_or_frames(void **state)
 	acting_end(&acting);
 }
 
+/* The sentence names the first word that is wrong. */
+static void test_a_wrong_number_is_named(void **state)
+{
+	static const struct {
+		const char *text, *wrong; /* NULL: it is right */
+	} rows[] = {
+		{"[parameter a]\nrange = -1e9 1e9", NULL},
+		{"[parameter a]\nrange = -1.01e9 0", "-1.01e9 is not right"},
+		{"[parameter a]\nrange = 0 1.01e9", "1.01e9 is not right"},
+		{"[parameter a]\nrange = 0 nan", "nan is not right"},
+		{"[parameter a]\nrange = 0 1x", "1x is not right"},
+		{"[parameter a]\nrange = 0 \"1\"", "1 is not right"},
+		{"[parameter a]\nrange = 0", "a word is missing"},
+		{"[parameter a]\nrange = 0 1 2", "2 is too much"},
+		{"[parameter a]\nrange =", "the value is missing"},
+		{"[target a]\ncolor = 0 2 0.5", "2 is not right"},
+		{"[target a]\ncolor = 0 0.5 -1", "-1 is not right"},
+		{"[scene]\nshadow = 1.5", "1.5 is not right"},
+		{"[scene]\nshadow = -1", "-1 is not right"},
+		{"[scene]\nshadow = , 1", ", is not right"},
+		{"[state a]\nclip = walk\nfade = 61 frames", "61 is not right"},
+		{"[state a]\nclip = walk\nfade = -1", "-1 is not right"},
+		{"[layer a]\nclip = wave\nsoft = 1.5", "1.5 is no whole"},
+		{"[layer a]\nclip = wave\nsoft = 17", "17 is not right"},
+		{"[layer a]\nclip = wave\nmode = \"additive\"",
+			"additive is not right"},
+	};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		char text[128];
+
+		snprintf(text, sizeof(text), "%s\n", rows[i].text);
+		acting_read(&acting, text);
+		if (!rows[i].wrong) {
+			assert_int_equal(acting.error, 0);
+			continue;
+		}
+		assert_int_equal(acting.error, -EINVAL);
+		assert_int_equal(acting.logged.count, 1);
+		assert_contains(acting.logged.sentence[0], rows[i].wrong);
+	}
+	acting_end(&acting);
+}
+
+/* Such lines add to each other; of all others, there is one. */
+static void test_some_lines_may_be_repeated(void **state)
+{
+	static const struct {
+		const char *model, *section, *line;
+		bool may; /* be repeated */
+	} rows[] = {
+		{"walker", "[state a]\nclip = walk", "enter = line x", true},
+		{"walker", "[state a]\nclip = walk", "leave = line x", true},
+		{"walker", "[state a]\nclip = walk", "rate = 1", false},
+		{"walker", "[clip walk]", "event = 0.1 line x", true},
+		{"walker", "[clip walk]", "marks = 0.1", false},
+		{"walker", "[layer a]\nclip = wave", "mask = head", true},
+		{"walker", "[spring a]\nbones = ponytail.4 4",
+			"body = hips chest 0.1", true},
+		{"walker", "[turn a]", "bone = head", true},
+		{"walker", "[target a]", "place = 0 0 0", false},
+		{"walker", "[buttons]\nUP = pause\n[scene]", "tour = 1 UP", true},
+		{"walker",
+			"[parameter p]\n[state a]\nclip = walk\n"
+			"[transition * a]",
+			"when = p > 0.5", true},
+		{"walker", "[parameter p]\n[trigger t]\nwhen = p > 0.5",
+			"then = line x", true},
+		{"walker", "[parameter p]\n[trigger t]\nwhen = p > 0.5",
+			"else = line x", true},
+		{"face", "[morph a]", "curve = linear", true},
+		{"face", "[morph a]", "key = calm", true},
+		{"face", "[morph a]\ncurve = sine 0.1", "direction = 0 0 1",
+			true},
+		{"face", "[morph a]", "time = 1", false},
+		{"face", "[expression a]", "targets = smile 0.5", true},
+		{"arm", "[part Arm]", "top = 0 0 0 1 1", true},
+		{"arm", "[part Arm]", "guard = 0.1", true},
+		{"arm", "[part Arm]", "radius = 0.1", false},
+		{"arm", "[part Arm]\npitch = 0\n[sequence a]",
+			"step = up 1, Arm pitch 0", true},
+	};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct acting acting;
+		char path[32], text[256];
+
+		snprintf(path, sizeof(path), "assets/%s.glb", rows[i].model);
+		acting_begin(&acting, path);
+		snprintf(text, sizeof(text), "%s\n%s\n", rows[i].section,
+			rows[i].line);
+		acting_expect(&acting, text);
+		snprintf(text, sizeof(text), "%s\n%s\n%s\n", rows[i].section,
+			rows[i].line, rows[i].line);
+		acting_read(&acting, text);
+		if ((acting.error == 0) != rows[i].may) {
+			fail_msg("%s", text);
+		}
+		if (!rows[i].may) {
+			assert_contains(acting.logged.sentence[0],
+				"says this already: remove one of both");
+		}
+		acting_end(&acting);
+	}
+}
+
 /* Three numbers behind the radius move both ends. */
 static void test_an_offset_moves_both_ends_of_a_body(void **state)
 {
@@ -145,6 +255,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_fade_lasts_seconds_or_frames),
+		cmocka_unit_test(test_a_wrong_number_is_named),
+		cmocka_unit_test(test_some_lines_may_be_repeated),
 		cmocka_unit_test(test_an_offset_moves_both_ends_of_a_body),
 		cmocka_unit_test(test_a_refused_text_gives_no_character),
 		cmocka_unit_test(test_a_character_begins_with_the_model_at_rest),

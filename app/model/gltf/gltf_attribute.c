@@ -19,14 +19,13 @@ int gltf_check_attribute(const struct gltf_at *at,
 }
 
 int gltf_read_attribute(const struct gltf_at *at, const char *key,
-	const char *type, int vertex_count, struct arena *arena,
-	struct gltf_values *out)
+	const char *type, int vertex_count, struct arena *arena, float **out)
 {
 	struct gltf_at member = gltf_member(at, key);
 	const struct gltf_accessor *accessor;
 	int error = gltf_maybe_accessor(at, key, type, &accessor);
 
-	*out = (struct gltf_values){0};
+	*out = NULL;
 	if (error || !accessor) {
 		return error;
 	}
@@ -34,12 +33,11 @@ int gltf_read_attribute(const struct gltf_at *at, const char *key,
 	if (error) {
 		return error;
 	}
-	out->width = accessor->width;
-	out->value = gltf_alloc(&member, arena,
+	*out = gltf_alloc(&member, arena,
 		(size_t)accessor->count * (size_t)accessor->width,
 		sizeof(float));
-	if (!out->value) {
+	if (!*out) {
 		return -ENOMEM;
 	}
-	return gltf_unpack_floats(&member, accessor, out->value);
+	return gltf_unpack_floats(&member, accessor, *out);
 }

@@ -404,12 +404,6 @@ int gltf_use_texture(struct gltf *gltf, int file_index, int *out);
 
 /* gltf_attribute.c */
 
-/* Unpacked values of an attribute; value is NULL if the file has none. */
-struct gltf_values {
-	int width; /* floats per vertex */
-	float *value;
-};
-
 /*
  * Fails unless the accessor has vertex_count elements and another componentType
  * than GLTF_U32.
@@ -419,11 +413,10 @@ int gltf_check_attribute(const struct gltf_at *at,
 
 /*
  * Unpacks an attribute of a primitive or of a morph target into the arena; it
- * must have one element per vertex.
+ * must have one element per vertex. *out becomes NULL if the file has none.
  */
 int gltf_read_attribute(const struct gltf_at *at, const char *key,
-	const char *type, int vertex_count, struct arena *arena,
-	struct gltf_values *out);
+	const char *type, int vertex_count, struct arena *arena, float **out);
 
 /* gltf_triangles.c */
 

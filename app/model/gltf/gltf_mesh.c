@@ -10,12 +10,8 @@
 static int keep_attribute(const struct gltf_at *at, const char *key,
 	const char *type, int vertex_count, float **out)
 {
-	struct gltf_values values;
-	int error = gltf_read_attribute(
-		at, key, type, vertex_count, &at->gltf->model->arena, &values);
-
-	*out = values.value;
-	return error;
+	return gltf_read_attribute(
+		at, key, type, vertex_count, &at->gltf->model->arena, out);
 }
 
 /*

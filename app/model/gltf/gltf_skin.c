@@ -48,8 +48,8 @@ static int read_set(
 	const struct gltf_at *attributes, int set, struct model_primitive *out)
 {
 	const struct gltf_accessor *joints;
-	struct gltf_values weights;
 	struct gltf_at member;
+	float *weights;
 	char joints_key[32], weights_key[32];
 	int error, v, k;
 
@@ -69,7 +69,7 @@ static int read_set(
 			set * SET_WIDTH;
 
 		for (k = 0; k < SET_WIDTH; k++) {
-			to[k] = weights.value[(size_t)v * SET_WIDTH + (size_t)k];
+			to[k] = weights[(size_t)v * SET_WIDTH + (size_t)k];
 		}
 	}
 	gltf_end_brief(attributes->gltf);

@@ -9,7 +9,7 @@
  * the clips have been read (gltf_keep_targets()).
  */
 static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
-	const struct gltf_values *values, struct model_deltas *out)
+	const float (*values)[3], struct model_deltas *out)
 {
 	enum gltf_component component = accessor->base.component;
 	bool is_short = component == GLTF_I16, is_byte = component == GLTF_I8;
@@ -17,8 +17,7 @@ static int pack(const struct gltf_at *at, const struct gltf_accessor *accessor,
 	float one = !accessor->normalized || !is_integer ? 1.0f
 		: is_short                               ? 32767.0f
 							 : 127.0f;
-	int error = model_deltas_pack(out, (const float(*)[3])values->value,
-		accessor->count,
+	int error = model_deltas_pack(out, values, accessor->count,
 		is_short          ? MODEL_INT16
 			: is_byte ? MODEL_INT8
 				  : MODEL_FLOAT,
@@ -33,15 +32,15 @@ static int read_delta(const struct gltf_at *at, const char *key,
 {
 	struct gltf_at member = gltf_member(at, key);
 	const struct gltf_accessor *accessor;
-	struct gltf_values values;
+	float *values;
 	int error = gltf_read_attribute(
 		at, key, "VEC3", vertex_count, &at->gltf->brief, &values);
 
-	if (!error && values.value) {
+	if (!error && values) {
 		error = gltf_maybe_accessor(at, key, "VEC3", &accessor);
 	}
-	if (!error && values.value) {
-		error = pack(&member, accessor, &values, out);
+	if (!error && values) {
+		error = pack(&member, accessor, (const float(*)[3])values, out);
 	}
 	gltf_end_brief(at->gltf);
 	return error;

@@ -63,7 +63,7 @@ int uri_unescape(const char *uri, char *out)
 			continue;
 		}
 		high = hex_digit(uri[1]);
-		low = high < 0 ? -1 : hex_digit(uri[2]);
+		low = high < 0 ? high : hex_digit(uri[2]);
 		if (low < 0 || (high == 0 && low == 0)) {
 			return -EINVAL;
 		}

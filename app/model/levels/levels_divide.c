@@ -40,7 +40,7 @@ static void find_plane(const float corner[3][3], float out[3])
 
 static void find_normals(struct model_primitive *primitive)
 {
-	for (int i = 0; i + 2 < primitive->index_count; i += 3) {
+	for (int i = 0; i < primitive->index_count; i += 3) {
 		float *n = primitive->normal[i];
 
 		find_plane((const float(*)[3]) & primitive->position[i], n);

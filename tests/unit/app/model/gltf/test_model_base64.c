@@ -4,6 +4,7 @@
 #include "tests/support/test.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 static void expect_bytes(const char *text, const char *bytes)
@@ -72,6 +73,8 @@ static void test_recognises_data_uris(void **state)
 	assert_string_equal(
 		uri_data_base64("data:image/png;base64,AA=="), "AA==");
 	assert_string_equal(uri_data_base64("data:;base64,"), "");
+	assert_string_equal(uri_data_base64(";base64,AA=="), "AA==");
+	assert_null(uri_data_base64("base64,AA=="));
 	assert_null(uri_data_base64("data:text/plain,AA=="));
 	assert_null(uri_data_base64("data:;base64"));
 	assert_null(uri_data_base64(",AA=="));
@@ -89,6 +92,25 @@ static void test_recognises_schemes(void **state)
 	assert_false(uri_has_scheme(""));
 }
 
+/* A scheme is a letter, followed by letters, digits, + - and dots. */
+static void test_a_scheme_has_only_its_characters(void **state)
+{
+	static const char letters[] =
+		"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+	static const char others[] = "0123456789+-.";
+
+	(void)state;
+	for (int c = 1; c < 256; c++) {
+		const char first[] = {(char)c, ':', 'x', '\0'};
+		const char second[] = {'x', (char)c, ':', '\0'};
+		bool is_letter = strchr(letters, c) != NULL;
+
+		assert_int_equal(uri_has_scheme(first), is_letter);
+		assert_int_equal(uri_has_scheme(second),
+			is_letter || strchr(others, c) != NULL || c == ':');
+	}
+}
+
 static void test_decodes_percent_escapes(void **state)
 {
 	char out[32];
@@ -98,6 +120,29 @@ static void test_decodes_percent_escapes(void **state)
 	assert_string_equal(out, "a b/C\xc3\xa9+");
 	assert_int_equal(uri_unescape("", out), 0);
 	assert_string_equal(out, "");
+}
+
+static void test_an_escape_has_two_hexadecimal_digits(void **state)
+{
+	static const char digits[] = "0123456789abcdefABCDEF";
+
+	(void)state;
+	for (int c = 1; c < 256; c++) {
+		const char first[] = {'%', (char)c, '4', '\0'};
+		const char second[] = {'%', '4', (char)c, '\0'};
+		int wanted = strchr(digits, c) ? 0 : -EINVAL;
+		char escape[8], out[8];
+
+		assert_int_equal(uri_unescape(first, out), wanted);
+		assert_int_equal(uri_unescape(second, out), wanted);
+		for (int upper = 0; upper < 2; upper++) {
+			snprintf(escape, sizeof(escape),
+				upper ? "%%%02Xz" : "%%%02xz", (unsigned int)c);
+			assert_int_equal(uri_unescape(escape, out), 0);
+			assert_int_equal((uint8_t)out[0], c);
+			assert_string_equal(out + 1, "z");
+		}
+	}
 }
 
 static void test_refuses_broken_escapes(void **state)
@@ -119,7 +164,9 @@ int main(void)
 		cmocka_unit_test(test_refuses_what_is_not_base64),
 		cmocka_unit_test(test_recognises_data_uris),
 		cmocka_unit_test(test_recognises_schemes),
+		cmocka_unit_test(test_a_scheme_has_only_its_characters),
 		cmocka_unit_test(test_decodes_percent_escapes),
+		cmocka_unit_test(test_an_escape_has_two_hexadecimal_digits),
 		cmocka_unit_test(test_refuses_broken_escapes),
 	};
 

@@ -191,6 +191,24 @@ static void test_refuses_broken_cameras(void **state)
 		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
 		 "'znear':1,'aspectRatio':-1}}]",
 			"/cameras/0/perspective/aspectRatio: is not greater than 0"},
+		{"'cameras':[{'type':'perspective','perspective':{'yfov':1,"
+		 "'znear':1,'aspectRatio':0}}]",
+			"/cameras/0/perspective/aspectRatio: is not greater than 0"},
+		{"'cameras':[{'type':'perspective','perspective':{'yfov':1}}]",
+			"/cameras/0/perspective: has no \"znear\""},
+		{"'cameras':[{'type':'orthographic','orthographic':{}}]",
+			"/cameras/0/orthographic: has no \"xmag\""},
+		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1}}]",
+			"/cameras/0/orthographic: has no \"ymag\""},
+		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
+		 "'ymag':0}}]",
+			"/cameras/0/orthographic/ymag: is not greater than 0"},
+		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
+		 "'ymag':1,'zfar':1}}]",
+			"/cameras/0/orthographic: has no \"znear\""},
+		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
+		 "'ymag':1,'znear':0}}]",
+			"/cameras/0/orthographic: has no \"zfar\""},
 		{"'cameras':[{'type':'orthographic','orthographic':{'xmag':1,"
 		 "'ymag':1,'znear':-1,'zfar':1}}]",
 			"/cameras/0/orthographic/znear: is negative"},

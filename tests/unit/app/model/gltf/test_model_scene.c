@@ -311,6 +311,35 @@ static void test_reads_cameras(void **state)
 	model_destroy(model);
 }
 
+/* All numbers of a camera but znear are only greater than 0. */
+static void test_cameras_may_have_small_numbers(void **state)
+{
+	struct log_capture logged;
+	struct model *model;
+	const struct model_camera *camera;
+
+	(void)state;
+	assert_int_equal(
+		model_from_text(
+			"{'asset':{'version':'2.0'},'cameras':["
+			"{'type':'perspective','perspective':{'yfov':0.5,"
+			"'znear':0.125,'zfar':0.25,'aspectRatio':0.75}},"
+			"{'type':'orthographic','orthographic':{'xmag':0.5,"
+			"'ymag':0.25,'znear':0.125,'zfar':0.375}}]}",
+			&logged, &model),
+		0);
+	camera = model->camera;
+	assert_near(camera[0].yfov_rad, 0.5, 0);
+	assert_near(camera[0].znear, 0.125, 0);
+	assert_near(camera[0].zfar, 0.25, 0);
+	assert_near(camera[0].aspect, 0.75, 0);
+	assert_near(camera[1].xmag, 0.5, 0);
+	assert_near(camera[1].ymag, 0.25, 0);
+	assert_near(camera[1].znear, 0.125, 0);
+	assert_near(camera[1].zfar, 0.375, 0);
+	model_destroy(model);
+}
+
 static void count_backwards(void *context, const char *finding)
 {
 	*(int *)context += strstr(finding, "before their parents") != NULL;
@@ -354,6 +383,7 @@ int main(void)
 		cmocka_unit_test(test_keeps_the_numbers_and_names_of_nodes),
 		cmocka_unit_test(test_normalises_rest_rotations),
 		cmocka_unit_test(test_reads_cameras),
+		cmocka_unit_test(test_cameras_may_have_small_numbers),
 		cmocka_unit_test(test_children_written_as_reals_are_no_finding),
 	};
 

@@ -1,7 +1,9 @@
 /* levels_divide.h: triangles with vertices of their own, and back. */
 #include "app/model/levels/levels_divide.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <string.h>
 
 enum {
@@ -88,6 +90,30 @@ static void test_what_the_primitive_lacks_is_not_made(void **state)
 	arena_release(&arena);
 }
 
+/* Joints take half the memory of weights. */
+static void test_a_skin_of_which_only_joints_fit_is_a_failure(void **state)
+{
+	enum {
+		MANY = 8192 /* influences, so that both arrays have blocks */
+	};
+	static uint16_t joints[VERTICES * MANY];
+	static float weights[VERTICES * MANY];
+	struct model_primitive whole = make();
+	struct memory_budget budget = {
+		.limit_bytes = CORNERS * MANY * 3 + 65536 + 512};
+	struct arena arena = arena_within(&budget);
+	struct levels_divided divided;
+
+	(void)state;
+	whole.influences = MANY;
+	whole.joint = joints;
+	whole.weight = weights;
+	assert_int_equal(
+		levels_divide(&whole, shared, &arena, &divided), -ENOMEM);
+	assert_true(divided.primitive.joint || divided.primitive.weight);
+	arena_release(&arena);
+}
+
 static void expect_normal(const struct levels_divided *divided, int triangle,
 	const float wanted[3])
 {
@@ -153,6 +179,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_each_corner_becomes_a_vertex),
 		cmocka_unit_test(test_what_the_primitive_lacks_is_not_made),
+		cmocka_unit_test(
+			test_a_skin_of_which_only_joints_fit_is_a_failure),
 		cmocka_unit_test(test_corners_have_the_normal_of_their_plane),
 		cmocka_unit_test(test_a_level_knows_both_vertices_and_corners),
 	};

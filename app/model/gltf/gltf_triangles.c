@@ -38,22 +38,19 @@ static int build_triangles(const struct gltf_at *at, enum mode mode,
 	const uint32_t *list, int count, uint32_t **index, int *index_count)
 {
 	int triangles = mode == MODE_TRIANGLES ? count / 3 : count - 2;
-	int t, k, corner[3];
+	int corner[3];
 	uint32_t *to;
 
 	triangles = triangles < 0 ? 0 : triangles;
-	if (triangles > INT32_MAX / 3) {
-		return gltf_fail(at, -EFBIG,
-			"has %d triangles, which is too many", triangles);
-	}
+	/* An accessor has fewer than INT32_MAX / 3 numbers. */
 	*index = GLTF_KEEP(at, uint32_t, (size_t)triangles * 3);
 	if (!*index) {
 		return -ENOMEM;
 	}
 	to = *index;
-	for (t = 0; t < triangles; t++) {
+	for (int t = 0; t < triangles; t++) {
 		triangle_corners(mode, t, corner);
-		for (k = 0; k < 3; k++) {
+		for (int k = 0; k < 3; k++) {
 			to[k] = list ? list[corner[k]] : (uint32_t)corner[k];
 		}
 		if (mode == MODE_TRIANGLES ||

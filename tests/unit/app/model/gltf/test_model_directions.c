@@ -2,62 +2,13 @@
  * Which directions of glTF files get unit length: rotation keys that are far
  * from it, all normals and tangents. And which nodes are the parents.
  */
-#include "app/model/model.h"
-#include "tests/support/model/model_fixture.h"
-#include "tests/support/test.h"
+#include "tests/unit/app/model/gltf/buffer.h"
 
-#include <stdio.h>
 #include <string.h>
 
 enum {
-	FLOATS = 30, /* of a buffer */
-	TEXT_BYTES = FLOATS * 4 / 3 * 4 + 1
+	FLOATS = 30 /* of a buffer */
 };
-
-/* Writes floats, of which there are a multiple of three, as base64. */
-static void encode(const float *number, char text[TEXT_BYTES])
-{
-	static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-				    "abcdefghijklmnopqrstuvwxyz0123456789+/";
-	uint8_t byte[FLOATS * 4];
-
-	for (int i = 0; i < FLOATS; i++) {
-		uint32_t bits;
-
-		memcpy(&bits, &number[i], sizeof(bits));
-		for (int k = 0; k < 4; k++) {
-			byte[4 * i + k] = (uint8_t)(bits >> 8 * k);
-		}
-	}
-	for (int i = 0; i < FLOATS * 4; i += 3) {
-		uint32_t bits = (uint32_t)byte[i] << 16 |
-			(uint32_t)byte[i + 1] << 8 | byte[i + 2];
-
-		for (int k = 0; k < 4; k++) {
-			*text++ = digit[bits >> (18 - 6 * k) & 63];
-		}
-	}
-	*text = '\0';
-}
-
-/* Loads a file whose buffer has these floats, and more members. */
-static struct model *load(const float number[FLOATS], const char *more)
-{
-	struct log_capture logged;
-	struct model *model = NULL;
-	char data[TEXT_BYTES], text[2000];
-
-	encode(number, data);
-	snprintf(text, sizeof(text),
-		"{'asset':{'version':'2.0'},'buffers':[{'byteLength':120,"
-		"'uri':'data:;base64,%s'}],'bufferViews':[{'buffer':0,"
-		"'byteLength':120}],%s}",
-		data, more);
-	if (model_from_text(text, &logged, &model) != 0) {
-		fail_msg("%s", logged.sentence[0]);
-	}
-	return model;
-}
 
 /* Loads a clip that turns a node by this key, and reads the key. */
 static void read_key(const float key[4], float out[4])
@@ -66,7 +17,7 @@ static void read_key(const float key[4], float out[4])
 	struct model *model;
 
 	memcpy(number + 1, key, 4 * sizeof(*key));
-	model = load(number,
+	model = buffer_model(number, sizeof(number),
 		"'nodes':[{}],'accessors':[{'bufferView':0,"
 		"'componentType':5126,'count':1,'type':'SCALAR'},"
 		"{'bufferView':0,'byteOffset':4,'componentType':5126,"
@@ -129,7 +80,7 @@ static void test_normals_and_tangents_get_unit_length(void **state)
 			}
 			number[18 + 4 * v + 3] = v == 1 ? -0.5f : 0.0f;
 		}
-		model = load(number,
+		model = buffer_model(number, sizeof(number),
 			"'accessors':[{'bufferView':0,'componentType':5126,"
 			"'count':3,'type':'VEC3'},{'bufferView':0,"
 			"'byteOffset':36,'componentType':5126,'count':3,"
@@ -157,7 +108,7 @@ static void test_each_node_may_be_a_parent(void **state)
 {
 	static const int parents[] = {3, 0, 0, -1, 2};
 	static const float number[FLOATS] = {0};
-	struct model *model = load(number,
+	struct model *model = buffer_model(number, sizeof(number),
 		"'nodes':[{'children':[1,2]},{},{'children':[4]},"
 		"{'children':[0]},{}]");
 

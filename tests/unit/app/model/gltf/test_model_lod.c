@@ -3,6 +3,7 @@
 #include "platform/base/compiler.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/model/gltf/buffer.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -103,6 +104,40 @@ static void test_screen_coverage_gives_the_error_of_a_level(void **state)
 	model_destroy(model);
 }
 
+/* The same for the longest side of the mesh, whichever vertices and axis. */
+static void test_screen_coverage_counts_the_longest_side(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 9; i++) {
+		int axis = i % 3, far = i / 3;
+		float position[3][3], sign = i % 2 ? 1.0f : -1.0f;
+		struct model *model;
+
+		for (int v = 0; v < 3; v++) {
+			for (int k = 0; k < 3; k++) {
+				position[v][k] = 5.0f + 0.125f * (float)(v == k);
+			}
+		}
+		position[far][axis] = 5.0f + sign * 0.5f;
+		position[(far + 1) % 3][axis] = 5.0f;
+		model = buffer_model(position, sizeof(position),
+			"'accessors':[{'bufferView':0,'componentType':5126,"
+			"'count':3,'type':'VEC3'},{'componentType':5121,"
+			"'count':3,'type':'SCALAR'}],'meshes':[{'primitives':["
+			"{'attributes':{'POSITION':0}}]},{'primitives':[{"
+			"'attributes':{'POSITION':0},'indices':1}]}],"
+			"'nodes':[{'mesh':0,'extras':{'MSFT_screencoverage':["
+			"0.25]},'extensions':{'MSFT_lod':{'ids':[1]}}},"
+			"{'mesh':1}],'scenes':[{'nodes':[0]}]");
+		assert_near(model->mesh[0].primitive[0].lod[0].error_m,
+			(sign < 0 && (far + 2) % 3 == axis ? 0.625 : 0.5) / 320.0,
+			1e-7);
+		model_destroy(model);
+	}
+}
+
+#define COARSE "{'attributes':{'POSITION':0},'indices':1}"
+
 PRINTF_LIKE(1, 2) static struct model *load_text(const char *format, ...)
 {
 	struct log_capture logged;
@@ -116,6 +151,48 @@ PRINTF_LIKE(1, 2) static struct model *load_text(const char *format, ...)
 	va_end(values);
 	assert_int_equal(model_from_text(text, &logged, &model), 0);
 	return model;
+}
+
+/* Levels of 1, 2 and 4 mm, the one with a mark only for shadows. */
+static void test_levels_are_sorted_from_any_order(void **state)
+{
+	static const int orders[6][3] = {{1, 2, 4}, {1, 4, 2}, {2, 1, 4},
+		{2, 4, 1}, {4, 1, 2}, {4, 2, 1}};
+
+	(void)state;
+	for (int i = 0; i < 24; i++) {
+		const int *order = orders[i % 6];
+		/* None, or the one of 1, 2 or 4 mm. */
+		int shadow = 1 << i / 6 >> 1;
+		struct model *model = load_text(
+			"{'asset':{'version':'2.0'},'scenes':[{'nodes':[0]}],"
+			"'accessors':[{'componentType':5126,'count':3,"
+			"'type':'VEC3'},{'componentType':5121,'count':3,"
+			"'type':'SCALAR'}],'meshes':[{'primitives':[{"
+			"'attributes':{'POSITION':0}}]},{'primitives':[" COARSE
+			"]},{'primitives':[" COARSE "]},{'primitives':[" COARSE
+			"]}],'nodes':[{'mesh':0,'extensions':{'MSFT_lod':"
+			"{'ids':[1,2,3]}}},{'mesh':1,'extras':{'error_m':0.00%d,"
+			"'shape':%s}},{'mesh':2,'extras':{'error_m':0.00%d,"
+			"'shape':%s}},{'mesh':3,'extras':{'error_m':0.00%d,"
+			"'shape':%s}}]}",
+			order[0], order[0] == shadow ? "true" : "false",
+			order[1], order[1] == shadow ? "true" : "false",
+			order[2], order[2] == shadow ? "true" : "false");
+		const struct model_primitive *primitive =
+			&model->mesh[0].primitive[0];
+		int at = 0;
+
+		assert_int_equal(primitive->lod_count, 3);
+		for (int mm = 1; mm <= 4; mm *= 2) {
+			const struct model_lod *lod =
+				&primitive->lod[mm == shadow ? 2 : at++];
+
+			assert_near(lod->error_m, 0.001 * mm, 1e-7);
+			assert_int_equal(lod->shadow_only, mm == shadow);
+		}
+		model_destroy(model);
+	}
 }
 
 /* Node 1 is a level of node 0; a test inserts more members. */
@@ -285,6 +362,8 @@ int main(void)
 		cmocka_unit_test(test_indices_behind_a_level_are_remapped),
 		cmocka_unit_test(test_other_vertices_disqualify_a_level),
 		cmocka_unit_test(test_screen_coverage_gives_the_error_of_a_level),
+		cmocka_unit_test(test_screen_coverage_counts_the_longest_side),
+		cmocka_unit_test(test_levels_are_sorted_from_any_order),
 		cmocka_unit_test(test_another_reference_disqualifies_a_level),
 		cmocka_unit_test(test_a_root_of_the_scene_is_no_level),
 		cmocka_unit_test(test_the_first_16_ids_of_a_node_are_read),

@@ -3,6 +3,7 @@
 #include "tests/support/model/deltas.h"
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/model/gltf/buffer.h"
 
 #include <stdio.h>
 
@@ -75,6 +76,51 @@ static void test_drops_degenerate_triangles_of_strips(void **state)
 	(void)state;
 	expect_indices(&model->mesh[7].primitive[0], expected, 6);
 	model_destroy(model);
+}
+
+/* Triangles of a strip of which two corners are one vertex, whichever. */
+static void test_strips_drop_triangles_with_any_vertex_twice(void **state)
+{
+	static const uint8_t lists[][6] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0},
+		{2, 2, 2}, {0, 1, 2}, {2, 1, 0}};
+
+	(void)state;
+	for (int i = 0; i < 6; i++) {
+		struct model *model = buffer_model(lists[i], sizeof(lists[i]),
+			"'accessors':[{'componentType':5126,'count':3,"
+			"'type':'VEC3'},{'bufferView':0,'componentType':5121,"
+			"'count':3,'type':'SCALAR'}],'meshes':[{'primitives':["
+			"{'mode':5,'attributes':{'POSITION':0},'indices':1}]}],"
+			"'nodes':[{'mesh':0}]");
+
+		assert_int_equal(
+			model->mesh[0].primitive[0].index_count, i < 4 ? 0 : 3);
+		model_destroy(model);
+	}
+}
+
+/* A strip or a fan of fewer than three corners has no triangle. */
+static void test_strips_and_fans_may_be_too_short(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 8; i++) {
+		int mode = 5 + i % 2, corners = 1 + i / 2;
+		struct log_capture logged;
+		struct model *model;
+		char text[512];
+
+		snprintf(text, sizeof(text),
+			"{'asset':{'version':'2.0'},'accessors':["
+			"{'componentType':5126,'count':%d,'type':'VEC3'}],"
+			"'meshes':[{'primitives':[{'mode':%d,'attributes':"
+			"{'POSITION':0}}]}],'nodes':[{'mesh':0}]}",
+			corners, mode);
+		assert_int_equal(model_from_text(text, &logged, &model), 0);
+		assert_int_equal(model->mesh[0].primitive[0].index_count,
+			corners < 3 ? 0 : 3 * (corners - 2));
+		assert_int_equal(logged.count, 0);
+		model_destroy(model);
+	}
 }
 
 static void test_turns_fans_into_triangles(void **state)
@@ -334,6 +380,9 @@ int main(void)
 		cmocka_unit_test(test_ignores_indices_beyond_whole_triangles),
 		cmocka_unit_test(test_turns_strips_into_triangles_of_one_winding),
 		cmocka_unit_test(test_drops_degenerate_triangles_of_strips),
+		cmocka_unit_test(
+			test_strips_drop_triangles_with_any_vertex_twice),
+		cmocka_unit_test(test_strips_and_fans_may_be_too_short),
 		cmocka_unit_test(test_turns_fans_into_triangles),
 		cmocka_unit_test(test_reads_indices_of_every_size),
 		cmocka_unit_test(test_encodes_linear_colours_as_srgb),

@@ -47,10 +47,13 @@ static bool has_unit_length(float v[3])
 {
 	float length = scalar_sqrt(simplify_dot(v, v));
 
-	for (int i = 0; i < 3 && length > 0.0f; i++) {
+	if (!(length > 0.0f)) {
+		return false;
+	}
+	for (int i = 0; i < 3; i++) {
 		v[i] /= length;
 	}
-	return length > 0.0f;
+	return true;
 }
 
 /*
@@ -144,8 +147,8 @@ float simplify_error_of_shape(
 				p[1] * p[2] * q->yz + p[0] * q->x +
 				p[1] * q->y + p[2] * q->z);
 
-	return q->weight > 0.0f ? scalar_sqrt(scalar_abs(sum) / q->weight)
-				: 0.0f;
+	/* Without planes this is 0 / 0, whose root is 0. */
+	return scalar_sqrt(scalar_abs(sum) / q->weight);
 }
 
 void simplify_error_collapse(

@@ -42,7 +42,8 @@ static int build_triangles(const struct gltf_at *at, enum mode mode,
 	uint32_t *to;
 
 	triangles = triangles < 0 ? 0 : triangles;
-	/* An accessor has fewer than INT32_MAX / 3 numbers. */
+	_Static_assert(GLTF_ACCESSOR_BYTES_MAX / sizeof(float) < INT32_MAX / 3,
+		"the corners of a strip as long as an accessor fit an int");
 	*index = GLTF_KEEP(at, uint32_t, (size_t)triangles * 3);
 	if (!*index) {
 		return -ENOMEM;

@@ -147,8 +147,8 @@ float simplify_error_of_shape(
 				p[1] * p[2] * q->yz + p[0] * q->x +
 				p[1] * q->y + p[2] * q->z);
 
-	/* Without planes this is 0 / 0, whose root is 0. */
-	return scalar_sqrt(scalar_abs(sum) / q->weight);
+	return q->weight > 0.0f ? scalar_sqrt(scalar_abs(sum) / q->weight)
+				: 0.0f;
 }
 
 void simplify_error_collapse(

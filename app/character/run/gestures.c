@@ -82,7 +82,6 @@ static void release(struct character *character, enum button which)
 	}
 	button->down = false;
 	if (button->pending) {
-		button->pending = false;
 		add_all(character, which, CHARACTER_PRESS, 1);
 	}
 	end_hold(character, which);

@@ -3,8 +3,8 @@
 #include "tests/unit/app/character/run/footing.h"
 
 enum {
-	LEFT = ANKLE,
-	RIGHT = PLACES + ANKLE /* nodes of the first pair's feet */
+	LEFT = 0, /* any nodes of the first pair's feet, also the first one */
+	RIGHT = PLACES + ANKLE
 };
 
 static const float near_m = 0.02f;
@@ -67,6 +67,8 @@ static void test_the_ground_goes_as_the_clips_do_in_the_mean(void **state)
 		struct footing f;
 
 		blend(&f, &clip, &rows[i].rate);
+		f.character.motion.velocity[0] = 9;
+		f.character.motion.velocity[1] = 9;
 		f.state[1].repeat = rows[i].repeat;
 		f.character.step_s = rows[i].step_s;
 		for (int k = 0; k < 2; k++) {

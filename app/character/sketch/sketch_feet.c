@@ -198,8 +198,8 @@ static void try_side(
 }
 
 /*
- * Sets the side to that of a candidate, whose left is nearer to +X. Returns how
- * far apart its legs are, or 0.
+ * Sets the side to that of a candidate. Returns how far apart its legs are, or
+ * 0 if the right one is nearer to +X.
  */
 static float take_side(struct search *search, const struct candidate *candidate)
 {
@@ -208,12 +208,9 @@ static float take_side(struct search *search, const struct candidate *candidate)
 	float x = left[0] - right[0], z = left[2] - right[2];
 	float apart = scalar_sqrt(x * x + z * z);
 
-	if (!(apart > 0.0f) || x < 0.0f) {
-		return 0.0f;
-	}
 	search->side[0] = x / apart;
 	search->side[1] = z / apart;
-	return apart;
+	return x < 0.0f ? 0.0f : apart;
 }
 
 /*

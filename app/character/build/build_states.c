@@ -50,8 +50,7 @@ static int read_clip(struct character_words *words,
 		return -EINVAL;
 	}
 	state->entry_count = 1;
-	state->entry =
-		ARENA_ARRAY(words->build->arena, struct character_entry, 1);
+	state->entry = ARENA_NEW(words->build->arena, struct character_entry);
 	if (!state->entry) {
 		return character_fail_memory(words->build);
 	}
@@ -285,7 +284,7 @@ static int add_default_state(struct character_build *build)
 	int clip = build->model->clip_count > 0 ? 0 : -2;
 
 	state->name = clip < 0 ? "rest" : build->model->clip[0].name;
-	state->entry = ARENA_ARRAY(build->arena, struct character_entry, 1);
+	state->entry = ARENA_NEW(build->arena, struct character_entry);
 	state->entry_count = 1;
 	if (!state->entry) {
 		return character_fail_memory(build);

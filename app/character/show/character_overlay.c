@@ -67,20 +67,21 @@ static void describe_key_frames(const struct character *character,
 	const struct model_clip *clip, struct overlay_motion *out)
 {
 	const struct model *model = character->instance->model;
-	int node = model_find_morphed(model), count = 0, shown[2] = {-1, -1};
-	const float *weight = node < 0
-		? NULL
-		: &character->instance->pose
-			   .weight[model->node[node].weight_offset];
+	int node = model_find_morphed(model), count = 0, from = -1, to = -1;
+	const float *weight;
 	float sum = 0;
 
-	if (!weight || !clip || !model_clip_moves_weights(clip, node)) {
+	if (node < 0 || !clip || !model_clip_moves_weights(clip, node)) {
 		return;
 	}
+	weight =
+		&character->instance->pose.weight[model->node[node].weight_offset];
 	for (int i = 0; i < model->mesh[model->node[node].mesh].target_count;
 		i++) {
-		if (weight[i] != 0 && count++ < 2) {
-			shown[count - 1] = i;
+		if (weight[i] != 0) {
+			count++;
+			from = to;
+			to = i;
 			sum += weight[i];
 		}
 	}
@@ -89,9 +90,9 @@ static void describe_key_frames(const struct character *character,
 	}
 	out->morphing = true;
 	out->node = node;
-	out->from = count == 2 ? shown[0] : -1;
-	out->to = count == 2 ? shown[1] : shown[0];
-	out->omega = count > 0 ? weight[out->to] : 0;
+	out->from = from;
+	out->to = to;
+	out->omega = count > 0 ? weight[to] : 0;
 }
 
 void character_overlay_describe(

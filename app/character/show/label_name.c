@@ -20,8 +20,7 @@ const char *label_name_motion(const struct character *character,
 	int index = clip ? (int)(clip - character->instance->model->clip) : -1;
 
 	if (clip &&
-		(state->entry_count > 1 || state->name == clip->name ||
-			strcmp(state->name, clip->name) == 0 ||
+		(state->entry_count > 1 || strcmp(state->name, clip->name) == 0 ||
 			is_numbered(state, index))) {
 		return hud_name(clip->name, "clip", index, number);
 	}

@@ -62,6 +62,7 @@ static void test_a_file_without_states_has_one(void **state)
 	static const struct {
 		const char *model, *name, *clip;
 	} rows[] = {{"assets/walker.glb", "idle", "idle"},
+		{"tests/fixtures/gltf/scene/ground.gltf", "rise", "rise"},
 		{"tests/fixtures/gltf/mesh/weights.gltf", "rest", NULL}};
 
 	(void)state;
@@ -203,6 +204,27 @@ static void test_mistakes_in_a_blend_are_named(void **state)
 	acting_end(&acting);
 }
 
+/* What stands last says what a state plays. */
+static void test_a_blend_replaces_a_clip(void **state)
+{
+	const struct character_state *one;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/walker.glb");
+	acting_expect(&acting,
+		"[parameter v]\n[state a]\nclip = jump\n"
+		"blend = v, run 1, walk 0\n"
+		"[state b]\nblend = v, run 1, walk 0\nclip = jump\n");
+	one = acting.character->machine.state;
+	assert_int_equal(one->entry_count, 2);
+	expect_clip(&acting, &one->entry[0], "walk");
+	expect_clip(&acting, &one->entry[1], "run");
+	assert_int_equal(one[1].entry_count, 1);
+	expect_clip(&acting, &one[1].entry[0], "jump");
+	acting_end(&acting);
+}
+
 /* The larger priority is first; of equal ones, the earlier in the file. */
 static void test_transitions_have_the_order_of_their_priority(void **state)
 {
@@ -294,6 +316,7 @@ int main(void)
 		cmocka_unit_test(test_a_state_is_as_its_lines_say),
 		cmocka_unit_test(test_a_state_knows_what_its_clips_change),
 		cmocka_unit_test(test_a_blend_has_two_to_sixteen_clips),
+		cmocka_unit_test(test_a_blend_replaces_a_clip),
 		cmocka_unit_test(test_mistakes_in_a_blend_are_named),
 		cmocka_unit_test(
 			test_transitions_have_the_order_of_their_priority),

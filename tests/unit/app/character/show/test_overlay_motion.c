@@ -91,6 +91,43 @@ static void test_the_clips_of_a_blend_are_layers(void **state)
 	acting_end(&acting);
 }
 
+static void test_both_clips_of_a_blend_of_two_are_layers(void **state)
+{
+	struct overlay_motion motion;
+	struct acting acting;
+
+	(void)state;
+	begin(&acting, "assets/walker.glb",
+		"[parameter v]\nstart = 0.75\n[state a]\n"
+		"blend = v, walk 0, run 1\n");
+	motion = describe(&acting);
+	assert_int_equal(motion.layer_count, 2);
+	expect_layer(&motion, 0, "walk", "clip", clip_of(&acting, "walk"), 0.25);
+	expect_layer(&motion, 1, "run", "clip", clip_of(&acting, "run"), 0.75);
+	acting_end(&acting);
+}
+
+/* Also if it is the first node. */
+static void test_the_travel_of_the_root_is_shown(void **state)
+{
+	struct overlay_motion motion;
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	acting.model->node[0].name = "carrier";
+	acting_expect(
+		&acting, "[state a]\nclip = leave\n[motion]\nroot = carrier\n");
+	acting.character->interpolation = CLIP_STEP;
+	acting_run_to(&acting, 0.1, rate_hz);
+	motion = describe(&acting);
+	assert_int_equal(motion.traveller, 0);
+	assert_ptr_equal(motion.travel,
+		acting.character->machine.state[0].entry[0].of->travel);
+	assert_int_equal(motion.interpolation, CLIP_STEP);
+	acting_end(&acting);
+}
+
 /* While they are on, and unless they have no label. */
 static void test_layers_effects_and_fades_are_layers(void **state)
 {
@@ -100,7 +137,7 @@ static void test_layers_effects_and_fades_are_layers(void **state)
 	(void)state;
 	begin(&acting, "assets/walker.glb",
 		"[state a]\nclip = rest\n[state b]\nclip = run\n"
-		"fade = 1 linear\n[target t]\nplace = 0 1 2\n"
+		"fade = 2 linear\n[target t]\nplace = 0 1 2\n"
 		"[layer off]\nclip = walk\non = no\n"
 		"[layer l]\nclip = wave\nmask = shoulder.R\nweight = 0.5\n"
 		"[look hidden]\nbone = head\ntarget = t\nlabel = no\n"
@@ -117,7 +154,7 @@ static void test_layers_effects_and_fades_are_layers(void **state)
 	acting_tap(&acting, BUTTON_UP, 0.5, rate_hz);
 	motion = describe(&acting);
 	assert_int_equal(motion.layer_count, 3);
-	expect_layer(&motion, 2, "fade", NULL, 0, 0.5);
+	expect_layer(&motion, 2, "fade", NULL, 0, 0.25);
 	acting_end(&acting);
 }
 
@@ -195,6 +232,54 @@ static void test_a_morph_goes_from_target_to_target(void **state)
 	acting_end(&acting);
 }
 
+/* Of a node that is not the first one. */
+static void test_the_node_that_morphs_is_named(void **state)
+{
+	struct overlay_motion motion;
+	struct acting acting;
+	int node;
+
+	(void)state;
+	begin(&acting, "assets/walker.glb",
+		"[state a]\nclip = rest\n[morph m]\nnode = walker_head\n"
+		"[buttons]\nUP = morph m smile\n");
+	acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+	motion = describe(&acting);
+	assert_true(motion.morphing);
+	assert_int_equal(
+		motion.node, model_find_node(acting.model, "walker_head"));
+	acting_end(&acting);
+	begin(&acting, "tests/fixtures/gltf/clip/door.gltf",
+		"[state a]\nclip = smile\n");
+	node = model_find_morphed(acting.model);
+	assert_true(node > 0);
+	acting.instance->pose.weight[acting.model->node[node].weight_offset] =
+		0.5f;
+	motion = describe(&acting);
+	assert_true(motion.morphing);
+	assert_int_equal(motion.node, node);
+	acting_end(&acting);
+}
+
+/* If its keys are mixed, the targets are those of the clip. */
+static void test_only_a_first_morph_of_plain_keys_is_shown(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	begin(&acting, "assets/face.glb",
+		"[state a]\nclip = rest\n[morph mixed]\nkey = calm\n"
+		"key = glad, smile 0.8\n[morph plain]\n");
+	assert_int_equal(acting.character->morph_count, 2);
+	assert_false(describe(&acting).morphing);
+	acting_end(&acting);
+	begin(&acting, "assets/face.glb",
+		"[state a]\nclip = rest\n[morph plain]\n[morph mixed]\n"
+		"key = calm\nkey = glad, smile 0.8\n");
+	assert_true(describe(&acting).morphing);
+	acting_end(&acting);
+}
+
 /* Sets the weights of the face's first targets, and describes that. */
 static struct overlay_motion with_weights(
 	struct acting *acting, float first, float second, float third)
@@ -233,6 +318,7 @@ static void test_a_clip_goes_from_key_frame_to_key_frame(void **state)
 	motion = with_weights(&acting, 0, 0, 0);
 	assert_true(motion.morphing);
 	assert_int_equal(motion.from, -1);
+	assert_int_equal(motion.to, -1);
 	assert_near(motion.omega, 0, 0);
 	motion = with_weights(&acting, 0, 0.3f, 0);
 	expect_keys(&motion, -1, 3, 0.3);
@@ -260,11 +346,15 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_clip_is_shown_with_its_time),
 		cmocka_unit_test(test_the_clips_of_a_blend_are_layers),
+		cmocka_unit_test(test_both_clips_of_a_blend_of_two_are_layers),
+		cmocka_unit_test(test_the_travel_of_the_root_is_shown),
 		cmocka_unit_test(test_layers_effects_and_fades_are_layers),
 		cmocka_unit_test(test_each_effect_is_a_layer),
 		cmocka_unit_test(
 			test_as_many_layers_are_shown_as_there_is_room_for),
 		cmocka_unit_test(test_a_morph_goes_from_target_to_target),
+		cmocka_unit_test(test_the_node_that_morphs_is_named),
+		cmocka_unit_test(test_only_a_first_morph_of_plain_keys_is_shown),
 		cmocka_unit_test(test_a_clip_goes_from_key_frame_to_key_frame),
 	};
 

@@ -275,8 +275,8 @@ static void label_sequence(const struct character *character,
 	hud_group_text(group, label_name_step(sequence, number), "");
 	hud_group_time(group, "", sequence->elapsed_s, now->duration_s,
 		hud_color_amber);
-	for (const struct character_step *step = sequence->step;
-		step && shown.count < VALUES_MAX; step = step->next) {
+	for (const struct character_step *step = sequence->step; step;
+		step = step->next) {
 		for (const struct character_goal *goal = step->goal; goal;
 			goal = goal->next) {
 			label_once(character, goal->part, goal->freedom, &shown,

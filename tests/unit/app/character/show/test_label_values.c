@@ -147,6 +147,7 @@ static void test_presets_have_a_row_and_a_number(void **state)
 	} rows[] = {
 		{"", 2, "a\n0.00|v"},
 		{"presets = p.ini\n", 3, "a\n0.00|v\ncalm|preset"},
+		{"presets = one.ini\n", 3, "a\n0.00|v\ncalm|preset"},
 		{"presets = p.ini\n[shake t]\nbone = neck\n", 3,
 			"a\n0.00|v\ncalm|preset"},
 		{"[shake t]\nbone = neck\npresets = p.ini\n"
@@ -158,6 +159,7 @@ static void test_presets_have_a_row_and_a_number(void **state)
 
 	(void)state;
 	file_write(path_join(&folder, "p.ini").text, presets, strlen(presets));
+	file_write(path_join(&folder, "one.ini").text, presets, 7);
 	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
 		struct acting acting;
 		char text[256];
@@ -225,11 +227,25 @@ static int right_edge(void)
 	return right;
 }
 
-/* A row of the buttons is wide enough for a long sentence. */
+/* The right edge of a group with these two buttons; *height becomes its height. */
+static int edge_of(const char *key, const char *sentence, int *height)
+{
+	struct hud_group group;
+
+	hud_read_begin(&hud, 480, 640);
+	group = hud_group_begin(&hud, HUD_BOTTOM_LEFT, NULL);
+	hud_group_widen(&group, key, sentence);
+	hud_group_key(&group, key, sentence);
+	hud_group_key(&group, "UP", "short");
+	hud_group_end(&group);
+	*height = hud.stacked_px[HUD_BOTTOM_LEFT];
+	return right_edge();
+}
+
+/* A row of the buttons is as wide as a sentence needs. */
 static void test_buttons_are_below_and_as_wide_as_they_need(void **state)
 {
-	static const char sentence[] = "does one thing after another";
-	struct hud_group group;
+	static const char sentence[] = "goes ahead";
 	struct acting acting;
 	char text[256];
 	int right, height;
@@ -237,28 +253,18 @@ static void test_buttons_are_below_and_as_wide_as_they_need(void **state)
 	(void)state;
 	snprintf(text, sizeof(text),
 		"[state a]\nclip = rest\n[parameter z]\nlabel = no\n"
-		"[buttons b]\nwhen = z < 1\nUP = pause \"%s\"\n"
-		"DOWN = pause \"short\"\n",
+		"[buttons b]\nwhen = z < 1\nRIGHT = pause \"%s\"\n"
+		"UP = pause \"short\"\n",
 		sentence);
 	begin(&acting, "assets/walker.glb", text);
-	hud_read_begin(&hud, 480, 640);
-	group = hud_group_begin(&hud, HUD_BOTTOM_LEFT, NULL);
-	hud_group_widen(&group, "UP", sentence);
-	hud_group_key(&group, "UP", sentence);
-	hud_group_key(&group, "DOWN", "short");
-	hud_group_end(&group);
-	right = right_edge();
-	height = hud.stacked_px[HUD_BOTTOM_LEFT];
+	right = edge_of("RIGHT", sentence, &height);
+	assert_true(edge_of("", sentence, &height) < right);
+	assert_true(edge_of("RIGHT+DOWN", sentence, &height) > right);
 	hud_read_begin(&hud, 480, 640);
 	character_label_all(acting.character, "", &hud);
 	assert_int_equal(right_edge(), right);
 	assert_true(hud.stacked_px[HUD_TOP_LEFT] > 0);
 	assert_int_equal(hud.stacked_px[HUD_BOTTOM_LEFT], height);
-	hud_read_begin(&hud, 480, 640);
-	group = hud_group_begin(&hud, HUD_BOTTOM_LEFT, NULL);
-	hud_group_key(&group, "UP", sentence);
-	hud_group_end(&group);
-	assert_true(right_edge() < right);
 	acting_end(&acting);
 }
 

@@ -24,9 +24,12 @@ struct ring {
 static const struct ring rings[] = {
 	{0.0015f, 4, true}, {0.0075f, 8, false}, {0.012f, 8, false}};
 
-/* Along x and z. */
-static const float direction[8][2] = {
-	{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+/* Two of each four neighbours are opposite to the others. */
+static const struct {
+	float x, z;
+} direction[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1},
+	/* along the axes */
+	{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 /* Points of a sole below this part of the figure's height are on the ground. */
 static const float planted_height = 0.002f;
@@ -122,7 +125,7 @@ static int search_model(struct search *search)
 /* Returns how far a place of the sole is in a direction. */
 static float towards(const float place[3], int which)
 {
-	return place[0] * direction[which][0] + place[2] * direction[which][1];
+	return place[0] * direction[which].x + place[2] * direction[which].z;
 }
 
 /*
@@ -177,10 +180,13 @@ static void drop_twins(struct character_foot *foot)
 	foot->sole_count = count;
 }
 
-/* Finds the points that are farthest back and farthest ahead. */
+/*
+ * Finds the points that are farthest back and farthest ahead. Both are the first
+ * one until others are farther.
+ */
 static void find_ends(struct character_foot *foot)
 {
-	for (int i = 0; i < foot->sole_count; i++) {
+	for (int i = 1; i < foot->sole_count; i++) {
 		float ahead = foot->place[i][2];
 
 		foot->heel = ahead < foot->place[foot->heel][2] ? i : foot->heel;
@@ -279,13 +285,13 @@ int character_build_feet(struct character_build *build,
 	struct character_feet *feet = what;
 	int error;
 
-	feet->hips = feet->foot[0].leg.upper = feet->foot[1].leg.upper = -1;
+	feet->hips = -1;
 	error = character_read_section(build, section, keys, feet);
 	if (error) {
 		return error;
 	}
-	if (feet->hips < 0 || feet->foot[0].leg.upper < 0 ||
-		feet->foot[1].leg.upper < 0) {
+	/* Tips are below other nodes, so that none of them is the first node. */
+	if (feet->hips < 0 || !feet->foot[0].leg.tip || !feet->foot[1].leg.tip) {
 		return character_fail_missing(build, section,
 			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
 	}
@@ -300,7 +306,6 @@ int character_build_feet(struct character_build *build,
 		if (find_sole(build, feet->height_m, foot) != 0) {
 			return character_fail_memory(build);
 		}
-		foot->step_s = -1;
 		foot->planted_m = planted_height * feet->height_m;
 		foot->length_m =
 			distance(build, foot->leg.upper, foot->leg.lower) +

@@ -167,6 +167,69 @@ static void test_hips_may_not_carry_a_foot_of_another_pair(void **state)
 	end(&f);
 }
 
+static void test_a_pair_needs_hips_and_both_legs(void **state)
+{
+	static const char *const lines[] = {"hips = hips\nleft = ul ll fl\n",
+		"hips = hips\nright = ur lr fr\n",
+		"left = ul ll fl\nright = ur lr fr\n"};
+	struct fixture f;
+
+	(void)state;
+	begin(&f);
+	for (size_t i = 0; i < ARRAY_COUNT(lines); i++) {
+		read(&f, "[feet a]\n", lines[i]);
+		assert_int_equal(f.acting.error, -EINVAL);
+		assert_contains(f.acting.logged.sentence[0],
+			"[feet a]: a line is missing: add hips = NODE, left");
+	}
+	end(&f);
+}
+
+/* A chest and a tail below the hips, and a neck below the chest. */
+static const char hips_json[] =
+	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
+	"{\"name\":\"hips\",\"children\":[1,3,4]},"
+	"{\"name\":\"chest\",\"children\":[2]},{\"name\":\"neck\"},"
+	"{\"name\":\"tail\"},{\"name\":\"u\",\"children\":[5]},"
+	"{\"name\":\"l\",\"children\":[6]},{\"name\":\"f\"}]}";
+
+static void test_the_next_hips_above_carry_a_pair(void **state)
+{
+	static const char *const names[] = {"hips", "chest", "tail", "neck"};
+	static const int carriers[] = {-1, 0, 0, 1};
+	const struct character_feet *pair[4];
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "pairs.gltf");
+	char text[512] = "";
+	struct acting acting;
+
+	(void)state;
+	file_write(path.text, hips_json, strlen(hips_json));
+	acting_begin(&acting, path.text);
+	temp_dir_remove(&folder);
+	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
+		size_t used = strlen(text);
+
+		snprintf(text + used, sizeof(text) - used,
+			"[feet %s]\nhips = %s\nleft = u l f\nright = u l f\n",
+			names[i], names[i]);
+	}
+	acting_expect(&acting, text);
+	pair[0] = acting.character->feet;
+	for (int i = 0; i < 4; i++) {
+		assert_string_equal(pair[i]->is.name, names[i]);
+		assert_int_equal(pair[i]->pair, i);
+		assert_ptr_equal(pair[i]->carrier,
+			carriers[i] < 0 ? NULL : pair[carriers[i]]);
+		if (i < 3) {
+			pair[i + 1] = pair[i]->next;
+		}
+	}
+	assert_null(pair[3]->next);
+	acting_end(&acting);
+}
+
 /* From the upper joint by the lower one to the tip, at rest. */
 static void test_legs_are_as_long_as_their_bones(void **state)
 {
@@ -199,6 +262,8 @@ int main(void)
 		cmocka_unit_test(test_a_pair_may_be_switched_off),
 		cmocka_unit_test(test_hips_may_not_carry_another_pair),
 		cmocka_unit_test(test_hips_may_not_carry_a_foot_of_another_pair),
+		cmocka_unit_test(test_a_pair_needs_hips_and_both_legs),
+		cmocka_unit_test(test_the_next_hips_above_carry_a_pair),
 		cmocka_unit_test(test_legs_are_as_long_as_their_bones),
 	};
 

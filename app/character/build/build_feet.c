@@ -181,8 +181,8 @@ static void drop_twins(struct character_foot *foot)
 }
 
 /*
- * Finds the points that are farthest back and farthest ahead. Both are the first
- * one until others are farther.
+ * Finds the points that are farthest back and farthest ahead. Both are the
+ * first one until others are farther.
  */
 static void find_ends(struct character_foot *foot)
 {
@@ -285,13 +285,13 @@ int character_build_feet(struct character_build *build,
 	struct character_feet *feet = what;
 	int error;
 
-	feet->hips = -1;
+	feet->hips = feet->foot[0].leg.upper = feet->foot[1].leg.upper = -1;
 	error = character_read_section(build, section, keys, feet);
 	if (error) {
 		return error;
 	}
-	/* Tips are below other nodes, so that none of them is the first node. */
-	if (feet->hips < 0 || !feet->foot[0].leg.tip || !feet->foot[1].leg.tip) {
+	if (feet->hips < 0 || feet->foot[0].leg.upper < 0 ||
+		feet->foot[1].leg.upper < 0) {
 		return character_fail_missing(build, section,
 			"hips = NODE, left = UPPER LOWER TIP and right = UPPER LOWER TIP");
 	}

@@ -199,7 +199,7 @@ static void try_side(
 
 /*
  * Sets the side to that of a candidate. Returns how far apart its legs are, or
- * 0 if the right one is nearer to +X.
+ * 0 if they are at one place or the right one is nearer to +X.
  */
 static float take_side(struct search *search, const struct candidate *candidate)
 {
@@ -208,9 +208,12 @@ static float take_side(struct search *search, const struct candidate *candidate)
 	float x = left[0] - right[0], z = left[2] - right[2];
 	float apart = scalar_sqrt(x * x + z * z);
 
+	if (!(apart > 0.0f) || x < 0.0f) {
+		return 0.0f;
+	}
 	search->side[0] = x / apart;
 	search->side[1] = z / apart;
-	return x < 0.0f ? 0.0f : apart;
+	return apart;
 }
 
 /*

@@ -237,8 +237,6 @@ void inertia_keep(
 	inertia->last = oldest;
 	pose_copy(&inertia->last, shown);
 	/* A frame without a step has no velocity. */
-	inertia->shown = step_s <= 0 ? 1
-		: inertia->shown < 2 ? inertia->shown + 1
-				     : 2;
+	inertia->shown = step_s > 0 && inertia->shown > 0 ? 2 : 1;
 	inertia->step_s = step_s;
 }

@@ -306,6 +306,31 @@ static void test_a_morph_adds_its_weights_by_a_share(void **state)
 	bones_end(&m.bones);
 }
 
+/* A sine moves no weight. */
+static void test_tables_and_bezier_curves_shape_a_morph(void **state)
+{
+	static const struct {
+		enum character_curve_kind kind;
+		enum morph_curve curve;
+	} rows[] = {{CHARACTER_CURVE_LINEAR, MORPH_LINEAR},
+		{CHARACTER_CURVE_SINE, MORPH_LINEAR},
+		{CHARACTER_CURVE_TABLE, MORPH_SHAPED},
+		{CHARACTER_CURVE_BEZIER, MORPH_SHAPED}};
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct morphed m;
+
+		begin_morph(&m, CHARACTER_CURVE_LINEAR);
+		m.morph.curve[1].kind = rows[i].kind;
+		character_morph_use_curve(&m.morph, 1);
+		assert_int_equal(m.morph.chosen, 1);
+		character_morph_go(&m.morph, 1, 0);
+		assert_int_equal(m.morph.morph.motion.curve, rows[i].curve);
+		bones_end(&m.bones);
+	}
+}
+
 /* By frames, a pause is none. */
 static void test_a_morph_takes_its_frames_or_its_time_by_the_pace(void **state)
 {
@@ -383,6 +408,7 @@ int main(void)
 		cmocka_unit_test(test_an_expression_adds_to_its_weights),
 		cmocka_unit_test(test_a_table_ends_with_its_last_value),
 		cmocka_unit_test(test_a_morph_adds_its_weights_by_a_share),
+		cmocka_unit_test(test_tables_and_bezier_curves_shape_a_morph),
 		cmocka_unit_test(
 			test_a_morph_takes_its_frames_or_its_time_by_the_pace),
 		cmocka_unit_test(test_a_sine_moves_the_node_in_its_own_frame),

@@ -102,11 +102,25 @@ static void test_a_pulse_takes_its_milliseconds(void **state)
 	assert_true(output[2].on);
 }
 
+static void test_lines_are_looked_at_once_a_second(void **state)
+{
+	struct character_outputs outputs = {.next_s = 5};
+
+	(void)state;
+	character_outputs_check(&outputs, 4.9);
+	assert_near(outputs.next_s, 5, 0);
+	character_outputs_check(&outputs, 5);
+	assert_near(outputs.next_s, 6, 0);
+	character_outputs_check(&outputs, 7.5);
+	assert_near(outputs.next_s, 8.5, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_triggers_act_when_comparisons_change),
 		cmocka_unit_test(test_a_pulse_takes_its_milliseconds),
+		cmocka_unit_test(test_lines_are_looked_at_once_a_second),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,6 +31,8 @@ static void begin(struct fixture *f)
 	f->bones.node[0].mesh = 0;
 	f->bones.mesh[0].target_count = 2;
 	f->bones.model.weight_count = 2;
+	f->bones.rest_weights[0] = 8;
+	f->bones.rest_weights[1] = 16;
 	bones_pose(&f->bones);
 	assert_int_equal(inertia_init(&f->inertia, &f->bones.model,
 				 &f->bones.model.arena),
@@ -94,6 +96,7 @@ static void test_a_difference_follows_a_polynomial_of_the_fifth_degree(
 		/* At rest, and moving away, which counts as the same. */
 		{1, 1, 0.5f, 0.5f, {1, 0, 0, -80, 240, -192}},
 		{0.5f, 1, 0.5f, 0.5f, {1, 0, 0, -80, 240, -192}},
+		{0.9375f, 1, 0.5f, 0.5f, {1, 0, 0, -80, 240, -192}},
 		{2, 2, 1, 1, {2, 0, 0, -20, 30, -12}},
 		/* Half as fast as it would have to be, and too fast. */
 		{1.25f, 1, 1, 1, {1, -2, 0, 2, -1, 0}},
@@ -101,7 +104,10 @@ static void test_a_difference_follows_a_polynomial_of_the_fifth_degree(
 		{2, 1, 0.5f, 0.5f, {1, -8, 24, -32, 16, 0}},
 		{1.3203125f, 1, 1, 1,
 			{1, -2.5625f, 0.25f, 4.625f, -4.75f, 1.4375f}},
+		{1.5625f, 1, 1, 1, {1, -4.5f, 8, -7, 3, -0.5f}},
 		/* The time is cut so that it does not swing over. */
+		{1.6875f, 1, 1, 1 / 1.1f,
+			{1, -5.5f, 12.1f, -13.31f, 7.3205f, -1.61051f}},
 		{4, 2, 1, 0.625f, {2, -16, 51.2f, -81.92f, 65.536f, -20.97152f}},
 	};
 
@@ -293,17 +299,17 @@ static void test_weights_end_with_the_transition(void **state)
 	(void)state;
 	begin(&f);
 	weight = f.bones.pose.weight;
-	f.bones.pose.weight[0] = 1;
-	f.bones.pose.weight[1] = -4;
+	f.bones.pose.weight[0] = 9;
+	f.bones.pose.weight[1] = 12;
 	keep(&f);
 	change(&f, 0.5f, INERTIA_LINEAR);
 	inertia_apply(&f.inertia, 0.25f, &f.bones.pose);
-	assert_all_near(weight, ((float[]){0.5f, -2}), 2, 1e-6);
+	assert_all_near(weight, ((float[]){8.5f, 14}), 2, 1e-6);
 	assert_true(f.inertia.running);
 	pose_rest(&f.bones.pose, &f.bones.model);
 	inertia_apply(&f.inertia, 0.25f, &f.bones.pose);
 	assert_false(f.inertia.running);
-	assert_all_near(weight, ((float[]){0, 0}), 2, 0);
+	assert_all_near(weight, ((float[]){8, 16}), 2, 0);
 	end(&f);
 }
 

@@ -99,15 +99,47 @@ static void test_meshes_that_hang_on_meshes_are_parts(void **state)
 		(const char *const[]){"base", "arm", "hand", NULL});
 }
 
+/* The first node of a file may be one of these, or have them below it. */
+static void test_a_pivot_of_a_single_mesh_stands_for_it(void **state)
+{
+	static const struct made wheel[] = {{"hub", -1, false, 0},
+		{"tyre", 0, true, 1}, {"body", -1, true, 0}};
+	static const struct made pair[] = {
+		{"base", -1, true, 0}, {"arm", 0, true, 0}};
+	static const struct made axle[] = {{"axle", -1, false, 0},
+		{"left", 0, true, 0}, {"right", 0, true, 1},
+		{"body", -1, true, 0}};
+
+	(void)state;
+	expect_parts(wheel, ARRAY_COUNT(wheel), false,
+		(const char *const[]){"hub", "body", NULL});
+	expect_parts(pair, ARRAY_COUNT(pair), true,
+		(const char *const[]){"base", "arm", NULL});
+	expect_parts(axle, ARRAY_COUNT(axle), true,
+		(const char *const[]){"axle", "right", "body", NULL});
+}
+
+static void test_nodes_without_meshes_are_no_parts(void **state)
+{
+	static const struct made lamp[] = {{"base", -1, true, 0},
+		{"arm", 0, true, 0}, {"light", 1, false, 0},
+		{"empty", -1, false, 0}, {"group", 0, false, 0},
+		{"inner", 4, false, 0}, {"shade", 5, true, 0}};
+
+	(void)state;
+	expect_parts(lamp, ARRAY_COUNT(lamp), true,
+		(const char *const[]){"base", "arm", "inner", NULL});
+}
+
 enum {
 	JOINTS = 15
 };
 
 /*
  * Finds the parts of a chain of joints. Each joint moves a triangle whose size
- * is given.
+ * is given. One of them, or -1, has no name.
  */
-static struct sketch_parts find_joints(const float size[JOINTS])
+static struct sketch_parts find_joints(const float size[JOINTS], int unnamed)
 {
 	struct model_node node[JOINTS + 1];
 	int joint[JOINTS];
@@ -137,7 +169,8 @@ static struct sketch_parts find_joints(const float size[JOINTS])
 			.parent = i < JOINTS ? i - 1 : -1,
 			.mesh = i < JOINTS ? -1 : 0,
 			.skin = i < JOINTS ? -1 : 0};
-		is_joint[i] = named[i] = i < JOINTS;
+		is_joint[i] = i < JOINTS;
+		named[i] = i != unnamed;
 	}
 	for (int i = 0; i < 3 * JOINTS; i++) {
 		int of = i / 3;
@@ -162,7 +195,7 @@ static void test_the_joints_that_move_most_are_parts(void **state)
 		2, 2, 0.1f, 2, 2, 2, 0.1f, 2, 2, 2, 2, 2, 2, 2, 0.1f};
 	static const int wanted[SKETCH_PARTS] = {
 		0, 1, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13};
-	struct sketch_parts parts = find_joints(size);
+	struct sketch_parts parts = find_joints(size, -1);
 
 	(void)state;
 	assert_int_equal(parts.count, SKETCH_PARTS);
@@ -173,7 +206,7 @@ static void test_the_joints_that_move_most_are_parts(void **state)
 static void test_joints_that_move_nothing_are_no_parts(void **state)
 {
 	static const float size[JOINTS] = {0, 0, 2, 0, 2};
-	struct sketch_parts parts = find_joints(size);
+	struct sketch_parts parts = find_joints(size, -1);
 
 	(void)state;
 	assert_int_equal(parts.count, 5);
@@ -182,14 +215,39 @@ static void test_joints_that_move_nothing_are_no_parts(void **state)
 	}
 }
 
+static void test_joints_without_a_name_are_no_parts(void **state)
+{
+	static const float size[JOINTS] = {2, 2, 2};
+	static const int wanted[] = {0, 2};
+	struct sketch_parts parts = find_joints(size, 1);
+
+	(void)state;
+	assert_int_equal(parts.count, 2);
+	assert_memory_equal(parts.node, wanted, sizeof(wanted));
+}
+
+static void test_a_single_joint_is_a_part(void **state)
+{
+	static const float size[JOINTS] = {2};
+	struct sketch_parts parts = find_joints(size, -1);
+
+	(void)state;
+	assert_int_equal(parts.count, 1);
+	assert_int_equal(parts.node[0], 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_nodes_that_hold_pivots_turn_their_meshes),
 		cmocka_unit_test(test_meshes_side_by_side_are_parts_of_their_own),
 		cmocka_unit_test(test_meshes_that_hang_on_meshes_are_parts),
+		cmocka_unit_test(test_a_pivot_of_a_single_mesh_stands_for_it),
+		cmocka_unit_test(test_nodes_without_meshes_are_no_parts),
 		cmocka_unit_test(test_the_joints_that_move_most_are_parts),
 		cmocka_unit_test(test_joints_that_move_nothing_are_no_parts),
+		cmocka_unit_test(test_joints_without_a_name_are_no_parts),
+		cmocka_unit_test(test_a_single_joint_is_a_part),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,7 +48,7 @@ static int init_shape(
 	struct shape *shape, const struct search *search, struct arena *arena)
 {
 	shape->at = arena_alloc(
-		arena, (size_t)search->body.count + 1, sizeof(*shape->at));
+		arena, (size_t)search->body.count, sizeof(*shape->at));
 	return shape->at ? pose_init(&shape->pose, search->model, arena)
 			 : -ENOMEM;
 }

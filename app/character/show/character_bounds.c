@@ -219,8 +219,7 @@ static void mark_played(bool *is_played, const struct model *model,
 	for (int i = 0; i < count; i++) {
 		const struct model_clip *clip = entry[i].of->clip;
 
-		if (clip >= model->clip &&
-			clip < model->clip + model->clip_count) {
+		if (clip) {
 			is_played[clip - model->clip] = true;
 		}
 	}

@@ -22,7 +22,7 @@ static int describe_capes(struct character_drawing *drawing)
 	struct instance *instance = character->instance;
 
 	drawing->cloth = ARENA_ARRAY(&instance->arena, struct shadow_cloth,
-		(size_t)character->cape_count + 1);
+		(size_t)character->cape_count);
 	for (int i = 0; drawing->cloth && i < character->cape_count; i++) {
 		const struct character_cape *cape = &character->cape[i];
 
@@ -355,7 +355,7 @@ static bool find_top(const float top[5], int node,
 		bounds_add(box, corner[i]);
 	}
 	extent = bounds_extent(box);
-	return extent > 0.0f && box->high[1] - box->low[1] < 0.02f * extent;
+	return box->high[1] - box->low[1] < 0.02f * extent;
 }
 
 /* Returns true if the shadow of a drawable above a top may reach the top. */

@@ -80,6 +80,24 @@ static void test_a_clip_that_nothing_plays_does_not_count(void **state)
 	assert_near(ground_of_played(0.5f, (float[]){0, -5}, 2, 0), 0.5f, 0);
 }
 
+/* Below all that a model without clips takes; else the model at rest stands. */
+static void test_without_played_clips_the_model_stands(void **state)
+{
+	struct bounds clip = {{-1, -3, -1}, {1, 2, 1}};
+	bool is_played = false;
+	float height;
+	struct character_bounds bounds = {.clip = &clip,
+		.is_played = &is_played,
+		.height = &height,
+		.extent = 2.0f,
+		.rest = {{-1, 0.5f, -1}, {1, 2, 1}},
+		.all = {{-1, -1.5f, -1}, {1, 2, 1}}};
+
+	(void)state;
+	assert_near(character_bounds_ground(&bounds, 0), -1.5, 0);
+	assert_near(character_bounds_ground(&bounds, 1), 0.5, 0);
+}
+
 static void test_many_clips_take_a_moment(void **state)
 {
 	enum {
@@ -120,6 +138,7 @@ int main(void)
 			test_clips_that_stand_within_a_little_share_a_ground),
 		cmocka_unit_test(test_a_clip_far_below_the_others_is_not_hidden),
 		cmocka_unit_test(test_a_clip_that_nothing_plays_does_not_count),
+		cmocka_unit_test(test_without_played_clips_the_model_stands),
 		cmocka_unit_test(test_many_clips_take_a_moment),
 	};
 

@@ -229,12 +229,55 @@ static void test_the_box_of_a_late_walk_is_that_in_its_place(void **state)
 	end(&walk);
 }
 
+/* Also the first clip, and if another channel comes before that of the root. */
+static void test_a_way_along_one_axis_is_taken_too(void **state)
+{
+	static const float place[3][3] = {{0}, {10, 0, 0}, {20, 0, 0}},
+			   far_z[2][3] = {{0, 1, 0}, {0, 3, -8}},
+			   size[2][3] = {{1, 1, 1}, {2, 2, 2}};
+	struct model_channel channel[2];
+	struct arena arena = arena_empty();
+	struct acting acting;
+	struct model shown;
+	float way_m[4];
+
+	(void)state;
+	acting_begin(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	assert_int_equal(acting.model->clip_count, 4);
+	acting.model->node[0].name = "carrier";
+	memcpy((float *)acting.model->clip[0].channel[0].value, place,
+		sizeof(place));
+	channel[0] = channel[1] = acting.model->clip[1].channel[0];
+	channel[0].path = MODEL_SCALE;
+	channel[0].value = size[0];
+	channel[1].value = far_z[0];
+	acting.model->clip[1].channel = channel;
+	acting.model->clip[1].channel_count = 2;
+	acting_expect(&acting, "[motion]\nroot = carrier\n");
+	assert_int_equal(character_in_place(acting.character, acting.model,
+				 &arena, &shown, way_m),
+		0);
+	assert_near(way_m[0], 20, 1e-4);
+	assert_near(way_m[1], 8, 1e-4);
+	for (int i = 0; i < 3; i++) {
+		assert_all_near(shown.clip[0].channel[0].value + 3 * i,
+			((float[3]){0}), 3, 1e-5);
+	}
+	assert_ptr_equal(shown.clip[1].channel[0].value, size);
+	assert_all_near(
+		shown.clip[1].channel[1].value, ((float[]){0, 1, 0}), 3, 1e-5);
+	assert_near(shown.clip[1].channel[1].value[5], 0, 1e-5);
+	acting_end(&acting);
+	arena_release(&arena);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_walk_that_goes_away_stays_in_its_place),
 		cmocka_unit_test(
 			test_other_clips_and_ways_in_steps_stay_as_they_are),
+		cmocka_unit_test(test_a_way_along_one_axis_is_taken_too),
 		cmocka_unit_test(
 			test_the_box_of_a_late_walk_is_that_in_its_place),
 	};

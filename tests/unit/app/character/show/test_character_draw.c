@@ -75,6 +75,8 @@ static void test_balls_are_drawn_with_their_shadows(void **state)
 	assert_near(found[0]->matrix[13], 1.4 * unit, 1e-4);
 	assert_near(found[0]->matrix[14], 1.0 * unit, 1e-4);
 	assert_near(found[0]->matrix[0], 0.05 * unit, 1e-4);
+	/* The ball's first vertex is its upper end. */
+	assert_near(fabsf(shown.drawing.ball.normal[0][1]), 1, 1e-6);
 	acting_tap(&shown.acting, BUTTON_UP, 0.1, 50.0);
 	with = draw(&shown);
 	assert_int_equal(with, without + 2);
@@ -156,6 +158,9 @@ static void test_a_cape_is_drawn_while_it_is_worn(void **state)
 	assert_true(cape->is.now > 0.1f && cape->is.now < 0.5f);
 	assert_int_equal(draw(&shown), without + 1);
 	assert_int_equal(draws_of(cape->cloth.position, found), 1);
+	assert_near(found[0]->matrix[5], unit, 1e-4); /* no shadow */
+	shown.acting.character->cape->is.now = 0.5f;
+	assert_int_equal(draw(&shown), without + 1);
 	acting_run_to(&shown.acting, 0.8, 50.0);
 	assert_true(cape->is.now > 0.5f && cape->is.now < 0.9f);
 	assert_int_equal(draw(&shown), without + 2);
@@ -207,7 +212,7 @@ static void test_a_cape_casts_a_shadow_on_hills(void **state)
 /* GL's state that matters to a cape, by the calls that set it. */
 static struct {
 	bool lit, colored, blended, textured, culled, two_sided;
-	bool normals, colors, texcoords, vertices, dull;
+	bool normals, colors, texcoords, vertices, dull, over;
 	const void *vertex, *normal;
 } gl_state;
 
@@ -216,6 +221,7 @@ static struct {
 	const void *cloth;
 	int count;
 	bool lit, blended, plain, normals;
+	bool had_normals; /* in the draw call before */
 	const void *normal;
 } cape_draws;
 
@@ -297,17 +303,25 @@ static void note_elements(
 	assert_int_equal(mode, GL_TRIANGLES);
 	assert_int_equal(type, GL_UNSIGNED_SHORT);
 	cape_draws.count++;
+	cape_draws.had_normals = cape_draws.normals;
 	cape_draws.lit = gl_state.lit && gl_state.colored &&
 		gl_state.two_sided && gl_state.dull;
-	cape_draws.blended = gl_state.blended;
+	cape_draws.blended = gl_state.blended && gl_state.over;
 	cape_draws.plain = !gl_state.textured && !gl_state.culled &&
 		!gl_state.colors && !gl_state.texcoords && gl_state.vertices;
 	cape_draws.normals = gl_state.normals;
 	cape_draws.normal = gl_state.normal;
 }
 
+static void note_blend(GLenum source, GLenum destination)
+{
+	gl_state.over =
+		source == GL_SRC_ALPHA && destination == GL_ONE_MINUS_SRC_ALPHA;
+}
+
 static void note_state(struct gl *gl)
 {
+	gl->BlendFunc = note_blend;
 	gl->Color4x = note_color;
 	gl->Enable = note_enable;
 	gl->Disable = note_disable;
@@ -320,18 +334,22 @@ static void note_state(struct gl *gl)
 	gl->DrawElements = note_elements;
 }
 
-/* Draws with all state on, or all of it off, before. */
-static void draw_from(struct shown *shown, bool on)
+/* Draws with all state on, or all of it off, before; and the cape alone. */
+static void draw_from(struct shown *shown, bool on, int count)
 {
+	struct instance *instance = shown->acting.instance;
 	const struct character_cape *cape = shown->acting.character->cape;
 
 	memset(&gl_state, on, sizeof(gl_state));
 	memset(&cape_draws, 0, sizeof(cape_draws));
 	cape_draws.cloth = cape->cloth.position;
 	diffuse_count = 0;
+	for (int i = 0; i < instance->drawable_count; i++) {
+		instance->drawable[i].hidden = true;
+	}
 	character_draw(
 		&shown->drawing, &shown->stage, &shown->textures, &shown->gl);
-	assert_int_equal(cape_draws.count, 1);
+	assert_int_equal(cape_draws.count, count);
 	assert_false(gl_state.blended);
 }
 
@@ -351,7 +369,7 @@ static void test_a_cape_that_fades_is_blended_in_its_colour(void **state)
 		const GLfixed *color;
 
 		/* What it needs does not depend on what was drawn before. */
-		draw_from(&shown, i % 2);
+		draw_from(&shown, i % 2, 1);
 		assert_true(cape_draws.lit);
 		assert_true(cape_draws.plain);
 		assert_true(cape_draws.normals);
@@ -370,6 +388,21 @@ static void test_a_cape_that_fades_is_blended_in_its_colour(void **state)
 	end(&shown);
 }
 
+/* Which light does not reach. */
+static void test_the_shadow_of_a_cape_is_drawn_without_normals(void **state)
+{
+	struct shown shown;
+
+	(void)state;
+	begin(&shown, "assets/walker.glb", cape_text);
+	note_state(&shown.gl);
+	acting_tap(&shown.acting, BUTTON_UP, 2.0, 50.0);
+	draw_from(&shown, true, 2);
+	assert_false(cape_draws.had_normals);
+	assert_true(cape_draws.normals);
+	end(&shown);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -380,6 +413,8 @@ int main(void)
 			test_the_shadow_of_a_ball_lies_where_light_falls),
 		cmocka_unit_test(test_a_cape_is_drawn_while_it_is_worn),
 		cmocka_unit_test(test_a_cape_casts_a_shadow_on_hills),
+		cmocka_unit_test(
+			test_the_shadow_of_a_cape_is_drawn_without_normals),
 		cmocka_unit_test(test_a_cape_that_fades_is_blended_in_its_colour),
 	};
 

@@ -288,11 +288,14 @@ static void test_an_even_walk_stays_in_its_place(void **state)
 	set_way(&acting, LEAVE,
 		(const float[3][3]){{0}, {20, 0, -8}, {40, 0, -16}});
 	set_way(&acting, CLIMB, (const float[2][3]){{0}, {-30, 0, 10}});
+	set_way(&acting, SWAY, (const float[3][3]){{0}, {0, 0, 15}, {0, 0, 30}});
 	acting.model->node[0].name = "carrier";
 	measure(&acting, &bounds,
 		"[state a]\nclip = leave\n[motion]\nroot = carrier\n");
 	expect_axes(&bounds.follow[LEAVE], false, false, false);
 	expect_axes(&bounds.follow[CLIMB], false, false, false);
+	expect_box(&bounds.clip[SWAY], ((float[]){0, 0, 0}),
+		((float[]){1, 1, 0}), 1e-4);
 	expect_box(&bounds.clip[LEAVE], ((float[]){0, 0, 0}),
 		((float[]){1, 1, 0}), 1e-4);
 	expect_box(&bounds.clip[CLIMB], ((float[]){0, 0, 0}),

@@ -72,6 +72,11 @@ static void test_ground_of_its_own_is_drawn_before_the_shadows_on_it(
 	begin_on_ground(&shown, plain_text, 0);
 	plain = draw(&shown);
 	assert_int_equal(plain, 3 + 3 + 1 + 1);
+	/* The lamp's shadow lies there as it does on the floor, at 0, too. */
+	for (int i = 0; i < 16; i++) {
+		assert_near(gl_recorder_result()->draw[6].matrix[i],
+			gl_recorder_result()->draw[2].matrix[i], 1e-5);
+	}
 	expect_nothing_hidden(&shown);
 	shown.stage.has_stencil = false;
 	assert_int_equal(draw(&shown), 3 + 4);
@@ -166,6 +171,11 @@ static void test_waves_carry_the_shadows_of_hills_too(void **state)
 	character_draw_update(&shown.drawing, &shown.stage);
 	assert_true(corners_of(&shown, LAWN) > 0);
 	assert_true(corners_of(&shown, LAMP) > 0);
+	shown.gl.StencilFunc = note_mark;
+	marked = 0;
+	/* All, and what darkens the ground wherever it is. */
+	assert_true(draw(&shown) > 4);
+	assert_int_equal(marked, 0);
 	end(&shown);
 }
 
@@ -247,7 +257,7 @@ static void begin_with_balls(struct shown *shown)
 	char text[1024] =
 		"[state a]\nclip = rest\n[scene]\nwaves = 0.2\n[cape c]\n"
 		"bone = chest\nplace = 0 1.42 -0.4\nlength = 1.2\nflare = 2\n"
-		"fade = 0\n[target no]\nplace = 0 9 9\n";
+		"fade = 0\n";
 
 	for (int i = 0; i < 6; i++) {
 		size_t length = strlen(text);
@@ -271,17 +281,19 @@ static void test_content_stands_where_the_eye_sees_it(void **state)
 	struct bounds wanted;
 	struct shown shown;
 	const struct cloth *cloth;
+	struct reach reach;
 	mat4 view;
 
 	(void)state;
 	begin_with_balls(&shown);
+	assert_int_equal(reach_init(&reach, shown.acting.instance), 0);
 	/* Balls first that are all switched off, so that the cape counts. */
 	for (int balls_on = 0; balls_on < 2; balls_on++) {
 		float margin;
 
 		camera_view(&shown.stage.camera, view);
-		wanted = reach_now(&shown.drawing.reach, shown.acting.instance,
-			(const vec4 *)view);
+		wanted = reach_now(
+			&reach, shown.acting.instance, (const vec4 *)view);
 		cloth = &shown.acting.character->cape[0].cloth;
 		for (int i = 0; i < cloth->count; i++) {
 			float at[3];
@@ -295,7 +307,7 @@ static void test_content_stands_where_the_eye_sees_it(void **state)
 		for (int i = 0; i < 6; i++) {
 			float at[3];
 
-			shown.acting.character->target[1 + i].used = balls_on;
+			shown.acting.character->target[i].used = balls_on;
 			for (int axis = 0; axis < 3; axis++) {
 				at[axis] = unit * balls[i][axis];
 			}
@@ -310,6 +322,12 @@ static void test_content_stands_where_the_eye_sees_it(void **state)
 		}
 		margin = 0.02f * bounds_extent(&wanted);
 		content = character_draw_content(&shown.drawing, &shown.stage);
+		if (!balls_on) {
+			const struct bounds *lying = &shown.drawing.drape.box;
+
+			assert_all_near(content.lying.low, lying->low, 3, 0);
+			assert_all_near(content.lying.high, lying->high, 3, 0);
+		}
 		for (int axis = 0; axis < 3; axis++) {
 			assert_near(content.standing.low[axis],
 				wanted.low[axis] - margin, 1e-4);

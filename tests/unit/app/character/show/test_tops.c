@@ -53,6 +53,40 @@ static void test_what_is_above_a_top_casts_shadows_on_it(void **state)
 		plain / 2);
 }
 
+/* A crate that sinks into it by 2% of its extent, which is 4, is above it. */
+static void test_what_sinks_into_a_top_a_little_is_above_it(void **state)
+{
+	int high = draws_with(TOP "[part Crate]\ny = 0.6\n", true);
+
+	(void)state;
+	assert_int_equal(draws_with(TOP "[part Crate]\ny = 0.43\n", true), high);
+	assert_int_equal(
+		draws_with(TOP "[part Crate]\ny = 0.41\n", true), high - 1);
+}
+
+/* The first drawable, too; but not what is hidden. */
+static void test_all_above_a_top_but_its_own_node_casts_a_shadow(void **state)
+{
+	struct shown shown;
+	int plain, with, all = 0;
+
+	(void)state;
+	plain = draws_with("[part Car]\n", true);
+	begin(&shown, "assets/arm.glb", "[part Car]\ntop = -1 -9 -9 9 9\n");
+	acting_run_to(&shown.acting, 0.1, 50.0);
+	for (int i = 0; i < shown.acting.instance->drawable_count; i++) {
+		all += shown.acting.instance->drawable[i].node !=
+			model_find_node(shown.acting.model, "Car");
+	}
+	with = draw(&shown);
+	/* One for the rectangle. */
+	assert_int_equal(with, plain + 1 + all);
+	/* It was drawn, and cast a shadow on the ground and on the top. */
+	shown.acting.instance->drawable[0].hidden = true;
+	assert_int_equal(draw(&shown), with - 3);
+	end(&shown);
+}
+
 /* A crate 1 m above the top, whose edge is 0.12 long, at x and z. */
 static int draws_with_crate_at(double x, double z)
 {
@@ -172,6 +206,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_what_is_above_a_top_casts_shadows_on_it),
+		cmocka_unit_test(test_what_sinks_into_a_top_a_little_is_above_it),
+		cmocka_unit_test(
+			test_all_above_a_top_but_its_own_node_casts_a_shadow),
 		cmocka_unit_test(
 			test_a_shadow_falls_on_a_top_that_the_light_reaches),
 		cmocka_unit_test(test_the_rectangle_of_a_top_is_marked),

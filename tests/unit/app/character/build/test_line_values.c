@@ -72,6 +72,9 @@ static void test_a_wrong_number_is_named(void **state)
 		{"[state a]\nclip = walk\nfade = -1", "-1 is not right"},
 		{"[layer a]\nclip = wave\nsoft = 1.5", "1.5 is no whole"},
 		{"[layer a]\nclip = wave\nsoft = 17", "17 is not right"},
+		{"[trigger a]\nwhat = 1", "use one of when, then, else"},
+		{"[layer a]\nclip = wave\nmask = ,",
+			"the node's name is missing"},
 		{"[layer a]\nclip = wave\nmode = \"additive\"",
 			"additive is not right"},
 	};
@@ -247,6 +250,7 @@ static void test_a_character_takes_its_memory_from_the_model(void **state)
 	budget->limit_bytes = before + 1000;
 	acting_read(&acting, text);
 	assert_int_equal(acting.error, -ENOMEM);
+	assert_contains(acting.logged.sentence[0], "test.character");
 	assert_int_equal(budget->used_bytes, before);
 	acting_end(&acting);
 }

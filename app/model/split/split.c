@@ -231,8 +231,9 @@ static int count_parts(const struct split_part *part)
 }
 
 /*
- * Finds the parts of each primitive (NULL: not divided) and sets *count to the
- * number of primitives after the division. Returns 0 or -ENOMEM.
+ * Finds the parts of each primitive in parts, which holds NULL (not divided),
+ * and sets *count to the number of primitives after the division. Returns 0 or
+ * -ENOMEM.
  */
 static int find_parts(struct model *model, const struct model_mesh *mesh,
 	struct split_part **parts, int *count)
@@ -242,7 +243,6 @@ static int find_parts(struct model *model, const struct model_mesh *mesh,
 
 	*count = 0;
 	for (int p = 0; p < mesh->primitive_count && !error; p++) {
-		parts[p] = NULL;
 		error = find_divided(
 			&mesh->primitive[p], model->budget, &divided);
 		if (!error && divided) {

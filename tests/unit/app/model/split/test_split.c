@@ -3,233 +3,10 @@
 #include "app/model/model_loader.h"
 #include "app/model/model_stats.h"
 #include "app/model/split/split.h"
-#include "app/model/split/split_triangles.h"
-#include "tests/support/test.h"
+#include "tests/unit/app/model/split/split_grid.h"
 
 #include <errno.h>
 #include <string.h>
-
-/* A grid of vertices, of which the first rows have triangles. */
-struct grid {
-	struct arena arena;
-	struct model_primitive primitive;
-};
-
-static void begin(struct grid *grid, int width, int height, int used_rows)
-{
-	struct model_primitive *primitive = &grid->primitive;
-	int count = 0;
-
-	*grid = (struct grid){.arena = arena_empty()};
-	primitive->vertex_count = width * height;
-	primitive->position = arena_alloc(&grid->arena,
-		(size_t)primitive->vertex_count, sizeof(float[3]));
-	primitive->index = ARENA_ARRAY(
-		&grid->arena, uint32_t, 6 * (size_t)primitive->vertex_count);
-	assert_non_null(primitive->position);
-	assert_non_null(primitive->index);
-	for (int v = 0; v < primitive->vertex_count; v++) {
-		/* Neighbours in memory are far from each other. */
-		primitive->position[v][0] = (float)(v * 7919 % width);
-		primitive->position[v][1] = (float)(v / width);
-	}
-	for (int v = 0; v + width + 1 < width * used_rows; v++) {
-		const uint32_t corner[] = {(uint32_t)v, (uint32_t)v + 1,
-			(uint32_t)(v + width), (uint32_t)v + 1,
-			(uint32_t)(v + width + 1), (uint32_t)(v + width)};
-
-		memcpy(primitive->index + count, corner, sizeof(corner));
-		count += 6;
-	}
-	primitive->index_count = count;
-}
-
-static uint64_t corner_hash(uint64_t a, uint64_t b, uint64_t c)
-{
-	return (a * 1000003 + b) * 1000003 + c;
-}
-
-static uint64_t hash_of(const uint32_t *index, int count, const uint32_t *name)
-{
-	uint64_t sum = 0;
-
-	for (int i = 0; i < count; i += 3) {
-		sum += corner_hash(name ? name[index[i]] : index[i],
-			name ? name[index[i + 1]] : index[i + 1],
-			name ? name[index[i + 2]] : index[i + 2]);
-	}
-	return sum;
-}
-
-/* Marks the part's vertices in seen, and compares them with earlier parts'. */
-static void expect_vertices(const struct split_part *part, int most, bool *seen)
-{
-	assert_in_range(part->vertex_count, 1, most);
-	for (int v = 0; v < part->vertex_count; v++) {
-		assert_int_equal(
-			seen[part->vertex[v]], v < part->repeated_count);
-	}
-	for (int v = 0; v < part->vertex_count; v++) {
-		seen[part->vertex[v]] = true;
-	}
-	for (int i = 0; i < part->index_count; i++) {
-		assert_in_range(part->index[i], 0, part->vertex_count - 1);
-	}
-}
-
-/* Returns the number of parts. */
-static int expect_partition(struct grid *grid, int most)
-{
-	const struct model_primitive *primitive = &grid->primitive;
-	bool *seen = ARENA_ARRAY(&grid->arena, bool, primitive->vertex_count);
-	struct split_part *first;
-	uint64_t hash = 0;
-	int parts = 0, fresh = 0, indices = 0;
-
-	assert_int_equal(
-		split_triangles(primitive, most, &grid->arena, &first), 0);
-	for (const struct split_part *part = first; part; part = part->next) {
-		parts++;
-		expect_vertices(part, most, seen);
-		fresh += part->vertex_count - part->repeated_count;
-		indices += part->index_count;
-		hash += hash_of(part->index, part->index_count, part->vertex);
-	}
-	assert_int_equal(fresh, primitive->vertex_count);
-	assert_int_equal(indices, primitive->index_count);
-	assert_true(hash ==
-		hash_of(primitive->index, primitive->index_count, NULL));
-	return parts;
-}
-
-static void test_parts_have_each_triangle_once_and_few_vertices(void **state)
-{
-	struct grid grid;
-
-	(void)state;
-	begin(&grid, 40, 30, 30);
-	for (int most = 3; most < 1300; most += most < 20 ? 1 : 97) {
-		int parts = expect_partition(&grid, most);
-
-		/* Two triangles a vertex: a part of 3 has but one of them. */
-		assert_in_range(parts, 1200 / most, 1 + 8 * 1200 / most);
-	}
-	assert_int_equal(expect_partition(&grid, 1200), 1);
-	assert_int_equal(expect_partition(&grid, 1199), 2);
-	arena_release(&grid.arena);
-}
-
-static void test_vertices_without_triangles_are_kept(void **state)
-{
-	struct grid grid;
-
-	(void)state;
-	begin(&grid, 40, 30, 7);
-	assert_int_equal(expect_partition(&grid, 300), 1 + 4);
-	arena_release(&grid.arena);
-	begin(&grid, 40, 30, 0);
-	assert_int_equal(expect_partition(&grid, 300), 4);
-	arena_release(&grid.arena);
-}
-
-static void test_triangles_in_one_place_are_divided_by_number(void **state)
-{
-	struct grid grid;
-
-	(void)state;
-	begin(&grid, 40, 30, 30);
-	memset(grid.primitive.position, 0, 1200 * sizeof(float[3]));
-	assert_in_range(expect_partition(&grid, 200), 6, 12);
-	arena_release(&grid.arena);
-}
-
-enum {
-	ROW = 8 /* triangles that share no vertex */
-};
-
-/* Triangles in a row against their number, but one of them far to a side. */
-static void place_row(struct grid *grid, int axis, int far, float distance)
-{
-	struct model_primitive *primitive = &grid->primitive;
-
-	begin(grid, 3, ROW, 0);
-	memset(primitive->position, 0, 3 * ROW * sizeof(float[3]));
-	for (int v = 0; v < 3 * ROW; v++) {
-		primitive->position[v][axis] = v / 3 == far ? distance : 0.0f;
-		primitive->position[v][(axis + 1) % 3] =
-			(float)(ROW - 1 - v / 3);
-		primitive->index[v] = (uint32_t)v;
-	}
-	primitive->index_count = 3 * ROW;
-}
-
-/* The first two of them by the place on that side, then by number. */
-static void expect_first(struct grid *grid, int one, int other)
-{
-	struct split_part *part = NULL;
-
-	assert_int_equal(split_triangles(&grid->primitive, ROW * 3 / 2,
-				 &grid->arena, &part),
-		0);
-	assert_int_equal(part->vertex_count, 6);
-	for (int i = 0; i < 6; i++) {
-		int triangle = i < 3 ? one : other;
-
-		assert_int_equal(part->vertex[i], 3 * triangle + i % 3);
-	}
-}
-
-/* The row's first three are divided again, one of which is higher than they are wide. */
-static void test_a_group_is_divided_along_its_own_side(void **state)
-{
-	struct grid grid;
-	struct split_part *part = NULL;
-
-	(void)state;
-	for (int axis = 0; axis < 3; axis++) {
-		place_row(&grid, axis, ROW - 1, 2.5f);
-		assert_int_equal(
-			split_triangles(&grid.primitive, 3, &grid.arena, &part),
-			0);
-		assert_int_equal(part->vertex_count, 3);
-		assert_int_equal(part->vertex[0], 3 * (ROW - 3));
-		arena_release(&grid.arena);
-	}
-}
-
-static void test_equal_sides_are_divided_along_the_first(void **state)
-{
-	struct grid grid;
-
-	(void)state;
-	for (int axis = 0; axis < 3; axis++) {
-		place_row(&grid, axis, 0, ROW - 1);
-		expect_first(
-			&grid, axis < 2 ? 1 : ROW - 2, axis < 2 ? 2 : ROW - 1);
-		arena_release(&grid.arena);
-	}
-}
-
-static void test_triangles_are_divided_along_the_longest_side(void **state)
-{
-	struct grid grid;
-
-	(void)state;
-	for (int i = 0; i < 3 * ROW; i++) {
-		int far = i / 3, first = far == 0;
-
-		place_row(&grid, i % 3, far, (float)ROW);
-		expect_first(&grid, first, far <= 1 ? 2 : 1);
-		arena_release(&grid.arena);
-		place_row(&grid, i % 3, far, (float)-ROW);
-		expect_first(&grid, far ? 0 : far, far ? far : 1);
-		arena_release(&grid.arena);
-		/* A shorter side than that of the row. */
-		place_row(&grid, i % 3, far, 6.5f);
-		expect_first(&grid, ROW - 2, ROW - 1);
-		arena_release(&grid.arena);
-	}
-}
 
 enum {
 	WIDTH = 256,
@@ -304,14 +81,16 @@ static struct model *make_model(struct arena *integers)
 	primitive[0].vertex_count = 3;
 	primitive[0].target =
 		ARENA_ARRAY(&model->arena, struct model_target, TARGETS);
-	begin(&grid, WIDTH, HEIGHT, HEIGHT);
+	grid_begin(&grid, WIDTH, HEIGHT, HEIGHT);
 	primitive[1] = (struct model_primitive){
 		.file_index = 5,
 		.material = 6,
 		.vertex_count = COUNT,
 		.position = (float(*)[3])floats(&model->arena, 3),
 		.normal = (float(*)[3])floats(&model->arena, 3),
+		.tangent = (float(*)[4])floats(&model->arena, 4),
 		.texcoord = (float(*)[2])floats(&model->arena, 2),
+		.color = arena_alloc(&model->arena, COUNT, 4),
 		.influences = INFLUENCES,
 		.weight = floats(&model->arena, INFLUENCES),
 		.joint = ARENA_ARRAY(&model->arena, uint16_t, COUNT * INFLUENCES),
@@ -321,6 +100,7 @@ static struct model *make_model(struct arena *integers)
 	};
 	for (int i = 0; i < COUNT * INFLUENCES; i++) {
 		primitive[1].joint[i] = (uint16_t)(i % 60001);
+		primitive[1].color[i / 4][i % 4] = (uint8_t)(i % 251);
 	}
 	memcpy(primitive[1].index, grid.primitive.index,
 		(size_t)grid.primitive.index_count * sizeof(uint32_t));
@@ -353,18 +133,19 @@ static void expect_part(const struct model_primitive *part)
 	assert_int_equal(part->file_index, 5);
 	assert_int_equal(part->material, 6);
 	assert_in_range(part->vertex_count, 1, SPLIT_VERTICES_MAX);
-	assert_null(part->tangent);
-	assert_null(part->color);
 	for (int v = 0; v < part->vertex_count; v++) {
 		int from = (int)part->file_vertex[v];
 
 		expect_array(*part->position, 3, v, from);
 		expect_array(*part->normal, 3, v, from);
+		expect_array(*part->tangent, 4, v, from);
 		expect_array(*part->texcoord, 2, v, from);
 		expect_array(part->weight, INFLUENCES, v, from);
 		for (int i = 0; i < INFLUENCES; i++) {
 			assert_int_equal(part->joint[v * INFLUENCES + i],
 				(from * INFLUENCES + i) % 60001);
+			assert_int_equal(
+				part->color[v][i], (from * 4 + i) % 251);
 		}
 		expect_deltas(part, v, from);
 	}
@@ -399,6 +180,71 @@ static void test_parts_have_the_attributes_of_their_vertices(void **state)
 	model_destroy(model);
 }
 
+/*
+ * Whatever was divided is freed, be it levels of the file or displacements.
+ * Those in integers are in an arena of their own, before and after.
+ */
+static void test_what_was_divided_is_freed(void **state)
+{
+	enum {
+		MOST = COUNT * 3 / 2 * (int)sizeof(uint32_t) /* numbers */
+	};
+	struct memory_budget own = {.limit_bytes = SIZE_MAX};
+	struct arena integers = arena_within(&own);
+	struct model *model = make_model(&integers);
+	struct model_primitive *whole = &model->mesh->primitive[1];
+	struct model_lod level[2];
+	size_t others, own_before = own.used_bytes;
+	size_t targets = model->targets.used_bytes;
+
+	(void)state;
+	others = model->budget->used_bytes;
+	for (int i = 0; i < 2; i++) {
+		level[i] = (struct model_lod){.index_count = 3 * COUNT,
+			.index = ARENA_ARRAY(&model->arena, uint32_t, 3 * COUNT)};
+	}
+	whole->lod_count = 2;
+	whole->lod = level;
+	assert_int_equal(split_primitives(model, &integers), 0);
+	assert_in_range(model->budget->used_bytes, others, others + MOST);
+	assert_in_range(own.used_bytes, own_before, own_before * 5 / 4);
+	assert_in_range(own.used_bytes, 6 * COUNT, SIZE_MAX);
+	/* Of the thousand vertices that floats move. */
+	assert_in_range(
+		model->targets.used_bytes, targets, targets + 6 * 1000 * 4);
+	arena_release(&integers);
+	model_destroy(model);
+}
+
+static void test_a_part_that_is_dropped_frees_its_arrays(void **state)
+{
+	struct memory_budget budget = {.limit_bytes = SIZE_MAX};
+	struct model_primitive own;
+	struct model_mesh mesh = {.primitive_count = 1, .primitive = &own};
+	struct model model = {.mesh_count = 1,
+		.mesh = &mesh,
+		.budget = &budget,
+		.arena = arena_within(&budget)};
+	struct grid grid;
+	size_t before;
+
+	(void)state;
+	grid_begin(&grid, 100, 100, 30);
+	own = grid.primitive;
+	own.normal = arena_alloc(&model.arena, 10000, sizeof(*own.normal));
+	memcpy(own.normal, own.position, 10000 * sizeof(*own.normal));
+	assert_int_equal(split_primitives(&model, NULL), 0);
+	assert_int_equal(mesh.primitive_count, 2);
+	assert_null(mesh.primitive[1].tangent);
+	assert_null(mesh.primitive[1].color);
+	before = budget.used_bytes;
+	split_drop_unused(&model);
+	assert_int_equal(mesh.primitive_count, 1);
+	assert_in_range(before - budget.used_bytes, 7000 * 24, 7000 * 24 + 256);
+	arena_release(&grid.arena);
+	arena_release(&model.arena);
+}
+
 static void test_few_used_vertices_become_a_part_of_their_own(void **state)
 {
 	struct arena integers = arena_empty();
@@ -410,7 +256,7 @@ static void test_few_used_vertices_become_a_part_of_their_own(void **state)
 
 	(void)state;
 	for (int p = 0; p < 4; p++) {
-		begin(&grid[p], 40, 30, p == 0 ? 14 : p == 1 ? 15 : 3);
+		grid_begin(&grid[p], 40, 30, p == 0 ? 14 : p == 1 ? 15 : 3);
 		own[p] = grid[p].primitive;
 	}
 	own[2].lod_count = 1;   /* levels of the file stay */
@@ -447,18 +293,11 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
-			test_parts_have_each_triangle_once_and_few_vertices),
-		cmocka_unit_test(test_vertices_without_triangles_are_kept),
-		cmocka_unit_test(
-			test_triangles_are_divided_along_the_longest_side),
-		cmocka_unit_test(test_a_group_is_divided_along_its_own_side),
-		cmocka_unit_test(test_equal_sides_are_divided_along_the_first),
-		cmocka_unit_test(
-			test_triangles_in_one_place_are_divided_by_number),
-		cmocka_unit_test(
 			test_parts_have_the_attributes_of_their_vertices),
 		cmocka_unit_test(
 			test_few_used_vertices_become_a_part_of_their_own),
+		cmocka_unit_test(test_what_was_divided_is_freed),
+		cmocka_unit_test(test_a_part_that_is_dropped_frees_its_arrays),
 		cmocka_unit_test(test_no_memory_is_an_error),
 	};
 

@@ -290,8 +290,6 @@ static int move_to_origin(struct gltf *gltf)
 	if (!scan.turned || !scan.started || !scan.start) {
 		return -ENOMEM;
 	}
-	memset(scan.turned, 0, count);
-	memset(scan.started, 0, count);
 	for (size_t n = 0; n < count; n++) {
 		memcpy(scan.start[n], model->node[n].rest.translation,
 			sizeof(scan.start[n]));

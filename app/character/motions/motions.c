@@ -17,6 +17,7 @@ static const float near_factor = 1.5f;
 /* A clip that ends this near its start, in sides of the figure, can be repeated. */
 static const float repeated_gap = 0.1f;
 
+/* Each row ends with NULL. */
 static const char *const role_names[MOTION_ROLES][4] = {
 	[MOTION_STAND] = {"idle", "stand"},
 	[MOTION_WALK] = {"walk"},
@@ -69,7 +70,7 @@ static bool contains(const char *text, const char *word)
  */
 static int find_named(const struct model *model, enum motion_role role)
 {
-	for (int i = 0; i < 4 && role_names[role][i]; i++) {
+	for (int i = 0; role_names[role][i]; i++) {
 		const char *name = role_names[role][i];
 		int clip = model_find_clip(model, name);
 

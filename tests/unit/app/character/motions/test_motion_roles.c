@@ -1,9 +1,11 @@
 /* Which clips of a board of two metres stand, walk and run, and how it climbs. */
 #include "app/character/motions/motions.h"
+#include "tests/support/files.h"
 #include "tests/support/model/small_model.h"
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <string.h>
 
 enum {
 	CLIPS = 18
@@ -135,6 +137,10 @@ static void test_names_come_first_then_speeds_and_last_what_ends(void **state)
 		{{SLOW("run"), FAST("b"), STAND("c")}, 3, {2, 0, 0}},
 		{{FAST("b"), SLOW("walk"), STAND("c")}, 3, {2, 1, 1}},
 		{{FAST("idle"), SLOW("b"), FAST("c")}, 3, {0, 1, 0}},
+		{{SLOW("walk"), FAST("fun"), STAND("wide")}, 3, {2, 0, 0}},
+		/* Where all have names, no other clip is better. */
+		{{MOMENT("idle"), SLOW("walk"), FAST("run"), STAND("d")}, 4,
+			{0, 1, 2}},
 		/* What cannot be repeated is better than none. */
 		{{FALL("a"), FALL("b")}, 2, {0, 0, 0}},
 		{{MOMENT("a"), FALL("b")}, 2, {0, 1, 1}},
@@ -254,9 +260,15 @@ static void test_a_motion_has_its_speed_and_direction(void **state)
 		}
 		assert_int_equal(motion.repeats, rows[i / 2].repeats);
 		assert_int_equal(motion.rise_steps, 0);
-		/* A clip of the name has that speed, too. */
-		assert_near(find(&f, NULL).role[MOTION_WALK].speed,
-			motion.speed, 1e-6);
+		/* A clip of a role's name has that speed, too. */
+		for (int role = 0; role < MOTION_ROLES; role++) {
+			static const char *const names[] = {
+				"idle", "walk", "run"};
+
+			f.clip[0].name = names[role];
+			assert_near(find(&f, NULL).role[role].speed,
+				motion.speed, 1e-6);
+		}
 		end(&f);
 	}
 }
@@ -347,6 +359,36 @@ static void test_a_box_leaves_out_what_a_motion_rises(void **state)
 	end(&f);
 }
 
+/* Metres a second in the file, and scene units a second here. */
+static void test_a_speed_of_the_file_is_in_metres(void **state)
+{
+	static const struct way walk[] = {
+		{"walk", 0.18f, 0, 0.2f, 0, 0, 0}, STAND("b")};
+	static const char text[] = "[parameter v]\nrange = 0 9\n"
+				   "[state s]\nblend = v, b 0, walk 1\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "a.character");
+	const struct character_request request = {
+		.model_path = "board.glb", .file = file.text};
+
+	(void)state;
+	file_write(file.text, text, strlen(text));
+	for (int half = 0; half < 2; half++) {
+		const float unit = half ? 0.5f : 1;
+		struct motions motions;
+		struct fixture f;
+
+		begin(&f, walk, 2);
+		f.instance->unit_scale = unit;
+		assert_int_equal(
+			motions_find(&request, f.instance, &f.log, &motions), 0);
+		assert_near(motions.role[MOTION_WALK].speed, unit, 1e-6);
+		assert_int_equal(motions.role[MOTION_STAND].clip, 1);
+		end(&f);
+	}
+	temp_dir_remove(&folder);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -355,6 +397,7 @@ int main(void)
 		cmocka_unit_test(test_sixteen_clips_are_measured),
 		cmocka_unit_test(test_any_clip_may_be_asked_for),
 		cmocka_unit_test(test_a_motion_has_its_speed_and_direction),
+		cmocka_unit_test(test_a_speed_of_the_file_is_in_metres),
 		cmocka_unit_test(
 			test_a_figure_that_climbs_is_where_it_was_measured),
 		cmocka_unit_test(test_heights_are_interpolated),

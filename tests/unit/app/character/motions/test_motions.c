@@ -392,6 +392,38 @@ static void test_a_blend_over_speed_tells_the_roles_of_its_clips(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* Of a file in which the first blend over a speed is not the first state. */
+static void test_the_first_blend_tells_and_four_shakes(void **state)
+{
+	static const char text[] =
+		"[parameter v]\nrange = 0 9\n[state x]\nclip = jump\n"
+		"[state s]\nblend = v, rest 0, run 1, wave 2\n"
+		"[state t]\nblend = v, jump 0, wave 1, idle 2\n"
+		"[shake a]\nbone = head\n[shake b]\nbone = hips\n"
+		"[shake c]\nbone = hand.L\n[shake d]\nbone = foot.R\n"
+		"[shake e]\nbone = hand.R\n";
+	static const char *const bones[MOTION_BONES_MAX] = {
+		"head", "hips", "hand.L", "foot.R"};
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "a.character");
+	struct found found;
+
+	(void)state;
+	file_write(file.text, text, strlen(text));
+	find(&found, "assets/walker.glb", NULL, file.text);
+	/* The rest pose is no clip, so a name tells. */
+	assert_string_equal(clip_of(&found, MOTION_STAND), "idle");
+	assert_string_equal(clip_of(&found, MOTION_WALK), "run");
+	assert_string_equal(clip_of(&found, MOTION_RUN), "wave");
+	assert_int_equal(found.motions.bone_count, MOTION_BONES_MAX);
+	for (int i = 0; i < MOTION_BONES_MAX; i++) {
+		assert_string_equal(
+			found.model->node[found.motions.bone[i]].name, bones[i]);
+	}
+	release(&found);
+	temp_dir_remove(&folder);
+}
+
 /* The way that a clip has gone by then. */
 static void test_a_clip_drifts_evenly(void **state)
 {
@@ -426,6 +458,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(
 			test_a_blend_over_speed_tells_the_roles_of_its_clips),
+		cmocka_unit_test(test_the_first_blend_tells_and_four_shakes),
 		cmocka_unit_test(test_a_clip_drifts_evenly),
 		cmocka_unit_test(test_a_figure_faces_where_its_feet_take_it),
 		cmocka_unit_test(test_the_walkers_feet_tell_its_speeds),

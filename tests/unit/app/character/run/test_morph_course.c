@@ -6,6 +6,7 @@
 #include "tests/support/test.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double rate_hz = 50.0;
@@ -215,6 +216,66 @@ static void test_a_head_turns_above_its_neck(void **state)
 	acting_end(&acting);
 }
 
+/* The vertices that a morph has bent: the bytes of its only part. */
+static size_t bytes_of(const struct bend *bend, const void **bytes)
+{
+	const struct bend_part *part = &bend->part[0];
+	size_t count = (size_t)part->drawable->primitive->vertex_count;
+
+	assert_int_equal(bend->part_count, 1);
+	*bytes = part->position ? (const void *)part->position
+				: (const void *)part->fixed_position;
+	return count *
+		(part->position ? sizeof(*part->position)
+				: sizeof(*part->fixed_position));
+}
+
+/* By its parameter's degrees; a wave runs while a sine is chosen and runs. */
+static void test_a_morph_bends_by_its_turn_and_its_sine(void **state)
+{
+	static const struct {
+		int curve;
+		bool turns, runs;
+		float omega;
+	} rows[] = {{0, true, true, 0.25f}, {0, false, true, 0.25f},
+		{1, true, true, 0}, {0, true, false, 0}, {1, false, true, 0}};
+	const float turn_rad = 30 * (SCALAR_PI / 180);
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		struct acting acting;
+		struct character_morph *morph;
+		const void *bytes;
+		uint8_t *before;
+		size_t size;
+
+		begin(&acting, "assets/face.glb",
+			"[state a]\nclip = rest\n"
+			"[parameter turn]\nrange = -90 90\nstart = 30\n"
+			"[morph m]\ntime = 1\nkey = a\nkey = b\n"
+			"curve = sine 0.1\ncurve = linear\n"
+			"direction = 0 0 1\nneck = 0 0.01\nturn = turn\n");
+		acting_run_to(&acting, 0.1, rate_hz);
+		instance_update(acting.instance);
+		morph = acting.character->morph;
+		if (rows[i].runs) {
+			character_morph_go(morph, 1, 8);
+		}
+		morph->chosen = rows[i].curve;
+		morph->turn_deg = rows[i].turns ? morph->turn_deg : NULL;
+		character_morph_bend(morph, 8.25);
+		size = bytes_of(&morph->bend, &bytes);
+		before = malloc(size);
+		assert_non_null(before);
+		memcpy(before, bytes, size);
+		bend_update(&morph->bend, rows[i].turns ? turn_rad : 0,
+			rows[i].omega);
+		assert_memory_equal(before, bytes, size);
+		free(before);
+		acting_end(&acting);
+	}
+}
+
 static double smooth(double u)
 {
 	u = fmin(1.0, fmax(0.0, u));
@@ -293,6 +354,7 @@ int main(void)
 			test_a_sine_moves_the_vertices_while_a_morph_runs),
 		cmocka_unit_test(test_a_sine_moves_a_node_that_cannot_be_bent),
 		cmocka_unit_test(test_a_head_turns_above_its_neck),
+		cmocka_unit_test(test_a_morph_bends_by_its_turn_and_its_sine),
 		cmocka_unit_test(test_a_layer_fades_at_both_ends_of_its_clip),
 		cmocka_unit_test(
 			test_a_layer_without_a_fade_has_its_weight_at_once),

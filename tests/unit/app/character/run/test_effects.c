@@ -1,4 +1,5 @@
 /* What effects do to bones, and by how much. */
+#include "app/anim/math/vec.h"
 #include "app/character/run/effects.h"
 #include "platform/base/compiler.h"
 #include "tests/support/model/acting.h"
@@ -379,6 +380,44 @@ static void test_capes_feel_the_wind_of_the_motion(void **state)
 	acting_end(&acting);
 }
 
+/* A cape that is put on again hangs as at first, and goes on from there. */
+static void test_a_cape_hangs_anew_when_it_is_put_on(void **state)
+{
+	struct character_cape *cape;
+	struct acting acting;
+	float rest[3], *hem, way[3];
+
+	(void)state;
+	begin(&acting,
+		"[state a]\nclip = rest\n[cape c]\nbone = chest\n"
+		"place = 0 1.42 -0.1\n");
+	cape = acting.character->cape;
+	hem = cape->cloth.position[cape->cloth.count - 1];
+	acting.character->step_s = 0;
+	cape->worn = false;
+	character_cape_run(acting.character, cape);
+	assert_true(cape->worn);
+	memcpy(rest, hem, sizeof(rest));
+	acting.character->step_s = 0.02f;
+	acting.character->motion.velocity[1] = 5;
+	for (int i = 0; i < 25; i++) {
+		character_cape_run(acting.character, cape);
+	}
+	vec_subtract(hem, rest, way);
+	assert_true(vec_length(way) > 0.05f);
+	/* Taken off, it stays where it was. */
+	cape->is.now = 0;
+	character_cape_run(acting.character, cape);
+	assert_false(cape->worn);
+	vec_subtract(hem, rest, way);
+	assert_true(vec_length(way) > 0.05f);
+	cape->is.now = 1;
+	acting.character->step_s = 0;
+	character_cape_run(acting.character, cape);
+	assert_all_near(hem, rest, 3, 1e-4);
+	acting_end(&acting);
+}
+
 static void test_a_target_may_be_the_camera_or_hang_on_a_node(void **state)
 {
 	const struct character_target *target;
@@ -409,6 +448,7 @@ int main(void)
 		cmocka_unit_test(test_a_shake_has_its_weight),
 		cmocka_unit_test(test_presets_go_round_both_ways),
 		cmocka_unit_test(test_capes_feel_the_wind_of_the_motion),
+		cmocka_unit_test(test_a_cape_hangs_anew_when_it_is_put_on),
 		cmocka_unit_test(
 			test_a_target_may_be_the_camera_or_hang_on_a_node),
 		cmocka_unit_test(test_springs_feel_the_wind_of_the_motion),

@@ -110,6 +110,10 @@ static struct motions find(struct fixture *f, const char *clip)
 	{                                      \
 		name, 0, -0.18f, 0.3f, 0, 0, 0 \
 	}
+#define TIP(name)                            \
+	{                                    \
+		name, 0, 0, 0.5f, 0, 0, 0.3f \
+	}
 #define FALL(name)                                \
 	{                                         \
 		name, -0.25f, 0, 0.5f, 0, 0, 0.3f \
@@ -150,6 +154,9 @@ static void test_names_come_first_then_speeds_and_last_what_ends(void **state)
 		{{FALL("a"), SLOW("b")}, 2, {1, 1, 1}},
 		{{SLOW("walk"), FALL("b")}, 2, {0, 0, 0}},
 		{{SLOW("run"), FALL("b")}, 2, {0, 0, 0}},
+		{{SLOW("walk"), TIP("b")}, 2, {0, 0, 0}},
+		{{SLOW("run"), TIP("b")}, 2, {0, 0, 0}},
+		{{TIP("a"), MOMENT("b")}, 2, {0, 0, 0}},
 		{{FALL("b"), SLOW("run")}, 2, {1, 1, 1}},
 	};
 

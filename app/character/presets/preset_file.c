@@ -48,26 +48,33 @@ int preset_file_load(
 	count = procedural_presets_parse(
 		(const char *)text.data, path, log, file->preset, PRESETS_MAX);
 	model_file_release(&text);
-	file->count = count > 0 ? count : 0;
-	return count < 0 ? count : 0;
+	if (count < 0) {
+		file->count = 0;
+		return count;
+	}
+	file->count = count;
+	return 0;
 }
 
 int preset_file_find(struct preset_file *file, const struct log *log)
 {
-	int error = 0;
-
 	if (file_find_asset(preset_file_asset, log, file->path,
-		    sizeof(file->path)) != 0) {
-		file->path[0] = '\0';
+		    sizeof(file->path)) == 0) {
+		int error = preset_file_load(file, file->path, log);
+
+		if (error) {
+			return error;
+		}
 	} else {
-		error = preset_file_load(file, file->path, log);
+		file->path[0] = '\0';
+		file->count = 0;
 	}
-	if (!error && (!file->path[0] || file->count == 0)) {
+	if (file->count == 0) {
 		file->preset[0] = procedural_preset_default();
 		file->preset[0].unit = 0.01f;
 		file->count = 1;
 	}
-	return error;
+	return 0;
 }
 
 /* Returns the beginning of the next line. */

@@ -3,9 +3,11 @@
 #include "app/model/model_file.h"
 #include "tests/support/files.h"
 #include "tests/support/gl/gl_recorder.h"
+#include "tests/support/log_capture.h"
 #include "tests/support/model/demo_run.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -239,6 +241,77 @@ static void test_a_section_at_the_end_gets_lines_of_its_own(void **state)
 	assert_string_equal(text, "[one] ; it all\n\n[two]\nspeed = 12.5\n");
 }
 
+/* Comments, blank lines and keys of other programs stand where they stood. */
+static void test_saving_keeps_the_lines_between_values(void **state)
+{
+	static const char text[] = "[one]\n\n# a\n%s; b\nodd = 3 ; c\n"
+				   "modifier = 1\n; d\n\n[two]\nspeed = 1\n";
+	struct bench *bench = *state;
+	struct procedural_preset preset = procedural_preset_default();
+	char old[256], saved[256], read[256];
+
+	snprintf(old, sizeof(old), text, "speed = 10\n");
+	snprintf(saved, sizeof(saved), text, "speed = 12.5\n");
+	strcpy(preset.name, "one");
+	preset.speed = 12.5f;
+	preset.modifier = 1;
+	write_file(bench, old);
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
+	read_back(bench, read, sizeof(read));
+	assert_string_equal(read, saved);
+	write_file(bench, "");
+	preset.modifier = procedural_preset_default().modifier;
+	assert_int_equal(
+		preset_file_save(bench->path.text, &preset, &bench->log), 0);
+	read_back(bench, read, sizeof(read));
+	assert_string_equal(read, "\n[one]\nspeed = 12.5\n");
+}
+
+/* That of the document, whose unit is the centimetre. */
+static void test_a_file_without_presets_has_the_default_one(void **state)
+{
+	struct bench *bench = *state;
+	struct procedural_preset plain = procedural_preset_default();
+	struct preset_file file = {.count = 7};
+
+	plain.unit = 0.01f;
+	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder.text, 1), 0);
+	write_file(bench, "; none\n");
+	assert_int_equal(preset_file_find(&file, &bench->log), 0);
+	assert_string_equal(file.path, bench->path.text);
+	assert_int_equal(file.count, 1);
+	for (int i = 0; i < PRESET_FIELDS; i++) {
+		assert_near(*preset_value(&file.preset[0], &preset_fields[i]),
+			*preset_value(&plain, &preset_fields[i]), 0);
+	}
+	assert_near(file.preset[0].unit, 0.01, 1e-9);
+	write_file(bench, "[one]\nunit = 2\n[two]\n");
+	assert_int_equal(preset_file_find(&file, &bench->log), 0);
+	assert_int_equal(file.count, 2);
+	assert_string_equal(file.preset[1].name, "two");
+	assert_near(file.preset[0].unit, 2, 0);
+}
+
+static void test_a_malformed_file_has_no_presets(void **state)
+{
+	struct bench *bench = *state;
+	struct log_capture capture;
+	struct log log = log_capture_begin(&capture);
+	struct preset_file file = {.count = 7};
+
+	assert_int_equal(setenv("LIMBER_ASSETS", bench->folder.text, 1), 0);
+	write_file(bench, "[one]\nspeed = fast\n");
+	assert_int_equal(preset_file_find(&file, &log), -EINVAL);
+	assert_int_equal(file.count, 0);
+	file.count = 7;
+	assert_int_equal(
+		preset_file_load(&file, bench->path.text, &log), -EINVAL);
+	assert_int_equal(file.count, 0);
+	assert_int_equal(log_capture_count(&capture, LOG_ERROR), 2);
+	assert_contains(capture.sentence[0], "presets.ini:2");
+}
+
 static void test_a_missing_file_is_reported(void **state)
 {
 	struct bench *bench = *state;
@@ -330,6 +403,13 @@ int main(void)
 		cmocka_unit_test_setup_teardown(
 			test_a_section_at_the_end_gets_lines_of_its_own, begin,
 			end),
+		cmocka_unit_test_setup_teardown(
+			test_saving_keeps_the_lines_between_values, begin, end),
+		cmocka_unit_test_setup_teardown(
+			test_a_file_without_presets_has_the_default_one, begin,
+			end),
+		cmocka_unit_test_setup_teardown(
+			test_a_malformed_file_has_no_presets, begin, end),
 		cmocka_unit_test_setup_teardown(
 			test_a_missing_file_is_reported, begin, end),
 		cmocka_unit_test_setup_teardown(

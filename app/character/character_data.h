@@ -187,7 +187,6 @@ struct character_condition {
 
 /* Actions that run when comparisons begin to hold, and when they cease to. */
 struct character_trigger {
-	const char *name;
 	struct character_condition *when;
 	const struct character_action *then, *otherwise;
 

@@ -21,7 +21,6 @@ static int read_trigger(struct character_build *build,
 	struct character_trigger *trigger = one;
 	int error = character_read_section(build, section, keys, trigger);
 
-	trigger->name = section->name;
 	return error || trigger->when
 		? error
 		: character_fail_missing(build, section, "when = VALUE > VALUE");

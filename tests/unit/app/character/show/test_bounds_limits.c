@@ -61,6 +61,32 @@ static void test_all_clips_make_the_extent(void **state)
 	acting_end(&acting);
 }
 
+/* Of the first clip and of the first drawable, nothing else goes so far. */
+static void test_the_first_ones_count_too(void **state)
+{
+	static const float place[3][3] = {{0}, {2, 0, 0}, {4, 0, 0}};
+	struct character_bounds bounds;
+	struct bounds wanted;
+	struct acting acting;
+	float moved[3];
+
+	(void)state;
+	load(&acting, "tests/fixtures/gltf/clip/far.gltf");
+	memcpy((float *)acting.model->clip[0].channel[0].value, place,
+		sizeof(place));
+	measure(&acting, &bounds, "[state a]\nclip = rest\n");
+	assert_near(bounds.all.high[0], unit * 5, 1e-5);
+	acting_end(&acting);
+	load(&acting, "tests/fixtures/gltf/scene/ground.gltf");
+	acting.model->node[2].name = "lamp";
+	measure(&acting, &bounds, "[state a]\nclip = rest\n[part lamp]\n");
+	acting_run_to(&acting, 0.1, 50.0);
+	character_bounds_now(&bounds, acting.character, moved);
+	wanted = bounds_of_instance(acting.instance);
+	expect_box(&bounds.extra, &wanted, 1e-5);
+	acting_end(&acting);
+}
+
 static void test_the_clip_of_the_first_state_is_played(void **state)
 {
 	struct character_bounds bounds;
@@ -323,6 +349,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_all_clips_make_the_extent),
+		cmocka_unit_test(test_the_first_ones_count_too),
 		cmocka_unit_test(test_the_clip_of_the_first_state_is_played),
 		cmocka_unit_test(test_shapes_have_room_along_each_axis),
 		cmocka_unit_test(

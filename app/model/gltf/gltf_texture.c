@@ -136,7 +136,7 @@ static int read_image(const struct gltf_at *at, struct model_image *out)
 			at, -EINVAL, "has neither a uri nor a bufferView");
 	}
 	if (!error) {
-		error = decode(at, view < 0 ? uri : NULL, data, size, out);
+		error = decode(at, uri, data, size, out);
 	}
 	model_file_release(&file);
 	return error;

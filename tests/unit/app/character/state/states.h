@@ -67,6 +67,8 @@ static inline void make_clip(struct states *f, int i)
 static inline void make_state(struct states *f, int s)
 {
 	f->rate[s] = 1;
+	/* Actions that concern no state. */
+	f->enter[s].verb = f->leave[s].verb = CHARACTER_LABELS;
 	f->enter[s].index = s;
 	f->leave[s].index = 10 + s;
 	for (int i = 0; i < ENTRIES; i++) {

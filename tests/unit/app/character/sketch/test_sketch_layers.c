@@ -1,5 +1,6 @@
 /* Clips of different nodes: layers that a sketch suggests, and their play. */
 #include "app/character/sketch/character_sketch.h"
+#include "app/character/sketch/sketch_layers.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
@@ -51,6 +52,64 @@ static void test_a_sketch_suggests_clips_of_other_nodes_as_layers(void **state)
 	assert_int_equal(acting.character->layer_count, 1);
 	free(text);
 	acting_end(&acting);
+}
+
+enum {
+	MANY = 15
+};
+
+/* What a sketch says of the first clips of a model, each of a node of its own. */
+static void expect_layers(int clips, const char *first, int count)
+{
+	static const char title[] =
+		"; Clips that move other nodes than the first one can play with it.\n";
+	struct model_node node[MANY] = {{0}};
+	struct model_channel channel[MANY] = {{0}};
+	struct model_clip clip[MANY];
+	char name[MANY][8];
+	struct model model = {.node = node,
+		.node_count = MANY,
+		.clip = clip,
+		.clip_count = clips};
+	char *text = NULL, *at;
+	size_t size = 0;
+	FILE *out = open_memstream(&text, &size);
+
+	for (int i = 0; i < MANY; i++) {
+		snprintf(name[i], sizeof(name[i]), "c%d", i);
+		channel[i].node = i;
+		clip[i] = (struct model_clip){.name = name[i],
+			.channel_count = 1,
+			.channel = &channel[i]};
+	}
+	assert_non_null(out);
+	assert_int_equal(sketch_write_layers(&model, 0, out), 0);
+	assert_int_equal(fclose(out), 0);
+	at = text;
+	if (count > 0) {
+		assert_memory_equal(at, title, strlen(title));
+		at += strlen(title);
+		assert_memory_equal(at, first, strlen(first));
+	}
+	for (int i = 0; i < count; i++) {
+		at = strstr(at, "\n;nodes = moved\n\n");
+		assert_non_null(at);
+		at += strlen("\n;nodes = moved\n\n");
+	}
+	assert_string_equal(at, "");
+	free(text);
+}
+
+static void test_twelve_layers_are_enough(void **state)
+{
+	static const char first[] = ";[layer c1]\n;clip = c1\n";
+
+	(void)state;
+	expect_layers(0, first, 0);
+	expect_layers(1, first, 0);
+	expect_layers(2, first, 1);
+	expect_layers(13, first, 12);
+	expect_layers(14, first, 12);
 }
 
 /* Where the second triangle is after two seconds in which both clips play. */
@@ -122,6 +181,7 @@ int main(void)
 		cmocka_unit_test(test_clips_of_the_same_node_are_no_layers),
 		cmocka_unit_test(
 			test_a_sketch_suggests_clips_of_other_nodes_as_layers),
+		cmocka_unit_test(test_twelve_layers_are_enough),
 		cmocka_unit_test(test_a_layer_of_moved_nodes_leaves_others_alone),
 		cmocka_unit_test(test_a_layer_may_move_what_its_clip_moves),
 	};

@@ -43,9 +43,9 @@ static void test_the_first_node_of_a_name_has_it(void **state)
 	static const struct {
 		const char *name;
 		bool named;
-	} rows[] = {{"b", true}, {"a", true}, {"b", false}, {"", false},
-		{"a", false}, {"c]", false}, {"a", false}, {"c", true},
-		{"b", false}, {"ba", true}};
+	} rows[] = {{"b", true}, {"a", true}, {"b", false}, {"a", false},
+		{"c]", false}, {"a", false}, {"c", true}, {"b", false},
+		{"ba", true}};
 	struct model_node node[ARRAY_COUNT(rows)];
 	struct model model = {.node = node, .node_count = ARRAY_COUNT(rows)};
 	struct arena arena = arena_empty();

@@ -167,7 +167,6 @@ static int find_bones(
 		!bones->world || pose_init(&pose, model, arena) != 0) {
 		return -ENOMEM;
 	}
-	pose_rest(&pose, model);
 	pose_world(&pose, model, NULL, bones->world);
 	for (int i = 0; i < model->node_count; i++) {
 		if (model->node[i].parent >= 0) {

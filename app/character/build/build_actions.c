@@ -305,7 +305,6 @@ static int read_output(struct character_words *words,
 	if (error) {
 		return error;
 	}
-	action->amount = -1;
 	if (character_take(words, "on") || character_take(words, "off")) {
 		action->amount =
 			words->line->word[words->next - 1].text[1] == 'n' ? -1
@@ -435,7 +434,7 @@ int character_read_action(struct character_words *words,
 int character_read_actions(struct character_words *words,
 	const struct character_key *key, void *member)
 {
-	int error = 0;
+	int error;
 
 	(void)key;
 	do {

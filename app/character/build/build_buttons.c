@@ -15,26 +15,19 @@ static int read_buttons(struct character_words *words,
 {
 	char name[32];
 	const char *key = words->line->key;
-	size_t length = strcspn(key, " \t+");
-	size_t blank;
+	const char *behind = key + strcspn(key, " \t+");
+	bool together = *behind == '+';
 
-	if (length >= sizeof(name)) {
-		length = sizeof(name) - 1;
-	}
-	memcpy(name, key, length);
-	name[length] = '\0';
+	snprintf(name, sizeof(name), "%.*s", (int)(behind - key), key);
 	binding->button = button_from_name(name);
 	binding->second = BUTTON_COUNT;
-	*gesture = "";
-	if (key[length] == '+') {
-		binding->second = button_from_name(key + length + 1);
+	*gesture = behind + strspn(behind, " \t");
+	if (together) {
+		binding->second = button_from_name(behind + 1);
 		binding->gesture = CHARACTER_TOGETHER;
-	} else {
-		blank = strspn(key + length, " \t");
-		*gesture = key + length + blank;
 	}
 	if (binding->button == BUTTON_COUNT ||
-		(key[length] == '+' &&
+		(together &&
 			(binding->second == BUTTON_COUNT ||
 				binding->second == binding->button))) {
 		return character_fail(words,
@@ -61,19 +54,22 @@ static int read_gesture(struct character_words *words,
 		[CHARACTER_RELEASE] = "release",
 		[CHARACTER_HOLD] = "hold",
 		[CHARACTER_LONG] = "long",
+		NULL,
 	};
 
-	for (size_t i = 0; i < ARRAY_COUNT(names); i++) {
-		if (binding->gesture != CHARACTER_TOGETHER &&
-			strcmp(gesture, names[i]) == 0) {
+	for (int i = 0; names[i]; i++) {
+		if (strcmp(gesture, names[i]) == 0) {
 			binding->gesture = (enum character_gesture)i;
 			return 0;
 		}
 	}
-	if (binding->gesture != CHARACTER_TOGETHER) {
-		return character_fail(words,
-			"%s is not one of hold, long and release", gesture);
-	}
+	return character_fail(
+		words, "%s is not one of hold, long and release", gesture);
+}
+
+static int check_together(
+	struct character_words *words, const struct character_binding *binding)
+{
 	return binding->button == BUTTON_F9 || binding->second == BUTTON_F9
 		? character_fail(words,
 			  "limber uses F9 together with others: choose another button")
@@ -189,14 +185,15 @@ static int check_hold(struct character_words *words,
 	return check_f9(words, binding);
 }
 
-/* Reads actions with commas between. */
+/*
+ * Adds actions with commas between; *all_held becomes false if one of them may
+ * not be held.
+ */
 static int read_actions(struct character_words *words,
 	struct character_action **action, bool *all_held)
 {
 	int error;
 
-	*action = NULL;
-	*all_held = true;
 	do {
 		bool is_held = false;
 
@@ -233,13 +230,15 @@ static int read_label(
 static int read_binding(
 	struct character_words *words, struct character_binding *binding)
 {
-	struct character_action *action, *after = NULL;
+	struct character_action *action = NULL, *after = NULL;
 	const char *gesture;
-	bool all_held;
+	bool all_held = true;
 	int error = read_buttons(words, binding, &gesture);
 
 	if (!error) {
-		error = read_gesture(words, binding, gesture);
+		error = binding->gesture == CHARACTER_TOGETHER
+			? check_together(words, binding)
+			: read_gesture(words, binding, gesture);
 	}
 	if (!error) {
 		error = read_actions(words, &action, &all_held);

@@ -185,9 +185,13 @@ static bool goes_away(const struct gait *gait)
 
 static bool carries_all(const struct model *model, int node)
 {
-	int carrier = model_find_carrier(model);
+	return node >= 0 &&
+		model_is_below(model, model_find_carrier(model), node);
+}
 
-	return node >= 0 && carrier >= 0 && model_is_below(model, carrier, node);
+static bool is_zero(const float way[2])
+{
+	return way[0] == 0 && way[1] == 0;
 }
 
 /*
@@ -199,9 +203,8 @@ static void find_gait(const struct character_build *build,
 	const struct gait *gait, struct character_clip *clip)
 {
 	struct character_motion *motion = &build->character->motion;
-	bool walks = gait->velocity[0] != 0 || gait->velocity[1] != 0;
-	bool leaves = walks ? gait->drift[0] != 0 || gait->drift[1] != 0
-			    : goes_away(gait);
+	bool walks = !is_zero(gait->velocity);
+	bool leaves = walks ? !is_zero(gait->drift) : goes_away(gait);
 	int root = motion->root;
 
 	if (leaves && root < 0) {
@@ -287,8 +290,7 @@ static void find_steps(
 			find_extremes(ahead, axis, &second[axis], &first[axis]);
 	}
 	axis = range[1] >= range[0] ? 1 : 0;
-	if (!clip->clip || clip->mark_count > 0 ||
-		range[axis] < 2 * motion->near_m || first[axis] == second[axis]) {
+	if (clip->mark_count > 0 || range[axis] <= 2 * motion->near_m) {
 		return;
 	}
 	/* The first mark is the first foot's, so the second may lie beyond the

@@ -360,10 +360,10 @@ int character_build_names(struct character_build *build)
 	character->switches = ARENA_ARRAY(build->arena,
 		struct character_switch *, (size_t)character->switch_count);
 	/*
-	 * Two more than sections: one for all parts, one for the attached ones.
+	 * One more than sections: those of parts have two together.
 	 */
 	character->op =
-		ARENA_ARRAY(build->arena, struct character_op, sections + 2);
+		ARENA_ARRAY(build->arena, struct character_op, sections + 1);
 	return character->switches && character->op
 		? 0
 		: character_fail_memory(build);

@@ -3,6 +3,7 @@
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -64,6 +65,22 @@ static const struct meaning of_arm[] = {
 	{"camera zoom 30", CHARACTER_ZOOM, 0, 0, 0.3},
 };
 
+/* Without lines "key", the neutral shape is the first key frame. */
+static const char face[] =
+	"[morph a]\n[morph b]\nkey = calm\nkey = glad, smile\n"
+	"[buttons]\nUP = ";
+
+static const struct meaning of_face[] = {
+	{"morph a neutral", CHARACTER_MORPH, 0, 0, 0},
+	{"morph b calm", CHARACTER_MORPH, 1, 0, 0},
+	{"morph b glad", CHARACTER_MORPH, 1, 1, 0},
+	{"morph b next", CHARACTER_MORPH, 1, -1, 1},
+	{"morph b previous", CHARACTER_MORPH, 1, -1, -1},
+	{"pace b 0.5", CHARACTER_PACE, 1, 0, 0.5},
+	{"curve b", CHARACTER_CURVE, 1, 0, 0},
+	{"timing b", CHARACTER_TIMING, 1, 0, 0},
+};
+
 static void expect(const struct acting *acting, const struct meaning *wanted)
 {
 	const struct character_action *action =
@@ -121,6 +138,84 @@ static void test_actions_of_parts_and_the_camera(void **state)
 		expect(&acting, &of_arm[i]);
 		acting_end(&acting);
 	}
+}
+
+static void test_actions_of_morphs(void **state)
+{
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/face.glb");
+	for (size_t i = 0; i < sizeof(of_face) / sizeof(of_face[0]); i++) {
+		char text[256];
+
+		snprintf(text, sizeof(text), "%s%s\n", face, of_face[i].words);
+		acting_expect(&acting, text);
+		expect(&acting, &of_face[i]);
+	}
+	acting_end(&acting);
+}
+
+/* A file of presets may have one. */
+static void test_the_next_of_one_preset_is_that_preset(void **state)
+{
+	static const char presets[] = "[calm]\nspeed = 2\n";
+	static const char text[] = "[shake s]\nbone = head\npresets = p.ini\n"
+				   "[buttons]\nUP = preset s next\n";
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "a.character");
+	struct acting acting;
+
+	(void)state;
+	file_write(path_join(&folder, "p.ini").text, presets, strlen(presets));
+	file_write(path.text, text, strlen(text));
+	acting_begin(&acting, "assets/walker.glb");
+	acting_load(&acting, path.text);
+	assert_int_equal(acting.error, 0);
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
+static void test_an_error_names_what_an_action_needs(void **state)
+{
+	static const struct {
+		const char *words, *error;
+	} cases[] = {
+		{"set p 3.5", "set: 3.5 is outside the range 1 to 2 of p"},
+		{"set p", "write set PARAMETER NUMBER"},
+		{"on ,", "no layer, expression or effect named \"\": write on NAME"},
+		{"off ,", "write off NAME"},
+		{"preset s ,", "\"\" is no preset of the shake s"},
+		{"preset s calm", "calm is no preset of the shake s"},
+		{"preset s next", "write preset SHAKE NAME"},
+		{"move Arm ,", "write move PART"},
+		{"move Arm up 1", "write move PART"},
+		{"move Arm pitch", "write move PART"},
+		{"move Arm z 1", "the part has no z"},
+		{"output bell 0", "write output NAME on"},
+		{"output bell -1", "write output NAME on"},
+		{"output bell", "write output NAME on"},
+		{"raw", "raw is no action: use set, "},
+		{",", "\"\" is no action: use set, "},
+	};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			"[parameter p]\nrange = 1 2\n[part Arm]\npitch = 0\n"
+			"[shake s]\nbone = Hand\n"
+			"[output bell]\nline = gpiochip0/2\n"
+			"[buttons]\nUP = %s\n",
+			cases[i].words);
+		acting_read(&acting, text);
+		assert_int_equal(acting.error, -EINVAL);
+		assert_contains(acting.logged.sentence[0], cases[i].error);
+	}
+	acting_end(&acting);
 }
 
 /* The first node of the model may hold a part, too. */
@@ -214,6 +309,9 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_actions_of_figures),
 		cmocka_unit_test(test_actions_of_parts_and_the_camera),
+		cmocka_unit_test(test_actions_of_morphs),
+		cmocka_unit_test(test_the_next_of_one_preset_is_that_preset),
+		cmocka_unit_test(test_an_error_names_what_an_action_needs),
 		cmocka_unit_test(test_a_part_is_attached_at_a_place_of_a_node),
 		cmocka_unit_test(test_an_action_needs_all_its_words),
 		cmocka_unit_test(test_what_sets_a_parameter_is_in_its_range),

@@ -1,4 +1,7 @@
-/* How clips go over the ground, and which node carries the figure away. */
+/*
+ * What is measured of clips: how they go over the ground, which node carries
+ * the figure away, and how high its soles are.
+ */
 #include "app/character/character_data.h"
 #include "platform/base/compiler.h"
 #include "tests/support/files.h"
@@ -22,7 +25,8 @@ enum node {
 	INNER, /* below the former, and above the others */
 	FOOT,
 	OTHER_FOOT,
-	HEAD
+	HEAD,
+	TIP = HEAD + 3 /* of a leg below the inner node, without vertices */
 };
 
 /* The places of a node at the clip's start, quarters, half and end. */
@@ -33,8 +37,10 @@ struct track {
 
 static const char *const nodes =
 	"{\"name\":\"outer\",\"children\":[1]},"
-	"{\"name\":\"inner\",\"children\":[2,3,4]},"
-	"{\"mesh\":0},{\"mesh\":0},{\"mesh\":0,\"translation\":[0,1,0]}";
+	"{\"name\":\"inner\",\"children\":[2,3,4,5]},"
+	"{\"mesh\":0},{\"mesh\":0},{\"mesh\":0,\"translation\":[0,1,0]},"
+	"{\"name\":\"u\",\"children\":[6]},"
+	"{\"name\":\"l\",\"children\":[7]},{\"name\":\"f\"}";
 
 static void write_json(const char *path, const struct track *track, int count)
 {
@@ -289,6 +295,9 @@ static void test_a_clip_that_walks_away_goes_as_its_feet_step(void **state)
 			"root = outer\n", OUTER},
 		{{0, 0}, {0, 0.8f}, {0, 0.7f}, {0, 1.4f - 0.4f}, {0, 0},
 			"root = outer\n", OUTER},
+		/* Too little of a way for the clip to leave. */
+		{{0, 0.1f}, {0, 0}, {0, 0.7f}, {0, 1.4f - 0.05f}, {0, 0.1f},
+			"root = outer\n", OUTER},
 	};
 
 	(void)state;
@@ -310,6 +319,32 @@ static void test_a_clip_that_walks_away_goes_as_its_feet_step(void **state)
 	}
 }
 
+/* The soles of the rest pose, which comes last, are those at rest. */
+static void test_soles_are_as_high_as_the_clip_lifts_them(void **state)
+{
+	struct track track = {.node = OUTER};
+	const struct character_clip *clip;
+	struct acting acting;
+
+	(void)state;
+	for (int i = 0; i <= KEYS; i++) {
+		track.at[i][1] = 0.5f + 0.3f * (float)i;
+	}
+	clip = begin(&acting, &track, 1,
+		"[feet a]\nhips = inner\nleft = u l f\nright = u l f\n");
+	assert_int_equal(acting.character->clip_count, 2);
+	for (int i = 0; i < CHARACTER_SAMPLES; i++) {
+		assert_near(clip->sole_m[0][i],
+			0.5f + 0.3f * KEYS * (float)i / CHARACTER_SAMPLES, 1e-5);
+		assert_near(clip[1].sole_m[0][i], 0, 1e-6);
+	}
+	/* In the end the figure is at rest. */
+	for (int axis = 0; axis < 3; axis++) {
+		assert_near(acting.instance->world[TIP][3][axis], 0, 0);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -322,6 +357,7 @@ int main(void)
 		cmocka_unit_test(test_a_clip_on_the_spot_goes_as_its_feet_step),
 		cmocka_unit_test(
 			test_a_clip_that_walks_away_goes_as_its_feet_step),
+		cmocka_unit_test(test_soles_are_as_high_as_the_clip_lifts_them),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -46,16 +46,16 @@ static void test_a_wave_runs_along_its_axis(void **state)
 /* A later curve has the first one's, unless a line behind it says another. */
 static void test_a_direction_is_that_of_the_curve_above(void **state)
 {
-	static const struct wave waves[] = {{0.1f, {0, 1, 0}, 0, {0, 0, 1}},
+	static const struct wave waves[] = {{0.1f, {0, 1, 0}, 0, {1, 0, 0}},
 		{0.2f, {0, 1, 0}, 0, {0, -1, 0}},
-		{0.3f, {0, 1, 0}, 0, {0, 0, 1}}};
+		{0.3f, {0, 1, 0}, 0, {1, 0, 0}}};
 
 	(void)state;
-	expect_waves("[morph a]\ncurve = sine 0.1\ndirection = 0 0 5\n"
+	expect_waves("[morph a]\ncurve = sine 0.1\ndirection = 5 0 0\n"
 		     "curve = sine 0.2\ndirection = 0 -1 0\ncurve = sine 0.3\n",
 		waves, 3);
 	expect_waves(
-		"[morph a]\ndirection = 0 0 5\ncurve = sine 0.1\n", waves, 1);
+		"[morph a]\ndirection = 5 0 0\ncurve = sine 0.1\n", waves, 1);
 }
 
 /* 30 frames a second, but at least one, unless the section gives a number. */

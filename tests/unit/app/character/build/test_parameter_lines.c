@@ -140,11 +140,39 @@ static void test_a_toggle_goes_to_the_farther_end(void **state)
 	acting_end(&acting);
 }
 
+static void test_a_parameter_may_follow_each_freedom_of_a_part(void **state)
+{
+	static const char *const freedoms[] = {
+		"heading", "pitch", "bank", "x", "y", "z"};
+	struct acting acting;
+
+	(void)state;
+	acting_begin(&acting, "assets/arm.glb");
+	for (int i = 0; i < CHARACTER_FREEDOMS; i++) {
+		const struct character *character;
+		char text[128];
+
+		snprintf(text, sizeof(text),
+			"[part Base]\n[part Arm]\n[parameter p]\n"
+			"source = part Arm %s 2 3\n",
+			freedoms[i]);
+		acting_expect(&acting, text);
+		character = acting.character;
+		assert_ptr_equal(character->parameter[0].other,
+			&character->part[1].freedom[i].value);
+		assert_near(character->parameter[0].scale, 2, 0);
+		assert_near(character->parameter[0].offset, 3, 0);
+	}
+	acting_end(&acting);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_lines_of_a_parameter_fit_each_other),
 		cmocka_unit_test(test_a_parameter_starts_near_0),
+		cmocka_unit_test(
+			test_a_parameter_may_follow_each_freedom_of_a_part),
 		cmocka_unit_test(test_a_toggle_goes_to_the_farther_end),
 		cmocka_unit_test(test_a_source_has_a_scale_and_an_offset),
 	};

@@ -129,23 +129,23 @@ static void test_places_have_the_units_of_the_part(void **state)
 	struct acting acting;
 
 	(void)state;
-	begin(&acting, "2,0.5,1", 1.65);
+	begin(&acting, "2,0.25,1", 1.65);
 	part = read(&acting,
 		"guard = 0.1 1 2 3 4 5 6\nguard = 0.2 8 8 8\nguard = 0.3\n"
 		"top = 1 2 3 4 5");
-	assert_all_near(part->metre, ((float[]){0.5f, 2, 1}), 3, 1e-6);
+	assert_all_near(part->metre, ((float[]){0.5f, 4, 1}), 3, 1e-6);
 	assert_int_equal(part->guard_count, 3);
 	assert_false(part->has_radius);
 	assert_near(part->guard[0].radius_m, 0.1, 1e-6);
 	assert_all_near(
-		part->guard[0].from, ((float[]){0.5f, 2, 0.75f}), 3, 1e-6);
-	assert_all_near(part->guard[0].to, ((float[]){2, 5, 1.5f}), 3, 1e-6);
+		part->guard[0].from, ((float[]){0.5f, 4, 0.75f}), 3, 1e-6);
+	assert_all_near(part->guard[0].to, ((float[]){2, 10, 1.5f}), 3, 1e-6);
 	assert_all_near(part->guard[1].from, ((float[]){0, 0, 0}), 3, 0);
-	assert_all_near(part->guard[1].to, ((float[]){4, 8, 2}), 3, 1e-6);
+	assert_all_near(part->guard[1].to, ((float[]){4, 16, 2}), 3, 1e-6);
 	assert_near(part->guard[2].radius_m, 0.3, 1e-6);
 	assert_int_equal(part->top_count, 1);
 	assert_all_near(
-		part->top[0], ((float[]){1, 1, 0.75f, 2, 1.25f}), 5, 1e-6);
+		part->top[0], ((float[]){2, 1, 0.75f, 2, 1.25f}), 5, 1e-6);
 	acting_end(&acting);
 	/* A scale of 0 leaves metres as they are. */
 	begin(&acting, "0,1,2", 1.65);

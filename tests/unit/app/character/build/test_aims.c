@@ -1,10 +1,12 @@
 /* What sections that look and reach say, as their bones keep it. */
 #include "app/character/character_data.h"
 #include "app/character/run/effects.h"
+#include "platform/base/compiler.h"
 #include "tests/support/files.h"
 #include "tests/support/model/acting.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -164,6 +166,115 @@ static void test_a_limb_has_a_pole_and_a_grip(void **state)
 	end(&bench);
 }
 
+static void test_an_effect_aims_at_the_target_that_it_names(void **state)
+{
+	static const char *const effects[] = {"[look a]\nbone = A\n",
+		"[reach a]\nlimb = A B D\n", "[reach a]\nchain = D 2\n"};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "1,1,1");
+	for (size_t i = 0; i < ARRAY_COUNT(effects); i++) {
+		for (int target = 0; target < 3; target++) {
+			const struct character *character;
+			char text[256];
+
+			snprintf(text, sizeof(text),
+				"[target t0]\n[target t1]\n[target t2]\n"
+				"%starget = t%d\n",
+				effects[i], target);
+			acting_expect(&bench.acting, text);
+			character = bench.acting.character;
+			for (int k = 0; k < 3; k++) {
+				assert_int_equal(character->target[k].has_users,
+					k == target);
+			}
+		}
+	}
+	end(&bench);
+}
+
+/* A rate of 0 is the usual one. */
+static void test_a_bone_that_looks_has_a_share_and_a_rate(void **state)
+{
+	static const struct {
+		const char *words;
+		double share, rate;
+	} cases[] = {{"A", 1, 8}, {"A 0.25", 0.25, 8}, {"A 0.5 0.5", 0.5, 0.5},
+		{"A 1 0", 1, 8}, {"A 0 100", 0, 100}};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "1,1,1");
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		const struct character_look *look;
+		char text[256];
+
+		snprintf(text, sizeof(text),
+			TARGET "[look a]\ntarget = t\nbone = %s\n",
+			cases[i].words);
+		look = read_one(&bench, text, character_look_run);
+		assert_near(look->share[0], cases[i].share, 0);
+		assert_near(look->bone[0].rate, cases[i].rate, 0);
+	}
+	end(&bench);
+}
+
+/* The last line counts. */
+static void test_a_limb_has_three_nodes_below_each_other(void **state)
+{
+	const struct character_reach *reach;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "1,1,1");
+	reach = read_one(&bench,
+		TARGET "[reach a]\ntarget = t\nchain = D 3\nlimb = B C D\n",
+		character_reach_run);
+	assert_false(reach->is_chain);
+	assert_int_equal(reach->limb.upper, 1);
+	assert_int_equal(reach->limb.lower, 2);
+	assert_int_equal(reach->limb.tip, 3);
+	reach = read_one(&bench,
+		TARGET "[reach a]\ntarget = t\nlimb = B C D\nchain = D 3\n",
+		character_reach_run);
+	assert_true(reach->is_chain);
+	end(&bench);
+}
+
+static void test_what_looks_and_reaches_need(void **state)
+{
+	static const char *const cases[][2] = {
+		{"[reach a]\ntarget = t\n", "add limb = UPPER LOWER TIP or"},
+		{"[reach a]\nlimb = A B D\n", "add target = NAME"},
+		{"[reach a]\nchain = D 3\n", "add target = NAME"},
+		{"[reach a]\nlimb = A A D\n", "each bone has to be below"},
+		{"[reach a]\nlimb = A B B\n", "each bone has to be below"},
+		{"[reach a]\nlimb = B A D\n", "each bone has to be below"},
+		{"[reach a]\nlimb = A C B\n", "each bone has to be below"},
+		{"[reach a]\nlimb = A B\n", "a word is missing"},
+		{"[reach a]\nchain = D 1\n", "the number of bones is from 2"},
+		{"[reach a]\nchain = D 5\n", "the number of bones is from 2"},
+		{"[reach a]\nchain = D\n", "the number of bones is from 2"},
+		{"[look a]\ntarget = t\n", "add bone = NODE"},
+		{"[look a]\nbone = A\n", "add target = NAME"},
+		{"[look a]\ntarget = u\n", "no target named u"},
+	};
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, "1,1,1");
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		char text[256];
+
+		snprintf(text, sizeof(text), TARGET "%s", cases[i][0]);
+		acting_read(&bench.acting, text);
+		assert_int_equal(bench.acting.error, -EINVAL);
+		assert_contains(bench.acting.logged.sentence[0], cases[i][1]);
+	}
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -173,6 +284,10 @@ int main(void)
 		cmocka_unit_test(
 			test_a_chain_has_limits_and_a_tolerance_in_metres),
 		cmocka_unit_test(test_a_limb_has_a_pole_and_a_grip),
+		cmocka_unit_test(test_an_effect_aims_at_the_target_that_it_names),
+		cmocka_unit_test(test_a_bone_that_looks_has_a_share_and_a_rate),
+		cmocka_unit_test(test_a_limb_has_three_nodes_below_each_other),
+		cmocka_unit_test(test_what_looks_and_reaches_need),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -51,6 +51,18 @@ static void test_an_empty_box_is_nowhere(void **state)
 	assert_all_near(center, ((const float[]){0, 0, 0}), 3, 0.0);
 }
 
+static void test_a_box_without_a_width_is_not_empty(void **state)
+{
+	const struct bounds box = {{2, -1, 3}, {2, 5, 3}};
+	float center[3];
+
+	(void)state;
+	assert_false(bounds_is_empty(&box));
+	bounds_center(&box, center);
+	assert_all_near(center, ((const float[]){2, 2, 3}), 3, 0.0);
+	assert_near(bounds_ground(&box), -1, 0);
+}
+
 static void test_a_box_has_a_middle_and_a_longest_side(void **state)
 {
 	(void)state;
@@ -93,6 +105,7 @@ static void test_a_box_in_its_place_is_shorter_where_the_figure_went(
 	} rows[] = {{{2, 3}, {-4, 0, -8}, {3, 1, 6}},
 		{{-2, -3}, {-2, 0, -5}, {5, 1, 9}},
 		{{2, -3}, {-4, 0, -5}, {3, 1, 9}},
+		{{0.5f, -0.25f}, {-4, 0, -7.75f}, {4.5f, 1, 9}},
 		{{0, 0}, {-4, 0, -8}, {5, 1, 9}}};
 
 	(void)state;
@@ -320,6 +333,7 @@ int main(void)
 	static const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_box_holds_all_points_that_are_numbers),
 		cmocka_unit_test(test_an_empty_box_is_nowhere),
+		cmocka_unit_test(test_a_box_without_a_width_is_not_empty),
 		cmocka_unit_test(test_a_box_has_a_middle_and_a_longest_side),
 		cmocka_unit_test(test_the_ground_lies_lower_below_a_flat_box),
 		cmocka_unit_test(

@@ -100,6 +100,7 @@ static void test_nothing_that_fades_counts_as_covered(void **state)
 
 		floor_strips_find(
 			&strips, &camera, width, height, ground, 5.0f, 9.0f);
+		assert_true(strips.covered_px >= 0);
 		if (strips.covered_px == 0) {
 			continue;
 		}
@@ -291,6 +292,74 @@ static void test_ground_too_far_away_to_be_drawn_covers_nothing(void **state)
 	assert_int_equal(strips.covered_px, 0);
 }
 
+/* Along each axis, 16.16 ends behind 32 km to either side. */
+static void test_ground_is_drawn_up_to_the_last_numbers(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 12; i++) {
+		int axis = i / 4;
+		float sign = i % 2 ? -1.0f : 1.0f;
+		bool in_reach = i % 4 < 2;
+		struct camera camera = look(0.3f, 5.0f);
+		struct floor_strips strips;
+
+		camera.target[0] = camera.target[1] = 0.0f;
+		camera.target[axis] = sign * (in_reach ? 31980.0f : 32020.0f);
+		floor_strips_find(&strips, &camera, 240, 320,
+			camera.target[1] - 0.5f, 20.0f, 30.0f);
+		assert_true(strips.opaque);
+		assert_int_equal(strips.covered_px > 0, in_reach);
+	}
+}
+
+/* By its distance ahead, where the picture's edge cuts the ground off, too. */
+static void test_ground_fades_between_its_two_distances(void **state)
+{
+	static const float opaque_end = 3.0f, end = 8.0f;
+	int cut = 0;
+
+	(void)state;
+	for (int i = 0; i < 40; i++) {
+		const struct camera camera =
+			look(0.1f + 0.025f * (float)i, 4.0f);
+		struct floor_strips strips;
+
+		floor_strips_find(
+			&strips, &camera, 480, 640, ground, opaque_end, end);
+		assert_true(strips.opaque || strips.fading);
+		for (int k = 0; k < 6; k++) {
+			float ahead = ahead_of(&camera, strips.position[k]);
+			float share = (end - ahead) / (end - opaque_end);
+
+			share = fminf(1.0f, fmaxf(0.0f, share));
+			assert_near(strips.alpha[k], 255.0 * share, 1.0);
+		}
+		cut += strips.alpha[4] > 0;
+	}
+	assert_in_range(cut, 5, 35);
+}
+
+/* The ground fades below the picture, or ends there. */
+static void test_ground_out_of_the_picture_is_not_drawn(void **state)
+{
+	static const float none[6][3];
+	const struct camera camera = look(0.02f, 4.0f);
+	struct floor_strips strips;
+
+	(void)state;
+	floor_strips_find(&strips, &camera, 480, 640, ground, 0.1f, 8.0f);
+	assert_false(strips.opaque);
+	assert_true(strips.fading);
+	assert_int_equal(strips.covered_px, 0);
+	assert_true(strips.end_px > 0);
+	floor_strips_find(&strips, &camera, 480, 640, ground, 0.1f, 0.2f);
+	assert_false(strips.opaque);
+	assert_false(strips.fading);
+	assert_int_equal(strips.covered_px, 0);
+	assert_int_equal(strips.end_px, 0);
+	assert_all_near(strips.position, none, 18, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -307,6 +376,9 @@ int main(void)
 			test_far_from_the_origin_covered_rows_are_covered),
 		cmocka_unit_test(
 			test_ground_too_far_away_to_be_drawn_covers_nothing),
+		cmocka_unit_test(test_ground_is_drawn_up_to_the_last_numbers),
+		cmocka_unit_test(test_ground_fades_between_its_two_distances),
+		cmocka_unit_test(test_ground_out_of_the_picture_is_not_drawn),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -139,6 +139,16 @@ static void test_a_part_that_its_parent_mirrors_stays_in_a_hand(void **state)
 	check("[-1,1,1]", "[1,-1,1]");
 }
 
+/* What hangs on a node has the node's scale. */
+static void test_a_part_stays_in_a_hand_of_any_size(void **state)
+{
+	(void)state;
+	check("[2,2,2]", "[1,1,1]");
+	check("[1,1,1]", "[0.5,0.5,0.5]");
+	check("[2,2,2]", "[0.25,0.25,0.25]");
+	check("[-0.5,0.5,0.5]", "[3,3,3]");
+}
+
 /*
  * A model whose z axis is up below its root, with a box 1.2 m above the ground
  * whose lowest vertex, the first one, is 0.2 m below its pivot. A table has the
@@ -323,6 +333,43 @@ static void test_the_first_node_holds_a_part(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* That is as far as the action says, 0.5 m here, and no farther. */
+static void test_a_hand_reaches_so_far(void **state)
+{
+	static const struct {
+		const char *place, *reach;
+		bool held;
+	} rows[] = {{"0.5,1,0", "", true}, {"0.5,1,0", " 0.5", true},
+		{"0.5,1,0", " 0.49", false}, {"0,0.5,0", " 0.5", true},
+		{"0,1,-0.51", " 0.5", false}, {"0,1,0", " 0.5", true}};
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "hand.gltf");
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		char file[512], character[256];
+		struct acting acting;
+
+		snprintf(file, sizeof(file),
+			"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+			"\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
+			"{\"name\":\"Hand\",\"translation\":[0,1,0]},"
+			"{\"name\":\"Box\",\"translation\":[%s]}]}",
+			rows[i].place);
+		file_write(path.text, file, strlen(file));
+		acting_begin(&acting, path.text);
+		snprintf(character, sizeof(character),
+			"[part Box]\n[buttons]\nUP = attach Box Hand%s\n",
+			rows[i].reach);
+		acting_expect(&acting, character);
+		acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+		assert_int_equal(acting.character->part[0].holder,
+			rows[i].held ? 0 : -1);
+		acting_end(&acting);
+	}
+	temp_dir_remove(&folder);
+}
+
 /* A pivot that stands a little too high or low for the ground keeps its height. */
 static void test_a_part_near_the_ground_comes_back_to_its_height(void **state)
 {
@@ -365,11 +412,13 @@ int main(void)
 		cmocka_unit_test(test_a_part_stays_in_a_mirrored_hand),
 		cmocka_unit_test(
 			test_a_part_that_its_parent_mirrors_stays_in_a_hand),
+		cmocka_unit_test(test_a_part_stays_in_a_hand_of_any_size),
 		cmocka_unit_test(test_a_part_from_a_shelf_lies_on_the_ground),
 		cmocka_unit_test(test_a_part_falls_onto_a_table_or_beside_it),
 		cmocka_unit_test(
 			test_no_part_falls_onto_a_table_that_a_skin_moves),
 		cmocka_unit_test(test_the_first_node_holds_a_part),
+		cmocka_unit_test(test_a_hand_reaches_so_far),
 		cmocka_unit_test(
 			test_a_part_near_the_ground_comes_back_to_its_height),
 	};

@@ -67,6 +67,31 @@ static void test_a_part_falls_as_gravity_says(void **state)
 	acting_end(&acting);
 }
 
+/* It stays where the hand has it, and falls from there as at first. */
+static void test_a_part_that_falls_can_be_caught(void **state)
+{
+	struct acting acting;
+	float high;
+
+	(void)state;
+	begin(&acting);
+	acting_tap(&acting, BUTTON_UP, 0.02, rate_hz);
+	acting_tap(&acting, BUTTON_LEFT, 0.6, rate_hz);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_release(&acting, BUTTON_DOWN);
+	acting_run_to(&acting, acting.now_s + 0.1, rate_hz);
+	high = height_of(&acting);
+	acting_press(&acting, BUTTON_UP);
+	acting_release(&acting, BUTTON_UP);
+	acting_run_to(&acting, acting.now_s + 0.5, rate_hz);
+	assert_near(height_of(&acting), high, 1e-5);
+	acting_press(&acting, BUTTON_DOWN);
+	acting_release(&acting, BUTTON_DOWN);
+	next_frame(&acting);
+	assert_near(height_of(&acting), high - 9.81 / rate_hz / rate_hz, 1e-5);
+	acting_end(&acting);
+}
+
 /* It was turned with the arm, and lies with its base on the ground. */
 static void test_a_part_that_falls_is_upright(void **state)
 {
@@ -204,6 +229,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_part_falls_as_gravity_says),
+		cmocka_unit_test(test_a_part_that_falls_can_be_caught),
 		cmocka_unit_test(test_a_part_that_falls_is_upright),
 		cmocka_unit_test(test_a_part_is_pulled_into_the_gripper),
 		cmocka_unit_test(test_a_part_that_lies_does_not_drop),

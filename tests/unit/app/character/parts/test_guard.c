@@ -140,6 +140,50 @@ static void test_a_part_may_touch_its_holder_and_the_holders_children(
 	end(&bench);
 }
 
+/* How far the hand is above its place at rest, in centimetres. */
+static double height_of(const struct bench *bench)
+{
+	float at[3];
+
+	acting_place(&bench->acting, "Hand", at);
+	return 100.0 * ((double)at[1] - 1.0);
+}
+
+/*
+ * The box is held 5 cm above the ground, or 10 cm in it. Each press moves a
+ * freedom by up to 50 cm, 1 cm a frame.
+ */
+static void test_a_part_does_not_push_what_it_holds_into_the_ground(void **state)
+{
+	static const char text[] =
+		"[part Arm]\ny = 0 -1 1 0.5\n[part Hand]\ny = 0 -1 1 0.5\n"
+		"[part Box]\nguard = %s\n[buttons]\nUP = attach Box Hand\n"
+		"DOWN hold = move Arm y -1, move Hand y -1\n"
+		"LEFT hold = move Arm y 1\nRIGHT hold = move Arm y -1\n";
+	static const struct {
+		const char *guard;
+		double down, up, down_again;
+	} rows[] = {{"1.05", -5, -2, -5}, {"1.2", 0, 3, 3}};
+	struct bench bench;
+	char file[512];
+
+	(void)state;
+	begin(&bench);
+	for (size_t i = 0; i < ARRAY_COUNT(rows); i++) {
+		snprintf(file, sizeof(file), text, rows[i].guard);
+		acting_expect(&bench.acting, file);
+		acting_run_to(&bench.acting, bench.acting.now_s + 0.1, rate_hz);
+		acting_tap(&bench.acting, BUTTON_UP, 0.1, rate_hz);
+		acting_tap(&bench.acting, BUTTON_DOWN, 1, rate_hz);
+		assert_near(height_of(&bench), rows[i].down, 0.01);
+		acting_tap(&bench.acting, BUTTON_LEFT, 2.5 / rate_hz, rate_hz);
+		assert_near(height_of(&bench), rows[i].up, 0.01);
+		acting_tap(&bench.acting, BUTTON_RIGHT, 1, rate_hz);
+		assert_near(height_of(&bench), rows[i].down_again, 0.01);
+	}
+	end(&bench);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -147,6 +191,8 @@ int main(void)
 		cmocka_unit_test(test_guards_of_parts_keep_off_each_other),
 		cmocka_unit_test(
 			test_a_part_may_touch_its_holder_and_the_holders_children),
+		cmocka_unit_test(
+			test_a_part_does_not_push_what_it_holds_into_the_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

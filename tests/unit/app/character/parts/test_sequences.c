@@ -107,6 +107,30 @@ static void test_a_sequence_begins_again_when_it_runs(void **state)
 	end(&bench);
 }
 
+/* A slow frame ends 64 steps at most; the next one goes on with the others. */
+static void test_a_frame_ends_at_most_64_steps(void **state)
+{
+	static const char quick[] =
+		"[part Arm]\nheading = 0 -90 90\n[sequence s]\nrepeat = yes\n"
+		"step = one 0.015625, Arm heading 16\n"
+		"step = two 0.015625, Arm heading 8\n"
+		"[buttons]\nUP = run s\n";
+	const struct character_sequence *sequence;
+	struct bench bench;
+
+	(void)state;
+	begin(&bench, quick);
+	run(&bench, 4);
+	acting_press(&bench.acting, BUTTON_UP);
+	acting_release(&bench.acting, BUTTON_UP);
+	run(&bench, 1);
+	sequence = &bench.acting.character->sequence[0];
+	assert_near(sequence->elapsed_s, 0, 0);
+	acting_run_to(&bench.acting, bench.acting.now_s + 2, 0.5);
+	assert_near(sequence->elapsed_s, 1, 0);
+	end(&bench);
+}
+
 static void test_a_button_turns_a_part_by_its_speed(void **state)
 {
 	struct bench bench;
@@ -141,6 +165,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_a_sequence_goes_from_step_to_step),
 		cmocka_unit_test(test_a_sequence_begins_again_when_it_runs),
+		cmocka_unit_test(test_a_frame_ends_at_most_64_steps),
 		cmocka_unit_test(test_a_button_turns_a_part_by_its_speed),
 		cmocka_unit_test(test_a_freedom_moves_a_part_by_metres),
 	};

@@ -196,6 +196,7 @@ static void test_a_part_from_a_shelf_lies_on_the_ground(void **state)
 	acting_tap(&acting, BUTTON_LEFT, 1.0 / rate_hz, rate_hz);
 	acting_run_to(&acting, acting.now_s + 2.0, rate_hz);
 	assert_near((*box)[2][1], 1.0, 1e-5);
+	assert_near(vec_length((*box)[0]), 1.0, 1e-5);
 	assert_near((*box)[3][1], 0.2, 1e-5);
 	assert_near(atan2f((*box)[0][2], (*box)[0][0]), bearing, 0.15);
 	acting_tap(&acting, BUTTON_LEFT, 1.0 / rate_hz, rate_hz);
@@ -333,6 +334,32 @@ static void test_the_first_node_holds_a_part(void **state)
 	temp_dir_remove(&folder);
 }
 
+/* What the first node holds near the ground does not lie there yet. */
+static void test_the_first_node_lets_a_part_go(void **state)
+{
+	static const char low_hand[] =
+		"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
+		"\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
+		"{\"name\":\"Hand\",\"translation\":[0,1,0]},"
+		"{\"name\":\"Box\",\"translation\":[0.5,0,0]}]}";
+	struct test_path folder = temp_dir_make();
+	struct test_path path = path_join(&folder, "hand.gltf");
+	struct acting acting;
+
+	(void)state;
+	file_write(path.text, low_hand, strlen(low_hand));
+	acting_begin(&acting, path.text);
+	acting_expect(&acting,
+		"[part Box]\n[buttons]\nUP = attach Box Hand\n"
+		"DOWN = drop Box\n");
+	acting_tap(&acting, BUTTON_UP, 0.1, rate_hz);
+	assert_int_equal(acting.character->part[0].holder, 0);
+	acting_tap(&acting, BUTTON_DOWN, 0.1, rate_hz);
+	assert_int_equal(acting.character->part[0].holder, CHARACTER_GROUND);
+	acting_end(&acting);
+	temp_dir_remove(&folder);
+}
+
 /* That is as far as the action says, 0.5 m here, and no farther. */
 static void test_a_hand_reaches_so_far(void **state)
 {
@@ -418,6 +445,7 @@ int main(void)
 		cmocka_unit_test(
 			test_no_part_falls_onto_a_table_that_a_skin_moves),
 		cmocka_unit_test(test_the_first_node_holds_a_part),
+		cmocka_unit_test(test_the_first_node_lets_a_part_go),
 		cmocka_unit_test(test_a_hand_reaches_so_far),
 		cmocka_unit_test(
 			test_a_part_near_the_ground_comes_back_to_its_height),

@@ -83,6 +83,8 @@ static void test_a_part_that_falls_can_be_caught(void **state)
 	high = height_of(&acting);
 	acting_press(&acting, BUTTON_UP);
 	acting_release(&acting, BUTTON_UP);
+	next_frame(&acting);
+	assert_near(height_of(&acting), high, 1e-5);
 	acting_run_to(&acting, acting.now_s + 0.5, rate_hz);
 	assert_near(height_of(&acting), high, 1e-5);
 	acting_press(&acting, BUTTON_DOWN);
@@ -139,6 +141,10 @@ static void test_a_part_is_pulled_into_the_gripper(void **state)
 		left = hypot(hypot(at[0] - to[0], at[1] - to[1]), at[2] - to[2]) /
 			whole;
 		assert_near(left, crate_of(&acting)->pull_s / pull_s, 2e-3);
+		assert_near(hypot(hypot(from[0] - at[0], from[1] - at[1]),
+				    from[2] - at[2]) /
+				whole,
+			1 - left, 2e-3);
 		assert_true(left < last);
 		last = crate_of(&acting)->pull_s > 0 ? left : 0.0;
 		next_frame(&acting);
@@ -168,8 +174,11 @@ static void test_a_part_that_lies_does_not_drop(void **state)
 	acting_end(&acting);
 }
 
-/* Makes a square of two triangles at this height of the first mesh of a node. */
-static void make_table(struct acting *acting, int node, float height)
+/*
+ * Makes a square of two triangles at this height of the first mesh of a node;
+ * half is half of its side.
+ */
+static void make_table(struct acting *acting, int node, float height, float half)
 {
 	static const float corner[6][2] = {
 		{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
@@ -181,10 +190,37 @@ static void make_table(struct acting *acting, int node, float height)
 	shape->index_count = 6;
 	for (int i = 0; i < 6; i++) {
 		shape->index[i] = (uint32_t)i;
-		shape->position[i][0] = corner[i][0];
+		shape->position[i][0] = half * corner[i][0];
 		shape->position[i][1] = height;
-		shape->position[i][2] = corner[i][1];
+		shape->position[i][2] = half * corner[i][1];
 	}
+}
+
+/* Drops the crate, whose pivot is 0.06 above its base, from 1 above the ground. */
+static void expect_drop(
+	float height, float half, float x, float z, double lies_at)
+{
+	struct acting acting;
+	float *rest;
+	int base;
+
+	acting_begin(&acting, "assets/arm.glb");
+	base = model_find_node(acting.model, "Base");
+	make_table(&acting, base, height, half);
+	rest = acting.model->node[model_find_node(acting.model, "Crate")]
+		       .rest.translation;
+	rest[0] = x;
+	rest[1] = 1.0f;
+	rest[2] = z;
+	pose_rest(&acting.instance->pose, acting.model);
+	instance_update(acting.instance);
+	acting_expect(
+		&acting, "[part Crate]\n[buttons]\nUP = drop Crate Base\n");
+	acting_tap(&acting, BUTTON_UP, 2.0, rate_hz);
+	assert_int_equal(acting.character->part[0].holder,
+		lies_at > 0.06 ? base : CHARACTER_GROUND);
+	assert_near(height_of(&acting), lies_at, 1e-4);
+	acting_end(&acting);
 }
 
 /* A pivot above an edge is above the table; one beside it is not. */
@@ -200,28 +236,26 @@ static void test_a_table_holds_what_is_above_its_edge(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
-		struct acting acting;
-		float *rest;
-		int base;
+		expect_drop(0.5f, 1, cases[i].x, cases[i].z,
+			cases[i].held ? 0.56 : 0.06);
+	}
+}
 
-		acting_begin(&acting, "assets/arm.glb");
-		base = model_find_node(acting.model, "Base");
-		make_table(&acting, base, 0.5f);
-		rest = acting.model->node[model_find_node(acting.model, "Crate")]
-			       .rest.translation;
-		rest[0] = cases[i].x;
-		rest[1] = 1.0f;
-		rest[2] = cases[i].z;
-		pose_rest(&acting.instance->pose, acting.model);
-		instance_update(acting.instance);
-		acting_expect(&acting,
-			"[part Crate]\n[buttons]\nUP = drop Crate Base\n");
-		acting_tap(&acting, BUTTON_UP, 2.0, rate_hz);
-		assert_int_equal(acting.character->part[0].holder,
-			cases[i].held ? base : CHARACTER_GROUND);
-		assert_near(
-			height_of(&acting), cases[i].held ? 0.56 : 0.06, 1e-4);
-		acting_end(&acting);
+/* One in the ground holds nothing, nor one above the pivot. */
+static void test_a_table_is_between_the_pivot_and_the_ground(void **state)
+{
+	static const struct {
+		float height;
+		double lies_at;
+	} cases[] = {{1.01f, 0.06}, {1, 1.06}, {0.25f, 0.31}, {0, 0.06},
+		{-0.5f, 0.06}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		expect_drop(cases[i].height, 1, 0.25f, 0.25f, cases[i].lies_at);
+		expect_drop(
+			cases[i].height, 0.5f, 0.25f, 0.125f, cases[i].lies_at);
+		expect_drop(cases[i].height, 0, 0.25f, 0.25f, 0.06);
 	}
 }
 
@@ -234,6 +268,8 @@ int main(void)
 		cmocka_unit_test(test_a_part_is_pulled_into_the_gripper),
 		cmocka_unit_test(test_a_part_that_lies_does_not_drop),
 		cmocka_unit_test(test_a_table_holds_what_is_above_its_edge),
+		cmocka_unit_test(
+			test_a_table_is_between_the_pivot_and_the_ground),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -294,6 +294,7 @@ static void test_an_even_walk_stays_in_its_place(void **state)
 		"[state a]\nclip = leave\n[motion]\nroot = carrier\n");
 	expect_axes(&bounds.follow[LEAVE], false, false, false);
 	expect_axes(&bounds.follow[CLIMB], false, false, false);
+	expect_axes(&bounds.follow[SWAY], false, false, false);
 	expect_box(&bounds.clip[SWAY], ((float[]){0, 0, 0}),
 		((float[]){1, 1, 0}), 1e-4);
 	expect_box(&bounds.clip[LEAVE], ((float[]){0, 0, 0}),

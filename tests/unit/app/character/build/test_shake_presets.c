@@ -12,7 +12,7 @@
 static const char model[] =
 	"{\"asset\":{\"version\":\"2.0\"},\"scene\":0,"
 	"\"scenes\":[{\"nodes\":[0]}],\"nodes\":["
-	"{\"name\":\"A\",\"children\":[1],\"scale\":[%d,%d,%d]},"
+	"{\"name\":\"A\",\"children\":[1],\"scale\":[%g,%g,%g]},"
 	"{\"name\":\"B\",\"translation\":[0,1,0]}]}";
 
 static const char presets[] = "[soft]\nspeed = 3\nunit = 0.5\n"
@@ -25,10 +25,10 @@ struct bench {
 };
 
 static const struct character_shake *begin(
-	struct bench *bench, int scale, const char *line)
+	struct bench *bench, double scale, const char *line)
 {
 	struct test_path path;
-	char text[sizeof(model) + 16];
+	char text[sizeof(model) + 64];
 	const struct character *character;
 
 	bench->folder = temp_dir_make();
@@ -93,15 +93,21 @@ static void test_a_file_gives_all_presets_of_a_shake(void **state)
 	}
 }
 
+/* A scale of 0 leaves them as they are. */
 static void test_a_shake_without_a_file_has_units_of_its_bone(void **state)
 {
-	struct bench bench;
-	const struct character_shake *shake = begin(&bench, 3, "unit = 0.06");
+	static const double cases[][2] = {{3, 0.02}, {0.5, 0.12}, {0, 0.06}};
 
 	(void)state;
-	assert_int_equal(shake->preset_count, 0);
-	assert_near(shake->swing.preset.unit, 0.02, 1e-7);
-	end(&bench);
+	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
+		struct bench bench;
+		const struct character_shake *shake =
+			begin(&bench, cases[i][0], "unit = 0.06");
+
+		assert_int_equal(shake->preset_count, 0);
+		assert_near(shake->swing.preset.unit, cases[i][1], 1e-7);
+		end(&bench);
+	}
 }
 
 int main(void)

@@ -104,6 +104,18 @@ def rings(uses):
     return [" and ".join(ring) for ring in sorted(found)]
 
 
+def doubled_tests(tree):
+    """Unit tests of one name: their programs would be one, the other never run."""
+    first, found = {}, []
+    for path in files_below(tree, {".c"}):
+        name = os.path.basename(path)
+        if path.startswith("tests/unit/") and name.startswith("test_"):
+            if name in first:
+                found.append(f"{first[name]} and {path} have one name")
+            first.setdefault(name, path)
+    return found
+
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]*)"', re.M)
 
 
@@ -217,6 +229,7 @@ def main():
     rules = [
         (f"a folder has at most {FOLDER_FILES} source files", large_folders(tree)),
         (f"a file of the program has at most {FILE_LINES} lines", long_files(tree)),
+        ("each unit test has a name of its own", doubled_tests(tree)),
         ("headers do not include each other in rings", rings_of_headers(tree)),
         (
             "files of the GL driver do not include each other in rings",

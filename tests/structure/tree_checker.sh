@@ -42,7 +42,7 @@ refuses() {
 given
 check_tree 'a clean tree'
 expect_status 0
-expect_out '^1\.\.8$'
+expect_out '^1\.\.9$'
 
 given
 for number in $(seq 25); do add "app/anim/pose_$number.h" ''; done
@@ -51,6 +51,13 @@ refuses 'a folder of 27 files' 'app/anim has 27 source files'
 given
 seq 500 | sed 's/.*//' >>"$TREE/app/anim/pose.h"
 refuses 'a file of 501 lines' 'app/anim/pose.h has 501 lines'
+
+given
+mkdir -p "$TREE/tests/unit/anim" "$TREE/tests/unit/gl"
+add tests/unit/anim/test_parts.c ''
+add tests/unit/gl/test_parts.c ''
+refuses 'two unit tests of one name' \
+    'tests/unit/anim/test_parts.c and tests/unit/gl/test_parts.c have one name'
 
 given
 add app/anim/pose.h '#include "app/anim/clip.h"'

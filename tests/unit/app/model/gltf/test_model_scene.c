@@ -6,7 +6,9 @@
 #include "tests/support/model/model_fixture.h"
 #include "tests/support/test.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* T * R * S of a transform in double precision, as four columns. */
@@ -340,6 +342,33 @@ static void test_cameras_may_have_small_numbers(void **state)
 	model_destroy(model);
 }
 
+/* Lists of numbers end at 1e9, other numbers where floats do. */
+static void test_numbers_may_be_as_large_as_their_limits(void **state)
+{
+	static const struct {
+		const char *scale, *zfar;
+		int error;
+	} cases[] = {{"1e9", "3.4028234663852886e38", 0}, {"-1e9", "2", 0},
+		{"1.0001e9", "2", -EINVAL}, {"-1.0001e9", "2", -EINVAL},
+		{"1", "3.4028235e38", -EINVAL}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(*cases); i++) {
+		struct log_capture logged;
+		struct model *model;
+		char text[512];
+
+		snprintf(text, sizeof(text),
+			"{'asset':{'version':'2.0'},'nodes':[{'scale':[1,%s,1]"
+			"}],'cameras':[{'type':'perspective','perspective':{"
+			"'yfov':1,'znear':1,'zfar':%s}}]}",
+			cases[i].scale, cases[i].zfar);
+		assert_int_equal(
+			model_from_text(text, &logged, &model), cases[i].error);
+		model_destroy(model);
+	}
+}
+
 static void count_backwards(void *context, const char *finding)
 {
 	*(int *)context += strstr(finding, "before their parents") != NULL;
@@ -384,6 +413,7 @@ int main(void)
 		cmocka_unit_test(test_normalises_rest_rotations),
 		cmocka_unit_test(test_reads_cameras),
 		cmocka_unit_test(test_cameras_may_have_small_numbers),
+		cmocka_unit_test(test_numbers_may_be_as_large_as_their_limits),
 		cmocka_unit_test(test_children_written_as_reals_are_no_finding),
 	};
 

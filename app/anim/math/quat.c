@@ -170,10 +170,11 @@ void quat_between(const float from[3], const float to[3], float out[4])
 
 void quat_from_slope(float rise_x, float rise_z, float out[4])
 {
-	out[0] = -0.5f * rise_z;
+	/* As quat_between() of up and the normal (-rise_x, 1, -rise_z). */
+	out[0] = -rise_z;
 	out[1] = 0;
-	out[2] = 0.5f * rise_x;
-	out[3] = 1;
+	out[2] = rise_x;
+	out[3] = 1 + scalar_sqrt(1 + rise_x * rise_x + rise_z * rise_z);
 	quat_normalize(out);
 }
 

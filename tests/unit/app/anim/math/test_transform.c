@@ -278,6 +278,26 @@ static void test_between_without_a_direction_is_the_identity(void **state)
 	assert_memory_equal(q, identity, sizeof(identity));
 }
 
+static void test_a_slope_turns_up_into_its_normal(void **state)
+{
+	static const float rise[7][2] = {{0, 0}, {0.1f, 0}, {0, -0.5f},
+		{0.81f, 0}, {-1, 0.5f}, {2, 3}, {0, -20}};
+
+	(void)state;
+	for (int i = 0; i < 7; i++) {
+		/* Along x and z, and across both: the normal. */
+		const float x[3] = {1, rise[i][0], 0}, z[3] = {0, rise[i][1], 1};
+		float up[3] = {0, 1, 0}, normal[3], q[4];
+
+		vec_cross(z, x, normal);
+		vec_normalize(normal);
+		quat_from_slope(rise[i][0], rise[i][1], q);
+		quat_rotate(q, up, up);
+		assert_all_near(up, normal, 3, 1e-6);
+		assert_float_equal(q[1], 0, 0);
+	}
+}
+
 static void test_matrix_scales_then_turns_then_moves(void **state)
 {
 	/* 90 degrees about z. */
@@ -442,6 +462,7 @@ int main(void)
 		cmocka_unit_test(test_between_opposites_is_half_a_turn),
 		cmocka_unit_test(
 			test_between_without_a_direction_is_the_identity),
+		cmocka_unit_test(test_a_slope_turns_up_into_its_normal),
 		cmocka_unit_test(test_matrix_scales_then_turns_then_moves),
 		cmocka_unit_test(test_matrix_product_is_the_product),
 		cmocka_unit_test(test_compose_agrees_with_matrices),

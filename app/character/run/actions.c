@@ -169,12 +169,13 @@ static void run_part(struct character *character,
 	}
 }
 
-/* After the last choice comes the first one. */
+/* After the last choice comes the first one, in any number of rounds. */
 static void step_choice(struct character_parameter *parameter, float step)
 {
+	const int most = 1 << 24; /* a float counts no further */
 	int count = parameter->choice_count;
-	int choice = scalar_to_int(
-		(double)(parameter->goal + step), -count, 2 * count);
+	int choice =
+		scalar_to_int((double)(parameter->goal + step), -most, most);
 
 	character_parameter_set(
 		parameter, (float)((choice % count + count) % count));

@@ -39,7 +39,7 @@ static void test_a_toggle_goes_to_the_other_end(void **state)
 	}
 }
 
-/* Of three, with steps over more than one round. */
+/* Of three, with steps over any number of rounds. */
 static void test_choices_go_round(void **state)
 {
 	static const struct {
@@ -48,7 +48,8 @@ static void test_choices_go_round(void **state)
 		float wanted;
 	} rows[] = {{0, 1, 1, 1}, {2, 1, 1, 0}, {0, -1, 1, 2}, {1, -1, 1, 0},
 		{0, 1, 2, 2}, {2, 1, 3, 2}, {1, 4, 1, 2}, {0, -3, 1, 0},
-		{1, -3, 1, 1}, {2, 3, 1, 2}};
+		{1, -3, 1, 1}, {2, 3, 1, 2}, {0, 7, 1, 1}, {0, -7, 1, 2},
+		{1, 30, 1, 1}, {1, 1000003, 1, 2}, {0, -100, 1, 2}};
 	static const char *const names[3] = {"a", "b", "c"};
 
 	(void)state;

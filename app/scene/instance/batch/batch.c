@@ -297,7 +297,10 @@ static int make_faceted(struct drawable *drawable, const float base_color[4],
 			       facets.inverse_order, base_color, arena);
 }
 
-/* The first batch gets all coarser lists, the others empty ones. */
+/*
+ * The first batch gets all coarser lists, by whose errors they are chosen; the
+ * others get empty ones.
+ */
 static int add_levels_to_unindexed(
 	struct drawable *drawable, int number, struct arena *arena)
 {
@@ -315,9 +318,6 @@ static int add_levels_to_unindexed(
 		return -ENOMEM;
 	}
 	batch->shadow = batch->lod + first->lod_count;
-	for (int i = 0; i < first->lod_count; i++) {
-		batch->lod[i].error = first->lod[i].error;
-	}
 	for (int i = 0; i < first->shadow_count; i++) {
 		batch->shadow[i].posed_lod = first->shadow[i].posed_lod;
 	}

@@ -265,6 +265,9 @@ static void test_directions_are_floats(void **state)
 		f.skin.base[FIXED_TANGENT],
 		(size_t)f.skin.influence_count *
 			sizeof(*f.skin.base[FIXED_NORMAL]));
+	for (int i = 0; i < f.skin.influence_count; i++) {
+		assert_int_equal(f.skin.base[FIXED_NORMAL][i].w, 0);
+	}
 	tear_down(&f);
 }
 

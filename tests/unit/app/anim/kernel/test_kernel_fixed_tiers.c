@@ -20,7 +20,7 @@ struct fixture {
 	uint16_t joint[VERTICES][WIDTH];
 	float weight[VERTICES][WIDTH];
 	uint32_t index[TALL];
-	struct model_lod lod[LEVELS_MAX];
+	struct model_lod lod[LEVELS_MAX + 1];
 	struct model_primitive primitive;
 	struct arena arena;
 	struct fixed_skin skin;
@@ -124,6 +124,8 @@ static void test_each_quarter_of_the_triangles_begins_a_tier(void **state)
 	(void)state;
 	set_up(&f);
 	add_levels(&f);
+	/* Behind the last level. */
+	f.lod[3] = (struct model_lod){.index = f.index, .index_count = 6};
 	lay_out(&f, FIXED_TIERS);
 	assert_counts(&f, posed, groups);
 	assert_int_equal(f.skin.order[0], 9);
@@ -143,6 +145,40 @@ static void test_without_tiers_each_level_needs_all(void **state)
 	set_up(&f);
 	add_levels(&f);
 	lay_out(&f, 0);
+	assert_counts(&f, posed, groups);
+	assert_int_equal(f.skin.tier_count, 1);
+	arena_release(&f.arena);
+}
+
+/* 12 indices are a quarter of 48, but a tier began at 24. */
+static void test_a_quarter_is_one_of_the_tier_before(void **state)
+{
+	static const int posed[] = {32, 2, 2, 1}, groups[] = {3, 2, 2, 1};
+	static uint32_t index[24];
+	static struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	index[23] = 4;
+	add_level(&f, index, 24);
+	add_level(&f, index, 12);
+	add_level(&f, index, 6);
+	lay_out(&f, FIXED_TIERS);
+	assert_counts(&f, posed, groups);
+	arena_release(&f.arena);
+}
+
+static void test_a_level_without_triangles_needs_no_vertices(void **state)
+{
+	static const int posed[] = {32, 1, 0}, groups[] = {2, 1, 0};
+	static uint32_t index[24];
+	static struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	add_level(&f, index, 24);
+	add_level(&f, index, 0);
+	lay_out(&f, FIXED_TIERS);
 	assert_counts(&f, posed, groups);
 	arena_release(&f.arena);
 }
@@ -280,6 +316,7 @@ static void test_vertices_are_sorted_by_influences(void **state)
 		{{1}, {2}},
 		{{1}, {2}},
 		{{1}, {6}},
+		{{1}, {6}},
 		{{0.6f, 0.4f}, {3, 0}},
 		{{0.6f, 0.4f}, {1, 2}},
 		{{0.7f, 0.3f}, {1, 4}},
@@ -290,7 +327,7 @@ static void test_vertices_are_sorted_by_influences(void **state)
 		{{0.5f, 0.3f, 0.2f}, {2, 0, 1}},
 	};
 	/* Vertex order[i] has the influences sorted[i]. */
-	static const uint32_t order[] = {3, 8, 1, 7, 9, 0, 4, 2, 10, 6, 5};
+	static const uint32_t order[] = {3, 8, 1, 11, 7, 9, 0, 4, 2, 10, 6, 5};
 	static struct fixture f;
 
 	(void)state;
@@ -308,6 +345,10 @@ static void test_vertices_are_sorted_by_influences(void **state)
 	assert_int_equal(f.skin.group[0].run_count, 2);
 	assert_int_equal(f.skin.group[1].run_count, 3);
 	assert_int_equal(f.skin.group[2].run_count, 1);
+	/* Orders, 23 influences and one more, runs, slots and 6 joints. */
+	assert_int_equal(f.arena.used_bytes,
+		2 * 12 * 4 + 24 * 8 + 28 * 4 + 16 +
+			6 * sizeof(struct fixed_joint));
 	/* Joints 2, 6, 3, 1, 4, 0, 2. */
 	fixed_skin_set_cap(&f.skin, 1);
 	assert_int_equal(f.skin.group_count, 1);
@@ -321,6 +362,9 @@ int main(void)
 		cmocka_unit_test(
 			test_each_quarter_of_the_triangles_begins_a_tier),
 		cmocka_unit_test(test_without_tiers_each_level_needs_all),
+		cmocka_unit_test(test_a_quarter_is_one_of_the_tier_before),
+		cmocka_unit_test(
+			test_a_level_without_triangles_needs_no_vertices),
 		cmocka_unit_test(test_a_level_may_add_no_vertices),
 		cmocka_unit_test(test_the_full_list_may_add_no_vertices),
 		cmocka_unit_test(test_shadows_need_their_vertices_at_their_level),

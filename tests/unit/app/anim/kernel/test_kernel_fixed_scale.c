@@ -163,6 +163,54 @@ static void test_the_cap_leaves_joints_out_of_the_scale(void **state)
 	}
 }
 
+struct vertex {
+	float at;
+	uint16_t joint[WIDTH];
+	float weight[WIDTH];
+};
+
+/* Bases are measured at the weights of the side that is farthest. */
+static void test_the_scale_knows_weights_and_nested_boxes(void **state)
+{
+	static const struct {
+		struct vertex vertex[VERTICES];
+		double scale;
+	} cases[] = {
+		/* The heavy vertex is above the middle, or below it. */
+		{{{10.5f, {0}, {1}}, {10, {0, 1}, {0.5f, 0.5f}}, {10, {1}, {1}},
+			 {10, {1}, {1}}},
+			32766 / 0.25},
+		{{{10, {1}, {1}}, {10, {1}, {1}}, {10, {0, 1}, {0.5f, 0.5f}},
+			 {9.5f, {0}, {1}}},
+			32766 / 0.25},
+		/* Joint 1 reaches to both ends, with little weight. */
+		{{{10, {0, 1}, {0.55f, 0.45f}}, {14, {1, 2}, {0.25f, 0.75f}},
+			 {10, {0}, {1}}, {14, {2}, {1}}},
+			29957.486},
+		/* A box within others, which share the outer vertices. */
+		{{{10.1f, {0}, {1}}, {9.9f, {0}, {1}},
+			 {11, {1, 2}, {0.5f, 0.5f}}, {9, {1, 2}, {0.5f, 0.5f}}},
+			59916.8},
+	};
+	static struct fixture f;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(cases) * 3; i++) {
+		set_up(&f);
+		for (int v = 0; v < VERTICES; v++) {
+			const struct vertex *from = &cases[i / 3].vertex[v];
+
+			f.position[v][i % 3] = from->at;
+			memcpy(f.joint[v], from->joint, sizeof(f.joint[v]));
+			memcpy(f.weight[v], from->weight, sizeof(f.weight[v]));
+		}
+		lay_out(&f);
+		assert_near(f.skin.scale[FIXED_POSITION] / cases[i / 3].scale,
+			1, 4e-6);
+		arena_release(&f.arena);
+	}
+}
+
 /* Along each axis in turn: by half a unit of a box of two units. */
 static void test_targets_make_the_boxes_larger(void **state)
 {
@@ -219,6 +267,7 @@ int main(void)
 		cmocka_unit_test(test_a_joints_box_is_around_its_vertices),
 		cmocka_unit_test(test_the_scale_fills_what_is_narrowest),
 		cmocka_unit_test(test_the_cap_leaves_joints_out_of_the_scale),
+		cmocka_unit_test(test_the_scale_knows_weights_and_nested_boxes),
 		cmocka_unit_test(test_targets_make_the_boxes_larger),
 		cmocka_unit_test(test_large_deltas_limit_the_scale),
 	};

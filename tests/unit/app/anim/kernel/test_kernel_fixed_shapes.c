@@ -254,6 +254,28 @@ static void test_a_frame_mixes_two_shapes(void **state)
 	}
 }
 
+/* Key 1 and key 2 less key 0, which gets the rest of the weights. */
+static void test_any_mix_is_a_sum_of_shapes(void **state)
+{
+	static const float weight[TARGETS] = {1, 1};
+	static const int16_t want[VERTICES][3] = {{2730, -10922, -5461},
+		{1366, -10922, -8192}, {0, 10922, 16383}};
+	static struct fixture f;
+	struct fixed_vector out[VERTICES + 1] = {[VERTICES] = {.x = 77}};
+	struct fixed_keys_frame frame;
+
+	(void)state;
+	set_up(&f);
+	init(&f, 0);
+	assert_int_equal(fixed_keys_find(&f.keys, weight, &frame), 0);
+	fixed_keys_run(&f.keys, &fixed_loops_c, &frame, FIXED_POSITION, out);
+	for (int v = 0; v < VERTICES; v++) {
+		assert_memory_equal(&out[v].x, want[v], sizeof(want[v]));
+	}
+	assert_int_equal(out[VERTICES].x, 77);
+	arena_release(&f.arena);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -263,6 +285,7 @@ int main(void)
 		cmocka_unit_test(test_keys_of_the_model_are_taken),
 		cmocka_unit_test(test_shapes_without_numbers_are_refused),
 		cmocka_unit_test(test_a_frame_mixes_two_shapes),
+		cmocka_unit_test(test_any_mix_is_a_sum_of_shapes),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

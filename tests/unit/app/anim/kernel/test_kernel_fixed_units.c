@@ -147,19 +147,62 @@ static void test_deltas_make_the_unit_smaller(void **state)
 	}
 }
 
+/* Of any vertex, along any axis, on top of the distance from the middle. */
 static void test_deltas_add_up_in_a_vertex(void **state)
 {
+	static const int vertex[] = {0, 1, 7, VERTICES - 1};
+	static const double away[3] = {1, 0.5, 0.25};
+	static struct fixture f;
+
+	(void)state;
+	for (size_t i = 0; i < ARRAY_COUNT(vertex) * 3; i++) {
+		int v = vertex[i / 3];
+
+		set_up(&f);
+		f.delta[0][0][v][i % 3] = 1;
+		f.delta[1][0][v][i % 3] = -1;
+		f.delta[2][0][v][i % 3] = 0.5f;
+		f.delta[3][0][v ^ 1][i % 3] = 1;
+		init(&f, 4, 0);
+		assert_near(f.morph.stream[FIXED_POSITION].unit,
+			32600 / (2.5 + away[i % 3]), 0.01);
+		arena_release(&f.arena);
+	}
+}
+
+/* The next vertex in memory is not the primitive's. */
+static void test_a_vertex_alone_is_its_own_middle(void **state)
+{
+	static const float middle[3] = {10, 20, -29.5f};
+	static const float none[3] = {0, 0, 0};
 	static struct fixture f;
 
 	(void)state;
 	set_up(&f);
-	f.delta[0][0][0][0] = 0.25f;
-	f.delta[1][0][0][0] = -0.5f;
-	f.delta[2][0][0][0] = 1;
-	f.delta[3][0][1][1] = 1;
-	init(&f, 4, 0);
-	assert_near(f.morph.stream[FIXED_POSITION].unit, 32600 / 2.75, 0.01);
+	f.primitive.vertex_count = 1;
+	init(&f, 1, 0);
+	assert_all_near(f.morph.placement.offset, middle, 3, 0);
+	assert_vector(&f.morph.stream[FIXED_POSITION].base[0], 0, 0, 0);
 	arena_release(&f.arena);
+	f.primitive.vertex_count = 0;
+	f.primitive.position = NULL;
+	init(&f, 0, 0);
+	assert_all_near(f.morph.placement.offset, none, 3, 0);
+	arena_release(&f.arena);
+}
+
+static void test_two_targets_are_a_pair(void **state)
+{
+	static const int pairs[] = {0, 1, 1, 2, 2, 3};
+	static struct fixture f;
+
+	(void)state;
+	for (int targets = 0; targets <= TARGETS; targets++) {
+		set_up(&f);
+		init(&f, targets, 0);
+		assert_int_equal(f.morph.pair_count, pairs[targets]);
+		arena_release(&f.arena);
+	}
 }
 
 static void assert_span(
@@ -181,11 +224,12 @@ static void test_spans_hold_what_a_pair_moves(void **state)
 	f.delta[0][0][3][0] = 0.5f;
 	f.delta[0][0][4][1] = -1;
 	f.delta[1][0][8][2] = 2;
-	f.delta[0][0][13][2] = 0.25f;
+	f.delta[0][0][13][2] = 0.75f;
 	f.delta[1][0][13][0] = -0.5f;
 	f.delta[1][0][20][1] = 0.5f;
 	f.delta[0][0][VERTICES - 1][1] = 1;
-	f.delta[2][0][0][0] = 4;
+	/* Two vertices stay, and two more. */
+	f.delta[2][0][0][0] = f.delta[2][0][3][0] = f.delta[2][0][6][0] = 4;
 	f.delta[3][0][1][0] = 4; /* not used: there are three targets */
 	init(&f, 3, 0);
 	deltas = f.morph.stream[FIXED_POSITION].deltas;
@@ -196,13 +240,13 @@ static void test_spans_hold_what_a_pair_moves(void **state)
 	assert_span(&deltas[0].span[2], 20, 1, 7);
 	assert_span(&deltas[0].span[3], VERTICES - 1, 1, 8);
 	assert_int_equal(deltas[1].span_count, 1);
-	assert_span(&deltas[1].span[0], 0, 1, 0);
+	assert_span(&deltas[1].span[0], 0, 7, 0);
 	assert_int_equal(deltas[0].pair[0][0].a, 16384);
 	assert_int_equal(deltas[0].pair[1][1].a, -32767);
 	assert_int_equal(deltas[0].pair[1][1].b, 0);
 	assert_int_equal(deltas[0].pair[2][1].a, 0);
 	assert_int_equal(deltas[0].pair[5][2].b, 32767);
-	assert_int_equal(deltas[0].pair[6][2].a, 8192);
+	assert_int_equal(deltas[0].pair[6][2].a, 24575);
 	assert_int_equal(deltas[0].pair[6][0].b, -8192);
 	assert_int_equal(deltas[0].pair[7][1].b, 8192);
 	assert_int_equal(deltas[0].pair[8][1].a, 32767);
@@ -230,7 +274,7 @@ static void test_the_limit_of_weights_doubles(void **state)
 	f.delta[1][0][0][0] = 8;
 	init(&f, 3, 0);
 	for (size_t i = 0; i < ARRAY_COUNT(cases); i++) {
-		const float weight[TARGETS] = {0, cases[i].weight, 0, 2000, NAN};
+		const float weight[TARGETS] = {0, cases[i].weight, 0, NAN, NAN};
 		const struct fixed_morph_stream *stream = f.morph.stream;
 
 		assert_int_equal(fixed_morph_set_weights(&f.morph, weight), 0);
@@ -380,6 +424,8 @@ int main(void)
 		cmocka_unit_test(test_only_the_wanted_streams_are_kept),
 		cmocka_unit_test(test_deltas_make_the_unit_smaller),
 		cmocka_unit_test(test_deltas_add_up_in_a_vertex),
+		cmocka_unit_test(test_a_vertex_alone_is_its_own_middle),
+		cmocka_unit_test(test_two_targets_are_a_pair),
 		cmocka_unit_test(test_spans_hold_what_a_pair_moves),
 		cmocka_unit_test(test_the_limit_of_weights_doubles),
 		cmocka_unit_test(test_refused_weights_change_nothing),

@@ -120,6 +120,68 @@ static void test_weight_scales_a_breath(void **state)
 	bones_end(&bones);
 }
 
+static void test_the_part_of_inhaling_is_limited(void **state)
+{
+	static const struct {
+		float inhale;
+		double time_s, full;
+	} cases[] = {{0.95f, 0.475, 0.5}, {0.95f, 0.975, 0.5},
+		{1.5f, 0.475, 0.5}, {1.5f, 0.975, 0.5}, {0.9f, 0.45, 0.5},
+		{0.05f, 0.025, 0.5}, {0.05f, 0.525, 0.5}, {-1, 0.025, 0.5},
+		{-1, 0.525, 0.5}, {0.1f, 0.05, 0.5}, {0.1f, 0.55, 0.5},
+		{0.5f, -0.25, 0.5}, {0.5f, -0.5, 1}, {0.5f, -1, 0}};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		struct breath breath = breath_default(CHEST);
+
+		breath.rate_hz = 1;
+		breath.inhale = cases[i].inhale;
+		assert_near(breath_at(&breath, cases[i].time_s), cases[i].full,
+			1e-5);
+	}
+}
+
+static void test_breaths_are_counted_up_to_an_int(void **state)
+{
+	static const struct {
+		double time_s, full;
+	} cases[] = {{2147483646.25, 0.5}, {2147483647.25, 0},
+		{-2147483646.75, 0.5}, {-2147483647.75, 0}, {-1e300, 0}};
+	struct breath breath = breath_default(CHEST);
+
+	(void)state;
+	breath.rate_hz = 1;
+	breath.inhale = 0.5f;
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		assert_near(breath_at(&breath, cases[i].time_s), cases[i].full,
+			1e-5);
+	}
+}
+
+/* Half a breath turns by half the angle, and the rotation has unit length. */
+static void test_lungs_lift_the_chest_as_they_are_full(void **state)
+{
+	static const float axis[3] = {1, 0, 0};
+	struct bones bones;
+	struct breath breath = breath_default(CHEST);
+	float *rotation;
+
+	(void)state;
+	set_up(&bones);
+	rotation = bones.pose.local[CHEST].rotation;
+	assert_all_near(breath.lift_axis, axis, 3, 0);
+	breath.lift_rad = 0.8f;
+	breath.weight = 0.25f;
+	rotation[3] = 3;
+	breath_apply(&breath, 1.6, &bones.pose);
+	assert_near(rotation[0], sin(0.1), 1e-6);
+	assert_near(rotation[1], 0, 1e-6);
+	assert_near(rotation[2], 0, 1e-6);
+	assert_near(rotation[3], cos(0.1), 1e-6);
+	bones_end(&bones);
+}
+
 static struct muscle biceps(void)
 {
 	return (struct muscle){.joint = FOREARM,
@@ -198,6 +260,30 @@ static void test_a_muscle_without_range_switches(void **state)
 	assert_true(muscle_at(&muscle, &bones.pose) == 0);
 	bend(&bones, 1.1f);
 	assert_true(muscle_at(&muscle, &bones.pose) == 1);
+	muscle.from_rad = muscle.to_rad = muscle_bend_rad(&bones.pose, FOREARM);
+	assert_true(muscle_at(&muscle, &bones.pose) == 1);
+	/* A range of 1 is one like any other. */
+	muscle.from_rad = 0.5f;
+	muscle.to_rad = 1.5f;
+	bend(&bones, 1);
+	assert_near(muscle_at(&muscle, &bones.pose), 0.5, 1e-4);
+	bones_end(&bones);
+}
+
+static void test_the_first_node_and_weight_are_some_too(void **state)
+{
+	struct bones bones;
+	struct muscle muscle = biceps();
+
+	(void)state;
+	set_up(&bones);
+	muscle.node = CHEST;
+	muscle.weight = 0;
+	bend(&bones, 3);
+	muscle_apply(&muscle, &bones.pose);
+	assert_near(bones.pose.local[CHEST].scale[0], 1.3, 1e-5);
+	assert_near(bones.pose.weight[0], 0.8, 1e-5);
+	assert_near(bones.pose.weight[1], 0, 0);
 	bones_end(&bones);
 }
 
@@ -209,9 +295,13 @@ int main(void)
 		cmocka_unit_test(test_a_full_breath_swells_the_chest_alone),
 		cmocka_unit_test(test_nodes_with_matrices_swell_alike),
 		cmocka_unit_test(test_weight_scales_a_breath),
+		cmocka_unit_test(test_the_part_of_inhaling_is_limited),
+		cmocka_unit_test(test_breaths_are_counted_up_to_an_int),
+		cmocka_unit_test(test_lungs_lift_the_chest_as_they_are_full),
 		cmocka_unit_test(test_a_muscle_is_drawn_by_the_joints_bend),
 		cmocka_unit_test(test_a_drawn_muscle_swells_and_morphs),
 		cmocka_unit_test(test_a_muscle_without_range_switches),
+		cmocka_unit_test(test_the_first_node_and_weight_are_some_too),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
 #include "app/anim/procedural/cloth.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -151,6 +152,72 @@ static void test_sides_are_allowed_up_to_their_limits(void **state)
 	}
 }
 
+static bool is_filled(const void *memory, size_t bytes, int with)
+{
+	const unsigned char *byte = memory;
+
+	for (size_t i = 0; i < bytes; i++) {
+		if (byte[i] != with) {
+			return false;
+		}
+	}
+	return true;
+}
+
+static void assert_apart(const struct cloth *cloth)
+{
+	const struct {
+		void *memory;
+		size_t bytes;
+	} array[] = {{cloth->position, 448 * 12}, {cloth->normal, 448 * 12},
+		{cloth->velocity, 448 * 12}, {cloth->before, 448 * 12},
+		{cloth->offset, 448 * 12}, {cloth->hang, 448 * 4},
+		{cloth->pin, 7 * 4}, {cloth->pin_from, 7 * 12},
+		{cloth->pin_to, 7 * 12},
+		{cloth->link, (size_t)cloth->link_count * sizeof(*cloth->link)}};
+
+	for (int i = 0; i < 10; i++) {
+		memset(array[i].memory, i + 1, array[i].bytes);
+	}
+	for (int i = 0; i < 10; i++) {
+		assert_true(is_filled(array[i].memory, array[i].bytes, i + 1));
+	}
+}
+
+static void test_arrays_have_room_for_all_particles(void **state)
+{
+	const struct cloth_settings settings = grid(7, 64);
+	struct arena arena = arena_empty();
+	struct cloth cloth;
+
+	(void)state;
+	assert_int_equal(make(&cloth, &settings, &arena), 0);
+	assert_apart(&cloth);
+	arena_release(&arena);
+}
+
+/* Whatever the memory is short for. */
+static void test_short_memory_is_told(void **state)
+{
+	const struct cloth_settings settings = grid(64, 64);
+	int refused = 0;
+	int error = -ENOMEM;
+
+	(void)state;
+	for (size_t limit = 0; error; limit += 8192) {
+		struct memory_budget budget = {.limit_bytes = limit};
+		struct arena arena = arena_within(&budget);
+		struct cloth cloth;
+
+		assert_true(limit < 4 << 20);
+		error = make(&cloth, &settings, &arena);
+		assert_int_equal(error, budget.exceeded ? -ENOMEM : 0);
+		refused += error != 0;
+		arena_release(&arena);
+	}
+	assert_true(refused > 30);
+}
+
 /* Turned by 90 degrees about z and three times as large, or flattened. */
 static void test_shapes_are_kept_in_the_nodes_axes(void **state)
 {
@@ -198,6 +265,8 @@ int main(void)
 		cmocka_unit_test(test_cloth_that_folds_freely_has_fewer_links),
 		cmocka_unit_test(test_each_column_is_measured_from_its_pin),
 		cmocka_unit_test(test_sides_are_allowed_up_to_their_limits),
+		cmocka_unit_test(test_arrays_have_room_for_all_particles),
+		cmocka_unit_test(test_short_memory_is_told),
 		cmocka_unit_test(test_shapes_are_kept_in_the_nodes_axes),
 		cmocka_unit_test(test_each_square_has_two_triangles),
 	};

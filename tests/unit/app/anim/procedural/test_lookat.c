@@ -228,6 +228,116 @@ static void test_a_head_below_a_mirror_looks_at_the_target(void **state)
 	tear_down(&f);
 }
 
+/* Beside the angle at which it gives up, and the angle itself. */
+static void test_it_gives_up_beyond_the_angle_of_release(void **state)
+{
+	static const float release_rad[] = {0.3f, 0.9f, 2.094f};
+
+	(void)state;
+	for (int i = 0; i < 3 * 5; i++) {
+		float angle =
+			release_rad[i / 5] * (0.8f + 0.1f * (float)(i % 5));
+		const float target[3] = {
+			5 + 2 * sinf(angle), 1.5f, 2 * cosf(angle)};
+		struct fixture f;
+		float looks[3], yaw_rad;
+
+		set_up(&f);
+		f.lookat.yaw_limit_rad = 4;
+		f.lookat.release_rad = 0;
+		look(&f, target, 0.1f, looks);
+		yaw_rad = f.lookat.yaw_rad;
+		assert_near(yaw_rad, (double)angle, 1e-5);
+		f.lookat.release_rad = release_rad[i / 5];
+		if (i % 5 == 2) {
+			f.lookat.release_rad = yaw_rad;
+		}
+		f.bones.pose.local[HEAD] = f.bones.node[HEAD].rest;
+		look(&f, target, 0.1f, looks);
+		assert_near(f.lookat.yaw_rad, i % 5 > 2 ? 0 : (double)yaw_rad,
+			1e-6);
+		tear_down(&f);
+	}
+}
+
+static void test_by_default_it_gives_up_at_120_degrees(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 2; i++) {
+		float angle = (i ? 121 : 119) * DEGREE;
+		const float target[3] = {
+			5 + 2 * sinf(angle), 1.5f, 2 * cosf(angle)};
+		struct fixture f;
+		float looks[3];
+
+		set_up(&f);
+		assert_near(lookat_default(HEAD).rate, 8, 0);
+		look(&f, target, 0.1f, looks);
+		assert_near(
+			f.lookat.yaw_rad, i ? 0 : (double)(80 * DEGREE), 1e-3);
+		tear_down(&f);
+	}
+}
+
+static void test_it_looks_at_what_is_near(void **state)
+{
+	struct fixture f;
+	const float target[3] = {5.03f, 1.53f, 0.03f};
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	look(&f, target, 0.1f, looks);
+	assert_near(f.lookat.yaw_rad, 45 * DEGREE, 1e-4);
+	assert_near(f.lookat.pitch_rad, atan(sqrt(0.5)), 1e-4);
+	tear_down(&f);
+}
+
+/* Both angles follow at the same rate, slow ones too, by the same weight. */
+static void test_both_angles_take_their_time_and_share(void **state)
+{
+	static const float rate[] = {0.5f, 1, 3};
+	const float target[3] = {6, 2.5f, 1};
+
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		double part = 1 - exp(-(double)rate[i] * 0.5);
+		double pitch = part * atan(sqrt(0.5));
+		struct fixture f;
+		float looks[3];
+
+		set_up(&f);
+		f.lookat.rate = rate[i];
+		f.lookat.weight = 0.5f;
+		look(&f, target, 0.5f, looks);
+		assert_near(f.lookat.yaw_rad, part * 45 * (double)DEGREE, 1e-5);
+		assert_near(f.lookat.pitch_rad, pitch, 1e-5);
+		assert_near(asin((double)looks[1]), pitch / 2, 1e-5);
+		tear_down(&f);
+	}
+}
+
+/* Rotations that are off by rounding do not grow from frame to frame. */
+static void test_a_looking_head_is_animated_and_of_unit_length(void **state)
+{
+	struct fixture f;
+	const float target[3] = {6, 1.5f, 1};
+	const float *q;
+	float looks[3];
+
+	(void)state;
+	set_up(&f);
+	q = f.bones.pose.local[HEAD].rotation;
+	f.bones.pose.local[HEAD].rotation[3] = 1.01f;
+	assert_false(f.bones.pose.animated[HEAD]);
+	look(&f, target, 0.1f, looks);
+	assert_near(
+		q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], 1, 1e-6);
+	assert_true(f.bones.pose.animated[HEAD]);
+	assert_false(f.bones.pose.animated[BODY]);
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -240,6 +350,12 @@ int main(void)
 		cmocka_unit_test(test_without_a_target_it_looks_ahead),
 		cmocka_unit_test(test_a_target_in_the_head_is_harmless),
 		cmocka_unit_test(test_a_head_below_a_mirror_looks_at_the_target),
+		cmocka_unit_test(test_it_gives_up_beyond_the_angle_of_release),
+		cmocka_unit_test(test_by_default_it_gives_up_at_120_degrees),
+		cmocka_unit_test(test_it_looks_at_what_is_near),
+		cmocka_unit_test(test_both_angles_take_their_time_and_share),
+		cmocka_unit_test(
+			test_a_looking_head_is_animated_and_of_unit_length),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

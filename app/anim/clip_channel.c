@@ -16,13 +16,6 @@ float *clip_channel_target(
 	return (float *)((char *)pose->local + clip_channel_offset(channel));
 }
 
-static bool holds(const struct model_channel *channel, int key, float time_s)
-{
-	return key >= 0 && key < channel->key_count - 1 &&
-		channel->time_s[key] <= time_s &&
-		time_s < channel->time_s[key + 1];
-}
-
 static int search_key(const struct model_channel *channel, float time_s)
 {
 	int low = 0;
@@ -43,23 +36,17 @@ static int search_key(const struct model_channel *channel, float time_s)
 
 /*
  * Returns the last key that is not after time_s, which lies between the first
- * key and the last. In a playback, forward or backward, this is mostly the
- * cached key or a neighbour of it.
+ * key and the last. In a playback backward this is mostly the one before the
+ * cached key; clip_moment_find() has tried that key and the next one.
  */
 static int find_key(
 	const struct model_channel *channel, float time_s, int cached)
 {
-	if (holds(channel, cached, time_s)) {
-		return cached;
-	}
-	/* The range is checked first, so that cached + 1 cannot overflow. */
-	if (cached >= 0 && cached < channel->key_count) {
-		if (holds(channel, cached + 1, time_s)) {
-			return cached + 1;
-		}
-		if (holds(channel, cached - 1, time_s)) {
-			return cached - 1;
-		}
+	const float *times = channel->time_s;
+
+	if (cached > 0 && cached < channel->key_count &&
+		times[cached - 1] <= time_s && time_s < times[cached]) {
+		return cached - 1;
 	}
 	return search_key(channel, time_s);
 }

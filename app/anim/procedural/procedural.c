@@ -45,8 +45,9 @@ struct procedural procedural_begin(
 void procedural_fade(struct procedural *procedural, float goal, float duration_s)
 {
 	procedural->fade_goal = scalar_clamp(goal, 0, 1);
-	procedural->fade_rate = duration_s > 0 ? 1 / duration_s : 0;
-	if (!(duration_s > 0)) {
+	if (duration_s > 0) {
+		procedural->fade_rate = 1 / duration_s;
+	} else {
 		procedural->fade = procedural->fade_goal;
 	}
 }

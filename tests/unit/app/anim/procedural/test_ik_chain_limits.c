@@ -337,6 +337,30 @@ static void test_the_longest_chain_reaches(void **state)
 	bones_end(&bones);
 }
 
+/* Along and between the axes of each plane. */
+static void test_straight_chains_between_axes_buckle(void **state)
+{
+	(void)state;
+	for (int i = 0; i < 3 * 8; i++) {
+		float axis[3] = {0, 0, 0}, tip[3], root[3], target[3];
+		float *rotation;
+		struct fixture f;
+
+		set_up(&f, 5, i % 3, 1);
+		axis[(i + 1) % 3] = 1;
+		rotation = f.bones.pose.local[0].rotation;
+		quat_from_axis_angle(
+			axis, acosf(-1) / 4 * (float)(i / 3), rotation);
+		bones_update(&f.bones);
+		bones_place(&f.bones, 0, root);
+		bones_place(&f.bones, 5, tip);
+		vec_mix(root, tip, 0.6f, target);
+		assert_near(solve(&f, target), 0, 1e-3);
+		assert_near(bones_distance(&f.bones, 5, target), 0, 1e-3);
+		bones_end(&f.bones);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -352,6 +376,7 @@ int main(void)
 		cmocka_unit_test(test_each_joint_has_its_own_limit_from_the_rest),
 		cmocka_unit_test(test_a_bent_chain_stretches_at_once),
 		cmocka_unit_test(test_the_longest_chain_reaches),
+		cmocka_unit_test(test_straight_chains_between_axes_buckle),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

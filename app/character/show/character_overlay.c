@@ -74,8 +74,8 @@ static void describe_key_frames(const struct character *character,
 	if (node < 0 || !clip || !model_clip_moves_weights(clip, node)) {
 		return;
 	}
-	weight =
-		&character->instance->pose.weight[model->node[node].weight_offset];
+	weight = character->instance->pose.weight +
+		model->node[node].weight_offset;
 	for (int i = 0; i < model->mesh[model->node[node].mesh].target_count;
 		i++) {
 		if (weight[i] != 0) {

@@ -383,6 +383,27 @@ static void test_a_share_counts_from_the_first_key(void **state)
 	assert_near(clip_share(&pose, 0), 0, 0);
 }
 
+/* Less than a second long, and at each limit. */
+static void test_short_clips_play_as_long_ones(void **state)
+{
+	const struct model_clip clip = {.duration_s = 0.5f};
+
+	(void)state;
+	for (int repeat = CLIP_ONCE; repeat <= CLIP_PING_PONG; repeat++) {
+		enum clip_repeat as = (enum clip_repeat)repeat;
+
+		assert_near(clip_time(0.125, 0.5f, as), 0.125, 0);
+		assert_near(clip_time(0, 0.5f, as), 0, 0);
+	}
+	assert_near(clip_time(0.5, 0.5f, CLIP_PING_PONG), 0.5, 0);
+	assert_near(clip_time(1.25, 2.5f, CLIP_PING_PONG), 1.25, 0);
+	assert_near(clip_time(0.25, 2.5f, CLIP_ONCE), 0.25, 0);
+	/* Below the period as a double, but not as a float. */
+	assert_near(clip_time(0.49999999999, 0.5f, CLIP_LOOP), 0, 0);
+	assert_near(clip_time(-1e300, 2.5f, CLIP_LOOP), 0, 0);
+	assert_near(clip_share(&clip, 0.125f), 0.25, 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -403,6 +424,7 @@ int main(void)
 		cmocka_unit_test(test_later_rounds_begin_at_the_first_key),
 		cmocka_unit_test(test_without_a_lead_all_rounds_are_the_same),
 		cmocka_unit_test(test_a_share_counts_from_the_first_key),
+		cmocka_unit_test(test_short_clips_play_as_long_ones),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

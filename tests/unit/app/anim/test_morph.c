@@ -1,5 +1,6 @@
 #include "app/anim/kernel/kernel.h"
 #include "app/anim/morph.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -310,6 +311,109 @@ static void test_late_updates_arrive(void **state)
 	tear_down(&f);
 }
 
+static void test_a_motion_takes_half_a_second_or_15_frames(void **state)
+{
+	const struct morph_motion motion = morph_motion_default();
+
+	(void)state;
+	assert_near(motion.duration_ms, 500, 0);
+	assert_int_equal(motion.frame_count, 15);
+	assert_near(motion.amplitude, 0.1, 1e-7);
+}
+
+static void test_a_morph_without_memory_is_refused(void **state)
+{
+	int refused = 0, made = 0;
+
+	(void)state;
+	for (size_t limit = 0; limit < 500; limit += 8) {
+		struct memory_budget budget = {.limit_bytes = limit};
+		struct arena arena = arena_within(&budget);
+		struct morph morph;
+		int error;
+
+		arena.block_bytes = 16;
+		error = morph_init(&morph, 2, KEY_A, &arena);
+		if (error == 0) {
+			assert_non_null(morph.source);
+			assert_non_null(morph.source_normal);
+			made++;
+		} else {
+			assert_int_equal(error, -ENOMEM);
+			refused++;
+		}
+		arena_release(&arena);
+	}
+	assert_true(refused > 0 && made > 0);
+}
+
+static void test_a_trigger_in_flight_has_all_its_frames(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, MORPH_BY_FRAMES, MORPH_LINEAR);
+	morph_trigger(&f.morph, KEY_B, &f.motion, 0);
+	for (int i = 0; i < 3; i++) {
+		assert_true(morph_update(&f.morph, 0));
+	}
+	morph_trigger(&f.morph, KEY_C, &f.motion, 0);
+	for (int i = 0; i < 7; i++) {
+		assert_near(morph_omega(&f.morph, 0), i / 7.0, 1e-6);
+		assert_true(morph_update(&f.morph, 0));
+	}
+	assert_false(morph_update(&f.morph, 0));
+	tear_down(&f);
+}
+
+static void test_a_morph_that_has_had_its_time_is_at_1(void **state)
+{
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, MORPH_OVER_TIME, MORPH_LINEAR);
+	morph_trigger(&f.morph, KEY_B, &f.motion, 0);
+	assert_near(morph_omega(&f.morph, 700), 1, 0);
+	assert_near(morph_omega(&f.morph, 900), 1, 0);
+	f.motion.timing = MORPH_BY_FRAMES;
+	f.motion.frame_count = 0;
+	morph_trigger(&f.morph, KEY_B, &f.motion, 0);
+	assert_near(morph_omega(&f.morph, 0), 1, 0);
+	tear_down(&f);
+}
+
+static void test_a_bulge_goes_along_all_axes_of_its_direction(void **state)
+{
+	static const float direction[3] = {2, 3, 5};
+	struct fixture f;
+
+	(void)state;
+	set_up(&f, MORPH_OVER_TIME, MORPH_SINUSOIDAL);
+	memcpy(f.motion.direction, direction, sizeof(direction));
+	morph_trigger(&f.morph, KEY_B, &f.motion, 0);
+	assert_true(morph_update(&f.morph, 350));
+	for (int k = 0; k < 3; k++) {
+		assert_near(f.morph.temporal[0][k],
+			((double)A[0][k] + (double)B[0][k]) / 2 +
+				0.1 * (double)direction[k],
+			1e-5);
+	}
+	tear_down(&f);
+}
+
+static void test_keys_without_normals_go_over_time_as_well(void **state)
+{
+	struct fixture f = {.motion = morph_motion_default()};
+	const struct morph_key from = {A, NULL}, to = {B, NULL};
+
+	(void)state;
+	assert_int_equal(morph_init(&f.morph, 2, from, &f.arena), 0);
+	morph_trigger(&f.morph, to, &f.motion, 0);
+	assert_true(morph_update(&f.morph, 125));
+	assert_between(&f.morph, 0.25, 0);
+	tear_down(&f);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -330,6 +434,13 @@ int main(void)
 		cmocka_unit_test(test_keys_without_normals_need_none),
 		cmocka_unit_test(test_no_duration_arrives_at_the_next_update),
 		cmocka_unit_test(test_late_updates_arrive),
+		cmocka_unit_test(test_a_motion_takes_half_a_second_or_15_frames),
+		cmocka_unit_test(test_a_morph_without_memory_is_refused),
+		cmocka_unit_test(test_a_trigger_in_flight_has_all_its_frames),
+		cmocka_unit_test(test_a_morph_that_has_had_its_time_is_at_1),
+		cmocka_unit_test(
+			test_a_bulge_goes_along_all_axes_of_its_direction),
+		cmocka_unit_test(test_keys_without_normals_go_over_time_as_well),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -61,12 +61,22 @@ static void test_the_crest_runs_along_the_axis(void **state)
 	}
 }
 
+static void test_an_omega_of_its_own_is_0_to_1(void **state)
+{
+	(void)state;
+	assert_near(morph_wave_omega(&running, 0, 1), 0, 0);
+	assert_near(morph_wave_omega(&running, 0.4f, 0), 1, 1e-6);
+	assert_near(morph_wave_omega(&running, 1, 0), 1, 0);
+	assert_near(morph_wave_omega(&running, 0.8f, 1), 0.5, 1e-6);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_without_delay_it_is_the_documents_sine),
 		cmocka_unit_test(test_every_place_begins_and_ends_at_rest),
 		cmocka_unit_test(test_the_crest_runs_along_the_axis),
+		cmocka_unit_test(test_an_omega_of_its_own_is_0_to_1),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

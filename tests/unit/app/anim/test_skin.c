@@ -1,4 +1,5 @@
 #include "app/anim/skin.h"
+#include "platform/base/memory_budget.h"
 #include "tests/support/test.h"
 
 #include <errno.h>
@@ -251,6 +252,72 @@ static void test_no_vertices_make_an_empty_stream(void **state)
 	arena_release(&arena);
 }
 
+static void test_tangents_are_multiplied_by_their_weight(void **state)
+{
+	static float tangent[VERTICES][4] = {
+		{8, 16, 24, 1}, {2, 3, 4, 1}, {5, 6, 7, -1}, {4, -8, 12, -1}};
+	static const float first[4] = {5, 10, 15, 0}, middle[4] = {5, 6, 7, 0};
+	static const float last[4] = {1, -2, 3, 0};
+	struct model_primitive primitive = make_primitive();
+	struct skin_stream stream;
+	struct arena arena;
+
+	(void)state;
+	set_up(&stream, &arena);
+	assert_int_equal(
+		skin_stream_add_tangents(&stream, &primitive, &arena), -EINVAL);
+	primitive.tangent = tangent;
+	assert_int_equal(
+		skin_stream_add_tangents(&stream, &primitive, &arena), 0);
+	assert_all_near(stream.tangent[0], first, 4, 0);
+	assert_all_near(stream.tangent[4], middle, 4, 0);
+	assert_all_near(stream.tangent[8], last, 4, 0);
+	assert_int_equal(skin_stream_bytes(&stream), 9 * (12 + 3 * 16));
+	arena_release(&arena);
+}
+
+static void test_influences_beyond_the_most_are_left_out(void **state)
+{
+	uint16_t joint[SKIN_INFLUENCES_MAX + 1] = {0};
+	float weight[SKIN_INFLUENCES_MAX + 1];
+	struct model_primitive primitive = make_primitive();
+	struct skin_influence out[SKIN_INFLUENCES_MAX + 1];
+
+	(void)state;
+	for (int i = 0; i <= SKIN_INFLUENCES_MAX; i++) {
+		weight[i] = 0.125f;
+	}
+	primitive.joint = joint;
+	primitive.weight = weight;
+	for (int more = -1; more <= 1; more++) {
+		primitive.influences = SKIN_INFLUENCES_MAX + more;
+		assert_int_equal(skin_gather_influences(&primitive, 0, out),
+			SKIN_INFLUENCES_MAX + (more < 0 ? more : 0));
+	}
+}
+
+static void test_a_stream_without_memory_is_refused(void **state)
+{
+	int refused = 0, made = 0;
+
+	(void)state;
+	for (size_t limit = 0; limit < 1000; limit += 8) {
+		struct model_primitive primitive = make_primitive();
+		struct memory_budget budget = {.limit_bytes = limit};
+		struct arena arena = arena_within(&budget);
+		struct skin_stream stream;
+		int error;
+
+		arena.block_bytes = 16;
+		error = skin_stream_init(&stream, &primitive, 1, &arena);
+		assert_true(error == 0 || error == -ENOMEM);
+		refused += error != 0;
+		made += error == 0;
+		arena_release(&arena);
+	}
+	assert_true(refused > 0 && made > 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -269,6 +336,9 @@ int main(void)
 		cmocka_unit_test(test_primitives_without_normals_have_none),
 		cmocka_unit_test(test_rebase_takes_a_morphed_shape),
 		cmocka_unit_test(test_no_vertices_make_an_empty_stream),
+		cmocka_unit_test(test_tangents_are_multiplied_by_their_weight),
+		cmocka_unit_test(test_influences_beyond_the_most_are_left_out),
+		cmocka_unit_test(test_a_stream_without_memory_is_refused),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -124,7 +124,8 @@ struct fixture {
 	float want[2][VERTICES][3], got[2][VERTICES + 1][3];
 };
 
-static void skin_joints(struct fixture *f, int joints)
+/* last is the vertex of the last joint. */
+static void skin_joints(struct fixture *f, int joints, int last, int cap)
 {
 	const struct kernel *kernel = kernel_find("an4044");
 	struct model_primitive primitive = {.vertex_count = VERTICES,
@@ -142,16 +143,16 @@ static void skin_joints(struct fixture *f, int joints)
 		scattered_influences(
 			v, v % WIDTH + 1, joints, f->joint[v], f->weight[v]);
 	}
-	f->joint[VERTICES / 2][0] = (uint16_t)(joints - 1);
+	f->joint[last][0] = (uint16_t)(joints - 1);
 	for (int i = 0; i < JOINTS * 16; i++) {
 		f->palette[i / 16][i / 4 % 4][i % 4] = scattered(i);
 	}
 	assert_int_equal(skin_stream_init(&stream, &primitive, 1, &arena), 0);
 	for (int normals = 0; normals < 2; normals++) {
 		memset(f->got, 0, sizeof(f->got));
-		kernel_float.skin(&stream, (const mat4 *)f->palette, 0,
+		kernel_float.skin(&stream, (const mat4 *)f->palette, cap,
 			f->want[0], normals ? f->want[1] : NULL);
-		kernel->skin(&stream, (const mat4 *)f->palette, 0, f->got[0],
+		kernel->skin(&stream, (const mat4 *)f->palette, cap, f->got[0],
 			normals ? f->got[1] : NULL);
 		assert_all_near(f->got[0], f->want[0], VERTICES * 3, 4e-6);
 		assert_near(f->got[0][VERTICES][0], 0, 0);
@@ -171,7 +172,29 @@ static void test_any_number_of_joints_is_skinned(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < ARRAY_COUNT(joints); i++) {
-		skin_joints(&f, joints[i]);
+		skin_joints(&f, joints[i], 0, 0);
+		skin_joints(&f, joints[i], VERTICES - 1, 0);
+		skin_joints(&f, joints[i], 5, 1);
+		skin_joints(&f, joints[i], 5, 2);
+	}
+}
+
+static void test_an_offset_of_any_axis_is_added(void **state)
+{
+	static const float from[1][3] = {{1, 2, 3}}, to[1][3] = {{5, 4, 11}};
+	static const float way[3] = {2, 2.5f, 5};
+	const struct kernel *kernel = kernel_find("an4044");
+
+	(void)state;
+	for (int i = 0; i < 8; i++) {
+		const float offset[3] = {
+			(float)(i & 1), (float)(i >> 1 & 1), (float)(i >> 2)};
+		float out[1][3];
+
+		kernel->morph_lerp(1, from, to, 0.25f, offset, out);
+		for (int k = 0; k < 3; k++) {
+			assert_near(out[0][k], way[k] + offset[k], 0);
+		}
 	}
 }
 
@@ -214,6 +237,7 @@ int main(void)
 		cmocka_unit_test(test_a_frame_adds_its_part_of_the_way),
 		cmocka_unit_test(test_a_mix_of_two_is_summed),
 		cmocka_unit_test(test_any_number_of_joints_is_skinned),
+		cmocka_unit_test(test_an_offset_of_any_axis_is_added),
 		cmocka_unit_test(test_targets_are_taken_in_pairs),
 	};
 

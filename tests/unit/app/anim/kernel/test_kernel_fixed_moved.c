@@ -184,8 +184,8 @@ static void assert_bases(const struct fixture *f, int attribute, int cap,
 /* After the cap has changed, too, which rewrites the base vectors. */
 static void test_weights_move_the_base_vectors(void **state)
 {
-	static const float weights[][TARGETS] = {
-		{0, 0}, {1, 0}, {0, 1}, {0.5f, -1}, {0.5f, -1}, {1, 1}};
+	static const float weights[][TARGETS] = {{0, 0}, {1, 0}, {0, 1},
+		{0.5f, -1}, {0.5f, -1}, {0.125f, -1}, {1, 1}};
 	static const int caps[] = {0, 1, 1, 2, 2, 1, 0};
 	static struct fixture f;
 
@@ -208,6 +208,57 @@ static void test_weights_move_the_base_vectors(void **state)
 				caps[c] == 1 ? 3 : 5);
 		}
 	}
+	arena_release(&f.arena);
+}
+
+/* The weight of a delta of 1 / 4: its part of the normals' numbers. */
+static void test_records_weigh_deltas_in_the_skins_unit(void **state)
+{
+	static struct fixture f;
+	const struct fixed_rebase *record;
+
+	(void)state;
+	set_up(&f);
+	f.delta[0][FIXED_NORMAL][1][0] = 0.25f;
+	lay_out(&f);
+	assert_int_equal(f.skin.targets.rebase_count, 2);
+	record = f.skin.targets.rebase[FIXED_NORMAL];
+	/* 26212.8 / 65532 is 0.4. */
+	assert_int_equal(record[0].weight_q16, 6554);
+	assert_int_equal(record[1].weight_q16, 19661);
+	f.weight[1][1] = 0;
+	arena_release(&f.arena);
+	lay_out(&f);
+	assert_int_equal(f.skin.targets.rebase_count, 1);
+	record = f.skin.targets.rebase[FIXED_NORMAL];
+	assert_int_equal(record->weight_q16, 26214);
+	assert_int_equal(record->delta_index, 0);
+	assert_int_equal(f.skin.order[1], 1);
+	assert_int_equal(record->base_index, 1);
+	assert_int_equal(record->rest.z, 26213);
+	arena_release(&f.arena);
+}
+
+static void test_a_vertex_alone_is_moved(void **state)
+{
+	static struct fixture f;
+
+	(void)state;
+	set_up(&f);
+	f.primitive.vertex_count = 1;
+	for (int t = 0; t < TARGETS; t++) {
+		f.target[t].position.vertex_count = 1;
+		f.target[t].normal.vertex_count = 1;
+		f.target[t].tangent.vertex_count = 1;
+	}
+	f.delta[1][FIXED_POSITION][0][1] = 2;
+	lay_out(&f);
+	assert_int_equal(f.skin.targets.moved_count, 1);
+	assert_near(f.skin.targets.largest[FIXED_POSITION], 2, 0);
+	set_weights(&f, 0, 1);
+	assert_near(
+		f.skin.base[FIXED_POSITION][0].y / f.skin.scale[FIXED_POSITION],
+		2, 1e-3);
 	arena_release(&f.arena);
 }
 
@@ -274,6 +325,8 @@ int main(void)
 		cmocka_unit_test(test_directions_fit_with_their_deltas),
 		cmocka_unit_test(test_deltas_of_all_targets_are_summed),
 		cmocka_unit_test(test_weights_move_the_base_vectors),
+		cmocka_unit_test(test_records_weigh_deltas_in_the_skins_unit),
+		cmocka_unit_test(test_a_vertex_alone_is_moved),
 		cmocka_unit_test(test_deltas_that_are_no_numbers_are_refused),
 		cmocka_unit_test(test_targets_move_65535_vertices_at_most),
 	};

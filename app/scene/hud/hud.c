@@ -306,7 +306,7 @@ void hud_panel(struct hud *hud, int x, int y, int w, int h, int radius,
 	/* The atlas has discs of whole texels up to the largest radius. */
 	int texels = min_int(min_int(radius, min_int(w, h) / 2) / hud->scale,
 		FONT_DISC_RADIUS_MAX);
-	int r = texels < 0 ? 0 : texels * hud->scale;
+	int r = texels > 0 ? texels * hud->scale : 0;
 
 	if (r > 0) {
 		add_quarter(hud, x, y, r, 0, 0, color);

@@ -1,7 +1,7 @@
 /* The numbers and the spans of morph targets in fixed point. */
 #include "app/anim/kernel/run/fixed_morph_run.h"
-#include "app/model/model_deltas.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/anim/kernel/target_views.h"
 
 #include <errno.h>
 #include <math.h>
@@ -34,15 +34,7 @@ static void set_up(struct fixture *f)
 		f->tangent[v][2] = -1;
 		f->tangent[v][3] = 9;
 	}
-	for (int t = 0; t < TARGETS; t++) {
-		struct model_deltas *deltas[] = {&f->target[t].position,
-			&f->target[t].normal, &f->target[t].tangent};
-
-		for (int a = 0; a < 3; a++) {
-			*deltas[a] = model_deltas_view(
-				(const float(*)[3])f->delta[t][a], VERTICES);
-		}
-	}
+	target_views(f->target, TARGETS, f->delta[0][0][0], VERTICES);
 	f->primitive = (struct model_primitive){.vertex_count = VERTICES,
 		.position = f->position,
 		.normal = f->normal,

@@ -54,6 +54,31 @@ static void begin(struct fixture *f)
 	pose_rest(&f->want, &f->model);
 }
 
+static void add_nodes_and_keys(struct fixture *f)
+{
+	for (int i = 0; i < NODES; i++) {
+		float at = 0.1f * (float)(i + 1);
+
+		f->node[i] = (struct model_node){.name = "",
+			.parent = -1,
+			.mesh = i < 2 ? i : -1,
+			.weight_offset = i,
+			.skin = -1,
+			.rest = {{at, 2 * at, 3 * at}, {0, 0, 0.6f, 0.8f},
+				{1 + at, 1 - at, 2}}};
+	}
+	for (int i = 0; i < CHANNELS; i++) {
+		static const int widths[] = {3, 4, 3, 1};
+		struct model_channel *channel = &f->channel[i];
+
+		channel->interpolation = MODEL_LINEAR;
+		channel->key_count = 3;
+		channel->width = widths[channel->path];
+	}
+	f->channel[7].width = 2;
+	f->clip.channel = f->channel;
+}
+
 /* Turns of float and packed keys take turns, as do their times. */
 static void set_up(struct fixture *f)
 {
@@ -98,27 +123,7 @@ static void set_up(struct fixture *f)
 				.value = TWO_FADES}},
 		.clip = {.duration_s = 2, .channel_count = CHANNELS},
 	};
-	for (int i = 0; i < NODES; i++) {
-		float at = 0.1f * (float)(i + 1);
-
-		f->node[i] = (struct model_node){.name = "",
-			.parent = -1,
-			.mesh = i < 2 ? i : -1,
-			.weight_offset = i,
-			.skin = -1,
-			.rest = {{at, 2 * at, 3 * at}, {0, 0, 0.6f, 0.8f},
-				{1 + at, 1 - at, 2}}};
-	}
-	for (int i = 0; i < CHANNELS; i++) {
-		static const int widths[] = {3, 4, 3, 1};
-		struct model_channel *channel = &f->channel[i];
-
-		channel->interpolation = MODEL_LINEAR;
-		channel->key_count = 3;
-		channel->width = widths[channel->path];
-	}
-	f->channel[7].width = 2;
-	f->clip.channel = f->channel;
+	add_nodes_and_keys(f);
 	f->model = (struct model){.node_count = NODES,
 		.node = f->node,
 		.mesh_count = 2,

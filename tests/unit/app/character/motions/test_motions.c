@@ -53,6 +53,17 @@ static void release(struct found *found)
 	model_destroy(found->model);
 }
 
+/* Finds the motions of the walker as a character file says. */
+static void find_as(struct found *found, const char *text)
+{
+	struct test_path folder = temp_dir_make();
+	struct test_path file = path_join(&folder, "a.character");
+
+	file_write(file.text, text, strlen(text));
+	find(found, "assets/walker.glb", NULL, file.text);
+	temp_dir_remove(&folder);
+}
+
 static const char *clip_of(const struct found *found, enum motion_role role)
 {
 	int clip = found->motions.role[role].clip;
@@ -347,8 +358,6 @@ static void test_the_files_speed_counts_if_the_feet_are_nearly_as_fast(
 		float factor;
 		bool counts;
 	} rows[] = {{0.6f, false}, {0.72f, true}, {1.4f, true}, {1.6f, false}};
-	struct test_path folder = temp_dir_make();
-	struct test_path file = path_join(&folder, "a.character");
 	struct found found;
 	float measured;
 
@@ -364,13 +373,11 @@ static void test_the_files_speed_counts_if_the_feet_are_nearly_as_fast(
 			"[parameter v]\nrange = 0 9\n[state s]\n"
 			"blend = v, idle 0, walk %g\n",
 			(double)said);
-		file_write(file.text, text, strlen(text));
-		find(&found, "assets/walker.glb", NULL, file.text);
+		find_as(&found, text);
 		assert_near(found.motions.role[MOTION_WALK].speed,
 			rows[i].counts ? said : measured, 1e-5);
 		release(&found);
 	}
-	temp_dir_remove(&folder);
 }
 
 /* The first clip above a speed of 0 walks, and the last one runs. */
@@ -378,18 +385,14 @@ static void test_a_blend_over_speed_tells_the_roles_of_its_clips(void **state)
 {
 	static const char text[] = "[parameter v]\nrange = 0 9\n[state s]\n"
 				   "blend = v, wave 0, idle 1, jump 2, walk 3\n";
-	struct test_path folder = temp_dir_make();
-	struct test_path file = path_join(&folder, "a.character");
 	struct found found;
 
 	(void)state;
-	file_write(file.text, text, strlen(text));
-	find(&found, "assets/walker.glb", NULL, file.text);
+	find_as(&found, text);
 	assert_string_equal(clip_of(&found, MOTION_STAND), "wave");
 	assert_string_equal(clip_of(&found, MOTION_WALK), "idle");
 	assert_string_equal(clip_of(&found, MOTION_RUN), "walk");
 	release(&found);
-	temp_dir_remove(&folder);
 }
 
 /* Of a file in which the first blend over a speed is not the first state. */
@@ -404,13 +407,10 @@ static void test_the_first_blend_tells_and_four_shakes(void **state)
 		"[shake e]\nbone = hand.R\n";
 	static const char *const bones[MOTION_BONES_MAX] = {
 		"head", "hips", "hand.L", "foot.R"};
-	struct test_path folder = temp_dir_make();
-	struct test_path file = path_join(&folder, "a.character");
 	struct found found;
 
 	(void)state;
-	file_write(file.text, text, strlen(text));
-	find(&found, "assets/walker.glb", NULL, file.text);
+	find_as(&found, text);
 	/* The rest pose is no clip, so a name tells. */
 	assert_string_equal(clip_of(&found, MOTION_STAND), "idle");
 	assert_string_equal(clip_of(&found, MOTION_WALK), "run");
@@ -421,7 +421,6 @@ static void test_the_first_blend_tells_and_four_shakes(void **state)
 			found.model->node[found.motions.bone[i]].name, bones[i]);
 	}
 	release(&found);
-	temp_dir_remove(&folder);
 }
 
 /* The way that a clip has gone by then. */

@@ -281,13 +281,45 @@ static void begin_with_balls(struct shown *shown)
 	character_draw_update(&shown->drawing, &shown->stage);
 }
 
+static void to_eye(const float place[3], mat4 view, float out[3])
+{
+	for (int axis = 0; axis < 3; axis++) {
+		out[axis] = unit * place[axis];
+	}
+	matrix_apply(view, out, out);
+}
+
+static void add_cape(struct bounds *box, const struct shown *shown, mat4 view)
+{
+	const struct cloth *cloth = &shown->acting.character->cape[0].cloth;
+
+	for (int i = 0; i < cloth->count; i++) {
+		float at[3];
+
+		to_eye(cloth->position[i], view, at);
+		bounds_add(box, at);
+	}
+}
+
+static void add_ball(struct bounds *box, const float place[3], mat4 view)
+{
+	float at[3];
+
+	to_eye(place, view, at);
+	for (int k = 0; k < 6; k++) {
+		float side[3] = {at[0], at[1], at[2]};
+
+		side[k / 2] += k % 2 ? 0.1f * unit : -0.1f * unit;
+		bounds_add(box, side);
+	}
+}
+
 /* All in the eye's space, and a fiftieth larger. */
 static void test_content_stands_where_the_eye_sees_it(void **state)
 {
 	struct floor_content content;
 	struct bounds wanted;
 	struct shown shown;
-	const struct cloth *cloth;
 	struct reach reach;
 	mat4 view;
 
@@ -301,30 +333,11 @@ static void test_content_stands_where_the_eye_sees_it(void **state)
 		camera_view(&shown.stage.camera, view);
 		wanted = reach_now(
 			&reach, shown.acting.instance, (const vec4 *)view);
-		cloth = &shown.acting.character->cape[0].cloth;
-		for (int i = 0; i < cloth->count; i++) {
-			float at[3];
-
-			for (int axis = 0; axis < 3; axis++) {
-				at[axis] = unit * cloth->position[i][axis];
-			}
-			matrix_apply(view, at, at);
-			bounds_add(&wanted, at);
-		}
+		add_cape(&wanted, &shown, view);
 		for (int i = 0; i < 6; i++) {
-			float at[3];
-
 			shown.acting.character->target[i].used = balls_on;
-			for (int axis = 0; axis < 3; axis++) {
-				at[axis] = unit * balls[i][axis];
-			}
-			matrix_apply(view, at, at);
-			for (int k = 0; k < 6 && balls_on; k++) {
-				float side[3] = {at[0], at[1], at[2]};
-
-				side[k / 2] +=
-					k % 2 ? 0.1f * unit : -0.1f * unit;
-				bounds_add(&wanted, side);
+			if (balls_on) {
+				add_ball(&wanted, balls[i], view);
 			}
 		}
 		margin = 0.02f * bounds_extent(&wanted);

@@ -1,8 +1,7 @@
 #include "app/anim/math/vec.h"
-#include "app/anim/procedural/ik.h"
-#include "tests/support/model/bones.h"
 #include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/anim/procedural/limb.h"
 
 #include <math.h>
 
@@ -10,18 +9,6 @@
  * A torso, which is rotated and moved, with a limb whose bones have lengths of
  * 0.4 and 0.3. The elbow is bent by 0.2 rad about z.
  */
-enum {
-	TORSO,
-	UPPER,
-	LOWER,
-	TIP
-};
-
-struct fixture {
-	struct bones bones;
-	struct ik_limb limb;
-};
-
 static void set_up_limb(struct fixture *f)
 {
 	bones_begin(&f->bones);
@@ -35,27 +22,6 @@ static void set_up_limb(struct fixture *f)
 	f->bones.node[LOWER].rest.rotation[3] = cosf(0.1f);
 	bones_pose(&f->bones);
 	f->limb = (struct ik_limb){UPPER, LOWER, TIP, 1};
-}
-
-static void tear_down(struct fixture *f)
-{
-	bones_end(&f->bones);
-}
-
-static void reset(struct fixture *f)
-{
-	pose_rest(&f->bones.pose, &f->bones.model);
-	bones_update(&f->bones);
-}
-
-static float solve_limb(
-	struct fixture *f, const float target[3], const float pole[3])
-{
-	float left = ik_limb_solve(&f->limb, target, pole,
-		(const mat4 *)f->bones.world, &f->bones.pose);
-
-	bones_update(&f->bones);
-	return left;
 }
 
 static void test_a_limb_reaches_within_a_millimetre(void **state)

@@ -1,25 +1,12 @@
 /* Limbs of any size, straight ones, and limbs that cannot be bent. */
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
-#include "app/anim/procedural/ik.h"
-#include "tests/support/model/bones.h"
 #include "tests/support/model/scattered.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/anim/procedural/limb.h"
 
 #include <math.h>
 #include <string.h>
-
-enum {
-	TORSO,
-	UPPER,
-	LOWER,
-	TIP
-};
-
-struct fixture {
-	struct bones bones;
-	struct ik_limb limb;
-};
 
 /* Bones of these lengths along x, with the elbow bent about z. */
 static void set_up(struct fixture *f, float upper, float lower, float bend_rad)
@@ -33,21 +20,6 @@ static void set_up(struct fixture *f, float upper, float lower, float bend_rad)
 	f->bones.node[LOWER].rest.rotation[3] = cosf(bend_rad / 2);
 	bones_pose(&f->bones);
 	f->limb = (struct ik_limb){UPPER, LOWER, TIP, 1};
-}
-
-static void reset(struct fixture *f)
-{
-	pose_rest(&f->bones.pose, &f->bones.model);
-	bones_update(&f->bones);
-}
-
-static float solve(struct fixture *f, const float target[3], const float pole[3])
-{
-	float left = ik_limb_solve(&f->limb, target, pole,
-		(const mat4 *)f->bones.world, &f->bones.pose);
-
-	bones_update(&f->bones);
-	return left;
 }
 
 /* The elbow bends at the pole and about its own axis, z, alone. */
@@ -72,7 +44,7 @@ static void check_size(float upper, float lower)
 		if (vec_normalize(normal) < 0.1f) {
 			continue;
 		}
-		assert_near(solve(&f, target, pole), 0, 1e-5 * whole);
+		assert_near(solve_limb(&f, target, pole), 0, 1e-5 * whole);
 		bones_place(&f.bones, TIP, tip);
 		bones_place(&f.bones, LOWER, elbow);
 		assert_all_near(tip, target, 3, 1e-3 * whole);
@@ -109,11 +81,11 @@ static void test_a_longer_lower_bone_reaches_near_targets(void **state)
 		scattered_direction(i, direction);
 		bones_point(&f.bones, UPPER, direction,
 			0.101f + 0.005f * (float)i, target);
-		assert_near(solve(&f, target, NULL), 0, 1e-5);
+		assert_near(solve_limb(&f, target, NULL), 0, 1e-5);
 		assert_near(bones_distance(&f.bones, TIP, target), 0, 1e-3);
 	}
 	reset(&f);
-	assert_near(solve(&f, (float[3]){0.01f, 0, 0}, NULL), 0.09, 1e-5);
+	assert_near(solve_limb(&f, (float[3]){0.01f, 0, 0}, NULL), 0.09, 1e-5);
 	assert_near(bones_length(&f.bones, UPPER, TIP), 0.1, 1e-3);
 	bones_end(&f.bones);
 }
@@ -131,7 +103,8 @@ static void test_equal_bones_fold_onto_the_shoulder(void **state)
 		struct fixture f;
 
 		set_up(&f, bone, bone, 1);
-		assert_near(solve(&f, target, NULL), 0, 1e-5 * (double)bone);
+		assert_near(
+			solve_limb(&f, target, NULL), 0, 1e-5 * (double)bone);
 		bones_assert_finite(&f.bones);
 		assert_near(bones_distance(&f.bones, TIP, target), 0,
 			1e-3 * (double)bone);
@@ -166,7 +139,8 @@ static void test_a_straight_limb_bends_to_z_or_else_to_x(void **state)
 		bones_point(&f.bones, UPPER, direction, 0.6f, target);
 		bones_point(&f.bones, UPPER, direction, 3, pole);
 		/* A pole ahead is no help. */
-		assert_near(solve(&f, target, i % 2 ? pole : NULL), 0, 1e-5);
+		assert_near(
+			solve_limb(&f, target, i % 2 ? pole : NULL), 0, 1e-5);
 		assert_near(bones_distance(&f.bones, TIP, target), 0, 1e-3);
 		bones_place(&f.bones, LOWER, elbow);
 		for (int k = 0; k < 3; k++) {
@@ -200,7 +174,7 @@ static void test_a_turned_elbow_below_a_mirror_reaches(void **state)
 		reset(&f);
 		scattered_direction(i + 9, direction);
 		bones_point(&f.bones, UPPER, direction, 0.55f, target);
-		assert_near(solve(&f, target, NULL), 0, 1e-5);
+		assert_near(solve_limb(&f, target, NULL), 0, 1e-5);
 		assert_near(bones_distance(&f.bones, TIP, target), 0, 1e-3);
 	}
 	bones_end(&f.bones);
@@ -213,7 +187,7 @@ static void test_a_solved_limb_counts_as_animated(void **state)
 	(void)state;
 	set_up(&f, 0.4f, 0.3f, 0.2f);
 	assert_false(f.bones.pose.animated[LOWER]);
-	solve(&f, (float[3]){0.1f, 0.2f, 0.4f}, NULL);
+	solve_limb(&f, (float[3]){0.1f, 0.2f, 0.4f}, NULL);
 	assert_true(f.bones.pose.animated[UPPER]);
 	assert_true(f.bones.pose.animated[LOWER]);
 	assert_false(f.bones.pose.animated[TORSO]);
@@ -231,7 +205,7 @@ static void test_a_bone_without_length_leaves_the_limb_alone(void **state)
 		const float target[3] = {1, 2, 2};
 
 		set_up(&f, length[i][0], length[i][1], 0);
-		assert_near(solve(&f, target, target),
+		assert_near(solve_limb(&f, target, target),
 			bones_distance(&f.bones, TIP, target), 1e-5);
 		for (int n = UPPER; n <= LOWER; n++) {
 			assert_memory_equal(&f.bones.pose.local[n],

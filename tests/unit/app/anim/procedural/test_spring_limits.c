@@ -1,9 +1,8 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
-#include "app/anim/procedural/spring.h"
-#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/anim/procedural/sprung.h"
 
 #include <math.h>
 #include <string.h>
@@ -14,15 +13,10 @@ enum {
 	SECOND
 };
 
-/* A bone of 0.5 that points back from a head at (0, 1, 0), and one behind it. */
-struct fixture {
-	struct bones bones;
-	struct spring spring;
-};
-
-static const float INSTANT_S = 1e-4f;
-
-/* The first bone is a spring on which no force acts. */
+/*
+ * A bone of 0.5 that points back from a head at (0, 1, 0), and one behind it.
+ * The first bone is a spring on which no force acts.
+ */
 static void set_up(struct fixture *f)
 {
 	bones_begin(&f->bones);
@@ -34,26 +28,6 @@ static void set_up(struct fixture *f)
 	f->spring.end[2] = -0.5f;
 	memset(f->spring.gravity, 0, sizeof(f->spring.gravity));
 	f->spring.frequency_hz = 0;
-}
-
-static void tear_down(struct fixture *f)
-{
-	bones_end(&f->bones);
-}
-
-static void frame_beside(struct fixture *f, float step_s,
-	const struct capsule_world *capsule, int count)
-{
-	f->bones.pose.local[FIRST] = f->bones.node[FIRST].rest;
-	bones_update(&f->bones);
-	spring_update(&f->spring, step_s, capsule, count,
-		(const mat4 *)f->bones.world, &f->bones.pose);
-	bones_update(&f->bones);
-}
-
-static void frame(struct fixture *f, float step_s)
-{
-	frame_beside(f, step_s, NULL, 0);
 }
 
 /* Turns the first bone up by an angle. */

@@ -1,9 +1,8 @@
 #include "app/anim/math/matrix.h"
 #include "app/anim/math/quat.h"
 #include "app/anim/math/vec.h"
-#include "app/anim/procedural/spring.h"
-#include "tests/support/model/bones.h"
 #include "tests/support/test.h"
+#include "tests/unit/app/anim/procedural/sprung.h"
 
 #include <errno.h>
 #include <math.h>
@@ -16,15 +15,9 @@ enum {
 	SECOND
 };
 
-/* Bones of 0.5 and 0.25 that point back from a head at (0, 1, 0). */
-struct fixture {
-	struct bones bones;
-	struct spring spring;
-};
-
-static const float INSTANT_S = 1e-4f;
-
-/* No force acts. */
+/*
+ * Bones of 0.5 and 0.25 that point back from a head at (0, 1, 0). No force acts.
+ */
 static void set_up(struct fixture *f, int count)
 {
 	static const float first[3] = {0, 0, -0.5f}, second[3] = {0, 0, -0.25f};
@@ -41,28 +34,6 @@ static void set_up(struct fixture *f, int count)
 	memcpy(f->spring.end, count == 1 ? first : second, sizeof(first));
 	memset(f->spring.gravity, 0, sizeof(f->spring.gravity));
 	f->spring.frequency_hz = 0;
-}
-
-static void tear_down(struct fixture *f)
-{
-	bones_end(&f->bones);
-}
-
-static void frame_beside(struct fixture *f, float step_s,
-	const struct capsule_world *capsule, int count)
-{
-	for (int i = FIRST; i <= SECOND; i++) {
-		f->bones.pose.local[i] = f->bones.node[i].rest;
-	}
-	bones_update(&f->bones);
-	spring_update(&f->spring, step_s, capsule, count,
-		(const mat4 *)f->bones.world, &f->bones.pose);
-	bones_update(&f->bones);
-}
-
-static void frame(struct fixture *f, float step_s)
-{
-	frame_beside(f, step_s, NULL, 0);
 }
 
 static void test_a_spring_has_these_settings_unless_told(void **state)
